@@ -1,0 +1,13 @@
+// All that firmware needs to query baked meshes.
+#ifndef FLASHBVH_FLASHBVH_HPP
+#define FLASHBVH_FLASHBVH_HPP
+
+#include "flashbvh/image.hpp"
+#include "flashbvh/lattice.hpp"
+#include "flashbvh/pose.hpp"
+#include "flashbvh/query.hpp"
+#include "flashbvh/status.hpp"
+#include "flashbvh/tree.hpp"
+#include "flashbvh/version.hpp"
+
+#endif

@@ -1,0 +1,88 @@
+// The binary image: a baked mesh in one block of bytes, opened in place, in flash.
+//
+// A header of 72 bytes, then the arrays of the tree, each starting at a multiple of 4 bytes, gaps
+// filled with zeros, in this order:
+//
+//     nodes                 node_count      x 16 or 20 bytes (16 or 32-bit indices)
+//     levels                node_count      x index
+//     parents (pre-indexed) or right child levels (post-indexed)
+//                           node_count      x index
+//     triangles             triangle_count  x 3 indices, in order of their leaves
+//     sources               triangle_count  x index
+//     leaf_firsts           leaf_count + 1  x index; absent if leaf_count = triangle_count
+//     vertices              vertex_count    x 3 x 16 bits
+//
+// Little-endian. lib/docs/format.md has every bit.
+#ifndef FLASHBVH_IMAGE_HPP
+#define FLASHBVH_IMAGE_HPP
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "flashbvh/levels.hpp"
+#include "flashbvh/status.hpp"
+
+namespace flashbvh {
+
+constexpr uint32_t kImageMagic = 0x48564246u;  // "FBVH"
+constexpr uint16_t kImageVersion = 1;
+
+struct ImageHeader {
+  uint32_t magic;
+  uint16_t version;
+  uint8_t layout;        ///< of enum Layout
+  uint8_t index_bits;    ///< 16 or 32
+  uint32_t byte_count;   ///< of the whole image
+  uint32_t crc;          ///< CRC-32 (IEEE 802.3) of all bytes but these four
+  uint32_t node_count;
+  uint32_t leaf_count;
+  uint32_t triangle_count;
+  uint32_t vertex_count;
+  uint32_t depth;        ///< of the deepest leaf; the root has depth 0
+  uint32_t stack_need;   ///< Tree::stack_need
+  uint16_t leaf_size;    ///< most triangles in a leaf
+  uint16_t arity;        ///< most children of a node, 65,535 standing for more
+  int32_t origin[3];     ///< in cells
+  uint32_t cell[2];      ///< in the mesh's unit: IEEE binary64, low word first
+  uint32_t deviation[2]; ///< largest distance of a vertex from its source, likewise
+};
+
+static_assert(sizeof(ImageHeader) == 72, "the figure in the format's description");
+
+/// Where the arrays lie, in bytes from the start of the image; what an image of this header needs.
+/// 64 bits, so that no header makes a sum wrap.
+struct ImageOffsets {
+  uint64_t nodes, levels, climb, triangles, sources, leaf_firsts, vertices, end;
+};
+ImageOffsets image_offsets(const ImageHeader& header);
+
+/// CRC-32 (IEEE 802.3, reflected, as in zlib) of `size` bytes, going on from `crc` (0 at first).
+/// No table: about 50 instructions a byte.
+uint32_t crc32(const void* bytes, size_t size, uint32_t crc = 0);
+
+/// The checksum that an image's header must hold.
+uint32_t image_crc(const void* bytes, size_t size);
+
+/// Checks magic, version and size, and copies the header: tells what kind of image it is, not
+/// whether its contents can be trusted.
+Status read_image_header(const void* bytes, size_t size, ImageHeader& header);
+
+/// Opens an image in place: `bytes` must start at a multiple of 4 and outlive `tree`.
+///
+/// Checks all of it in one pass, in constant memory: checksum; links that go forward and nest;
+/// levels, ranks and stack need as the tree's shape makes them; indices in range; each node's box in
+/// its parent's, each triangle in its leaf's. `tree` is written only on `done`; every query on it
+/// then stays inside the image and ends.
+///
+/// TreeType: LevelledPreTree, LevelledPostTree or their Large kin; another kind of image gives
+/// `image_kind`.
+template <class TreeType>
+Status open_image(const void* bytes, size_t size, TreeType& tree);
+
+/// The check of a tree's contents on its own. `done` or `image_invalid`.
+template <class TreeType>
+Status check_tree(const TreeType& tree);
+
+}  // namespace flashbvh
+
+#endif

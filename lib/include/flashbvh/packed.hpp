@@ -1,0 +1,77 @@
+// Comparing two 16-bit numbers at once in a 32-bit word.
+//
+// Three forms of one definition, equal bit for bit: plain C++ as the reference, UQSUB16 where the
+// core has the DSP extension (Cortex-M4, M7, M33, M55), and carry arithmetic in plain words where
+// it has not (Cortex-M0, M3, RISC-V). FLASHBVH_PORTABLE selects the reference everywhere.
+#ifndef FLASHBVH_PACKED_HPP
+#define FLASHBVH_PACKED_HPP
+
+#include <stdint.h>
+
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
+#error "flashbvh images are little-endian; big-endian cores are not supported"
+#endif
+
+#if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
+#include <arm_acle.h>
+#endif
+
+namespace flashbvh {
+
+constexpr uint32_t low_half(uint32_t word) { return word & 0xFFFFu; }
+constexpr uint32_t high_half(uint32_t word) { return word >> 16; }
+constexpr uint32_t join_halves(uint32_t low, uint32_t high) { return low | (high << 16); }
+constexpr uint32_t swap_halves(uint32_t word) { return (word << 16) | (word >> 16); }
+
+/// Three pairs of unsigned 16-bit numbers.
+struct PackedTriple {
+  uint32_t word[3];
+};
+
+/// True if each of the six halves of `value` is at least the same half of `least`; the reference.
+constexpr bool halves_reach_portable(const PackedTriple& value, const PackedTriple& least) {
+  for (int i = 0; i < 3; ++i) {
+    if (low_half(value.word[i]) < low_half(least.word[i]) ||
+        high_half(value.word[i]) < high_half(least.word[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The same in plain words. `value - least` as a whole tells of the high half (it borrows if that
+/// half is too small, or equal with the low half too small); the bit that entered position 16 tells
+/// of the low half.
+constexpr bool halves_reach_plain(const PackedTriple& value, const PackedTriple& least) {
+  for (int i = 0; i < 3; ++i) {
+    const uint32_t v = value.word[i];
+    const uint32_t l = least.word[i];
+    if (v < l || (((v - l) ^ v ^ l) & 0x10000u) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+#if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
+/// The same by saturating subtraction: a half of `least - value` stays 0 if `value` reaches it.
+inline bool halves_reach_dsp(const PackedTriple& value, const PackedTriple& least) {
+  return (__uqsub16(least.word[0], value.word[0]) | __uqsub16(least.word[1], value.word[1]) |
+          __uqsub16(least.word[2], value.word[2])) == 0;
+}
+#endif
+
+/// The fastest form that this core has.
+inline bool halves_reach(const PackedTriple& value, const PackedTriple& least) {
+#if defined(FLASHBVH_PORTABLE)
+  return halves_reach_portable(value, least);
+#elif defined(__ARM_FEATURE_SIMD32)
+  return halves_reach_dsp(value, least);
+#else
+  return halves_reach_plain(value, least);
+#endif
+}
+
+}  // namespace flashbvh
+
+#endif

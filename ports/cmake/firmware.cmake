@@ -1,0 +1,77 @@
+# Functions for programs that run on a board; tests with Catch2 are in tests/harness.
+
+set(FLASHBVH_RUN ${PROJECT_SOURCE_DIR}/ports/run ${FLASHBVH_MACHINE} CACHE INTERNAL "")
+set(FLASHBVH_EXPECT ${CMAKE_CURRENT_LIST_DIR}/expect.cmake CACHE INTERNAL "")
+set(FLASHBVH_NO_HEAP ${PROJECT_SOURCE_DIR}/ports/common/no_heap.ld CACHE INTERNAL "")
+
+# flashbvh_board_executable(name source...): what firmware and tests have in common.
+function(flashbvh_board_executable name)
+  add_executable(${name} ${ARGN})
+  set_target_properties(${name} PROPERTIES SUFFIX .elf)
+  target_link_options(${name} PRIVATE -Wl,-Map=$<TARGET_FILE:${name}>.map)
+  target_link_libraries(${name} PRIVATE flashbvh::flashbvh flashbvh_board)
+endfunction()
+
+# flashbvh_add_firmware(name source... [ARGUMENTS])
+#
+# name.elf and name.elf.map. The link fails when heap, exceptions or RTTI get in. main() has no
+# arguments unless ARGUMENTS is given, which costs 1.2 KB of RAM.
+function(flashbvh_add_firmware name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "ARGUMENTS" "" "")
+  flashbvh_board_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+  flashbvh_warnings(${name})
+  if(arg_ARGUMENTS)
+    target_sources(${name} PRIVATE $<TARGET_OBJECTS:flashbvh_arguments>)
+  endif()
+  target_link_libraries(${name} PRIVATE ${FLASHBVH_NO_HEAP})
+  set_property(TARGET ${name} APPEND PROPERTY LINK_DEPENDS ${FLASHBVH_NO_HEAP})
+endfunction()
+
+# flashbvh_add_firmware_test(name target [ICOUNT] [ARGUMENTS argument...] [STATUS n]
+#                            [PASS_REGULAR_EXPRESSION regex] [TIMEOUT seconds])
+#
+# Runs the firmware under QEMU. The test passes when it ends with STATUS (0 unless given) and, if
+# there is an expression, its output matches. ICOUNT makes instruction counts exact.
+function(flashbvh_add_firmware_test name target)
+  cmake_parse_arguments(PARSE_ARGV 2 arg
+    "ICOUNT" "STATUS;PASS_REGULAR_EXPRESSION;TIMEOUT" "ARGUMENTS")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "flashbvh_add_firmware_test(${name}): unknown ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 60)
+  endif()
+  set(expectations "")
+  if(DEFINED arg_STATUS)
+    list(APPEND expectations -DSTATUS=${arg_STATUS})
+  endif()
+  if(DEFINED arg_PASS_REGULAR_EXPRESSION)
+    list(APPEND expectations "-DOUTPUT=${arg_PASS_REGULAR_EXPRESSION}")
+  endif()
+  set(environment FLASHBVH_TIMEOUT=${arg_TIMEOUT})
+  if(arg_ICOUNT)
+    list(APPEND environment FLASHBVH_ICOUNT=${FLASHBVH_ICOUNT_SHIFT})
+  endif()
+
+  set(test "${FLASHBVH_TEST_PREFIX}/${name}")
+  add_test(NAME ${test}
+    COMMAND ${CMAKE_COMMAND} ${expectations} -P ${FLASHBVH_EXPECT} --
+      ${FLASHBVH_RUN} $<TARGET_FILE:${target}> ${arg_ARGUMENTS})
+  # QEMU's own limit comes first: it says what happened.
+  math(EXPR limit "${arg_TIMEOUT} + 30")
+  set_tests_properties(${test} PROPERTIES TIMEOUT ${limit} ENVIRONMENT "${environment}")
+endfunction()
+
+# flashbvh_add_link_failure_test(name target OUTPUT regex)
+#
+# Passes when `target` does not build and the build says so with `regex`.
+function(flashbvh_add_link_failure_test name target)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "OUTPUT" "")
+  set(test "${FLASHBVH_TEST_PREFIX}/${name}")
+  set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
+  add_test(NAME ${test}
+    COMMAND ${CMAKE_COMMAND} -DSTATUS=failure "-DOUTPUT=${arg_OUTPUT}" -P ${FLASHBVH_EXPECT} --
+      ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target ${target})
+  # One build at a time in one folder.
+  set_tests_properties(${test} PROPERTIES TIMEOUT 120 RESOURCE_LOCK flashbvh_build_folder)
+endfunction()

@@ -1,0 +1,18 @@
+// A call of any function object through one plain function pointer: whatever is measured is then
+// called in the same way, and cannot be inlined into the code that measures it.
+#ifndef FLASHBVH_PORT_CALL_HPP
+#define FLASHBVH_PORT_CALL_HPP
+
+namespace port {
+
+using Call = void (*)(void* context);
+
+/// Calls the function object at `function`.
+template <class Function>
+void call_object(void* function) {
+  (*static_cast<Function*>(function))();
+}
+
+}  // namespace port
+
+#endif

@@ -1,0 +1,95 @@
+// SysTick as the instruction counter of insn.hpp. It has 24 bits; its interrupt counts the rest.
+#include "insn.hpp"
+
+#include "semihosting.hpp"
+#include "text.hpp"
+
+extern "C" {
+volatile uint32_t port_systick_wraps;
+
+// In assembler, so that it executes kHandlerInstructions on every core and at every optimisation.
+__attribute__((naked)) void SysTick_Handler() {
+  __asm__ volatile(
+      ".syntax unified\n"
+      "  ldr r0, =port_systick_wraps\n"
+      "  ldr r1, [r0]\n"
+      "  adds r1, r1, #1\n"
+      "  str r1, [r0]\n"
+      "  bx lr\n"
+      "  .ltorg\n");
+}
+}
+
+namespace port {
+namespace {
+
+constexpr uint32_t kHandlerInstructions = 5;
+
+struct SysTick {
+  uint32_t control;
+  uint32_t reload;
+  uint32_t current;  // counts down; any write clears it
+};
+
+volatile SysTick& systick() {
+  return *reinterpret_cast<volatile SysTick*>(0xE000E010);
+}
+
+constexpr uint32_t kStop = 4;   // processor clock; QEMU loses the count when the clock changes
+constexpr uint32_t kCount = 7;  // the same, interrupt at the wrap, enable
+constexpr uint32_t kLargestReload = 0xFFFFFF;
+
+// The same code around every call, so that what it adds is the same.
+__attribute__((noinline)) void run_counted(Call function, void* context) {
+  port_systick_wraps = 0;
+  systick().control = kStop;
+  systick().reload = kLargestReload;
+  systick().current = 0;
+  systick().control = kCount;
+  function(context);
+  systick().control = kStop;
+  // A wrap at the very end is still to be taken before port_systick_wraps is read.
+  __asm__ volatile("dsb\n isb" ::: "memory");
+}
+
+// Instructions between the two writes to the control register.
+uint32_t counted(Call function, void* context) {
+  run_counted(function, context);
+  const uint32_t wraps = port_systick_wraps;
+  const uint32_t rest = (0 - systick().current) & kLargestReload;
+  const uint64_t ticks = uint64_t{wraps} * (kLargestReload + 1) + rest;
+  // ticks / (ticks per second) in units of 2^shift ns, rounded.
+  constexpr uint64_t kDivisor = uint64_t{FLASHBVH_SYSTICK_KHZ} << FLASHBVH_ICOUNT_SHIFT;
+  const uint64_t instructions = (ticks * 1000000 + kDivisor / 2) / kDivisor;
+  return static_cast<uint32_t>(instructions - uint64_t{wraps} * kHandlerInstructions);
+}
+
+__attribute__((naked)) void empty(void*) {
+  __asm__ volatile("bx lr");
+}
+
+constexpr uintptr_t kLoops = 100;
+
+__attribute__((naked)) void loop_of_200_instructions(void*) {
+  __asm__ volatile(
+      ".syntax unified\n"
+      "  movs r0, #100\n"
+      "1: subs r0, r0, #1\n"
+      "  bne 1b\n"
+      "  bx lr\n");
+}
+
+}  // namespace
+
+uint32_t instructions_of_call(Call function, void* context) {
+  const uint32_t overhead = counted(empty, nullptr);
+  if (counted(loop_of_200_instructions, nullptr) - overhead != 201) {
+    put("[port] the instruction counter is not exact: run QEMU with -icount shift=");
+    put(FLASHBVH_ICOUNT_SHIFT);
+    put("\n");
+    exit_program(kExitCounterNotExact);
+  }
+  return counted(function, context) - overhead;
+}
+
+}  // namespace port

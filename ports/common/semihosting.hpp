@@ -1,0 +1,52 @@
+// Semihosting: how a program without an operating system asks the host behind the emulator (or the
+// debug probe) for output and for an end. Source: Arm, "Semihosting for AArch32 and AArch64".
+#ifndef FLASHBVH_PORT_SEMIHOSTING_HPP
+#define FLASHBVH_PORT_SEMIHOSTING_HPP
+
+#include <stdint.h>
+
+namespace port {
+
+enum class HostCall : uint32_t {
+  open = 0x01,
+  write0 = 0x04,  ///< writes a string that ends with 0
+  write = 0x05,
+  clock = 0x10,  ///< hundredths of a second since the start, in host time
+  get_command_line = 0x15,
+  exit = 0x18,           ///< takes a reason only
+  exit_extended = 0x20,  ///< takes a reason and a status
+};
+
+/// Makes one call. `argument` is what the call expects: most take the address of a block of words.
+inline int32_t ask_host(HostCall call, const void* argument) {
+  register uint32_t r0 __asm__("r0") = static_cast<uint32_t>(call);
+  register const void* r1 __asm__("r1") = argument;
+  __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
+  return static_cast<int32_t>(r0);
+}
+
+/// Statuses with which a program ends itself. 124 is free for timeout(1).
+enum ExitStatus : int {
+  kExitCatchWouldThrow = 120,
+  kExitCounterNotExact = 121,
+  kExitHeapForbidden = 122,
+  kExitFault = 123,
+  kExitUnexpectedInterrupt = 125,
+};
+
+/// Ends the program; the emulator exits with the low 8 bits of `status`.
+[[noreturn]] inline void exit_program(int status) {
+  constexpr uintptr_t kApplicationExit = 0x20026;
+  constexpr uintptr_t kRunTimeError = 0x20023;
+  const uintptr_t block[2] = {kApplicationExit, static_cast<uintptr_t>(status)};
+  ask_host(HostCall::exit_extended, block);
+  // A host without the extended call knows success and failure only.
+  const uintptr_t reason = status == 0 ? kApplicationExit : kRunTimeError;
+  ask_host(HostCall::exit, reinterpret_cast<const void*>(reason));
+  for (;;) {
+  }
+}
+
+}  // namespace port
+
+#endif

@@ -1,0 +1,45 @@
+#include "start.hpp"
+
+#include "semihosting.hpp"
+#include "stack.hpp"
+
+extern "C" {
+extern void (*__init_array_start[])();
+extern void (*__init_array_end[])();
+}
+
+// ISO C++ lets nobody call main(), which is just what start-up code is for.
+#pragma GCC diagnostic ignored "-Wpedantic"
+int main(int argc, char** argv);
+
+namespace port {
+namespace {
+
+void fill_data_and_bss() {
+  const uint32_t* source = __data_load;
+  for (uint32_t* target = __data_start; target < __data_end; ++target) {
+    *target = *source++;
+  }
+  for (uint32_t* target = __bss_start; target < __bss_end; ++target) {
+    *target = 0;
+  }
+}
+
+void construct_static_objects() {
+  for (auto constructor = __init_array_start; constructor < __init_array_end; ++constructor) {
+    (*constructor)();
+  }
+}
+
+}  // namespace
+
+void start_program() {
+  fill_data_and_bss();
+  paint_stack();
+  construct_static_objects();
+  char** argv = nullptr;
+  const int argc = read_arguments != nullptr ? read_arguments(&argv) : 0;
+  exit_program(main(argc, argv));
+}
+
+}  // namespace port

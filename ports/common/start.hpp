@@ -1,0 +1,27 @@
+// What happens between reset and main() on every core, once the stack pointer is set.
+#ifndef FLASHBVH_PORT_START_HPP
+#define FLASHBVH_PORT_START_HPP
+
+#include <stdint.h>
+
+// Addresses that sections.ld defines.
+extern "C" {
+extern uint32_t __data_load[], __data_start[], __data_end[];
+extern uint32_t __bss_start[], __bss_end[];
+extern uint32_t __stack_limit[], __stack_top[];
+extern char __heap_start[], __heap_end[];
+}
+
+namespace port {
+
+/// Fills .data and .bss, paints the stack, constructs the static objects, runs main() and ends the
+/// program with its result.
+[[noreturn]] void start_program();
+
+/// Fills `argv` from the host's command line and returns argc. Only programs that link
+/// arguments.cpp have it; in all others main() gets no arguments.
+int read_arguments(char*** argv) __attribute__((weak));
+
+}  // namespace port
+
+#endif

@@ -1,0 +1,59 @@
+// The instruction counter on code whose length is known by construction.
+#include "insn.hpp"
+
+#include "text.hpp"
+
+namespace {
+
+// 3 instructions a pass; `passes` comes in r0. The return belongs to the call, as in an empty
+// function.
+__attribute__((naked)) void loop(void*) {
+  __asm__ volatile(
+      ".syntax unified\n"
+      "1: subs r0, r0, #1\n"
+      "  cmp r0, #0\n"
+      "  bne 1b\n"
+      "  bx lr\n");
+}
+
+int wrong = 0;
+int measured = 0;
+
+void expect(uint32_t instructions, uint32_t expected) {
+  ++measured;
+  if (instructions != expected) {
+    ++wrong;
+    port::print("counted ", instructions, ", expected ", expected, "\n");
+  }
+}
+
+void expect_loop(uint32_t passes) {
+  expect(port::instructions_of_call(loop, reinterpret_cast<void*>(passes)), 3 * passes);
+}
+
+void expect_random_loops(int count) {
+  uint32_t random = 1;
+  for (int i = 0; i < count; ++i) {
+    random = random * 1664525 + 1013904223;
+    expect_loop(1 + (random >> 16) % 40000);
+  }
+}
+
+// Around multiples of 2^24 ticks, where the timer of most boards wraps.
+void expect_long_loops() {
+  expect_loop(873813);
+  expect_loop(873814);
+  expect_loop(1000000);
+  expect_loop(20000000);
+}
+
+}  // namespace
+
+int main() {
+  expect(port::instructions_of([] {}), 0);
+  expect(port::instructions_of([] { __asm__ volatile("nop\n nop\n nop"); }), 3);
+  expect_random_loops(100);
+  expect_long_loops();
+  port::print("wrong counts: ", wrong, " of ", measured, "\n");
+  return wrong == 0 ? 0 : 1;
+}

@@ -1,0 +1,7 @@
+#include <stdlib.h>
+
+void* volatile kept;
+
+int main() {
+  kept = malloc(4);
+}

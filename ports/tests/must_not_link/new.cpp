@@ -1,0 +1,5 @@
+int* volatile kept;
+
+int main() {
+  kept = new int(3);
+}

@@ -1,0 +1,5 @@
+int main(int argc, char**) {
+  if (argc > 5) {
+    throw argc;
+  }
+}

@@ -1,0 +1,56 @@
+// stack_of() on frames whose size is known by construction.
+#include "stack.hpp"
+
+#include "text.hpp"
+
+namespace {
+
+// Pushes 2 words, `context` times.
+__attribute__((naked)) void push_pairs(void*) {
+  __asm__ volatile(
+      ".syntax unified\n"
+      "  mov r1, sp\n"
+      "1: push {r0, r1}\n"
+      "  subs r0, r0, #1\n"
+      "  bne 1b\n"
+      "  mov sp, r1\n"
+      "  bx lr\n");
+}
+
+int wrong = 0;
+
+void expect(uint32_t bytes, uint32_t least, uint32_t most) {
+  if (bytes < least || bytes > most) {
+    ++wrong;
+    port::print("measured ", bytes, ", expected ", least, " to ", most, "\n");
+  }
+}
+
+void expect_pairs(uint32_t pairs) {
+  const uint32_t bytes = port::stack_of_call(push_pairs, reinterpret_cast<void*>(pairs));
+  expect(bytes, 8 * pairs, 8 * pairs);
+}
+
+// Writes every byte of a frame of 400 bytes; saved registers come on top.
+void fill_frame() {
+  volatile uint8_t frame[400];
+  for (volatile uint8_t& byte : frame) {
+    byte = 1;
+  }
+}
+
+}  // namespace
+
+int main() {
+  expect(port::stack_of([] {}), 0, 0);
+  for (uint32_t pairs = 1; pairs <= 100; ++pairs) {
+    expect_pairs(pairs);
+  }
+  expect(port::stack_of(fill_frame), 400, 440);
+  port::paint_stack();
+  const uint32_t before = port::stack_used();
+  fill_frame();
+  expect(port::stack_used() - before, 300, 480);
+  port::print("wrong depths: ", wrong, "\n");
+  return wrong == 0 ? 0 : 1;
+}

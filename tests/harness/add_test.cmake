@@ -1,0 +1,29 @@
+# flashbvh_add_test(name source... [LIBRARIES library...] [TIMEOUT seconds])
+#
+# An executable of Catch2 tests, for this machine or, when crossing, for the board. CTest runs each
+# test case in a process of its own, as "<preset>/<test case>". An own main() is not needed.
+set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
+
+function(flashbvh_add_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "LIBRARIES")
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif()
+  add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+  target_sources(${name} PRIVATE $<TARGET_OBJECTS:flashbvh_harness>)
+  target_link_libraries(${name} PRIVATE
+    ${arg_LIBRARIES} flashbvh::flashbvh flashbvh_harness_options)
+  flashbvh_warnings(${name})
+  if(CMAKE_CROSSCOMPILING)
+    set_target_properties(${name} PROPERTIES SUFFIX .elf)
+  endif()
+
+  # Catch2 takes an executable that crashes for one without tests.
+  add_custom_command(TARGET ${name} POST_BUILD VERBATIM
+    COMMAND ${CMAKE_COMMAND} -P ${FLASHBVH_CHECK_TEST_LIST} --
+      ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${name}>)
+  # The emulator's own limit comes first: it says what happened.
+  math(EXPR limit "${arg_TIMEOUT} + 30")
+  catch_discover_tests(${name} TEST_PREFIX "${FLASHBVH_TEST_PREFIX}/"
+    PROPERTIES TIMEOUT ${limit} ENVIRONMENT FLASHBVH_TIMEOUT=${arg_TIMEOUT})
+endfunction()

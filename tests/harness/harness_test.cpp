@@ -1,0 +1,61 @@
+// The harness itself: names, values and the heap guard work the same natively and on a board.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <vector>
+
+#include "heap_guard.hpp"
+
+namespace {
+
+// Without it the compiler removes an allocation that nobody uses.
+void keep(void* block) {
+  __asm__ volatile("" ::"r"(block) : "memory");
+}
+
+}  // namespace
+
+TEST_CASE("a test name may have blanks, commas and <brackets>::of \"any\" kind") {
+  CHECK(1 + 1 == 2);
+}
+
+TEST_CASE("floats print") {
+  CHECK(Catch::Detail::stringify(1.5) == "1.5");
+  CHECK(Catch::Detail::stringify(0.25F) == "0.25f");
+}
+
+TEMPLATE_TEST_CASE("templates run", "", short, long) {
+  CHECK(sizeof(TestType) <= sizeof(long));
+}
+
+TEST_CASE("the heap guard lets code without a heap pass") {
+  int sum = 0;
+  {
+    const HeapForbidden guard;
+    for (int i = 0; i < 10; ++i) {
+      sum += i;
+    }
+  }
+  const std::vector<int> allowed_again(100, sum);
+  CHECK(allowed_again.back() == 45);
+}
+
+TEST_CASE("allocate under the guard with new", "[.]") {
+  const HeapForbidden guard;
+  keep(new int);
+}
+
+TEST_CASE("allocate under the guard with malloc", "[.]") {
+  const HeapForbidden guard;
+  keep(std::malloc(4));
+}
+
+TEST_CASE("allocate under the guard with calloc", "[.]") {
+  const HeapForbidden guard;
+  keep(std::calloc(2, 4));
+}
+
+TEST_CASE("allocate under the guard with realloc", "[.]") {
+  void* const block = std::malloc(4);
+  const HeapForbidden guard;
+  keep(std::realloc(block, 400));
+}

@@ -1,0 +1,17 @@
+// A scope in which nothing may allocate.
+#ifndef FLASHBVH_HEAP_GUARD_HPP
+#define FLASHBVH_HEAP_GUARD_HPP
+
+/// While one is alive, malloc, calloc, realloc and operator new end the process with a message and
+/// status 122, which fails the test. Freeing is allowed.
+///
+/// Catch2's own macros allocate: collect results inside the scope, check them behind it.
+class HeapForbidden {
+ public:
+  HeapForbidden();
+  ~HeapForbidden();
+  HeapForbidden(const HeapForbidden&) = delete;
+  HeapForbidden& operator=(const HeapForbidden&) = delete;
+};
+
+#endif

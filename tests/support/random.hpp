@@ -1,0 +1,47 @@
+// Reproducible randomness for tests: the same numbers on every host and core.
+#ifndef FLASHBVH_TESTS_SUPPORT_RANDOM_HPP
+#define FLASHBVH_TESTS_SUPPORT_RANDOM_HPP
+
+#include <stdint.h>
+#include <stdlib.h>
+
+namespace flashbvh::test {
+
+/// The splitmix64 generator: any seed is good, and equal seeds give equal sequences.
+///
+/// Source: Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014.
+class Random {
+ public:
+  explicit Random(uint64_t seed) : state_(seed) {}
+
+  /// 64 bits, each as likely set as not.
+  uint64_t next() {
+    uint64_t bits = (state_ += 0x9E3779B97F4A7C15u);
+    bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9u;
+    bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBu;
+    return bits ^ (bits >> 31);
+  }
+
+  /// A number in [0, n), n > 0. Uneven by at most n parts in 2^32.
+  uint32_t below(uint32_t n) { return static_cast<uint32_t>(((next() >> 32) * n) >> 32); }
+
+  /// A number in [lo, hi], lo <= hi, hi - lo < 2^32 - 1.
+  int32_t between(int32_t lo, int32_t hi) {
+    const uint32_t count = static_cast<uint32_t>(hi) - static_cast<uint32_t>(lo) + 1;
+    return static_cast<int32_t>(static_cast<int64_t>(lo) + below(count));
+  }
+
+ private:
+  uint64_t state_;
+};
+
+/// The seed of this run: FLASHBVH_SEED, decimal or 0x hexadecimal, or a fixed one where unset.
+/// A test prints it (CAPTURE), so that a failure elsewhere can be replayed.
+inline uint64_t test_seed() {
+  const char* const text = getenv("FLASHBVH_SEED");
+  return text != nullptr ? strtoull(text, nullptr, 0) : 20240607u;
+}
+
+}  // namespace flashbvh::test
+
+#endif

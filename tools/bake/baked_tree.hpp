@@ -1,0 +1,69 @@
+// A tree laid out in arrays, ready to be written or queried.
+#ifndef FLASHBVH_TOOLS_BAKE_BAKED_TREE_HPP
+#define FLASHBVH_TOOLS_BAKE_BAKED_TREE_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "bake/build_tree.hpp"
+#include "bake/mesh.hpp"
+#include "flashbvh/levels.hpp"
+
+namespace flashbvh::bake {
+
+/// The arrays of LevelledTree<Index, layout>, and what is known about them.
+template <class IndexType, Layout layout>
+struct BakedTree {
+  using Index = IndexType;
+  static constexpr Layout kLayout = layout;
+
+  std::vector<Node<Index>> nodes;
+  std::vector<Index> levels;
+  std::vector<Index> climb;  ///< pre-indexed: parents; post-indexed: right child levels
+  std::vector<Corners<Index>> triangles;
+  std::vector<Index> sources;
+  std::vector<Index> leaf_firsts;  ///< empty at one triangle per leaf
+  std::vector<Vertex> vertices;
+
+  std::uint32_t leaf_count = 0;
+  std::uint32_t depth = 0;       ///< of the deepest leaf; the root has depth 0
+  std::uint32_t stack_need = 0;  ///< Tree::stack_need
+  std::uint32_t leaf_size = 0;   ///< most triangles in a leaf
+  std::uint32_t arity = 0;       ///< most children of a node
+  std::array<std::int32_t, 3> origin{};
+  double cell = 1;
+  double deviation = 0;
+
+  /// Of array position i: the node of the BuildTree. Not written anywhere.
+  std::vector<std::uint32_t> build_nodes;
+
+  /// A view into these arrays.
+  LevelledTree<Index, layout> view() const;
+};
+
+/// What an index type can hold.
+template <class Index>
+struct IndexLimits {
+  static constexpr std::uint32_t kMost = static_cast<Index>(~Index{0});  ///< nodes, triangles, vertices
+  static constexpr std::uint32_t kMostLeaves = kMost / 2 + 1;
+};
+
+/// Whether the tree and its mesh are within the limits of `Index`.
+template <class Index>
+bool fits_index(const BuildTree& tree, const LatticeMesh& mesh) {
+  std::uint32_t leaves = 0;
+  for (const BuildNode& node : tree.nodes) {
+    leaves += node.is_leaf() ? 1 : 0;
+  }
+  constexpr std::uint32_t most = IndexLimits<Index>::kMost;
+  return tree.nodes.size() <= most && mesh.triangles.size() <= most &&
+         mesh.vertices.size() <= most && leaves <= IndexLimits<Index>::kMostLeaves;
+}
+
+/// Lays the tree out. Precondition: fits_index<Index>(tree, mesh).
+template <class Index, Layout layout>
+BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh);
+
+}  // namespace flashbvh::bake
+
+#endif

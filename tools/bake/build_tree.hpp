@@ -1,0 +1,42 @@
+// A tree over a lattice mesh, of any shape, before it is laid out in an array.
+#ifndef FLASHBVH_TOOLS_BAKE_BUILD_TREE_HPP
+#define FLASHBVH_TOOLS_BAKE_BUILD_TREE_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "bake/mesh.hpp"
+#include "flashbvh/box.hpp"
+
+namespace flashbvh::bake {
+
+/// A leaf has no children and at least one triangle, an internal node the reverse.
+struct BuildNode {
+  Box box{};
+  std::vector<std::uint32_t> children;   ///< indices into BuildTree::nodes, first to last
+  std::vector<std::uint32_t> triangles;  ///< numbers in the source mesh
+
+  bool is_leaf() const { return children.empty(); }
+};
+
+/// The root is node 0. Every node but the root is the child of exactly one.
+struct BuildTree {
+  std::vector<BuildNode> nodes;
+};
+
+/// The box of one triangle, and the smallest box round two.
+Box box_of(const LatticeMesh& mesh, std::uint32_t triangle);
+Box join(const Box& a, const Box& b);
+
+/// The paper's builder (section 9): top-down, half the triangles each side of the middle along the
+/// longest axis of the node's box, down to `leaf_size` triangles. Ordered by the sum of the corners,
+/// ties by number, so the result is the same on every machine. At least one triangle. O(n log^2 n).
+BuildTree build_median(const LatticeMesh& mesh, std::uint32_t leaf_size);
+
+/// The same leaves with up to `arity` children a node: each node takes in its largest internal child
+/// in place, again and again, while the children of that child fit. 2 leaves a binary tree as it is.
+BuildTree collapse(const BuildTree& binary, std::uint32_t arity);
+
+}  // namespace flashbvh::bake
+
+#endif

@@ -1,0 +1,33 @@
+// The meshes that baking passes through: as read, and on the lattice.
+#ifndef FLASHBVH_TOOLS_BAKE_MESH_HPP
+#define FLASHBVH_TOOLS_BAKE_MESH_HPP
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "flashbvh/lattice.hpp"
+
+namespace flashbvh::bake {
+
+using TriangleCorners = std::array<std::uint32_t, 3>;
+
+/// As read from a file: vertices in the mesh's unit, joined by position.
+struct SourceMesh {
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<TriangleCorners> triangles;
+};
+
+/// Rounded: vertex i lies at (origin + vertices[i]) * cell.
+struct LatticeMesh {
+  double cell = 1;                       ///< in the mesh's unit
+  std::array<std::int32_t, 3> origin{};  ///< in cells
+  std::vector<Vertex> vertices;          ///< joined by position
+  std::vector<TriangleCorners> triangles;  ///< in the source's order
+  double deviation = 0;  ///< largest distance of a vertex from its source, in the mesh's unit
+};
+
+}  // namespace flashbvh::bake
+
+#endif

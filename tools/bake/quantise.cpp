@@ -1,0 +1,95 @@
+#include "bake/quantise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+
+namespace flashbvh::bake {
+namespace {
+
+constexpr double kMaxOrigin = 1 << 29;
+constexpr double kMaxWidth = 2.0 * kMaxCoordinate;
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+Range range_of(const SourceMesh& mesh, std::size_t axis) {
+  Range range;
+  for (const auto& vertex : mesh.vertices) {
+    range.low = std::min(range.low, vertex[axis]);
+    range.high = std::max(range.high, vertex[axis]);
+  }
+  return range;
+}
+
+/// The lattice point in the middle of the rounded mesh.
+std::int32_t middle(const Range& range, double cell) {
+  const double low = std::round(range.low / cell);
+  const double high = std::round(range.high / cell);
+  return static_cast<std::int32_t>(std::floor((low + high) / 2));
+}
+
+}  // namespace
+
+bool fits(const SourceMesh& mesh, double cell) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Range range = range_of(mesh, axis);
+    const double low = std::round(range.low / cell);
+    const double high = std::round(range.high / cell);
+    if (!(high - low <= kMaxWidth) || !(std::fabs(low) <= kMaxOrigin) ||
+        !(std::fabs(high) <= kMaxOrigin)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+double finest_cell(const SourceMesh& mesh) {
+  double cell = std::numeric_limits<double>::min();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Range range = range_of(mesh, axis);
+    // Rounding the two ends can widen the mesh by a cell.
+    cell = std::max({cell, (range.high - range.low) / (kMaxWidth - 1),
+                     std::fabs(range.low) / (kMaxOrigin - 1),
+                     std::fabs(range.high) / (kMaxOrigin - 1)});
+  }
+  return cell;
+}
+
+LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell) {
+  LatticeMesh rounded;
+  rounded.cell = cell;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    rounded.origin[axis] = middle(range_of(mesh, axis), cell);
+  }
+  std::map<std::array<std::int16_t, 3>, std::uint32_t> joined;
+  std::vector<std::uint32_t> index_of(mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    std::array<std::int16_t, 3> at{};
+    double squared = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double cells = std::round(mesh.vertices[i][axis] / cell);
+      at[axis] = static_cast<std::int16_t>(cells - rounded.origin[axis]);
+      const double off = mesh.vertices[i][axis] - cells * cell;
+      squared += off * off;
+    }
+    rounded.deviation = std::max(rounded.deviation, std::sqrt(squared));
+    const auto next = static_cast<std::uint32_t>(rounded.vertices.size());
+    const auto [entry, inserted] = joined.emplace(at, next);
+    if (inserted) {
+      rounded.vertices.push_back({at[0], at[1], at[2]});
+    }
+    index_of[i] = entry->second;
+  }
+  for (const TriangleCorners& triangle : mesh.triangles) {
+    rounded.triangles.push_back(
+        {index_of[triangle[0]], index_of[triangle[1]], index_of[triangle[2]]});
+  }
+  return rounded;
+}
+
+}  // namespace flashbvh::bake

@@ -1,0 +1,23 @@
+// From a mesh in its unit to a mesh on the lattice.
+#ifndef FLASHBVH_TOOLS_BAKE_QUANTISE_HPP
+#define FLASHBVH_TOOLS_BAKE_QUANTISE_HPP
+
+#include "bake/mesh.hpp"
+
+namespace flashbvh::bake {
+
+/// The smallest cell with which `mesh` fits the lattice, in the mesh's unit. A mesh of no extent
+/// fits any cell; for it this is the smallest positive normal number.
+double finest_cell(const SourceMesh& mesh);
+
+/// Whether `mesh` fits the lattice with this cell: at most 2 * kMaxCoordinate cells wide, and within
+/// 2^29 cells of its frame's origin.
+bool fits(const SourceMesh& mesh, double cell);
+
+/// Rounds each coordinate to the nearest multiple of `cell`, halves away from zero, and joins
+/// vertices that fall together. Precondition: fits(mesh, cell).
+LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell);
+
+}  // namespace flashbvh::bake
+
+#endif
