@@ -11,8 +11,8 @@ function(flashbvh_warnings target)
   endif()
 endfunction()
 
-# flashbvh_library_warnings(target): those, and a bound on every stack frame of the library.
+# flashbvh_library_warnings(target): those, and on the boards a bound on every stack frame.
 function(flashbvh_library_warnings target)
   flashbvh_warnings(${target})
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wstack-usage=256>)
+  target_compile_options(${target} PRIVATE $<$<BOOL:${CMAKE_CROSSCOMPILING}>:-Wstack-usage=256>)
 endfunction()

@@ -9,7 +9,9 @@ constexpr size_t kCrcOffset = offsetof(ImageHeader, crc);
 constexpr size_t kCrcEnd = kCrcOffset + sizeof(uint32_t);
 static_assert(offsetof(ImageHeader, byte_count) == 8 && kCrcOffset == 12, "the format's header");
 
-constexpr uint64_t aligned(uint64_t offset) { return (offset + 3) & ~uint64_t{3}; }
+constexpr uint64_t aligned(uint64_t offset) {
+  return (offset + 3) & ~uint64_t{3};
+}
 
 /// A positive, finite, normal binary64.
 bool is_length(const uint32_t (&bits)[2]) {
@@ -48,9 +50,8 @@ TreeType view(const void* bytes, const ImageHeader& header) {
   tree.nodes = at<Node<Index>>(bytes, offsets.nodes);
   tree.triangles = at<Corners<Index>>(bytes, offsets.triangles);
   tree.sources = at<Index>(bytes, offsets.sources);
-  tree.leaf_firsts = header.leaf_count == header.triangle_count
-                         ? nullptr
-                         : at<Index>(bytes, offsets.leaf_firsts);
+  tree.leaf_firsts =
+      header.leaf_count == header.triangle_count ? nullptr : at<Index>(bytes, offsets.leaf_firsts);
   tree.vertices = at<Vertex>(bytes, offsets.vertices);
   tree.node_count = static_cast<Index>(header.node_count);
   tree.leaf_count = static_cast<Index>(header.leaf_count);

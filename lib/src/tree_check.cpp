@@ -172,8 +172,8 @@ class Checker {
     const Node<Index>& above = tree_.nodes[parent];
     for (uint32_t child = tree_.first_child(parent);; child = tree_.next_sibling(child)) {
       const Node<Index>& node = tree_.nodes[child];
-      const bool ranks = node.is_leaf() ||
-                         (node.parent_rank() == above.rank() && node.rank() <= above.rank());
+      const bool ranks =
+          node.is_leaf() || (node.parent_rank() == above.rank() && node.rank() <= above.rank());
       if (!ranks || !is_inside(node.box, above.box)) {
         return false;
       }

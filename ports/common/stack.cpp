@@ -7,20 +7,28 @@ namespace {
 
 constexpr uint32_t kPaint = 0xA5A5A5A5;
 
-// Inlined, or there would be a frame of its own below the one that it is to find.
-__attribute__((always_inline)) inline uint32_t* stack_pointer() {
-  uint32_t* pointer;
-  __asm__ volatile("mov %0, sp" : "=r"(pointer));
-  return pointer;
+// Paints from the stack's limit to the stack pointer and returns the stack pointer.
+//
+// Inlined, or there would be a frame of its own in the painted area; in assembler, because the
+// compiler may move the stack pointer between any two statements. That it clobbers lr makes the
+// caller set up its frame before.
+__attribute__((always_inline)) inline uint32_t* paint_below_frame() {
+  uint32_t* word = __stack_limit;
+  uint32_t* top;
+  __asm__ volatile(
+      ".syntax unified\n"
+      "  mov %[top], sp\n"
+      "1: str %[paint], [%[word]]\n"
+      "  adds %[word], #4\n"
+      "  cmp %[word], %[top]\n"
+      "  blo 1b\n"
+      : [top] "=&l"(top), [word] "+l"(word)
+      : [paint] "l"(kPaint)
+      : "cc", "lr", "memory");
+  return top;
 }
 
-// Volatile keeps the compiler from calling memset(), whose frame would lie in the painted area.
-__attribute__((always_inline)) inline void paint_below(uint32_t* top) {
-  for (volatile uint32_t* word = __stack_limit; word < top; ++word) {
-    *word = kPaint;
-  }
-}
-
+// Inlined for the same reason.
 __attribute__((always_inline)) inline uint32_t used_below(uint32_t* top) {
   const volatile uint32_t* word = __stack_limit;
   while (word < top && *word == kPaint) {
@@ -40,12 +48,11 @@ uint32_t stack_used() {
 }
 
 __attribute__((noinline)) void paint_stack() {
-  paint_below(stack_pointer());
+  paint_below_frame();
 }
 
 __attribute__((noinline)) uint32_t stack_of_call(Call function, void* context) {
-  uint32_t* const top = stack_pointer();
-  paint_below(top);
+  uint32_t* const top = paint_below_frame();
   function(context);
   return used_below(top);
 }

@@ -1,5 +1,5 @@
-// The linker sends every call of malloc and its kin here (--wrap). Natively operator new lives in a
-// shared library that it does not touch, so there it is replaced by one that calls malloc.
+// The linker sends every call of malloc and its kin here: --wrap=malloc turns a reference to malloc
+// into one to __wrap_malloc, and one to __real_malloc into one to malloc.
 #include "heap_guard.hpp"
 
 #include <cstdio>
@@ -50,8 +50,8 @@ void* __wrap_realloc(void* block, std::size_t size) {
   return __real_realloc(block, size);
 }
 
-#if defined(__NEWLIB__) || defined(_NEWLIB_VERSION)
-// newlib's own functions allocate through this one.
+#if defined(_NEWLIB_VERSION)
+// Where newlib's own functions and the static libstdc++ allocate.
 struct _reent;
 void* __real__malloc_r(struct _reent* context, std::size_t size);
 
@@ -59,23 +59,32 @@ void* __wrap__malloc_r(struct _reent* context, std::size_t size) {
   refuse_inside_scope();
   return __real__malloc_r(context, size);
 }
+#else
+// operator new and new[], plain and nothrow: natively they live in a shared library whose own calls
+// of malloc the linker cannot divert.
+void* __real__Znwm(std::size_t size);
+void* __real__Znam(std::size_t size);
+void* __real__ZnwmRKSt9nothrow_t(std::size_t size, const std::nothrow_t& tag);
+void* __real__ZnamRKSt9nothrow_t(std::size_t size, const std::nothrow_t& tag);
+
+void* __wrap__Znwm(std::size_t size) {
+  refuse_inside_scope();
+  return __real__Znwm(size);
+}
+
+void* __wrap__Znam(std::size_t size) {
+  refuse_inside_scope();
+  return __real__Znam(size);
+}
+
+void* __wrap__ZnwmRKSt9nothrow_t(std::size_t size, const std::nothrow_t& tag) {
+  refuse_inside_scope();
+  return __real__ZnwmRKSt9nothrow_t(size, tag);
+}
+
+void* __wrap__ZnamRKSt9nothrow_t(std::size_t size, const std::nothrow_t& tag) {
+  refuse_inside_scope();
+  return __real__ZnamRKSt9nothrow_t(size, tag);
+}
 #endif
 }
-
-#if !defined(__NEWLIB__) && !defined(_NEWLIB_VERSION)
-void* operator new(std::size_t size) {
-  void* const block = std::malloc(size == 0 ? 1 : size);
-  if (block == nullptr) {
-    std::abort();
-  }
-  return block;
-}
-
-void operator delete(void* block) noexcept {
-  std::free(block);
-}
-
-void operator delete(void* block, std::size_t) noexcept {
-  std::free(block);
-}
-#endif

@@ -287,7 +287,7 @@ TEST_CASE("the order of corners and of arguments changes nothing", "[triangle]")
     const Pair pair = random_pair(random, touching);
     if (!all_orders_answer(triangles_intersect(pair.a, pair.b), pair.a, pair.b)) {
       CAPTURE(seed, run);
-      FAIL_CHECK("an order changes the answer");
+      FAIL("an order changes the answer");
     }
   }
 }
@@ -303,7 +303,7 @@ TEST_CASE("the place changes nothing, at either end of 32 bits", "[triangle]") {
       const Pair there = at_the_end(pair, up);
       if (triangles_intersect(there.a, there.b) != here) {
         CAPTURE(seed, run, up);
-        FAIL_CHECK("the place changes the answer");
+        FAIL("the place changes the answer");
       }
     }
   }
@@ -317,7 +317,7 @@ TEST_CASE("triangles with a common point by construction meet", "[triangle]") {
     const Pair pair = random_pair(random, touching);
     if (touching && !triangles_intersect(pair.a, pair.b)) {
       CAPTURE(seed, run);
-      FAIL_CHECK("a common point is missed");
+      FAIL("a common point is missed");
     }
   }
 }
@@ -359,7 +359,7 @@ TEST_CASE("small triangles agree with the oracle", "[triangle][oracle]") {
     const Pair pair = {random_triangle(random, size), random_triangle(random, size)};
     if (!agrees(pair.a, pair.b)) {
       CAPTURE(seed, run);
-      FAIL_CHECK("the oracle disagrees");
+      FAIL("the oracle disagrees");
     }
   }
 }
@@ -376,7 +376,7 @@ TEST_CASE("triangles of every kind and size agree with the oracle", "[triangle][
     corner.*axis -= random.below(2) != 0 && corner.*axis > 0 ? 1 : 0;
     if (!agrees(pair.a, pair.b)) {
       CAPTURE(seed, run);
-      FAIL_CHECK("the oracle disagrees");
+      FAIL("the oracle disagrees");
     }
   }
 }

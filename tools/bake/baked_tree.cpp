@@ -12,12 +12,12 @@ constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
 /// The shape of the tree in array order; all indices are array positions.
 struct Order {
-  std::vector<std::uint32_t> build_nodes;   ///< by array position
-  std::vector<std::uint32_t> parents;       ///< kNone at the root
+  std::vector<std::uint32_t> build_nodes;  ///< by array position
+  std::vector<std::uint32_t> parents;      ///< kNone at the root
   std::vector<std::uint32_t> levels;
   std::vector<std::uint32_t> next_sibling;  ///< kNone for a last child
   std::vector<std::uint32_t> first_sibling;
-  std::vector<std::uint32_t> stack_need;    ///< pairs left on a stack on the way down to the node
+  std::vector<std::uint32_t> stack_need;  ///< pairs left on a stack on the way down to the node
 };
 
 /// Nodes before their subtrees; the first subtree follows first, or the last one (`post`).
@@ -63,8 +63,8 @@ std::vector<std::uint32_t> escape_indices(const Order& order) {
   const std::size_t count = order.build_nodes.size();
   std::vector<std::uint32_t> escapes(count, static_cast<std::uint32_t>(count));
   for (std::size_t at = 1; at < count; ++at) {
-    escapes[at] = order.next_sibling[at] != kNone ? order.next_sibling[at]
-                                                  : escapes[order.parents[at]];
+    escapes[at] =
+        order.next_sibling[at] != kNone ? order.next_sibling[at] : escapes[order.parents[at]];
   }
   return escapes;
 }
@@ -160,8 +160,8 @@ BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh)
   lay_out_triangles(order, tree, mesh, baked);
   baked.levels = narrowed<Index>(order.levels);
   order.parents[0] = 0;
-  baked.climb = narrowed<Index>(layout == Layout::pre_indexed ? order.parents
-                                                              : right_child_levels(order));
+  baked.climb =
+      narrowed<Index>(layout == Layout::pre_indexed ? order.parents : right_child_levels(order));
   baked.vertices = mesh.vertices;
   baked.origin = mesh.origin;
   baked.cell = mesh.cell;
@@ -195,9 +195,9 @@ LevelledTree<Index, layout> BakedTree<Index, layout>::view() const {
   return tree;
 }
 
-#define FLASHBVH_INSTANTIATE(Index, layout)                                              \
-  template struct BakedTree<Index, layout>;                                              \
-  template BakedTree<Index, layout> lay_out<Index, layout>(const BuildTree& tree,        \
+#define FLASHBVH_INSTANTIATE(Index, layout)                                       \
+  template struct BakedTree<Index, layout>;                                       \
+  template BakedTree<Index, layout> lay_out<Index, layout>(const BuildTree& tree, \
                                                            const LatticeMesh& mesh);
 FLASHBVH_INSTANTIATE(std::uint16_t, Layout::pre_indexed)
 FLASHBVH_INSTANTIATE(std::uint16_t, Layout::post_indexed)

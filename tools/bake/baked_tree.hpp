@@ -44,7 +44,8 @@ struct BakedTree {
 /// What an index type can hold.
 template <class Index>
 struct IndexLimits {
-  static constexpr std::uint32_t kMost = static_cast<Index>(~Index{0});  ///< nodes, triangles, vertices
+  static constexpr std::uint32_t kMost =
+      static_cast<Index>(~Index{0});  ///< nodes, triangles, vertices
   static constexpr std::uint32_t kMostLeaves = kMost / 2 + 1;
 };
 

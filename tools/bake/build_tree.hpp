@@ -29,12 +29,14 @@ Box box_of(const LatticeMesh& mesh, std::uint32_t triangle);
 Box join(const Box& a, const Box& b);
 
 /// The paper's builder (section 9): top-down, half the triangles each side of the middle along the
-/// longest axis of the node's box, down to `leaf_size` triangles. Ordered by the sum of the corners,
-/// ties by number, so the result is the same on every machine. At least one triangle. O(n log^2 n).
+/// longest axis of the node's box, down to `leaf_size` triangles. Ordered by the sum of the
+/// corners, ties by number, so the result is the same on every machine. At least one triangle. O(n
+/// log^2 n).
 BuildTree build_median(const LatticeMesh& mesh, std::uint32_t leaf_size);
 
-/// The same leaves with up to `arity` children a node: each node takes in its largest internal child
-/// in place, again and again, while the children of that child fit. 2 leaves a binary tree as it is.
+/// The same leaves with up to `arity` children a node: each node takes in its largest internal
+/// child in place, again and again, while the children of that child fit. 2 leaves a binary tree as
+/// it is.
 BuildTree collapse(const BuildTree& binary, std::uint32_t arity);
 
 }  // namespace flashbvh::bake

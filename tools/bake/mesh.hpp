@@ -21,9 +21,9 @@ struct SourceMesh {
 
 /// Rounded: vertex i lies at (origin + vertices[i]) * cell.
 struct LatticeMesh {
-  double cell = 1;                       ///< in the mesh's unit
-  std::array<std::int32_t, 3> origin{};  ///< in cells
-  std::vector<Vertex> vertices;          ///< joined by position
+  double cell = 1;                         ///< in the mesh's unit
+  std::array<std::int32_t, 3> origin{};    ///< in cells
+  std::vector<Vertex> vertices;            ///< joined by position
   std::vector<TriangleCorners> triangles;  ///< in the source's order
   double deviation = 0;  ///< largest distance of a vertex from its source, in the mesh's unit
 };

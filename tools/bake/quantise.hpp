@@ -10,8 +10,8 @@ namespace flashbvh::bake {
 /// fits any cell; for it this is the smallest positive normal number.
 double finest_cell(const SourceMesh& mesh);
 
-/// Whether `mesh` fits the lattice with this cell: at most 2 * kMaxCoordinate cells wide, and within
-/// 2^29 cells of its frame's origin.
+/// Whether `mesh` fits the lattice with this cell: at most 2 * kMaxCoordinate cells wide, and
+/// within 2^29 cells of its frame's origin.
 bool fits(const SourceMesh& mesh, double cell);
 
 /// Rounds each coordinate to the nearest multiple of `cell`, halves away from zero, and joins

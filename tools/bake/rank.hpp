@@ -11,9 +11,8 @@ namespace flashbvh::bake {
 /// A box's size on a logarithmic scale of eight steps an octave: 1 (a point) to 116. It never grows
 /// from a box to one inside it. The size is the sum of the three extents.
 constexpr std::uint32_t rank_of(const Box& box) {
-  const auto size =
-      static_cast<std::uint32_t>((box.upper.x - box.lower.x) + (box.upper.y - box.lower.y) +
-                                 (box.upper.z - box.lower.z));
+  const auto size = static_cast<std::uint32_t>(
+      (box.upper.x - box.lower.x) + (box.upper.y - box.lower.y) + (box.upper.z - box.lower.z));
   std::uint32_t shift = 0;
   while ((size >> shift) >= 16) {
     ++shift;

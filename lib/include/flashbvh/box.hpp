@@ -35,7 +35,9 @@ struct PackedBox {
   uint32_t z;         ///< upper z, negated lower z
 };
 
-constexpr uint32_t pack_bound(int32_t bound) { return static_cast<uint32_t>(bound + kBoundBias); }
+constexpr uint32_t pack_bound(int32_t bound) {
+  return static_cast<uint32_t>(bound + kBoundBias);
+}
 
 constexpr PackedBox pack(const Box& box) {
   return {join_halves(pack_bound(box.upper.x), pack_bound(box.upper.y)),

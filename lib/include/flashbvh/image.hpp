@@ -30,21 +30,21 @@ constexpr uint16_t kImageVersion = 1;
 struct ImageHeader {
   uint32_t magic;
   uint16_t version;
-  uint8_t layout;        ///< of enum Layout
-  uint8_t index_bits;    ///< 16 or 32
-  uint32_t byte_count;   ///< of the whole image
-  uint32_t crc;          ///< CRC-32 (IEEE 802.3) of all bytes but these four
+  uint8_t layout;       ///< of enum Layout
+  uint8_t index_bits;   ///< 16 or 32
+  uint32_t byte_count;  ///< of the whole image
+  uint32_t crc;         ///< CRC-32 (IEEE 802.3) of all bytes but these four
   uint32_t node_count;
   uint32_t leaf_count;
   uint32_t triangle_count;
   uint32_t vertex_count;
-  uint32_t depth;        ///< of the deepest leaf; the root has depth 0
-  uint32_t stack_need;   ///< Tree::stack_need
-  uint16_t leaf_size;    ///< most triangles in a leaf
-  uint16_t arity;        ///< most children of a node, 65,535 standing for more
-  int32_t origin[3];     ///< in cells
-  uint32_t cell[2];      ///< in the mesh's unit: IEEE binary64, low word first
-  uint32_t deviation[2]; ///< largest distance of a vertex from its source, likewise
+  uint32_t depth;         ///< of the deepest leaf; the root has depth 0
+  uint32_t stack_need;    ///< Tree::stack_need
+  uint16_t leaf_size;     ///< most triangles in a leaf
+  uint16_t arity;         ///< most children of a node, 65,535 standing for more
+  int32_t origin[3];      ///< in cells
+  uint32_t cell[2];       ///< in the mesh's unit: IEEE binary64, low word first
+  uint32_t deviation[2];  ///< largest distance of a vertex from its source, likewise
 };
 
 static_assert(sizeof(ImageHeader) == 72, "the figure in the format's description");
@@ -70,9 +70,9 @@ Status read_image_header(const void* bytes, size_t size, ImageHeader& header);
 /// Opens an image in place: `bytes` must start at a multiple of 4 and outlive `tree`.
 ///
 /// Checks all of it in one pass, in constant memory: checksum; links that go forward and nest;
-/// levels, ranks and stack need as the tree's shape makes them; indices in range; each node's box in
-/// its parent's, each triangle in its leaf's. `tree` is written only on `done`; every query on it
-/// then stays inside the image and ends.
+/// levels, ranks and stack need as the tree's shape makes them; indices in range; each node's box
+/// in its parent's, each triangle in its leaf's. `tree` is written only on `done`; every query on
+/// it then stays inside the image and ends.
 ///
 /// TreeType: LevelledPreTree, LevelledPostTree or their Large kin; another kind of image gives
 /// `image_kind`.

@@ -18,10 +18,18 @@
 
 namespace flashbvh {
 
-constexpr uint32_t low_half(uint32_t word) { return word & 0xFFFFu; }
-constexpr uint32_t high_half(uint32_t word) { return word >> 16; }
-constexpr uint32_t join_halves(uint32_t low, uint32_t high) { return low | (high << 16); }
-constexpr uint32_t swap_halves(uint32_t word) { return (word << 16) | (word >> 16); }
+constexpr uint32_t low_half(uint32_t word) {
+  return word & 0xFFFFu;
+}
+constexpr uint32_t high_half(uint32_t word) {
+  return word >> 16;
+}
+constexpr uint32_t join_halves(uint32_t low, uint32_t high) {
+  return low | (high << 16);
+}
+constexpr uint32_t swap_halves(uint32_t word) {
+  return (word << 16) | (word >> 16);
+}
 
 /// Three pairs of unsigned 16-bit numbers.
 struct PackedTriple {

@@ -49,8 +49,8 @@ class Query {
   using Cursor = typename Traversal::Cursor;
   using Pair = TrianglePair<Index>;
 
-  /// B lies at `pose` in A's frame. Stack traversals take their array as `start`; the stackless ones
-  /// need nothing. Errors show in status() and in every run.
+  /// B lies at `pose` in A's frame. Stack traversals take their array as `start`; the stackless
+  /// ones need nothing. Errors show in status() and in every run.
   Query(const Tree& a, const Tree& b, const Pose& pose, const Cursor& start = Cursor())
       : Query(a, b, pose, start, Offset(a, b, pose)) {}
 
@@ -59,8 +59,8 @@ class Query {
   const Counts& counts() const { return counts_; }
 
   /// Makes at most `visits` visits and writes at most `capacity` pairs to `found`.
-  /// Returns `done`; `suspended` after the last visit granted; `full` as soon as the array is; or an
-  /// error. Behind `suspended` and `full` the next run goes on where this one ended.
+  /// Returns `done`; `suspended` after the last visit granted; `full` as soon as the array is; or
+  /// an error. Behind `suspended` and `full` the next run goes on where this one ended.
   Step run(uint32_t visits, Pair* found, uint32_t capacity) {
     uint32_t count = 0;
     if (capacity == 0 && status_ == Status::suspended) {
@@ -89,13 +89,14 @@ class Query {
       return Status::full;
     }
     Budget budget = {visits, counts_.overlaps, at_leaf_pair_};
-    const Walk end = Traversal::run(*a_, *b_, overlap_, cursor_, budget, [&](uint32_t i, uint32_t j) {
-      leaf_a_ = a_->nodes[i].leaf();
-      leaf_b_ = b_->nodes[j].leaf();
-      tested_ = 0;
-      ++counts_.leaf_pairs;
-      return test_leaf_pair(sink);
-    });
+    const Walk end =
+        Traversal::run(*a_, *b_, overlap_, cursor_, budget, [&](uint32_t i, uint32_t j) {
+          leaf_a_ = a_->nodes[i].leaf();
+          leaf_b_ = b_->nodes[j].leaf();
+          tested_ = 0;
+          ++counts_.leaf_pairs;
+          return test_leaf_pair(sink);
+        });
     counts_.visits += visits - budget.visits_left;
     counts_.overlaps = budget.overlaps;
     at_leaf_pair_ = end == Walk::stopped;
@@ -163,7 +164,8 @@ class Query {
       const uint32_t i = first_a + tested_ / count_b;
       const uint32_t j = first_b + tested_ % count_b;
       ++tested_;
-      if (triangles_intersect(place(*a_, i, 0, 0, 0), place(*b_, j, offset_.x, offset_.y, offset_.z))) {
+      if (triangles_intersect(place(*a_, i, 0, 0, 0),
+                              place(*b_, j, offset_.x, offset_.y, offset_.z))) {
         ++counts_.triangle_pairs;
         if (!sink(Pair{a_->sources[i], b_->sources[j]})) {
           return false;
@@ -173,7 +175,8 @@ class Query {
     return true;
   }
 
-  static PlacedTriangle place(const Tree& tree, uint32_t triangle, int32_t x, int32_t y, int32_t z) {
+  static PlacedTriangle place(const Tree& tree, uint32_t triangle, int32_t x, int32_t y,
+                              int32_t z) {
     PlacedTriangle placed;
     for (int i = 0; i < 3; ++i) {
       const Vertex& v = tree.vertices[tree.triangles[triangle].corner[i]];
@@ -188,10 +191,10 @@ class Query {
   Point offset_;
   Counts counts_;
   Cursor cursor_;
-  uint32_t tested_;     ///< triangle pairs of the current leaf pair that are done
-  Index leaf_a_;        ///< the current pair of leaves, by number
+  uint32_t tested_;  ///< triangle pairs of the current leaf pair that are done
+  Index leaf_a_;     ///< the current pair of leaves, by number
   Index leaf_b_;
-  bool at_leaf_pair_;   ///< the cursor is at the current pair of leaves, which was visited
+  bool at_leaf_pair_;  ///< the cursor is at the current pair of leaves, which was visited
   Status status_;
 };
 

@@ -7,23 +7,24 @@
 namespace flashbvh {
 
 /// The values are part of the interface: they never change their number.
-enum class [[nodiscard]] Status : uint8_t {
-  done = 0,       ///< The answer is complete.
-  suspended = 1,  ///< The visits granted are used up; run again to go on. Nothing is lost.
-  full = 2,       ///< The caller's array is full; empty it and run again. Nothing is lost.
+enum class [[nodiscard]] Status : uint8_t{
+    done = 0,       ///< The answer is complete.
+    suspended = 1,  ///< The visits granted are used up; run again to go on. Nothing is lost.
+    full = 2,       ///< The caller's array is full; empty it and run again. Nothing is lost.
 
-  cell_mismatch = 16,         ///< The two meshes were baked with different cells.
-  rotation_unsupported = 17,  ///< The pose turns B; this version places by translation only.
-  stack_too_small = 18,       ///< The array given to a stack traversal is shorter than stack_entries().
-  translation_out_of_range = 19,  ///< A translation beyond +-kMaxTranslation cells.
+    cell_mismatch = 16,         ///< The two meshes were baked with different cells.
+    rotation_unsupported = 17,  ///< The pose turns B; this version places by translation only.
+    stack_too_small =
+        18,  ///< The array given to a stack traversal is shorter than stack_entries().
+    translation_out_of_range = 19,  ///< A translation beyond +-kMaxTranslation cells.
 
-  image_truncated = 32,    ///< Fewer bytes than the image says it has.
-  image_misaligned = 33,   ///< The image does not start at a multiple of 4 bytes.
-  image_not_flashbvh = 34,  ///< The first four bytes are not "FBVH".
-  image_version = 35,      ///< Written in another version of the format; bake again.
-  image_kind = 36,         ///< Another layout or index width than the tree asked for.
-  image_corrupt = 37,      ///< The checksum does not match: the bytes were damaged.
-  image_invalid = 38,      ///< The checksum matches, but the contents break a rule of the format.
+    image_truncated = 32,     ///< Fewer bytes than the image says it has.
+    image_misaligned = 33,    ///< The image does not start at a multiple of 4 bytes.
+    image_not_flashbvh = 34,  ///< The first four bytes are not "FBVH".
+    image_version = 35,       ///< Written in another version of the format; bake again.
+    image_kind = 36,          ///< Another layout or index width than the tree asked for.
+    image_corrupt = 37,       ///< The checksum does not match: the bytes were damaged.
+    image_invalid = 38,  ///< The checksum matches, but the contents break a rule of the format.
 };
 
 }  // namespace flashbvh

@@ -73,8 +73,8 @@ struct Tree {
   Index leaf_count;
   Index triangle_count;
   Index vertex_count;
-  Index stack_need;   ///< most pairs that descending this tree can leave on a stack
-  int32_t origin[3];  ///< the lattice point, in cells, from which the vertices count
+  Index stack_need;    ///< most pairs that descending this tree can leave on a stack
+  int32_t origin[3];   ///< the lattice point, in cells, from which the vertices count
   uint64_t cell_bits;  ///< the cell in the mesh's unit, as the bits of an IEEE binary64
 
   uint32_t first_child(uint32_t node) const {

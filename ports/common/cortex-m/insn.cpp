@@ -52,25 +52,29 @@ __attribute__((noinline)) void run_counted(Call function, void* context) {
   __asm__ volatile("dsb\n isb" ::: "memory");
 }
 
+// Virtual time of a wrap. QEMU starts the next one at a whole nanosecond, hence rounds down.
+constexpr uint64_t kNanosecondsPerWrap =
+    (uint64_t{kLargestReload} + 1) * 1000000 / FLASHBVH_SYSTICK_KHZ;
+
 // Instructions between the two writes to the control register.
 uint32_t counted(Call function, void* context) {
   run_counted(function, context);
-  const uint32_t wraps = port_systick_wraps;
-  const uint32_t rest = (0 - systick().current) & kLargestReload;
-  const uint64_t ticks = uint64_t{wraps} * (kLargestReload + 1) + rest;
-  // ticks / (ticks per second) in units of 2^shift ns, rounded.
-  constexpr uint64_t kDivisor = uint64_t{FLASHBVH_SYSTICK_KHZ} << FLASHBVH_ICOUNT_SHIFT;
-  const uint64_t instructions = (ticks * 1000000 + kDivisor / 2) / kDivisor;
-  return static_cast<uint32_t>(instructions - uint64_t{wraps} * kHandlerInstructions);
+  const uint64_t wraps = port_systick_wraps;
+  const uint64_t ticks = (0 - systick().current) & kLargestReload;
+  const uint64_t nanoseconds = wraps * kNanosecondsPerWrap + ticks * 1000000 / FLASHBVH_SYSTICK_KHZ;
+  constexpr uint64_t kHalf = (uint64_t{1} << FLASHBVH_ICOUNT_SHIFT) / 2;
+  const uint64_t instructions = (nanoseconds + kHalf) >> FLASHBVH_ICOUNT_SHIFT;
+  return static_cast<uint32_t>(instructions - wraps * kHandlerInstructions);
 }
 
 __attribute__((naked)) void empty(void*) {
   __asm__ volatile("bx lr");
 }
 
-constexpr uintptr_t kLoops = 100;
+// Exactly kLoopInstructions more than empty().
+constexpr uint32_t kLoopInstructions = 201;
 
-__attribute__((naked)) void loop_of_200_instructions(void*) {
+__attribute__((naked)) void known_loop(void*) {
   __asm__ volatile(
       ".syntax unified\n"
       "  movs r0, #100\n"
@@ -83,7 +87,7 @@ __attribute__((naked)) void loop_of_200_instructions(void*) {
 
 uint32_t instructions_of_call(Call function, void* context) {
   const uint32_t overhead = counted(empty, nullptr);
-  if (counted(loop_of_200_instructions, nullptr) - overhead != 201) {
+  if (counted(known_loop, nullptr) - overhead != kLoopInstructions) {
     put("[port] the instruction counter is not exact: run QEMU with -icount shift=");
     put(FLASHBVH_ICOUNT_SHIFT);
     put("\n");

@@ -34,8 +34,8 @@ class Leaf {
       if (!a.nodes[leaf_a].is_leaf()) {
         continue;
       }
-      const Walk end = against_b(a.nodes[leaf_a], leaf_a, b, overlap, node_b, behind, budget,
-                                 leaf_pair);
+      const Walk end =
+          against_b(a.nodes[leaf_a], leaf_a, b, overlap, node_b, behind, budget, leaf_pair);
       behind = false;
       if (end != Walk::done) {
         cursor.a = static_cast<Index>(passed);

@@ -4,11 +4,11 @@
 // its box); leaves have none. The rule: descend into the node of the larger rank, into A on a tie.
 //
 // Invariant: on the way from the roots to a pair (a, b) the walk has descended through exactly the
-// proper ancestors of a and of b, and, ranks being monotone along each chain, it took them in merged
-// order of rank, A's before B's on ties. So the ancestor descended into last is the one of smaller
-// rank among parent(a) and parent(b), and B's on a tie: the pair behind (a, b) is a function of the
-// pair. A root's missing parent counts as kRootParentRank, above every real rank, so a root is left
-// last, and the walk is over when both nodes are roots.
+// proper ancestors of a and of b, and, ranks being monotone along each chain, it took them in
+// merged order of rank, A's before B's on ties. So the ancestor descended into last is the one of
+// smaller rank among parent(a) and parent(b), and B's on a tie: the pair behind (a, b) is a
+// function of the pair. A root's missing parent counts as kRootParentRank, above every real rank,
+// so a root is left last, and the walk is over when both nodes are roots.
 //
 // Post-indexed trees only. Each ascent undoes a descent: constant time a visit, amortised.
 #ifndef FLASHBVH_TRAVERSAL_RANKED_HPP

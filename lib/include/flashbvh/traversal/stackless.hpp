@@ -5,9 +5,9 @@
 // two levels, whether each node is a left child (one with a next sibling, or the root), and the
 // right child levels. `next_pair` is that function, case by case as in section 7.1.
 //
-// Section 8.1: while one node is a leaf the walk of the other's subtree is the leaf algorithm; there
-// the levels differ by more than the eight cases know. Going up along last children until they are
-// again as far apart as when the leaf was reached leads back to the eight cases.
+// Section 8.1: while one node is a leaf the walk of the other's subtree is the leaf algorithm;
+// there the levels differ by more than the eight cases know. Going up along last children until
+// they are again as far apart as when the leaf was reached leads back to the eight cases.
 //
 // The walk is over when a node is the imaginary end node, the root's escape index.
 #ifndef FLASHBVH_TRAVERSAL_STACKLESS_HPP

@@ -1,0 +1,141 @@
+// Runs a traversal and writes down which pairs it visits.
+#ifndef FLASHBVH_TESTS_SUPPORT_RECORD_HPP
+#define FLASHBVH_TESTS_SUPPORT_RECORD_HPP
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "bake/baked_tree.hpp"
+#include "flashbvh/box.hpp"
+#include "flashbvh/traversal/alternating_stack.hpp"
+#include "flashbvh/traversal/leaf.hpp"
+#include "flashbvh/traversal/ranked.hpp"
+#include "flashbvh/traversal/ranked_stack.hpp"
+#include "flashbvh/traversal/stackless.hpp"
+#include "flashbvh/traversal/stackless_post.hpp"
+#include "flashbvh/traversal/volume_stack.hpp"
+
+namespace flashbvh::test {
+
+/// Two nodes, by their indices in the BuildTrees, which do not depend on the layout.
+using NodePair = std::pair<std::uint32_t, std::uint32_t>;
+using NodePairs = std::vector<NodePair>;
+
+struct Record {
+  NodePairs visits;
+  NodePairs leaf_pairs;
+  std::uint32_t overlaps = 0;
+  bool ended = false;
+
+  NodePairs sorted_leaf_pairs() const {
+    NodePairs sorted = leaf_pairs;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
+};
+
+/// A pair of trees in one layout.
+template <class Baked>
+struct BakedPair {
+  Baked a;
+  Baked b;
+
+  NodePair build_pair(std::uint32_t node_a, std::uint32_t node_b) const {
+    return {a.build_nodes[node_a], b.build_nodes[node_b]};
+  }
+};
+
+template <Layout layout>
+using Baked = bake::BakedTree<std::uint16_t, layout>;
+
+template <Layout layout>
+BakedPair<Baked<layout>> bake_pair(const bake::BuildTree& a, const bake::LatticeMesh& mesh_a,
+                                   const bake::BuildTree& b, const bake::LatticeMesh& mesh_b) {
+  return {bake::lay_out<std::uint16_t, layout>(a, mesh_a),
+          bake::lay_out<std::uint16_t, layout>(b, mesh_b)};
+}
+
+/// An overlap test that knows from the boxes' addresses which nodes it is asked about.
+template <class Baked>
+class RecordingOverlap {
+ public:
+  RecordingOverlap(const BakedPair<Baked>& pair, const TranslatedOverlap& test, Record& record)
+      : pair_(pair), test_(test), record_(record) {}
+
+  bool operator()(const PackedBox& box_a, const PackedBox& box_b) const {
+    record_.visits.push_back(pair_.build_pair(index_in(pair_.a, box_a), index_in(pair_.b, box_b)));
+    return test_(box_a, box_b);
+  }
+
+ private:
+  static std::uint32_t index_in(const Baked& baked, const PackedBox& box) {
+    using NodeType = Node<typename Baked::Index>;
+    const auto* const node = reinterpret_cast<const NodeType*>(&box);
+    return static_cast<std::uint32_t>(node - baked.nodes.data());
+  }
+
+  const BakedPair<Baked>& pair_;
+  const TranslatedOverlap& test_;
+  Record& record_;
+};
+
+/// From `cursor` to the end, or to `most_visits` if the walk does not end.
+template <class Traversal, class Baked>
+Record record_from(const BakedPair<Baked>& pair, const TranslatedOverlap& test,
+                   typename Traversal::Cursor& cursor, std::uint32_t most_visits = 1000000) {
+  Record record;
+  const auto a = pair.a.view();
+  const auto b = pair.b.view();
+  Budget budget = {most_visits, 0, false};
+  const Walk end = Traversal::run(a, b, RecordingOverlap<Baked>(pair, test, record), cursor, budget,
+                                  [&](std::uint32_t node_a, std::uint32_t node_b) {
+                                    record.leaf_pairs.push_back(pair.build_pair(node_a, node_b));
+                                    return true;
+                                  });
+  record.overlaps = budget.overlaps;
+  record.ended = end == Walk::done;
+  return record;
+}
+
+template <class Traversal, class Baked>
+Record record_stackless(const BakedPair<Baked>& pair, const TranslatedOverlap& test) {
+  typename Traversal::Cursor cursor;
+  return record_from<Traversal>(pair, test, cursor);
+}
+
+/// With an array of exactly the length that stack_entries() promises to be enough.
+template <class Traversal, class Baked>
+Record record_stack(const BakedPair<Baked>& pair, const TranslatedOverlap& test) {
+  std::vector<PairCursor<typename Baked::Index>> entries(
+      stack_entries(pair.a.stack_need, pair.b.stack_need));
+  typename Traversal::Cursor cursor(entries.data(), static_cast<std::uint32_t>(entries.size()));
+  return record_from<Traversal>(pair, test, cursor);
+}
+
+/// All pairs of leaves whose boxes overlap, in order.
+inline NodePairs brute_force(const bake::BuildTree& a, const bake::BuildTree& b, std::int32_t x,
+                             std::int32_t y, std::int32_t z) {
+  const auto apart = [](std::int32_t low_a, std::int32_t high_a, std::int32_t low_b,
+                        std::int32_t high_b,
+                        std::int32_t t) { return high_a < low_b + t || high_b + t < low_a; };
+  NodePairs pairs;
+  for (std::uint32_t i = 0; i < a.nodes.size(); ++i) {
+    for (std::uint32_t j = 0; j < b.nodes.size(); ++j) {
+      const Box& p = a.nodes[i].box;
+      const Box& q = b.nodes[j].box;
+      if (a.nodes[i].is_leaf() && b.nodes[j].is_leaf() &&
+          !apart(p.lower.x, p.upper.x, q.lower.x, q.upper.x, x) &&
+          !apart(p.lower.y, p.upper.y, q.lower.y, q.upper.y, y) &&
+          !apart(p.lower.z, p.upper.z, q.lower.z, q.upper.z, z)) {
+        pairs.emplace_back(i, j);
+      }
+    }
+  }
+  return pairs;
+}
+
+}  // namespace flashbvh::test
+
+#endif

@@ -1,0 +1,39 @@
+// Random meshes and trees of every shape, small enough to check by brute force.
+#ifndef FLASHBVH_TESTS_SUPPORT_SHAPES_HPP
+#define FLASHBVH_TESTS_SUPPORT_SHAPES_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "bake/build_tree.hpp"
+#include "bake/mesh.hpp"
+#include "support/random.hpp"
+
+namespace flashbvh::test {
+
+/// `count` triangles with corners at most `size` apart, within +-`spread` on each axis.
+bake::LatticeMesh random_mesh(Random& random, std::uint32_t count, std::int32_t spread,
+                              std::int32_t size);
+
+/// How a random tree may look.
+struct Shape {
+  std::uint32_t arity = 2;       ///< most children of a node
+  std::uint32_t leaf_size = 1;   ///< most triangles in a leaf
+  bool single_children = false;  ///< some nodes have one child
+};
+
+/// A tree over all triangles in random order, split at random places.
+bake::BuildTree random_tree(Random& random, const bake::LatticeMesh& mesh, const Shape& shape);
+
+/// A binary tree in which each internal node has a leaf as its first child (`leaf_first`) or last.
+bake::BuildTree chain(const bake::LatticeMesh& mesh, bool leaf_first);
+
+/// A full binary tree of `depth` over 2^depth triangles of `mesh`, in their order.
+bake::BuildTree full_tree(const bake::LatticeMesh& mesh, std::uint32_t depth);
+
+/// Any of the above, each kind often, over `count` triangles.
+bake::BuildTree any_tree(Random& random, const bake::LatticeMesh& mesh);
+
+}  // namespace flashbvh::test
+
+#endif

@@ -1,0 +1,206 @@
+// Properties 6.1 to 6.7 of algorithm 3, on stacks recorded before and behind each iteration.
+//
+// The properties speak of full binary trees of equal height.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <map>
+
+#include "support/record.hpp"
+#include "support/shapes.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+using Stack = NodePairs;  // bottom first; array positions
+
+/// One iteration of algorithm 3.
+struct Iteration {
+  NodePair popped;
+  Stack below;   ///< the stack behind the pop
+  Stack behind;  ///< the stack at the iteration's end
+};
+
+struct Run {
+  BakedPair<Baked<Layout::pre_indexed>> trees;
+  std::vector<Iteration> iterations;
+};
+
+Stack copy_of(const PairStack<std::uint16_t>& stack) {
+  Stack copy;
+  for (std::uint32_t i = 0; i < stack.size(); ++i) {
+    copy.emplace_back(stack.entries()[i].a, stack.entries()[i].b);
+  }
+  return copy;
+}
+
+/// Runs the library's traversal one visit at a time and looks at its stack.
+Run run(std::uint64_t seed, std::uint32_t depth) {
+  Random random(seed);
+  const auto mesh_a = random_mesh(random, 1u << depth, 40, 20);
+  const auto mesh_b = random_mesh(random, 1u << depth, 40, 20);
+  Run run{bake_pair<Layout::pre_indexed>(full_tree(mesh_a, depth), mesh_a, full_tree(mesh_b, depth),
+                                         mesh_b),
+          {}};
+  const auto a = run.trees.a.view();
+  const auto b = run.trees.b.view();
+  std::vector<PairCursor<std::uint16_t>> entries(stack_entries(a.stack_need, b.stack_need));
+  PairStack<std::uint16_t> stack(entries.data(), static_cast<std::uint32_t>(entries.size()));
+  while (stack.size() != 0) {
+    Stack before = copy_of(stack);
+    Budget budget = {1, 0, false};
+    (void)AlternatingStack<LevelledPreTree>::run(a, b, TranslatedOverlap(3, -5, 8), stack, budget,
+                                                 [](std::uint32_t, std::uint32_t) { return true; });
+    const NodePair popped = before.back();
+    before.pop_back();
+    run.iterations.push_back({popped, before, copy_of(stack)});
+  }
+  return run;
+}
+
+template <class Check>
+void for_runs(Check check) {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  for (std::uint32_t depth = 0; depth <= 5; ++depth) {
+    for (std::uint64_t round = 0; round < 5; ++round) {
+      check(run(seed + round, depth));
+    }
+  }
+}
+
+std::uint32_t level_a(const Run& run, const NodePair& e) {
+  return run.trees.a.levels[e.first];
+}
+std::uint32_t level_b(const Run& run, const NodePair& e) {
+  return run.trees.b.levels[e.second];
+}
+
+bool is_left(const Baked<Layout::pre_indexed>& tree, std::uint32_t node) {
+  return tree.view().rcl(node) == 0;
+}
+
+/// The stack that was below each element when it was popped. An element is popped once.
+std::map<NodePair, Stack> stacks_below(const Run& run) {
+  std::map<NodePair, Stack> below;
+  for (const Iteration& iteration : run.iterations) {
+    below[iteration.popped] = iteration.below;
+  }
+  return below;
+}
+
+}  // namespace
+
+TEST_CASE("property 6.1: level(A) = level(B) or level(A) = level(B) - 1") {
+  for_runs([](const Run& run) {
+    for (const Iteration& iteration : run.iterations) {
+      for (const NodePair& e : iteration.behind) {
+        const std::uint32_t a = level_a(run, e);
+        const std::uint32_t b = level_b(run, e);
+        REQUIRE((a == b || a + 1 == b));
+      }
+    }
+  });
+}
+
+TEST_CASE("property 6.2: elements are added two at a time, the right child's below the left's") {
+  for_runs([](const Run& run) {
+    for (const Iteration& iteration : run.iterations) {
+      const std::size_t added = iteration.behind.size() - iteration.below.size();
+      REQUIRE((added == 0 || added == 2));
+      REQUIRE(std::equal(iteration.below.begin(), iteration.below.end(), iteration.behind.begin()));
+      if (added == 2) {
+        const NodePair upper = iteration.behind.back();
+        const NodePair lower = iteration.behind[iteration.behind.size() - 2];
+        const auto [a, b] = iteration.popped;
+        if (level_a(run, iteration.popped) == level_b(run, iteration.popped)) {
+          REQUIRE(upper == NodePair(a, b + 1));
+          REQUIRE(lower == NodePair(a, run.trees.b.view().escape(b + 1)));
+        } else {
+          REQUIRE(upper == NodePair(a + 1, b));
+          REQUIRE(lower == NodePair(run.trees.a.view().escape(a + 1), b));
+        }
+      }
+    }
+  });
+}
+
+TEST_CASE("property 6.3: when the stack is empty, all collisions have been found") {
+  for_runs([](const Run& run) {
+    REQUIRE(run.iterations.back().behind.empty());
+    NodePairs visited;
+    for (const Iteration& iteration : run.iterations) {
+      visited.push_back(iteration.popped);
+    }
+    std::sort(visited.begin(), visited.end());
+    REQUIRE(std::adjacent_find(visited.begin(), visited.end()) == visited.end());
+    const TranslatedOverlap overlap(3, -5, 8);
+    for (std::uint32_t i = 0; i < run.trees.a.nodes.size(); ++i) {
+      for (std::uint32_t j = 0; j < run.trees.b.nodes.size(); ++j) {
+        const auto& a = run.trees.a.nodes[i];
+        const auto& b = run.trees.b.nodes[j];
+        if (a.is_leaf() && b.is_leaf() && overlap(a.box, b.box)) {
+          REQUIRE(std::binary_search(visited.begin(), visited.end(), NodePair(i, j)));
+        }
+      }
+    }
+  });
+}
+
+TEST_CASE("property 6.4: between e and the element below it, only pairs below e are popped") {
+  for_runs([](const Run& run) {
+    for (std::size_t i = 0; i < run.iterations.size(); ++i) {
+      const Iteration& e = run.iterations[i];
+      std::size_t k = i + 1;
+      const auto end_a = run.trees.a.view().escape(e.popped.first);
+      const auto end_b = run.trees.b.view().escape(e.popped.second);
+      while (k < run.iterations.size() && run.iterations[k].below.size() >= e.below.size()) {
+        const NodePair inner = run.iterations[k].popped;
+        REQUIRE((inner.first >= e.popped.first && inner.first < end_a));
+        REQUIRE((inner.second >= e.popped.second && inner.second < end_b));
+        ++k;
+      }
+      if (!e.below.empty()) {
+        REQUIRE(k < run.iterations.size());
+        REQUIRE(run.iterations[k].popped == e.below.back());
+      }
+    }
+  });
+}
+
+TEST_CASE("property 6.5: popping (A, Br), A a level above Br, leaves the stack of (A, B)") {
+  for_runs([](const Run& run) {
+    const auto below = stacks_below(run);
+    for (const auto& [e, stack] : below) {
+      if (level_a(run, e) + 1 == level_b(run, e) && !is_left(run.trees.b, e.second)) {
+        REQUIRE(stack == below.at({e.first, run.trees.b.climb[e.second]}));
+      }
+    }
+  });
+}
+
+TEST_CASE("property 6.6: popping (Ar, Bl) of the same level leaves the stack of (A, Bl)") {
+  for_runs([](const Run& run) {
+    const auto below = stacks_below(run);
+    for (const auto& [e, stack] : below) {
+      if (level_a(run, e) == level_b(run, e) && !is_left(run.trees.a, e.first) &&
+          is_left(run.trees.b, e.second)) {
+        REQUIRE(stack == below.at({run.trees.a.climb[e.first], e.second}));
+      }
+    }
+  });
+}
+
+TEST_CASE("property 6.7: popping (Ar, Br) of the same level leaves the stack of (A, B)") {
+  for_runs([](const Run& run) {
+    const auto below = stacks_below(run);
+    for (const auto& [e, stack] : below) {
+      if (level_a(run, e) == level_b(run, e) && !is_left(run.trees.a, e.first) &&
+          !is_left(run.trees.b, e.second)) {
+        REQUIRE(stack == below.at({run.trees.a.climb[e.first], run.trees.b.climb[e.second]}));
+      }
+    }
+  });
+}

@@ -1,0 +1,23 @@
+// A baked tree as C++: constants and declarations in a header, constant arrays in a source file.
+#ifndef FLASHBVH_TOOLS_CPP_WRITER_HPP
+#define FLASHBVH_TOOLS_CPP_WRITER_HPP
+
+#include <string>
+
+#include "bake/baked_tree.hpp"
+#include "flashbvh/output_name.hpp"
+
+namespace flashbvh::tool {
+
+struct CppFiles {
+  std::string header;  ///< NAME.fbvh.hpp
+  std::string source;  ///< NAME.fbvh.cpp
+};
+
+/// The text of both files: the same for the same tree and name, on every machine.
+template <class Index, Layout layout>
+CppFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name);
+
+}  // namespace flashbvh::tool
+
+#endif

@@ -1,0 +1,76 @@
+#include "flashbvh/image_writer.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+#include "flashbvh/image.hpp"
+#include "flashbvh/user_error.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are written as memory lies");
+
+template <class Index, Layout layout>
+ImageHeader header_of(const bake::BakedTree<Index, layout>& baked) {
+  ImageHeader header{};
+  header.magic = kImageMagic;
+  header.version = kImageVersion;
+  header.layout = static_cast<std::uint8_t>(layout);
+  header.index_bits = 8 * sizeof(Index);
+  header.node_count = static_cast<std::uint32_t>(baked.nodes.size());
+  header.leaf_count = baked.leaf_count;
+  header.triangle_count = static_cast<std::uint32_t>(baked.triangles.size());
+  header.vertex_count = static_cast<std::uint32_t>(baked.vertices.size());
+  header.depth = baked.depth;
+  header.stack_need = baked.stack_need;
+  header.leaf_size = static_cast<std::uint16_t>(baked.leaf_size);
+  header.arity = static_cast<std::uint16_t>(std::min(baked.arity, std::uint32_t{0xFFFF}));
+  std::copy(baked.origin.begin(), baked.origin.end(), header.origin);
+  std::memcpy(header.cell, &baked.cell, sizeof header.cell);
+  std::memcpy(header.deviation, &baked.deviation, sizeof header.deviation);
+  return header;
+}
+
+template <class Element>
+void put(std::string& bytes, std::uint64_t offset, const std::vector<Element>& elements) {
+  if (!elements.empty()) {
+    std::memcpy(bytes.data() + offset, elements.data(), sizeof(Element) * elements.size());
+  }
+}
+
+}  // namespace
+
+template <class Index, Layout layout>
+std::string image_of(const bake::BakedTree<Index, layout>& baked, const std::string& path) {
+  ImageHeader header = header_of(baked);
+  const ImageOffsets at = image_offsets(header);
+  if (at.end > 0xFFFFFFFFu) {
+    throw UserError(path, "the image would be over 4 GiB; use fewer triangles");
+  }
+  header.byte_count = static_cast<std::uint32_t>(at.end);
+  std::string bytes(at.end, '\0');
+  std::memcpy(bytes.data(), &header, sizeof header);
+  put(bytes, at.nodes, baked.nodes);
+  put(bytes, at.levels, baked.levels);
+  put(bytes, at.climb, baked.climb);
+  put(bytes, at.triangles, baked.triangles);
+  put(bytes, at.sources, baked.sources);
+  put(bytes, at.leaf_firsts, baked.leaf_firsts);
+  put(bytes, at.vertices, baked.vertices);
+  header.crc = image_crc(bytes.data(), bytes.size());
+  std::memcpy(bytes.data() + offsetof(ImageHeader, crc), &header.crc, sizeof header.crc);
+  return bytes;
+}
+
+template std::string image_of(const bake::BakedTree<std::uint16_t, Layout::pre_indexed>&,
+                              const std::string&);
+template std::string image_of(const bake::BakedTree<std::uint16_t, Layout::post_indexed>&,
+                              const std::string&);
+template std::string image_of(const bake::BakedTree<std::uint32_t, Layout::pre_indexed>&,
+                              const std::string&);
+template std::string image_of(const bake::BakedTree<std::uint32_t, Layout::post_indexed>&,
+                              const std::string&);
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,19 @@
+#include "flashbvh/mesh_text.hpp"
+
+#include "flashbvh/numbers.hpp"
+#include "flashbvh/user_error.hpp"
+
+namespace flashbvh::tool {
+
+void append_coordinate(std::string& bytes, std::string_view word, const std::string& file,
+                       std::size_t line) {
+  if (!parse_number(word)) {
+    throw UserError(file, line, "'" + std::string(word.substr(0, 40)) +
+                                    "' is no finite number, which a coordinate must be; repair the "
+                                    "mesh");
+  }
+  bytes += " ";
+  bytes += word;
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,28 @@
+// Numbers to text and back, the same on every machine and in every locale.
+#ifndef FLASHBVH_TOOLS_NUMBERS_HPP
+#define FLASHBVH_TOOLS_NUMBERS_HPP
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace flashbvh::tool {
+
+/// The shortest text that reads back as the same number.
+std::string shortest(double value);
+
+/// The same as a C++ literal of type float. Precondition: finite as a float.
+std::string float_literal(double value);
+
+/// With `digits` digits behind the point, for tables.
+std::string fixed(double value, int digits);
+
+/// The whole of `text` as a finite number (decimal, an optional sign, an optional exponent).
+std::optional<double> parse_number(std::string_view text);
+
+/// The whole of `text` as an integer.
+std::optional<long long> parse_integer(std::string_view text);
+
+}  // namespace flashbvh::tool
+
+#endif
