@@ -1,11 +1,12 @@
-# flashbvh_add_test(name source... [LIBRARIES library...] [TIMEOUT seconds])
+# flashbvh_add_test(name source... [LIBRARIES library...] [TIMEOUT seconds] [ICOUNT])
 #
 # An executable of Catch2 tests, for this machine or, when crossing, for the board. CTest runs each
 # test case in a process of its own, as "<preset>/<test case>". An own main() is not needed.
+# ICOUNT makes instruction counts on the board exact.
 set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
 
 function(flashbvh_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "ICOUNT" "TIMEOUT" "LIBRARIES")
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
@@ -16,6 +17,11 @@ function(flashbvh_add_test name)
   flashbvh_warnings(${name})
   if(CMAKE_CROSSCOMPILING)
     set_target_properties(${name} PROPERTIES SUFFIX .elf)
+    # Not by the test property ENVIRONMENT: catch_discover_tests() takes one variable at most.
+    if(arg_ICOUNT)
+      set_target_properties(${name} PROPERTIES CROSSCOMPILING_EMULATOR
+        "${CMAKE_COMMAND};-E;env;FLASHBVH_ICOUNT=${FLASHBVH_ICOUNT_SHIFT};${FLASHBVH_RUN}")
+    endif()
   endif()
 
   # Catch2 takes an executable that crashes for one without tests.

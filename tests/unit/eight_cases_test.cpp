@@ -37,11 +37,18 @@ NodePair behind(std::uint32_t a, std::uint32_t b) {
   const auto to_number = [&](std::uint32_t i) {
     return i == kEnd ? kEnd : position(numbers, baked.build_nodes[i]);
   };
-  std::uint32_t node_a = to_layout(a);
-  std::uint32_t node_b = to_layout(b);
   const auto tree = baked.view();
-  AlternatingStackless<LevelledTree<std::uint16_t, layout>>::next_pair(tree, tree, node_a, node_b);
-  return {to_number(node_a), to_number(node_b)};
+  using Traversal = AlternatingStackless<LevelledTree<std::uint16_t, layout>>;
+  const auto lead = [&](std::uint32_t i, std::uint32_t j) {
+    return static_cast<std::int32_t>(tree.level(i)) - static_cast<std::int32_t>(tree.level(j));
+  };
+  const std::uint32_t from_a = to_layout(a);
+  const std::uint32_t from_b = to_layout(b);
+  const auto to = Traversal::behind(tree, tree, {from_a, from_b, lead(from_a, from_b)});
+  if (to.a != kEnd && to.b != kEnd) {
+    CHECK(to.lead == lead(to.a, to.b));
+  }
+  return {to_number(to.a), to_number(to.b)};
 }
 
 void check_behind(std::uint32_t a, std::uint32_t b, NodePair expected) {

@@ -87,9 +87,6 @@ std::string constant(const char* name, std::size_t value, const char* comment) {
 template <class Index, Layout layout>
 std::string constants(const bake::BakedTree<Index, layout>& baked) {
   using TreeKind = Kind<Index, layout>;
-  const std::size_t flash = TreeKind::kTreeBytes + bytes_of(baked.nodes) +
-                            bytes_of(baked.triangles) + bytes_of(baked.sources) +
-                            bytes_of(baked.leaf_firsts) + bytes_of(baked.vertices);
   const std::size_t levels =
       TreeKind::kLevelledBytes + bytes_of(baked.levels) + bytes_of(baked.climb);
   return constant("kNodeCount", baked.nodes.size(), "of the tree") +
@@ -97,7 +94,7 @@ std::string constants(const bake::BakedTree<Index, layout>& baked) {
          constant("kStackNeed", baked.stack_need, "see flashbvh::stack_entries()") +
          constant("kTriangleCount", baked.triangles.size(), "as in the mesh file") +
          constant("kVertexCount", baked.vertices.size(), "on the lattice, joined") +
-         constant("kFlashBytes", flash, "what `tree` links, on a 32-bit core") +
+         constant("kFlashBytes", flash_bytes(baked), "what `tree` links, on a 32-bit core") +
          constant("kLevelBytes", levels, "what `levelled_tree` adds to that") +
          "constexpr float kCell = " + float_literal(baked.cell) + ";  ///< in the mesh's unit\n";
 }
@@ -175,17 +172,23 @@ std::string source(const bake::BakedTree<Index, layout>& baked, const OutputName
 }  // namespace
 
 template <class Index, Layout layout>
+std::size_t flash_bytes(const bake::BakedTree<Index, layout>& baked) {
+  return Kind<Index, layout>::kTreeBytes + bytes_of(baked.nodes) + bytes_of(baked.triangles) +
+         bytes_of(baked.sources) + bytes_of(baked.leaf_firsts) + bytes_of(baked.vertices);
+}
+
+template <class Index, Layout layout>
 CppFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name) {
   return {header(baked, name), source(baked, name)};
 }
 
-template CppFiles cpp_of(const bake::BakedTree<std::uint16_t, Layout::pre_indexed>&,
-                         const OutputName&);
-template CppFiles cpp_of(const bake::BakedTree<std::uint16_t, Layout::post_indexed>&,
-                         const OutputName&);
-template CppFiles cpp_of(const bake::BakedTree<std::uint32_t, Layout::pre_indexed>&,
-                         const OutputName&);
-template CppFiles cpp_of(const bake::BakedTree<std::uint32_t, Layout::post_indexed>&,
-                         const OutputName&);
+#define FLASHBVH_INSTANTIATE(Index, layout)                                \
+  template std::size_t flash_bytes(const bake::BakedTree<Index, layout>&); \
+  template CppFiles cpp_of(const bake::BakedTree<Index, layout>&, const OutputName&);
+FLASHBVH_INSTANTIATE(std::uint16_t, Layout::pre_indexed)
+FLASHBVH_INSTANTIATE(std::uint16_t, Layout::post_indexed)
+FLASHBVH_INSTANTIATE(std::uint32_t, Layout::pre_indexed)
+FLASHBVH_INSTANTIATE(std::uint32_t, Layout::post_indexed)
+#undef FLASHBVH_INSTANTIATE
 
 }  // namespace flashbvh::tool

@@ -2,6 +2,7 @@
 #ifndef FLASHBVH_TOOLS_CPP_WRITER_HPP
 #define FLASHBVH_TOOLS_CPP_WRITER_HPP
 
+#include <cstddef>
 #include <string>
 
 #include "bake/baked_tree.hpp"
@@ -13,6 +14,11 @@ struct CppFiles {
   std::string header;  ///< NAME.fbvh.hpp
   std::string source;  ///< NAME.fbvh.cpp
 };
+
+/// What firmware links that uses the default query on the C++ output: everything but the levels.
+/// Bytes, on a 32-bit core.
+template <class Index, Layout layout>
+std::size_t flash_bytes(const bake::BakedTree<Index, layout>& baked);
 
 /// The text of both files: the same for the same tree and name, on every machine.
 template <class Index, Layout layout>

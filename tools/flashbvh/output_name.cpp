@@ -55,6 +55,9 @@ std::string identifier_of(std::string text) {
 OutputName output_name(const std::string& mesh_path, const std::string& chosen) {
   if (chosen.empty()) {
     const std::string stem = std::filesystem::path(mesh_path).stem().string();
+    if (stem.find_first_of("\"\\\n\r") != std::string::npos) {
+      throw UserError(mesh_path, "has a name that no #include can hold; use --name");
+    }
     return {stem, identifier_of(stem)};
   }
   if (identifier_of(chosen) != chosen) {

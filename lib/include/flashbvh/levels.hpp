@@ -26,6 +26,7 @@ struct LevelledTree<IndexType, Layout::pre_indexed> : Tree<IndexType, Layout::pr
 
   uint32_t level(uint32_t node) const { return levels[node]; }
   uint32_t escape(uint32_t node) const { return this->nodes[node].link; }
+  uint32_t escape(uint32_t node, uint32_t /*rcl*/) const { return escape(node); }
   /// A node's escape index is the next sibling of the first left child above it, so the levels of
   /// the two differ by the RCL; the end node has level 0.
   uint32_t rcl(uint32_t node) const {
@@ -49,8 +50,9 @@ struct LevelledTree<IndexType, Layout::post_indexed> : Tree<IndexType, Layout::p
   uint32_t level(uint32_t node) const { return levels[node]; }
   uint32_t rcl(uint32_t node) const { return right_child_levels[node]; }
   uint32_t level_up(uint32_t node, uint32_t count) const { return node - count; }
-  /// The link of the first left child above the node.
-  uint32_t escape(uint32_t node) const { return this->nodes[level_up(node, rcl(node))].link; }
+  uint32_t escape(uint32_t node) const { return escape(node, rcl(node)); }
+  /// The link of the first left child above the node, whose RCL is known.
+  uint32_t escape(uint32_t node, uint32_t rcl) const { return this->nodes[node - rcl].link; }
 };
 
 using LevelledPreTree = LevelledTree<uint16_t, Layout::pre_indexed>;

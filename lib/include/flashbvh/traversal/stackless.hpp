@@ -3,7 +3,7 @@
 //
 // Invariant: the pair that lies below (a, b) on algorithm 3's stack is a function of (a, b): of the
 // two levels, whether each node is a left child (one with a next sibling, or the root), and the
-// right child levels. `next_pair` is that function, case by case as in section 7.1.
+// right child levels. `behind` is that function, case by case as in section 7.1.
 //
 // Section 8.1: while one node is a leaf the walk of the other's subtree is the leaf algorithm;
 // there the levels differ by more than the eight cases know. Going up along last children until
@@ -31,92 +31,87 @@ class AlternatingStackless {
   template <class Overlap, class LeafPair>
   static Walk run(const Tree& a, const Tree& b, const Overlap& overlap, Cursor& cursor,
                   Budget& budget, LeafPair&& leaf_pair) {
-    uint32_t node_a = cursor.a;
-    uint32_t node_b = cursor.b;
+    Place at = {cursor.a, cursor.b, 0};
+    at.lead = static_cast<int32_t>(a.level(at.a)) - static_cast<int32_t>(b.level(at.b));
     uint32_t visits_left = budget.visits_left;
-    uint32_t overlaps = budget.overlaps;
     Walk end = Walk::done;
-    if (budget.behind) {
-      next_pair(a, b, node_a, node_b);
-    }
-    while (node_a != a.node_count && node_b != b.node_count) {
-      if (visits_left == 0) {
-        end = Walk::suspended;
-        break;
-      }
-      --visits_left;
-      if (overlap(a.nodes[node_a].box, b.nodes[node_b].box)) {
-        ++overlaps;
-        const bool leaf_a = a.nodes[node_a].is_leaf();
-        const bool leaf_b = b.nodes[node_b].is_leaf();
-        if (!leaf_a && (leaf_b || a.level(node_a) < b.level(node_b))) {
-          node_a = a.first_child(node_a);
-          continue;
-        }
-        if (!leaf_b) {
-          node_b = b.first_child(node_b);
-          continue;
-        }
-        if (!leaf_pair(node_a, node_b)) {
-          end = Walk::stopped;
+    for (bool visit = !budget.behind;; visit = true) {
+      if (visit) {
+        if (visits_left == 0) {
+          end = Walk::suspended;
           break;
         }
+        --visits_left;
+        const Node<Index>& node_a = a.nodes[at.a];
+        const Node<Index>& node_b = b.nodes[at.b];
+        if (overlap(node_a.box, node_b.box)) {
+          ++budget.overlaps;
+          if (!node_a.is_leaf() && (at.lead < 0 || node_b.is_leaf())) {
+            at.a = a.first_child(at.a);
+            ++at.lead;
+            continue;
+          }
+          if (!node_b.is_leaf()) {
+            at.b = b.first_child(at.b);
+            --at.lead;
+            continue;
+          }
+          if (!leaf_pair(at.a, at.b)) {
+            end = Walk::stopped;
+            break;
+          }
+        }
       }
-      next_pair(a, b, node_a, node_b);
+      at = behind(a, b, at);
+      if (at.a == a.node_count || at.b == b.node_count) {
+        break;
+      }
     }
-    cursor.a = static_cast<Index>(node_a);
-    cursor.b = static_cast<Index>(node_b);
+    cursor.a = static_cast<Index>(at.a);
+    cursor.b = static_cast<Index>(at.b);
     budget.visits_left = visits_left;
-    budget.overlaps = overlaps;
     return end;
   }
 
-  /// The pair behind (node_a, node_b): the element below it on algorithm 3's stack.
-  static void next_pair(const Tree& a, const Tree& b, uint32_t& node_a, uint32_t& node_b) {
-    const uint32_t level_a = a.level(node_a);
-    const uint32_t level_b = b.level(node_b);
-    if (level_a >= level_b) {
-      behind_a(a, b, node_a, node_b, level_a - level_b);
-    } else {
-      behind_b(a, b, node_a, node_b, level_b - level_a);
-    }
+  /// A pair, and Level(a) - Level(b), which follows from it.
+  struct Place {
+    uint32_t a;
+    uint32_t b;
+    int32_t lead;
+  };
+
+  /// The pair behind this one: the element below it on algorithm 3's stack.
+  static Place behind(const Tree& a, const Tree& b, Place at) {
+    return at.lead >= 0 ? behind_a(a, b, at) : behind_b(a, b, at);
   }
 
  private:
-  /// Level(a) = Level(b) + `lead`: A was descended into last. `lead` is 0 outside B's leaves.
-  static void behind_a(const Tree& a, const Tree& b, uint32_t& node_a, uint32_t& node_b,
-                       uint32_t lead) {
-    const uint32_t rcl_a = a.rcl(node_a);
+  /// Level(a) = Level(b) + lead: A was descended into last. The lead is 0 outside B's leaves.
+  static Place behind_a(const Tree& a, const Tree& b, Place at) {
+    const auto lead = static_cast<uint32_t>(at.lead);
+    const uint32_t rcl_a = a.rcl(at.a);
     if (rcl_a <= lead) {  // cases 1 and 2; 8.1: the leaf algorithm in A's subtree
-      node_a = a.escape(node_a);
-      return;
+      return {a.escape(at.a, rcl_a), at.b, static_cast<int32_t>(lead - rcl_a)};
     }
-    const uint32_t rcl_b = b.rcl(node_b);
+    const uint32_t rcl_b = b.rcl(at.b);
     if (rcl_a - lead <= rcl_b) {  // case 7, a left child of A is reached first
-      node_a = a.escape(node_a);
-      node_b = b.level_up(node_b, rcl_a - lead);
-    } else {  // case 5 (rcl_b = 0); case 7, a left child of B is reached first
-      node_a = a.level_up(node_a, lead + rcl_b + 1);
-      node_b = b.escape(node_b);
-    }
+      return {a.escape(at.a, rcl_a), b.level_up(at.b, rcl_a - lead), 0};
+    }  // case 5 (rcl_b = 0); case 7, a left child of B is reached first
+    return {a.level_up(at.a, lead + rcl_b + 1), b.escape(at.b, rcl_b), -1};
   }
 
-  /// Level(a) = Level(b) - `lead`: B was descended into last. `lead` is 1 outside A's leaves.
-  static void behind_b(const Tree& a, const Tree& b, uint32_t& node_a, uint32_t& node_b,
-                       uint32_t lead) {
-    const uint32_t rcl_b = b.rcl(node_b);
-    if (rcl_b < lead) {  // cases 3 and 4; 8.1: the leaf algorithm in B's subtree
-      node_b = b.escape(node_b);
-      return;
+  /// Level(a) = Level(b) - lag: B was descended into last. The lag is 1 outside A's leaves.
+  static Place behind_b(const Tree& a, const Tree& b, Place at) {
+    const auto lag = static_cast<uint32_t>(-at.lead);
+    const uint32_t rcl_b = b.rcl(at.b);
+    if (rcl_b < lag) {  // cases 3 and 4; 8.1: the leaf algorithm in B's subtree
+      return {at.a, b.escape(at.b, rcl_b), at.lead + static_cast<int32_t>(rcl_b)};
     }
-    const uint32_t rcl_a = a.rcl(node_a);
-    if (rcl_a <= rcl_b - lead) {  // case 6 (rcl_a = 0); case 8, a left child of A is reached first
-      node_a = a.escape(node_a);
-      node_b = b.level_up(node_b, rcl_a + lead);
-    } else {  // case 8, a left child of B is reached first
-      node_a = a.level_up(node_a, rcl_b - lead + 1);
-      node_b = b.escape(node_b);
-    }
+    const uint32_t rcl_a = a.rcl(at.a);
+    if (rcl_a <= rcl_b - lag) {  // case 6 (rcl_a = 0); case 8, a left child of A is reached first
+      return {a.escape(at.a, rcl_a), b.level_up(at.b, rcl_a + lag), 0};
+    }  // case 8, a left child of B is reached first
+    return {a.level_up(at.a, rcl_b - lag + 1), b.escape(at.b, rcl_b), -1};
   }
 };
 

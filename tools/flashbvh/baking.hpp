@@ -1,6 +1,6 @@
 // One mesh baked with the options of the command line, in any of the four kinds of tree.
-#ifndef FLASHBVH_TOOLS_BAKE_MESH_HPP
-#define FLASHBVH_TOOLS_BAKE_MESH_HPP
+#ifndef FLASHBVH_TOOLS_BAKING_HPP
+#define FLASHBVH_TOOLS_BAKING_HPP
 
 #include <cstdint>
 #include <string>
@@ -31,7 +31,7 @@ struct BakedMesh {
 
 /// The finest cell with which the mesh fits the lattice, and of which firmware can hold the value
 /// in a float.
-double finest_cell(const bake::SourceMesh& mesh);
+double finest_float_cell(const bake::SourceMesh& mesh);
 
 /// UserError, naming `path`, if the mesh is too large for the cell or for the indices.
 BakedMesh bake_mesh(const bake::SourceMesh& mesh, double cell, const BakeOptions& options,

@@ -1,0 +1,46 @@
+// The dozen lines of the README: a peg above a plate, lowered until they touch.
+#include "peg.fbvh.hpp"
+#include "plate.fbvh.hpp"
+#include "text.hpp"
+
+#include <flashbvh/flashbvh.hpp>
+
+static_assert(peg::kFlashBytes + plate::kFlashBytes < 2 * 1024);
+
+namespace {
+
+/// Millimetres, the unit of the two meshes, to cells.
+constexpr int32_t cells(double millimetres) {
+  return static_cast<int32_t>(millimetres / plate::kCell + (millimetres < 0 ? -0.5 : 0.5));
+}
+
+// README: begin
+/// Whether the peg, `height` cells above the plate's origin, touches the plate.
+bool touches(int32_t height) {
+  const flashbvh::Pose pose = flashbvh::Pose::translated(0, 0, height);
+  flashbvh::PairQuery query(plate::tree, peg::tree, pose);  // a few words on the stack
+  flashbvh::PairQuery::Pair found[8];
+  for (;;) {
+    const flashbvh::Step step = query.run(500, found);  // at most 500 visits, then it comes back
+    if (step.count != 0) {
+      return true;  // found[0].a and found[0].b are triangles of plate.obj and peg.obj
+    }
+    if (step.status != flashbvh::Status::suspended) {
+      return step.status != flashbvh::Status::done;  // an error is no permission to move on
+    }
+    // Not finished: do something else, and come back.
+  }
+}
+// README: end
+
+}  // namespace
+
+int main() {
+  const bool above = touches(cells(0.5));
+  const bool on = touches(cells(0));
+  const bool in = touches(cells(-2));
+  port::print("0.5 mm above the plate: ", above ? "touches" : "free", "\n");
+  port::print("on the plate: ", on ? "touches" : "free", "\n");
+  port::print("2 mm into the plate: ", in ? "touches" : "free", "\n");
+  return !above && on && in ? 0 : 1;
+}

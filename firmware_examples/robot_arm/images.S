@@ -1,0 +1,17 @@
+/* The links' pre-indexed images, as they came from `flashbvh bake`. */
+  .section .rodata.images, "a"
+  .macro image name
+  .balign 4
+  .global \name\()_image, \name\()_image_end
+\name\()_image:
+  .incbin "\name\().fbvh"
+\name\()_image_end:
+  .endm
+
+  image base_link
+  image shoulder
+  image bicep
+  image elbow
+  image forearm
+  image wrist
+  image palm

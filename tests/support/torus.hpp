@@ -1,0 +1,17 @@
+// A closed mesh that any test can make: a torus round the z axis.
+#ifndef FLASHBVH_TESTS_SUPPORT_TORUS_HPP
+#define FLASHBVH_TESTS_SUPPORT_TORUS_HPP
+
+#include <cstdint>
+
+#include "bake/mesh.hpp"
+
+namespace flashbvh::test {
+
+/// 2 * around * across triangles. `around`: segments of the ring, `across`: of the tube; at least 3.
+/// `ring` and `tube`: radii in cells; their sum at most kMaxCoordinate.
+bake::LatticeMesh torus(std::uint32_t around, std::uint32_t across, double ring, double tube);
+
+}  // namespace flashbvh::test
+
+#endif

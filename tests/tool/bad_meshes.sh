@@ -1,0 +1,106 @@
+# Every kind of unusable mesh is refused by its name and place, and nothing is written.
+. "$SOURCES/common.sh"
+
+bad() {
+  refused "$1" bake meshes/tetrahedron.stl "$2" -o out
+}
+
+refused "missing.stl: can't be opened" bake missing.stl -o out
+refused "is a folder" bake meshes -o out
+: >empty.stl
+bad "empty.stl: is empty" empty.stl
+: >empty.obj
+bad "empty.obj: is empty" empty.obj
+bad "triangle" meshes/no_triangles.stl
+bad "is no .stl, .obj, .ply or .off file" "$SOURCES/common.sh"
+cp meshes/tetrahedron.stl tetrahedron.xyz
+bad "tetrahedron.xyz: is no" tetrahedron.xyz
+
+# Not a mesh.
+head -c 300 "$FLASHBVH" >program.stl
+cp program.stl program.obj
+cp program.stl program.ply
+cp program.stl program.off
+for kind in stl obj ply off; do
+  bad "program.$kind" program.$kind
+done
+printf 'solid in words only, and long enough to be taken for a header of eighty bytes or more.\n' >words.stl
+bad "words.stl" words.stl
+printf 'just words\n' >words.obj
+bad "words.obj:1: 'just'" words.obj
+
+# Coordinates that are no numbers.
+bad "nan.stl: polygon 2" meshes/nan.stl
+bad "infinite.stl: polygon 2" meshes/infinite.stl
+printf 'v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n' >nan.obj
+bad "nan.obj:3: 'nan'" nan.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1e999 0\nf 1 2 3\n' >huge.obj
+bad "huge.obj:3: '1e999'" huge.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1e39 0\nf 1 2 3\n' >float.obj
+bad "float.obj: polygon 0" float.obj
+printf 'OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n' >inf.off
+bad "inf.off:4: 'inf'" inf.off
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n' >nan.ply
+bad "nan.ply: vertex 1" nan.ply
+
+# Truncated at many places: each is refused, whatever is left.
+head -c 1000 meshes/ring.stl >cut.stl
+bad "cut.stl: is truncated" cut.stl
+printf '%s\n' 'solid a' 'facet normal 0 0 1' 'outer loop' 'vertex 0 0 0' 'vertex 1 0 0' \
+  'vertex 0 1 0' 'endloop' 'endfacet' 'facet normal 0 0 1' 'outer loop' 'vertex 0 0 0' \
+  'vertex 1 0 1' 'vertex 0 1.25 0' 'endloop' 'endfacet' 'endsolid a' >whole.stl
+"$FLASHBVH" bake whole.stl -o whole >/dev/null
+printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n' >whole.off
+"$FLASHBVH" bake whole.off -o whole >/dev/null
+sed 's/float y/float y\nproperty uchar red/; s/nan/0 255/; s/^0 0 0$/0 0 255 0/; s/^1 0 0 255$/1 0 255 0/; s/^0 1 0$/0 1 255 0/' \
+  nan.ply >whole.ply
+"$FLASHBVH" bake whole.ply -o whole >/dev/null
+for kind in stl off ply; do
+  # The last bytes may go: a line end, the name behind 'endsolid', none of the last index.
+  size=$(($(wc -c <whole.$kind) - 6))
+  for length in $(seq 1 7 $size) $size; do
+    head -c "$length" whole.$kind >cut.$kind
+    bad "cut.$kind" cut.$kind
+  done
+done
+
+# Indices and counts that don't fit.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n' >range.obj
+bad "range.obj:4: a corner at vertex '4'" range.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n' >before.obj
+bad "before.obj:4: a corner at vertex '-4'" before.obj
+printf 'v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n' >short.obj
+bad "short.obj:2: a vertex of 2" short.obj
+printf 'v 0 0 0\nv 1 0 0\nf 1 2\n' >segment.obj
+bad "segment.obj:3: a polygon of 2" segment.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n' >line.obj
+bad "no polygons" line.obj 2>/dev/null || true
+sed 's/^3 0 2 3$/3 0 2 4/' whole.off >range.off
+bad "range.off:8: a corner at vertex '4'" range.off
+sed 's/^3 0 1 2$/3 0 1 7/' whole.ply >range.ply
+bad "range.ply: face 0 of 1: a corner at vertex 7" range.ply
+sed 's/element face 1/element face 2/' whole.ply >more.ply
+bad "more.ply: face 1 of 2: the file ends here" more.ply
+cat whole.off whole.off >twice.off
+bad "twice.off:9: there is more" twice.off
+
+# Too large for the cell: the message names one that fits.
+refused "too large for a cell of 0.0001" bake meshes/ring.stl -o out --cell 0.0001
+cell=$(sed 's/.*--cell //' stderr)
+"$FLASHBVH" bake meshes/ring.stl -o fitting --cell "$cell" >/dev/null
+
+# Too many for 16 bits: the message names the mend, and the mend works.
+refused "many.stl: 79999 nodes, but 16-bit indices reach 65535; use a larger --leaf-size" \
+  bake meshes/many.stl -o out
+"$FLASHBVH" bake meshes/many.stl -o many --index-bits 32 --format image >/dev/null
+refused "120000 vertices" bake meshes/many.stl -o out --leaf-size 4 --cell 0.25
+"$FLASHBVH" check many/many.fbvh --mesh meshes/many.stl >/dev/null
+
+# Over budget.
+refused "takes 20" bake meshes/ring.stl -o out --max-bytes 20000
+grep -qF 'allows 20000' stderr || fail "$(cat stderr)"
+
+# Two meshes that would be written to one file.
+mkdir other
+cp meshes/ring.stl other/ring.STL
+refused "other/ring.STL" bake meshes/ring.stl other/ring.STL -o out

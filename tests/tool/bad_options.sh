@@ -1,0 +1,51 @@
+# Command lines that make no sense are refused with one line that says where the help is.
+. "$SOURCES/common.sh"
+
+refused "a command is missing"
+refused "no command 'cook'" cook
+refused "--frobnicate" bake meshes/ring.stl -o out --frobnicate
+refused "--frobnicate" --frobnicate
+refused "required" bake
+refused "--output" bake meshes/ring.stl
+refused "--format" bake meshes/ring.stl -o out --format xml
+refused "--layout" bake meshes/ring.stl -o out --layout random
+refused "--builder" bake meshes/ring.stl -o out --builder sah2
+refused "--leaf-size" bake meshes/ring.stl -o out --leaf-size 0
+refused "--leaf-size" bake meshes/ring.stl -o out --leaf-size 17
+refused "--arity" bake meshes/ring.stl -o out --arity 1
+refused "--arity" bake meshes/ring.stl -o out --arity 9
+refused "--index-bits" bake meshes/ring.stl -o out --index-bits 8
+refused "--max-bytes" bake meshes/ring.stl -o out --max-bytes -1
+for cell in 0 -1 nan inf 1e-300 1e300 abc ""; do
+  refused "--cell" bake meshes/ring.stl -o out --cell "$cell"
+done
+refused "--name" bake meshes/ring.stl meshes/coarse.stl -o out --name both
+refused "--name class" bake meshes/ring.stl -o out --name class
+refused "--name 2nd" bake meshes/ring.stl -o out --name 2nd
+refused "required" info
+refused "missing.fbvh: can't be opened" info missing.fbvh
+: >empty.fbvh
+refused "empty.fbvh: is empty" info empty.fbvh
+refused "ring.stl: is no flashbvh image" check meshes/ring.stl
+
+"$FLASHBVH" bake meshes/ring.stl -o images >/dev/null
+refused "required" export images/ring.fbvh
+refused "--placed: has 3 numbers" export images/ring.fbvh -o out.obj --placed "1 2 3"
+refused "--placed: the pose turns B" \
+  export images/ring.fbvh -o out.obj --placed "-1 0 0 0 -1 0 0 0 1 0 0 0"
+refused "--placed: the pose moves B" \
+  export images/ring.fbvh -o out.obj --placed "1 0 0 0 1 0 0 0 1 0 0 1e30"
+refused "meshes: is a folder" export images/ring.fbvh -o meshes
+
+# Where nothing can be written, nothing is left over.
+: >plain_file
+refused "plain_file" bake meshes/ring.stl -o plain_file/out
+mkdir -p taken/ring.fbvh.cpp
+refused "ring.fbvh.cpp: is a folder" bake meshes/ring.stl -o taken
+[ "$(ls taken)" = ring.fbvh.cpp ] || fail "left over: $(ls taken)"
+
+for command in "" bake info check export collide; do
+  # shellcheck disable=SC2086
+  "$FLASHBVH" $command --help | grep -q Usage || fail "no help for '$command'"
+done
+"$FLASHBVH" --version | grep -q '^flashbvh [0-9]*\.[0-9]*\.[0-9]*$' || fail "no version"

@@ -1,0 +1,35 @@
+# Sourced by every script: a folder of its own, and what the tests say.
+set -eu
+rm -rf "$WORK"
+mkdir -p "$WORK"
+cd "$WORK"
+"$TOOLS/tool_test_meshes" meshes
+
+fail() {
+  echo "FAILED: $*" >&2
+  exit 1
+}
+
+# refused WHAT ARGUMENT...: the program must exit with 2 and one line on standard error that holds
+# WHAT, print nothing else, and leave no folder or file named out*.
+refused() {
+  what=$1
+  shift
+  code=0
+  "$FLASHBVH" "$@" >stdout 2>stderr || code=$?
+  [ $code -eq 2 ] || fail "exit $code, not 2: $* ($(cat stderr))"
+  [ "$(wc -l <stderr)" -eq 1 ] || fail "not one line: $* ($(cat stderr))"
+  [ ! -s stdout ] || fail "output on stdout: $*"
+  grep -q '^flashbvh: ' stderr || fail "$(cat stderr)"
+  grep -qF -- "$what" stderr || fail "no '$what' in: $(cat stderr)"
+  [ -z "$(find . -name 'out*')" ] || fail "something written: $*"
+}
+
+# exits CODE ARGUMENT...
+exits() {
+  wanted=$1
+  shift
+  code=0
+  "$FLASHBVH" "$@" >stdout 2>stderr || code=$?
+  [ $code -eq "$wanted" ] || fail "exit $code, not $wanted: $* ($(cat stderr))"
+}

@@ -1,0 +1,53 @@
+// Queries the C++ output as firmware does, and prints what `flashbvh collide --pairs` prints.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "_2nd_ring.fbvh.hpp"
+#include "early.fbvh.hpp"
+#include "flashbvh/query.hpp"
+#include "flashbvh/traversal/stackless.hpp"
+#include "flashbvh/traversal/stackless_post.hpp"
+#include "grouped.fbvh.hpp"
+#include "ring.fbvh.hpp"
+#include "wide.fbvh.hpp"
+
+static_assert(ring::kTriangleCount == 400 && ring::kNodeCount == 799, "");
+static_assert(ring::kFlashBytes < 50 * ring::kTriangleCount, "the budget, everything included");
+static_assert(grouped::kFlashBytes < ring::kFlashBytes, "fewer leaves, fewer bytes");
+static_assert(early::kDepth == ring::kDepth && wide::kNodeCount == ring::kNodeCount, "");
+static_assert(ring::kCell > 0.124f && ring::kCell < 0.126f, "");
+
+namespace {
+
+using Pairs = std::vector<std::pair<unsigned, unsigned>>;
+
+template <class Traversal>
+Pairs ask(const typename Traversal::Tree& a, const typename Traversal::Tree& b) {
+  flashbvh::Query<Traversal> query(a, b, flashbvh::Pose::translated(48, 16, 8));
+  Pairs pairs;
+  const auto status = query.run(0xFFFFFFFFu, [&](const typename decltype(query)::Pair& pair) {
+    pairs.push_back({pair.a, pair.b});
+    return true;
+  });
+  std::sort(pairs.begin(), pairs.end());
+  return status == flashbvh::Status::done ? pairs : Pairs();
+}
+
+}  // namespace
+
+int main() {
+  using flashbvh::Ranked;
+  const Pairs pairs = ask<Ranked<flashbvh::PostTree>>(ring::tree, _2nd_ring::tree);
+  const bool equal =
+      pairs == ask<Ranked<flashbvh::PostTree>>(grouped::tree, ring::tree) &&
+      pairs == ask<flashbvh::StacklessPost>(ring::levelled_tree, grouped::levelled_tree) &&
+      pairs == ask<flashbvh::Stackless>(early::levelled_tree, early::levelled_tree) &&
+      pairs == ask<Ranked<flashbvh::LargePostTree>>(wide::tree, wide::tree);
+  for (const auto& pair : pairs) {
+    std::printf("0 %u %u\n", pair.first, pair.second);
+  }
+  return equal && !pairs.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
+}

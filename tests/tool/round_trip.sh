@@ -1,0 +1,68 @@
+# info, check and export agree with what was baked.
+. "$SOURCES/common.sh"
+
+cat >mesh.obj <<'OBJ'
+v 0.24 -0.26 0
+v 10 0.5 -0.5
+v 3.74 10.01 1.5
+v 0.3 -0.2 4
+v 9.99 9.99 9.99
+f 3 2 1
+f 1 2 4
+f 5 4 2
+OBJ
+"$FLASHBVH" bake mesh.obj -o baked --cell 0.5 >table
+"$FLASHBVH" export baked/mesh.fbvh -o lattice.obj
+# Corner by corner in source order: round(coordinate / 0.5), halves away from zero.
+awk '$1 == "v" { v[++n] = $2 " " $3 " " $4 } $1 == "f" { print v[$2]; print v[$3]; print v[$4] }' \
+  lattice.obj >found
+awk 'function cells(x) { x /= 0.5; return x < 0 ? -int(0.5 - x) : int(x + 0.5) }
+  $1 == "v" { v[++n] = cells($2) " " cells($3) " " cells($4) }
+  $1 == "f" { print v[$2]; print v[$3]; print v[$4] }' mesh.obj | sed 's/-0/0/g' >wanted
+cmp wanted found
+"$FLASHBVH" export baked/mesh.fbvh -o moved.obj --placed "1 0 0 0 1 0 0 0 1 1.25 -1.25 100"
+awk '$1 == "v" { print $2 - 3, $3 + 3, $4 - 200 } $1 == "f" { print }' moved.obj >found
+awk '$1 == "v" { print $2, $3, $4 } $1 == "f" { print }' lattice.obj >wanted
+cmp wanted found
+# The exported mesh bakes to itself.
+"$FLASHBVH" bake lattice.obj -o again --cell 1 >/dev/null
+"$FLASHBVH" export again/lattice.fbvh -o again.obj
+"$FLASHBVH" check again/lattice.fbvh --mesh lattice.obj >/dev/null
+
+for options in "--layout post" "--layout pre" "--leaf-size 4 --arity 3" "--index-bits 32 --layout pre"; do
+  # shellcheck disable=SC2086
+  "$FLASHBVH" bake meshes/ring.stl meshes/coarse.stl -o rings $options >/dev/null
+  exits 0 check rings/ring.fbvh
+  exits 0 check rings/ring.fbvh --mesh meshes/ring.stl
+  grep -q '^ring: well-formed' stdout || fail "$(cat stdout)"
+  exits 1 check rings/ring.fbvh --mesh meshes/coarse.stl
+  grep -q 'but not' stdout || fail "$(cat stdout)"
+done
+# One corner moved by one cell, or two triangles changed round: another mesh.
+sed 's/^v 9.99 9.99 9.99$/v 9.99 9.99 9.49/' mesh.obj >moved_corner.obj
+exits 1 check baked/mesh.fbvh --mesh moved_corner.obj
+grep -q 'corner 0 of triangle 2 lies at (20 20 20) in the image, at (20 20 19)' stdout ||
+  fail "$(cat stdout)"
+{ grep '^v' mesh.obj; grep '^f' mesh.obj | sort; } >other_order.obj
+exits 1 check baked/mesh.fbvh --mesh other_order.obj
+exits 2 check baked/mesh.fbvh --mesh missing.obj
+
+info=$("$FLASHBVH" info baked/mesh.fbvh --json)
+size=$(wc -c <baked/mesh.fbvh)
+for wanted in '"name":"mesh"' '"layout":"post"' '"index_bits":16' '"nodes":5' '"leaves":3' \
+  '"depth":2' '"triangles":3' '"vertices":5' '"leaf_size":1' '"arity":2' "\"bytes\":$((size))" \
+  '"cell":0.5' '"box":{"lower":[0.0,-0.5,-0.5],"upper":[10.0,10.0,10.0]}' \
+  '"box_cells":{"lower":[0,-1,-1],"upper":[20,20,20]}' '"stack_need":2'; do
+  case $info in
+    *"$wanted"*) ;;
+    *) fail "no $wanted in $info" ;;
+  esac
+done
+"$FLASHBVH" info baked/mesh.fbvh >text
+for wanted in nodes depth 'bytes per triangle' box deviation; do
+  grep -q "^$wanted  " text || fail "no $wanted in $(cat text)"
+done
+# The deviation is that of (0.24 -0.26 0): to (0 -0.5 0), and so printed by bake, too.
+deviation=$(sed -n 's/^deviation *\([^ ]*\) .*/\1/p' text)
+awk -v d="$deviation" 'BEGIN { exit !(d > 0.339411 && d < 0.339412) }' || fail "deviation $deviation"
+grep -q "$deviation" table || fail "$(cat table)"

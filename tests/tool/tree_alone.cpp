@@ -1,0 +1,9 @@
+// Links `tree` and not `levelled_tree`.
+#include "flashbvh/query.hpp"
+#include "ring.fbvh.hpp"
+
+int main() {
+  flashbvh::PairQuery query(ring::tree, ring::tree, flashbvh::Pose::translated(1, 2, 3));
+  flashbvh::TrianglePair<uint16_t> found[4];
+  return query.run(1000, found).status == flashbvh::Status::full ? 0 : 1;
+}

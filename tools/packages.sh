@@ -1,0 +1,31 @@
+# Sourced: ensure_packages PACKAGE... installs those of Debian's packages that are missing.
+
+ensure_packages() {
+  missing=
+  for package; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q "ok installed" ||
+      missing="$missing $package"
+  done
+  [ -n "$missing" ] || return 0
+  echo "Installing:$missing"
+  as_root=
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "$0: neither root nor sudo; as root: apt-get install$missing" >&2
+      exit 2
+    fi
+    as_root=sudo
+  fi
+  log=$(mktemp)
+  if ! { $as_root apt-get update && $as_root env DEBIAN_FRONTEND=noninteractive \
+         apt-get install -y --no-install-recommends $missing; } >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    echo "$0: could not install$missing" >&2
+    exit 2
+  fi
+  rm -f "$log"
+}
+
+host_packages="cmake ninja-build g++ libassimp-dev libcli11-dev nlohmann-json3-dev catch2"
+board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
+  qemu-system-arm"

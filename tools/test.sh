@@ -1,0 +1,38 @@
+#!/bin/sh
+# Everything that has to hold before a change is one: formatting, lint, and all tests, natively
+# with sanitizers and on each board under QEMU. Installs what is missing.
+set -eu
+cd "$(dirname "$0")/.."
+. tools/packages.sh
+ensure_packages $host_packages $board_packages clang-format clang-tidy
+
+step() { printf '\n== %s\n' "$1"; }
+
+sources() {
+  find lib ports tools tests firmware_examples -name '*.[ch]pp' -o -name '*.h' -o -name '*.c'
+}
+
+step "Formatting (clang-format -i mends it)"
+sources | xargs clang-format --dry-run -Werror
+
+step "The host program"
+cmake --preset native
+cmake --build --preset native
+
+step "Tests on this machine, with the address and undefined-behaviour sanitizers"
+cmake --preset native-sanitize
+cmake --build --preset native-sanitize
+ctest --preset native-sanitize -j2
+
+step "Lint (clang-tidy)"
+sources | grep '\.cpp$' | grep -vE '^(ports|firmware_examples)/|^tests/(budget|packaging)/' |
+  xargs -n 4 -P 2 clang-tidy --quiet -p build/native
+
+for board in cortex-m3 cortex-m4f; do
+  step "Tests on $board under QEMU"
+  cmake --preset $board -DFLASHBVH_HOST_TOOL="$PWD/build/native/bin/flashbvh"
+  cmake --build --preset $board
+  ctest --preset $board -j2
+done
+
+step "All tests passed"
