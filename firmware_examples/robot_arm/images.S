@@ -4,7 +4,7 @@
   .balign 4
   .global \name\()_image, \name\()_image_end
 \name\()_image:
-  .incbin "\name\().fbvh"
+  .incbin "pre/\name\().fbvh"
 \name\()_image_end:
   .endm
 

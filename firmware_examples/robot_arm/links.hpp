@@ -23,7 +23,7 @@ struct Link {
 };
 
 // images.S
-#define IMAGE(name)                            \
+#define IMAGE(name)                              \
   extern "C" const unsigned char name##_image[]; \
   extern "C" const unsigned char name##_image_end[];
 IMAGE(base_link)
@@ -48,13 +48,15 @@ LINK(wrist)
 LINK(palm)
 #undef LINK
 
-constexpr uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
+constexpr uint32_t larger(uint32_t a, uint32_t b) {
+  return a > b ? a : b;
+}
 
 /// Of the link that needs most.
-constexpr uint32_t kStackNeed = larger(
-    larger(larger(::base_link::kStackNeed, ::shoulder::kStackNeed),
-           larger(::bicep::kStackNeed, ::elbow::kStackNeed)),
-    larger(larger(::forearm::kStackNeed, ::wrist::kStackNeed), ::palm::kStackNeed));
+constexpr uint32_t kStackNeed =
+    larger(larger(larger(::base_link::kStackNeed, ::shoulder::kStackNeed),
+                  larger(::bicep::kStackNeed, ::elbow::kStackNeed)),
+           larger(larger(::forearm::kStackNeed, ::wrist::kStackNeed), ::palm::kStackNeed));
 
 }  // namespace robot
 

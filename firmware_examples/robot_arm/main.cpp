@@ -2,8 +2,8 @@
 //
 // Prints a line per pair of links, offset and algorithm:
 //     result A B x y z algorithm visits overlaps leaf_pairs triangle_pairs stack
-// x, y and z in metres: B moved in A's frame; stack in bytes, with the query object and, for the
-// stack traversals, their array. tools/demo.sh compares the lines with what the host finds.
+// x, y and z in metres: B moved in A's frame; stack in bytes: what a call of run() needs at most.
+// The query objects are the caller's. tools/demo.sh compares the lines with what the host finds.
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/traversal/alternating_stack.hpp>
 #include <flashbvh/traversal/leaf.hpp>
@@ -29,19 +29,19 @@ struct Case {
 };
 
 #define CASE(a, b, x, y, z) \
-  {robot::a, robot::b, #x " " #y " " #z, Pose::translated(cells(x), cells(y), cells(z))}
+  { robot::a, robot::b, #x " " #y " " #z, Pose::translated(cells(x), cells(y), cells(z)) }
 
 const Case kCases[] = {
     CASE(palm, wrist, 0.3, 0, 0),            // separated
-    CASE(palm, wrist, 0, 0, 0.075),          // close
+    CASE(palm, wrist, 0, 0, 0.0723),         // just touching
     CASE(palm, wrist, 0.01, 0.02, 0.01),     // intersecting
     CASE(forearm, bicep, 0, 0, 1),           // separated
-    CASE(forearm, bicep, 0.1, -0.1, 0),      // close
-    CASE(forearm, bicep, 0.02, 0, 0.01),     // intersecting
+    CASE(forearm, bicep, 0, 0, 0.15),        // close
+    CASE(forearm, bicep, 0, 0, 0.14),        // intersecting
     CASE(base_link, shoulder, -0.5, 0, 0),   // separated
-    CASE(base_link, shoulder, 0, 0, 0.203),  // as mounted
-    CASE(base_link, shoulder, 0, 0, 0.1),    // intersecting
-    CASE(elbow, forearm, 0, 0.13, 0),        // close
+    CASE(base_link, shoulder, 0, 0, 0.225),  // close
+    CASE(base_link, shoulder, 0, 0, 0.203),  // as mounted: they share the bearing
+    CASE(elbow, forearm, 0, 0.08, 0),        // separated
     CASE(elbow, forearm, 0, 0, 0),           // intersecting
 };
 
@@ -59,50 +59,47 @@ void print_result(const Case& what, const char* algorithm, const Counts& counts,
 
 /// Runs a query to its end, 100 visits at a time, as a control loop would.
 template <class Query>
-Status run_to_end(Query& query) {
+void run_to_end(const Case& what, const char* algorithm, Query& query) {
   typename Query::Pair found[4];
-  Step step;
+  Step step{};
+  uint32_t stack = 0;
   do {
-    step = query.run(100, found);
+    const uint32_t used = port::stack_of([&] { step = query.run(100, found); });
+    stack = used > stack ? used : stack;
   } while (step.status == Status::suspended || step.status == Status::full);
-  return step.status;
+  print_result(what, algorithm, query.counts(), step.status, stack);
 }
 
 template <class Traversal>
 void run_stackless(const Case& what, const char* algorithm, const typename Traversal::Tree& a,
                    const typename Traversal::Tree& b) {
-  Counts counts{};
-  Status status = Status::done;
-  const uint32_t stack = port::stack_of([&] {
-    Query<Traversal> query(a, b, what.pose);
-    status = run_to_end(query);
-    counts = query.counts();
-  });
-  print_result(what, algorithm, counts, status, stack);
+  Query<Traversal> query(a, b, what.pose);
+  run_to_end(what, algorithm, query);
 }
 
 template <class Traversal>
 void run_with_stack(const Case& what, const char* algorithm) {
-  Counts counts{};
-  Status status = Status::done;
-  const uint32_t stack = port::stack_of([&] {
-    PairCursor<uint16_t> entries[stack_entries(robot::kStackNeed, robot::kStackNeed)];
-    Query<Traversal> query(*what.a.post, *what.b.post, what.pose,
-                           {entries, sizeof entries / sizeof entries[0]});
-    status = run_to_end(query);
-    counts = query.counts();
-  });
-  print_result(what, algorithm, counts, status, stack);
+  PairCursor<uint16_t> entries[stack_entries(robot::kStackNeed, robot::kStackNeed)];
+  Query<Traversal> query(*what.a.post, *what.b.post, what.pose,
+                         {entries, sizeof entries / sizeof entries[0]});
+  run_to_end(what, algorithm, query);
+}
+
+bool open(const Link& link, LevelledPreTree& tree) {
+  const Status status = open_image(link.image, link.image_bytes(), tree);
+  if (status != Status::done) {
+    port::print("error: the image of ", link.name, " does not open: status ",
+                static_cast<unsigned>(status), "\n");
+    failed = true;
+  }
+  return status == Status::done;
 }
 
 /// The pre-indexed trees are not compiled in: their images lie in flash and are opened in place.
 void run_on_images(const Case& what) {
   LevelledPreTree a;
   LevelledPreTree b;
-  if (open_image(what.a.image, what.a.image_bytes(), a) != Status::done ||
-      open_image(what.b.image, what.b.image_bytes(), b) != Status::done) {
-    port::print("error: the image of ", what.a.name, " or ", what.b.name, " does not open\n");
-    failed = true;
+  if (!open(what.a, a) || !open(what.b, b)) {
     return;
   }
   run_stackless<Stackless>(what, "stackless", a, b);

@@ -159,7 +159,8 @@ constexpr Projection kProjections[3] = {
     {&Point::x, &Point::y}, {&Point::y, &Point::z}, {&Point::z, &Point::x}};
 
 /// 1 where p, q, r turn left in the projection, -1 where they turn right, 0 on one line.
-[[gnu::noinline]] int turn(const Projection& onto, const Point& p, const Point& q, const Point& r) {
+[[gnu::noinline, gnu::cold]] int turn(const Projection& onto, const Point& p, const Point& q,
+                                      const Point& r) {
   const auto u = onto.u;
   const auto v = onto.v;
   const int64_t area = static_cast<int64_t>(q.*u - p.*u) * (r.*v - p.*v) -
@@ -167,11 +168,16 @@ constexpr Projection kProjections[3] = {
   return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
+/// The same of a triangle's corners.
+[[gnu::noinline, gnu::cold]] int turn(const Projection& onto, const PlacedTriangle& t) {
+  return turn(onto, t.corner[0], t.corner[1], t.corner[2]);
+}
+
 /// Whether some edge of `a`, in projection, has all of `b` strictly on its outer side. A projected
 /// triangle without area has two outer sides.
-[[gnu::noinline]] bool edge_separates(const Projection& onto, const PlacedTriangle& a,
-                                      const PlacedTriangle& b) {
-  const int inner = turn(onto, a.corner[0], a.corner[1], a.corner[2]);
+[[gnu::noinline, gnu::cold]] bool edge_separates(const Projection& onto, const PlacedTriangle& a,
+                                                 const PlacedTriangle& b) {
+  const int inner = turn(onto, a);
   for (unsigned i = 0; i < 3; ++i) {
     const Point& p = a.corner[i];
     const Point& q = a.corner[next(i)];
@@ -185,7 +191,7 @@ constexpr Projection kProjections[3] = {
 }
 
 /// Whether one plane contains two triangles without area: false for segments on skew lines.
-[[gnu::noinline]] bool coplanar(const PlacedTriangle& a, const PlacedTriangle& b) {
+[[gnu::noinline, gnu::cold]] bool coplanar(const PlacedTriangle& a, const PlacedTriangle& b) {
   for (unsigned i = 1; i < 3; ++i) {
     for (unsigned j = 1; j < 3; ++j) {
       if (volume<int64_t>(a.corner[0], a.corner[i], b.corner[0], b.corner[j]) != 0) {
@@ -201,12 +207,12 @@ constexpr Projection kProjections[3] = {
 /// In two dimensions the normals of the edges and the two axes (the boxes) are all the separating
 /// axes of segments, points and triangles. Coplanar triangles meet exactly if they do so in each
 /// projection; one in which `a` keeps an area is one-to-one on their plane and decides alone.
-[[gnu::noinline]] bool flat_meet(const PlacedTriangle& a, const PlacedTriangle& b) {
+[[gnu::noinline, gnu::cold]] bool flat_meet(const PlacedTriangle& a, const PlacedTriangle& b) {
   for (const Projection& onto : kProjections) {
     if (edge_separates(onto, a, b) || edge_separates(onto, b, a)) {
       return false;
     }
-    if (turn(onto, a.corner[0], a.corner[1], a.corner[2]) != 0) {
+    if (turn(onto, a) != 0) {
       return true;
     }
   }

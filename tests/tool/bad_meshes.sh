@@ -1,3 +1,4 @@
+#!/bin/sh
 # Every kind of unusable mesh is refused by its name and place, and nothing is written.
 . "$SOURCES/common.sh"
 
@@ -13,8 +14,8 @@ bad "empty.stl: is empty" empty.stl
 bad "empty.obj: is empty" empty.obj
 bad "triangle" meshes/no_triangles.stl
 bad "is no .stl, .obj, .ply or .off file" "$SOURCES/common.sh"
-cp meshes/tetrahedron.stl tetrahedron.xyz
-bad "tetrahedron.xyz: is no" tetrahedron.xyz
+cp meshes/tetrahedron.stl mesh.xyz
+bad "mesh.xyz: is no" mesh.xyz
 
 # Not a mesh.
 head -c 300 "$FLASHBVH" >program.stl
@@ -85,16 +86,18 @@ cat whole.off whole.off >twice.off
 bad "twice.off:9: there is more" twice.off
 
 # Too large for the cell: the message names one that fits.
-refused "too large for a cell of 0.0001" bake meshes/ring.stl -o out --cell 0.0001
+refused "too large for a cell of 1e-04" bake meshes/ring.stl -o out --cell 0.0001
 cell=$(sed 's/.*--cell //' stderr)
 "$FLASHBVH" bake meshes/ring.stl -o fitting --cell "$cell" >/dev/null
 
 # Too many for 16 bits: the message names the mend, and the mend works.
-refused "many.stl: 79999 nodes, but 16-bit indices reach 65535; use a larger --leaf-size" \
-  bake meshes/many.stl -o out
-"$FLASHBVH" bake meshes/many.stl -o many --index-bits 32 --format image >/dev/null
-refused "120000 vertices" bake meshes/many.stl -o out --leaf-size 4 --cell 0.25
-"$FLASHBVH" check many/many.fbvh --mesh meshes/many.stl >/dev/null
+refused "many_nodes.stl: 79999 nodes, but 16-bit indices reach 65535; use a larger --leaf-size" \
+  bake meshes/many_nodes.stl -o out
+"$FLASHBVH" bake meshes/many_nodes.stl -o many --leaf-size 2 >/dev/null
+refused "many_vertices.stl: 66000 vertices, but" bake meshes/many_vertices.stl -o out --cell 0.25
+refused "many_triangles.stl: 66000 triangles, but" bake meshes/many_triangles.stl -o out
+"$FLASHBVH" bake meshes/many_triangles.stl -o many --index-bits 32 --format image >/dev/null
+"$FLASHBVH" check many/many_triangles.fbvh --mesh meshes/many_triangles.stl >/dev/null
 
 # Over budget.
 refused "takes 20" bake meshes/ring.stl -o out --max-bytes 20000
@@ -104,3 +107,9 @@ grep -qF 'allows 20000' stderr || fail "$(cat stderr)"
 mkdir other
 cp meshes/ring.stl other/ring.STL
 refused "other/ring.STL" bake meshes/ring.stl other/ring.STL -o out
+
+# Counts that no file can hold are refused at once.
+printf 'ply\nformat ascii 1.0\nelement vertex 9000000000000000000\nend_header\n' >endless.ply
+refused "endless.ply: vertex 0 of 9000000000000000000: no properties" bake endless.ply -o out
+printf 'OFF\n4000000000 4000000000 0\n0 0 0\n' >endless.off
+refused "endless.off:3: the file ends at vertex 1" bake endless.off -o out

@@ -1,3 +1,4 @@
+#!/bin/sh
 # Command lines that make no sense are refused with one line that says where the help is.
 . "$SOURCES/common.sh"
 

@@ -1,3 +1,4 @@
+#!/bin/sh
 # Every algorithm, layout, index width, leaf size and arity finds exactly the pairs that brute force
 # finds on the exported meshes.
 . "$SOURCES/common.sh"

@@ -1,3 +1,4 @@
+#!/bin/sh
 # Sourced by every script: a folder of its own, and what the tests say.
 set -eu
 rm -rf "$WORK"

@@ -1,3 +1,4 @@
+#!/bin/sh
 # The C++ output answers like the image, links no levels that are not used, refuses another version
 # of the library, and names its namespace after the mesh.
 . "$SOURCES/common.sh"
@@ -24,11 +25,11 @@ grep -q '^namespace base_link_2 {' 'named/base link-2.fbvh.hpp' || fail "base li
 grep -q '^namespace _3rd {' named/3rd.fbvh.hpp || fail "3rd"
 grep -q '^namespace class_ {' named/class.fbvh.hpp || fail "class"
 for file in named/*.cpp; do
-  "$CXX" -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -I"$LIB/include" -c "$file" -o object
+  "$CXX" -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -I"$INCLUDE" -c "$file" -o object
 done
 
 mkdir -p other_library
-cp -r "$LIB/include/flashbvh" other_library/
+cp -r "$INCLUDE/flashbvh" other_library/
 sed -i 's/VERSION_MINOR [0-9]*/VERSION_MINOR 9999/; s/VERSION_MAJOR [0-9]*/VERSION_MAJOR 9999/' \
   other_library/flashbvh/version.hpp
 if "$CXX" -std=c++17 -Iother_library -c named/class.fbvh.cpp -o object 2>messages; then

@@ -18,7 +18,7 @@ static_assert(ring::kTriangleCount == 400 && ring::kNodeCount == 799, "");
 static_assert(ring::kFlashBytes < 50 * ring::kTriangleCount, "the budget, everything included");
 static_assert(grouped::kFlashBytes < ring::kFlashBytes, "fewer leaves, fewer bytes");
 static_assert(early::kDepth == ring::kDepth && wide::kNodeCount == ring::kNodeCount, "");
-static_assert(ring::kCell > 0.124f && ring::kCell < 0.126f, "");
+static_assert(ring::kCell > 0.124 && ring::kCell < 0.126, "");
 
 namespace {
 

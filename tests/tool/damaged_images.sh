@@ -1,3 +1,4 @@
+#!/bin/sh
 # An image is refused if any byte of it is missing, added or changed, and if it is well checksummed
 # nonsense.
 . "$SOURCES/common.sh"

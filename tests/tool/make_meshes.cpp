@@ -50,12 +50,12 @@ void write_stl(const std::string& path, const std::vector<Triangle>& triangles) 
   }
 }
 
-/// `count` loose triangles along a line, with three vertices each of their own.
-std::vector<Triangle> strip(int count) {
+/// Loose triangles, with three vertices each of their own.
+std::vector<Triangle> loose(int count) {
   std::vector<Triangle> triangles;
   for (int i = 0; i < count; ++i) {
-    const auto x = static_cast<float>(i % 16000);
-    const auto y = static_cast<float>(i / 16000);
+    const auto x = static_cast<float>(i % 200);
+    const auto y = static_cast<float>(i / 200);
     triangles.push_back({Point{x, y, 0}, Point{x + 0.5f, y, 0}, Point{x, y + 0.5f, 0}});
   }
   return triangles;
@@ -82,6 +82,8 @@ int main(int argc, char** argv) {
   broken[2][1][0] = std::numeric_limits<float>::infinity();
   write_stl(folder + "infinite.stl", broken);
   write_stl(folder + "no_triangles.stl", {});
-  write_stl(folder + "many.stl", strip(40000));
+  write_stl(folder + "many_nodes.stl", torus(200, 100));
+  write_stl(folder + "many_vertices.stl", loose(22000));
+  write_stl(folder + "many_triangles.stl", torus(200, 165));
   return EXIT_SUCCESS;
 }

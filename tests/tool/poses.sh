@@ -1,3 +1,4 @@
+#!/bin/sh
 # Poses and pairs of images that can't be answered are refused by line, before anything is written.
 . "$SOURCES/common.sh"
 

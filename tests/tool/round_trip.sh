@@ -1,3 +1,4 @@
+#!/bin/sh
 # info, check and export agree with what was baked.
 . "$SOURCES/common.sh"
 

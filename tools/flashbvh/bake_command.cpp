@@ -24,14 +24,14 @@ struct Arguments {
   std::vector<std::string> meshes;
   std::string folder;
   std::string format = "both";
-  std::string cell;
+  std::optional<std::string> cell;
   std::string layout = "post";
   std::string builder = "median";
   std::string name;
   std::uint32_t leaf_size = 1;
   std::uint32_t arity = 2;
   unsigned index_bits = 16;
-  std::optional<std::uint64_t> max_bytes;
+  std::optional<std::int64_t> max_bytes;
 };
 
 /// What one mesh became.
@@ -61,24 +61,25 @@ std::vector<OutputName> output_names(const Arguments& arguments) {
 }
 
 double common_cell(const Arguments& arguments, const std::vector<bake::SourceMesh>& meshes) {
-  if (arguments.cell.empty()) {
+  if (!arguments.cell) {
     double cell = 0;
     for (const bake::SourceMesh& mesh : meshes) {
       cell = std::max(cell, finest_float_cell(mesh));
     }
     return cell;
   }
-  const std::optional<double> cell = parse_number(arguments.cell);
+  const std::optional<double> cell = parse_number(*arguments.cell);
   using Float = std::numeric_limits<float>;
-  if (!cell || *cell < double{Float::min()} || *cell > double{Float::max()}) {
-    throw UserError("--cell " + arguments.cell,
+  if (!cell || *cell < static_cast<double>(Float::min()) ||
+      *cell > static_cast<double>(Float::max())) {
+    throw UserError("--cell " + *arguments.cell,
                     "is no length; give a positive number in the mesh's unit");
   }
   return *cell;
 }
 
 void check_budget(const Arguments& arguments, const std::string& mesh, std::size_t bytes) {
-  if (arguments.max_bytes && bytes > *arguments.max_bytes) {
+  if (arguments.max_bytes && static_cast<std::int64_t>(bytes) > *arguments.max_bytes) {
     throw UserError(mesh, "takes " + std::to_string(bytes) + " bytes, --max-bytes allows " +
                               std::to_string(*arguments.max_bytes) +
                               "; use a larger --leaf-size or fewer triangles");
@@ -123,7 +124,8 @@ void print_row(const Result& result, std::size_t width) {
                   << std::right << std::setw(10) << baked.triangles.size() << std::setw(10)
                   << baked.vertices.size() << std::setw(8) << baked.nodes.size() << std::setw(7)
                   << baked.depth << std::setw(10) << result.flash_bytes << std::setw(16)
-                  << fixed(per_triangle, 1) << std::setw(10) << result.image_bytes << "  " << shortest(baked.deviation) << "\n";
+                  << fixed(per_triangle, 1) << std::setw(10) << result.image_bytes << "  "
+                  << shortest(baked.deviation) << "\n";
       },
       result.baked.tree);
 }
@@ -172,8 +174,9 @@ void add_bake(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
   CLI::App* const command = app.add_subcommand(
-      "bake", "Turn meshes (STL, OBJ, PLY, OFF) into trees: C++ arrays and binary images.\n"
-              "Meshes that meet each other share a cell: bake them in one call.");
+      "bake",
+      "Turn meshes (STL, OBJ, PLY, OFF) into trees: C++ arrays and binary images.\n"
+      "Meshes that meet each other share a cell: bake them in one call.");
   command->add_option("MESH", a.meshes, "Mesh files")->required();
   command->add_option("-o,--output", a.folder, "Folder for the results; made if there is none")
       ->required()
@@ -181,11 +184,15 @@ void add_bake(CLI::App& app) {
   command->add_option("--format", a.format, "What to write")
       ->check(CLI::IsMember({"cpp", "image", "both"}))
       ->capture_default_str();
-  command->add_option("--cell", a.cell, "Size of a lattice cell in the mesh's unit; default: the "
-                                        "finest that all the meshes fit")
+  command
+      ->add_option("--cell", a.cell,
+                   "Size of a lattice cell in the mesh's unit; default: the "
+                   "finest that all the meshes fit")
       ->type_name("LENGTH");
-  command->add_option("--layout", a.layout, "Order of the nodes: pre for `stackless`, post for "
-                                            "`ranked` and `stackless-post`")
+  command
+      ->add_option("--layout", a.layout,
+                   "Order of the nodes: pre for `stackless`, post for "
+                   "`ranked` and `stackless-post`")
       ->check(CLI::IsMember({"pre", "post"}))
       ->capture_default_str();
   command->add_option("--builder", a.builder, "How triangles are grouped: median is the paper's")
@@ -200,9 +207,11 @@ void add_bake(CLI::App& app) {
   command->add_option("--index-bits", a.index_bits, "Width of indices; 16 reach 65535 nodes")
       ->check(CLI::IsMember({16, 32}))
       ->capture_default_str();
-  command->add_option("--name", a.name, "Name of the files and the namespace, for one mesh; "
-                                        "default: that of the mesh file");
-  command->add_option("--max-bytes", a.max_bytes, "Refuse to write if an image is larger");
+  command->add_option("--name", a.name,
+                      "Name of the files and the namespace, for one mesh; "
+                      "default: that of the mesh file");
+  command->add_option("--max-bytes", a.max_bytes, "Refuse to write if an image is larger")
+      ->check(CLI::PositiveNumber);
   command->callback([arguments] { bake_all(*arguments); });
 }
 

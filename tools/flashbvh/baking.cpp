@@ -58,14 +58,15 @@ AnyBakedTree lay_out(const bake::BuildTree& tree, const bake::LatticeMesh& mesh,
 }  // namespace
 
 double finest_float_cell(const bake::SourceMesh& mesh) {
-  return std::max(bake::finest_cell(mesh), double{std::numeric_limits<float>::min()});
+  return std::max(bake::finest_cell(mesh), static_cast<double>(std::numeric_limits<float>::min()));
 }
 
 BakedMesh bake_mesh(const bake::SourceMesh& mesh, double cell, const BakeOptions& options,
                     const std::string& path) {
   if (!bake::fits(mesh, cell)) {
     throw UserError(path, "the mesh is too large for a cell of " + shortest(cell) +
-                              "; the finest that it fits is --cell " + shortest(finest_float_cell(mesh)));
+                              "; the finest that it fits is --cell " +
+                              shortest(finest_float_cell(mesh)));
   }
   const bake::LatticeMesh lattice = bake::round_to_lattice(mesh, cell);
   bake::BuildTree tree = bake::build_median(lattice, options.leaf_size);

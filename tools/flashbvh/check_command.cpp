@@ -72,8 +72,9 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   };
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* const command = app.add_subcommand(
-      "check", "Prove that an image is well-formed and, with --mesh, that it is this mesh.\n"
-               "Exits with 1 if it is another one.");
+      "check",
+      "Prove that an image is well-formed and, with --mesh, that it is this mesh.\n"
+      "Exits with 1 if it is another one.");
   command->add_option("IMAGE", arguments->image, "Image (.fbvh)")->required();
   command->add_option("--mesh", arguments->mesh, "The mesh file that it was baked from");
   command->callback(

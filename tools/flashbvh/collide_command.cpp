@@ -88,8 +88,8 @@ void append_pairs(std::string& text, std::size_t pose, std::vector<FoundPair> pa
     return std::tie(p.a, p.b) < std::tie(q.a, q.b);
   });
   for (const FoundPair& pair : pairs) {
-    text += std::to_string(pose) + " " + std::to_string(pair.a) + " " + std::to_string(pair.b) +
-            "\n";
+    text +=
+        std::to_string(pose) + " " + std::to_string(pair.a) + " " + std::to_string(pair.b) + "\n";
   }
 }
 
@@ -138,8 +138,9 @@ void add_collide(CLI::App& app) {
   command->add_option("A", a.a, "Image (.fbvh) that stays in place")->required();
   command->add_option("B", a.b, "Image (.fbvh) that the poses move")->required();
   command
-      ->add_option("--poses", a.poses, "A pose a line: rotation row by row, translation; 12 numbers "
-                                       "in the mesh's unit, B into A's frame")
+      ->add_option("--poses", a.poses,
+                   "A pose a line: rotation row by row, translation; 12 numbers "
+                   "in the mesh's unit, B into A's frame")
       ->required()
       ->type_name("FILE");
   command

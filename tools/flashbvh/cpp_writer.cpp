@@ -19,8 +19,12 @@ std::string hex(std::uint64_t value, unsigned digits) {
   return text + "u";
 }
 
-std::string text_of(std::uint16_t value) { return std::to_string(value); }
-std::string text_of(std::uint32_t value) { return std::to_string(value) + "u"; }
+std::string text_of(std::uint16_t value) {
+  return std::to_string(value);
+}
+std::string text_of(std::uint32_t value) {
+  return std::to_string(value) + "u";
+}
 std::string text_of(const Vertex& v) {
   return "{" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + "}";
 }
@@ -96,13 +100,13 @@ std::string constants(const bake::BakedTree<Index, layout>& baked) {
          constant("kVertexCount", baked.vertices.size(), "on the lattice, joined") +
          constant("kFlashBytes", flash_bytes(baked), "what `tree` links, on a 32-bit core") +
          constant("kLevelBytes", levels, "what `levelled_tree` adds to that") +
-         "constexpr float kCell = " + float_literal(baked.cell) + ";  ///< in the mesh's unit\n";
+         "constexpr double kCell = " + floating_literal(baked.cell) +
+         ";  ///< in the mesh's unit\n";
 }
 
 /// Refuses a library with another interface: below 1.0 the minor version counts, too.
 std::string version_guard(const OutputName& name) {
-  std::string condition =
-      "#if FLASHBVH_VERSION_MAJOR != " + std::to_string(FLASHBVH_VERSION_MAJOR);
+  std::string condition = "#if FLASHBVH_VERSION_MAJOR != " + std::to_string(FLASHBVH_VERSION_MAJOR);
   std::string version = std::to_string(FLASHBVH_VERSION_MAJOR);
   if (FLASHBVH_VERSION_MAJOR == 0) {
     condition += " || FLASHBVH_VERSION_MINOR != " + std::to_string(FLASHBVH_VERSION_MINOR);
@@ -117,17 +121,24 @@ std::string header(const bake::BakedTree<Index, layout>& baked, const OutputName
   using TreeKind = Kind<Index, layout>;
   const std::string guard = "FLASHBVH_BAKED_" + name.identifier + "_HPP";
   return "// Written by `flashbvh bake`; bake again instead of changing it.\n"
-         "#ifndef " + guard + "\n#define " + guard + "\n\n"
+         "#ifndef " +
+         guard + "\n#define " + guard +
+         "\n\n"
          "#include <stdint.h>\n\n"
          "#include \"flashbvh/levels.hpp\"\n"
          "#include \"flashbvh/tree.hpp\"\n"
          "#include \"flashbvh/version.hpp\"\n\n" +
          version_guard(name) + "\nnamespace " + name.identifier + " {\n\n" + constants(baked) +
          "\n/// For every query but the alternating ones.\n"
-         "extern const " + TreeKind::tree() + " tree;\n"
+         "extern const " +
+         TreeKind::tree() +
+         " tree;\n"
          "/// The same with what alternating-stack and stackless need beside it.\n"
-         "extern const " + TreeKind::levelled() + " levelled_tree;\n\n"
-         "}  // namespace " + name.identifier + "\n\n#endif\n";
+         "extern const " +
+         TreeKind::levelled() +
+         " levelled_tree;\n\n"
+         "}  // namespace " +
+         name.identifier + "\n\n#endif\n";
 }
 
 template <class Index, Layout layout>
@@ -150,9 +161,10 @@ std::string source(const bake::BakedTree<Index, layout>& baked, const OutputName
   const std::string index = TreeKind::kIndex;
   const std::string element = "flashbvh::Node<" + index + ">";
   const std::string corners = "flashbvh::Corners<" + index + ">";
-  std::string text = "// Written by `flashbvh bake`; bake again instead of changing it.\n"
-                     "#include \"" + name.stem + ".fbvh.hpp\"\n\nnamespace " + name.identifier +
-                     " {\nnamespace {\n\n";
+  std::string text =
+      "// Written by `flashbvh bake`; bake again instead of changing it.\n"
+      "#include \"" +
+      name.stem + ".fbvh.hpp\"\n\nnamespace " + name.identifier + " {\nnamespace {\n\n";
   text += array(element, "kNodes", baked.nodes) + "\n";
   text += array(corners, "kTriangles", baked.triangles) + "\n";
   text += array(index, "kSources", baked.sources) + "\n";

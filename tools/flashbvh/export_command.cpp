@@ -72,8 +72,9 @@ void write_obj(const Arguments& arguments) {
 void add_export(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* const command = app.add_subcommand(
-      "export", "Write the lattice mesh of an image as OBJ: integer coordinates in cells, triangles "
-                "in\nthe order of the source mesh.");
+      "export",
+      "Write the lattice mesh of an image as OBJ: integer coordinates in cells, triangles "
+      "in\nthe order of the source mesh.");
   command->add_option("IMAGE", arguments->image, "Image (.fbvh)")->required();
   command->add_option("-o,--output", arguments->mesh, "File to write")
       ->required()

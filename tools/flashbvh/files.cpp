@@ -62,7 +62,9 @@ void write_bytes(const fs::path& path, const fs::path& name, const std::string& 
 }
 
 /// A device or a pipe: it takes the bytes, and must not be replaced by a file.
-bool is_special(const fs::path& path) { return fs::exists(path) && !fs::is_regular_file(path); }
+bool is_special(const fs::path& path) {
+  return fs::exists(path) && !fs::is_regular_file(path);
+}
 
 }  // namespace
 

@@ -77,9 +77,15 @@ ImageFile::ImageFile(const std::string& path) : path_(path) {
   }
 }
 
-std::string ImageFile::name() const { return std::filesystem::path(path_).stem().string(); }
-double ImageFile::cell() const { return double_of(header_.cell); }
-double ImageFile::deviation() const { return double_of(header_.deviation); }
+std::string ImageFile::name() const {
+  return std::filesystem::path(path_).stem().string();
+}
+double ImageFile::cell() const {
+  return double_of(header_.cell);
+}
+double ImageFile::deviation() const {
+  return double_of(header_.deviation);
+}
 
 std::vector<std::array<LatticePoint, 3>> source_triangles(const ImageFile& image) {
   return std::visit(
@@ -105,6 +111,8 @@ std::vector<std::array<LatticePoint, 3>> source_triangles(const ImageFile& image
       image.tree());
 }
 
-const char* layout_name(Layout layout) { return layout == Layout::pre_indexed ? "pre" : "post"; }
+const char* layout_name(Layout layout) {
+  return layout == Layout::pre_indexed ? "pre" : "post";
+}
 
 }  // namespace flashbvh::tool

@@ -13,8 +13,8 @@
 namespace flashbvh::tool {
 
 /// Whatever the layout and the width of the indices.
-using AnyTree = std::variant<LevelledPreTree, LevelledPostTree, LargeLevelledPreTree,
-                             LargeLevelledPostTree>;
+using AnyTree =
+    std::variant<LevelledPreTree, LevelledPostTree, LargeLevelledPreTree, LargeLevelledPostTree>;
 
 /// An image in memory, opened and found good by the library.
 class ImageFile {

@@ -13,8 +13,9 @@ namespace {
 
 #define FLASHBVH_TEXT_OF(value) #value
 #define FLASHBVH_TEXT(value) FLASHBVH_TEXT_OF(value)
-constexpr const char* kVersion = "flashbvh " FLASHBVH_TEXT(FLASHBVH_VERSION_MAJOR) "." FLASHBVH_TEXT(
-    FLASHBVH_VERSION_MINOR) "." FLASHBVH_TEXT(FLASHBVH_VERSION_PATCH);
+constexpr const char* kVersion =
+    "flashbvh " FLASHBVH_TEXT(FLASHBVH_VERSION_MAJOR) "." FLASHBVH_TEXT(
+        FLASHBVH_VERSION_MINOR) "." FLASHBVH_TEXT(FLASHBVH_VERSION_PATCH);
 
 /// Whatever a file's name or a message of a library holds.
 int fail(std::string message) {

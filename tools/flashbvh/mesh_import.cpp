@@ -71,7 +71,8 @@ class Gatherer {
     }
     const aiVector3D& at = mesh.mVertices[index];
     const aiVector3D moved = transform.IsIdentity() ? at : transform * at;
-    const Position position = {double{moved.x}, double{moved.y}, double{moved.z}};
+    const Position position = {static_cast<double>(moved.x), static_cast<double>(moved.y),
+                               static_cast<double>(moved.z)};
     for (const double coordinate : position) {
       if (!std::isfinite(coordinate)) {
         throw UserError(path_, "polygon " + std::to_string(face_count_) +
@@ -128,8 +129,8 @@ bake::SourceMesh import_mesh(const std::string& path) {
   const aiScene* const scene =
       importer.ReadFileFromMemory(text.bytes.data(), text.bytes.size(), 0, extension.c_str());
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw UserError(path, "can't be read: " + one_line(importer.GetErrorString()) +
-                              "; export the mesh again");
+    throw UserError(
+        path, "can't be read: " + one_line(importer.GetErrorString()) + "; export the mesh again");
   }
   Gatherer gatherer(path);
   gatherer.add(*scene->mRootNode, *scene, aiMatrix4x4());

@@ -18,7 +18,7 @@ namespace flashbvh::tool {
 struct MeshText {
   std::string bytes;
   std::size_t face_count = 0;  ///< what assimp must find: polygons of at least three corners
-  std::string warning;         ///< what was left out, if anything was
+  std::string warning;         ///< what the user should know, if anything
 };
 
 // Each takes the bytes of a file and its name for messages. UserError if the file is damaged or of
@@ -32,6 +32,10 @@ MeshText plain_obj(std::string bytes, const std::string& file);
 MeshText plain_off(std::string bytes, const std::string& file);
 /// As it is, ASCII or binary.
 MeshText plain_ply(std::string bytes, const std::string& file);
+
+/// A warning if a text file does not end with a line end, else nothing: its last number may have
+/// lost digits, which nothing else tells.
+std::string warn_of_cut_line(std::string_view text);
 
 /// Adds a blank and the coordinate `word`, found on `line` of `file`. UserError if it is no finite
 /// number.

@@ -34,12 +34,14 @@ std::optional<Number> parse(std::string_view text) {
 
 }  // namespace
 
-std::string shortest(double value) { return to_text(value); }
+std::string shortest(double value) {
+  return to_text(value);
+}
 
-std::string float_literal(double value) {
-  const std::string text = to_text(static_cast<float>(value));
+std::string floating_literal(double value) {
+  const std::string text = to_text(value);
   const bool is_floating = text.find_first_of(".e") != std::string::npos;
-  return text + (is_floating ? "f" : ".0f");
+  return text + (is_floating ? "" : ".0");
 }
 
 std::string fixed(double value, int digits) {
@@ -51,6 +53,8 @@ std::optional<double> parse_number(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-std::optional<long long> parse_integer(std::string_view text) { return parse<long long>(text); }
+std::optional<long long> parse_integer(std::string_view text) {
+  return parse<long long>(text);
+}
 
 }  // namespace flashbvh::tool

@@ -11,8 +11,8 @@ namespace flashbvh::tool {
 /// The shortest text that reads back as the same number.
 std::string shortest(double value);
 
-/// The same as a C++ literal of type float. Precondition: finite as a float.
-std::string float_literal(double value);
+/// The same as a C++ literal of type double. Precondition: finite.
+std::string floating_literal(double value);
 
 /// With `digits` digits behind the point, for tables.
 std::string fixed(double value, int digits);

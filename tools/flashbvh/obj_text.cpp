@@ -16,10 +16,10 @@ namespace {
 using Words = std::vector<std::string_view>;
 
 constexpr std::array<std::string_view, 25> kNoShape = {
-    "vt",       "vn",       "vp",     "g",         "o",        "s",        "mg",
-    "usemtl",   "mtllib",   "usemap", "maplib",    "bevel",    "c_interp", "d_interp",
-    "lod",      "shadow_obj", "trace_obj", "ctech", "stech",   "deg",      "vg",
-    "call",     "csh",      "bmat",   "step"};
+    "vt",     "vn",         "vp",        "g",      "o",     "s",        "mg",
+    "usemtl", "mtllib",     "usemap",    "maplib", "bevel", "c_interp", "d_interp",
+    "lod",    "shadow_obj", "trace_obj", "ctech",  "stech", "deg",      "vg",
+    "call",   "csh",        "bmat",      "step"};
 
 /// A line that ends with a backslash goes on in the next.
 bool next_joined(Lines& lines, std::string& joined, std::size_t& number) {
@@ -40,7 +40,9 @@ bool next_joined(Lines& lines, std::string& joined, std::size_t& number) {
 
 class Converter {
  public:
-  explicit Converter(const std::string& file) : file_(file) {}
+  Converter(std::string_view text, const std::string& file) : file_(file) {
+    plain_.warning = warn_of_cut_line(text);
+  }
 
   void line(const Words& words, std::size_t number) {
     const std::string_view keyword = words[0];
@@ -51,9 +53,10 @@ class Converter {
     } else if (keyword == "p" || keyword == "l") {
       ++left_out_;
     } else if (std::find(kNoShape.begin(), kNoShape.end(), keyword) == kNoShape.end()) {
-      throw UserError(file_, number, "'" + std::string(keyword.substr(0, 40)) +
-                                         "' is no vertex, polygon or attribute of OBJ; export the "
-                                         "mesh again, as polygons");
+      throw UserError(file_, number,
+                      "'" + std::string(keyword.substr(0, 40)) +
+                          "' is no vertex, polygon or attribute of OBJ; export the "
+                          "mesh again, as polygons");
     }
   }
 
@@ -62,7 +65,8 @@ class Converter {
       throw UserError(file_, "has no polygons; export the mesh again");
     }
     if (left_out_ != 0) {
-      plain_.warning = std::to_string(left_out_) + " points or lines left out";
+      plain_.warning += (plain_.warning.empty() ? "" : "; ") + std::to_string(left_out_) +
+                        " points or lines left out";
     }
     return std::move(plain_);
   }
@@ -71,8 +75,8 @@ class Converter {
   void vertex(const Words& words, std::size_t number) {
     const std::size_t count = words.size() - 1;  // a weight may follow, or three or four of colour
     if (count != 3 && count != 4 && count != 6 && count != 7) {
-      throw UserError(file_, number, "a vertex of " + std::to_string(count) +
-                                         " coordinates; it must have three");
+      throw UserError(file_, number,
+                      "a vertex of " + std::to_string(count) + " coordinates; it must have three");
     }
     if (count == 4 && parse_number(words[4]) != 1.0) {
       throw UserError(file_, number, "a vertex with a weight; export the mesh as polygons");
@@ -87,8 +91,9 @@ class Converter {
 
   void face(const Words& words, std::size_t number) {
     if (words.size() < 4) {
-      throw UserError(file_, number, "a polygon of " + std::to_string(words.size() - 1) +
-                                         " corners; it must have three or more");
+      throw UserError(file_, number,
+                      "a polygon of " + std::to_string(words.size() - 1) +
+                          " corners; it must have three or more");
     }
     plain_.bytes += "f";
     for (std::size_t i = 1; i < words.size(); ++i) {
@@ -103,9 +108,10 @@ class Converter {
     const auto index = parse_integer(corner.substr(0, corner.find('/')));
     const long long at = !index ? 0 : *index < 0 ? vertex_count_ + 1 + *index : *index;
     if (at < 1 || at > vertex_count_) {
-      throw UserError(file_, number, "a corner at vertex '" + std::string(corner.substr(0, 40)) +
-                                         "', but there are " + std::to_string(vertex_count_) +
-                                         " vertices so far; export the mesh again");
+      throw UserError(file_, number,
+                      "a corner at vertex '" + std::string(corner.substr(0, 40)) +
+                          "', but there are " + std::to_string(vertex_count_) +
+                          " vertices so far; export the mesh again");
     }
     return at;
   }
@@ -120,7 +126,7 @@ class Converter {
 
 MeshText plain_obj(std::string bytes, const std::string& file) {
   Lines lines(bytes);
-  Converter converter(file);
+  Converter converter(bytes, file);
   std::string joined;
   for (std::size_t number = 0; next_joined(lines, joined, number);) {
     const Words words = words_of(joined);

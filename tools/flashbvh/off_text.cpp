@@ -23,15 +23,17 @@ struct Counts {
 
 class Converter {
  public:
-  Converter(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
+  Converter(std::string_view text, const std::string& file) : lines_(text), file_(file) {
+    plain_.warning = warn_of_cut_line(text);
+  }
 
   MeshText convert() {
     const Counts counts = header();
     if (counts.faces == 0) {
       throw UserError(file_, "has no polygons; export the mesh again");
     }
-    plain_.bytes = "OFF\n" + std::to_string(counts.vertices) + " " + std::to_string(counts.faces) +
-                   " 0\n";
+    plain_.bytes =
+        "OFF\n" + std::to_string(counts.vertices) + " " + std::to_string(counts.faces) + " 0\n";
     for (long long i = 0; i < counts.vertices; ++i) {
       vertex(next("vertex", i, counts.vertices));
     }

@@ -12,28 +12,27 @@ namespace {
 
 /// C++20's keywords and alternative tokens, and names that a namespace of the user can't have.
 constexpr std::array<std::string_view, 100> kTaken = {
-    "alignas",      "alignof",     "and",           "and_eq",       "asm",
-    "auto",         "bitand",      "bitor",         "bool",         "break",
-    "case",         "catch",       "char",          "char16_t",     "char32_t",
-    "char8_t",      "class",       "co_await",      "co_return",    "co_yield",
-    "compl",        "concept",     "const",         "const_cast",   "consteval",
-    "constexpr",    "constinit",   "continue",      "decltype",     "default",
-    "delete",       "do",          "double",        "dynamic_cast", "else",
-    "enum",         "explicit",    "export",        "extern",       "false",
-    "flashbvh",     "float",       "for",           "friend",       "goto",
-    "if",           "inline",      "int",           "long",         "main",
-    "mutable",      "namespace",   "new",           "noexcept",     "not",
-    "not_eq",       "nullptr",     "operator",      "or",           "or_eq",
-    "posix",        "private",     "protected",     "public",       "register",
-    "reinterpret_cast", "requires", "return",       "short",        "signed",
-    "sizeof",       "static",      "static_assert", "static_cast",  "std",
-    "struct",       "switch",      "template",      "this",         "thread_local",
-    "throw",        "true",        "try",           "typedef",      "typeid",
-    "typename",     "union",       "unsigned",      "using",        "virtual",
-    "void",         "volatile",    "wchar_t",       "while",        "xor",
-    "xor_eq",       "linux",       "unix",          "errno",        "NULL"};
+    "alignas",       "alignof",      "and",       "and_eq",       "asm",      "auto",
+    "bitand",        "bitor",        "bool",      "break",        "case",     "catch",
+    "char",          "char16_t",     "char32_t",  "char8_t",      "class",    "co_await",
+    "co_return",     "co_yield",     "compl",     "concept",      "const",    "const_cast",
+    "consteval",     "constexpr",    "constinit", "continue",     "decltype", "default",
+    "delete",        "do",           "double",    "dynamic_cast", "else",     "enum",
+    "explicit",      "export",       "extern",    "false",        "flashbvh", "float",
+    "for",           "friend",       "goto",      "if",           "inline",   "int",
+    "long",          "main",         "mutable",   "namespace",    "new",      "noexcept",
+    "not",           "not_eq",       "nullptr",   "operator",     "or",       "or_eq",
+    "posix",         "private",      "protected", "public",       "register", "reinterpret_cast",
+    "requires",      "return",       "short",     "signed",       "sizeof",   "static",
+    "static_assert", "static_cast",  "std",       "struct",       "switch",   "template",
+    "this",          "thread_local", "throw",     "true",         "try",      "typedef",
+    "typeid",        "typename",     "union",     "unsigned",     "using",    "virtual",
+    "void",          "volatile",     "wchar_t",   "while",        "xor",      "xor_eq",
+    "linux",         "unix",         "errno",     "NULL"};
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
 bool is_word(char c) {
   return is_digit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }

@@ -11,8 +11,9 @@ Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) 
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
       if (pose.rotation[row][column] != (row == column ? 1.0 : 0.0)) {
-        throw UserError(place, "the pose turns B, which this version does not support; begin it "
-                               "with 1 0 0 0 1 0 0 0 1");
+        throw UserError(place,
+                        "the pose turns B, which this version does not support; begin it "
+                        "with 1 0 0 0 1 0 0 0 1");
       }
     }
   }

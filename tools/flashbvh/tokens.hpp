@@ -23,7 +23,7 @@ class Lines {
   bool next_content();
 
   std::string_view line() const { return line_; }
-  std::size_t number() const { return number_; }  ///< from 1
+  std::size_t number() const { return number_; }   ///< from 1
   std::string_view rest() const { return rest_; }  ///< what lies behind the line
 
  private:

@@ -80,30 +80,29 @@ class Query {
   }
 
   /// Hands each pair to `sink(pair)`; if that returns false, the run ends with `full` behind it.
+  ///
+  /// The walk comes back at each pair of leaves, so that its stack and that of the triangle test
+  /// are never needed at once.
   template <class Sink>
   Status run(uint32_t visits, Sink&& sink) {
     if (status_ != Status::suspended) {
       return status_;
     }
-    if (at_leaf_pair_ && !test_leaf_pair(sink)) {
-      return Status::full;
+    counts_.visits += visits;
+    for (;;) {
+      while (untested_ != 0) {
+        if (next_triangles_intersect() && !sink(current_pair())) {
+          counts_.visits -= visits;
+          return Status::full;
+        }
+      }
+      const Walk end = walk(visits);
+      if (end != Walk::stopped) {
+        counts_.visits -= visits;
+        status_ = end == Walk::done ? Status::done : Status::suspended;
+        return status_;
+      }
     }
-    Budget budget = {visits, counts_.overlaps, at_leaf_pair_};
-    const Walk end =
-        Traversal::run(*a_, *b_, overlap_, cursor_, budget, [&](uint32_t i, uint32_t j) {
-          leaf_a_ = a_->nodes[i].leaf();
-          leaf_b_ = b_->nodes[j].leaf();
-          tested_ = 0;
-          ++counts_.leaf_pairs;
-          return test_leaf_pair(sink);
-        });
-    counts_.visits += visits - budget.visits_left;
-    counts_.overlaps = budget.overlaps;
-    at_leaf_pair_ = end == Walk::stopped;
-    if (end == Walk::done) {
-      status_ = Status::done;
-    }
-    return at_leaf_pair_ ? Status::full : status_;
   }
 
  private:
@@ -127,7 +126,7 @@ class Query {
         offset_{offset.x, offset.y, offset.z},
         counts_{0, 0, 0, 0},
         cursor_(start),
-        tested_(0),
+        untested_(0),
         leaf_a_(0),
         leaf_b_(0),
         at_leaf_pair_(false),
@@ -153,36 +152,58 @@ class Query {
     return stack.capacity() >= stack_entries(a.stack_need, b.stack_need);
   }
 
-  /// Goes on with the leaf pair behind the `tested_` first triangle pairs; false if the sink stops.
-  template <class Sink>
-  bool test_leaf_pair(Sink& sink) {
-    const uint32_t first_a = a_->first_triangle(leaf_a_);
-    const uint32_t first_b = b_->first_triangle(leaf_b_);
-    const uint32_t count_b = b_->end_triangle(leaf_b_) - first_b;
-    const uint32_t count = (a_->end_triangle(leaf_a_) - first_a) * count_b;
-    while (tested_ < count) {
-      const uint32_t i = first_a + tested_ / count_b;
-      const uint32_t j = first_b + tested_ % count_b;
-      ++tested_;
-      if (triangles_intersect(place(*a_, i, 0, 0, 0),
-                              place(*b_, j, offset_.x, offset_.y, offset_.z))) {
-        ++counts_.triangle_pairs;
-        if (!sink(Pair{a_->sources[i], b_->sources[j]})) {
-          return false;
-        }
-      }
+  /// To the next pair of leaves, the end, or the last visit granted.
+  [[gnu::noinline]] Walk walk(uint32_t& visits_left) {
+    Budget budget = {visits_left, counts_.overlaps, at_leaf_pair_};
+    const Walk end = Traversal::run(*a_, *b_, overlap_, cursor_, budget,
+                                    [this](uint32_t node_a, uint32_t node_b) {
+                                      leaf_a_ = a_->nodes[node_a].leaf();
+                                      leaf_b_ = b_->nodes[node_b].leaf();
+                                      return false;
+                                    });
+    visits_left = budget.visits_left;
+    counts_.overlaps = budget.overlaps;
+    at_leaf_pair_ = end == Walk::stopped;
+    if (at_leaf_pair_) {
+      ++counts_.leaf_pairs;
+      untested_ = triangles_of_a() * triangles_of_b();
     }
+    return end;
+  }
+
+  /// Tests one more pair of triangles of the current leaves. Nothing but `this` outlives the call
+  /// of the test, which keeps the stack flat where it is deepest.
+  [[gnu::noinline]] bool next_triangles_intersect() {
+    --untested_;
+    PlacedTriangle a;
+    PlacedTriangle b;
+    place(*a_, current_a(), {0, 0, 0}, a);
+    place(*b_, current_b(), offset_, b);
+    if (!triangles_intersect(a, b)) {
+      return false;
+    }
+    ++counts_.triangle_pairs;
     return true;
   }
 
-  static PlacedTriangle place(const Tree& tree, uint32_t triangle, int32_t x, int32_t y,
-                              int32_t z) {
-    PlacedTriangle placed;
+  /// Positions of the current pair of triangles: the leaves' pairs are taken from the last one on.
+  uint32_t current_a() const { return a_->first_triangle(leaf_a_) + untested_ / triangles_of_b(); }
+  uint32_t current_b() const { return b_->first_triangle(leaf_b_) + untested_ % triangles_of_b(); }
+  Pair current_pair() const { return {a_->sources[current_a()], b_->sources[current_b()]}; }
+
+  uint32_t triangles_of_a() const {
+    return a_->end_triangle(leaf_a_) - a_->first_triangle(leaf_a_);
+  }
+  uint32_t triangles_of_b() const {
+    return b_->end_triangle(leaf_b_) - b_->first_triangle(leaf_b_);
+  }
+
+  [[gnu::noinline]] static void place(const Tree& tree, uint32_t triangle, const Point& offset,
+                                      PlacedTriangle& placed) {
     for (int i = 0; i < 3; ++i) {
       const Vertex& v = tree.vertices[tree.triangles[triangle].corner[i]];
-      placed.corner[i] = {v.x + x, v.y + y, v.z + z};
+      placed.corner[i] = {v.x + offset.x, v.y + offset.y, v.z + offset.z};
     }
-    return placed;
   }
 
   const Tree* a_;
@@ -191,8 +212,8 @@ class Query {
   Point offset_;
   Counts counts_;
   Cursor cursor_;
-  uint32_t tested_;  ///< triangle pairs of the current leaf pair that are done
-  Index leaf_a_;     ///< the current pair of leaves, by number
+  uint32_t untested_;  ///< pairs of triangles that the current pair of leaves still has
+  Index leaf_a_;       ///< the current pair of leaves, by number
   Index leaf_b_;
   bool at_leaf_pair_;  ///< the cursor is at the current pair of leaves, which was visited
   Status status_;
