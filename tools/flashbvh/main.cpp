@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
   add_check(app, exit_code);
   add_export(app);
   add_collide(app);
+  add_bench(app, exit_code);
   if (argc < 2) {
     return fail("a command is missing; see flashbvh --help");
   }

@@ -73,8 +73,8 @@ void add_fans(bake::LatticeMesh& mesh, double size) {
   mesh.vertices.push_back({0, 0, on_grid(kInnerPole * size)});
   for (std::uint32_t step = 0; step < kSegments; ++step) {
     mesh.triangles.push_back({outer, ring_index(0, step + 1), ring_index(0, step)});
-    mesh.triangles.push_back({outer + 1, ring_index(kRingCount - 1, step),
-                              ring_index(kRingCount - 1, step + 1)});
+    mesh.triangles.push_back(
+        {outer + 1, ring_index(kRingCount - 1, step), ring_index(kRingCount - 1, step + 1)});
   }
 }
 

@@ -50,10 +50,13 @@ const std::array<Setup, 20> kSetups = {{
 }};
 
 const char* table_title(std::uint32_t table) {
-  constexpr const char* kTitles[] = {
-      "Intersection",        "Separation",  "Close proximity",
-      "Small proximity",     "Scalability", "Objects of different sizes",
-      "Objects with different number of primitives"};
+  constexpr const char* kTitles[] = {"Intersection",
+                                     "Separation",
+                                     "Close proximity",
+                                     "Small proximity",
+                                     "Scalability",
+                                     "Objects of different sizes",
+                                     "Objects with different number of primitives"};
   return kTitles[table - kFirstTable];
 }
 

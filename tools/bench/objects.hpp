@@ -1,0 +1,54 @@
+// The baked objects of the setups, each made once.
+#ifndef FLASHBVH_TOOLS_BENCH_OBJECTS_HPP
+#define FLASHBVH_TOOLS_BENCH_OBJECTS_HPP
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "bake/baked_tree.hpp"
+#include "scene/paper_object.hpp"
+
+namespace flashbvh::bench {
+
+/// One tree in both layouts.
+template <class Index>
+struct BothLayouts {
+  bake::BakedTree<Index, Layout::pre_indexed> pre;
+  bake::BakedTree<Index, Layout::post_indexed> post;
+};
+
+/// The paper's tree over one object: split at the median, a triangle a leaf.
+class BakedObject {
+ public:
+  explicit BakedObject(const scene::PaperObject& object);
+
+  const scene::PaperObject& object() const { return object_; }
+  const bake::BuildTree& tree() const { return tree_; }
+  bool fits_16_bits() const { return bake::fits_index<std::uint16_t>(tree_, mesh_); }
+
+  /// Laid out on first use. Index: 16 bits only if they fit.
+  template <class Index>
+  const BothLayouts<Index>& baked();
+
+ private:
+  scene::PaperObject object_;
+  bake::LatticeMesh mesh_;
+  bake::BuildTree tree_;
+  std::optional<BothLayouts<std::uint16_t>> narrow_;
+  std::optional<BothLayouts<std::uint32_t>> wide_;
+};
+
+class Objects {
+ public:
+  /// The reference stays good as long as this.
+  BakedObject& get(const scene::PaperObject& object);
+
+ private:
+  std::vector<std::unique_ptr<BakedObject>> objects_;
+};
+
+}  // namespace flashbvh::bench
+
+#endif
