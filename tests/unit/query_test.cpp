@@ -101,6 +101,8 @@ Pairs run_to_end(Query& query, std::uint32_t visits, std::uint32_t capacity) {
 }
 
 constexpr std::uint32_t kNoLimit = 0xFFFFFFFFu;
+constexpr std::uint32_t kRuns[] = {1, 2, 3, 7, 50, kNoLimit};
+constexpr std::uint32_t kCapacities[] = {1, 2, 5};
 
 bool same(const Counts& a, const Counts& b) {
   return a.visits == b.visits && a.overlaps == b.overlaps && a.leaf_pairs == b.leaf_pairs &&
@@ -165,8 +167,8 @@ TEMPLATE_TEST_CASE("however a query is cut into runs, it gives the same pairs in
     const Scene scene = any_scene(random, 14);
     AnyQuery<TestType> whole(scene);
     const Pairs expected = run_to_end(whole.query, kNoLimit, 10000);
-    for (const std::uint32_t visits : {1u, 2u, 3u, 7u, 50u, kNoLimit}) {
-      for (const std::uint32_t capacity : {1u, 2u, 5u}) {
+    for (const std::uint32_t visits : kRuns) {
+      for (const std::uint32_t capacity : kCapacities) {
         CAPTURE(visits, capacity);
         AnyQuery<TestType> cut(scene);
         REQUIRE(run_to_end(cut.query, visits, capacity) == expected);

@@ -7,11 +7,11 @@
 #include <optional>
 #include <set>
 
+#include "bake/image_bytes.hpp"
 #include "flashbvh/baking.hpp"
 #include "flashbvh/commands.hpp"
 #include "flashbvh/cpp_writer.hpp"
 #include "flashbvh/files.hpp"
-#include "flashbvh/image_writer.hpp"
 #include "flashbvh/mesh_import.hpp"
 #include "flashbvh/numbers.hpp"
 #include "flashbvh/output_name.hpp"
@@ -86,6 +86,15 @@ void check_budget(const Arguments& arguments, const std::string& mesh, std::size
   }
 }
 
+template <class Baked>
+std::string image_file(const Baked& baked, const std::string& path) {
+  if (image_size(baked) > 0xFFFFFFFFu) {
+    throw UserError(path, "the image would be over 4 GiB; use fewer triangles");
+  }
+  const std::vector<std::uint32_t> words = image_of(baked);
+  return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]};
+}
+
 Result bake_one(const Arguments& arguments, std::size_t index, const bake::SourceMesh& mesh,
                 double cell, const OutputName& name, FileSet& files) {
   const std::string& path = arguments.meshes[index];
@@ -98,12 +107,11 @@ Result bake_one(const Arguments& arguments, std::size_t index, const bake::Sourc
   const std::filesystem::path stem = std::filesystem::path(arguments.folder) / name.stem;
   std::visit(
       [&](const auto& baked) {
-        std::string image = image_of(baked, path);
-        result.image_bytes = image.size();
+        result.image_bytes = image_size(baked);
         result.flash_bytes = flash_bytes(baked);
-        check_budget(arguments, path, image.size());
+        check_budget(arguments, path, result.image_bytes);
         if (arguments.format != "cpp") {
-          files.add(stem.string() + ".fbvh", std::move(image));
+          files.add(stem.string() + ".fbvh", image_file(baked, path));
         }
         if (arguments.format != "image") {
           CppFiles cpp = cpp_of(baked, name);

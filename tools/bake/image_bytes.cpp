@@ -1,19 +1,18 @@
-#include "flashbvh/image_writer.hpp"
+#include "bake/image_bytes.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
 
 #include "flashbvh/image.hpp"
-#include "flashbvh/user_error.hpp"
 
-namespace flashbvh::tool {
+namespace flashbvh::bake {
 namespace {
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are written as memory lies");
 
 template <class Index, Layout layout>
-ImageHeader header_of(const bake::BakedTree<Index, layout>& baked) {
+ImageHeader header_of(const BakedTree<Index, layout>& baked) {
   ImageHeader header{};
   header.magic = kImageMagic;
   header.version = kImageVersion;
@@ -34,24 +33,28 @@ ImageHeader header_of(const bake::BakedTree<Index, layout>& baked) {
 }
 
 template <class Element>
-void put(std::string& bytes, std::uint64_t offset, const std::vector<Element>& elements) {
+void put(unsigned char* bytes, std::uint64_t offset, const std::vector<Element>& elements) {
   if (!elements.empty()) {
-    std::memcpy(bytes.data() + offset, elements.data(), sizeof(Element) * elements.size());
+    std::memcpy(bytes + offset, elements.data(), sizeof(Element) * elements.size());
   }
 }
 
 }  // namespace
 
 template <class Index, Layout layout>
-std::string image_of(const bake::BakedTree<Index, layout>& baked, const std::string& path) {
+std::uint64_t image_size(const BakedTree<Index, layout>& baked) {
+  return image_offsets(header_of(baked)).end;
+}
+
+template <class Index, Layout layout>
+std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>& baked) {
   ImageHeader header = header_of(baked);
   const ImageOffsets at = image_offsets(header);
-  if (at.end > 0xFFFFFFFFu) {
-    throw UserError(path, "the image would be over 4 GiB; use fewer triangles");
-  }
   header.byte_count = static_cast<std::uint32_t>(at.end);
-  std::string bytes(at.end, '\0');
-  std::memcpy(bytes.data(), &header, sizeof header);
+  const auto size = static_cast<std::size_t>(at.end);
+  std::vector<std::uint32_t> words(size / sizeof(std::uint32_t));
+  auto* const bytes = reinterpret_cast<unsigned char*>(words.data());
+  std::memcpy(bytes, &header, sizeof header);
   put(bytes, at.nodes, baked.nodes);
   put(bytes, at.levels, baked.levels);
   put(bytes, at.climb, baked.climb);
@@ -59,18 +62,18 @@ std::string image_of(const bake::BakedTree<Index, layout>& baked, const std::str
   put(bytes, at.sources, baked.sources);
   put(bytes, at.leaf_firsts, baked.leaf_firsts);
   put(bytes, at.vertices, baked.vertices);
-  header.crc = image_crc(bytes.data(), bytes.size());
-  std::memcpy(bytes.data() + offsetof(ImageHeader, crc), &header.crc, sizeof header.crc);
-  return bytes;
+  header.crc = image_crc(bytes, size);
+  std::memcpy(bytes + offsetof(ImageHeader, crc), &header.crc, sizeof header.crc);
+  return words;
 }
 
-template std::string image_of(const bake::BakedTree<std::uint16_t, Layout::pre_indexed>&,
-                              const std::string&);
-template std::string image_of(const bake::BakedTree<std::uint16_t, Layout::post_indexed>&,
-                              const std::string&);
-template std::string image_of(const bake::BakedTree<std::uint32_t, Layout::pre_indexed>&,
-                              const std::string&);
-template std::string image_of(const bake::BakedTree<std::uint32_t, Layout::post_indexed>&,
-                              const std::string&);
+#define FLASHBVH_INSTANTIATE(Index, layout)                           \
+  template std::uint64_t image_size(const BakedTree<Index, layout>&); \
+  template std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>&);
+FLASHBVH_INSTANTIATE(std::uint16_t, Layout::pre_indexed)
+FLASHBVH_INSTANTIATE(std::uint16_t, Layout::post_indexed)
+FLASHBVH_INSTANTIATE(std::uint32_t, Layout::pre_indexed)
+FLASHBVH_INSTANTIATE(std::uint32_t, Layout::post_indexed)
+#undef FLASHBVH_INSTANTIATE
 
-}  // namespace flashbvh::tool
+}  // namespace flashbvh::bake

@@ -1,0 +1,54 @@
+// What the budgets say of the visits, over all of the paper's setups up to 203,776 faces.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "bench/rows.hpp"
+#include "scene/setups.hpp"
+
+using namespace flashbvh;
+
+namespace {
+
+Counts counts_of(const std::vector<bench::Row>& rows, const std::string& algorithm) {
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const bench::Row& candidate) {
+    return candidate.algorithm == algorithm;
+  });
+  REQUIRE(row != rows.end());
+  return row->run(1);
+}
+
+}  // namespace
+
+TEST_CASE("ranked visits no more than volume-stack in total and 1.03 times as many in any setup") {
+  bench::Objects objects;
+  std::uint64_t ranked_total = 0;
+  std::uint64_t volume_total = 0;
+  for (const scene::Setup& setup : scene::kSetups) {
+    const auto rows =
+        bench::make_rows(objects.get(setup.a), objects.get(setup.b), setup.translation);
+    const std::uint64_t ranked = counts_of(rows, "ranked").visits;
+    const std::uint64_t volume = counts_of(rows, "volume-stack").visits;
+    CAPTURE(setup.name, ranked, volume);
+    CHECK(100 * ranked <= 103 * volume);
+    ranked_total += ranked;
+    volume_total += volume;
+  }
+  CAPTURE(ranked_total, volume_total);
+  CHECK(ranked_total <= volume_total);
+}
+
+TEST_CASE("the large setups intersect, and 16 and 32-bit trees give the same counts") {
+  bench::Objects objects;
+  for (const scene::Setup& setup : scene::kSetups) {
+    if (setup.a.faces() + setup.b.faces() > 2 * 12736 && setup.table == 6) {
+      const auto rows =
+          bench::make_rows(objects.get(setup.a), objects.get(setup.b), setup.translation);
+      const Counts volume = counts_of(rows, "volume-stack");
+      const Counts ranked = counts_of(rows, "ranked");
+      CHECK(volume.triangle_pairs > 500);
+      CHECK(ranked.leaf_pairs == volume.leaf_pairs);
+      CHECK(ranked.triangle_pairs == volume.triangle_pairs);
+    }
+  }
+}

@@ -1,0 +1,114 @@
+// The object of the evaluation: its size, its walls, its subdivisions.
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "scene/paper_object.hpp"
+
+using namespace flashbvh;
+using scene::kFullRadius;
+using scene::Orientation;
+
+namespace {
+
+#if defined(__arm__)
+constexpr std::uint32_t kSubdivisions = 1;  // a board has no room for the maps of more
+#else
+constexpr std::uint32_t kSubdivisions = scene::kMaxSubdivisions;
+#endif
+
+/// Each edge lies in exactly two triangles, which pass it in opposite directions.
+bool is_watertight(const bake::LatticeMesh& mesh) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const auto& [p, q, r] : mesh.triangles) {
+    for (const auto& edge : {std::make_pair(p, q), std::make_pair(q, r), std::make_pair(r, p)}) {
+      if (!edges.insert(edge).second) {
+        return false;
+      }
+    }
+  }
+  for (const auto& edge : edges) {
+    if (edges.count({edge.second, edge.first}) == 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Six times the volume inside, in cells cubed; below 2^53 for every object here.
+double six_volumes(const bake::LatticeMesh& mesh) {
+  double sum = 0;
+  for (const auto& triangle : mesh.triangles) {
+    const Vertex& p = mesh.vertices[triangle[0]];
+    const Vertex& q = mesh.vertices[triangle[1]];
+    const Vertex& r = mesh.vertices[triangle[2]];
+    sum += p.x * (1.0 * q.y * r.z - 1.0 * q.z * r.y) + p.y * (1.0 * q.z * r.x - 1.0 * q.x * r.z) +
+           p.z * (1.0 * q.x * r.y - 1.0 * q.y * r.x);
+  }
+  return sum;
+}
+
+std::uint64_t hash_of(const bake::LatticeMesh& mesh) {
+  std::uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a, a number at a time
+  const auto mix = [&hash](std::uint32_t value) { hash = (hash ^ value) * 0x100000001B3u; };
+  for (const Vertex& v : mesh.vertices) {
+    mix(static_cast<std::uint16_t>(v.x));
+    mix(static_cast<std::uint16_t>(v.y));
+    mix(static_cast<std::uint16_t>(v.z));
+  }
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      mix(corner);
+    }
+  }
+  return hash;
+}
+
+}  // namespace
+
+TEST_CASE("the evaluation's object has 796 faces, four times as many with each subdivision") {
+  std::uint32_t faces = 796;
+  for (std::uint32_t i = 0; i <= kSubdivisions; ++i, faces *= 4) {
+    const scene::PaperObject object = {i, kFullRadius, Orientation::upright};
+    CHECK(object.faces() == faces);
+    CHECK(make_mesh(object).triangles.size() == faces);
+  }
+}
+
+TEST_CASE("the evaluation's object is watertight and turned outwards, however it is made") {
+  for (std::uint32_t i = 0; i <= kSubdivisions; ++i) {
+    for (const auto orientation :
+         {Orientation::upright, Orientation::lying, Orientation::upside_down}) {
+      const bake::LatticeMesh mesh = make_mesh({i, kFullRadius, orientation});
+      CHECK(is_watertight(mesh));
+      CHECK(six_volumes(mesh) > 0);
+      // Euler: a closed surface without a handle.
+      CHECK(mesh.vertices.size() == mesh.triangles.size() / 2 + 2);
+    }
+  }
+  CHECK(is_watertight(make_mesh({0, kFullRadius / 10, Orientation::upright})));
+}
+
+TEST_CASE("the evaluation's object keeps its surface when it is subdivided") {
+  const double volume = six_volumes(make_mesh({0, kFullRadius, Orientation::upright}));
+  for (std::uint32_t i = 1; i <= kSubdivisions; ++i) {
+    CHECK(six_volumes(make_mesh({i, kFullRadius, Orientation::upright})) == volume);
+  }
+}
+
+TEST_CASE("the evaluation's object fits the lattice") {
+  for (const auto& v : make_mesh({0, kFullRadius, Orientation::upright}).vertices) {
+    CHECK((std::abs(v.x) <= kMaxCoordinate && std::abs(v.y) <= kMaxCoordinate &&
+           std::abs(v.z) <= kMaxCoordinate));
+  }
+}
+
+TEST_CASE("the evaluation's object is the same on every machine") {
+  CHECK(hash_of(make_mesh({0, kFullRadius, Orientation::upright})) == 0x0u);
+  CHECK(hash_of(make_mesh({0, kFullRadius, Orientation::lying})) == 0x0u);
+  CHECK(hash_of(make_mesh({0, kFullRadius, Orientation::upside_down})) == 0x0u);
+  CHECK(hash_of(make_mesh({0, kFullRadius / 10, Orientation::upright})) == 0x0u);
+}

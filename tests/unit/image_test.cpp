@@ -1,0 +1,228 @@
+// Images: what is written opens, and whatever breaks a rule of the format is refused.
+#include <catch2/catch.hpp>
+
+#include <cstring>
+#include <functional>
+
+#include "bake/image_bytes.hpp"
+#include "flashbvh/image.hpp"
+#include "flashbvh/query.hpp"
+#include "heap_guard.hpp"
+#include "support/shapes.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+constexpr Layout kPre = Layout::pre_indexed;
+constexpr Layout kPost = Layout::post_indexed;
+
+template <Layout layout>
+using Baked = bake::BakedTree<std::uint16_t, layout>;
+
+template <Layout layout>
+Baked<layout> baked_shape(Random& random, std::uint32_t triangles) {
+  const auto mesh = random_mesh(random, triangles, 100, 30);
+  return bake::lay_out<std::uint16_t, layout>(any_tree(random, mesh), mesh);
+}
+
+/// An image whose bytes can be changed.
+struct Image {
+  std::vector<std::uint32_t> words;
+
+  unsigned char* bytes() { return reinterpret_cast<unsigned char*>(words.data()); }
+  std::size_t size() const { return words.size() * sizeof words[0]; }
+  void repair_crc() {
+    const std::uint32_t crc = image_crc(bytes(), size());
+    std::memcpy(bytes() + offsetof(ImageHeader, crc), &crc, sizeof crc);
+  }
+  template <class TreeType>
+  Status open() {
+    TreeType tree;
+    const HeapForbidden guard;
+    return open_image(bytes(), size(), tree);
+  }
+};
+
+/// The status of a tree from which one thing was changed, with everything else in order.
+template <Layout layout, class Change>
+Status status_after(Baked<layout> baked, Change change) {
+  change(baked);
+  return Image{image_of(baked)}.template open<LevelledTree<std::uint16_t, layout>>();
+}
+
+/// Three levels, one node with three children, leaves of one and two triangles.
+template <Layout layout>
+Baked<layout> small_tree() {
+  Random random(7);
+  const auto mesh = random_mesh(random, 7, 1000, 300);
+  bake::BuildTree tree;
+  const auto leaf_box = [&](std::initializer_list<std::uint32_t> triangles) {
+    Box box = bake::box_of(mesh, *triangles.begin());
+    for (const std::uint32_t triangle : triangles) {
+      box = bake::join(box, bake::box_of(mesh, triangle));
+    }
+    return box;
+  };
+  const auto leaf = [&](std::initializer_list<std::uint32_t> triangles) {
+    tree.nodes.push_back({leaf_box(triangles), {}, triangles});
+  };
+  tree.nodes.push_back({leaf_box({0, 1, 2, 3, 4, 5, 6}), {1, 2, 3}, {}});
+  tree.nodes.push_back({leaf_box({0, 1, 2}), {4, 5}, {}});
+  leaf({3});
+  tree.nodes.push_back({leaf_box({4, 5, 6}), {6}, {}});
+  leaf({0, 1});
+  leaf({2});
+  tree.nodes.push_back({leaf_box({4, 5, 6}), {7, 8}, {}});
+  leaf({4, 5});
+  leaf({6});
+  return bake::lay_out<std::uint16_t, layout>(tree, mesh);
+}
+
+}  // namespace
+
+TEST_CASE("an image opens in place as the tree that was baked") {
+  Random random(test_seed());
+  for (int round = 0; round < 100; ++round) {
+    const auto baked = baked_shape<kPost>(random, 1 + random.below(30));
+    Image image{image_of(baked)};
+    REQUIRE(bake::image_size(baked) == image.size());
+    LevelledPostTree tree;
+    REQUIRE(open_image(image.bytes(), image.size(), tree) == Status::done);
+    REQUIRE(tree.node_count == baked.nodes.size());
+    REQUIRE(std::memcmp(tree.nodes, baked.nodes.data(),
+                        sizeof(Node<std::uint16_t>) * baked.nodes.size()) == 0);
+    REQUIRE(std::memcmp(tree.vertices, baked.vertices.data(),
+                        sizeof(Vertex) * baked.vertices.size()) == 0);
+    REQUIRE(tree.stack_need == baked.stack_need);
+    REQUIRE(tree.cell_bits == baked.view().cell_bits);
+    REQUIRE((tree.leaf_firsts == nullptr) == baked.leaf_firsts.empty());
+    REQUIRE(Image{image_of(baked_shape<kPre>(random, 5))}.open<LevelledPreTree>() == Status::done);
+  }
+}
+
+TEST_CASE("wide images open as wide trees") {
+  Random random(test_seed());
+  const auto mesh = random_mesh(random, 20, 100, 30);
+  const auto tree = any_tree(random, mesh);
+  Image pre{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))};
+  Image post{image_of(bake::lay_out<std::uint32_t, kPost>(tree, mesh))};
+  CHECK(pre.open<LargeLevelledPreTree>() == Status::done);
+  CHECK(post.open<LargeLevelledPostTree>() == Status::done);
+  CHECK(pre.open<LevelledPreTree>() == Status::image_kind);
+  CHECK(pre.open<LargeLevelledPostTree>() == Status::image_kind);
+}
+
+TEST_CASE("each way an image can be no image has its own status") {
+  Image image{image_of(small_tree<kPost>())};
+  LevelledPostTree tree;
+  SECTION("truncated at every length") {
+    for (std::size_t size = 0; size < image.size(); ++size) {
+      REQUIRE(open_image(image.bytes(), size, tree) == Status::image_truncated);
+    }
+  }
+  SECTION("misaligned") {
+    std::vector<std::uint32_t> words(image.words.size() + 1);
+    auto* const shifted = reinterpret_cast<unsigned char*>(words.data()) + 1;
+    std::memcpy(shifted, image.bytes(), image.size());
+    CHECK(open_image(shifted, image.size(), tree) == Status::image_misaligned);
+  }
+  SECTION("another magic") {
+    image.bytes()[0] ^= 1;
+    CHECK(image.open<LevelledPostTree>() == Status::image_not_flashbvh);
+  }
+  SECTION("another version") {
+    image.bytes()[4] ^= 1;
+    CHECK(image.open<LevelledPostTree>() == Status::image_version);
+  }
+  SECTION("another layout") {
+    CHECK(image.open<LevelledPreTree>() == Status::image_kind);
+  }
+}
+
+TEST_CASE("every flipped bit of an image is refused") {
+  Image image{image_of(small_tree<kPost>())};
+  for (std::size_t bit = 0; bit < 8 * image.size(); ++bit) {
+    image.bytes()[bit / 8] ^= static_cast<unsigned char>(1u << (bit % 8));
+    REQUIRE(image.open<LevelledPostTree>() != Status::done);
+    image.bytes()[bit / 8] ^= static_cast<unsigned char>(1u << (bit % 8));
+  }
+  CHECK(image.open<LevelledPostTree>() == Status::done);
+}
+
+TEMPLATE_TEST_CASE(
+    "whatever opens after a flipped bit with a repaired checksum, a query on it ends", "",
+    LevelledPreTree, LevelledPostTree) {
+  Image image{image_of(small_tree<TestType::kLayout>())};
+  std::uint32_t opened = 0;
+  for (std::size_t bit = 0; bit < 8 * image.size(); ++bit) {
+    image.bytes()[bit / 8] ^= static_cast<unsigned char>(1u << (bit % 8));
+    image.repair_crc();
+    TestType tree;
+    if (open_image(image.bytes(), image.size(), tree) == Status::done) {
+      ++opened;
+      if constexpr (TestType::kLayout == kPost) {
+        // At most every pair of nodes is visited.
+        const auto most = static_cast<std::uint32_t>(tree.node_count) * tree.node_count;
+        PairQuery query(tree, tree, Pose::translated(0, 0, 0));
+        const Status status = query.run(most, [](const PairQuery::Pair&) { return true; });
+        REQUIRE((status == Status::done || status == Status::suspended));
+        REQUIRE(query.run(1, [](const PairQuery::Pair&) { return true; }) == Status::done);
+      }
+    }
+    image.bytes()[bit / 8] ^= static_cast<unsigned char>(1u << (bit % 8));
+  }
+  CHECK(opened > 0);  // deviation, origin, or a coordinate inside its box may change
+}
+
+TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused", "",
+                   LevelledPreTree, LevelledPostTree) {
+  constexpr Layout layout = TestType::kLayout;
+  const Baked<layout> good = small_tree<layout>();
+  REQUIRE(status_after(good, [](auto&) {}) == Status::done);
+  using Change = std::function<void(Baked<layout>&)>;
+  const auto last = good.nodes.size() - 1;
+  const std::vector<Change> changes = {
+      [](auto& t) { t.nodes[0].link -= 1; },
+      [](auto& t) { t.nodes[1].link = 0; },
+      [](auto& t) { t.nodes[2].link = 1; },
+      [&](auto& t) { t.nodes[last].link = static_cast<std::uint16_t>(last + 9); },
+      [](auto& t) { t.nodes[0].box.upper_xy -= 1; },
+      [](auto& t) { t.nodes[0].box.z |= 0x8000; },
+      [](auto& t) { t.nodes[1].box.lower_xy = 0; },
+      [](auto& t) { t.nodes[0].data = static_cast<std::uint16_t>(t.nodes[0].data & 0xFF00); },
+      [](auto& t) { t.nodes[0].data = 127; },
+      [](auto& t) { t.nodes[1].data = static_cast<std::uint16_t>(t.nodes[1].data ^ 1); },
+      [](auto& t) {
+        t.nodes[1].data = static_cast<std::uint16_t>(126 << 8 | (t.nodes[1].data & 255));
+      },
+      [&](auto& t) { t.nodes[last].data ^= 1; },
+      [](auto& t) { t.levels[0] = 1; },
+      [&](auto& t) { t.levels[last] += 1; },
+      [&](auto& t) { t.levels[last] = 0; },
+      [](auto& t) { t.climb[0] = 1; },
+      [&](auto& t) { t.climb[last] += 1; },
+      [](auto& t) { t.climb[1] += 1; },
+      [](auto& t) { t.triangles[0].corner[2] = 0xFFFF; },
+      [](auto& t) { std::swap(t.triangles.front(), t.triangles.back()); },
+      [](auto& t) { t.sources[3] = 7; },
+      [](auto& t) { t.leaf_firsts[0] = 1; },
+      [](auto& t) { t.leaf_firsts[1] = 0; },
+      [](auto& t) { t.leaf_firsts.back() += 1; },
+      [](auto& t) { t.leaf_firsts.back() -= 1; },
+      [](auto& t) { t.vertices[0].x = 16384; },
+      [](auto& t) { t.stack_need -= 1; },
+      [](auto& t) { t.cell = 0; },
+      [](auto& t) { t.cell = -1; },
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    CAPTURE(i);
+    CHECK(status_after(good, changes[i]) == Status::image_invalid);
+  }
+}
+
+TEST_CASE("the checksum is CRC-32 as everyone computes it") {
+  CHECK(crc32("123456789", 9) == 0xCBF43926u);
+  CHECK(crc32("56789", 5, crc32("1234", 4)) == 0xCBF43926u);
+}
