@@ -17,7 +17,7 @@ sources | xargs clang-format --dry-run -Werror
 
 step "The host program"
 cmake --preset native
-cmake --build --preset native
+cmake --build --preset native --target flashbvh_tool
 
 step "Tests on this machine, with the address and undefined-behaviour sanitizers"
 cmake --preset native-sanitize

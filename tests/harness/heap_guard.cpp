@@ -30,6 +30,8 @@ HeapForbidden::~HeapForbidden() {
   --scopes;
 }
 
+// The linker's names, by --wrap.
+// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming)
 extern "C" {
 void* __real_malloc(std::size_t size);
 void* __real_calloc(std::size_t count, std::size_t size);
@@ -88,3 +90,4 @@ void* __wrap__ZnamRKSt9nothrow_t(std::size_t size, const std::nothrow_t& tag) {
 }
 #endif
 }
+// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)

@@ -10,6 +10,7 @@
 
 using namespace flashbvh;
 using scene::kFullRadius;
+using scene::make_mesh;
 using scene::Orientation;
 
 namespace {
@@ -107,8 +108,8 @@ TEST_CASE("the evaluation's object fits the lattice") {
 }
 
 TEST_CASE("the evaluation's object is the same on every machine") {
-  CHECK(hash_of(make_mesh({0, kFullRadius, Orientation::upright})) == 0x0u);
-  CHECK(hash_of(make_mesh({0, kFullRadius, Orientation::lying})) == 0x0u);
-  CHECK(hash_of(make_mesh({0, kFullRadius, Orientation::upside_down})) == 0x0u);
-  CHECK(hash_of(make_mesh({0, kFullRadius / 10, Orientation::upright})) == 0x0u);
+  CHECK(hash_of(make_mesh({0, kFullRadius, Orientation::upright})) == 0x9A5A1973B117DAC3u);
+  CHECK(hash_of(make_mesh({0, kFullRadius, Orientation::lying})) == 0x4D928CF26689A163u);
+  CHECK(hash_of(make_mesh({0, kFullRadius, Orientation::upside_down})) == 0x3EC8A99300ED4503u);
+  CHECK(hash_of(make_mesh({0, kFullRadius / 10, Orientation::upright})) == 0x4F0FB3FF46C7F7B3u);
 }

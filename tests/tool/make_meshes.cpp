@@ -54,8 +54,9 @@ void write_stl(const std::string& path, const std::vector<Triangle>& triangles) 
 std::vector<Triangle> loose(int count) {
   std::vector<Triangle> triangles;
   for (int i = 0; i < count; ++i) {
+    const int row = i / 200;
     const auto x = static_cast<float>(i % 200);
-    const auto y = static_cast<float>(i / 200);
+    const auto y = static_cast<float>(row);
     triangles.push_back({Point{x, y, 0}, Point{x + 0.5f, y, 0}, Point{x, y + 0.5f, 0}});
   }
   return triangles;

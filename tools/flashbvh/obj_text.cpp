@@ -124,7 +124,7 @@ class Converter {
 
 }  // namespace
 
-MeshText plain_obj(std::string bytes, const std::string& file) {
+MeshText plain_obj(const std::string& bytes, const std::string& file) {
   Lines lines(bytes);
   Converter converter(bytes, file);
   std::string joined;

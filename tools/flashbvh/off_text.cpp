@@ -117,7 +117,7 @@ class Converter {
 
 }  // namespace
 
-MeshText plain_off(std::string bytes, const std::string& file) {
+MeshText plain_off(const std::string& bytes, const std::string& file) {
   return Converter(bytes, file).convert();
 }
 

@@ -38,6 +38,7 @@ std::vector<Corner2> projected(const std::vector<Corner3>& corners) {
     std::swap(u, v);
   }
   std::vector<Corner2> flat;
+  flat.reserve(corners.size());
   for (const Corner3& corner : corners) {
     flat.push_back({corner[u], corner[v]});
   }
