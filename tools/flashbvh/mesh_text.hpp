@@ -27,9 +27,9 @@ struct MeshText {
 /// Binary STL as it is; ASCII STL plain.
 MeshText plain_stl(std::string bytes, const std::string& file);
 /// Vertices and faces alone: no groups or materials, by which assimp would sort the faces.
-MeshText plain_obj(const std::string& bytes, const std::string& file);
+MeshText plain_obj(std::string bytes, const std::string& file);
 /// Vertices without colours and normals; faces.
-MeshText plain_off(const std::string& bytes, const std::string& file);
+MeshText plain_off(std::string bytes, const std::string& file);
 /// As it is, ASCII or binary.
 MeshText plain_ply(std::string bytes, const std::string& file);
 

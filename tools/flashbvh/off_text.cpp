@@ -117,7 +117,9 @@ class Converter {
 
 }  // namespace
 
-MeshText plain_off(const std::string& bytes, const std::string& file) {
+// By value, as all its kin: one table holds them.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
+MeshText plain_off(std::string bytes, const std::string& file) {
   return Converter(bytes, file).convert();
 }
 
