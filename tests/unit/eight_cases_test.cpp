@@ -44,8 +44,10 @@ NodePair behind(std::uint32_t a, std::uint32_t b) {
   };
   const std::uint32_t from_a = to_layout(a);
   const std::uint32_t from_b = to_layout(b);
-  const auto to = Traversal::behind(tree, tree, {from_a, from_b, lead(from_a, from_b)});
-  if (to.a != kEnd && to.b != kEnd) {
+  typename Traversal::Place to = {from_a, from_b, lead(from_a, from_b)};
+  const bool goes_on = Traversal::behind(tree, tree, to);
+  CHECK(goes_on == (to.a != kEnd && to.b != kEnd));
+  if (goes_on) {
     CHECK(to.lead == lead(to.a, to.b));
   }
   return {to_number(to.a), to_number(to.b)};

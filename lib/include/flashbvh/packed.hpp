@@ -47,18 +47,16 @@ constexpr bool halves_reach_portable(const PackedTriple& value, const PackedTrip
   return true;
 }
 
-/// The same in plain words. `value - least` as a whole tells of the high half (it borrows if that
-/// half is too small, or equal with the low half too small); the bit that entered position 16 tells
-/// of the low half.
+/// The same in plain words: a word as a whole reaches another one if its high half is larger, or
+/// equal while its low half reaches too; so, with the low halves compared on their own, all is
+/// said.
+constexpr bool word_reaches_plain(uint32_t value, uint32_t least) {
+  return value >= least && (value << 16) >= (least << 16);
+}
 constexpr bool halves_reach_plain(const PackedTriple& value, const PackedTriple& least) {
-  for (int i = 0; i < 3; ++i) {
-    const uint32_t v = value.word[i];
-    const uint32_t l = least.word[i];
-    if (v < l || (((v - l) ^ v ^ l) & 0x10000u) != 0) {
-      return false;
-    }
-  }
-  return true;
+  return word_reaches_plain(value.word[0], least.word[0]) &&
+         word_reaches_plain(value.word[1], least.word[1]) &&
+         word_reaches_plain(value.word[2], least.word[2]);
 }
 
 #if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)

@@ -37,6 +37,25 @@ struct PairCursor {
   Index b = 0;
 };
 
+/// What the loop of a walk seldom needs. Kept in memory, it leaves the registers to the rest: on a
+/// Cortex-M4 that takes a visit of `ranked` from 41 to 34 instructions.
+template <class Cursor, class LeafPair>
+struct Outside {
+  Cursor* cursor;
+  Budget* budget;
+  const LeafPair* leaf_pair;
+};
+
+/// Tells the compiler that `object` may have changed: it can't live in registers across this call.
+template <class Object>
+inline void keep_in_memory(Object& object) {
+#if defined(__GNUC__)
+  __asm__("" : "+m"(object));
+#else
+  (void)object;
+#endif
+}
+
 }  // namespace flashbvh
 
 #endif

@@ -25,7 +25,7 @@ class Leaf {
 
   template <class Overlap, class LeafPair>
   static Walk run(const Tree& a, const Tree& b, const Overlap& overlap, Cursor& cursor,
-                  Budget& budget, LeafPair&& leaf_pair) {
+                  Budget& budget, const LeafPair& leaf_pair) {
     uint32_t passed = cursor.a;
     uint32_t node_b = cursor.b;
     bool behind = budget.behind;
@@ -64,7 +64,7 @@ class Leaf {
   template <class Overlap, class LeafPair>
   static Walk against_b(const Node<Index>& leaf, uint32_t leaf_a, const Tree& b,
                         const Overlap& overlap, uint32_t& node_b, bool behind, Budget& budget,
-                        LeafPair& leaf_pair) {
+                        const LeafPair& leaf_pair) {
     if (behind) {
       node_b = escape(b, node_b);
     }

@@ -33,7 +33,10 @@ class Ranked {
 
   template <class Overlap, class LeafPair>
   static Walk run(const Tree& a, const Tree& b, const Overlap& overlap, Cursor& cursor,
-                  Budget& budget, LeafPair&& leaf_pair) {
+                  Budget& budget, const LeafPair& leaf_pair) {
+    Outside<Cursor, LeafPair> outside = {&cursor, &budget, &leaf_pair};
+    keep_in_memory(outside);
+    const Overlap boxes_overlap = overlap;
     Side side_a(a, cursor.a);
     Side side_b(b, cursor.b);
     uint32_t visits_left = budget.visits_left;
@@ -46,7 +49,7 @@ class Ranked {
           break;
         }
         --visits_left;
-        if (overlap(side_a.node->box, side_b.node->box)) {
+        if (boxes_overlap(side_a.node->box, side_b.node->box)) {
           ++overlaps;
           const int32_t rank_a = side_a.node->rank();
           const int32_t rank_b = side_b.node->rank();
@@ -58,7 +61,7 @@ class Ranked {
             side_b.descend(rank_b);
             continue;
           }
-          if (!leaf_pair(side_a.index(), side_b.index())) {
+          if (!(*outside.leaf_pair)(side_a.index(), side_b.index())) {
             end = Walk::stopped;
             break;
           }
@@ -68,10 +71,10 @@ class Ranked {
         break;
       }
     }
-    cursor.a = side_a.index();
-    cursor.b = side_b.index();
-    budget.visits_left = visits_left;
-    budget.overlaps = overlaps;
+    outside.cursor->a = side_a.index();
+    outside.cursor->b = side_b.index();
+    outside.budget->visits_left = visits_left;
+    outside.budget->overlaps = overlaps;
     return end;
   }
 

@@ -26,35 +26,34 @@ class PairStack {
  public:
   using Entry = PairCursor<Index>;
 
-  PairStack(Entry* entries, uint32_t capacity) : entries_(entries), size_(0), capacity_(capacity) {
+  PairStack(Entry* entries, uint32_t capacity)
+      : entries_(entries), top_(entries), capacity_(capacity) {
     if (capacity != 0) {
-      push(0, 0);
+      push({0, 0});
     }
   }
 
   uint32_t capacity() const { return capacity_; }
-  uint32_t size() const { return size_; }
+  uint32_t size() const { return static_cast<uint32_t>(top_ - entries_); }
+  bool is_empty() const { return top_ == entries_; }
   const Entry* entries() const { return entries_; }
+  Entry* top() const { return top_; }
 
-  void push(uint32_t a, uint32_t b) {
-    entries_[size_].a = static_cast<Index>(a);
-    entries_[size_].b = static_cast<Index>(b);
-    ++size_;
-  }
-  Entry pop() { return entries_[--size_]; }
+  void push(Entry entry) { *top_++ = entry; }
+  Entry pop() { return *--top_; }
 
-  /// Turns round the order of the entries from `first` on: the one pushed first gets popped first.
-  void reverse_from(uint32_t first) {
-    for (uint32_t last = size_ - 1; first < last; ++first, --last) {
-      const Entry entry = entries_[first];
-      entries_[first] = entries_[last];
-      entries_[last] = entry;
+  /// Turns round the order of the entries from `bottom` on.
+  void reverse_from(Entry* bottom) {
+    for (Entry* last = top_ - 1; bottom < last; ++bottom, --last) {
+      const Entry entry = *bottom;
+      *bottom = *last;
+      *last = entry;
     }
   }
 
  private:
   Entry* entries_;
-  uint32_t size_;
+  Entry* top_;  ///< behind the entry on top
   uint32_t capacity_;
 };
 
@@ -67,63 +66,75 @@ class StackWalk {
   using Tree = TreeType;
   using Cursor = PairStack<Index>;
 
+  /// The pair on top of the stack is kept out of it while the walk runs.
   template <class Overlap, class LeafPair>
   static Walk run(const Tree& a, const Tree& b, const Overlap& overlap, Cursor& cursor,
-                  Budget& budget, LeafPair&& leaf_pair) {
-    Cursor stack = cursor;  // a copy the compiler can keep in registers
-    if (budget.behind) {
-      stack.pop();
-    }
+                  Budget& budget, const LeafPair& leaf_pair) {
+    Outside<Cursor, LeafPair> outside = {&cursor, &budget, &leaf_pair};
+    keep_in_memory(outside);
+    const Overlap boxes_overlap = overlap;
+    Cursor stack = cursor;
+    Entry pair = stack.pop();
+    uint32_t visits_left = budget.visits_left;
+    uint32_t overlaps = budget.overlaps;
     Walk end = Walk::done;
-    while (stack.size() != 0) {
-      if (budget.visits_left == 0) {
-        end = Walk::suspended;
+    for (bool visit = !budget.behind;; visit = true) {
+      if (visit) {
+        if (visits_left == 0) {
+          end = Walk::suspended;
+          break;
+        }
+        --visits_left;
+        const Node<Index>& node_a = a.nodes[pair.a];
+        const Node<Index>& node_b = b.nodes[pair.b];
+        if (boxes_overlap(node_a.box, node_b.box)) {
+          ++overlaps;
+          if (!node_a.is_leaf() && (node_b.is_leaf() || Rule::descend_a(a, pair.a, b, pair.b))) {
+            pair.a = push_children(a, pair.a, stack, [&](Index child) {
+              return Entry{child, pair.b};
+            });
+            continue;
+          }
+          if (!node_b.is_leaf()) {
+            pair.b = push_children(b, pair.b, stack, [&](Index child) {
+              return Entry{pair.a, child};
+            });
+            continue;
+          }
+          if (!(*outside.leaf_pair)(pair.a, pair.b)) {
+            end = Walk::stopped;
+            break;
+          }
+        }
+      }
+      if (stack.is_empty()) {
         break;
       }
-      --budget.visits_left;
-      const PairCursor<Index> pair = stack.pop();
-      const Node<Index>& node_a = a.nodes[pair.a];
-      const Node<Index>& node_b = b.nodes[pair.b];
-      if (!overlap(node_a.box, node_b.box)) {
-        continue;
-      }
-      ++budget.overlaps;
-      if (!node_a.is_leaf() && (node_b.is_leaf() || Rule::descend_a(a, pair.a, b, pair.b))) {
-        push_children_of_a(a, pair, stack);
-      } else if (!node_b.is_leaf()) {
-        push_children_of_b(b, pair, stack);
-      } else if (!leaf_pair(pair.a, pair.b)) {
-        stack.push(pair.a, pair.b);
-        end = Walk::stopped;
-        break;
-      }
+      pair = stack.pop();
     }
-    cursor = stack;
+    if (end != Walk::done) {
+      stack.push(pair);
+    }
+    *outside.cursor = stack;
+    outside.budget->visits_left = visits_left;
+    outside.budget->overlaps = overlaps;
     return end;
   }
 
  private:
-  /// The last child first, so that the first one is popped first.
-  static void push_children_of_a(const Tree& a, PairCursor<Index> pair, Cursor& stack) {
-    const uint32_t first = stack.size();
-    uint32_t child = a.first_child(pair.a);
-    stack.push(child, pair.b);
-    while (!a.is_last_child(pair.a, child)) {
-      child = a.next_sibling(child);
-      stack.push(child, pair.b);
-    }
-    stack.reverse_from(first);
-  }
+  using Entry = PairCursor<Index>;
 
-  static void push_children_of_b(const Tree& b, PairCursor<Index> pair, Cursor& stack) {
-    const uint32_t first = stack.size();
-    uint32_t child = b.first_child(pair.b);
-    stack.push(pair.a, child);
-    while (!b.is_last_child(pair.b, child)) {
-      child = b.next_sibling(child);
-      stack.push(pair.a, child);
+  /// Pushes all children but the first, the last one first, and returns the first.
+  template <class EntryOf>
+  static Index push_children(const Tree& tree, uint32_t parent, Cursor& stack, EntryOf entry_of) {
+    const uint32_t first = tree.first_child(parent);
+    Entry* const bottom = stack.top();
+    for (uint32_t child = first; !tree.is_last_child(parent, child);) {
+      child = tree.next_sibling(child);
+      stack.push(entry_of(static_cast<Index>(child)));
     }
-    stack.reverse_from(first);
+    stack.reverse_from(bottom);
+    return static_cast<Index>(first);
   }
 };
 

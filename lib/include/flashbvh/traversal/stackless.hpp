@@ -30,10 +30,14 @@ class AlternatingStackless {
 
   template <class Overlap, class LeafPair>
   static Walk run(const Tree& a, const Tree& b, const Overlap& overlap, Cursor& cursor,
-                  Budget& budget, LeafPair&& leaf_pair) {
+                  Budget& budget, const LeafPair& leaf_pair) {
+    Outside<Cursor, LeafPair> outside = {&cursor, &budget, &leaf_pair};
+    keep_in_memory(outside);
+    const Overlap boxes_overlap = overlap;
     Place at = {cursor.a, cursor.b, 0};
     at.lead = static_cast<int32_t>(a.level(at.a)) - static_cast<int32_t>(b.level(at.b));
     uint32_t visits_left = budget.visits_left;
+    uint32_t overlaps = budget.overlaps;
     Walk end = Walk::done;
     for (bool visit = !budget.behind;; visit = true) {
       if (visit) {
@@ -44,8 +48,8 @@ class AlternatingStackless {
         --visits_left;
         const Node<Index>& node_a = a.nodes[at.a];
         const Node<Index>& node_b = b.nodes[at.b];
-        if (overlap(node_a.box, node_b.box)) {
-          ++budget.overlaps;
+        if (boxes_overlap(node_a.box, node_b.box)) {
+          ++overlaps;
           if (!node_a.is_leaf() && (at.lead < 0 || node_b.is_leaf())) {
             at.a = a.first_child(at.a);
             ++at.lead;
@@ -56,20 +60,20 @@ class AlternatingStackless {
             --at.lead;
             continue;
           }
-          if (!leaf_pair(at.a, at.b)) {
+          if (!(*outside.leaf_pair)(at.a, at.b)) {
             end = Walk::stopped;
             break;
           }
         }
       }
-      at = behind(a, b, at);
-      if (at.a == a.node_count || at.b == b.node_count) {
+      if (!behind(a, b, at)) {
         break;
       }
     }
-    cursor.a = static_cast<Index>(at.a);
-    cursor.b = static_cast<Index>(at.b);
-    budget.visits_left = visits_left;
+    outside.cursor->a = static_cast<Index>(at.a);
+    outside.cursor->b = static_cast<Index>(at.b);
+    outside.budget->visits_left = visits_left;
+    outside.budget->overlaps = overlaps;
     return end;
   }
 
@@ -80,38 +84,58 @@ class AlternatingStackless {
     int32_t lead;
   };
 
-  /// The pair behind this one: the element below it on algorithm 3's stack.
-  static Place behind(const Tree& a, const Tree& b, Place at) {
+  /// To the pair behind this one: the element below it on algorithm 3's stack. False if there is
+  /// none: then a node is its tree's end node.
+  static bool behind(const Tree& a, const Tree& b, Place& at) {
     return at.lead >= 0 ? behind_a(a, b, at) : behind_b(a, b, at);
   }
 
  private:
   /// Level(a) = Level(b) + lead: A was descended into last. The lead is 0 outside B's leaves.
-  static Place behind_a(const Tree& a, const Tree& b, Place at) {
+  static bool behind_a(const Tree& a, const Tree& b, Place& at) {
     const auto lead = static_cast<uint32_t>(at.lead);
     const uint32_t rcl_a = a.rcl(at.a);
     if (rcl_a <= lead) {  // cases 1 and 2; 8.1: the leaf algorithm in A's subtree
-      return {a.escape(at.a, rcl_a), at.b, static_cast<int32_t>(lead - rcl_a)};
+      at.lead -= static_cast<int32_t>(rcl_a);
+      return escape_a(a, at, rcl_a);
     }
     const uint32_t rcl_b = b.rcl(at.b);
     if (rcl_a - lead <= rcl_b) {  // case 7, a left child of A is reached first
-      return {a.escape(at.a, rcl_a), b.level_up(at.b, rcl_a - lead), 0};
+      at.b = b.level_up(at.b, rcl_a - lead);
+      at.lead = 0;
+      return escape_a(a, at, rcl_a);
     }  // case 5 (rcl_b = 0); case 7, a left child of B is reached first
-    return {a.level_up(at.a, lead + rcl_b + 1), b.escape(at.b, rcl_b), -1};
+    at.a = a.level_up(at.a, lead + rcl_b + 1);
+    at.lead = -1;
+    return escape_b(b, at, rcl_b);
   }
 
   /// Level(a) = Level(b) - lag: B was descended into last. The lag is 1 outside A's leaves.
-  static Place behind_b(const Tree& a, const Tree& b, Place at) {
+  static bool behind_b(const Tree& a, const Tree& b, Place& at) {
     const auto lag = static_cast<uint32_t>(-at.lead);
     const uint32_t rcl_b = b.rcl(at.b);
     if (rcl_b < lag) {  // cases 3 and 4; 8.1: the leaf algorithm in B's subtree
-      return {at.a, b.escape(at.b, rcl_b), at.lead + static_cast<int32_t>(rcl_b)};
+      at.lead += static_cast<int32_t>(rcl_b);
+      return escape_b(b, at, rcl_b);
     }
     const uint32_t rcl_a = a.rcl(at.a);
     if (rcl_a <= rcl_b - lag) {  // case 6 (rcl_a = 0); case 8, a left child of A is reached first
-      return {a.escape(at.a, rcl_a), b.level_up(at.b, rcl_a + lag), 0};
+      at.b = b.level_up(at.b, rcl_a + lag);
+      at.lead = 0;
+      return escape_a(a, at, rcl_a);
     }  // case 8, a left child of B is reached first
-    return {a.level_up(at.a, rcl_b - lag + 1), b.escape(at.b, rcl_b), -1};
+    at.a = a.level_up(at.a, rcl_b - lag + 1);
+    at.lead = -1;
+    return escape_b(b, at, rcl_b);
+  }
+
+  static bool escape_a(const Tree& a, Place& at, uint32_t rcl_a) {
+    at.a = a.escape(at.a, rcl_a);
+    return at.a != a.node_count;
+  }
+  static bool escape_b(const Tree& b, Place& at, uint32_t rcl_b) {
+    at.b = b.escape(at.b, rcl_b);
+    return at.b != b.node_count;
   }
 };
 
