@@ -1,7 +1,7 @@
 // Instructions per visit of the box traversals, counted on the target, against their budgets.
 //
 // Two tori of 800 triangles, translation only, the paper's median-split trees: one setup each where
-// they intersect, are close, and are separated.
+// they intersect deeply, just touch, and are separated.
 #include <catch2/catch.hpp>
 
 #include <cstdio>
@@ -28,7 +28,7 @@ struct Setup {
 };
 
 const Setup kSetups[] = {{"intersecting", {3000, 1000, 500}},
-                         {"close", {0, 0, 4100}},
+                         {"touching", {7950, 300, 100}},
                          {"separated", {30000, 0, 0}}};
 
 template <Layout layout>
@@ -80,12 +80,14 @@ struct Run<StackWalk<TreeType, Rule>> {
 /// Prints a line a setup; returns instructions per visit in tenths over the first two.
 template <class Traversal>
 std::uint32_t report(const char* name) {
-  const auto baked = baked_torus<Traversal::Tree::kLayout>();
-  const auto tree = baked.view();
+  const auto baked_a = baked_torus<Traversal::Tree::kLayout>();
+  const auto baked_b = baked_torus<Traversal::Tree::kLayout>();
+  const auto a = baked_a.view();
+  const auto b = baked_b.view();
   std::uint32_t visits = 0;
   std::uint32_t instructions = 0;
   for (const Setup& setup : kSetups) {
-    const Measured run = Run<Traversal>::on(tree, tree, setup.overlap);
+    const Measured run = Run<Traversal>::on(a, b, setup.overlap);
     std::printf("%-18s %-13s %6u visits %5u leaf pairs %8u instructions %4u.%u per visit\n", name,
                 setup.name, static_cast<unsigned>(run.visits),
                 static_cast<unsigned>(run.leaf_pairs), static_cast<unsigned>(run.instructions),
@@ -99,6 +101,18 @@ std::uint32_t report(const char* name) {
   return instructions * 10 / visits;
 }
 
+/// A budget in tenths of an instruction per visit on this core; 0 where there is none.
+struct VisitBudget {
+  std::uint32_t stackless_post;
+  std::uint32_t ranked;
+};
+
+#if defined(__ARM_FEATURE_SIMD32)
+constexpr VisitBudget kBudget = {450, 360};
+#else
+constexpr VisitBudget kBudget = {0, 480};
+#endif
+
 }  // namespace
 
 TEST_CASE("instructions per visit stay within their budgets") {
@@ -110,10 +124,6 @@ TEST_CASE("instructions per visit stay within their budgets") {
   const std::uint32_t ranked = report<Ranked<PostTree>>("ranked");
   (void)report<RankedStack<PostTree>>("ranked-stack");
   std::fflush(stdout);
-#if defined(__ARM_FEATURE_SIMD32)
-  CHECK(stackless_post <= 450);
-  CHECK(ranked <= 360);
-#else
-  CHECK(ranked <= 480);
-#endif
+  CHECK((kBudget.stackless_post == 0 || stackless_post <= kBudget.stackless_post));
+  CHECK(ranked <= kBudget.ranked);
 }

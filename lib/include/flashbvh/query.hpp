@@ -153,7 +153,7 @@ class Query {
   }
 
   /// To the next pair of leaves, the end, or the last visit granted.
-  [[gnu::noinline]] Walk walk(uint32_t& visits_left) {
+  FLASHBVH_NOINLINE Walk walk(uint32_t& visits_left) {
     Budget budget = {visits_left, counts_.overlaps, at_leaf_pair_};
     const Walk end = Traversal::run(*a_, *b_, overlap_, cursor_, budget,
                                     [this](uint32_t node_a, uint32_t node_b) {
@@ -173,17 +173,21 @@ class Query {
 
   /// Tests one more pair of triangles of the current leaves. Nothing but `this` outlives the call
   /// of the test, which keeps the stack flat where it is deepest.
-  [[gnu::noinline]] bool next_triangles_intersect() {
-    --untested_;
+  FLASHBVH_NOINLINE bool next_triangles_intersect() {
     PlacedTriangle a;
     PlacedTriangle b;
-    place(*a_, current_a(), {0, 0, 0}, a);
-    place(*b_, current_b(), offset_, b);
+    place_next(a, b);
     if (!triangles_intersect(a, b)) {
       return false;
     }
     ++counts_.triangle_pairs;
     return true;
+  }
+
+  FLASHBVH_NOINLINE void place_next(PlacedTriangle& a, PlacedTriangle& b) {
+    --untested_;
+    place(*a_, current_a(), {0, 0, 0}, a);
+    place(*b_, current_b(), offset_, b);
   }
 
   /// Positions of the current pair of triangles: the leaves' pairs are taken from the last one on.
@@ -198,7 +202,7 @@ class Query {
     return b_->end_triangle(leaf_b_) - b_->first_triangle(leaf_b_);
   }
 
-  [[gnu::noinline]] static void place(const Tree& tree, uint32_t triangle, const Point& offset,
+  FLASHBVH_NOINLINE static void place(const Tree& tree, uint32_t triangle, const Point& offset,
                                       PlacedTriangle& placed) {
     for (int i = 0; i < 3; ++i) {
       const Vertex& v = tree.vertices[tree.triangles[triangle].corner[i]];

@@ -13,6 +13,13 @@
 
 #include <stdint.h>
 
+/// Walks are not inlined: in a function of its own, a loop gets the registers.
+#if defined(__GNUC__)
+#define FLASHBVH_NOINLINE [[gnu::noinline]]
+#else
+#define FLASHBVH_NOINLINE
+#endif
+
 namespace flashbvh {
 
 /// How a run of a walk ended.

@@ -32,8 +32,8 @@ class Ranked {
   using Cursor = PairCursor<Index>;
 
   template <class Overlap, class LeafPair>
-  static Walk run(const Tree& a, const Tree& b, const Overlap& overlap, Cursor& cursor,
-                  Budget& budget, const LeafPair& leaf_pair) {
+  FLASHBVH_NOINLINE static Walk run(const Tree& a, const Tree& b, const Overlap& overlap,
+                                    Cursor& cursor, Budget& budget, const LeafPair& leaf_pair) {
     Outside<Cursor, LeafPair> outside = {&cursor, &budget, &leaf_pair};
     keep_in_memory(outside);
     const Overlap boxes_overlap = overlap;
@@ -53,11 +53,12 @@ class Ranked {
           ++overlaps;
           const int32_t rank_a = side_a.node->rank();
           const int32_t rank_b = side_b.node->rank();
-          if (rank_a >= rank_b && rank_a > 0) {
-            side_a.descend(rank_a);
-            continue;
-          }
-          if (rank_b > 0) {
+          if (rank_a >= rank_b) {
+            if (rank_a > 0) {
+              side_a.descend(rank_a);
+              continue;
+            }
+          } else if (rank_b > 0) {
             side_b.descend(rank_b);
             continue;
           }

@@ -68,8 +68,8 @@ class StackWalk {
 
   /// The pair on top of the stack is kept out of it while the walk runs.
   template <class Overlap, class LeafPair>
-  static Walk run(const Tree& a, const Tree& b, const Overlap& overlap, Cursor& cursor,
-                  Budget& budget, const LeafPair& leaf_pair) {
+  FLASHBVH_NOINLINE static Walk run(const Tree& a, const Tree& b, const Overlap& overlap,
+                                    Cursor& cursor, Budget& budget, const LeafPair& leaf_pair) {
     Outside<Cursor, LeafPair> outside = {&cursor, &budget, &leaf_pair};
     keep_in_memory(outside);
     const Overlap boxes_overlap = overlap;
