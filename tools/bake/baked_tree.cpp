@@ -81,7 +81,8 @@ std::vector<std::uint32_t> right_child_levels(const Order& order) {
 std::vector<std::uint32_t> ranks(const Order& order, const BuildTree& tree) {
   std::vector<std::uint32_t> ranks(order.build_nodes.size(), 0);
   for (std::size_t at = 0; at < ranks.size(); ++at) {
-    ranks[at] = rank_of(tree.nodes[order.build_nodes[at]].box);
+    const BuildNode& node = tree.nodes[order.build_nodes[at]];
+    ranks[at] = node.is_leaf() ? 0 : rank_of(tree, node);
     if (at != 0) {
       ranks[at] = std::min(ranks[at], ranks[order.parents[at]]);
     }

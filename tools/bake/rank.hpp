@@ -4,18 +4,27 @@
 
 #include <cstdint>
 
-#include "flashbvh/box.hpp"
+#include "bake/build_tree.hpp"
 
 namespace flashbvh::bake {
 
-/// What `ranked` takes for a box's size: its three extents and the shortest of them once more, in
-/// cells. Below 2^17; never larger for a box inside another.
-constexpr std::uint32_t rank_measure(const Box& box) {
-  const std::int32_t x = box.upper.x - box.lower.x;
-  const std::int32_t y = box.upper.y - box.lower.y;
-  const std::int32_t z = box.upper.z - box.lower.z;
-  const std::int32_t shorter = x < y ? x : y;
-  return static_cast<std::uint32_t>(x + y + z + (shorter < z ? shorter : z));
+/// The sum of a box's three extents, in cells; below 2^17.
+constexpr std::uint32_t extents_of(const Box& box) {
+  return static_cast<std::uint32_t>((box.upper.x - box.lower.x) + (box.upper.y - box.lower.y) +
+                                    (box.upper.z - box.lower.z));
+}
+
+/// What `ranked` takes for the size of an internal node: how much smaller its children are, on
+/// average, than itself, and a quarter of its own extents; in cells, below 2^17. Descending where
+/// the boxes shrink most is what makes pairs come apart; the quarter keeps nodes in order whose
+/// children are as large as they.
+inline std::uint32_t rank_measure(const BuildTree& tree, const BuildNode& node) {
+  std::uint64_t children = 0;
+  for (const std::uint32_t child : node.children) {
+    children += extents_of(tree.nodes[child].box);
+  }
+  const std::uint64_t own = extents_of(node.box);
+  return static_cast<std::uint32_t>(own + own / 4 - children / node.children.size());
 }
 
 /// A measure on a logarithmic scale of eight steps an octave: 1 (nothing) to 120. Monotone.
@@ -28,9 +37,9 @@ constexpr std::uint32_t rank_on_scale(std::uint32_t measure) {
   return 1 + shift * 8 + (measure >> shift);
 }
 
-/// Of an internal node with this box, before baking clamps it to its parent's.
-constexpr std::uint32_t rank_of(const Box& box) {
-  return rank_on_scale(rank_measure(box));
+/// Of an internal node, before baking clamps it to its parent's.
+inline std::uint32_t rank_of(const BuildTree& tree, const BuildNode& node) {
+  return rank_on_scale(rank_measure(tree, node));
 }
 
 }  // namespace flashbvh::bake

@@ -44,6 +44,7 @@ Chart chart_of(const Results& results, const char* title, const char* y_label) {
 
 Chart iterations_of(const Results& results) {
   Chart chart = chart_of(results, "Iterations", "pairs of boxes tested in one query");
+  // Styles by the row's place in the tables, as in the other panel.
   const auto add = [&](int style, const char* algorithm) {
     chart.series.push_back(series_of(style, results, [&](const SetupResult& result) {
       return static_cast<double>(result.row(algorithm).counts.visits);
@@ -51,7 +52,7 @@ Chart iterations_of(const Results& results) {
   };
   add(0, "volume-stack");
   add(2, "stackless");
-  add(3, "leaf");
+  add(4, "leaf");
   add(5, "ranked");
   chart.series.push_back(series_of(7, results, [](const SetupResult& result) {
     return static_cast<double>(result.best_rule.value_or(0));
@@ -60,21 +61,23 @@ Chart iterations_of(const Results& results) {
 }
 
 Chart times_of_rows(const Results& results) {
-  Chart chart = chart_of(results, "Time", "milliseconds for one query, mean");
+  Chart chart = chart_of(results, "Time", "milliseconds for one query, fastest sample");
   for (std::size_t i = 0; i < results.front()->rows.size(); ++i) {
     chart.series.push_back(series_of(static_cast<int>(i), results, [i](const SetupResult& result) {
-      return 1000 * result.rows[i].times.mean / result.repetitions;
+      return 1000 * result.rows[i].times.least / result.repetitions;
     }));
   }
   return chart;
 }
 
 std::string legend(const Results& results) {
+  constexpr int kColumns = 4;
   constexpr double column = 225;
   std::string svg;
   int style = 0;
   const auto add = [&](const std::string& name) {
-    svg += draw_legend_entry(style, name, 75 + column * (style % 4), 458 + 26 * (style / 4));
+    const int row = style / kColumns;
+    svg += draw_legend_entry(style, name, 75 + column * (style % kColumns), 458 + 26.0 * row);
     ++style;
   };
   for (const RowResult& row : results.front()->rows) {

@@ -18,7 +18,7 @@ struct Effort {
   std::uint32_t rounds = 10;        ///< samples; the paper's: 100
 };
 
-/// Of all samples of a row. A sample is the time of all repetitions together, in seconds.
+/// Of all samples of a row. A sample is the processor time of all repetitions together, in seconds.
 struct Times {
   double least = 0;
   double most = 0;

@@ -71,4 +71,18 @@ std::string summary_table(const std::vector<SetupResult>& results) {
          "\nLargest ranked / volume of a setup: " + fixed_digits(totals.worst_ranked, 4) + "\n";
 }
 
+std::string time_table(const std::vector<SetupResult>& results) {
+  std::vector<std::vector<std::string>> lines = {{"microseconds"}};
+  for (const RowResult& row : results.front().rows) {
+    lines[0].push_back(row.algorithm);
+  }
+  for (const SetupResult& result : results) {
+    lines.push_back({result.setup->name});
+    for (const RowResult& row : result.rows) {
+      lines.back().push_back(fixed_digits(1e6 * row.times.least / result.repetitions, 3));
+    }
+  }
+  return "### Time of one query (fastest sample)\n\n" + markdown_table(lines);
+}
+
 }  // namespace flashbvh::bench

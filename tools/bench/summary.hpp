@@ -1,4 +1,4 @@
-// Iterations of all setups side by side, as parts of volume-stack's.
+// All setups side by side: iterations as parts of volume-stack's, and times.
 #ifndef FLASHBVH_TOOLS_BENCH_SUMMARY_HPP
 #define FLASHBVH_TOOLS_BENCH_SUMMARY_HPP
 
@@ -23,8 +23,11 @@ struct Totals {
 };
 Totals totals_of(const std::vector<SetupResult>& results);
 
-/// A line a setup and the totals, as text.
+/// Iterations: a line a setup and the totals, as text.
 std::string summary_table(const std::vector<SetupResult>& results);
+
+/// Microseconds of one query in each row's fastest sample, a line a setup, as text.
+std::string time_table(const std::vector<SetupResult>& results);
 
 }  // namespace flashbvh::bench
 

@@ -71,10 +71,28 @@ constexpr uint32_t extent_z(const PackedBox& box) {
   return low_half(box.z) + high_half(box.z) - 2 * kBoundBias;
 }
 
+/// Whether two boxes, the second moved by a translation, are apart along one axis; `upper` and
+/// `lower` are halves of packed boxes. For a single test, which the thresholds would not pay.
+constexpr bool apart_along(uint32_t upper_a, uint32_t lower_a, uint32_t upper_b, uint32_t lower_b,
+                           int32_t t) {
+  constexpr int32_t zero = 2 * kBoundBias;
+  return static_cast<int32_t>(upper_a + lower_b) - zero < t ||
+         t < zero - static_cast<int32_t>(lower_a + upper_b);
+}
+constexpr bool boxes_apart(const PackedBox& a, const PackedBox& b, int32_t x, int32_t y,
+                           int32_t z) {
+  return apart_along(low_half(a.upper_xy), low_half(a.lower_xy), low_half(b.upper_xy),
+                     low_half(b.lower_xy), x) ||
+         apart_along(high_half(a.upper_xy), high_half(a.lower_xy), high_half(b.upper_xy),
+                     high_half(b.lower_xy), y) ||
+         apart_along(low_half(a.z), high_half(a.z), low_half(b.z), high_half(b.z), z);
+}
+
 /// Tests boxes of A against boxes of B moved by a translation. 12 bytes; made once a query.
 class TranslatedOverlap {
  public:
   /// `x, y, z`: the translation of B in cells; any 32-bit value.
+  constexpr TranslatedOverlap() : least_{} {}
   constexpr TranslatedOverlap(int32_t x, int32_t y, int32_t z)
       : least_{{join_halves(threshold(x), threshold(y)),
                 join_halves(threshold_negated(x), threshold_negated(y)),

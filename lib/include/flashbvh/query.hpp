@@ -52,7 +52,17 @@ class Query {
   /// B lies at `pose` in A's frame. Stack traversals take their array as `start`; the stackless
   /// ones need nothing. Errors show in status() and in every run.
   Query(const Tree& a, const Tree& b, const Pose& pose, const Cursor& start = Cursor())
-      : Query(a, b, pose, start, Offset(a, b, pose)) {}
+      : a_(&a),
+        b_(&b),
+        offset_{offset(a, b, pose, 0), offset(a, b, pose, 1), offset(a, b, pose, 2)},
+        counts_{0, 0, 0, 0},
+        cursor_(start),
+        untested_(0),
+        leaf_a_(0),
+        leaf_b_(0),
+        at_leaf_pair_(false),
+        started_(false),
+        status_(check(a, b, pose, start)) {}
 
   /// `suspended` while there is something left to do.
   Status status() const { return status_; }
@@ -88,6 +98,24 @@ class Query {
     if (status_ != Status::suspended) {
       return status_;
     }
+    if (!started_) {
+      if (visits == 0) {
+        return Status::suspended;
+      }
+      if (Traversal::kStartsAtRoots && roots_apart()) {
+        counts_.visits = 1;
+        status_ = Status::done;
+        return status_;
+      }
+      overlap_ = TranslatedOverlap(offset_.x, offset_.y, offset_.z);
+      started_ = true;
+    }
+    return go_on(visits, sink);
+  }
+
+ private:
+  template <class Sink>
+  Status go_on(uint32_t visits, Sink& sink) {
     counts_.visits += visits;
     for (;;) {
       while (untested_ != 0) {
@@ -105,44 +133,26 @@ class Query {
     }
   }
 
- private:
-  /// From B's lattice to A's: both count from their own origins.
-  struct Offset {
-    int32_t x, y, z;
-    Offset(const Tree& a, const Tree& b, const Pose& pose)
-        : x(axis(a, b, pose, 0)), y(axis(a, b, pose, 1)), z(axis(a, b, pose, 2)) {}
-    /// Wraps if the pose is out of range, which check() refuses.
-    static int32_t axis(const Tree& a, const Tree& b, const Pose& pose, int i) {
-      return static_cast<int32_t>(static_cast<uint32_t>(pose.translation[i]) +
-                                  static_cast<uint32_t>(b.origin[i]) -
-                                  static_cast<uint32_t>(a.origin[i]));
-    }
-  };
+  /// Two objects that are nowhere near each other, the commonest query, are told apart before
+  /// anything is prepared.
+  bool roots_apart() const {
+    return boxes_apart(a_->nodes[0].box, b_->nodes[0].box, offset_.x, offset_.y, offset_.z);
+  }
 
-  Query(const Tree& a, const Tree& b, const Pose& pose, const Cursor& start, const Offset& offset)
-      : a_(&a),
-        b_(&b),
-        overlap_(offset.x, offset.y, offset.z),
-        offset_{offset.x, offset.y, offset.z},
-        counts_{0, 0, 0, 0},
-        cursor_(start),
-        untested_(0),
-        leaf_a_(0),
-        leaf_b_(0),
-        at_leaf_pair_(false),
-        status_(check(a, b, pose, start)) {}
+  /// From B's lattice to A's along an axis: both count from their own origins. Wraps if the pose is
+  /// out of range, which is an error of the pose.
+  static int32_t offset(const Tree& a, const Tree& b, const Pose& pose, int axis) {
+    return static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) +
+                                static_cast<uint32_t>(b.origin[axis]) -
+                                static_cast<uint32_t>(a.origin[axis]));
+  }
 
   static Status check(const Tree& a, const Tree& b, const Pose& pose, const Cursor& start) {
     if (a.cell_bits != b.cell_bits) {
       return Status::cell_mismatch;
     }
-    if (!pose.is_translation()) {
-      return Status::rotation_unsupported;
-    }
-    for (const int32_t t : pose.translation) {
-      if (t < -kMaxTranslation || t > kMaxTranslation) {
-        return Status::translation_out_of_range;
-      }
+    if (pose.status() != Status::done) {
+      return pose.status();
     }
     return fits(start, a, b) ? Status::suspended : Status::stack_too_small;
   }
@@ -212,14 +222,15 @@ class Query {
 
   const Tree* a_;
   const Tree* b_;
-  TranslatedOverlap overlap_;
   Point offset_;
+  TranslatedOverlap overlap_;  ///< set by the first run
   Counts counts_;
   Cursor cursor_;
   uint32_t untested_;  ///< pairs of triangles that the current pair of leaves still has
   Index leaf_a_;       ///< the current pair of leaves, by number
   Index leaf_b_;
   bool at_leaf_pair_;  ///< the cursor is at the current pair of leaves, which was visited
+  bool started_;       ///< the walk's first visit may have been made
   Status status_;
 };
 

@@ -13,10 +13,9 @@ enum class [[nodiscard]] Status : uint8_t{
     full = 2,       ///< The caller's array is full; empty it and run again. Nothing is lost.
 
     cell_mismatch = 16,         ///< The two meshes were baked with different cells.
-    rotation_unsupported = 17,  ///< The pose turns B; this version places by translation only.
-    stack_too_small =
+      stack_too_small =
         18,  ///< The array given to a stack traversal is shorter than stack_entries().
-    translation_out_of_range = 19,  ///< A translation beyond +-kMaxTranslation cells.
+    translation_out_of_range = 18,  ///< A translation beyond +-kMaxTranslation cells.
 
     image_truncated = 32,     ///< Fewer bytes than the image says it has.
     image_misaligned = 33,    ///< The image does not start at a multiple of 4 bytes.

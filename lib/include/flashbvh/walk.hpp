@@ -3,6 +3,7 @@
 // A walk visits pairs of nodes, one of A and one of B. Each traversal is a class template over the
 // type of the trees with
 //     Cursor                  where the walk is; default: at its start
+//     kStartsAtRoots          whether roots that are apart end it with the first visit
 //     run(a, b, overlap, cursor, budget, leaf_pair) -> Walk
 // `run` goes on from `cursor`, spends one of `budget.visits_left` per visit, and calls
 // leaf_pair(i, j) for each pair of leaves whose boxes overlap. If leaf_pair returns false the walk

@@ -22,6 +22,7 @@ class Leaf {
   using Tree = TreeType;
   /// `a`: how many of A's nodes are passed, from left to right; `b`: the node of B.
   using Cursor = PairCursor<Index>;
+  static constexpr bool kStartsAtRoots = false;
 
   template <class Overlap, class LeafPair>
   static Walk run(const Tree& a, const Tree& b, const Overlap& overlap, Cursor& cursor,

@@ -30,6 +30,7 @@ class Ranked {
  public:
   using Tree = TreeType;
   using Cursor = PairCursor<Index>;
+  static constexpr bool kStartsAtRoots = true;
 
   template <class Overlap, class LeafPair>
   FLASHBVH_NOINLINE static Walk run(const Tree& a, const Tree& b, const Overlap& overlap,

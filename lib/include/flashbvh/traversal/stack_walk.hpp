@@ -65,6 +65,7 @@ class StackWalk {
  public:
   using Tree = TreeType;
   using Cursor = PairStack<Index>;
+  static constexpr bool kStartsAtRoots = true;
 
   /// The pair on top of the stack is kept out of it while the walk runs.
   template <class Overlap, class LeafPair>

@@ -27,6 +27,7 @@ class AlternatingStackless {
  public:
   using Tree = LevelledTree;
   using Cursor = PairCursor<Index>;
+  static constexpr bool kStartsAtRoots = true;
 
   template <class Overlap, class LeafPair>
   FLASHBVH_NOINLINE static Walk run(const Tree& a, const Tree& b, const Overlap& overlap,
