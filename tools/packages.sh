@@ -26,7 +26,6 @@ ensure_packages() {
   rm -f "$log"
 }
 
-# zlib1g-dev: the package libassimp-dev needs it and does not say so.
-host_packages="cmake ninja-build g++ libassimp-dev zlib1g-dev libcli11-dev nlohmann-json3-dev catch2"
+host_packages="cmake ninja-build g++ libassimp-dev libcli11-dev nlohmann-json3-dev catch2"
 board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm"

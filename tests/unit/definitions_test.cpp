@@ -144,7 +144,9 @@ TEST_CASE("figure 24: all but the last of many children are left children") {
   bake::BuildTree build;
   build.nodes.push_back({bake::box_of(mesh, 0), {1, 2, 3, 4, 5, 6}, {}});
   for (std::uint32_t i = 0; i < 6; ++i) {
-    build.nodes.push_back({bake::box_of(mesh, i), {}, {i}});
+    const Box box = bake::box_of(mesh, i);
+    build.nodes[0].box = bake::join(build.nodes[0].box, box);
+    build.nodes.push_back({box, {}, {i}});
   }
   check_both_layouts(build, mesh);
   const auto baked = bake::lay_out<std::uint16_t, kPre>(build, mesh);

@@ -34,7 +34,7 @@ Scene any_scene(Random& random, std::uint32_t most) {
               random_mesh(random, 1 + random.below(most), 30, 25),
               {},
               {},
-              {}};
+              Pose::translated(0, 0, 0)};
   std::int32_t t[3];
   for (std::size_t axis = 0; axis < 3; ++axis) {
     scene.mesh_a.origin[axis] = random.between(-5000, 5000);
@@ -224,8 +224,8 @@ TEST_CASE("each way to ask wrongly has its own status") {
   SECTION("a translation out of range") {
     const std::int32_t wrong[] = {kMaxTranslation + 1, -kMaxTranslation - 1, INT32_MAX, INT32_MIN};
     for (const std::int32_t t : wrong) {
-      for (const Pose& pose : {Pose::translated(t, 0, 0), Pose::translated(0, t, 0),
-                               Pose::translated(0, 0, t)}) {
+      for (const Pose& pose :
+           {Pose::translated(t, 0, 0), Pose::translated(0, t, 0), Pose::translated(0, 0, t)}) {
         CHECK(pose.status() == Status::translation_out_of_range);
         CHECK(PairQuery(a, b, pose).status() == Status::translation_out_of_range);
         CHECK(PairQuery(a, b, pose).run(kNoLimit, found).status ==

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/figure.hpp"
+#include "bench/firmware_writer.hpp"
 #include "bench/report.hpp"
 #include "bench/run.hpp"
 #include "bench/summary.hpp"
@@ -21,6 +22,7 @@ using Json = nlohmann::ordered_json;
 struct Arguments {
   std::vector<std::uint32_t> tables;
   bench::Effort effort;
+  bench::FirmwareOptions firmware;
   std::string svg;
   std::string builder = "median";
   bool json = false;
@@ -120,12 +122,29 @@ bool run_all(const Arguments& arguments) {
   if (arguments.json) {
     print_json(bench::totals_of(results));
   } else {
-    std::cout << bench::summary_table(results);
+    std::cout << bench::summary_table(results) << "\n" << bench::time_table(results);
   }
   if (!arguments.svg.empty()) {
     write_file(arguments.svg, bench::figure_33(results));
   }
   return agree;
+}
+
+void add_firmware(CLI::App& command, bench::FirmwareOptions& firmware) {
+  CLI::Option* const folder =
+      command
+          .add_option("--firmware", firmware.folder,
+                      "Instead, write the setups with 16-bit trees as C++ for firmware")
+          ->type_name("DIR");
+  const auto add = [&](const char* name, auto& value, const char* what) {
+    command.add_option(name, value, what)->check(CLI::Range(1u, UINT32_MAX))->needs(folder);
+  };
+  add("--images", firmware.images, "Firmware images that share the setups; default 1");
+  add("--max-faces", firmware.max_faces, "Leave out larger objects");
+  add("--max-bytes", firmware.max_bytes, "Of the trees of an image; leave out what does not fit");
+  for (const char* other : {"--table", "--svg", "--json"}) {
+    folder->excludes(command.get_option(other));
+  }
 }
 
 }  // namespace
@@ -149,8 +168,13 @@ void add_bench(CLI::App& app, ExitCode& exit_code) {
       ->check(CLI::IsMember({"median"}));
   command->add_option("--svg", a.svg, "Draw table 6 as the paper's figure 33")->type_name("FILE");
   command->add_flag("--json", a.json, "One JSON object a row, and one for the summary");
+  add_firmware(*command, a.firmware);
   command->callback([arguments, &exit_code] {
     check(*arguments);
+    if (!arguments->firmware.folder.empty()) {
+      bench::write_firmware(arguments->firmware);
+      return;
+    }
     exit_code = run_all(*arguments) ? kSuccess : kCheckFailed;
   });
 }

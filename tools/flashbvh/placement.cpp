@@ -31,8 +31,8 @@ Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) 
 }
 
 std::array<std::int64_t, 3> placed(const std::array<std::int64_t, 3>& point, const Pose& pose) {
-  return {point[0] + pose.translation[0], point[1] + pose.translation[1],
-          point[2] + pose.translation[2]};
+  return {point[0] + pose.translation(0), point[1] + pose.translation(1),
+          point[2] + pose.translation(2)};
 }
 
 }  // namespace flashbvh::tool

@@ -1,4 +1,7 @@
 # Arm MPS2 with the Cortex-M3 image AN385.
 set(FLASHBVH_MACHINE mps2-an385)
+set(FLASHBVH_CORE Cortex-M3)
 set(FLASHBVH_CPU_FLAGS -mthumb -mcpu=cortex-m3)
 set(FLASHBVH_SYSTICK_KHZ 25000)
+set(FLASHBVH_FLASH_KB 4096)
+set(FLASHBVH_BOARD_HAS_CATCH2 TRUE)

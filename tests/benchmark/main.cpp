@@ -1,0 +1,126 @@
+// The paper's evaluation, section 9, on a microcontroller: instructions instead of seconds.
+//
+// Ends with 1 if the algorithms disagree about a setup, or a query does not finish.
+#include "flashbvh/traversal/alternating_stack.hpp"
+#include "flashbvh/traversal/leaf.hpp"
+#include "flashbvh/traversal/ranked.hpp"
+#include "flashbvh/traversal/ranked_stack.hpp"
+#include "flashbvh/traversal/stackless.hpp"
+#include "flashbvh/traversal/stackless_post.hpp"
+#include "flashbvh/traversal/volume_stack.hpp"
+#include "measure.hpp"
+#include "report.hpp"
+#include "setups.hpp"
+#include "text.hpp"
+
+using namespace flashbvh;
+
+namespace benchmark {
+namespace {
+
+/// Setups that end at the roots say nothing about the loop.
+constexpr uint32_t kMostVisitsOfSeparated = 10;
+
+TranslatedOverlap overlap_of(const Setup& setup) {
+  int32_t t[3];
+  for (int i = 0; i < 3; ++i) {
+    t[i] = setup.translation[i] + setup.b.pre->origin[i] - setup.a.pre->origin[i];
+  }
+  return {t[0], t[1], t[2]};
+}
+
+/// Each algorithm on the layout that it has on the host, too.
+void measure_rows(const Setup& setup, Row (&rows)[kRows]) {
+  const LevelledPreTree& pre_a = *setup.a.pre;
+  const LevelledPreTree& pre_b = *setup.b.pre;
+  const LevelledPostTree& post_a = *setup.a.post;
+  const LevelledPostTree& post_b = *setup.b.post;
+  const TranslatedOverlap overlap = overlap_of(setup);
+  uint32_t next = 0;
+  const auto add = [&](const char* name, const Walked& walked) { rows[next++] = {name, walked}; };
+  add("volume-stack", measure_walk<VolumeStack<PreTree>>(pre_a, pre_b, overlap));
+  add("alternating-stack", measure_walk<AlternatingStack<LevelledPreTree>>(pre_a, pre_b, overlap));
+  add("stackless", measure_walk<Stackless>(pre_a, pre_b, overlap));
+  add("stackless-post", measure_walk<StacklessPost>(post_a, post_b, overlap));
+  add("leaf", measure_walk<Leaf<PreTree>>(pre_a, pre_b, overlap));
+  add("ranked", measure_walk<Ranked<PostTree>>(post_a, post_b, overlap));
+  add("ranked-stack", measure_walk<RankedStack<PostTree>>(post_a, post_b, overlap));
+}
+
+bool agree(const Row (&rows)[kRows]) {
+  for (const Row& row : rows) {
+    if (row.walked.visits == 0 || row.walked.leaf_overlaps != rows[0].walked.leaf_overlaps) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void add_to(Row (&sums)[kRows], const Row (&rows)[kRows]) {
+  for (uint32_t i = 0; i < kRows; ++i) {
+    sums[i].algorithm = rows[i].algorithm;
+    sums[i].walked.visits += rows[i].walked.visits;
+    sums[i].walked.overlaps += rows[i].walked.overlaps;
+    sums[i].walked.leaf_overlaps += rows[i].walked.leaf_overlaps;
+    sums[i].walked.instructions += rows[i].walked.instructions;
+  }
+}
+
+bool run_queries(const Setup& setup, const Row (&rows)[kRows]) {
+  const Pose pose =
+      Pose::translated(setup.translation[0], setup.translation[1], setup.translation[2]);
+  const Queried ranked = measure_query<Ranked<PostTree>>(*setup.a.post, *setup.b.post, pose);
+  const Queried volume = measure_query<VolumeStack<PreTree>>(*setup.a.pre, *setup.b.pre, pose);
+  report_query(setup, "ranked", ranked);
+  report_query(setup, "volume-stack", volume);
+  return ranked.status == Status::done && volume.status == Status::done &&
+         ranked.counts.triangle_pairs == volume.counts.triangle_pairs &&
+         ranked.counts.leaf_pairs == rows[kFirstRow].walked.leaf_overlaps &&
+         volume.counts.leaf_pairs == rows[kFirstRow].walked.leaf_overlaps;
+}
+
+/// The stack algorithms trust their array, so it is checked before they run.
+bool stack_suffices(const Setup& setup) {
+  return stack_entries(setup.a.pre->stack_need, setup.b.pre->stack_need) <= kStackEntries;
+}
+
+bool run_setup(const Setup& setup, Row (&sums)[kRows]) {
+  if (!stack_suffices(setup)) {
+    port::print(setup.head.name, ": the array for the stack is too small\n");
+    return false;
+  }
+  Row rows[kRows];
+  measure_rows(setup, rows);
+  report_setup(setup, rows);
+  if (rows[kFirstRow].walked.visits > kMostVisitsOfSeparated) {
+    add_to(sums, rows);
+  }
+  if (!run_queries(setup, rows) || !agree(rows)) {
+    port::print(setup.head.name, ": the algorithms found different overlaps\n");
+    return false;
+  }
+  return true;
+}
+
+bool run_all() {
+  port::put("core " FLASHBVH_CORE "\n");
+  Row sums[kRows] = {};
+  bool good = true;
+  for (const Setup* setup = kSetups; setup->head.name != nullptr; ++setup) {
+    good = run_setup(*setup, sums) && good;
+  }
+  if (sums[kFirstRow].walked.visits != 0) {
+    report_totals(sums);
+  }
+  for (const Head* head = kLeftOut; head->name != nullptr; ++head) {
+    report_left_out(*head);
+  }
+  return good;
+}
+
+}  // namespace
+}  // namespace benchmark
+
+int main() {
+  return benchmark::run_all() ? 0 : 1;
+}

@@ -1,0 +1,38 @@
+// The setups of one firmware image, as `flashbvh bench --firmware` writes them.
+#ifndef FLASHBVH_TESTS_BENCHMARK_SETUPS_HPP
+#define FLASHBVH_TESTS_BENCHMARK_SETUPS_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/levels.hpp"
+
+namespace benchmark {
+
+struct Head {
+  uint32_t number;    ///< in the order of the tables, from 0
+  uint32_t table;     ///< the paper's number
+  const char* title;  ///< of the table
+  const char* name;   ///< of the setup
+};
+
+/// One object in both layouts.
+struct Object {
+  uint32_t faces;
+  const flashbvh::LevelledPreTree* pre;
+  const flashbvh::LevelledPostTree* post;
+};
+
+struct Setup {
+  Head head;
+  Object a;
+  Object b;
+  int32_t translation[3];  ///< of B in A's frame, in cells
+};
+
+/// Each ends with an element whose name is null.
+extern const Setup kSetups[];
+extern const Head kLeftOut[];  ///< the setups that are in no image
+
+}  // namespace benchmark
+
+#endif
