@@ -25,10 +25,10 @@ cmake --build --preset native-sanitize
 ctest --preset native-sanitize -j2
 
 step "Lint (clang-tidy)"
-sources | grep '\.cpp$' | grep -vE '^(ports|firmware_examples)/|^tests/(budget|packaging)/' |
+sources | grep '\.cpp$' | grep -vE '^(ports|firmware_examples)/|^tests/(benchmark|budget)/' |
   xargs -n 4 -P 2 clang-tidy --quiet -p build/native
 
-for board in cortex-m3 cortex-m4f; do
+for board in cortex-m0 cortex-m3 cortex-m4f; do
   step "Tests on $board under QEMU"
   cmake --preset $board -DFLASHBVH_HOST_TOOL="$PWD/build/native/bin/flashbvh"
   cmake --build --preset $board

@@ -48,8 +48,12 @@ function report_separated(    setup) {
 
 END {
   ranked = total(instructions, "ranked")
-  if (what == "per-visit" && ranked) {
-    report("instructions of ranked per visit", ranked / total(visits, "ranked"), 2, 0)
+  if (what ~ /^per-visit=/ && ranked) {
+    algorithm = substr(what, length("per-visit=") + 1)
+    if (total(visits, algorithm)) {
+      report("instructions of " algorithm " per visit",
+        total(instructions, algorithm) / total(visits, algorithm), 2, 0)
+    }
   } else if (what == "of-ranked-stack" && ranked) {
     report("instructions of ranked as part of ranked-stack's",
       ranked / total(instructions, "ranked-stack"), 4, 0)

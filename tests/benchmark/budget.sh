@@ -3,7 +3,7 @@
 #
 # Prints a figure of the firmware benchmark and its budget; fails if the budget is not kept.
 # RESULTS is what run.sh wrote. FIGURE is one of
-#   per-visit        instructions of `ranked` per visit, over the setups of more than ten visits
+#   per-visit=NAME   instructions of algorithm NAME per visit, over the setups of more than ten visits
 #   of-volume-stack  instructions of `ranked` as part of those of `volume-stack`, in each setup of
 #                    more than ten visits
 #   of-ranked-stack  instructions of `ranked` as part of those of `ranked-stack`, over the same

@@ -4,6 +4,7 @@
 # Runs the images of the firmware benchmark one after the other; what they print goes to OUTPUT
 # and to standard output. Fails if one of them does.
 set -u
+[ $# -ge 3 ] || { sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 output=$1
 machine=$2
 shift 2
@@ -19,6 +20,7 @@ for image; do
 done
 rm -f "$output.part"
 if [ $status -ne 0 ]; then
+  rm -f "$output.new"
   echo "run.sh: the benchmark failed with status $status" >&2
   exit $status
 fi

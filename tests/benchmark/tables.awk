@@ -158,7 +158,8 @@ function print_bounds(    c, setup, part, worst, where) {
 function print_queries(    c, setup) {
   print "### Whole queries, triangles and all\n"
   begin_table()
-  cell("instructions"); cell("iterations"); cell("leaf overlaps"); cell("geometry overlaps")
+  cell("instructions"); cell("iterations of ranked"); cell("leaf overlaps")
+  cell("geometry overlaps")
   for (c = 0; c < cores; ++c) {
     cell(core_name[c] ", volume-stack"); cell("ranked"); cell("ranked / volume")
   }

@@ -29,7 +29,7 @@ class PairStack {
   PairStack(Entry* entries, uint32_t capacity)
       : entries_(entries), top_(entries), capacity_(capacity) {
     if (capacity != 0) {
-      push({0, 0});
+      push(0, 0);
     }
   }
 
@@ -37,16 +37,25 @@ class PairStack {
   uint32_t size() const { return static_cast<uint32_t>(top_ - entries_); }
   bool is_empty() const { return top_ == entries_; }
   const Entry* entries() const { return entries_; }
-  Entry* top() const { return top_; }
+  const Entry* top() const { return top_; }
 
-  void push(Entry entry) { *top_++ = entry; }
-  Entry pop() { return *--top_; }
+  void push(uint32_t a, uint32_t b) {
+    top_->a = static_cast<Index>(a);
+    top_->b = static_cast<Index>(b);
+    ++top_;
+  }
+  void pop(uint32_t& a, uint32_t& b) {
+    --top_;
+    a = top_->a;
+    b = top_->b;
+  }
 
   /// Turns round the order of the entries from `bottom` on.
-  void reverse_from(Entry* bottom) {
-    for (Entry* last = top_ - 1; bottom < last; ++bottom, --last) {
-      const Entry entry = *bottom;
-      *bottom = *last;
+  void reverse_from(const Entry* bottom) {
+    Entry* first = entries_ + (bottom - entries_);
+    for (Entry* last = top_ - 1; first < last; ++first, --last) {
+      const Entry entry = *first;
+      *first = *last;
       *last = entry;
     }
   }
@@ -74,8 +83,12 @@ class StackWalk {
     Outside<Cursor, LeafPair> outside = {&cursor, &budget, &leaf_pair};
     keep_in_memory(outside);
     const Overlap boxes_overlap = overlap;
+    const Node<Index>* const nodes_a = a.nodes;
+    const Node<Index>* const nodes_b = b.nodes;
     Cursor stack = cursor;
-    Entry pair = stack.pop();
+    uint32_t at_a = 0;
+    uint32_t at_b = 0;
+    stack.pop(at_a, at_b);
     uint32_t visits_left = budget.visits_left;
     uint32_t overlaps = budget.overlaps;
     Walk end = Walk::done;
@@ -86,23 +99,20 @@ class StackWalk {
           break;
         }
         --visits_left;
-        const Node<Index>& node_a = a.nodes[pair.a];
-        const Node<Index>& node_b = b.nodes[pair.b];
+        const Node<Index>& node_a = nodes_a[at_a];
+        const Node<Index>& node_b = nodes_b[at_b];
         if (boxes_overlap(node_a.box, node_b.box)) {
           ++overlaps;
-          if (!node_a.is_leaf() && (node_b.is_leaf() || Rule::descend_a(a, pair.a, b, pair.b))) {
-            pair.a = push_children(a, pair.a, stack, [&](Index child) {
-              return Entry{child, pair.b};
-            });
+          const bool leaf_b = node_b.is_leaf();
+          if (!node_a.is_leaf() && (leaf_b || Rule::descend_a(a, at_a, b, at_b))) {
+            at_a = push_children(a, at_a, stack, [&](uint32_t child) { stack.push(child, at_b); });
             continue;
           }
-          if (!node_b.is_leaf()) {
-            pair.b = push_children(b, pair.b, stack, [&](Index child) {
-              return Entry{pair.a, child};
-            });
+          if (!leaf_b) {
+            at_b = push_children(b, at_b, stack, [&](uint32_t child) { stack.push(at_a, child); });
             continue;
           }
-          if (!(*outside.leaf_pair)(pair.a, pair.b)) {
+          if (!(*outside.leaf_pair)(at_a, at_b)) {
             end = Walk::stopped;
             break;
           }
@@ -111,10 +121,10 @@ class StackWalk {
       if (stack.is_empty()) {
         break;
       }
-      pair = stack.pop();
+      stack.pop(at_a, at_b);
     }
     if (end != Walk::done) {
-      stack.push(pair);
+      stack.push(at_a, at_b);
     }
     *outside.cursor = stack;
     outside.budget->visits_left = visits_left;
@@ -126,16 +136,19 @@ class StackWalk {
   using Entry = PairCursor<Index>;
 
   /// Pushes all children but the first, the last one first, and returns the first.
-  template <class EntryOf>
-  static Index push_children(const Tree& tree, uint32_t parent, Cursor& stack, EntryOf entry_of) {
+  template <class Push>
+  static uint32_t push_children(const Tree& tree, uint32_t parent, Cursor& stack, Push push) {
     const uint32_t first = tree.first_child(parent);
-    Entry* const bottom = stack.top();
-    for (uint32_t child = first; !tree.is_last_child(parent, child);) {
+    const Entry* const bottom = stack.top();
+    uint32_t child = first;
+    while (!tree.is_last_child(parent, child)) {
       child = tree.next_sibling(child);
-      stack.push(entry_of(static_cast<Index>(child)));
+      push(child);
     }
-    stack.reverse_from(bottom);
-    return static_cast<Index>(first);
+    if (stack.top() > bottom + 1) {
+      stack.reverse_from(bottom);
+    }
+    return first;
   }
 };
 

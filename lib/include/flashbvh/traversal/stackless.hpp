@@ -37,6 +37,8 @@ class AlternatingStackless {
     const Overlap boxes_overlap = overlap;
     Place at = {cursor.a, cursor.b, 0};
     at.lead = static_cast<int32_t>(a.level(at.a)) - static_cast<int32_t>(b.level(at.b));
+    const Node<Index>* const nodes_a = a.nodes;
+    const Node<Index>* const nodes_b = b.nodes;
     uint32_t visits_left = budget.visits_left;
     uint32_t overlaps = budget.overlaps;
     Walk end = Walk::done;
@@ -47,16 +49,17 @@ class AlternatingStackless {
           break;
         }
         --visits_left;
-        const Node<Index>& node_a = a.nodes[at.a];
-        const Node<Index>& node_b = b.nodes[at.b];
+        const Node<Index>& node_a = nodes_a[at.a];
+        const Node<Index>& node_b = nodes_b[at.b];
         if (boxes_overlap(node_a.box, node_b.box)) {
           ++overlaps;
-          if (!node_a.is_leaf() && (at.lead < 0 || node_b.is_leaf())) {
+          const bool leaf_b = node_b.is_leaf();
+          if ((at.lead < 0 || leaf_b) && !node_a.is_leaf()) {
             at.a = a.first_child(at.a);
             ++at.lead;
             continue;
           }
-          if (!node_b.is_leaf()) {
+          if (!leaf_b) {
             at.b = b.first_child(at.b);
             --at.lead;
             continue;
