@@ -7,8 +7,8 @@ namespace {
 
 constexpr double kTurn = 6.283185307179586;
 
-/// The sine of step / steps of a turn. Rounded to 2^-24, so that it does not depend on the library's
-/// last bit.
+/// The sine of step / steps of a turn. Rounded to 2^-24, so that it does not depend on the
+/// library's last bit.
 double sine(std::uint32_t step, std::uint32_t steps) {
   return std::round(std::sin(kTurn * step / steps) * 16777216.0) / 16777216.0;
 }
@@ -17,7 +17,9 @@ double cosine(std::uint32_t step, std::uint32_t steps) {
   return std::round(std::cos(kTurn * step / steps) * 16777216.0) / 16777216.0;
 }
 
-std::int16_t rounded(double value) { return static_cast<std::int16_t>(std::lround(value)); }
+std::int16_t rounded(double value) {
+  return static_cast<std::int16_t>(std::lround(value));
+}
 
 }  // namespace
 
@@ -27,8 +29,7 @@ bake::LatticeMesh torus(std::uint32_t around, std::uint32_t across, double ring,
     for (std::uint32_t j = 0; j < across; ++j) {
       const double radius = ring + tube * cosine(j, across);
       mesh.vertices.push_back({rounded(radius * cosine(i, around)),
-                               rounded(radius * sine(i, around)),
-                               rounded(tube * sine(j, across))});
+                               rounded(radius * sine(i, around)), rounded(tube * sine(j, across))});
     }
   }
   const auto vertex = [&](std::uint32_t i, std::uint32_t j) {

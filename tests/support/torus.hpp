@@ -8,8 +8,8 @@
 
 namespace flashbvh::test {
 
-/// 2 * around * across triangles. `around`: segments of the ring, `across`: of the tube; at least 3.
-/// `ring` and `tube`: radii in cells; their sum at most kMaxCoordinate.
+/// 2 * around * across triangles. `around`: segments of the ring, `across`: of the tube; at
+/// least 3. `ring` and `tube`: radii in cells; their sum at most kMaxCoordinate.
 bake::LatticeMesh torus(std::uint32_t around, std::uint32_t across, double ring, double tube);
 
 }  // namespace flashbvh::test

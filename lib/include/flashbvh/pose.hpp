@@ -12,7 +12,8 @@ namespace flashbvh {
 constexpr int32_t kRotationOne = 1 << 30;
 
 /// Largest magnitude of a translation, in cells: differences of origins and translations then stay
-/// in 32 bits. Objects that far apart cannot touch: a mesh is at most 2 * kMaxCoordinate cells wide.
+/// in 32 bits. Objects that far apart cannot touch: a mesh is at most 2 * kMaxCoordinate cells
+/// wide.
 constexpr int32_t kMaxTranslation = 1 << 29;
 
 /// B's point p, in cells of B's frame, lies at rotation * p + translation in A's frame. 52 bytes.
