@@ -155,7 +155,7 @@ constexpr Case kDegenerate[] = {
 };
 
 template <size_t kCount>
-void check(const Case (&cases)[kCount]) {
+void check_cases(const Case (&cases)[kCount]) {
   for (const Case& c : cases) {
     INFO(c.name);
     CHECK(all_orders_answer(c.meet, c.a, c.b));
@@ -267,16 +267,16 @@ constexpr uint32_t kSymmetryPairs = 400;
 }  // namespace
 
 TEST_CASE("triangles that cross meet, triangles apart don't", "[triangle]") {
-  check(kCrossing);
+  check_cases(kCrossing);
 }
 TEST_CASE("triangles that touch meet", "[triangle]") {
-  check(kTouching);
+  check_cases(kTouching);
 }
 TEST_CASE("coplanar triangles meet where they overlap or touch", "[triangle]") {
-  check(kCoplanar);
+  check_cases(kCoplanar);
 }
 TEST_CASE("segments and points are tested as what they are", "[triangle]") {
-  check(kDegenerate);
+  check_cases(kDegenerate);
 }
 
 TEST_CASE("the order of corners and of arguments changes nothing", "[triangle]") {

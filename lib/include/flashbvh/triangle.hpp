@@ -29,10 +29,10 @@ struct PlacedTriangle {
 /// must keep within kMaxDifference, which triangles that each span less than 2^19 cells do by
 /// themselves. This is not checked: beyond it the answer is meaningless.
 ///
-/// Cost in instructions (Cortex-M4, -O2): 30 to 135 where the boxes are apart, up to 350 where a
-/// plane separates, up to 500 in general, up to 1,600 for coplanar triangles, up to 2,400 for two
-/// segments; two fifths more in general where a difference reaches 2^15.
-/// Stack: 112 bytes on Cortex-M3 and M4 at -O2, 128 at -Os, 228 on Cortex-M0.
+/// Cost in instructions on a Cortex-M4 at -O2: at most 135 where the boxes are apart, else 330 on
+/// average and at most 520; up to 1,000 for coplanar triangles and 2,100 for two segments
+/// (tests/budget/triangle_cost_test.cpp prints them), more where a difference reaches 2^15.
+/// Stack: 104 bytes on Cortex-M3 and M4 at -O2.
 ///
 /// Source: Guigue and Devillers, "Fast and Robust Triangle-Triangle Overlap Test Using Orientation
 /// Predicates", Journal of Graphics Tools 8(1), 2003, for the general case.
