@@ -1,5 +1,6 @@
 // PLY: behind the header the elements, as text or binary. Read to the end, to learn whether the
 // file has all that its header announces.
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -54,9 +55,9 @@ class Body {
     if (type.kind == Type::is_floating) {
       return 0.0;  // indices and lengths are integers; assimp reads the rest
     }
-    const bool negative = type.kind == Type::is_signed && (bits >> (8 * type.size - 1) & 1) != 0;
-    const double range = static_cast<double>(std::uint64_t{1} << (8 * type.size));
-    return static_cast<double>(bits) - (negative ? range : 0);
+    const double range = std::ldexp(1.0, static_cast<int>(8 * type.size));
+    const auto value = static_cast<double>(bits);
+    return type.kind == Type::is_signed && value >= range / 2 ? value - range : value;
   }
 
   std::string_view bytes_;
@@ -121,7 +122,7 @@ class Checker {
     if (corners && length < 3) {
       refuse(element, i, "a polygon of " + shortest(length) + " corners");
     }
-    for (double at = 0; at < length; ++at) {
+    for (long long at = 0; static_cast<double>(at) < length; ++at) {
       const double value = number(element, i, property.value);
       if (corners && (value < 0 || value >= static_cast<double>(vertex_count_))) {
         refuse(element, i,
