@@ -1,0 +1,120 @@
+// The largest 16-bit tree there is: 65,535 nodes, triangles and vertices, so index 65,534 of each.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "bake/image_bytes.hpp"
+#include "flashbvh/image.hpp"
+#include "flashbvh/query.hpp"
+#include "flashbvh/traversal/leaf.hpp"
+#include "flashbvh/traversal/stackless.hpp"
+#include "flashbvh/traversal/stackless_post.hpp"
+#include "flashbvh/traversal/volume_stack.hpp"
+#include "support/shapes.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+constexpr std::uint32_t kMost = 65535;
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// A strip of triangles, vertex after vertex, over a 256 x 256 grid.
+bake::LatticeMesh largest_mesh() {
+  Random random(3);
+  bake::LatticeMesh mesh;
+  for (std::uint32_t i = 0; i < kMost; ++i) {
+    mesh.vertices.push_back({static_cast<std::int16_t>(i % 256 * 40 - 5000),
+                             static_cast<std::int16_t>(i / 256 * 40 - 5000),
+                             static_cast<std::int16_t>(random.between(-20, 20))});
+    mesh.triangles.push_back({i, (i + 1) % kMost, (i + 2) % kMost});
+  }
+  return mesh;
+}
+
+/// Three triangles across the strip, one of them through its last triangles.
+bake::LatticeMesh probe() {
+  bake::LatticeMesh mesh;
+  mesh.vertices = {{5100, 5180, -100}, {5250, 5190, 100},  {5000, 5250, 100},
+                   {-4990, -4990, -9}, {-4800, -4900, 30}, {-4900, -4700, 0},
+                   {0, 0, -500},       {900, 0, 500},      {0, 900, 500}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+  return mesh;
+}
+
+PlacedTriangle triangle_of(const bake::LatticeMesh& mesh, std::uint32_t triangle) {
+  PlacedTriangle placed{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vertex& v = mesh.vertices[mesh.triangles[triangle][i]];
+    placed.corner[i] = {v.x, v.y, v.z};
+  }
+  return placed;
+}
+
+Pairs brute_force(const bake::LatticeMesh& a, const bake::LatticeMesh& b) {
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < a.triangles.size(); ++i) {
+    for (std::uint32_t j = 0; j < b.triangles.size(); ++j) {
+      if (triangles_intersect(triangle_of(a, i), triangle_of(b, j))) {
+        pairs.emplace_back(i, j);
+      }
+    }
+  }
+  return pairs;
+}
+
+template <class Traversal>
+Pairs pairs_of(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
+               const typename Traversal::Cursor& start) {
+  Pairs pairs;
+  Query<Traversal> query(a, b, Pose::translated(0, 0, 0), start);
+  const Status status = query.run(0xFFFFFFFFu, [&](const TrianglePair<std::uint16_t>& pair) {
+    pairs.emplace_back(pair.a, pair.b);
+    return true;
+  });
+  REQUIRE(status == Status::done);
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("index 65,534 of nodes, triangles and vertices is as good as any") {
+  const bake::LatticeMesh mesh = largest_mesh();
+  const bake::LatticeMesh small = probe();
+  const bake::BuildTree tree = bake::build_median(mesh, 2);
+  REQUIRE(tree.nodes.size() == kMost);
+  REQUIRE(bake::fits_index<std::uint16_t>(tree, mesh));
+  const Pairs truth = brute_force(mesh, small);
+  REQUIRE(truth.back().first == kMost - 1);
+
+  const auto post_a = bake::lay_out<std::uint16_t, Layout::post_indexed>(tree, mesh);
+  const auto pre_a = bake::lay_out<std::uint16_t, Layout::pre_indexed>(tree, mesh);
+  const bake::BuildTree small_tree = bake::build_median(small, 1);
+  const auto post_b = bake::lay_out<std::uint16_t, Layout::post_indexed>(small_tree, small);
+  const auto pre_b = bake::lay_out<std::uint16_t, Layout::pre_indexed>(small_tree, small);
+  const auto a = post_a.view();
+  const auto b = post_b.view();
+
+  CHECK(pairs_of<Ranked<PostTree>>(a, b, {}) == truth);
+  CHECK(pairs_of<StacklessPost>(a, b, {}) == truth);
+  CHECK(pairs_of<Stackless>(pre_a.view(), pre_b.view(), {}) == truth);
+  CHECK(pairs_of<Leaf<PostTree>>(a, b, {}) == truth);
+  std::vector<PairCursor<std::uint16_t>> entries(stack_entries(a.stack_need, b.stack_need));
+  CHECK(pairs_of<VolumeStack<PostTree>>(
+            a, b, {entries.data(), static_cast<std::uint32_t>(entries.size())}) == truth);
+
+  const auto image = bake::image_of(post_a);
+  LevelledPostTree opened;
+  REQUIRE(open_image(image.data(), image.size() * sizeof image[0], opened) == Status::done);
+  CHECK(pairs_of<Ranked<PostTree>>(opened, b, {}) == truth);
+}
+
+TEST_CASE("a tree too large for its indices is told before it is laid out") {
+  bake::LatticeMesh mesh = largest_mesh();
+  CHECK_FALSE(bake::fits_index<std::uint16_t>(bake::build_median(mesh, 1), mesh));
+  mesh.vertices.push_back({0, 0, 999});
+  CHECK_FALSE(bake::fits_index<std::uint16_t>(bake::build_median(mesh, 2), mesh));
+  CHECK(bake::fits_index<std::uint32_t>(bake::build_median(mesh, 2), mesh));
+}

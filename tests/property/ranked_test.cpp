@@ -1,0 +1,164 @@
+// `ranked` under ranks of every kind, not only those that baking gives: the walk must not depend on
+// what the ranks mean, only on their never growing from a parent to its child.
+#include <catch2/catch.hpp>
+
+#include "support/record.hpp"
+#include "support/shapes.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+using Post = Baked<Layout::post_indexed>;
+using Pair = BakedPair<Post>;
+
+struct Trees {
+  Pair baked;
+  TranslatedOverlap overlap;
+  NodePairs truth;
+};
+
+Trees any_trees(Random& random, std::uint32_t most) {
+  const auto mesh_a = random_mesh(random, 1 + random.below(most), 40, 30);
+  const auto mesh_b = random_mesh(random, 1 + random.below(most), 40, 30);
+  const auto a = any_tree(random, mesh_a);
+  const auto b = any_tree(random, mesh_b);
+  const std::int32_t x = random.between(-30, 30);
+  const std::int32_t y = random.between(-30, 30);
+  return {bake_pair<Layout::post_indexed>(a, mesh_a, b, mesh_b), TranslatedOverlap(x, y, 0),
+          brute_force(a, b, x, y, 0)};
+}
+
+/// Gives each internal node rank_of(node, rank of its parent).
+template <class RankOf>
+void set_ranks(Post& baked, RankOf rank_of) {
+  const auto tree = baked.view();
+  std::vector<std::int32_t> ranks(baked.nodes.size(), 0);
+  const auto set = [&](std::uint32_t node, std::int32_t parent_rank) {
+    if (!baked.nodes[node].is_leaf()) {
+      ranks[node] = rank_of(node, parent_rank);
+      baked.nodes[node].data = static_cast<std::uint16_t>(ranks[node] << 8 | parent_rank);
+    }
+  };
+  set(0, kRootParentRank);
+  for (std::uint32_t parent = 0; parent < baked.nodes.size(); ++parent) {
+    if (baked.nodes[parent].is_leaf()) {
+      continue;
+    }
+    for (std::uint32_t child = tree.first_child(parent);; child = tree.next_sibling(child)) {
+      set(child, ranks[parent]);
+      if (tree.is_last_child(parent, child)) {
+        break;
+      }
+    }
+  }
+}
+
+/// A rank that does not exceed the parent's.
+std::int32_t random_rank(Random& random, std::int32_t parent_rank) {
+  const std::int32_t most = parent_rank > kMaxRank ? kMaxRank : parent_rank;
+  return random.between(random.below(3) == 0 ? most : 1, most);
+}
+
+void check_against_stack(const Trees& trees) {
+  const Record ranked = record_stackless<Ranked<PostTree>>(trees.baked, trees.overlap);
+  const Record stack = record_stack<RankedStack<PostTree>>(trees.baked, trees.overlap);
+  REQUIRE(ranked.ended);
+  REQUIRE(ranked.visits == stack.visits);
+  REQUIRE(ranked.leaf_pairs == stack.leaf_pairs);
+  REQUIRE(ranked.sorted_leaf_pairs() == trees.truth);
+}
+
+constexpr int kRounds = 300;
+
+}  // namespace
+
+TEST_CASE("ranked follows its stack when all ranks are equal") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    Trees trees = any_trees(random, 30);
+    const std::int32_t same = random.between(1, kMaxRank);
+    const auto equal = [&](std::uint32_t, std::int32_t) { return same; };
+    set_ranks(trees.baked.a, equal);
+    set_ranks(trees.baked.b, equal);
+    check_against_stack(trees);
+  }
+}
+
+TEST_CASE("ranked follows its stack when all ranks along each path are different") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 1);
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    Trees trees = any_trees(random, 30);
+    // A's ranks are even, B's odd: no rank of one tree occurs in the other.
+    const auto falling = [&](std::int32_t odd) {
+      return [odd](std::uint32_t, std::int32_t parent_rank) {
+        return parent_rank > kMaxRank ? kMaxRank - 2 + odd
+               : parent_rank > 3      ? parent_rank - 2
+                                      : parent_rank;
+      };
+    };
+    set_ranks(trees.baked.a, falling(0));
+    set_ranks(trees.baked.b, falling(1));
+    check_against_stack(trees);
+  }
+}
+
+TEST_CASE("ranked follows its stack under random ranks, and through every pair of the walk") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 2);
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    Trees trees = any_trees(random, round % 10 == 0 ? 8 : 30);
+    const auto any = [&](std::uint32_t, std::int32_t parent) {
+      return random_rank(random, parent);
+    };
+    set_ranks(trees.baked.a, any);
+    set_ranks(trees.baked.b, any);
+    check_against_stack(trees);
+    if (round % 10 == 0) {
+      PairCursor<std::uint16_t> cursor;
+      NodePairs rest = record_stackless<Ranked<PostTree>>(trees.baked, trees.overlap).visits;
+      for (; !rest.empty(); rest.erase(rest.begin())) {
+        PairCursor<std::uint16_t> here = cursor;
+        REQUIRE(record_from<Ranked<PostTree>>(trees.baked, trees.overlap, here).visits == rest);
+        (void)record_from<Ranked<PostTree>>(trees.baked, trees.overlap, cursor, 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("the alternating rule is the special case of ranks that fall with the level") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 3);
+  int compared = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    Trees trees = any_trees(random, 30);
+    if (trees.baked.a.depth > 60 || trees.baked.b.depth > 60) {
+      continue;
+    }
+    // On one level B comes first: its rank lies above A's, and A's above that of B's next level.
+    const auto by_level = [](const Post& baked, std::int32_t top) {
+      return [&baked, top](std::uint32_t node, std::int32_t) {
+        return top - 2 * static_cast<std::int32_t>(baked.levels[node]);
+      };
+    };
+    set_ranks(trees.baked.a, by_level(trees.baked.a, kMaxRank - 1));
+    set_ranks(trees.baked.b, by_level(trees.baked.b, kMaxRank));
+    const Record ranked = record_stackless<Ranked<PostTree>>(trees.baked, trees.overlap);
+    const Record alternating =
+        record_stack<AlternatingStack<LevelledPostTree>>(trees.baked, trees.overlap);
+    REQUIRE(ranked.visits == alternating.visits);
+    ++compared;
+  }
+  CHECK(compared > kRounds / 2);
+}
