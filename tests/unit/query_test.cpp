@@ -117,18 +117,28 @@ struct AnyQuery {
       : a(scene.a.view()), b(scene.b.view()), query(a, b, scene.pose) {}
 };
 
-template <class Tree, class Rule>
-struct AnyQuery<StackWalk<Tree, Rule>> {
-  using Traversal = StackWalk<Tree, Rule>;
+template <class Traversal>
+struct StackQuery {
+  using Tree = typename Traversal::Tree;
   Tree a, b;
   std::vector<PairCursor<std::uint16_t>> entries;
   Query<Traversal> query;
 
-  explicit AnyQuery(const Scene& scene)
+  explicit StackQuery(const Scene& scene)
       : a(scene.a.view()),
         b(scene.b.view()),
         entries(stack_entries(a.stack_need, b.stack_need)),
         query(a, b, scene.pose, {entries.data(), static_cast<std::uint32_t>(entries.size())}) {}
+};
+
+template <class Tree, class Rule>
+struct AnyQuery<StackWalk<Tree, Rule>> : StackQuery<StackWalk<Tree, Rule>> {
+  using StackQuery<StackWalk<Tree, Rule>>::StackQuery;
+};
+
+template <class Tree>
+struct AnyQuery<RankedStack<Tree>> : StackQuery<RankedStack<Tree>> {
+  using StackQuery<RankedStack<Tree>>::StackQuery;
 };
 
 }  // namespace

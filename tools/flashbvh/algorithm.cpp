@@ -72,15 +72,15 @@ Answer run_named(const Levelled& a, const Levelled& b, const Pose& pose,
   if (algorithm == "leaf") {
     return run<Leaf<Plain>>(a, b, pose, first);
   }
-  if (algorithm == "stackless" || algorithm == "stackless-post") {
-    return run<AlternatingStackless<Levelled>>(a, b, pose, first);
-  }
   if constexpr (Levelled::kLayout == Layout::post_indexed) {
     if (algorithm == "ranked") {
       return run<Ranked<Plain>>(a, b, pose, first);
     }
+    if (algorithm == "ranked-stack") {
+      return run<RankedStack<Plain>>(a, b, pose, first);
+    }
   }
-  return run<RankedStack<Plain>>(a, b, pose, first);
+  return run<AlternatingStackless<Levelled>>(a, b, pose, first);
 }
 
 }  // namespace

@@ -46,8 +46,12 @@ class TranslatedOverlap {
   bool operator()(const PackedBox& a, const PackedBox& b) const {
 #if defined(FLASHBVH_BOX_SIMD)
     return bounds_reach_simd(a, b, least_);
-#else
+#elif defined(__ARM_FEATURE_SIMD32) || defined(FLASHBVH_PORTABLE)
     return halves_reach(sums(a, b), least_);
+#else  // word by word, so that what an early rejection does not need is not even loaded
+    return word_reaches_plain(a.upper_xy + b.lower_xy, least_.word[0]) &&
+           word_reaches_plain(a.lower_xy + b.upper_xy, least_.word[1]) &&
+           word_reaches_plain(a.z + swap_halves(b.z), least_.word[2]);
 #endif
   }
 

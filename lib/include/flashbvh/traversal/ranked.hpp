@@ -54,13 +54,13 @@ class Ranked {
           ++overlaps;
           const int32_t rank_a = side_a.node->rank();
           const int32_t rank_b = side_b.node->rank();
-          if (rank_a >= rank_b) {
-            if (rank_a > 0) {
-              side_a.descend(rank_a);
+          if (rank_a < rank_b) {
+            if (rank_b > 0) {
+              side_b.descend(rank_b);
               continue;
             }
-          } else if (rank_b > 0) {
-            side_b.descend(rank_b);
+          } else if (rank_a > 0) {
+            side_a.descend(rank_a);
             continue;
           }
           if (!(*outside.leaf_pair)(side_a.index(), side_b.index())) {
@@ -97,16 +97,20 @@ class Ranked {
       node = root + node[1].link;
     }
 
-    /// To the next sibling, or, without one, to the parent; false there. Not called at the root.
-    bool next_sibling_or_parent() {
+    /// To the next sibling; false, and nowhere, if there is none. A root has none.
+    bool next_sibling() {
       const NodeType* const next = root + node->link;
       if (next < node) {
         node = next;
         return true;
       }
+      return false;
+    }
+
+    /// From a last child to its parent.
+    void ascend() {
       --node;
       parent_rank = node->parent_rank();
-      return false;
     }
   };
 
@@ -114,14 +118,18 @@ class Ranked {
   static bool step(Side& a, Side& b) {
     for (;;) {
       if (b.parent_rank <= a.parent_rank) {
+        if (b.next_sibling()) {
+          return true;
+        }
         if (b.node == b.root) {
           return false;
         }
-        if (b.next_sibling_or_parent()) {
+        b.ascend();
+      } else {
+        if (a.next_sibling()) {
           return true;
         }
-      } else if (a.next_sibling_or_parent()) {
-        return true;
+        a.ascend();
       }
     }
   }

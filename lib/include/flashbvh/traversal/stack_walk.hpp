@@ -20,6 +20,16 @@ constexpr uint32_t stack_entries(uint32_t stack_need_a, uint32_t stack_need_b) {
   return stack_need_a + stack_need_b + 1;
 }
 
+/// Turns round the order of the entries from `first` to before `end`.
+template <class Entry>
+void reverse_entries(Entry* first, Entry* end) {
+  for (Entry* last = end - 1; first < last; ++first, --last) {
+    const Entry entry = *first;
+    *first = *last;
+    *last = entry;
+  }
+}
+
 /// A stack of pairs in the caller's array, at the start of a walk: the roots and nothing else.
 template <class Index>
 class PairStack {
@@ -37,7 +47,9 @@ class PairStack {
   uint32_t size() const { return static_cast<uint32_t>(top_ - entries_); }
   bool is_empty() const { return top_ == entries_; }
   const Entry* entries() const { return entries_; }
-  const Entry* top() const { return top_; }
+  /// Behind the entry on top.
+  Entry* top() const { return top_; }
+  void set_top(Entry* top) { top_ = top; }
 
   void push(uint32_t a, uint32_t b) {
     top_->a = static_cast<Index>(a);
@@ -50,19 +62,9 @@ class PairStack {
     b = top_->b;
   }
 
-  /// Turns round the order of the entries from `bottom` on.
-  void reverse_from(const Entry* bottom) {
-    Entry* first = entries_ + (bottom - entries_);
-    for (Entry* last = top_ - 1; first < last; ++first, --last) {
-      const Entry entry = *first;
-      *first = *last;
-      *last = entry;
-    }
-  }
-
  private:
   Entry* entries_;
-  Entry* top_;  ///< behind the entry on top
+  Entry* top_;
   uint32_t capacity_;
 };
 
@@ -139,14 +141,14 @@ class StackWalk {
   template <class Push>
   static uint32_t push_children(const Tree& tree, uint32_t parent, Cursor& stack, Push push) {
     const uint32_t first = tree.first_child(parent);
-    const Entry* const bottom = stack.top();
+    Entry* const bottom = stack.top();
     uint32_t child = first;
     while (!tree.is_last_child(parent, child)) {
       child = tree.next_sibling(child);
       push(child);
     }
     if (stack.top() > bottom + 1) {
-      stack.reverse_from(bottom);
+      reverse_entries(bottom, stack.top());
     }
     return first;
   }
