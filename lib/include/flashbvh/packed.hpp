@@ -1,7 +1,7 @@
 // Comparing two 16-bit numbers at once in a 32-bit word.
 //
 // Three forms of one definition, equal bit for bit: plain C++ as the reference, UQSUB16 where the
-// core has the DSP extension (Cortex-M4, M7, M33, M55), and carry arithmetic in plain words where
+// core has the DSP extension (Cortex-M4, M7, M33, M55), and two comparisons of plain words where
 // it has not (Cortex-M0, M3, RISC-V). FLASHBVH_PORTABLE selects the reference everywhere.
 #ifndef FLASHBVH_PACKED_HPP
 #define FLASHBVH_PACKED_HPP
