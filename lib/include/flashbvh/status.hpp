@@ -12,9 +12,8 @@ enum class [[nodiscard]] Status : uint8_t{
     suspended = 1,  ///< The visits granted are used up; run again to go on. Nothing is lost.
     full = 2,       ///< The caller's array is full; empty it and run again. Nothing is lost.
 
-    cell_mismatch = 16,  ///< The two meshes were baked with different cells.
-    stack_too_small =
-        18,  ///< The array given to a stack traversal is shorter than stack_entries().
+    cell_mismatch = 16,             ///< The two meshes were baked with different cells.
+    stack_too_small = 17,           ///< A stack traversal's array is shorter than stack_entries().
     translation_out_of_range = 18,  ///< A translation beyond +-kMaxTranslation cells.
 
     image_truncated = 32,     ///< Fewer bytes than the image says it has.
