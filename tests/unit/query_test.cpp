@@ -11,7 +11,7 @@
 #include "flashbvh/traversal/ranked_stack.hpp"
 #include "flashbvh/traversal/stackless_post.hpp"
 #include "flashbvh/traversal/volume_stack.hpp"
-#include "heap_guard.hpp"
+#include "support/queries.hpp"
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
@@ -19,13 +19,11 @@ using namespace flashbvh::test;
 
 namespace {
 
-using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 using Pair = TrianglePair<std::uint16_t>;
-using Baked = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
 
 struct Scene {
   bake::LatticeMesh mesh_a, mesh_b;
-  Baked a, b;
+  Baked<Layout::post_indexed> a, b;
   Pose pose;
 };
 
@@ -74,30 +72,6 @@ Pairs brute_force(const Scene& scene) {
   return pairs;
 }
 
-/// All pairs in the order reported, in runs of `visits` into an array of `capacity`.
-template <class Query>
-Pairs run_to_end(Query& query, std::uint32_t visits, std::uint32_t capacity) {
-  std::vector<Pair> found(capacity);
-  Pairs pairs;
-  pairs.reserve(10000);
-  for (;;) {
-    Step step{};
-    {
-      const HeapForbidden guard;
-      step = query.run(visits, found.data(), capacity);
-    }
-    for (std::uint32_t i = 0; i < step.count; ++i) {
-      pairs.emplace_back(found[i].a, found[i].b);
-    }
-    if (step.status == Status::done) {
-      return pairs;
-    }
-    REQUIRE((step.status == Status::suspended || step.status == Status::full));
-    REQUIRE((step.status != Status::full || step.count == capacity));
-  }
-}
-
-constexpr std::uint32_t kNoLimit = 0xFFFFFFFFu;
 constexpr std::uint32_t kRuns[] = {1, 2, 3, 7, 50, kNoLimit};
 constexpr std::uint32_t kCapacities[] = {1, 2, 5};
 
@@ -105,41 +79,6 @@ bool same(const Counts& a, const Counts& b) {
   return a.visits == b.visits && a.overlaps == b.overlaps && a.leaf_pairs == b.leaf_pairs &&
          a.triangle_pairs == b.triangle_pairs;
 }
-
-/// A query of this traversal on its own array, if it needs one.
-template <class Traversal>
-struct AnyQuery {
-  using Tree = typename Traversal::Tree;
-  Tree a, b;
-  Query<Traversal> query;
-
-  explicit AnyQuery(const Scene& scene)
-      : a(scene.a.view()), b(scene.b.view()), query(a, b, scene.pose) {}
-};
-
-template <class Traversal>
-struct StackQuery {
-  using Tree = typename Traversal::Tree;
-  Tree a, b;
-  std::vector<PairCursor<std::uint16_t>> entries;
-  Query<Traversal> query;
-
-  explicit StackQuery(const Scene& scene)
-      : a(scene.a.view()),
-        b(scene.b.view()),
-        entries(stack_entries(a.stack_need, b.stack_need)),
-        query(a, b, scene.pose, {entries.data(), static_cast<std::uint32_t>(entries.size())}) {}
-};
-
-template <class Tree, class Rule>
-struct AnyQuery<StackWalk<Tree, Rule>> : StackQuery<StackWalk<Tree, Rule>> {
-  using StackQuery<StackWalk<Tree, Rule>>::StackQuery;
-};
-
-template <class Tree>
-struct AnyQuery<RankedStack<Tree>> : StackQuery<RankedStack<Tree>> {
-  using StackQuery<RankedStack<Tree>>::StackQuery;
-};
 
 }  // namespace
 

@@ -11,7 +11,7 @@
 #include "flashbvh/files.hpp"
 #include "flashbvh/image_file.hpp"
 #include "flashbvh/numbers.hpp"
-#include "flashbvh/placement.hpp"
+#include "flashbvh/lattice_pose.hpp"
 #include "flashbvh/user_error.hpp"
 
 namespace flashbvh::tool {

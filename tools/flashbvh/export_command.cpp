@@ -5,7 +5,7 @@
 #include "flashbvh/commands.hpp"
 #include "flashbvh/files.hpp"
 #include "flashbvh/image_file.hpp"
-#include "flashbvh/placement.hpp"
+#include "flashbvh/lattice_pose.hpp"
 #include "flashbvh/user_error.hpp"
 
 namespace flashbvh::tool {

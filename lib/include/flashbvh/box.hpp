@@ -35,8 +35,8 @@ constexpr bool boxes_apart(const PackedBox& a, const PackedBox& b, int32_t x, in
 /// Tests boxes of A against boxes of B moved by a translation. 12 bytes; made once a query.
 class TranslatedOverlap {
  public:
-  /// To be assigned to before it is asked: every pair overlaps.
-  constexpr TranslatedOverlap() : least_{} {}
+  /// To be assigned to before it is asked.
+  TranslatedOverlap() = default;
   /// `x, y, z`: the translation of B in cells; any 32-bit value.
   constexpr TranslatedOverlap(int32_t x, int32_t y, int32_t z)
       : least_{{join_halves(threshold(x), threshold(y)),

@@ -9,6 +9,8 @@
 #include <stdint.h>
 
 #include "flashbvh/box.hpp"
+#include "flashbvh/box_rotated.hpp"
+#include "flashbvh/placement.hpp"
 #include "flashbvh/pose.hpp"
 #include "flashbvh/status.hpp"
 #include "flashbvh/traversal/ranked.hpp"
@@ -54,7 +56,7 @@ class Query {
   Query(const Tree& a, const Tree& b, const Pose& pose, const Cursor& start = Cursor())
       : a_(&a),
         b_(&b),
-        offset_{offset(a, b, pose, 0), offset(a, b, pose, 1), offset(a, b, pose, 2)},
+        placement_(pose, a, b),
         counts_{0, 0, 0, 0},
         cursor_(start),
         untested_(0),
@@ -102,12 +104,12 @@ class Query {
       if (visits == 0) {
         return Status::suspended;
       }
-      if (Traversal::kStartsAtRoots && roots_apart()) {
+      if (Traversal::kStartsAtRoots && placement_.roots_apart(*a_, *b_)) {
         counts_.visits = 1;
         status_ = Status::done;
         return status_;
       }
-      overlap_ = TranslatedOverlap(offset_.x, offset_.y, offset_.z);
+      placement_.prepare();
       started_ = true;
     }
     return go_on(visits, sink);
@@ -133,20 +135,6 @@ class Query {
     }
   }
 
-  /// Two objects that are nowhere near each other, the commonest query, are told apart before
-  /// anything is prepared.
-  bool roots_apart() const {
-    return boxes_apart(a_->nodes[0].box, b_->nodes[0].box, offset_.x, offset_.y, offset_.z);
-  }
-
-  /// From B's lattice to A's along an axis: both count from their own origins. Wraps if the pose is
-  /// out of range, which is an error of the pose.
-  static int32_t offset(const Tree& a, const Tree& b, const Pose& pose, int axis) {
-    return static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) +
-                                static_cast<uint32_t>(b.origin[axis]) -
-                                static_cast<uint32_t>(a.origin[axis]));
-  }
-
   static Status check(const Tree& a, const Tree& b, const Pose& pose, const Cursor& start) {
     if (a.cell_bits != b.cell_bits) {
       return Status::cell_mismatch;
@@ -163,9 +151,21 @@ class Query {
   }
 
   /// To the next pair of leaves, the end, or the last visit granted.
-  FLASHBVH_NOINLINE Walk walk(uint32_t& visits_left) {
+  Walk walk(uint32_t& visits_left) {
+    return placement_.is_rotated() ? walk_rotated(visits_left) : walk_translated(visits_left);
+  }
+  FLASHBVH_NOINLINE Walk walk_translated(uint32_t& visits_left) {
+    return walk_with(placement_.translated().overlap, visits_left);
+  }
+  FLASHBVH_NOINLINE Walk walk_rotated(uint32_t& visits_left) {
+    RotatedOverlap test(placement_.rotated());
+    return walk_with(RotatedTest{&test}, visits_left);
+  }
+
+  template <class Overlap>
+  Walk walk_with(const Overlap& overlap, uint32_t& visits_left) {
     Budget budget = {visits_left, counts_.overlaps, at_leaf_pair_};
-    const Walk end = Traversal::run(*a_, *b_, overlap_, cursor_, budget,
+    const Walk end = Traversal::run(*a_, *b_, overlap, cursor_, budget,
                                     [this](uint32_t node_a, uint32_t node_b) {
                                       leaf_a_ = a_->nodes[node_a].leaf();
                                       leaf_b_ = b_->nodes[node_b].leaf();
@@ -196,8 +196,12 @@ class Query {
 
   FLASHBVH_NOINLINE void place_next(PlacedTriangle& a, PlacedTriangle& b) {
     --untested_;
-    place(*a_, current_a(), {0, 0, 0}, a);
-    place(*b_, current_b(), offset_, b);
+    place_translated(*a_, current_a(), {0, 0, 0}, a);
+    if (placement_.is_rotated()) {
+      place_rotated(*b_, current_b(), placement_.rotated(), b);
+    } else {
+      place_translated(*b_, current_b(), placement_.translated().offset, b);
+    }
   }
 
   /// Positions of the current pair of triangles: the leaves' pairs are taken from the last one on.
@@ -212,18 +216,9 @@ class Query {
     return b_->end_triangle(leaf_b_) - b_->first_triangle(leaf_b_);
   }
 
-  FLASHBVH_NOINLINE static void place(const Tree& tree, uint32_t triangle, const Point& offset,
-                                      PlacedTriangle& placed) {
-    for (int i = 0; i < 3; ++i) {
-      const Vertex& v = tree.vertices[tree.triangles[triangle].corner[i]];
-      placed.corner[i] = {v.x + offset.x, v.y + offset.y, v.z + offset.z};
-    }
-  }
-
   const Tree* a_;
   const Tree* b_;
-  Point offset_;
-  TranslatedOverlap overlap_;  ///< set by the first run
+  Placement placement_;
   Counts counts_;
   Cursor cursor_;
   uint32_t untested_;  ///< pairs of triangles that the current pair of leaves still has

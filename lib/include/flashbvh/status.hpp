@@ -15,6 +15,8 @@ enum class [[nodiscard]] Status : uint8_t{
     cell_mismatch = 16,             ///< The two meshes were baked with different cells.
     stack_too_small = 17,           ///< A stack traversal's array is shorter than stack_entries().
     translation_out_of_range = 18,  ///< A translation beyond +-kMaxTranslation cells.
+    not_a_rotation = 19,            ///< A matrix or quaternion that turns and does something else.
+    position_invalid = 20,          ///< A saved position that is not one of this query's.
 
     image_truncated = 32,     ///< Fewer bytes than the image says it has.
     image_misaligned = 33,    ///< The image does not start at a multiple of 4 bytes.

@@ -1,6 +1,6 @@
 // From a pose in the mesh's unit to one on the lattice, as the library takes it.
-#ifndef FLASHBVH_TOOLS_PLACEMENT_HPP
-#define FLASHBVH_TOOLS_PLACEMENT_HPP
+#ifndef FLASHBVH_TOOLS_LATTICE_POSE_HPP
+#define FLASHBVH_TOOLS_LATTICE_POSE_HPP
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "flashbvh/placement.hpp"
+#include "flashbvh/lattice_pose.hpp"
 
 #include <cmath>
 
