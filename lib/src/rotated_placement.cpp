@@ -4,10 +4,8 @@
 namespace flashbvh {
 namespace {
 
-/// From a pose's 30 fraction bits to the 22 of a vertex's rotation.
-constexpr unsigned kDroppedBits = 8;
-/// Of these 22, how many the boxes do without.
 constexpr unsigned kRestBits = 8;
+constexpr int32_t kHalf = kSplitOne / 2;
 
 /// The largest magnitude of a coordinate in the box.
 int32_t reach(uint32_t upper, uint32_t lower) {
@@ -23,32 +21,13 @@ int32_t reach(const PackedBox& box) {
 }
 
 int32_t clamp_offset(int64_t offset) {
-  constexpr int64_t most = static_cast<int64_t>(kMaxOffset) * kPlacementOne;
+  constexpr int64_t most = static_cast<int64_t>(kMaxOffset) * kSplitOne;
   return static_cast<int32_t>(offset > most ? most : offset < -most ? -most : offset);
 }
 
-/// Whether an interval of half-width `reach` round `centre` is apart from [-lower, upper].
-bool apart(int32_t centre, int32_t reach, uint32_t upper, uint32_t lower) {
-  return centre - reach > static_cast<int32_t>(upper) - kBoundBias ||
-         centre + reach < kBoundBias - static_cast<int32_t>(lower);
-}
-
-}  // namespace
-
-bool RotatedPlacement::prepare(const Pose& pose, const int32_t (&origin_a)[3],
-                               const PackedBox& root_a, const int32_t (&origin_b)[3],
-                               const PackedBox& root_b) {
-  set_offset(pose, origin_a, origin_b);
-  const int32_t reach_b = reach(root_b);
-  if (far_apart(root_a, reach_b)) {
-    return false;
-  }
-  set_rotation(pose, reach_b);
-  return true;
-}
-
-void RotatedPlacement::set_offset(const Pose& pose, const int32_t (&origin_a)[3],
-                                  const int32_t (&origin_b)[3]) {
+/// Where B's origin lies in A's lattice: `offset`, kSplitOne is a cell.
+void offset_of(const Pose& pose, const int32_t (&origin_a)[3], const int32_t (&origin_b)[3],
+               int32_t (&offset)[3]) {
   for (int i = 0; i < 3; ++i) {
     // 30 fraction bits; below 2^62.
     int64_t sum = static_cast<int64_t>(pose.translation(i) - origin_a[i]) * kRotationOne +
@@ -60,49 +39,81 @@ void RotatedPlacement::set_offset(const Pose& pose, const int32_t (&origin_a)[3]
   }
 }
 
-bool RotatedPlacement::far_apart(const PackedBox& root_a, int32_t reach_b) const {
-  // A vertex is at most this far from the offset: stretched by the rotation's defect, and rounded.
-  const int32_t radius = reach_b + (reach_b >> 12) + 2;
-  const auto centre = [this](int i) { return offset[i] >> kPlacementBits; };
-  return apart(centre(0), radius, low_half(root_a.upper_xy), low_half(root_a.lower_xy)) ||
-         apart(centre(1), radius, high_half(root_a.upper_xy), high_half(root_a.lower_xy)) ||
-         apart(centre(2), radius, low_half(root_a.z), high_half(root_a.z));
+/// Whether an interval of half-width `radius` round `centre` is apart from [-lower, upper].
+bool apart(int32_t centre, int32_t radius, uint32_t upper, uint32_t lower) {
+  const int32_t cells = centre >> kSplitBits;
+  return cells - radius > static_cast<int32_t>(upper) - kBoundBias ||
+         cells + radius < kBoundBias - static_cast<int32_t>(lower);
 }
 
-void RotatedPlacement::set_rotation(const Pose& pose, int32_t reach_b) {
-  int32_t most_rest = 0;
-  int32_t entry[3][3];
+bool far_apart(const int32_t (&offset)[3], const PackedBox& root_a, int32_t reach_b) {
+  // A vertex is at most this far from the offset: stretched by the rotation's defect, and rounded.
+  const int32_t radius = reach_b + (reach_b >> 12) + 2;
+  return apart(offset[0], radius, low_half(root_a.upper_xy), low_half(root_a.lower_xy)) ||
+         apart(offset[1], radius, high_half(root_a.upper_xy), high_half(root_a.lower_xy)) ||
+         apart(offset[2], radius, low_half(root_a.z), high_half(root_a.z));
+}
+
+/// What the rotation of boxes can lack of that of the vertices of B.
+int32_t box_margin(const Pose& pose, int32_t reach_b) {
+  int32_t most = 0;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      const int32_t fine = (pose.rotation(i, j) + (1 << (kDroppedBits - 1))) >> kDroppedBits;
-      const int32_t coarse = (fine + (1 << (kRestBits - 1))) >> kRestBits;
-      const int32_t lacking = fine - coarse * (1 << kRestBits);
-      entry[i][j] = coarse;
-      rest[i][j] = static_cast<int8_t>(lacking);
-      const int32_t size = lacking < 0 ? -lacking : lacking;
-      most_rest = size > most_rest ? size : most_rest;
+      const int32_t rest = pose.rest(i, j);
+      const int32_t size = rest < 0 ? -rest : rest;
+      most = size > most ? size : most;
     }
-    rotation.xy[i] = join_signed(entry[i][0], entry[i][1]);
   }
-  rotation.z01 = join_signed(entry[0][2], entry[1][2]);
-  rotation.z2 = join_signed(entry[2][2], 0);
+  return ((most * reach_b) >> kRestBits) + 1;
+}
 
-  box_margin = ((most_rest * reach_b) >> kRestBits) + 2;
-  axis_margin = 3584 + ((7 * reach_b) >> 5) +
-                static_cast<int32_t>((static_cast<uint32_t>(reach_b) * pose.defect()) >> 12) + 8;
+/// How far, along one of B's axes, a placed vertex can be from where it lies in B; see
+/// lib/docs/design.md, Rotation.
+int32_t axis_margin(const Pose& pose, int32_t reach_b) {
+  const uint32_t stretched = static_cast<uint32_t>(reach_b) * pose.defect();
+  return 7 * (kSplitOne / 8) + ((7 * reach_b) >> 3) + static_cast<int32_t>(stretched >> 10) + 4;
+}
+
+/// Products are of biased bounds and make a biased bound.
+BoundStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
+  const int32_t bias = (kSplitOne - row.sum()) * kBoundBias;
+  return {bias + margin + offset, bias + margin - offset};
+}
+
+}  // namespace
+
+bool RotatedPlacement::prepare(const Pose& from, const int32_t (&origin_a)[3],
+                               const PackedBox& root_a, const int32_t (&origin_b)[3],
+                               const PackedBox& root_b) {
+  int32_t offset[3];
+  offset_of(from, origin_a, origin_b, offset);
+  const int32_t reach_b = reach(root_b);
+  if (far_apart(offset, root_a, reach_b)) {
+    return false;
+  }
+  pose = &from;
+  const int32_t box = box_margin(from, reach_b) + kHalf;
+  const int32_t axis = axis_margin(from, reach_b);
+  for (int i = 0; i < 3; ++i) {
+    const SplitRow& column = from.columns().row[i];
+    const int64_t back = static_cast<int64_t>(column.x()) * offset[0] +
+                         static_cast<int64_t>(column.y()) * offset[1] +
+                         static_cast<int64_t>(column.z_entry()) * offset[2];
+    on_a[i] = start_of(from.rows().row[i], offset[i], box);
+    on_b[i] = start_of(column, clamp_offset(-(back >> kSplitBits)), axis);
+  }
+  return true;
 }
 
 Point RotatedPlacement::place(const Vertex& v) const {
-  const uint32_t xy = join_signed(v.x, v.y);
-  const uint32_t z = join_signed(v.z, 0);
-  const auto coordinate = [&](int i, int32_t last_product) {
-    const int32_t rest_sum = rest[i][0] * v.x + rest[i][1] * v.y + rest[i][2] * v.z;
-    const int32_t sum = multiply_pairs(rotation.xy[i], xy) + last_product;
-    return (sum + (rest_sum >> kRestBits) + offset[i] + kPlacementOne / 2) >> kPlacementBits;
+  const auto coordinate = [&](int i) {
+    const SplitRow& row = pose->rows().row[i];
+    const int32_t rest = pose->rest(i, 0) * v.x + pose->rest(i, 1) * v.y + pose->rest(i, 2) * v.z;
+    const int32_t offset = (on_a[i].upper - on_a[i].lower) / 2;  // exact
+    const int32_t turned = row.x() * v.x + row.y() * v.y + row.z_entry() * v.z;
+    return (turned + (rest >> kRestBits) + offset + kHalf) >> kSplitBits;
   };
-  return {coordinate(0, add_low_low(0, rotation.z01, z)),
-          coordinate(1, add_high_low(0, rotation.z01, z)),
-          coordinate(2, add_low_low(0, rotation.z2, z))};
+  return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
 }  // namespace flashbvh

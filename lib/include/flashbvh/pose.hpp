@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "flashbvh/split_matrix.hpp"
 #include "flashbvh/status.hpp"
 
 namespace flashbvh {
@@ -20,7 +21,8 @@ constexpr int32_t kRotationTolerance = kRotationOne >> 13;
 /// wide.
 constexpr int32_t kMaxTranslation = 1 << 29;
 
-/// B's point p, in cells of B's frame, lies at rotation * p + translation in A's frame. 60 bytes.
+/// B's point p, in cells of B's frame, lies at rotation * p + translation in A's frame. 104 bytes:
+/// all that a query needs and that depends on the pose alone is worked out here, once.
 ///
 /// Checked when it is made, so that a query need not: a pose that can't be is kept as an error,
 /// which every query on it returns, and every pose made of it.
@@ -30,16 +32,16 @@ class Pose {
   /// +-kMaxTranslation the pose's status is `translation_out_of_range`.
   static constexpr Pose translated(int32_t x, int32_t y, int32_t z) { return Pose(x, y, z); }
 
-  /// B turned and moved. `rotation`: row by row, kRotationOne is 1. `cells`: the translation,
-  /// rounded to whole cells; `fraction`: what rounding left, in 1/65,536 of a cell, -32,768 to
-  /// 32,767. A matrix further than kRotationTolerance from a rotation, or a mirroring one, gives
-  /// `not_a_rotation`; it is used as it is, not mended. About 250 instructions on a Cortex-M4.
+  /// B turned and moved. `rotation`: row by row, kRotationOne is 1; kept to 2^-22. `cells`: the
+  /// translation, rounded to whole cells; `fraction`: what rounding left, in 1/65,536 of a cell,
+  /// -32,768 to 32,767. A matrix further than kRotationTolerance from a rotation, or a mirroring
+  /// one, gives `not_a_rotation`; within it is used as it is, not mended.
   static Pose rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
                     const int16_t (&fraction)[3]);
   static Pose rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]);
 
   /// First `inner`, then `outer`: B in A's frame from B in C's and C in A's. Each entry of the
-  /// rotation is rounded to 2^-30, the translation to 2^-16 cells. Tolerances add up: a product of
+  /// rotation is rounded to 2^-22, the translation to 2^-16 cells. Tolerances add up: a product of
   /// inexact matrices may be `not_a_rotation`.
   static Pose composed(const Pose& outer, const Pose& inner);
 
@@ -59,19 +61,39 @@ class Pose {
   /// What is left of it, in 1/65,536 of a cell: -32,768 to 32,767.
   constexpr int32_t fraction(int axis) const { return fraction_[axis]; }
   /// kRotationOne is 1. `row` and `column`: 0 to 2.
-  constexpr int32_t rotation(int row, int column) const { return rotation_[row][column]; }
+  constexpr int32_t rotation(int row, int column) const {
+    return fine(row, column) * (1 << (30 - kFineBits));
+  }
 
   /// Whether the rotation is exactly the identity.
   constexpr bool is_translation() const { return !turned_; }
+
+  /// What turned poses alone have.
+  ///
+  /// The rotation with kSplitBits fraction bits, for boxes: `rows` turn B's into A's frame,
+  /// `columns` A's into B's.
+  constexpr const SplitMatrix& rows() const { return matrix_.rows; }
+  constexpr const SplitMatrix& columns() const { return matrix_.columns; }
+  /// What `rows` lack of the full rotation, in 2^-22: -128 to 127.
+  constexpr int32_t rest(int row, int column) const { return matrix_.rest[row][column]; }
   /// How far R^T R is from the identity at most, entry by entry: 24 fraction bits, rounded up.
-  constexpr uint32_t defect() const { return defect_; }
+  constexpr uint32_t defect() const { return matrix_.defect; }
 
  private:
+  /// Fraction bits kept of a rotation.
+  static constexpr unsigned kFineBits = 22;
+
+  struct Matrix {
+    SplitMatrix rows;
+    SplitMatrix columns;
+    int8_t rest[3][3];
+    uint16_t defect;
+  };
+
   constexpr Pose(int32_t x, int32_t y, int32_t z)
-      : rotation_{{kRotationOne, 0, 0}, {0, kRotationOne, 0}, {0, 0, kRotationOne}},
+      : none_(),
         cells_{x, y, z},
         fraction_{0, 0, 0},
-        defect_(0),
         turned_(false),
         status_(in_range(x) && in_range(y) && in_range(z) ? Status::done
                                                           : Status::translation_out_of_range) {}
@@ -81,14 +103,28 @@ class Pose {
     return static_cast<uint32_t>(t) + most <= 2 * most;
   }
 
-  /// The translation's component along `axis`, with 30 fraction bits.
-  void set_translation(int axis, int64_t t);
-  void check_rotation();
+  /// An entry of the rotation, with kFineBits fraction bits.
+  constexpr int32_t fine(int row, int column) const {
+    if (!turned_) {
+      return row == column ? 1 << kFineBits : 0;
+    }
+    const SplitRow& r = matrix_.rows.row[row];
+    const int32_t coarse = column == 0 ? r.x() : column == 1 ? r.y() : r.z_entry();
+    return coarse * (1 << (kFineBits - kSplitBits)) + matrix_.rest[row][column];
+  }
 
-  int32_t rotation_[3][3];  ///< row by row
+  /// With kFineBits fraction bits.
+  void set_rotation(const int32_t (&rotation)[3][3]);
+  /// A component of the translation: cells, and 1/65,536 of cells, both with kFineBits fraction
+  /// bits.
+  void set_translation(int axis, int64_t cells, int64_t fractions);
+
+  union {
+    Matrix matrix_;  ///< if turned
+    char none_;
+  };
   int32_t cells_[3];
   int16_t fraction_[3];
-  uint16_t defect_;
   bool turned_;
   Status status_;
 };

@@ -1,0 +1,87 @@
+// Instructions of a visit under rotation, counted on the target over the walks of many poses.
+#include <catch2/catch.hpp>
+
+#include <cstdio>
+
+#include "bake/baked_tree.hpp"
+#include "flashbvh/box_rotated.hpp"
+#include "flashbvh/query.hpp"
+#include "insn.hpp"
+#include "support/rotations.hpp"
+#include "support/torus.hpp"
+
+using namespace flashbvh;
+
+namespace {
+
+#if defined(__ARM_FEATURE_DSP)
+constexpr double kMostPerVisit = 90;
+#else
+constexpr double kMostPerVisit = 200;
+#endif
+
+using Baked = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
+
+Baked baked(const bake::LatticeMesh& mesh) {
+  return bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh, 1), mesh);
+}
+
+struct Cost {
+  std::uint32_t visits = 0;
+  std::uint32_t overlaps = 0;
+  std::uint32_t leaf_pairs = 0;
+  std::uint32_t instructions = 0;
+};
+
+/// The boxes alone, from the root on, the preparation of the pose included.
+void add_walk(const PostTree& a, const PostTree& b, const Pose& pose, Cost& cost) {
+  Budget budget = {UINT32_MAX, 0, false};
+  std::uint32_t leaf_pairs = 0;
+  const std::uint32_t instructions = port::instructions_of([&] {
+    RotatedPlacement placement;
+    if (!placement.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box)) {
+      --budget.visits_left;
+      return;
+    }
+    RotatedOverlap overlap(placement);
+    PairCursor<std::uint16_t> cursor;
+    (void)Ranked<PostTree>::run(a, b, RotatedTest{&overlap}, cursor, budget,
+                                [&](std::uint32_t, std::uint32_t) {
+                                  ++leaf_pairs;
+                                  return true;
+                                });
+  });
+  cost.visits += UINT32_MAX - budget.visits_left;
+  cost.overlaps += budget.overlaps;
+  cost.leaf_pairs += leaf_pairs;
+  cost.instructions += instructions;
+}
+
+}  // namespace
+
+TEST_CASE("instructions of a visit under rotation stay within their budget") {
+  const Baked thick = baked(test::torus(20, 20, 6000, 2000));
+  const Baked thin = baked(test::torus(40, 10, 7000, 800));
+  const auto a = thick.view();
+  const auto b = thin.view();
+  Cost all;
+  for (const std::int32_t reach : {2000, 6000, 12000, 20000}) {
+    test::Random random(test::test_seed());
+    Cost cost;
+    for (int i = 0; i < 30; ++i) {
+      add_walk(a, b, test::any_rigid_pose(random, reach), cost);
+      add_walk(b, a, test::any_rigid_pose(random, reach), cost);
+    }
+    std::printf("within %5d cells: %8u visits, %2u %% overlap, %2u %% pairs of leaves, %6.2f each\n",
+                static_cast<int>(reach), static_cast<unsigned>(cost.visits),
+                static_cast<unsigned>(100 * cost.overlaps / cost.visits),
+                static_cast<unsigned>(100 * cost.leaf_pairs / cost.visits),
+                static_cast<double>(cost.instructions) / cost.visits);
+    all.visits += cost.visits;
+    all.instructions += cost.instructions;
+  }
+  const double per_visit = static_cast<double>(all.instructions) / all.visits;
+  std::printf("budget: a rotated visit: %.2f instructions, at most %.0f\n", per_visit, kMostPerVisit);
+  std::fflush(stdout);
+  CHECK(per_visit <= kMostPerVisit);
+}
