@@ -84,11 +84,11 @@ BoundStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
 
 bool RotatedPlacement::prepare(const Pose& from, const int32_t (&origin_a)[3],
                                const PackedBox& root_a, const int32_t (&origin_b)[3],
-                               const PackedBox& root_b) {
+                               const PackedBox& root_b, bool may_stop) {
   int32_t offset[3];
   offset_of(from, origin_a, origin_b, offset);
   const int32_t reach_b = reach(root_b);
-  if (far_apart(offset, root_a, reach_b)) {
+  if (may_stop && far_apart(offset, root_a, reach_b)) {
     return false;
   }
   pose = &from;

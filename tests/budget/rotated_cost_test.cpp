@@ -39,7 +39,7 @@ void add_walk(const PostTree& a, const PostTree& b, const Pose& pose, Cost& cost
   std::uint32_t leaf_pairs = 0;
   const std::uint32_t instructions = port::instructions_of([&] {
     RotatedPlacement placement;
-    if (!placement.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box)) {
+    if (!placement.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box, true)) {
       --budget.visits_left;
       return;
     }
@@ -72,16 +72,18 @@ TEST_CASE("instructions of a visit under rotation stay within their budget") {
       add_walk(a, b, test::any_rigid_pose(random, reach), cost);
       add_walk(b, a, test::any_rigid_pose(random, reach), cost);
     }
-    std::printf("within %5d cells: %8u visits, %2u %% overlap, %2u %% pairs of leaves, %6.2f each\n",
-                static_cast<int>(reach), static_cast<unsigned>(cost.visits),
-                static_cast<unsigned>(100 * cost.overlaps / cost.visits),
-                static_cast<unsigned>(100 * cost.leaf_pairs / cost.visits),
-                static_cast<double>(cost.instructions) / cost.visits);
+    std::printf(
+        "within %5d cells: %8u visits, %2u %% overlap, %2u %% pairs of leaves, %6.2f each\n",
+        static_cast<int>(reach), static_cast<unsigned>(cost.visits),
+        static_cast<unsigned>(100 * cost.overlaps / cost.visits),
+        static_cast<unsigned>(100 * cost.leaf_pairs / cost.visits),
+        static_cast<double>(cost.instructions) / cost.visits);
     all.visits += cost.visits;
     all.instructions += cost.instructions;
   }
   const double per_visit = static_cast<double>(all.instructions) / all.visits;
-  std::printf("budget: a rotated visit: %.2f instructions, at most %.0f\n", per_visit, kMostPerVisit);
+  std::printf("budget: a rotated visit: %.2f instructions, at most %.0f\n", per_visit,
+              kMostPerVisit);
   std::fflush(stdout);
   CHECK(per_visit <= kMostPerVisit);
 }

@@ -68,7 +68,8 @@ template <class Traversal>
 Pairs pairs_of(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
                const typename Traversal::Cursor& start) {
   Pairs pairs;
-  Query<Traversal> query(a, b, Pose::translated(0, 0, 0), start);
+  const Pose pose = Pose::translated(0, 0, 0);
+  Query<Traversal> query(a, b, pose, start);
   const Status status = query.run(0xFFFFFFFFu, [&](const TrianglePair<std::uint16_t>& pair) {
     pairs.emplace_back(pair.a, pair.b);
     return true;

@@ -26,7 +26,8 @@ using Pairs = std::vector<std::pair<unsigned, unsigned>>;
 
 template <class Traversal>
 Pairs ask(const typename Traversal::Tree& a, const typename Traversal::Tree& b) {
-  flashbvh::Query<Traversal> query(a, b, flashbvh::Pose::translated(48, 16, 8));
+  const flashbvh::Pose pose = flashbvh::Pose::translated(48, 16, 8);
+  flashbvh::Query<Traversal> query(a, b, pose);
   Pairs pairs;
   const auto status = query.run(0xFFFFFFFFu, [&](const typename decltype(query)::Pair& pair) {
     pairs.push_back({pair.a, pair.b});

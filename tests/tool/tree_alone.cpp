@@ -3,7 +3,8 @@
 #include "ring.fbvh.hpp"
 
 int main() {
-  flashbvh::PairQuery query(ring::tree, ring::tree, flashbvh::Pose::translated(1, 2, 3));
+  const flashbvh::Pose pose = flashbvh::Pose::translated(1, 2, 3);
+  flashbvh::PairQuery query(ring::tree, ring::tree, pose);
   flashbvh::TrianglePair<uint16_t> found[4];
   return query.run(1000, found).status == flashbvh::Status::full ? 0 : 1;
 }

@@ -165,7 +165,8 @@ TEMPLATE_TEST_CASE(
       if constexpr (TestType::kLayout == kPost) {
         // At most every pair of nodes is visited.
         const auto most = static_cast<std::uint32_t>(tree.node_count) * tree.node_count;
-        PairQuery query(tree, tree, Pose::translated(0, 0, 0));
+        const Pose pose = Pose::translated(0, 0, 0);
+        PairQuery query(tree, tree, pose);
         const Status status = query.run(most, [](const PairQuery::Pair&) { return true; });
         REQUIRE((status == Status::done || status == Status::suspended));
         REQUIRE(query.run(1, [](const PairQuery::Pair&) { return true; }) == Status::done);

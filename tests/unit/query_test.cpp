@@ -182,7 +182,8 @@ TEST_CASE("each way to ask wrongly has its own status") {
       }
     }
     for (const std::int32_t t : {kMaxTranslation, -kMaxTranslation}) {
-      CHECK(PairQuery(a, b, Pose::translated(t, t, t)).run(kNoLimit, found).status == Status::done);
+      const Pose pose = Pose::translated(t, t, t);
+      CHECK(PairQuery(a, b, pose).run(kNoLimit, found).status == Status::done);
     }
   }
   SECTION("a stack that is too short") {

@@ -10,8 +10,8 @@
 #include "flashbvh/commands.hpp"
 #include "flashbvh/files.hpp"
 #include "flashbvh/image_file.hpp"
-#include "flashbvh/numbers.hpp"
 #include "flashbvh/lattice_pose.hpp"
+#include "flashbvh/numbers.hpp"
 #include "flashbvh/user_error.hpp"
 
 namespace flashbvh::tool {

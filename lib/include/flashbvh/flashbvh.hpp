@@ -2,6 +2,7 @@
 #ifndef FLASHBVH_FLASHBVH_HPP
 #define FLASHBVH_FLASHBVH_HPP
 
+#include "flashbvh/collide.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/pose.hpp"

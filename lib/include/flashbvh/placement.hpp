@@ -23,18 +23,21 @@ struct TranslatedPlacement {
 /// 56 bytes.
 class Placement {
  public:
-  /// All that follows from a pose, unless the root boxes tell already that nothing can meet.
+  /// All that follows from a pose, unless `may_stop` and the root boxes tell already that nothing
+  /// can meet.
   template <class TreeType>
-  Placement(const Pose& pose, const TreeType& a, const TreeType& b)
+  Placement(const Pose& pose, const TreeType& a, const TreeType& b, bool may_stop)
       : kind_(pose.is_translation() ? Kind::translated : Kind::rotated) {
     if (kind_ == Kind::translated) {
       translated_.offset = {offset(pose, a, b, 0), offset(pose, a, b, 1), offset(pose, a, b, 2)};
-    } else if (!rotated_.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box)) {
+    } else if (!rotated_.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box,
+                                 may_stop)) {
       kind_ = Kind::far_apart;
     }
   }
 
   bool is_rotated() const { return kind_ != Kind::translated; }
+  bool is_far_apart() const { return kind_ == Kind::far_apart; }
   const TranslatedPlacement& translated() const { return translated_; }
   const RotatedPlacement& rotated() const { return rotated_; }
 

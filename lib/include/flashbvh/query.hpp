@@ -42,7 +42,26 @@ struct Step {
   uint32_t count;  ///< entries written to the caller's array
 };
 
-/// `Traversal`: Ranked<PostTree> or any other of traversal/. The trees outlive the query.
+/// Where a stackless query stands, between runs: all there is to keep of it beside what it was made
+/// of, its trees and its pose. May be stored for as long as one likes, as bytes too: 12 of them
+/// with 16-bit indices.
+template <class IndexType>
+struct QueryPosition {
+  enum class State : uint8_t {
+    fresh = 0,         ///< no visit was made
+    at_pair = 1,       ///< the pair of nodes is to be visited next
+    at_leaf_pair = 2,  ///< it was visited: a pair of leaves, of whose triangles some are untested
+    done = 3,
+  };
+
+  IndexType a = 0;
+  IndexType b = 0;
+  uint32_t untested = 0;  ///< pairs of triangles that the pair of leaves still has
+  State state = State::fresh;
+};
+
+/// `Traversal`: Ranked<PostTree> or any other of traversal/. The trees and the pose outlive the
+/// query.
 template <class Traversal>
 class Query {
  public:
@@ -56,7 +75,7 @@ class Query {
   Query(const Tree& a, const Tree& b, const Pose& pose, const Cursor& start = Cursor())
       : a_(&a),
         b_(&b),
-        placement_(pose, a, b),
+        placement_(pose, a, b, Traversal::kStartsAtRoots),
         counts_{0, 0, 0, 0},
         cursor_(start),
         untested_(0),
@@ -65,6 +84,9 @@ class Query {
         at_leaf_pair_(false),
         started_(false),
         status_(check(a, b, pose, start)) {}
+
+  /// A pose that would be gone before the first run.
+  Query(const Tree& a, const Tree& b, const Pose&& pose, const Cursor& start = Cursor()) = delete;
 
   /// `suspended` while there is something left to do.
   Status status() const { return status_; }
@@ -109,11 +131,51 @@ class Query {
         status_ = Status::done;
         return status_;
       }
-      placement_.prepare();
-      started_ = true;
+      start();
     }
     return go_on(visits, sink);
   }
+
+  /// Where the query stands. Between runs; not for stack traversals.
+  QueryPosition<Index> position() const {
+    using State = typename QueryPosition<Index>::State;
+    const State state = status_ == Status::done ? State::done
+                        : at_leaf_pair_         ? State::at_leaf_pair
+                        : started_              ? State::at_pair
+                                                : State::fresh;
+    return {cursor_.a, cursor_.b, untested_, state};
+  }
+
+  /// Goes on from a position of a query on the same trees and pose; counts go on from what they
+  /// are. `position_invalid`, and nothing changes, if no query on these trees has such a position;
+  /// one of another pose is not told apart, and gives the pairs behind it.
+  Status resume(const QueryPosition<Index>& position) {
+    using State = typename QueryPosition<Index>::State;
+    if (status_ != Status::suspended && status_ != Status::done) {
+      return status_;
+    }
+    if (!is_possible(position)) {
+      return Status::position_invalid;
+    }
+    cursor_.a = position.a;
+    cursor_.b = position.b;
+    at_leaf_pair_ = position.state == State::at_leaf_pair;
+    untested_ = at_leaf_pair_ ? position.untested : 0;
+    if (at_leaf_pair_) {
+      set_leaves(Traversal::nodes(*a_, *b_, cursor_));
+    }
+    if (position.state == State::at_pair || at_leaf_pair_) {
+      start();
+    } else {
+      started_ = false;
+    }
+    status_ = position.state == State::done ? Status::done : Status::suspended;
+    return status_;
+  }
+
+  /// The triangles of the pair reported last, placed in A's frame: inside a sink, and after a run
+  /// that ended with `full`.
+  void last_pair(PlacedTriangle& a, PlacedTriangle& b) const { place_current(a, b); }
 
  private:
   template <class Sink>
@@ -133,6 +195,30 @@ class Query {
         return status_;
       }
     }
+  }
+
+  void start() {
+    placement_.prepare();
+    started_ = true;
+  }
+
+  bool is_possible(const QueryPosition<Index>& position) const {
+    using State = typename QueryPosition<Index>::State;
+    if (position.state > State::done || placement_.is_far_apart()) {
+      return position.state == State::fresh || position.state == State::done;
+    }
+    const Cursor cursor = {position.a, position.b};
+    if (position.a >= a_->node_count || position.b >= b_->node_count) {
+      return false;
+    }
+    if (position.state != State::at_leaf_pair) {
+      return position.state != State::at_pair || Traversal::can_visit(*a_, *b_, cursor);
+    }
+    const PairCursor<Index> nodes = Traversal::nodes(*a_, *b_, cursor);
+    return Traversal::can_visit(*a_, *b_, cursor) && a_->nodes[nodes.a].is_leaf() &&
+           b_->nodes[nodes.b].is_leaf() &&
+           position.untested <= triangles(*a_, a_->nodes[nodes.a].leaf()) *
+                                    triangles(*b_, b_->nodes[nodes.b].leaf());
   }
 
   static Status check(const Tree& a, const Tree& b, const Pose& pose, const Cursor& start) {
@@ -165,12 +251,11 @@ class Query {
   template <class Overlap>
   Walk walk_with(const Overlap& overlap, uint32_t& visits_left) {
     Budget budget = {visits_left, counts_.overlaps, at_leaf_pair_};
-    const Walk end = Traversal::run(*a_, *b_, overlap, cursor_, budget,
-                                    [this](uint32_t node_a, uint32_t node_b) {
-                                      leaf_a_ = a_->nodes[node_a].leaf();
-                                      leaf_b_ = b_->nodes[node_b].leaf();
-                                      return false;
-                                    });
+    const Walk end = Traversal::run(
+        *a_, *b_, overlap, cursor_, budget, [this](uint32_t node_a, uint32_t node_b) {
+          set_leaves({static_cast<Index>(node_a), static_cast<Index>(node_b)});
+          return false;
+        });
     visits_left = budget.visits_left;
     counts_.overlaps = budget.overlaps;
     at_leaf_pair_ = end == Walk::stopped;
@@ -196,6 +281,10 @@ class Query {
 
   FLASHBVH_NOINLINE void place_next(PlacedTriangle& a, PlacedTriangle& b) {
     --untested_;
+    place_current(a, b);
+  }
+
+  void place_current(PlacedTriangle& a, PlacedTriangle& b) const {
     place_translated(*a_, current_a(), {0, 0, 0}, a);
     if (placement_.is_rotated()) {
       place_rotated(*b_, current_b(), placement_.rotated(), b);
@@ -204,17 +293,21 @@ class Query {
     }
   }
 
+  void set_leaves(const PairCursor<Index>& nodes) {
+    leaf_a_ = a_->nodes[nodes.a].leaf();
+    leaf_b_ = b_->nodes[nodes.b].leaf();
+  }
+
   /// Positions of the current pair of triangles: the leaves' pairs are taken from the last one on.
   uint32_t current_a() const { return a_->first_triangle(leaf_a_) + untested_ / triangles_of_b(); }
   uint32_t current_b() const { return b_->first_triangle(leaf_b_) + untested_ % triangles_of_b(); }
   Pair current_pair() const { return {a_->sources[current_a()], b_->sources[current_b()]}; }
 
-  uint32_t triangles_of_a() const {
-    return a_->end_triangle(leaf_a_) - a_->first_triangle(leaf_a_);
+  static uint32_t triangles(const Tree& tree, uint32_t leaf) {
+    return tree.end_triangle(leaf) - tree.first_triangle(leaf);
   }
-  uint32_t triangles_of_b() const {
-    return b_->end_triangle(leaf_b_) - b_->first_triangle(leaf_b_);
-  }
+  uint32_t triangles_of_a() const { return triangles(*a_, leaf_a_); }
+  uint32_t triangles_of_b() const { return triangles(*b_, leaf_b_); }
 
   const Tree* a_;
   const Tree* b_;

@@ -37,10 +37,10 @@ struct RotatedPlacement {
   BoundStart on_b[3];  ///< boxes of A on B's axes
 
   /// Sets all members. The origins are the trees', within +-2^29 cells; `root_b` contains all that
-  /// will be placed. False, and no use, if two meshes with these root boxes are so far apart that
-  /// they cannot meet; true where in doubt. The pose outlives this.
+  /// will be placed. False, and no use, if `may_stop` and two meshes with these root boxes are so
+  /// far apart that they cannot meet; true where in doubt. The pose outlives this.
   bool prepare(const Pose& pose, const int32_t (&origin_a)[3], const PackedBox& root_a,
-               const int32_t (&origin_b)[3], const PackedBox& root_b);
+               const int32_t (&origin_b)[3], const PackedBox& root_b, bool may_stop);
 
   /// In cells from A's origin: within +-80,000.
   Point place(const Vertex& v) const;

@@ -5,6 +5,9 @@
 //     Cursor                  where the walk is; default: at its start
 //     kStartsAtRoots          whether roots that are apart end it with the first visit
 //     run(a, b, overlap, cursor, budget, leaf_pair) -> Walk
+// and, if it is stackless, for cursors that come from outside, their indices in range,
+//     nodes(a, b, cursor)     the nodes that it stands for
+//     can_visit(a, b, cursor) whether a walk over these trees can be there
 // `run` goes on from `cursor`, spends one of `budget.visits_left` per visit, and calls
 // leaf_pair(i, j) for each pair of leaves whose boxes overlap. If leaf_pair returns false the walk
 // stops at that pair; with `budget.behind` set the next run goes on behind the cursor's pair

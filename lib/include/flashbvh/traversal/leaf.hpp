@@ -24,6 +24,13 @@ class Leaf {
   using Cursor = PairCursor<Index>;
   static constexpr bool kStartsAtRoots = false;
 
+  static Cursor nodes(const Tree& a, const Tree&, const Cursor& cursor) {
+    return {static_cast<Index>(left_to_right(a, cursor.a)), cursor.b};
+  }
+  static bool can_visit(const Tree& a, const Tree& b, const Cursor& cursor) {
+    return a.nodes[nodes(a, b, cursor).a].is_leaf();
+  }
+
   template <class Overlap, class LeafPair>
   static Walk run(const Tree& a, const Tree& b, const Overlap& overlap, Cursor& cursor,
                   Budget& budget, const LeafPair& leaf_pair) {

@@ -32,6 +32,10 @@ class Ranked {
   using Cursor = PairCursor<Index>;
   static constexpr bool kStartsAtRoots = true;
 
+  static Cursor nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor; }
+  /// Any pair: what lies behind it is a function of it.
+  static bool can_visit(const Tree&, const Tree&, const Cursor&) { return true; }
+
   template <class Overlap, class LeafPair>
   FLASHBVH_NOINLINE static Walk run(const Tree& a, const Tree& b, const Overlap& overlap,
                                     Cursor& cursor, Budget& budget, const LeafPair& leaf_pair) {

@@ -29,6 +29,15 @@ class AlternatingStackless {
   using Cursor = PairCursor<Index>;
   static constexpr bool kStartsAtRoots = true;
 
+  static Cursor nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor; }
+  /// Levels are further apart than the alternating rule makes them only under a leaf.
+  static bool can_visit(const Tree& a, const Tree& b, const Cursor& cursor) {
+    const uint32_t level_a = a.level(cursor.a);
+    const uint32_t level_b = b.level(cursor.b);
+    return level_a > level_b ? b.nodes[cursor.b].is_leaf()
+                             : level_b - level_a <= 1 || a.nodes[cursor.a].is_leaf();
+  }
+
   template <class Overlap, class LeafPair>
   FLASHBVH_NOINLINE static Walk run(const Tree& a, const Tree& b, const Overlap& overlap,
                                     Cursor& cursor, Budget& budget, const LeafPair& leaf_pair) {

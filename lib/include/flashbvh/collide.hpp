@@ -1,0 +1,82 @@
+// One question, one call: each runs a query to its end. For slices, and for all else, query.hpp.
+//
+// Every call needs the stack of a query and the query object, below 400 bytes on a Cortex-M4, and
+// takes as long as the answer takes.
+#ifndef FLASHBVH_COLLIDE_HPP
+#define FLASHBVH_COLLIDE_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/query.hpp"
+
+namespace flashbvh {
+
+/// The answer to yes or no. After an error `yes` is true: what can't be told may collide.
+struct Answer {
+  Status status;
+  bool yes;
+};
+
+/// A number of pairs; 0 after an error.
+struct PairCount {
+  Status status;
+  uint32_t pairs;
+};
+
+/// The query that a kind of tree has by default.
+template <class Index>
+using DefaultQuery = Query<Ranked<Tree<Index, Layout::post_indexed>>>;
+
+/// The first pair that the query finds, in `found`, which is written only if there is one.
+template <class Index>
+Answer first_pair(const Tree<Index, Layout::post_indexed>& a,
+                  const Tree<Index, Layout::post_indexed>& b, const Pose& pose,
+                  TrianglePair<Index>& found) {
+  DefaultQuery<Index> query(a, b, pose);
+  const Step step = query.run(UINT32_MAX, &found, 1);
+  const bool yes = step.status == Status::full;
+  return {yes ? Status::done : step.status, step.status != Status::done};
+}
+
+/// Whether any two triangles meet; ends at the first pair that does.
+template <class Index>
+Answer intersects(const Tree<Index, Layout::post_indexed>& a,
+                  const Tree<Index, Layout::post_indexed>& b, const Pose& pose) {
+  TrianglePair<Index> found;
+  return first_pair(a, b, pose, found);
+}
+
+/// Hands each pair that meets to `visit(pair)`, in the query's order, until it returns false.
+/// `done` at the end, `full` if `visit` said no more.
+template <class Index, class Visitor>
+Status for_each_pair(const Tree<Index, Layout::post_indexed>& a,
+                     const Tree<Index, Layout::post_indexed>& b, const Pose& pose,
+                     Visitor&& visit) {
+  DefaultQuery<Index> query(a, b, pose);
+  return query.run(UINT32_MAX, visit);
+}
+
+/// How many pairs of triangles meet.
+template <class Index>
+PairCount count_pairs(const Tree<Index, Layout::post_indexed>& a,
+                      const Tree<Index, Layout::post_indexed>& b, const Pose& pose) {
+  uint32_t pairs = 0;
+  const Status status = for_each_pair(a, b, pose, [&pairs](const TrianglePair<Index>&) {
+    ++pairs;
+    return true;
+  });
+  return {status, pairs};
+}
+
+/// The first `capacity` pairs that meet. `done`: these are all; `full`: there may be more.
+template <class Index>
+Step find_pairs(const Tree<Index, Layout::post_indexed>& a,
+                const Tree<Index, Layout::post_indexed>& b, const Pose& pose,
+                TrianglePair<Index>* found, uint32_t capacity) {
+  DefaultQuery<Index> query(a, b, pose);
+  return query.run(UINT32_MAX, found, capacity);
+}
+
+}  // namespace flashbvh
+
+#endif
