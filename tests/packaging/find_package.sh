@@ -1,0 +1,28 @@
+#!/bin/sh
+# An installed package: natively with its library and its tool; in a cross build it compiles the
+# library for the target. It may be moved, and names no place on the machine that built it.
+. "$SOURCES/common.sh"
+"$CMAKE" --install "$FOLDER/cross/built/flashbvh-host" --prefix "$PWD/made" >log 2>&1 || fail install
+mv made moved
+prefix="$PWD/moved"
+if grep -rl -e "$ROOT" -e "$FOLDER" moved/include moved/share moved/lib*/cmake \
+    moved/lib*/*/cmake 2>/dev/null; then
+  fail "absolute paths"
+fi
+"$prefix/bin/flashbvh" --version | grep -q flashbvh || fail "no tool"
+[ -n "$(find moved -name libflashbvh.a)" ] || fail "no library"
+
+version=$("$prefix/bin/flashbvh" --version | sed 's/^flashbvh \([0-9]*\.[0-9]*\).*/\1/')
+configure built "-DCMAKE_PREFIX_PATH=$prefix" -DVERSION="$version" $bare
+bakes built "the first time"
+built/consumer || fail "wrong answers"
+rests built "nothing changed"
+touch moved/bin/flashbvh
+bakes built "the tool changed"
+"$CMAKE" -S firmware -B wrong "-DCMAKE_PREFIX_PATH=$prefix" -DVERSION=99 >log 2>&1 &&
+  fail "version 99 accepted"
+
+enter_cross_environment
+configure cross "-Dflashbvh_DIR=$(dirname "$(find "$prefix" -name flashbvhConfig.cmake)")"
+bakes cross "the first time, crossing"
+for_the_target cross/consumer
