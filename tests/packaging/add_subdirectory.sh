@@ -33,6 +33,7 @@ done
 wrong() {
   said=$1
   shift
+  rm -rf wrong
   "$CMAKE" -S firmware -B wrong -DWAY=add_subdirectory "-DFLASHBVH_ROOT=$ROOT" "$@" >log 2>&1 &&
     fail "accepted: $*"
   tr -s '\n ' '  ' <log | grep -qF -- "$said" || fail "no '$said'"
