@@ -3,21 +3,20 @@
 # library for the target. It may be moved, and names no place on the machine that built it.
 . "$SOURCES/common.sh"
 "$CMAKE" --install "$FOLDER/cross/built/flashbvh-host" --prefix "$PWD/made" >log 2>&1 || fail install
-mv made moved
-prefix="$PWD/moved"
-if grep -rl -e "$ROOT" -e "$FOLDER" moved/include moved/share moved/lib*/cmake \
-    moved/lib*/*/cmake 2>/dev/null; then
+mv made "moved here"
+prefix="$PWD/moved here"
+if grep -rl -e "$ROOT" -e "$FOLDER" "$prefix"/include "$prefix"/share "$prefix"/lib*/cmake; then
   fail "absolute paths"
 fi
 "$prefix/bin/flashbvh" --version | grep -q flashbvh || fail "no tool"
-[ -n "$(find moved -name libflashbvh.a)" ] || fail "no library"
+[ -n "$(find "$prefix" -name libflashbvh.a)" ] || fail "no library"
 
 version=$("$prefix/bin/flashbvh" --version | sed 's/^flashbvh \([0-9]*\.[0-9]*\).*/\1/')
 configure built "-DCMAKE_PREFIX_PATH=$prefix" -DVERSION="$version" $bare
 bakes built "the first time"
 built/consumer || fail "wrong answers"
 rests built "nothing changed"
-touch moved/bin/flashbvh
+touch "$prefix"/bin/flashbvh
 bakes built "the tool changed"
 "$CMAKE" -S firmware -B wrong "-DCMAKE_PREFIX_PATH=$prefix" -DVERSION=99 >log 2>&1 &&
   fail "version 99 accepted"

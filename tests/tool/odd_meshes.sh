@@ -60,7 +60,7 @@ grep -q '14 triangles.*without 2 degenerate and 0 duplicate triangles' stdout ||
 [ "$(grep '^# triangle' some.obj)" = "# triangle 14" ] || fail "$(cat some.obj)"
 [ "$(grep -c '^v' some.obj)" -eq 8 ] || fail "vertices that nothing uses"
 
-exits 0 bake mesh.obj -o few --cell 1 --drop degenerate --drop duplicate
+exits 0 bake mesh.obj -o few --cell 1 --drop degenerate,duplicate
 exits 0 check few/mesh.fbvh --mesh mesh.obj
 grep -q '12 triangles.*without 2 degenerate and 2 duplicate triangles' stdout || fail "$(cat stdout)"
 exits 1 check few/mesh.fbvh --mesh meshes/tetrahedron.stl

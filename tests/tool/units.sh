@@ -51,8 +51,8 @@ refused "--unit cm: the unit is mm already; give a file's own unit as --unit FIL
   bake parts/mm.obj -o out --unit mm --unit cm
 refused "--unit other.obj=mm: no mesh 'other.obj' is given" \
   bake parts/mm.obj -o out --unit m --unit other.obj=mm
-refused "--unit mm.obj=in: the file is in cm already" \
-  bake parts/mm.obj -o out --unit m --unit mm.obj=cm --unit mm.obj=in
+refused "--unit parts/mm.obj=in: parts/mm.obj is in cm already" \
+  bake parts/mm.obj -o out --unit m --unit mm.obj=cm --unit parts/mm.obj=in
 refused "--unit mm.obj=mm: says nothing of the unit of the results; add it" \
   bake parts/mm.obj -o out --unit mm.obj=mm
 refused "--unit" bake parts/mm.obj -o out --unit

@@ -244,10 +244,12 @@ void add_bake(CLI::App& app) {
   command
       ->add_option("--drop", a.drop,
                    "Leave out triangles without area (`degenerate`) or with the three vertices of "
-                   "an\nearlier one (`duplicate`). May be repeated. The others keep their numbers")
+                   "an\nearlier one (`duplicate`), or both, with a comma between. The others keep "
+                   "their numbers")
       ->check(CLI::IsMember({"degenerate", "duplicate"}))
       ->type_size(1)
       ->expected(1)
+      ->delimiter(',')
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--progress", a.progress,

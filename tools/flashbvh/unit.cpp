@@ -58,47 +58,58 @@ void add_unit_option(CLI::App& command, std::vector<std::string>& given) {
 
 Units::Units(const std::vector<std::string>& given, const std::vector<std::string>& files) {
   for (const std::string& option : given) {
-    const std::string place = "--unit " + option;
     const std::size_t equals = option.rfind('=');
     const std::string unit = equals == std::string::npos ? option : option.substr(equals + 1);
     if (length_of(unit) == 0) {
-      throw UserError(place, "'" + unit + "' is no unit; give " + kNames);
+      throw UserError("--unit " + option, "'" + unit + "' is no unit; give " + kNames);
     }
     if (equals == std::string::npos) {
-      if (!common_.empty() && common_ != unit) {
-        throw UserError(place, "the unit is " + common_ + " already; give a file's own unit as " +
-                                   "--unit FILE=" + unit);
-      }
-      common_ = unit;
-      continue;
+      set_common(unit);
+    } else {
+      set_own(option.substr(0, equals), unit, files);
     }
-    const std::string name = option.substr(0, equals);
-    if (std::none_of(files.begin(), files.end(),
-                     [&](const std::string& file) { return is_meant(name, file); })) {
-      throw UserError(place, "no mesh '" + name +
-                                 "' is given; name one as it is given, or by its "
-                                 "name without folders");
-    }
-    for (const FileUnit& other : own_) {
-      if (other.file == name && other.unit != unit) {
-        throw UserError(place, "the file is in " + other.unit + " already; give it one unit");
-      }
-    }
-    own_.push_back({name, unit});
   }
   if (common_.empty() && !own_.empty()) {
-    throw UserError("--unit " + own_[0].file + "=" + own_[0].unit,
+    throw UserError("--unit " + given[0],
                     "says nothing of the unit of the results; add it, such as --unit mm");
   }
 }
 
+void Units::set_common(const std::string& unit) {
+  if (!common_.empty() && common_ != unit) {
+    throw UserError(
+        "--unit " + unit,
+        "the unit is " + common_ + " already; give a file's own unit as --unit FILE=" + unit);
+  }
+  common_ = unit;
+}
+
+void Units::set_own(const std::string& name, const std::string& unit,
+                    const std::vector<std::string>& files) {
+  const std::string place = "--unit " + name + "=" + unit;
+  bool found = false;
+  for (const std::string& file : files) {
+    if (is_meant(name, file)) {
+      const std::string& known = own_.emplace(file, unit).first->second;
+      if (known != unit) {
+        throw UserError(place, file + " is in " + known + " already; give it one unit");
+      }
+      found = true;
+    }
+  }
+  if (!found) {
+    throw UserError(place, "no mesh '" + name +
+                               "' is given; name one as it is given, or by its "
+                               "name without folders");
+  }
+}
+
 void Units::convert(bake::SourceMesh& mesh, const std::string& file) const {
-  const auto own = std::find_if(own_.begin(), own_.end(),
-                                [&](const FileUnit& unit) { return is_meant(unit.file, file); });
+  const auto own = own_.find(file);
   if (own == own_.end()) {
     return;
   }
-  const std::uint64_t from = length_of(own->unit);
+  const std::uint64_t from = length_of(own->second);
   const std::uint64_t to = length_of(common_);
   const std::uint64_t common_part = std::gcd(from, to);
   const std::uint64_t numerator = from / common_part;

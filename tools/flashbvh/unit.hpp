@@ -3,7 +3,7 @@
 #define FLASHBVH_TOOLS_UNIT_HPP
 
 #include <CLI/CLI.hpp>
-#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,13 +31,12 @@ class Units {
   std::string with_unit(double length) const;
 
  private:
-  struct FileUnit {
-    std::string file;
-    std::string unit;
-  };
+  void set_common(const std::string& unit);
+  void set_own(const std::string& name, const std::string& unit,
+               const std::vector<std::string>& files);
 
   std::string common_;
-  std::vector<FileUnit> own_;
+  std::map<std::string, std::string> own_;  ///< by file
 };
 
 }  // namespace flashbvh::tool
