@@ -192,6 +192,30 @@ void bake_all(const Arguments& arguments) {
   print_table(results, Units(arguments.units, arguments.meshes).with_unit(cell));
 }
 
+/// What meshes are taken as, and what is refused.
+void add_mesh_options(CLI::App& command, Arguments& a) {
+  command.add_option("--max-bytes", a.max_bytes, "Refuse to write if an image is larger")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--max-deviation", a.max_deviation,
+                  "Refuse to write if rounding moves a vertex further")
+      ->type_name("LENGTH");
+  add_unit_option(command, a.units);
+  command
+      .add_option("--drop", a.drop,
+                  "Leave out triangles without area (`degenerate`) or with the three vertices of "
+                  "an\nearlier one (`duplicate`), or both, with a comma between. The others keep "
+                  "their numbers")
+      ->check(CLI::IsMember({"degenerate", "duplicate"}))
+      ->type_size(1)
+      ->expected(1)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_flag("--progress", a.progress,
+                   "Show a progress bar at once; default: on a terminal, after a second");
+}
+
 }  // namespace
 
 void add_bake(CLI::App& app) {
@@ -234,26 +258,7 @@ void add_bake(CLI::App& app) {
   command->add_option("--name", a.name,
                       "Name of the files and the namespace, for one mesh; "
                       "default: that of the mesh file");
-  command->add_option("--max-bytes", a.max_bytes, "Refuse to write if an image is larger")
-      ->check(CLI::PositiveNumber);
-  command
-      ->add_option("--max-deviation", a.max_deviation,
-                   "Refuse to write if rounding moves a vertex further")
-      ->type_name("LENGTH");
-  add_unit_option(*command, a.units);
-  command
-      ->add_option("--drop", a.drop,
-                   "Leave out triangles without area (`degenerate`) or with the three vertices of "
-                   "an\nearlier one (`duplicate`), or both, with a comma between. The others keep "
-                   "their numbers")
-      ->check(CLI::IsMember({"degenerate", "duplicate"}))
-      ->type_size(1)
-      ->expected(1)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_flag("--progress", a.progress,
-                    "Show a progress bar at once; default: on a terminal, after a second");
+  add_mesh_options(*command, a);
   command->callback([arguments] { bake_all(*arguments); });
 }
 

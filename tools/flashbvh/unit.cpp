@@ -40,6 +40,11 @@ bool is_meant(const std::string& name, const std::string& file) {
   return name == file || name == std::filesystem::path(file).filename().string();
 }
 
+[[noreturn]] void refuse_second_unit(const std::string& place, const std::string& file,
+                                     const std::string& known) {
+  throw UserError(place, file + " is in " + known + " already; give it one unit");
+}
+
 }  // namespace
 
 void add_unit_option(CLI::App& command, std::vector<std::string>& given) {
@@ -92,7 +97,7 @@ void Units::set_own(const std::string& name, const std::string& unit,
     if (is_meant(name, file)) {
       const std::string& known = own_.emplace(file, unit).first->second;
       if (known != unit) {
-        throw UserError(place, file + " is in " + known + " already; give it one unit");
+        refuse_second_unit(place, file, known);
       }
       found = true;
     }
