@@ -26,6 +26,6 @@ ensure_packages() {
   rm -f "$log"
 }
 
-host_packages="cmake ninja-build g++ libassimp-dev libcli11-dev nlohmann-json3-dev catch2"
+host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev nlohmann-json3-dev catch2"
 board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm"

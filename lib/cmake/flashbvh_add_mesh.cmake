@@ -1,75 +1,82 @@
-# flashbvh_add_mesh(name SOURCES mesh... [CELL length] [LAYOUT pre|post] [LEAF_SIZE n])
+# flashbvh_add_mesh(name SOURCES mesh...
+#                   [UNIT unit|mesh=unit...] [CELL length] [MAX_DEVIATION length]
+#                   [LEAF_SIZE n] [ARITY n] [BUILDER name] [LAYOUT pre|post] [INDEX_BITS 16|32]
+#                   [DROP degenerate|duplicate...] [MAX_BYTES n] [NAME name]
+#                   [FORMAT cpp|image|both])
 #
-# A static library with the baked trees of some meshes, which share one cell. Include a mesh's
-# tree as "<stem>.fbvh.hpp". The meshes are baked anew when they or the tool change.
+# A library `name`, also called name::name, with the baked trees of some meshes, which share one
+# cell. A target that links it includes a mesh's tree as "<stem>.fbvh.hpp". The options are those of
+# `flashbvh bake`. The meshes are baked anew when one of them, an option or the tool changes.
 #
-# The tool runs on this machine. In a cross build it is FLASHBVH_HOST_TOOL or, if that is empty, a
-# build of its own in the build folder.
-set(FLASHBVH_HOST_TOOL "" CACHE FILEPATH "the program flashbvh, built for this machine")
-
-# Sets `command` to the host tool and `depends` to what has to be there before it runs.
-function(flashbvh_host_tool command depends)
-  if(TARGET flashbvh_tool)
-    set(${command} flashbvh_tool PARENT_SCOPE)
-    set(${depends} flashbvh_tool PARENT_SCOPE)
-    return()
-  endif()
-  if(FLASHBVH_HOST_TOOL)
-    set(${command} ${FLASHBVH_HOST_TOOL} PARENT_SCOPE)
-    set(${depends} ${FLASHBVH_HOST_TOOL} PARENT_SCOPE)
-    return()
-  endif()
-  set(folder ${CMAKE_BINARY_DIR}/flashbvh-host)
-  if(NOT TARGET flashbvh_host_build)
-    include(ExternalProject)
-    # The environment of a cross build must not reach the build for this machine.
-    set(clean ${CMAKE_COMMAND} -E env --unset=CC --unset=CXX --unset=CFLAGS --unset=CXXFLAGS
-      --unset=LDFLAGS --unset=CMAKE_TOOLCHAIN_FILE)
-    ExternalProject_Add(flashbvh_host_build
-      SOURCE_DIR ${FLASHBVH_SOURCE_DIR}
-      BINARY_DIR ${folder}
-      CONFIGURE_COMMAND ${clean} ${CMAKE_COMMAND} -G ${CMAKE_GENERATOR} -S <SOURCE_DIR>
-        -B <BINARY_DIR> -DCMAKE_BUILD_TYPE=Release
-      BUILD_COMMAND ${clean} ${CMAKE_COMMAND} --build <BINARY_DIR> --target flashbvh_tool
-      BUILD_ALWAYS TRUE
-      BUILD_BYPRODUCTS ${folder}/bin/flashbvh
-      INSTALL_COMMAND "")
-  endif()
-  set(${command} ${folder}/bin/flashbvh PARENT_SCOPE)
-  set(${depends} flashbvh_host_build ${folder}/bin/flashbvh PARENT_SCOPE)
-endfunction()
-set(FLASHBVH_SOURCE_DIR ${PROJECT_SOURCE_DIR} CACHE INTERNAL "")
+# FORMAT image makes no code: the folder of the images <stem>.fbvh is an include folder of whoever
+# links the library, for .incbin; the target's property FLASHBVH_IMAGES lists them. FORMAT both does
+# both.
+include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 
 function(flashbvh_add_mesh name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "CELL;LAYOUT;LEAF_SIZE" "SOURCES")
-  if(arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
-    message(FATAL_ERROR "flashbvh_add_mesh(${name}): SOURCES mesh... and options only; "
-      "not understood: ${arg_UNPARSED_ARGUMENTS}")
+  set(single CELL MAX_DEVIATION LEAF_SIZE ARITY BUILDER LAYOUT INDEX_BITS MAX_BYTES NAME FORMAT)
+  set(repeated UNIT DROP)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "${single}" "SOURCES;${repeated}")
+  set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_SOURCES})
+  list(FILTER odd EXCLUDE REGEX "\\.([Ss][Tt][Ll]|[Oo][Bb][Jj]|[Pp][Ll][Yy]|[Oo][Ff][Ff])$")
+  if(odd OR NOT arg_SOURCES)
+    message(FATAL_ERROR "flashbvh_add_mesh(${name}): give SOURCES mesh... and options with their "
+      "values; not understood: ${odd}")
   endif()
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${name})
-  set(options --format cpp)
-  foreach(option CELL LAYOUT LEAF_SIZE)
-    if(DEFINED arg_${option})
-      string(TOLOWER ${option} flag)
-      string(REPLACE "_" "-" flag ${flag})
-      list(APPEND options --${flag} ${arg_${option}})
-    endif()
+  if(NOT DEFINED arg_FORMAT)
+    set(arg_FORMAT cpp)
+  endif()
+  set(options "")
+  foreach(option ${single} ${repeated})
+    string(TOLOWER --${option} flag)
+    string(REPLACE "_" "-" flag ${flag})
+    foreach(value IN LISTS arg_${option})
+      list(APPEND options ${flag} ${value})
+    endforeach()
   endforeach()
+  flashbvh_bake_command(${name} "${arg_SOURCES}" "${options}" "${arg_NAME}" ${arg_FORMAT})
+endfunction()
+
+# The custom command and the library that holds what it makes.
+function(flashbvh_bake_command name sources options stem format)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/flashbvh/${name})
   set(meshes "")
-  set(baked "")
-  foreach(source ${arg_SOURCES})
+  set(code "")
+  set(images "")
+  foreach(source ${sources})
     get_filename_component(mesh ${source} ABSOLUTE)
-    get_filename_component(stem ${source} NAME_WLE)
     list(APPEND meshes ${mesh})
-    list(APPEND baked ${folder}/${stem}.fbvh.cpp ${folder}/${stem}.fbvh.hpp)
+    if(NOT stem)
+      get_filename_component(mesh_stem ${source} NAME_WLE)
+    else()
+      set(mesh_stem ${stem})
+    endif()
+    list(APPEND code ${folder}/${mesh_stem}.fbvh.cpp ${folder}/${mesh_stem}.fbvh.hpp)
+    list(APPEND images ${folder}/${mesh_stem}.fbvh)
   endforeach()
-  flashbvh_host_tool(tool depends)
-  add_custom_command(OUTPUT ${baked}
-    COMMAND ${tool} bake ${meshes} -o ${folder} ${options}
-    DEPENDS ${meshes} ${depends}
+  if(format STREQUAL "cpp")
+    set(images "")
+  elseif(format STREQUAL "image")
+    set(code "")
+  endif()
+
+  # A file that changes with the options: not every generator minds how a command is called.
+  file(CONFIGURE OUTPUT ${folder}/options.txt CONTENT "${meshes};${options}" @ONLY)
+  flashbvh_host_tool(program depends)
+  add_custom_command(OUTPUT ${code} ${images}
+    COMMAND ${program} bake ${meshes} -o ${folder} ${options}
+    DEPENDS ${meshes} ${folder}/options.txt ${depends}
     COMMENT "Baking ${name}"
     VERBATIM)
-  add_library(${name} STATIC ${baked})
-  target_include_directories(${name} PUBLIC ${folder})
-  target_link_libraries(${name} PUBLIC flashbvh::flashbvh)
+  if(code)
+    add_library(${name} STATIC ${code} ${images})
+    set(visibility PUBLIC)
+  else()
+    add_library(${name} INTERFACE ${images})
+    set(visibility INTERFACE)
+  endif()
+  add_library(${name}::${name} ALIAS ${name})
+  set_target_properties(${name} PROPERTIES FLASHBVH_IMAGES "${images}")
+  target_include_directories(${name} ${visibility} ${folder})
+  target_link_libraries(${name} ${visibility} flashbvh::flashbvh)
 endfunction()

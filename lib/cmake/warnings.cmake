@@ -1,7 +1,12 @@
-# Warnings are errors in everything that we write ourselves.
+# Warnings are errors in everything that we write ourselves; in a build that only uses flashbvh they
+# are its own business.
+option(FLASHBVH_WARNINGS "flashbvh's own warnings, as errors (GCC, Clang)" ${PROJECT_IS_TOP_LEVEL})
 
 # flashbvh_warnings(target): the warnings of all our code, tests and tools included.
 function(flashbvh_warnings target)
+  if(NOT FLASHBVH_WARNINGS)
+    return()
+  endif()
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wconversion -Wshadow -Wdouble-promotion -Werror)
   if(FLASHBVH_SANITIZE)
@@ -14,5 +19,7 @@ endfunction()
 # flashbvh_library_warnings(target): those, and on the boards a bound on every stack frame.
 function(flashbvh_library_warnings target)
   flashbvh_warnings(${target})
-  target_compile_options(${target} PRIVATE $<$<BOOL:${CMAKE_CROSSCOMPILING}>:-Wstack-usage=256>)
+  if(FLASHBVH_WARNINGS AND CMAKE_CROSSCOMPILING)
+    target_compile_options(${target} PRIVATE -Wstack-usage=256)
+  endif()
 endfunction()

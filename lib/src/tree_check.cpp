@@ -90,7 +90,7 @@ class Checker {
       return false;
     }
     for (uint32_t i = first; i < end; ++i) {
-      if (tree_.sources[i] >= tree_.triangle_count || !triangle_inside(i, node.box)) {
+      if (!triangle_inside(i, node.box)) {
         return false;
       }
     }

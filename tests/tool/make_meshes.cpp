@@ -1,4 +1,5 @@
-// Writes the meshes that the tests of the command line work on to the folder given.
+// make_meshes FOLDER [large]: writes the meshes that the tests of the command line work on, or the
+// one large one, to the folder.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -65,11 +66,15 @@ std::vector<Triangle> loose(int count) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
+  if (argc < 2) {
     return EXIT_FAILURE;
   }
   const std::string folder = std::string(argv[1]) + "/";
   std::filesystem::create_directories(folder);
+  if (argc > 2) {
+    write_stl(folder + "large.stl", torus(400, 250));
+    return EXIT_SUCCESS;
+  }
   write_stl(folder + "ring.stl", torus(20, 10));
   write_stl(folder + "coarse.stl", torus(8, 5));
   const std::vector<Triangle> tetrahedron = {{Point{0, 0, 0}, Point{10, 0, 0}, Point{0, 10, 0}},

@@ -60,6 +60,29 @@ double finest_cell(const SourceMesh& mesh) {
   return cell;
 }
 
+std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, double cell) {
+  std::vector<bool> is_out(mesh.vertices.size(), false);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Range range = range_of(mesh, axis);
+    const double origin =
+        std::floor((std::round(range.low / cell) + std::round(range.high / cell)) / 2);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+      const double at = std::round(mesh.vertices[i][axis] / cell);
+      if (!(std::fabs(at - origin) <= kMaxCoordinate) || !(std::fabs(at) <= kMaxOrigin)) {
+        is_out[i] = true;
+      }
+    }
+  }
+  std::vector<std::uint32_t> found;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const TriangleCorners& corners = mesh.triangles[i];
+    if (is_out[corners[0]] || is_out[corners[1]] || is_out[corners[2]]) {
+      found.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  return found;
+}
+
 LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell) {
   LatticeMesh rounded;
   rounded.cell = cell;

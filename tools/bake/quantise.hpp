@@ -14,6 +14,10 @@ double finest_cell(const SourceMesh& mesh);
 /// within 2^29 cells of its frame's origin.
 bool fits(const SourceMesh& mesh, double cell);
 
+/// The numbers of the triangles that reach past the lattice that lies around the mesh's middle with
+/// this cell, ascending; none if the mesh fits.
+std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, double cell);
+
 /// Rounds each coordinate to the nearest multiple of `cell`, halves away from zero, and joins
 /// vertices that fall together. Precondition: fits(mesh, cell).
 LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell);

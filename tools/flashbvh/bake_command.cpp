@@ -1,13 +1,14 @@
 // flashbvh bake: everything is read and baked before the first file is written.
 #include <algorithm>
-#include <iomanip>
-#include <iostream>
+#include <filesystem>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <set>
 
 #include "bake/image_bytes.hpp"
+#include "flashbvh/bake_report.hpp"
 #include "flashbvh/baking.hpp"
 #include "flashbvh/commands.hpp"
 #include "flashbvh/cpp_writer.hpp"
@@ -15,6 +16,8 @@
 #include "flashbvh/mesh_import.hpp"
 #include "flashbvh/numbers.hpp"
 #include "flashbvh/output_name.hpp"
+#include "flashbvh/progress.hpp"
+#include "flashbvh/unit.hpp"
 #include "flashbvh/user_error.hpp"
 
 namespace flashbvh::tool {
@@ -32,14 +35,10 @@ struct Arguments {
   std::uint32_t arity = 2;
   unsigned index_bits = 16;
   std::optional<std::int64_t> max_bytes;
-};
-
-/// What one mesh became.
-struct Result {
-  OutputName name;
-  BakedMesh baked;
-  std::size_t image_bytes;
-  std::size_t flash_bytes;
+  std::optional<std::string> max_deviation;
+  std::vector<std::string> units;
+  std::vector<std::string> drop;
+  bool progress = false;
 };
 
 /// Output files and namespaces must not collide.
@@ -60,22 +59,28 @@ std::vector<OutputName> output_names(const Arguments& arguments) {
   return names;
 }
 
-double common_cell(const Arguments& arguments, const std::vector<bake::SourceMesh>& meshes) {
-  if (!arguments.cell) {
-    double cell = 0;
-    for (const bake::SourceMesh& mesh : meshes) {
-      cell = std::max(cell, finest_float_cell(mesh));
-    }
-    return cell;
+/// A length from the command line that firmware can hold in a float. `least`: the smallest.
+double length_of(const std::string& option, const std::string& text, double least) {
+  const std::optional<double> length = parse_number(text);
+  if (!length || *length < least ||
+      *length > static_cast<double>(std::numeric_limits<float>::max())) {
+    throw UserError(option + " " + text, std::string("is no length; give a ") +
+                                             (least > 0 ? "positive number" : "number from 0") +
+                                             " in the mesh's unit");
   }
-  const std::optional<double> cell = parse_number(*arguments.cell);
-  using Float = std::numeric_limits<float>;
-  if (!cell || *cell < static_cast<double>(Float::min()) ||
-      *cell > static_cast<double>(Float::max())) {
-    throw UserError("--cell " + *arguments.cell,
-                    "is no length; give a positive number in the mesh's unit");
+  return *length;
+}
+
+double common_cell(const Arguments& arguments, const std::vector<InputMesh>& meshes) {
+  if (arguments.cell) {
+    return length_of("--cell", *arguments.cell,
+                     static_cast<double>(std::numeric_limits<float>::min()));
   }
-  return *cell;
+  double cell = 0;
+  for (const InputMesh& mesh : meshes) {
+    cell = std::max(cell, finest_float_cell(mesh.mesh));
+  }
+  return cell;
 }
 
 void check_budget(const Arguments& arguments, const std::string& mesh, std::size_t bytes) {
@@ -95,26 +100,37 @@ std::string image_file(const Baked& baked, const std::string& path) {
   return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]};
 }
 
-Result bake_one(const Arguments& arguments, std::size_t index, const bake::SourceMesh& mesh,
-                double cell, const OutputName& name, FileSet& files) {
-  const std::string& path = arguments.meshes[index];
+BakeOptions options_of(const Arguments& arguments) {
   BakeOptions options;
   options.layout = arguments.layout == "pre" ? Layout::pre_indexed : Layout::post_indexed;
   options.index_bits = arguments.index_bits;
   options.leaf_size = arguments.leaf_size;
   options.arity = arguments.arity;
-  Result result = {name, bake_mesh(mesh, cell, options, path), 0, 0};
+  if (arguments.max_deviation) {
+    options.max_deviation = length_of("--max-deviation", *arguments.max_deviation, 0);
+  }
+  for (const std::string& kind : arguments.drop) {
+    options.drop_degenerate = options.drop_degenerate || kind == "degenerate";
+    options.drop_duplicate = options.drop_duplicate || kind == "duplicate";
+  }
+  return options;
+}
+
+BakeResult bake_one(const Arguments& arguments, const InputMesh& mesh, double cell,
+                    const OutputName& name, FileSet& files) {
+  const std::string unit = Units(arguments.units, arguments.meshes).common();
+  BakeResult result = {name, bake_mesh(mesh, cell, options_of(arguments)), 0, 0};
   const std::filesystem::path stem = std::filesystem::path(arguments.folder) / name.stem;
   std::visit(
       [&](const auto& baked) {
         result.image_bytes = image_size(baked);
         result.flash_bytes = flash_bytes(baked);
-        check_budget(arguments, path, result.image_bytes);
+        check_budget(arguments, mesh.path, result.image_bytes);
         if (arguments.format != "cpp") {
-          files.add(stem.string() + ".fbvh", image_file(baked, path));
+          files.add(stem.string() + ".fbvh", image_file(baked, mesh.path));
         }
         if (arguments.format != "image") {
-          CppFiles cpp = cpp_of(baked, name);
+          CppFiles cpp = cpp_of(baked, name, unit);
           files.add(stem.string() + ".fbvh.hpp", std::move(cpp.header));
           files.add(stem.string() + ".fbvh.cpp", std::move(cpp.source));
         }
@@ -123,57 +139,81 @@ Result bake_one(const Arguments& arguments, std::size_t index, const bake::Sourc
   return result;
 }
 
-void print_row(const Result& result, std::size_t width) {
-  std::visit(
-      [&](const auto& baked) {
-        const double per_triangle =
-            static_cast<double>(result.flash_bytes) / static_cast<double>(baked.triangles.size());
-        std::cout << std::left << std::setw(static_cast<int>(width)) << result.name.stem
-                  << std::right << std::setw(10) << baked.triangles.size() << std::setw(10)
-                  << baked.vertices.size() << std::setw(8) << baked.nodes.size() << std::setw(7)
-                  << baked.depth << std::setw(10) << result.flash_bytes << std::setw(16)
-                  << fixed(per_triangle, 1) << std::setw(10) << result.image_bytes << "  "
-                  << shortest(baked.deviation) << "\n";
-      },
-      result.baked.tree);
+std::vector<InputMesh> read_meshes(const Arguments& arguments, const std::vector<double>& weights,
+                                   Progress& progress, Warnings& warnings) {
+  const Units units(arguments.units, arguments.meshes);
+  std::vector<InputMesh> meshes;
+  for (const std::string& path : arguments.meshes) {
+    progress.begin("reading " + path, weights[meshes.size()]);
+    meshes.push_back({path, import_mesh(path, warnings), {}});
+    meshes.back().degenerate = degenerate_triangles(meshes.back().mesh);
+    units.convert(meshes.back().mesh, path);
+  }
+  return meshes;
 }
 
-void print(const std::vector<Result>& results, double cell) {
-  std::size_t width = 6;
-  for (const Result& result : results) {
-    width = std::max(width, result.name.stem.size() + 2);
+/// Reading a mesh takes about as long as baking it; both grow with the file.
+std::vector<double> weights_of(const std::vector<std::string>& paths) {
+  std::vector<double> weights;
+  for (const std::string& path : paths) {
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+    weights.push_back(unknown ? 1 : static_cast<double>(size));
   }
-  std::cout << std::left << std::setw(static_cast<int>(width)) << "mesh"
-            << " triangles  vertices   nodes  depth     flash  bytes/triangle     image  largest "
-               "deviation\n";
-  for (const Result& result : results) {
-    print_row(result, width);
+  return weights;
+}
+
+/// Everything but the reports.
+std::vector<BakeResult> bake_and_write(const Arguments& arguments, double& cell,
+                                       Warnings& warnings) {
+  const std::vector<OutputName> names = output_names(arguments);
+  const std::vector<double> weights = weights_of(arguments.meshes);
+  const double total = 2 * std::accumulate(weights.begin(), weights.end(), 0.0);
+  Progress progress(total, arguments.progress);
+  const std::vector<InputMesh> meshes = read_meshes(arguments, weights, progress, warnings);
+  cell = common_cell(arguments, meshes);
+  FileSet files;
+  std::vector<BakeResult> results;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    progress.begin("baking " + meshes[i].path, weights[i]);
+    results.push_back(bake_one(arguments, meshes[i], cell, names[i], files));
+    warn_of_defects(results.back().baked.defects, options_of(arguments), meshes[i].path, warnings);
   }
-  std::cout << "cell " << shortest(cell)
-            << "; flash: bytes that a query on the C++ output links; image: bytes of the binary\n";
-  for (const Result& result : results) {
-    if (result.baked.degenerate + result.baked.repeated != 0) {
-      std::cout << result.name.stem << ": on the lattice " << result.baked.degenerate
-                << " triangles have no area and " << result.baked.repeated
-                << " repeat another; all are kept\n";
-    }
-  }
+  progress.begin("writing " + arguments.folder, 0);
+  files.write();
+  return results;
 }
 
 void bake_all(const Arguments& arguments) {
-  const std::vector<OutputName> names = output_names(arguments);
-  std::vector<bake::SourceMesh> meshes;
-  for (const std::string& path : arguments.meshes) {
-    meshes.push_back(import_mesh(path));
-  }
-  const double cell = common_cell(arguments, meshes);
-  FileSet files;
-  std::vector<Result> results;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    results.push_back(bake_one(arguments, i, meshes[i], cell, names[i], files));
-  }
-  files.write();
-  print(results, cell);
+  Warnings warnings;
+  double cell = 0;
+  const std::vector<BakeResult> results = bake_and_write(arguments, cell, warnings);
+  warnings.print();
+  print_table(results, Units(arguments.units, arguments.meshes).with_unit(cell));
+}
+
+/// What meshes are taken as, and what is refused.
+void add_mesh_options(CLI::App& command, Arguments& a) {
+  command.add_option("--max-bytes", a.max_bytes, "Refuse to write if an image is larger")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--max-deviation", a.max_deviation,
+                  "Refuse to write if rounding moves a vertex further")
+      ->type_name("LENGTH");
+  add_unit_option(command, a.units);
+  command
+      .add_option("--drop", a.drop,
+                  "Leave out triangles without area (`degenerate`) or with the three vertices of "
+                  "an\nearlier one (`duplicate`), or both, with a comma between. The others keep "
+                  "their numbers")
+      ->check(CLI::IsMember({"degenerate", "duplicate"}))
+      ->type_size(1)
+      ->expected(1)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_flag("--progress", a.progress,
+                   "Show a progress bar at once; default: on a terminal, after a second");
 }
 
 }  // namespace
@@ -218,8 +258,7 @@ void add_bake(CLI::App& app) {
   command->add_option("--name", a.name,
                       "Name of the files and the namespace, for one mesh; "
                       "default: that of the mesh file");
-  command->add_option("--max-bytes", a.max_bytes, "Refuse to write if an image is larger")
-      ->check(CLI::PositiveNumber);
+  add_mesh_options(*command, a);
   command->callback([arguments] { bake_all(*arguments); });
 }
 

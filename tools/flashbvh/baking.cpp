@@ -1,50 +1,107 @@
 #include "flashbvh/baking.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <set>
 
 #include "bake/build_tree.hpp"
 #include "bake/quantise.hpp"
+#include "flashbvh/messages.hpp"
 #include "flashbvh/numbers.hpp"
 #include "flashbvh/user_error.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-bool is_degenerate(const bake::LatticeMesh& mesh, const bake::TriangleCorners& triangle) {
-  const Vertex& p = mesh.vertices[triangle[0]];
-  const Vertex& q = mesh.vertices[triangle[1]];
-  const Vertex& r = mesh.vertices[triangle[2]];
-  const std::int64_t u[3] = {q.x - p.x, q.y - p.y, q.z - p.z};
-  const std::int64_t v[3] = {r.x - p.x, r.y - p.y, r.z - p.z};
-  return u[1] * v[2] == u[2] * v[1] && u[2] * v[0] == u[0] * v[2] && u[0] * v[1] == u[1] * v[0];
+constexpr std::size_t kMost16 = bake::IndexLimits<std::uint16_t>::kMost;
+
+/// The cell with which no vertex moves further than `deviation`: half the diagonal of a cell.
+double sure_cell(double deviation) {
+  return deviation * 2 / std::sqrt(3.0);
 }
 
-void count_oddities(const bake::LatticeMesh& mesh, BakedMesh& baked) {
-  std::set<bake::TriangleCorners> seen;
-  for (const bake::TriangleCorners& triangle : mesh.triangles) {
-    baked.degenerate += is_degenerate(mesh, triangle) ? 1 : 0;
-    bake::TriangleCorners sorted = triangle;
-    std::sort(sorted.begin(), sorted.end());
-    baked.repeated += seen.insert(sorted).second ? 0 : 1;
+void check_range(const InputMesh& input, double cell) {
+  if (bake::fits(input.mesh, cell)) {
+    return;
   }
+  throw UserError(input.path, "is too large for a cell of " + shortest(cell) +
+                                  ": out of range are " +
+                                  triangle_list(bake::out_of_range(input.mesh, cell)) +
+                                  "; the finest that it fits is --cell " +
+                                  shortest(finest_float_cell(input.mesh)));
+}
+
+void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded, double most) {
+  if (rounded.deviation <= most) {
+    return;
+  }
+  const double cell = sure_cell(most);
+  throw UserError(input.path,
+                  "rounding moves a vertex by " + shortest(rounded.deviation) +
+                      ", --max-deviation allows " + shortest(most) +
+                      (cell >= finest_float_cell(input.mesh)
+                           ? "; a cell of " + shortest(cell) + " or less keeps to that"
+                           : "; the mesh is too large for so fine a cell: cut it in parts"));
+}
+
+/// Leaves out what the options say, and vertices that nothing uses any more. Returns the source's
+/// numbers of the triangles that stay.
+TriangleNumbers drop(bake::LatticeMesh& mesh, const MeshDefects& defects,
+                     const BakeOptions& options) {
+  std::vector<bool> dropped(mesh.triangles.size(), false);
+  const auto mark = [&](const TriangleNumbers& triangles, bool wanted) {
+    for (const std::uint32_t triangle : triangles) {
+      dropped[triangle] = dropped[triangle] || wanted;
+    }
+  };
+  mark(defects.degenerate, options.drop_degenerate);
+  mark(defects.collapsed, options.drop_degenerate);
+  mark(defects.duplicates, options.drop_duplicate);
+  TriangleNumbers kept;
+  std::vector<bake::TriangleCorners> triangles;
+  constexpr std::uint32_t kUnused = 0xFFFFFFFF;
+  std::vector<std::uint32_t> index_of(mesh.vertices.size(), kUnused);
+  std::vector<Vertex> vertices;
+  for (std::size_t i = 0; i < dropped.size(); ++i) {
+    if (dropped[i]) {
+      continue;
+    }
+    kept.push_back(static_cast<std::uint32_t>(i));
+    triangles.push_back(mesh.triangles[i]);
+    for (std::uint32_t& corner : triangles.back()) {
+      if (index_of[corner] == kUnused) {
+        index_of[corner] = static_cast<std::uint32_t>(vertices.size());
+        vertices.push_back(mesh.vertices[corner]);
+      }
+      corner = index_of[corner];
+    }
+  }
+  mesh.triangles = std::move(triangles);
+  mesh.vertices = std::move(vertices);
+  return kept;
 }
 
 /// What of the mesh or its tree is over the limit of 16-bit indices.
 std::string too_many(const bake::LatticeMesh& mesh, const bake::BuildTree& tree) {
-  constexpr std::size_t most = bake::IndexLimits<std::uint16_t>::kMost;
   const auto exceeds = [](std::size_t count, const char* what) {
     return std::to_string(count) + " " + what + ", but 16-bit indices reach " +
-           std::to_string(most);
+           std::to_string(kMost16);
   };
-  if (mesh.triangles.size() > most) {
+  if (mesh.triangles.size() > kMost16) {
     return exceeds(mesh.triangles.size(), "triangles") + "; use --index-bits 32 or fewer triangles";
   }
-  if (mesh.vertices.size() > most) {
+  if (mesh.vertices.size() > kMost16) {
     return exceeds(mesh.vertices.size(), "vertices") + "; use --index-bits 32 or fewer triangles";
   }
   return exceeds(tree.nodes.size(), "nodes") + "; use a larger --leaf-size or --index-bits 32";
+}
+
+/// Gives the triangles the numbers that they have in the file.
+template <class Index, Layout layout>
+void renumber(bake::BakedTree<Index, layout>& baked, const TriangleNumbers& kept) {
+  for (Index& source : baked.sources) {
+    source = static_cast<Index>(kept[source]);
+  }
 }
 
 template <class Index>
@@ -61,28 +118,36 @@ double finest_float_cell(const bake::SourceMesh& mesh) {
   return std::max(bake::finest_cell(mesh), static_cast<double>(std::numeric_limits<float>::min()));
 }
 
-BakedMesh bake_mesh(const bake::SourceMesh& mesh, double cell, const BakeOptions& options,
-                    const std::string& path) {
-  if (!bake::fits(mesh, cell)) {
-    throw UserError(path, "the mesh is too large for a cell of " + shortest(cell) +
-                              "; the finest that it fits is --cell " +
-                              shortest(finest_float_cell(mesh)));
+BakedMesh bake_mesh(const InputMesh& input, double cell, const BakeOptions& options) {
+  check_range(input, cell);
+  bake::LatticeMesh lattice = bake::round_to_lattice(input.mesh, cell);
+  if (options.max_deviation) {
+    check_deviation(input, lattice, *options.max_deviation);
   }
-  const bake::LatticeMesh lattice = bake::round_to_lattice(mesh, cell);
+  BakedMesh baked;
+  baked.defects = defects_of(input.mesh, lattice, input.degenerate);
+  const TriangleNumbers kept = drop(lattice, baked.defects, options);
+  if (kept.empty()) {
+    throw UserError(input.path, "--drop leaves no triangle; use a finer --cell or drop less");
+  }
   bake::BuildTree tree = bake::build_median(lattice, options.leaf_size);
   if (options.arity > 2) {
     tree = bake::collapse(tree, options.arity);
   }
-  BakedMesh baked;
   if (options.index_bits == 16) {
     if (!bake::fits_index<std::uint16_t>(tree, lattice)) {
-      throw UserError(path, too_many(lattice, tree));
+      throw UserError(input.path, too_many(lattice, tree));
+    }
+    if (kept.back() > kMost16) {
+      throw UserError(input.path, "triangle " + std::to_string(kept.back()) +
+                                      " is kept, but 16-bit indices reach " +
+                                      std::to_string(kMost16) + "; use --index-bits 32");
     }
     baked.tree = lay_out<std::uint16_t>(tree, lattice, options.layout);
   } else {
     baked.tree = lay_out<std::uint32_t>(tree, lattice, options.layout);
   }
-  count_oddities(lattice, baked);
+  std::visit([&](auto& any) { renumber(any, kept); }, baked.tree);
   return baked;
 }
 

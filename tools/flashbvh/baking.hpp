@@ -3,18 +3,30 @@
 #define FLASHBVH_TOOLS_BAKING_HPP
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "bake/baked_tree.hpp"
+#include "flashbvh/mesh_defects.hpp"
 
 namespace flashbvh::tool {
 
 struct BakeOptions {
   Layout layout = Layout::post_indexed;
-  unsigned index_bits = 16;     ///< 16 or 32
-  std::uint32_t leaf_size = 1;  ///< most triangles in a leaf
-  std::uint32_t arity = 2;      ///< most children of a node
+  unsigned index_bits = 16;             ///< 16 or 32
+  std::uint32_t leaf_size = 1;          ///< most triangles in a leaf
+  std::uint32_t arity = 2;              ///< most children of a node
+  std::optional<double> max_deviation;  ///< how far rounding may move a vertex
+  bool drop_degenerate = false;         ///< before or after rounding
+  bool drop_duplicate = false;          ///< on the lattice; the first of them stays
+};
+
+/// A mesh as its file has it.
+struct InputMesh {
+  std::string path;
+  bake::SourceMesh mesh;       ///< converted to the common unit
+  TriangleNumbers degenerate;  ///< before it was converted
 };
 
 /// Whatever the layout and the width of the indices.
@@ -25,17 +37,16 @@ using AnyBakedTree = std::variant<bake::BakedTree<std::uint16_t, Layout::pre_ind
 
 struct BakedMesh {
   AnyBakedTree tree;
-  std::uint32_t degenerate = 0;  ///< triangles without area on the lattice
-  std::uint32_t repeated = 0;    ///< triangles with the corners of an earlier one, on the lattice
+  MeshDefects defects;  ///< before any triangle was dropped
 };
 
 /// The finest cell with which the mesh fits the lattice, and of which firmware can hold the value
 /// in a float.
 double finest_float_cell(const bake::SourceMesh& mesh);
 
-/// UserError, naming `path`, if the mesh is too large for the cell or for the indices.
-BakedMesh bake_mesh(const bake::SourceMesh& mesh, double cell, const BakeOptions& options,
-                    const std::string& path);
+/// UserError, naming the mesh's file, if the mesh is too large for the cell or for the indices, if
+/// rounding moves a vertex too far, or if no triangle is left.
+BakedMesh bake_mesh(const InputMesh& input, double cell, const BakeOptions& options);
 
 }  // namespace flashbvh::tool
 

@@ -89,19 +89,19 @@ std::string constant(const char* name, std::size_t value, const char* comment) {
 }
 
 template <class Index, Layout layout>
-std::string constants(const bake::BakedTree<Index, layout>& baked) {
+std::string constants(const bake::BakedTree<Index, layout>& baked, const std::string& unit) {
   using TreeKind = Kind<Index, layout>;
   const std::size_t levels =
       TreeKind::kLevelledBytes + bytes_of(baked.levels) + bytes_of(baked.climb);
   return constant("kNodeCount", baked.nodes.size(), "of the tree") +
          constant("kDepth", baked.depth, "of the deepest leaf; the root has depth 0") +
          constant("kStackNeed", baked.stack_need, "see flashbvh::stack_entries()") +
-         constant("kTriangleCount", baked.triangles.size(), "as in the mesh file") +
+         constant("kTriangleCount", baked.triangles.size(), "that were kept of the mesh file") +
          constant("kVertexCount", baked.vertices.size(), "on the lattice, joined") +
          constant("kFlashBytes", flash_bytes(baked), "what `tree` links, on a 32-bit core") +
          constant("kLevelBytes", levels, "what `levelled_tree` adds to that") +
-         "constexpr double kCell = " + floating_literal(baked.cell) +
-         ";  ///< in the mesh's unit\n";
+         "constexpr double kCell = " + floating_literal(baked.cell) + ";  ///< in " +
+         (unit.empty() ? "the mesh's unit" : unit) + "\n";
 }
 
 /// Refuses a library with another interface: below 1.0 the minor version counts, too.
@@ -117,7 +117,8 @@ std::string version_guard(const OutputName& name) {
 }
 
 template <class Index, Layout layout>
-std::string header(const bake::BakedTree<Index, layout>& baked, const OutputName& name) {
+std::string header(const bake::BakedTree<Index, layout>& baked, const OutputName& name,
+                   const std::string& unit) {
   using TreeKind = Kind<Index, layout>;
   const std::string guard = "FLASHBVH_BAKED_" + name.identifier + "_HPP";
   return "// Written by `flashbvh bake`; bake again instead of changing it.\n"
@@ -128,7 +129,8 @@ std::string header(const bake::BakedTree<Index, layout>& baked, const OutputName
          "#include \"flashbvh/levels.hpp\"\n"
          "#include \"flashbvh/tree.hpp\"\n"
          "#include \"flashbvh/version.hpp\"\n\n" +
-         version_guard(name) + "\nnamespace " + name.identifier + " {\n\n" + constants(baked) +
+         version_guard(name) + "\nnamespace " + name.identifier + " {\n\n" +
+         constants(baked, unit) +
          "\n/// For every query but the alternating ones.\n"
          "extern const " +
          TreeKind::tree() +
@@ -190,13 +192,15 @@ std::size_t flash_bytes(const bake::BakedTree<Index, layout>& baked) {
 }
 
 template <class Index, Layout layout>
-CppFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name) {
-  return {header(baked, name), source(baked, name)};
+CppFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name,
+                const std::string& unit) {
+  return {header(baked, name, unit), source(baked, name)};
 }
 
-#define FLASHBVH_INSTANTIATE(Index, layout)                                \
-  template std::size_t flash_bytes(const bake::BakedTree<Index, layout>&); \
-  template CppFiles cpp_of(const bake::BakedTree<Index, layout>&, const OutputName&);
+#define FLASHBVH_INSTANTIATE(Index, layout)                                          \
+  template std::size_t flash_bytes(const bake::BakedTree<Index, layout>&);           \
+  template CppFiles cpp_of(const bake::BakedTree<Index, layout>&, const OutputName&, \
+                           const std::string&);
 FLASHBVH_INSTANTIATE(std::uint16_t, Layout::pre_indexed)
 FLASHBVH_INSTANTIATE(std::uint16_t, Layout::post_indexed)
 FLASHBVH_INSTANTIATE(std::uint32_t, Layout::pre_indexed)

@@ -20,9 +20,11 @@ struct CppFiles {
 template <class Index, Layout layout>
 std::size_t flash_bytes(const bake::BakedTree<Index, layout>& baked);
 
-/// The text of both files: the same for the same tree and name, on every machine.
+/// The text of both files: the same for the same arguments, on every machine. `unit`: the name of
+/// the unit of length; empty if it is not known.
 template <class Index, Layout layout>
-CppFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name);
+CppFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name,
+                const std::string& unit);
 
 }  // namespace flashbvh::tool
 

@@ -19,38 +19,37 @@ struct Arguments {
 
 /// The image's vertices, in its order, as the query places them.
 std::vector<LatticePoint> vertices_of(const AnyTree& any, const std::optional<Pose>& pose) {
-  return std::visit(
-      [&](const auto& tree) {
-        std::vector<LatticePoint> vertices;
-        for (std::uint32_t i = 0; i < tree.vertex_count; ++i) {
-          const Vertex& v = tree.vertices[i];
-          const LatticePoint point = {std::int64_t{v.x} + tree.origin[0],
-                                      std::int64_t{v.y} + tree.origin[1],
-                                      std::int64_t{v.z} + tree.origin[2]};
-          vertices.push_back(pose ? placed(point, *pose) : point);
-        }
-        return vertices;
-      },
-      any);
+  const std::uint32_t count =
+      std::visit([](const auto& tree) -> std::uint32_t { return tree.vertex_count; }, any);
+  std::vector<LatticePoint> vertices;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const LatticePoint point = vertex_of(any, i);
+    vertices.push_back(pose ? placed(point, *pose) : point);
+  }
+  return vertices;
 }
 
-/// Vertex numbers from 0, triangles in source order.
-std::vector<std::array<std::uint32_t, 3>> corners_of(const AnyTree& any) {
-  return std::visit(
-      [](const auto& tree) {
-        std::vector<std::array<std::uint32_t, 3>> corners(tree.triangle_count);
-        for (std::uint32_t i = 0; i < tree.triangle_count; ++i) {
-          const auto& triangle = tree.triangles[i].corner;
-          corners[tree.sources[i]] = {triangle[0], triangle[1], triangle[2]};
-        }
-        return corners;
-      },
-      any);
+/// A comment tells the number of a triangle before which others were left out.
+std::string faces_of(const std::vector<SourceTriangle>& triangles) {
+  std::string text;
+  std::uint32_t next = 0;
+  for (const SourceTriangle& triangle : triangles) {
+    if (triangle.number != next) {
+      text += "# triangle " + std::to_string(triangle.number) + "\n";
+    }
+    next = triangle.number + 1;
+    text += "f";
+    for (const std::uint32_t vertex : triangle.vertices) {
+      text += " " + std::to_string(vertex + 1);
+    }
+    text += "\n";
+  }
+  return text;
 }
 
 void write_obj(const Arguments& arguments) {
   const ImageFile image(arguments.image);
-  source_triangles(image);  // refuses triangle numbers that are not each there once
+  const std::vector<SourceTriangle> triangles = source_triangles(image);
   std::optional<Pose> pose;
   if (arguments.placed) {
     pose = lattice_pose(parse_pose(*arguments.placed, "--placed"), image.cell(), "--placed");
@@ -60,11 +59,7 @@ void write_obj(const Arguments& arguments) {
     text += "v " + std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]) +
             "\n";
   }
-  for (const auto& corners : corners_of(image.tree())) {
-    text += "f " + std::to_string(corners[0] + 1) + " " + std::to_string(corners[1] + 1) + " " +
-            std::to_string(corners[2] + 1) + "\n";
-  }
-  write_file(arguments.mesh, std::move(text));
+  write_file(arguments.mesh, text + faces_of(triangles));
 }
 
 }  // namespace

@@ -87,28 +87,39 @@ double ImageFile::deviation() const {
   return double_of(header_.deviation);
 }
 
-std::vector<std::array<LatticePoint, 3>> source_triangles(const ImageFile& image) {
-  return std::visit(
-      [&](const auto& tree) {
-        std::vector<std::array<LatticePoint, 3>> triangles(tree.triangle_count);
-        std::vector<bool> seen(tree.triangle_count, false);
+std::vector<SourceTriangle> source_triangles(const ImageFile& image) {
+  std::vector<SourceTriangle> triangles = std::visit(
+      [](const auto& tree) {
+        std::vector<SourceTriangle> all(tree.triangle_count);
         for (std::uint32_t i = 0; i < tree.triangle_count; ++i) {
-          const std::uint32_t source = tree.sources[i];
-          if (source >= tree.triangle_count || seen[source]) {
-            throw UserError(image.path(), "is invalid: triangle number " + std::to_string(source) +
-                                              " occurs twice or is too large; bake it again");
-          }
-          seen[source] = true;
+          all[i].number = tree.sources[i];
           for (std::size_t corner = 0; corner < 3; ++corner) {
-            const Vertex& v = tree.vertices[tree.triangles[i].corner[corner]];
-            triangles[source][corner] = {std::int64_t{v.x} + tree.origin[0],
-                                         std::int64_t{v.y} + tree.origin[1],
-                                         std::int64_t{v.z} + tree.origin[2]};
+            all[i].vertices[corner] = tree.triangles[i].corner[corner];
           }
         }
-        return triangles;
+        return all;
       },
       image.tree());
+  std::sort(triangles.begin(), triangles.end(),
+            [](const SourceTriangle& t, const SourceTriangle& u) { return t.number < u.number; });
+  for (std::size_t i = 1; i < triangles.size(); ++i) {
+    if (triangles[i].number == triangles[i - 1].number) {
+      throw UserError(image.path(), "is invalid: triangle number " +
+                                        std::to_string(triangles[i].number) +
+                                        " occurs twice; bake it again");
+    }
+  }
+  return triangles;
+}
+
+LatticePoint vertex_of(const AnyTree& any, std::uint32_t vertex) {
+  return std::visit(
+      [&](const auto& tree) -> LatticePoint {
+        const Vertex& v = tree.vertices[vertex];
+        return {std::int64_t{v.x} + tree.origin[0], std::int64_t{v.y} + tree.origin[1],
+                std::int64_t{v.z} + tree.origin[2]};
+      },
+      any);
 }
 
 const char* layout_name(Layout layout) {

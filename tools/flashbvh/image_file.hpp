@@ -45,9 +45,17 @@ class ImageFile {
 /// A point of the lattice, in cells of the mesh's frame: the vertex and the origin.
 using LatticePoint = std::array<std::int64_t, 3>;
 
-/// The corners of each triangle, in the order of the source mesh. UserError, naming the image, if
-/// its triangle numbers are not each number once: the library can't tell that in constant memory.
-std::vector<std::array<LatticePoint, 3>> source_triangles(const ImageFile& image);
+/// A triangle by its number in the source mesh.
+struct SourceTriangle {
+  std::uint32_t number;
+  std::array<std::uint32_t, 3> vertices;
+};
+
+/// In the order of the source mesh; numbers are missing if `bake` left triangles out. UserError,
+/// naming the image, if a number occurs twice: the library can't tell that in constant memory.
+std::vector<SourceTriangle> source_triangles(const ImageFile& image);
+
+LatticePoint vertex_of(const AnyTree& any, std::uint32_t vertex);
 
 /// "pre" or "post".
 const char* layout_name(Layout layout);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "flashbvh/commands.hpp"
+#include "flashbvh/messages.hpp"
 #include "flashbvh/version.hpp"
 
 namespace flashbvh::tool {
@@ -17,14 +18,8 @@ constexpr const char* kVersion =
     "flashbvh " FLASHBVH_TEXT(FLASHBVH_VERSION_MAJOR) "." FLASHBVH_TEXT(
         FLASHBVH_VERSION_MINOR) "." FLASHBVH_TEXT(FLASHBVH_VERSION_PATCH);
 
-/// Whatever a file's name or a message of a library holds.
-int fail(std::string message) {
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
-  while (!message.empty() && is_control(message.back())) {
-    message.pop_back();
-  }
-  std::replace_if(message.begin(), message.end(), is_control, ' ');
-  std::cerr << "flashbvh: " << message << "\n";
+int fail(const std::string& message) {
+  std::cerr << "flashbvh: " << one_line(message) << "\n";
   return kBadInput;
 }
 

@@ -6,7 +6,6 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <map>
 
 #include "flashbvh/files.hpp"
@@ -106,16 +105,9 @@ class Gatherer {
   std::size_t face_count_ = 0;
 };
 
-/// assimp's messages run over several lines.
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  std::replace(text.begin(), text.end(), '\r', ' ');
-  return text;
-}
-
 }  // namespace
 
-bake::SourceMesh import_mesh(const std::string& path) {
+bake::SourceMesh import_mesh(const std::string& path, Warnings& warnings) {
   std::string bytes = read_file(path);
   const std::string extension = lower_extension(path);
   if (extension != "stl" && extension != "obj" && extension != "ply" && extension != "off") {
@@ -123,7 +115,7 @@ bake::SourceMesh import_mesh(const std::string& path) {
   }
   const MeshText text = plain_text(std::move(bytes), extension, path);
   if (!text.warning.empty()) {
-    std::cerr << "flashbvh: " << path << ": warning: " << text.warning << "\n";
+    warnings.add(path, text.warning);
   }
   Assimp::Importer importer;
   const aiScene* const scene =

@@ -1,0 +1,62 @@
+# The program that bakes. It runs on this machine, whatever the build is for.
+set(FLASHBVH_HOST_TOOL "" CACHE FILEPATH "the program flashbvh, built for this machine")
+
+# Sets `program` to its path and `depends` to what has to be there before it runs. In this order:
+# FLASHBVH_HOST_TOOL, the target of this build, the installed package's program, and a build of its
+# own in the build folder.
+function(flashbvh_host_tool program depends)
+  if(FLASHBVH_HOST_TOOL)
+    if(NOT EXISTS ${FLASHBVH_HOST_TOOL})
+      message(FATAL_ERROR "FLASHBVH_HOST_TOOL: there is no ${FLASHBVH_HOST_TOOL}; "
+        "give the path of the program flashbvh, or nothing to have it built")
+    endif()
+    set(${program} ${FLASHBVH_HOST_TOOL} PARENT_SCOPE)
+    set(${depends} ${FLASHBVH_HOST_TOOL} PARENT_SCOPE)
+  elseif(TARGET flashbvh_tool)
+    set(${program} $<TARGET_FILE:flashbvh_tool> PARENT_SCOPE)
+    set(${depends} flashbvh_tool PARENT_SCOPE)
+  elseif(TARGET flashbvh::flashbvh_tool)
+    # Not by the target's name: CMake would run it in the emulator of a cross build.
+    set(${program} $<TARGET_FILE:flashbvh::flashbvh_tool> PARENT_SCOPE)
+    set(${depends} $<TARGET_FILE:flashbvh::flashbvh_tool> PARENT_SCOPE)
+  elseif(FLASHBVH_SOURCE_DIR)
+    flashbvh_build_host_tool(built)
+    set(${program} ${built} PARENT_SCOPE)
+    set(${depends} flashbvh_host_build ${built} PARENT_SCOPE)
+  else()
+    message(FATAL_ERROR "flashbvh was installed without its program, which bakes meshes; "
+      "set FLASHBVH_HOST_TOOL to its path")
+  endif()
+endfunction()
+
+# A build of its own: neither the flags nor the compiler, toolchain file or environment of this one
+# reach it.
+function(flashbvh_build_host_tool built)
+  set(folder ${CMAKE_BINARY_DIR}/flashbvh-host)
+  set(${built} ${folder}/bin/flashbvh PARENT_SCOPE)
+  if(TARGET flashbvh_host_build)
+    return()
+  endif()
+  include(ExternalProject)
+  set(clean ${CMAKE_COMMAND} -E env)
+  foreach(variable CC CXX CFLAGS CXXFLAGS LDFLAGS CPATH C_INCLUDE_PATH CPLUS_INCLUDE_PATH
+      LIBRARY_PATH CMAKE_TOOLCHAIN_FILE CMAKE_GENERATOR CMAKE_GENERATOR_PLATFORM
+      CMAKE_GENERATOR_TOOLSET CMAKE_BUILD_TYPE CMAKE_PREFIX_PATH DESTDIR)
+    list(APPEND clean --unset=${variable})
+  endforeach()
+  string(REPLACE "Ninja Multi-Config" "Ninja" generator ${CMAKE_GENERATOR})
+  cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+  ExternalProject_Add(flashbvh_host_build
+    PREFIX ${folder}/project
+    SOURCE_DIR ${FLASHBVH_SOURCE_DIR}
+    BINARY_DIR ${folder}
+    CONFIGURE_COMMAND ${clean} ${CMAKE_COMMAND} -G ${generator}
+      -DCMAKE_MAKE_PROGRAM=${CMAKE_MAKE_PROGRAM} -S <SOURCE_DIR> -B <BINARY_DIR>
+      -DCMAKE_BUILD_TYPE=Release -DFLASHBVH_BUILD_TOOL=ON -DFLASHBVH_BUILD_TESTS=OFF
+      -DFLASHBVH_WARNINGS=OFF
+    BUILD_COMMAND ${clean} ${CMAKE_COMMAND} --build <BINARY_DIR> --target flashbvh_tool
+      --parallel ${cores}
+    BUILD_ALWAYS TRUE
+    BUILD_BYPRODUCTS ${folder}/bin/flashbvh
+    INSTALL_COMMAND "")
+endfunction()

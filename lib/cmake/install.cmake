@@ -1,0 +1,36 @@
+# cmake --install: headers, the library's sources, the CMake package; of a native build also the
+# library and, if it was built, the program.
+#
+# The sources are there because firmware needs the library with its own compiler and flags: where the
+# package is used in a cross build it compiles them.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/flashbvh)
+set(source_folder ${CMAKE_INSTALL_DATADIR}/flashbvh/src)
+
+install(DIRECTORY lib/include/flashbvh DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY lib/src/ DESTINATION ${source_folder})
+install(FILES lib/cmake/flashbvh_add_mesh.cmake lib/cmake/host_tool.cmake
+  DESTINATION ${package_folder})
+if(NOT CMAKE_CROSSCOMPILING)
+  install(TARGETS flashbvh EXPORT flashbvhTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT flashbvhTargets NAMESPACE flashbvh:: DESTINATION ${package_folder})
+endif()
+if(TARGET flashbvh_tool)
+  install(TARGETS flashbvh_tool EXPORT flashbvhToolTargets
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(EXPORT flashbvhToolTargets NAMESPACE flashbvh:: DESTINATION ${package_folder})
+endif()
+
+get_target_property(library_sources flashbvh SOURCES)
+list(TRANSFORM library_sources REPLACE "^src/" "")
+configure_package_config_file(lib/cmake/flashbvhConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/flashbvhConfig.cmake
+  INSTALL_DESTINATION ${package_folder}
+  PATH_VARS source_folder CMAKE_INSTALL_INCLUDEDIR
+  NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+# Of any architecture: see above. Below 1.0 the minor version counts.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/flashbvhConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES ${PROJECT_BINARY_DIR}/flashbvhConfig.cmake
+  ${PROJECT_BINARY_DIR}/flashbvhConfigVersion.cmake DESTINATION ${package_folder})

@@ -1,0 +1,52 @@
+// What is odd about a mesh: nothing that a query minds, but often not what the user meant.
+#ifndef FLASHBVH_TOOLS_MESH_DEFECTS_HPP
+#define FLASHBVH_TOOLS_MESH_DEFECTS_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "bake/mesh.hpp"
+
+namespace flashbvh::tool {
+
+/// Numbers of triangles, ascending.
+using TriangleNumbers = std::vector<std::uint32_t>;
+
+/// Triangles without area, told by the coordinates as they are: corners that fall together or lie
+/// on a line.
+TriangleNumbers degenerate_triangles(const bake::SourceMesh& mesh);
+TriangleNumbers degenerate_triangles(const bake::LatticeMesh& mesh);
+
+/// Triangles that have the three vertices of an earlier one, in any order. O(n log n).
+TriangleNumbers duplicate_triangles(const std::vector<bake::TriangleCorners>& triangles);
+
+/// Edges that the surface of a solid does not have.
+struct EdgeDefects {
+  std::size_t open = 0;     ///< of one triangle
+  std::size_t crowded = 0;  ///< of more than two
+  std::size_t twisted = 0;  ///< of two triangles that face opposite ways
+
+  bool none() const { return open == 0 && crowded == 0 && twisted == 0; }
+};
+
+/// Of the distinct triangles: duplicates count once, and those whose corners fall together not at
+/// all. O(n log n).
+EdgeDefects edge_defects(const std::vector<bake::TriangleCorners>& triangles,
+                         const TriangleNumbers& duplicates);
+
+/// What rounding a mesh to the lattice leaves, and what was odd about it before.
+struct MeshDefects {
+  TriangleNumbers degenerate;  ///< without area in the file already
+  TriangleNumbers collapsed;   ///< these lose theirs by rounding
+  TriangleNumbers duplicates;  ///< on the lattice
+  EdgeDefects edges;           ///< on the lattice
+  bool closed_before = false;  ///< whether rounding alone is to blame for the edges
+};
+
+/// `degenerate`: of the mesh as it is in the file.
+MeshDefects defects_of(const bake::SourceMesh& mesh, const bake::LatticeMesh& rounded,
+                       const TriangleNumbers& degenerate);
+
+}  // namespace flashbvh::tool
+
+#endif
