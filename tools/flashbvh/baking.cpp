@@ -34,17 +34,27 @@ void count_oddities(const bake::LatticeMesh& mesh, BakedMesh& baked) {
 /// What of the mesh or its tree is over the limit of 16-bit indices.
 std::string too_many(const bake::LatticeMesh& mesh, const bake::BuildTree& tree) {
   constexpr std::size_t most = bake::IndexLimits<std::uint16_t>::kMost;
-  const auto exceeds = [](std::size_t count, const char* what) {
+  const auto exceeds = [](std::size_t count, const char* what, std::size_t limit) {
     return std::to_string(count) + " " + what + ", but 16-bit indices reach " +
-           std::to_string(most);
+           std::to_string(limit);
   };
   if (mesh.triangles.size() > most) {
-    return exceeds(mesh.triangles.size(), "triangles") + "; use --index-bits 32 or fewer triangles";
+    return exceeds(mesh.triangles.size(), "triangles", most) +
+           "; use --index-bits 32 or fewer triangles";
   }
   if (mesh.vertices.size() > most) {
-    return exceeds(mesh.vertices.size(), "vertices") + "; use --index-bits 32 or fewer triangles";
+    return exceeds(mesh.vertices.size(), "vertices", most) +
+           "; use --index-bits 32 or fewer triangles";
   }
-  return exceeds(tree.nodes.size(), "nodes") + "; use a larger --leaf-size or --index-bits 32";
+  constexpr const char* mend = "; use a larger --leaf-size or --index-bits 32";
+  if (tree.nodes.size() > most) {
+    return exceeds(tree.nodes.size(), "nodes", most) + mend;
+  }
+  const auto leaves = std::count_if(tree.nodes.begin(), tree.nodes.end(),
+                                    [](const bake::BuildNode& node) { return node.is_leaf(); });
+  return exceeds(static_cast<std::size_t>(leaves), "leaves",
+                 bake::IndexLimits<std::uint16_t>::kMostLeaves) +
+         mend;
 }
 
 template <class Index>
@@ -69,7 +79,9 @@ BakedMesh bake_mesh(const bake::SourceMesh& mesh, double cell, const BakeOptions
                               shortest(finest_float_cell(mesh)));
   }
   const bake::LatticeMesh lattice = bake::round_to_lattice(mesh, cell);
-  bake::BuildTree tree = bake::build_median(lattice, options.leaf_size);
+  bake::BuildTree tree = options.builder == Builder::median
+                             ? bake::build_median(lattice, options.leaf_size)
+                             : bake::build_sah(lattice, options.leaf_size);
   if (options.arity > 2) {
     tree = bake::collapse(tree, options.arity);
   }
