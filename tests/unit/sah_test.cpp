@@ -107,7 +107,8 @@ LatticeMesh row(std::uint32_t count, int axis) {
 /// Triangles round one point, each by `percent` larger than the one before, as far as fits.
 LatticeMesh nested(std::int32_t percent) {
   LatticeMesh mesh;
-  for (std::int32_t size = 1; size <= kMaxCoordinate; size += std::max(1, size * percent / 100)) {
+  for (std::int32_t size = 1; size <= kMaxCoordinate;
+       size += std::max<std::int32_t>(1, size * percent / 100)) {
     const auto reach = static_cast<std::int16_t>(size);
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const auto low = static_cast<std::int16_t>(-reach);
