@@ -6,8 +6,8 @@
 // The second part, the growth, can only increase on the way down, and the first is at least the
 // subtree's own surface: so the search takes nodes in order of growth and ends when growth and own
 // surface are no less than the best cost. Invariant: the best cost starts as that of the subtree's
-// old place, so the tree's cost never grows. Equal costs: the old place, then the first one found,
-// in order of growth, then of node.
+// old place, so the tree's cost never grows, whenever the search is ended. Equal costs: the old
+// place, then the first one found, in order of growth, then of node.
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -23,6 +23,10 @@ bool same(const Box& p, const Box& q) {
   return p.lower.x == q.lower.x && p.lower.y == q.lower.y && p.lower.z == q.lower.z &&
          p.upper.x == q.upper.x && p.upper.y == q.upper.y && p.upper.z == q.upper.z;
 }
+
+/// Places that a search looks at: as good as no limit in a surface. In a heap of triangles that all
+/// overlap each other, a full search would look at every node.
+constexpr int kMostPlaces = 256;
 
 class Reinsertion {
  public:
@@ -109,7 +113,8 @@ class Reinsertion {
     std::uint64_t least = cost_at(old, subtree);
     std::uint32_t best = old;
     heap_.assign(1, {0, 0});
-    while (!heap_.empty() && heap_.front().growth + subtree.surface < least) {
+    for (int left = kMostPlaces;
+         left > 0 && !heap_.empty() && heap_.front().growth + subtree.surface < least; --left) {
       const Place place = heap_.front();
       std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
       heap_.pop_back();
