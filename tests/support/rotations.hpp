@@ -2,7 +2,7 @@
 #ifndef FLASHBVH_TESTS_SUPPORT_ROTATIONS_HPP
 #define FLASHBVH_TESTS_SUPPORT_ROTATIONS_HPP
 
-#include <cstdint>
+#include <stdint.h>
 
 #include "flashbvh/pose.hpp"
 #include "support/random.hpp"
@@ -11,31 +11,31 @@ namespace flashbvh::test {
 
 /// A quaternion of any length but 0, each part within +-32,767.
 struct Quaternion {
-  std::int32_t w, x, y, z;
+  int32_t w, x, y, z;
 };
 
 struct Rotation {
-  std::int32_t entry[3][3];  ///< kRotationOne is 1
+  int32_t entry[3][3];  ///< kRotationOne is 1
 };
 
 /// The rotation of a quaternion, each entry rounded to the nearest.
 inline Rotation rotation_of(const Quaternion& q) {
-  const auto product = [](std::int32_t u, std::int32_t v) {
-    return static_cast<std::int64_t>(u) * v;
+  const auto product = [](int32_t u, int32_t v) {
+    return static_cast<int64_t>(u) * v;
   };
-  const std::int64_t ww = product(q.w, q.w), xx = product(q.x, q.x);
-  const std::int64_t yy = product(q.y, q.y), zz = product(q.z, q.z);
-  const std::int64_t xy = product(q.x, q.y), zw = product(q.z, q.w), xz = product(q.x, q.z);
-  const std::int64_t yw = product(q.y, q.w), yz = product(q.y, q.z), xw = product(q.x, q.w);
-  const std::int64_t square = ww + xx + yy + zz;
+  const int64_t ww = product(q.w, q.w), xx = product(q.x, q.x);
+  const int64_t yy = product(q.y, q.y), zz = product(q.z, q.z);
+  const int64_t xy = product(q.x, q.y), zw = product(q.z, q.w), xz = product(q.x, q.z);
+  const int64_t yw = product(q.y, q.w), yz = product(q.y, q.z), xw = product(q.x, q.w);
+  const int64_t square = ww + xx + yy + zz;
   // 33 bits over 32: shifted by 30 they fit in 64 after the whole part is taken out.
-  const auto entry = [square](std::int64_t over) {
+  const auto entry = [square](int64_t over) {
     const bool negative = over < 0;
-    const std::int64_t size = negative ? -over : over;
-    const std::int64_t whole = size / square;
-    const std::int64_t rest = ((size % square) * (kRotationOne / 2) * 2 + square / 2) / square;
-    const std::int64_t value = whole * kRotationOne + rest;
-    return static_cast<std::int32_t>(negative ? -value : value);
+    const int64_t size = negative ? -over : over;
+    const int64_t whole = size / square;
+    const int64_t rest = ((size % square) * (kRotationOne / 2) * 2 + square / 2) / square;
+    const int64_t value = whole * kRotationOne + rest;
+    return static_cast<int32_t>(negative ? -value : value);
   };
   return {{{entry(ww + xx - yy - zz), entry(2 * (xy - zw)), entry(2 * (xz + yw))},
            {entry(2 * (xy + zw)), entry(ww - xx + yy - zz), entry(2 * (yz - xw))},
@@ -45,7 +45,7 @@ inline Rotation rotation_of(const Quaternion& q) {
 /// Any rotation: even over all, about an axis, by half a turn or a quarter, or next to one of
 /// these.
 inline Quaternion any_quaternion(Random& random) {
-  const auto part = [&random](std::int32_t most) { return random.between(-most, most); };
+  const auto part = [&random](int32_t most) { return random.between(-most, most); };
   Quaternion q{};
   switch (random.below(4)) {
     case 0:  // one of the 24 rotations of a cube, or of a triangle's three and half turns
@@ -65,13 +65,13 @@ inline Quaternion any_quaternion(Random& random) {
   return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0 ? Quaternion{1, 0, 0, 0} : q;
 }
 
-inline Pose any_rigid_pose(Random& random, std::int32_t reach) {
-  std::int32_t cells[3];
-  std::int16_t fraction[3];
+inline Pose any_rigid_pose(Random& random, int32_t reach) {
+  int32_t cells[3];
+  int16_t fraction[3];
   for (int axis = 0; axis < 3; ++axis) {
     cells[axis] = random.between(-reach, reach);
     fraction[axis] =
-        static_cast<std::int16_t>(random.below(2) == 0 ? 0 : random.between(-32768, 32767));
+        static_cast<int16_t>(random.below(2) == 0 ? 0 : random.between(-32768, 32767));
   }
   return Pose::rigid(rotation_of(any_quaternion(random)).entry, cells, fraction);
 }

@@ -1,0 +1,52 @@
+#!/bin/sh
+# The digest on this machine: by each compiler that is here, unoptimised and optimised, with 64 and
+# 32 bits, with vector instructions and without, on x86 and Arm. Every program must print the same and end with 0.
+set -eu
+cd "$SOURCE"
+mkdir -p "$WORK"
+failed=0
+programs=0
+emulator=
+
+# digest COMPILER OPTION...
+digest() {
+  program=$WORK/digest_$programs
+  "$@" -std=c++17 -Wall -Wextra -Werror -Ilib/include -Itests tests/digest/*.cpp lib/src/*.cpp \
+    -o "$program" || { echo "compilers.sh: does not build: $*" >&2; exit 1; }
+  programs=$((programs + 1))
+  if answer=$($emulator "$program"); then
+    echo "$answer: $*"
+  else
+    echo "DIFFERENT $answer: $*"
+    failed=1
+  fi
+}
+
+for compiler in g++ clang++; do
+  if ! command -v $compiler >/dev/null; then
+    echo "no $compiler here"
+    continue
+  fi
+  for optimisation in -O0 -O3; do
+    digest $compiler $optimisation
+    digest $compiler $optimisation -DFLASHBVH_PORTABLE
+  done
+  digest $compiler -O3 -march=native
+done
+# A compiler for 32 bits, whose programs an x86-64 kernel runs.
+if command -v i686-linux-gnu-g++ >/dev/null && [ "$(uname -m)" = x86_64 ]; then
+  digest i686-linux-gnu-g++ -static -O0
+  digest i686-linux-gnu-g++ -static -O3
+  digest i686-linux-gnu-g++ -static -O3 -msse2 -mfpmath=sse
+else
+  echo "no compiler for 32 bits here"
+fi
+# NEON, on an emulated core.
+if command -v aarch64-linux-gnu-g++ >/dev/null && command -v qemu-aarch64-static >/dev/null; then
+  emulator=qemu-aarch64-static
+  digest aarch64-linux-gnu-g++ -static -O3
+else
+  echo "no 64-bit Arm here"
+fi
+[ $programs -ge 3 ] || { echo "compilers.sh: hardly a compiler was found" >&2; exit 1; }
+exit $failed

@@ -1,0 +1,168 @@
+#include "digest.hpp"
+
+#include "flashbvh/image.hpp"
+#include "flashbvh/query.hpp"
+#include "flashbvh/traversal/alternating_stack.hpp"
+#include "flashbvh/traversal/leaf.hpp"
+#include "flashbvh/traversal/ranked_stack.hpp"
+#include "flashbvh/traversal/stackless.hpp"
+#include "flashbvh/traversal/stackless_post.hpp"
+#include "flashbvh/traversal/volume_stack.hpp"
+#include "small_tree.hpp"
+#include "support/random.hpp"
+#include "support/rotations.hpp"
+
+namespace digest {
+
+using namespace flashbvh;
+using flashbvh::test::Random;
+
+namespace {
+
+constexpr uint32_t kMeshPairs = 32;
+constexpr uint32_t kPoses = 16;
+constexpr uint64_t kSeed = 0x666C617368627668u;
+
+/// How large a mesh is, in cells, and how far poses move it.
+struct Scale {
+  int32_t spread;
+  int32_t size;
+  int32_t reach;
+};
+constexpr Scale kScales[] = {
+    {3, 2, 2}, {40, 30, 30}, {900, 500, 700}, {16383, 9000, 12000}, {16383, 32766, 30000}};
+
+struct Side {
+  SmallMesh mesh;
+  SmallTree<Layout::pre_indexed> pre;
+  SmallTree<Layout::post_indexed> post;
+};
+
+// Static, since the smallest core has no such stack.
+Side side_a;
+Side side_b;
+PairCursor<uint16_t> stack[2 * kMostTriangles];
+
+int16_t coordinate(Random& random, int32_t centre, int32_t reach) {
+  const int32_t value = centre + random.between(-reach, reach);
+  return static_cast<int16_t>(value > kMaxCoordinate    ? kMaxCoordinate
+                              : value < -kMaxCoordinate ? -kMaxCoordinate
+                                                        : value);
+}
+
+/// Triangles that share an edge with the one before, now and then; some without area, some twice.
+void make_mesh(Random& random, const Scale& scale, SmallMesh& mesh) {
+  mesh.triangle_count = static_cast<uint16_t>(1 + random.below(kMostTriangles));
+  mesh.vertex_count = 0;
+  for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
+    const int32_t x = random.between(-scale.spread, scale.spread);
+    const int32_t y = random.between(-scale.spread, scale.spread);
+    const int32_t z = random.between(-scale.spread, scale.spread);
+    for (uint32_t i = 0; i < 3; ++i) {
+      const bool shared = mesh.vertex_count > 3 && random.below(3) == 0;
+      if (shared) {
+        mesh.triangles[t].corner[i] =
+            static_cast<uint16_t>(mesh.vertex_count - 1 - random.below(3));
+        continue;
+      }
+      const int16_t vx = coordinate(random, x, scale.size);
+      const int16_t vy = coordinate(random, y, scale.size);
+      const int16_t vz = coordinate(random, z, scale.size);
+      mesh.vertices[mesh.vertex_count] = {vx, vy, vz};
+      mesh.triangles[t].corner[i] = mesh.vertex_count++;
+    }
+  }
+  for (int32_t& axis : mesh.origin) {
+    axis = random.below(2) == 0 ? 0 : random.between(-scale.reach, scale.reach);
+  }
+}
+
+void make_side(Random& random, const Scale& scale, Side& side) {
+  make_mesh(random, scale, side.mesh);
+  const auto shape = static_cast<Shape>(random.below(4));
+  const uint32_t leaf_size = 1 + random.below(3);
+  side.pre.make(side.mesh, shape, leaf_size);
+  side.post.make(side.mesh, shape, leaf_size);
+}
+
+Pose any_pose(Random& random, const Scale& scale) {
+  if (random.below(4) != 0) {
+    return test::any_rigid_pose(random, scale.reach);
+  }
+  const int32_t x = random.between(-scale.reach, scale.reach);
+  const int32_t y = random.between(-scale.reach, scale.reach);
+  const int32_t z = random.between(-scale.reach, scale.reach);
+  return Pose::translated(x, y, z);
+}
+
+template <class Traversal>
+void add_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
+               const Pose& pose, uint32_t slice, const typename Traversal::Cursor& start,
+               Hash& hash, Result& result) {
+  Query<Traversal> query(a, b, pose, start);
+  const auto add_pair = [&](const TrianglePair<uint16_t>& pair) {
+    hash.add(pair.a | static_cast<uint32_t>(pair.b) << 16);
+    return true;
+  };
+  Status status = Status::suspended;
+  while (status == Status::suspended) {
+    status = query.run(slice, add_pair);
+  }
+  hash.add(static_cast<uint32_t>(status));
+  hash.add(query.counts().visits);
+  hash.add(query.counts().overlaps);
+  hash.add(query.counts().leaf_pairs);
+  hash.add(query.counts().triangle_pairs);
+  ++result.cases;
+  result.pairs += query.counts().triangle_pairs;
+}
+
+/// Every rule, on the layouts that it takes.
+void add_pose(const Pose& pose, uint32_t slice, Hash& hash, Result& result) {
+  const LevelledPreTree& pre_a = side_a.pre.view();
+  const LevelledPreTree& pre_b = side_b.pre.view();
+  const LevelledPostTree& post_a = side_a.post.view();
+  const LevelledPostTree& post_b = side_b.post.view();
+  const auto array = [] { return PairStack<uint16_t>(stack, 2 * kMostTriangles); };
+  add_query<Ranked<PostTree>>(post_a, post_b, pose, slice, {}, hash, result);
+  add_query<RankedStack<PostTree>>(post_a, post_b, pose, slice, array(), hash, result);
+  add_query<VolumeStack<PreTree>>(pre_a, pre_b, pose, slice, array(), hash, result);
+  add_query<AlternatingStack<LevelledPostTree>>(post_a, post_b, pose, slice, array(), hash, result);
+  add_query<Stackless>(pre_a, pre_b, pose, slice, {}, hash, result);
+  add_query<StacklessPost>(post_a, post_b, pose, slice, {}, hash, result);
+  add_query<Leaf<PreTree>>(pre_a, pre_b, pose, slice, {}, hash, result);
+}
+
+uint32_t refused(const Side& side) {
+  return (check_tree(side.pre.view()) == Status::done ? 0u : 1u) +
+         (check_tree(side.post.view()) == Status::done ? 0u : 1u);
+}
+
+}  // namespace
+
+Result run() {
+  Random random(kSeed);
+  Hash hash;
+  Result result = {0, 0, 0, 0};
+  for (uint32_t pair = 0; pair < kMeshPairs; ++pair) {
+    const Scale& scale = kScales[pair % (sizeof kScales / sizeof kScales[0])];
+    make_side(random, scale, side_a);
+    if (pair % 4 == 3) {
+      side_b = side_a;  // a mesh against itself
+      side_b.pre.make(side_b.mesh, Shape::halves, 1);
+      side_b.post.make(side_b.mesh, Shape::halves, 1);
+    } else {
+      make_side(random, scale, side_b);
+    }
+    result.refused += refused(side_a) + refused(side_b);
+    for (uint32_t i = 0; i < kPoses; ++i) {
+      const uint32_t slice = i % 3 == 0 ? UINT32_MAX : 1 + random.below(20);
+      const Pose pose = any_pose(random, scale);
+      add_pose(pose, slice, hash, result);
+    }
+  }
+  result.value = hash.value();
+  return result;
+}
+
+}  // namespace digest

@@ -1,0 +1,44 @@
+// Prints the digest; ends with 0 if it is the one that every core and compiler must get.
+#include "digest.hpp"
+
+#if defined(FLASHBVH_ON_BOARD)
+#include "text.hpp"
+using port::print;
+#else
+#include <iostream>
+namespace {
+template <class... Values>
+void print(const Values&... values) {
+  (std::cout << ... << values);
+}
+}  // namespace
+#endif
+
+namespace {
+
+/// 16 digits and a zero.
+void put_hexadecimal(uint64_t value, char (&text)[17]) {
+  for (int i = 0; i < 16; ++i) {
+    text[i] = "0123456789ABCDEF"[(value >> (60 - 4 * i)) & 15u];
+  }
+  text[16] = 0;
+}
+
+}  // namespace
+
+int main() {
+  const digest::Result result = digest::run();
+  char text[17];
+  put_hexadecimal(result.value, text);
+  print("digest 0x", text, " of ", result.cases, " queries that found ", result.pairs, " pairs\n");
+  if (result.refused != 0) {
+    print(result.refused, " trees refused\n");
+    return 2;
+  }
+  if (result.value != digest::kExpected) {
+    put_hexadecimal(digest::kExpected, text);
+    print("expected 0x", text, "\n");
+    return 1;
+  }
+  return 0;
+}

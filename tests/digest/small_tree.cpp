@@ -1,0 +1,145 @@
+#include "small_tree.hpp"
+
+namespace digest {
+
+using namespace flashbvh;
+
+namespace {
+
+uint32_t cut(Shape shape, uint32_t count) {
+  switch (shape) {
+    case Shape::halves:
+      return count / 2;
+    case Shape::thirds:
+      return (count + 2) / 3;
+    case Shape::first_alone:
+      return 1;
+    default:
+      return count - 1;
+  }
+}
+
+uint16_t nodes_of(uint32_t leaves) {
+  return static_cast<uint16_t>(2 * leaves - 1);
+}
+
+/// 1 to 126: four steps an octave of the sum of extents.
+uint32_t rank_of(const PackedBox& box) {
+  const uint32_t size = extent_x(box) + extent_y(box) + extent_z(box) + 4;
+  uint32_t octave = 0;
+  while ((size >> octave) >= 8) {
+    ++octave;
+  }
+  return 1 + 4 * octave + ((size >> octave) & 3u);
+}
+
+}  // namespace
+
+template <Layout layout>
+PackedBox SmallTree<layout>::box_of(const SmallMesh& mesh, uint32_t first, uint32_t end) const {
+  Box box = {{INT16_MAX, INT16_MAX, INT16_MAX}, {INT16_MIN, INT16_MIN, INT16_MIN}};
+  const auto take = [](int16_t value, int16_t& lower, int16_t& upper) {
+    lower = value < lower ? value : lower;
+    upper = value > upper ? value : upper;
+  };
+  for (uint32_t i = leaf_firsts_[first]; i < leaf_firsts_[end]; ++i) {
+    for (const uint16_t corner : mesh.triangles[i].corner) {
+      const Vertex& v = mesh.vertices[corner];
+      take(v.x, box.lower.x, box.upper.x);
+      take(v.y, box.lower.y, box.upper.y);
+      take(v.z, box.lower.z, box.upper.z);
+    }
+  }
+  return pack(box);
+}
+
+/// `sibling`: the node of the other child of the parent.
+template <Layout layout>
+void SmallTree<layout>::set_node(const SmallMesh& mesh, const Range& range, uint16_t sibling) {
+  Node<uint16_t>& node = nodes_[range.node];
+  const bool root = range.node == 0;
+  const uint32_t leaves = static_cast<uint32_t>(range.end - range.first);
+  node.box = box_of(mesh, range.first, range.end);
+  levels_[range.node] = root ? uint16_t{0} : static_cast<uint16_t>(levels_[range.parent] + 1);
+  const auto behind = static_cast<uint16_t>(range.node + nodes_of(leaves));
+  if (kPost) {
+    node.link = root ? behind : sibling;
+    climb_[range.node] =
+        range.last_child ? static_cast<uint16_t>(climb_[range.parent] + 1) : uint16_t{0};
+  } else {
+    node.link = behind;
+    climb_[range.node] = range.parent;
+  }
+  if (leaves == 1) {
+    node.data = static_cast<uint16_t>(Node<uint16_t>::kLeafFlag | range.first);
+    return;
+  }
+  const auto above = static_cast<uint32_t>(root ? kRootParentRank : nodes_[range.parent].rank());
+  const uint32_t own = rank_of(node.box);
+  node.data = static_cast<uint16_t>((own < above ? own : above < 127 ? above : 126u) << 8 | above);
+}
+
+template <Layout layout>
+void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_size) {
+  const uint32_t leaf_count = (mesh.triangle_count + leaf_size - 1) / leaf_size;
+  for (uint32_t i = 0; i <= leaf_count; ++i) {
+    const uint32_t first = i * leaf_size;
+    leaf_firsts_[i] =
+        static_cast<uint16_t>(first < mesh.triangle_count ? first : mesh.triangle_count);
+  }
+  uint32_t depth_need = 0;
+  Range pending[kMostTriangles];
+  uint16_t siblings[kMostTriangles];
+  uint32_t count = 0;
+  pending[count] = {0, 0, 0, static_cast<uint16_t>(leaf_count), false};
+  siblings[count++] = 0;
+  while (count != 0) {
+    --count;
+    const Range range = pending[count];
+    set_node(mesh, range, siblings[count]);
+    depth_need = levels_[range.node] > depth_need ? levels_[range.node] : depth_need;
+    if (range.end - range.first == 1) {
+      continue;
+    }
+    const auto middle = static_cast<uint16_t>(
+        range.first + cut(shape, static_cast<uint32_t>(range.end - range.first)));
+    // Array order is leaf order: the subtree right behind its parent, the first child or, in a
+    // post-indexed tree, the last one, takes the leaves that come first.
+    const auto near = static_cast<uint16_t>(range.node + 1);
+    const auto far =
+        static_cast<uint16_t>(near + nodes_of(static_cast<uint32_t>(middle - range.first)));
+    pending[count] = {far, range.node, middle, range.end, !kPost};
+    siblings[count++] = near;
+    pending[count] = {near, range.node, range.first, middle, kPost};
+    siblings[count++] = far;
+  }
+
+  view_.nodes = nodes_;
+  view_.triangles = mesh.triangles;
+  view_.sources = sources_;
+  view_.leaf_firsts = leaf_size == 1 ? nullptr : leaf_firsts_;
+  view_.vertices = mesh.vertices;
+  view_.node_count = nodes_of(leaf_count);
+  view_.leaf_count = static_cast<uint16_t>(leaf_count);
+  view_.triangle_count = mesh.triangle_count;
+  view_.vertex_count = mesh.vertex_count;
+  view_.stack_need = static_cast<uint16_t>(depth_need);
+  for (int i = 0; i < 3; ++i) {
+    view_.origin[i] = mesh.origin[i];
+  }
+  view_.cell_bits = 0x3FF0000000000000u;
+  view_.levels = levels_;
+  if constexpr (kPost) {
+    view_.right_child_levels = climb_;
+  } else {
+    view_.parents = climb_;
+  }
+  for (uint16_t i = 0; i < mesh.triangle_count; ++i) {
+    sources_[i] = i;
+  }
+}
+
+template class SmallTree<Layout::pre_indexed>;
+template class SmallTree<Layout::post_indexed>;
+
+}  // namespace digest

@@ -1,0 +1,64 @@
+// Baked trees made in fixed arrays: no heap, no C++ library, so that the digest runs on the
+// smallest core and on those without C++ headers. Binary, of any shape; both layouts; small.
+//
+// An implementation of the layouts of its own: check_tree() proves what it makes.
+#ifndef FLASHBVH_TESTS_DIGEST_SMALL_TREE_HPP
+#define FLASHBVH_TESTS_DIGEST_SMALL_TREE_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/levels.hpp"
+
+namespace digest {
+
+constexpr uint32_t kMostTriangles = 40;
+constexpr uint32_t kMostNodes = 2 * kMostTriangles - 1;
+constexpr uint32_t kMostVertices = 3 * kMostTriangles;
+
+/// Triangles with corners of their own or shared, in any order.
+struct SmallMesh {
+  flashbvh::Vertex vertices[kMostVertices];
+  flashbvh::Corners<uint16_t> triangles[kMostTriangles];
+  uint16_t vertex_count;
+  uint16_t triangle_count;
+  int32_t origin[3];
+};
+
+/// Where a range of n leaves is cut in two.
+enum class Shape : uint8_t { halves, thirds, first_alone, last_alone };
+
+/// A tree over a mesh, in the order of its triangles; the mesh outlives it.
+template <flashbvh::Layout layout>
+class SmallTree {
+ public:
+  using Tree = flashbvh::LevelledTree<uint16_t, layout>;
+
+  /// `leaf_size`: triangles in each leaf but the last.
+  void make(const SmallMesh& mesh, Shape shape, uint32_t leaf_size);
+
+  /// Points into this object and the mesh.
+  const Tree& view() const { return view_; }
+
+ private:
+  /// Leaves from `first` to before `end` under node `node`, whose parent is `parent`.
+  struct Range {
+    uint16_t node, parent, first, end;
+    bool last_child;
+  };
+
+  void set_node(const SmallMesh& mesh, const Range& range, uint16_t sibling);
+  flashbvh::PackedBox box_of(const SmallMesh& mesh, uint32_t first, uint32_t end) const;
+
+  static constexpr bool kPost = layout == flashbvh::Layout::post_indexed;
+
+  flashbvh::Node<uint16_t> nodes_[kMostNodes];
+  uint16_t levels_[kMostNodes];
+  uint16_t climb_[kMostNodes];
+  uint16_t sources_[kMostTriangles];
+  uint16_t leaf_firsts_[kMostTriangles + 1];
+  Tree view_;
+};
+
+}  // namespace digest
+
+#endif
