@@ -11,7 +11,7 @@
 
 namespace digest {
 
-constexpr uint32_t kMostTriangles = 40;
+constexpr uint32_t kMostTriangles = 28;
 constexpr uint32_t kMostNodes = 2 * kMostTriangles - 1;
 constexpr uint32_t kMostVertices = 3 * kMostTriangles;
 
