@@ -1,0 +1,209 @@
+// Poses: what counts as a rotation, composing, inverting, and every status.
+#include "flashbvh/pose.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+
+#include "support/rotations.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+constexpr std::int32_t kNowhere[3] = {0, 0, 0};
+constexpr std::int32_t kOne = kRotationOne;
+
+Rotation scaled(Rotation rotation, std::int32_t by) {
+  for (auto& row : rotation.entry) {
+    for (std::int32_t& entry : row) {
+      entry = static_cast<std::int32_t>(std::int64_t{entry} * by / kOne);
+    }
+  }
+  return rotation;
+}
+
+/// What a component of the translation is, in 1/65,536 of a cell.
+std::int64_t fine_translation(const Pose& pose, int axis) {
+  return std::int64_t{pose.translation(axis)} * 65536 + pose.fraction(axis);
+}
+
+/// R p + t in 1/65,536 of a cell, from the pose's own numbers; p in the same unit, below 2^31.
+std::int64_t moved(const Pose& pose, const std::int64_t (&p)[3], int axis) {
+  std::int64_t sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    sum += pose.rotation(axis, i) * (p[i] / 1024);
+  }
+  return sum / (kOne / 1024) + fine_translation(pose, axis);
+}
+
+}  // namespace
+
+TEST_CASE("every rotation of a cube is exact, and the identity is a translation") {
+  int exact = 0;
+  for (int index = 0; index < 81; ++index) {
+    const Quaternion q = {index % 3 - 1, index / 3 % 3 - 1, index / 9 % 3 - 1, index / 27 - 1};
+    if (q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0) {
+      continue;
+    }
+    const Pose pose = Pose::rigid(rotation_of(q).entry, kNowhere);
+    REQUIRE(pose.status() == Status::done);
+    const bool identity = q.x == 0 && q.y == 0 && q.z == 0;
+    REQUIRE(pose.is_translation() == identity);
+    int wholes = 0;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        wholes += std::abs(pose.rotation(i, j)) == kOne ? 1 : 0;
+      }
+    }
+    if (wholes == 3 && !identity) {
+      ++exact;
+      CHECK(pose.defect() == 0);
+    }
+  }
+  CHECK(exact > 20);
+}
+
+TEST_CASE("a pose keeps what it is given, to 2^-22") {
+  Random random(test_seed());
+  for (int round = 0; round < 1000; ++round) {
+    const Rotation rotation = rotation_of(any_quaternion(random));
+    const Pose pose = Pose::rigid(rotation.entry, {1, -2, 3}, {4, -5, 32767});
+    REQUIRE(pose.status() == Status::done);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        REQUIRE(std::abs(pose.rotation(i, j) - rotation.entry[i][j]) <= 128);
+      }
+    }
+    CHECK(pose.translation(1) == -2);
+    CHECK(pose.fraction(2) == 32767);
+  }
+}
+
+TEST_CASE("a matrix that is no rotation within the tolerance is refused, not mended") {
+  Random random(test_seed() + 1);
+  for (int round = 0; round < 300; ++round) {
+    CAPTURE(round);
+    const Rotation rotation = rotation_of(any_quaternion(random));
+    // The squared length of a column is off by twice what the entries are.
+    const std::int32_t tolerated = kOne + kRotationTolerance / 2 - (kOne >> 16);
+    const std::int32_t excessive = kOne + kRotationTolerance / 2 + (kOne >> 16);
+    REQUIRE(Pose::rigid(scaled(rotation, tolerated).entry, kNowhere).status() == Status::done);
+    REQUIRE(Pose::rigid(scaled(rotation, excessive).entry, kNowhere).status() ==
+            Status::not_a_rotation);
+    REQUIRE(Pose::rigid(scaled(rotation, kOne - (tolerated - kOne)).entry, kNowhere).status() ==
+            Status::done);
+    REQUIRE(Pose::rigid(scaled(rotation, kOne - (excessive - kOne)).entry, kNowhere).status() ==
+            Status::not_a_rotation);
+    REQUIRE(Pose::rigid(scaled(rotation, -kOne).entry, kNowhere).status() ==
+            Status::not_a_rotation);  // mirrors
+  }
+  const std::int32_t zero[3][3] = {};
+  CHECK(Pose::rigid(zero, kNowhere).status() == Status::not_a_rotation);
+  for (const std::int32_t extreme : {INT32_MIN, INT32_MAX}) {
+    std::int32_t wild[3][3] = {{kOne, 0, 0}, {0, kOne, 0}, {0, 0, kOne}};
+    for (auto& row : wild) {
+      for (std::int32_t& entry : row) {
+        const std::int32_t before = entry;
+        entry = extreme;
+        CHECK(Pose::rigid(wild, kNowhere).status() == Status::not_a_rotation);
+        entry = before;
+      }
+    }
+  }
+  const std::int32_t sheared[3][3] = {{kOne, kOne >> 10, 0}, {0, kOne, 0}, {0, 0, kOne}};
+  CHECK(Pose::rigid(sheared, kNowhere).status() == Status::not_a_rotation);
+}
+
+TEST_CASE("a translation out of range is a status of its own, however the pose is made") {
+  const Rotation turn = rotation_of({1, 1, 0, 0});
+  for (const std::int32_t t : {kMaxTranslation + 1, -kMaxTranslation - 1, INT32_MAX, INT32_MIN}) {
+    const Pose pose = Pose::rigid(turn.entry, {0, t, 0});
+    CHECK(pose.status() == Status::translation_out_of_range);
+    CHECK(pose.inverse().status() == Status::translation_out_of_range);
+    CHECK(Pose::composed(pose, Pose::translated(0, 0, 0)).status() ==
+          Status::translation_out_of_range);
+    CHECK(Pose::relative(Pose::translated(0, 0, 0), pose).status() ==
+          Status::translation_out_of_range);
+  }
+  const Pose far = Pose::translated(kMaxTranslation, 0, 0);
+  CHECK(Pose::composed(far, far).status() == Status::translation_out_of_range);
+  CHECK(Pose::composed(far, far.inverse()).status() == Status::done);
+  CHECK(Pose::rigid(rotation_of({3, 1, 2, 1}).entry, {kMaxTranslation, -kMaxTranslation, 0})
+            .status() == Status::done);
+}
+
+TEST_CASE("a bad pose stays bad in whatever is made of it") {
+  const std::int32_t zero[3][3] = {};
+  const Pose bad = Pose::rigid(zero, kNowhere);
+  const Pose good = Pose::rigid(rotation_of({1, 2, 3, 4}).entry, {5, 6, 7});
+  CHECK(bad.inverse().status() == Status::not_a_rotation);
+  CHECK(Pose::composed(bad, good).status() == Status::not_a_rotation);
+  CHECK(Pose::composed(good, bad).status() == Status::not_a_rotation);
+  CHECK(Pose::relative(good, bad).status() == Status::not_a_rotation);
+}
+
+TEST_CASE("composed does first the one, then the other") {
+  Random random(test_seed() + 2);
+  for (int round = 0; round < 500; ++round) {
+    CAPTURE(round);
+    const Pose outer = any_rigid_pose(random, 10000);
+    const Pose inner = any_rigid_pose(random, 10000);
+    const Pose both = Pose::composed(outer, inner);
+    REQUIRE(both.status() == Status::done);
+    std::int64_t p[3];
+    for (std::int64_t& axis : p) {
+      axis = std::int64_t{random.between(-16383, 16383)} * 65536;
+    }
+    const std::int64_t between[3] = {moved(inner, p, 0), moved(inner, p, 1), moved(inner, p, 2)};
+    for (int axis = 0; axis < 3; ++axis) {
+      // Entries are rounded to 2^-22: 16,383 cells times three times half of that, and a little.
+      REQUIRE(std::llabs(moved(both, p, axis) - moved(outer, between, axis)) < 65536 / 64);
+    }
+  }
+}
+
+TEST_CASE("an inverse leads back, and to the relative pose of two objects in a world") {
+  Random random(test_seed() + 3);
+  for (int round = 0; round < 500; ++round) {
+    CAPTURE(round);
+    const Pose a = any_rigid_pose(random, 16383);
+    const Pose b = any_rigid_pose(random, 16383);
+    const Pose back = Pose::composed(a.inverse(), a);
+    REQUIRE(back.status() == Status::done);
+    for (int i = 0; i < 3; ++i) {
+      REQUIRE(std::llabs(fine_translation(back, i)) < 65536 / 64);
+      for (int j = 0; j < 3; ++j) {
+        REQUIRE(std::abs(back.rotation(i, j) - (i == j ? kOne : 0)) <= 8 << 8);
+      }
+    }
+    const Pose relative = Pose::composed(a, Pose::relative(a, b));
+    for (int i = 0; i < 3; ++i) {
+      REQUIRE(std::llabs(fine_translation(relative, i) - fine_translation(b, i)) < 65536 / 16);
+    }
+  }
+  // Exact where there is nothing to round.
+  const Pose turn = Pose::rigid(rotation_of({1, 1, 1, 1}).entry, {1, 2, 3}, {-32768, 5, 0});
+  const Pose back = Pose::composed(turn, turn.inverse());
+  CHECK(back.is_translation());
+  for (int i = 0; i < 3; ++i) {
+    CHECK(fine_translation(back, i) == 0);
+  }
+}
+
+TEST_CASE("a long chain of joints stays a rotation, and where it belongs") {
+  const Pose joint = Pose::rigid(rotation_of({20000, 300, -700, 1100}).entry, {700, -300, 100});
+  Pose chain = Pose::translated(0, 0, 0);
+  for (int i = 0; i < 100; ++i) {
+    chain = Pose::composed(chain, joint);
+    REQUIRE(chain.status() == Status::done);
+  }
+  for (int i = 0; i < 100; ++i) {
+    chain = Pose::composed(chain, joint.inverse());
+  }
+  REQUIRE(chain.status() == Status::done);
+  for (int i = 0; i < 3; ++i) {
+    CHECK(std::llabs(fine_translation(chain, i)) < 65536);
+  }
+}
