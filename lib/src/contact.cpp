@@ -23,10 +23,6 @@ constexpr int64_t kFarthest = 2 * kMaxContactCoordinate;
 static_assert(INT64_MAX / kFarthest / kFarthest / kFarthest >= 6,
               "a 3x3 determinant is a sum of six products of three differences");
 
-inline bool is_zero(const Normal& n) {
-  return (n.x | n.y | n.z) == 0;
-}
-
 [[gnu::noinline]] Normal normal_of(const PlacedTriangle& t) {
   return cross(difference(t.corner[1], t.corner[0]), difference(t.corner[2], t.corner[0]));
 }
@@ -84,59 +80,64 @@ inline Interval interval_of(const PlacedTriangle& t, unsigned tip, bool forwards
   return {&t.corner[tip], forwards ? next : previous, forwards ? previous : next};
 }
 
-/// On which edge an end lies: from the tip to `corner`.
-struct End {
+/// An edge that has an end of the common part on it.
+struct Edge {
+  const Point* tip;
   const Point* corner;
   bool of_b;
 };
 
 /// Of two edges that meet the common line in one point, neither argument's comes first.
-inline End either(const Interval& a, const Point* end_a, const Interval& b, const Point* end_b) {
-  const bool of_b = edge_before(*b.tip, *end_b, *a.tip, *end_a);
-  return {of_b ? end_b : end_a, of_b};
+inline Edge either(const Point* tip_a, const Point* of_a, const Point* tip_b, const Point* of_b) {
+  return edge_before(*tip_b, *of_b, *tip_a, *of_a) ? Edge{tip_b, of_b, true}
+                                                   : Edge{tip_a, of_a, false};
 }
 
-/// Sets the two ends of the common part of two intervals that overlap.
+/// Sets the edges that have the two ends of the common part, of intervals that overlap.
 ///
 /// The volume of an edge of `a` and one of `b` is positive where the first one meets the line
 /// before the second one does.
-[[gnu::noinline]] void choose_ends(const Interval& a, const Interval& b, End (&ends)[2]) {
-  for (unsigned i = 0; i < 2; ++i) {
-    const bool high = i != 0;
-    const Point* const of_a = high ? a.high : a.low;
-    const Point* const of_b = high ? b.high : b.low;
-    const Point* const beyond_b = high ? b.low : b.high;
-    if (volume(*a.tip, *of_a, *b.tip, *beyond_b) == 0) {
-      ends[0] = ends[1] = either(a, of_a, b, beyond_b);
+[[gnu::noinline]] void choose(const Interval& a, const Interval& b, Edge (&edges)[2]) {
+  for (unsigned high = 0; high < 2; ++high) {
+    const Point* const of_a = high != 0 ? a.high : a.low;
+    const Point* of_b = high != 0 ? b.low : b.high;
+    if (volume(*a.tip, *of_a, *b.tip, *of_b) == 0) {
+      edges[0] = edges[1] = either(a.tip, of_a, b.tip, of_b);
       return;
     }
+    of_b = high != 0 ? b.high : b.low;
     const int64_t order = volume(*a.tip, *of_a, *b.tip, *of_b);
-    ends[i] = order == 0            ? either(a, of_a, b, of_b)
-              : (order > 0) == high ? End{of_a, false}
-                                    : End{of_b, true};
+    edges[high] = order == 0                   ? either(a.tip, of_a, b.tip, of_b)
+                  : (order > 0) == (high != 0) ? Edge{a.tip, of_a, false}
+                                               : Edge{b.tip, of_b, true};
   }
 }
 
-/// Where an edge meets a plane that it doesn't lie in.
-[[gnu::noinline]] FinePoint piercing_point(const Point& p, const Point& q, const Point& base,
-                                           const Normal& normal) {
-  return crossing(p, q, height_of(p, base, normal), height_of(q, base, normal));
+/// Each triangle is mirrored where the other one's tip is below, which orders both intervals alike.
+[[gnu::noinline]] void choose_edges(const PlacedTriangle& a, unsigned sides_a,
+                                    const PlacedTriangle& b, unsigned sides_b, Edge (&edges)[2]) {
+  const Tip tip_a = tip_of(sides_a);
+  const Tip tip_b = tip_of(sides_b);
+  choose(interval_of(a, tip_a.corner, !tip_b.up), interval_of(b, tip_b.corner, tip_a.up), edges);
 }
 
-/// Each triangle is mirrored where the other one's tip is below, which orders both intervals alike.
+/// Where an edge meets a plane that it doesn't lie in.
+[[gnu::noinline]] void set_piercing_point(const Point& p, const Point& q, const Point& base,
+                                          const Normal& normal, FinePoint& point) {
+  const int64_t height = height_of(p, base, normal);
+  set_crossing(p, q, height, height_of(q, base, normal), point);
+}
+
 [[gnu::noinline]] void set_crossing_ends(const PlacedTriangle& a, unsigned sides_a,
                                          const PlacedTriangle& b, unsigned sides_b,
                                          Contact& contact) {
-  const Tip tip_a = tip_of(sides_a);
-  const Tip tip_b = tip_of(sides_b);
-  const Interval of_a = interval_of(a, tip_a.corner, !tip_b.up);
-  const Interval of_b = interval_of(b, tip_b.corner, tip_a.up);
-  End ends[2];
-  choose_ends(of_a, of_b, ends);
+  Edge edges[2];
+  choose_edges(a, sides_a, b, sides_b, edges);
   for (unsigned i = 0; i < 2; ++i) {
-    contact.ends[i] =
-        ends[i].of_b ? piercing_point(*of_b.tip, *ends[i].corner, a.corner[0], contact.normal_a)
-                     : piercing_point(*of_a.tip, *ends[i].corner, b.corner[0], contact.normal_b);
+    const Edge& edge = edges[i];
+    const PlacedTriangle& plane = edge.of_b ? a : b;
+    set_piercing_point(*edge.tip, *edge.corner, plane.corner[0],
+                       edge.of_b ? contact.normal_a : contact.normal_b, contact.ends[i]);
   }
 }
 
@@ -144,16 +145,14 @@ inline End either(const Interval& a, const Point* end_a, const Interval& b, cons
 [[gnu::noinline]] void set_piercing_ends(const PlacedTriangle& thin, const Point& base,
                                          const Normal& normal, FinePoint (&ends)[2]) {
   const Shape segment = shape_of(thin, false);
-  ends[0] = piercing_point(*segment.corner[0], *segment.corner[1], base, normal);
+  set_piercing_point(*segment.corner[0], *segment.corner[1], base, normal, ends[0]);
   ends[1] = ends[0];
 }
 
-void set_ends(const PlacedTriangle& a, const PlacedTriangle& b, Contact& contact) {
+[[gnu::noinline]] void set_ends(const PlacedTriangle& a, const PlacedTriangle& b,
+                                Contact& contact) {
   const unsigned sides_a = sides_of(a, b.corner[0], contact.normal_b);
   const unsigned sides_b = sides_of(b, a.corner[0], contact.normal_a);
-  const bool area_a = !is_zero(contact.normal_a);
-  const bool area_b = !is_zero(contact.normal_b);
-  contact.kind = area_a && area_b ? ContactKind::segment : ContactKind::degenerate;
   if (sides_a != 0 && sides_b != 0) {
     set_crossing_ends(a, sides_a, b, sides_b, contact);
   } else if (sides_a != 0) {
@@ -161,8 +160,16 @@ void set_ends(const PlacedTriangle& a, const PlacedTriangle& b, Contact& contact
   } else if (sides_b != 0) {
     set_piercing_ends(b, a.corner[0], contact.normal_a, contact.ends);
   } else {
-    contact.kind = area_a && area_b ? ContactKind::coplanar : ContactKind::degenerate;
-    flat_ends(a, area_a, b, area_b, area_a ? contact.normal_a : contact.normal_b, contact.ends);
+    contact.kind = contact.kind == ContactKind::segment ? ContactKind::coplanar : contact.kind;
+    set_flat_ends(a, b, contact);
+  }
+}
+
+[[gnu::noinline]] void put_in_order(FinePoint (&ends)[2]) {
+  if (comes_before(ends[1], ends[0])) {
+    const FinePoint last = ends[0];
+    ends[0] = ends[1];
+    ends[1] = last;
   }
 }
 
@@ -172,12 +179,10 @@ Contact contact_of(const PlacedTriangle& a, const PlacedTriangle& b) noexcept {
   Contact contact;
   contact.normal_a = normal_of(a);
   contact.normal_b = normal_of(b);
+  contact.kind = is_zero(contact.normal_a) || is_zero(contact.normal_b) ? ContactKind::degenerate
+                                                                        : ContactKind::segment;
   set_ends(a, b, contact);
-  if (comes_before(contact.ends[1], contact.ends[0])) {
-    const FinePoint last = contact.ends[0];
-    contact.ends[0] = contact.ends[1];
-    contact.ends[1] = last;
-  }
+  put_in_order(contact.ends);
   return contact;
 }
 

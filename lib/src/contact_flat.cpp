@@ -80,7 +80,7 @@ inline bool opposite(int64_t u, int64_t v) {
   if (!opposite(of_p, of_q)) {
     return false;
   }
-  point = crossing(*p, *q, of_p, of_q);
+  set_crossing(*p, *q, of_p, of_q, point);
   return true;
 }
 
@@ -153,12 +153,15 @@ inline int longest_axis(const Found& found) {
 }
 
 /// The normal of the plane through two segments: zero on one line.
-[[gnu::noinline]] Normal plane_through(const Shape& a, const Shape& b) {
+inline Normal plane_through(const Shape& a, const Shape& b) {
   return cross(difference(*a.corner[1], *a.corner[0]), difference(*b.corner[1], *b.corner[0]));
 }
 
-/// Any projection that is one-to-one on the plane; on a line, any at all.
-inline void set_projection(Flat& flat, const Normal& plane) {
+/// Any projection that is one-to-one on the plane of both; on a line, any at all.
+[[gnu::noinline]] void set_projection(Flat& flat, const Contact& contact) {
+  const Normal plane = !is_zero(contact.normal_a)   ? contact.normal_a
+                       : !is_zero(contact.normal_b) ? contact.normal_b
+                                                    : plane_through(flat.a, flat.b);
   flat.u = plane.z != 0 ? &Point::x : plane.x != 0 ? &Point::y : &Point::z;
   flat.v = plane.z != 0 ? &Point::y : plane.x != 0 ? &Point::z : &Point::x;
 }
@@ -179,14 +182,14 @@ Shape shape_of(const PlacedTriangle& t, bool has_area) {
   return {{first, last, last}};
 }
 
-[[gnu::noinline]] void flat_ends(const PlacedTriangle& a, bool area_a, const PlacedTriangle& b,
-                                 bool area_b, const Normal& plane, FinePoint (&ends)[2]) {
+[[gnu::noinline]] void set_flat_ends(const PlacedTriangle& a, const PlacedTriangle& b,
+                                     Contact& contact) {
   Flat flat;
-  flat.a = shape_of(a, area_a);
-  flat.b = shape_of(b, area_b);
-  set_projection(flat, area_a || area_b ? plane : plane_through(flat.a, flat.b));
+  flat.a = shape_of(a, !is_zero(contact.normal_a));
+  flat.b = shape_of(b, !is_zero(contact.normal_b));
+  set_projection(flat, contact);
   Found found;
-  found.ends = ends;
+  found.ends = contact.ends;
   int longest = 0;
   do {
     clear(found);

@@ -17,10 +17,9 @@ struct Shape {
 /// Points into the triangle.
 Shape shape_of(const PlacedTriangle& t, bool has_area);
 
-/// The ends of the common part of two triangles that meet. `plane`: the normal of a plane that
-/// contains both; not used where neither has an area.
-void flat_ends(const PlacedTriangle& a, bool area_a, const PlacedTriangle& b, bool area_b,
-               const Normal& plane, FinePoint (&ends)[2]);
+/// Sets the ends of the common part of two triangles that meet, and lie in one plane or both lack
+/// area. The contact's normals are set.
+void set_flat_ends(const PlacedTriangle& a, const PlacedTriangle& b, Contact& contact);
 
 }  // namespace flashbvh
 

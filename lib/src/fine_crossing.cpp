@@ -47,8 +47,8 @@ inline int32_t between(int32_t from, int32_t to, int32_t share) {
 
 }  // namespace
 
-[[gnu::noinline]] FinePoint crossing(const Point& p, const Point& q, int64_t height_p,
-                                     int64_t height_q) {
+[[gnu::noinline]] void set_crossing(const Point& p, const Point& q, int64_t height_p,
+                                    int64_t height_q, FinePoint& point) {
   // From the nearer end, whichever of the two it is: the fraction is at most 1/2, and at 1/2 both
   // ways round to the same, because the middle of an edge is a whole number of steps.
   const uint64_t of_p = magnitude(height_p);
@@ -57,7 +57,8 @@ inline int32_t between(int32_t from, int32_t to, int32_t share) {
   const Point& from = p_is_nearer ? p : q;
   const Point& to = p_is_nearer ? q : p;
   const int32_t share = fraction(p_is_nearer ? of_p : of_q, of_p + of_q);
-  return {between(from.x, to.x, share), between(from.y, to.y, share), between(from.z, to.z, share)};
+  point = {between(from.x, to.x, share), between(from.y, to.y, share),
+           between(from.z, to.z, share)};
 }
 
 }  // namespace flashbvh

@@ -34,16 +34,21 @@ inline Normal cross(const Vector& u, const Vector& v) {
   return {wide.y * v.z - wide.z * v.y, wide.z * v.x - wide.x * v.z, wide.x * v.y - wide.y * v.x};
 }
 
+inline bool is_zero(const Normal& n) {
+  return (n.x | n.y | n.z) == 0;
+}
+
 inline int64_t dot(const Normal& n, const Vector& v) {
   return n.x * v.x + n.y * v.y + n.z * v.z;
 }
 
-/// The point of the edge p, q of height zero, where the ends have these heights, of opposite signs
-/// or one of them zero: p + (q - p) * height_p / (height_p - height_q).
+/// Sets `point` to that of the edge p, q of height zero, where the ends have these heights, of
+/// opposite signs or one of them zero: p + (q - p) * height_p / (height_p - height_q).
 ///
 /// Heights: below 2^62. Each coordinate is off by at most 0.53 steps. Swapping the ends, or the
 /// signs of both heights, changes nothing.
-FinePoint crossing(const Point& p, const Point& q, int64_t height_p, int64_t height_q);
+void set_crossing(const Point& p, const Point& q, int64_t height_p, int64_t height_q,
+                  FinePoint& point);
 
 }  // namespace flashbvh
 

@@ -64,6 +64,10 @@ struct Contact {
 /// every pair that a query reports are; this is not checked. Of triangles within these bounds that
 /// do not meet, the answer is two meaningless points and correct normals.
 ///
+/// Cost in instructions on a Cortex-M4 at -O2: 1,800 for two planes that cross, 5,000 on average
+/// and at most 8,500 for coplanar triangles (tests/budget/contact_cost_test.cpp prints them).
+/// Stack: 270 bytes on Cortex-M3 and M4 at -O2, the contact itself, 80 bytes, not counted.
+///
 /// Source: the common line as in Guigue and Devillers (triangle.hpp).
 Contact contact_of(const PlacedTriangle& a, const PlacedTriangle& b) noexcept;
 
