@@ -19,7 +19,7 @@
 namespace flashbvh {
 namespace {
 
-constexpr int64_t kFarthest = 2 * kMaxContactCoordinate;
+constexpr int64_t kFarthest = int64_t{2} * kMaxContactCoordinate;
 static_assert(INT64_MAX / kFarthest / kFarthest / kFarthest >= 6,
               "a 3x3 determinant is a sum of six products of three differences");
 

@@ -86,15 +86,23 @@ inline PlacedPair touching_pair(Random& random, int32_t size) {
   return {{{o, sum(o, scaled(4, u)), sum(o, scaled(4, v))}}, {{start, end, third}}};
 }
 
-/// Two edges that cross, in the middle between two cells where the sizes are odd.
-inline PlacedPair crossing_edges_pair(Random& random, int32_t size) {
-  const Point p = point_within(random, size);
-  const Point q = point_within(random, size);
-  const Point r = point_within(random, size);
-  const Point opposite = {p.x + q.x - r.x, p.y + q.y - r.y, p.z + q.z - r.z};
+/// Two edges that cross in p + w * k / n: n divides both, one is w long and one w + n * v. At an
+/// odd number of 512ths, what rounding gives depends on the edge that it starts from.
+inline PlacedPair crossing_edges_pair(Random& random) {
+  constexpr int32_t parts[] = {2, 3, 512, 512, 1536};
+  const int32_t n = parts[random.below(5)];
+  const int32_t k = random.between(1, n - 1);
+  const Point p = point_within(random, 100);
+  const Point w = point_within(random, 20000);
+  const int32_t most = 20000 / n < 40 ? 20000 / n : 40;
+  const Point up = point_within(random, 2 * most);
+  const Point v = {up.x - most, up.y - most, up.z - most};
+  const Point q = sum(p, w);
+  const Point r = sum(p, scaled(-k, v));
+  const Point s = sum(q, scaled(n - k, v));
   const bool flat = random.below(3) == 0;
-  return {{{p, q, flat ? q : point_within(random, size)}},
-          {{r, opposite, flat ? r : point_within(random, size)}}};
+  return {{{p, q, flat ? q : point_within(random, 30000)}},
+          {{r, s, flat ? r : point_within(random, 30000)}}};
 }
 
 /// `b` round a corner of `a`, or with a corner there: the pair spans up to twice a triangle.
@@ -118,7 +126,7 @@ inline PlacedPair any_pair(Random& random) {
     case 1:
       return touching_pair(random, size >= 12 ? size : 12);
     case 2:
-      return crossing_edges_pair(random, size / 3 + 1);
+      return crossing_edges_pair(random);
     case 3:
     case 4:
       return neighbours(random, size);

@@ -294,6 +294,31 @@ TEST_CASE("contact: the order of corners and of arguments moves no end", "[conta
   CHECK(met > kPairs / 16);
 }
 
+TEST_CASE("contact: the order of arguments moves no point where long edges cross", "[contact]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  uint32_t met = 0;
+  for (uint32_t run = 0; run < 4 * kPairs; ++run) {
+    PlacedPair pair = {triangle_within(random, kMaxContactSpan),
+                       triangle_within(random, kMaxContactSpan)};
+    for (PlacedTriangle* t : {&pair.a, &pair.b}) {
+      t->corner[2] = t->corner[1];
+      for (Point& corner : t->corner) {
+        corner.z = corner.x;
+      }
+    }
+    if (!triangles_intersect(pair.a, pair.b)) {
+      continue;
+    }
+    ++met;
+    if (!same_place(contact_of(pair.a, pair.b), contact_of(pair.b, pair.a))) {
+      CAPTURE(seed, run);
+      FAIL("the order changes the contact");
+    }
+  }
+  CHECK(met > kPairs / 16);
+}
+
 TEST_CASE("contact: moving both triangles moves the ends alike", "[contact]") {
   const uint64_t seed = test_seed();
   Random random(seed);
@@ -341,7 +366,7 @@ TEST_CASE("contact: triangles apart do no harm, and their normals are right", "[
 namespace {
 
 /// The stated bound, in hundredths of 1/256 cell.
-constexpr int kBound = 53;
+constexpr Wide kBound = 53;
 
 /// A contact beside the exact common part; all in one frame.
 struct Judge {

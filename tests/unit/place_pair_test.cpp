@@ -93,7 +93,7 @@ TEST_CASE("contact: a pair is placed where the pose's definition puts it, met or
   const std::int32_t cells[3] = {9000, 50, 100};  // far from A
   const Pose pose = Pose::rigid(turn.entry, cells);
   const auto of_b = placed_triangles(mesh_b, pose);
-  for (std::uint16_t i = 0; i < of_b.size(); ++i) {
+  for (std::uint16_t i = 0; i < b.triangle_count; ++i) {
     PlacedTriangle placed_a;
     PlacedTriangle placed_b;
     REQUIRE(place_pair(a, b, pose, {0, i}, placed_a, placed_b));

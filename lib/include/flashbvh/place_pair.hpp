@@ -21,7 +21,8 @@ uint32_t position_of(const TreeType& tree, uint32_t source) {
 
 /// Where a query on `a` and `b` under `pose` has the triangles of `pair`, in cells from A's origin;
 /// for contact_of(), say. False, and nothing is written, if the pose is in error, the cells differ
-/// or a number isn't in its tree; whether the triangles meet is not asked.
+/// or a number isn't in its tree; whether the triangles meet is not asked. A
+/// turned B that is farther off than kMaxOffset is placed at that distance, where it meets nothing.
 ///
 /// Cost: looks through the source numbers of both trees, in flash, one by one; then prepares the
 /// pose as a query does. Query::last_pair() has neither to do.
