@@ -3,8 +3,10 @@
 #define FLASHBVH_FLASHBVH_HPP
 
 #include "flashbvh/collide.hpp"
+#include "flashbvh/contact.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/lattice.hpp"
+#include "flashbvh/place_pair.hpp"
 #include "flashbvh/pose.hpp"
 #include "flashbvh/query.hpp"
 #include "flashbvh/status.hpp"

@@ -1,0 +1,159 @@
+// The oracle for contacts: all corners of the common part of two triangles, as exact rationals.
+//
+// A corner of the common part of two closed triangles, of whatever shape, is a corner of one of
+// them, or where an edge of one crosses the plane of the other, or where two edges cross. So all of
+// these are tried, 6 + 6 + 9, and those kept that lie in both triangles, which is tested for each
+// on its own. No case for coplanar or degenerate input, no intervals, no order, no rounding.
+//
+// Range: corners within 114,000 < 2^17 of the first one, as those of triangles that meet are. A
+// point has numerators below 2^71 over a denominator below 2^53; a normal is below 2^33.
+#ifndef FLASHBVH_TESTS_SUPPORT_CONTACT_ORACLE_HPP
+#define FLASHBVH_TESTS_SUPPORT_CONTACT_ORACLE_HPP
+
+#include "support/triangle_oracle.hpp"
+
+#if defined(__SIZEOF_INT128__)
+
+#include <array>
+#include <vector>
+
+#include "flashbvh/contact.hpp"
+
+namespace flashbvh::test {
+
+using WideVector = std::array<Wide, 3>;
+
+/// A point relative to the first corner of the first triangle: at[] / by, by > 0.
+struct Rational {
+  WideVector at;
+  Wide by;
+};
+
+inline WideVector minus(const WideVector& u, const WideVector& v) {
+  return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
+}
+inline WideVector times(Wide n, const WideVector& v) {
+  return {n * v[0], n * v[1], n * v[2]};
+}
+inline WideVector crossed(const WideVector& u, const WideVector& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+inline Wide dotted(const WideVector& u, const WideVector& v) {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+/// The corners relative to the first one of the first triangle.
+struct WideTriangle {
+  WideVector corner[3];
+
+  WideTriangle(const PlacedTriangle& t, const Point& origin) {
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        corner[i][static_cast<std::size_t>(k)] = along(t.corner[i], k) - along(origin, k);
+      }
+    }
+  }
+  WideVector edge(int i) const { return minus(corner[(i + 1) % 3], corner[i]); }
+  WideVector normal() const { return crossed(edge(0), minus(corner[2], corner[0])); }
+};
+
+/// p + (q - p) * part / whole, whatever the sign of `whole`, which isn't 0.
+inline Rational point_between(const WideVector& p, const WideVector& q, Wide part, Wide whole) {
+  const Wide sign = whole < 0 ? -1 : 1;
+  const WideVector step = times(sign * part, minus(q, p));
+  const WideVector start = times(sign * whole, p);
+  return {{start[0] + step[0], start[1] + step[1], start[2] + step[2]}, sign * whole};
+}
+
+/// Whether p lies on the closed segment s, e, which may be a point.
+inline bool on_segment(const Rational& p, const WideVector& s, const WideVector& e) {
+  const WideVector from_s = minus(p.at, times(p.by, s));
+  const WideVector whole = minus(e, s);
+  const Wide share = dotted(from_s, whole);
+  return crossed(from_s, whole) == WideVector{} && share >= 0 &&
+         share <= p.by * dotted(whole, whole) && (whole != WideVector{} || from_s == WideVector{});
+}
+
+/// Whether p lies in the closed triangle t, which may be a segment or a point.
+inline bool in_triangle(const Rational& p, const WideTriangle& t) {
+  const WideVector normal = t.normal();
+  if (normal == WideVector{}) {
+    return on_segment(p, t.corner[0], t.corner[1]) || on_segment(p, t.corner[1], t.corner[2]) ||
+           on_segment(p, t.corner[2], t.corner[0]);
+  }
+  bool inside = dotted(normal, minus(p.at, times(p.by, t.corner[0]))) == 0;
+  for (int i = 0; inside && i < 3; ++i) {
+    const WideVector from = minus(p.at, times(p.by, t.corner[i]));
+    inside = dotted(normal, crossed(t.edge(i), from)) >= 0;
+  }
+  return inside;
+}
+
+/// Adds where edge i of `a` crosses the plane of `b`.
+inline void add_plane_crossing(const WideTriangle& a, int i, const WideTriangle& b,
+                               std::vector<Rational>& points) {
+  const WideVector normal = b.normal();
+  const Wide part = dotted(normal, minus(b.corner[0], a.corner[i]));
+  const Wide whole = dotted(normal, a.edge(i));
+  if (whole != 0) {
+    points.push_back(point_between(a.corner[i], a.corner[(i + 1) % 3], part, whole));
+  }
+}
+
+/// Adds where the lines of edge i of `a` and edge j of `b` cross in some projection.
+inline void add_edge_crossing(const WideTriangle& a, int i, const WideTriangle& b, int j,
+                              std::vector<Rational>& points) {
+  const WideVector whole = crossed(a.edge(i), b.edge(j));
+  const WideVector part = crossed(minus(b.corner[j], a.corner[i]), b.edge(j));
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (whole[k] != 0) {
+      points.push_back(point_between(a.corner[i], a.corner[(i + 1) % 3], part[k], whole[k]));
+      return;
+    }
+  }
+}
+
+inline bool is_between_ends(const Rational& p, const WideTriangle& a, int i) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Wide s = a.corner[i][k] * p.by;
+    const Wide e = a.corner[(i + 1) % 3][k] * p.by;
+    if ((p.at[k] < s && p.at[k] < e) || (p.at[k] > s && p.at[k] > e)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Adds all points that may be corners of the common part and lie on edge i of `a`.
+inline void add_on_edge(const WideTriangle& a, int i, const WideTriangle& b,
+                        std::vector<Rational>& points) {
+  std::vector<Rational> tried = {{a.corner[i], 1}};
+  add_plane_crossing(a, i, b, tried);
+  for (int j = 0; j < 3; ++j) {
+    add_edge_crossing(a, i, b, j, tried);
+  }
+  for (const Rational& p : tried) {
+    // Far outside, the tests below could overflow.
+    if (is_between_ends(p, a, i) && in_triangle(p, a) && in_triangle(p, b)) {
+      points.push_back(p);
+    }
+  }
+}
+
+/// The common part is the convex hull of these; some of them may be equal, or not be corners.
+inline std::vector<Rational> common_corners(const PlacedTriangle& a, const PlacedTriangle& b) {
+  const WideTriangle wide_a(a, a.corner[0]);
+  const WideTriangle wide_b(b, a.corner[0]);
+  std::vector<Rational> points;
+  for (int i = 0; i < 3; ++i) {
+    add_on_edge(wide_a, i, wide_b, points);
+    add_on_edge(wide_b, i, wide_a, points);
+  }
+  return points;
+}
+
+}  // namespace flashbvh::test
+
+#endif  // __SIZEOF_INT128__
+
+#endif

@@ -1,0 +1,165 @@
+// Random pairs of triangles as a query reports them: of every kind, many of which meet.
+#ifndef FLASHBVH_TESTS_SUPPORT_TRIANGLE_PAIRS_HPP
+#define FLASHBVH_TESTS_SUPPORT_TRIANGLE_PAIRS_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/contact.hpp"
+#include "support/random.hpp"
+
+namespace flashbvh::test {
+
+struct PlacedPair {
+  PlacedTriangle a;
+  PlacedTriangle b;
+};
+
+constexpr int32_t Point::*kPointAxes[3] = {&Point::x, &Point::y, &Point::z};
+
+inline Point sum(const Point& p, const Point& q) {
+  return {p.x + q.x, p.y + q.y, p.z + q.z};
+}
+inline Point scaled(int32_t n, const Point& p) {
+  return {n * p.x, n * p.y, n * p.z};
+}
+inline PlacedTriangle shifted(const PlacedTriangle& t, const Point& by) {
+  return {{sum(t.corner[0], by), sum(t.corner[1], by), sum(t.corner[2], by)}};
+}
+
+/// Within [0, size]; a third of the coordinates lies on the rim.
+inline Point point_within(Random& random, int32_t size) {
+  const auto coordinate = [&] {
+    return random.below(3) != 0 ? random.between(0, size) : random.below(2) != 0 ? size : 0;
+  };
+  const int32_t x = coordinate();
+  const int32_t y = coordinate();
+  return {x, y, coordinate()};
+}
+
+/// A triangle, sometimes a segment or a point.
+inline PlacedTriangle triangle_within(Random& random, int32_t size) {
+  PlacedTriangle t;
+  for (Point& corner : t.corner) {
+    corner = point_within(random, size);
+  }
+  const uint32_t shape = random.below(10);
+  if (shape < 2) {
+    t.corner[1 + shape] = t.corner[0];
+  } else if (shape == 2) {
+    t.corner[1] = t.corner[2] = t.corner[0];
+  }
+  return t;
+}
+
+/// In one plane or on one line: steps u and v from one origin. Nested, overlapping, touching along
+/// edges or at corners, or apart.
+inline PlacedPair coplanar_pair(Random& random, int32_t size) {
+  const int32_t step = size / 24 > 0 ? size / 24 : 1;
+  const Point o = point_within(random, step);
+  const Point u = point_within(random, step);
+  const Point v = point_within(random, step);
+  const int32_t most = random.below(2) != 0 ? 11 : 3;
+  const int32_t line = random.below(5) == 0 ? 0 : most;
+  PlacedPair pair;
+  for (PlacedTriangle* t : {&pair.a, &pair.b}) {
+    for (Point& corner : t->corner) {
+      const Point along_u = scaled(random.between(0, most), u);
+      corner = sum(o, sum(along_u, scaled(random.between(0, line), v)));
+    }
+  }
+  return pair;
+}
+
+/// `a` has a point in its face, on an edge or as corner, in which `b` has a corner or an edge, or
+/// which is the middle of a segment b.
+inline PlacedPair touching_pair(Random& random, int32_t size) {
+  const int32_t step = size / 12 > 0 ? size / 12 : 1;
+  const Point o = sum(point_within(random, step), {4 * step, 4 * step, 4 * step});
+  const Point u = point_within(random, step);
+  const Point v = point_within(random, step);
+  const Point w = point_within(random, step);
+  const int32_t i = random.between(0, 4);
+  const Point common = sum(o, sum(scaled(i, u), scaled(random.between(0, 4 - i), v)));
+  const Point start = sum(common, scaled(-random.between(0, 2), w));
+  const Point end = sum(common, scaled(random.between(0, 2), w));
+  const Point third = random.below(4) == 0 ? common : point_within(random, size);
+  return {{{o, sum(o, scaled(4, u)), sum(o, scaled(4, v))}}, {{start, end, third}}};
+}
+
+/// Two edges that cross in p + w * k / n: n divides both, one is w long and one w + n * v. At an
+/// odd number of 512ths, what rounding gives depends on the edge that it starts from.
+inline PlacedPair crossing_edges_pair(Random& random) {
+  constexpr int32_t parts[] = {2, 3, 512, 512, 1536};
+  const int32_t n = parts[random.below(5)];
+  const int32_t k = random.between(1, n - 1);
+  const Point p = point_within(random, 100);
+  const Point w = point_within(random, 20000);
+  const int32_t most = 20000 / n < 40 ? 20000 / n : 40;
+  const Point up = point_within(random, 2 * most);
+  const Point v = {up.x - most, up.y - most, up.z - most};
+  const Point q = sum(p, w);
+  const Point r = sum(p, scaled(-k, v));
+  const Point s = sum(q, scaled(n - k, v));
+  const bool flat = random.below(3) == 0;
+  return {{{p, q, flat ? q : point_within(random, 30000)}},
+          {{r, s, flat ? r : point_within(random, 30000)}}};
+}
+
+/// `b` round a corner of `a`, or with a corner there: the pair spans up to twice a triangle.
+inline PlacedPair neighbours(Random& random, int32_t size) {
+  PlacedPair pair = {triangle_within(random, size), triangle_within(random, size)};
+  const Point* const b = pair.b.corner;
+  const Point inner = {(b[0].x + b[1].x + b[2].x) / 3, (b[0].y + b[1].y + b[2].y) / 3,
+                       (b[0].z + b[1].z + b[2].z) / 3};
+  const Point from = random.below(4) == 0 ? b[0] : inner;
+  pair.b = shifted(pair.b, sum(pair.a.corner[0], scaled(-1, from)));
+  return pair;
+}
+
+/// Any kind of pair, size and place within what contact_of() takes.
+inline PlacedPair any_pair(Random& random) {
+  constexpr int32_t sizes[] = {1, 2, 3, 5, 24, 255, 1000, 20000, kMaxContactSpan};
+  const int32_t size = sizes[random.below(sizeof sizes / sizeof sizes[0])];
+  switch (random.below(8)) {
+    case 0:
+      return coplanar_pair(random, size);
+    case 1:
+      return touching_pair(random, size >= 12 ? size : 12);
+    case 2:
+      return crossing_edges_pair(random);
+    case 3:
+    case 4:
+      return neighbours(random, size);
+    default: {
+      PlacedPair pair = {triangle_within(random, size), triangle_within(random, size)};
+      const uint32_t shared = random.below(6);
+      for (uint32_t i = 0; i < shared && i < 3 && shared < 3; ++i) {
+        pair.b.corner[i] = pair.a.corner[i];
+      }
+      return pair;
+    }
+  }
+}
+
+/// The pair moved to a random place within what contact_of() takes, at its limits now and then.
+inline PlacedPair placed_anywhere(Random& random, const PlacedPair& pair) {
+  Point by = {0, 0, 0};
+  for (int32_t Point::*axis : kPointAxes) {
+    int32_t low = INT32_MAX;
+    int32_t high = INT32_MIN;
+    for (const PlacedTriangle* t : {&pair.a, &pair.b}) {
+      for (const Point& corner : t->corner) {
+        low = corner.*axis < low ? corner.*axis : low;
+        high = corner.*axis > high ? corner.*axis : high;
+      }
+    }
+    const int32_t least = -kMaxContactCoordinate - low;
+    const int32_t most = kMaxContactCoordinate - high;
+    by.*axis = random.below(4) == 0 ? least : random.between(least, most);
+  }
+  return {shifted(pair.a, by), shifted(pair.b, by)};
+}
+
+}  // namespace flashbvh::test
+
+#endif

@@ -1,0 +1,529 @@
+// Contacts against known answers, against their own symmetries and, on the host, against exact
+// rationals. FLASHBVH_SEED replays a run.
+#include "flashbvh/contact.hpp"
+
+#include <stdint.h>
+
+#include <catch2/catch.hpp>
+#include <initializer_list>
+
+#include "support/contact_oracle.hpp"
+#include "support/random.hpp"
+#include "support/triangle_pairs.hpp"
+
+namespace flashbvh::test {
+namespace {
+
+bool equal(const FinePoint& p, const FinePoint& q) {
+  return p.x == q.x && p.y == q.y && p.z == q.z;
+}
+bool equal(const Normal& m, const Normal& n) {
+  return m.x == n.x && m.y == n.y && m.z == n.z;
+}
+Normal opposite(const Normal& n) {
+  return {-n.x, -n.y, -n.z};
+}
+bool is_zero(const Normal& n) {
+  return equal(n, {0, 0, 0});
+}
+
+constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+
+PlacedTriangle ordered(const PlacedTriangle& t, int order) {
+  const int* const i = kOrders[order];
+  return {{t.corner[i[0]], t.corner[i[1]], t.corner[i[2]]}};
+}
+/// The last three orders wind the triangle the other way round.
+Normal ordered(const Normal& n, int order) {
+  return order < 3 ? n : opposite(n);
+}
+
+bool same_place(const Contact& c, const Contact& d) {
+  return c.kind == d.kind && equal(c.ends[0], d.ends[0]) && equal(c.ends[1], d.ends[1]);
+}
+
+/// Whether all 36 orders of corners, each in both orders of arguments, give this contact.
+bool all_orders_give(const Contact& expected, const PlacedTriangle& a, const PlacedTriangle& b) {
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      const Contact c = contact_of(ordered(a, i), ordered(b, j));
+      const Contact d = contact_of(ordered(b, j), ordered(a, i));
+      const Normal normal_a = ordered(expected.normal_a, i);
+      const Normal normal_b = ordered(expected.normal_b, j);
+      if (!same_place(c, expected) || !same_place(d, expected) || !equal(c.normal_a, normal_a) ||
+          !equal(d.normal_b, normal_a) || !equal(c.normal_b, normal_b) ||
+          !equal(d.normal_a, normal_b)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+constexpr FinePoint fine(int32_t x, int32_t y, int32_t z) {
+  return {x * kFineOne, y * kFineOne, z * kFineOne};
+}
+
+struct Case {
+  const char* name;
+  ContactKind kind;
+  PlacedTriangle a;
+  PlacedTriangle b;
+  FinePoint ends[2];
+};
+
+constexpr auto kLine = ContactKind::segment;
+constexpr auto kFlat = ContactKind::coplanar;
+constexpr auto kThin = ContactKind::degenerate;
+constexpr PlacedTriangle kFloor = {{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}};
+constexpr PlacedTriangle kRod = {{{0, 0, 0}, {4, 4, 4}, {8, 8, 8}}};
+constexpr PlacedTriangle kDot = {{{2, 2, 2}, {2, 2, 2}, {2, 2, 2}}};
+
+constexpr Case kCrossing[] = {
+    {"across the face",
+     kLine,
+     kFloor,
+     {{{2, -9, -3}, {2, -9, 9}, {2, 99, -3}}},
+     {fine(2, 0, 0), fine(2, 6, 0)}},
+    {"both ends inside the face",
+     kLine,
+     kFloor,
+     {{{1, 2, -2}, {5, 2, -2}, {3, 2, 2}}},
+     {fine(2, 2, 0), fine(4, 2, 0)}},
+    {"each pierces the other",
+     kLine,
+     kFloor,
+     {{{2, 2, 2}, {2, 2, -2}, {-9, 2, 0}}},
+     {fine(0, 2, 0), fine(2, 2, 0)}},
+    {"an end between two cells",
+     kLine,
+     kFloor,
+     {{{1, 1, -1}, {2, 2, 2}, {-7, 2, -1}}},
+     {{0, 384, 0}, {341, 341, 0}}},
+    {"vertex on vertex",
+     kLine,
+     kFloor,
+     {{{8, 0, 0}, {9, 0, 3}, {9, 1, 5}}},
+     {fine(8, 0, 0), fine(8, 0, 0)}},
+    {"vertex on edge",
+     kLine,
+     kFloor,
+     {{{4, 4, 0}, {5, 5, 3}, {5, 6, 5}}},
+     {fine(4, 4, 0), fine(4, 4, 0)}},
+    {"vertex on face",
+     kLine,
+     kFloor,
+     {{{2, 2, 0}, {2, 3, 3}, {3, 2, 5}}},
+     {fine(2, 2, 0), fine(2, 2, 0)}},
+    {"edge crosses edge in a point",
+     kLine,
+     kFloor,
+     {{{4, 4, -1}, {4, 4, 1}, {7, 7, 0}}},
+     {fine(4, 4, 0), fine(4, 4, 0)}},
+    {"edge in the face",
+     kLine,
+     kFloor,
+     {{{1, 1, 0}, {3, 3, 0}, {2, 2, 4}}},
+     {fine(1, 1, 0), fine(3, 3, 0)}},
+    {"edge in the plane across the face",
+     kLine,
+     kFloor,
+     {{{-1, 1, 0}, {9, 1, 0}, {4, 1, 4}}},
+     {fine(0, 1, 0), fine(7, 1, 0)}},
+    {"edge along an edge",
+     kLine,
+     kFloor,
+     {{{2, 0, 0}, {12, 0, 0}, {4, -3, 4}}},
+     {fine(2, 0, 0), fine(8, 0, 0)}},
+    {"edge continues an edge",
+     kLine,
+     kFloor,
+     {{{8, 0, 0}, {12, 0, 0}, {9, -3, 4}}},
+     {fine(8, 0, 0), fine(8, 0, 0)}},
+    {"shared edge",
+     kLine,
+     kFloor,
+     {{{0, 0, 0}, {8, 0, 0}, {0, 0, 8}}},
+     {fine(0, 0, 0), fine(8, 0, 0)}},
+};
+
+constexpr Case kCoplanar[] = {
+    {"the same triangle", kFlat, kFloor, kFloor, {fine(0, 0, 0), fine(8, 0, 0)}},
+    {"nested", kFlat, kFloor, {{{1, 1, 0}, {4, 1, 0}, {1, 2, 0}}}, {fine(1, 1, 0), fine(4, 1, 0)}},
+    {"overlap",
+     kFlat,
+     kFloor,
+     {{{-2, 3, 0}, {9, 3, 0}, {-2, 14, 0}}},
+     {fine(0, 3, 0), fine(5, 3, 0)}},
+    {"star of David, widest along its middle",
+     kFlat,
+     {{{0, 0, 0}, {12, 0, 0}, {6, 9, 0}}},
+     {{{0, 6, 0}, {12, 6, 0}, {6, -3, 0}}},
+     {fine(2, 3, 0), fine(10, 3, 0)}},
+    {"vertex on edge",
+     kFlat,
+     kFloor,
+     {{{4, 4, 0}, {9, 4, 0}, {4, 9, 0}}},
+     {fine(4, 4, 0), fine(4, 4, 0)}},
+    {"vertex on vertex",
+     kFlat,
+     kFloor,
+     {{{0, 0, 0}, {-8, 0, 0}, {0, -8, 0}}},
+     {fine(0, 0, 0), fine(0, 0, 0)}},
+    {"edges touch along a part",
+     kFlat,
+     kFloor,
+     {{{2, 0, 0}, {3, 0, 0}, {2, -5, 0}}},
+     {fine(2, 0, 0), fine(3, 0, 0)}},
+};
+
+constexpr Case kDegenerate[] = {
+    {"point on itself", kThin, kDot, kDot, {fine(2, 2, 2), fine(2, 2, 2)}},
+    {"point on segment", kThin, kDot, kRod, {fine(2, 2, 2), fine(2, 2, 2)}},
+    {"point in face",
+     kThin,
+     kDot,
+     {{{0, 0, 2}, {8, 0, 2}, {0, 8, 2}}},
+     {fine(2, 2, 2), fine(2, 2, 2)}},
+    {"the same segment", kThin, kRod, kRod, {fine(0, 0, 0), fine(8, 8, 8)}},
+    {"collinear segments",
+     kThin,
+     kRod,
+     {{{7, 7, 7}, {9, 9, 9}, {12, 12, 12}}},
+     {fine(7, 7, 7), fine(8, 8, 8)}},
+    {"segments cross",
+     kThin,
+     kRod,
+     {{{0, 8, 4}, {4, 4, 4}, {8, 0, 4}}},
+     {fine(4, 4, 4), fine(4, 4, 4)}},
+    {"segments cross between cells",
+     kThin,
+     {{{0, 0, 0}, {3, 3, 3}, {0, 0, 0}}},
+     {{{0, 3, 0}, {0, 3, 0}, {3, 0, 3}}},
+     {{384, 384, 384}, {384, 384, 384}}},
+    {"segments touch in a T",
+     kThin,
+     kRod,
+     {{{3, 3, 3}, {5, 2, 9}, {7, 1, 15}}},
+     {fine(3, 3, 3), fine(3, 3, 3)}},
+    {"segment pierces face",
+     kThin,
+     kFloor,
+     {{{1, 1, -3}, {2, 2, 0}, {3, 3, 3}}},
+     {fine(2, 2, 0), fine(2, 2, 0)}},
+    {"segment pierces face between cells",
+     kThin,
+     kFloor,
+     {{{1, 1, -1}, {2, 2, 2}, {2, 2, 2}}},
+     {{341, 341, 0}, {341, 341, 0}}},
+    {"segment in face",
+     kThin,
+     kFloor,
+     {{{1, 1, 0}, {2, 2, 0}, {3, 3, 0}}},
+     {fine(1, 1, 0), fine(3, 3, 0)}},
+    {"segment across face in its plane",
+     kThin,
+     kFloor,
+     {{{-1, 2, 0}, {9, 2, 0}, {3, 2, 0}}},
+     {fine(0, 2, 0), fine(6, 2, 0)}},
+    {"segment touches a vertex in its plane",
+     kThin,
+     kFloor,
+     {{{7, -1, 0}, {8, 0, 0}, {9, 1, 0}}},
+     {fine(8, 0, 0), fine(8, 0, 0)}},
+};
+
+template <uint32_t kCount>
+void check_cases(const Case (&cases)[kCount]) {
+  for (const Case& c : cases) {
+    INFO(c.name);
+    REQUIRE(triangles_intersect(c.a, c.b));
+    const Contact contact = contact_of(c.a, c.b);
+    CHECK(contact.kind == c.kind);
+    CHECK(equal(contact.ends[0], c.ends[0]));
+    CHECK(equal(contact.ends[1], c.ends[1]));
+    CHECK(all_orders_give(contact, c.a, c.b));
+  }
+}
+
+#if defined(__SIZEOF_INT128__)
+constexpr uint32_t kPairs = 20000;
+#else
+constexpr uint32_t kPairs = 600;
+#endif
+
+}  // namespace
+
+TEST_CASE("contact: triangles that cross meet in a segment or a point", "[contact]") {
+  check_cases(kCrossing);
+}
+TEST_CASE("contact: of an area, two corners that are farthest apart", "[contact]") {
+  check_cases(kCoplanar);
+}
+TEST_CASE("contact: of segments and points, what they share", "[contact]") {
+  check_cases(kDegenerate);
+}
+
+TEST_CASE("contact: normals are exact cross products", "[contact]") {
+  const Contact c = contact_of(kFloor, {{{0, 0, 0}, {0, 1, 0}, {0, 0, 2}}});
+  CHECK(equal(c.normal_a, {0, 0, 64}));
+  CHECK(equal(c.normal_b, {2, 0, 0}));
+  const int32_t s = kMaxContactSpan;
+  const PlacedTriangle large = {{{0, 0, 0}, {s, 0, s}, {0, s, s}}};
+  const int64_t most = static_cast<int64_t>(s) * s;
+  CHECK(equal(contact_of(large, kRod).normal_a, {-most, -most, most}));
+  CHECK(is_zero(contact_of(large, kRod).normal_b));
+  CHECK(is_zero(contact_of(kDot, kRod).normal_a));
+}
+
+TEST_CASE("contact: the order of corners and of arguments moves no end", "[contact]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  uint32_t met = 0;
+  for (uint32_t run = 0; run < kPairs / 4; ++run) {
+    const PlacedPair pair = any_pair(random);
+    if (!triangles_intersect(pair.a, pair.b)) {
+      continue;
+    }
+    ++met;
+    if (!all_orders_give(contact_of(pair.a, pair.b), pair.a, pair.b)) {
+      CAPTURE(seed, run);
+      FAIL("an order changes the contact");
+    }
+  }
+  CHECK(met > kPairs / 16);
+}
+
+TEST_CASE("contact: the order of arguments moves no point where long edges cross", "[contact]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  uint32_t met = 0;
+  for (uint32_t run = 0; run < 4 * kPairs; ++run) {
+    PlacedPair pair = {triangle_within(random, kMaxContactSpan),
+                       triangle_within(random, kMaxContactSpan)};
+    for (PlacedTriangle* t : {&pair.a, &pair.b}) {
+      t->corner[2] = t->corner[1];
+      for (Point& corner : t->corner) {
+        corner.z = corner.x;
+      }
+    }
+    if (!triangles_intersect(pair.a, pair.b)) {
+      continue;
+    }
+    ++met;
+    if (!same_place(contact_of(pair.a, pair.b), contact_of(pair.b, pair.a))) {
+      CAPTURE(seed, run);
+      FAIL("the order changes the contact");
+    }
+  }
+  CHECK(met > kPairs / 16);
+}
+
+TEST_CASE("contact: moving both triangles moves the ends alike", "[contact]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  for (uint32_t run = 0; run < kPairs; ++run) {
+    const PlacedPair pair = any_pair(random);
+    if (!triangles_intersect(pair.a, pair.b)) {
+      continue;
+    }
+    const PlacedPair moved = placed_anywhere(random, pair);
+    const Contact here = contact_of(pair.a, pair.b);
+    Contact there = contact_of(moved.a, moved.b);
+    const Point& from = pair.a.corner[0];
+    const Point& to = moved.a.corner[0];
+    for (FinePoint& end : there.ends) {
+      end = {end.x - (to.x - from.x) * kFineOne, end.y - (to.y - from.y) * kFineOne,
+             end.z - (to.z - from.z) * kFineOne};
+    }
+    if (!same_place(here, there) || !equal(here.normal_a, there.normal_a) ||
+        !equal(here.normal_b, there.normal_b)) {
+      CAPTURE(seed, run);
+      FAIL("the place changes the contact");
+    }
+  }
+}
+
+TEST_CASE("contact: triangles apart do no harm, and their normals are right", "[contact]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  for (uint32_t run = 0; run < kPairs; ++run) {
+    PlacedPair pair = any_pair(random);
+    const PlacedPair other = any_pair(random);
+    const PlacedPair far_a = placed_anywhere(random, {pair.a, pair.a});
+    const PlacedPair far_b = placed_anywhere(random, {other.b, other.b});
+    const Contact apart = contact_of(far_a.a, far_b.a);
+    if (!equal(apart.normal_a, contact_of(pair.a, pair.a).normal_a) ||
+        !equal(apart.normal_b, contact_of(other.b, other.b).normal_b)) {
+      CAPTURE(seed, run);
+      FAIL("a normal is wrong");
+    }
+  }
+}
+
+#if defined(__SIZEOF_INT128__)
+
+namespace {
+
+/// The stated bound, in hundredths of 1/256 cell.
+constexpr Wide kBound = 53;
+
+/// A contact beside the exact common part; all in one frame.
+struct Judge {
+  PlacedTriangle a;
+  PlacedTriangle b;
+  Contact contact;
+  std::vector<Rational> corners;
+
+  Judge(const PlacedTriangle& t, const PlacedTriangle& u)
+      : a(t), b(u), contact(contact_of(t, u)), corners(common_corners(t, u)) {}
+
+  Wide end(int i, int axis) const {
+    const FinePoint& p = contact.ends[i];
+    return (axis == 0 ? p.x : axis == 1 ? p.y : p.z) - Wide{kFineOne} * along(a.corner[0], axis);
+  }
+
+  /// Whether each coordinate of the end is within the bound of that of the corner.
+  bool is_near(int i, const Rational& corner) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Wide off =
+          kFineOne * corner.at[static_cast<std::size_t>(axis)] - end(i, axis) * corner.by;
+      if (100 * (off < 0 ? -off : off) > kBound * corner.by) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool ends_are_corners() const {
+    for (const int i : {0, 1}) {
+      bool found = false;
+      for (const Rational& corner : corners) {
+        found = found || is_near(i, corner);
+      }
+      if (!found) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The largest difference of the ends along an axis.
+  Wide reach() const {
+    Wide most = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Wide between = end(1, axis) - end(0, axis);
+      const Wide size = between < 0 ? -between : between;
+      most = size > most ? size : most;
+    }
+    return most;
+  }
+
+  /// Whether no two corners are farther apart along an axis than the ends, but for the bound.
+  bool ends_are_farthest() const {
+    for (const Rational& p : corners) {
+      for (const Rational& q : corners) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          // Numerators below 2^71 would not multiply: in 1/2^16 of a step, rounded.
+          const Wide one = Wide{1} << 16;
+          const Wide between = p.at[k] * kFineOne * one / p.by - q.at[k] * kFineOne * one / q.by;
+          if (100 * between > (100 * reach() + 2 * kBound) * one + 200) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  bool is_point() const {
+    for (const Rational& p : corners) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (p.at[k] * corners[0].by != corners[0].at[k] * p.by) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  bool point_is_point() const { return !is_point() || equal(contact.ends[0], contact.ends[1]); }
+  bool is_ordered() const {
+    const FinePoint& p = contact.ends[0];
+    const FinePoint& q = contact.ends[1];
+    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z <= q.z;
+  }
+  bool kind_is_right() const {
+    const WideVector of_a = WideTriangle(a, a.corner[0]).normal();
+    const WideTriangle wide_b(b, a.corner[0]);
+    const WideVector of_b = wide_b.normal();
+    const bool thin = of_a == WideVector{} || of_b == WideVector{};
+    const bool flat = crossed(of_a, of_b) == WideVector{} && dotted(of_a, wide_b.corner[0]) == 0;
+    return contact.kind == (thin ? kThin : flat ? kFlat : kLine);
+  }
+  bool normals_are_right() const {
+    return WideVector{contact.normal_a.x, contact.normal_a.y, contact.normal_a.z} ==
+               WideTriangle(a, a.corner[0]).normal() &&
+           WideVector{contact.normal_b.x, contact.normal_b.y, contact.normal_b.z} ==
+               WideTriangle(b, a.corner[0]).normal();
+  }
+};
+
+/// Whether the contact of two triangles is what the header says, if they meet.
+bool is_right(const PlacedTriangle& a, const PlacedTriangle& b) {
+  const Judge judge(a, b);
+  CAPTURE(judge.corners.size());
+  CHECK(triangles_intersect(a, b) == !judge.corners.empty());
+  if (judge.corners.empty()) {
+    return true;
+  }
+  const bool right = judge.ends_are_corners() && judge.ends_are_farthest() &&
+                     judge.point_is_point() && judge.is_ordered() && judge.kind_is_right() &&
+                     judge.normals_are_right();
+  if (!right) {
+    UNSCOPED_INFO("corners " << judge.ends_are_corners() << ", farthest "
+                             << judge.ends_are_farthest() << ", point " << judge.point_is_point()
+                             << ", order " << judge.is_ordered() << ", kind "
+                             << judge.kind_is_right() << ", normals " << judge.normals_are_right());
+  }
+  return right;
+}
+
+}  // namespace
+
+TEST_CASE("contact: small triangles agree with exact rationals", "[contact][oracle]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  for (uint32_t run = 0; run < 2 * kPairs; ++run) {
+    const int32_t size = random.between(1, 4);
+    const PlacedPair pair = {triangle_within(random, size), triangle_within(random, size)};
+    if (!is_right(pair.a, pair.b)) {
+      CAPTURE(seed, run);
+      FAIL("the oracle disagrees");
+    }
+  }
+}
+
+TEST_CASE("contact: triangles of every kind agree with exact rationals", "[contact][oracle]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  uint32_t met[3] = {};
+  for (uint32_t run = 0; run < 3 * kPairs; ++run) {
+    const PlacedPair pair = placed_anywhere(random, any_pair(random));
+    if (!triangles_intersect(pair.a, pair.b)) {
+      continue;
+    }
+    ++met[static_cast<unsigned>(contact_of(pair.a, pair.b).kind)];
+    if (!is_right(pair.a, pair.b)) {
+      CAPTURE(seed, run);
+      FAIL("the oracle disagrees");
+    }
+  }
+  CHECK(met[0] > kPairs / 4);
+  CHECK(met[1] > kPairs / 16);
+  CHECK(met[2] > kPairs / 16);
+}
+
+#endif  // __SIZEOF_INT128__
+
+}  // namespace flashbvh::test
