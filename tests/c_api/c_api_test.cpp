@@ -23,9 +23,9 @@ struct Object {
   flashbvh_tree c_tree;
 
   explicit Object(Random& random) {
-    auto mesh = random_mesh(random, 1 + random.below(16), 30, 25);
+    auto mesh = random_mesh(random, 1 + random.below(24), 30, 25);
     for (std::int32_t& origin : mesh.origin) {
-      origin = random.between(-40, 40);
+      origin = random.between(-10, 10);
     }
     image =
         image_of(bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh), mesh));
@@ -71,9 +71,8 @@ bool same(const Pose& pose, const flashbvh_pose& c) {
 }
 
 Pose any_pose(Random& random) {
-  return random.below(3) == 0
-             ? Pose::translated(random.between(-60, 60), random.between(-60, 60), 0)
-             : any_rigid_pose(random, 60);
+  const std::int32_t x = random.between(-20, 20);
+  return random.below(3) == 0 ? Pose::translated(x, -x, 0) : any_rigid_pose(random, 20);
 }
 
 /// A query in C++, in one run.
@@ -92,6 +91,9 @@ answer whole(const Object& a, const Object& b, const Pose& pose,
           {counts.visits, counts.overlaps, counts.leaf_pairs, counts.triangle_pairs},
           static_cast<flashbvh_status>(status)};
 }
+
+constexpr std::uint32_t kRuns[] = {1, 2, 7, UINT32_MAX};
+constexpr std::uint32_t kCapacities[] = {1, 3, 8};
 
 bool same(const flashbvh_triangle& c, const PlacedTriangle& placed) {
   bool same = true;
@@ -119,8 +121,8 @@ TEST_CASE("C gets the pairs that C++ gets, in slices, saved and resumed, and in 
     std::vector<flashbvh_pair> expected_pairs;
     const answer expected = whole(a, b, pose, expected_pairs);
     total += expected.count;
-    for (const std::uint32_t visits : {1u, 2u, 7u, UINT32_MAX}) {
-      for (const std::uint32_t capacity : {1u, 3u, 8u}) {
+    for (const std::uint32_t visits : kRuns) {
+      for (const std::uint32_t capacity : kCapacities) {
         CAPTURE(visits, capacity);
         answer got{pairs.data(), 1000, 0, {}, FLASHBVH_STATUS_FULL};
         answer resumed = got;
@@ -135,7 +137,7 @@ TEST_CASE("C gets the pairs that C++ gets, in slices, saved and resumed, and in 
     }
     REQUIRE(questions_agree(&a.c_tree, &b.c_tree, &at, &expected));
   }
-  CHECK(total > 300);
+  CHECK(total > 100);
 }
 
 TEST_CASE("poses made in C are those made in C++, in place too") {
@@ -198,7 +200,7 @@ TEST_CASE("the triangles of the last pair are placed as in C++") {
       ++total;
     }
   }
-  CHECK(total > 100);
+  CHECK(total > 50);
 }
 
 TEST_CASE("a copy of a query in C goes on by itself") {
