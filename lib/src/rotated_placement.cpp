@@ -80,6 +80,34 @@ BoundStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
   return {bias + margin + offset, bias + margin - offset};
 }
 
+constexpr int32_t Point::*kAxes[3] = {&Point::x, &Point::y, &Point::z};
+
+/// What makes one coordinate of a placed vertex.
+class Row {
+ public:
+  Row(const RotatedPlacement& placement, int axis) {
+    const SplitRow& row = placement.pose->rows().row[axis];
+    x_ = row.x();
+    y_ = row.y();
+    z_ = row.z_entry();
+    rest_x_ = placement.pose->rest(axis, 0);
+    rest_y_ = placement.pose->rest(axis, 1);
+    rest_z_ = placement.pose->rest(axis, 2);
+    const BoundStart& start = placement.on_a[axis];
+    offset_ = (start.upper - start.lower) / 2 + kHalf;  // exact: see start_of()
+  }
+
+  int32_t place(const Vertex& v) const {
+    const int32_t rest = rest_x_ * v.x + rest_y_ * v.y + rest_z_ * v.z;
+    return (x_ * v.x + y_ * v.y + z_ * v.z + (rest >> kRestBits) + offset_) >> kSplitBits;
+  }
+
+ private:
+  int32_t x_, y_, z_;
+  int32_t rest_x_, rest_y_, rest_z_;
+  int32_t offset_;
+};
+
 }  // namespace
 
 bool RotatedPlacement::prepare(const Pose& from, const int32_t (&origin_a)[3],
@@ -106,14 +134,18 @@ bool RotatedPlacement::prepare(const Pose& from, const int32_t (&origin_a)[3],
 }
 
 Point RotatedPlacement::place(const Vertex& v) const {
-  const auto coordinate = [&](int i) {
-    const SplitRow& row = pose->rows().row[i];
-    const int32_t rest = pose->rest(i, 0) * v.x + pose->rest(i, 1) * v.y + pose->rest(i, 2) * v.z;
-    const int32_t offset = (on_a[i].upper - on_a[i].lower) / 2;  // exact
-    const int32_t turned = row.x() * v.x + row.y() * v.y + row.z_entry() * v.z;
-    return (turned + (rest >> kRestBits) + offset + kHalf) >> kSplitBits;
-  };
-  return {coordinate(0), coordinate(1), coordinate(2)};
+  return {Row(*this, 0).place(v), Row(*this, 1).place(v), Row(*this, 2).place(v)};
+}
+
+void RotatedPlacement::place(const Vertex& u, const Vertex& v, const Vertex& w,
+                             PlacedTriangle& placed) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Row row(*this, axis);
+    const auto coordinate = kAxes[axis];
+    placed.corner[0].*coordinate = row.place(u);
+    placed.corner[1].*coordinate = row.place(v);
+    placed.corner[2].*coordinate = row.place(w);
+  }
 }
 
 }  // namespace flashbvh

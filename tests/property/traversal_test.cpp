@@ -100,6 +100,30 @@ TEST_CASE("all traversals agree on random trees of every shape") {
   }
 }
 
+TEST_CASE("all traversals agree on the trees of each builder, and find what brute force finds") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 5);
+  using Builder = bake::BuildTree (*)(const bake::LatticeMesh&);
+  const Builder builders[] = {
+      bake::build_default,
+      [](const bake::LatticeMesh& mesh) { return bake::build_sah(mesh, 1); },
+      [](const bake::LatticeMesh& mesh) { return bake::collapse(bake::build_sah(mesh, 3), 8); },
+      [](const bake::LatticeMesh& mesh) { return bake::build_median(mesh, 1); },
+  };
+  for (const Builder& build_a : builders) {
+    for (const Builder& build_b : builders) {
+      for (int round = 0; round < 30; ++round) {
+        CAPTURE(&build_a - builders, &build_b - builders, round);
+        Trees trees = any_trees(random, 1 + random.below(90), 1 + random.below(90));
+        trees.a = build_a(trees.mesh_a);
+        trees.b = build_b(trees.mesh_b);
+        check_all(trees);
+      }
+    }
+  }
+}
+
 TEST_CASE("all traversals agree on chains as deep as their triangles, and on unequal heights") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);

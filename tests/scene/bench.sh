@@ -21,12 +21,17 @@ for row in volume-stack alternating-stack stackless stackless-post leaf ranked r
     "best rule"; do
   [ "$(grep -c "^| $row  *|" out.md)" = 4 ] || fail "not four rows of $row"
 done
+grep -q '^### The default tree$' out.md || fail "the default tree is missing"
+grep -q '^| total of the intersecting  *| *0 |' out.md || fail "tables 3 and 7 don't intersect"
 [ "$(grep -c '^table' progress)" = 4 ] || fail "progress: $(cat progress)"
 
 # shellcheck disable=SC2086
 "$FLASHBVH" bench --table 7 $quick --builder median --json 2>/dev/null >out.json
 [ "$(grep -c '"algorithm":' out.json)" = 8 ] || fail "not eight JSON lines"
 grep '"algorithm":"ranked",' out.json | grep -q '"triangle_pairs":0' || fail "no ranked line"
+grep '"setup":"Different sizes"' out.json | grep '"default_tree":' | grep -q '"ranked_visits":' ||
+  fail "no default tree"
+grep '"default_tree_totals":' out.json | grep -q '"ranked_to_best":' || fail "no default tree's totals"
 tail -n 1 out.json | grep -q '"ranked_to_volume":' || fail "no summary"
 
 # shellcheck disable=SC2086

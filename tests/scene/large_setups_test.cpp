@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "bench/default_tree.hpp"
 #include "bench/rows.hpp"
 #include "scene/setups.hpp"
 
@@ -36,6 +37,24 @@ TEST_CASE("ranked visits no more than volume-stack in total and 1.03 times as ma
   }
   CAPTURE(ranked_total, volume_total);
   CHECK(ranked_total <= volume_total);
+}
+
+TEST_CASE("ranked on the default tree: 0.60 of the paper's visits, 1.10 of the best rule's") {
+  bench::Objects objects;
+  std::vector<bench::DefaultTreeResult> results;
+  for (const scene::Setup& setup : scene::kSetups) {
+    results.push_back(compare_default_tree(setup, objects));
+    const bench::DefaultTreeVisits& visits = results.back().visits;
+    CAPTURE(setup.name, visits.stackless, visits.ranked, visits.best_rule);
+    CHECK(visits.ranked <= visits.stackless);
+    CHECK(visits.best_rule <= visits.ranked);
+    CHECK(100 * visits.ranked <= 120 * visits.best_rule);
+  }
+  const bench::DefaultTreeVisits intersecting = sum_of(results, true);
+  const bench::DefaultTreeVisits all = sum_of(results, false);
+  CAPTURE(intersecting.stackless, intersecting.ranked, all.ranked, all.best_rule);
+  CHECK(100 * intersecting.ranked <= 60 * intersecting.stackless);
+  CHECK(100 * all.ranked <= 110 * all.best_rule);
 }
 
 TEST_CASE("the large setups intersect, and 16 and 32-bit trees give the same counts") {

@@ -12,19 +12,23 @@
 
 namespace flashbvh::test {
 
+/// The paper's tree, or the default one.
+enum class Built : std::uint8_t { paper, by_default };
+
 template <class Index, Layout layout>
-bake::BakedTree<Index, layout> bake_object(const scene::PaperObject& object) {
+bake::BakedTree<Index, layout> bake_object(const scene::PaperObject& object, Built built) {
   const bake::LatticeMesh mesh = make_mesh(object);
-  return bake::lay_out<Index, layout>(bake::build_median(mesh, 1), mesh);
+  return bake::lay_out<Index, layout>(
+      built == Built::paper ? bake::build_median(mesh, 1) : bake::build_default(mesh), mesh);
 }
 
 /// Traversal: with its trees' index type and layout.
 template <class Traversal>
-Counts counts_of(const scene::Setup& setup) {
+Counts counts_of(const scene::Setup& setup, Built built = Built::paper) {
   using Index = typename Traversal::Tree::Index;
   constexpr Layout layout = Traversal::Tree::kLayout;
-  const auto a = bake_object<Index, layout>(setup.a);
-  const auto b = bake_object<Index, layout>(setup.b);
+  const auto a = bake_object<Index, layout>(setup.a, built);
+  const auto b = bake_object<Index, layout>(setup.b, built);
   const auto view_a = a.view();
   const auto view_b = b.view();
   scene::WalkStart<Traversal> start(view_a, view_b);

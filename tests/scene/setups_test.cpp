@@ -24,24 +24,25 @@ namespace {
 struct Expected {
   const char* name;
   std::uint32_t volume, alternating, leaf, ranked;  ///< visits
+  std::uint32_t ranked_by_default;                  ///< on the default tree
   std::uint32_t leaf_pairs, triangle_pairs;
 };
 
 const Expected kExpected[] = {
-    {"Intersection test 1", 7639, 8111, 11858, 7429, 1031, 228},
-    {"Intersection test 2", 11817, 13253, 19072, 11333, 1565, 338},
-    {"Intersection test 3", 11559, 12481, 16192, 11105, 1501, 330},
-    {"Separation test 1", 1, 1, 796, 1, 0, 0},
-    {"Separation test 2", 1, 1, 796, 1, 0, 0},
-    {"Separation test 3", 1, 1, 796, 1, 0, 0},
-    {"Close proximity test 1", 7117, 7887, 10946, 6959, 851, 0},
-    {"Close proximity test 2", 14247, 15861, 18102, 13573, 1886, 0},
-    {"Close proximity test 3", 3753, 3989, 5156, 3485, 297, 0},
-    {"Small proximity test 1", 309, 349, 1054, 295, 31, 0},
-    {"Small proximity test 2", 811, 855, 2330, 815, 50, 0},
-    {"Small proximity test 3", 635, 671, 1738, 597, 43, 0},
-    {"Sub 0: 796 faces", 7669, 8449, 11844, 7407, 1002, 236},
-    {"Different sizes", 93, 7407, 32498, 93, 0, 0},
+    {"Intersection test 1", 7639, 8111, 11858, 7461, 4275, 1031, 228},
+    {"Intersection test 2", 11817, 13253, 19072, 11353, 6118, 1565, 338},
+    {"Intersection test 3", 11559, 12481, 16192, 11071, 5495, 1501, 330},
+    {"Separation test 1", 1, 1, 796, 1, 1, 0, 0},
+    {"Separation test 2", 1, 1, 796, 1, 1, 0, 0},
+    {"Separation test 3", 1, 1, 796, 1, 1, 0, 0},
+    {"Close proximity test 1", 7117, 7887, 10946, 6963, 3705, 851, 0},
+    {"Close proximity test 2", 14247, 15861, 18102, 13549, 7697, 1886, 0},
+    {"Close proximity test 3", 3753, 3989, 5156, 3497, 1362, 297, 0},
+    {"Small proximity test 1", 309, 349, 1054, 291, 165, 31, 0},
+    {"Small proximity test 2", 811, 855, 2330, 813, 479, 50, 0},
+    {"Small proximity test 3", 635, 671, 1738, 597, 281, 43, 0},
+    {"Sub 0: 796 faces", 7669, 8449, 11844, 7411, 4020, 1002, 236},
+    {"Different sizes", 93, 7407, 32498, 93, 19, 0, 0},
 };
 
 std::vector<Setup> small_setups(std::uint32_t table) {
@@ -146,5 +147,7 @@ TEST_CASE("every traversal makes the same visits and finds the same overlaps on 
     check_counts(test::counts_of<Leaf<PreTree>>(setup), expected->leaf, *expected);
     check_counts(test::counts_of<Ranked<PostTree>>(setup), expected->ranked, *expected);
     check_counts(test::counts_of<RankedStack<PostTree>>(setup), expected->ranked, *expected);
+    check_counts(test::counts_of<Ranked<PostTree>>(setup, test::Built::by_default),
+                 expected->ranked_by_default, *expected);
   }
 }

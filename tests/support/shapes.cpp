@@ -121,7 +121,7 @@ bake::BuildTree full_tree(const bake::LatticeMesh& mesh, std::uint32_t depth) {
 }
 
 bake::BuildTree any_tree(Random& random, const bake::LatticeMesh& mesh) {
-  switch (random.below(6)) {
+  switch (random.below(8)) {
     case 0:
       return bake::build_median(mesh, 1 + random.below(3));
     case 1:
@@ -130,6 +130,10 @@ bake::BuildTree any_tree(Random& random, const bake::LatticeMesh& mesh) {
       return random_tree(random, mesh, {2, 1, false});
     case 3:
       return random_tree(random, mesh, {2 + random.below(7), 1, true});
+    case 5:
+      return bake::build_default(mesh);
+    case 6:
+      return bake::collapse(bake::build_sah(mesh, 1 + random.below(4)), 2 + random.below(7));
     case 4:
       return bake::collapse(bake::build_median(mesh, 1 + random.below(4)), 2 + random.below(7));
     default:

@@ -43,7 +43,7 @@ agree() {
 }
 
 both="volume-stack alternating-stack leaf"
-for options in "" "--leaf-size 4 --arity 3" "--index-bits 32"; do
+for options in "" "--builder median" "--leaf-size 4 --arity 3" "--index-bits 32"; do
   # shellcheck disable=SC2086
   "$FLASHBVH" bake meshes/ring.stl meshes/coarse.stl -o post $options --cell 0.01 >/dev/null
   # shellcheck disable=SC2086

@@ -5,7 +5,7 @@
 
 mkdir -p elsewhere
 cp meshes/ring.stl elsewhere/ring.stl
-for options in "" "--layout pre" "--leaf-size 3 --arity 5" "--index-bits 32"; do
+for options in "" "--layout pre" "--builder median" "--leaf-size 3 --arity 5" "--index-bits 32"; do
   # shellcheck disable=SC2086
   "$FLASHBVH" bake meshes/ring.stl -o one --cell 0.01 $options >table_one
   # shellcheck disable=SC2086

@@ -30,7 +30,8 @@ cmp wanted found
 "$FLASHBVH" export again/lattice.fbvh -o again.obj
 "$FLASHBVH" check again/lattice.fbvh --mesh lattice.obj >/dev/null
 
-for options in "--layout post" "--layout pre" "--leaf-size 4 --arity 3" "--index-bits 32 --layout pre"; do
+for options in "--layout post" "--layout pre" "--leaf-size 4 --arity 3" "--builder median" \
+  "--builder median --leaf-size 3 --arity 8" "--builder sah --arity 2" "--index-bits 32 --layout pre"; do
   # shellcheck disable=SC2086
   "$FLASHBVH" bake meshes/ring.stl meshes/coarse.stl -o rings $options >/dev/null
   exits 0 check rings/ring.fbvh
@@ -50,8 +51,8 @@ exits 2 check baked/mesh.fbvh --mesh missing.obj
 
 info=$("$FLASHBVH" info baked/mesh.fbvh --json)
 size=$(wc -c <baked/mesh.fbvh)
-for wanted in '"name":"mesh"' '"layout":"post"' '"index_bits":16' '"nodes":5' '"leaves":3' \
-  '"depth":2' '"triangles":3' '"vertices":5' '"leaf_size":1' '"arity":2' "\"bytes\":$((size))" \
+for wanted in '"name":"mesh"' '"layout":"post"' '"index_bits":16' '"nodes":4' '"leaves":3' \
+  '"depth":1' '"triangles":3' '"vertices":5' '"leaf_size":1' '"arity":3' "\"bytes\":$((size))" \
   '"cell":0.5' '"box":{"lower":[0.0,-0.5,-0.5],"upper":[10.0,10.0,10.0]}' \
   '"box_cells":{"lower":[0,-1,-1],"upper":[20,20,20]}' '"stack_need":2'; do
   case $info in

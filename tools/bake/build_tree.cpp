@@ -11,11 +11,6 @@ std::array<std::int32_t, 3> extents(const Box& box) {
   return {box.upper.x - box.lower.x, box.upper.y - box.lower.y, box.upper.z - box.lower.z};
 }
 
-std::int64_t volume_of(const Box& box) {
-  const auto extent = extents(box);
-  return std::int64_t{extent[0]} * extent[1] * extent[2];
-}
-
 std::size_t longest_axis(const Box& box) {
   const auto extent = extents(box);
   return static_cast<std::size_t>(std::max_element(extent.begin(), extent.end()) - extent.begin());
@@ -61,36 +56,6 @@ void split(BuildTree& tree, std::uint32_t node, const LatticeMesh& mesh) {
   }
 }
 
-/// The position of the internal child of largest volume whose children fit; -1 if there is none.
-std::ptrdiff_t largest_to_take_in(const BuildTree& tree, const std::vector<std::uint32_t>& children,
-                                  std::uint32_t arity) {
-  std::ptrdiff_t best = -1;
-  for (std::size_t i = 0; i < children.size(); ++i) {
-    const BuildNode& child = tree.nodes[children[i]];
-    const bool fits = children.size() - 1 + child.children.size() <= arity;
-    if (!child.is_leaf() && fits &&
-        (best < 0 || volume_of(child.box) >
-                         volume_of(tree.nodes[children[static_cast<std::size_t>(best)]].box))) {
-      best = static_cast<std::ptrdiff_t>(i);
-    }
-  }
-  return best;
-}
-
-std::vector<std::uint32_t> widened_children(const BuildTree& tree, std::uint32_t node,
-                                            std::uint32_t arity) {
-  std::vector<std::uint32_t> children = tree.nodes[node].children;
-  for (;;) {
-    const std::ptrdiff_t taken = largest_to_take_in(tree, children, arity);
-    if (taken < 0) {
-      return children;
-    }
-    const auto& grandchildren = tree.nodes[children[static_cast<std::size_t>(taken)]].children;
-    children.erase(children.begin() + taken);
-    children.insert(children.begin() + taken, grandchildren.begin(), grandchildren.end());
-  }
-}
-
 }  // namespace
 
 Box join(const Box& a, const Box& b) {
@@ -119,22 +84,6 @@ BuildTree build_median(const LatticeMesh& mesh, std::uint32_t leaf_size) {
   for (std::uint32_t node = 0; node < tree.nodes.size(); ++node) {
     if (tree.nodes[node].triangles.size() > leaf_size) {
       split(tree, node, mesh);
-    }
-  }
-  return tree;
-}
-
-BuildTree collapse(const BuildTree& binary, std::uint32_t arity) {
-  BuildTree tree;
-  tree.nodes.push_back(binary.nodes[0]);
-  std::vector<std::uint32_t> source = {0};  // of each new node
-  for (std::uint32_t node = 0; node < tree.nodes.size(); ++node) {
-    const std::vector<std::uint32_t> children = widened_children(binary, source[node], arity);
-    tree.nodes[node].children.clear();
-    for (const std::uint32_t child : children) {
-      tree.nodes[node].children.push_back(static_cast<std::uint32_t>(tree.nodes.size()));
-      tree.nodes.push_back(binary.nodes[child]);
-      source.push_back(child);
     }
   }
   return tree;

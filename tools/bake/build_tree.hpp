@@ -34,10 +34,22 @@ Box join(const Box& a, const Box& b);
 /// log^2 n).
 BuildTree build_median(const LatticeMesh& mesh, std::uint32_t leaf_size);
 
-/// The same leaves with up to `arity` children a node: each node takes in its largest internal
-/// child in place, again and again, while the children of that child fit. 2 leaves a binary tree as
+/// By the surface area heuristic: the best of all splits along the three axes, then subtrees moved
+/// to where they cost less (sweep.cpp, reinsert.cpp). Subtrees of up to `leaf_size` triangles
+/// become leaves. In integers, ties by position and number, so the result is the same on every
+/// machine. At least one triangle. O(n log n) and O(n) a level.
+BuildTree build_sah(const LatticeMesh& mesh, std::uint32_t leaf_size);
+
+/// The same leaves with up to `arity` children a node: each node takes in the internal child that
+/// is likeliest to overlap what the node overlaps, in place, again and again, while the children of
+/// that child fit and its test would seldom save theirs (collapse.cpp). 2 leaves a binary tree as
 /// it is.
 BuildTree collapse(const BuildTree& binary, std::uint32_t arity);
+
+/// What `flashbvh bake` builds without options.
+constexpr std::uint32_t kDefaultLeafSize = 1;
+constexpr std::uint32_t kDefaultArity = 4;
+BuildTree build_default(const LatticeMesh& mesh);
 
 }  // namespace flashbvh::bake
 

@@ -18,6 +18,20 @@ const BothLayouts<Index>& made(std::optional<BothLayouts<Index>>& baked,
 BakedObject::BakedObject(const scene::PaperObject& object)
     : object_(object), mesh_(make_mesh(object)), tree_(bake::build_median(mesh_, 1)) {}
 
+const bake::BuildTree& BakedObject::default_tree() {
+  if (!default_tree_) {
+    default_tree_ = bake::build_default(mesh_);
+  }
+  return *default_tree_;
+}
+
+const bake::BakedTree<std::uint32_t, Layout::post_indexed>& BakedObject::baked_default() {
+  if (!baked_default_) {
+    baked_default_ = bake::lay_out<std::uint32_t, Layout::post_indexed>(default_tree(), mesh_);
+  }
+  return *baked_default_;
+}
+
 template <>
 const BothLayouts<std::uint16_t>& BakedObject::baked() {
   return made(narrow_, tree_, mesh_);

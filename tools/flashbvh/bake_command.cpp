@@ -29,10 +29,10 @@ struct Arguments {
   std::string format = "both";
   std::optional<std::string> cell;
   std::string layout = "post";
-  std::string builder = "median";
+  std::string builder = "sah";
   std::string name;
   std::uint32_t leaf_size = 1;
-  std::uint32_t arity = 2;
+  std::optional<std::uint32_t> arity;
   unsigned index_bits = 16;
   std::optional<std::int64_t> max_bytes;
   std::optional<std::string> max_deviation;
@@ -105,7 +105,10 @@ BakeOptions options_of(const Arguments& arguments) {
   options.layout = arguments.layout == "pre" ? Layout::pre_indexed : Layout::post_indexed;
   options.index_bits = arguments.index_bits;
   options.leaf_size = arguments.leaf_size;
-  options.arity = arguments.arity;
+  options.builder = arguments.builder == "median" ? Builder::median : Builder::sah;
+  // Two children a node are part of what makes the median tree the paper's.
+  options.arity =
+      arguments.arity.value_or(options.builder == Builder::median ? 2 : bake::kDefaultArity);
   if (arguments.max_deviation) {
     options.max_deviation = length_of("--max-deviation", *arguments.max_deviation, 0);
   }
@@ -243,15 +246,18 @@ void add_bake(CLI::App& app) {
                    "`ranked` and `stackless-post`")
       ->check(CLI::IsMember({"pre", "post"}))
       ->capture_default_str();
-  command->add_option("--builder", a.builder, "How triangles are grouped: median is the paper's")
-      ->check(CLI::IsMember({"median"}))
+  command
+      ->add_option("--builder", a.builder,
+                   "How triangles are grouped: median is the paper's, sah gives faster queries")
+      ->check(CLI::IsMember({"median", "sah"}))
       ->capture_default_str();
   command->add_option("--leaf-size", a.leaf_size, "Most triangles in a leaf")
       ->check(CLI::Range(1, 16))
       ->capture_default_str();
-  command->add_option("--arity", a.arity, "Most children of a node")
-      ->check(CLI::Range(2, 8))
-      ->capture_default_str();
+  command
+      ->add_option("--arity", a.arity,
+                   "Most children of a node; default: 4, with --builder median 2")
+      ->check(CLI::Range(2, 8));
   command->add_option("--index-bits", a.index_bits, "Width of indices; 16 reach 65535 nodes")
       ->check(CLI::IsMember({16, 32}))
       ->capture_default_str();

@@ -83,17 +83,28 @@ TriangleNumbers drop(bake::LatticeMesh& mesh, const MeshDefects& defects,
 
 /// What of the mesh or its tree is over the limit of 16-bit indices.
 std::string too_many(const bake::LatticeMesh& mesh, const bake::BuildTree& tree) {
-  const auto exceeds = [](std::size_t count, const char* what) {
+  constexpr std::size_t most = bake::IndexLimits<std::uint16_t>::kMost;
+  const auto exceeds = [](std::size_t count, const char* what, std::size_t limit) {
     return std::to_string(count) + " " + what + ", but 16-bit indices reach " +
-           std::to_string(kMost16);
+           std::to_string(limit);
   };
-  if (mesh.triangles.size() > kMost16) {
-    return exceeds(mesh.triangles.size(), "triangles") + "; use --index-bits 32 or fewer triangles";
+  if (mesh.triangles.size() > most) {
+    return exceeds(mesh.triangles.size(), "triangles", most) +
+           "; use --index-bits 32 or fewer triangles";
   }
-  if (mesh.vertices.size() > kMost16) {
-    return exceeds(mesh.vertices.size(), "vertices") + "; use --index-bits 32 or fewer triangles";
+  if (mesh.vertices.size() > most) {
+    return exceeds(mesh.vertices.size(), "vertices", most) +
+           "; use --index-bits 32 or fewer triangles";
   }
-  return exceeds(tree.nodes.size(), "nodes") + "; use a larger --leaf-size or --index-bits 32";
+  constexpr const char* mend = "; use a larger --leaf-size or --index-bits 32";
+  if (tree.nodes.size() > most) {
+    return exceeds(tree.nodes.size(), "nodes", most) + mend;
+  }
+  const auto leaves = std::count_if(tree.nodes.begin(), tree.nodes.end(),
+                                    [](const bake::BuildNode& node) { return node.is_leaf(); });
+  return exceeds(static_cast<std::size_t>(leaves), "leaves",
+                 bake::IndexLimits<std::uint16_t>::kMostLeaves) +
+         mend;
 }
 
 /// Gives the triangles the numbers that they have in the file.
@@ -130,7 +141,9 @@ BakedMesh bake_mesh(const InputMesh& input, double cell, const BakeOptions& opti
   if (kept.empty()) {
     throw UserError(input.path, "--drop leaves no triangle; use a finer --cell or drop less");
   }
-  bake::BuildTree tree = bake::build_median(lattice, options.leaf_size);
+  bake::BuildTree tree = options.builder == Builder::median
+                             ? bake::build_median(lattice, options.leaf_size)
+                             : bake::build_sah(lattice, options.leaf_size);
   if (options.arity > 2) {
     tree = bake::collapse(tree, options.arity);
   }

@@ -12,14 +12,21 @@
 
 namespace flashbvh::tool {
 
+/// How triangles are grouped.
+enum class Builder : std::uint8_t {
+  median,  ///< the paper's
+  sah,
+};
+
 struct BakeOptions {
   Layout layout = Layout::post_indexed;
-  unsigned index_bits = 16;             ///< 16 or 32
-  std::uint32_t leaf_size = 1;          ///< most triangles in a leaf
-  std::uint32_t arity = 2;              ///< most children of a node
-  std::optional<double> max_deviation;  ///< how far rounding may move a vertex
-  bool drop_degenerate = false;         ///< before or after rounding
-  bool drop_duplicate = false;          ///< on the lattice; the first of them stays
+  unsigned index_bits = 16;  ///< 16 or 32
+  Builder builder = Builder::sah;
+  std::uint32_t leaf_size = bake::kDefaultLeafSize;  ///< most triangles in a leaf
+  std::uint32_t arity = bake::kDefaultArity;         ///< most children of a node
+  std::optional<double> max_deviation;               ///< how far rounding may move a vertex
+  bool drop_degenerate = false;                      ///< before or after rounding
+  bool drop_duplicate = false;                       ///< on the lattice; the first of them stays
 };
 
 /// A mesh as its file has it.

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "bench/default_tree.hpp"
 #include "bench/figure.hpp"
 #include "bench/firmware_writer.hpp"
 #include "bench/report.hpp"
@@ -90,6 +91,28 @@ void print_json(const bench::Totals& totals) {
   std::cout << line.dump() << "\n";
 }
 
+Json json_of(const bench::DefaultTreeVisits& visits) {
+  return {{"stackless_visits_paper_tree", visits.stackless},
+          {"ranked_visits", visits.ranked},
+          {"best_rule_visits", visits.best_rule},
+          {"ranked_to_stackless", visits.ranked_to_stackless()},
+          {"ranked_to_best", visits.ranked_to_best()}};
+}
+
+void print_json(const std::vector<bench::DefaultTreeResult>& results) {
+  for (const bench::DefaultTreeResult& result : results) {
+    Json line = {{"table", result.setup->table},
+                 {"setup", result.setup->name},
+                 {"intersecting", result.intersecting}};
+    line["default_tree"] = json_of(result.visits);
+    std::cout << line.dump() << "\n";
+  }
+  const Json line = {{"default_tree_totals",
+                      {{"intersecting", json_of(sum_of(results, true))},
+                       {"all", json_of(sum_of(results, false))}}}};
+  std::cout << line.dump() << "\n";
+}
+
 void print_text(const bench::SetupResult& result, bool first_of_table) {
   if (first_of_table) {
     std::cout << bench::table_heading(result.setup->table) << "\n";
@@ -101,6 +124,7 @@ void print_text(const bench::SetupResult& result, bool first_of_table) {
 bool run_all(const Arguments& arguments) {
   bench::Objects objects;
   std::vector<bench::SetupResult> results;
+  std::vector<bench::DefaultTreeResult> default_results;
   bool agree = true;
   for (const scene::Setup& setup : scene::kSetups) {
     if (!arguments.wants(setup.table)) {
@@ -109,6 +133,7 @@ bool run_all(const Arguments& arguments) {
     std::cerr << "table " << setup.table << ": " << setup.name << "\n";
     const bool first = results.empty() || results.back().setup->table != setup.table;
     results.push_back(bench::run_setup(setup, arguments.effort, objects));
+    default_results.push_back(bench::compare_default_tree(setup, objects));
     if (arguments.json) {
       print_json(results.back());
     } else {
@@ -120,9 +145,12 @@ bool run_all(const Arguments& arguments) {
     }
   }
   if (arguments.json) {
+    print_json(default_results);
     print_json(bench::totals_of(results));
   } else {
-    std::cout << bench::summary_table(results) << "\n" << bench::time_table(results);
+    std::cout << bench::summary_table(results) << "\n"
+              << bench::default_tree_table(default_results) << "\n"
+              << bench::time_table(results);
   }
   if (!arguments.svg.empty()) {
     write_file(arguments.svg, bench::figure_33(results));

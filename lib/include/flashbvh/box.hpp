@@ -15,21 +15,18 @@
 
 namespace flashbvh {
 
-/// Whether two boxes, the second moved by a translation, are apart along one axis; `upper` and
-/// `lower` are halves of packed boxes. For a single test, which the thresholds would not pay.
-constexpr bool apart_along(uint32_t upper_a, uint32_t lower_a, uint32_t upper_b, uint32_t lower_b,
-                           int32_t t) {
-  constexpr int32_t zero = 2 * kBoundBias;
-  return static_cast<int32_t>(upper_a + lower_b) - zero < t ||
-         t < zero - static_cast<int32_t>(lower_a + upper_b);
-}
+/// Whether two boxes, the second moved by a translation, are apart; for a single test, which the
+/// thresholds of TranslatedOverlap would not pay. `x, y, z`: cells, within +-2^30.
 constexpr bool boxes_apart(const PackedBox& a, const PackedBox& b, int32_t x, int32_t y,
                            int32_t z) {
-  return apart_along(low_half(a.upper_xy), low_half(a.lower_xy), low_half(b.upper_xy),
-                     low_half(b.lower_xy), x) ||
-         apart_along(high_half(a.upper_xy), high_half(a.lower_xy), high_half(b.upper_xy),
-                     high_half(b.lower_xy), y) ||
-         apart_along(low_half(a.z), high_half(a.z), low_half(b.z), high_half(b.z), z);
+  constexpr int32_t zero = 2 * kBoundBias;  // what a sum of two bounds has if they are equal
+  const uint32_t upper_xy = a.upper_xy + b.lower_xy;
+  const uint32_t lower_xy = a.lower_xy + b.upper_xy;
+  const uint32_t both_z = a.z + swap_halves(b.z);
+  const auto below = [](uint32_t sum, int32_t least) { return static_cast<int32_t>(sum) < least; };
+  return below(low_half(upper_xy), zero + x) || below(low_half(lower_xy), zero - x) ||
+         below(high_half(upper_xy), zero + y) || below(high_half(lower_xy), zero - y) ||
+         below(low_half(both_z), zero + z) || below(high_half(both_z), zero - z);
 }
 
 /// Tests boxes of A against boxes of B moved by a translation. 12 bytes; made once a query.

@@ -76,6 +76,9 @@ class Placement {
   Kind kind_;
 };
 
+/// Where A's own triangles are.
+inline constexpr Point kNoOffset = {0, 0, 0};
+
 /// A triangle of a tree, by its position, moved by whole cells.
 template <class TreeType>
 FLASHBVH_NOINLINE void place_translated(const TreeType& tree, uint32_t triangle,
@@ -90,9 +93,9 @@ FLASHBVH_NOINLINE void place_translated(const TreeType& tree, uint32_t triangle,
 template <class TreeType>
 FLASHBVH_NOINLINE void place_rotated(const TreeType& tree, uint32_t triangle,
                                      const RotatedPlacement& placement, PlacedTriangle& placed) {
-  for (int i = 0; i < 3; ++i) {
-    placed.corner[i] = placement.place(tree.vertices[tree.triangles[triangle].corner[i]]);
-  }
+  const auto& corner = tree.triangles[triangle].corner;
+  placement.place(tree.vertices[corner[0]], tree.vertices[corner[1]], tree.vertices[corner[2]],
+                  placed);
 }
 
 }  // namespace flashbvh

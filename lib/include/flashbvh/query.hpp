@@ -175,7 +175,10 @@ class Query {
 
   /// The triangles of the pair reported last, placed in A's frame: inside a sink, and after a run
   /// that ended with `full`.
-  void last_pair(PlacedTriangle& a, PlacedTriangle& b) const { place_current(a, b); }
+  void last_pair(PlacedTriangle& a, PlacedTriangle& b) const {
+    place_translated(*a_, current_a(), kNoOffset, a);
+    place_b(current_b(), b);
+  }
 
  private:
   template <class Sink>
@@ -266,30 +269,31 @@ class Query {
     return end;
   }
 
-  /// Tests one more pair of triangles of the current leaves. Nothing but `this` outlives the call
-  /// of the test, which keeps the stack flat where it is deepest.
+  /// Tests pairs of triangles of the current leaves until one meets or B's next triangle is due.
+  /// Turning B's costs most, so it is placed once and all of A's are held against it. Nothing but
+  /// `this` outlives the call, which keeps the stack flat where it is deepest.
   FLASHBVH_NOINLINE bool next_triangles_intersect() {
     PlacedTriangle a;
     PlacedTriangle b;
-    place_next(a, b);
-    if (!triangles_intersect(a, b)) {
-      return false;
-    }
-    ++counts_.triangle_pairs;
-    return true;
-  }
-
-  FLASHBVH_NOINLINE void place_next(PlacedTriangle& a, PlacedTriangle& b) {
     --untested_;
-    place_current(a, b);
+    place_b(current_b(), b);
+    for (uint32_t of_a = current_a();; --of_a, --untested_) {
+      place_translated(*a_, of_a, kNoOffset, a);
+      if (triangles_intersect(a, b)) {
+        ++counts_.triangle_pairs;
+        return true;
+      }
+      if (of_a == a_->first_triangle(leaf_a_)) {
+        return false;
+      }
+    }
   }
 
-  void place_current(PlacedTriangle& a, PlacedTriangle& b) const {
-    place_translated(*a_, current_a(), {0, 0, 0}, a);
+  FLASHBVH_NOINLINE void place_b(uint32_t triangle, PlacedTriangle& b) const {
     if (placement_.is_rotated()) {
-      place_rotated(*b_, current_b(), placement_.rotated(), b);
+      place_rotated(*b_, triangle, placement_.rotated(), b);
     } else {
-      place_translated(*b_, current_b(), placement_.translated().offset, b);
+      place_translated(*b_, triangle, placement_.translated().offset, b);
     }
   }
 
@@ -299,8 +303,8 @@ class Query {
   }
 
   /// Positions of the current pair of triangles: the leaves' pairs are taken from the last one on.
-  uint32_t current_a() const { return a_->first_triangle(leaf_a_) + untested_ / triangles_of_b(); }
-  uint32_t current_b() const { return b_->first_triangle(leaf_b_) + untested_ % triangles_of_b(); }
+  uint32_t current_a() const { return a_->first_triangle(leaf_a_) + untested_ % triangles_of_a(); }
+  uint32_t current_b() const { return b_->first_triangle(leaf_b_) + untested_ / triangles_of_a(); }
   Pair current_pair() const { return {a_->sources[current_a()], b_->sources[current_b()]}; }
 
   static uint32_t triangles(const Tree& tree, uint32_t leaf) {

@@ -15,6 +15,7 @@
 #include "flashbvh/box_packed.hpp"
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/pose.hpp"
+#include "flashbvh/triangle.hpp"
 
 namespace flashbvh {
 
@@ -44,6 +45,7 @@ struct RotatedPlacement {
 
   /// In cells from A's origin: within +-80,000.
   Point place(const Vertex& v) const;
+  void place(const Vertex& u, const Vertex& v, const Vertex& w, PlacedTriangle& placed) const;
 };
 
 }  // namespace flashbvh

@@ -1,0 +1,236 @@
+// The surface area heuristic's builder: whole trees, tight boxes, no input that it fears.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+
+#include "bake/binary_tree.hpp"
+#include "bake/measure.hpp"
+#include "support/shapes.hpp"
+#include "support/torus.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+using bake::BuildNode;
+using bake::BuildTree;
+using bake::LatticeMesh;
+
+namespace {
+
+bool same(const Box& p, const Box& q) {
+  return p.lower.x == q.lower.x && p.lower.y == q.lower.y && p.lower.z == q.lower.z &&
+         p.upper.x == q.upper.x && p.upper.y == q.upper.y && p.upper.z == q.upper.z;
+}
+
+Box box_of_all(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+  Box box = bake::box_of(mesh, triangles.at(0));
+  for (const std::uint32_t triangle : triangles) {
+    box = bake::join(box, bake::box_of(mesh, triangle));
+  }
+  return box;
+}
+
+/// Every node but the root is a child once; every triangle lies in one leaf; boxes are tight.
+void check_whole(const BuildTree& tree, const LatticeMesh& mesh, std::uint32_t leaf_size,
+                 std::uint32_t arity) {
+  std::vector<std::uint32_t> parents(tree.nodes.size(), 0);
+  std::vector<std::uint32_t> leaves(mesh.triangles.size(), 0);
+  bool tight = true;
+  for (const BuildNode& node : tree.nodes) {
+    for (const std::uint32_t triangle : node.triangles) {
+      ++leaves.at(triangle);
+    }
+    if (node.is_leaf()) {
+      REQUIRE_FALSE(node.triangles.empty());
+      REQUIRE(node.triangles.size() <= leaf_size);
+      tight = tight && same(node.box, box_of_all(mesh, node.triangles));
+      continue;
+    }
+    REQUIRE(node.triangles.empty());
+    REQUIRE(node.children.size() >= 2);
+    REQUIRE(node.children.size() <= arity);
+    Box box = tree.nodes.at(node.children[0]).box;
+    for (const std::uint32_t child : node.children) {
+      ++parents.at(child);
+      box = bake::join(box, tree.nodes.at(child).box);
+    }
+    tight = tight && same(node.box, box);
+  }
+  CHECK(tight);
+  CHECK(parents[0] == 0);
+  CHECK(std::count(parents.begin() + 1, parents.end(), 1u) ==
+        static_cast<std::ptrdiff_t>(parents.size()) - 1);
+  CHECK(std::count(leaves.begin(), leaves.end(), 1u) == static_cast<std::ptrdiff_t>(leaves.size()));
+}
+
+bool same(const BuildTree& p, const BuildTree& q) {
+  return std::equal(p.nodes.begin(), p.nodes.end(), q.nodes.begin(), q.nodes.end(),
+                    [](const BuildNode& a, const BuildNode& b) {
+                      return same(a.box, b.box) && a.children == b.children &&
+                             a.triangles == b.triangles;
+                    });
+}
+
+std::uint32_t depth_of(const BuildTree& tree) {
+  std::vector<std::uint32_t> depths(tree.nodes.size(), 0);
+  for (std::size_t node = 0; node < tree.nodes.size(); ++node) {
+    for (const std::uint32_t child : tree.nodes[node].children) {
+      depths[child] = depths[node] + 1;
+    }
+  }
+  return *std::max_element(depths.begin(), depths.end());
+}
+
+/// `count` times the same triangle, with the given corners.
+LatticeMesh repeated(std::uint32_t count, const Vertex& p, const Vertex& q, const Vertex& r) {
+  LatticeMesh mesh;
+  mesh.vertices = {p, q, r};
+  mesh.triangles.assign(count, {0, 1, 2});
+  return mesh;
+}
+
+/// Segments one behind the other along an axis.
+LatticeMesh row(std::uint32_t count, int axis) {
+  LatticeMesh mesh;
+  for (std::uint32_t i = 0; i <= count; ++i) {
+    const auto at = static_cast<std::int16_t>(i * 7);
+    mesh.vertices.push_back(axis == 0   ? Vertex{at, 0, 0}
+                            : axis == 1 ? Vertex{0, at, 0}
+                                        : Vertex{0, 0, at});
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    mesh.triangles.push_back({i, i + 1, i});
+  }
+  return mesh;
+}
+
+/// Triangles round one point, each by `percent` larger than the one before, as far as fits.
+LatticeMesh nested(std::int32_t percent) {
+  LatticeMesh mesh;
+  for (std::int32_t size = 1; size <= kMaxCoordinate;
+       size += std::max<std::int32_t>(1, size * percent / 100)) {
+    const auto reach = static_cast<std::int16_t>(size);
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto low = static_cast<std::int16_t>(-reach);
+    mesh.vertices.push_back({low, low, low});
+    mesh.vertices.push_back({reach, reach, reach});
+    mesh.triangles.push_back({first, first + 1, first});
+  }
+  return mesh;
+}
+
+std::multiset<std::uint64_t> surfaces(const BuildTree& tree) {
+  std::multiset<std::uint64_t> all;
+  for (const BuildNode& node : tree.nodes) {
+    all.insert(bake::half_surface(node.box));
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("surface area heuristic: whole trees with tight boxes, all leaf sizes and arities") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  for (int round = 0; round < 150; ++round) {
+    const std::int32_t spread = round % 3 == 0 ? 3 : 300;
+    const LatticeMesh mesh = random_mesh(random, 1 + random.below(120), spread, 30);
+    const std::uint32_t leaf_size = 1 + random.below(16);
+    const std::uint32_t arity = 2 + random.below(7);
+    CAPTURE(round, leaf_size, arity, mesh.triangles.size());
+    const BuildTree tree = bake::build_sah(mesh, leaf_size);
+    check_whole(tree, mesh, leaf_size, 2);
+    check_whole(bake::collapse(tree, arity), mesh, leaf_size, arity);
+    CHECK(same(bake::collapse(tree, 2), bake::collapse(bake::collapse(tree, 2), 2)));
+  }
+}
+
+TEST_CASE("surface area heuristic: one triangle is a leaf, two are a node with two") {
+  const Vertex p = {0, 0, 0}, q = {5, 1, 0}, r = {0, 5, 9};
+  CHECK(bake::build_sah(repeated(1, p, q, r), 1).nodes.size() == 1);
+  const LatticeMesh two = repeated(2, p, q, r);
+  CHECK(bake::build_sah(two, 1).nodes.size() == 3);
+  CHECK(bake::build_sah(two, 2).nodes.size() == 1);
+  check_whole(bake::build_default(two), two, 1, 4);
+}
+
+TEST_CASE("surface area heuristic: triangles that nothing tells apart are halved") {
+  for (const Vertex& r : {Vertex{0, 0, 0}, Vertex{9, 0, 0}, Vertex{9, 9, 0}, Vertex{9, 8, 7}}) {
+    const LatticeMesh mesh = repeated(1024, {0, 0, 0}, {0, 0, 0}, r);
+    const BuildTree tree = bake::build_sah(mesh, 1);
+    check_whole(tree, mesh, 1, 2);
+    CHECK(depth_of(tree) == 10);
+  }
+}
+
+TEST_CASE("surface area heuristic: a row of segments is halved along whichever axis it lies") {
+  for (int axis = 0; axis < 3; ++axis) {
+    const LatticeMesh mesh = row(1024, axis);
+    const BuildTree tree = bake::build_sah(mesh, 1);
+    check_whole(tree, mesh, 1, 2);
+    CHECK(depth_of(tree) == 10);
+  }
+}
+
+TEST_CASE("surface area heuristic: nested triangles, where trees become deep") {
+  for (const std::int32_t percent : {100, 30, 1}) {
+    const LatticeMesh mesh = nested(percent);
+    const BuildTree tree = bake::build_sah(mesh, 1);
+    CAPTURE(percent, mesh.triangles.size(), depth_of(tree));
+    check_whole(tree, mesh, 1, 2);
+    check_whole(bake::build_default(mesh), mesh, 1, 4);
+  }
+}
+
+TEST_CASE("reinsertion never makes a tree cost more, and keeps it whole") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 1);
+  int improved = 0;
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    const LatticeMesh mesh = random_mesh(random, 1 + random.below(200), 200, 60);
+    bake::BinaryTree tree = bake::sweep(mesh);
+    const std::uint64_t before = bake::cost_of(tree);
+    const std::uint64_t fell_by = bake::reinsert_all(tree);
+    CHECK(bake::cost_of(tree) + fell_by == before);
+    CHECK(bake::cost_of(tree) <= before);
+    for (const bake::BinaryNode& node : tree.nodes) {
+      REQUIRE(node.surface == bake::half_surface(node.box));
+    }
+    check_whole(bake::with_leaves(tree, 1), mesh, 1, 2);
+    improved += fell_by > 0 ? 1 : 0;
+  }
+  CHECK(improved > 30);
+}
+
+TEST_CASE("surface area heuristic: it costs less than the median, and builds the same again") {
+  const LatticeMesh mesh = torus(24, 12, 3000, 900);
+  const BuildTree tree = bake::build_default(mesh);
+  CHECK(same(tree, bake::build_default(mesh)));
+  const auto cost = [](const BuildTree& any) {
+    std::uint64_t sum = 0;
+    for (const BuildNode& node : any.nodes) {
+      sum += node.is_leaf() ? 0 : bake::half_surface(node.box);
+    }
+    return sum;
+  };
+  CHECK(cost(bake::build_sah(mesh, 1)) < cost(bake::build_median(mesh, 1)));
+}
+
+TEST_CASE("surface area heuristic: the order of the triangles decides only between equals") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 2);
+  for (int round = 0; round < 20; ++round) {
+    CAPTURE(round);
+    // Far apart and irregular: no two centres or costs are equal.
+    LatticeMesh mesh = random_mesh(random, 60, 16000, 350);
+    const auto before = surfaces(bake::with_leaves(bake::sweep(mesh), 1));
+    for (std::size_t i = mesh.triangles.size() - 1; i > 0; --i) {
+      std::swap(mesh.triangles[i], mesh.triangles[random.below(static_cast<std::uint32_t>(i) + 1)]);
+    }
+    CHECK(surfaces(bake::with_leaves(bake::sweep(mesh), 1)) == before);
+  }
+}

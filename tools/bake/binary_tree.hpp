@@ -1,0 +1,47 @@
+// A binary tree with one triangle a leaf, in which subtrees can be moved.
+#ifndef FLASHBVH_TOOLS_BAKE_BINARY_TREE_HPP
+#define FLASHBVH_TOOLS_BAKE_BINARY_TREE_HPP
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "bake/build_tree.hpp"
+#include "bake/mesh.hpp"
+
+namespace flashbvh::bake {
+
+constexpr std::uint32_t kNoNode = 0xFFFFFFFFu;
+
+struct BinaryNode {
+  Box box{};
+  std::uint64_t surface = 0;  ///< half_surface(box)
+  std::uint32_t parent = kNoNode;
+  std::array<std::uint32_t, 2> children = {kNoNode, kNoNode};
+  std::uint32_t triangle = 0;  ///< of a leaf: its number in the source mesh
+
+  bool is_leaf() const { return children[0] == kNoNode; }
+};
+
+/// The root is node 0.
+struct BinaryTree {
+  std::vector<BinaryNode> nodes;
+};
+
+/// The surface area heuristic's cost (Goldsmith and Salmon 1987): the surfaces of all internal
+/// nodes. The sum of at most 2^32 numbers below 2^32.
+std::uint64_t cost_of(const BinaryTree& tree);
+
+/// The tree over the triangles of the mesh, at least one, by the surface area heuristic.
+/// O(n log n) to sort, then O(n) a level.
+BinaryTree sweep(const LatticeMesh& mesh);
+
+/// Moves subtrees to where they cost less. The cost never grows. Returns what it fell by.
+std::uint64_t reinsert_all(BinaryTree& tree);
+
+/// The same tree with each largest subtree of up to `leaf_size` triangles made a leaf.
+BuildTree with_leaves(const BinaryTree& tree, std::uint32_t leaf_size);
+
+}  // namespace flashbvh::bake
+
+#endif
