@@ -2,7 +2,7 @@
 #                   [UNIT unit|mesh=unit...] [CELL length] [MAX_DEVIATION length]
 #                   [LEAF_SIZE n] [ARITY n] [BUILDER name] [LAYOUT pre|post] [INDEX_BITS 16|32]
 #                   [DROP degenerate|duplicate...] [MAX_BYTES n] [NAME name]
-#                   [FORMAT cpp|image|both])
+#                   [FORMAT cpp|image|both|c])
 #
 # A library `name`, also called name::name, with the baked trees of some meshes, which share one
 # cell. A target that links it includes a mesh's tree as "<stem>.fbvh.hpp". The options are those of
@@ -10,7 +10,8 @@
 #
 # FORMAT image makes no code: the folder of the images <stem>.fbvh is an include folder of whoever
 # links the library, for .incbin; the target's property FLASHBVH_IMAGES lists them. FORMAT both does
-# both.
+# both. FORMAT c makes C of the images: "<stem>.fbvh.h" declares the array <stem>_image, for
+# flashbvh_open().
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 
 function(flashbvh_add_mesh name)
@@ -26,6 +27,10 @@ function(flashbvh_add_mesh name)
   if(NOT DEFINED arg_FORMAT)
     set(arg_FORMAT cpp)
   endif()
+  set(format ${arg_FORMAT})
+  if(format STREQUAL "c")
+    set(arg_FORMAT image)
+  endif()
   set(options "")
   foreach(option ${single} ${repeated})
     string(TOLOWER --${option} flag)
@@ -34,7 +39,7 @@ function(flashbvh_add_mesh name)
       list(APPEND options ${flag} ${value})
     endforeach()
   endforeach()
-  flashbvh_bake_command(${name} "${arg_SOURCES}" "${options}" "${arg_NAME}" ${arg_FORMAT})
+  flashbvh_bake_command(${name} "${arg_SOURCES}" "${options}" "${arg_NAME}" ${format})
 endfunction()
 
 # The custom command and the library that holds what it makes.
@@ -56,7 +61,7 @@ function(flashbvh_bake_command name sources options stem format)
   endforeach()
   if(format STREQUAL "cpp")
     set(images "")
-  elseif(format STREQUAL "image")
+  elseif(format STREQUAL "image" OR format STREQUAL "c")
     set(code "")
   endif()
 
@@ -68,6 +73,9 @@ function(flashbvh_bake_command name sources options stem format)
     DEPENDS ${meshes} ${folder}/options.txt ${depends}
     COMMENT "Baking ${name}"
     VERBATIM)
+  if(format STREQUAL "c")
+    flashbvh_image_arrays(code "${images}")
+  endif()
   if(code)
     add_library(${name} STATIC ${code} ${images})
     set(visibility PUBLIC)
@@ -79,4 +87,18 @@ function(flashbvh_bake_command name sources options stem format)
   set_target_properties(${name} PROPERTIES FLASHBVH_IMAGES "${images}")
   target_include_directories(${name} ${visibility} ${folder})
   target_link_libraries(${name} ${visibility} flashbvh::flashbvh)
+endfunction()
+
+# Sets `code` to the C files of the images, each made when its image changes.
+function(flashbvh_image_arrays code images)
+  set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/image_to_c.cmake)
+  set(files "")
+  foreach(image ${images})
+    add_custom_command(OUTPUT ${image}.c ${image}.h
+      COMMAND ${CMAKE_COMMAND} -DIMAGE=${image} -DSOURCE=${image}.c -DHEADER=${image}.h -P ${script}
+      DEPENDS ${image} ${script}
+      VERBATIM)
+    list(APPEND files ${image}.c ${image}.h)
+  endforeach()
+  set(${code} ${files} PARENT_SCOPE)
 endfunction()

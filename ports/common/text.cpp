@@ -3,6 +3,7 @@
 #include <stddef.h>
 
 #include "semihosting.hpp"
+#include "text.h"
 
 namespace port {
 namespace {
@@ -60,3 +61,11 @@ void put(unsigned long long value) {
 }
 
 }  // namespace port
+
+void port_put(const char* text) {
+  port::put(text);
+}
+
+void port_put_number(long value) {
+  port::put(value);
+}

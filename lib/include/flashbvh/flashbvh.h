@@ -1,0 +1,250 @@
+/* flashbvh for C: which triangles of one baked mesh meet which triangles of another.
+ *
+ * A C99 face of the C++ library flashbvh.hpp: the same trees, queries, statuses and answers, in the
+ * same order. It allocates nothing, keeps nothing of its own, and may be called for any number of
+ * queries at once, in interrupts too, as long as no two calls write the same object.
+ *
+ * Lengths are in cells, the unit of the lattice that all meshes of one `flashbvh bake` share.
+ *
+ * Pointers. Every object is the caller's. What an object points at outlives it, unmoved: an image
+ * its tree, two trees and a pose their query. Null pointers are the caller's bug and not looked
+ * for, except where a comment allows them; so is the use of an object before the call that makes
+ * it. An object made here may be copied by assignment, a query too: the copy goes on by itself.
+ *
+ * Stack on Cortex-M3 and M4 at -O2, in bytes (tests/c_api/stack_test.cpp prints it): to open an
+ * image at most 480, a run 304, a question in one call 432.
+ */
+#ifndef FLASHBVH_FLASHBVH_H
+#define FLASHBVH_FLASHBVH_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "flashbvh/status.h"
+#include "flashbvh/version.hpp" /* macros alone: C as well as C++ */
+
+#if defined(__GNUC__)
+#define FLASHBVH_NODISCARD __attribute__((warn_unused_result))
+#else
+#define FLASHBVH_NODISCARD
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Trees ---------------------------------------------------------------------------------------- */
+
+/** A baked mesh, opened: a view of its image. 56 bytes on a 32-bit core, 72 on a 64-bit one. */
+typedef struct flashbvh_tree {
+  union {
+    unsigned char bytes[4 * sizeof(void*) + 40];
+    uint64_t word;
+    void* pointer;
+  } opaque;
+} flashbvh_tree;
+
+/**
+ * Opens the image that `flashbvh bake --format image` wrote, in place, in flash. `image` starts at
+ * a multiple of 4 bytes and has at least `size`.
+ *
+ * Checks all of it, in time proportional to `size`; the checksum alone takes about 50 instructions
+ * a byte. `tree` is written only on DONE; every query on it then stays inside the image and ends.
+ * Else one of FLASHBVH_STATUS_IMAGE_...; images of pre-indexed trees and of 32-bit indices give
+ * IMAGE_KIND.
+ */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_open(const void* image, size_t size,
+                                                 flashbvh_tree* tree);
+
+/** Triangles of the mesh that the image has. */
+uint32_t flashbvh_tree_triangles(const flashbvh_tree* tree);
+
+/** The cell in the mesh's unit, as the bits of an IEEE binary64: copy them into a `double`. */
+uint64_t flashbvh_tree_cell(const flashbvh_tree* tree);
+
+/* Poses ---------------------------------------------------------------------------------------- */
+
+/** One in the fixed point of a rotation: 30 fraction bits. */
+#define FLASHBVH_ROTATION_ONE ((int32_t)1 << 30)
+
+/** Largest magnitude of a translation, in cells. */
+#define FLASHBVH_MAX_TRANSLATION ((int32_t)1 << 29)
+
+/** B's point p lies at rotation * p + translation in A's frame. 104 bytes.
+ *
+ * Checked when it is made. A pose that can't be is kept as an error, which every query on it
+ * returns, and every pose made of it; so the statuses of the makers may be left unread. */
+typedef struct flashbvh_pose {
+  union {
+    unsigned char bytes[104];
+    uint32_t word;
+  } opaque;
+} flashbvh_pose;
+
+/** B moved by x, y, z cells, not turned. TRANSLATION_OUT_OF_RANGE beyond
+ * +-FLASHBVH_MAX_TRANSLATION. */
+flashbvh_status flashbvh_pose_translated(int32_t x, int32_t y, int32_t z, flashbvh_pose* pose);
+
+/**
+ * B turned and moved. `rotation`: row by row, FLASHBVH_ROTATION_ONE is 1; kept to 2^-22. `cells`:
+ * the translation, rounded to whole cells. `fraction`: what rounding left, in 1/65,536 of a cell,
+ * or null for nothing.
+ *
+ * NOT_A_ROTATION if an entry of R^T R is further than 2^-13 from the identity's, or the matrix
+ * mirrors; within that it is used as it is, not mended. TRANSLATION_OUT_OF_RANGE as above.
+ */
+flashbvh_status flashbvh_pose_rigid(const int32_t rotation[9], const int32_t cells[3],
+                                    const int16_t fraction[3], flashbvh_pose* pose);
+
+/** First `inner`, then `outer`: B in A's frame from B in C's and C in A's. `pose` may be one of
+ * them. The rotation is rounded to 2^-22, the translation to 2^-16 cells; tolerances add up. */
+flashbvh_status flashbvh_pose_composed(const flashbvh_pose* outer, const flashbvh_pose* inner,
+                                       flashbvh_pose* pose);
+
+/** A in B's frame from B in A's. `inverse` may be `pose`. */
+flashbvh_status flashbvh_pose_inverse(const flashbvh_pose* pose, flashbvh_pose* inverse);
+
+/** B in A's frame from both in the world's. `pose` may be one of them. */
+flashbvh_status flashbvh_pose_relative(const flashbvh_pose* world_a, const flashbvh_pose* world_b,
+                                       flashbvh_pose* pose);
+
+/** DONE if queries can use the pose, else why not. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_pose_status(const flashbvh_pose* pose);
+
+/** The numbers of a pose whose status is DONE, as flashbvh_pose_rigid() takes them. Each of the
+ * arrays may be null. */
+void flashbvh_pose_values(const flashbvh_pose* pose, int32_t rotation[9], int32_t cells[3],
+                          int16_t fraction[3]);
+
+/* Queries -------------------------------------------------------------------------------------- */
+
+/** Two triangles that meet, by their numbers in the source meshes. */
+typedef struct flashbvh_pair {
+  uint16_t a;
+  uint16_t b;
+} flashbvh_pair;
+
+/** What a query did, since it was started. */
+typedef struct flashbvh_counts {
+  uint32_t visits;         /**< pairs of boxes tested */
+  uint32_t overlaps;       /**< of these, pairs that overlap */
+  uint32_t leaf_pairs;     /**< of these, pairs of leaves */
+  uint32_t triangle_pairs; /**< pairs of triangles that meet */
+} flashbvh_counts;
+
+/** Where a query stands between runs. 12 bytes, to be stored for as long as one likes. */
+typedef struct flashbvh_position {
+  uint16_t a;
+  uint16_t b;
+  uint32_t untested;
+  uint8_t state;
+  uint8_t reserved[3]; /**< written as 0, not read */
+} flashbvh_position;
+
+/** In cells, in A's frame, counted from its origin. */
+typedef struct flashbvh_point {
+  int32_t x;
+  int32_t y;
+  int32_t z;
+} flashbvh_point;
+
+typedef struct flashbvh_triangle {
+  flashbvh_point corner[3];
+} flashbvh_triangle;
+
+/** A query and all its memory. 96 bytes on a 32-bit core, 112 on a 64-bit one. */
+typedef struct flashbvh_query {
+  union {
+    unsigned char bytes[4 * sizeof(void*) + 80];
+    uint32_t word;
+    void* pointer;
+  } opaque;
+} flashbvh_query;
+
+/**
+ * Starts a query between A and B, which lies at `pose` in A's frame. All three outlive it. No visit
+ * is made: under a rotation this costs what telling two separated objects apart does.
+ *
+ * SUSPENDED if there is something to run. CELL_MISMATCH, or the pose's status, which every run
+ * returns again.
+ */
+flashbvh_status flashbvh_query_start(flashbvh_query* query, const flashbvh_tree* a,
+                                     const flashbvh_tree* b, const flashbvh_pose* pose);
+
+/** What the last run returned, but SUSPENDED for FULL: there may be something left to do. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_query_status(const flashbvh_query* query);
+
+/**
+ * Makes at most `visits` visits and writes at most `capacity` pairs to `pairs`, their number to
+ * `count`: 0 after an error. However a query is cut into runs, it gives the same pairs in the same
+ * order.
+ *
+ * DONE: there are no more. SUSPENDED: the visits granted are made. FULL: `pairs` is. Behind these
+ * two the next run goes on where this one ended.
+ */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_query_run(flashbvh_query* query, uint32_t visits,
+                                                      flashbvh_pair* pairs, uint32_t capacity,
+                                                      uint32_t* count);
+
+flashbvh_counts flashbvh_query_counts(const flashbvh_query* query);
+
+/** After a run that wrote a pair and returned FULL: the triangles of the last one, placed. */
+void flashbvh_query_last_pair(const flashbvh_query* query, flashbvh_triangle* a,
+                              flashbvh_triangle* b);
+
+flashbvh_position flashbvh_query_position(const flashbvh_query* query);
+
+/**
+ * Takes a started query to the position of another one on the same trees and pose; counts go on
+ * from what they are. SUSPENDED or DONE, as the other query was. POSITION_INVALID, and nothing
+ * changes, if no query on these trees has such a position; one of another pose is not told apart.
+ * The query's own error, if it has one.
+ */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_query_resume(flashbvh_query* query,
+                                                         const flashbvh_position* position);
+
+/* One question, one call ------------------------------------------------------------------------
+ *
+ * Each runs a query of its own, on the stack, to its end and returns DONE or the query's error,
+ * FULL where said. */
+
+/** Whether any two triangles meet; ends at the first pair that does. After an error `yes` is true:
+ * what can't be told may collide. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects(const flashbvh_tree* a,
+                                                       const flashbvh_tree* b,
+                                                       const flashbvh_pose* pose, bool* yes);
+
+/** The same, and that pair in `found`, which is written only if there is one. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_first_pair(const flashbvh_tree* a,
+                                                       const flashbvh_tree* b,
+                                                       const flashbvh_pose* pose, bool* yes,
+                                                       flashbvh_pair* found);
+
+/** How many pairs of triangles meet; 0 after an error. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_count_pairs(const flashbvh_tree* a,
+                                                        const flashbvh_tree* b,
+                                                        const flashbvh_pose* pose, uint32_t* pairs);
+
+/** The first `capacity` pairs that meet, their number in `count`. DONE: these are all; FULL: there
+ * may be more. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_find_pairs(const flashbvh_tree* a,
+                                                       const flashbvh_tree* b,
+                                                       const flashbvh_pose* pose,
+                                                       flashbvh_pair* pairs, uint32_t capacity,
+                                                       uint32_t* count);
+
+/** Takes a pair of triangles that meet; false for no more. `context` is the caller's. */
+typedef bool flashbvh_visitor(flashbvh_pair pair, void* context);
+
+/** Hands each pair that meets to `visit`, in the query's order, until it returns false: FULL. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_pair(const flashbvh_tree* a,
+                                                          const flashbvh_tree* b,
+                                                          const flashbvh_pose* pose,
+                                                          flashbvh_visitor* visit, void* context);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

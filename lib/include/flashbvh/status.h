@@ -1,0 +1,41 @@
+/* Every way a call into flashbvh can end, for C and, by the names of status.hpp, for C++. */
+#ifndef FLASHBVH_STATUS_H
+#define FLASHBVH_STATUS_H
+
+/** The values are part of the interface: they never change their number. All fit in 8 bits. */
+typedef enum flashbvh_status {
+  /** The answer is complete. */
+  FLASHBVH_STATUS_DONE = 0,
+  /** The visits granted are used up; run again to go on. Nothing is lost. */
+  FLASHBVH_STATUS_SUSPENDED = 1,
+  /** The caller's array is full; empty it and run again. Nothing is lost. */
+  FLASHBVH_STATUS_FULL = 2,
+
+  /** The two meshes were baked with different cells. */
+  FLASHBVH_STATUS_CELL_MISMATCH = 16,
+  /** A stack traversal's array is shorter than stack_entries(). C++ alone. */
+  FLASHBVH_STATUS_STACK_TOO_SMALL = 17,
+  /** A translation beyond +-2^29 cells (kMaxTranslation). */
+  FLASHBVH_STATUS_TRANSLATION_OUT_OF_RANGE = 18,
+  /** A matrix or quaternion that turns and does something else. */
+  FLASHBVH_STATUS_NOT_A_ROTATION = 19,
+  /** A saved position that is not one of this query's. */
+  FLASHBVH_STATUS_POSITION_INVALID = 20,
+
+  /** Fewer bytes than the image says it has. */
+  FLASHBVH_STATUS_IMAGE_TRUNCATED = 32,
+  /** The image does not start at a multiple of 4 bytes. */
+  FLASHBVH_STATUS_IMAGE_MISALIGNED = 33,
+  /** The first four bytes are not "FBVH". */
+  FLASHBVH_STATUS_IMAGE_NOT_FLASHBVH = 34,
+  /** Written in another version of the format; bake again. */
+  FLASHBVH_STATUS_IMAGE_VERSION = 35,
+  /** Another layout or index width than the tree asked for. */
+  FLASHBVH_STATUS_IMAGE_KIND = 36,
+  /** The checksum does not match: the bytes were damaged. */
+  FLASHBVH_STATUS_IMAGE_CORRUPT = 37,
+  /** The checksum matches, but the contents break a rule of the format. */
+  FLASHBVH_STATUS_IMAGE_INVALID = 38
+} flashbvh_status;
+
+#endif

@@ -1,0 +1,16 @@
+/* Text output for firmware in C: text.hpp's, for strings and numbers. */
+#ifndef FLASHBVH_PORT_TEXT_H
+#define FLASHBVH_PORT_TEXT_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+void port_put(const char* text);
+void port_put_number(long value);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
