@@ -1,5 +1,6 @@
 #include "digest.hpp"
 
+#include "flashbvh/contact.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/query.hpp"
 #include "flashbvh/traversal/alternating_stack.hpp"
@@ -95,13 +96,25 @@ Pose any_pose(Random& random, const Scale& scale) {
   return Pose::translated(x, y, z);
 }
 
-template <class Traversal>
+void add_contact(const Contact& contact, Hash& hash) {
+  hash.add(static_cast<uint32_t>(contact.kind));
+  for (const FinePoint& end : contact.ends) {
+    hash.add(static_cast<uint32_t>(end.x));
+    hash.add(static_cast<uint32_t>(end.y));
+    hash.add(static_cast<uint32_t>(end.z));
+  }
+}
+
+template <class Traversal, bool with_contacts = false>
 void add_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
                const Pose& pose, uint32_t slice, const typename Traversal::Cursor& start,
                Hash& hash, Result& result) {
   Query<Traversal> query(a, b, pose, start);
   const auto add_pair = [&](const TrianglePair<uint16_t>& pair) {
     hash.add(pair.a | static_cast<uint32_t>(pair.b) << 16);
+    if (with_contacts) {
+      add_contact(contact_of_last(query), hash);
+    }
     return true;
   };
   Status status = Status::suspended;
@@ -124,7 +137,7 @@ void add_pose(const Pose& pose, uint32_t slice, Hash& hash, Result& result) {
   const LevelledPostTree& post_a = side_a.post.view();
   const LevelledPostTree& post_b = side_b.post.view();
   const auto array = [] { return PairStack<uint16_t>(stack, 2 * kMostTriangles); };
-  add_query<Ranked<PostTree>>(post_a, post_b, pose, slice, {}, hash, result);
+  add_query<Ranked<PostTree>, true>(post_a, post_b, pose, slice, {}, hash, result);
   add_query<RankedStack<PostTree>>(post_a, post_b, pose, slice, array(), hash, result);
   add_query<VolumeStack<PreTree>>(pre_a, pre_b, pose, slice, array(), hash, result);
   add_query<AlternatingStack<LevelledPostTree>>(post_a, post_b, pose, slice, array(), hash, result);

@@ -1,4 +1,5 @@
-// One number for thousands of queries: every pair reported, in its order, and every count.
+// One number for thousands of queries: every pair reported, in its order, every count, and under
+// one rule where each pair meets.
 #ifndef FLASHBVH_TESTS_DIGEST_DIGEST_HPP
 #define FLASHBVH_TESTS_DIGEST_DIGEST_HPP
 

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "flashbvh/traversal/alternating_stack.hpp"
 #include "flashbvh/traversal/leaf.hpp"
@@ -13,6 +14,7 @@
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
+#include "support/torus.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;
@@ -87,4 +89,270 @@ TEMPLATE_TEST_CASE("under any rotation a query finds exactly the pairs that brut
   check_against_brute_force<TestType>(random, kNear, 40);
   check_against_brute_force<TestType>(random, kLargest, 40);
   check_against_brute_force<TestType>(random, kTouching, 40);
+}
+
+TEST_CASE("however a query under rotation is cut into runs, it gives the same pairs in order") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 1);
+  for (int round = 0; round < 20; ++round) {
+    CAPTURE(round);
+    const auto scene = any_scene<Layout::post_indexed>(random, 14, kSmall);
+    AnyQuery<Ranked<PostTree>> whole(scene);
+    const Pairs expected = run_to_end(whole.query, kNoLimit, 10000);
+    for (const std::uint32_t visits : {1u, 2u, 3u, 7u, 50u}) {
+      for (const std::uint32_t capacity : {1u, 2u, 5u}) {
+        CAPTURE(visits, capacity);
+        AnyQuery<Ranked<PostTree>> cut(scene);
+        REQUIRE(run_to_end(cut.query, visits, capacity) == expected);
+        REQUIRE(cut.query.counts().visits == whole.query.counts().visits);
+      }
+    }
+  }
+}
+
+TEST_CASE("no box test rejects boxes with a placed vertex of one in the other") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 2);
+  for (int round = 0; round < 3000; ++round) {
+    CAPTURE(round);
+    const std::int32_t spread = round % 3 == 0 ? 16383 : round % 3 == 1 ? 400 : 12;
+    bake::LatticeMesh mesh_b = random_mesh(random, 8, spread, spread);
+    const Pose pose = any_rigid_pose(random, spread);
+    const auto root_b = pack({{-16383, -16383, -16383}, {16383, 16383, 16383}});
+    RotatedPlacement placement{};
+    const std::int32_t nowhere[3] = {0, 0, 0};
+    REQUIRE(placement.prepare(pose, nowhere, root_b, nowhere, root_b, false));
+    for (std::uint32_t t = 0; t < mesh_b.triangles.size(); ++t) {
+      const PackedBox box_b = pack(bake::box_of(mesh_b, t));
+      for (const std::uint32_t corner : mesh_b.triangles[t]) {
+        const Vertex& v = mesh_b.vertices[corner];
+        const Point placed = placement.place(v);
+        REQUIRE(placed.x == placed_coordinate(mesh_b, v, pose, 0));
+        REQUIRE(placed.y == placed_coordinate(mesh_b, v, pose, 1));
+        REQUIRE(placed.z == placed_coordinate(mesh_b, v, pose, 2));
+        if (std::abs(placed.x) > 16383 || std::abs(placed.y) > 16383 ||
+            std::abs(placed.z) > 16383) {
+          continue;
+        }
+        // The smallest box of A that the vertex touches: the vertex itself.
+        const Vertex at = {static_cast<std::int16_t>(placed.x), static_cast<std::int16_t>(placed.y),
+                           static_cast<std::int16_t>(placed.z)};
+        const PackedBox box_a = pack({at, at});
+        RotatedOverlap overlap(placement);
+        REQUIRE(overlap.overlap(box_a, box_b));
+        REQUIRE(overlap.overlap(box_a, box_b));  // from what it kept
+      }
+    }
+  }
+}
+
+TEST_CASE("a placed vertex is within 0.51 cells of where the pose's numbers put it") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 3);
+  for (int round = 0; round < 3000; ++round) {
+    const bake::LatticeMesh mesh = random_mesh(random, 1, 16383, 16383);
+    const Pose pose = any_rigid_pose(random, 16383);
+    for (const Vertex& v : mesh.vertices) {
+      for (int axis = 0; axis < 3; ++axis) {
+        // 30 fraction bits.
+        const std::int64_t exact =
+            std::int64_t{pose.rotation(axis, 0)} * v.x +
+            std::int64_t{pose.rotation(axis, 1)} * v.y +
+            std::int64_t{pose.rotation(axis, 2)} * v.z +
+            (std::int64_t{pose.translation(axis)} * 65536 + pose.fraction(axis)) * 16384;
+        const std::int64_t placed =
+            placed_coordinate(mesh, v, pose, axis) * (std::int64_t{1} << 30);
+        REQUIRE(std::llabs(placed - exact) <= (std::int64_t{51} << 30) / 100);
+      }
+    }
+  }
+}
+
+TEST_CASE("a quarter turn of boxes is tested as exactly as no turn at all") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 4);
+  int overlapping = 0;
+  for (int round = 0; round < 3000; ++round) {
+    // About z: x goes to y, y to -x.
+    const std::int32_t cells[3] = {random.between(-40, 40), random.between(-40, 40),
+                                   random.between(-40, 40)};
+    const Pose pose = Pose::rigid(rotation_of({1, 0, 0, 1}).entry, cells);
+    const bake::LatticeMesh mesh = random_mesh(random, 2, 30, 30);
+    const Box a = bake::box_of(mesh, 0);
+    const Box b = bake::box_of(mesh, 1);
+    const auto negated = [](std::int16_t value) { return static_cast<std::int16_t>(-value); };
+    const Box turned = {{negated(b.upper.y), b.lower.x, b.lower.z},
+                        {negated(b.lower.y), b.upper.x, b.upper.z}};
+    RotatedPlacement placement{};
+    const std::int32_t nowhere[3] = {0, 0, 0};
+    REQUIRE(placement.prepare(pose, nowhere, pack(a), nowhere, pack(b), false));
+    const bool expected = !boxes_apart(pack(a), pack(turned), cells[0], cells[1], cells[2]);
+    const PackedBox packed_a = pack(a);
+    const PackedBox packed_b = pack(b);
+    RotatedOverlap overlap(placement);
+    REQUIRE(overlap.overlap(packed_a, packed_b) == expected);
+    overlapping += expected ? 1 : 0;
+  }
+  CHECK(overlapping > 300);
+}
+
+TEST_CASE("the path of rotations, all but the identity, answers as the path of translations") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 5);
+  constexpr std::int32_t one = kRotationOne;
+  for (int round = 0; round < 200; ++round) {
+    CAPTURE(round);
+    auto scene = any_scene<Layout::post_indexed>(random, 20, kSmall);
+    const std::int32_t t[3] = {random.between(-20, 20), random.between(-20, 20),
+                               random.between(-20, 20)};
+    scene.pose = Pose::translated(t[0], t[1], t[2]);
+    AnyQuery<Ranked<PostTree>> moved(scene);
+    const Pairs expected = run_to_end(moved.query, kNoLimit, 10000);
+    // The smallest turn that a pose keeps: far from what moves a vertex of so small a mesh.
+    const std::int32_t almost[3][3] = {{one, 256, 0}, {-256, one, 0}, {0, 0, one}};
+    scene.pose = Pose::rigid(almost, t);
+    REQUIRE(!scene.pose.is_translation());
+    AnyQuery<Ranked<PostTree>> turned(scene);
+    REQUIRE(run_to_end(turned.query, kNoLimit, 10000) == expected);
+  }
+}
+
+TEST_CASE("arguments swapped under an exact inverse give the same pairs") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 6);
+  std::size_t total = 0;
+  for (int round = 0; round < 200; ++round) {
+    CAPTURE(round);
+    auto scene = any_scene<Layout::post_indexed>(random, 20, round % 2 == 0 ? kSmall : kTouching);
+    const Quaternion turns[] = {
+        {1, 0, 0, 1}, {0, 1, 0, 0}, {1, 1, 1, 1}, {1, -1, 0, 0}, {0, 1, 1, 0}};
+    scene.pose = Pose::rigid(rotation_of(turns[round % 5]).entry,
+                             {random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)});
+    AnyQuery<Ranked<PostTree>> forward(scene);
+    Pairs expected = run_to_end(forward.query, kNoLimit, 10000);
+    scene.pose = scene.pose.inverse();
+    std::swap(scene.a, scene.b);
+    AnyQuery<Ranked<PostTree>> backward(scene);
+    Pairs pairs = run_to_end(backward.query, kNoLimit, 10000);
+    for (auto& pair : pairs) {
+      std::swap(pair.first, pair.second);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    std::sort(expected.begin(), expected.end());
+    REQUIRE(pairs == expected);
+    total += pairs.size();
+  }
+  CHECK(total > 100);
+}
+
+TEST_CASE(
+    "a vertex placed, and placed back by the inverse, is at most 1.4 cells from where it was") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 7);
+  for (int round = 0; round < 2000; ++round) {
+    const std::int32_t spread = round % 2 == 0 ? 9000 : 50;
+    const bake::LatticeMesh mesh = random_mesh(random, 1, spread, 5);
+    const Pose pose = any_rigid_pose(random, 100);
+    const Pose inverse = pose.inverse();
+    for (const Vertex& v : mesh.vertices) {
+      bake::LatticeMesh there;
+      const Vertex placed = {static_cast<std::int16_t>(placed_coordinate(mesh, v, pose, 0)),
+                             static_cast<std::int16_t>(placed_coordinate(mesh, v, pose, 1)),
+                             static_cast<std::int16_t>(placed_coordinate(mesh, v, pose, 2))};
+      // Half a cell on three axes, turned: at most sqrt(3) / 2 along one; and half a cell again.
+      CHECK(std::abs(placed_coordinate(there, placed, inverse, 0) - v.x) <= 1);
+      CHECK(std::abs(placed_coordinate(there, placed, inverse, 1) - v.y) <= 1);
+      CHECK(std::abs(placed_coordinate(there, placed, inverse, 2) - v.z) <= 1);
+    }
+  }
+}
+
+TEST_CASE("moved through contact a cell at a time, a turned mesh is found at each step") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 8);
+  for (int round = 0; round < 6; ++round) {
+    auto scene = any_scene<Layout::post_indexed>(random, 12, {8, 8, 0});
+    const Rotation rotation = rotation_of(any_quaternion(random));
+    std::size_t most = 0;
+    for (std::int32_t x = -60; x <= 60; ++x) {
+      CAPTURE(round, x);
+      scene.pose = Pose::rigid(rotation.entry, {x, 1, -1});
+      AnyQuery<Ranked<PostTree>> any(scene);
+      Pairs pairs = run_to_end(any.query, kNoLimit, 1000);
+      std::sort(pairs.begin(), pairs.end());
+      REQUIRE(pairs == scene.brute_force());
+      REQUIRE((pairs.empty() || std::abs(x) < 60));
+      most = std::max(most, pairs.size());
+    }
+    CHECK(most > 0);
+  }
+}
+
+TEST_CASE("a mesh against itself, and one inside another without contact") {
+  const bake::LatticeMesh outer = torus(12, 8, 6000, 3000);
+  bake::LatticeMesh inner = torus(12, 8, 6000, 1000);
+  Scene<Layout::post_indexed> scene{outer, outer, {}, {}, Pose::translated(0, 0, 0)};
+  const auto bake_it = [](const bake::LatticeMesh& mesh) {
+    return bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh, 1), mesh);
+  };
+  scene.a = scene.b = bake_it(outer);
+  for (const Quaternion& q :
+       {Quaternion{0, 1, 0, 0}, Quaternion{1, 0, 0, 1}, Quaternion{5, 3, 2, 1}}) {
+    scene.pose = Pose::rigid(rotation_of(q).entry, {0, 0, 0});
+    scene.mesh_b = outer;
+    scene.b = bake_it(outer);
+    AnyQuery<Ranked<PostTree>> itself(scene);
+    Pairs pairs = run_to_end(itself.query, kNoLimit, 10000);
+    std::sort(pairs.begin(), pairs.end());
+    REQUIRE(!pairs.empty());
+    REQUIRE(pairs == scene.brute_force());
+  }
+  for (int degrees = 1; degrees < 8; ++degrees) {
+    scene.mesh_b = inner;
+    scene.b = bake_it(inner);
+    scene.pose = Pose::rigid(rotation_of({100, 0, 0, degrees}).entry, {0, 0, 0});
+    AnyQuery<Ranked<PostTree>> inside(scene);
+    REQUIRE(run_to_end(inside.query, kNoLimit, 10000).empty());
+    REQUIRE(inside.query.counts().visits > 1);
+  }
+}
+
+TEST_CASE("offsets beyond all reach, and at its edge, under rotation") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 9);
+  const std::int32_t reaches[] = {16384, 40000, 44760,  48000,
+                                  48001, 65536, 100000, kMaxTranslation};
+  for (int round = 0; round < 400; ++round) {
+    CAPTURE(round);
+    auto scene = any_scene<Layout::post_indexed>(random, 8, kLargest);
+    std::int32_t cells[3];
+    for (std::int32_t& axis : cells) {
+      axis = random.below(2) == 0 ? random.between(-3, 3) : reaches[random.below(8)];
+      axis = random.below(2) == 0 ? axis : -axis;
+    }
+    scene.mesh_b.origin = {0, 0, 0};
+    scene.mesh_a.origin = {0, 0, 0};
+    scene.a.origin = scene.b.origin = {0, 0, 0};
+    scene.pose = Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
+    AnyQuery<Ranked<PostTree>> any(scene);
+    Pairs pairs = run_to_end(any.query, kNoLimit, 1000);
+    AnyQuery<Leaf<PostTree>> leaf(scene);
+    Pairs by_leaf = run_to_end(leaf.query, kNoLimit, 1000);
+    std::sort(pairs.begin(), pairs.end());
+    std::sort(by_leaf.begin(), by_leaf.end());
+    REQUIRE(pairs == by_leaf);
+    const bool far =
+        std::abs(cells[0]) > 60000 || std::abs(cells[1]) > 60000 || std::abs(cells[2]) > 60000;
+    REQUIRE((!far || pairs.empty()));
+    REQUIRE((far || pairs == scene.brute_force()));
+  }
 }

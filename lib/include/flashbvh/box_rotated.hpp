@@ -44,7 +44,8 @@ class RotatedOverlap {
         b_{{0, 0, 0}, nullptr, &placement.pose->rows(), placement.on_a} {}
 
   /// False only if no placed triangle of a subtree with box `b` meets one of a subtree with box
-  /// `a`. Answers depend on the boxes alone, not on what was asked before.
+  /// `a`. Answers depend on the boxes alone, not on what was asked before; but boxes are known by
+  /// their addresses, and what lies there must not change while this lives.
   bool overlap(const PackedBox& a, const PackedBox& b) { return gap(a, b) == 0; }
 
  private:

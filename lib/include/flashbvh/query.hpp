@@ -174,7 +174,7 @@ class Query {
   }
 
   /// The triangles of the pair reported last, placed in A's frame: inside a sink, and after a run
-  /// that ended with `full`.
+  /// that wrote a pair and ended with `full`.
   void last_pair(PlacedTriangle& a, PlacedTriangle& b) const {
     place_translated(*a_, current_a(), kNoOffset, a);
     place_b(current_b(), b);
