@@ -1,6 +1,7 @@
 #!/bin/sh
-# The main job, end to end: a robot's meshes go in, a microcontroller answers collision queries, and
-# the answers are compared with the host's. Installs what is missing; works in build/demo.
+# The main job, end to end: a robot's meshes and joints go in, a microcontroller tells whether the
+# arm hits itself, and all its answers are compared with the host's. Installs what is missing; works
+# in build/demo.
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
@@ -20,14 +21,16 @@ quietly() {
 
 step "1. The arm: a KUKA KR5 from Debian's package dart-doc (BSD-2-Clause)"
 package=dart-doc
+urdf="$demo/dart/usr/share/doc/dart/data/urdf/KR5/KR5 sixx R650.urdf"
 kr5=$demo/dart/usr/share/doc/dart/data/urdf/KR5/meshes
-if [ ! -r $kr5/palm.STL ]; then
+if [ ! -r "$urdf" ] || [ ! -r $kr5/palm.STL ]; then
   (cd $demo && apt-get download $package >log 2>&1) ||
     { cat $demo/log >&2; echo "demo: 'apt-get download $package' failed; is there a network, and has
 'apt-get update' been run?" >&2; exit 1; }
   dpkg-deb -x $demo/${package}_*.deb $demo/dart
 fi
 echo "Seven links, $(ls $kr5/*.STL | wc -l) STL files in $kr5"
+echo "Six joints, in $urdf"
 
 step "2. The host program"
 quietly cmake --preset native
@@ -41,28 +44,51 @@ $flashbvh bake $meshes -o $demo/kr5/pre --layout pre --format image >$demo/log
 echo "The same links pre-indexed, for the paper's first stackless algorithm: $demo/kr5/pre"
 
 step "4. Firmware for a Cortex-M4 with all seven links in its flash"
+awk -f firmware_examples/robot_arm/joints.awk "$urdf" >$demo/kr5/joints.hpp
 quietly cmake --preset $board -DFLASHBVH_HOST_TOOL="$PWD/$flashbvh" \
   -DFLASHBVH_ROBOT_ARM="$PWD/$demo/kr5"
 quietly cmake --build --preset $board --target robot_arm
 arm-none-eabi-size build/$board/bin/robot_arm.elf
+echo "text: flash, with every link twice, for both layouts; data and bss: static RAM"
 
-step "5. The queries, on the microcontroller (QEMU) and on this machine"
-ports/run mps2-an386 build/$board/bin/robot_arm.elf >$demo/target ||
+step "5. The arm's configurations, on the microcontroller (QEMU) and on this machine"
+FLASHBVH_ICOUNT=8 ports/run mps2-an386 build/$board/bin/robot_arm.elf >$demo/target ||
   { failed=$?; cat $demo/target; echo "demo: the firmware ended with status $failed" >&2; exit 1; }
 
-# host_results: the same questions to `flashbvh collide`, in the same lines but for the stack.
+# write_poses: the poses that the firmware used, as numbers that `flashbvh collide` reads back to the
+# same ones, in a file a pair of links; beside it, the configurations they are of.
+write_poses() {
+  rm -rf $demo/poses
+  mkdir $demo/poses
+  cell=$($flashbvh info $demo/kr5/palm.fbvh --json | sed 's/.*"cell":\([^,}]*\).*/\1/')
+  awk -v cell="$cell" -v folder=$demo/poses '$1 == "pose" {
+    line = ""
+    for (i = 5; i <= 13; ++i) line = line sprintf("%.17g ", $i / 1073741824)
+    for (i = 14; i <= 16; ++i) line = line sprintf("%.17g ", ($i + $(i + 3) / 65536) * cell)
+    print line >(folder "/" $3 "-" $4)
+    print $2 >(folder "/" $3 "-" $4 ".names")
+  }' $demo/target
+}
+
+# host_results: the same questions to `flashbvh collide`, in the same lines up to the counts.
 host_results() {
-  awk '$1 == "result" { print $2, $3, $4, $5, $6, $7 }' $demo/target |
-    while read -r a b x y z algorithm; do
+  for names in $demo/poses/*.names; do
+    poses=${names%.names}
+    pair=${poses##*/}
+    a=${pair%-*}
+    b=${pair#*-}
+    for algorithm in ranked stackless-post stackless leaf ranked-stack volume-stack \
+      alternating-stack; do
       images=$demo/kr5
       [ "$algorithm" = stackless ] && images=$demo/kr5/pre
-      echo "1 0 0  0 1 0  0 0 1  $x $y $z" >$demo/pose
-      $flashbvh collide $images/$a.fbvh $images/$b.fbvh --poses $demo/pose \
-        --algorithm $algorithm --json >$demo/answer
-      counts=$(sed 's/.*"visits": *\([0-9]*\),.*"overlaps": *\([0-9]*\),.*"leaf_pairs": *\([0-9]*\),.*"triangle_pairs": *\([0-9]*\),.*/\1 \2 \3 \4/' $demo/answer)
-      echo "result $a $b $x $y $z $algorithm $counts"
+      $flashbvh collide $images/$a.fbvh $images/$b.fbvh --poses "$poses" --algorithm $algorithm \
+        --json >$demo/answer
+      sed 's/.*"visits": *\([0-9]*\),.*"overlaps": *\([0-9]*\),.*"leaf_pairs": *\([0-9]*\),.*"triangle_pairs": *\([0-9]*\),.*/\1 \2 \3 \4/' $demo/answer |
+        paste -d ' ' "$names" - | sed "s/ / $a $b $algorithm /; s/^/result /"
     done
+  done
 }
+write_poses
 host_results >$demo/host
 
 status=0
@@ -71,9 +97,11 @@ awk -v host=$demo/host -f tools/demo_table.awk $demo/target || status=1
 step "What happened"
 if [ $status -eq 0 ]; then
   cat <<TEXT
-Every query gave the same counts on the microcontroller as on this machine, from the same baked
-images, with every traversal; all traversals found the same pairs. No heap was linked, and no query
-used more than the stack printed above. The query object is 64 bytes and the caller's.
+The microcontroller took the angles of the joints, worked out where the links are, and told exactly
+which triangles meet. Every query gave the same counts as on this machine, under the same poses, from
+the same baked meshes, with every traversal; all traversals found the same pairs. No heap was linked,
+and no query used more than the stack printed above. The query object and the pose, 104 bytes, are the
+caller's.
 
 Next:  $flashbvh bake your.stl -o baked        your own mesh
        firmware_examples/quick_start/          the smallest firmware, a page long

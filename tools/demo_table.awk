@@ -1,24 +1,78 @@
-# Prints the firmware's result lines as tables, a pair of links and an offset each, and compares
-# each with the host's line. Status 1 if one differs or the traversals of a table do not agree.
+# Prints the firmware's lines (firmware_examples/robot_arm/main.cpp) as tables: a configuration each,
+# then the traversals. Compares each result with the host's line. Status 1 if one differs, if one
+# side has another number of them, or if two traversals of a pair do not agree.
 BEGIN {
   while ((getline line < host) > 0) {
-    on_host[++hosts] = line
+    on_host[line] = 1
+    ++hosts
   }
 }
+$1 == "arm" {
+  angles = $3 " " $4 " " $5 " " $6 " " $7 " " $8
+}
+$1 == "answer" {
+  end_configuration()
+  printf "\n%s: joints at %s degrees\n", name($2), angles
+  printf "%-28s %8s %9s %11s %15s %13s %12s   %s\n", "", "visits", "overlaps", "leaf pairs",
+    "triangle pairs", "instructions", "stack bytes", "same as the host"
+  answer = $3
+  check = $4
+  ++configurations
+  hits += answer == "yes"
+}
+$1 == "kinematics" { kinematics = $3 }
 $1 == "result" {
   ++results
-  title = $2 " against " $3 ", moved by " $4 " " $5 " " $6 " m"
-  if (title != last) {
-    printf "\n%s\n%-18s %8s %9s %11s %15s %12s   %s\n", title, "algorithm", "visits", "overlaps",
-      "leaf pairs", "triangle pairs", "stack bytes", "same as the host"
-    last = title
-    pairs = $10 " " $11
+  same = ($1 " " $2 " " $3 " " $4 " " $5 " " $6 " " $7 " " $8 " " $9) in on_host
+  pair = $2 " " $3 " " $4
+  if (pair != last) {
+    end_pair()
+    last = pair
+    row = sprintf("  %-26s %8d %9d %11d %15d %13d %12d   ", $3 " against " $4, $6, $7, $8, $9, $11, $10)
+    visits_of_row = $6
+    pairs_found = $8 " " $9
+    row_is_same = 1
   }
-  same = ($1 " " $2 " " $3 " " $4 " " $5 " " $6 " " $7 " " $8 " " $9 " " $10 " " $11) == on_host[results]
-  if (!same || pairs != $10 " " $11) {
-    bad = 1
+  if (pairs_found != $8 " " $9) same = 0
+  if (!($5 in visits)) order[++traversals] = $5
+  visits[$5] += $6
+  overlaps[$5] += $7
+  leaf_pairs[$5] += $8
+  found[$5] += $9
+  instructions[$5] += $11
+  if ($10 > deepest[$5]) deepest[$5] = $10
+  if (!same) {
+    differs[$5] = bad = 1
+    row_is_same = 0
   }
-  printf "%-18s %8d %9d %11d %15d %12d   %s\n", $7, $8, $9, $10, $11, $12, same ? "yes" : "DIFFERS"
 }
-$1 == "stack" { printf "\nDeepest stack of a query: %d bytes\n", $2 }
-END { exit bad || results == 0 || results != hosts }
+function name(text) { gsub(/_/, " ", text); return text }
+# A row a pair; those that were apart at the roots are only counted.
+function end_pair() {
+  if (last == "") return
+  if (visits_of_row == 1 && row_is_same) ++apart
+  else print row (row_is_same ? "yes" : "DIFFERS")
+  last = ""
+}
+function end_configuration() {
+  end_pair()
+  if (answer == "") return
+  if (apart) printf "  %d pairs of links apart after one visit, on both\n", apart
+  printf "  Does it hit itself? %s: %d instructions for the answer, of these %d for the kinematics\n",
+    answer == "yes" ? "YES" : "no", check, kinematics
+  apart = 0
+}
+END {
+  end_configuration()
+  printf "\n%d of %d configurations hit. All of their questions, by traversal:\n", hits, configurations
+  printf "%-28s %8s %9s %11s %15s %13s %12s   %s\n", "", "visits", "overlaps", "leaf pairs",
+    "triangle pairs", "instructions", "stack bytes", "same as the host"
+  for (i = 1; i <= traversals; ++i) {
+    t = order[i]
+    printf "  %-26s %8d %9d %11d %15d %13d %12d   %s\n", t, visits[t], overlaps[t], leaf_pairs[t],
+      found[t], instructions[t], deepest[t], differs[t] ? "DIFFERS" : "yes"
+  }
+  print "Instructions: of whole queries, poses prepared and triangles tested. Stack: of a call of run()."
+  if (results != hosts) print "demo: " results + 0 " results of the board, " hosts + 0 " of the host"
+  exit bad || results == 0 || results != hosts
+}

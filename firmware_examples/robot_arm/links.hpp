@@ -48,6 +48,9 @@ LINK(wrist)
 LINK(palm)
 #undef LINK
 
+/// From the base to the palm, as the joints connect them.
+constexpr Link kLinks[] = {base_link, shoulder, bicep, elbow, forearm, wrist, palm};
+
 constexpr uint32_t larger(uint32_t a, uint32_t b) {
   return a > b ? a : b;
 }
@@ -59,10 +62,5 @@ constexpr uint32_t kStackNeed =
            larger(larger(::forearm::kStackNeed, ::wrist::kStackNeed), ::palm::kStackNeed));
 
 }  // namespace robot
-
-/// Metres to cells, rounded as the host program does.
-constexpr int32_t cells(double metres) {
-  return static_cast<int32_t>(metres / palm::kCell + (metres < 0 ? -0.5 : 0.5));
-}
 
 #endif

@@ -1,9 +1,16 @@
-// The links of a KUKA KR5 arm against each other, with every traversal, on a microcontroller.
+// Does a robot arm hit itself? A KUKA KR5 on a microcontroller: from the angles of its joints to
+// the poses of its links, in float, and from these to exact answers.
 //
-// Prints a line per pair of links, offset and algorithm:
-//     result A B x y z algorithm visits overlaps leaf_pairs triangle_pairs stack
-// x, y and z in metres: B moved in A's frame; stack in bytes: what a call of run() needs at most.
-// The query objects are the caller's. tools/demo.sh compares the lines with what the host finds.
+// Prints, for tools/demo.sh to compare with what the host finds, for every configuration C
+//     arm C six angles in degrees
+//     answer C yes|no instructions      of the whole check: kinematics, poses, queries
+//     kinematics C instructions         of that, kinematics
+// for every pair of links A, B
+//     pose C A B nine entries of the rotation in 2^-30, three cells, three 1/65,536 of cells
+// and for every traversal
+//     result C A B traversal visits overlaps leaf_pairs triangle_pairs stack instructions
+// stack: bytes that run() needs at most; the query object and a stack traversal's array are the
+// caller's. instructions: of the whole query, in slices of 100 visits.
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/traversal/alternating_stack.hpp>
 #include <flashbvh/traversal/leaf.hpp>
@@ -12,6 +19,9 @@
 #include <flashbvh/traversal/stackless_post.hpp>
 #include <flashbvh/traversal/volume_stack.hpp>
 
+#include "arm.hpp"
+#include "configurations.hpp"
+#include "insn.hpp"
 #include "links.hpp"
 #include "stack.hpp"
 #include "text.hpp"
@@ -20,103 +30,164 @@ using namespace flashbvh;
 
 namespace {
 
-/// A pair of links and where the second one is.
-struct Case {
-  const Link& a;
-  const Link& b;
-  const char* metres;  ///< the offset as text, for the host
-  Pose pose;
-};
-
-#define CASE(a, b, x, y, z) \
-  { robot::a, robot::b, #x " " #y " " #z, Pose::translated(cells(x), cells(y), cells(z)) }
-
-const Case kCases[] = {
-    CASE(palm, wrist, 0.3, 0, 0),            // separated
-    CASE(palm, wrist, 0, 0, 0.0723),         // just touching
-    CASE(palm, wrist, 0.01, 0.02, 0.01),     // intersecting
-    CASE(forearm, bicep, 0, 0, 1),           // separated
-    CASE(forearm, bicep, 0, 0, 0.15),        // close
-    CASE(forearm, bicep, 0, 0, 0.14),        // intersecting
-    CASE(base_link, shoulder, -0.5, 0, 0),   // separated
-    CASE(base_link, shoulder, 0, 0, 0.225),  // close
-    CASE(base_link, shoulder, 0, 0, 0.203),  // as mounted: they share the bearing
-    CASE(elbow, forearm, 0, 0.08, 0),        // separated
-    CASE(elbow, forearm, 0, 0, 0),           // intersecting
-};
-
-unsigned deepest_stack = 0;
 bool failed = false;
 
-void print_result(const Case& what, const char* algorithm, const Counts& counts, Status status,
-                  uint32_t stack) {
-  deepest_stack = stack > deepest_stack ? stack : deepest_stack;
-  failed = failed || status != Status::done;
-  port::print("result ", what.a.name, " ", what.b.name, " ", what.metres, " ", algorithm, " ",
-              counts.visits, " ", counts.overlaps, " ", counts.leaf_pairs, " ");
-  port::print(counts.triangle_pairs, " ", stack, "\n");
-}
-
-/// Runs a query to its end, 100 visits at a time, as a control loop would.
-template <class Query>
-void run_to_end(const Case& what, const char* algorithm, Query& query) {
-  typename Query::Pair found[4];
-  Step step{};
-  uint32_t stack = 0;
-  do {
-    const uint32_t used = port::stack_of([&] { step = query.run(100, found); });
-    stack = used > stack ? used : stack;
-  } while (step.status == Status::suspended || step.status == Status::full);
-  print_result(what, algorithm, query.counts(), step.status, stack);
-}
-
-template <class Traversal>
-void run_stackless(const Case& what, const char* algorithm, const typename Traversal::Tree& a,
-                   const typename Traversal::Tree& b) {
-  Query<Traversal> query(a, b, what.pose);
-  run_to_end(what, algorithm, query);
-}
-
-template <class Traversal>
-void run_with_stack(const Case& what, const char* algorithm) {
-  PairCursor<uint16_t> entries[stack_entries(robot::kStackNeed, robot::kStackNeed)];
-  Query<Traversal> query(*what.a.post, *what.b.post, what.pose,
-                         {entries, sizeof entries / sizeof entries[0]});
-  run_to_end(what, algorithm, query);
-}
-
-bool open(const Link& link, LevelledPreTree& tree) {
-  const Status status = open_image(link.image, link.image_bytes(), tree);
-  if (status != Status::done) {
-    port::print("error: the image of ", link.name, " does not open: status ",
-                static_cast<unsigned>(status), "\n");
-    failed = true;
+PlacedArm placed_arm(const Configuration& configuration) {
+  float angles[kJointCount];
+  for (int i = 0; i < kJointCount; ++i) {
+    angles[i] = radians(configuration.degrees[i]);
   }
-  return status == Status::done;
+  return ::placed_arm(angles);
+}
+
+/// Whether links that are not neighbours touch: neighbours share a bearing. What can't be told may.
+bool hits_itself(const PlacedArm& arm) {
+  for (int a = 0; a < kLinkCount; ++a) {
+    for (int b = a + 2; b < kLinkCount; ++b) {
+      const Pose pose = Pose::relative(arm.link[a], arm.link[b]);
+      if (intersects<uint16_t>(*robot::kLinks[a].post, *robot::kLinks[b].post, pose).yes) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Two links of a configuration.
+struct Case {
+  const char* configuration;
+  const Link& a;
+  const Link& b;
+  const Pose& pose;
+};
+
+void print_pose(const Case& what) {
+  port::print("pose ", what.configuration, " ", what.a.name, " ", what.b.name);
+  for (int i = 0; i < 9; ++i) {
+    port::print(" ", what.pose.rotation(i / 3, i % 3));
+  }
+  for (int i = 0; i < 3; ++i) {
+    port::print(" ", what.pose.translation(i));
+  }
+  for (int i = 0; i < 3; ++i) {
+    port::print(" ", what.pose.fraction(i));
+  }
+  port::print("\n");
+}
+
+/// 100 visits at a time, as a control loop would. `run_slice(found)` is a run into that array.
+template <class Query, class Slice>
+void run_to_end(const Query& query, Slice run_slice) {
+  typename Query::Pair found[4];
+  while (query.status() == Status::suspended) {
+    run_slice(found);
+  }
+  failed = failed || query.status() != Status::done;
+}
+
+/// `start()` gives the cursor that the traversal starts with: a query uses its array up.
+template <class Traversal, class Start>
+void measure(const Case& what, const char* algorithm, const typename Traversal::Tree& a,
+             const typename Traversal::Tree& b, Start start) {
+  using Pair = typename Query<Traversal>::Pair;
+  Query<Traversal> query(a, b, what.pose, start());
+  uint32_t stack = 0;
+  run_to_end(query, [&](Pair(&found)[4]) {
+    const uint32_t used = port::stack_of([&] { (void)query.run(100, found); });
+    stack = used > stack ? used : stack;
+  });
+  const uint32_t instructions = port::instructions_of([&] {
+    Query<Traversal> again(a, b, what.pose, start());
+    run_to_end(again, [&](Pair(&found)[4]) { (void)again.run(100, found); });
+    failed = failed || again.counts().visits != query.counts().visits;
+  });
+  const Counts& counts = query.counts();
+  port::print("result ", what.configuration, " ", what.a.name, " ", what.b.name, " ", algorithm);
+  port::print(" ", counts.visits, " ", counts.overlaps, " ", counts.leaf_pairs, " ",
+              counts.triangle_pairs, " ", stack, " ", instructions, "\n");
+}
+
+template <class Traversal>
+void measure(const Case& what, const char* algorithm) {
+  measure<Traversal>(what, algorithm, *what.a.post, *what.b.post,
+                     [] { return PairCursor<uint16_t>(); });
+}
+
+template <class Traversal>
+void measure_with_stack(const Case& what, const char* algorithm) {
+  PairCursor<uint16_t> entries[stack_entries(robot::kStackNeed, robot::kStackNeed)];
+  measure<Traversal>(what, algorithm, *what.a.post, *what.b.post, [&] {
+    return PairStack<uint16_t>(entries, sizeof entries / sizeof entries[0]);
+  });
 }
 
 /// The pre-indexed trees are not compiled in: their images lie in flash and are opened in place.
-void run_on_images(const Case& what) {
-  LevelledPreTree a;
-  LevelledPreTree b;
-  if (!open(what.a, a) || !open(what.b, b)) {
-    return;
+struct PreTrees {
+  LevelledPreTree link[kLinkCount];
+
+  bool open() {
+    for (int i = 0; i < kLinkCount; ++i) {
+      const Link& from = robot::kLinks[i];
+      const Status status = open_image(from.image, from.image_bytes(), link[i]);
+      if (status != Status::done) {
+        port::print("error: the image of ", from.name, " does not open: status ",
+                    static_cast<unsigned>(status), "\n");
+        return false;
+      }
+    }
+    return true;
   }
-  run_stackless<Stackless>(what, "stackless", a, b);
+};
+
+void ask(const Configuration& configuration, const PlacedArm& arm, const PreTrees& pre, int a,
+         int b) {
+  const Pose pose = Pose::relative(arm.link[a], arm.link[b]);
+  const Case what = {configuration.name, robot::kLinks[a], robot::kLinks[b], pose};
+  print_pose(what);
+  measure<Ranked<PostTree>>(what, "ranked");
+  measure<StacklessPost>(what, "stackless-post");
+  measure<Stackless>(what, "stackless", pre.link[a], pre.link[b],
+                     [] { return PairCursor<uint16_t>(); });
+  measure<Leaf<PostTree>>(what, "leaf");
+  measure_with_stack<RankedStack<PostTree>>(what, "ranked-stack");
+  measure_with_stack<VolumeStack<PostTree>>(what, "volume-stack");
+  measure_with_stack<AlternatingStack<LevelledPostTree>>(what, "alternating-stack");
+}
+
+/// The question as a controller asks it.
+void check(const Configuration& configuration) {
+  bool yes = true;
+  const uint32_t whole =
+      port::instructions_of([&] { yes = hits_itself(placed_arm(configuration)); });
+  port::print("arm ", configuration.name);
+  for (const int degrees : configuration.degrees) {
+    port::print(" ", degrees);
+  }
+  port::print("\nanswer ", configuration.name, yes ? " yes " : " no ", whole, "\n");
+}
+
+void ask_all(const Configuration& configuration, const PreTrees& pre, int nearest) {
+  PlacedArm arm = placed_arm(configuration);
+  const uint32_t kinematics = port::instructions_of([&] { arm = placed_arm(configuration); });
+  port::print("kinematics ", configuration.name, " ", kinematics, "\n");
+  for (int a = 0; a < kLinkCount; ++a) {
+    for (int b = a + nearest; b < kLinkCount; ++b) {
+      ask(configuration, arm, pre, a, b);
+    }
+  }
 }
 
 }  // namespace
 
 int main() {
-  for (const Case& what : kCases) {
-    run_with_stack<VolumeStack<PostTree>>(what, "volume-stack");
-    run_with_stack<AlternatingStack<LevelledPostTree>>(what, "alternating-stack");
-    run_on_images(what);
-    run_stackless<StacklessPost>(what, "stackless-post", *what.a.post, *what.b.post);
-    run_stackless<Leaf<PostTree>>(what, "leaf", *what.a.post, *what.b.post);
-    run_stackless<Ranked<PostTree>>(what, "ranked", *what.a.post, *what.b.post);
-    run_with_stack<RankedStack<PostTree>>(what, "ranked-stack");
+  PreTrees pre;
+  if (!pre.open()) {
+    return 1;
   }
-  port::print("stack ", deepest_stack, "\n");
+  for (const Configuration& configuration : kConfigurations) {
+    check(configuration);
+    // Neighbours once: they meet in every configuration.
+    ask_all(configuration, pre, &configuration == kConfigurations ? 1 : 2);
+  }
   return failed ? 1 : 0;
 }

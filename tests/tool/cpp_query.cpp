@@ -19,6 +19,7 @@ static_assert(ring::kFlashBytes < 50 * ring::kTriangleCount, "the budget, everyt
 static_assert(grouped::kFlashBytes < ring::kFlashBytes, "fewer leaves, fewer bytes");
 static_assert(early::kDepth == ring::kDepth && wide::kNodeCount == ring::kNodeCount, "");
 static_assert(ring::kCell > 0.124 && ring::kCell < 0.126, "");
+static_assert(ring::kCellsPerUnit == 8.0f, "");
 
 namespace {
 

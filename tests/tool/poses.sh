@@ -21,7 +21,17 @@ bad "'nan'" "1 0 0 0 1 0 0 0 1 0 0 nan"
 bad "'inf'" "1 0 0 0 1 0 0 0 1 0 inf 0"
 bad "'0x1'" "1 0 0 0 1 0 0 0 1 0 0x1 0"
 bad "'1,5'" "1 0 0 0 1 0 0 0 1 0 1,5 0"
-bad "the pose turns B" "0 -1 0 1 0 0 0 0 1 0 0 0"
+no_rotation="the first 9 numbers are no rotation"
+bad "$no_rotation" "2 0 0 0 1 0 0 0 1 0 0 0"
+bad "$no_rotation" "1.001 0 0 0 1 0 0 0 1 0 0 0"
+bad "$no_rotation" "1 0.001 0 0 1 0 0 0 1 0 0 0"
+bad "$no_rotation" "0.67 -0.33 0.67 0.67 0.67 -0.33 -0.33 0.67 0.67 0 0 0"
+bad "$no_rotation" "0 0 0 0 0 0 0 0 0 0 0 0"
+bad "$no_rotation" "1e300 0 0 0 1 0 0 0 1 0 0 0"
+bad "$no_rotation" "1 0 0 5 0 1 0 6 0 0 1 7" # row by row with the translation
+bad "the matrix mirrors" "1 0 0 0 1 0 0 0 -1 0 0 0"
+bad "the matrix mirrors" "0 1 0 1 0 0 0 0 1 0 0 0"
+bad "the pose moves B" "0 -1 0 1 0 0 0 0 1 0 0 5368709.13"
 bad "the pose moves B" "1 0 0 0 1 0 0 0 1 1e9 0 0"
 bad "the pose moves B" "1 0 0 0 1 0 0 0 1 0 -1e300 0"
 
@@ -47,5 +57,6 @@ refused "required" collide post/ring.fbvh post/coarse.fbvh
 refused "required" collide post/ring.fbvh --poses poses
 
 # The last cell that a pose may reach, and Windows line ends.
-printf '%s\r\n' "1 0 0 0 1 0 0 0 1 5368709.12 0 0" >poses
+printf '%s\r\n' "1 0 0 0 1 0 0 0 1 5368709.12 0 0" "0 -1 0 1 0 0 0 0 1 0 0 -5368709.12" >poses
 exits 0 collide post/ring.fbvh post/coarse.fbvh --poses poses --json
+exits 0 export post/ring.fbvh -o far.obj --placed "$(tail -n 1 poses)"

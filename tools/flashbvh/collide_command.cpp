@@ -136,11 +136,11 @@ void add_collide(CLI::App& app) {
   CLI::App* const command = app.add_subcommand(
       "collide", "Find the triangles of A that meet triangles of B, by the firmware's own code.");
   command->add_option("A", a.a, "Image (.fbvh) that stays in place")->required();
-  command->add_option("B", a.b, "Image (.fbvh) that the poses move")->required();
+  command->add_option("B", a.b, "Image (.fbvh) that the poses turn and move")->required();
   command
       ->add_option("--poses", a.poses,
-                   "A pose a line: rotation row by row, translation; 12 numbers "
-                   "in the mesh's unit, B into A's frame")
+                   "A pose a line, B into A's frame: the rotation row by row, then the translation "
+                   "in the mesh's unit; 12 numbers")
       ->required()
       ->type_name("FILE");
   command

@@ -101,7 +101,9 @@ std::string constants(const bake::BakedTree<Index, layout>& baked, const std::st
          constant("kFlashBytes", flash_bytes(baked), "what `tree` links, on a 32-bit core") +
          constant("kLevelBytes", levels, "what `levelled_tree` adds to that") +
          "constexpr double kCell = " + floating_literal(baked.cell) + ";  ///< in " +
-         (unit.empty() ? "the mesh's unit" : unit) + "\n";
+         (unit.empty() ? "the mesh's unit" : unit) + "\n" +
+         "constexpr float kCellsPerUnit = " + float_literal(1 / baked.cell) +
+         ";  ///< for flashbvh/pose_float.hpp\n";
 }
 
 /// Refuses a library with another interface: below 1.0 the minor version counts, too.

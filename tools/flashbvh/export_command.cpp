@@ -17,14 +17,13 @@ struct Arguments {
   std::optional<std::string> placed;
 };
 
-/// The image's vertices, in its order, as the query places them.
-std::vector<LatticePoint> vertices_of(const AnyTree& any, const std::optional<Pose>& pose) {
+/// The image's vertices, in its order.
+std::vector<LatticePoint> vertices_of(const AnyTree& any) {
   const std::uint32_t count =
       std::visit([](const auto& tree) -> std::uint32_t { return tree.vertex_count; }, any);
   std::vector<LatticePoint> vertices;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const LatticePoint point = vertex_of(any, i);
-    vertices.push_back(pose ? placed(point, *pose) : point);
+    vertices.push_back(vertex_of(any, i));
   }
   return vertices;
 }
@@ -50,12 +49,15 @@ std::string faces_of(const std::vector<SourceTriangle>& triangles) {
 void write_obj(const Arguments& arguments) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
-  std::optional<Pose> pose;
+  std::vector<LatticePoint> vertices;
   if (arguments.placed) {
-    pose = lattice_pose(parse_pose(*arguments.placed, "--placed"), image.cell(), "--placed");
+    const RigidPose pose = parse_pose(*arguments.placed, "--placed");
+    vertices = placed_vertices(image.tree(), lattice_pose(pose, image.cell(), "--placed"));
+  } else {
+    vertices = vertices_of(image.tree());
   }
   std::string text = "# integer coordinates: cells\n";
-  for (const LatticePoint& v : vertices_of(image.tree(), pose)) {
+  for (const LatticePoint& v : vertices) {
     text += "v " + std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]) +
             "\n";
   }
@@ -75,8 +77,8 @@ void add_export(CLI::App& app) {
       ->required()
       ->type_name("MESH.obj");
   command->add_option("--placed", arguments->placed,
-                      "A pose of 12 numbers in the mesh's unit: write the mesh where a query puts "
-                      "it as B, in A's frame");
+                      "A pose of 12 numbers, as in `collide --poses`: write the mesh where a query "
+                      "puts it as B, in A's frame");
   command->callback([arguments] { write_obj(*arguments); });
 }
 

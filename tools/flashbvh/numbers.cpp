@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace flashbvh::tool {
 namespace {
@@ -12,6 +13,11 @@ std::string to_text(Number value, Format... format) {
   std::array<char, 400> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format...);
   return std::string(text.data(), end.ptr);
+}
+
+std::string with_point(const std::string& text) {
+  const bool is_floating = text.find_first_of(".e") != std::string::npos;
+  return text + (is_floating ? "" : ".0");
 }
 
 /// from_chars knows no plus sign.
@@ -39,9 +45,12 @@ std::string shortest(double value) {
 }
 
 std::string floating_literal(double value) {
-  const std::string text = to_text(value);
-  const bool is_floating = text.find_first_of(".e") != std::string::npos;
-  return text + (is_floating ? "" : ".0");
+  return with_point(to_text(value));
+}
+
+std::string float_literal(double value) {
+  const bool fits = std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max());
+  return with_point(to_text(fits ? static_cast<float>(value) : 0.0f)) + "f";
 }
 
 std::string fixed(double value, int digits) {

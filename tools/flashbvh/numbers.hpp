@@ -14,6 +14,9 @@ std::string shortest(double value);
 /// The same as a C++ literal of type double. Precondition: finite.
 std::string floating_literal(double value);
 
+/// The nearest number of type float as a C++ literal; 0 if it has no finite one.
+std::string float_literal(double value);
+
 /// With `digits` digits behind the point, for tables.
 std::string fixed(double value, int digits);
 

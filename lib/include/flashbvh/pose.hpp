@@ -13,7 +13,8 @@ namespace flashbvh {
 constexpr int32_t kRotationOne = 1 << 30;
 
 /// How far R^T R may be from the identity, entry by entry, for R to count as a rotation: 2^-13, in
-/// the fixed point of a rotation. A matrix written with four decimals passes.
+/// the fixed point of a rotation. A matrix written with five decimals passes; of those with four,
+/// not all.
 constexpr int32_t kRotationTolerance = kRotationOne >> 13;
 
 /// Largest magnitude of a translation, in cells: differences of origins and translations then stay

@@ -1,0 +1,32 @@
+#include "arm.hpp"
+
+#include <math.h>
+
+#include <flashbvh/pose_float.hpp>
+
+#include "joints.hpp"
+#include "palm.fbvh.hpp"
+
+using namespace flashbvh;
+
+namespace {
+
+constexpr Pose kUnmoved = Pose::translated(0, 0, 0);
+
+/// The next link in the frame of the one before. All links share a cell.
+Pose turned(const Joint& joint, float angle) {
+  const float sine = sinf(angle / 2);
+  return pose_of(UnitQuaternion{cosf(angle / 2), joint.axis[0] * sine, joint.axis[1] * sine,
+                                joint.axis[2] * sine},
+                 joint.origin, palm::kCellsPerUnit);
+}
+
+}  // namespace
+
+PlacedArm placed_arm(const float (&angles)[kJointCount]) {
+  PlacedArm arm = {{kUnmoved, kUnmoved, kUnmoved, kUnmoved, kUnmoved, kUnmoved, kUnmoved}};
+  for (int i = 0; i < kJointCount; ++i) {
+    arm.link[i + 1] = Pose::composed(arm.link[i], turned(kJoints[i], angles[i]));
+  }
+  return arm;
+}

@@ -1,0 +1,190 @@
+// Poses from floating point, as kinematics and sensors give them: a matrix or a unit quaternion.
+//
+// Optional, and the only float in the library: firmware that does not include this header links no
+// float code. It calculates with none, either: a float is taken apart by its bits and the rest is
+// integers. So no conversion is out of range, NaN and infinity are told by their bits (whatever
+// -ffast-math assumes), and the pose is the same on every core: without an FPU, with fused
+// multiplication, with subnormals flushed to zero.
+//
+// Where an input is no number or too large, the pose's status says so: `not_a_rotation` for a
+// rotation, `translation_out_of_range` for a translation or for a `cells_per_unit` that is not
+// positive and finite; the latter if both are wrong.
+//
+// Translations are in the mesh's unit: `cells_per_unit` is kCellsPerUnit of the baked header, or 1
+// where they are in cells. Their product is rounded once, to 1/65,536 of a cell.
+#ifndef FLASHBVH_POSE_FLOAT_HPP
+#define FLASHBVH_POSE_FLOAT_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/pose.hpp"
+#include "flashbvh/status.hpp"
+
+namespace flashbvh {
+
+/// How far the squared length of a quaternion may be from 1: 2^-10, in the fixed point of a
+/// rotation. Four decimals pass, and a sensor's 14 bits.
+constexpr int32_t kQuaternionTolerance = kRotationOne >> 10;
+
+/// w is the cosine of half the angle, (x, y, z) the axis times its sine. q and -q turn alike.
+struct UnitQuaternion {
+  float w;
+  float x;
+  float y;
+  float z;
+};
+
+namespace detail {
+
+/// +-digits * 2^exponent, if finite.
+struct FloatParts {
+  uint32_t digits;  ///< below 2^24
+  int32_t exponent;
+  bool is_negative;
+  bool is_finite;
+};
+
+inline FloatParts parts_of(float value) {
+  static_assert(sizeof(float) == sizeof(uint32_t), "a binary32");
+  uint32_t bits = 0;
+  __builtin_memcpy(&bits, &value, sizeof bits);
+  const uint32_t fraction = bits & 0x7FFFFFu;
+  const uint32_t biased = bits >> 23 & 0xFFu;
+  const bool is_subnormal = biased == 0;
+  return {is_subnormal ? fraction : fraction | 0x800000u,
+          static_cast<int32_t>(is_subnormal ? 1 : biased) - 150, bits >> 31 != 0, biased != 0xFFu};
+}
+
+/// Beyond every number that a pose takes.
+constexpr int64_t kTooLarge = int64_t{1} << 46;
+
+/// digits * 2^exponent, rounded to the nearest, halves up; kTooLarge if it is that or more.
+/// `digits` is below 2^48.
+inline int64_t scaled(uint64_t digits, int32_t exponent) {
+  if (exponent < -48 || digits == 0) {
+    return 0;  // below a half
+  }
+  if (exponent < 0) {
+    const uint64_t half = uint64_t{1} << (-exponent - 1);
+    digits = (digits + half) >> -exponent;
+    exponent = 0;
+  }
+  const bool fits = exponent < 46 && digits <= static_cast<uint64_t>(kTooLarge) >> exponent;
+  return fits ? static_cast<int64_t>(digits << exponent) : kTooLarge;
+}
+
+/// In the fixed point of a rotation; INT32_MAX, which no rotation has, for 2 and more and for what
+/// is no number.
+inline int32_t rotation_entry(float value) {
+  const FloatParts parts = parts_of(value);
+  const int64_t size = parts.is_finite ? scaled(parts.digits, parts.exponent + 30) : kTooLarge;
+  if (size > INT32_MAX) {
+    return INT32_MAX;
+  }
+  return static_cast<int32_t>(parts.is_negative ? -size : size);
+}
+
+/// In 1/65,536 of a cell; kTooLarge if out of range.
+inline int64_t cell_fractions(float length, float cells_per_unit) {
+  const FloatParts t = parts_of(length);
+  const FloatParts scale = parts_of(cells_per_unit);
+  if (!t.is_finite || !scale.is_finite || scale.is_negative || scale.digits == 0) {
+    return kTooLarge;
+  }
+  const int64_t size =
+      scaled(static_cast<uint64_t>(t.digits) * scale.digits, t.exponent + scale.exponent + 16);
+  return t.is_negative && size != kTooLarge ? -size : size;
+}
+
+inline Pose rigid(const int32_t (&rotation)[3][3], const float (&translation)[3],
+                  float cells_per_unit) {
+  int32_t cells[3];
+  int16_t fraction[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    const int64_t fractions = cell_fractions(translation[axis], cells_per_unit);
+    const int64_t whole = (fractions + 0x8000) >> 16;  // at most 2^30, which Pose refuses
+    cells[axis] = static_cast<int32_t>(whole);
+    fraction[axis] = static_cast<int16_t>(fractions - whole * 0x10000);
+  }
+  return Pose::rigid(rotation, cells, fraction);
+}
+
+/// The product of two numbers of the fixed point, in it; rounded down.
+inline int64_t rotation_product(int64_t u, int64_t v) {
+  return (u * v) >> 30;
+}
+
+/// The matrix of the quaternion times what makes its length 1; each entry within 2^-27 of that of
+/// the floats given. One division. INT32_MAX in its first entry if it is no unit quaternion.
+inline void set_rotation(const UnitQuaternion& q, int32_t (&rotation)[3][3]) {
+  const int64_t part[4] = {rotation_entry(q.w), rotation_entry(q.x), rotation_entry(q.y),
+                           rotation_entry(q.z)};
+  int64_t square = 0;  // 60 fraction bits
+  bool is_unit = true;
+  for (const int64_t p : part) {
+    is_unit = is_unit && p <= kRotationOne + kQuaternionTolerance &&
+              p >= -kRotationOne - kQuaternionTolerance;
+    square += is_unit ? p * p : 0;
+  }
+  const int64_t off = (square >> 30) - kRotationOne;
+  rotation[0][0] = INT32_MAX;
+  if (!is_unit || off > kQuaternionTolerance || off < -kQuaternionTolerance) {
+    return;
+  }
+  // 2 / |q|^2: an entry is that times a sum of two products, less 1 on the diagonal.
+  const int64_t twice = (int64_t{1} << 61) / (square >> 30);
+  const auto entry = [&](int i, int j, int64_t with_w) {
+    const int64_t value = rotation_product(twice, (part[i] * part[j] + with_w) >> 30);
+    return static_cast<int32_t>(value - (i == j ? kRotationOne : 0));
+  };
+  for (int i = 1; i <= 3; ++i) {
+    const int j = i == 3 ? 1 : i + 1;
+    const int k = i == 1 ? 3 : i - 1;
+    rotation[i - 1][i - 1] = entry(i, i, part[0] * part[0]);
+    rotation[i - 1][j - 1] = entry(i, j, -part[k] * part[0]);
+    rotation[j - 1][i - 1] = entry(i, j, part[k] * part[0]);
+  }
+}
+
+}  // namespace detail
+
+/// B turned and moved: its point p lies at rotation * p + translation in A's frame. `rotation`: row
+/// by row, each entry rounded to 2^-30, halves away from zero; then as Pose::rigid() has it, with
+/// its tolerance and its rounding to 2^-22.
+inline Pose pose_of(const float (&rotation)[3][3], const float (&translation)[3],
+                    float cells_per_unit) {
+  int32_t entries[3][3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      entries[i][j] = detail::rotation_entry(rotation[i][j]);
+    }
+  }
+  return detail::rigid(entries, translation, cells_per_unit);
+}
+
+/// The same from 12 numbers row by row: three of the rotation and one of the translation a row.
+inline Pose pose_of(const float (&matrix)[3][4], float cells_per_unit) {
+  int32_t entries[3][3];
+  float translation[3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      entries[i][j] = detail::rotation_entry(matrix[i][j]);
+    }
+    translation[i] = matrix[i][3];
+  }
+  return detail::rigid(entries, translation, cells_per_unit);
+}
+
+/// The same from a unit quaternion. A squared length further than kQuaternionTolerance from 1 gives
+/// `not_a_rotation`; within it, the quaternion is taken as one of length 1 that was rounded, and
+/// made so.
+inline Pose pose_of(const UnitQuaternion& rotation, const float (&translation)[3],
+                    float cells_per_unit) {
+  int32_t entries[3][3] = {};
+  detail::set_rotation(rotation, entries);
+  return detail::rigid(entries, translation, cells_per_unit);
+}
+
+}  // namespace flashbvh
+
+#endif

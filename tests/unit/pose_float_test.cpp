@@ -1,0 +1,242 @@
+// Poses from floats: their rounding, and what is refused.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include "flashbvh/pose_float.hpp"
+#include "support/rotations.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kLargest = std::numeric_limits<float>::max();
+constexpr float kNoRotation[] = {kNan, -kNan, kInfinity, -kInfinity, kLargest, -kLargest, 2, -2, 5};
+constexpr float kNowhere[] = {kNan,     -kNan,     kInfinity, -kInfinity,
+                              kLargest, -kLargest, 5.4e8f,    -5.4e8f};
+constexpr float kOrigin[3] = {0, 0, 0};
+constexpr UnitQuaternion kUnturned = {1, 0, 0, 0};
+
+struct FloatMatrix {
+  float entry[3][3];
+};
+
+FloatMatrix floats_of(const Rotation& rotation) {
+  FloatMatrix floats{};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      floats.entry[i][j] = static_cast<float>(rotation.entry[i][j]) / kRotationOne;
+    }
+  }
+  return floats;
+}
+
+/// The same numbers in the fixed point, by arithmetic in double, which holds them exactly.
+Rotation fixed_of(const FloatMatrix& floats) {
+  Rotation rotation{};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const double scaled = static_cast<double>(floats.entry[i][j]) * kRotationOne;
+      rotation.entry[i][j] = static_cast<std::int32_t>(std::round(scaled));
+    }
+  }
+  return rotation;
+}
+
+void check_same_rotation(const Pose& p, const Pose& q) {
+  REQUIRE(p.status() == q.status());
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      CHECK(p.rotation(i, j) == q.rotation(i, j));
+    }
+  }
+}
+
+UnitQuaternion scaled(const Quaternion& q, double length) {
+  const double w = q.w, x = q.x, y = q.y, z = q.z;
+  const double scale = length / std::sqrt(w * w + x * x + y * y + z * z);
+  return {static_cast<float>(w * scale), static_cast<float>(x * scale),
+          static_cast<float>(y * scale), static_cast<float>(z * scale)};
+}
+
+/// How far the pose's rotation is from that of the quaternion, with nothing rounded but doubles; in
+/// the fixed point of a rotation.
+double distance(const Pose& pose, const UnitQuaternion& q) {
+  const double w = static_cast<double>(q.w), x = static_cast<double>(q.x);
+  const double y = static_cast<double>(q.y), z = static_cast<double>(q.z);
+  const double square = w * w + x * x + y * y + z * z;
+  const double exact[3][3] = {
+      {w * w + x * x - y * y - z * z, 2 * (x * y - z * w), 2 * (x * z + y * w)},
+      {2 * (x * y + z * w), w * w - x * x + y * y - z * z, 2 * (y * z - x * w)},
+      {2 * (x * z - y * w), 2 * (y * z + x * w), w * w - x * x - y * y + z * z}};
+  double most = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const double off = pose.rotation(i, j) - exact[i][j] / square * kRotationOne;
+      most = std::fabs(off) > most ? std::fabs(off) : most;
+    }
+  }
+  return most;
+}
+
+/// What a pose keeps: half of 2^-22, and the 2^-27 of a quaternion.
+constexpr double kRounding = 128 + 8;
+
+}  // namespace
+
+TEST_CASE("a matrix of floats is the pose of the same numbers in fixed point") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  for (int round = 0; round < 500; ++round) {
+    CAPTURE(round);
+    const FloatMatrix floats = floats_of(rotation_of(any_quaternion(random)));
+    const Pose wanted = Pose::rigid(fixed_of(floats).entry, {7, -8, 9});
+    const Pose pose = pose_of(floats.entry, {7, -8, 9}, 1);
+    REQUIRE(pose.status() == Status::done);
+    check_same_rotation(pose, wanted);
+    float rows[3][4];
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        rows[i][j] = floats.entry[i][j];
+      }
+      rows[i][3] = static_cast<float>(i == 1 ? -8 : 7 + i);
+      CHECK(pose.translation(i) == wanted.translation(i));
+    }
+    const Pose by_rows = pose_of(rows, 1);
+    check_same_rotation(by_rows, wanted);
+    CHECK(by_rows.translation(1) == -8);
+    CHECK(by_rows.translation(2) == 9);
+  }
+}
+
+TEST_CASE("quaternions of the rotations of a cube give their matrices to the last bit") {
+  for (int w = -1; w <= 1; ++w) {
+    for (int i = 0; i < 27; ++i) {
+      const Quaternion q = {w, i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+      if (q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0) {
+        continue;
+      }
+      CAPTURE(q.w, q.x, q.y, q.z);
+      const Pose wanted = Pose::rigid(rotation_of(q).entry, {0, 0, 0});
+      // Parts of a length of 1.7 are no floats; of thirds, the pose's own rounding may go either
+      // way.
+      const int parts = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+      const Pose pose = pose_of(scaled(q, 1), kOrigin, 1);
+      REQUIRE(pose.status() == Status::done);
+      CHECK(distance(pose, scaled(q, 1)) <= kRounding);
+      if (parts != 3) {
+        check_same_rotation(pose, wanted);
+      }
+    }
+  }
+}
+
+TEST_CASE("a quaternion's rounding is normalised away, up to the tolerance") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  for (int round = 0; round < 500; ++round) {
+    CAPTURE(round);
+    const Quaternion q = any_quaternion(random);
+    // Squared, 2^-10 is 9.77e-4.
+    for (const double length : {1.0, 1 + 4.8e-4, 1 - 4.8e-4}) {
+      CAPTURE(length);
+      const UnitQuaternion unit = scaled(q, length);
+      const Pose pose = pose_of(unit, kOrigin, 1);
+      REQUIRE(pose.status() == Status::done);
+      REQUIRE(distance(pose, unit) <= kRounding);
+    }
+    for (const double length : {0.0, 0.5, 1 - 5.0e-4, 1 + 5.0e-4, 2.0, 1e9, 1e30}) {
+      CAPTURE(length);
+      REQUIRE(pose_of(scaled(q, length), kOrigin, 1).status() == Status::not_a_rotation);
+    }
+  }
+}
+
+TEST_CASE("translations are multiplied and rounded once, to 1/65,536 of a cell") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  for (int round = 0; round < 2000; ++round) {
+    // Any size, down to where the product is nothing.
+    const float length = std::ldexp(static_cast<float>(random.between(-16777215, 16777215)),
+                                    random.between(-70, 10));
+    const float scale =
+        std::ldexp(static_cast<float>(random.between(1, 16777215)), random.between(-40, 10));
+    CAPTURE(round, length, scale);
+    const Pose pose = pose_of(kUnturned, {0, length, 0}, scale);
+    // 48 bits at most: exact in double.
+    const double cells = static_cast<double>(length) * static_cast<double>(scale);
+    if (std::fabs(cells) >= kMaxTranslation + 1.0) {
+      REQUIRE(pose.status() == Status::translation_out_of_range);
+    } else if (std::fabs(cells) <= kMaxTranslation) {
+      REQUIRE(pose.status() == Status::done);
+      CHECK(pose.translation(1) * 65536.0 + pose.fraction(1) == std::round(cells * 65536));
+      CHECK(pose.translation(0) == 0);
+      CHECK(pose.fraction(2) == 0);
+    }
+  }
+  const Pose halves = pose_of(kUnturned, {0.5f, -0.5f, 2.5f}, 3);
+  CHECK((halves.translation(0) == 2 && halves.fraction(0) == -32768));
+  CHECK((halves.translation(1) == -1 && halves.fraction(1) == -32768));
+  CHECK((halves.translation(2) == 8 && halves.fraction(2) == -32768));
+}
+
+TEST_CASE("translations up to the last cell are taken, none beyond") {
+  constexpr float most = kMaxTranslation;
+  CHECK(pose_of(kUnturned, {most, -most, 0}, 1).status() == Status::done);
+  CHECK(pose_of(kUnturned, {most / 4, -most / 4, 0}, 4).translation(1) == -kMaxTranslation);
+  const float beyond = std::nextafter(most, kLargest);
+  CHECK(pose_of(kUnturned, {beyond, 0, 0}, 1).status() == Status::translation_out_of_range);
+  CHECK(pose_of(kUnturned, {0, -beyond, 0}, 1).status() == Status::translation_out_of_range);
+  const float tiny = std::numeric_limits<float>::denorm_min();
+  CHECK(pose_of(kUnturned, {tiny, -tiny, 0}, 1).fraction(1) == 0);
+  CHECK(pose_of(kUnturned, {tiny, 1, 0}, tiny).status() == Status::done);
+}
+
+TEST_CASE("what is no number or out of range is a status, wherever it stands") {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float bad : kNowhere) {
+      CAPTURE(axis, bad);
+      float moved[3] = {1, 2, 3};
+      moved[axis] = bad;
+      CHECK(pose_of(kUnturned, moved, 1).status() == Status::translation_out_of_range);
+    }
+    for (int column = 0; column < 3; ++column) {
+      for (const float bad : kNoRotation) {
+        CAPTURE(axis, column, bad);
+        float matrix[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        matrix[axis][column] = bad;
+        CHECK(pose_of(matrix, kOrigin, 1).status() == Status::not_a_rotation);
+        CHECK(pose_of(matrix, {kNan, 0, 0}, 1).status() == Status::translation_out_of_range);
+      }
+    }
+  }
+  for (const float bad : kNoRotation) {
+    CHECK(pose_of(UnitQuaternion{bad, 0, 0, 0}, kOrigin, 1).status() == Status::not_a_rotation);
+    CHECK(pose_of(UnitQuaternion{0, bad, 0, 1}, kOrigin, 1).status() == Status::not_a_rotation);
+    CHECK(pose_of(UnitQuaternion{1, 0, bad, 0}, kOrigin, 1).status() == Status::not_a_rotation);
+    CHECK(pose_of(UnitQuaternion{bad, bad, bad, bad}, kOrigin, 1).status() ==
+          Status::not_a_rotation);
+  }
+  for (const float bad : {0.0f, -0.0f, -1.0f, kNan, kInfinity, -kInfinity}) {
+    CAPTURE(bad);
+    CHECK(pose_of(kUnturned, kOrigin, bad).status() == Status::translation_out_of_range);
+  }
+}
+
+TEST_CASE("matrices that mirror, scale or shear are refused, and an unturned one moves only") {
+  CHECK(pose_of({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, kOrigin, 1).status() == Status::not_a_rotation);
+  CHECK(pose_of({{1, 0, 0}, {0, 1.01f, 0}, {0, 0, 1}}, kOrigin, 1).status() ==
+        Status::not_a_rotation);
+  CHECK(pose_of({{1, 0.01f, 0}, {0, 1, 0}, {0, 0, 1}}, kOrigin, 1).status() ==
+        Status::not_a_rotation);
+  CHECK(pose_of({{1, -0.0f, 0}, {0, 1, 0}, {0, 0, 1}}, kOrigin, 1).is_translation());
+  CHECK(pose_of(kUnturned, kOrigin, 1).is_translation());
+  CHECK(pose_of(UnitQuaternion{-1, 0, 0, 0}, kOrigin, 1).is_translation());
+}
