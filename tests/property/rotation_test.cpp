@@ -120,6 +120,9 @@ TEST_CASE("no box test rejects boxes with a placed vertex of one in the other") 
     const std::int32_t spread = round % 3 == 0 ? 16383 : round % 3 == 1 ? 400 : 12;
     bake::LatticeMesh mesh_b = random_mesh(random, 8, spread, spread);
     const Pose pose = any_rigid_pose(random, spread);
+    if (pose.is_translation()) {
+      continue;
+    }
     const auto root_b = pack({{-16383, -16383, -16383}, {16383, 16383, 16383}});
     RotatedPlacement placement{};
     const std::int32_t nowhere[3] = {0, 0, 0};
@@ -278,10 +281,10 @@ TEST_CASE("moved through contact a cell at a time, a turned mesh is found at eac
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 8);
+  std::size_t most = 0;
   for (int round = 0; round < 6; ++round) {
     auto scene = any_scene<Layout::post_indexed>(random, 12, {8, 8, 0});
     const Rotation rotation = rotation_of(any_quaternion(random));
-    std::size_t most = 0;
     for (std::int32_t x = -60; x <= 60; ++x) {
       CAPTURE(round, x);
       scene.pose = Pose::rigid(rotation.entry, {x, 1, -1});
@@ -292,8 +295,8 @@ TEST_CASE("moved through contact a cell at a time, a turned mesh is found at eac
       REQUIRE((pairs.empty() || std::abs(x) < 60));
       most = std::max(most, pairs.size());
     }
-    CHECK(most > 0);
   }
+  CHECK(most > 3);
 }
 
 TEST_CASE("a mesh against itself, and one inside another without contact") {
