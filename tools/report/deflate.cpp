@@ -1,0 +1,225 @@
+// RFC 1950 (zlib) and RFC 1951 (deflate): LZ77 over a chain of earlier places for each three bytes,
+// then Huffman codes for literals and lengths, and for distances.
+//
+// A library would do, but its next version may write other bytes; a page must not change with it.
+#include "report/deflate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "report/huffman.hpp"
+
+namespace flashbvh::report {
+namespace {
+
+constexpr std::size_t kLeastMatch = 3;
+constexpr std::size_t kMostMatch = 258;
+constexpr std::size_t kWindow = 32768;
+constexpr int kMostTries = 64;
+constexpr unsigned kEnd = 256;
+
+/// A literal byte, or `length` bytes from `distance` before.
+struct Token {
+  std::uint16_t length;  ///< 0: a literal
+  std::uint16_t value;   ///< the literal, or the distance
+};
+
+/// Finds earlier places that begin with the same bytes.
+class Matches {
+ public:
+  explicit Matches(const std::string& bytes)
+      : bytes_(bytes), latest_(1u << kHashBits, kNone), earlier_(bytes.size(), kNone) {}
+
+  /// The longest match at `place`; length 0 if there is none.
+  Token longest(std::size_t place) const {
+    Token best = {0, 0};
+    if (place + kLeastMatch > bytes_.size()) {
+      return best;
+    }
+    std::uint32_t candidate = latest_[hash(place)];
+    for (int tries = 0; tries < kMostTries && candidate != kNone; ++tries) {
+      if (place - candidate >= kWindow) {
+        break;
+      }
+      const std::size_t length = common_length(candidate, place);
+      if (length >= kLeastMatch && length > best.length) {
+        best = {static_cast<std::uint16_t>(length), static_cast<std::uint16_t>(place - candidate)};
+      }
+      candidate = earlier_[candidate];
+    }
+    return best;
+  }
+
+  void add(std::size_t place) {
+    if (place + kLeastMatch <= bytes_.size()) {
+      std::uint32_t& latest = latest_[hash(place)];
+      earlier_[place] = latest;
+      latest = static_cast<std::uint32_t>(place);
+    }
+  }
+
+ private:
+  static constexpr unsigned kHashBits = 15;
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+  std::uint32_t byte(std::size_t place) const { return static_cast<std::uint8_t>(bytes_[place]); }
+  std::size_t hash(std::size_t place) const {
+    const std::uint32_t three = byte(place) | byte(place + 1) << 8 | byte(place + 2) << 16;
+    return (three * 0x9E3779B1u) >> (32 - kHashBits);
+  }
+  std::size_t common_length(std::size_t p, std::size_t q) const {
+    const std::size_t most = std::min(kMostMatch, bytes_.size() - q);
+    std::size_t length = 0;
+    while (length < most && bytes_[p + length] == bytes_[q + length]) {
+      ++length;
+    }
+    return length;
+  }
+
+  const std::string& bytes_;
+  std::vector<std::uint32_t> latest_;   ///< by hash
+  std::vector<std::uint32_t> earlier_;  ///< by place: the one before with the same hash
+};
+
+std::vector<Token> tokens_of(const std::string& bytes) {
+  Matches matches(bytes);
+  std::vector<Token> tokens;
+  for (std::size_t place = 0; place < bytes.size();) {
+    Token token = matches.longest(place);
+    if (token.length == 0) {
+      token.value = static_cast<std::uint8_t>(bytes[place]);
+    }
+    tokens.push_back(token);
+    for (std::size_t end = place + std::max<std::size_t>(token.length, 1); place < end; ++place) {
+      matches.add(place);
+    }
+  }
+  return tokens;
+}
+
+/// A code and the bits that follow it.
+struct Symbol {
+  unsigned code;
+  unsigned extra_bits;
+  unsigned extra;
+};
+
+/// Codes for ever longer ranges: `group` codes for each number of extra bits.
+Symbol symbol_of(unsigned value, unsigned group) {
+  unsigned bits = 0;
+  while ((value >> bits) >= 2 * group) {
+    ++bits;
+  }
+  return {bits * group + (value >> bits), bits, value & ((1u << bits) - 1)};
+}
+
+Symbol length_symbol(unsigned length) {
+  if (length == kMostMatch) {
+    return {285, 0, 0};
+  }
+  Symbol symbol = symbol_of(length - kLeastMatch, 4);
+  symbol.code += kEnd + 1;
+  return symbol;
+}
+
+Symbol distance_symbol(unsigned distance) {
+  return symbol_of(distance - 1, 2);
+}
+
+class BitWriter {
+ public:
+  void write(std::uint32_t value, unsigned bits) {
+    pending_ |= std::uint64_t{value} << count_;
+    for (count_ += bits; count_ >= 8; count_ -= 8) {
+      bytes_ += static_cast<char>(pending_ & 0xFF);
+      pending_ >>= 8;
+    }
+  }
+  void write(const HuffmanCode& code, const Symbol& symbol) {
+    write(code.codes[symbol.code], code.lengths[symbol.code]);
+    write(symbol.extra, symbol.extra_bits);
+  }
+  std::string finish() {
+    write(0, (8 - count_) % 8);
+    return std::move(bytes_);
+  }
+
+ private:
+  std::string bytes_;
+  std::uint64_t pending_ = 0;
+  unsigned count_ = 0;
+};
+
+constexpr std::size_t kLiteralCodes = 286;
+constexpr std::size_t kDistanceCodes = 30;
+
+/// The lengths of both codes, four bits each: the code of these lengths is the plain number.
+void write_lengths(BitWriter& bits, const HuffmanCode& literals, const HuffmanCode& distances) {
+  // The order in which RFC 1951 lists symbols of lengths: 16 to 18, which repeat, are not used.
+  constexpr std::size_t listed = 19;
+  bits.write(kLiteralCodes - 257, 5);
+  bits.write(kDistanceCodes - 1, 5);
+  bits.write(listed - 4, 4);
+  for (std::size_t i = 0; i < listed; ++i) {
+    bits.write(i < 3 ? 0 : 4, 3);
+  }
+  for (const HuffmanCode* const code : {&literals, &distances}) {
+    for (const unsigned length : code->lengths) {
+      unsigned reversed = 0;
+      for (unsigned bit = 0; bit < 4; ++bit) {
+        reversed |= ((length >> bit) & 1) << (3 - bit);
+      }
+      bits.write(reversed, 4);
+    }
+  }
+}
+
+std::string deflated(const std::vector<Token>& tokens) {
+  std::vector<std::uint64_t> literal_counts(kLiteralCodes, 0);
+  std::vector<std::uint64_t> distance_counts(kDistanceCodes, 0);
+  literal_counts[kEnd] = 1;
+  for (const Token& token : tokens) {
+    ++literal_counts[token.length == 0 ? token.value : length_symbol(token.length).code];
+    if (token.length != 0) {
+      ++distance_counts[distance_symbol(token.value).code];
+    }
+  }
+  const HuffmanCode literals = huffman_code(std::move(literal_counts));
+  const HuffmanCode distances = huffman_code(std::move(distance_counts));
+  BitWriter bits;
+  bits.write(1 | 2 << 1, 3);  // the last block, with codes of its own
+  write_lengths(bits, literals, distances);
+  for (const Token& token : tokens) {
+    bits.write(literals, token.length == 0 ? Symbol{token.value, 0, 0} : length_symbol(token.length));
+    if (token.length != 0) {
+      bits.write(distances, distance_symbol(token.value));
+    }
+  }
+  bits.write(literals, {kEnd, 0, 0});
+  return bits.finish();
+}
+
+std::uint32_t adler32(const std::string& bytes) {
+  std::uint32_t a = 1;
+  std::uint32_t b = 0;
+  for (const char c : bytes) {
+    a = (a + static_cast<std::uint8_t>(c)) % 65521;
+    b = (b + a) % 65521;
+  }
+  return b << 16 | a;
+}
+
+}  // namespace
+
+std::string zlib_stream(const std::string& bytes) {
+  std::string stream = "\x78\x01" + deflated(tokens_of(bytes));
+  const std::uint32_t sum = adler32(bytes);
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    stream += static_cast<char>((sum >> shift) & 0xFF);
+  }
+  return stream;
+}
+
+}  // namespace flashbvh::report
