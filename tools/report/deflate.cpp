@@ -14,8 +14,8 @@
 namespace flashbvh::report {
 namespace {
 
-constexpr std::size_t kLeastMatch = 3;
-constexpr std::size_t kMostMatch = 258;
+constexpr unsigned kLeastMatch = 3;
+constexpr unsigned kMostMatch = 258;
 constexpr std::size_t kWindow = 32768;
 constexpr int kMostTries = 64;
 constexpr unsigned kEnd = 256;
@@ -70,7 +70,7 @@ class Matches {
     return (three * 0x9E3779B1u) >> (32 - kHashBits);
   }
   std::size_t common_length(std::size_t p, std::size_t q) const {
-    const std::size_t most = std::min(kMostMatch, bytes_.size() - q);
+    const std::size_t most = std::min<std::size_t>(kMostMatch, bytes_.size() - q);
     std::size_t length = 0;
     while (length < most && bytes_[p + length] == bytes_[q + length]) {
       ++length;
@@ -192,7 +192,8 @@ std::string deflated(const std::vector<Token>& tokens) {
   bits.write(1 | 2 << 1, 3);  // the last block, with codes of its own
   write_lengths(bits, literals, distances);
   for (const Token& token : tokens) {
-    bits.write(literals, token.length == 0 ? Symbol{token.value, 0, 0} : length_symbol(token.length));
+    bits.write(literals,
+               token.length == 0 ? Symbol{token.value, 0, 0} : length_symbol(token.length));
     if (token.length != 0) {
       bits.write(distances, distance_symbol(token.value));
     }

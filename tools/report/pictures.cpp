@@ -1,0 +1,91 @@
+#include "report/pictures.hpp"
+
+#include "report/box_lines.hpp"
+#include "report/html.hpp"
+#include "report/png.hpp"
+
+namespace flashbvh::report {
+namespace {
+
+/// The level that is shown at first: the deepest of few boxes.
+constexpr std::size_t kFewBoxes = 20;
+
+std::size_t first_choice(const std::vector<Level>& levels) {
+  std::size_t choice = 0;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    choice = levels[i].boxes.size() <= kFewBoxes ? i : choice;
+  }
+  return choice;
+}
+
+std::string radio(const Subject& subject, const std::string& value, const std::string& label,
+                  bool checked) {
+  const std::string group = "v" + std::to_string(subject.number);
+  const std::string id = group + "-" + value;
+  return "<input type=radio name=" + group + " id=" + id + " class=\"R R" + value + "\"" +
+         (checked ? " checked" : "") + "><label for=" + id + ">" + label + "</label>\n";
+}
+
+/// What the level shown consists of.
+std::string level_note(const Level& level) {
+  std::size_t leaves = 0;
+  for (const NodeBox& box : level.boxes) {
+    leaves += box.is_leaf ? 1 : 0;
+  }
+  const std::string number = std::to_string(level.depth);
+  return "<span class=\"L L" + number + "\">Level " + number + ": " +
+         counted(level.boxes.size(), "box", "boxes") +
+         (leaves == 0 ? "" : ", " + grouped(leaves) + " of a leaf") + ".</span>\n";
+}
+
+std::string drawing(const Subject& subject, const View& view, const std::vector<Level>& levels) {
+  const std::string side = std::to_string(kDrawingSide);
+  std::string svg = "<figure><svg viewBox=\"0 0 " + side + " " + side +
+                    "\" role=img aria-label=\"" + escaped(subject.name) + ", " + view.name + ": " +
+                    view.caption + ", with the boxes of the level chosen\">\n<image width=" + side +
+                    " height=" + side + " href=\"" +
+                    data_uri(picture_of(subject.triangles, view, subject.box)) + "\"/>\n";
+  for (const Level& level : levels) {
+    svg += box_lines(level, view, subject.box);
+  }
+  return svg + "</svg><figcaption><b>" + view.name + "</b> " + view.caption +
+         "</figcaption></figure>\n";
+}
+
+}  // namespace
+
+std::string pictures(const Subject& subject) {
+  const std::vector<Level> levels = drawn_levels(subject.image.tree(), subject.shape);
+  const std::size_t depths = subject.shape.nodes_by_depth.size();
+  const std::size_t first = first_choice(levels);
+  std::string html =
+      "<fieldset class=look><legend>Boxes of level</legend>\n" + radio(subject, "n", "none", false);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const std::string depth = std::to_string(levels[i].depth);
+    html += radio(subject, depth, depth, i == first);
+  }
+  html += "<p class=note>";
+  for (const Level& level : levels) {
+    html += level_note(level);
+  }
+  html += levels.size() == depths
+              ? ""
+              : "Levels " + std::to_string(levels.size()) + " to " + std::to_string(depths - 1) +
+                    " have too many boxes to be told apart.";
+  html += "</p>\n<div class=views>\n";
+  for (const View& view : views()) {
+    html += drawing(subject, view, levels);
+  }
+  return html + "</div></fieldset>\n";
+}
+
+std::string picture_style() {
+  std::string style = ".L{display:none}\n";
+  for (std::size_t i = 0; i < kMostLevels; ++i) {
+    const std::string depth = std::to_string(i);
+    style += ".R" + depth + ":checked~* .L" + depth + (i + 1 == kMostLevels ? "{" : ",");
+  }
+  return style + "display:inline}\n";
+}
+
+}  // namespace flashbvh::report

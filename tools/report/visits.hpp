@@ -1,0 +1,42 @@
+// What queries cost: visits over a sample of poses, by how close the meshes come.
+#ifndef FLASHBVH_TOOLS_REPORT_VISITS_HPP
+#define FLASHBVH_TOOLS_REPORT_VISITS_HPP
+
+#include <array>
+#include <cstdint>
+
+#include "flashbvh/image_file.hpp"
+
+namespace flashbvh::report {
+
+/// Told by the answer.
+enum Closeness : std::uint8_t {
+  kSeparated,       ///< the boxes of the roots are apart
+  kSmallProximity,  ///< no pair of leaves overlaps
+  kCloseProximity,  ///< no pair of triangles intersects
+  kIntersecting,    ///< some pair does
+  kClosenessCount,
+};
+
+struct Visits {
+  std::uint64_t poses = 0;
+  std::uint64_t sum = 0;
+  std::uint64_t most = 0;
+};
+
+struct VisitSample {
+  std::array<Visits, kClosenessCount> all;  ///< queries that find every pair
+  Visits first;                             ///< intersecting poses again, up to the first pair
+  std::uint64_t poses = 0;                  ///< that were asked about
+  std::uint64_t wanted = 0;  ///< fewer were, if queries are costly or a mesh lies far off
+};
+
+/// Visits of which one sample stops.
+constexpr std::uint64_t kMostVisits = 20'000'000;
+
+/// By the default algorithm of the images' layout. Precondition: both of one kind and cell.
+VisitSample sample_visits(const tool::ImageFile& a, const tool::ImageFile& b, std::size_t poses);
+
+}  // namespace flashbvh::report
+
+#endif
