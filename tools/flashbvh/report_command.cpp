@@ -16,7 +16,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> images;
   std::string page;
-  std::size_t poses = 400;
+  std::size_t poses = 100;
 };
 
 /// A slip of the command line must not cost an image, be it one of those given or another.
@@ -63,8 +63,8 @@ void add_report(CLI::App& app) {
       ->type_name("PAGE.html");
   command
       ->add_option("--poses", arguments->poses,
-                   "Random poses about which each pair of images is asked; 0: no queries")
-      ->check(CLI::Range(0, 1000000))
+                   "Random poses of each class about which a pair of images is asked; 0: none")
+      ->check(CLI::Range(0, 100000))
       ->capture_default_str();
   command->callback([arguments] { write_page(*arguments); });
 }

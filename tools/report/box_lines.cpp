@@ -7,7 +7,6 @@
 namespace flashbvh::report {
 namespace {
 
-constexpr std::uint64_t kMostBoxes = 320;
 /// So many boxes are filled, too: more would hide the mesh.
 constexpr std::size_t kMostFilled = 40;
 constexpr std::size_t kColours = 4;
@@ -58,15 +57,14 @@ bool is_along_axis(const View& view) {
 std::vector<Level> drawn_levels(const tool::AnyTree& any, const TreeShape& shape) {
   std::vector<Level> levels;
   for (std::uint32_t depth = 0; depth < shape.nodes_by_depth.size(); ++depth) {
-    if (shape.nodes_by_depth[depth] > kMostBoxes || levels.size() == kMostLevels) {
-      break;
+    if (shape.nodes_by_depth[depth] <= kMostBoxes && levels.size() < kMostLevels) {
+      levels.push_back({depth, boxes_at(any, depth)});
     }
-    levels.push_back({depth, boxes_at(any, depth)});
   }
   return levels;
 }
 
-std::string box_lines(const Level& level, const View& view, const Box& root) {
+std::string box_lines(const Level& level, std::size_t place, const View& view, const Box& root) {
   constexpr std::int64_t margin = kPictureMargin * kDrawingSide / kPictureSide;
   const Projection projection(view, root, kDrawingSide, margin);
   const bool flat = is_along_axis(view);
@@ -75,7 +73,7 @@ std::string box_lines(const Level& level, const View& view, const Box& root) {
     const Box& box = level.boxes[i].box;
     paths[i % kColours] += flat ? flat_path_of(box, projection) : path_of(box, projection);
   }
-  std::string svg = "<g class=\"L L" + std::to_string(level.depth) +
+  std::string svg = "<g class=\"L L" + std::to_string(place) +
                     (level.boxes.size() <= kMostFilled ? " F" : "") + "\">";
   for (std::size_t i = 0; i < kColours; ++i) {
     if (!paths[i].empty()) {

@@ -16,17 +16,20 @@ struct Level {
   std::vector<NodeBox> boxes;
 };
 
-/// The upper levels, as far as their boxes can still be told apart and the page stays small.
-std::vector<Level> drawn_levels(const tool::AnyTree& any, const TreeShape& shape);
-
+/// Boxes of a level that is drawn, at most: more can't be told apart.
+constexpr std::size_t kMostBoxes = 320;
 /// Levels drawn at most.
-constexpr std::size_t kMostLevels = 12;
+constexpr std::size_t kMostLevels = 24;
+
+/// Those that can be drawn, from the root on.
+std::vector<Level> drawn_levels(const tool::AnyTree& any, const TreeShape& shape);
 
 /// Units of the drawing's side.
 constexpr std::int64_t kDrawingSide = 4800;
 
-/// A group of SVG paths; the style says which level is to be seen. `root`: the mesh's box.
-std::string box_lines(const Level& level, const View& view, const Box& root);
+/// A group of SVG paths; the style shows it by its `place` in the list of levels. `root`: the
+/// mesh's box.
+std::string box_lines(const Level& level, std::size_t place, const View& view, const Box& root);
 
 }  // namespace flashbvh::report
 

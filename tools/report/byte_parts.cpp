@@ -56,7 +56,8 @@ std::string bytes_by_part(const tool::ImageFile& image) {
   const double triangles = header.triangle_count;
   std::vector<std::vector<std::string>> rows;
   const auto add = [&](const std::string& name, const std::string& use, std::uint64_t bytes) {
-    rows.push_back({name, use, grouped(bytes), percent(bytes, header.byte_count),
+    rows.push_back({name + (use.empty() ? "" : "<small>" + use + "</small>"), grouped(bytes),
+                    percent(bytes, header.byte_count),
                     tool::fixed(static_cast<double>(bytes) / triangles, 1)});
   };
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -65,13 +66,8 @@ std::string bytes_by_part(const tool::ImageFile& image) {
   }
   add("the image", "", header.byte_count);
   return "<h3>Bytes</h3>\n" + bar(parts, header.byte_count) +
-         table("Bytes by part",
-               {{"part", false},
-                {"what it holds", false},
-                {"bytes", true},
-                {"share", true},
-                {"per triangle", true}},
-               rows);
+         table("<span class=hide>Bytes by part</span>",
+               {{"part", false}, {"bytes", true}, {"share", true}, {"per triangle", true}}, rows);
 }
 
 }  // namespace flashbvh::report

@@ -75,7 +75,7 @@ std::string depth_table(const TreeShape& shape) {
                rows);
 }
 
-/// A sentence where there is but one number, else a table.
+/// Counts of one kind.
 std::string one_column(const std::string& caption, const char* number, const char* what,
                        const Histogram& histogram, const char* style) {
   const Bins bins = bins_of(histogram, least(histogram));
@@ -91,14 +91,18 @@ std::string one_column(const std::string& caption, const char* number, const cha
 }  // namespace
 
 std::string histograms(const TreeShape& shape) {
-  std::string html =
-      "<h3>Shape of the tree</h3>\n" + depth_table(shape) +
-      one_column("Leaves by size", "triangles", "leaves", shape.leaves_by_size, "leaf");
+  std::string html = "<div class=hist>\n<h3>Shape of the tree</h3>\n" + depth_table(shape);
+  if (shape.leaves_by_size.size() == 2) {
+    html += "<p>Every leaf holds one triangle.</p>\n";
+  } else {
+    html += one_column("Leaves by number of triangles", "triangles", "leaves", shape.leaves_by_size,
+                       "leaf");
+  }
   if (!shape.nodes_by_children.empty()) {
     html += one_column("Nodes by number of children", "children", "nodes", shape.nodes_by_children,
                        "inner");
   }
-  return html;
+  return html + "</div>\n";
 }
 
 }  // namespace flashbvh::report

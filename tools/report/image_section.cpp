@@ -13,9 +13,9 @@ double bytes_per_triangle(const ImageHeader& header) {
   return static_cast<double>(header.byte_count) / header.triangle_count;
 }
 
-/// Lengths come from the file with all their digits; a page shows six.
+/// Lengths come from the file with all their digits.
 std::string length_of(double length) {
-  return tool::significant(length, 6);
+  return tool::significant(length, 4);
 }
 
 std::string fact(const char* name, const std::string& value, const std::string& note = "") {
@@ -51,7 +51,8 @@ std::string rounding(const Subject& subject) {
          fact("cell", length_of(cell), "in the mesh&#39;s unit") +
          fact("largest deviation", length_of(deviation),
               tool::fixed(deviation / cell, 2) + " cells; how far rounding moved a vertex") +
-         fact("size", size_of(subject), "along x, y and z") + "</dl>\n";
+         "<div class=wide><dt>size along x, y and z</dt><dd>" + size_of(subject) +
+         "</dd></div>\n</dl>\n";
 }
 
 std::string warning_list(const Subject& subject) {

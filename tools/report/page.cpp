@@ -23,8 +23,8 @@ std::string title_of(const std::vector<const Subject*>& subjects) {
 }
 
 std::string opening(const std::vector<const Subject*>& subjects) {
-  return "<header>\n<h1>" + title_of(subjects) +
-         "</h1>\n<p class=lead>What <code>flashbvh bake</code> made: the collision geometry with "
+  return "<header>\n<h1>flashbvh report</h1>\n<p class=lead>What <code>flashbvh bake</code> made: "
+         "the collision geometry with "
          "the boxes over it, its bytes, and what queries cost.</p>\n</header>\n<main>\n" +
          (subjects.size() == 1
               ? ""

@@ -12,8 +12,8 @@ constexpr std::size_t kFewBoxes = 20;
 
 std::size_t first_choice(const std::vector<Level>& levels) {
   std::size_t choice = 0;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    choice = levels[i].boxes.size() <= kFewBoxes ? i : choice;
+  while (choice + 1 < levels.size() && levels[choice + 1].boxes.size() <= kFewBoxes) {
+    ++choice;
   }
   return choice;
 }
@@ -26,16 +26,17 @@ std::string radio(const Subject& subject, const std::string& value, const std::s
          (checked ? " checked" : "") + "><label for=" + id + ">" + label + "</label>\n";
 }
 
-/// What the level shown consists of.
-std::string level_note(const Level& level) {
+/// What the level shown consists of. `place`: in the list of levels, which the style counts by.
+std::string level_note(const Level& level, std::size_t place) {
   std::size_t leaves = 0;
   for (const NodeBox& box : level.boxes) {
     leaves += box.is_leaf ? 1 : 0;
   }
-  const std::string number = std::to_string(level.depth);
-  return "<span class=\"L L" + number + "\">Level " + number + ": " +
-         counted(level.boxes.size(), "box", "boxes") +
-         (leaves == 0 ? "" : ", " + grouped(leaves) + " of a leaf") + ".</span>\n";
+  return "<span class=\"L L" + std::to_string(place) + "\">Level " + std::to_string(level.depth) +
+         ": " + counted(level.boxes.size(), "box", "boxes") +
+         (leaves == 0 ? ""
+                      : ", " + grouped(leaves) + (leaves == 1 ? " a leaf" : " of them leaves")) +
+         ". </span>\n";
 }
 
 std::string drawing(const Subject& subject, const View& view, const std::vector<Level>& levels) {
@@ -45,8 +46,8 @@ std::string drawing(const Subject& subject, const View& view, const std::vector<
                     view.caption + ", with the boxes of the level chosen\">\n<image width=" + side +
                     " height=" + side + " href=\"" +
                     data_uri(picture_of(subject.triangles, view, subject.box)) + "\"/>\n";
-  for (const Level& level : levels) {
-    svg += box_lines(level, view, subject.box);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    svg += box_lines(levels[i], i, view, subject.box);
   }
   return svg + "</svg><figcaption><b>" + view.name + "</b> " + view.caption +
          "</figcaption></figure>\n";
@@ -56,22 +57,20 @@ std::string drawing(const Subject& subject, const View& view, const std::vector<
 
 std::string pictures(const Subject& subject) {
   const std::vector<Level> levels = drawn_levels(subject.image.tree(), subject.shape);
-  const std::size_t depths = subject.shape.nodes_by_depth.size();
   const std::size_t first = first_choice(levels);
   std::string html =
       "<fieldset class=look><legend>Boxes of level</legend>\n" + radio(subject, "n", "none", false);
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    const std::string depth = std::to_string(levels[i].depth);
-    html += radio(subject, depth, depth, i == first);
+    html += radio(subject, std::to_string(i), std::to_string(levels[i].depth), i == first);
   }
   html += "<p class=note>";
-  for (const Level& level : levels) {
-    html += level_note(level);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    html += level_note(levels[i], i);
   }
-  html += levels.size() == depths
-              ? ""
-              : "Levels " + std::to_string(levels.size()) + " to " + std::to_string(depths - 1) +
-                    " have too many boxes to be told apart.";
+  if (levels.size() != subject.shape.nodes_by_depth.size()) {
+    html += "Drawn are up to " + std::to_string(kMostLevels) + " levels of up to " +
+            std::to_string(kMostBoxes) + " boxes.";
+  }
   html += "</p>\n<div class=views>\n";
   for (const View& view : views()) {
     html += drawing(subject, view, levels);
@@ -82,8 +81,8 @@ std::string pictures(const Subject& subject) {
 std::string picture_style() {
   std::string style = ".L{display:none}\n";
   for (std::size_t i = 0; i < kMostLevels; ++i) {
-    const std::string depth = std::to_string(i);
-    style += ".R" + depth + ":checked~* .L" + depth + (i + 1 == kMostLevels ? "{" : ",");
+    const std::string place = std::to_string(i);
+    style += ".R" + place + ":checked~* .L" + place + (i + 1 == kMostLevels ? "{" : ",");
   }
   return style + "display:inline}\n";
 }

@@ -50,14 +50,11 @@ std::string title_of(const SubjectPair& pair) {
                                    : a + " and " + escaped(pair.second->name);
 }
 
-/// Why fewer poses were asked about than wanted.
+/// Why there may be fewer poses than wanted.
 std::string shortfall(const VisitSample& sample) {
-  if (sample.poses == sample.wanted) {
-    return "";
-  }
-  return "<p class=note>" + grouped(sample.poses) + " of " + grouped(sample.wanted) +
-         " poses: the rest would take more than " + grouped(kMostVisits) +
-         " visits in all, or turn a mesh about a place too far from its origin.</p>\n";
+  return sample.costly ? "<p class=note>Stopped after " + grouped(kMostVisits) +
+                             " visits in all: there may be fewer poses.</p>\n"
+                       : "";
 }
 
 }  // namespace
@@ -85,7 +82,7 @@ std::string pair_section(const SubjectPair& pair, std::size_t poses) {
       row_of("close proximity", sample.all[kCloseProximity], most),
       row_of("intersecting", sample.all[kIntersecting], most),
       row_of("intersecting, to the first pair", sample.first, most)};
-  return "<div class=pair>\n" +
+  return "<div class=\"pair hist\">\n" +
          table(title_of(pair) + " <small>" + tool::default_algorithm(pair.first->image.layout()) +
                    "</small>",
                {{"class", false},
@@ -101,10 +98,11 @@ std::string query_note(const std::vector<const Subject*>& subjects, std::size_t 
   const std::size_t different = subjects.size() * (subjects.size() - 1) / 2;
   const std::size_t possible = all_pairs(subjects).size();
   std::string html =
-      "<p>Visits, the pairs of boxes that a query tests, over " + grouped(poses) +
-      " poses of each pair: B turned by any rotation, the middle of its box in any direction from "
-      "that of A, at any distance up to the sum of half their diagonals. The same poses each "
-      "time.</p>\n<dl class=terms>\n"
+      "<p>Visits, the pairs of boxes that a query tests, in random poses: B turned by any "
+      "rotation, the middle of its box in any direction from that of A, at any distance up to the "
+      "sum of half their diagonals. Of each class the first " +
+      grouped(poses) + " among " + grouped(kTries * poses) +
+      " such poses, always the same.</p>\n<dl class=terms>\n"
       "<div><dt>separated</dt><dd>the boxes of the two meshes are apart</dd></div>\n"
       "<div><dt>small proximity</dt><dd>boxes overlap, but of no two leaves</dd></div>\n"
       "<div><dt>close proximity</dt><dd>boxes of leaves overlap, but no two triangles "

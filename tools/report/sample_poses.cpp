@@ -6,31 +6,9 @@
 #include <array>
 
 #include "report/square_root.hpp"
-#include "report/view.hpp"
 
 namespace flashbvh::report {
 namespace {
-
-/// The splitmix64 generator (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number
-/// Generators", OOPSLA 2014).
-class Random {
- public:
-  /// From -most to most.
-  std::int64_t within(std::int64_t most) {
-    const auto count = static_cast<std::uint64_t>(2 * most + 1);
-    return static_cast<std::int64_t>(((next() >> 32) * count) >> 32) - most;
-  }
-
- private:
-  std::uint64_t next() {
-    std::uint64_t bits = (state_ += 0x9E3779B97F4A7C15u);
-    bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9u;
-    bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBu;
-    return bits ^ (bits >> 31);
-  }
-
-  std::uint64_t state_ = 1;
-};
 
 constexpr std::int64_t kRadius = 20000;
 
@@ -67,13 +45,24 @@ void set_rotation(const std::array<std::int64_t, 4>& q, Matrix& matrix) {
   }
 }
 
-/// The root's box, in half cells of the mesh's frame.
-struct Place {
-  Vector middle;
-  std::int64_t diagonal;  ///< half of it, in half cells
-};
+}  // namespace
 
-Place place_of(const tool::AnyTree& any) {
+std::int64_t Random::within(std::int64_t most) {
+  const auto count = static_cast<std::uint64_t>(2 * most + 1);
+  return static_cast<std::int64_t>(((next() >> 32) * count) >> 32) - most;
+}
+
+std::uint64_t Random::next() {
+  std::uint64_t bits = (state_ += 0x9E3779B97F4A7C15u);
+  bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9u;
+  bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBu;
+  return bits ^ (bits >> 31);
+}
+
+PoseSampler::PoseSampler(const tool::AnyTree& a, const tool::AnyTree& b)
+    : a_(place_of(a)), b_(place_of(b)) {}
+
+PoseSampler::Place PoseSampler::place_of(const tool::AnyTree& any) {
   return std::visit(
       [](const auto& tree) {
         const Box box = unpack(tree.nodes[0].box);
@@ -91,33 +80,20 @@ Place place_of(const tool::AnyTree& any) {
       any);
 }
 
-Pose sample(Random& random, const Place& a, const Place& b) {
+Pose PoseSampler::next() {
   Matrix rotation;
-  set_rotation(in_ball<4>(random), rotation);
-  const Vector direction = in_ball<3>(random);
-  const std::int64_t reach = a.diagonal + b.diagonal;
-  const std::int64_t distance = (random.within(reach) + reach) / 2;
+  set_rotation(in_ball<4>(random_), rotation);
+  const Vector direction = in_ball<3>(random_);
+  const std::int64_t reach = a_.diagonal + b_.diagonal;
+  const std::int64_t distance = (random_.within(reach) + reach) / 2;
   const std::int64_t length = square_root(dot(direction, direction));
   std::int32_t cells[3];
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Vector row = {rotation[axis][0], rotation[axis][1], rotation[axis][2]};
-    const std::int64_t middle = a.middle[axis] + direction[axis] * distance / length;
-    cells[axis] = static_cast<std::int32_t>((middle - dot(row, b.middle) / kRotationOne) / 2);
+    const std::int64_t middle = a_.middle[axis] + direction[axis] * distance / length;
+    cells[axis] = static_cast<std::int32_t>((middle - dot(row, b_.middle) / kRotationOne) / 2);
   }
   return Pose::rigid(rotation, cells);
-}
-
-}  // namespace
-
-std::vector<Pose> sample_poses(const tool::AnyTree& a, const tool::AnyTree& b, std::size_t count) {
-  Random random;
-  const Place place_a = place_of(a);
-  const Place place_b = place_of(b);
-  std::vector<Pose> poses;
-  for (std::size_t i = 0; i < count; ++i) {
-    poses.push_back(sample(random, place_a, place_b));
-  }
-  return poses;
 }
 
 }  // namespace flashbvh::report

@@ -22,13 +22,13 @@ constexpr const char* kText = R"(*{box-sizing:border-box}
 html{-webkit-text-size-adjust:100%}
 body{margin:0;background:var(--ground);color:var(--text);
 font:16px/1.5 system-ui,-apple-system,"Segoe UI",Roboto,"Noto Sans","DejaVu Sans",sans-serif}
-main,header{max-width:1240px;margin:0 auto;padding:0 clamp(12px,3vw,32px)}
+main,header{max-width:1400px;margin:0 auto;padding:0 clamp(12px,3vw,32px)}
 header{padding-top:clamp(20px,4vw,44px)}main{padding-bottom:48px}
 h1{font-size:clamp(1.5rem,4vw,2.1rem);line-height:1.2;margin:0 0 .3em;letter-spacing:-.01em;
 overflow-wrap:anywhere}
 h2{font-size:1.45rem;line-height:1.25;margin:0 0 .6em;overflow-wrap:anywhere}
 h3{font-size:1.05rem;margin:1.8em 0 .6em}
-.columns>div>h3:first-child{margin-top:.6em}
+.columns h3:first-child{margin-top:.6em}
 p{max-width:70ch;margin:.6em 0}.lead,.note,small{color:var(--soft)}.note,small{font-size:.875rem}
 a{color:var(--accent)}
 section{background:var(--paper);border:1px solid var(--line);border-radius:12px;
@@ -51,8 +51,10 @@ caption{text-align:left;font-weight:600;padding:.3em 0 .4em}
 th,td{padding:4px 14px 4px 0;text-align:left;font-weight:400;border-bottom:1px solid var(--line);
 vertical-align:baseline}
 thead th{color:var(--soft);font-size:.875rem;white-space:nowrap}
+th small{display:block;line-height:1.3;padding-left:1.4em}caption small{font-weight:400}
 .n{text-align:right;white-space:nowrap}th:last-child,td:last-child{padding-right:0}
 tbody tr:last-child>*{border-bottom:0}
+.hist .n,.hist th{width:1%}.hist th:last-child{width:auto}
 .row{display:flex;min-width:96px;height:11px;vertical-align:middle}
 .over{position:relative;display:block}.over span{position:absolute;left:0;bottom:0;height:100%}
 .over .leaf{height:5px;bottom:3px}
@@ -66,7 +68,7 @@ tbody tr:last-child>*{border-bottom:0}
 .columns{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,430px),1fr));gap:0 44px}
 .columns>div{min-width:0}
 .pairs{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,460px),1fr));gap:12px 44px}
-.pair{min-width:0}
+.pair{min-width:0;max-width:820px}.pair tbody th{white-space:nowrap}
 )";
 
 constexpr const char* kPictures = R"(.look{border:0;margin:0;padding:0;min-width:0}

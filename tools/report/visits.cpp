@@ -24,26 +24,38 @@ void add(Visits& visits, std::uint64_t count) {
   visits.most = std::max(visits.most, count);
 }
 
+bool is_full(const VisitSample& sample, std::uint64_t wanted) {
+  return std::all_of(sample.all.begin(), sample.all.end(),
+                     [&](const Visits& visits) { return visits.poses == wanted; });
+}
+
 }  // namespace
 
-VisitSample sample_visits(const tool::ImageFile& a, const tool::ImageFile& b, std::size_t poses) {
+VisitSample sample_visits(const tool::ImageFile& a, const tool::ImageFile& b,
+                          std::uint64_t wanted) {
   const char* const algorithm = tool::default_algorithm(a.layout());
+  PoseSampler sampler(a.tree(), b.tree());
   VisitSample sample;
-  sample.wanted = poses;
   std::uint64_t spent = 0;
-  for (const Pose& pose : sample_poses(a.tree(), b.tree(), poses)) {
+  for (std::uint64_t i = 0; i < kTries * wanted && !is_full(sample, wanted); ++i) {
+    const Pose pose = sampler.next();
     if (pose.status() != Status::done) {
       continue;
     }
-    const tool::Answer answer = tool::collide(a.tree(), b.tree(), pose, algorithm, false);
-    const Closeness closeness = closeness_of(answer.counts);
-    ++sample.poses;
-    add(sample.all[closeness], answer.counts.visits);
-    if (closeness == kIntersecting) {
-      add(sample.first, tool::collide(a.tree(), b.tree(), pose, algorithm, true).counts.visits);
+    // The first pair tells the class; only a pose that is wanted is worth all pairs.
+    tool::WideCounts counts = tool::collide(a.tree(), b.tree(), pose, algorithm, true).counts;
+    const Closeness closeness = closeness_of(counts);
+    spent += counts.visits;
+    if (sample.all[closeness].poses < wanted) {
+      if (closeness == kIntersecting) {
+        add(sample.first, counts.visits);
+        counts = tool::collide(a.tree(), b.tree(), pose, algorithm, false).counts;
+        spent += counts.visits;
+      }
+      add(sample.all[closeness], counts.visits);
     }
-    spent += answer.counts.visits;
     if (spent >= kMostVisits) {
+      sample.costly = true;
       break;
     }
   }

@@ -27,15 +27,17 @@ struct Visits {
 struct VisitSample {
   std::array<Visits, kClosenessCount> all;  ///< queries that find every pair
   Visits first;                             ///< intersecting poses again, up to the first pair
-  std::uint64_t poses = 0;                  ///< that were asked about
-  std::uint64_t wanted = 0;  ///< fewer were, if queries are costly or a mesh lies far off
+  bool costly = false;                      ///< kMostVisits were reached
 };
 
-/// Visits of which one sample stops.
-constexpr std::uint64_t kMostVisits = 20'000'000;
+/// Random poses for each that is wanted of a class.
+constexpr std::uint64_t kTries = 20;
+/// Visits at which one sample stops.
+constexpr std::uint64_t kMostVisits = 50'000'000;
 
-/// By the default algorithm of the images' layout. Precondition: both of one kind and cell.
-VisitSample sample_visits(const tool::ImageFile& a, const tool::ImageFile& b, std::size_t poses);
+/// The first `wanted` poses of each class among kTries * `wanted`. By the default algorithm of the
+/// images' layout. Precondition: both of one kind and cell.
+VisitSample sample_visits(const tool::ImageFile& a, const tool::ImageFile& b, std::uint64_t wanted);
 
 }  // namespace flashbvh::report
 
