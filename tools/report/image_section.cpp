@@ -51,8 +51,7 @@ std::string rounding(const Subject& subject) {
          fact("cell", length_of(cell), "in the mesh&#39;s unit") +
          fact("largest deviation", length_of(deviation),
               tool::fixed(deviation / cell, 2) + " cells; how far rounding moved a vertex") +
-         "<div class=wide><dt>size along x, y and z</dt><dd>" + size_of(subject) +
-         "</dd></div>\n</dl>\n";
+         "</dl>\n<dl class=facts>\n" + fact("size along x, y and z", size_of(subject)) + "</dl>\n";
 }
 
 std::string warning_list(const Subject& subject) {

@@ -15,7 +15,8 @@ constexpr const char* kColours = R"(:root{color-scheme:light dark;
 --ground:#0d1117;--paper:#161b22;--text:#e6edf3;--soft:#a3adb8;--line:#30363d;--accent:#79b8ff;
 --good:#6fd08c;--bad:#f0a45d;--leaf:#58a6ff;--inner:#66788c;
 --p0:#58a6ff;--p1:#f0883e;--p2:#4ac78a;--p3:#c89bf0;--p4:#ff7eb6;--p5:#d9c24a;--p6:#9da5b0;--p7:#e6edf3;
---k0:#58a6ff;--k1:#ff9d5c;--k2:#4ade93;--k3:#e29bff}}
+--k0:#58a6ff;--k1:#ff9d5c;--k2:#4ade93;--k3:#e29bff}
+image{filter:brightness(.62)}}
 )";
 
 constexpr const char* kText = R"(*{box-sizing:border-box}
@@ -50,9 +51,9 @@ table{border-collapse:collapse;width:100%;font-size:.925rem;font-variant-numeric
 caption{text-align:left;font-weight:600;padding:.3em 0 .4em}
 th,td{padding:4px 14px 4px 0;text-align:left;font-weight:400;border-bottom:1px solid var(--line);
 vertical-align:baseline}
-thead th{color:var(--soft);font-size:.875rem;white-space:nowrap}
+thead th{color:var(--soft);font-size:.875rem;vertical-align:bottom}.hist thead th{white-space:nowrap}
 th small{display:block;line-height:1.3;padding-left:1.4em}caption small{font-weight:400}
-.n{text-align:right;white-space:nowrap}th:last-child,td:last-child{padding-right:0}
+.n{text-align:right}td.n{white-space:nowrap}th:last-child,td:last-child{padding-right:0}
 tbody tr:last-child>*{border-bottom:0}
 .hist .n,.hist th{width:1%}.hist th:last-child{width:auto}
 .row{display:flex;min-width:96px;height:11px;vertical-align:middle}
@@ -79,7 +80,9 @@ border:1px solid var(--soft);border-radius:7px;cursor:pointer;font-size:.925rem}
 .R+label:hover{border-color:var(--accent);color:var(--accent)}
 .R:checked+label{background:var(--accent);border-color:var(--accent);color:var(--paper);font-weight:600}
 .R:focus-visible+label{outline:3px solid var(--accent);outline-offset:2px}
-.views{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,240px),1fr));gap:14px;margin:.8em 0 1em}
+.views{display:grid;gap:14px;margin:.8em 0 1em}
+@media (min-width:540px){.views{grid-template-columns:1fr 1fr}}
+@media (min-width:1060px){.views{grid-template-columns:repeat(4,1fr)}}
 figure{margin:0;min-width:0}
 figure svg{display:block;width:100%;height:auto;border:1px solid var(--line);border-radius:8px;
 background:var(--ground)}
