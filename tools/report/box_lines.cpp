@@ -30,8 +30,10 @@ std::string rectangle(const Projected& start, const Projected& u, const Projecte
 /// first, where the corner in front is high x, low y, high z.
 std::string solid(const Projected& start, const Projected& x, const Projected& y,
                   const Projected& z) {
+  // The inner edges run the way of the outline, so that what they enclose stays filled.
   return "M" + numbers(start.x, start.y) + line(y) + line(x) + line(z, true) + line(y, true) +
-         line(x, true) + "z" + line(x) + line(y) + "m" + numbers(-y.x, -y.y) + line(z, true);
+         line(x, true) + "zm" + numbers(x.x + y.x, x.y + y.y) + line(y, true) + line(x, true) +
+         "m" + numbers(x.x, x.y) + line(z, true);
 }
 
 std::string path_of(const Box& box, const Projection& projection) {

@@ -23,15 +23,15 @@ std::string fact(const char* name, const std::string& value, const std::string& 
          (note.empty() ? "" : "<small>" + note + "</small>") + "</dd></div>\n";
 }
 
-std::string key_figures(const ImageHeader& header) {
-  const bool pre = header.layout == static_cast<std::uint8_t>(Layout::pre_indexed);
+std::string key_figures(const Subject& subject) {
+  const ImageHeader& header = subject.image.header();
   return "<dl class=facts>\n" + fact("triangles", grouped(header.triangle_count)) +
          fact("vertices", grouped(header.vertex_count)) +
          fact("nodes", grouped(header.node_count), grouped(header.leaf_count) + " of them leaves") +
          fact("depth", grouped(header.depth), "of the deepest leaf") +
          fact("bytes", grouped(header.byte_count),
               tool::fixed(bytes_per_triangle(header), 1) + " per triangle") +
-         fact("layout", pre ? "pre-indexed" : "post-indexed",
+         fact("layout", tool::layout_name(subject.image.layout()),
               std::to_string(header.index_bits) + "-bit indices") +
          "</dl>\n";
 }
@@ -72,10 +72,9 @@ std::string warning_list(const Subject& subject) {
 
 std::string image_section(const Subject& subject) {
   return "<section id=m" + std::to_string(subject.number) + ">\n<h2>" + escaped(subject.name) +
-         "</h2>\n" + key_figures(subject.image.header()) + pictures(subject) +
-         "<div class=columns>\n<div>\n" + bytes_by_part(subject.image) + rounding(subject) +
-         warning_list(subject) + "</div>\n<div>\n" + histograms(subject.shape) +
-         "</div>\n</div>\n</section>\n";
+         "</h2>\n" + key_figures(subject) + pictures(subject) + "<div class=columns>\n<div>\n" +
+         bytes_by_part(subject.image) + rounding(subject) + warning_list(subject) +
+         "</div>\n<div>\n" + histograms(subject.shape) + "</div>\n</div>\n</section>\n";
 }
 
 std::string summary(const std::vector<const Subject*>& subjects) {

@@ -14,6 +14,7 @@ constexpr std::int64_t kSamples = 2;  ///< a pixel's side
 constexpr std::int64_t kGrid = kPictureSide * kSamples;
 constexpr std::int64_t kFine = 16;  ///< steps between two samples
 constexpr std::size_t kShades = 20;
+constexpr std::uint32_t kLineShade = kShades / 4;  ///< thin lines of light grey would get lost
 constexpr std::size_t kCoverages = kSamples * kSamples;
 
 struct Sample {
@@ -44,7 +45,7 @@ class Canvas {
     const std::int64_t area = edge(corner[0], corner[1], corner[2].x, corner[2].y);
     if (area == 0) {
       for (std::size_t i = 0; i < 3; ++i) {
-        draw_line(corner[i], corner[(i + 1) % 3], shade);
+        draw_line(corner[i], corner[(i + 1) % 3], std::min(shade, kLineShade));
       }
     } else if (area < 0) {
       fill({corner[0], corner[2], corner[1]}, -area, shade);
