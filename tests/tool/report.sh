@@ -54,7 +54,7 @@ if grep -q 'small proximity' page.html; then
   fail "queries with --poses 0"
 fi
 leaves=$("$FLASHBVH" info baked/ring.fbvh --json | sed 's/.*"leaves":\([0-9]*\).*/\1/')
-holds page.html "$leaves of them leaves"
+holds page.html "$leaves leaves"
 # Four bars, whose leaves add up.
 sed -n '/Leaves by number/,/<\/table>/p' page.html |
   sed -n 's/.*<th scope=row class=n>\([0-9]*\)<\/th><td class=n>\([0-9]*\)<.*/\1 \2/p' |

@@ -27,7 +27,7 @@ std::string key_figures(const Subject& subject) {
   const ImageHeader& header = subject.image.header();
   return "<dl class=facts>\n" + fact("triangles", grouped(header.triangle_count)) +
          fact("vertices", grouped(header.vertex_count)) +
-         fact("nodes", grouped(header.node_count), grouped(header.leaf_count) + " of them leaves") +
+         fact("nodes", grouped(header.node_count), counted(header.leaf_count, "leaf", "leaves")) +
          fact("depth", grouped(header.depth), "of the deepest leaf") +
          fact("bytes", grouped(header.byte_count),
               tool::fixed(bytes_per_triangle(header), 1) + " per triangle") +

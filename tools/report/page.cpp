@@ -1,5 +1,7 @@
 #include "report/page.hpp"
 
+#include <algorithm>
+
 #include "report/html.hpp"
 #include "report/image_section.hpp"
 #include "report/query_section.hpp"
@@ -50,10 +52,9 @@ std::string queries(const std::vector<const Subject*>& subjects, std::size_t pos
 
 std::string page_of(const std::vector<std::unique_ptr<tool::ImageFile>>& images, std::size_t poses,
                     const Step& step) {
-  std::vector<std::string> paths;
-  for (const auto& image : images) {
-    paths.push_back(image->path());
-  }
+  std::vector<std::string> paths(images.size());
+  std::transform(images.begin(), images.end(), paths.begin(),
+                 [](const auto& image) { return image->path(); });
   const std::vector<std::string> names = unique_names(paths);
   std::vector<std::unique_ptr<Subject>> owned;
   std::vector<const Subject*> subjects;

@@ -82,9 +82,9 @@ std::string picture_style() {
   std::string style = ".L{display:none}\n";
   for (std::size_t i = 0; i < kMostLevels; ++i) {
     const std::string place = std::to_string(i);
-    style += ".R" + place + ":checked~* .L" + place + (i + 1 == kMostLevels ? "{" : ",");
+    style.append(i == 0 ? ".R" : ",.R").append(place).append(":checked~* .L").append(place);
   }
-  return style + "display:inline}\n";
+  return style + "{display:inline}\n";
 }
 
 }  // namespace flashbvh::report

@@ -60,10 +60,9 @@ std::string shortfall(const VisitSample& sample) {
 }  // namespace
 
 std::vector<SubjectPair> asked_pairs(const std::vector<const Subject*>& subjects) {
-  std::vector<SubjectPair> pairs;
-  for (const Subject* const subject : subjects) {
-    pairs.emplace_back(subject, subject);
-  }
+  std::vector<SubjectPair> pairs(subjects.size());
+  std::transform(subjects.begin(), subjects.end(), pairs.begin(),
+                 [](const Subject* subject) { return SubjectPair(subject, subject); });
   const std::vector<SubjectPair> different = all_pairs(subjects);
   const auto count = static_cast<std::ptrdiff_t>(std::min(different.size(), kMostPairs));
   pairs.insert(pairs.end(), different.begin(), different.begin() + count);

@@ -14,7 +14,7 @@ constexpr std::int64_t kSamples = 2;  ///< a pixel's side
 constexpr std::int64_t kGrid = kPictureSide * kSamples;
 constexpr std::int64_t kFine = 16;  ///< steps between two samples
 constexpr std::size_t kShades = 20;
-constexpr std::uint32_t kLineShade = kShades / 4;  ///< thin lines of light grey would get lost
+constexpr std::uint32_t kLineShade = kShades / 2;  ///< seen on white and on black
 constexpr std::size_t kCoverages = kSamples * kSamples;
 
 struct Sample {
@@ -45,7 +45,7 @@ class Canvas {
     const std::int64_t area = edge(corner[0], corner[1], corner[2].x, corner[2].y);
     if (area == 0) {
       for (std::size_t i = 0; i < 3; ++i) {
-        draw_line(corner[i], corner[(i + 1) % 3], std::min(shade, kLineShade));
+        draw_line(corner[i], corner[(i + 1) % 3]);
       }
     } else if (area < 0) {
       fill({corner[0], corner[2], corner[1]}, -area, shade);
@@ -91,14 +91,20 @@ class Canvas {
     }
   }
 
-  void draw_line(const Projected& p, const Projected& q, std::uint32_t shade) {
+  /// A pixel wide.
+  void draw_line(const Projected& p, const Projected& q) {
     const std::int64_t steps =
         std::max({std::abs(q.x - p.x) / kFine, std::abs(q.y - p.y) / kFine, std::int64_t{1}});
     for (std::int64_t i = 0; i <= steps; ++i) {
       const std::int64_t x = p.x + (q.x - p.x) * i / steps;
       const std::int64_t y = p.y + (q.y - p.y) * i / steps;
-      put(span_of(x, x).first, span_of(y, y).first, p.depth + (q.depth - p.depth) * i / steps,
-          shade);
+      const Span columns = span_of(x, x + kFine);
+      const Span rows = span_of(y, y + kFine);
+      for (const std::int64_t row : {rows.first, rows.last}) {
+        for (const std::int64_t column : {columns.first, columns.last}) {
+          put(column, row, p.depth + (q.depth - p.depth) * i / steps, kLineShade);
+        }
+      }
     }
   }
 

@@ -69,7 +69,9 @@ tbody tr:last-child>*{border-bottom:0}
 .columns{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,430px),1fr));gap:0 44px}
 .columns>div{min-width:0}
 .pairs{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,460px),1fr));gap:12px 44px}
-.pair{min-width:0;max-width:820px}.pair tbody th{white-space:nowrap}
+.pair{min-width:0;max-width:820px}
+@media (min-width:540px){.pair tbody th{white-space:nowrap}}
+@media (max-width:539px){.row{min-width:36px}th,td{padding-right:10px}}
 )";
 
 constexpr const char* kPictures = R"(.look{border:0;margin:0;padding:0;min-width:0}
