@@ -50,11 +50,21 @@ std::string title_of(const SubjectPair& pair) {
                                    : a + " and " + escaped(pair.second->name);
 }
 
+std::string note(const std::string& text) {
+  return "<p class=note>" + text + "</p>\n";
+}
+
 /// Why there may be fewer poses than wanted.
 std::string shortfall(const VisitSample& sample) {
-  return sample.costly ? "<p class=note>Stopped after " + grouped(kMostVisits) +
-                             " visits in all: there may be fewer poses.</p>\n"
-                       : "";
+  if (sample.costly) {
+    return note("Stopped after " + grouped(kMostVisits) +
+                " visits in all: there may be fewer poses.");
+  }
+  return sample.out_of_range == 0
+             ? ""
+             : note(counted(sample.out_of_range, "pose", "poses") +
+                    " passed over: a mesh lies so far from its origin that turning it about its "
+                    "middle takes a translation out of range.");
 }
 
 }  // namespace
@@ -109,12 +119,12 @@ std::string query_note(const std::vector<const Subject*>& subjects, std::size_t 
       "<div><dt>intersecting</dt><dd>triangles meet: up to the last pair of them, or to the "
       "first</dd></div>\n</dl>\n";
   if (possible < different) {
-    html += "<p class=note>" + counted(different - possible, "pair", "pairs") +
-            " can&#39;t meet: baked with another cell, layout or index width.</p>\n";
+    html += note(counted(different - possible, "pair", "pairs") +
+                 " can&#39;t meet: baked with another cell, layout or index width.");
   }
   if (possible > kMostPairs) {
-    html += "<p class=note>Of " + grouped(possible) + " pairs of different meshes, the first " +
-            grouped(kMostPairs) + ".</p>\n";
+    html += note("Of " + grouped(possible) + " pairs of different meshes, the first " +
+                 grouped(kMostPairs) + ".");
   }
   return html;
 }

@@ -87,10 +87,14 @@ Pose PoseSampler::next() {
   const std::int64_t reach = a_.diagonal + b_.diagonal;
   const std::int64_t distance = (random_.within(reach) + reach) / 2;
   const std::int64_t length = square_root(dot(direction, direction));
+  // What a pose keeps of the rotation: far from the origin, the rest would count.
+  const Pose turned = Pose::rigid(rotation, {0, 0, 0});
   std::int32_t cells[3];
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Vector row = {rotation[axis][0], rotation[axis][1], rotation[axis][2]};
-    const std::int64_t middle = a_.middle[axis] + direction[axis] * distance / length;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector row = {turned.rotation(axis, 0), turned.rotation(axis, 1),
+                        turned.rotation(axis, 2)};
+    const auto i = static_cast<std::size_t>(axis);
+    const std::int64_t middle = a_.middle[i] + direction[i] * distance / length;
     cells[axis] = static_cast<std::int32_t>((middle - dot(row, b_.middle) / kRotationOne) / 2);
   }
   return Pose::rigid(rotation, cells);

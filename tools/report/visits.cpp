@@ -40,6 +40,7 @@ VisitSample sample_visits(const tool::ImageFile& a, const tool::ImageFile& b,
   for (std::uint64_t i = 0; i < kTries * wanted && !is_full(sample, wanted); ++i) {
     const Pose pose = sampler.next();
     if (pose.status() != Status::done) {
+      ++sample.out_of_range;
       continue;
     }
     // The first pair tells the class; only a pose that is wanted is worth all pairs.

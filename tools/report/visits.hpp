@@ -27,7 +27,8 @@ struct Visits {
 struct VisitSample {
   std::array<Visits, kClosenessCount> all;  ///< queries that find every pair
   Visits first;                             ///< intersecting poses again, up to the first pair
-  bool costly = false;                      ///< kMostVisits were reached
+  std::uint64_t out_of_range = 0;  ///< poses that can't be: a mesh lies too far from its origin
+  bool costly = false;             ///< kMostVisits were reached
 };
 
 /// Random poses for each that is wanted of a class.
