@@ -47,7 +47,7 @@ mkdir -p taken/ring.fbvh.cpp
 refused "ring.fbvh.cpp: is a folder" bake meshes/ring.stl -o taken
 [ "$(ls taken)" = ring.fbvh.cpp ] || fail "left over: $(ls taken)"
 
-for command in "" bake info check export collide; do
+for command in "" bake info check export report collide; do
   # shellcheck disable=SC2086
   "$FLASHBVH" $command --help | grep -q Usage || fail "no help for '$command'"
 done

@@ -14,6 +14,7 @@ void add_bake(CLI::App& app);
 void add_info(CLI::App& app);
 void add_check(CLI::App& app, ExitCode& exit_code);
 void add_export(CLI::App& app);
+void add_report(CLI::App& app);
 void add_collide(CLI::App& app);
 void add_bench(CLI::App& app, ExitCode& exit_code);
 

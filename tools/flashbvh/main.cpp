@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
   add_info(app);
   add_check(app, exit_code);
   add_export(app);
+  add_report(app);
   add_collide(app);
   add_bench(app, exit_code);
   if (argc < 2) {

@@ -57,6 +57,10 @@ std::string fixed(double value, int digits) {
   return to_text(value, std::chars_format::fixed, digits);
 }
 
+std::string significant(double value, int digits) {
+  return to_text(value, std::chars_format::general, digits);
+}
+
 std::optional<double> parse_number(std::string_view text) {
   const std::optional<double> value = parse<double>(text);
   return value && std::isfinite(*value) ? value : std::nullopt;

@@ -20,6 +20,9 @@ std::string float_literal(double value);
 /// With `digits` digits behind the point, for tables.
 std::string fixed(double value, int digits);
 
+/// With at most `digits` digits that count, for tables.
+std::string significant(double value, int digits);
+
 /// The whole of `text` as a finite number (decimal, an optional sign, an optional exponent).
 std::optional<double> parse_number(std::string_view text);
 

@@ -1,0 +1,57 @@
+#!/bin/sh
+# A browser shows the page, light and dark, wide and narrow. Needs Debian's chromium; without it the
+# test counts as skipped.
+. "$SOURCES/common.sh"
+
+skip() {
+  echo "SKIPPED: $*"
+  exit 77
+}
+
+browse() {
+  timeout 60 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars \
+    --disable-dev-shm-usage --user-data-dir="$WORK/profile" "$@" 2>browser_log
+}
+
+command -v chromium >/dev/null || skip "no chromium; apt-get install chromium"
+echo '<p>hello' >hello.html
+browse --dump-dom "file://$PWD/hello.html" | grep -q '<p>hello' || skip "chromium does not start here"
+
+"$FLASHBVH" bake meshes/ring.stl meshes/tetrahedron.stl -o baked --format image >/dev/null
+"$FLASHBVH" report baked/ring.fbvh baked/tetrahedron.fbvh -o page.html --poses 4
+
+# Scripts see what the style does: the level chosen is shown and no other, pictures can be drawn, the
+# page is not wider than its window.
+sed '$d' page.html | sed '$d' >probe.html
+cat >>probe.html <<'HTML'
+<script>
+const shown = () => [...document.querySelectorAll('#m0 g.L')]
+  .filter(g => getComputedStyle(g).display != 'none').map(g => g.classList[1]).join();
+const first = shown();
+document.getElementById('v0-1').click();
+const second = shown();
+document.getElementById('v0-n').click();
+const last = shown();
+const wide = document.documentElement.scrollWidth - innerWidth;
+const colours = getComputedStyle(document.body).backgroundColor;
+const canvas = document.createElement('canvas').getContext('2d');
+const drawn = picture => {
+  canvas.clearRect(0, 0, 300, 150);
+  canvas.drawImage(picture, 0, 0, 150, 150);
+  return canvas.getImageData(0, 0, 150, 150).data.filter((part, i) => i % 4 == 3 && part != 0).length > 500;
+};
+onload = () => {
+  const pictures = [...document.querySelectorAll('image')].filter(drawn).length;
+  document.body.innerHTML = `<p>${first} ${second} ${last} ${wide} ${colours} ${pictures}</p>`;
+};
+</script></body></html>
+HTML
+for window in 500,900 1400,900; do
+  for scheme in 1,246,247,249 0,13,17,23; do
+    colour=$(echo "${scheme#*,}" | sed 's/,/, /g')
+    browse --blink-settings=preferredColorScheme="${scheme%%,*}" --window-size=$window \
+      --virtual-time-budget=5000 --dump-dom "file://$PWD/probe.html" >dom || fail "$(cat browser_log)"
+    wanted="<p>L2,L2,L2,L2 L1,L1,L1,L1  0 rgb($colour) 8</p>"
+    grep -qF "$wanted" dom || fail "not $wanted but $(grep -o '<p>.*' dom | head -c 300)"
+  done
+done

@@ -1,0 +1,76 @@
+// PNG (Portable Network Graphics, ISO/IEC 15948), colour type 3: a palette, with a table of its
+// colours' opacities.
+#include "report/png.hpp"
+
+#include <algorithm>
+
+#include "flashbvh/image.hpp"
+#include "report/deflate.hpp"
+
+namespace flashbvh::report {
+namespace {
+
+std::string big_endian(std::uint32_t value) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    bytes += static_cast<char>((value >> shift) & 0xFF);
+  }
+  return bytes;
+}
+
+std::string chunk(const std::string& name, const std::string& data) {
+  const std::string body = name + data;
+  return big_endian(static_cast<std::uint32_t>(data.size())) + body +
+         big_endian(crc32(body.data(), body.size()));
+}
+
+/// Each row behind the byte that says "not filtered".
+std::string rows_of(const Picture& picture) {
+  std::string rows;
+  rows.reserve(picture.pixels.size() + picture.height);
+  for (std::uint32_t y = 0; y < picture.height; ++y) {
+    rows += '\0';
+    rows.append(picture.pixels, std::size_t{y} * picture.width, picture.width);
+  }
+  return rows;
+}
+
+std::string base64(const std::string& bytes) {
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      three = three << 8 | (i + j < bytes.size() ? static_cast<std::uint8_t>(bytes[i + j]) : 0u);
+    }
+    const std::size_t given = std::min<std::size_t>(3, bytes.size() - i);
+    for (std::size_t j = 0; j < 4; ++j) {
+      text += j <= given ? digits[(three >> (18 - 6 * j)) & 63] : '=';
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string png_of(const Picture& picture) {
+  std::string colours;
+  std::string opacities;
+  for (const Colour& colour : picture.palette) {
+    for (const std::uint8_t part : {colour.red, colour.green, colour.blue}) {
+      colours += static_cast<char>(part);
+    }
+    opacities += static_cast<char>(colour.alpha);
+  }
+  const std::string kind("\x08\x03\0\0\0", 5);  // 8 bits, palette, nothing interlaced
+  return "\x89PNG\r\n\x1A\n" +
+         chunk("IHDR", big_endian(picture.width) + big_endian(picture.height) + kind) +
+         chunk("PLTE", colours) + chunk("tRNS", opacities) +
+         chunk("IDAT", zlib_stream(rows_of(picture))) + chunk("IEND", "");
+}
+
+std::string data_uri(const Picture& picture) {
+  return "data:image/png;base64," + base64(png_of(picture));
+}
+
+}  // namespace flashbvh::report
