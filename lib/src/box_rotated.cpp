@@ -6,6 +6,9 @@
 #if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_TURN_DSP 1
 #include "box_rotated_dsp.hpp"
+#elif defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_TURN_SSE2 1
+#include "box_rotated_sse2.hpp"
 #endif
 
 namespace flashbvh {
@@ -20,6 +23,7 @@ inline uint32_t compare(const PackedBox& a, const PackedBox& b) {
 }
 
 #if !defined(FLASHBVH_TURN_DSP)
+#if !defined(FLASHBVH_TURN_SSE2)
 
 /// Whole cells of a bound, biased: 0 stands for all below the lattice, 32,767 for its end and all
 /// above, which is the same against any box on it.
@@ -41,19 +45,26 @@ inline uint32_t lower_bound(const SplitRow& row, int32_t start, const PackedBox&
                            row.z, box.z));
 }
 
+/// The bounds of a turned box on the other lattice.
+inline PackedBox turned(const SplitMatrix& matrix, const BoundStart* starts, const PackedBox& box) {
+  const auto upper = [&](int i) { return upper_bound(matrix.row[i], starts[i].upper, box); };
+  const auto lower = [&](int i) { return lower_bound(matrix.row[i], starts[i].lower, box); };
+  return {join_halves(upper(0), upper(1)), join_halves(lower(0), lower(1)),
+          join_halves(upper(2), lower(2))};
+}
+
+#endif
+
 /// Turns `box` and keeps it; 0 if it overlaps `other`.
-FLASHBVH_NOINLINE uint32_t turn_and_compare(TurnedBox& turned, const PackedBox& box,
+FLASHBVH_NOINLINE uint32_t turn_and_compare(TurnedBox& kept, const PackedBox& box,
                                             const PackedBox& other) {
-  const auto upper = [&](int i) {
-    return upper_bound(turned.matrix->row[i], turned.starts[i].upper, box);
-  };
-  const auto lower = [&](int i) {
-    return lower_bound(turned.matrix->row[i], turned.starts[i].lower, box);
-  };
-  turned.bounds = {join_halves(upper(0), upper(1)), join_halves(lower(0), lower(1)),
-                   join_halves(upper(2), lower(2))};
-  turned.source = &box;
-  return compare(turned.bounds, other);
+#if defined(FLASHBVH_TURN_SSE2)
+  kept.bounds = turned_sse2(*kept.matrix, kept.starts, box);
+#else
+  kept.bounds = turned(*kept.matrix, kept.starts, box);
+#endif
+  kept.source = &box;
+  return compare(kept.bounds, other);
 }
 
 #endif
