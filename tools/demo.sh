@@ -94,6 +94,25 @@ host_results >$demo/host
 status=0
 awk -v host=$demo/host -f tools/demo_table.awk $demo/target || status=1
 
+step "6. The same arm with four triangles in a leaf: less flash"
+$flashbvh bake $meshes -o $demo/compact --leaf-size 4
+$flashbvh bake $meshes -o $demo/compact/pre --leaf-size 4 --layout pre --format image >$demo/log
+cp $demo/kr5/joints.hpp $demo/compact/
+quietly cmake --preset $board -DFLASHBVH_ROBOT_ARM="$PWD/$demo/compact"
+quietly cmake --build --preset $board --target robot_arm
+FLASHBVH_ICOUNT=8 ports/run mps2-an386 build/$board/bin/robot_arm.elf >$demo/target_compact
+# A configuration's results by `ranked`: the same triangles, and at most 1.3 times the instructions.
+awk '
+  $1 != "result" || $5 != "ranked" { next }
+  FNR == NR { found[$2 " " $3 " " $4] = $9; usual += $11; next }
+  { if (found[$2 " " $3 " " $4] != $9) differs = 1; compact += $11 }
+  END {
+    printf "All questions, by ranked: %d instructions, %.2f times those of one triangle a leaf.\n",
+      compact, compact / usual
+    if (differs) print "The two trees found different triangles: DIFFERS"
+    exit differs || compact > 1.3 * usual
+  }' $demo/target $demo/target_compact || status=1
+
 step "What happened"
 if [ $status -eq 0 ]; then
   cat <<TEXT

@@ -47,27 +47,40 @@ Cost cost_of(const PostTree& a, const PostTree& b, std::int32_t reach) {
   return cost;
 }
 
+/// The compact form of the documents: four triangles in a leaf.
+constexpr std::uint32_t kCompact = 4;
+constexpr double kMostBytes = 20;
+constexpr double kMostInstructions = 1.3;
+
+/// All of an image but the levels, which only the paper's alternating rule needs.
+double bytes_per_triangle(const Baked& baked) {
+  const std::uint64_t levels = 2 * sizeof(std::uint16_t) * baked.nodes.size();
+  return static_cast<double>(bake::image_size(baked) - levels) /
+         static_cast<double>(baked.triangles.size());
+}
+
 }  // namespace
 
-TEST_CASE("several triangles in a leaf") {
+TEST_CASE("a leaf of four keeps within the compact form's budget") {
   const bake::LatticeMesh mesh_a = test::torus(20, 20, 6000, 2000);
   const bake::LatticeMesh mesh_b = test::torus(40, 10, 7000, 800);
-  for (const std::uint32_t leaf_size : {1u, 2u, 3u, 4u, 6u, 8u}) {
-    for (const std::uint32_t arity : {2u, 4u}) {
-      const Baked a = baked(mesh_a, leaf_size, arity);
-      const Baked b = baked(mesh_b, leaf_size, arity);
-      const auto bytes = bake::image_size(a) - 4 * a.nodes.size();
-      std::printf("leaf %u arity %u: %5.2f bytes/triangle", static_cast<unsigned>(leaf_size),
-                  static_cast<unsigned>(arity),
-                  static_cast<double>(bytes) / static_cast<double>(mesh_a.triangles.size()));
-      for (const std::int32_t reach : {6000, 12000}) {
-        const Cost cost = cost_of(a.view(), b.view(), reach);
-        std::printf("  | %9u instructions %6u visits %6u leaf pairs %6u pairs",
-                    static_cast<unsigned>(cost.instructions), static_cast<unsigned>(cost.visits),
-                    static_cast<unsigned>(cost.leaf_pairs), static_cast<unsigned>(cost.pairs));
-      }
-      std::printf("\n");
-      std::fflush(stdout);
+  std::uint32_t usual = 0;
+  constexpr std::uint32_t kLeafSizes[] = {1, 2, kCompact, 8};
+  for (const std::uint32_t leaf_size : kLeafSizes) {
+    const Baked a = baked(mesh_a, leaf_size, bake::kDefaultArity);
+    const Baked b = baked(mesh_b, leaf_size, bake::kDefaultArity);
+    const Cost cost = cost_of(a.view(), b.view(), 9000);
+    usual = leaf_size == 1 ? cost.instructions : usual;
+    const double bytes = bytes_per_triangle(a);
+    const double part = static_cast<double>(cost.instructions) / usual;
+    std::printf(
+        "budget: leaf size %u: %5.2f bytes a triangle, %8u visits, %4.2f of the "
+        "instructions of leaf size 1\n",
+        static_cast<unsigned>(leaf_size), bytes, static_cast<unsigned>(cost.visits), part);
+    std::fflush(stdout);
+    if (leaf_size == kCompact) {
+      CHECK(bytes <= kMostBytes);
+      CHECK(part <= kMostInstructions);
     }
   }
 }
