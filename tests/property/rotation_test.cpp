@@ -328,6 +328,44 @@ TEST_CASE("a mesh against itself, and one inside another without contact") {
   }
 }
 
+TEST_CASE("a mesh that reaches another with its farthest tip alone is found") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 10);
+  const auto bake_it = [](const bake::LatticeMesh& mesh) {
+    return bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh, 1), mesh);
+  };
+  int reached = 0;
+  for (int round = 0; round < 2000; ++round) {
+    CAPTURE(round);
+    // A needle along an axis or a diagonal, its tip at the end of the lattice.
+    const auto end = [&random] { return static_cast<std::int16_t>(random.below(2) * 16383); };
+    const Vertex tip = {16383, end(), end()};
+    Scene<Layout::post_indexed> scene{{}, {}, {}, {}, any_rigid_pose(random, 47000)};
+    scene.mesh_b.vertices = {{0, 0, 0}, {0, 1, 1}, tip};
+    scene.mesh_b.triangles = {{0, 1, 2}};
+    // A is the point where the tip is placed, if it has one there.
+    std::int32_t at[3];
+    bool on_lattice = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      at[axis] = placed_coordinate(scene.mesh_b, tip, scene.pose, axis);
+      on_lattice = on_lattice && std::abs(at[axis]) <= 16383;
+    }
+    if (!on_lattice) {
+      continue;
+    }
+    ++reached;
+    scene.mesh_a.vertices = {{static_cast<std::int16_t>(at[0]), static_cast<std::int16_t>(at[1]),
+                              static_cast<std::int16_t>(at[2])}};
+    scene.mesh_a.triangles = {{0, 0, 0}};
+    scene.a = bake_it(scene.mesh_a);
+    scene.b = bake_it(scene.mesh_b);
+    AnyQuery<Ranked<PostTree>> any(scene);
+    REQUIRE(run_to_end(any.query, kNoLimit, 10) == Pairs{{0, 0}});
+  }
+  CHECK(reached > 30);
+}
+
 TEST_CASE("offsets beyond all reach, and at its edge, under rotation") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
