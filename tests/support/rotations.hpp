@@ -20,9 +20,7 @@ struct Rotation {
 
 /// The rotation of a quaternion, each entry rounded to the nearest.
 inline Rotation rotation_of(const Quaternion& q) {
-  const auto product = [](int32_t u, int32_t v) {
-    return static_cast<int64_t>(u) * v;
-  };
+  const auto product = [](int32_t u, int32_t v) { return static_cast<int64_t>(u) * v; };
   const int64_t ww = product(q.w, q.w), xx = product(q.x, q.x);
   const int64_t yy = product(q.y, q.y), zz = product(q.z, q.z);
   const int64_t xy = product(q.x, q.y), zw = product(q.z, q.w), xz = product(q.x, q.z);
@@ -70,8 +68,7 @@ inline Pose any_rigid_pose(Random& random, int32_t reach) {
   int16_t fraction[3];
   for (int axis = 0; axis < 3; ++axis) {
     cells[axis] = random.between(-reach, reach);
-    fraction[axis] =
-        static_cast<int16_t>(random.below(2) == 0 ? 0 : random.between(-32768, 32767));
+    fraction[axis] = static_cast<int16_t>(random.below(2) == 0 ? 0 : random.between(-32768, 32767));
   }
   return Pose::rigid(rotation_of(any_quaternion(random)).entry, cells, fraction);
 }

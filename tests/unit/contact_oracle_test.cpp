@@ -1,0 +1,186 @@
+// Contacts against exact rationals, on the host. FLASHBVH_SEED replays a run.
+#include "flashbvh/contact.hpp"
+
+#include <stdint.h>
+
+#include <catch2/catch.hpp>
+
+#include "support/contact_oracle.hpp"
+#include "support/random.hpp"
+#include "support/triangle_pairs.hpp"
+
+#if defined(__SIZEOF_INT128__)
+
+namespace flashbvh::test {
+namespace {
+
+constexpr uint32_t kPairs = 20000;
+
+bool same(const FinePoint& p, const FinePoint& q) {
+  return p.x == q.x && p.y == q.y && p.z == q.z;
+}
+
+/// The stated bound, in hundredths of 1/256 cell.
+constexpr Wide kBound = 53;
+
+/// A contact beside the exact common part; all in one frame.
+struct Judge {
+  PlacedTriangle a;
+  PlacedTriangle b;
+  Contact contact;
+  std::vector<Rational> corners;
+
+  Judge(const PlacedTriangle& t, const PlacedTriangle& u)
+      : a(t), b(u), contact(contact_of(t, u)), corners(common_corners(t, u)) {}
+
+  Wide end(int i, int axis) const {
+    const FinePoint& p = contact.ends[i];
+    return (axis == 0 ? p.x : axis == 1 ? p.y : p.z) - Wide{kFineOne} * along(a.corner[0], axis);
+  }
+
+  /// Whether each coordinate of the end is within the bound of that of the corner.
+  bool is_near(int i, const Rational& corner) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Wide off =
+          kFineOne * corner.at[static_cast<std::size_t>(axis)] - end(i, axis) * corner.by;
+      if (100 * (off < 0 ? -off : off) > kBound * corner.by) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool ends_are_corners() const {
+    for (const int i : {0, 1}) {
+      bool found = false;
+      for (const Rational& corner : corners) {
+        found = found || is_near(i, corner);
+      }
+      if (!found) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The largest difference of the ends along an axis.
+  Wide reach() const {
+    Wide most = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Wide between = end(1, axis) - end(0, axis);
+      const Wide size = between < 0 ? -between : between;
+      most = size > most ? size : most;
+    }
+    return most;
+  }
+
+  /// Whether no two corners are farther apart along an axis than the ends, but for the bound.
+  bool ends_are_farthest() const {
+    for (const Rational& p : corners) {
+      for (const Rational& q : corners) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          // Numerators below 2^71 would not multiply: in 1/2^16 of a step, rounded.
+          const Wide one = Wide{1} << 16;
+          const Wide between = p.at[k] * kFineOne * one / p.by - q.at[k] * kFineOne * one / q.by;
+          if (100 * between > (100 * reach() + 2 * kBound) * one + 200) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  bool is_point() const {
+    for (const Rational& p : corners) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (p.at[k] * corners[0].by != corners[0].at[k] * p.by) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  bool point_is_point() const { return !is_point() || same(contact.ends[0], contact.ends[1]); }
+  bool is_ordered() const {
+    const FinePoint& p = contact.ends[0];
+    const FinePoint& q = contact.ends[1];
+    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z <= q.z;
+  }
+  bool kind_is_right() const {
+    const WideVector of_a = WideTriangle(a, a.corner[0]).normal();
+    const WideTriangle wide_b(b, a.corner[0]);
+    const WideVector of_b = wide_b.normal();
+    const bool thin = of_a == WideVector{} || of_b == WideVector{};
+    const bool flat = crossed(of_a, of_b) == WideVector{} && dotted(of_a, wide_b.corner[0]) == 0;
+    return contact.kind == (thin   ? ContactKind::degenerate
+                            : flat ? ContactKind::coplanar
+                                   : ContactKind::segment);
+  }
+  bool normals_are_right() const {
+    return WideVector{contact.normal_a.x, contact.normal_a.y, contact.normal_a.z} ==
+               WideTriangle(a, a.corner[0]).normal() &&
+           WideVector{contact.normal_b.x, contact.normal_b.y, contact.normal_b.z} ==
+               WideTriangle(b, a.corner[0]).normal();
+  }
+};
+
+/// Whether the contact of two triangles is what the header says, if they meet.
+bool is_right(const PlacedTriangle& a, const PlacedTriangle& b) {
+  const Judge judge(a, b);
+  CAPTURE(judge.corners.size());
+  CHECK(triangles_intersect(a, b) == !judge.corners.empty());
+  if (judge.corners.empty()) {
+    return true;
+  }
+  const bool right = judge.ends_are_corners() && judge.ends_are_farthest() &&
+                     judge.point_is_point() && judge.is_ordered() && judge.kind_is_right() &&
+                     judge.normals_are_right();
+  if (!right) {
+    UNSCOPED_INFO("corners " << judge.ends_are_corners() << ", farthest "
+                             << judge.ends_are_farthest() << ", point " << judge.point_is_point()
+                             << ", order " << judge.is_ordered() << ", kind "
+                             << judge.kind_is_right() << ", normals " << judge.normals_are_right());
+  }
+  return right;
+}
+
+}  // namespace
+
+TEST_CASE("contact: small triangles agree with exact rationals", "[contact][oracle]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  for (uint32_t run = 0; run < 2 * kPairs; ++run) {
+    const int32_t size = random.between(1, 4);
+    const PlacedPair pair = {triangle_within(random, size), triangle_within(random, size)};
+    if (!is_right(pair.a, pair.b)) {
+      CAPTURE(seed, run);
+      FAIL("the oracle disagrees");
+    }
+  }
+}
+
+TEST_CASE("contact: triangles of every kind agree with exact rationals", "[contact][oracle]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  uint32_t met[3] = {};
+  for (uint32_t run = 0; run < 3 * kPairs; ++run) {
+    const PlacedPair pair = placed_anywhere(random, any_pair(random));
+    if (!triangles_intersect(pair.a, pair.b)) {
+      continue;
+    }
+    ++met[static_cast<unsigned>(contact_of(pair.a, pair.b).kind)];
+    if (!is_right(pair.a, pair.b)) {
+      CAPTURE(seed, run);
+      FAIL("the oracle disagrees");
+    }
+  }
+  CHECK(met[0] > kPairs / 4);
+  CHECK(met[1] > kPairs / 16);
+  CHECK(met[2] > kPairs / 16);
+}
+
+}  // namespace flashbvh::test
+
+#endif
