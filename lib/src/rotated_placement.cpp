@@ -31,7 +31,7 @@ void offset_of(const Pose& pose, const int32_t (&origin_a)[3], const int32_t (&o
   for (int i = 0; i < 3; ++i) {
     // 30 fraction bits; below 2^62.
     int64_t sum = static_cast<int64_t>(pose.translation(i) - origin_a[i]) * kRotationOne +
-                  pose.fraction(i) * (kRotationOne >> 16);
+                  static_cast<int64_t>(pose.fraction(i)) * (kRotationOne >> 16);
     for (int j = 0; j < 3; ++j) {
       sum += static_cast<int64_t>(pose.rotation(i, j)) * origin_b[j];
     }
