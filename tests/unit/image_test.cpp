@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <functional>
+#include <limits>
 
 #include "bake/image_bytes.hpp"
 #include "flashbvh/image.hpp"
@@ -213,12 +214,89 @@ TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused"
       [](auto& t) { t.leaf_firsts.back() -= 1; },
       [](auto& t) { t.vertices[0].x = 16384; },
       [](auto& t) { t.stack_need -= 1; },
+      [](auto& t) { t.stack_need += 1; },
+      [](auto& t) { t.depth += 1; },
+      [](auto& t) { t.depth -= 1; },
+      [](auto& t) { t.leaf_size += 1; },
+      [](auto& t) { t.leaf_size -= 1; },
+      [](auto& t) { t.arity += 1; },
+      [](auto& t) { t.arity -= 1; },
+      [](auto& t) { t.origin[0] = kMaxOrigin + 1; },
+      [](auto& t) { t.origin[1] = -kMaxOrigin - 1; },
+      [](auto& t) { t.origin[2] = INT32_MIN; },
       [](auto& t) { t.cell = 0; },
       [](auto& t) { t.cell = -1; },
+      [](auto& t) { t.cell = -0.0; },
+      [](auto& t) { t.cell = std::numeric_limits<double>::denorm_min(); },
+      [](auto& t) { t.cell = std::numeric_limits<double>::infinity(); },
+      [](auto& t) { t.cell = std::numeric_limits<double>::quiet_NaN(); },
+      [](auto& t) { t.deviation = -0.0; },
+      [](auto& t) { t.deviation = std::numeric_limits<double>::infinity(); },
+      [](auto& t) { t.deviation = std::numeric_limits<double>::quiet_NaN(); },
   };
   for (std::size_t i = 0; i < changes.size(); ++i) {
     CAPTURE(i);
     CHECK(status_after(good, changes[i]) == Status::image_invalid);
+  }
+}
+
+TEST_CASE("the largest origins and the smallest and largest cells are good") {
+  const std::vector<std::function<void(Baked<kPost>&)>> changes = {
+      [](auto& t) {
+        t.origin = {kMaxOrigin, -kMaxOrigin, kMaxOrigin};
+      },
+      [](auto& t) { t.cell = std::numeric_limits<double>::min(); },
+      [](auto& t) { t.cell = std::numeric_limits<double>::max(); },
+      [](auto& t) { t.deviation = std::numeric_limits<double>::max(); },
+  };
+  for (const auto& change : changes) {
+    CHECK(status_after(small_tree<kPost>(), change) == Status::done);
+  }
+}
+
+TEST_CASE("a byte other than zero in any gap is refused") {
+  // 9 nodes, 7 triangles, 5 leaves, 21 vertices: a gap of 2 bytes behind each array of odd length.
+  Image image{image_of(small_tree<kPost>())};
+  ImageHeader header;
+  std::memcpy(&header, image.bytes(), sizeof header);
+  const ImageOffsets at = image_offsets(header);
+  const std::uint64_t gaps[] = {at.climb, at.triangles, at.sources, at.leaf_firsts, at.end};
+  for (const std::uint64_t end : gaps) {
+    for (const std::uint64_t offset : {end - 2, end - 1}) {
+      CAPTURE(end, offset);
+      REQUIRE(image.bytes()[offset] == 0);
+      image.bytes()[offset] = 1;
+      image.repair_crc();
+      CHECK(image.open<LevelledPostTree>() == Status::image_invalid);
+      image.bytes()[offset] = 0;
+    }
+  }
+}
+
+TEST_CASE("bits between the ranks of a wide node are refused") {
+  Random random(test_seed());
+  const auto mesh = random_mesh(random, 4, 100, 30);
+  auto baked = bake::lay_out<std::uint32_t, kPost>(bake::build_median(mesh, 1), mesh);
+  REQUIRE(Image{image_of(baked)}.open<LargeLevelledPostTree>() == Status::done);
+  for (const unsigned bit : {8u, 15u, 16u, 23u}) {
+    baked.nodes[0].data ^= 1u << bit;
+    CHECK(Image{image_of(baked)}.open<LargeLevelledPostTree>() == Status::image_invalid);
+    baked.nodes[0].data ^= 1u << bit;
+  }
+}
+
+TEST_CASE("a leaf of 255 triangles is good, one of 256 is not") {
+  Random random(test_seed());
+  for (const std::uint32_t size : {255u, 256u}) {
+    const auto mesh = random_mesh(random, size, 100, 30);
+    const auto tree = bake::build_median(mesh, size);
+    REQUIRE(tree.nodes.size() == 1);
+    const Status wanted = size == 255 ? Status::done : Status::image_invalid;
+    CHECK(
+        Image{image_of(bake::lay_out<std::uint16_t, kPost>(tree, mesh))}.open<LevelledPostTree>() ==
+        wanted);
+    CHECK(Image{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))}
+              .open<LargeLevelledPreTree>() == wanted);
   }
 }
 
