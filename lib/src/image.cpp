@@ -57,7 +57,7 @@ bool gap_is_zero(const void* bytes, uint64_t begin) {
   return true;
 }
 
-bool gaps_are_zeros(const void* bytes, const ImageHeader& header) {
+[[gnu::noinline]] bool gaps_are_zeros(const void* bytes, const ImageHeader& header) {
   const ImageOffsets at = image_offsets(header);
   const uint64_t index = header.index_bits / 8u;
   return gap_is_zero(bytes, at.levels + header.node_count * index) &&
@@ -89,7 +89,7 @@ void set_climb(LevelledTree<Index, Layout::post_indexed>& tree, const Index* cli
 }
 
 template <class TreeType>
-TreeType view(const void* bytes, const ImageHeader& header) {
+[[gnu::noinline]] TreeType view(const void* bytes, const ImageHeader& header) {
   using Index = typename TreeType::Index;
   const ImageOffsets offsets = image_offsets(header);
   TreeType tree{};

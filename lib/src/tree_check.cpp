@@ -10,16 +10,10 @@
 namespace flashbvh {
 namespace {
 
-/// The low halves of a packed box: no bound beyond the lattice, no lower bound above its upper one.
-bool is_box(const PackedBox& box) {
-  const uint32_t words[3] = {box.upper_xy, box.lower_xy, box.z};
-  for (const uint32_t word : words) {
-    if ((word & 0x80008000u) != 0 || low_half(word) == 0 || high_half(word) == 0) {
-      return false;
-    }
-  }
-  constexpr uint32_t most = 2 * kMaxCoordinate;  // a negative extent wraps to a huge one
-  return extent_x(box) <= most && extent_y(box) <= most && extent_z(box) <= most;
+/// No bound beyond the lattice. That bounds are no zeros, and lower ones not above upper ones,
+/// follows: each box is a leaf's or contains a child's, and leaves' boxes contain triangles.
+bool is_on_lattice(const PackedBox& box) {
+  return ((box.upper_xy | box.lower_xy | box.z) & 0x80008000u) == 0;
 }
 
 bool is_inside(const PackedBox& inner, const PackedBox& outer) {
@@ -80,7 +74,7 @@ class Checker {
   bool node(uint32_t i) {
     const Node<Index>& node = tree_.nodes[i];
     shape_.depth = greater(shape_.depth, tree_.level(i));
-    return is_box(node.box) && (node.is_leaf() ? leaf(node) : has_ranks(node));
+    return is_on_lattice(node.box) && (node.is_leaf() ? leaf(node) : has_ranks(node));
   }
 
   /// Two ranks and nothing between them.

@@ -27,7 +27,7 @@ for program in image position mesh; do
   cp tests/fuzz/corpus/$program/* "$seeds"
   case $program in
     image) runs=2500 && cp tests/golden/*.fbvh "$seeds" ;;
-    position) runs=60000 ;;
+    position) runs=15000 ;;
     mesh) runs=12000 ;;
   esac
   if [ "$long" = short ]; then

@@ -193,6 +193,11 @@ TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused"
       [](auto& t) { t.nodes[0].box.upper_xy -= 1; },
       [](auto& t) { t.nodes[0].box.z |= 0x8000; },
       [](auto& t) { t.nodes[1].box.lower_xy = 0; },
+      [](auto& t) { t.nodes[0].box.upper_xy = (t.nodes[0].box.upper_xy & 0xFFFF0000u) | 0x8000u; },
+      [](auto& t) {
+        t.nodes[0].box.lower_xy = (t.nodes[0].box.lower_xy & 0x0000FFFFu) | 0x80000000u;
+      },
+      [](auto& t) { t.nodes[0].box.z = (t.nodes[0].box.z & 0xFFFF0000u) | 0x8000u; },
       [](auto& t) { t.nodes[0].data = static_cast<std::uint16_t>(t.nodes[0].data & 0xFF00); },
       [](auto& t) { t.nodes[0].data = 127; },
       [](auto& t) { t.nodes[1].data = static_cast<std::uint16_t>(t.nodes[1].data ^ 1); },
