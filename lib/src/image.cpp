@@ -33,12 +33,12 @@ bool measures_fit(const ImageHeader& header) {
   return is_length(header.cell) && is_finite_unsigned(header.deviation[1]);
 }
 
+/// Nothing is cut off when counts become indices, and there is a root. What else the format says of
+/// counts follows from the tree: no tree has no leaf, no leaf no triangle, no triangle no vertex.
 template <class Index>
 bool counts_fit(const ImageHeader& header) {
   constexpr uint32_t most = static_cast<Index>(~Index{0});
-  return header.node_count >= 1 && header.leaf_count >= 1 && header.vertex_count >= 1 &&
-         header.node_count <= most && header.leaf_count <= most / 2 + 1 &&
-         header.leaf_count <= header.node_count && header.leaf_count <= header.triangle_count &&
+  return header.node_count >= 1 && header.node_count <= most && header.leaf_count <= most &&
          header.triangle_count <= most && header.vertex_count <= most;
 }
 

@@ -13,6 +13,7 @@ printf 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned lon
   echo "no libFuzzer: apt-get install clang libclang-rt-14-dev"
   exit 77
 }
+mkdir -p build
 cmake --preset fuzz >build/fuzz.log 2>&1 &&
   cmake --build --preset fuzz --target fuzz_image fuzz_position fuzz_mesh >>build/fuzz.log 2>&1 || {
   tail -n 40 build/fuzz.log

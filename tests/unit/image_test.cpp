@@ -217,7 +217,21 @@ TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused"
       [](auto& t) { t.leaf_firsts[1] = 0; },
       [](auto& t) { t.leaf_firsts.back() += 1; },
       [](auto& t) { t.leaf_firsts.back() -= 1; },
+      [](auto& t) {
+        t.leaf_count += 1;
+        t.leaf_firsts.push_back(t.leaf_firsts.back());
+      },
       [](auto& t) { t.vertices[0].x = 16384; },
+      // Vertices that no triangle has: no box tells.
+      [](auto& t) {
+        t.vertices.push_back({16384, 0, 0});
+      },
+      [](auto& t) {
+        t.vertices.push_back({0, -16384, 0});
+      },
+      [](auto& t) {
+        t.vertices.push_back({0, 0, INT16_MIN});
+      },
       [](auto& t) { t.stack_need -= 1; },
       [](auto& t) { t.stack_need += 1; },
       [](auto& t) { t.depth += 1; },
@@ -257,6 +271,75 @@ TEST_CASE("the largest origins and the smallest and largest cells are good") {
   for (const auto& change : changes) {
     CHECK(status_after(small_tree<kPost>(), change) == Status::done);
   }
+}
+
+TEST_CASE("a layout or an index width that is none is refused as such") {
+  Image image{image_of(small_tree<kPost>())};
+  const std::size_t offset =
+      GENERATE(offsetof(ImageHeader, layout), offsetof(ImageHeader, index_bits));
+  for (const int value : {2, 8, 24, 64, 255}) {
+    image.bytes()[offset] = static_cast<unsigned char>(value);
+    image.repair_crc();
+    CHECK(image.open<LevelledPostTree>() == Status::image_invalid);
+  }
+}
+
+TEST_CASE("a last node with neither children nor triangles is refused") {
+  for (unsigned parent_rank = 1; parent_rank <= 126; ++parent_rank) {
+    CHECK(status_after(small_tree<kPost>(), [&](auto& t) {
+            t.nodes.back().data = static_cast<std::uint16_t>(1u << 8 | parent_rank);
+            t.leaf_count -= 1;
+            t.leaf_firsts.pop_back();
+            t.triangles.resize(t.leaf_firsts.back());
+            t.sources.resize(t.leaf_firsts.back());
+          }) == Status::image_invalid);
+  }
+}
+
+TEST_CASE("counts beyond the index type are refused, though what they are cut to would be sound") {
+  const auto baked = small_tree<kPost>();
+  const Image small{image_of(baked)};
+  ImageHeader header;
+  std::memcpy(&header, small.words.data(), sizeof header);
+  const ImageOffsets from = image_offsets(header);
+  std::uint32_t ImageHeader::*const count =
+      GENERATE(&ImageHeader::node_count, &ImageHeader::leaf_count, &ImageHeader::triangle_count,
+               &ImageHeader::vertex_count);
+  header.*count += 0x10000;
+  const ImageOffsets to = image_offsets(header);
+  header.byte_count = static_cast<std::uint32_t>(to.end);
+  Image large{std::vector<std::uint32_t>(header.byte_count / 4)};
+  std::memcpy(large.bytes(), &header, sizeof header);
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(small.words.data());
+  const std::uint64_t parts[][3] = {{from.nodes, from.levels, to.nodes},
+                                    {from.levels, from.climb, to.levels},
+                                    {from.climb, from.triangles, to.climb},
+                                    {from.triangles, from.sources, to.triangles},
+                                    {from.sources, from.leaf_firsts, to.sources},
+                                    {from.leaf_firsts, from.vertices, to.leaf_firsts},
+                                    {from.vertices, from.end, to.vertices}};
+  for (const auto& [begin, end, at] : parts) {
+    std::memcpy(large.bytes() + at, bytes + begin, end - begin);
+  }
+  large.repair_crc();
+  CHECK(large.open<LevelledPostTree>() == Status::image_invalid);
+}
+
+TEST_CASE("an image without nodes is refused before its root is looked for") {
+  // One triangle with corners in vertex 32,767 whose bytes would make a leaf, if a node was there.
+  ImageHeader header;
+  const Image lone{image_of(small_tree<kPost>())};
+  std::memcpy(&header, lone.words.data(), sizeof header);
+  header.node_count = 0;
+  header.leaf_count = header.triangle_count = 2;
+  header.vertex_count = 0x8000;
+  header.byte_count = static_cast<std::uint32_t>(image_offsets(header).end);
+  Image image{std::vector<std::uint32_t>(header.byte_count / 4)};
+  std::memcpy(image.bytes(), &header, sizeof header);
+  const Node<std::uint16_t> leaf = {{0x7FFF7FFFu, 0x7FFF7FFFu, 0x7FFF7FFFu}, 0, 0x8000};
+  std::memcpy(image.bytes() + sizeof header, &leaf, sizeof leaf);
+  image.repair_crc();
+  CHECK(image.open<LevelledPostTree>() == Status::image_invalid);
 }
 
 TEST_CASE("a byte other than zero in any gap is refused") {
