@@ -62,7 +62,7 @@ bool gap_is_zero(const void* bytes, uint64_t begin) {
   const uint64_t index = header.index_bits / 8u;
   return gap_is_zero(bytes, at.levels + header.node_count * index) &&
          gap_is_zero(bytes, at.climb + header.node_count * index) &&
-         gap_is_zero(bytes, at.triangles + header.triangle_count * 3 * index) &&
+         gap_is_zero(bytes, at.triangles + header.triangle_count * (3 * index)) &&
          gap_is_zero(bytes, at.sources + header.triangle_count * index) &&
          gap_is_zero(bytes, at.leaf_firsts + leaf_first_count(header) * index) &&
          gap_is_zero(bytes, at.vertices + header.vertex_count * uint64_t{sizeof(Vertex)});

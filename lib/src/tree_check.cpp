@@ -152,10 +152,11 @@ class Checker {
     while (tree_.level(node) > level) {
       uint32_t parent;
       if constexpr (kPre) {
-        if (tree_.nodes[node].link != next) {
+        // Only if the parent ends with this node, all its children were checked.
+        parent = tree_.parents[node];
+        if (tree_.nodes[node].link != next || tree_.nodes[parent].link != next) {
           return false;
         }
-        parent = tree_.parents[node];
       } else {
         uint32_t last = node;
         while (tree_.nodes[last].link < last) {

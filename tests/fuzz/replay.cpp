@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ constexpr int kChanged = 60;  // copies of a file
 
 void run(const std::vector<std::uint8_t>& bytes) {
   // A block of its own: the address sanitizer sees each access behind it.
-  const std::vector<std::uint8_t> exact(bytes);
-  (void)LLVMFuzzerTestOneInput(exact.data(), exact.size());
+  const std::unique_ptr<std::uint8_t[]> exact(new std::uint8_t[bytes.size()]);
+  std::copy(bytes.begin(), bytes.end(), exact.get());
+  (void)LLVMFuzzerTestOneInput(exact.get(), bytes.size());
 }
 
 void run_changed(std::vector<std::uint8_t> bytes, flashbvh::test::Random& random) {
