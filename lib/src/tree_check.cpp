@@ -119,14 +119,13 @@ class Checker {
 
   /// Node i follows the internal node i - 1 and must be its child.
   bool enter_child(uint32_t i) const {
-    const uint32_t link = tree_.nodes[i].link;
     if (tree_.level(i) != tree_.level(i - 1) + 1) {
       return false;
     }
     if constexpr (kPre) {
-      return tree_.parents[i] == i - 1 && link > i && link <= tree_.nodes[i - 1].link;
+      return tree_.parents[i] == i - 1;
     } else {
-      return tree_.rcl(i) == tree_.rcl(i - 1) + 1 && link >= i && link < tree_.node_count;
+      return tree_.rcl(i) == tree_.rcl(i - 1) + 1 && tree_.nodes[i].link >= i;
     }
   }
 
@@ -136,25 +135,25 @@ class Checker {
     if (!leave_to_level(sibling, tree_.level(i), i) || sibling == 0) {
       return false;
     }
-    const uint32_t link = tree_.nodes[i].link;
     if constexpr (kPre) {
-      const uint32_t parent = tree_.parents[sibling];
-      return tree_.nodes[sibling].link == i && tree_.parents[i] == parent && link > i &&
-             link <= tree_.nodes[parent].link;
+      return tree_.parents[i] == tree_.parents[sibling];
     } else {
-      return link == sibling && tree_.rcl(i) == 0;
+      return tree_.nodes[i].link == sibling && tree_.rcl(i) == 0;
     }
   }
 
   /// Climbs from `node` to its ancestor of this level, checking each parent on the way once all its
-  /// children are behind. `next` is the node that follows in array order.
+  /// children are behind. `next` is the node that follows in array order: what a pre-indexed tree's
+  /// links of all nodes that are left must be, so that is where each link is checked.
   bool leave_to_level(uint32_t& node, uint32_t level, uint32_t next) const {
+    if (kPre && tree_.nodes[node].link != next) {
+      return false;
+    }
     while (tree_.level(node) > level) {
       uint32_t parent;
       if constexpr (kPre) {
-        // Only if the parent ends with this node, all its children were checked.
         parent = tree_.parents[node];
-        if (tree_.nodes[node].link != next || tree_.nodes[parent].link != next) {
+        if (tree_.nodes[parent].link != next) {
           return false;
         }
       } else {
@@ -172,7 +171,7 @@ class Checker {
       }
       node = parent;
     }
-    return tree_.level(node) == level && (!kPre || tree_.nodes[node].link == next);
+    return tree_.level(node) == level;
   }
 
   bool children_belong_to(uint32_t parent) const {
