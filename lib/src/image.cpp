@@ -13,19 +13,65 @@ constexpr uint64_t aligned(uint64_t offset) {
   return (offset + 3) & ~uint64_t{3};
 }
 
-/// A positive, finite, normal binary64.
-bool is_length(const uint32_t (&bits)[2]) {
-  const uint32_t exponent = bits[1] >> 20;  // with the sign, which must be 0
-  return exponent != 0 && exponent < 0x7FF;
+/// The high word of a binary64 that is finite and has no sign: -0 is none, so that equal lengths
+/// have equal bits.
+bool is_finite_unsigned(uint32_t high_word) {
+  return high_word < 0x7FF00000u;
 }
 
+/// A positive, finite, normal binary64.
+bool is_length(const uint32_t (&bits)[2]) {
+  return is_finite_unsigned(bits[1]) && bits[1] >= 0x00100000u;
+}
+
+bool measures_fit(const ImageHeader& header) {
+  for (const int32_t origin : header.origin) {
+    if (origin < -kMaxOrigin || origin > kMaxOrigin) {
+      return false;
+    }
+  }
+  return is_length(header.cell) && is_finite_unsigned(header.deviation[1]);
+}
+
+/// Nothing is cut off when counts become indices, and there is a root. What else the format says of
+/// counts follows from the tree: no tree has no leaf, no leaf no triangle, no triangle no vertex.
 template <class Index>
 bool counts_fit(const ImageHeader& header) {
   constexpr uint32_t most = static_cast<Index>(~Index{0});
-  return header.node_count >= 1 && header.leaf_count >= 1 && header.vertex_count >= 1 &&
-         header.node_count <= most && header.leaf_count <= most / 2 + 1 &&
-         header.leaf_count <= header.node_count && header.leaf_count <= header.triangle_count &&
-         header.triangle_count <= most && header.vertex_count <= most && header.stack_need <= most;
+  return header.node_count >= 1 && header.node_count <= most && header.leaf_count <= most &&
+         header.triangle_count <= most && header.vertex_count <= most;
+}
+
+/// One triangle per leaf needs none.
+uint64_t leaf_first_count(const ImageHeader& header) {
+  return header.leaf_count == header.triangle_count ? 0 : uint64_t{header.leaf_count} + 1;
+}
+
+/// Whether the bytes from `begin` to the next multiple of 4 are zeros.
+bool gap_is_zero(const void* bytes, uint64_t begin) {
+  for (uint64_t i = begin; i < aligned(begin); ++i) {
+    if (static_cast<const unsigned char*>(bytes)[i] != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+[[gnu::noinline]] bool gaps_are_zeros(const void* bytes, const ImageHeader& header) {
+  const ImageOffsets at = image_offsets(header);
+  const uint64_t index = header.index_bits / 8u;
+  return gap_is_zero(bytes, at.levels + header.node_count * index) &&
+         gap_is_zero(bytes, at.climb + header.node_count * index) &&
+         gap_is_zero(bytes, at.triangles + header.triangle_count * (3 * index)) &&
+         gap_is_zero(bytes, at.sources + header.triangle_count * index) &&
+         gap_is_zero(bytes, at.leaf_firsts + leaf_first_count(header) * index) &&
+         gap_is_zero(bytes, at.vertices + header.vertex_count * uint64_t{sizeof(Vertex)});
+}
+
+bool has_shape(const ImageHeader& header, const TreeShape& shape) {
+  const uint32_t arity = shape.arity < UINT16_MAX ? shape.arity : UINT16_MAX;
+  return header.depth == shape.depth && header.stack_need == shape.stack_need &&
+         header.leaf_size == shape.leaf_size && header.arity == arity;
 }
 
 template <class Element>
@@ -43,7 +89,7 @@ void set_climb(LevelledTree<Index, Layout::post_indexed>& tree, const Index* cli
 }
 
 template <class TreeType>
-TreeType view(const void* bytes, const ImageHeader& header) {
+[[gnu::noinline]] TreeType view(const void* bytes, const ImageHeader& header) {
   using Index = typename TreeType::Index;
   const ImageOffsets offsets = image_offsets(header);
   TreeType tree{};
@@ -51,7 +97,7 @@ TreeType view(const void* bytes, const ImageHeader& header) {
   tree.triangles = at<Corners<Index>>(bytes, offsets.triangles);
   tree.sources = at<Index>(bytes, offsets.sources);
   tree.leaf_firsts =
-      header.leaf_count == header.triangle_count ? nullptr : at<Index>(bytes, offsets.leaf_firsts);
+      leaf_first_count(header) == 0 ? nullptr : at<Index>(bytes, offsets.leaf_firsts);
   tree.vertices = at<Vertex>(bytes, offsets.vertices);
   tree.node_count = static_cast<Index>(header.node_count);
   tree.leaf_count = static_cast<Index>(header.leaf_count);
@@ -71,7 +117,6 @@ ImageOffsets image_offsets(const ImageHeader& header) {
   const uint64_t index = header.index_bits / 8u;
   const uint64_t nodes = header.node_count;
   const uint64_t triangles = header.triangle_count;
-  const uint64_t firsts = header.leaf_count == triangles ? 0 : uint64_t{header.leaf_count} + 1;
   ImageOffsets at;
   at.nodes = sizeof(ImageHeader);
   at.levels = at.nodes + nodes * (sizeof(PackedBox) + 2 * index);
@@ -79,7 +124,7 @@ ImageOffsets image_offsets(const ImageHeader& header) {
   at.triangles = aligned(at.climb + nodes * index);
   at.sources = aligned(at.triangles + triangles * 3 * index);
   at.leaf_firsts = aligned(at.sources + triangles * index);
-  at.vertices = aligned(at.leaf_firsts + firsts * index);
+  at.vertices = aligned(at.leaf_firsts + leaf_first_count(header) * index);
   at.end = aligned(at.vertices + uint64_t{header.vertex_count} * sizeof(Vertex));
   return at;
 }
@@ -142,16 +187,17 @@ Status open_image(const void* bytes, size_t size, TreeType& tree) {
       header.index_bits != 8 * sizeof(Index)) {
     return Status::image_kind;
   }
-  if (!counts_fit<Index>(header) || !is_length(header.cell) ||
-      image_offsets(header).end != header.byte_count) {
+  if (!counts_fit<Index>(header) || !measures_fit(header) ||
+      image_offsets(header).end != header.byte_count || !gaps_are_zeros(bytes, header)) {
     return Status::image_invalid;
   }
   const TreeType opened = view<TreeType>(bytes, header);
-  const Status checked = check_tree(opened);
-  if (checked == Status::done) {
-    tree = opened;
+  TreeShape shape;
+  if (check_tree(opened, shape) != Status::done || !has_shape(header, shape)) {
+    return Status::image_invalid;
   }
-  return checked;
+  tree = opened;
+  return Status::done;
 }
 
 template Status open_image(const void*, size_t, LevelledPreTree&);

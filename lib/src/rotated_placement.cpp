@@ -29,8 +29,11 @@ int32_t clamp_offset(int64_t offset) {
 void offset_of(const Pose& pose, const int32_t (&origin_a)[3], const int32_t (&origin_b)[3],
                int32_t (&offset)[3]) {
   for (int i = 0; i < 3; ++i) {
+    // Wraps if the pose is out of range, which is an error of the pose.
+    const auto cells = static_cast<int32_t>(static_cast<uint32_t>(pose.translation(i)) -
+                                            static_cast<uint32_t>(origin_a[i]));
     // 30 fraction bits; below 2^62.
-    int64_t sum = static_cast<int64_t>(pose.translation(i) - origin_a[i]) * kRotationOne +
+    int64_t sum = static_cast<int64_t>(cells) * kRotationOne +
                   static_cast<int64_t>(pose.fraction(i)) * (kRotationOne >> 16);
     for (int j = 0; j < 3; ++j) {
       sum += static_cast<int64_t>(pose.rotation(i, j)) * origin_b[j];

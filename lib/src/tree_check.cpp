@@ -10,16 +10,10 @@
 namespace flashbvh {
 namespace {
 
-/// The low halves of a packed box: no bound beyond the lattice, no lower bound above its upper one.
-bool is_box(const PackedBox& box) {
-  const uint32_t words[3] = {box.upper_xy, box.lower_xy, box.z};
-  for (const uint32_t word : words) {
-    if ((word & 0x80008000u) != 0 || low_half(word) == 0 || high_half(word) == 0) {
-      return false;
-    }
-  }
-  constexpr uint32_t most = 2 * kMaxCoordinate;  // a negative extent wraps to a huge one
-  return extent_x(box) <= most && extent_y(box) <= most && extent_z(box) <= most;
+/// No bound beyond the lattice. That bounds are no zeros, and lower ones not above upper ones,
+/// follows: each box is a leaf's or contains a child's, and leaves' boxes contain triangles.
+bool is_on_lattice(const PackedBox& box) {
+  return ((box.upper_xy | box.lower_xy | box.z) & 0x80008000u) == 0;
 }
 
 bool is_inside(const PackedBox& inner, const PackedBox& outer) {
@@ -33,9 +27,9 @@ class Checker {
   static constexpr bool kPre = TreeType::kLayout == Layout::pre_indexed;
 
  public:
-  explicit Checker(const TreeType& tree) : tree_(tree), leaves_(0) {}
+  explicit Checker(const TreeType& tree) : tree_(tree), leaves_(0), shape_{0, 0, 0, 0} {}
 
-  bool check() {
+  bool check(TreeShape& shape) {
     if (!vertices_on_lattice() || !root() || !node(0)) {
       return false;
     }
@@ -46,9 +40,13 @@ class Checker {
       }
     }
     uint32_t last = tree_.node_count - 1u;
-    return tree_.nodes[last].is_leaf() && leave_to_level(last, 0, tree_.node_count) && last == 0 &&
-           leaves_ == tree_.leaf_count && tree_.first_triangle(leaves_) == tree_.triangle_count &&
-           most_pending() <= tree_.stack_need;
+    if (!tree_.nodes[last].is_leaf() || !leave_to_level(last, 0, tree_.node_count) ||
+        leaves_ != tree_.leaf_count || tree_.first_triangle(leaves_) != tree_.triangle_count) {
+      return false;
+    }
+    measure_children();
+    shape = shape_;
+    return true;
   }
 
  private:
@@ -75,8 +73,14 @@ class Checker {
   /// What can be told of a node by itself.
   bool node(uint32_t i) {
     const Node<Index>& node = tree_.nodes[i];
-    return is_box(node.box) &&
-           (node.is_leaf() ? leaf(node) : node.rank() >= 1 && node.rank() <= kMaxRank);
+    shape_.depth = greater(shape_.depth, tree_.level(i));
+    return is_on_lattice(node.box) && (node.is_leaf() ? leaf(node) : has_ranks(node));
+  }
+
+  /// Two ranks and nothing between them.
+  static bool has_ranks(const Node<Index>& node) {
+    constexpr Index ends = static_cast<Index>((Index{0xFF} << (Node<Index>::kBits - 8)) | 0xFF);
+    return node.rank() >= 1 && node.rank() <= kMaxRank && (node.data & ends) == node.data;
   }
 
   /// Leaves count up in array order; so do their triangles, which lie in the leaf's box.
@@ -86,9 +90,11 @@ class Checker {
     }
     const uint32_t first = tree_.first_triangle(leaves_);
     const uint32_t end = tree_.end_triangle(leaves_);
-    if (first >= end || end > tree_.triangle_count || (leaves_ == 0 && first != 0)) {
+    if (first >= end || end > tree_.triangle_count || end - first > kMaxLeafSize ||
+        (leaves_ == 0 && first != 0)) {
       return false;
     }
+    shape_.leaf_size = greater(shape_.leaf_size, end - first);
     for (uint32_t i = first; i < end; ++i) {
       if (!triangle_inside(i, node.box)) {
         return false;
@@ -113,14 +119,13 @@ class Checker {
 
   /// Node i follows the internal node i - 1 and must be its child.
   bool enter_child(uint32_t i) const {
-    const uint32_t link = tree_.nodes[i].link;
     if (tree_.level(i) != tree_.level(i - 1) + 1) {
       return false;
     }
     if constexpr (kPre) {
-      return tree_.parents[i] == i - 1 && link > i && link <= tree_.nodes[i - 1].link;
+      return tree_.parents[i] == i - 1;
     } else {
-      return tree_.rcl(i) == tree_.rcl(i - 1) + 1 && link >= i && link < tree_.node_count;
+      return tree_.rcl(i) == tree_.rcl(i - 1) + 1 && tree_.nodes[i].link >= i;
     }
   }
 
@@ -130,26 +135,27 @@ class Checker {
     if (!leave_to_level(sibling, tree_.level(i), i) || sibling == 0) {
       return false;
     }
-    const uint32_t link = tree_.nodes[i].link;
     if constexpr (kPre) {
-      const uint32_t parent = tree_.parents[sibling];
-      return tree_.nodes[sibling].link == i && tree_.parents[i] == parent && link > i &&
-             link <= tree_.nodes[parent].link;
+      return tree_.parents[i] == tree_.parents[sibling];
     } else {
-      return link == sibling && tree_.rcl(i) == 0;
+      return tree_.nodes[i].link == sibling && tree_.rcl(i) == 0;
     }
   }
 
   /// Climbs from `node` to its ancestor of this level, checking each parent on the way once all its
-  /// children are behind. `next` is the node that follows in array order.
+  /// children are behind. `next` is the node that follows in array order: what a pre-indexed tree's
+  /// links of all nodes that are left must be, so that is where each link is checked.
   bool leave_to_level(uint32_t& node, uint32_t level, uint32_t next) const {
+    if (kPre && tree_.nodes[node].link != next) {
+      return false;
+    }
     while (tree_.level(node) > level) {
       uint32_t parent;
       if constexpr (kPre) {
-        if (tree_.nodes[node].link != next) {
+        parent = tree_.parents[node];
+        if (tree_.nodes[parent].link != next) {
           return false;
         }
-        parent = tree_.parents[node];
       } else {
         uint32_t last = node;
         while (tree_.nodes[last].link < last) {
@@ -165,7 +171,7 @@ class Checker {
       }
       node = parent;
     }
-    return tree_.level(node) == level && (!kPre || tree_.nodes[node].link == next);
+    return tree_.level(node) == level;
   }
 
   bool children_belong_to(uint32_t parent) const {
@@ -183,10 +189,9 @@ class Checker {
     }
   }
 
-  /// The true stack need. Only on a tree whose links are proven.
-  uint32_t most_pending() const {
+  /// The stack need and the arity. Only on a tree whose links are proven.
+  void measure_children() {
     uint32_t pending = 0;
-    uint32_t most = 0;
     for (uint32_t i = 1; i < tree_.node_count; ++i) {
       uint32_t above = i - 1;
       if (tree_.nodes[above].is_leaf()) {
@@ -195,12 +200,15 @@ class Checker {
           pending -= later_siblings(above);
         }
       } else {
-        pending += later_siblings(above);
+        const uint32_t more = later_siblings(above);
+        shape_.arity = greater(shape_.arity, more + 1);
+        pending += more;
       }
-      most = pending > most ? pending : most;
+      shape_.stack_need = greater(shape_.stack_need, pending);
     }
-    return most;
   }
+
+  static uint32_t greater(uint32_t u, uint32_t v) { return u > v ? u : v; }
 
   /// Children of a node, less one.
   uint32_t later_siblings(uint32_t parent) const {
@@ -233,18 +241,19 @@ class Checker {
 
   const TreeType& tree_;
   uint32_t leaves_;  ///< passed so far
+  TreeShape shape_;
 };
 
 }  // namespace
 
 template <class TreeType>
-Status check_tree(const TreeType& tree) {
-  return Checker<TreeType>(tree).check() ? Status::done : Status::image_invalid;
+Status check_tree(const TreeType& tree, TreeShape& shape) {
+  return Checker<TreeType>(tree).check(shape) ? Status::done : Status::image_invalid;
 }
 
-template Status check_tree(const LevelledPreTree&);
-template Status check_tree(const LevelledPostTree&);
-template Status check_tree(const LargeLevelledPreTree&);
-template Status check_tree(const LargeLevelledPostTree&);
+template Status check_tree(const LevelledPreTree&, TreeShape&);
+template Status check_tree(const LevelledPostTree&, TreeShape&);
+template Status check_tree(const LargeLevelledPreTree&, TreeShape&);
+template Status check_tree(const LargeLevelledPostTree&, TreeShape&);
 
 }  // namespace flashbvh

@@ -147,8 +147,9 @@ void add_pose(const Pose& pose, uint32_t slice, Hash& hash, Result& result) {
 }
 
 uint32_t refused(const Side& side) {
-  return (check_tree(side.pre.view()) == Status::done ? 0u : 1u) +
-         (check_tree(side.post.view()) == Status::done ? 0u : 1u);
+  TreeShape shape;
+  return (check_tree(side.pre.view(), shape) == Status::done ? 0u : 1u) +
+         (check_tree(side.post.view(), shape) == Status::done ? 0u : 1u);
 }
 
 }  // namespace

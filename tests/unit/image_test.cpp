@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <functional>
+#include <limits>
 
 #include "bake/image_bytes.hpp"
 #include "flashbvh/image.hpp"
@@ -192,6 +193,11 @@ TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused"
       [](auto& t) { t.nodes[0].box.upper_xy -= 1; },
       [](auto& t) { t.nodes[0].box.z |= 0x8000; },
       [](auto& t) { t.nodes[1].box.lower_xy = 0; },
+      [](auto& t) { t.nodes[0].box.upper_xy = (t.nodes[0].box.upper_xy & 0xFFFF0000u) | 0x8000u; },
+      [](auto& t) {
+        t.nodes[0].box.lower_xy = (t.nodes[0].box.lower_xy & 0x0000FFFFu) | 0x80000000u;
+      },
+      [](auto& t) { t.nodes[0].box.z = (t.nodes[0].box.z & 0xFFFF0000u) | 0x8000u; },
       [](auto& t) { t.nodes[0].data = static_cast<std::uint16_t>(t.nodes[0].data & 0xFF00); },
       [](auto& t) { t.nodes[0].data = 127; },
       [](auto& t) { t.nodes[1].data = static_cast<std::uint16_t>(t.nodes[1].data ^ 1); },
@@ -211,14 +217,169 @@ TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused"
       [](auto& t) { t.leaf_firsts[1] = 0; },
       [](auto& t) { t.leaf_firsts.back() += 1; },
       [](auto& t) { t.leaf_firsts.back() -= 1; },
+      [](auto& t) {
+        t.leaf_count += 1;
+        t.leaf_firsts.push_back(t.leaf_firsts.back());
+      },
       [](auto& t) { t.vertices[0].x = 16384; },
+      // Vertices that no triangle has: no box tells.
+      [](auto& t) {
+        t.vertices.push_back({16384, 0, 0});
+      },
+      [](auto& t) {
+        t.vertices.push_back({0, -16384, 0});
+      },
+      [](auto& t) {
+        t.vertices.push_back({0, 0, INT16_MIN});
+      },
       [](auto& t) { t.stack_need -= 1; },
+      [](auto& t) { t.stack_need += 1; },
+      [](auto& t) { t.depth += 1; },
+      [](auto& t) { t.depth -= 1; },
+      [](auto& t) { t.leaf_size += 1; },
+      [](auto& t) { t.leaf_size -= 1; },
+      [](auto& t) { t.arity += 1; },
+      [](auto& t) { t.arity -= 1; },
+      [](auto& t) { t.origin[0] = kMaxOrigin + 1; },
+      [](auto& t) { t.origin[1] = -kMaxOrigin - 1; },
+      [](auto& t) { t.origin[2] = INT32_MIN; },
       [](auto& t) { t.cell = 0; },
       [](auto& t) { t.cell = -1; },
+      [](auto& t) { t.cell = -0.0; },
+      [](auto& t) { t.cell = std::numeric_limits<double>::denorm_min(); },
+      [](auto& t) { t.cell = std::numeric_limits<double>::infinity(); },
+      [](auto& t) { t.cell = std::numeric_limits<double>::quiet_NaN(); },
+      [](auto& t) { t.deviation = -0.0; },
+      [](auto& t) { t.deviation = std::numeric_limits<double>::infinity(); },
+      [](auto& t) { t.deviation = std::numeric_limits<double>::quiet_NaN(); },
   };
   for (std::size_t i = 0; i < changes.size(); ++i) {
     CAPTURE(i);
     CHECK(status_after(good, changes[i]) == Status::image_invalid);
+  }
+}
+
+TEST_CASE("the largest origins and the smallest and largest cells are good") {
+  const std::vector<std::function<void(Baked<kPost>&)>> changes = {
+      [](auto& t) {
+        t.origin = {kMaxOrigin, -kMaxOrigin, kMaxOrigin};
+      },
+      [](auto& t) { t.cell = std::numeric_limits<double>::min(); },
+      [](auto& t) { t.cell = std::numeric_limits<double>::max(); },
+      [](auto& t) { t.deviation = std::numeric_limits<double>::max(); },
+  };
+  for (const auto& change : changes) {
+    CHECK(status_after(small_tree<kPost>(), change) == Status::done);
+  }
+}
+
+TEST_CASE("a layout or an index width that is none is refused as such") {
+  Image image{image_of(small_tree<kPost>())};
+  const std::size_t offset =
+      GENERATE(offsetof(ImageHeader, layout), offsetof(ImageHeader, index_bits));
+  for (const int value : {2, 8, 24, 64, 255}) {
+    image.bytes()[offset] = static_cast<unsigned char>(value);
+    image.repair_crc();
+    CHECK(image.open<LevelledPostTree>() == Status::image_invalid);
+  }
+}
+
+TEST_CASE("a last node with neither children nor triangles is refused") {
+  for (unsigned parent_rank = 1; parent_rank <= 126; ++parent_rank) {
+    CHECK(status_after(small_tree<kPost>(), [&](auto& t) {
+            t.nodes.back().data = static_cast<std::uint16_t>(1u << 8 | parent_rank);
+            t.leaf_count -= 1;
+            t.leaf_firsts.pop_back();
+            t.triangles.resize(t.leaf_firsts.back());
+            t.sources.resize(t.leaf_firsts.back());
+          }) == Status::image_invalid);
+  }
+}
+
+TEST_CASE("counts beyond the index type are refused, though what they are cut to would be sound") {
+  const auto baked = small_tree<kPost>();
+  const Image small{image_of(baked)};
+  ImageHeader header;
+  std::memcpy(&header, small.words.data(), sizeof header);
+  const ImageOffsets from = image_offsets(header);
+  std::uint32_t ImageHeader::*const count =
+      GENERATE(&ImageHeader::node_count, &ImageHeader::leaf_count, &ImageHeader::triangle_count,
+               &ImageHeader::vertex_count);
+  header.*count += 0x10000;
+  const ImageOffsets to = image_offsets(header);
+  header.byte_count = static_cast<std::uint32_t>(to.end);
+  Image large{std::vector<std::uint32_t>(header.byte_count / 4)};
+  std::memcpy(large.bytes(), &header, sizeof header);
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(small.words.data());
+  const std::uint64_t parts[][3] = {{from.nodes, from.levels, to.nodes},
+                                    {from.levels, from.climb, to.levels},
+                                    {from.climb, from.triangles, to.climb},
+                                    {from.triangles, from.sources, to.triangles},
+                                    {from.sources, from.leaf_firsts, to.sources},
+                                    {from.leaf_firsts, from.vertices, to.leaf_firsts},
+                                    {from.vertices, from.end, to.vertices}};
+  for (const auto& [begin, end, at] : parts) {
+    std::memcpy(large.bytes() + at, bytes + begin, end - begin);
+  }
+  large.repair_crc();
+  CHECK(large.open<LevelledPostTree>() == Status::image_invalid);
+}
+
+TEST_CASE("a header alone, of an image without nodes, is refused before a root is looked for") {
+  ImageHeader header;
+  std::memcpy(&header, image_of(small_tree<kPost>()).data(), sizeof header);
+  header.node_count = header.leaf_count = header.triangle_count = header.vertex_count = 0;
+  header.byte_count = sizeof header;
+  Image image{std::vector<std::uint32_t>(sizeof header / 4)};
+  std::memcpy(image.bytes(), &header, sizeof header);
+  image.repair_crc();
+  CHECK(image.open<LevelledPostTree>() == Status::image_invalid);
+  CHECK(image.open<LevelledPreTree>() == Status::image_kind);
+}
+
+TEST_CASE("a byte other than zero in any gap is refused") {
+  // 9 nodes, 7 triangles, 5 leaves, 21 vertices: a gap of 2 bytes behind each array of odd length.
+  Image image{image_of(small_tree<kPost>())};
+  ImageHeader header;
+  std::memcpy(&header, image.bytes(), sizeof header);
+  const ImageOffsets at = image_offsets(header);
+  const std::uint64_t gaps[] = {at.climb, at.triangles, at.sources, at.leaf_firsts, at.end};
+  for (const std::uint64_t end : gaps) {
+    for (const std::uint64_t offset : {end - 2, end - 1}) {
+      CAPTURE(end, offset);
+      REQUIRE(image.bytes()[offset] == 0);
+      image.bytes()[offset] = 1;
+      image.repair_crc();
+      CHECK(image.open<LevelledPostTree>() == Status::image_invalid);
+      image.bytes()[offset] = 0;
+    }
+  }
+}
+
+TEST_CASE("bits between the ranks of a wide node are refused") {
+  Random random(test_seed());
+  const auto mesh = random_mesh(random, 4, 100, 30);
+  auto baked = bake::lay_out<std::uint32_t, kPost>(bake::build_median(mesh, 1), mesh);
+  REQUIRE(Image{image_of(baked)}.open<LargeLevelledPostTree>() == Status::done);
+  for (const unsigned bit : {8u, 15u, 16u, 23u}) {
+    baked.nodes[0].data ^= 1u << bit;
+    CHECK(Image{image_of(baked)}.open<LargeLevelledPostTree>() == Status::image_invalid);
+    baked.nodes[0].data ^= 1u << bit;
+  }
+}
+
+TEST_CASE("a leaf of 255 triangles is good, one of 256 is not") {
+  Random random(test_seed());
+  for (const std::uint32_t size : {255u, 256u}) {
+    const auto mesh = random_mesh(random, size, 100, 30);
+    const auto tree = bake::build_median(mesh, size);
+    REQUIRE(tree.nodes.size() == 1);
+    const Status wanted = size == 255 ? Status::done : Status::image_invalid;
+    CHECK(
+        Image{image_of(bake::lay_out<std::uint16_t, kPost>(tree, mesh))}.open<LevelledPostTree>() ==
+        wanted);
+    CHECK(Image{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))}
+              .open<LargeLevelledPreTree>() == wanted);
   }
 }
 

@@ -6,10 +6,11 @@
 #include <limits>
 #include <map>
 
+#include "flashbvh/image.hpp"
+
 namespace flashbvh::bake {
 namespace {
 
-constexpr double kMaxOrigin = 1 << 29;
 constexpr double kMaxWidth = 2.0 * kMaxCoordinate;
 
 struct Range {

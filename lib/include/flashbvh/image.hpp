@@ -27,6 +27,13 @@ namespace flashbvh {
 constexpr uint32_t kImageMagic = 0x48564246u;  // "FBVH"
 constexpr uint16_t kImageVersion = 1;
 
+/// Largest magnitude of an origin, in cells: the arithmetic of a rotation (rotated_placement.hpp)
+/// turns origins, too.
+constexpr int32_t kMaxOrigin = 1 << 29;
+/// Most triangles in a leaf: what one visit can cost, and a pair of leaves counts its pairs of
+/// triangles in 32 bits.
+constexpr uint32_t kMaxLeafSize = 255;
+
 struct ImageHeader {
   uint32_t magic;
   uint16_t version;
@@ -40,9 +47,9 @@ struct ImageHeader {
   uint32_t vertex_count;
   uint32_t depth;         ///< of the deepest leaf; the root has depth 0
   uint32_t stack_need;    ///< Tree::stack_need
-  uint16_t leaf_size;     ///< most triangles in a leaf
+  uint16_t leaf_size;     ///< most triangles in a leaf; at most kMaxLeafSize
   uint16_t arity;         ///< most children of a node, 65,535 standing for more
-  int32_t origin[3];      ///< in cells
+  int32_t origin[3];      ///< in cells, within +-kMaxOrigin
   uint32_t cell[2];       ///< in the mesh's unit: IEEE binary64, low word first
   uint32_t deviation[2];  ///< largest distance of a vertex from its source, likewise
 };
@@ -69,19 +76,28 @@ Status read_image_header(const void* bytes, size_t size, ImageHeader& header);
 
 /// Opens an image in place: `bytes` must start at a multiple of 4 and outlive `tree`.
 ///
-/// Checks all of it in one pass, in constant memory: checksum; links that go forward and nest;
-/// levels, ranks and stack need as the tree's shape makes them; indices in range; each node's box
-/// in its parent's, each triangle in its leaf's. `tree` is written only on `done`; every query on
-/// it then stays inside the image and ends.
+/// Checks all of it in linear time and constant memory: checksum; links that go forward and nest;
+/// levels, ranks and the header's figures as the tree's shape makes them; indices in range; each
+/// node's box in its parent's, each triangle in its leaf's. `tree` is written only on `done`; every
+/// query on it then stays inside the image and ends.
 ///
-/// TreeType: LevelledPreTree, LevelledPostTree or their Large kin; another kind of image gives
-/// `image_kind`.
+/// Bytes behind the image, if `size` has more than the header says, are not looked at. TreeType:
+/// LevelledPreTree, LevelledPostTree or their Large kin; another kind of image gives `image_kind`.
 template <class TreeType>
 Status open_image(const void* bytes, size_t size, TreeType& tree);
 
-/// The check of a tree's contents on its own. `done` or `image_invalid`.
+/// What follows from a tree's contents; the header repeats it.
+struct TreeShape {
+  uint32_t depth;
+  uint32_t stack_need;
+  uint32_t leaf_size;
+  uint32_t arity;
+};
+
+/// The check of a tree's contents on its own. `done`, with what was found in `shape`, or
+/// `image_invalid`. Its counts and arrays are there; nothing else needs to be right.
 template <class TreeType>
-Status check_tree(const TreeType& tree);
+Status check_tree(const TreeType& tree, TreeShape& shape);
 
 }  // namespace flashbvh
 

@@ -1,0 +1,68 @@
+// Any bytes as a saved position: resume() refuses it, or the query ends.
+//
+// Within as many visits as there are pairs of nodes, whatever position it started from.
+#include <array>
+#include <vector>
+
+#include "flashbvh/image.hpp"
+#include "fuzz/any_pose.hpp"
+#include "golden/golden.hpp"
+#include "support/traversals.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+template <class Query, class Index>
+void resume_and_end(Query& query, const QueryPosition<Index>& position, std::uint32_t most) {
+  const Status resumed = query.resume(position);
+  if (resumed == Status::position_invalid) {
+    require(query.counts().visits == 0, "a refused position changed the query");
+    return;
+  }
+  if (resumed != Status::suspended) {
+    return;
+  }
+  const auto sink = [](const TrianglePair<Index>&) { return true; };
+  Status status = query.run(most, sink);
+  status =
+      status == Status::suspended && query.counts().visits == most ? query.run(1, sink) : status;
+  require(status == Status::done && query.counts().visits <= most, "a resumed query does not end");
+}
+
+template <class Tree>
+void fuzz(const KeptImage& image_a, const KeptImage& image_b, Input& input) {
+  using Index = typename Tree::Index;
+  Tree a;
+  Tree b;
+  if (open_image(image_a.bytes, image_a.size, a) != Status::done ||
+      open_image(image_b.bytes, image_b.size, b) != Status::done) {
+    return;
+  }
+  QueryPosition<Index> position;
+  position.state = static_cast<typename QueryPosition<Index>::State>(input.take<std::uint8_t>());
+  position.a = input.take<Index>();
+  position.b = input.take<Index>();
+  position.untested = input.take<std::uint32_t>();
+  const Pose pose = any_pose(input);
+  const auto most =
+      static_cast<std::uint32_t>(a.node_count) * static_cast<std::uint32_t>(b.node_count);
+  for_each_stackless(a, b, pose,
+                     [&](const char*, auto& query) { resume_and_end(query, position, most); });
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  Input input(bytes, size);
+  const auto chosen = input.take<std::uint8_t>();
+  const KeptImage& a = kKeptImages[(chosen & 15u) % kKeptImageCount];
+  const KeptImage& b = kKeptImages[(chosen >> 4u) % kKeptImageCount];
+  const Input rest = input;
+  fuzz<LevelledPreTree>(a, b, input = rest);
+  fuzz<LevelledPostTree>(a, b, input = rest);
+  fuzz<LargeLevelledPreTree>(a, b, input = rest);
+  fuzz<LargeLevelledPostTree>(a, b, input = rest);
+  return 0;
+}

@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <utility>
+
+#include "flashbvh/image.hpp"
+#include "golden/golden.hpp"
+#include "support/rotations.hpp"
+#include "support/traversals.hpp"
+
+namespace flashbvh::test {
+namespace {
+
+struct NamedPose {
+  const char* name;
+  Pose pose;
+};
+
+std::vector<NamedPose> poses() {
+  const auto turned = [](const Quaternion& q, std::int32_t x, std::int32_t y, std::int32_t z) {
+    return Pose::rigid(rotation_of(q).entry, {x, y, z}, {12345, -23456, 1});
+  };
+  return {{"moved", Pose::translated(310, 120, 75)},
+          {"moved-apart", Pose::translated(0, 0, 40000)},
+          {"turned", turned({700, 300, -200, 100}, 290, 60, -150)},
+          {"turned-quarter", turned({1, 1, 0, 0}, -120, 330, 40)},
+          {"turned-apart", turned({5, 1, 2, 3}, 40000, 40000, 40000)}};
+}
+
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+std::string text_of(const Pairs& pairs) {
+  std::string text = "  pairs";
+  for (const auto& [a, b] : pairs) {
+    text += " " + std::to_string(a) + ":" + std::to_string(b);
+  }
+  return text + "\n";
+}
+
+/// One query by all traversals. Their pairs are written once, and again where they differ, which
+/// they never do.
+template <class Tree>
+std::string answer(const Tree& a, const Tree& b, const Pose& pose) {
+  std::string text;
+  std::string last_pairs;
+  for_each_traversal(a, b, pose, [&](const char* name, auto& query) {
+    Pairs pairs;
+    using Pair = TrianglePair<typename Tree::Index>;
+    const Status status = query.run(UINT32_MAX, [&](const Pair& pair) {
+      pairs.emplace_back(pair.a, pair.b);
+      return true;
+    });
+    std::sort(pairs.begin(), pairs.end());
+    const std::string found = text_of(pairs);
+    if (found != last_pairs) {
+      text += found;
+      last_pairs = found;
+    }
+    const Counts& counts = query.counts();
+    text += std::string("  ") + name;
+    for (const std::uint32_t count :
+         {counts.visits, counts.overlaps, counts.leaf_pairs, counts.triangle_pairs}) {
+      text += " " + std::to_string(count);
+    }
+    text += status == Status::done ? "\n" : " not done\n";
+  });
+  return text;
+}
+
+/// Nothing if the two are not of this kind.
+template <class Tree>
+std::string answers_between(const KeptImage& a, const KeptImage& b) {
+  Tree tree_a;
+  Tree tree_b;
+  std::string text;
+  if (open_image(a.bytes, a.size, tree_a) == Status::done &&
+      open_image(b.bytes, b.size, tree_b) == Status::done) {
+    for (const NamedPose& named : poses()) {
+      text += std::string(a.name) + " " + b.name + " " + named.name + "\n" +
+              answer(tree_a, tree_b, named.pose);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string answers_of(const KeptImage* images, std::size_t count) {
+  std::string text =
+      "# A, B, how B is placed; pairs of triangles; by each traversal: visits, overlaps, pairs of\n"
+      "# leaves, pairs of triangles. Written by write_golden.\n";
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      text += answers_between<LevelledPostTree>(images[i], images[j]);
+      text += answers_between<LevelledPreTree>(images[i], images[j]);
+      text += answers_between<LargeLevelledPostTree>(images[i], images[j]);
+      text += answers_between<LargeLevelledPreTree>(images[i], images[j]);
+    }
+  }
+  return text;
+}
+
+}  // namespace flashbvh::test

@@ -1,0 +1,96 @@
+// Every damage that one bit or a lost end can do to golden images: refused; and if the checksum is
+// made to match, refused or harmless.
+#include <catch2/catch.hpp>
+
+#include <cstring>
+#include <vector>
+
+#include "flashbvh/image.hpp"
+#include "golden/exercise.hpp"
+#include "golden/golden.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+bool opens(const void* bytes, std::size_t size) {
+  return exercise_image(bytes, size, {}).opened;
+}
+
+std::vector<unsigned char> bytes_of(const KeptImage& image) {
+  return {image.bytes, image.bytes + image.size};
+}
+
+void flip(std::vector<unsigned char>& bytes, std::size_t bit) {
+  bytes[bit / 8] = static_cast<unsigned char>(bytes[bit / 8] ^ (1u << (bit % 8)));
+}
+
+/// Large enough to have every part, small enough for every bit.
+constexpr std::size_t kMostExhaustive = 1000;
+
+}  // namespace
+
+TEST_CASE("golden images open, and queries on them are harmless") {
+  for (std::size_t i = 0; i < kKeptImageCount; ++i) {
+    CAPTURE(kKeptImages[i].name);
+    const Verdict verdict =
+        exercise_image(kKeptImages[i].bytes, kKeptImages[i].size, telling_poses());
+    CHECK(verdict.opened);
+    CHECK(verdict.wrong == nullptr);
+  }
+}
+
+TEST_CASE("a golden image that lost its end is refused, at every length, its size mended or not") {
+  for (std::size_t i = 0; i < kKeptImageCount; ++i) {
+    CAPTURE(kKeptImages[i].name);
+    const std::vector<unsigned char> whole = bytes_of(kKeptImages[i]);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+      REQUIRE_FALSE(opens(whole.data(), size));
+    }
+    for (std::size_t size = sizeof(ImageHeader); size < whole.size(); ++size) {
+      std::vector<unsigned char> cut(whole.data(), whole.data() + size);
+      const auto byte_count = static_cast<std::uint32_t>(size);
+      std::memcpy(&cut[offsetof(ImageHeader, byte_count)], &byte_count, sizeof byte_count);
+      repair_crc(cut.data(), cut.size());
+      REQUIRE_FALSE(opens(cut.data(), cut.size()));
+    }
+  }
+}
+
+TEST_CASE("a golden image with bytes behind its end is itself") {
+  std::vector<unsigned char> bytes = bytes_of(kKeptImages[0]);
+  bytes.push_back(255);
+  CHECK(opens(bytes.data(), bytes.size()));
+}
+
+TEST_CASE("every flipped bit of a golden image is refused") {
+  for (std::size_t i = 0; i < kKeptImageCount; ++i) {
+    CAPTURE(kKeptImages[i].name);
+    std::vector<unsigned char> bytes = bytes_of(kKeptImages[i]);
+    for (std::size_t bit = 0; bit < 8 * bytes.size() && bytes.size() < kMostExhaustive; ++bit) {
+      flip(bytes, bit);
+      REQUIRE_FALSE(opens(bytes.data(), bytes.size()));
+      flip(bytes, bit);
+    }
+  }
+}
+
+TEST_CASE("every flipped bit of a golden image with a checksum that matches is harmless") {
+  const std::vector<Pose> poses = telling_poses();
+  std::size_t opened = 0;
+  for (std::size_t i = 0; i < kKeptImageCount; ++i) {
+    CAPTURE(kKeptImages[i].name);
+    std::vector<unsigned char> bytes = bytes_of(kKeptImages[i]);
+    for (std::size_t bit = 0; bit < 8 * bytes.size() && bytes.size() < kMostExhaustive; ++bit) {
+      CAPTURE(bit);
+      flip(bytes, bit);
+      repair_crc(bytes.data(), bytes.size());
+      const Verdict verdict = exercise_image(bytes.data(), bytes.size(), poses);
+      REQUIRE(verdict.wrong == nullptr);
+      opened += verdict.opened ? 1 : 0;
+      flip(bytes, bit);
+    }
+  }
+  CHECK(opened > 0);  // a source's number, an origin, a coordinate inside its box may change
+}

@@ -1,0 +1,13 @@
+# The golden images as a library, and what queries on any image must keep to.
+include_guard(GLOBAL)
+set(embedded ${CMAKE_CURRENT_BINARY_DIR}/kept_images.cpp)
+file(GLOB kept CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.fbvh)
+add_custom_command(OUTPUT ${embedded}
+  COMMAND ${CMAKE_COMMAND} -DFOLDER=${CMAKE_CURRENT_LIST_DIR} -DOUT=${embedded}
+    -P ${CMAKE_CURRENT_LIST_DIR}/embed.cmake
+  DEPENDS ${CMAKE_CURRENT_LIST_DIR}/embed.cmake ${CMAKE_CURRENT_LIST_DIR}/answers.txt ${kept}
+  VERBATIM)
+add_library(flashbvh_kept_images STATIC ${embedded} ${CMAKE_CURRENT_LIST_DIR}/exercise.cpp)
+target_include_directories(flashbvh_kept_images PUBLIC ${CMAKE_CURRENT_LIST_DIR}/..)
+target_link_libraries(flashbvh_kept_images PUBLIC flashbvh::flashbvh)
+flashbvh_warnings(flashbvh_kept_images)

@@ -1,0 +1,90 @@
+// A walk goes on from any position that resume() lets pass, and ends: all of them are tried.
+#include <catch2/catch.hpp>
+
+#include "flashbvh/image.hpp"
+#include "flashbvh/traversal/leaf.hpp"
+#include "flashbvh/traversal/ranked.hpp"
+#include "flashbvh/traversal/stackless.hpp"
+#include "golden/golden.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+/// No walk is longer than one on which everything overlaps.
+struct AlwaysOverlap {
+  bool operator()(const PackedBox&, const PackedBox&) const { return true; }
+};
+
+template <class Traversal>
+bool ends(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
+          typename Traversal::Cursor cursor, bool behind) {
+  const auto most = static_cast<std::uint32_t>(a.node_count) * b.node_count;
+  Budget budget = {static_cast<std::uint32_t>(most), 0, behind};
+  const auto go_on = [](std::uint32_t, std::uint32_t) { return true; };
+  const Walk end = Traversal::run(a, b, AlwaysOverlap(), cursor, budget, go_on);
+  // All visits may be spent where only the way out is left: then the next step is no visit.
+  if (end == Walk::suspended) {
+    budget.visits_left = 1;
+    return Traversal::run(a, b, AlwaysOverlap(), cursor, budget, go_on) == Walk::done &&
+           budget.visits_left == 1;
+  }
+  return end == Walk::done;
+}
+
+/// How many positions were tried; 0 if a walk from one does not end.
+template <class Traversal>
+std::uint32_t try_positions(const typename Traversal::Tree& a, const typename Traversal::Tree& b) {
+  using Cursor = typename Traversal::Cursor;
+  using Index = typename Cursor::Index;
+  std::uint32_t tried = 0;
+  for (std::uint32_t i = 0; i < a.node_count; ++i) {
+    for (std::uint32_t j = 0; j < b.node_count; ++j) {
+      Cursor cursor;
+      cursor.a = static_cast<Index>(i);
+      cursor.b = static_cast<Index>(j);
+      if (!Traversal::can_visit(a, b, cursor)) {
+        continue;
+      }
+      ++tried;
+      if (!ends<Traversal>(a, b, cursor, false) || !ends<Traversal>(a, b, cursor, true)) {
+        CAPTURE(i, j);
+        CHECK(!"a walk that does not end");
+        return 0;
+      }
+    }
+  }
+  return tried;
+}
+
+template <class Tree>
+std::uint32_t try_pairs() {
+  std::uint32_t tried = 0;
+  for (std::size_t i = 0; i < kKeptImageCount; ++i) {
+    for (std::size_t j = 0; j < kKeptImageCount; ++j) {
+      Tree a;
+      Tree b;
+      if (open_image(kKeptImages[i].bytes, kKeptImages[i].size, a) != Status::done ||
+          open_image(kKeptImages[j].bytes, kKeptImages[j].size, b) != Status::done ||
+          a.node_count * b.node_count > 6000) {
+        continue;
+      }
+      CAPTURE(kKeptImages[i].name, kKeptImages[j].name);
+      tried += try_positions<AlternatingStackless<Tree>>(a, b);
+      tried += try_positions<Leaf<Tree>>(a, b);
+      if constexpr (Tree::kLayout == Layout::post_indexed) {
+        tried += try_positions<Ranked<Tree>>(a, b);
+      }
+    }
+  }
+  return tried;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("a walk ends from every position that may be resumed, within all pairs of nodes",
+                   "", LevelledPreTree, LevelledPostTree, LargeLevelledPreTree,
+                   LargeLevelledPostTree) {
+  CHECK(try_pairs<TestType>() > 100);
+}

@@ -1,0 +1,221 @@
+// The check of a tree's contents against the trees themselves: of all arrays that differ from a
+// tree's in up to four places, exactly those that are a tree's pass. Arrays lie in heap blocks of
+// their size, so the address sanitizer sees whatever the check reads besides.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+
+#include "bake/baked_tree.hpp"
+#include "flashbvh/image.hpp"
+
+using namespace flashbvh;
+
+namespace {
+
+template <Layout layout>
+using Baked = bake::BakedTree<std::uint16_t, layout>;
+
+constexpr std::uint16_t kLeaf = Node<std::uint16_t>::kLeafFlag;
+
+/// Places changed at once; a board under QEMU has not the time for all.
+constexpr int kDepth = sizeof(void*) > 4 ? 4 : 3;
+
+/// What makes the shape of a tree: of each node its link, level, parent or right child level, and
+/// whether it is a leaf.
+using Fields = std::vector<std::uint16_t>;
+constexpr std::size_t kFieldsPerNode = 4;
+
+template <Layout layout>
+Fields fields_of(const Baked<layout>& baked) {
+  Fields fields;
+  for (std::size_t i = 0; i < baked.nodes.size(); ++i) {
+    const auto is_leaf = static_cast<std::uint16_t>(baked.nodes[i].is_leaf());
+    fields.insert(fields.end(), {baked.nodes[i].link, baked.levels[i], baked.climb[i], is_leaf});
+  }
+  return fields;
+}
+
+const bake::LatticeMesh& mesh_of_equal_triangles() {
+  static const bake::LatticeMesh mesh = [] {
+    bake::LatticeMesh equal;
+    equal.vertices = {{0, 0, 0}, {9, 0, 0}, {0, 9, 9}};
+    equal.triangles.assign(10, {0, 1, 2});
+    return equal;
+  }();
+  return mesh;
+}
+
+/// Each tree of `count` nodes: node i > 0 is the last child so far of parents[i], an ancestor or
+/// the node i - 1 itself.
+template <class Use>
+void for_each_tree(std::size_t count, std::vector<std::uint32_t>& parents, Use use) {
+  if (parents.size() == count) {
+    use(parents);
+    return;
+  }
+  for (auto node = static_cast<std::uint32_t>(parents.size() - 1);; node = parents[node]) {
+    parents.push_back(node);
+    for_each_tree(count, parents, use);
+    parents.pop_back();
+    if (node == 0) {
+      return;
+    }
+  }
+}
+
+template <Layout layout>
+std::vector<Baked<layout>> all_trees(std::size_t count) {
+  std::vector<Baked<layout>> trees;
+  std::vector<std::uint32_t> start = {0};
+  for_each_tree(count, start, [&](const std::vector<std::uint32_t>& parents) {
+    const Box box = bake::box_of(mesh_of_equal_triangles(), 0);
+    bake::BuildTree tree;
+    tree.nodes.assign(parents.size(), {box, {}, {}});
+    for (std::uint32_t i = 1; i < parents.size(); ++i) {
+      tree.nodes[parents[i]].children.push_back(i);
+    }
+    std::uint32_t triangle = 0;
+    for (bake::BuildNode& node : tree.nodes) {
+      if (node.is_leaf()) {
+        node.triangles = {triangle++};
+      }
+    }
+    trees.push_back(bake::lay_out<std::uint16_t, layout>(tree, mesh_of_equal_triangles()));
+  });
+  return trees;
+}
+
+template <Layout layout>
+bool passes(const Baked<layout>& baked) {
+  TreeShape shape;
+  return check_tree(baked.view(), shape) == Status::done;
+}
+
+/// The tree with other fields; leaves and their triangles are numbered as they come, ranks are 1.
+template <Layout layout>
+bool passes(Baked<layout>& baked, const Fields& fields) {
+  baked.leaf_count = 0;
+  for (std::size_t i = 0; i < baked.nodes.size(); ++i) {
+    const std::uint16_t* const field = &fields[kFieldsPerNode * i];
+    const auto ranks = static_cast<std::uint16_t>(1u << 8 | (i == 0 ? kRootParentRank : 1));
+    baked.nodes[i].link = field[0];
+    baked.levels[i] = field[1];
+    baked.climb[i] = field[2];
+    baked.nodes[i].data =
+        field[3] != 0 ? static_cast<std::uint16_t>(kLeaf | baked.leaf_count++) : ranks;
+  }
+  baked.triangles.assign(baked.leaf_count, {{0, 1, 2}});
+  baked.sources.assign(baked.leaf_count, 0);
+  return passes(baked);
+}
+
+/// Gives `depth` of the fields from `first` on every other value there could be.
+template <class Use>
+void for_each_change(Fields& fields, std::size_t first, int depth, const Use& use) {
+  use(fields);
+  if (depth == 0) {
+    return;
+  }
+  const auto nodes = static_cast<std::uint16_t>(fields.size() / kFieldsPerNode);
+  for (std::size_t i = first; i < fields.size(); ++i) {
+    const std::uint16_t kept = fields[i];
+    const std::uint16_t most = i % kFieldsPerNode == 3 ? 1 : static_cast<std::uint16_t>(nodes + 1);
+    for (std::uint16_t value = 0; value <= most; ++value) {
+      if (value != kept) {
+        fields[i] = value;
+        for_each_change(fields, i + 1, depth - 1, use);
+      }
+    }
+    fields[i] = kept;
+  }
+}
+
+template <Layout layout>
+void check_all_changes(std::size_t count, int depth) {
+  std::vector<Baked<layout>> trees = all_trees<layout>(count);
+  std::set<Fields> sound;
+  for (const auto& tree : trees) {
+    sound.insert(fields_of(tree));
+  }
+  REQUIRE(sound.size() == trees.size());
+  for (auto& tree : trees) {
+    Fields fields = fields_of(tree);
+    for_each_change(fields, 0, depth, [&](const Fields& changed) {
+      if (passes(tree, changed) != (sound.count(changed) != 0)) {
+        CAPTURE(changed);
+        REQUIRE(!"the check is wrong about these fields");
+      }
+    });
+  }
+}
+
+/// A root with three leaves of two triangles each.
+template <Layout layout>
+Baked<layout> three_leaves() {
+  const Box box = bake::box_of(mesh_of_equal_triangles(), 0);
+  bake::BuildTree tree;
+  tree.nodes = {{box, {1, 2, 3}, {}}, {box, {}, {0, 1}}, {box, {}, {2, 3}}, {box, {}, {4, 5}}};
+  auto baked = bake::lay_out<std::uint16_t, layout>(tree, mesh_of_equal_triangles());
+  REQUIRE(passes(baked));
+  return baked;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("of all links, levels, climbs and kinds, exactly those of a tree pass", "",
+                       ((Layout layout), layout), Layout::pre_indexed, Layout::post_indexed) {
+  check_all_changes<layout>(1, 3);
+  check_all_changes<layout>(2, 3);
+  check_all_changes<layout>(3, 3);
+  check_all_changes<layout>(4, kDepth);
+  check_all_changes<layout>(5, kDepth - 1);
+  check_all_changes<layout>(6, 2);
+}
+
+TEMPLATE_TEST_CASE_SIG("leaves own all triangles, in order, each at least one", "",
+                       ((Layout layout), layout), Layout::pre_indexed, Layout::post_indexed) {
+  const auto good = three_leaves<layout>();
+  std::uint32_t passed = 0;
+  for (std::uint16_t i = 0; i <= 7; ++i) {
+    for (std::uint16_t j = 0; j <= 7; ++j) {
+      for (std::uint16_t k = 0; k <= 7; ++k) {
+        for (std::uint16_t end = 0; end <= 7; ++end) {
+          auto baked = good;
+          baked.leaf_firsts = {i, j, k, end};
+          baked.leaf_firsts.shrink_to_fit();
+          const bool sound = i == 0 && i < j && j < k && k < end && end == 6;
+          REQUIRE(passes(baked) == sound);
+          passed += sound ? 1 : 0;
+        }
+      }
+    }
+  }
+  CHECK(passed == 10);
+}
+
+TEMPLATE_TEST_CASE_SIG("more or fewer leaves than counted are refused", "",
+                       ((Layout layout), layout), Layout::pre_indexed, Layout::post_indexed) {
+  auto fewer = three_leaves<layout>();
+  fewer.leaf_count = 2;
+  fewer.leaf_firsts = std::vector<std::uint16_t>{0, 2, 6};
+  CHECK_FALSE(passes(fewer));
+  auto more = three_leaves<layout>();
+  more.leaf_count = 4;
+  more.leaf_firsts = std::vector<std::uint16_t>{0, 2, 4, 6, 6};
+  CHECK_FALSE(passes(more));
+}
+
+TEMPLATE_TEST_CASE_SIG("every number of a leaf but its own, and every rank but 1 to 126 is refused",
+                       "", ((Layout layout), layout), Layout::pre_indexed, Layout::post_indexed) {
+  const auto good = three_leaves<layout>();
+  for (std::uint32_t data = 0; data <= 0xFFFF; ++data) {
+    auto baked = good;
+    baked.nodes[0].data = static_cast<std::uint16_t>(data);
+    const std::uint32_t rank = data >> 8;
+    REQUIRE(passes(baked) == (rank >= 1 && rank <= 126 && (data & 0xFF) == 127));
+    baked.nodes[0].data = good.nodes[0].data;
+    baked.nodes[2].data = static_cast<std::uint16_t>(data);
+    REQUIRE(passes(baked) == (data == (kLeaf | 1u)));
+  }
+}
