@@ -319,7 +319,7 @@ TEST_CASE("counts beyond the index type are refused, though what they are cut to
                                     {from.leaf_firsts, from.vertices, to.leaf_firsts},
                                     {from.vertices, from.end, to.vertices}};
   for (const auto& [begin, end, at] : parts) {
-    std::memcpy(large.bytes() + at, bytes + begin, end - begin);
+    std::memcpy(large.bytes() + at, bytes + begin, static_cast<std::size_t>(end - begin));
   }
   large.repair_crc();
   CHECK(large.open<LevelledPostTree>() == Status::image_invalid);
