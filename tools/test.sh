@@ -24,8 +24,8 @@ cmake --preset native-sanitize
 cmake --build --preset native-sanitize
 ctest --preset native-sanitize -j2
 
-step "Lint (clang-tidy)"
-sources | grep '\.cpp$' | grep -vE '^(ports|firmware_examples)/|^tests/(benchmark|budget)/' |
+step "Lint (clang-tidy): the library and the host program"
+sources | grep -E '^(lib|tools)/.*\.cpp$' |
   xargs -n 4 -P 2 clang-tidy --quiet -p build/native-sanitize --extra-arg=-Wno-unknown-warning-option \
     2>build/lint.log
 

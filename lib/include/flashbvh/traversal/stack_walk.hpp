@@ -31,6 +31,7 @@ void reverse_entries(Entry* first, Entry* end) {
 }
 
 /// A stack of pairs in the caller's array, at the start of a walk: the roots and nothing else.
+/// Making one writes them: an array and what was made of it serve one query.
 template <class Index>
 class PairStack {
  public:
