@@ -4,7 +4,8 @@
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
-ensure_packages $host_packages $board_packages $fuzz_packages clang-format clang-tidy
+ensure_packages $host_packages $board_packages $fuzz_packages $digest_packages \
+  clang-format clang-tidy
 
 step() { printf '\n== %s\n' "$1"; }
 
