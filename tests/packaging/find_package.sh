@@ -5,7 +5,9 @@
 "$CMAKE" --install "$FOLDER/cross/built/flashbvh-host" --prefix "$PWD/made" >log 2>&1 || fail install
 mv made "moved here"
 prefix="$PWD/moved here"
-if grep -rl -e "$ROOT" -e "$FOLDER" "$prefix"/include "$prefix"/share "$prefix"/lib*/cmake; then
+# A path that begins there; "${folder}/project" is no sign of a checkout in /project.
+if grep -rlE "(^|[^A-Za-z0-9_.}/-])($ROOT|$FOLDER)(/|[^A-Za-z0-9_.-]|\$)" "$prefix"/include \
+    "$prefix"/share "$prefix"/lib*/cmake; then
   fail "absolute paths"
 fi
 "$prefix/bin/flashbvh" --version | grep -q flashbvh || fail "no tool"
