@@ -52,7 +52,7 @@ arm-none-eabi-size build/$board/bin/robot_arm.elf
 echo "text: flash, with every link twice, for both layouts; data and bss: static RAM"
 
 step "5. The arm's configurations, on the microcontroller (QEMU) and on this machine"
-FLASHBVH_ICOUNT=8 ports/run mps2-an386 build/$board/bin/robot_arm.elf >$demo/target ||
+FLASHBVH_TIMEOUT=300 FLASHBVH_ICOUNT=8 ports/run mps2-an386 build/$board/bin/robot_arm.elf >$demo/target ||
   { failed=$?; cat $demo/target; echo "demo: the firmware ended with status $failed" >&2; exit 1; }
 
 # write_poses: the poses that the firmware used, as numbers that `flashbvh collide` reads back to the
@@ -103,7 +103,7 @@ $flashbvh bake $meshes -o $demo/compact/pre --leaf-size 5 --layout pre --format 
 cp $demo/kr5/joints.hpp $demo/compact/
 quietly cmake --preset $board -DFLASHBVH_ROBOT_ARM="$PWD/$demo/compact"
 quietly cmake --build --preset $board --target robot_arm
-FLASHBVH_ICOUNT=8 ports/run mps2-an386 build/$board/bin/robot_arm.elf >$demo/target_compact
+FLASHBVH_TIMEOUT=300 FLASHBVH_ICOUNT=8 ports/run mps2-an386 build/$board/bin/robot_arm.elf >$demo/target_compact
 # A configuration's results by `ranked`: the same triangles, and at most 1.3 times the instructions.
 awk '
   $1 != "result" || $5 != "ranked" { next }
