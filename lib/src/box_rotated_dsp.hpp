@@ -21,9 +21,9 @@ static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits ==
 ///
 /// r0 turned, r1 box, then rows, r2 other, r3 starts; r4, r5, r6 the box's words; r7, r8, r9 a
 /// row's; r10, r11 upper and lower x and y; r12, lr the bounds at hand.
-[[gnu::naked, gnu::noinline]] uint32_t turn_and_compare(TurnedBox& /*turned*/,
-                                                        const PackedBox& /*box*/,
-                                                        const PackedBox& /*other*/) {
+[[gnu::naked, gnu::noinline]] static uint32_t turn_and_compare(TurnedBox& /*turned*/,
+                                                               const PackedBox& /*box*/,
+                                                               const PackedBox& /*other*/) {
   // An axis: two sums of three pairs of products, then whole cells from 0 to 32,767.
 #define FLASHBVH_TURN_AXIS(upper, lower) \
   "ldm r1!, {r7, r8, r9}\n\t"            \

@@ -4,6 +4,7 @@
 #define FLASHBVH_SRC_FINE_CROSSING_HPP
 
 #include "flashbvh/contact.hpp"
+#include "vector.hpp"
 
 namespace flashbvh {
 
@@ -17,16 +18,6 @@ inline bool comes_before(const PointType& p, const PointType& q) {
 /// same corner are equal.
 inline bool edge_before(const Point& p, const Point& q, const Point& r, const Point& s) {
   return comes_before(comes_before(p, q) ? p : q, comes_before(r, s) ? r : s);
-}
-
-struct Vector {
-  int32_t x;
-  int32_t y;
-  int32_t z;
-};
-
-inline Vector difference(const Point& to, const Point& from) {
-  return {to.x - from.x, to.y - from.y, to.z - from.z};
 }
 
 inline Normal cross(const Vector& u, const Vector& v) {

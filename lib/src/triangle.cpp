@@ -12,6 +12,8 @@
 // whose sign is taken is exact.
 #include "flashbvh/triangle.hpp"
 
+#include "vector.hpp"
+
 namespace flashbvh {
 namespace {
 
@@ -23,16 +25,6 @@ constexpr int32_t kMaxNarrow = (1 << 15) - 1;
 static_assert(INT32_MAX / kMaxNarrow / kMaxNarrow >= 2, "a cofactor is a sum of two products");
 
 constexpr unsigned kAllCorners = 7;
-
-struct Vector {
-  int32_t x;
-  int32_t y;
-  int32_t z;
-};
-
-inline Vector difference(const Point& to, const Point& from) {
-  return {to.x - from.x, to.y - from.y, to.z - from.z};
-}
 
 /// A cross product. Cofactor: int32_t up to kMaxNarrow, int64_t up to kMaxDifference.
 template <typename Cofactor>

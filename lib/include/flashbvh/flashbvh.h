@@ -17,7 +17,7 @@
 #ifndef FLASHBVH_FLASHBVH_H
 #define FLASHBVH_FLASHBVH_H
 
-#include <stdbool.h>
+#include <stdbool.h> /* freestanding in C99; C++ callers see their own bool */
 #include <stddef.h>
 #include <stdint.h>
 
