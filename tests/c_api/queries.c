@@ -28,16 +28,21 @@ static void clear(answer* to) {
   memset(&to->counts, 0, sizeof to->counts);
 }
 
+/* One run, whose pairs are kept. */
+static void run_once(flashbvh_query* query, uint32_t visits, uint32_t capacity, answer* to) {
+  flashbvh_pair found[MOST_PAIRS_A_RUN];
+  uint32_t count = UINT32_MAX;
+  to->status = flashbvh_query_run(query, visits, found, capacity, &count);
+  keep(to, found, count);
+}
+
 void query_in_slices(const flashbvh_tree* a, const flashbvh_tree* b, const flashbvh_pose* pose,
                      uint32_t visits, uint32_t capacity, answer* to) {
   flashbvh_query query;
-  flashbvh_pair found[MOST_PAIRS_A_RUN];
   clear(to);
   flashbvh_query_start(&query, a, b, pose);
   do {
-    uint32_t count = UINT32_MAX;
-    to->status = flashbvh_query_run(&query, visits, found, capacity, &count);
-    keep(to, found, count);
+    run_once(&query, visits, capacity, to);
   } while (can_go_on(to->status));
   to->counts = flashbvh_query_counts(&query);
 }
@@ -47,13 +52,10 @@ void query_saved_and_resumed(const flashbvh_tree* a, const flashbvh_tree* b,
                              answer* to) {
   unsigned char saved[sizeof(flashbvh_position)];
   flashbvh_query query;
-  flashbvh_pair found[MOST_PAIRS_A_RUN];
   clear(to);
   flashbvh_query_start(&query, a, b, pose);
   do {
-    uint32_t count = UINT32_MAX;
-    to->status = flashbvh_query_run(&query, visits, found, capacity, &count);
-    keep(to, found, count);
+    run_once(&query, visits, capacity, to);
     add_counts(&to->counts, flashbvh_query_counts(&query));
     if (can_go_on(to->status)) {
       flashbvh_position position = flashbvh_query_position(&query);

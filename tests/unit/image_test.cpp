@@ -178,18 +178,17 @@ TEMPLATE_TEST_CASE(
   CHECK(opened > 0);  // deviation, origin, or a coordinate inside its box may change
 }
 
-TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused", "",
-                   LevelledPreTree, LevelledPostTree) {
-  constexpr Layout layout = TestType::kLayout;
-  const Baked<layout> good = small_tree<layout>();
-  REQUIRE(status_after(good, [](auto&) {}) == Status::done);
-  using Change = std::function<void(Baked<layout>&)>;
-  const auto last = good.nodes.size() - 1;
-  const std::vector<Change> changes = {
+/// What breaks one rule of the arrays.
+template <Layout layout>
+std::vector<std::function<void(Baked<layout>&)>> broken_arrays(std::size_t last) {
+  const auto stray = [](const Vertex& v) {
+    return [v](Baked<layout>& t) { t.vertices.push_back(v); };
+  };
+  return {
       [](auto& t) { t.nodes[0].link -= 1; },
       [](auto& t) { t.nodes[1].link = 0; },
       [](auto& t) { t.nodes[2].link = 1; },
-      [&](auto& t) { t.nodes[last].link = static_cast<std::uint16_t>(last + 9); },
+      [last](auto& t) { t.nodes[last].link = static_cast<std::uint16_t>(last + 9); },
       [](auto& t) { t.nodes[0].box.upper_xy -= 1; },
       [](auto& t) { t.nodes[0].box.z |= 0x8000; },
       [](auto& t) { t.nodes[1].box.lower_xy = 0; },
@@ -204,12 +203,12 @@ TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused"
       [](auto& t) {
         t.nodes[1].data = static_cast<std::uint16_t>(126 << 8 | (t.nodes[1].data & 255));
       },
-      [&](auto& t) { t.nodes[last].data ^= 1; },
+      [last](auto& t) { t.nodes[last].data ^= 1; },
       [](auto& t) { t.levels[0] = 1; },
-      [&](auto& t) { t.levels[last] += 1; },
-      [&](auto& t) { t.levels[last] = 0; },
+      [last](auto& t) { t.levels[last] += 1; },
+      [last](auto& t) { t.levels[last] = 0; },
       [](auto& t) { t.climb[0] = 1; },
-      [&](auto& t) { t.climb[last] += 1; },
+      [last](auto& t) { t.climb[last] += 1; },
       [](auto& t) { t.climb[1] += 1; },
       [](auto& t) { t.triangles[0].corner[2] = 0xFFFF; },
       [](auto& t) { std::swap(t.triangles.front(), t.triangles.back()); },
@@ -223,15 +222,16 @@ TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused"
       },
       [](auto& t) { t.vertices[0].x = 16384; },
       // Vertices that no triangle has: no box tells.
-      [](auto& t) {
-        t.vertices.push_back({16384, 0, 0});
-      },
-      [](auto& t) {
-        t.vertices.push_back({0, -16384, 0});
-      },
-      [](auto& t) {
-        t.vertices.push_back({0, 0, INT16_MIN});
-      },
+      stray({16384, 0, 0}),
+      stray({0, -16384, 0}),
+      stray({0, 0, INT16_MIN}),
+  };
+}
+
+/// What breaks one rule of the header.
+template <Layout layout>
+std::vector<std::function<void(Baked<layout>&)>> broken_headers() {
+  return {
       [](auto& t) { t.stack_need -= 1; },
       [](auto& t) { t.stack_need += 1; },
       [](auto& t) { t.depth += 1; },
@@ -253,9 +253,19 @@ TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused"
       [](auto& t) { t.deviation = std::numeric_limits<double>::infinity(); },
       [](auto& t) { t.deviation = std::numeric_limits<double>::quiet_NaN(); },
   };
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    CAPTURE(i);
-    CHECK(status_after(good, changes[i]) == Status::image_invalid);
+}
+
+TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused", "",
+                   LevelledPreTree, LevelledPostTree) {
+  constexpr Layout layout = TestType::kLayout;
+  const Baked<layout> good = small_tree<layout>();
+  REQUIRE(status_after(good, [](auto&) {}) == Status::done);
+  for (const auto& changes :
+       {broken_arrays<layout>(good.nodes.size() - 1), broken_headers<layout>()}) {
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      CAPTURE(i);
+      CHECK(status_after(good, changes[i]) == Status::image_invalid);
+    }
   }
 }
 
