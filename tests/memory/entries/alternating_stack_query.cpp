@@ -1,0 +1,10 @@
+// The paper's alternating stack algorithm as a query; its array of pairs is the caller's.
+#include "flashbvh/traversal/alternating_stack.hpp"
+#include "memory/query_entry.hpp"
+
+using namespace flashbvh;
+
+extern "C" void alternating_stack_query(void* arguments) {
+  auto& in = *static_cast<memory::Arguments*>(arguments);
+  memory::make_or_run<Query<AlternatingStack<LevelledPostTree>>>(in, *in.a, *in.b);
+}

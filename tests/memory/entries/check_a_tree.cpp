@@ -1,0 +1,11 @@
+// check_tree() on its own.
+#include "flashbvh/image.hpp"
+#include "memory/arguments.hpp"
+
+using namespace flashbvh;
+
+extern "C" void check_a_tree(void* arguments) {
+  auto& in = *static_cast<memory::Arguments*>(arguments);
+  in.status =
+      static_cast<uint8_t>(check_tree(*in.a, *reinterpret_cast<TreeShape*>(in.opened.bytes)));
+}

@@ -1,0 +1,10 @@
+// The paper's post-indexed stackless algorithm as a query.
+#include "flashbvh/traversal/stackless_post.hpp"
+#include "memory/query_entry.hpp"
+
+using namespace flashbvh;
+
+extern "C" void stackless_post_query(void* arguments) {
+  auto& in = *static_cast<memory::Arguments*>(arguments);
+  memory::make_or_run<Query<StacklessPost>>(in, *in.a, *in.b);
+}
