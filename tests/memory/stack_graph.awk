@@ -1,18 +1,17 @@
-# stack_graph.awk ROOTS TABLE FRAMES CI...: the worst case of each root's stack.
+# stack_graph.awk ROOTS CALLS FRAMES CI...: the worst case of each root's stack.
 #
 # CI: what -fcallgraph-info=su writes: a node for each function with its frame, an edge for each
-# call. What the compiler did not compile, libgcc's arithmetic and assembly, has no frame there:
-# TABLE names it with the reason why it may be called, and its stack follows from the machine code
-# (FRAMES, from frames.awk). For every other function, both must give the same frame.
+# call. FRAMES, from frames.awk, is the linked machine code's word on the same. It must give each
+# function the frame that the compiler gives, and has what the compiler does not tell: the stack of
+# libgcc, and which calls are tail calls, below which the caller's frame is gone.
 #
-# Recursion, frames of no fixed size, indirect calls and unknown functions are errors, unless TABLE
-# names them. Lines of TABLE, comments aside:
-#     outside EXPRESSION    not compiled here: its stack is what its machine code takes
-#     assembly NAME BYTES   compiled here, but its frame is the assembly's; must be BYTES
-#     visitor NAME          its indirect calls are of a function of the caller's, which takes 0 here
+# CALLS (calls.txt) names what is no plain call of a function compiled here. Recursion, a frame of
+# no fixed size, an indirect call or an unknown function that it does not name are errors.
 #
-# A function that several sources have, a template's instance, has the largest of their frames.
-
+# A function that several sources have, a template's instance, has the largest of their frames and
+# all of their calls. Prints, in the order of ROOTS,
+#     stack ROOT graph BYTES
+#     path ROOT FUNCTION BYTES > ...    what each function on the deepest path holds
 FNR == 1 { ++file }
 /^#/ || /^$/ { next }
 file == 1 { roots[++root_count] = $1; next }
@@ -28,7 +27,12 @@ END {
       error("no such function: " root)
       continue
     }
+    split("", depth)
+    split("", deepest)
     print "stack", root, "graph", depth_of(root)
+    if (failed) {
+      continue  # there may be no end to the path
+    }
     path = ""
     for (f = root; f != ""; f = deepest[f]) {
       path = path (path == "" ? "" : " > ") f " " own(f)
@@ -39,17 +43,25 @@ END {
 }
 
 function error(text) {
+  if (text in told) {
+    return
+  }
+  told[text] = 1
   print "stack_graph.awk: " text > "/dev/stderr"
   failed = 1
 }
 
 function read_table() {
   if ($1 == "outside") {
-    outside = outside (outside == "" ? "" : "|") "^" $2 "$"
+    outside = outside (outside == "" ? "^(" : "|") $2
   } else if ($1 == "assembly") {
     assembly[$2] = $3
   } else if ($1 == "visitor") {
     visitor[$2] = 1
+  } else if ($1 == "never") {
+    never[$2] = $3
+  } else {
+    error("not understood: " $0)
   }
 }
 
@@ -59,6 +71,7 @@ function read_frame() {
   } else if ($1 == "call") {
     code_calls[$2] = code_calls[$2] " " $3 " " $4
     at_call[$2, $3] = $4 > at_call[$2, $3] + 0 ? $4 : at_call[$2, $3] + 0
+    add_edge($2, $3)
   } else {
     trouble[$2] = $0
   }
@@ -87,9 +100,11 @@ function read_node(name, bytes) {
   frame[name] = (name in frame) && frame[name] > bytes + 0 ? frame[name] : bytes + 0
 }
 
-function read_edge(from, to) {
-  from = title("sourcename")
-  to = title("targetname")
+function read_edge() {
+  add_edge(title("sourcename"), title("targetname"))
+}
+
+function add_edge(from, to) {
   if (!((from, to) in is_edge)) {
     is_edge[from, to] = 1
     edges[from] = edges[from] " " to
@@ -102,6 +117,9 @@ function own(name) {
 }
 
 function depth_of(name, list, n, i, below, most) {
+  if (root in never && name ~ never[root]) {
+    return 0
+  }
   if (name in depth) {
     return depth[name]
   }
@@ -111,7 +129,7 @@ function depth_of(name, list, n, i, below, most) {
   }
   on_path[name] = 1
   if (!(name in frame)) {
-    if (outside == "" || name !~ outside) {
+    if (outside == "" || name !~ (outside ")$")) {
       error("not in the table: " name)
       most = 0
     } else {

@@ -1,0 +1,13 @@
+// A frame that the compiler does not know, as in box_rotated_dsp.hpp.
+__attribute__((naked, noinline)) void hidden() {
+#if defined(__riscv)
+  __asm__("addi sp, sp, -48\n addi sp, sp, 48\n ret");
+#else
+  __asm__("push {r4, r5, r6, r7, lr}\n pop {r4, r5, r6, r7, pc}");
+#endif
+}
+
+int main() {
+  hidden();
+  return 0;
+}

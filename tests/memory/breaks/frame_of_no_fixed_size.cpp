@@ -1,0 +1,12 @@
+// A frame as large as somebody says.
+volatile int size = 10;
+
+__attribute__((noinline)) int sum(int count) {
+  volatile char* const bytes = static_cast<char*>(__builtin_alloca(static_cast<unsigned>(count)));
+  bytes[0] = 1;
+  return bytes[count - 1];
+}
+
+int main() {
+  return sum(size) & 0;
+}

@@ -1,0 +1,40 @@
+# cmake -DNM=... -DLIBRARY=libflashbvh.a -P check_symbols.cmake
+#
+# The library's symbols: no writable data, and nothing called from outside but what calls.txt has,
+# memory functions and the compiler's own arithmetic with integers. A heap, exceptions, RTTI or
+# floats would show here even if nobody called.
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/calls.txt allowed REGEX "^outside ")
+list(TRANSFORM allowed REPLACE "^outside " "")
+list(JOIN allowed "|" allowed)
+
+execute_process(COMMAND ${NM} ${LIBRARY} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+string(REPLACE ";" "," symbols "${symbols}")
+string(REPLACE "\n" ";" symbols "${symbols}")
+set(defined "")
+set(called "")
+foreach(line IN LISTS symbols)
+  if(line MATCHES " [BbDdCSs] (.*)$")
+    message(SEND_ERROR "static data in the library: ${CMAKE_MATCH_1}")
+  elseif(line MATCHES "^ +[Uvw] (.*)$")
+    list(APPEND called ${CMAKE_MATCH_1})
+  elseif(line MATCHES " [TtWVRrn] (.*)$")
+    list(APPEND defined ${CMAKE_MATCH_1})
+  elseif(line MATCHES "^[0-9a-f]+ . ")
+    message(SEND_ERROR "a symbol of an unknown kind: ${line}")
+  endif()
+endforeach()
+if(NOT defined)
+  message(FATAL_ERROR "${LIBRARY} has no symbols")
+endif()
+list(REMOVE_DUPLICATES called)
+foreach(symbol IN LISTS called)
+  # Of ours, mangled; whether it is there is the linker's business.
+  if(symbol MATCHES "^_ZN?K?8flashbvh" OR symbol MATCHES "^_ZNK8flashbvh" OR symbol IN_LIST defined)
+    continue()
+  endif()
+  if(NOT symbol MATCHES "^(${allowed})$")
+    message(SEND_ERROR "the library needs ${symbol}")
+  endif()
+endforeach()
+list(LENGTH defined count)
+message(STATUS "${count} symbols, no static data; from outside: ${called}")
