@@ -17,8 +17,8 @@ FNR == 1 { ++file }
 /^#/ || /^$/ { next }
 file == 1 {
   key = $2 " " $3 ($2 == "code" ? " " $4 : "")
-  if ($1 in tags) {
-    limit[key] = !(key in limit) || $NF < limit[key] ? $NF : limit[key]
+  if ($1 in tags && (!(key in limit) || $NF + 0 < limit[key])) {
+    limit[key] = $NF + 0
   }
   next
 }
