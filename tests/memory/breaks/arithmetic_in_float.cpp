@@ -1,4 +1,4 @@
-// Arithmetic that not every core has; double, which fewer have.
-double halved(double value) {
-  return value * 0.5;
+// Arithmetic with a double that even cores with an FPU for it call for.
+unsigned long long whole(double value) {
+  return static_cast<unsigned long long>(value);
 }
