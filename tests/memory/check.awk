@@ -42,7 +42,8 @@ END {
     }
     apart = stack[root, "graph"] - stack[root, "painted"]
     if (apart < 0) {
-      wrong(root ": painted " stack[root, "painted"] ", above the call graph's " stack[root, "graph"])
+      wrong(root ": painted " stack[root, "painted"] ", above the call graph's " \
+        stack[root, "graph"])
     } else if (apart > most_apart) {
       wrong(root ": painted " stack[root, "painted"] ", " apart " below the call graph")
     }

@@ -24,7 +24,8 @@ expect() {
   fi
 }
 
-printf '%s\n' "# one" "any stack walk 100" "small code walk Os 600" "large code walk Os 1" >"$budgets"
+printf '%s\n' "# one" "any stack walk 100" "small code walk Os 600" "large code walk Os 1" \
+  >"$budgets"
 code="code walk Os 600"
 expect 0 "at most 100" "$code" "stack walk graph 100" "stack walk painted 84"
 expect 1 "painted 83, 17 below" "$code" "stack walk graph 100" "stack walk painted 83"

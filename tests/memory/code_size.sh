@@ -3,8 +3,8 @@
 # and -O2.
 #
 # Linked with nothing but the library, libgcc and the memory functions of C's library, from the
-# entry on. LINK is compiler and flags, LIBRARIES what comes last; ARCHIVE_OS and ARCHIVE_O2 hold the
-# entries and the library at the two levels.
+# entry on. LINK is compiler and flags, LIBRARIES what comes last; ARCHIVE_OS and ARCHIVE_O2 hold
+# the entries and the library at the two levels.
 set -eu
 roots=$1
 output=$2

@@ -103,7 +103,8 @@ function walk(i, unreached) {
 
 # Between functions; and a return, which takes no stack whoever gets there.
 function is_padding(i) {
-  return operation[i] ~ /^(nop|unimp|\.)/ || operation[i] " " operands[i] ~ /^(movs r0, r0|bx lr|ret ?)$/
+  return operation[i] ~ /^(nop|unimp|\.)/ ||
+    operation[i] " " operands[i] ~ /^(movs r0, r0|bx lr|ret ?)$/
 }
 
 # Bytes of a list of registers: {r4, r5-r7, lr}, {d8-d9}.
