@@ -2,9 +2,8 @@
 # its joints, from Debian's package dart-doc (BSD-2-Clause), which is kept in FOLDER.
 
 fetch_kr5() {
-  data=$1/dart/usr/share/doc/dart/data/urdf/KR5
-  kr5=$data/meshes
-  urdf="$data/KR5 sixx R650.urdf"
+  kr5=$1/dart/usr/share/doc/dart/data/urdf/KR5/meshes
+  urdf="${kr5%/*}/KR5 sixx R650.urdf"
   if [ ! -r "$urdf" ] || [ ! -r "$kr5/palm.STL" ]; then
     mkdir -p "$1"
     (cd "$1" && apt-get download dart-doc >log 2>&1) ||
