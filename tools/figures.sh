@@ -31,7 +31,6 @@ quietly() {
 
 # bake LEAF_SIZE FOLDER: the links' trees; prints their bytes and their triangles.
 bake() {
-  # shellcheck disable=SC2086
   "$flashbvh" bake $(for link in $links; do echo "$kr5/$link.STL"; done) -o "$2" --leaf-size "$1" \
     2>"$folder/log" >"$folder/table" || { cat "$folder/log" >&2; exit 1; }
   awk 'FNR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i }
@@ -48,7 +47,6 @@ prepare() {
   fetch_kr5 build/kr5
   one=$(bake 1 "$folder")
   five=$(bake 5 "$folder/compact")
-  # shellcheck disable=SC2086
   quietly build/native/bin/write_poses "$folder" $pairs
   echo "$one $five" | awk '{ printf "all flash.leaf_1 %.1f\nall flash.leaf_5 %.1f\n", $1 / $2, $3 / $4
     print "all flash.triangles", $2; print "all flash.bytes", $1 }' >"$folder/flash.txt"
@@ -90,7 +88,7 @@ if [ $mode = prepare ]; then
   echo "$folder"
   exit 0
 fi
-ensure_packages $host_packages $board_packages
+ensure_packages $host_packages $board_packages $riscv_packages
 [ $# -gt 0 ] || set -- $(boards)
 prepare
 files=
@@ -101,7 +99,6 @@ done
 
 if [ $mode = write ]; then
   touch $data
-  # shellcheck disable=SC2086
   awk -f tests/figures/merge.awk $data $files >"$folder/figures.txt"
   mv "$folder/figures.txt" $data
   tests/figures/page.sh

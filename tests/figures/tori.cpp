@@ -66,6 +66,7 @@ void measure_kind(const test::TriangleKind& kind) {
     tests.add(port::instructions_of([&] { meets = triangles_intersect(a, b); }));
     met += meets ? 1 : 0;
   }
+  print_count({{"triangles", kind.name, "n"}}, tests.count());
   print_count({{"triangles", kind.name, "met"}}, met);
   print_figures({{"triangles", kind.name}}, tests);
 }
