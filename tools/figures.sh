@@ -1,6 +1,7 @@
 #!/bin/sh
 # figures.sh [PRESET...]             measures the figures of lib/docs/figures.md anew and writes the page
 # figures.sh --check [PRESET...]     measures, and fails if anything differs from the page
+# figures.sh --compare [PRESET...]   compares what the tests left in the build folders, no more
 # figures.sh --prepare               makes build/figures, which builds are given to measure a robot:
 #                                    cmake --preset cortex-m4f -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
 #
@@ -14,12 +15,14 @@ cd "$(dirname "$0")/.."
 
 mode=write
 case ${1:-} in
-  --check | --prepare) mode=${1#--}; shift ;;
-  -*) sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  --check | --compare | --prepare) mode=${1#--}; shift ;;
+  -*) sed -n '2,11s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 folder=$PWD/build/figures
 data=tests/figures/figures.txt
 flashbvh=$PWD/build/native/bin/flashbvh
+# What measures: the figures, the memory (tests/memory) and the bounds (tests/bound).
+tests="figures: measured|memory, and both stacks|instructions of a visit are proven"
 # Each pair of links that no joint connects, of those that fit 256 KB together.
 links="bicep forearm palm wrist"
 pairs="bicep-palm forearm-palm bicep-forearm bicep-wrist"
@@ -58,28 +61,33 @@ boards() {
     here && $2 == "name" { name = $4 } here && /"FLASHBVH_BOARD"/ { print name }' CMakePresets.json
 }
 
-# measure PRESET: prints the file that its figures are in.
+# measure PRESET: its tests leave figures.txt, memory.txt and bound.txt in its build folder.
 measure() {
   quietly cmake --preset "$1" -DFLASHBVH_HOST_TOOL="$flashbvh" -DFLASHBVH_KR5_FIGURES="$folder"
   quietly cmake --build --preset "$1" --target figures
-  quietly ctest --preset "$1" -R "figures: measured"
-  measured=build/$1/measured.txt
-  cp "build/$1/figures.txt" "$measured"
-  core=$(awk '$1 != "all" { print $1; exit }' "$measured")
-  # What other tests left: memory, and the bounds of a visit.
+  quietly ctest --preset "$1" -R "$tests"
+}
+
+# gather PRESET: its figures in one file, whose name is printed.
+gather() {
+  [ -r "build/$1/figures.txt" ] ||
+    { echo "figures: nothing measured in build/$1: run its tests, or $0 without --compare" >&2; exit 1; }
+  gathered=build/$1/measured.txt
+  cp "build/$1/figures.txt" "$gathered"
+  core=$(awk '$1 != "all" { print $1; exit }' "$gathered")
   for other in memory bound; do
     if [ -r "build/$1/$other.txt" ]; then
       awk -v core="$core" '$NF ~ /^[0-9.]+$/ {
         name = $1
         for (i = 2; i < NF; ++i) name = name "." $i
         print core, name, $NF
-      }' "build/$1/$other.txt" >>"$measured"
+      }' "build/$1/$other.txt" >>"$gathered"
     fi
   done
   if [ "$1" = native ]; then
-    cat "$folder/flash.txt" >>"$measured"
+    cat "$folder/flash.txt" >>"$gathered"
   fi
-  echo "$measured"
+  echo "$gathered"
 }
 
 if [ $mode = prepare ]; then
@@ -88,13 +96,18 @@ if [ $mode = prepare ]; then
   echo "$folder"
   exit 0
 fi
-ensure_packages $host_packages $board_packages $riscv_packages
-[ $# -gt 0 ] || set -- $(boards)
-prepare
+[ $# -gt 0 ] || set -- native $(boards)
+if [ $mode != compare ]; then
+  ensure_packages $host_packages $board_packages $riscv_packages
+  prepare
+  for preset; do
+    echo "Measuring $preset"
+    measure "$preset"
+  done
+fi
 files=
-for preset in native "$@"; do
-  echo "Measuring $preset" >&2
-  files="$files $(measure "$preset")"
+for preset; do
+  files="$files $(gather "$preset")"
 done
 
 if [ $mode = write ]; then

@@ -3,7 +3,6 @@
 # Lines of the text that begin with @ become tables:
 #     @table LABEL | HEAD...       the cores are the columns, behind one for each HEAD
 #     @row LABEL | NAME... | NAME  what all cores count under each HEAD; what each core takes
-#     @each PREFIX SUFFIX          a row for each figure PREFIX.*.SUFFIX
 #     @end OTHERWISE               the table; if it has no rows, the rest of the line instead
 #     @parts MOTION                what fits in a period of 1 ms, by part
 #     @worked CORE MOTION CLASS    the arithmetic of one of these figures
@@ -115,17 +114,6 @@ $1 == "@row" {
     counted[i - 1] = trimmed(field[i])
   }
   core_row(trimmed(field[1]), fields - 2, counted, trimmed(field[fields]))
-  next
-}
-
-$1 == "@each" {
-  for (n = 0; n < names; ++n) {
-    if (index(name[n], $2 ".") == 1 && name[n] ~ "\\." $3 "$") {
-      label = substr(name[n], length($2) + 2)
-      label = substr(label, 1, length(label) - length($3) - 1)
-      core_row("`" label "`", 0, counted, name[n])
-    }
-  }
   next
 }
 
