@@ -84,7 +84,7 @@ gather() {
       }' "build/$1/$other.txt" >>"$gathered"
     fi
   done
-  if [ "$1" = native ]; then
+  if [ "$1" = native ] && [ -r "$folder/flash.txt" ]; then
     cat "$folder/flash.txt" >>"$gathered"
   fi
   echo "$gathered"
