@@ -3,7 +3,7 @@
 # file ROOTS, by call graph, with the path that takes it.
 #
 # PROGRAM is linked of objects that were compiled with -fcallgraph-info=su; what that wrote lies in
-# FOLDER. NM and OBJDUMP are the board's.
+# FOLDER. NM and OBJDUMP are the board's. All paths are absolute.
 set -eu
 program=$1
 roots=$2
@@ -14,9 +14,10 @@ here=$(dirname "$0")
 "$NM" "$program" >"$output.nm"
 "$OBJDUMP" -d "$program" >"$output.code"
 awk -f "$here/frames.awk" "$output.nm" "$output.code" >"$output.frames"
-find "$folder" -name '*.ci' | sort >"$output.ci"
+cd "$folder"
+find . -name '*.ci' | sort >"$output.ci"
 [ -s "$output.ci" ] || { echo "stack_graph.sh: no call graph in $folder" >&2; exit 1; }
-# The folder's names have no blanks: CMake made them.
+# Within the folder, no name has blanks.
 # shellcheck disable=SC2046
 awk -f "$here/stack_graph.awk" "$roots" "$here/calls.txt" "$output.frames" \
   $(cat "$output.ci") >"$output.new" || { rm -f "$output"; exit 1; }
