@@ -22,13 +22,20 @@ function read_marks(f,    i, row, lines, at, file) {
     }
     limit[row_kind[row]] = row_count[row] ~ /^[0-9]+$/ ? row_count[row] + 0 : -1
     for (i = first_of[f]; i <= last_of[f]; ++i) {
+      if (row_file[row] == "-") {
+        file = mnemonic[i]
+        sub(/\.[nw]$/, "", file)
+        if (file == row_text[row]) {
+          marked[i] = row_kind[row]
+        }
+        continue
+      }
       at = place[i]
       file = at
       sub(/:[0-9]+$/, "", file)
       sub(/^.*:/, "", at)
       if (ends_with(file, row_file[row]) && (row, at) in row_line) {
         marked[i] = row_kind[row]
-        row_used[row] = 1
       }
     }
   }
@@ -124,8 +131,8 @@ function sort_topologically(f,    i, k, n, head, to, into) {
   return 1
 }
 
-# As few cuts as do: of instructions that do the same, the last stays.
-function choose_cuts(f,    i, kind) {
+# As few cuts as do: of instructions that do the same, a call stays, or the last.
+function choose_cuts(f,    i) {
   split("", cut)
   for (i in marked) {
     if (i in weight) {
@@ -136,15 +143,25 @@ function choose_cuts(f,    i, kind) {
     refuse(left_over, "a loop without a bound in " table)
   }
   for (i = first_of[f]; i <= last_of[f]; ++i) {
+    if (i in cut && weight[i] == 1) {
+      spare(f, i)
+    }
+  }
+  for (i = first_of[f]; i <= last_of[f]; ++i) {
     if (i in cut) {
-      kind = cut[i]
-      delete cut[i]
-      if (!sort_topologically(f)) {
-        cut[i] = kind
-      }
+      spare(f, i)
     }
   }
   sort_topologically(f)
+}
+
+# Takes a cut away unless it is needed.
+function spare(f, i,    kind) {
+  kind = cut[i]
+  delete cut[i]
+  if (!sort_topologically(f)) {
+    cut[i] = kind
+  }
 }
 
 # step[from, to]: the longest path from one cut (or "in", the entry) to before another, or "out".
@@ -228,16 +245,22 @@ function check_cuts(    i, j) {
   }
 }
 
-# Sets fixed and inside[kind].
-function add_up(f,    i, j, way) {
+# Sets fixed and, for each kind of cut and component, inside[kind, component].
+function add_up(f,    i, j, component, way) {
   split("", inside)
   split("", known_way)
   fixed = step["in", "out"] + 0
   for (i in cut) {
-    inside[cut[i]] += 0
+    component = i
     for (j in cut) {
-      if (step[i, j] > inside[cut[i]] && (j, i) in reach) {
-        inside[cut[i]] = step[i, j]
+      if (j + 0 < component + 0 && (i, j) in reach && (j, i) in reach) {
+        component = j
+      }
+    }
+    inside[cut[i], component] += 0
+    for (j in cut) {
+      if (step[i, j] > inside[cut[i], component] && (j, i) in reach) {
+        inside[cut[i], component] = step[i, j]
       }
     }
     way = way_out(i)
@@ -265,7 +288,7 @@ function cost_callees(f,    i, list, n, k) {
 }
 
 # Of a whole call, or 0 if the table says that it is counted apart.
-function cost_of(f, caller,    i, kind, sum) {
+function cost_of(f, caller,    i, kind, sum, part, open) {
   if (f in cost) {
     if (cost[f] == "open") {
       print "longest_path: " f " calls itself" | "cat >&2"
@@ -290,14 +313,20 @@ function cost_of(f, caller,    i, kind, sum) {
   add_up(f)
   sum = fixed
   report[f] = "fixed " fixed
-  for (kind in inside) {
-    if (limit[kind] < 0) {
-      open_kinds[f] = open_kinds[f] " " kind
-      report[f] = report[f] " " kind " " inside[kind]
-    } else {
-      sum += limit[kind] * inside[kind]
-      report[f] = report[f] " " kind " " limit[kind] "*" inside[kind]
+  split("", open)
+  for (i in inside) {
+    split(i, part, SUBSEP)
+    kind = part[1]
+    if (limit[kind] >= 0) {
+      sum += (limit[kind] - 1) * inside[i]
+      report[f] = report[f] " " kind " " limit[kind] - 1 "*" inside[i]
+    } else if (!(kind in open) || inside[i] > open[kind]) {
+      open[kind] = inside[i]
     }
+  }
+  for (kind in open) {
+    open_kinds[f] = open_kinds[f] " " kind
+    report[f] = report[f] " " kind " " open[kind]
   }
   if (f in open_kinds && !is_apart(f) && caller != "") {
     print "longest_path: " f " has no bound of its own (" open_kinds[f] "), but " caller \
@@ -335,6 +364,10 @@ function read_table(    text, field, n, line, source, found) {
     row_count[rows] = field[4]
     row_file[rows] = field[5]
     sub(/^ *[^ ]+ +[^ ]+ +[^ ]+ +[^ ]+ +[^ ]+ +/, "", text)
+    row_text[rows] = text
+    if (row_file[rows] == "-") {
+      continue
+    }
     line = found = 0
     while ((getline source <(root "/" row_file[rows])) > 0) {
       ++line
@@ -344,7 +377,7 @@ function read_table(    text, field, n, line, source, found) {
       }
     }
     close(root "/" row_file[rows])
-    if (!found && field[5] != "-") {
+    if (!found) {
       print "longest_path: no '" text "' in " row_file[rows] | "cat >&2"
       failed = 1
       exit 1

@@ -17,7 +17,7 @@ function flow_of(i,    name) {
   } else if (name == "ret") {
     leaves = 1
     goes_on = 0
-  } else if (name ~ /^(j.*|b.*|e(call|break)|[msu]ret|wfi|unimp|\..*|)$/) {
+  } else if (name ~ /^(j.*|b.*|e(call|break)|[msu]ret|wfi|unimp|\..*)$/ || name == "") {
     refuse(i, "not understood")
   }
 }
