@@ -10,40 +10,7 @@
 # where `fixed` is the longest path from the entry to a return that steps from component to
 # component. That holds for irreducible loops, too.
 #
-# Needs: disassembly.awk, arm.awk or riscv.awk; table, root; FUNCTIONS in the environment.
-
-# The table's lines for a function: fills kinds[], limit[kind] (-1: not a number), and marked[i].
-function read_marks(f,    i, row, lines, at, file) {
-  split("", marked)
-  split("", limit)
-  for (row = 1; row <= rows; ++row) {
-    if (f !~ row_function[row]) {
-      continue
-    }
-    limit[row_kind[row]] = row_count[row] ~ /^[0-9]+$/ ? row_count[row] + 0 : -1
-    for (i = first_of[f]; i <= last_of[f]; ++i) {
-      if (row_file[row] == "-") {
-        file = mnemonic[i]
-        sub(/\.[nw]$/, "", file)
-        if (file == row_text[row]) {
-          marked[i] = row_kind[row]
-        }
-        continue
-      }
-      at = place[i]
-      file = at
-      sub(/:[0-9]+$/, "", file)
-      sub(/^.*:/, "", at)
-      if (ends_with(file, row_file[row]) && (row, at) in row_line) {
-        marked[i] = row_kind[row]
-      }
-    }
-  }
-}
-
-function ends_with(text, tail) {
-  return length(text) >= length(tail) && substr(text, length(text) - length(tail) + 1) == tail
-}
+# Needs: disassembly.awk, table.awk, arm.awk or riscv.awk; FUNCTIONS in the environment.
 
 # weight[i]: the instruction and what it calls; edges[i]: indices behind it, by blanks.
 function read_graph(f,    i) {
@@ -68,9 +35,6 @@ function read_graph(f,    i) {
       edges[i] = jump
     }
     if (goes_on) {
-      if (i == last_of[f]) {
-        refuse(i, "the function's end is reached")
-      }
       edges[i] = edges[i] " " (i + 1)
     }
   }
@@ -88,6 +52,9 @@ function find_reachable(f,    pending, i, n) {
     if (jump && owner[jump] == f && !(jump in reachable)) {
       reachable[jump] = 1
       pending[++n] = jump
+    }
+    if (goes_on && i == last_of[f]) {
+      refuse(i, "the function's end is reached")
     }
     if (goes_on && !(i + 1 in reachable)) {
       reachable[i + 1] = 1
@@ -287,8 +254,28 @@ function cost_callees(f,    i, list, n, k) {
   }
 }
 
+# Adds a kind of cut to what is reported; what its turns beyond the first cost in all components.
+function report_kind(f, kind,    i, sum, most) {
+  most = -1
+  for (i = first_of[f]; i <= last_of[f]; ++i) {
+    if (kind in limit && (kind, i) in inside) {
+      if (limit[kind] >= 0) {
+        sum += (limit[kind] - 1) * inside[kind, i]
+        report[f] = report[f] " " kind " " limit[kind] - 1 "*" inside[kind, i]
+      } else if (inside[kind, i] > most) {
+        most = inside[kind, i]
+      }
+    }
+  }
+  if (most >= 0) {
+    open_kinds[f] = open_kinds[f] " " kind
+    report[f] = report[f] " " kind " " most
+  }
+  return sum
+}
+
 # Of a whole call, or 0 if the table says that it is counted apart.
-function cost_of(f, caller,    i, kind, sum, part, open) {
+function cost_of(f, caller,    i, kind, sum, row) {
   if (f in cost) {
     if (cost[f] == "open") {
       print "longest_path: " f " calls itself" | "cat >&2"
@@ -313,20 +300,10 @@ function cost_of(f, caller,    i, kind, sum, part, open) {
   add_up(f)
   sum = fixed
   report[f] = "fixed " fixed
-  split("", open)
-  for (i in inside) {
-    split(i, part, SUBSEP)
-    kind = part[1]
-    if (limit[kind] >= 0) {
-      sum += (limit[kind] - 1) * inside[i]
-      report[f] = report[f] " " kind " " limit[kind] - 1 "*" inside[i]
-    } else if (!(kind in open) || inside[i] > open[kind]) {
-      open[kind] = inside[i]
-    }
-  }
-  for (kind in open) {
-    open_kinds[f] = open_kinds[f] " " kind
-    report[f] = report[f] " " kind " " open[kind]
+  for (row = 1; row <= rows; ++row) {
+    kind = row_kind[row]
+    sum += report_kind(f, kind)
+    delete limit[kind]  # two lines of the table may tell of one
   }
   if (f in open_kinds && !is_apart(f) && caller != "") {
     print "longest_path: " f " has no bound of its own (" open_kinds[f] "), but " caller \
@@ -336,53 +313,6 @@ function cost_of(f, caller,    i, kind, sum, part, open) {
   }
   report[f] = sum " = " report[f]
   return cost[f] = is_apart(f) ? 0 : sum
-}
-
-function is_apart(f,    k) {
-  for (k = 1; k <= aparts; ++k) {
-    if (f ~ apart[k]) {
-      return 1
-    }
-  }
-  return 0
-}
-
-# "cut FUNCTION KIND COUNT FILE TEXT..." and "apart FUNCTION": see longest_path.sh.
-function read_table(    text, field, n, line, source, found) {
-  while ((getline text <table) > 0) {
-    if (text ~ /^ *(#|$)/) {
-      continue
-    }
-    n = split(text, field, " ")
-    if (field[1] == "apart") {
-      apart[++aparts] = field[2]
-      continue
-    }
-    ++rows
-    row_function[rows] = field[2]
-    row_kind[rows] = field[3]
-    row_count[rows] = field[4]
-    row_file[rows] = field[5]
-    sub(/^ *[^ ]+ +[^ ]+ +[^ ]+ +[^ ]+ +[^ ]+ +/, "", text)
-    row_text[rows] = text
-    if (row_file[rows] == "-") {
-      continue
-    }
-    line = found = 0
-    while ((getline source <(root "/" row_file[rows])) > 0) {
-      ++line
-      if (index(source, text)) {
-        row_line[rows, line] = 1
-        found = 1
-      }
-    }
-    close(root "/" row_file[rows])
-    if (!found) {
-      print "longest_path: no '" text "' in " row_file[rows] | "cat >&2"
-      failed = 1
-      exit 1
-    }
-  }
 }
 
 END {

@@ -22,4 +22,4 @@ core=$1 table=$2 root=$3 disassembly=$4
 shift 4
 # Not by -v: awk would take the backslashes of the expressions.
 FUNCTIONS="$*" exec awk -v table="$table" -v root="$root" -v show="${SHOW:-}" \
-  -f "$here/disassembly.awk" -f "$here/$core.awk" -f "$here/longest_path.awk" "$disassembly"
+  -f "$here/disassembly.awk" -f "$here/$core.awk" -f "$here/table.awk" -f "$here/longest_path.awk" "$disassembly"

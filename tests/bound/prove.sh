@@ -9,7 +9,10 @@ set -eu
 here=$(dirname "$0")
 output=$1 core=$2 objdump=$3 program=$4
 trap 'rm -f "$output.dis" "$output.paths" "$output.new"' EXIT
-"$objdump" -dl --no-show-raw-insn "$program" >"$output.dis"
+# Else binutils 2.40 does not know the conditional selects of Armv8.1-M.
+[ "$core" != arm ] || objdump="$objdump -m armv8.1-m.main"
+# shellcheck disable=SC2086
+$objdump -dl --no-show-raw-insn "$program" >"$output.dis"
 sh "$here/longest_path.sh" "$core" "$here/loops.txt" "$here/../.." "$output.dis" \
   '6Ranked.*3run.*17TranslatedOverlap' '6Ranked.*3run.*11RotatedTest' next_triangles_intersect \
   '^bound_run$' '^bound_make_query$' >"$output.paths"
