@@ -1,8 +1,6 @@
-# From what longest_path.sh prints to the terms of the bound, "bound NAME VALUE" a line. A run of at
-# most N visits that meets L pairs of leaves and tests P pairs of triangles takes at most
-#   run + depths * ascent + (N - L) * (visit + ascent) + L * (visit + leaf-pair) + P * triangle-pair
-# instructions, `depths` being the sum of the trees' depths. `arity`: the most children of a node.
-function term(name) {
+# From what longest_path.sh prints to the terms of the bound, "bound NAME VALUE" a line:
+# flashbvh::RunCosts (bound.hpp), for poses that translate and for those that rotate.
+function term(name,    i) {
   for (i = 4; i <= NF; i += 2) {
     if ($i == name) {
       return $(i + 1)
@@ -12,17 +10,29 @@ function term(name) {
   failed = 1
   exit 1
 }
+
 function most(a, b) {
   return a > b ? a : b
 }
 
-$1 ~ /17TranslatedOverlap/ { walk("translated") }
-$1 ~ /11RotatedTest/ { walk("rotated") }
-function walk(kind) {
+function read_walk(kind) {
   visit[kind] = term("visit")
   ascent[kind] = term("ascent")
-  enter[kind] = term("fixed") + 2 * (arity - 1) * term("sibling")
+  sibling[kind] = term("sibling")
+  enter[kind] = term("fixed")
 }
+
+# The walk's own part of a run and of a pair of leaves: in at one end, out at the other.
+function report(kind) {
+  print "bound run-" kind, run + enter[kind]
+  print "bound visit-" kind, visit[kind]
+  print "bound ascent-" kind, ascent[kind]
+  print "bound leaf-pair-" kind, again + enter[kind]
+  print "bound later-sibling-" kind, sibling[kind]
+}
+
+$1 ~ /17TranslatedOverlap/ { read_walk("translated") }
+$1 ~ /11RotatedTest/ { read_walk("rotated") }
 $1 ~ /next_triangles/ { tests = most(term("fixed"), term("triangle")) }
 $1 ~ /bound_run/ { again = term("walk"); test = term("test"); run = term("fixed") }
 $1 ~ /bound_make_query/ { make = $2 }
@@ -31,13 +41,8 @@ END {
   if (failed || !again || !tests || !make) {
     exit 1
   }
-  for (n = 1; n <= 2; ++n) {
-    kind = n == 1 ? "translated" : "rotated"
-    print "bound run-" kind, run + enter[kind]
-    print "bound visit-" kind, visit[kind]
-    print "bound ascent-" kind, ascent[kind]
-    print "bound leaf-pair-" kind, again + enter[kind]
-  }
+  report("translated")
+  report("rotated")
   print "bound triangle-pair", test + tests
   print "bound make-query", make
 }

@@ -6,11 +6,12 @@ FNR == NR {
   next
 }
 
-# The bound on a run of which it is known what it did.
-function bound_of(kind, visits, leaf_pairs, pairs, depths) {
-  return value["run-" kind] + depths * value["ascent-" kind] + \
-    (visits - leaf_pairs) * (value["visit-" kind] + value["ascent-" kind]) + \
-    leaf_pairs * (value["visit-" kind] + value["leaf-pair-" kind]) + pairs * value["triangle-pair"]
+# flashbvh::most_instructions(), of a run of which it is known what it did. The trees are binary.
+function bound_of(kind, visits, leaf_pairs, pairs, depths,    walk) {
+  walk = 2 * value["later-sibling-" kind]
+  return value["run-" kind] + walk + (depths + visits - leaf_pairs) * value["ascent-" kind] + \
+    visits * value["visit-" kind] + leaf_pairs * (value["leaf-pair-" kind] + walk) + \
+    pairs * value["triangle-pair"]
 }
 
 function hold(name, measured, bound) {
