@@ -1,5 +1,6 @@
-# From what longest_path.sh prints to the terms of the bound, "bound NAME VALUE" a line:
-# flashbvh::RunCosts (bound.hpp), for poses that translate and for those that rotate.
+!tests || !general || !make# From what longest_path.sh prints to the terms of the bound, "bound NAME VALUE" a line:
+# flashbvh::RunCosts (bound.hpp), for poses that translate and for those that rotate;
+# triangle-pair-general is for triangles with area that do not lie in one plane.
 function term(name,    i) {
   for (i = 4; i <= NF; i += 2) {
     if ($i == name) {
@@ -33,7 +34,8 @@ function report(kind) {
 
 $1 ~ /17TranslatedOverlap/ { read_walk("translated") }
 $1 ~ /11RotatedTest/ { read_walk("rotated") }
-$1 ~ /next_triangles/ { tests = most(term("fixed"), term("triangle")) }
+$1 ~ /^general_/ { general = most(term("fixed"), term("triangle")) }
+$1 ~ /^next_triangles/ { tests = most(term("fixed"), term("triangle")) }
 $1 ~ /bound_run/ { again = term("walk"); test = term("test"); run = term("fixed") }
 $1 ~ /bound_make_query/ { make = $2 }
 
@@ -44,5 +46,6 @@ END {
   report("translated")
   report("rotated")
   print "bound triangle-pair", test + tests
+  print "bound triangle-pair-general", test + general
   print "bound make-query", make
 }

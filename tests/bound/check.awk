@@ -1,4 +1,8 @@
-# check.awk BOUND MEASURED: holds what the firmware measured against what was proven.
+# check.awk BOUND MEASURED: holds what the firmware measured against what was proven. Of each kind
+# of run it prints the most instructions, the bound on that run, and the largest part of its own
+# bound that a run of the kind took:
+#   measured NAME INSTRUCTIONS of BOUND, nearest PART
+# boxes-KIND-N: runs of N visits that met no pair of leaves; run-KIND-N: those that did.
 FNR == NR {
   if ($1 == "bound") {
     value[$2] = $3
@@ -40,8 +44,8 @@ $1 == "make" {
 
 END {
   for (name in most) {
-    printf "measured %s %d, bound of that run %d; nearest to its bound: %.2f\n", name, most[name],
-      bound_at[name], nearest[name] | "sort"
+    printf "measured %s %d of %d, nearest %.2f\n", name, most[name], bound_at[name],
+      nearest[name] | "sort"
   }
   close("sort")
   if (held < 1000) {
