@@ -1,4 +1,4 @@
-!tests || !general || !make# From what longest_path.sh prints to the terms of the bound, "bound NAME VALUE" a line:
+# From what longest_path.sh prints to the terms of the bound, "bound NAME VALUE" a line:
 # flashbvh::RunCosts (bound.hpp), for poses that translate and for those that rotate;
 # triangle-pair-general is for triangles with area that do not lie in one plane.
 function term(name,    i) {
@@ -40,7 +40,7 @@ $1 ~ /bound_run/ { again = term("walk"); test = term("test"); run = term("fixed"
 $1 ~ /bound_make_query/ { make = $2 }
 
 END {
-  if (failed || !again || !tests || !make) {
+  if (failed || !again || !tests || !general || !make) {
     exit 1
   }
   report("translated")

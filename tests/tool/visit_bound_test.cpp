@@ -43,7 +43,7 @@ Walked walk_all(const Tree& a, const Tree& b) {
 
 }  // namespace
 
-TEST_CASE("ranked visits exactly its bound when all boxes overlap, other traversals at most") {
+TEST_CASE("ranked visits exactly its bound when all boxes overlap") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed);
