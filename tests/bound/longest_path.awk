@@ -290,6 +290,9 @@ function cost_of(f, caller,    i, kind, sum, row) {
   read_graph(f)
   read_marks(f)
   choose_cuts(f)
+  for (i in cut) {
+    cut_report = cut_report "cut " address[i] " " address[first_of[f]] " " cut[i] " " limit[cut[i]] "\n"
+  }
   split("", step)
   measure_steps(f, "in", first_of[f])
   for (i in cut) {
@@ -336,9 +339,5 @@ END {
     cost_of(hit, "")
     print wanted_function[w] " " report[hit]
   }
-  if (show) {
-    for (f in report) {
-      print "# " f ": " report[f]
-    }
-  }
+  printf "%s", ENVIRON["CUTS"] ? cut_report : ""
 }
