@@ -58,6 +58,7 @@ void measure_run(PairQuery& query, bool rotated) {
   const Counts before = query.counts();
   const bool pending = query.position().untested != 0;
   const uint32_t instructions = port::instructions_of_call(bound_run, &slice);
+  bound_done();
   const uint32_t leaf_pairs = query.counts().leaf_pairs - before.leaf_pairs;
   const uint32_t pairs = (leaf_pairs + (pending ? 1 : 0)) * side_a.leaf_size * side_b.leaf_size;
   port::print("run ", rotated ? 1 : 0, " ", slice.visits, " ",
@@ -74,7 +75,9 @@ void measure_query(const Pose& pose, uint32_t granted) {
   slice.pose = &pose;
   slice.query = &query;
   slice.visits = granted;
-  port::print("make ", port::instructions_of_call(bound_make_query, &slice), "\n");
+  const uint32_t making = port::instructions_of_call(bound_make_query, &slice);
+  bound_done();
+  port::print("make ", making, "\n");
   for (uint32_t i = 0; i < kRunsPerQuery; ++i) {
     measure_run(query, !pose.is_translation());
     if (slice.step.status == Status::done) {

@@ -23,7 +23,10 @@ longest() {  # TABLE FUNCTION...
 export CUTS=1
 longest "$here/loops.txt" '6Ranked.*3run.*17TranslatedOverlap' '6Ranked.*3run.*11RotatedTest' \
   next_triangles_intersect '^bound_run$' '^bound_make_query$' >"$output.paths"
-grep '^cut ' "$output.paths" >"$cuts"
+{
+  grep '^cut ' "$output.paths"
+  sed -n 's/^0*\([0-9a-f]*\) <\(bound_[a-z_]*\)>:$/symbol \1 \2/p' "$output.dis"
+} >"$cuts"
 unset CUTS
 # Triangles in general position: what is for those in one plane and those without area, apart.
 {

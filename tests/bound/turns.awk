@@ -1,10 +1,13 @@
-# turns.awk CUTS RUNS TRACE, `run`: the address of bound_run. RUNS: what the firmware printed.
+# turns.awk CUTS RUNS TRACE. RUNS: what the firmware printed.
 #
+# What counts is executed between the call of bound_run or bound_make_query and that of bound_done.
 # Where the table has a number, it holds for each call; where it leaves it open, for each run: the
 # k-th execution of bound_run is the k-th line "run".
 FNR == 1 { ++file }
 
-file == 1 {
+file == 1 && $1 == "symbol" { symbol[$2] = $3 }
+
+file == 1 && $1 == "cut" {
   entry_of[$2] = $3
   kind_of[$2] = $4
   limit[$2] = $5
@@ -50,9 +53,12 @@ file == 3 {
 }
 
 function execute(at,    i, n, inside) {
-  if (at == run) {
-    end_run()
-    ++traced
+  if (at in symbol) {
+    counts = symbol[at] != "bound_done"
+    if (symbol[at] == "bound_run") {
+      end_run()
+      ++traced
+    }
   }
   if (at in at_entry) {
     n = split(at_entry[at], inside, " ")
@@ -60,7 +66,7 @@ function execute(at,    i, n, inside) {
       count[inside[i]] = 0
     }
   }
-  if (at in kind_of) {
+  if (counts && at in kind_of) {
     ++count[at]
     if (limit[at] < 0) {
       ++in_run[kind_of[at]]

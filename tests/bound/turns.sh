@@ -9,10 +9,10 @@ set -eu
 here=$(dirname "$0")
 cuts=$1
 trap 'rm -f "$cuts.runs" "$cuts.trace"' EXIT
-filter=$(awk '{ print $2; print $3 }' "$cuts" | sort -u | sed 's/.*/0x&+1/' | paste -s -d , -)
-run=$(awk '$4 == "walk" { print $3; exit }' "$cuts")
+filter=$(awk '{ print $2 } $1 == "cut" { print $3 }' "$cuts" | sort -u | sed 's/.*/0x&+1/' |
+  paste -s -d , -)
 # One instruction a block, each block logged.
 FLASHBVH_QEMU_OPTIONS="-singlestep -d exec,nochain -dfilter $filter -D $cuts.trace" \
   FLASHBVH_TIMEOUT=240 "$here/../../ports/run" "$2" "$3" >"$cuts.runs" ||
   { echo "turns.sh: the firmware failed with status $?" >&2; exit 1; }
-awk -v run="$run" -f "$here/turns.awk" "$cuts" "$cuts.runs" "$cuts.trace"
+awk -f "$here/turns.awk" "$cuts" "$cuts.runs" "$cuts.trace"
