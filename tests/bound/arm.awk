@@ -42,8 +42,8 @@ function flow_of(i,    name, first) {
   } else if (name ~ /^ldr(eq|ne)?$/ && operands[i] ~ /^pc, \[sp\], #/) {
     leaves = 1
     goes_on = in_it_block(i)
-  } else if (name ~ /^(udf|bkpt|svc|hlt|tb[bh]|rfe.*|\.word|\.short|\.byte|\..*|blx.*|bx.*|letp|wlstp.*|dlstp.*)$/ ||
-      (name ~ /^b/ && name !~ /^(bic|bfi|bfc)/) || first == "pc" || name == "") {
+  } else if (name ~ /^(udf|bkpt|svc|hlt|tb[bh]|rfe.*|\..*|letp|wlstp.*|dlstp.*)$/ ||
+      (name ~ /^b/ && name !~ /^(bics?|bf[ic])(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)?$/) || first == "pc" || name == "") {
     refuse(i, "not understood")
   }
 }

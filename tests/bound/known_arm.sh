@@ -1,3 +1,4 @@
+#!/bin/sh
 # Sourced by longest_path_test.sh: Thumb code without loops.
 code arm '0|movs r0, #1
   2|bx lr'
@@ -77,3 +78,13 @@ refused "recursion" "calls itself" none
 code arm '0|bl 100 <elsewhere>
   4|bx lr'
 refused "a call of what is not there" "out of the code" none
+
+code arm '0|bicne r0, r1
+  2|bfi r0, r1, #2, #3
+  6|bics r0, r1
+  8|bx lr'
+longest "bits that are no branches" "4 = fixed 4" none
+
+code arm '0|bfcsel 4, 8 <f+0x8>, 6, ne
+  8|bx lr'
+refused "a branch in the future" "not understood" none

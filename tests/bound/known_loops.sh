@@ -1,3 +1,4 @@
+#!/bin/sh
 # Sourced by longest_path_test.sh: loops, and what the table says of them.
 one_loop='0|movs r0, #3
   /source.c:4

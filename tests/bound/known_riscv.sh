@@ -1,3 +1,4 @@
+#!/bin/sh
 # Sourced by longest_path_test.sh: RISC-V code without loops.
 code riscv '0|beqz a0,6 <f+0x6>
   2|li a0,1

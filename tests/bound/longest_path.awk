@@ -291,7 +291,8 @@ function cost_of(f, caller,    i, kind, sum, row) {
   read_marks(f)
   choose_cuts(f)
   for (i in cut) {
-    cut_report = cut_report "cut " address[i] " " address[first_of[f]] " " cut[i] " " limit[cut[i]] "\n"
+    cut_report = cut_report "cut " address[i] " " address[first_of[f]] " " cut[i] " " \
+      limit[cut[i]] "\n"
   }
   split("", step)
   measure_steps(f, "in", first_of[f])
