@@ -24,12 +24,9 @@ struct Way {
 };
 
 const Way kWays[] = {
-    {"undefined instruction", undefined_instruction},
-    {"stack pointer outside memory", leave_stack},
-    {"branch into data", branch_into_data},
-    {"fault in an interrupt", raise_handled},
-    {"unexpected interrupt", raise_unhandled},
-    {"hang", hang},
+    {"undefined instruction", undefined_instruction}, {"stack pointer outside memory", leave_stack},
+    {"branch into data", branch_into_data},           {"fault in an interrupt", raise_handled},
+    {"unexpected interrupt", raise_unhandled},        {"hang", hang},
 };
 
 }  // namespace

@@ -15,6 +15,10 @@ function in_it_block(i,    back) {
   return 0
 }
 
+function is_bit_operation(name) {
+  return name ~ /^(bics?|bf[ic])(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)?$/
+}
+
 function flow_of(i,    name, first) {
   name = mnemonic[i]
   sub(/\.[nw]$/, "", name)
@@ -43,7 +47,7 @@ function flow_of(i,    name, first) {
     leaves = 1
     goes_on = in_it_block(i)
   } else if (name ~ /^(udf|bkpt|svc|hlt|tb[bh]|rfe.*|\..*|letp|wlstp.*|dlstp.*)$/ ||
-      (name ~ /^b/ && name !~ /^(bics?|bf[ic])(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)?$/) || first == "pc" || name == "") {
+      (name ~ /^b/ && !is_bit_operation(name)) || first == "pc" || name == "") {
     refuse(i, "not understood")
   }
 }
