@@ -13,6 +13,7 @@
 #include "flashbvh/lattice_pose.hpp"
 #include "flashbvh/numbers.hpp"
 #include "flashbvh/user_error.hpp"
+#include "flashbvh/visit_bound.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -24,6 +25,7 @@ struct Arguments {
   std::string algorithm;
   std::string pairs;
   bool first = false;
+  bool bound = false;
   bool json = false;
 };
 
@@ -93,11 +95,43 @@ void append_pairs(std::string& text, std::size_t pose, std::vector<FoundPair> pa
   }
 }
 
+/// What no pose can exceed, and what a run's bound is made of (lib/docs/bounded_time.md).
+void print_bound(const ImageFile& a, const ImageFile& b, const std::string& algorithm, bool json) {
+  const VisitBound bound = visit_bound(a.tree(), b.tree(), algorithm);
+  const std::uint32_t depths = a.header().depth + b.header().depth;
+  const auto later = [](const ImageHeader& header) {
+    return header.arity == 0 ? 0u : header.arity - 1u;
+  };
+  const std::uint32_t siblings = later(a.header()) + later(b.header());
+  const std::uint32_t at_leaf_pair = std::uint32_t{a.header().leaf_size} * b.header().leaf_size;
+  if (json) {
+    const nlohmann::ordered_json line = {{"algorithm", algorithm},
+                                         {"most_visits", bound.visits},
+                                         {"most_leaf_pairs", bound.leaf_pairs},
+                                         {"most_triangle_pairs", bound.triangle_pairs},
+                                         {"depths", depths},
+                                         {"later_siblings", siblings},
+                                         {"triangle_pairs_of_leaves", at_leaf_pair}};
+    std::cout << line.dump() << "\n";
+    return;
+  }
+  std::cout << a.name() << " and " << b.name() << ", " << algorithm << ", any pose\n"
+            << "at most " << bound.visits << " visits, of which " << bound.leaf_pairs
+            << " pairs of leaves, where " << bound.triangle_pairs
+            << " pairs of triangles are tested\n"
+            << "depths " << depths << ", later siblings " << siblings
+            << ", pairs of triangles a pair of leaves " << at_leaf_pair << "\n";
+}
+
 void collide_all(const Arguments& arguments) {
   const ImageFile a(arguments.a);
   const ImageFile b(arguments.b);
   check_partners(a, b);
   const std::string algorithm = chosen_algorithm(arguments, a);
+  if (arguments.bound) {
+    print_bound(a, b, algorithm, arguments.json);
+    return;
+  }
   const std::vector<Pose> poses = lattice_poses(arguments.poses, a.cell());
   std::string pairs;
   std::vector<WideCounts> counts;
@@ -137,12 +171,13 @@ void add_collide(CLI::App& app) {
       "collide", "Find the triangles of A that meet triangles of B, by the firmware's own code.");
   command->add_option("A", a.a, "Image (.fbvh) that stays in place")->required();
   command->add_option("B", a.b, "Image (.fbvh) that the poses turn and move")->required();
-  command
-      ->add_option("--poses", a.poses,
-                   "A pose a line, B into A's frame: the rotation row by row, then the translation "
-                   "in the mesh's unit; 12 numbers")
-      ->required()
-      ->type_name("FILE");
+  CLI::Option* const poses =
+      command
+          ->add_option(
+              "--poses", a.poses,
+              "A pose a line, B into A's frame: the rotation row by row, then the translation "
+              "in the mesh's unit; 12 numbers")
+          ->type_name("FILE");
   command
       ->add_option("--algorithm", a.algorithm,
                    "Traversal; default: ranked, or stackless on pre-indexed images")
@@ -151,7 +186,13 @@ void add_collide(CLI::App& app) {
   command->add_option("--pairs", a.pairs, "Write `pose a b` for each pair, sorted")
       ->type_name("OUT");
   command->add_flag("--json", a.json, "One JSON object a pose");
-  command->callback([arguments] { collide_all(*arguments); });
+  command->add_flag("--bound", a.bound, "Print what no pose can exceed, instead")->excludes(poses);
+  command->callback([arguments] {
+    if (!arguments->bound && arguments->poses.empty()) {
+      throw CLI::RequiredError("--poses or --bound");
+    }
+    collide_all(*arguments);
+  });
 }
 
 }  // namespace flashbvh::tool

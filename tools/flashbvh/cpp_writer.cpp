@@ -96,6 +96,9 @@ std::string constants(const bake::BakedTree<Index, layout>& baked, const std::st
   return constant("kNodeCount", baked.nodes.size(), "of the tree") +
          constant("kDepth", baked.depth, "of the deepest leaf; the root has depth 0") +
          constant("kStackNeed", baked.stack_need, "see flashbvh::stack_entries()") +
+         constant("kLeafCount", baked.leaf_count, "see flashbvh::most_visits()") +
+         constant("kLeafSize", baked.leaf_size, "most triangles in a leaf") +
+         constant("kArity", baked.arity, "most children of a node; 0 if the root is a leaf") +
          constant("kTriangleCount", baked.triangles.size(), "that were kept of the mesh file") +
          constant("kVertexCount", baked.vertices.size(), "on the lattice, joined") +
          constant("kFlashBytes", flash_bytes(baked), "what `tree` links, on a 32-bit core") +

@@ -1,0 +1,112 @@
+// Measures runs of queries on hard meshes under many poses, for what is proven to be held against:
+//   run ROTATED GRANTED VISITS LEAF_PAIRS PAIRS DEPTHS INSTRUCTIONS
+//   make INSTRUCTIONS
+// PAIRS: at most so many pairs of triangles were tested. DEPTHS: of both trees.
+#include "flashbvh/image.hpp"
+#include "insn.hpp"
+#include "meshes.hpp"
+#include "slice.hpp"
+#include "support/rotations.hpp"
+#include "text.hpp"
+
+using namespace flashbvh;
+using flashbvh::test::Random;
+
+namespace bound {
+namespace {
+
+constexpr uint32_t kScenes = 40;
+constexpr uint32_t kPoses = 4;
+constexpr uint32_t kRunsPerQuery = 24;
+constexpr uint32_t kGranted[] = {1, 10, 100};
+constexpr uint64_t kSeed = 0x626F756E64u;
+
+struct Side {
+  digest::SmallMesh mesh;
+  digest::SmallTree<Layout::post_indexed> tree;
+  uint32_t leaf_size;
+  uint32_t depth;
+};
+
+// Static, since the smallest core has no such stack.
+Side side_a;
+Side side_b;
+Slice slice;
+
+bool make_side(Random& random, int32_t reach, Side& side) {
+  make_mesh(random, static_cast<Kind>(random.below(kKinds)), reach, side.mesh);
+  side.leaf_size = 1 + random.below(3);
+  side.tree.make(side.mesh, static_cast<digest::Shape>(random.below(4)), side.leaf_size);
+  TreeShape shape;
+  const bool good = check_tree(side.tree.view(), shape) == Status::done;
+  side.depth = shape.depth;
+  return good;
+}
+
+Pose any_pose(Random& random, int32_t reach) {
+  // Near enough to meet as a rule; now and then in the same place.
+  const int32_t far = random.below(3) == 0 ? 0 : random.below(2) == 0 ? reach / 4 : reach;
+  if (random.below(2) == 0) {
+    return test::any_rigid_pose(random, far);
+  }
+  const int32_t x = random.between(-far, far);
+  const int32_t y = random.between(-far, far);
+  return Pose::translated(x, y, random.below(2) == 0 ? 0 : random.between(-far, far));
+}
+
+void measure_run(PairQuery& query, bool rotated) {
+  const Counts before = query.counts();
+  const bool pending = query.position().untested != 0;
+  const uint32_t instructions = port::instructions_of_call(bound_run, &slice);
+  bound_done();
+  const uint32_t leaf_pairs = query.counts().leaf_pairs - before.leaf_pairs;
+  const uint32_t pairs = (leaf_pairs + (pending ? 1 : 0)) * side_a.leaf_size * side_b.leaf_size;
+  port::print("run ", rotated ? 1 : 0, " ", slice.visits, " ",
+              query.counts().visits - before.visits, " ", leaf_pairs, " ", pairs);
+  port::print(" ", side_a.depth + side_b.depth, " ", instructions, "\n");
+}
+
+void measure_query(const Pose& pose, uint32_t granted) {
+  const PostTree& a = side_a.tree.view();
+  const PostTree& b = side_b.tree.view();
+  PairQuery query(a, b, pose);
+  slice.a = &a;
+  slice.b = &b;
+  slice.pose = &pose;
+  slice.query = &query;
+  slice.visits = granted;
+  const uint32_t making = port::instructions_of_call(bound_make_query, &slice);
+  bound_done();
+  port::print("make ", making, "\n");
+  for (uint32_t i = 0; i < kRunsPerQuery; ++i) {
+    measure_run(query, !pose.is_translation());
+    if (slice.step.status == Status::done) {
+      return;
+    }
+  }
+}
+
+bool measure_all() {
+  Random random(kSeed);
+  for (uint32_t i = 0; i < kScenes; ++i) {
+    constexpr int32_t reaches[] = {3, 100, 4000, kMaxCoordinate};
+    const int32_t reach = reaches[i % 4];
+    if (!make_side(random, reach, side_a) || !make_side(random, reach, side_b)) {
+      return false;
+    }
+    for (uint32_t j = 0; j < kPoses; ++j) {
+      const Pose pose = any_pose(random, reach);
+      for (const uint32_t granted : kGranted) {
+        measure_query(pose, granted);
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+}  // namespace bound
+
+int main() {
+  return bound::measure_all() ? 0 : 1;
+}

@@ -1,0 +1,16 @@
+#include "slice.hpp"
+
+void bound_make_query(void* context) {
+  auto& slice = *static_cast<bound::Slice*>(context);
+  flashbvh::PairQuery query(*slice.a, *slice.b, *slice.pose);
+  flashbvh::keep_in_memory(query);
+}
+
+void bound_run(void* context) {
+  auto& slice = *static_cast<bound::Slice*>(context);
+  slice.step = slice.query->run(slice.visits, slice.found);
+}
+
+void bound_done() {
+  __asm__ volatile("");
+}

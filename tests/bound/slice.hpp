@@ -1,0 +1,32 @@
+// What is analysed and measured: making a query, and one run of it.
+#ifndef FLASHBVH_TESTS_BOUND_SLICE_HPP
+#define FLASHBVH_TESTS_BOUND_SLICE_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/query.hpp"
+
+namespace bound {
+
+constexpr uint32_t kCapacity = 16;
+
+struct Slice {
+  const flashbvh::PostTree* a;
+  const flashbvh::PostTree* b;
+  const flashbvh::Pose* pose;
+  flashbvh::PairQuery* query;
+  uint32_t visits;
+  flashbvh::PairQuery::Pair found[kCapacity];
+  flashbvh::Step step;
+};
+
+}  // namespace bound
+
+// In a file of their own, to be neither inlined nor made for one use. `slice`: a bound::Slice.
+extern "C" {
+void bound_make_query(void* slice);
+void bound_run(void* slice);
+void bound_done();  ///< behind each of these: what follows is not looked at
+}
+
+#endif

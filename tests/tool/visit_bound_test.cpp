@@ -1,0 +1,65 @@
+// The bound on visits against walks that find all boxes overlapping, on trees of every shape.
+#include "flashbvh/visit_bound.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "bake/baked_tree.hpp"
+#include "flashbvh/traversal/leaf.hpp"
+#include "flashbvh/traversal/ranked.hpp"
+#include "flashbvh/traversal/stackless.hpp"
+#include "support/random.hpp"
+#include "support/shapes.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+using Post = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
+
+Post any_baked(Random& random) {
+  const bake::LatticeMesh mesh = random_mesh(random, 1 + random.below(24), 30, 25);
+  return bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh), mesh);
+}
+
+struct Walked {
+  std::uint64_t visits = 0;
+  std::uint64_t leaf_pairs = 0;
+};
+
+template <class Traversal, class Tree>
+Walked walk_all(const Tree& a, const Tree& b) {
+  Budget budget = {UINT32_MAX, 0, false};
+  typename Traversal::Cursor cursor;
+  Walked walked;
+  const auto always = [](const PackedBox&, const PackedBox&) { return true; };
+  (void)Traversal::run(a, b, always, cursor, budget, [&](std::uint32_t, std::uint32_t) {
+    ++walked.leaf_pairs;
+    return true;
+  });
+  walked.visits = UINT32_MAX - budget.visits_left;
+  return walked;
+}
+
+}  // namespace
+
+TEST_CASE("ranked visits exactly its bound when all boxes overlap") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  for (int round = 0; round < 2000; ++round) {
+    const Post baked_a = any_baked(random);
+    const Post baked_b = any_baked(random);
+    const LevelledPostTree a = baked_a.view();
+    const LevelledPostTree b = baked_b.view();
+    const Walked ranked = walk_all<Ranked<PostTree>, PostTree>(a, b);
+    const tool::VisitBound bound = tool::visit_bound(a, b, "ranked");
+    REQUIRE(ranked.visits == bound.visits);
+    REQUIRE(ranked.leaf_pairs == bound.leaf_pairs);
+    const tool::VisitBound of_any = tool::visit_bound(a, b, "leaf");
+    REQUIRE(ranked.visits <= of_any.visits);
+    REQUIRE(walk_all<Leaf<PostTree>, PostTree>(a, b).visits <= of_any.visits);
+    using StacklessPost = AlternatingStackless<LevelledPostTree>;
+    REQUIRE(walk_all<StacklessPost, LevelledPostTree>(a, b).visits <= of_any.visits);
+  }
+}

@@ -1,0 +1,48 @@
+// The formulas of bound.hpp.
+#include "flashbvh/bound.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace flashbvh;
+
+namespace {
+
+constexpr RunCosts kCosts = {100, 30, 10, 200, 6, 4000};
+constexpr TreePair kTrees = {20, 4, 9};
+
+}  // namespace
+
+TEST_CASE("the bound on visits is that of a tree of pairs") {
+  STATIC_REQUIRE(most_visits(1, 1) == 1);
+  STATIC_REQUIRE(most_visits(32768, 32768) == (uint64_t{1} << 31) - 1);
+}
+
+TEST_CASE("the bound on a run adds up its parts") {
+  // The pair of leaves left by a full array is tested even by a run of no visits.
+  STATIC_REQUIRE(most_instructions(kCosts, kTrees, {0, 0}) == 100 + 24 + 200 + 36000);
+  STATIC_REQUIRE(most_instructions(kCosts, kTrees, {10, 0}) == 36324 + 10 * 40);
+  STATIC_REQUIRE(most_instructions(kCosts, kTrees, {10, 3}) ==
+                 36324 + 10 * 30 + 7 * 10 + 3 * (224 + 36000));
+}
+
+TEST_CASE("as many visits as fit, and no more") {
+  for (const uint64_t instructions : {36324u, 40000u, 100000u, 72577u, 72578u, 1000000000u}) {
+    const uint32_t visits = visits_within(instructions, kCosts, kTrees);
+    CAPTURE(instructions, visits);
+    REQUIRE(most_instructions(kCosts, kTrees, {visits, visits}) <= instructions);
+    REQUIRE(most_instructions(kCosts, kTrees, {visits, 0}) <= instructions);
+    REQUIRE(most_instructions(kCosts, kTrees, {visits + 1, visits + 1}) > instructions);
+  }
+  REQUIRE(visits_within(36323, kCosts, kTrees) == 0);
+  REQUIRE(visits_within(UINT64_MAX, kCosts, kTrees) == UINT32_MAX);
+}
+
+TEST_CASE("the worked example of lib/docs/bounded_time.md") {
+  constexpr RunCosts moved = {260, 30, 11, 183, 6, 4091};  // Cortex-M4F
+  constexpr RunCosts general = {260, 30, 11, 183, 6, 1156};
+  constexpr TreePair trees = {20, 6, 1};
+  STATIC_REQUIRE(most_instructions(moved, trees, {1, 1}) == 8947);
+  STATIC_REQUIRE(visits_within(56000, moved, trees) == 11);
+  STATIC_REQUIRE(visits_within(56000, general, trees) == 38);
+  STATIC_REQUIRE(most_instructions(moved, trees, {1000, 0}) == 4607 + 41000);
+}
