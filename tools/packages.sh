@@ -33,3 +33,6 @@ fuzz_packages="clang libclang-rt-14-dev"
 digest_packages="g++-i686-linux-gnu"
 board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm"
+# The tests take C++'s headers from the Arm compiler: that for RISC-V has none.
+riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf libstdc++-arm-none-eabi-dev
+  qemu-system-misc"

@@ -1,5 +1,6 @@
 // Semihosting: how a program without an operating system asks the host behind the emulator (or the
-// debug probe) for output and for an end. Source: Arm, "Semihosting for AArch32 and AArch64".
+// debug probe) for output and for an end. Sources: Arm, "Semihosting for AArch32 and
+// AArch64"; RISC-V International, "RISC-V Semihosting".
 #ifndef FLASHBVH_PORT_SEMIHOSTING_HPP
 #define FLASHBVH_PORT_SEMIHOSTING_HPP
 
@@ -19,10 +20,29 @@ enum class HostCall : uint32_t {
 
 /// Makes one call. `argument` is what the call expects: most take the address of a block of words.
 inline int32_t ask_host(HostCall call, const void* argument) {
+#if defined(__riscv)
+  register uint32_t a0 __asm__("a0") = static_cast<uint32_t>(call);
+  register const void* a1 __asm__("a1") = argument;
+  // The host knows a call by the two shifts around the breakpoint, all three of full length and in
+  // one page.
+  __asm__ volatile(
+      ".option push\n"
+      ".option norvc\n"
+      ".balign 16\n"
+      "slli x0, x0, 0x1f\n"
+      "ebreak\n"
+      "srai x0, x0, 7\n"
+      ".option pop\n"
+      : "+r"(a0)
+      : "r"(a1)
+      : "memory");
+  return static_cast<int32_t>(a0);
+#else
   register uint32_t r0 __asm__("r0") = static_cast<uint32_t>(call);
   register const void* r1 __asm__("r1") = argument;
   __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
   return static_cast<int32_t>(r0);
+#endif
 }
 
 /// Statuses with which a program ends itself. 124 is free for timeout(1).

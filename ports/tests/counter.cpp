@@ -1,20 +1,10 @@
 // The instruction counter on code whose length is known by construction.
 #include "insn.hpp"
 
+#include "counter.hpp"
 #include "text.hpp"
 
 namespace {
-
-// 3 instructions a pass; `passes` comes in r0. The return belongs to the call, as in an empty
-// function.
-__attribute__((naked)) void loop(void*) {
-  __asm__ volatile(
-      ".syntax unified\n"
-      "1: subs r0, r0, #1\n"
-      "  cmp r0, #0\n"
-      "  bne 1b\n"
-      "  bx lr\n");
-}
 
 int wrong = 0;
 int measured = 0;
@@ -28,7 +18,8 @@ void expect(uint32_t instructions, uint32_t expected) {
 }
 
 void expect_loop(uint32_t passes) {
-  expect(port::instructions_of_call(loop, reinterpret_cast<void*>(passes)), 3 * passes);
+  expect(port::instructions_of_call(port::known_loop, reinterpret_cast<void*>(passes)),
+         port::kInstructionsPerPass * passes);
 }
 
 void expect_random_loops(int count) {

@@ -8,13 +8,25 @@ namespace {
 // Pushes 2 words, `context` times.
 __attribute__((naked)) void push_pairs(void*) {
   __asm__ volatile(
+#if defined(__riscv)
+      "  mv a1, sp\n"
+      "1: addi sp, sp, -8\n"
+      "  sw a0, 0(sp)\n"
+      "  sw a0, 4(sp)\n"
+      "  addi a0, a0, -1\n"
+      "  bnez a0, 1b\n"
+      "  mv sp, a1\n"
+      "  ret\n"
+#else
       ".syntax unified\n"
       "  mov r1, sp\n"
       "1: push {r0, r1}\n"
       "  subs r0, r0, #1\n"
       "  bne 1b\n"
       "  mov sp, r1\n"
-      "  bx lr\n");
+      "  bx lr\n"
+#endif
+  );
 }
 
 int wrong = 0;

@@ -13,7 +13,7 @@ run=$(dirname "$0")/../../ports/run
 status=0
 : >"$output.new"
 for image; do
-  FLASHBVH_ICOUNT=8 FLASHBVH_TIMEOUT="${FLASHBVH_TIMEOUT:-240}" \
+  FLASHBVH_ICOUNT="${FLASHBVH_ICOUNT:-8}" FLASHBVH_TIMEOUT="${FLASHBVH_TIMEOUT:-240}" \
     "$run" "$machine" "$image" >"$output.part" || status=$?
   cat "$output.part"
   cat "$output.part" >>"$output.new"

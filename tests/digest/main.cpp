@@ -2,6 +2,7 @@
 #include "digest.hpp"
 
 #if defined(FLASHBVH_ON_BOARD)
+#include "stack.hpp"
 #include "text.hpp"
 using port::print;
 #else
@@ -40,5 +41,11 @@ int main() {
     print("expected 0x", text, "\n");
     return 1;
   }
+#if defined(FLASHBVH_ON_BOARD)
+  if (port::stack_used() >= port::stack_size()) {
+    print("the stack of ", port::stack_size(), " bytes overflowed\n");
+    return 3;
+  }
+#endif
   return 0;
 }

@@ -21,6 +21,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "flashbvh/byte_order.h"
 #include "flashbvh/status.h"
 #include "flashbvh/version.hpp" /* macros alone: C as well as C++ */
 

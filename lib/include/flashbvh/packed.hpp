@@ -8,9 +8,7 @@
 
 #include <stdint.h>
 
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
-#error "flashbvh images are little-endian; big-endian cores are not supported"
-#endif
+#include "flashbvh/byte_order.h"
 
 #if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
 #include <arm_acle.h>

@@ -1,7 +1,8 @@
-# BBC micro:bit, a Cortex-M0. Catch2 does not fit.
+# BBC micro:bit: a Nordic nRF51822.
+include(${FLASHBVH_CORES}/cortex-m0.cmake)
 set(FLASHBVH_MACHINE microbit)
-set(FLASHBVH_CORE Cortex-M0)
-set(FLASHBVH_CPU_FLAGS -mthumb -mcpu=cortex-m0)
-set(FLASHBVH_SYSTICK_KHZ 16000)
+set(FLASHBVH_CLOCK_KHZ 16000)
+set(FLASHBVH_FLASH 0x00000000)
 set(FLASHBVH_FLASH_KB 256)
-set(FLASHBVH_BOARD_HAS_CATCH2 FALSE)
+set(FLASHBVH_RAM 0x20000000)
+set(FLASHBVH_RAM_KB 16)

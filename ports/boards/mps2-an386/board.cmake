@@ -1,7 +1,8 @@
 # Arm MPS2 with the Cortex-M4F image AN386.
+include(${FLASHBVH_CORES}/cortex-m4f.cmake)
 set(FLASHBVH_MACHINE mps2-an386)
-set(FLASHBVH_CORE Cortex-M4F)
-set(FLASHBVH_CPU_FLAGS -mthumb -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard)
-set(FLASHBVH_SYSTICK_KHZ 25000)
+set(FLASHBVH_CLOCK_KHZ 25000)
+set(FLASHBVH_FLASH 0x00000000)
 set(FLASHBVH_FLASH_KB 4096)
-set(FLASHBVH_BOARD_HAS_CATCH2 TRUE)
+set(FLASHBVH_RAM 0x20000000)
+set(FLASHBVH_RAM_KB 4096)

@@ -1,8 +1,5 @@
 // SysTick as the instruction counter of insn.hpp. It has 24 bits; its interrupt counts the rest.
-#include "insn.hpp"
-
-#include "semihosting.hpp"
-#include "text.hpp"
+#include "counter.hpp"
 
 extern "C" {
 volatile uint32_t port_systick_wraps;
@@ -54,14 +51,15 @@ __attribute__((noinline)) void run_counted(Call function, void* context) {
 
 // Virtual time of a wrap. QEMU starts the next one at a whole nanosecond, hence rounds down.
 constexpr uint64_t kNanosecondsPerWrap =
-    (uint64_t{kLargestReload} + 1) * 1000000 / FLASHBVH_SYSTICK_KHZ;
+    (uint64_t{kLargestReload} + 1) * 1000000 / FLASHBVH_CLOCK_KHZ;
 
-// Instructions between the two writes to the control register.
+}  // namespace
+
 uint32_t counted(Call function, void* context) {
   run_counted(function, context);
   const uint64_t wraps = port_systick_wraps;
   const uint64_t ticks = (0 - systick().current) & kLargestReload;
-  const uint64_t nanoseconds = wraps * kNanosecondsPerWrap + ticks * 1000000 / FLASHBVH_SYSTICK_KHZ;
+  const uint64_t nanoseconds = wraps * kNanosecondsPerWrap + ticks * 1000000 / FLASHBVH_CLOCK_KHZ;
   constexpr uint64_t kHalf = (uint64_t{1} << FLASHBVH_ICOUNT_SHIFT) / 2;
   const uint64_t instructions = (nanoseconds + kHalf) >> FLASHBVH_ICOUNT_SHIFT;
   return static_cast<uint32_t>(instructions - wraps * kHandlerInstructions);
@@ -71,29 +69,15 @@ __attribute__((naked)) void empty(void*) {
   __asm__ volatile("bx lr");
 }
 
-// Exactly kLoopInstructions more than empty().
-constexpr uint32_t kLoopInstructions = 201;
+const uint32_t kInstructionsPerPass = 3;
 
 __attribute__((naked)) void known_loop(void*) {
   __asm__ volatile(
       ".syntax unified\n"
-      "  movs r0, #100\n"
       "1: subs r0, r0, #1\n"
+      "  cmp r0, #0\n"
       "  bne 1b\n"
       "  bx lr\n");
-}
-
-}  // namespace
-
-uint32_t instructions_of_call(Call function, void* context) {
-  const uint32_t overhead = counted(empty, nullptr);
-  if (counted(known_loop, nullptr) - overhead != kLoopInstructions) {
-    put("[port] the instruction counter is not exact: run QEMU with -icount shift=");
-    put(FLASHBVH_ICOUNT_SHIFT);
-    put("\n");
-    exit_program(kExitCounterNotExact);
-  }
-  return counted(function, context) - overhead;
 }
 
 }  // namespace port

@@ -1,0 +1,7 @@
+# SiFive's HiFive1: an FE310, an E31 core that runs from serial flash.
+include(${FLASHBVH_CORES}/rv32imac.cmake)
+set(FLASHBVH_MACHINE sifive_e)
+set(FLASHBVH_FLASH 0x20400000)
+set(FLASHBVH_FLASH_KB 12288)
+set(FLASHBVH_RAM 0x80000000)
+set(FLASHBVH_RAM_KB 16)

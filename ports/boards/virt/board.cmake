@@ -1,0 +1,7 @@
+# QEMU's own RISC-V machine: one memory, of which the lower part stands for flash.
+include(${FLASHBVH_CORES}/rv32imac.cmake)
+set(FLASHBVH_MACHINE virt)
+set(FLASHBVH_FLASH 0x80000000)
+set(FLASHBVH_FLASH_KB 16384)
+set(FLASHBVH_RAM 0x81000000)
+set(FLASHBVH_RAM_KB 16384)

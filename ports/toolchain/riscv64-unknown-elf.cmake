@@ -1,0 +1,13 @@
+# Toolchain file for every RISC-V board: -DFLASHBVH_BOARD=<folder of ports/boards>.
+#
+# C's library is picolibc. Debian has no C++ library for this compiler, not even the headers: the
+# driver would link libstdc++ where there is none, hence -nostdlib and the libraries by name.
+
+set(CMAKE_SYSTEM_PROCESSOR riscv)
+set(FLASHBVH_HAS_CXX_LIBRARY FALSE)
+include(${CMAKE_CURRENT_LIST_DIR}/board.cmake)
+flashbvh_use_compiler(riscv64-unknown-elf
+  "gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf" "--specs=picolibc.specs")
+string(APPEND CMAKE_EXE_LINKER_FLAGS_INIT " -nostdlib")
+set(CMAKE_C_STANDARD_LIBRARIES "-lc -lgcc")
+set(CMAKE_CXX_STANDARD_LIBRARIES "-lc -lgcc")
