@@ -58,15 +58,24 @@ void add_decimals(Writer& writer, uint64_t whole, uint64_t fraction) {
   writer.drop_zeros();
 }
 
+/// Whether ten decimals show most of its digits.
+bool is_large_enough(uint64_t mantissa, int exponent) {
+  constexpr int kSmallest = 13;  // 2^-13
+  return -exponent <= kSmallest || mantissa >> (-exponent - kSmallest) != 0;
+}
+
 /// mantissa * 2^exponent, in decimals if they show it.
 void add_finite(Writer& writer, uint64_t mantissa, int exponent) {
+  if (mantissa == 0) {
+    exponent = 0;
+  }
   while (mantissa != 0 && (mantissa & 1) == 0) {
     mantissa >>= 1;
     ++exponent;
   }
-  if (mantissa == 0 || (exponent >= 0 && exponent < 10)) {
-    add_decimals(writer, mantissa << (mantissa == 0 ? 0 : exponent), 0);
-  } else if (exponent < 0 && exponent >= -kFractionBits) {
+  if (exponent >= 0 && exponent < 64 && mantissa << exponent >> exponent == mantissa) {
+    add_decimals(writer, mantissa << exponent, 0);
+  } else if (exponent < 0 && exponent >= -kFractionBits && is_large_enough(mantissa, exponent)) {
     const uint64_t fraction = mantissa & ((uint64_t{1} << -exponent) - 1);
     add_decimals(writer, mantissa >> -exponent, fraction << (kFractionBits + exponent));
   } else {
