@@ -118,7 +118,7 @@ TEST_CASE("what holds passes") {
   const char* const nothing = nullptr;
   CHECK(answer() == 42);
   CHECK(answer() != 41);
-  CHECK(answer() < 43u);
+  CHECK(answer() < 43);
   CHECK(answer() <= 42);
   CHECK(answer() > 41L);
   CHECK(answer() >= 42);
@@ -184,7 +184,8 @@ TEST_CASE("values print", "[.][print]") {
   CHECK(Colour::red == Colour::green);
   CHECK('a' == 'b');
   CHECK(Opaque{1} == Opaque{2});
-  CHECK(1.5 == -0.1f);
+  CHECK(1.5 == 2.0);
+  CHECK(0.5f == -0.1f);
   CHECK(1e30 < 3e-20);
   CHECK(-1.0 / 3 == 1e18);
 }
