@@ -10,7 +10,7 @@ using namespace flashbvh::test;
 namespace {
 
 #if defined(FLASHBVH_ON_BOARD)
-constexpr int kRounds = 15;
+constexpr int kRounds = 40;
 #else
 constexpr int kRounds = 400;
 #endif
