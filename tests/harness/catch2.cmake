@@ -16,4 +16,4 @@ endif()
 target_sources(flashbvh_harness PRIVATE main.cpp)
 # Catch2 itself takes a minute or more to optimise, and on a board it has to be small.
 set_source_files_properties(main.cpp PROPERTIES
-  COMPILE_OPTIONS $<IF:$<BOOL:${CMAKE_CROSSCOMPILING}>,-Os,-O0>)
+  COMPILE_OPTIONS "-g0;$<IF:$<BOOL:${CMAKE_CROSSCOMPILING}>,-Os,-O0>")
