@@ -1,6 +1,7 @@
 // Instructions and stack of a contact, counted on the target, by kind of pair.
 #include <catch2/catch.hpp>
 
+#include <cstdint>
 #include <cstdio>
 #include <new>
 

@@ -1,6 +1,7 @@
 // Instructions of the exact triangle test, counted on the target, by kind of pair.
 #include <catch2/catch.hpp>
 
+#include <cstdint>
 #include <cstdio>
 
 #include "insn.hpp"

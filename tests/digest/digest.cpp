@@ -9,9 +9,7 @@
 #include "flashbvh/traversal/stackless.hpp"
 #include "flashbvh/traversal/stackless_post.hpp"
 #include "flashbvh/traversal/volume_stack.hpp"
-#include "small_tree.hpp"
-#include "support/random.hpp"
-#include "support/rotations.hpp"
+#include "small_mesh.hpp"
 
 namespace digest {
 
@@ -24,15 +22,6 @@ constexpr uint32_t kMeshPairs = 32;
 constexpr uint32_t kPoses = 16;
 constexpr uint64_t kSeed = 0x666C617368627668u;
 
-/// How large a mesh is, in cells, and how far poses move it.
-struct Scale {
-  int32_t spread;
-  int32_t size;
-  int32_t reach;
-};
-constexpr Scale kScales[] = {
-    {3, 2, 2}, {40, 30, 30}, {900, 500, 700}, {16383, 9000, 12000}, {16383, 32766, 30000}};
-
 struct Side {
   SmallMesh mesh;
   SmallTree<Layout::pre_indexed> pre;
@@ -44,56 +33,12 @@ Side side_a;
 Side side_b;
 PairCursor<uint16_t> stack[2 * kMostTriangles];
 
-int16_t coordinate(Random& random, int32_t centre, int32_t reach) {
-  const int32_t value = centre + random.between(-reach, reach);
-  return static_cast<int16_t>(value > kMaxCoordinate    ? kMaxCoordinate
-                              : value < -kMaxCoordinate ? -kMaxCoordinate
-                                                        : value);
-}
-
-/// Triangles that share an edge with the one before, now and then; some without area, some twice.
-void make_mesh(Random& random, const Scale& scale, SmallMesh& mesh) {
-  mesh.triangle_count = static_cast<uint16_t>(1 + random.below(kMostTriangles));
-  mesh.vertex_count = 0;
-  for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
-    const int32_t x = random.between(-scale.spread, scale.spread);
-    const int32_t y = random.between(-scale.spread, scale.spread);
-    const int32_t z = random.between(-scale.spread, scale.spread);
-    for (uint32_t i = 0; i < 3; ++i) {
-      const bool shared = mesh.vertex_count > 3 && random.below(3) == 0;
-      if (shared) {
-        mesh.triangles[t].corner[i] =
-            static_cast<uint16_t>(mesh.vertex_count - 1 - random.below(3));
-        continue;
-      }
-      const int16_t vx = coordinate(random, x, scale.size);
-      const int16_t vy = coordinate(random, y, scale.size);
-      const int16_t vz = coordinate(random, z, scale.size);
-      mesh.vertices[mesh.vertex_count] = {vx, vy, vz};
-      mesh.triangles[t].corner[i] = mesh.vertex_count++;
-    }
-  }
-  for (int32_t& axis : mesh.origin) {
-    axis = random.below(2) == 0 ? 0 : random.between(-scale.reach, scale.reach);
-  }
-}
-
 void make_side(Random& random, const Scale& scale, Side& side) {
   make_mesh(random, scale, side.mesh);
   const auto shape = static_cast<Shape>(random.below(4));
   const uint32_t leaf_size = 1 + random.below(3);
   side.pre.make(side.mesh, shape, leaf_size);
   side.post.make(side.mesh, shape, leaf_size);
-}
-
-Pose any_pose(Random& random, const Scale& scale) {
-  if (random.below(4) != 0) {
-    return test::any_rigid_pose(random, scale.reach);
-  }
-  const int32_t x = random.between(-scale.reach, scale.reach);
-  const int32_t y = random.between(-scale.reach, scale.reach);
-  const int32_t z = random.between(-scale.reach, scale.reach);
-  return Pose::translated(x, y, z);
 }
 
 void add_contact(const Contact& contact, Hash& hash) {

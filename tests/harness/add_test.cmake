@@ -1,12 +1,17 @@
-# flashbvh_add_test(name source... [LIBRARIES library...] [TIMEOUT seconds] [ICOUNT])
+# flashbvh_add_test(name source... [HEAP] [LIBRARIES library...] [TIMEOUT seconds] [ICOUNT])
 #
 # An executable of Catch2 tests, for this machine or, when crossing, for the board. CTest runs each
 # test case in a process of its own, as "<preset>/<test case>". An own main() is not needed.
+# HEAP says that the tests need a heap: boards without room for one leave them out. All others run
+# on every board, down to 8 KB of RAM, over tests/harness/small_catch, and do not link with a heap.
 # ICOUNT makes instruction counts on the board exact.
 set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
 
 function(flashbvh_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "ICOUNT" "TIMEOUT" "LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "HEAP;ICOUNT" "TIMEOUT" "LIBRARIES")
+  if(arg_HEAP AND NOT FLASHBVH_TESTS_HAVE_HEAP)
+    return()
+  endif()
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()

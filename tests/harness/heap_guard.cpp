@@ -52,7 +52,7 @@ void* __wrap_realloc(void* block, std::size_t size) {
   return __real_realloc(block, size);
 }
 
-#if defined(_NEWLIB_VERSION)
+#if defined(_NEWLIB_VERSION) && !defined(__PICOLIBC__)
 // Where newlib's own functions and the static libstdc++ allocate.
 struct _reent;
 void* __real__malloc_r(struct _reent* context, std::size_t size);
@@ -61,7 +61,7 @@ void* __wrap__malloc_r(struct _reent* context, std::size_t size) {
   refuse_inside_scope();
   return __real__malloc_r(context, size);
 }
-#else
+#elif !defined(__PICOLIBC__)
 // operator new and new[], plain and nothrow: natively they live in a shared library whose own calls
 // of malloc the linker cannot divert.
 void* __real__Znwm(std::size_t size);

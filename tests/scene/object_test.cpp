@@ -15,7 +15,7 @@ using scene::Orientation;
 
 namespace {
 
-#if defined(__arm__)
+#if defined(FLASHBVH_ON_BOARD)
 constexpr std::uint32_t kSubdivisions = 1;  // a board has no room for the maps of more
 #else
 constexpr std::uint32_t kSubdivisions = scene::kMaxSubdivisions;

@@ -1,5 +1,4 @@
-// Where a pose puts the triangles of a mesh, by the definition in lib/docs/design.md and by nothing
-// of the library's own arithmetic; and brute force over all pairs of them.
+// The triangles of a mesh where a pose puts them, and brute force over all pairs of them.
 #ifndef FLASHBVH_TESTS_SUPPORT_PLACED_MESH_HPP
 #define FLASHBVH_TESTS_SUPPORT_PLACED_MESH_HPP
 
@@ -11,29 +10,15 @@
 #include "bake/mesh.hpp"
 #include "flashbvh/pose.hpp"
 #include "flashbvh/triangle.hpp"
+#include "support/placed_vertex.hpp"
 
 namespace flashbvh::test {
 
-/// The quotient, rounded down.
-constexpr std::int64_t floor_divide(std::int64_t value, std::int64_t by) {
-  return value / by - (value % by < 0 ? 1 : 0);
-}
-
-/// Coordinate `axis` of a vertex of B in A's frame: floor(R p + o + 1/2), where R has 22 fraction
-/// bits, o has 14 and the sum of products is cut to 14.
+/// Coordinate `axis` of a vertex of B in A's frame.
 inline std::int32_t placed_coordinate(const bake::LatticeMesh& mesh, const Vertex& v,
                                       const Pose& pose, int axis) {
-  const std::array<std::int32_t, 3> p = {v.x, v.y, v.z};
-  std::int64_t offset = pose.translation(axis) * (std::int64_t{1} << 30) +
-                        pose.fraction(axis) * (std::int64_t{1} << 14);
-  std::int64_t turned = 0;
-  for (int i = 0; i < 3; ++i) {
-    const std::int64_t entry = pose.rotation(axis, i);
-    offset += entry * mesh.origin[static_cast<std::size_t>(i)];
-    turned += floor_divide(entry + 128, 256) * p[static_cast<std::size_t>(i)];
-  }
-  const std::int64_t sum = floor_divide(turned, 256) + floor_divide(offset + 32768, 65536);
-  return static_cast<std::int32_t>(floor_divide(sum + 8192, 16384));
+  const std::int32_t origin[3] = {mesh.origin[0], mesh.origin[1], mesh.origin[2]};
+  return placed_coordinate(origin, v, pose, axis);
 }
 
 inline std::vector<PlacedTriangle> placed_triangles(const bake::LatticeMesh& mesh,

@@ -38,7 +38,11 @@ class Random {
 /// The seed of this run: FLASHBVH_SEED, decimal or 0x hexadecimal, or a fixed one where unset.
 /// A test prints it (CAPTURE), so that a failure elsewhere can be replayed.
 inline uint64_t test_seed() {
+#if defined(FLASHBVH_ON_BOARD)
+  const char* const text = nullptr;  // a board has no environment
+#else
   const char* const text = getenv("FLASHBVH_SEED");
+#endif
   return text != nullptr ? strtoull(text, nullptr, 0) : 20240607u;
 }
 

@@ -4,6 +4,8 @@
 
 #include <stdint.h>
 
+#include <initializer_list>
+
 #include "flashbvh/contact.hpp"
 #include "support/random.hpp"
 

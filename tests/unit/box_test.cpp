@@ -1,6 +1,7 @@
 // Packed boxes and the overlap test, against plain integers.
 #include <catch2/catch.hpp>
 
+#include <cstdint>
 #include <initializer_list>
 
 #include "flashbvh/box.hpp"

@@ -1,0 +1,211 @@
+// Every traversal against brute force, moved and turned, on trees that fit every board.
+#include <catch2/catch.hpp>
+#include <initializer_list>
+
+#include "flashbvh/contact.hpp"
+#include "flashbvh/image.hpp"
+#include "flashbvh/place_pair.hpp"
+#include "small_tree/scene.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+#if defined(FLASHBVH_ON_BOARD)
+constexpr int kRounds = 300;
+#else
+constexpr int kRounds = 2000;
+#endif
+
+template <class Traversal>
+using Scene = SmallScene<Traversal::Tree::kLayout>;
+
+template <class Traversal>
+Report report_of(const SmallScene<Traversal::Tree::kLayout>& scene, Counts& counts) {
+  SmallQuery<Traversal> any(scene);
+  Report report;
+  const Status status = any.query.run(kNoLimit, [&report](const Pair& pair) {
+    report.add(pair);
+    return true;
+  });
+  REQUIRE(status == Status::done);
+  counts = any.query.counts();
+  return report;
+}
+
+/// Whether two traversals report the same pairs in the same order, after as many visits.
+template <class One, class Other>
+void check_same_walk(const SmallScene<One::Tree::kLayout>& scene) {
+  Counts counts{};
+  Counts others{};
+  const Report report = report_of<One>(scene, counts);
+  const bool equal = report == report_of<Other>(scene, others) && same(counts, others);
+  CHECK(equal);
+}
+
+bool same(const PlacedTriangle& t, const PlacedTriangle& u) {
+  for (int i = 0; i < 3; ++i) {
+    if (t.corner[i].x != u.corner[i].x || t.corner[i].y != u.corner[i].y ||
+        t.corner[i].z != u.corner[i].z) {
+      return false;
+    }
+  }
+  return true;
+}
+
+PlacedTriangle relative(const PlacedTriangle& t, const int32_t (&origin)[3]) {
+  PlacedTriangle moved = t;
+  for (Point& corner : moved.corner) {
+    corner = {corner.x - origin[0], corner.y - origin[1], corner.z - origin[2]};
+  }
+  return moved;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("small trees: a query finds exactly the pairs that brute force finds", "",
+                   Ranked<PostTree>, RankedStack<PostTree>, StacklessPost, Stackless,
+                   Leaf<PostTree>, Leaf<PreTree>, VolumeStack<PostTree>, VolumeStack<PreTree>,
+                   AlternatingStack<LevelledPostTree>, AlternatingStack<LevelledPreTree>) {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  uint32_t total = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    const Scene<TestType> scene(random);
+    TreeShape shape;
+    REQUIRE(check_tree(scene.a.view(), shape) == Status::done);
+    SmallQuery<TestType> any(scene);
+    PairSet found;
+    bool twice = false;
+    const Status status = any.query.run(kNoLimit, [&](const Pair& pair) {
+      twice = !found.add(pair.a, pair.b) || twice;
+      return true;
+    });
+    REQUIRE(status == Status::done);
+    REQUIRE_FALSE(twice);
+    const bool exact = found == brute_force(scene);
+    REQUIRE(exact);
+    total += any.query.counts().triangle_pairs;
+  }
+  CHECK(total > kRounds);
+}
+
+TEST_CASE("small trees: a rule walks the same way with a stack and without") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 1);
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    {
+      const SmallScene<Layout::post_indexed> scene(random);
+      check_same_walk<Ranked<PostTree>, RankedStack<PostTree>>(scene);
+      check_same_walk<StacklessPost, AlternatingStack<LevelledPostTree>>(scene);
+    }
+    const SmallScene<Layout::pre_indexed> scene(random);
+    check_same_walk<Stackless, AlternatingStack<LevelledPreTree>>(scene);
+  }
+}
+
+TEST_CASE("small trees: a reported pair lies where the pose's definition puts it") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 2);
+  const Pose unmoved = Pose::translated(0, 0, 0);
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    const SmallScene<Layout::post_indexed> scene(random);
+    const PostTree& a = scene.a.view();
+    const PostTree& b = scene.b.view();
+    PairQuery query(a, b, scene.pose);
+    uint32_t wrong = 0;
+    const Status status = query.run(kNoLimit, [&](const Pair& pair) {
+      PlacedTriangle last[2];
+      PlacedTriangle again[2];
+      query.last_pair(last[0], last[1]);
+      const bool found = place_pair(a, b, scene.pose, pair, again[0], again[1]);
+      const PlacedTriangle of_a = relative(placed(scene.mesh_a, pair.a, unmoved), a.origin);
+      const PlacedTriangle of_b = relative(placed(scene.mesh_b, pair.b, scene.pose), a.origin);
+      const bool right = found && same(last[0], of_a) && same(last[1], of_b) &&
+                         same(again[0], of_a) && same(again[1], of_b);
+      wrong += right ? 0u : 1u;
+      return true;
+    });
+    REQUIRE(status == Status::done);
+    REQUIRE(wrong == 0);
+  }
+}
+
+TEST_CASE("small trees: every triangle of B lies where the pose's definition puts it") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 4);
+  int compared = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    const SmallScene<Layout::post_indexed> scene(random);
+    const PostTree& a = scene.a.view();
+    const PostTree& b = scene.b.view();
+    bool is_near = true;  // farther off, it is placed where it meets nothing
+    for (int axis = 0; axis < 3; ++axis) {
+      const int32_t middle = placed_coordinate(b.origin, {0, 0, 0}, scene.pose, axis);
+      is_near =
+          is_near && middle - a.origin[axis] < kMaxOffset && middle - a.origin[axis] > -kMaxOffset;
+    }
+    for (uint16_t triangle = 0; is_near && triangle < b.triangle_count; ++triangle) {
+      PlacedTriangle of_a;
+      PlacedTriangle of_b;
+      REQUIRE(place_pair(a, b, scene.pose, {0, triangle}, of_a, of_b));
+      const bool right = same(of_b, relative(placed(scene.mesh_b, triangle, scene.pose), a.origin));
+      REQUIRE(right);
+      ++compared;
+    }
+  }
+  CHECK(compared > kRounds);
+}
+
+TEST_CASE("small trees: each way to ask wrongly has its own status") {
+  Random random(test_seed() + 3);
+  const SmallScene<Layout::post_indexed> scene(random);
+  const PostTree& a = scene.a.view();
+  PostTree b = scene.b.view();
+  const Pose here = Pose::translated(0, 0, 0);
+  Pair found[1];
+  SECTION("no room for a pair") {
+    PairQuery query(a, b, here);
+    CHECK(query.run(10, found, 0).status == Status::full);
+    CHECK(query.counts().visits == 0);
+  }
+  SECTION("no visit granted") {
+    PairQuery query(a, b, here);
+    CHECK(query.run(0, found).status == Status::suspended);
+    CHECK(query.counts().visits == 0);
+  }
+  SECTION("different cells") {
+    b.cell_bits ^= 1;
+    PairQuery query(a, b, here);
+    CHECK(query.status() == Status::cell_mismatch);
+    CHECK(query.run(kNoLimit, found).status == Status::cell_mismatch);
+    CHECK(query.counts().visits == 0);
+  }
+  SECTION("a translation out of range") {
+    for (const int32_t t : {kMaxTranslation + 1, -kMaxTranslation - 1, INT32_MAX, INT32_MIN}) {
+      const Pose pose = Pose::translated(0, t, 0);
+      CHECK(PairQuery(a, b, pose).run(kNoLimit, found).status == Status::translation_out_of_range);
+    }
+  }
+  SECTION("no rotation") {
+    const Pose pose = Pose::rigid({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0});
+    CHECK(PairQuery(a, b, pose).run(kNoLimit, found).status == Status::not_a_rotation);
+  }
+  SECTION("a stack that is too short") {
+    const uint32_t needed = stack_entries(a.stack_need, b.stack_need);
+    PairCursor<uint16_t> entries[2 * digest::kMostTriangles];
+    using VolumeQuery = Query<VolumeStack<PostTree>>;
+    CHECK(VolumeQuery(a, b, here, {entries, needed}).status() == Status::suspended);
+    CHECK(VolumeQuery(a, b, here, {entries, needed - 1}).status() == Status::stack_too_small);
+    CHECK(VolumeQuery(a, b, here, {nullptr, 0}).status() == Status::stack_too_small);
+  }
+}

@@ -1,0 +1,151 @@
+// Two meshes, their trees and a pose in 4 KB of stack, and which of their triangles meet: for tests
+// that run on every board.
+#ifndef FLASHBVH_TESTS_SMALL_TREE_SCENE_HPP
+#define FLASHBVH_TESTS_SMALL_TREE_SCENE_HPP
+
+#include <stdint.h>
+
+#include "digest/digest.hpp"
+#include "digest/small_mesh.hpp"
+#include "digest/small_tree.hpp"
+#include "flashbvh/query.hpp"
+#include "flashbvh/traversal/alternating_stack.hpp"
+#include "flashbvh/traversal/leaf.hpp"
+#include "flashbvh/traversal/ranked_stack.hpp"
+#include "flashbvh/traversal/stackless.hpp"
+#include "flashbvh/traversal/stackless_post.hpp"
+#include "flashbvh/traversal/volume_stack.hpp"
+#include "support/placed_vertex.hpp"
+
+namespace flashbvh::test {
+
+using Pair = TrianglePair<uint16_t>;
+constexpr uint32_t kNoLimit = UINT32_MAX;
+
+template <Layout layout>
+struct SmallScene {
+  digest::SmallMesh mesh_a, mesh_b;
+  digest::SmallTree<layout> a, b;
+  Pose pose;
+
+  explicit SmallScene(Random& random) : pose(Pose::translated(0, 0, 0)) {
+    const digest::Scale& scale =
+        digest::kScales[random.below(sizeof digest::kScales / sizeof digest::kScales[0])];
+    make(random, scale, mesh_a, a);
+    make(random, scale, mesh_b, b);
+    pose = digest::any_pose(random, scale);
+  }
+
+ private:
+  static void make(Random& random, const digest::Scale& scale, digest::SmallMesh& mesh,
+                   digest::SmallTree<layout>& tree) {
+    digest::make_mesh(random, scale, mesh);
+    const auto shape = static_cast<digest::Shape>(random.below(4));
+    tree.make(mesh, shape, 1 + random.below(3));
+  }
+};
+
+/// A set of pairs of triangles.
+class PairSet {
+ public:
+  /// False if it was there already.
+  bool add(uint32_t a, uint32_t b) {
+    const uint32_t before = rows_[a];
+    rows_[a] |= 1u << b;
+    return rows_[a] != before;
+  }
+  friend bool operator==(const PairSet& p, const PairSet& q) {
+    for (uint32_t a = 0; a < digest::kMostTriangles; ++a) {
+      if (p.rows_[a] != q.rows_[a]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  static_assert(digest::kMostTriangles <= 32, "a bit for each");
+  uint32_t rows_[digest::kMostTriangles] = {};
+};
+
+inline PlacedTriangle placed(const digest::SmallMesh& mesh, uint32_t triangle, const Pose& pose) {
+  PlacedTriangle placed{};
+  for (int i = 0; i < 3; ++i) {
+    const Vertex& v = mesh.vertices[mesh.triangles[triangle].corner[i]];
+    placed.corner[i] = {placed_coordinate(mesh.origin, v, pose, 0),
+                        placed_coordinate(mesh.origin, v, pose, 1),
+                        placed_coordinate(mesh.origin, v, pose, 2)};
+  }
+  return placed;
+}
+
+template <Layout layout>
+PairSet brute_force(const SmallScene<layout>& scene) {
+  PairSet pairs;
+  const Pose unmoved = Pose::translated(0, 0, 0);
+  for (uint32_t j = 0; j < scene.mesh_b.triangle_count; ++j) {
+    const PlacedTriangle of_b = placed(scene.mesh_b, j, scene.pose);
+    for (uint32_t i = 0; i < scene.mesh_a.triangle_count; ++i) {
+      if (triangles_intersect(placed(scene.mesh_a, i, unmoved), of_b)) {
+        (void)pairs.add(i, j);
+      }
+    }
+  }
+  return pairs;
+}
+
+template <class Cursor>
+constexpr bool kIsStack = false;
+template <>
+constexpr bool kIsStack<PairStack<uint16_t>> = true;
+
+/// A query of any traversal; those with a stack get exactly what they are promised to need.
+template <class Traversal>
+struct SmallQuery {
+  using Tree = typename Traversal::Tree;
+  using Cursor = typename Traversal::Cursor;
+
+  PairCursor<uint16_t> entries[kIsStack<Cursor> ? 2 * digest::kMostTriangles : 1];
+  Query<Traversal> query;
+
+  template <class Scene>
+  explicit SmallQuery(const Scene& scene)
+      : query(scene.a.view(), scene.b.view(), scene.pose,
+              start(stack_entries(scene.a.view().stack_need, scene.b.view().stack_need))) {}
+
+ private:
+  Cursor start(uint32_t count) {
+    if constexpr (kIsStack<Cursor>) {
+      return {entries, count};
+    } else {
+      (void)count;
+      return {};
+    }
+  }
+};
+
+/// What a query reports, in its order, as one number.
+class Report {
+ public:
+  void add(const Pair& pair) {
+    hash_.add(pair.a | static_cast<uint32_t>(pair.b) << 16);
+    ++count_;
+  }
+  uint32_t count() const { return count_; }
+  friend bool operator==(const Report& p, const Report& q) {
+    return p.count_ == q.count_ && p.hash_.value() == q.hash_.value();
+  }
+
+ private:
+  digest::Hash hash_;
+  uint32_t count_ = 0;
+};
+
+inline bool same(const Counts& a, const Counts& b) {
+  return a.visits == b.visits && a.overlaps == b.overlaps && a.leaf_pairs == b.leaf_pairs &&
+         a.triangle_pairs == b.triangle_pairs;
+}
+
+}  // namespace flashbvh::test
+
+#endif
