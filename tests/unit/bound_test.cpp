@@ -26,7 +26,8 @@ TEST_CASE("the bound on a run adds up its parts") {
 }
 
 TEST_CASE("as many visits as fit, and no more") {
-  for (const uint64_t instructions : {36324u, 40000u, 100000u, 72577u, 72578u, 1000000000u}) {
+  constexpr uint64_t kGranted[] = {36324, 40000, 100000, 72577, 72578, 1000000000};
+  for (const uint64_t instructions : kGranted) {
     const uint32_t visits = visits_within(instructions, kCosts, kTrees);
     CAPTURE(instructions, visits);
     REQUIRE(most_instructions(kCosts, kTrees, {visits, visits}) <= instructions);

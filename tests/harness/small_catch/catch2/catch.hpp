@@ -2,7 +2,7 @@
 // library, no stdio. The same test sources include it as <catch2/catch.hpp>.
 //
 // TEST_CASE, TEMPLATE_TEST_CASE, TEMPLATE_TEST_CASE_SIG, SECTION, GENERATE, CHECK, CHECK_FALSE,
-// REQUIRE, REQUIRE_FALSE, FAIL, INFO of a string, CAPTURE. What differs from Catch2:
+// REQUIRE, REQUIRE_FALSE, STATIC_REQUIRE, FAIL, INFO of a string, CAPTURE. What differs from Catch2:
 // - a failed REQUIRE or FAIL ends the process: there are no exceptions
 // - values of classes print as {?}
 // - GENERATE takes its values one by one and comes before any SECTION of its scope
@@ -102,6 +102,7 @@ using small_catch::stringify;
   SMALL_CATCH_ASSERT(check, "CHECK_FALSE", #__VA_ARGS__, !static_cast<bool>(__VA_ARGS__))
 #define REQUIRE_FALSE(...) \
   SMALL_CATCH_ASSERT(require, "REQUIRE_FALSE", #__VA_ARGS__, !static_cast<bool>(__VA_ARGS__))
+#define STATIC_REQUIRE(...) static_assert(__VA_ARGS__, #__VA_ARGS__)
 #define FAIL(text) SMALL_CATCH_ASSERT(require, "FAIL", text, false)
 
 // What a failed assertion tells besides.
