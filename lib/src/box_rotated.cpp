@@ -3,7 +3,10 @@
 #include "flashbvh/packed_multiply.hpp"
 #include "flashbvh/walk.hpp"
 
-#if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
+#if defined(__ARM_FEATURE_MVE) && !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_TURN_MVE 1
+#include "box_rotated_mve.hpp"
+#elif defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_TURN_DSP 1
 #include "box_rotated_dsp.hpp"
 #elif defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
@@ -13,6 +16,8 @@
 
 namespace flashbvh {
 namespace {
+
+#if !defined(FLASHBVH_TURN_MVE)
 
 /// Compares two boxes on one lattice: 0 if they overlap. They do if no sum of an upper and a
 /// negated lower bound is negative, that is, below its bias, which is the top bit.
@@ -66,6 +71,8 @@ FLASHBVH_NOINLINE uint32_t turn_and_compare(TurnedBox& kept, const PackedBox& bo
   kept.source = &box;
   return compare(kept.bounds, other);
 }
+
+#endif
 
 #endif
 
