@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "flashbvh/box_rotated.hpp"
+#include "support/box_in_node.hpp"
 #include "support/random.hpp"
 #include "support/rotations.hpp"
 
@@ -9,12 +10,6 @@ using namespace flashbvh;
 using namespace flashbvh::test;
 
 namespace {
-
-/// What turned boxes are tested for: as in a tree, four bytes of something else lie behind a box.
-struct BoxInNode {
-  PackedBox box;
-  std::uint32_t rest;
-};
 
 struct Bounds {
   std::int32_t upper[3];  ///< biased, in cells
@@ -67,7 +62,7 @@ BoxInNode any_box(Random& random, std::int32_t most) {
   interval(box.lower.x, box.upper.x);
   interval(box.lower.y, box.upper.y);
   interval(box.lower.z, box.upper.z);
-  return {pack(box), random.below(2) == 0 ? 0 : ~random.below(0x10000)};
+  return in_node(random, box);
 }
 
 }  // namespace
