@@ -4,9 +4,10 @@
 #include "flashbvh/walk.hpp"
 
 #if defined(__ARM_FEATURE_MVE) && !defined(FLASHBVH_PORTABLE)
-#define FLASHBVH_TURN_MVE 1
 #include "box_rotated_mve.hpp"
-#elif defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
+#else
+
+#if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_TURN_DSP 1
 #include "box_rotated_dsp.hpp"
 #elif defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
@@ -16,8 +17,6 @@
 
 namespace flashbvh {
 namespace {
-
-#if !defined(FLASHBVH_TURN_MVE)
 
 /// Compares two boxes on one lattice: 0 if they overlap. They do if no sum of an upper and a
 /// negated lower bound is negative, that is, below its bias, which is the top bit.
@@ -74,8 +73,6 @@ FLASHBVH_NOINLINE uint32_t turn_and_compare(TurnedBox& kept, const PackedBox& bo
 
 #endif
 
-#endif
-
 }  // namespace
 
 uint32_t RotatedOverlap::gap(const PackedBox& a, const PackedBox& b) {
@@ -92,3 +89,5 @@ uint32_t RotatedOverlap::gap(const PackedBox& a, const PackedBox& b) {
 }
 
 }  // namespace flashbvh
+
+#endif
