@@ -5,6 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
+. tools/kr5.sh
 ensure_packages $host_packages $board_packages
 
 demo=build/demo
@@ -20,16 +21,8 @@ quietly() {
 }
 
 step "1. The arm: a KUKA KR5 from Debian's package dart-doc (BSD-2-Clause)"
-package=dart-doc
-urdf="$demo/dart/usr/share/doc/dart/data/urdf/KR5/KR5 sixx R650.urdf"
-kr5=$demo/dart/usr/share/doc/dart/data/urdf/KR5/meshes
-if [ ! -r "$urdf" ] || [ ! -r $kr5/palm.STL ]; then
-  (cd $demo && apt-get download $package >log 2>&1) ||
-    { cat $demo/log >&2; echo "demo: 'apt-get download $package' failed; is there a network, and has
-'apt-get update' been run?" >&2; exit 1; }
-  dpkg-deb -x $demo/${package}_*.deb $demo/dart
-fi
-echo "Seven links, $(ls $kr5/*.STL | wc -l) STL files in $kr5"
+fetch_kr5 build/kr5
+echo "Seven links, $(ls "$kr5"/*.STL | wc -l) STL files in $kr5"
 echo "Six joints, in $urdf"
 
 step "2. The host program"

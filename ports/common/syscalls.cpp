@@ -8,6 +8,7 @@
 
 #include "semihosting.hpp"
 #include "start.hpp"
+#include "text.hpp"
 
 namespace {
 
@@ -37,6 +38,7 @@ void* __dso_handle = nullptr;
 void* _sbrk(ptrdiff_t bytes) {
   char* const block = heap_end;
   if (bytes > __heap_end - heap_end) {
+    port::put("[port] the heap is used up\n");
     errno = ENOMEM;
     return reinterpret_cast<void*>(-1);
   }

@@ -1,8 +1,8 @@
-# Arm MPS3 with the Cortex-M55 image AN547; code and data in its tightly coupled memories.
+# Arm MPS3 with the Cortex-M55 image AN547; code in tightly coupled memory, data in SRAM (secure).
 include(${FLASHBVH_CORES}/cortex-m55.cmake)
 set(FLASHBVH_MACHINE mps3-an547)
 set(FLASHBVH_CLOCK_KHZ 32000)
 set(FLASHBVH_FLASH 0x00000000)
 set(FLASHBVH_FLASH_KB 512)
-set(FLASHBVH_RAM 0x30000000)
-set(FLASHBVH_RAM_KB 512)
+set(FLASHBVH_RAM 0x31000000)
+set(FLASHBVH_RAM_KB 4096)

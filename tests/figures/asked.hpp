@@ -1,0 +1,59 @@
+// The queries that the figures are about: two meshes, a pose, and what it is known to count.
+#ifndef FLASHBVH_TESTS_FIGURES_ASKED_HPP
+#define FLASHBVH_TESTS_FIGURES_ASKED_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/query.hpp"
+#include "support/rotations.hpp"
+
+namespace figures {
+
+/// How near two meshes are, in the words of the paper's section 9.1.
+enum class Proximity : uint8_t {
+  separated,     ///< the boxes of the roots are apart: one visit tells
+  small,         ///< they overlap, at most kFewLeafPairs pairs of leaves do, no triangles meet
+  close,         ///< more pairs of leaves overlap, no triangles meet
+  intersecting,  ///< triangles meet
+};
+
+constexpr const char* kProximityNames[] = {"separated", "small", "close", "intersecting"};
+constexpr uint32_t kProximities = 4;
+constexpr uint32_t kFewLeafPairs = 10;
+
+/// Poses of one class under one kind of motion, for one pair of meshes.
+constexpr uint32_t kPosesOfPair = 16;
+
+/// A pose, made of integers so that it is the same everywhere, and the counts of its query by
+/// `ranked`, for every core to repeat.
+struct Asked {
+  int16_t quaternion[4];  ///< w, x, y, z, of any length; 1 0 0 0 for a translation
+  int32_t cells[3];
+  uint32_t visits;
+  uint32_t leaf_pairs;
+  uint32_t triangle_pairs;
+};
+
+/// Two meshes and their poses: moved only, and turned, too.
+struct AskedPair {
+  const char* a_name;
+  const char* b_name;
+  const flashbvh::PostTree* a;
+  const flashbvh::PostTree* b;
+  Asked moved[kProximities][kPosesOfPair];
+  Asked turned[kProximities][kPosesOfPair];
+};
+
+/// Written by write_poses.
+extern const AskedPair kAskedPairs[];
+extern const uint32_t kAskedPairCount;
+
+inline flashbvh::Pose pose_of(const Asked& asked) {
+  const int16_t(&q)[4] = asked.quaternion;
+  return flashbvh::Pose::rigid(flashbvh::test::rotation_of({q[0], q[1], q[2], q[3]}).entry,
+                               asked.cells);
+}
+
+}  // namespace figures
+
+#endif

@@ -1,0 +1,63 @@
+// Instructions of the parts of a query, counted on the target; on the host all counts of
+// instructions are 0.
+#ifndef FLASHBVH_TESTS_FIGURES_MEASURE_HPP
+#define FLASHBVH_TESTS_FIGURES_MEASURE_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/query.hpp"
+#include "report.hpp"
+
+namespace figures {
+
+struct Walked {
+  uint32_t visits;
+  uint32_t leaf_pairs;
+  uint32_t instructions;
+};
+
+/// The boxes alone: from the first visit to the last, the preparation left out and pairs of leaves
+/// counted.
+Walked measure_walk(const flashbvh::PostTree& a, const flashbvh::PostTree& b,
+                    const flashbvh::Pose& pose);
+
+struct Queried {
+  flashbvh::Status status;
+  flashbvh::Counts counts;
+  uint32_t instructions;  ///< made and run to its end, all pairs found
+  uint32_t until_first;   ///< made and run to the first pair, or to its end
+  uint32_t start;         ///< made and run for one visit
+};
+
+Queried measure_query(const flashbvh::PostTree& a, const flashbvh::PostTree& b,
+                      const flashbvh::Pose& pose);
+
+/// Adds the exact test, without placing, of each pair of triangles that the query comes to.
+void add_triangle_tests(const flashbvh::PostTree& a, const flashbvh::PostTree& b,
+                        const flashbvh::Pose& pose, Spread& tests);
+
+/// What the walks and queries under one kind of motion took.
+class Motion {
+ public:
+  /// A walk of fewer visits says little about one.
+  static constexpr uint32_t kFewVisits = 100;
+
+  /// Of the same pose.
+  void add(const Walked& walked, const Queried& queried);
+  /// SET.visit.MOTION: a visit, on average and in the dearest walk; SET.start.MOTION: a query made
+  /// and its first visit; SET.leaf_pair.MOTION: what a pair of leaves adds to a query.
+  void print(const char* set, const char* motion) const;
+
+ private:
+  uint64_t visits_ = 0;
+  uint64_t leaf_pairs_ = 0;
+  uint64_t walks_ = 0;  ///< instructions
+  uint64_t queries_ = 0;
+  uint64_t worst_walk_ = 0;
+  uint64_t worst_visits_ = 0;
+  Spread start_;
+};
+
+}  // namespace figures
+
+#endif

@@ -1,0 +1,168 @@
+#include "pose_search.hpp"
+
+#include "flashbvh/collide.hpp"
+#include "flashbvh/pose.hpp"
+
+using namespace flashbvh;
+
+namespace figures {
+namespace {
+
+constexpr std::int32_t kRadius = 20000;
+constexpr std::int64_t kScanSteps = 64;
+
+/// The largest number whose square is not above `value`.
+std::int64_t square_root(std::int64_t value) {
+  std::int64_t root = 0;
+  for (std::int64_t bit = std::int64_t{1} << 30; bit != 0; bit >>= 1) {
+    if ((root + bit) * (root + bit) <= value) {
+      root += bit;
+    }
+  }
+  return root;
+}
+
+/// Evenly in a ball, but not near its middle: then its direction is even, too.
+template <std::size_t dimensions>
+void set_in_ball(test::Random& random, std::int64_t (&point)[dimensions]) {
+  constexpr std::int64_t most = std::int64_t{kRadius} * kRadius;
+  std::int64_t square = 0;
+  do {
+    square = 0;
+    for (std::int64_t& part : point) {
+      part = random.between(-kRadius, kRadius);
+      square += part * part;
+    }
+  } while (square > most || square < most / 16);
+}
+
+/// The middle of the root's box in the mesh's frame, in half cells, and its sides.
+void measure_root(const PostTree& tree, std::int64_t (&middle)[3], std::int64_t (&side)[3]) {
+  const Box box = unpack(tree.nodes[0].box);
+  const std::int64_t lower[3] = {box.lower.x, box.lower.y, box.lower.z};
+  const std::int64_t upper[3] = {box.upper.x, box.upper.y, box.upper.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    middle[axis] = 2 * std::int64_t{tree.origin[axis]} + lower[axis] + upper[axis];
+    side[axis] = upper[axis] - lower[axis];
+  }
+}
+
+std::int64_t diagonal(const std::int64_t (&side)[3]) {
+  return square_root(side[0] * side[0] + side[1] * side[1] + side[2] * side[2]) + 1;
+}
+
+}  // namespace
+
+PoseSearch::PoseSearch(const PostTree& a, const PostTree& b, std::uint64_t seed)
+    : a_(&a), b_(&b), random_(seed) {
+  std::int64_t side_a[3];
+  std::int64_t side_b[3];
+  measure_root(a, middle_a_, side_a);
+  measure_root(b, middle_b_, side_b);
+  reach_ = (diagonal(side_a) + diagonal(side_b)) / 2 + 2;
+  size_b_ = side_b[0] > side_b[1] ? side_b[0] : side_b[1];
+  size_b_ = size_b_ > side_b[2] ? size_b_ : side_b[2];
+}
+
+Asked PoseSearch::next(Proximity proximity, bool turned) {
+  for (;;) {
+    const Approach approach = any_approach(turned);
+    const std::int64_t touching = touching_distance(approach);
+    Asked asked = at(approach, touching + gap_of(proximity));
+    if (touching >= 0 && is(proximity, asked)) {
+      return asked;
+    }
+  }
+}
+
+PoseSearch::Approach PoseSearch::any_approach(bool turned) {
+  Approach approach{};
+  std::int64_t q[4] = {1, 0, 0, 0};
+  if (turned) {
+    set_in_ball(random_, q);
+  }
+  approach.quaternion = {static_cast<std::int32_t>(q[0]), static_cast<std::int32_t>(q[1]),
+                         static_cast<std::int32_t>(q[2]), static_cast<std::int32_t>(q[3])};
+  set_in_ball(random_, approach.direction);
+  const std::int64_t(&d)[3] = approach.direction;
+  approach.length = square_root(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  return approach;
+}
+
+Asked PoseSearch::at(const Approach& approach, std::int64_t distance) const {
+  const test::Quaternion& q = approach.quaternion;
+  Asked asked = {{static_cast<std::int16_t>(q.w), static_cast<std::int16_t>(q.x),
+                  static_cast<std::int16_t>(q.y), static_cast<std::int16_t>(q.z)},
+                 {0, 0, 0},
+                 0,
+                 0,
+                 0};
+  const Pose turned = pose_of(asked);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::int64_t middle = 0;  // B's, turned
+    for (int i = 0; i < 3; ++i) {
+      middle += turned.rotation(axis, i) * middle_b_[i];
+    }
+    asked.cells[axis] =
+        static_cast<std::int32_t>((middle_a_[axis] - middle / kRotationOne) / 2 +
+                                  approach.direction[axis] * distance / approach.length);
+  }
+  return asked;
+}
+
+bool PoseSearch::touches(const Approach& approach, std::int64_t distance) const {
+  const Pose pose = pose_of(at(approach, distance));
+  return intersects(*a_, *b_, pose).yes;
+}
+
+std::int64_t PoseSearch::touching_distance(const Approach& approach) const {
+  std::int64_t step = kScanSteps;
+  while (step >= 0 && !touches(approach, reach_ * step / kScanSteps)) {
+    --step;
+  }
+  if (step < 0) {
+    return -1;
+  }
+  std::int64_t touching = reach_ * step / kScanSteps;
+  std::int64_t apart = reach_ * (step + 1) / kScanSteps;
+  while (apart - touching > 1) {
+    const std::int64_t between = (touching + apart) / 2;
+    (touches(approach, between) ? touching : apart) = between;
+  }
+  return touching;
+}
+
+std::int64_t PoseSearch::gap_of(Proximity proximity) {
+  switch (proximity) {
+    case Proximity::separated:
+      return random_.between(0, static_cast<std::int32_t>(reach_));
+    case Proximity::small:
+      return size_b_ * random_.between(3, 40) / 100;
+    case Proximity::close:
+      return size_b_ / 100;
+    case Proximity::intersecting:
+      break;
+  }
+  return -size_b_ * random_.between(1, 50) / 100;
+}
+
+bool PoseSearch::is(Proximity proximity, Asked& asked) const {
+  const Pose pose = pose_of(asked);
+  PairQuery query(*a_, *b_, pose);
+  if (query.run(UINT32_MAX, [](const PairQuery::Pair&) { return true; }) != Status::done) {
+    return false;
+  }
+  const Counts& counts = query.counts();
+  asked.visits = counts.visits;
+  asked.leaf_pairs = counts.leaf_pairs;
+  asked.triangle_pairs = counts.triangle_pairs;
+  if (counts.triangle_pairs != 0) {
+    return proximity == Proximity::intersecting;
+  }
+  const Proximity found = counts.visits == 1                   ? Proximity::separated
+                          : counts.leaf_pairs <= kFewLeafPairs ? Proximity::small
+                                                               : Proximity::close;
+  return proximity == found;
+}
+
+}  // namespace figures

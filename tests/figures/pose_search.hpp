@@ -1,0 +1,50 @@
+// Poses of a given proximity, the same on every machine. For the host: it tries until it has one.
+#ifndef FLASHBVH_TESTS_FIGURES_POSE_SEARCH_HPP
+#define FLASHBVH_TESTS_FIGURES_POSE_SEARCH_HPP
+
+#include <cstdint>
+
+#include "asked.hpp"
+#include "support/random.hpp"
+
+namespace figures {
+
+/// B is turned anyhow, or not at all, and comes towards A from any direction, the middles of their
+/// boxes in line, until it touches. From there it is moved on or back by a part of its size.
+class PoseSearch {
+ public:
+  /// The trees outlive the search.
+  PoseSearch(const flashbvh::PostTree& a, const flashbvh::PostTree& b, std::uint64_t seed);
+
+  Asked next(Proximity proximity, bool turned);
+
+ private:
+  struct Approach {
+    flashbvh::test::Quaternion quaternion;
+    std::int64_t direction[3];
+    std::int64_t length;  ///< of the direction
+  };
+
+  Approach any_approach(bool turned);
+  /// B's middle at a distance, in cells, from A's; its counts are 0.
+  Asked at(const Approach& approach, std::int64_t distance) const;
+  bool touches(const Approach& approach, std::int64_t distance) const;
+  /// The largest distance at which they touch; -1 if there is none.
+  std::int64_t touching_distance(const Approach& approach) const;
+  /// How far B is moved away from where it touches; negative: towards A.
+  std::int64_t gap_of(Proximity proximity);
+  /// Fills in the counts.
+  bool is(Proximity proximity, Asked& asked) const;
+
+  const flashbvh::PostTree* a_;
+  const flashbvh::PostTree* b_;
+  flashbvh::test::Random random_;
+  std::int64_t middle_a_[3];  ///< in half cells
+  std::int64_t middle_b_[3];
+  std::int64_t reach_;   ///< from here on their boxes are apart however B is turned
+  std::int64_t size_b_;  ///< the longest side of B's box
+};
+
+}  // namespace figures
+
+#endif

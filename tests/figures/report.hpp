@@ -1,0 +1,52 @@
+// What the firmware prints, for tools/figures.sh to gather:
+//     core Cortex-M4F
+//     figure kr5.visit.turned.mean 87.25    instructions, which depend on the core
+//     count kr5.visits.close.turned.max 888  what every core and this machine must agree about
+// Where no instructions are counted, on the host, there are counts alone.
+#ifndef FLASHBVH_TESTS_FIGURES_REPORT_HPP
+#define FLASHBVH_TESTS_FIGURES_REPORT_HPP
+
+#include <stdint.h>
+
+namespace figures {
+
+/// Words that dots join; those behind the last are null.
+struct Name {
+  const char* word[5];
+};
+
+/// Mean and maximum of something.
+class Spread {
+ public:
+  void add(uint32_t value) {
+    sum_ += value;
+    ++count_;
+    most_ = value > most_ ? value : most_;
+  }
+  uint64_t sum() const { return sum_; }
+  uint32_t count() const { return count_; }
+  uint32_t most() const { return most_; }
+  /// Rounded.
+  uint32_t mean() const {
+    return count_ == 0 ? 0 : static_cast<uint32_t>((sum_ + count_ / 2) / count_);
+  }
+
+ private:
+  uint64_t sum_ = 0;
+  uint32_t count_ = 0;
+  uint32_t most_ = 0;
+};
+
+void print_core();
+void print_count(const Name& name, uint32_t value);
+void print_figure(const Name& name, uint32_t value);
+/// With two digits behind the point, rounded; nothing if `whole` is 0.
+void print_quotient(const Name& name, uint64_t part, uint64_t whole);
+
+/// NAME.mean and NAME.max.
+void print_counts(Name name, const Spread& spread);
+void print_figures(Name name, const Spread& spread);
+
+}  // namespace figures
+
+#endif

@@ -1,0 +1,126 @@
+#!/bin/sh
+# figures.sh [PRESET...]             measures the figures of lib/docs/figures.md anew and writes the page
+# figures.sh --check [PRESET...]     measures, and fails if anything differs from the page
+# figures.sh --compare [PRESET...]   compares what the tests left in the build folders, no more
+# figures.sh --prepare               makes build/figures, which builds are given to measure a robot:
+#                                    cmake --preset cortex-m4f -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
+#
+# PRESET: of CMakePresets.json; all boards unless told. What is measured goes to
+# tests/figures/figures.txt, lines `CORE NAME VALUE`; the page is made of that file. Installs what is
+# missing.
+set -eu
+cd "$(dirname "$0")/.."
+. tools/packages.sh
+. tools/kr5.sh
+
+mode=write
+case ${1:-} in
+  --check | --compare | --prepare) mode=${1#--}; shift ;;
+  -*) sed -n '2,11s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+esac
+folder=$PWD/build/figures
+data=tests/figures/figures.txt
+flashbvh=$PWD/build/native/bin/flashbvh
+# What measures: the figures, the memory (tests/memory) and the bounds (tests/bound).
+tests="figures: measured|memory, and both stacks|instructions of a visit are proven"
+# Each pair of links that no joint connects, of those that fit 256 KB together.
+links="bicep forearm palm wrist"
+pairs="bicep-palm forearm-palm bicep-forearm bicep-wrist"
+
+# quietly COMMAND...: its output goes to a log, which is shown if it fails.
+quietly() {
+  "$@" >"$folder/log" 2>&1 || { cat "$folder/log" >&2; echo "figures: this failed: $*" >&2; exit 1; }
+}
+
+# bake LEAF_SIZE FOLDER: the links' trees; prints their bytes and their triangles.
+bake() {
+  "$flashbvh" bake $(for link in $links; do echo "$kr5/$link.STL"; done) -o "$2" --leaf-size "$1" \
+    2>"$folder/log" >"$folder/table" || { cat "$folder/log" >&2; exit 1; }
+  awk 'FNR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i }
+    $1 == "cell" { exit }
+    FNR > 1 { triangles += $column["triangles"]; bytes += $column["flash"] }
+    END { print bytes, triangles }' "$folder/table"
+}
+
+# prepare: the links as arrays, the poses, and what they take of flash.
+prepare() {
+  mkdir -p "$folder"
+  quietly cmake --preset native
+  quietly cmake --build --preset native --target flashbvh_tool write_poses
+  fetch_kr5 build/kr5
+  one=$(bake 1 "$folder")
+  five=$(bake 5 "$folder/compact")
+  quietly build/native/bin/write_poses "$folder" $pairs
+  echo "$one $five" | awk '{ printf "all flash.leaf_1 %.1f\nall flash.leaf_5 %.1f\n", $1 / $2, $3 / $4
+    print "all flash.triangles", $2; print "all flash.bytes", $1 }' >"$folder/flash.txt"
+}
+
+# boards: the presets that have one.
+boards() {
+  awk -F '"' '$2 == "configurePresets" { here = 1 } $2 == "buildPresets" { exit }
+    here && $2 == "name" { name = $4 } here && /"FLASHBVH_BOARD"/ { print name }' CMakePresets.json
+}
+
+# measure PRESET: its tests leave figures.txt, memory.txt and bound.txt in its build folder.
+measure() {
+  quietly cmake --preset "$1" -DFLASHBVH_HOST_TOOL="$flashbvh" -DFLASHBVH_KR5_FIGURES="$folder"
+  quietly cmake --build --preset "$1" --target figures
+  quietly ctest --preset "$1" -R "$tests"
+}
+
+# gather PRESET: its figures in one file, whose name is printed.
+gather() {
+  [ -r "build/$1/figures.txt" ] ||
+    { echo "figures: nothing measured in build/$1: run its tests, or $0 without --compare" >&2; exit 1; }
+  gathered=build/$1/measured.txt
+  cp "build/$1/figures.txt" "$gathered"
+  core=$(awk '$1 != "all" { print $1; exit }' "$gathered")
+  for other in memory bound; do
+    if [ -r "build/$1/$other.txt" ]; then
+      awk -v core="$core" '$NF ~ /^[0-9.]+$/ {
+        name = $1
+        for (i = 2; i < NF; ++i) name = name "." $i
+        print core, name, $NF
+      }' "build/$1/$other.txt" >>"$gathered"
+    fi
+  done
+  if [ "$1" = native ] && [ -r "$folder/flash.txt" ]; then
+    cat "$folder/flash.txt" >>"$gathered"
+  fi
+  echo "$gathered"
+}
+
+if [ $mode = prepare ]; then
+  ensure_packages $host_packages
+  prepare
+  echo "$folder"
+  exit 0
+fi
+[ $# -gt 0 ] || set -- native $(boards)
+if [ $mode != compare ]; then
+  ensure_packages $host_packages $board_packages $riscv_packages
+  prepare
+  for preset; do
+    echo "Measuring $preset"
+    measure "$preset"
+  done
+fi
+files=
+for preset; do
+  files="$files $(gather "$preset")"
+done
+
+if [ $mode = write ]; then
+  touch $data
+  awk -f tests/figures/merge.awk $data $files >"$folder/figures.txt"
+  mv "$folder/figures.txt" $data
+  tests/figures/page.sh
+fi
+# After writing, too: two boards may have one core.
+status=0
+for file in $files; do
+  echo "$file"
+  tests/figures/compare.sh "$file" || status=1
+done
+tests/figures/page.sh --check || status=1
+exit $status
