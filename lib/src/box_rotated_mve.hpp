@@ -23,7 +23,7 @@ static_assert(offsetof(TurnedBox, bounds) == 0 && offsetof(TurnedBox, source) ==
 static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits == 14,
               "what the assembly below takes them to be");
 
-/// 12 instructions where a box at hand tells the two apart, 44 or more where one is turned.
+/// 12 instructions where a box at hand tells the two apart, 45 or more where one is turned.
 ///
 /// Each vector of a box, and of a row, has a fourth word: what lies behind, read and not used.
 [[gnu::naked]] uint32_t RotatedOverlap::gap(const PackedBox& /*a*/, const PackedBox& /*b*/) {

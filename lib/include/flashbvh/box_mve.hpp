@@ -4,16 +4,17 @@
 // Bit-identical to the forms in packed.hpp: the fourth word's thresholds are zero.
 //
 // B's words are exchanged in registers. Gathering its halves in the order wanted takes four
-// instructions fewer, but eight accesses to memory; what is here should take no more cycles than
-// UQSUB16 whatever a core's gathers cost (lib/docs/design.md, Helium). In assembly, since GCC
-// extends the predicate's sign before it compares it, and makes the thresholds anew in each visit.
+// instructions fewer, but eight accesses to memory, which may cost more than they save
+// (lib/docs/design.md, Helium). In assembly, since GCC extends the predicates' sign before it
+// compares them, and makes the vector of thresholds anew in each visit.
 #ifndef FLASHBVH_BOX_MVE_HPP
 #define FLASHBVH_BOX_MVE_HPP
 
 #include "flashbvh/box_packed.hpp"
 #include "flashbvh/packed.hpp"
 
-#if defined(__ARM_FEATURE_MVE) && !defined(FLASHBVH_PORTABLE)
+// Clang has no name by which assembly could say that it changes the predicates.
+#if defined(__ARM_FEATURE_MVE) && !defined(__clang__) && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_BOX_MVE 1
 
 namespace flashbvh {
