@@ -5,7 +5,7 @@
 // answers are those of box_rotated.cpp, bit by bit: whole cells above 32,767 stay what they are, up
 // to 65,535, but the sum with another bound, which is at least 1, saturates and reaches the bias.
 //
-// By LLVM's model of the core a turned box takes a quarter fewer cycles than with SMLAD, as it
+// By LLVM's model of the core a turned box takes a fifth fewer cycles than with SMLAD, and it
 // takes a quarter fewer instructions (lib/docs/design.md, Helium).
 #ifndef FLASHBVH_BOX_ROTATED_MVE_HPP
 #define FLASHBVH_BOX_ROTATED_MVE_HPP
@@ -93,15 +93,15 @@ static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits ==
       "ldrd r12, lr, [r3, #16]\n\t"
       "vmladava.s16 r10, q3, q1\n\t"
       "vmladava.s16 r12, q2, q0\n\t"
-      "vmladava.s16 lr, q2, q1\n\t"
-      "vmov q2[3], q2[1], r4, r4\n\t"
       "vmov q3[3], q3[1], r8, r8\n\t"
+      "vmladava.s16 lr, q2, q1\n\t"
       "vmov q3[2], q3[0], r10, r12\n\t"
+      "vmov q2[3], q2[1], r4, r4\n\t"
       "vmov q2[2], q2[0], r6, lr\n\t"
-      "vldrw.u32 q1, [r2]\n\t"
       // VQSHRUNB and VQSHRUNT.S32 of q2 and q3 to q0 by 14 bits: GNU as 2.40 takes the rounding
       // instructions for them.
       ".inst.w 0xEE920FC4\n\t"
+      "vldrw.u32 q1, [r2]\n\t"
       ".inst.w 0xEE921FC6\n\t"
       "vstrw.32 q0, [r0]\n\t"
       "str r1, [r0, #12]\n\t"
