@@ -19,7 +19,7 @@
 
 namespace flashbvh {
 
-typedef uint32_t WordVector __attribute__((vector_size(16)));
+using WordVector [[gnu::vector_size(16)]] = uint32_t;
 
 /// The thresholds and a zero. Not volatile: a walk takes it out of its loop.
 inline WordVector threshold_vector(const PackedTriple& least) {
