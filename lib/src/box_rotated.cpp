@@ -3,6 +3,10 @@
 #include "flashbvh/packed_multiply.hpp"
 #include "flashbvh/walk.hpp"
 
+#if defined(__ARM_FEATURE_MVE) && !defined(FLASHBVH_PORTABLE)
+#include "box_rotated_mve.hpp"
+#else
+
 #if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_TURN_DSP 1
 #include "box_rotated_dsp.hpp"
@@ -85,3 +89,5 @@ uint32_t RotatedOverlap::gap(const PackedBox& a, const PackedBox& b) {
 }
 
 }  // namespace flashbvh
+
+#endif

@@ -9,6 +9,7 @@
 
 #include <stdint.h>
 
+#include "flashbvh/box_mve.hpp"
 #include "flashbvh/box_packed.hpp"
 #include "flashbvh/box_simd.hpp"
 #include "flashbvh/packed.hpp"
@@ -40,10 +41,13 @@ class TranslatedOverlap {
                 join_halves(threshold_negated(x), threshold_negated(y)),
                 join_halves(threshold(z), threshold_negated(z))}} {}
 
-  /// True if the closed boxes share a point.
+  /// True if the closed boxes share a point. Of boxes in nodes: with Helium the four bytes behind a
+  /// box are read, too.
   bool operator()(const PackedBox& a, const PackedBox& b) const {
 #if defined(FLASHBVH_BOX_SIMD)
     return bounds_reach_simd(a, b, least_);
+#elif defined(FLASHBVH_BOX_MVE)
+    return bounds_reach_mve(a, b, least_);
 #elif defined(__ARM_FEATURE_SIMD32) || defined(FLASHBVH_PORTABLE)
     return halves_reach(sums(a, b), least_);
 #else  // word by word, so that what an early rejection does not need is not even loaded

@@ -46,6 +46,7 @@ class RotatedOverlap {
   /// False only if no placed triangle of a subtree with box `b` meets one of a subtree with box
   /// `a`. Answers depend on the boxes alone, not on what was asked before; but boxes are known by
   /// their addresses, and what lies there must not change while this lives.
+  /// Of boxes in nodes: with Helium the four bytes behind a box are read, too.
   bool overlap(const PackedBox& a, const PackedBox& b) { return gap(a, b) == 0; }
 
  private:
