@@ -23,56 +23,26 @@ static_assert(offsetof(TurnedBox, bounds) == 0 && offsetof(TurnedBox, source) ==
 static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits == 14,
               "what the assembly below takes them to be");
 
-/// 12 instructions where a box at hand tells the two apart, 45 or more where one is turned.
-///
-/// Each vector of a box, and of a row, has a fourth word: what lies behind, read and not used.
-[[gnu::naked]] uint32_t RotatedOverlap::gap(const PackedBox& /*a*/, const PackedBox& /*b*/) {
-  // The sums of q0, a turned box, and q1, a box: not 0 in `to` if one is below the bias.
+// The sums of q0, a turned box, and q1, a box: not 0 in `to` if one is below the bias.
 #define FLASHBVH_COMPARE(to) \
   "vqadd.u16 q1, q1, q0\n\t" \
   "vcmp.s16 ge, q1, zr\n\t"  \
   "vmrs " to                 \
   ", p0\n\t"                 \
   "lsls " to ", " to ", #20\n\t"
-#define FLASHBVH_EXCHANGE_BOXES \
-  "mov r3, r1\n\t"              \
-  "mov r1, r2\n\t"              \
-  "mov r2, r3\n\t"
+
+/// Turns `box` and keeps it; 0 if it overlaps `other`. 38 instructions.
+///
+/// r0 turned, r1 box, r2 other. q0 is the box, q1 the box with upper and lower exchanged, q2 and q3
+/// rows; r5 rows, r3 starts; r4, r6, r8, r10, r12, lr the sums. Each vector of a box, and of a row,
+/// has a fourth word: what lies behind, read and not used.
+[[gnu::naked, gnu::used]] static uint32_t turn_and_compare(
+    TurnedBox& turned, const PackedBox& box,
+    const PackedBox& other) __asm__("flashbvh_turn_and_compare");
+
+uint32_t turn_and_compare(TurnedBox& /*turned*/, const PackedBox& /*box*/,
+                          const PackedBox& /*other*/) {
   __asm__(
-      "ldr r3, [r0, #36]\n\t"
-      "cmp r3, r2\n\t"
-      "beq 1f\n\t"
-      "ldr r3, [r0, #12]\n\t"
-      "cmp r3, r1\n\t"
-      "bne 2f\n\t"
-      // A's box is at hand, seen from B.
-      "vldrw.u32 q0, [r0]\n\t"
-      "vldrw.u32 q1, [r2]\n\t"
-      "add r0, r0, #24\n\t"
-      FLASHBVH_EXCHANGE_BOXES
-      "b 3f\n\t"
-      // None is.
-      "2:\n\t"
-      "push {r0, r1, r2, lr}\n\t"
-      "add r0, r0, #24\n\t"
-      FLASHBVH_EXCHANGE_BOXES
-      "bl 4f\n\t"
-      "mov r3, r0\n\t"
-      "pop {r0, r1, r2, lr}\n\t"
-      "cbz r3, 4f\n\t"
-      "mov r0, r3\n\t"
-      "bx lr\n\t"
-      // B's is.
-      "1:\n\t"
-      "vldrw.u32 q0, [r0, #24]\n\t"
-      "vldrw.u32 q1, [r1]\n\t"
-      "3:\n\t"
-      FLASHBVH_COMPARE("r3")
-      "bne 5f\n\t"
-      // Turns the box r1 for r0 and compares it with the box r2. q0 is the box, q1 the box with
-      // upper and lower exchanged, q2 and q3 rows; r5 rows, r3 starts; r4, r6, r8, r10, r12, lr
-      // the sums.
-      "4:\n\t"
       "push {r4, r5, r6, r8, r10, lr}\n\t"
       "ldm r1, {r4, r6, r12}\n\t"
       "mov r8, #0\n\t"
@@ -104,15 +74,51 @@ static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits ==
       "vldrw.u32 q1, [r2]\n\t"
       ".inst.w 0xEE921FC6\n\t"
       "vstrw.32 q0, [r0]\n\t"
-      "str r1, [r0, #12]\n\t"
-      FLASHBVH_COMPARE("r0")
-      "pop {r4, r5, r6, r8, r10, pc}\n\t"
-      "5:\n\t"
+      "str r1, [r0, #12]\n\t" FLASHBVH_COMPARE("r0") "pop {r4, r5, r6, r8, r10, pc}");
+}
+
+/// 12 instructions where a box at hand tells the two apart, 50 or more where one is turned.
+[[gnu::naked]] uint32_t RotatedOverlap::gap(const PackedBox& /*a*/, const PackedBox& /*b*/) {
+#define FLASHBVH_EXCHANGE_BOXES \
+  "mov r3, r1\n\t"              \
+  "mov r1, r2\n\t"              \
+  "mov r2, r3\n\t"
+  __asm__(
+      "ldr r3, [r0, #36]\n\t"
+      "cmp r3, r2\n\t"
+      "beq 1f\n\t"
+      "ldr r3, [r0, #12]\n\t"
+      "cmp r3, r1\n\t"
+      "bne 2f\n\t"
+      // A's box is at hand, seen from B.
+      "vldrw.u32 q0, [r0]\n\t"
+      "vldrw.u32 q1, [r2]\n\t"
+      "add r0, r0, #24\n\t"
+      FLASHBVH_EXCHANGE_BOXES
+      "b 3f\n\t"
+      // None is.
+      "2:\n\t"
+      "push {r0, r1, r2, lr}\n\t"
+      "add r0, r0, #24\n\t"
+      FLASHBVH_EXCHANGE_BOXES
+      "bl flashbvh_turn_and_compare\n\t"
+      "movs r3, r0\n\t"
+      "pop {r0, r1, r2, lr}\n\t"
+      "b 4f\n\t"
+      // B's is.
+      "1:\n\t"
+      "vldrw.u32 q0, [r0, #24]\n\t"
+      "vldrw.u32 q1, [r1]\n\t"
+      "3:\n\t"
+      FLASHBVH_COMPARE("r3")
+      "4:\n\t"
+      "beq.w flashbvh_turn_and_compare\n\t"
       "mov r0, r3\n\t"
       "bx lr");
 #undef FLASHBVH_EXCHANGE_BOXES
-#undef FLASHBVH_COMPARE
 }
+
+#undef FLASHBVH_COMPARE
 
 }  // namespace flashbvh
 

@@ -14,7 +14,9 @@ using namespace flashbvh;
 
 namespace {
 
-#if defined(__ARM_FEATURE_DSP)
+#if defined(__ARM_FEATURE_MVE)
+constexpr double kMostPerVisit = 70;
+#elif defined(__ARM_FEATURE_DSP)
 constexpr double kMostPerVisit = 90;
 #else
 constexpr double kMostPerVisit = 200;

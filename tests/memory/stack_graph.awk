@@ -83,6 +83,7 @@ function title(label, text) {
   sub("^.*" label ": \"", "", text)
   sub(/".*$/, "", text)
   sub(/^.*:/, "", text)
+  sub(/^[*]/, "", text)  # a name that the source gave
   return text
 }
 
@@ -113,7 +114,10 @@ function add_edge(from, to) {
 
 # The function's own share, its callees' left out.
 function own(name) {
-  return name in assembly ? assembly[name] : name in frame ? frame[name] : depth[name]
+  if (name in assembly && frame[name] == 0) {
+    return assembly[name]
+  }
+  return name in frame ? frame[name] : depth[name]
 }
 
 function depth_of(name, list, n, i, below, most) {
