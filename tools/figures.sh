@@ -22,7 +22,7 @@ folder=$PWD/build/figures
 data=tests/figures/figures.txt
 flashbvh=$PWD/build/native/bin/flashbvh
 # What measures: the figures, the memory (tests/memory) and the bounds (tests/bound).
-tests="figures: measured|memory, and both stacks|instructions of a visit are proven"
+tests="figures: measured|memory, and both stacks|bound: no run takes more"
 # Each pair of links that no joint connects, of those that fit 256 KB together.
 links="bicep forearm palm wrist"
 pairs="bicep-palm forearm-palm bicep-forearm bicep-wrist"
@@ -42,6 +42,27 @@ bake() {
     END { print bytes, triangles }' "$folder/table"
 }
 
+# visits: of each pair what bounds a query's visits, and the most that any pose takes.
+visits() {
+  for pair in $pairs; do
+    "$flashbvh" collide "$folder/${pair%-*}.fbvh" "$folder/${pair#*-}.fbvh" --bound --json |
+      sed "s/.*\"most_visits\": *\([0-9]*\).*/all visits.$pair.ranked \1/"
+  done
+  # A tree's leaves, and the poses.
+  awk -F '[ ={},;"]+' '/kLeafCount/ { name = FILENAME; gsub(/.*\/|\.fbvh.*/, "", name)
+      for (i = 1; i < NF; ++i) if ($i == "kLeafCount") leaves[name] = $(i + 1)
+    }
+    /&.*::tree,/ { pair = $2 "-" $3 }
+    /^ *\{\{.*\}, \{/ && $(NF - 3) + 0 > most[pair] + 0 { most[pair] = $(NF - 3) }
+    END {
+      for (pair in most) {
+        split(pair, link, "-")
+        printf "all visits.%s.any %.0f\nall visits.%s.met %d\n", pair,
+          2 * leaves[link[1]] * leaves[link[2]] - 1, pair, most[pair]
+      }
+    }' "$folder"/*.fbvh.hpp "$folder/poses.cpp" | sort
+}
+
 # prepare: the links as arrays, the poses, and what they take of flash.
 prepare() {
   mkdir -p "$folder"
@@ -52,7 +73,8 @@ prepare() {
   five=$(bake 5 "$folder/compact")
   quietly build/native/bin/write_poses "$folder" $pairs
   echo "$one $five" | awk '{ printf "all flash.leaf_1 %.1f\nall flash.leaf_5 %.1f\n", $1 / $2, $3 / $4
-    print "all flash.triangles", $2; print "all flash.bytes", $1 }' >"$folder/flash.txt"
+    print "all flash.triangles", $2; print "all flash.bytes", $1 }' >"$folder/host.txt"
+  visits >>"$folder/host.txt"
 }
 
 # boards: the presets that have one.
@@ -84,8 +106,22 @@ gather() {
       }' "build/$1/$other.txt" >>"$gathered"
     fi
   done
-  if [ "$1" = native ] && [ -r "$folder/flash.txt" ]; then
-    cat "$folder/flash.txt" >>"$gathered"
+  if [ -r "build/$1/bound.txt" ]; then
+    awk -v core="$core" '$1 == "bound" {
+        cost[$2] = $3
+      }
+      $1 == "measured" {
+        sub(/,/, "", $5)
+        print core, "runs." $2 ".met", $3
+        print core, "runs." $2 ".proven", $5
+      }
+      END {
+        print core, "bound.step-translated", cost["visit-translated"] + cost["ascent-translated"]
+        print core, "bound.step-rotated", cost["visit-rotated"] + cost["ascent-rotated"]
+      }' "build/$1/bound.txt" "build/$1/bound_measured.txt" >>"$gathered"
+  fi
+  if [ "$1" = native ] && [ -r "$folder/host.txt" ]; then
+    cat "$folder/host.txt" >>"$gathered"
   fi
   echo "$gathered"
 }

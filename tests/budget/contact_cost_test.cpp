@@ -17,6 +17,13 @@ namespace {
 
 constexpr int kPairs = 300;
 
+// RISC-V adds 64-bit numbers in more instructions.
+#if defined(__riscv)
+constexpr std::uint32_t kMostGeneral = 2200;
+#else
+constexpr std::uint32_t kMostGeneral = 2000;
+#endif
+
 struct Cost {
   std::uint32_t most;
   std::uint32_t stack;
@@ -72,7 +79,7 @@ TEST_CASE("instructions and stack of a contact stay within what the header says"
   const Cost coplanar =
       cost_of("coplanar", [](test::Random& random) { return test::coplanar_pair(random, 30000); });
   const Cost degenerate = cost_of("degenerate", without_area);
-  CHECK(general.most <= 2000);
+  CHECK(general.most <= kMostGeneral);
   CHECK(coplanar.most <= 9000);
   CHECK(degenerate.most <= 9000);
   CHECK(general.stack <= 280);

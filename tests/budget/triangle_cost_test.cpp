@@ -13,6 +13,13 @@ namespace {
 
 constexpr int kPairs = 300;
 
+// RISC-V adds 64-bit numbers in more instructions.
+#if defined(__riscv)
+constexpr std::uint32_t kMostGeneral = 600;
+#else
+constexpr std::uint32_t kMostGeneral = 550;
+#endif
+
 /// The most over some hundred pairs of a kind; printed with the mean.
 std::uint32_t most_instructions(const test::TriangleKind& kind) {
   test::Random random(test::test_seed());
@@ -37,7 +44,7 @@ std::uint32_t most_instructions(const test::TriangleKind& kind) {
 
 TEST_CASE("instructions of a triangle pair stay within what the header says") {
   CHECK(most_instructions(test::kBoxesApart) <= 150);
-  CHECK(most_instructions(test::kGeneral) <= 550);
+  CHECK(most_instructions(test::kGeneral) <= kMostGeneral);
   CHECK(most_instructions(test::kCoplanar) <= 1800);
   CHECK(most_instructions(test::kSegments) <= 2800);
 }

@@ -5,6 +5,7 @@
 #     @row LABEL | NAME... | NAME  what all cores count under each HEAD; what each core takes
 #     @end OTHERWISE               the table; if it has no rows, the rest of the line instead
 #     @parts MOTION                what fits in a period of 1 ms, by part
+#     @visits                      what bounds the visits of each pair of meshes, and the most met
 #     @worked CORE MOTION CLASS    the arithmetic of one of these figures
 # and @{CORE NAME} in any other line the value. A row of which nothing is known is left out.
 
@@ -156,6 +157,25 @@ function part_row(p, motion,    who, instructions, i) {
   }
   cell(rounded(instructions / value[who, "kr5.first." motion ".intersecting.mean"]))
   end_row()
+}
+
+$1 == "@visits" {
+  begin_table()
+  cell("pair of links"); cell("any traversal"); cell("`ranked`"); cell("most of 128 poses")
+  end_row()
+  for (i = 0; i < names; ++i) {
+    if (name[i] ~ /^visits\..*\.met$/) {
+      pair = name[i]
+      gsub(/^visits\.|\.met$/, "", pair)
+      link = pair
+      sub(/-/, ", ", link)
+      cell(link); cell(shown("all", "visits." pair ".any"))
+      cell(shown("all", "visits." pair ".ranked")); cell(shown("all", name[i]))
+      end_row()
+    }
+  }
+  print_table()
+  next
 }
 
 $1 == "@worked" {
