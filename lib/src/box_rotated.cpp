@@ -9,6 +9,16 @@
 #elif defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_TURN_SSE2 1
 #include "box_rotated_sse2.hpp"
+#elif defined(__thumb__) && __ARM_ARCH_PROFILE == 'M' && !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_TURN_THUMB 1
+#if __ARM_ARCH_ISA_THUMB >= 2
+#include "box_rotated_thumb2.hpp"
+#else
+#include "box_rotated_thumb1.hpp"
+#endif
+#elif !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_TURN_PLAIN 1
+#include "box_rotated_plain.hpp"
 #endif
 
 namespace flashbvh {
@@ -22,8 +32,8 @@ inline uint32_t compare(const PackedBox& a, const PackedBox& b) {
          ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z)));
 }
 
-#if !defined(FLASHBVH_TURN_DSP)
-#if !defined(FLASHBVH_TURN_SSE2)
+#if !defined(FLASHBVH_TURN_DSP) && !defined(FLASHBVH_TURN_THUMB)
+#if !defined(FLASHBVH_TURN_SSE2) && !defined(FLASHBVH_TURN_PLAIN)
 
 /// Whole cells of a bound, biased: 0 stands for all below the lattice, 32,767 for its end and all
 /// above, which is the same against any box on it.
@@ -60,6 +70,8 @@ FLASHBVH_NOINLINE uint32_t turn_and_compare(TurnedBox& kept, const PackedBox& bo
                                             const PackedBox& other) {
 #if defined(FLASHBVH_TURN_SSE2)
   kept.bounds = turned_sse2(*kept.matrix, kept.starts, box);
+#elif defined(FLASHBVH_TURN_PLAIN)
+  kept.bounds = turned_plain(*kept.matrix, kept.starts, box);
 #else
   kept.bounds = turned(*kept.matrix, kept.starts, box);
 #endif
