@@ -35,17 +35,15 @@ struct AxisSums {
   }
 };
 
-/// Bounds outside the lattice are rare: a function of its own keeps them out of the way.
-[[gnu::noinline, gnu::cold]] inline uint32_t clamped_sum(uint32_t sum) {
-  return sum >> 31 != 0 ? 0 : 0x7FFFu << kSplitBits;
+inline uint32_t clamped_sum(uint32_t sum) {
+  constexpr uint32_t most = 0x7FFFu << kSplitBits;
+  return sum >> 31 != 0 ? 0 : sum > most ? most : sum;
 }
 
-/// Whole cells from 0 to 32,767.
+/// Whole cells from 0 to 32,767. Bounds are seldom outside the lattice: one test for both.
 inline AxisBounds whole_bounds(AxisSums sums) {
-  constexpr unsigned bits = 15 + kSplitBits;
-  if ((sums.upper | sums.lower) >> bits != 0) {
-    sums.upper = sums.upper >> bits == 0 ? sums.upper : clamped_sum(sums.upper);
-    sums.lower = sums.lower >> bits == 0 ? sums.lower : clamped_sum(sums.lower);
+  if (__builtin_expect((sums.upper | sums.lower) >> (15 + kSplitBits), 0) != 0) {
+    sums = {clamped_sum(sums.upper), clamped_sum(sums.lower)};
   }
   return {sums.upper >> kSplitBits, sums.lower >> kSplitBits};
 }
@@ -71,8 +69,9 @@ inline AxisBounds whole_bounds(AxisSums sums) {
 }
 
 /// The bounds of `box` turned by `matrix`, its sums beginning at `starts`.
-inline PackedBox turned_plain(const SplitMatrix& matrix, const BoundStart* starts,
-                              const PackedBox& box) {
+[[gnu::always_inline]] inline PackedBox turned_plain(const SplitMatrix& matrix,
+                                                     const BoundStart* starts,
+                                                     const PackedBox& box) {
   const AxisBounds x = {loaded_half(box.upper_xy, 0), loaded_half(box.lower_xy, 0)};
   const AxisBounds y = {loaded_half(box.upper_xy, 1), loaded_half(box.lower_xy, 1)};
   const AxisBounds z = {loaded_half(box.z, 0), loaded_half(box.z, 1)};
