@@ -79,7 +79,7 @@ FLASHBVH_NOINLINE uint32_t turn_and_compare(TurnedBox& kept, const PackedBox& bo
 #if defined(FLASHBVH_TURN_SSE2)
   kept.bounds = turned_sse2(*kept.matrix, kept.starts, box);
 #elif defined(FLASHBVH_TURN_PLAIN)
-  kept.bounds = turned_plain(*kept.matrix, kept.starts, box);
+  turn_plain(*kept.matrix, kept.starts, box, kept.bounds);
 #else
   kept.bounds = turned(*kept.matrix, kept.starts, box);
 #endif

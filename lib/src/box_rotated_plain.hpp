@@ -8,10 +8,20 @@
 
 namespace flashbvh {
 
+using Half [[gnu::may_alias]] = uint16_t;
+
 /// A half of a word, loaded alone: compilers would load the word and take it apart.
 inline uint32_t loaded_half(const uint32_t& word, int which) {
-  using Half [[gnu::may_alias]] = uint16_t;
   return reinterpret_cast<const Half*>(&word)[which];
+}
+
+/// Sets a half of a word. That `half` may have changed keeps GCC from cutting it to 16 bits, which
+/// storing does.
+inline void store_half(uint32_t& word, int which, uint32_t half) {
+#if defined(__GNUC__)
+  __asm__("" : "+r"(half));
+#endif
+  reinterpret_cast<Half*>(&word)[which] = static_cast<Half>(half);
 }
 
 /// An upper and a negated lower bound, biased.
@@ -68,18 +78,22 @@ inline AxisBounds whole_bounds(AxisSums sums) {
   return whole_bounds(sums);
 }
 
-/// The bounds of `box` turned by `matrix`, its sums beginning at `starts`.
-[[gnu::always_inline]] inline PackedBox turned_plain(const SplitMatrix& matrix,
-                                                     const BoundStart* starts,
-                                                     const PackedBox& box) {
+/// Sets `bounds` to those of `box` turned by `matrix`, its sums beginning at `starts`. They are
+/// stored at once, by halves: then RISC-V has registers for everything else.
+[[gnu::always_inline]] inline void turn_plain(const SplitMatrix& matrix, const BoundStart* starts,
+                                              const PackedBox& box, PackedBox& bounds) {
   const AxisBounds x = {loaded_half(box.upper_xy, 0), loaded_half(box.lower_xy, 0)};
   const AxisBounds y = {loaded_half(box.upper_xy, 1), loaded_half(box.lower_xy, 1)};
   const AxisBounds z = {loaded_half(box.z, 0), loaded_half(box.z, 1)};
   const AxisBounds on_x = turned_axis(matrix.row[0], starts[0], x, y, z);
+  store_half(bounds.upper_xy, 0, on_x.upper);
+  store_half(bounds.lower_xy, 0, on_x.lower);
   const AxisBounds on_y = turned_axis(matrix.row[1], starts[1], x, y, z);
+  store_half(bounds.upper_xy, 1, on_y.upper);
+  store_half(bounds.lower_xy, 1, on_y.lower);
   const AxisBounds on_z = turned_axis(matrix.row[2], starts[2], x, y, z);
-  return {join_halves(on_x.upper, on_y.upper), join_halves(on_x.lower, on_y.lower),
-          join_halves(on_z.upper, on_z.lower)};
+  store_half(bounds.z, 0, on_z.upper);
+  store_half(bounds.z, 1, on_z.lower);
 }
 
 }  // namespace flashbvh

@@ -48,6 +48,13 @@ PackedBox turned_box(const SplitMatrix& matrix, const BoundStart* starts, const 
           join_halves(z.upper, z.lower)};
 }
 
+PackedBox turned_without_zeros(const SplitMatrix& matrix, const BoundStart* starts,
+                               const PackedBox& box) {
+  PackedBox turned{};
+  turn_plain(matrix, starts, box, turned);
+  return turned;
+}
+
 bool same(const PackedBox& a, const PackedBox& b) {
   return a.upper_xy == b.upper_xy && a.lower_xy == b.lower_xy && a.z == b.z;
 }
@@ -127,9 +134,9 @@ TEST_CASE("a box turned without the products that are zero is the turned box") {
     for (int i = 0; i < 10; ++i) {
       CAPTURE(round, i);
       const PackedBox box = any_box(random);
-      REQUIRE(same(turned_plain(turn.pose.rows(), turn.placement.on_a, box),
+      REQUIRE(same(turned_without_zeros(turn.pose.rows(), turn.placement.on_a, box),
                    turned_box(turn.pose.rows(), turn.placement.on_a, box)));
-      REQUIRE(same(turned_plain(turn.pose.columns(), turn.placement.on_b, box),
+      REQUIRE(same(turned_without_zeros(turn.pose.columns(), turn.placement.on_b, box),
                    turned_box(turn.pose.columns(), turn.placement.on_b, box)));
     }
   }
