@@ -45,6 +45,7 @@ struct AxisSums {
   }
 };
 
+/// A sum kept from 0 to that of the last cell.
 inline uint32_t clamped_sum(uint32_t sum) {
   constexpr uint32_t most = 0x7FFFu << kSplitBits;
   return sum >> 31 != 0 ? 0 : sum > most ? most : sum;
