@@ -13,6 +13,24 @@
 #elif defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_TURN_SSE2 1
 #include "box_rotated_sse2.hpp"
+#elif defined(__thumb__) && __ARM_ARCH_PROFILE == 'M' && !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_TURN_THUMB 1
+#if __ARM_ARCH_ISA_THUMB >= 2
+#include "box_rotated_thumb2.hpp"
+#else
+#include "box_rotated_thumb1.hpp"
+#endif
+#elif !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_TURN_PLAIN 1
+#include "box_rotated_plain.hpp"
+#endif
+
+// Turning both boxes is for most visits the exception, and the only path of RotatedOverlap::gap()
+// that needs registers saved. On cores that save them one by one it is a function of its own.
+#if defined(FLASHBVH_TURN_PLAIN)
+#define FLASHBVH_TURN_BOTH FLASHBVH_NOINLINE
+#else
+#define FLASHBVH_TURN_BOTH inline
 #endif
 
 namespace flashbvh {
@@ -26,8 +44,8 @@ inline uint32_t compare(const PackedBox& a, const PackedBox& b) {
          ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z)));
 }
 
-#if !defined(FLASHBVH_TURN_DSP)
-#if !defined(FLASHBVH_TURN_SSE2)
+#if !defined(FLASHBVH_TURN_DSP) && !defined(FLASHBVH_TURN_THUMB)
+#if !defined(FLASHBVH_TURN_SSE2) && !defined(FLASHBVH_TURN_PLAIN)
 
 /// Whole cells of a bound, biased: 0 stands for all below the lattice, 32,767 for its end and all
 /// above, which is the same against any box on it.
@@ -64,6 +82,8 @@ FLASHBVH_NOINLINE uint32_t turn_and_compare(TurnedBox& kept, const PackedBox& bo
                                             const PackedBox& other) {
 #if defined(FLASHBVH_TURN_SSE2)
   kept.bounds = turned_sse2(*kept.matrix, kept.starts, box);
+#elif defined(FLASHBVH_TURN_PLAIN)
+  turn_plain(*kept.matrix, kept.starts, box, kept.bounds);
 #else
   kept.bounds = turned(*kept.matrix, kept.starts, box);
 #endif
@@ -72,6 +92,13 @@ FLASHBVH_NOINLINE uint32_t turn_and_compare(TurnedBox& kept, const PackedBox& bo
 }
 
 #endif
+
+/// Turns `b` and, if need be, `a`; 0 if they overlap.
+FLASHBVH_TURN_BOTH uint32_t turn_both(TurnedBox& kept_a, TurnedBox& kept_b, const PackedBox& a,
+                                      const PackedBox& b) {
+  const uint32_t gap = turn_and_compare(kept_b, b, a);
+  return gap != 0 ? gap : turn_and_compare(kept_a, a, b);
+}
 
 }  // namespace
 
@@ -84,8 +111,7 @@ uint32_t RotatedOverlap::gap(const PackedBox& a, const PackedBox& b) {
     const uint32_t gap = compare(a_.bounds, b);
     return gap != 0 ? gap : turn_and_compare(b_, b, a);
   }
-  const uint32_t gap = turn_and_compare(b_, b, a);
-  return gap != 0 ? gap : turn_and_compare(a_, a, b);
+  return turn_both(a_, b_, a, b);
 }
 
 }  // namespace flashbvh

@@ -19,7 +19,7 @@ constexpr double kMostPerVisit = 70;
 #elif defined(__ARM_FEATURE_DSP)
 constexpr double kMostPerVisit = 90;
 #else
-constexpr double kMostPerVisit = 200;
+constexpr double kMostPerVisit = 120;
 #endif
 
 using Baked = bake::BakedTree<std::uint16_t, Layout::post_indexed>;

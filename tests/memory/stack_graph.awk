@@ -55,7 +55,9 @@ function read_table() {
   if ($1 == "outside") {
     outside = outside (outside == "" ? "^(" : "|") $2
   } else if ($1 == "assembly") {
-    assembly[$2] = $3
+    if (index("," tags ",", "," $4 ",")) {
+      assembly[$2] = $3
+    }
   } else if ($1 == "visitor") {
     visitor[$2] = 1
   } else if ($1 == "never") {
@@ -114,10 +116,7 @@ function add_edge(from, to) {
 
 # The function's own share, its callees' left out.
 function own(name) {
-  if (name in assembly && frame[name] == 0) {
-    return assembly[name]
-  }
-  return name in frame ? frame[name] : depth[name]
+  return name in assembly ? assembly[name] : name in frame ? frame[name] : depth[name]
 }
 
 function depth_of(name, list, n, i, below, most) {

@@ -3,7 +3,8 @@
 # file ROOTS, by call graph, with the path that takes it.
 #
 # PROGRAM is linked of objects that were compiled with -fcallgraph-info=su; what that wrote lies in
-# FOLDER. NM and OBJDUMP are the board's. All paths are absolute.
+# FOLDER. NM and OBJDUMP are the board's, TAGS says what its core is
+# (budgets.txt). All paths are absolute.
 set -eu
 program=$1
 roots=$2
@@ -19,7 +20,7 @@ find . -name '*.ci' | sort >"$output.ci"
 [ -s "$output.ci" ] || { echo "stack_graph.sh: no call graph in $folder" >&2; exit 1; }
 # Within the folder, no name has blanks.
 # shellcheck disable=SC2046
-awk -f "$here/stack_graph.awk" "$roots" "$here/calls.txt" "$output.frames" \
+awk -v tags="$TAGS" -f "$here/stack_graph.awk" "$roots" "$here/calls.txt" "$output.frames" \
   $(cat "$output.ci") >"$output.new" || { rm -f "$output"; exit 1; }
 cat "$output.new"
 mv "$output.new" "$output"
