@@ -3,6 +3,8 @@
 #ifndef FLASHBVH_TESTS_SUPPORT_BOX_IN_NODE_HPP
 #define FLASHBVH_TESTS_SUPPORT_BOX_IN_NODE_HPP
 
+#include <stdint.h>
+
 #include "flashbvh/box_packed.hpp"
 #include "support/random.hpp"
 
@@ -10,11 +12,11 @@ namespace flashbvh::test {
 
 struct BoxInNode {
   PackedBox box;
-  std::uint32_t rest;
+  uint32_t rest;
 };
 
 inline BoxInNode in_node(Random& random, const Box& box) {
-  constexpr std::uint32_t rests[] = {0, 0xFFFF, 0xFFFF0000, 0x80008000, 0x7FFF7FFF, 0xFFFFFFFF};
+  constexpr uint32_t rests[] = {0, 0xFFFF, 0xFFFF0000, 0x80008000, 0x7FFF7FFF, 0xFFFFFFFF};
   return {pack(box), rests[random.below(6)]};
 }
 

@@ -1,6 +1,8 @@
 // Boxes turned by a rotation, each form against the definition in 64-bit integers.
 #include <catch2/catch.hpp>
 
+#include <stdint.h>
+
 #include "box_rotated_plain.hpp"
 #include "flashbvh/box_rotated.hpp"
 #include "support/box_in_node.hpp"
@@ -12,29 +14,30 @@ using namespace flashbvh::test;
 
 namespace {
 
-constexpr std::int32_t kMost = kMaxCoordinate;
+constexpr int32_t kMost = kMaxCoordinate;
+constexpr int16_t Vertex::*kAxes[] = {&Vertex::x, &Vertex::y, &Vertex::z};
 
 /// A biased bound, in kSplitOne a cell, cut to whole cells on the lattice.
-std::uint32_t whole_cells(std::int64_t bound) {
-  const std::int64_t cells = bound >> kSplitBits;
-  return static_cast<std::uint32_t>(cells < 0 ? 0 : cells > 32767 ? 32767 : cells);
+uint32_t whole_cells(int64_t bound) {
+  const int64_t cells = bound >> kSplitBits;
+  return static_cast<uint32_t>(cells < 0 ? 0 : cells > 32767 ? 32767 : cells);
 }
 
 struct Bounds {
-  std::uint32_t upper, lower;
+  uint32_t upper, lower;
 };
 
 /// Each entry takes the upper bound where it is positive and the lower one where it is negative.
 Bounds bounds_on(const SplitRow& row, const BoundStart& start, const PackedBox& box) {
-  const std::int64_t entries[] = {row.x(), row.y(), row.z_entry()};
+  const int64_t entries[] = {row.x(), row.y(), row.z_entry()};
   const Bounds of_box[] = {{low_half(box.upper_xy), low_half(box.lower_xy)},
                            {high_half(box.upper_xy), high_half(box.lower_xy)},
                            {low_half(box.z), high_half(box.z)}};
-  std::int64_t upper = start.upper;
-  std::int64_t lower = start.lower;
+  int64_t upper = start.upper;
+  int64_t lower = start.lower;
   for (int i = 0; i < 3; ++i) {
     const bool positive = entries[i] > 0;
-    const std::int64_t magnitude = positive ? entries[i] : -entries[i];
+    const int64_t magnitude = positive ? entries[i] : -entries[i];
     upper += magnitude * (positive ? of_box[i].upper : of_box[i].lower);
     lower += magnitude * (positive ? of_box[i].lower : of_box[i].upper);
   }
@@ -81,11 +84,11 @@ PackedBox any_box(Random& random) {
     }
   };
   Box box{};
-  for (const auto axis : {&Vertex::x, &Vertex::y, &Vertex::z}) {
-    const std::int32_t u = coordinate();
-    const std::int32_t v = coordinate();
-    box.lower.*axis = static_cast<std::int16_t>(u < v ? u : v);
-    box.upper.*axis = static_cast<std::int16_t>(u < v ? v : u);
+  for (const auto axis : kAxes) {
+    const int32_t u = coordinate();
+    const int32_t v = coordinate();
+    box.lower.*axis = static_cast<int16_t>(u < v ? u : v);
+    box.upper.*axis = static_cast<int16_t>(u < v ? v : u);
   }
   return pack(box);
 }
@@ -93,17 +96,16 @@ PackedBox any_box(Random& random) {
 /// The whole lattice but for what lies before a side of `box`, or that and a cell more: whether it
 /// overlaps `box` depends on that one bound.
 PackedBox box_beside(Random& random, const PackedBox& box) {
-  constexpr std::int16_t Vertex::*axes[] = {&Vertex::x, &Vertex::y, &Vertex::z};
-  const auto axis = axes[random.below(3)];
+  const auto axis = kAxes[random.below(3)];
   const Box side = unpack(box);
   Box beside = {{-kMost, -kMost, -kMost}, {kMost, kMost, kMost}};
-  const std::int32_t above = side.upper.*axis + random.between(0, 1);
-  const std::int32_t below = side.lower.*axis - random.between(0, 1);
-  const auto on_lattice = [](std::int32_t cells) { return cells >= -kMost && cells <= kMost; };
+  const int32_t above = side.upper.*axis + random.between(0, 1);
+  const int32_t below = side.lower.*axis - random.between(0, 1);
+  const auto on_lattice = [](int32_t cells) { return cells >= -kMost && cells <= kMost; };
   if (random.below(2) == 0 && on_lattice(above)) {
-    beside.lower.*axis = static_cast<std::int16_t>(above);
+    beside.lower.*axis = static_cast<int16_t>(above);
   } else if (on_lattice(below)) {
-    beside.upper.*axis = static_cast<std::int16_t>(below);
+    beside.upper.*axis = static_cast<int16_t>(below);
   }
   return pack(beside);
 }
@@ -114,12 +116,12 @@ struct Turn {
   RotatedPlacement placement{};
 
   explicit Turn(Random& random) {
-    constexpr std::int32_t reaches[] = {0, 20, 16383, 50000, kMaxTranslation};
+    constexpr int32_t reaches[] = {0, 20, 16383, 50000, kMaxTranslation};
     while (pose.is_translation()) {
       pose = any_rigid_pose(random, reaches[random.below(5)]);
     }
     const PackedBox all = pack({{-kMost, -kMost, -kMost}, {kMost, kMost, kMost}});
-    const std::int32_t origin[3] = {0, 0, 0};
+    const int32_t origin[3] = {0, 0, 0};
     REQUIRE(placement.prepare(pose, origin, all, origin, all, /*may_stop=*/false));
   }
 };
@@ -127,7 +129,7 @@ struct Turn {
 }  // namespace
 
 TEST_CASE("a box turned without the products that are zero is the turned box") {
-  const std::uint64_t seed = test_seed();
+  const uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed);
   for (int round = 0; round < 2000; ++round) {
@@ -144,7 +146,7 @@ TEST_CASE("a box turned without the products that are zero is the turned box") {
 }
 
 TEST_CASE("boxes overlap under a rotation exactly when both turned boxes do, whatever was kept") {
-  const std::uint64_t seed = test_seed();
+  const uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 1);
   int overlaps = 0;
