@@ -18,6 +18,8 @@ namespace {
 constexpr double kMostPerVisit = 70;
 #elif defined(__ARM_FEATURE_DSP)
 constexpr double kMostPerVisit = 90;
+#elif defined(__riscv)
+constexpr double kMostPerVisit = 150;
 #else
 constexpr double kMostPerVisit = 120;
 #endif
