@@ -46,7 +46,12 @@ bake() {
 visits() {
   for pair in $pairs; do
     "$flashbvh" collide "$folder/${pair%-*}.fbvh" "$folder/${pair#*-}.fbvh" --bound --json |
-      sed "s/.*\"most_visits\": *\([0-9]*\).*/all visits.$pair.ranked \1/"
+      sed 's/[{}"]//g; s/[:,]/ /g' | awk -v pair="$pair" '{
+        for (i = 1; i < NF; i += 2) is[$i] = $(i + 1)
+        print "all visits." pair ".ranked", is["most_visits"]
+        print "all visits." pair ".depths", is["depths"]
+        print "all visits." pair ".siblings", is["later_siblings"]
+      }'
   done
   # A tree's leaves, and the poses.
   awk -F '[ ={},;"]+' '/kLeafCount/ { name = FILENAME; gsub(/.*\/|\.fbvh.*/, "", name)
@@ -107,18 +112,11 @@ gather() {
     fi
   done
   if [ -r "build/$1/bound.txt" ]; then
-    awk -v core="$core" '$1 == "bound" {
-        cost[$2] = $3
-      }
-      $1 == "measured" {
+    awk -v core="$core" '$1 == "measured" {
         sub(/,/, "", $5)
         print core, "runs." $2 ".met", $3
         print core, "runs." $2 ".proven", $5
-      }
-      END {
-        print core, "bound.step-translated", cost["visit-translated"] + cost["ascent-translated"]
-        print core, "bound.step-rotated", cost["visit-rotated"] + cost["ascent-rotated"]
-      }' "build/$1/bound.txt" "build/$1/bound_measured.txt" >>"$gathered"
+      }' "build/$1/bound_measured.txt" >>"$gathered"
   fi
   if [ "$1" = native ] && [ -r "$folder/host.txt" ]; then
     cat "$folder/host.txt" >>"$gathered"

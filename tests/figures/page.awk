@@ -6,6 +6,7 @@
 #     @end OTHERWISE               the table; if it has no rows, the rest of the line instead
 #     @parts MOTION                what fits in a period of 1 ms, by part
 #     @visits                      what bounds the visits of each pair of meshes, and the most met
+#     @bounded                     the dearest queries on the links, beside the bounds on them
 #     @worked CORE MOTION CLASS    the arithmetic of one of these figures
 # and @{CORE NAME} in any other line the value. A row of which nothing is known is left out.
 
@@ -174,6 +175,58 @@ $1 == "@visits" {
       end_row()
     }
   }
+  print_table()
+  next
+}
+
+# What lib/docs/bounded_time.md says that a query made and run to its end takes at most: the formula,
+# with the most visits and pairs of leaves of the class, and trees of a triangle a leaf.
+function bound_of_query(who, motion, of_class,    kind, visits, leaf_pairs) {
+  kind = motion == "moved" ? "-translated" : "-rotated"
+  visits = value["all", "kr5.visits." motion "." of_class ".max"]
+  leaf_pairs = value["all", "kr5.leaf_pairs." motion "." of_class ".max"]
+  return value[who, "bound.make-query"] + value[who, "bound.run" kind] \
+    + (leaf_pairs + 1) * most_siblings * value[who, "bound.later-sibling" kind] \
+    + (most_depths + visits) * value[who, "bound.ascent" kind] \
+    + visits * value[who, "bound.visit" kind] \
+    + leaf_pairs * value[who, "bound.leaf-pair" kind] \
+    + (leaf_pairs + 1) * value[who, "bound.triangle-pair"]
+}
+
+function bounded_rows(motion, of_class,    c) {
+  cell("B " motion ", " of_class ": at most")
+  for (c = 0; c < cores; ++c) {
+    cell(grouped(sprintf("%.0f", bound_of_query(core[c], motion, of_class))))
+  }
+  end_row()
+  cell("met")
+  for (c = 0; c < cores; ++c) {
+    cell(shown(core[c], "kr5.query." motion "." of_class ".max"))
+  }
+  end_row()
+}
+
+$1 == "@bounded" {
+  for (i = 0; i < names; ++i) {
+    if (name[i] ~ /^visits\..*\.depths$/ && value["all", name[i]] > most_depths) {
+      most_depths = value["all", name[i]]
+    }
+    if (name[i] ~ /^visits\..*\.siblings$/ && value["all", name[i]] > most_siblings) {
+      most_siblings = value["all", name[i]]
+    }
+  }
+  begin_table()
+  cell("the dearest query of 64 poses")
+  for (c = 0; c < cores; ++c) {
+    cell(core[c])
+  }
+  end_row()
+  bounded_rows("moved", "small")
+  bounded_rows("moved", "close")
+  bounded_rows("moved", "intersecting")
+  bounded_rows("turned", "small")
+  bounded_rows("turned", "close")
+  bounded_rows("turned", "intersecting")
   print_table()
   next
 }

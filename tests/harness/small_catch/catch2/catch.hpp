@@ -2,7 +2,8 @@
 // library, no stdio. The same test sources include it as <catch2/catch.hpp>.
 //
 // TEST_CASE, TEMPLATE_TEST_CASE, TEMPLATE_TEST_CASE_SIG, SECTION, GENERATE, CHECK, CHECK_FALSE,
-// REQUIRE, REQUIRE_FALSE, STATIC_REQUIRE, FAIL, INFO of a string, CAPTURE. What differs from Catch2:
+// REQUIRE, REQUIRE_FALSE, STATIC_REQUIRE, FAIL, INFO of a string, CAPTURE. What differs from
+// Catch2:
 // - a failed REQUIRE or FAIL ends the process: there are no exceptions
 // - values of classes print as {?}
 // - GENERATE takes its values one by one and comes before any SECTION of its scope
