@@ -58,7 +58,6 @@ void clamp_sums() {
     muls r7, r6
     adds r5, r7
     .endm
-
     @ Adds an entry's products: its positive part's or, where that is zero, the other one's.
     .macro turn_entry positive, negative, upper, lower
     ldrh r6, [r1, #\positive]
@@ -71,7 +70,6 @@ void clamp_sums() {
     add_products \lower, \upper
   2:
     .endm
-
     @ Two sums of three products, then whole cells from 0 to 32,767.
     .macro turn_axis row, upper, lower
     ldm r3!, {r4, r5}
@@ -89,7 +87,6 @@ void clamp_sums() {
     strh r4, [r0, #\upper]
     strh r5, [r0, #\lower]
     .endm
-
     push {r4, r5, r6, r7, lr}
     mov r12, r2
     mov r2, r1
@@ -116,7 +113,6 @@ void clamp_sums() {
     .balign 4
   9:
     .word 0x80008000
-
     .purgem add_products
     .purgem turn_entry
     .purgem turn_axis

@@ -58,4 +58,7 @@ kept pre stackless volume-stack alternating-stack leaf
 [ "$(wc -l <text)" -eq 3 ] && grep -q '^at most [0-9]* visits, of which [0-9]* pairs of leaves' text ||
   fail "$(cat text)"
 refused "--poses or --bound" collide post/ring.fbvh post/coarse.fbvh
-refused "--poses excludes --bound" collide post/ring.fbvh post/coarse.fbvh --bound --poses poses
+for option in "--poses poses" "--first" "--pairs found"; do
+  # shellcheck disable=SC2086
+  refused "excludes" collide post/ring.fbvh post/coarse.fbvh --bound $option
+done

@@ -182,11 +182,14 @@ void add_collide(CLI::App& app) {
       ->add_option("--algorithm", a.algorithm,
                    "Traversal; default: ranked, or stackless on pre-indexed images")
       ->check(CLI::IsMember(algorithm_names()));
-  command->add_flag("--first", a.first, "Stop at the first pair of triangles");
-  command->add_option("--pairs", a.pairs, "Write `pose a b` for each pair, sorted")
-      ->type_name("OUT");
+  CLI::Option* const first =
+      command->add_flag("--first", a.first, "Stop at the first pair of triangles");
+  CLI::Option* const pairs =
+      command->add_option("--pairs", a.pairs, "Write `pose a b` for each pair, sorted")
+          ->type_name("OUT");
   command->add_flag("--json", a.json, "One JSON object a pose");
-  command->add_flag("--bound", a.bound, "Print what no pose can exceed, instead")->excludes(poses);
+  command->add_flag("--bound", a.bound, "Print what no pose can exceed, instead")
+      ->excludes(poses, first, pairs);
   command->callback([arguments] {
     if (!arguments->bound && arguments->poses.empty()) {
       throw CLI::RequiredError("--poses or --bound");
