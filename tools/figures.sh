@@ -20,7 +20,9 @@ case ${1:-} in
 esac
 folder=$PWD/build/figures
 data=tests/figures/figures.txt
-flashbvh=$PWD/build/native/bin/flashbvh
+# FLASHBVH_NATIVE: the preset whose host program bakes.
+native=${FLASHBVH_NATIVE:-native}
+flashbvh=$PWD/build/$native/bin/flashbvh
 # What measures: the figures, the memory (tests/memory) and the bounds (tests/bound).
 tests="figures: measured|memory, and both stacks|bound: no run takes more"
 # Each pair of links that no joint connects, of those that fit 256 KB together.
@@ -71,12 +73,12 @@ visits() {
 # prepare: the links as arrays, the poses, and what they take of flash.
 prepare() {
   mkdir -p "$folder"
-  quietly cmake --preset native
-  quietly cmake --build --preset native --target flashbvh_tool write_poses
+  quietly cmake --preset $native
+  quietly cmake --build --preset $native --target flashbvh_tool write_poses
   fetch_kr5 build/kr5
   one=$(bake 1 "$folder")
   five=$(bake 5 "$folder/compact")
-  quietly build/native/bin/write_poses "$folder" $pairs
+  quietly build/$native/bin/write_poses "$folder" $pairs
   echo "$one $five" | awk '{ printf "all flash.leaf_1 %.1f\nall flash.leaf_5 %.1f\n", $1 / $2, $3 / $4
     print "all flash.triangles", $2; print "all flash.bytes", $1 }' >"$folder/host.txt"
   visits >>"$folder/host.txt"

@@ -16,10 +16,11 @@ sources() {
 step "Formatting (clang-format -i mends it)"
 sources | xargs clang-format --dry-run -Werror
 
-step "A robot's links and poses, of which the figures are"
-tools/figures.sh --prepare
-
 step "Tests on this machine, with the address and undefined-behaviour sanitizers"
+cmake --preset native-sanitize
+cmake --build --preset native-sanitize
+# A robot's links and poses, of which the figures are; and what is tested bakes for the boards.
+FLASHBVH_NATIVE=native-sanitize tools/figures.sh --prepare
 cmake --preset native-sanitize -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
 cmake --build --preset native-sanitize
 ctest --preset native-sanitize -j2
@@ -32,7 +33,7 @@ sources | grep -E '^(lib|tools)/.*\.cpp$' |
 for preset in cortex-m0 cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 rv32imac \
   stm32vldiscovery netduinoplus2 sifive_e; do
   step "Tests on $preset under QEMU"
-  cmake --preset $preset -DFLASHBVH_HOST_TOOL="$PWD/build/native/bin/flashbvh" \
+  cmake --preset $preset -DFLASHBVH_HOST_TOOL="$PWD/build/native-sanitize/bin/flashbvh" \
     -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
   cmake --build --preset $preset
   ctest --preset $preset -j2

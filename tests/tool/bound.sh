@@ -1,6 +1,6 @@
 #!/bin/sh
 # No pose makes a query visit more than `collide --bound` says; where all boxes overlap, `ranked`
-# visits exactly that, for all pairs of sizes 1 to 8.
+# visits exactly that, for all pairs of sizes 1 to 8, and some of trees baked otherwise.
 . "$SOURCES/common.sh"
 
 echo "1 0 0 0 1 0 0 0 1  0 0 0" >here
@@ -23,8 +23,10 @@ done
 for options in "" "--arity 2" "--builder median --arity 8" "--leaf-size 3" "--index-bits 32"; do
   # shellcheck disable=SC2086
   "$FLASHBVH" bake star?.obj -o baked --cell 0.01 $options >/dev/null 2>&1
-  for a in 1 2 3 4 5 6 7 8; do
-    for b in 1 2 3 4 5 6 7 8; do
+  sizes="1 2 5 8"
+  [ -n "$options" ] || sizes="1 2 3 4 5 6 7 8"
+  for a in $sizes; do
+    for b in $sizes; do
       set -- "baked/star$a.fbvh" "baked/star$b.fbvh" --json
       "$FLASHBVH" collide "$@" --bound >bound
       "$FLASHBVH" collide "$@" --poses here >met
