@@ -10,18 +10,10 @@
 #ifndef FLASHBVH_BOX_ROTATED_MVE_HPP
 #define FLASHBVH_BOX_ROTATED_MVE_HPP
 
-#include <stddef.h>
-
+#include "box_rotated_layout.hpp"
 #include "flashbvh/box_rotated.hpp"
 
 namespace flashbvh {
-
-static_assert(offsetof(TurnedBox, bounds) == 0 && offsetof(TurnedBox, source) == 12 &&
-                  offsetof(TurnedBox, matrix) == 16 && offsetof(TurnedBox, starts) == 20 &&
-                  sizeof(TurnedBox) == 24 && sizeof(RotatedOverlap) == 48,
-              "what the assembly below takes them to be");
-static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits == 14,
-              "what the assembly below takes them to be");
 
 // The sums of q0, a turned box, and q1, a box: not 0 in `to` if one is below the bias.
 #define FLASHBVH_COMPARE(to) \

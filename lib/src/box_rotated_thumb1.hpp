@@ -5,17 +5,10 @@
 #ifndef FLASHBVH_BOX_ROTATED_THUMB1_HPP
 #define FLASHBVH_BOX_ROTATED_THUMB1_HPP
 
-#include <stddef.h>
-
+#include "box_rotated_layout.hpp"
 #include "flashbvh/box_rotated.hpp"
 
 namespace flashbvh {
-
-static_assert(offsetof(TurnedBox, bounds) == 0 && offsetof(TurnedBox, source) == 12 &&
-                  offsetof(TurnedBox, matrix) == 16 && offsetof(TurnedBox, starts) == 20,
-              "what the assembly below takes them to be");
-static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits == 14,
-              "what the assembly below takes them to be");
 
 /// Clamps the sums r4 and r5 so that whole cells are 0 to 32,767. Changes r6.
 [[gnu::naked, gnu::used]] static void clamp_sums() __asm__("flashbvh_clamp_sums");

@@ -5,17 +5,10 @@
 #ifndef FLASHBVH_BOX_ROTATED_THUMB2_HPP
 #define FLASHBVH_BOX_ROTATED_THUMB2_HPP
 
-#include <stddef.h>
-
+#include "box_rotated_layout.hpp"
 #include "flashbvh/box_rotated.hpp"
 
 namespace flashbvh {
-
-static_assert(offsetof(TurnedBox, bounds) == 0 && offsetof(TurnedBox, source) == 12 &&
-                  offsetof(TurnedBox, matrix) == 16 && offsetof(TurnedBox, starts) == 20,
-              "what the assembly below takes them to be");
-static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits == 14,
-              "what the assembly below takes them to be");
 
 /// Turns `box` and keeps it; 0 if it overlaps `other`. 77 instructions.
 ///

@@ -1,15 +1,10 @@
-// The board's text output on this machine, which counts no instructions.
+// The boards' text output (ports/common/text.hpp and text.h) on this machine.
 #include <cstdio>
 
-#include "insn.hpp"
+#include "text.h"
 #include "text.hpp"
 
 namespace port {
-
-uint32_t instructions_of_call(Call function, void* context) {
-  function(context);
-  return 0;
-}
 
 void put(const char* text) {
   std::fputs(text, stdout);
@@ -40,3 +35,11 @@ void put(unsigned long long value) {
 }
 
 }  // namespace port
+
+void port_put(const char* text) {
+  port::put(text);
+}
+
+void port_put_number(long value) {
+  port::put(value);
+}

@@ -1,0 +1,18 @@
+// What the forms in assembly of the rotated box test take the layout of its objects to be.
+#ifndef FLASHBVH_BOX_ROTATED_LAYOUT_HPP
+#define FLASHBVH_BOX_ROTATED_LAYOUT_HPP
+
+#include <stddef.h>
+
+#include "flashbvh/box_rotated.hpp"
+
+namespace flashbvh {
+
+static_assert(offsetof(TurnedBox, bounds) == 0 && offsetof(TurnedBox, source) == 12 &&
+              offsetof(TurnedBox, matrix) == 16 && offsetof(TurnedBox, starts) == 20 &&
+              sizeof(TurnedBox) == 24 && sizeof(RotatedOverlap) == 48);
+static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits == 14);
+
+}  // namespace flashbvh
+
+#endif
