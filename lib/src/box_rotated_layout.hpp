@@ -6,6 +6,15 @@
 
 #include "flashbvh/box_rotated.hpp"
 
+/// Of a function that assembly calls by its name: no optimiser may drop it, rename it or, at link
+/// time, hide it from the caller's part of the program.
+#if defined(__clang__)
+#define FLASHBVH_CALLED_BY_NAME gnu::naked, gnu::used, gnu::visibility("hidden")
+#else
+#define FLASHBVH_CALLED_BY_NAME \
+  gnu::naked, gnu::used, gnu::externally_visible, gnu::visibility("hidden")
+#endif
+
 namespace flashbvh {
 
 static_assert(offsetof(TurnedBox, bounds) == 0 && offsetof(TurnedBox, source) == 12 &&

@@ -28,12 +28,8 @@ namespace flashbvh {
 /// r0 turned, r1 box, r2 other. q0 is the box, q1 the box with upper and lower exchanged, q2 and q3
 /// rows; r5 rows, r3 starts; r4, r6, r8, r10, r12, lr the sums. Each vector of a box, and of a row,
 /// has a fourth word: what lies behind, read and not used.
-[[gnu::naked, gnu::used]] static uint32_t turn_and_compare(
-    TurnedBox& turned, const PackedBox& box,
-    const PackedBox& other) __asm__("flashbvh_turn_and_compare");
-
-uint32_t turn_and_compare(TurnedBox& /*turned*/, const PackedBox& /*box*/,
-                          const PackedBox& /*other*/) {
+extern "C" [[FLASHBVH_CALLED_BY_NAME]] uint32_t flashbvh_turn_and_compare(
+    TurnedBox& /*turned*/, const PackedBox& /*box*/, const PackedBox& /*other*/) {
   __asm__(
       "push {r4, r5, r6, r8, r10, lr}\n\t"
       "ldm r1, {r4, r6, r12}\n\t"

@@ -11,9 +11,7 @@
 namespace flashbvh {
 
 /// Clamps the sums r4 and r5 so that whole cells are 0 to 32,767. Changes r6.
-[[gnu::naked, gnu::used]] static void clamp_sums() __asm__("flashbvh_clamp_sums");
-
-void clamp_sums() {
+extern "C" [[FLASHBVH_CALLED_BY_NAME]] void flashbvh_clamp_sums() {
   __asm__(R"(
     .syntax unified  @ compilers set the older one for Thumb-1
     .macro clamp sum
