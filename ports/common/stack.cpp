@@ -1,12 +1,45 @@
 #include "stack.hpp"
 
-#include "paint.hpp"
 #include "start.hpp"
 
 namespace port {
 namespace {
 
-// Inlined, as painting is: a frame of its own would lie in the painted area.
+constexpr uint32_t kPaint = 0xA5A5A5A5;
+
+// Paints from the stack's limit to the stack pointer and returns the stack pointer.
+//
+// Inlined, or there would be a frame of its own in the painted area; in assembler, because the
+// compiler may move the stack pointer between any two statements. That it clobbers the return
+// address makes the caller set up its frame before.
+__attribute__((always_inline)) inline uint32_t* paint_below_frame() {
+  uint32_t* word = __stack_limit;
+  uint32_t* top;
+#if defined(__riscv)
+  __asm__ volatile(
+      "  mv %[top], sp\n"
+      "1: sw %[paint], 0(%[word])\n"
+      "  addi %[word], %[word], 4\n"
+      "  bltu %[word], %[top], 1b\n"
+      : [top] "=&r"(top), [word] "+r"(word)
+      : [paint] "r"(kPaint)
+      : "ra", "memory");
+#else
+  __asm__ volatile(
+      ".syntax unified\n"
+      "  mov %[top], sp\n"
+      "1: str %[paint], [%[word]]\n"
+      "  adds %[word], #4\n"
+      "  cmp %[word], %[top]\n"
+      "  blo 1b\n"
+      : [top] "=&l"(top), [word] "+l"(word)
+      : [paint] "l"(kPaint)
+      : "cc", "lr", "memory");
+#endif
+  return top;
+}
+
+// Inlined for the same reason.
 __attribute__((always_inline)) inline uint32_t used_below(uint32_t* top) {
   const volatile uint32_t* word = __stack_limit;
   while (word < top && *word == kPaint) {
