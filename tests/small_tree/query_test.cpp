@@ -6,6 +6,7 @@
 #include "flashbvh/image.hpp"
 #include "flashbvh/place_pair.hpp"
 #include "small_tree/scene.hpp"
+#include "support/same_triangle.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;
@@ -42,16 +43,6 @@ void check_same_walk(const SmallScene<One::Tree::kLayout>& scene) {
   const Report report = report_of<One>(scene, counts);
   const bool equal = report == report_of<Other>(scene, others) && same(counts, others);
   CHECK(equal);
-}
-
-bool same(const PlacedTriangle& t, const PlacedTriangle& u) {
-  for (int i = 0; i < 3; ++i) {
-    if (t.corner[i].x != u.corner[i].x || t.corner[i].y != u.corner[i].y ||
-        t.corner[i].z != u.corner[i].z) {
-      return false;
-    }
-  }
-  return true;
 }
 
 PlacedTriangle relative(const PlacedTriangle& t, const int32_t (&origin)[3]) {

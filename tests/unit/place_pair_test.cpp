@@ -8,6 +8,7 @@
 #include "flashbvh/query.hpp"
 #include "support/placed_mesh.hpp"
 #include "support/rotations.hpp"
+#include "support/same_triangle.hpp"
 #include "support/torus.hpp"
 
 using namespace flashbvh;
@@ -17,6 +18,7 @@ namespace {
 
 using Baked = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
 using Pair = PairQuery::Pair;
+using flashbvh::test::same;
 
 Baked baked(const bake::LatticeMesh& mesh) {
   return bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh, 3), mesh);
@@ -26,16 +28,6 @@ bake::LatticeMesh ring() {
   bake::LatticeMesh mesh = torus(8, 6, 600, 250);
   mesh.origin = {1000, -200, 30};
   return mesh;
-}
-
-bool same(const PlacedTriangle& t, const PlacedTriangle& u) {
-  for (int i = 0; i < 3; ++i) {
-    if (t.corner[i].x != u.corner[i].x || t.corner[i].y != u.corner[i].y ||
-        t.corner[i].z != u.corner[i].z) {
-      return false;
-    }
-  }
-  return true;
 }
 
 bool same(const Contact& c, const Contact& d) {
