@@ -10,14 +10,6 @@ FNR == NR {
   next
 }
 
-# flashbvh::most_instructions(), of a run of which it is known what it did. The trees are binary.
-function bound_of(kind, visits, leaf_pairs, pairs, depths,    walk) {
-  walk = 2 * value["later-sibling-" kind]
-  return value["run-" kind] + walk + (depths + visits - leaf_pairs) * value["ascent-" kind] + \
-    visits * value["visit-" kind] + leaf_pairs * (value["leaf-pair-" kind] + walk) + \
-    pairs * value["triangle-pair"]
-}
-
 function hold(name, measured, bound) {
   ++held
   if (measured > most[name]) {
@@ -36,7 +28,8 @@ function hold(name, measured, bound) {
 $1 == "run" {
   kind = $2 ? "rotated" : "translated"
   what = $5 + $6 ? "run" : "boxes"
-  hold(what "-" kind "-" $3, $8, bound_of(kind, $4, $5, $6, $7))
+  # The trees are binary: a later sibling in each.
+  hold(what "-" kind "-" $3, $8, most_instructions(value, kind, $4, $5, $6, $7 + $4 - $5, 2))
 }
 $1 == "make" {
   hold("make-query", $2, value["make-query"])

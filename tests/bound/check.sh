@@ -12,6 +12,6 @@ trap 'rm -f "$2.runs"' EXIT
 FLASHBVH_TIMEOUT=120 "$here/../../ports/run" "$3" "$4" >"$2.runs" ||
   { echo "check.sh: the firmware failed with status $?" >&2; exit 1; }
 status=0
-awk -f "$here/check.awk" "$1" "$2.runs" >"$2" || status=$?
+awk -f "$here/formula.awk" -f "$here/check.awk" "$1" "$2.runs" >"$2" || status=$?
 cat "$2"
 exit $status

@@ -1,4 +1,4 @@
-# awk -f markdown.awk -f page.awk figures.txt parts.txt page.md: the page, of its text and the data.
+# awk -f markdown.awk -f formula.awk -f page.awk figures.txt parts.txt page.md: the page, of its text and the data.
 #
 # Lines of the text that begin with @ become tables:
 #     @table LABEL | HEAD...       the cores are the columns, behind one for each HEAD
@@ -179,18 +179,20 @@ $1 == "@visits" {
   next
 }
 
-# What lib/docs/bounded_time.md says that a query made and run to its end takes at most: the formula,
-# with the most visits and pairs of leaves of the class, and trees of a triangle a leaf.
-function bound_of_query(who, motion, of_class,    kind, visits, leaf_pairs) {
-  kind = motion == "moved" ? "-translated" : "-rotated"
+# A query made and run to its end takes at most so much: by the most visits and pairs of leaves of the
+# class, and trees of a triangle a leaf.
+function bound_of_query(who, motion, of_class,    i, what, cost, visits, leaf_pairs) {
+  for (i = 0; i < names; ++i) {
+    if (name[i] ~ /^bound\./) {
+      what = name[i]
+      sub(/^bound\./, "", what)
+      cost[what] = value[who, name[i]]
+    }
+  }
   visits = value["all", "kr5.visits." motion "." of_class ".max"]
   leaf_pairs = value["all", "kr5.leaf_pairs." motion "." of_class ".max"]
-  return value[who, "bound.make-query"] + value[who, "bound.run" kind] \
-    + (leaf_pairs + 1) * most_siblings * value[who, "bound.later-sibling" kind] \
-    + (most_depths + visits) * value[who, "bound.ascent" kind] \
-    + visits * value[who, "bound.visit" kind] \
-    + leaf_pairs * value[who, "bound.leaf-pair" kind] \
-    + (leaf_pairs + 1) * value[who, "bound.triangle-pair"]
+  return cost["make-query"] + most_instructions(cost, motion == "moved" ? "translated" : "rotated", \
+    visits, leaf_pairs, leaf_pairs + 1, most_depths + visits, most_siblings)
 }
 
 function bounded_rows(motion, of_class,    c) {
