@@ -27,7 +27,7 @@ struct RunCosts {
   uint32_t triangle_pair;  ///< each pair of triangles placed and tested
 };
 
-/// What of two trees has a part in a run's cost.
+/// What of two trees has a part in a run's cost: constants of their baked headers.
 struct TreePair {
   uint32_t depths;          ///< kDepth of A and of B added
   uint32_t later_siblings;  ///< kArity - 1 of A and of B added, 0 for a root that is a leaf
@@ -35,9 +35,8 @@ struct TreePair {
 };
 
 struct RunLimits {
-  uint32_t visits;  ///< the run's argument
-  uint32_t
-      leaf_pairs;  ///< how many visits may be to pairs of leaves that overlap: `visits` if unknown
+  uint32_t visits;      ///< the run's argument
+  uint32_t leaf_pairs;  ///< visits to pairs of leaves that overlap: `visits` if unknown
 };
 
 /// The most instructions of PairQuery::run(limits.visits, found), from `run` called to returned.
