@@ -30,8 +30,8 @@ typedef struct check {
 
 typedef enum verdict { VERDICT_PENDING, VERDICT_FREE, VERDICT_COLLIDES } verdict;
 
-static flashbvh_tree plate;
-static flashbvh_tree tool;
+static flashbvh_mesh plate;
+static flashbvh_mesh tool;
 
 static void check_start(check* c, const target* to) {
   const int32_t one = FLASHBVH_ROTATION_ONE;

@@ -18,7 +18,7 @@ constexpr int32_t cells(double millimetres) {
 /// Whether the peg, `height` cells above the plate's origin, touches the plate.
 bool touches(int32_t height) {
   const flashbvh::Pose pose = flashbvh::Pose::translated(0, 0, height);
-  flashbvh::PairQuery query(plate::tree, peg::tree, pose);  // a few words on the stack
+  flashbvh::PairQuery query(plate::mesh, peg::mesh, pose);  // a few words on the stack
   flashbvh::PairQuery::Pair found[8];
   for (;;) {
     const flashbvh::Step step = query.run(500, found);  // at most 500 visits, then it comes back

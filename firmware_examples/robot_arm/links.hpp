@@ -15,7 +15,7 @@
 
 struct Link {
   const char* name;
-  const flashbvh::LevelledPostTree* post;
+  const flashbvh::LevelledPostMesh* post;
   const unsigned char* image;  ///< pre-indexed
   const unsigned char* image_end;
 
@@ -38,7 +38,7 @@ IMAGE(palm)
 namespace robot {
 
 #define LINK(name) \
-  constexpr Link name = {#name, &::name::levelled_tree, name##_image, name##_image_end};
+  constexpr Link name = {#name, &::name::levelled_mesh, name##_image, name##_image_end};
 LINK(base_link)
 LINK(shoulder)
 LINK(bicep)

@@ -12,12 +12,11 @@
 // stack: bytes that run() needs at most; the query object and a stack traversal's array are the
 // caller's. instructions: of the whole query, in slices of 100 visits.
 #include <flashbvh/flashbvh.hpp>
-#include <flashbvh/traversal/alternating_stack.hpp>
-#include <flashbvh/traversal/leaf.hpp>
-#include <flashbvh/traversal/ranked_stack.hpp>
-#include <flashbvh/traversal/stackless.hpp>
-#include <flashbvh/traversal/stackless_post.hpp>
-#include <flashbvh/traversal/volume_stack.hpp>
+#include <flashbvh/paper/alternating_stack.hpp>
+#include <flashbvh/paper/leaf.hpp>
+#include <flashbvh/paper/ranked_stack.hpp>
+#include <flashbvh/paper/stackless.hpp>
+#include <flashbvh/paper/volume_stack.hpp>
 
 #include "arm.hpp"
 #include "configurations.hpp"
@@ -123,7 +122,7 @@ void measure_with_stack(const Case& what, const char* algorithm) {
 
 /// The pre-indexed trees are not compiled in: their images lie in flash and are opened in place.
 struct PreTrees {
-  LevelledPreTree link[kLinkCount];
+  LevelledPreMesh link[kLinkCount];
 
   bool open() {
     for (int i = 0; i < kLinkCount; ++i) {
@@ -144,14 +143,14 @@ void ask(const Configuration& configuration, const PlacedArm& arm, const PreTree
   const Pose pose = Pose::relative(arm.link[a], arm.link[b]);
   const Case what = {configuration.name, robot::kLinks[a], robot::kLinks[b], pose};
   print_pose(what);
-  measure<Ranked<PostTree>>(what, "ranked");
+  measure<Ranked<PostMesh>>(what, "ranked");
   measure<StacklessPost>(what, "stackless-post");
   measure<Stackless>(what, "stackless", pre.link[a], pre.link[b],
                      [] { return PairCursor<uint16_t>(); });
-  measure<Leaf<PostTree>>(what, "leaf");
-  measure_with_stack<RankedStack<PostTree>>(what, "ranked-stack");
-  measure_with_stack<VolumeStack<PostTree>>(what, "volume-stack");
-  measure_with_stack<AlternatingStack<LevelledPostTree>>(what, "alternating-stack");
+  measure<Leaf<PostMesh>>(what, "leaf");
+  measure_with_stack<RankedStack<PostMesh>>(what, "ranked-stack");
+  measure_with_stack<VolumeStack<PostMesh>>(what, "volume-stack");
+  measure_with_stack<AlternatingStack<LevelledPostMesh>>(what, "alternating-stack");
 }
 
 /// The question as a controller asks it.

@@ -1,19 +1,19 @@
 // The paper's evaluation, section 9, on a microcontroller: instructions instead of seconds.
 //
 // Ends with 1 if the algorithms disagree about a setup, or a query does not finish.
-#include "flashbvh/traversal/alternating_stack.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked.hpp"
-#include "flashbvh/traversal/ranked_stack.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/stackless_post.hpp"
-#include "flashbvh/traversal/volume_stack.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
 #include "measure.hpp"
 #include "report.hpp"
 #include "setups.hpp"
 #include "text.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace benchmark {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 /// Setups that end at the roots say nothing about the loop.
 constexpr uint32_t kMostVisitsOfSeparated = 10;
 
-TranslatedOverlap overlap_of(const Setup& setup) {
+TranslatedBound overlap_of(const Setup& setup) {
   int32_t t[3];
   for (int i = 0; i < 3; ++i) {
     t[i] = setup.translation[i] + setup.b.pre->origin[i] - setup.a.pre->origin[i];
@@ -31,20 +31,20 @@ TranslatedOverlap overlap_of(const Setup& setup) {
 
 /// Each algorithm on the layout that it has on the host, too.
 void measure_rows(const Setup& setup, Row (&rows)[kRows]) {
-  const LevelledPreTree& pre_a = *setup.a.pre;
-  const LevelledPreTree& pre_b = *setup.b.pre;
-  const LevelledPostTree& post_a = *setup.a.post;
-  const LevelledPostTree& post_b = *setup.b.post;
-  const TranslatedOverlap overlap = overlap_of(setup);
+  const LevelledPreMesh& pre_a = *setup.a.pre;
+  const LevelledPreMesh& pre_b = *setup.b.pre;
+  const LevelledPostMesh& post_a = *setup.a.post;
+  const LevelledPostMesh& post_b = *setup.b.post;
+  const TranslatedBound overlap = overlap_of(setup);
   uint32_t next = 0;
   const auto add = [&](const char* name, const Walked& walked) { rows[next++] = {name, walked}; };
-  add("volume-stack", measure_walk<VolumeStack<PreTree>>(pre_a, pre_b, overlap));
-  add("alternating-stack", measure_walk<AlternatingStack<LevelledPreTree>>(pre_a, pre_b, overlap));
+  add("volume-stack", measure_walk<VolumeStack<PreMesh>>(pre_a, pre_b, overlap));
+  add("alternating-stack", measure_walk<AlternatingStack<LevelledPreMesh>>(pre_a, pre_b, overlap));
   add("stackless", measure_walk<Stackless>(pre_a, pre_b, overlap));
   add("stackless-post", measure_walk<StacklessPost>(post_a, post_b, overlap));
-  add("leaf", measure_walk<Leaf<PreTree>>(pre_a, pre_b, overlap));
-  add("ranked", measure_walk<Ranked<PostTree>>(post_a, post_b, overlap));
-  add("ranked-stack", measure_walk<RankedStack<PostTree>>(post_a, post_b, overlap));
+  add("leaf", measure_walk<Leaf<PreMesh>>(pre_a, pre_b, overlap));
+  add("ranked", measure_walk<Ranked<PostMesh>>(post_a, post_b, overlap));
+  add("ranked-stack", measure_walk<RankedStack<PostMesh>>(post_a, post_b, overlap));
 }
 
 bool agree(const Row (&rows)[kRows]) {
@@ -69,8 +69,8 @@ void add_to(Row (&sums)[kRows], const Row (&rows)[kRows]) {
 bool run_queries(const Setup& setup, const Row (&rows)[kRows]) {
   const Pose pose =
       Pose::translated(setup.translation[0], setup.translation[1], setup.translation[2]);
-  const Queried ranked = measure_query<Ranked<PostTree>>(*setup.a.post, *setup.b.post, pose);
-  const Queried volume = measure_query<VolumeStack<PreTree>>(*setup.a.pre, *setup.b.pre, pose);
+  const Queried ranked = measure_query<Ranked<PostMesh>>(*setup.a.post, *setup.b.post, pose);
+  const Queried volume = measure_query<VolumeStack<PreMesh>>(*setup.a.pre, *setup.b.pre, pose);
   report_query(setup, "ranked", ranked);
   report_query(setup, "volume-stack", volume);
   return ranked.status == Status::done && volume.status == Status::done &&

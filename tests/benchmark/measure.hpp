@@ -5,7 +5,8 @@
 #include <stdint.h>
 
 #include "flashbvh/query.hpp"
-#include "flashbvh/traversal/stack_walk.hpp"
+#include "support/walk.hpp"
+#include "flashbvh/paper/pair_stack.hpp"
 #include "insn.hpp"
 
 namespace benchmark {
@@ -18,14 +19,14 @@ template <class Cursor>
 struct Start;
 
 template <>
-struct Start<flashbvh::PairCursor<uint16_t>> {
-  static flashbvh::PairCursor<uint16_t> cursor() { return {}; }
+struct Start<flashbvh::detail::PairCursor<uint16_t>> {
+  static flashbvh::detail::PairCursor<uint16_t> cursor() { return {}; }
 };
 
 template <>
 struct Start<flashbvh::PairStack<uint16_t>> {
   static flashbvh::PairStack<uint16_t> cursor() {
-    static flashbvh::PairCursor<uint16_t> entries[kStackEntries];
+    static flashbvh::detail::PairCursor<uint16_t> entries[kStackEntries];
     return {entries, kStackEntries};
   }
 };
@@ -41,17 +42,18 @@ struct Walked {
 template <class Traversal>
 __attribute__((noinline)) Walked measure_walk(const typename Traversal::Tree& a,
                                               const typename Traversal::Tree& b,
-                                              const flashbvh::TranslatedOverlap& overlap) {
-  flashbvh::Budget budget = {UINT32_MAX, 0, false};
+                                              const flashbvh::detail::TranslatedBound& overlap) {
+  flashbvh::Counts counts{};
   uint32_t leaf_overlaps = 0;
   const uint32_t instructions = port::instructions_of([&] {
     auto cursor = Start<typename Traversal::Cursor>::cursor();
-    (void)Traversal::run(a, b, overlap, cursor, budget, [&](uint32_t, uint32_t) {
+    const auto leaf_pair = [&leaf_overlaps](uint32_t, uint32_t) {
       ++leaf_overlaps;
       return true;
-    });
+    };
+    counts = flashbvh::test::walk_from<Traversal>(a, b, overlap, cursor, leaf_pair).counts;
   });
-  return {UINT32_MAX - budget.visits_left, budget.overlaps, leaf_overlaps, instructions};
+  return {counts.visits, counts.overlaps, leaf_overlaps, instructions};
 }
 
 struct Queried {

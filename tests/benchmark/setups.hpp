@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/levels.hpp"
+#include "flashbvh/mesh.hpp"
 
 namespace benchmark {
 
@@ -18,8 +18,8 @@ struct Head {
 /// One object in both layouts.
 struct Object {
   uint32_t faces;
-  const flashbvh::LevelledPreTree* pre;
-  const flashbvh::LevelledPostTree* post;
+  const flashbvh::LevelledPreMesh* pre;
+  const flashbvh::LevelledPostMesh* post;
 };
 
 struct Setup {

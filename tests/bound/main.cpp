@@ -2,6 +2,7 @@
 //   run ROTATED GRANTED VISITS LEAF_PAIRS PAIRS DEPTHS INSTRUCTIONS
 //   make INSTRUCTIONS
 // PAIRS: at most so many pairs of triangles were tested. DEPTHS: of both trees.
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "insn.hpp"
 #include "meshes.hpp"
@@ -10,6 +11,7 @@
 #include "text.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using flashbvh::test::Random;
 
 namespace bound {
@@ -67,8 +69,8 @@ void measure_run(PairQuery& query, bool rotated) {
 }
 
 void measure_query(const Pose& pose, uint32_t granted) {
-  const PostTree& a = side_a.tree.view();
-  const PostTree& b = side_b.tree.view();
+  const PostMesh& a = side_a.tree.view();
+  const PostMesh& b = side_b.tree.view();
   PairQuery query(a, b, pose);
   slice.a = &a;
   slice.b = &b;

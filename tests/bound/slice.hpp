@@ -11,8 +11,8 @@ namespace bound {
 constexpr uint32_t kCapacity = 16;
 
 struct Slice {
-  const flashbvh::PostTree* a;
-  const flashbvh::PostTree* b;
+  const flashbvh::PostMesh* a;
+  const flashbvh::PostMesh* b;
   const flashbvh::Pose* pose;
   flashbvh::PairQuery* query;
   uint32_t visits;

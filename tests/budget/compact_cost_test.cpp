@@ -12,6 +12,7 @@
 #include "support/torus.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace {
 
@@ -29,7 +30,7 @@ struct Cost {
   std::uint32_t visits = 0;
 };
 
-Cost cost_of(const PostTree& a, const PostTree& b, std::int32_t reach) {
+Cost cost_of(const PostMesh& a, const PostMesh& b, std::int32_t reach) {
   test::Random random(test::test_seed());
   Cost cost;
   for (int i = 0; i < 20; ++i) {

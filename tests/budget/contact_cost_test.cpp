@@ -12,6 +12,7 @@
 #include "support/triangle_pairs.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "bake/image_bytes.hpp"
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "insn.hpp"
 #include "stack.hpp"
@@ -12,6 +13,7 @@
 #include "support/torus.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -56,7 +58,7 @@ template <Layout layout>
 Cost cost_of(const bake::BuildTree& tree, const bake::LatticeMesh& mesh) {
   const auto words = bake::image_of(bake::lay_out<std::uint16_t, layout>(tree, mesh));
   const auto size = static_cast<std::uint32_t>(words.size() * sizeof words[0]);
-  LevelledTree<std::uint16_t, layout> opened;
+  LevelledMesh<std::uint16_t, layout> opened;
   Status status = Status::image_invalid;
   Cost cost{};
   cost.bytes = size;

@@ -4,13 +4,15 @@
 #include <cstdio>
 
 #include "bake/baked_tree.hpp"
-#include "flashbvh/box_rotated.hpp"
+#include "flashbvh/detail/box_rotated.hpp"
 #include "flashbvh/query.hpp"
 #include "insn.hpp"
 #include "support/rotations.hpp"
 #include "support/torus.hpp"
+#include "support/walk.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace {
 
@@ -38,25 +40,26 @@ struct Cost {
 };
 
 /// The boxes alone, from the root on, the preparation of the pose included.
-void add_walk(const PostTree& a, const PostTree& b, const Pose& pose, Cost& cost) {
-  Budget budget = {UINT32_MAX, 0, false};
+void add_walk(const PostMesh& a, const PostMesh& b, const Pose& pose, Cost& cost) {
+  Counts counts = {1, 0, 0, 0};
   std::uint32_t leaf_pairs = 0;
   const std::uint32_t instructions = port::instructions_of([&] {
-    RotatedPlacement placement;
-    if (!placement.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box, true)) {
-      --budget.visits_left;
+    RotatedTransform transform;
+    if (!transform.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box, true)) {
       return;
     }
-    RotatedOverlap overlap(placement);
+    RotatedBound overlap(transform);
     PairCursor<std::uint16_t> cursor;
-    (void)Ranked<PostTree>::run(a, b, RotatedTest{&overlap}, cursor, budget,
-                                [&](std::uint32_t, std::uint32_t) {
-                                  ++leaf_pairs;
-                                  return true;
-                                });
+    const auto leaf_pair = [&leaf_pairs](std::uint32_t, std::uint32_t) {
+      ++leaf_pairs;
+      return true;
+    };
+    counts = test::walk_from<Ranked<PostMesh>>(a, b, ByReference<RotatedBound>{&overlap}, cursor,
+                                               leaf_pair)
+                 .counts;
   });
-  cost.visits += UINT32_MAX - budget.visits_left;
-  cost.overlaps += budget.overlaps;
+  cost.visits += counts.visits;
+  cost.overlaps += counts.overlaps;
   cost.leaf_pairs += leaf_pairs;
   cost.instructions += instructions;
 }

@@ -8,6 +8,7 @@
 #include "support/triangle_kinds.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace {
 
@@ -26,8 +27,8 @@ std::uint32_t most_instructions(const test::TriangleKind& kind) {
   std::uint32_t most = 0;
   std::uint32_t sum = 0;
   for (int i = 0; i < kPairs; ++i) {
-    PlacedTriangle a;
-    PlacedTriangle b;
+    Triangle a;
+    Triangle b;
     test::set_random_pair(random, kind, a, b);
     bool met = false;
     const std::uint32_t count = port::instructions_of([&] { met = triangles_intersect(a, b); });

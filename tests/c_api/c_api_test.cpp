@@ -12,6 +12,7 @@
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -19,8 +20,8 @@ namespace {
 /// A random mesh's image, opened in both languages.
 struct Object {
   std::vector<std::uint32_t> image;
-  LevelledPostTree tree;
-  flashbvh_tree c_tree;
+  LevelledPostMesh tree;
+  flashbvh_mesh c_tree;
 
   explicit Object(Random& random) {
     auto mesh = random_mesh(random, 1 + random.below(24), 30, 25);
@@ -31,8 +32,8 @@ struct Object {
         image_of(bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh), mesh));
     REQUIRE(open_image(image.data(), bytes(), tree) == Status::done);
     REQUIRE(flashbvh_open(image.data(), bytes(), &c_tree) == FLASHBVH_STATUS_DONE);
-    REQUIRE(flashbvh_tree_triangles(&c_tree) == mesh.triangles.size());
-    REQUIRE(flashbvh_tree_cell(&c_tree) == tree.cell_bits);
+    REQUIRE(flashbvh_mesh_triangles(&c_tree) == mesh.triangles.size());
+    REQUIRE(flashbvh_mesh_cell(&c_tree) == tree.cell_bits);
   }
 
   std::size_t bytes() const { return image.size() * sizeof image[0]; }
@@ -95,7 +96,7 @@ answer whole(const Object& a, const Object& b, const Pose& pose,
 constexpr std::uint32_t kRuns[] = {1, 2, 7, UINT32_MAX};
 constexpr std::uint32_t kCapacities[] = {1, 3, 8};
 
-bool same(const flashbvh_triangle& c, const PlacedTriangle& placed) {
+bool same(const flashbvh_triangle& c, const Triangle& placed) {
   bool same = true;
   for (int i = 0; i < 3; ++i) {
     same = same && c.corner[i].x == placed.corner[i].x && c.corner[i].y == placed.corner[i].y &&
@@ -190,8 +191,8 @@ TEST_CASE("the triangles of the last pair are placed as in C++") {
       if (step.status == Status::done) {
         break;
       }
-      PlacedTriangle placed_a{};
-      PlacedTriangle placed_b{};
+      Triangle placed_a{};
+      Triangle placed_b{};
       flashbvh_triangle c_a;
       flashbvh_triangle c_b;
       query.last_pair(placed_a, placed_b);

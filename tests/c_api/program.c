@@ -32,8 +32,8 @@ static void compare(image one, image other, const flashbvh_pose* pose, long wher
   static const uint32_t capacities[] = {1, 8};
   answer expected = {expected_pairs, ROOM, 0, {0, 0, 0, 0}, FLASHBVH_STATUS_DONE};
   answer got = {pairs, ROOM, 0, {0, 0, 0, 0}, FLASHBVH_STATUS_DONE};
-  flashbvh_tree a;
-  flashbvh_tree b;
+  flashbvh_mesh a;
+  flashbvh_mesh b;
   int32_t rotation[9];
   int32_t cells[3];
   int16_t fraction[3];
@@ -99,7 +99,7 @@ static void check_sizes(void) {
   const bool wide = sizeof(void*) == 8;
   check(sizeof(flashbvh_position) == 12, "size of a position", 0);
   check(sizeof(flashbvh_pose) == 104, "size of a pose", 0);
-  check(sizeof(flashbvh_tree) == (wide ? 72 : 56), "size of a tree", 0);
+  check(sizeof(flashbvh_mesh) == (wide ? 72 : 56), "size of a tree", 0);
   check(sizeof(flashbvh_query) == (wide ? 112 : 96), "size of a query", 0);
 }
 

@@ -36,7 +36,7 @@ static void run_once(flashbvh_query* query, uint32_t visits, uint32_t capacity, 
   keep(to, found, count);
 }
 
-void query_in_slices(const flashbvh_tree* a, const flashbvh_tree* b, const flashbvh_pose* pose,
+void query_in_slices(const flashbvh_mesh* a, const flashbvh_mesh* b, const flashbvh_pose* pose,
                      uint32_t visits, uint32_t capacity, answer* to) {
   flashbvh_query query;
   clear(to);
@@ -47,7 +47,7 @@ void query_in_slices(const flashbvh_tree* a, const flashbvh_tree* b, const flash
   to->counts = flashbvh_query_counts(&query);
 }
 
-void query_saved_and_resumed(const flashbvh_tree* a, const flashbvh_tree* b,
+void query_saved_and_resumed(const flashbvh_mesh* a, const flashbvh_mesh* b,
                              const flashbvh_pose* pose, uint32_t visits, uint32_t capacity,
                              answer* to) {
   unsigned char saved[sizeof(flashbvh_position)];
@@ -108,7 +108,7 @@ static bool compare_pair(flashbvh_pair pair, void* context) {
   return state->visited < state->most;
 }
 
-static bool visitors_agree(const flashbvh_tree* a, const flashbvh_tree* b,
+static bool visitors_agree(const flashbvh_mesh* a, const flashbvh_mesh* b,
                            const flashbvh_pose* pose, const answer* expected) {
   visit_state all = {expected, 0, UINT32_MAX, true};
   visit_state first = {expected, 0, 1, true};
@@ -119,7 +119,7 @@ static bool visitors_agree(const flashbvh_tree* a, const flashbvh_tree* b,
          first.same && first.visited == (expected->count != 0 ? 1u : 0u);
 }
 
-static bool found_pairs_agree(const flashbvh_tree* a, const flashbvh_tree* b,
+static bool found_pairs_agree(const flashbvh_mesh* a, const flashbvh_mesh* b,
                               const flashbvh_pose* pose, const answer* expected) {
   flashbvh_pair found[3];
   uint32_t count = UINT32_MAX;
@@ -132,7 +132,7 @@ static bool found_pairs_agree(const flashbvh_tree* a, const flashbvh_tree* b,
   return agree;
 }
 
-bool questions_agree(const flashbvh_tree* a, const flashbvh_tree* b, const flashbvh_pose* pose,
+bool questions_agree(const flashbvh_mesh* a, const flashbvh_mesh* b, const flashbvh_pose* pose,
                      const answer* expected) {
   const flashbvh_pair untouched = {0xABCD, 0xDCBA};
   const bool any = expected->count != 0;

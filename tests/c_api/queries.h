@@ -18,11 +18,11 @@ typedef struct answer {
 } answer;
 
 /** In runs of `visits` into an array of `capacity`, at most 8. */
-void query_in_slices(const flashbvh_tree* a, const flashbvh_tree* b, const flashbvh_pose* pose,
+void query_in_slices(const flashbvh_mesh* a, const flashbvh_mesh* b, const flashbvh_pose* pose,
                      uint32_t visits, uint32_t capacity, answer* to);
 
 /** The same, with a new query behind each run, taken to the position of the one before. */
-void query_saved_and_resumed(const flashbvh_tree* a, const flashbvh_tree* b,
+void query_saved_and_resumed(const flashbvh_mesh* a, const flashbvh_mesh* b,
                              const flashbvh_pose* pose, uint32_t visits, uint32_t capacity,
                              answer* to);
 
@@ -31,7 +31,7 @@ bool same_answer(const answer* one, const answer* other);
 
 /** Whether all one-call questions are answered as by a query that gave `expected`, with at least
  * one pair or none, and DONE. */
-bool questions_agree(const flashbvh_tree* a, const flashbvh_tree* b, const flashbvh_pose* pose,
+bool questions_agree(const flashbvh_mesh* a, const flashbvh_mesh* b, const flashbvh_pose* pose,
                      const answer* expected);
 
 #ifdef __cplusplus

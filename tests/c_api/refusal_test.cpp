@@ -7,10 +7,12 @@
 
 #include "bake/image_bytes.hpp"
 #include "c_api/queries.h"
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -32,8 +34,8 @@ Words post_image(double cell = 1) {
 
 /// The status, and whether a refusal leaves the tree alone.
 flashbvh_status opened(const void* image, std::size_t size) {
-  flashbvh_tree tree;
-  flashbvh_tree before;
+  flashbvh_mesh tree;
+  flashbvh_mesh before;
   std::memset(&tree, 0xA5, sizeof tree);
   std::memset(&before, 0xA5, sizeof before);
   const flashbvh_status status = flashbvh_open(image, size, &tree);
@@ -50,14 +52,14 @@ void repair_crc(Words& words) {
   words[offsetof(ImageHeader, crc) / 4] = image_crc(words.data(), 4 * words.size());
 }
 
-flashbvh_tree tree_in(const Words& words) {
-  flashbvh_tree tree;
+flashbvh_mesh tree_in(const Words& words) {
+  flashbvh_mesh tree;
   REQUIRE(flashbvh_open(words.data(), 4 * words.size(), &tree) == FLASHBVH_STATUS_DONE);
   return tree;
 }
 
 /// Every way to ask, on trees or a pose that belong to no query.
-void all_refuse(const flashbvh_tree& a, const flashbvh_tree& b, const flashbvh_pose& pose,
+void all_refuse(const flashbvh_mesh& a, const flashbvh_mesh& b, const flashbvh_pose& pose,
                 flashbvh_status status) {
   flashbvh_query query;
   flashbvh_pair found[1] = {{1, 2}};
@@ -141,7 +143,7 @@ TEST_CASE("C: trees with different cells are refused by every question") {
 
 TEST_CASE("C: a pose that can't be is refused by every question, and by what is made of it") {
   const Words words = post_image();
-  const flashbvh_tree tree = tree_in(words);
+  const flashbvh_mesh tree = tree_in(words);
   const std::int32_t one = FLASHBVH_ROTATION_ONE;
   const std::int32_t origin[3] = {0, 0, 0};
   flashbvh_pose good;
@@ -173,7 +175,7 @@ TEST_CASE("C: a pose that can't be is refused by every question, and by what is 
 
 TEST_CASE("C: a position of no query is refused and changes nothing") {
   const Words words = post_image();
-  const flashbvh_tree tree = tree_in(words);
+  const flashbvh_mesh tree = tree_in(words);
   flashbvh_pose pose;
   flashbvh_query query;
   flashbvh_pair found[8];
@@ -197,7 +199,7 @@ TEST_CASE("C: a position of no query is refused and changes nothing") {
 
 TEST_CASE("C: an array without room is full, and nothing is lost") {
   const Words words = post_image();
-  const flashbvh_tree tree = tree_in(words);
+  const flashbvh_mesh tree = tree_in(words);
   flashbvh_pose pose;
   flashbvh_query query;
   std::uint32_t count = 99;

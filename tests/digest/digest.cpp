@@ -1,19 +1,20 @@
 #include "digest.hpp"
 
 #include "flashbvh/contact.hpp"
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/query.hpp"
-#include "flashbvh/traversal/alternating_stack.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked_stack.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/stackless_post.hpp"
-#include "flashbvh/traversal/volume_stack.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
 #include "small_mesh.hpp"
 
 namespace digest {
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using flashbvh::test::Random;
 
 namespace {
@@ -77,18 +78,18 @@ void add_query(const typename Traversal::Tree& a, const typename Traversal::Tree
 
 /// Every rule, on the layouts that it takes.
 void add_pose(const Pose& pose, uint32_t slice, Hash& hash, Result& result) {
-  const LevelledPreTree& pre_a = side_a.pre.view();
-  const LevelledPreTree& pre_b = side_b.pre.view();
-  const LevelledPostTree& post_a = side_a.post.view();
-  const LevelledPostTree& post_b = side_b.post.view();
+  const LevelledPreMesh& pre_a = side_a.pre.view();
+  const LevelledPreMesh& pre_b = side_b.pre.view();
+  const LevelledPostMesh& post_a = side_a.post.view();
+  const LevelledPostMesh& post_b = side_b.post.view();
   const auto array = [] { return PairStack<uint16_t>(stack, 2 * kMostTriangles); };
-  add_query<Ranked<PostTree>, true>(post_a, post_b, pose, slice, {}, hash, result);
-  add_query<RankedStack<PostTree>>(post_a, post_b, pose, slice, array(), hash, result);
-  add_query<VolumeStack<PreTree>>(pre_a, pre_b, pose, slice, array(), hash, result);
-  add_query<AlternatingStack<LevelledPostTree>>(post_a, post_b, pose, slice, array(), hash, result);
+  add_query<Ranked<PostMesh>, true>(post_a, post_b, pose, slice, {}, hash, result);
+  add_query<RankedStack<PostMesh>>(post_a, post_b, pose, slice, array(), hash, result);
+  add_query<VolumeStack<PreMesh>>(pre_a, pre_b, pose, slice, array(), hash, result);
+  add_query<AlternatingStack<LevelledPostMesh>>(post_a, post_b, pose, slice, array(), hash, result);
   add_query<Stackless>(pre_a, pre_b, pose, slice, {}, hash, result);
   add_query<StacklessPost>(post_a, post_b, pose, slice, {}, hash, result);
-  add_query<Leaf<PreTree>>(pre_a, pre_b, pose, slice, {}, hash, result);
+  add_query<Leaf<PreMesh>>(pre_a, pre_b, pose, slice, {}, hash, result);
 }
 
 uint32_t refused(const Side& side) {

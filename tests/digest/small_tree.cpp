@@ -3,6 +3,7 @@
 namespace digest {
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace {
 
@@ -116,8 +117,8 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
 
   view_.nodes = nodes_;
   view_.triangles = mesh.triangles;
-  view_.sources = sources_;
-  view_.leaf_firsts = leaf_size == 1 ? nullptr : leaf_firsts_;
+  view_.triangle_ids = sources_;
+  view_.leaf_offsets = leaf_size == 1 ? nullptr : leaf_firsts_;
   view_.vertices = mesh.vertices;
   view_.node_count = nodes_of(leaf_count);
   view_.leaf_count = static_cast<uint16_t>(leaf_count);

@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/levels.hpp"
+#include "flashbvh/mesh.hpp"
 
 namespace digest {
 
@@ -31,7 +31,7 @@ enum class Shape : uint8_t { halves, thirds, first_alone, last_alone };
 template <flashbvh::Layout layout>
 class SmallTree {
  public:
-  using Tree = flashbvh::LevelledTree<uint16_t, layout>;
+  using Tree = flashbvh::LevelledMesh<uint16_t, layout>;
 
   /// `leaf_size`: triangles in each leaf but the last.
   void make(const SmallMesh& mesh, Shape shape, uint32_t leaf_size);
@@ -47,7 +47,7 @@ class SmallTree {
   };
 
   void set_node(const SmallMesh& mesh, const Range& range, uint16_t sibling);
-  flashbvh::PackedBox box_of(const SmallMesh& mesh, uint32_t first, uint32_t end) const;
+  flashbvh::detail::PackedBox box_of(const SmallMesh& mesh, uint32_t first, uint32_t end) const;
 
   static constexpr bool kPost = layout == flashbvh::Layout::post_indexed;
 

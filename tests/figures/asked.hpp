@@ -38,8 +38,8 @@ struct Asked {
 struct AskedPair {
   const char* a_name;
   const char* b_name;
-  const flashbvh::PostTree* a;
-  const flashbvh::PostTree* b;
+  const flashbvh::PostMesh* a;
+  const flashbvh::PostMesh* b;
   Asked moved[kProximities][kPosesOfPair];
   Asked turned[kProximities][kPosesOfPair];
 };

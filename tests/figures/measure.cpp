@@ -1,66 +1,58 @@
 #include "measure.hpp"
 
 #include "insn.hpp"
+#include "support/walk.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace figures {
 namespace {
 
 /// From the first visit to the last; `leaf_pair(i, j)` for each pair of leaves whose boxes overlap.
-template <class Overlap, class LeafPair>
-void walk(const PostTree& a, const PostTree& b, const Overlap& overlap, Budget& budget,
-          const LeafPair& leaf_pair) {
+template <class Bound, class LeafPair>
+uint32_t walk(const PostMesh& a, const PostMesh& b, const Bound& bound, const LeafPair& leaf_pair) {
   PairCursor<uint16_t> cursor;
-  (void)Ranked<PostTree>::run(a, b, overlap, cursor, budget, leaf_pair);
+  return test::walk_from<Ranked<PostMesh>>(a, b, bound, cursor, leaf_pair).counts.visits;
 }
 
 /// Calls `run(walk)`, which calls walk(), unless the roots alone tell that the meshes are apart.
 /// Returns the visits.
 template <class LeafPair, class Run>
-uint32_t walk_placed(const PostTree& a, const PostTree& b, Placement& placement,
+uint32_t walk_transformed(const PostMesh& a, const PostMesh& b, Transform& transform,
                      const LeafPair& leaf_pair, const Run& run) {
-  if (placement.roots_apart(a, b)) {
+  if (transform.roots_disjoint(a, b)) {
     return 1;
   }
-  placement.prepare();
-  Budget budget = {UINT32_MAX, 0, false};
-  if (placement.is_rotated()) {
-    RotatedOverlap test(placement.rotated());
-    run([&] { walk(a, b, RotatedTest{&test}, budget, leaf_pair); });
+  transform.prepare();
+  uint32_t visits = 0;
+  if (transform.is_rotated()) {
+    RotatedBound bound(transform.rotated());
+    run([&] { visits = walk(a, b, ByReference<RotatedBound>{&bound}, leaf_pair); });
   } else {
-    run([&] { walk(a, b, placement.translated().overlap, budget, leaf_pair); });
+    run([&] { visits = walk(a, b, transform.translated().bound, leaf_pair); });
   }
-  return UINT32_MAX - budget.visits_left;
-}
-
-void place(const PostTree& tree, uint32_t triangle, const Placement& placement,
-           PlacedTriangle& placed) {
-  if (placement.is_rotated()) {
-    place_rotated(tree, triangle, placement.rotated(), placed);
-  } else {
-    place_translated(tree, triangle, placement.translated().offset, placed);
-  }
+  return visits;
 }
 
 constexpr auto kEveryPair = [](const PairQuery::Pair&) { return true; };
 
 }  // namespace
 
-Walked measure_walk(const PostTree& a, const PostTree& b, const Pose& pose) {
-  Placement placement(pose, a, b, /*may_stop=*/true);
+Walked measure_walk(const PostMesh& a, const PostMesh& b, const Pose& pose) {
+  Transform transform(pose, a, b, /*may_stop=*/true);
   Walked walked{};
   const auto count = [&](uint32_t, uint32_t) {
     ++walked.leaf_pairs;
     return true;
   };
-  walked.visits = walk_placed(a, b, placement, count, [&](const auto& all) {
+  walked.visits = walk_transformed(a, b, transform, count, [&](const auto& all) {
     walked.instructions = port::instructions_of(all);
   });
   return walked;
 }
 
-Queried measure_query(const PostTree& a, const PostTree& b, const Pose& pose) {
+Queried measure_query(const PostMesh& a, const PostMesh& b, const Pose& pose) {
   Queried queried{};
   queried.instructions = port::instructions_of([&] {
     PairQuery query(a, b, pose);
@@ -81,23 +73,23 @@ Queried measure_query(const PostTree& a, const PostTree& b, const Pose& pose) {
   return queried;
 }
 
-void add_triangle_tests(const PostTree& a, const PostTree& b, const Pose& pose, Spread& tests) {
-  Placement placement(pose, a, b, /*may_stop=*/true);
+void add_triangle_tests(const PostMesh& a, const PostMesh& b, const Pose& pose, Spread& tests) {
+  Transform transform(pose, a, b, /*may_stop=*/true);
   const auto add = [&](uint32_t i, uint32_t j) {
     const uint32_t leaf_a = a.nodes[i].leaf();
     const uint32_t leaf_b = b.nodes[j].leaf();
     for (uint32_t of_b = b.first_triangle(leaf_b); of_b < b.end_triangle(leaf_b); ++of_b) {
-      PlacedTriangle placed_b;
-      place(b, of_b, placement, placed_b);
+      Triangle triangle_b;
+      transform_triangle(b, of_b, transform, triangle_b);
       for (uint32_t of_a = a.first_triangle(leaf_a); of_a < a.end_triangle(leaf_a); ++of_a) {
-        PlacedTriangle placed_a;
-        place_translated(a, of_a, kNoOffset, placed_a);
-        tests.add(port::instructions_of([&] { (void)triangles_intersect(placed_a, placed_b); }));
+        Triangle triangle_a;
+        translate_triangle(a, of_a, kNoOffset, triangle_a);
+        tests.add(port::instructions_of([&] { (void)triangles_intersect(triangle_a, triangle_b); }));
       }
     }
     return true;
   };
-  (void)walk_placed(a, b, placement, add, [](const auto& all) { all(); });
+  (void)walk_transformed(a, b, transform, add, [](const auto& all) { all(); });
 }
 
 void Motion::add(const Walked& walked, const Queried& queried) {

@@ -18,7 +18,7 @@ struct Walked {
 
 /// The boxes alone: from the first visit to the last, the preparation left out and pairs of leaves
 /// counted.
-Walked measure_walk(const flashbvh::PostTree& a, const flashbvh::PostTree& b,
+Walked measure_walk(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
                     const flashbvh::Pose& pose);
 
 struct Queried {
@@ -29,11 +29,11 @@ struct Queried {
   uint32_t start;         ///< made and run for one visit
 };
 
-Queried measure_query(const flashbvh::PostTree& a, const flashbvh::PostTree& b,
+Queried measure_query(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
                       const flashbvh::Pose& pose);
 
 /// Adds the exact test, without placing, of each pair of triangles that the query comes to.
-void add_triangle_tests(const flashbvh::PostTree& a, const flashbvh::PostTree& b,
+void add_triangle_tests(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
                         const flashbvh::Pose& pose, Spread& tests);
 
 /// What the walks and queries under one kind of motion took.

@@ -4,6 +4,7 @@
 #include "flashbvh/pose.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace figures {
 namespace {
@@ -37,7 +38,7 @@ void set_in_ball(test::Random& random, std::int64_t (&point)[dimensions]) {
 }
 
 /// The middle of the root's box in the mesh's frame, in half cells, and its sides.
-void measure_root(const PostTree& tree, std::int64_t (&middle)[3], std::int64_t (&side)[3]) {
+void measure_root(const PostMesh& tree, std::int64_t (&middle)[3], std::int64_t (&side)[3]) {
   const Box box = unpack(tree.nodes[0].box);
   const std::int64_t lower[3] = {box.lower.x, box.lower.y, box.lower.z};
   const std::int64_t upper[3] = {box.upper.x, box.upper.y, box.upper.z};
@@ -53,7 +54,7 @@ std::int64_t diagonal(const std::int64_t (&side)[3]) {
 
 }  // namespace
 
-PoseSearch::PoseSearch(const PostTree& a, const PostTree& b, std::uint64_t seed)
+PoseSearch::PoseSearch(const PostMesh& a, const PostMesh& b, std::uint64_t seed)
     : a_(&a), b_(&b), random_(seed) {
   std::int64_t side_a[3];
   std::int64_t side_b[3];

@@ -14,7 +14,7 @@ namespace figures {
 class PoseSearch {
  public:
   /// The trees outlive the search.
-  PoseSearch(const flashbvh::PostTree& a, const flashbvh::PostTree& b, std::uint64_t seed);
+  PoseSearch(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b, std::uint64_t seed);
 
   Asked next(Proximity proximity, bool turned);
 
@@ -36,8 +36,8 @@ class PoseSearch {
   /// Fills in the counts.
   bool is(Proximity proximity, Asked& asked) const;
 
-  const flashbvh::PostTree* a_;
-  const flashbvh::PostTree* b_;
+  const flashbvh::PostMesh* a_;
+  const flashbvh::PostMesh* b_;
   flashbvh::test::Random random_;
   std::int64_t middle_a_[3];  ///< in half cells
   std::int64_t middle_b_[3];

@@ -9,6 +9,7 @@
 #include "thin.fbvh.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace figures {
 namespace {
@@ -37,8 +38,8 @@ bool ask_all(const char* name, bool turned) {
   for (const int32_t reach : kReaches) {
     for (uint32_t i = 0; i < kPosesOfReach; ++i) {
       const Pose pose = any_pose(random, reach, turned);
-      const Walked walked = measure_walk(thick::tree, thin::tree, pose);
-      const Queried queried = measure_query(thick::tree, thin::tree, pose);
+      const Walked walked = measure_walk(thick::mesh, thin::mesh, pose);
+      const Queried queried = measure_query(thick::mesh, thin::mesh, pose);
       motion.add(walked, queried);
       visits.add(queried.counts.visits);
       leaf_pairs.add(queried.counts.leaf_pairs);
@@ -59,8 +60,8 @@ void measure_kind(const test::TriangleKind& kind) {
   Spread tests;
   uint32_t met = 0;
   for (uint32_t i = 0; i < kPairs; ++i) {
-    PlacedTriangle a;
-    PlacedTriangle b;
+    Triangle a;
+    Triangle b;
     test::set_random_pair(random, kind, a, b);
     bool meets = false;
     tests.add(port::instructions_of([&] { meets = triangles_intersect(a, b); }));

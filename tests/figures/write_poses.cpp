@@ -33,11 +33,11 @@ class Image {
   }
 
   bool is_open() const { return is_open_; }
-  const PostTree& tree() const { return tree_; }
+  const PostMesh& tree() const { return tree_; }
 
  private:
   std::vector<std::uint32_t> words_;
-  LevelledPostTree tree_{};
+  LevelledPostMesh tree_{};
   bool is_open_ = false;
 };
 

@@ -4,11 +4,13 @@
 // size and checksum are mended first, which no chance would bring about.
 #include <vector>
 
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "fuzz/any_pose.hpp"
 #include "golden/exercise.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {

@@ -10,6 +10,7 @@
 #include "support/traversals.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -60,9 +61,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const KeptImage& a = kKeptImages[(chosen & 15u) % kKeptImageCount];
   const KeptImage& b = kKeptImages[(chosen >> 4u) % kKeptImageCount];
   const Input rest = input;
-  fuzz<LevelledPreTree>(a, b, input = rest);
-  fuzz<LevelledPostTree>(a, b, input = rest);
-  fuzz<LargeLevelledPreTree>(a, b, input = rest);
-  fuzz<LargeLevelledPostTree>(a, b, input = rest);
+  fuzz<LevelledPreMesh>(a, b, input = rest);
+  fuzz<LevelledPostMesh>(a, b, input = rest);
+  fuzz<LargeLevelledPreMesh>(a, b, input = rest);
+  fuzz<LargeLevelledPostMesh>(a, b, input = rest);
   return 0;
 }

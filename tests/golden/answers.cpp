@@ -89,10 +89,10 @@ std::string answers_of(const KeptImage* images, std::size_t count) {
       "# leaves, pairs of triangles. Written by write_golden.\n";
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {
-      text += answers_between<LevelledPostTree>(images[i], images[j]);
-      text += answers_between<LevelledPreTree>(images[i], images[j]);
-      text += answers_between<LargeLevelledPostTree>(images[i], images[j]);
-      text += answers_between<LargeLevelledPreTree>(images[i], images[j]);
+      text += answers_between<LevelledPostMesh>(images[i], images[j]);
+      text += answers_between<LevelledPreMesh>(images[i], images[j]);
+      text += answers_between<LargeLevelledPostMesh>(images[i], images[j]);
+      text += answers_between<LargeLevelledPreMesh>(images[i], images[j]);
     }
   }
   return text;

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <memory>
 
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "golden/golden.hpp"
 #include "support/rotations.hpp"
@@ -92,16 +93,16 @@ Verdict exercise_image(const void* bytes, std::size_t size, const std::vector<Po
     std::memcpy(block.get(), bytes, size);
   }
   Verdict verdict;
-  open_and_exercise<LevelledPreTree>(block.get(), size, poses, verdict);
-  open_and_exercise<LevelledPostTree>(block.get(), size, poses, verdict);
-  open_and_exercise<LargeLevelledPreTree>(block.get(), size, poses, verdict);
-  open_and_exercise<LargeLevelledPostTree>(block.get(), size, poses, verdict);
+  open_and_exercise<LevelledPreMesh>(block.get(), size, poses, verdict);
+  open_and_exercise<LevelledPostMesh>(block.get(), size, poses, verdict);
+  open_and_exercise<LargeLevelledPreMesh>(block.get(), size, poses, verdict);
+  open_and_exercise<LargeLevelledPostMesh>(block.get(), size, poses, verdict);
   return verdict;
 }
 
 void repair_crc(void* bytes, std::size_t size) {
   if (size >= sizeof(ImageHeader)) {
-    const std::uint32_t crc = image_crc(bytes, size);
+    const std::uint32_t crc = detail::image_crc(bytes, size);
     std::memcpy(static_cast<unsigned char*>(bytes) + offsetof(ImageHeader, crc), &crc, sizeof crc);
   }
 }

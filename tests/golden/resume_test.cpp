@@ -2,12 +2,14 @@
 #include <catch2/catch.hpp>
 
 #include "flashbvh/image.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked.hpp"
-#include "flashbvh/traversal/stackless.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/paper/stackless.hpp"
 #include "golden/golden.hpp"
+#include "support/walk.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -19,18 +21,12 @@ struct AlwaysOverlap {
 
 template <class Traversal>
 bool ends(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
-          typename Traversal::Cursor cursor, bool behind) {
+          typename Traversal::Cursor cursor, bool after) {
   const auto most = static_cast<std::uint32_t>(a.node_count) * b.node_count;
-  Budget budget = {static_cast<std::uint32_t>(most), 0, behind};
   const auto go_on = [](std::uint32_t, std::uint32_t) { return true; };
-  const Walk end = Traversal::run(a, b, AlwaysOverlap(), cursor, budget, go_on);
-  // All visits may be spent where only the way out is left: then the next step is no visit.
-  if (end == Walk::suspended) {
-    budget.visits_left = 1;
-    return Traversal::run(a, b, AlwaysOverlap(), cursor, budget, go_on) == Walk::done &&
-           budget.visits_left == 1;
-  }
-  return end == Walk::done;
+  // One more than there are pairs: the way out after the last one is no visit.
+  return walk_from<Traversal>(a, b, AlwaysOverlap(), cursor, go_on, most + 1, after).end ==
+         State::done;
 }
 
 /// How many positions were tried; 0 if a walk from one does not end.
@@ -84,7 +80,7 @@ std::uint32_t try_pairs() {
 }  // namespace
 
 TEMPLATE_TEST_CASE("a walk ends from every position that may be resumed, within all pairs of nodes",
-                   "", LevelledPreTree, LevelledPostTree, LargeLevelledPreTree,
-                   LargeLevelledPostTree) {
+                   "", LevelledPreMesh, LevelledPostMesh, LargeLevelledPreMesh,
+                   LargeLevelledPostMesh) {
   CHECK(try_pairs<TestType>() > 100);
 }

@@ -13,7 +13,7 @@
 
 #include "flashbvh/contact.hpp"
 #include "flashbvh/flashbvh.h"
-#include "flashbvh/levels.hpp"
+#include "flashbvh/mesh.hpp"
 #include "flashbvh/query.hpp"
 
 namespace memory {
@@ -27,13 +27,13 @@ struct alignas(8) Room {
 constexpr uint32_t kStackEntries = 64;
 
 struct Arguments {
-  const flashbvh::LevelledPostTree* a;
-  const flashbvh::LevelledPostTree* b;
-  const flashbvh::LevelledPreTree* pre_a;
-  const flashbvh::LevelledPreTree* pre_b;
+  const flashbvh::LevelledPostMesh* a;
+  const flashbvh::LevelledPostMesh* b;
+  const flashbvh::LevelledPreMesh* pre_a;
+  const flashbvh::LevelledPreMesh* pre_b;
   const flashbvh::Pose* pose;
   const flashbvh::Pose* other_pose;
-  const flashbvh::PlacedTriangle* triangles;  ///< two
+  const flashbvh::Triangle* triangles;  ///< two
   const void* image;                          ///< post-indexed
   uint32_t image_size;
 
@@ -42,8 +42,8 @@ struct Arguments {
   const int16_t* fraction;
   const float* floats;  ///< twelve: a matrix and a translation, or a quaternion and a translation
 
-  const flashbvh_tree* c_a;
-  const flashbvh_tree* c_b;
+  const flashbvh_mesh* c_a;
+  const flashbvh_mesh* c_b;
   const flashbvh_pose* c_pose;
   const flashbvh_pose* c_other_pose;
 
@@ -54,11 +54,11 @@ struct Arguments {
   uint32_t answer;  ///< pairs found, or 0 and 1
   uint8_t status;
   flashbvh::PairQuery::Pair found[4];
-  flashbvh::PairCursor<uint16_t> stack[kStackEntries];
+  flashbvh::detail::PairCursor<uint16_t> stack[kStackEntries];
   Room<128> query;
   Room<104> made_pose;
   Room<80> opened;
-  flashbvh::PlacedTriangle placed[2];
+  flashbvh::Triangle placed[2];
   flashbvh::Contact contact;
   flashbvh::QueryPosition<uint16_t> position;
   flashbvh_position c_position;

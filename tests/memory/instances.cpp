@@ -3,29 +3,27 @@
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/place_pair.hpp"
 #include "flashbvh/pose_float.hpp"
 #include "flashbvh/query.hpp"
-#include "flashbvh/traversal/alternating_stack.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked_stack.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/stackless_post.hpp"
-#include "flashbvh/traversal/volume_stack.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
 
 namespace flashbvh {
 
 // The stackless traversals, all their members; those over a stack have no positions.
-template class Query<Ranked<PostTree>>;
-template class Query<Ranked<LargePostTree>>;
+template class Query<Ranked<PostMesh>>;
+template class Query<Ranked<LargePostMesh>>;
 template class Query<Stackless>;
 template class Query<LargeStackless>;
 template class Query<StacklessPost>;
 template class Query<LargeStacklessPost>;
-template class Query<Leaf<PreTree>>;
-template class Query<Leaf<LargePreTree>>;
-template class Query<Leaf<PostTree>>;
-template class Query<Leaf<LargePostTree>>;
+template class Query<Leaf<PreMesh>>;
+template class Query<Leaf<LargePreMesh>>;
+template class Query<Leaf<PostMesh>>;
+template class Query<Leaf<LargePostMesh>>;
 
 namespace test {
 
@@ -45,27 +43,27 @@ Status run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
 #define FLASHBVH_TEST_RUN_STACK(traversal, Pre, Post) \
   FLASHBVH_TEST_RUN(traversal<Pre>);                  \
   FLASHBVH_TEST_RUN(traversal<Post>)
-FLASHBVH_TEST_RUN_STACK(VolumeStack, PreTree, PostTree);
-FLASHBVH_TEST_RUN_STACK(VolumeStack, LargePreTree, LargePostTree);
-FLASHBVH_TEST_RUN_STACK(AlternatingStack, LevelledPreTree, LevelledPostTree);
-FLASHBVH_TEST_RUN_STACK(AlternatingStack, LargeLevelledPreTree, LargeLevelledPostTree);
-FLASHBVH_TEST_RUN_STACK(RankedStack, PostTree, LargePostTree);
-FLASHBVH_TEST_RUN_STACK(Ranked, PostTree, LargePostTree);
+FLASHBVH_TEST_RUN_STACK(VolumeStack, PreMesh, PostMesh);
+FLASHBVH_TEST_RUN_STACK(VolumeStack, LargePreMesh, LargePostMesh);
+FLASHBVH_TEST_RUN_STACK(AlternatingStack, LevelledPreMesh, LevelledPostMesh);
+FLASHBVH_TEST_RUN_STACK(AlternatingStack, LargeLevelledPreMesh, LargeLevelledPostMesh);
+FLASHBVH_TEST_RUN_STACK(RankedStack, PostMesh, LargePostMesh);
+FLASHBVH_TEST_RUN_STACK(Ranked, PostMesh, LargePostMesh);
 
 /// The questions of collide.hpp and place_pair.hpp.
 template <class TreeType>
 uint32_t ask(const TreeType& a, const TreeType& b, const Pose& pose) {
   using Pair = TrianglePair<typename TreeType::Index>;
   Pair found[2];
-  PlacedTriangle placed[2];
+  Triangle placed[2];
   uint32_t sum = intersects(a, b, pose).yes ? 1u : 0u;
   sum += first_pair(a, b, pose, found[0]).yes ? 1u : 0u;
   sum += count_pairs(a, b, pose).pairs + find_pairs(a, b, pose, found, 2).count;
   (void)for_each_pair(a, b, pose, [&sum](const Pair& pair) { return (sum += pair.a) != 0; });
-  return sum + (place_pair(a, b, pose, found[0], placed[0], placed[1]) ? 1u : 0u);
+  return sum + (transform_pair(a, b, pose, found[0], placed[0], placed[1]) ? 1u : 0u);
 }
-template uint32_t ask(const PostTree&, const PostTree&, const Pose&);
-template uint32_t ask(const LargePostTree&, const LargePostTree&, const Pose&);
+template uint32_t ask(const PostMesh&, const PostMesh&, const Pose&);
+template uint32_t ask(const LargePostMesh&, const LargePostMesh&, const Pose&);
 
 Pose pose_of_rows(const float (&matrix)[3][4], float cells_per_unit) {
   return pose_of(matrix, cells_per_unit);

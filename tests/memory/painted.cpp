@@ -10,6 +10,7 @@
 #include "text.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 extern "C" {
 #define MEMORY_ENTRY(name, kind) MemoryEntry name;
@@ -56,7 +57,7 @@ constexpr Place kPlaces[] = {
 };
 
 /// Corners for the exact test and contacts. The narrow ones differ by less than 2^15.
-constexpr PlacedTriangle kPairs[][2] = {
+constexpr Triangle kPairs[][2] = {
     // Crossing, wide and narrow.
     {{{{-30000, -30000, 0}, {30000, -30000, 0}, {0, 30000, 0}}},
      {{{-9000, 100, -9000}, {9000, 300, -8000}, {100, 200, 25000}}}},
@@ -93,9 +94,9 @@ constexpr uint32_t length(const Element (&)[count]) {
 
 // Static, since the smallest board has no such stack.
 memory::Arguments in;
-LevelledPostTree post;
-LevelledPreTree pre;
-flashbvh_tree c_tree;
+LevelledPostMesh post;
+LevelledPreMesh pre;
+flashbvh_mesh c_tree;
 memory::Room<sizeof(Pose)> poses[2];
 uint32_t most[kEntryCount];
 uint32_t answers[kEntryCount];
@@ -142,8 +143,8 @@ void prepare() {
   (void)query.run(UINT32_MAX, in.found, 1);
   in.position = query.position();
   in.c_position = flashbvh_query_position(reinterpret_cast<const flashbvh_query*>(in.query.bytes));
-  memory::make_in<TranslatedOverlap>(in.made_pose, [] {
-    return TranslatedOverlap(in.pose->translation(0), in.pose->translation(1),
+  memory::make_in<TranslatedBound>(in.made_pose, [] {
+    return TranslatedBound(in.pose->translation(0), in.pose->translation(1),
                              in.pose->translation(2));
   });
   in.stack[0] = {};
@@ -194,7 +195,7 @@ void report() {
   }
   check(answers[0] != 0, "no pairs", kEntries[0].name);
   port::print("object PairQuery ", sizeof(PairQuery), "\nobject Pose ", sizeof(Pose),
-              "\nobject PostTree ", sizeof(PostTree), "\nobject QueryPosition ",
+              "\nobject PostMesh ", sizeof(PostMesh), "\nobject QueryPosition ",
               sizeof(QueryPosition<uint16_t>), "\nobject Contact ", sizeof(Contact), "\n");
   check(port::stack_used() < port::stack_size(), "stack", "overflow");
   port::print("failures: ", failures, "\n");

@@ -6,13 +6,13 @@
 #include "bake/image_bytes.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/query.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/stackless_post.hpp"
-#include "flashbvh/traversal/volume_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -43,8 +43,8 @@ bake::LatticeMesh probe() {
   return mesh;
 }
 
-PlacedTriangle triangle_of(const bake::LatticeMesh& mesh, std::uint32_t triangle) {
-  PlacedTriangle placed{};
+Triangle triangle_of(const bake::LatticeMesh& mesh, std::uint32_t triangle) {
+  Triangle placed{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vertex& v = mesh.vertices[mesh.triangles[triangle][i]];
     placed.corner[i] = {v.x, v.y, v.z};
@@ -98,18 +98,18 @@ TEST_CASE("index 65,534 of nodes, triangles and vertices is as good as any") {
   const auto a = post_a.view();
   const auto b = post_b.view();
 
-  CHECK(pairs_of<Ranked<PostTree>>(a, b, {}) == truth);
+  CHECK(pairs_of<Ranked<PostMesh>>(a, b, {}) == truth);
   CHECK(pairs_of<StacklessPost>(a, b, {}) == truth);
   CHECK(pairs_of<Stackless>(pre_a.view(), pre_b.view(), {}) == truth);
-  CHECK(pairs_of<Leaf<PostTree>>(a, b, {}) == truth);
+  CHECK(pairs_of<Leaf<PostMesh>>(a, b, {}) == truth);
   std::vector<PairCursor<std::uint16_t>> entries(stack_entries(a.stack_need, b.stack_need));
-  CHECK(pairs_of<VolumeStack<PostTree>>(
+  CHECK(pairs_of<VolumeStack<PostMesh>>(
             a, b, {entries.data(), static_cast<std::uint32_t>(entries.size())}) == truth);
 
   const auto image = bake::image_of(post_a);
-  LevelledPostTree opened;
+  LevelledPostMesh opened;
   REQUIRE(open_image(image.data(), image.size() * sizeof image[0], opened) == Status::done);
-  CHECK(pairs_of<Ranked<PostTree>>(opened, b, {}) == truth);
+  CHECK(pairs_of<Ranked<PostMesh>>(opened, b, {}) == truth);
 }
 
 TEST_CASE("a tree too large for its indices is told before it is laid out") {

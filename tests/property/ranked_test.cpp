@@ -6,6 +6,7 @@
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -15,7 +16,7 @@ using Pair = BakedPair<Post>;
 
 struct Trees {
   Pair baked;
-  TranslatedOverlap overlap;
+  TranslatedBound overlap;
   NodePairs truth;
 };
 
@@ -26,7 +27,7 @@ Trees any_trees(Random& random, std::uint32_t most) {
   const auto b = any_tree(random, mesh_b);
   const std::int32_t x = random.between(-30, 30);
   const std::int32_t y = random.between(-30, 30);
-  return {bake_pair<Layout::post_indexed>(a, mesh_a, b, mesh_b), TranslatedOverlap(x, y, 0),
+  return {bake_pair<Layout::post_indexed>(a, mesh_a, b, mesh_b), TranslatedBound(x, y, 0),
           brute_force(a, b, x, y, 0)};
 }
 
@@ -62,8 +63,8 @@ std::int32_t random_rank(Random& random, std::int32_t parent_rank) {
 }
 
 void check_against_stack(const Trees& trees) {
-  const Record ranked = record_stackless<Ranked<PostTree>>(trees.baked, trees.overlap);
-  const Record stack = record_stack<RankedStack<PostTree>>(trees.baked, trees.overlap);
+  const Record ranked = record_stackless<Ranked<PostMesh>>(trees.baked, trees.overlap);
+  const Record stack = record_stack<RankedStack<PostMesh>>(trees.baked, trees.overlap);
   REQUIRE(ranked.ended);
   REQUIRE(ranked.visits == stack.visits);
   REQUIRE(ranked.leaf_pairs == stack.leaf_pairs);
@@ -125,11 +126,11 @@ TEST_CASE("ranked follows its stack under random ranks, and through every pair o
     check_against_stack(trees);
     if (round % 10 == 0) {
       PairCursor<std::uint16_t> cursor;
-      NodePairs rest = record_stackless<Ranked<PostTree>>(trees.baked, trees.overlap).visits;
+      NodePairs rest = record_stackless<Ranked<PostMesh>>(trees.baked, trees.overlap).visits;
       for (; !rest.empty(); rest.erase(rest.begin())) {
         PairCursor<std::uint16_t> here = cursor;
-        REQUIRE(record_from<Ranked<PostTree>>(trees.baked, trees.overlap, here).visits == rest);
-        (void)record_from<Ranked<PostTree>>(trees.baked, trees.overlap, cursor, 1);
+        REQUIRE(record_from<Ranked<PostMesh>>(trees.baked, trees.overlap, here).visits == rest);
+        (void)record_from<Ranked<PostMesh>>(trees.baked, trees.overlap, cursor, 1);
       }
     }
   }
@@ -154,9 +155,9 @@ TEST_CASE("the alternating rule is the special case of ranks that fall with the 
     };
     set_ranks(trees.baked.a, by_level(trees.baked.a, kMaxRank - 1));
     set_ranks(trees.baked.b, by_level(trees.baked.b, kMaxRank));
-    const Record ranked = record_stackless<Ranked<PostTree>>(trees.baked, trees.overlap);
+    const Record ranked = record_stackless<Ranked<PostMesh>>(trees.baked, trees.overlap);
     const Record alternating =
-        record_stack<AlternatingStack<LevelledPostTree>>(trees.baked, trees.overlap);
+        record_stack<AlternatingStack<LevelledPostMesh>>(trees.baked, trees.overlap);
     REQUIRE(ranked.visits == alternating.visits);
     ++compared;
   }

@@ -3,14 +3,14 @@
 
 #include <cstring>
 
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/stackless_post.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/paper/stackless.hpp"
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -40,7 +40,7 @@ Scene<layout> any_scene(Random& random) {
 
 TEMPLATE_TEST_CASE(
     "a query saved after any run and resumed in a new object goes on as if it had not", "",
-    Ranked<PostTree>, StacklessPost, Stackless, Leaf<PostTree>, Leaf<PreTree>) {
+    Ranked<PostMesh>, StacklessPost, Stackless, Leaf<PostMesh>, Leaf<PreMesh>) {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed);
@@ -74,8 +74,8 @@ TEMPLATE_TEST_CASE(
   }
 }
 
-TEMPLATE_TEST_CASE("any bytes for a position are refused or lead to an end", "", Ranked<PostTree>,
-                   StacklessPost, Stackless, Leaf<PostTree>) {
+TEMPLATE_TEST_CASE("any bytes for a position are refused or lead to an end", "", Ranked<PostMesh>,
+                   StacklessPost, Stackless, Leaf<PostMesh>) {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 1);
@@ -114,7 +114,7 @@ TEST_CASE("two queries on the same trees may take turns, one interrupting the ot
     CAPTURE(round);
     auto scene = any_scene<Layout::post_indexed>(random);
     const Pose other = any_rigid_pose(random, 20);
-    AnyQuery<Ranked<PostTree>> first(scene);
+    AnyQuery<Ranked<PostMesh>> first(scene);
     const Pairs expected_first = run_to_end(first.query, kNoLimit, 10000);
     PairQuery second(first.a, first.b, other);
     const Pairs expected_second = run_to_end(second, kNoLimit, 10000);

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "flashbvh/traversal/alternating_stack.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked_stack.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/stackless_post.hpp"
-#include "flashbvh/traversal/volume_stack.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
 #include "support/placed_mesh.hpp"
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
@@ -17,6 +16,7 @@
 #include "support/torus.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -79,9 +79,9 @@ void check_against_brute_force(Random& random, const Scale& scale, int rounds) {
 }  // namespace
 
 TEMPLATE_TEST_CASE("under any rotation a query finds exactly the pairs that brute force finds", "",
-                   Ranked<PostTree>, RankedStack<PostTree>, StacklessPost, Stackless,
-                   Leaf<PostTree>, Leaf<PreTree>, VolumeStack<PostTree>, VolumeStack<PreTree>,
-                   AlternatingStack<LevelledPostTree>, AlternatingStack<LevelledPreTree>) {
+                   Ranked<PostMesh>, RankedStack<PostMesh>, StacklessPost, Stackless,
+                   Leaf<PostMesh>, Leaf<PreMesh>, VolumeStack<PostMesh>, VolumeStack<PreMesh>,
+                   AlternatingStack<LevelledPostMesh>, AlternatingStack<LevelledPreMesh>) {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed);
@@ -98,12 +98,12 @@ TEST_CASE("however a query under rotation is cut into runs, it gives the same pa
   for (int round = 0; round < 20; ++round) {
     CAPTURE(round);
     const auto scene = any_scene<Layout::post_indexed>(random, 14, kSmall);
-    AnyQuery<Ranked<PostTree>> whole(scene);
+    AnyQuery<Ranked<PostMesh>> whole(scene);
     const Pairs expected = run_to_end(whole.query, kNoLimit, 10000);
     for (const std::uint32_t visits : {1u, 2u, 3u, 7u, 50u}) {
       for (const std::uint32_t capacity : {1u, 2u, 5u}) {
         CAPTURE(visits, capacity);
-        AnyQuery<Ranked<PostTree>> cut(scene);
+        AnyQuery<Ranked<PostMesh>> cut(scene);
         REQUIRE(run_to_end(cut.query, visits, capacity) == expected);
         REQUIRE(cut.query.counts().visits == whole.query.counts().visits);
       }
@@ -124,14 +124,14 @@ TEST_CASE("no box test rejects boxes with a placed vertex of one in the other") 
       continue;
     }
     const auto root_b = pack({{-16383, -16383, -16383}, {16383, 16383, 16383}});
-    RotatedPlacement placement{};
+    RotatedTransform placement{};
     const std::int32_t nowhere[3] = {0, 0, 0};
     REQUIRE(placement.prepare(pose, nowhere, root_b, nowhere, root_b, false));
     for (std::uint32_t t = 0; t < mesh_b.triangles.size(); ++t) {
       const PackedBox box_b = pack(bake::box_of(mesh_b, t));
       for (const std::uint32_t corner : mesh_b.triangles[t]) {
         const Vertex& v = mesh_b.vertices[corner];
-        const Point placed = placement.place(v);
+        const Point placed = placement.transform(v);
         REQUIRE(placed.x == placed_coordinate(mesh_b, v, pose, 0));
         REQUIRE(placed.y == placed_coordinate(mesh_b, v, pose, 1));
         REQUIRE(placed.z == placed_coordinate(mesh_b, v, pose, 2));
@@ -143,9 +143,9 @@ TEST_CASE("no box test rejects boxes with a placed vertex of one in the other") 
         const Vertex at = {static_cast<std::int16_t>(placed.x), static_cast<std::int16_t>(placed.y),
                            static_cast<std::int16_t>(placed.z)};
         const PackedBox box_a = pack({at, at});
-        RotatedOverlap overlap(placement);
-        REQUIRE(overlap.overlap(box_a, box_b));
-        REQUIRE(overlap.overlap(box_a, box_b));  // from what it kept
+        RotatedBound overlap(placement);
+        REQUIRE(overlap(box_a, box_b));
+        REQUIRE(overlap(box_a, box_b));  // from what it kept
       }
     }
   }
@@ -190,14 +190,14 @@ TEST_CASE("a quarter turn of boxes is tested as exactly as no turn at all") {
     const auto negated = [](std::int16_t value) { return static_cast<std::int16_t>(-value); };
     const Box turned = {{negated(b.upper.y), b.lower.x, b.lower.z},
                         {negated(b.lower.y), b.upper.x, b.upper.z}};
-    RotatedPlacement placement{};
+    RotatedTransform placement{};
     const std::int32_t nowhere[3] = {0, 0, 0};
     REQUIRE(placement.prepare(pose, nowhere, pack(a), nowhere, pack(b), false));
-    const bool expected = !boxes_apart(pack(a), pack(turned), cells[0], cells[1], cells[2]);
+    const bool expected = !boxes_disjoint(pack(a), pack(turned), cells[0], cells[1], cells[2]);
     const PackedBox packed_a = pack(a);
     const PackedBox packed_b = pack(b);
-    RotatedOverlap overlap(placement);
-    REQUIRE(overlap.overlap(packed_a, packed_b) == expected);
+    RotatedBound overlap(placement);
+    REQUIRE(overlap(packed_a, packed_b) == expected);
     overlapping += expected ? 1 : 0;
   }
   CHECK(overlapping > 300);
@@ -214,13 +214,13 @@ TEST_CASE("the path of rotations, all but the identity, answers as the path of t
     const std::int32_t t[3] = {random.between(-20, 20), random.between(-20, 20),
                                random.between(-20, 20)};
     scene.pose = Pose::translated(t[0], t[1], t[2]);
-    AnyQuery<Ranked<PostTree>> moved(scene);
+    AnyQuery<Ranked<PostMesh>> moved(scene);
     const Pairs expected = run_to_end(moved.query, kNoLimit, 10000);
     // The smallest turn that a pose keeps: far from what moves a vertex of so small a mesh.
     const std::int32_t almost[3][3] = {{one, 256, 0}, {-256, one, 0}, {0, 0, one}};
     scene.pose = Pose::rigid(almost, t);
     REQUIRE(!scene.pose.is_translation());
-    AnyQuery<Ranked<PostTree>> turned(scene);
+    AnyQuery<Ranked<PostMesh>> turned(scene);
     REQUIRE(run_to_end(turned.query, kNoLimit, 10000) == expected);
   }
 }
@@ -237,11 +237,11 @@ TEST_CASE("arguments swapped under an exact inverse give the same pairs") {
         {1, 0, 0, 1}, {0, 1, 0, 0}, {1, 1, 1, 1}, {1, -1, 0, 0}, {0, 1, 1, 0}};
     scene.pose = Pose::rigid(rotation_of(turns[round % 5]).entry,
                              {random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)});
-    AnyQuery<Ranked<PostTree>> forward(scene);
+    AnyQuery<Ranked<PostMesh>> forward(scene);
     Pairs expected = run_to_end(forward.query, kNoLimit, 10000);
     scene.pose = scene.pose.inverse();
     std::swap(scene.a, scene.b);
-    AnyQuery<Ranked<PostTree>> backward(scene);
+    AnyQuery<Ranked<PostMesh>> backward(scene);
     Pairs pairs = run_to_end(backward.query, kNoLimit, 10000);
     for (auto& pair : pairs) {
       std::swap(pair.first, pair.second);
@@ -288,7 +288,7 @@ TEST_CASE("moved through contact a cell at a time, a turned mesh is found at eac
     for (std::int32_t x = -60; x <= 60; ++x) {
       CAPTURE(round, x);
       scene.pose = Pose::rigid(rotation.entry, {x, 1, -1});
-      AnyQuery<Ranked<PostTree>> any(scene);
+      AnyQuery<Ranked<PostMesh>> any(scene);
       Pairs pairs = run_to_end(any.query, kNoLimit, 1000);
       std::sort(pairs.begin(), pairs.end());
       REQUIRE(pairs == scene.brute_force());
@@ -312,7 +312,7 @@ TEST_CASE("a mesh against itself, and one inside another without contact") {
     scene.pose = Pose::rigid(rotation_of(q).entry, {0, 0, 0});
     scene.mesh_b = outer;
     scene.b = bake_it(outer);
-    AnyQuery<Ranked<PostTree>> itself(scene);
+    AnyQuery<Ranked<PostMesh>> itself(scene);
     Pairs pairs = run_to_end(itself.query, kNoLimit, 10000);
     std::sort(pairs.begin(), pairs.end());
     REQUIRE(!pairs.empty());
@@ -322,7 +322,7 @@ TEST_CASE("a mesh against itself, and one inside another without contact") {
     scene.mesh_b = inner;
     scene.b = bake_it(inner);
     scene.pose = Pose::rigid(rotation_of({100, 0, 0, degrees}).entry, {0, 0, 0});
-    AnyQuery<Ranked<PostTree>> inside(scene);
+    AnyQuery<Ranked<PostMesh>> inside(scene);
     REQUIRE(run_to_end(inside.query, kNoLimit, 10000).empty());
     REQUIRE(inside.query.counts().visits > 1);
   }
@@ -360,7 +360,7 @@ TEST_CASE("a mesh that reaches another with its farthest tip alone is found") {
     scene.mesh_a.triangles = {{0, 0, 0}};
     scene.a = bake_it(scene.mesh_a);
     scene.b = bake_it(scene.mesh_b);
-    AnyQuery<Ranked<PostTree>> any(scene);
+    AnyQuery<Ranked<PostMesh>> any(scene);
     REQUIRE(run_to_end(any.query, kNoLimit, 10) == Pairs{{0, 0}});
   }
   CHECK(reached > 30);
@@ -384,9 +384,9 @@ TEST_CASE("offsets beyond all reach, and at its edge, under rotation") {
     scene.mesh_a.origin = {0, 0, 0};
     scene.a.origin = scene.b.origin = {0, 0, 0};
     scene.pose = Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
-    AnyQuery<Ranked<PostTree>> any(scene);
+    AnyQuery<Ranked<PostMesh>> any(scene);
     Pairs pairs = run_to_end(any.query, kNoLimit, 1000);
-    AnyQuery<Leaf<PostTree>> leaf(scene);
+    AnyQuery<Leaf<PostMesh>> leaf(scene);
     Pairs by_leaf = run_to_end(leaf.query, kNoLimit, 1000);
     std::sort(pairs.begin(), pairs.end());
     std::sort(by_leaf.begin(), by_leaf.end());

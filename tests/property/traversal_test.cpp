@@ -5,6 +5,7 @@
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -14,7 +15,7 @@ struct Trees {
   bake::BuildTree a, b;
   std::int32_t x, y, z;  ///< B's translation
 
-  TranslatedOverlap overlap() const { return {x, y, z}; }
+  TranslatedBound overlap() const { return {x, y, z}; }
   NodePairs brute_force() const { return test::brute_force(a, b, x, y, z); }
 };
 
@@ -40,13 +41,13 @@ Trees any_trees(Random& random, std::uint32_t count_a, std::uint32_t count_b) {
 void check_all(const Trees& trees) {
   const auto pre = bake_pair<Layout::pre_indexed>(trees.a, trees.mesh_a, trees.b, trees.mesh_b);
   const auto post = bake_pair<Layout::post_indexed>(trees.a, trees.mesh_a, trees.b, trees.mesh_b);
-  const TranslatedOverlap overlap = trees.overlap();
+  const TranslatedBound overlap = trees.overlap();
   const NodePairs truth = trees.brute_force();
 
   const Record stackless = record_stackless<Stackless>(pre, overlap);
   const Record stackless_post = record_stackless<StacklessPost>(post, overlap);
-  const Record alternating = record_stack<AlternatingStack<LevelledPreTree>>(pre, overlap);
-  const Record alternating_post = record_stack<AlternatingStack<LevelledPostTree>>(post, overlap);
+  const Record alternating = record_stack<AlternatingStack<LevelledPreMesh>>(pre, overlap);
+  const Record alternating_post = record_stack<AlternatingStack<LevelledPostMesh>>(post, overlap);
   REQUIRE(alternating.ended);
   REQUIRE(stackless.visits == alternating.visits);
   REQUIRE(stackless_post.visits == alternating.visits);
@@ -55,18 +56,18 @@ void check_all(const Trees& trees) {
   REQUIRE(stackless_post.leaf_pairs == alternating.leaf_pairs);
   REQUIRE(alternating.sorted_leaf_pairs() == truth);
 
-  const Record volume = record_stack<VolumeStack<PreTree>>(pre, overlap);
-  const Record volume_post = record_stack<VolumeStack<PostTree>>(post, overlap);
+  const Record volume = record_stack<VolumeStack<PreMesh>>(pre, overlap);
+  const Record volume_post = record_stack<VolumeStack<PostMesh>>(post, overlap);
   REQUIRE(volume.visits == volume_post.visits);
   REQUIRE(volume.sorted_leaf_pairs() == truth);
 
-  const Record leaf = record_stackless<Leaf<PreTree>>(pre, overlap);
-  const Record leaf_post = record_stackless<Leaf<PostTree>>(post, overlap);
+  const Record leaf = record_stackless<Leaf<PreMesh>>(pre, overlap);
+  const Record leaf_post = record_stackless<Leaf<PostMesh>>(post, overlap);
   REQUIRE(leaf.visits == leaf_post.visits);
   REQUIRE(leaf.sorted_leaf_pairs() == truth);
 
-  const Record ranked = record_stackless<Ranked<PostTree>>(post, overlap);
-  const Record ranked_stack = record_stack<RankedStack<PostTree>>(post, overlap);
+  const Record ranked = record_stackless<Ranked<PostMesh>>(post, overlap);
+  const Record ranked_stack = record_stack<RankedStack<PostMesh>>(post, overlap);
   REQUIRE(ranked.visits == ranked_stack.visits);
   REQUIRE(ranked.leaf_pairs == ranked_stack.leaf_pairs);
   REQUIRE(ranked.overlaps == ranked_stack.overlaps);
@@ -165,13 +166,13 @@ TEST_CASE("the walk that starts at any pair goes on as the one that came there")
     CAPTURE(round);
     const Trees trees = any_trees(random, 1 + random.below(12), 1 + random.below(12));
     const auto post = bake_pair<Layout::post_indexed>(trees.a, trees.mesh_a, trees.b, trees.mesh_b);
-    const TranslatedOverlap overlap = trees.overlap();
+    const TranslatedBound overlap = trees.overlap();
     PairCursor<std::uint16_t> cursor;
-    NodePairs rest = record_stackless<Ranked<PostTree>>(post, overlap).visits;
+    NodePairs rest = record_stackless<Ranked<PostMesh>>(post, overlap).visits;
     while (!rest.empty()) {
       PairCursor<std::uint16_t> here = cursor;
-      REQUIRE(record_from<Ranked<PostTree>>(post, overlap, here).visits == rest);
-      (void)record_from<Ranked<PostTree>>(post, overlap, cursor, 1);
+      REQUIRE(record_from<Ranked<PostMesh>>(post, overlap, here).visits == rest);
+      (void)record_from<Ranked<PostMesh>>(post, overlap, cursor, 1);
       rest.erase(rest.begin());
     }
   }

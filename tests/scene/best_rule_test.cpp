@@ -10,6 +10,7 @@
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using bake::BuildTree;
 
 namespace {

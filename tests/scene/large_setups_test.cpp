@@ -8,6 +8,7 @@
 #include "scene/setups.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "bench/summary.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace {
 

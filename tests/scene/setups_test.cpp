@@ -6,16 +6,16 @@
 #include <cstring>
 #include <vector>
 
-#include "flashbvh/traversal/alternating_stack.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked.hpp"
-#include "flashbvh/traversal/ranked_stack.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/stackless_post.hpp"
-#include "flashbvh/traversal/volume_stack.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
 #include "setup_counts.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using scene::Setup;
 
 namespace {
@@ -56,7 +56,7 @@ std::vector<Setup> small_setups(std::uint32_t table) {
 }
 
 Counts by_volume(const Setup& setup) {
-  return test::counts_of<VolumeStack<PreTree>>(setup);
+  return test::counts_of<VolumeStack<PreMesh>>(setup);
 }
 
 void check_counts(const Counts& counts, std::uint32_t visits, const Expected& expected) {
@@ -140,14 +140,14 @@ TEST_CASE("every traversal makes the same visits and finds the same overlaps on 
                      [&](const Expected& e) { return std::strcmp(e.name, setup.name) == 0; });
     REQUIRE(expected != std::end(kExpected));
     check_counts(by_volume(setup), expected->volume, *expected);
-    check_counts(test::counts_of<AlternatingStack<LevelledPreTree>>(setup), expected->alternating,
+    check_counts(test::counts_of<AlternatingStack<LevelledPreMesh>>(setup), expected->alternating,
                  *expected);
     check_counts(test::counts_of<Stackless>(setup), expected->alternating, *expected);
     check_counts(test::counts_of<StacklessPost>(setup), expected->alternating, *expected);
-    check_counts(test::counts_of<Leaf<PreTree>>(setup), expected->leaf, *expected);
-    check_counts(test::counts_of<Ranked<PostTree>>(setup), expected->ranked, *expected);
-    check_counts(test::counts_of<RankedStack<PostTree>>(setup), expected->ranked, *expected);
-    check_counts(test::counts_of<Ranked<PostTree>>(setup, test::Built::by_default),
+    check_counts(test::counts_of<Leaf<PreMesh>>(setup), expected->leaf, *expected);
+    check_counts(test::counts_of<Ranked<PostMesh>>(setup), expected->ranked, *expected);
+    check_counts(test::counts_of<RankedStack<PostMesh>>(setup), expected->ranked, *expected);
+    check_counts(test::counts_of<Ranked<PostMesh>>(setup, test::Built::by_default),
                  expected->ranked_by_default, *expected);
   }
 }

@@ -4,6 +4,7 @@
 #include "digest/small_mesh.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -40,7 +41,7 @@ bool has_values(const uint16_t (&expected)[kNodes], Function function) {
 
 TEST_CASE("small trees: escape indices and levels of the paper's figures 1 and 3, pre-indexed") {
   const FullTree<Layout::pre_indexed> full;
-  const LevelledPreTree& tree = full.tree.view();
+  const LevelledPreMesh& tree = full.tree.view();
   REQUIRE(tree.node_count == kNodes);
   CHECK(has_values({15, 8, 5, 4, 5, 8, 7, 8, 15, 12, 11, 12, 15, 14, 15},
                    [&tree](uint32_t node) { return tree.escape(node); }));
@@ -51,13 +52,13 @@ TEST_CASE("small trees: escape indices and levels of the paper's figures 1 and 3
 TEST_CASE("small trees: right child levels of the paper's figure 22") {
   SECTION("pre-indexed") {
     const FullTree<Layout::pre_indexed> full;
-    const LevelledPreTree& tree = full.tree.view();
+    const LevelledPreMesh& tree = full.tree.view();
     CHECK(has_values({0, 0, 0, 0, 1, 1, 0, 2, 1, 0, 0, 1, 2, 0, 3},
                      [&tree](uint32_t node) { return tree.rcl(node); }));
   }
   SECTION("post-indexed") {
     const FullTree<Layout::post_indexed> full;
-    const LevelledPostTree& tree = full.tree.view();
+    const LevelledPostMesh& tree = full.tree.view();
     CHECK(has_values({0, 1, 2, 3, 0, 0, 1, 0, 0, 1, 2, 0, 0, 1, 0},
                      [&tree](uint32_t node) { return tree.rcl(node); }));
   }
@@ -65,7 +66,7 @@ TEST_CASE("small trees: right child levels of the paper's figure 22") {
 
 TEST_CASE("small trees: post-indexed, LevelUp subtracts, and escape indices of figure 26") {
   const FullTree<Layout::post_indexed> full;
-  const LevelledPostTree& tree = full.tree.view();
+  const LevelledPostMesh& tree = full.tree.view();
   CHECK(tree.level_up(3, 3) == 0);
   CHECK(tree.level_up(3, 2) == 1);
   CHECK(tree.level_up(2, 1) == 1);

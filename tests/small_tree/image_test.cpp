@@ -3,10 +3,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "small_tree/scene.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -52,9 +54,9 @@ class Image {
       put(at.climb, tree.parents, tree.node_count);
     }
     put(at.triangles, tree.triangles, tree.triangle_count);
-    put(at.sources, tree.sources, tree.triangle_count);
+    put(at.triangle_ids, tree.triangle_ids, tree.triangle_count);
     if (tree.leaf_count != tree.triangle_count) {
-      put(at.leaf_firsts, tree.leaf_firsts, tree.leaf_count + 1u);
+      put(at.leaf_offsets, tree.leaf_offsets, tree.leaf_count + 1u);
     }
     put(at.vertices, tree.vertices, tree.vertex_count);
     repair_crc();
@@ -116,7 +118,7 @@ bool same(const Tree& a, const Tree& b) {
 }  // namespace
 
 TEMPLATE_TEST_CASE("small trees: an image opens in place as the tree that was written", "",
-                   LevelledPreTree, LevelledPostTree) {
+                   LevelledPreMesh, LevelledPostMesh) {
   const uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed);
@@ -134,35 +136,35 @@ TEMPLATE_TEST_CASE("small trees: an image opens in place as the tree that was wr
 
 TEST_CASE("small trees: each way an image can be no image has its own status") {
   Random random(test_seed() + 1);
-  const Baked<LevelledPostTree> baked(random, 6);
+  const Baked<LevelledPostMesh> baked(random, 6);
   Image image;
   image.write(baked.tree.view());
   SECTION("truncated at every length") {
-    LevelledPostTree tree;
+    LevelledPostMesh tree;
     for (uint32_t size = 0; size < image.size(); ++size) {
       REQUIRE(open_image(image.bytes(), size, tree) == Status::image_truncated);
     }
   }
   SECTION("misaligned") {
-    LevelledPostTree tree;
+    LevelledPostMesh tree;
     memmove(image.bytes() + 2, image.bytes(), image.size());
     CHECK(open_image(image.bytes() + 2, image.size(), tree) == Status::image_misaligned);
   }
   SECTION("another magic") {
     image.flip(0);
-    CHECK(image.open<LevelledPostTree>() == Status::image_not_flashbvh);
+    CHECK(image.open<LevelledPostMesh>() == Status::image_not_flashbvh);
   }
   SECTION("another version") {
     image.flip(8 * offsetof(ImageHeader, version));
-    CHECK(image.open<LevelledPostTree>() == Status::image_version);
+    CHECK(image.open<LevelledPostMesh>() == Status::image_version);
   }
   SECTION("another layout") {
-    CHECK(image.open<LevelledPreTree>() == Status::image_kind);
+    CHECK(image.open<LevelledPreMesh>() == Status::image_kind);
   }
 }
 
-TEMPLATE_TEST_CASE("small trees: every flipped bit of an image is refused", "", LevelledPreTree,
-                   LevelledPostTree) {
+TEMPLATE_TEST_CASE("small trees: every flipped bit of an image is refused", "", LevelledPreMesh,
+                   LevelledPostMesh) {
   Random random(test_seed() + 2);
   const Baked<TestType> baked(random, 6);
   Image image;
@@ -178,7 +180,7 @@ TEMPLATE_TEST_CASE("small trees: every flipped bit of an image is refused", "", 
 
 TEST_CASE("small trees: a query ends on whatever opens after a flipped bit, checksum repaired") {
   Random random(test_seed() + 3);
-  const Baked<LevelledPostTree> baked(random, 6);
+  const Baked<LevelledPostMesh> baked(random, 6);
   Image image;
   image.write(baked.tree.view());
   uint32_t opened = 0;
@@ -187,7 +189,7 @@ TEST_CASE("small trees: a query ends on whatever opens after a flipped bit, chec
     CAPTURE(bit);
     image.flip(bit);
     image.repair_crc();
-    LevelledPostTree tree;
+    LevelledPostMesh tree;
     if (open_image(image.bytes(), image.size(), tree) == Status::done) {
       ++opened;
       const uint32_t most = static_cast<uint32_t>(tree.node_count) * tree.node_count + 1;

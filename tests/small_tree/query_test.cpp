@@ -3,12 +3,13 @@
 #include <initializer_list>
 
 #include "flashbvh/contact.hpp"
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/place_pair.hpp"
 #include "small_tree/scene.hpp"
 #include "support/same_triangle.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -45,8 +46,8 @@ void check_same_walk(const SmallScene<One::Tree::kLayout>& scene) {
   CHECK(equal);
 }
 
-PlacedTriangle relative(const PlacedTriangle& t, const int32_t (&origin)[3]) {
-  PlacedTriangle moved = t;
+Triangle relative(const Triangle& t, const int32_t (&origin)[3]) {
+  Triangle moved = t;
   for (Point& corner : moved.corner) {
     corner = {corner.x - origin[0], corner.y - origin[1], corner.z - origin[2]};
   }
@@ -56,9 +57,9 @@ PlacedTriangle relative(const PlacedTriangle& t, const int32_t (&origin)[3]) {
 }  // namespace
 
 TEMPLATE_TEST_CASE("small trees: a query finds exactly the pairs that brute force finds", "",
-                   Ranked<PostTree>, RankedStack<PostTree>, StacklessPost, Stackless,
-                   Leaf<PostTree>, Leaf<PreTree>, VolumeStack<PostTree>, VolumeStack<PreTree>,
-                   AlternatingStack<LevelledPostTree>, AlternatingStack<LevelledPreTree>) {
+                   Ranked<PostMesh>, RankedStack<PostMesh>, StacklessPost, Stackless,
+                   Leaf<PostMesh>, Leaf<PreMesh>, VolumeStack<PostMesh>, VolumeStack<PreMesh>,
+                   AlternatingStack<LevelledPostMesh>, AlternatingStack<LevelledPreMesh>) {
   const uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed);
@@ -92,11 +93,11 @@ TEST_CASE("small trees: a rule walks the same way with a stack and without") {
     CAPTURE(round);
     {
       const SmallScene<Layout::post_indexed> scene(random);
-      check_same_walk<Ranked<PostTree>, RankedStack<PostTree>>(scene);
-      check_same_walk<StacklessPost, AlternatingStack<LevelledPostTree>>(scene);
+      check_same_walk<Ranked<PostMesh>, RankedStack<PostMesh>>(scene);
+      check_same_walk<StacklessPost, AlternatingStack<LevelledPostMesh>>(scene);
     }
     const SmallScene<Layout::pre_indexed> scene(random);
-    check_same_walk<Stackless, AlternatingStack<LevelledPreTree>>(scene);
+    check_same_walk<Stackless, AlternatingStack<LevelledPreMesh>>(scene);
   }
 }
 
@@ -108,17 +109,17 @@ TEST_CASE("small trees: a reported pair lies where the pose's definition puts it
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
     const SmallScene<Layout::post_indexed> scene(random);
-    const PostTree& a = scene.a.view();
-    const PostTree& b = scene.b.view();
+    const PostMesh& a = scene.a.view();
+    const PostMesh& b = scene.b.view();
     PairQuery query(a, b, scene.pose);
     uint32_t wrong = 0;
     const Status status = query.run(kNoLimit, [&](const Pair& pair) {
-      PlacedTriangle last[2];
-      PlacedTriangle again[2];
+      Triangle last[2];
+      Triangle again[2];
       query.last_pair(last[0], last[1]);
-      const bool found = place_pair(a, b, scene.pose, pair, again[0], again[1]);
-      const PlacedTriangle of_a = relative(placed(scene.mesh_a, pair.a, unmoved), a.origin);
-      const PlacedTriangle of_b = relative(placed(scene.mesh_b, pair.b, scene.pose), a.origin);
+      const bool found = transform_pair(a, b, scene.pose, pair, again[0], again[1]);
+      const Triangle of_a = relative(placed(scene.mesh_a, pair.a, unmoved), a.origin);
+      const Triangle of_b = relative(placed(scene.mesh_b, pair.b, scene.pose), a.origin);
       const bool right = found && same(last[0], of_a) && same(last[1], of_b) &&
                          same(again[0], of_a) && same(again[1], of_b);
       wrong += right ? 0u : 1u;
@@ -137,8 +138,8 @@ TEST_CASE("small trees: every triangle of B lies where the pose's definition put
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
     const SmallScene<Layout::post_indexed> scene(random);
-    const PostTree& a = scene.a.view();
-    const PostTree& b = scene.b.view();
+    const PostMesh& a = scene.a.view();
+    const PostMesh& b = scene.b.view();
     bool is_near = true;  // farther off, it is placed where it meets nothing
     for (int axis = 0; axis < 3; ++axis) {
       const int32_t middle = placed_coordinate(b.origin, {0, 0, 0}, scene.pose, axis);
@@ -146,9 +147,9 @@ TEST_CASE("small trees: every triangle of B lies where the pose's definition put
           is_near && middle - a.origin[axis] < kMaxOffset && middle - a.origin[axis] > -kMaxOffset;
     }
     for (uint16_t triangle = 0; is_near && triangle < b.triangle_count; ++triangle) {
-      PlacedTriangle of_a;
-      PlacedTriangle of_b;
-      REQUIRE(place_pair(a, b, scene.pose, {0, triangle}, of_a, of_b));
+      Triangle of_a;
+      Triangle of_b;
+      REQUIRE(transform_pair(a, b, scene.pose, {0, triangle}, of_a, of_b));
       const bool right = same(of_b, relative(placed(scene.mesh_b, triangle, scene.pose), a.origin));
       REQUIRE(right);
       ++compared;
@@ -160,8 +161,8 @@ TEST_CASE("small trees: every triangle of B lies where the pose's definition put
 TEST_CASE("small trees: each way to ask wrongly has its own status") {
   Random random(test_seed() + 3);
   const SmallScene<Layout::post_indexed> scene(random);
-  const PostTree& a = scene.a.view();
-  PostTree b = scene.b.view();
+  const PostMesh& a = scene.a.view();
+  PostMesh b = scene.b.view();
   const Pose here = Pose::translated(0, 0, 0);
   Pair found[1];
   SECTION("no room for a pair") {
@@ -194,7 +195,7 @@ TEST_CASE("small trees: each way to ask wrongly has its own status") {
   SECTION("a stack that is too short") {
     const uint32_t needed = stack_entries(a.stack_need, b.stack_need);
     PairCursor<uint16_t> entries[2 * digest::kMostTriangles];
-    using VolumeQuery = Query<VolumeStack<PostTree>>;
+    using VolumeQuery = Query<VolumeStack<PostMesh>>;
     CHECK(VolumeQuery(a, b, here, {entries, needed}).status() == Status::suspended);
     CHECK(VolumeQuery(a, b, here, {entries, needed - 1}).status() == Status::stack_too_small);
     CHECK(VolumeQuery(a, b, here, {nullptr, 0}).status() == Status::stack_too_small);

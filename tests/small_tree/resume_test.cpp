@@ -5,6 +5,7 @@
 #include "small_tree/scene.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -46,8 +47,8 @@ Report cut(const SmallScene<Traversal::Tree::kLayout>& scene, uint32_t visits, u
 }  // namespace
 
 TEMPLATE_TEST_CASE("small trees: however a query is cut into runs, it gives the same pairs", "",
-                   Ranked<PostTree>, RankedStack<PostTree>, StacklessPost, Stackless,
-                   Leaf<PostTree>, VolumeStack<PreTree>, AlternatingStack<LevelledPreTree>) {
+                   Ranked<PostMesh>, RankedStack<PostMesh>, StacklessPost, Stackless,
+                   Leaf<PostMesh>, VolumeStack<PreMesh>, AlternatingStack<LevelledPreMesh>) {
   const uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed);
@@ -68,7 +69,7 @@ TEMPLATE_TEST_CASE("small trees: however a query is cut into runs, it gives the 
 }
 
 TEMPLATE_TEST_CASE("small trees: a query resumed in a new object after any run goes on", "",
-                   Ranked<PostTree>, StacklessPost, Stackless, Leaf<PostTree>, Leaf<PreTree>) {
+                   Ranked<PostMesh>, StacklessPost, Stackless, Leaf<PostMesh>, Leaf<PreMesh>) {
   const uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 1);
@@ -100,7 +101,7 @@ TEMPLATE_TEST_CASE("small trees: a query resumed in a new object after any run g
 }
 
 TEMPLATE_TEST_CASE("small trees: any numbers for a position are refused or lead to an end", "",
-                   Ranked<PostTree>, StacklessPost, Stackless, Leaf<PostTree>) {
+                   Ranked<PostMesh>, StacklessPost, Stackless, Leaf<PostMesh>) {
   const uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 2);

@@ -9,12 +9,11 @@
 #include "digest/small_mesh.hpp"
 #include "digest/small_tree.hpp"
 #include "flashbvh/query.hpp"
-#include "flashbvh/traversal/alternating_stack.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked_stack.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/stackless_post.hpp"
-#include "flashbvh/traversal/volume_stack.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
 #include "support/placed_vertex.hpp"
 
 namespace flashbvh::test {
@@ -68,8 +67,8 @@ class PairSet {
   uint32_t rows_[digest::kMostTriangles] = {};
 };
 
-inline PlacedTriangle placed(const digest::SmallMesh& mesh, uint32_t triangle, const Pose& pose) {
-  PlacedTriangle placed{};
+inline Triangle placed(const digest::SmallMesh& mesh, uint32_t triangle, const Pose& pose) {
+  Triangle placed{};
   for (int i = 0; i < 3; ++i) {
     const Vertex& v = mesh.vertices[mesh.triangles[triangle].corner[i]];
     placed.corner[i] = {placed_coordinate(mesh.origin, v, pose, 0),
@@ -84,9 +83,9 @@ PairSet brute_force(const SmallScene<layout>& scene) {
   PairSet pairs;
   const Pose unmoved = Pose::translated(0, 0, 0);
   for (uint32_t j = 0; j < scene.mesh_b.triangle_count; ++j) {
-    const PlacedTriangle of_b = placed(scene.mesh_b, j, scene.pose);
+    const Triangle of_b = placed(scene.mesh_b, j, scene.pose);
     for (uint32_t i = 0; i < scene.mesh_a.triangle_count; ++i) {
-      if (triangles_intersect(placed(scene.mesh_a, i, unmoved), of_b)) {
+      if (detail::triangles_intersect(placed(scene.mesh_a, i, unmoved), of_b)) {
         (void)pairs.add(i, j);
       }
     }
@@ -105,7 +104,7 @@ struct SmallQuery {
   using Tree = typename Traversal::Tree;
   using Cursor = typename Traversal::Cursor;
 
-  PairCursor<uint16_t> entries[kIsStack<Cursor> ? 2 * digest::kMostTriangles : 1];
+  detail::PairCursor<uint16_t> entries[kIsStack<Cursor> ? 2 * digest::kMostTriangles : 1];
   Query<Traversal> query;
 
   template <class Scene>

@@ -5,19 +5,19 @@
 
 #include <stdint.h>
 
-#include "flashbvh/box_packed.hpp"
+#include "flashbvh/detail/box_packed.hpp"
 #include "support/random.hpp"
 
 namespace flashbvh::test {
 
 struct BoxInNode {
-  PackedBox box;
+  detail::PackedBox box;
   uint32_t rest;
 };
 
-inline BoxInNode in_node(Random& random, const Box& box) {
+inline BoxInNode in_node(Random& random, const detail::Box& box) {
   constexpr uint32_t rests[] = {0, 0xFFFF, 0xFFFF0000, 0x80008000, 0x7FFF7FFF, 0xFFFFFFFF};
-  return {pack(box), rests[random.below(6)]};
+  return {detail::pack(box), rests[random.below(6)]};
 }
 
 }  // namespace flashbvh::test

@@ -46,7 +46,7 @@ inline Wide dotted(const WideVector& u, const WideVector& v) {
 struct WideTriangle {
   WideVector corner[3];
 
-  WideTriangle(const PlacedTriangle& t, const Point& origin) {
+  WideTriangle(const Triangle& t, const Point& origin) {
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) {
         corner[i][static_cast<std::size_t>(k)] = along(t.corner[i], k) - along(origin, k);
@@ -141,7 +141,7 @@ inline void add_on_edge(const WideTriangle& a, int i, const WideTriangle& b,
 }
 
 /// The common part is the convex hull of these; some of them may be equal, or not be corners.
-inline std::vector<Rational> common_corners(const PlacedTriangle& a, const PlacedTriangle& b) {
+inline std::vector<Rational> common_corners(const Triangle& a, const Triangle& b) {
   const WideTriangle wide_a(a, a.corner[0]);
   const WideTriangle wide_b(b, a.corner[0]);
   std::vector<Rational> points;

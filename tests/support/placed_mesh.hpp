@@ -9,7 +9,7 @@
 
 #include "bake/mesh.hpp"
 #include "flashbvh/pose.hpp"
-#include "flashbvh/triangle.hpp"
+#include "flashbvh/detail/triangle.hpp"
 #include "support/placed_vertex.hpp"
 
 namespace flashbvh::test {
@@ -21,11 +21,11 @@ inline std::int32_t placed_coordinate(const bake::LatticeMesh& mesh, const Verte
   return placed_coordinate(origin, v, pose, axis);
 }
 
-inline std::vector<PlacedTriangle> placed_triangles(const bake::LatticeMesh& mesh,
+inline std::vector<Triangle> placed_triangles(const bake::LatticeMesh& mesh,
                                                     const Pose& pose) {
-  std::vector<PlacedTriangle> placed;
+  std::vector<Triangle> placed;
   for (const auto& triangle : mesh.triangles) {
-    PlacedTriangle next{};
+    Triangle next{};
     for (std::size_t i = 0; i < 3; ++i) {
       const Vertex& v = mesh.vertices[triangle[i]];
       next.corner[i] = {placed_coordinate(mesh, v, pose, 0), placed_coordinate(mesh, v, pose, 1),
@@ -40,12 +40,12 @@ inline std::vector<PlacedTriangle> placed_triangles(const bake::LatticeMesh& mes
 inline std::vector<std::pair<std::uint32_t, std::uint32_t>> brute_force(const bake::LatticeMesh& a,
                                                                         const bake::LatticeMesh& b,
                                                                         const Pose& pose) {
-  const std::vector<PlacedTriangle> of_a = placed_triangles(a, Pose::translated(0, 0, 0));
-  const std::vector<PlacedTriangle> of_b = placed_triangles(b, pose);
+  const std::vector<Triangle> of_a = placed_triangles(a, Pose::translated(0, 0, 0));
+  const std::vector<Triangle> of_b = placed_triangles(b, pose);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t i = 0; i < of_a.size(); ++i) {
     for (std::uint32_t j = 0; j < of_b.size(); ++j) {
-      if (triangles_intersect(of_a[i], of_b[j])) {
+      if (detail::triangles_intersect(of_a[i], of_b[j])) {
         pairs.emplace_back(i, j);
       }
     }

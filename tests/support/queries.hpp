@@ -58,7 +58,7 @@ template <class Traversal>
 struct StackQuery {
   using Tree = typename Traversal::Tree;
   Tree a, b;
-  std::vector<PairCursor<std::uint16_t>> entries;
+  std::vector<detail::PairCursor<std::uint16_t>> entries;
   Query<Traversal> query;
 
   template <class Scene>
@@ -70,8 +70,8 @@ struct StackQuery {
 };
 
 template <class Tree, class Rule>
-struct AnyQuery<StackWalk<Tree, Rule>> : StackQuery<StackWalk<Tree, Rule>> {
-  using StackQuery<StackWalk<Tree, Rule>>::StackQuery;
+struct AnyQuery<StackOrder<Tree, Rule>> : StackQuery<StackOrder<Tree, Rule>> {
+  using StackQuery<StackOrder<Tree, Rule>>::StackQuery;
 };
 
 template <class Tree>

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "bake/baked_tree.hpp"
-#include "flashbvh/box.hpp"
-#include "flashbvh/traversal/alternating_stack.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked.hpp"
-#include "flashbvh/traversal/ranked_stack.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/stackless_post.hpp"
-#include "flashbvh/traversal/volume_stack.hpp"
+#include "support/walk.hpp"
+#include "flashbvh/detail/box.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
 
 namespace flashbvh::test {
 
@@ -61,54 +61,54 @@ BakedPair<Baked<layout>> bake_pair(const bake::BuildTree& a, const bake::Lattice
 template <class Baked>
 class RecordingOverlap {
  public:
-  RecordingOverlap(const BakedPair<Baked>& pair, const TranslatedOverlap& test, Record& record)
+  RecordingOverlap(const BakedPair<Baked>& pair, const detail::TranslatedBound& test, Record& record)
       : pair_(pair), test_(test), record_(record) {}
 
-  bool operator()(const PackedBox& box_a, const PackedBox& box_b) const {
+  bool operator()(const detail::PackedBox& box_a, const detail::PackedBox& box_b) const {
     record_.visits.push_back(pair_.build_pair(index_in(pair_.a, box_a), index_in(pair_.b, box_b)));
     return test_(box_a, box_b);
   }
 
  private:
-  static std::uint32_t index_in(const Baked& baked, const PackedBox& box) {
+  static std::uint32_t index_in(const Baked& baked, const detail::PackedBox& box) {
     using NodeType = Node<typename Baked::Index>;
     const auto* const node = reinterpret_cast<const NodeType*>(&box);
     return static_cast<std::uint32_t>(node - baked.nodes.data());
   }
 
   const BakedPair<Baked>& pair_;
-  const TranslatedOverlap& test_;
+  const detail::TranslatedBound& test_;
   Record& record_;
 };
 
 /// From `cursor` to the end, or to `most_visits` if the walk does not end.
 template <class Traversal, class Baked>
-Record record_from(const BakedPair<Baked>& pair, const TranslatedOverlap& test,
+Record record_from(const BakedPair<Baked>& pair, const detail::TranslatedBound& test,
                    typename Traversal::Cursor& cursor, std::uint32_t most_visits = 1000000) {
   Record record;
   const auto a = pair.a.view();
   const auto b = pair.b.view();
-  Budget budget = {most_visits, 0, false};
-  const Walk end = Traversal::run(a, b, RecordingOverlap<Baked>(pair, test, record), cursor, budget,
-                                  [&](std::uint32_t node_a, std::uint32_t node_b) {
-                                    record.leaf_pairs.push_back(pair.build_pair(node_a, node_b));
-                                    return true;
-                                  });
-  record.overlaps = budget.overlaps;
-  record.ended = end == Walk::done;
+  const auto leaf_pair = [&](std::uint32_t node_a, std::uint32_t node_b) {
+    record.leaf_pairs.push_back(pair.build_pair(node_a, node_b));
+    return true;
+  };
+  const Walked walked = walk_from<Traversal>(a, b, RecordingOverlap<Baked>(pair, test, record),
+                                             cursor, leaf_pair, most_visits);
+  record.overlaps = walked.counts.overlaps;
+  record.ended = walked.end == detail::State::done;
   return record;
 }
 
 template <class Traversal, class Baked>
-Record record_stackless(const BakedPair<Baked>& pair, const TranslatedOverlap& test) {
+Record record_stackless(const BakedPair<Baked>& pair, const detail::TranslatedBound& test) {
   typename Traversal::Cursor cursor;
   return record_from<Traversal>(pair, test, cursor);
 }
 
 /// With an array of exactly the length that stack_entries() promises to be enough.
 template <class Traversal, class Baked>
-Record record_stack(const BakedPair<Baked>& pair, const TranslatedOverlap& test) {
-  std::vector<PairCursor<typename Baked::Index>> entries(
+Record record_stack(const BakedPair<Baked>& pair, const detail::TranslatedBound& test) {
+  std::vector<detail::PairCursor<typename Baked::Index>> entries(
       stack_entries(pair.a.stack_need, pair.b.stack_need));
   typename Traversal::Cursor cursor(entries.data(), static_cast<std::uint32_t>(entries.size()));
   return record_from<Traversal>(pair, test, cursor);
@@ -123,8 +123,8 @@ inline NodePairs brute_force(const bake::BuildTree& a, const bake::BuildTree& b,
   NodePairs pairs;
   for (std::uint32_t i = 0; i < a.nodes.size(); ++i) {
     for (std::uint32_t j = 0; j < b.nodes.size(); ++j) {
-      const Box& p = a.nodes[i].box;
-      const Box& q = b.nodes[j].box;
+      const detail::Box& p = a.nodes[i].box;
+      const detail::Box& q = b.nodes[j].box;
       if (a.nodes[i].is_leaf() && b.nodes[j].is_leaf() &&
           !apart(p.lower.x, p.upper.x, q.lower.x, q.upper.x, x) &&
           !apart(p.lower.y, p.upper.y, q.lower.y, q.upper.y, y) &&

@@ -2,11 +2,11 @@
 #ifndef FLASHBVH_TESTS_SUPPORT_SAME_TRIANGLE_HPP
 #define FLASHBVH_TESTS_SUPPORT_SAME_TRIANGLE_HPP
 
-#include "flashbvh/triangle.hpp"
+#include "flashbvh/detail/triangle.hpp"
 
 namespace flashbvh::test {
 
-inline bool same(const PlacedTriangle& t, const PlacedTriangle& u) {
+inline bool same(const Triangle& t, const Triangle& u) {
   for (int i = 0; i < 3; ++i) {
     if (t.corner[i].x != u.corner[i].x || t.corner[i].y != u.corner[i].y ||
         t.corner[i].z != u.corner[i].z) {

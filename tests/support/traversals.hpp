@@ -3,15 +3,16 @@
 #define FLASHBVH_TESTS_SUPPORT_TRAVERSALS_HPP
 
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "flashbvh/query.hpp"
-#include "flashbvh/traversal/alternating_stack.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked.hpp"
-#include "flashbvh/traversal/ranked_stack.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/volume_stack.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
 
 namespace flashbvh::test {
 
@@ -30,16 +31,16 @@ void for_each_stackless(const Tree& a, const Tree& b, const Pose& pose, Use use)
 template <class Tree, class Use>
 void for_each_stack(const Tree& a, const Tree& b, const Pose& pose, Use use) {
   const auto entry_count = stack_entries(a.stack_need, b.stack_need);
-  const auto run = [&](const char* name, auto traversal) {
-    using Traversal = decltype(traversal);
-    std::vector<PairCursor<typename Tree::Index>> entries(entry_count);
+  const auto run = [&](const char* name, auto* order) {
+    using Traversal = std::remove_pointer_t<decltype(order)>;
+    std::vector<detail::PairCursor<typename Tree::Index>> entries(entry_count);
     Query<Traversal> query(a, b, pose, {entries.data(), entry_count});
     use(name, query);
   };
-  run("volume-stack", VolumeStack<Tree>());
-  run("alternating-stack", AlternatingStack<Tree>());
+  run("volume-stack", static_cast<VolumeStack<Tree>*>(nullptr));
+  run("alternating-stack", static_cast<AlternatingStack<Tree>*>(nullptr));
   if constexpr (Tree::kLayout == Layout::post_indexed) {
-    run("ranked-stack", RankedStack<Tree>());
+    run("ranked-stack", static_cast<RankedStack<Tree>*>(nullptr));
   }
 }
 

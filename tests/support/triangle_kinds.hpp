@@ -4,30 +4,30 @@
 
 #include <stdint.h>
 
-#include "flashbvh/triangle.hpp"
+#include "flashbvh/detail/triangle.hpp"
 #include "support/random.hpp"
 
 namespace flashbvh::test {
 
 /// Makes a pair of random triangles what the kind is about.
-using AdaptPair = void (*)(PlacedTriangle& a, PlacedTriangle& b);
+using AdaptPair = void (*)(Triangle& a, Triangle& b);
 
-inline void set_boxes_apart(PlacedTriangle&, PlacedTriangle& b) {
+inline void set_boxes_apart(Triangle&, Triangle& b) {
   for (Point& corner : b.corner) {
     corner.z += 16001;
   }
 }
 
-inline void set_general(PlacedTriangle&, PlacedTriangle&) {}
+inline void set_general(Triangle&, Triangle&) {}
 
-inline void set_coplanar(PlacedTriangle& a, PlacedTriangle& b) {
+inline void set_coplanar(Triangle& a, Triangle& b) {
   for (int i = 0; i < 3; ++i) {
     a.corner[i].z = a.corner[i].x + a.corner[i].y;
     b.corner[i].z = b.corner[i].x + b.corner[i].y;
   }
 }
 
-inline void set_segments(PlacedTriangle& a, PlacedTriangle& b) {
+inline void set_segments(Triangle& a, Triangle& b) {
   a.corner[2] = a.corner[1];
   b.corner[2] = b.corner[1];
 }
@@ -37,14 +37,14 @@ struct TriangleKind {
   AdaptPair adapt;
 };
 
-inline constexpr TriangleKind kBoxesApart = {"boxes_apart", set_boxes_apart};
+inline constexpr TriangleKind kBoxesApart = {"boxes_disjoint", set_boxes_apart};
 inline constexpr TriangleKind kGeneral = {"general", set_general};
 inline constexpr TriangleKind kCoplanar = {"coplanar", set_coplanar};
 inline constexpr TriangleKind kSegments = {"segments", set_segments};
 inline constexpr TriangleKind kTriangleKinds[] = {kBoxesApart, kGeneral, kCoplanar, kSegments};
 
-inline void set_random_pair(Random& random, const TriangleKind& kind, PlacedTriangle& a,
-                            PlacedTriangle& b) {
+inline void set_random_pair(Random& random, const TriangleKind& kind, Triangle& a,
+                            Triangle& b) {
   constexpr int32_t kReach = 8000;  // differences below 2^15
   const auto coordinate = [&random] { return random.between(-kReach, kReach); };
   const auto set_corner = [&coordinate](Point& corner) {

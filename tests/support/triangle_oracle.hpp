@@ -21,7 +21,7 @@
 
 #include <initializer_list>
 
-#include "flashbvh/triangle.hpp"
+#include "flashbvh/detail/triangle.hpp"
 
 namespace flashbvh::test {
 
@@ -53,7 +53,7 @@ inline Wide along(const Point& p, int axis) {
 
 /// The program with l0 = m0 = 1 as start: coordinate row k reads
 /// sum l_i (a_i - a_0) - sum m_j (b_j - b_0) + artificial = b_0 - a_0.
-inline Tableau start(const PlacedTriangle& a, const PlacedTriangle& b) {
+inline Tableau start(const Triangle& a, const Triangle& b) {
   Tableau t = {};
   t.scale = 1;
   for (int k = 0; k < 3; ++k) {
@@ -115,7 +115,7 @@ inline void pivot(Tableau& t, int pivot_row, int entering) {
 }
 
 /// Whether two triangles meet, with the certificate. Check it with is_proven().
-inline Verdict decide(const PlacedTriangle& a, const PlacedTriangle& b) {
+inline Verdict decide(const Triangle& a, const Triangle& b) {
   Tableau t = start(a, b);
   const Wide* const cost = t.entry[Tableau::kRows];
   for (int column = 0; column < Tableau::kVariables;) {
@@ -142,7 +142,7 @@ inline Verdict decide(const PlacedTriangle& a, const PlacedTriangle& b) {
 }
 
 /// Whether the weights of the verdict describe one point of a and of b.
-inline bool is_common_point(const Verdict& v, const PlacedTriangle& a, const PlacedTriangle& b) {
+inline bool is_common_point(const Verdict& v, const Triangle& a, const Triangle& b) {
   Wide sum_a = 0;
   Wide sum_b = 0;
   Wide gap[3] = {};
@@ -161,7 +161,7 @@ inline bool is_common_point(const Verdict& v, const PlacedTriangle& a, const Pla
 }
 
 /// Whether the direction of the verdict has each corner of a strictly before each corner of b.
-inline bool is_separating(const Verdict& v, const PlacedTriangle& a, const PlacedTriangle& b) {
+inline bool is_separating(const Verdict& v, const Triangle& a, const Triangle& b) {
   for (const Point& p : a.corner) {
     for (const Point& q : b.corner) {
       Wide ahead = 0;
@@ -177,7 +177,7 @@ inline bool is_separating(const Verdict& v, const PlacedTriangle& a, const Place
 }
 
 /// Whether the certificate proves the verdict.
-inline bool is_proven(const Verdict& v, const PlacedTriangle& a, const PlacedTriangle& b) {
+inline bool is_proven(const Verdict& v, const Triangle& a, const Triangle& b) {
   return v.meets ? is_common_point(v, a, b) : is_separating(v, a, b);
 }
 

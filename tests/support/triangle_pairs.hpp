@@ -12,8 +12,8 @@
 namespace flashbvh::test {
 
 struct PlacedPair {
-  PlacedTriangle a;
-  PlacedTriangle b;
+  Triangle a;
+  Triangle b;
 };
 
 constexpr int32_t Point::*kPointAxes[3] = {&Point::x, &Point::y, &Point::z};
@@ -24,7 +24,7 @@ inline Point sum(const Point& p, const Point& q) {
 inline Point scaled(int32_t n, const Point& p) {
   return {n * p.x, n * p.y, n * p.z};
 }
-inline PlacedTriangle shifted(const PlacedTriangle& t, const Point& by) {
+inline Triangle shifted(const Triangle& t, const Point& by) {
   return {{sum(t.corner[0], by), sum(t.corner[1], by), sum(t.corner[2], by)}};
 }
 
@@ -39,8 +39,8 @@ inline Point point_within(Random& random, int32_t size) {
 }
 
 /// A triangle, sometimes a segment or a point.
-inline PlacedTriangle triangle_within(Random& random, int32_t size) {
-  PlacedTriangle t;
+inline Triangle triangle_within(Random& random, int32_t size) {
+  Triangle t;
   for (Point& corner : t.corner) {
     corner = point_within(random, size);
   }
@@ -63,7 +63,7 @@ inline PlacedPair coplanar_pair(Random& random, int32_t size) {
   const int32_t most = random.below(2) != 0 ? 11 : 3;
   const int32_t line = random.below(5) == 0 ? 0 : most;
   PlacedPair pair;
-  for (PlacedTriangle* t : {&pair.a, &pair.b}) {
+  for (Triangle* t : {&pair.a, &pair.b}) {
     for (Point& corner : t->corner) {
       const Point along_u = scaled(random.between(0, most), u);
       corner = sum(o, sum(along_u, scaled(random.between(0, line), v)));
@@ -149,7 +149,7 @@ inline PlacedPair placed_anywhere(Random& random, const PlacedPair& pair) {
   for (int32_t Point::*axis : kPointAxes) {
     int32_t low = INT32_MAX;
     int32_t high = INT32_MIN;
-    for (const PlacedTriangle* t : {&pair.a, &pair.b}) {
+    for (const Triangle* t : {&pair.a, &pair.b}) {
       for (const Point& corner : t->corner) {
         low = corner.*axis < low ? corner.*axis : low;
         high = corner.*axis > high ? corner.*axis : high;

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "flashbvh/triangle.hpp"
+#include "flashbvh/detail/triangle.hpp"
 
 namespace {
 
-std::vector<flashbvh::PlacedTriangle> read(const char* path) {
+std::vector<flashbvh::Triangle> read(const char* path) {
   std::ifstream file(path);
   std::vector<flashbvh::Point> vertices;
-  std::vector<flashbvh::PlacedTriangle> triangles;
+  std::vector<flashbvh::Triangle> triangles;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);
     std::string keyword;
@@ -25,7 +25,7 @@ std::vector<flashbvh::PlacedTriangle> read(const char* path) {
       words >> p.x >> p.y >> p.z;
       vertices.push_back(p);
     } else if (keyword == "f") {
-      flashbvh::PlacedTriangle triangle{};
+      flashbvh::Triangle triangle{};
       for (flashbvh::Point& corner : triangle.corner) {
         std::size_t number = 0;
         words >> number;
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
   const auto b = read(argv[3]);
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
-      if (flashbvh::triangles_intersect(a[i], b[j])) {
+      if (flashbvh::detail::triangles_intersect(a[i], b[j])) {
         std::printf("%s %zu %zu\n", argv[1], i, j);
       }
     }

@@ -8,8 +8,7 @@
 #include "_2nd_ring.fbvh.hpp"
 #include "early.fbvh.hpp"
 #include "flashbvh/query.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/stackless_post.hpp"
+#include "flashbvh/paper/stackless.hpp"
 #include "grouped.fbvh.hpp"
 #include "ring.fbvh.hpp"
 #include "wide.fbvh.hpp"
@@ -42,12 +41,12 @@ Pairs ask(const typename Traversal::Tree& a, const typename Traversal::Tree& b) 
 
 int main() {
   using flashbvh::Ranked;
-  const Pairs pairs = ask<Ranked<flashbvh::PostTree>>(ring::tree, _2nd_ring::tree);
+  const Pairs pairs = ask<Ranked<flashbvh::PostMesh>>(ring::mesh, _2nd_ring::mesh);
   const bool equal =
-      pairs == ask<Ranked<flashbvh::PostTree>>(grouped::tree, ring::tree) &&
-      pairs == ask<flashbvh::StacklessPost>(ring::levelled_tree, grouped::levelled_tree) &&
-      pairs == ask<flashbvh::Stackless>(early::levelled_tree, early::levelled_tree) &&
-      pairs == ask<Ranked<flashbvh::LargePostTree>>(wide::tree, wide::tree);
+      pairs == ask<Ranked<flashbvh::PostMesh>>(grouped::mesh, ring::mesh) &&
+      pairs == ask<flashbvh::StacklessPost>(ring::levelled_mesh, grouped::levelled_mesh) &&
+      pairs == ask<flashbvh::Stackless>(early::levelled_mesh, early::levelled_mesh) &&
+      pairs == ask<Ranked<flashbvh::LargePostMesh>>(wide::mesh, wide::mesh);
   for (const auto& pair : pairs) {
     std::printf("0 %u %u\n", pair.first, pair.second);
   }

@@ -1,10 +1,10 @@
-// Links `tree` and not `levelled_tree`.
+// Links `tree` and not `levelled_mesh`.
 #include "flashbvh/query.hpp"
 #include "ring.fbvh.hpp"
 
 int main() {
   const flashbvh::Pose pose = flashbvh::Pose::translated(1, 2, 3);
-  flashbvh::PairQuery query(ring::tree, ring::tree, pose);
+  flashbvh::PairQuery query(ring::mesh, ring::mesh, pose);
   flashbvh::TrianglePair<uint16_t> found[4];
   return query.run(1000, found).status == flashbvh::Status::full ? 0 : 1;
 }

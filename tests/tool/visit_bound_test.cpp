@@ -4,13 +4,15 @@
 #include <catch2/catch.hpp>
 
 #include "bake/baked_tree.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked.hpp"
-#include "flashbvh/traversal/stackless.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/paper/stackless.hpp"
 #include "support/random.hpp"
 #include "support/shapes.hpp"
+#include "support/walk.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -22,22 +24,21 @@ Post any_baked(Random& random) {
   return bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh), mesh);
 }
 
-struct Walked {
+struct Visited {
   std::uint64_t visits = 0;
   std::uint64_t leaf_pairs = 0;
 };
 
 template <class Traversal, class Tree>
-Walked walk_all(const Tree& a, const Tree& b) {
-  Budget budget = {UINT32_MAX, 0, false};
+Visited walk_all(const Tree& a, const Tree& b) {
   typename Traversal::Cursor cursor;
-  Walked walked;
+  Visited walked;
   const auto always = [](const PackedBox&, const PackedBox&) { return true; };
-  (void)Traversal::run(a, b, always, cursor, budget, [&](std::uint32_t, std::uint32_t) {
+  const auto leaf_pair = [&walked](std::uint32_t, std::uint32_t) {
     ++walked.leaf_pairs;
     return true;
-  });
-  walked.visits = UINT32_MAX - budget.visits_left;
+  };
+  walked.visits = test::walk_from<Traversal>(a, b, always, cursor, leaf_pair).counts.visits;
   return walked;
 }
 
@@ -50,16 +51,16 @@ TEST_CASE("ranked visits exactly its bound when all boxes overlap") {
   for (int round = 0; round < 2000; ++round) {
     const Post baked_a = any_baked(random);
     const Post baked_b = any_baked(random);
-    const LevelledPostTree a = baked_a.view();
-    const LevelledPostTree b = baked_b.view();
-    const Walked ranked = walk_all<Ranked<PostTree>, PostTree>(a, b);
+    const LevelledPostMesh a = baked_a.view();
+    const LevelledPostMesh b = baked_b.view();
+    const Visited ranked = walk_all<Ranked<PostMesh>, PostMesh>(a, b);
     const tool::VisitBound bound = tool::visit_bound(a, b, "ranked");
     REQUIRE(ranked.visits == bound.visits);
     REQUIRE(ranked.leaf_pairs == bound.leaf_pairs);
     const tool::VisitBound of_any = tool::visit_bound(a, b, "leaf");
     REQUIRE(ranked.visits <= of_any.visits);
-    REQUIRE(walk_all<Leaf<PostTree>, PostTree>(a, b).visits <= of_any.visits);
-    using StacklessPost = AlternatingStackless<LevelledPostTree>;
-    REQUIRE(walk_all<StacklessPost, LevelledPostTree>(a, b).visits <= of_any.visits);
+    REQUIRE(walk_all<Leaf<PostMesh>, PostMesh>(a, b).visits <= of_any.visits);
+    using StacklessPost = AlternatingStackless<LevelledPostMesh>;
+    REQUIRE(walk_all<StacklessPost, LevelledPostMesh>(a, b).visits <= of_any.visits);
   }
 }

@@ -3,13 +3,14 @@
 
 #include <stdint.h>
 
-#include "box_rotated_plain.hpp"
-#include "flashbvh/box_rotated.hpp"
+#include "box/box_rotated_plain.hpp"
+#include "flashbvh/detail/box_rotated.hpp"
 #include "support/box_in_node.hpp"
 #include "support/random.hpp"
 #include "support/rotations.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -113,7 +114,7 @@ PackedBox box_beside(Random& random, const PackedBox& box) {
 /// Any pose that turns, and where its sums begin, of the largest meshes at any distance.
 struct Turn {
   Pose pose = Pose::translated(0, 0, 0);
-  RotatedPlacement placement{};
+  RotatedTransform placement{};
 
   explicit Turn(Random& random) {
     constexpr int32_t reaches[] = {0, 20, 16383, 50000, kMaxTranslation};
@@ -137,10 +138,10 @@ TEST_CASE("a box turned without the products that are zero is the turned box") {
     for (int i = 0; i < 10; ++i) {
       CAPTURE(round, i);
       const PackedBox box = any_box(random);
-      REQUIRE(same(turned_without_zeros(turn.pose.rows(), turn.placement.on_a, box),
-                   turned_box(turn.pose.rows(), turn.placement.on_a, box)));
-      REQUIRE(same(turned_without_zeros(turn.pose.columns(), turn.placement.on_b, box),
-                   turned_box(turn.pose.columns(), turn.placement.on_b, box)));
+      REQUIRE(same(turned_without_zeros(turn.pose.matrix().rows, turn.placement.on_a, box),
+                   turned_box(turn.pose.matrix().rows, turn.placement.on_a, box)));
+      REQUIRE(same(turned_without_zeros(turn.placement.columns, turn.placement.on_b, box),
+                   turned_box(turn.placement.columns, turn.placement.on_b, box)));
     }
   }
 }
@@ -153,8 +154,8 @@ TEST_CASE("boxes overlap under a rotation exactly when both turned boxes do, wha
   int gaps = 0;
   for (int round = 0; round < 1000; ++round) {
     const Turn turn(random);
-    const SplitMatrix& rows = turn.pose.rows();
-    const SplitMatrix& columns = turn.pose.columns();
+    const SplitMatrix& rows = turn.pose.matrix().rows;
+    const SplitMatrix& columns = turn.placement.columns;
     // Each box beside the other turned; kept ones are known by their addresses.
     BoxInNode a[3];
     BoxInNode b[3];
@@ -165,14 +166,14 @@ TEST_CASE("boxes overlap under a rotation exactly when both turned boxes do, wha
       a[i] = in_node(random, unpack(beside));
       b[i] = in_node(random, unpack(i == 0 ? box_beside(random, turned) : any));
     }
-    RotatedOverlap test(turn.placement);
+    RotatedBound test(turn.placement);
     for (int visit = 0; visit < 20; ++visit) {
       const PackedBox& of_a = a[random.below(3)].box;
       const PackedBox& of_b = b[random.below(3)].box;
       const bool expected = overlap(of_a, turned_box(rows, turn.placement.on_a, of_b)) &&
                             overlap(of_b, turned_box(columns, turn.placement.on_b, of_a));
       CAPTURE(round, visit);
-      REQUIRE(test.overlap(of_a, of_b) == expected);
+      REQUIRE(test(of_a, of_b) == expected);
       ++(expected ? overlaps : gaps);
     }
   }

@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "flashbvh/box.hpp"
+#include "flashbvh/detail/box.hpp"
 #include "support/box_in_node.hpp"
 #include "support/random.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -103,7 +104,7 @@ TEST_CASE("packed boxes overlap exactly when the boxes do, at every translation"
     const std::int32_t z = random.below(2) == 0 ? 0 : translation(random);
     const bool expected = overlap(a, b, x, y, z);
     overlaps += expected ? 1 : 0;
-    const TranslatedOverlap test(x, y, z);
+    const TranslatedBound test(x, y, z);
     const BoxInNode of_a = in_node(random, a);
     const BoxInNode of_b = in_node(random, b);
     const bool fast = test(of_a.box, of_b.box);
@@ -120,12 +121,12 @@ TEST_CASE("packed boxes overlap exactly when the boxes do, at every translation"
 TEST_CASE("boxes that touch overlap, and a cell further they do not") {
   const PackedBox unit = pack({{0, 0, 0}, {1, 1, 1}});
   for (const std::int32_t t : {-1, 1}) {
-    CHECK(TranslatedOverlap(t, 0, 0)(unit, unit));
-    CHECK(TranslatedOverlap(0, t, 0)(unit, unit));
-    CHECK(TranslatedOverlap(0, 0, t)(unit, unit));
-    CHECK_FALSE(TranslatedOverlap(2 * t, 0, 0)(unit, unit));
-    CHECK_FALSE(TranslatedOverlap(0, 2 * t, 0)(unit, unit));
-    CHECK_FALSE(TranslatedOverlap(0, 0, 2 * t)(unit, unit));
+    CHECK(TranslatedBound(t, 0, 0)(unit, unit));
+    CHECK(TranslatedBound(0, t, 0)(unit, unit));
+    CHECK(TranslatedBound(0, 0, t)(unit, unit));
+    CHECK_FALSE(TranslatedBound(2 * t, 0, 0)(unit, unit));
+    CHECK_FALSE(TranslatedBound(0, 2 * t, 0)(unit, unit));
+    CHECK_FALSE(TranslatedBound(0, 0, 2 * t)(unit, unit));
   }
 }
 

@@ -25,12 +25,12 @@ constexpr Wide kBound = 53;
 
 /// A contact beside the exact common part; all in one frame.
 struct Judge {
-  PlacedTriangle a;
-  PlacedTriangle b;
+  Triangle a;
+  Triangle b;
   Contact contact;
   std::vector<Rational> corners;
 
-  Judge(const PlacedTriangle& t, const PlacedTriangle& u)
+  Judge(const Triangle& t, const Triangle& u)
       : a(t), b(u), contact(contact_of(t, u)), corners(common_corners(t, u)) {}
 
   Wide end(int i, int axis) const {
@@ -127,10 +127,10 @@ struct Judge {
 };
 
 /// Whether the contact of two triangles is what the header says, if they meet.
-bool is_right(const PlacedTriangle& a, const PlacedTriangle& b) {
+bool is_right(const Triangle& a, const Triangle& b) {
   const Judge judge(a, b);
   CAPTURE(judge.corners.size());
-  CHECK(triangles_intersect(a, b) == !judge.corners.empty());
+  CHECK(detail::triangles_intersect(a, b) == !judge.corners.empty());
   if (judge.corners.empty()) {
     return true;
   }
@@ -167,7 +167,7 @@ TEST_CASE("contact: triangles of every kind agree with exact rationals", "[conta
   uint32_t met[3] = {};
   for (uint32_t run = 0; run < 3 * kPairs; ++run) {
     const PlacedPair pair = placed_anywhere(random, any_pair(random));
-    if (!triangles_intersect(pair.a, pair.b)) {
+    if (!detail::triangles_intersect(pair.a, pair.b)) {
       continue;
     }
     ++met[static_cast<unsigned>(contact_of(pair.a, pair.b).kind)];

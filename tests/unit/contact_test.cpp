@@ -27,7 +27,7 @@ bool is_zero(const Normal& n) {
 
 constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
 
-PlacedTriangle ordered(const PlacedTriangle& t, int order) {
+Triangle ordered(const Triangle& t, int order) {
   const int* const i = kOrders[order];
   return {{t.corner[i[0]], t.corner[i[1]], t.corner[i[2]]}};
 }
@@ -41,7 +41,7 @@ bool same_place(const Contact& c, const Contact& d) {
 }
 
 /// Whether all 36 orders of corners, each in both orders of arguments, give this contact.
-bool all_orders_give(const Contact& expected, const PlacedTriangle& a, const PlacedTriangle& b) {
+bool all_orders_give(const Contact& expected, const Triangle& a, const Triangle& b) {
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
       const Contact c = contact_of(ordered(a, i), ordered(b, j));
@@ -65,17 +65,17 @@ constexpr FinePoint fine(int32_t x, int32_t y, int32_t z) {
 struct Case {
   const char* name;
   ContactKind kind;
-  PlacedTriangle a;
-  PlacedTriangle b;
+  Triangle a;
+  Triangle b;
   FinePoint ends[2];
 };
 
 constexpr auto kLine = ContactKind::segment;
 constexpr auto kFlat = ContactKind::coplanar;
 constexpr auto kThin = ContactKind::degenerate;
-constexpr PlacedTriangle kFloor = {{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}};
-constexpr PlacedTriangle kRod = {{{0, 0, 0}, {4, 4, 4}, {8, 8, 8}}};
-constexpr PlacedTriangle kDot = {{{2, 2, 2}, {2, 2, 2}, {2, 2, 2}}};
+constexpr Triangle kFloor = {{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}};
+constexpr Triangle kRod = {{{0, 0, 0}, {4, 4, 4}, {8, 8, 8}}};
+constexpr Triangle kDot = {{{2, 2, 2}, {2, 2, 2}, {2, 2, 2}}};
 
 constexpr Case kCrossing[] = {
     {"across the face",
@@ -235,7 +235,7 @@ template <uint32_t kCount>
 void check_cases(const Case (&cases)[kCount]) {
   for (const Case& c : cases) {
     INFO(c.name);
-    REQUIRE(triangles_intersect(c.a, c.b));
+    REQUIRE(detail::triangles_intersect(c.a, c.b));
     const Contact contact = contact_of(c.a, c.b);
     CHECK(contact.kind == c.kind);
     CHECK(equal(contact.ends[0], c.ends[0]));
@@ -267,7 +267,7 @@ TEST_CASE("contact: normals are exact cross products", "[contact]") {
   CHECK(equal(c.normal_a, {0, 0, 64}));
   CHECK(equal(c.normal_b, {2, 0, 0}));
   const int32_t s = kMaxContactSpan;
-  const PlacedTriangle large = {{{0, 0, 0}, {s, 0, s}, {0, s, s}}};
+  const Triangle large = {{{0, 0, 0}, {s, 0, s}, {0, s, s}}};
   const int64_t most = static_cast<int64_t>(s) * s;
   CHECK(equal(contact_of(large, kRod).normal_a, {-most, -most, most}));
   CHECK(is_zero(contact_of(large, kRod).normal_b));
@@ -280,7 +280,7 @@ TEST_CASE("contact: the order of corners and of arguments moves no end", "[conta
   uint32_t met = 0;
   for (uint32_t run = 0; run < kPairs / 4; ++run) {
     const PlacedPair pair = any_pair(random);
-    if (!triangles_intersect(pair.a, pair.b)) {
+    if (!detail::triangles_intersect(pair.a, pair.b)) {
       continue;
     }
     ++met;
@@ -299,13 +299,13 @@ TEST_CASE("contact: the order of arguments moves no point where long edges cross
   for (uint32_t run = 0; run < 4 * kPairs; ++run) {
     PlacedPair pair = {triangle_within(random, kMaxContactSpan),
                        triangle_within(random, kMaxContactSpan)};
-    for (PlacedTriangle* t : {&pair.a, &pair.b}) {
+    for (Triangle* t : {&pair.a, &pair.b}) {
       t->corner[2] = t->corner[1];
       for (Point& corner : t->corner) {
         corner.z = corner.x;
       }
     }
-    if (!triangles_intersect(pair.a, pair.b)) {
+    if (!detail::triangles_intersect(pair.a, pair.b)) {
       continue;
     }
     ++met;
@@ -322,7 +322,7 @@ TEST_CASE("contact: moving both triangles moves the ends alike", "[contact]") {
   Random random(seed);
   for (uint32_t run = 0; run < kPairs; ++run) {
     const PlacedPair pair = any_pair(random);
-    if (!triangles_intersect(pair.a, pair.b)) {
+    if (!detail::triangles_intersect(pair.a, pair.b)) {
       continue;
     }
     const PlacedPair moved = placed_anywhere(random, pair);

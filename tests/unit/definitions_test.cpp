@@ -5,6 +5,7 @@
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {

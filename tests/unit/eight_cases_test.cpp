@@ -12,15 +12,16 @@
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
 
 constexpr std::uint32_t kEnd = 15;
 
-/// The pair behind (a, b), by pre-indexed numbers in both layouts.
+/// The pair after (a, b), by pre-indexed numbers in both layouts.
 template <Layout layout>
-NodePair behind(std::uint32_t a, std::uint32_t b) {
+NodePair test_next(std::uint32_t a, std::uint32_t b) {
   static Random random(1);
   static const auto mesh = random_mesh(random, 8, 100, 10);
   static const auto numbers =
@@ -38,106 +39,99 @@ NodePair behind(std::uint32_t a, std::uint32_t b) {
     return i == kEnd ? kEnd : position(numbers, baked.build_nodes[i]);
   };
   const auto tree = baked.view();
-  using Traversal = AlternatingStackless<LevelledTree<std::uint16_t, layout>>;
-  const auto lead = [&](std::uint32_t i, std::uint32_t j) {
-    return static_cast<std::int32_t>(tree.level(i)) - static_cast<std::int32_t>(tree.level(j));
-  };
-  const std::uint32_t from_a = to_layout(a);
-  const std::uint32_t from_b = to_layout(b);
-  typename Traversal::Place to = {from_a, from_b, lead(from_a, from_b)};
-  const bool goes_on = Traversal::behind(tree, tree, to);
-  CHECK(goes_on == (to.a != kEnd && to.b != kEnd));
-  if (goes_on) {
-    CHECK(to.lead == lead(to.a, to.b));
-  }
-  return {to_number(to.a), to_number(to.b)};
+  using Order = AlternatingStackless<LevelledMesh<std::uint16_t, layout>>;
+  Order order(tree, tree,
+              {static_cast<std::uint16_t>(to_layout(a)), static_cast<std::uint16_t>(to_layout(b))});
+  const bool goes_on = order.next();
+  CHECK(goes_on == (order.index_a() != kEnd && order.index_b() != kEnd));
+  return {to_number(order.index_a()), to_number(order.index_b())};
 }
 
-void check_behind(std::uint32_t a, std::uint32_t b, NodePair expected) {
+void check_next(std::uint32_t a, std::uint32_t b, NodePair expected) {
   CAPTURE(a, b);
-  CHECK(behind<Layout::pre_indexed>(a, b) == expected);
-  CHECK(behind<Layout::post_indexed>(a, b) == expected);
+  CHECK(test_next<Layout::pre_indexed>(a, b) == expected);
+  CHECK(test_next<Layout::post_indexed>(a, b) == expected);
 }
 
 }  // namespace
 
 TEST_CASE("case 1: same level, both left: A escapes") {
-  check_behind(1, 1, {8, 1});
-  check_behind(2, 9, {5, 9});
-  check_behind(3, 13, {4, 13});
+  check_next(1, 1, {8, 1});
+  check_next(2, 9, {5, 9});
+  check_next(3, 13, {4, 13});
 }
 
 TEST_CASE("case 2: same level, A left, B right: A escapes") {
-  check_behind(1, 8, {8, 8});
-  check_behind(2, 5, {5, 5});
-  check_behind(10, 14, {11, 14});
+  check_next(1, 8, {8, 8});
+  check_next(2, 5, {5, 5});
+  check_next(10, 14, {11, 14});
 }
 
 TEST_CASE("case 3: A a level above B, both left: B escapes") {
-  check_behind(1, 2, {1, 5});
-  check_behind(2, 13, {2, 14});
+  check_next(1, 2, {1, 5});
+  check_next(2, 13, {2, 14});
 }
 
 TEST_CASE("case 4: A a level above B, A right, B left: B escapes") {
-  check_behind(8, 2, {8, 5});
-  check_behind(5, 3, {5, 4});
-  check_behind(0, 1, {0, 8});
+  check_next(8, 2, {8, 5});
+  check_next(5, 3, {5, 4});
+  check_next(0, 1, {0, 8});
 }
 
 TEST_CASE("case 5: same level, A right, B left: A to its parent, B escapes") {
-  check_behind(8, 1, {0, 8});
-  check_behind(5, 2, {1, 5});
-  check_behind(14, 6, {12, 7});
+  check_next(8, 1, {0, 8});
+  check_next(5, 2, {1, 5});
+  check_next(14, 6, {12, 7});
 }
 
 TEST_CASE("case 6: A a level above B, A left, B right: A escapes, B to its parent") {
-  check_behind(1, 5, {8, 1});
-  check_behind(2, 7, {5, 5});
+  check_next(1, 5, {8, 1});
+  check_next(2, 7, {5, 5});
 }
 
 TEST_CASE("case 7: same level, both right: up along right children to a left one") {
   SECTION("A's left child is reached first, or both at once") {
-    check_behind(5, 5, {8, 1});   // RCL 1 and 1
-    check_behind(5, 12, {8, 8});  // 1 and 2
-    check_behind(4, 14, {5, 12});
-    check_behind(7, 14, {8, 8});  // 2 and 3
+    check_next(5, 5, {8, 1});   // RCL 1 and 1
+    check_next(5, 12, {8, 8});  // 1 and 2
+    check_next(4, 14, {5, 12});
+    check_next(7, 14, {8, 8});  // 2 and 3
   }
   SECTION("B's left child is reached first") {
-    check_behind(12, 5, {0, 8});  // 2 and 1
-    check_behind(14, 4, {8, 5});  // 3 and 1
-    check_behind(14, 11, {8, 12});
-    check_behind(14, 7, {0, 8});  // 3 and 2
+    check_next(12, 5, {0, 8});  // 2 and 1
+    check_next(14, 4, {8, 5});  // 3 and 1
+    check_next(14, 11, {8, 12});
+    check_next(14, 7, {0, 8});  // 3 and 2
   }
   SECTION("neither: the walk is over") {
-    check_behind(8, 8, {kEnd, 0});
+    check_next(8, 8, {kEnd, 0});
   }
 }
 
 TEST_CASE("case 8: A a level above B, both right: as case 7 with B's parent") {
   SECTION("A's left child is reached first, or both at once") {
-    check_behind(5, 7, {8, 1});   // RCL 1 and 2
-    check_behind(5, 14, {8, 8});  // 1 and 3
+    check_next(5, 7, {8, 1});   // RCL 1 and 2
+    check_next(5, 14, {8, 8});  // 1 and 3
   }
   SECTION("B's left child is reached first") {
-    check_behind(8, 5, {0, 8});   // 1 and 1
-    check_behind(12, 7, {0, 8});  // 2 and 2
-    check_behind(12, 4, {8, 5});  // 2 and 1
+    check_next(8, 5, {0, 8});   // 1 and 1
+    check_next(12, 7, {0, 8});  // 2 and 2
+    check_next(12, 4, {8, 5});  // 2 and 1
   }
 }
 
 TEST_CASE("section 8.1: levels further apart go up to where the leaf was reached") {
   SECTION("B is a leaf, A below its level: the leaf algorithm in A's subtree") {
-    check_behind(3, 1, {4, 1});  // as if node 1 of B were a leaf
-    check_behind(4, 1, {5, 1});
-    check_behind(7, 1, {8, 1});   // the subtree of A's node 1 is done
-    check_behind(14, 1, {0, 8});  // A's node 8 is done: case 5
-    check_behind(14, 8, {kEnd, 0});
+    check_next(3, 1, {4, 1});  // as if node 1 of B were a leaf
+    check_next(4, 1, {5, 1});
+    check_next(7, 1, {8, 1});   // the subtree of A's node 1 is done
+    check_next(14, 1, {0, 8});  // A's node 8 is done: case 5
+    check_next(14, 8, {kEnd, 0});
   }
   SECTION("A is a leaf, B below its level: the leaf algorithm in B's subtree") {
-    check_behind(1, 3, {1, 4});
-    check_behind(1, 4, {1, 5});
-    check_behind(1, 7, {8, 1});  // the subtree of B's node 1 is done: case 1
-    check_behind(8, 7, {0, 8});  // case 5
-    check_behind(8, 14, {kEnd, 0});
+    check_next(1, 3, {1, 4});
+    check_next(1, 4, {1, 5});
+    check_next(1, 7, {8, 1});  // the subtree of B's node 1 is done: case 1
+    check_next(8, 7, {0, 8});  // case 5
+    check_next(8, 14, {kEnd, 0});
   }
 }

@@ -6,12 +6,14 @@
 #include <limits>
 
 #include "bake/image_bytes.hpp"
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/query.hpp"
 #include "heap_guard.hpp"
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -50,7 +52,7 @@ struct Image {
 template <Layout layout, class Change>
 Status status_after(Baked<layout> baked, Change change) {
   change(baked);
-  return Image{image_of(baked)}.template open<LevelledTree<std::uint16_t, layout>>();
+  return Image{image_of(baked)}.template open<LevelledMesh<std::uint16_t, layout>>();
 }
 
 /// Three levels, one node with three children, leaves of one and two triangles.
@@ -89,7 +91,7 @@ TEST_CASE("an image opens in place as the tree that was baked") {
     const auto baked = baked_shape<kPost>(random, 1 + random.below(30));
     Image image{image_of(baked)};
     REQUIRE(bake::image_size(baked) == image.size());
-    LevelledPostTree tree;
+    LevelledPostMesh tree;
     REQUIRE(open_image(image.bytes(), image.size(), tree) == Status::done);
     REQUIRE(tree.node_count == baked.nodes.size());
     REQUIRE(std::memcmp(tree.nodes, baked.nodes.data(),
@@ -98,8 +100,8 @@ TEST_CASE("an image opens in place as the tree that was baked") {
                         sizeof(Vertex) * baked.vertices.size()) == 0);
     REQUIRE(tree.stack_need == baked.stack_need);
     REQUIRE(tree.cell_bits == baked.view().cell_bits);
-    REQUIRE((tree.leaf_firsts == nullptr) == baked.leaf_firsts.empty());
-    REQUIRE(Image{image_of(baked_shape<kPre>(random, 5))}.open<LevelledPreTree>() == Status::done);
+    REQUIRE((tree.leaf_offsets == nullptr) == baked.leaf_offsets.empty());
+    REQUIRE(Image{image_of(baked_shape<kPre>(random, 5))}.open<LevelledPreMesh>() == Status::done);
   }
 }
 
@@ -109,15 +111,15 @@ TEST_CASE("wide images open as wide trees") {
   const auto tree = any_tree(random, mesh);
   Image pre{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))};
   Image post{image_of(bake::lay_out<std::uint32_t, kPost>(tree, mesh))};
-  CHECK(pre.open<LargeLevelledPreTree>() == Status::done);
-  CHECK(post.open<LargeLevelledPostTree>() == Status::done);
-  CHECK(pre.open<LevelledPreTree>() == Status::image_kind);
-  CHECK(pre.open<LargeLevelledPostTree>() == Status::image_kind);
+  CHECK(pre.open<LargeLevelledPreMesh>() == Status::done);
+  CHECK(post.open<LargeLevelledPostMesh>() == Status::done);
+  CHECK(pre.open<LevelledPreMesh>() == Status::image_kind);
+  CHECK(pre.open<LargeLevelledPostMesh>() == Status::image_kind);
 }
 
 TEST_CASE("each way an image can be no image has its own status") {
   Image image{image_of(small_tree<kPost>())};
-  LevelledPostTree tree;
+  LevelledPostMesh tree;
   SECTION("truncated at every length") {
     for (std::size_t size = 0; size < image.size(); ++size) {
       REQUIRE(open_image(image.bytes(), size, tree) == Status::image_truncated);
@@ -131,14 +133,14 @@ TEST_CASE("each way an image can be no image has its own status") {
   }
   SECTION("another magic") {
     image.bytes()[0] ^= 1;
-    CHECK(image.open<LevelledPostTree>() == Status::image_not_flashbvh);
+    CHECK(image.open<LevelledPostMesh>() == Status::image_not_flashbvh);
   }
   SECTION("another version") {
     image.bytes()[4] ^= 1;
-    CHECK(image.open<LevelledPostTree>() == Status::image_version);
+    CHECK(image.open<LevelledPostMesh>() == Status::image_version);
   }
   SECTION("another layout") {
-    CHECK(image.open<LevelledPreTree>() == Status::image_kind);
+    CHECK(image.open<LevelledPreMesh>() == Status::image_kind);
   }
 }
 
@@ -146,15 +148,15 @@ TEST_CASE("every flipped bit of an image is refused") {
   Image image{image_of(small_tree<kPost>())};
   for (std::size_t bit = 0; bit < 8 * image.size(); ++bit) {
     image.bytes()[bit / 8] ^= static_cast<unsigned char>(1u << (bit % 8));
-    REQUIRE(image.open<LevelledPostTree>() != Status::done);
+    REQUIRE(image.open<LevelledPostMesh>() != Status::done);
     image.bytes()[bit / 8] ^= static_cast<unsigned char>(1u << (bit % 8));
   }
-  CHECK(image.open<LevelledPostTree>() == Status::done);
+  CHECK(image.open<LevelledPostMesh>() == Status::done);
 }
 
 TEMPLATE_TEST_CASE(
     "whatever opens after a flipped bit with a repaired checksum, a query on it ends", "",
-    LevelledPreTree, LevelledPostTree) {
+    LevelledPreMesh, LevelledPostMesh) {
   Image image{image_of(small_tree<TestType::kLayout>())};
   std::uint32_t opened = 0;
   for (std::size_t bit = 0; bit < 8 * image.size(); ++bit) {
@@ -212,13 +214,13 @@ std::vector<std::function<void(Baked<layout>&)>> broken_arrays(std::size_t last)
       [](auto& t) { t.climb[1] += 1; },
       [](auto& t) { t.triangles[0].corner[2] = 0xFFFF; },
       [](auto& t) { std::swap(t.triangles.front(), t.triangles.back()); },
-      [](auto& t) { t.leaf_firsts[0] = 1; },
-      [](auto& t) { t.leaf_firsts[1] = 0; },
-      [](auto& t) { t.leaf_firsts.back() += 1; },
-      [](auto& t) { t.leaf_firsts.back() -= 1; },
+      [](auto& t) { t.leaf_offsets[0] = 1; },
+      [](auto& t) { t.leaf_offsets[1] = 0; },
+      [](auto& t) { t.leaf_offsets.back() += 1; },
+      [](auto& t) { t.leaf_offsets.back() -= 1; },
       [](auto& t) {
         t.leaf_count += 1;
-        t.leaf_firsts.push_back(t.leaf_firsts.back());
+        t.leaf_offsets.push_back(t.leaf_offsets.back());
       },
       [](auto& t) { t.vertices[0].x = 16384; },
       // Vertices that no triangle has: no box tells.
@@ -256,7 +258,7 @@ std::vector<std::function<void(Baked<layout>&)>> broken_headers() {
 }
 
 TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused", "",
-                   LevelledPreTree, LevelledPostTree) {
+                   LevelledPreMesh, LevelledPostMesh) {
   constexpr Layout layout = TestType::kLayout;
   const Baked<layout> good = small_tree<layout>();
   REQUIRE(status_after(good, [](auto&) {}) == Status::done);
@@ -290,7 +292,7 @@ TEST_CASE("a layout or an index width that is none is refused as such") {
   for (const int value : {2, 8, 24, 64, 255}) {
     image.bytes()[offset] = static_cast<unsigned char>(value);
     image.repair_crc();
-    CHECK(image.open<LevelledPostTree>() == Status::image_invalid);
+    CHECK(image.open<LevelledPostMesh>() == Status::image_invalid);
   }
 }
 
@@ -299,9 +301,9 @@ TEST_CASE("a last node with neither children nor triangles is refused") {
     CHECK(status_after(small_tree<kPost>(), [&](auto& t) {
             t.nodes.back().data = static_cast<std::uint16_t>(1u << 8 | parent_rank);
             t.leaf_count -= 1;
-            t.leaf_firsts.pop_back();
-            t.triangles.resize(t.leaf_firsts.back());
-            t.sources.resize(t.leaf_firsts.back());
+            t.leaf_offsets.pop_back();
+            t.triangles.resize(t.leaf_offsets.back());
+            t.triangle_ids.resize(t.leaf_offsets.back());
           }) == Status::image_invalid);
   }
 }
@@ -324,15 +326,15 @@ TEST_CASE("counts beyond the index type are refused, though what they are cut to
   const std::uint64_t parts[][3] = {{from.nodes, from.levels, to.nodes},
                                     {from.levels, from.climb, to.levels},
                                     {from.climb, from.triangles, to.climb},
-                                    {from.triangles, from.sources, to.triangles},
-                                    {from.sources, from.leaf_firsts, to.sources},
-                                    {from.leaf_firsts, from.vertices, to.leaf_firsts},
+                                    {from.triangles, from.triangle_ids, to.triangles},
+                                    {from.triangle_ids, from.leaf_offsets, to.triangle_ids},
+                                    {from.leaf_offsets, from.vertices, to.leaf_offsets},
                                     {from.vertices, from.end, to.vertices}};
   for (const auto& [begin, end, at] : parts) {
     std::memcpy(large.bytes() + at, bytes + begin, static_cast<std::size_t>(end - begin));
   }
   large.repair_crc();
-  CHECK(large.open<LevelledPostTree>() == Status::image_invalid);
+  CHECK(large.open<LevelledPostMesh>() == Status::image_invalid);
 }
 
 TEST_CASE("a header alone, of an image without nodes, is refused before a root is looked for") {
@@ -343,8 +345,8 @@ TEST_CASE("a header alone, of an image without nodes, is refused before a root i
   Image image{std::vector<std::uint32_t>(sizeof header / 4)};
   std::memcpy(image.bytes(), &header, sizeof header);
   image.repair_crc();
-  CHECK(image.open<LevelledPostTree>() == Status::image_invalid);
-  CHECK(image.open<LevelledPreTree>() == Status::image_kind);
+  CHECK(image.open<LevelledPostMesh>() == Status::image_invalid);
+  CHECK(image.open<LevelledPreMesh>() == Status::image_kind);
 }
 
 TEST_CASE("a byte other than zero in any gap is refused") {
@@ -353,14 +355,14 @@ TEST_CASE("a byte other than zero in any gap is refused") {
   ImageHeader header;
   std::memcpy(&header, image.bytes(), sizeof header);
   const ImageOffsets at = image_offsets(header);
-  const std::uint64_t gaps[] = {at.climb, at.triangles, at.sources, at.leaf_firsts, at.end};
+  const std::uint64_t gaps[] = {at.climb, at.triangles, at.triangle_ids, at.leaf_offsets, at.end};
   for (const std::uint64_t end : gaps) {
     for (const std::uint64_t offset : {end - 2, end - 1}) {
       CAPTURE(end, offset);
       REQUIRE(image.bytes()[offset] == 0);
       image.bytes()[offset] = 1;
       image.repair_crc();
-      CHECK(image.open<LevelledPostTree>() == Status::image_invalid);
+      CHECK(image.open<LevelledPostMesh>() == Status::image_invalid);
       image.bytes()[offset] = 0;
     }
   }
@@ -370,10 +372,10 @@ TEST_CASE("bits between the ranks of a wide node are refused") {
   Random random(test_seed());
   const auto mesh = random_mesh(random, 4, 100, 30);
   auto baked = bake::lay_out<std::uint32_t, kPost>(bake::build_median(mesh, 1), mesh);
-  REQUIRE(Image{image_of(baked)}.open<LargeLevelledPostTree>() == Status::done);
+  REQUIRE(Image{image_of(baked)}.open<LargeLevelledPostMesh>() == Status::done);
   for (const unsigned bit : {8u, 15u, 16u, 23u}) {
     baked.nodes[0].data ^= 1u << bit;
-    CHECK(Image{image_of(baked)}.open<LargeLevelledPostTree>() == Status::image_invalid);
+    CHECK(Image{image_of(baked)}.open<LargeLevelledPostMesh>() == Status::image_invalid);
     baked.nodes[0].data ^= 1u << bit;
   }
 }
@@ -386,10 +388,10 @@ TEST_CASE("a leaf of 255 triangles is good, one of 256 is not") {
     REQUIRE(tree.nodes.size() == 1);
     const Status wanted = size == 255 ? Status::done : Status::image_invalid;
     CHECK(
-        Image{image_of(bake::lay_out<std::uint16_t, kPost>(tree, mesh))}.open<LevelledPostTree>() ==
+        Image{image_of(bake::lay_out<std::uint16_t, kPost>(tree, mesh))}.open<LevelledPostMesh>() ==
         wanted);
     CHECK(Image{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))}
-              .open<LargeLevelledPreTree>() == wanted);
+              .open<LargeLevelledPreMesh>() == wanted);
   }
 }
 

@@ -1,10 +1,9 @@
 // A reported pair, placed again by its source numbers, and its contact inside a query.
-#include "flashbvh/place_pair.hpp"
+#include "flashbvh/contact.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "bake/baked_tree.hpp"
-#include "flashbvh/contact.hpp"
 #include "flashbvh/query.hpp"
 #include "support/placed_mesh.hpp"
 #include "support/rotations.hpp"
@@ -12,6 +11,7 @@
 #include "support/torus.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -40,15 +40,15 @@ bool same(const Contact& c, const Contact& d) {
 }
 
 /// How many pairs the query reports; each is placed again as the query has it, inside a sink.
-std::uint32_t check_pairs(const PostTree& a, const PostTree& b, const Pose& pose) {
+std::uint32_t check_pairs(const PostMesh& a, const PostMesh& b, const Pose& pose) {
   PairQuery query(a, b, pose);
   std::uint32_t pairs = 0;
   std::uint32_t wrong = 0;
   const Status status = query.run(UINT32_MAX, [&](const Pair& pair) {
-    PlacedTriangle last[2];
-    PlacedTriangle again[2];
+    Triangle last[2];
+    Triangle again[2];
     query.last_pair(last[0], last[1]);
-    const bool found = place_pair(a, b, pose, pair, again[0], again[1]);
+    const bool found = transform_pair(a, b, pose, pair, again[0], again[1]);
     const bool equal = found && same(last[0], again[0]) && same(last[1], again[1]) &&
                        same(contact_of_last(query), contact_of(again[0], again[1]));
     wrong += equal ? 0u : 1u;
@@ -65,8 +65,8 @@ std::uint32_t check_pairs(const PostTree& a, const PostTree& b, const Pose& pose
 TEST_CASE("contact: a reported pair is placed again as the query had it", "[contact]") {
   const Baked mesh_a = baked(ring());
   const Baked mesh_b = baked(torus(7, 5, 500, 200));
-  const PostTree a = mesh_a.view();
-  const PostTree b = mesh_b.view();
+  const PostMesh a = mesh_a.view();
+  const PostMesh b = mesh_b.view();
   CHECK(check_pairs(a, b, Pose::translated(1300, 100, 200)) > 10);
   const Rotation turn = rotation_of({3, 1, 2, -1});
   const std::int32_t cells[3] = {1400, 50, 100};
@@ -79,16 +79,16 @@ TEST_CASE("contact: a pair is placed where the pose's definition puts it, met or
   const bake::LatticeMesh mesh_b = torus(7, 5, 500, 200);
   const Baked baked_a = baked(mesh_a);
   const Baked baked_b = baked(mesh_b);
-  const PostTree a = baked_a.view();
-  const PostTree b = baked_b.view();
+  const PostMesh a = baked_a.view();
+  const PostMesh b = baked_b.view();
   const Rotation turn = rotation_of({3, 1, 2, -1});
   const std::int32_t cells[3] = {9000, 50, 100};  // far from A
   const Pose pose = Pose::rigid(turn.entry, cells);
   const auto of_b = placed_triangles(mesh_b, pose);
   for (std::uint16_t i = 0; i < b.triangle_count; ++i) {
-    PlacedTriangle placed_a;
-    PlacedTriangle placed_b;
-    REQUIRE(place_pair(a, b, pose, {0, i}, placed_a, placed_b));
+    Triangle placed_a;
+    Triangle placed_b;
+    REQUIRE(transform_pair(a, b, pose, {0, i}, placed_a, placed_b));
     for (Point& corner : placed_b.corner) {
       corner = {corner.x + a.origin[0], corner.y + a.origin[1], corner.z + a.origin[2]};
     }
@@ -98,16 +98,16 @@ TEST_CASE("contact: a pair is placed where the pose's definition puts it, met or
 
 TEST_CASE("contact: a pair that no query reports is refused", "[contact]") {
   const Baked baked_a = baked(ring());
-  const PostTree a = baked_a.view();
-  PostTree b = a;
+  const PostMesh a = baked_a.view();
+  PostMesh b = a;
   const Pose pose = Pose::translated(0, 0, 0);
   const auto count = a.triangle_count;
   const auto last = static_cast<std::uint16_t>(count - 1);
-  PlacedTriangle placed[2];
-  CHECK(place_pair(a, b, pose, {last, last}, placed[0], placed[1]));
-  CHECK_FALSE(place_pair(a, b, pose, {count, 0}, placed[0], placed[1]));
-  CHECK_FALSE(place_pair(a, b, pose, {0, count}, placed[0], placed[1]));
-  CHECK_FALSE(place_pair(a, b, Pose::translated(INT32_MAX, 0, 0), {0, 0}, placed[0], placed[1]));
+  Triangle placed[2];
+  CHECK(transform_pair(a, b, pose, {last, last}, placed[0], placed[1]));
+  CHECK_FALSE(transform_pair(a, b, pose, {count, 0}, placed[0], placed[1]));
+  CHECK_FALSE(transform_pair(a, b, pose, {0, count}, placed[0], placed[1]));
+  CHECK_FALSE(transform_pair(a, b, Pose::translated(INT32_MAX, 0, 0), {0, 0}, placed[0], placed[1]));
   b.cell_bits ^= 1;
-  CHECK_FALSE(place_pair(a, b, pose, {0, 0}, placed[0], placed[1]));
+  CHECK_FALSE(transform_pair(a, b, pose, {0, 0}, placed[0], placed[1]));
 }

@@ -10,6 +10,7 @@
 #include "support/rotations.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {

@@ -10,6 +10,7 @@
 #include "support/rotations.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -61,7 +62,7 @@ TEST_CASE("every rotation of a cube is exact, and the identity is a translation"
     }
     if (wholes == 3 && !identity) {
       ++exact;
-      CHECK(pose.defect() == 0);
+      CHECK(pose.matrix().defect == 0);
     }
   }
   CHECK(exact > 20);

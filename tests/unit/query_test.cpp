@@ -6,15 +6,16 @@
 
 #include "bake/baked_tree.hpp"
 #include "flashbvh/query.hpp"
-#include "flashbvh/traversal/alternating_stack.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked_stack.hpp"
-#include "flashbvh/traversal/stackless_post.hpp"
-#include "flashbvh/traversal/volume_stack.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
 #include "support/queries.hpp"
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -47,8 +48,8 @@ Scene any_scene(Random& random, std::uint32_t most) {
   return scene;
 }
 
-PlacedTriangle placed(const bake::LatticeMesh& mesh, std::uint32_t triangle, const Pose& pose) {
-  PlacedTriangle placed{};
+Triangle placed(const bake::LatticeMesh& mesh, std::uint32_t triangle, const Pose& pose) {
+  Triangle placed{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vertex& v = mesh.vertices[mesh.triangles[triangle][i]];
     placed.corner[i] = {v.x + mesh.origin[0] + pose.translation(0),
@@ -82,9 +83,9 @@ bool same(const Counts& a, const Counts& b) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a query finds exactly the pairs that brute force finds", "", Ranked<PostTree>,
-                   RankedStack<PostTree>, StacklessPost, Leaf<PostTree>, VolumeStack<PostTree>,
-                   AlternatingStack<LevelledPostTree>) {
+TEMPLATE_TEST_CASE("a query finds exactly the pairs that brute force finds", "", Ranked<PostMesh>,
+                   RankedStack<PostMesh>, StacklessPost, Leaf<PostMesh>, VolumeStack<PostMesh>,
+                   AlternatingStack<LevelledPostMesh>) {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed);
@@ -104,7 +105,7 @@ TEMPLATE_TEST_CASE("a query finds exactly the pairs that brute force finds", "",
 }
 
 TEMPLATE_TEST_CASE("however a query is cut into runs, it gives the same pairs in the same order",
-                   "", Ranked<PostTree>, StacklessPost, Leaf<PostTree>, VolumeStack<PostTree>) {
+                   "", Ranked<PostMesh>, StacklessPost, Leaf<PostMesh>, VolumeStack<PostMesh>) {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 1);
@@ -189,7 +190,7 @@ TEST_CASE("each way to ask wrongly has its own status") {
   SECTION("a stack that is too short") {
     const std::uint32_t needed = stack_entries(a.stack_need, b.stack_need);
     std::vector<PairCursor<std::uint16_t>> entries(needed);
-    using VolumeQuery = Query<VolumeStack<PostTree>>;
+    using VolumeQuery = Query<VolumeStack<PostMesh>>;
     CHECK(VolumeQuery(a, b, scene.pose, {entries.data(), needed}).status() == Status::suspended);
     CHECK(VolumeQuery(a, b, scene.pose, {entries.data(), needed - 1}).status() ==
           Status::stack_too_small);

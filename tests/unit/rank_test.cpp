@@ -2,9 +2,10 @@
 #include <catch2/catch.hpp>
 
 #include "bake/rank.hpp"
-#include "flashbvh/tree.hpp"
+#include "flashbvh/mesh.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using bake::BuildTree;
 
 namespace {

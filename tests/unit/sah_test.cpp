@@ -10,6 +10,7 @@
 #include "support/torus.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 using bake::BuildNode;
 using bake::BuildTree;

@@ -10,6 +10,7 @@
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
@@ -50,9 +51,8 @@ Run run(std::uint64_t seed, std::uint32_t depth) {
   PairStack<std::uint16_t> stack(entries.data(), static_cast<std::uint32_t>(entries.size()));
   while (stack.size() != 0) {
     Stack before = copy_of(stack);
-    Budget budget = {1, 0, false};
-    (void)AlternatingStack<LevelledPreTree>::run(a, b, TranslatedOverlap(3, -5, 8), stack, budget,
-                                                 [](std::uint32_t, std::uint32_t) { return true; });
+    (void)walk_from<AlternatingStack<LevelledPreMesh>>(
+        a, b, TranslatedBound(3, -5, 8), stack, [](std::uint32_t, std::uint32_t) { return true; }, 1);
     const NodePair popped = before.back();
     before.pop_back();
     run.iterations.push_back({popped, before, copy_of(stack)});
@@ -136,7 +136,7 @@ TEST_CASE("property 6.3: when the stack is empty, all collisions have been found
     }
     std::sort(visited.begin(), visited.end());
     REQUIRE(std::adjacent_find(visited.begin(), visited.end()) == visited.end());
-    const TranslatedOverlap overlap(3, -5, 8);
+    const TranslatedBound overlap(3, -5, 8);
     for (std::uint32_t i = 0; i < run.trees.a.nodes.size(); ++i) {
       for (std::uint32_t j = 0; j < run.trees.b.nodes.size(); ++j) {
         const auto& a = run.trees.a.nodes[i];

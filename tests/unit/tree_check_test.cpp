@@ -7,9 +7,11 @@
 #include <set>
 
 #include "bake/baked_tree.hpp"
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace {
 
@@ -106,7 +108,7 @@ bool passes(Baked<layout>& baked, const Fields& fields) {
         field[3] != 0 ? static_cast<std::uint16_t>(kLeaf | baked.leaf_count++) : ranks;
   }
   baked.triangles.assign(baked.leaf_count, {{0, 1, 2}});
-  baked.sources.assign(baked.leaf_count, 0);
+  baked.triangle_ids.assign(baked.leaf_count, 0);
   return passes(baked);
 }
 
@@ -182,8 +184,8 @@ TEMPLATE_TEST_CASE_SIG("leaves own all triangles, in order, each at least one", 
       for (std::uint16_t k = 0; k <= 7; ++k) {
         for (std::uint16_t end = 0; end <= 7; ++end) {
           auto baked = good;
-          baked.leaf_firsts = {i, j, k, end};
-          baked.leaf_firsts.shrink_to_fit();
+          baked.leaf_offsets = {i, j, k, end};
+          baked.leaf_offsets.shrink_to_fit();
           const bool sound = i == 0 && i < j && j < k && k < end && end == 6;
           REQUIRE(passes(baked) == sound);
           passed += sound ? 1 : 0;
@@ -198,11 +200,11 @@ TEMPLATE_TEST_CASE_SIG("more or fewer leaves than counted are refused", "",
                        ((Layout layout), layout), Layout::pre_indexed, Layout::post_indexed) {
   auto fewer = three_leaves<layout>();
   fewer.leaf_count = 2;
-  fewer.leaf_firsts = std::vector<std::uint16_t>{0, 2, 6};
+  fewer.leaf_offsets = std::vector<std::uint16_t>{0, 2, 6};
   CHECK_FALSE(passes(fewer));
   auto more = three_leaves<layout>();
   more.leaf_count = 4;
-  more.leaf_firsts = std::vector<std::uint16_t>{0, 2, 4, 6, 6};
+  more.leaf_offsets = std::vector<std::uint16_t>{0, 2, 4, 6, 6};
   CHECK_FALSE(passes(more));
 }
 

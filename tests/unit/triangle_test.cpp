@@ -1,6 +1,6 @@
 // The triangle test against known answers, against its own symmetries and, on the host, against an
 // oracle that proves each answer. FLASHBVH_SEED replays a run.
-#include "flashbvh/triangle.hpp"
+#include "flashbvh/detail/triangle.hpp"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -15,8 +15,8 @@ namespace flashbvh::test {
 namespace {
 
 struct Pair {
-  PlacedTriangle a;
-  PlacedTriangle b;
+  Triangle a;
+  Triangle b;
 };
 
 Point plus(const Point& p, const Point& q) {
@@ -26,18 +26,18 @@ Point times(int32_t n, const Point& p) {
   return {n * p.x, n * p.y, n * p.z};
 }
 
-PlacedTriangle moved(const PlacedTriangle& t, const Point& by) {
+Triangle moved(const Triangle& t, const Point& by) {
   return {{plus(t.corner[0], by), plus(t.corner[1], by), plus(t.corner[2], by)}};
 }
 
 /// Whether all 36 orders of corners, each in both orders of arguments, give the expected answer.
-bool all_orders_answer(bool expected, const PlacedTriangle& a, const PlacedTriangle& b) {
+bool all_orders_answer(bool expected, const Triangle& a, const Triangle& b) {
   constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
   for (const auto& i : kOrders) {
     for (const auto& j : kOrders) {
-      const PlacedTriangle p = {{a.corner[i[0]], a.corner[i[1]], a.corner[i[2]]}};
-      const PlacedTriangle q = {{b.corner[j[0]], b.corner[j[1]], b.corner[j[2]]}};
-      if (triangles_intersect(p, q) != expected || triangles_intersect(q, p) != expected) {
+      const Triangle p = {{a.corner[i[0]], a.corner[i[1]], a.corner[i[2]]}};
+      const Triangle q = {{b.corner[j[0]], b.corner[j[1]], b.corner[j[2]]}};
+      if (detail::triangles_intersect(p, q) != expected || detail::triangles_intersect(q, p) != expected) {
         return false;
       }
     }
@@ -45,7 +45,7 @@ bool all_orders_answer(bool expected, const PlacedTriangle& a, const PlacedTrian
   return true;
 }
 
-PlacedTriangle turned(const PlacedTriangle& t) {
+Triangle turned(const Triangle& t) {
   const Point* const c = t.corner;
   return {{{c[0].y, c[0].z, c[0].x}, {c[1].y, c[1].z, c[1].x}, {c[2].y, c[2].z, c[2].x}}};
 }
@@ -53,13 +53,13 @@ PlacedTriangle turned(const PlacedTriangle& t) {
 struct Case {
   const char* name;
   bool meet;
-  PlacedTriangle a;
-  PlacedTriangle b;
+  Triangle a;
+  Triangle b;
 };
 
-constexpr PlacedTriangle kFloor = {{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}};
-constexpr PlacedTriangle kSegment = {{{0, 0, 0}, {4, 4, 4}, {8, 8, 8}}};
-constexpr PlacedTriangle kPoint = {{{2, 2, 2}, {2, 2, 2}, {2, 2, 2}}};
+constexpr Triangle kFloor = {{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}};
+constexpr Triangle kSegment = {{{0, 0, 0}, {4, 4, 4}, {8, 8, 8}}};
+constexpr Triangle kPoint = {{{2, 2, 2}, {2, 2, 2}, {2, 2, 2}}};
 
 constexpr Case kCrossing[] = {
     {"an edge pierces the face", true, kFloor, {{{2, 2, -3}, {2, 2, 3}, {9, 9, 3}}}},
@@ -173,8 +173,8 @@ Point random_point(Random& random, int32_t size) {
 }
 
 /// A triangle, sometimes a segment or a point, within [0, size] along each axis.
-PlacedTriangle random_triangle(Random& random, int32_t size) {
-  PlacedTriangle t;
+Triangle random_triangle(Random& random, int32_t size) {
+  Triangle t;
   for (Point& corner : t.corner) {
     corner = random_point(random, size);
   }
@@ -195,7 +195,7 @@ Pair random_coplanar(Random& random, int32_t size) {
   const Point v = random_point(random, step);
   const int32_t line = random.below(4) == 0 ? 0 : 3;
   Pair pair;
-  for (PlacedTriangle* t : {&pair.a, &pair.b}) {
+  for (Triangle* t : {&pair.a, &pair.b}) {
     for (Point& corner : t->corner) {
       corner = plus(o, plus(times(random.between(0, 3), u), times(random.between(0, line), v)));
     }
@@ -219,7 +219,7 @@ Pair random_touching(Random& random, int32_t size) {
           {{start, end, random_point(random, size)}}};
 }
 
-constexpr int32_t kSizes[] = {1, 2, 3, 5, 24, 1000, 32767, 32768, 65535, kMaxDifference};
+constexpr int32_t kSizes[] = {1, 2, 3, 5, 24, 1000, 32767, 32768, 65535, detail::kMaxDifference};
 
 /// Any kind of pair; `touching` tells whether it has a common point by construction.
 Pair random_pair(Random& random, bool& touching) {
@@ -246,7 +246,7 @@ Pair random_pair(Random& random, bool& touching) {
 Pair at_the_end(const Pair& pair, bool up) {
   Point end = pair.a.corner[0];
   for (int32_t Point::*axis : {&Point::x, &Point::y, &Point::z}) {
-    for (const PlacedTriangle* t : {&pair.a, &pair.b}) {
+    for (const Triangle* t : {&pair.a, &pair.b}) {
       for (const Point& corner : t->corner) {
         end.*axis = (corner.*axis > end.*axis) == up ? corner.*axis : end.*axis;
       }
@@ -285,7 +285,7 @@ TEST_CASE("the order of corners and of arguments changes nothing", "[triangle]")
   for (uint32_t run = 0; run < kSymmetryPairs; ++run) {
     bool touching = false;
     const Pair pair = random_pair(random, touching);
-    if (!all_orders_answer(triangles_intersect(pair.a, pair.b), pair.a, pair.b)) {
+    if (!all_orders_answer(detail::triangles_intersect(pair.a, pair.b), pair.a, pair.b)) {
       CAPTURE(seed, run);
       FAIL("an order changes the answer");
     }
@@ -298,10 +298,10 @@ TEST_CASE("the place changes nothing, at either end of 32 bits", "[triangle]") {
   for (uint32_t run = 0; run < 4 * kSymmetryPairs; ++run) {
     bool touching = false;
     const Pair pair = random_pair(random, touching);
-    const bool here = triangles_intersect(pair.a, pair.b);
+    const bool here = detail::triangles_intersect(pair.a, pair.b);
     for (const bool up : {false, true}) {
       const Pair there = at_the_end(pair, up);
-      if (triangles_intersect(there.a, there.b) != here) {
+      if (detail::triangles_intersect(there.a, there.b) != here) {
         CAPTURE(seed, run, up);
         FAIL("the place changes the answer");
       }
@@ -315,7 +315,7 @@ TEST_CASE("triangles with a common point by construction meet", "[triangle]") {
   for (uint32_t run = 0; run < 4 * kSymmetryPairs; ++run) {
     bool touching = false;
     const Pair pair = random_pair(random, touching);
-    if (touching && !triangles_intersect(pair.a, pair.b)) {
+    if (touching && !detail::triangles_intersect(pair.a, pair.b)) {
       CAPTURE(seed, run);
       FAIL("a common point is missed");
     }
@@ -327,9 +327,9 @@ TEST_CASE("triangles with a common point by construction meet", "[triangle]") {
 namespace {
 
 /// Whether the library gives the answer that the oracle proves.
-bool agrees(const PlacedTriangle& a, const PlacedTriangle& b) {
+bool agrees(const Triangle& a, const Triangle& b) {
   const Verdict verdict = decide(a, b);
-  return is_proven(verdict, a, b) && triangles_intersect(a, b) == verdict.meets;
+  return is_proven(verdict, a, b) && detail::triangles_intersect(a, b) == verdict.meets;
 }
 
 }  // namespace
@@ -341,7 +341,7 @@ TEST_CASE("every pair of triangles in the unit cube agrees with the oracle", "[t
       return Point{static_cast<int32_t>(bits & 1), static_cast<int32_t>(bits >> 1 & 1),
                    static_cast<int32_t>(bits >> 2 & 1)};
     };
-    return PlacedTriangle{{corner(code), corner(code >> 3), corner(code >> 6)}};
+    return Triangle{{corner(code), corner(code >> 3), corner(code >> 6)}};
   };
   for (uint32_t i = 0; i < 512; ++i) {
     for (uint32_t j = i; j < 512; ++j) {

@@ -114,7 +114,7 @@ void lay_out_nodes(const Order& order, const BuildTree& tree, BakedTree<Index, l
     const std::uint32_t data = build.is_leaf() ? Node<Index>::kLeafFlag | baked.leaf_count++
                                                : (rank[at] << rank_shift) | parent_rank;
     baked.nodes.push_back(
-        {pack(build.box), static_cast<Index>(link[at]), static_cast<Index>(data)});
+        {detail::pack(build.box), static_cast<Index>(link[at]), static_cast<Index>(data)});
     baked.depth = std::max(baked.depth, order.levels[at]);
     baked.stack_need = std::max(baked.stack_need, order.stack_need[at]);
     baked.arity = std::max(baked.arity, static_cast<std::uint32_t>(build.children.size()));
@@ -127,19 +127,19 @@ void lay_out_triangles(const Order& order, const BuildTree& tree, const LatticeM
   for (const std::uint32_t node : order.build_nodes) {
     const auto& triangles = tree.nodes[node].triangles;
     if (tree.nodes[node].is_leaf()) {
-      baked.leaf_firsts.push_back(static_cast<Index>(baked.triangles.size()));
+      baked.leaf_offsets.push_back(static_cast<Index>(baked.triangles.size()));
       baked.leaf_size = std::max(baked.leaf_size, static_cast<std::uint32_t>(triangles.size()));
     }
     for (const std::uint32_t triangle : triangles) {
       const TriangleCorners& corners = mesh.triangles[triangle];
       baked.triangles.push_back({{static_cast<Index>(corners[0]), static_cast<Index>(corners[1]),
                                   static_cast<Index>(corners[2])}});
-      baked.sources.push_back(static_cast<Index>(triangle));
+      baked.triangle_ids.push_back(static_cast<Index>(triangle));
     }
   }
-  baked.leaf_firsts.push_back(static_cast<Index>(baked.triangles.size()));
+  baked.leaf_offsets.push_back(static_cast<Index>(baked.triangles.size()));
   if (baked.leaf_count == baked.triangles.size()) {
-    baked.leaf_firsts.clear();
+    baked.leaf_offsets.clear();
   }
 }
 
@@ -172,12 +172,12 @@ BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh)
 }
 
 template <class Index, Layout layout>
-LevelledTree<Index, layout> BakedTree<Index, layout>::view() const {
-  LevelledTree<Index, layout> tree{};
+LevelledMesh<Index, layout> BakedTree<Index, layout>::view() const {
+  LevelledMesh<Index, layout> tree{};
   tree.nodes = nodes.data();
   tree.triangles = triangles.data();
-  tree.sources = sources.data();
-  tree.leaf_firsts = leaf_firsts.empty() ? nullptr : leaf_firsts.data();
+  tree.triangle_ids = triangle_ids.data();
+  tree.leaf_offsets = leaf_offsets.empty() ? nullptr : leaf_offsets.data();
   tree.vertices = vertices.data();
   tree.node_count = static_cast<Index>(nodes.size());
   tree.leaf_count = static_cast<Index>(leaf_count);

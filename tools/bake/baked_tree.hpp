@@ -7,11 +7,11 @@
 
 #include "bake/build_tree.hpp"
 #include "bake/mesh.hpp"
-#include "flashbvh/levels.hpp"
+#include "flashbvh/mesh.hpp"
 
 namespace flashbvh::bake {
 
-/// The arrays of LevelledTree<Index, layout>, and what is known about them.
+/// The arrays of LevelledMesh<Index, layout>, and what is known about them.
 template <class IndexType, Layout layout>
 struct BakedTree {
   using Index = IndexType;
@@ -21,8 +21,8 @@ struct BakedTree {
   std::vector<Index> levels;
   std::vector<Index> climb;  ///< pre-indexed: parents; post-indexed: right child levels
   std::vector<Corners<Index>> triangles;
-  std::vector<Index> sources;
-  std::vector<Index> leaf_firsts;  ///< empty at one triangle per leaf
+  std::vector<Index> triangle_ids;
+  std::vector<Index> leaf_offsets;  ///< empty at one triangle per leaf
   std::vector<Vertex> vertices;
 
   std::uint32_t leaf_count = 0;
@@ -38,7 +38,7 @@ struct BakedTree {
   std::vector<std::uint32_t> build_nodes;
 
   /// A view into these arrays.
-  LevelledTree<Index, layout> view() const;
+  LevelledMesh<Index, layout> view() const;
 };
 
 /// What an index type can hold.

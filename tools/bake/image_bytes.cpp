@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 
 namespace flashbvh::bake {
@@ -43,13 +44,13 @@ void put(unsigned char* bytes, std::uint64_t offset, const std::vector<Element>&
 
 template <class Index, Layout layout>
 std::uint64_t image_size(const BakedTree<Index, layout>& baked) {
-  return image_offsets(header_of(baked)).end;
+  return detail::image_offsets(header_of(baked)).end;
 }
 
 template <class Index, Layout layout>
 std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>& baked) {
   ImageHeader header = header_of(baked);
-  const ImageOffsets at = image_offsets(header);
+  const detail::ImageOffsets at = detail::image_offsets(header);
   header.byte_count = static_cast<std::uint32_t>(at.end);
   const auto size = static_cast<std::size_t>(at.end);
   std::vector<std::uint32_t> words(size / sizeof(std::uint32_t));
@@ -59,10 +60,10 @@ std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>& baked) {
   put(bytes, at.levels, baked.levels);
   put(bytes, at.climb, baked.climb);
   put(bytes, at.triangles, baked.triangles);
-  put(bytes, at.sources, baked.sources);
-  put(bytes, at.leaf_firsts, baked.leaf_firsts);
+  put(bytes, at.triangle_ids, baked.triangle_ids);
+  put(bytes, at.leaf_offsets, baked.leaf_offsets);
   put(bytes, at.vertices, baked.vertices);
-  header.crc = image_crc(bytes, size);
+  header.crc = detail::image_crc(bytes, size);
   std::memcpy(bytes + offsetof(ImageHeader, crc), &header.crc, sizeof header.crc);
   return words;
 }

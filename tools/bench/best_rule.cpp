@@ -8,15 +8,15 @@
 #include <unordered_map>
 #include <vector>
 
-#include "flashbvh/box.hpp"
+#include "flashbvh/detail/box.hpp"
 
 namespace flashbvh::bench {
 namespace {
 
-std::vector<PackedBox> packed_boxes(const bake::BuildTree& tree) {
-  std::vector<PackedBox> boxes;
+std::vector<detail::PackedBox> packed_boxes(const bake::BuildTree& tree) {
+  std::vector<detail::PackedBox> boxes;
   for (const bake::BuildNode& node : tree.nodes) {
-    boxes.push_back(pack(node.box));
+    boxes.push_back(detail::pack(node.box));
   }
   return boxes;
 }
@@ -56,9 +56,9 @@ class BestRule {
  private:
   const bake::BuildTree& a_;
   const bake::BuildTree& b_;
-  std::vector<PackedBox> boxes_a_;
-  std::vector<PackedBox> boxes_b_;
-  TranslatedOverlap overlap_;
+  std::vector<detail::PackedBox> boxes_a_;
+  std::vector<detail::PackedBox> boxes_b_;
+  detail::TranslatedBound overlap_;
   std::unordered_map<std::uint64_t, std::uint64_t> known_;
 };
 

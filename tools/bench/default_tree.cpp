@@ -2,8 +2,8 @@
 
 #include "bench/best_rule.hpp"
 #include "bench/report.hpp"
-#include "flashbvh/traversal/ranked.hpp"
-#include "flashbvh/traversal/stackless.hpp"
+#include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/paper/stackless.hpp"
 #include "scene/count_query.hpp"
 
 namespace flashbvh::bench {
@@ -40,12 +40,12 @@ double DefaultTreeVisits::ranked_to_best() const {
 }
 
 DefaultTreeResult compare_default_tree(const scene::Setup& setup, Objects& objects) {
-  using Paper = AlternatingStackless<LevelledTree<std::uint32_t, Layout::pre_indexed>>;
+  using Paper = AlternatingStackless<LevelledMesh<std::uint32_t, Layout::pre_indexed>>;
   BakedObject& a = objects.get(setup.a);
   BakedObject& b = objects.get(setup.b);
   const Counts stackless = counts_of<Paper>(a.baked<std::uint32_t>().pre.view(),
                                             b.baked<std::uint32_t>().pre.view(), setup.translation);
-  const Counts ranked = counts_of<Ranked<LargePostTree>>(
+  const Counts ranked = counts_of<Ranked<LargePostMesh>>(
       a.baked_default().view(), b.baked_default().view(), setup.translation);
   return {&setup,
           stackless.triangle_pairs != 0,

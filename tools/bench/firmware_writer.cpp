@@ -101,7 +101,7 @@ void add_tree(tool::FileSet& files, const fs::path& folder, const scene::PaperOb
 }
 
 std::string tree(const scene::PaperObject& object, Layout layout) {
-  return "&" + name_of(object, layout) + "::levelled_tree";
+  return "&" + name_of(object, layout) + "::levelled_mesh";
 }
 
 std::string head(SetupIndex i) {

@@ -1,11 +1,11 @@
 #include "bench/rows.hpp"
 
-#include "flashbvh/traversal/alternating_stack.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked.hpp"
-#include "flashbvh/traversal/ranked_stack.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/volume_stack.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
 #include "scene/count_query.hpp"
 
 namespace flashbvh::bench {
@@ -35,14 +35,14 @@ Row make_row(const char* algorithm, const typename Traversal::Tree& a,
 template <class Index>
 std::vector<Row> rows_of(const BothLayouts<Index>& a, const BothLayouts<Index>& b,
                          const Point& translation) {
-  using LevelledPre = LevelledTree<Index, Layout::pre_indexed>;
-  using LevelledPost = LevelledTree<Index, Layout::post_indexed>;
-  using Post = Tree<Index, Layout::post_indexed>;
+  using LevelledPre = LevelledMesh<Index, Layout::pre_indexed>;
+  using LevelledPost = LevelledMesh<Index, Layout::post_indexed>;
+  using Post = Mesh<Index, Layout::post_indexed>;
   const LevelledPre pre_a = a.pre.view();
   const LevelledPre pre_b = b.pre.view();
   const LevelledPost post_a = a.post.view();
   const LevelledPost post_b = b.post.view();
-  using Pre = Tree<Index, Layout::pre_indexed>;
+  using Pre = Mesh<Index, Layout::pre_indexed>;
   return {
       make_row<VolumeStack<Pre>>("volume-stack", pre_a, pre_b, translation),
       make_row<AlternatingStack<LevelledPre>>("alternating-stack", pre_a, pre_b, translation),

@@ -3,12 +3,12 @@
 #include <type_traits>
 
 #include "flashbvh/query.hpp"
-#include "flashbvh/traversal/alternating_stack.hpp"
-#include "flashbvh/traversal/leaf.hpp"
-#include "flashbvh/traversal/ranked.hpp"
-#include "flashbvh/traversal/ranked_stack.hpp"
-#include "flashbvh/traversal/stackless.hpp"
-#include "flashbvh/traversal/volume_stack.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -62,7 +62,7 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
 template <class Levelled>
 Answer run_named(const Levelled& a, const Levelled& b, const Pose& pose,
                  const std::string& algorithm, bool first) {
-  using Plain = Tree<typename Levelled::Index, Levelled::kLayout>;
+  using Plain = Mesh<typename Levelled::Index, Levelled::kLayout>;
   if (algorithm == "volume-stack") {
     return run<VolumeStack<Plain>>(a, b, pose, first);
   }

@@ -110,7 +110,7 @@ std::string too_many(const bake::LatticeMesh& mesh, const bake::BuildTree& tree)
 /// Gives the triangles the numbers that they have in the file.
 template <class Index, Layout layout>
 void renumber(bake::BakedTree<Index, layout>& baked, const TriangleNumbers& kept) {
-  for (Index& source : baked.sources) {
+  for (Index& source : baked.triangle_ids) {
     source = static_cast<Index>(kept[source]);
   }
 }

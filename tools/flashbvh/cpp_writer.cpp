@@ -63,17 +63,17 @@ struct Kind {
   static constexpr bool kLarge = sizeof(Index) == 4;
   static constexpr const char* kIndex = kLarge ? "uint32_t" : "uint16_t";
 
-  static std::string tree() { return name(""); }
+  static std::string mesh() { return name(""); }
   static std::string levelled() { return name("Levelled"); }
 
   /// Bytes of the two structs on a 32-bit core.
-  static constexpr std::size_t kTreeBytes = kLarge ? 64 : 56;
-  static constexpr std::size_t kLevelledBytes = kTreeBytes + 8;
+  static constexpr std::size_t kMeshBytes = kLarge ? 64 : 56;
+  static constexpr std::size_t kLevelledBytes = kMeshBytes + 8;
 
  private:
   static std::string name(const char* prefix) {
     return std::string("flashbvh::") + (kLarge ? "Large" : "") + prefix + (kPre ? "Pre" : "Post") +
-           "Tree";
+           "Mesh";
   }
 };
 
@@ -90,9 +90,9 @@ std::string constant(const char* name, std::size_t value, const char* comment) {
 
 template <class Index, Layout layout>
 std::string constants(const bake::BakedTree<Index, layout>& baked, const std::string& unit) {
-  using TreeKind = Kind<Index, layout>;
+  using MeshKind = Kind<Index, layout>;
   const std::size_t levels =
-      TreeKind::kLevelledBytes + bytes_of(baked.levels) + bytes_of(baked.climb);
+      MeshKind::kLevelledBytes + bytes_of(baked.levels) + bytes_of(baked.climb);
   return constant("kNodeCount", baked.nodes.size(), "of the tree") +
          constant("kDepth", baked.depth, "of the deepest leaf; the root has depth 0") +
          constant("kStackNeed", baked.stack_need, "see flashbvh::stack_entries()") +
@@ -101,8 +101,8 @@ std::string constants(const bake::BakedTree<Index, layout>& baked, const std::st
          constant("kArity", baked.arity, "most children of a node; 0 if the root is a leaf") +
          constant("kTriangleCount", baked.triangles.size(), "that were kept of the mesh file") +
          constant("kVertexCount", baked.vertices.size(), "on the lattice, joined") +
-         constant("kFlashBytes", flash_bytes(baked), "what `tree` links, on a 32-bit core") +
-         constant("kLevelBytes", levels, "what `levelled_tree` adds to that") +
+         constant("kFlashBytes", flash_bytes(baked), "what `mesh` links, on a 32-bit core") +
+         constant("kLevelBytes", levels, "what `levelled_mesh` adds to that") +
          "constexpr double kCell = " + floating_literal(baked.cell) + ";  ///< in " +
          (unit.empty() ? "the mesh's unit" : unit) + "\n" +
          "constexpr float kCellsPerUnit = " + float_literal(1 / baked.cell) +
@@ -124,26 +124,25 @@ std::string version_guard(const OutputName& name) {
 template <class Index, Layout layout>
 std::string header(const bake::BakedTree<Index, layout>& baked, const OutputName& name,
                    const std::string& unit) {
-  using TreeKind = Kind<Index, layout>;
+  using MeshKind = Kind<Index, layout>;
   const std::string guard = "FLASHBVH_BAKED_" + name.identifier + "_HPP";
   return "// Written by `flashbvh bake`; bake again instead of changing it.\n"
          "#ifndef " +
          guard + "\n#define " + guard +
          "\n\n"
          "#include <stdint.h>\n\n"
-         "#include \"flashbvh/levels.hpp\"\n"
-         "#include \"flashbvh/tree.hpp\"\n"
+         "#include \"flashbvh/mesh.hpp\"\n"
          "#include \"flashbvh/version.hpp\"\n\n" +
          version_guard(name) + "\nnamespace " + name.identifier + " {\n\n" +
          constants(baked, unit) +
          "\n/// For every query but the alternating ones.\n"
          "extern const " +
-         TreeKind::tree() +
-         " tree;\n"
+         MeshKind::mesh() +
+         " mesh;\n"
          "/// The same with what alternating-stack and stackless need beside it.\n"
          "extern const " +
-         TreeKind::levelled() +
-         " levelled_tree;\n\n"
+         MeshKind::levelled() +
+         " levelled_mesh;\n\n"
          "}  // namespace " +
          name.identifier + "\n\n#endif\n";
 }
@@ -153,19 +152,18 @@ std::string view(const bake::BakedTree<Index, layout>& baked) {
   std::uint64_t cell_bits = 0;
   std::memcpy(&cell_bits, &baked.cell, sizeof cell_bits);
   const auto count = [](std::size_t value) { return text_of(static_cast<Index>(value)); };
-  return std::string("{kNodes, kTriangles, kSources, ") +
-         (baked.leaf_firsts.empty() ? "nullptr" : "kLeafFirsts") + ", kVertices,\n    " +
-         count(baked.nodes.size()) + ", " + count(baked.leaf_count) + ", " +
-         count(baked.triangles.size()) + ", " + count(baked.vertices.size()) + ", " +
-         count(baked.stack_need) + ",\n    {" + std::to_string(baked.origin[0]) + ", " +
-         std::to_string(baked.origin[1]) + ", " + std::to_string(baked.origin[2]) + "}, " +
-         hex(cell_bits, 16) + "}";
+  return "{{kNodes, " + count(baked.nodes.size()) + ", " + count(baked.leaf_count) + ", " +
+         count(baked.stack_need) + "},\n    kTriangles, kTriangleIds, " +
+         (baked.leaf_offsets.empty() ? "nullptr" : "kLeafOffsets") + ", kVertices,\n    " +
+         count(baked.triangles.size()) + ", " + count(baked.vertices.size()) + ",\n    {" +
+         std::to_string(baked.origin[0]) + ", " + std::to_string(baked.origin[1]) + ", " +
+         std::to_string(baked.origin[2]) + "}, " + hex(cell_bits, 16) + "}";
 }
 
 template <class Index, Layout layout>
 std::string source(const bake::BakedTree<Index, layout>& baked, const OutputName& name) {
-  using TreeKind = Kind<Index, layout>;
-  const std::string index = TreeKind::kIndex;
+  using MeshKind = Kind<Index, layout>;
+  const std::string index = MeshKind::kIndex;
   const std::string element = "flashbvh::Node<" + index + ">";
   const std::string corners = "flashbvh::Corners<" + index + ">";
   std::string text =
@@ -174,16 +172,16 @@ std::string source(const bake::BakedTree<Index, layout>& baked, const OutputName
       name.stem + ".fbvh.hpp\"\n\nnamespace " + name.identifier + " {\nnamespace {\n\n";
   text += array(element, "kNodes", baked.nodes) + "\n";
   text += array(corners, "kTriangles", baked.triangles) + "\n";
-  text += array(index, "kSources", baked.sources) + "\n";
-  if (!baked.leaf_firsts.empty()) {
-    text += array(index, "kLeafFirsts", baked.leaf_firsts) + "\n";
+  text += array(index, "kTriangleIds", baked.triangle_ids) + "\n";
+  if (!baked.leaf_offsets.empty()) {
+    text += array(index, "kLeafOffsets", baked.leaf_offsets) + "\n";
   }
   text += array("flashbvh::Vertex", "kVertices", baked.vertices) + "\n";
-  const char* const climb = TreeKind::kPre ? "kParents" : "kRightChildLevels";
+  const char* const climb = MeshKind::kPre ? "kParents" : "kRightChildLevels";
   text += array(index, "kLevels", baked.levels) + "\n" + array(index, climb, baked.climb);
   text += "\n}  // namespace\n\n";
-  text += "const " + TreeKind::tree() + " tree = " + view(baked) + ";\n\n";
-  text += "const " + TreeKind::levelled() + " levelled_tree = {\n    " + view(baked) +
+  text += "const " + MeshKind::mesh() + " mesh = " + view(baked) + ";\n\n";
+  text += "const " + MeshKind::levelled() + " levelled_mesh = {\n    " + view(baked) +
           ",\n    kLevels, " + climb + "};\n\n";
   return text + "}  // namespace " + name.identifier + "\n";
 }
@@ -192,8 +190,8 @@ std::string source(const bake::BakedTree<Index, layout>& baked, const OutputName
 
 template <class Index, Layout layout>
 std::size_t flash_bytes(const bake::BakedTree<Index, layout>& baked) {
-  return Kind<Index, layout>::kTreeBytes + bytes_of(baked.nodes) + bytes_of(baked.triangles) +
-         bytes_of(baked.sources) + bytes_of(baked.leaf_firsts) + bytes_of(baked.vertices);
+  return Kind<Index, layout>::kMeshBytes + bytes_of(baked.nodes) + bytes_of(baked.triangles) +
+         bytes_of(baked.triangle_ids) + bytes_of(baked.leaf_offsets) + bytes_of(baked.vertices);
 }
 
 template <class Index, Layout layout>

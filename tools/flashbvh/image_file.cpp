@@ -41,11 +41,11 @@ Status open_as(const void* bytes, std::size_t size, AnyTree& any) {
 Status open_any(const void* bytes, std::size_t size, const ImageHeader& header, AnyTree& any) {
   const bool pre = header.layout == static_cast<std::uint8_t>(Layout::pre_indexed);
   if (header.index_bits == 16) {
-    return pre ? open_as<LevelledPreTree>(bytes, size, any)
-               : open_as<LevelledPostTree>(bytes, size, any);
+    return pre ? open_as<LevelledPreMesh>(bytes, size, any)
+               : open_as<LevelledPostMesh>(bytes, size, any);
   }
-  return pre ? open_as<LargeLevelledPreTree>(bytes, size, any)
-             : open_as<LargeLevelledPostTree>(bytes, size, any);
+  return pre ? open_as<LargeLevelledPreMesh>(bytes, size, any)
+             : open_as<LargeLevelledPostMesh>(bytes, size, any);
 }
 
 double double_of(const std::uint32_t (&words)[2]) {
@@ -92,7 +92,7 @@ std::vector<SourceTriangle> source_triangles(const ImageFile& image) {
       [](const auto& tree) {
         std::vector<SourceTriangle> all(tree.triangle_count);
         for (std::uint32_t i = 0; i < tree.triangle_count; ++i) {
-          all[i].number = tree.sources[i];
+          all[i].number = tree.triangle_ids[i];
           for (std::size_t corner = 0; corner < 3; ++corner) {
             all[i].vertices[corner] = tree.triangles[i].corner[corner];
           }

@@ -14,7 +14,7 @@ namespace flashbvh::tool {
 
 /// Whatever the layout and the width of the indices.
 using AnyTree =
-    std::variant<LevelledPreTree, LevelledPostTree, LargeLevelledPreTree, LargeLevelledPostTree>;
+    std::variant<LevelledPreMesh, LevelledPostMesh, LargeLevelledPreMesh, LargeLevelledPostMesh>;
 
 /// An image in memory, opened and found good by the library.
 class ImageFile {

@@ -22,7 +22,7 @@ struct Bounds {
 Bounds bounds_of(const AnyTree& any) {
   return std::visit(
       [](const auto& tree) {
-        const Box box = unpack(tree.nodes[0].box);
+        const detail::Box box = detail::unpack(tree.nodes[0].box);
         const auto& origin = tree.origin;
         return Bounds{{std::int64_t{origin[0]} + box.lower.x, std::int64_t{origin[1]} + box.lower.y,
                        std::int64_t{origin[2]} + box.lower.z},

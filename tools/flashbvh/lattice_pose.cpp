@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "flashbvh/numbers.hpp"
-#include "flashbvh/rotated_placement.hpp"
+#include "flashbvh/detail/rotated_transform.hpp"
 #include "flashbvh/user_error.hpp"
 
 namespace flashbvh::tool {
@@ -90,11 +90,11 @@ template <class Tree>
 std::vector<LatticePoint> turned_vertices(const Tree& b, const Pose& pose) {
   const std::array<std::int32_t, 3> near = lattice_point_near(pose, b.origin);
   const std::int32_t origin[3] = {near[0], near[1], near[2]};
-  RotatedPlacement placement{};
+  detail::RotatedTransform placement{};
   placement.prepare(pose, origin, b.nodes[0].box, b.origin, b.nodes[0].box, false);
   std::vector<LatticePoint> vertices;
   for (std::uint32_t i = 0; i < b.vertex_count; ++i) {
-    const Point p = placement.place(b.vertices[i]);
+    const Point p = placement.transform(b.vertices[i]);
     vertices.push_back(
         {std::int64_t{p.x} + near[0], std::int64_t{p.y} + near[1], std::int64_t{p.z} + near[2]});
   }

@@ -36,14 +36,14 @@ std::string solid(const Projected& start, const Projected& x, const Projected& y
          "m" + numbers(x.x, x.y) + line(z, true);
 }
 
-std::string path_of(const Box& box, const Projection& projection) {
+std::string path_of(const detail::Box& box, const Projection& projection) {
   const Projected x = projection.turn({box.upper.x - box.lower.x, 0, 0});
   const Projected y = projection.turn({0, box.upper.y - box.lower.y, 0});
   const Projected z = projection.turn({0, 0, box.upper.z - box.lower.z});
   return solid(projection.place({box.lower.x, box.lower.y, box.upper.z}), x, y, z);
 }
 
-std::string flat_path_of(const Box& box, const Projection& projection) {
+std::string flat_path_of(const detail::Box& box, const Projection& projection) {
   const Projected low = projection.place(box.lower);
   const Projected high = projection.place(box.upper);
   return rectangle(low, {high.x - low.x, 0, 0}, {0, high.y - low.y, 0});
@@ -66,13 +66,13 @@ std::vector<Level> drawn_levels(const tool::AnyTree& any, const TreeShape& shape
   return levels;
 }
 
-std::string box_lines(const Level& level, std::size_t place, const View& view, const Box& root) {
+std::string box_lines(const Level& level, std::size_t place, const View& view, const detail::Box& root) {
   constexpr std::int64_t margin = kPictureMargin * kDrawingSide / kPictureSide;
   const Projection projection(view, root, kDrawingSide, margin);
   const bool flat = is_along_axis(view);
   std::array<std::string, kColours> paths;
   for (std::size_t i = 0; i < level.boxes.size(); ++i) {
-    const Box& box = level.boxes[i].box;
+    const detail::Box& box = level.boxes[i].box;
     paths[i % kColours] += flat ? flat_path_of(box, projection) : path_of(box, projection);
   }
   std::string svg = "<g class=\"L L" + std::to_string(place) +

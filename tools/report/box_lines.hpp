@@ -29,7 +29,7 @@ constexpr std::int64_t kDrawingSide = 4800;
 
 /// A group of SVG paths; the style shows it by its `place` in the list of levels. `root`: the
 /// mesh's box.
-std::string box_lines(const Level& level, std::size_t place, const View& view, const Box& root);
+std::string box_lines(const Level& level, std::size_t place, const View& view, const detail::Box& root);
 
 }  // namespace flashbvh::report
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/numbers.hpp"
 #include "report/html.hpp"
 
@@ -15,14 +16,14 @@ struct Part {
 };
 
 std::vector<Part> parts_of(const ImageHeader& header) {
-  const ImageOffsets at = image_offsets(header);
+  const detail::ImageOffsets at = detail::image_offsets(header);
   const bool pre = header.layout == static_cast<std::uint8_t>(Layout::pre_indexed);
   const std::vector<Part> all = {
       {"nodes", "boxes, links and ranks", at.levels - at.nodes},
-      {"triangles", "three vertex numbers each", at.sources - at.triangles},
+      {"triangles", "three vertex numbers each", at.triangle_ids - at.triangles},
       {"vertices", "three coordinates each", at.end - at.vertices},
-      {"sources", "triangle numbers of the mesh file", at.leaf_firsts - at.sources},
-      {"leaf table", "the first triangle of each leaf", at.vertices - at.leaf_firsts},
+      {"sources", "triangle numbers of the mesh file", at.leaf_offsets - at.triangle_ids},
+      {"leaf table", "the first triangle of each leaf", at.vertices - at.leaf_offsets},
       {"levels", "for the paper&#39;s alternating rule alone", at.climb - at.levels},
       {pre ? "parents" : "right child levels", "likewise", at.triangles - at.climb},
       {"header", "counts, cell and checksum", at.nodes},

@@ -38,7 +38,7 @@ std::string key_figures(const Subject& subject) {
 
 std::string size_of(const Subject& subject) {
   const double cell = subject.image.cell();
-  const Box& box = subject.box;
+  const detail::Box& box = subject.box;
   const auto side = [&](int low, int high) { return length_of((high - low) * cell); };
   return side(box.lower.x, box.upper.x) + " &times; " + side(box.lower.y, box.upper.y) +
          " &times; " + side(box.lower.z, box.upper.z);

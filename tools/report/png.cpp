@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "report/deflate.hpp"
 
@@ -21,7 +22,7 @@ std::string big_endian(std::uint32_t value) {
 std::string chunk(const std::string& name, const std::string& data) {
   const std::string body = name + data;
   return big_endian(static_cast<std::uint32_t>(data.size())) + body +
-         big_endian(crc32(body.data(), body.size()));
+         big_endian(detail::crc32(body.data(), body.size()));
 }
 
 /// Each row behind the byte that says "not filtered".

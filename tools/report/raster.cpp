@@ -143,7 +143,7 @@ std::vector<Colour> palette() {
 
 }  // namespace
 
-Picture picture_of(const TriangleSoup& triangles, const View& view, const Box& box) {
+Picture picture_of(const TriangleSoup& triangles, const View& view, const detail::Box& box) {
   constexpr std::int64_t scale = kSamples * kFine;
   const Projection projection(view, box, kPictureSide * scale, kPictureMargin * scale);
   Canvas canvas;

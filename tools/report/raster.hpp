@@ -20,7 +20,7 @@ constexpr std::int64_t kPictureMargin = 8;
 
 /// The mesh on a transparent ground, in greys that are seen on white and on black. `box`: the
 /// mesh's. Triangles seen from the edge are drawn as lines, so that nothing is invisible.
-Picture picture_of(const TriangleSoup& triangles, const View& view, const Box& box);
+Picture picture_of(const TriangleSoup& triangles, const View& view, const detail::Box& box);
 
 }  // namespace flashbvh::report
 

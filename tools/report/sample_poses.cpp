@@ -65,7 +65,7 @@ PoseSampler::PoseSampler(const tool::AnyTree& a, const tool::AnyTree& b)
 PoseSampler::Place PoseSampler::place_of(const tool::AnyTree& any) {
   return std::visit(
       [](const auto& tree) {
-        const Box box = unpack(tree.nodes[0].box);
+        const detail::Box box = detail::unpack(tree.nodes[0].box);
         const Vector lower = {box.lower.x, box.lower.y, box.lower.z};
         const Vector upper = {box.upper.x, box.upper.y, box.upper.z};
         Place place{};

@@ -20,7 +20,7 @@ struct Subject {
   std::string name;
   TreeShape shape;
   TriangleSoup triangles;
-  Box box;
+  detail::Box box;
   /// What is odd about the lattice mesh: a sentence each, as HTML.
   std::vector<std::string> warnings;
 };

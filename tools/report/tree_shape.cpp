@@ -56,7 +56,7 @@ std::vector<NodeBox> boxes_at(const tool::AnyTree& any, std::uint32_t depth) {
         std::vector<NodeBox> boxes;
         for (std::uint32_t i = 0; i < tree.node_count; ++i) {
           if (tree.level(i) == depth) {
-            boxes.push_back({unpack(tree.nodes[i].box), tree.nodes[i].is_leaf()});
+            boxes.push_back({detail::unpack(tree.nodes[i].box), tree.nodes[i].is_leaf()});
           }
         }
         return boxes;

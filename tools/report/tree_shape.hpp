@@ -23,7 +23,7 @@ TreeShape shape_of(const tool::AnyTree& any);
 
 /// A box of the tree and whether it is a leaf's.
 struct NodeBox {
-  Box box;
+  detail::Box box;
   bool is_leaf;
 };
 

@@ -18,7 +18,7 @@ struct Range {
 };
 
 /// What the box takes up along a direction.
-Range range_along(const Vector& direction, const Box& box) {
+Range range_along(const Vector& direction, const detail::Box& box) {
   const std::array<Range, 3> sides = {
       {{box.lower.x, box.upper.x}, {box.lower.y, box.upper.y}, {box.lower.z, box.upper.z}}};
   Range range = {0, 0};
@@ -51,7 +51,7 @@ const std::array<View, 4>& views() {
   return all;
 }
 
-Projection::Projection(const View& view, const Box& box, std::int64_t side, std::int64_t margin)
+Projection::Projection(const View& view, const detail::Box& box, std::int64_t side, std::int64_t margin)
     : view_(view), side_(side), room_(side - 2 * margin) {
   const Range x = range_along(view.right, box);
   const Range y = range_along(view.up, box);

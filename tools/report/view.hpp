@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "flashbvh/box.hpp"
+#include "flashbvh/detail/box.hpp"
 
 namespace flashbvh::report {
 
@@ -38,7 +38,7 @@ struct Projected {
 class Projection {
  public:
   /// `side`: of the picture; `margin`: what stays free round the box.
-  Projection(const View& view, const Box& box, std::int64_t side, std::int64_t margin);
+  Projection(const View& view, const detail::Box& box, std::int64_t side, std::int64_t margin);
 
   Projected place(const Vertex& vertex) const;
   /// A direction in the picture's measure.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "flashbvh/query.hpp"
-#include "flashbvh/traversal/stack_walk.hpp"
+#include "flashbvh/paper/pair_stack.hpp"
 
 namespace flashbvh::scene {
 
@@ -15,7 +15,7 @@ namespace flashbvh::scene {
 template <class Traversal>
 class WalkStart {
   using Cursor = typename Traversal::Cursor;
-  using Entry = PairCursor<typename Traversal::Tree::Index>;
+  using Entry = detail::PairCursor<typename Traversal::Tree::Index>;
 
  public:
   WalkStart(const typename Traversal::Tree& a, const typename Traversal::Tree& b) {

@@ -12,25 +12,25 @@
 namespace flashbvh {
 
 /// The answer to yes or no. After an error `yes` is true: what can't be told may collide.
-struct Answer {
+struct [[nodiscard]] Answer {
   Status status;
   bool yes;
 };
 
 /// A number of pairs; 0 after an error.
-struct PairCount {
+struct [[nodiscard]] PairCount {
   Status status;
   uint32_t pairs;
 };
 
-/// The query that a kind of tree has by default.
+/// The query that a kind of mesh has by default.
 template <class Index>
-using DefaultQuery = Query<Ranked<Tree<Index, Layout::post_indexed>>>;
+using DefaultQuery = Query<Ranked<Mesh<Index, Layout::post_indexed>>>;
 
 /// The first pair that the query finds, in `found`, which is written only if there is one.
 template <class Index>
-Answer first_pair(const Tree<Index, Layout::post_indexed>& a,
-                  const Tree<Index, Layout::post_indexed>& b, const Pose& pose,
+Answer first_pair(const Mesh<Index, Layout::post_indexed>& a,
+                  const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
                   TrianglePair<Index>& found) {
   DefaultQuery<Index> query(a, b, pose);
   const Step step = query.run(UINT32_MAX, &found, 1);
@@ -40,8 +40,8 @@ Answer first_pair(const Tree<Index, Layout::post_indexed>& a,
 
 /// Whether any two triangles meet; ends at the first pair that does.
 template <class Index>
-Answer intersects(const Tree<Index, Layout::post_indexed>& a,
-                  const Tree<Index, Layout::post_indexed>& b, const Pose& pose) {
+Answer intersects(const Mesh<Index, Layout::post_indexed>& a,
+                  const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) {
   TrianglePair<Index> found;
   return first_pair(a, b, pose, found);
 }
@@ -49,8 +49,8 @@ Answer intersects(const Tree<Index, Layout::post_indexed>& a,
 /// Hands each pair that meets to `visit(pair)`, in the query's order, until it returns false.
 /// `done` at the end, `full` if `visit` said no more.
 template <class Index, class Visitor>
-Status for_each_pair(const Tree<Index, Layout::post_indexed>& a,
-                     const Tree<Index, Layout::post_indexed>& b, const Pose& pose,
+Status for_each_pair(const Mesh<Index, Layout::post_indexed>& a,
+                     const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
                      Visitor&& visit) {
   DefaultQuery<Index> query(a, b, pose);
   return query.run(UINT32_MAX, visit);
@@ -58,8 +58,8 @@ Status for_each_pair(const Tree<Index, Layout::post_indexed>& a,
 
 /// How many pairs of triangles meet.
 template <class Index>
-PairCount count_pairs(const Tree<Index, Layout::post_indexed>& a,
-                      const Tree<Index, Layout::post_indexed>& b, const Pose& pose) {
+PairCount count_pairs(const Mesh<Index, Layout::post_indexed>& a,
+                      const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) {
   uint32_t pairs = 0;
   const Status status = for_each_pair(a, b, pose, [&pairs](const TrianglePair<Index>&) {
     ++pairs;
@@ -70,8 +70,8 @@ PairCount count_pairs(const Tree<Index, Layout::post_indexed>& a,
 
 /// The first `capacity` pairs that meet. `done`: these are all; `full`: there may be more.
 template <class Index>
-Step find_pairs(const Tree<Index, Layout::post_indexed>& a,
-                const Tree<Index, Layout::post_indexed>& b, const Pose& pose,
+Step find_pairs(const Mesh<Index, Layout::post_indexed>& a,
+                const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
                 TrianglePair<Index>* found, uint32_t capacity) {
   DefaultQuery<Index> query(a, b, pose);
   return query.run(UINT32_MAX, found, capacity);

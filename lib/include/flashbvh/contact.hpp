@@ -7,7 +7,9 @@
 
 #include <stdint.h>
 
-#include "flashbvh/triangle.hpp"
+#include "flashbvh/detail/transform.hpp"
+#include "flashbvh/lattice.hpp"
+#include "flashbvh/query.hpp"
 
 namespace flashbvh {
 
@@ -17,7 +19,7 @@ constexpr int32_t kFineOne = 256;
 /// Largest difference along one axis between two corners of one triangle, in cells. Meshes keep
 /// within it under any pose: 2 * 16,383 * sqrt(3) = 56,753, and a cell for rounding.
 constexpr int32_t kMaxContactSpan = 57000;
-/// Largest magnitude of a corner's coordinate, in cells: what RotatedPlacement keeps to.
+/// Largest magnitude of a corner's coordinate, in cells: what transformed vertices keep to.
 constexpr int32_t kMaxContactCoordinate = 80000;
 
 /// A point in the frame of mesh A, in 1/256 cell: within +-2^25.
@@ -69,15 +71,49 @@ struct Contact {
 /// Stack: 270 bytes on Cortex-M3 and M4 at -O2, the contact itself, 80 bytes, not counted.
 ///
 /// Source: the common line as in Guigue and Devillers (triangle.hpp).
-Contact contact_of(const PlacedTriangle& a, const PlacedTriangle& b) noexcept;
+[[nodiscard]] Contact contact_of(const Triangle& a, const Triangle& b) noexcept;
 
 /// The same of the pair that `query` reported last: where Query::last_pair() may be asked.
 template <class Query>
-Contact contact_of_last(const Query& query) {
-  PlacedTriangle a;
-  PlacedTriangle b;
+[[nodiscard]] Contact contact_of_last(const Query& query) {
+  Triangle a;
+  Triangle b;
   query.last_pair(a, b);
   return contact_of(a, b);
+}
+
+/// The position in the mesh of a triangle, by its id; triangle_count if there is none.
+template <class Mesh>
+uint32_t position_of(const Mesh& mesh, uint32_t id) {
+  uint32_t position = 0;
+  while (position < mesh.triangle_count && mesh.triangle_ids[position] != id) {
+    ++position;
+  }
+  return position;
+}
+
+/// The triangles of a reported pair at any later time, where a query on `a` and `b` under `pose`
+/// has them: in cells from A's origin, for contact_of(). False, and nothing is written, if the pose
+/// is in error, the cells differ or an id isn't in its mesh; whether the triangles intersect is not
+/// asked. A rotated B that is farther off than 48,000 cells is put at that distance, where it
+/// intersects nothing.
+///
+/// Cost: looks through the ids of both meshes, in flash, one by one; then prepares the pose as a
+/// query does. Query::last_pair() has neither to do.
+template <class Mesh>
+[[nodiscard]] bool transform_pair(const Mesh& a, const Mesh& b, const Pose& pose,
+                                  const TrianglePair<typename Mesh::Index>& pair,
+                                  Triangle& triangle_a, Triangle& triangle_b) {
+  const uint32_t of_a = position_of(a, pair.a);
+  const uint32_t of_b = position_of(b, pair.b);
+  if (pose.status() != Status::done || a.cell_bits != b.cell_bits || of_a == a.triangle_count ||
+      of_b == b.triangle_count) {
+    return false;
+  }
+  const detail::Transform transform(pose, a, b, /*may_stop=*/false);
+  detail::translate_triangle(a, of_a, detail::kNoOffset, triangle_a);
+  detail::transform_triangle(b, of_b, transform, triangle_b);
+  return true;
 }
 
 }  // namespace flashbvh

@@ -21,7 +21,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "flashbvh/byte_order.h"
+#include "flashbvh/detail/byte_order.h"
 #include "flashbvh/status.h"
 #include "flashbvh/version.hpp" /* macros alone: C as well as C++ */
 
@@ -38,13 +38,13 @@ extern "C" {
 /* Trees ---------------------------------------------------------------------------------------- */
 
 /** A baked mesh, opened: a view of its image. 56 bytes on a 32-bit core, 72 on a 64-bit one. */
-typedef struct flashbvh_tree {
+typedef struct flashbvh_mesh {
   union {
     unsigned char bytes[4 * sizeof(void*) + 40];
     uint64_t word;
     void* pointer;
   } opaque;
-} flashbvh_tree;
+} flashbvh_mesh;
 
 /**
  * Opens the image that `flashbvh bake --format image` wrote, in place, in flash. `image` starts at
@@ -56,13 +56,13 @@ typedef struct flashbvh_tree {
  * IMAGE_KIND.
  */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_open(const void* image, size_t size,
-                                                 flashbvh_tree* tree);
+                                                 flashbvh_mesh* mesh);
 
 /** Triangles of the mesh that the image has. */
-uint32_t flashbvh_tree_triangles(const flashbvh_tree* tree);
+uint32_t flashbvh_mesh_triangles(const flashbvh_mesh* mesh);
 
 /** The cell in the mesh's unit, as the bits of an IEEE binary64: copy them into a `double`. */
-uint64_t flashbvh_tree_cell(const flashbvh_tree* tree);
+uint64_t flashbvh_mesh_cell(const flashbvh_mesh* mesh);
 
 /* Poses ---------------------------------------------------------------------------------------- */
 
@@ -72,13 +72,13 @@ uint64_t flashbvh_tree_cell(const flashbvh_tree* tree);
 /** Largest magnitude of a translation, in cells. */
 #define FLASHBVH_MAX_TRANSLATION ((int32_t)1 << 29)
 
-/** B's point p lies at rotation * p + translation in A's frame. 104 bytes.
+/** B's point p lies at rotation * p + translation in A's frame. 68 bytes.
  *
  * Checked when it is made. A pose that can't be is kept as an error, which every query on it
  * returns, and every pose made of it; so the statuses of the makers may be left unread. */
 typedef struct flashbvh_pose {
   union {
-    unsigned char bytes[104];
+    unsigned char bytes[68];
     uint32_t word;
   } opaque;
 } flashbvh_pose;
@@ -154,10 +154,10 @@ typedef struct flashbvh_triangle {
   flashbvh_point corner[3];
 } flashbvh_triangle;
 
-/** A query and all its memory. 96 bytes on a 32-bit core, 112 on a 64-bit one. */
+/** A query and all its memory. 124 bytes on a 32-bit core, 144 on a 64-bit one. */
 typedef struct flashbvh_query {
   union {
-    unsigned char bytes[4 * sizeof(void*) + 80];
+    unsigned char bytes[4 * sizeof(void*) + 108];
     uint32_t word;
     void* pointer;
   } opaque;
@@ -170,8 +170,8 @@ typedef struct flashbvh_query {
  * SUSPENDED if there is something to run. CELL_MISMATCH, or the pose's status, which every run
  * returns again.
  */
-flashbvh_status flashbvh_query_start(flashbvh_query* query, const flashbvh_tree* a,
-                                     const flashbvh_tree* b, const flashbvh_pose* pose);
+flashbvh_status flashbvh_query_start(flashbvh_query* query, const flashbvh_mesh* a,
+                                     const flashbvh_mesh* b, const flashbvh_pose* pose);
 
 /** What the last run returned, but SUSPENDED for FULL: there may be something left to do. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_query_status(const flashbvh_query* query);
@@ -212,25 +212,25 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_query_resume(flashbvh_query* query,
 
 /** Whether any two triangles meet; ends at the first pair that does. After an error `yes` is true:
  * what can't be told may collide. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects(const flashbvh_tree* a,
-                                                       const flashbvh_tree* b,
+FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects(const flashbvh_mesh* a,
+                                                       const flashbvh_mesh* b,
                                                        const flashbvh_pose* pose, bool* yes);
 
 /** The same, and that pair in `found`, which is written only if there is one. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_first_pair(const flashbvh_tree* a,
-                                                       const flashbvh_tree* b,
+FLASHBVH_NODISCARD flashbvh_status flashbvh_first_pair(const flashbvh_mesh* a,
+                                                       const flashbvh_mesh* b,
                                                        const flashbvh_pose* pose, bool* yes,
                                                        flashbvh_pair* found);
 
 /** How many pairs of triangles meet; 0 after an error. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_count_pairs(const flashbvh_tree* a,
-                                                        const flashbvh_tree* b,
+FLASHBVH_NODISCARD flashbvh_status flashbvh_count_pairs(const flashbvh_mesh* a,
+                                                        const flashbvh_mesh* b,
                                                         const flashbvh_pose* pose, uint32_t* pairs);
 
 /** The first `capacity` pairs that meet, their number in `count`. DONE: these are all; FULL: there
  * may be more. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_find_pairs(const flashbvh_tree* a,
-                                                       const flashbvh_tree* b,
+FLASHBVH_NODISCARD flashbvh_status flashbvh_find_pairs(const flashbvh_mesh* a,
+                                                       const flashbvh_mesh* b,
                                                        const flashbvh_pose* pose,
                                                        flashbvh_pair* pairs, uint32_t capacity,
                                                        uint32_t* count);
@@ -239,8 +239,8 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_find_pairs(const flashbvh_tree* a,
 typedef bool flashbvh_visitor(flashbvh_pair pair, void* context);
 
 /** Hands each pair that meets to `visit`, in the query's order, until it returns false: FULL. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_pair(const flashbvh_tree* a,
-                                                          const flashbvh_tree* b,
+FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_pair(const flashbvh_mesh* a,
+                                                          const flashbvh_mesh* b,
                                                           const flashbvh_pose* pose,
                                                           flashbvh_visitor* visit, void* context);
 

@@ -6,11 +6,10 @@
 #include "flashbvh/contact.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/lattice.hpp"
-#include "flashbvh/place_pair.hpp"
+#include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
 #include "flashbvh/query.hpp"
 #include "flashbvh/status.hpp"
-#include "flashbvh/tree.hpp"
 #include "flashbvh/version.hpp"
 
 #endif

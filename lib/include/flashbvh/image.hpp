@@ -8,8 +8,8 @@
 //     parents (pre-indexed) or right child levels (post-indexed)
 //                           node_count      x index
 //     triangles             triangle_count  x 3 indices, in order of their leaves
-//     sources               triangle_count  x index
-//     leaf_firsts           leaf_count + 1  x index; absent if leaf_count = triangle_count
+//     triangle ids          triangle_count  x index
+//     leaf_offsets           leaf_count + 1  x index; absent if leaf_count = triangle_count
 //     vertices              vertex_count    x 3 x 16 bits
 //
 // Little-endian. lib/docs/format.md has every bit.
@@ -19,7 +19,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "flashbvh/levels.hpp"
+#include "flashbvh/mesh.hpp"
 #include "flashbvh/status.hpp"
 
 namespace flashbvh {
@@ -27,8 +27,8 @@ namespace flashbvh {
 constexpr uint32_t kImageMagic = 0x48564246u;  // "FBVH"
 constexpr uint16_t kImageVersion = 1;
 
-/// Largest magnitude of an origin, in cells: the arithmetic of a rotation (rotated_placement.hpp)
-/// turns origins, too.
+/// Largest magnitude of an origin, in cells: the arithmetic of a rotation
+/// (detail/rotated_transform.hpp) rotates origins, too.
 constexpr int32_t kMaxOrigin = 1 << 29;
 /// Most triangles in a leaf: what one visit can cost, and a pair of leaves counts its pairs of
 /// triangles in 32 bits.
@@ -56,48 +56,21 @@ struct ImageHeader {
 
 static_assert(sizeof(ImageHeader) == 72, "the figure in the format's description");
 
-/// Where the arrays lie, in bytes from the start of the image; what an image of this header needs.
-/// 64 bits, so that no header makes a sum wrap.
-struct ImageOffsets {
-  uint64_t nodes, levels, climb, triangles, sources, leaf_firsts, vertices, end;
-};
-ImageOffsets image_offsets(const ImageHeader& header);
-
-/// CRC-32 (IEEE 802.3, reflected, as in zlib) of `size` bytes, going on from `crc` (0 at first).
-/// No table: about 50 instructions a byte.
-uint32_t crc32(const void* bytes, size_t size, uint32_t crc = 0);
-
-/// The checksum that an image's header must hold.
-uint32_t image_crc(const void* bytes, size_t size);
-
 /// Checks magic, version and size, and copies the header: tells what kind of image it is, not
 /// whether its contents can be trusted.
 Status read_image_header(const void* bytes, size_t size, ImageHeader& header);
 
-/// Opens an image in place: `bytes` must start at a multiple of 4 and outlive `tree`.
+/// Opens an image in place: `bytes` must start at a multiple of 4 and outlive `mesh`.
 ///
 /// Checks all of it in linear time and constant memory: checksum; links that go forward and nest;
 /// levels, ranks and the header's figures as the tree's shape makes them; indices in range; each
-/// node's box in its parent's, each triangle in its leaf's. `tree` is written only on `done`; every
+/// node's box in its parent's, each triangle in its leaf's. `mesh` is written only on `done`; every
 /// query on it then stays inside the image and ends.
 ///
-/// Bytes behind the image, if `size` has more than the header says, are not looked at. TreeType:
-/// LevelledPreTree, LevelledPostTree or their Large kin; another kind of image gives `image_kind`.
-template <class TreeType>
-Status open_image(const void* bytes, size_t size, TreeType& tree);
-
-/// What follows from a tree's contents; the header repeats it.
-struct TreeShape {
-  uint32_t depth;
-  uint32_t stack_need;
-  uint32_t leaf_size;
-  uint32_t arity;
-};
-
-/// The check of a tree's contents on its own. `done`, with what was found in `shape`, or
-/// `image_invalid`. Its counts and arrays are there; nothing else needs to be right.
-template <class TreeType>
-Status check_tree(const TreeType& tree, TreeShape& shape);
+/// Bytes behind the image, if `size` has more than the header says, are not looked at. MeshType:
+/// LevelledPreMesh, LevelledPostMesh or their Large kin; another kind of image gives `image_kind`.
+template <class MeshType>
+Status open_image(const void* bytes, size_t size, MeshType& mesh);
 
 }  // namespace flashbvh
 

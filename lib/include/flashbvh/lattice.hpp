@@ -12,7 +12,7 @@ namespace flashbvh {
 /// Largest magnitude of a baked coordinate, in cells: 15-bit coordinates in 16-bit fields.
 ///
 /// The spare bit lets the sum of two box bounds stay in 16 bits, so that packed arithmetic neither
-/// wraps nor saturates (box.hpp), and lets a rotated mesh stay inside 16 bits
+/// wraps nor saturates (detail/box.hpp), and lets a rotated mesh stay inside 16 bits
 /// (16,383 * sqrt(3) = 28,377).
 constexpr int32_t kMaxCoordinate = 16383;
 
@@ -23,11 +23,18 @@ struct Vertex {
   int16_t z;
 };
 
-/// A placed vertex: cells in the frame of mesh A, wide enough for any pose.
+/// A transformed vertex: cells in the frame of mesh A, wide enough for any pose.
 struct Point {
   int32_t x;
   int32_t y;
   int32_t z;
+};
+
+/// A triangle in the frame of mesh A, in cells.
+///
+/// Its corners may lie on one line or in one point: rounding to the lattice does that.
+struct Triangle {
+  Point corner[3];
 };
 
 static_assert(sizeof(Vertex) == 6, "vertices are packed three halfwords");

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/split_matrix.hpp"
+#include "flashbvh/detail/split_matrix.hpp"
 #include "flashbvh/status.hpp"
 
 namespace flashbvh {
@@ -22,21 +22,24 @@ constexpr int32_t kRotationTolerance = kRotationOne >> 13;
 /// wide.
 constexpr int32_t kMaxTranslation = 1 << 29;
 
-/// B's point p, in cells of B's frame, lies at rotation * p + translation in A's frame. 104 bytes:
-/// all that a query needs and that depends on the pose alone is worked out here, once.
+/// B's point p, in cells of B's frame, lies at rotation * p + translation in A's frame. 68 bytes.
 ///
 /// Checked when it is made, so that a query need not: a pose that can't be is kept as an error,
-/// which every query on it returns, and every pose made of it.
+/// which every query on it returns, and every pose made of it. Constant once made: queries, tasks
+/// and interrupts may share it; to write one while another reads it takes a lock of the caller's.
+///
+/// Instructions on a Cortex-M4 at -O2, which lib/docs/figures.md has for every core: rigid() 550,
+/// relative() 1,000, composed() and inverse() less. Stack: at most 200 bytes.
 class Pose {
  public:
-  /// B moved, not turned. Cells: the mesh's unit divided by the cell, rounded. Beyond
+  /// B translated, not rotated. Cells: the mesh's unit divided by the cell, rounded. Beyond
   /// +-kMaxTranslation the pose's status is `translation_out_of_range`.
   static constexpr Pose translated(int32_t x, int32_t y, int32_t z) { return Pose(x, y, z); }
 
-  /// B turned and moved. `rotation`: row by row, kRotationOne is 1; kept to 2^-22. `cells`: the
-  /// translation, rounded to whole cells; `fraction`: what rounding left, in 1/65,536 of a cell,
-  /// -32,768 to 32,767. A matrix further than kRotationTolerance from a rotation, or a mirroring
-  /// one, gives `not_a_rotation`; within it is used as it is, not mended.
+  /// B rotated and translated. `rotation`: row by row, kRotationOne is 1; kept to 2^-22. `cells`:
+  /// the translation, rounded to whole cells; `fraction`: what rounding left, in 1/65,536 of a
+  /// cell, -32,768 to 32,767. A matrix further than kRotationTolerance from a rotation, or a
+  /// mirroring one, gives `not_a_rotation`; within it is used as it is, not mended.
   static Pose rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
                     const int16_t (&fraction)[3]);
   static Pose rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]);
@@ -49,10 +52,8 @@ class Pose {
   /// A in B's frame from B in A's: the transposed matrix.
   Pose inverse() const;
 
-  /// B in A's frame from both in the world's.
-  static Pose relative(const Pose& world_a, const Pose& world_b) {
-    return composed(world_a.inverse(), world_b);
-  }
+  /// B in A's frame from both in the world's; rounded once, as composed().
+  static Pose relative(const Pose& world_a, const Pose& world_b);
 
   /// `done` if queries can use the pose, else why not.
   constexpr Status status() const { return status_; }
@@ -63,39 +64,28 @@ class Pose {
   constexpr int32_t fraction(int axis) const { return fraction_[axis]; }
   /// kRotationOne is 1. `row` and `column`: 0 to 2.
   constexpr int32_t rotation(int row, int column) const {
-    return fine(row, column) * (1 << (30 - kFineBits));
+    if (!rotated_) {
+      return row == column ? kRotationOne : 0;
+    }
+    int32_t entry[3] = {};
+    matrix_.get_row(row, entry[0], entry[1], entry[2]);
+    return entry[column] * (1 << (30 - detail::kRotationBits));
   }
 
   /// Whether the rotation is exactly the identity.
-  constexpr bool is_translation() const { return !turned_; }
+  constexpr bool is_translation() const { return !rotated_; }
 
-  /// What turned poses alone have.
-  ///
-  /// The rotation with kSplitBits fraction bits, for boxes: `rows` turn B's into A's frame,
-  /// `columns` A's into B's.
-  constexpr const SplitMatrix& rows() const { return matrix_.rows; }
-  constexpr const SplitMatrix& columns() const { return matrix_.columns; }
-  /// What `rows` lack of the full rotation, in 2^-22: -128 to 127.
-  constexpr int32_t rest(int row, int column) const { return matrix_.rest[row][column]; }
-  /// How far R^T R is from the identity at most, entry by entry: 24 fraction bits, rounded up.
-  constexpr uint32_t defect() const { return matrix_.defect; }
+  /// For the library: the rotation, of a pose that has one.
+  constexpr const detail::RotationMatrix& matrix() const { return matrix_; }
 
  private:
-  /// Fraction bits kept of a rotation.
-  static constexpr unsigned kFineBits = 22;
-
-  struct Matrix {
-    SplitMatrix rows;
-    SplitMatrix columns;
-    int8_t rest[3][3];
-    uint16_t defect;
-  };
+  using Entries = int32_t[3][3];  ///< with kRotationBits fraction bits
 
   constexpr Pose(int32_t x, int32_t y, int32_t z)
       : none_(),
         cells_{x, y, z},
         fraction_{0, 0, 0},
-        turned_(false),
+        rotated_(false),
         status_(in_range(x) && in_range(y) && in_range(z) ? Status::done
                                                           : Status::translation_out_of_range) {}
 
@@ -104,29 +94,25 @@ class Pose {
     return static_cast<uint32_t>(t) + most <= 2 * most;
   }
 
-  /// An entry of the rotation, with kFineBits fraction bits.
-  constexpr int32_t fine(int row, int column) const {
-    if (!turned_) {
-      return row == column ? 1 << kFineBits : 0;
-    }
-    const SplitRow& r = matrix_.rows.row[row];
-    const int32_t coarse = column == 0 ? r.x() : column == 1 ? r.y() : r.z_entry();
-    return coarse * (1 << (kFineBits - kSplitBits)) + matrix_.rest[row][column];
-  }
+  constexpr uint32_t defect() const { return rotated_ ? matrix_.defect : 0; }
 
-  /// With kFineBits fraction bits.
-  void set_rotation(const int32_t (&rotation)[3][3]);
-  /// A component of the translation: cells, and 1/65,536 of cells, both with kFineBits fraction
-  /// bits.
-  void set_translation(int axis, int64_t cells, int64_t fractions);
+  void get_rotation(Entries& entries) const;
+  void get_transposed(Entries& entries) const;
+  void set_rotation(const Entries& entries, uint32_t defect);
+  /// A product of rotations with these defects: proven anew only where their sum is much.
+  void set_product(const Entries& left, const Entries& right, uint32_t defects);
+  void refuse(Status status) { status_ = status_ == Status::done ? status : status_; }
+  /// left * (cells, fraction), and what it is added to.
+  void set_translation(const Entries& left, const int32_t (&cells)[3], const int32_t (&fraction)[3],
+                       const Pose* added_to);
 
   union {
-    Matrix matrix_;  ///< if turned
+    detail::RotationMatrix matrix_;  ///< if rotated
     char none_;
   };
   int32_t cells_[3];
   int16_t fraction_[3];
-  bool turned_;
+  bool rotated_;
   Status status_;
 };
 

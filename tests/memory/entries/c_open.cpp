@@ -4,5 +4,5 @@
 extern "C" void c_open(void* arguments) {
   auto& in = *static_cast<memory::Arguments*>(arguments);
   in.status = static_cast<uint8_t>(
-      flashbvh_open(in.image, in.image_size, reinterpret_cast<flashbvh_tree*>(in.opened.bytes)));
+      flashbvh_open(in.image, in.image_size, reinterpret_cast<flashbvh_mesh*>(in.opened.bytes)));
 }

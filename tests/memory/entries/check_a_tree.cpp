@@ -1,8 +1,10 @@
 // check_tree() on its own.
+#include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "memory/arguments.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 extern "C" void check_a_tree(void* arguments) {
   auto& in = *static_cast<memory::Arguments*>(arguments);

@@ -1,6 +1,6 @@
 // open_image(): every check of a post-indexed image.
 #include "flashbvh/image.hpp"
-#include "flashbvh/levels.hpp"
+#include "flashbvh/mesh.hpp"
 #include "memory/arguments.hpp"
 
 using namespace flashbvh;
@@ -8,5 +8,5 @@ using namespace flashbvh;
 extern "C" void open_an_image(void* arguments) {
   auto& in = *static_cast<memory::Arguments*>(arguments);
   in.status = static_cast<uint8_t>(
-      open_image(in.image, in.image_size, *reinterpret_cast<LevelledPostTree*>(in.opened.bytes)));
+      open_image(in.image, in.image_size, *reinterpret_cast<LevelledPostMesh*>(in.opened.bytes)));
 }

@@ -1,12 +1,12 @@
 // The triangles of a reported pair, placed again by their source numbers.
-#include "flashbvh/place_pair.hpp"
+#include "flashbvh/contact.hpp"
 #include "memory/arguments.hpp"
 
 using namespace flashbvh;
 
 extern "C" void place_a_pair(void* arguments) {
   auto& in = *static_cast<memory::Arguments*>(arguments);
-  in.answer = place_pair<PostTree>(*in.a, *in.b, *in.pose, in.found[0], in.placed[0], in.placed[1])
+  in.answer = place_pair<PostMesh>(*in.a, *in.b, *in.pose, in.found[0], in.placed[0], in.placed[1])
                   ? 1u
                   : 0u;
 }

@@ -6,5 +6,5 @@ using namespace flashbvh;
 
 extern "C" void rigid_query(void* arguments) {
   auto& in = *static_cast<memory::Arguments*>(arguments);
-  memory::make_or_run<Query<Ranked<PostTree>>>(in, *in.a, *in.b);
+  memory::make_or_run<Query<Ranked<PostMesh>>>(in, *in.a, *in.b);
 }

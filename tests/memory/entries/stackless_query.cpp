@@ -1,8 +1,9 @@
 // The paper's stackless algorithm as a query.
-#include "flashbvh/traversal/stackless.hpp"
+#include "flashbvh/paper/stackless.hpp"
 #include "memory/query_entry.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 extern "C" void stackless_query(void* arguments) {
   auto& in = *static_cast<memory::Arguments*>(arguments);

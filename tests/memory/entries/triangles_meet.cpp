@@ -1,8 +1,9 @@
 // triangles_intersect(): the exact test alone.
-#include "flashbvh/triangle.hpp"
+#include "flashbvh/detail/triangle.hpp"
 #include "memory/arguments.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 extern "C" void triangles_meet(void* arguments) {
   auto& in = *static_cast<memory::Arguments*>(arguments);

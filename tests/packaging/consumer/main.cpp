@@ -9,7 +9,7 @@ namespace {
 bool touches(double height) {
   const auto cells = static_cast<int32_t>(height / plate::kCell);
   const auto pose = flashbvh::Pose::translated(0, 0, cells);
-  flashbvh::PairQuery query(plate::tree, peg::tree, pose);
+  flashbvh::PairQuery query(plate::mesh, peg::mesh, pose);
   flashbvh::PairQuery::Pair found[8];
   return query.run(0xFFFF, found).count != 0;
 }

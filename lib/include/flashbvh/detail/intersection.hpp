@@ -1,0 +1,30 @@
+// The question of PairQuery: which triangles intersect.
+//
+// A question is what a query asks of a walk's pairs. It is a small class with
+//     kDisjointRootsEnd       whether nothing matters where the root boxes are disjoint
+//     translated(transform)   a bound for the walk under a translation
+//     rotated(transform)      one under a rotation, which may have a state: a run's own
+//     test(a, b)              whether two triangles in A's frame are an answer
+// Bounds are the question's to widen; a test may only say yes where they do not say no.
+#ifndef FLASHBVH_DETAIL_INTERSECTION_HPP
+#define FLASHBVH_DETAIL_INTERSECTION_HPP
+
+#include "flashbvh/detail/box_rotated.hpp"
+#include "flashbvh/detail/transform.hpp"
+#include "flashbvh/detail/triangle.hpp"
+
+namespace flashbvh::detail {
+
+struct Intersection {
+  static constexpr bool kDisjointRootsEnd = true;
+
+  const TranslatedBound& translated(const TranslatedTransform& transform) const {
+    return transform.bound;
+  }
+  RotatedBound rotated(const RotatedTransform& transform) const { return RotatedBound(transform); }
+  bool test(const Triangle& a, const Triangle& b) const { return triangles_intersect(a, b); }
+};
+
+}  // namespace flashbvh::detail
+
+#endif

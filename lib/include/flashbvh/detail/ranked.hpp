@@ -1,0 +1,133 @@
+// Ranked: stackless, in the order of a dynamic rule.
+//
+// Every internal node has a rank that never grows from a parent to its child (a quantised size of
+// its box); leaves have none. The rule: descend into the node of the larger rank, into A on a tie.
+//
+// Invariant: at every visited pair rank(a) < rank(parent of b) and rank(b) <= rank(parent of a). So
+// on the way from the roots the walk descended through exactly the proper ancestors of a and of b,
+// in merged order of rank, A's before B's on ties: the ancestor descended into last is the one of
+// smaller rank among parent(a) and parent(b), B's on a tie, and the pair after (a, b) is a function
+// of the pair. A root's missing parent counts as kRootParentRank, above every real rank, so a root
+// is left last, and the walk is over when both nodes are roots.
+//
+// Post-indexed trees only. Each ascent undoes a descent: constant time a visit, amortised.
+#ifndef FLASHBVH_DETAIL_RANKED_HPP
+#define FLASHBVH_DETAIL_RANKED_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/walk.hpp"
+#include "flashbvh/mesh.hpp"
+
+namespace flashbvh {
+
+template <class TreeType>
+class Ranked {
+  using Index = typename TreeType::Index;
+  using NodeType = Node<Index>;
+  static_assert(TreeType::kLayout == Layout::post_indexed, "ranked walks post-indexed trees");
+
+ public:
+  using Tree = TreeType;
+  using Cursor = detail::PairCursor<Index>;
+  static constexpr bool kStartsAtRoots = true;
+
+  static Cursor nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor; }
+  /// Any pair: what comes after it is a function of it.
+  static bool can_visit(const Tree&, const Tree&, const Cursor&) { return true; }
+
+  Ranked(const Tree& a, const Tree& b, const Cursor& cursor) : a_(a, cursor.a), b_(b, cursor.b) {}
+
+  const NodeType& node_a() const { return *a_.node; }
+  const NodeType& node_b() const { return *b_.node; }
+  uint32_t index_a() const { return a_.index(); }
+  uint32_t index_b() const { return b_.index(); }
+
+  bool descend() {
+    const int32_t rank_a = a_.node->rank();
+    const int32_t rank_b = b_.node->rank();
+    if (rank_a < rank_b) {
+      if (rank_b > 0) {
+        b_.descend(rank_b);
+        return true;
+      }
+    } else if (rank_a > 0) {
+      a_.descend(rank_a);
+      return true;
+    }
+    return false;
+  }
+
+  bool next() {
+    for (;;) {
+      if (b_.parent_rank <= a_.parent_rank) {
+        if (b_.next_sibling()) {
+          return true;
+        }
+        if (b_.node == b_.root) {
+          return false;
+        }
+        b_.ascend();
+      } else {
+        if (a_.next_sibling()) {
+          return true;
+        }
+        a_.ascend();
+      }
+    }
+  }
+
+  void store(Cursor& cursor, bool /*ended*/) const { cursor = {a_.index(), b_.index()}; }
+
+ private:
+  /// Where the walk is in one of the trees.
+  struct Side {
+    const NodeType* root;
+    const NodeType* node;
+    int32_t parent_rank;
+
+    Side(const Tree& tree, Index index)
+        : root(tree.nodes), node(tree.nodes + index), parent_rank(find_parent_rank(tree, index)) {}
+
+    Index index() const { return static_cast<Index>(node - root); }
+
+    void descend(int32_t rank) {
+      parent_rank = rank;
+      node = root + node[1].link;
+    }
+
+    /// To the next sibling; false, and nowhere, if there is none. A root has none.
+    bool next_sibling() {
+      const NodeType* const next = root + node->link;
+      if (next < node) {
+        node = next;
+        return true;
+      }
+      return false;
+    }
+
+    /// From a last child to its parent.
+    void ascend() {
+      --node;
+      parent_rank = node->parent_rank();
+    }
+  };
+
+  /// Of any node, in as many steps as it has later siblings.
+  static int32_t find_parent_rank(const Tree& tree, uint32_t index) {
+    if (index == 0) {
+      return kRootParentRank;
+    }
+    while (tree.nodes[index].link < index) {
+      index = tree.nodes[index].link;
+    }
+    return tree.nodes[index - 1].rank();
+  }
+
+  Side a_;
+  Side b_;
+};
+
+}  // namespace flashbvh
+
+#endif

@@ -1,0 +1,106 @@
+// How a query sees B from A's lattice: translated, or rotated too. Which of the two follows from
+// the pose; a translation never pays for the arithmetic of a rotation.
+#ifndef FLASHBVH_DETAIL_TRANSFORM_HPP
+#define FLASHBVH_DETAIL_TRANSFORM_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/box.hpp"
+#include "flashbvh/detail/rotated_transform.hpp"
+#include "flashbvh/detail/walk.hpp"
+#include "flashbvh/mesh.hpp"
+#include "flashbvh/pose.hpp"
+
+namespace flashbvh::detail {
+
+/// B translated by whole cells.
+struct TranslatedTransform {
+  Point offset;           ///< from B's lattice to A's; both count from their own origins
+  TranslatedBound bound;  ///< set by Transform::prepare()
+};
+
+/// 92 bytes on a 32-bit core.
+class Transform {
+ public:
+  /// All that follows from a pose, unless `may_stop` and the root boxes tell already that nothing
+  /// can intersect.
+  template <class Mesh>
+  Transform(const Pose& pose, const Mesh& a, const Mesh& b, bool may_stop)
+      : kind_(pose.is_translation() ? Kind::translated : Kind::rotated) {
+    if (kind_ == Kind::translated) {
+      translated_.offset = {offset(pose, a, b, 0), offset(pose, a, b, 1), offset(pose, a, b, 2)};
+    } else if (!rotated_.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box,
+                                 may_stop)) {
+      kind_ = Kind::far_apart;
+    }
+  }
+
+  bool is_rotated() const { return kind_ != Kind::translated; }
+  bool is_far_apart() const { return kind_ == Kind::far_apart; }
+  const TranslatedTransform& translated() const { return translated_; }
+  const RotatedTransform& rotated() const { return rotated_; }
+
+  /// Two objects that are nowhere near each other, the commonest query, are told apart before
+  /// anything is prepared for a walk.
+  template <class Mesh>
+  bool roots_disjoint(const Mesh& a, const Mesh& b) const {
+    const Point& t = translated_.offset;
+    return kind_ == Kind::translated ? boxes_disjoint(a.nodes[0].box, b.nodes[0].box, t.x, t.y, t.z)
+                                     : kind_ == Kind::far_apart;
+  }
+
+  /// Before the first walk.
+  void prepare() {
+    if (kind_ == Kind::translated) {
+      const Point& t = translated_.offset;
+      translated_.bound = TranslatedBound(t.x, t.y, t.z);
+    }
+  }
+
+ private:
+  enum class Kind : uint8_t { translated, rotated, far_apart };
+
+  /// Wraps if the pose is out of range, which is an error of the pose.
+  template <class Mesh>
+  static int32_t offset(const Pose& pose, const Mesh& a, const Mesh& b, int axis) {
+    return static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) +
+                                static_cast<uint32_t>(b.origin[axis]) -
+                                static_cast<uint32_t>(a.origin[axis]));
+  }
+
+  union {
+    TranslatedTransform translated_;
+    RotatedTransform rotated_;
+  };
+  Kind kind_;
+};
+
+/// Where A's own triangles are.
+inline constexpr Point kNoOffset = {0, 0, 0};
+
+/// A triangle of a mesh, by its position, translated by whole cells.
+template <class Mesh>
+FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, const Point& offset,
+                                          Triangle& triangle) {
+  for (int i = 0; i < 3; ++i) {
+    const Vertex& v = mesh.vertices[mesh.triangles[position].corner[i]];
+    triangle.corner[i] = {v.x + offset.x, v.y + offset.y, v.z + offset.z};
+  }
+}
+
+/// A triangle of B, by its position, in A's frame.
+template <class Mesh>
+FLASHBVH_NOINLINE void transform_triangle(const Mesh& b, uint32_t position,
+                                          const Transform& transform, Triangle& triangle) {
+  if (!transform.is_rotated()) {
+    translate_triangle(b, position, transform.translated().offset, triangle);
+    return;
+  }
+  const auto& corner = b.triangles[position].corner;
+  transform.rotated().transform(b.vertices[corner[0]], b.vertices[corner[1]], b.vertices[corner[2]],
+                                triangle);
+}
+
+}  // namespace flashbvh::detail
+
+#endif

@@ -1,0 +1,174 @@
+// Baked meshes and their bounding volume trees as they lie in flash: constant arrays, nothing else.
+//
+// Both layouts of the paper put a node before its subtrees:
+//   pre-indexed   node, first subtree, ..., last subtree   (section 7)
+//   post-indexed  node, last subtree, ..., first subtree   (section 8.3: reverse post-order)
+// A node has any number of children from 1 up; leaves lie at any depth.
+//
+// `link` is the one index that a node stores:
+//   pre-indexed   the escape index (definitions 3.1 to 3.3 and 8.1)
+//   post-indexed  of a child before the last: its next sibling, which lies at a smaller index;
+//                 of the last child: its first sibling (itself if it is alone), which does not.
+// So in a post-indexed tree the children form a ring: the first child of node i is the link of
+// i + 1, its last child, and whether a node is a last child is told by its link. The root's link
+// is the number of nodes, the imaginary end node of definition 3.3, in both layouts.
+//
+// `data` of a leaf has the top bit set and holds the leaf's number, counted in array order. `data`
+// of an internal node holds its rank in the top byte (1 to 126) and its parent's rank in the low
+// byte (127 at the root): see detail/ranked.hpp.
+#ifndef FLASHBVH_MESH_HPP
+#define FLASHBVH_MESH_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/box_packed.hpp"
+#include "flashbvh/lattice.hpp"
+
+namespace flashbvh {
+
+enum class Layout : uint8_t { pre_indexed = 0, post_indexed = 1 };
+
+/// A rank above every real one: what the root's missing parent counts as.
+constexpr int32_t kRootParentRank = 127;
+/// Ranks of internal nodes run from 1 to this.
+constexpr int32_t kMaxRank = 126;
+
+/// 16 bytes with 16-bit indices, 20 with 32-bit ones.
+template <class IndexType>
+struct Node {
+  using Index = IndexType;
+  static constexpr unsigned kBits = 8 * sizeof(Index);
+  static constexpr Index kLeafFlag = static_cast<Index>(Index{1} << (kBits - 1));
+
+  detail::PackedBox box;
+  Index link;
+  Index data;
+
+  constexpr bool is_leaf() const { return (data & kLeafFlag) != 0; }
+  /// Of a leaf: its number in array order.
+  constexpr Index leaf() const { return static_cast<Index>(data & ~kLeafFlag); }
+  /// 1 to 126 for an internal node, negative for a leaf.
+  constexpr int32_t rank() const { return static_cast<int8_t>(data >> (kBits - 8)); }
+  /// Of an internal node: the rank of its parent, kRootParentRank at the root.
+  constexpr int32_t parent_rank() const { return static_cast<uint8_t>(data); }
+};
+
+/// Indices of a triangle's three vertices.
+template <class Index>
+struct Corners {
+  Index corner[3];
+};
+
+/// A tree: a view of nodes that outlive it. Everything is constant, so any number of queries, tasks
+/// and interrupts may share it.
+template <class IndexType, Layout layout>
+struct Tree {
+  using Index = IndexType;
+  static constexpr Layout kLayout = layout;
+
+  const Node<Index>* nodes;  ///< node_count nodes, the root first
+  Index node_count;
+  Index leaf_count;
+  Index stack_need;  ///< most pairs that descending this tree can leave on a stack
+
+  uint32_t first_child(uint32_t node) const {
+    return layout == Layout::pre_indexed ? node + 1 : nodes[node + 1].link;
+  }
+  uint32_t next_sibling(uint32_t node) const { return nodes[node].link; }
+  bool is_last_child(uint32_t parent, uint32_t child) const {
+    return layout == Layout::pre_indexed ? nodes[child].link == nodes[parent].link
+                                         : child == parent + 1;
+  }
+};
+
+/// A baked mesh: its tree and its triangles, a view of arrays that outlive it. 56 bytes with 16-bit
+/// indices on a 32-bit core.
+template <class IndexType, Layout layout>
+struct Mesh : Tree<IndexType, layout> {
+  using Index = IndexType;
+
+  const Corners<Index>* triangles;  ///< triangle_count, in order of their leaves
+  const Index* triangle_ids;        ///< triangle_count: the triangle's number in the source mesh
+  const Index* leaf_offsets;  ///< leaf_count + 1: the leaf's first triangle; null at one per leaf
+  const Vertex* vertices;     ///< vertex_count
+  Index triangle_count;
+  Index vertex_count;
+  int32_t origin[3];   ///< the lattice point, in cells, from which the vertices count
+  uint64_t cell_bits;  ///< the cell in the mesh's unit, as the bits of an IEEE binary64
+
+  uint32_t first_triangle(uint32_t leaf) const {
+    return leaf_offsets == nullptr ? leaf : leaf_offsets[leaf];
+  }
+  uint32_t end_triangle(uint32_t leaf) const {
+    return leaf_offsets == nullptr ? leaf + 1 : leaf_offsets[leaf + 1];
+  }
+};
+
+using PreTree = Tree<uint16_t, Layout::pre_indexed>;
+using PostTree = Tree<uint16_t, Layout::post_indexed>;
+
+using PreMesh = Mesh<uint16_t, Layout::pre_indexed>;
+using PostMesh = Mesh<uint16_t, Layout::post_indexed>;
+using LargePreMesh = Mesh<uint32_t, Layout::pre_indexed>;
+using LargePostMesh = Mesh<uint32_t, Layout::post_indexed>;
+
+// What the alternating rule needs beside the tree: levels, and the way up a chain of last children.
+//
+// The paper's functions of a node (sections 3, 7 and 8): Level, RCL (right child level: how many
+// last children lie straight above a node, itself included; the root counts as a left child),
+// Escape, and LevelUp(i, x), the ancestor x levels above i along last children.
+//
+// Levels live in arrays of their own, 4 bytes a node: firmware that does not use the alternating
+// orders does not link them.
+
+template <class Index, Layout layout>
+struct LevelledMesh;
+
+/// Pre-indexed (section 7): LevelUp goes from parent to parent.
+template <class IndexType>
+struct LevelledMesh<IndexType, Layout::pre_indexed> : Mesh<IndexType, Layout::pre_indexed> {
+  const IndexType* levels;   ///< node_count: the depth of the node, 0 at the root
+  const IndexType* parents;  ///< node_count: the index of the parent; 0 at the root
+
+  uint32_t level(uint32_t node) const { return levels[node]; }
+  uint32_t escape(uint32_t node) const { return this->nodes[node].link; }
+  uint32_t escape(uint32_t node, uint32_t /*rcl*/) const { return escape(node); }
+  /// A node's escape index is the next sibling of the first left child above it, so the levels of
+  /// the two differ by the RCL; the end node has level 0.
+  uint32_t rcl(uint32_t node) const {
+    const uint32_t to = escape(node);
+    return to == this->node_count ? level(node) : level(node) - level(to);
+  }
+  uint32_t level_up(uint32_t node, uint32_t count) const {
+    for (; count != 0; --count) {
+      node = parents[node];
+    }
+    return node;
+  }
+};
+
+/// Post-indexed (section 8.3): LevelUp(i, x) = i - x.
+template <class IndexType>
+struct LevelledMesh<IndexType, Layout::post_indexed> : Mesh<IndexType, Layout::post_indexed> {
+  const IndexType* levels;              ///< node_count: the depth of the node, 0 at the root
+  const IndexType* right_child_levels;  ///< node_count: RCL
+
+  uint32_t level(uint32_t node) const { return levels[node]; }
+  uint32_t rcl(uint32_t node) const { return right_child_levels[node]; }
+  uint32_t level_up(uint32_t node, uint32_t count) const { return node - count; }
+  uint32_t escape(uint32_t node) const { return escape(node, rcl(node)); }
+  /// The link of the first left child above the node, whose RCL is known.
+  uint32_t escape(uint32_t node, uint32_t rcl) const { return this->nodes[node - rcl].link; }
+};
+
+using LevelledPreMesh = LevelledMesh<uint16_t, Layout::pre_indexed>;
+using LevelledPostMesh = LevelledMesh<uint16_t, Layout::post_indexed>;
+using LargeLevelledPreMesh = LevelledMesh<uint32_t, Layout::pre_indexed>;
+using LargeLevelledPostMesh = LevelledMesh<uint32_t, Layout::post_indexed>;
+
+static_assert(sizeof(Node<uint16_t>) == 16, "the figure in the documents");
+static_assert(sizeof(Node<uint32_t>) == 20, "the figure in the documents");
+
+}  // namespace flashbvh
+
+#endif

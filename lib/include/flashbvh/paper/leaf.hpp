@@ -1,0 +1,100 @@
+// Algorithm 1, the leaf algorithm: each leaf of A against the whole of B.
+//
+// Invariant: the leaves of A before `a` are done; for leaf `a`, so is what lies before `b` in B's
+// order from left to right.
+// Either layout. The escape index of a post-indexed last child is found by climbing.
+#ifndef FLASHBVH_PAPER_LEAF_HPP
+#define FLASHBVH_PAPER_LEAF_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/walk.hpp"
+#include "flashbvh/mesh.hpp"
+
+namespace flashbvh {
+
+template <class TreeType>
+class Leaf {
+  using Index = typename TreeType::Index;
+  static constexpr bool kPost = TreeType::kLayout == Layout::post_indexed;
+
+ public:
+  using Tree = TreeType;
+  /// `a`: how many of A's nodes are passed, from left to right; `b`: the node of B.
+  using Cursor = detail::PairCursor<Index>;
+  static constexpr bool kStartsAtRoots = false;
+
+  static Cursor nodes(const Tree& a, const Tree&, const Cursor& cursor) {
+    return {static_cast<Index>(left_to_right(a, cursor.a)), cursor.b};
+  }
+  static bool can_visit(const Tree& a, const Tree& b, const Cursor& cursor) {
+    return a.nodes[nodes(a, b, cursor).a].is_leaf();
+  }
+
+  Leaf(const Tree& a, const Tree& b, const Cursor& cursor)
+      : tree_a_(a), tree_b_(b), passed_(cursor.a), b_(cursor.b) {
+    (void)to_leaf();  // every tree has one
+  }
+
+  const Node<Index>& node_a() const { return tree_a_.nodes[index_a()]; }
+  const Node<Index>& node_b() const { return tree_b_.nodes[b_]; }
+  uint32_t index_a() const { return left_to_right(tree_a_, passed_); }
+  uint32_t index_b() const { return b_; }
+
+  bool descend() {
+    if (node_b().is_leaf()) {
+      return false;
+    }
+    b_ = tree_b_.first_child(b_);
+    return true;
+  }
+
+  bool next() {
+    b_ = escape(tree_b_, b_);
+    if (b_ != tree_b_.node_count) {
+      return true;
+    }
+    b_ = 0;
+    ++passed_;
+    return to_leaf();
+  }
+
+  /// A walk that is over keeps no place: it is never gone on with.
+  void store(Cursor& cursor, bool ended) const {
+    if (!ended) {
+      cursor = {static_cast<Index>(passed_), static_cast<Index>(b_)};
+    }
+  }
+
+ private:
+  /// Array order is left to right in a pre-indexed tree, right to left in a post-indexed one.
+  static uint32_t left_to_right(const Tree& tree, uint32_t passed) {
+    return kPost ? tree.node_count - 1 - passed : passed;
+  }
+
+  static uint32_t escape(const Tree& tree, uint32_t node) {
+    if (kPost) {
+      while (node != 0 && tree.nodes[node].link >= node) {
+        --node;
+      }
+    }
+    return tree.nodes[node].link;
+  }
+
+  /// To the first leaf of A that is not passed.
+  bool to_leaf() {
+    while (passed_ < tree_a_.node_count && !node_a().is_leaf()) {
+      ++passed_;
+    }
+    return passed_ < tree_a_.node_count;
+  }
+
+  const Tree& tree_a_;
+  const Tree& tree_b_;
+  uint32_t passed_;
+  uint32_t b_;
+};
+
+}  // namespace flashbvh
+
+#endif

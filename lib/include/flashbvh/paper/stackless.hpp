@@ -1,0 +1,147 @@
+// Algorithm 4, the stackless algorithm, with the extensions of section 8: unbalanced trees of
+// different heights, any number of children. The order is that of algorithm 3 (alternating_stack).
+//
+// Invariant: the pair that lies below (a, b) on algorithm 3's stack is a function of (a, b): of the
+// two levels, whether each node is a left child (one with a next sibling, or the root), and the
+// right child levels. `next` is that function, case by case as in section 7.1.
+//
+// Section 8.1: while one node is a leaf the walk of the other's subtree is the leaf algorithm;
+// there the levels differ by more than the eight cases know. Going up along last children until
+// they are again as far apart as when the leaf was reached leads back to the eight cases.
+//
+// Section 8.3: on post-indexed trees, whose last children lie right after their parents,
+// LevelUp(i, x) = i - x; on pre-indexed ones it climbs from parent to parent (tree.hpp).
+//
+// The walk is over when a node is the imaginary end node, the root's escape index.
+#ifndef FLASHBVH_PAPER_STACKLESS_HPP
+#define FLASHBVH_PAPER_STACKLESS_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/walk.hpp"
+#include "flashbvh/mesh.hpp"
+
+namespace flashbvh {
+
+template <class LevelledTree>
+class AlternatingStackless {
+  using Index = typename LevelledTree::Index;
+
+ public:
+  using Tree = LevelledTree;
+  using Cursor = detail::PairCursor<Index>;
+  static constexpr bool kStartsAtRoots = true;
+
+  static Cursor nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor; }
+  /// Levels are further apart than the alternating rule makes them only under a leaf.
+  static bool can_visit(const Tree& a, const Tree& b, const Cursor& cursor) {
+    const uint32_t level_a = a.level(cursor.a);
+    const uint32_t level_b = b.level(cursor.b);
+    return level_a > level_b ? b.nodes[cursor.b].is_leaf()
+                             : level_b - level_a <= 1 || a.nodes[cursor.a].is_leaf();
+  }
+
+  AlternatingStackless(const Tree& a, const Tree& b, const Cursor& cursor)
+      : tree_a_(a),
+        tree_b_(b),
+        nodes_a_(a.nodes),
+        nodes_b_(b.nodes),
+        a_(cursor.a),
+        b_(cursor.b),
+        lead_(static_cast<int32_t>(a.level(cursor.a)) - static_cast<int32_t>(b.level(cursor.b))) {}
+
+  const Node<Index>& node_a() const { return nodes_a_[a_]; }
+  const Node<Index>& node_b() const { return nodes_b_[b_]; }
+  uint32_t index_a() const { return a_; }
+  uint32_t index_b() const { return b_; }
+
+  bool descend() {
+    const bool leaf_b = node_b().is_leaf();
+    if ((lead_ < 0 || leaf_b) && !node_a().is_leaf()) {
+      a_ = tree_a_.first_child(a_);
+      ++lead_;
+      return true;
+    }
+    if (!leaf_b) {
+      b_ = tree_b_.first_child(b_);
+      --lead_;
+      return true;
+    }
+    return false;
+  }
+
+  /// To the element below this one on algorithm 3's stack. False if there is none: then a node is
+  /// its tree's end node.
+  bool next() { return lead_ >= 0 ? next_of_a() : next_of_b(); }
+
+  void store(Cursor& cursor, bool /*ended*/) const {
+    cursor = {static_cast<Index>(a_), static_cast<Index>(b_)};
+  }
+
+ private:
+  /// Level(a) = Level(b) + lead: A was descended into last. The lead is 0 outside B's leaves.
+  bool next_of_a() {
+    const auto lead = static_cast<uint32_t>(lead_);
+    const uint32_t rcl_a = tree_a_.rcl(a_);
+    if (rcl_a <= lead) {  // cases 1 and 2; 8.1: the leaf algorithm in A's subtree
+      lead_ -= static_cast<int32_t>(rcl_a);
+      return escape_a(rcl_a);
+    }
+    const uint32_t rcl_b = tree_b_.rcl(b_);
+    if (rcl_a - lead <= rcl_b) {  // case 7, a left child of A is reached first
+      b_ = tree_b_.level_up(b_, rcl_a - lead);
+      lead_ = 0;
+      return escape_a(rcl_a);
+    }  // case 5 (rcl_b = 0); case 7, a left child of B is reached first
+    a_ = tree_a_.level_up(a_, lead + rcl_b + 1);
+    lead_ = -1;
+    return escape_b(rcl_b);
+  }
+
+  /// Level(a) = Level(b) - lag: B was descended into last. The lag is 1 outside A's leaves.
+  bool next_of_b() {
+    const auto lag = static_cast<uint32_t>(-lead_);
+    const uint32_t rcl_b = tree_b_.rcl(b_);
+    if (rcl_b < lag) {  // cases 3 and 4; 8.1: the leaf algorithm in B's subtree
+      lead_ += static_cast<int32_t>(rcl_b);
+      return escape_b(rcl_b);
+    }
+    const uint32_t rcl_a = tree_a_.rcl(a_);
+    if (rcl_a <= rcl_b - lag) {  // case 6 (rcl_a = 0); case 8, a left child of A is reached first
+      b_ = tree_b_.level_up(b_, rcl_a + lag);
+      lead_ = 0;
+      return escape_a(rcl_a);
+    }  // case 8, a left child of B is reached first
+    a_ = tree_a_.level_up(a_, rcl_b - lag + 1);
+    lead_ = -1;
+    return escape_b(rcl_b);
+  }
+
+  bool escape_a(uint32_t rcl_a) {
+    a_ = tree_a_.escape(a_, rcl_a);
+    return a_ != tree_a_.node_count;
+  }
+  bool escape_b(uint32_t rcl_b) {
+    b_ = tree_b_.escape(b_, rcl_b);
+    return b_ != tree_b_.node_count;
+  }
+
+  const Tree& tree_a_;
+  const Tree& tree_b_;
+  const Node<Index>* nodes_a_;
+  const Node<Index>* nodes_b_;
+  uint32_t a_;
+  uint32_t b_;
+  int32_t lead_;  ///< Level(a) - Level(b), which follows from the pair
+};
+
+/// On pre-indexed trees.
+using Stackless = AlternatingStackless<LevelledPreMesh>;
+using LargeStackless = AlternatingStackless<LargeLevelledPreMesh>;
+/// On post-indexed trees.
+using StacklessPost = AlternatingStackless<LevelledPostMesh>;
+using LargeStacklessPost = AlternatingStackless<LargeLevelledPostMesh>;
+
+}  // namespace flashbvh
+
+#endif

@@ -1,0 +1,23 @@
+// The C interface to meshes.
+#include "flashbvh/image.hpp"
+#include "objects.hpp"
+
+using namespace flashbvh;
+
+flashbvh_status flashbvh_open(const void* image, size_t size, flashbvh_mesh* mesh) {
+  LevelledPostMesh opened;
+  const Status status = open_image(image, size, opened);
+  if (status == Status::done) {
+    // Without the levels, which the query does not need.
+    new (storage_of<PostMesh>(mesh)) PostMesh(opened);
+  }
+  return c_status(status);
+}
+
+uint32_t flashbvh_mesh_triangles(const flashbvh_mesh* mesh) {
+  return object_in(mesh).triangle_count;
+}
+
+uint64_t flashbvh_mesh_cell(const flashbvh_mesh* mesh) {
+  return object_in(mesh).cell_bits;
+}

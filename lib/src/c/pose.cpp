@@ -1,0 +1,67 @@
+// The C interface to poses.
+#include "objects.hpp"
+
+using namespace flashbvh;
+
+static_assert(FLASHBVH_ROTATION_ONE == kRotationOne, "one meaning of one");
+static_assert(FLASHBVH_MAX_TRANSLATION == kMaxTranslation, "one range of translations");
+
+namespace {
+
+/// `made` is complete before the first byte of `pose` changes: they may be made of one another.
+flashbvh_status put(const Pose& made, flashbvh_pose* pose) {
+  new (storage_of<Pose>(pose)) Pose(made);
+  return c_status(made.status());
+}
+
+}  // namespace
+
+flashbvh_status flashbvh_pose_translated(int32_t x, int32_t y, int32_t z, flashbvh_pose* pose) {
+  return put(Pose::translated(x, y, z), pose);
+}
+
+flashbvh_status flashbvh_pose_rigid(const int32_t rotation[9], const int32_t cells[3],
+                                    const int16_t fraction[3], flashbvh_pose* pose) {
+  const int32_t rows[3][3] = {{rotation[0], rotation[1], rotation[2]},
+                              {rotation[3], rotation[4], rotation[5]},
+                              {rotation[6], rotation[7], rotation[8]}};
+  int16_t rest[3] = {0, 0, 0};
+  for (int i = 0; fraction != nullptr && i < 3; ++i) {
+    rest[i] = fraction[i];
+  }
+  return put(Pose::rigid(rows, {cells[0], cells[1], cells[2]}, rest), pose);
+}
+
+flashbvh_status flashbvh_pose_composed(const flashbvh_pose* outer, const flashbvh_pose* inner,
+                                       flashbvh_pose* pose) {
+  return put(Pose::composed(object_in(outer), object_in(inner)), pose);
+}
+
+flashbvh_status flashbvh_pose_inverse(const flashbvh_pose* pose, flashbvh_pose* inverse) {
+  return put(object_in(pose).inverse(), inverse);
+}
+
+flashbvh_status flashbvh_pose_relative(const flashbvh_pose* world_a, const flashbvh_pose* world_b,
+                                       flashbvh_pose* pose) {
+  return put(Pose::relative(object_in(world_a), object_in(world_b)), pose);
+}
+
+flashbvh_status flashbvh_pose_status(const flashbvh_pose* pose) {
+  return c_status(object_in(pose).status());
+}
+
+void flashbvh_pose_values(const flashbvh_pose* pose, int32_t rotation[9], int32_t cells[3],
+                          int16_t fraction[3]) {
+  const Pose& values = object_in(pose);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; rotation != nullptr && j < 3; ++j) {
+      rotation[3 * i + j] = values.rotation(i, j);
+    }
+    if (cells != nullptr) {
+      cells[i] = values.translation(i);
+    }
+    if (fraction != nullptr) {
+      fraction[i] = static_cast<int16_t>(values.fraction(i));
+    }
+  }
+}

@@ -1,0 +1,193 @@
+// The corners of the common part of two coplanar shapes, and of these two that are farthest apart.
+//
+// A corner of the common part is a corner of one shape inside the other one, or a point where two
+// edges cross properly. Invariant: which points these are is told by signs of exact 2x2
+// determinants in a projection that is one-to-one on the plane, so no point comes twice with
+// different rounding.
+//
+// They are enumerated again where the common part turns out to be longest along y or z: keeping the
+// outermost points of all three axes would take 48 bytes more of the stack.
+#include "contact_flat.hpp"
+
+#include "fine_crossing.hpp"
+
+namespace flashbvh::detail {
+namespace {
+
+constexpr int32_t FinePoint::*kAxes[3] = {&FinePoint::x, &FinePoint::y, &FinePoint::z};
+
+/// Beyond all points: where there are none, the answer must only not overflow.
+constexpr int32_t kBeyond = 1 << 28;
+
+/// Two shapes and a projection onto two axes.
+struct Flat {
+  Shape a;
+  Shape b;
+  int32_t Point::*u;
+  int32_t Point::*v;
+};
+
+[[gnu::noinline]] int64_t turn(const Flat& flat, const Point& p, const Point& q, const Point& r) {
+  return area(flat.u, flat.v, p, q, r);
+}
+
+[[gnu::noinline]] bool contains(const Flat& flat, const Shape& shape, const Point& p) {
+  bool left = false;
+  bool right = false;
+  for (unsigned i = 0; i < 3; ++i) {
+    const int64_t side = turn(flat, *shape.corner[i], *shape.corner[next(i)], p);
+    left |= side > 0;
+    right |= side < 0;
+  }
+  // Beside a segment, which is an edge there and one back, a point is both left and right.
+  return !(left && right) && (!shape.is_segment() || (!comes_before(p, *shape.corner[0]) &&
+                                                      !comes_before(*shape.corner[1], p)));
+}
+
+inline bool opposite(int64_t u, int64_t v) {
+  return (u > 0 && v < 0) || (u < 0 && v > 0);
+}
+
+/// Whether the insides of two edges cross, and where.
+[[gnu::noinline]] bool edges_cross(const Flat& flat, unsigned edge_a, unsigned edge_b,
+                                   FinePoint& point) {
+  const Point* p = flat.a.corner[edge_a];
+  const Point* q = flat.a.corner[next(edge_a)];
+  const Point* r = flat.b.corner[edge_b];
+  const Point* s = flat.b.corner[next(edge_b)];
+  // Either edge gives the point, and rounding may tell which: not the order of arguments.
+  if (edge_before(*r, *s, *p, *q)) {
+    const Point* const start = p;
+    const Point* const end = q;
+    p = r;
+    q = s;
+    r = start;
+    s = end;
+  }
+  if (!opposite(turn(flat, *p, *q, *r), turn(flat, *p, *q, *s))) {
+    return false;
+  }
+  const int64_t of_p = turn(flat, *r, *s, *p);
+  const int64_t of_q = turn(flat, *r, *s, *q);
+  if (!opposite(of_p, of_q)) {
+    return false;
+  }
+  set_crossing(*p, *q, of_p, of_q, point);
+  return true;
+}
+
+[[gnu::noinline]] bool corner_inside(const Flat& flat, const Shape& of, unsigned corner,
+                                     const Shape& in, FinePoint& point) {
+  const Point& p = *of.corner[corner];
+  point = {p.x * kFineOne, p.y * kFineOne, p.z * kFineOne};
+  return contains(flat, in, p);
+}
+
+/// What is known of the common part: its box, and its outermost points along one axis. Of equally
+/// outer points the first and the last, so that the order of corners has no influence.
+struct Found {
+  int32_t least[3];
+  int32_t most[3];
+  int32_t FinePoint::*axis;
+  FinePoint* ends;
+};
+
+[[gnu::noinline]] void clear(Found& found) {
+  for (int i = 0; i < 3; ++i) {
+    found.least[i] = kBeyond;
+    found.most[i] = -kBeyond;
+  }
+  found.ends[0] = {kBeyond, kBeyond, kBeyond};
+  found.ends[1] = {-kBeyond, -kBeyond, -kBeyond};
+}
+
+[[gnu::noinline]] void add(Found& found, const FinePoint& p) {
+  for (int i = 0; i < 3; ++i) {
+    const int32_t at = p.*kAxes[i];
+    found.least[i] = at < found.least[i] ? at : found.least[i];
+    found.most[i] = at > found.most[i] ? at : found.most[i];
+  }
+  const auto axis = found.axis;
+  const int32_t below = p.*axis - found.ends[0].*axis;
+  const int32_t above = p.*axis - found.ends[1].*axis;
+  if (below < 0 || (below == 0 && comes_before(p, found.ends[0]))) {
+    found.ends[0] = p;
+  }
+  if (above > 0 || (above == 0 && comes_before(found.ends[1], p))) {
+    found.ends[1] = p;
+  }
+}
+
+/// Adds each corner of the common part, and no other point of it.
+[[gnu::noinline]] void add_corners(const Flat& flat, Found& found) {
+  FinePoint point;
+  for (unsigned i = 0; i < 3; ++i) {
+    if (corner_inside(flat, flat.a, i, flat.b, point)) {
+      add(found, point);
+    }
+    if (corner_inside(flat, flat.b, i, flat.a, point)) {
+      add(found, point);
+    }
+    for (unsigned j = 0; j < 3; ++j) {
+      if (edges_cross(flat, i, j, point)) {
+        add(found, point);
+      }
+    }
+  }
+}
+
+/// Of equal ones the first.
+inline int longest_axis(const Found& found) {
+  const int32_t x = found.most[0] - found.least[0];
+  const int32_t y = found.most[1] - found.least[1];
+  const int32_t z = found.most[2] - found.least[2];
+  return z > x && z > y ? 2 : y > x ? 1 : 0;
+}
+
+/// The normal of the plane through two segments: zero on one line.
+inline Normal plane_through(const Shape& a, const Shape& b) {
+  return cross<Normal>(difference(*a.corner[1], *a.corner[0]), difference(*b.corner[1], *b.corner[0]));
+}
+
+/// Any projection that is one-to-one on the plane of both; on a line, any at all.
+[[gnu::noinline]] void set_projection(Flat& flat, const Contact& contact) {
+  const Normal plane = !is_zero(contact.normal_a)   ? contact.normal_a
+                       : !is_zero(contact.normal_b) ? contact.normal_b
+                                                    : plane_through(flat.a, flat.b);
+  flat.u = plane.z != 0 ? &Point::x : plane.x != 0 ? &Point::y : &Point::z;
+  flat.v = plane.z != 0 ? &Point::y : plane.x != 0 ? &Point::z : &Point::x;
+}
+
+}  // namespace
+
+Shape shape_of(const Triangle& t, bool has_area) {
+  const Point* const corner = t.corner;
+  if (has_area) {
+    return {{&corner[0], &corner[1], &corner[2]}};
+  }
+  const Point* first = &corner[0];
+  const Point* last = &corner[0];
+  for (unsigned i = 1; i < 3; ++i) {
+    first = comes_before(corner[i], *first) ? &corner[i] : first;
+    last = comes_before(*last, corner[i]) ? &corner[i] : last;
+  }
+  return {{first, last, last}};
+}
+
+[[gnu::noinline]] void set_flat_ends(const Triangle& a, const Triangle& b, Contact& contact) {
+  Flat flat;
+  flat.a = shape_of(a, !is_zero(contact.normal_a));
+  flat.b = shape_of(b, !is_zero(contact.normal_b));
+  set_projection(flat, contact);
+  Found found;
+  found.ends = contact.ends;
+  int longest = 0;
+  do {
+    clear(found);
+    found.axis = kAxes[longest];
+    add_corners(flat, found);
+    longest = longest_axis(found);
+  } while (found.axis != kAxes[longest]);
+}
+
+}  // namespace flashbvh::detail

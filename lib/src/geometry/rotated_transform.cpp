@@ -1,0 +1,159 @@
+// Preparing a rotated transform, and transforming vertices.
+#include "flashbvh/detail/rotated_transform.hpp"
+
+namespace flashbvh::detail {
+namespace {
+
+constexpr int32_t kHalf = kSplitOne / 2;
+
+/// The largest magnitude of a coordinate in the box.
+int32_t reach(uint32_t upper, uint32_t lower) {
+  return static_cast<int32_t>(upper > lower ? upper : lower) - kBoundBias;
+}
+
+/// The sum of the largest magnitudes of x, y and z in the box: no point of it, however turned, has
+/// a larger coordinate.
+int32_t reach(const PackedBox& box) {
+  return reach(low_half(box.upper_xy), low_half(box.lower_xy)) +
+         reach(high_half(box.upper_xy), high_half(box.lower_xy)) +
+         reach(low_half(box.z), high_half(box.z));
+}
+
+int32_t clamp_offset(int64_t offset) {
+  constexpr int64_t most = static_cast<int64_t>(kMaxOffset) * kSplitOne;
+  return static_cast<int32_t>(offset > most ? most : offset < -most ? -most : offset);
+}
+
+inline int64_t product(int32_t u, int32_t v) {
+  return static_cast<int64_t>(u) * v;
+}
+
+/// Where B's origin lies in A's lattice: `offset`, kSplitOne is a cell.
+void offset_of(const Pose& pose, const int32_t (&origin_a)[3], const int32_t (&origin_b)[3],
+               int32_t (&offset)[3]) {
+  for (int i = 0; i < 3; ++i) {
+    // Wraps if the pose is out of range, which is an error of the pose.
+    const auto cells = static_cast<int32_t>(static_cast<uint32_t>(pose.translation(i)) -
+                                            static_cast<uint32_t>(origin_a[i]));
+    int32_t x = 0;
+    int32_t y = 0;
+    int32_t z = 0;
+    pose.matrix().get_row(i, x, y, z);
+    // kRotationBits fraction bits; below 2^54.
+    const int64_t sum = product(cells, 1 << kRotationBits) +
+                        pose.fraction(i) * (1 << (kRotationBits - 16)) + product(x, origin_b[0]) +
+                        product(y, origin_b[1]) + product(z, origin_b[2]);
+    offset[i] = clamp_offset((sum + (1 << (kRestBits - 1))) >> kRestBits);
+  }
+}
+
+/// Whether an interval of half-width `radius` round `centre` is disjoint from [-lower, upper].
+bool disjoint(int32_t centre, int32_t radius, uint32_t upper, uint32_t lower) {
+  const int32_t cells = centre >> kSplitBits;
+  return cells - radius > static_cast<int32_t>(upper) - kBoundBias ||
+         cells + radius < kBoundBias - static_cast<int32_t>(lower);
+}
+
+bool far_apart(const int32_t (&offset)[3], const PackedBox& root_a, int32_t reach_b) {
+  // A vertex is at most this far from the offset: stretched by the rotation's defect, and rounded.
+  const int32_t radius = reach_b + (reach_b >> 12) + 2;
+  return disjoint(offset[0], radius, low_half(root_a.upper_xy), low_half(root_a.lower_xy)) ||
+         disjoint(offset[1], radius, high_half(root_a.upper_xy), high_half(root_a.lower_xy)) ||
+         disjoint(offset[2], radius, low_half(root_a.z), high_half(root_a.z));
+}
+
+/// What the rotation of boxes can lack of that of the vertices of B.
+int32_t box_margin(const RotationMatrix& matrix, int32_t reach_b) {
+  int32_t most = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const int32_t rest = matrix.rest[i][j];
+      const int32_t size = rest < 0 ? -rest : rest;
+      most = size > most ? size : most;
+    }
+  }
+  return ((most * reach_b) >> kRestBits) + 1;
+}
+
+/// How far, along one of B's axes, a transformed vertex can be from where it lies in B; see
+/// lib/docs/design.md, Rotation.
+int32_t axis_margin(const RotationMatrix& matrix, int32_t reach_b) {
+  const uint32_t stretched = static_cast<uint32_t>(reach_b) * matrix.defect;
+  return 7 * (kSplitOne / 8) + ((7 * reach_b) >> 3) + static_cast<int32_t>(stretched >> 10) + 4;
+}
+
+/// Products are of biased bounds and make a biased bound.
+BoundStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
+  const int32_t bias = (kSplitOne - row.sum()) * kBoundBias;
+  return {bias + margin + offset, bias + margin - offset};
+}
+
+constexpr int32_t Point::*kAxes[3] = {&Point::x, &Point::y, &Point::z};
+
+/// What makes one coordinate of a transformed vertex.
+class Row {
+ public:
+  Row(const RotatedTransform& transform, int axis) {
+    const SplitRow& row = transform.matrix->rows.row[axis];
+    x_ = row.x();
+    y_ = row.y();
+    z_ = row.z_entry();
+    rest_x_ = transform.matrix->rest[axis][0];
+    rest_y_ = transform.matrix->rest[axis][1];
+    rest_z_ = transform.matrix->rest[axis][2];
+    const BoundStart& start = transform.on_a[axis];
+    offset_ = (start.upper - start.lower) / 2 + kHalf;  // exact: see start_of()
+  }
+
+  int32_t transform(const Vertex& v) const {
+    const int32_t rest = rest_x_ * v.x + rest_y_ * v.y + rest_z_ * v.z;
+    return (x_ * v.x + y_ * v.y + z_ * v.z + (rest >> kRestBits) + offset_) >> kSplitBits;
+  }
+
+ private:
+  int32_t x_, y_, z_;
+  int32_t rest_x_, rest_y_, rest_z_;
+  int32_t offset_;
+};
+
+}  // namespace
+
+bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
+                               const PackedBox& root_a, const int32_t (&origin_b)[3],
+                               const PackedBox& root_b, bool may_stop) {
+  int32_t offset[3];
+  offset_of(pose, origin_a, origin_b, offset);
+  const int32_t reach_b = reach(root_b);
+  if (may_stop && far_apart(offset, root_a, reach_b)) {
+    return false;
+  }
+  matrix = &pose.matrix();
+  columns = matrix->rows.transposed();
+  const int32_t box = box_margin(*matrix, reach_b) + kHalf;
+  const int32_t axis = axis_margin(*matrix, reach_b);
+  for (int i = 0; i < 3; ++i) {
+    const SplitRow& column = columns.row[i];
+    const int64_t back = product(column.x(), offset[0]) + product(column.y(), offset[1]) +
+                         product(column.z_entry(), offset[2]);
+    on_a[i] = start_of(matrix->rows.row[i], offset[i], box);
+    on_b[i] = start_of(column, clamp_offset(-(back >> kSplitBits)), axis);
+  }
+  return true;
+}
+
+Point RotatedTransform::transform(const Vertex& v) const {
+  return {Row(*this, 0).transform(v), Row(*this, 1).transform(v), Row(*this, 2).transform(v)};
+}
+
+void RotatedTransform::transform(const Vertex& u, const Vertex& v, const Vertex& w,
+                                 Triangle& triangle) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Row row(*this, axis);
+    const auto coordinate = kAxes[axis];
+    triangle.corner[0].*coordinate = row.transform(u);
+    triangle.corner[1].*coordinate = row.transform(v);
+    triangle.corner[2].*coordinate = row.transform(w);
+  }
+}
+
+}  // namespace flashbvh::detail

@@ -1,0 +1,261 @@
+// The proof that queries on a tree stay in bounds and end.
+//
+// Nodes are taken in array order, in which a node stands before its subtree. After an internal node
+// comes its child (the first in a pre-indexed tree, the last in a post-indexed one); after a leaf
+// comes a sibling of the leaf or of one of its ancestors, found by climbing. Each node is entered
+// once and left once, so the pass is linear; all that it reads was checked before, so it is safe on
+// any bytes; and it keeps a few words of state.
+#include "flashbvh/image.hpp"
+
+#include "flashbvh/detail/image_parts.hpp"
+
+namespace flashbvh::detail {
+namespace {
+
+/// No bound beyond the lattice. That bounds are no zeros, and lower ones not above upper ones,
+/// follows: each box is a leaf's or contains a child's, and leaves' boxes contain triangles.
+bool is_on_lattice(const PackedBox& box) {
+  return ((box.upper_xy | box.lower_xy | box.z) & 0x80008000u) == 0;
+}
+
+bool is_inside(const PackedBox& inner, const PackedBox& outer) {
+  return halves_reach({{outer.upper_xy, outer.lower_xy, outer.z}},
+                      {{inner.upper_xy, inner.lower_xy, inner.z}});
+}
+
+template <class MeshType>
+class Checker {
+  using Index = typename MeshType::Index;
+  static constexpr bool kPre = MeshType::kLayout == Layout::pre_indexed;
+
+ public:
+  explicit Checker(const MeshType& tree) : tree_(tree), leaves_(0), shape_{0, 0, 0, 0} {}
+
+  bool check(TreeShape& shape) {
+    if (!vertices_on_lattice() || !root() || !node(0)) {
+      return false;
+    }
+    for (uint32_t i = 1; i < tree_.node_count; ++i) {
+      const bool entered = tree_.nodes[i - 1].is_leaf() ? enter_sibling(i) : enter_child(i);
+      if (!entered || !node(i)) {
+        return false;
+      }
+    }
+    uint32_t last = tree_.node_count - 1u;
+    if (!tree_.nodes[last].is_leaf() || !leave_to_level(last, 0, tree_.node_count) ||
+        leaves_ != tree_.leaf_count || tree_.first_triangle(leaves_) != tree_.triangle_count) {
+      return false;
+    }
+    measure_children();
+    shape = shape_;
+    return true;
+  }
+
+ private:
+  bool vertices_on_lattice() const {
+    for (uint32_t i = 0; i < tree_.vertex_count; ++i) {
+      const Vertex& v = tree_.vertices[i];
+      const int16_t coordinates[3] = {v.x, v.y, v.z};
+      for (const int16_t c : coordinates) {
+        if (c < -kMaxCoordinate || c > kMaxCoordinate) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  bool root() const {
+    const Node<Index>& node = tree_.nodes[0];
+    const bool rank = node.is_leaf() || node.parent_rank() == kRootParentRank;
+    const bool climb = kPre ? parent_of_root() == 0 : tree_.rcl(0) == 0;
+    return node.link == tree_.node_count && tree_.level(0) == 0 && rank && climb;
+  }
+
+  /// What can be told of a node by itself.
+  bool node(uint32_t i) {
+    const Node<Index>& node = tree_.nodes[i];
+    shape_.depth = greater(shape_.depth, tree_.level(i));
+    return is_on_lattice(node.box) && (node.is_leaf() ? leaf(node) : has_ranks(node));
+  }
+
+  /// Two ranks and nothing between them.
+  static bool has_ranks(const Node<Index>& node) {
+    constexpr Index ends = static_cast<Index>((Index{0xFF} << (Node<Index>::kBits - 8)) | 0xFF);
+    return node.rank() >= 1 && node.rank() <= kMaxRank && (node.data & ends) == node.data;
+  }
+
+  /// Leaves count up in array order; so do their triangles, which lie in the leaf's box.
+  bool leaf(const Node<Index>& node) {
+    if (node.leaf() != leaves_ || leaves_ == tree_.leaf_count) {
+      return false;
+    }
+    const uint32_t first = tree_.first_triangle(leaves_);
+    const uint32_t end = tree_.end_triangle(leaves_);
+    if (first >= end || end > tree_.triangle_count || end - first > kMaxLeafSize ||
+        (leaves_ == 0 && first != 0)) {
+      return false;
+    }
+    shape_.leaf_size = greater(shape_.leaf_size, end - first);
+    for (uint32_t i = first; i < end; ++i) {
+      if (!triangle_inside(i, node.box)) {
+        return false;
+      }
+    }
+    ++leaves_;
+    return true;
+  }
+
+  bool triangle_inside(uint32_t triangle, const PackedBox& box) const {
+    for (const Index corner : tree_.triangles[triangle].corner) {
+      if (corner >= tree_.vertex_count) {
+        return false;
+      }
+      const Vertex& v = tree_.vertices[corner];
+      if (!is_inside(pack({v, v}), box)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Node i follows the internal node i - 1 and must be its child.
+  bool enter_child(uint32_t i) const {
+    if (tree_.level(i) != tree_.level(i - 1) + 1) {
+      return false;
+    }
+    if constexpr (kPre) {
+      return tree_.parents[i] == i - 1;
+    } else {
+      return tree_.rcl(i) == tree_.rcl(i - 1) + 1 && tree_.nodes[i].link >= i;
+    }
+  }
+
+  /// Node i follows the leaf i - 1 and must be a sibling of a node above it, or of the leaf itself.
+  bool enter_sibling(uint32_t i) const {
+    uint32_t sibling = i - 1;
+    if (!leave_to_level(sibling, tree_.level(i), i) || sibling == 0) {
+      return false;
+    }
+    if constexpr (kPre) {
+      return tree_.parents[i] == tree_.parents[sibling];
+    } else {
+      return tree_.nodes[i].link == sibling && tree_.rcl(i) == 0;
+    }
+  }
+
+  /// Climbs from `node` to its ancestor of this level, checking each parent on the way once all its
+  /// children are behind. `next` is the node that follows in array order: what a pre-indexed tree's
+  /// links of all nodes that are left must be, so that is where each link is checked.
+  bool leave_to_level(uint32_t& node, uint32_t level, uint32_t next) const {
+    if (kPre && tree_.nodes[node].link != next) {
+      return false;
+    }
+    while (tree_.level(node) > level) {
+      uint32_t parent;
+      if constexpr (kPre) {
+        parent = tree_.parents[node];
+        if (tree_.nodes[parent].link != next) {
+          return false;
+        }
+      } else {
+        uint32_t last = node;
+        while (tree_.nodes[last].link < last) {
+          last = tree_.nodes[last].link;
+        }
+        if (tree_.nodes[last].link != node) {
+          return false;
+        }
+        parent = last - 1;
+      }
+      if (!children_belong_to(parent)) {
+        return false;
+      }
+      node = parent;
+    }
+    return tree_.level(node) == level;
+  }
+
+  bool children_belong_to(uint32_t parent) const {
+    const Node<Index>& above = tree_.nodes[parent];
+    for (uint32_t child = tree_.first_child(parent);; child = tree_.next_sibling(child)) {
+      const Node<Index>& node = tree_.nodes[child];
+      const bool ranks =
+          node.is_leaf() || (node.parent_rank() == above.rank() && node.rank() <= above.rank());
+      if (!ranks || !is_inside(node.box, above.box)) {
+        return false;
+      }
+      if (tree_.is_last_child(parent, child)) {
+        return true;
+      }
+    }
+  }
+
+  /// The stack need and the arity. Only on a tree whose links are proven.
+  void measure_children() {
+    uint32_t pending = 0;
+    for (uint32_t i = 1; i < tree_.node_count; ++i) {
+      uint32_t above = i - 1;
+      if (tree_.nodes[above].is_leaf()) {
+        while (tree_.level(above) > tree_.level(i)) {
+          above = parent_of(above);
+          pending -= later_siblings(above);
+        }
+      } else {
+        const uint32_t more = later_siblings(above);
+        shape_.arity = greater(shape_.arity, more + 1);
+        pending += more;
+      }
+      shape_.stack_need = greater(shape_.stack_need, pending);
+    }
+  }
+
+  static uint32_t greater(uint32_t u, uint32_t v) { return u > v ? u : v; }
+
+  /// Children of a node, less one.
+  uint32_t later_siblings(uint32_t parent) const {
+    uint32_t count = 0;
+    for (uint32_t child = tree_.first_child(parent); !tree_.is_last_child(parent, child);
+         child = tree_.next_sibling(child)) {
+      ++count;
+    }
+    return count;
+  }
+
+  uint32_t parent_of(uint32_t node) const {
+    if constexpr (kPre) {
+      return tree_.parents[node];
+    } else {
+      while (tree_.nodes[node].link < node) {
+        node = tree_.nodes[node].link;
+      }
+      return node - 1;
+    }
+  }
+
+  uint32_t parent_of_root() const {
+    if constexpr (kPre) {
+      return tree_.parents[0];
+    } else {
+      return 0;
+    }
+  }
+
+  const MeshType& tree_;
+  uint32_t leaves_;  ///< passed so far
+  TreeShape shape_;
+};
+
+}  // namespace
+
+template <class MeshType>
+Status check_tree(const MeshType& tree, TreeShape& shape) {
+  return Checker<MeshType>(tree).check(shape) ? Status::done : Status::image_invalid;
+}
+
+template Status check_tree(const LevelledPreMesh&, TreeShape&);
+template Status check_tree(const LevelledPostMesh&, TreeShape&);
+template Status check_tree(const LargeLevelledPreMesh&, TreeShape&);
+template Status check_tree(const LargeLevelledPostMesh&, TreeShape&);
+
+}  // namespace flashbvh::detail
