@@ -59,7 +59,7 @@ visits() {
   awk -F '[ ={},;"]+' '/kLeafCount/ { name = FILENAME; gsub(/.*\/|\.fbvh.*/, "", name)
       for (i = 1; i < NF; ++i) if ($i == "kLeafCount") leaves[name] = $(i + 1)
     }
-    /&.*::tree,/ { pair = $2 "-" $3 }
+    /&.*::mesh,/ { pair = $2 "-" $3 }
     /^ *\{\{.*\}, \{/ && $(NF - 3) + 0 > most[pair] + 0 { most[pair] = $(NF - 3) }
     END {
       for (pair in most) {

@@ -3,7 +3,7 @@
 void bound_make_query(void* context) {
   auto& slice = *static_cast<bound::Slice*>(context);
   flashbvh::PairQuery query(*slice.a, *slice.b, *slice.pose);
-  flashbvh::keep_in_memory(query);
+  flashbvh::detail::keep_in_memory(query);
 }
 
 void bound_run(void* context) {

@@ -11,7 +11,7 @@ emulator=
 # digest COMPILER OPTION...
 digest() {
   program=$WORK/digest_$programs
-  "$@" -std=c++17 -Wall -Wextra -Werror -Ilib/include -Itests tests/digest/*.cpp lib/src/*.cpp \
+  "$@" -std=c++17 -Wall -Wextra -Werror -Ilib/include -Itests tests/digest/*.cpp lib/src/*/*.cpp \
     -o "$program" || { echo "compilers.sh: does not build: $*" >&2; exit 1; }
   programs=$((programs + 1))
   if answer=$($emulator "$program"); then

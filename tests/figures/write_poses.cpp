@@ -71,7 +71,7 @@ bool write_pair(std::ostream& out, const std::string& folder, const std::string&
     return false;
   }
   PoseSearch search(image_a.tree(), image_b.tree(), kSeed);
-  out << "    {\"" << a << "\", \"" << b << "\", &" << a << "::tree, &" << b << "::tree,\n";
+  out << "    {\"" << a << "\", \"" << b << "\", &" << a << "::mesh, &" << b << "::mesh,\n";
   write_motion(out, search, false);
   write_motion(out, search, true);
   out << "    },\n";

@@ -55,7 +55,7 @@ struct Arguments {
   uint8_t status;
   flashbvh::PairQuery::Pair found[4];
   flashbvh::detail::PairCursor<uint16_t> stack[kStackEntries];
-  Room<128> query;
+  Room<136> query;
   Room<104> made_pose;
   Room<80> opened;
   flashbvh::Triangle placed[2];

@@ -8,7 +8,7 @@ namespace memory {
 
 /// The array of pairs that traversals with a stack have.
 template <class Asked>
-Asked made_query(Arguments& in, const typename Asked::Tree& a, const typename Asked::Tree& b) {
+Asked made_query(Arguments& in, const typename Asked::Mesh& a, const typename Asked::Mesh& b) {
   if constexpr (__is_constructible(typename Asked::Cursor)) {
     return Asked(a, b, *in.pose);
   } else {
@@ -18,15 +18,15 @@ Asked made_query(Arguments& in, const typename Asked::Tree& a, const typename As
 
 /// Not inlined: its frame is gone when a slice runs.
 template <class Asked>
-[[gnu::noinline]] void make_query(Arguments& in, const typename Asked::Tree& a,
-                                  const typename Asked::Tree& b) {
+[[gnu::noinline]] void make_query(Arguments& in, const typename Asked::Mesh& a,
+                                  const typename Asked::Mesh& b) {
   make_in<Asked>(in.query, [&] { return made_query<Asked>(in, a, b); });
 }
 
 /// Makes the query if no visits are granted, else runs it for a slice.
 template <class Asked>
-inline void make_or_run(Arguments& in, const typename Asked::Tree& a,
-                        const typename Asked::Tree& b) {
+inline void make_or_run(Arguments& in, const typename Asked::Mesh& a,
+                        const typename Asked::Mesh& b) {
   if (in.visits == 0) {
     make_query<Asked>(in, a, b);
     return;

@@ -154,10 +154,10 @@ typedef struct flashbvh_triangle {
   flashbvh_point corner[3];
 } flashbvh_triangle;
 
-/** A query and all its memory. 124 bytes on a 32-bit core, 144 on a 64-bit one. */
+/** A query and all its memory. 128 bytes on a 32-bit core, 152 on a 64-bit one. */
 typedef struct flashbvh_query {
   union {
-    unsigned char bytes[4 * sizeof(void*) + 108];
+    unsigned char bytes[6 * sizeof(void*) + 104];
     uint32_t word;
     void* pointer;
   } opaque;

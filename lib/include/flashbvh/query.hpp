@@ -48,7 +48,7 @@ struct QueryPosition {
 };
 
 /// `Order`: Ranked<PostMesh> or any other of paper/. The meshes and the pose outlive the query.
-/// 124 bytes on a 32-bit core with 16-bit indices.
+/// 128 bytes on a 32-bit core with 16-bit indices.
 template <class Order, class Question = detail::Intersection>
 class Query : Question {
   using State = detail::State;
@@ -72,6 +72,8 @@ class Query : Question {
         transform_(pose, a, b, Order::kStartsAtRoots && Question::kDisjointRootsEnd),
         counts_{0, 0, 0, 0},
         cursor_(start),
+        leaf_a_(0),
+        leaf_b_(0),
         untested_(0),
         state_(State::fresh),
         error_(error_of(a, b, pose, start)) {}
@@ -95,7 +97,7 @@ class Query : Question {
   /// an error. After `suspended` and `full` the next run goes on where this one ended.
   ///
   /// Stack on Cortex-M3 to M55 at -O2: 256 bytes. Instructions: bound.hpp.
-  Step run(uint32_t visits, Pair* found, uint32_t capacity) {
+  FLASHBVH_INLINE Step run(uint32_t visits, Pair* found, uint32_t capacity) {
     uint32_t count = 0;
     if (capacity == 0 && status() == Status::suspended) {
       return {Status::full, 0};
@@ -118,7 +120,7 @@ class Query : Question {
   /// The walk comes back at each pair of leaves, so that its stack and that of the triangle test
   /// are never needed at once.
   template <class Sink>
-  Status run(uint32_t visits, Sink&& sink) {
+  FLASHBVH_INLINE Status run(uint32_t visits, Sink&& sink) {
     if (error_ != Status::done || state_ == State::done) {
       return status();
     }
@@ -159,6 +161,7 @@ class Query : Question {
       cursor_ = Cursor();
     } else if (state_ != State::done) {
       transform_.prepare();
+      set_leaves();
     }
     return status();
   }
@@ -166,36 +169,35 @@ class Query : Question {
   /// The triangles of the pair reported last, in A's frame: inside a sink, and after a run that
   /// wrote a pair and ended with `full`.
   void last_pair(Triangle& a, Triangle& b) const {
-    const Leaves leaves = this->leaves();
-    detail::translate_triangle(*a_, leaves.of_a(untested_), detail::kNoOffset, a);
-    detail::transform_triangle(*b_, leaves.of_b(untested_), transform_, b);
+    detail::translate_triangle(*a_, current_a(), detail::kNoOffset, a);
+    transform_b(b);
   }
 
  private:
-  /// The triangles of the cursor's pair of leaves, by position. Their pairs are taken from the last
-  /// one on, all of A's for each of B's.
-  struct Leaves {
-    uint32_t first_a, count_a;
-    uint32_t first_b, count_b;
+  FLASHBVH_NOINLINE void transform_b(Triangle& b) const {
+    detail::transform_triangle(*b_, current_b(), transform_, b);
+  }
 
-    uint32_t pairs() const { return count_a * count_b; }
-    uint32_t of_a(uint32_t pair) const { return first_a + (count_a == 1 ? 0 : pair % count_a); }
-    uint32_t of_b(uint32_t pair) const { return first_b + (count_a == 1 ? pair : pair / count_a); }
-  };
+  static uint32_t triangles(const Mesh& mesh, uint32_t leaf) {
+    return mesh.end_triangle(leaf) - mesh.first_triangle(leaf);
+  }
+  uint32_t triangles_of_a() const { return triangles(*a_, leaf_a_); }
+  uint32_t triangles_of_b() const { return triangles(*b_, leaf_b_); }
 
-  Leaves leaves() const { return leaves(Order::nodes(*a_, *b_, cursor_)); }
+  /// Positions of the current pair of triangles: the leaves' pairs are taken from the last one on,
+  /// all of A's for each of B's.
+  uint32_t current_a() const { return a_->first_triangle(leaf_a_) + untested_ % triangles_of_a(); }
+  uint32_t current_b() const { return b_->first_triangle(leaf_b_) + untested_ / triangles_of_a(); }
+  Pair current_pair() const { return {a_->triangle_ids[current_a()], b_->triangle_ids[current_b()]}; }
 
-  Leaves leaves(const detail::PairCursor<Index>& nodes) const {
-    const uint32_t leaf_a = a_->nodes[nodes.a].leaf();
-    const uint32_t leaf_b = b_->nodes[nodes.b].leaf();
-    const uint32_t first_a = a_->first_triangle(leaf_a);
-    const uint32_t first_b = b_->first_triangle(leaf_b);
-    return {first_a, a_->end_triangle(leaf_a) - first_a, first_b,
-            b_->end_triangle(leaf_b) - first_b};
+  void set_leaves() {
+    const detail::PairCursor<Index> nodes = Order::nodes(*a_, *b_, cursor_);
+    leaf_a_ = a_->nodes[nodes.a].leaf();
+    leaf_b_ = b_->nodes[nodes.b].leaf();
   }
 
   template <class Sink>
-  Status go_on(uint32_t visits, Sink& sink) {
+  FLASHBVH_INLINE Status go_on(uint32_t visits, Sink& sink) {
     for (;;) {
       while (untested_ != 0) {
         if (next_triangles_answer() && !sink(current_pair())) {
@@ -207,7 +209,8 @@ class Query : Question {
         return status();
       }
       ++counts_.leaf_pairs;
-      untested_ = static_cast<uint16_t>(leaves().pairs());
+      set_leaves();
+      untested_ = static_cast<uint16_t>(triangles_of_a() * triangles_of_b());
     }
   }
 
@@ -225,7 +228,8 @@ class Query : Question {
     }
     const detail::PairCursor<Index> nodes = Order::nodes(*a_, *b_, cursor);
     return a_->nodes[nodes.a].is_leaf() && b_->nodes[nodes.b].is_leaf() &&
-           position.untested <= leaves(nodes).pairs();
+           position.untested <= triangles(*a_, a_->nodes[nodes.a].leaf()) *
+                                    triangles(*b_, b_->nodes[nodes.b].leaf());
   }
 
   static Status error_of(const Mesh& a, const Mesh& b, const Pose& pose, const Cursor& start) {
@@ -263,24 +267,18 @@ class Query : Question {
   FLASHBVH_NOINLINE bool next_triangles_answer() {
     Triangle a;
     Triangle b;
-    const Leaves leaves = this->leaves();
     --untested_;
-    detail::transform_triangle(*b_, leaves.of_b(untested_), transform_, b);
-    for (uint32_t of_a = leaves.of_a(untested_);; --of_a, --untested_) {
+    transform_b(b);
+    for (uint32_t of_a = current_a();; --of_a, --untested_) {
       detail::translate_triangle(*a_, of_a, detail::kNoOffset, a);
       if (Question::test(a, b)) {
         ++counts_.triangle_pairs;
         return true;
       }
-      if (of_a == leaves.first_a) {
+      if (of_a == a_->first_triangle(leaf_a_)) {
         return false;
       }
     }
-  }
-
-  Pair current_pair() const {
-    const Leaves leaves = this->leaves();
-    return {a_->triangle_ids[leaves.of_a(untested_)], b_->triangle_ids[leaves.of_b(untested_)]};
   }
 
   const Mesh* a_;
@@ -288,6 +286,8 @@ class Query : Question {
   detail::Transform transform_;
   Counts counts_;
   Cursor cursor_;
+  Index leaf_a_;       ///< the cursor's pair of leaves, by number, once it is at one
+  Index leaf_b_;
   uint16_t untested_;  ///< pairs of triangles that the cursor's pair of leaves still has
   State state_;
   Status error_;  ///< `done`: none

@@ -26,13 +26,17 @@ constexpr int64_t kFarthest = int64_t{2} * kMaxContactCoordinate;
 static_assert(INT64_MAX / kFarthest / kFarthest / kFarthest >= 6,
               "a 3x3 determinant is a sum of six products of three differences");
 
+[[gnu::noinline]] Normal normal_of(const Triangle& t) {
+  return detail::normal_of<Normal>(t);
+}
+
 /// Of a point above a plane through `base`, times the length of the normal.
 [[gnu::noinline]] int64_t height_of(const Point& p, const Point& base, const Normal& normal) {
   return dot(normal, difference(p, base));
 }
 
 [[gnu::noinline]] Sides sides_of(const Triangle& t, const Point& base, const Normal& normal) {
-  return detail::sides_of(base, normal, t);
+  return detail::sides_of(t, [&](const Point& corner) { return height_of(corner, base, normal); });
 }
 
 /// The two edges of a triangle on which its part of the common line begins and ends.
@@ -144,8 +148,8 @@ inline Edge either(const Point* tip_a, const Point* of_a, const Point* tip_b, co
 
 Contact contact_of(const Triangle& a, const Triangle& b) noexcept {
   Contact contact;
-  contact.normal_a = normal_of<Normal>(a);
-  contact.normal_b = normal_of<Normal>(b);
+  contact.normal_a = normal_of(a);
+  contact.normal_b = normal_of(b);
   contact.kind = is_zero(contact.normal_a) || is_zero(contact.normal_b) ? ContactKind::degenerate
                                                                         : ContactKind::segment;
   set_ends(a, b, contact);

@@ -65,15 +65,15 @@ struct Sides {
   bool all_on_plane() const { return bits == 0; }
 };
 
-/// Of the plane through `origin`.
-template <class Cofactors>
-inline Sides sides_of(const Point& origin, const Cofactors& normal, const Triangle& asked) {
+/// `height(corner)`: above the plane, in any measure.
+template <class Height>
+inline Sides sides_of(const Triangle& asked, const Height& height) {
   unsigned bits = 0;
   for (unsigned i = 0; i < 3; ++i) {
-    const int64_t height = dot(normal, difference(asked.corner[i], origin));
-    if (height > 0) {
+    const int64_t above = height(asked.corner[i]);
+    if (above > 0) {
       bits |= 1u << i;
-    } else if (height < 0) {
+    } else if (above < 0) {
       bits |= 8u << i;
     }
   }

@@ -19,7 +19,7 @@ int32_t reach(const PackedBox& box) {
          reach(low_half(box.z), high_half(box.z));
 }
 
-int32_t clamp_offset(int64_t offset) {
+[[gnu::noinline]] int32_t clamp_offset(int64_t offset) {
   constexpr int64_t most = static_cast<int64_t>(kMaxOffset) * kSplitOne;
   return static_cast<int32_t>(offset > most ? most : offset < -most ? -most : offset);
 }
@@ -64,13 +64,11 @@ bool far_apart(const int32_t (&offset)[3], const PackedBox& root_a, int32_t reac
 
 /// What the rotation of boxes can lack of that of the vertices of B.
 int32_t box_margin(const RotationMatrix& matrix, int32_t reach_b) {
+  const int8_t* const rest = matrix.rest[0];
   int32_t most = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const int32_t rest = matrix.rest[i][j];
-      const int32_t size = rest < 0 ? -rest : rest;
-      most = size > most ? size : most;
-    }
+  for (int i = 0; i < 9; ++i) {
+    const int32_t size = rest[i] < 0 ? -rest[i] : rest[i];
+    most = size > most ? size : most;
   }
   return ((most * reach_b) >> kRestBits) + 1;
 }

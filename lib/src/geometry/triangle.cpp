@@ -40,7 +40,10 @@ inline int64_t volume(bool narrow, const Point& p, const Point& q, const Point& 
 
 template <class Cofactors>
 [[gnu::noinline]] Sides sides_of_plane(const Triangle& plane, const Triangle& asked) {
-  return detail::sides_of(plane.corner[0], normal_of<Cofactors>(plane), asked);
+  const Point& origin = plane.corner[0];
+  const Cofactors normal = normal_of<Cofactors>(plane);
+  return detail::sides_of(
+      asked, [&](const Point& corner) { return dot(normal, difference(corner, origin)); });
 }
 
 inline Sides sides_of(bool narrow, const Triangle& plane, const Triangle& asked) {

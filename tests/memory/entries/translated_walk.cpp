@@ -1,7 +1,6 @@
 // One traversal of boxes, moved and not turned, without triangles.
 #include "flashbvh/detail/ranked.hpp"
 #include "memory/arguments.hpp"
-#include "support/walk.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -14,7 +13,11 @@ extern "C" void translated_walk(void* arguments) {
     ++leaf_pairs;
     return true;
   };
-  const Counts counts = flashbvh::test::walk_from<Ranked<PostMesh>>(*in.a, *in.b, overlap, in.stack[0],
-                                                          leaf_pair, in.visits).counts;
+  Counts counts;
+  counts.visits = 0;
+  counts.overlaps = 0;
+  const WalkRun<PairCursor<uint16_t>, decltype(leaf_pair)> run = {&in.stack[0], &counts, &in.visits,
+                                                                  &leaf_pair};
+  (void)walk<Ranked<PostMesh>>(*in.a, *in.b, overlap, run, false);
   in.answer = leaf_pairs + counts.overlaps;
 }

@@ -12,6 +12,7 @@
 #include "flashbvh/detail/box_mve.hpp"
 #include "flashbvh/detail/box_packed.hpp"
 #include "flashbvh/detail/box_simd.hpp"
+#include "flashbvh/detail/inline.hpp"
 #include "flashbvh/detail/packed.hpp"
 
 namespace flashbvh::detail {
@@ -43,7 +44,7 @@ class TranslatedBound {
 
   /// True if the closed boxes share a point. Of boxes in nodes: with Helium the four bytes behind a
   /// box are read, too.
-  bool operator()(const PackedBox& a, const PackedBox& b) const {
+  FLASHBVH_INLINE bool operator()(const PackedBox& a, const PackedBox& b) const {
 #if defined(FLASHBVH_BOX_SIMD)
     return bounds_reach_simd(a, b, least_);
 #elif defined(FLASHBVH_BOX_MVE)

@@ -43,7 +43,7 @@ class Ranked {
   uint32_t index_a() const { return a_.index(); }
   uint32_t index_b() const { return b_.index(); }
 
-  bool descend() {
+  FLASHBVH_INLINE bool descend() {
     const int32_t rank_a = a_.node->rank();
     const int32_t rank_b = b_.node->rank();
     if (rank_a < rank_b) {

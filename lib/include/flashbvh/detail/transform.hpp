@@ -88,17 +88,24 @@ FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, c
   }
 }
 
+/// The same, rotated and translated.
+template <class Mesh>
+FLASHBVH_NOINLINE void rotate_triangle(const Mesh& mesh, uint32_t position,
+                                       const RotatedTransform& transform, Triangle& triangle) {
+  const auto& corner = mesh.triangles[position].corner;
+  transform.transform(mesh.vertices[corner[0]], mesh.vertices[corner[1]],
+                      mesh.vertices[corner[2]], triangle);
+}
+
 /// A triangle of B, by its position, in A's frame.
 template <class Mesh>
-FLASHBVH_NOINLINE void transform_triangle(const Mesh& b, uint32_t position,
-                                          const Transform& transform, Triangle& triangle) {
-  if (!transform.is_rotated()) {
+void transform_triangle(const Mesh& b, uint32_t position, const Transform& transform,
+                        Triangle& triangle) {
+  if (transform.is_rotated()) {
+    rotate_triangle(b, position, transform.rotated(), triangle);
+  } else {
     translate_triangle(b, position, transform.translated().offset, triangle);
-    return;
   }
-  const auto& corner = b.triangles[position].corner;
-  transform.rotated().transform(b.vertices[corner[0]], b.vertices[corner[1]], b.vertices[corner[2]],
-                                triangle);
 }
 
 }  // namespace flashbvh::detail

@@ -22,13 +22,7 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/box_packed.hpp"
-
-/// Walks are not inlined: in a function of its own, a loop gets the registers.
-#if defined(__GNUC__)
-#define FLASHBVH_NOINLINE [[gnu::noinline]]
-#else
-#define FLASHBVH_NOINLINE
-#endif
+#include "flashbvh/detail/inline.hpp"
 
 namespace flashbvh {
 
@@ -64,8 +58,8 @@ struct PairCursor {
   }
 };
 
-/// What a run of a walk may do, and where it is. Kept in memory, it leaves the registers to the
-/// loop.
+/// What a run of a walk may do, and where it is. Its loop keeps but the address, and that in memory:
+/// registers are for the rest.
 template <class Cursor, class LeafPair>
 struct WalkRun {
   Cursor* cursor;
@@ -96,15 +90,25 @@ inline void keep_in_memory(Object& object) {
 #endif
 }
 
+/// A bound of its own has its registers in a walk's loop; a handle is seldom read, and leaves them.
+template <class Bound>
+inline void put_in_place(Bound& /*bound*/) {}
+template <class StatefulBound>
+inline void put_in_place(ByReference<StatefulBound>& bound) {
+  keep_in_memory(bound);
+}
+
 /// From the cursor to the pair of leaves where `leaf_pair` says stop, the end, or the last visit
 /// granted: where it stands then. `after`: the cursor's pair was visited before; what comes first
 /// is the pair after it.
 template <class Order, class Bound, class LeafPair>
 FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order::Tree& b,
-                             const Bound& bound, WalkRun<typename Order::Cursor, LeafPair> run,
-                             bool after) {
-  keep_in_memory(run);
-  const Bound may_matter = bound;
+                             const Bound& bound,
+                             const WalkRun<typename Order::Cursor, LeafPair>& run, bool after) {
+  const auto* kept = &run;
+  keep_in_memory(kept);
+  Bound may_matter = bound;
+  put_in_place(may_matter);
   Order at(a, b, *run.cursor);
   uint32_t visits_left = *run.visits_left;
   uint32_t overlaps = run.counts->overlaps;
@@ -116,12 +120,12 @@ FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order
         break;
       }
       --visits_left;
-      if (may_matter(at.node_a().box, at.node_b().box)) {
+      if (__builtin_expect(may_matter(at.node_a().box, at.node_b().box), 1)) {
         ++overlaps;
         if (at.descend()) {
           continue;
         }
-        if (!(*run.leaf_pair)(at.index_a(), at.index_b())) {
+        if (!(*kept->leaf_pair)(at.index_a(), at.index_b())) {
           end = State::at_leaf_pair;
           break;
         }
@@ -131,10 +135,10 @@ FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order
       break;
     }
   }
-  at.store(*run.cursor, end == State::done);
-  run.counts->visits += *run.visits_left - visits_left;
-  run.counts->overlaps = overlaps;
-  *run.visits_left = visits_left;
+  at.store(*kept->cursor, end == State::done);
+  kept->counts->visits += *kept->visits_left - visits_left;
+  kept->counts->overlaps = overlaps;
+  *kept->visits_left = visits_left;
   return end;
 }
 

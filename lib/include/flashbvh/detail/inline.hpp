@@ -1,0 +1,15 @@
+// What the compiler is told of inlining, where its own judgement costs registers or stack.
+#ifndef FLASHBVH_DETAIL_INLINE_HPP
+#define FLASHBVH_DETAIL_INLINE_HPP
+
+/// Walks are not inlined: in a function of its own, a loop gets the registers.
+#if defined(__GNUC__)
+#define FLASHBVH_NOINLINE [[gnu::noinline]]
+/// What is small, and whose frame would stand in a query's way.
+#define FLASHBVH_INLINE [[gnu::always_inline]]
+#else
+#define FLASHBVH_NOINLINE
+#define FLASHBVH_INLINE
+#endif
+
+#endif
