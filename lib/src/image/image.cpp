@@ -97,7 +97,7 @@ template <class MeshType>
 [[gnu::noinline]] MeshType view(const void* bytes, const ImageHeader& header) {
   using Index = typename MeshType::Index;
   const ImageOffsets offsets = image_offsets(header);
-  MeshType mesh{};
+  MeshType mesh;
   mesh.nodes = at<Node<Index>>(bytes, offsets.nodes);
   mesh.triangles = at<Corners<Index>>(bytes, offsets.triangles);
   mesh.triangle_ids = at<Index>(bytes, offsets.triangle_ids);
