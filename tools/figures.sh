@@ -23,7 +23,7 @@ data=tests/figures/figures.txt
 # FLASHBVH_NATIVE: the preset whose host program bakes.
 native=${FLASHBVH_NATIVE:-native}
 flashbvh=$PWD/build/$native/bin/flashbvh
-# What measures: the figures, the memory (tests/memory) and the bounds (tests/bound).
+# What measures: the figures, the memory (tests/proof/stack) and the bounds (tests/proof/bound).
 tests="figures: measured|memory, and both stacks|bound: no run takes more"
 # Each pair of links that no joint connects, of those that fit 256 KB together.
 links="bicep forearm palm wrist"

@@ -32,7 +32,7 @@ fuzz_packages="clang libclang-rt-14-dev"
 # 32-bit programs that this machine runs, for the digest that every compiler must get.
 digest_packages="g++-i686-linux-gnu"
 board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
-  qemu-system-arm"
+  qemu-system-arm python3-pyelftools"
 # The tests take C++'s headers from the Arm compiler: that for RISC-V has none.
 riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf libstdc++-arm-none-eabi-dev
   qemu-system-misc"

@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 page=$here/../../lib/docs/figures.md
 new=$(mktemp)
 trap 'rm -f "$new"' EXIT
-awk -f "$here/../benchmark/markdown.awk" -f "$here/../bound/formula.awk" -f "$here/page.awk" \
+awk -f "$here/../benchmark/markdown.awk" -f "$here/../proof/bound/formula.awk" -f "$here/page.awk" \
   "$here/figures.txt" "$here/parts.txt" "$here/page.md" >"$new"
 case ${1:-} in
   --check)

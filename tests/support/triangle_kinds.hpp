@@ -37,7 +37,7 @@ struct TriangleKind {
   AdaptPair adapt;
 };
 
-inline constexpr TriangleKind kBoxesApart = {"boxes_apart", set_boxes_apart};
+inline constexpr TriangleKind kBoxesApart = {"boxes_disjoint", set_boxes_apart};
 inline constexpr TriangleKind kGeneral = {"general", set_general};
 inline constexpr TriangleKind kCoplanar = {"coplanar", set_coplanar};
 inline constexpr TriangleKind kSegments = {"segments", set_segments};

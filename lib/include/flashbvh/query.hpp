@@ -111,7 +111,7 @@ class Query : Question {
 
   /// The same into an array of known length.
   template <uint32_t capacity>
-  Step run(uint32_t visits, Pair (&found)[capacity]) {
+  FLASHBVH_INLINE Step run(uint32_t visits, Pair (&found)[capacity]) {
     return run(visits, found, capacity);
   }
 

@@ -1,0 +1,93 @@
+"""What calls of functions cost at most, in instructions.
+
+cost.py TABLE SOURCES PROGRAM FUNCTION...   prints for each function, named by a regular expression,
+    FUNCTION SUM = fixed N [KIND TURNS*N | KIND N]...
+SUM leaves out the kinds of turns whose count the table leaves open: to it comes N for each of them.
+See loops.py for TABLE. Fails, and says where, if it meets anything that it does not understand: an
+indirect branch, a recursive call, a loop that the table does not bound.
+"""
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+
+from .graph import Graph
+from .instruction import Flow, Refused
+from .longest_path import Paths, Term
+from .loops import Kind, Loops
+from .program import Function, Program
+
+
+@dataclass(frozen=True)
+class Cost:
+    fixed: int
+    terms: list[Term]
+    cuts: dict[int, Kind]
+
+    @property
+    def total(self) -> int:
+        return self.fixed + sum(t.turns * t.instructions for t in self.terms if t.turns is not None)
+
+    def term(self, kind: str) -> int:
+        """Of one turn."""
+        for term in self.terms:
+            if term.kind == kind:
+                return term.instructions
+        raise Refused(f"no {kind} in: {self}")
+
+    def __str__(self) -> str:
+        return " ".join([f"{self.total} = fixed {self.fixed}"] + [str(t) for t in self.terms])
+
+
+class Costs:
+    """general: without what the table calls special."""
+
+    def __init__(self, program: Program, loops: Loops, general: bool = False):
+        self._program, self._loops, self._general = program, loops, general
+        self.known: dict[Function, Cost | None] = {}  # None: being looked at
+
+    def of(self, pattern: str) -> Cost:
+        return self._of(self._program.matching(pattern))
+
+    def _of(self, function: Function) -> Cost:
+        if function in self.known:
+            if self.known[function] is None:
+                raise Refused(f"{function} calls itself")
+            return self.known[function]
+        self.known[function] = None
+        graph = Graph(self._program, function)
+        for address, found in graph.code.items():
+            if found.flow is Flow.STOP or address in graph.computed_jumps or \
+                    graph.unknown_call(address):
+                raise graph.refuse(address, "not understood")
+        weight = {address: 1 + self._call(function, graph.callees.get(address))
+                  for address in graph.code}
+        paths = Paths(graph, weight, self._loops.marks(self._program, function, graph.code))
+        self.known[function] = cost = Cost(paths.fixed, paths.terms, paths.cuts)
+        return cost
+
+    def _call(self, caller: Function, callee: Function | None) -> int:
+        """Of a whole call, or nothing if the table says that it is counted apart."""
+        if callee is None:
+            return 0
+        cost = self._of(callee)
+        if self._loops.is_apart(callee, self._general):
+            return 0
+        left_open = [term.kind for term in cost.terms if term.turns is None]
+        if left_open:
+            raise Refused(f"{callee} has no bound of its own ({left_open}), but {caller} calls it")
+        return cost.total
+
+
+def main() -> None:
+    table, sources, program, *functions = sys.argv[1:]
+    costs = Costs(Program(program), Loops(table, sources))
+    for function in functions:
+        print(function, costs.of(function))
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Refused as refusal:
+        sys.exit(f"cost.py: {refusal}")

@@ -1,0 +1,39 @@
+"""The stack of a function, from its machine code: sp is followed along all branches."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .graph import Graph
+from .instruction import Flow
+
+DEEPEST = 1 << 20  # A loop that pushes has no end.
+
+
+@dataclass(frozen=True)
+class Frame:
+    size: int  # the lowest that sp gets
+    held: dict[int, int]  # of the frame at each call: nothing, as a rule, at one in tail position
+
+
+def frame_of(graph: Graph) -> Frame:
+    start = graph.function.address
+    before = {start: 0}  # the depth ahead of each instruction, the most of all ways there
+    pending = [start]
+    size = 0
+    while pending:
+        address = pending.pop()
+        found = graph.code[address]
+        if found.flow is Flow.STOP:
+            raise graph.refuse(address, "not understood")
+        if found.grows is None:
+            raise graph.refuse(address, f"{graph.function} has a frame of no fixed size")
+        # Whoever goes on behind a return has not executed it.
+        depth = before[address] + (0 if found.flow is Flow.LEAVE else found.grows)
+        if depth > DEEPEST:
+            raise graph.refuse(address, "the stack's depth has no end")
+        size = max(size, depth)
+        for behind in graph.successors[address]:
+            if depth > before.get(behind, -1):
+                before[behind] = depth
+                pending.append(behind)
+    return Frame(size, {address: before[address] for address in graph.callees})

@@ -1,0 +1,43 @@
+"""What the proofs need to know of a machine instruction."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class Flow(Enum):
+    NEXT = "plain"
+    JUMP = "jump"  # to the target
+    CALL = "call"  # of the target, which comes back
+    LEAVE = "return"
+    STOP = "not understood"  # a trap, or what no proof should rely on
+
+
+@dataclass(frozen=True)
+class Instruction:
+    address: int
+    size: int
+    flow: Flow = Flow.NEXT
+    target: int | None = None  # None: only the run knows
+    falls_through: bool = True  # the next instruction may follow
+    grows: int | None = 0  # the stack's growth in bytes; None: not a constant
+    name: str = ""  # of conditional branches, and "nop"
+
+    @property
+    def end(self) -> int:
+        return self.address + self.size
+
+    @property
+    def is_padding(self) -> bool:
+        """What may stand between functions; a bare return harms nobody who gets there."""
+        return self.name == "nop" or (self.flow is Flow.LEAVE and self.grows == 0)
+
+
+class Refused(Exception):
+    """What cannot be proven, and where."""
+
+
+def signed(value: int, bits: int) -> int:
+    """The lowest bits of a value, as a number with sign."""
+    value &= (1 << bits) - 1
+    return value - (1 << bits) if value >> (bits - 1) else value

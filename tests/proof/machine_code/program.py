@@ -1,0 +1,153 @@
+"""A linked program: its functions, their code, and the lines of source that it came from."""
+from __future__ import annotations
+
+import re
+import subprocess
+from bisect import bisect_right
+from dataclasses import dataclass
+from functools import cache, cached_property
+from pathlib import PurePath
+from typing import Iterator
+
+from elftools.dwarf.lineprogram import LineProgram
+from elftools.elf.constants import SH_FLAGS
+from elftools.elf.elffile import ELFFile
+
+from . import riscv, thumb
+from .instruction import Instruction, Refused
+
+
+@dataclass(frozen=True)
+class Function:
+    address: int
+    end: int
+    names: tuple[str, ...]  # as the linker has them
+    titles: tuple[str, ...]  # as the source has them, with their arguments
+
+    def matches(self, pattern: str) -> bool:
+        return any(re.search(pattern, title) for title in self.titles)
+
+    def __str__(self) -> str:
+        return self.names[0]
+
+
+class Program:
+    def __init__(self, path: str):
+        self._path = path
+        with open(path, "rb") as file:
+            elf = ELFFile(file)
+            self._decode = riscv.decode if elf["e_machine"] == "EM_RISCV" else thumb.decode
+            self._is_thumb = self._decode is thumb.decode
+            self._sections = {i: (s["sh_addr"], s.data()) for i, s in enumerate(elf.iter_sections())
+                              if s["sh_flags"] & SH_FLAGS.SHF_EXECINSTR}
+            self._read_symbols(elf)
+
+    def _read_symbols(self, elf: ELFFile) -> None:
+        names: dict[int, list[str]] = {}
+        self._data_starts: dict[int, bool] = {}  # mapping symbols: whether data follow
+        for symbol in elf.get_section_by_name(".symtab").iter_symbols():
+            kind, address = symbol["st_info"]["type"], symbol["st_value"]
+            base, code = self._sections.get(symbol["st_shndx"], (0, b""))
+            if not base <= address < base + len(code):
+                continue
+            if symbol.name.startswith("$"):
+                self._data_starts[address] = symbol.name.startswith("$d")
+            elif kind in ("STT_FUNC", "STT_NOTYPE") and symbol.name:
+                address &= ~1 if self._is_thumb else ~0
+                names.setdefault(address, []).append(symbol.name)
+        self._names = names
+
+    @cached_property
+    def functions(self) -> dict[int, Function]:
+        """By address: all between two symbols of the code is a function."""
+        starts = sorted(self._names)
+        flat = [name for start in starts for name in self._names[start]]
+        titles = dict(zip(flat, subprocess.run(["c++filt"], input="\n".join(flat), text=True,
+                                               capture_output=True, check=True).stdout.split("\n")))
+        found = {}
+        for start, following in zip(starts, starts[1:] + [1 << 32]):
+            base, code = self._section_at(start)
+            names = tuple(self._names[start])
+            found[start] = Function(start, min(following, base + len(code)), names,
+                                    tuple(titles[name] for name in names))
+        return found
+
+    def matching(self, pattern: str) -> Function:
+        """The one function that a regular expression matches."""
+        found = [f for f in self.functions.values() if f.matches(pattern)]
+        if len(found) != 1:
+            raise Refused(f"{len(found)} functions match {pattern}")
+        return found[0]
+
+    def at(self, address: int) -> Function:
+        """The function that has an instruction."""
+        starts = self._starts
+        function = self.functions[starts[bisect_right(starts, address) - 1]]
+        if not function.address <= address < function.end:
+            raise Refused(f"{address:x}: out of the code")
+        return function
+
+    @cached_property
+    def _starts(self) -> list[int]:
+        return sorted(self.functions)
+
+    @cache
+    def code_of(self, function: Function) -> dict[int, Instruction]:
+        """All instructions of a function, in the order of their addresses."""
+        base, data = self._section_at(function.address)
+        marks = sorted(a for a in self._data_starts if function.address < a < function.end)
+        found = {}
+        is_data = False
+        for start, end in zip([function.address] + marks, marks + [function.end]):
+            is_data = self._data_starts.get(start, is_data)
+            if not is_data:
+                for instruction in self._decode(data[start - base:end - base], start):
+                    found[instruction.address] = instruction
+        return found
+
+    def line_at(self, address: int) -> tuple[str, int]:
+        """File, without its folder, and line."""
+        i = bisect_right(self._lines, address, key=lambda line: line[0]) - 1
+        return self._lines[i][1:] if i >= 0 else ("", 0)
+
+    @cached_property
+    def _lines(self) -> list[tuple[int, str, int]]:
+        with open(self._path, "rb") as file:
+            return _read_lines(ELFFile(file))
+
+    def place(self, address: int) -> str:
+        """For messages."""
+        file, line = self.line_at(address)
+        return f"{address:x} in {self.at(address)}" + (f" ({file}:{line})" if file else "")
+
+    def _section_at(self, address: int) -> tuple[int, bytes]:
+        return next((base, data) for base, data in self._sections.values()
+                    if base <= address < base + len(data))
+
+
+def _read_lines(elf: ELFFile) -> list[tuple[int, str, int]]:
+    """Where a line of source begins; a file of no name, where none is known."""
+    rows: dict[int, tuple[str, int]] = {}
+    dwarf = elf.get_dwarf_info() if elf.has_dwarf_info() else None
+    for unit in dwarf.iter_CUs() if dwarf else ():
+        program = dwarf.line_program_for_CU(unit)
+        if program is not None:
+            files = [PurePath(entry.name.decode()).name for entry in program["file_entry"]]
+            first = 0 if program["version"] >= 5 else 1
+            for sequence in _sequences(program):
+                for state in sequence[:-1]:
+                    rows[state.address] = (files[state.file - first], state.line)
+                rows.setdefault(sequence[-1].address, ("", 0))
+    return sorted((address, *line) for address, line in rows.items())
+
+
+def _sequences(program: LineProgram) -> Iterator[list]:
+    """Rows of a stretch of code each, the last one after it; what the linker left out is at 0."""
+    sequence: list = []
+    for entry in program.get_entries():
+        if entry.state is not None:
+            sequence.append(entry.state)
+            if entry.state.end_sequence:
+                if sequence[0].address != 0:
+                    yield sequence
+                sequence = []

@@ -1,0 +1,101 @@
+// What an entry is given, under one signature for all of entries.cpp.
+//
+// Linked alone an entry gives its query's code size; it is the root of the query's call graph; and
+// the firmware of painted.cpp calls it through a pointer, so that the painted depth is that of the
+// same machine code. What a query needs of the caller's memory lies in Arguments, and is not
+// counted as stack.
+#ifndef FLASHBVH_TESTS_PROOF_STACK_ARGUMENTS_HPP
+#define FLASHBVH_TESTS_PROOF_STACK_ARGUMENTS_HPP
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "flashbvh/contact.hpp"
+#include "flashbvh/flashbvh.h"
+#include "flashbvh/mesh.hpp"
+#include "flashbvh/query.hpp"
+
+namespace stack_proof {
+
+/// Room for an object that an entry makes.
+template <size_t size>
+struct alignas(8) Room {
+  unsigned char bytes[size];
+};
+
+template <class Object, size_t size>
+Object& as(Room<size>& room) {
+  return *reinterpret_cast<Object*>(room.bytes);
+}
+
+constexpr uint32_t kStackEntries = 64;
+
+struct Arguments {
+  const flashbvh::LevelledPostMesh* a;
+  const flashbvh::LevelledPostMesh* b;
+  const flashbvh::LevelledPreMesh* pre_a;
+  const flashbvh::LevelledPreMesh* pre_b;
+  const flashbvh::Pose* pose;
+  const flashbvh::Pose* other_pose;
+  const flashbvh::Triangle* triangles;  ///< two
+  const void* image;                          ///< post-indexed
+  uint32_t image_size;
+
+  const int32_t (*rotation)[3];  ///< three rows
+  const int32_t* cells;
+  const int16_t* fraction;
+  const float* floats;  ///< twelve: a matrix and a translation, or a quaternion and a translation
+
+  const flashbvh_mesh* c_a;
+  const flashbvh_mesh* c_b;
+  const flashbvh_pose* c_pose;
+  const flashbvh_pose* c_other_pose;
+
+  uint32_t visits;    ///< of a run
+  uint32_t capacity;  ///< of the array of pairs, in a run
+
+  // Written.
+  uint32_t answer;  ///< pairs found, or 0 and 1
+  uint8_t status;
+  flashbvh::PairQuery::Pair found[4];
+  flashbvh::detail::PairCursor<uint16_t> stack[kStackEntries];
+  Room<136> query;
+  Room<68> made_pose;
+  Room<80> opened;
+  flashbvh::Triangle placed[2];
+  flashbvh::Contact contact;
+  flashbvh::QueryPosition<uint16_t> position;
+  flashbvh_position c_position;
+
+  template <class Status>
+  void ends(Status with) {
+    status = static_cast<uint8_t>(with);
+  }
+  flashbvh_pair* c_found() { return reinterpret_cast<flashbvh_pair*>(found); }
+};
+
+/// An object made in its place, as a caller's variable is.
+template <class Object, size_t size, class Make>
+Object& make_in(Room<size>& room, const Make& make);
+
+}  // namespace stack_proof
+
+/// Freestanding C++ has no <new> on every core.
+struct InPlace {
+  void* bytes;
+};
+[[gnu::returns_nonnull]] inline void* operator new(size_t /*size*/, InPlace place) {
+  return place.bytes;
+}
+
+template <class Object, size_t size, class Make>
+Object& stack_proof::make_in(Room<size>& room, const Make& make) {
+  static_assert(sizeof(Object) <= size && alignof(Object) <= 8, "the room is too small");
+  return *new (InPlace{room.bytes}) Object(make());
+}
+
+extern "C" {
+using EntryFunction = void(stack_proof::Arguments* in);
+}
+
+#endif

@@ -1,0 +1,272 @@
+// The entries: one for each public query, which asks that query and nothing else.
+//
+// Each is compiled alone, so that it has what it would have in a firmware; the build makes a source
+// of each, and the list entry_list.inc. Kinds, for painted.cpp:
+//     ticked  a query: made, then run slice by slice
+//     moved   the same, but only with poses that do not turn
+//     asked   one call, one answer
+#include "flashbvh/collide.hpp"
+#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/image.hpp"
+#include "flashbvh/contact.hpp"
+#include "flashbvh/pose_float.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
+#include "proof/stack/arguments.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+using stack_proof::Arguments;
+using stack_proof::as;
+using stack_proof::make_in;
+
+namespace entries {
+
+/// Not inlined: its frame is gone when a slice runs.
+template <class Asked>
+[[gnu::noinline]] void make_query(Arguments& in, const typename Asked::Mesh& a,
+                                  const typename Asked::Mesh& b) {
+  make_in<Asked>(in.query, [&] {
+    if constexpr (__is_constructible(typename Asked::Cursor)) {
+      return Asked(a, b, *in.pose);
+    } else {  // the array of pairs that traversals with a stack have
+      return Asked(a, b, *in.pose, typename Asked::Cursor(in.stack, stack_proof::kStackEntries));
+    }
+  });
+}
+
+/// Makes the query if no visits are granted, else runs it for a slice.
+template <class Asked>
+inline void make_or_run(Arguments& in, const typename Asked::Mesh& a,
+                        const typename Asked::Mesh& b) {
+  if (in.visits == 0) {
+    make_query<Asked>(in, a, b);
+    return;
+  }
+  const Step step = as<Asked>(in.query).run(in.visits, in.found, in.capacity);
+  in.answer += step.count;
+  in.status = static_cast<uint8_t>(step.status);
+}
+
+/// A visitor that takes no stack.
+inline bool count_visit(flashbvh_pair /*pair*/, void* context) {
+  ++*static_cast<uint32_t*>(context);
+  return true;
+}
+
+// A function if the source has `#define CHOSEN_NAME ~, extern "C" void`, else a template that
+// nobody instantiates.
+#define SECOND(first, second, ...) second
+#define LINKAGE(...) SECOND(__VA_ARGS__, template <class Arguments> void, ~)
+#define ENTRY(name, kind) LINKAGE(CHOSEN_##name) name(Arguments* in)
+#define QUERY(name, kind, a, b, ...)                      \
+  ENTRY(name, kind) {                                     \
+    make_or_run<Query<__VA_ARGS__>>(*in, *in->a, *in->b); \
+  }
+
+// All of one exact query under any rigid pose, by each traversal.
+QUERY(rigid_query, ticked, a, b, Ranked<PostMesh>)
+// The same; painted.cpp asks it with poses that only translate, and calls.txt leaves the rotating
+// walk out of its call graph.
+QUERY(translated_query, moved, a, b, Ranked<PostMesh>)
+QUERY(stackless_query, ticked, pre_a, pre_b, Stackless)
+QUERY(stackless_post_query, ticked, a, b, StacklessPost)
+QUERY(leaf_query, ticked, pre_a, pre_b, Leaf<PreMesh>)
+QUERY(volume_stack_query, ticked, pre_a, pre_b, VolumeStack<PreMesh>)
+QUERY(alternating_stack_query, ticked, a, b, AlternatingStack<LevelledPostMesh>)
+QUERY(ranked_stack_query, ticked, a, b, RankedStack<PostMesh>)
+
+// A query in C: started if no visits are granted, else run for a slice.
+ENTRY(c_query, ticked) {
+  auto* const query = &as<flashbvh_query>(in->query);
+  if (in->visits == 0) {
+    in->ends(flashbvh_query_start(query, in->c_a, in->c_b, in->c_pose));
+    return;
+  }
+  uint32_t count = 0;
+  in->ends(flashbvh_query_run(query, in->visits, in->c_found(), in->capacity, &count));
+  in->answer += count;
+}
+
+// One traversal of boxes, moved and not turned, without triangles.
+ENTRY(translated_walk, asked) {
+  const TranslatedBound& overlap = as<TranslatedBound>(in->made_pose);
+  uint32_t leaf_pairs = 0;
+  const auto leaf_pair = [&leaf_pairs](uint32_t, uint32_t) {
+    ++leaf_pairs;
+    return true;
+  };
+  Counts counts;
+  counts.visits = 0;
+  counts.overlaps = 0;
+  const WalkRun<PairCursor<uint16_t>, decltype(leaf_pair)> run = {&in->stack[0], &counts,
+                                                                  &in->visits, &leaf_pair};
+  (void)walk<Ranked<PostMesh>>(*in->a, *in->b, overlap, run, false);
+  in->answer = leaf_pairs + counts.overlaps;
+}
+
+// A made query taken to a position.
+ENTRY(resume, asked) {
+  auto& query = as<PairQuery>(in->query);
+  in->ends(query.resume(in->position));
+}
+
+// The triangles of the pair that a query reported last.
+ENTRY(last_pair, asked) {
+  const auto& query = as<PairQuery>(in->query);
+  query.last_pair(in->placed[0], in->placed[1]);
+}
+
+// The triangles of a reported pair, placed again by their source numbers.
+ENTRY(place_a_pair, asked) {
+  in->answer =
+      transform_pair<PostMesh>(*in->a, *in->b, *in->pose, in->found[0], in->placed[0], in->placed[1])
+          ? 1u
+          : 0u;
+}
+
+// One call, the query on its stack.
+ENTRY(intersects_once, asked) {
+  const Answer answer = intersects<uint16_t>(*in->a, *in->b, *in->pose);
+  in->answer = answer.yes ? 1 : 0;
+  in->ends(answer.status);
+}
+
+ENTRY(first_pair_once, asked) {
+  const Answer answer = first_pair<uint16_t>(*in->a, *in->b, *in->pose, in->found[0]);
+  in->answer = answer.yes ? 1 : 0;
+  in->ends(answer.status);
+}
+
+// The visitor is inlined.
+ENTRY(for_each_pair_once, asked) {
+  in->ends(for_each_pair<uint16_t>(*in->a, *in->b, *in->pose, [in](const PairQuery::Pair& pair) {
+    in->found[in->answer++ % 4] = pair;
+    return true;
+  }));
+}
+
+ENTRY(count_pairs_once, asked) {
+  const PairCount count = count_pairs<uint16_t>(*in->a, *in->b, *in->pose);
+  in->answer = count.pairs;
+  in->ends(count.status);
+}
+
+ENTRY(find_pairs_once, asked) {
+  const Step step = find_pairs<uint16_t>(*in->a, *in->b, *in->pose, in->found, in->capacity);
+  in->answer = step.count;
+  in->ends(step.status);
+}
+
+// triangles_intersect(): the exact test alone.
+ENTRY(triangles_meet, asked) {
+  in->answer = triangles_intersect(in->triangles[0], in->triangles[1]) ? 1 : 0;
+}
+
+ENTRY(contact, asked) {
+  new (InPlace{&in->contact}) Contact(contact_of(in->triangles[0], in->triangles[1]));
+}
+
+// open_image(): every check of a post-indexed image.
+ENTRY(open_an_image, asked) {
+  in->ends(open_image(in->image, in->image_size, as<LevelledPostMesh>(in->opened)));
+}
+
+ENTRY(check_a_tree, asked) {
+  in->ends(check_tree(*in->a, as<TreeShape>(in->opened)));
+}
+
+ENTRY(pose_rigid, asked) {
+  make_in<Pose>(in->made_pose, [&] {
+    const auto& rotation = *reinterpret_cast<const int32_t(*)[3][3]>(in->rotation);
+    const auto& cells = *reinterpret_cast<const int32_t(*)[3]>(in->cells);
+    return Pose::rigid(rotation, cells, *reinterpret_cast<const int16_t(*)[3]>(in->fraction));
+  });
+}
+
+ENTRY(pose_composed, asked) {
+  make_in<Pose>(in->made_pose, [&] { return Pose::composed(*in->pose, *in->other_pose); });
+}
+
+ENTRY(pose_inverse, asked) {
+  make_in<Pose>(in->made_pose, [&] { return in->pose->inverse(); });
+}
+
+// Pose::relative(): what a moving robot needs.
+ENTRY(pose_relative, asked) {
+  make_in<Pose>(in->made_pose, [&] { return Pose::relative(*in->pose, *in->other_pose); });
+}
+
+ENTRY(pose_of_matrix, asked) {
+  make_in<Pose>(in->made_pose,
+                [&] { return pose_of(*reinterpret_cast<const float(*)[3][4]>(in->floats), 1.0f); });
+}
+
+ENTRY(pose_of_quaternion, asked) {
+  make_in<Pose>(in->made_pose, [&] {
+    const float* const f = in->floats;
+    return pose_of(UnitQuaternion{f[0], f[1], f[2], f[3]},
+                   *reinterpret_cast<const float(*)[3]>(f + 4), 1.0f);
+  });
+}
+
+ENTRY(c_open, asked) {
+  in->ends(flashbvh_open(in->image, in->image_size, &as<flashbvh_mesh>(in->opened)));
+}
+
+ENTRY(c_resume, asked) {
+  in->ends(flashbvh_query_resume(&as<flashbvh_query>(in->query), &in->c_position));
+}
+
+ENTRY(c_last_pair, asked) {
+  flashbvh_query_last_pair(&as<flashbvh_query>(in->query),
+                           reinterpret_cast<flashbvh_triangle*>(&in->placed[0]),
+                           reinterpret_cast<flashbvh_triangle*>(&in->placed[1]));
+}
+
+ENTRY(c_intersects, asked) {
+  bool yes = false;
+  in->ends(flashbvh_intersects(in->c_a, in->c_b, in->c_pose, &yes));
+  in->answer = yes ? 1 : 0;
+}
+
+ENTRY(c_first_pair, asked) {
+  bool yes = false;
+  in->ends(flashbvh_first_pair(in->c_a, in->c_b, in->c_pose, &yes, in->c_found()));
+  in->answer = yes ? 1 : 0;
+}
+
+ENTRY(c_count_pairs, asked) {
+  in->ends(flashbvh_count_pairs(in->c_a, in->c_b, in->c_pose, &in->answer));
+}
+
+ENTRY(c_find_pairs, asked) {
+  in->ends(
+      flashbvh_find_pairs(in->c_a, in->c_b, in->c_pose, in->c_found(), in->capacity, &in->answer));
+}
+
+ENTRY(c_for_each_pair, asked) {
+  in->ends(flashbvh_for_each_pair(in->c_a, in->c_b, in->c_pose, count_visit, &in->answer));
+}
+
+ENTRY(c_pose_rigid, asked) {
+  in->ends(flashbvh_pose_rigid(in->rotation[0], in->cells, in->fraction,
+                               &as<flashbvh_pose>(in->made_pose)));
+}
+
+ENTRY(c_pose_composed, asked) {
+  in->ends(flashbvh_pose_composed(in->c_pose, in->c_other_pose, &as<flashbvh_pose>(in->made_pose)));
+}
+
+ENTRY(c_pose_inverse, asked) {
+  in->ends(flashbvh_pose_inverse(in->c_pose, &as<flashbvh_pose>(in->made_pose)));
+}
+
+ENTRY(c_pose_relative, asked) {
+  in->ends(flashbvh_pose_relative(in->c_pose, in->c_other_pose, &as<flashbvh_pose>(in->made_pose)));
+}
+
+}  // namespace entries
