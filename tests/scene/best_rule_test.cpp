@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/best_rule.hpp"
+#include "evaluate/best_rule.hpp"
 #include "support/shapes.hpp"
 
 using namespace flashbvh;

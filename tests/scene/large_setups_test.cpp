@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "bench/default_tree.hpp"
-#include "bench/rows.hpp"
-#include "scene/setups.hpp"
+#include "evaluate/default_tree.hpp"
+#include "evaluate/rows.hpp"
+#include "evaluate/setups.hpp"
 
 using namespace flashbvh;
 

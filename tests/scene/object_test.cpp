@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "scene/paper_object.hpp"
+#include "evaluate/paper_object.hpp"
 
 using namespace flashbvh;
 using scene::kFullRadius;

@@ -1,9 +1,9 @@
 // Figures that the tables print.
 #include <catch2/catch.hpp>
 
-#include "bench/report.hpp"
-#include "bench/run.hpp"
-#include "bench/summary.hpp"
+#include "evaluate/report.hpp"
+#include "evaluate/run.hpp"
+#include "evaluate/summary.hpp"
 
 using namespace flashbvh;
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "flashbvh/numbers.hpp"
 #include "report/html.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::report {
 namespace {

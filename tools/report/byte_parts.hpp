@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "flashbvh/image_file.hpp"
+#include "image/image_file.hpp"
 
 namespace flashbvh::report {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "flashbvh/numbers.hpp"
 #include "report/html.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::report {
 namespace {

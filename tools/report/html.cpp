@@ -1,6 +1,6 @@
 #include "report/html.hpp"
 
-#include "flashbvh/numbers.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::report {
 namespace {

@@ -1,10 +1,10 @@
 #include "report/image_section.hpp"
 
-#include "flashbvh/numbers.hpp"
 #include "report/byte_parts.hpp"
 #include "report/histograms.hpp"
 #include "report/html.hpp"
 #include "report/pictures.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::report {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "flashbvh/image_file.hpp"
+#include "image/image_file.hpp"
 
 namespace flashbvh::report {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "flashbvh/algorithm.hpp"
-#include "flashbvh/numbers.hpp"
+#include "evaluate/queries.hpp"
 #include "report/html.hpp"
 #include "report/visits.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::report {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "flashbvh/image_file.hpp"
 #include "flashbvh/pose.hpp"
+#include "image/image_file.hpp"
 #include "report/view.hpp"
 
 namespace flashbvh::report {

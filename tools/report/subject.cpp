@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
-#include "flashbvh/mesh_defects.hpp"
-#include "flashbvh/messages.hpp"
+#include "mesh/defects.hpp"
 #include "report/html.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "flashbvh/image_file.hpp"
+#include "image/image_file.hpp"
 #include "report/raster.hpp"
 #include "report/tree_shape.hpp"
 

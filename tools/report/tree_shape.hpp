@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "flashbvh/image_file.hpp"
+#include "image/image_file.hpp"
 
 namespace flashbvh::report {
 

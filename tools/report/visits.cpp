@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "flashbvh/algorithm.hpp"
+#include "evaluate/queries.hpp"
 #include "report/sample_poses.hpp"
 
 namespace flashbvh::report {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "flashbvh/image_file.hpp"
+#include "image/image_file.hpp"
 
 namespace flashbvh::report {
 

@@ -1,0 +1,23 @@
+// The subcommands. Each function declares one: its options, and what runs when it is given.
+#ifndef FLASHBVH_TOOLS_CLI_COMMANDS_HPP
+#define FLASHBVH_TOOLS_CLI_COMMANDS_HPP
+
+#include <CLI/CLI.hpp>
+
+namespace flashbvh::tool {
+
+/// What the program returns; 2 is for UserError.
+enum ExitCode : int { kSuccess = 0, kCheckFailed = 1, kBadInput = 2 };
+
+/// `exit_code` is set when the command ran; it must outlive the parsing.
+void add_bake(CLI::App& app);
+void add_info(CLI::App& app);
+void add_check(CLI::App& app, ExitCode& exit_code);
+void add_export(CLI::App& app);
+void add_report(CLI::App& app);
+void add_collide(CLI::App& app);
+void add_bench(CLI::App& app, ExitCode& exit_code);
+
+}  // namespace flashbvh::tool
+
+#endif

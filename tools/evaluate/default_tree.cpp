@@ -1,0 +1,80 @@
+#include "evaluate/default_tree.hpp"
+
+#include "evaluate/best_rule.hpp"
+#include "evaluate/count_query.hpp"
+#include "evaluate/report.hpp"
+#include "flashbvh/traversal/ranked.hpp"
+#include "flashbvh/traversal/stackless.hpp"
+
+namespace flashbvh::bench {
+namespace {
+
+double ratio(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+template <class Traversal, class Tree>
+Counts counts_of(const Tree& a, const Tree& b, const Point& t) {
+  scene::WalkStart<Traversal> start(a, b);
+  std::uint32_t found = 0;
+  return scene::count_query<Traversal>(a, b, Pose::translated(t.x, t.y, t.z), start, found);
+}
+
+std::vector<std::string> line_of(const std::string& name, const DefaultTreeVisits& visits) {
+  return {name,
+          std::to_string(visits.stackless),
+          std::to_string(visits.ranked),
+          std::to_string(visits.best_rule),
+          fixed_digits(visits.ranked_to_stackless(), 4),
+          fixed_digits(visits.ranked_to_best(), 4)};
+}
+
+}  // namespace
+
+double DefaultTreeVisits::ranked_to_stackless() const {
+  return ratio(ranked, stackless);
+}
+
+double DefaultTreeVisits::ranked_to_best() const {
+  return ratio(ranked, best_rule);
+}
+
+DefaultTreeResult compare_default_tree(const scene::Setup& setup, Objects& objects) {
+  using Paper = AlternatingStackless<LevelledTree<std::uint32_t, Layout::pre_indexed>>;
+  BakedObject& a = objects.get(setup.a);
+  BakedObject& b = objects.get(setup.b);
+  const Counts stackless = counts_of<Paper>(a.baked<std::uint32_t>().pre.view(),
+                                            b.baked<std::uint32_t>().pre.view(), setup.translation);
+  const Counts ranked = counts_of<Ranked<LargePostTree>>(
+      a.baked_default().view(), b.baked_default().view(), setup.translation);
+  return {&setup,
+          stackless.triangle_pairs != 0,
+          {stackless.visits, ranked.visits,
+           best_rule_visits(a.default_tree(), b.default_tree(), setup.translation)}};
+}
+
+DefaultTreeVisits sum_of(const std::vector<DefaultTreeResult>& results, bool only_intersecting) {
+  DefaultTreeVisits sum;
+  for (const DefaultTreeResult& result : results) {
+    if (result.intersecting || !only_intersecting) {
+      sum.stackless += result.visits.stackless;
+      sum.ranked += result.visits.ranked;
+      sum.best_rule += result.visits.best_rule;
+    }
+  }
+  return sum;
+}
+
+std::string default_tree_table(const std::vector<DefaultTreeResult>& results) {
+  std::vector<std::vector<std::string>> lines = {{"iterations", "stackless, paper's tree",
+                                                  "ranked, default tree", "best rule, default tree",
+                                                  "ranked / stackless", "ranked / best"}};
+  for (const DefaultTreeResult& result : results) {
+    lines.push_back(line_of(result.setup->name, result.visits));
+  }
+  lines.push_back(line_of("total of the intersecting", sum_of(results, true)));
+  lines.push_back(line_of("total", sum_of(results, false)));
+  return "### The default tree\n\n" + markdown_table(lines);
+}
+
+}  // namespace flashbvh::bench

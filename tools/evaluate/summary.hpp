@@ -1,0 +1,34 @@
+// All setups side by side: iterations as parts of volume-stack's, and times.
+#ifndef FLASHBVH_TOOLS_EVALUATE_SUMMARY_HPP
+#define FLASHBVH_TOOLS_EVALUATE_SUMMARY_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "evaluate/run.hpp"
+
+namespace flashbvh::bench {
+
+/// Sums over setups; those of the best rule over the setups that have one.
+struct Totals {
+  std::uint64_t volume = 0;
+  std::uint64_t alternating = 0;
+  std::uint64_t leaf = 0;
+  std::uint64_t ranked = 0;
+  double worst_ranked = 0;           ///< the largest ranked / volume-stack of any setup
+  std::uint64_t best = 0;            ///< where known
+  std::uint64_t volume_by_best = 0;  ///< volume-stack on the same setups
+  std::uint64_t ranked_by_best = 0;
+};
+Totals totals_of(const std::vector<SetupResult>& results);
+
+/// Iterations: a line a setup and the totals, as text.
+std::string summary_table(const std::vector<SetupResult>& results);
+
+/// Microseconds of one query in each row's fastest sample, a line a setup, as text.
+std::string time_table(const std::vector<SetupResult>& results);
+
+}  // namespace flashbvh::bench
+
+#endif

@@ -1,0 +1,25 @@
+#include "mesh/formats.hpp"
+
+#include "text/numbers.hpp"
+#include "text/user_error.hpp"
+
+namespace flashbvh::tool {
+
+std::string warn_of_cut_line(std::string_view text) {
+  const bool ended = text.back() == '\n' || text.back() == '\r';
+  return ended ? "" : "the last line has no end: the file may be truncated";
+}
+
+void append_coordinate(std::string& bytes, std::string_view word, const std::string& file,
+                       std::size_t line) {
+  if (!parse_number(word)) {
+    throw UserError(file, line,
+                    "'" + std::string(word.substr(0, 40)) +
+                        "' is no finite number, which a coordinate must be; repair the "
+                        "mesh");
+  }
+  bytes += " ";
+  bytes += word;
+}
+
+}  // namespace flashbvh::tool

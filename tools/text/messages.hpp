@@ -1,0 +1,32 @@
+// What the program says on standard error beside errors.
+#ifndef FLASHBVH_TOOLS_TEXT_MESSAGES_HPP
+#define FLASHBVH_TOOLS_TEXT_MESSAGES_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace flashbvh::tool {
+
+/// Without line ends and other control characters, whatever a file's name or a library's message
+/// holds.
+std::string one_line(std::string text);
+
+/// "3 triangles (1, 5 and 8)" or "912 triangles (1, 5, 8, 9, 10 and 907 more)"; numbers count from
+/// 0.
+std::string triangle_list(const std::vector<std::uint32_t>& triangles);
+
+/// Collected while a progress bar may stand on the line, printed when it is gone.
+class Warnings {
+ public:
+  void add(const std::string& place, const std::string& what);
+  /// One line each on standard error.
+  void print() const;
+
+ private:
+  std::vector<std::string> lines_;
+};
+
+}  // namespace flashbvh::tool
+
+#endif
