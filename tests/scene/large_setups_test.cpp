@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "evaluate/default_tree.hpp"
-#include "evaluate/rows.hpp"
+#include "evaluate/run.hpp"
 #include "evaluate/setups.hpp"
 
 using namespace flashbvh;

@@ -1,9 +1,8 @@
 // Figures that the tables print.
 #include <catch2/catch.hpp>
 
-#include "evaluate/report.hpp"
 #include "evaluate/run.hpp"
-#include "evaluate/summary.hpp"
+#include "evaluate/tables.hpp"
 
 using namespace flashbvh;
 

@@ -9,9 +9,8 @@
 #include "evaluate/default_tree.hpp"
 #include "evaluate/figure.hpp"
 #include "evaluate/firmware_writer.hpp"
-#include "evaluate/report.hpp"
 #include "evaluate/run.hpp"
-#include "evaluate/summary.hpp"
+#include "evaluate/tables.hpp"
 #include "text/files.hpp"
 #include "text/user_error.hpp"
 
@@ -77,17 +76,14 @@ void print_json(const bench::SetupResult& result) {
 }
 
 void print_json(const bench::Totals& totals) {
-  const auto ratio = [](std::uint64_t part, std::uint64_t whole) {
-    return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
-  };
   const Json line = {{"summary",
                       {{"volume_stack_visits", totals.volume},
                        {"stackless_visits", totals.alternating},
                        {"leaf_visits", totals.leaf},
                        {"ranked_visits", totals.ranked},
-                       {"ranked_to_volume", ratio(totals.ranked, totals.volume)},
+                       {"ranked_to_volume", bench::ratio(totals.ranked, totals.volume)},
                        {"worst_ranked_to_volume", totals.worst_ranked},
-                       {"best_rule_to_volume", ratio(totals.best, totals.volume_by_best)}}}};
+                       {"best_rule_to_volume", bench::ratio(totals.best, totals.volume_by_best)}}}};
   std::cout << line.dump() << "\n";
 }
 

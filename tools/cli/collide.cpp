@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "cli/commands.hpp"
-#include "evaluate/lattice_pose.hpp"
+#include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
 #include "evaluate/visit_bound.hpp"
 #include "image/image_file.hpp"
@@ -48,9 +48,9 @@ void check_partners(const ImageFile& a, const ImageFile& b) {
 
 std::string chosen_algorithm(const Arguments& arguments, const ImageFile& a) {
   if (arguments.algorithm.empty()) {
-    return default_algorithm(a.layout());
+    return default_traversal(a.layout());
   }
-  if (!runs_on(arguments.algorithm, a.layout())) {
+  if (!walks(arguments.algorithm, a.layout())) {
     const bool pre = a.layout() == Layout::pre_indexed;
     throw UserError(a.path(), "is " + std::string(layout_name(a.layout())) + "-indexed, which " +
                                   arguments.algorithm + " can't walk; bake it with --layout " +
@@ -181,7 +181,7 @@ void add_collide(CLI::App& app) {
   command
       ->add_option("--algorithm", a.algorithm,
                    "Traversal; default: ranked, or stackless on pre-indexed images")
-      ->check(CLI::IsMember(algorithm_names()));
+      ->check(CLI::IsMember(traversal_names()));
   CLI::Option* const first =
       command->add_flag("--first", a.first, "Stop at the first pair of triangles");
   CLI::Option* const pairs =

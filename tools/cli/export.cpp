@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "cli/commands.hpp"
-#include "evaluate/lattice_pose.hpp"
+#include "evaluate/poses.hpp"
 #include "image/image_file.hpp"
 #include "text/files.hpp"
 #include "text/user_error.hpp"

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
-#include "evaluate/report.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::bench {
 namespace {
 
 std::string at(double value) {
-  return fixed_digits(value, 1);
+  return tool::fixed(value, 1);
 }
 
 std::string attribute(const char* name, double value) {
@@ -107,7 +106,7 @@ std::string draw_axes(const Chart& chart, const Frame& frame, const Scale& scale
   }
   for (const double tick : chart.x_ticks) {
     svg += line_from({scale.x(tick), bottom}, {scale.x(tick), bottom + 5}, "axis");
-    svg += text_at(scale.x(tick), bottom + 20, "text middle", fixed_digits(tick, 0));
+    svg += text_at(scale.x(tick), bottom + 20, "text middle", tool::fixed(tick, 0));
   }
   svg += line_from({frame.left, bottom}, {right, bottom}, "axis");
   svg += line_from({frame.left, frame.top}, {frame.left, bottom}, "axis");

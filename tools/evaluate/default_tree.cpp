@@ -1,32 +1,20 @@
 #include "evaluate/default_tree.hpp"
 
 #include "evaluate/best_rule.hpp"
-#include "evaluate/count_query.hpp"
-#include "evaluate/report.hpp"
-#include "flashbvh/traversal/ranked.hpp"
-#include "flashbvh/traversal/stackless.hpp"
+#include "evaluate/queries.hpp"
+#include "evaluate/tables.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::bench {
 namespace {
-
-double ratio(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
-}
-
-template <class Traversal, class Tree>
-Counts counts_of(const Tree& a, const Tree& b, const Point& t) {
-  scene::WalkStart<Traversal> start(a, b);
-  std::uint32_t found = 0;
-  return scene::count_query<Traversal>(a, b, Pose::translated(t.x, t.y, t.z), start, found);
-}
 
 std::vector<std::string> line_of(const std::string& name, const DefaultTreeVisits& visits) {
   return {name,
           std::to_string(visits.stackless),
           std::to_string(visits.ranked),
           std::to_string(visits.best_rule),
-          fixed_digits(visits.ranked_to_stackless(), 4),
-          fixed_digits(visits.ranked_to_best(), 4)};
+          tool::fixed(visits.ranked_to_stackless(), 4),
+          tool::fixed(visits.ranked_to_best(), 4)};
 }
 
 }  // namespace
@@ -40,16 +28,18 @@ double DefaultTreeVisits::ranked_to_best() const {
 }
 
 DefaultTreeResult compare_default_tree(const scene::Setup& setup, Objects& objects) {
-  using Paper = AlternatingStackless<LevelledTree<std::uint32_t, Layout::pre_indexed>>;
   BakedObject& a = objects.get(setup.a);
   BakedObject& b = objects.get(setup.b);
-  const Counts stackless = counts_of<Paper>(a.baked<std::uint32_t>().pre.view(),
-                                            b.baked<std::uint32_t>().pre.view(), setup.translation);
-  const Counts ranked = counts_of<Ranked<LargePostTree>>(
-      a.baked_default().view(), b.baked_default().view(), setup.translation);
+  const Point& t = setup.translation;
+  const Pose pose = Pose::translated(t.x, t.y, t.z);
+  const auto stackless =
+      tool::collide(a.baked<std::uint32_t>().pre.view(), b.baked<std::uint32_t>().pre.view(), pose,
+                    default_traversal(Layout::pre_indexed), false);
+  const auto ranked = tool::collide(a.baked_default().view(), b.baked_default().view(), pose,
+                                    default_traversal(Layout::post_indexed), false);
   return {&setup,
-          stackless.triangle_pairs != 0,
-          {stackless.visits, ranked.visits,
+          stackless.counts.triangle_pairs != 0,
+          {stackless.counts.visits, ranked.counts.visits,
            best_rule_visits(a.default_tree(), b.default_tree(), setup.translation)}};
 }
 

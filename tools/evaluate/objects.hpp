@@ -17,6 +17,15 @@ template <class Index>
 struct BothLayouts {
   bake::BakedTree<Index, Layout::pre_indexed> pre;
   bake::BakedTree<Index, Layout::post_indexed> post;
+
+  template <Layout layout>
+  const bake::BakedTree<Index, layout>& in() const {
+    if constexpr (layout == Layout::pre_indexed) {
+      return pre;
+    } else {
+      return post;
+    }
+  }
 };
 
 /// The paper's tree over one object, split at the median, a triangle a leaf; and the default one.

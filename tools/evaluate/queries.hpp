@@ -1,4 +1,4 @@
-// The library's traversals by the names that they have on the command line.
+// Queries on images by the name of their traversal.
 #ifndef FLASHBVH_TOOLS_EVALUATE_QUERIES_HPP
 #define FLASHBVH_TOOLS_EVALUATE_QUERIES_HPP
 
@@ -6,19 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "evaluate/traversals.hpp"
 #include "flashbvh/pose.hpp"
 #include "image/image_file.hpp"
 
 namespace flashbvh::tool {
 
 /// All names, the default of post-indexed images first.
-const std::vector<std::string>& algorithm_names();
+std::vector<std::string> traversal_names();
 
-/// Of two images with this layout.
-const char* default_algorithm(Layout layout);
-
-/// Whether the algorithm walks trees of this layout.
-bool runs_on(const std::string& algorithm, Layout layout);
+/// Whether the traversal walks trees of this layout.
+bool walks(const std::string& traversal, Layout layout);
 
 /// Triangles by their numbers in the source files.
 struct FoundPair {
@@ -41,8 +39,8 @@ struct Answer {
 };
 
 /// Runs the library's query to its end or, with `first`, to the first pair.
-/// Precondition: both trees are of one kind, and runs_on(algorithm, their layout).
-Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::string& algorithm,
+/// Precondition: both trees are of one kind, and walks(traversal, their layout).
+Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::string& traversal,
                bool first);
 
 }  // namespace flashbvh::tool

@@ -6,10 +6,45 @@
 #include <numeric>
 
 #include "evaluate/best_rule.hpp"
-#include "evaluate/rows.hpp"
+#include "evaluate/count_query.hpp"
+#include "evaluate/traversals.hpp"
 
 namespace flashbvh::bench {
 namespace {
+
+/// The pose is read anew each time, so that no repetition can be optimised away.
+struct VolatilePose {
+  volatile std::int32_t x, y, z;
+  Pose now() const { return Pose::translated(x, y, z); }
+};
+
+template <class Traversal>
+Row make_row(const char* algorithm, const typename Traversal::Tree& a,
+             const typename Traversal::Tree& b, const Point& translation) {
+  return {algorithm, [a, b, translation](std::uint32_t repetitions) {
+            const VolatilePose pose = {translation.x, translation.y, translation.z};
+            scene::WalkStart<Traversal> start(a, b);
+            Counts counts = {0, 0, 0, 0};
+            std::uint32_t found = 0;
+            for (std::uint32_t i = 0; i < repetitions; ++i) {
+              counts = scene::count_query<Traversal>(a, b, pose.now(), start, found);
+            }
+            return counts;
+          }};
+}
+
+template <class Index>
+std::vector<Row> rows_of(const BothLayouts<Index>& a, const BothLayouts<Index>& b,
+                         const Point& translation) {
+  std::vector<Row> rows;
+  for_each_traversal([&](auto traversal) {
+    constexpr Layout layout = decltype(traversal)::kLayout;
+    using Traversal = typename decltype(traversal)::template On<Index, layout>;
+    rows.push_back(make_row<Traversal>(traversal.name, a.template in<layout>().view(),
+                                       b.template in<layout>().view(), translation));
+  });
+  return rows;
+}
 
 std::uint32_t scaled_repetitions(std::uint32_t paper, double scale) {
   return static_cast<std::uint32_t>(std::max(1.0, std::round(paper * scale)));
@@ -37,6 +72,12 @@ std::optional<std::uint64_t> best_rule(const scene::Setup& setup, const BakedObj
 }
 
 }  // namespace
+
+std::vector<Row> make_rows(BakedObject& a, BakedObject& b, const Point& translation) {
+  return a.fits_16_bits() && b.fits_16_bits()
+             ? rows_of(a.baked<std::uint16_t>(), b.baked<std::uint16_t>(), translation)
+             : rows_of(a.baked<std::uint32_t>(), b.baked<std::uint32_t>(), translation);
+}
 
 Times times_of(const std::vector<double>& samples) {
   const auto count = static_cast<double>(samples.size());

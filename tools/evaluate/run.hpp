@@ -3,6 +3,7 @@
 #define FLASHBVH_TOOLS_EVALUATE_RUN_HPP
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,17 @@
 #include "flashbvh/query.hpp"
 
 namespace flashbvh::bench {
+
+/// A traversal, ready to run on one setup.
+struct Row {
+  const char* algorithm;  ///< by its name on the command line
+  /// Runs the whole query that many times, geometry tests and all; the counts of the last.
+  std::function<Counts(std::uint32_t repetitions)> run;
+};
+
+/// In the tables' order. 16-bit trees where both objects fit, else 32-bit ones. `a` and `b` outlive
+/// the rows. `translation`: of B in A's frame, in cells.
+std::vector<Row> make_rows(BakedObject& a, BakedObject& b, const Point& translation);
 
 struct Effort {
   double repetitions_scale = 0.01;  ///< of the paper's number; at least one repetition

@@ -18,7 +18,7 @@ struct VisitBound {
 
 /// Attained where all boxes overlap: exact for `ranked` and `ranked-stack`; for the others, which
 /// follow other orders, at most twice what they visit then if no node has a single child.
-/// Precondition: both trees are of one kind, and runs_on(algorithm, their layout). O(nodes).
+/// Precondition: both trees are of one kind, and walks(algorithm, their layout). O(nodes).
 VisitBound visit_bound(const AnyTree& a, const AnyTree& b, const std::string& algorithm);
 
 }  // namespace flashbvh::tool

@@ -92,7 +92,7 @@ std::string pair_section(const SubjectPair& pair, std::size_t poses) {
       row_of("intersecting", sample.all[kIntersecting], most),
       row_of("intersecting, to the first pair", sample.first, most)};
   return "<div class=\"pair hist\">\n" +
-         table(title_of(pair) + " <small>" + tool::default_algorithm(pair.first->image.layout()) +
+         table(title_of(pair) + " <small>" + default_traversal(pair.first->image.layout()) +
                    "</small>",
                {{"class", false},
                 {"poses", true},

@@ -33,7 +33,7 @@ bool is_full(const VisitSample& sample, std::uint64_t wanted) {
 
 VisitSample sample_visits(const tool::ImageFile& a, const tool::ImageFile& b,
                           std::uint64_t wanted) {
-  const char* const algorithm = tool::default_algorithm(a.layout());
+  const char* const algorithm = default_traversal(a.layout());
   PoseSampler sampler(a.tree(), b.tree());
   VisitSample sample;
   std::uint64_t spent = 0;

@@ -1,6 +1,7 @@
-// All setups side by side: iterations as parts of volume-stack's, and times.
-#ifndef FLASHBVH_TOOLS_EVALUATE_SUMMARY_HPP
-#define FLASHBVH_TOOLS_EVALUATE_SUMMARY_HPP
+// The tables as text, Markdown, aligned so that it reads as it stands; and all setups side by side:
+// iterations as parts of volume-stack's, and times.
+#ifndef FLASHBVH_TOOLS_EVALUATE_TABLES_HPP
+#define FLASHBVH_TOOLS_EVALUATE_TABLES_HPP
 
 #include <cstdint>
 #include <string>
@@ -9,6 +10,18 @@
 #include "evaluate/run.hpp"
 
 namespace flashbvh::bench {
+
+/// The heading of one of the paper's tables.
+std::string table_heading(std::uint32_t table);
+
+/// A setup's rows, in the paper's columns.
+std::string setup_table(const SetupResult& result);
+
+/// Lines of cells; the first line is the head. The first column is set left, the others right.
+std::string markdown_table(const std::vector<std::vector<std::string>>& lines);
+
+/// 0 if the whole is.
+double ratio(std::uint64_t part, std::uint64_t whole);
 
 /// Sums over setups; those of the best rule over the setups that have one.
 struct Totals {

@@ -1,18 +1,46 @@
-#include "evaluate/summary.hpp"
+#include "evaluate/tables.hpp"
 
 #include <algorithm>
 
-#include "evaluate/report.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::bench {
 namespace {
 
-double ratio(std::uint64_t part, std::uint64_t whole) {
-  return static_cast<double>(part) / static_cast<double>(whole);
+constexpr int kSecondsDigits = 7;
+
+std::string plural(std::uint32_t count, const char* noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string padded(const std::string& text, std::size_t width, bool left) {
+  const std::string space(width - text.size(), ' ');
+  return left ? text + space : space + text;
+}
+
+std::string markdown_line(const std::vector<std::string>& cells,
+                          const std::vector<std::size_t>& widths) {
+  std::string line = "|";
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    line += " " + padded(cells[i], widths[i], i == 0) + " |";
+  }
+  return line + "\n";
+}
+
+std::vector<std::string> cells_of(const RowResult& row) {
+  return {row.algorithm,
+          tool::fixed(row.times.least, kSecondsDigits),
+          tool::fixed(row.times.most, kSecondsDigits),
+          tool::fixed(row.times.mean, kSecondsDigits),
+          tool::fixed(row.times.deviation, kSecondsDigits),
+          std::to_string(row.counts.visits),
+          std::to_string(row.counts.overlaps),
+          std::to_string(row.counts.leaf_pairs),
+          std::to_string(row.counts.triangle_pairs)};
 }
 
 std::string ratio_text(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? "-" : fixed_digits(ratio(part, whole), 4);
+  return whole == 0 ? "-" : tool::fixed(ratio(part, whole), 4);
 }
 
 std::vector<std::string> line_of(const SetupResult& result) {
@@ -31,6 +59,46 @@ std::vector<std::string> line_of(const SetupResult& result) {
 }
 
 }  // namespace
+
+double ratio(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::string markdown_table(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths(lines[0].size(), 0);
+  for (const auto& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      widths[i] = std::max(widths[i], line[i].size());
+    }
+  }
+  std::vector<std::string> rule;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    rule.push_back(i == 0 ? std::string(widths[i], '-') : std::string(widths[i] - 1, '-') + ":");
+  }
+  std::string text = markdown_line(lines[0], widths) + markdown_line(rule, widths);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    text += markdown_line(lines[i], widths);
+  }
+  return text;
+}
+
+std::string table_heading(std::uint32_t table) {
+  return "### Table " + std::to_string(table) + ": " + scene::table_title(table) + "\n";
+}
+
+std::string setup_table(const SetupResult& result) {
+  std::vector<std::vector<std::string>> lines = {{"algorithm", "min.", "max.", "mean",
+                                                  "std. deviation", "iterations", "overlaps",
+                                                  "leaf overlaps", "geometry overlaps"}};
+  for (const RowResult& row : result.rows) {
+    lines.push_back(cells_of(row));
+  }
+  lines.push_back({"best rule", "", "", "", "",
+                   result.best_rule ? std::to_string(*result.best_rule) : "-", "", "", ""});
+  return std::string("**") + result.setup->name + "** (" +
+         plural(result.repetitions, "repetition") + ", " + plural(result.rounds, "round") +
+         ", seconds)\n\n" + markdown_table(lines);
+}
 
 Totals totals_of(const std::vector<SetupResult>& results) {
   Totals totals;
@@ -68,7 +136,7 @@ std::string summary_table(const std::vector<SetupResult>& results) {
                    ratio_text(totals.ranked_by_best, totals.volume_by_best),
                    ratio_text(totals.best, totals.volume_by_best)});
   return "### Summary\n\n" + markdown_table(lines) +
-         "\nLargest ranked / volume of a setup: " + fixed_digits(totals.worst_ranked, 4) + "\n";
+         "\nLargest ranked / volume of a setup: " + tool::fixed(totals.worst_ranked, 4) + "\n";
 }
 
 std::string time_table(const std::vector<SetupResult>& results) {
@@ -79,7 +147,7 @@ std::string time_table(const std::vector<SetupResult>& results) {
   for (const SetupResult& result : results) {
     lines.push_back({result.setup->name});
     for (const RowResult& row : result.rows) {
-      lines.back().push_back(fixed_digits(1e6 * row.times.least / result.repetitions, 3));
+      lines.back().push_back(tool::fixed(1e6 * row.times.least / result.repetitions, 3));
     }
   }
   return "### Time of one query (fastest sample)\n\n" + markdown_table(lines);
