@@ -10,7 +10,7 @@
 #include "fuzz/fuzz.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/import.hpp"
-#include "text/user_error.hpp"
+#include "text/messages.hpp"
 
 using namespace flashbvh;
 using flashbvh::test::require;

@@ -1,92 +1,103 @@
 // flashbvh bake: everything is read and baked before the first file is written.
 #include <algorithm>
 #include <filesystem>
-#include <limits>
-#include <memory>
+#include <iomanip>
+#include <iostream>
 #include <numeric>
-#include <optional>
-#include <set>
 
 #include "bake/image_bytes.hpp"
-#include "cli/bake_report.hpp"
+#include "cli/bake_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
-#include "image/baking.hpp"
 #include "image/cpp_writer.hpp"
-#include "image/output_name.hpp"
-#include "mesh/import.hpp"
-#include "mesh/units.hpp"
 #include "text/files.hpp"
 #include "text/numbers.hpp"
-#include "text/user_error.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-struct Arguments {
-  std::vector<std::string> meshes;
-  std::string folder;
-  std::string format = "both";
-  std::optional<std::string> cell;
-  std::string layout = "post";
-  std::string builder = "sah";
-  std::string name;
-  std::uint32_t leaf_size = 1;
-  std::optional<std::uint32_t> arity;
-  unsigned index_bits = 16;
-  std::optional<std::int64_t> max_bytes;
-  std::optional<std::string> max_deviation;
-  std::vector<std::string> units;
-  std::vector<std::string> drop;
-  bool progress = false;
+/// What one mesh became.
+struct BakeResult {
+  const OutputName* name;
+  BakedMesh baked;
+  std::size_t image_bytes;
+  std::size_t flash_bytes;
 };
 
-/// Output files and namespaces must not collide.
-std::vector<OutputName> output_names(const Arguments& arguments) {
-  if (!arguments.name.empty() && arguments.meshes.size() > 1) {
-    throw UserError("--name", "names one mesh, but " + std::to_string(arguments.meshes.size()) +
-                                  " are given; bake them one by one with the same --cell");
-  }
-  std::vector<OutputName> names;
-  std::set<std::string> taken;
-  for (const std::string& mesh : arguments.meshes) {
-    names.push_back(output_name(mesh, arguments.name));
-    if (!taken.insert(names.back().identifier).second) {
-      throw UserError(mesh, "would be written as '" + names.back().identifier +
-                                "' like a mesh before it; rename one of the files");
+void print_row(const BakeResult& result, std::size_t width) {
+  std::visit(
+      [&](const auto& baked) {
+        const double per_triangle =
+            static_cast<double>(result.flash_bytes) / static_cast<double>(baked.triangles.size());
+        std::cout << std::left << std::setw(static_cast<int>(width)) << result.name->stem
+                  << std::right << std::setw(10) << baked.triangles.size() << std::setw(10)
+                  << baked.vertices.size() << std::setw(8) << baked.nodes.size() << std::setw(7)
+                  << baked.depth << std::setw(10) << result.flash_bytes << std::setw(16)
+                  << fixed(per_triangle, 1) << std::setw(10) << result.image_bytes << "  "
+                  << shortest(baked.deviation) << "\n";
+      },
+      result.baked.tree);
+}
+
+/// "kept; --drop degenerate leaves them out", or that they were.
+std::string fate(bool dropped, const char* kind) {
+  return dropped ? "; left out" : std::string("; kept (--drop ") + kind + " leaves them out)";
+}
+
+std::string edge_text(const EdgeDefects& edges) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count != 0) {
+      text += (text.empty() ? "" : ", ") + std::to_string(count) +
+              (count == 1 ? " edge " : " edges ") + what;
     }
-  }
-  return names;
+  };
+  add(edges.open, "of one triangle");
+  add(edges.crowded, "of more than two");
+  add(edges.twisted, "of two that face opposite ways");
+  return text;
 }
 
-/// A length from the command line that firmware can hold in a float. `least`: the smallest.
-double length_of(const std::string& option, const std::string& text, double least) {
-  const std::optional<double> length = parse_number(text);
-  if (!length || *length < least ||
-      *length > static_cast<double>(std::numeric_limits<float>::max())) {
-    throw UserError(option + " " + text, std::string("is no length; give a ") +
-                                             (least > 0 ? "positive number" : "number from 0") +
-                                             " in the mesh's unit");
+void print_table(const std::vector<BakeResult>& results, const std::string& cell) {
+  std::size_t width = 6;
+  for (const BakeResult& result : results) {
+    width = std::max(width, result.name->stem.size() + 2);
   }
-  return *length;
+  std::cout << std::left << std::setw(static_cast<int>(width)) << "mesh"
+            << " triangles  vertices   nodes  depth     flash  bytes/triangle     image  largest "
+               "deviation\n";
+  for (const BakeResult& result : results) {
+    print_row(result, width);
+  }
+  std::cout << "cell " << cell
+            << "; flash: bytes that a query on the C++ output links; image: bytes of the binary\n";
 }
 
-double common_cell(const Arguments& arguments, const std::vector<InputMesh>& meshes) {
-  if (arguments.cell) {
-    return length_of("--cell", *arguments.cell,
-                     static_cast<double>(std::numeric_limits<float>::min()));
+void warn_of_defects(const MeshDefects& defects, const BakeOptions& options,
+                     const std::string& path, Warnings& warnings) {
+  const auto warn = [&](const TriangleNumbers& triangles, const char* what, bool dropped,
+                        const char* kind) {
+    if (!triangles.empty()) {
+      warnings.add(path, what + triangle_list(triangles) + fate(dropped, kind));
+    }
+  };
+  warn(defects.degenerate, "without area: ", options.drop_degenerate, "degenerate");
+  warn(defects.collapsed, "without area once rounded: ", options.drop_degenerate, "degenerate");
+  warn(defects.duplicates,
+       "with the three vertices of an earlier one, once rounded: ", options.drop_duplicate,
+       "duplicate");
+  if (!defects.edges.none()) {
+    warnings.add(path, std::string(defects.closed_before ? "once rounded " : "") +
+                           "no closed surface (" + edge_text(defects.edges) +
+                           "): what lies inside the solid can't be told" +
+                           (defects.closed_before ? "; a finer --cell keeps it closed" : ""));
   }
-  double cell = 0;
-  for (const InputMesh& mesh : meshes) {
-    cell = std::max(cell, finest_float_cell(mesh.mesh));
-  }
-  return cell;
 }
 
-void check_budget(const Arguments& arguments, const std::string& mesh, std::size_t bytes) {
-  if (arguments.max_bytes && static_cast<std::int64_t>(bytes) > *arguments.max_bytes) {
+void check_budget(const BakeOrder& order, const std::string& mesh, std::size_t bytes) {
+  if (order.max_bytes && static_cast<std::int64_t>(bytes) > *order.max_bytes) {
     throw UserError(mesh, "takes " + std::to_string(bytes) + " bytes, --max-bytes allows " +
-                              std::to_string(*arguments.max_bytes) +
+                              std::to_string(*order.max_bytes) +
                               "; use a larger --leaf-size or fewer triangles");
   }
 }
@@ -100,59 +111,26 @@ std::string image_file(const Baked& baked, const std::string& path) {
   return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]};
 }
 
-BakeOptions options_of(const Arguments& arguments) {
-  BakeOptions options;
-  options.layout = arguments.layout == "pre" ? Layout::pre_indexed : Layout::post_indexed;
-  options.index_bits = arguments.index_bits;
-  options.leaf_size = arguments.leaf_size;
-  options.builder = arguments.builder == "median" ? Builder::median : Builder::sah;
-  // Two children a node are part of what makes the median tree the paper's.
-  options.arity =
-      arguments.arity.value_or(options.builder == Builder::median ? 2 : bake::kDefaultArity);
-  if (arguments.max_deviation) {
-    options.max_deviation = length_of("--max-deviation", *arguments.max_deviation, 0);
-  }
-  for (const std::string& kind : arguments.drop) {
-    options.drop_degenerate = options.drop_degenerate || kind == "degenerate";
-    options.drop_duplicate = options.drop_duplicate || kind == "duplicate";
-  }
-  return options;
-}
-
-BakeResult bake_one(const Arguments& arguments, const InputMesh& mesh, double cell,
+BakeResult bake_one(const BakeOrder& order, const BakeOptions& options, const InputMesh& mesh,
                     const OutputName& name, FileSet& files) {
-  const std::string unit = Units(arguments.units, arguments.meshes).common();
-  BakeResult result = {name, bake_mesh(mesh, cell, options_of(arguments)), 0, 0};
-  const std::filesystem::path stem = std::filesystem::path(arguments.folder) / name.stem;
+  BakeResult result = {&name, bake(mesh, options), 0, 0};
+  const std::string stem = (std::filesystem::path(order.folder) / name.stem).string();
   std::visit(
       [&](const auto& baked) {
         result.image_bytes = image_size(baked);
         result.flash_bytes = flash_bytes(baked);
-        check_budget(arguments, mesh.path, result.image_bytes);
-        if (arguments.format != "cpp") {
-          files.add(stem.string() + ".fbvh", image_file(baked, mesh.path));
+        check_budget(order, mesh.path, result.image_bytes);
+        if (order.writes_images) {
+          files.add(stem + ".fbvh", image_file(baked, mesh.path));
         }
-        if (arguments.format != "image") {
-          CppFiles cpp = cpp_of(baked, name, unit);
-          files.add(stem.string() + ".fbvh.hpp", std::move(cpp.header));
-          files.add(stem.string() + ".fbvh.cpp", std::move(cpp.source));
+        if (order.writes_cpp) {
+          CppFiles cpp = cpp_of(baked, name, order.units.common());
+          files.add(stem + ".fbvh.hpp", std::move(cpp.header));
+          files.add(stem + ".fbvh.cpp", std::move(cpp.source));
         }
       },
       result.baked.tree);
   return result;
-}
-
-std::vector<InputMesh> read_meshes(const Arguments& arguments, const std::vector<double>& weights,
-                                   Progress& progress, Warnings& warnings) {
-  const Units units(arguments.units, arguments.meshes);
-  std::vector<InputMesh> meshes;
-  for (const std::string& path : arguments.meshes) {
-    progress.begin("reading " + path, weights[meshes.size()]);
-    meshes.push_back({path, import_mesh(path, warnings), {}});
-    meshes.back().degenerate = degenerate_triangles(meshes.back().mesh);
-    units.convert(meshes.back().mesh, path);
-  }
-  return meshes;
 }
 
 /// Reading a mesh takes about as long as baking it; both grow with the file.
@@ -166,106 +144,47 @@ std::vector<double> weights_of(const std::vector<std::string>& paths) {
   return weights;
 }
 
-/// Everything but the reports.
-std::vector<BakeResult> bake_and_write(const Arguments& arguments, double& cell,
+/// Everything but the reports. `options`: the order's, with the cell that all the meshes share.
+std::vector<BakeResult> bake_and_write(const BakeOrder& order, BakeOptions& options,
                                        Warnings& warnings) {
-  const std::vector<OutputName> names = output_names(arguments);
-  const std::vector<double> weights = weights_of(arguments.meshes);
-  const double total = 2 * std::accumulate(weights.begin(), weights.end(), 0.0);
-  Progress progress(total, arguments.progress);
-  const std::vector<InputMesh> meshes = read_meshes(arguments, weights, progress, warnings);
-  cell = common_cell(arguments, meshes);
+  const std::vector<double> weights = weights_of(order.meshes);
+  Progress progress(2 * std::accumulate(weights.begin(), weights.end(), 0.0), order.progress);
+  std::vector<InputMesh> meshes;
+  double finest = 0;
+  for (const std::string& path : order.meshes) {
+    progress.begin("reading " + path, weights[meshes.size()]);
+    meshes.push_back(read_mesh(path, order.units, warnings));
+    finest = std::max(finest, finest_cell(meshes.back()));
+  }
+  options.cell = order.options.cell.value_or(finest);
   FileSet files;
   std::vector<BakeResult> results;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     progress.begin("baking " + meshes[i].path, weights[i]);
-    results.push_back(bake_one(arguments, meshes[i], cell, names[i], files));
-    warn_of_defects(results.back().baked.defects, options_of(arguments), meshes[i].path, warnings);
+    results.push_back(bake_one(order, options, meshes[i], order.names[i], files));
+    warn_of_defects(results.back().baked.defects, options, meshes[i].path, warnings);
   }
-  progress.begin("writing " + arguments.folder, 0);
+  progress.begin("writing " + order.folder, 0);
   files.write();
   return results;
 }
 
-void bake_all(const Arguments& arguments) {
+void bake_all(const BakeOrder& order) {
   Warnings warnings;
-  double cell = 0;
-  const std::vector<BakeResult> results = bake_and_write(arguments, cell, warnings);
+  BakeOptions options = order.options;
+  const std::vector<BakeResult> results = bake_and_write(order, options, warnings);
   warnings.print();
-  print_table(results, Units(arguments.units, arguments.meshes).with_unit(cell));
-}
-
-/// What meshes are taken as, and what is refused.
-void add_mesh_options(CLI::App& command, Arguments& a) {
-  command.add_option("--max-bytes", a.max_bytes, "Refuse to write if an image is larger")
-      ->check(CLI::PositiveNumber);
-  command
-      .add_option("--max-deviation", a.max_deviation,
-                  "Refuse to write if rounding moves a vertex further")
-      ->type_name("LENGTH");
-  add_unit_option(command, a.units);
-  command
-      .add_option("--drop", a.drop,
-                  "Leave out triangles without area (`degenerate`) or with the three vertices of "
-                  "an\nearlier one (`duplicate`), or both, with a comma between. The others keep "
-                  "their numbers")
-      ->check(CLI::IsMember({"degenerate", "duplicate"}))
-      ->type_size(1)
-      ->expected(1)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_flag("--progress", a.progress,
-                   "Show a progress bar at once; default: on a terminal, after a second");
+  print_table(results, order.units.with_unit(*options.cell));
 }
 
 }  // namespace
 
 void add_bake(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Arguments& a = *arguments;
   CLI::App* const command = app.add_subcommand(
       "bake",
       "Turn meshes (STL, OBJ, PLY, OFF) into trees: C++ arrays and binary images.\n"
       "Meshes that meet each other share a cell: bake them in one call.");
-  command->add_option("MESH", a.meshes, "Mesh files")->required();
-  command->add_option("-o,--output", a.folder, "Folder for the results; made if there is none")
-      ->required()
-      ->type_name("DIR");
-  command->add_option("--format", a.format, "What to write")
-      ->check(CLI::IsMember({"cpp", "image", "both"}))
-      ->capture_default_str();
-  command
-      ->add_option("--cell", a.cell,
-                   "Size of a lattice cell in the mesh's unit; default: the "
-                   "finest that all the meshes fit")
-      ->type_name("LENGTH");
-  command
-      ->add_option("--layout", a.layout,
-                   "Order of the nodes: pre for `stackless`, post for "
-                   "`ranked` and `stackless-post`")
-      ->check(CLI::IsMember({"pre", "post"}))
-      ->capture_default_str();
-  command
-      ->add_option("--builder", a.builder,
-                   "How triangles are grouped: median is the paper's, sah gives faster queries")
-      ->check(CLI::IsMember({"median", "sah"}))
-      ->capture_default_str();
-  command->add_option("--leaf-size", a.leaf_size, "Most triangles in a leaf")
-      ->check(CLI::Range(1, 16))
-      ->capture_default_str();
-  command
-      ->add_option("--arity", a.arity,
-                   "Most children of a node; default: 4, with --builder median 2")
-      ->check(CLI::Range(2, 8));
-  command->add_option("--index-bits", a.index_bits, "Width of indices; 16 reach 65535 nodes")
-      ->check(CLI::IsMember({16, 32}))
-      ->capture_default_str();
-  command->add_option("--name", a.name,
-                      "Name of the files and the namespace, for one mesh; "
-                      "default: that of the mesh file");
-  add_mesh_options(*command, a);
-  command->callback([arguments] { bake_all(*arguments); });
+  add_bake_options(*command, bake_all);
 }
 
 }  // namespace flashbvh::tool

@@ -12,7 +12,7 @@
 #include "evaluate/run.hpp"
 #include "evaluate/tables.hpp"
 #include "text/files.hpp"
-#include "text/user_error.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -38,10 +38,9 @@ struct LeftOut {
 /// Compares an image with a mesh, both in the order of the source.
 class Comparison {
  public:
-  Comparison(const ImageFile& image, const bake::SourceMesh& mesh,
-             const TriangleNumbers& degenerate)
-      : image_(image), rounded_(bake::round_to_lattice(mesh, image.cell())) {
-    const MeshDefects defects = defects_of(mesh, rounded_, degenerate);
+  Comparison(const ImageFile& image, const InputMesh& input)
+      : image_(image), rounded_(bake::round_to_lattice(input.mesh, image.cell())) {
+    const MeshDefects defects = defects_of(input.mesh, rounded_, input.degenerate);
     for (const TriangleNumbers& numbers : {defects.degenerate, defects.collapsed}) {
       degenerate_.insert(numbers.begin(), numbers.end());
     }
@@ -123,16 +122,14 @@ std::string compare(const Arguments& arguments, const ImageFile& image,
                     const std::vector<SourceTriangle>& triangles, ExitCode& exit_code) {
   const Units units(arguments.units, {arguments.mesh});
   Warnings warnings;
-  bake::SourceMesh mesh = import_mesh(arguments.mesh, warnings);
+  const InputMesh input = read_mesh(arguments.mesh, units, warnings);
   warnings.print();
-  const TriangleNumbers degenerate = degenerate_triangles(mesh);
-  units.convert(mesh, arguments.mesh);
   exit_code = kCheckFailed;
   const std::string but_not = ", but not " + arguments.mesh + ": ";
-  if (!bake::fits(mesh, image.cell())) {
+  if (!bake::fits(input.mesh, image.cell())) {
     return but_not + "the mesh is too large for the image's cell";
   }
-  Comparison comparison(image, mesh, degenerate);
+  Comparison comparison(image, input);
   const std::string found = comparison.difference(triangles);
   if (!found.empty()) {
     return but_not + found;

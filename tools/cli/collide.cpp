@@ -12,8 +12,8 @@
 #include "evaluate/visit_bound.hpp"
 #include "image/image_file.hpp"
 #include "text/files.hpp"
+#include "text/messages.hpp"
 #include "text/numbers.hpp"
-#include "text/user_error.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -6,7 +6,7 @@
 #include "evaluate/poses.hpp"
 #include "image/image_file.hpp"
 #include "text/files.hpp"
-#include "text/user_error.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {

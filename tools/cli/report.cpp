@@ -8,7 +8,7 @@
 #include "image/image_file.hpp"
 #include "report/page.hpp"
 #include "text/files.hpp"
-#include "text/user_error.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {

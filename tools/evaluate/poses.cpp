@@ -5,9 +5,9 @@
 
 #include "flashbvh/rotated_placement.hpp"
 #include "text/files.hpp"
+#include "text/messages.hpp"
 #include "text/numbers.hpp"
 #include "text/tokens.hpp"
-#include "text/user_error.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -8,12 +8,9 @@
 #include "bake/quantise.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
-#include "text/user_error.hpp"
 
 namespace flashbvh::tool {
 namespace {
-
-constexpr std::size_t kMost16 = bake::IndexLimits<std::uint16_t>::kMost;
 
 /// The cell with which no vertex moves further than `deviation`: half the diagonal of a cell.
 double sure_cell(double deviation) {
@@ -24,22 +21,22 @@ void check_range(const InputMesh& input, double cell) {
   if (bake::fits(input.mesh, cell)) {
     return;
   }
-  throw UserError(input.path, "is too large for a cell of " + shortest(cell) +
-                                  ": out of range are " +
-                                  triangle_list(bake::out_of_range(input.mesh, cell)) +
-                                  "; the finest that it fits is --cell " +
-                                  shortest(finest_float_cell(input.mesh)));
+  throw UserError(input.path,
+                  "is too large for a cell of " + shortest(cell) + ": out of range are " +
+                      triangle_list(bake::out_of_range(input.mesh, cell)) +
+                      "; the finest that it fits is --cell " + shortest(finest_cell(input)));
 }
 
-void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded, double most) {
-  if (rounded.deviation <= most) {
+void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded,
+                     const std::optional<double>& most) {
+  if (!most || rounded.deviation <= *most) {
     return;
   }
-  const double cell = sure_cell(most);
+  const double cell = sure_cell(*most);
   throw UserError(input.path,
                   "rounding moves a vertex by " + shortest(rounded.deviation) +
-                      ", --max-deviation allows " + shortest(most) +
-                      (cell >= finest_float_cell(input.mesh)
+                      ", --max-deviation allows " + shortest(*most) +
+                      (cell >= finest_cell(input)
                            ? "; a cell of " + shortest(cell) + " or less keeps to that"
                            : "; the mesh is too large for so fine a cell: cut it in parts"));
 }
@@ -81,30 +78,31 @@ TriangleNumbers drop(bake::LatticeMesh& mesh, const MeshDefects& defects,
   return kept;
 }
 
-/// What of the mesh or its tree is over the limit of 16-bit indices.
-std::string too_many(const bake::LatticeMesh& mesh, const bake::BuildTree& tree) {
+/// UserError if something of the mesh or its tree is over the limit of 16-bit indices.
+void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
+                   const bake::BuildTree& tree, const TriangleNumbers& kept) {
   constexpr std::size_t most = bake::IndexLimits<std::uint16_t>::kMost;
-  const auto exceeds = [](std::size_t count, const char* what, std::size_t limit) {
-    return std::to_string(count) + " " + what + ", but 16-bit indices reach " +
-           std::to_string(limit);
+  const auto check = [&](std::size_t count, const char* what, std::size_t limit, const char* mend) {
+    if (count > limit) {
+      throw UserError(input.path, std::to_string(count) + " " + what +
+                                      ", but 16-bit indices reach " + std::to_string(limit) +
+                                      "; use " + mend);
+    }
   };
-  if (mesh.triangles.size() > most) {
-    return exceeds(mesh.triangles.size(), "triangles", most) +
-           "; use --index-bits 32 or fewer triangles";
-  }
-  if (mesh.vertices.size() > most) {
-    return exceeds(mesh.vertices.size(), "vertices", most) +
-           "; use --index-bits 32 or fewer triangles";
-  }
-  constexpr const char* mend = "; use a larger --leaf-size or --index-bits 32";
-  if (tree.nodes.size() > most) {
-    return exceeds(tree.nodes.size(), "nodes", most) + mend;
-  }
+  constexpr const char* fewer = "--index-bits 32 or fewer triangles";
+  constexpr const char* larger = "a larger --leaf-size or --index-bits 32";
+  check(mesh.triangles.size(), "triangles", most, fewer);
+  check(mesh.vertices.size(), "vertices", most, fewer);
+  check(tree.nodes.size(), "nodes", most, larger);
   const auto leaves = std::count_if(tree.nodes.begin(), tree.nodes.end(),
                                     [](const bake::BuildNode& node) { return node.is_leaf(); });
-  return exceeds(static_cast<std::size_t>(leaves), "leaves",
-                 bake::IndexLimits<std::uint16_t>::kMostLeaves) +
-         mend;
+  check(static_cast<std::size_t>(leaves), "leaves", bake::IndexLimits<std::uint16_t>::kMostLeaves,
+        larger);
+  if (kept.back() > most) {
+    throw UserError(input.path, "triangle " + std::to_string(kept.back()) +
+                                    " is kept, but 16-bit indices reach " + std::to_string(most) +
+                                    "; use --index-bits 32");
+  }
 }
 
 /// Gives the triangles the numbers that they have in the file.
@@ -125,16 +123,16 @@ AnyBakedTree lay_out(const bake::BuildTree& tree, const bake::LatticeMesh& mesh,
 
 }  // namespace
 
-double finest_float_cell(const bake::SourceMesh& mesh) {
-  return std::max(bake::finest_cell(mesh), static_cast<double>(std::numeric_limits<float>::min()));
+double finest_cell(const InputMesh& input) {
+  return std::max(bake::finest_cell(input.mesh),
+                  static_cast<double>(std::numeric_limits<float>::min()));
 }
 
-BakedMesh bake_mesh(const InputMesh& input, double cell, const BakeOptions& options) {
+BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
+  const double cell = options.cell.value_or(finest_cell(input));
   check_range(input, cell);
   bake::LatticeMesh lattice = bake::round_to_lattice(input.mesh, cell);
-  if (options.max_deviation) {
-    check_deviation(input, lattice, *options.max_deviation);
-  }
+  check_deviation(input, lattice, options.max_deviation);
   BakedMesh baked;
   baked.defects = defects_of(input.mesh, lattice, input.degenerate);
   const TriangleNumbers kept = drop(lattice, baked.defects, options);
@@ -144,22 +142,13 @@ BakedMesh bake_mesh(const InputMesh& input, double cell, const BakeOptions& opti
   bake::BuildTree tree = options.builder == Builder::median
                              ? bake::build_median(lattice, options.leaf_size)
                              : bake::build_sah(lattice, options.leaf_size);
-  if (options.arity > 2) {
-    tree = bake::collapse(tree, options.arity);
+  tree = bake::collapse(tree, options.arity);
+  const bool narrow = options.index_width == IndexWidth::bits_16;
+  if (narrow) {
+    check_16_bits(input, lattice, tree, kept);
   }
-  if (options.index_bits == 16) {
-    if (!bake::fits_index<std::uint16_t>(tree, lattice)) {
-      throw UserError(input.path, too_many(lattice, tree));
-    }
-    if (kept.back() > kMost16) {
-      throw UserError(input.path, "triangle " + std::to_string(kept.back()) +
-                                      " is kept, but 16-bit indices reach " +
-                                      std::to_string(kMost16) + "; use --index-bits 32");
-    }
-    baked.tree = lay_out<std::uint16_t>(tree, lattice, options.layout);
-  } else {
-    baked.tree = lay_out<std::uint32_t>(tree, lattice, options.layout);
-  }
+  baked.tree = narrow ? lay_out<std::uint16_t>(tree, lattice, options.layout)
+                      : lay_out<std::uint32_t>(tree, lattice, options.layout);
   std::visit([&](auto& any) { renumber(any, kept); }, baked.tree);
   return baked;
 }

@@ -202,14 +202,11 @@ CppFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& n
   return {header(baked, name, unit), source(baked, name)};
 }
 
-#define FLASHBVH_INSTANTIATE(Index, layout)                                          \
+#define FLASHBVH_KIND(Index, layout)                                                 \
   template std::size_t flash_bytes(const bake::BakedTree<Index, layout>&);           \
   template CppFiles cpp_of(const bake::BakedTree<Index, layout>&, const OutputName&, \
                            const std::string&);
-FLASHBVH_INSTANTIATE(std::uint16_t, Layout::pre_indexed)
-FLASHBVH_INSTANTIATE(std::uint16_t, Layout::post_indexed)
-FLASHBVH_INSTANTIATE(std::uint32_t, Layout::pre_indexed)
-FLASHBVH_INSTANTIATE(std::uint32_t, Layout::post_indexed)
-#undef FLASHBVH_INSTANTIATE
+FLASHBVH_FOR_EACH_KIND(FLASHBVH_KIND)
+#undef FLASHBVH_KIND
 
 }  // namespace flashbvh::tool

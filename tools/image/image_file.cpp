@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "text/files.hpp"
-#include "text/user_error.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "text/user_error.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -1,7 +1,7 @@
 #include "mesh/formats.hpp"
 
+#include "text/messages.hpp"
 #include "text/numbers.hpp"
-#include "text/user_error.hpp"
 
 namespace flashbvh::tool {
 

@@ -11,7 +11,7 @@
 #include "mesh/formats.hpp"
 #include "mesh/polygon.hpp"
 #include "text/files.hpp"
-#include "text/user_error.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -132,6 +132,13 @@ bake::SourceMesh import_mesh(const std::string& path, Warnings& warnings) {
                               " could be read; export the mesh again");
   }
   return gatherer.finish();
+}
+
+InputMesh read_mesh(const std::string& path, const Units& units, Warnings& warnings) {
+  InputMesh input = {path, import_mesh(path, warnings), {}};
+  input.degenerate = degenerate_triangles(input.mesh);
+  units.convert(input.mesh, path);
+  return input;
 }
 
 }  // namespace flashbvh::tool

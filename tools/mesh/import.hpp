@@ -5,6 +5,8 @@
 #include <string>
 
 #include "bake/mesh.hpp"
+#include "mesh/defects.hpp"
+#include "mesh/units.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
@@ -15,6 +17,16 @@ namespace flashbvh::tool {
 /// Points and lines are left out with a warning. UserError if the file is missing,
 /// empty, truncated, not a mesh, without triangles, or has a coordinate that is not finite.
 bake::SourceMesh import_mesh(const std::string& path, Warnings& warnings);
+
+/// A mesh as its file has it.
+struct InputMesh {
+  std::string path;
+  bake::SourceMesh mesh;       ///< converted to the common unit
+  TriangleNumbers degenerate;  ///< before it was converted
+};
+
+/// import_mesh(), in the common unit.
+InputMesh read_mesh(const std::string& path, const Units& units, Warnings& warnings);
 
 }  // namespace flashbvh::tool
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "mesh/formats.hpp"
+#include "text/messages.hpp"
 #include "text/numbers.hpp"
 #include "text/tokens.hpp"
-#include "text/user_error.hpp"
 
 namespace flashbvh::tool {
 namespace {

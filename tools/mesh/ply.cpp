@@ -7,8 +7,8 @@
 
 #include "mesh/formats.hpp"
 #include "mesh/ply_header.hpp"
+#include "text/messages.hpp"
 #include "text/numbers.hpp"
-#include "text/user_error.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "text/messages.hpp"
 #include "text/numbers.hpp"
 #include "text/tokens.hpp"
-#include "text/user_error.hpp"
 
 namespace flashbvh::tool::ply {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "mesh/formats.hpp"
+#include "text/messages.hpp"
 #include "text/tokens.hpp"
-#include "text/user_error.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -2,7 +2,6 @@
 #ifndef FLASHBVH_TOOLS_MESH_UNITS_HPP
 #define FLASHBVH_TOOLS_MESH_UNITS_HPP
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,15 +10,17 @@
 
 namespace flashbvh::tool {
 
-/// Declares --unit, which can be given several times and takes one word each time.
-void add_unit_option(CLI::App& command, std::vector<std::string>& given);
-
 /// What --unit says of some mesh files. "U" is the unit of everything: of all results and lengths,
 /// and of each file that "FILE=U" does not give another one; such a file is converted.
 class Units {
  public:
-  /// UserError if a unit or a file is unknown, if a file has two units, or if there are units of
-  /// files but no common one to convert them to.
+  /// The names of all units, for messages.
+  static constexpr const char* kNames = "nm, um, mm, cm, m, mil, in or ft";
+
+  /// No unit is given.
+  Units() = default;
+  /// `given`: the words of each --unit. UserError if a unit or a file is unknown, if a file has two
+  /// units, or if there are units of files but no common one to convert them to.
   Units(const std::vector<std::string>& given, const std::vector<std::string>& files);
 
   /// Converts the mesh in `file`, one of the files.

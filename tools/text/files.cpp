@@ -8,7 +8,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "text/user_error.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -1,12 +1,27 @@
-// What the program says on standard error beside errors.
+// What the program says on standard error: one line of what the user must mend, with exit code 2,
+// and warnings.
 #ifndef FLASHBVH_TOOLS_TEXT_MESSAGES_HPP
 #define FLASHBVH_TOOLS_TEXT_MESSAGES_HPP
 
+#include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace flashbvh::tool {
+
+/// Thrown wherever an input can't be used; main() prints it and exits with 2.
+class UserError : public std::runtime_error {
+ public:
+  /// `place`: a file, or an option. `what`: what is wrong there, and the mend, on one line.
+  UserError(const std::string& place, const std::string& what)
+      : std::runtime_error(place + ": " + what) {}
+
+  /// At a line of a text file, counted from 1.
+  UserError(const std::string& file, std::size_t line, const std::string& what)
+      : std::runtime_error(file + ":" + std::to_string(line) + ": " + what) {}
+};
 
 /// Without line ends and other control characters, whatever a file's name or a library's message
 /// holds.
