@@ -4,6 +4,7 @@
 
 #include "report/html.hpp"
 #include "report/image_section.hpp"
+#include "report/pictures.hpp"
 #include "report/query_section.hpp"
 #include "report/style.hpp"
 #include "report/subject.hpp"
@@ -15,8 +16,8 @@ namespace {
 std::string head(const std::string& title) {
   return "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n"
          "<meta name=viewport content=\"width=device-width,initial-scale=1\">\n<title>" +
-         title + " &middot; flashbvh report</title>\n<style>\n" + page_style() +
-         "</style>\n</head>\n<body>\n";
+         title + " &middot; flashbvh report</title>\n<style>\n" + kColours + kText + kTables +
+         kPictures + picture_style() + "</style>\n</head>\n<body>\n";
 }
 
 std::string title_of(const std::vector<const Subject*>& subjects) {

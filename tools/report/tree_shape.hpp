@@ -3,6 +3,7 @@
 #define FLASHBVH_TOOLS_REPORT_TREE_SHAPE_HPP
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "image/image_file.hpp"
@@ -29,6 +30,9 @@ struct NodeBox {
 
 /// The boxes at a depth, in array order.
 std::vector<NodeBox> boxes_at(const tool::AnyTree& any, std::uint32_t depth);
+
+/// The same as tables with bars.
+std::string histograms(const TreeShape& shape);
 
 }  // namespace flashbvh::report
 
