@@ -39,7 +39,8 @@ struct LeftOut {
 class Comparison {
  public:
   Comparison(const ImageFile& image, const InputMesh& input)
-      : image_(image), rounded_(bake::round_to_lattice(input.mesh, image.cell())) {
+      : vertices_(vertices_of(image.tree())),
+        rounded_(bake::round_to_lattice(input.mesh, image.cell())) {
     const MeshDefects defects = defects_of(input.mesh, rounded_, input.degenerate);
     for (const TriangleNumbers& numbers : {defects.degenerate, defects.collapsed}) {
       degenerate_.insert(numbers.begin(), numbers.end());
@@ -50,29 +51,22 @@ class Comparison {
   /// The first difference; empty if there is none.
   std::string difference(const std::vector<SourceTriangle>& triangles) {
     const std::size_t count = rounded_.triangles.size();
-    std::uint32_t next = 0;
-    for (const SourceTriangle& triangle : triangles) {
-      for (; next < triangle.number && next < count; ++next) {
-        if (!may_lack(next)) {
-          return lacks(next);
+    auto at = triangles.begin();
+    for (std::uint32_t number = 0; number < count; ++number) {
+      if (at == triangles.end() || at->number != number) {
+        if (!may_lack(number)) {
+          return "the image lacks triangle " + std::to_string(number);
         }
+        continue;
       }
-      if (next == count) {
-        return "the image has a triangle " + std::to_string(triangle.number) + ", the mesh only " +
-               std::to_string(count);
-      }
-      std::string moved = difference(triangle);
+      std::string moved = difference(*at++);
       if (!moved.empty()) {
         return moved;
       }
-      ++next;
     }
-    for (; next < count; ++next) {
-      if (!may_lack(next)) {
-        return lacks(next);
-      }
-    }
-    return {};
+    return at == triangles.end() ? ""
+                                 : "the image has a triangle " + std::to_string(at->number) +
+                                       ", the mesh only " + std::to_string(count);
   }
 
   const LeftOut& left_out() const { return left_out_; }
@@ -87,13 +81,9 @@ class Comparison {
     return duplicates_.count(triangle) != 0;
   }
 
-  static std::string lacks(std::uint32_t triangle) {
-    return "the image lacks triangle " + std::to_string(triangle);
-  }
-
   std::string difference(const SourceTriangle& triangle) const {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const LatticePoint found = vertex_of(image_.tree(), triangle.vertices[corner]);
+      const LatticePoint& found = vertices_[triangle.vertices[corner]];
       const LatticePoint wanted = point_of(rounded_, rounded_.triangles[triangle.number][corner]);
       if (found != wanted) {
         return "corner " + std::to_string(corner) + " of triangle " +
@@ -104,7 +94,7 @@ class Comparison {
     return {};
   }
 
-  const ImageFile& image_;
+  std::vector<LatticePoint> vertices_;
   bake::LatticeMesh rounded_;
   std::set<std::uint32_t> degenerate_;
   std::set<std::uint32_t> duplicates_;

@@ -17,17 +17,6 @@ struct Arguments {
   std::optional<std::string> placed;
 };
 
-/// The image's vertices, in its order.
-std::vector<LatticePoint> vertices_of(const AnyTree& any) {
-  const std::uint32_t count =
-      std::visit([](const auto& tree) -> std::uint32_t { return tree.vertex_count; }, any);
-  std::vector<LatticePoint> vertices;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    vertices.push_back(vertex_of(any, i));
-  }
-  return vertices;
-}
-
 /// A comment tells the number of a triangle before which others were left out.
 std::string faces_of(const std::vector<SourceTriangle>& triangles) {
   std::string text;
@@ -49,12 +38,10 @@ std::string faces_of(const std::vector<SourceTriangle>& triangles) {
 void write_obj(const Arguments& arguments) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
-  std::vector<LatticePoint> vertices;
+  std::vector<LatticePoint> vertices = vertices_of(image.tree());
   if (arguments.placed) {
     const RigidPose pose = parse_pose(*arguments.placed, "--placed");
     vertices = placed_vertices(image.tree(), lattice_pose(pose, image.cell(), "--placed"));
-  } else {
-    vertices = vertices_of(image.tree());
   }
   std::string text = "# integer coordinates: cells\n";
   for (const LatticePoint& v : vertices) {

@@ -12,7 +12,6 @@ namespace flashbvh::tool {
 namespace {
 
 constexpr std::chrono::seconds kPatience(1);
-constexpr std::chrono::milliseconds kPeriod(100);
 constexpr std::size_t kBarWidth = 30;
 constexpr std::size_t kStepWidth = 40;  ///< the whole line fits 80 columns
 
@@ -20,7 +19,7 @@ constexpr std::size_t kStepWidth = 40;  ///< the whole line fits 80 columns
 
 Progress::Progress(double total, bool always) : total_(total), always_(always) {
   if (!always_ && isatty(STDERR_FILENO) != 0) {
-    thread_ = std::thread([this] { draw_until_stopped(); });
+    thread_ = std::thread([this] { draw_after_a_while(); });
   }
 }
 
@@ -43,20 +42,16 @@ void Progress::begin(const std::string& step, double weight) {
   done_ += weight_;
   weight_ = weight;
   step_ = one_line(step);
-  if (always_) {
+  if (always_ || drawn_) {
     draw();
   }
 }
 
-void Progress::draw_until_stopped() {
+void Progress::draw_after_a_while() {
   std::unique_lock<std::mutex> lock(mutex_);
-  const auto stopped = [this] { return stopped_; };
-  if (stop_.wait_for(lock, kPatience, stopped)) {
-    return;
-  }
-  do {
+  if (!stop_.wait_for(lock, kPatience, [this] { return stopped_; })) {
     draw();
-  } while (!stop_.wait_for(lock, kPeriod, stopped));
+  }
 }
 
 void Progress::draw() {

@@ -23,7 +23,7 @@ class Progress {
   void begin(const std::string& step, double weight);
 
  private:
-  void draw_until_stopped();
+  void draw_after_a_while();
   void draw();
 
   const double total_;

@@ -103,17 +103,6 @@ std::vector<LatticePoint> turned_vertices(const Tree& b, const Pose& pose) {
   return vertices;
 }
 
-template <class Tree>
-std::vector<LatticePoint> moved_vertices(const AnyTree& any, const Tree& b, const Pose& pose) {
-  std::vector<LatticePoint> vertices;
-  for (std::uint32_t i = 0; i < b.vertex_count; ++i) {
-    const LatticePoint point = vertex_of(any, i);
-    vertices.push_back({point[0] + pose.translation(0), point[1] + pose.translation(1),
-                        point[2] + pose.translation(2)});
-  }
-  return vertices;
-}
-
 }  // namespace
 
 RigidPose parse_pose(std::string_view text, const std::string& place) {
@@ -179,11 +168,16 @@ Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) 
 }
 
 std::vector<LatticePoint> placed_vertices(const AnyTree& b, const Pose& pose) {
-  return std::visit(
-      [&](const auto& tree) {
-        return pose.is_translation() ? moved_vertices(b, tree, pose) : turned_vertices(tree, pose);
-      },
-      b);
+  if (!pose.is_translation()) {
+    return std::visit([&](const auto& tree) { return turned_vertices(tree, pose); }, b);
+  }
+  std::vector<LatticePoint> vertices = vertices_of(b);
+  for (LatticePoint& point : vertices) {
+    for (int axis = 0; axis < 3; ++axis) {
+      point[static_cast<std::size_t>(axis)] += pose.translation(axis);
+    }
+  }
+  return vertices;
 }
 
 }  // namespace flashbvh::tool

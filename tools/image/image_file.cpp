@@ -112,12 +112,16 @@ std::vector<SourceTriangle> source_triangles(const ImageFile& image) {
   return triangles;
 }
 
-LatticePoint vertex_of(const AnyTree& any, std::uint32_t vertex) {
+std::vector<LatticePoint> vertices_of(const AnyTree& any) {
   return std::visit(
-      [&](const auto& tree) -> LatticePoint {
-        const Vertex& v = tree.vertices[vertex];
-        return {std::int64_t{v.x} + tree.origin[0], std::int64_t{v.y} + tree.origin[1],
-                std::int64_t{v.z} + tree.origin[2]};
+      [](const auto& tree) {
+        std::vector<LatticePoint> points;
+        for (std::uint32_t i = 0; i < tree.vertex_count; ++i) {
+          const Vertex& v = tree.vertices[i];
+          points.push_back({std::int64_t{v.x} + tree.origin[0], std::int64_t{v.y} + tree.origin[1],
+                            std::int64_t{v.z} + tree.origin[2]});
+        }
+        return points;
       },
       any);
 }

@@ -55,7 +55,8 @@ struct SourceTriangle {
 /// naming the image, if a number occurs twice: the library can't tell that in constant memory.
 std::vector<SourceTriangle> source_triangles(const ImageFile& image);
 
-LatticePoint vertex_of(const AnyTree& any, std::uint32_t vertex);
+/// In the order of the image.
+std::vector<LatticePoint> vertices_of(const AnyTree& any);
 
 /// "pre" or "post".
 const char* layout_name(Layout layout);

@@ -25,11 +25,13 @@ std::string lower_extension(const std::string& path) {
   return extension.empty() ? extension : extension.substr(1);
 }
 
-MeshText plain_text(std::string bytes, const std::string& extension, const std::string& path) {
-  using Reader = MeshText (*)(std::string, const std::string&);
-  static const std::map<std::string, Reader> readers = {
-      {"stl", plain_stl}, {"obj", plain_obj}, {"off", plain_off}, {"ply", plain_ply}};
-  return readers.at(extension)(std::move(bytes), path);
+/// Of a format by its extension; null if there is none.
+MeshText (*reader_of(const std::string& extension))(std::string, const std::string&) {
+  return extension == "stl"   ? plain_stl
+         : extension == "obj" ? plain_obj
+         : extension == "off" ? plain_off
+         : extension == "ply" ? plain_ply
+                              : nullptr;
 }
 
 /// Gathers triangles and joins their corners by position.
@@ -110,10 +112,11 @@ class Gatherer {
 bake::SourceMesh import_mesh(const std::string& path, Warnings& warnings) {
   std::string bytes = read_file(path);
   const std::string extension = lower_extension(path);
-  if (extension != "stl" && extension != "obj" && extension != "ply" && extension != "off") {
+  const auto plain = reader_of(extension);
+  if (plain == nullptr) {
     throw UserError(path, "is no .stl, .obj, .ply or .off file; convert the mesh to one of these");
   }
-  const MeshText text = plain_text(std::move(bytes), extension, path);
+  const MeshText text = plain(std::move(bytes), path);
   if (!text.warning.empty()) {
     warnings.add(path, text.warning);
   }

@@ -1,9 +1,9 @@
-#include "report/image_section.hpp"
+#include "report/sections.hpp"
 
 #include <vector>
 
 #include "report/html.hpp"
-#include "report/pictures.hpp"
+#include "report/sections.hpp"
 #include "report/tree_shape.hpp"
 #include "text/numbers.hpp"
 

@@ -3,9 +3,7 @@
 #include <algorithm>
 
 #include "report/html.hpp"
-#include "report/image_section.hpp"
-#include "report/pictures.hpp"
-#include "report/query_section.hpp"
+#include "report/sections.hpp"
 #include "report/style.hpp"
 #include "report/subject.hpp"
 

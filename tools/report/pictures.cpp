@@ -1,4 +1,4 @@
-#include "report/pictures.hpp"
+#include "report/sections.hpp"
 
 #include <array>
 #include <string>

@@ -1,4 +1,4 @@
-#include "report/query_section.hpp"
+#include "report/sections.hpp"
 
 #include <algorithm>
 

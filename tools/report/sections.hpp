@@ -1,6 +1,6 @@
-// The part of a page about what queries cost.
-#ifndef FLASHBVH_TOOLS_REPORT_QUERY_SECTION_HPP
-#define FLASHBVH_TOOLS_REPORT_QUERY_SECTION_HPP
+// The parts of a page.
+#ifndef FLASHBVH_TOOLS_REPORT_SECTIONS_HPP
+#define FLASHBVH_TOOLS_REPORT_SECTIONS_HPP
 
 #include <string>
 #include <utility>
@@ -9,6 +9,18 @@
 #include "report/subject.hpp"
 
 namespace flashbvh::report {
+
+/// Key figures, pictures, bytes, shape, rounding and warnings.
+std::string image_section(const Subject& subject);
+
+/// A row for each image.
+std::string summary(const std::vector<const Subject*>& subjects);
+
+/// Four views and a choice of levels, which works by style alone.
+std::string pictures(const Subject& subject);
+
+/// What the style needs for the choice.
+std::string picture_style();
 
 /// Subjects that are asked about each other.
 using SubjectPair = std::pair<const Subject*, const Subject*>;
