@@ -48,8 +48,7 @@ std::string edge_text(const EdgeDefects& edges) {
   std::string text;
   const auto add = [&](std::size_t count, const char* what) {
     if (count != 0) {
-      text += (text.empty() ? "" : ", ") + std::to_string(count) +
-              (count == 1 ? " edge " : " edges ") + what;
+      text += concat((text.empty() ? "" : ", "), count, (count == 1 ? " edge " : " edges "), what);
     }
   };
   add(edges.open, "of one triangle");
@@ -96,9 +95,8 @@ void warn_of_defects(const MeshDefects& defects, const BakeOptions& options,
 
 void check_budget(const BakeOrder& order, const std::string& mesh, std::size_t bytes) {
   if (order.max_bytes && static_cast<std::int64_t>(bytes) > *order.max_bytes) {
-    throw UserError(mesh, "takes " + std::to_string(bytes) + " bytes, --max-bytes allows " +
-                              std::to_string(*order.max_bytes) +
-                              "; use a larger --leaf-size or fewer triangles");
+    throw UserError(mesh, "takes ", bytes, " bytes, --max-bytes allows ", *order.max_bytes,
+                    "; use a larger --leaf-size or fewer triangles");
   }
 }
 

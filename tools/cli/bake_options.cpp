@@ -30,17 +30,16 @@ struct Arguments {
 /// Output files and namespaces must not collide.
 std::vector<OutputName> output_names(const Arguments& arguments) {
   if (!arguments.name.empty() && arguments.order.meshes.size() > 1) {
-    throw UserError("--name", "names one mesh, but " +
-                                  std::to_string(arguments.order.meshes.size()) +
-                                  " are given; bake them one by one with the same --cell");
+    throw UserError("--name", "names one mesh, but ", arguments.order.meshes.size(),
+                    " are given; bake them one by one with the same --cell");
   }
   std::vector<OutputName> names;
   std::set<std::string> taken;
   for (const std::string& mesh : arguments.order.meshes) {
     names.push_back(output_name(mesh, arguments.name));
     if (!taken.insert(names.back().identifier).second) {
-      throw UserError(mesh, "would be written as '" + names.back().identifier +
-                                "' like a mesh before it; rename one of the files");
+      throw UserError(mesh, "would be written as '", names.back().identifier,
+                      "' like a mesh before it; rename one of the files");
     }
   }
   return names;
@@ -51,9 +50,8 @@ double length_of(const std::string& option, const std::string& text, double leas
   const std::optional<double> length = parse_number(text);
   if (!length || *length < least ||
       *length > static_cast<double>(std::numeric_limits<float>::max())) {
-    throw UserError(option + " " + text, std::string("is no length; give a ") +
-                                             (least > 0 ? "positive number" : "number from 0") +
-                                             " in the mesh's unit");
+    throw UserError(option + " " + text, "is no length; give a ",
+                    least > 0 ? "positive number" : "number from 0", " in the mesh's unit");
   }
   return *length;
 }
@@ -122,8 +120,8 @@ void add_unit_option(CLI::App& command, std::vector<std::string>& given) {
       .add_option("--unit", given,
                   "Unit of the meshes and of all other lengths, given and printed: " +
                       std::string(Units::kNames) +
-                      ".\nFILE=UNIT: this file alone is in another unit and is converted. "
-                      "May be repeated. Default: numbers as they are")
+                      ".\nFILE=UNIT: this file alone is in another unit and is converted. May be "
+                      "repeated. Default: numbers as they are")
       ->type_name("UNIT|FILE=UNIT")
       ->type_size(1)
       ->expected(1)
@@ -143,14 +141,13 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
       ->check(CLI::IsMember({"cpp", "image", "both"}))
       ->capture_default_str();
   command
-      .add_option("--cell", a.cell,
-                  "Size of a lattice cell in the mesh's unit; default: the "
-                  "finest that all the meshes fit")
+      .add_option(
+          "--cell", a.cell,
+          "Size of a lattice cell in the mesh's unit; default: the finest that all the meshes fit")
       ->type_name("LENGTH");
   command
       .add_option("--layout", a.layout,
-                  "Order of the nodes: pre for `stackless`, post for "
-                  "`ranked` and `stackless-post`")
+                  "Order of the nodes: pre for `stackless`, post for `ranked` and `stackless-post`")
       ->check(CLI::IsMember({"pre", "post"}))
       ->capture_default_str();
   command
@@ -168,9 +165,9 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
   command.add_option("--index-bits", a.index_bits, "Width of indices; 16 reach 65535 nodes")
       ->check(CLI::IsMember({16, 32}))
       ->capture_default_str();
-  command.add_option("--name", a.name,
-                     "Name of the files and the namespace, for one mesh; "
-                     "default: that of the mesh file");
+  command.add_option(
+      "--name", a.name,
+      "Name of the files and the namespace, for one mesh; default: that of the mesh file");
   add_mesh_options(command, a);
   command.callback([arguments, run] { run(order_of(*arguments)); });
 }

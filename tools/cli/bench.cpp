@@ -21,8 +21,8 @@ using Json = nlohmann::ordered_json;
 
 struct Arguments {
   std::vector<std::uint32_t> tables;
-  bench::Effort effort;
-  bench::FirmwareOptions firmware;
+  Effort effort;
+  FirmwareOptions firmware;
   std::string svg;
   std::string builder = "median";
   bool json = false;
@@ -37,13 +37,13 @@ void check(const Arguments& arguments) {
       !(arguments.effort.repetitions_scale > 0) || arguments.effort.repetitions_scale > 1000) {
     throw UserError("--repetitions-scale", "must lie above 0 and at most at 1000; see --help");
   }
-  if (!arguments.svg.empty() && !arguments.wants(bench::kScalabilityTable)) {
+  if (!arguments.svg.empty() && !arguments.wants(kScalabilityTable)) {
     throw UserError("--svg", "draws table 6; add --table 6");
   }
 }
 
 /// What all objects of one setup begin with.
-Json json_head(const bench::SetupResult& result, const std::string& algorithm) {
+Json json_head(const SetupResult& result, const std::string& algorithm) {
   const scene::Setup& setup = *result.setup;
   return {{"table", setup.table},
           {"setup", setup.name},
@@ -52,8 +52,8 @@ Json json_head(const bench::SetupResult& result, const std::string& algorithm) {
           {"algorithm", algorithm}};
 }
 
-void print_json(const bench::SetupResult& result) {
-  for (const bench::RowResult& row : result.rows) {
+void print_json(const SetupResult& result) {
+  for (const RowResult& row : result.rows) {
     Json line = json_head(result, row.algorithm);
     line.update({{"repetitions", result.repetitions},
                  {"rounds", result.rounds},
@@ -75,19 +75,19 @@ void print_json(const bench::SetupResult& result) {
   }
 }
 
-void print_json(const bench::Totals& totals) {
+void print_json(const Totals& totals) {
   const Json line = {{"summary",
                       {{"volume_stack_visits", totals.volume},
                        {"stackless_visits", totals.alternating},
                        {"leaf_visits", totals.leaf},
                        {"ranked_visits", totals.ranked},
-                       {"ranked_to_volume", bench::ratio(totals.ranked, totals.volume)},
+                       {"ranked_to_volume", ratio(totals.ranked, totals.volume)},
                        {"worst_ranked_to_volume", totals.worst_ranked},
-                       {"best_rule_to_volume", bench::ratio(totals.best, totals.volume_by_best)}}}};
+                       {"best_rule_to_volume", ratio(totals.best, totals.volume_by_best)}}}};
   std::cout << line.dump() << "\n";
 }
 
-Json json_of(const bench::DefaultTreeVisits& visits) {
+Json json_of(const DefaultTreeVisits& visits) {
   return {{"stackless_visits_paper_tree", visits.stackless},
           {"ranked_visits", visits.ranked},
           {"best_rule_visits", visits.best_rule},
@@ -95,8 +95,8 @@ Json json_of(const bench::DefaultTreeVisits& visits) {
           {"ranked_to_best", visits.ranked_to_best()}};
 }
 
-void print_json(const std::vector<bench::DefaultTreeResult>& results) {
-  for (const bench::DefaultTreeResult& result : results) {
+void print_json(const std::vector<DefaultTreeResult>& results) {
+  for (const DefaultTreeResult& result : results) {
     Json line = {{"table", result.setup->table},
                  {"setup", result.setup->name},
                  {"intersecting", result.intersecting}};
@@ -109,18 +109,18 @@ void print_json(const std::vector<bench::DefaultTreeResult>& results) {
   std::cout << line.dump() << "\n";
 }
 
-void print_text(const bench::SetupResult& result, bool first_of_table) {
+void print_text(const SetupResult& result, bool first_of_table) {
   if (first_of_table) {
-    std::cout << bench::table_heading(result.setup->table) << "\n";
+    std::cout << table_heading(result.setup->table) << "\n";
   }
-  std::cout << bench::setup_table(result) << "\n" << std::flush;
+  std::cout << setup_table(result) << "\n" << std::flush;
 }
 
 /// False if the rows of a setup found different overlaps.
 bool run_all(const Arguments& arguments) {
-  bench::Objects objects;
-  std::vector<bench::SetupResult> results;
-  std::vector<bench::DefaultTreeResult> default_results;
+  Objects objects;
+  std::vector<SetupResult> results;
+  std::vector<DefaultTreeResult> default_results;
   bool agree = true;
   for (const scene::Setup& setup : scene::kSetups) {
     if (!arguments.wants(setup.table)) {
@@ -128,8 +128,8 @@ bool run_all(const Arguments& arguments) {
     }
     std::cerr << "table " << setup.table << ": " << setup.name << "\n";
     const bool first = results.empty() || results.back().setup->table != setup.table;
-    results.push_back(bench::run_setup(setup, arguments.effort, objects));
-    default_results.push_back(bench::compare_default_tree(setup, objects));
+    results.push_back(run_setup(setup, arguments.effort, objects));
+    default_results.push_back(compare_default_tree(setup, objects));
     if (arguments.json) {
       print_json(results.back());
     } else {
@@ -142,19 +142,19 @@ bool run_all(const Arguments& arguments) {
   }
   if (arguments.json) {
     print_json(default_results);
-    print_json(bench::totals_of(results));
+    print_json(totals_of(results));
   } else {
-    std::cout << bench::summary_table(results) << "\n"
-              << bench::default_tree_table(default_results) << "\n"
-              << bench::time_table(results);
+    std::cout << summary_table(results) << "\n"
+              << default_tree_table(default_results) << "\n"
+              << time_table(results);
   }
   if (!arguments.svg.empty()) {
-    write_file(arguments.svg, bench::figure_33(results));
+    write_file(arguments.svg, figure_33(results));
   }
   return agree;
 }
 
-void add_firmware(CLI::App& command, bench::FirmwareOptions& firmware) {
+void add_firmware(CLI::App& command, FirmwareOptions& firmware) {
   CLI::Option* const folder =
       command
           .add_option("--firmware", firmware.folder,
@@ -196,7 +196,7 @@ void add_bench(CLI::App& app, ExitCode& exit_code) {
   command->callback([arguments, &exit_code] {
     check(*arguments);
     if (!arguments->firmware.folder.empty()) {
-      bench::write_firmware(arguments->firmware);
+      write_firmware(arguments->firmware);
       return;
     }
     exit_code = run_all(*arguments) ? kSuccess : kCheckFailed;

@@ -14,13 +14,13 @@
 #include "mesh/import.hpp"
 #include "mesh/units.hpp"
 #include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
 std::string text_of(const LatticePoint& point) {
-  return "(" + std::to_string(point[0]) + " " + std::to_string(point[1]) + " " +
-         std::to_string(point[2]) + ")";
+  return concat("(", point[0], " ", point[1], " ", point[2], ")");
 }
 
 LatticePoint point_of(const bake::LatticeMesh& mesh, std::uint32_t vertex) {
@@ -55,7 +55,7 @@ class Comparison {
     for (std::uint32_t number = 0; number < count; ++number) {
       if (at == triangles.end() || at->number != number) {
         if (!may_lack(number)) {
-          return "the image lacks triangle " + std::to_string(number);
+          return concat("the image lacks triangle ", number);
         }
         continue;
       }
@@ -64,9 +64,9 @@ class Comparison {
         return moved;
       }
     }
-    return at == triangles.end() ? ""
-                                 : "the image has a triangle " + std::to_string(at->number) +
-                                       ", the mesh only " + std::to_string(count);
+    return at == triangles.end()
+               ? ""
+               : concat("the image has a triangle ", at->number, ", the mesh only ", count);
   }
 
   const LeftOut& left_out() const { return left_out_; }
@@ -86,9 +86,8 @@ class Comparison {
       const LatticePoint& found = vertices_[triangle.vertices[corner]];
       const LatticePoint wanted = point_of(rounded_, rounded_.triangles[triangle.number][corner]);
       if (found != wanted) {
-        return "corner " + std::to_string(corner) + " of triangle " +
-               std::to_string(triangle.number) + " lies at " + text_of(found) +
-               " in the image, at " + text_of(wanted) + " in the mesh";
+        return concat("corner ", corner, " of triangle ", triangle.number, " lies at ",
+                      text_of(found), " in the image, at ", text_of(wanted), " in the mesh");
       }
     }
     return {};
@@ -129,15 +128,15 @@ std::string compare(const Arguments& arguments, const ImageFile& image,
   if (left_out.degenerate + left_out.duplicate == 0) {
     return ", equal to " + arguments.mesh;
   }
-  return ", equal to " + arguments.mesh + " without " + std::to_string(left_out.degenerate) +
-         " degenerate and " + std::to_string(left_out.duplicate) + " duplicate triangles";
+  return concat(", equal to ", arguments.mesh, " without ", left_out.degenerate, " degenerate and ",
+                left_out.duplicate, " duplicate triangles");
 }
 
 ExitCode check(const Arguments& arguments) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
-  std::string verdict = "well-formed, " + std::to_string(triangles.size()) + " triangles, " +
-                        std::to_string(image.header().node_count) + " nodes";
+  std::string verdict = concat("well-formed, ", triangles.size(), " triangles, ",
+                               image.header().node_count, " nodes");
   ExitCode exit_code = kSuccess;
   if (!arguments.mesh.empty()) {
     verdict += compare(arguments, image, triangles, exit_code);

@@ -30,19 +30,18 @@ struct Arguments {
 };
 
 std::string kind_of(const ImageFile& image) {
-  return std::string(layout_name(image.layout())) + "-indexed with " +
-         std::to_string(image.header().index_bits) + "-bit indices";
+  return concat(layout_name(image.layout()), "-indexed with ", image.header().index_bits,
+                "-bit indices");
 }
 
 void check_partners(const ImageFile& a, const ImageFile& b) {
   if (a.tree().index() != b.tree().index()) {
-    throw UserError(b.path(), "is " + kind_of(b) + ", but " + a.path() + " is " + kind_of(a) +
-                                  "; bake both with the same --layout and --index-bits");
+    throw UserError(b.path(), "is ", kind_of(b), ", but ", a.path(), " is ", kind_of(a),
+                    "; bake both with the same --layout and --index-bits");
   }
   if (a.cell() != b.cell()) {
-    throw UserError(b.path(), "has a cell of " + shortest(b.cell()) + ", but " + a.path() +
-                                  " one of " + shortest(a.cell()) +
-                                  "; bake both in one call or with the same --cell");
+    throw UserError(b.path(), "has a cell of ", shortest(b.cell()), ", but ", a.path(), " one of ",
+                    shortest(a.cell()), "; bake both in one call or with the same --cell");
   }
 }
 
@@ -52,9 +51,9 @@ std::string chosen_algorithm(const Arguments& arguments, const ImageFile& a) {
   }
   if (!walks(arguments.algorithm, a.layout())) {
     const bool pre = a.layout() == Layout::pre_indexed;
-    throw UserError(a.path(), "is " + std::string(layout_name(a.layout())) + "-indexed, which " +
-                                  arguments.algorithm + " can't walk; bake it with --layout " +
-                                  (pre ? "post" : "pre"));
+    throw UserError(a.path(), "is ", std::string(layout_name(a.layout())), "-indexed, which ",
+                    arguments.algorithm, " can't walk; bake it with --layout ",
+                    pre ? "post" : "pre");
   }
   return arguments.algorithm;
 }
@@ -90,8 +89,7 @@ void append_pairs(std::string& text, std::size_t pose, std::vector<FoundPair> pa
     return std::tie(p.a, p.b) < std::tie(q.a, q.b);
   });
   for (const FoundPair& pair : pairs) {
-    text +=
-        std::to_string(pose) + " " + std::to_string(pair.a) + " " + std::to_string(pair.b) + "\n";
+    text += concat(pose, " ", pair.a, " ", pair.b, "\n");
   }
 }
 
@@ -138,8 +136,8 @@ void collide_all(const Arguments& arguments) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Answer answer = collide(a.tree(), b.tree(), poses[i], algorithm, arguments.first);
     if (answer.status != Status::done) {
-      throw UserError(arguments.poses, "pose " + std::to_string(i) + " can't be answered: status " +
-                                           std::to_string(static_cast<int>(answer.status)));
+      throw UserError(arguments.poses, "pose ", i, " can't be answered: status ",
+                      static_cast<int>(answer.status));
     }
     counts.push_back(answer.counts);
     if (!arguments.pairs.empty()) {
@@ -173,10 +171,9 @@ void add_collide(CLI::App& app) {
   command->add_option("B", a.b, "Image (.fbvh) that the poses turn and move")->required();
   CLI::Option* const poses =
       command
-          ->add_option(
-              "--poses", a.poses,
-              "A pose a line, B into A's frame: the rotation row by row, then the translation "
-              "in the mesh's unit; 12 numbers")
+          ->add_option("--poses", a.poses,
+                       "A pose a line, B into A's frame: the rotation row by row, then the "
+                       "translation in the mesh's unit; 12 numbers")
           ->type_name("FILE");
   command
       ->add_option("--algorithm", a.algorithm,

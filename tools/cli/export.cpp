@@ -7,6 +7,7 @@
 #include "image/image_file.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -23,12 +24,12 @@ std::string faces_of(const std::vector<SourceTriangle>& triangles) {
   std::uint32_t next = 0;
   for (const SourceTriangle& triangle : triangles) {
     if (triangle.number != next) {
-      text += "# triangle " + std::to_string(triangle.number) + "\n";
+      text += concat("# triangle ", triangle.number, "\n");
     }
     next = triangle.number + 1;
     text += "f";
     for (const std::uint32_t vertex : triangle.vertices) {
-      text += " " + std::to_string(vertex + 1);
+      text += concat(" ", vertex + 1);
     }
     text += "\n";
   }
@@ -45,8 +46,7 @@ void write_obj(const Arguments& arguments) {
   }
   std::string text = "# integer coordinates: cells\n";
   for (const LatticePoint& v : vertices) {
-    text += "v " + std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]) +
-            "\n";
+    text += concat("v ", v[0], " ", v[1], " ", v[2], "\n");
   }
   write_file(arguments.mesh, text + faces_of(triangles));
 }
@@ -55,10 +55,10 @@ void write_obj(const Arguments& arguments) {
 
 void add_export(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const command = app.add_subcommand(
-      "export",
-      "Write the lattice mesh of an image as OBJ: integer coordinates in cells, triangles "
-      "in\nthe order of the source mesh.");
+  CLI::App* const command =
+      app.add_subcommand("export",
+                         "Write the lattice mesh of an image as OBJ: integer coordinates in cells, "
+                         "triangles in\nthe order of the source mesh.");
   command->add_option("IMAGE", arguments->image, "Image (.fbvh)")->required();
   command->add_option("-o,--output", arguments->mesh, "File to write")
       ->required()

@@ -42,9 +42,8 @@ void write_page(const Arguments& arguments) {
   std::string page;
   {
     Progress progress(3.0 * static_cast<double>(images.size()), false);
-    page = report::page_of(images, arguments.poses, [&](const std::string& what, double share) {
-      progress.begin(what, share);
-    });
+    page = page_of(images, arguments.poses,
+                   [&](const std::string& what, double share) { progress.begin(what, share); });
   }
   write_file(arguments.page, std::move(page));
 }

@@ -10,7 +10,7 @@
 
 #include "flashbvh/box.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 namespace {
 
 std::vector<PackedBox> packed_boxes(const bake::BuildTree& tree) {
@@ -69,4 +69,4 @@ std::uint64_t best_rule_visits(const bake::BuildTree& a, const bake::BuildTree& 
   return BestRule(a, b, translation).best(0, 0);
 }
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool

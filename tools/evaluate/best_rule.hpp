@@ -7,7 +7,7 @@
 #include "bake/build_tree.hpp"
 #include "flashbvh/lattice.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 
 /// `translation`: of B in A's frame, in cells. A rule says for each pair of overlapping internal
 /// nodes into which tree to descend; at a leaf there is no choice.
@@ -15,6 +15,6 @@ namespace flashbvh::bench {
 std::uint64_t best_rule_visits(const bake::BuildTree& a, const bake::BuildTree& b,
                                const Point& translation);
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool
 
 #endif

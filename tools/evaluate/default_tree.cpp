@@ -5,7 +5,7 @@
 #include "evaluate/tables.hpp"
 #include "text/numbers.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 namespace {
 
 std::vector<std::string> line_of(const std::string& name, const DefaultTreeVisits& visits) {
@@ -13,8 +13,8 @@ std::vector<std::string> line_of(const std::string& name, const DefaultTreeVisit
           std::to_string(visits.stackless),
           std::to_string(visits.ranked),
           std::to_string(visits.best_rule),
-          tool::fixed(visits.ranked_to_stackless(), 4),
-          tool::fixed(visits.ranked_to_best(), 4)};
+          fixed(visits.ranked_to_stackless(), 4),
+          fixed(visits.ranked_to_best(), 4)};
 }
 
 }  // namespace
@@ -33,10 +33,10 @@ DefaultTreeResult compare_default_tree(const scene::Setup& setup, Objects& objec
   const Point& t = setup.translation;
   const Pose pose = Pose::translated(t.x, t.y, t.z);
   const auto stackless =
-      tool::collide(a.baked<std::uint32_t>().pre.view(), b.baked<std::uint32_t>().pre.view(), pose,
-                    default_traversal(Layout::pre_indexed), false);
-  const auto ranked = tool::collide(a.baked_default().view(), b.baked_default().view(), pose,
-                                    default_traversal(Layout::post_indexed), false);
+      collide(a.baked<std::uint32_t>().pre.view(), b.baked<std::uint32_t>().pre.view(), pose,
+              default_traversal(Layout::pre_indexed), false);
+  const auto ranked = collide(a.baked_default().view(), b.baked_default().view(), pose,
+                              default_traversal(Layout::post_indexed), false);
   return {&setup,
           stackless.counts.triangle_pairs != 0,
           {stackless.counts.visits, ranked.counts.visits,
@@ -67,4 +67,4 @@ std::string default_tree_table(const std::vector<DefaultTreeResult>& results) {
   return "### The default tree\n\n" + markdown_table(lines);
 }
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool

@@ -9,7 +9,7 @@
 #include "evaluate/objects.hpp"
 #include "evaluate/setups.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 
 /// The visits of one setup, or of several together.
 struct DefaultTreeVisits {
@@ -36,6 +36,6 @@ DefaultTreeVisits sum_of(const std::vector<DefaultTreeResult>& results, bool onl
 /// A line a setup and the sums, as text.
 std::string default_tree_table(const std::vector<DefaultTreeResult>& results);
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool
 
 #endif

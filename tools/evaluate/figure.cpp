@@ -5,7 +5,7 @@
 
 #include "text/numbers.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 namespace {
 
 struct ChartPoint {
@@ -36,7 +36,7 @@ struct Frame {
 };
 
 std::string at(double value) {
-  return tool::fixed(value, 1);
+  return fixed(value, 1);
 }
 
 std::string attribute(const char* name, double value) {
@@ -55,8 +55,7 @@ std::string line_from(ChartPoint p, ChartPoint q, const char* style) {
 
 /// Eight shapes: a circle, a square, a diamond, a triangle; then the same hollow.
 std::string marker(int style, ChartPoint p) {
-  const std::string kind = " class=\"" + std::string(style < 4 ? "full" : "hollow") + " s" +
-                           std::to_string(style) + "\"";
+  const std::string kind = concat(" class=\"", style < 4 ? "full" : "hollow", " s", style, "\"");
   const double r = style < 4 ? 4 : 5.5;
   const auto polygon = [&](std::initializer_list<ChartPoint> corners) {
     std::string points;
@@ -81,7 +80,7 @@ std::string marker(int style, ChartPoint p) {
 std::string power_of_ten(int exponent) {
   return exponent >= 0 && exponent <= 6
              ? std::to_string(static_cast<long>(std::lround(std::pow(10.0, exponent))))
-             : "10<tspan dy=\"-5\" font-size=\"9\">" + std::to_string(exponent) + "</tspan>";
+             : concat("10<tspan dy=\"-5\" font-size=\"9\">", exponent, "</tspan>");
 }
 
 /// Maps values to the drawing.
@@ -133,7 +132,7 @@ std::string draw_axes(const Chart& chart, const Frame& frame, const Scale& scale
   }
   for (const double tick : chart.x_ticks) {
     svg += line_from({scale.x(tick), bottom}, {scale.x(tick), bottom + 5}, "axis");
-    svg += text_at(scale.x(tick), bottom + 20, "text middle", tool::fixed(tick, 0));
+    svg += text_at(scale.x(tick), bottom + 20, "text middle", fixed(tick, 0));
   }
   svg += line_from({frame.left, bottom}, {right, bottom}, "axis");
   svg += line_from({frame.left, frame.top}, {frame.left, bottom}, "axis");
@@ -151,8 +150,8 @@ std::string draw_series(const Series& series, const Scale& scale) {
     points += at(p.x) + "," + at(p.y) + " ";
     markers += marker(series.style, p);
   }
-  return "<polyline points=\"" + points + "\" class=\"line s" + std::to_string(series.style) +
-         "\"/>\n" + markers;
+  return concat("<polyline points=\"", points, "\" class=\"line s", series.style, "\"/>\n",
+                markers);
 }
 
 /// The chart's elements. The y axis covers whole powers of ten.
@@ -167,19 +166,18 @@ std::string draw(const Chart& chart, const Frame& frame) {
 
 /// A short piece of a series' line with its marker and its name after it.
 std::string draw_legend_entry(int style, const std::string& name, double x, double y) {
-  return "<polyline points=\"" + at(x) + "," + at(y) + " " + at(x + 30) + "," + at(y) +
-         "\" class=\"line s" + std::to_string(style) + "\"/>\n" + marker(style, {x + 15, y}) +
-         text_at(x + 38, y + 4, "text", name);
+  return concat("<polyline points=\"", at(x), ",", at(y), " ", at(x + 30), ",", at(y),
+                "\" class=\"line s", style, "\"/>\n", marker(style, {x + 15, y}),
+                text_at(x + 38, y + 4, "text", name));
 }
 
 /// Opens the drawing: size, styles for light and dark surroundings.
 std::string svg_head(int width, int height, const std::string& title) {
-  const std::string size = std::to_string(width) + " " + std::to_string(height);
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\" width=\"" +
-         std::to_string(width) + "\" height=\"" + std::to_string(height) +
-         "\" role=\"img\" font-family=\"sans-serif\" font-size=\"12\">\n<title>" + title +
-         "</title>\n" +
-         R"(<style>
+  const std::string size = concat(width, " ", height);
+  return concat("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ", size, "\" width=\"",
+                width, "\" height=\"", height,
+                "\" role=\"img\" font-family=\"sans-serif\" font-size=\"12\">\n<title>", title,
+                "</title>\n", R"(<style>
 .paper{fill:#fff}.text{fill:#24292f}.title{font-size:15px;font-weight:bold}
 .end{text-anchor:end}.middle{text-anchor:middle}.axis{stroke:#57606a}.grid{stroke:#d8dee4}
 .line{fill:none;stroke-width:1.8}.full{stroke:none}.hollow{fill:none!important;stroke-width:1.6}
@@ -195,7 +193,7 @@ std::string svg_head(int width, int height, const std::string& title) {
 .s4{stroke:#4ac78a}.s5{stroke:#c89bf0}.s6{stroke:#ff7eb6}.s7{stroke:#e6edf3}}
 </style>
 <rect width="100%" height="100%" class="paper"/>
-)";
+)");
 }
 
 constexpr int kWidth = 980;
@@ -276,7 +274,7 @@ std::string legend(const Results& results) {
   for (const RowResult& row : results.front()->rows) {
     add(row.algorithm);
   }
-  add("best rule (up to " + std::to_string(kBestRuleFaces) + ")");
+  add(concat("best rule (up to ", kBestRuleFaces, ")"));
   return svg;
 }
 
@@ -289,4 +287,4 @@ std::string figure_33(const std::vector<SetupResult>& results) {
          "</svg>\n";
 }
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool

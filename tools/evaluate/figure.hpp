@@ -8,7 +8,7 @@
 
 #include "evaluate/run.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 
 /// The table that the figure draws.
 constexpr std::uint32_t kScalabilityTable = 6;
@@ -16,6 +16,6 @@ constexpr std::uint32_t kScalabilityTable = 6;
 /// Two panels, iterations and time of one query over faces. Precondition: results of table 6.
 std::string figure_33(const std::vector<SetupResult>& results);
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool
 
 #endif

@@ -9,8 +9,9 @@
 #include "evaluate/setups.hpp"
 #include "image/cpp_writer.hpp"
 #include "text/files.hpp"
+#include "text/numbers.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,15 +31,14 @@ struct Image {
 
 std::string name_of(const scene::PaperObject& object, Layout layout) {
   constexpr const char* kOrientations[] = {"upright", "lying", "upside_down"};
-  return std::string(kOrientations[static_cast<std::size_t>(object.orientation)]) + "_" +
-         std::to_string(object.faces()) + "_radius_" + std::to_string(object.radius) +
-         (layout == Layout::pre_indexed ? "_pre" : "_post");
+  return concat(kOrientations[static_cast<std::size_t>(object.orientation)], "_", object.faces(),
+                "_radius_", object.radius, (layout == Layout::pre_indexed ? "_pre" : "_post"));
 }
 
 template <Layout layout>
 std::uint64_t levelled_bytes(const bake::BakedTree<std::uint16_t, layout>& baked) {
   constexpr std::uint64_t kPointers = 8;
-  return tool::flash_bytes(baked) + kPointers + 2 * (baked.levels.size() + baked.climb.size());
+  return flash_bytes(baked) + kPointers + 2 * (baked.levels.size() + baked.climb.size());
 }
 
 class Distribution {
@@ -92,10 +92,10 @@ class Distribution {
 };
 
 template <Layout layout>
-void add_tree(tool::FileSet& files, const fs::path& folder, const scene::PaperObject& object,
+void add_tree(FileSet& files, const fs::path& folder, const scene::PaperObject& object,
               const bake::BakedTree<std::uint16_t, layout>& baked) {
   const std::string name = name_of(object, layout);
-  const tool::CppFiles text = tool::cpp_of(baked, {name, name}, "");
+  const CppFiles text = cpp_of(baked, {name, name}, "");
   files.add(folder / (name + ".fbvh.hpp"), text.header);
   files.add(folder / (name + ".fbvh.cpp"), text.source);
 }
@@ -106,8 +106,8 @@ std::string tree(const scene::PaperObject& object, Layout layout) {
 
 std::string head(SetupIndex i) {
   const scene::Setup& setup = scene::kSetups[i];
-  return "{" + std::to_string(i) + ", " + std::to_string(setup.table) + ", \"" +
-         scene::table_title(setup.table) + "\", \"" + setup.name + "\"}";
+  return concat("{", i, ", ", setup.table, ", \"", scene::table_title(setup.table), "\", \"",
+                setup.name, "\"}");
 }
 
 std::string line(SetupIndex i) {
@@ -115,11 +115,10 @@ std::string line(SetupIndex i) {
   const Point& t = setup.translation;
   std::string text = "    {" + head(i) + ",\n";
   for (const scene::PaperObject& object : {setup.a, setup.b}) {
-    text += "     {" + std::to_string(object.faces()) + ", " + tree(object, Layout::pre_indexed) +
-            ",\n      " + tree(object, Layout::post_indexed) + "},\n";
+    text += concat("     {", object.faces(), ", ", tree(object, Layout::pre_indexed), ",\n      ",
+                   tree(object, Layout::post_indexed), "},\n");
   }
-  return text + "     {" + std::to_string(t.x) + ", " + std::to_string(t.y) + ", " +
-         std::to_string(t.z) + "}},\n";
+  return concat(text, "     {", t.x, ", ", t.y, ", ", t.z, "}},\n");
 }
 
 std::string source(const Image& image, const std::vector<SetupIndex>& left_out) {
@@ -147,11 +146,11 @@ std::string source(const Image& image, const std::vector<SetupIndex>& left_out) 
 void write_firmware(const FirmwareOptions& options) {
   const fs::path folder = options.folder;
   Distribution distribution(options);
-  tool::FileSet files;
+  FileSet files;
   std::vector<scene::PaperObject> written;
   for (std::size_t i = 0; i < distribution.images().size(); ++i) {
     const Image& image = distribution.images()[i];
-    files.add(folder / ("setups_" + std::to_string(i + 1) + ".cpp"),
+    files.add(folder / (concat("setups_", i + 1, ".cpp")),
               source(image, i == 0 ? distribution.left_out() : std::vector<SetupIndex>()));
     for (const scene::PaperObject& object : image.objects) {
       if (std::find(written.begin(), written.end(), object) == written.end()) {
@@ -164,4 +163,4 @@ void write_firmware(const FirmwareOptions& options) {
   files.write();
 }
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool

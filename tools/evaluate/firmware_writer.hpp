@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 
 /// The most faces whose tree has 16-bit indices: twice as many nodes, less one.
 constexpr std::uint32_t kMostFirmwareFaces = 32768;
@@ -23,6 +23,6 @@ struct FirmwareOptions {
 /// tests/benchmark/setups.hpp declares what the files define.
 void write_firmware(const FirmwareOptions& options);
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool
 
 #endif

@@ -1,6 +1,6 @@
 #include "evaluate/objects.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 namespace {
 
 template <class Index>
@@ -52,4 +52,4 @@ BakedObject& Objects::get(const scene::PaperObject& object) {
   return *objects_.back();
 }
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool

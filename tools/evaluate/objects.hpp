@@ -10,7 +10,7 @@
 #include "bake/baked_tree.hpp"
 #include "evaluate/paper_object.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 
 /// One tree in both layouts.
 template <class Index>
@@ -64,6 +64,6 @@ class Objects {
   std::vector<std::unique_ptr<BakedObject>> objects_;
 };
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool
 
 #endif

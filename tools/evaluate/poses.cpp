@@ -49,11 +49,11 @@ double defect(const Matrix& r) {
                     "of one row, or mirror the mesh and bake it");
   }
   throw UserError(place,
-                  "the first 9 numbers are no rotation: their rows and columns must have "
-                  "length 1 and be perpendicular within " +
-                      shortest(most) + ", and are off by " + shortest(defect(rotation)) +
-                      "; write the rotation row by row, then the translation, unscaled and "
-                      "with at least 5 decimals");
+                  "the first 9 numbers are no rotation: their rows and columns must have length 1 "
+                  "and be perpendicular within ",
+                  shortest(most), ", and are off by ", shortest(defect(rotation)),
+                  "; write the rotation row by row, then the translation, unscaled and with at "
+                  "least 5 decimals");
 }
 
 /// Cells, and what is left of them in 1/65,536.
@@ -66,9 +66,8 @@ Moved moved(double length, double cell, const std::string& place) {
   const double fractions = std::round(length / cell * 65536);
   const double cells = std::floor((fractions + 32768) / 65536);
   if (!(std::fabs(cells) <= kMaxTranslation)) {
-    throw UserError(place, "the pose moves B by " + shortest(length) + ", the most is " +
-                               shortest(kMaxTranslation * cell) + " (" +
-                               std::to_string(kMaxTranslation) + " cells)");
+    throw UserError(place, "the pose moves B by ", shortest(length), ", the most is ",
+                    shortest(kMaxTranslation * cell), " (", kMaxTranslation, " cells)");
   }
   return {static_cast<std::int32_t>(cells), static_cast<std::int16_t>(fractions - cells * 65536)};
 }
@@ -108,16 +107,14 @@ std::vector<LatticePoint> turned_vertices(const Tree& b, const Pose& pose) {
 RigidPose parse_pose(std::string_view text, const std::string& place) {
   const std::vector<std::string_view> words = words_of(text);
   if (words.size() != 12) {
-    throw UserError(place, "has " + std::to_string(words.size()) +
-                               " numbers; a pose has 12: the rotation row by row, then the "
-                               "translation");
+    throw UserError(place, "has ", words.size(),
+                    " numbers; a pose has 12: the rotation row by row, then the translation");
   }
   std::array<double, 12> numbers{};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto number = parse_number(words[i]);
     if (!number) {
-      throw UserError(place, "'" + std::string(words[i].substr(0, 40)) +
-                                 "' is no finite number; a pose has 12 of them");
+      throw UserError(place, quoted(words[i]), " is no finite number; a pose has 12 of them");
     }
     numbers[i] = *number;
   }
@@ -135,7 +132,7 @@ std::vector<PlacedPose> read_poses(const std::string& path) {
   const std::string text = read_file(path);
   std::vector<PlacedPose> poses;
   for (Lines lines(text); lines.next_content();) {
-    const std::string place = path + ":" + std::to_string(lines.number());
+    const std::string place = concat(path, ":", lines.number());
     poses.push_back({parse_pose(lines.line(), place), place});
   }
   if (poses.empty()) {

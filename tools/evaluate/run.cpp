@@ -9,7 +9,7 @@
 #include "evaluate/count_query.hpp"
 #include "evaluate/traversals.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 namespace {
 
 /// The pose is read anew each time, so that no repetition can be optimised away.
@@ -127,4 +127,4 @@ SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& 
   return result;
 }
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool

@@ -12,7 +12,7 @@
 #include "evaluate/setups.hpp"
 #include "flashbvh/query.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 
 /// A traversal, ready to run on one setup.
 struct Row {
@@ -64,6 +64,6 @@ constexpr std::uint32_t kBestRuleFaces = 3184;
 /// down all of them.
 SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& objects);
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool
 
 #endif

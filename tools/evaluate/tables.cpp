@@ -4,13 +4,13 @@
 
 #include "text/numbers.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 namespace {
 
 constexpr int kSecondsDigits = 7;
 
 std::string plural(std::uint32_t count, const char* noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+  return concat(count, " ", noun, (count == 1 ? "" : "s"));
 }
 
 std::string padded(const std::string& text, std::size_t width, bool left) {
@@ -29,10 +29,10 @@ std::string markdown_line(const std::vector<std::string>& cells,
 
 std::vector<std::string> cells_of(const RowResult& row) {
   return {row.algorithm,
-          tool::fixed(row.times.least, kSecondsDigits),
-          tool::fixed(row.times.most, kSecondsDigits),
-          tool::fixed(row.times.mean, kSecondsDigits),
-          tool::fixed(row.times.deviation, kSecondsDigits),
+          fixed(row.times.least, kSecondsDigits),
+          fixed(row.times.most, kSecondsDigits),
+          fixed(row.times.mean, kSecondsDigits),
+          fixed(row.times.deviation, kSecondsDigits),
           std::to_string(row.counts.visits),
           std::to_string(row.counts.overlaps),
           std::to_string(row.counts.leaf_pairs),
@@ -40,7 +40,7 @@ std::vector<std::string> cells_of(const RowResult& row) {
 }
 
 std::string ratio_text(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? "-" : tool::fixed(ratio(part, whole), 4);
+  return whole == 0 ? "-" : fixed(ratio(part, whole), 4);
 }
 
 std::vector<std::string> line_of(const SetupResult& result) {
@@ -83,7 +83,7 @@ std::string markdown_table(const std::vector<std::vector<std::string>>& lines) {
 }
 
 std::string table_heading(std::uint32_t table) {
-  return "### Table " + std::to_string(table) + ": " + scene::table_title(table) + "\n";
+  return concat("### Table ", table, ": ", scene::table_title(table), "\n");
 }
 
 std::string setup_table(const SetupResult& result) {
@@ -136,7 +136,7 @@ std::string summary_table(const std::vector<SetupResult>& results) {
                    ratio_text(totals.ranked_by_best, totals.volume_by_best),
                    ratio_text(totals.best, totals.volume_by_best)});
   return "### Summary\n\n" + markdown_table(lines) +
-         "\nLargest ranked / volume of a setup: " + tool::fixed(totals.worst_ranked, 4) + "\n";
+         "\nLargest ranked / volume of a setup: " + fixed(totals.worst_ranked, 4) + "\n";
 }
 
 std::string time_table(const std::vector<SetupResult>& results) {
@@ -147,10 +147,10 @@ std::string time_table(const std::vector<SetupResult>& results) {
   for (const SetupResult& result : results) {
     lines.push_back({result.setup->name});
     for (const RowResult& row : result.rows) {
-      lines.back().push_back(tool::fixed(1e6 * row.times.least / result.repetitions, 3));
+      lines.back().push_back(fixed(1e6 * row.times.least / result.repetitions, 3));
     }
   }
   return "### Time of one query (fastest sample)\n\n" + markdown_table(lines);
 }
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool

@@ -9,7 +9,7 @@
 
 #include "evaluate/run.hpp"
 
-namespace flashbvh::bench {
+namespace flashbvh::tool {
 
 /// The heading of one of the paper's tables.
 std::string table_heading(std::uint32_t table);
@@ -42,6 +42,6 @@ std::string summary_table(const std::vector<SetupResult>& results);
 /// Microseconds of one query in each row's fastest sample, a line a setup, as text.
 std::string time_table(const std::vector<SetupResult>& results);
 
-}  // namespace flashbvh::bench
+}  // namespace flashbvh::tool
 
 #endif

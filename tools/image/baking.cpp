@@ -21,10 +21,9 @@ void check_range(const InputMesh& input, double cell) {
   if (bake::fits(input.mesh, cell)) {
     return;
   }
-  throw UserError(input.path,
-                  "is too large for a cell of " + shortest(cell) + ": out of range are " +
-                      triangle_list(bake::out_of_range(input.mesh, cell)) +
-                      "; the finest that it fits is --cell " + shortest(finest_cell(input)));
+  throw UserError(input.path, "is too large for a cell of ", shortest(cell), ": out of range are ",
+                  triangle_list(bake::out_of_range(input.mesh, cell)),
+                  "; the finest that it fits is --cell ", shortest(finest_cell(input)));
 }
 
 void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded,
@@ -33,12 +32,11 @@ void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded,
     return;
   }
   const double cell = sure_cell(*most);
-  throw UserError(input.path,
-                  "rounding moves a vertex by " + shortest(rounded.deviation) +
-                      ", --max-deviation allows " + shortest(*most) +
-                      (cell >= finest_cell(input)
-                           ? "; a cell of " + shortest(cell) + " or less keeps to that"
-                           : "; the mesh is too large for so fine a cell: cut it in parts"));
+  throw UserError(input.path, "rounding moves a vertex by ", shortest(rounded.deviation),
+                  ", --max-deviation allows ", shortest(*most),
+                  cell >= finest_cell(input)
+                      ? "; a cell of " + shortest(cell) + " or less keeps to that"
+                      : "; the mesh is too large for so fine a cell: cut it in parts");
 }
 
 /// Leaves out what the options say, and vertices that nothing uses any more. Returns the source's
@@ -84,9 +82,8 @@ void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
   constexpr std::size_t most = bake::IndexLimits<std::uint16_t>::kMost;
   const auto check = [&](std::size_t count, const char* what, std::size_t limit, const char* mend) {
     if (count > limit) {
-      throw UserError(input.path, std::to_string(count) + " " + what +
-                                      ", but 16-bit indices reach " + std::to_string(limit) +
-                                      "; use " + mend);
+      throw UserError(input.path, count, " ", what, ", but 16-bit indices reach ", limit, "; use ",
+                      mend);
     }
   };
   constexpr const char* fewer = "--index-bits 32 or fewer triangles";
@@ -99,9 +96,8 @@ void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
   check(static_cast<std::size_t>(leaves), "leaves", bake::IndexLimits<std::uint16_t>::kMostLeaves,
         larger);
   if (kept.back() > most) {
-    throw UserError(input.path, "triangle " + std::to_string(kept.back()) +
-                                    " is kept, but 16-bit indices reach " + std::to_string(most) +
-                                    "; use --index-bits 32");
+    throw UserError(input.path, "triangle ", kept.back(), " is kept, but 16-bit indices reach ",
+                    most, "; use --index-bits 32");
   }
 }
 

@@ -23,10 +23,10 @@ std::string text_of(std::uint16_t value) {
   return std::to_string(value);
 }
 std::string text_of(std::uint32_t value) {
-  return std::to_string(value) + "u";
+  return concat(value, "u");
 }
 std::string text_of(const Vertex& v) {
-  return "{" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + "}";
+  return concat("{", v.x, ", ", v.y, ", ", v.z, "}");
 }
 template <class Index>
 std::string text_of(const Corners<Index>& c) {
@@ -84,8 +84,7 @@ std::size_t bytes_of(const std::vector<Element>& elements) {
 }
 
 std::string constant(const char* name, std::size_t value, const char* comment) {
-  return std::string("constexpr uint32_t ") + name + " = " + std::to_string(value) + ";  ///< " +
-         comment + "\n";
+  return concat("constexpr uint32_t ", name, " = ", value, ";  ///< ", comment, "\n");
 }
 
 template <class Index, Layout layout>
@@ -111,11 +110,11 @@ std::string constants(const bake::BakedTree<Index, layout>& baked, const std::st
 
 /// Refuses a library with another interface: below 1.0 the minor version counts, too.
 std::string version_guard(const OutputName& name) {
-  std::string condition = "#if FLASHBVH_VERSION_MAJOR != " + std::to_string(FLASHBVH_VERSION_MAJOR);
+  std::string condition = concat("#if FLASHBVH_VERSION_MAJOR != ", FLASHBVH_VERSION_MAJOR);
   std::string version = std::to_string(FLASHBVH_VERSION_MAJOR);
   if (FLASHBVH_VERSION_MAJOR == 0) {
-    condition += " || FLASHBVH_VERSION_MINOR != " + std::to_string(FLASHBVH_VERSION_MINOR);
-    version += "." + std::to_string(FLASHBVH_VERSION_MINOR);
+    condition += concat(" || FLASHBVH_VERSION_MINOR != ", FLASHBVH_VERSION_MINOR);
+    version += concat(".", FLASHBVH_VERSION_MINOR);
   }
   return condition + "\n#error \"" + name.identifier + " was baked by flashbvh " + version +
          "; bake it again with this version\"\n#endif\n";
@@ -153,13 +152,12 @@ std::string view(const bake::BakedTree<Index, layout>& baked) {
   std::uint64_t cell_bits = 0;
   std::memcpy(&cell_bits, &baked.cell, sizeof cell_bits);
   const auto count = [](std::size_t value) { return text_of(static_cast<Index>(value)); };
-  return std::string("{kNodes, kTriangles, kSources, ") +
-         (baked.leaf_firsts.empty() ? "nullptr" : "kLeafFirsts") + ", kVertices,\n    " +
-         count(baked.nodes.size()) + ", " + count(baked.leaf_count) + ", " +
-         count(baked.triangles.size()) + ", " + count(baked.vertices.size()) + ", " +
-         count(baked.stack_need) + ",\n    {" + std::to_string(baked.origin[0]) + ", " +
-         std::to_string(baked.origin[1]) + ", " + std::to_string(baked.origin[2]) + "}, " +
-         hex(cell_bits, 16) + "}";
+  return concat(std::string("{kNodes, kTriangles, kSources, "),
+                (baked.leaf_firsts.empty() ? "nullptr" : "kLeafFirsts"), ", kVertices,\n    ",
+                count(baked.nodes.size()), ", ", count(baked.leaf_count), ", ",
+                count(baked.triangles.size()), ", ", count(baked.vertices.size()), ", ",
+                count(baked.stack_need), ",\n    {", baked.origin[0], ", ", baked.origin[1], ", ",
+                baked.origin[2], "}, ", hex(cell_bits, 16), "}");
 }
 
 template <class Index, Layout layout>

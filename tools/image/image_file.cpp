@@ -6,6 +6,7 @@
 
 #include "text/files.hpp"
 #include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -13,16 +14,16 @@ namespace {
 std::string refusal(Status status, const ImageHeader& header, std::size_t size) {
   switch (status) {
     case Status::image_truncated:
-      return "is truncated: it has " + std::to_string(size) + " bytes" +
-             (size < sizeof header ? " and needs a header of " + std::to_string(sizeof header)
-                                   : " of " + std::to_string(header.byte_count)) +
-             "; copy or bake it again";
+      return concat("is truncated: it has ", size, " bytes",
+                    (size < sizeof header ? concat(" and needs a header of ", sizeof header)
+                                          : concat(" of ", header.byte_count)),
+                    "; copy or bake it again");
     case Status::image_not_flashbvh:
       return "is no flashbvh image; name a .fbvh file";
     case Status::image_version:
-      return "is written in version " + std::to_string(header.version) +
-             " of the image format, this program reads version " + std::to_string(kImageVersion) +
-             "; bake it again";
+      return concat("is written in version ", header.version,
+                    " of the image format, this program reads version ", kImageVersion,
+                    "; bake it again");
     case Status::image_corrupt:
       return "is corrupt: its checksum does not match; copy or bake it again";
     case Status::image_kind:
@@ -72,8 +73,8 @@ ImageFile::ImageFile(const std::string& path) : path_(path) {
     throw UserError(path, refusal(status, header_, bytes.size()));
   }
   if (bytes.size() != header.byte_count) {
-    throw UserError(path, "has " + std::to_string(bytes.size() - header.byte_count) +
-                              " bytes behind its end; copy or bake it again");
+    throw UserError(path, "has ", bytes.size() - header.byte_count,
+                    " bytes behind its end; copy or bake it again");
   }
 }
 
@@ -104,9 +105,8 @@ std::vector<SourceTriangle> source_triangles(const ImageFile& image) {
             [](const SourceTriangle& t, const SourceTriangle& u) { return t.number < u.number; });
   for (std::size_t i = 1; i < triangles.size(); ++i) {
     if (triangles[i].number == triangles[i - 1].number) {
-      throw UserError(image.path(), "is invalid: triangle number " +
-                                        std::to_string(triangles[i].number) +
-                                        " occurs twice; bake it again");
+      throw UserError(image.path(), "is invalid: triangle number ", triangles[i].number,
+                      " occurs twice; bake it again");
     }
   }
   return triangles;

@@ -13,10 +13,8 @@ std::string warn_of_cut_line(std::string_view text) {
 void append_coordinate(std::string& bytes, std::string_view word, const std::string& file,
                        std::size_t line) {
   if (!parse_number(word)) {
-    throw UserError(file, line,
-                    "'" + std::string(word.substr(0, 40)) +
-                        "' is no finite number, which a coordinate must be; repair the "
-                        "mesh");
+    throw UserError(at_line(file, line), quoted(word),
+                    " is no finite number, which a coordinate must be; repair the mesh");
   }
   bytes += " ";
   bytes += word;

@@ -12,6 +12,7 @@
 #include "mesh/polygon.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -67,8 +68,8 @@ class Gatherer {
 
   Position corner(const aiMesh& mesh, unsigned index, const aiMatrix4x4& transform) const {
     if (index >= mesh.mNumVertices) {
-      throw UserError(path_, "polygon " + std::to_string(face_count_) +
-                                 " has a corner at a vertex that is not there; export it again");
+      throw UserError(path_, "polygon ", face_count_,
+                      " has a corner at a vertex that is not there; export it again");
     }
     const aiVector3D& at = mesh.mVertices[index];
     const aiVector3D moved = transform.IsIdentity() ? at : transform * at;
@@ -76,9 +77,8 @@ class Gatherer {
                                static_cast<double>(moved.z)};
     for (const double coordinate : position) {
       if (!std::isfinite(coordinate)) {
-        throw UserError(path_, "polygon " + std::to_string(face_count_) +
-                                   " (from 0) has a coordinate that is not a finite number; "
-                                   "repair the mesh");
+        throw UserError(path_, "polygon ", face_count_,
+                        " (from 0) has a coordinate that is not a finite number; repair the mesh");
       }
     }
     return position;
@@ -124,15 +124,14 @@ bake::SourceMesh import_mesh(const std::string& path, Warnings& warnings) {
   const aiScene* const scene =
       importer.ReadFileFromMemory(text.bytes.data(), text.bytes.size(), 0, extension.c_str());
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw UserError(
-        path, "can't be read: " + one_line(importer.GetErrorString()) + "; export the mesh again");
+    throw UserError(path, "can't be read: ", one_line(importer.GetErrorString()),
+                    "; export the mesh again");
   }
   Gatherer gatherer(path);
   gatherer.add(*scene->mRootNode, *scene, aiMatrix4x4());
   if (gatherer.face_count() != text.face_count) {
-    throw UserError(path, "has " + std::to_string(text.face_count) + " polygons, but " +
-                              std::to_string(gatherer.face_count()) +
-                              " could be read; export the mesh again");
+    throw UserError(path, "has ", text.face_count, " polygons, but ", gatherer.face_count(),
+                    " could be read; export the mesh again");
   }
   return gatherer.finish();
 }

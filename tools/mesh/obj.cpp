@@ -53,10 +53,9 @@ class Converter {
     } else if (keyword == "p" || keyword == "l") {
       ++left_out_;
     } else if (std::find(kNoShape.begin(), kNoShape.end(), keyword) == kNoShape.end()) {
-      throw UserError(file_, number,
-                      "'" + std::string(keyword.substr(0, 40)) +
-                          "' is no vertex, polygon or attribute of OBJ; export the "
-                          "mesh again, as polygons");
+      throw UserError(
+          at_line(file_, number), quoted(keyword),
+          " is no vertex, polygon or attribute of OBJ; export the mesh again, as polygons");
     }
   }
 
@@ -65,8 +64,8 @@ class Converter {
       throw UserError(file_, "has no polygons; export the mesh again");
     }
     if (left_out_ != 0) {
-      plain_.warning += (plain_.warning.empty() ? "" : "; ") + std::to_string(left_out_) +
-                        " points or lines left out";
+      plain_.warning +=
+          concat((plain_.warning.empty() ? "" : "; "), left_out_, " points or lines left out");
     }
     return std::move(plain_);
   }
@@ -75,11 +74,12 @@ class Converter {
   void vertex(const Words& words, std::size_t number) {
     const std::size_t count = words.size() - 1;  // a weight may follow, or three or four of colour
     if (count != 3 && count != 4 && count != 6 && count != 7) {
-      throw UserError(file_, number,
-                      "a vertex of " + std::to_string(count) + " coordinates; it must have three");
+      throw UserError(at_line(file_, number), "a vertex of ", count,
+                      " coordinates; it must have three");
     }
     if (count == 4 && parse_number(words[4]) != 1.0) {
-      throw UserError(file_, number, "a vertex with a weight; export the mesh as polygons");
+      throw UserError(at_line(file_, number),
+                      "a vertex with a weight; export the mesh as polygons");
     }
     plain_.bytes += "v";
     for (std::size_t axis = 1; axis <= 3; ++axis) {
@@ -91,13 +91,12 @@ class Converter {
 
   void face(const Words& words, std::size_t number) {
     if (words.size() < 4) {
-      throw UserError(file_, number,
-                      "a polygon of " + std::to_string(words.size() - 1) +
-                          " corners; it must have three or more");
+      throw UserError(at_line(file_, number), "a polygon of ", words.size() - 1,
+                      " corners; it must have three or more");
     }
     plain_.bytes += "f";
     for (std::size_t i = 1; i < words.size(); ++i) {
-      plain_.bytes += " " + std::to_string(vertex_number(words[i], number));
+      plain_.bytes += concat(" ", vertex_number(words[i], number));
     }
     plain_.bytes += "\n";
     ++plain_.face_count;
@@ -108,10 +107,8 @@ class Converter {
     const auto index = parse_integer(corner.substr(0, corner.find('/')));
     const long long at = !index ? 0 : *index < 0 ? vertex_count_ + 1 + *index : *index;
     if (at < 1 || at > vertex_count_) {
-      throw UserError(file_, number,
-                      "a corner at vertex '" + std::string(corner.substr(0, 40)) +
-                          "', but there are " + std::to_string(vertex_count_) +
-                          " vertices so far; export the mesh again");
+      throw UserError(at_line(file_, number), "a corner at vertex ", quoted(corner),
+                      ", but there are ", vertex_count_, " vertices so far; export the mesh again");
     }
     return at;
   }

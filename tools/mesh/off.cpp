@@ -32,8 +32,7 @@ class Converter {
     if (counts.faces == 0) {
       throw UserError(file_, "has no polygons; export the mesh again");
     }
-    plain_.bytes =
-        "OFF\n" + std::to_string(counts.vertices) + " " + std::to_string(counts.faces) + " 0\n";
+    plain_.bytes = concat("OFF\n", counts.vertices, " ", counts.faces, " 0\n");
     for (long long i = 0; i < counts.vertices; ++i) {
       vertex(next("vertex", i, counts.vertices));
     }
@@ -48,8 +47,9 @@ class Converter {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw UserError(file_, lines_.number(), what);
+  template <class... Parts>
+  [[noreturn]] void refuse(const Parts&... what) const {
+    throw UserError(at_line(file_, lines_.number()), what...);
   }
 
   /// The keyword may be missing, and the counts may stand on its line.
@@ -72,15 +72,14 @@ class Converter {
 
   Words next(const char* kind, long long index, long long count) {
     if (!lines_.next_content()) {
-      refuse("the file ends at " + std::string(kind) + " " + std::to_string(index) + " of " +
-             std::to_string(count) + "; export the mesh again");
+      refuse("the file ends at ", kind, " ", index, " of ", count, "; export the mesh again");
     }
     return words_of(lines_.line());
   }
 
   void vertex(const Words& words) {
     if (words.size() < 3) {
-      refuse("a vertex of " + std::to_string(words.size()) + " coordinates; it must have three");
+      refuse("a vertex of ", words.size(), " coordinates; it must have three");
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       append_coordinate(plain_.bytes, words[axis], file_, lines_.number());
@@ -91,21 +90,21 @@ class Converter {
   void face(const Words& words, const Counts& counts) {
     const long long corners = parse_integer(words[0]).value_or(0);
     if (corners < 3 || corners > kMostCorners) {
-      refuse("a polygon of '" + std::string(words[0].substr(0, 40)) +
-             "' corners; it must have 3 to 9: triangulate the mesh");
+      refuse("a polygon of ", quoted(words[0]),
+             " corners; it must have 3 to 9: triangulate the mesh");
     }
     if (words.size() < static_cast<std::size_t>(corners) + 1) {
-      refuse("a polygon of " + std::to_string(corners) + " corners names only " +
-             std::to_string(words.size() - 1) + "; export the mesh again");
+      refuse("a polygon of ", corners, " corners names only ", words.size() - 1,
+             "; export the mesh again");
     }
     plain_.bytes += words[0];
     for (std::size_t i = 1; i <= static_cast<std::size_t>(corners); ++i) {
       const long long at = parse_integer(words[i]).value_or(-1);
       if (at < 0 || at >= counts.vertices) {
-        refuse("a corner at vertex '" + std::string(words[i].substr(0, 40)) + "', but there are " +
-               std::to_string(counts.vertices) + " vertices; export the mesh again");
+        refuse("a corner at vertex ", quoted(words[i]), ", but there are ", counts.vertices,
+               " vertices; export the mesh again");
       }
-      plain_.bytes += " " + std::to_string(at);
+      plain_.bytes += concat(" ", at);
     }
     plain_.bytes += "\n";
   }

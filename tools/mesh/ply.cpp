@@ -51,6 +51,7 @@ constexpr std::array<Type, 8> kTypes = {{{"char", "int8", 1, Type::is_signed},
                                          {"float", "float32", 4, Type::is_floating},
                                          {"double", "float64", 8, Type::is_floating}}};
 
+/// `text` is the whole file, which the header's names point into.
 class HeaderReader {
  public:
   HeaderReader(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
@@ -66,7 +67,8 @@ class HeaderReader {
       }
       line(words);
     }
-    throw UserError(file_, lines_.number(), "the file ends in its header; export the mesh again");
+    throw UserError(at_line(file_, lines_.number()),
+                    "the file ends in its header; export the mesh again");
   }
 
   std::string_view body() const { return lines_.rest(); }
@@ -75,7 +77,7 @@ class HeaderReader {
   using Words = std::vector<std::string_view>;
 
   [[noreturn]] void refuse(const char* what) const {
-    throw UserError(file_, lines_.number(), std::string(what) + "; export the mesh again");
+    throw UserError(at_line(file_, lines_.number()), what, "; export the mesh again");
   }
 
   void line(const Words& words) {
@@ -211,10 +213,10 @@ class Checker {
   }
 
  private:
-  [[noreturn]] void refuse(const Element& element, long long i, const std::string& what) const {
-    throw UserError(file_, std::string(element.name) + " " + std::to_string(i) + " of " +
-                               std::to_string(element.count) + ": " + what +
-                               "; export the mesh again");
+  template <class... Parts>
+  [[noreturn]] void refuse(const Element& element, long long i, const Parts&... what) const {
+    throw UserError(file_, element.name, " ", i, " of ", element.count, ": ", what...,
+                    "; export the mesh again");
   }
 
   double number(const Element& element, long long i, const Type& type) {
@@ -235,13 +237,12 @@ class Checker {
     const bool corners = element.name == "face" &&
                          (property.name == "vertex_indices" || property.name == "vertex_index");
     if (corners && length < 3) {
-      refuse(element, i, "a polygon of " + shortest(length) + " corners");
+      refuse(element, i, "a polygon of ", shortest(length), " corners");
     }
     for (long long at = 0; static_cast<double>(at) < length; ++at) {
       const double value = number(element, i, property.value);
       if (corners && (value < 0 || value >= static_cast<double>(vertex_count_))) {
-        refuse(element, i,
-               "a corner at vertex " + shortest(value) + " of " + std::to_string(vertex_count_));
+        refuse(element, i, "a corner at vertex ", shortest(value), " of ", vertex_count_);
       }
     }
   }

@@ -7,6 +7,7 @@
 
 #include "mesh/formats.hpp"
 #include "text/messages.hpp"
+#include "text/numbers.hpp"
 #include "text/tokens.hpp"
 
 namespace flashbvh::tool {
@@ -38,10 +39,9 @@ bool looks_like_ascii(std::string_view bytes) {
     throw UserError(file, "is no STL file (too short); export the mesh again");
   }
   const std::size_t count = binary_count(bytes);
-  throw UserError(file, "is truncated or no STL file: its header announces " +
-                            std::to_string(count) + " triangles, which take " +
-                            std::to_string(kHeader + kPerTriangle * count) + " bytes, but it has " +
-                            std::to_string(bytes.size()) + "; export the mesh again");
+  throw UserError(file, "is truncated or no STL file: its header announces ", count,
+                  " triangles, which take ", kHeader + kPerTriangle * count, " bytes, but it has ",
+                  bytes.size(), "; export the mesh again");
 }
 
 std::string lower(std::string_view word) {
@@ -79,8 +79,8 @@ class Reader {
   }
   [[noreturn]] void refuse(const std::string& wanted, const std::string& found) const {
     const std::string what = found.empty() ? "the file ends" : "'" + found.substr(0, 40) + "' is";
-    throw UserError(file_, lines_.number(),
-                    what + " where '" + wanted + "' must be; export the mesh again");
+    throw UserError(at_line(file_, lines_.number()), what, " where '", wanted,
+                    "' must be; export the mesh again");
   }
 
  private:

@@ -40,7 +40,7 @@ bool is_meant(const std::string& name, const std::string& file) {
 
 [[noreturn]] void refuse_second_unit(const std::string& place, const std::string& file,
                                      const std::string& known) {
-  throw UserError(place, file + " is in " + known + " already; give it one unit");
+  throw UserError(place, file, " is in ", known, " already; give it one unit");
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ Units::Units(const std::vector<std::string>& given, const std::vector<std::strin
     const std::size_t equals = option.rfind('=');
     const std::string unit = equals == std::string::npos ? option : option.substr(equals + 1);
     if (length_of(unit) == 0) {
-      throw UserError("--unit " + option, "'" + unit + "' is no unit; give " + std::string(kNames));
+      throw UserError("--unit " + option, "'", unit, "' is no unit; give ", kNames);
     }
     if (equals == std::string::npos) {
       set_common(unit);
@@ -66,9 +66,8 @@ Units::Units(const std::vector<std::string>& given, const std::vector<std::strin
 
 void Units::set_common(const std::string& unit) {
   if (!common_.empty() && common_ != unit) {
-    throw UserError(
-        "--unit " + unit,
-        "the unit is " + common_ + " already; give a file's own unit as --unit FILE=" + unit);
+    throw UserError("--unit " + unit, "the unit is ", common_,
+                    " already; give a file's own unit as --unit FILE=", unit);
   }
   common_ = unit;
 }
@@ -87,9 +86,8 @@ void Units::set_own(const std::string& name, const std::string& unit,
     }
   }
   if (!found) {
-    throw UserError(place, "no mesh '" + name +
-                               "' is given; name one as it is given, or by its "
-                               "name without folders");
+    throw UserError(place, "no mesh '", name,
+                    "' is given; name one as it is given, or by its name without folders");
   }
 }
 

@@ -9,8 +9,9 @@
 #include "report/raster.hpp"
 #include "report/tree_shape.hpp"
 #include "report/view.hpp"
+#include "text/numbers.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
 
 /// A level whose boxes are drawn.
@@ -33,7 +34,7 @@ constexpr std::size_t kColours = 4;
 
 /// "12-3": a minus sign separates, too.
 std::string numbers(std::int64_t x, std::int64_t y) {
-  return std::to_string(x) + (y < 0 ? "" : " ") + std::to_string(y);
+  return concat(x, (y < 0 ? "" : " "), y);
 }
 
 std::string line(const Projected& way, bool back = false) {
@@ -42,8 +43,7 @@ std::string line(const Projected& way, bool back = false) {
 
 /// Seen along an axis: the rectangle.
 std::string rectangle(const Projected& start, const Projected& u, const Projected& v) {
-  return "M" + numbers(start.x, start.y) + "h" + std::to_string(u.x) + "v" + std::to_string(v.y) +
-         "h" + std::to_string(-u.x) + "z";
+  return concat("M", numbers(start.x, start.y), "h", u.x, "v", v.y, "h", -u.x, "z");
 }
 
 /// The outline and the three edges that meet in the corner in front: low x and y and high z come
@@ -75,7 +75,7 @@ bool is_along_axis(const View& view) {
 }
 
 /// Those that can be drawn, from the root on.
-std::vector<Level> drawn_levels(const tool::AnyTree& any, const TreeShape& shape) {
+std::vector<Level> drawn_levels(const AnyTree& any, const TreeShape& shape) {
   std::vector<Level> levels;
   for (std::uint32_t depth = 0; depth < shape.nodes_by_depth.size(); ++depth) {
     if (shape.nodes_by_depth[depth] <= kMostBoxes && levels.size() < kMostLevels) {
@@ -96,11 +96,11 @@ std::string box_lines(const Level& level, std::size_t place, const View& view, c
     const Box& box = level.boxes[i].box;
     paths[i % kColours] += flat ? flat_path_of(box, projection) : path_of(box, projection);
   }
-  std::string svg = "<g class=\"L L" + std::to_string(place) +
-                    (level.boxes.size() <= kMostFilled ? " F" : "") + "\">";
+  std::string svg =
+      concat("<g class=\"L L", place, (level.boxes.size() <= kMostFilled ? " F" : ""), "\">");
   for (std::size_t i = 0; i < kColours; ++i) {
     if (!paths[i].empty()) {
-      svg += "<path class=k" + std::to_string(i) + " d=\"" + paths[i] + "\"/>";
+      svg += concat("<path class=k", i, " d=\"", paths[i], "\"/>");
     }
   }
   return svg + "</g>\n";
@@ -119,7 +119,7 @@ std::size_t first_choice(const std::vector<Level>& levels) {
 
 std::string radio(const Subject& subject, const std::string& value, const std::string& label,
                   bool checked) {
-  const std::string group = "v" + std::to_string(subject.number);
+  const std::string group = concat("v", subject.number);
   const std::string id = group + "-" + value;
   return "<input type=radio name=" + group + " id=" + id + " class=\"R R" + value + "\"" +
          (checked ? " checked" : "") + "><label for=" + id + ">" + label + "</label>\n";
@@ -131,11 +131,11 @@ std::string level_note(const Level& level, std::size_t place) {
   for (const NodeBox& box : level.boxes) {
     leaves += box.is_leaf ? 1 : 0;
   }
-  return "<span class=\"L L" + std::to_string(place) + "\">Level " + std::to_string(level.depth) +
-         ": " + counted(level.boxes.size(), "box", "boxes") +
-         (leaves == 0 ? ""
-                      : ", " + grouped(leaves) + (leaves == 1 ? " a leaf" : " of them leaves")) +
-         ". </span>\n";
+  return concat(
+      "<span class=\"L L", place, "\">Level ", level.depth, ": ",
+      counted(level.boxes.size(), "box", "boxes"),
+      (leaves == 0 ? "" : ", " + grouped(leaves) + (leaves == 1 ? " a leaf" : " of them leaves")),
+      ". </span>\n");
 }
 
 std::string drawing(const Subject& subject, const View& view, const std::vector<Level>& levels) {
@@ -167,8 +167,7 @@ std::string pictures(const Subject& subject) {
     html += level_note(levels[i], i);
   }
   if (levels.size() != subject.shape.nodes_by_depth.size()) {
-    html += "Drawn are up to " + std::to_string(kMostLevels) + " levels of up to " +
-            std::to_string(kMostBoxes) + " boxes.";
+    html += concat("Drawn are up to ", kMostLevels, " levels of up to ", kMostBoxes, " boxes.");
   }
   html += "</p>\n<div class=views>\n";
   for (const View& view : views()) {
@@ -186,4 +185,4 @@ std::string picture_style() {
   return style + "{display:inline}\n";
 }
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
 
 std::string big_endian(std::uint32_t value) {
@@ -78,4 +78,4 @@ std::string data_uri(const Picture& picture) {
                 chunk("IDAT", compressed_rows(picture)) + chunk("IEND", ""));
 }
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

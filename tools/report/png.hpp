@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 
 struct Colour {
   std::uint8_t red;
@@ -25,6 +25,6 @@ struct Picture {
 /// A `data:` address that holds the picture as PNG.
 std::string data_uri(const Picture& picture);
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool
 
 #endif

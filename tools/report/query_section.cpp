@@ -7,7 +7,7 @@
 #include "report/visits.hpp"
 #include "text/numbers.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
 
 /// Pairs of different images that are asked about.
@@ -35,7 +35,7 @@ std::vector<std::string> row_of(const std::string& name, const Visits& visits, s
   }
   const double mean = static_cast<double>(visits.sum) / static_cast<double>(visits.poses);
   const auto share = [&](double count) {
-    return tool::fixed(100 * count / static_cast<double>(most), 1) + "%";
+    return fixed(100 * count / static_cast<double>(most), 1) + "%";
   };
   return {name, grouped(visits.poses), grouped((visits.sum + visits.poses / 2) / visits.poses),
           grouped(visits.most),
@@ -129,4 +129,4 @@ std::string query_note(const std::vector<const Subject*>& subjects, std::size_t 
   return html;
 }
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

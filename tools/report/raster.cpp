@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
 
 /// At right angles to the triangle, of components below 2^20; 0 for a triangle without area.
@@ -191,4 +191,4 @@ Picture picture_of(const TriangleSoup& triangles, const View& view, const Box& b
   return canvas.picture(palette());
 }
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

@@ -8,7 +8,7 @@
 
 #include "report/subject.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 
 /// Key figures, pictures, bytes, shape, rounding and warnings.
 std::string image_section(const Subject& subject);
@@ -34,6 +34,6 @@ std::string pair_section(const SubjectPair& pair, std::size_t poses);
 /// What the tables mean and which pairs are left out.
 std::string query_note(const std::vector<const Subject*>& subjects, std::size_t poses);
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef FLASHBVH_TOOLS_REPORT_STYLE_HPP
 #define FLASHBVH_TOOLS_REPORT_STYLE_HPP
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 
 /// Text has a contrast of 4.5 to 1 at least against what it stands on, lines and bars of 3 to 1.
 inline constexpr const char* kColours = R"(:root{color-scheme:light dark;
@@ -96,6 +96,6 @@ path{fill:none;stroke-width:1.3px;stroke-linejoin:round;vector-effect:non-scalin
 @media print{section{border:0;padding:0}body{background:none}.scroll{overflow:visible}}
 )";
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool
 
 #endif

@@ -6,7 +6,7 @@
 #include "report/html.hpp"
 #include "text/numbers.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
 
 void count(Histogram& histogram, std::size_t number) {
@@ -65,7 +65,7 @@ struct Bins {
   std::string label(std::size_t bin, std::size_t end) const {
     const std::size_t low = first + bin * width;
     const std::size_t high = std::min(low + width, end) - 1;
-    return std::to_string(low) + (high == low ? "" : "&ndash;" + std::to_string(high));
+    return concat(low, (high == low ? "" : concat("&ndash;", high)));
   }
 };
 
@@ -82,8 +82,8 @@ Bins bins_of(const Histogram& histogram, std::size_t first) {
 std::string piece(const char* style, std::uint64_t value, std::uint64_t most) {
   const double share = 100.0 * static_cast<double>(value) / static_cast<double>(most);
   return value == 0 ? ""
-                    : std::string("<span class=") + style +
-                          " style=\"width:" + tool::fixed(share, 1) + "%\"></span>";
+                    : std::string("<span class=") + style + " style=\"width:" + fixed(share, 1) +
+                          "%\"></span>";
 }
 
 std::string bar_cell(const std::string& pieces) {
@@ -131,11 +131,11 @@ std::string one_column(const std::string& caption, const char* number, const cha
 
 }  // namespace
 
-TreeShape shape_of(const tool::AnyTree& any) {
+TreeShape shape_of(const AnyTree& any) {
   return std::visit([](const auto& tree) { return shape(tree); }, any);
 }
 
-std::vector<NodeBox> boxes_at(const tool::AnyTree& any, std::uint32_t depth) {
+std::vector<NodeBox> boxes_at(const AnyTree& any, std::uint32_t depth) {
   return std::visit(
       [&](const auto& tree) {
         std::vector<NodeBox> boxes;
@@ -164,4 +164,4 @@ std::string histograms(const TreeShape& shape) {
   return html + "</div>\n";
 }
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

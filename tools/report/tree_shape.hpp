@@ -8,7 +8,7 @@
 
 #include "image/image_file.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 
 /// How often each number occurs, from 0 on.
 using Histogram = std::vector<std::uint64_t>;
@@ -20,7 +20,7 @@ struct TreeShape {
   Histogram nodes_by_children;  ///< nodes that are no leaves
 };
 
-TreeShape shape_of(const tool::AnyTree& any);
+TreeShape shape_of(const AnyTree& any);
 
 /// A box of the tree and whether it is a leaf's.
 struct NodeBox {
@@ -29,11 +29,11 @@ struct NodeBox {
 };
 
 /// The boxes at a depth, in array order.
-std::vector<NodeBox> boxes_at(const tool::AnyTree& any, std::uint32_t depth);
+std::vector<NodeBox> boxes_at(const AnyTree& any, std::uint32_t depth);
 
 /// The same as tables with bars.
 std::string histograms(const TreeShape& shape);
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "flashbvh/box.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 
 using Vector = std::array<std::int64_t, 3>;
 
@@ -64,6 +64,6 @@ class Projection {
   std::int64_t middle_y_;
 };
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool
 
 #endif

@@ -12,7 +12,7 @@
 #include "image/image_file.hpp"
 #include "report/view.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
 
 /// The splitmix64 generator (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number
@@ -73,7 +73,7 @@ void set_rotation(const std::array<std::int64_t, 4>& q, Matrix& matrix) {
 
 /// A root's box, in half cells of the mesh's frame.
 struct Place {
-  explicit Place(const tool::AnyTree& any) {
+  explicit Place(const AnyTree& any) {
     std::visit(
         [this](const auto& tree) {
           const Box box = unpack(tree.nodes[0].box);
@@ -117,7 +117,7 @@ Pose next_pose(Random& random, const Place& a, const Place& b) {
   return Pose::rigid(rotation, cells);
 }
 
-Closeness closeness_of(const tool::WideCounts& counts) {
+Closeness closeness_of(const WideCounts& counts) {
   if (counts.triangle_pairs != 0) {
     return kIntersecting;
   }
@@ -140,8 +140,7 @@ bool is_full(const VisitSample& sample, std::uint64_t wanted) {
 
 }  // namespace
 
-VisitSample sample_visits(const tool::ImageFile& a, const tool::ImageFile& b,
-                          std::uint64_t wanted) {
+VisitSample sample_visits(const ImageFile& a, const ImageFile& b, std::uint64_t wanted) {
   const char* const algorithm = default_traversal(a.layout());
   const Place place_a(a.tree());
   const Place place_b(b.tree());
@@ -155,13 +154,13 @@ VisitSample sample_visits(const tool::ImageFile& a, const tool::ImageFile& b,
       continue;
     }
     // The first pair tells the class; only a pose that is wanted is worth all pairs.
-    tool::WideCounts counts = tool::collide(a.tree(), b.tree(), pose, algorithm, true).counts;
+    WideCounts counts = collide(a.tree(), b.tree(), pose, algorithm, true).counts;
     const Closeness closeness = closeness_of(counts);
     spent += counts.visits;
     if (sample.all[closeness].poses < wanted) {
       if (closeness == kIntersecting) {
         add(sample.first, counts.visits);
-        counts = tool::collide(a.tree(), b.tree(), pose, algorithm, false).counts;
+        counts = collide(a.tree(), b.tree(), pose, algorithm, false).counts;
         spent += counts.visits;
       }
       add(sample.all[closeness], counts.visits);
@@ -174,4 +173,4 @@ VisitSample sample_visits(const tool::ImageFile& a, const tool::ImageFile& b,
   return sample;
 }
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 /// Beside the file itself, so that renaming stays within a file system.
 fs::path temporary_name(const fs::path& path) {
   fs::path name = path;
-  name += ".tmp" + std::to_string(getpid());
+  name += concat(".tmp", getpid());
   return name;
 }
 
@@ -47,7 +48,7 @@ void make_folder(const fs::path& folder, Rollback& rollback) {
   if (fs::create_directory(folder, error)) {
     rollback.made(folder);
   } else if (error) {
-    throw UserError(folder.string(), "can't make this folder: " + error.message());
+    throw UserError(folder.string(), "can't make this folder: ", error.message());
   }
 }
 
@@ -57,7 +58,7 @@ void write_bytes(const fs::path& path, const fs::path& name, const std::string& 
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
   if (!file) {
-    throw UserError(name.string(), std::string("can't be written: ") + std::strerror(errno));
+    throw UserError(name.string(), "can't be written: ", std::strerror(errno));
   }
 }
 
@@ -75,7 +76,7 @@ std::string read_file(const std::string& path) {
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw UserError(path, std::string("can't be opened: ") + std::strerror(errno));
+    throw UserError(path, "can't be opened: ", std::strerror(errno));
   }
   std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (file.bad()) {
@@ -110,7 +111,7 @@ void FileSet::write() const {
     std::error_code error;
     fs::rename(temporary_name(file.path), file.path, error);
     if (error) {
-      throw UserError(file.path.string(), "can't be written: " + error.message());
+      throw UserError(file.path.string(), "can't be written: ", error.message());
     }
     if (is_new) {
       rollback.made(file.path);

@@ -1,4 +1,5 @@
 #include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -22,12 +23,20 @@ std::string one_line(std::string text) {
 std::string triangle_list(const std::vector<std::uint32_t>& triangles) {
   const std::size_t count = triangles.size();
   const std::size_t shown = std::min(count, kShown);
-  std::string text = std::to_string(count) + (count == 1 ? " triangle (" : " triangles (");
+  std::string text = concat(count, (count == 1 ? " triangle (" : " triangles ("));
   for (std::size_t i = 0; i < shown; ++i) {
     const bool last = i + 1 == count && i != 0;
-    text += (i == 0 ? "" : last ? " and " : ", ") + std::to_string(triangles[i]);
+    text += concat((i == 0 ? "" : last ? " and " : ", "), triangles[i]);
   }
-  return text + (shown == count ? ")" : " and " + std::to_string(count - shown) + " more)");
+  return text + (shown == count ? ")" : concat(" and ", count - shown, " more)"));
+}
+
+std::string at_line(const std::string& file, std::size_t line) {
+  return concat(file, ":", line);
+}
+
+std::string quoted(std::string_view word) {
+  return concat("'", word.substr(0, 40), "'");
 }
 
 void Warnings::add(const std::string& place, const std::string& what) {

@@ -7,7 +7,10 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 
@@ -15,12 +18,9 @@ namespace flashbvh::tool {
 class UserError : public std::runtime_error {
  public:
   /// `place`: a file, or an option. `what`: what is wrong there, and the mend, on one line.
-  UserError(const std::string& place, const std::string& what)
-      : std::runtime_error(place + ": " + what) {}
-
-  /// At a line of a text file, counted from 1.
-  UserError(const std::string& file, std::size_t line, const std::string& what)
-      : std::runtime_error(file + ":" + std::to_string(line) + ": " + what) {}
+  template <class... Parts>
+  explicit UserError(const std::string& place, const Parts&... what)
+      : std::runtime_error(concat(place, ": ", what...)) {}
 };
 
 /// Without line ends and other control characters, whatever a file's name or a library's message
@@ -30,6 +30,12 @@ std::string one_line(std::string text);
 /// "3 triangles (1, 5 and 8)" or "912 triangles (1, 5, 8, 9, 10 and 907 more)"; numbers count from
 /// 0.
 std::string triangle_list(const std::vector<std::uint32_t>& triangles);
+
+/// A place for UserError: a line of a text file, counted from 1.
+std::string at_line(const std::string& file, std::size_t line);
+
+/// A word of a file, cut where it is long.
+std::string quoted(std::string_view word);
 
 /// Collected while a progress bar may stand on the line, printed when it is gone.
 class Warnings {

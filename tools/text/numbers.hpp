@@ -5,8 +5,24 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace flashbvh::tool {
+
+/// The parts one after the other, integers in decimal.
+template <class... Parts>
+std::string concat(const Parts&... parts) {
+  std::string text;
+  const auto add = [&text](const auto& part) {
+    if constexpr (std::is_integral_v<std::decay_t<decltype(part)>>) {
+      text += std::to_string(part);
+    } else {
+      text += part;
+    }
+  };
+  (add(parts), ...);
+  return text;
+}
 
 /// The shortest text that reads back as the same number.
 std::string shortest(double value);
