@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "evaluate/default_tree.hpp"
 #include "evaluate/run.hpp"
 #include "evaluate/setups.hpp"
 

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
-#include "evaluate/default_tree.hpp"
 #include "evaluate/figure.hpp"
 #include "evaluate/firmware_writer.hpp"
 #include "evaluate/run.hpp"

@@ -7,7 +7,7 @@
 
 #include "evaluate/best_rule.hpp"
 #include "evaluate/count_query.hpp"
-#include "evaluate/traversals.hpp"
+#include "evaluate/queries.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -125,6 +125,34 @@ SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& 
     result.rows[i].times = times_of(samples[i]);
   }
   return result;
+}
+
+DefaultTreeResult compare_default_tree(const scene::Setup& setup, Objects& objects) {
+  BakedObject& a = objects.get(setup.a);
+  BakedObject& b = objects.get(setup.b);
+  const Point& t = setup.translation;
+  const Pose pose = Pose::translated(t.x, t.y, t.z);
+  const auto stackless =
+      collide(a.baked<std::uint32_t>().pre.view(), b.baked<std::uint32_t>().pre.view(), pose,
+              default_traversal(Layout::pre_indexed), false);
+  const auto ranked = collide(a.baked_default().view(), b.baked_default().view(), pose,
+                              default_traversal(Layout::post_indexed), false);
+  return {&setup,
+          stackless.counts.triangle_pairs != 0,
+          {stackless.counts.visits, ranked.counts.visits,
+           best_rule_visits(a.default_tree(), b.default_tree(), setup.translation)}};
+}
+
+DefaultTreeVisits sum_of(const std::vector<DefaultTreeResult>& results, bool only_intersecting) {
+  DefaultTreeVisits sum;
+  for (const DefaultTreeResult& result : results) {
+    if (result.intersecting || !only_intersecting) {
+      sum.stackless += result.visits.stackless;
+      sum.ranked += result.visits.ranked;
+      sum.best_rule += result.visits.best_rule;
+    }
+  }
+  return sum;
 }
 
 }  // namespace flashbvh::tool

@@ -64,6 +64,35 @@ constexpr std::uint32_t kBestRuleFaces = 3184;
 /// down all of them.
 SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& objects);
 
+// The default tree against the paper's, by visits: how much is won, and how much is left.
+
+/// 0 if the whole is.
+inline double ratio(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+/// The visits of one setup, or of several together.
+struct DefaultTreeVisits {
+  std::uint64_t stackless = 0;  ///< on the paper's tree
+  std::uint64_t ranked = 0;     ///< on the default tree
+  std::uint64_t best_rule = 0;  ///< on the default tree: the fewest that any rule needs
+
+  double ranked_to_stackless() const { return ratio(ranked, stackless); }
+  double ranked_to_best() const { return ratio(ranked, best_rule); }
+};
+
+struct DefaultTreeResult {
+  const scene::Setup* setup;
+  bool intersecting;  ///< whether triangles intersect
+  DefaultTreeVisits visits;
+};
+
+/// Geometry tests and all. Seconds for the largest setups: the best rule takes the most.
+DefaultTreeResult compare_default_tree(const scene::Setup& setup, Objects& objects);
+
+/// The sum over all setups, or over those whose triangles intersect.
+DefaultTreeVisits sum_of(const std::vector<DefaultTreeResult>& results, bool only_intersecting);
+
 }  // namespace flashbvh::tool
 
 #endif

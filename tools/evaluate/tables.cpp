@@ -58,11 +58,16 @@ std::vector<std::string> line_of(const SetupResult& result) {
           result.best_rule ? ratio_text(*result.best_rule, volume) : "-"};
 }
 
-}  // namespace
-
-double ratio(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+std::vector<std::string> line_of(const std::string& name, const DefaultTreeVisits& visits) {
+  return {name,
+          std::to_string(visits.stackless),
+          std::to_string(visits.ranked),
+          std::to_string(visits.best_rule),
+          fixed(visits.ranked_to_stackless(), 4),
+          fixed(visits.ranked_to_best(), 4)};
 }
+
+}  // namespace
 
 std::string markdown_table(const std::vector<std::vector<std::string>>& lines) {
   std::vector<std::size_t> widths(lines[0].size(), 0);
@@ -151,6 +156,18 @@ std::string time_table(const std::vector<SetupResult>& results) {
     }
   }
   return "### Time of one query (fastest sample)\n\n" + markdown_table(lines);
+}
+
+std::string default_tree_table(const std::vector<DefaultTreeResult>& results) {
+  std::vector<std::vector<std::string>> lines = {{"iterations", "stackless, paper's tree",
+                                                  "ranked, default tree", "best rule, default tree",
+                                                  "ranked / stackless", "ranked / best"}};
+  for (const DefaultTreeResult& result : results) {
+    lines.push_back(line_of(result.setup->name, result.visits));
+  }
+  lines.push_back(line_of("total of the intersecting", sum_of(results, true)));
+  lines.push_back(line_of("total", sum_of(results, false)));
+  return "### The default tree\n\n" + markdown_table(lines);
 }
 
 }  // namespace flashbvh::tool

@@ -20,9 +20,6 @@ std::string setup_table(const SetupResult& result);
 /// Lines of cells; the first line is the head. The first column is set left, the others right.
 std::string markdown_table(const std::vector<std::vector<std::string>>& lines);
 
-/// 0 if the whole is.
-double ratio(std::uint64_t part, std::uint64_t whole);
-
 /// Sums over setups; those of the best rule over the setups that have one.
 struct Totals {
   std::uint64_t volume = 0;
@@ -41,6 +38,9 @@ std::string summary_table(const std::vector<SetupResult>& results);
 
 /// Microseconds of one query in each row's fastest sample, a line a setup, as text.
 std::string time_table(const std::vector<SetupResult>& results);
+
+/// The default tree: a line a setup and the sums, as text.
+std::string default_tree_table(const std::vector<DefaultTreeResult>& results);
 
 }  // namespace flashbvh::tool
 
