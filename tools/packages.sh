@@ -26,7 +26,8 @@ ensure_packages() {
   rm -f "$log"
 }
 
-host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev nlohmann-json3-dev catch2"
+host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
+  catch2"
 # The fuzzer; without it the corpora alone are replayed.
 fuzz_packages="clang libclang-rt-14-dev"
 # 32-bit programs that this machine runs, for the digest that every compiler must get.

@@ -7,10 +7,10 @@
 #include <fstream>
 #include <string>
 
-#include "flashbvh/mesh_import.hpp"
-#include "flashbvh/mesh_text.hpp"
-#include "flashbvh/user_error.hpp"
 #include "fuzz/fuzz.hpp"
+#include "mesh/formats.hpp"
+#include "mesh/import.hpp"
+#include "text/messages.hpp"
 
 using namespace flashbvh;
 using flashbvh::test::require;

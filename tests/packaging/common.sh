@@ -38,7 +38,8 @@ rests() {
 
 # No package but the compiler's: what these options forbid is looked for by nobody.
 bare="-DCMAKE_DISABLE_FIND_PACKAGE_assimp=TRUE -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=TRUE
-  -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=TRUE -DCMAKE_DISABLE_FIND_PACKAGE_Catch2=TRUE"
+  -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=TRUE -DCMAKE_DISABLE_FIND_PACKAGE_Catch2=TRUE
+  -DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=TRUE"
 
 # The compiler of a cross build in the environment, and what its objects say in `file`-like terms.
 enter_cross_environment() {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/best_rule.hpp"
+#include "evaluate/best_rule.hpp"
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
@@ -89,7 +89,7 @@ TEST_CASE("the best rule needs as many visits as the best of all rules, tried on
     const BuildTree b = test::any_tree(random, mesh_b);
     const auto pairs = choices(a, b);
     if (pairs.size() <= 10) {
-      CHECK(bench::best_rule_visits(a, b, {0, 0, 0}) == fewest_of_all_rules(a, b, pairs));
+      CHECK(tool::best_rule_visits(a, b, {0, 0, 0}) == fewest_of_all_rules(a, b, pairs));
       compared += pairs.size() >= 2 ? 1 : 0;
     }
   }
@@ -100,7 +100,7 @@ TEST_CASE("the best rule moves B by the translation") {
   test::Random random(34);
   const auto mesh = test::random_mesh(random, 40, 300, 100);
   const BuildTree tree = bake::build_median(mesh, 1);
-  CHECK(bench::best_rule_visits(tree, tree, {0, 0, 0}) > 1);
-  CHECK(bench::best_rule_visits(tree, tree, {2000, 0, 0}) == 1);
-  CHECK(bench::best_rule_visits(tree, tree, {0, 0, -2000}) == 1);
+  CHECK(tool::best_rule_visits(tree, tree, {0, 0, 0}) > 1);
+  CHECK(tool::best_rule_visits(tree, tree, {2000, 0, 0}) == 1);
+  CHECK(tool::best_rule_visits(tree, tree, {0, 0, -2000}) == 1);
 }

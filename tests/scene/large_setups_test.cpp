@@ -3,17 +3,16 @@
 
 #include <algorithm>
 
-#include "bench/default_tree.hpp"
-#include "bench/rows.hpp"
-#include "scene/setups.hpp"
+#include "evaluate/run.hpp"
+#include "evaluate/setups.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
 
 namespace {
 
-Counts counts_of(const std::vector<bench::Row>& rows, const std::string& algorithm) {
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const bench::Row& candidate) {
+Counts counts_of(const std::vector<tool::Row>& rows, const std::string& algorithm) {
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const tool::Row& candidate) {
     return candidate.algorithm == algorithm;
   });
   REQUIRE(row != rows.end());
@@ -23,12 +22,12 @@ Counts counts_of(const std::vector<bench::Row>& rows, const std::string& algorit
 }  // namespace
 
 TEST_CASE("ranked visits no more than volume-stack in total and 1.03 times as many in any setup") {
-  bench::Objects objects;
+  tool::Objects objects;
   std::uint64_t ranked_total = 0;
   std::uint64_t volume_total = 0;
   for (const scene::Setup& setup : scene::kSetups) {
     const auto rows =
-        bench::make_rows(objects.get(setup.a), objects.get(setup.b), setup.translation);
+        tool::make_rows(objects.get(setup.a), objects.get(setup.b), setup.translation);
     const std::uint64_t ranked = counts_of(rows, "ranked").visits;
     const std::uint64_t volume = counts_of(rows, "volume-stack").visits;
     CAPTURE(setup.name, ranked, volume);
@@ -41,29 +40,29 @@ TEST_CASE("ranked visits no more than volume-stack in total and 1.03 times as ma
 }
 
 TEST_CASE("ranked on the default tree: 0.60 of the paper's visits, 1.10 of the best rule's") {
-  bench::Objects objects;
-  std::vector<bench::DefaultTreeResult> results;
+  tool::Objects objects;
+  std::vector<tool::DefaultTreeResult> results;
   for (const scene::Setup& setup : scene::kSetups) {
     results.push_back(compare_default_tree(setup, objects));
-    const bench::DefaultTreeVisits& visits = results.back().visits;
+    const tool::DefaultTreeVisits& visits = results.back().visits;
     CAPTURE(setup.name, visits.stackless, visits.ranked, visits.best_rule);
     CHECK(visits.ranked <= visits.stackless);
     CHECK(visits.best_rule <= visits.ranked);
     CHECK(100 * visits.ranked <= 120 * visits.best_rule);
   }
-  const bench::DefaultTreeVisits intersecting = sum_of(results, true);
-  const bench::DefaultTreeVisits all = sum_of(results, false);
+  const tool::DefaultTreeVisits intersecting = sum_of(results, true);
+  const tool::DefaultTreeVisits all = sum_of(results, false);
   CAPTURE(intersecting.stackless, intersecting.ranked, all.ranked, all.best_rule);
   CHECK(100 * intersecting.ranked <= 60 * intersecting.stackless);
   CHECK(100 * all.ranked <= 110 * all.best_rule);
 }
 
 TEST_CASE("the large setups intersect, and 16 and 32-bit trees give the same counts") {
-  bench::Objects objects;
+  tool::Objects objects;
   for (const scene::Setup& setup : scene::kSetups) {
     if (setup.a.faces() + setup.b.faces() > 2 * 12736 && setup.table == 6) {
       const auto rows =
-          bench::make_rows(objects.get(setup.a), objects.get(setup.b), setup.translation);
+          tool::make_rows(objects.get(setup.a), objects.get(setup.b), setup.translation);
       const Counts volume = counts_of(rows, "volume-stack");
       const Counts ranked = counts_of(rows, "ranked");
       CHECK(volume.triangle_pairs > 500);

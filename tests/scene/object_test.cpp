@@ -6,10 +6,9 @@
 #include <set>
 #include <utility>
 
-#include "scene/paper_object.hpp"
+#include "evaluate/paper_object.hpp"
 
 using namespace flashbvh;
-using namespace flashbvh::detail;
 using scene::kFullRadius;
 using scene::make_mesh;
 using scene::Orientation;

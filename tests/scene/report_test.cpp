@@ -1,16 +1,15 @@
 // Figures that the tables print.
 #include <catch2/catch.hpp>
 
-#include "bench/report.hpp"
-#include "bench/run.hpp"
-#include "bench/summary.hpp"
+#include "evaluate/run.hpp"
+#include "evaluate/tables.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
 
 namespace {
 
-bench::SetupResult result_of(std::uint32_t volume, std::uint32_t ranked) {
+tool::SetupResult result_of(std::uint32_t volume, std::uint32_t ranked) {
   const Counts first = {volume, 1, 2, 3};
   const Counts second = {ranked, 1, 2, 3};
   return {&scene::kSetups[0],
@@ -26,7 +25,7 @@ bench::SetupResult result_of(std::uint32_t volume, std::uint32_t ranked) {
 }  // namespace
 
 TEST_CASE("times: least, most, mean and standard deviation of the samples") {
-  const bench::Times times = bench::times_of({2, 4, 4, 4, 5, 5, 7, 9});
+  const tool::Times times = tool::times_of({2, 4, 4, 4, 5, 5, 7, 9});
   CHECK(times.least == 2);
   CHECK(times.most == 9);
   CHECK(times.mean == 5);
@@ -34,7 +33,7 @@ TEST_CASE("times: least, most, mean and standard deviation of the samples") {
 }
 
 TEST_CASE("rows that find different overlaps are noticed") {
-  bench::SetupResult result = result_of(10, 10);
+  tool::SetupResult result = result_of(10, 10);
   CHECK(result.rows_agree());
   result.rows[3].counts.triangle_pairs = 4;
   CHECK_FALSE(result.rows_agree());
@@ -45,7 +44,7 @@ TEST_CASE("rows that find different overlaps are noticed") {
 }
 
 TEST_CASE("the summary adds up, and finds the worst setup") {
-  const bench::Totals totals = bench::totals_of({result_of(100, 90), result_of(10, 12)});
+  const tool::Totals totals = tool::totals_of({result_of(100, 90), result_of(10, 12)});
   CHECK(totals.volume == 110);
   CHECK(totals.ranked == 102);
   CHECK(totals.worst_ranked == 1.2);
@@ -53,7 +52,7 @@ TEST_CASE("the summary adds up, and finds the worst setup") {
 }
 
 TEST_CASE("tables are aligned Markdown") {
-  CHECK(bench::markdown_table({{"name", "n"}, {"a", "10"}, {"long name", "5"}}) ==
+  CHECK(tool::markdown_table({{"name", "n"}, {"a", "10"}, {"long name", "5"}}) ==
         "| name      |  n |\n"
         "| --------- | -: |\n"
         "| a         | 10 |\n"

@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "bake/baked_tree.hpp"
-#include "scene/count_query.hpp"
-#include "scene/setups.hpp"
+#include "evaluate/count_query.hpp"
+#include "evaluate/setups.hpp"
 
 namespace flashbvh::test {
 

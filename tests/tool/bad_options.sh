@@ -20,6 +20,10 @@ refused "--max-bytes" bake meshes/ring.stl -o out --max-bytes -1
 for cell in 0 -1 nan inf 1e-300 1e300 abc ""; do
   refused "--cell" bake meshes/ring.stl -o out --cell "$cell"
 done
+# Before any file is read.
+refused "--cell abc" bake missing.stl -o out --cell abc
+refused "--max-deviation abc" bake missing.stl -o out --max-deviation abc
+refused "--unit yard" bake missing.stl -o out --unit yard
 refused "--name" bake meshes/ring.stl meshes/coarse.stl -o out --name both
 refused "--name class" bake meshes/ring.stl -o out --name class
 refused "--name 2nd" bake meshes/ring.stl -o out --name 2nd

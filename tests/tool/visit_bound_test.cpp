@@ -1,5 +1,5 @@
 // The bound on visits against walks that find all boxes overlapping, on trees of every shape.
-#include "flashbvh/visit_bound.hpp"
+#include "evaluate/visit_bound.hpp"
 
 #include <catch2/catch.hpp>
 

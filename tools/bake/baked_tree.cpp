@@ -196,14 +196,11 @@ LevelledMesh<Index, layout> BakedTree<Index, layout>::view() const {
   return tree;
 }
 
-#define FLASHBVH_INSTANTIATE(Index, layout)                                       \
+#define FLASHBVH_KIND(Index, layout)                                              \
   template struct BakedTree<Index, layout>;                                       \
   template BakedTree<Index, layout> lay_out<Index, layout>(const BuildTree& tree, \
                                                            const LatticeMesh& mesh);
-FLASHBVH_INSTANTIATE(std::uint16_t, Layout::pre_indexed)
-FLASHBVH_INSTANTIATE(std::uint16_t, Layout::post_indexed)
-FLASHBVH_INSTANTIATE(std::uint32_t, Layout::pre_indexed)
-FLASHBVH_INSTANTIATE(std::uint32_t, Layout::post_indexed)
-#undef FLASHBVH_INSTANTIATE
+FLASHBVH_FOR_EACH_KIND(FLASHBVH_KIND)
+#undef FLASHBVH_KIND
 
 }  // namespace flashbvh::bake

@@ -65,6 +65,13 @@ bool fits_index(const BuildTree& tree, const LatticeMesh& mesh) {
 template <class Index, Layout layout>
 BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh);
 
+/// KIND(Index, layout) for every kind of tree.
+#define FLASHBVH_FOR_EACH_KIND(KIND)        \
+  KIND(std::uint16_t, Layout::pre_indexed)  \
+  KIND(std::uint16_t, Layout::post_indexed) \
+  KIND(std::uint32_t, Layout::pre_indexed)  \
+  KIND(std::uint32_t, Layout::post_indexed)
+
 }  // namespace flashbvh::bake
 
 #endif

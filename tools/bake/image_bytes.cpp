@@ -68,13 +68,10 @@ std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>& baked) {
   return words;
 }
 
-#define FLASHBVH_INSTANTIATE(Index, layout)                           \
+#define FLASHBVH_KIND(Index, layout)                                  \
   template std::uint64_t image_size(const BakedTree<Index, layout>&); \
   template std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>&);
-FLASHBVH_INSTANTIATE(std::uint16_t, Layout::pre_indexed)
-FLASHBVH_INSTANTIATE(std::uint16_t, Layout::post_indexed)
-FLASHBVH_INSTANTIATE(std::uint32_t, Layout::pre_indexed)
-FLASHBVH_INSTANTIATE(std::uint32_t, Layout::post_indexed)
-#undef FLASHBVH_INSTANTIATE
+FLASHBVH_FOR_EACH_KIND(FLASHBVH_KIND)
+#undef FLASHBVH_KIND
 
 }  // namespace flashbvh::bake

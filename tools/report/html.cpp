@@ -1,8 +1,8 @@
 #include "report/html.hpp"
 
-#include "flashbvh/numbers.hpp"
+#include "text/numbers.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
 
 constexpr const char* kReplacement = "\xEF\xBF\xBD";
@@ -72,7 +72,7 @@ std::string grouped(std::uint64_t number) {
 }
 
 std::string percent(std::uint64_t part, std::uint64_t whole) {
-  return tool::fixed(100.0 * static_cast<double>(part) / static_cast<double>(whole), 1) + " %";
+  return fixed(100.0 * static_cast<double>(part) / static_cast<double>(whole), 1) + " %";
 }
 
 std::string counted(std::uint64_t number, const char* one, const char* many) {
@@ -101,4 +101,4 @@ std::string table(const std::string& caption, const std::vector<Column>& columns
   return html + "</tbody></table></div>\n";
 }
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

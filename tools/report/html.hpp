@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 
 /// Text as it may stand between tags and in attributes. Bytes that are no UTF-8 and control
 /// characters become U+FFFD.
@@ -31,6 +31,6 @@ struct Column {
 std::string table(const std::string& caption, const std::vector<Column>& columns,
                   const std::vector<std::vector<std::string>>& rows);
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool
 
 #endif

@@ -1,13 +1,75 @@
-#include "report/image_section.hpp"
+#include "flashbvh/detail/image_parts.hpp"
+#include "report/sections.hpp"
 
-#include "flashbvh/numbers.hpp"
-#include "report/byte_parts.hpp"
-#include "report/histograms.hpp"
+#include <vector>
+
 #include "report/html.hpp"
-#include "report/pictures.hpp"
+#include "report/sections.hpp"
+#include "report/tree_shape.hpp"
+#include "text/numbers.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
+
+/// Where an image's bytes go.
+struct Part {
+  const char* name;
+  const char* use;
+  std::uint64_t bytes;  ///< with the gap behind it
+};
+
+std::vector<Part> parts_of(const ImageHeader& header) {
+  const detail::ImageOffsets at = detail::image_offsets(header);
+  const bool pre = header.layout == static_cast<std::uint8_t>(Layout::pre_indexed);
+  const std::vector<Part> all = {
+      {"nodes", "boxes, links and ranks", at.levels - at.nodes},
+      {"triangles", "three vertex numbers each", at.triangle_ids - at.triangles},
+      {"vertices", "three coordinates each", at.end - at.vertices},
+      {"sources", "triangle numbers of the mesh file", at.leaf_offsets - at.triangle_ids},
+      {"leaf table", "the first triangle of each leaf", at.vertices - at.leaf_offsets},
+      {"levels", "for the paper&#39;s alternating rule alone", at.climb - at.levels},
+      {pre ? "parents" : "right child levels", "likewise", at.triangles - at.climb},
+      {"header", "counts, cell and checksum", at.nodes},
+  };
+  std::vector<Part> present;
+  for (const Part& part : all) {
+    if (part.bytes != 0) {
+      present.push_back(part);
+    }
+  }
+  return present;
+}
+
+std::string bar(const std::vector<Part>& parts, std::uint64_t total) {
+  std::string label;
+  std::string pieces;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    label +=
+        (i == 0 ? "" : ", ") + std::string(parts[i].name) + " " + percent(parts[i].bytes, total);
+    pieces += concat("<span class=p", i, " style=\"flex-grow:", parts[i].bytes, "\"></span>");
+  }
+  return "<div class=bar role=img aria-label=\"" + label + "\">" + pieces + "</div>\n";
+}
+
+/// A bar and a table.
+std::string bytes_by_part(const ImageFile& image) {
+  const ImageHeader& header = image.header();
+  const std::vector<Part> parts = parts_of(header);
+  const double triangles = header.triangle_count;
+  std::vector<std::vector<std::string>> rows;
+  const auto add = [&](const std::string& name, const std::string& use, std::uint64_t bytes) {
+    rows.push_back({name + (use.empty() ? "" : "<small>" + use + "</small>"), grouped(bytes),
+                    percent(bytes, header.byte_count),
+                    fixed(static_cast<double>(bytes) / triangles, 1)});
+  };
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    add(concat("<i class=\"key p", i, "\"></i>", parts[i].name), parts[i].use, parts[i].bytes);
+  }
+  add("the image", "", header.byte_count);
+  return "<h3>Bytes</h3>\n" + bar(parts, header.byte_count) +
+         table("<span class=hide>Bytes by part</span>",
+               {{"part", false}, {"bytes", true}, {"share", true}, {"per triangle", true}}, rows);
+}
 
 double bytes_per_triangle(const ImageHeader& header) {
   return static_cast<double>(header.byte_count) / header.triangle_count;
@@ -15,7 +77,7 @@ double bytes_per_triangle(const ImageHeader& header) {
 
 /// Lengths come from the file with all their digits.
 std::string length_of(double length) {
-  return tool::significant(length, 4);
+  return significant(length, 4);
 }
 
 std::string fact(const char* name, const std::string& value, const std::string& note = "") {
@@ -30,9 +92,9 @@ std::string key_figures(const Subject& subject) {
          fact("nodes", grouped(header.node_count), counted(header.leaf_count, "leaf", "leaves")) +
          fact("depth", grouped(header.depth), "of the deepest leaf") +
          fact("bytes", grouped(header.byte_count),
-              tool::fixed(bytes_per_triangle(header), 1) + " per triangle") +
-         fact("layout", tool::layout_name(subject.image.layout()),
-              std::to_string(header.index_bits) + "-bit indices") +
+              fixed(bytes_per_triangle(header), 1) + " per triangle") +
+         fact("layout", layout_name(subject.image.layout()),
+              concat(header.index_bits, "-bit indices")) +
          "</dl>\n";
 }
 
@@ -50,7 +112,7 @@ std::string rounding(const Subject& subject) {
   return "<h3>Rounding</h3>\n<dl class=facts>\n" +
          fact("cell", length_of(cell), "in the mesh&#39;s unit") +
          fact("largest deviation", length_of(deviation),
-              tool::fixed(deviation / cell, 2) + " cells; how far rounding moved a vertex") +
+              fixed(deviation / cell, 2) + " cells; how far rounding moved a vertex") +
          "</dl>\n<dl class=facts>\n" + fact("size along x, y and z", size_of(subject)) + "</dl>\n";
 }
 
@@ -71,22 +133,22 @@ std::string warning_list(const Subject& subject) {
 }  // namespace
 
 std::string image_section(const Subject& subject) {
-  return "<section id=m" + std::to_string(subject.number) + ">\n<h2>" + escaped(subject.name) +
-         "</h2>\n" + key_figures(subject) + pictures(subject) + "<div class=columns>\n<div>\n" +
-         bytes_by_part(subject.image) + rounding(subject) + warning_list(subject) +
-         "</div>\n<div>\n" + histograms(subject.shape) + "</div>\n</div>\n</section>\n";
+  return concat("<section id=m", subject.number, ">\n<h2>", escaped(subject.name), "</h2>\n",
+                key_figures(subject), pictures(subject), "<div class=columns>\n<div>\n",
+                bytes_by_part(subject.image), rounding(subject), warning_list(subject),
+                "</div>\n<div>\n", histograms(subject.shape), "</div>\n</div>\n</section>\n");
 }
 
 std::string summary(const std::vector<const Subject*>& subjects) {
   std::vector<std::vector<std::string>> rows;
   for (const Subject* const subject : subjects) {
     const ImageHeader& header = subject->image.header();
-    rows.push_back(
-        {"<a href=\"#m" + std::to_string(subject->number) + "\">" + escaped(subject->name) + "</a>",
-         grouped(header.triangle_count), grouped(header.node_count), grouped(header.depth),
-         grouped(header.byte_count), tool::fixed(bytes_per_triangle(header), 1),
-         length_of(subject->image.cell()), length_of(subject->image.deviation()),
-         std::to_string(subject->warnings.size())});
+    rows.push_back({concat("<a href=\"#m", subject->number, "\">", escaped(subject->name), "</a>"),
+                    grouped(header.triangle_count), grouped(header.node_count),
+                    grouped(header.depth), grouped(header.byte_count),
+                    fixed(bytes_per_triangle(header), 1), length_of(subject->image.cell()),
+                    length_of(subject->image.deviation()),
+                    std::to_string(subject->warnings.size())});
   }
   return table("Images",
                {{"mesh", false},
@@ -101,4 +163,4 @@ std::string summary(const std::vector<const Subject*>& subjects) {
                rows);
 }
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

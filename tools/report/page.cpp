@@ -3,20 +3,19 @@
 #include <algorithm>
 
 #include "report/html.hpp"
-#include "report/image_section.hpp"
-#include "report/query_section.hpp"
+#include "report/sections.hpp"
 #include "report/style.hpp"
 #include "report/subject.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
 
 /// `title` is HTML.
 std::string head(const std::string& title) {
   return "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n"
          "<meta name=viewport content=\"width=device-width,initial-scale=1\">\n<title>" +
-         title + " &middot; flashbvh report</title>\n<style>\n" + page_style() +
-         "</style>\n</head>\n<body>\n";
+         title + " &middot; flashbvh report</title>\n<style>\n" + kColours + kText + kTables +
+         kPictures + picture_style() + "</style>\n</head>\n<body>\n";
 }
 
 std::string title_of(const std::vector<const Subject*>& subjects) {
@@ -26,8 +25,8 @@ std::string title_of(const std::vector<const Subject*>& subjects) {
 
 std::string opening(const std::vector<const Subject*>& subjects) {
   return "<header>\n<h1>flashbvh report</h1>\n<p class=lead>What <code>flashbvh bake</code> made: "
-         "the collision geometry with "
-         "the boxes over it, its bytes, and what queries cost.</p>\n</header>\n<main>\n" +
+         "the collision geometry with the boxes over it, its bytes, and what queries "
+         "cost.</p>\n</header>\n<main>\n" +
          (subjects.size() == 1
               ? ""
               : "<section>\n" + summary(subjects) +
@@ -50,7 +49,7 @@ std::string queries(const std::vector<const Subject*>& subjects, std::size_t pos
 
 }  // namespace
 
-std::string page_of(const std::vector<std::unique_ptr<tool::ImageFile>>& images, std::size_t poses,
+std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images, std::size_t poses,
                     const Step& step) {
   std::vector<std::string> paths(images.size());
   std::transform(images.begin(), images.end(), paths.begin(),
@@ -70,4 +69,4 @@ std::string page_of(const std::vector<std::unique_ptr<tool::ImageFile>>& images,
   return html + queries(subjects, poses, step) + "</main>\n</body>\n</html>\n";
 }
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

@@ -2,13 +2,11 @@
 // colours' opacities.
 #include "report/png.hpp"
 
+#include <zlib.h>
+
 #include <algorithm>
 
-#include "flashbvh/detail/image_parts.hpp"
-#include "flashbvh/image.hpp"
-#include "report/deflate.hpp"
-
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
 
 std::string big_endian(std::uint32_t value) {
@@ -19,21 +17,30 @@ std::string big_endian(std::uint32_t value) {
   return bytes;
 }
 
-std::string chunk(const std::string& name, const std::string& data) {
-  const std::string body = name + data;
-  return big_endian(static_cast<std::uint32_t>(data.size())) + body +
-         big_endian(detail::crc32(body.data(), body.size()));
+const Bytef* bytes_of(const std::string& text) {
+  return reinterpret_cast<const Bytef*>(text.data());
 }
 
-/// Each row behind the byte that says "not filtered".
-std::string rows_of(const Picture& picture) {
+std::string chunk(const std::string& name, const std::string& data) {
+  const std::string body = name + data;
+  const auto crc = crc32(0, bytes_of(body), static_cast<uInt>(body.size()));
+  return big_endian(static_cast<std::uint32_t>(data.size())) + body +
+         big_endian(static_cast<std::uint32_t>(crc));
+}
+
+/// Each row after the byte that says "not filtered", compressed.
+std::string compressed_rows(const Picture& picture) {
   std::string rows;
-  rows.reserve(picture.pixels.size() + picture.height);
   for (std::uint32_t y = 0; y < picture.height; ++y) {
     rows += '\0';
     rows.append(picture.pixels, std::size_t{y} * picture.width, picture.width);
   }
-  return rows;
+  uLongf size = compressBound(rows.size());
+  std::string stream(size, '\0');
+  // Fails only where memory or room runs out; there is as much as any rows can take.
+  compress2(reinterpret_cast<Bytef*>(stream.data()), &size, bytes_of(rows), rows.size(), 9);
+  stream.resize(size);
+  return stream;
 }
 
 std::string base64(const std::string& bytes) {
@@ -54,7 +61,7 @@ std::string base64(const std::string& bytes) {
 
 }  // namespace
 
-std::string png_of(const Picture& picture) {
+std::string data_uri(const Picture& picture) {
   std::string colours;
   std::string opacities;
   for (const Colour& colour : picture.palette) {
@@ -64,14 +71,11 @@ std::string png_of(const Picture& picture) {
     opacities += static_cast<char>(colour.alpha);
   }
   const std::string kind("\x08\x03\0\0\0", 5);  // 8 bits, palette, nothing interlaced
-  return "\x89PNG\r\n\x1A\n" +
-         chunk("IHDR", big_endian(picture.width) + big_endian(picture.height) + kind) +
-         chunk("PLTE", colours) + chunk("tRNS", opacities) +
-         chunk("IDAT", zlib_stream(rows_of(picture))) + chunk("IEND", "");
+  return "data:image/png;base64," +
+         base64("\x89PNG\r\n\x1A\n" +
+                chunk("IHDR", big_endian(picture.width) + big_endian(picture.height) + kind) +
+                chunk("PLTE", colours) + chunk("tRNS", opacities) +
+                chunk("IDAT", compressed_rows(picture)) + chunk("IEND", ""));
 }
 
-std::string data_uri(const Picture& picture) {
-  return "data:image/png;base64," + base64(png_of(picture));
-}
-
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

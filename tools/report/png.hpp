@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 
 struct Colour {
   std::uint8_t red;
@@ -22,12 +22,9 @@ struct Picture {
   std::string pixels;           ///< width * height places in the palette, row by row
 };
 
-/// The bytes of a PNG file.
-std::string png_of(const Picture& picture);
-
-/// As a `data:` address that holds the PNG itself.
+/// A `data:` address that holds the picture as PNG.
 std::string data_uri(const Picture& picture);
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool
 
 #endif

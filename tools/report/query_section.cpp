@@ -1,13 +1,13 @@
-#include "report/query_section.hpp"
+#include "report/sections.hpp"
 
 #include <algorithm>
 
-#include "flashbvh/algorithm.hpp"
-#include "flashbvh/numbers.hpp"
+#include "evaluate/queries.hpp"
 #include "report/html.hpp"
 #include "report/visits.hpp"
+#include "text/numbers.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
 
 /// Pairs of different images that are asked about.
@@ -35,7 +35,7 @@ std::vector<std::string> row_of(const std::string& name, const Visits& visits, s
   }
   const double mean = static_cast<double>(visits.sum) / static_cast<double>(visits.poses);
   const auto share = [&](double count) {
-    return tool::fixed(100 * count / static_cast<double>(most), 1) + "%";
+    return fixed(100 * count / static_cast<double>(most), 1) + "%";
   };
   return {name, grouped(visits.poses), grouped((visits.sum + visits.poses / 2) / visits.poses),
           grouped(visits.most),
@@ -92,7 +92,7 @@ std::string pair_section(const SubjectPair& pair, std::size_t poses) {
       row_of("intersecting", sample.all[kIntersecting], most),
       row_of("intersecting, to the first pair", sample.first, most)};
   return "<div class=\"pair hist\">\n" +
-         table(title_of(pair) + " <small>" + tool::default_algorithm(pair.first->image.layout()) +
+         table(title_of(pair) + " <small>" + default_traversal(pair.first->image.layout()) +
                    "</small>",
                {{"class", false},
                 {"poses", true},
@@ -129,4 +129,4 @@ std::string query_note(const std::vector<const Subject*>& subjects, std::size_t 
   return html;
 }
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

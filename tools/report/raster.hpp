@@ -8,7 +8,7 @@
 #include "report/png.hpp"
 #include "report/view.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 
 /// A mesh's triangles by their corners, in cells from the mesh's origin.
 using TriangleSoup = std::vector<std::array<Vertex, 3>>;
@@ -22,6 +22,6 @@ constexpr std::int64_t kPictureMargin = 8;
 /// mesh's. Triangles seen from the edge are drawn as lines, so that nothing is invisible.
 Picture picture_of(const TriangleSoup& triangles, const View& view, const detail::Box& box);
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool
 
 #endif

@@ -5,22 +5,23 @@
 #include <map>
 #include <utility>
 
-#include "flashbvh/mesh_defects.hpp"
-#include "flashbvh/messages.hpp"
+#include "mesh/defects.hpp"
 #include "report/html.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
 
 /// In the order of the source mesh; `numbers` are the triangles' there.
-bake::LatticeMesh lattice_mesh(const tool::ImageFile& image, std::vector<std::uint32_t>& numbers) {
+bake::LatticeMesh lattice_mesh(const ImageFile& image, std::vector<std::uint32_t>& numbers) {
   bake::LatticeMesh mesh;
   std::visit(
       [&](const auto& tree) {
         mesh.vertices.assign(tree.vertices, tree.vertices + tree.vertex_count);
       },
       image.tree());
-  for (const tool::SourceTriangle& triangle : source_triangles(image)) {
+  for (const SourceTriangle& triangle : source_triangles(image)) {
     mesh.triangles.push_back(triangle.vertices);
     numbers.push_back(triangle.number);
   }
@@ -28,8 +29,7 @@ bake::LatticeMesh lattice_mesh(const tool::ImageFile& image, std::vector<std::ui
 }
 
 /// From places in the image to numbers in the source.
-tool::TriangleNumbers renumbered(tool::TriangleNumbers places,
-                                 const std::vector<std::uint32_t>& numbers) {
+TriangleNumbers renumbered(TriangleNumbers places, const std::vector<std::uint32_t>& numbers) {
   for (std::uint32_t& place : places) {
     place = numbers[place];
   }
@@ -43,15 +43,15 @@ std::string edges(std::size_t number, const char* what) {
 std::vector<std::string> warnings_of(const bake::LatticeMesh& mesh,
                                      const std::vector<std::uint32_t>& numbers) {
   std::vector<std::string> warnings;
-  const auto warn = [&](const tool::TriangleNumbers& places, const char* what) {
+  const auto warn = [&](const TriangleNumbers& places, const char* what) {
     if (!places.empty()) {
-      warnings.push_back(tool::triangle_list(renumbered(places, numbers)) + what);
+      warnings.push_back(triangle_list(renumbered(places, numbers)) + what);
     }
   };
-  const tool::TriangleNumbers duplicates = tool::duplicate_triangles(mesh.triangles);
-  warn(tool::degenerate_triangles(mesh), " without area: a segment or a point.");
+  const TriangleNumbers duplicates = duplicate_triangles(mesh.triangles);
+  warn(degenerate_triangles(mesh), " without area: a segment or a point.");
   warn(duplicates, " with the three vertices of an earlier one.");
-  const tool::EdgeDefects defects = tool::edge_defects(mesh.triangles, duplicates);
+  const EdgeDefects defects = edge_defects(mesh.triangles, duplicates);
   if (defects.open != 0) {
     warnings.push_back(edges(defects.open, "open: of one triangle only."));
   }
@@ -71,7 +71,7 @@ std::vector<std::string> warnings_of(const bake::LatticeMesh& mesh,
 
 }  // namespace
 
-Subject::Subject(const tool::ImageFile& file, std::size_t place, std::string unique_name)
+Subject::Subject(const ImageFile& file, std::size_t place, std::string unique_name)
     : image(file),
       number(place),
       name(std::move(unique_name)),
@@ -91,9 +91,9 @@ std::vector<std::string> unique_names(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     const std::string name = std::filesystem::path(path).stem().string();
     const std::size_t before = seen[name]++;
-    names.push_back(before == 0 ? name : name + " (" + std::to_string(before + 1) + ")");
+    names.push_back(before == 0 ? name : concat(name, " (", before + 1, ")"));
   }
   return names;
 }
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

@@ -5,17 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "flashbvh/image_file.hpp"
+#include "image/image_file.hpp"
 #include "report/raster.hpp"
 #include "report/tree_shape.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 
 struct Subject {
   /// `number`: counts the page's images; `name`: without folder, unlike those of the others.
-  Subject(const tool::ImageFile& file, std::size_t place, std::string unique_name);
+  Subject(const ImageFile& file, std::size_t place, std::string unique_name);
 
-  const tool::ImageFile& image;
+  const ImageFile& image;
   std::size_t number;
   std::string name;
   TreeShape shape;
@@ -28,6 +28,6 @@ struct Subject {
 /// Names of the image files, numbered where they are the same.
 std::vector<std::string> unique_names(const std::vector<std::string>& paths);
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool
 
 #endif

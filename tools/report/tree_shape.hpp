@@ -3,11 +3,12 @@
 #define FLASHBVH_TOOLS_REPORT_TREE_SHAPE_HPP
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
-#include "flashbvh/image_file.hpp"
+#include "image/image_file.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 
 /// How often each number occurs, from 0 on.
 using Histogram = std::vector<std::uint64_t>;
@@ -19,7 +20,7 @@ struct TreeShape {
   Histogram nodes_by_children;  ///< nodes that are no leaves
 };
 
-TreeShape shape_of(const tool::AnyTree& any);
+TreeShape shape_of(const AnyTree& any);
 
 /// A box of the tree and whether it is a leaf's.
 struct NodeBox {
@@ -28,8 +29,11 @@ struct NodeBox {
 };
 
 /// The boxes at a depth, in array order.
-std::vector<NodeBox> boxes_at(const tool::AnyTree& any, std::uint32_t depth);
+std::vector<NodeBox> boxes_at(const AnyTree& any, std::uint32_t depth);
 
-}  // namespace flashbvh::report
+/// The same as tables with bars.
+std::string histograms(const TreeShape& shape);
+
+}  // namespace flashbvh::tool
 
 #endif

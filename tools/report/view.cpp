@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 namespace {
 
 /// To the nearest; `divisor` is positive.
@@ -75,4 +75,4 @@ Projected Projection::turn(const Vector& direction) const {
           -dot(view_.towards, direction)};
 }
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool

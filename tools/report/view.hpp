@@ -7,11 +7,22 @@
 
 #include "flashbvh/detail/box.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 
 using Vector = std::array<std::int64_t, 3>;
 
 std::int64_t dot(const Vector& u, const Vector& v);
+
+/// The largest number whose square is not above `value`, 0 to 2^62 - 1.
+inline std::int64_t square_root(std::int64_t value) {
+  std::int64_t root = 0;  // below 2^31
+  for (std::int64_t bit = std::int64_t{1} << 30; bit != 0; bit >>= 1) {
+    if ((root + bit) * (root + bit) <= value) {
+      root += bit;
+    }
+  }
+  return root;
+}
 
 /// A parallel projection. The three directions are at right angles, each about kUnit long.
 struct View {
@@ -53,6 +64,6 @@ class Projection {
   std::int64_t middle_y_;
 };
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool
 
 #endif

@@ -5,9 +5,9 @@
 #include <array>
 #include <cstdint>
 
-#include "flashbvh/image_file.hpp"
+#include "image/image_file.hpp"
 
-namespace flashbvh::report {
+namespace flashbvh::tool {
 
 /// Told by the answer.
 enum Closeness : std::uint8_t {
@@ -38,8 +38,8 @@ constexpr std::uint64_t kMostVisits = 50'000'000;
 
 /// The first `wanted` poses of each class among kTries * `wanted`. By the default algorithm of the
 /// images' layout. Precondition: both of one kind and cell.
-VisitSample sample_visits(const tool::ImageFile& a, const tool::ImageFile& b, std::uint64_t wanted);
+VisitSample sample_visits(const ImageFile& a, const ImageFile& b, std::uint64_t wanted);
 
-}  // namespace flashbvh::report
+}  // namespace flashbvh::tool
 
 #endif

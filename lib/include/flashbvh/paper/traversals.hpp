@@ -1,0 +1,52 @@
+// The traversals by their names: the one list of them, in the order of the paper's tables, ours
+// last.
+//
+// Nothing of C++'s library and no heap, so that firmware may use it.
+#ifndef FLASHBVH_PAPER_TRAVERSALS_HPP
+#define FLASHBVH_PAPER_TRAVERSALS_HPP
+
+#include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/mesh.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
+
+namespace flashbvh {
+
+/// `Traversal`: of a type of meshes, which are `Meshes`; it walks them in the layouts that are
+/// true.
+template <template <class> class Traversal, template <class, Layout> class Meshes, bool pre,
+          bool post>
+struct NamedTraversal {
+  template <class Index, Layout layout>
+  using On = Traversal<Meshes<Index, layout>>;
+
+  /// Where the paper has it; ours on ours.
+  static constexpr Layout kLayout = pre ? Layout::pre_indexed : Layout::post_indexed;
+  static constexpr bool walks(Layout layout) { return layout == Layout::pre_indexed ? pre : post; }
+
+  const char* name;
+};
+
+/// Calls use(NamedTraversal<...>) for each.
+template <class Use>
+constexpr void for_each_traversal(Use&& use) {
+  use(NamedTraversal<VolumeStack, Mesh, true, true>{"volume-stack"});
+  use(NamedTraversal<AlternatingStack, LevelledMesh, true, true>{"alternating-stack"});
+  use(NamedTraversal<AlternatingStackless, LevelledMesh, true, false>{"stackless"});
+  use(NamedTraversal<AlternatingStackless, LevelledMesh, false, true>{"stackless-post"});
+  use(NamedTraversal<Leaf, Mesh, true, true>{"leaf"});
+  use(NamedTraversal<Ranked, Mesh, false, true>{"ranked"});
+  use(NamedTraversal<RankedStack, Mesh, false, true>{"ranked-stack"});
+}
+
+/// Of two meshes in this layout.
+constexpr const char* default_traversal(Layout layout) {
+  return layout == Layout::post_indexed ? "ranked" : "stackless";
+}
+
+}  // namespace flashbvh
+
+#endif

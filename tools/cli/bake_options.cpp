@@ -1,0 +1,175 @@
+#include "cli/bake_options.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <set>
+
+#include "cli/commands.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// As they are given.
+struct Arguments {
+  BakeOrder order;
+  std::string format = "both";
+  std::optional<std::string> cell;
+  std::string layout = "post";
+  std::string builder = "sah";
+  std::string name;
+  std::optional<std::uint32_t> arity;
+  unsigned index_bits = 16;
+  std::optional<std::string> max_deviation;
+  std::vector<std::string> units;
+  std::vector<std::string> drop;
+};
+
+/// Output files and namespaces must not collide.
+std::vector<OutputName> output_names(const Arguments& arguments) {
+  if (!arguments.name.empty() && arguments.order.meshes.size() > 1) {
+    throw UserError("--name", "names one mesh, but ", arguments.order.meshes.size(),
+                    " are given; bake them one by one with the same --cell");
+  }
+  std::vector<OutputName> names;
+  std::set<std::string> taken;
+  for (const std::string& mesh : arguments.order.meshes) {
+    names.push_back(output_name(mesh, arguments.name));
+    if (!taken.insert(names.back().identifier).second) {
+      throw UserError(mesh, "would be written as '", names.back().identifier,
+                      "' like a mesh before it; rename one of the files");
+    }
+  }
+  return names;
+}
+
+/// A length from the command line that firmware can hold in a float. `least`: the smallest.
+double length_of(const std::string& option, const std::string& text, double least) {
+  const std::optional<double> length = parse_number(text);
+  if (!length || *length < least ||
+      *length > static_cast<double>(std::numeric_limits<float>::max())) {
+    throw UserError(option + " " + text, "is no length; give a ",
+                    least > 0 ? "positive number" : "number from 0", " in the mesh's unit");
+  }
+  return *length;
+}
+
+BakeOptions options_of(const Arguments& arguments) {
+  BakeOptions options = arguments.order.options;
+  const bool median = arguments.builder == "median";
+  options.layout = arguments.layout == "pre" ? Layout::pre_indexed : Layout::post_indexed;
+  options.index_width = arguments.index_bits == 16 ? IndexWidth::bits_16 : IndexWidth::bits_32;
+  options.builder = median ? Builder::median : Builder::sah;
+  // Two children a node are part of what makes the median tree the paper's.
+  options.arity = arguments.arity.value_or(median ? 2 : bake::kDefaultArity);
+  if (arguments.cell) {
+    options.cell = length_of("--cell", *arguments.cell,
+                             static_cast<double>(std::numeric_limits<float>::min()));
+  }
+  if (arguments.max_deviation) {
+    options.max_deviation = length_of("--max-deviation", *arguments.max_deviation, 0);
+  }
+  const auto drops = [&](const char* kind) {
+    return std::find(arguments.drop.begin(), arguments.drop.end(), kind) != arguments.drop.end();
+  };
+  options.drop_degenerate = drops("degenerate");
+  options.drop_duplicate = drops("duplicate");
+  return options;
+}
+
+BakeOrder order_of(const Arguments& arguments) {
+  BakeOrder order = arguments.order;
+  order.names = output_names(arguments);
+  order.units = Units(arguments.units, order.meshes);
+  order.options = options_of(arguments);
+  order.writes_cpp = arguments.format != "image";
+  order.writes_images = arguments.format != "cpp";
+  return order;
+}
+
+/// What meshes are taken as, and what is refused.
+void add_mesh_options(CLI::App& command, Arguments& a) {
+  command.add_option("--max-bytes", a.order.max_bytes, "Refuse to write if an image is larger")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--max-deviation", a.max_deviation,
+                  "Refuse to write if rounding moves a vertex further")
+      ->type_name("LENGTH");
+  add_unit_option(command, a.units);
+  command
+      .add_option("--drop", a.drop,
+                  "Leave out triangles without area (`degenerate`) or with the three vertices of "
+                  "an\nearlier one (`duplicate`), or both, with a comma between. The others keep "
+                  "their numbers")
+      ->check(CLI::IsMember({"degenerate", "duplicate"}))
+      ->type_size(1)
+      ->expected(1)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_flag("--progress", a.order.progress,
+                   "Show a progress bar at once; default: on a terminal, after a second");
+}
+
+}  // namespace
+
+void add_unit_option(CLI::App& command, std::vector<std::string>& given) {
+  command
+      .add_option("--unit", given,
+                  "Unit of the meshes and of all other lengths, given and printed: " +
+                      std::string(Units::kNames) +
+                      ".\nFILE=UNIT: this file alone is in another unit and is converted. May be "
+                      "repeated. Default: numbers as they are")
+      ->type_name("UNIT|FILE=UNIT")
+      ->type_size(1)
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_bake_options(CLI::App& command, const std::function<void(const BakeOrder&)>& run) {
+  const auto arguments = std::make_shared<Arguments>();
+  Arguments& a = *arguments;
+  command.add_option("MESH", a.order.meshes, "Mesh files")->required();
+  command
+      .add_option("-o,--output", a.order.folder, "Folder for the results; made if there is none")
+      ->required()
+      ->type_name("DIR");
+  command.add_option("--format", a.format, "What to write")
+      ->check(CLI::IsMember({"cpp", "image", "both"}))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--cell", a.cell,
+          "Size of a lattice cell in the mesh's unit; default: the finest that all the meshes fit")
+      ->type_name("LENGTH");
+  command
+      .add_option("--layout", a.layout,
+                  "Order of the nodes: pre for `stackless`, post for `ranked` and `stackless-post`")
+      ->check(CLI::IsMember({"pre", "post"}))
+      ->capture_default_str();
+  command
+      .add_option("--builder", a.builder,
+                  "How triangles are grouped: median is the paper's, sah gives faster queries")
+      ->check(CLI::IsMember({"median", "sah"}))
+      ->capture_default_str();
+  command.add_option("--leaf-size", a.order.options.leaf_size, "Most triangles in a leaf")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
+  command
+      .add_option("--arity", a.arity,
+                  "Most children of a node; default: 4, with --builder median 2")
+      ->check(CLI::Range(2, 8));
+  command.add_option("--index-bits", a.index_bits, "Width of indices; 16 reach 65535 nodes")
+      ->check(CLI::IsMember({16, 32}))
+      ->capture_default_str();
+  command.add_option(
+      "--name", a.name,
+      "Name of the files and the namespace, for one mesh; default: that of the mesh file");
+  add_mesh_options(command, a);
+  command.callback([arguments, run] { run(order_of(*arguments)); });
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,34 @@
+// The options of `flashbvh bake`, typed: all that can be refused before a file is read is refused
+// here.
+#ifndef FLASHBVH_TOOLS_CLI_BAKE_OPTIONS_HPP
+#define FLASHBVH_TOOLS_CLI_BAKE_OPTIONS_HPP
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/baking.hpp"
+#include "image/output_name.hpp"
+
+namespace flashbvh::tool {
+
+struct BakeOrder {
+  std::vector<std::string> meshes;
+  std::vector<OutputName> names;  ///< of each mesh, all different
+  std::string folder;
+  bool writes_cpp = true;
+  bool writes_images = true;
+  std::optional<std::int64_t> max_bytes;  ///< of an image
+  Units units;
+  BakeOptions options;
+  bool progress = false;  ///< a bar at once
+};
+
+/// Declares them; `run` gets what they say. UserError if they make no sense.
+void add_bake_options(CLI::App& command, const std::function<void(const BakeOrder&)>& run);
+
+}  // namespace flashbvh::tool
+
+#endif

@@ -1,0 +1,198 @@
+// flashbvh collide: the firmware's query, on the desktop.
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "cli/commands.hpp"
+#include "evaluate/poses.hpp"
+#include "evaluate/queries.hpp"
+#include "evaluate/visit_bound.hpp"
+#include "image/image_file.hpp"
+#include "text/files.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+struct Arguments {
+  std::string a;
+  std::string b;
+  std::string poses;
+  std::string algorithm;
+  std::string pairs;
+  bool first = false;
+  bool bound = false;
+  bool json = false;
+};
+
+std::string kind_of(const ImageFile& image) {
+  return concat(layout_name(image.layout()), "-indexed with ", image.header().index_bits,
+                "-bit indices");
+}
+
+void check_partners(const ImageFile& a, const ImageFile& b) {
+  if (a.tree().index() != b.tree().index()) {
+    throw UserError(b.path(), "is ", kind_of(b), ", but ", a.path(), " is ", kind_of(a),
+                    "; bake both with the same --layout and --index-bits");
+  }
+  if (a.cell() != b.cell()) {
+    throw UserError(b.path(), "has a cell of ", shortest(b.cell()), ", but ", a.path(), " one of ",
+                    shortest(a.cell()), "; bake both in one call or with the same --cell");
+  }
+}
+
+std::string chosen_algorithm(const Arguments& arguments, const ImageFile& a) {
+  if (arguments.algorithm.empty()) {
+    return default_traversal(a.layout());
+  }
+  if (!walks(arguments.algorithm, a.layout())) {
+    const bool pre = a.layout() == Layout::pre_indexed;
+    throw UserError(a.path(), "is ", std::string(layout_name(a.layout())), "-indexed, which ",
+                    arguments.algorithm, " can't walk; bake it with --layout ",
+                    pre ? "post" : "pre");
+  }
+  return arguments.algorithm;
+}
+
+/// All of them, before the first is asked about.
+std::vector<Pose> lattice_poses(const std::string& path, double cell) {
+  std::vector<Pose> poses;
+  for (const PlacedPose& pose : read_poses(path)) {
+    poses.push_back(lattice_pose(pose.pose, cell, pose.place));
+  }
+  return poses;
+}
+
+void print_json(std::size_t pose, const std::string& algorithm, const WideCounts& counts) {
+  const nlohmann::ordered_json line = {{"pose", pose},
+                                       {"algorithm", algorithm},
+                                       {"visits", counts.visits},
+                                       {"overlaps", counts.overlaps},
+                                       {"leaf_pairs", counts.leaf_pairs},
+                                       {"triangle_pairs", counts.triangle_pairs},
+                                       {"status", "ok"}};
+  std::cout << line.dump() << "\n";
+}
+
+void print_table_row(std::size_t pose, const WideCounts& counts) {
+  std::cout << std::setw(6) << pose << std::setw(14) << counts.visits << std::setw(14)
+            << counts.overlaps << std::setw(14) << counts.leaf_pairs << std::setw(16)
+            << counts.triangle_pairs << "\n";
+}
+
+void append_pairs(std::string& text, std::size_t pose, std::vector<FoundPair> pairs) {
+  std::sort(pairs.begin(), pairs.end(), [](const FoundPair& p, const FoundPair& q) {
+    return std::tie(p.a, p.b) < std::tie(q.a, q.b);
+  });
+  for (const FoundPair& pair : pairs) {
+    text += concat(pose, " ", pair.a, " ", pair.b, "\n");
+  }
+}
+
+/// What no pose can exceed, and what a run's bound is made of (lib/docs/bounded_time.md).
+void print_bound(const ImageFile& a, const ImageFile& b, const std::string& algorithm, bool json) {
+  const VisitBound bound = visit_bound(a.tree(), b.tree(), algorithm);
+  const std::uint32_t depths = a.header().depth + b.header().depth;
+  const auto later = [](const ImageHeader& header) {
+    return header.arity == 0 ? 0u : header.arity - 1u;
+  };
+  const std::uint32_t siblings = later(a.header()) + later(b.header());
+  const std::uint32_t at_leaf_pair = std::uint32_t{a.header().leaf_size} * b.header().leaf_size;
+  if (json) {
+    const nlohmann::ordered_json line = {{"algorithm", algorithm},
+                                         {"most_visits", bound.visits},
+                                         {"most_leaf_pairs", bound.leaf_pairs},
+                                         {"most_triangle_pairs", bound.triangle_pairs},
+                                         {"depths", depths},
+                                         {"later_siblings", siblings},
+                                         {"triangle_pairs_of_leaves", at_leaf_pair}};
+    std::cout << line.dump() << "\n";
+    return;
+  }
+  std::cout << a.name() << " and " << b.name() << ", " << algorithm << ", any pose\n"
+            << "at most " << bound.visits << " visits, of which " << bound.leaf_pairs
+            << " pairs of leaves, where " << bound.triangle_pairs
+            << " pairs of triangles are tested\n"
+            << "depths " << depths << ", later siblings " << siblings
+            << ", pairs of triangles a pair of leaves " << at_leaf_pair << "\n";
+}
+
+void collide_all(const Arguments& arguments) {
+  const ImageFile a(arguments.a);
+  const ImageFile b(arguments.b);
+  check_partners(a, b);
+  const std::string algorithm = chosen_algorithm(arguments, a);
+  if (arguments.bound) {
+    print_bound(a, b, algorithm, arguments.json);
+    return;
+  }
+  const std::vector<Pose> poses = lattice_poses(arguments.poses, a.cell());
+  std::string pairs;
+  std::vector<WideCounts> counts;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Answer answer = collide(a.tree(), b.tree(), poses[i], algorithm, arguments.first);
+    if (answer.status != Status::done) {
+      throw UserError(arguments.poses, "pose ", i, " can't be answered: status ",
+                      static_cast<int>(answer.status));
+    }
+    counts.push_back(answer.counts);
+    if (!arguments.pairs.empty()) {
+      append_pairs(pairs, i, answer.pairs);
+    }
+  }
+  if (!arguments.pairs.empty()) {
+    write_file(arguments.pairs, std::move(pairs));
+  }
+  if (!arguments.json) {
+    std::cout << a.name() << " and " << b.name() << ", " << algorithm << "\n"
+              << "  pose        visits      overlaps    leaf pairs  triangle pairs\n";
+  }
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (arguments.json) {
+      print_json(i, algorithm, counts[i]);
+    } else {
+      print_table_row(i, counts[i]);
+    }
+  }
+}
+
+}  // namespace
+
+void add_collide(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  Arguments& a = *arguments;
+  CLI::App* const command = app.add_subcommand(
+      "collide", "Find the triangles of A that meet triangles of B, by the firmware's own code.");
+  command->add_option("A", a.a, "Image (.fbvh) that stays in place")->required();
+  command->add_option("B", a.b, "Image (.fbvh) that the poses turn and move")->required();
+  CLI::Option* const poses =
+      command
+          ->add_option("--poses", a.poses,
+                       "A pose a line, B into A's frame: the rotation row by row, then the "
+                       "translation in the mesh's unit; 12 numbers")
+          ->type_name("FILE");
+  command
+      ->add_option("--algorithm", a.algorithm,
+                   "Traversal; default: ranked, or stackless on pre-indexed images")
+      ->check(CLI::IsMember(traversal_names()));
+  CLI::Option* const first =
+      command->add_flag("--first", a.first, "Stop at the first pair of triangles");
+  CLI::Option* const pairs =
+      command->add_option("--pairs", a.pairs, "Write `pose a b` for each pair, sorted")
+          ->type_name("OUT");
+  command->add_flag("--json", a.json, "One JSON object a pose");
+  command->add_flag("--bound", a.bound, "Print what no pose can exceed, instead")
+      ->excludes(poses, first, pairs);
+  command->callback([arguments] {
+    if (!arguments->bound && arguments->poses.empty()) {
+      throw CLI::RequiredError("--poses or --bound");
+    }
+    collide_all(*arguments);
+  });
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,72 @@
+// flashbvh export: the lattice mesh as OBJ, for other programs to look at and to check answers by.
+#include <memory>
+#include <optional>
+
+#include "cli/commands.hpp"
+#include "evaluate/poses.hpp"
+#include "image/image_file.hpp"
+#include "text/files.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+struct Arguments {
+  std::string image;
+  std::string mesh;
+  std::optional<std::string> placed;
+};
+
+/// A comment tells the number of a triangle before which others were left out.
+std::string faces_of(const std::vector<SourceTriangle>& triangles) {
+  std::string text;
+  std::uint32_t next = 0;
+  for (const SourceTriangle& triangle : triangles) {
+    if (triangle.number != next) {
+      text += concat("# triangle ", triangle.number, "\n");
+    }
+    next = triangle.number + 1;
+    text += "f";
+    for (const std::uint32_t vertex : triangle.vertices) {
+      text += concat(" ", vertex + 1);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+void write_obj(const Arguments& arguments) {
+  const ImageFile image(arguments.image);
+  const std::vector<SourceTriangle> triangles = source_triangles(image);
+  std::vector<LatticePoint> vertices = vertices_of(image.tree());
+  if (arguments.placed) {
+    const RigidPose pose = parse_pose(*arguments.placed, "--placed");
+    vertices = placed_vertices(image.tree(), lattice_pose(pose, image.cell(), "--placed"));
+  }
+  std::string text = "# integer coordinates: cells\n";
+  for (const LatticePoint& v : vertices) {
+    text += concat("v ", v[0], " ", v[1], " ", v[2], "\n");
+  }
+  write_file(arguments.mesh, text + faces_of(triangles));
+}
+
+}  // namespace
+
+void add_export(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* const command =
+      app.add_subcommand("export",
+                         "Write the lattice mesh of an image as OBJ: integer coordinates in cells, "
+                         "triangles in\nthe order of the source mesh.");
+  command->add_option("IMAGE", arguments->image, "Image (.fbvh)")->required();
+  command->add_option("-o,--output", arguments->mesh, "File to write")
+      ->required()
+      ->type_name("MESH.obj");
+  command->add_option("--placed", arguments->placed,
+                      "A pose of 12 numbers, as in `collide --poses`: write the mesh where a query "
+                      "puts it as B, in A's frame");
+  command->callback([arguments] { write_obj(*arguments); });
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,130 @@
+// flashbvh info: what is in an image.
+#include <array>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "image/image_file.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Bounds {
+  LatticePoint lower;
+  LatticePoint upper;
+};
+
+/// The root's box, in cells of the mesh's frame.
+Bounds bounds_of(const AnyTree& any) {
+  return std::visit(
+      [](const auto& tree) {
+        const detail::Box box = detail::unpack(tree.nodes[0].box);
+        const auto& origin = tree.origin;
+        return Bounds{{std::int64_t{origin[0]} + box.lower.x, std::int64_t{origin[1]} + box.lower.y,
+                       std::int64_t{origin[2]} + box.lower.z},
+                      {std::int64_t{origin[0]} + box.upper.x, std::int64_t{origin[1]} + box.upper.y,
+                       std::int64_t{origin[2]} + box.upper.z}};
+      },
+      any);
+}
+
+std::array<double, 3> in_unit(const LatticePoint& point, double cell) {
+  return {static_cast<double>(point[0]) * cell, static_cast<double>(point[1]) * cell,
+          static_cast<double>(point[2]) * cell};
+}
+
+/// Names and values, in the order in which both outputs show them.
+Json facts_of(const ImageFile& image) {
+  const ImageHeader& header = image.header();
+  const Bounds bounds = bounds_of(image.tree());
+  const double cell = image.cell();
+  return {
+      {"name", image.name()},
+      {"format_version", header.version},
+      {"layout", layout_name(image.layout())},
+      {"index_bits", header.index_bits},
+      {"nodes", header.node_count},
+      {"leaves", header.leaf_count},
+      {"depth", header.depth},
+      {"stack_need", header.stack_need},
+      {"triangles", header.triangle_count},
+      {"vertices", header.vertex_count},
+      {"leaf_size", header.leaf_size},
+      {"arity", header.arity},
+      {"bytes", header.byte_count},
+      {"bytes_per_triangle", static_cast<double>(header.byte_count) / header.triangle_count},
+      {"cell", cell},
+      {"deviation", image.deviation()},
+      {"origin", header.origin},
+      {"box", {{"lower", in_unit(bounds.lower, cell)}, {"upper", in_unit(bounds.upper, cell)}}},
+      {"box_cells", {{"lower", bounds.lower}, {"upper", bounds.upper}}},
+  };
+}
+
+std::string text_of(const Json& value) {
+  if (value.is_string()) {
+    return value.get<std::string>();
+  }
+  if (value.is_number_float()) {
+    return shortest(value.get<double>());
+  }
+  if (value.is_array()) {
+    std::string text;
+    for (const Json& element : value) {
+      text += (text.empty() ? "" : " ") + text_of(element);
+    }
+    return text;
+  }
+  if (value.is_object()) {
+    return text_of(value["lower"]) + "  to  " + text_of(value["upper"]);
+  }
+  return value.dump();
+}
+
+/// What the names leave open.
+const char* unit_of(const std::string& name) {
+  if (name == "origin" || name == "box_cells") {
+    return "cells";
+  }
+  return name == "cell" || name == "deviation" || name == "box" ? "of the mesh's unit" : "";
+}
+
+void info(const std::string& path, bool json) {
+  const ImageFile image(path);
+  const Json facts = facts_of(image);
+  if (json) {
+    std::cout << facts.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
+    return;
+  }
+  for (const auto& [name, value] : facts.items()) {
+    const std::string unit = unit_of(name);
+    std::string label = name;
+    for (char& c : label) {
+      c = c == '_' ? ' ' : c;
+    }
+    label.resize(20, ' ');
+    std::cout << label
+              << (name == "bytes_per_triangle" ? fixed(value.get<double>(), 2) : text_of(value))
+              << (unit.empty() ? "" : "  " + unit) << "\n";
+  }
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  struct Arguments {
+    std::string image;
+    bool json = false;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* const command = app.add_subcommand("info", "Print what is in an image.");
+  command->add_option("IMAGE", arguments->image, "Image (.fbvh)")->required();
+  command->add_flag("--json", arguments->json, "As one JSON object");
+  command->callback([arguments] { info(arguments->image, arguments->json); });
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,70 @@
+#include "cli/progress.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+constexpr std::chrono::seconds kPatience(1);
+constexpr std::size_t kBarWidth = 30;
+constexpr std::size_t kStepWidth = 40;  ///< the whole line fits 80 columns
+
+}  // namespace
+
+Progress::Progress(double total, bool always) : total_(total), always_(always) {
+  if (!always_ && isatty(STDERR_FILENO) != 0) {
+    thread_ = std::thread([this] { draw_after_a_while(); });
+  }
+}
+
+Progress::~Progress() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopped_ = true;
+  }
+  stop_.notify_all();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+  if (drawn_) {
+    std::fprintf(stderr, "\r%79s\r", "");
+  }
+}
+
+void Progress::begin(const std::string& step, double weight) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  done_ += weight_;
+  weight_ = weight;
+  step_ = one_line(step);
+  if (always_ || drawn_) {
+    draw();
+  }
+}
+
+void Progress::draw_after_a_while() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (!stop_.wait_for(lock, kPatience, [this] { return stopped_; })) {
+    draw();
+  }
+}
+
+void Progress::draw() {
+  const double part = total_ > 0 ? done_ / total_ : 0;
+  std::string bar(kBarWidth, '-');
+  bar.replace(0, static_cast<std::size_t>(part * kBarWidth),
+              static_cast<std::size_t>(part * kBarWidth), '#');
+  std::string step = step_.substr(0, kStepWidth);
+  step.resize(kStepWidth, ' ');
+  std::fprintf(stderr, "\r[%s] %3s %%  %s", bar.c_str(), fixed(100 * part, 0).c_str(),
+               step.c_str());
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,43 @@
+// A bar on standard error while a command works.
+#ifndef FLASHBVH_TOOLS_CLI_PROGRESS_HPP
+#define FLASHBVH_TOOLS_CLI_PROGRESS_HPP
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace flashbvh::tool {
+
+/// Shows nothing during the first second, and nothing at all if standard error is no terminal. The
+/// line is cleared at the end.
+class Progress {
+ public:
+  /// `total`: of the weights of all steps. `always`: show it at once, wherever standard error goes.
+  Progress(double total, bool always);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();
+
+  /// The step before is done; the next one begins.
+  void begin(const std::string& step, double weight);
+
+ private:
+  void draw_after_a_while();
+  void draw();
+
+  const double total_;
+  const bool always_;
+  std::mutex mutex_;
+  std::condition_variable stop_;
+  bool stopped_ = false;
+  bool drawn_ = false;
+  double done_ = 0;
+  double weight_ = 0;
+  std::string step_;
+  std::thread thread_;
+};
+
+}  // namespace flashbvh::tool
+
+#endif

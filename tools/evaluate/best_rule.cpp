@@ -1,0 +1,72 @@
+// Dynamic programming over pairs of nodes. best(a, b) is 1 if the boxes are apart or both nodes are
+// leaves; else 1 and the smaller of two sums: of best(child of a, b) over a's children, and of
+// best(a, child of b) over b's. What lies below a pair does not depend on how it was reached.
+#include "evaluate/best_rule.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+#include "flashbvh/detail/box.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+std::vector<detail::PackedBox> packed_boxes(const bake::BuildTree& tree) {
+  std::vector<detail::PackedBox> boxes;
+  for (const bake::BuildNode& node : tree.nodes) {
+    boxes.push_back(detail::pack(node.box));
+  }
+  return boxes;
+}
+
+class BestRule {
+ public:
+  BestRule(const bake::BuildTree& a, const bake::BuildTree& b, const Point& translation)
+      : a_(a),
+        b_(b),
+        boxes_a_(packed_boxes(a)),
+        boxes_b_(packed_boxes(b)),
+        overlap_(translation.x, translation.y, translation.z) {}
+
+  /// Recursive: at most as deep as the two trees together.
+  std::uint64_t best(std::uint32_t i, std::uint32_t j) {
+    const bake::BuildNode& node_a = a_.nodes[i];
+    const bake::BuildNode& node_b = b_.nodes[j];
+    if (!overlap_(boxes_a_[i], boxes_b_[j]) || (node_a.is_leaf() && node_b.is_leaf())) {
+      return 1;
+    }
+    const std::uint64_t key = std::uint64_t{i} << 32 | j;
+    if (const auto known = known_.find(key); known != known_.end()) {
+      return known->second;
+    }
+    constexpr std::uint64_t no_choice = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t into_a = node_a.is_leaf() ? no_choice : 0;
+    std::uint64_t into_b = node_b.is_leaf() ? no_choice : 0;
+    for (const std::uint32_t child : node_a.children) {
+      into_a += best(child, j);
+    }
+    for (const std::uint32_t child : node_b.children) {
+      into_b += best(i, child);
+    }
+    return known_[key] = 1 + std::min(into_a, into_b);
+  }
+
+ private:
+  const bake::BuildTree& a_;
+  const bake::BuildTree& b_;
+  std::vector<detail::PackedBox> boxes_a_;
+  std::vector<detail::PackedBox> boxes_b_;
+  detail::TranslatedBound overlap_;
+  std::unordered_map<std::uint64_t, std::uint64_t> known_;
+};
+
+}  // namespace
+
+std::uint64_t best_rule_visits(const bake::BuildTree& a, const bake::BuildTree& b,
+                               const Point& translation) {
+  return BestRule(a, b, translation).best(0, 0);
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,57 @@
+// A query run to its end, for its counts.
+#ifndef FLASHBVH_TOOLS_EVALUATE_COUNT_QUERY_HPP
+#define FLASHBVH_TOOLS_EVALUATE_COUNT_QUERY_HPP
+
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "flashbvh/query.hpp"
+#include "flashbvh/paper/pair_stack.hpp"
+
+namespace flashbvh::scene {
+
+/// Where the walks of one traversal over two trees start: for a stack, with the array it needs.
+template <class Traversal>
+class WalkStart {
+  using Cursor = typename Traversal::Cursor;
+  using Entry = detail::PairCursor<typename Traversal::Tree::Index>;
+
+ public:
+  WalkStart(const typename Traversal::Tree& a, const typename Traversal::Tree& b) {
+    if constexpr (kStack) {
+      entries_.resize(stack_entries(a.stack_need, b.stack_need));
+    }
+  }
+
+  /// A cursor at the roots. The array is one: only one walk at a time.
+  Cursor cursor() {
+    if constexpr (kStack) {
+      return Cursor(entries_.data(), static_cast<std::uint32_t>(entries_.size()));
+    } else {
+      return Cursor();
+    }
+  }
+
+ private:
+  static constexpr bool kStack = !std::is_same_v<Cursor, Entry>;
+  std::vector<Entry> entries_;
+};
+
+/// Geometry tests and all; zeros if the query is refused. The pairs found are counted by the sink
+/// too: they must be counts.triangle_pairs.
+template <class Traversal>
+Counts count_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
+                   const Pose& pose, WalkStart<Traversal>& start, std::uint32_t& found) {
+  Query<Traversal> query(a, b, pose, start.cursor());
+  found = 0;
+  const Status status = query.run(UINT32_MAX, [&found](const typename Query<Traversal>::Pair&) {
+    ++found;
+    return true;
+  });
+  return status == Status::done ? query.counts() : Counts{0, 0, 0, 0};
+}
+
+}  // namespace flashbvh::scene
+
+#endif

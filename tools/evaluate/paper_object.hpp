@@ -1,0 +1,43 @@
+// The object of the evaluation, in place of the paper's, which is not public: a tumbler with a
+// thick bottom, three-lobed, closed, with an outer and an inner wall, of 796 triangles as there.
+#ifndef FLASHBVH_TOOLS_EVALUATE_PAPER_OBJECT_HPP
+#define FLASHBVH_TOOLS_EVALUATE_PAPER_OBJECT_HPP
+
+#include <cstdint>
+
+#include "bake/mesh.hpp"
+
+namespace flashbvh::scene {
+
+constexpr std::uint32_t kPaperFaces = 796;
+constexpr std::uint32_t kMaxSubdivisions = 4;
+
+/// The rim's radius, without its lobes, of an object in full size; in cells.
+constexpr std::int32_t kFullRadius = 12000;
+
+/// How the tumbler is turned when it is made; the bottom is at -z when upright.
+enum class Orientation : std::uint8_t {
+  upright,
+  lying,        ///< a quarter of a turn about x: the bottom at +y
+  upside_down,  ///< half a turn about x: the bottom at +z
+};
+
+struct PaperObject {
+  std::uint32_t subdivisions;  ///< 0 to kMaxSubdivisions: each time a triangle becomes four
+  std::int32_t radius;         ///< of the rim, in cells, at most kFullRadius
+  Orientation orientation;
+
+  constexpr std::uint32_t faces() const { return kPaperFaces << (2 * subdivisions); }
+  constexpr bool operator==(const PaperObject& other) const {
+    return subdivisions == other.subdivisions && radius == other.radius &&
+           orientation == other.orientation;
+  }
+};
+
+/// The mesh, the same on every machine; triangles turn counterclockwise seen from outside. The
+/// vertices before the subdivision are multiples of 16 cells: all subdivisions are one surface.
+bake::LatticeMesh make_mesh(const PaperObject& object);
+
+}  // namespace flashbvh::scene
+
+#endif

@@ -1,0 +1,85 @@
+#include "evaluate/queries.hpp"
+
+#include <algorithm>
+
+#include "evaluate/count_query.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// Few enough that no count of one run wraps.
+constexpr std::uint32_t kVisitsPerRun = 1u << 24;
+
+void add(WideCounts& sum, const Counts& now, const Counts& before) {
+  sum.visits += now.visits - before.visits;
+  sum.overlaps += now.overlaps - before.overlaps;
+  sum.leaf_pairs += now.leaf_pairs - before.leaf_pairs;
+  sum.triangle_pairs += now.triangle_pairs - before.triangle_pairs;
+}
+
+template <class Traversal>
+Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b, const Pose& pose,
+           bool first) {
+  scene::WalkStart<Traversal> start(a, b);
+  Query<Traversal> query(a, b, pose, start.cursor());
+  Answer answer;
+  answer.status = query.status();
+  while (answer.status == Status::suspended) {
+    const Counts before = query.counts();
+    answer.status = query.run(kVisitsPerRun, [&](const typename Query<Traversal>::Pair& pair) {
+      answer.pairs.push_back({pair.a, pair.b});
+      return !first;
+    });
+    add(answer.counts, query.counts(), before);
+  }
+  if (answer.status == Status::full) {
+    answer.status = Status::done;  // the first pair is all that was asked for
+  }
+  return answer;
+}
+
+template <class Levelled>
+Answer run_named(const std::string& name, const Levelled& a, const Levelled& b, const Pose& pose,
+                 bool first) {
+  Answer answer;
+  for_each_traversal([&](auto traversal) {
+    using Named = decltype(traversal);
+    if constexpr (Named::walks(Levelled::kLayout)) {
+      if (name == traversal.name) {
+        using Traversal = typename Named::template On<typename Levelled::Index, Levelled::kLayout>;
+        answer = run<Traversal>(a, b, pose, first);
+      }
+    }
+  });
+  return answer;
+}
+
+}  // namespace
+
+std::vector<std::string> traversal_names() {
+  std::vector<std::string> names;
+  for_each_traversal([&](auto traversal) { names.emplace_back(traversal.name); });
+  std::rotate(names.begin(),
+              std::find(names.begin(), names.end(), default_traversal(Layout::post_indexed)),
+              names.end());
+  return names;
+}
+
+bool walks(const std::string& traversal, Layout layout) {
+  bool result = false;
+  for_each_traversal(
+      [&](auto named) { result = result || (named.name == traversal && named.walks(layout)); });
+  return result;
+}
+
+Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::string& traversal,
+               bool first) {
+  return std::visit(
+      [&](const auto& tree_a) {
+        using Levelled = std::decay_t<decltype(tree_a)>;
+        return run_named(traversal, tree_a, std::get<Levelled>(b), pose, first);
+      },
+      a);
+}
+
+}  // namespace flashbvh::tool

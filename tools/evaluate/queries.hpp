@@ -1,0 +1,48 @@
+// Queries on images by the name of their traversal.
+#ifndef FLASHBVH_TOOLS_EVALUATE_QUERIES_HPP
+#define FLASHBVH_TOOLS_EVALUATE_QUERIES_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "flashbvh/paper/traversals.hpp"
+#include "flashbvh/pose.hpp"
+#include "image/image_file.hpp"
+
+namespace flashbvh::tool {
+
+/// All names, the default of post-indexed images first.
+std::vector<std::string> traversal_names();
+
+/// Whether the traversal walks trees of this layout.
+bool walks(const std::string& traversal, Layout layout);
+
+/// Triangles by their numbers in the source files.
+struct FoundPair {
+  std::uint32_t a;
+  std::uint32_t b;
+};
+
+/// As flashbvh::Counts, but wide enough for any two meshes.
+struct WideCounts {
+  std::uint64_t visits = 0;
+  std::uint64_t overlaps = 0;
+  std::uint64_t leaf_pairs = 0;
+  std::uint64_t triangle_pairs = 0;
+};
+
+struct Answer {
+  Status status = Status::done;  ///< `done` or an error
+  WideCounts counts;
+  std::vector<FoundPair> pairs;  ///< in the order in which the query reports them
+};
+
+/// Runs the library's query to its end or, with `first`, to the first pair.
+/// Precondition: both trees are of one kind, and walks(traversal, their layout).
+Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::string& traversal,
+               bool first);
+
+}  // namespace flashbvh::tool
+
+#endif

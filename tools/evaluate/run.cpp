@@ -1,0 +1,158 @@
+#include "evaluate/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numeric>
+
+#include "evaluate/best_rule.hpp"
+#include "evaluate/count_query.hpp"
+#include "evaluate/queries.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// The pose is read anew each time, so that no repetition can be optimised away.
+struct VolatilePose {
+  volatile std::int32_t x, y, z;
+  Pose now() const { return Pose::translated(x, y, z); }
+};
+
+template <class Traversal>
+Row make_row(const char* algorithm, const typename Traversal::Tree& a,
+             const typename Traversal::Tree& b, const Point& translation) {
+  return {algorithm, [a, b, translation](std::uint32_t repetitions) {
+            const VolatilePose pose = {translation.x, translation.y, translation.z};
+            scene::WalkStart<Traversal> start(a, b);
+            Counts counts = {0, 0, 0, 0};
+            std::uint32_t found = 0;
+            for (std::uint32_t i = 0; i < repetitions; ++i) {
+              counts = scene::count_query<Traversal>(a, b, pose.now(), start, found);
+            }
+            return counts;
+          }};
+}
+
+template <class Index>
+std::vector<Row> rows_of(const BothLayouts<Index>& a, const BothLayouts<Index>& b,
+                         const Point& translation) {
+  std::vector<Row> rows;
+  for_each_traversal([&](auto traversal) {
+    constexpr Layout layout = decltype(traversal)::kLayout;
+    using Traversal = typename decltype(traversal)::template On<Index, layout>;
+    rows.push_back(make_row<Traversal>(traversal.name, a.template in<layout>().view(),
+                                       b.template in<layout>().view(), translation));
+  });
+  return rows;
+}
+
+std::uint32_t scaled_repetitions(std::uint32_t paper, double scale) {
+  return static_cast<std::uint32_t>(std::max(1.0, std::round(paper * scale)));
+}
+
+/// Of this process alone, as the paper's timer: what else the machine does is left out.
+double processor_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double seconds_of(const Row& row, std::uint32_t repetitions) {
+  const double start = processor_seconds();
+  row.run(repetitions);
+  return processor_seconds() - start;
+}
+
+std::optional<std::uint64_t> best_rule(const scene::Setup& setup, const BakedObject& a,
+                                       const BakedObject& b) {
+  if (std::max(setup.a.faces(), setup.b.faces()) > kBestRuleFaces) {
+    return std::nullopt;
+  }
+  return best_rule_visits(a.tree(), b.tree(), setup.translation);
+}
+
+}  // namespace
+
+std::vector<Row> make_rows(BakedObject& a, BakedObject& b, const Point& translation) {
+  return a.fits_16_bits() && b.fits_16_bits()
+             ? rows_of(a.baked<std::uint16_t>(), b.baked<std::uint16_t>(), translation)
+             : rows_of(a.baked<std::uint32_t>(), b.baked<std::uint32_t>(), translation);
+}
+
+Times times_of(const std::vector<double>& samples) {
+  const auto count = static_cast<double>(samples.size());
+  const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
+  const double mean = std::accumulate(samples.begin(), samples.end(), 0.0) / count;
+  double squares = 0;
+  for (const double sample : samples) {
+    squares += (sample - mean) * (sample - mean);
+  }
+  return {*least, *most, mean, std::sqrt(squares / count)};
+}
+
+const RowResult& SetupResult::row(const std::string& algorithm) const {
+  return *std::find_if(rows.begin(), rows.end(), [&](const RowResult& candidate) {
+    return candidate.algorithm == algorithm;
+  });
+}
+
+bool SetupResult::rows_agree() const {
+  return std::all_of(rows.begin(), rows.end(), [this](const RowResult& row) {
+    return row.counts.visits != 0 && row.counts.leaf_pairs == rows[0].counts.leaf_pairs &&
+           row.counts.triangle_pairs == rows[0].counts.triangle_pairs;
+  });
+}
+
+SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& objects) {
+  BakedObject& a = objects.get(setup.a);
+  BakedObject& b = objects.get(setup.b);
+  SetupResult result = {&setup,
+                        scaled_repetitions(setup.repetitions, effort.repetitions_scale),
+                        effort.rounds,
+                        {},
+                        best_rule(setup, a, b)};
+  const std::vector<Row> rows = make_rows(a, b, setup.translation);
+  for (const Row& row : rows) {
+    result.rows.push_back({row.algorithm, row.run(1), {}});
+  }
+  std::vector<std::vector<double>> samples(rows.size());
+  for (std::uint32_t round = 0; round < effort.rounds; ++round) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      samples[i].push_back(seconds_of(rows[i], result.repetitions));
+    }
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    result.rows[i].times = times_of(samples[i]);
+  }
+  return result;
+}
+
+DefaultTreeResult compare_default_tree(const scene::Setup& setup, Objects& objects) {
+  BakedObject& a = objects.get(setup.a);
+  BakedObject& b = objects.get(setup.b);
+  const Point& t = setup.translation;
+  const Pose pose = Pose::translated(t.x, t.y, t.z);
+  const auto stackless =
+      collide(a.baked<std::uint32_t>().pre.view(), b.baked<std::uint32_t>().pre.view(), pose,
+              default_traversal(Layout::pre_indexed), false);
+  const auto ranked = collide(a.baked_default().view(), b.baked_default().view(), pose,
+                              default_traversal(Layout::post_indexed), false);
+  return {&setup,
+          stackless.counts.triangle_pairs != 0,
+          {stackless.counts.visits, ranked.counts.visits,
+           best_rule_visits(a.default_tree(), b.default_tree(), setup.translation)}};
+}
+
+DefaultTreeVisits sum_of(const std::vector<DefaultTreeResult>& results, bool only_intersecting) {
+  DefaultTreeVisits sum;
+  for (const DefaultTreeResult& result : results) {
+    if (result.intersecting || !only_intersecting) {
+      sum.stackless += result.visits.stackless;
+      sum.ranked += result.visits.ranked;
+      sum.best_rule += result.visits.best_rule;
+    }
+  }
+  return sum;
+}
+
+}  // namespace flashbvh::tool

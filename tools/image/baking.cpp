@@ -1,0 +1,152 @@
+#include "image/baking.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bake/build_tree.hpp"
+#include "bake/quantise.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// The cell with which no vertex moves further than `deviation`: half the diagonal of a cell.
+double sure_cell(double deviation) {
+  return deviation * 2 / std::sqrt(3.0);
+}
+
+void check_range(const InputMesh& input, double cell) {
+  if (bake::fits(input.mesh, cell)) {
+    return;
+  }
+  throw UserError(input.path, "is too large for a cell of ", shortest(cell), ": out of range are ",
+                  triangle_list(bake::out_of_range(input.mesh, cell)),
+                  "; the finest that it fits is --cell ", shortest(finest_cell(input)));
+}
+
+void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded,
+                     const std::optional<double>& most) {
+  if (!most || rounded.deviation <= *most) {
+    return;
+  }
+  const double cell = sure_cell(*most);
+  throw UserError(input.path, "rounding moves a vertex by ", shortest(rounded.deviation),
+                  ", --max-deviation allows ", shortest(*most),
+                  cell >= finest_cell(input)
+                      ? "; a cell of " + shortest(cell) + " or less keeps to that"
+                      : "; the mesh is too large for so fine a cell: cut it in parts");
+}
+
+/// Leaves out what the options say, and vertices that nothing uses any more. Returns the source's
+/// numbers of the triangles that stay.
+TriangleNumbers drop(bake::LatticeMesh& mesh, const MeshDefects& defects,
+                     const BakeOptions& options) {
+  std::vector<bool> dropped(mesh.triangles.size(), false);
+  const auto mark = [&](const TriangleNumbers& triangles, bool wanted) {
+    for (const std::uint32_t triangle : triangles) {
+      dropped[triangle] = dropped[triangle] || wanted;
+    }
+  };
+  mark(defects.degenerate, options.drop_degenerate);
+  mark(defects.collapsed, options.drop_degenerate);
+  mark(defects.duplicates, options.drop_duplicate);
+  TriangleNumbers kept;
+  std::vector<bake::TriangleCorners> triangles;
+  constexpr std::uint32_t kUnused = 0xFFFFFFFF;
+  std::vector<std::uint32_t> index_of(mesh.vertices.size(), kUnused);
+  std::vector<Vertex> vertices;
+  for (std::size_t i = 0; i < dropped.size(); ++i) {
+    if (dropped[i]) {
+      continue;
+    }
+    kept.push_back(static_cast<std::uint32_t>(i));
+    triangles.push_back(mesh.triangles[i]);
+    for (std::uint32_t& corner : triangles.back()) {
+      if (index_of[corner] == kUnused) {
+        index_of[corner] = static_cast<std::uint32_t>(vertices.size());
+        vertices.push_back(mesh.vertices[corner]);
+      }
+      corner = index_of[corner];
+    }
+  }
+  mesh.triangles = std::move(triangles);
+  mesh.vertices = std::move(vertices);
+  return kept;
+}
+
+/// UserError if something of the mesh or its tree is over the limit of 16-bit indices.
+void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
+                   const bake::BuildTree& tree, const TriangleNumbers& kept) {
+  constexpr std::size_t most = bake::IndexLimits<std::uint16_t>::kMost;
+  const auto check = [&](std::size_t count, const char* what, std::size_t limit, const char* mend) {
+    if (count > limit) {
+      throw UserError(input.path, count, " ", what, ", but 16-bit indices reach ", limit, "; use ",
+                      mend);
+    }
+  };
+  constexpr const char* fewer = "--index-bits 32 or fewer triangles";
+  constexpr const char* larger = "a larger --leaf-size or --index-bits 32";
+  check(mesh.triangles.size(), "triangles", most, fewer);
+  check(mesh.vertices.size(), "vertices", most, fewer);
+  check(tree.nodes.size(), "nodes", most, larger);
+  const auto leaves = std::count_if(tree.nodes.begin(), tree.nodes.end(),
+                                    [](const bake::BuildNode& node) { return node.is_leaf(); });
+  check(static_cast<std::size_t>(leaves), "leaves", bake::IndexLimits<std::uint16_t>::kMostLeaves,
+        larger);
+  if (kept.back() > most) {
+    throw UserError(input.path, "triangle ", kept.back(), " is kept, but 16-bit indices reach ",
+                    most, "; use --index-bits 32");
+  }
+}
+
+/// Gives the triangles the numbers that they have in the file.
+template <class Index, Layout layout>
+void renumber(bake::BakedTree<Index, layout>& baked, const TriangleNumbers& kept) {
+  for (Index& source : baked.triangle_ids) {
+    source = static_cast<Index>(kept[source]);
+  }
+}
+
+template <class Index>
+AnyBakedTree lay_out(const bake::BuildTree& tree, const bake::LatticeMesh& mesh, Layout layout) {
+  if (layout == Layout::pre_indexed) {
+    return bake::lay_out<Index, Layout::pre_indexed>(tree, mesh);
+  }
+  return bake::lay_out<Index, Layout::post_indexed>(tree, mesh);
+}
+
+}  // namespace
+
+double finest_cell(const InputMesh& input) {
+  return std::max(bake::finest_cell(input.mesh),
+                  static_cast<double>(std::numeric_limits<float>::min()));
+}
+
+BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
+  const double cell = options.cell.value_or(finest_cell(input));
+  check_range(input, cell);
+  bake::LatticeMesh lattice = bake::round_to_lattice(input.mesh, cell);
+  check_deviation(input, lattice, options.max_deviation);
+  BakedMesh baked;
+  baked.defects = defects_of(input.mesh, lattice, input.degenerate);
+  const TriangleNumbers kept = drop(lattice, baked.defects, options);
+  if (kept.empty()) {
+    throw UserError(input.path, "--drop leaves no triangle; use a finer --cell or drop less");
+  }
+  bake::BuildTree tree = options.builder == Builder::median
+                             ? bake::build_median(lattice, options.leaf_size)
+                             : bake::build_sah(lattice, options.leaf_size);
+  tree = bake::collapse(tree, options.arity);
+  const bool narrow = options.index_width == IndexWidth::bits_16;
+  if (narrow) {
+    check_16_bits(input, lattice, tree, kept);
+  }
+  baked.tree = narrow ? lay_out<std::uint16_t>(tree, lattice, options.layout)
+                      : lay_out<std::uint32_t>(tree, lattice, options.layout);
+  std::visit([&](auto& any) { renumber(any, kept); }, baked.tree);
+  return baked;
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,56 @@
+// A mesh baked, in any of the four kinds of tree.
+#ifndef FLASHBVH_TOOLS_IMAGE_BAKING_HPP
+#define FLASHBVH_TOOLS_IMAGE_BAKING_HPP
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "bake/baked_tree.hpp"
+#include "mesh/import.hpp"
+
+namespace flashbvh::tool {
+
+/// How triangles are grouped.
+enum class Builder : std::uint8_t {
+  median,  ///< the paper's
+  sah,
+};
+
+enum class IndexWidth : std::uint8_t { bits_16, bits_32 };
+
+/// Lengths are in the unit of the mesh.
+struct BakeOptions {
+  Layout layout = Layout::post_indexed;
+  IndexWidth index_width = IndexWidth::bits_16;
+  Builder builder = Builder::sah;
+  std::uint32_t leaf_size = bake::kDefaultLeafSize;  ///< most triangles in a leaf
+  std::uint32_t arity = bake::kDefaultArity;         ///< most children of a node
+  std::optional<double> cell;                        ///< by default the finest that the mesh fits
+  std::optional<double> max_deviation;               ///< how far rounding may move a vertex
+  bool drop_degenerate = false;                      ///< before or after rounding
+  bool drop_duplicate = false;                       ///< on the lattice; the first of them stays
+};
+
+/// Whatever the layout and the width of the indices.
+using AnyBakedTree = std::variant<bake::BakedTree<std::uint16_t, Layout::pre_indexed>,
+                                  bake::BakedTree<std::uint16_t, Layout::post_indexed>,
+                                  bake::BakedTree<std::uint32_t, Layout::pre_indexed>,
+                                  bake::BakedTree<std::uint32_t, Layout::post_indexed>>;
+
+struct BakedMesh {
+  AnyBakedTree tree;
+  MeshDefects defects;  ///< before any triangle was dropped
+};
+
+/// The finest cell with which the mesh fits the lattice, and of which firmware can hold the value
+/// in a float.
+double finest_cell(const InputMesh& input);
+
+/// UserError, naming the mesh's file, if the mesh is too large for the cell or for the indices, if
+/// rounding moves a vertex too far, or if no triangle is left.
+BakedMesh bake(const InputMesh& input, const BakeOptions& options);
+
+}  // namespace flashbvh::tool
+
+#endif

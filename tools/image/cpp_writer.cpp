@@ -1,0 +1,209 @@
+#include "image/cpp_writer.hpp"
+
+#include <cstddef>
+#include <cstring>
+
+#include "flashbvh/version.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+constexpr std::size_t kColumns = 100;
+
+std::string hex(std::uint64_t value, unsigned digits) {
+  std::string text = "0x";
+  for (unsigned i = digits; i-- != 0;) {
+    text += "0123456789abcdef"[value >> (4 * i) & 15];
+  }
+  return text + "u";
+}
+
+std::string text_of(std::uint16_t value) {
+  return std::to_string(value);
+}
+std::string text_of(std::uint32_t value) {
+  return concat(value, "u");
+}
+std::string text_of(const Vertex& v) {
+  return concat("{", v.x, ", ", v.y, ", ", v.z, "}");
+}
+template <class Index>
+std::string text_of(const Corners<Index>& c) {
+  return "{{" + text_of(c.corner[0]) + ", " + text_of(c.corner[1]) + ", " + text_of(c.corner[2]) +
+         "}}";
+}
+template <class Index>
+std::string text_of(const Node<Index>& node) {
+  return "{{" + hex(node.box.upper_xy, 8) + ", " + hex(node.box.lower_xy, 8) + ", " +
+         hex(node.box.z, 8) + "}, " + text_of(node.link) + ", " + text_of(node.data) + "}";
+}
+
+/// "const TYPE NAME[] = {...};", as many elements a line as fit.
+template <class Element>
+std::string array(const std::string& type, const char* name, const std::vector<Element>& elements) {
+  std::string text = "const " + type + " " + name + "[] = {";
+  std::string line;
+  for (const Element& element : elements) {
+    const std::string next = text_of(element) + ",";
+    if (line.empty() || line.size() + 1 + next.size() > kColumns) {
+      text += line + "\n";
+      line = "    " + next;
+    } else {
+      line += " " + next;
+    }
+  }
+  return text + line + "\n};\n";
+}
+
+/// What depends on the kind of tree.
+template <class Index, Layout layout>
+struct Kind {
+  static constexpr bool kPre = layout == Layout::pre_indexed;
+  static constexpr bool kLarge = sizeof(Index) == 4;
+  static constexpr const char* kIndex = kLarge ? "uint32_t" : "uint16_t";
+
+  static std::string mesh() { return name(""); }
+  static std::string levelled() { return name("Levelled"); }
+
+  /// Bytes of the two structs on a 32-bit core.
+  static constexpr std::size_t kMeshBytes = kLarge ? 64 : 56;
+  static constexpr std::size_t kLevelledBytes = kMeshBytes + 8;
+
+ private:
+  static std::string name(const char* prefix) {
+    return std::string("flashbvh::") + (kLarge ? "Large" : "") + prefix + (kPre ? "Pre" : "Post") +
+           "Mesh";
+  }
+};
+
+/// In flash, an array with the gap that may follow it.
+template <class Element>
+std::size_t bytes_of(const std::vector<Element>& elements) {
+  return (elements.size() * sizeof(Element) + 3) / 4 * 4;
+}
+
+std::string constant(const char* name, std::size_t value, const char* comment) {
+  return concat("constexpr uint32_t ", name, " = ", value, ";  ///< ", comment, "\n");
+}
+
+template <class Index, Layout layout>
+std::string constants(const bake::BakedTree<Index, layout>& baked, const std::string& unit) {
+  using MeshKind = Kind<Index, layout>;
+  const std::size_t levels =
+      MeshKind::kLevelledBytes + bytes_of(baked.levels) + bytes_of(baked.climb);
+  return constant("kNodeCount", baked.nodes.size(), "of the tree") +
+         constant("kDepth", baked.depth, "of the deepest leaf; the root has depth 0") +
+         constant("kStackNeed", baked.stack_need, "see flashbvh::stack_entries()") +
+         constant("kLeafCount", baked.leaf_count, "see flashbvh::most_visits()") +
+         constant("kLeafSize", baked.leaf_size, "most triangles in a leaf") +
+         constant("kArity", baked.arity, "most children of a node; 0 if the root is a leaf") +
+         constant("kTriangleCount", baked.triangles.size(), "that were kept of the mesh file") +
+         constant("kVertexCount", baked.vertices.size(), "on the lattice, joined") +
+         constant("kFlashBytes", flash_bytes(baked), "what `mesh` links, on a 32-bit core") +
+         constant("kLevelBytes", levels, "what `levelled_mesh` adds to that") +
+         "constexpr double kCell = " + floating_literal(baked.cell) + ";  ///< in " +
+         (unit.empty() ? "the mesh's unit" : unit) + "\n" +
+         "constexpr float kCellsPerUnit = " + float_literal(1 / baked.cell) +
+         ";  ///< for flashbvh/pose_float.hpp\n";
+}
+
+/// Refuses a library with another interface: below 1.0 the minor version counts, too.
+std::string version_guard(const OutputName& name) {
+  std::string condition = concat("#if FLASHBVH_VERSION_MAJOR != ", FLASHBVH_VERSION_MAJOR);
+  std::string version = std::to_string(FLASHBVH_VERSION_MAJOR);
+  if (FLASHBVH_VERSION_MAJOR == 0) {
+    condition += concat(" || FLASHBVH_VERSION_MINOR != ", FLASHBVH_VERSION_MINOR);
+    version += concat(".", FLASHBVH_VERSION_MINOR);
+  }
+  return condition + "\n#error \"" + name.identifier + " was baked by flashbvh " + version +
+         "; bake it again with this version\"\n#endif\n";
+}
+
+template <class Index, Layout layout>
+std::string header(const bake::BakedTree<Index, layout>& baked, const OutputName& name,
+                   const std::string& unit) {
+  using MeshKind = Kind<Index, layout>;
+  const std::string guard = "FLASHBVH_BAKED_" + name.identifier + "_HPP";
+  return "// Written by `flashbvh bake`; bake again instead of changing it.\n"
+         "#ifndef " +
+         guard + "\n#define " + guard +
+         "\n\n"
+         "#include <stdint.h>\n\n"
+         "#include \"flashbvh/mesh.hpp\"\n"
+         "#include \"flashbvh/version.hpp\"\n\n" +
+         version_guard(name) + "\nnamespace " + name.identifier + " {\n\n" +
+         constants(baked, unit) +
+         "\n/// For every query but the alternating ones.\n"
+         "extern const " +
+         MeshKind::mesh() +
+         " mesh;\n"
+         "/// The same with what alternating-stack and stackless need beside it.\n"
+         "extern const " +
+         MeshKind::levelled() +
+         " levelled_mesh;\n\n"
+         "}  // namespace " +
+         name.identifier + "\n\n#endif\n";
+}
+
+template <class Index, Layout layout>
+std::string view(const bake::BakedTree<Index, layout>& baked) {
+  std::uint64_t cell_bits = 0;
+  std::memcpy(&cell_bits, &baked.cell, sizeof cell_bits);
+  const auto count = [](std::size_t value) { return text_of(static_cast<Index>(value)); };
+  return concat("{{kNodes, ", count(baked.nodes.size()), ", ", count(baked.leaf_count), ", ",
+                count(baked.stack_need), "},\n    kTriangles, kTriangleIds, ",
+                (baked.leaf_offsets.empty() ? "nullptr" : "kLeafOffsets"), ", kVertices,\n    ",
+                count(baked.triangles.size()), ", ", count(baked.vertices.size()), ",\n    {",
+                baked.origin[0], ", ", baked.origin[1], ", ", baked.origin[2], "}, ",
+                hex(cell_bits, 16), "}");
+}
+
+template <class Index, Layout layout>
+std::string source(const bake::BakedTree<Index, layout>& baked, const OutputName& name) {
+  using MeshKind = Kind<Index, layout>;
+  const std::string index = MeshKind::kIndex;
+  const std::string element = "flashbvh::Node<" + index + ">";
+  const std::string corners = "flashbvh::Corners<" + index + ">";
+  std::string text =
+      "// Written by `flashbvh bake`; bake again instead of changing it.\n"
+      "#include \"" +
+      name.stem + ".fbvh.hpp\"\n\nnamespace " + name.identifier + " {\nnamespace {\n\n";
+  text += array(element, "kNodes", baked.nodes) + "\n";
+  text += array(corners, "kTriangles", baked.triangles) + "\n";
+  text += array(index, "kTriangleIds", baked.triangle_ids) + "\n";
+  if (!baked.leaf_offsets.empty()) {
+    text += array(index, "kLeafOffsets", baked.leaf_offsets) + "\n";
+  }
+  text += array("flashbvh::Vertex", "kVertices", baked.vertices) + "\n";
+  const char* const climb = MeshKind::kPre ? "kParents" : "kRightChildLevels";
+  text += array(index, "kLevels", baked.levels) + "\n" + array(index, climb, baked.climb);
+  text += "\n}  // namespace\n\n";
+  text += "const " + MeshKind::mesh() + " mesh = " + view(baked) + ";\n\n";
+  text += "const " + MeshKind::levelled() + " levelled_mesh = {\n    " + view(baked) +
+          ",\n    kLevels, " + climb + "};\n\n";
+  return text + "}  // namespace " + name.identifier + "\n";
+}
+
+}  // namespace
+
+template <class Index, Layout layout>
+std::size_t flash_bytes(const bake::BakedTree<Index, layout>& baked) {
+  return Kind<Index, layout>::kMeshBytes + bytes_of(baked.nodes) + bytes_of(baked.triangles) +
+         bytes_of(baked.triangle_ids) + bytes_of(baked.leaf_offsets) + bytes_of(baked.vertices);
+}
+
+template <class Index, Layout layout>
+CppFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name,
+                const std::string& unit) {
+  return {header(baked, name, unit), source(baked, name)};
+}
+
+#define FLASHBVH_KIND(Index, layout)                                                 \
+  template std::size_t flash_bytes(const bake::BakedTree<Index, layout>&);           \
+  template CppFiles cpp_of(const bake::BakedTree<Index, layout>&, const OutputName&, \
+                           const std::string&);
+FLASHBVH_FOR_EACH_KIND(FLASHBVH_KIND)
+#undef FLASHBVH_KIND
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,133 @@
+#include "image/image_file.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "text/files.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+std::string refusal(Status status, const ImageHeader& header, std::size_t size) {
+  switch (status) {
+    case Status::image_truncated:
+      return concat("is truncated: it has ", size, " bytes",
+                    (size < sizeof header ? concat(" and needs a header of ", sizeof header)
+                                          : concat(" of ", header.byte_count)),
+                    "; copy or bake it again");
+    case Status::image_not_flashbvh:
+      return "is no flashbvh image; name a .fbvh file";
+    case Status::image_version:
+      return concat("is written in version ", header.version,
+                    " of the image format, this program reads version ", kImageVersion,
+                    "; bake it again");
+    case Status::image_corrupt:
+      return "is corrupt: its checksum does not match; copy or bake it again";
+    case Status::image_kind:
+      return "has a layout or index width that this program does not know; bake it again";
+    default:
+      return "is invalid: its checksum matches, but its contents break a rule of the format; bake "
+             "it again";
+  }
+}
+
+template <class TreeType>
+Status open_as(const void* bytes, std::size_t size, AnyTree& any) {
+  return open_image(bytes, size, any.emplace<TreeType>());
+}
+
+Status open_any(const void* bytes, std::size_t size, const ImageHeader& header, AnyTree& any) {
+  const bool pre = header.layout == static_cast<std::uint8_t>(Layout::pre_indexed);
+  if (header.index_bits == 16) {
+    return pre ? open_as<LevelledPreMesh>(bytes, size, any)
+               : open_as<LevelledPostMesh>(bytes, size, any);
+  }
+  return pre ? open_as<LargeLevelledPreMesh>(bytes, size, any)
+             : open_as<LargeLevelledPostMesh>(bytes, size, any);
+}
+
+double double_of(const std::uint32_t (&words)[2]) {
+  double value = 0;
+  static_assert(sizeof value == sizeof words);
+  std::memcpy(&value, words, sizeof value);
+  return value;
+}
+
+}  // namespace
+
+ImageFile::ImageFile(const std::string& path) : path_(path) {
+  const std::string bytes = read_file(path);
+  words_.resize((bytes.size() + 3) / 4);
+  std::memcpy(words_.data(), bytes.data(), bytes.size());
+  // Only for what messages say: the library judges.
+  std::memcpy(&header_, bytes.data(), std::min(bytes.size(), sizeof header_));
+  ImageHeader header{};
+  Status status = read_image_header(words_.data(), bytes.size(), header);
+  if (status == Status::done) {
+    status = open_any(words_.data(), bytes.size(), header, tree_);
+  }
+  if (status != Status::done) {
+    throw UserError(path, refusal(status, header_, bytes.size()));
+  }
+  if (bytes.size() != header.byte_count) {
+    throw UserError(path, "has ", bytes.size() - header.byte_count,
+                    " bytes behind its end; copy or bake it again");
+  }
+}
+
+std::string ImageFile::name() const {
+  return std::filesystem::path(path_).stem().string();
+}
+double ImageFile::cell() const {
+  return double_of(header_.cell);
+}
+double ImageFile::deviation() const {
+  return double_of(header_.deviation);
+}
+
+std::vector<SourceTriangle> source_triangles(const ImageFile& image) {
+  std::vector<SourceTriangle> triangles = std::visit(
+      [](const auto& tree) {
+        std::vector<SourceTriangle> all(tree.triangle_count);
+        for (std::uint32_t i = 0; i < tree.triangle_count; ++i) {
+          all[i].number = tree.triangle_ids[i];
+          for (std::size_t corner = 0; corner < 3; ++corner) {
+            all[i].vertices[corner] = tree.triangles[i].corner[corner];
+          }
+        }
+        return all;
+      },
+      image.tree());
+  std::sort(triangles.begin(), triangles.end(),
+            [](const SourceTriangle& t, const SourceTriangle& u) { return t.number < u.number; });
+  for (std::size_t i = 1; i < triangles.size(); ++i) {
+    if (triangles[i].number == triangles[i - 1].number) {
+      throw UserError(image.path(), "is invalid: triangle number ", triangles[i].number,
+                      " occurs twice; bake it again");
+    }
+  }
+  return triangles;
+}
+
+std::vector<LatticePoint> vertices_of(const AnyTree& any) {
+  return std::visit(
+      [](const auto& tree) {
+        std::vector<LatticePoint> points;
+        for (std::uint32_t i = 0; i < tree.vertex_count; ++i) {
+          const Vertex& v = tree.vertices[i];
+          points.push_back({std::int64_t{v.x} + tree.origin[0], std::int64_t{v.y} + tree.origin[1],
+                            std::int64_t{v.z} + tree.origin[2]});
+        }
+        return points;
+      },
+      any);
+}
+
+const char* layout_name(Layout layout) {
+  return layout == Layout::pre_indexed ? "pre" : "post";
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,66 @@
+// Reading binary images.
+#ifndef FLASHBVH_TOOLS_IMAGE_IMAGE_FILE_HPP
+#define FLASHBVH_TOOLS_IMAGE_IMAGE_FILE_HPP
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "flashbvh/image.hpp"
+
+namespace flashbvh::tool {
+
+/// Whatever the layout and the width of the indices.
+using AnyTree =
+    std::variant<LevelledPreMesh, LevelledPostMesh, LargeLevelledPreMesh, LargeLevelledPostMesh>;
+
+/// An image in memory, opened and found good by the library.
+class ImageFile {
+ public:
+  /// UserError if the file can't be read or is no good image.
+  explicit ImageFile(const std::string& path);
+  ImageFile(const ImageFile&) = delete;
+  ImageFile& operator=(const ImageFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  /// The file's name without folder and extension.
+  std::string name() const;
+  const ImageHeader& header() const { return header_; }
+  /// A view into the object.
+  const AnyTree& tree() const { return tree_; }
+
+  Layout layout() const { return static_cast<Layout>(header_.layout); }
+  double cell() const;       ///< in the mesh's unit
+  double deviation() const;  ///< likewise
+
+ private:
+  std::string path_;
+  std::vector<std::uint32_t> words_;  ///< the bytes, aligned
+  ImageHeader header_{};
+  AnyTree tree_;
+};
+
+/// A point of the lattice, in cells of the mesh's frame: the vertex and the origin.
+using LatticePoint = std::array<std::int64_t, 3>;
+
+/// A triangle by its number in the source mesh.
+struct SourceTriangle {
+  std::uint32_t number;
+  std::array<std::uint32_t, 3> vertices;
+};
+
+/// In the order of the source mesh; numbers are missing if `bake` left triangles out. UserError,
+/// naming the image, if a number occurs twice: the library can't tell that in constant memory.
+std::vector<SourceTriangle> source_triangles(const ImageFile& image);
+
+/// In the order of the image.
+std::vector<LatticePoint> vertices_of(const AnyTree& any);
+
+/// "pre" or "post".
+const char* layout_name(Layout layout);
+
+}  // namespace flashbvh::tool
+
+#endif

@@ -1,0 +1,20 @@
+// How the files and the namespace of a baked mesh are called.
+#ifndef FLASHBVH_TOOLS_IMAGE_OUTPUT_NAME_HPP
+#define FLASHBVH_TOOLS_IMAGE_OUTPUT_NAME_HPP
+
+#include <string>
+
+namespace flashbvh::tool {
+
+struct OutputName {
+  std::string stem;        ///< of the files: stem.fbvh, stem.fbvh.hpp, stem.fbvh.cpp
+  std::string identifier;  ///< of the namespace
+};
+
+/// After the mesh file, or after `chosen` if that is not empty: "meshes/base link.STL" gives the
+/// stem "base link" and the namespace base_link. UserError if `chosen` is no name for a namespace.
+OutputName output_name(const std::string& mesh_path, const std::string& chosen);
+
+}  // namespace flashbvh::tool
+
+#endif

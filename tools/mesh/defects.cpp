@@ -1,0 +1,144 @@
+#include "mesh/defects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+namespace flashbvh::tool {
+namespace {
+
+using bake::TriangleCorners;
+
+/// Whether a * b == c * d, exactly: the products as sums of two numbers.
+bool equal_products(double a, double b, double c, double d) {
+  const double left = a * b;
+  const double right = c * d;
+  return left == right && std::fma(a, b, -left) == std::fma(c, d, -right);
+}
+
+bool equal_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
+  return a * b == c * d;
+}
+
+template <class Number>
+bool are_parallel(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
+  return equal_products(u[1], v[2], u[2], v[1]) && equal_products(u[2], v[0], u[0], v[2]) &&
+         equal_products(u[0], v[1], u[1], v[0]);
+}
+
+std::array<double, 3> difference(const std::array<double, 3>& p, const std::array<double, 3>& q) {
+  return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+}
+
+std::array<std::int64_t, 3> difference(const Vertex& p, const Vertex& q) {
+  return {q.x - p.x, q.y - p.y, q.z - p.z};
+}
+
+template <class Mesh>
+TriangleNumbers without_area(const Mesh& mesh) {
+  TriangleNumbers found;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const TriangleCorners& corners = mesh.triangles[i];
+    const auto& apex = mesh.vertices[corners[0]];
+    if (are_parallel(difference(apex, mesh.vertices[corners[1]]),
+                     difference(apex, mesh.vertices[corners[2]]))) {
+      found.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  return found;
+}
+
+/// An edge of one triangle.
+struct Edge {
+  std::uint32_t low;
+  std::uint32_t high;
+  bool rises;  ///< the triangle runs from the lower vertex to the higher one
+
+  bool operator<(const Edge& other) const {
+    return std::tie(low, high) < std::tie(other.low, other.high);
+  }
+};
+
+std::vector<Edge> edges_of(const std::vector<TriangleCorners>& triangles,
+                           const TriangleNumbers& duplicates) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles.size());
+  auto duplicate = duplicates.begin();
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (duplicate != duplicates.end() && *duplicate == i) {
+      ++duplicate;
+      continue;
+    }
+    const auto& [p, q, r] = triangles[i];
+    if (p == q || q == r || r == p) {
+      continue;
+    }
+    for (const auto& [from, to] : {std::pair(p, q), std::pair(q, r), std::pair(r, p)}) {
+      edges.push_back({std::min(from, to), std::max(from, to), from < to});
+    }
+  }
+  return edges;
+}
+
+}  // namespace
+
+TriangleNumbers degenerate_triangles(const bake::SourceMesh& mesh) {
+  return without_area(mesh);
+}
+
+TriangleNumbers degenerate_triangles(const bake::LatticeMesh& mesh) {
+  return without_area(mesh);
+}
+
+TriangleNumbers duplicate_triangles(const std::vector<TriangleCorners>& triangles) {
+  std::vector<std::pair<TriangleCorners, std::uint32_t>> sorted;
+  sorted.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    TriangleCorners corners = triangles[i];
+    std::sort(corners.begin(), corners.end());
+    sorted.emplace_back(corners, static_cast<std::uint32_t>(i));
+  }
+  std::sort(sorted.begin(), sorted.end());
+  TriangleNumbers found;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (sorted[i].first == sorted[i - 1].first) {
+      found.push_back(sorted[i].second);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+EdgeDefects edge_defects(const std::vector<TriangleCorners>& triangles,
+                         const TriangleNumbers& duplicates) {
+  std::vector<Edge> edges = edges_of(triangles, duplicates);
+  std::sort(edges.begin(), edges.end());
+  EdgeDefects defects;
+  for (auto first = edges.begin(); first != edges.end();) {
+    const auto end = std::upper_bound(first, edges.end(), *first);
+    const auto count = end - first;
+    defects.open += count == 1 ? 1 : 0;
+    defects.crowded += count > 2 ? 1 : 0;
+    defects.twisted += count == 2 && first[0].rises == first[1].rises ? 1 : 0;
+    first = end;
+  }
+  return defects;
+}
+
+MeshDefects defects_of(const bake::SourceMesh& mesh, const bake::LatticeMesh& rounded,
+                       const TriangleNumbers& degenerate) {
+  MeshDefects defects;
+  defects.degenerate = degenerate;
+  const TriangleNumbers flat = degenerate_triangles(rounded);
+  std::set_difference(flat.begin(), flat.end(), degenerate.begin(), degenerate.end(),
+                      std::back_inserter(defects.collapsed));
+  defects.duplicates = duplicate_triangles(rounded.triangles);
+  defects.edges = edge_defects(rounded.triangles, defects.duplicates);
+  defects.closed_before = !defects.edges.none() &&
+                          edge_defects(mesh.triangles, duplicate_triangles(mesh.triangles)).none();
+  return defects;
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,118 @@
+#include "mesh/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <numeric>
+#include <string_view>
+
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+struct Unit {
+  std::string_view name;
+  std::uint64_t nanometres;
+};
+
+constexpr std::array<Unit, 8> kUnits = {{{"nm", 1},
+                                         {"um", 1'000},
+                                         {"mm", 1'000'000},
+                                         {"cm", 10'000'000},
+                                         {"m", 1'000'000'000},
+                                         {"mil", 25'400},
+                                         {"in", 25'400'000},
+                                         {"ft", 304'800'000}}};
+
+/// In nanometres; 0 if there is no such unit.
+std::uint64_t length_of(std::string_view name) {
+  const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
+                                 [&](const Unit& known) { return known.name == name; });
+  return unit == kUnits.end() ? 0 : unit->nanometres;
+}
+
+/// "part.stl" names meshes/part.stl, too.
+bool is_meant(const std::string& name, const std::string& file) {
+  return name == file || name == std::filesystem::path(file).filename().string();
+}
+
+[[noreturn]] void refuse_second_unit(const std::string& place, const std::string& file,
+                                     const std::string& known) {
+  throw UserError(place, file, " is in ", known, " already; give it one unit");
+}
+
+}  // namespace
+
+Units::Units(const std::vector<std::string>& given, const std::vector<std::string>& files) {
+  for (const std::string& option : given) {
+    const std::size_t equals = option.rfind('=');
+    const std::string unit = equals == std::string::npos ? option : option.substr(equals + 1);
+    if (length_of(unit) == 0) {
+      throw UserError("--unit " + option, "'", unit, "' is no unit; give ", kNames);
+    }
+    if (equals == std::string::npos) {
+      set_common(unit);
+    } else {
+      set_own(option.substr(0, equals), unit, files);
+    }
+  }
+  if (common_.empty() && !own_.empty()) {
+    throw UserError("--unit " + given[0],
+                    "says nothing of the unit of the results; add it, such as --unit mm");
+  }
+}
+
+void Units::set_common(const std::string& unit) {
+  if (!common_.empty() && common_ != unit) {
+    throw UserError("--unit " + unit, "the unit is ", common_,
+                    " already; give a file's own unit as --unit FILE=", unit);
+  }
+  common_ = unit;
+}
+
+void Units::set_own(const std::string& name, const std::string& unit,
+                    const std::vector<std::string>& files) {
+  const std::string place = "--unit " + name + "=" + unit;
+  bool found = false;
+  for (const std::string& file : files) {
+    if (is_meant(name, file)) {
+      const std::string& known = own_.emplace(file, unit).first->second;
+      if (known != unit) {
+        refuse_second_unit(place, file, known);
+      }
+      found = true;
+    }
+  }
+  if (!found) {
+    throw UserError(place, "no mesh '", name,
+                    "' is given; name one as it is given, or by its name without folders");
+  }
+}
+
+void Units::convert(bake::SourceMesh& mesh, const std::string& file) const {
+  const auto own = own_.find(file);
+  if (own == own_.end()) {
+    return;
+  }
+  const std::uint64_t from = length_of(own->second);
+  const std::uint64_t to = length_of(common_);
+  const std::uint64_t common_part = std::gcd(from, to);
+  const std::uint64_t numerator = from / common_part;
+  const std::uint64_t denominator = to / common_part;
+  // The ratio in lowest terms: from mm to m each coordinate is rounded once, by the division.
+  const auto times = static_cast<double>(numerator);
+  const auto over = static_cast<double>(denominator);
+  for (auto& vertex : mesh.vertices) {
+    for (double& coordinate : vertex) {
+      coordinate = coordinate * times / over;
+    }
+  }
+}
+
+std::string Units::with_unit(double length) const {
+  return shortest(length) + (common_.empty() ? "" : " " + common_);
+}
+
+}  // namespace flashbvh::tool

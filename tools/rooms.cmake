@@ -1,0 +1,25 @@
+# The rooms of the host program: folders that are a library each. A room sees its own folder and those
+# of the rooms that it uses, and theirs; an include of any other does not compile.
+
+# flashbvh_room(SOURCES source... [USES room...]): flashbvh_FOLDER, of the folder that calls.
+function(flashbvh_room)
+  cmake_parse_arguments(arg "" "" "SOURCES;USES" ${ARGN})
+  get_filename_component(room ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  add_library(flashbvh_${room} STATIC ${arg_SOURCES})
+  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/seen)
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/seen/${room} SYMBOLIC)
+  target_include_directories(flashbvh_${room} PUBLIC ${CMAKE_CURRENT_BINARY_DIR}/seen)
+  foreach(used ${arg_USES})
+    flashbvh_need_room(${used})
+    target_link_libraries(flashbvh_${room} PUBLIC flashbvh_${used})
+  endforeach()
+  flashbvh_warnings(flashbvh_${room})
+endfunction()
+
+# flashbvh_need_room(room): for builds of parts of the program.
+function(flashbvh_need_room room)
+  if(NOT TARGET flashbvh_${room})
+    add_subdirectory(${FLASHBVH_SOURCE_DIR}/tools/${room} ${PROJECT_BINARY_DIR}/tools/${room}
+      EXCLUDE_FROM_ALL)
+  endif()
+endfunction()

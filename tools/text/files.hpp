@@ -1,0 +1,41 @@
+// Files: read whole, written whole or not at all.
+#ifndef FLASHBVH_TOOLS_TEXT_FILES_HPP
+#define FLASHBVH_TOOLS_TEXT_FILES_HPP
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flashbvh::tool {
+
+/// The bytes of a file. UserError if it can't be read or is empty.
+std::string read_file(const std::string& path);
+
+/// Files that belong together: either all of them get written or none.
+class FileSet {
+ public:
+  /// Adds a file; nothing is written yet.
+  void add(std::filesystem::path path, std::string bytes) {
+    files_.push_back({std::move(path), std::move(bytes)});
+  }
+
+  /// Writes every file under a temporary name beside its own, then renames them all; makes their
+  /// folder if there is none. UserError if that fails; then what it made is gone again, unless a
+  /// rename failed behind another that replaced an older file.
+  void write() const;
+
+ private:
+  struct File {
+    std::filesystem::path path;
+    std::string bytes;
+  };
+  std::vector<File> files_;
+};
+
+/// One file alone.
+void write_file(const std::string& path, std::string bytes);
+
+}  // namespace flashbvh::tool
+
+#endif

@@ -1,0 +1,73 @@
+#include "text/numbers.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace flashbvh::tool {
+namespace {
+
+template <class Number, class... Format>
+std::string to_text(Number value, Format... format) {
+  std::array<char, 400> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format...);
+  return std::string(text.data(), end.ptr);
+}
+
+std::string with_point(const std::string& text) {
+  const bool is_floating = text.find_first_of(".e") != std::string::npos;
+  return text + (is_floating ? "" : ".0");
+}
+
+/// from_chars knows no plus sign.
+std::string_view without_plus(std::string_view text) {
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  return plus ? text.substr(1) : text;
+}
+
+template <class Number>
+std::optional<Number> parse(std::string_view text) {
+  text = without_plus(text);
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+}  // namespace
+
+std::string shortest(double value) {
+  return to_text(value);
+}
+
+std::string floating_literal(double value) {
+  return with_point(to_text(value));
+}
+
+std::string float_literal(double value) {
+  const bool fits = std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max());
+  return with_point(to_text(fits ? static_cast<float>(value) : 0.0f)) + "f";
+}
+
+std::string fixed(double value, int digits) {
+  return to_text(value, std::chars_format::fixed, digits);
+}
+
+std::string significant(double value, int digits) {
+  return to_text(value, std::chars_format::general, digits);
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  const std::optional<double> value = parse<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<long long> parse_integer(std::string_view text) {
+  return parse<long long>(text);
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,50 @@
+// Numbers to text and back, the same on every machine and in every locale.
+#ifndef FLASHBVH_TOOLS_TEXT_NUMBERS_HPP
+#define FLASHBVH_TOOLS_TEXT_NUMBERS_HPP
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace flashbvh::tool {
+
+/// The parts one after the other, integers in decimal.
+template <class... Parts>
+std::string concat(const Parts&... parts) {
+  std::string text;
+  const auto add = [&text](const auto& part) {
+    if constexpr (std::is_integral_v<std::decay_t<decltype(part)>>) {
+      text += std::to_string(part);
+    } else {
+      text += part;
+    }
+  };
+  (add(parts), ...);
+  return text;
+}
+
+/// The shortest text that reads back as the same number.
+std::string shortest(double value);
+
+/// The same as a C++ literal of type double. Precondition: finite.
+std::string floating_literal(double value);
+
+/// The nearest number of type float as a C++ literal; 0 if it has no finite one.
+std::string float_literal(double value);
+
+/// With `digits` digits behind the point, for tables.
+std::string fixed(double value, int digits);
+
+/// With at most `digits` digits that count, for tables.
+std::string significant(double value, int digits);
+
+/// The whole of `text` as a finite number (decimal, an optional sign, an optional exponent).
+std::optional<double> parse_number(std::string_view text);
+
+/// The whole of `text` as an integer.
+std::optional<long long> parse_integer(std::string_view text);
+
+}  // namespace flashbvh::tool
+
+#endif
