@@ -23,7 +23,7 @@
 namespace flashbvh::tool {
 namespace {
 
-struct Arguments {
+struct BakeArguments {
   std::vector<std::string> meshes;
   std::string folder;
   std::string format = "both";
@@ -42,7 +42,7 @@ struct Arguments {
 };
 
 /// Output files and namespaces must not collide.
-std::vector<OutputName> output_names(const Arguments& arguments) {
+std::vector<OutputName> output_names(const BakeArguments& arguments) {
   if (!arguments.name.empty() && arguments.meshes.size() > 1) {
     throw UserError("--name", "names one mesh, but " + std::to_string(arguments.meshes.size()) +
                                   " are given; bake them one by one with the same --cell");
@@ -71,7 +71,7 @@ double length_of(const std::string& option, const std::string& text, double leas
   return *length;
 }
 
-double common_cell(const Arguments& arguments, const std::vector<InputMesh>& meshes) {
+double common_cell(const BakeArguments& arguments, const std::vector<InputMesh>& meshes) {
   if (arguments.cell) {
     return length_of("--cell", *arguments.cell,
                      static_cast<double>(std::numeric_limits<float>::min()));
@@ -83,7 +83,7 @@ double common_cell(const Arguments& arguments, const std::vector<InputMesh>& mes
   return cell;
 }
 
-void check_budget(const Arguments& arguments, const std::string& mesh, std::size_t bytes) {
+void check_budget(const BakeArguments& arguments, const std::string& mesh, std::size_t bytes) {
   if (arguments.max_bytes && static_cast<std::int64_t>(bytes) > *arguments.max_bytes) {
     throw UserError(mesh, "takes " + std::to_string(bytes) + " bytes, --max-bytes allows " +
                               std::to_string(*arguments.max_bytes) +
@@ -100,7 +100,7 @@ std::string image_file(const Baked& baked, const std::string& path) {
   return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]};
 }
 
-BakeOptions options_of(const Arguments& arguments) {
+BakeOptions options_of(const BakeArguments& arguments) {
   BakeOptions options;
   options.layout = arguments.layout == "pre" ? Layout::pre_indexed : Layout::post_indexed;
   options.index_bits = arguments.index_bits;
@@ -119,7 +119,7 @@ BakeOptions options_of(const Arguments& arguments) {
   return options;
 }
 
-BakeResult bake_one(const Arguments& arguments, const InputMesh& mesh, double cell,
+BakeResult bake_one(const BakeArguments& arguments, const InputMesh& mesh, double cell,
                     const OutputName& name, FileSet& files) {
   const std::string unit = Units(arguments.units, arguments.meshes).common();
   BakeResult result = {name, bake_mesh(mesh, cell, options_of(arguments)), 0, 0};
@@ -142,8 +142,9 @@ BakeResult bake_one(const Arguments& arguments, const InputMesh& mesh, double ce
   return result;
 }
 
-std::vector<InputMesh> read_meshes(const Arguments& arguments, const std::vector<double>& weights,
-                                   Progress& progress, Warnings& warnings) {
+std::vector<InputMesh> read_meshes(const BakeArguments& arguments,
+                                   const std::vector<double>& weights, Progress& progress,
+                                   Warnings& warnings) {
   const Units units(arguments.units, arguments.meshes);
   std::vector<InputMesh> meshes;
   for (const std::string& path : arguments.meshes) {
@@ -167,7 +168,7 @@ std::vector<double> weights_of(const std::vector<std::string>& paths) {
 }
 
 /// Everything but the reports.
-std::vector<BakeResult> bake_and_write(const Arguments& arguments, double& cell,
+std::vector<BakeResult> bake_and_write(const BakeArguments& arguments, double& cell,
                                        Warnings& warnings) {
   const std::vector<OutputName> names = output_names(arguments);
   const std::vector<double> weights = weights_of(arguments.meshes);
@@ -187,7 +188,7 @@ std::vector<BakeResult> bake_and_write(const Arguments& arguments, double& cell,
   return results;
 }
 
-void bake_all(const Arguments& arguments) {
+void bake_all(const BakeArguments& arguments) {
   Warnings warnings;
   double cell = 0;
   const std::vector<BakeResult> results = bake_and_write(arguments, cell, warnings);
@@ -196,7 +197,7 @@ void bake_all(const Arguments& arguments) {
 }
 
 /// What meshes are taken as, and what is refused.
-void add_mesh_options(CLI::App& command, Arguments& a) {
+void add_mesh_options(CLI::App& command, BakeArguments& a) {
   command.add_option("--max-bytes", a.max_bytes, "Refuse to write if an image is larger")
       ->check(CLI::PositiveNumber);
   command
@@ -222,8 +223,8 @@ void add_mesh_options(CLI::App& command, Arguments& a) {
 }  // namespace
 
 void add_bake(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Arguments& a = *arguments;
+  const auto arguments = std::make_shared<BakeArguments>();
+  BakeArguments& a = *arguments;
   CLI::App* const command = app.add_subcommand(
       "bake",
       "Turn meshes (STL, OBJ, PLY, OFF) into trees: C++ arrays and binary images.\n"

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct BenchArguments {
   std::vector<std::uint32_t> tables;
   bench::Effort effort;
   bench::FirmwareOptions firmware;
@@ -33,7 +33,7 @@ struct Arguments {
   }
 };
 
-void check(const Arguments& arguments) {
+void check(const BenchArguments& arguments) {
   if (!std::isfinite(arguments.effort.repetitions_scale) ||
       !(arguments.effort.repetitions_scale > 0) || arguments.effort.repetitions_scale > 1000) {
     throw UserError("--repetitions-scale", "must lie above 0 and at most at 1000; see --help");
@@ -121,7 +121,7 @@ void print_text(const bench::SetupResult& result, bool first_of_table) {
 }
 
 /// False if the rows of a setup found different overlaps.
-bool run_all(const Arguments& arguments) {
+bool run_all(const BenchArguments& arguments) {
   bench::Objects objects;
   std::vector<bench::SetupResult> results;
   std::vector<bench::DefaultTreeResult> default_results;
@@ -178,8 +178,8 @@ void add_firmware(CLI::App& command, bench::FirmwareOptions& firmware) {
 }  // namespace
 
 void add_bench(CLI::App& app, ExitCode& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
-  Arguments& a = *arguments;
+  const auto arguments = std::make_shared<BenchArguments>();
+  BenchArguments& a = *arguments;
   CLI::App* const command = app.add_subcommand(
       "bench", "Repeat the paper's evaluation, section 9, tables 2 to 8, on this machine.");
   command->add_option("--table", a.tables, "Only this table; may be given more than once")

@@ -112,14 +112,14 @@ class Comparison {
   LeftOut left_out_;
 };
 
-struct Arguments {
+struct CheckArguments {
   std::string image;
   std::string mesh;
   std::vector<std::string> units;
 };
 
 /// The mesh, as `bake` reads it, against the image: sets the exit code, returns the verdict.
-std::string compare(const Arguments& arguments, const ImageFile& image,
+std::string compare(const CheckArguments& arguments, const ImageFile& image,
                     const std::vector<SourceTriangle>& triangles, ExitCode& exit_code) {
   const Units units(arguments.units, {arguments.mesh});
   Warnings warnings;
@@ -146,7 +146,7 @@ std::string compare(const Arguments& arguments, const ImageFile& image,
          " degenerate and " + std::to_string(left_out.duplicate) + " duplicate triangles";
 }
 
-ExitCode check(const Arguments& arguments) {
+ExitCode check(const CheckArguments& arguments) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
   std::string verdict = "well-formed, " + std::to_string(triangles.size()) + " triangles, " +
@@ -162,7 +162,7 @@ ExitCode check(const Arguments& arguments) {
 }  // namespace
 
 void add_check(CLI::App& app, ExitCode& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* const command = app.add_subcommand(
       "check",
       "Prove that an image is well-formed and, with --mesh, that it is this mesh.\n"

@@ -3,6 +3,8 @@
 #define FLASHBVH_TOOLS_CLI_COMMANDS_HPP
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 namespace flashbvh::tool {
 
@@ -17,6 +19,9 @@ void add_export(CLI::App& app);
 void add_report(CLI::App& app);
 void add_collide(CLI::App& app);
 void add_bench(CLI::App& app, ExitCode& exit_code);
+
+/// Declares --unit of a command, which can be given several times and takes one word each time.
+void add_unit_option(CLI::App& command, std::vector<std::string>& given);
 
 }  // namespace flashbvh::tool
 

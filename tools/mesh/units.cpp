@@ -26,8 +26,6 @@ constexpr std::array<Unit, 8> kUnits = {{{"nm", 1},
                                          {"in", 25'400'000},
                                          {"ft", 304'800'000}}};
 
-constexpr const char* kNames = "nm, um, mm, cm, m, mil, in or ft";
-
 /// In nanometres; 0 if there is no such unit.
 std::uint64_t length_of(std::string_view name) {
   const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
@@ -47,26 +45,12 @@ bool is_meant(const std::string& name, const std::string& file) {
 
 }  // namespace
 
-void add_unit_option(CLI::App& command, std::vector<std::string>& given) {
-  command
-      .add_option(
-          "--unit", given,
-          "Unit of the meshes and of all other lengths, given and printed: " + std::string(kNames) +
-              ".\nFILE=UNIT: this file alone is in another unit and is converted. "
-              "May be repeated. Default: numbers as they are")
-      ->type_name("UNIT|FILE=UNIT")
-      ->type_size(1)
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
 Units::Units(const std::vector<std::string>& given, const std::vector<std::string>& files) {
   for (const std::string& option : given) {
     const std::size_t equals = option.rfind('=');
     const std::string unit = equals == std::string::npos ? option : option.substr(equals + 1);
     if (length_of(unit) == 0) {
-      throw UserError("--unit " + option, "'" + unit + "' is no unit; give " + kNames);
+      throw UserError("--unit " + option, "'" + unit + "' is no unit; give " + kUnitNames);
     }
     if (equals == std::string::npos) {
       set_common(unit);

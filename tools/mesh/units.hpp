@@ -2,7 +2,6 @@
 #ifndef FLASHBVH_TOOLS_MESH_UNITS_HPP
 #define FLASHBVH_TOOLS_MESH_UNITS_HPP
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,8 +10,7 @@
 
 namespace flashbvh::tool {
 
-/// Declares --unit, which can be given several times and takes one word each time.
-void add_unit_option(CLI::App& command, std::vector<std::string>& given);
+inline constexpr const char* kUnitNames = "nm, um, mm, cm, m, mil, in or ft";
 
 /// What --unit says of some mesh files. "U" is the unit of everything: of all results and lengths,
 /// and of each file that "FILE=U" does not give another one; such a file is converted.
