@@ -28,8 +28,8 @@ ensure_packages() {
 
 host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
   catch2"
-# The fuzzer; without it the corpora alone are replayed.
-fuzz_packages="clang libclang-rt-14-dev"
+# The sanitizers, and the fuzzer, without which the corpora alone are replayed.
+sanitizer_packages="clang libclang-rt-14-dev"
 # 32-bit programs that this machine runs, for the digest that every compiler must get.
 digest_packages="g++-i686-linux-gnu"
 board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib

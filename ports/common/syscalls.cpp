@@ -1,5 +1,5 @@
-// What newlib asks of an operating system, for the programs that run Catch2: a heap between .bss
-// and the stack, standard output, a clock. Firmware never links this.
+// What newlib asks of an operating system, for tests that use it: a heap between .bss and
+// the stack, standard output, a clock. Firmware never links this.
 #include <errno.h>
 #include <stddef.h>
 #include <sys/stat.h>

@@ -14,13 +14,6 @@ if(NOT FLASHBVH_BOARD OR NOT EXISTS ${board_file})
 endif()
 include(${board_file})
 
-# Catch2 takes 300 to 600 KB of flash and 110 KB of heap, and needs iostream.
-set(FLASHBVH_BOARD_HAS_CATCH2 FALSE)
-if(FLASHBVH_HAS_CXX_LIBRARY AND FLASHBVH_FLASH_KB GREATER_EQUAL 512 AND
-    FLASHBVH_RAM_KB GREATER_EQUAL 256)
-  set(FLASHBVH_BOARD_HAS_CATCH2 TRUE)
-endif()
-
 set(CMAKE_CROSSCOMPILING_EMULATOR ${flashbvh_ports}/run ${FLASHBVH_MACHINE})
 
 # flashbvh_use_compiler(prefix packages flags): the flags are those beside the core's own.

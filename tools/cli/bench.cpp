@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct BenchArguments {
   std::vector<std::uint32_t> tables;
   Effort effort;
   FirmwareOptions firmware;
@@ -31,7 +31,7 @@ struct Arguments {
   }
 };
 
-void check(const Arguments& arguments) {
+void check(const BenchArguments& arguments) {
   if (!std::isfinite(arguments.effort.repetitions_scale) ||
       !(arguments.effort.repetitions_scale > 0) || arguments.effort.repetitions_scale > 1000) {
     throw UserError("--repetitions-scale", "must lie above 0 and at most at 1000; see --help");
@@ -116,7 +116,7 @@ void print_text(const SetupResult& result, bool first_of_table) {
 }
 
 /// False if the rows of a setup found different overlaps.
-bool run_all(const Arguments& arguments) {
+bool run_all(const BenchArguments& arguments) {
   Objects objects;
   std::vector<SetupResult> results;
   std::vector<DefaultTreeResult> default_results;
@@ -173,8 +173,8 @@ void add_firmware(CLI::App& command, FirmwareOptions& firmware) {
 }  // namespace
 
 void add_bench(CLI::App& app, ExitCode& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
-  Arguments& a = *arguments;
+  const auto arguments = std::make_shared<BenchArguments>();
+  BenchArguments& a = *arguments;
   CLI::App* const command = app.add_subcommand(
       "bench", "Repeat the paper's evaluation, section 9, tables 2 to 8, on this machine.");
   command->add_option("--table", a.tables, "Only this table; may be given more than once")

@@ -100,14 +100,14 @@ class Comparison {
   LeftOut left_out_;
 };
 
-struct Arguments {
+struct CheckArguments {
   std::string image;
   std::string mesh;
   std::vector<std::string> units;
 };
 
 /// The mesh, as `bake` reads it, against the image: sets the exit code, returns the verdict.
-std::string compare(const Arguments& arguments, const ImageFile& image,
+std::string compare(const CheckArguments& arguments, const ImageFile& image,
                     const std::vector<SourceTriangle>& triangles, ExitCode& exit_code) {
   const Units units(arguments.units, {arguments.mesh});
   Warnings warnings;
@@ -132,7 +132,7 @@ std::string compare(const Arguments& arguments, const ImageFile& image,
                 left_out.duplicate, " duplicate triangles");
 }
 
-ExitCode check(const Arguments& arguments) {
+ExitCode check(const CheckArguments& arguments) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
   std::string verdict = concat("well-formed, ", triangles.size(), " triangles, ",
@@ -148,7 +148,7 @@ ExitCode check(const Arguments& arguments) {
 }  // namespace
 
 void add_check(CLI::App& app, ExitCode& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* const command = app.add_subcommand(
       "check",
       "Prove that an image is well-formed and, with --mesh, that it is this mesh.\n"

@@ -18,7 +18,7 @@
 namespace flashbvh::tool {
 namespace {
 
-struct Arguments {
+struct CollideArguments {
   std::string a;
   std::string b;
   std::string poses;
@@ -45,7 +45,7 @@ void check_partners(const ImageFile& a, const ImageFile& b) {
   }
 }
 
-std::string chosen_algorithm(const Arguments& arguments, const ImageFile& a) {
+std::string chosen_algorithm(const CollideArguments& arguments, const ImageFile& a) {
   if (arguments.algorithm.empty()) {
     return default_traversal(a.layout());
   }
@@ -121,7 +121,7 @@ void print_bound(const ImageFile& a, const ImageFile& b, const std::string& algo
             << ", pairs of triangles a pair of leaves " << at_leaf_pair << "\n";
 }
 
-void collide_all(const Arguments& arguments) {
+void collide_all(const CollideArguments& arguments) {
   const ImageFile a(arguments.a);
   const ImageFile b(arguments.b);
   check_partners(a, b);
@@ -163,8 +163,8 @@ void collide_all(const Arguments& arguments) {
 }  // namespace
 
 void add_collide(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Arguments& a = *arguments;
+  const auto arguments = std::make_shared<CollideArguments>();
+  CollideArguments& a = *arguments;
   CLI::App* const command = app.add_subcommand(
       "collide", "Find the triangles of A that meet triangles of B, by the firmware's own code.");
   command->add_option("A", a.a, "Image (.fbvh) that stays in place")->required();

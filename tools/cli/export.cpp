@@ -12,7 +12,7 @@
 namespace flashbvh::tool {
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   std::string image;
   std::string mesh;
   std::optional<std::string> placed;
@@ -36,7 +36,7 @@ std::string faces_of(const std::vector<SourceTriangle>& triangles) {
   return text;
 }
 
-void write_obj(const Arguments& arguments) {
+void write_obj(const ExportArguments& arguments) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
   std::vector<LatticePoint> vertices = vertices_of(image.tree());
@@ -54,7 +54,7 @@ void write_obj(const Arguments& arguments) {
 }  // namespace
 
 void add_export(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ExportArguments>();
   CLI::App* const command =
       app.add_subcommand("export",
                          "Write the lattice mesh of an image as OBJ: integer coordinates in cells, "

@@ -116,11 +116,11 @@ void info(const std::string& path, bool json) {
 }  // namespace
 
 void add_info(CLI::App& app) {
-  struct Arguments {
+  struct InfoArguments {
     std::string image;
     bool json = false;
   };
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<InfoArguments>();
   CLI::App* const command = app.add_subcommand("info", "Print what is in an image.");
   command->add_option("IMAGE", arguments->image, "Image (.fbvh)")->required();
   command->add_flag("--json", arguments->json, "As one JSON object");

@@ -13,7 +13,7 @@
 namespace flashbvh::tool {
 namespace {
 
-struct Arguments {
+struct ReportArguments {
   std::vector<std::string> images;
   std::string page;
   std::size_t poses = 100;
@@ -33,7 +33,7 @@ void refuse_to_replace_image(const std::string& path) {
   }
 }
 
-void write_page(const Arguments& arguments) {
+void write_page(const ReportArguments& arguments) {
   refuse_to_replace_image(arguments.page);
   std::vector<std::unique_ptr<ImageFile>> images;
   for (const std::string& path : arguments.images) {
@@ -51,7 +51,7 @@ void write_page(const Arguments& arguments) {
 }  // namespace
 
 void add_report(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ReportArguments>();
   CLI::App* const command = app.add_subcommand(
       "report",
       "Write a page about images: the mesh with its boxes, bytes by part, the tree's shape,\n"

@@ -89,8 +89,8 @@ class Scale {
   Scale(const Chart& chart, const Frame& frame) : frame_(frame) {
     x_low_ = std::log10(chart.x_ticks.front()) - 0.12;
     x_high_ = std::log10(chart.x_ticks.back()) + 0.12;
-    double low = INFINITY;
-    double high = -INFINITY;
+    double low = HUGE_VAL;
+    double high = -HUGE_VAL;
     for (const Series& series : chart.series) {
       for (const ChartPoint& point : series.points) {
         low = std::min(low, std::log10(point.y));

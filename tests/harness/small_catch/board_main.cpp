@@ -1,4 +1,4 @@
-// main() of test executables on boards that Catch2 does not fit.
+// main() of every test executable on a board.
 #include "assertion.hpp"
 #include "semihosting.hpp"
 #include "stack.hpp"

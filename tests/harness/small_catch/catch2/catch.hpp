@@ -1,5 +1,5 @@
-// The part of Catch2 that our tests use, for boards that Catch2 does not fit: no heap, no C++
-// library, no stdio. The same test sources include it as <catch2/catch.hpp>.
+// The part of Catch2 that our tests use, for boards: no heap, no C++ library, no stdio, and
+// compiled in a fraction of the time. The same test sources include it as <catch2/catch.hpp>.
 //
 // TEST_CASE, TEMPLATE_TEST_CASE, TEMPLATE_TEST_CASE_SIG, SECTION, GENERATE, CHECK, CHECK_FALSE,
 // REQUIRE, REQUIRE_FALSE, STATIC_REQUIRE, FAIL, INFO of a string, CAPTURE. What differs from
