@@ -69,14 +69,14 @@ class Query : Question {
       : Question(question),
         a_(&a),
         b_(&b),
-        transform_(pose, a, b, Order::kStartsAtRoots && Question::kDisjointRootsEnd),
         counts_{0, 0, 0, 0},
         cursor_(start),
         leaf_a_(0),
         leaf_b_(0),
         untested_(0),
         state_(State::fresh),
-        error_(error_of(a, b, pose, start)) {}
+        error_(error_of(a, b, pose, start)),
+        transform_(pose, a, b, Order::kStartsAtRoots && Question::kDisjointRootsEnd) {}
 
   /// Meshes and poses that would be gone before the first run.
   Query(const Mesh&&, const Mesh&, const Pose&, const Cursor& = Cursor()) = delete;
@@ -170,12 +170,12 @@ class Query : Question {
   /// wrote a pair and ended with `full`.
   void last_pair(Triangle& a, Triangle& b) const {
     detail::translate_triangle(*a_, current_a(), detail::kNoOffset, a);
-    transform_b(b);
+    transform_b(current_b(), b);
   }
 
  private:
-  FLASHBVH_NOINLINE void transform_b(Triangle& b) const {
-    detail::transform_triangle(*b_, current_b(), transform_, b);
+  FLASHBVH_NOINLINE void transform_b(uint32_t position, Triangle& b) const {
+    detail::transform_triangle(*b_, position, transform_, b);
   }
 
   static uint32_t triangles(const Mesh& mesh, uint32_t leaf) {
@@ -268,7 +268,7 @@ class Query : Question {
     Triangle a;
     Triangle b;
     --untested_;
-    transform_b(b);
+    transform_b(current_b(), b);
     for (uint32_t of_a = current_a();; --of_a, --untested_) {
       detail::translate_triangle(*a_, of_a, detail::kNoOffset, a);
       if (Question::test(a, b)) {
@@ -281,16 +281,17 @@ class Query : Question {
     }
   }
 
+  // What is read most comes first, where short instructions reach it.
   const Mesh* a_;
   const Mesh* b_;
-  detail::Transform transform_;
   Counts counts_;
   Cursor cursor_;
-  Index leaf_a_;       ///< the cursor's pair of leaves, by number, once it is at one
+  Index leaf_a_;  ///< the cursor's pair of leaves, by number, once it is at one
   Index leaf_b_;
   uint16_t untested_;  ///< pairs of triangles that the cursor's pair of leaves still has
   State state_;
   Status error_;  ///< `done`: none
+  detail::Transform transform_;
 };
 
 /// The default query, and the same for meshes with 32-bit indices.

@@ -16,9 +16,8 @@ constexpr int32_t kOne = 1 << kKeptBits;
 constexpr int32_t kTolerance = kRotationTolerance >> (kGivenBits - kKeptBits);
 static_assert(kRotationOne == 1 << kGivenBits, "one meaning of one");
 
-/// R^T R is a product of two matrices: its entries have twice the fraction bits.
-constexpr unsigned kSquareBits = 2 * kKeptBits;
-constexpr int64_t kMaxEntryDefect = int64_t{kTolerance} << kKeptBits;
+/// The tolerance, in 2^-kDefectBits.
+constexpr uint32_t kMaxEntryDefect = static_cast<uint32_t>(kTolerance) << (kDefectBits - kKeptBits);
 
 /// A product's entries are rounded by 2^-23 each, F. (AB + F)^T (AB + F) - 1 then has F^T A B and
 /// its transpose more, and the norm of F is at most 3 * 2^-23: 6 * 2^-23 times the norms of A and
@@ -44,15 +43,18 @@ constexpr int64_t product(int32_t u, int32_t v) {
   return static_cast<int64_t>(u) * v;
 }
 
-inline int64_t dot(const int32_t (&u)[3], const int32_t (&v)[3]) {
+[[gnu::noinline]] int64_t dot(const int32_t (&u)[3], const int32_t (&v)[3]) {
   return product(u[0], v[0]) + product(u[1], v[1]) + product(u[2], v[2]);
 }
 
-/// An entry of R^T R - 1, in 2^-kSquareBits.
-inline int64_t deviation(const Entries& r, int j, int k) {
-  const int64_t dot =
-      product(r[0][j], r[0][k]) + product(r[1][j], r[1][k]) + product(r[2][j], r[2][k]);
-  return j == k ? dot - product(kOne, kOne) : dot;
+/// The magnitude of an entry of R^T R - 1, in 2^-kDefectBits, rounded up. Entries given are below 2,
+/// so it is below 2^28.
+[[gnu::noinline]] uint32_t deviation(const Entries& r, int j, int k) {
+  const int64_t one = j == k ? product(kOne, kOne) : 0;
+  const int64_t square = magnitude(product(r[0][j], r[0][k]) + product(r[1][j], r[1][k]) +
+                                   product(r[2][j], r[2][k]) - one);
+  constexpr unsigned drop = 2 * kKeptBits - kDefectBits;  // a product has twice the fraction bits
+  return static_cast<uint32_t>((square + (int64_t{1} << drop) - 1) >> drop);
 }
 
 /// Whether the determinant of an orthogonal matrix is -1 rather than 1: each cofactor is then minus
@@ -69,22 +71,25 @@ inline bool mirrors(const Entries& r) {
 
 constexpr uint32_t kNoRotation = UINT32_MAX;
 
-/// A bound on the spectral norm of R^T R - 1, in 2^-kDefectBits, rounded up: a symmetric matrix's
-/// largest sum of a row's magnitudes is one. kNoRotation if an entry is beyond the tolerance.
+/// A bound on the spectral norm of R^T R - 1, in 2^-kDefectBits: a symmetric matrix's largest sum
+/// of a row's magnitudes is one. kNoRotation if an entry is beyond the tolerance.
 [[gnu::noinline]] uint32_t defect_of(const Entries& r) {
-  const int64_t xy = magnitude(deviation(r, 0, 1));
-  const int64_t xz = magnitude(deviation(r, 0, 2));
-  const int64_t yz = magnitude(deviation(r, 1, 2));
-  const int64_t x = magnitude(deviation(r, 0, 0));
-  const int64_t y = magnitude(deviation(r, 1, 1));
-  const int64_t z = magnitude(deviation(r, 2, 2));
-  const auto greater = [](int64_t u, int64_t v) { return u > v ? u : v; };
+  const auto greater = [](uint32_t u, uint32_t v) { return u > v ? u : v; };
+  const uint32_t xy = deviation(r, 0, 1);
+  const uint32_t xz = deviation(r, 0, 2);
+  const uint32_t yz = deviation(r, 1, 2);
+  const uint32_t x = deviation(r, 0, 0);
+  const uint32_t y = deviation(r, 1, 1);
+  const uint32_t z = deviation(r, 2, 2);
   if (greater(greater(x, greater(y, z)), greater(xy, greater(xz, yz))) > kMaxEntryDefect) {
     return kNoRotation;
   }
-  const int64_t most = greater(x + xy + xz, greater(y + xy + yz, z + xz + yz));
-  constexpr unsigned drop = kSquareBits - kDefectBits;
-  return static_cast<uint32_t>((most + (int64_t{1} << drop) - 1) >> drop);
+  return greater(x + xy + xz, greater(y + xy + yz, z + xz + yz));
+}
+
+/// An entry given, to kKeptBits; halves up, in 32 bits.
+constexpr int32_t kept_of(int32_t given) {
+  return ((given >> (kGivenBits - kKeptBits - 1)) + 1) >> 1;
 }
 
 /// Whether R is the identity, to the last bit.
@@ -101,10 +106,9 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
   Entries kept;
   for (int i = 0; i < 3; ++i) {
     pose.fraction_[i] = fraction[i];
-    for (int j = 0; j < 3; ++j) {
-      // Halves up, as shifted_rounded(), in 32 bits.
-      kept[i][j] = ((rotation[i][j] >> (kGivenBits - kKeptBits - 1)) + 1) >> 1;
-    }
+    kept[i][0] = kept_of(rotation[i][0]);
+    kept[i][1] = kept_of(rotation[i][1]);
+    kept[i][2] = kept_of(rotation[i][2]);
   }
   pose.set_rotation(kept, defect_of(kept));
   return pose;
@@ -162,8 +166,7 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]) {
   Entries entries;
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) {
-      const int64_t sum = product(left[i][0], right[0][k]) + product(left[i][1], right[1][k]) +
-                          product(left[i][2], right[2][k]);
+      const int64_t sum = dot(left[i], right[k]);
       entries[i][k] = static_cast<int32_t>(shifted_rounded(sum, kKeptBits));
     }
   }
@@ -203,7 +206,7 @@ Pose Pose::composed(const Pose& outer, const Pose& inner) {
   Entries left;
   Entries right;
   outer.get_rotation(left);
-  inner.get_rotation(right);
+  inner.get_transposed(right);
   const int32_t fraction[3] = {inner.fraction_[0], inner.fraction_[1], inner.fraction_[2]};
   pose.set_translation(left, inner.cells_, fraction, &outer);
   pose.set_product(left, right, outer.defect() + inner.defect());
@@ -219,7 +222,7 @@ Pose Pose::relative(const Pose& world_a, const Pose& world_b) {
   Entries left;
   Entries right;
   world_a.get_transposed(left);
-  world_b.get_rotation(right);
+  world_b.get_transposed(right);
   int32_t cells[3];
   int32_t fraction[3];
   for (int i = 0; i < 3; ++i) {

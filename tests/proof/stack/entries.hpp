@@ -40,7 +40,7 @@ template <class Asked>
 
 /// Makes the query if no visits are granted, else runs it for a slice.
 template <class Asked>
-inline void make_or_run(Arguments& in, const typename Asked::Mesh& a,
+[[gnu::always_inline]] inline void make_or_run(Arguments& in, const typename Asked::Mesh& a,
                         const typename Asked::Mesh& b) {
   if (in.visits == 0) {
     make_query<Asked>(in, a, b);
