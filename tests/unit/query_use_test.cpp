@@ -1,0 +1,81 @@
+// What a caller may do with a query beside running it: ask for counts inside a sink, keep the
+// position of one that is done, and not give it what is gone before the first run.
+#include <catch2/catch.hpp>
+
+#include <type_traits>
+
+#include "bake/baked_tree.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/query.hpp"
+#include "support/queries.hpp"
+#include "support/record.hpp"
+#include "support/shapes.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+template <class A, class B, class P>
+constexpr bool kTakes = std::is_constructible<PairQuery, A, B, P>::value;
+static_assert(kTakes<const PostMesh&, const PostMesh&, const Pose&>);
+static_assert(kTakes<const LevelledPostMesh&, const PostMesh&, Pose&>);
+static_assert(!kTakes<PostMesh, const PostMesh&, const Pose&>, "a mesh gone before the first run");
+static_assert(!kTakes<const PostMesh&, PostMesh, const Pose&>);
+static_assert(!kTakes<const PostMesh&, const PostMesh&, Pose>);
+static_assert(!kTakes<PostMesh, PostMesh, Pose>);
+static_assert(!kTakes<LevelledPostMesh, const PostMesh&, const Pose&>);
+
+struct Scene {
+  Baked<Layout::post_indexed> a, b;
+};
+
+Scene overlapping_scene(Random& random) {
+  const auto mesh_a = random_mesh(random, 25, 30, 25);
+  const auto mesh_b = random_mesh(random, 25, 30, 25);
+  return {bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh_a), mesh_a),
+          bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh_b), mesh_b)};
+}
+
+}  // namespace
+
+TEST_CASE("inside a sink counts() says what was done so far, not what was granted") {
+  Random random(test_seed());
+  const Scene scene = overlapping_scene(random);
+  const auto a = scene.a.view();
+  const auto b = scene.b.view();
+  const Pose pose = Pose::translated(1, 2, 3);
+  std::vector<Counts> inside;
+  PairQuery whole(a, b, pose);
+  REQUIRE(whole.run(1000000, [&](const PairQuery::Pair&) {
+    inside.push_back(whole.counts());
+    return true;
+  }) == Status::done);
+  REQUIRE(inside.size() > 20);
+  // The same as where a run ends with its array full.
+  PairQuery cut(a, b, pose);
+  PairQuery::Pair found[1];
+  for (const Counts& counts : inside) {
+    REQUIRE(cut.run(1000000, found).status == Status::full);
+    CHECK(counts.visits == cut.counts().visits);
+    CHECK(counts.overlaps == cut.counts().overlaps);
+    CHECK(counts.leaf_pairs == cut.counts().leaf_pairs);
+    CHECK(counts.triangle_pairs == cut.counts().triangle_pairs);
+  }
+}
+
+TEMPLATE_TEST_CASE("the position of a query that is done is taken, and stays done", "",
+                   Ranked<PostMesh>, StacklessPost, Leaf<PostMesh>) {
+  Random random(test_seed());
+  const Scene scene = overlapping_scene(random);
+  const auto a = scene.a.view();
+  const auto b = scene.b.view();
+  const Pose pose = Pose::translated(1, 2, 3);
+  Query<TestType> query(a, b, pose);
+  REQUIRE(!run_to_end(query, kNoLimit, 100).empty());
+  Query<TestType> other(a, b, pose);
+  CHECK(other.resume(query.position()) == Status::done);
+  CHECK(run_to_end(other, kNoLimit, 100).empty());
+  CHECK(other.counts().visits == 0);
+}

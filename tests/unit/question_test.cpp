@@ -1,0 +1,140 @@
+// The walk takes other questions. Here: which pairs of triangles have boxes within a distance, as
+// a bound and a test of a few lines; orders, walk and query are the library's.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "bake/baked_tree.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/query.hpp"
+#include "support/queries.hpp"
+#include "support/record.hpp"
+#include "support/rotations.hpp"
+#include "support/shapes.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+using namespace flashbvh::test;
+
+namespace {
+
+/// The largest gap between the boxes of two triangles along an axis, in cells; 0 if there is none.
+std::int32_t box_gap(const Triangle& a, const Triangle& b) {
+  std::int32_t gap = 0;
+  for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
+    const auto less = [axis](const Point& p, const Point& q) { return p.*axis < q.*axis; };
+    const auto of_a = std::minmax_element(a.corner, a.corner + 3, less);
+    const auto of_b = std::minmax_element(b.corner, b.corner + 3, less);
+    gap = std::max({gap, (*of_a.first).*axis - (*of_b.second).*axis,
+                    (*of_b.first).*axis - (*of_a.second).*axis});
+  }
+  return gap;
+}
+
+/// Boxes that are no further apart than `distance` along each axis.
+struct NearBound {
+  Point offset;
+  std::int32_t distance;
+
+  bool operator()(const PackedBox& a, const PackedBox& b) const {
+    const auto corners = [](const PackedBox& packed, const Point& t) {
+      const Box box = unpack(packed);
+      const Point lower = {box.lower.x + t.x, box.lower.y + t.y, box.lower.z + t.z};
+      return Triangle{{lower, lower, {box.upper.x + t.x, box.upper.y + t.y, box.upper.z + t.z}}};
+    };
+    return box_gap(corners(a, kNoOffset), corners(b, offset)) <= distance;
+  }
+};
+
+/// The same under a rotation: the sums begin further out, along B's axes by more than sqrt(3) times
+/// as much.
+class GrownBound {
+ public:
+  GrownBound(const RotatedTransform& transform, std::int32_t distance)
+      : grown_(transform), bound_(grown_) {
+    for (int i = 0; i < 3; ++i) {
+      grow(grown_.on_a[i], distance);
+      grow(grown_.on_b[i], 2 * distance);
+    }
+  }
+  bool operator()(const PackedBox& a, const PackedBox& b) { return bound_(a, b); }
+
+ private:
+  static void grow(BoundStart& start, std::int32_t cells) {
+    start.upper += cells * kSplitOne;
+    start.lower += cells * kSplitOne;
+  }
+
+  RotatedTransform grown_;
+  RotatedBound bound_;
+};
+
+struct WithinBoxDistance {
+  static constexpr bool kDisjointRootsEnd = false;
+  std::int32_t distance = 0;
+
+  NearBound translated(const TranslatedTransform& transform) const {
+    return {transform.offset, distance};
+  }
+  GrownBound rotated(const RotatedTransform& transform) const { return {transform, distance}; }
+  bool test(const Triangle& a, const Triangle& b) const { return box_gap(a, b) <= distance; }
+};
+
+/// By their ids, in order.
+template <class Mesh>
+Pairs brute_force(const Mesh& a, const Mesh& b, const Pose& pose, std::int32_t distance) {
+  const Transform transform(pose, a, b, /*may_stop=*/false);
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < a.triangle_count; ++i) {
+    for (std::uint32_t j = 0; j < b.triangle_count; ++j) {
+      Triangle of_a;
+      Triangle of_b;
+      translate_triangle(a, i, kNoOffset, of_a);
+      transform_triangle(b, j, transform, of_b);
+      if (box_gap(of_a, of_b) <= distance) {
+        pairs.emplace_back(a.triangle_ids[i], b.triangle_ids[j]);
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+template <class Order, class Baked>
+void check(const Baked& baked_a, const Baked& baked_b, const Pose& pose, std::int32_t distance) {
+  const auto a = baked_a.view();
+  const auto b = baked_b.view();
+  const Pairs truth = brute_force(a, b, pose, distance);
+  for (const std::uint32_t visits : {1u, 7u, kNoLimit}) {
+    Query<Order, WithinBoxDistance> query(a, b, pose, {}, {distance});
+    Pairs pairs = run_to_end(query, visits, 5);
+    std::sort(pairs.begin(), pairs.end());
+    REQUIRE(pairs == truth);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("another question, boxes within a distance, is a bound and a test and no other walk") {
+  Random random(test_seed());
+  std::uint32_t apart = 0;
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    const auto mesh_a = random_mesh(random, 1 + random.below(30), 300, 25);
+    const auto mesh_b = random_mesh(random, 1 + random.below(30), 300, 25);
+    const auto a =
+        bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh_a), mesh_a);
+    const auto b =
+        bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh_b), mesh_b);
+    const std::int32_t cells[3] = {random.between(-500, 500), random.between(-500, 500), 0};
+    const Pose pose = round % 2 == 0
+                          ? Pose::translated(cells[0], cells[1], cells[2])
+                          : Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
+    for (const std::int32_t distance : {0, 1, 40, 300}) {
+      check<Ranked<PostMesh>>(a, b, pose, distance);
+      check<StacklessPost>(a, b, pose, distance);
+      apart += brute_force(a.view(), b.view(), pose, distance).empty() ? 0 : 1;
+    }
+  }
+  CHECK(apart > 60);
+}
