@@ -10,7 +10,7 @@
 // they are again as far apart as when the leaf was reached leads back to the eight cases.
 //
 // Section 8.3: on post-indexed trees, whose last children lie right after their parents,
-// LevelUp(i, x) = i - x; on pre-indexed ones it climbs from parent to parent (tree.hpp).
+// LevelUp(i, x) = i - x; on pre-indexed ones it climbs from parent to parent (mesh.hpp).
 //
 // The walk is over when a node is the imaginary end node, the root's escape index.
 #ifndef FLASHBVH_PAPER_STACKLESS_HPP
