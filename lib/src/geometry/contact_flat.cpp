@@ -146,7 +146,8 @@ inline int longest_axis(const Found& found) {
 
 /// The normal of the plane through two segments: zero on one line.
 inline Normal plane_through(const Shape& a, const Shape& b) {
-  return cross<Normal>(difference(*a.corner[1], *a.corner[0]), difference(*b.corner[1], *b.corner[0]));
+  return cross<Normal>(difference(*a.corner[1], *a.corner[0]),
+                       difference(*b.corner[1], *b.corner[0]));
 }
 
 /// Any projection that is one-to-one on the plane of both; on a line, any at all.

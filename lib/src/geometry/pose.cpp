@@ -47,8 +47,8 @@ constexpr int64_t product(int32_t u, int32_t v) {
   return product(u[0], v[0]) + product(u[1], v[1]) + product(u[2], v[2]);
 }
 
-/// The magnitude of an entry of R^T R - 1, in 2^-kDefectBits, rounded up. Entries given are below 2,
-/// so it is below 2^28.
+/// The magnitude of an entry of R^T R - 1, in 2^-kDefectBits, rounded up. Entries given are below
+/// 2, so it is below 2^28.
 [[gnu::noinline]] uint32_t deviation(const Entries& r, int j, int k) {
   const int64_t one = j == k ? product(kOne, kOne) : 0;
   const int64_t square = magnitude(product(r[0][j], r[0][k]) + product(r[1][j], r[1][k]) +

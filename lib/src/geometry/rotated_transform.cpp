@@ -41,8 +41,8 @@ void offset_of(const Pose& pose, const int32_t (&origin_a)[3], const int32_t (&o
     pose.matrix().get_row(i, x, y, z);
     // kRotationBits fraction bits; below 2^54.
     const int64_t sum = product(cells, 1 << kRotationBits) +
-                        pose.fraction(i) * (1 << (kRotationBits - 16)) + product(x, origin_b[0]) +
-                        product(y, origin_b[1]) + product(z, origin_b[2]);
+                        product(pose.fraction(i), 1 << (kRotationBits - 16)) +
+                        product(x, origin_b[0]) + product(y, origin_b[1]) + product(z, origin_b[2]);
     offset[i] = clamp_offset((sum + (1 << (kRestBits - 1))) >> kRestBits);
   }
 }
@@ -96,9 +96,9 @@ class Row {
     x_ = row.x();
     y_ = row.y();
     z_ = row.z_entry();
-    rest_x_ = transform.matrix->rest[axis][0];
-    rest_y_ = transform.matrix->rest[axis][1];
-    rest_z_ = transform.matrix->rest[axis][2];
+    rest_x_ = transform.matrix->rest_of(axis, 0);
+    rest_y_ = transform.matrix->rest_of(axis, 1);
+    rest_z_ = transform.matrix->rest_of(axis, 2);
     const BoundStart& start = transform.on_a[axis];
     offset_ = (start.upper - start.lower) / 2 + kHalf;  // exact: see start_of()
   }

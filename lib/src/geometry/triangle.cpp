@@ -73,7 +73,7 @@ inline Sides sides_of(bool narrow, const Triangle& plane, const Triangle& asked)
   bool right = false;
   for (unsigned i = 0; i < 3; ++i) {
     const int64_t turn = detail::volume<Wide>(segment.corner[tip], segment.corner[next(tip)],
-                                         t.corner[i], t.corner[next(i)]);
+                                              t.corner[i], t.corner[next(i)]);
     left |= turn > 0;
     right |= turn < 0;
   }

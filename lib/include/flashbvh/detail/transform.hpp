@@ -93,8 +93,8 @@ template <class Mesh>
 FLASHBVH_NOINLINE void rotate_triangle(const Mesh& mesh, uint32_t position,
                                        const RotatedTransform& transform, Triangle& triangle) {
   const auto& corner = mesh.triangles[position].corner;
-  transform.transform(mesh.vertices[corner[0]], mesh.vertices[corner[1]],
-                      mesh.vertices[corner[2]], triangle);
+  transform.transform(mesh.vertices[corner[0]], mesh.vertices[corner[1]], mesh.vertices[corner[2]],
+                      triangle);
 }
 
 /// A triangle of B, by its position, in A's frame.

@@ -58,8 +58,8 @@ struct PairCursor {
   }
 };
 
-/// What a run of a walk may do, and where it is. Its loop keeps but the address, and that in memory:
-/// registers are for the rest.
+/// What a run of a walk may do, and where it is. Its loop keeps but the address, and that in
+/// memory: registers are for the rest.
 template <class Cursor, class LeafPair>
 struct WalkRun {
   Cursor* cursor;

@@ -25,7 +25,9 @@ struct NamedTraversal {
 
   /// Where the paper has it; ours on ours.
   static constexpr Layout kLayout = pre ? Layout::pre_indexed : Layout::post_indexed;
-  static constexpr bool walks(Layout layout) { return layout == Layout::pre_indexed ? pre : post; }
+  static constexpr bool walks(Layout layout) {
+    return (pre && layout == Layout::pre_indexed) || (post && layout == Layout::post_indexed);
+  }
 
   const char* name;
 };
