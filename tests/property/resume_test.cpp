@@ -3,8 +3,6 @@
 
 #include <cstring>
 
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/stackless.hpp"
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"

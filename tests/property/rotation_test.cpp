@@ -4,11 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "flashbvh/paper/alternating_stack.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/ranked_stack.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
 #include "support/placed_mesh.hpp"
 #include "support/queries.hpp"
 #include "support/rotations.hpp"

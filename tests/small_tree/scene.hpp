@@ -9,11 +9,7 @@
 #include "digest/small_mesh.hpp"
 #include "digest/small_tree.hpp"
 #include "flashbvh/query.hpp"
-#include "flashbvh/paper/alternating_stack.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/ranked_stack.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
+#include "support/at_roots.hpp"
 #include "support/placed_vertex.hpp"
 
 namespace flashbvh::test {
@@ -93,34 +89,17 @@ PairSet brute_force(const SmallScene<layout>& scene) {
   return pairs;
 }
 
-template <class Cursor>
-constexpr bool kIsStack = false;
-template <>
-constexpr bool kIsStack<PairStack<uint16_t>> = true;
-
 /// A query of any traversal; those with a stack get exactly what they are promised to need.
 template <class Traversal>
 struct SmallQuery {
-  using Tree = typename Traversal::Tree;
-  using Cursor = typename Traversal::Cursor;
-
-  detail::PairCursor<uint16_t> entries[kIsStack<Cursor> ? 2 * digest::kMostTriangles : 1];
+  detail::PairCursor<uint16_t> entries[2 * digest::kMostTriangles];
   Query<Traversal> query;
 
   template <class Scene>
   explicit SmallQuery(const Scene& scene)
       : query(scene.a.view(), scene.b.view(), scene.pose,
-              start(stack_entries(scene.a.view().stack_need, scene.b.view().stack_need))) {}
-
- private:
-  Cursor start(uint32_t count) {
-    if constexpr (kIsStack<Cursor>) {
-      return {entries, count};
-    } else {
-      (void)count;
-      return {};
-    }
-  }
+              at_roots<Traversal>(entries, stack_entries(scene.a.view().stack_need,
+                                                         scene.b.view().stack_need))) {}
 };
 
 /// What a query reports, in its order, as one number.

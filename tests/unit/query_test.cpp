@@ -6,11 +6,6 @@
 
 #include "bake/baked_tree.hpp"
 #include "flashbvh/query.hpp"
-#include "flashbvh/paper/alternating_stack.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/ranked_stack.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
 #include "support/queries.hpp"
 #include "support/shapes.hpp"
 
