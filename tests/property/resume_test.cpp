@@ -1,4 +1,5 @@
-// Positions: saved, carried over to another query object, and refused when they can't be.
+// Positions: saved, and carried over to another query object. What is none is refused:
+// small_tree/resume_test.cpp; all that can be one lead to an end: golden/resume_test.cpp.
 #include <catch2/catch.hpp>
 
 #include <cstring>
@@ -12,8 +13,6 @@ using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
-
-using State = QueryPosition<std::uint16_t>::State;
 
 template <Layout layout>
 struct Scene {
@@ -70,38 +69,6 @@ TEMPLATE_TEST_CASE(
     REQUIRE(pairs == expected);
     REQUIRE(visits == whole.query.counts().visits);
   }
-}
-
-TEMPLATE_TEST_CASE("any bytes for a position are refused or lead to an end", "", Ranked<PostMesh>,
-                   StacklessPost, Stackless, Leaf<PostMesh>) {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 1);
-  int refused = 0;
-  int taken = 0;
-  for (int round = 0; round < 4000; ++round) {
-    CAPTURE(round);
-    const auto scene = any_scene<TestType::Tree::kLayout>(random);
-    QueryPosition<std::uint16_t> position;
-    position.a = static_cast<std::uint16_t>(random.below(random.below(2) == 0 ? 40 : 65536));
-    position.b = static_cast<std::uint16_t>(random.below(random.below(2) == 0 ? 40 : 65536));
-    position.untested = random.below(4) == 0 ? random.below(UINT32_MAX) : random.below(6);
-    position.state = static_cast<State>(random.below(6));
-    AnyQuery<TestType> any(scene);
-    const Status before = any.query.status();
-    const Status status = any.query.resume(position);
-    if (status == Status::position_invalid) {
-      REQUIRE(any.query.status() == before);
-      ++refused;
-      continue;
-    }
-    ++taken;
-    const auto most = static_cast<std::uint32_t>(any.a.node_count) * any.b.node_count + 1;
-    const auto every_pair = [](const typename Query<TestType>::Pair&) { return true; };
-    REQUIRE(any.query.run(most, every_pair) == Status::done);
-  }
-  CHECK(refused > 1000);
-  CHECK(taken > 20);
 }
 
 TEST_CASE("two queries on the same trees may take turns, one interrupting the other") {
