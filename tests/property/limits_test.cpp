@@ -5,6 +5,7 @@
 
 #include "bake/image_bytes.hpp"
 #include "flashbvh/image.hpp"
+#include "support/placed_mesh.hpp"
 #include "support/queries.hpp"
 #include "support/shapes.hpp"
 
@@ -39,27 +40,6 @@ bake::LatticeMesh probe() {
   return mesh;
 }
 
-Triangle triangle_of(const bake::LatticeMesh& mesh, std::uint32_t triangle) {
-  Triangle placed{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vertex& v = mesh.vertices[mesh.triangles[triangle][i]];
-    placed.corner[i] = {v.x, v.y, v.z};
-  }
-  return placed;
-}
-
-Pairs brute_force(const bake::LatticeMesh& a, const bake::LatticeMesh& b) {
-  Pairs pairs;
-  for (std::uint32_t i = 0; i < a.triangles.size(); ++i) {
-    for (std::uint32_t j = 0; j < b.triangles.size(); ++j) {
-      if (triangles_intersect(triangle_of(a, i), triangle_of(b, j))) {
-        pairs.emplace_back(i, j);
-      }
-    }
-  }
-  return pairs;
-}
-
 /// By every traversal that walks trees in this layout.
 template <class Tree>
 void check_pairs(const Tree& a, const Tree& b, const Pairs& truth) {
@@ -80,7 +60,7 @@ TEST_CASE("index 65,534 of nodes, triangles and vertices is as good as any") {
   const bake::BuildTree tree = bake::build_median(mesh, 2);
   REQUIRE(tree.nodes.size() == kMost);
   REQUIRE(bake::fits_index<std::uint16_t>(tree, mesh));
-  const Pairs truth = brute_force(mesh, small);
+  const Pairs truth = brute_force(mesh, small, Pose::translated(0, 0, 0));
   REQUIRE(truth.back().first == kMost - 1);
 
   const auto post_a = bake::lay_out<std::uint16_t, Layout::post_indexed>(tree, mesh);

@@ -27,6 +27,11 @@ typename Order::Cursor at_roots(
   }
 }
 
+inline bool same(const Counts& a, const Counts& b) {
+  return a.visits == b.visits && a.overlaps == b.overlaps && a.leaf_pairs == b.leaf_pairs &&
+         a.triangle_pairs == b.triangle_pairs;
+}
+
 template <class OrderType>
 struct NamedOrder {
   using Order = OrderType;
