@@ -65,9 +65,9 @@ std::uint32_t try_pairs() {
         continue;
       }
       CAPTURE(kKeptImages[i].name, kKeptImages[j].name);
-      for_each_order<typename Tree::Index>([&](auto named) {
+      for_each_stackless_order<typename Tree::Index>([&](auto named) {
         using Order = typename decltype(named)::Order;
-        if constexpr (Order::Tree::kLayout == Tree::kLayout && !kIsStack<typename Order::Cursor>) {
+        if constexpr (Order::Tree::kLayout == Tree::kLayout) {
           tried += try_positions<Order>(a, b);
         }
       });

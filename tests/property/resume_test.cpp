@@ -35,40 +35,42 @@ Scene<layout> any_scene(Random& random) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE(
-    "a query saved after any run and resumed in a new object goes on as if it had not", "",
-    Ranked<PostMesh>, StacklessPost, Stackless, Leaf<PostMesh>, Leaf<PreMesh>) {
+TEST_CASE("a query saved after any run and resumed in a new object goes on as if it had not") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
-  Random random(seed);
-  for (int round = 0; round < 60; ++round) {
-    CAPTURE(round);
-    const auto scene = any_scene<TestType::Tree::kLayout>(random);
-    AnyQuery<TestType> whole(scene);
-    const Pairs expected = run_to_end(whole.query, kNoLimit, 10000);
-    Pairs pairs;
-    QueryPosition<std::uint16_t> position;
-    std::uint32_t visits = 0;
-    for (Status status = Status::suspended; status != Status::done;) {
-      unsigned char stored[sizeof position];
-      std::memcpy(stored, &position, sizeof position);  // as bytes, in flash or elsewhere
-      QueryPosition<std::uint16_t> loaded;
-      std::memcpy(&loaded, stored, sizeof loaded);
-      AnyQuery<TestType> any(scene);
-      status = any.query.resume(loaded);
-      REQUIRE((status == Status::suspended || status == Status::done));
-      typename Query<TestType>::Pair found[1];
-      const Step step = any.query.run(1 + random.below(3), found);
-      status = step.status;
-      if (step.count != 0) {
-        pairs.emplace_back(found[0].a, found[0].b);
+  for_each_stackless_order<std::uint16_t>([seed](auto named) {
+    using Order = typename decltype(named)::Order;
+    CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
+    Random random(seed);
+    for (int round = 0; round < 60; ++round) {
+      CAPTURE(round);
+      const auto scene = any_scene<Order::Tree::kLayout>(random);
+      AnyQuery<Order> whole(scene);
+      const Pairs expected = run_to_end(whole.query, kNoLimit, 10000);
+      Pairs pairs;
+      QueryPosition<std::uint16_t> position;
+      std::uint32_t visits = 0;
+      for (Status status = Status::suspended; status != Status::done;) {
+        unsigned char stored[sizeof position];
+        std::memcpy(stored, &position, sizeof position);  // as bytes, in flash or elsewhere
+        QueryPosition<std::uint16_t> loaded;
+        std::memcpy(&loaded, stored, sizeof loaded);
+        AnyQuery<Order> any(scene);
+        status = any.query.resume(loaded);
+        REQUIRE((status == Status::suspended || status == Status::done));
+        typename Query<Order>::Pair found[1];
+        const Step step = any.query.run(1 + random.below(3), found);
+        status = step.status;
+        if (step.count != 0) {
+          pairs.emplace_back(found[0].a, found[0].b);
+        }
+        visits += any.query.counts().visits;
+        position = any.query.position();
       }
-      visits += any.query.counts().visits;
-      position = any.query.position();
+      REQUIRE(pairs == expected);
+      REQUIRE(visits == whole.query.counts().visits);
     }
-    REQUIRE(pairs == expected);
-    REQUIRE(visits == whole.query.counts().visits);
-  }
+  });
 }
 
 TEST_CASE("two queries on the same trees may take turns, one interrupting the other") {

@@ -52,6 +52,16 @@ void for_each_order(Use&& use) {
   });
 }
 
+/// For those without a stack: their positions can be kept.
+template <class Index, class Use>
+void for_each_stackless_order(Use&& use) {
+  for_each_order<Index>([&use](auto named) {
+    if constexpr (!kIsStack<typename decltype(named)::Order::Cursor>) {
+      use(named);
+    }
+  });
+}
+
 }  // namespace flashbvh::test
 
 #endif
