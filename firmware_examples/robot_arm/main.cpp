@@ -12,11 +12,7 @@
 // stack: bytes that run() needs at most; the query object and a stack traversal's array are the
 // caller's. instructions: of the whole query, in slices of 100 visits.
 #include <flashbvh/flashbvh.hpp>
-#include <flashbvh/paper/alternating_stack.hpp>
-#include <flashbvh/paper/leaf.hpp>
-#include <flashbvh/paper/ranked_stack.hpp>
-#include <flashbvh/paper/stackless.hpp>
-#include <flashbvh/paper/volume_stack.hpp>
+#include <flashbvh/paper/traversals.hpp>
 
 #include "arm.hpp"
 #include "configurations.hpp"

@@ -1,12 +1,6 @@
 // The paper's evaluation, section 9, on a microcontroller: instructions instead of seconds.
 //
 // Ends with 1 if the algorithms disagree about a setup, or a query does not finish.
-#include "flashbvh/paper/alternating_stack.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/detail/ranked.hpp"
-#include "flashbvh/paper/ranked_stack.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
 #include "measure.hpp"
 #include "report.hpp"
 #include "setups.hpp"
@@ -29,22 +23,25 @@ TranslatedBound overlap_of(const Setup& setup) {
   return {t[0], t[1], t[2]};
 }
 
+template <Layout layout>
+const LevelledMesh<uint16_t, layout>& tree_of(const Object& object) {
+  if constexpr (layout == Layout::pre_indexed) {
+    return *object.pre;
+  } else {
+    return *object.post;
+  }
+}
+
 /// Each algorithm on the layout that it has on the host, too.
 void measure_rows(const Setup& setup, Row (&rows)[kRows]) {
-  const LevelledPreMesh& pre_a = *setup.a.pre;
-  const LevelledPreMesh& pre_b = *setup.b.pre;
-  const LevelledPostMesh& post_a = *setup.a.post;
-  const LevelledPostMesh& post_b = *setup.b.post;
   const TranslatedBound overlap = overlap_of(setup);
   uint32_t next = 0;
-  const auto add = [&](const char* name, const Walked& walked) { rows[next++] = {name, walked}; };
-  add("volume-stack", measure_walk<VolumeStack<PreMesh>>(pre_a, pre_b, overlap));
-  add("alternating-stack", measure_walk<AlternatingStack<LevelledPreMesh>>(pre_a, pre_b, overlap));
-  add("stackless", measure_walk<Stackless>(pre_a, pre_b, overlap));
-  add("stackless-post", measure_walk<StacklessPost>(post_a, post_b, overlap));
-  add("leaf", measure_walk<Leaf<PreMesh>>(pre_a, pre_b, overlap));
-  add("ranked", measure_walk<Ranked<PostMesh>>(post_a, post_b, overlap));
-  add("ranked-stack", measure_walk<RankedStack<PostMesh>>(post_a, post_b, overlap));
+  for_each_traversal([&](auto traversal) {
+    using Order = typename decltype(traversal)::template On<uint16_t, decltype(traversal)::kLayout>;
+    const auto& a = tree_of<Order::Tree::kLayout>(setup.a);
+    const auto& b = tree_of<Order::Tree::kLayout>(setup.b);
+    rows[next++] = {traversal.name, measure_walk<Order>(a, b, overlap)};
+  });
 }
 
 bool agree(const Row (&rows)[kRows]) {

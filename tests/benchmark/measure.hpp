@@ -5,31 +5,20 @@
 #include <stdint.h>
 
 #include "flashbvh/query.hpp"
-#include "support/walk.hpp"
-#include "flashbvh/paper/pair_stack.hpp"
 #include "insn.hpp"
+#include "support/at_roots.hpp"
+#include "support/walk.hpp"
 
 namespace benchmark {
 
 /// Room for the stack of every setup; queries check that it is enough.
 constexpr uint32_t kStackEntries = 64;
 
-/// Where a walk starts.
-template <class Cursor>
-struct Start;
-
-template <>
-struct Start<flashbvh::detail::PairCursor<uint16_t>> {
-  static flashbvh::detail::PairCursor<uint16_t> cursor() { return {}; }
-};
-
-template <>
-struct Start<flashbvh::PairStack<uint16_t>> {
-  static flashbvh::PairStack<uint16_t> cursor() {
-    static flashbvh::detail::PairCursor<uint16_t> entries[kStackEntries];
-    return {entries, kStackEntries};
-  }
-};
+template <class Traversal>
+typename Traversal::Cursor start() {
+  static flashbvh::detail::PairCursor<uint16_t> entries[kStackEntries];
+  return flashbvh::test::at_roots<Traversal>(entries, kStackEntries);
+}
 
 struct Walked {
   uint32_t visits;
@@ -46,7 +35,7 @@ __attribute__((noinline)) Walked measure_walk(const typename Traversal::Tree& a,
   flashbvh::Counts counts{};
   uint32_t leaf_overlaps = 0;
   const uint32_t instructions = port::instructions_of([&] {
-    auto cursor = Start<typename Traversal::Cursor>::cursor();
+    auto cursor = start<Traversal>();
     const auto leaf_pair = [&leaf_overlaps](uint32_t, uint32_t) {
       ++leaf_overlaps;
       return true;
@@ -69,14 +58,13 @@ __attribute__((noinline)) Queried measure_query(const typename Traversal::Tree& 
                                                 const flashbvh::Pose& pose) {
   using Query = flashbvh::Query<Traversal>;
   const auto every_pair = [](const typename Query::Pair&) { return true; };
-  const auto start = [] { return Start<typename Traversal::Cursor>::cursor(); };
   Queried result{};
   result.instructions = port::instructions_of([&] {
-    Query query(a, b, pose, start());
+    Query query(a, b, pose, start<Traversal>());
     result.status = query.run(UINT32_MAX, every_pair);
   });
   // Its counts from another run: a user of the first would not copy them.
-  Query query(a, b, pose, start());
+  Query query(a, b, pose, start<Traversal>());
   (void)query.run(UINT32_MAX, every_pair);
   result.counts = query.counts();
   return result;

@@ -4,12 +4,8 @@
 #include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/query.hpp"
-#include "flashbvh/paper/alternating_stack.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/ranked_stack.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
 #include "small_mesh.hpp"
+#include "support/at_roots.hpp"
 
 namespace digest {
 
@@ -53,9 +49,8 @@ void add_contact(const Contact& contact, Hash& hash) {
 
 template <class Traversal, bool with_contacts = false>
 void add_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
-               const Pose& pose, uint32_t slice, const typename Traversal::Cursor& start,
-               Hash& hash, Result& result) {
-  Query<Traversal> query(a, b, pose, start);
+               const Pose& pose, uint32_t slice, Hash& hash, Result& result) {
+  Query<Traversal> query(a, b, pose, test::at_roots<Traversal>(stack, 2 * kMostTriangles));
   const auto add_pair = [&](const TrianglePair<uint16_t>& pair) {
     hash.add(pair.a | static_cast<uint32_t>(pair.b) << 16);
     if (with_contacts) {
@@ -76,20 +71,19 @@ void add_query(const typename Traversal::Tree& a, const typename Traversal::Tree
   result.pairs += query.counts().triangle_pairs;
 }
 
-/// Every rule, on the layouts that it takes.
+/// Every traversal, in an order that the value depends on.
 void add_pose(const Pose& pose, uint32_t slice, Hash& hash, Result& result) {
   const LevelledPreMesh& pre_a = side_a.pre.view();
   const LevelledPreMesh& pre_b = side_b.pre.view();
   const LevelledPostMesh& post_a = side_a.post.view();
   const LevelledPostMesh& post_b = side_b.post.view();
-  const auto array = [] { return PairStack<uint16_t>(stack, 2 * kMostTriangles); };
-  add_query<Ranked<PostMesh>, true>(post_a, post_b, pose, slice, {}, hash, result);
-  add_query<RankedStack<PostMesh>>(post_a, post_b, pose, slice, array(), hash, result);
-  add_query<VolumeStack<PreMesh>>(pre_a, pre_b, pose, slice, array(), hash, result);
-  add_query<AlternatingStack<LevelledPostMesh>>(post_a, post_b, pose, slice, array(), hash, result);
-  add_query<Stackless>(pre_a, pre_b, pose, slice, {}, hash, result);
-  add_query<StacklessPost>(post_a, post_b, pose, slice, {}, hash, result);
-  add_query<Leaf<PreMesh>>(pre_a, pre_b, pose, slice, {}, hash, result);
+  add_query<Ranked<PostMesh>, true>(post_a, post_b, pose, slice, hash, result);
+  add_query<RankedStack<PostMesh>>(post_a, post_b, pose, slice, hash, result);
+  add_query<VolumeStack<PreMesh>>(pre_a, pre_b, pose, slice, hash, result);
+  add_query<AlternatingStack<LevelledPostMesh>>(post_a, post_b, pose, slice, hash, result);
+  add_query<Stackless>(pre_a, pre_b, pose, slice, hash, result);
+  add_query<StacklessPost>(post_a, post_b, pose, slice, hash, result);
+  add_query<Leaf<PreMesh>>(pre_a, pre_b, pose, slice, hash, result);
 }
 
 uint32_t refused(const Side& side) {

@@ -2,12 +2,13 @@
 //
 // Within as many visits as there are pairs of nodes, whatever position it started from.
 #include <array>
+#include <type_traits>
 #include <vector>
 
 #include "flashbvh/image.hpp"
 #include "fuzz/any_pose.hpp"
 #include "golden/golden.hpp"
-#include "support/traversals.hpp"
+#include "support/any_query.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -49,8 +50,11 @@ void fuzz(const KeptImage& image_a, const KeptImage& image_b, Input& input) {
   const Pose pose = any_pose(input);
   const auto most =
       static_cast<std::uint32_t>(a.node_count) * static_cast<std::uint32_t>(b.node_count);
-  for_each_stackless(a, b, pose,
-                     [&](const char*, auto& query) { resume_and_end(query, position, most); });
+  for_each_query(a, b, pose, [&](const char*, auto& query) {
+    if constexpr (!kIsStack<typename std::decay_t<decltype(query)>::Cursor>) {
+      resume_and_end(query, position, most);
+    }
+  });
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "flashbvh/image.hpp"
 #include "golden/golden.hpp"
 #include "support/rotations.hpp"
-#include "support/traversals.hpp"
+#include "support/any_query.hpp"
 
 namespace flashbvh::test {
 namespace {
@@ -17,7 +17,7 @@ const char* exercise(const Tree& a, const Tree& b, const Pose& pose) {
   const char* wrong = nullptr;
   const std::uint64_t pairs = std::uint64_t{a.node_count} * b.node_count;
   const auto most = static_cast<std::uint32_t>(pairs < UINT32_MAX ? pairs : UINT32_MAX);
-  for_each_traversal(a, b, pose, [&](const char* name, auto& query) {
+  for_each_query(a, b, pose, [&](const char* name, auto& query) {
     if (query.status() != Status::suspended) {
       wrong = pose.status() == Status::done && a.cell_bits == b.cell_bits ? name : wrong;
       return;

@@ -1,11 +1,9 @@
 // A walk goes on from any position that resume() lets pass, and ends: all of them are tried.
 #include <catch2/catch.hpp>
 
-#include "flashbvh/detail/ranked.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/stackless.hpp"
 #include "golden/golden.hpp"
+#include "support/at_roots.hpp"
 #include "support/walk.hpp"
 
 using namespace flashbvh;
@@ -67,11 +65,12 @@ std::uint32_t try_pairs() {
         continue;
       }
       CAPTURE(kKeptImages[i].name, kKeptImages[j].name);
-      tried += try_positions<AlternatingStackless<Tree>>(a, b);
-      tried += try_positions<Leaf<Tree>>(a, b);
-      if constexpr (Tree::kLayout == Layout::post_indexed) {
-        tried += try_positions<Ranked<Tree>>(a, b);
-      }
+      for_each_stackless_order<typename Tree::Index>([&](auto named) {
+        using Order = typename decltype(named)::Order;
+        if constexpr (Order::Tree::kLayout == Tree::kLayout) {
+          tried += try_positions<Order>(a, b);
+        }
+      });
     }
   }
   return tried;

@@ -5,10 +5,8 @@
 
 #include "bake/image_bytes.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/query.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
+#include "support/placed_mesh.hpp"
+#include "support/queries.hpp"
 #include "support/shapes.hpp"
 
 using namespace flashbvh;
@@ -18,7 +16,6 @@ using namespace flashbvh::test;
 namespace {
 
 constexpr std::uint32_t kMost = 65535;
-using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// A strip of triangles, vertex after vertex, over a 256 x 256 grid.
 bake::LatticeMesh largest_mesh() {
@@ -43,40 +40,16 @@ bake::LatticeMesh probe() {
   return mesh;
 }
 
-Triangle triangle_of(const bake::LatticeMesh& mesh, std::uint32_t triangle) {
-  Triangle placed{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vertex& v = mesh.vertices[mesh.triangles[triangle][i]];
-    placed.corner[i] = {v.x, v.y, v.z};
-  }
-  return placed;
-}
-
-Pairs brute_force(const bake::LatticeMesh& a, const bake::LatticeMesh& b) {
-  Pairs pairs;
-  for (std::uint32_t i = 0; i < a.triangles.size(); ++i) {
-    for (std::uint32_t j = 0; j < b.triangles.size(); ++j) {
-      if (triangles_intersect(triangle_of(a, i), triangle_of(b, j))) {
-        pairs.emplace_back(i, j);
-      }
-    }
-  }
-  return pairs;
-}
-
-template <class Traversal>
-Pairs pairs_of(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
-               const typename Traversal::Cursor& start) {
-  Pairs pairs;
+/// By every traversal that walks trees in this layout.
+template <class Tree>
+void check_pairs(const Tree& a, const Tree& b, const Pairs& truth) {
   const Pose pose = Pose::translated(0, 0, 0);
-  Query<Traversal> query(a, b, pose, start);
-  const Status status = query.run(0xFFFFFFFFu, [&](const TrianglePair<std::uint16_t>& pair) {
-    pairs.emplace_back(pair.a, pair.b);
-    return true;
+  for_each_query(a, b, pose, [&truth](const char* name, auto& query) {
+    CAPTURE(name);
+    Pairs pairs = run_to_end(query, kNoLimit, 10000);
+    std::sort(pairs.begin(), pairs.end());
+    CHECK(pairs == truth);
   });
-  REQUIRE(status == Status::done);
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
 }
 
 }  // namespace
@@ -87,7 +60,7 @@ TEST_CASE("index 65,534 of nodes, triangles and vertices is as good as any") {
   const bake::BuildTree tree = bake::build_median(mesh, 2);
   REQUIRE(tree.nodes.size() == kMost);
   REQUIRE(bake::fits_index<std::uint16_t>(tree, mesh));
-  const Pairs truth = brute_force(mesh, small);
+  const Pairs truth = brute_force(mesh, small, Pose::translated(0, 0, 0));
   REQUIRE(truth.back().first == kMost - 1);
 
   const auto post_a = bake::lay_out<std::uint16_t, Layout::post_indexed>(tree, mesh);
@@ -95,21 +68,13 @@ TEST_CASE("index 65,534 of nodes, triangles and vertices is as good as any") {
   const bake::BuildTree small_tree = bake::build_median(small, 1);
   const auto post_b = bake::lay_out<std::uint16_t, Layout::post_indexed>(small_tree, small);
   const auto pre_b = bake::lay_out<std::uint16_t, Layout::pre_indexed>(small_tree, small);
-  const auto a = post_a.view();
-  const auto b = post_b.view();
-
-  CHECK(pairs_of<Ranked<PostMesh>>(a, b, {}) == truth);
-  CHECK(pairs_of<StacklessPost>(a, b, {}) == truth);
-  CHECK(pairs_of<Stackless>(pre_a.view(), pre_b.view(), {}) == truth);
-  CHECK(pairs_of<Leaf<PostMesh>>(a, b, {}) == truth);
-  std::vector<PairCursor<std::uint16_t>> entries(stack_entries(a.stack_need, b.stack_need));
-  CHECK(pairs_of<VolumeStack<PostMesh>>(
-            a, b, {entries.data(), static_cast<std::uint32_t>(entries.size())}) == truth);
+  check_pairs(post_a.view(), post_b.view(), truth);
+  check_pairs(pre_a.view(), pre_b.view(), truth);
 
   const auto image = bake::image_of(post_a);
   LevelledPostMesh opened;
   REQUIRE(open_image(image.data(), image.size() * sizeof image[0], opened) == Status::done);
-  CHECK(pairs_of<Ranked<PostMesh>>(opened, b, {}) == truth);
+  check_pairs(opened, post_b.view(), truth);
 }
 
 TEST_CASE("a tree too large for its indices is told before it is laid out") {

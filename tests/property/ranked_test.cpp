@@ -63,8 +63,8 @@ std::int32_t random_rank(Random& random, std::int32_t parent_rank) {
 }
 
 void check_against_stack(const Trees& trees) {
-  const Record ranked = record_stackless<Ranked<PostMesh>>(trees.baked, trees.overlap);
-  const Record stack = record_stack<RankedStack<PostMesh>>(trees.baked, trees.overlap);
+  const Record ranked = record<Ranked<PostMesh>>(trees.baked, trees.overlap);
+  const Record stack = record<RankedStack<PostMesh>>(trees.baked, trees.overlap);
   REQUIRE(ranked.ended);
   REQUIRE(ranked.visits == stack.visits);
   REQUIRE(ranked.leaf_pairs == stack.leaf_pairs);
@@ -126,7 +126,7 @@ TEST_CASE("ranked follows its stack under random ranks, and through every pair o
     check_against_stack(trees);
     if (round % 10 == 0) {
       PairCursor<std::uint16_t> cursor;
-      NodePairs rest = record_stackless<Ranked<PostMesh>>(trees.baked, trees.overlap).visits;
+      NodePairs rest = record<Ranked<PostMesh>>(trees.baked, trees.overlap).visits;
       for (; !rest.empty(); rest.erase(rest.begin())) {
         PairCursor<std::uint16_t> here = cursor;
         REQUIRE(record_from<Ranked<PostMesh>>(trees.baked, trees.overlap, here).visits == rest);
@@ -155,9 +155,9 @@ TEST_CASE("the alternating rule is the special case of ranks that fall with the 
     };
     set_ranks(trees.baked.a, by_level(trees.baked.a, kMaxRank - 1));
     set_ranks(trees.baked.b, by_level(trees.baked.b, kMaxRank));
-    const Record ranked = record_stackless<Ranked<PostMesh>>(trees.baked, trees.overlap);
+    const Record ranked = record<Ranked<PostMesh>>(trees.baked, trees.overlap);
     const Record alternating =
-        record_stack<AlternatingStack<LevelledPostMesh>>(trees.baked, trees.overlap);
+        record<AlternatingStack<LevelledPostMesh>>(trees.baked, trees.overlap);
     REQUIRE(ranked.visits == alternating.visits);
     ++compared;
   }

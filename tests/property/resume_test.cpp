@@ -1,10 +1,9 @@
-// Positions: saved, carried over to another query object, and refused when they can't be.
+// Positions: saved, and carried over to another query object. What is none is refused:
+// small_tree/resume_test.cpp; all that can be one lead to an end: golden/resume_test.cpp.
 #include <catch2/catch.hpp>
 
 #include <cstring>
 
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/stackless.hpp"
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
@@ -14,8 +13,6 @@ using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
-
-using State = QueryPosition<std::uint16_t>::State;
 
 template <Layout layout>
 struct Scene {
@@ -38,72 +35,42 @@ Scene<layout> any_scene(Random& random) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE(
-    "a query saved after any run and resumed in a new object goes on as if it had not", "",
-    Ranked<PostMesh>, StacklessPost, Stackless, Leaf<PostMesh>, Leaf<PreMesh>) {
+TEST_CASE("a query saved after any run and resumed in a new object goes on as if it had not") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
-  Random random(seed);
-  for (int round = 0; round < 60; ++round) {
-    CAPTURE(round);
-    const auto scene = any_scene<TestType::Tree::kLayout>(random);
-    AnyQuery<TestType> whole(scene);
-    const Pairs expected = run_to_end(whole.query, kNoLimit, 10000);
-    Pairs pairs;
-    QueryPosition<std::uint16_t> position;
-    std::uint32_t visits = 0;
-    for (Status status = Status::suspended; status != Status::done;) {
-      unsigned char stored[sizeof position];
-      std::memcpy(stored, &position, sizeof position);  // as bytes, in flash or elsewhere
-      QueryPosition<std::uint16_t> loaded;
-      std::memcpy(&loaded, stored, sizeof loaded);
-      AnyQuery<TestType> any(scene);
-      status = any.query.resume(loaded);
-      REQUIRE((status == Status::suspended || status == Status::done));
-      typename Query<TestType>::Pair found[1];
-      const Step step = any.query.run(1 + random.below(3), found);
-      status = step.status;
-      if (step.count != 0) {
-        pairs.emplace_back(found[0].a, found[0].b);
+  for_each_stackless_order<std::uint16_t>([seed](auto named) {
+    using Order = typename decltype(named)::Order;
+    CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
+    Random random(seed);
+    for (int round = 0; round < 60; ++round) {
+      CAPTURE(round);
+      const auto scene = any_scene<Order::Tree::kLayout>(random);
+      AnyQuery<Order> whole(scene);
+      const Pairs expected = run_to_end(whole.query, kNoLimit, 10000);
+      Pairs pairs;
+      QueryPosition<std::uint16_t> position;
+      std::uint32_t visits = 0;
+      for (Status status = Status::suspended; status != Status::done;) {
+        unsigned char stored[sizeof position];
+        std::memcpy(stored, &position, sizeof position);  // as bytes, in flash or elsewhere
+        QueryPosition<std::uint16_t> loaded;
+        std::memcpy(&loaded, stored, sizeof loaded);
+        AnyQuery<Order> any(scene);
+        status = any.query.resume(loaded);
+        REQUIRE((status == Status::suspended || status == Status::done));
+        typename Query<Order>::Pair found[1];
+        const Step step = any.query.run(1 + random.below(3), found);
+        status = step.status;
+        if (step.count != 0) {
+          pairs.emplace_back(found[0].a, found[0].b);
+        }
+        visits += any.query.counts().visits;
+        position = any.query.position();
       }
-      visits += any.query.counts().visits;
-      position = any.query.position();
+      REQUIRE(pairs == expected);
+      REQUIRE(visits == whole.query.counts().visits);
     }
-    REQUIRE(pairs == expected);
-    REQUIRE(visits == whole.query.counts().visits);
-  }
-}
-
-TEMPLATE_TEST_CASE("any bytes for a position are refused or lead to an end", "", Ranked<PostMesh>,
-                   StacklessPost, Stackless, Leaf<PostMesh>) {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 1);
-  int refused = 0;
-  int taken = 0;
-  for (int round = 0; round < 4000; ++round) {
-    CAPTURE(round);
-    const auto scene = any_scene<TestType::Tree::kLayout>(random);
-    QueryPosition<std::uint16_t> position;
-    position.a = static_cast<std::uint16_t>(random.below(random.below(2) == 0 ? 40 : 65536));
-    position.b = static_cast<std::uint16_t>(random.below(random.below(2) == 0 ? 40 : 65536));
-    position.untested = random.below(4) == 0 ? random.below(UINT32_MAX) : random.below(6);
-    position.state = static_cast<State>(random.below(6));
-    AnyQuery<TestType> any(scene);
-    const Status before = any.query.status();
-    const Status status = any.query.resume(position);
-    if (status == Status::position_invalid) {
-      REQUIRE(any.query.status() == before);
-      ++refused;
-      continue;
-    }
-    ++taken;
-    const auto most = static_cast<std::uint32_t>(any.a.node_count) * any.b.node_count + 1;
-    const auto every_pair = [](const typename Query<TestType>::Pair&) { return true; };
-    REQUIRE(any.query.run(most, every_pair) == Status::done);
-  }
-  CHECK(refused > 1000);
-  CHECK(taken > 20);
+  });
 }
 
 TEST_CASE("two queries on the same trees may take turns, one interrupting the other") {

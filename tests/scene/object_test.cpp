@@ -9,7 +9,6 @@
 #include "evaluate/paper_object.hpp"
 
 using namespace flashbvh;
-using namespace flashbvh::detail;
 using scene::kFullRadius;
 using scene::make_mesh;
 using scene::Orientation;

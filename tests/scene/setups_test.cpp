@@ -6,12 +6,7 @@
 #include <cstring>
 #include <vector>
 
-#include "flashbvh/paper/alternating_stack.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/detail/ranked.hpp"
-#include "flashbvh/paper/ranked_stack.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
+#include "flashbvh/paper/traversals.hpp"
 #include "setup_counts.hpp"
 
 using namespace flashbvh;

@@ -54,22 +54,18 @@ Triangle relative(const Triangle& t, const int32_t (&origin)[3]) {
   return moved;
 }
 
-}  // namespace
-
-TEMPLATE_TEST_CASE("small trees: a query finds exactly the pairs that brute force finds", "",
-                   Ranked<PostMesh>, RankedStack<PostMesh>, StacklessPost, Stackless,
-                   Leaf<PostMesh>, Leaf<PreMesh>, VolumeStack<PostMesh>, VolumeStack<PreMesh>,
-                   AlternatingStack<LevelledPostMesh>, AlternatingStack<LevelledPreMesh>) {
+template <class Traversal>
+void check_against_brute_force() {
   const uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed);
   uint32_t total = 0;
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
-    const Scene<TestType> scene(random);
+    const Scene<Traversal> scene(random);
     TreeShape shape;
     REQUIRE(check_tree(scene.a.view(), shape) == Status::done);
-    SmallQuery<TestType> any(scene);
+    SmallQuery<Traversal> any(scene);
     PairSet found;
     bool twice = false;
     const Status status = any.query.run(kNoLimit, [&](const Pair& pair) {
@@ -83,6 +79,15 @@ TEMPLATE_TEST_CASE("small trees: a query finds exactly the pairs that brute forc
     total += any.query.counts().triangle_pairs;
   }
   CHECK(total > kRounds);
+}
+
+}  // namespace
+
+TEST_CASE("small trees: a query finds exactly the pairs that brute force finds") {
+  for_each_order<uint16_t>([](auto named) {
+    CAPTURE(named.name);
+    check_against_brute_force<typename decltype(named)::Order>();
+  });
 }
 
 TEST_CASE("small trees: a rule walks the same way with a stack and without") {
@@ -170,10 +175,23 @@ TEST_CASE("small trees: each way to ask wrongly has its own status") {
     CHECK(query.run(10, found, 0).status == Status::full);
     CHECK(query.counts().visits == 0);
   }
-  SECTION("no visit granted") {
+  SECTION("no visit granted, or one") {
     PairQuery query(a, b, here);
     CHECK(query.run(0, found).status == Status::suspended);
     CHECK(query.counts().visits == 0);
+    (void)query.run(1, found);
+    CHECK(query.counts().visits == 1);
+  }
+  SECTION("again after the end") {
+    PairQuery query(a, b, here);
+    while (query.status() == Status::suspended) {
+      (void)query.run(kNoLimit, found);
+    }
+    const Counts counts = query.counts();
+    const Step step = query.run(kNoLimit, found);
+    CHECK(step.status == Status::done);
+    CHECK(step.count == 0);
+    CHECK(same(query.counts(), counts));
   }
   SECTION("different cells") {
     b.cell_bits ^= 1;
@@ -184,8 +202,16 @@ TEST_CASE("small trees: each way to ask wrongly has its own status") {
   }
   SECTION("a translation out of range") {
     for (const int32_t t : {kMaxTranslation + 1, -kMaxTranslation - 1, INT32_MAX, INT32_MIN}) {
-      const Pose pose = Pose::translated(0, t, 0);
-      CHECK(PairQuery(a, b, pose).run(kNoLimit, found).status == Status::translation_out_of_range);
+      for (const Pose& pose :
+           {Pose::translated(t, 0, 0), Pose::translated(0, t, 0), Pose::translated(0, 0, t)}) {
+        PairQuery query(a, b, pose);
+        CHECK(query.status() == Status::translation_out_of_range);
+        CHECK(query.run(kNoLimit, found).status == Status::translation_out_of_range);
+      }
+    }
+    for (const int32_t t : {kMaxTranslation, -kMaxTranslation}) {
+      const Pose pose = Pose::translated(t, t, t);
+      CHECK(PairQuery(a, b, pose).run(kNoLimit, found).status == Status::done);
     }
   }
   SECTION("no rotation") {

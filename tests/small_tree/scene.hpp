@@ -9,11 +9,7 @@
 #include "digest/small_mesh.hpp"
 #include "digest/small_tree.hpp"
 #include "flashbvh/query.hpp"
-#include "flashbvh/paper/alternating_stack.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/ranked_stack.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
+#include "support/at_roots.hpp"
 #include "support/placed_vertex.hpp"
 
 namespace flashbvh::test {
@@ -67,60 +63,25 @@ class PairSet {
   uint32_t rows_[digest::kMostTriangles] = {};
 };
 
-inline Triangle placed(const digest::SmallMesh& mesh, uint32_t triangle, const Pose& pose) {
-  Triangle placed{};
-  for (int i = 0; i < 3; ++i) {
-    const Vertex& v = mesh.vertices[mesh.triangles[triangle].corner[i]];
-    placed.corner[i] = {placed_coordinate(mesh.origin, v, pose, 0),
-                        placed_coordinate(mesh.origin, v, pose, 1),
-                        placed_coordinate(mesh.origin, v, pose, 2)};
-  }
-  return placed;
-}
-
 template <Layout layout>
 PairSet brute_force(const SmallScene<layout>& scene) {
   PairSet pairs;
-  const Pose unmoved = Pose::translated(0, 0, 0);
-  for (uint32_t j = 0; j < scene.mesh_b.triangle_count; ++j) {
-    const Triangle of_b = placed(scene.mesh_b, j, scene.pose);
-    for (uint32_t i = 0; i < scene.mesh_a.triangle_count; ++i) {
-      if (detail::triangles_intersect(placed(scene.mesh_a, i, unmoved), of_b)) {
-        (void)pairs.add(i, j);
-      }
-    }
-  }
+  brute_force(scene.mesh_a, scene.mesh_a.triangle_count, scene.mesh_b, scene.mesh_b.triangle_count,
+              scene.pose, [&pairs](uint32_t i, uint32_t j) { (void)pairs.add(i, j); });
   return pairs;
 }
-
-template <class Cursor>
-constexpr bool kIsStack = false;
-template <>
-constexpr bool kIsStack<PairStack<uint16_t>> = true;
 
 /// A query of any traversal; those with a stack get exactly what they are promised to need.
 template <class Traversal>
 struct SmallQuery {
-  using Tree = typename Traversal::Tree;
-  using Cursor = typename Traversal::Cursor;
-
-  detail::PairCursor<uint16_t> entries[kIsStack<Cursor> ? 2 * digest::kMostTriangles : 1];
+  detail::PairCursor<uint16_t> entries[2 * digest::kMostTriangles];
   Query<Traversal> query;
 
   template <class Scene>
   explicit SmallQuery(const Scene& scene)
       : query(scene.a.view(), scene.b.view(), scene.pose,
-              start(stack_entries(scene.a.view().stack_need, scene.b.view().stack_need))) {}
-
- private:
-  Cursor start(uint32_t count) {
-    if constexpr (kIsStack<Cursor>) {
-      return {entries, count};
-    } else {
-      (void)count;
-      return {};
-    }
-  }
+              at_roots<Traversal>(entries, stack_entries(scene.a.view().stack_need,
+                                                         scene.b.view().stack_need))) {}
 };
 
 /// What a query reports, in its order, as one number.
@@ -139,11 +100,6 @@ class Report {
   digest::Hash hash_;
   uint32_t count_ = 0;
 };
-
-inline bool same(const Counts& a, const Counts& b) {
-  return a.visits == b.visits && a.overlaps == b.overlaps && a.leaf_pairs == b.leaf_pairs &&
-         a.triangle_pairs == b.triangle_pairs;
-}
 
 }  // namespace flashbvh::test
 

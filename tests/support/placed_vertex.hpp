@@ -1,10 +1,12 @@
 // Where a pose puts a vertex, by the definition in lib/docs/design.md and by nothing of the
-// library's own arithmetic.
+// library's own arithmetic, and which triangles intersect there, by trying all pairs of them.
 #ifndef FLASHBVH_TESTS_SUPPORT_PLACED_VERTEX_HPP
 #define FLASHBVH_TESTS_SUPPORT_PLACED_VERTEX_HPP
 
 #include <stdint.h>
 
+#include "flashbvh/detail/triangle.hpp"
+#include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
 
 namespace flashbvh::test {
@@ -16,7 +18,7 @@ constexpr int64_t floor_divide(int64_t value, int64_t by) {
 
 /// Coordinate `axis` of a vertex of B in A's frame: floor(R p + o + 1/2), where R has 22 fraction
 /// bits, o has 14 and the sum of products is cut to 14. `origin`: B's.
-inline int32_t placed_coordinate(const int32_t (&origin)[3], const Vertex& v, const Pose& pose,
+inline int32_t placed_coordinate(const int32_t* origin, const Vertex& v, const Pose& pose,
                                  int axis) {
   const int32_t p[3] = {v.x, v.y, v.z};
   int64_t offset =
@@ -29,6 +31,44 @@ inline int32_t placed_coordinate(const int32_t (&origin)[3], const Vertex& v, co
   }
   const int64_t sum = floor_divide(turned, 256) + floor_divide(offset + 32768, 65536);
   return static_cast<int32_t>(floor_divide(sum + 8192, 16384));
+}
+
+/// Corner `i` of a triangle's three vertex numbers, however they are kept.
+template <class Index>
+constexpr uint32_t corner_of(const Corners<Index>& triangle, uint32_t i) {
+  return triangle.corner[i];
+}
+template <class Array>
+constexpr uint32_t corner_of(const Array& triangle, uint32_t i) {
+  return triangle[i];
+}
+
+/// A triangle of B in A's frame. Mesh: has an origin, vertices and triangles.
+template <class Mesh>
+Triangle placed(const Mesh& mesh, uint32_t triangle, const Pose& pose) {
+  Triangle placed{};
+  for (uint32_t i = 0; i < 3; ++i) {
+    const Vertex& v = mesh.vertices[corner_of(mesh.triangles[triangle], i)];
+    placed.corner[i] = {placed_coordinate(&mesh.origin[0], v, pose, 0),
+                        placed_coordinate(&mesh.origin[0], v, pose, 1),
+                        placed_coordinate(&mesh.origin[0], v, pose, 2)};
+  }
+  return placed;
+}
+
+/// Calls found(i, j) for each two triangles that intersect, of the first `count_a` and `count_b`.
+template <class Mesh, class Found>
+void brute_force(const Mesh& a, uint32_t count_a, const Mesh& b, uint32_t count_b, const Pose& pose,
+                 const Found& found) {
+  const Pose here = Pose::translated(0, 0, 0);
+  for (uint32_t i = 0; i < count_a; ++i) {
+    const Triangle of_a = placed(a, i, here);
+    for (uint32_t j = 0; j < count_b; ++j) {
+      if (detail::triangles_intersect(of_a, placed(b, j, pose))) {
+        found(i, j);
+      }
+    }
+  }
 }
 
 }  // namespace flashbvh::test

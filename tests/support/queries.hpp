@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "flashbvh/query.hpp"
 #include "heap_guard.hpp"
+#include "support/any_query.hpp"
 #include "support/record.hpp"
 
 namespace flashbvh::test {
@@ -41,43 +41,6 @@ Pairs run_to_end(Query& query, std::uint32_t visits, std::uint32_t capacity) {
     REQUIRE((step.status != Status::full || step.count == capacity));
   }
 }
-
-/// A query of this traversal on its own array, if it needs one. Scene: has trees a, b and a pose.
-template <class Traversal>
-struct AnyQuery {
-  using Tree = typename Traversal::Tree;
-  Tree a, b;
-  Query<Traversal> query;
-
-  template <class Scene>
-  explicit AnyQuery(const Scene& scene)
-      : a(scene.a.view()), b(scene.b.view()), query(a, b, scene.pose) {}
-};
-
-template <class Traversal>
-struct StackQuery {
-  using Tree = typename Traversal::Tree;
-  Tree a, b;
-  std::vector<detail::PairCursor<std::uint16_t>> entries;
-  Query<Traversal> query;
-
-  template <class Scene>
-  explicit StackQuery(const Scene& scene)
-      : a(scene.a.view()),
-        b(scene.b.view()),
-        entries(stack_entries(a.stack_need, b.stack_need)),
-        query(a, b, scene.pose, {entries.data(), static_cast<std::uint32_t>(entries.size())}) {}
-};
-
-template <class Tree, class Rule>
-struct AnyQuery<StackOrder<Tree, Rule>> : StackQuery<StackOrder<Tree, Rule>> {
-  using StackQuery<StackOrder<Tree, Rule>>::StackQuery;
-};
-
-template <class Tree>
-struct AnyQuery<RankedStack<Tree>> : StackQuery<RankedStack<Tree>> {
-  using StackQuery<RankedStack<Tree>>::StackQuery;
-};
 
 }  // namespace flashbvh::test
 

@@ -8,14 +8,9 @@
 #include <vector>
 
 #include "bake/baked_tree.hpp"
-#include "support/walk.hpp"
 #include "flashbvh/detail/box.hpp"
-#include "flashbvh/paper/alternating_stack.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/detail/ranked.hpp"
-#include "flashbvh/paper/ranked_stack.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
+#include "support/at_roots.hpp"
+#include "support/walk.hpp"
 
 namespace flashbvh::test {
 
@@ -99,18 +94,13 @@ Record record_from(const BakedPair<Baked>& pair, const detail::TranslatedBound& 
   return record;
 }
 
+/// The whole walk, its stack, if it has one, as long as stack_entries() promises to be enough.
 template <class Traversal, class Baked>
-Record record_stackless(const BakedPair<Baked>& pair, const detail::TranslatedBound& test) {
-  typename Traversal::Cursor cursor;
-  return record_from<Traversal>(pair, test, cursor);
-}
-
-/// With an array of exactly the length that stack_entries() promises to be enough.
-template <class Traversal, class Baked>
-Record record_stack(const BakedPair<Baked>& pair, const detail::TranslatedBound& test) {
+Record record(const BakedPair<Baked>& pair, const detail::TranslatedBound& test) {
   std::vector<detail::PairCursor<typename Baked::Index>> entries(
       stack_entries(pair.a.stack_need, pair.b.stack_need));
-  typename Traversal::Cursor cursor(entries.data(), static_cast<std::uint32_t>(entries.size()));
+  auto cursor =
+      at_roots<Traversal>(entries.data(), static_cast<std::uint32_t>(entries.size()));
   return record_from<Traversal>(pair, test, cursor);
 }
 

@@ -4,9 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "bake/baked_tree.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/detail/ranked.hpp"
-#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/traversals.hpp"
 #include "support/random.hpp"
 #include "support/shapes.hpp"
 #include "support/walk.hpp"
@@ -60,7 +58,6 @@ TEST_CASE("ranked visits exactly its bound when all boxes overlap") {
     const tool::VisitBound of_any = tool::visit_bound(a, b, "leaf");
     REQUIRE(ranked.visits <= of_any.visits);
     REQUIRE(walk_all<Leaf<PostMesh>, PostMesh>(a, b).visits <= of_any.visits);
-    using StacklessPost = AlternatingStackless<LevelledPostMesh>;
     REQUIRE(walk_all<StacklessPost, LevelledPostMesh>(a, b).visits <= of_any.visits);
   }
 }

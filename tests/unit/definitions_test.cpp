@@ -1,4 +1,5 @@
-// The paper's definitions, on the tree of figure 1 and on trees of other shapes.
+// The paper's definitions on baked trees of every shape. Those of its figures:
+// small_tree/definitions_test.cpp.
 #include <catch2/catch.hpp>
 
 #include "bake/baked_tree.hpp"
@@ -9,8 +10,6 @@ using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
-
-using Indices = std::vector<std::uint16_t>;
 
 constexpr Layout kPre = Layout::pre_indexed;
 constexpr Layout kPost = Layout::post_indexed;
@@ -32,15 +31,6 @@ std::vector<std::uint32_t> positions(const Baked<layout>& baked) {
     position[baked.build_nodes[i]] = i;
   }
   return position;
-}
-
-template <class Tree, class Function>
-Indices of_all_nodes(const Tree& tree, Function function) {
-  Indices values;
-  for (std::uint32_t i = 0; i < tree.node_count; ++i) {
-    values.push_back(static_cast<std::uint16_t>(function(i)));
-  }
-  return values;
 }
 
 /// Checks every definition node by node, by the BuildTree's parents and children.
@@ -85,51 +75,6 @@ void check_both_layouts(const bake::BuildTree& build, const bake::LatticeMesh& m
 
 }  // namespace
 
-TEST_CASE("figure 1: escape indices of the full tree of 15 nodes, pre-indexed") {
-  const auto mesh = any_mesh(8);
-  const auto baked = bake::lay_out<std::uint16_t, kPre>(full_tree(mesh, 3), mesh);
-  const auto tree = baked.view();
-  REQUIRE(tree.node_count == 15);
-  const auto escape = [&](std::uint32_t i) { return tree.escape(i); };
-  CHECK(of_all_nodes(tree, escape) == Indices{15, 8, 5, 4, 5, 8, 7, 8, 15, 12, 11, 12, 15, 14, 15});
-}
-
-TEST_CASE("figure 22: right child levels of the full tree of 15 nodes") {
-  const auto mesh = any_mesh(8);
-  const auto build = full_tree(mesh, 3);
-  SECTION("pre-indexed") {
-    const auto baked = bake::lay_out<std::uint16_t, kPre>(build, mesh);
-    const auto tree = baked.view();
-    CHECK(of_all_nodes(tree, [&](std::uint32_t i) { return tree.rcl(i); }) ==
-          Indices{0, 0, 0, 0, 1, 1, 0, 2, 1, 0, 0, 1, 2, 0, 3});
-  }
-  SECTION("post-indexed") {
-    const auto baked = bake::lay_out<std::uint16_t, kPost>(build, mesh);
-    const auto tree = baked.view();
-    CHECK(of_all_nodes(tree, [&](std::uint32_t i) { return tree.rcl(i); }) ==
-          Indices{0, 1, 2, 3, 0, 0, 1, 0, 0, 1, 2, 0, 0, 1, 0});
-  }
-}
-
-TEST_CASE("figure 3: levels of the full tree of 15 nodes") {
-  const auto mesh = any_mesh(8);
-  const auto baked = bake::lay_out<std::uint16_t, kPre>(full_tree(mesh, 3), mesh);
-  CHECK(baked.levels == Indices{0, 1, 2, 3, 3, 2, 3, 3, 1, 2, 3, 3, 2, 3, 3});
-}
-
-TEST_CASE("figure 26: in a post-indexed tree, LevelUp and the parent of a last child subtract") {
-  const auto mesh = any_mesh(8);
-  const auto build = full_tree(mesh, 3);
-  const auto baked = bake::lay_out<std::uint16_t, kPost>(build, mesh);
-  const auto tree = baked.view();
-  CHECK(tree.level_up(3, 3) == 0);
-  CHECK(tree.level_up(3, 2) == 1);
-  CHECK(tree.level_up(2, 1) == 1);
-  // The root's right subtree comes first, then its left one; the end node is again 15.
-  CHECK(of_all_nodes(tree, [&](std::uint32_t i) { return tree.escape(i); }) ==
-        Indices{15, 15, 15, 15, 3, 2, 2, 6, 1, 1, 1, 10, 9, 9, 13});
-}
-
 TEST_CASE("section 8.2: a single child is a last child") {
   bake::BuildTree build;
   const auto mesh = any_mesh(1);
@@ -150,10 +95,6 @@ TEST_CASE("figure 24: all but the last of many children are left children") {
     build.nodes.push_back({box, {}, {i}});
   }
   check_both_layouts(build, mesh);
-  const auto baked = bake::lay_out<std::uint16_t, kPre>(build, mesh);
-  const auto tree = baked.view();
-  CHECK(of_all_nodes(tree, [&](std::uint32_t i) { return tree.escape(i); }) ==
-        Indices{7, 2, 3, 4, 5, 6, 7});
 }
 
 TEST_CASE("the definitions hold on random trees of every shape") {

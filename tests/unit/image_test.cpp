@@ -8,7 +8,6 @@
 #include "bake/image_bytes.hpp"
 #include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/query.hpp"
 #include "heap_guard.hpp"
 #include "support/shapes.hpp"
 
@@ -115,69 +114,6 @@ TEST_CASE("wide images open as wide trees") {
   CHECK(post.open<LargeLevelledPostMesh>() == Status::done);
   CHECK(pre.open<LevelledPreMesh>() == Status::image_kind);
   CHECK(pre.open<LargeLevelledPostMesh>() == Status::image_kind);
-}
-
-TEST_CASE("each way an image can be no image has its own status") {
-  Image image{image_of(small_tree<kPost>())};
-  LevelledPostMesh tree;
-  SECTION("truncated at every length") {
-    for (std::size_t size = 0; size < image.size(); ++size) {
-      REQUIRE(open_image(image.bytes(), size, tree) == Status::image_truncated);
-    }
-  }
-  SECTION("misaligned") {
-    std::vector<std::uint32_t> words(image.words.size() + 1);
-    auto* const shifted = reinterpret_cast<unsigned char*>(words.data()) + 1;
-    std::memcpy(shifted, image.bytes(), image.size());
-    CHECK(open_image(shifted, image.size(), tree) == Status::image_misaligned);
-  }
-  SECTION("another magic") {
-    image.bytes()[0] ^= 1;
-    CHECK(image.open<LevelledPostMesh>() == Status::image_not_flashbvh);
-  }
-  SECTION("another version") {
-    image.bytes()[4] ^= 1;
-    CHECK(image.open<LevelledPostMesh>() == Status::image_version);
-  }
-  SECTION("another layout") {
-    CHECK(image.open<LevelledPreMesh>() == Status::image_kind);
-  }
-}
-
-TEST_CASE("every flipped bit of an image is refused") {
-  Image image{image_of(small_tree<kPost>())};
-  for (std::size_t bit = 0; bit < 8 * image.size(); ++bit) {
-    image.bytes()[bit / 8] ^= static_cast<unsigned char>(1u << (bit % 8));
-    REQUIRE(image.open<LevelledPostMesh>() != Status::done);
-    image.bytes()[bit / 8] ^= static_cast<unsigned char>(1u << (bit % 8));
-  }
-  CHECK(image.open<LevelledPostMesh>() == Status::done);
-}
-
-TEMPLATE_TEST_CASE(
-    "whatever opens after a flipped bit with a repaired checksum, a query on it ends", "",
-    LevelledPreMesh, LevelledPostMesh) {
-  Image image{image_of(small_tree<TestType::kLayout>())};
-  std::uint32_t opened = 0;
-  for (std::size_t bit = 0; bit < 8 * image.size(); ++bit) {
-    image.bytes()[bit / 8] ^= static_cast<unsigned char>(1u << (bit % 8));
-    image.repair_crc();
-    TestType tree;
-    if (open_image(image.bytes(), image.size(), tree) == Status::done) {
-      ++opened;
-      if constexpr (TestType::kLayout == kPost) {
-        // At most every pair of nodes is visited.
-        const auto most = static_cast<std::uint32_t>(tree.node_count) * tree.node_count;
-        const Pose pose = Pose::translated(0, 0, 0);
-        PairQuery query(tree, tree, pose);
-        const Status status = query.run(most, [](const PairQuery::Pair&) { return true; });
-        REQUIRE((status == Status::done || status == Status::suspended));
-        REQUIRE(query.run(1, [](const PairQuery::Pair&) { return true; }) == Status::done);
-      }
-    }
-    image.bytes()[bit / 8] ^= static_cast<unsigned char>(1u << (bit % 8));
-  }
-  CHECK(opened > 0);  // deviation, origin, or a coordinate inside its box may change
 }
 
 /// What breaks one rule of the arrays.
@@ -393,9 +329,4 @@ TEST_CASE("a leaf of 255 triangles is good, one of 256 is not") {
     CHECK(Image{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))}
               .open<LargeLevelledPreMesh>() == wanted);
   }
-}
-
-TEST_CASE("the checksum is CRC-32 as everyone computes it") {
-  CHECK(crc32("123456789", 9) == 0xCBF43926u);
-  CHECK(crc32("56789", 5, crc32("1234", 4)) == 0xCBF43926u);
 }

@@ -1,0 +1,45 @@
+// A query of any order, with the array that its stack needs and no entry more; and one of each.
+#ifndef FLASHBVH_TESTS_SUPPORT_ANY_QUERY_HPP
+#define FLASHBVH_TESTS_SUPPORT_ANY_QUERY_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "flashbvh/query.hpp"
+#include "support/at_roots.hpp"
+
+namespace flashbvh::test {
+
+template <class Order>
+struct AnyQuery {
+  using Tree = typename Order::Tree;
+  Tree a, b;
+  std::vector<detail::PairCursor<typename Tree::Index>> entries;
+  Query<Order> query;
+
+  AnyQuery(const Tree& tree_a, const Tree& tree_b, const Pose& pose)
+      : a(tree_a),
+        b(tree_b),
+        entries(stack_entries(a.stack_need, b.stack_need)),
+        query(a, b, pose,
+              at_roots<Order>(entries.data(), static_cast<std::uint32_t>(entries.size()))) {}
+  /// Scene: has trees a, b and a pose.
+  template <class Scene>
+  explicit AnyQuery(const Scene& scene) : AnyQuery(scene.a.view(), scene.b.view(), scene.pose) {}
+};
+
+/// Calls use(name, any.query) for each traversal that walks trees in this layout.
+template <class Tree, class Use>
+void for_each_query(const Tree& a, const Tree& b, const Pose& pose, Use use) {
+  for_each_order<typename Tree::Index>([&](auto named) {
+    using Order = typename decltype(named)::Order;
+    if constexpr (Order::Tree::kLayout == Tree::kLayout) {
+      AnyQuery<Order> any(a, b, pose);
+      use(named.name, any.query);
+    }
+  });
+}
+
+}  // namespace flashbvh::test
+
+#endif

@@ -1,0 +1,67 @@
+// The orders of paper/traversals.hpp for what runs each of them: on each layout, and at its start,
+// whether it has a stack or not. Nothing of C++'s library.
+#ifndef FLASHBVH_TESTS_SUPPORT_AT_ROOTS_HPP
+#define FLASHBVH_TESTS_SUPPORT_AT_ROOTS_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/paper/pair_stack.hpp"
+#include "flashbvh/paper/traversals.hpp"
+
+namespace flashbvh::test {
+
+template <class Cursor>
+constexpr bool kIsStack = false;
+template <class Index>
+constexpr bool kIsStack<PairStack<Index>> = true;
+
+/// Where a walk starts; if it needs a stack, on these entries.
+template <class Order>
+typename Order::Cursor at_roots(
+    [[maybe_unused]] detail::PairCursor<typename Order::Tree::Index>* entries,
+    [[maybe_unused]] uint32_t count) {
+  if constexpr (kIsStack<typename Order::Cursor>) {
+    return {entries, count};
+  } else {
+    return {};
+  }
+}
+
+inline bool same(const Counts& a, const Counts& b) {
+  return a.visits == b.visits && a.overlaps == b.overlaps && a.leaf_pairs == b.leaf_pairs &&
+         a.triangle_pairs == b.triangle_pairs;
+}
+
+template <class OrderType>
+struct NamedOrder {
+  using Order = OrderType;
+  const char* name;
+};
+
+/// Calls use(NamedOrder<...>) for each traversal on each layout that it walks, pre-indexed first.
+template <class Index, class Use>
+void for_each_order(Use&& use) {
+  for_each_traversal([&use](auto traversal) {
+    using Traversal = decltype(traversal);
+    if constexpr (Traversal::walks(Layout::pre_indexed)) {
+      use(NamedOrder<typename Traversal::template On<Index, Layout::pre_indexed>>{traversal.name});
+    }
+    if constexpr (Traversal::walks(Layout::post_indexed)) {
+      use(NamedOrder<typename Traversal::template On<Index, Layout::post_indexed>>{traversal.name});
+    }
+  });
+}
+
+/// For those without a stack: their positions can be kept.
+template <class Index, class Use>
+void for_each_stackless_order(Use&& use) {
+  for_each_order<Index>([&use](auto named) {
+    if constexpr (!kIsStack<typename decltype(named)::Order::Cursor>) {
+      use(named);
+    }
+  });
+}
+
+}  // namespace flashbvh::test
+
+#endif
