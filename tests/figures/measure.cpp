@@ -20,7 +20,7 @@ uint32_t walk(const PostMesh& a, const PostMesh& b, const Bound& bound, const Le
 /// Returns the visits.
 template <class LeafPair, class Run>
 uint32_t walk_transformed(const PostMesh& a, const PostMesh& b, Transform& transform,
-                     const LeafPair& leaf_pair, const Run& run) {
+                          const LeafPair& leaf_pair, const Run& run) {
   if (transform.roots_disjoint(a, b)) {
     return 1;
   }
@@ -84,7 +84,8 @@ void add_triangle_tests(const PostMesh& a, const PostMesh& b, const Pose& pose, 
       for (uint32_t of_a = a.first_triangle(leaf_a); of_a < a.end_triangle(leaf_a); ++of_a) {
         Triangle triangle_a;
         translate_triangle(a, of_a, kNoOffset, triangle_a);
-        tests.add(port::instructions_of([&] { (void)triangles_intersect(triangle_a, triangle_b); }));
+        tests.add(
+            port::instructions_of([&] { (void)triangles_intersect(triangle_a, triangle_b); }));
       }
     }
     return true;

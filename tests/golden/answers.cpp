@@ -3,8 +3,8 @@
 
 #include "flashbvh/image.hpp"
 #include "golden/golden.hpp"
-#include "support/rotations.hpp"
 #include "support/any_query.hpp"
+#include "support/rotations.hpp"
 
 namespace flashbvh::test {
 namespace {

@@ -6,8 +6,8 @@
 #include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "golden/golden.hpp"
-#include "support/rotations.hpp"
 #include "support/any_query.hpp"
+#include "support/rotations.hpp"
 
 namespace flashbvh::test {
 namespace {

@@ -80,8 +80,8 @@ struct SmallQuery {
   template <class Scene>
   explicit SmallQuery(const Scene& scene)
       : query(scene.a.view(), scene.b.view(), scene.pose,
-              at_roots<Traversal>(entries, stack_entries(scene.a.view().stack_need,
-                                                         scene.b.view().stack_need))) {}
+              at_roots<Traversal>(
+                  entries, stack_entries(scene.a.view().stack_need, scene.b.view().stack_need))) {}
 };
 
 /// What a query reports, in its order, as one number.

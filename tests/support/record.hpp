@@ -56,7 +56,8 @@ BakedPair<Baked<layout>> bake_pair(const bake::BuildTree& a, const bake::Lattice
 template <class Baked>
 class RecordingOverlap {
  public:
-  RecordingOverlap(const BakedPair<Baked>& pair, const detail::TranslatedBound& test, Record& record)
+  RecordingOverlap(const BakedPair<Baked>& pair, const detail::TranslatedBound& test,
+                   Record& record)
       : pair_(pair), test_(test), record_(record) {}
 
   bool operator()(const detail::PackedBox& box_a, const detail::PackedBox& box_b) const {
@@ -99,8 +100,7 @@ template <class Traversal, class Baked>
 Record record(const BakedPair<Baked>& pair, const detail::TranslatedBound& test) {
   std::vector<detail::PairCursor<typename Baked::Index>> entries(
       stack_entries(pair.a.stack_need, pair.b.stack_need));
-  auto cursor =
-      at_roots<Traversal>(entries.data(), static_cast<std::uint32_t>(entries.size()));
+  auto cursor = at_roots<Traversal>(entries.data(), static_cast<std::uint32_t>(entries.size()));
   return record_from<Traversal>(pair, test, cursor);
 }
 

@@ -43,8 +43,7 @@ inline constexpr TriangleKind kCoplanar = {"coplanar", set_coplanar};
 inline constexpr TriangleKind kSegments = {"segments", set_segments};
 inline constexpr TriangleKind kTriangleKinds[] = {kBoxesApart, kGeneral, kCoplanar, kSegments};
 
-inline void set_random_pair(Random& random, const TriangleKind& kind, Triangle& a,
-                            Triangle& b) {
+inline void set_random_pair(Random& random, const TriangleKind& kind, Triangle& a, Triangle& b) {
   constexpr int32_t kReach = 8000;  // differences below 2^15
   const auto coordinate = [&random] { return random.between(-kReach, kReach); };
   const auto set_corner = [&coordinate](Point& corner) {

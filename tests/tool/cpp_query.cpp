@@ -7,8 +7,8 @@
 
 #include "_2nd_ring.fbvh.hpp"
 #include "early.fbvh.hpp"
-#include "flashbvh/query.hpp"
 #include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/query.hpp"
 #include "grouped.fbvh.hpp"
 #include "ring.fbvh.hpp"
 #include "wide.fbvh.hpp"

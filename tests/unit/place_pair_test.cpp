@@ -106,7 +106,8 @@ TEST_CASE("contact: a pair that no query reports is refused", "[contact]") {
   CHECK(transform_pair(a, b, pose, {last, last}, placed[0], placed[1]));
   CHECK_FALSE(transform_pair(a, b, pose, {count, 0}, placed[0], placed[1]));
   CHECK_FALSE(transform_pair(a, b, pose, {0, count}, placed[0], placed[1]));
-  CHECK_FALSE(transform_pair(a, b, Pose::translated(INT32_MAX, 0, 0), {0, 0}, placed[0], placed[1]));
+  CHECK_FALSE(
+      transform_pair(a, b, Pose::translated(INT32_MAX, 0, 0), {0, 0}, placed[0], placed[1]));
   b.cell_bits ^= 1;
   CHECK_FALSE(transform_pair(a, b, pose, {0, 0}, placed[0], placed[1]));
 }

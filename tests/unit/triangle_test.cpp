@@ -37,7 +37,8 @@ bool all_orders_answer(bool expected, const Triangle& a, const Triangle& b) {
     for (const auto& j : kOrders) {
       const Triangle p = {{a.corner[i[0]], a.corner[i[1]], a.corner[i[2]]}};
       const Triangle q = {{b.corner[j[0]], b.corner[j[1]], b.corner[j[2]]}};
-      if (detail::triangles_intersect(p, q) != expected || detail::triangles_intersect(q, p) != expected) {
+      if (detail::triangles_intersect(p, q) != expected ||
+          detail::triangles_intersect(q, p) != expected) {
         return false;
       }
     }

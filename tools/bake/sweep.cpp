@@ -147,7 +147,7 @@ class Sweep {
   }
 
   BinaryTree tree_;
-  std::vector<detail::Box> boxes_;                           ///< of the triangles
+  std::vector<detail::Box> boxes_;                   ///< of the triangles
   std::array<std::vector<std::uint32_t>, 3> lists_;  ///< triangles, by axis
   std::vector<std::uint64_t> behind_;  ///< by position: the cost of it and all behind it
   std::vector<char> is_right_;         ///< by triangle

@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "flashbvh/query.hpp"
 #include "flashbvh/paper/pair_stack.hpp"
+#include "flashbvh/query.hpp"
 
 namespace flashbvh::scene {
 

@@ -76,7 +76,8 @@ Subject::Subject(const ImageFile& file, std::size_t place, std::string unique_na
       number(place),
       name(std::move(unique_name)),
       shape(shape_of(file.tree())),
-      box(std::visit([](const auto& tree) { return detail::unpack(tree.nodes[0].box); }, file.tree())) {
+      box(std::visit([](const auto& tree) { return detail::unpack(tree.nodes[0].box); },
+                     file.tree())) {
   std::vector<std::uint32_t> numbers;
   const bake::LatticeMesh mesh = lattice_mesh(file, numbers);
   for (const bake::TriangleCorners& t : mesh.triangles) {

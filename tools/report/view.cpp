@@ -51,7 +51,8 @@ const std::array<View, 4>& views() {
   return all;
 }
 
-Projection::Projection(const View& view, const detail::Box& box, std::int64_t side, std::int64_t margin)
+Projection::Projection(const View& view, const detail::Box& box, std::int64_t side,
+                       std::int64_t margin)
     : view_(view), side_(side), room_(side - 2 * margin) {
   const Range x = range_along(view.right, box);
   const Range y = range_along(view.up, box);

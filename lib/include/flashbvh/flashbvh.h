@@ -11,8 +11,8 @@
  * for, except where a comment allows them; so is the use of an object before the call that makes
  * it. An object made here may be copied by assignment, a query too: the copy goes on by itself.
  *
- * Stack on Cortex-M3 and M4 at -O2, in bytes (tests/proof/stack proves it): to open an image at most
- * 480, a run 304, a question in one call 432.
+ * Stack on Cortex-M3 and M4 at -O2, in bytes (tests/proof/stack proves it): to open an image at
+ * most 480, a run 304, a question in one call 432.
  */
 #ifndef FLASHBVH_FLASHBVH_H
 #define FLASHBVH_FLASHBVH_H

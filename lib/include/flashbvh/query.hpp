@@ -188,7 +188,9 @@ class Query : Question {
   /// all of A's for each of B's.
   uint32_t current_a() const { return a_->first_triangle(leaf_a_) + untested_ % triangles_of_a(); }
   uint32_t current_b() const { return b_->first_triangle(leaf_b_) + untested_ / triangles_of_a(); }
-  Pair current_pair() const { return {a_->triangle_ids[current_a()], b_->triangle_ids[current_b()]}; }
+  Pair current_pair() const {
+    return {a_->triangle_ids[current_a()], b_->triangle_ids[current_b()]};
+  }
 
   void set_leaves() {
     const detail::PairCursor<Index> nodes = Order::nodes(*a_, *b_, cursor_);

@@ -51,8 +51,8 @@ inline flashbvh_pair c_pair(const PairQuery::Pair& pair) {
 }
 
 /// PairQuery::run() into an array of C's.
-FLASHBVH_INLINE inline Status run_into(PairQuery& query, uint32_t visits, flashbvh_pair* pairs, uint32_t capacity,
-                       uint32_t& count) {
+FLASHBVH_INLINE inline Status run_into(PairQuery& query, uint32_t visits, flashbvh_pair* pairs,
+                                       uint32_t capacity, uint32_t& count) {
   count = 0;
   if (capacity == 0 && query.status() == Status::suspended) {
     return Status::full;

@@ -35,7 +35,8 @@ inline int64_t dot(const Cofactors& n, const Vector& v) {
 /// The normal of p, q, r, twice the area long.
 template <class Cofactors>
 inline Cofactors normal_of(const Triangle& t) {
-  return cross<Cofactors>(difference(t.corner[1], t.corner[0]), difference(t.corner[2], t.corner[0]));
+  return cross<Cofactors>(difference(t.corner[1], t.corner[0]),
+                          difference(t.corner[2], t.corner[0]));
 }
 
 /// Six times the signed volume of the tetrahedron p, q, r, s.

@@ -38,7 +38,7 @@ struct Arguments {
   const flashbvh::Pose* pose;
   const flashbvh::Pose* other_pose;
   const flashbvh::Triangle* triangles;  ///< two
-  const void* image;                          ///< post-indexed
+  const void* image;                    ///< post-indexed
   uint32_t image_size;
 
   const int32_t (*rotation)[3];  ///< three rows

@@ -6,15 +6,15 @@
 //     moved   the same, but only with poses that do not turn
 //     asked   one call, one answer
 #include "flashbvh/collide.hpp"
+#include "flashbvh/contact.hpp"
 #include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/contact.hpp"
-#include "flashbvh/pose_float.hpp"
 #include "flashbvh/paper/alternating_stack.hpp"
 #include "flashbvh/paper/leaf.hpp"
 #include "flashbvh/paper/ranked_stack.hpp"
 #include "flashbvh/paper/stackless.hpp"
 #include "flashbvh/paper/volume_stack.hpp"
+#include "flashbvh/pose_float.hpp"
 #include "proof/stack/arguments.hpp"
 
 using namespace flashbvh;
@@ -41,7 +41,7 @@ template <class Asked>
 /// Makes the query if no visits are granted, else runs it for a slice.
 template <class Asked>
 [[gnu::always_inline]] inline void make_or_run(Arguments& in, const typename Asked::Mesh& a,
-                        const typename Asked::Mesh& b) {
+                                               const typename Asked::Mesh& b) {
   if (in.visits == 0) {
     make_query<Asked>(in, a, b);
     return;
@@ -122,10 +122,10 @@ ENTRY(last_pair, asked) {
 
 // The triangles of a reported pair, placed again by their source numbers.
 ENTRY(place_a_pair, asked) {
-  in->answer =
-      transform_pair<PostMesh>(*in->a, *in->b, *in->pose, in->found[0], in->placed[0], in->placed[1])
-          ? 1u
-          : 0u;
+  in->answer = transform_pair<PostMesh>(*in->a, *in->b, *in->pose, in->found[0], in->placed[0],
+                                        in->placed[1])
+                   ? 1u
+                   : 0u;
 }
 
 // One call, the query on its stack.

@@ -3,13 +3,13 @@
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/pose_float.hpp"
-#include "flashbvh/query.hpp"
 #include "flashbvh/paper/alternating_stack.hpp"
 #include "flashbvh/paper/leaf.hpp"
 #include "flashbvh/paper/ranked_stack.hpp"
 #include "flashbvh/paper/stackless.hpp"
 #include "flashbvh/paper/volume_stack.hpp"
+#include "flashbvh/pose_float.hpp"
+#include "flashbvh/query.hpp"
 
 namespace flashbvh {
 

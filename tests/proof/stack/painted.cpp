@@ -150,7 +150,7 @@ void prepare() {
   in.c_position = flashbvh_query_position(reinterpret_cast<const flashbvh_query*>(in.query.bytes));
   stack_proof::make_in<TranslatedBound>(in.made_pose, [] {
     return TranslatedBound(in.pose->translation(0), in.pose->translation(1),
-                             in.pose->translation(2));
+                           in.pose->translation(2));
   });
   in.stack[0] = {};
 }
