@@ -115,7 +115,7 @@ step "What happened"
 if [ $status -eq 0 ]; then
   cat <<TEXT
 The microcontroller took the angles of the joints, worked out where the links are, and told exactly
-which triangles meet. Every query gave the same counts as on this machine, under the same poses, from
+which triangles intersect. Every query gave the same counts as on this machine, under the same poses, from
 the same baked meshes, with every traversal; all traversals found the same pairs. No heap was linked,
 and no query used more than the stack printed above. The query object and the pose, 104 bytes, are the
 caller's.

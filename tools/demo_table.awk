@@ -47,20 +47,20 @@ $1 == "result" {
   }
 }
 function name(text) { gsub(/_/, " ", text); return text }
-# A row a pair; those that were apart at the roots are only counted.
+# A row a pair; those that were disjoint at the roots are only counted.
 function end_pair() {
   if (last == "") return
-  if (visits_of_row == 1 && row_is_same) ++apart
+  if (visits_of_row == 1 && row_is_same) ++disjoint
   else print row (row_is_same ? "yes" : "DIFFERS")
   last = ""
 }
 function end_configuration() {
   end_pair()
   if (answer == "") return
-  if (apart) printf "  %d pairs of links apart after one visit, on both\n", apart
+  if (disjoint) printf "  %d pairs of links disjoint after one visit, on both\n", disjoint
   printf "  Does it hit itself? %s: %d instructions for the answer, of these %d for the kinematics\n",
     answer == "yes" ? "YES" : "no", check, kinematics
-  apart = 0
+  disjoint = 0
 }
 END {
   end_configuration()

@@ -64,7 +64,7 @@ visits() {
     END {
       for (pair in most) {
         split(pair, link, "-")
-        printf "all visits.%s.any %.0f\nall visits.%s.met %d\n", pair,
+        printf "all visits.%s.any %.0f\nall visits.%s.observed %d\n", pair,
           2 * leaves[link[1]] * leaves[link[2]] - 1, pair, most[pair]
       }
     }' "$folder"/*.fbvh.hpp "$folder/poses.cpp" | sort
@@ -116,7 +116,7 @@ gather() {
   if [ -r "build/$1/bound.txt" ]; then
     awk -v core="$core" '$1 == "measured" {
         sub(/,/, "", $5)
-        print core, "runs." $2 ".met", $3
+        print core, "runs." $2 ".observed", $3
         print core, "runs." $2 ".proven", $5
       }' "build/$1/bound_measured.txt" >>"$gathered"
   fi

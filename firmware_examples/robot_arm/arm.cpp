@@ -11,10 +11,10 @@ using namespace flashbvh;
 
 namespace {
 
-constexpr Pose kUnmoved = Pose::translated(0, 0, 0);
+constexpr Pose kIdentity = Pose::translated(0, 0, 0);
 
 /// The next link in the frame of the one before. All links share a cell.
-Pose turned(const Joint& joint, float angle) {
+Pose rotated(const Joint& joint, float angle) {
   const float sine = sinf(angle / 2);
   return pose_of(UnitQuaternion{cosf(angle / 2), joint.axis[0] * sine, joint.axis[1] * sine,
                                 joint.axis[2] * sine},
@@ -23,10 +23,10 @@ Pose turned(const Joint& joint, float angle) {
 
 }  // namespace
 
-PlacedArm placed_arm(const float (&angles)[kJointCount]) {
-  PlacedArm arm = {{kUnmoved, kUnmoved, kUnmoved, kUnmoved, kUnmoved, kUnmoved, kUnmoved}};
+ArmPose arm_pose(const float (&angles)[kJointCount]) {
+  ArmPose arm = {{kIdentity, kIdentity, kIdentity, kIdentity, kIdentity, kIdentity, kIdentity}};
   for (int i = 0; i < kJointCount; ++i) {
-    arm.link[i + 1] = Pose::composed(arm.link[i], turned(kJoints[i], angles[i]));
+    arm.link[i + 1] = Pose::composed(arm.link[i], rotated(kJoints[i], angles[i]));
   }
   return arm;
 }

@@ -7,7 +7,7 @@
 constexpr int kJointCount = 6;
 constexpr int kLinkCount = kJointCount + 1;
 
-/// A joint that turns the next link in the frame of the one before.
+/// A joint that rotates the next link in the frame of the one before.
 struct Joint {
   float origin[3];  ///< metres
   float axis[3];    ///< of length 1
@@ -16,11 +16,11 @@ struct Joint {
 };
 
 /// Each link in the frame of the first.
-struct PlacedArm {
+struct ArmPose {
   flashbvh::Pose link[kLinkCount];
 };
 
 /// The links where the joints are at these angles. Takes 104 bytes a link.
-PlacedArm placed_arm(const float (&angles)[kJointCount]);
+ArmPose arm_pose(const float (&angles)[kJointCount]);
 
 #endif

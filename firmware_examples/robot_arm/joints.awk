@@ -1,7 +1,7 @@
 # Reads the joints between the arm's links from its URDF file and writes them as C++:
 #     awk -f joints.awk "KR5 sixx R650.urdf" >joints.hpp
 # Status 1, and why on standard error, if the file is not what this expects: six revolute joints that
-# make a chain of the seven links, in order, none of them turned at rest.
+# make a chain of the seven links, in order, none of them rotated at rest.
 BEGIN { links = split("base_link shoulder bicep elbow forearm wrist palm", link, " ") }
 { text = text " " $0 }
 END {
@@ -50,7 +50,7 @@ function add_joint(origin) {
   ++joints
   if (value("parent", "link") != link[joints] || value("child", "link") != link[joints + 1])
     fail("joint " joints " is not between " link[joints] " and " link[joints + 1])
-  if (value("origin", "rpy") !~ /^ *0 +0 +0 *$/) fail("joint " joints " is turned at rest")
+  if (value("origin", "rpy") !~ /^ *0 +0 +0 *$/) fail("joint " joints " is rotated at rest")
   lines = lines "    {{" literals(value("origin", "xyz"), 3) "}, {" literals(value("axis", "xyz"), 3) "}, " \
     literals(value("limit", "lower"), 1) ", " literals(value("limit", "upper"), 1) "},  // " \
     value("", "name") "\n"

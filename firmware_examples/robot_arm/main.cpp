@@ -27,16 +27,16 @@ namespace {
 
 bool failed = false;
 
-PlacedArm placed_arm(const Configuration& configuration) {
+ArmPose arm_pose(const Configuration& configuration) {
   float angles[kJointCount];
   for (int i = 0; i < kJointCount; ++i) {
     angles[i] = radians(configuration.degrees[i]);
   }
-  return ::placed_arm(angles);
+  return ::arm_pose(angles);
 }
 
 /// Whether links that are not neighbours touch: neighbours share a bearing. What can't be told may.
-bool hits_itself(const PlacedArm& arm) {
+bool hits_itself(const ArmPose& arm) {
   for (int a = 0; a < kLinkCount; ++a) {
     for (int b = a + 2; b < kLinkCount; ++b) {
       const Pose pose = Pose::relative(arm.link[a], arm.link[b]);
@@ -134,7 +134,7 @@ struct PreTrees {
   }
 };
 
-void ask(const Configuration& configuration, const PlacedArm& arm, const PreTrees& pre, int a,
+void ask(const Configuration& configuration, const ArmPose& arm, const PreTrees& pre, int a,
          int b) {
   const Pose pose = Pose::relative(arm.link[a], arm.link[b]);
   const Case what = {configuration.name, robot::kLinks[a], robot::kLinks[b], pose};
@@ -152,8 +152,7 @@ void ask(const Configuration& configuration, const PlacedArm& arm, const PreTree
 /// The question as a controller asks it.
 void check(const Configuration& configuration) {
   bool yes = true;
-  const uint32_t whole =
-      port::instructions_of([&] { yes = hits_itself(placed_arm(configuration)); });
+  const uint32_t whole = port::instructions_of([&] { yes = hits_itself(arm_pose(configuration)); });
   port::print("arm ", configuration.name);
   for (const int degrees : configuration.degrees) {
     port::print(" ", degrees);
@@ -162,8 +161,8 @@ void check(const Configuration& configuration) {
 }
 
 void ask_all(const Configuration& configuration, const PreTrees& pre, int nearest) {
-  PlacedArm arm = placed_arm(configuration);
-  const uint32_t kinematics = port::instructions_of([&] { arm = placed_arm(configuration); });
+  ArmPose arm = arm_pose(configuration);
+  const uint32_t kinematics = port::instructions_of([&] { arm = arm_pose(configuration); });
   port::print("kinematics ", configuration.name, " ", kinematics, "\n");
   for (int a = 0; a < kLinkCount; ++a) {
     for (int b = a + nearest; b < kLinkCount; ++b) {
@@ -181,7 +180,7 @@ int main() {
   }
   for (const Configuration& configuration : kConfigurations) {
     check(configuration);
-    // Neighbours once: they meet in every configuration.
+    // Neighbours once: they intersect in every configuration.
     ask_all(configuration, pre, &configuration == kConfigurations ? 1 : 2);
   }
   return failed ? 1 : 0;

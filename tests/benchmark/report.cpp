@@ -33,7 +33,7 @@ void put_right(uint32_t value, uint32_t width) {
   port::put(value);
 }
 
-/// part / whole with `digits` behind the point, rounded.
+/// part / whole with `digits` after the point, rounded.
 void put_quotient(uint32_t part, uint32_t whole, uint32_t digits, uint32_t width) {
   uint32_t scale = 1;
   for (uint32_t i = 0; i < digits; ++i) {

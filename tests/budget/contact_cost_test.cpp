@@ -32,14 +32,14 @@ struct Cost {
   std::uint32_t stack;
 };
 
-/// The most over some hundred pairs of a kind that meet; printed with the mean.
+/// The most over some hundred pairs of a kind that intersect; printed with the mean.
 template <class Make>
 Cost cost_of(const char* kind, Make make) {
   test::Random random(test::test_seed());
   Cost cost = {0, 0};
   std::uint32_t sum = 0;
   for (int i = 0; i < kPairs;) {
-    const test::PlacedPair pair = make(random);
+    const test::TransformedPair pair = make(random);
     if (!triangles_intersect(pair.a, pair.b)) {
       continue;
     }
@@ -60,9 +60,9 @@ Cost cost_of(const char* kind, Make make) {
   return cost;
 }
 
-test::PlacedPair without_area(test::Random& random) {
+test::TransformedPair without_area(test::Random& random) {
   for (;;) {
-    const test::PlacedPair pair = test::any_pair(random);
+    const test::TransformedPair pair = test::any_pair(random);
     if (triangles_intersect(pair.a, pair.b) &&
         contact_of(pair.a, pair.b).kind == ContactKind::degenerate) {
       return pair;
@@ -74,10 +74,11 @@ test::PlacedPair without_area(test::Random& random) {
 
 TEST_CASE("instructions and stack of a contact stay within what the header says") {
   const Cost general = cost_of("general", [](test::Random& random) {
-    return test::PlacedPair{{{test::point_within(random, 30000), test::point_within(random, 30000),
-                              test::point_within(random, 30000)}},
-                            {{test::point_within(random, 30000), test::point_within(random, 30000),
-                              test::point_within(random, 30000)}}};
+    return test::TransformedPair{
+        {{test::point_within(random, 30000), test::point_within(random, 30000),
+          test::point_within(random, 30000)}},
+        {{test::point_within(random, 30000), test::point_within(random, 30000),
+          test::point_within(random, 30000)}}};
   });
   const Cost coplanar =
       cost_of("coplanar", [](test::Random& random) { return test::coplanar_pair(random, 30000); });

@@ -96,11 +96,11 @@ answer whole(const Object& a, const Object& b, const Pose& pose,
 constexpr std::uint32_t kRuns[] = {1, 2, 7, UINT32_MAX};
 constexpr std::uint32_t kCapacities[] = {1, 3, 8};
 
-bool same(const flashbvh_triangle& c, const Triangle& placed) {
+bool same(const flashbvh_triangle& c, const Triangle& transformed) {
   bool same = true;
   for (int i = 0; i < 3; ++i) {
-    same = same && c.corner[i].x == placed.corner[i].x && c.corner[i].y == placed.corner[i].y &&
-           c.corner[i].z == placed.corner[i].z;
+    same = same && c.corner[i].x == transformed.corner[i].x &&
+           c.corner[i].y == transformed.corner[i].y && c.corner[i].z == transformed.corner[i].z;
   }
   return same;
 }
@@ -167,7 +167,7 @@ TEST_CASE("poses made in C are those made in C++, in place too") {
   }
 }
 
-TEST_CASE("the triangles of the last pair are placed as in C++") {
+TEST_CASE("the triangles of the last pair are transformed as in C++") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 22);
@@ -191,13 +191,13 @@ TEST_CASE("the triangles of the last pair are placed as in C++") {
       if (step.status == Status::done) {
         break;
       }
-      Triangle placed_a{};
-      Triangle placed_b{};
+      Triangle transformed_a{};
+      Triangle transformed_b{};
       flashbvh_triangle c_a;
       flashbvh_triangle c_b;
-      query.last_pair(placed_a, placed_b);
+      query.last_pair(transformed_a, transformed_b);
       flashbvh_query_last_pair(&c_query, &c_a, &c_b);
-      REQUIRE((same(c_a, placed_a) && same(c_b, placed_b)));
+      REQUIRE((same(c_a, transformed_a) && same(c_b, transformed_b)));
       ++total;
     }
   }

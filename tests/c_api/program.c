@@ -12,7 +12,7 @@ enum { ROOM = 200, POSES = 60 };
 
 static long failures;
 static uint32_t total;
-static uint32_t turned;
+static uint32_t rotated;
 
 static void check(bool holds, const char* what, long where) {
   if (!holds) {
@@ -42,7 +42,7 @@ static void compare(image one, image other, const flashbvh_pose* pose, long wher
   flashbvh_pose_values(pose, rotation, cells, fraction);
   query_in_cpp(one, other, rotation, cells, fraction, &expected);
   total += expected.count;
-  turned += expected.count != 0 && rotation[0] != FLASHBVH_ROTATION_ONE ? 1u : 0u;
+  rotated += expected.count != 0 && rotation[0] != FLASHBVH_ROTATION_ONE ? 1u : 0u;
   check(expected.status == FLASHBVH_STATUS_DONE, "C++", where);
   for (size_t i = 0; i < sizeof runs / sizeof runs[0]; ++i) {
     for (size_t j = 0; j < sizeof capacities / sizeof capacities[0]; ++j) {
@@ -55,8 +55,8 @@ static void compare(image one, image other, const flashbvh_pose* pose, long wher
   check(questions_agree(&a, &b, pose, &expected), "questions", where);
 }
 
-/** Pose number i: turned by 36.87 degrees (3/5, 4/5) about each axis in turn, and moved a little,
- * again and again. */
+/** Pose number i: rotated by 36.87 degrees (3/5, 4/5) about each axis in turn, and translated a
+ * little, again and again. */
 static void next_pose(int i, flashbvh_pose* pose) {
   const int32_t s = FLASHBVH_ROTATION_ONE / 5 * 3;
   const int32_t c = FLASHBVH_ROTATION_ONE / 5 * 4;
@@ -115,7 +115,7 @@ int main(void) {
     compare(peg, peg, &pose, i);
     next_pose(i, &pose);
   }
-  check(total > 500 && turned > 30, "too few pairs to tell", 0);
+  check(total > 500 && rotated > 30, "too few pairs to tell", 0);
   port_put("pairs: ");
   port_put_number((long)total);
   port_put(", failures: ");

@@ -21,7 +21,7 @@ typedef struct answer {
 void query_in_slices(const flashbvh_mesh* a, const flashbvh_mesh* b, const flashbvh_pose* pose,
                      uint32_t visits, uint32_t capacity, answer* to);
 
-/** The same, with a new query behind each run, taken to the position of the one before. */
+/** The same, with a new query after each run, taken to the position of the one before. */
 void query_saved_and_resumed(const flashbvh_mesh* a, const flashbvh_mesh* b,
                              const flashbvh_pose* pose, uint32_t visits, uint32_t capacity,
                              answer* to);

@@ -1,5 +1,5 @@
 // One number for thousands of queries: every pair reported, in its order, every count, and under
-// one rule where each pair meets.
+// one rule where each pair intersects.
 #ifndef FLASHBVH_TESTS_DIGEST_DIGEST_HPP
 #define FLASHBVH_TESTS_DIGEST_DIGEST_HPP
 
@@ -25,7 +25,7 @@ class Hash {
 struct Result {
   uint64_t value;
   uint32_t cases;    ///< (mesh pair, pose, rule)
-  uint32_t pairs;    ///< of triangles that meet, over all cases
+  uint32_t pairs;    ///< of triangles that intersect, over all cases
   uint32_t refused;  ///< trees that check_tree() does not accept: 0
 };
 

@@ -1,4 +1,4 @@
-// Random meshes in fixed arrays and poses that move them against each other.
+// Random meshes in fixed arrays and poses that translate them against each other.
 #ifndef FLASHBVH_TESTS_DIGEST_SMALL_MESH_HPP
 #define FLASHBVH_TESTS_DIGEST_SMALL_MESH_HPP
 
@@ -9,7 +9,7 @@
 
 namespace digest {
 
-/// How large a mesh is, in cells, and how far poses move it.
+/// How large a mesh is, in cells, and how far poses translate it.
 struct Scale {
   int32_t spread;
   int32_t size;

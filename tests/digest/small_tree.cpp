@@ -43,7 +43,7 @@ PackedBox SmallTree<layout>::box_of(const SmallMesh& mesh, uint32_t first, uint3
     lower = value < lower ? value : lower;
     upper = value > upper ? value : upper;
   };
-  for (uint32_t i = leaf_firsts_[first]; i < leaf_firsts_[end]; ++i) {
+  for (uint32_t i = leaf_offsets_[first]; i < leaf_offsets_[end]; ++i) {
     for (const uint16_t corner : mesh.triangles[i].corner) {
       const Vertex& v = mesh.vertices[corner];
       take(v.x, box.lower.x, box.upper.x);
@@ -62,13 +62,13 @@ void SmallTree<layout>::set_node(const SmallMesh& mesh, const Range& range, uint
   const uint32_t leaves = static_cast<uint32_t>(range.end - range.first);
   node.box = box_of(mesh, range.first, range.end);
   levels_[range.node] = root ? uint16_t{0} : static_cast<uint16_t>(levels_[range.parent] + 1);
-  const auto behind = static_cast<uint16_t>(range.node + nodes_of(leaves));
+  const auto after = static_cast<uint16_t>(range.node + nodes_of(leaves));
   if (kPost) {
-    node.link = root ? behind : sibling;
+    node.link = root ? after : sibling;
     climb_[range.node] =
         range.last_child ? static_cast<uint16_t>(climb_[range.parent] + 1) : uint16_t{0};
   } else {
-    node.link = behind;
+    node.link = after;
     climb_[range.node] = range.parent;
   }
   if (leaves == 1) {
@@ -85,7 +85,7 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
   const uint32_t leaf_count = (mesh.triangle_count + leaf_size - 1) / leaf_size;
   for (uint32_t i = 0; i <= leaf_count; ++i) {
     const uint32_t first = i * leaf_size;
-    leaf_firsts_[i] =
+    leaf_offsets_[i] =
         static_cast<uint16_t>(first < mesh.triangle_count ? first : mesh.triangle_count);
   }
   uint32_t depth_need = 0;
@@ -104,7 +104,7 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
     }
     const auto middle = static_cast<uint16_t>(
         range.first + cut(shape, static_cast<uint32_t>(range.end - range.first)));
-    // Array order is leaf order: the subtree right behind its parent, the first child or, in a
+    // Array order is leaf order: the subtree right after its parent, the first child or, in a
     // post-indexed tree, the last one, takes the leaves that come first.
     const auto near = static_cast<uint16_t>(range.node + 1);
     const auto far =
@@ -118,7 +118,7 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
   view_.nodes = nodes_;
   view_.triangles = mesh.triangles;
   view_.triangle_ids = sources_;
-  view_.leaf_offsets = leaf_size == 1 ? nullptr : leaf_firsts_;
+  view_.leaf_offsets = leaf_size == 1 ? nullptr : leaf_offsets_;
   view_.vertices = mesh.vertices;
   view_.node_count = nodes_of(leaf_count);
   view_.leaf_count = static_cast<uint16_t>(leaf_count);

@@ -55,7 +55,7 @@ class SmallTree {
   uint16_t levels_[kMostNodes];
   uint16_t climb_[kMostNodes];
   uint16_t sources_[kMostTriangles];
-  uint16_t leaf_firsts_[kMostTriangles + 1];
+  uint16_t leaf_offsets_[kMostTriangles + 1];
   Tree view_;
 };
 

@@ -11,10 +11,10 @@ namespace figures {
 
 /// How near two meshes are, in the words of the paper's section 9.1.
 enum class Proximity : uint8_t {
-  separated,     ///< the boxes of the roots are apart: one visit tells
-  small,         ///< they overlap, at most kFewLeafPairs pairs of leaves do, no triangles meet
-  close,         ///< more pairs of leaves overlap, no triangles meet
-  intersecting,  ///< triangles meet
+  separated,     ///< the boxes of the roots are disjoint: one visit tells
+  small,         ///< they overlap, at most kFewLeafPairs pairs of leaves do, no triangles intersect
+  close,         ///< more pairs of leaves overlap, no triangles intersect
+  intersecting,  ///< triangles intersect
 };
 
 constexpr const char* kProximityNames[] = {"separated", "small", "close", "intersecting"};
@@ -34,14 +34,14 @@ struct Asked {
   uint32_t triangle_pairs;
 };
 
-/// Two meshes and their poses: moved only, and turned, too.
+/// Two meshes and their poses: translated only, and rotated, too.
 struct AskedPair {
   const char* a_name;
   const char* b_name;
   const flashbvh::PostMesh* a;
   const flashbvh::PostMesh* b;
-  Asked moved[kProximities][kPosesOfPair];
-  Asked turned[kProximities][kPosesOfPair];
+  Asked translated[kProximities][kPosesOfPair];
+  Asked rotated[kProximities][kPosesOfPair];
 };
 
 /// Written by write_poses.

@@ -65,7 +65,7 @@ bool ask(const AskedPair& pair, const Asked& asked, OfClass& of_class, Motion& m
 
 using PosesOfPair = Asked (AskedPair::*)[kProximities][kPosesOfPair];
 
-/// Moved only, or turned, too.
+/// Translated only, or rotated, too.
 bool ask_all(const char* name, PosesOfPair poses, Spread& triangle_tests) {
   bool good = true;
   Motion motion;
@@ -90,11 +90,11 @@ void measure_poses() {
   Spread made;
   Spread relative;
   for (uint32_t p = 0; p < kAskedPairCount; ++p) {
-    for (const Asked& asked : kAskedPairs[p].turned[0]) {
+    for (const Asked& asked : kAskedPairs[p].rotated[0]) {
       const int16_t(&q)[4] = asked.quaternion;
       const test::Rotation rotation = test::rotation_of({q[0], q[1], q[2], q[3]});
       const Pose world = pose_of(asked);
-      const Pose other = pose_of(kAskedPairs[p].turned[1][0]);
+      const Pose other = pose_of(kAskedPairs[p].rotated[1][0]);
       Pose pose = Pose::translated(0, 0, 0);
       made.add(port::instructions_of([&] { pose = Pose::rigid(rotation.entry, asked.cells); }));
       relative.add(port::instructions_of([&] { pose = Pose::relative(other, world); }));
@@ -107,12 +107,12 @@ void measure_poses() {
 bool run() {
   print_core();
   Spread triangle_tests;
-  const bool moved = ask_all("moved", &AskedPair::moved, triangle_tests);
-  const bool turned = ask_all("turned", &AskedPair::turned, triangle_tests);
+  const bool translated = ask_all("translated", &AskedPair::translated, triangle_tests);
+  const bool rotated = ask_all("rotated", &AskedPair::rotated, triangle_tests);
   print_figures({{kSet, "triangle_test"}}, triangle_tests);
   print_count({{kSet, "triangle_tests"}}, triangle_tests.count());
   measure_poses();
-  return moved && turned;
+  return translated && rotated;
 }
 
 }  // namespace

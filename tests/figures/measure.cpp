@@ -16,7 +16,7 @@ uint32_t walk(const PostMesh& a, const PostMesh& b, const Bound& bound, const Le
   return test::walk_from<Ranked<PostMesh>>(a, b, bound, cursor, leaf_pair).counts.visits;
 }
 
-/// Calls `run(walk)`, which calls walk(), unless the roots alone tell that the meshes are apart.
+/// Calls `run(walk)`, which calls walk(), unless the roots alone tell that the meshes are disjoint.
 /// Returns the visits.
 template <class LeafPair, class Run>
 uint32_t walk_transformed(const PostMesh& a, const PostMesh& b, Transform& transform,

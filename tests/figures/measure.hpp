@@ -32,7 +32,7 @@ struct Queried {
 Queried measure_query(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
                       const flashbvh::Pose& pose);
 
-/// Adds the exact test, without placing, of each pair of triangles that the query comes to.
+/// Adds the exact test, without transforming, of each pair of triangles that the query comes to.
 void add_triangle_tests(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
                         const flashbvh::Pose& pose, Spread& tests);
 
@@ -44,8 +44,8 @@ class Motion {
 
   /// Of the same pose.
   void add(const Walked& walked, const Queried& queried);
-  /// SET.visit.MOTION: a visit, on average and in the dearest walk; SET.start.MOTION: a query made
-  /// and its first visit; SET.leaf_pair.MOTION: what a pair of leaves adds to a query.
+  /// SET.visit.MOTION: a visit, on average and in the worst walk observed; SET.start.MOTION: a
+  /// query made and its first visit; SET.leaf_pair.MOTION: what a pair of leaves adds to a query.
   void print(const char* set, const char* motion) const;
 
  private:

@@ -1,12 +1,12 @@
 # awk -f markdown.awk -f formula.awk -f page.awk figures.txt parts.txt page.md: the page, of its text and the data.
 #
 # Lines of the text that begin with @ become tables:
-#     @table LABEL | HEAD...       the cores are the columns, behind one for each HEAD
+#     @table LABEL | HEAD...       the cores are the columns, after one for each HEAD
 #     @row LABEL | NAME... | NAME  what all cores count under each HEAD; what each core takes
 #     @end OTHERWISE               the table; if it has no rows, the rest of the line instead
 #     @parts MOTION                what fits in a period of 1 ms, by part
-#     @visits                      what bounds the visits of each pair of meshes, and the most met
-#     @bounded                     the dearest queries on the links, beside the bounds on them
+#     @visits                      what bounds the visits of each pair of meshes, and the most observed
+#     @bounded                     the worst queries observed on the links, beside the bounds on them
 #     @worked CORE MOTION CLASS    the arithmetic of one of these figures
 # and @{CORE NAME} in any other line the value. A row of which nothing is known is left out.
 
@@ -165,9 +165,9 @@ $1 == "@visits" {
   cell("pair of links"); cell("any traversal"); cell("`ranked`"); cell("most of 128 poses")
   end_row()
   for (i = 0; i < names; ++i) {
-    if (name[i] ~ /^visits\..*\.met$/) {
+    if (name[i] ~ /^visits\..*\.observed$/) {
       pair = name[i]
-      gsub(/^visits\.|\.met$/, "", pair)
+      gsub(/^visits\.|\.observed$/, "", pair)
       link = pair
       sub(/-/, ", ", link)
       cell(link); cell(shown("all", "visits." pair ".any"))
@@ -191,7 +191,7 @@ function bound_of_query(who, motion, of_class,    i, what, cost, visits, leaf_pa
   }
   visits = value["all", "kr5.visits." motion "." of_class ".max"]
   leaf_pairs = value["all", "kr5.leaf_pairs." motion "." of_class ".max"]
-  return cost["make-query"] + most_instructions(cost, motion == "moved" ? "translated" : "rotated", \
+  return cost["make-query"] + most_instructions(cost, motion, \
     visits, leaf_pairs, leaf_pairs + 1, most_depths + visits, most_siblings)
 }
 
@@ -201,7 +201,7 @@ function bounded_rows(motion, of_class,    c) {
     cell(grouped(sprintf("%.0f", bound_of_query(core[c], motion, of_class))))
   }
   end_row()
-  cell("met")
+  cell("observed")
   for (c = 0; c < cores; ++c) {
     cell(shown(core[c], "kr5.query." motion "." of_class ".max"))
   }
@@ -218,17 +218,17 @@ $1 == "@bounded" {
     }
   }
   begin_table()
-  cell("the dearest query of 64 poses")
+  cell("the worst query observed, 64 poses")
   for (c = 0; c < cores; ++c) {
     cell(core[c])
   }
   end_row()
-  bounded_rows("moved", "small")
-  bounded_rows("moved", "close")
-  bounded_rows("moved", "intersecting")
-  bounded_rows("turned", "small")
-  bounded_rows("turned", "close")
-  bounded_rows("turned", "intersecting")
+  bounded_rows("translated", "small")
+  bounded_rows("translated", "close")
+  bounded_rows("translated", "intersecting")
+  bounded_rows("rotated", "small")
+  bounded_rows("rotated", "close")
+  bounded_rows("rotated", "intersecting")
   print_table()
   next
 }

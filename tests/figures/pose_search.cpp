@@ -65,9 +65,9 @@ PoseSearch::PoseSearch(const PostMesh& a, const PostMesh& b, std::uint64_t seed)
   size_b_ = size_b_ > side_b[2] ? size_b_ : side_b[2];
 }
 
-Asked PoseSearch::next(Proximity proximity, bool turned) {
+Asked PoseSearch::next(Proximity proximity, bool rotated) {
   for (;;) {
-    const Approach approach = any_approach(turned);
+    const Approach approach = any_approach(rotated);
     const std::int64_t touching = touching_distance(approach);
     Asked asked = at(approach, touching + gap_of(proximity));
     if (touching >= 0 && is(proximity, asked)) {
@@ -76,10 +76,10 @@ Asked PoseSearch::next(Proximity proximity, bool turned) {
   }
 }
 
-PoseSearch::Approach PoseSearch::any_approach(bool turned) {
+PoseSearch::Approach PoseSearch::any_approach(bool rotated) {
   Approach approach{};
   std::int64_t q[4] = {1, 0, 0, 0};
-  if (turned) {
+  if (rotated) {
     set_in_ball(random_, q);
   }
   approach.quaternion = {static_cast<std::int32_t>(q[0]), static_cast<std::int32_t>(q[1]),
@@ -98,11 +98,11 @@ Asked PoseSearch::at(const Approach& approach, std::int64_t distance) const {
                  0,
                  0,
                  0};
-  const Pose turned = pose_of(asked);
+  const Pose rotated = pose_of(asked);
   for (int axis = 0; axis < 3; ++axis) {
-    std::int64_t middle = 0;  // B's, turned
+    std::int64_t middle = 0;  // B's, rotated
     for (int i = 0; i < 3; ++i) {
-      middle += turned.rotation(axis, i) * middle_b_[i];
+      middle += rotated.rotation(axis, i) * middle_b_[i];
     }
     asked.cells[axis] =
         static_cast<std::int32_t>((middle_a_[axis] - middle / kRotationOne) / 2 +
@@ -125,10 +125,10 @@ std::int64_t PoseSearch::touching_distance(const Approach& approach) const {
     return -1;
   }
   std::int64_t touching = reach_ * step / kScanSteps;
-  std::int64_t apart = reach_ * (step + 1) / kScanSteps;
-  while (apart - touching > 1) {
-    const std::int64_t between = (touching + apart) / 2;
-    (touches(approach, between) ? touching : apart) = between;
+  std::int64_t disjoint = reach_ * (step + 1) / kScanSteps;
+  while (disjoint - touching > 1) {
+    const std::int64_t between = (touching + disjoint) / 2;
+    (touches(approach, between) ? touching : disjoint) = between;
   }
   return touching;
 }

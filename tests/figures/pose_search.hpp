@@ -9,14 +9,15 @@
 
 namespace figures {
 
-/// B is turned anyhow, or not at all, and comes towards A from any direction, the middles of their
-/// boxes in line, until it touches. From there it is moved on or back by a part of its size.
+/// B is rotated at random, or not at all, and comes towards A from any direction, the middles of
+/// their boxes in line, until it touches. From there it is translated on or back by a part of its
+/// size.
 class PoseSearch {
  public:
   /// The trees outlive the search.
   PoseSearch(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b, std::uint64_t seed);
 
-  Asked next(Proximity proximity, bool turned);
+  Asked next(Proximity proximity, bool rotated);
 
  private:
   struct Approach {
@@ -25,13 +26,13 @@ class PoseSearch {
     std::int64_t length;  ///< of the direction
   };
 
-  Approach any_approach(bool turned);
+  Approach any_approach(bool rotated);
   /// B's middle at a distance, in cells, from A's; its counts are 0.
   Asked at(const Approach& approach, std::int64_t distance) const;
   bool touches(const Approach& approach, std::int64_t distance) const;
   /// The largest distance at which they touch; -1 if there is none.
   std::int64_t touching_distance(const Approach& approach) const;
-  /// How far B is moved away from where it touches; negative: towards A.
+  /// How far B is translated away from where it touches; negative: towards A.
   std::int64_t gap_of(Proximity proximity);
   /// Fills in the counts.
   bool is(Proximity proximity, Asked& asked) const;
@@ -41,7 +42,7 @@ class PoseSearch {
   flashbvh::test::Random random_;
   std::int64_t middle_a_[3];  ///< in half cells
   std::int64_t middle_b_[3];
-  std::int64_t reach_;   ///< from here on their boxes are apart however B is turned
+  std::int64_t reach_;   ///< from here on their boxes are disjoint however B is rotated
   std::int64_t size_b_;  ///< the longest side of B's box
 };
 

@@ -1,7 +1,7 @@
 // What the firmware prints, for tools/figures.sh to gather:
 //     core Cortex-M4F
-//     figure kr5.visit.turned.mean 87.25    instructions, which depend on the core
-//     count kr5.visits.close.turned.max 888  what every core and this machine must agree about
+//     figure kr5.visit.rotated.mean 87.25    instructions, which depend on the core
+//     count kr5.visits.close.rotated.max 888  what every core and this machine must agree about
 // Where no instructions are counted, on the host, there are counts alone.
 #ifndef FLASHBVH_TESTS_FIGURES_REPORT_HPP
 #define FLASHBVH_TESTS_FIGURES_REPORT_HPP
@@ -10,7 +10,7 @@
 
 namespace figures {
 
-/// Words that dots join; those behind the last are null.
+/// Words that dots join; those after the last are null.
 struct Name {
   const char* word[5];
 };
@@ -40,7 +40,7 @@ class Spread {
 void print_core();
 void print_count(const Name& name, uint32_t value);
 void print_figure(const Name& name, uint32_t value);
-/// With two digits behind the point, rounded; nothing if `whole` is 0.
+/// With two digits after the point, rounded; nothing if `whole` is 0.
 void print_quotient(const Name& name, uint64_t part, uint64_t whole);
 
 /// NAME.mean and NAME.max.

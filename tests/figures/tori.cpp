@@ -1,4 +1,4 @@
-// Two tori in random poses, and pairs of triangles of the dearest kinds: what can be measured
+// Two tori in random poses, and pairs of triangles of the costliest kinds: what can be measured
 // anywhere, without a robot's meshes.
 #include "insn.hpp"
 #include "measure.hpp"
@@ -19,8 +19,8 @@ constexpr uint64_t kSeed = 20240607;
 constexpr int32_t kReaches[] = {2000, 6000, 12000};
 constexpr uint32_t kPosesOfReach = 20;
 
-Pose any_pose(test::Random& random, int32_t reach, bool turned) {
-  if (turned) {
+Pose any_pose(test::Random& random, int32_t reach, bool rotated) {
+  if (rotated) {
     return test::any_rigid_pose(random, reach);
   }
   const int32_t x = random.between(-reach, reach);
@@ -28,7 +28,7 @@ Pose any_pose(test::Random& random, int32_t reach, bool turned) {
   return Pose::translated(x, y, random.between(-reach, reach));
 }
 
-bool ask_all(const char* name, bool turned) {
+bool ask_all(const char* name, bool rotated) {
   test::Random random(kSeed);
   Motion motion;
   Spread visits;
@@ -37,7 +37,7 @@ bool ask_all(const char* name, bool turned) {
   bool good = true;
   for (const int32_t reach : kReaches) {
     for (uint32_t i = 0; i < kPosesOfReach; ++i) {
-      const Pose pose = any_pose(random, reach, turned);
+      const Pose pose = any_pose(random, reach, rotated);
       const Walked walked = measure_walk(thick::mesh, thin::mesh, pose);
       const Queried queried = measure_query(thick::mesh, thin::mesh, pose);
       motion.add(walked, queried);
@@ -58,28 +58,28 @@ void measure_kind(const test::TriangleKind& kind) {
   constexpr uint32_t kPairs = 300;
   test::Random random(kSeed);
   Spread tests;
-  uint32_t met = 0;
+  uint32_t intersecting = 0;
   for (uint32_t i = 0; i < kPairs; ++i) {
     Triangle a;
     Triangle b;
     test::set_random_pair(random, kind, a, b);
-    bool meets = false;
-    tests.add(port::instructions_of([&] { meets = triangles_intersect(a, b); }));
-    met += meets ? 1 : 0;
+    bool intersects = false;
+    tests.add(port::instructions_of([&] { intersects = triangles_intersect(a, b); }));
+    intersecting += intersects ? 1 : 0;
   }
   print_count({{"triangles", kind.name, "n"}}, tests.count());
-  print_count({{"triangles", kind.name, "met"}}, met);
+  print_count({{"triangles", kind.name, "intersecting"}}, intersecting);
   print_figures({{"triangles", kind.name}}, tests);
 }
 
 bool run() {
   print_core();
-  const bool moved = ask_all("moved", false);
-  const bool turned = ask_all("turned", true);
+  const bool translated = ask_all("translated", false);
+  const bool rotated = ask_all("rotated", true);
   for (const test::TriangleKind& kind : test::kTriangleKinds) {
     measure_kind(kind);
   }
-  return moved && turned;
+  return translated && rotated;
 }
 
 }  // namespace

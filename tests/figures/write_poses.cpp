@@ -48,12 +48,12 @@ void write_asked(std::ostream& out, const Asked& asked) {
       << ", " << asked.leaf_pairs << ", " << asked.triangle_pairs << "},\n";
 }
 
-void write_motion(std::ostream& out, PoseSearch& search, bool turned) {
+void write_motion(std::ostream& out, PoseSearch& search, bool rotated) {
   out << "     {\n";
   for (std::uint32_t proximity = 0; proximity < kProximities; ++proximity) {
     out << "         {\n";
     for (std::uint32_t i = 0; i < kPosesOfPair; ++i) {
-      write_asked(out, search.next(static_cast<Proximity>(proximity), turned));
+      write_asked(out, search.next(static_cast<Proximity>(proximity), rotated));
     }
     out << "         },\n";
   }

@@ -21,7 +21,7 @@ inline void require(bool holds, const char* what) {
   }
 }
 
-/// Numbers from the front of the input; zeros behind its end.
+/// Numbers from the front of the input; zeros after its end.
 class Input {
  public:
   Input(const std::uint8_t* bytes, std::size_t size) : at_(bytes), left_(size) {}

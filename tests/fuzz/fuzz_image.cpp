@@ -1,6 +1,6 @@
 // Any bytes as an image: refused, or queries on it read nothing else and end (golden/exercise.hpp).
 //
-// The input is an image; what stands behind the image's end makes one more pose. Magic, version,
+// The input is an image; what stands after the image's end makes one more pose. Magic, version,
 // size and checksum are mended first, which no chance would bring about.
 #include <vector>
 
@@ -31,7 +31,7 @@ std::vector<std::uint8_t> mended(const std::uint8_t* bytes, std::size_t size) {
   return image;
 }
 
-/// Every traversal tests all pairs of triangles that meet; keeps one input below a second.
+/// Every traversal tests all pairs of triangles that intersect; keeps one input below a second.
 constexpr std::uint32_t kManyTriangles = 120;
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 constexpr int kChanged = 60;  // copies of a file
 
 void run(const std::vector<std::uint8_t>& bytes) {
-  // A block of its own: the address sanitizer sees each access behind it.
+  // A block of its own: the address sanitizer sees each access after it.
   const std::unique_ptr<std::uint8_t[]> exact(new std::uint8_t[bytes.size()]);
   std::copy(bytes.begin(), bytes.end(), exact.get());
   (void)LLVMFuzzerTestOneInput(exact.get(), bytes.size());

@@ -15,14 +15,14 @@ struct NamedPose {
 };
 
 std::vector<NamedPose> poses() {
-  const auto turned = [](const Quaternion& q, std::int32_t x, std::int32_t y, std::int32_t z) {
+  const auto rotated = [](const Quaternion& q, std::int32_t x, std::int32_t y, std::int32_t z) {
     return Pose::rigid(rotation_of(q).entry, {x, y, z}, {12345, -23456, 1});
   };
-  return {{"moved", Pose::translated(310, 120, 75)},
-          {"moved-apart", Pose::translated(0, 0, 40000)},
-          {"turned", turned({700, 300, -200, 100}, 290, 60, -150)},
-          {"turned-quarter", turned({1, 1, 0, 0}, -120, 330, 40)},
-          {"turned-apart", turned({5, 1, 2, 3}, 40000, 40000, 40000)}};
+  return {{"translated", Pose::translated(310, 120, 75)},
+          {"translated-disjoint", Pose::translated(0, 0, 40000)},
+          {"rotated", rotated({700, 300, -200, 100}, 290, 60, -150)},
+          {"rotated-quarter", rotated({1, 1, 0, 0}, -120, 330, 40)},
+          {"rotated-disjoint", rotated({5, 1, 2, 3}, 40000, 40000, 40000)}};
 }
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -95,7 +95,7 @@ std::string answers_between(const KeptImage& a, const KeptImage& b) {
 
 std::string answers_of(const KeptImage* images, std::size_t count) {
   std::string text =
-      "# A, B, how B is placed; pairs of triangles; by each traversal: visits, overlaps, pairs of\n"
+      "# A, B, B's pose; pairs of triangles; by each traversal: visits, overlaps, pairs of\n"
       "# leaves, pairs of triangles. Written by write_golden.\n";
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {

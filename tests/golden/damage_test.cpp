@@ -58,7 +58,7 @@ TEST_CASE("a golden image that lost its end is refused, at every length, its siz
   }
 }
 
-TEST_CASE("a golden image with bytes behind its end is itself") {
+TEST_CASE("a golden image with bytes after its end is itself") {
   std::vector<unsigned char> bytes = bytes_of(kKeptImages[0]);
   bytes.push_back(255);
   CHECK(opens(bytes.data(), bytes.size()));
@@ -92,5 +92,5 @@ TEST_CASE("every flipped bit of a golden image with a checksum that matches is h
       flip(bytes, bit);
     }
   }
-  CHECK(opened > 0);  // a source's number, an origin, a coordinate inside its box may change
+  CHECK(opened > 0);  // a triangle's id, an origin, a coordinate inside its box may change
 }

@@ -108,12 +108,12 @@ void repair_crc(void* bytes, std::size_t size) {
 }
 
 std::vector<Pose> telling_poses() {
-  const auto turned = [](const Quaternion& q, std::int32_t x, std::int32_t y, std::int32_t z) {
+  const auto rotated = [](const Quaternion& q, std::int32_t x, std::int32_t y, std::int32_t z) {
     return Pose::rigid(rotation_of(q).entry, {x, y, z}, {-32768, 32767, 1});
   };
-  return {Pose::translated(7, -3, 2), turned({700, 300, -200, 100}, 20, -10, 5),
-          turned({1, 0, 1, 0}, -kMaxTranslation, kMaxTranslation, -kMaxTranslation),
-          turned({1, 2, 3, 4}, INT32_MIN, INT32_MAX, INT32_MIN)};
+  return {Pose::translated(7, -3, 2), rotated({700, 300, -200, 100}, 20, -10, 5),
+          rotated({1, 0, 1, 0}, -kMaxTranslation, kMaxTranslation, -kMaxTranslation),
+          rotated({1, 2, 3, 4}, INT32_MIN, INT32_MAX, INT32_MIN)};
 }
 
 }  // namespace flashbvh::test

@@ -28,7 +28,7 @@ Verdict exercise_image(const void* bytes, std::size_t size, const std::vector<Po
 /// Sets the checksum of an image to what it must be, if there is a header to hold it.
 void repair_crc(void* bytes, std::size_t size);
 
-/// Moved, turned, far away; and poses that are errors.
+/// Translated, rotated, far away; and poses that are errors.
 std::vector<Pose> telling_poses();
 
 }  // namespace flashbvh::test

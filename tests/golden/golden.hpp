@@ -31,8 +31,8 @@ extern const KeptImage kKeptImages[];
 extern const std::size_t kKeptImageCount;
 extern const char* const kKeptAnswers;
 
-/// Every query of every traversal between any two images of one kind, moved and turned: counts, and
-/// the pairs of triangles. The text of answers.txt.
+/// Every query of every traversal between any two images of one kind, translated and rotated:
+/// counts, and the pairs of triangles. The text of answers.txt.
 std::string answers_of(const KeptImage* images, std::size_t count);
 
 }  // namespace flashbvh::test

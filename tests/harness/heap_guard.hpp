@@ -5,7 +5,7 @@
 /// While one is alive, malloc, calloc, realloc and operator new end the process with a message and
 /// status 122, which fails the test. Freeing is allowed.
 ///
-/// Catch2's own macros allocate: collect results inside the scope, check them behind it.
+/// Catch2's own macros allocate: collect results inside the scope, check them after it.
 class HeapForbidden {
  public:
   HeapForbidden();

@@ -20,7 +20,7 @@ Node* next_of(Node* node) {
     node = above;
     above = above->_M_parent;
   }
-  // Behind the last node the climb may have gone through the header.
+  // After the last node the climb may have gone through the header.
   return node->_M_right != above ? above : node;
 }
 

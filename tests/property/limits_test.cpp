@@ -5,9 +5,9 @@
 
 #include "bake/image_bytes.hpp"
 #include "flashbvh/image.hpp"
-#include "support/placed_mesh.hpp"
 #include "support/queries.hpp"
 #include "support/shapes.hpp"
+#include "support/transformed_mesh.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;

@@ -1,14 +1,15 @@
-// Queries under any pose: every traversal and layout against brute force over placed triangles.
+// Queries under any pose: every traversal and layout against brute force over transformed
+// triangles.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cstdlib>
 
-#include "support/placed_mesh.hpp"
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
 #include "support/torus.hpp"
+#include "support/transformed_mesh.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -30,13 +31,13 @@ struct Scale {
   std::int32_t spread;
   std::int32_t size;
   std::int32_t reach;
-  bool is_translated = false;  ///< and not turned, with origins far from each other
+  bool is_translated = false;  ///< and not rotated, with origins far from each other
 };
 constexpr Scale kSmall = {30, 25, 20};
 constexpr Scale kTranslated = {30, 25, 20, true};
 constexpr Scale kNear = {300, 200, 250};
 constexpr Scale kLargest = {16383, 9000, 15000};
-constexpr Scale kTouching = {3, 2, 2};  ///< most pairs that meet touch, or share a plane
+constexpr Scale kTouching = {3, 2, 2};  ///< most pairs that intersect touch, or share a plane
 
 template <Layout layout>
 Scene<layout> any_scene(Random& random, std::uint32_t most, const Scale& scale) {
@@ -120,7 +121,7 @@ TEST_CASE("however a query is cut into runs, it gives the same pairs in order") 
   });
 }
 
-TEST_CASE("no box test rejects boxes with a placed vertex of one in the other") {
+TEST_CASE("no box test rejects boxes with a transformed vertex of one in the other") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 2);
@@ -133,26 +134,27 @@ TEST_CASE("no box test rejects boxes with a placed vertex of one in the other") 
       continue;
     }
     const auto root_b = pack({{-16383, -16383, -16383}, {16383, 16383, 16383}});
-    RotatedTransform placement{};
+    RotatedTransform transform{};
     const std::int32_t nowhere[3] = {0, 0, 0};
-    REQUIRE(placement.prepare(pose, nowhere, root_b, nowhere, root_b, false));
+    REQUIRE(transform.prepare(pose, nowhere, root_b, nowhere, root_b, false));
     for (std::uint32_t t = 0; t < mesh_b.triangles.size(); ++t) {
       const PackedBox box_b = pack(bake::box_of(mesh_b, t));
       for (const std::uint32_t corner : mesh_b.triangles[t]) {
         const Vertex& v = mesh_b.vertices[corner];
-        const Point placed = placement.transform(v);
-        REQUIRE(placed.x == placed_coordinate(mesh_b, v, pose, 0));
-        REQUIRE(placed.y == placed_coordinate(mesh_b, v, pose, 1));
-        REQUIRE(placed.z == placed_coordinate(mesh_b, v, pose, 2));
-        if (std::abs(placed.x) > 16383 || std::abs(placed.y) > 16383 ||
-            std::abs(placed.z) > 16383) {
+        const Point transformed = transform.transform(v);
+        REQUIRE(transformed.x == transformed_coordinate(mesh_b, v, pose, 0));
+        REQUIRE(transformed.y == transformed_coordinate(mesh_b, v, pose, 1));
+        REQUIRE(transformed.z == transformed_coordinate(mesh_b, v, pose, 2));
+        if (std::abs(transformed.x) > 16383 || std::abs(transformed.y) > 16383 ||
+            std::abs(transformed.z) > 16383) {
           continue;
         }
         // The smallest box of A that the vertex touches: the vertex itself.
-        const Vertex at = {static_cast<std::int16_t>(placed.x), static_cast<std::int16_t>(placed.y),
-                           static_cast<std::int16_t>(placed.z)};
+        const Vertex at = {static_cast<std::int16_t>(transformed.x),
+                           static_cast<std::int16_t>(transformed.y),
+                           static_cast<std::int16_t>(transformed.z)};
         const PackedBox box_a = pack({at, at});
-        RotatedBound overlap(placement);
+        RotatedBound overlap(transform);
         REQUIRE(overlap(box_a, box_b));
         REQUIRE(overlap(box_a, box_b));  // from what it kept
       }
@@ -160,7 +162,7 @@ TEST_CASE("no box test rejects boxes with a placed vertex of one in the other") 
   }
 }
 
-TEST_CASE("a placed vertex is within 0.51 cells of where the pose's numbers put it") {
+TEST_CASE("a transformed vertex is within 0.51 cells of where the pose's numbers put it") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 3);
@@ -175,9 +177,9 @@ TEST_CASE("a placed vertex is within 0.51 cells of where the pose's numbers put 
             std::int64_t{pose.rotation(axis, 1)} * v.y +
             std::int64_t{pose.rotation(axis, 2)} * v.z +
             (std::int64_t{pose.translation(axis)} * 65536 + pose.fraction(axis)) * 16384;
-        const std::int64_t placed =
-            placed_coordinate(mesh, v, pose, axis) * (std::int64_t{1} << 30);
-        REQUIRE(std::llabs(placed - exact) <= (std::int64_t{51} << 30) / 100);
+        const std::int64_t transformed =
+            transformed_coordinate(mesh, v, pose, axis) * (std::int64_t{1} << 30);
+        REQUIRE(std::llabs(transformed - exact) <= (std::int64_t{51} << 30) / 100);
       }
     }
   }
@@ -197,15 +199,15 @@ TEST_CASE("a quarter turn of boxes is tested as exactly as no turn at all") {
     const Box a = bake::box_of(mesh, 0);
     const Box b = bake::box_of(mesh, 1);
     const auto negated = [](std::int16_t value) { return static_cast<std::int16_t>(-value); };
-    const Box turned = {{negated(b.upper.y), b.lower.x, b.lower.z},
-                        {negated(b.lower.y), b.upper.x, b.upper.z}};
-    RotatedTransform placement{};
+    const Box rotated = {{negated(b.upper.y), b.lower.x, b.lower.z},
+                         {negated(b.lower.y), b.upper.x, b.upper.z}};
+    RotatedTransform transform{};
     const std::int32_t nowhere[3] = {0, 0, 0};
-    REQUIRE(placement.prepare(pose, nowhere, pack(a), nowhere, pack(b), false));
-    const bool expected = !boxes_disjoint(pack(a), pack(turned), cells[0], cells[1], cells[2]);
+    REQUIRE(transform.prepare(pose, nowhere, pack(a), nowhere, pack(b), false));
+    const bool expected = !boxes_disjoint(pack(a), pack(rotated), cells[0], cells[1], cells[2]);
     const PackedBox packed_a = pack(a);
     const PackedBox packed_b = pack(b);
-    RotatedBound overlap(placement);
+    RotatedBound overlap(transform);
     REQUIRE(overlap(packed_a, packed_b) == expected);
     overlapping += expected ? 1 : 0;
   }
@@ -223,14 +225,14 @@ TEST_CASE("the path of rotations, all but the identity, answers as the path of t
     const std::int32_t t[3] = {random.between(-20, 20), random.between(-20, 20),
                                random.between(-20, 20)};
     scene.pose = Pose::translated(t[0], t[1], t[2]);
-    AnyQuery<Ranked<PostMesh>> moved(scene);
-    const Pairs expected = run_to_end(moved.query, kNoLimit, 10000);
-    // The smallest turn that a pose keeps: far from what moves a vertex of so small a mesh.
+    AnyQuery<Ranked<PostMesh>> translated(scene);
+    const Pairs expected = run_to_end(translated.query, kNoLimit, 10000);
+    // The smallest rotation that a pose keeps: far from what moves a vertex of so small a mesh.
     const std::int32_t almost[3][3] = {{one, 256, 0}, {-256, one, 0}, {0, 0, one}};
     scene.pose = Pose::rigid(almost, t);
     REQUIRE(!scene.pose.is_translation());
-    AnyQuery<Ranked<PostMesh>> turned(scene);
-    REQUIRE(run_to_end(turned.query, kNoLimit, 10000) == expected);
+    AnyQuery<Ranked<PostMesh>> rotated(scene);
+    REQUIRE(run_to_end(rotated.query, kNoLimit, 10000) == expected);
   }
 }
 
@@ -242,9 +244,9 @@ TEST_CASE("arguments swapped under an exact inverse give the same pairs") {
   for (int round = 0; round < 200; ++round) {
     CAPTURE(round);
     auto scene = any_scene<Layout::post_indexed>(random, 20, round % 2 == 0 ? kSmall : kTouching);
-    const Quaternion turns[] = {
+    const Quaternion rotations[] = {
         {1, 0, 0, 1}, {0, 1, 0, 0}, {1, 1, 1, 1}, {1, -1, 0, 0}, {0, 1, 1, 0}};
-    scene.pose = Pose::rigid(rotation_of(turns[round % 5]).entry,
+    scene.pose = Pose::rigid(rotation_of(rotations[round % 5]).entry,
                              {random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)});
     AnyQuery<Ranked<PostMesh>> forward(scene);
     Pairs expected = run_to_end(forward.query, kNoLimit, 10000);
@@ -264,7 +266,7 @@ TEST_CASE("arguments swapped under an exact inverse give the same pairs") {
 }
 
 TEST_CASE(
-    "a vertex placed, and placed back by the inverse, is at most 1.4 cells from where it was") {
+    "a vertex transformed there and back by the inverse is at most 1.4 cells from where it was") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 7);
@@ -275,18 +277,19 @@ TEST_CASE(
     const Pose inverse = pose.inverse();
     for (const Vertex& v : mesh.vertices) {
       bake::LatticeMesh there;
-      const Vertex placed = {static_cast<std::int16_t>(placed_coordinate(mesh, v, pose, 0)),
-                             static_cast<std::int16_t>(placed_coordinate(mesh, v, pose, 1)),
-                             static_cast<std::int16_t>(placed_coordinate(mesh, v, pose, 2))};
-      // Half a cell on three axes, turned: at most sqrt(3) / 2 along one; and half a cell again.
-      CHECK(std::abs(placed_coordinate(there, placed, inverse, 0) - v.x) <= 1);
-      CHECK(std::abs(placed_coordinate(there, placed, inverse, 1) - v.y) <= 1);
-      CHECK(std::abs(placed_coordinate(there, placed, inverse, 2) - v.z) <= 1);
+      const Vertex transformed = {
+          static_cast<std::int16_t>(transformed_coordinate(mesh, v, pose, 0)),
+          static_cast<std::int16_t>(transformed_coordinate(mesh, v, pose, 1)),
+          static_cast<std::int16_t>(transformed_coordinate(mesh, v, pose, 2))};
+      // Half a cell on three axes, rotated: at most sqrt(3) / 2 along one; and half a cell again.
+      CHECK(std::abs(transformed_coordinate(there, transformed, inverse, 0) - v.x) <= 1);
+      CHECK(std::abs(transformed_coordinate(there, transformed, inverse, 1) - v.y) <= 1);
+      CHECK(std::abs(transformed_coordinate(there, transformed, inverse, 2) - v.z) <= 1);
     }
   }
 }
 
-TEST_CASE("moved through contact a cell at a time, a turned mesh is found at each step") {
+TEST_CASE("translated through contact a cell at a time, a rotated mesh is found at each step") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 8);
@@ -353,11 +356,11 @@ TEST_CASE("a mesh that reaches another with its farthest tip alone is found") {
     Scene<Layout::post_indexed> scene{{}, {}, {}, {}, any_rigid_pose(random, 47000)};
     scene.mesh_b.vertices = {{0, 0, 0}, {0, 1, 1}, tip};
     scene.mesh_b.triangles = {{0, 1, 2}};
-    // A is the point where the tip is placed, if it has one there.
+    // A is the point where the tip is transformed to, if it has one there.
     std::int32_t at[3];
     bool on_lattice = true;
     for (int axis = 0; axis < 3; ++axis) {
-      at[axis] = placed_coordinate(scene.mesh_b, tip, scene.pose, axis);
+      at[axis] = transformed_coordinate(scene.mesh_b, tip, scene.pose, axis);
       on_lattice = on_lattice && std::abs(at[axis]) <= 16383;
     }
     if (!on_lattice) {

@@ -96,7 +96,7 @@ TEST_CASE("the best rule needs as many visits as the best of all rules, tried on
   CHECK(compared >= 50);
 }
 
-TEST_CASE("the best rule moves B by the translation") {
+TEST_CASE("the best rule translates B") {
   test::Random random(34);
   const auto mesh = test::random_mesh(random, 40, 300, 100);
   const BuildTree tree = bake::build_median(mesh, 1);

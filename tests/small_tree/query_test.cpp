@@ -1,4 +1,4 @@
-// Every traversal against brute force, moved and turned, on trees that fit every board.
+// Every traversal against brute force, translated and rotated, on trees that fit every board.
 #include <catch2/catch.hpp>
 #include <initializer_list>
 
@@ -47,11 +47,11 @@ void check_same_walk(const SmallScene<One::Tree::kLayout>& scene) {
 }
 
 Triangle relative(const Triangle& t, const int32_t (&origin)[3]) {
-  Triangle moved = t;
-  for (Point& corner : moved.corner) {
+  Triangle translated = t;
+  for (Point& corner : translated.corner) {
     corner = {corner.x - origin[0], corner.y - origin[1], corner.z - origin[2]};
   }
-  return moved;
+  return translated;
 }
 
 template <class Traversal>
@@ -110,7 +110,7 @@ TEST_CASE("small trees: a reported pair lies where the pose's definition puts it
   const uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 2);
-  const Pose unmoved = Pose::translated(0, 0, 0);
+  const Pose identity = Pose::translated(0, 0, 0);
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
     const SmallScene<Layout::post_indexed> scene(random);
@@ -123,8 +123,8 @@ TEST_CASE("small trees: a reported pair lies where the pose's definition puts it
       Triangle again[2];
       query.last_pair(last[0], last[1]);
       const bool found = transform_pair(a, b, scene.pose, pair, again[0], again[1]);
-      const Triangle of_a = relative(placed(scene.mesh_a, pair.a, unmoved), a.origin);
-      const Triangle of_b = relative(placed(scene.mesh_b, pair.b, scene.pose), a.origin);
+      const Triangle of_a = relative(transformed(scene.mesh_a, pair.a, identity), a.origin);
+      const Triangle of_b = relative(transformed(scene.mesh_b, pair.b, scene.pose), a.origin);
       const bool right = found && same(last[0], of_a) && same(last[1], of_b) &&
                          same(again[0], of_a) && same(again[1], of_b);
       wrong += right ? 0u : 1u;
@@ -145,9 +145,9 @@ TEST_CASE("small trees: every triangle of B lies where the pose's definition put
     const SmallScene<Layout::post_indexed> scene(random);
     const PostMesh& a = scene.a.view();
     const PostMesh& b = scene.b.view();
-    bool is_near = true;  // farther off, it is placed where it meets nothing
+    bool is_near = true;  // farther off, it is put where it intersects nothing
     for (int axis = 0; axis < 3; ++axis) {
-      const int32_t middle = placed_coordinate(b.origin, {0, 0, 0}, scene.pose, axis);
+      const int32_t middle = transformed_coordinate(b.origin, {0, 0, 0}, scene.pose, axis);
       is_near =
           is_near && middle - a.origin[axis] < kMaxOffset && middle - a.origin[axis] > -kMaxOffset;
     }
@@ -155,7 +155,8 @@ TEST_CASE("small trees: every triangle of B lies where the pose's definition put
       Triangle of_a;
       Triangle of_b;
       REQUIRE(transform_pair(a, b, scene.pose, {0, triangle}, of_a, of_b));
-      const bool right = same(of_b, relative(placed(scene.mesh_b, triangle, scene.pose), a.origin));
+      const bool right =
+          same(of_b, relative(transformed(scene.mesh_b, triangle, scene.pose), a.origin));
       REQUIRE(right);
       ++compared;
     }

@@ -1,5 +1,5 @@
-// Two meshes, their trees and a pose in 4 KB of stack, and which of their triangles meet: for tests
-// that run on every board.
+// Two meshes, their trees and a pose in 4 KB of stack, and which of their triangles intersect: for
+// tests that run on every board.
 #ifndef FLASHBVH_TESTS_SMALL_TREE_SCENE_HPP
 #define FLASHBVH_TESTS_SMALL_TREE_SCENE_HPP
 
@@ -10,7 +10,7 @@
 #include "digest/small_tree.hpp"
 #include "flashbvh/query.hpp"
 #include "support/at_roots.hpp"
-#include "support/placed_vertex.hpp"
+#include "support/transformed_vertex.hpp"
 
 namespace flashbvh::test {
 

@@ -1,4 +1,4 @@
-// A packed box with something behind it, as in a node: some forms of the overlap tests read that,
+// A packed box with something after it, as in a node: some forms of the overlap tests read that,
 // and none may mind it.
 #ifndef FLASHBVH_TESTS_SUPPORT_BOX_IN_NODE_HPP
 #define FLASHBVH_TESTS_SUPPORT_BOX_IN_NODE_HPP

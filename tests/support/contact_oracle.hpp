@@ -5,8 +5,8 @@
 // these are tried, 6 + 6 + 9, and those kept that lie in both triangles, which is tested for each
 // on its own. No case for coplanar or degenerate input, no intervals, no order, no rounding.
 //
-// Range: corners within 114,000 < 2^17 of the first one, as those of triangles that meet are. A
-// point has numerators below 2^71 over a denominator below 2^53; a normal is below 2^33.
+// Range: corners within 114,000 < 2^17 of the first one, as those of triangles that intersect are.
+// A point has numerators below 2^71 over a denominator below 2^53; a normal is below 2^33.
 #ifndef FLASHBVH_TESTS_SUPPORT_CONTACT_ORACLE_HPP
 #define FLASHBVH_TESTS_SUPPORT_CONTACT_ORACLE_HPP
 

@@ -107,18 +107,18 @@ Record record(const BakedPair<Baked>& pair, const detail::TranslatedBound& test)
 /// All pairs of leaves whose boxes overlap, in order.
 inline NodePairs brute_force(const bake::BuildTree& a, const bake::BuildTree& b, std::int32_t x,
                              std::int32_t y, std::int32_t z) {
-  const auto apart = [](std::int32_t low_a, std::int32_t high_a, std::int32_t low_b,
-                        std::int32_t high_b,
-                        std::int32_t t) { return high_a < low_b + t || high_b + t < low_a; };
+  const auto disjoint = [](std::int32_t low_a, std::int32_t high_a, std::int32_t low_b,
+                           std::int32_t high_b,
+                           std::int32_t t) { return high_a < low_b + t || high_b + t < low_a; };
   NodePairs pairs;
   for (std::uint32_t i = 0; i < a.nodes.size(); ++i) {
     for (std::uint32_t j = 0; j < b.nodes.size(); ++j) {
       const detail::Box& p = a.nodes[i].box;
       const detail::Box& q = b.nodes[j].box;
       if (a.nodes[i].is_leaf() && b.nodes[j].is_leaf() &&
-          !apart(p.lower.x, p.upper.x, q.lower.x, q.upper.x, x) &&
-          !apart(p.lower.y, p.upper.y, q.lower.y, q.upper.y, y) &&
-          !apart(p.lower.z, p.upper.z, q.lower.z, q.upper.z, z)) {
+          !disjoint(p.lower.x, p.upper.x, q.lower.x, q.upper.x, x) &&
+          !disjoint(p.lower.y, p.upper.y, q.lower.y, q.upper.y, y) &&
+          !disjoint(p.lower.z, p.upper.z, q.lower.z, q.upper.z, z)) {
         pairs.emplace_back(i, j);
       }
     }

@@ -1,4 +1,4 @@
-// Whether two placed triangles have the same corners, in the same order.
+// Whether two transformed triangles have the same corners, in the same order.
 #ifndef FLASHBVH_TESTS_SUPPORT_SAME_TRIANGLE_HPP
 #define FLASHBVH_TESTS_SUPPORT_SAME_TRIANGLE_HPP
 

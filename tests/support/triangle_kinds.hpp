@@ -12,7 +12,7 @@ namespace flashbvh::test {
 /// Makes a pair of random triangles what the kind is about.
 using AdaptPair = void (*)(Triangle& a, Triangle& b);
 
-inline void set_boxes_apart(Triangle&, Triangle& b) {
+inline void set_boxes_disjoint(Triangle&, Triangle& b) {
   for (Point& corner : b.corner) {
     corner.z += 16001;
   }
@@ -37,11 +37,11 @@ struct TriangleKind {
   AdaptPair adapt;
 };
 
-inline constexpr TriangleKind kBoxesApart = {"boxes_disjoint", set_boxes_apart};
+inline constexpr TriangleKind kBoxesDisjoint = {"boxes_disjoint", set_boxes_disjoint};
 inline constexpr TriangleKind kGeneral = {"general", set_general};
 inline constexpr TriangleKind kCoplanar = {"coplanar", set_coplanar};
 inline constexpr TriangleKind kSegments = {"segments", set_segments};
-inline constexpr TriangleKind kTriangleKinds[] = {kBoxesApart, kGeneral, kCoplanar, kSegments};
+inline constexpr TriangleKind kTriangleKinds[] = {kBoxesDisjoint, kGeneral, kCoplanar, kSegments};
 
 inline void set_random_pair(Random& random, const TriangleKind& kind, Triangle& a, Triangle& b) {
   constexpr int32_t kReach = 8000;  // differences below 2^15

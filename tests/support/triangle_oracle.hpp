@@ -1,13 +1,13 @@
 // The oracle for triangle against triangle: a linear program whose answer proves itself.
 //
-// Closed triangles a and b, of whatever shape, meet if and only if
+// Closed triangles a and b, of whatever shape, intersect if and only if
 //   sum l_i a_i = sum m_j b_j,  sum l_i = sum m_j = 1,  l, m >= 0
 // has a solution. Phase one of the simplex method decides that in exact integers (Edmonds' integer
 // pivoting: the tableau times the determinant of its basis) and, with Bland's rule, ends always.
 //
 // Nobody needs to trust the simplex: each answer comes with a certificate, checked on its own.
-// - meets: weights l and m, that is, a common point
-// - apart: a direction n with n.a_i < n.b_j for all i, j, that is, a plane strictly in between
+// - intersects: weights l and m, that is, a common point
+// - disjoint: a direction n with n.a_i < n.b_j for all i, j, that is, a plane strictly in between
 // One of both exists (Farkas' lemma), never both. No determinant of the library's, no case for
 // coplanar or degenerate input, no candidate axes.
 //
@@ -29,8 +29,8 @@ __extension__ typedef __int128 Wide;
 
 /// The answer and its certificate.
 struct Verdict {
-  bool meets;
-  Wide weight_a[3];   ///< where it meets: a common point of both, times a positive number
+  bool intersects;
+  Wide weight_a[3];   ///< where it intersects: a common point of both, times a positive number
   Wide weight_b[3];   ///< the weights of the same point in b, with the same sum
   Wide direction[3];  ///< where it doesn't: all of a lies strictly before all of b along it
 };
@@ -114,7 +114,7 @@ inline void pivot(Tableau& t, int pivot_row, int entering) {
   t.scale = by;
 }
 
-/// Whether two triangles meet, with the certificate. Check it with is_proven().
+/// Whether two triangles intersect, with the certificate. Check it with is_proven().
 inline Verdict decide(const Triangle& a, const Triangle& b) {
   Tableau t = start(a, b);
   const Wide* const cost = t.entry[Tableau::kRows];
@@ -127,7 +127,7 @@ inline Verdict decide(const Triangle& a, const Triangle& b) {
     column = 0;
   }
   Verdict verdict = {};
-  verdict.meets = cost[Tableau::kRight] == 0;
+  verdict.intersects = cost[Tableau::kRight] == 0;
   for (int row = 0; row < Tableau::kRows; ++row) {
     const int variable = t.basis[row];
     if (variable < Tableau::kVariables) {
@@ -178,7 +178,7 @@ inline bool is_separating(const Verdict& v, const Triangle& a, const Triangle& b
 
 /// Whether the certificate proves the verdict.
 inline bool is_proven(const Verdict& v, const Triangle& a, const Triangle& b) {
-  return v.meets ? is_common_point(v, a, b) : is_separating(v, a, b);
+  return v.intersects ? is_common_point(v, a, b) : is_separating(v, a, b);
 }
 
 }  // namespace flashbvh::test

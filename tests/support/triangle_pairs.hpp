@@ -1,4 +1,4 @@
-// Random pairs of triangles as a query reports them: of every kind, many of which meet.
+// Random pairs of triangles as a query reports them: of every kind, many of which intersect.
 #ifndef FLASHBVH_TESTS_SUPPORT_TRIANGLE_PAIRS_HPP
 #define FLASHBVH_TESTS_SUPPORT_TRIANGLE_PAIRS_HPP
 
@@ -11,7 +11,7 @@
 
 namespace flashbvh::test {
 
-struct PlacedPair {
+struct TransformedPair {
   Triangle a;
   Triangle b;
 };
@@ -54,15 +54,15 @@ inline Triangle triangle_within(Random& random, int32_t size) {
 }
 
 /// In one plane or on one line: steps u and v from one origin. Nested, overlapping, touching along
-/// edges or at corners, or apart.
-inline PlacedPair coplanar_pair(Random& random, int32_t size) {
+/// edges or at corners, or disjoint.
+inline TransformedPair coplanar_pair(Random& random, int32_t size) {
   const int32_t step = size / 24 > 0 ? size / 24 : 1;
   const Point o = point_within(random, step);
   const Point u = point_within(random, step);
   const Point v = point_within(random, step);
   const int32_t most = random.below(2) != 0 ? 11 : 3;
   const int32_t line = random.below(5) == 0 ? 0 : most;
-  PlacedPair pair;
+  TransformedPair pair;
   for (Triangle* t : {&pair.a, &pair.b}) {
     for (Point& corner : t->corner) {
       const Point along_u = scaled(random.between(0, most), u);
@@ -74,7 +74,7 @@ inline PlacedPair coplanar_pair(Random& random, int32_t size) {
 
 /// `a` has a point in its face, on an edge or as corner, in which `b` has a corner or an edge, or
 /// which is the middle of a segment b.
-inline PlacedPair touching_pair(Random& random, int32_t size) {
+inline TransformedPair touching_pair(Random& random, int32_t size) {
   const int32_t step = size / 12 > 0 ? size / 12 : 1;
   const Point o = sum(point_within(random, step), {4 * step, 4 * step, 4 * step});
   const Point u = point_within(random, step);
@@ -90,7 +90,7 @@ inline PlacedPair touching_pair(Random& random, int32_t size) {
 
 /// Two edges that cross in p + w * k / n: n divides both, one is w long and one w + n * v. At an
 /// odd number of 512ths, what rounding gives depends on the edge that it starts from.
-inline PlacedPair crossing_edges_pair(Random& random) {
+inline TransformedPair crossing_edges_pair(Random& random) {
   constexpr int32_t parts[] = {2, 3, 512, 512, 1536};
   const int32_t n = parts[random.below(5)];
   const int32_t k = random.between(1, n - 1);
@@ -108,8 +108,8 @@ inline PlacedPair crossing_edges_pair(Random& random) {
 }
 
 /// `b` round a corner of `a`, or with a corner there: the pair spans up to twice a triangle.
-inline PlacedPair neighbours(Random& random, int32_t size) {
-  PlacedPair pair = {triangle_within(random, size), triangle_within(random, size)};
+inline TransformedPair neighbours(Random& random, int32_t size) {
+  TransformedPair pair = {triangle_within(random, size), triangle_within(random, size)};
   const Point* const b = pair.b.corner;
   const Point inner = {(b[0].x + b[1].x + b[2].x) / 3, (b[0].y + b[1].y + b[2].y) / 3,
                        (b[0].z + b[1].z + b[2].z) / 3};
@@ -119,7 +119,7 @@ inline PlacedPair neighbours(Random& random, int32_t size) {
 }
 
 /// Any kind of pair, size and place within what contact_of() takes.
-inline PlacedPair any_pair(Random& random) {
+inline TransformedPair any_pair(Random& random) {
   constexpr int32_t sizes[] = {1, 2, 3, 5, 24, 255, 1000, 20000, kMaxContactSpan};
   const int32_t size = sizes[random.below(sizeof sizes / sizeof sizes[0])];
   switch (random.below(8)) {
@@ -133,7 +133,7 @@ inline PlacedPair any_pair(Random& random) {
     case 4:
       return neighbours(random, size);
     default: {
-      PlacedPair pair = {triangle_within(random, size), triangle_within(random, size)};
+      TransformedPair pair = {triangle_within(random, size), triangle_within(random, size)};
       const uint32_t shared = random.below(6);
       for (uint32_t i = 0; i < shared && i < 3 && shared < 3; ++i) {
         pair.b.corner[i] = pair.a.corner[i];
@@ -143,8 +143,9 @@ inline PlacedPair any_pair(Random& random) {
   }
 }
 
-/// The pair moved to a random place within what contact_of() takes, at its limits now and then.
-inline PlacedPair placed_anywhere(Random& random, const PlacedPair& pair) {
+/// The pair translated to a random place within what contact_of() takes, at its limits now and
+/// then.
+inline TransformedPair translated_anywhere(Random& random, const TransformedPair& pair) {
   Point by = {0, 0, 0};
   for (int32_t Point::*axis : kPointAxes) {
     int32_t low = INT32_MAX;

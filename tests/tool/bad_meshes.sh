@@ -57,7 +57,7 @@ sed 's/float y/float y\nproperty uchar red/; s/nan/0 255/; s/^0 0 0$/0 0 255 0/;
   nan.ply >whole.ply
 "$FLASHBVH" bake whole.ply -o whole >/dev/null
 for kind in stl off ply; do
-  # The last bytes may go: a line end, the name behind 'endsolid', none of the last index.
+  # The last bytes may go: a line end, the name after 'endsolid', none of the last index.
   size=$(($(wc -c <whole.$kind) - 6))
   for length in $(seq 1 7 $size) $size; do
     head -c "$length" whole.$kind >cut.$kind

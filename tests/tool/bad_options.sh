@@ -35,13 +35,13 @@ refused "ring.stl: is no flashbvh image" check meshes/ring.stl
 
 "$FLASHBVH" bake meshes/ring.stl -o images >/dev/null
 refused "required" export images/ring.fbvh
-refused "--placed: has 3 numbers" export images/ring.fbvh -o out.obj --placed "1 2 3"
-refused "--placed: the first 9 numbers are no rotation" \
-  export images/ring.fbvh -o out.obj --placed "1 0 0 0 1 0 0 0 1.1 0 0 0"
-refused "--placed: the matrix mirrors" \
-  export images/ring.fbvh -o out.obj --placed "-1 0 0 0 -1 0 0 0 -1 0 0 0"
-refused "--placed: the pose moves B" \
-  export images/ring.fbvh -o out.obj --placed "1 0 0 0 1 0 0 0 1 0 0 1e30"
+refused "--pose: has 3 numbers" export images/ring.fbvh -o out.obj --pose "1 2 3"
+refused "--pose: the first 9 numbers are no rotation" \
+  export images/ring.fbvh -o out.obj --pose "1 0 0 0 1 0 0 0 1.1 0 0 0"
+refused "--pose: the matrix mirrors" \
+  export images/ring.fbvh -o out.obj --pose "-1 0 0 0 -1 0 0 0 -1 0 0 0"
+refused "--pose: the pose translates B" \
+  export images/ring.fbvh -o out.obj --pose "1 0 0 0 1 0 0 0 1 0 0 1e30"
 refused "meshes: is a folder" export images/ring.fbvh -o meshes
 
 # Where nothing can be written, nothing is left over.

@@ -9,7 +9,7 @@ field() {
   sed "s/.*\"$1\":\([0-9]*\).*/\1/"
 }
 
-# Triangles that all contain the origin, each turned about it.
+# Triangles that all contain the origin, each rotated about it.
 for size in 1 2 3 4 5 6 7 8; do
   awk -v size=$size 'BEGIN {
     for (i = 0; i < size; ++i) {
@@ -29,11 +29,11 @@ for options in "" "--arity 2" "--builder median --arity 8" "--leaf-size 3" "--in
     for b in $sizes; do
       set -- "baked/star$a.fbvh" "baked/star$b.fbvh" --json
       "$FLASHBVH" collide "$@" --bound >bound
-      "$FLASHBVH" collide "$@" --poses here >met
-      [ "$(field most_visits <bound)" -eq "$(field visits <met)" ] &&
-        [ "$(field most_leaf_pairs <bound)" -eq "$(field leaf_pairs <met)" ] &&
+      "$FLASHBVH" collide "$@" --poses here >found
+      [ "$(field most_visits <bound)" -eq "$(field visits <found)" ] &&
+        [ "$(field most_leaf_pairs <bound)" -eq "$(field leaf_pairs <found)" ] &&
         [ "$(field most_triangle_pairs <bound)" -eq $((a * b)) ] ||
-        fail "$options: $a and $b: $(cat bound met)"
+        fail "$options: $a and $b: $(cat bound found)"
     done
   done
 done

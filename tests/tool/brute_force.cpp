@@ -1,5 +1,5 @@
 // brute_force POSE A.obj B.obj: every triangle of A against every one of B, both as exported (B
-// placed), printed as `flashbvh collide --pairs` does.
+// transformed), printed as `flashbvh collide --pairs` does.
 #include <array>
 #include <cstdio>
 #include <cstdlib>

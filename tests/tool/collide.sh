@@ -4,7 +4,7 @@
 . "$SOURCES/common.sh"
 
 cat >poses <<'POSES'
-# apart, touching boxes, crossing, almost the same place, the same place
+# disjoint, touching boxes, crossing, almost the same place, the same place
 1 0 0 0 1 0 0 0 1  80 0 0
 
 1 0 0 0 1 0 0 0 1  51.9 0.5 0   # side by side
@@ -12,7 +12,7 @@ cat >poses <<'POSES'
 1 0 0 0 1 0 0 0 1  0.1 -0.2 0.05
 1 0 0 0 1 0 0 0 1  0 0 0
 1 0 0 0 1 0 0 0 1  -7.25 1e1 -.5
-# turned: a quarter, about no axis of the lattice, with five decimals, far away, and any way
+# rotated: a quarter, about no axis of the lattice, with five decimals, far away, and any way
 0 -1 0 1 0 0 0 0 1  20 3.3 2
 0.36 0.48 -0.8 -0.8 0.6 0 0.48 0.64 0.6  1.005 -3 10.1
 0.66667 -0.33333 0.66667 0.66667 0.66667 -0.33333 -0.33333 0.66667 0.66667  0 0 0
@@ -27,7 +27,7 @@ brute() {
   grep -v '^#' poses | grep . | sed 's/#.*//' | {
     i=0
     while read -r pose; do
-      "$FLASHBVH" export "$1/coarse.fbvh" -o b.obj --placed "$pose"
+      "$FLASHBVH" export "$1/coarse.fbvh" -o b.obj --pose "$pose"
       "$TOOLS/tool_test_brute_force" $i a.obj b.obj
       i=$((i + 1))
     done

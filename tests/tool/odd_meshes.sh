@@ -1,5 +1,5 @@
 #!/bin/sh
-# What is odd about a mesh is told in a line each, by triangle numbers; the triangles stay unless told
+# What is odd about a mesh is told in a line each, by triangle ids; the triangles stay unless told
 # otherwise, and those that stay keep their numbers.
 . "$SOURCES/common.sh"
 
@@ -86,13 +86,13 @@ refused "late.obj: --drop leaves no triangle" bake late.obj -o out --cell 100 --
 refused "--drop" bake box.obj -o out --drop sharp
 refused "--drop" bake box.obj -o out --drop
 
-# Open, crowded, twisted.
+# Boundary, non-manifold, twisted.
 sed 's/^f 4 1 5 8$//' box.obj >mesh.obj
 exits 0 bake mesh.obj -o odd --cell 1
-warned "$open (4 edges of one triangle): $inside"
+warned "$open (4 boundary edges of one triangle): $inside"
 { cat box.obj; echo 'v 4 4 12'; echo 'f 7 8 9'; } >mesh.obj
 exits 0 bake mesh.obj -o odd --cell 1
-warned "$open (2 edges of one triangle, 1 edge of more than two): $inside"
+warned "$open (2 boundary edges of one triangle, 1 non-manifold edge of more than two): $inside"
 sed 's/^f 4 1 5 8$/f 8 5 1 4/' box.obj >mesh.obj
 exits 0 bake mesh.obj -o odd --cell 1
 warned "$open (4 edges of two that face opposite ways): $inside"

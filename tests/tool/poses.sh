@@ -31,9 +31,9 @@ bad "$no_rotation" "1e300 0 0 0 1 0 0 0 1 0 0 0"
 bad "$no_rotation" "1 0 0 5 0 1 0 6 0 0 1 7" # row by row with the translation
 bad "the matrix mirrors" "1 0 0 0 1 0 0 0 -1 0 0 0"
 bad "the matrix mirrors" "0 1 0 1 0 0 0 0 1 0 0 0"
-bad "the pose moves B" "0 -1 0 1 0 0 0 0 1 0 0 5368709.13"
-bad "the pose moves B" "1 0 0 0 1 0 0 0 1 1e9 0 0"
-bad "the pose moves B" "1 0 0 0 1 0 0 0 1 0 -1e300 0"
+bad "the pose translates B" "0 -1 0 1 0 0 0 0 1 0 0 5368709.13"
+bad "the pose translates B" "1 0 0 0 1 0 0 0 1 1e9 0 0"
+bad "the pose translates B" "1 0 0 0 1 0 0 0 1 0 -1e300 0"
 
 printf '# nothing\n' >none
 refused "none: has no poses" collide post/ring.fbvh post/coarse.fbvh --poses none
@@ -59,4 +59,4 @@ refused "required" collide post/ring.fbvh --poses poses
 # The last cell that a pose may reach, and Windows line ends.
 printf '%s\r\n' "1 0 0 0 1 0 0 0 1 5368709.12 0 0" "0 -1 0 1 0 0 0 0 1 0 0 -5368709.12" >poses
 exits 0 collide post/ring.fbvh post/coarse.fbvh --poses poses --json
-exits 0 export post/ring.fbvh -o far.obj --placed "$(tail -n 1 poses)"
+exits 0 export post/ring.fbvh -o far.obj --pose "$(tail -n 1 poses)"

@@ -82,7 +82,7 @@ TZ=Asia/Tokyo LC_ALL=C "$FLASHBVH" report elsewhere/ring.fbvh other/ring.fbvh -o
 cmp one.html two.html
 holds one.html 'ring (2)'
 
-# What is odd is told: an open surface, one that is crowded, no area, duplicates, triangles left out.
+# What is odd is told: an open surface, a non-manifold one, no area, duplicates, triangles left out.
 cat >odd.obj <<'OBJ'
 v 0 0 0
 v 8 0 0
@@ -98,7 +98,7 @@ OBJ
 "$FLASHBVH" bake odd.obj -o odd --cell 1 >/dev/null 2>&1
 exits 0 report odd/odd.fbvh -o odd.html --poses 4
 holds odd.html '1 triangle (0) without area' '1 triangle (2) with the three vertices' \
-  '6 edges open' '1 edge not manifold'
+  '6 boundary edges' '1 non-manifold edge'
 "$FLASHBVH" bake odd.obj -o odd --cell 1 --drop degenerate,duplicate >/dev/null 2>&1
 exits 0 report odd/odd.fbvh -o odd.html --poses 4
 holds odd.html '2 triangles were left out'
@@ -112,20 +112,21 @@ printf 'v 5 5 5\nf 1 1 1\n' >point.obj
 exits 0 report odd/a*.fbvh odd/point.fbvh -o single.html
 self_contained single.html
 holds single.html "<h2>a&lt;b&gt;&amp;&quot;$(printf '\357\277\275')&quot;</h2>" '<h2>point</h2>' \
-  'Every leaf holds one triangle' 'edges open'
+  'Every leaf holds one triangle' 'boundary edges'
 
-# Images that can't meet are drawn all the same.
+# Images that can't be queried together are drawn all the same.
 "$FLASHBVH" bake meshes/coarse.stl -o baked --cell 0.02 --format image >/dev/null
 exits 0 report baked/ring.fbvh baked/coarse.fbvh -o page.html --poses 4
-holds page.html "1 pair can&#39;t meet" '<h2>coarse</h2>'
+holds page.html "1 pair can&#39;t be queried" '<h2>coarse</h2>'
 
-# Far from the origin of its file, a mesh meets itself all the same; where most turns would take it out
+# Far from the origin of its file, a mesh intersects itself all the same; where most rotations would
+# take it out
 # of range, that is said.
 for far in 1000000 500000000; do
   awk -v far=$far '$1 == "v" { print $1, $2 + far, $3, $4; next } { print }' odd.obj >far.obj
   "$FLASHBVH" bake far.obj -o odd --cell 1 >/dev/null 2>&1
   exits 0 report odd/far.fbvh -o far.html --poses 20
-  grep -q '<th scope=row>intersecting</th><td class=n>[1-9]' far.html || fail "apart at $far"
+  grep -q '<th scope=row>intersecting</th><td class=n>[1-9]' far.html || fail "disjoint at $far"
 done
 holds far.html 'passed over'
 

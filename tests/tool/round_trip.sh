@@ -22,25 +22,25 @@ awk 'function cells(x) { x /= 0.5; return x < 0 ? -int(0.5 - x) : int(x + 0.5) }
   $1 == "f" { print v[$2]; print v[$3]; print v[$4] }' mesh.obj | sed 's/-0/0/g' >wanted
 cmp wanted found
 # Halves of a cell go up.
-"$FLASHBVH" export baked/mesh.fbvh -o moved.obj --placed "1 0 0 0 1 0 0 0 1 1.25 -1.25 100"
-awk '$1 == "v" { print $2 - 3, $3 + 2, $4 - 200 } $1 == "f" { print }' moved.obj >found
+"$FLASHBVH" export baked/mesh.fbvh -o translated.obj --pose "1 0 0 0 1 0 0 0 1 1.25 -1.25 100"
+awk '$1 == "v" { print $2 - 3, $3 + 2, $4 - 200 } $1 == "f" { print }' translated.obj >found
 awk '$1 == "v" { print $2, $3, $4 } $1 == "f" { print }' lattice.obj >wanted
 cmp wanted found
-"$FLASHBVH" export baked/mesh.fbvh -o turned.obj --placed "0 -1 0 1 0 0 0 0 1 1.25 -1.25 100"
-awk '$1 == "v" { print $3 + 2, 3 - $2, $4 - 200 } $1 == "f" { print }' turned.obj >found
+"$FLASHBVH" export baked/mesh.fbvh -o rotated.obj --pose "0 -1 0 1 0 0 0 0 1 1.25 -1.25 100"
+awk '$1 == "v" { print $3 + 2, 3 - $2, $4 - 200 } $1 == "f" { print }' rotated.obj >found
 cmp wanted found
 
-# Turned any way, near A or a kilometre off, and however far B is from its own origin: each
+# Rotated any way, near A or a kilometre off, and however far B is from its own origin: each
 # coordinate is what the pose's numbers give, rounded, give or take 1/100 cell (and what 22 bits of
 # a rotation are at that distance).
 awk '$1 == "v" { $2 += 30000; $3 -= 2000000; $4 += 7 } { print }' lattice.obj >distant.obj
 "$FLASHBVH" bake distant.obj -o distant --cell 1 >/dev/null
 "$FLASHBVH" export distant/distant.fbvh -o distant_lattice.obj
-# placed_right IMAGE LATTICE.obj CELL SLACK REACH
-placed_right() {
-  awk -v count=20 -v seed=3 -v reach="$5" -f "$SOURCES/poses.awk" >placed_poses
+# transformed_right IMAGE LATTICE.obj CELL SLACK REACH
+transformed_right() {
+  awk -v count=20 -v seed=3 -v reach="$5" -f "$SOURCES/poses.awk" >transformed_poses
   while read -r pose; do
-    "$FLASHBVH" export "$1" -o turned.obj --placed "$pose"
+    "$FLASHBVH" export "$1" -o rotated.obj --pose "$pose"
     awk -v pose="$pose" -v cell="$3" -v slack="$4" '
       BEGIN { split(pose, p, " ") }
       FNR == NR { if ($1 == "v") { x[++n] = $2; y[n] = $3; z[n] = $4 } next }
@@ -52,12 +52,12 @@ placed_right() {
           if (off > 0.5 + slack || off < -0.5 - slack) { print FILENAME, $0, off; bad = 1 }
         }
       }
-      END { exit bad || m == 0 || m != n }' "$2" turned.obj || fail "misplaced by $pose"
-  done <placed_poses
+      END { exit bad || m == 0 || m != n }' "$2" rotated.obj || fail "misplaced by $pose"
+  done <transformed_poses
 }
-placed_right baked/mesh.fbvh lattice.obj 0.5 0.01 30
-placed_right baked/mesh.fbvh lattice.obj 0.5 0.01 1e6
-placed_right distant/distant.fbvh distant_lattice.obj 1 1 100
+transformed_right baked/mesh.fbvh lattice.obj 0.5 0.01 30
+transformed_right baked/mesh.fbvh lattice.obj 0.5 0.01 1e6
+transformed_right distant/distant.fbvh distant_lattice.obj 1 1 100
 
 # The exported mesh bakes to itself.
 "$FLASHBVH" bake lattice.obj -o again --cell 1 >/dev/null

@@ -39,11 +39,11 @@ TEST_CASE("as many visits as fit, and no more") {
 }
 
 TEST_CASE("the worked example of lib/docs/bounded_time.md") {
-  constexpr RunCosts moved = {260, 30, 11, 183, 6, 4091};  // Cortex-M4F
+  constexpr RunCosts translated = {260, 30, 11, 183, 6, 4091};  // Cortex-M4F
   constexpr RunCosts general = {260, 30, 11, 183, 6, 1156};
   constexpr TreePair trees = {20, 6, 1};
-  STATIC_REQUIRE(most_instructions(moved, trees, {1, 1}) == 8947);
-  STATIC_REQUIRE(visits_within(56000, moved, trees) == 11);
+  STATIC_REQUIRE(most_instructions(translated, trees, {1, 1}) == 8947);
+  STATIC_REQUIRE(visits_within(56000, translated, trees) == 11);
   STATIC_REQUIRE(visits_within(56000, general, trees) == 38);
-  STATIC_REQUIRE(most_instructions(moved, trees, {1000, 0}) == 4607 + 41000);
+  STATIC_REQUIRE(most_instructions(translated, trees, {1000, 0}) == 4607 + 41000);
 }

@@ -1,4 +1,4 @@
-// Boxes turned by a rotation, each form against the definition in 64-bit integers.
+// Boxes under a rotation, each form against the definition in 64-bit integers.
 #include <catch2/catch.hpp>
 
 #include <stdint.h>
@@ -45,7 +45,7 @@ Bounds bounds_on(const SplitRow& row, const BoundStart& start, const PackedBox& 
   return {whole_cells(upper), whole_cells(lower)};
 }
 
-PackedBox turned_box(const SplitMatrix& matrix, const BoundStart* starts, const PackedBox& box) {
+PackedBox rotated_box(const SplitMatrix& matrix, const BoundStart* starts, const PackedBox& box) {
   const Bounds x = bounds_on(matrix.row[0], starts[0], box);
   const Bounds y = bounds_on(matrix.row[1], starts[1], box);
   const Bounds z = bounds_on(matrix.row[2], starts[2], box);
@@ -53,11 +53,11 @@ PackedBox turned_box(const SplitMatrix& matrix, const BoundStart* starts, const 
           join_halves(z.upper, z.lower)};
 }
 
-PackedBox turned_without_zeros(const SplitMatrix& matrix, const BoundStart* starts,
-                               const PackedBox& box) {
-  PackedBox turned{};
-  turn_plain(matrix, starts, box, turned);
-  return turned;
+PackedBox rotated_without_zeros(const SplitMatrix& matrix, const BoundStart* starts,
+                                const PackedBox& box) {
+  PackedBox rotated{};
+  rotate_plain(matrix, starts, box, rotated);
+  return rotated;
 }
 
 bool same(const PackedBox& a, const PackedBox& b) {
@@ -111,67 +111,67 @@ PackedBox box_beside(Random& random, const PackedBox& box) {
   return pack(beside);
 }
 
-/// Any pose that turns, and where its sums begin, of the largest meshes at any distance.
-struct Turn {
+/// Any pose that rotates, and where its sums begin, of the largest meshes at any distance.
+struct AnyRotation {
   Pose pose = Pose::translated(0, 0, 0);
-  RotatedTransform placement{};
+  RotatedTransform transform{};
 
-  explicit Turn(Random& random) {
+  explicit AnyRotation(Random& random) {
     constexpr int32_t reaches[] = {0, 20, 16383, 50000, kMaxTranslation};
     while (pose.is_translation()) {
       pose = any_rigid_pose(random, reaches[random.below(5)]);
     }
     const PackedBox all = pack({{-kMost, -kMost, -kMost}, {kMost, kMost, kMost}});
     const int32_t origin[3] = {0, 0, 0};
-    REQUIRE(placement.prepare(pose, origin, all, origin, all, /*may_stop=*/false));
+    REQUIRE(transform.prepare(pose, origin, all, origin, all, /*may_stop=*/false));
   }
 };
 
 }  // namespace
 
-TEST_CASE("a box turned without the products that are zero is the turned box") {
+TEST_CASE("a box rotated without the products that are zero is the rotated box") {
   const uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed);
   for (int round = 0; round < 2000; ++round) {
-    const Turn turn(random);
+    const AnyRotation rotation(random);
     for (int i = 0; i < 10; ++i) {
       CAPTURE(round, i);
       const PackedBox box = any_box(random);
-      REQUIRE(same(turned_without_zeros(turn.pose.matrix().rows, turn.placement.on_a, box),
-                   turned_box(turn.pose.matrix().rows, turn.placement.on_a, box)));
-      REQUIRE(same(turned_without_zeros(turn.placement.columns, turn.placement.on_b, box),
-                   turned_box(turn.placement.columns, turn.placement.on_b, box)));
+      REQUIRE(same(rotated_without_zeros(rotation.pose.matrix().rows, rotation.transform.on_a, box),
+                   rotated_box(rotation.pose.matrix().rows, rotation.transform.on_a, box)));
+      REQUIRE(same(rotated_without_zeros(rotation.transform.columns, rotation.transform.on_b, box),
+                   rotated_box(rotation.transform.columns, rotation.transform.on_b, box)));
     }
   }
 }
 
-TEST_CASE("boxes overlap under a rotation exactly when both turned boxes do, whatever was kept") {
+TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, whatever was kept") {
   const uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 1);
   int overlaps = 0;
   int gaps = 0;
   for (int round = 0; round < 1000; ++round) {
-    const Turn turn(random);
-    const SplitMatrix& rows = turn.pose.matrix().rows;
-    const SplitMatrix& columns = turn.placement.columns;
-    // Each box beside the other turned; kept ones are known by their addresses.
+    const AnyRotation rotation(random);
+    const SplitMatrix& rows = rotation.pose.matrix().rows;
+    const SplitMatrix& columns = rotation.transform.columns;
+    // Each box beside the other rotated; kept ones are known by their addresses.
     BoxInNode a[3];
     BoxInNode b[3];
     for (int i = 0; i < 3; ++i) {
       const PackedBox any = any_box(random);
-      const PackedBox beside = box_beside(random, turned_box(rows, turn.placement.on_a, any));
-      const PackedBox turned = turned_box(columns, turn.placement.on_b, beside);
+      const PackedBox beside = box_beside(random, rotated_box(rows, rotation.transform.on_a, any));
+      const PackedBox rotated = rotated_box(columns, rotation.transform.on_b, beside);
       a[i] = in_node(random, unpack(beside));
-      b[i] = in_node(random, unpack(i == 0 ? box_beside(random, turned) : any));
+      b[i] = in_node(random, unpack(i == 0 ? box_beside(random, rotated) : any));
     }
-    RotatedBound test(turn.placement);
+    RotatedBound test(rotation.transform);
     for (int visit = 0; visit < 20; ++visit) {
       const PackedBox& of_a = a[random.below(3)].box;
       const PackedBox& of_b = b[random.below(3)].box;
-      const bool expected = overlap(of_a, turned_box(rows, turn.placement.on_a, of_b)) &&
-                            overlap(of_b, turned_box(columns, turn.placement.on_b, of_a));
+      const bool expected = overlap(of_a, rotated_box(rows, rotation.transform.on_a, of_b)) &&
+                            overlap(of_b, rotated_box(columns, rotation.transform.on_b, of_a));
       CAPTURE(round, visit);
       REQUIRE(test(of_a, of_b) == expected);
       ++(expected ? overlaps : gaps);

@@ -126,7 +126,7 @@ struct Judge {
   }
 };
 
-/// Whether the contact of two triangles is what the header says, if they meet.
+/// Whether the contact of two triangles is what the header says, if they intersect.
 bool is_right(const Triangle& a, const Triangle& b) {
   const Judge judge(a, b);
   CAPTURE(judge.corners.size());
@@ -153,7 +153,7 @@ TEST_CASE("contact: small triangles agree with exact rationals", "[contact][orac
   Random random(seed);
   for (uint32_t run = 0; run < 2 * kPairs; ++run) {
     const int32_t size = random.between(1, 4);
-    const PlacedPair pair = {triangle_within(random, size), triangle_within(random, size)};
+    const TransformedPair pair = {triangle_within(random, size), triangle_within(random, size)};
     if (!is_right(pair.a, pair.b)) {
       CAPTURE(seed, run);
       FAIL("the oracle disagrees");
@@ -164,21 +164,21 @@ TEST_CASE("contact: small triangles agree with exact rationals", "[contact][orac
 TEST_CASE("contact: triangles of every kind agree with exact rationals", "[contact][oracle]") {
   const uint64_t seed = test_seed();
   Random random(seed);
-  uint32_t met[3] = {};
+  uint32_t intersecting[3] = {};
   for (uint32_t run = 0; run < 3 * kPairs; ++run) {
-    const PlacedPair pair = placed_anywhere(random, any_pair(random));
+    const TransformedPair pair = translated_anywhere(random, any_pair(random));
     if (!detail::triangles_intersect(pair.a, pair.b)) {
       continue;
     }
-    ++met[static_cast<unsigned>(contact_of(pair.a, pair.b).kind)];
+    ++intersecting[static_cast<unsigned>(contact_of(pair.a, pair.b).kind)];
     if (!is_right(pair.a, pair.b)) {
       CAPTURE(seed, run);
       FAIL("the oracle disagrees");
     }
   }
-  CHECK(met[0] > kPairs / 4);
-  CHECK(met[1] > kPairs / 16);
-  CHECK(met[2] > kPairs / 16);
+  CHECK(intersecting[0] > kPairs / 4);
+  CHECK(intersecting[1] > kPairs / 16);
+  CHECK(intersecting[2] > kPairs / 16);
 }
 
 }  // namespace flashbvh::test

@@ -252,7 +252,7 @@ constexpr uint32_t kPairs = 600;
 
 }  // namespace
 
-TEST_CASE("contact: triangles that cross meet in a segment or a point", "[contact]") {
+TEST_CASE("contact: triangles that cross intersect in a segment or a point", "[contact]") {
   check_cases(kCrossing);
 }
 TEST_CASE("contact: of an area, two corners that are farthest apart", "[contact]") {
@@ -277,28 +277,28 @@ TEST_CASE("contact: normals are exact cross products", "[contact]") {
 TEST_CASE("contact: the order of corners and of arguments moves no end", "[contact]") {
   const uint64_t seed = test_seed();
   Random random(seed);
-  uint32_t met = 0;
+  uint32_t intersecting = 0;
   for (uint32_t run = 0; run < kPairs / 4; ++run) {
-    const PlacedPair pair = any_pair(random);
+    const TransformedPair pair = any_pair(random);
     if (!detail::triangles_intersect(pair.a, pair.b)) {
       continue;
     }
-    ++met;
+    ++intersecting;
     if (!all_orders_give(contact_of(pair.a, pair.b), pair.a, pair.b)) {
       CAPTURE(seed, run);
       FAIL("an order changes the contact");
     }
   }
-  CHECK(met > kPairs / 16);
+  CHECK(intersecting > kPairs / 16);
 }
 
 TEST_CASE("contact: the order of arguments moves no point where long edges cross", "[contact]") {
   const uint64_t seed = test_seed();
   Random random(seed);
-  uint32_t met = 0;
+  uint32_t intersecting = 0;
   for (uint32_t run = 0; run < 4 * kPairs; ++run) {
-    PlacedPair pair = {triangle_within(random, kMaxContactSpan),
-                       triangle_within(random, kMaxContactSpan)};
+    TransformedPair pair = {triangle_within(random, kMaxContactSpan),
+                            triangle_within(random, kMaxContactSpan)};
     for (Triangle* t : {&pair.a, &pair.b}) {
       t->corner[2] = t->corner[1];
       for (Point& corner : t->corner) {
@@ -308,28 +308,28 @@ TEST_CASE("contact: the order of arguments moves no point where long edges cross
     if (!detail::triangles_intersect(pair.a, pair.b)) {
       continue;
     }
-    ++met;
+    ++intersecting;
     if (!same_place(contact_of(pair.a, pair.b), contact_of(pair.b, pair.a))) {
       CAPTURE(seed, run);
       FAIL("the order changes the contact");
     }
   }
-  CHECK(met > kPairs / 16);
+  CHECK(intersecting > kPairs / 16);
 }
 
-TEST_CASE("contact: moving both triangles moves the ends alike", "[contact]") {
+TEST_CASE("contact: translating both triangles translates the ends alike", "[contact]") {
   const uint64_t seed = test_seed();
   Random random(seed);
   for (uint32_t run = 0; run < kPairs; ++run) {
-    const PlacedPair pair = any_pair(random);
+    const TransformedPair pair = any_pair(random);
     if (!detail::triangles_intersect(pair.a, pair.b)) {
       continue;
     }
-    const PlacedPair moved = placed_anywhere(random, pair);
+    const TransformedPair translated = translated_anywhere(random, pair);
     const Contact here = contact_of(pair.a, pair.b);
-    Contact there = contact_of(moved.a, moved.b);
+    Contact there = contact_of(translated.a, translated.b);
     const Point& from = pair.a.corner[0];
-    const Point& to = moved.a.corner[0];
+    const Point& to = translated.a.corner[0];
     for (FinePoint& end : there.ends) {
       end = {end.x - (to.x - from.x) * kFineOne, end.y - (to.y - from.y) * kFineOne,
              end.z - (to.z - from.z) * kFineOne};
@@ -342,17 +342,17 @@ TEST_CASE("contact: moving both triangles moves the ends alike", "[contact]") {
   }
 }
 
-TEST_CASE("contact: triangles apart do no harm, and their normals are right", "[contact]") {
+TEST_CASE("contact: disjoint triangles do no harm, and their normals are right", "[contact]") {
   const uint64_t seed = test_seed();
   Random random(seed);
   for (uint32_t run = 0; run < kPairs; ++run) {
-    PlacedPair pair = any_pair(random);
-    const PlacedPair other = any_pair(random);
-    const PlacedPair far_a = placed_anywhere(random, {pair.a, pair.a});
-    const PlacedPair far_b = placed_anywhere(random, {other.b, other.b});
-    const Contact apart = contact_of(far_a.a, far_b.a);
-    if (!equal(apart.normal_a, contact_of(pair.a, pair.a).normal_a) ||
-        !equal(apart.normal_b, contact_of(other.b, other.b).normal_b)) {
+    TransformedPair pair = any_pair(random);
+    const TransformedPair other = any_pair(random);
+    const TransformedPair far_a = translated_anywhere(random, {pair.a, pair.a});
+    const TransformedPair far_b = translated_anywhere(random, {other.b, other.b});
+    const Contact disjoint = contact_of(far_a.a, far_b.a);
+    if (!equal(disjoint.normal_a, contact_of(pair.a, pair.a).normal_a) ||
+        !equal(disjoint.normal_b, contact_of(other.b, other.b).normal_b)) {
       CAPTURE(seed, run);
       FAIL("a normal is wrong");
     }

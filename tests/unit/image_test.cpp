@@ -286,7 +286,7 @@ TEST_CASE("a header alone, of an image without nodes, is refused before a root i
 }
 
 TEST_CASE("a byte other than zero in any gap is refused") {
-  // 9 nodes, 7 triangles, 5 leaves, 21 vertices: a gap of 2 bytes behind each array of odd length.
+  // 9 nodes, 7 triangles, 5 leaves, 21 vertices: a gap of 2 bytes after each array of odd length.
   Image image{image_of(small_tree<kPost>())};
   ImageHeader header;
   std::memcpy(&header, image.bytes(), sizeof header);

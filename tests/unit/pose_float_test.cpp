@@ -22,7 +22,7 @@ constexpr float kNoRotation[] = {kNan, -kNan, kInfinity, -kInfinity, kLargest, -
 constexpr float kNowhere[] = {kNan,     -kNan,     kInfinity, -kInfinity,
                               kLargest, -kLargest, 5.4e8f,    -5.4e8f};
 constexpr float kOrigin[3] = {0, 0, 0};
-constexpr UnitQuaternion kUnturned = {1, 0, 0, 0};
+constexpr UnitQuaternion kUnrotated = {1, 0, 0, 0};
 
 struct FloatMatrix {
   float entry[3][3];
@@ -172,7 +172,7 @@ TEST_CASE("translations are multiplied and rounded once, to 1/65,536 of a cell")
     const float scale =
         std::ldexp(static_cast<float>(random.between(1, 16777215)), random.between(-40, 10));
     CAPTURE(round, length, scale);
-    const Pose pose = pose_of(kUnturned, {0, length, 0}, scale);
+    const Pose pose = pose_of(kUnrotated, {0, length, 0}, scale);
     // 48 bits at most: exact in double.
     const double cells = static_cast<double>(length) * static_cast<double>(scale);
     if (std::fabs(cells) >= kMaxTranslation + 1.0) {
@@ -184,7 +184,7 @@ TEST_CASE("translations are multiplied and rounded once, to 1/65,536 of a cell")
       CHECK(pose.fraction(2) == 0);
     }
   }
-  const Pose halves = pose_of(kUnturned, {0.5f, -0.5f, 2.5f}, 3);
+  const Pose halves = pose_of(kUnrotated, {0.5f, -0.5f, 2.5f}, 3);
   CHECK((halves.translation(0) == 2 && halves.fraction(0) == -32768));
   CHECK((halves.translation(1) == -1 && halves.fraction(1) == -32768));
   CHECK((halves.translation(2) == 8 && halves.fraction(2) == -32768));
@@ -192,23 +192,23 @@ TEST_CASE("translations are multiplied and rounded once, to 1/65,536 of a cell")
 
 TEST_CASE("translations up to the last cell are taken, none beyond") {
   constexpr float most = kMaxTranslation;
-  CHECK(pose_of(kUnturned, {most, -most, 0}, 1).status() == Status::done);
-  CHECK(pose_of(kUnturned, {most / 4, -most / 4, 0}, 4).translation(1) == -kMaxTranslation);
+  CHECK(pose_of(kUnrotated, {most, -most, 0}, 1).status() == Status::done);
+  CHECK(pose_of(kUnrotated, {most / 4, -most / 4, 0}, 4).translation(1) == -kMaxTranslation);
   const float beyond = std::nextafter(most, kLargest);
-  CHECK(pose_of(kUnturned, {beyond, 0, 0}, 1).status() == Status::translation_out_of_range);
-  CHECK(pose_of(kUnturned, {0, -beyond, 0}, 1).status() == Status::translation_out_of_range);
+  CHECK(pose_of(kUnrotated, {beyond, 0, 0}, 1).status() == Status::translation_out_of_range);
+  CHECK(pose_of(kUnrotated, {0, -beyond, 0}, 1).status() == Status::translation_out_of_range);
   const float tiny = std::numeric_limits<float>::denorm_min();
-  CHECK(pose_of(kUnturned, {tiny, -tiny, 0}, 1).fraction(1) == 0);
-  CHECK(pose_of(kUnturned, {tiny, 1, 0}, tiny).status() == Status::done);
+  CHECK(pose_of(kUnrotated, {tiny, -tiny, 0}, 1).fraction(1) == 0);
+  CHECK(pose_of(kUnrotated, {tiny, 1, 0}, tiny).status() == Status::done);
 }
 
 TEST_CASE("what is no number or out of range is a status, wherever it stands") {
   for (int axis = 0; axis < 3; ++axis) {
     for (const float bad : kNowhere) {
       CAPTURE(axis, bad);
-      float moved[3] = {1, 2, 3};
-      moved[axis] = bad;
-      CHECK(pose_of(kUnturned, moved, 1).status() == Status::translation_out_of_range);
+      float translated[3] = {1, 2, 3};
+      translated[axis] = bad;
+      CHECK(pose_of(kUnrotated, translated, 1).status() == Status::translation_out_of_range);
     }
     for (int column = 0; column < 3; ++column) {
       for (const float bad : kNoRotation) {
@@ -229,17 +229,18 @@ TEST_CASE("what is no number or out of range is a status, wherever it stands") {
   }
   for (const float bad : {0.0f, -0.0f, -1.0f, kNan, kInfinity, -kInfinity}) {
     CAPTURE(bad);
-    CHECK(pose_of(kUnturned, kOrigin, bad).status() == Status::translation_out_of_range);
+    CHECK(pose_of(kUnrotated, kOrigin, bad).status() == Status::translation_out_of_range);
   }
 }
 
-TEST_CASE("matrices that mirror, scale or shear are refused, and an unturned one moves only") {
+TEST_CASE(
+    "matrices that mirror, scale or shear are refused, and an unrotated one only translates") {
   CHECK(pose_of({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, kOrigin, 1).status() == Status::not_a_rotation);
   CHECK(pose_of({{1, 0, 0}, {0, 1.01f, 0}, {0, 0, 1}}, kOrigin, 1).status() ==
         Status::not_a_rotation);
   CHECK(pose_of({{1, 0.01f, 0}, {0, 1, 0}, {0, 0, 1}}, kOrigin, 1).status() ==
         Status::not_a_rotation);
   CHECK(pose_of({{1, -0.0f, 0}, {0, 1, 0}, {0, 0, 1}}, kOrigin, 1).is_translation());
-  CHECK(pose_of(kUnturned, kOrigin, 1).is_translation());
+  CHECK(pose_of(kUnrotated, kOrigin, 1).is_translation());
   CHECK(pose_of(UnitQuaternion{-1, 0, 0, 0}, kOrigin, 1).is_translation());
 }

@@ -33,7 +33,7 @@ std::int64_t fine_translation(const Pose& pose, int axis) {
 }
 
 /// R p + t in 1/65,536 of a cell, from the pose's own numbers; p in the same unit, below 2^31.
-std::int64_t moved(const Pose& pose, const std::int64_t (&p)[3], int axis) {
+std::int64_t transformed(const Pose& pose, const std::int64_t (&p)[3], int axis) {
   std::int64_t sum = 0;
   for (int i = 0; i < 3; ++i) {
     sum += pose.rotation(axis, i) * (p[i] / 1024);
@@ -120,9 +120,9 @@ TEST_CASE("a matrix that is no rotation within the tolerance is refused, not men
 }
 
 TEST_CASE("a translation out of range is a status of its own, however the pose is made") {
-  const Rotation turn = rotation_of({1, 1, 0, 0});
+  const Rotation rotation = rotation_of({1, 1, 0, 0});
   for (const std::int32_t t : {kMaxTranslation + 1, -kMaxTranslation - 1, INT32_MAX, INT32_MIN}) {
-    const Pose pose = Pose::rigid(turn.entry, {0, t, 0});
+    const Pose pose = Pose::rigid(rotation.entry, {0, t, 0});
     CHECK(pose.status() == Status::translation_out_of_range);
     CHECK(pose.inverse().status() == Status::translation_out_of_range);
     CHECK(Pose::composed(pose, Pose::translated(0, 0, 0)).status() ==
@@ -159,10 +159,12 @@ TEST_CASE("composed does first the one, then the other") {
     for (std::int64_t& axis : p) {
       axis = std::int64_t{random.between(-16383, 16383)} * 65536;
     }
-    const std::int64_t between[3] = {moved(inner, p, 0), moved(inner, p, 1), moved(inner, p, 2)};
+    const std::int64_t between[3] = {transformed(inner, p, 0), transformed(inner, p, 1),
+                                     transformed(inner, p, 2)};
     for (int axis = 0; axis < 3; ++axis) {
       // Three matrices, each entry rounded to 2^-22: 16,383 cells times nine halves of that.
-      REQUIRE(std::llabs(moved(both, p, axis) - moved(outer, between, axis)) < 65536 / 32);
+      REQUIRE(std::llabs(transformed(both, p, axis) - transformed(outer, between, axis)) <
+              65536 / 32);
     }
   }
 }
@@ -187,8 +189,8 @@ TEST_CASE("an inverse leads back, and to the relative pose of two objects in a w
     }
   }
   // Exact where there is nothing to round.
-  const Pose turn = Pose::rigid(rotation_of({1, 1, 1, 1}).entry, {1, 2, 3}, {-32768, 5, 0});
-  const Pose back = Pose::composed(turn, turn.inverse());
+  const Pose rotation = Pose::rigid(rotation_of({1, 1, 1, 1}).entry, {1, 2, 3}, {-32768, 5, 0});
+  const Pose back = Pose::composed(rotation, rotation.inverse());
   CHECK(back.is_translation());
   for (int i = 0; i < 3; ++i) {
     CHECK(fine_translation(back, i) == 0);

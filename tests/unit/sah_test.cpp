@@ -90,7 +90,7 @@ LatticeMesh repeated(std::uint32_t count, const Vertex& p, const Vertex& q, cons
   return mesh;
 }
 
-/// Segments one behind the other along an axis.
+/// Segments one after the other along an axis.
 LatticeMesh row(std::uint32_t count, int axis) {
   LatticeMesh mesh;
   for (std::uint32_t i = 0; i <= count; ++i) {

@@ -1,4 +1,4 @@
-// Properties 6.1 to 6.7 of algorithm 3, on stacks recorded before and behind each iteration.
+// Properties 6.1 to 6.7 of algorithm 3, on stacks recorded before and after each iteration.
 //
 // The properties speak of full binary trees of equal height.
 #include <catch2/catch.hpp>
@@ -20,8 +20,8 @@ using Stack = NodePairs;  // bottom first; array positions
 /// One iteration of algorithm 3.
 struct Iteration {
   NodePair popped;
-  Stack below;   ///< the stack behind the pop
-  Stack behind;  ///< the stack at the iteration's end
+  Stack below;  ///< the stack after the pop
+  Stack after;  ///< the stack at the iteration's end
 };
 
 struct Run {
@@ -97,7 +97,7 @@ std::map<NodePair, Stack> stacks_below(const Run& run) {
 TEST_CASE("property 6.1: level(A) = level(B) or level(A) = level(B) - 1") {
   for_runs([](const Run& run) {
     for (const Iteration& iteration : run.iterations) {
-      for (const NodePair& e : iteration.behind) {
+      for (const NodePair& e : iteration.after) {
         const std::uint32_t a = level_a(run, e);
         const std::uint32_t b = level_b(run, e);
         REQUIRE((a == b || a + 1 == b));
@@ -109,12 +109,12 @@ TEST_CASE("property 6.1: level(A) = level(B) or level(A) = level(B) - 1") {
 TEST_CASE("property 6.2: elements are added two at a time, the right child's below the left's") {
   for_runs([](const Run& run) {
     for (const Iteration& iteration : run.iterations) {
-      const std::size_t added = iteration.behind.size() - iteration.below.size();
+      const std::size_t added = iteration.after.size() - iteration.below.size();
       REQUIRE((added == 0 || added == 2));
-      REQUIRE(std::equal(iteration.below.begin(), iteration.below.end(), iteration.behind.begin()));
+      REQUIRE(std::equal(iteration.below.begin(), iteration.below.end(), iteration.after.begin()));
       if (added == 2) {
-        const NodePair upper = iteration.behind.back();
-        const NodePair lower = iteration.behind[iteration.behind.size() - 2];
+        const NodePair upper = iteration.after.back();
+        const NodePair lower = iteration.after[iteration.after.size() - 2];
         const auto [a, b] = iteration.popped;
         if (level_a(run, iteration.popped) == level_b(run, iteration.popped)) {
           REQUIRE(upper == NodePair(a, b + 1));
@@ -130,7 +130,7 @@ TEST_CASE("property 6.2: elements are added two at a time, the right child's bel
 
 TEST_CASE("property 6.3: when the stack is empty, all collisions have been found") {
   for_runs([](const Run& run) {
-    REQUIRE(run.iterations.back().behind.empty());
+    REQUIRE(run.iterations.back().after.empty());
     NodePairs visited;
     for (const Iteration& iteration : run.iterations) {
       visited.push_back(iteration.popped);

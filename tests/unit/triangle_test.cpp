@@ -26,7 +26,7 @@ Point times(int32_t n, const Point& p) {
   return {n * p.x, n * p.y, n * p.z};
 }
 
-Triangle moved(const Triangle& t, const Point& by) {
+Triangle translated(const Triangle& t, const Point& by) {
   return {{plus(t.corner[0], by), plus(t.corner[1], by), plus(t.corner[2], by)}};
 }
 
@@ -46,14 +46,14 @@ bool all_orders_answer(bool expected, const Triangle& a, const Triangle& b) {
   return true;
 }
 
-Triangle turned(const Triangle& t) {
+Triangle rotated(const Triangle& t) {
   const Point* const c = t.corner;
   return {{{c[0].y, c[0].z, c[0].x}, {c[1].y, c[1].z, c[1].x}, {c[2].y, c[2].z, c[2].x}}};
 }
 
 struct Case {
   const char* name;
-  bool meet;
+  bool intersect;
   Triangle a;
   Triangle b;
 };
@@ -65,11 +65,11 @@ constexpr Triangle kPoint = {{{2, 2, 2}, {2, 2, 2}, {2, 2, 2}}};
 constexpr Case kCrossing[] = {
     {"an edge pierces the face", true, kFloor, {{{2, 2, -3}, {2, 2, 3}, {9, 9, 3}}}},
     {"each pierces the other", true, kFloor, {{{2, 2, 2}, {2, 2, -2}, {-9, 1, 0}}}},
-    {"planes cross, intervals apart", false, kFloor, {{{5, 5, -3}, {5, 5, 3}, {9, 9, 3}}}},
+    {"planes cross, intervals disjoint", false, kFloor, {{{5, 5, -3}, {5, 5, 3}, {9, 9, 3}}}},
     {"intervals one cell apart", false, kFloor, {{{-1, 2, -3}, {-1, 2, 3}, {-4, 3, 0}}}},
     {"all above the plane", false, kFloor, {{{2, 2, 1}, {3, 2, 1}, {2, 3, 2}}}},
     {"parallel planes one cell apart", false, kFloor, {{{0, 0, 1}, {8, 0, 1}, {0, 8, 1}}}},
-    {"boxes apart", false, kFloor, {{{9, 9, 9}, {10, 9, 9}, {9, 10, 9}}}},
+    {"boxes disjoint", false, kFloor, {{{9, 9, 9}, {10, 9, 9}, {9, 10, 9}}}},
     {"ends of 32 bits apart",
      false,
      {{{INT32_MIN, 0, 0}, {INT32_MIN, 1, 0}, {INT32_MIN, 0, 1}}},
@@ -85,7 +85,7 @@ constexpr Case kTouching[] = {
     {"edge crosses edge", true, kFloor, {{{4, 4, -1}, {4, 4, 1}, {7, 7, 0}}}},
     {"edge beside edge", false, kFloor, {{{4, 5, -1}, {4, 5, 1}, {7, 7, 0}}}},
     {"edge in the face", true, kFloor, {{{1, 1, 0}, {3, 3, 0}, {2, 2, 4}}}},
-    {"edge in the plane, apart", false, kFloor, {{{4, 5, 0}, {5, 4, 0}, {4, 4, 4}}}},
+    {"edge in the plane, disjoint", false, kFloor, {{{4, 5, 0}, {5, 4, 0}, {4, 4, 4}}}},
     {"edge across the face, ends outside", true, kFloor, {{{-1, 1, 0}, {9, 1, 0}, {4, 1, 4}}}},
     {"edge along an edge", true, kFloor, {{{2, 0, 0}, {12, 0, 0}, {4, -3, 4}}}},
     {"edge continues an edge from its end", true, kFloor, {{{8, 0, 0}, {12, 0, 0}, {9, -3, 4}}}},
@@ -105,14 +105,14 @@ constexpr Case kCoplanar[] = {
      {{{0, 4, 0}, {8, 4, 0}, {4, -2, 0}}}},
     {"inside", true, kFloor, {{{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}}},
     {"vertex on edge", true, kFloor, {{{4, 4, 0}, {9, 4, 0}, {4, 9, 0}}}},
-    {"edge against edge, apart", false, kFloor, {{{4, 5, 0}, {9, 5, 0}, {5, 4, 0}}}},
+    {"edge against edge, disjoint", false, kFloor, {{{4, 5, 0}, {9, 5, 0}, {5, 4, 0}}}},
     {"edges touch along a part", true, kFloor, {{{2, 0, 0}, {3, 0, 0}, {2, -5, 0}}}},
-    {"boxes overlap, apart", false, kFloor, {{{7, 7, 0}, {7, 3, 0}, {3, 7, 0}}}},
+    {"boxes overlap, disjoint", false, kFloor, {{{7, 7, 0}, {7, 3, 0}, {3, 7, 0}}}},
     {"on a slanted plane, touching",
      true,
      {{{4, 0, 0}, {0, 4, 0}, {0, 0, 4}}},
      {{{2, 2, 0}, {4, 2, -2}, {2, 4, -2}}}},
-    {"on a slanted plane, apart",
+    {"on a slanted plane, disjoint",
      false,
      {{{4, 0, 0}, {0, 4, 0}, {0, 0, 4}}},
      {{{3, 2, -1}, {4, 2, -2}, {2, 4, -2}}}},
@@ -132,12 +132,12 @@ constexpr Case kDegenerate[] = {
     {"the same segment", true, kSegment, kSegment},
     {"collinear segments overlap", true, kSegment, {{{7, 7, 7}, {9, 9, 9}, {12, 12, 12}}}},
     {"collinear segments touch", true, kSegment, {{{8, 8, 8}, {9, 9, 9}, {12, 12, 12}}}},
-    {"collinear segments apart", false, kSegment, {{{9, 9, 9}, {11, 11, 11}, {12, 12, 12}}}},
+    {"collinear segments disjoint", false, kSegment, {{{9, 9, 9}, {11, 11, 11}, {12, 12, 12}}}},
     {"parallel segments", false, kSegment, {{{0, 0, 1}, {4, 4, 5}, {8, 8, 9}}}},
     {"segments cross", true, kSegment, {{{0, 8, 4}, {4, 4, 4}, {8, 0, 4}}}},
     {"segments cross between their corners", true, kSegment, {{{1, 5, 3}, {5, 1, 3}, {1, 5, 3}}}},
     {"segments touch in a T", true, kSegment, {{{4, 4, 4}, {5, 2, 9}, {6, 0, 14}}}},
-    {"segments in one plane, apart", false, kSegment, {{{4, 3, 3}, {8, 3, 3}, {6, 3, 3}}}},
+    {"segments in one plane, disjoint", false, kSegment, {{{4, 3, 3}, {8, 3, 3}, {6, 3, 3}}}},
     {"skew segments with all projections crossing",
      false,
      kSegment,
@@ -151,17 +151,20 @@ constexpr Case kDegenerate[] = {
     {"segment in face", true, kFloor, {{{1, 1, 0}, {2, 2, 0}, {3, 3, 0}}}},
     {"segment across face in its plane", true, kFloor, {{{-1, 2, 0}, {9, 2, 0}, {3, 2, 0}}}},
     {"segment touches a vertex in its plane", true, kFloor, {{{7, -1, 0}, {8, 0, 0}, {9, 1, 0}}}},
-    {"segment in the plane, apart", false, kFloor, {{{9, 0, 0}, {0, 9, 0}, {4, 5, 0}}}},
-    {"segment on the line of an edge, apart", false, kFloor, {{{9, 0, 0}, {12, 0, 0}, {10, 0, 0}}}},
+    {"segment in the plane, disjoint", false, kFloor, {{{9, 0, 0}, {0, 9, 0}, {4, 5, 0}}}},
+    {"segment on the line of an edge, disjoint",
+     false,
+     kFloor,
+     {{{9, 0, 0}, {12, 0, 0}, {10, 0, 0}}}},
 };
 
 template <size_t kCount>
 void check_cases(const Case (&cases)[kCount]) {
   for (const Case& c : cases) {
     INFO(c.name);
-    CHECK(all_orders_answer(c.meet, c.a, c.b));
-    CHECK(all_orders_answer(c.meet, turned(c.a), turned(c.b)));
-    CHECK(all_orders_answer(c.meet, turned(turned(c.a)), turned(turned(c.b))));
+    CHECK(all_orders_answer(c.intersect, c.a, c.b));
+    CHECK(all_orders_answer(c.intersect, rotated(c.a), rotated(c.b)));
+    CHECK(all_orders_answer(c.intersect, rotated(rotated(c.a)), rotated(rotated(c.b))));
   }
 }
 
@@ -256,7 +259,8 @@ Pair at_the_end(const Pair& pair, bool up) {
   const int32_t limit = up ? INT32_MAX : INT32_MIN;
   const Point to_zero = times(-1, end);
   const Point to_end = {limit, limit, limit};
-  return {moved(moved(pair.a, to_zero), to_end), moved(moved(pair.b, to_zero), to_end)};
+  return {translated(translated(pair.a, to_zero), to_end),
+          translated(translated(pair.b, to_zero), to_end)};
 }
 
 #if defined(__SIZEOF_INT128__)
@@ -267,13 +271,13 @@ constexpr uint32_t kSymmetryPairs = 400;
 
 }  // namespace
 
-TEST_CASE("triangles that cross meet, triangles apart don't", "[triangle]") {
+TEST_CASE("triangles that cross intersect, disjoint triangles don't", "[triangle]") {
   check_cases(kCrossing);
 }
-TEST_CASE("triangles that touch meet", "[triangle]") {
+TEST_CASE("triangles that touch intersect", "[triangle]") {
   check_cases(kTouching);
 }
-TEST_CASE("coplanar triangles meet where they overlap or touch", "[triangle]") {
+TEST_CASE("coplanar triangles intersect where they overlap or touch", "[triangle]") {
   check_cases(kCoplanar);
 }
 TEST_CASE("segments and points are tested as what they are", "[triangle]") {
@@ -310,7 +314,7 @@ TEST_CASE("the place changes nothing, at either end of 32 bits", "[triangle]") {
   }
 }
 
-TEST_CASE("triangles with a common point by construction meet", "[triangle]") {
+TEST_CASE("triangles with a common point by construction intersect", "[triangle]") {
   const uint64_t seed = test_seed();
   Random random(seed);
   for (uint32_t run = 0; run < 4 * kSymmetryPairs; ++run) {
@@ -330,7 +334,7 @@ namespace {
 /// Whether the library gives the answer that the oracle proves.
 bool agrees(const Triangle& a, const Triangle& b) {
   const Verdict verdict = decide(a, b);
-  return is_proven(verdict, a, b) && detail::triangles_intersect(a, b) == verdict.meets;
+  return is_proven(verdict, a, b) && detail::triangles_intersect(a, b) == verdict.intersects;
 }
 
 }  // namespace

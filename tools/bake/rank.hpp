@@ -31,7 +31,7 @@ inline std::uint32_t rank_measure(const BuildTree& tree, const BuildNode& node) 
 }
 
 /// A measure on a logarithmic scale of eight steps an octave: 1 (nothing) to 121. Monotone.
-/// Below 16 the measure itself; above, its four leading bits behind eight for each octave.
+/// Below 16 the measure itself; above, its four leading bits after eight for each octave.
 constexpr std::uint32_t rank_on_scale(std::uint32_t measure) {
   std::uint32_t shift = 0;
   while ((measure >> shift) >= 16) {

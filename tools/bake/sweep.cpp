@@ -55,7 +55,7 @@ class Sweep {
                std::make_pair(centre(boxes_[j], axis), j);
       });
     }
-    behind_.resize(count);
+    after_.resize(count);
     is_right_.resize(count);
     scratch_.resize(count);
   }
@@ -111,7 +111,7 @@ class Sweep {
     detail::Box box = boxes_[list[range.end - 1]];
     for (std::uint32_t at = range.end - 1; at > range.first; --at) {
       box = join(box, boxes_[list[at]]);
-      behind_[at] = half_surface(box) * (range.end - at);
+      after_[at] = half_surface(box) * (range.end - at);
     }
     box = boxes_[list[range.first]];
     Split best = {UINT64_MAX, UINT32_MAX, axis, 0};
@@ -119,7 +119,7 @@ class Sweep {
       box = join(box, boxes_[list[at - 1]]);
       const std::uint32_t left = at - range.first;
       const std::uint32_t right = range.end - at;
-      const Split split = {half_surface(box) * left + behind_[at],
+      const Split split = {half_surface(box) * left + after_[at],
                            left > right ? left - right : right - left, axis, at};
       best = split.better_than(best) ? split : best;
     }
@@ -149,8 +149,8 @@ class Sweep {
   BinaryTree tree_;
   std::vector<detail::Box> boxes_;                   ///< of the triangles
   std::array<std::vector<std::uint32_t>, 3> lists_;  ///< triangles, by axis
-  std::vector<std::uint64_t> behind_;  ///< by position: the cost of it and all behind it
-  std::vector<char> is_right_;         ///< by triangle
+  std::vector<std::uint64_t> after_;  ///< by position: the cost of it and all after it
+  std::vector<char> is_right_;        ///< by triangle
   std::vector<std::uint32_t> scratch_;
 };
 

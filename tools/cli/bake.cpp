@@ -46,14 +46,15 @@ std::string fate(bool dropped, const char* kind) {
 
 std::string edge_text(const EdgeDefects& edges) {
   std::string text;
-  const auto add = [&](std::size_t count, const char* what) {
+  const auto add = [&](std::size_t count, const char* kind, const char* what) {
     if (count != 0) {
-      text += concat((text.empty() ? "" : ", "), count, (count == 1 ? " edge " : " edges "), what);
+      text += concat((text.empty() ? "" : ", "), count, " ", kind,
+                     (count == 1 ? "edge " : "edges "), what);
     }
   };
-  add(edges.open, "of one triangle");
-  add(edges.crowded, "of more than two");
-  add(edges.twisted, "of two that face opposite ways");
+  add(edges.boundary, "boundary ", "of one triangle");
+  add(edges.non_manifold, "non-manifold ", "of more than two");
+  add(edges.twisted, "", "of two that face opposite ways");
   return text;
 }
 
@@ -74,7 +75,7 @@ void print_table(const std::vector<BakeResult>& results, const std::string& cell
 
 void warn_of_defects(const MeshDefects& defects, const BakeOptions& options,
                      const std::string& path, Warnings& warnings) {
-  const auto warn = [&](const TriangleNumbers& triangles, const char* what, bool dropped,
+  const auto warn = [&](const TriangleIds& triangles, const char* what, bool dropped,
                         const char* kind) {
     if (!triangles.empty()) {
       warnings.add(path, what + triangle_list(triangles) + fate(dropped, kind));
@@ -180,8 +181,8 @@ void bake_all(const BakeOrder& order) {
 void add_bake(CLI::App& app) {
   CLI::App* const command = app.add_subcommand(
       "bake",
-      "Turn meshes (STL, OBJ, PLY, OFF) into trees: C++ arrays and binary images.\n"
-      "Meshes that meet each other share a cell: bake them in one call.");
+      "Bake meshes (STL, OBJ, PLY, OFF) into trees: C++ arrays and binary images.\n"
+      "Meshes that are queried together share a cell: bake them in one call.");
   add_bake_options(*command, bake_all);
 }
 

@@ -42,7 +42,7 @@ class Comparison {
       : vertices_(vertices_of(image.tree())),
         rounded_(bake::round_to_lattice(input.mesh, image.cell())) {
     const MeshDefects defects = defects_of(input.mesh, rounded_, input.degenerate);
-    for (const TriangleNumbers& numbers : {defects.degenerate, defects.collapsed}) {
+    for (const TriangleIds& numbers : {defects.degenerate, defects.collapsed}) {
       degenerate_.insert(numbers.begin(), numbers.end());
     }
     duplicates_.insert(defects.duplicates.begin(), defects.duplicates.end());

@@ -61,7 +61,7 @@ std::string chosen_algorithm(const CollideArguments& arguments, const ImageFile&
 /// All of them, before the first is asked about.
 std::vector<Pose> lattice_poses(const std::string& path, double cell) {
   std::vector<Pose> poses;
-  for (const PlacedPose& pose : read_poses(path)) {
+  for (const PoseAtLine& pose : read_poses(path)) {
     poses.push_back(lattice_pose(pose.pose, cell, pose.place));
   }
   return poses;
@@ -166,9 +166,10 @@ void add_collide(CLI::App& app) {
   const auto arguments = std::make_shared<CollideArguments>();
   CollideArguments& a = *arguments;
   CLI::App* const command = app.add_subcommand(
-      "collide", "Find the triangles of A that meet triangles of B, by the firmware's own code.");
+      "collide",
+      "Find the triangles of A that intersect triangles of B, by the firmware's own code.");
   command->add_option("A", a.a, "Image (.fbvh) that stays in place")->required();
-  command->add_option("B", a.b, "Image (.fbvh) that the poses turn and move")->required();
+  command->add_option("B", a.b, "Image (.fbvh) that the poses rotate and translate")->required();
   CLI::Option* const poses =
       command
           ->add_option("--poses", a.poses,

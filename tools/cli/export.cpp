@@ -15,7 +15,7 @@ namespace {
 struct ExportArguments {
   std::string image;
   std::string mesh;
-  std::optional<std::string> placed;
+  std::optional<std::string> pose;
 };
 
 /// A comment tells the number of a triangle before which others were left out.
@@ -40,9 +40,9 @@ void write_obj(const ExportArguments& arguments) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
   std::vector<LatticePoint> vertices = vertices_of(image.tree());
-  if (arguments.placed) {
-    const RigidPose pose = parse_pose(*arguments.placed, "--placed");
-    vertices = placed_vertices(image.tree(), lattice_pose(pose, image.cell(), "--placed"));
+  if (arguments.pose) {
+    const RigidPose pose = parse_pose(*arguments.pose, "--pose");
+    vertices = transformed_vertices(image.tree(), lattice_pose(pose, image.cell(), "--pose"));
   }
   std::string text = "# integer coordinates: cells\n";
   for (const LatticePoint& v : vertices) {
@@ -63,7 +63,7 @@ void add_export(CLI::App& app) {
   command->add_option("-o,--output", arguments->mesh, "File to write")
       ->required()
       ->type_name("MESH.obj");
-  command->add_option("--placed", arguments->placed,
+  command->add_option("--pose", arguments->pose,
                       "A pose of 12 numbers, as in `collide --poses`: write the mesh where a query "
                       "puts it as B, in A's frame");
   command->callback([arguments] { write_obj(*arguments); });

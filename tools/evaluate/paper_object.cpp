@@ -137,7 +137,7 @@ void subdivide(bake::LatticeMesh& mesh) {
   }
 }
 
-Vertex turned(const Vertex& v, Orientation orientation) {
+Vertex rotated(const Vertex& v, Orientation orientation) {
   const auto negated = [](std::int16_t value) { return static_cast<std::int16_t>(-value); };
   switch (orientation) {
     case Orientation::lying:
@@ -168,7 +168,7 @@ bake::LatticeMesh make_mesh(const PaperObject& object) {
     subdivide(mesh);
   }
   for (Vertex& vertex : mesh.vertices) {
-    vertex = turned(vertex, object.orientation);
+    vertex = rotated(vertex, object.orientation);
   }
   return mesh;
 }

@@ -15,7 +15,7 @@ constexpr std::uint32_t kMaxSubdivisions = 4;
 /// The rim's radius, without its lobes, of an object in full size; in cells.
 constexpr std::int32_t kFullRadius = 12000;
 
-/// How the tumbler is turned when it is made; the bottom is at -z when upright.
+/// How the tumbler is rotated when it is made; the bottom is at -z when upright.
 enum class Orientation : std::uint8_t {
   upright,
   lying,        ///< a quarter of a turn about x: the bottom at +y

@@ -57,16 +57,16 @@ double defect(const Matrix& r) {
 }
 
 /// Cells, and what is left of them in 1/65,536.
-struct Moved {
+struct AxisTranslation {
   std::int32_t cells;
   std::int16_t fraction;
 };
 
-Moved moved(double length, double cell, const std::string& place) {
+AxisTranslation axis_translation(double length, double cell, const std::string& place) {
   const double fractions = std::round(length / cell * 65536);
   const double cells = std::floor((fractions + 32768) / 65536);
   if (!(std::fabs(cells) <= kMaxTranslation)) {
-    throw UserError(place, "the pose moves B by ", shortest(length), ", the most is ",
+    throw UserError(place, "the pose translates B by ", shortest(length), ", the most is ",
                     shortest(kMaxTranslation * cell), " (", kMaxTranslation, " cells)");
   }
   return {static_cast<std::int32_t>(cells), static_cast<std::int16_t>(fractions - cells * 65536)};
@@ -88,14 +88,14 @@ std::array<std::int32_t, 3> lattice_point_near(const Pose& pose, const std::int3
 /// By the library's own arithmetic, with a lattice point near B for A's origin: that changes whole
 /// cells and nothing else, and no offset from it is out of the library's range.
 template <class Tree>
-std::vector<LatticePoint> turned_vertices(const Tree& b, const Pose& pose) {
+std::vector<LatticePoint> rotated_vertices(const Tree& b, const Pose& pose) {
   const std::array<std::int32_t, 3> near = lattice_point_near(pose, b.origin);
   const std::int32_t origin[3] = {near[0], near[1], near[2]};
-  detail::RotatedTransform placement{};
-  placement.prepare(pose, origin, b.nodes[0].box, b.origin, b.nodes[0].box, false);
+  detail::RotatedTransform transform{};
+  transform.prepare(pose, origin, b.nodes[0].box, b.origin, b.nodes[0].box, false);
   std::vector<LatticePoint> vertices;
   for (std::uint32_t i = 0; i < b.vertex_count; ++i) {
-    const Point p = placement.transform(b.vertices[i]);
+    const Point p = transform.transform(b.vertices[i]);
     vertices.push_back(
         {std::int64_t{p.x} + near[0], std::int64_t{p.y} + near[1], std::int64_t{p.z} + near[2]});
   }
@@ -128,9 +128,9 @@ RigidPose parse_pose(std::string_view text, const std::string& place) {
   return pose;
 }
 
-std::vector<PlacedPose> read_poses(const std::string& path) {
+std::vector<PoseAtLine> read_poses(const std::string& path) {
   const std::string text = read_file(path);
-  std::vector<PlacedPose> poses;
+  std::vector<PoseAtLine> poses;
   for (Lines lines(text); lines.next_content();) {
     const std::string place = concat(path, ":", lines.number());
     poses.push_back({parse_pose(lines.line(), place), place});
@@ -153,9 +153,9 @@ Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) 
       }
       rotation[i][j] = static_cast<std::int32_t>(std::round(entry * kRotationOne));
     }
-    const Moved move = moved(pose.translation[i], cell, place);
-    cells[i] = move.cells;
-    fraction[i] = move.fraction;
+    const AxisTranslation along = axis_translation(pose.translation[i], cell, place);
+    cells[i] = along.cells;
+    fraction[i] = along.fraction;
   }
   const Pose on_lattice = Pose::rigid(rotation, cells, fraction);
   if (on_lattice.status() != Status::done) {
@@ -164,9 +164,9 @@ Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) 
   return on_lattice;
 }
 
-std::vector<LatticePoint> placed_vertices(const AnyTree& b, const Pose& pose) {
+std::vector<LatticePoint> transformed_vertices(const AnyTree& b, const Pose& pose) {
   if (!pose.is_translation()) {
-    return std::visit([&](const auto& tree) { return turned_vertices(tree, pose); }, b);
+    return std::visit([&](const auto& tree) { return rotated_vertices(tree, pose); }, b);
   }
   std::vector<LatticePoint> vertices = vertices_of(b);
   for (LatticePoint& point : vertices) {

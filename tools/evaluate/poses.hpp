@@ -20,7 +20,7 @@ struct RigidPose {
 };
 
 /// A pose and where it stands, for messages.
-struct PlacedPose {
+struct PoseAtLine {
   RigidPose pose;
   std::string place;  ///< "FILE:LINE"
 };
@@ -29,16 +29,16 @@ struct PlacedPose {
 RigidPose parse_pose(std::string_view text, const std::string& place);
 
 /// One pose a line; '#' starts a comment; empty lines don't count. UserError if there is none.
-std::vector<PlacedPose> read_poses(const std::string& path);
+std::vector<PoseAtLine> read_poses(const std::string& path);
 
 /// The translation is rounded to 1/65,536 of a cell, the rotation to 2^-30, halves away from zero;
 /// what the library makes of them is in Pose::rigid(). UserError, naming `place`, if the matrix is
-/// no rotation within kRotationTolerance or moves B beyond kMaxTranslation.
+/// no rotation within kRotationTolerance or translates B beyond kMaxTranslation.
 Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place);
 
 /// The vertices of B in cells of A's frame: where a query has them, whatever the A, and where it
 /// would have those that are too far from A for it to look.
-std::vector<LatticePoint> placed_vertices(const AnyTree& b, const Pose& pose);
+std::vector<LatticePoint> transformed_vertices(const AnyTree& b, const Pose& pose);
 
 }  // namespace flashbvh::tool
 

@@ -41,10 +41,9 @@ void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded,
 
 /// Leaves out what the options say, and vertices that nothing uses any more. Returns the source's
 /// numbers of the triangles that stay.
-TriangleNumbers drop(bake::LatticeMesh& mesh, const MeshDefects& defects,
-                     const BakeOptions& options) {
+TriangleIds drop(bake::LatticeMesh& mesh, const MeshDefects& defects, const BakeOptions& options) {
   std::vector<bool> dropped(mesh.triangles.size(), false);
-  const auto mark = [&](const TriangleNumbers& triangles, bool wanted) {
+  const auto mark = [&](const TriangleIds& triangles, bool wanted) {
     for (const std::uint32_t triangle : triangles) {
       dropped[triangle] = dropped[triangle] || wanted;
     }
@@ -52,7 +51,7 @@ TriangleNumbers drop(bake::LatticeMesh& mesh, const MeshDefects& defects,
   mark(defects.degenerate, options.drop_degenerate);
   mark(defects.collapsed, options.drop_degenerate);
   mark(defects.duplicates, options.drop_duplicate);
-  TriangleNumbers kept;
+  TriangleIds kept;
   std::vector<bake::TriangleCorners> triangles;
   constexpr std::uint32_t kUnused = 0xFFFFFFFF;
   std::vector<std::uint32_t> index_of(mesh.vertices.size(), kUnused);
@@ -78,7 +77,7 @@ TriangleNumbers drop(bake::LatticeMesh& mesh, const MeshDefects& defects,
 
 /// UserError if something of the mesh or its tree is over the limit of 16-bit indices.
 void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
-                   const bake::BuildTree& tree, const TriangleNumbers& kept) {
+                   const bake::BuildTree& tree, const TriangleIds& kept) {
   constexpr std::size_t most = bake::IndexLimits<std::uint16_t>::kMost;
   const auto check = [&](std::size_t count, const char* what, std::size_t limit, const char* mend) {
     if (count > limit) {
@@ -103,7 +102,7 @@ void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
 
 /// Gives the triangles the numbers that they have in the file.
 template <class Index, Layout layout>
-void renumber(bake::BakedTree<Index, layout>& baked, const TriangleNumbers& kept) {
+void renumber(bake::BakedTree<Index, layout>& baked, const TriangleIds& kept) {
   for (Index& source : baked.triangle_ids) {
     source = static_cast<Index>(kept[source]);
   }
@@ -131,7 +130,7 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
   check_deviation(input, lattice, options.max_deviation);
   BakedMesh baked;
   baked.defects = defects_of(input.mesh, lattice, input.degenerate);
-  const TriangleNumbers kept = drop(lattice, baked.defects, options);
+  const TriangleIds kept = drop(lattice, baked.defects, options);
   if (kept.empty()) {
     throw UserError(input.path, "--drop leaves no triangle; use a finer --cell or drop less");
   }

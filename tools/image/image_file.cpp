@@ -74,7 +74,7 @@ ImageFile::ImageFile(const std::string& path) : path_(path) {
   }
   if (bytes.size() != header.byte_count) {
     throw UserError(path, "has ", bytes.size() - header.byte_count,
-                    " bytes behind its end; copy or bake it again");
+                    " bytes after its end; copy or bake it again");
   }
 }
 
@@ -105,7 +105,7 @@ std::vector<SourceTriangle> source_triangles(const ImageFile& image) {
             [](const SourceTriangle& t, const SourceTriangle& u) { return t.number < u.number; });
   for (std::size_t i = 1; i < triangles.size(); ++i) {
     if (triangles[i].number == triangles[i - 1].number) {
-      throw UserError(image.path(), "is invalid: triangle number ", triangles[i].number,
+      throw UserError(image.path(), "is invalid: triangle id ", triangles[i].number,
                       " occurs twice; bake it again");
     }
   }

@@ -37,8 +37,8 @@ std::array<std::int64_t, 3> difference(const Vertex& p, const Vertex& q) {
 }
 
 template <class Mesh>
-TriangleNumbers without_area(const Mesh& mesh) {
-  TriangleNumbers found;
+TriangleIds without_area(const Mesh& mesh) {
+  TriangleIds found;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const TriangleCorners& corners = mesh.triangles[i];
     const auto& apex = mesh.vertices[corners[0]];
@@ -62,7 +62,7 @@ struct Edge {
 };
 
 std::vector<Edge> edges_of(const std::vector<TriangleCorners>& triangles,
-                           const TriangleNumbers& duplicates) {
+                           const TriangleIds& duplicates) {
   std::vector<Edge> edges;
   edges.reserve(3 * triangles.size());
   auto duplicate = duplicates.begin();
@@ -84,15 +84,15 @@ std::vector<Edge> edges_of(const std::vector<TriangleCorners>& triangles,
 
 }  // namespace
 
-TriangleNumbers degenerate_triangles(const bake::SourceMesh& mesh) {
+TriangleIds degenerate_triangles(const bake::SourceMesh& mesh) {
   return without_area(mesh);
 }
 
-TriangleNumbers degenerate_triangles(const bake::LatticeMesh& mesh) {
+TriangleIds degenerate_triangles(const bake::LatticeMesh& mesh) {
   return without_area(mesh);
 }
 
-TriangleNumbers duplicate_triangles(const std::vector<TriangleCorners>& triangles) {
+TriangleIds duplicate_triangles(const std::vector<TriangleCorners>& triangles) {
   std::vector<std::pair<TriangleCorners, std::uint32_t>> sorted;
   sorted.reserve(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -101,7 +101,7 @@ TriangleNumbers duplicate_triangles(const std::vector<TriangleCorners>& triangle
     sorted.emplace_back(corners, static_cast<std::uint32_t>(i));
   }
   std::sort(sorted.begin(), sorted.end());
-  TriangleNumbers found;
+  TriangleIds found;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     if (sorted[i].first == sorted[i - 1].first) {
       found.push_back(sorted[i].second);
@@ -112,15 +112,15 @@ TriangleNumbers duplicate_triangles(const std::vector<TriangleCorners>& triangle
 }
 
 EdgeDefects edge_defects(const std::vector<TriangleCorners>& triangles,
-                         const TriangleNumbers& duplicates) {
+                         const TriangleIds& duplicates) {
   std::vector<Edge> edges = edges_of(triangles, duplicates);
   std::sort(edges.begin(), edges.end());
   EdgeDefects defects;
   for (auto first = edges.begin(); first != edges.end();) {
     const auto end = std::upper_bound(first, edges.end(), *first);
     const auto count = end - first;
-    defects.open += count == 1 ? 1 : 0;
-    defects.crowded += count > 2 ? 1 : 0;
+    defects.boundary += count == 1 ? 1 : 0;
+    defects.non_manifold += count > 2 ? 1 : 0;
     defects.twisted += count == 2 && first[0].rises == first[1].rises ? 1 : 0;
     first = end;
   }
@@ -128,10 +128,10 @@ EdgeDefects edge_defects(const std::vector<TriangleCorners>& triangles,
 }
 
 MeshDefects defects_of(const bake::SourceMesh& mesh, const bake::LatticeMesh& rounded,
-                       const TriangleNumbers& degenerate) {
+                       const TriangleIds& degenerate) {
   MeshDefects defects;
   defects.degenerate = degenerate;
-  const TriangleNumbers flat = degenerate_triangles(rounded);
+  const TriangleIds flat = degenerate_triangles(rounded);
   std::set_difference(flat.begin(), flat.end(), degenerate.begin(), degenerate.end(),
                       std::back_inserter(defects.collapsed));
   defects.duplicates = duplicate_triangles(rounded.triangles);

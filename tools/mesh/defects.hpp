@@ -10,42 +10,42 @@
 namespace flashbvh::tool {
 
 /// Numbers of triangles, ascending.
-using TriangleNumbers = std::vector<std::uint32_t>;
+using TriangleIds = std::vector<std::uint32_t>;
 
 /// Triangles without area, told by the coordinates as they are: corners that fall together or lie
 /// on a line.
-TriangleNumbers degenerate_triangles(const bake::SourceMesh& mesh);
-TriangleNumbers degenerate_triangles(const bake::LatticeMesh& mesh);
+TriangleIds degenerate_triangles(const bake::SourceMesh& mesh);
+TriangleIds degenerate_triangles(const bake::LatticeMesh& mesh);
 
 /// Triangles that have the three vertices of an earlier one, in any order. O(n log n).
-TriangleNumbers duplicate_triangles(const std::vector<bake::TriangleCorners>& triangles);
+TriangleIds duplicate_triangles(const std::vector<bake::TriangleCorners>& triangles);
 
 /// Edges that the surface of a solid does not have.
 struct EdgeDefects {
-  std::size_t open = 0;     ///< of one triangle
-  std::size_t crowded = 0;  ///< of more than two
-  std::size_t twisted = 0;  ///< of two triangles that face opposite ways
+  std::size_t boundary = 0;      ///< of one triangle
+  std::size_t non_manifold = 0;  ///< of more than two
+  std::size_t twisted = 0;       ///< of two triangles that face opposite ways
 
-  bool none() const { return open == 0 && crowded == 0 && twisted == 0; }
+  bool none() const { return boundary == 0 && non_manifold == 0 && twisted == 0; }
 };
 
 /// Of the distinct triangles: duplicates count once, and those whose corners fall together not at
 /// all. O(n log n).
 EdgeDefects edge_defects(const std::vector<bake::TriangleCorners>& triangles,
-                         const TriangleNumbers& duplicates);
+                         const TriangleIds& duplicates);
 
 /// What rounding a mesh to the lattice leaves, and what was odd about it before.
 struct MeshDefects {
-  TriangleNumbers degenerate;  ///< without area in the file already
-  TriangleNumbers collapsed;   ///< these lose theirs by rounding
-  TriangleNumbers duplicates;  ///< on the lattice
+  TriangleIds degenerate;      ///< without area in the file already
+  TriangleIds collapsed;       ///< these lose theirs by rounding
+  TriangleIds duplicates;      ///< on the lattice
   EdgeDefects edges;           ///< on the lattice
   bool closed_before = false;  ///< whether rounding alone is to blame for the edges
 };
 
 /// `degenerate`: of the mesh as it is in the file.
 MeshDefects defects_of(const bake::SourceMesh& mesh, const bake::LatticeMesh& rounded,
-                       const TriangleNumbers& degenerate);
+                       const TriangleIds& degenerate);
 
 }  // namespace flashbvh::tool
 

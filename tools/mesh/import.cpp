@@ -72,9 +72,10 @@ class Gatherer {
                       " has a corner at a vertex that is not there; export it again");
     }
     const aiVector3D& at = mesh.mVertices[index];
-    const aiVector3D moved = transform.IsIdentity() ? at : transform * at;
-    const Position position = {static_cast<double>(moved.x), static_cast<double>(moved.y),
-                               static_cast<double>(moved.z)};
+    const aiVector3D transformed = transform.IsIdentity() ? at : transform * at;
+    const Position position = {static_cast<double>(transformed.x),
+                               static_cast<double>(transformed.y),
+                               static_cast<double>(transformed.z)};
     for (const double coordinate : position) {
       if (!std::isfinite(coordinate)) {
         throw UserError(path_, "polygon ", face_count_,

@@ -21,8 +21,8 @@ bake::SourceMesh import_mesh(const std::string& path, Warnings& warnings);
 /// A mesh as its file has it.
 struct InputMesh {
   std::string path;
-  bake::SourceMesh mesh;       ///< converted to the common unit
-  TriangleNumbers degenerate;  ///< before it was converted
+  bake::SourceMesh mesh;   ///< converted to the common unit
+  TriangleIds degenerate;  ///< before it was converted
 };
 
 /// import_mesh(), in the common unit.

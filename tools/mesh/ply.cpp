@@ -136,7 +136,7 @@ class HeaderReader {
   Header header_;
 };
 
-/// The numbers behind the header, one after the other.
+/// The numbers after the header, one after the other.
 class Body {
  public:
   Body(std::string_view bytes, Encoding encoding) : bytes_(bytes), encoding_(encoding) {}

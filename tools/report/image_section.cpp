@@ -15,7 +15,7 @@ namespace {
 struct Part {
   const char* name;
   const char* use;
-  std::uint64_t bytes;  ///< with the gap behind it
+  std::uint64_t bytes;  ///< with the gap after it
 };
 
 std::vector<Part> parts_of(const ImageHeader& header) {
@@ -25,8 +25,8 @@ std::vector<Part> parts_of(const ImageHeader& header) {
       {"nodes", "boxes, links and ranks", at.levels - at.nodes},
       {"triangles", "three vertex numbers each", at.triangle_ids - at.triangles},
       {"vertices", "three coordinates each", at.end - at.vertices},
-      {"sources", "triangle numbers of the mesh file", at.leaf_offsets - at.triangle_ids},
-      {"leaf table", "the first triangle of each leaf", at.vertices - at.leaf_offsets},
+      {"triangle ids", "their numbers in the mesh file", at.leaf_offsets - at.triangle_ids},
+      {"leaf offsets", "the first triangle of each leaf", at.vertices - at.leaf_offsets},
       {"levels", "for the paper&#39;s alternating rule alone", at.climb - at.levels},
       {pre ? "parents" : "right child levels", "likewise", at.triangles - at.climb},
       {"header", "counts, cell and checksum", at.nodes},

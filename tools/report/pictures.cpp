@@ -46,7 +46,7 @@ std::string rectangle(const Projected& start, const Projected& u, const Projecte
   return concat("M", numbers(start.x, start.y), "h", u.x, "v", v.y, "h", -u.x, "z");
 }
 
-/// The outline and the three edges that meet in the corner in front: low x and y and high z come
+/// The outline and the three edges that end in the corner in front: low x and y and high z come
 /// first, where the corner in front is high x, low y, high z.
 std::string solid(const Projected& start, const Projected& x, const Projected& y,
                   const Projected& z) {
@@ -57,15 +57,15 @@ std::string solid(const Projected& start, const Projected& x, const Projected& y
 }
 
 std::string path_of(const detail::Box& box, const Projection& projection) {
-  const Projected x = projection.turn({box.upper.x - box.lower.x, 0, 0});
-  const Projected y = projection.turn({0, box.upper.y - box.lower.y, 0});
-  const Projected z = projection.turn({0, 0, box.upper.z - box.lower.z});
-  return solid(projection.place({box.lower.x, box.lower.y, box.upper.z}), x, y, z);
+  const Projected x = projection.rotate({box.upper.x - box.lower.x, 0, 0});
+  const Projected y = projection.rotate({0, box.upper.y - box.lower.y, 0});
+  const Projected z = projection.rotate({0, 0, box.upper.z - box.lower.z});
+  return solid(projection.project({box.lower.x, box.lower.y, box.upper.z}), x, y, z);
 }
 
 std::string flat_path_of(const detail::Box& box, const Projection& projection) {
-  const Projected low = projection.place(box.lower);
-  const Projected high = projection.place(box.upper);
+  const Projected low = projection.project(box.lower);
+  const Projected high = projection.project(box.upper);
   return rectangle(low, {high.x - low.x, 0, 0}, {0, high.y - low.y, 0});
 }
 

@@ -13,7 +13,7 @@ namespace {
 /// Pairs of different images that are asked about.
 constexpr std::size_t kMostPairs = 6;
 
-bool can_meet(const Subject& a, const Subject& b) {
+bool can_be_queried(const Subject& a, const Subject& b) {
   return a.image.tree().index() == b.image.tree().index() && a.image.cell() == b.image.cell();
 }
 
@@ -21,7 +21,7 @@ std::vector<SubjectPair> all_pairs(const std::vector<const Subject*>& subjects) 
   std::vector<SubjectPair> pairs;
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     for (std::size_t j = i + 1; j < subjects.size(); ++j) {
-      if (can_meet(*subjects[i], *subjects[j])) {
+      if (can_be_queried(*subjects[i], *subjects[j])) {
         pairs.emplace_back(subjects[i], subjects[j]);
       }
     }
@@ -63,7 +63,7 @@ std::string shortfall(const VisitSample& sample) {
   return sample.out_of_range == 0
              ? ""
              : note(counted(sample.out_of_range, "pose", "poses") +
-                    " passed over: a mesh lies so far from its origin that turning it about its "
+                    " passed over: a mesh lies so far from its origin that rotating it about its "
                     "middle takes a translation out of range.");
 }
 
@@ -107,20 +107,20 @@ std::string query_note(const std::vector<const Subject*>& subjects, std::size_t 
   const std::size_t different = subjects.size() * (subjects.size() - 1) / 2;
   const std::size_t possible = all_pairs(subjects).size();
   std::string html =
-      "<p>Visits, the pairs of boxes that a query tests, in random poses: B turned by any "
+      "<p>Visits, the pairs of boxes that a query tests, in random poses: B rotated by any "
       "rotation, the middle of its box in any direction from that of A, at any distance up to the "
       "sum of half their diagonals. Of each class the first " +
       grouped(poses) + " among " + grouped(kTries * poses) +
       " such poses, always the same.</p>\n<dl class=terms>\n"
-      "<div><dt>separated</dt><dd>the boxes of the two meshes are apart</dd></div>\n"
+      "<div><dt>separated</dt><dd>the boxes of the two meshes are disjoint</dd></div>\n"
       "<div><dt>small proximity</dt><dd>boxes overlap, but of no two leaves</dd></div>\n"
       "<div><dt>close proximity</dt><dd>boxes of leaves overlap, but no two triangles "
-      "meet</dd></div>\n"
-      "<div><dt>intersecting</dt><dd>triangles meet: up to the last pair of them, or to the "
+      "intersect</dd></div>\n"
+      "<div><dt>intersecting</dt><dd>triangles intersect: up to the last pair of them, or to the "
       "first</dd></div>\n</dl>\n";
   if (possible < different) {
     html += note(counted(different - possible, "pair", "pairs") +
-                 " can&#39;t meet: baked with another cell, layout or index width.");
+                 " can&#39;t be queried: baked with another cell, layout or index width.");
   }
   if (possible > kMostPairs) {
     html += note("Of " + grouped(possible) + " pairs of different meshes, the first " +

@@ -185,7 +185,7 @@ Picture picture_of(const TriangleSoup& triangles, const View& view, const detail
   const Projection projection(view, box, kPictureSide * scale, kPictureMargin * scale);
   Canvas canvas;
   for (const auto& [p, q, r] : triangles) {
-    canvas.draw({projection.place(p), projection.place(q), projection.place(r)},
+    canvas.draw({projection.project(p), projection.project(q), projection.project(r)},
                 shade_of({p, q, r}, view, kShades));
   }
   return canvas.picture(palette());

@@ -25,7 +25,7 @@ std::string picture_style();
 /// Subjects that are asked about each other.
 using SubjectPair = std::pair<const Subject*, const Subject*>;
 
-/// Each with itself, then the first few pairs that can meet.
+/// Each with itself, then the first few pairs that can be queried.
 std::vector<SubjectPair> asked_pairs(const std::vector<const Subject*>& subjects);
 
 /// A table for a pair.

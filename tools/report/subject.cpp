@@ -29,37 +29,36 @@ bake::LatticeMesh lattice_mesh(const ImageFile& image, std::vector<std::uint32_t
 }
 
 /// From places in the image to numbers in the source.
-TriangleNumbers renumbered(TriangleNumbers places, const std::vector<std::uint32_t>& numbers) {
+TriangleIds renumbered(TriangleIds places, const std::vector<std::uint32_t>& numbers) {
   for (std::uint32_t& place : places) {
     place = numbers[place];
   }
   return places;
 }
 
-std::string edges(std::size_t number, const char* what) {
-  return counted(number, "edge ", "edges ") + what;
-}
-
 std::vector<std::string> warnings_of(const bake::LatticeMesh& mesh,
                                      const std::vector<std::uint32_t>& numbers) {
   std::vector<std::string> warnings;
-  const auto warn = [&](const TriangleNumbers& places, const char* what) {
+  const auto warn = [&](const TriangleIds& places, const char* what) {
     if (!places.empty()) {
       warnings.push_back(triangle_list(renumbered(places, numbers)) + what);
     }
   };
-  const TriangleNumbers duplicates = duplicate_triangles(mesh.triangles);
+  const TriangleIds duplicates = duplicate_triangles(mesh.triangles);
   warn(degenerate_triangles(mesh), " without area: a segment or a point.");
   warn(duplicates, " with the three vertices of an earlier one.");
   const EdgeDefects defects = edge_defects(mesh.triangles, duplicates);
-  if (defects.open != 0) {
-    warnings.push_back(edges(defects.open, "open: of one triangle only."));
+  if (defects.boundary != 0) {
+    warnings.push_back(counted(defects.boundary, "boundary edge", "boundary edges") +
+                       " of one triangle only.");
   }
-  if (defects.crowded != 0) {
-    warnings.push_back(edges(defects.crowded, "not manifold: of more than two triangles."));
+  if (defects.non_manifold != 0) {
+    warnings.push_back(counted(defects.non_manifold, "non-manifold edge", "non-manifold edges") +
+                       " of more than two triangles.");
   }
   if (defects.twisted != 0) {
-    warnings.push_back(edges(defects.twisted, "of two triangles that face opposite ways."));
+    warnings.push_back(counted(defects.twisted, "edge", "edges") +
+                       " of two triangles that face opposite ways.");
   }
   const std::size_t left_out = numbers.back() + std::size_t{1} - numbers.size();
   if (left_out != 0) {

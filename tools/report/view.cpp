@@ -61,7 +61,7 @@ Projection::Projection(const View& view, const detail::Box& box, std::int64_t si
   middle_y_ = y.low + y.high;
 }
 
-Projected Projection::place(const Vertex& vertex) const {
+Projected Projection::project(const Vertex& vertex) const {
   const Vector v = {vertex.x, vertex.y, vertex.z};
   return {
       rounded_quotient((2 * dot(view_.right, v) - middle_x_) * room_ + side_ * extent_,
@@ -70,7 +70,7 @@ Projected Projection::place(const Vertex& vertex) const {
       -dot(view_.towards, v)};
 }
 
-Projected Projection::turn(const Vector& direction) const {
+Projected Projection::rotate(const Vector& direction) const {
   return {rounded_quotient(dot(view_.right, direction) * room_, extent_),
           rounded_quotient(-dot(view_.up, direction) * room_, extent_),
           -dot(view_.towards, direction)};

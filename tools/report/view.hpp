@@ -51,9 +51,9 @@ class Projection {
   /// `side`: of the picture; `margin`: what stays free round the box.
   Projection(const View& view, const detail::Box& box, std::int64_t side, std::int64_t margin);
 
-  Projected place(const Vertex& vertex) const;
+  Projected project(const Vertex& vertex) const;
   /// A direction in the picture's measure.
-  Projected turn(const Vector& direction) const;
+  Projected rotate(const Vector& direction) const;
 
  private:
   View view_;

@@ -93,10 +93,10 @@ struct Place {
   std::int64_t diagonal = 0;  ///< half of it
 };
 
-/// B turned by any rotation, each as likely as the other, and moved so that the middle of its box
-/// lies in any direction from the middle of A's, at any distance from 0 to the sum of half their
-/// boxes' diagonals: from there on their boxes are apart however they are turned. Always the same
-/// poses for the same trees; not `done` where a mesh lies too far from its origin.
+/// B rotated by any rotation, each as likely as the other, and translated so that the middle of its
+/// box lies in any direction from the middle of A's, at any distance from 0 to the sum of half
+/// their boxes' diagonals: from there on their boxes are disjoint however they are rotated. Always
+/// the same poses for the same trees; not `done` where a mesh lies too far from its origin.
 Pose next_pose(Random& random, const Place& a, const Place& b) {
   Matrix rotation;
   set_rotation(in_ball<4>(random), rotation);
@@ -105,11 +105,11 @@ Pose next_pose(Random& random, const Place& a, const Place& b) {
   const std::int64_t distance = (random.within(reach) + reach) / 2;
   const std::int64_t length = square_root(dot(direction, direction));
   // What a pose keeps of the rotation: far from the origin, the rest would count.
-  const Pose turned = Pose::rigid(rotation, {0, 0, 0});
+  const Pose rotated = Pose::rigid(rotation, {0, 0, 0});
   std::int32_t cells[3];
   for (int axis = 0; axis < 3; ++axis) {
-    const Vector row = {turned.rotation(axis, 0), turned.rotation(axis, 1),
-                        turned.rotation(axis, 2)};
+    const Vector row = {rotated.rotation(axis, 0), rotated.rotation(axis, 1),
+                        rotated.rotation(axis, 2)};
     const auto i = static_cast<std::size_t>(axis);
     const std::int64_t middle = a.middle[i] + direction[i] * distance / length;
     cells[axis] = static_cast<std::int32_t>((middle - dot(row, b.middle) / kRotationOne) / 2);

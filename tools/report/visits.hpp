@@ -11,7 +11,7 @@ namespace flashbvh::tool {
 
 /// Told by the answer.
 enum Closeness : std::uint8_t {
-  kSeparated,       ///< the boxes of the roots are apart
+  kSeparated,       ///< the boxes of the roots are disjoint
   kSmallProximity,  ///< no pair of leaves overlaps
   kCloseProximity,  ///< no pair of triangles intersects
   kIntersecting,    ///< some pair does

@@ -33,7 +33,7 @@ std::string floating_literal(double value);
 /// The nearest number of type float as a C++ literal; 0 if it has no finite one.
 std::string float_literal(double value);
 
-/// With `digits` digits behind the point, for tables.
+/// With `digits` digits after the point, for tables.
 std::string fixed(double value, int digits);
 
 /// With at most `digits` digits that count, for tables.

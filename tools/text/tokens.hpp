@@ -17,14 +17,14 @@ class Lines {
   /// `text` must outlive the object.
   explicit Lines(std::string_view text) : rest_(text) {}
 
-  /// Moves to the next line; false behind the last.
+  /// Moves to the next line; false after the last.
   bool next();
   /// The same past lines that are empty or hold only a comment; a '#' ends a line.
   bool next_content();
 
   std::string_view line() const { return line_; }
   std::size_t number() const { return number_; }   ///< from 1
-  std::string_view rest() const { return rest_; }  ///< what lies behind the line
+  std::string_view rest() const { return rest_; }  ///< what lies after the line
 
  private:
   std::string_view rest_;

@@ -9,9 +9,9 @@
 
 namespace flashbvh {
 
-/// The most visits of a whole query by any traversal, at any pose, on two trees with so many leaves
-/// whose nodes have two children or more each, as `flashbvh bake` makes them. `flashbvh collide
-/// --bound` knows the exact number for two images and `ranked`, which is lower.
+/// The most visits of a whole query by any traversal, at any pose, on two meshes with so many
+/// leaves, whose nodes have two children or more each, as `flashbvh bake` makes them. For two
+/// images and `ranked`, `flashbvh collide --bound` knows the exact number, which is lower.
 constexpr uint64_t most_visits(uint32_t leaves_a, uint32_t leaves_b) {
   return 2 * static_cast<uint64_t>(leaves_a) * leaves_b - 1;
 }
@@ -23,11 +23,11 @@ struct RunCosts {
   uint32_t visit;          ///< each visit
   uint32_t ascent;         ///< each ascent to a parent
   uint32_t leaf_pair;      ///< beside its visit, each pair of leaves whose boxes overlap
-  uint32_t later_sibling;  ///< each sibling behind the node where a walk goes on
-  uint32_t triangle_pair;  ///< each pair of triangles placed and tested
+  uint32_t later_sibling;  ///< each sibling after the node where a walk goes on
+  uint32_t triangle_pair;  ///< each pair of triangles transformed and tested
 };
 
-/// What of two trees has a part in a run's cost: constants of their baked headers.
+/// What of two meshes has a part in a run's cost: constants of their baked headers.
 struct TreePair {
   uint32_t depths;          ///< kDepth of A and of B added
   uint32_t later_siblings;  ///< kArity - 1 of A and of B added, 0 for a root that is a leaf
@@ -51,8 +51,8 @@ constexpr uint64_t most_instructions(const RunCosts& costs, const TreePair& tree
          limits.leaf_pairs * (costs.leaf_pair + walk) + tested * costs.triangle_pair;
 }
 
-/// The most visits N for which run(N, found) stays within so many instructions, whatever it meets;
-/// 0 if none does.
+/// The most visits N for which run(N, found) stays within so many instructions, whatever it comes
+/// to; 0 if none does.
 constexpr uint32_t visits_within(uint64_t instructions, const RunCosts& costs,
                                  const TreePair& trees) {
   const uint64_t none = most_instructions(costs, trees, {0, 0});

@@ -38,7 +38,7 @@ Answer first_pair(const Mesh<Index, Layout::post_indexed>& a,
   return {yes ? Status::done : step.status, step.status != Status::done};
 }
 
-/// Whether any two triangles meet; ends at the first pair that does.
+/// Whether any two triangles intersect; ends at the first pair that does.
 template <class Index>
 Answer intersects(const Mesh<Index, Layout::post_indexed>& a,
                   const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) {
@@ -46,7 +46,7 @@ Answer intersects(const Mesh<Index, Layout::post_indexed>& a,
   return first_pair(a, b, pose, found);
 }
 
-/// Hands each pair that meets to `visit(pair)`, in the query's order, until it returns false.
+/// Hands each intersecting pair to `visit(pair)`, in the query's order, until it returns false.
 /// `done` at the end, `full` if `visit` said no more.
 template <class Index, class Visitor>
 Status for_each_pair(const Mesh<Index, Layout::post_indexed>& a,
@@ -56,7 +56,7 @@ Status for_each_pair(const Mesh<Index, Layout::post_indexed>& a,
   return query.run(UINT32_MAX, visit);
 }
 
-/// How many pairs of triangles meet.
+/// How many pairs of triangles intersect.
 template <class Index>
 PairCount count_pairs(const Mesh<Index, Layout::post_indexed>& a,
                       const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) {
@@ -68,7 +68,7 @@ PairCount count_pairs(const Mesh<Index, Layout::post_indexed>& a,
   return {status, pairs};
 }
 
-/// The first `capacity` pairs that meet. `done`: these are all; `full`: there may be more.
+/// The first `capacity` pairs that intersect. `done`: these are all; `full`: there may be more.
 template <class Index>
 Step find_pairs(const Mesh<Index, Layout::post_indexed>& a,
                 const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,

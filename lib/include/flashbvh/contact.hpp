@@ -1,6 +1,6 @@
-// Where two triangles meet: the common piece of a reported pair, and both normals.
+// Where two triangles intersect: the common piece of a reported pair, and both normals.
 //
-// That a pair meets is decided exactly (triangle.hpp); this says where, for those who draw it,
+// That a pair intersects is decided exactly (triangle.hpp); this says where, for those who draw it,
 // measure it or push the bodies apart. A query never pays for it: it is asked per pair.
 #ifndef FLASHBVH_CONTACT_HPP
 #define FLASHBVH_CONTACT_HPP
@@ -58,13 +58,13 @@ struct Contact {
   Normal normal_b;
 };
 
-/// Answers where `a` and `b`, which intersect, meet.
+/// The common part of `a` and `b`, which intersect.
 ///
 /// The order of corners and of arguments changes the normals, as their definition says, and nothing
-/// else; moving both triangles by whole cells moves the ends alike. Each triangle spans at most
-/// kMaxContactSpan along each axis, and coordinates are within +-kMaxContactCoordinate, as those of
-/// every pair that a query reports are; this is not checked. Of triangles within these bounds that
-/// do not meet, the answer is two meaningless points and correct normals.
+/// else; translating both triangles by whole cells translates the ends alike. Each triangle spans
+/// at most kMaxContactSpan along each axis, and coordinates are within +-kMaxContactCoordinate, as
+/// those of every pair that a query reports are; this is not checked. Of triangles within these
+/// bounds that do not intersect, the answer is two meaningless points and correct normals.
 ///
 /// Cost in instructions on a Cortex-M4 at -O2: 1,800 for two planes that cross, 5,000 on average
 /// and at most 8,500 for coplanar triangles (tests/budget/contact_cost_test.cpp prints them).

@@ -1,15 +1,16 @@
-/* flashbvh for C: which triangles of one baked mesh meet which triangles of another.
+/* flashbvh for C: which triangles of one baked mesh intersect which triangles of another.
  *
- * A C99 face of the C++ library flashbvh.hpp: the same trees, queries, statuses and answers, in the
- * same order. It allocates nothing, keeps nothing of its own, and may be called for any number of
- * queries at once, in interrupts too, as long as no two calls write the same object.
+ * A C99 face of the C++ library flashbvh.hpp: the same meshes, queries, statuses and answers, in
+ * the same order. It allocates nothing, keeps nothing of its own, and may be called for any number
+ * of queries at once, in interrupts too, as long as no two calls write the same object.
  *
  * Lengths are in cells, the unit of the lattice that all meshes of one `flashbvh bake` share.
  *
- * Pointers. Every object is the caller's. What an object points at outlives it, unmoved: an image
- * its tree, two trees and a pose their query. Null pointers are the caller's bug and not looked
- * for, except where a comment allows them; so is the use of an object before the call that makes
- * it. An object made here may be copied by assignment, a query too: the copy goes on by itself.
+ * Pointers. Every object is the caller's. What an object points at outlives it, at the same
+ * address: an image its mesh, two meshes and a pose their query. Null pointers are the caller's bug
+ * and not looked for, except where a comment allows them; so is the use of an object before the
+ * call that makes it. An object made here may be copied by assignment, a query too: the copy goes
+ * on by itself.
  *
  * Stack on Cortex-M3 and M4 at -O2, in bytes (tests/proof/stack proves it): to open an image at
  * most 480, a run 304, a question in one call 432.
@@ -35,7 +36,7 @@
 extern "C" {
 #endif
 
-/* Trees ---------------------------------------------------------------------------------------- */
+/* Meshes --------------------------------------------------------------------------------------- */
 
 /** A baked mesh, opened: a view of its image. 56 bytes on a 32-bit core, 72 on a 64-bit one. */
 typedef struct flashbvh_mesh {
@@ -51,8 +52,8 @@ typedef struct flashbvh_mesh {
  * a multiple of 4 bytes and has at least `size`.
  *
  * Checks all of it, in time proportional to `size`; the checksum alone takes about 50 instructions
- * a byte. `tree` is written only on DONE; every query on it then stays inside the image and ends.
- * Else one of FLASHBVH_STATUS_IMAGE_...; images of pre-indexed trees and of 32-bit indices give
+ * a byte. `mesh` is written only on DONE; every query on it then stays inside the image and ends.
+ * Else one of FLASHBVH_STATUS_IMAGE_...; images of pre-indexed meshes and of 32-bit indices give
  * IMAGE_KIND.
  */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_open(const void* image, size_t size,
@@ -83,14 +84,14 @@ typedef struct flashbvh_pose {
   } opaque;
 } flashbvh_pose;
 
-/** B moved by x, y, z cells, not turned. TRANSLATION_OUT_OF_RANGE beyond
+/** B translated by x, y, z cells, not rotated. TRANSLATION_OUT_OF_RANGE beyond
  * +-FLASHBVH_MAX_TRANSLATION. */
 flashbvh_status flashbvh_pose_translated(int32_t x, int32_t y, int32_t z, flashbvh_pose* pose);
 
 /**
- * B turned and moved. `rotation`: row by row, FLASHBVH_ROTATION_ONE is 1; kept to 2^-22. `cells`:
- * the translation, rounded to whole cells. `fraction`: what rounding left, in 1/65,536 of a cell,
- * or null for nothing.
+ * B rotated and translated. `rotation`: row by row, FLASHBVH_ROTATION_ONE is 1; kept to 2^-22.
+ * `cells`: the translation, rounded to whole cells. `fraction`: what rounding left, in 1/65,536 of
+ * a cell, or null for nothing.
  *
  * NOT_A_ROTATION if an entry of R^T R is further than 2^-13 from the identity's, or the matrix
  * mirrors; within that it is used as it is, not mended. TRANSLATION_OUT_OF_RANGE as above.
@@ -120,7 +121,7 @@ void flashbvh_pose_values(const flashbvh_pose* pose, int32_t rotation[9], int32_
 
 /* Queries -------------------------------------------------------------------------------------- */
 
-/** Two triangles that meet, by their numbers in the source meshes. */
+/** Two triangles that intersect, by their ids: their numbers in the source meshes. */
 typedef struct flashbvh_pair {
   uint16_t a;
   uint16_t b;
@@ -131,10 +132,10 @@ typedef struct flashbvh_counts {
   uint32_t visits;         /**< pairs of boxes tested */
   uint32_t overlaps;       /**< of these, pairs that overlap */
   uint32_t leaf_pairs;     /**< of these, pairs of leaves */
-  uint32_t triangle_pairs; /**< pairs of triangles that meet */
+  uint32_t triangle_pairs; /**< pairs of triangles that intersect */
 } flashbvh_counts;
 
-/** Where a query stands between runs. 12 bytes, to be stored for as long as one likes. */
+/** Where a query stands between runs. 12 bytes, which may be stored for any time. */
 typedef struct flashbvh_position {
   uint16_t a;
   uint16_t b;
@@ -178,10 +179,10 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_query_status(const flashbvh_query* q
 
 /**
  * Makes at most `visits` visits and writes at most `capacity` pairs to `pairs`, their number to
- * `count`: 0 after an error. However a query is cut into runs, it gives the same pairs in the same
- * order.
+ * `count`: 0 after an error. A query gives the same pairs in the same order, however it is cut into
+ * runs.
  *
- * DONE: there are no more. SUSPENDED: the visits granted are made. FULL: `pairs` is. Behind these
+ * DONE: there are no more. SUSPENDED: the visits granted are made. FULL: `pairs` is. After these
  * two the next run goes on where this one ended.
  */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_query_run(flashbvh_query* query, uint32_t visits,
@@ -190,16 +191,16 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_query_run(flashbvh_query* query, uin
 
 flashbvh_counts flashbvh_query_counts(const flashbvh_query* query);
 
-/** After a run that wrote a pair and returned FULL: the triangles of the last one, placed. */
+/** After a run that wrote a pair and returned FULL: the triangles of the last one, transformed. */
 void flashbvh_query_last_pair(const flashbvh_query* query, flashbvh_triangle* a,
                               flashbvh_triangle* b);
 
 flashbvh_position flashbvh_query_position(const flashbvh_query* query);
 
 /**
- * Takes a started query to the position of another one on the same trees and pose; counts go on
+ * Takes a started query to the position of another one on the same meshes and pose; counts go on
  * from what they are. SUSPENDED or DONE, as the other query was. POSITION_INVALID, and nothing
- * changes, if no query on these trees has such a position; one of another pose is not told apart.
+ * changes, if no query on these meshes has such a position; one of another pose is not told apart.
  * The query's own error, if it has one.
  */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_query_resume(flashbvh_query* query,
@@ -210,8 +211,8 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_query_resume(flashbvh_query* query,
  * Each runs a query of its own, on the stack, to its end and returns DONE or the query's error,
  * FULL where said. */
 
-/** Whether any two triangles meet; ends at the first pair that does. After an error `yes` is true:
- * what can't be told may collide. */
+/** Whether any two triangles intersect; ends at the first pair that does. After an error `yes` is
+ * true: what can't be told may collide. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects(const flashbvh_mesh* a,
                                                        const flashbvh_mesh* b,
                                                        const flashbvh_pose* pose, bool* yes);
@@ -222,23 +223,23 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_first_pair(const flashbvh_mesh* a,
                                                        const flashbvh_pose* pose, bool* yes,
                                                        flashbvh_pair* found);
 
-/** How many pairs of triangles meet; 0 after an error. */
+/** How many pairs of triangles intersect; 0 after an error. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_count_pairs(const flashbvh_mesh* a,
                                                         const flashbvh_mesh* b,
                                                         const flashbvh_pose* pose, uint32_t* pairs);
 
-/** The first `capacity` pairs that meet, their number in `count`. DONE: these are all; FULL: there
- * may be more. */
+/** The first `capacity` pairs that intersect, their number in `count`. DONE: these are all; FULL:
+ * there may be more. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_find_pairs(const flashbvh_mesh* a,
                                                        const flashbvh_mesh* b,
                                                        const flashbvh_pose* pose,
                                                        flashbvh_pair* pairs, uint32_t capacity,
                                                        uint32_t* count);
 
-/** Takes a pair of triangles that meet; false for no more. `context` is the caller's. */
+/** Takes a pair of triangles that intersect; false for no more. `context` is the caller's. */
 typedef bool flashbvh_visitor(flashbvh_pair pair, void* context);
 
-/** Hands each pair that meets to `visit`, in the query's order, until it returns false: FULL. */
+/** Hands each intersecting pair to `visit`, in the query's order, until it returns false: FULL. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_pair(const flashbvh_mesh* a,
                                                           const flashbvh_mesh* b,
                                                           const flashbvh_pose* pose,

@@ -1,6 +1,6 @@
 // The binary image: a baked mesh in one block of bytes, opened in place, in flash.
 //
-// A header of 72 bytes, then the arrays of the tree, each starting at a multiple of 4 bytes, gaps
+// A header of 72 bytes, then the arrays of the mesh, each starting at a multiple of 4 bytes, gaps
 // filled with zeros, in this order:
 //
 //     nodes                 node_count      x 16 or 20 bytes (16 or 32-bit indices)
@@ -67,7 +67,7 @@ Status read_image_header(const void* bytes, size_t size, ImageHeader& header);
 /// node's box in its parent's, each triangle in its leaf's. `mesh` is written only on `done`; every
 /// query on it then stays inside the image and ends.
 ///
-/// Bytes behind the image, if `size` has more than the header says, are not looked at. MeshType:
+/// Bytes after the image, if `size` has more than the header says, are not looked at. MeshType:
 /// LevelledPreMesh, LevelledPostMesh or their Large kin; another kind of image gives `image_kind`.
 template <class MeshType>
 Status open_image(const void* bytes, size_t size, MeshType& mesh);

@@ -26,7 +26,7 @@ namespace flashbvh {
 /// rotation. Four decimals pass, and a sensor's 14 bits.
 constexpr int32_t kQuaternionTolerance = kRotationOne >> 10;
 
-/// w is the cosine of half the angle, (x, y, z) the axis times its sine. q and -q turn alike.
+/// w is the cosine of half the angle, (x, y, z) the axis times its sine. q and -q rotate alike.
 struct UnitQuaternion {
   float w;
   float x;
@@ -148,9 +148,9 @@ inline void set_rotation(const UnitQuaternion& q, int32_t (&rotation)[3][3]) {
 
 }  // namespace detail
 
-/// B turned and moved: its point p lies at rotation * p + translation in A's frame. `rotation`: row
-/// by row, each entry rounded to 2^-30, halves away from zero; then as Pose::rigid() has it, with
-/// its tolerance and its rounding to 2^-22.
+/// B rotated and translated: its point p lies at rotation * p + translation in A's frame.
+/// `rotation`: row by row, each entry rounded to 2^-30, halves away from zero; then as
+/// Pose::rigid() has it, with its tolerance and its rounding to 2^-22.
 inline Pose pose_of(const float (&rotation)[3][3], const float (&translation)[3],
                     float cells_per_unit) {
   int32_t entries[3][3];

@@ -34,9 +34,9 @@ struct [[nodiscard]] Step {
   uint32_t count;  ///< entries written to the caller's array
 };
 
-/// Where a stackless query stands, between runs: all there is to keep of it beside what it was made
-/// of, its meshes and its pose. May be stored for as long as one likes, as bytes too: 12 of them
-/// with 16-bit indices.
+/// Where a stackless query stands, between runs: all there is to keep beside what the query was
+/// made of, its meshes and its pose. May be stored for any time, as bytes too: 12 of them with
+/// 16-bit indices.
 template <class IndexType>
 struct QueryPosition {
   using State = detail::State;

@@ -17,7 +17,7 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_STACK_TOO_SMALL = 17,
   /** A translation beyond +-2^29 cells (kMaxTranslation). */
   FLASHBVH_STATUS_TRANSLATION_OUT_OF_RANGE = 18,
-  /** A matrix or quaternion that turns and does something else. */
+  /** A matrix or quaternion that does more than rotate. */
   FLASHBVH_STATUS_NOT_A_ROTATION = 19,
   /** A saved position that is not one of this query's. */
   FLASHBVH_STATUS_POSITION_INVALID = 20,
@@ -30,7 +30,7 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_IMAGE_NOT_FLASHBVH = 34,
   /** Written in another version of the format; bake again. */
   FLASHBVH_STATUS_IMAGE_VERSION = 35,
-  /** Another layout or index width than the tree asked for. */
+  /** Another layout or index width than the mesh asked for. */
   FLASHBVH_STATUS_IMAGE_KIND = 36,
   /** The checksum does not match: the bytes were damaged. */
   FLASHBVH_STATUS_IMAGE_CORRUPT = 37,

@@ -8,29 +8,29 @@
 #else
 
 #if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
-#define FLASHBVH_TURN_DSP 1
+#define FLASHBVH_ROTATE_DSP 1
 #include "box_rotated_dsp.hpp"
 #elif defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
-#define FLASHBVH_TURN_SSE2 1
+#define FLASHBVH_ROTATE_SSE2 1
 #include "box_rotated_sse2.hpp"
 #elif defined(__thumb__) && __ARM_ARCH_PROFILE == 'M' && !defined(FLASHBVH_PORTABLE)
-#define FLASHBVH_TURN_THUMB 1
+#define FLASHBVH_ROTATE_THUMB 1
 #if __ARM_ARCH_ISA_THUMB >= 2
 #include "box_rotated_thumb2.hpp"
 #else
 #include "box_rotated_thumb1.hpp"
 #endif
 #elif !defined(FLASHBVH_PORTABLE)
-#define FLASHBVH_TURN_PLAIN 1
+#define FLASHBVH_ROTATE_PLAIN 1
 #include "box_rotated_plain.hpp"
 #endif
 
-// Turning both boxes is for most visits the exception, and the only path of RotatedBound::gap()
+// Rotating both boxes is for most visits the exception, and the only path of RotatedBound::gap()
 // that needs registers saved. On cores that save them one by one it is a function of its own.
-#if defined(FLASHBVH_TURN_PLAIN)
-#define FLASHBVH_TURN_BOTH FLASHBVH_NOINLINE
+#if defined(FLASHBVH_ROTATE_PLAIN)
+#define FLASHBVH_ROTATE_BOTH FLASHBVH_NOINLINE
 #else
-#define FLASHBVH_TURN_BOTH inline
+#define FLASHBVH_ROTATE_BOTH inline
 #endif
 
 namespace flashbvh::detail {
@@ -44,8 +44,8 @@ inline uint32_t compare(const PackedBox& a, const PackedBox& b) {
          ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z)));
 }
 
-#if !defined(FLASHBVH_TURN_DSP) && !defined(FLASHBVH_TURN_THUMB)
-#if !defined(FLASHBVH_TURN_SSE2) && !defined(FLASHBVH_TURN_PLAIN)
+#if !defined(FLASHBVH_ROTATE_DSP) && !defined(FLASHBVH_ROTATE_THUMB)
+#if !defined(FLASHBVH_ROTATE_SSE2) && !defined(FLASHBVH_ROTATE_PLAIN)
 
 /// Whole cells of a bound, biased: 0 stands for all below the lattice, 32,767 for its end and all
 /// above, which is the same against any box on it.
@@ -67,8 +67,9 @@ inline uint32_t lower_bound(const SplitRow& row, int32_t start, const PackedBox&
                            row.z, box.z));
 }
 
-/// The bounds of a turned box on the other lattice.
-inline PackedBox turned(const SplitMatrix& matrix, const BoundStart* starts, const PackedBox& box) {
+/// The bounds of a rotated box on the other lattice.
+inline PackedBox rotated(const SplitMatrix& matrix, const BoundStart* starts,
+                         const PackedBox& box) {
   const auto upper = [&](int i) { return upper_bound(matrix.row[i], starts[i].upper, box); };
   const auto lower = [&](int i) { return lower_bound(matrix.row[i], starts[i].lower, box); };
   return {join_halves(upper(0), upper(1)), join_halves(lower(0), lower(1)),
@@ -77,15 +78,15 @@ inline PackedBox turned(const SplitMatrix& matrix, const BoundStart* starts, con
 
 #endif
 
-/// Turns `box` and keeps it; 0 if it overlaps `other`.
-FLASHBVH_NOINLINE uint32_t turn_and_compare(TurnedBox& kept, const PackedBox& box,
-                                            const PackedBox& other) {
-#if defined(FLASHBVH_TURN_SSE2)
-  kept.bounds = turned_sse2(*kept.matrix, kept.starts, box);
-#elif defined(FLASHBVH_TURN_PLAIN)
-  turn_plain(*kept.matrix, kept.starts, box, kept.bounds);
+/// Rotates `box` and keeps it; 0 if it overlaps `other`.
+FLASHBVH_NOINLINE uint32_t rotate_and_compare(RotatedBox& kept, const PackedBox& box,
+                                              const PackedBox& other) {
+#if defined(FLASHBVH_ROTATE_SSE2)
+  kept.bounds = rotated_sse2(*kept.matrix, kept.starts, box);
+#elif defined(FLASHBVH_ROTATE_PLAIN)
+  rotate_plain(*kept.matrix, kept.starts, box, kept.bounds);
 #else
-  kept.bounds = turned(*kept.matrix, kept.starts, box);
+  kept.bounds = rotated(*kept.matrix, kept.starts, box);
 #endif
   kept.source = &box;
   return compare(kept.bounds, other);
@@ -93,11 +94,11 @@ FLASHBVH_NOINLINE uint32_t turn_and_compare(TurnedBox& kept, const PackedBox& bo
 
 #endif
 
-/// Turns `b` and, if need be, `a`; 0 if they overlap.
-FLASHBVH_TURN_BOTH uint32_t turn_both(TurnedBox& kept_a, TurnedBox& kept_b, const PackedBox& a,
-                                      const PackedBox& b) {
-  const uint32_t gap = turn_and_compare(kept_b, b, a);
-  return gap != 0 ? gap : turn_and_compare(kept_a, a, b);
+/// Rotates `b` and, if need be, `a`; 0 if they overlap.
+FLASHBVH_ROTATE_BOTH uint32_t rotate_both(RotatedBox& kept_a, RotatedBox& kept_b,
+                                          const PackedBox& a, const PackedBox& b) {
+  const uint32_t gap = rotate_and_compare(kept_b, b, a);
+  return gap != 0 ? gap : rotate_and_compare(kept_a, a, b);
 }
 
 }  // namespace
@@ -105,13 +106,13 @@ FLASHBVH_TURN_BOTH uint32_t turn_both(TurnedBox& kept_a, TurnedBox& kept_b, cons
 uint32_t RotatedBound::gap(const PackedBox& a, const PackedBox& b) {
   if (b_.source == &b) {
     const uint32_t gap = compare(b_.bounds, a);
-    return gap != 0 ? gap : turn_and_compare(a_, a, b);
+    return gap != 0 ? gap : rotate_and_compare(a_, a, b);
   }
   if (a_.source == &a) {
     const uint32_t gap = compare(a_.bounds, b);
-    return gap != 0 ? gap : turn_and_compare(b_, b, a);
+    return gap != 0 ? gap : rotate_and_compare(b_, b, a);
   }
-  return turn_both(a_, b_, a, b);
+  return rotate_both(a_, b_, a, b);
 }
 
 }  // namespace flashbvh::detail

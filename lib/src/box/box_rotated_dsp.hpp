@@ -10,43 +10,43 @@
 
 namespace flashbvh::detail {
 
-/// Turns `box` and keeps it; 0 if it overlaps `other`. 47 instructions.
+/// Rotates `box` and keeps it; 0 if it overlaps `other`. 47 instructions.
 ///
-/// r0 turned, r1 box, then rows, r2 other, r3 starts; r4, r5, r6 the box's words; r7, r8, r9 a
+/// r0 rotated, r1 box, then rows, r2 other, r3 starts; r4, r5, r6 the box's words; r7, r8, r9 a
 /// row's; r10, r11 upper and lower x and y; r12, lr the bounds at hand.
-[[gnu::naked, gnu::noinline]] static uint32_t turn_and_compare(TurnedBox& /*turned*/,
-                                                               const PackedBox& /*box*/,
-                                                               const PackedBox& /*other*/) {
+[[gnu::naked, gnu::noinline]] static uint32_t rotate_and_compare(RotatedBox& /*rotated*/,
+                                                                 const PackedBox& /*box*/,
+                                                                 const PackedBox& /*other*/) {
   // An axis: two sums of three pairs of products, then whole cells from 0 to 32,767.
-#define FLASHBVH_TURN_AXIS(upper, lower) \
-  "ldm r1!, {r7, r8, r9}\n\t"            \
-  "ldrd " upper ", " lower               \
-  ", [r3], #8\n\t"                       \
-  "smlad " upper ", r7, r4, " upper      \
-  "\n\t"                                 \
-  "smlad " lower ", r7, r5, " lower      \
-  "\n\t"                                 \
-  "smlad " upper ", r8, r5, " upper      \
-  "\n\t"                                 \
-  "smlad " lower ", r8, r4, " lower      \
-  "\n\t"                                 \
-  "smlad " upper ", r9, r6, " upper      \
-  "\n\t"                                 \
-  "smladx " lower ", r9, r6, " lower     \
-  "\n\t"                                 \
-  "usat " upper ", #15, " upper          \
-  ", asr #14\n\t"                        \
+#define FLASHBVH_ROTATE_AXIS(upper, lower) \
+  "ldm r1!, {r7, r8, r9}\n\t"              \
+  "ldrd " upper ", " lower                 \
+  ", [r3], #8\n\t"                         \
+  "smlad " upper ", r7, r4, " upper        \
+  "\n\t"                                   \
+  "smlad " lower ", r7, r5, " lower        \
+  "\n\t"                                   \
+  "smlad " upper ", r8, r5, " upper        \
+  "\n\t"                                   \
+  "smlad " lower ", r8, r4, " lower        \
+  "\n\t"                                   \
+  "smlad " upper ", r9, r6, " upper        \
+  "\n\t"                                   \
+  "smladx " lower ", r9, r6, " lower       \
+  "\n\t"                                   \
+  "usat " upper ", #15, " upper            \
+  ", asr #14\n\t"                          \
   "usat " lower ", #15, " lower ", asr #14\n\t"
   __asm__(
       "push {r4, r5, r6, r7, r8, r9, r10, r11, lr}\n\t"
       "ldm r1, {r4, r5, r6}\n\t"
       "str r1, [r0, #12]\n\t"
       "ldrd r1, r3, [r0, #16]\n\t"
-      FLASHBVH_TURN_AXIS("r10", "r11")
-      FLASHBVH_TURN_AXIS("r12", "lr")
+      FLASHBVH_ROTATE_AXIS("r10", "r11")
+      FLASHBVH_ROTATE_AXIS("r12", "lr")
       "orr r10, r10, r12, lsl #16\n\t"
       "orr r11, r11, lr, lsl #16\n\t"
-      FLASHBVH_TURN_AXIS("r12", "lr")
+      FLASHBVH_ROTATE_AXIS("r12", "lr")
       "orr r12, r12, lr, lsl #16\n\t"
       "stm r0, {r10, r11, r12}\n\t"
       "ldm r2, {r4, r5, r6}\n\t"
@@ -58,7 +58,7 @@ namespace flashbvh::detail {
       "mov r0, #0x80008000\n\t"
       "bic r0, r0, r4\n\t"
       "pop {r4, r5, r6, r7, r8, r9, r10, r11, pc}");
-#undef FLASHBVH_TURN_AXIS
+#undef FLASHBVH_ROTATE_AXIS
 }
 
 }  // namespace flashbvh::detail

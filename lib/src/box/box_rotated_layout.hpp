@@ -17,9 +17,9 @@
 
 namespace flashbvh::detail {
 
-static_assert(offsetof(TurnedBox, bounds) == 0 && offsetof(TurnedBox, source) == 12 &&
-              offsetof(TurnedBox, matrix) == 16 && offsetof(TurnedBox, starts) == 20 &&
-              sizeof(TurnedBox) == 24 && sizeof(RotatedBound) == 48);
+static_assert(offsetof(RotatedBox, bounds) == 0 && offsetof(RotatedBox, source) == 12 &&
+              offsetof(RotatedBox, matrix) == 16 && offsetof(RotatedBox, starts) == 20 &&
+              sizeof(RotatedBox) == 24 && sizeof(RotatedBound) == 48);
 static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits == 14);
 
 }  // namespace flashbvh::detail

@@ -1,11 +1,11 @@
 // The rotated box test with Helium, the vector extension of Cortex-M55. A row of the matrix lies as
-// a box does, so a bound of a turned box is one dot product of eight halves (VMLADAVA).
+// a box does, so a bound of a rotated box is one dot product of eight halves (VMLADAVA).
 //
-// A turned box is kept lower bounds first, so that its sums with another box need no exchange. Its
+// A rotated box is kept lower bounds first, so that its sums with another box need no exchange. Its
 // answers are those of box_rotated.cpp, bit by bit: whole cells above 32,767 stay what they are, up
 // to 65,535, but the sum with another bound, which is at least 1, saturates and reaches the bias.
 //
-// By LLVM's model of the core a turned box takes a fifth fewer cycles than with SMLAD, and it
+// By LLVM's model of the core a rotated box takes a fifth fewer cycles than with SMLAD, and it
 // takes a quarter fewer instructions (lib/docs/design.md, Helium).
 #ifndef FLASHBVH_BOX_ROTATED_MVE_HPP
 #define FLASHBVH_BOX_ROTATED_MVE_HPP
@@ -15,7 +15,7 @@
 
 namespace flashbvh::detail {
 
-// The sums of q0, a turned box, and q1, a box: not 0 in `to` if one is below the bias.
+// The sums of q0, a rotated box, and q1, a box: not 0 in `to` if one is below the bias.
 #define FLASHBVH_COMPARE(to) \
   "vqadd.u16 q1, q1, q0\n\t" \
   "vcmp.s16 ge, q1, zr\n\t"  \
@@ -23,13 +23,13 @@ namespace flashbvh::detail {
   ", p0\n\t"                 \
   "lsls " to ", " to ", #20\n\t"
 
-/// Turns `box` and keeps it; 0 if it overlaps `other`. 38 instructions.
+/// Rotates `box` and keeps it; 0 if it overlaps `other`. 38 instructions.
 ///
-/// r0 turned, r1 box, r2 other. q0 is the box, q1 the box with upper and lower exchanged, q2 and q3
-/// rows; r5 rows, r3 starts; r4, r6, r8, r10, r12, lr the sums. Each vector of a box, and of a row,
-/// has a fourth word: what lies behind, read and not used.
-extern "C" [[FLASHBVH_CALLED_BY_NAME]] uint32_t flashbvh_turn_and_compare(
-    TurnedBox& /*turned*/, const PackedBox& /*box*/, const PackedBox& /*other*/) {
+/// r0 rotated, r1 box, r2 other. q0 is the box, q1 the box with upper and lower exchanged, q2 and
+/// q3 rows; r5 rows, r3 starts; r4, r6, r8, r10, r12, lr the sums. Each vector of a box, and of a
+/// row, has a fourth word: what comes after it, read and not used.
+extern "C" [[FLASHBVH_CALLED_BY_NAME]] uint32_t flashbvh_rotate_and_compare(
+    RotatedBox& /*rotated*/, const PackedBox& /*box*/, const PackedBox& /*other*/) {
   __asm__(
       "push {r4, r5, r6, r8, r10, lr}\n\t"
       "ldm r1, {r4, r6, r12}\n\t"
@@ -65,7 +65,7 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] uint32_t flashbvh_turn_and_compare(
       "str r1, [r0, #12]\n\t" FLASHBVH_COMPARE("r0") "pop {r4, r5, r6, r8, r10, pc}");
 }
 
-/// 12 instructions where a box at hand tells the two apart, 50 or more where one is turned.
+/// 12 instructions where a box at hand tells the two apart, 50 or more where one is rotated.
 [[gnu::naked]] uint32_t RotatedBound::gap(const PackedBox& /*a*/, const PackedBox& /*b*/) {
 #define FLASHBVH_EXCHANGE_BOXES \
   "mov r3, r1\n\t"              \
@@ -89,7 +89,7 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] uint32_t flashbvh_turn_and_compare(
       "push {r0, r1, r2, lr}\n\t"
       "add r0, r0, #24\n\t"
       FLASHBVH_EXCHANGE_BOXES
-      "bl flashbvh_turn_and_compare\n\t"
+      "bl flashbvh_rotate_and_compare\n\t"
       "movs r3, r0\n\t"
       "pop {r0, r1, r2, lr}\n\t"
       "b 4f\n\t"
@@ -100,7 +100,7 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] uint32_t flashbvh_turn_and_compare(
       "3:\n\t"
       FLASHBVH_COMPARE("r3")
       "4:\n\t"
-      "beq.w flashbvh_turn_and_compare\n\t"
+      "beq.w flashbvh_rotate_and_compare\n\t"
       "mov r0, r3\n\t"
       "bx lr");
 #undef FLASHBVH_EXCHANGE_BOXES

@@ -30,7 +30,7 @@ struct AxisBounds {
   uint32_t lower;
 };
 
-/// The sums that become the bounds of a turned box along one axis.
+/// The sums that become the bounds of a rotated box along one axis.
 struct AxisSums {
   uint32_t upper;
   uint32_t lower;
@@ -60,9 +60,9 @@ inline AxisBounds whole_bounds(AxisSums sums) {
 }
 
 /// The bounds along the axis of `row` of a box with bounds `x`, `y` and `z`.
-[[gnu::always_inline]] inline AxisBounds turned_axis(const SplitRow& row, const BoundStart& start,
-                                                     const AxisBounds& x, const AxisBounds& y,
-                                                     const AxisBounds& z) {
+[[gnu::always_inline]] inline AxisBounds rotated_axis(const SplitRow& row, const BoundStart& start,
+                                                      const AxisBounds& x, const AxisBounds& y,
+                                                      const AxisBounds& z) {
   AxisSums sums = {static_cast<uint32_t>(start.upper), static_cast<uint32_t>(start.lower)};
   const auto add = [&sums](const uint32_t& positives, int positive, const uint32_t& negatives,
                            int negative, const AxisBounds& bounds) {
@@ -79,20 +79,20 @@ inline AxisBounds whole_bounds(AxisSums sums) {
   return whole_bounds(sums);
 }
 
-/// Sets `bounds` to those of `box` turned by `matrix`, its sums beginning at `starts`. They are
+/// Sets `bounds` to those of `box` rotated by `matrix`, its sums beginning at `starts`. They are
 /// stored at once, by halves: then RISC-V has registers for everything else.
-[[gnu::always_inline]] inline void turn_plain(const SplitMatrix& matrix, const BoundStart* starts,
-                                              const PackedBox& box, PackedBox& bounds) {
+[[gnu::always_inline]] inline void rotate_plain(const SplitMatrix& matrix, const BoundStart* starts,
+                                                const PackedBox& box, PackedBox& bounds) {
   const AxisBounds x = {loaded_half(box.upper_xy, 0), loaded_half(box.lower_xy, 0)};
   const AxisBounds y = {loaded_half(box.upper_xy, 1), loaded_half(box.lower_xy, 1)};
   const AxisBounds z = {loaded_half(box.z, 0), loaded_half(box.z, 1)};
-  const AxisBounds on_x = turned_axis(matrix.row[0], starts[0], x, y, z);
+  const AxisBounds on_x = rotated_axis(matrix.row[0], starts[0], x, y, z);
   store_half(bounds.upper_xy, 0, on_x.upper);
   store_half(bounds.lower_xy, 0, on_x.lower);
-  const AxisBounds on_y = turned_axis(matrix.row[1], starts[1], x, y, z);
+  const AxisBounds on_y = rotated_axis(matrix.row[1], starts[1], x, y, z);
   store_half(bounds.upper_xy, 1, on_y.upper);
   store_half(bounds.lower_xy, 1, on_y.lower);
-  const AxisBounds on_z = turned_axis(matrix.row[2], starts[2], x, y, z);
+  const AxisBounds on_z = rotated_axis(matrix.row[2], starts[2], x, y, z);
   store_half(bounds.z, 0, on_z.upper);
   store_half(bounds.z, 1, on_z.lower);
 }

@@ -32,9 +32,9 @@ inline SplitVectors transposed(const SplitMatrix& matrix) {
           _mm_unpacklo_epi64(z01, z2)};
 }
 
-/// The bounds of `box` turned by `matrix`, its sums beginning at `starts`.
-inline PackedBox turned_sse2(const SplitMatrix& matrix, const BoundStart* starts,
-                             const PackedBox& box) {
+/// The bounds of `box` rotated by `matrix`, its sums beginning at `starts`.
+inline PackedBox rotated_sse2(const SplitMatrix& matrix, const BoundStart* starts,
+                              const PackedBox& box) {
   const SplitVectors m = transposed(matrix);
   const auto all = [](uint32_t word) { return _mm_set1_epi32(static_cast<int>(word)); };
   const __m128i box_upper = all(box.upper_xy);

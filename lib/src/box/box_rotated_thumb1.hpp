@@ -31,14 +31,14 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] void flashbvh_clamp_sums() {
   )");
 }
 
-/// Turns `box` and keeps it; 0 if it overlaps `other`. 136 instructions, and some 10 for each axis
-/// with a bound outside the lattice.
+/// Rotates `box` and keeps it; 0 if it overlaps `other`. 136 instructions, and some 10 for each
+/// axis with a bound outside the lattice.
 ///
-/// r0 turned, r1 box, then rows, r2 other, then box, r3 starts; r4, r5 upper and lower bound at
+/// r0 rotated, r1 box, then rows, r2 other, then box, r3 starts; r4, r5 upper and lower bound at
 /// hand; r6 an entry; r7 a product; r12 other.
-[[gnu::naked, gnu::noinline]] static uint32_t turn_and_compare(TurnedBox& /*turned*/,
-                                                               const PackedBox& /*box*/,
-                                                               const PackedBox& /*other*/) {
+[[gnu::naked, gnu::noinline]] static uint32_t rotate_and_compare(RotatedBox& /*rotated*/,
+                                                                 const PackedBox& /*box*/,
+                                                                 const PackedBox& /*other*/) {
   __asm__(R"(
     .syntax unified
     .macro add_products upper, lower
@@ -50,7 +50,7 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] void flashbvh_clamp_sums() {
     adds r5, r7
     .endm
     @ Adds an entry's products: its positive part's or, where that is zero, the other one's.
-    .macro turn_entry positive, negative, upper, lower
+    .macro rotate_entry positive, negative, upper, lower
     ldrh r6, [r1, #\positive]
     cmp r6, #0
     beq 1f
@@ -62,11 +62,11 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] void flashbvh_clamp_sums() {
   2:
     .endm
     @ Two sums of three products, then whole cells from 0 to 32,767.
-    .macro turn_axis row, upper, lower
+    .macro rotate_axis row, upper, lower
     ldm r3!, {r4, r5}
-    turn_entry \row + 0, \row + 4, 0, 4
-    turn_entry \row + 2, \row + 6, 2, 6
-    turn_entry \row + 8, \row + 10, 8, 10
+    rotate_entry \row + 0, \row + 4, 0, 4
+    rotate_entry \row + 2, \row + 6, 2, 6
+    rotate_entry \row + 8, \row + 10, 8, 10
     movs r6, r4
     orrs r6, r5
     lsrs r6, r6, #29
@@ -84,9 +84,9 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] void flashbvh_clamp_sums() {
     str r1, [r0, #12]
     ldr r3, [r0, #20]
     ldr r1, [r0, #16]
-    turn_axis 0, 0, 4
-    turn_axis 12, 2, 6
-    turn_axis 24, 8, 10
+    rotate_axis 0, 0, 4
+    rotate_axis 12, 2, 6
+    rotate_axis 24, 8, 10
     ldm r0!, {r4, r5, r6}
     mov r1, r12
     ldm r1, {r1, r2, r3}
@@ -105,8 +105,8 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] void flashbvh_clamp_sums() {
   9:
     .word 0x80008000
     .purgem add_products
-    .purgem turn_entry
-    .purgem turn_axis
+    .purgem rotate_entry
+    .purgem rotate_axis
   )");
 }
 

@@ -10,16 +10,16 @@
 
 namespace flashbvh::detail {
 
-/// Turns `box` and keeps it; 0 if it overlaps `other`. 77 instructions.
+/// Rotates `box` and keeps it; 0 if it overlaps `other`. 77 instructions.
 ///
-/// r0 turned, r1 box, then rows, r2 other, then an entry, r3 starts; r4 and r5, r6 and r7, r8 and
+/// r0 rotated, r1 box, then rows, r2 other, then an entry, r3 starts; r4 and r5, r6 and r7, r8 and
 /// r9 the box's bounds; r10, r11 upper and lower x and y; r12, lr the bounds at hand.
-[[gnu::naked, gnu::noinline]] static uint32_t turn_and_compare(TurnedBox& /*turned*/,
-                                                               const PackedBox& /*box*/,
-                                                               const PackedBox& /*other*/) {
+[[gnu::naked, gnu::noinline]] static uint32_t rotate_and_compare(RotatedBox& /*rotated*/,
+                                                                 const PackedBox& /*box*/,
+                                                                 const PackedBox& /*other*/) {
   __asm__(R"(
     @ Adds an entry's products: its positive part's or, where that is zero, the other one's.
-    .macro turn_entry positive, negative, upper, lower, box_upper, box_lower
+    .macro rotate_entry positive, negative, upper, lower, box_upper, box_lower
     ldrh r2, [r1, #\positive]
     cbz r2, 1f
     mla \upper, r2, \box_upper, \upper
@@ -33,11 +33,11 @@ namespace flashbvh::detail {
     .endm
 
     @ Two sums of three products, then whole cells from 0 to 32,767.
-    .macro turn_axis row, upper, lower
+    .macro rotate_axis row, upper, lower
     ldrd \upper, \lower, [r3], #8
-    turn_entry \row + 0, \row + 4, \upper, \lower, r4, r5
-    turn_entry \row + 2, \row + 6, \upper, \lower, r6, r7
-    turn_entry \row + 8, \row + 10, \upper, \lower, r8, r9
+    rotate_entry \row + 0, \row + 4, \upper, \lower, r4, r5
+    rotate_entry \row + 2, \row + 6, \upper, \lower, r6, r7
+    rotate_entry \row + 8, \row + 10, \upper, \lower, r8, r9
     usat \upper, #15, \upper, asr #14
     usat \lower, #15, \lower, asr #14
     .endm
@@ -51,11 +51,11 @@ namespace flashbvh::detail {
     ldrh r9, [r1, #10]
     str r1, [r0, #12]
     ldrd r1, r3, [r0, #16]
-    turn_axis 0, r10, r11
-    turn_axis 12, r12, lr
+    rotate_axis 0, r10, r11
+    rotate_axis 12, r12, lr
     orr r10, r10, r12, lsl #16
     orr r11, r11, lr, lsl #16
-    turn_axis 24, r12, lr
+    rotate_axis 24, r12, lr
     orr r12, r12, lr, lsl #16
     stm r0, {r10, r11, r12}
     ldr r2, [sp], #4
@@ -69,8 +69,8 @@ namespace flashbvh::detail {
     bic r0, r0, r4
     pop {r4, r5, r6, r7, r8, r9, r10, r11, pc}
 
-    .purgem turn_entry
-    .purgem turn_axis
+    .purgem rotate_entry
+    .purgem rotate_axis
   )");
 }
 

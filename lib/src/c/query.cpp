@@ -9,10 +9,10 @@ using Position = QueryPosition<uint16_t>;
 
 static_assert(sizeof(flashbvh_position) == 12, "the figure in the header");
 
-flashbvh_triangle c_triangle(const Triangle& placed) {
+flashbvh_triangle c_triangle(const Triangle& transformed) {
   flashbvh_triangle triangle;
   for (int i = 0; i < 3; ++i) {
-    const Point& corner = placed.corner[i];
+    const Point& corner = transformed.corner[i];
     triangle.corner[i] = {corner.x, corner.y, corner.z};
   }
   return triangle;
@@ -42,11 +42,11 @@ flashbvh_counts flashbvh_query_counts(const flashbvh_query* query) {
 
 void flashbvh_query_last_pair(const flashbvh_query* query, flashbvh_triangle* a,
                               flashbvh_triangle* b) {
-  Triangle placed_a;
-  Triangle placed_b;
-  object_in(query).last_pair(placed_a, placed_b);
-  *a = c_triangle(placed_a);
-  *b = c_triangle(placed_b);
+  Triangle transformed_a;
+  Triangle transformed_b;
+  object_in(query).last_pair(transformed_a, transformed_b);
+  *a = c_triangle(transformed_a);
+  *b = c_triangle(transformed_b);
 }
 
 flashbvh_position flashbvh_query_position(const flashbvh_query* query) {

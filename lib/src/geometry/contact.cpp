@@ -1,6 +1,6 @@
-// Where two triangles meet.
+// Where two triangles intersect.
 //
-// General case: each triangle meets the plane of the other one, and so the line common to both
+// General case: each triangle intersects the plane of the other one, and so the line common to both
 // planes, in an interval that ends on two of its edges (triangle.cpp). The common part runs from
 // the later one of the two lower ends to the earlier one of the two upper ends. Which these are is
 // told by the signs of determinants; only their coordinates are rounded.
@@ -60,7 +60,7 @@ struct Edge {
   bool of_b;
 };
 
-/// Of two edges that meet the common line in one point, neither argument's comes first.
+/// Of two edges that intersect the common line in one point, neither argument's comes first.
 inline Edge either(const Point* tip_a, const Point* of_a, const Point* tip_b, const Point* of_b) {
   return edge_before(*tip_b, *of_b, *tip_a, *of_a) ? Edge{tip_b, of_b, true}
                                                    : Edge{tip_a, of_a, false};
@@ -68,7 +68,7 @@ inline Edge either(const Point* tip_a, const Point* of_a, const Point* tip_b, co
 
 /// Sets the edges that have the two ends of the common part, of intervals that overlap.
 ///
-/// The volume of an edge of `a` and one of `b` is positive where the first one meets the line
+/// The volume of an edge of `a` and one of `b` is positive where the first one intersects the line
 /// before the second one does.
 [[gnu::noinline]] void choose(const Interval& a, const Interval& b, Edge (&edges)[2]) {
   for (unsigned high = 0; high < 2; ++high) {
@@ -94,7 +94,7 @@ inline Edge either(const Point* tip_a, const Point* of_a, const Point* tip_b, co
   choose(interval_of(a, tip_a.corner, !tip_b.up), interval_of(b, tip_b.corner, tip_a.up), edges);
 }
 
-/// Where an edge meets a plane that it doesn't lie in.
+/// Where an edge intersects a plane that it doesn't lie in.
 [[gnu::noinline]] void set_piercing_point(const Point& p, const Point& q, const Point& base,
                                           const Normal& normal, FinePoint& point) {
   const int64_t height = height_of(p, base, normal);

@@ -17,8 +17,8 @@ struct Shape {
 /// Points into the triangle.
 Shape shape_of(const Triangle& t, bool has_area);
 
-/// Sets the ends of the common part of two triangles that meet, and lie in one plane or both lack
-/// area. The contact's normals are set.
+/// Sets the ends of the common part of two triangles that intersect, and lie in one plane or both
+/// lack area. The contact's normals are set.
 void set_flat_ends(const Triangle& a, const Triangle& b, Contact& contact);
 
 }  // namespace flashbvh::detail

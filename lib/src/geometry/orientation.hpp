@@ -83,7 +83,7 @@ inline Sides sides_of(const Triangle& asked, const Height& height) {
 
 /// The corner alone on its side of a plane, of a triangle on both sides of it or touching it. Both
 /// edges from it end strictly on the other side or, unless it is itself on the plane, on the plane:
-/// each edge meets the plane in exactly one point.
+/// each edge intersects the plane in exactly one point.
 struct Tip {
   unsigned corner;
   bool up;

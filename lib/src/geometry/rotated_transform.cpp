@@ -11,7 +11,7 @@ int32_t reach(uint32_t upper, uint32_t lower) {
   return static_cast<int32_t>(upper > lower ? upper : lower) - kBoundBias;
 }
 
-/// The sum of the largest magnitudes of x, y and z in the box: no point of it, however turned, has
+/// The sum of the largest magnitudes of x, y and z in the box: no point of it, however rotated, has
 /// a larger coordinate.
 int32_t reach(const PackedBox& box) {
   return reach(low_half(box.upper_xy), low_half(box.lower_xy)) +

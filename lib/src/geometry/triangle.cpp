@@ -1,7 +1,7 @@
 // Triangle against triangle, decided by the signs of integer determinants.
 //
-// General case: Guigue and Devillers 2003. Two triangles that cross each other's plane meet the
-// line common to both planes in one interval each; two determinants tell whether these overlap.
+// General case: Guigue and Devillers 2003. Two triangles that cross each other's plane intersect
+// the line common to both planes in one interval each; two determinants tell whether these overlap.
 //
 // Everything else is one of three degenerate cases, told apart by the sides of the planes alone,
 // since a triangle without area has no plane and leaves every point on side zero:
@@ -50,7 +50,7 @@ inline Sides sides_of(bool narrow, const Triangle& plane, const Triangle& asked)
   return narrow ? sides_of_plane<Narrow>(plane, asked) : sides_of_plane<Wide>(plane, asked);
 }
 
-/// Whether the intervals in which two triangles meet the common line of their planes overlap.
+/// Whether the intervals in which two triangles intersect the common line of their planes overlap.
 /// Each triangle is mirrored where the other's tip is below, which orders both intervals alike.
 [[gnu::noinline]] bool intervals_overlap(bool narrow, const Triangle& a, Sides of_a,
                                          const Triangle& b, Sides of_b) {
@@ -66,8 +66,9 @@ inline Sides sides_of(bool narrow, const Triangle& plane, const Triangle& asked)
          volume(narrow, tip_a, low_a, tip_b, low_b) >= 0;
 }
 
-/// Whether a segment on both sides of the plane of `t`, or on it with one end, meets `t`.
-[[gnu::noinline]] bool segment_meets(const Triangle& segment, Sides of_segment, const Triangle& t) {
+/// Whether a segment on both sides of the plane of `t`, or on it with one end, intersects `t`.
+[[gnu::noinline]] bool segment_intersects(const Triangle& segment, Sides of_segment,
+                                          const Triangle& t) {
   const unsigned tip = tip_of(of_segment).corner;
   bool left = false;
   bool right = false;
@@ -130,12 +131,12 @@ constexpr Projection kProjections[3] = {
   return true;
 }
 
-/// Whether two triangles with overlapping boxes meet that lie in one plane or both lack area.
+/// Whether two triangles with overlapping boxes intersect that lie in one plane or both lack area.
 ///
 /// In two dimensions the normals of the edges and the two axes (the boxes) are all the separating
-/// axes of segments, points and triangles. Coplanar triangles meet exactly if they do so in each
-/// projection; one in which `a` keeps an area is one-to-one on their plane and decides alone.
-[[gnu::noinline, gnu::cold]] bool flat_meet(const Triangle& a, const Triangle& b) {
+/// axes of segments, points and triangles. Coplanar triangles intersect exactly if they do so in
+/// each projection; one in which `a` keeps an area is one-to-one on their plane and decides alone.
+[[gnu::noinline, gnu::cold]] bool flat_intersect(const Triangle& a, const Triangle& b) {
   for (const Projection& onto : kProjections) {
     if (edge_separates(onto, a, b) || edge_separates(onto, b, a)) {
       return false;
@@ -147,8 +148,9 @@ constexpr Projection kProjections[3] = {
   return coplanar(a, b);
 }
 
-/// Whether two triangles with overlapping boxes meet. `narrow`: no difference exceeds kMaxNarrow.
-[[gnu::noinline]] bool meet(bool narrow, const Triangle& a, const Triangle& b) {
+/// Whether two triangles with overlapping boxes intersect. `narrow`: no difference exceeds
+/// kMaxNarrow.
+[[gnu::noinline]] bool intersect(bool narrow, const Triangle& a, const Triangle& b) {
   const Sides of_a = sides_of(narrow, b, a);
   if (of_a.separate()) {
     return false;
@@ -161,9 +163,9 @@ constexpr Projection kProjections[3] = {
     return intervals_overlap(narrow, a, of_a, b, of_b);
   }
   if (!of_a.all_on_plane()) {
-    return segment_meets(a, of_a, b);
+    return segment_intersects(a, of_a, b);
   }
-  return of_b.all_on_plane() ? flat_meet(a, b) : segment_meets(b, of_b, a);
+  return of_b.all_on_plane() ? flat_intersect(a, b) : segment_intersects(b, of_b, a);
 }
 
 inline int32_t least(int32_t u, int32_t v) {
@@ -173,7 +175,7 @@ inline int32_t greatest(int32_t u, int32_t v) {
   return u > v ? u : v;
 }
 
-/// The extent of both triangles along an axis, or -1 where their boxes are apart.
+/// The extent of both triangles along an axis, or -1 where their boxes are disjoint.
 inline int32_t extent(int32_t Point::*axis, const Triangle& a, const Triangle& b) {
   const Point* const p = a.corner;
   const Point* const q = b.corner;
@@ -206,7 +208,7 @@ bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept {
     return false;
   }
   // The largest value below 2^15 is all ones, so the extents can be or-ed.
-  return meet((x | y | z) <= kMaxNarrow, a, b);
+  return intersect((x | y | z) <= kMaxNarrow, a, b);
 }
 
 }  // namespace flashbvh::detail

@@ -145,7 +145,7 @@ class Checker {
   }
 
   /// Climbs from `node` to its ancestor of this level, checking each parent on the way once all its
-  /// children are behind. `next` is the node that follows in array order: what a pre-indexed tree's
+  /// children are done. `next` is the node that follows in array order: what a pre-indexed tree's
   /// links of all nodes that are left must be, so that is where each link is checked.
   bool leave_to_level(uint32_t& node, uint32_t level, uint32_t next) const {
     if (kPre && tree_.nodes[node].link != next) {

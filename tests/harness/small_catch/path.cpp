@@ -79,7 +79,7 @@ Section::~Section() {
 size_t choose(size_t count) {
   Level& level = level_here();
   if (level.seen != 0) {
-    misuse("GENERATE behind a SECTION");
+    misuse("GENERATE after a SECTION");
   }
   level.has_more = level.next + 1u < count;
   ++depth;

@@ -14,7 +14,7 @@ namespace small_catch {
 
 /// Before a test case's first run.
 void first_path();
-/// Behind a run: whether there is another, which is then the next.
+/// After a run: whether there is another, which is then the next.
 bool next_path();
 
 /// True where the section is on this run's path.

@@ -64,7 +64,7 @@ TEST_CASE("sections in sections", "[nested]") {
   trace("end");
 }
 
-TEST_CASE("sections behind values", "[nested][values]") {
+TEST_CASE("sections after values", "[nested][values]") {
   const int value = GENERATE(3, 1, 2);
   const int other = GENERATE(10, 20);
   std::printf("trace: %d %d\n", value, other);
@@ -133,27 +133,27 @@ TEST_CASE("what holds passes") {
 
 TEST_CASE("a failed CHECK goes on") {
   CHECK(answer() == 41);
-  trace("behind it");
+  trace("after it");
 }
 
 TEST_CASE("a failed CHECK_FALSE goes on") {
   CHECK_FALSE(answer() == 42);
-  trace("behind it");
+  trace("after it");
 }
 
 TEST_CASE("a failed REQUIRE stops") {
   REQUIRE(answer() == 41);
-  trace("behind it");
+  trace("after it");
 }
 
 TEST_CASE("a failed REQUIRE_FALSE stops") {
   REQUIRE_FALSE(answer() == 42);
-  trace("behind it");
+  trace("after it");
 }
 
 TEST_CASE("FAIL stops") {
   FAIL("on purpose");
-  trace("behind it");
+  trace("after it");
 }
 
 TEST_CASE("a failure in the second of three sections") {

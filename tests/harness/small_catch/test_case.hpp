@@ -17,7 +17,7 @@ class TestCase {
   explicit TestCase(const Description& description);
 
   const Description& description() const { return description_; }
-  /// In the order of the sources; null behind the last one.
+  /// In the order of the sources; null after the last one.
   static const TestCase* first();
   const TestCase* next() const { return next_; }
 

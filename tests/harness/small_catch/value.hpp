@@ -26,7 +26,7 @@ struct NumberText {
 /// Ten decimals, less the zeros at the end: "1.5". Where they would hide the value, mantissa and
 /// exponent: "3 * 2^-40". Exact integers inside: needs no arithmetic of floats.
 NumberText stringify(double value);
-/// The same with an f behind.
+/// The same with an f after.
 NumberText stringify(float value);
 
 void put_value(bool value);

@@ -2,7 +2,7 @@
 # of run it prints the most instructions, the bound on that run, and the largest part of its own
 # bound that a run of the kind took:
 #   measured NAME INSTRUCTIONS of BOUND, nearest PART
-# boxes-KIND-N: runs of N visits that met no pair of leaves; run-KIND-N: those that did.
+# boxes-KIND-N: runs of N visits that came to no pair of leaves; run-KIND-N: those that did.
 FNR == NR {
   if ($1 == "bound") {
     value[$2] = $3

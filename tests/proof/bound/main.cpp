@@ -46,7 +46,7 @@ bool make_side(Random& random, int32_t reach, Side& side) {
 }
 
 Pose any_pose(Random& random, int32_t reach) {
-  // Near enough to meet as a rule; now and then in the same place.
+  // Near enough to intersect as a rule; now and then in the same place.
   const int32_t far = random.below(3) == 0 ? 0 : random.below(2) == 0 ? reach / 4 : reach;
   if (random.below(2) == 0) {
     return test::any_rigid_pose(random, far);

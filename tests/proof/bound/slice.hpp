@@ -26,7 +26,7 @@ struct Slice {
 extern "C" {
 void bound_make_query(void* slice);
 void bound_run(void* slice);
-void bound_done();  ///< behind each of these: what follows is not looked at
+void bound_done();  ///< after each of these: what follows is not looked at
 }
 
 #endif

@@ -3,7 +3,7 @@
 cost.py TABLE SOURCES PROGRAM FUNCTION...   prints for each function, named by a regular expression,
     FUNCTION SUM = fixed N [KIND TURNS*N | KIND N]...
 SUM leaves out the kinds of turns whose count the table leaves open: to it comes N for each of them.
-See loops.py for TABLE. Fails, and says where, if it meets anything that it does not understand: an
+See loops.py for TABLE. Fails, and says where, if it comes to anything that it does not understand: an
 indirect branch, a recursive call, a loop that the table does not bound.
 """
 from __future__ import annotations

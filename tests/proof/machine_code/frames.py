@@ -27,13 +27,13 @@ def frame_of(graph: Graph) -> Frame:
             raise graph.refuse(address, "not understood")
         if found.grows is None:
             raise graph.refuse(address, f"{graph.function} has a frame of no fixed size")
-        # Whoever goes on behind a return has not executed it.
+        # Whoever goes on after a return has not executed it.
         depth = before[address] + (0 if found.flow is Flow.LEAVE else found.grows)
         if depth > DEEPEST:
             raise graph.refuse(address, "the stack's depth has no end")
         size = max(size, depth)
-        for behind in graph.successors[address]:
-            if depth > before.get(behind, -1):
-                before[behind] = depth
-                pending.append(behind)
+        for after in graph.successors[address]:
+            if depth > before.get(after, -1):
+                before[after] = depth
+                pending.append(after)
     return Frame(size, {address: before[address] for address in graph.callees})

@@ -42,13 +42,13 @@ class Graph:
 
     def _follow(self, found: Instruction) -> list[int]:
         """What may be executed next in the function."""
-        behind = []
+        after = []
         if found.target is not None:
             if found.target in self._all and (found.flow is Flow.JUMP or
                                               found.target != self.function.address):
-                behind.append(found.target)
+                after.append(found.target)
                 if found.flow is Flow.CALL:  # Armv6-M's far jump: lr is saved by then
-                    return behind
+                    return after
             else:
                 self.callees[found.address] = self.program.at(found.target)
         if self._is_computed_jump(found):
@@ -56,8 +56,8 @@ class Graph:
         elif found.falls_through and found.flow is not Flow.STOP:
             if found.end == self.function.end:
                 raise self.refuse(found.address, "the function's end is reached")
-            behind.append(found.end)
-        return behind
+            after.append(found.end)
+        return after
 
     def _is_computed_jump(self, found: Instruction) -> bool:
         if found.flow is Flow.CALL and found.address in self.callees:

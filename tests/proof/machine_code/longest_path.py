@@ -57,8 +57,8 @@ class Paths:
     def _sort(self, cuts: dict[int, Kind]) -> tuple[list[int], int | None]:
         """In topological order (Kahn), edges into cuts left out; and an instruction left over."""
         into = dict.fromkeys(self._graph.code, 0)
-        for behind in self._successors.values():
-            for to in behind:
+        for after in self._successors.values():
+            for to in after:
                 into[to] += to not in cuts
         order = [address for address, count in into.items() if count == 0]
         for address in order:

@@ -62,7 +62,7 @@ struct Arguments {
   Room<136> query;
   Room<68> made_pose;
   Room<80> opened;
-  flashbvh::Triangle placed[2];
+  flashbvh::Triangle transformed[2];
   flashbvh::Contact contact;
   flashbvh::QueryPosition<uint16_t> position;
   flashbvh_position c_position;

@@ -2,9 +2,9 @@
 //
 // Each is compiled alone, so that it has what it would have in a firmware; the build makes a source
 // of each, and the list entry_list.inc. Kinds, for painted.cpp:
-//     ticked  a query: made, then run slice by slice
-//     moved   the same, but only with poses that do not turn
-//     asked   one call, one answer
+//     ticked      a query: made, then run slice by slice
+//     translated  the same, but only with poses that do not rotate
+//     asked       one call, one answer
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/detail/image_parts.hpp"
@@ -71,7 +71,7 @@ inline bool count_visit(flashbvh_pair /*pair*/, void* context) {
 QUERY(rigid_query, ticked, a, b, Ranked<PostMesh>)
 // The same; painted.cpp asks it with poses that only translate, and calls.txt leaves the rotating
 // walk out of its call graph.
-QUERY(translated_query, moved, a, b, Ranked<PostMesh>)
+QUERY(translated_query, translated, a, b, Ranked<PostMesh>)
 QUERY(stackless_query, ticked, pre_a, pre_b, Stackless)
 QUERY(stackless_post_query, ticked, a, b, StacklessPost)
 QUERY(leaf_query, ticked, pre_a, pre_b, Leaf<PreMesh>)
@@ -91,7 +91,7 @@ ENTRY(c_query, ticked) {
   in->answer += count;
 }
 
-// One traversal of boxes, moved and not turned, without triangles.
+// One traversal of boxes, translated and not rotated, without triangles.
 ENTRY(translated_walk, asked) {
   const TranslatedBound& overlap = as<TranslatedBound>(in->made_pose);
   uint32_t leaf_pairs = 0;
@@ -117,13 +117,13 @@ ENTRY(resume, asked) {
 // The triangles of the pair that a query reported last.
 ENTRY(last_pair, asked) {
   const auto& query = as<PairQuery>(in->query);
-  query.last_pair(in->placed[0], in->placed[1]);
+  query.last_pair(in->transformed[0], in->transformed[1]);
 }
 
-// The triangles of a reported pair, placed again by their source numbers.
-ENTRY(place_a_pair, asked) {
-  in->answer = transform_pair<PostMesh>(*in->a, *in->b, *in->pose, in->found[0], in->placed[0],
-                                        in->placed[1])
+// The triangles of a reported pair, transformed again by their ids.
+ENTRY(transform_a_pair, asked) {
+  in->answer = transform_pair<PostMesh>(*in->a, *in->b, *in->pose, in->found[0], in->transformed[0],
+                                        in->transformed[1])
                    ? 1u
                    : 0u;
 }
@@ -162,7 +162,7 @@ ENTRY(find_pairs_once, asked) {
 }
 
 // triangles_intersect(): the exact test alone.
-ENTRY(triangles_meet, asked) {
+ENTRY(intersect_triangles, asked) {
   in->answer = triangles_intersect(in->triangles[0], in->triangles[1]) ? 1 : 0;
 }
 
@@ -223,8 +223,8 @@ ENTRY(c_resume, asked) {
 
 ENTRY(c_last_pair, asked) {
   flashbvh_query_last_pair(&as<flashbvh_query>(in->query),
-                           reinterpret_cast<flashbvh_triangle*>(&in->placed[0]),
-                           reinterpret_cast<flashbvh_triangle*>(&in->placed[1]));
+                           reinterpret_cast<flashbvh_triangle*>(&in->transformed[0]),
+                           reinterpret_cast<flashbvh_triangle*>(&in->transformed[1]));
 }
 
 ENTRY(c_intersects, asked) {

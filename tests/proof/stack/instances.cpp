@@ -50,17 +50,17 @@ FLASHBVH_TEST_RUN_STACK(AlternatingStack, LargeLevelledPreMesh, LargeLevelledPos
 FLASHBVH_TEST_RUN_STACK(RankedStack, PostMesh, LargePostMesh);
 FLASHBVH_TEST_RUN_STACK(Ranked, PostMesh, LargePostMesh);
 
-/// The questions of collide.hpp and place_pair.hpp.
+/// The questions of collide.hpp and contact.hpp.
 template <class TreeType>
 uint32_t ask(const TreeType& a, const TreeType& b, const Pose& pose) {
   using Pair = TrianglePair<typename TreeType::Index>;
   Pair found[2];
-  Triangle placed[2];
+  Triangle transformed[2];
   uint32_t sum = intersects(a, b, pose).yes ? 1u : 0u;
   sum += first_pair(a, b, pose, found[0]).yes ? 1u : 0u;
   sum += count_pairs(a, b, pose).pairs + find_pairs(a, b, pose, found, 2).count;
   (void)for_each_pair(a, b, pose, [&sum](const Pair& pair) { return (sum += pair.a) != 0; });
-  return sum + (transform_pair(a, b, pose, found[0], placed[0], placed[1]) ? 1u : 0u);
+  return sum + (transform_pair(a, b, pose, found[0], transformed[0], transformed[1]) ? 1u : 0u);
 }
 template uint32_t ask(const PostMesh&, const PostMesh&, const Pose&);
 template uint32_t ask(const LargePostMesh&, const LargePostMesh&, const Pose&);

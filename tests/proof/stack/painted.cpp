@@ -20,7 +20,7 @@ extern "C" {
 
 namespace {
 
-enum class Kind : uint8_t { ticked, moved, asked };
+enum class Kind : uint8_t { ticked, translated, asked };
 
 struct Entry {
   const char* name;
@@ -39,12 +39,12 @@ constexpr uint32_t kEntryCount = sizeof kEntries / sizeof kEntries[0];
 constexpr uint32_t kVisits = 7;
 
 /// How B lies: a quaternion of integers and cells.
-struct Place {
-  test::Quaternion turn;
+struct TestPose {
+  test::Quaternion rotation;
   int32_t cells[3];
 };
 
-constexpr Place kPlaces[] = {
+constexpr TestPose kTestPoses[] = {
     {{1, 0, 0, 0}, {1000, 500, 0}},        // coplanar and crossing
     {{1, 0, 0, 0}, {1000, 0, 0}},          // segments on one line
     {{1, 0, 0, 0}, {0, 0, 0}},             // the mesh on itself
@@ -52,7 +52,7 @@ constexpr Place kPlaces[] = {
     {{1, 0, 0, 0}, {17000, 300, 50}},      // crossing, and more than 2^15 wide together
     {{1, 0, 0, 1}, {1000, 500, 0}},        // a quarter turn, coplanar
     {{0, 0, 0, 1}, {1000, 10000, 0}},      // a half turn: segments on one line
-    {{7, 3, -2, 5}, {3000, 1000, 500}},    // crossing, turned
+    {{7, 3, -2, 5}, {3000, 1000, 500}},    // crossing, rotated
     {{7, 3, -2, 5}, {200000, 1000, 500}},  // far apart
 };
 
@@ -124,8 +124,8 @@ void open_trees() {
 constexpr int16_t kFraction[3] = {-32768, 32767, 5};
 
 /// Copies of `matrix` for the entries that make poses; the pose itself and another one.
-void place(const Place& where, test::Rotation& matrix) {
-  matrix = test::rotation_of(where.turn);
+void set_pose(const TestPose& where, test::Rotation& matrix) {
+  matrix = test::rotation_of(where.rotation);
   for (auto& row : matrix.entry) {
     for (int32_t& entry : row) {
       entry &= ~0x3FFF;  // so coarse that a product is proven anew
@@ -183,9 +183,9 @@ void ask(uint32_t entry) {
   answers[entry] += in.answer;
 }
 
-void ask_all(bool moved) {
+void ask_all(bool translated) {
   for (uint32_t entry = 0; entry < kEntryCount; ++entry) {
-    if (moved || kEntries[entry].kind != Kind::moved) {
+    if (translated || kEntries[entry].kind != Kind::translated) {
       prepare();
       ask(entry);
     }
@@ -212,9 +212,9 @@ void report() {
 int main() {
   open_trees();
   uint32_t round = 0;
-  for (const Place& where : kPlaces) {
+  for (const TestPose& where : kTestPoses) {
     test::Rotation matrix;
-    place(where, matrix);
+    set_pose(where, matrix);
     for (uint32_t i = 0; i < 2; ++i, ++round) {
       in.triangles = kPairs[round % length(kPairs)];
       in.floats = kFloats[round % length(kFloats)];

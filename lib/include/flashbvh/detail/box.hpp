@@ -1,6 +1,6 @@
 // The test whether two boxes overlap.
 //
-// Box A overlaps box B moved by t if on each axis
+// Box A overlaps box B translated by t if on each axis
 //     upper(A) - lower(B) >= t    and    upper(B) - lower(A) >= -t,
 // that is, if six sums of two packed bounds reach six thresholds that depend on the translation
 // alone. No form of the arithmetic wraps or saturates.
@@ -17,7 +17,7 @@
 
 namespace flashbvh::detail {
 
-/// Whether two boxes, the second moved by a translation, are apart; for a single test, which the
+/// Whether two boxes, the second under a translation, are apart; for a single test, which the
 /// thresholds of TranslatedBound would not pay. `x, y, z`: cells, within +-2^30.
 constexpr bool boxes_disjoint(const PackedBox& a, const PackedBox& b, int32_t x, int32_t y,
                               int32_t z) {
@@ -31,7 +31,7 @@ constexpr bool boxes_disjoint(const PackedBox& a, const PackedBox& b, int32_t x,
          below(low_half(both_z), zero + z) || below(high_half(both_z), zero - z);
 }
 
-/// Tests boxes of A against boxes of B moved by a translation. 12 bytes; made once a query.
+/// Tests boxes of A against boxes of B under a translation. 12 bytes; made once a query.
 class TranslatedBound {
  public:
   /// To be assigned to before it is asked.
@@ -42,7 +42,7 @@ class TranslatedBound {
                 join_halves(threshold_negated(x), threshold_negated(y)),
                 join_halves(threshold(z), threshold_negated(z))}} {}
 
-  /// True if the closed boxes share a point. Of boxes in nodes: with Helium the four bytes behind a
+  /// True if the closed boxes share a point. Of boxes in nodes: with Helium the four bytes after a
   /// box are read, too.
   FLASHBVH_INLINE bool operator()(const PackedBox& a, const PackedBox& b) const {
 #if defined(FLASHBVH_BOX_SIMD)

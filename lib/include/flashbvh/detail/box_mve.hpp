@@ -32,7 +32,7 @@ inline WordVector threshold_vector(const PackedTriple& least) {
   return vector;
 }
 
-/// Whether the six sums of bounds of `a` and `b` reach `least`. Reads the four bytes behind each
+/// Whether the six sums of bounds of `a` and `b` reach `least`. Reads the four bytes after each
 /// box, too: the rest of its node.
 inline bool bounds_reach_mve(const PackedBox& a, const PackedBox& b, const PackedTriple& least) {
   uint32_t missing;

@@ -1,17 +1,17 @@
-// The test whether a box of A and a turned box of B overlap: the face axes of both.
+// The test whether a box of A and a rotated box of B overlap: the face axes of both.
 //
-// On A's axis i the placed vertices of a box of B lie between
+// On A's axis i the transformed vertices of a box of B lie between
 //     sum_j R_ij * (upper_j where R_ij > 0, else lower_j) + o_i    above, likewise below.
 // Widened by half a cell, by which vertices are rounded, and by what the 14 bits of R lack of the
 // vertices' 22, and rounded to whole cells, these bounds are an axis-aligned box on A's lattice.
-// Turned the other way, a box of A makes one on B's lattice, widened by what rounded vertices and
-// columns that are not quite orthogonal can add. The boxes are apart if either turned box is apart
-// from the other box, which three packed sums of bounds tell. The bounds rounding to whole cells
-// loses nothing, since they are compared with whole cells. lib/docs/design.md, Rotation, derives
-// the margins.
+// Rotated the other way, a box of A makes one on B's lattice, widened by what rounded vertices and
+// columns that are not quite orthogonal can add. The boxes are disjoint if either rotated box is
+// disjoint from the other box, which three packed sums of bounds tell. The bounds rounding to whole
+// cells loses nothing, since they are compared with whole cells. lib/docs/design.md, Rotation,
+// derives the margins.
 //
-// A turned box is kept until another one of its tree is: a walk goes on in one tree at a time. The
-// axes whose turned box is at hand go first, and what that rejects costs no turning at all.
+// A rotated box is kept until another one of its tree is: a walk goes on in one tree at a time. The
+// axes whose rotated box is at hand go first, and what that rejects costs no rotation at all.
 //
 // Source: Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, for the separating axes. The nine
 // cross products of edges are left out: fewer pairs are visited with them, but more instructions
@@ -27,10 +27,10 @@
 namespace flashbvh::detail {
 
 /// A box seen from the other lattice. 24 bytes.
-struct TurnedBox {
+struct RotatedBox {
   PackedBox bounds;
-  const PackedBox* source;    ///< the box that was turned, null at first
-  const SplitMatrix* matrix;  ///< what turns it
+  const PackedBox* source;    ///< the box that was rotated, null at first
+  const SplitMatrix* matrix;  ///< what rotates it
   const BoundStart* starts;   ///< of its three axes
 };
 
@@ -43,18 +43,18 @@ class RotatedBound {
       : a_{{0, 0, 0}, nullptr, &transform.columns, transform.on_b},
         b_{{0, 0, 0}, nullptr, &transform.matrix->rows, transform.on_a} {}
 
-  /// False only if no placed triangle of a subtree with box `b` meets one of a subtree with box
-  /// `a`. Answers depend on the boxes alone, not on what was asked before; but boxes are known by
-  /// their addresses, and what lies there must not change while this lives.
-  /// Of boxes in nodes: with Helium the four bytes behind a box are read, too.
+  /// False only if no transformed triangle of a subtree with box `b` intersects one of a subtree
+  /// with box `a`. Answers depend on the boxes alone, not on what was asked before; but boxes are
+  /// known by their addresses, and what lies there must not change while this lives. Of boxes in
+  /// nodes: with Helium the four bytes after a box are read, too.
   bool operator()(const PackedBox& a, const PackedBox& b) { return gap(a, b) == 0; }
 
  private:
   /// 0 if the boxes overlap.
   uint32_t gap(const PackedBox& a, const PackedBox& b);
 
-  TurnedBox a_;  ///< a box of A, seen from B
-  TurnedBox b_;
+  RotatedBox a_;  ///< a box of A, seen from B
+  RotatedBox b_;
 };
 
 }  // namespace flashbvh::detail

@@ -22,8 +22,8 @@ constexpr int32_t kMaxDifference = (1 << 20) - 1;
 /// must keep within kMaxDifference, which triangles that each span less than 2^19 cells do by
 /// themselves. This is not checked: beyond it the answer is meaningless.
 ///
-/// Cost in instructions on a Cortex-M4 at -O2: at most 135 where the boxes are apart, else 330 on
-/// average and at most 520; up to 1,000 for coplanar triangles and 2,100 for two segments
+/// Cost in instructions on a Cortex-M4 at -O2: at most 135 where the boxes are disjoint, else 330
+/// on average and at most 520; up to 1,000 for coplanar triangles and 2,100 for two segments
 /// (tests/budget/triangle_cost_test.cpp prints them), more where a difference reaches 2^15.
 /// Stack: 104 bytes on Cortex-M3 and M4 at -O2.
 ///

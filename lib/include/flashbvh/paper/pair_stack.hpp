@@ -20,7 +20,7 @@ constexpr uint32_t stack_entries(uint32_t stack_need_a, uint32_t stack_need_b) {
   return stack_need_a + stack_need_b + 1;
 }
 
-/// Turns round the order of the entries from `first` to before `end`.
+/// Reverses the order of the entries from `first` to before `end`.
 template <class Entry>
 void reverse_entries(Entry* first, Entry* end) {
   for (Entry* last = end - 1; first < last; ++first, --last) {

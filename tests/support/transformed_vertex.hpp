@@ -1,7 +1,7 @@
 // Where a pose puts a vertex, by the definition in lib/docs/design.md and by nothing of the
 // library's own arithmetic, and which triangles intersect there, by trying all pairs of them.
-#ifndef FLASHBVH_TESTS_SUPPORT_PLACED_VERTEX_HPP
-#define FLASHBVH_TESTS_SUPPORT_PLACED_VERTEX_HPP
+#ifndef FLASHBVH_TESTS_SUPPORT_TRANSFORMED_VERTEX_HPP
+#define FLASHBVH_TESTS_SUPPORT_TRANSFORMED_VERTEX_HPP
 
 #include <stdint.h>
 
@@ -18,18 +18,18 @@ constexpr int64_t floor_divide(int64_t value, int64_t by) {
 
 /// Coordinate `axis` of a vertex of B in A's frame: floor(R p + o + 1/2), where R has 22 fraction
 /// bits, o has 14 and the sum of products is cut to 14. `origin`: B's.
-inline int32_t placed_coordinate(const int32_t* origin, const Vertex& v, const Pose& pose,
-                                 int axis) {
+inline int32_t transformed_coordinate(const int32_t* origin, const Vertex& v, const Pose& pose,
+                                      int axis) {
   const int32_t p[3] = {v.x, v.y, v.z};
   int64_t offset =
       pose.translation(axis) * (int64_t{1} << 30) + pose.fraction(axis) * (int64_t{1} << 14);
-  int64_t turned = 0;
+  int64_t rotated = 0;
   for (int i = 0; i < 3; ++i) {
     const int64_t entry = pose.rotation(axis, i);
     offset += entry * origin[i];
-    turned += floor_divide(entry + 128, 256) * p[i];
+    rotated += floor_divide(entry + 128, 256) * p[i];
   }
-  const int64_t sum = floor_divide(turned, 256) + floor_divide(offset + 32768, 65536);
+  const int64_t sum = floor_divide(rotated, 256) + floor_divide(offset + 32768, 65536);
   return static_cast<int32_t>(floor_divide(sum + 8192, 16384));
 }
 
@@ -45,15 +45,15 @@ constexpr uint32_t corner_of(const Array& triangle, uint32_t i) {
 
 /// A triangle of B in A's frame. Mesh: has an origin, vertices and triangles.
 template <class Mesh>
-Triangle placed(const Mesh& mesh, uint32_t triangle, const Pose& pose) {
-  Triangle placed{};
+Triangle transformed(const Mesh& mesh, uint32_t triangle, const Pose& pose) {
+  Triangle transformed{};
   for (uint32_t i = 0; i < 3; ++i) {
     const Vertex& v = mesh.vertices[corner_of(mesh.triangles[triangle], i)];
-    placed.corner[i] = {placed_coordinate(&mesh.origin[0], v, pose, 0),
-                        placed_coordinate(&mesh.origin[0], v, pose, 1),
-                        placed_coordinate(&mesh.origin[0], v, pose, 2)};
+    transformed.corner[i] = {transformed_coordinate(&mesh.origin[0], v, pose, 0),
+                             transformed_coordinate(&mesh.origin[0], v, pose, 1),
+                             transformed_coordinate(&mesh.origin[0], v, pose, 2)};
   }
-  return placed;
+  return transformed;
 }
 
 /// Calls found(i, j) for each two triangles that intersect, of the first `count_a` and `count_b`.
@@ -62,9 +62,9 @@ void brute_force(const Mesh& a, uint32_t count_a, const Mesh& b, uint32_t count_
                  const Found& found) {
   const Pose here = Pose::translated(0, 0, 0);
   for (uint32_t i = 0; i < count_a; ++i) {
-    const Triangle of_a = placed(a, i, here);
+    const Triangle of_a = transformed(a, i, here);
     for (uint32_t j = 0; j < count_b; ++j) {
-      if (detail::triangles_intersect(of_a, placed(b, j, pose))) {
+      if (detail::triangles_intersect(of_a, transformed(b, j, pose))) {
         found(i, j);
       }
     }

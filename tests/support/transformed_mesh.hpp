@@ -1,20 +1,20 @@
-// placed_vertex.hpp for meshes before they are baked.
-#ifndef FLASHBVH_TESTS_SUPPORT_PLACED_MESH_HPP
-#define FLASHBVH_TESTS_SUPPORT_PLACED_MESH_HPP
+// transformed_vertex.hpp for meshes before they are baked.
+#ifndef FLASHBVH_TESTS_SUPPORT_TRANSFORMED_MESH_HPP
+#define FLASHBVH_TESTS_SUPPORT_TRANSFORMED_MESH_HPP
 
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "bake/mesh.hpp"
-#include "support/placed_vertex.hpp"
+#include "support/transformed_vertex.hpp"
 
 namespace flashbvh::test {
 
 /// Coordinate `axis` of a vertex of B in A's frame.
-inline std::int32_t placed_coordinate(const bake::LatticeMesh& mesh, const Vertex& v,
-                                      const Pose& pose, int axis) {
-  return placed_coordinate(mesh.origin.data(), v, pose, axis);
+inline std::int32_t transformed_coordinate(const bake::LatticeMesh& mesh, const Vertex& v,
+                                           const Pose& pose, int axis) {
+  return transformed_coordinate(mesh.origin.data(), v, pose, axis);
 }
 
 /// All pairs of triangles that intersect, in order.

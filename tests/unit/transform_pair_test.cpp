@@ -1,14 +1,14 @@
-// A reported pair, placed again by its source numbers, and its contact inside a query.
+// A reported pair, transformed again by its ids, and its contact inside a query.
 #include "flashbvh/contact.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "bake/baked_tree.hpp"
 #include "flashbvh/query.hpp"
-#include "support/placed_mesh.hpp"
 #include "support/rotations.hpp"
 #include "support/same_triangle.hpp"
 #include "support/torus.hpp"
+#include "support/transformed_mesh.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -39,7 +39,7 @@ bool same(const Contact& c, const Contact& d) {
   return same;
 }
 
-/// How many pairs the query reports; each is placed again as the query has it, inside a sink.
+/// How many pairs the query reports; each is transformed again as the query has it, inside a sink.
 std::uint32_t check_pairs(const PostMesh& a, const PostMesh& b, const Pose& pose) {
   PairQuery query(a, b, pose);
   std::uint32_t pairs = 0;
@@ -62,36 +62,37 @@ std::uint32_t check_pairs(const PostMesh& a, const PostMesh& b, const Pose& pose
 
 }  // namespace
 
-TEST_CASE("contact: a reported pair is placed again as the query had it", "[contact]") {
+TEST_CASE("contact: a reported pair is transformed again as the query had it", "[contact]") {
   const Baked mesh_a = baked(ring());
   const Baked mesh_b = baked(torus(7, 5, 500, 200));
   const PostMesh a = mesh_a.view();
   const PostMesh b = mesh_b.view();
   CHECK(check_pairs(a, b, Pose::translated(1300, 100, 200)) > 10);
-  const Rotation turn = rotation_of({3, 1, 2, -1});
+  const Rotation rotation = rotation_of({3, 1, 2, -1});
   const std::int32_t cells[3] = {1400, 50, 100};
-  CHECK(check_pairs(a, b, Pose::rigid(turn.entry, cells)) > 10);
+  CHECK(check_pairs(a, b, Pose::rigid(rotation.entry, cells)) > 10);
 }
 
-TEST_CASE("contact: a pair is placed where the pose's definition puts it, met or not",
-          "[contact]") {
+TEST_CASE(
+    "contact: a pair is transformed to where the pose's definition puts it, intersecting or not",
+    "[contact]") {
   const bake::LatticeMesh mesh_a = ring();
   const bake::LatticeMesh mesh_b = torus(7, 5, 500, 200);
   const Baked baked_a = baked(mesh_a);
   const Baked baked_b = baked(mesh_b);
   const PostMesh a = baked_a.view();
   const PostMesh b = baked_b.view();
-  const Rotation turn = rotation_of({3, 1, 2, -1});
+  const Rotation rotation = rotation_of({3, 1, 2, -1});
   const std::int32_t cells[3] = {9000, 50, 100};  // far from A
-  const Pose pose = Pose::rigid(turn.entry, cells);
+  const Pose pose = Pose::rigid(rotation.entry, cells);
   for (std::uint16_t i = 0; i < b.triangle_count; ++i) {
-    Triangle placed_a;
-    Triangle placed_b;
-    REQUIRE(transform_pair(a, b, pose, {0, i}, placed_a, placed_b));
-    for (Point& corner : placed_b.corner) {
+    Triangle transformed_a;
+    Triangle transformed_b;
+    REQUIRE(transform_pair(a, b, pose, {0, i}, transformed_a, transformed_b));
+    for (Point& corner : transformed_b.corner) {
       corner = {corner.x + a.origin[0], corner.y + a.origin[1], corner.z + a.origin[2]};
     }
-    CHECK(same(placed_b, placed(mesh_b, i, pose)));
+    CHECK(same(transformed_b, transformed(mesh_b, i, pose)));
   }
 }
 
@@ -102,12 +103,12 @@ TEST_CASE("contact: a pair that no query reports is refused", "[contact]") {
   const Pose pose = Pose::translated(0, 0, 0);
   const auto count = a.triangle_count;
   const auto last = static_cast<std::uint16_t>(count - 1);
-  Triangle placed[2];
-  CHECK(transform_pair(a, b, pose, {last, last}, placed[0], placed[1]));
-  CHECK_FALSE(transform_pair(a, b, pose, {count, 0}, placed[0], placed[1]));
-  CHECK_FALSE(transform_pair(a, b, pose, {0, count}, placed[0], placed[1]));
-  CHECK_FALSE(
-      transform_pair(a, b, Pose::translated(INT32_MAX, 0, 0), {0, 0}, placed[0], placed[1]));
+  Triangle transformed[2];
+  CHECK(transform_pair(a, b, pose, {last, last}, transformed[0], transformed[1]));
+  CHECK_FALSE(transform_pair(a, b, pose, {count, 0}, transformed[0], transformed[1]));
+  CHECK_FALSE(transform_pair(a, b, pose, {0, count}, transformed[0], transformed[1]));
+  CHECK_FALSE(transform_pair(a, b, Pose::translated(INT32_MAX, 0, 0), {0, 0}, transformed[0],
+                             transformed[1]));
   b.cell_bits ^= 1;
-  CHECK_FALSE(transform_pair(a, b, pose, {0, 0}, placed[0], placed[1]));
+  CHECK_FALSE(transform_pair(a, b, pose, {0, 0}, transformed[0], transformed[1]));
 }
