@@ -46,16 +46,17 @@ std::string rule_of(const std::string& traversal) {
 
 /// The five traversals of the paper, and ours, on one pair of trees.
 void check_all(const Trees& trees) {
-  const auto& [mesh_a, mesh_b, a, b, x, y, z] = trees;
-  const std::tuple pairs{bake_pair<Layout::pre_indexed>(a, mesh_a, b, mesh_b),
-                         bake_pair<Layout::post_indexed>(a, mesh_a, b, mesh_b)};
-  const NodePairs truth = brute_force(a, b, x, y, z);
+  const std::tuple pairs{
+      bake_pair<Layout::pre_indexed>(trees.a, trees.mesh_a, trees.b, trees.mesh_b),
+      bake_pair<Layout::post_indexed>(trees.a, trees.mesh_a, trees.b, trees.mesh_b)};
+  const TranslatedBound bound(trees.x, trees.y, trees.z);
+  const NodePairs truth = brute_force(trees.a, trees.b, trees.x, trees.y, trees.z);
   std::map<std::string, Record> of_rules;
   for_each_order<std::uint16_t>([&](auto named) {
     using Order = typename decltype(named)::Order;
     CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
     const auto& pair = std::get<static_cast<std::size_t>(Order::Tree::kLayout)>(pairs);
-    const Record walk = record<Order>(pair, {x, y, z});
+    const Record walk = record<Order>(pair, bound);
     REQUIRE(walk.ended);
     REQUIRE(walk.sorted_leaf_pairs() == truth);
     const Record& first = of_rules.emplace(rule_of(named.name), walk).first->second;

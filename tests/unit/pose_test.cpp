@@ -212,3 +212,65 @@ TEST_CASE("a long chain of joints stays a rotation, and where it belongs") {
     CHECK(std::llabs(fine_translation(chain, i)) < 65536);
   }
 }
+
+TEST_CASE("a pose's defect bounds how far it is from a rotation, however it was made") {
+  Random random(test_seed() + 7);
+  const auto check = [&random](const Pose& pose) {
+    double square[3][3];  // R^T R - 1
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 3; ++k) {
+        double sum = j == k ? -1 : 0;
+        for (int i = 0; i < 3; ++i) {
+          sum += static_cast<double>(pose.rotation(i, j)) / kOne * pose.rotation(i, k) / kOne;
+        }
+        square[j][k] = sum;
+      }
+    }
+    const double defect = pose.is_translation() ? 0 : pose.matrix().defect / 16777216.0;
+    for (int direction = 0; direction < 20; ++direction) {
+      double d[3];
+      double length = 0;
+      double stretch = 0;
+      for (double& part : d) {
+        part = random.between(-1000, 1000);
+        length += part * part;
+      }
+      for (int j = 0; j < 3; ++j) {
+        for (int k = 0; k < 3; ++k) {
+          stretch += d[j] * square[j][k] * d[k];
+        }
+      }
+      REQUIRE(std::abs(stretch) <= (defect + 1e-12) * length);
+    }
+  };
+  for (int round = 0; round < 40; ++round) {
+    CAPTURE(round);
+    Rotation coarse = rotation_of(any_quaternion(random));
+    for (auto& row : coarse.entry) {
+      for (std::int32_t& entry : row) {
+        entry &= round % 2 == 0 ? ~0x3FFF : ~0;
+      }
+    }
+    const Pose link = Pose::rigid(coarse.entry, kNowhere);
+    REQUIRE(link.status() == Status::done);
+    check(link);
+    Pose chain = link;
+    for (int joint = 0; joint < 12 && chain.status() == Status::done; ++joint) {
+      check(chain.inverse());
+      check(Pose::relative(link, chain));
+      check(chain);
+      chain =
+          Pose::composed(chain, Pose::rigid(rotation_of(any_quaternion(random)).entry, kNowhere));
+    }
+    REQUIRE(chain.status() == Status::done);
+  }
+}
+
+TEST_CASE("a chain of rotations is refused only if it is none, however long it is") {
+  Random random(test_seed() + 8);
+  Pose chain = Pose::translated(0, 0, 0);
+  for (int joint = 0; joint < 3000; ++joint) {
+    chain = Pose::composed(chain, Pose::rigid(rotation_of(any_quaternion(random)).entry, kNowhere));
+    REQUIRE(chain.status() == Status::done);
+  }
+}
