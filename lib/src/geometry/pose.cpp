@@ -185,7 +185,7 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]) {
       part += product(added_to->fraction_[i], kOne);
     }
     // What the cells have beyond whole ones goes to the fractions.
-    part += (whole & (kOne - 1)) << kCellBits;
+    part += (whole & (kOne - 1)) * (1 << kCellBits);
     const int64_t fine_part = shifted_rounded(part, kKeptBits);
     const int64_t carry = shifted_rounded(fine_part, kCellBits);
     whole = (whole >> kKeptBits) + carry;
@@ -193,7 +193,7 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]) {
       refuse(Status::translation_out_of_range);
     }
     cells_[i] = static_cast<int32_t>(whole);
-    fraction_[i] = static_cast<int16_t>(fine_part - (carry << kCellBits));
+    fraction_[i] = static_cast<int16_t>(fine_part - carry * (1 << kCellBits));
   }
 }
 
