@@ -1,44 +1,33 @@
 #!/bin/sh
-# Everything that has to hold before a change is one: formatting, lint, and all tests, natively
-# with sanitizers and on each board under QEMU. Installs what is missing.
+# test.sh           Everything that has to hold before a change is one: formatting, lint, and all tests,
+#                   natively with sanitizers and on each board under QEMU.
+# test.sh --quick   What most changes break: formatting, the tests on this machine that don't take long,
+#                   and one board.
+#
+# A step (tools/test_step.sh) a core, side by side; what each prints is in build/log. Says at the end
+# where the minutes went. Installs what is missing.
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
-ensure_packages $host_packages $board_packages $riscv_packages $fuzz_packages $digest_packages \
-  clang-format clang-tidy
 
-step() { printf '\n== %s\n' "$1"; }
+# The longest first, so that none is left over at the end; all but lint wait for the first.
+steps="tool lint native long cortex-m33 cortex-m55 cortex-m7 cortex-m4f cortex-m3 rv32imac
+  cortex-m0 netduinoplus2 sifive_e stm32vldiscovery"
+packages="$riscv_packages $digest_packages clang-tidy"
+case ${1:-} in
+  "") ;;
+  --quick) steps="tool native cortex-m4f" packages= ;;
+  *) sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+esac
+ensure_packages $host_packages $sanitizer_packages $board_packages $packages clang-format
 
-sources() {
-  find lib ports tools tests firmware_examples -name '*.[ch]pp' -o -name '*.h' -o -name '*.c'
-}
-
-step "Formatting (clang-format -i mends it)"
-sources | xargs clang-format --dry-run -Werror
-
-step "Tests on this machine, with the address and undefined-behaviour sanitizers"
-cmake --preset native-sanitize
-cmake --build --preset native-sanitize
-# A robot's links and poses, of which the figures are; and what is tested bakes for the boards.
-FLASHBVH_NATIVE=native-sanitize tools/figures.sh --prepare
-cmake --preset native-sanitize -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
-cmake --build --preset native-sanitize
-ctest --preset native-sanitize -j2
-
-step "Lint (clang-tidy): the library and the host program"
-sources | grep -E '^(lib|tools)/.*\.cpp$' |
-  xargs -n 4 -P 2 clang-tidy --quiet -p build/native-sanitize --extra-arg=-Wno-unknown-warning-option \
-    2>build/lint.log
-
-for preset in cortex-m0 cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 rv32imac \
-  stm32vldiscovery netduinoplus2 sifive_e; do
-  step "Tests on $preset under QEMU"
-  cmake --preset $preset -DFLASHBVH_HOST_TOOL="$PWD/build/native-sanitize/bin/flashbvh" \
-    -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
-  cmake --build --preset $preset
-  ctest --preset $preset -j2
-  tools/figures.sh --compare $preset
-  grep -E "^budget: |, budget: (at most|below)" build/$preset/Testing/Temporary/LastTest.log
-done
-
-step "All tests passed"
+began=$(date +%s)
+rm -rf build/log
+mkdir -p build/log
+tools/test_step.sh formatting
+tools/test_step.sh configured
+echo $steps | xargs -n 1 -P "$(nproc)" tools/test_step.sh
+awk -v all="$(($(date +%s) - began))" '
+  BEGIN { print "\nminutes  step" }
+  { printf "%7.1f  %s\n", $1 / 60, $2 }
+  END { printf "%7.1f  in all, on '"$(nproc)"' cores\n\n== All tests passed\n", all / 60 }' build/log/seconds

@@ -1,0 +1,84 @@
+#!/bin/sh
+# test_step.sh STEP    One step of tools/test.sh:
+#   formatting   clang-format has nothing to mend
+#   configured   a build folder of this machine, with the address and undefined-behaviour sanitizers
+#   tool         the host program, which bakes for all that follows, what tests it, and what figures
+#                are measured on
+#   native       the tests on this machine, but for
+#   long         those that damage meshes and images in many ways, or compile projects of their own
+#   lint         clang-tidy: the library and the host program
+#   PRESET       the tests on a board, under QEMU
+# On one core but for the tool, which the others wait for. What it prints goes to build/log/STEP, its
+# duration to build/log/seconds.
+set -eu
+cd "$(dirname "$0")/.."
+
+sources() {
+  find lib ports tools tests firmware_examples -name '*.[ch]pp' -o -name '*.h' -o -name '*.c'
+}
+
+lint() {
+  tidy="clang-tidy --quiet -p build/native-sanitize --extra-arg=-Wno-unknown-warning-option"
+  sources | grep -E '^(lib|tools)/.*\.cpp$' | grep -v '^tools/cli/' | xargs $tidy
+  # One source in the build, and one here, whose includes are analysed as if they were it.
+  $tidy --checks=-bugprone-suspicious-include \
+    --extra-arg=-Xclang --extra-arg=-analyzer-opt-analyze-headers \
+    build/native-sanitize/tools/cli/CMakeFiles/flashbvh_tool.dir/Unity/*.cxx
+}
+
+tool() {
+  cmake --build --preset native-sanitize --target flashbvh_tool write_poses \
+    tool_test_meshes tool_test_damage tool_test_brute_force
+  FLASHBVH_NATIVE=native-sanitize tools/figures.sh --prepare
+  cmake --preset native-sanitize -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
+}
+
+board() {
+  cmake --preset "$1" -DFLASHBVH_HOST_TOOL="$PWD/build/native-sanitize/bin/flashbvh" \
+    -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
+  cmake --build --preset "$1" -j 1
+  ctest --preset "$1"
+  tools/figures.sh --compare "$1"
+  grep -aE "^budget: |, budget: (at most|below)" "build/$1/Testing/Temporary/LastTest.log"
+}
+
+run() {
+  case $1 in
+    formatting) sources | xargs clang-format --dry-run -Werror ;;
+    configured) cmake --preset native-sanitize ;;
+    tool) tool ;;
+    native)
+      cmake --build --preset native-sanitize -j 1
+      ctest --preset native-sanitize -LE long ;;
+    long) ctest --preset native-sanitize -L long ;;
+    lint) lint 2>build/log/lint.warnings ;;
+    *) board "$1" ;;
+  esac
+}
+
+# After a failure nothing begins; the tests want the tool.
+while [ ! -e build/log/failed ]; do
+  case $1 in formatting | configured | tool | lint) break ;; esac
+  [ ! -e build/log/tool.passed ] || break
+  sleep 1
+done
+[ ! -e build/log/failed ] || exit 1
+
+finish() {
+  status=$?
+  took=$(($(date +%s) - began))
+  if [ $status -eq 0 ]; then
+    echo "$took $1" >>build/log/seconds
+    [ "$1" != tool ] || touch build/log/tool.passed
+    printf '== %s passed in %d s\n' "$1" $took >&3
+    grep -aE "^budget: |, budget: (at most|below)" "build/log/$1" >&3 || true
+  else
+    touch build/log/failed
+    { tail -n 60 "build/log/$1"; printf '\n== %s FAILED; all of it: build/log/%s\n' "$1" "$1"; } >&3
+    exit 1
+  fi
+}
+began=$(date +%s)
+exec 3>&1 >"build/log/$1" 2>&1
+trap 'finish "$1"' EXIT
+run "$1"
