@@ -125,6 +125,7 @@ FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order
         if (at.descend()) {
           continue;
         }
+        keep_in_memory(kept);
         if (!(*kept->leaf_pair)(at.index_a(), at.index_b())) {
           end = State::at_leaf_pair;
           break;
@@ -135,6 +136,7 @@ FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order
       break;
     }
   }
+  keep_in_memory(kept);
   at.store(*kept->cursor, end == State::done);
   kept->counts->visits += *kept->visits_left - visits_left;
   kept->counts->overlaps = overlaps;
