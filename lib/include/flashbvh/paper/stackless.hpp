@@ -44,14 +44,12 @@ class AlternatingStackless {
   AlternatingStackless(const Tree& a, const Tree& b, const Cursor& cursor)
       : tree_a_(a),
         tree_b_(b),
-        nodes_a_(a.nodes),
-        nodes_b_(b.nodes),
         a_(cursor.a),
         b_(cursor.b),
         lead_(static_cast<int32_t>(a.level(cursor.a)) - static_cast<int32_t>(b.level(cursor.b))) {}
 
-  const Node<Index>& node_a() const { return nodes_a_[a_]; }
-  const Node<Index>& node_b() const { return nodes_b_[b_]; }
+  const Node<Index>& node_a() const { return tree_a_.nodes[a_]; }
+  const Node<Index>& node_b() const { return tree_b_.nodes[b_]; }
   uint32_t index_a() const { return a_; }
   uint32_t index_b() const { return b_; }
 
@@ -72,7 +70,7 @@ class AlternatingStackless {
 
   /// To the element below this one on algorithm 3's stack. False if there is none: then a node is
   /// its tree's end node.
-  bool next() { return lead_ >= 0 ? next_of_a() : next_of_b(); }
+  bool next() { return (lead_ >= 0 ? next_of_a() : next_of_b()) != 0; }
 
   void store(Cursor& cursor, bool /*ended*/) const {
     cursor = {static_cast<Index>(a_), static_cast<Index>(b_)};
@@ -80,7 +78,7 @@ class AlternatingStackless {
 
  private:
   /// Level(a) = Level(b) + lead: A was descended into last. The lead is 0 outside B's leaves.
-  bool next_of_a() {
+  uint32_t next_of_a() {
     const auto lead = static_cast<uint32_t>(lead_);
     const uint32_t rcl_a = tree_a_.rcl(a_);
     if (rcl_a <= lead) {  // cases 1 and 2; 8.1: the leaf algorithm in A's subtree
@@ -99,7 +97,7 @@ class AlternatingStackless {
   }
 
   /// Level(a) = Level(b) - lag: B was descended into last. The lag is 1 outside A's leaves.
-  bool next_of_b() {
+  uint32_t next_of_b() {
     const auto lag = static_cast<uint32_t>(-lead_);
     const uint32_t rcl_b = tree_b_.rcl(b_);
     if (rcl_b < lag) {  // cases 3 and 4; 8.1: the leaf algorithm in B's subtree
@@ -117,19 +115,18 @@ class AlternatingStackless {
     return escape_b(rcl_b);
   }
 
-  bool escape_a(uint32_t rcl_a) {
+  /// How far from the end node, which a comparison of its own would take longer to tell: 0 there.
+  uint32_t escape_a(uint32_t rcl_a) {
     a_ = tree_a_.escape(a_, rcl_a);
-    return a_ != tree_a_.node_count;
+    return tree_a_.node_count - a_;
   }
-  bool escape_b(uint32_t rcl_b) {
+  uint32_t escape_b(uint32_t rcl_b) {
     b_ = tree_b_.escape(b_, rcl_b);
-    return b_ != tree_b_.node_count;
+    return tree_b_.node_count - b_;
   }
 
   const Tree& tree_a_;
   const Tree& tree_b_;
-  const Node<Index>* nodes_a_;
-  const Node<Index>* nodes_b_;
   uint32_t a_;
   uint32_t b_;
   int32_t lead_;  ///< Level(a) - Level(b), which follows from the pair
