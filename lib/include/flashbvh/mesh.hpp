@@ -132,7 +132,11 @@ struct LevelledMesh<IndexType, Layout::pre_indexed> : Mesh<IndexType, Layout::pr
 
   uint32_t level(uint32_t node) const { return levels[node]; }
   uint32_t escape(uint32_t node) const { return this->nodes[node].link; }
-  uint32_t escape(uint32_t node, uint32_t /*rcl*/) const { return escape(node); }
+  /// Takes a node to its escape index; 0 if that is the end node.
+  uint32_t escape_from(uint32_t& node, uint32_t /*rcl*/) const {
+    node = escape(node);
+    return this->node_count - node;
+  }
   /// A node's escape index is the next sibling of the first left child above it, so the levels of
   /// the two differ by the RCL; the end node has level 0.
   uint32_t rcl(uint32_t node) const {
@@ -156,9 +160,14 @@ struct LevelledMesh<IndexType, Layout::post_indexed> : Mesh<IndexType, Layout::p
   uint32_t level(uint32_t node) const { return levels[node]; }
   uint32_t rcl(uint32_t node) const { return right_child_levels[node]; }
   uint32_t level_up(uint32_t node, uint32_t count) const { return node - count; }
-  uint32_t escape(uint32_t node) const { return escape(node, rcl(node)); }
-  /// The link of the first left child above the node, whose RCL is known.
-  uint32_t escape(uint32_t node, uint32_t rcl) const { return this->nodes[node - rcl].link; }
+  /// The link of the first left child above the node.
+  uint32_t escape(uint32_t node) const { return this->nodes[node - rcl(node)].link; }
+  /// Takes a node, whose RCL is known, to its escape index; 0 if that is the end node: the root's.
+  uint32_t escape_from(uint32_t& node, uint32_t rcl) const {
+    const uint32_t left_child = node - rcl;
+    node = this->nodes[left_child].link;
+    return left_child;
+  }
 };
 
 using LevelledPreMesh = LevelledMesh<uint16_t, Layout::pre_indexed>;

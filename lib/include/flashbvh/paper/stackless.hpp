@@ -78,22 +78,23 @@ class AlternatingStackless {
 
  private:
   /// Level(a) = Level(b) + lead: A was descended into last. The lead is 0 outside B's leaves.
+  /// 0 at the end.
   uint32_t next_of_a() {
     const auto lead = static_cast<uint32_t>(lead_);
     const uint32_t rcl_a = tree_a_.rcl(a_);
     if (rcl_a <= lead) {  // cases 1 and 2; 8.1: the leaf algorithm in A's subtree
       lead_ -= static_cast<int32_t>(rcl_a);
-      return escape_a(rcl_a);
+      return tree_a_.escape_from(a_, rcl_a);
     }
     const uint32_t rcl_b = tree_b_.rcl(b_);
     if (rcl_a - lead <= rcl_b) {  // case 7, a left child of A is reached first
       b_ = tree_b_.level_up(b_, rcl_a - lead);
       lead_ = 0;
-      return escape_a(rcl_a);
+      return tree_a_.escape_from(a_, rcl_a);
     }  // case 5 (rcl_b = 0); case 7, a left child of B is reached first
     a_ = tree_a_.level_up(a_, lead + rcl_b + 1);
     lead_ = -1;
-    return escape_b(rcl_b);
+    return tree_b_.escape_from(b_, rcl_b);
   }
 
   /// Level(a) = Level(b) - lag: B was descended into last. The lag is 1 outside A's leaves.
@@ -102,27 +103,17 @@ class AlternatingStackless {
     const uint32_t rcl_b = tree_b_.rcl(b_);
     if (rcl_b < lag) {  // cases 3 and 4; 8.1: the leaf algorithm in B's subtree
       lead_ += static_cast<int32_t>(rcl_b);
-      return escape_b(rcl_b);
+      return tree_b_.escape_from(b_, rcl_b);
     }
     const uint32_t rcl_a = tree_a_.rcl(a_);
     if (rcl_a <= rcl_b - lag) {  // case 6 (rcl_a = 0); case 8, a left child of A is reached first
       b_ = tree_b_.level_up(b_, rcl_a + lag);
       lead_ = 0;
-      return escape_a(rcl_a);
+      return tree_a_.escape_from(a_, rcl_a);
     }  // case 8, a left child of B is reached first
     a_ = tree_a_.level_up(a_, rcl_b - lag + 1);
     lead_ = -1;
-    return escape_b(rcl_b);
-  }
-
-  /// How far from the end node, which a comparison of its own would take longer to tell: 0 there.
-  uint32_t escape_a(uint32_t rcl_a) {
-    a_ = tree_a_.escape(a_, rcl_a);
-    return tree_a_.node_count - a_;
-  }
-  uint32_t escape_b(uint32_t rcl_b) {
-    b_ = tree_b_.escape(b_, rcl_b);
-    return tree_b_.node_count - b_;
+    return tree_b_.escape_from(b_, rcl_b);
   }
 
   const Tree& tree_a_;
