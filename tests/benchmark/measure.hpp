@@ -27,22 +27,27 @@ struct Walked {
   uint32_t instructions;
 };
 
+/// Goes on at each pair of leaves. Holds the count itself: what a walk knows of it is one address.
+struct LeafCounter {
+  mutable uint32_t count = 0;
+  bool operator()(uint32_t /*node_a*/, uint32_t /*node_b*/) const {
+    ++count;
+    return true;
+  }
+};
+
 /// The boxes alone, from the start of the walk to its end, pairs of leaves counted.
 template <class Traversal>
 __attribute__((noinline)) Walked measure_walk(const typename Traversal::Tree& a,
                                               const typename Traversal::Tree& b,
                                               const flashbvh::detail::TranslatedBound& overlap) {
   flashbvh::Counts counts{};
-  uint32_t leaf_overlaps = 0;
+  const LeafCounter leaf_pairs;
   const uint32_t instructions = port::instructions_of([&] {
     auto cursor = start<Traversal>();
-    const auto leaf_pair = [&leaf_overlaps](uint32_t, uint32_t) {
-      ++leaf_overlaps;
-      return true;
-    };
-    counts = flashbvh::test::walk_from<Traversal>(a, b, overlap, cursor, leaf_pair).counts;
+    counts = flashbvh::test::walk_from<Traversal>(a, b, overlap, cursor, leaf_pairs).counts;
   });
-  return {counts.visits, counts.overlaps, leaf_overlaps, instructions};
+  return {counts.visits, counts.overlaps, leaf_pairs.count, instructions};
 }
 
 struct Queried {
