@@ -17,15 +17,6 @@ sources() {
   find lib ports tools tests firmware_examples -name '*.[ch]pp' -o -name '*.h' -o -name '*.c'
 }
 
-lint() {
-  tidy="clang-tidy --quiet -p build/native-sanitize --extra-arg=-Wno-unknown-warning-option"
-  sources | grep -E '^(lib|tools)/.*\.cpp$' | grep -v '^tools/cli/' | xargs $tidy
-  # One source in the build, and one here, whose includes are analysed as if they were it.
-  $tidy --checks=-bugprone-suspicious-include \
-    --extra-arg=-Xclang --extra-arg=-analyzer-opt-analyze-headers \
-    build/native-sanitize/tools/cli/CMakeFiles/flashbvh_tool.dir/Unity/*.cxx
-}
-
 tool() {
   cmake --build --preset native-sanitize --target flashbvh_tool write_poses \
     tool_test_meshes tool_test_damage tool_test_brute_force
@@ -51,15 +42,18 @@ run() {
       cmake --build --preset native-sanitize -j 1
       ctest --preset native-sanitize -LE long ;;
     long) ctest --preset native-sanitize -L long ;;
-    lint) lint 2>build/log/lint.warnings ;;
+    lint) tools/lint.sh 2>build/log/lint.warnings ;;
     *) board "$1" ;;
   esac
 }
 
-# After a failure nothing begins; the tests want the tool.
-while [ ! -e build/log/failed ]; do
-  case $1 in formatting | configured | tool | lint) break ;; esac
-  [ ! -e build/log/tool.passed ] || break
+# After a failure nothing begins; the tests want the tool, the long ones what native builds.
+case $1 in
+  formatting | configured | tool | lint) wanted=/dev/null ;;
+  long) wanted=build/log/native.passed ;;
+  *) wanted=build/log/tool.passed ;;
+esac
+until [ -e $wanted ] || [ -e build/log/failed ]; do
   sleep 1
 done
 [ ! -e build/log/failed ] || exit 1
@@ -69,7 +63,7 @@ finish() {
   took=$(($(date +%s) - began))
   if [ $status -eq 0 ]; then
     echo "$took $1" >>build/log/seconds
-    [ "$1" != tool ] || touch build/log/tool.passed
+    touch "build/log/$1.passed"
     printf '== %s passed in %d s\n' "$1" $took >&3
     grep -aE "^budget: |, budget: (at most|below)" "build/log/$1" >&3 || true
   else

@@ -11,3 +11,6 @@ add_library(flashbvh_kept_images STATIC ${embedded} ${CMAKE_CURRENT_LIST_DIR}/ex
 target_include_directories(flashbvh_kept_images PUBLIC ${CMAKE_CURRENT_LIST_DIR}/..)
 target_link_libraries(flashbvh_kept_images PUBLIC flashbvh::flashbvh)
 flashbvh_warnings(flashbvh_kept_images)
+if(CMAKE_CROSSCOMPILING)
+  target_compile_options(flashbvh_kept_images PRIVATE -O1)
+endif()

@@ -1,19 +1,23 @@
-# flashbvh_add_test(name source... [HEAP] [LIBRARIES library...] [TIMEOUT seconds] [ICOUNT])
+# flashbvh_add_test(name source... [HEAP] [LIBRARIES library...] [TIMEOUT seconds] [ICOUNT] [LONG])
 #
 # An executable of Catch2 tests, for this machine or, when crossing, for the board. CTest runs each
 # test case in a process of its own, as "<preset>/<test case>". An own main() is not needed.
 # HEAP says that the tests need a heap: boards without room for one leave them out. All others run
 # on every board, down to 8 KB of RAM, over tests/harness/small_catch, and do not link with a heap.
-# ICOUNT makes instruction counts on the board exact.
+# ICOUNT makes instruction counts on the board exact. LONG leaves it out of tools/test.sh --quick.
 set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
 
 function(flashbvh_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "HEAP;ICOUNT" "TIMEOUT" "LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "HEAP;ICOUNT;LONG" "TIMEOUT" "LIBRARIES")
   if(arg_HEAP AND NOT FLASHBVH_TESTS_HAVE_HEAP)
     return()
   endif()
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
+  endif()
+  set(labels "")
+  if(arg_LONG)
+    set(labels LABELS long)
   endif()
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_sources(${name} PRIVATE $<TARGET_OBJECTS:flashbvh_harness>)
@@ -21,6 +25,10 @@ function(flashbvh_add_test name)
     ${arg_LIBRARIES} flashbvh::flashbvh flashbvh_harness_options)
   flashbvh_warnings(${name})
   if(CMAKE_CROSSCOMPILING)
+    # A third less to compile; what counts instructions is as firmware is.
+    if(NOT arg_ICOUNT)
+      target_compile_options(${name} PRIVATE -O1)
+    endif()
     set_target_properties(${name} PROPERTIES SUFFIX .elf)
     # Not by the test property ENVIRONMENT: catch_discover_tests() takes one variable at most.
     if(arg_ICOUNT)
@@ -36,5 +44,5 @@ function(flashbvh_add_test name)
   # The emulator's own limit comes first: it says what happened.
   math(EXPR limit "${arg_TIMEOUT} + 30")
   catch_discover_tests(${name} TEST_PREFIX "${FLASHBVH_TEST_PREFIX}/"
-    PROPERTIES TIMEOUT ${limit} ENVIRONMENT FLASHBVH_TIMEOUT=${arg_TIMEOUT})
+    PROPERTIES TIMEOUT ${limit} ${labels} ENVIRONMENT FLASHBVH_TIMEOUT=${arg_TIMEOUT})
 endfunction()

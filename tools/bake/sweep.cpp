@@ -22,7 +22,7 @@ std::int32_t centre(const detail::Box& box, std::size_t axis) {
                      : box.lower.z + box.upper.z;
 }
 
-struct Range {
+struct NodeRange {
   std::uint32_t node;
   std::uint32_t first;
   std::uint32_t end;
@@ -62,10 +62,10 @@ class Sweep {
 
   BinaryTree build() {
     tree_.nodes.reserve(2 * boxes_.size() - 1);
-    std::vector<Range> pending = {
+    std::vector<NodeRange> pending = {
         added({0, 0, static_cast<std::uint32_t>(boxes_.size())}, kNoNode)};
     while (!pending.empty()) {
-      const Range range = pending.back();
+      const NodeRange range = pending.back();
       pending.pop_back();
       if (range.end - range.first == 1) {
         tree_.nodes[range.node].triangle = lists_[0][range.first];
@@ -73,8 +73,8 @@ class Sweep {
       }
       const Split split = best_split(range);
       partition(range, split);
-      const Range left = added({0, range.first, split.at}, range.node);
-      const Range right = added({0, split.at, range.end}, range.node);
+      const NodeRange left = added({0, range.first, split.at}, range.node);
+      const NodeRange right = added({0, split.at, range.end}, range.node);
       tree_.nodes[range.node].children = {left.node, right.node};
       pending.push_back(right);
       pending.push_back(left);
@@ -84,7 +84,7 @@ class Sweep {
 
  private:
   /// The range with a node of its own.
-  Range added(Range range, std::uint32_t parent) {
+  NodeRange added(NodeRange range, std::uint32_t parent) {
     range.node = static_cast<std::uint32_t>(tree_.nodes.size());
     BinaryNode node;
     node.parent = parent;
@@ -97,7 +97,7 @@ class Sweep {
     return range;
   }
 
-  Split best_split(const Range& range) {
+  Split best_split(const NodeRange& range) {
     Split best = best_split_along(range, 0);
     for (std::size_t axis = 1; axis < 3; ++axis) {
       const Split split = best_split_along(range, axis);
@@ -106,7 +106,7 @@ class Sweep {
     return best;
   }
 
-  Split best_split_along(const Range& range, std::size_t axis) {
+  Split best_split_along(const NodeRange& range, std::size_t axis) {
     const std::vector<std::uint32_t>& list = lists_[axis];
     detail::Box box = boxes_[list[range.end - 1]];
     for (std::uint32_t at = range.end - 1; at > range.first; --at) {
@@ -127,7 +127,7 @@ class Sweep {
   }
 
   /// Brings the left side to the front of all three lists; each side keeps its order.
-  void partition(const Range& range, const Split& split) {
+  void partition(const NodeRange& range, const Split& split) {
     for (std::uint32_t at = range.first; at < range.end; ++at) {
       is_right_[lists_[split.axis][at]] = at >= split.at ? 1 : 0;
     }

@@ -55,6 +55,11 @@ class BakedObject {
   std::optional<bake::BakedTree<std::uint32_t, Layout::post_indexed>> baked_default_;
 };
 
+template <>
+const BothLayouts<std::uint16_t>& BakedObject::baked();
+template <>
+const BothLayouts<std::uint32_t>& BakedObject::baked();
+
 class Objects {
  public:
   /// The reference stays good as long as this.

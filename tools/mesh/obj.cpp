@@ -38,9 +38,9 @@ bool next_joined(Lines& lines, std::string& joined, std::size_t& number) {
   return true;
 }
 
-class Converter {
+class ObjConverter {
  public:
-  Converter(std::string_view text, const std::string& file) : file_(file) {
+  ObjConverter(std::string_view text, const std::string& file) : file_(file) {
     plain_.warning = warn_of_cut_line(text);
   }
 
@@ -125,7 +125,7 @@ class Converter {
 // NOLINTNEXTLINE(performance-unnecessary-value-param)
 MeshText plain_obj(std::string bytes, const std::string& file) {
   Lines lines(bytes);
-  Converter converter(bytes, file);
+  ObjConverter converter(bytes, file);
   std::string joined;
   for (std::size_t number = 0; next_joined(lines, joined, number);) {
     const Words words = words_of(joined);

@@ -21,9 +21,9 @@ struct Counts {
   long long faces = 0;
 };
 
-class Converter {
+class OffConverter {
  public:
-  Converter(std::string_view text, const std::string& file) : lines_(text), file_(file) {
+  OffConverter(std::string_view text, const std::string& file) : lines_(text), file_(file) {
     plain_.warning = warn_of_cut_line(text);
   }
 
@@ -119,7 +119,7 @@ class Converter {
 // By value, as all its kin: one table holds them.
 // NOLINTNEXTLINE(performance-unnecessary-value-param)
 MeshText plain_off(std::string bytes, const std::string& file) {
-  return Converter(bytes, file).convert();
+  return OffConverter(bytes, file).convert();
 }
 
 }  // namespace flashbvh::tool

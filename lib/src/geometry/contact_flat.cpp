@@ -14,7 +14,7 @@
 namespace flashbvh::detail {
 namespace {
 
-constexpr int32_t FinePoint::*kAxes[3] = {&FinePoint::x, &FinePoint::y, &FinePoint::z};
+constexpr int32_t FinePoint::*kFineAxes[3] = {&FinePoint::x, &FinePoint::y, &FinePoint::z};
 
 /// Beyond all points: where there are none, the answer must only not overflow.
 constexpr int32_t kBeyond = 1 << 28;
@@ -103,7 +103,7 @@ struct Found {
 
 [[gnu::noinline]] void add(Found& found, const FinePoint& p) {
   for (int i = 0; i < 3; ++i) {
-    const int32_t at = p.*kAxes[i];
+    const int32_t at = p.*kFineAxes[i];
     found.least[i] = at < found.least[i] ? at : found.least[i];
     found.most[i] = at > found.most[i] ? at : found.most[i];
   }
@@ -185,10 +185,10 @@ Shape shape_of(const Triangle& t, bool has_area) {
   int longest = 0;
   do {
     clear(found);
-    found.axis = kAxes[longest];
+    found.axis = kFineAxes[longest];
     add_corners(flat, found);
     longest = longest_axis(found);
-  } while (found.axis != kAxes[longest]);
+  } while (found.axis != kFineAxes[longest]);
 }
 
 }  // namespace flashbvh::detail

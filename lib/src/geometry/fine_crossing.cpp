@@ -34,7 +34,7 @@ constexpr unsigned kFractionBits = 31;
   return static_cast<int32_t>(quotient);
 }
 
-inline uint64_t magnitude(int64_t value) {
+inline uint64_t fine_magnitude(int64_t value) {
   return static_cast<uint64_t>(value < 0 ? -value : value);
 }
 
@@ -51,8 +51,8 @@ inline int32_t between(int32_t from, int32_t to, int32_t share) {
                                     int64_t height_q, FinePoint& point) {
   // From the nearer end, whichever of the two it is: the fraction is at most 1/2, and at 1/2 both
   // ways round to the same, because the middle of an edge is a whole number of steps.
-  const uint64_t of_p = magnitude(height_p);
-  const uint64_t of_q = magnitude(height_q);
+  const uint64_t of_p = fine_magnitude(height_p);
+  const uint64_t of_q = fine_magnitude(height_q);
   const bool p_is_nearer = of_p <= of_q;
   const Point& from = p_is_nearer ? p : q;
   const Point& to = p_is_nearer ? q : p;
