@@ -10,8 +10,8 @@ set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
 
-# The longest first, so that none is left over at the end, and what others wait for before them.
-steps="tool native lint cortex-m33 cortex-m55 long cortex-m7 cortex-m4f cortex-m3 rv32imac
+# The longest first, so that none is left over at the end; all but lint wait for the first.
+steps="tool lint native cortex-m33 cortex-m55 long cortex-m7 cortex-m4f cortex-m3 rv32imac
   cortex-m0 netduinoplus2 sifive_e stm32vldiscovery"
 packages="$riscv_packages $digest_packages clang-tidy"
 case ${1:-} in

@@ -72,6 +72,7 @@ bool is_selected(int argc, char** argv, const Description& test) {
 
 void run_all_paths(const Description& test) {
   running = test.name;
+  port::print(running, "\n");  // the last one before a fault
   first_path();
   do {
     test.function();
