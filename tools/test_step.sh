@@ -8,7 +8,7 @@
 #   long         those that damage meshes and images in many ways, or compile projects of their own
 #   lint         clang-tidy: the library and the host program
 #   PRESET       the tests on a board, under QEMU
-# On one core but for the tool, which the others wait for. What it prints goes to build/log/STEP, its
+# On one core but for the tool, which the others wait for, and native, which ends last if --quick. What it prints goes to build/log/STEP, its
 # duration to build/log/seconds.
 set -eu
 cd "$(dirname "$0")/.."
@@ -39,8 +39,8 @@ run() {
     configured) cmake --preset native-sanitize ;;
     tool) tool ;;
     native)
-      cmake --build --preset native-sanitize -j 1
-      ctest --preset native-sanitize -LE long ;;
+      cmake --build --preset native-sanitize
+      ctest --preset native-sanitize -LE long -j "$(nproc)" ;;
     long) ctest --preset native-sanitize -L long ;;
     lint) tools/lint.sh 2>build/log/lint.warnings ;;
     *) board "$1" ;;

@@ -1,4 +1,5 @@
-# flashbvh_add_test(name source... [HEAP] [LIBRARIES library...] [TIMEOUT seconds] [ICOUNT] [LONG])
+# flashbvh_add_test(name source... [HEAP] [LIBRARIES library...] [TIMEOUT seconds] [ICOUNT] [LONG]
+#   [OPTIMISED])
 #
 # An executable of Catch2 tests, for this machine or, when crossing, for the board. CTest runs it as
 # "<preset>/<name>". An own main() is not needed.
@@ -6,10 +7,11 @@
 # on every board, down to 8 KB of RAM, over tests/harness/small_catch, and do not link with a heap.
 # ICOUNT makes instruction counts on the board exact, and each test case a test of CTest's,
 # "<preset>/<test case>", whose figures -R and -V show. LONG leaves it out of tools/test.sh --quick.
+# OPTIMISED: with the sanitizers, too.
 set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
 
 function(flashbvh_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "HEAP;ICOUNT;LONG" "TIMEOUT" "LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "HEAP;ICOUNT;LONG;OPTIMISED" "TIMEOUT" "LIBRARIES")
   if(arg_HEAP AND NOT FLASHBVH_TESTS_HAVE_HEAP)
     return()
   endif()
@@ -25,6 +27,9 @@ function(flashbvh_add_test name)
   target_link_libraries(${name} PRIVATE
     ${arg_LIBRARIES} flashbvh::flashbvh flashbvh_harness_options)
   flashbvh_warnings(${name})
+  if(arg_OPTIMISED AND FLASHBVH_SANITIZE)
+    target_compile_options(${name} PRIVATE -O1)
+  endif()
   if(CMAKE_CROSSCOMPILING)
     # A third less to compile, but for what counts instructions and what has hardly a stack.
     if(FLASHBVH_TESTS_HAVE_HEAP AND NOT arg_ICOUNT)
