@@ -8,8 +8,8 @@
 #   long         those that damage meshes and images in many ways, or compile projects of their own
 #   lint         clang-tidy: the library and the host program
 #   PRESET       the tests on a board, under QEMU
-# On one core but for the tool, which the others wait for, and native, which ends last if --quick. What it prints goes to build/log/STEP, its
-# duration to build/log/seconds.
+# On one core but for the tool, which the others wait for, and native, the last one of --quick. What it
+# prints goes to build/log/STEP, its duration to build/log/seconds.
 set -eu
 cd "$(dirname "$0")/.."
 
