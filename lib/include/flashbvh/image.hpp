@@ -67,6 +67,9 @@ Status read_image_header(const void* bytes, size_t size, ImageHeader& header);
 /// node's box in its parent's, each triangle in its leaf's. `mesh` is written only on `done`; every
 /// query on it then stays inside the image and ends.
 ///
+/// Instructions: 45 a byte for the checksum and, on a Cortex-M4, some 230 a node. Stack: 400 bytes
+/// on Cortex-M3 to M55 at -O2.
+///
 /// Bytes after the image, if `size` has more than the header says, are not looked at. MeshType:
 /// LevelledPreMesh, LevelledPostMesh or their Large kin; another kind of image gives `image_kind`.
 template <class MeshType>
