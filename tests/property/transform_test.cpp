@@ -1,4 +1,5 @@
-// What a query makes of a pose: transformed vertices, and the tests of boxes that must not lose them.
+// What a query makes of a pose: transformed vertices, and the tests of boxes that must not lose
+// them.
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
