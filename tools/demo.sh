@@ -9,7 +9,9 @@ cd "$(dirname "$0")/.."
 ensure_packages $host_packages $board_packages
 
 demo=build/demo
-flashbvh=build/native/bin/flashbvh
+# FLASHBVH_NATIVE: the preset whose host program bakes.
+native=${FLASHBVH_NATIVE:-native}
+flashbvh=build/$native/bin/flashbvh
 links="base_link shoulder bicep elbow forearm wrist palm"
 board=cortex-m4f
 mkdir -p $demo
@@ -26,8 +28,8 @@ echo "Seven links, $(ls "$kr5"/*.STL | wc -l) STL files in $kr5"
 echo "Six joints, in $urdf"
 
 step "2. The host program"
-quietly cmake --preset native
-quietly cmake --build --preset native --target flashbvh_tool
+quietly cmake --preset $native
+quietly cmake --build --preset $native --target flashbvh_tool
 echo "$flashbvh"
 
 step "3. Bake: mesh in, C++ arrays and images out, one common cell for all"
@@ -117,7 +119,7 @@ if [ $status -eq 0 ]; then
 The microcontroller took the angles of the joints, worked out where the links are, and told exactly
 which triangles intersect. Every query gave the same counts as on this machine, under the same poses, from
 the same baked meshes, with every traversal; all traversals found the same pairs. No heap was linked,
-and no query used more than the stack printed above. The query object and the pose, 104 bytes, are the
+and no query used more than the stack printed above. The query object and the pose, 196 bytes, are the
 caller's.
 
 Next:  $flashbvh bake your.stl -o baked        your own mesh

@@ -7,7 +7,7 @@
 #   native       the tests on this machine, but for
 #   long         those that damage meshes and images in many ways, or compile projects of their own
 #   lint         clang-tidy: the library and the host program
-#   PRESET       the tests on a board, under QEMU
+#   PRESET       the tests on a board, under QEMU; on cortex-m4f tools/demo.sh as well
 # On one core but for the tool, which the others wait for, and native, the last one of --quick. What it
 # prints goes to build/log/STEP, its duration to build/log/seconds.
 set -eu
@@ -31,6 +31,7 @@ board() {
   ctest --preset "$1"
   tools/figures.sh --compare "$1"
   grep -aE "^budget: |, budget: (at most|below)" "build/$1/Testing/Temporary/LastTest.log"
+  [ "$1" != cortex-m4f ] || FLASHBVH_NATIVE=native-sanitize tools/demo.sh
 }
 
 run() {

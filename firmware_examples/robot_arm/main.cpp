@@ -105,12 +105,12 @@ void measure(const Case& what, const char* algorithm, const typename Traversal::
 template <class Traversal>
 void measure(const Case& what, const char* algorithm) {
   measure<Traversal>(what, algorithm, *what.a.post, *what.b.post,
-                     [] { return PairCursor<uint16_t>(); });
+                     [] { return typename Traversal::Cursor(); });
 }
 
 template <class Traversal>
 void measure_with_stack(const Case& what, const char* algorithm) {
-  PairCursor<uint16_t> entries[stack_entries(robot::kStackNeed, robot::kStackNeed)];
+  PairStack<uint16_t>::Entry entries[stack_entries(robot::kStackNeed, robot::kStackNeed)];
   measure<Traversal>(what, algorithm, *what.a.post, *what.b.post, [&] {
     return PairStack<uint16_t>(entries, sizeof entries / sizeof entries[0]);
   });
@@ -134,15 +134,30 @@ struct PreTrees {
   }
 };
 
+/// Of the pose's numbers alone, as the host reads them: what a product knows of its factors' errors
+/// widens its margins, and may add a visit.
+Pose made_of_numbers(const Pose& pose) {
+  int32_t rotation[3][3];
+  for (int i = 0; i < 9; ++i) {
+    rotation[i / 3][i % 3] = pose.rotation(i / 3, i % 3);
+  }
+  const int32_t cells[3] = {pose.translation(0), pose.translation(1), pose.translation(2)};
+  int16_t fraction[3];
+  for (int i = 0; i < 3; ++i) {
+    fraction[i] = static_cast<int16_t>(pose.fraction(i));
+  }
+  return Pose::rigid(rotation, cells, fraction);
+}
+
 void ask(const Configuration& configuration, const ArmPose& arm, const PreTrees& pre, int a,
          int b) {
-  const Pose pose = Pose::relative(arm.link[a], arm.link[b]);
+  const Pose pose = made_of_numbers(Pose::relative(arm.link[a], arm.link[b]));
   const Case what = {configuration.name, robot::kLinks[a], robot::kLinks[b], pose};
   print_pose(what);
   measure<Ranked<PostMesh>>(what, "ranked");
   measure<StacklessPost>(what, "stackless-post");
   measure<Stackless>(what, "stackless", pre.link[a], pre.link[b],
-                     [] { return PairCursor<uint16_t>(); });
+                     [] { return Stackless::Cursor(); });
   measure<Leaf<PostMesh>>(what, "leaf");
   measure_with_stack<RankedStack<PostMesh>>(what, "ranked-stack");
   measure_with_stack<VolumeStack<PostMesh>>(what, "volume-stack");

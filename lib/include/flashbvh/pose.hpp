@@ -45,6 +45,10 @@ class Pose {
                     const int16_t (&fraction)[3]);
   static Pose rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]);
 
+  /// These three know how far their factors' matrices are from rotations, and do not work it out
+  /// again for the product: queries may make a few visits more than under the same numbers given to
+  /// rigid(), and give the same answers.
+  ///
   /// First `inner`, then `outer`: B in A's frame from B in C's and C in A's. Each entry of the
   /// rotation is rounded to 2^-22, the translation to 2^-16 cells. Tolerances add up: a product of
   /// inexact matrices may be `not_a_rotation`.
