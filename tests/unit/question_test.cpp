@@ -126,11 +126,14 @@ TEST_CASE("another question, boxes within a distance, is a bound and a test and 
         bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh_a), mesh_a);
     const auto b =
         bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh_b), mesh_b);
-    const std::int32_t cells[3] = {random.between(-500, 500), random.between(-500, 500), 0};
+    // Also where no sphere about one reaches the other.
+    const std::int32_t farthest = round % 3 == 0 ? 1500 : 500;
+    const std::int32_t cells[3] = {random.between(-farthest, farthest),
+                                   random.between(-farthest, farthest), 0};
     const Pose pose = round % 2 == 0
                           ? Pose::translated(cells[0], cells[1], cells[2])
                           : Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
-    for (const std::int32_t distance : {0, 1, 40, 300}) {
+    for (const std::int32_t distance : {0, 1, 40, 300, 1200}) {
       check<Ranked<PostMesh>>(a, b, pose, distance);
       check<StacklessPost>(a, b, pose, distance);
       apart += brute_force(a.view(), b.view(), pose, distance).empty() ? 0 : 1;
