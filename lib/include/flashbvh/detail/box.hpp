@@ -17,7 +17,7 @@
 
 namespace flashbvh::detail {
 
-/// Whether two boxes, the second under a translation, are apart; for a single test, which the
+/// Whether two boxes, the second under a translation, are disjoint; for a single test, which the
 /// thresholds of TranslatedBound would not pay. `x, y, z`: cells, within +-2^30.
 constexpr bool boxes_disjoint(const PackedBox& a, const PackedBox& b, int32_t x, int32_t y,
                               int32_t z) {
