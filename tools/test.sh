@@ -4,8 +4,8 @@
 # test.sh --quick   What most changes break: formatting, the tests on this machine that don't take long,
 #                   and a board with a Cortex-M4F, without the proofs.
 #
-# A step (tools/test_step.sh) a core and one more, side by side; what each prints is in build/log. Says
-# at the end where the minutes went. Installs what is missing.
+# A step (tools/test_step.sh) a core, side by side; what each prints is in build/log. Says at the end
+# where the minutes went. Installs what is missing.
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
@@ -26,7 +26,7 @@ rm -rf build/log
 mkdir -p build/log
 tools/test_step.sh formatting
 tools/test_step.sh configured
-echo $steps | xargs -n 1 -P "$(($(nproc) + 1))" tools/test_step.sh
+echo $steps | xargs -n 1 -P "$(nproc)" tools/test_step.sh
 awk -v all="$(($(date +%s) - began))" '
   BEGIN { print "\nminutes  step" }
   { printf "%7.1f  %s\n", $1 / 60, $2 }
