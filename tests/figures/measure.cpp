@@ -9,16 +9,35 @@ using namespace flashbvh::detail;
 namespace figures {
 namespace {
 
-/// From the first visit to the last; `leaf_pair(i, j)` for each pair of leaves whose boxes overlap.
-template <class Bound, class LeafPair>
-uint32_t walk(const PostMesh& a, const PostMesh& b, const Bound& bound, const LeafPair& leaf_pair) {
+/// From the first visit to the last; `leaf_pair(i, j)` for each pair of leaves that may matter.
+template <class Bound, class Shapes, class LeafPair>
+uint32_t walk(const PostMesh& a, const PostMesh& b, const Bound& bound, Shapes& shapes,
+              LeafPair leaf_pair) {
   PairCursor<uint16_t> cursor;
-  return test::walk_from<Ranked<PostMesh>>(a, b, bound, cursor, leaf_pair).counts.visits;
+  WalkRun<PairCursor<uint16_t>, LeafPair> run = {&cursor, {UINT32_MAX, 0}, &leaf_pair};
+  (void)detail::walk<Ranked<PostMesh>>(a, b, bound, shapes, run, false);
+  return UINT32_MAX - run.progress.visits_left;
 }
+
+/// Leaves that reject all that is below them: what is left of a walk is its visits to pairs of
+/// nodes that are no leaves, and to the first pair with one.
+struct NothingBelow {
+  NothingBelow(const PostMesh&, const PostMesh&, const Transform&) {}
+  template <class Bound>
+  NothingBelow& of_a(const Bound&, uint32_t) {
+    return *this;
+  }
+  template <class Bound>
+  NothingBelow& of_b(const Bound&, uint32_t) {
+    return *this;
+  }
+  static bool may_touch(const PackedBox&) { return false; }
+  static bool slabs_touch(const PackedBox&) { return false; }
+};
 
 /// Calls `run(walk)`, which calls walk(), unless the roots alone tell that the meshes are disjoint.
 /// Returns the visits.
-template <class LeafPair, class Run>
+template <class Shapes, class LeafPair, class Run>
 uint32_t walk_transformed(const PostMesh& a, const PostMesh& b, Transform& transform,
                           const LeafPair& leaf_pair, const Run& run) {
   if (transform.roots_disjoint(a, b)) {
@@ -26,11 +45,12 @@ uint32_t walk_transformed(const PostMesh& a, const PostMesh& b, Transform& trans
   }
   transform.prepare();
   uint32_t visits = 0;
+  Shapes shapes(a, b, transform);
   if (transform.is_rotated()) {
     RotatedBound bound(transform.rotated());
-    run([&] { visits = walk(a, b, ByReference<RotatedBound>{&bound}, leaf_pair); });
+    run([&] { visits = walk(a, b, ByReference<RotatedBound>{&bound}, shapes, leaf_pair); });
   } else {
-    run([&] { visits = walk(a, b, transform.translated().bound, leaf_pair); });
+    run([&] { visits = walk(a, b, transform.translated().bound, shapes, leaf_pair); });
   }
   return visits;
 }
@@ -42,12 +62,16 @@ constexpr auto kEveryPair = [](const PairQuery::Pair&) { return true; };
 Walked measure_walk(const PostMesh& a, const PostMesh& b, const Pose& pose) {
   Transform transform(pose, a, b, /*may_stop=*/true);
   Walked walked{};
-  const auto count = [&](uint32_t, uint32_t) {
+  const auto count = [&](uint32_t, uint32_t, const Progress&) {
     ++walked.leaf_pairs;
     return true;
   };
-  walked.visits = walk_transformed(a, b, transform, count, [&](const auto& all) {
-    walked.instructions = port::instructions_of(all);
+  walked.visits =
+      walk_transformed<LeafShapes<PostMesh>>(a, b, transform, count, [&](const auto& all) {
+        walked.instructions = port::instructions_of(all);
+      });
+  walked.inner_visits = walk_transformed<NothingBelow>(a, b, transform, count, [&](const auto& all) {
+    walked.inner_instructions = port::instructions_of(all);
   });
   return walked;
 }
@@ -75,7 +99,7 @@ Queried measure_query(const PostMesh& a, const PostMesh& b, const Pose& pose) {
 
 void add_triangle_tests(const PostMesh& a, const PostMesh& b, const Pose& pose, Spread& tests) {
   Transform transform(pose, a, b, /*may_stop=*/true);
-  const auto add = [&](uint32_t i, uint32_t j) {
+  const auto add = [&](uint32_t i, uint32_t j, const Progress&) {
     const uint32_t leaf_a = a.nodes[i].leaf();
     const uint32_t leaf_b = b.nodes[j].leaf();
     for (uint32_t of_b = b.first_triangle(leaf_b); of_b < b.end_triangle(leaf_b); ++of_b) {
@@ -90,7 +114,7 @@ void add_triangle_tests(const PostMesh& a, const PostMesh& b, const Pose& pose, 
     }
     return true;
   };
-  (void)walk_transformed(a, b, transform, add, [](const auto& all) { all(); });
+  (void)walk_transformed<LeafShapes<PostMesh>>(a, b, transform, add, [](const auto& all) { all(); });
 }
 
 void Motion::add(const Walked& walked, const Queried& queried) {
@@ -98,20 +122,24 @@ void Motion::add(const Walked& walked, const Queried& queried) {
     return;
   }
   visits_ += walked.visits;
+  inner_visits_ += walked.inner_visits;
+  inner_walks_ += walked.inner_instructions;
   leaf_pairs_ += walked.leaf_pairs;
   walks_ += walked.instructions;
   queries_ += queried.instructions;
   start_.add(queried.start);
-  if (walked.visits >= kFewVisits &&
-      uint64_t{walked.instructions} * worst_visits_ >= worst_walk_ * walked.visits) {
-    worst_walk_ = walked.instructions;
-    worst_visits_ = walked.visits;
+  if (walked.inner_visits >= kFewVisits &&
+      uint64_t{walked.inner_instructions} * worst_visits_ >= worst_walk_ * walked.inner_visits) {
+    worst_walk_ = walked.inner_instructions;
+    worst_visits_ = walked.inner_visits;
   }
 }
 
 void Motion::print(const char* set, const char* motion) const {
-  print_quotient({{set, "visit", motion, "mean"}}, walks_, visits_);
+  print_quotient({{set, "visit", motion, "mean"}}, inner_walks_, inner_visits_);
   print_quotient({{set, "visit", motion, "max"}}, worst_walk_, worst_visits_);
+  print_quotient({{set, "leaf_visit", motion, "mean"}}, walks_ - inner_walks_,
+                 visits_ - inner_visits_);
   print_figures({{set, "start", motion}}, start_);
   print_quotient({{set, "leaf_pair", motion, "mean"}}, queries_ - walks_ - start_.sum(),
                  leaf_pairs_);

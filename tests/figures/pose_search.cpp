@@ -149,14 +149,18 @@ std::int64_t PoseSearch::gap_of(Proximity proximity) {
 
 bool PoseSearch::is(Proximity proximity, Asked& asked) const {
   const Pose pose = pose_of(asked);
+  constexpr auto every_pair = [](const PairQuery::Pair&) { return true; };
+  // Classes are of boxes alone, so that poses stay the same whatever else rejects pairs.
+  Query<Ranked<PostMesh>, detail::BoxIntersection> by_boxes(*a_, *b_, pose);
   PairQuery query(*a_, *b_, pose);
-  if (query.run(UINT32_MAX, [](const PairQuery::Pair&) { return true; }) != Status::done) {
+  if (by_boxes.run(UINT32_MAX, every_pair) != Status::done ||
+      query.run(UINT32_MAX, every_pair) != Status::done) {
     return false;
   }
-  const Counts& counts = query.counts();
-  asked.visits = counts.visits;
-  asked.leaf_pairs = counts.leaf_pairs;
-  asked.triangle_pairs = counts.triangle_pairs;
+  asked.visits = query.counts().visits;
+  asked.leaf_pairs = query.counts().leaf_pairs;
+  asked.triangle_pairs = query.counts().triangle_pairs;
+  const Counts& counts = by_boxes.counts();
   if (counts.triangle_pairs != 0) {
     return proximity == Proximity::intersecting;
   }

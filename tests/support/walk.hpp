@@ -19,10 +19,15 @@ template <class Order, class Bound, class LeafPair>
 Walked walk_from(const typename Order::Tree& a, const typename Order::Tree& b, const Bound& bound,
                  typename Order::Cursor& cursor, const LeafPair& leaf_pair,
                  uint32_t visits = UINT32_MAX, bool after = false) {
-  Walked walked = {detail::State::fresh, {0, 0, 0, 0}};
-  const detail::WalkRun<typename Order::Cursor, LeafPair> run = {&cursor, &walked.counts, &visits,
-                                                                 &leaf_pair};
-  walked.end = detail::walk<Order>(a, b, bound, run, after);
+  uint32_t leaf_pairs = 0;
+  auto found = [&](uint32_t i, uint32_t j, const detail::Progress&) {
+    ++leaf_pairs;
+    return leaf_pair(i, j);
+  };
+  detail::BoxShapes<typename Order::Tree> shapes = {a, b};
+  detail::WalkRun<typename Order::Cursor, decltype(found)> run = {&cursor, {visits, 0}, &found};
+  const detail::State end = detail::walk<Order>(a, b, bound, shapes, run, after);
+  Walked walked = {end, {visits - run.progress.visits_left, run.progress.overlaps, leaf_pairs, 0}};
   return walked;
 }
 

@@ -70,6 +70,7 @@ class GrownBound {
 };
 
 struct WithinBoxDistance {
+  static constexpr bool kLeafShapes = false;
   static constexpr bool kDisjointRootsEnd = false;
   std::int32_t distance = 0;
 

@@ -12,6 +12,8 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/intersection.hpp"
+#include "flashbvh/detail/leaf_pairs.hpp"
+#include "flashbvh/detail/leaf_shape.hpp"
 #include "flashbvh/detail/ranked.hpp"
 #include "flashbvh/detail/transform.hpp"
 #include "flashbvh/detail/walk.hpp"
@@ -198,22 +200,36 @@ class Query : Question {
     leaf_b_ = b_->nodes[nodes.b].leaf();
   }
 
+  /// Orders with a stack can't go back to a pair, so they take along but one.
+  using Batch = detail::LeafPairs<Index, Order::kStackless ? 8 : 1>;
+
   template <class Sink>
   FLASHBVH_INLINE Status go_on(uint32_t visits, Sink& sink) {
+    Batch batch;
+    State end = state_;
     for (;;) {
-      while (untested_ != 0) {
-        if (next_triangles_answer() && !sink(current_pair())) {
+      while (next_answer(batch)) {
+        if (!sink(current_pair())) {
+          stop_at_current(batch);
           return Status::full;
         }
       }
-      state_ = walk(visits);
-      if (state_ != State::at_leaf_pair) {
+      state_ = end;
+      if (end == State::done || (end == State::at_pair && visits == 0)) {
         return status();
       }
-      ++counts_.leaf_pairs;
-      set_leaves();
-      untested_ = static_cast<uint16_t>(triangles_of_a() * triangles_of_b());
+      end = walk(visits, batch);
     }
+  }
+
+  /// What the walk found after the pair at hand, it will find again.
+  void stop_at_current(const Batch& batch) {
+    if constexpr (Order::kStackless) {
+      if (batch.has_current()) {
+        cursor_ = Order::cursor_at(*a_, *b_, batch.current().a, batch.current().b);
+      }
+    }
+    state_ = State::at_leaf_pair;
   }
 
   bool is_possible(const QueryPosition<Index>& position) const {
@@ -244,43 +260,85 @@ class Query : Question {
     return start.fits(a, b) ? Status::done : Status::stack_too_small;
   }
 
-  /// To the next pair of leaves, the end, or the last visit granted.
-  State walk(uint32_t& visits_left) {
-    return transform_.is_rotated() ? walk_rotated(visits_left) : walk_translated(visits_left);
+  /// Until the batch is full, to the end, or the last visit granted.
+  State walk(uint32_t& visits_left, Batch& batch) {
+    const uint32_t granted = visits_left < Batch::kMostVisits ? visits_left : Batch::kMostVisits;
+    detail::WalkRun<Cursor, Batch> run = {&cursor_, {granted, 0}, &batch};
+    batch.clear(run.progress);
+    const State end = transform_.is_rotated() ? walk_rotated(run) : walk_translated(run);
+    visits_left -= granted - run.progress.visits_left;
+    batch.end(run.progress);
+    return end;
   }
-  FLASHBVH_NOINLINE State walk_translated(uint32_t& visits_left) {
-    return walk_with(Question::translated(transform_.translated()), visits_left);
+  FLASHBVH_NOINLINE State walk_translated(detail::WalkRun<Cursor, Batch>& run) {
+    return walk_with(Question::translated(transform_.translated()), run);
   }
-  FLASHBVH_NOINLINE State walk_rotated(uint32_t& visits_left) {
+  FLASHBVH_NOINLINE State walk_rotated(detail::WalkRun<Cursor, Batch>& run) {
     auto bound = Question::rotated(transform_.rotated());
-    return walk_with(detail::ByReference<decltype(bound)>{&bound}, visits_left);
+    return walk_with(detail::ByReference<decltype(bound)>{&bound}, run);
   }
   template <class Bound>
-  State walk_with(const Bound& bound, uint32_t& visits_left) {
-    const detail::StopAtLeaves stop;
-    const detail::WalkRun<Cursor, detail::StopAtLeaves> run = {&cursor_, &counts_, &visits_left,
-                                                               &stop};
-    return detail::walk<Order>(*a_, *b_, bound, run, state_ == State::at_leaf_pair);
+  State walk_with(const Bound& bound, detail::WalkRun<Cursor, Batch>& run) {
+    const bool after = state_ == State::at_leaf_pair;
+    if constexpr (Question::kLeafShapes) {
+      detail::LeafShapes<Mesh> shapes(*a_, *b_, transform_);
+      return detail::walk<Order>(*a_, *b_, bound, shapes, run, after);
+    } else {
+      detail::BoxShapes<Mesh> shapes = {*a_, *b_};
+      return detail::walk<Order>(*a_, *b_, bound, shapes, run, after);
+    }
   }
 
-  /// Tests pairs of triangles of the current leaves until one is an answer or B's next triangle is
-  /// due. Rotating B's costs most, so it is transformed once and all of A's are held against it.
+  /// Tests pairs of triangles until one is an answer; false if none is left of the batch. Rotating
+  /// B's costs most, so it is kept while pairs share it.
   /// Nothing but `this` outlives the call, which keeps the stack flat where it is deepest.
-  FLASHBVH_NOINLINE bool next_triangles_answer() {
+  FLASHBVH_NOINLINE bool next_answer(Batch& batch) {
+    constexpr uint32_t none = UINT32_MAX;
     Triangle a;
     Triangle b;
-    --untested_;
-    transform_b(current_b(), b);
-    for (uint32_t of_a = current_a();; --of_a, --untested_) {
-      detail::translate_triangle(*a_, of_a, detail::kNoOffset, a);
+    uint32_t kept_a = none;
+    uint32_t kept_b = none;
+    for (;;) {
+      while (untested_ == 0) {
+        if (!take_next(batch)) {
+          return false;
+        }
+      }
+      --untested_;
+      const uint32_t of_a = current_a();
+      const uint32_t of_b = current_b();
+      if (of_b != kept_b) {
+        transform_b(of_b, b);
+        kept_b = of_b;
+      }
+      if (of_a != kept_a) {
+        detail::translate_triangle(*a_, of_a, detail::kNoOffset, a);
+        kept_a = of_a;
+      }
       if (Question::test(a, b)) {
         ++counts_.triangle_pairs;
         return true;
       }
-      if (of_a == a_->first_triangle(leaf_a_)) {
-        return false;
-      }
     }
+  }
+
+  void count(const typename Batch::Entry& walked) {
+    counts_.visits += walked.visits;
+    counts_.overlaps += walked.overlaps;
+  }
+
+  bool take_next(Batch& batch) {
+    if (!batch.has_next()) {
+      count(batch.rest());
+      return false;
+    }
+    const auto& pair = batch.next();
+    count(pair);
+    ++counts_.leaf_pairs;
+    leaf_a_ = a_->nodes[pair.a].leaf();
+    leaf_b_ = b_->nodes[pair.b].leaf();
+    untested_ = static_cast<uint16_t>(triangles_of_a() * triangles_of_b());
+    return true;
   }
 
   // What is read most comes first, where short instructions reach it.

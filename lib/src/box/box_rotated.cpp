@@ -5,6 +5,7 @@
 
 #if defined(__ARM_FEATURE_MVE) && !defined(FLASHBVH_PORTABLE)
 #include "box_rotated_mve.hpp"
+#define FLASHBVH_ROTATE_BOX flashbvh_rotate_and_compare
 #else
 
 #if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
@@ -117,4 +118,18 @@ uint32_t RotatedBound::gap(const PackedBox& a, const PackedBox& b) {
 
 }  // namespace flashbvh::detail
 
+#define FLASHBVH_ROTATE_BOX rotate_and_compare
 #endif
+
+namespace flashbvh::detail {
+
+PackedTriple RotatedBound::window(RotatedBox& kept, const PackedBox& box) {
+  if (kept.source != &box) {
+    (void)FLASHBVH_ROTATE_BOX(kept, box, box);
+  }
+  constexpr uint32_t zero = 2 * kBoundBias;  // what a sum of two bounds has if they are equal
+  constexpr uint32_t zeros = join_halves(zero, zero);
+  return detail::window({{zeros, zeros, zeros}}, kept.bounds);
+}
+
+}  // namespace flashbvh::detail

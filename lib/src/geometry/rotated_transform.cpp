@@ -6,19 +6,6 @@ namespace {
 
 constexpr int32_t kHalf = kSplitOne / 2;
 
-/// The largest magnitude of a coordinate in the box.
-int32_t reach(uint32_t upper, uint32_t lower) {
-  return static_cast<int32_t>(upper > lower ? upper : lower) - kBoundBias;
-}
-
-/// The sum of the largest magnitudes of x, y and z in the box: no point of it, however rotated, has
-/// a larger coordinate.
-int32_t reach(const PackedBox& box) {
-  return reach(low_half(box.upper_xy), low_half(box.lower_xy)) +
-         reach(high_half(box.upper_xy), high_half(box.lower_xy)) +
-         reach(low_half(box.z), high_half(box.z));
-}
-
 [[gnu::noinline]] int32_t clamp_offset(int64_t offset) {
   constexpr int64_t most = static_cast<int64_t>(kMaxOffset) * kSplitOne;
   return static_cast<int32_t>(offset > most ? most : offset < -most ? -most : offset);

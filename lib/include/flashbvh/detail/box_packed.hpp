@@ -56,6 +56,27 @@ constexpr Box unpack(const PackedBox& packed) {
           upper};
 }
 
+/// What the words upper_xy, lower_xy and z of a box have to reach, half by half, so that its sums
+/// with `other`, as box.hpp has them, reach `least`. Not more than a half holds: where `least` is
+/// 65,535 no box reaches it.
+inline PackedTriple window(const PackedTriple& least, const PackedBox& other) {
+  return {{subtract_halves(least.word[1], other.lower_xy),
+           subtract_halves(least.word[0], other.upper_xy),
+           swap_halves(subtract_halves(least.word[2], other.z))}};
+}
+
+/// The largest magnitude of a coordinate between these bounds.
+constexpr int32_t reach(uint32_t upper, uint32_t lower) {
+  return static_cast<int32_t>(upper > lower ? upper : lower) - kBoundBias;
+}
+/// The sum of the largest magnitudes of x, y and z in the box: no point of it, however rotated, has
+/// a larger coordinate.
+constexpr int32_t reach(const PackedBox& box) {
+  return reach(low_half(box.upper_xy), low_half(box.lower_xy)) +
+         reach(high_half(box.upper_xy), high_half(box.lower_xy)) +
+         reach(low_half(box.z), high_half(box.z));
+}
+
 /// Length of the box along x, y or z in cells, 0 to 2 * kMaxCoordinate.
 constexpr uint32_t extent_x(const PackedBox& box) {
   return low_half(box.upper_xy) + low_half(box.lower_xy) - 2 * kBoundBias;

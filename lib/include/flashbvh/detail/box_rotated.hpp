@@ -49,7 +49,14 @@ class RotatedBound {
   /// nodes: with Helium the four bytes after a box are read, too.
   bool operator()(const PackedBox& a, const PackedBox& b) { return gap(a, b) == 0; }
 
+  /// What a box of B has to reach to overlap `a` on B's lattice; and the other way round, on A's.
+  PackedTriple window_of_a(const PackedBox& a) { return window(a_, a); }
+  PackedTriple window_of_b(const PackedBox& b) { return window(b_, b); }
+
  private:
+  static PackedTriple window(RotatedBox& kept, const PackedBox& box);
+
+
   /// 0 if the boxes overlap.
   uint32_t gap(const PackedBox& a, const PackedBox& b);
 

@@ -1,6 +1,7 @@
 // The question of PairQuery: which triangles intersect.
 //
 // A question is what a query asks of a walk's pairs. It is a small class with
+//     kLeafShapes             whether leaves may be taken as shapes (leaf_shape.hpp)
 //     kDisjointRootsEnd       whether nothing matters where the root boxes are disjoint
 //     translated(transform)   a bound for the walk under a translation
 //     rotated(transform)      one under a rotation, which may have a state: a run's own
@@ -16,6 +17,7 @@
 namespace flashbvh::detail {
 
 struct Intersection {
+  static constexpr bool kLeafShapes = true;
   static constexpr bool kDisjointRootsEnd = true;
 
   const TranslatedBound& translated(const TranslatedTransform& transform) const {
@@ -23,6 +25,11 @@ struct Intersection {
   }
   RotatedBound rotated(const RotatedTransform& transform) const { return RotatedBound(transform); }
   bool test(const Triangle& a, const Triangle& b) const { return triangles_intersect(a, b); }
+};
+
+/// The same with boxes alone: the paper's, and what leaves as shapes are measured against.
+struct BoxIntersection : Intersection {
+  static constexpr bool kLeafShapes = false;
 };
 
 }  // namespace flashbvh::detail

@@ -65,6 +65,16 @@ inline bool halves_reach_dsp(const PackedTriple& value, const PackedTriple& leas
 }
 #endif
 
+/// Half by half u - v, or 0 where that is negative.
+inline uint32_t subtract_halves(uint32_t u, uint32_t v) {
+#if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
+  return __uqsub16(u, v);
+#else
+  const auto half = [](uint32_t x, uint32_t y) { return x > y ? x - y : 0; };
+  return join_halves(half(low_half(u), low_half(v)), half(high_half(u), high_half(v)));
+#endif
+}
+
 /// The fastest form that this core has.
 inline bool halves_reach(const PackedTriple& value, const PackedTriple& least) {
 #if defined(FLASHBVH_PORTABLE)

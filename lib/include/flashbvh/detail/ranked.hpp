@@ -31,10 +31,13 @@ class Ranked {
   using Tree = TreeType;
   using Cursor = detail::PairCursor<Index>;
   static constexpr bool kStartsAtRoots = true;
+  static constexpr bool kStackless = true;
 
   static Cursor nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor; }
   /// Any pair: what comes after it is a function of it.
   static bool can_visit(const Tree&, const Tree&, const Cursor&) { return true; }
+
+  static Cursor cursor_at(const Tree&, const Tree&, Index a, Index b) { return {a, b}; }
 
   Ranked(const Tree& a, const Tree& b, const Cursor& cursor) : a_(a, cursor.a), b_(b, cursor.b) {}
 
@@ -46,16 +49,15 @@ class Ranked {
   FLASHBVH_INLINE bool descend() {
     const int32_t rank_a = a_.node->rank();
     const int32_t rank_b = b_.node->rank();
-    if (rank_a < rank_b) {
-      if (rank_b > 0) {
-        b_.descend(rank_b);
-        return true;
-      }
-    } else if (rank_a > 0) {
-      a_.descend(rank_a);
-      return true;
+    if ((rank_a | rank_b) < 0) {
+      return false;
     }
-    return false;
+    if (rank_a < rank_b) {
+      b_.descend(rank_b);
+    } else {
+      a_.descend(rank_a);
+    }
+    return true;
   }
 
   bool next() {
@@ -77,16 +79,29 @@ class Ranked {
     }
   }
 
+  /// The tree descended into last says which node was a leaf before the other one.
+  detail::Side leaf() const {
+    const bool into_b = b_.parent_rank <= a_.parent_rank;
+    const bool below_leaf = into_b ? a_.node->is_leaf() : b_.node->is_leaf();
+    return !below_leaf ? detail::Side::none : into_b ? detail::Side::a : detail::Side::b;
+  }
+  uint32_t leaf_root() const { return leaf() == detail::Side::a ? index_b() : index_a(); }
+  uint32_t leaf_node() const { return leaf_root(); }
+
   void store(Cursor& cursor, bool /*ended*/) const { cursor = {a_.index(), b_.index()}; }
+  void store_below(Cursor& cursor, detail::Side leaf, uint32_t node) const {
+    store(cursor, false);
+    (leaf == detail::Side::a ? cursor.b : cursor.a) = static_cast<Index>(node);
+  }
 
  private:
   /// Where the walk is in one of the trees.
-  struct Side {
+  struct Place {
     const NodeType* root;
     const NodeType* node;
     int32_t parent_rank;
 
-    Side(const Tree& tree, Index index)
+    Place(const Tree& tree, Index index)
         : root(tree.nodes), node(tree.nodes + index), parent_rank(find_parent_rank(tree, index)) {}
 
     Index index() const { return static_cast<Index>(node - root); }
@@ -124,8 +139,8 @@ class Ranked {
     return tree.nodes[index - 1].rank();
   }
 
-  Side a_;
-  Side b_;
+  Place a_;
+  Place b_;
 };
 
 }  // namespace flashbvh

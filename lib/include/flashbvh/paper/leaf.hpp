@@ -23,9 +23,13 @@ class Leaf {
   /// `a`: how many of A's nodes are passed, from left to right; `b`: the node of B.
   using Cursor = detail::PairCursor<Index>;
   static constexpr bool kStartsAtRoots = false;
+  static constexpr bool kStackless = true;
 
   static Cursor nodes(const Tree& a, const Tree&, const Cursor& cursor) {
     return {static_cast<Index>(left_to_right(a, cursor.a)), cursor.b};
+  }
+  static Cursor cursor_at(const Tree& a, const Tree&, Index node_a, Index node_b) {
+    return {static_cast<Index>(left_to_right(a, node_a)), node_b};
   }
   static bool can_visit(const Tree& a, const Tree& b, const Cursor& cursor) {
     return a.nodes[nodes(a, b, cursor).a].is_leaf();
@@ -41,13 +45,11 @@ class Leaf {
   uint32_t index_a() const { return left_to_right(tree_a_, passed_); }
   uint32_t index_b() const { return b_; }
 
-  bool descend() {
-    if (node_b().is_leaf()) {
-      return false;
-    }
-    b_ = tree_b_.first_child(b_);
-    return true;
-  }
+  /// Its walk is all in B's subtrees below leaves of A.
+  bool descend() { return false; }
+  detail::Side leaf() const { return detail::Side::a; }
+  uint32_t leaf_root() const { return b_; }
+  uint32_t leaf_node() const { return leaf_root(); }
 
   bool next() {
     b_ = escape(tree_b_, b_);
@@ -64,6 +66,9 @@ class Leaf {
     if (!ended) {
       cursor = {static_cast<Index>(passed_), static_cast<Index>(b_)};
     }
+  }
+  void store_below(Cursor& cursor, detail::Side /*leaf*/, uint32_t node) const {
+    cursor = {static_cast<Index>(passed_), static_cast<Index>(node)};
   }
 
  private:

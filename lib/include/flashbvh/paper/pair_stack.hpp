@@ -48,6 +48,15 @@ class PairStack {
   bool fits(const Tree& a, const Tree& b) const {
     return capacity_ >= stack_entries(a.stack_need, b.stack_need);
   }
+  /// Where a walk is below a leaf, whose pair is on top: which node is the leaf, and which node of
+  /// the other tree is due.
+  struct Below {
+    detail::Side leaf = detail::Side::none;
+    Index node = 0;
+  };
+  const Below& below() const { return below_; }
+  void set_below(const Below& below) { below_ = below; }
+
   uint32_t size() const { return static_cast<uint32_t>(top_ - entries_); }
   bool is_empty() const { return top_ == entries_; }
   const Entry* entries() const { return entries_; }
@@ -70,6 +79,7 @@ class PairStack {
   Entry* entries_;
   Entry* top_;
   uint32_t capacity_;
+  Below below_;
 };
 
 /// `Rule::descend_a(a, i, b, j)` says for two internal nodes whether to descend into A.
@@ -82,6 +92,7 @@ class StackOrder {
   using Tree = TreeType;
   using Cursor = PairStack<Index>;
   static constexpr bool kStartsAtRoots = true;
+  static constexpr bool kStackless = false;
 
   static Entry nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor.top()[-1]; }
 
@@ -97,19 +108,19 @@ class StackOrder {
   uint32_t index_b() const { return b_; }
 
   bool descend() {
-    const bool leaf_b = node_b().is_leaf();
-    if (!node_a().is_leaf() && (leaf_b || Rule::descend_a(tree_a_, a_, tree_b_, b_))) {
+    if (node_a().is_leaf() || node_b().is_leaf()) {
+      return false;
+    }
+    if (Rule::descend_a(tree_a_, a_, tree_b_, b_)) {
       a_ = push_children(tree_a_, a_, [this](uint32_t child) { stack_.push(child, b_); });
-      return true;
-    }
-    if (!leaf_b) {
+    } else {
       b_ = push_children(tree_b_, b_, [this](uint32_t child) { stack_.push(a_, child); });
-      return true;
     }
-    return false;
+    return true;
   }
 
   bool next() {
+    stack_.set_below({});
     if (stack_.is_empty()) {
       return false;
     }
@@ -122,6 +133,15 @@ class StackOrder {
       stack_.push(a_, b_);
     }
     cursor = stack_;
+  }
+
+  detail::Side leaf() const { return stack_.below().leaf; }
+  uint32_t leaf_root() const { return leaf() == detail::Side::a ? b_ : a_; }
+  uint32_t leaf_node() const { return stack_.below().node; }
+  void store_below(Cursor& cursor, detail::Side leaf, uint32_t node) const {
+    cursor = stack_;
+    cursor.push(a_, b_);
+    cursor.set_below({leaf, static_cast<Index>(node)});
   }
 
  private:

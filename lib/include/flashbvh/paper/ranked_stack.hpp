@@ -24,6 +24,7 @@ class RankedStack {
   using Tree = TreeType;
   using Cursor = PairStack<Index>;
   static constexpr bool kStartsAtRoots = true;
+  static constexpr bool kStackless = false;
 
   static Entry nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor.top()[-1]; }
 
@@ -34,7 +35,8 @@ class RankedStack {
         bottom_(cursor.entries()),
         top_(cursor.top() - 1),
         a_(root_a_ + top_->a),
-        b_(root_b_ + top_->b) {}
+        b_(root_b_ + top_->b),
+        below_(cursor.below()) {}
 
   const NodeType& node_a() const { return *a_; }
   const NodeType& node_b() const { return *b_; }
@@ -44,19 +46,17 @@ class RankedStack {
   bool descend() {
     const int32_t rank_a = a_->rank();
     const int32_t rank_b = b_->rank();
-    if (rank_a >= rank_b) {
-      if (rank_a > 0) {
-        top_ = push_siblings<&Entry::a, &Entry::b>(root_a_, a_, b_ - root_b_, top_);
-        return true;
-      }
-    } else if (rank_b > 0) {
-      top_ = push_siblings<&Entry::b, &Entry::a>(root_b_, b_, a_ - root_a_, top_);
-      return true;
+    if ((rank_a | rank_b) < 0) {
+      return false;
     }
-    return false;
+    top_ = rank_a >= rank_b
+               ? push_siblings<&Entry::a, &Entry::b>(root_a_, a_, b_ - root_b_, top_)
+               : push_siblings<&Entry::b, &Entry::a>(root_b_, b_, a_ - root_a_, top_);
+    return true;
   }
 
   bool next() {
+    below_ = {};
     if (top_ == bottom_) {
       return false;
     }
@@ -72,6 +72,16 @@ class RankedStack {
       ++top_;
     }
     cursor.set_top(top_);
+    cursor.set_below({});
+  }
+
+  detail::Side leaf() const { return below_.leaf; }
+  uint32_t leaf_root() const { return leaf() == detail::Side::a ? index_b() : index_a(); }
+  uint32_t leaf_node() const { return below_.node; }
+  void store_below(Cursor& cursor, detail::Side leaf, uint32_t node) const {
+    *top_ = {static_cast<Index>(index_a()), static_cast<Index>(index_b())};
+    cursor.set_top(top_ + 1);
+    cursor.set_below({leaf, static_cast<Index>(node)});
   }
 
  private:
@@ -116,6 +126,7 @@ class RankedStack {
   Entry* top_;
   const NodeType* a_;
   const NodeType* b_;
+  typename Cursor::Below below_;  ///< as the walk began
 };
 
 }  // namespace flashbvh

@@ -31,6 +31,7 @@ class AlternatingStackless {
   using Tree = LevelledTree;
   using Cursor = detail::PairCursor<Index>;
   static constexpr bool kStartsAtRoots = true;
+  static constexpr bool kStackless = true;
 
   static Cursor nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor; }
   /// Levels are further apart than the alternating rule makes them only under a leaf.
@@ -40,6 +41,8 @@ class AlternatingStackless {
     return level_a > level_b ? b.nodes[cursor.b].is_leaf()
                              : level_b - level_a <= 1 || a.nodes[cursor.a].is_leaf();
   }
+
+  static Cursor cursor_at(const Tree&, const Tree&, Index a, Index b) { return {a, b}; }
 
   AlternatingStackless(const Tree& a, const Tree& b, const Cursor& cursor)
       : tree_a_(a),
@@ -54,26 +57,38 @@ class AlternatingStackless {
   uint32_t index_b() const { return b_; }
 
   bool descend() {
-    const bool leaf_b = node_b().is_leaf();
-    if ((lead_ < 0 || leaf_b) && !node_a().is_leaf()) {
+    if (node_a().is_leaf() || node_b().is_leaf()) {
+      return false;
+    }
+    if (lead_ < 0) {
       a_ = tree_a_.first_child(a_);
       ++lead_;
-      return true;
-    }
-    if (!leaf_b) {
+    } else {
       b_ = tree_b_.first_child(b_);
       --lead_;
-      return true;
     }
-    return false;
+    return true;
   }
 
   /// To the element below this one on algorithm 3's stack. False if there is none: then a node is
   /// its tree's end node.
   bool next() { return (lead_ >= 0 ? next_of_a() : next_of_b()) != 0; }
 
+  /// The tree descended into last says which node was a leaf before the other one.
+  detail::Side leaf() const {
+    return lead_ < 0 ? node_a().is_leaf() ? detail::Side::a : detail::Side::none
+           : node_b().is_leaf() ? detail::Side::b
+                                : detail::Side::none;
+  }
+  uint32_t leaf_root() const { return lead_ < 0 ? b_ : a_; }
+  uint32_t leaf_node() const { return leaf_root(); }
+
   void store(Cursor& cursor, bool /*ended*/) const {
     cursor = {static_cast<Index>(a_), static_cast<Index>(b_)};
+  }
+  void store_below(Cursor& cursor, detail::Side leaf, uint32_t node) const {
+    store(cursor, false);
+    (leaf == detail::Side::a ? cursor.b : cursor.a) = static_cast<Index>(node);
   }
 
  private:
