@@ -9,31 +9,28 @@ using namespace flashbvh::detail;
 namespace figures {
 namespace {
 
-/// From the first visit to the last; `leaf_pair(i, j)` for each pair of leaves that may matter.
-template <class Bound, class Shapes, class LeafPair>
-uint32_t walk(const PostMesh& a, const PostMesh& b, const Bound& bound, Shapes& shapes,
-              LeafPair leaf_pair) {
-  PairCursor<uint16_t> cursor;
-  WalkRun<PairCursor<uint16_t>, LeafPair> run = {&cursor, {UINT32_MAX, 0}, &leaf_pair};
-  (void)detail::walk<Ranked<PostMesh>>(a, b, bound, shapes, run, false);
-  return UINT32_MAX - run.progress.visits_left;
-}
-
 /// Leaves that reject all that is below them: what is left of a walk is its visits to pairs of
 /// nodes that are no leaves, and to the first pair with one.
 struct NothingBelow {
-  NothingBelow(const PostMesh&, const PostMesh&, const Transform&) {}
-  template <class Bound>
-  NothingBelow& of_a(const Bound&, uint32_t) {
-    return *this;
-  }
-  template <class Bound>
-  NothingBelow& of_b(const Bound&, uint32_t) {
-    return *this;
-  }
+  using Tree = PostMesh;
+  const PostMesh& a;
+  const PostMesh& b;
+
+  NothingBelow(const PostMesh& mesh_a, const PostMesh& mesh_b, const Transform&, RotatedBound*)
+      : a(mesh_a), b(mesh_b) {}
+  static void begin(Side, uint32_t) {}
   static bool may_touch(const PackedBox&) { return false; }
   static bool slabs_touch(const PackedBox&) { return false; }
 };
+
+/// From the first visit to the last; `leaf_pair(i, j)` for each pair of leaves that may matter.
+template <class Bound, class Shapes, class LeafPair>
+uint32_t walk(const Bound& bound, Shapes& shapes, LeafPair leaf_pair) {
+  PairCursor<uint16_t> cursor;
+  WalkRun<PairCursor<uint16_t>, LeafPair> run = {&cursor, &leaf_pair, {UINT32_MAX, 0}};
+  (void)detail::walk<Ranked<PostMesh>>(bound, shapes, run, State::fresh);
+  return UINT32_MAX - run.progress.visits_left;
+}
 
 /// Calls `run(walk)`, which calls walk(), unless the roots alone tell that the meshes are disjoint.
 /// Returns the visits.
@@ -45,12 +42,13 @@ uint32_t walk_transformed(const PostMesh& a, const PostMesh& b, Transform& trans
   }
   transform.prepare();
   uint32_t visits = 0;
-  Shapes shapes(a, b, transform);
   if (transform.is_rotated()) {
     RotatedBound bound(transform.rotated());
-    run([&] { visits = walk(a, b, ByReference<RotatedBound>{&bound}, shapes, leaf_pair); });
+    Shapes shapes(a, b, transform, &bound);
+    run([&] { visits = walk(ByReference<RotatedBound>{&bound}, shapes, leaf_pair); });
   } else {
-    run([&] { visits = walk(a, b, transform.translated().bound, shapes, leaf_pair); });
+    Shapes shapes(a, b, transform, nullptr);
+    run([&] { visits = walk(transform.translated().bound, shapes, leaf_pair); });
   }
   return visits;
 }
@@ -109,7 +107,7 @@ void add_triangle_tests(const PostMesh& a, const PostMesh& b, const Pose& pose, 
         Triangle triangle_a;
         translate_triangle(a, of_a, kNoOffset, triangle_a);
         tests.add(
-            port::instructions_of([&] { (void)triangles_intersect(triangle_a, triangle_b); }));
+            port::instructions_of([&] { (void)near_triangles_intersect(triangle_a, triangle_b); }));
       }
     }
     return true;

@@ -171,8 +171,8 @@ class Query : Question {
   /// The triangles of the pair reported last, in A's frame: inside a sink, and after a run that
   /// wrote a pair and ended with `full`.
   void last_pair(Triangle& a, Triangle& b) const {
-    detail::translate_triangle(*a_, current_a(), detail::kNoOffset, a);
-    transform_b(current_b(), b);
+    detail::get_triangle(*a_, of_a(untested_), a);
+    transform_b(of_b(untested_), b);
   }
 
  private:
@@ -188,10 +188,11 @@ class Query : Question {
 
   /// Positions of the current pair of triangles: the leaves' pairs are taken from the last one on,
   /// all of A's for each of B's.
-  uint32_t current_a() const { return a_->first_triangle(leaf_a_) + untested_ % triangles_of_a(); }
-  uint32_t current_b() const { return b_->first_triangle(leaf_b_) + untested_ / triangles_of_a(); }
+  /// The pair due is the one before `untested_`, the pair tested last that at it.
+  uint32_t of_a(uint32_t i) const { return a_->first_triangle(leaf_a_) + i % triangles_of_a(); }
+  uint32_t of_b(uint32_t i) const { return b_->first_triangle(leaf_b_) + i / triangles_of_a(); }
   Pair current_pair() const {
-    return {a_->triangle_ids[current_a()], b_->triangle_ids[current_b()]};
+    return {a_->triangle_ids[of_a(untested_)], b_->triangle_ids[of_b(untested_)]};
   }
 
   void set_leaves() {
@@ -263,7 +264,7 @@ class Query : Question {
   /// Until the batch is full, to the end, or the last visit granted.
   State walk(uint32_t& visits_left, Batch& batch) {
     const uint32_t granted = visits_left < Batch::kMostVisits ? visits_left : Batch::kMostVisits;
-    detail::WalkRun<Cursor, Batch> run = {&cursor_, {granted, 0}, &batch};
+    detail::WalkRun<Cursor, Batch> run = {&cursor_, &batch, {granted, 0}};
     batch.clear(run.progress);
     const State end = transform_.is_rotated() ? walk_rotated(run) : walk_translated(run);
     visits_left -= granted - run.progress.visits_left;
@@ -271,26 +272,25 @@ class Query : Question {
     return end;
   }
   FLASHBVH_NOINLINE State walk_translated(detail::WalkRun<Cursor, Batch>& run) {
-    return walk_with(Question::translated(transform_.translated()), run);
+    return walk_with(Question::translated(transform_.translated()), nullptr, run);
   }
   FLASHBVH_NOINLINE State walk_rotated(detail::WalkRun<Cursor, Batch>& run) {
     auto bound = Question::rotated(transform_.rotated());
-    return walk_with(detail::ByReference<decltype(bound)>{&bound}, run);
+    return walk_with(detail::ByReference<decltype(bound)>{&bound}, &bound, run);
   }
-  template <class Bound>
-  State walk_with(const Bound& bound, detail::WalkRun<Cursor, Batch>& run) {
-    const bool after = state_ == State::at_leaf_pair;
+  template <class Bound, class Rotated>
+  State walk_with(const Bound& bound, Rotated rotated, detail::WalkRun<Cursor, Batch>& run) {
     if constexpr (Question::kLeafShapes) {
-      detail::LeafShapes<Mesh> shapes(*a_, *b_, transform_);
-      return detail::walk<Order>(*a_, *b_, bound, shapes, run, after);
+      detail::LeafShapes<Mesh> shapes(*a_, *b_, transform_, rotated);
+      return detail::walk<Order>(bound, shapes, run, state_);
     } else {
-      detail::BoxShapes<Mesh> shapes = {*a_, *b_};
-      return detail::walk<Order>(*a_, *b_, bound, shapes, run, after);
+      detail::BoxShapes<Mesh, Bound> shapes(*a_, *b_, bound);
+      return detail::walk<Order>(bound, shapes, run, state_);
     }
   }
 
-  /// Tests pairs of triangles until one is an answer; false if none is left of the batch. Rotating
-  /// B's costs most, so it is kept while pairs share it.
+  /// Tests pairs of triangles until one is an answer; false if none is left of the batch.
+  /// Transforming triangles, B's above all, is not done again while pairs share them.
   /// Nothing but `this` outlives the call, which keeps the stack flat where it is deepest.
   FLASHBVH_NOINLINE bool next_answer(Batch& batch) {
     constexpr uint32_t none = UINT32_MAX;
@@ -298,26 +298,35 @@ class Query : Question {
     Triangle b;
     uint32_t kept_a = none;
     uint32_t kept_b = none;
+    const bool narrow = transform_.is_narrow(b_->nodes[0].box);
     for (;;) {
-      while (untested_ == 0) {
-        if (!take_next(batch)) {
-          return false;
+      if (untested_ == 0 && !take_next(batch)) {
+        return false;
+      }
+      uint32_t triangle_b = of_b(untested_ - 1u);
+      uint32_t triangle_a = of_a(untested_ - 1u);
+      for (;;) {
+        --untested_;
+        if (triangle_b != kept_b) {
+          transform_b(triangle_b, b);
+          kept_b = triangle_b;
         }
-      }
-      --untested_;
-      const uint32_t of_a = current_a();
-      const uint32_t of_b = current_b();
-      if (of_b != kept_b) {
-        transform_b(of_b, b);
-        kept_b = of_b;
-      }
-      if (of_a != kept_a) {
-        detail::translate_triangle(*a_, of_a, detail::kNoOffset, a);
-        kept_a = of_a;
-      }
-      if (Question::test(a, b)) {
-        ++counts_.triangle_pairs;
-        return true;
+        if (triangle_a != kept_a) {
+          detail::get_triangle(*a_, triangle_a, a);
+          kept_a = triangle_a;
+        }
+        if (Question::test(a, b, narrow)) {
+          ++counts_.triangle_pairs;
+          return true;
+        }
+        if (untested_ == 0) {
+          break;
+        }
+        if (triangle_a == a_->first_triangle(leaf_a_)) {
+          triangle_a = a_->end_triangle(leaf_a_);
+          --triangle_b;
+        }
+        --triangle_a;
       }
     }
   }

@@ -194,6 +194,59 @@ inline int32_t extent(int32_t Point::*axis, const Triangle& a, const Triangle& b
 
 }  // namespace
 
+namespace {
+
+inline int64_t product(int32_t u, int32_t v) {
+  return static_cast<int64_t>(u) * v;
+}
+
+/// The sides of the plane of `plane` on which the corners of `asked` lie: sums of 64-bit products
+/// that begin with its first corner's, so that no difference is made. Below 2^51.
+[[gnu::noinline]] Sides near_sides(const Triangle& plane, const Triangle& asked) {
+  const Narrow n = normal_of<Narrow>(plane);
+  const Point& o = plane.corner[0];
+  const int64_t start = -(product(n.x, o.x) + product(n.y, o.y) + product(n.z, o.z));
+  const auto bits = [&](const Point& p, unsigned above) {
+    const int64_t h = start + product(n.x, p.x) + product(n.y, p.y) + product(n.z, p.z);
+    return h > 0 ? above : h < 0 ? above << 3 : 0u;
+  };
+  return {bits(asked.corner[0], 1) | bits(asked.corner[1], 2) | bits(asked.corner[2], 4)};
+}
+
+/// As volume(), with cofactors of the two edges p-q and r-s alone.
+inline int64_t edge_volume(const Point& p, const Point& q, const Point& r, const Point& s) {
+  return dot(cross<Narrow>(difference(s, r), difference(q, p)), difference(r, p));
+}
+
+/// As intervals_overlap(), of triangles with narrow edges.
+[[gnu::noinline]] bool near_intervals_overlap(const Triangle& a, Sides of_a, const Triangle& b, Sides of_b) {
+  const Tip at = tip_of(of_a);
+  const Tip bt = tip_of(of_b);
+  const Point& tip_a = a.corner[at.corner];
+  const Point& tip_b = b.corner[bt.corner];
+  const Point& high_a = a.corner[bt.up ? next(at.corner) : previous(at.corner)];
+  const Point& high_b = b.corner[at.up ? next(bt.corner) : previous(bt.corner)];
+  const Point& low_a = a.corner[bt.up ? previous(at.corner) : next(at.corner)];
+  const Point& low_b = b.corner[at.up ? previous(bt.corner) : next(bt.corner)];
+  return edge_volume(tip_a, high_a, tip_b, high_b) <= 0 &&
+         edge_volume(tip_a, low_a, tip_b, low_b) >= 0;
+}
+
+}  // namespace
+
+bool near_triangles_intersect(const Triangle& a, const Triangle& b) noexcept {
+  const Sides of_a = near_sides(b, a);
+  if (of_a.separate()) {
+    return false;
+  }
+  const Sides of_b = near_sides(a, b);
+  if (of_b.separate()) {
+    return false;
+  }
+  return of_a.all_on_plane() || of_b.all_on_plane() ? triangles_intersect(a, b)
+                                                    : near_intervals_overlap(a, of_a, b, of_b);
+}
+
 bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept {
   const int32_t x = extent(&Point::x, a, b);
   if (x < 0) {

@@ -29,9 +29,11 @@ class LeafPairs {
   }
   /// Whether there is room for another one.
   bool operator()(uint32_t a, uint32_t b, const Progress& progress) {
-    entry_[count_] = {static_cast<Index>(a), static_cast<Index>(b), visits_until(progress),
-                      overlaps_until(progress)};
-    ++count_;
+    Entry& entry = entry_[count_++];
+    entry.a = static_cast<Index>(a);
+    entry.b = static_cast<Index>(b);
+    entry.visits = visits_until(progress);
+    entry.overlaps = overlaps_until(progress);
     counted_ = progress;
     return count_ < size;
   }

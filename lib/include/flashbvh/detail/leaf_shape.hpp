@@ -14,6 +14,7 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/inline.hpp"
+#include "flashbvh/detail/box_rotated.hpp"
 #include "flashbvh/detail/packed.hpp"
 #include "flashbvh/detail/slab.hpp"
 
@@ -22,19 +23,29 @@ namespace flashbvh::detail {
 template <class Mesh>
 class LeafShapes {
  public:
-  LeafShapes(const Mesh& a, const Mesh& b, const Transform& transform)
-      : a_(a), b_(b), transform_(transform) {}
+  using Tree = Mesh;
 
-  /// The shape of a leaf of A, by its node, for boxes of B; and the other way round.
-  template <class Bound>
-  LeafShapes& of_a(const Bound& bound, uint32_t node) {
-    window_ = bound.window_of_a(a_.nodes[node].box);
-    return of(Side::a, a_, node);
-  }
-  template <class Bound>
-  LeafShapes& of_b(const Bound& bound, uint32_t node) {
-    window_ = bound.window_of_b(b_.nodes[node].box);
-    return of(Side::b, b_, node);
+  /// `rotated`: the bound of a walk under a rotation, whose rotated boxes are at hand; null under a
+  /// translation.
+  LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform,
+             RotatedBound* rotated)
+      : a(mesh_a), b(mesh_b), transform_(transform), rotated_(rotated) {}
+
+  /// Takes a leaf, by its node, as the shape for boxes of the other tree.
+  FLASHBVH_NOINLINE void begin(Side side, uint32_t node) {
+    const Node<typename Mesh::Index>* const at = (side == Side::a ? a : b).nodes + node;
+    if (at == node_) {
+      return;
+    }
+    node_ = at;
+    side_ = side;
+    made_ = 0;
+    if (rotated_ != nullptr) {
+      window_ = side == Side::a ? rotated_->window_of_a(at->box) : rotated_->window_of_b(at->box);
+    } else {
+      const TranslatedBound& bound = transform_.translated().bound;
+      window_ = side == Side::a ? bound.window_of_a(at->box) : bound.window_of_b(at->box);
+    }
   }
 
   /// False only if no triangle of the leaf intersects one of a subtree with this box.
@@ -55,24 +66,19 @@ class LeafShapes {
     return edge_.may_touch(box);
   }
 
- private:
-  LeafShapes& of(Side side, const Mesh& mesh, uint32_t node) {
-    const Node<typename Mesh::Index>* const at = mesh.nodes + node;
-    if (at != node_) {
-      node_ = at;
-      side_ = side;
-      made_ = 0;
-    }
-    return *this;
-  }
+  const Mesh& a;
+  const Mesh& b;
 
-  const Mesh& mesh() const { return side_ == Side::a ? a_ : b_; }
+ private:
+  const Mesh& mesh() const { return side_ == Side::a ? a : b; }
 
   FLASHBVH_NOINLINE void make_plane() {
-    const Vertex* corner[3];
-    get_first(corner);
-    if (plane_direction(*corner[0], *corner[1], *corner[2], normal_)) {
-      set(plane_, normal_);
+    const Corner corner(mesh(), node_->leaf());
+    if (reach_b_ == 0) {
+      reach_b_ = reach(b.nodes[0].box);
+    }
+    if (cross_direction(corner.q - corner.p, corner.r - corner.p, normal_)) {
+      set(plane_, normal_, corner);
       made_ = 1;
     } else {
       plane_.set_all();
@@ -81,43 +87,47 @@ class LeafShapes {
     }
   }
   FLASHBVH_NOINLINE void make_edge() {
-    const Vertex* corner[3];
-    get_first(corner);
-    Direction direction;
-    if (edge_direction(*corner[0], *corner[1], normal_, direction)) {
-      set(edge_, direction);
+    const Corner corner(mesh(), node_->leaf());
+    PackedVector direction;
+    if (cross_direction(corner.q - corner.p, normal_, direction)) {
+      set(edge_, direction, corner);
     } else {
       edge_.set_all();
     }
     made_ = 2;
   }
 
-  void get_first(const Vertex* (&corner)[3]) const {
-    const Mesh& m = mesh();
-    const auto& triangle = m.triangles[m.first_triangle(node_->leaf())];
-    for (int i = 0; i < 3; ++i) {
-      corner[i] = m.vertices + triangle.corner[i];
-    }
-  }
+  /// Of a leaf's first triangle.
+  struct Corner {
+    PackedVector p;
+    PackedVector q;
+    PackedVector r;
 
-  void set(Slab& slab, const Direction& direction) {
-    if (reach_b_ == 0) {
-      reach_b_ = reach(b_.nodes[0].box);
-    }
+    Corner(const Mesh& mesh, uint32_t leaf) : Corner(mesh, mesh.triangles[mesh.first_triangle(leaf)]) {}
+    Corner(const Mesh& mesh, const Corners<typename Mesh::Index>& triangle)
+        : p(PackedVector::of(mesh.vertices[triangle.corner[0]])),
+          q(PackedVector::of(mesh.vertices[triangle.corner[1]])),
+          r(PackedVector::of(mesh.vertices[triangle.corner[2]])) {}
+  };
+
+  void set(Slab& slab, const PackedVector& direction, const Corner& first) {
+    const int32_t at = dot(direction, first.p);
+    Extent extent = {at, at};
+    extent.add(dot(direction, first.q));
+    extent.add(dot(direction, first.r));
     const Mesh& m = mesh();
     const uint32_t leaf = node_->leaf();
-    Extent extent = {INT32_MAX, INT32_MIN};
-    for (uint32_t i = m.first_triangle(leaf); i < m.end_triangle(leaf); ++i) {
-      for (const auto corner : m.triangles[i].corner) {
-        extent.add(along(direction, m.vertices[corner]));
-      }
+    for (uint32_t i = m.first_triangle(leaf) + 1; i < m.end_triangle(leaf); ++i) {
+      const Corner corner(m, m.triangles[i]);
+      extent.add(dot(direction, corner.p));
+      extent.add(dot(direction, corner.q));
+      extent.add(dot(direction, corner.r));
     }
     slab.set(direction, extent, transform_, side_, reach_b_);
   }
 
-  const Mesh& a_;
-  const Mesh& b_;
   const Transform& transform_;
+  RotatedBound* rotated_;
   const Node<typename Mesh::Index>* node_ = nullptr;  ///< the leaf
   int32_t reach_b_ = 0;
   Side side_ = Side::none;
@@ -125,7 +135,7 @@ class LeafShapes {
   PackedTriple window_;
   Slab plane_;
   Slab edge_;
-  Direction normal_;
+  PackedVector normal_;
 };
 
 }  // namespace flashbvh::detail

@@ -22,8 +22,43 @@ inline int32_t add_products(int32_t sum, uint32_t u, uint32_t v) {
 inline int32_t add_crossed_products(int32_t sum, uint32_t u, uint32_t v) {
   return __smladx(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v), sum);
 }
+/// As add_products(), of halves with a sign.
+inline int32_t add_signed_products(int32_t sum, uint32_t u, uint32_t v) {
+  return add_products(sum, u, v);
+}
+/// low * high - high * low, of halves with a sign.
+inline int32_t cross_halves(uint32_t u, uint32_t v) {
+  return __smusdx(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v));
+}
+/// Half by half u - v, with a sign.
+inline uint32_t signed_difference(uint32_t u, uint32_t v) {
+  return static_cast<uint32_t>(__ssub16(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v)));
+}
+/// Halves with a sign, of 15 bits: or 0 where they are negative.
+inline uint32_t positive_halves(uint32_t u) {
+  return static_cast<uint32_t>(__usat16(static_cast<int16x2_t>(u), 15));
+}
 
 #else
+
+constexpr int32_t signed_low(uint32_t u) { return static_cast<int16_t>(low_half(u)); }
+constexpr int32_t signed_high(uint32_t u) { return static_cast<int16_t>(high_half(u)); }
+/// As add_products(), of halves with a sign.
+constexpr int32_t add_signed_products(int32_t sum, uint32_t u, uint32_t v) {
+  return sum + signed_low(u) * signed_low(v) + signed_high(u) * signed_high(v);
+}
+/// low * high - high * low, of halves with a sign.
+constexpr int32_t cross_halves(uint32_t u, uint32_t v) {
+  return signed_low(u) * signed_high(v) - signed_high(u) * signed_low(v);
+}
+/// Half by half u - v, with a sign.
+constexpr uint32_t signed_difference(uint32_t u, uint32_t v) {
+  return join_halves((u - v) & 0xFFFFu, (u >> 16) - (v >> 16));
+}
+/// Halves with a sign, of 15 bits: or 0 where they are negative.
+constexpr uint32_t positive_halves(uint32_t u) {
+  return u & ~(((u >> 15) & 0x00010001u) * 0xFFFFu);
+}
 
 /// sum + low * low + high * high. Halves are 0 to 32,767.
 constexpr int32_t add_products(int32_t sum, uint32_t u, uint32_t v) {

@@ -14,20 +14,34 @@
 
 #include "flashbvh/detail/box_packed.hpp"
 #include "flashbvh/detail/inline.hpp"
+#include "flashbvh/detail/packed_multiply.hpp"
 #include "flashbvh/detail/split_matrix.hpp"
 #include "flashbvh/detail/transform.hpp"
 
 namespace flashbvh::detail {
 
-/// An integer direction; the largest component has kDirectionBits bits.
-struct Direction {
-  int32_t x;
-  int32_t y;
+/// A vertex, an edge or a direction: three signed halves.
+struct PackedVector {
+  uint32_t xy;  ///< x low, y high
   int32_t z;
+
+  static PackedVector of(const Vertex& v) {
+    return {join_halves(static_cast<uint16_t>(v.x), static_cast<uint16_t>(v.y)), v.z};
+  }
+  int32_t x() const { return static_cast<int16_t>(xy); }
+  int32_t y() const { return static_cast<int32_t>(xy) >> 16; }
 };
 
-/// One more, and sums with an offset and biases would leave 32 bits.
+/// The largest component of a direction has so many bits and a sign. One more, and sums with an
+/// offset and biases would leave 32 bits.
 constexpr unsigned kDirectionBits = 13;
+
+inline PackedVector operator-(const PackedVector& u, const PackedVector& v) {
+  return {signed_difference(u.xy, v.xy), u.z - v.z};
+}
+inline int32_t dot(const PackedVector& u, const PackedVector& v) {
+  return add_signed_products(u.z * v.z, u.xy, v.xy);
+}
 
 /// Where triangles lie along a direction.
 struct Extent {
@@ -40,23 +54,16 @@ struct Extent {
   }
 };
 
-inline int32_t along(const Direction& direction, const Vertex& v) {
-  return direction.x * v.x + direction.y * v.y + direction.z * v.z;
-}
-
-/// The normal of a triangle, scaled; false if it has no area.
-bool plane_direction(const Vertex& p, const Vertex& q, const Vertex& r, Direction& direction);
-/// In the plane with this normal, the normal of the edge from `p` to `q`; false if it has no
-/// length.
-bool edge_direction(const Vertex& p, const Vertex& q, const Direction& normal,
-                    Direction& direction);
+/// Sets `direction` to that of u x v, scaled; false if that is 0. Components of u and v: within
+/// +-32,766.
+bool cross_direction(const PackedVector& u, const PackedVector& v, PackedVector& direction);
 
 /// 20 bytes.
 class Slab {
  public:
   /// Triangles of side `of` between these bounds along `direction`, both in its own lattice; boxes
   /// of the other side will be tested. `reach_b`: reach() of B's root box.
-  void set(const Direction& direction, const Extent& extent, const Transform& transform, Side of,
+  void set(const PackedVector& direction, const Extent& extent, const Transform& transform, Side of,
            int32_t reach_b);
 
   /// The whole space.

@@ -49,6 +49,19 @@ class Transform {
                                      : kind_ == Kind::far_apart;
   }
 
+  /// Whether no transformed edge in a box is longer than 2^15 - 1 cells along an axis, corners
+  /// rounded: lattices have none; where it is rotated, the box's diagonal counts.
+  bool is_narrow(const PackedBox& root_b) const {
+    if (kind_ == Kind::translated) {
+      return true;
+    }
+    const uint32_t x = extent_x(root_b);
+    const uint32_t y = extent_y(root_b);
+    const uint32_t z = extent_z(root_b);
+    constexpr uint32_t most = 32700;  // stretched by a defect of 2^-12, and rounded at both ends
+    return x * x + y * y + z * z <= most * most;
+  }
+
   /// Before the first walk.
   void prepare() {
     if (kind_ == Kind::translated) {
@@ -77,6 +90,19 @@ class Transform {
 
 /// Where A's own triangles are.
 inline constexpr Point kNoOffset = {0, 0, 0};
+
+/// A triangle of a mesh, by its position, where it lies.
+template <class Mesh>
+FLASHBVH_NOINLINE void get_triangle(const Mesh& mesh, uint32_t position, Triangle& triangle) {
+  const auto& corner = mesh.triangles[position].corner;
+  const auto at = [&](int i) -> Point {
+    const Vertex& v = mesh.vertices[corner[i]];
+    return {v.x, v.y, v.z};
+  };
+  triangle.corner[0] = at(0);
+  triangle.corner[1] = at(1);
+  triangle.corner[2] = at(2);
+}
 
 /// A triangle of a mesh, by its position, translated by whole cells.
 template <class Mesh>

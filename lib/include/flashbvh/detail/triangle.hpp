@@ -31,6 +31,10 @@ constexpr int32_t kMaxDifference = (1 << 20) - 1;
 /// Predicates", Journal of Graphics Tools 8(1), 2003, for the general case.
 bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
 
+/// The same of narrow triangles: coordinates within +-2^17, edges within +-(2^15 - 1) along each
+/// axis. Boxes, which a query tested before, are tested only where the general case does not decide.
+bool near_triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
+
 }  // namespace flashbvh::detail
 
 #endif

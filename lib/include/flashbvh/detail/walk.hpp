@@ -85,38 +85,37 @@ struct Progress {
 template <class Cursor, class LeafPair>
 struct WalkRun {
   Cursor* cursor;
-  Progress progress;
   LeafPair* leaf_pair;
+  Progress progress;
+  Side leaf = Side::none;  ///< of the pair that it stopped at; none: it is not below a leaf
+  uint32_t node = 0;       ///< of the other tree, then
 };
 
-/// A leaf's own box as its shape: what bounds alone can tell.
-template <class Bound>
-struct BoxShapeOfA {
-  Bound bound;
-  const PackedBox& leaf;
-  bool may_touch(const PackedBox& box) const { return bound(leaf, box); }
+/// Leaves' own boxes as their shapes: what a bound alone can tell.
+template <class TreeType, class Bound>
+class BoxShapes {
+ public:
+  using Tree = TreeType;
+
+  BoxShapes(const Tree& tree_a, const Tree& tree_b, const Bound& bound)
+      : a(tree_a), b(tree_b), bound_(bound) {}
+
+  void begin(Side side, uint32_t node) {
+    side_ = side;
+    box_ = &(side == Side::a ? a : b).nodes[node].box;
+  }
+  bool may_touch(const PackedBox& box) const {
+    return side_ == Side::a ? bound_(*box_, box) : bound_(box, *box_);
+  }
   static bool slabs_touch(const PackedBox& /*box*/) { return true; }
-};
-template <class Bound>
-struct BoxShapeOfB {
-  Bound bound;
-  const PackedBox& leaf;
-  bool may_touch(const PackedBox& box) const { return bound(box, leaf); }
-  static bool slabs_touch(const PackedBox& /*box*/) { return true; }
-};
-template <class Tree>
-struct BoxShapes {
+
   const Tree& a;
   const Tree& b;
 
-  template <class Bound>
-  BoxShapeOfA<Bound> of_a(const Bound& bound, uint32_t node) const {
-    return {bound, a.nodes[node].box};
-  }
-  template <class Bound>
-  BoxShapeOfB<Bound> of_b(const Bound& bound, uint32_t node) const {
-    return {bound, b.nodes[node].box};
-  }
+ private:
+  Bound bound_;
+  Side side_ = Side::none;
+  const PackedBox* box_ = nullptr;
 };
 
 /// A bound that has a state, as a walk takes it: by a handle.
@@ -124,8 +123,6 @@ template <class StatefulBound>
 struct ByReference {
   StatefulBound* bound;
   bool operator()(const PackedBox& a, const PackedBox& b) const { return (*bound)(a, b); }
-  auto window_of_a(const PackedBox& a) const { return bound->window_of_a(a); }
-  auto window_of_b(const PackedBox& b) const { return bound->window_of_b(b); }
 };
 
 /// Tells the compiler that `object` may have changed: it can't live in registers across this call.
@@ -146,12 +143,12 @@ inline void put_in_place(ByReference<StatefulBound>& bound) {
   keep_in_memory(bound);
 }
 
-/// Visits nodes of a subtree, from `subtree`'s on, that may touch `shape`, until the end, the last
-/// visit granted, or where `leaf(node)` says stop. `after`: the node was visited before.
-template <class Subtree, class Shape, class Leaf>
-FLASHBVH_NOINLINE State walk_below(Subtree& subtree, Shape& shape, Progress& progress,
-                                   const Leaf& leaf, bool after) {
-  Subtree at = subtree;
+/// Visits nodes of a subtree, from `at` on, that may touch the shape that was begun, until the end,
+/// the last visit granted, or where `found(node)` says stop; there `at` is then. `after`: its node
+/// was visited before.
+template <class Subtree, class Shapes, class Found>
+State visit_subtree(Subtree& at, Shapes& shapes, Progress& progress, const Found& found,
+                    bool after) {
   uint32_t visits_left = progress.visits_left;
   uint32_t overlaps = progress.overlaps;
   State end = State::done;
@@ -162,14 +159,14 @@ FLASHBVH_NOINLINE State walk_below(Subtree& subtree, Shape& shape, Progress& pro
         break;
       }
       --visits_left;
-      if (shape.may_touch(at.node().box)) {
+      if (shapes.may_touch(at.node().box)) {
         ++overlaps;
         if (!at.node().is_leaf()) {
           at.descend();
           continue;
         }
         progress = {visits_left, overlaps};
-        if (!leaf(at.index())) {
+        if (!found(at.index())) {
           end = State::at_leaf_pair;
           break;
         }
@@ -180,74 +177,61 @@ FLASHBVH_NOINLINE State walk_below(Subtree& subtree, Shape& shape, Progress& pro
     }
   }
   progress = {visits_left, overlaps};
-  subtree = at;
   return end;
 }
 
-/// A leaf against the other tree's subtree below `root`, from `node` on; where it ends is stored,
-/// unless it is done.
-template <class Order, class Bound, class Shapes, class Run>
-FLASHBVH_NOINLINE State walk_leaf(Side side, const Order& at, uint32_t root, uint32_t node,
-                                  bool after, const typename Order::Tree& a,
-                                  const typename Order::Tree& b, const Bound& bound, Shapes& shapes,
-                                  Run& run) {
-  using Tree = typename Order::Tree;
-  Subtree<typename Tree::Index, Tree::kLayout> subtree(side == Side::a ? b : a, root, node);
-  State end;
-  if (side == Side::a) {
-    auto&& shape = shapes.of_a(bound, at.index_a());
-    const auto found = [&](uint32_t j) { return (*run.leaf_pair)(at.index_a(), j, run.progress); };
-    end = walk_below(subtree, shape, run.progress, found, after);
-  } else {
-    auto&& shape = shapes.of_b(bound, at.index_b());
-    const auto found = [&](uint32_t i) { return (*run.leaf_pair)(i, at.index_b(), run.progress); };
-    end = walk_below(subtree, shape, run.progress, found, after);
-  }
-  if (end != State::done) {
-    at.store_below(*run.cursor, side, subtree.index());
-  }
+/// A leaf, whose shape was begun, against the other tree's subtree below `root`, from `node` on.
+template <class Shapes, class Run>
+FLASHBVH_NOINLINE State walk_below(Shapes& shapes, uint32_t leaf, uint32_t root, uint32_t node,
+                                   bool after, Run& run) {
+  const Side side = run.leaf;
+  using Tree = typename Shapes::Tree;
+  Subtree<typename Tree::Index, Tree::kLayout> at(side == Side::a ? shapes.b : shapes.a, root,
+                                                  node);
+  const auto found = [side, leaf, &run](uint32_t other) {
+    return side == Side::a ? (*run.leaf_pair)(leaf, other, run.progress)
+                           : (*run.leaf_pair)(other, leaf, run.progress);
+  };
+  const State end = visit_subtree(at, shapes, run.progress, found, after);
+  run.node = at.index();
   return end;
 }
 
 /// At a pair that may matter, one node or both leaves: to the end of what is below it.
-template <class Order, class Bound, class Shapes, class Run>
-FLASHBVH_NOINLINE State reach_leaf(const Order& at, const typename Order::Tree& a,
-                                   const typename Order::Tree& b, const Bound& bound,
-                                   Shapes& shapes, Run& run) {
-  const bool leaf_a = at.node_a().is_leaf();
-  if (leaf_a && at.node_b().is_leaf()) {
+template <class Node, class Shapes, class Run>
+FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shapes& shapes,
+                                   Run& run) {
+  const auto a = static_cast<uint32_t>(node_a - shapes.a.nodes);
+  const auto b = static_cast<uint32_t>(node_b - shapes.b.nodes);
+  const bool leaf_a = node_a->is_leaf();
+  run.leaf = Side::none;
+  if (leaf_a && node_b->is_leaf()) {
     ++run.progress.overlaps;
-    if ((*run.leaf_pair)(at.index_a(), at.index_b(), run.progress)) {
-      return State::done;
-    }
-    auto copy = at;
-    copy.store(*run.cursor, false);
-    return State::at_leaf_pair;
+    return (*run.leaf_pair)(a, b, run.progress) ? State::done : State::at_leaf_pair;
   }
-  const auto below = [&](auto&& shape, const auto& inner, uint32_t node, const auto& tree) {
-    if (!shape.slabs_touch(inner.box)) {
-      return State::done;
-    }
-    ++run.progress.overlaps;
-    return walk_leaf(leaf_a ? Side::a : Side::b, at, node, tree.first_child(node), false, a, b,
-                     bound, shapes, run);
-  };
-  return leaf_a ? below(shapes.of_a(bound, at.index_a()), at.node_b(), at.index_b(), b)
-                : below(shapes.of_b(bound, at.index_b()), at.node_a(), at.index_a(), a);
+  run.leaf = leaf_a ? Side::a : Side::b;
+  const uint32_t leaf = leaf_a ? a : b;
+  const uint32_t root = leaf_a ? b : a;
+  shapes.begin(run.leaf, leaf);
+  if (!shapes.slabs_touch((leaf_a ? node_b : node_a)->box)) {
+    return State::done;
+  }
+  ++run.progress.overlaps;
+  const uint32_t first = (leaf_a ? shapes.b : shapes.a).first_child(root);
+  return walk_below(shapes, leaf, root, first, false, run);
 }
 
-/// From the cursor to where `leaf_pair` says stop, the end, or the last visit granted: where it
-/// stands then. `after`: the cursor's pair was visited before; what comes first is the pair after
-/// it.
-template <class Order, class Bound, class Shapes, class LeafPair>
-FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order::Tree& b,
-                             const Bound& bound, Shapes& shapes,
-                             WalkRun<typename Order::Cursor, LeafPair>& run, bool after) {
-  Order at(a, b, *run.cursor);
-  for (Side leaf = at.leaf(); leaf != Side::none; leaf = at.leaf()) {
-    const State end = walk_leaf(leaf, at, at.leaf_root(), at.leaf_node(), after, a, b, bound,
-                                shapes, run);
+/// To the end of the leaf's walk of a subtree that a walk was in, and of those that follow. Then it
+/// is `at_pair`, and run.leaf is none.
+template <class Order, class Shapes, class Run>
+FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
+  Order at(shapes.a, shapes.b, *run.cursor);
+  while ((run.leaf = at.leaf()) != Side::none) {
+    const uint32_t leaf = run.leaf == Side::a ? at.index_a() : at.index_b();
+    shapes.begin(run.leaf, leaf);
+    const State end = walk_below(shapes, leaf, at.leaf_root(), at.leaf_node(), after, run);
     if (end != State::done) {
+      at.store_below(*run.cursor, run.leaf, run.node);
       return end;
     }
     after = false;
@@ -256,6 +240,22 @@ FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order
       return State::done;
     }
   }
+  at.store(*run.cursor, false);
+  return after ? State::at_leaf_pair : State::at_pair;
+}
+
+/// From the cursor, `from` a state that is not done, to where `leaf_pair` says stop, the end, or
+/// the last visit granted: where it stands then.
+template <class Order, class Bound, class Shapes, class LeafPair>
+FLASHBVH_NOINLINE State walk(const Bound& bound, Shapes& shapes,
+                             WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
+  if (from != State::fresh || !Order::kStartsAtRoots) {
+    from = walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
+    if (from == State::done || run.leaf != Side::none) {
+      return from;
+    }
+  }
+  Order at(shapes.a, shapes.b, *run.cursor);
   auto* kept = &run;
   keep_in_memory(kept);
   Bound may_matter = bound;
@@ -263,7 +263,7 @@ FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order
   uint32_t visits_left = run.progress.visits_left;
   uint32_t overlaps = run.progress.overlaps;
   State end = State::done;
-  for (bool visit = !after;; visit = true) {
+  for (bool visit = from != State::at_leaf_pair;; visit = true) {
     if (visit) {
       if (visits_left == 0) {
         end = State::at_pair;
@@ -277,11 +277,16 @@ FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order
         }
         keep_in_memory(kept);
         kept->progress = {visits_left, overlaps};
-        const State below = reach_leaf(at, a, b, may_matter, shapes, *kept);
+        end = reach_leaf(&at.node_a(), &at.node_b(), shapes, *kept);
+        keep_in_memory(kept);
         visits_left = kept->progress.visits_left;
         overlaps = kept->progress.overlaps;
-        if (below != State::done) {
-          return below;
+        if (end != State::done) {
+          if (kept->leaf != Side::none) {
+            at.store_below(*kept->cursor, kept->leaf, kept->node);
+            return end;
+          }
+          break;
         }
       }
     }
