@@ -1,7 +1,7 @@
 #include "measure.hpp"
 
 #include "insn.hpp"
-#include "support/walk.hpp"
+#include "flashbvh/detail/triangle.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -104,10 +104,11 @@ void add_triangle_tests(const PostMesh& a, const PostMesh& b, const Pose& pose, 
       Triangle triangle_b;
       transform_triangle(b, of_b, transform, triangle_b);
       for (uint32_t of_a = a.first_triangle(leaf_a); of_a < a.end_triangle(leaf_a); ++of_a) {
-        Triangle triangle_a;
-        translate_triangle(a, of_a, kNoOffset, triangle_a);
-        tests.add(
-            port::instructions_of([&] { (void)near_triangles_intersect(triangle_a, triangle_b); }));
+        const auto& corner = a.triangles[of_a].corner;
+        tests.add(port::instructions_of([&] {
+          (void)near_triangles_intersect(a.vertices[corner[0]], a.vertices[corner[1]],
+                                         a.vertices[corner[2]], triangle_b, Plane(triangle_b));
+        }));
       }
     }
     return true;

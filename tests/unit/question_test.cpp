@@ -70,6 +70,7 @@ class GrownBound {
 };
 
 struct WithinBoxDistance {
+  static constexpr bool kIntersects = false;
   static constexpr bool kLeafShapes = false;
   static constexpr bool kDisjointRootsEnd = false;
   std::int32_t distance = 0;
@@ -78,7 +79,7 @@ struct WithinBoxDistance {
     return {transform.offset, distance};
   }
   GrownBound rotated(const RotatedTransform& transform) const { return {transform, distance}; }
-  bool test(const Triangle& a, const Triangle& b, bool /*narrow*/) const { return box_gap(a, b) <= distance; }
+  bool test(const Triangle& a, const Triangle& b) const { return box_gap(a, b) <= distance; }
 };
 
 /// By their ids, in order.

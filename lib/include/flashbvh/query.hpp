@@ -16,6 +16,7 @@
 #include "flashbvh/detail/leaf_shape.hpp"
 #include "flashbvh/detail/ranked.hpp"
 #include "flashbvh/detail/transform.hpp"
+#include "flashbvh/detail/triangle_test.hpp"
 #include "flashbvh/detail/walk.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
@@ -171,15 +172,11 @@ class Query : Question {
   /// The triangles of the pair reported last, in A's frame: inside a sink, and after a run that
   /// wrote a pair and ended with `full`.
   void last_pair(Triangle& a, Triangle& b) const {
-    detail::get_triangle(*a_, of_a(untested_), a);
-    transform_b(of_b(untested_), b);
+    detail::translate_triangle(*a_, of_a(untested_), detail::kNoOffset, a);
+    detail::transform_triangle(*b_, of_b(untested_), transform_, b);
   }
 
  private:
-  FLASHBVH_NOINLINE void transform_b(uint32_t position, Triangle& b) const {
-    detail::transform_triangle(*b_, position, transform_, b);
-  }
-
   static uint32_t triangles(const Mesh& mesh, uint32_t leaf) {
     return mesh.end_triangle(leaf) - mesh.first_triangle(leaf);
   }
@@ -293,12 +290,9 @@ class Query : Question {
   /// Transforming triangles, B's above all, is not done again while pairs share them.
   /// Nothing but `this` outlives the call, which keeps the stack flat where it is deepest.
   FLASHBVH_NOINLINE bool next_answer(Batch& batch) {
-    constexpr uint32_t none = UINT32_MAX;
-    Triangle a;
-    Triangle b;
-    uint32_t kept_a = none;
-    uint32_t kept_b = none;
-    const bool narrow = transform_.is_narrow(b_->nodes[0].box);
+    const Question& question = *this;
+    detail::TriangleTest<Question, Mesh, Question::kIntersects> test(question, *a_, *b_,
+                                                                     transform_);
     for (;;) {
       if (untested_ == 0 && !take_next(batch)) {
         return false;
@@ -307,15 +301,7 @@ class Query : Question {
       uint32_t triangle_a = of_a(untested_ - 1u);
       for (;;) {
         --untested_;
-        if (triangle_b != kept_b) {
-          transform_b(triangle_b, b);
-          kept_b = triangle_b;
-        }
-        if (triangle_a != kept_a) {
-          detail::get_triangle(*a_, triangle_a, a);
-          kept_a = triangle_a;
-        }
-        if (Question::test(a, b, narrow)) {
+        if (test(triangle_a, triangle_b)) {
           ++counts_.triangle_pairs;
           return true;
         }

@@ -200,17 +200,20 @@ inline int64_t product(int32_t u, int32_t v) {
   return static_cast<int64_t>(u) * v;
 }
 
-/// The sides of the plane of `plane` on which the corners of `asked` lie: sums of 64-bit products
-/// that begin with its first corner's, so that no difference is made. Below 2^51.
-[[gnu::noinline]] Sides near_sides(const Triangle& plane, const Triangle& asked) {
-  const Narrow n = normal_of<Narrow>(plane);
-  const Point& o = plane.corner[0];
-  const int64_t start = -(product(n.x, o.x) + product(n.y, o.y) + product(n.z, o.z));
-  const auto bits = [&](const Point& p, unsigned above) {
-    const int64_t h = start + product(n.x, p.x) + product(n.y, p.y) + product(n.z, p.z);
+/// The sides of a plane on which three corners lie: sums of 64-bit products that begin with the
+/// plane's own, so that no difference is made. Below 2^51.
+template <class Corner>
+inline Sides near_sides(const Plane& plane, const Corner& p, const Corner& q, const Corner& r) {
+  const auto bits = [&plane](const Corner& corner, unsigned above) {
+    const int64_t h = plane.start + product(plane.x, corner.x) + product(plane.y, corner.y) +
+                      product(plane.z, corner.z);
     return h > 0 ? above : h < 0 ? above << 3 : 0u;
   };
-  return {bits(asked.corner[0], 1) | bits(asked.corner[1], 2) | bits(asked.corner[2], 4)};
+  return {bits(p, 1) | bits(q, 2) | bits(r, 4)};
+}
+
+[[gnu::noinline]] Sides near_sides(const Triangle& plane, const Triangle& asked) {
+  return near_sides(Plane(plane), asked.corner[0], asked.corner[1], asked.corner[2]);
 }
 
 /// As volume(), with cofactors of the two edges p-q and r-s alone.
@@ -232,19 +235,33 @@ inline int64_t edge_volume(const Point& p, const Point& q, const Point& r, const
          edge_volume(tip_a, low_a, tip_b, low_b) >= 0;
 }
 
-}  // namespace
-
-bool near_triangles_intersect(const Triangle& a, const Triangle& b) noexcept {
-  const Sides of_a = near_sides(b, a);
-  if (of_a.separate()) {
-    return false;
-  }
+/// Of triangles of which `a` is on both sides of the plane of `b`, or touches it.
+[[gnu::noinline]] bool on_both_sides(Sides of_a, const Vertex& p, const Vertex& q, const Vertex& r,
+                                     const Triangle& b) {
+  const Triangle a = {{{p.x, p.y, p.z}, {q.x, q.y, q.z}, {r.x, r.y, r.z}}};
   const Sides of_b = near_sides(a, b);
   if (of_b.separate()) {
     return false;
   }
   return of_a.all_on_plane() || of_b.all_on_plane() ? triangles_intersect(a, b)
                                                     : near_intervals_overlap(a, of_a, b, of_b);
+}
+
+}  // namespace
+
+Plane::Plane(const Triangle& t) {
+  const Narrow n = normal_of<Narrow>(t);
+  const Point& o = t.corner[0];
+  x = n.x;
+  y = n.y;
+  z = n.z;
+  start = -(product(x, o.x) + product(y, o.y) + product(z, o.z));
+}
+
+bool near_triangles_intersect(const Vertex& p, const Vertex& q, const Vertex& r, const Triangle& b,
+                              const Plane& plane_b) noexcept {
+  const Sides of_a = near_sides(plane_b, p, q, r);
+  return !of_a.separate() && on_both_sides(of_a, p, q, r, b);
 }
 
 bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept {

@@ -91,19 +91,6 @@ class Transform {
 /// Where A's own triangles are.
 inline constexpr Point kNoOffset = {0, 0, 0};
 
-/// A triangle of a mesh, by its position, where it lies.
-template <class Mesh>
-FLASHBVH_NOINLINE void get_triangle(const Mesh& mesh, uint32_t position, Triangle& triangle) {
-  const auto& corner = mesh.triangles[position].corner;
-  const auto at = [&](int i) -> Point {
-    const Vertex& v = mesh.vertices[corner[i]];
-    return {v.x, v.y, v.z};
-  };
-  triangle.corner[0] = at(0);
-  triangle.corner[1] = at(1);
-  triangle.corner[2] = at(2);
-}
-
 /// A triangle of a mesh, by its position, translated by whole cells.
 template <class Mesh>
 FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, const Point& offset,

@@ -31,9 +31,20 @@ constexpr int32_t kMaxDifference = (1 << 20) - 1;
 /// Predicates", Journal of Graphics Tools 8(1), 2003, for the general case.
 bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
 
-/// The same of narrow triangles: coordinates within +-2^17, edges within +-(2^15 - 1) along each
-/// axis. Boxes, which a query tested before, are tested only where the general case does not decide.
-bool near_triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
+/// The plane of a narrow triangle: coordinates within +-2^17, edges within +-(2^15 - 1) along each
+/// axis. 24 bytes.
+struct Plane {
+  explicit Plane(const Triangle& triangle);
+  Plane() = default;
+
+  int32_t x, y, z;  ///< the normal, twice the area long
+  int64_t start;    ///< the negated height of the triangle above the origin
+};
+
+/// The same of narrow triangles, the first as it lies on A's lattice. Boxes, which a query tested
+/// before, are tested only where the general case does not decide.
+bool near_triangles_intersect(const Vertex& p, const Vertex& q, const Vertex& r, const Triangle& b,
+                              const Plane& plane_b) noexcept;
 
 }  // namespace flashbvh::detail
 

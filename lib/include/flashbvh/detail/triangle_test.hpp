@@ -1,0 +1,81 @@
+// Tests pairs of triangles of two meshes, keeping what consecutive pairs share.
+#ifndef FLASHBVH_DETAIL_TRIANGLE_TEST_HPP
+#define FLASHBVH_DETAIL_TRIANGLE_TEST_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/inline.hpp"
+#include "flashbvh/detail/transform.hpp"
+#include "flashbvh/detail/triangle.hpp"
+
+namespace flashbvh::detail {
+
+/// Any question's. Rotating a triangle of B costs most, so it is kept.
+template <class Question, class Mesh, bool kIntersects>
+class TriangleTest {
+ public:
+  TriangleTest(const Question& question, const Mesh& a, const Mesh& b, const Transform& transform)
+      : question_(question), a_(a), b_(b), transform_(transform) {}
+
+  /// By positions.
+  bool operator()(uint32_t of_a, uint32_t of_b) {
+    if (of_b != kept_) {
+      kept_ = of_b;
+      transform_triangle(b_, of_b, transform_, kept_b_);
+    }
+    Triangle a;
+    translate_triangle(a_, of_a, kNoOffset, a);
+    return question_.test(a, kept_b_);
+  }
+
+ private:
+  const Question& question_;
+  const Mesh& a_;
+  const Mesh& b_;
+  const Transform& transform_;
+  uint32_t kept_ = UINT32_MAX;
+  Triangle kept_b_;
+};
+
+/// Of intersection: the plane of B's triangle is kept, too.
+template <class Question, class Mesh>
+class TriangleTest<Question, Mesh, true> {
+ public:
+  TriangleTest(const Question&, const Mesh& a, const Mesh& b, const Transform& transform)
+      : a_(a), b_(b), transform_(transform), narrow_(transform.is_narrow(b.nodes[0].box)) {}
+
+  bool operator()(uint32_t of_a, uint32_t of_b) {
+    if (of_b != kept_) {
+      kept_ = of_b;
+      transform_triangle(b_, of_b, transform_, kept_b_);
+      if (narrow_) {
+        plane_ = Plane(kept_b_);
+      }
+    }
+    if (narrow_) {
+      const auto& corner = a_.triangles[of_a].corner;
+      return near_triangles_intersect(a_.vertices[corner[0]], a_.vertices[corner[1]],
+                                      a_.vertices[corner[2]], kept_b_, plane_);
+    }
+    return wide(of_a);
+  }
+
+ private:
+  FLASHBVH_NOINLINE bool wide(uint32_t of_a) const {
+    Triangle a;
+    translate_triangle(a_, of_a, kNoOffset, a);
+    return triangles_intersect(a, kept_b_);
+  }
+
+  const Mesh& a_;
+  const Mesh& b_;
+  const Transform& transform_;
+  uint32_t kept_ = UINT32_MAX;
+  bool narrow_;
+  Triangle kept_b_;
+  Plane plane_;
+};
+
+}  // namespace flashbvh::detail
+
+#endif
