@@ -106,8 +106,10 @@ void add_triangle_tests(const PostMesh& a, const PostMesh& b, const Pose& pose, 
       for (uint32_t of_a = a.first_triangle(leaf_a); of_a < a.end_triangle(leaf_a); ++of_a) {
         const auto& corner = a.triangles[of_a].corner;
         tests.add(port::instructions_of([&] {
-          (void)near_triangles_intersect(a.vertices[corner[0]], a.vertices[corner[1]],
-                                         a.vertices[corner[2]], triangle_b, Plane(triangle_b));
+          const Point(&p)[3] = triangle_b.corner;
+          (void)near_triangles_intersect(
+              {{a.vertices + corner[0], a.vertices + corner[1], a.vertices + corner[2]}},
+              triangle_b, Plane(p[0], p[1], p[2]));
         }));
       }
     }

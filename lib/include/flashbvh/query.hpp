@@ -293,26 +293,42 @@ class Query : Question {
     const Question& question = *this;
     detail::TriangleTest<Question, Mesh, Question::kIntersects> test(question, *a_, *b_,
                                                                      transform_);
-    for (;;) {
-      if (untested_ == 0 && !take_next(batch)) {
-        return false;
+    while (untested_ != 0 || take_next(batch)) {
+      if (test_leaves(test)) {
+        ++counts_.triangle_pairs;
+        return true;
       }
-      uint32_t triangle_b = of_b(untested_ - 1u);
-      uint32_t triangle_a = of_a(untested_ - 1u);
-      for (;;) {
-        --untested_;
-        if (test(triangle_a, triangle_b)) {
-          ++counts_.triangle_pairs;
-          return true;
-        }
-        if (untested_ == 0) {
-          break;
-        }
-        if (triangle_a == a_->first_triangle(leaf_a_)) {
-          triangle_a = a_->end_triangle(leaf_a_);
-          --triangle_b;
-        }
-        --triangle_a;
+    }
+    return false;
+  }
+
+  /// Tests the pairs of triangles that the pair of leaves still has, down to an answer.
+  template <class Test>
+  FLASHBVH_INLINE bool test_leaves(Test& test) {
+    const uint32_t first_a = a_->first_triangle(leaf_a_);
+    const uint32_t end_a = a_->end_triangle(leaf_a_);
+    uint32_t untested = untested_;
+    uint32_t triangle_a = end_a;
+    uint32_t triangle_b = 0;
+    if (end_a - first_a != 1) {
+      // Where a run before this one stopped.
+      const uint32_t last = untested - 1;
+      triangle_a = first_a + last % (end_a - first_a) + 1;
+      triangle_b = b_->first_triangle(leaf_b_) + last / (end_a - first_a);
+    } else {
+      triangle_b = b_->first_triangle(leaf_b_) + untested - 1;
+    }
+    for (;;) {
+      --untested;
+      --triangle_a;
+      const bool answer = test(triangle_a, triangle_b);
+      if (answer || untested == 0) {
+        untested_ = static_cast<uint16_t>(untested);
+        return answer;
+      }
+      if (triangle_a == first_a) {
+        triangle_a = end_a;
+        --triangle_b;
       }
     }
   }

@@ -1,4 +1,5 @@
 // Preparing a rotated transform, and transforming vertices.
+#include "flashbvh/detail/packed_vector.hpp"
 #include "flashbvh/detail/rotated_transform.hpp"
 
 namespace flashbvh::detail {
@@ -80,24 +81,22 @@ class Row {
  public:
   Row(const RotatedTransform& transform, int axis) {
     const SplitRow& row = transform.matrix->rows.row[axis];
-    x_ = row.x();
-    y_ = row.y();
-    z_ = row.z_entry();
-    rest_x_ = transform.matrix->rest_of(axis, 0);
-    rest_y_ = transform.matrix->rest_of(axis, 1);
-    rest_z_ = transform.matrix->rest_of(axis, 2);
+    const int8_t(&rest)[3] = transform.matrix->rest[axis];
+    entries_ = {signed_difference(row.positive_xy, row.negative_xy), row.z_entry()};
+    rest_ = {join_halves(static_cast<uint16_t>(rest[0]), static_cast<uint16_t>(rest[1])), rest[2]};
     const BoundStart& start = transform.on_a[axis];
     offset_ = (start.upper - start.lower) / 2 + kHalf;  // exact: see start_of()
   }
 
-  int32_t transform(const Vertex& v) const {
-    const int32_t rest = rest_x_ * v.x + rest_y_ * v.y + rest_z_ * v.z;
-    return (x_ * v.x + y_ * v.y + z_ * v.z + (rest >> kRestBits) + offset_) >> kSplitBits;
+  int32_t transform(const PackedVector& v) const {
+    const int32_t rest = add_signed_products(rest_.z * v.z, rest_.xy, v.xy);
+    const int32_t sum = add_signed_products(entries_.z * v.z + offset_, entries_.xy, v.xy);
+    return (sum + (rest >> kRestBits)) >> kSplitBits;
   }
 
  private:
-  int32_t x_, y_, z_;
-  int32_t rest_x_, rest_y_, rest_z_;
+  PackedVector entries_;
+  PackedVector rest_;
   int32_t offset_;
 };
 
@@ -127,17 +126,21 @@ bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
 }
 
 Point RotatedTransform::transform(const Vertex& v) const {
-  return {Row(*this, 0).transform(v), Row(*this, 1).transform(v), Row(*this, 2).transform(v)};
+  const PackedVector p = PackedVector::of(v);
+  return {Row(*this, 0).transform(p), Row(*this, 1).transform(p), Row(*this, 2).transform(p)};
 }
 
 void RotatedTransform::transform(const Vertex& u, const Vertex& v, const Vertex& w,
                                  Triangle& triangle) const {
+  const PackedVector p = PackedVector::of(u);
+  const PackedVector q = PackedVector::of(v);
+  const PackedVector r = PackedVector::of(w);
   for (int axis = 0; axis < 3; ++axis) {
     const Row row(*this, axis);
     const auto coordinate = kAxes[axis];
-    triangle.corner[0].*coordinate = row.transform(u);
-    triangle.corner[1].*coordinate = row.transform(v);
-    triangle.corner[2].*coordinate = row.transform(w);
+    triangle.corner[0].*coordinate = row.transform(p);
+    triangle.corner[1].*coordinate = row.transform(q);
+    triangle.corner[2].*coordinate = row.transform(r);
   }
 }
 

@@ -4,10 +4,6 @@
 namespace flashbvh::detail {
 namespace {
 
-inline uint32_t magnitude(int32_t x) {
-  return x < 0 ? 0u - static_cast<uint32_t>(x) : static_cast<uint32_t>(x);
-}
-
 constexpr int32_t kHalf = kSplitOne / 2;
 
 /// A direction in the other lattice. The parts of a row's entries are apart, so it is multiplied by
@@ -63,61 +59,15 @@ inline int32_t margin(const RotatedTransform& transform, Side of, int32_t sum, i
 
 }  // namespace
 
-bool cross_direction(const PackedVector& u, const PackedVector& v, PackedVector& direction) {
-  int32_t x = u.y() * v.z - u.z * v.y();
-  int32_t y = u.z * v.x() - u.x() * v.z;
-  int32_t z = cross_halves(u.xy, v.xy);
-  const uint32_t all = magnitude(x) | magnitude(y) | magnitude(z);
-  if (all == 0) {
-    return false;
-  }
-  const int up = __builtin_clz(all) - static_cast<int>(32 - kDirectionBits);
-  if (up >= 0) {
-    const int32_t scale = 1 << up;
-    x *= scale;
-    y *= scale;
-    z *= scale;
-  } else {
-    x >>= -up;
-    y >>= -up;
-    z >>= -up;
-  }
-  direction = {join_halves(static_cast<uint16_t>(x), static_cast<uint16_t>(y)), z};
-  return true;
-}
-
-void Slab::set(const PackedVector& direction, const Extent& extent, const Transform& transform,
-               Side of, int32_t reach_b) {
-  const bool rotated = transform.is_rotated();
+void Slab::set(const PackedVector& direction, const Extent& extent,
+               const RotatedTransform& transform, Side of, int32_t reach_b) {
   const bool of_a = of == Side::a;
-  const PackedVector seen =
-      !rotated ? direction
-               : rotate(of_a ? transform.rotated().columns : transform.rotated().matrix->rows,
-                        direction);
-  const uint32_t negated_xy = signed_difference(0, seen.xy);
-  row_ = {positive_halves(seen.xy), positive_halves(negated_xy),
-          positive_halves(join_halves(static_cast<uint16_t>(seen.z),
-                                      static_cast<uint16_t>(-seen.z)))};
-  const int32_t sum = row_.sum();
-  int32_t offset = 0;
-  int32_t wider = 0;
-  if (rotated) {
-    offset = offset_along(of_a ? direction : seen, transform.rotated());
-    wider = margin(transform.rotated(), of,
-                   of_a ? static_cast<int32_t>(magnitude(direction.x()) +
-                                               magnitude(direction.y()) + magnitude(direction.z))
-                        : sum,
-                   reach_b);
-  } else {
-    const Point& o = transform.translated().offset;
-    offset = direction.x() * o.x + direction.y() * o.y + direction.z * o.z;
-  }
-  if (of_a) {
-    offset = -offset;
-  }
-  const int32_t bias = sum * kBoundBias;
-  least_upper_ = bias + extent.least + offset - wider;
-  least_lower_ = bias - extent.most - offset - wider;
+  const PackedVector seen = rotate(of_a ? transform.columns : transform.matrix->rows, direction);
+  const PackedVector& in_a = of_a ? direction : seen;
+  const int32_t offset = offset_along(in_a, transform);
+  const auto sum =
+      static_cast<int32_t>(magnitude(in_a.x()) + magnitude(in_a.y()) + magnitude(in_a.z));
+  set_row(seen, extent, of_a ? -offset : offset, margin(transform, of, sum, reach_b));
 }
 
 }  // namespace flashbvh::detail

@@ -212,56 +212,53 @@ inline Sides near_sides(const Plane& plane, const Corner& p, const Corner& q, co
   return {bits(p, 1) | bits(q, 2) | bits(r, 4)};
 }
 
-[[gnu::noinline]] Sides near_sides(const Triangle& plane, const Triangle& asked) {
-  return near_sides(Plane(plane), asked.corner[0], asked.corner[1], asked.corner[2]);
+/// A corner of A, wherever it is used.
+inline Point point(const Vertex& v) {
+  return {v.x, v.y, v.z};
 }
 
 /// As volume(), with cofactors of the two edges p-q and r-s alone.
-inline int64_t edge_volume(const Point& p, const Point& q, const Point& r, const Point& s) {
-  return dot(cross<Narrow>(difference(s, r), difference(q, p)), difference(r, p));
+inline int64_t edge_volume(const Vertex& p, const Vertex& q, const Point& r, const Point& s) {
+  return dot(cross<Narrow>(difference(s, r), difference(point(q), point(p))),
+             difference(r, point(p)));
 }
 
 /// As intervals_overlap(), of triangles with narrow edges.
-[[gnu::noinline]] bool near_intervals_overlap(const Triangle& a, Sides of_a, const Triangle& b, Sides of_b) {
+[[gnu::noinline]] bool near_intervals_overlap(const NearTriangle& a, Sides of_a, const Triangle& b,
+                                              Sides of_b) {
   const Tip at = tip_of(of_a);
   const Tip bt = tip_of(of_b);
-  const Point& tip_a = a.corner[at.corner];
+  const Vertex& tip_a = *a.corner[at.corner];
   const Point& tip_b = b.corner[bt.corner];
-  const Point& high_a = a.corner[bt.up ? next(at.corner) : previous(at.corner)];
-  const Point& high_b = b.corner[at.up ? next(bt.corner) : previous(bt.corner)];
-  const Point& low_a = a.corner[bt.up ? previous(at.corner) : next(at.corner)];
-  const Point& low_b = b.corner[at.up ? previous(bt.corner) : next(bt.corner)];
-  return edge_volume(tip_a, high_a, tip_b, high_b) <= 0 &&
-         edge_volume(tip_a, low_a, tip_b, low_b) >= 0;
+  const unsigned next_a = next(at.corner);
+  const unsigned previous_a = previous(at.corner);
+  const unsigned next_b = next(bt.corner);
+  const unsigned previous_b = previous(bt.corner);
+  return edge_volume(tip_a, *a.corner[bt.up ? next_a : previous_a], tip_b,
+                     b.corner[at.up ? next_b : previous_b]) <= 0 &&
+         edge_volume(tip_a, *a.corner[bt.up ? previous_a : next_a], tip_b,
+                     b.corner[at.up ? previous_b : next_b]) >= 0;
 }
 
 /// Of triangles of which `a` is on both sides of the plane of `b`, or touches it.
-[[gnu::noinline]] bool on_both_sides(Sides of_a, const Vertex& p, const Vertex& q, const Vertex& r,
-                                     const Triangle& b) {
-  const Triangle a = {{{p.x, p.y, p.z}, {q.x, q.y, q.z}, {r.x, r.y, r.z}}};
-  const Sides of_b = near_sides(a, b);
+[[gnu::noinline]] bool on_both_sides(const NearTriangle& a, Sides of_a, const Triangle& b) {
+  const Plane plane(point(*a.corner[0]), point(*a.corner[1]), point(*a.corner[2]));
+  const Sides of_b = near_sides(plane, b.corner[0], b.corner[1], b.corner[2]);
   if (of_b.separate()) {
     return false;
   }
-  return of_a.all_on_plane() || of_b.all_on_plane() ? triangles_intersect(a, b)
-                                                    : near_intervals_overlap(a, of_a, b, of_b);
+  if (__builtin_expect(!of_a.all_on_plane() && !of_b.all_on_plane(), 1)) {
+    return near_intervals_overlap(a, of_a, b, of_b);
+  }
+  return triangles_intersect({{point(*a.corner[0]), point(*a.corner[1]), point(*a.corner[2])}}, b);
 }
 
 }  // namespace
 
-Plane::Plane(const Triangle& t) {
-  const Narrow n = normal_of<Narrow>(t);
-  const Point& o = t.corner[0];
-  x = n.x;
-  y = n.y;
-  z = n.z;
-  start = -(product(x, o.x) + product(y, o.y) + product(z, o.z));
-}
-
-bool near_triangles_intersect(const Vertex& p, const Vertex& q, const Vertex& r, const Triangle& b,
+bool near_triangles_intersect(const NearTriangle& a, const Triangle& b,
                               const Plane& plane_b) noexcept {
-  const Sides of_a = near_sides(plane_b, p, q, r);
-  return !of_a.separate() && on_both_sides(of_a, p, q, r, b);
+  const Sides of_a = near_sides(plane_b, *a.corner[0], *a.corner[1], *a.corner[2]);
+  return !of_a.separate() && on_both_sides(a, of_a, b);
 }
 
 bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept {

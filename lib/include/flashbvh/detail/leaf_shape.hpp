@@ -29,7 +29,11 @@ class LeafShapes {
   /// translation.
   LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform,
              RotatedBound* rotated)
-      : a(mesh_a), b(mesh_b), transform_(transform), rotated_(rotated) {}
+      : a(mesh_a),
+        b(mesh_b),
+        transform_(transform),
+        rotated_(rotated),
+        reach_b_(rotated != nullptr ? reach(b.nodes[0].box) : 0) {}
 
   /// Takes a leaf, by its node, as the shape for boxes of the other tree.
   FLASHBVH_NOINLINE void begin(Side side, uint32_t node) {
@@ -74,9 +78,6 @@ class LeafShapes {
 
   FLASHBVH_NOINLINE void make_plane() {
     const Corner corner(mesh(), node_->leaf());
-    if (reach_b_ == 0) {
-      reach_b_ = reach(b.nodes[0].box);
-    }
     if (cross_direction(corner.q - corner.p, corner.r - corner.p, normal_)) {
       set(plane_, normal_, corner);
       made_ = 1;
@@ -110,11 +111,23 @@ class LeafShapes {
           r(PackedVector::of(mesh.vertices[triangle.corner[2]])) {}
   };
 
-  void set(Slab& slab, const PackedVector& direction, const Corner& first) {
+  FLASHBVH_INLINE void set(Slab& slab, const PackedVector& direction, const Corner& first) {
     const int32_t at = dot(direction, first.p);
     Extent extent = {at, at};
     extent.add(dot(direction, first.q));
     extent.add(dot(direction, first.r));
+    if (mesh().leaf_offsets != nullptr) {
+      add_others(direction, extent);
+    }
+    if (rotated_ != nullptr) {
+      slab.set(direction, extent, transform_.rotated(), side_, reach_b_);
+    } else {
+      slab.set(direction, extent, transform_.translated().offset, side_);
+    }
+  }
+
+  /// The leaf's triangles after the first.
+  FLASHBVH_NOINLINE void add_others(const PackedVector& direction, Extent& extent) const {
     const Mesh& m = mesh();
     const uint32_t leaf = node_->leaf();
     for (uint32_t i = m.first_triangle(leaf) + 1; i < m.end_triangle(leaf); ++i) {
@@ -123,13 +136,12 @@ class LeafShapes {
       extent.add(dot(direction, corner.q));
       extent.add(dot(direction, corner.r));
     }
-    slab.set(direction, extent, transform_, side_, reach_b_);
   }
 
   const Transform& transform_;
   RotatedBound* rotated_;
+  int32_t reach_b_;
   const Node<typename Mesh::Index>* node_ = nullptr;  ///< the leaf
-  int32_t reach_b_ = 0;
   Side side_ = Side::none;
   uint8_t made_ = 0;  ///< slabs
   PackedTriple window_;

@@ -15,33 +15,15 @@
 #include "flashbvh/detail/box_packed.hpp"
 #include "flashbvh/detail/inline.hpp"
 #include "flashbvh/detail/packed_multiply.hpp"
+#include "flashbvh/detail/packed_vector.hpp"
 #include "flashbvh/detail/split_matrix.hpp"
 #include "flashbvh/detail/transform.hpp"
 
 namespace flashbvh::detail {
 
-/// A vertex, an edge or a direction: three signed halves.
-struct PackedVector {
-  uint32_t xy;  ///< x low, y high
-  int32_t z;
-
-  static PackedVector of(const Vertex& v) {
-    return {join_halves(static_cast<uint16_t>(v.x), static_cast<uint16_t>(v.y)), v.z};
-  }
-  int32_t x() const { return static_cast<int16_t>(xy); }
-  int32_t y() const { return static_cast<int32_t>(xy) >> 16; }
-};
-
 /// The largest component of a direction has so many bits and a sign. One more, and sums with an
 /// offset and biases would leave 32 bits.
 constexpr unsigned kDirectionBits = 13;
-
-inline PackedVector operator-(const PackedVector& u, const PackedVector& v) {
-  return {signed_difference(u.xy, v.xy), u.z - v.z};
-}
-inline int32_t dot(const PackedVector& u, const PackedVector& v) {
-  return add_signed_products(u.z * v.z, u.xy, v.xy);
-}
 
 /// Where triangles lie along a direction.
 struct Extent {
@@ -54,17 +36,53 @@ struct Extent {
   }
 };
 
+inline uint32_t magnitude(int32_t x) {
+  return x < 0 ? 0u - static_cast<uint32_t>(x) : static_cast<uint32_t>(x);
+}
+
 /// Sets `direction` to that of u x v, scaled; false if that is 0. Components of u and v: within
 /// +-32,766.
-bool cross_direction(const PackedVector& u, const PackedVector& v, PackedVector& direction);
+FLASHBVH_INLINE inline bool cross_direction(const PackedVector& u, const PackedVector& v,
+                                            PackedVector& direction) {
+  int32_t x = u.y() * v.z - u.z * v.y();
+  int32_t y = u.z * v.x() - u.x() * v.z;
+  int32_t z = cross_halves(u.xy, v.xy);
+  // All bits of a negative number are turned, so it may count as one less: 13 bits all the same.
+  const uint32_t all = static_cast<uint32_t>((x ^ (x >> 31)) | (y ^ (y >> 31)) | (z ^ (z >> 31)));
+  if ((x | y | z) == 0) {
+    return false;
+  }
+  const int up = __builtin_clz(all | 1u) - static_cast<int>(32 - kDirectionBits);
+  if (up >= 0) {
+    const auto shifted = [up](int32_t component) {
+      return static_cast<int32_t>(static_cast<uint32_t>(component) << up);
+    };
+    x = shifted(x);
+    y = shifted(y);
+    z = shifted(z);
+  } else {
+    x >>= -up;
+    y >>= -up;
+    z >>= -up;
+  }
+  direction = {join_halves(static_cast<uint16_t>(x), static_cast<uint16_t>(y)), z};
+  return true;
+}
 
 /// 20 bytes.
 class Slab {
  public:
   /// Triangles of side `of` between these bounds along `direction`, both in its own lattice; boxes
-  /// of the other side will be tested. `reach_b`: reach() of B's root box.
-  void set(const PackedVector& direction, const Extent& extent, const Transform& transform, Side of,
-           int32_t reach_b);
+  /// of the other side will be tested.
+  FLASHBVH_INLINE void set(const PackedVector& direction, const Extent& extent,
+                           const Point& offset, Side of) {
+    const int32_t along = direction.x() * offset.x + direction.y() * offset.y +
+                          direction.z * offset.z;
+    set_row(direction, extent, of == Side::a ? -along : along, 0);
+  }
+  /// `reach_b`: reach() of B's root box.
+  FLASHBVH_NOINLINE void set(const PackedVector& direction, const Extent& extent,
+                             const RotatedTransform& transform, Side of, int32_t reach_b);
 
   /// The whole space.
   void set_all() {
@@ -83,6 +101,16 @@ class Slab {
   }
 
  private:
+  FLASHBVH_INLINE void set_row(const PackedVector& seen, const Extent& extent, int32_t offset,
+                               int32_t margin) {
+    row_ = {positive_halves(seen.xy), positive_halves(signed_difference(0, seen.xy)),
+            positive_halves(join_halves(static_cast<uint16_t>(seen.z),
+                                        static_cast<uint16_t>(-seen.z)))};
+    const int32_t bias = row_.sum() * kBoundBias;
+    least_upper_ = bias + extent.least + offset - margin;
+    least_lower_ = bias - extent.most - offset - margin;
+  }
+
   SplitRow row_;
   int32_t least_upper_;  ///< of a box's upper bound along the row, biased
   int32_t least_lower_;  ///< of its negated lower bound

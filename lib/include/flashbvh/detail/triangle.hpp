@@ -34,16 +34,29 @@ bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
 /// The plane of a narrow triangle: coordinates within +-2^17, edges within +-(2^15 - 1) along each
 /// axis. 24 bytes.
 struct Plane {
-  explicit Plane(const Triangle& triangle);
-  Plane() = default;
-
   int32_t x, y, z;  ///< the normal, twice the area long
   int64_t start;    ///< the negated height of the triangle above the origin
+
+  Plane() = default;
+  Plane(const Point& p, const Point& q, const Point& r) {
+    const Point u = {q.x - p.x, q.y - p.y, q.z - p.z};
+    const Point v = {r.x - p.x, r.y - p.y, r.z - p.z};
+    x = u.y * v.z - u.z * v.y;
+    y = u.z * v.x - u.x * v.z;
+    z = u.x * v.y - u.y * v.x;
+    const auto product = [](int32_t n, int32_t at) { return static_cast<int64_t>(n) * at; };
+    start = -(product(x, p.x) + product(y, p.y) + product(z, p.z));
+  }
 };
 
-/// The same of narrow triangles, the first as it lies on A's lattice. Boxes, which a query tested
-/// before, are tested only where the general case does not decide.
-bool near_triangles_intersect(const Vertex& p, const Vertex& q, const Vertex& r, const Triangle& b,
+/// A triangle as it lies on A's lattice.
+struct NearTriangle {
+  const Vertex* corner[3];
+};
+
+/// The same of narrow triangles. Boxes, which a query tested before, are tested only where the
+/// general case does not decide.
+bool near_triangles_intersect(const NearTriangle& a, const Triangle& b,
                               const Plane& plane_b) noexcept;
 
 }  // namespace flashbvh::detail

@@ -49,13 +49,14 @@ class TriangleTest<Question, Mesh, true> {
       kept_ = of_b;
       transform_triangle(b_, of_b, transform_, kept_b_);
       if (narrow_) {
-        plane_ = Plane(kept_b_);
+        plane_ = Plane(kept_b_.corner[0], kept_b_.corner[1], kept_b_.corner[2]);
       }
     }
     if (narrow_) {
       const auto& corner = a_.triangles[of_a].corner;
-      return near_triangles_intersect(a_.vertices[corner[0]], a_.vertices[corner[1]],
-                                      a_.vertices[corner[2]], kept_b_, plane_);
+      return near_triangles_intersect(
+          {{a_.vertices + corner[0], a_.vertices + corner[1], a_.vertices + corner[2]}}, kept_b_,
+          plane_);
     }
     return wide(of_a);
   }
