@@ -137,7 +137,7 @@ class Query : Question {
         state_ = State::done;
         return Status::done;
       }
-      transform_.prepare();
+      transform_.prepare(b_->nodes[0].box);
     }
     return go_on(visits, sink);
   }
@@ -163,7 +163,7 @@ class Query : Question {
     if (state_ == State::fresh) {
       cursor_ = Cursor();
     } else if (state_ != State::done) {
-      transform_.prepare();
+      transform_.prepare(b_->nodes[0].box);
       set_leaves();
     }
     return status();
@@ -200,13 +200,16 @@ class Query : Question {
 
   /// Orders with a stack can't go back to a pair, so they take along but one.
   using Batch = detail::LeafPairs<Index, Order::kStackless ? 8 : 1>;
+  using Test = detail::TriangleTest<Question, Mesh, Question::kIntersects>;
 
   template <class Sink>
   FLASHBVH_INLINE Status go_on(uint32_t visits, Sink& sink) {
     Batch batch;
+    const Question& question = *this;
+    Test test(question, *a_, *b_, transform_);
     State end = state_;
     for (;;) {
-      while (next_answer(batch)) {
+      while (next_answer(batch, test)) {
         if (!sink(current_pair())) {
           stop_at_current(batch);
           return Status::full;
@@ -289,10 +292,7 @@ class Query : Question {
   /// Tests pairs of triangles until one is an answer; false if none is left of the batch.
   /// Transforming triangles, B's above all, is not done again while pairs share them.
   /// Nothing but `this` outlives the call, which keeps the stack flat where it is deepest.
-  FLASHBVH_NOINLINE bool next_answer(Batch& batch) {
-    const Question& question = *this;
-    detail::TriangleTest<Question, Mesh, Question::kIntersects> test(question, *a_, *b_,
-                                                                     transform_);
+  FLASHBVH_NOINLINE bool next_answer(Batch& batch, Test& test) {
     while (untested_ != 0 || take_next(batch)) {
       if (test_leaves(test)) {
         ++counts_.triangle_pairs;
@@ -303,7 +303,6 @@ class Query : Question {
   }
 
   /// Tests the pairs of triangles that the pair of leaves still has, down to an answer.
-  template <class Test>
   FLASHBVH_INLINE bool test_leaves(Test& test) {
     const uint32_t first_a = a_->first_triangle(leaf_a_);
     const uint32_t end_a = a_->end_triangle(leaf_a_);
@@ -333,18 +332,18 @@ class Query : Question {
     }
   }
 
-  void count(const typename Batch::Entry& walked) {
+  void count(const typename Batch::Walked& walked) {
     counts_.visits += walked.visits;
     counts_.overlaps += walked.overlaps;
   }
 
   bool take_next(Batch& batch) {
     if (!batch.has_next()) {
-      count(batch.rest());
+      count(batch.walked_to_end());
       return false;
     }
     const auto& pair = batch.next();
-    count(pair);
+    count(batch.walked_to_current());
     ++counts_.leaf_pairs;
     leaf_a_ = a_->nodes[pair.a].leaf();
     leaf_b_ = b_->nodes[pair.b].leaf();

@@ -16,23 +16,22 @@ inline int64_t product(int32_t u, int32_t v) {
   return static_cast<int64_t>(u) * v;
 }
 
-/// Where B's origin lies in A's lattice: `offset`, kSplitOne is a cell.
-void offset_of(const Pose& pose, const int32_t (&origin_a)[3], const int32_t (&origin_b)[3],
-               int32_t (&offset)[3]) {
-  for (int i = 0; i < 3; ++i) {
-    // Wraps if the pose is out of range, which is an error of the pose.
-    const auto cells = static_cast<int32_t>(static_cast<uint32_t>(pose.translation(i)) -
-                                            static_cast<uint32_t>(origin_a[i]));
-    int32_t x = 0;
-    int32_t y = 0;
-    int32_t z = 0;
-    pose.matrix().get_row(i, x, y, z);
-    // kRotationBits fraction bits; below 2^54.
-    const int64_t sum = product(cells, 1 << kRotationBits) +
-                        product(pose.fraction(i), 1 << (kRotationBits - 16)) +
-                        product(x, origin_b[0]) + product(y, origin_b[1]) + product(z, origin_b[2]);
-    offset[i] = clamp_offset((sum + (1 << (kRestBits - 1))) >> kRestBits);
-  }
+/// Where B's origin lies along an axis of A's lattice; kSplitOne is a cell.
+int32_t offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
+                          const int32_t (&origin_b)[3], int axis) {
+  // Wraps if the pose is out of range, which is an error of the pose.
+  const auto cells = static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) -
+                                          static_cast<uint32_t>(origin_a[axis]));
+  int32_t x = 0;
+  int32_t y = 0;
+  int32_t z = 0;
+  pose.matrix().get_row(axis, x, y, z);
+  // kRotationBits fraction bits; below 2^54.
+  const int64_t sum =
+      product(cells, 1 << kRotationBits) +
+      product(pose.fraction(axis), 1 << (kRotationBits - 16)) + product(x, origin_b[0]) +
+      product(y, origin_b[1]) + product(z, origin_b[2]);
+  return clamp_offset((sum + (1 << (kRestBits - 1))) >> kRestBits);
 }
 
 /// Whether an interval of half-width `radius` round `centre` is disjoint from [-lower, upper].
@@ -42,12 +41,13 @@ bool disjoint(int32_t centre, int32_t radius, uint32_t upper, uint32_t lower) {
          cells + radius < kBoundBias - static_cast<int32_t>(lower);
 }
 
-bool far_apart(const int32_t (&offset)[3], const PackedBox& root_a, int32_t reach_b) {
-  // A vertex is at most this far from the offset: stretched by the rotation's defect, and rounded.
-  const int32_t radius = reach_b + (reach_b >> 12) + 2;
-  return disjoint(offset[0], radius, low_half(root_a.upper_xy), low_half(root_a.lower_xy)) ||
-         disjoint(offset[1], radius, high_half(root_a.upper_xy), high_half(root_a.lower_xy)) ||
-         disjoint(offset[2], radius, low_half(root_a.z), high_half(root_a.z));
+/// Whether nothing of B can reach A's root box along an axis.
+bool far_apart(int32_t offset, int32_t radius, const PackedBox& root_a, int axis) {
+  switch (axis) {
+    case 0: return disjoint(offset, radius, low_half(root_a.upper_xy), low_half(root_a.lower_xy));
+    case 1: return disjoint(offset, radius, high_half(root_a.upper_xy), high_half(root_a.lower_xy));
+    default: return disjoint(offset, radius, low_half(root_a.z), high_half(root_a.z));
+  }
 }
 
 /// What the rotation of boxes can lack of that of the vertices of B.
@@ -74,8 +74,6 @@ BoundStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
   return {bias + margin + offset, bias + margin - offset};
 }
 
-constexpr int32_t Point::*kAxes[3] = {&Point::x, &Point::y, &Point::z};
-
 /// What makes one coordinate of a transformed vertex.
 class Row {
  public:
@@ -85,7 +83,7 @@ class Row {
     entries_ = {signed_difference(row.positive_xy, row.negative_xy), row.z_entry()};
     rest_ = {join_halves(static_cast<uint16_t>(rest[0]), static_cast<uint16_t>(rest[1])), rest[2]};
     const BoundStart& start = transform.on_a[axis];
-    offset_ = (start.upper - start.lower) / 2 + kHalf;  // exact: see start_of()
+    offset_ = offset_of(start) + kHalf;
   }
 
   int32_t transform(const PackedVector& v) const {
@@ -105,11 +103,15 @@ class Row {
 bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
                                const PackedBox& root_a, const int32_t (&origin_b)[3],
                                const PackedBox& root_b, bool may_stop) {
-  int32_t offset[3];
-  offset_of(pose, origin_a, origin_b, offset);
   const int32_t reach_b = reach(root_b);
-  if (may_stop && far_apart(offset, root_a, reach_b)) {
-    return false;
+  // A vertex is at most this far from the offset: stretched by the rotation's defect, and rounded.
+  const int32_t radius = reach_b + (reach_b >> 12) + 2;
+  int32_t offset[3];
+  for (int i = 0; i < 3; ++i) {
+    offset[i] = offset_along_axis(pose, origin_a, origin_b, i);
+    if (may_stop && far_apart(offset[i], radius, root_a, i)) {
+      return false;
+    }
   }
   matrix = &pose.matrix();
   columns = matrix->rows.transposed();
@@ -135,13 +137,15 @@ void RotatedTransform::transform(const Vertex& u, const Vertex& v, const Vertex&
   const PackedVector p = PackedVector::of(u);
   const PackedVector q = PackedVector::of(v);
   const PackedVector r = PackedVector::of(w);
-  for (int axis = 0; axis < 3; ++axis) {
+  const auto transform_axis = [&](int axis, int32_t Point::*coordinate) {
     const Row row(*this, axis);
-    const auto coordinate = kAxes[axis];
     triangle.corner[0].*coordinate = row.transform(p);
     triangle.corner[1].*coordinate = row.transform(q);
     triangle.corner[2].*coordinate = row.transform(r);
-  }
+  };
+  transform_axis(0, &Point::x);
+  transform_axis(1, &Point::y);
+  transform_axis(2, &Point::z);
 }
 
 }  // namespace flashbvh::detail

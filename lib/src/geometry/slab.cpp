@@ -39,8 +39,7 @@ inline PackedVector rotate(const SplitMatrix& matrix, const PackedVector& d) {
 /// Where B's origin lies along a direction in A's lattice, in the direction's unit.
 inline int32_t offset_along(const PackedVector& d, const RotatedTransform& transform) {
   const auto product = [&](int32_t x, int i) {
-    return static_cast<int64_t>(x) *
-           ((transform.on_a[i].upper - transform.on_a[i].lower) / 2);  // exact: see start_of()
+    return static_cast<int64_t>(x) * offset_of(transform.on_a[i]);
   };
   return static_cast<int32_t>((product(d.x(), 0) + product(d.y(), 1) + product(d.z, 2)) >>
                               kSplitBits);

@@ -9,7 +9,7 @@
 
 namespace flashbvh::detail {
 
-/// With each pair goes what the walk did to find it, so that counts are right at every pair.
+/// With each pair goes where the walk's counts stood, so that counts are right at every pair.
 /// 8 * size + 16 bytes with 16-bit indices.
 template <class Index, uint32_t size>
 class LeafPairs {
@@ -17,29 +17,30 @@ class LeafPairs {
   struct Entry {
     Index a;
     Index b;
-    uint16_t visits;
-    uint16_t overlaps;
+    uint32_t counts;
   };
-  /// The most visits that a walk may make for one batch.
+  /// Visits, and of these overlaps.
+  struct Walked {
+    uint32_t visits;
+    uint32_t overlaps;
+  };
+  /// The most visits that a walk may make for one batch: counts keep 16 bits.
   static constexpr uint32_t kMostVisits = UINT16_MAX;
 
   void clear(const Progress& before) {
     count_ = next_ = 0;
-    counted_ = before;
+    counted_ = halves(before);
   }
   /// Whether there is room for another one.
   bool operator()(uint32_t a, uint32_t b, const Progress& progress) {
     Entry& entry = entry_[count_++];
     entry.a = static_cast<Index>(a);
     entry.b = static_cast<Index>(b);
-    entry.visits = visits_until(progress);
-    entry.overlaps = overlaps_until(progress);
-    counted_ = progress;
+    entry.counts = halves(progress);
     return count_ < size;
   }
-
   /// Where the walk ended.
-  void end(const Progress& progress) { ended_ = progress; }
+  void end(const Progress& progress) { ended_ = halves(progress); }
 
   bool has_next() const { return next_ < count_; }
   const Entry& next() { return entry_[next_++]; }
@@ -47,27 +48,25 @@ class LeafPairs {
   bool has_current() const { return next_ != 0; }
   const Entry& current() const { return entry_[next_ - 1]; }
 
-  /// What the walk did after its last pair of leaves; once.
-  Entry rest() {
-    const Entry entry = {0, 0, visits_until(ended_), overlaps_until(ended_)};
-    counted_ = ended_;
-    return entry;
-  }
+  /// What the walk did since this was asked before, up to the pair at hand; or up to its end.
+  Walked walked_to_current() { return since(current().counts); }
+  Walked walked_to_end() { return since(ended_); }
 
  private:
-  /// Since the last pair of leaves.
-  uint16_t visits_until(const Progress& progress) const {
-    return static_cast<uint16_t>(counted_.visits_left - progress.visits_left);
+  static uint32_t halves(const Progress& progress) {
+    return join_halves(low_half(progress.visits_left), progress.overlaps);
   }
-  uint16_t overlaps_until(const Progress& progress) const {
-    return static_cast<uint16_t>(progress.overlaps - counted_.overlaps);
+  Walked since(uint32_t counts) {
+    const Walked walked = {low_half(counted_ - counts), low_half(high_half(counts) - high_half(counted_))};
+    counted_ = counts;
+    return walked;
   }
 
   Entry entry_[size];
   uint32_t count_ = 0;
   uint32_t next_ = 0;
-  Progress counted_ = {0, 0};
-  Progress ended_ = {0, 0};
+  uint32_t counted_ = 0;
+  uint32_t ended_ = 0;
 };
 
 }  // namespace flashbvh::detail

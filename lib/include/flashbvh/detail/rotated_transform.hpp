@@ -30,6 +30,12 @@ struct BoundStart {
   int32_t lower;
 };
 
+/// Where the other lattice's origin lies along the axis: both begin with it, one negated, beside
+/// what they share.
+inline int32_t offset_of(const BoundStart& start) {
+  return (start.upper - start.lower) >> 1;
+}
+
 /// 88 bytes on a 32-bit core; trivial, so that it can share memory with what a translation needs.
 struct RotatedTransform {
   const RotationMatrix* matrix;  ///< the pose's: its rows rotate boxes of B

@@ -49,29 +49,30 @@ class Transform {
                                      : kind_ == Kind::far_apart;
   }
 
-  /// Whether no transformed edge in a box is longer than 2^15 - 1 cells along an axis, corners
-  /// rounded: lattices have none; where it is rotated, the box's diagonal counts.
-  bool is_narrow(const PackedBox& root_b) const {
-    if (kind_ == Kind::translated) {
-      return true;
-    }
-    const uint32_t x = extent_x(root_b);
-    const uint32_t y = extent_y(root_b);
-    const uint32_t z = extent_z(root_b);
-    constexpr uint32_t most = 32700;  // stretched by a defect of 2^-12, and rounded at both ends
-    return x * x + y * y + z * z <= most * most;
-  }
+  /// Whether no transformed edge of B is longer than 2^15 - 1 cells along an axis; once prepared.
+  bool is_narrow() const { return narrow_; }
 
   /// Before the first walk.
-  void prepare() {
+  void prepare(const PackedBox& root_b) {
     if (kind_ == Kind::translated) {
       const Point& t = translated_.offset;
       translated_.bound = TranslatedBound(t.x, t.y, t.z);
     }
+    narrow_ = kind_ == Kind::translated || diagonal_is_narrow(root_b);
   }
 
  private:
   enum class Kind : uint8_t { translated, rotated, far_apart };
+
+  /// No edge is longer than the box's diagonal, however rotated: stretched by a defect of 2^-12 at
+  /// most, and rounded at both ends. A lattice has no others.
+  static bool diagonal_is_narrow(const PackedBox& box) {
+    constexpr uint32_t most = 32700;
+    const uint32_t x = extent_x(box);
+    const uint32_t y = extent_y(box);
+    const uint32_t z = extent_z(box);
+    return x * x + y * y + z * z <= most * most;
+  }
 
   /// Wraps if the pose is out of range, which is an error of the pose.
   template <class Mesh>
@@ -86,6 +87,7 @@ class Transform {
     RotatedTransform rotated_;
   };
   Kind kind_;
+  bool narrow_ = false;
 };
 
 /// Where A's own triangles are.

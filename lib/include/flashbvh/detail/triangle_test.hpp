@@ -42,7 +42,7 @@ template <class Question, class Mesh>
 class TriangleTest<Question, Mesh, true> {
  public:
   TriangleTest(const Question&, const Mesh& a, const Mesh& b, const Transform& transform)
-      : a_(a), b_(b), transform_(transform), narrow_(transform.is_narrow(b.nodes[0].box)) {}
+      : a_(a), b_(b), transform_(transform), narrow_(transform.is_narrow()) {}
 
   bool operator()(uint32_t of_a, uint32_t of_b) {
     if (of_b != kept_) {
