@@ -7,9 +7,14 @@ namespace {
 
 constexpr int32_t kHalf = kSplitOne / 2;
 
-[[gnu::noinline]] int32_t clamp_offset(int64_t offset) {
-  constexpr int64_t most = static_cast<int64_t>(kMaxOffset) * kSplitOne;
-  return static_cast<int32_t>(offset > most ? most : offset < -most ? -most : offset);
+inline int32_t clamp_offset(int64_t offset) {
+  constexpr int32_t most = kMaxOffset * kSplitOne;
+  const auto low = static_cast<int32_t>(offset);
+  const auto high = static_cast<int32_t>(offset >> 32);
+  if (high != low >> 31) {
+    return high < 0 ? -most : most;
+  }
+  return low > most ? most : low < -most ? -most : low;
 }
 
 inline int64_t product(int32_t u, int32_t v) {
@@ -17,7 +22,7 @@ inline int64_t product(int32_t u, int32_t v) {
 }
 
 /// Where B's origin lies along an axis of A's lattice; kSplitOne is a cell.
-int32_t offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
+[[gnu::noinline]] int32_t offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
                           const int32_t (&origin_b)[3], int axis) {
   // Wraps if the pose is out of range, which is an error of the pose.
   const auto cells = static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) -
@@ -32,22 +37,6 @@ int32_t offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
       product(pose.fraction(axis), 1 << (kRotationBits - 16)) + product(x, origin_b[0]) +
       product(y, origin_b[1]) + product(z, origin_b[2]);
   return clamp_offset((sum + (1 << (kRestBits - 1))) >> kRestBits);
-}
-
-/// Whether an interval of half-width `radius` round `centre` is disjoint from [-lower, upper].
-bool disjoint(int32_t centre, int32_t radius, uint32_t upper, uint32_t lower) {
-  const int32_t cells = centre >> kSplitBits;
-  return cells - radius > static_cast<int32_t>(upper) - kBoundBias ||
-         cells + radius < kBoundBias - static_cast<int32_t>(lower);
-}
-
-/// Whether nothing of B can reach A's root box along an axis.
-bool far_apart(int32_t offset, int32_t radius, const PackedBox& root_a, int axis) {
-  switch (axis) {
-    case 0: return disjoint(offset, radius, low_half(root_a.upper_xy), low_half(root_a.lower_xy));
-    case 1: return disjoint(offset, radius, high_half(root_a.upper_xy), high_half(root_a.lower_xy));
-    default: return disjoint(offset, radius, low_half(root_a.z), high_half(root_a.z));
-  }
 }
 
 /// What the rotation of boxes can lack of that of the vertices of B.
@@ -72,6 +61,25 @@ int32_t axis_margin(const RotationMatrix& matrix, int32_t reach_b) {
 BoundStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
   const int32_t bias = (kSplitOne - row.sum()) * kBoundBias;
   return {bias + margin + offset, bias + margin - offset};
+}
+
+/// Whether the box of all of B, rotated, ends before A's root box begins along an axis, or begins
+/// after it. `upper`, `lower`: the biased bound of A's box, and the negated one.
+bool far_apart(const SplitRow& row, int32_t offset, const PackedBox& root_b, uint32_t upper,
+               uint32_t lower) {
+  // What 14 bits lack of 22, on the largest lattice, and vertices' rounding.
+  constexpr int32_t margin = 3 * kMaxCoordinate / 2 + 1 + kHalf;
+  const BoundStart start = start_of(row, offset, margin);
+  const int32_t most =
+      add_products(add_products(add_products(start.upper, row.positive_xy, root_b.upper_xy),
+                                row.negative_xy, root_b.lower_xy),
+                   row.z, root_b.z);
+  const int32_t least = add_crossed_products(
+      add_products(add_products(start.lower, row.positive_xy, root_b.lower_xy), row.negative_xy,
+                   root_b.upper_xy),
+      row.z, root_b.z);
+  return (most >> kSplitBits) + static_cast<int32_t>(lower) < 2 * kBoundBias ||
+         (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
 }
 
 /// What makes one coordinate of a transformed vertex.
@@ -103,17 +111,24 @@ class Row {
 bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
                                const PackedBox& root_a, const int32_t (&origin_b)[3],
                                const PackedBox& root_b, bool may_stop) {
-  const int32_t reach_b = reach(root_b);
-  // A vertex is at most this far from the offset: stretched by the rotation's defect, and rounded.
-  const int32_t radius = reach_b + (reach_b >> 12) + 2;
+  const SplitRow(&rows)[3] = pose.matrix().rows.row;
   int32_t offset[3];
-  for (int i = 0; i < 3; ++i) {
-    offset[i] = offset_along_axis(pose, origin_a, origin_b, i);
-    if (may_stop && far_apart(offset[i], radius, root_a, i)) {
-      return false;
-    }
+  const auto is_far = [&](int axis, uint32_t upper, uint32_t lower) {
+    offset[axis] = offset_along_axis(pose, origin_a, origin_b, axis);
+    return may_stop && far_apart(rows[axis], offset[axis], root_b, upper, lower);
+  };
+  if (is_far(0, low_half(root_a.upper_xy), low_half(root_a.lower_xy)) ||
+      is_far(1, high_half(root_a.upper_xy), high_half(root_a.lower_xy)) ||
+      is_far(2, low_half(root_a.z), high_half(root_a.z))) {
+    return false;
   }
-  matrix = &pose.matrix();
+  set(pose.matrix(), offset, reach(root_b));
+  return true;
+}
+
+void RotatedTransform::set(const RotationMatrix& rotation, const int32_t (&offset)[3],
+                           int32_t reach_b) {
+  matrix = &rotation;
   columns = matrix->rows.transposed();
   const int32_t box = box_margin(*matrix, reach_b) + kHalf;
   const int32_t axis = axis_margin(*matrix, reach_b);
@@ -124,7 +139,6 @@ bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
     on_a[i] = start_of(matrix->rows.row[i], offset[i], box);
     on_b[i] = start_of(column, clamp_offset(-(back >> kSplitBits)), axis);
   }
-  return true;
 }
 
 Point RotatedTransform::transform(const Vertex& v) const {
