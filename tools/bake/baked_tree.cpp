@@ -131,7 +131,8 @@ void lay_out_triangles(const Order& order, const BuildTree& tree, const LatticeM
       baked.leaf_offsets.push_back(static_cast<Index>(baked.triangles.size()));
       baked.leaf_size = std::max(baked.leaf_size, static_cast<std::uint32_t>(triangles.size()));
     }
-    for (const auto& [triangle, corners] : leaf_order(mesh, triangles)) {
+    for (const std::uint32_t triangle : leaf_order(mesh, triangles)) {
+      const TriangleCorners& corners = mesh.triangles[triangle];
       baked.triangles.push_back({{static_cast<Index>(corners[0]), static_cast<Index>(corners[1]),
                                   static_cast<Index>(corners[2])}});
       baked.triangle_ids.push_back(static_cast<Index>(triangle));

@@ -39,47 +39,37 @@ std::uint64_t thickness(const LatticeMesh& mesh, const std::vector<std::uint32_t
   return 256 + (between << 16) / square_root(length << 16);
 }
 
-/// How much both slabs let through that begin with this corner of this triangle: their thicknesses
-/// multiplied. A triangle without area comes last.
+/// How much the slabs of this triangle let through: their thicknesses multiplied. One without area
+/// comes last.
 std::uint64_t measure(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles,
-                      const TriangleCorners& corners) {
-  const PackedVector p = corner(mesh, corners[0]);
-  const PackedVector along = corner(mesh, corners[1]) - p;
+                      std::uint32_t first) {
+  const TriangleCorners& corners = mesh.triangles[first];
+  const detail::PackedTriangle triangle = {corner(mesh, corners[0]), corner(mesh, corners[1]),
+                                           corner(mesh, corners[2])};
   PackedVector normal{};
   PackedVector across{};
-  if (!detail::cross_direction(along, corner(mesh, corners[2]) - p, normal) ||
-      !detail::cross_direction(along, normal, across)) {
+  if (!triangle.plane_direction(normal) || !triangle.edge_direction(normal, across)) {
     return UINT64_MAX;
   }
   return thickness(mesh, triangles, normal) * thickness(mesh, triangles, across);
 }
 
-TriangleCorners turned_on(const TriangleCorners& corners, std::uint32_t first) {
-  return {corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]};
-}
-
 }  // namespace
 
-std::vector<LeafTriangle> leaf_order(const LatticeMesh& mesh,
-                                     const std::vector<std::uint32_t>& triangles) {
-  std::vector<LeafTriangle> ordered;
+std::vector<std::uint32_t> leaf_order(const LatticeMesh& mesh,
+                                      std::vector<std::uint32_t> triangles) {
   std::uint64_t least = UINT64_MAX;
   std::size_t best = 0;
-  for (const std::uint32_t triangle : triangles) {
-    const TriangleCorners& corners = mesh.triangles[triangle];
-    ordered.push_back({triangle, corners});
-    for (std::uint32_t first = 0; first < 3; ++first) {
-      const std::uint64_t of_first = measure(mesh, triangles, turned_on(corners, first));
-      if (of_first < least) {
-        least = of_first;
-        best = ordered.size() - 1;
-        ordered.back().corners = turned_on(corners, first);
-      }
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const std::uint64_t of_first = measure(mesh, triangles, triangles[i]);
+    if (of_first < least) {
+      least = of_first;
+      best = i;
     }
   }
-  std::rotate(ordered.begin(), ordered.begin() + static_cast<std::ptrdiff_t>(best),
-              ordered.begin() + static_cast<std::ptrdiff_t>(best) + 1);
-  return ordered;
+  const auto first = triangles.begin() + static_cast<std::ptrdiff_t>(best);
+  std::rotate(triangles.begin(), first, first + 1);
+  return triangles;
 }
 
 }  // namespace flashbvh::bake

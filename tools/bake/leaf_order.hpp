@@ -1,4 +1,4 @@
-// Which triangle of a leaf comes first, and which of its edges: those whose slabs reject most
+// Which triangle of a leaf comes first: the one whose slabs reject most
 // (flashbvh/detail/leaf_shape.hpp).
 #ifndef FLASHBVH_TOOLS_BAKE_LEAF_ORDER_HPP
 #define FLASHBVH_TOOLS_BAKE_LEAF_ORDER_HPP
@@ -10,14 +10,10 @@
 
 namespace flashbvh::bake {
 
-struct LeafTriangle {
-  std::uint32_t id;         ///< its number in the source mesh
-  TriangleCorners corners;  ///< turned on, never round
-};
-
-/// In integers, the first of equals, so the result is the same on every machine.
-std::vector<LeafTriangle> leaf_order(const LatticeMesh& mesh,
-                                     const std::vector<std::uint32_t>& triangles);
+/// A leaf's triangles, that one first and the others as they were. In integers, the first of
+/// equals, so the result is the same on every machine.
+std::vector<std::uint32_t> leaf_order(const LatticeMesh& mesh,
+                                      std::vector<std::uint32_t> triangles);
 
 }  // namespace flashbvh::bake
 

@@ -77,9 +77,9 @@ class LeafShapes {
   const Mesh& mesh() const { return side_ == Side::a ? a : b; }
 
   FLASHBVH_NOINLINE void make_plane() {
-    const Corner corner(mesh(), node_->leaf());
-    if (cross_direction(corner.q - corner.p, corner.r - corner.p, normal_)) {
-      set(plane_, normal_, corner);
+    const PackedTriangle first = triangle(mesh().first_triangle(node_->leaf()));
+    if (first.plane_direction(normal_)) {
+      set(plane_, normal_, first);
       made_ = 1;
     } else {
       plane_.set_all();
@@ -88,30 +88,24 @@ class LeafShapes {
     }
   }
   FLASHBVH_NOINLINE void make_edge() {
-    const Corner corner(mesh(), node_->leaf());
+    const PackedTriangle first = triangle(mesh().first_triangle(node_->leaf()));
     PackedVector direction;
-    if (cross_direction(corner.q - corner.p, normal_, direction)) {
-      set(edge_, direction, corner);
+    if (first.edge_direction(normal_, direction)) {
+      set(edge_, direction, first);
     } else {
       edge_.set_all();
     }
     made_ = 2;
   }
 
-  /// Of a leaf's first triangle.
-  struct Corner {
-    PackedVector p;
-    PackedVector q;
-    PackedVector r;
+  FLASHBVH_INLINE PackedTriangle triangle(uint32_t position) const {
+    const Mesh& m = mesh();
+    const auto& corner = m.triangles[position].corner;
+    return {PackedVector::of(m.vertices[corner[0]]), PackedVector::of(m.vertices[corner[1]]),
+            PackedVector::of(m.vertices[corner[2]])};
+  }
 
-    Corner(const Mesh& mesh, uint32_t leaf) : Corner(mesh, mesh.triangles[mesh.first_triangle(leaf)]) {}
-    Corner(const Mesh& mesh, const Corners<typename Mesh::Index>& triangle)
-        : p(PackedVector::of(mesh.vertices[triangle.corner[0]])),
-          q(PackedVector::of(mesh.vertices[triangle.corner[1]])),
-          r(PackedVector::of(mesh.vertices[triangle.corner[2]])) {}
-  };
-
-  FLASHBVH_INLINE void set(Slab& slab, const PackedVector& direction, const Corner& first) {
+  FLASHBVH_INLINE void set(Slab& slab, const PackedVector& direction, const PackedTriangle& first) {
     const int32_t at = dot(direction, first.p);
     Extent extent = {at, at};
     extent.add(dot(direction, first.q));
@@ -129,12 +123,9 @@ class LeafShapes {
   /// The leaf's triangles after the first.
   FLASHBVH_NOINLINE void add_others(const PackedVector& direction, Extent& extent) const {
     const Mesh& m = mesh();
-    const uint32_t leaf = node_->leaf();
-    for (uint32_t i = m.first_triangle(leaf) + 1; i < m.end_triangle(leaf); ++i) {
-      const Corner corner(m, m.triangles[i]);
-      extent.add(dot(direction, corner.p));
-      extent.add(dot(direction, corner.q));
-      extent.add(dot(direction, corner.r));
+    const uint32_t end = m.end_triangle(node_->leaf());
+    for (uint32_t i = m.first_triangle(node_->leaf()) + 1; i < end; ++i) {
+      triangle(i).extend(extent, direction);
     }
   }
 

@@ -28,6 +28,12 @@ inline int32_t dot(const PackedVector& u, const PackedVector& v) {
   return add_signed_products(u.z * v.z, u.xy, v.xy);
 }
 
+/// The length squared, of components within +-32,766.
+inline uint32_t squared(const PackedVector& v) {
+  const auto square = [](int32_t x) { return static_cast<uint32_t>(x * x); };
+  return square(v.x()) + square(v.y()) + square(v.z);
+}
+
 }  // namespace flashbvh::detail
 
 #endif

@@ -69,6 +69,39 @@ FLASHBVH_INLINE inline bool cross_direction(const PackedVector& u, const PackedV
   return true;
 }
 
+/// A triangle on its lattice, and the directions of its slabs.
+struct PackedTriangle {
+  PackedVector p;
+  PackedVector q;
+  PackedVector r;
+
+  /// The normal; false if the triangle has no area.
+  FLASHBVH_INLINE bool plane_direction(PackedVector& normal) const {
+    return cross_direction(q - p, r - p, normal);
+  }
+  /// In the plane with this normal, the normal of the longest edge, the first of equals; false if
+  /// it has no length.
+  FLASHBVH_INLINE bool edge_direction(const PackedVector& normal, PackedVector& direction) const {
+    PackedVector longest = q - p;
+    uint32_t most = squared(longest);
+    const auto consider = [&](const PackedVector& edge) {
+      const uint32_t length = squared(edge);
+      if (length > most) {
+        most = length;
+        longest = edge;
+      }
+    };
+    consider(r - q);
+    consider(p - r);
+    return cross_direction(longest, normal, direction);
+  }
+  void extend(Extent& extent, const PackedVector& direction) const {
+    extent.add(dot(direction, p));
+    extent.add(dot(direction, q));
+    extent.add(dot(direction, r));
+  }
+};
+
 /// 20 bytes.
 class Slab {
  public:
