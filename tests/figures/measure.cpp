@@ -13,6 +13,7 @@ namespace {
 /// nodes that are no leaves, and to the first pair with one.
 struct NothingBelow {
   using Tree = PostMesh;
+  static constexpr bool kShapes = true;
   const PostMesh& a;
   const PostMesh& b;
 

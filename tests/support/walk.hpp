@@ -24,7 +24,7 @@ Walked walk_from(const typename Order::Tree& a, const typename Order::Tree& b, c
     ++leaf_pairs;
     return leaf_pair(i, j);
   };
-  detail::BoxShapes<typename Order::Tree, Bound> shapes(a, b, bound);
+  detail::NoShapes<typename Order::Tree> shapes = {a, b};
   detail::WalkRun<typename Order::Cursor, decltype(found)> run = {&cursor, &found, {visits, 0}};
   const detail::State end = detail::walk<Order>(
       bound, shapes, run, after ? detail::State::at_leaf_pair : detail::State::at_pair);

@@ -284,7 +284,7 @@ class Query : Question {
       detail::LeafShapes<Mesh> shapes(*a_, *b_, transform_, rotated);
       return detail::walk<Order>(bound, shapes, run, state_);
     } else {
-      detail::BoxShapes<Mesh, Bound> shapes(*a_, *b_, bound);
+      detail::NoShapes<Mesh> shapes = {*a_, *b_};
       return detail::walk<Order>(bound, shapes, run, state_);
     }
   }

@@ -24,6 +24,7 @@ template <class Mesh>
 class LeafShapes {
  public:
   using Tree = Mesh;
+  static constexpr bool kShapes = true;
 
   /// `rotated`: the bound of a walk under a rotation, whose rotated boxes are at hand; null under a
   /// translation.

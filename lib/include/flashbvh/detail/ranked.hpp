@@ -49,15 +49,16 @@ class Ranked {
   FLASHBVH_INLINE bool descend() {
     const int32_t rank_a = a_.node->rank();
     const int32_t rank_b = b_.node->rank();
-    if ((rank_a | rank_b) < 0) {
-      return false;
-    }
     if (rank_a < rank_b) {
-      b_.descend(rank_b);
-    } else {
+      if (rank_b > 0) {
+        b_.descend(rank_b);
+        return true;
+      }
+    } else if (rank_a >= 0) {
       a_.descend(rank_a);
+      return true;
     }
-    return true;
+    return false;
   }
 
   bool next() {

@@ -9,7 +9,7 @@
 //     Order(a, b, cursor)     at the cursor's pair
 //     node_a(), node_b()      the pair of nodes
 //     index_a(), index_b()    their indices
-//     descend()               to the first pair below this one; false if one of them is a leaf
+//     descend()               to the first pair below this one; false at a pair of leaves
 //     next()                  to the pair after this one and all below it; false if there is none
 //     leaf()                  of a walk that goes on: which of the two is a leaf whose walk of the
 //                             other's subtree it is in
@@ -24,10 +24,11 @@
 // A bound says whether two subtrees may still matter, by their boxes: bound(box_a, box_b). It is
 // copied into the run; one that has a state is a handle to it.
 //
-// Once one node is a leaf, all that is left below the pair is that leaf against a subtree. The
-// leaf is a shape then: shapes.of_a(bound, node) or of_b(bound, node) says what of the other tree
-// may touch it (leaf_shape.hpp), and `walk_below` is the loop. Where a walk is in it follows from
-// the pair.
+// Once one node is a leaf, all that is left below the pair is that leaf against a subtree, whatever
+// the order. If leaves are taken as shapes (leaf_shape.hpp), that has a loop of its own, in which
+// shapes.begin(side, node) takes the leaf and shapes.may_touch(box) tests the other tree's boxes;
+// where a walk is in it follows from the pair. An order with a stack leaves it alone meanwhile.
+// Without shapes the order goes there as the paper has it.
 #ifndef FLASHBVH_DETAIL_WALK_HPP
 #define FLASHBVH_DETAIL_WALK_HPP
 
@@ -91,31 +92,13 @@ struct WalkRun {
   uint32_t node = 0;       ///< of the other tree, then
 };
 
-/// Leaves' own boxes as their shapes: what a bound alone can tell.
-template <class TreeType, class Bound>
-class BoxShapes {
- public:
+/// The trees of a walk in which leaves are no shapes.
+template <class TreeType>
+struct NoShapes {
   using Tree = TreeType;
-
-  BoxShapes(const Tree& tree_a, const Tree& tree_b, const Bound& bound)
-      : a(tree_a), b(tree_b), bound_(bound) {}
-
-  void begin(Side side, uint32_t node) {
-    side_ = side;
-    box_ = &(side == Side::a ? a : b).nodes[node].box;
-  }
-  bool may_touch(const PackedBox& box) const {
-    return side_ == Side::a ? bound_(*box_, box) : bound_(box, *box_);
-  }
-  static bool slabs_touch(const PackedBox& /*box*/) { return true; }
-
+  static constexpr bool kShapes = false;
   const Tree& a;
   const Tree& b;
-
- private:
-  Bound bound_;
-  Side side_ = Side::none;
-  const PackedBox* box_ = nullptr;
 };
 
 /// A bound that has a state, as a walk takes it: by a handle.
@@ -205,20 +188,22 @@ FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shape
   const auto b = static_cast<uint32_t>(node_b - shapes.b.nodes);
   const bool leaf_a = node_a->is_leaf();
   run.leaf = Side::none;
-  if (leaf_a && node_b->is_leaf()) {
+  if (!Shapes::kShapes || (leaf_a && node_b->is_leaf())) {
     ++run.progress.overlaps;
     return (*run.leaf_pair)(a, b, run.progress) ? State::done : State::at_leaf_pair;
   }
-  run.leaf = leaf_a ? Side::a : Side::b;
-  const uint32_t leaf = leaf_a ? a : b;
-  const uint32_t root = leaf_a ? b : a;
-  shapes.begin(run.leaf, leaf);
-  if (!shapes.slabs_touch((leaf_a ? node_b : node_a)->box)) {
-    return State::done;
+  if constexpr (Shapes::kShapes) {
+    run.leaf = leaf_a ? Side::a : Side::b;
+    const uint32_t leaf = leaf_a ? a : b;
+    const uint32_t root = leaf_a ? b : a;
+    shapes.begin(run.leaf, leaf);
+    if (shapes.slabs_touch((leaf_a ? node_b : node_a)->box)) {
+      ++run.progress.overlaps;
+      const uint32_t first = (leaf_a ? shapes.b : shapes.a).first_child(root);
+      return walk_below(shapes, leaf, root, first, false, run);
+    }
   }
-  ++run.progress.overlaps;
-  const uint32_t first = (leaf_a ? shapes.b : shapes.a).first_child(root);
-  return walk_below(shapes, leaf, root, first, false, run);
+  return State::done;
 }
 
 /// To the end of the leaf's walk of a subtree that a walk was in, and of those that follow. Then it
@@ -239,6 +224,10 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
       at.store(*run.cursor, true);
       return State::done;
     }
+    if (!Order::kStackless) {  // what comes next was on the stack
+      run.leaf = Side::none;
+      break;
+    }
   }
   at.store(*run.cursor, false);
   return after ? State::at_leaf_pair : State::at_pair;
@@ -249,10 +238,12 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
 template <class Order, class Bound, class Shapes, class LeafPair>
 FLASHBVH_NOINLINE State walk(const Bound& bound, Shapes& shapes,
                              WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
-  if (from != State::fresh || !Order::kStartsAtRoots) {
-    from = walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
-    if (from == State::done || run.leaf != Side::none) {
-      return from;
+  if constexpr (Shapes::kShapes) {
+    if (from != State::fresh || !Order::kStartsAtRoots) {
+      from = walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
+      if (from == State::done || run.leaf != Side::none) {
+        return from;
+      }
     }
   }
   Order at(shapes.a, shapes.b, *run.cursor);
@@ -271,7 +262,8 @@ FLASHBVH_NOINLINE State walk(const Bound& bound, Shapes& shapes,
       }
       --visits_left;
       if (__builtin_expect(may_matter(at.node_a().box, at.node_b().box), 1)) {
-        if (at.descend()) {
+        const bool leaf = at.node_a().is_leaf() || at.node_b().is_leaf();
+        if ((!Shapes::kShapes || !leaf) && at.descend()) {
           ++overlaps;
           continue;
         }
@@ -282,7 +274,7 @@ FLASHBVH_NOINLINE State walk(const Bound& bound, Shapes& shapes,
         visits_left = kept->progress.visits_left;
         overlaps = kept->progress.overlaps;
         if (end != State::done) {
-          if (kept->leaf != Side::none) {
+          if (Shapes::kShapes && kept->leaf != Side::none) {
             at.store_below(*kept->cursor, kept->leaf, kept->node);
             return end;
           }

@@ -45,8 +45,15 @@ class Leaf {
   uint32_t index_a() const { return left_to_right(tree_a_, passed_); }
   uint32_t index_b() const { return b_; }
 
+  bool descend() {
+    if (node_b().is_leaf()) {
+      return false;
+    }
+    b_ = tree_b_.first_child(b_);
+    return true;
+  }
+
   /// Its walk is all in B's subtrees below leaves of A.
-  bool descend() { return false; }
   detail::Side leaf() const { return detail::Side::a; }
   uint32_t leaf_root() const { return b_; }
   uint32_t leaf_node() const { return leaf_root(); }

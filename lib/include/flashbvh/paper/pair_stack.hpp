@@ -108,19 +108,19 @@ class StackOrder {
   uint32_t index_b() const { return b_; }
 
   bool descend() {
-    if (node_a().is_leaf() || node_b().is_leaf()) {
-      return false;
-    }
-    if (Rule::descend_a(tree_a_, a_, tree_b_, b_)) {
+    const bool leaf_b = node_b().is_leaf();
+    if (!node_a().is_leaf() && (leaf_b || Rule::descend_a(tree_a_, a_, tree_b_, b_))) {
       a_ = push_children(tree_a_, a_, [this](uint32_t child) { stack_.push(child, b_); });
-    } else {
-      b_ = push_children(tree_b_, b_, [this](uint32_t child) { stack_.push(a_, child); });
+      return true;
     }
-    return true;
+    if (!leaf_b) {
+      b_ = push_children(tree_b_, b_, [this](uint32_t child) { stack_.push(a_, child); });
+      return true;
+    }
+    return false;
   }
 
   bool next() {
-    stack_.set_below({});
     if (stack_.is_empty()) {
       return false;
     }
@@ -133,6 +133,7 @@ class StackOrder {
       stack_.push(a_, b_);
     }
     cursor = stack_;
+    cursor.set_below({});
   }
 
   detail::Side leaf() const { return stack_.below().leaf; }

@@ -46,17 +46,19 @@ class RankedStack {
   bool descend() {
     const int32_t rank_a = a_->rank();
     const int32_t rank_b = b_->rank();
-    if ((rank_a | rank_b) < 0) {
-      return false;
+    if (rank_a >= rank_b) {
+      if (rank_a > 0) {
+        top_ = push_siblings<&Entry::a, &Entry::b>(root_a_, a_, b_ - root_b_, top_);
+        return true;
+      }
+    } else if (rank_b > 0) {
+      top_ = push_siblings<&Entry::b, &Entry::a>(root_b_, b_, a_ - root_a_, top_);
+      return true;
     }
-    top_ = rank_a >= rank_b
-               ? push_siblings<&Entry::a, &Entry::b>(root_a_, a_, b_ - root_b_, top_)
-               : push_siblings<&Entry::b, &Entry::a>(root_b_, b_, a_ - root_a_, top_);
-    return true;
+    return false;
   }
 
   bool next() {
-    below_ = {};
     if (top_ == bottom_) {
       return false;
     }

@@ -57,17 +57,18 @@ class AlternatingStackless {
   uint32_t index_b() const { return b_; }
 
   bool descend() {
-    if (node_a().is_leaf() || node_b().is_leaf()) {
-      return false;
-    }
-    if (lead_ < 0) {
+    const bool leaf_b = node_b().is_leaf();
+    if ((lead_ < 0 || leaf_b) && !node_a().is_leaf()) {
       a_ = tree_a_.first_child(a_);
       ++lead_;
-    } else {
+      return true;
+    }
+    if (!leaf_b) {
       b_ = tree_b_.first_child(b_);
       --lead_;
+      return true;
     }
-    return true;
+    return false;
   }
 
   /// To the element below this one on algorithm 3's stack. False if there is none: then a node is
