@@ -19,7 +19,8 @@ tool::SetupResult result_of(std::uint32_t volume, std::uint32_t ranked) {
            {"stackless", first, {}},
            {"leaf", first, {}},
            {"ranked", second, {}}},
-          std::nullopt};
+          std::nullopt,
+          {{"ranked", second, {}}}};
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ bake::BakedTree<Index, layout> bake_object(const scene::PaperObject& object, Bui
       built == Built::paper ? bake::build_median(mesh, 1) : bake::build_default(mesh), mesh);
 }
 
-/// Traversal: with its trees' index type and layout.
+/// Traversal: with its trees' index type and layout. By boxes alone, as the paper's figures.
 template <class Traversal>
 Counts counts_of(const scene::Setup& setup, Built built = Built::paper) {
   using Index = typename Traversal::Tree::Index;
@@ -35,7 +35,8 @@ Counts counts_of(const scene::Setup& setup, Built built = Built::paper) {
   const Point& t = setup.translation;
   std::uint32_t found = 0;
   const Counts counts =
-      scene::count_query<Traversal>(view_a, view_b, Pose::translated(t.x, t.y, t.z), start, found);
+      scene::count_query<Traversal, detail::BoxIntersection>(
+          view_a, view_b, Pose::translated(t.x, t.y, t.z), start, found);
   CHECK(found == counts.triangle_pairs);
   return counts;
 }

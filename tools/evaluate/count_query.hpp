@@ -38,14 +38,15 @@ class WalkStart {
   std::vector<Entry> entries_;
 };
 
-/// Geometry tests and all; zeros if the query is refused. The pairs found are counted by the sink
+/// Geometry tests and all, leaves as shapes unless the question is `BoxIntersection`; zeros if the query is refused. The pairs found are counted by the sink
 /// too: they must be counts.triangle_pairs.
-template <class Traversal>
+template <class Traversal, class Question = detail::Intersection>
 Counts count_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
                    const Pose& pose, WalkStart<Traversal>& start, std::uint32_t& found) {
-  Query<Traversal> query(a, b, pose, start.cursor());
+  using Asked = Query<Traversal, Question>;
+  Asked query(a, b, pose, start.cursor());
   found = 0;
-  const Status status = query.run(UINT32_MAX, [&found](const typename Query<Traversal>::Pair&) {
+  const Status status = query.run(UINT32_MAX, [&found](const typename Asked::Pair&) {
     ++found;
     return true;
   });

@@ -7,7 +7,7 @@
 
 #include "evaluate/best_rule.hpp"
 #include "evaluate/count_query.hpp"
-#include "evaluate/queries.hpp"
+#include "flashbvh/paper/traversals.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -18,7 +18,7 @@ struct VolatilePose {
   Pose now() const { return Pose::translated(x, y, z); }
 };
 
-template <class Traversal>
+template <class Traversal, class Question>
 Row make_row(const char* algorithm, const typename Traversal::Tree& a,
              const typename Traversal::Tree& b, const Point& translation) {
   return {algorithm, [a, b, translation](std::uint32_t repetitions) {
@@ -27,23 +27,30 @@ Row make_row(const char* algorithm, const typename Traversal::Tree& a,
             Counts counts = {0, 0, 0, 0};
             std::uint32_t found = 0;
             for (std::uint32_t i = 0; i < repetitions; ++i) {
-              counts = scene::count_query<Traversal>(a, b, pose.now(), start, found);
+              counts = scene::count_query<Traversal, Question>(a, b, pose.now(), start, found);
             }
             return counts;
           }};
 }
 
-template <class Index>
+template <class Question, class Index>
 std::vector<Row> rows_of(const BothLayouts<Index>& a, const BothLayouts<Index>& b,
                          const Point& translation) {
   std::vector<Row> rows;
   for_each_traversal([&](auto traversal) {
     constexpr Layout layout = decltype(traversal)::kLayout;
     using Traversal = typename decltype(traversal)::template On<Index, layout>;
-    rows.push_back(make_row<Traversal>(traversal.name, a.template in<layout>().view(),
+    rows.push_back(make_row<Traversal, Question>(traversal.name, a.template in<layout>().view(),
                                        b.template in<layout>().view(), translation));
   });
   return rows;
+}
+
+template <class Question>
+std::vector<Row> rows_of(BakedObject& a, BakedObject& b, const Point& translation) {
+  return a.fits_16_bits() && b.fits_16_bits()
+             ? rows_of<Question>(a.baked<std::uint16_t>(), b.baked<std::uint16_t>(), translation)
+             : rows_of<Question>(a.baked<std::uint32_t>(), b.baked<std::uint32_t>(), translation);
 }
 
 std::uint32_t scaled_repetitions(std::uint32_t paper, double scale) {
@@ -73,10 +80,10 @@ std::optional<std::uint64_t> best_rule(const scene::Setup& setup, const BakedObj
 
 }  // namespace
 
-std::vector<Row> make_rows(BakedObject& a, BakedObject& b, const Point& translation) {
-  return a.fits_16_bits() && b.fits_16_bits()
-             ? rows_of(a.baked<std::uint16_t>(), b.baked<std::uint16_t>(), translation)
-             : rows_of(a.baked<std::uint32_t>(), b.baked<std::uint32_t>(), translation);
+std::vector<Row> make_rows(BakedObject& a, BakedObject& b, const Point& translation,
+                           Leaves leaves) {
+  return leaves == Leaves::boxes ? rows_of<detail::BoxIntersection>(a, b, translation)
+                                 : rows_of<detail::Intersection>(a, b, translation);
 }
 
 Times times_of(const std::vector<double>& samples) {
@@ -97,10 +104,13 @@ const RowResult& SetupResult::row(const std::string& algorithm) const {
 }
 
 bool SetupResult::rows_agree() const {
-  return std::all_of(rows.begin(), rows.end(), [this](const RowResult& row) {
-    return row.counts.visits != 0 && row.counts.leaf_pairs == rows[0].counts.leaf_pairs &&
-           row.counts.triangle_pairs == rows[0].counts.triangle_pairs;
-  });
+  const auto found = [this](const RowResult& row) {
+    return row.counts.visits != 0 && row.counts.triangle_pairs == rows[0].counts.triangle_pairs;
+  };
+  return std::all_of(shaped.begin(), shaped.end(), found) &&
+         std::all_of(rows.begin(), rows.end(), [&](const RowResult& row) {
+           return found(row) && row.counts.leaf_pairs == rows[0].counts.leaf_pairs;
+         });
 }
 
 SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& objects) {
@@ -110,10 +120,16 @@ SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& 
                         scaled_repetitions(setup.repetitions, effort.repetitions_scale),
                         effort.rounds,
                         {},
-                        best_rule(setup, a, b)};
-  const std::vector<Row> rows = make_rows(a, b, setup.translation);
+                        best_rule(setup, a, b),
+                        {}};
+  std::vector<Row> rows = make_rows(a, b, setup.translation);
+  const std::size_t boxes = rows.size();
+  for (Row& row : make_rows(a, b, setup.translation, Leaves::shapes)) {
+    rows.push_back(std::move(row));
+  }
+  std::vector<RowResult> results;
   for (const Row& row : rows) {
-    result.rows.push_back({row.algorithm, row.run(1), {}});
+    results.push_back({row.algorithm, row.run(1), {}});
   }
   std::vector<std::vector<double>> samples(rows.size());
   for (std::uint32_t round = 0; round < effort.rounds; ++round) {
@@ -122,24 +138,38 @@ SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& 
     }
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    result.rows[i].times = times_of(samples[i]);
+    results[i].times = times_of(samples[i]);
   }
+  const auto shaped = results.begin() + static_cast<std::ptrdiff_t>(boxes);
+  result.shaped.assign(shaped, results.end());
+  results.erase(shaped, results.end());
+  result.rows = std::move(results);
   return result;
 }
+
+namespace {
+
+/// By boxes alone, as the best rule's.
+template <template <class> class Order, class Levelled>
+Counts visits_of(const Levelled& a, const Levelled& b, const Pose& pose) {
+  scene::WalkStart<Order<Levelled>> start(a, b);
+  std::uint32_t found = 0;
+  return scene::count_query<Order<Levelled>, detail::BoxIntersection>(a, b, pose, start, found);
+}
+
+}  // namespace
 
 DefaultTreeResult compare_default_tree(const scene::Setup& setup, Objects& objects) {
   BakedObject& a = objects.get(setup.a);
   BakedObject& b = objects.get(setup.b);
   const Point& t = setup.translation;
   const Pose pose = Pose::translated(t.x, t.y, t.z);
-  const auto stackless =
-      collide(a.baked<std::uint32_t>().pre.view(), b.baked<std::uint32_t>().pre.view(), pose,
-              default_traversal(Layout::pre_indexed), false);
-  const auto ranked = collide(a.baked_default().view(), b.baked_default().view(), pose,
-                              default_traversal(Layout::post_indexed), false);
+  const Counts stackless = visits_of<AlternatingStackless>(
+      a.baked<std::uint32_t>().pre.view(), b.baked<std::uint32_t>().pre.view(), pose);
+  const Counts ranked = visits_of<Ranked>(a.baked_default().view(), b.baked_default().view(), pose);
   return {&setup,
-          stackless.counts.triangle_pairs != 0,
-          {stackless.counts.visits, ranked.counts.visits,
+          stackless.triangle_pairs != 0,
+          {stackless.visits, ranked.visits,
            best_rule_visits(a.default_tree(), b.default_tree(), setup.translation)}};
 }
 

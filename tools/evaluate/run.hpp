@@ -21,9 +21,13 @@ struct Row {
   std::function<Counts(std::uint32_t repetitions)> run;
 };
 
+/// What is tested of a pair with a leaf: its box alone, as the paper has it, or its slabs too.
+enum class Leaves : std::uint8_t { boxes, shapes };
+
 /// In the tables' order. 16-bit trees where both objects fit, else 32-bit ones. `a` and `b` outlive
 /// the rows. `translation`: of B in A's frame, in cells.
-std::vector<Row> make_rows(BakedObject& a, BakedObject& b, const Point& translation);
+std::vector<Row> make_rows(BakedObject& a, BakedObject& b, const Point& translation,
+                           Leaves leaves = Leaves::boxes);
 
 struct Effort {
   double repetitions_scale = 0.01;  ///< of the paper's number; at least one repetition
@@ -49,11 +53,12 @@ struct SetupResult {
   const scene::Setup* setup;
   std::uint32_t repetitions;
   std::uint32_t rounds;
-  std::vector<RowResult> rows;
+  std::vector<RowResult> rows;  ///< the paper's: boxes alone
   std::optional<std::uint64_t> best_rule;  ///< absent beyond kBestRuleFaces
+  std::vector<RowResult> shaped;           ///< leaves as shapes
 
   const RowResult& row(const std::string& algorithm) const;
-  /// Whether all rows found the same pairs of leaves and of triangles, in number.
+  /// Whether all rows found the same pairs of triangles and, by boxes alone, of leaves, in number.
   bool rows_agree() const;
 };
 

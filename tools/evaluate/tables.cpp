@@ -100,6 +100,10 @@ std::string setup_table(const SetupResult& result) {
   }
   lines.push_back({"best rule", "", "", "", "",
                    result.best_rule ? std::to_string(*result.best_rule) : "-", "", "", ""});
+  for (const RowResult& row : result.shaped) {
+    lines.push_back(cells_of(row));
+    lines.back()[0] += ", leaves as shapes";
+  }
   return std::string("**") + result.setup->name + "** (" +
          plural(result.repetitions, "repetition") + ", " + plural(result.rounds, "round") +
          ", seconds)\n\n" + markdown_table(lines);
