@@ -61,7 +61,7 @@ template <class Traversal>
 __attribute__((noinline)) Queried measure_query(const typename Traversal::Tree& a,
                                                 const typename Traversal::Tree& b,
                                                 const flashbvh::Pose& pose) {
-  using Query = flashbvh::Query<Traversal>;
+  using Query = flashbvh::Query<Traversal, flashbvh::detail::BoxIntersection>;
   const auto every_pair = [](const typename Query::Pair&) { return true; };
   Queried result{};
   result.instructions = port::instructions_of([&] {

@@ -25,6 +25,7 @@ struct RunCosts {
   uint32_t leaf_pair;      ///< beside its visit, each pair of leaves whose boxes overlap
   uint32_t later_sibling;  ///< each sibling after the node where a walk goes on
   uint32_t triangle_pair;  ///< each pair of triangles transformed and tested
+  uint32_t leaf_triangle;  ///< each visit, for each triangle that its leaf has beside the first
 };
 
 /// What of two meshes has a part in a run's cost: constants of their baked headers.
@@ -32,6 +33,7 @@ struct TreePair {
   uint32_t depths;          ///< kDepth of A and of B added
   uint32_t later_siblings;  ///< kArity - 1 of A and of B added, 0 for a root that is a leaf
   uint32_t triangle_pairs;  ///< kLeafSize of A times that of B
+  uint32_t other_triangles = 0;  ///< the larger kLeafSize, less 1
 };
 
 struct RunLimits {
@@ -46,7 +48,8 @@ constexpr uint64_t most_instructions(const RunCosts& costs, const TreePair& tree
   // An array that was full leaves the triangles of one more pair of leaves.
   const uint64_t tested = (uint64_t{1} + limits.leaf_pairs) * trees.triangle_pairs;
   return costs.run + walk + static_cast<uint64_t>(trees.depths) * costs.ascent +
-         static_cast<uint64_t>(limits.visits) * costs.visit +
+         static_cast<uint64_t>(limits.visits) *
+             (costs.visit + uint64_t{costs.leaf_triangle} * trees.other_triangles) +
          static_cast<uint64_t>(limits.visits - limits.leaf_pairs) * costs.ascent +
          limits.leaf_pairs * (costs.leaf_pair + walk) + tested * costs.triangle_pair;
 }

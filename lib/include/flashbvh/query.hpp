@@ -105,10 +105,11 @@ class Query : Question {
     if (capacity == 0 && status() == Status::suspended) {
       return {Status::full, 0};
     }
-    const Status status = run(visits, [&](const Pair& pair) {
+    const auto sink = [&](const Pair& pair) {
       found[count++] = pair;
       return count < capacity;
-    });
+    };
+    const Status status = run_with(visits, sink, [&] { return capacity - count; });
     return {status, count};
   }
 
@@ -120,26 +121,12 @@ class Query : Question {
 
   /// Hands each pair to `sink(pair)`; if that returns false, the run ends with `full` after it.
   ///
-  /// The walk comes back at each pair of leaves, so that its stack and that of the triangle test
-  /// are never needed at once.
+  /// The walk takes along up to eight pairs of leaves before it comes back and their triangles are
+  /// tested, so that its stack and that of the triangle test are never needed at once. Of those
+  /// that a sink stops at the walk is done again by the next run; counts know them once.
   template <class Sink>
   FLASHBVH_INLINE Status run(uint32_t visits, Sink&& sink) {
-    if (error_ != Status::done || state_ == State::done) {
-      return status();
-    }
-    if (state_ == State::fresh) {
-      if (visits == 0) {
-        return Status::suspended;
-      }
-      if (Order::kStartsAtRoots && Question::kDisjointRootsEnd &&
-          transform_.roots_disjoint(*a_, *b_)) {
-        counts_.visits = 1;
-        state_ = State::done;
-        return Status::done;
-      }
-      transform_.prepare(b_->nodes[0].box);
-    }
-    return go_on(visits, sink);
+    return run_with(visits, sink, [] { return UINT32_MAX; });
   }
 
   /// Where the query stands. Between runs; not for orders with a stack.
@@ -202,8 +189,29 @@ class Query : Question {
   using Batch = detail::LeafPairs<Index, Order::kStackless ? 8 : 1>;
   using Test = detail::TriangleTest<Question, Mesh, Question::kIntersects>;
 
-  template <class Sink>
-  FLASHBVH_INLINE Status go_on(uint32_t visits, Sink& sink) {
+  /// `room()`: for how many more pairs `sink` is known to have room.
+  template <class Sink, class Room>
+  FLASHBVH_INLINE Status run_with(uint32_t visits, Sink&& sink, const Room& room) {
+    if (error_ != Status::done || state_ == State::done) {
+      return status();
+    }
+    if (state_ == State::fresh) {
+      if (visits == 0) {
+        return Status::suspended;
+      }
+      if (Order::kStartsAtRoots && Question::kDisjointRootsEnd &&
+          transform_.roots_disjoint(*a_, *b_)) {
+        counts_.visits = 1;
+        state_ = State::done;
+        return Status::done;
+      }
+      transform_.prepare(b_->nodes[0].box);
+    }
+    return go_on(visits, sink, room);
+  }
+
+  template <class Sink, class Room>
+  FLASHBVH_INLINE Status go_on(uint32_t visits, Sink& sink, const Room& room) {
     Batch batch;
     const Question& question = *this;
     Test test(question, *a_, *b_, transform_);
@@ -219,7 +227,7 @@ class Query : Question {
       if (end == State::done || (end == State::at_pair && visits == 0)) {
         return status();
       }
-      end = walk(visits, batch);
+      end = walk(visits, batch, room());
     }
   }
 
@@ -262,10 +270,13 @@ class Query : Question {
   }
 
   /// Until the batch is full, to the end, or the last visit granted.
-  State walk(uint32_t& visits_left, Batch& batch) {
+  State walk(uint32_t& visits_left, Batch& batch, uint32_t room) {
     const uint32_t granted = visits_left < Batch::kMostVisits ? visits_left : Batch::kMostVisits;
     detail::WalkRun<Cursor, Batch> run = {&cursor_, &batch, {granted, 0}};
-    batch.clear(run.progress);
+    // Leaves of several triangles: four pairs each, as most have. More only cost a walk again.
+    const bool single = a_->leaf_offsets == nullptr && b_->leaf_offsets == nullptr;
+    const uint32_t pairs = single ? room : room / 4;
+    batch.clear(run.progress, pairs == 0 ? 1 : pairs);
     const State end = transform_.is_rotated() ? walk_rotated(run) : walk_translated(run);
     visits_left -= granted - run.progress.visits_left;
     batch.end(run.progress);

@@ -29,7 +29,7 @@ $1 == "run" {
   kind = $2 ? "rotated" : "translated"
   what = $5 + $6 ? "run" : "boxes"
   # The trees are binary: a later sibling in each.
-  hold(what "-" kind "-" $3, $8, most_instructions(value, kind, $4, $5, $6, $7 + $4 - $5, 2))
+  hold(what "-" kind "-" $3, $8, most_instructions(value, kind, $4, $5, $6, $7, 2, $9))
 }
 $1 == "make" {
   hold("make-query", $2, value["make-query"])

@@ -1,7 +1,8 @@
 // Measures runs of queries on hard meshes under many poses, for what is proven to be held against:
-//   run ROTATED GRANTED VISITS LEAF_PAIRS PAIRS DEPTHS INSTRUCTIONS
+//   run ROTATED GRANTED VISITS LEAF_PAIRS PAIRS ASCENTS INSTRUCTIONS OTHERS
 //   make INSTRUCTIONS
-// PAIRS: at most so many pairs of triangles were tested. DEPTHS: of both trees.
+// PAIRS: at most so many pairs of triangles were tested. ASCENTS: at most so many. OTHERS: the larger
+// leaf size, less 1. Where a full array stopped a run, its walk may have been further.
 #include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "insn.hpp"
@@ -61,11 +62,15 @@ void measure_run(PairQuery& query, bool rotated) {
   const bool pending = query.position().untested != 0;
   const uint32_t instructions = port::instructions_of_call(bound_run, &slice);
   bound_done();
-  const uint32_t leaf_pairs = query.counts().leaf_pairs - before.leaf_pairs;
+  const bool full = slice.step.status == Status::full;
+  const uint32_t visits = full ? slice.visits : query.counts().visits - before.visits;
+  const uint32_t leaf_pairs = full ? visits : query.counts().leaf_pairs - before.leaf_pairs;
   const uint32_t pairs = (leaf_pairs + (pending ? 1 : 0)) * side_a.leaf_size * side_b.leaf_size;
-  port::print("run ", rotated ? 1 : 0, " ", slice.visits, " ",
-              query.counts().visits - before.visits, " ", leaf_pairs, " ", pairs);
-  port::print(" ", side_a.depth + side_b.depth, " ", instructions, "\n");
+  port::print("run ", rotated ? 1 : 0, " ", slice.visits, " ", visits, " ", leaf_pairs, " ",
+              pairs);
+  const uint32_t descents = full ? visits : visits - leaf_pairs;
+  port::print(" ", side_a.depth + side_b.depth + descents, " ", instructions, " ",
+              (side_a.leaf_size > side_b.leaf_size ? side_a : side_b).leaf_size - 1, "\n");
 }
 
 void measure_query(const Pose& pose, uint32_t granted) {

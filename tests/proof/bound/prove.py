@@ -11,26 +11,41 @@ import sys
 from pathlib import Path
 from typing import Iterator
 
-from machine_code.cost import Costs
+from machine_code.cost import Cost, Costs
 from machine_code.instruction import Refused
 from machine_code.loops import Loops
 from machine_code.program import Program
 
 
 def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
-    run = costs.of(roots["run"])
-    # The walk's own part of a run and of a pair of leaves: in at one end, out at the other.
+    def part(name: str, which: Costs = costs) -> Cost:
+        return which.of(roots[name])
+
+    run, on_below, below, answer = (
+        part(name) for name in ("run", "walk-on-below", "walk-below", "next-answer"))
+    # A leaf is taken as a shape, and its two slabs are made, at most once a visit.
+    others = part("other-triangles")
+    slabs = part("make-plane").total + part("make-edge").total + 2 * others.fixed
+    turn = on_below.term("turn") + below.fixed
+    climb = below.term("climb")
     for kind in ("translated", "rotated"):
-        walk = costs.of(roots[f"walk-{kind}"])
-        yield f"run-{kind}", run.fixed + walk.fixed
-        yield f"visit-{kind}", walk.term("visit")
-        yield f"ascent-{kind}", walk.term("ascent")
-        yield f"leaf-pair-{kind}", run.term("walk") + walk.fixed
-        yield f"later-sibling-{kind}", walk.term("sibling")
-    # triangle-pair-general: of triangles with area that do not lie in one plane.
-    for name, of_which in (("triangle-pair", costs), ("triangle-pair-general", general)):
-        test = of_which.of(roots["triangle-pair"])
-        yield name, run.term("test") + max(test.fixed, test.term("triangle"))
+        walk = part(f"walk-{kind}")
+        # In at one end and out at the other, a turn without a visit, and no answer left.
+        once = walk.fixed + on_below.fixed + turn + slabs + run.term("test") + answer.fixed
+        yield f"run-{kind}", run.fixed + once
+        yield f"visit-{kind}", slabs + max(walk.term("visit") + below.fixed,
+                                           turn + climb + below.term("visit"))
+        yield f"ascent-{kind}", max(climb, walk.term("ascent"), on_below.term("ascent"))
+        yield f"leaf-pair-{kind}", run.term("walk") + once
+        yield f"later-sibling-{kind}", walk.term("sibling") + on_below.term("sibling")
+    yield "leaf-triangle", 2 * others.term("other")
+    # Transformed and tested, and maybe answered. triangle-pair-general: of triangles with area that
+    # do not lie in one plane.
+    translate = part("translate").total
+    transform = max(translate, part("rotate").total)
+    for name, which in (("triangle-pair", costs), ("triangle-pair-general", general)):
+        test = max(part("near-test", which).total, part("wide-test", which).total + translate)
+        yield name, run.term("test") + answer.fixed + answer.term("triangle") + transform + test
     yield "make-query", costs.of(roots["make-query"]).total
 
 

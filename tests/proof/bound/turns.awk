@@ -17,11 +17,15 @@ file == 1 && $1 == "cut" {
 # Two sides of a walk have two children a node, and the last one's look finds none.
 file == 2 && $1 == "run" {
   ++runs
-  of_run[runs, "visit"] = $4 + $5 + 1
+  of_run[runs, "visit"] = $4 + 3 * ($5 + 1)
   of_run[runs, "walk"] = $5 + 1
-  of_run[runs, "sibling"] = 4 * ($5 + 1)
-  of_run[runs, "test"] = of_run[runs, "triangle"] = $6
-  of_run[runs, "ascent"] = $7 + $4 - $5
+  of_run[runs, "turn"] = $4 + 2 * ($5 + 1)
+  of_run[runs, "sibling"] = 8 * ($5 + 1)
+  of_run[runs, "triangle"] = $6
+  of_run[runs, "other"] = 2 * $9 * of_run[runs, "turn"]
+  of_run[runs, "test"] = $6 + $5 + 1
+  of_run[runs, "ascent"] = $7
+  of_run[runs, "climb"] = $7 + of_run[runs, "turn"]
 }
 
 function over(what, count, most) {

@@ -59,7 +59,7 @@ struct Arguments {
   uint8_t status;
   flashbvh::PairQuery::Pair found[4];
   flashbvh::detail::PairCursor<uint16_t> stack[kStackEntries];
-  Room<136> query;
+  Room<144> query;
   Room<68> made_pose;
   Room<80> opened;
   flashbvh::Triangle transformed[2];

@@ -95,17 +95,15 @@ ENTRY(c_query, ticked) {
 ENTRY(translated_walk, asked) {
   const TranslatedBound& overlap = as<TranslatedBound>(in->made_pose);
   uint32_t leaf_pairs = 0;
-  const auto leaf_pair = [&leaf_pairs](uint32_t, uint32_t) {
+  auto leaf_pair = [&leaf_pairs](uint32_t, uint32_t, const Progress&) {
     ++leaf_pairs;
     return true;
   };
-  Counts counts;
-  counts.visits = 0;
-  counts.overlaps = 0;
-  const WalkRun<PairCursor<uint16_t>, decltype(leaf_pair)> run = {&in->stack[0], &counts,
-                                                                  &in->visits, &leaf_pair};
-  (void)walk<Ranked<PostMesh>>(*in->a, *in->b, overlap, run, false);
-  in->answer = leaf_pairs + counts.overlaps;
+  NoShapes<PostMesh> shapes = {*in->a, *in->b};
+  WalkRun<PairCursor<uint16_t>, decltype(leaf_pair)> run = {&in->stack[0], &leaf_pair,
+                                                            {in->visits, 0}};
+  (void)walk<Ranked<PostMesh>>(overlap, shapes, run, State::fresh);
+  in->answer = leaf_pairs + run.progress.overlaps;
 }
 
 // A made query taken to a position.

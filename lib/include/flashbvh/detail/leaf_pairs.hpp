@@ -10,7 +10,7 @@
 namespace flashbvh::detail {
 
 /// With each pair goes where the walk's counts stood, so that counts are right at every pair.
-/// 8 * size + 16 bytes with 16-bit indices.
+/// 8 * size + 20 bytes with 16-bit indices.
 template <class Index, uint32_t size>
 class LeafPairs {
  public:
@@ -27,8 +27,10 @@ class LeafPairs {
   /// The most visits that a walk may make for one batch: counts keep 16 bits.
   static constexpr uint32_t kMostVisits = UINT16_MAX;
 
-  void clear(const Progress& before) {
+  /// `room`: for how many pairs, at least one.
+  void clear(const Progress& before, uint32_t room) {
     count_ = next_ = 0;
+    room_ = room < size ? room : size;
     counted_ = halves(before);
   }
   /// Whether there is room for another one.
@@ -37,7 +39,7 @@ class LeafPairs {
     entry.a = static_cast<Index>(a);
     entry.b = static_cast<Index>(b);
     entry.counts = halves(progress);
-    return count_ < size;
+    return count_ < room_;
   }
   /// Where the walk ended.
   void end(const Progress& progress) { ended_ = halves(progress); }
@@ -63,6 +65,7 @@ class LeafPairs {
   }
 
   Entry entry_[size];
+  uint32_t room_ = size;
   uint32_t count_ = 0;
   uint32_t next_ = 0;
   uint32_t counted_ = 0;

@@ -50,12 +50,13 @@ class Subtree<IndexType, Layout::post_indexed> {
   uint32_t index() const { return static_cast<uint32_t>(node_ - nodes_); }
   void descend() { node_ = nodes_ + node_[1].link; }
   bool next() {
-    for (; node_ != root_; --node_) {
+    while (node_ != root_) {
       const NodeType* const sibling = nodes_ + node_->link;
       if (sibling < node_) {
         node_ = sibling;
         return true;
       }
+      --node_;
     }
     return false;
   }

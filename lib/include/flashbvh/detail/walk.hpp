@@ -130,8 +130,8 @@ inline void put_in_place(ByReference<StatefulBound>& bound) {
 /// the last visit granted, or where `found(node)` says stop; there `at` is then. `after`: its node
 /// was visited before.
 template <class Subtree, class Shapes, class Found>
-State visit_subtree(Subtree& at, Shapes& shapes, Progress& progress, const Found& found,
-                    bool after) {
+FLASHBVH_INLINE inline State visit_subtree(Subtree& at, Shapes& shapes, Progress& progress,
+                                           const Found& found, bool after) {
   uint32_t visits_left = progress.visits_left;
   uint32_t overlaps = progress.overlaps;
   State end = State::done;
@@ -188,22 +188,20 @@ FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shape
   const auto b = static_cast<uint32_t>(node_b - shapes.b.nodes);
   const bool leaf_a = node_a->is_leaf();
   run.leaf = Side::none;
-  if (!Shapes::kShapes || (leaf_a && node_b->is_leaf())) {
+  if (leaf_a && node_b->is_leaf()) {
     ++run.progress.overlaps;
     return (*run.leaf_pair)(a, b, run.progress) ? State::done : State::at_leaf_pair;
   }
-  if constexpr (Shapes::kShapes) {
-    run.leaf = leaf_a ? Side::a : Side::b;
-    const uint32_t leaf = leaf_a ? a : b;
-    const uint32_t root = leaf_a ? b : a;
-    shapes.begin(run.leaf, leaf);
-    if (shapes.slabs_touch((leaf_a ? node_b : node_a)->box)) {
-      ++run.progress.overlaps;
-      const uint32_t first = (leaf_a ? shapes.b : shapes.a).first_child(root);
-      return walk_below(shapes, leaf, root, first, false, run);
-    }
+  run.leaf = leaf_a ? Side::a : Side::b;
+  const uint32_t leaf = leaf_a ? a : b;
+  const uint32_t root = leaf_a ? b : a;
+  shapes.begin(run.leaf, leaf);
+  if (!shapes.slabs_touch((leaf_a ? node_b : node_a)->box)) {
+    return State::done;
   }
-  return State::done;
+  ++run.progress.overlaps;
+  const uint32_t first = (leaf_a ? shapes.b : shapes.a).first_child(root);
+  return walk_below(shapes, leaf, root, first, false, run);
 }
 
 /// To the end of the leaf's walk of a subtree that a walk was in, and of those that follow. Then it
@@ -262,22 +260,34 @@ FLASHBVH_NOINLINE State walk(const Bound& bound, Shapes& shapes,
       }
       --visits_left;
       if (__builtin_expect(may_matter(at.node_a().box, at.node_b().box), 1)) {
-        const bool leaf = at.node_a().is_leaf() || at.node_b().is_leaf();
-        if ((!Shapes::kShapes || !leaf) && at.descend()) {
-          ++overlaps;
-          continue;
-        }
-        keep_in_memory(kept);
-        kept->progress = {visits_left, overlaps};
-        end = reach_leaf(&at.node_a(), &at.node_b(), shapes, *kept);
-        keep_in_memory(kept);
-        visits_left = kept->progress.visits_left;
-        overlaps = kept->progress.overlaps;
-        if (end != State::done) {
-          if (Shapes::kShapes && kept->leaf != Side::none) {
+        if constexpr (Shapes::kShapes) {
+          if (!at.node_a().is_leaf() && !at.node_b().is_leaf()) {
+            ++overlaps;
+            (void)at.descend();
+            continue;
+          }
+          keep_in_memory(kept);
+          kept->progress = {visits_left, overlaps};
+          end = reach_leaf(&at.node_a(), &at.node_b(), shapes, *kept);
+          keep_in_memory(kept);
+          visits_left = kept->progress.visits_left;
+          overlaps = kept->progress.overlaps;
+          if (end != State::done && kept->leaf != Side::none) {
             at.store_below(*kept->cursor, kept->leaf, kept->node);
             return end;
           }
+        } else {
+          ++overlaps;
+          if (at.descend()) {
+            continue;
+          }
+          keep_in_memory(kept);
+          const Progress progress = {visits_left, overlaps};
+          if (!(*kept->leaf_pair)(at.index_a(), at.index_b(), progress)) {
+            end = State::at_leaf_pair;
+          }
+        }
+        if (end != State::done) {
           break;
         }
       }
