@@ -213,11 +213,9 @@ class Query : Question {
   template <class Sink, class Room>
   FLASHBVH_INLINE Status go_on(uint32_t visits, Sink& sink, const Room& room) {
     Batch batch;
-    const Question& question = *this;
-    Test test(question, *a_, *b_, transform_);
     State end = state_;
     for (;;) {
-      while (next_answer(batch, test)) {
+      while (next_answer(batch)) {
         if (!sink(current_pair())) {
           stop_at_current(batch);
           return Status::full;
@@ -272,38 +270,52 @@ class Query : Question {
   /// Until the batch is full, to the end, or the last visit granted.
   State walk(uint32_t& visits_left, Batch& batch, uint32_t room) {
     const uint32_t granted = visits_left < Batch::kMostVisits ? visits_left : Batch::kMostVisits;
-    detail::WalkRun<Cursor, Batch> run = {&cursor_, &batch, {granted, 0}};
+    WalkRun run = {&cursor_, &batch, {granted, 0}};
     // Leaves of several triangles: four pairs each, as most have. More only cost a walk again.
     const bool single = a_->leaf_offsets == nullptr && b_->leaf_offsets == nullptr;
     const uint32_t pairs = single ? room : room / 4;
     batch.clear(run.progress, pairs == 0 ? 1 : pairs);
-    const State end = transform_.is_rotated() ? walk_rotated(run) : walk_translated(run);
+    const State end = walk(run);
     visits_left -= granted - run.progress.visits_left;
     batch.end(run.progress);
     return end;
   }
-  FLASHBVH_NOINLINE State walk_translated(detail::WalkRun<Cursor, Batch>& run) {
-    return walk_with(Question::translated(transform_.translated()), nullptr, run);
-  }
-  FLASHBVH_NOINLINE State walk_rotated(detail::WalkRun<Cursor, Batch>& run) {
-    auto bound = Question::rotated(transform_.rotated());
-    return walk_with(detail::ByReference<decltype(bound)>{&bound}, &bound, run);
-  }
-  template <class Bound, class Rotated>
-  State walk_with(const Bound& bound, Rotated rotated, detail::WalkRun<Cursor, Batch>& run) {
+
+  using WalkRun = detail::WalkRun<Cursor, Batch>;
+
+  FLASHBVH_INLINE State walk(WalkRun& run) {
     if constexpr (Question::kLeafShapes) {
-      detail::LeafShapes<Mesh> shapes(*a_, *b_, transform_, rotated);
-      return detail::walk<Order>(bound, shapes, run, state_);
+      return detail::walk_with_shapes<Order>(
+          run, state_, [&](State from) { return walk_pairs(run, from); },
+          [&](State from) { return walk_below_leaf(run, from); });
     } else {
-      detail::NoShapes<Mesh> shapes = {*a_, *b_};
-      return detail::walk<Order>(bound, shapes, run, state_);
+      return walk_pairs(run, state_);
     }
+  }
+
+  FLASHBVH_NOINLINE State walk_below_leaf(WalkRun& run, State from) {
+    detail::LeafShapes<Mesh> shapes(*a_, *b_, transform_);
+    return detail::walk_below_leaf<Order>(shapes, run, from);
+  }
+  State walk_pairs(WalkRun& run, State from) {
+    return transform_.is_rotated() ? walk_rotated(run, from) : walk_translated(run, from);
+  }
+  State walk_translated(WalkRun& run, State from) {
+    return detail::walk<Order, Question::kLeafShapes>(
+        *a_, *b_, Question::translated(transform_.translated()), run, from);
+  }
+  FLASHBVH_NOINLINE State walk_rotated(WalkRun& run, State from) {
+    auto bound = Question::rotated(transform_.rotated());
+    return detail::walk<Order, Question::kLeafShapes>(
+        *a_, *b_, detail::ByReference<decltype(bound)>{&bound}, run, from);
   }
 
   /// Tests pairs of triangles until one is an answer; false if none is left of the batch.
   /// Transforming triangles, B's above all, is not done again while pairs share them.
   /// Nothing but `this` outlives the call, which keeps the stack flat where it is deepest.
-  FLASHBVH_NOINLINE bool next_answer(Batch& batch, Test& test) {
+  FLASHBVH_NOINLINE bool next_answer(Batch& batch) {
+    const Question& question = *this;
+    Test test(question, *a_, *b_, transform_);
     while (untested_ != 0 || take_next(batch)) {
       if (test_leaves(test)) {
         ++counts_.triangle_pairs;

@@ -123,13 +123,25 @@ uint32_t RotatedBound::gap(const PackedBox& a, const PackedBox& b) {
 
 namespace flashbvh::detail {
 
-PackedTriple RotatedBound::window(RotatedBox& kept, const PackedBox& box) {
-  if (kept.source != &box) {
-    (void)FLASHBVH_ROTATE_BOX(kept, box, box);
-  }
+namespace {
+
+inline PackedTriple window(const PackedBox& box, const SplitMatrix& matrix,
+                           const BoundStart* starts) {
+  RotatedBox rotated = {{0, 0, 0}, nullptr, &matrix, starts};
+  (void)FLASHBVH_ROTATE_BOX(rotated, box, box);
   constexpr uint32_t zero = 2 * kBoundBias;  // what a sum of two bounds has if they are equal
   constexpr uint32_t zeros = join_halves(zero, zero);
-  return detail::window({{zeros, zeros, zeros}}, kept.bounds);
+  return detail::window({{zeros, zeros, zeros}}, rotated.bounds);
+}
+
+}  // namespace
+
+PackedTriple rotated_window_of_a(const RotatedTransform& transform, const PackedBox& a) {
+  return window(a, transform.columns, transform.on_b);
+}
+
+PackedTriple rotated_window_of_b(const RotatedTransform& transform, const PackedBox& b) {
+  return window(b, transform.matrix->rows, transform.on_a);
 }
 
 }  // namespace flashbvh::detail

@@ -29,11 +29,11 @@ class Rotate {
   uint32_t z_;
 };
 
-inline PackedVector rotate(const SplitMatrix& matrix, const PackedVector& d) {
-  const Rotate rotated(d);
-  const int32_t x = rotated(matrix.row[0]);
-  const int32_t y = rotated(matrix.row[1]);
-  return {join_halves(static_cast<uint16_t>(x), static_cast<uint16_t>(y)), rotated(matrix.row[2])};
+inline PackedVector rotated(const SplitMatrix& matrix, const PackedVector& d) {
+  const Rotate along(d);
+  const int32_t x = along(matrix.row[0]);
+  const int32_t y = along(matrix.row[1]);
+  return {join_halves(static_cast<uint16_t>(x), static_cast<uint16_t>(y)), along(matrix.row[2])};
 }
 
 /// Where B's origin lies along a direction in A's lattice, in the direction's unit.
@@ -58,10 +58,12 @@ inline int32_t margin(const RotatedTransform& transform, Side of, int32_t sum, i
 
 }  // namespace
 
-void Slab::set(const PackedVector& direction, const Extent& extent,
-               const RotatedTransform& transform, Side of, int32_t reach_b) {
+void Slab::rotate(const RotatedTransform& transform, Side of, int32_t reach_b) {
+  const PackedVector direction = {row_.positive_xy, static_cast<int32_t>(row_.z)};
+  const Extent extent = {least_upper_, least_lower_};
   const bool of_a = of == Side::a;
-  const PackedVector seen = rotate(of_a ? transform.columns : transform.matrix->rows, direction);
+  const PackedVector seen =
+      rotated(of_a ? transform.columns : transform.matrix->rows, direction);
   const PackedVector& in_a = of_a ? direction : seen;
   const int32_t offset = offset_along(in_a, transform);
   const auto sum =

@@ -26,18 +26,11 @@ class LeafShapes {
   using Tree = Mesh;
   static constexpr bool kShapes = true;
 
-  /// `rotated`: the bound of a walk under a rotation, whose rotated boxes are at hand; null under a
-  /// translation.
-  LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform,
-             RotatedBound* rotated)
-      : a(mesh_a),
-        b(mesh_b),
-        transform_(transform),
-        rotated_(rotated),
-        reach_b_(rotated != nullptr ? reach(b.nodes[0].box) : 0) {}
+  LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
+      : a(mesh_a), b(mesh_b), transform_(transform) {}
 
   /// Takes a leaf, by its node, as the shape for boxes of the other tree.
-  FLASHBVH_NOINLINE void begin(Side side, uint32_t node) {
+  void begin(Side side, uint32_t node) {
     const Node<typename Mesh::Index>* const at = (side == Side::a ? a : b).nodes + node;
     if (at == node_) {
       return;
@@ -45,8 +38,10 @@ class LeafShapes {
     node_ = at;
     side_ = side;
     made_ = 0;
-    if (rotated_ != nullptr) {
-      window_ = side == Side::a ? rotated_->window_of_a(at->box) : rotated_->window_of_b(at->box);
+    if (transform_.is_rotated()) {
+      const RotatedTransform& rotated = transform_.rotated();
+      window_ = side == Side::a ? rotated_window_of_a(rotated, at->box)
+                                : rotated_window_of_b(rotated, at->box);
     } else {
       const TranslatedBound& bound = transform_.translated().bound;
       window_ = side == Side::a ? bound.window_of_a(at->box) : bound.window_of_b(at->box);
@@ -114,8 +109,9 @@ class LeafShapes {
     if (mesh().leaf_offsets != nullptr) {
       add_others(direction, extent);
     }
-    if (rotated_ != nullptr) {
-      slab.set(direction, extent, transform_.rotated(), side_, reach_b_);
+    if (transform_.is_rotated()) {
+      slab.set(direction, extent);
+      slab.rotate(transform_.rotated(), side_, reach(b.nodes[0].box));
     } else {
       slab.set(direction, extent, transform_.translated().offset, side_);
     }
@@ -131,8 +127,6 @@ class LeafShapes {
   }
 
   const Transform& transform_;
-  RotatedBound* rotated_;
-  int32_t reach_b_;
   const Node<typename Mesh::Index>* node_ = nullptr;  ///< the leaf
   Side side_ = Side::none;
   uint8_t made_ = 0;  ///< slabs

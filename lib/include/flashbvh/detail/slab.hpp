@@ -113,9 +113,13 @@ class Slab {
                           direction.z * offset.z;
     set_row(direction, extent, of == Side::a ? -along : along, 0);
   }
-  /// `reach_b`: reach() of B's root box.
-  FLASHBVH_NOINLINE void set(const PackedVector& direction, const Extent& extent,
-                             const RotatedTransform& transform, Side of, int32_t reach_b);
+  /// Under a rotation: first as it lies, then rotated. `reach_b`: reach() of B's root box.
+  FLASHBVH_INLINE void set(const PackedVector& direction, const Extent& extent) {
+    row_ = {direction.xy, 0, static_cast<uint32_t>(direction.z)};
+    least_upper_ = extent.least;
+    least_lower_ = extent.most;
+  }
+  FLASHBVH_NOINLINE void rotate(const RotatedTransform& transform, Side of, int32_t reach_b);
 
   /// The whole space.
   void set_all() {

@@ -56,6 +56,7 @@ enum class State : uint8_t {
   at_pair = 1,       ///< the cursor's pair is to be visited next
   at_leaf_pair = 2,  ///< the cursor is at a pair of leaves that may matter, which was visited
   done = 3,          ///< every pair was visited
+  at_leaf = 4,       ///< within a run: the cursor's pair, one node a leaf, may matter and was visited
 };
 
 /// Which of a query's two trees.
@@ -90,15 +91,6 @@ struct WalkRun {
   Progress progress;
   Side leaf = Side::none;  ///< of the pair that it stopped at; none: it is not below a leaf
   uint32_t node = 0;       ///< of the other tree, then
-};
-
-/// The trees of a walk in which leaves are no shapes.
-template <class TreeType>
-struct NoShapes {
-  using Tree = TreeType;
-  static constexpr bool kShapes = false;
-  const Tree& a;
-  const Tree& b;
 };
 
 /// A bound that has a state, as a walk takes it: by a handle.
@@ -163,67 +155,57 @@ FLASHBVH_INLINE inline State visit_subtree(Subtree& at, Shapes& shapes, Progress
   return end;
 }
 
-/// A leaf, whose shape was begun, against the other tree's subtree below `root`, from `node` on.
-template <class Shapes, class Run>
-FLASHBVH_NOINLINE State walk_below(Shapes& shapes, uint32_t leaf, uint32_t root, uint32_t node,
-                                   bool after, Run& run) {
-  const Side side = run.leaf;
-  using Tree = typename Shapes::Tree;
-  Subtree<typename Tree::Index, Tree::kLayout> at(side == Side::a ? shapes.b : shapes.a, root,
-                                                  node);
-  const auto found = [side, leaf, &run](uint32_t other) {
-    return side == Side::a ? (*run.leaf_pair)(leaf, other, run.progress)
-                           : (*run.leaf_pair)(other, leaf, run.progress);
-  };
-  const State end = visit_subtree(at, shapes, run.progress, found, after);
-  run.node = at.index();
-  return end;
-}
-
-/// At a pair that may matter, one node or both leaves: to the end of what is below it.
-template <class Node, class Shapes, class Run>
-FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shapes& shapes,
-                                   Run& run) {
-  const auto a = static_cast<uint32_t>(node_a - shapes.a.nodes);
-  const auto b = static_cast<uint32_t>(node_b - shapes.b.nodes);
-  const bool leaf_a = node_a->is_leaf();
-  run.leaf = Side::none;
-  if (leaf_a && node_b->is_leaf()) {
-    ++run.progress.overlaps;
-    return (*run.leaf_pair)(a, b, run.progress) ? State::done : State::at_leaf_pair;
-  }
-  run.leaf = leaf_a ? Side::a : Side::b;
-  const uint32_t leaf = leaf_a ? a : b;
-  const uint32_t root = leaf_a ? b : a;
-  shapes.begin(run.leaf, leaf);
-  if (!shapes.slabs_touch((leaf_a ? node_b : node_a)->box)) {
-    return State::done;
-  }
-  ++run.progress.overlaps;
-  const uint32_t first = (leaf_a ? shapes.b : shapes.a).first_child(root);
-  return walk_below(shapes, leaf, root, first, false, run);
-}
-
-/// To the end of the leaf's walk of a subtree that a walk was in, and of those that follow. Then it
-/// is `at_pair`, and run.leaf is none.
+/// Below a leaf: that leaf as a shape against the other tree's subtree. `from`: at_leaf; or where a
+/// run before this one ended, and then no more than a look if it was not below a leaf. Where it
+/// ends with run.leaf none, and not done, pairs of nodes go on from there.
 template <class Order, class Shapes, class Run>
-FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
+State walk_below_leaf(Shapes& shapes, Run& run, State from) {
+  using Tree = typename Order::Tree;
+  const bool entered = from == State::at_leaf;
+  bool after = from == State::at_leaf_pair;
   Order at(shapes.a, shapes.b, *run.cursor);
-  while ((run.leaf = at.leaf()) != Side::none) {
-    const uint32_t leaf = run.leaf == Side::a ? at.index_a() : at.index_b();
-    shapes.begin(run.leaf, leaf);
-    const State end = walk_below(shapes, leaf, at.leaf_root(), at.leaf_node(), after, run);
-    if (end != State::done) {
-      at.store_below(*run.cursor, run.leaf, run.node);
-      return end;
+  for (;;) {
+    const bool leaf_a = at.node_a().is_leaf();
+    if (entered && leaf_a && at.node_b().is_leaf()) {
+      ++run.progress.overlaps;
+      run.leaf = Side::none;
+      if (!(*run.leaf_pair)(at.index_a(), at.index_b(), run.progress)) {
+        at.store(*run.cursor, false);
+        return State::at_leaf_pair;
+      }
+    } else {
+      const Side side = !entered ? at.leaf() : leaf_a ? Side::a : Side::b;
+      run.leaf = side;
+      if (side == Side::none) {
+        break;
+      }
+      const Tree& other = side == Side::a ? shapes.b : shapes.a;
+      const uint32_t leaf = side == Side::a ? at.index_a() : at.index_b();
+      const uint32_t inner = side == Side::a ? at.index_b() : at.index_a();
+      shapes.begin(side, leaf);
+      if (!entered || shapes.slabs_touch(other.nodes[inner].box)) {
+        run.progress.overlaps += entered ? 1 : 0;
+        Subtree<typename Tree::Index, Tree::kLayout> below(
+            other, entered ? inner : at.leaf_root(),
+            entered ? other.first_child(inner) : at.leaf_node());
+        const auto found = [side, leaf, &run](uint32_t node) {
+          return side == Side::a ? (*run.leaf_pair)(leaf, node, run.progress)
+                                 : (*run.leaf_pair)(node, leaf, run.progress);
+        };
+        const State end = visit_subtree(below, shapes, run.progress, found, after);
+        if (end != State::done) {
+          at.store_below(*run.cursor, side, below.index());
+          return end;
+        }
+      }
     }
     after = false;
+    run.leaf = Side::none;
     if (!at.next()) {
       at.store(*run.cursor, true);
       return State::done;
     }
-    if (!Order::kStackless) {  // what comes next was on the stack
-      run.leaf = Side::none;
+    if (entered || !Order::kStackless) {  // what comes next is a pair of nodes again
       break;
     }
   }
@@ -231,24 +213,17 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
   return after ? State::at_leaf_pair : State::at_pair;
 }
 
-/// From the cursor, `from` a state that is not done, to where `leaf_pair` says stop, the end, or
-/// the last visit granted: where it stands then.
-template <class Order, class Bound, class Shapes, class LeafPair>
-FLASHBVH_NOINLINE State walk(const Bound& bound, Shapes& shapes,
-                             WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
-  if constexpr (Shapes::kShapes) {
-    if (from != State::fresh || !Order::kStartsAtRoots) {
-      from = walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
-      if (from == State::done || run.leaf != Side::none) {
-        return from;
-      }
-    }
-  }
-  Order at(shapes.a, shapes.b, *run.cursor);
+/// Pairs of nodes from the cursor, `from` at_leaf_pair or not, to where `leaf_pair` says stop, the
+/// end, or the last visit granted; or to a leaf, if `kShapes`. Where it stands then.
+template <class Order, bool kShapes, class Bound, class LeafPair>
+FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order::Tree& b,
+                             const Bound& bound, WalkRun<typename Order::Cursor, LeafPair>& run,
+                             State from) {
   auto* kept = &run;
   keep_in_memory(kept);
   Bound may_matter = bound;
   put_in_place(may_matter);
+  Order at(a, b, *run.cursor);
   uint32_t visits_left = run.progress.visits_left;
   uint32_t overlaps = run.progress.overlaps;
   State end = State::done;
@@ -260,34 +235,18 @@ FLASHBVH_NOINLINE State walk(const Bound& bound, Shapes& shapes,
       }
       --visits_left;
       if (__builtin_expect(may_matter(at.node_a().box, at.node_b().box), 1)) {
-        if constexpr (Shapes::kShapes) {
-          if (!at.node_a().is_leaf() && !at.node_b().is_leaf()) {
-            ++overlaps;
-            (void)at.descend();
-            continue;
-          }
-          keep_in_memory(kept);
-          kept->progress = {visits_left, overlaps};
-          end = reach_leaf(&at.node_a(), &at.node_b(), shapes, *kept);
-          keep_in_memory(kept);
-          visits_left = kept->progress.visits_left;
-          overlaps = kept->progress.overlaps;
-          if (end != State::done && kept->leaf != Side::none) {
-            at.store_below(*kept->cursor, kept->leaf, kept->node);
-            return end;
-          }
-        } else {
-          ++overlaps;
-          if (at.descend()) {
-            continue;
-          }
-          keep_in_memory(kept);
-          const Progress progress = {visits_left, overlaps};
-          if (!(*kept->leaf_pair)(at.index_a(), at.index_b(), progress)) {
-            end = State::at_leaf_pair;
-          }
+        if (kShapes && (at.node_a().is_leaf() || at.node_b().is_leaf())) {
+          end = State::at_leaf;
+          break;
         }
-        if (end != State::done) {
+        ++overlaps;
+        if (at.descend()) {
+          continue;
+        }
+        keep_in_memory(kept);
+        const Progress progress = {visits_left, overlaps};
+        if (!(*kept->leaf_pair)(at.index_a(), at.index_b(), progress)) {
+          end = State::at_leaf_pair;
           break;
         }
       }
@@ -300,6 +259,29 @@ FLASHBVH_NOINLINE State walk(const Bound& bound, Shapes& shapes,
   at.store(*kept->cursor, end == State::done);
   kept->progress = {visits_left, overlaps};
   return end;
+}
+
+/// The whole walk with leaves as shapes, from loop to loop, so that none of them stands on another
+/// one's stack. `pairs(from)`: walk(); `below(from)`: walk_below_leaf().
+template <class Order, class Run, class Pairs, class Below>
+FLASHBVH_INLINE inline State walk_with_shapes(Run& run, State from, const Pairs& pairs,
+                                              const Below& below) {
+  if (from != State::fresh || !Order::kStartsAtRoots) {
+    from = below(from);
+    if (from == State::done || run.leaf != Side::none) {
+      return from;
+    }
+  }
+  for (;;) {
+    from = pairs(from);
+    if (from != State::at_leaf) {
+      return from;
+    }
+    from = below(from);
+    if (from != State::at_pair || run.leaf != Side::none) {
+      return from;
+    }
+  }
 }
 
 }  // namespace detail
