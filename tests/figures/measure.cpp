@@ -19,16 +19,16 @@ uint32_t walk(const PostMesh& a, const PostMesh& b, const Transform& transform,
   using Order = Ranked<PostMesh>;
   PairCursor<uint16_t> cursor;
   WalkRun<PairCursor<uint16_t>, LeafPair> run = {&cursor, &leaf_pair, {UINT32_MAX, 0}};
+  RotatedBound bound(transform.rotated());  // not asked under a translation
   const auto pairs = [&](State from) {
     if (transform.is_rotated()) {
-      RotatedBound bound(transform.rotated());
       return detail::walk<Order, true>(a, b, ByReference<RotatedBound>{&bound}, run, from);
     }
     return detail::walk<Order, true>(a, b, transform.translated().bound, run, from);
   };
   (void)walk_with_shapes<Order>(run, State::fresh, pairs, [&](State from) {
     if (kBelow) {
-      LeafShapes<PostMesh> shapes(a, b, transform);
+      LeafShapes<PostMesh> shapes(a, b, transform, transform.is_rotated() ? &bound : nullptr);
       return walk_below_leaf<Order>(shapes, run, from);
     }
     Order at(a, b, cursor);

@@ -275,7 +275,7 @@ class Query : Question {
     const bool single = a_->leaf_offsets == nullptr && b_->leaf_offsets == nullptr;
     const uint32_t pairs = single ? room : room / 4;
     batch.clear(run.progress, pairs == 0 ? 1 : pairs);
-    const State end = walk(run);
+    const State end = transform_.is_rotated() ? walk_rotated(run) : walk_translated(run);
     visits_left -= granted - run.progress.visits_left;
     batch.end(run.progress);
     return end;
@@ -283,31 +283,30 @@ class Query : Question {
 
   using WalkRun = detail::WalkRun<Cursor, Batch>;
 
-  FLASHBVH_INLINE State walk(WalkRun& run) {
+  FLASHBVH_NOINLINE State walk_translated(WalkRun& run) {
+    return walk_with(Question::translated(transform_.translated()), nullptr, run);
+  }
+  FLASHBVH_NOINLINE State walk_rotated(WalkRun& run) {
+    auto bound = Question::rotated(transform_.rotated());
+    return walk_with(detail::ByReference<decltype(bound)>{&bound}, &bound, run);
+  }
+  /// `rotated`: the bound's state, if it has one.
+  template <class Bound, class Rotated>
+  FLASHBVH_INLINE State walk_with(const Bound& bound, Rotated rotated, WalkRun& run) {
+    const auto pairs = [&](State from) {
+      return detail::walk<Order, Question::kLeafShapes>(*a_, *b_, bound, run, from);
+    };
     if constexpr (Question::kLeafShapes) {
-      return detail::walk_with_shapes<Order>(
-          run, state_, [&](State from) { return walk_pairs(run, from); },
-          [&](State from) { return walk_below_leaf(run, from); });
+      return detail::walk_with_shapes<Order>(run, state_, pairs, [&](State from) {
+        return walk_below_leaf(rotated, run, from);
+      });
     } else {
-      return walk_pairs(run, state_);
+      return pairs(state_);
     }
   }
-
-  FLASHBVH_NOINLINE State walk_below_leaf(WalkRun& run, State from) {
-    detail::LeafShapes<Mesh> shapes(*a_, *b_, transform_);
+  FLASHBVH_NOINLINE State walk_below_leaf(detail::RotatedBound* rotated, WalkRun& run, State from) {
+    detail::LeafShapes<Mesh> shapes(*a_, *b_, transform_, rotated);
     return detail::walk_below_leaf<Order>(shapes, run, from);
-  }
-  State walk_pairs(WalkRun& run, State from) {
-    return transform_.is_rotated() ? walk_rotated(run, from) : walk_translated(run, from);
-  }
-  State walk_translated(WalkRun& run, State from) {
-    return detail::walk<Order, Question::kLeafShapes>(
-        *a_, *b_, Question::translated(transform_.translated()), run, from);
-  }
-  FLASHBVH_NOINLINE State walk_rotated(WalkRun& run, State from) {
-    auto bound = Question::rotated(transform_.rotated());
-    return detail::walk<Order, Question::kLeafShapes>(
-        *a_, *b_, detail::ByReference<decltype(bound)>{&bound}, run, from);
   }
 
   /// Tests pairs of triangles until one is an answer; false if none is left of the batch.

@@ -123,25 +123,13 @@ uint32_t RotatedBound::gap(const PackedBox& a, const PackedBox& b) {
 
 namespace flashbvh::detail {
 
-namespace {
-
-inline PackedTriple window(const PackedBox& box, const SplitMatrix& matrix,
-                           const BoundStart* starts) {
-  RotatedBox rotated = {{0, 0, 0}, nullptr, &matrix, starts};
-  (void)FLASHBVH_ROTATE_BOX(rotated, box, box);
+PackedTriple RotatedBound::window(RotatedBox& kept, const PackedBox& box) {
+  if (kept.source != &box) {
+    (void)FLASHBVH_ROTATE_BOX(kept, box, box);
+  }
   constexpr uint32_t zero = 2 * kBoundBias;  // what a sum of two bounds has if they are equal
   constexpr uint32_t zeros = join_halves(zero, zero);
-  return detail::window({{zeros, zeros, zeros}}, rotated.bounds);
-}
-
-}  // namespace
-
-PackedTriple rotated_window_of_a(const RotatedTransform& transform, const PackedBox& a) {
-  return window(a, transform.columns, transform.on_b);
-}
-
-PackedTriple rotated_window_of_b(const RotatedTransform& transform, const PackedBox& b) {
-  return window(b, transform.matrix->rows, transform.on_a);
+  return detail::window({{zeros, zeros, zeros}}, kept.bounds);
 }
 
 }  // namespace flashbvh::detail

@@ -240,25 +240,34 @@ inline int64_t edge_volume(const Vertex& p, const Vertex& q, const Point& r, con
                      b.corner[at.up ? previous_b : next_b]) >= 0;
 }
 
-/// Of triangles of which `a` is on both sides of the plane of `b`, or touches it.
-[[gnu::noinline]] bool on_both_sides(const NearTriangle& a, Sides of_a, const Triangle& b) {
+/// On which sides of the plane of `a` the corners of `b` lie.
+[[gnu::noinline]] Sides sides_of_near(const NearTriangle& a, const Triangle& b) {
   const Plane plane(point(*a.corner[0]), point(*a.corner[1]), point(*a.corner[2]));
-  const Sides of_b = near_sides(plane, b.corner[0], b.corner[1], b.corner[2]);
-  if (of_b.separate()) {
-    return false;
-  }
-  if (__builtin_expect(!of_a.all_on_plane() && !of_b.all_on_plane(), 1)) {
-    return near_intervals_overlap(a, of_a, b, of_b);
-  }
+  return near_sides(plane, b.corner[0], b.corner[1], b.corner[2]);
+}
+
+[[gnu::noinline]] bool flat_or_degenerate_intersect(const NearTriangle& a, const Triangle& b) {
   return triangles_intersect({{point(*a.corner[0]), point(*a.corner[1]), point(*a.corner[2])}}, b);
+}
+
+[[gnu::noinline]] Sides sides_of_plane_near(const Plane& plane_b, const NearTriangle& a) {
+  return near_sides(plane_b, *a.corner[0], *a.corner[1], *a.corner[2]);
 }
 
 }  // namespace
 
 bool near_triangles_intersect(const NearTriangle& a, const Triangle& b,
                               const Plane& plane_b) noexcept {
-  const Sides of_a = near_sides(plane_b, *a.corner[0], *a.corner[1], *a.corner[2]);
-  return !of_a.separate() && on_both_sides(a, of_a, b);
+  const Sides of_a = sides_of_plane_near(plane_b, a);
+  if (of_a.separate()) {
+    return false;
+  }
+  const Sides of_b = sides_of_near(a, b);
+  if (of_b.separate()) {
+    return false;
+  }
+  return of_a.all_on_plane() || of_b.all_on_plane() ? flat_or_degenerate_intersect(a, b)
+                                                    : near_intervals_overlap(a, of_a, b, of_b);
 }
 
 bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept {

@@ -49,18 +49,20 @@ class RotatedBound {
   /// nodes: with Helium the four bytes after a box are read, too.
   bool operator()(const PackedBox& a, const PackedBox& b) { return gap(a, b) == 0; }
 
+  /// What a box of B has to reach to overlap `a` on B's lattice; and the other way round, on A's.
+  PackedTriple window_of_a(const PackedBox& a) { return window(a_, a); }
+  PackedTriple window_of_b(const PackedBox& b) { return window(b_, b); }
+
  private:
+  static PackedTriple window(RotatedBox& kept, const PackedBox& box);
+
+
   /// 0 if the boxes overlap.
   uint32_t gap(const PackedBox& a, const PackedBox& b);
 
   RotatedBox a_;  ///< a box of A, seen from B
   RotatedBox b_;
 };
-
-/// What a box of B has to reach to overlap `a`, a box of A rotated onto B's lattice; and the other
-/// way round, on A's.
-PackedTriple rotated_window_of_a(const RotatedTransform& transform, const PackedBox& a);
-PackedTriple rotated_window_of_b(const RotatedTransform& transform, const PackedBox& b);
 
 }  // namespace flashbvh::detail
 

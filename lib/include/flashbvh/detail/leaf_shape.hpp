@@ -26,8 +26,10 @@ class LeafShapes {
   using Tree = Mesh;
   static constexpr bool kShapes = true;
 
-  LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
-      : a(mesh_a), b(mesh_b), transform_(transform) {}
+  /// `rotated`: under a rotation the bound of the walk, which has rotated boxes at hand.
+  LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform,
+             RotatedBound* rotated)
+      : a(mesh_a), b(mesh_b), transform_(transform), rotated_(rotated) {}
 
   /// Takes a leaf, by its node, as the shape for boxes of the other tree.
   void begin(Side side, uint32_t node) {
@@ -38,10 +40,8 @@ class LeafShapes {
     node_ = at;
     side_ = side;
     made_ = 0;
-    if (transform_.is_rotated()) {
-      const RotatedTransform& rotated = transform_.rotated();
-      window_ = side == Side::a ? rotated_window_of_a(rotated, at->box)
-                                : rotated_window_of_b(rotated, at->box);
+    if (rotated_ != nullptr) {
+      window_ = side == Side::a ? rotated_->window_of_a(at->box) : rotated_->window_of_b(at->box);
     } else {
       const TranslatedBound& bound = transform_.translated().bound;
       window_ = side == Side::a ? bound.window_of_a(at->box) : bound.window_of_b(at->box);
@@ -55,13 +55,13 @@ class LeafShapes {
   /// The same of a box that the window has passed.
   FLASHBVH_INLINE bool slabs_touch(const PackedBox& box) {
     if (made_ == 0) {
-      make_plane();
+      make_slab();
     }
     if (!plane_.may_touch(box)) {
       return false;
     }
     if (made_ == 1) {
-      make_edge();
+      make_slab();
     }
     return edge_.may_touch(box);
   }
@@ -72,26 +72,22 @@ class LeafShapes {
  private:
   const Mesh& mesh() const { return side_ == Side::a ? a : b; }
 
-  FLASHBVH_NOINLINE void make_plane() {
+  /// The plane's first, then the edge's. What has no direction is the whole space.
+  FLASHBVH_NOINLINE void make_slab() {
     const PackedTriangle first = triangle(mesh().first_triangle(node_->leaf()));
-    if (first.plane_direction(normal_)) {
-      set(plane_, normal_, first);
-      made_ = 1;
-    } else {
-      plane_.set_all();
-      edge_.set_all();
-      made_ = 2;
-    }
-  }
-  FLASHBVH_NOINLINE void make_edge() {
-    const PackedTriangle first = triangle(mesh().first_triangle(node_->leaf()));
+    Slab& slab = made_ == 0 ? plane_ : edge_;
     PackedVector direction;
-    if (first.edge_direction(normal_, direction)) {
-      set(edge_, direction, first);
-    } else {
-      edge_.set_all();
+    const bool good = made_ == 0 ? first.plane_direction(direction)
+                                 : first.edge_direction(normal_, direction);
+    if (made_ == 0) {
+      normal_ = direction;
     }
-    made_ = 2;
+    ++made_;
+    if (good) {
+      set(slab, direction, first);
+    } else {
+      slab.set_all();
+    }
   }
 
   FLASHBVH_INLINE PackedTriangle triangle(uint32_t position) const {
@@ -109,7 +105,7 @@ class LeafShapes {
     if (mesh().leaf_offsets != nullptr) {
       add_others(direction, extent);
     }
-    if (transform_.is_rotated()) {
+    if (rotated_ != nullptr) {
       slab.set(direction, extent);
       slab.rotate(transform_.rotated(), side_, reach(b.nodes[0].box));
     } else {
@@ -127,6 +123,7 @@ class LeafShapes {
   }
 
   const Transform& transform_;
+  RotatedBound* rotated_;
   const Node<typename Mesh::Index>* node_ = nullptr;  ///< the leaf
   Side side_ = Side::none;
   uint8_t made_ = 0;  ///< slabs

@@ -50,6 +50,7 @@ FLASHBVH_INLINE inline bool cross_direction(const PackedVector& u, const PackedV
   // All bits of a negative number are turned, so it may count as one less: 13 bits all the same.
   const uint32_t all = static_cast<uint32_t>((x ^ (x >> 31)) | (y ^ (y >> 31)) | (z ^ (z >> 31)));
   if ((x | y | z) == 0) {
+    direction = {0, 0};
     return false;
   }
   const int up = __builtin_clz(all | 1u) - static_cast<int>(32 - kDirectionBits);

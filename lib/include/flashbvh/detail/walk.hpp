@@ -159,7 +159,7 @@ FLASHBVH_INLINE inline State visit_subtree(Subtree& at, Shapes& shapes, Progress
 /// run before this one ended, and then no more than a look if it was not below a leaf. Where it
 /// ends with run.leaf none, and not done, pairs of nodes go on from there.
 template <class Order, class Shapes, class Run>
-State walk_below_leaf(Shapes& shapes, Run& run, State from) {
+FLASHBVH_INLINE inline State walk_below_leaf(Shapes& shapes, Run& run, State from) {
   using Tree = typename Order::Tree;
   const bool entered = from == State::at_leaf;
   bool after = from == State::at_leaf_pair;
