@@ -9,44 +9,49 @@ using namespace flashbvh::detail;
 namespace figures {
 namespace {
 
-/// From the first visit to the last, unless the roots alone tell that the meshes are disjoint;
-/// `leaf_pair(i, j, progress)` for each pair of leaves that may matter. Returns the visits. Without
-/// `kBelow` nothing below a leaf is visited: what is left are the pairs of nodes that are no
-/// leaves, and the first pairs with one.
-template <bool kBelow, class LeafPair>
-uint32_t walk(const PostMesh& a, const PostMesh& b, const Transform& transform,
-              LeafPair leaf_pair) {
-  using Order = Ranked<PostMesh>;
+/// Leaves that reject all that is below them: what is left of a walk is its visits to pairs of
+/// nodes that are no leaves, and to the first pair with one.
+struct NothingBelow {
+  using Tree = PostMesh;
+  static constexpr bool kShapes = true;
+  const PostMesh& a;
+  const PostMesh& b;
+
+  NothingBelow(const PostMesh& mesh_a, const PostMesh& mesh_b, const Transform&, RotatedBound*)
+      : a(mesh_a), b(mesh_b) {}
+  static void begin(Side, uint32_t) {}
+  static bool may_touch(const PackedBox&) { return false; }
+  static bool slabs_touch(const PackedBox&) { return false; }
+};
+
+/// From the first visit to the last; `leaf_pair(i, j)` for each pair of leaves that may matter.
+template <class Bound, class Shapes, class LeafPair>
+uint32_t walk(const Bound& bound, Shapes& shapes, LeafPair leaf_pair) {
   PairCursor<uint16_t> cursor;
   WalkRun<PairCursor<uint16_t>, LeafPair> run = {&cursor, &leaf_pair, {UINT32_MAX, 0}};
-  RotatedBound bound(transform.rotated());  // not asked under a translation
-  const auto pairs = [&](State from) {
-    if (transform.is_rotated()) {
-      return detail::walk<Order, true>(a, b, ByReference<RotatedBound>{&bound}, run, from);
-    }
-    return detail::walk<Order, true>(a, b, transform.translated().bound, run, from);
-  };
-  (void)walk_with_shapes<Order>(run, State::fresh, pairs, [&](State from) {
-    if (kBelow) {
-      LeafShapes<PostMesh> shapes(a, b, transform, transform.is_rotated() ? &bound : nullptr);
-      return walk_below_leaf<Order>(shapes, run, from);
-    }
-    Order at(a, b, cursor);
-    const bool more = at.next();
-    at.store(cursor, !more);
-    return more ? State::at_pair : State::done;
-  });
+  (void)detail::walk<Ranked<PostMesh>>(bound, shapes, run, State::fresh);
   return UINT32_MAX - run.progress.visits_left;
 }
 
-/// Prepares the transform and calls `run(walk)`, unless the roots alone tell that the meshes are
-/// disjoint.
-template <class Run>
-void unless_disjoint(const PostMesh& a, const PostMesh& b, Transform& transform, const Run& run) {
-  if (!transform.roots_disjoint(a, b)) {
-    transform.prepare(b.nodes[0].box);
-    run();
+/// Calls `run(walk)`, which calls walk(), unless the roots alone tell that the meshes are disjoint.
+/// Returns the visits.
+template <class Shapes, class LeafPair, class Run>
+uint32_t walk_transformed(const PostMesh& a, const PostMesh& b, Transform& transform,
+                          const LeafPair& leaf_pair, const Run& run) {
+  if (transform.roots_disjoint(a, b)) {
+    return 1;
   }
+  transform.prepare(b.nodes[0].box);
+  uint32_t visits = 0;
+  if (transform.is_rotated()) {
+    RotatedBound bound(transform.rotated());
+    Shapes shapes(a, b, transform, &bound);
+    run([&] { visits = walk(ByReference<RotatedBound>{&bound}, shapes, leaf_pair); });
+  } else {
+    Shapes shapes(a, b, transform, nullptr);
+    run([&] { visits = walk(transform.translated().bound, shapes, leaf_pair); });
+  }
+  return visits;
 }
 
 constexpr auto kEveryPair = [](const PairQuery::Pair&) { return true; };
@@ -55,17 +60,17 @@ constexpr auto kEveryPair = [](const PairQuery::Pair&) { return true; };
 
 Walked measure_walk(const PostMesh& a, const PostMesh& b, const Pose& pose) {
   Transform transform(pose, a, b, /*may_stop=*/true);
-  Walked walked = {1, 0, 0, 0, 0};
-  const auto none = [](uint32_t, uint32_t, const Progress&) { return true; };
+  Walked walked{};
   const auto count = [&](uint32_t, uint32_t, const Progress&) {
     ++walked.leaf_pairs;
     return true;
   };
-  unless_disjoint(a, b, transform, [&] {
-    walked.instructions =
-        port::instructions_of([&] { walked.visits = walk<true>(a, b, transform, count); });
-    walked.inner_instructions =
-        port::instructions_of([&] { walked.inner_visits = walk<false>(a, b, transform, none); });
+  walked.visits =
+      walk_transformed<LeafShapes<PostMesh>>(a, b, transform, count, [&](const auto& all) {
+        walked.instructions = port::instructions_of(all);
+      });
+  walked.inner_visits = walk_transformed<NothingBelow>(a, b, transform, count, [&](const auto& all) {
+    walked.inner_instructions = port::instructions_of(all);
   });
   return walked;
 }
@@ -111,7 +116,7 @@ void add_triangle_tests(const PostMesh& a, const PostMesh& b, const Pose& pose, 
     }
     return true;
   };
-  unless_disjoint(a, b, transform, [&] { (void)walk<true>(a, b, transform, add); });
+  (void)walk_transformed<LeafShapes<PostMesh>>(a, b, transform, add, [](const auto& all) { all(); });
 }
 
 void Motion::add(const Walked& walked, const Queried& queried) {

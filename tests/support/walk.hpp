@@ -24,9 +24,10 @@ Walked walk_from(const typename Order::Tree& a, const typename Order::Tree& b, c
     ++leaf_pairs;
     return leaf_pair(i, j);
   };
+  detail::NoShapes<typename Order::Tree> shapes = {a, b};
   detail::WalkRun<typename Order::Cursor, decltype(found)> run = {&cursor, &found, {visits, 0}};
-  const detail::State end = detail::walk<Order, false>(
-      a, b, bound, run, after ? detail::State::at_leaf_pair : detail::State::at_pair);
+  const detail::State end = detail::walk<Order>(
+      bound, shapes, run, after ? detail::State::at_leaf_pair : detail::State::at_pair);
   Walked walked = {end, {visits - run.progress.visits_left, run.progress.overlaps, leaf_pairs, 0}};
   return walked;
 }

@@ -270,7 +270,7 @@ class Query : Question {
   /// Until the batch is full, to the end, or the last visit granted.
   State walk(uint32_t& visits_left, Batch& batch, uint32_t room) {
     const uint32_t granted = visits_left < Batch::kMostVisits ? visits_left : Batch::kMostVisits;
-    WalkRun run = {&cursor_, &batch, {granted, 0}};
+    detail::WalkRun<Cursor, Batch> run = {&cursor_, &batch, {granted, 0}};
     // Leaves of several triangles: four pairs each, as most have. More only cost a walk again.
     const bool single = a_->leaf_offsets == nullptr && b_->leaf_offsets == nullptr;
     const uint32_t pairs = single ? room : room / 4;
@@ -280,33 +280,22 @@ class Query : Question {
     batch.end(run.progress);
     return end;
   }
-
-  using WalkRun = detail::WalkRun<Cursor, Batch>;
-
-  FLASHBVH_NOINLINE State walk_translated(WalkRun& run) {
+  FLASHBVH_NOINLINE State walk_translated(detail::WalkRun<Cursor, Batch>& run) {
     return walk_with(Question::translated(transform_.translated()), nullptr, run);
   }
-  FLASHBVH_NOINLINE State walk_rotated(WalkRun& run) {
+  FLASHBVH_NOINLINE State walk_rotated(detail::WalkRun<Cursor, Batch>& run) {
     auto bound = Question::rotated(transform_.rotated());
     return walk_with(detail::ByReference<decltype(bound)>{&bound}, &bound, run);
   }
-  /// `rotated`: the bound's state, if it has one.
   template <class Bound, class Rotated>
-  FLASHBVH_INLINE State walk_with(const Bound& bound, Rotated rotated, WalkRun& run) {
-    const auto pairs = [&](State from) {
-      return detail::walk<Order, Question::kLeafShapes>(*a_, *b_, bound, run, from);
-    };
+  State walk_with(const Bound& bound, Rotated rotated, detail::WalkRun<Cursor, Batch>& run) {
     if constexpr (Question::kLeafShapes) {
-      return detail::walk_with_shapes<Order>(run, state_, pairs, [&](State from) {
-        return walk_below_leaf(rotated, run, from);
-      });
+      detail::LeafShapes<Mesh> shapes(*a_, *b_, transform_, rotated);
+      return detail::walk<Order>(bound, shapes, run, state_);
     } else {
-      return pairs(state_);
+      detail::NoShapes<Mesh> shapes = {*a_, *b_};
+      return detail::walk<Order>(bound, shapes, run, state_);
     }
-  }
-  FLASHBVH_NOINLINE State walk_below_leaf(detail::RotatedBound* rotated, WalkRun& run, State from) {
-    detail::LeafShapes<Mesh> shapes(*a_, *b_, transform_, rotated);
-    return detail::walk_below_leaf<Order>(shapes, run, from);
   }
 
   /// Tests pairs of triangles until one is an answer; false if none is left of the batch.

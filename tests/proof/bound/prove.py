@@ -25,7 +25,7 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
         part(name) for name in ("run", "walk-on-below", "walk-below", "next-answer"))
     # A leaf is taken as a shape, and its two slabs are made, at most once a visit.
     others = part("other-triangles")
-    slabs = part("make-plane").total + part("make-edge").total + 2 * others.fixed
+    slabs = 2 * (part("make-slab").total + others.fixed)
     turn = on_below.term("turn") + below.fixed
     climb = below.term("climb")
     for kind in ("translated", "rotated"):

@@ -99,9 +99,10 @@ ENTRY(translated_walk, asked) {
     ++leaf_pairs;
     return true;
   };
+  NoShapes<PostMesh> shapes = {*in->a, *in->b};
   WalkRun<PairCursor<uint16_t>, decltype(leaf_pair)> run = {&in->stack[0], &leaf_pair,
                                                             {in->visits, 0}};
-  (void)walk<Ranked<PostMesh>, false>(*in->a, *in->b, overlap, run, State::fresh);
+  (void)walk<Ranked<PostMesh>>(overlap, shapes, run, State::fresh);
   in->answer = leaf_pairs + run.progress.overlaps;
 }
 

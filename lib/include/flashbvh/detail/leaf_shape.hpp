@@ -26,13 +26,17 @@ class LeafShapes {
   using Tree = Mesh;
   static constexpr bool kShapes = true;
 
-  /// `rotated`: under a rotation the bound of the walk, which has rotated boxes at hand.
+  /// `rotated`: the bound of a walk under a rotation, whose rotated boxes are at hand; null under a
+  /// translation.
   LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform,
              RotatedBound* rotated)
-      : a(mesh_a), b(mesh_b), transform_(transform), rotated_(rotated) {}
+      : a(mesh_a),
+        b(mesh_b),
+        transform_(transform),
+        rotated_(rotated) {}
 
   /// Takes a leaf, by its node, as the shape for boxes of the other tree.
-  void begin(Side side, uint32_t node) {
+  FLASHBVH_NOINLINE void begin(Side side, uint32_t node) {
     const Node<typename Mesh::Index>* const at = (side == Side::a ? a : b).nodes + node;
     if (at == node_) {
       return;

@@ -56,7 +56,6 @@ enum class State : uint8_t {
   at_pair = 1,       ///< the cursor's pair is to be visited next
   at_leaf_pair = 2,  ///< the cursor is at a pair of leaves that may matter, which was visited
   done = 3,          ///< every pair was visited
-  at_leaf = 4,       ///< within a run: the cursor's pair, one node a leaf, may matter and was visited
 };
 
 /// Which of a query's two trees.
@@ -89,8 +88,19 @@ struct WalkRun {
   Cursor* cursor;
   LeafPair* leaf_pair;
   Progress progress;
-  Side leaf = Side::none;  ///< of the pair that it stopped at; none: it is not below a leaf
-  uint32_t node = 0;       ///< of the other tree, then
+  Side side = Side::none;  ///< of the leaf that it is below, if it is
+  uint32_t leaf = 0;       ///< then: the leaf's node, and of the other tree
+  uint32_t root = 0;       ///< below which node
+  uint32_t node = 0;       ///< and at which one
+};
+
+/// The trees of a walk in which leaves are no shapes.
+template <class TreeType>
+struct NoShapes {
+  using Tree = TreeType;
+  static constexpr bool kShapes = false;
+  const Tree& a;
+  const Tree& b;
 };
 
 /// A bound that has a state, as a walk takes it: by a handle.
@@ -155,57 +165,69 @@ FLASHBVH_INLINE inline State visit_subtree(Subtree& at, Shapes& shapes, Progress
   return end;
 }
 
-/// Below a leaf: that leaf as a shape against the other tree's subtree. `from`: at_leaf; or where a
-/// run before this one ended, and then no more than a look if it was not below a leaf. Where it
-/// ends with run.leaf none, and not done, pairs of nodes go on from there.
+/// A leaf, whose shape was begun, against the other tree's subtree; `after`: from after its node on.
+template <class Shapes, class Run>
+FLASHBVH_NOINLINE State walk_below(Shapes& shapes, Run& run, bool after) {
+  const Side side = run.side;
+  const uint32_t leaf = run.leaf;
+  using Tree = typename Shapes::Tree;
+  Subtree<typename Tree::Index, Tree::kLayout> at(side == Side::a ? shapes.b : shapes.a,
+                                                  run.root, run.node);
+  const auto found = [side, leaf, &run](uint32_t other) {
+    return side == Side::a ? (*run.leaf_pair)(leaf, other, run.progress)
+                           : (*run.leaf_pair)(other, leaf, run.progress);
+  };
+  const State end = visit_subtree(at, shapes, run.progress, found, after);
+  run.node = at.index();
+  return end;
+}
+
+/// At a pair that may matter, one node or both leaves: to the end of what is below it.
+template <class Node, class Shapes, class Run>
+FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shapes& shapes,
+                                   Run& run) {
+  const auto a = static_cast<uint32_t>(node_a - shapes.a.nodes);
+  const auto b = static_cast<uint32_t>(node_b - shapes.b.nodes);
+  const bool leaf_a = node_a->is_leaf();
+  run.side = Side::none;
+  if (leaf_a && node_b->is_leaf()) {
+    ++run.progress.overlaps;
+    return (*run.leaf_pair)(a, b, run.progress) ? State::done : State::at_leaf_pair;
+  }
+  run.side = leaf_a ? Side::a : Side::b;
+  run.leaf = leaf_a ? a : b;
+  run.root = leaf_a ? b : a;
+  run.node = (leaf_a ? shapes.b : shapes.a).first_child(run.root);
+  shapes.begin(run.side, run.leaf);
+  if (!shapes.slabs_touch((leaf_a ? node_b : node_a)->box)) {
+    return State::done;
+  }
+  ++run.progress.overlaps;
+  return walk_below(shapes, run, false);
+}
+
+/// To the end of the leaf's walk of a subtree that a walk was in, and of those that follow. Then
+/// run.side is none.
 template <class Order, class Shapes, class Run>
-FLASHBVH_INLINE inline State walk_below_leaf(Shapes& shapes, Run& run, State from) {
-  using Tree = typename Order::Tree;
-  const bool entered = from == State::at_leaf;
-  bool after = from == State::at_leaf_pair;
+FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
   Order at(shapes.a, shapes.b, *run.cursor);
-  for (;;) {
-    const bool leaf_a = at.node_a().is_leaf();
-    if (entered && leaf_a && at.node_b().is_leaf()) {
-      ++run.progress.overlaps;
-      run.leaf = Side::none;
-      if (!(*run.leaf_pair)(at.index_a(), at.index_b(), run.progress)) {
-        at.store(*run.cursor, false);
-        return State::at_leaf_pair;
-      }
-    } else {
-      const Side side = !entered ? at.leaf() : leaf_a ? Side::a : Side::b;
-      run.leaf = side;
-      if (side == Side::none) {
-        break;
-      }
-      const Tree& other = side == Side::a ? shapes.b : shapes.a;
-      const uint32_t leaf = side == Side::a ? at.index_a() : at.index_b();
-      const uint32_t inner = side == Side::a ? at.index_b() : at.index_a();
-      shapes.begin(side, leaf);
-      if (!entered || shapes.slabs_touch(other.nodes[inner].box)) {
-        run.progress.overlaps += entered ? 1 : 0;
-        Subtree<typename Tree::Index, Tree::kLayout> below(
-            other, entered ? inner : at.leaf_root(),
-            entered ? other.first_child(inner) : at.leaf_node());
-        const auto found = [side, leaf, &run](uint32_t node) {
-          return side == Side::a ? (*run.leaf_pair)(leaf, node, run.progress)
-                                 : (*run.leaf_pair)(node, leaf, run.progress);
-        };
-        const State end = visit_subtree(below, shapes, run.progress, found, after);
-        if (end != State::done) {
-          at.store_below(*run.cursor, side, below.index());
-          return end;
-        }
-      }
+  while ((run.side = at.leaf()) != Side::none) {
+    run.leaf = run.side == Side::a ? at.index_a() : at.index_b();
+    run.root = at.leaf_root();
+    run.node = at.leaf_node();
+    shapes.begin(run.side, run.leaf);
+    const State end = walk_below(shapes, run, after);
+    if (end != State::done) {
+      at.store_below(*run.cursor, run.side, run.node);
+      return end;
     }
     after = false;
-    run.leaf = Side::none;
     if (!at.next()) {
       at.store(*run.cursor, true);
       return State::done;
     }
-    if (entered || !Order::kStackless) {  // what comes next is a pair of nodes again
+    if (!Order::kStackless) {  // what comes next was on the stack
+      run.side = Side::none;
       break;
     }
   }
@@ -213,17 +235,24 @@ FLASHBVH_INLINE inline State walk_below_leaf(Shapes& shapes, Run& run, State fro
   return after ? State::at_leaf_pair : State::at_pair;
 }
 
-/// Pairs of nodes from the cursor, `from` at_leaf_pair or not, to where `leaf_pair` says stop, the
-/// end, or the last visit granted; or to a leaf, if `kShapes`. Where it stands then.
-template <class Order, bool kShapes, class Bound, class LeafPair>
-FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order::Tree& b,
-                             const Bound& bound, WalkRun<typename Order::Cursor, LeafPair>& run,
-                             State from) {
+/// From the cursor, `from` a state that is not done, to where `leaf_pair` says stop, the end, or
+/// the last visit granted: where it stands then.
+template <class Order, class Bound, class Shapes, class LeafPair>
+FLASHBVH_NOINLINE State walk(const Bound& bound, Shapes& shapes,
+                             WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
+  if constexpr (Shapes::kShapes) {
+    if (from != State::fresh || !Order::kStartsAtRoots) {
+      from = walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
+      if (from == State::done || run.side != Side::none) {
+        return from;
+      }
+    }
+  }
+  Order at(shapes.a, shapes.b, *run.cursor);
   auto* kept = &run;
   keep_in_memory(kept);
   Bound may_matter = bound;
   put_in_place(may_matter);
-  Order at(a, b, *run.cursor);
   uint32_t visits_left = run.progress.visits_left;
   uint32_t overlaps = run.progress.overlaps;
   State end = State::done;
@@ -235,18 +264,34 @@ FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order
       }
       --visits_left;
       if (__builtin_expect(may_matter(at.node_a().box, at.node_b().box), 1)) {
-        if (kShapes && (at.node_a().is_leaf() || at.node_b().is_leaf())) {
-          end = State::at_leaf;
-          break;
+        if constexpr (Shapes::kShapes) {
+          if (!at.node_a().is_leaf() && !at.node_b().is_leaf()) {
+            ++overlaps;
+            (void)at.descend();
+            continue;
+          }
+          keep_in_memory(kept);
+          kept->progress = {visits_left, overlaps};
+          end = reach_leaf(&at.node_a(), &at.node_b(), shapes, *kept);
+          keep_in_memory(kept);
+          visits_left = kept->progress.visits_left;
+          overlaps = kept->progress.overlaps;
+          if (end != State::done && kept->side != Side::none) {
+            at.store_below(*kept->cursor, kept->side, kept->node);
+            return end;
+          }
+        } else {
+          ++overlaps;
+          if (at.descend()) {
+            continue;
+          }
+          keep_in_memory(kept);
+          const Progress progress = {visits_left, overlaps};
+          if (!(*kept->leaf_pair)(at.index_a(), at.index_b(), progress)) {
+            end = State::at_leaf_pair;
+          }
         }
-        ++overlaps;
-        if (at.descend()) {
-          continue;
-        }
-        keep_in_memory(kept);
-        const Progress progress = {visits_left, overlaps};
-        if (!(*kept->leaf_pair)(at.index_a(), at.index_b(), progress)) {
-          end = State::at_leaf_pair;
+        if (end != State::done) {
           break;
         }
       }
@@ -259,29 +304,6 @@ FLASHBVH_NOINLINE State walk(const typename Order::Tree& a, const typename Order
   at.store(*kept->cursor, end == State::done);
   kept->progress = {visits_left, overlaps};
   return end;
-}
-
-/// The whole walk with leaves as shapes, from loop to loop, so that none of them stands on another
-/// one's stack. `pairs(from)`: walk(); `below(from)`: walk_below_leaf().
-template <class Order, class Run, class Pairs, class Below>
-FLASHBVH_INLINE inline State walk_with_shapes(Run& run, State from, const Pairs& pairs,
-                                              const Below& below) {
-  if (from != State::fresh || !Order::kStartsAtRoots) {
-    from = below(from);
-    if (from == State::done || run.leaf != Side::none) {
-      return from;
-    }
-  }
-  for (;;) {
-    from = pairs(from);
-    if (from != State::at_leaf) {
-      return from;
-    }
-    from = below(from);
-    if (from != State::at_pair || run.leaf != Side::none) {
-      return from;
-    }
-  }
 }
 
 }  // namespace detail
