@@ -50,7 +50,7 @@ Answer intersects(const Mesh<Index, Layout::post_indexed>& a,
 /// Hands each intersecting pair to `visit(pair)`, in the query's order, until it returns false.
 /// `done` at the end, `full` if `visit` said no more.
 template <class Index, class Visitor>
-Status for_each_pair(const Mesh<Index, Layout::post_indexed>& a,
+FLASHBVH_INLINE inline Status for_each_pair(const Mesh<Index, Layout::post_indexed>& a,
                      const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
                      Visitor&& visit) {
   DefaultQuery<Index> query(a, b, pose);

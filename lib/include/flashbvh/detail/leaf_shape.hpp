@@ -38,7 +38,7 @@ class LeafShapes {
   /// Takes a leaf, by its node, as the shape for boxes of the other tree.
   FLASHBVH_NOINLINE void begin(Side side, uint32_t node) {
     const Node<typename Mesh::Index>* const at = (side == Side::a ? a : b).nodes + node;
-    if (at == node_) {
+    if (at == node_ && side == side_) {  // one mesh may be both
       return;
     }
     node_ = at;
