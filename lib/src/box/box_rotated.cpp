@@ -6,6 +6,8 @@
 #if defined(__ARM_FEATURE_MVE) && !defined(FLASHBVH_PORTABLE)
 #include "box_rotated_mve.hpp"
 #define FLASHBVH_ROTATE_BOX flashbvh_rotate_and_compare
+// Bounds are kept with upper and lower exchanged, as they are added to a box's.
+#define FLASHBVH_ROTATED_EXCHANGED 1
 #else
 
 #if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
@@ -129,7 +131,12 @@ PackedTriple RotatedBound::window(RotatedBox& kept, const PackedBox& box) {
   }
   constexpr uint32_t zero = 2 * kBoundBias;  // what a sum of two bounds has if they are equal
   constexpr uint32_t zeros = join_halves(zero, zero);
+#if defined(FLASHBVH_ROTATED_EXCHANGED)
+  return {{subtract_halves(zeros, kept.bounds.upper_xy),
+           subtract_halves(zeros, kept.bounds.lower_xy), subtract_halves(zeros, kept.bounds.z)}};
+#else
   return detail::window({{zeros, zeros, zeros}}, kept.bounds);
+#endif
 }
 
 }  // namespace flashbvh::detail

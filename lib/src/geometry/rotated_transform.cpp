@@ -111,7 +111,8 @@ class Row {
 bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
                                const PackedBox& root_a, const int32_t (&origin_b)[3],
                                const PackedBox& root_b, bool may_stop) {
-  const SplitRow(&rows)[3] = pose.matrix().rows.row;
+  matrix = &pose.matrix();
+  const SplitRow(&rows)[3] = matrix->rows.row;
   int32_t offset[3];
   const auto is_far = [&](int axis, uint32_t upper, uint32_t lower) {
     offset[axis] = offset_along_axis(pose, origin_a, origin_b, axis);
@@ -122,13 +123,11 @@ bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
       is_far(2, low_half(root_a.z), high_half(root_a.z))) {
     return false;
   }
-  set(pose.matrix(), offset, reach(root_b));
+  set(offset, reach(root_b));
   return true;
 }
 
-void RotatedTransform::set(const RotationMatrix& rotation, const int32_t (&offset)[3],
-                           int32_t reach_b) {
-  matrix = &rotation;
+void RotatedTransform::set(const int32_t (&offset)[3], int32_t reach_b) {
   columns = matrix->rows.transposed();
   const int32_t box = box_margin(*matrix, reach_b) + kHalf;
   const int32_t axis = axis_margin(*matrix, reach_b);

@@ -59,16 +59,14 @@ inline int32_t margin(const RotatedTransform& transform, Side of, int32_t sum, i
 }  // namespace
 
 void Slab::rotate(const RotatedTransform& transform, Side of, int32_t reach_b) {
-  const PackedVector direction = {row_.positive_xy, static_cast<int32_t>(row_.z)};
-  const Extent extent = {least_upper_, least_lower_};
   const bool of_a = of == Side::a;
-  const PackedVector seen =
-      rotated(of_a ? transform.columns : transform.matrix->rows, direction);
-  const PackedVector& in_a = of_a ? direction : seen;
+  const PackedVector own = direction();
+  const PackedVector seen = rotated(of_a ? transform.columns : transform.matrix->rows, own);
+  const PackedVector& in_a = of_a ? own : seen;
   const int32_t offset = offset_along(in_a, transform);
   const auto sum =
       static_cast<int32_t>(magnitude(in_a.x()) + magnitude(in_a.y()) + magnitude(in_a.z));
-  set_row(seen, extent, of_a ? -offset : offset, margin(transform, of, sum, reach_b));
+  set_row(seen, of_a ? -offset : offset, margin(transform, of, sum, reach_b));
 }
 
 }  // namespace flashbvh::detail

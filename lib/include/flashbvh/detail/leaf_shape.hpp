@@ -1,9 +1,9 @@
 // A leaf as a shape: what its triangles reject of the other tree's boxes.
 //
 // Once one node of a pair is a leaf, all that is left below the pair is that leaf against a
-// subtree. The leaf's own box, seen from the other tree, is a window that rejects most; then the
-// plane of its first triangle, then the normal of that triangle's first edge in its plane. So no box of the subtree
-// is rotated. The baker puts first the triangle and the edge that reject most; any other order
+// subtree. The leaf's own box, seen from the other tree, is a window; then come the plane of its
+// first triangle, and in that plane the normal of the triangle's longest edge. So no box of the
+// subtree is rotated. The baker puts the triangle first whose slabs reject most; any other order
 // gives the same answers.
 //
 // What is tested of a pair follows from the pair alone, however a query was cut: only whether a
@@ -13,8 +13,8 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/inline.hpp"
 #include "flashbvh/detail/box_rotated.hpp"
+#include "flashbvh/detail/inline.hpp"
 #include "flashbvh/detail/packed.hpp"
 #include "flashbvh/detail/slab.hpp"
 
@@ -30,10 +30,7 @@ class LeafShapes {
   /// translation.
   LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform,
              RotatedBound* rotated)
-      : a(mesh_a),
-        b(mesh_b),
-        transform_(transform),
-        rotated_(rotated) {}
+      : a(mesh_a), b(mesh_b), transform_(transform), rotated_(rotated) {}
 
   /// Takes a leaf, by its node, as the shape for boxes of the other tree.
   FLASHBVH_NOINLINE void begin(Side side, uint32_t node) {
@@ -106,24 +103,27 @@ class LeafShapes {
     Extent extent = {at, at};
     extent.add(dot(direction, first.q));
     extent.add(dot(direction, first.r));
+    slab.begin(direction, extent);
     if (mesh().leaf_offsets != nullptr) {
-      add_others(direction, extent);
+      add_others(slab);
     }
     if (rotated_ != nullptr) {
-      slab.set(direction, extent);
       slab.rotate(transform_.rotated(), side_, reach(b.nodes[0].box));
     } else {
-      slab.set(direction, extent, transform_.translated().offset, side_);
+      slab.translate(transform_.translated().offset, side_);
     }
   }
 
   /// The leaf's triangles after the first.
-  FLASHBVH_NOINLINE void add_others(const PackedVector& direction, Extent& extent) const {
+  FLASHBVH_NOINLINE void add_others(Slab& slab) const {
     const Mesh& m = mesh();
+    const PackedVector direction = slab.direction();
+    Extent extent = slab.extent();
     const uint32_t end = m.end_triangle(node_->leaf());
     for (uint32_t i = m.first_triangle(node_->leaf()) + 1; i < end; ++i) {
       triangle(i).extend(extent, direction);
     }
+    slab.begin(direction, extent);
   }
 
   const Transform& transform_;

@@ -52,8 +52,7 @@ struct RotatedTransform {
                const int32_t (&origin_b)[3], const PackedBox& root_b, bool may_stop);
 
   /// `offset`: of B's origin on A's lattice, kSplitOne is a cell; `reach_b`: reach() of B's root.
-  FLASHBVH_NOINLINE void set(const RotationMatrix& rotation, const int32_t (&offset)[3],
-                             int32_t reach_b);
+  FLASHBVH_NOINLINE void set(const int32_t (&offset)[3], int32_t reach_b);
 
   /// In cells from A's origin: within +-80,000.
   Point transform(const Vertex& v) const;

@@ -103,23 +103,26 @@ struct PackedTriangle {
   }
 };
 
+/// Made in two steps: as it lies in its own lattice, and then as it is seen from the other one.
 /// 20 bytes.
 class Slab {
  public:
-  /// Triangles of side `of` between these bounds along `direction`, both in its own lattice; boxes
-  /// of the other side will be tested.
-  FLASHBVH_INLINE void set(const PackedVector& direction, const Extent& extent,
-                           const Point& offset, Side of) {
-    const int32_t along = direction.x() * offset.x + direction.y() * offset.y +
-                          direction.z * offset.z;
-    set_row(direction, extent, of == Side::a ? -along : along, 0);
-  }
-  /// Under a rotation: first as it lies, then rotated. `reach_b`: reach() of B's root box.
-  FLASHBVH_INLINE void set(const PackedVector& direction, const Extent& extent) {
+  /// Triangles between these bounds along `direction`, in their own lattice.
+  FLASHBVH_INLINE void begin(const PackedVector& direction, const Extent& extent) {
     row_ = {direction.xy, 0, static_cast<uint32_t>(direction.z)};
     least_upper_ = extent.least;
     least_lower_ = extent.most;
   }
+  PackedVector direction() const { return {row_.positive_xy, static_cast<int32_t>(row_.z)}; }
+  Extent extent() const { return {least_upper_, least_lower_}; }
+
+  /// For boxes of the other tree than side `of`, under a translation of B.
+  FLASHBVH_INLINE void translate(const Point& offset, Side of) {
+    const PackedVector d = direction();
+    const int32_t along = d.x() * offset.x + d.y() * offset.y + d.z * offset.z;
+    set_row(d, of == Side::a ? -along : along, 0);
+  }
+  /// The same under a rotation. `reach_b`: reach() of B's root box.
   FLASHBVH_NOINLINE void rotate(const RotatedTransform& transform, Side of, int32_t reach_b);
 
   /// The whole space.
@@ -139,14 +142,14 @@ class Slab {
   }
 
  private:
-  FLASHBVH_INLINE void set_row(const PackedVector& seen, const Extent& extent, int32_t offset,
-                               int32_t margin) {
+  FLASHBVH_INLINE void set_row(const PackedVector& seen, int32_t offset, int32_t margin) {
+    const Extent along = extent();
     row_ = {positive_halves(seen.xy), positive_halves(signed_difference(0, seen.xy)),
             positive_halves(join_halves(static_cast<uint16_t>(seen.z),
                                         static_cast<uint16_t>(-seen.z)))};
     const int32_t bias = row_.sum() * kBoundBias;
-    least_upper_ = bias + extent.least + offset - margin;
-    least_lower_ = bias - extent.most - offset - margin;
+    least_upper_ = bias + along.least + offset - margin;
+    least_lower_ = bias - along.most - offset - margin;
   }
 
   SplitRow row_;
