@@ -3,8 +3,11 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <initializer_list>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
@@ -185,6 +188,30 @@ Rotation coarse_rotation(Random& random) {
   return fine;
 }
 
+/// A rotation that stretches the diagonal (1, 1, 1), or shrinks it, by as much as is taken for one.
+Rotation stretched_rotation(Random& random) {
+  Rotation rotation = rotation_of(any_quaternion(random));
+  const std::int64_t by = random.below(2) == 0 ? 127 : -127;
+  for (auto& row : rotation.entry) {
+    const std::int64_t sum = std::int64_t{row[0]} + row[1] + row[2];
+    for (std::int32_t& entry : row) {
+      entry += static_cast<std::int32_t>(floor_divide(sum * by, 128 << 14));
+    }
+  }
+  return rotation;
+}
+
+/// A triangle across that diagonal, at its end.
+bake::LatticeMesh diagonal_mesh(Random& random) {
+  const auto step = [&] { return random.between(100, 300); };
+  const std::int32_t at = random.below(2) == 0 ? 16000 : -16000;
+  const std::int32_t u = step();
+  const std::int32_t v = step();
+  bake::LatticeMesh mesh;
+  add_triangle(mesh, vertex(at, at, at), vertex(at + u, at - u, at), vertex(at, at + v, at - v));
+  return mesh;
+}
+
 /// A lattice point in or next to a mesh's triangle: at a corner, on an edge, or inside.
 Vertex point_of(Random& random, const bake::LatticeMesh& mesh, std::uint32_t triangle) {
   const auto& corner = mesh.triangles[triangle];
@@ -193,8 +220,9 @@ Vertex point_of(Random& random, const bake::LatticeMesh& mesh, std::uint32_t tri
   const std::int32_t v = random.below(2) == 0 ? 0 : random.between(0, parts - u);
   const auto at = [&](std::int16_t Vertex::*axis) {
     const std::int32_t p = mesh.vertices[corner[0]].*axis;
-    return p + ((mesh.vertices[corner[1]].*axis - p) * u + (mesh.vertices[corner[2]].*axis - p) * v) /
-                   parts;
+    return p +
+           ((mesh.vertices[corner[1]].*axis - p) * u + (mesh.vertices[corner[2]].*axis - p) * v) /
+               parts;
   };
   return vertex(at(&Vertex::x), at(&Vertex::y), at(&Vertex::z));
 }
@@ -293,8 +321,9 @@ TEST_CASE("triangles without area or in one plane are shapes, too") {
     }
     const AnyMesh a = any_mesh(random, meshes[0]);
     const AnyMesh b = any_mesh(random, meshes[1]);
-    compare_all(a, b, round % 3 == 0 ? Pose::translated(random.between(-5, 5), 2, 0)
-                                     : any_pose(random, 10), totals);
+    compare_all(
+        a, b, round % 3 == 0 ? Pose::translated(random.between(-5, 5), 2, 0) : any_pose(random, 10),
+        totals);
   }
   CHECK(totals.pairs > 1000);
 }
@@ -307,13 +336,15 @@ TEST_CASE("on the largest lattice, no slab of a leaf misses what lies in its tri
   for (int round = 0; round < 6000; ++round) {
     CAPTURE(round);
     const bool leaf_of_a = round % 2 == 0;
-    const std::uint32_t count = 1 + random.below(2);
-    const bake::LatticeMesh leaf = extreme_mesh(random, count);
-    const Rotation rotation = coarse_rotation(random);
+    const bool stretched = round % 8 == 1;
+    const std::uint32_t count = stretched ? 1 : 1 + random.below(2);
+    const bake::LatticeMesh leaf = stretched ? diagonal_mesh(random) : extreme_mesh(random, count);
+    const Rotation rotation = stretched ? stretched_rotation(random) : coarse_rotation(random);
     const Vertex first = point_of(random, leaf, 0);
     const Vertex other = point_of(random, extreme_mesh(random, 1), 0);
     const Pose pose = leaf_of_a ? touching_pose(random, rotation, first, other)
                                 : touching_pose(random, rotation, other, first);
+    REQUIRE(pose.status() == Status::done);
     bake::LatticeMesh specks;
     for (std::uint32_t i = 0; i < 5; ++i) {
       const Vertex at = point_of(random, leaf, random.below(count));
@@ -373,11 +404,12 @@ std::uint32_t check_counts(const typename Order::Tree& a, const typename Order::
   std::vector<Counts> counts;
   Asked<Order> whole(a, b, pose);
   auto& query = whole.query;
-  REQUIRE(query.run(kNoLimit, [&](const auto& pair) {
+  const Status status = query.run(kNoLimit, [&](const auto& pair) {
     pairs.emplace_back(pair.a, pair.b);
     counts.push_back(query.counts());
     return true;
-  }) == Status::done);
+  });
+  REQUIRE(status == Status::done);
   for (std::size_t stop = 0; stop < pairs.size(); stop += 1 + stop / 8) {
     CAPTURE(stop);
     REQUIRE(counts[stop].triangle_pairs == stop + 1);
@@ -435,8 +467,8 @@ TEST_CASE("wherever a batch of leaf pairs is cut, pairs and counts stay the same
       const auto b = scene.b.view<typename Order::Tree>();
       Query<Order> whole(a, b, scene.pose);
       const Pairs expected = run_to_end(whole, kNoLimit, 10000);
-      for (const std::uint32_t visits : {std::uint32_t{1}, std::uint32_t{2}, std::uint32_t{3},
-                                         std::uint32_t{7}, kNoLimit}) {
+      for (const std::uint32_t visits :
+           {std::uint32_t{1}, std::uint32_t{2}, std::uint32_t{3}, std::uint32_t{7}, kNoLimit}) {
         for (std::uint32_t capacity = 1; capacity < 10; ++capacity) {
           CAPTURE(round, named.name, static_cast<int>(Order::Tree::kLayout), visits, capacity);
           Query<Order> cut(a, b, scene.pose);
@@ -466,6 +498,8 @@ TEST_CASE("counts stay right over more visits than one batch may take") {
     REQUIRE(same(cut.counts(), whole.counts()));
   }
   CHECK(whole.counts().visits > 65536);
+  // Each pair that may matter, but those of leaves, has two below it.
+  CHECK(whole.counts().visits == 1 + 2 * (whole.counts().overlaps - whole.counts().leaf_pairs));
 }
 
 TEST_CASE("narrow triangles intersect where triangles do") {
@@ -501,5 +535,6 @@ TEST_CASE("narrow triangles intersect where triangles do") {
     }
   }
   CHECK(tested > 20000);
-  CHECK(intersect > 5000);;
+  CHECK(intersect > 5000);
+  ;
 }

@@ -58,15 +58,26 @@ inline int32_t margin(const RotatedTransform& transform, Side of, int32_t sum, i
 
 }  // namespace
 
+namespace {
+
+/// The sum of the magnitudes.
+inline int32_t sum_of(const PackedVector& v) {
+  return static_cast<int32_t>(magnitude(v.x()) + magnitude(v.y()) + magnitude(v.z));
+}
+inline int32_t larger(int32_t u, int32_t v) {
+  return u > v ? u : v;
+}
+
+}  // namespace
+
 void Slab::rotate(const RotatedTransform& transform, Side of, int32_t reach_b) {
   const bool of_a = of == Side::a;
   const PackedVector own = direction();
   const PackedVector seen = rotated(of_a ? transform.columns : transform.matrix->rows, own);
   const PackedVector& in_a = of_a ? own : seen;
   const int32_t offset = offset_along(in_a, transform);
-  const auto sum =
-      static_cast<int32_t>(magnitude(in_a.x()) + magnitude(in_a.y()) + magnitude(in_a.z));
-  set_row(seen, of_a ? -offset : offset, margin(transform, of, sum, reach_b));
+  set_row(seen, of_a ? -offset : offset,
+          margin(transform, of, larger(sum_of(own), sum_of(seen)), reach_b));
 }
 
 }  // namespace flashbvh::detail
