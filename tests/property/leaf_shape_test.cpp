@@ -363,7 +363,7 @@ TEST_CASE("on the largest lattice, thin triangles that just touch are found") {
   CAPTURE(seed);
   Random random(seed + 4);
   Totals totals;
-  for (int round = 0; round < 1500; ++round) {
+  for (int round = 0; round < 600; ++round) {
     CAPTURE(round);
     const bake::LatticeMesh mesh_a = extreme_mesh(random, 2 + random.below(5));
     const bake::LatticeMesh mesh_b = extreme_mesh(random, 2 + random.below(5));
@@ -376,7 +376,7 @@ TEST_CASE("on the largest lattice, thin triangles that just touch are found") {
     const AnyMesh b(bake::build_median(mesh_b, 1), mesh_b);
     compare_all(a, b, pose, totals);
   }
-  CHECK(totals.pairs > 5000);
+  CHECK(totals.pairs > 3000);
 }
 
 namespace {
