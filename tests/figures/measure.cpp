@@ -105,12 +105,11 @@ void add_triangle_tests(const PostMesh& a, const PostMesh& b, const Pose& pose, 
       Triangle triangle_b;
       transform_triangle(b, of_b, transform, triangle_b);
       for (uint32_t of_a = a.first_triangle(leaf_a); of_a < a.end_triangle(leaf_a); ++of_a) {
-        const auto& corner = a.triangles[of_a].corner;
+        Triangle triangle_a;
+        translate_triangle(a, of_a, kNoOffset, triangle_a);
+        const PlaneNormal normal_b = near_normal(triangle_b);
         tests.add(port::instructions_of([&] {
-          const Point(&p)[3] = triangle_b.corner;
-          (void)near_triangles_intersect(
-              {{a.vertices + corner[0], a.vertices + corner[1], a.vertices + corner[2]}},
-              triangle_b, Plane(p[0], p[1], p[2]));
+          (void)near_triangles_intersect(triangle_a, triangle_b, normal_b);
         }));
       }
     }

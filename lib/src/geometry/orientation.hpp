@@ -39,10 +39,10 @@ inline Cofactors normal_of(const Triangle& t) {
                           difference(t.corner[2], t.corner[0]));
 }
 
-/// Six times the signed volume of the tetrahedron p, q, r, s.
+/// Six times the signed volume of the tetrahedron p, q, r, s. Cofactors: of its edges p-q and r-s.
 template <class Cofactors>
 [[gnu::noinline]] int64_t volume(const Point& p, const Point& q, const Point& r, const Point& s) {
-  return dot(cross<Cofactors>(difference(q, p), difference(r, p)), difference(s, p));
+  return dot(cross<Cofactors>(difference(s, r), difference(q, p)), difference(r, p));
 }
 
 /// Twice the signed area of p, q, r in the projection onto the axes u and v: positive where they
@@ -69,16 +69,11 @@ struct Sides {
 /// `height(corner)`: above the plane, in any measure.
 template <class Height>
 inline Sides sides_of(const Triangle& asked, const Height& height) {
-  unsigned bits = 0;
-  for (unsigned i = 0; i < 3; ++i) {
-    const int64_t above = height(asked.corner[i]);
-    if (above > 0) {
-      bits |= 1u << i;
-    } else if (above < 0) {
-      bits |= 8u << i;
-    }
-  }
-  return {bits};
+  const auto bits = [&](const Point& corner, unsigned above) {
+    const int64_t at = height(corner);
+    return at > 0 ? above : at < 0 ? above << 3 : 0u;
+  };
+  return {bits(asked.corner[0], 1) | bits(asked.corner[1], 2) | bits(asked.corner[2], 4)};
 }
 
 /// The corner alone on its side of a plane, of a triangle on both sides of it or touching it. Both

@@ -36,48 +36,24 @@ inline PackedVector rotated(const SplitMatrix& matrix, const PackedVector& d) {
   return {join_halves(static_cast<uint16_t>(x), static_cast<uint16_t>(y)), along(matrix.row[2])};
 }
 
-/// Where B's origin lies along a direction in A's lattice, in the direction's unit.
-inline int32_t offset_along(const PackedVector& d, const RotatedTransform& transform) {
-  const auto product = [&](int32_t x, int i) {
-    return static_cast<int64_t>(x) * offset_of(transform.on_a[i]);
+/// Where B's origin lies along a direction in A's lattice, to whole cells along each axis.
+inline int32_t origin_along(const PackedVector& d, const RotatedTransform& transform) {
+  const auto cells = [&](int i) {
+    const BoundStart& start = transform.on_a[i];
+    return (start.upper - start.lower + kSplitOne) >> (kSplitBits + 1);
   };
-  return static_cast<int32_t>((product(d.x(), 0) + product(d.y(), 1) + product(d.z, 2)) >>
-                              kSplitBits);
-}
-
-/// What rotating a direction with so large a sum of magnitudes can be off by, along it.
-inline int32_t margin(const RotatedTransform& transform, Side of, int32_t sum, int32_t reach_b) {
-  constexpr int32_t placed = 16712;  // 0.51 * 2^15
-  const bool of_a = of == Side::a;
-  const uint32_t stretched = of_a ? 0 : static_cast<uint32_t>(reach_b) * transform.matrix->defect;
-  const int32_t turned = of_a ? reach_b : (7 * reach_b + 3) >> 2;
-  const uint32_t each = static_cast<uint32_t>(turned + placed) + (stretched >> 9);
-  return (turned >> 1) +
-         static_cast<int32_t>((static_cast<uint64_t>(each) * static_cast<uint32_t>(sum)) >> 15) + 3;
+  return d.x() * cells(0) + d.y() * cells(1) + d.z * cells(2);
 }
 
 }  // namespace
 
-namespace {
-
-/// The sum of the magnitudes.
-inline int32_t sum_of(const PackedVector& v) {
-  return static_cast<int32_t>(magnitude(v.x()) + magnitude(v.y()) + magnitude(v.z));
-}
-inline int32_t larger(int32_t u, int32_t v) {
-  return u > v ? u : v;
-}
-
-}  // namespace
-
-void Slab::rotate(const RotatedTransform& transform, Side of, int32_t reach_b) {
+void Slab::rotate(const Transform& transform, Side of) {
+  const RotatedTransform& rotation = transform.rotated();
   const bool of_a = of == Side::a;
   const PackedVector own = direction();
-  const PackedVector seen = rotated(of_a ? transform.columns : transform.matrix->rows, own);
-  const PackedVector& in_a = of_a ? own : seen;
-  const int32_t offset = offset_along(in_a, transform);
-  set_row(seen, of_a ? -offset : offset,
-          margin(transform, of, larger(sum_of(own), sum_of(seen)), reach_b));
+  const PackedVector seen = rotated(of_a ? rotation.columns : rotation.matrix->rows, own);
+  const int32_t along = origin_along(of_a ? own : seen, rotation);
+  set_row(seen, of_a ? -along : along, transform.slab_margin());
 }
 
 }  // namespace flashbvh::detail

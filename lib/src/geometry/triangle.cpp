@@ -38,12 +38,16 @@ inline int64_t volume(bool narrow, const Point& p, const Point& q, const Point& 
   return narrow ? detail::volume<Narrow>(p, q, r, s) : detail::volume<Wide>(p, q, r, s);
 }
 
+/// `origin`: a point of the plane.
 template <class Cofactors>
-[[gnu::noinline]] Sides sides_of_plane(const Triangle& plane, const Triangle& asked) {
-  const Point& origin = plane.corner[0];
-  const Cofactors normal = normal_of<Cofactors>(plane);
+inline Sides sides_of_normal(const Cofactors& normal, const Point& origin, const Triangle& asked) {
   return detail::sides_of(
       asked, [&](const Point& corner) { return dot(normal, difference(corner, origin)); });
+}
+
+template <class Cofactors>
+[[gnu::noinline]] Sides sides_of_plane(const Triangle& plane, const Triangle& asked) {
+  return sides_of_normal(normal_of<Cofactors>(plane), plane.corner[0], asked);
 }
 
 inline Sides sides_of(bool narrow, const Triangle& plane, const Triangle& asked) {
@@ -52,7 +56,7 @@ inline Sides sides_of(bool narrow, const Triangle& plane, const Triangle& asked)
 
 /// Whether the intervals in which two triangles intersect the common line of their planes overlap.
 /// Each triangle is mirrored where the other's tip is below, which orders both intervals alike.
-[[gnu::noinline]] bool intervals_overlap(bool narrow, const Triangle& a, Sides of_a,
+bool intervals_overlap(bool narrow, const Triangle& a, Sides of_a,
                                          const Triangle& b, Sides of_b) {
   const Tip at = tip_of(of_a);
   const Tip bt = tip_of(of_b);
@@ -148,17 +152,10 @@ constexpr Projection kProjections[3] = {
   return coplanar(a, b);
 }
 
-/// Whether two triangles with overlapping boxes intersect. `narrow`: no difference exceeds
-/// kMaxNarrow.
-[[gnu::noinline]] bool intersect(bool narrow, const Triangle& a, const Triangle& b) {
-  const Sides of_a = sides_of(narrow, b, a);
-  if (of_a.separate()) {
-    return false;
-  }
-  const Sides of_b = sides_of(narrow, a, b);
-  if (of_b.separate()) {
-    return false;
-  }
+/// Whether two triangles intersect that neither plane separates. If one of them lies in the other's
+/// plane or lacks area, their boxes overlap.
+[[gnu::noinline]] bool unseparated_intersect(bool narrow, const Triangle& a, Sides of_a,
+                                             const Triangle& b, Sides of_b) {
   if (!of_a.all_on_plane() && !of_b.all_on_plane()) {
     return intervals_overlap(narrow, a, of_a, b, of_b);
   }
@@ -166,6 +163,16 @@ constexpr Projection kProjections[3] = {
     return segment_intersects(a, of_a, b);
   }
   return of_b.all_on_plane() ? flat_intersect(a, b) : segment_intersects(b, of_b, a);
+}
+
+/// Whether two triangles with overlapping boxes intersect. `narrow`: no edge exceeds kMaxNarrow.
+[[gnu::noinline]] bool intersect(bool narrow, const Triangle& a, const Triangle& b) {
+  const Sides of_a = sides_of(narrow, b, a);
+  if (of_a.separate()) {
+    return false;
+  }
+  const Sides of_b = sides_of(narrow, a, b);
+  return !of_b.separate() && unseparated_intersect(narrow, a, of_a, b, of_b);
 }
 
 inline int32_t least(int32_t u, int32_t v) {
@@ -192,82 +199,31 @@ inline int32_t extent(int32_t Point::*axis, const Triangle& a, const Triangle& b
   return greatest(a_high, b_high) - least(a_low, b_low);
 }
 
-}  // namespace
-
-namespace {
-
-inline int64_t product(int32_t u, int32_t v) {
-  return static_cast<int64_t>(u) * v;
-}
-
-/// The sides of a plane on which three corners lie: sums of 64-bit products that begin with the
-/// plane's own, so that no difference is made. Below 2^51.
-template <class Corner>
-inline Sides near_sides(const Plane& plane, const Corner& p, const Corner& q, const Corner& r) {
-  const auto bits = [&plane](const Corner& corner, unsigned above) {
-    const int64_t h = plane.start + product(plane.x, corner.x) + product(plane.y, corner.y) +
-                      product(plane.z, corner.z);
-    return h > 0 ? above : h < 0 ? above << 3 : 0u;
-  };
-  return {bits(p, 1) | bits(q, 2) | bits(r, 4)};
-}
-
-/// A corner of A, wherever it is used.
-inline Point point(const Vertex& v) {
-  return {v.x, v.y, v.z};
-}
-
-/// As volume(), with cofactors of the two edges p-q and r-s alone.
-inline int64_t edge_volume(const Vertex& p, const Vertex& q, const Point& r, const Point& s) {
-  return dot(cross<Narrow>(difference(s, r), difference(point(q), point(p))),
-             difference(r, point(p)));
-}
-
-/// As intervals_overlap(), of triangles with narrow edges.
-[[gnu::noinline]] bool near_intervals_overlap(const NearTriangle& a, Sides of_a, const Triangle& b,
-                                              Sides of_b) {
-  const Tip at = tip_of(of_a);
-  const Tip bt = tip_of(of_b);
-  const Vertex& tip_a = *a.corner[at.corner];
-  const Point& tip_b = b.corner[bt.corner];
-  const unsigned next_a = next(at.corner);
-  const unsigned previous_a = previous(at.corner);
-  const unsigned next_b = next(bt.corner);
-  const unsigned previous_b = previous(bt.corner);
-  return edge_volume(tip_a, *a.corner[bt.up ? next_a : previous_a], tip_b,
-                     b.corner[at.up ? next_b : previous_b]) <= 0 &&
-         edge_volume(tip_a, *a.corner[bt.up ? previous_a : next_a], tip_b,
-                     b.corner[at.up ? previous_b : next_b]) >= 0;
-}
-
-/// On which sides of the plane of `a` the corners of `b` lie.
-[[gnu::noinline]] Sides sides_of_near(const NearTriangle& a, const Triangle& b) {
-  const Plane plane(point(*a.corner[0]), point(*a.corner[1]), point(*a.corner[2]));
-  return near_sides(plane, b.corner[0], b.corner[1], b.corner[2]);
-}
-
-[[gnu::noinline]] bool flat_or_degenerate_intersect(const NearTriangle& a, const Triangle& b) {
-  return triangles_intersect({{point(*a.corner[0]), point(*a.corner[1]), point(*a.corner[2])}}, b);
-}
-
-[[gnu::noinline]] Sides sides_of_plane_near(const Plane& plane_b, const NearTriangle& a) {
-  return near_sides(plane_b, *a.corner[0], *a.corner[1], *a.corner[2]);
+/// Whether the boxes overlap.
+[[gnu::noinline, gnu::cold]] bool boxes_overlap(const Triangle& a, const Triangle& b) {
+  return extent(&Point::x, a, b) >= 0 && extent(&Point::y, a, b) >= 0 &&
+         extent(&Point::z, a, b) >= 0;
 }
 
 }  // namespace
 
-bool near_triangles_intersect(const NearTriangle& a, const Triangle& b,
-                              const Plane& plane_b) noexcept {
-  const Sides of_a = sides_of_plane_near(plane_b, a);
+bool near_triangles_intersect(const Triangle& a, const Triangle& b,
+                              const PlaneNormal& normal_b) noexcept {
+  const Sides of_a = sides_of_normal(normal_b, b.corner[0], a);
   if (of_a.separate()) {
     return false;
   }
-  const Sides of_b = sides_of_near(a, b);
-  if (of_b.separate()) {
+  const Sides of_b = sides_of_plane<Narrow>(a, b);
+  if (of_b.separate() ||
+      ((of_a.all_on_plane() || of_b.all_on_plane()) && !boxes_overlap(a, b))) {
     return false;
   }
-  return of_a.all_on_plane() || of_b.all_on_plane() ? flat_or_degenerate_intersect(a, b)
-                                                    : near_intervals_overlap(a, of_a, b, of_b);
+  return unseparated_intersect(true, a, of_a, b, of_b);
+}
+
+PlaneNormal near_normal(const Triangle& t) noexcept {
+  const Narrow n = normal_of<Narrow>(t);
+  return {n.x, n.y, n.z};
 }
 
 bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept {

@@ -56,13 +56,13 @@ class LeafShapes {
   /// The same of a box that the window has passed.
   FLASHBVH_INLINE bool slabs_touch(const PackedBox& box) {
     if (made_ == 0) {
-      make_slab();
+      make(plane_);
     }
     if (!plane_.may_touch(box)) {
       return false;
     }
     if (made_ == 1) {
-      make_slab();
+      make(edge_);
     }
     return edge_.may_touch(box);
   }
@@ -73,22 +73,34 @@ class LeafShapes {
  private:
   const Mesh& mesh() const { return side_ == Side::a ? a : b; }
 
-  /// The plane's first, then the edge's. What has no direction is the whole space.
-  FLASHBVH_NOINLINE void make_slab() {
-    const PackedTriangle first = triangle(mesh().first_triangle(node_->leaf()));
-    Slab& slab = made_ == 0 ? plane_ : edge_;
+  /// The plane's first, then the edge's.
+  FLASHBVH_NOINLINE void make(Slab& slab) {
+    if (!begin(slab)) {
+      slab.set_all();
+    } else if (rotated_ != nullptr) {
+      slab.rotate(transform_, side_);
+    } else {
+      slab.translate(transform_.translated().offset, side_);
+    }
+  }
+
+  /// As it lies in its own lattice; false if it has no direction. The plane's normal waits where
+  /// the edge's slab will be.
+  FLASHBVH_NOINLINE bool begin(Slab& slab) {
+    const uint32_t position = mesh().first_triangle(node_->leaf());
+    const PackedTriangle first = triangle(position);
     PackedVector direction;
     const bool good = made_ == 0 ? first.plane_direction(direction)
-                                 : first.edge_direction(normal_, direction);
-    if (made_ == 0) {
-      normal_ = direction;
-    }
+                                 : first.edge_direction(edge_.direction(), direction);
     ++made_;
+    edge_.begin(direction, {0, 0});
     if (good) {
-      set(slab, direction, first);
-    } else {
-      slab.set_all();
+      slab.begin(direction, first.extent(direction));
+      if (mesh().leaf_offsets != nullptr) {
+        add_others(slab);
+      }
     }
+    return good;
   }
 
   FLASHBVH_INLINE PackedTriangle triangle(uint32_t position) const {
@@ -98,22 +110,6 @@ class LeafShapes {
             PackedVector::of(m.vertices[corner[2]])};
   }
 
-  FLASHBVH_INLINE void set(Slab& slab, const PackedVector& direction, const PackedTriangle& first) {
-    const int32_t at = dot(direction, first.p);
-    Extent extent = {at, at};
-    extent.add(dot(direction, first.q));
-    extent.add(dot(direction, first.r));
-    slab.begin(direction, extent);
-    if (mesh().leaf_offsets != nullptr) {
-      add_others(slab);
-    }
-    if (rotated_ != nullptr) {
-      slab.rotate(transform_.rotated(), side_, reach(b.nodes[0].box));
-    } else {
-      slab.translate(transform_.translated().offset, side_);
-    }
-  }
-
   /// The leaf's triangles after the first.
   FLASHBVH_NOINLINE void add_others(Slab& slab) const {
     const Mesh& m = mesh();
@@ -121,7 +117,7 @@ class LeafShapes {
     Extent extent = slab.extent();
     const uint32_t end = m.end_triangle(node_->leaf());
     for (uint32_t i = m.first_triangle(node_->leaf()) + 1; i < end; ++i) {
-      triangle(i).extend(extent, direction);
+      extent.add(triangle(i).extent(direction));
     }
     slab.begin(direction, extent);
   }
@@ -134,7 +130,6 @@ class LeafShapes {
   PackedTriple window_;
   Slab plane_;
   Slab edge_;
-  PackedVector normal_;
 };
 
 }  // namespace flashbvh::detail

@@ -34,11 +34,11 @@ struct Extent {
     least = at < least ? at : least;
     most = at > most ? at : most;
   }
+  void add(const Extent& other) {
+    add(other.least);
+    add(other.most);
+  }
 };
-
-inline uint32_t magnitude(int32_t x) {
-  return x < 0 ? 0u - static_cast<uint32_t>(x) : static_cast<uint32_t>(x);
-}
 
 /// Sets `direction` to that of u x v, scaled; false if that is 0. Components of u and v: within
 /// +-32,766.
@@ -53,20 +53,14 @@ FLASHBVH_INLINE inline bool cross_direction(const PackedVector& u, const PackedV
     direction = {0, 0};
     return false;
   }
-  const int up = __builtin_clz(all | 1u) - static_cast<int>(32 - kDirectionBits);
-  if (up >= 0) {
-    const auto shifted = [up](int32_t component) {
-      return static_cast<int32_t>(static_cast<uint32_t>(component) << up);
-    };
-    x = shifted(x);
-    y = shifted(y);
-    z = shifted(z);
-  } else {
-    x >>= -up;
-    y >>= -up;
-    z >>= -up;
-  }
-  direction = {join_halves(static_cast<uint16_t>(x), static_cast<uint16_t>(y)), z};
+  // To the top, and from there to where the largest has its bits.
+  const int up = __builtin_clz(all | 1u) - 1;
+  const auto scaled = [up](int32_t component) {
+    return static_cast<int32_t>(static_cast<uint32_t>(component) << up) >>
+           (31 - static_cast<int>(kDirectionBits));
+  };
+  direction = {join_halves(static_cast<uint16_t>(scaled(x)), static_cast<uint16_t>(scaled(y))),
+               scaled(z)};
   return true;
 }
 
@@ -96,10 +90,12 @@ struct PackedTriangle {
     consider(p - r);
     return cross_direction(longest, normal, direction);
   }
-  void extend(Extent& extent, const PackedVector& direction) const {
-    extent.add(dot(direction, p));
-    extent.add(dot(direction, q));
-    extent.add(dot(direction, r));
+  FLASHBVH_INLINE Extent extent(const PackedVector& direction) const {
+    const int32_t at = dot(direction, p);
+    Extent along = {at, at};
+    along.add(dot(direction, q));
+    along.add(dot(direction, r));
+    return along;
   }
 };
 
@@ -122,8 +118,8 @@ class Slab {
     const int32_t along = d.x() * offset.x + d.y() * offset.y + d.z * offset.z;
     set_row(d, of == Side::a ? -along : along, 0);
   }
-  /// The same under a rotation. `reach_b`: reach() of B's root box.
-  FLASHBVH_NOINLINE void rotate(const RotatedTransform& transform, Side of, int32_t reach_b);
+  /// The same under a rotation.
+  FLASHBVH_NOINLINE void rotate(const Transform& transform, Side of);
 
   /// The whole space.
   void set_all() {

@@ -51,14 +51,19 @@ class Transform {
 
   /// Whether no transformed edge of B is longer than 2^15 - 1 cells along an axis; once prepared.
   bool is_narrow() const { return narrow_; }
+  /// Of slabs under a rotation, in units of their directions; once prepared.
+  int32_t slab_margin() const { return slab_margin_ * kMarginUnit; }
 
   /// Before the first walk.
   void prepare(const PackedBox& root_b) {
     if (kind_ == Kind::translated) {
       const Point& t = translated_.offset;
       translated_.bound = TranslatedBound(t.x, t.y, t.z);
+      narrow_ = true;
+    } else {
+      slab_margin_ = margin_of_slabs(reach(root_b));
+      narrow_ = diagonal_is_narrow(root_b);
     }
-    narrow_ = kind_ == Kind::translated || diagonal_is_narrow(root_b);
   }
 
  private:
@@ -72,6 +77,19 @@ class Transform {
     const uint32_t y = extent_y(box);
     const uint32_t z = extent_z(box);
     return x * x + y * y + z * z <= most * most;
+  }
+
+  static constexpr int32_t kMarginUnit = 16;
+
+  /// What rotating a direction of 13 bits can be off by, along it. `reach_b`: reach() of B's root.
+  uint16_t margin_of_slabs(int32_t reach_b) const {
+    constexpr uint32_t most = 3u << 13;  // the sum of a direction's magnitudes
+    constexpr uint32_t placed = 33'500;  // 0.51 for the vertices, 0.501 for the offset, times 2^15
+    const uint32_t turned = (7 * static_cast<uint32_t>(reach_b) + 3) >> 2;
+    const uint32_t stretched = static_cast<uint32_t>(reach_b) * rotated_.matrix->defect;
+    const uint32_t each = turned + placed + (stretched >> 9);
+    return static_cast<uint16_t>(((turned >> 1) + (each >> 2) * (most >> 13) + 20) / kMarginUnit +
+                                 1);
   }
 
   /// Wraps if the pose is out of range, which is an error of the pose.
@@ -88,6 +106,7 @@ class Transform {
   };
   Kind kind_;
   bool narrow_ = false;
+  uint16_t slab_margin_ = 0;  ///< in kMarginUnit
 };
 
 /// Where A's own triangles are.

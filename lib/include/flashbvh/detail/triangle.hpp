@@ -31,33 +31,21 @@ constexpr int32_t kMaxDifference = (1 << 20) - 1;
 /// Predicates", Journal of Graphics Tools 8(1), 2003, for the general case.
 bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
 
-/// The plane of a narrow triangle: coordinates within +-2^17, edges within +-(2^15 - 1) along each
-/// axis. 24 bytes.
-struct Plane {
-  int32_t x, y, z;  ///< the normal, twice the area long
-  int64_t start;    ///< the negated height of the triangle above the origin
-
-  Plane() = default;
-  Plane(const Point& p, const Point& q, const Point& r) {
-    const Point u = {q.x - p.x, q.y - p.y, q.z - p.z};
-    const Point v = {r.x - p.x, r.y - p.y, r.z - p.z};
-    x = u.y * v.z - u.z * v.y;
-    y = u.z * v.x - u.x * v.z;
-    z = u.x * v.y - u.y * v.x;
-    const auto product = [](int32_t n, int32_t at) { return static_cast<int64_t>(n) * at; };
-    start = -(product(x, p.x) + product(y, p.y) + product(z, p.z));
-  }
+/// Of a triangle's plane, twice its area long.
+struct PlaneNormal {
+  int32_t x;
+  int32_t y;
+  int32_t z;
 };
 
-/// A triangle as it lies on A's lattice.
-struct NearTriangle {
-  const Vertex* corner[3];
-};
+/// Of a narrow triangle: edges within +-(2^15 - 1) along each axis.
+PlaneNormal near_normal(const Triangle& t) noexcept;
 
-/// The same of narrow triangles. Boxes, which a query tested before, are tested only where the
-/// general case does not decide.
-bool near_triangles_intersect(const NearTriangle& a, const Triangle& b,
-                              const Plane& plane_b) noexcept;
+/// The same of narrow triangles with differences within kMaxDifference, whose boxes need not touch.
+/// These, which a query tested before, are tested only where one is flat or lies in the other's
+/// plane. `normal_b`: of `b`.
+bool near_triangles_intersect(const Triangle& a, const Triangle& b,
+                              const PlaneNormal& normal_b) noexcept;
 
 }  // namespace flashbvh::detail
 

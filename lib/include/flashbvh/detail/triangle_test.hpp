@@ -37,7 +37,7 @@ class TriangleTest {
   Triangle kept_b_;
 };
 
-/// Of intersection: the plane of B's triangle is kept, too.
+/// Of intersection: the normal of B's triangle is kept, too.
 template <class Question, class Mesh>
 class TriangleTest<Question, Mesh, true> {
  public:
@@ -49,32 +49,27 @@ class TriangleTest<Question, Mesh, true> {
       kept_ = of_b;
       transform_triangle(b_, of_b, transform_, kept_b_);
       if (narrow_) {
-        plane_ = Plane(kept_b_.corner[0], kept_b_.corner[1], kept_b_.corner[2]);
+        normal_ = near_normal(kept_b_);
       }
     }
-    if (narrow_) {
-      const auto& corner = a_.triangles[of_a].corner;
-      return near_triangles_intersect(
-          {{a_.vertices + corner[0], a_.vertices + corner[1], a_.vertices + corner[2]}}, kept_b_,
-          plane_);
-    }
-    return wide(of_a);
+    const auto& corner = a_.triangles[of_a].corner;
+    const auto at = [&](int i) {
+      const Vertex& v = a_.vertices[corner[i]];
+      return Point{v.x, v.y, v.z};
+    };
+    const Triangle a = {{at(0), at(1), at(2)}};
+    return narrow_ ? near_triangles_intersect(a, kept_b_, normal_)
+                   : triangles_intersect(a, kept_b_);
   }
 
  private:
-  FLASHBVH_NOINLINE bool wide(uint32_t of_a) const {
-    Triangle a;
-    translate_triangle(a_, of_a, kNoOffset, a);
-    return triangles_intersect(a, kept_b_);
-  }
-
   const Mesh& a_;
   const Mesh& b_;
   const Transform& transform_;
   uint32_t kept_ = UINT32_MAX;
   bool narrow_;
   Triangle kept_b_;
-  Plane plane_;
+  PlaneNormal normal_;
 };
 
 }  // namespace flashbvh::detail
