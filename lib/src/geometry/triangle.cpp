@@ -221,9 +221,8 @@ bool near_triangles_intersect(const Triangle& a, const Triangle& b,
   return unseparated_intersect(true, a, of_a, b, of_b);
 }
 
-PlaneNormal near_normal(const Triangle& t) noexcept {
-  const Narrow n = normal_of<Narrow>(t);
-  return {n.x, n.y, n.z};
+void get_near_normal(const Triangle& t, PlaneNormal& normal) noexcept {
+  normal = normal_of<PlaneNormal>(t);
 }
 
 bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept {

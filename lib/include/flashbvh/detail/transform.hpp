@@ -116,10 +116,13 @@ inline constexpr Point kNoOffset = {0, 0, 0};
 template <class Mesh>
 FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, const Point& offset,
                                           Triangle& triangle) {
-  for (int i = 0; i < 3; ++i) {
-    const Vertex& v = mesh.vertices[mesh.triangles[position].corner[i]];
-    triangle.corner[i] = {v.x + offset.x, v.y + offset.y, v.z + offset.z};
-  }
+  const auto& corner = mesh.triangles[position].corner;
+  const Point o = offset;
+  const auto at = [&](int i) -> Point {
+    const Vertex& v = mesh.vertices[corner[i]];
+    return {v.x + o.x, v.y + o.y, v.z + o.z};
+  };
+  triangle = {{at(0), at(1), at(2)}};
 }
 
 /// The same, rotated and translated.

@@ -39,7 +39,7 @@ struct PlaneNormal {
 };
 
 /// Of a narrow triangle: edges within +-(2^15 - 1) along each axis.
-PlaneNormal near_normal(const Triangle& t) noexcept;
+void get_near_normal(const Triangle& t, PlaneNormal& normal) noexcept;
 
 /// The same of narrow triangles with differences within kMaxDifference, whose boxes need not touch.
 /// These, which a query tested before, are tested only where one is flat or lies in the other's

@@ -49,7 +49,7 @@ class TriangleTest<Question, Mesh, true> {
       kept_ = of_b;
       transform_triangle(b_, of_b, transform_, kept_b_);
       if (narrow_) {
-        normal_ = near_normal(kept_b_);
+        get_near_normal(kept_b_, normal_);
       }
     }
     const auto& corner = a_.triangles[of_a].corner;
