@@ -17,11 +17,11 @@ struct NothingBelow {
   const PostMesh& a;
   const PostMesh& b;
 
-  NothingBelow(const PostMesh& mesh_a, const PostMesh& mesh_b, const Transform&, RotatedBound*)
+  NothingBelow(const PostMesh& mesh_a, const PostMesh& mesh_b, const Transform&)
       : a(mesh_a), b(mesh_b) {}
-  static void begin(Side, uint32_t) {}
+  static void set_bound(RotatedBound&) {}
+  static bool begin(Side, uint32_t, const PackedBox*) { return false; }
   static bool may_touch(const PackedBox&) { return false; }
-  static bool slabs_touch(const PackedBox&) { return false; }
 };
 
 /// From the first visit to the last; `leaf_pair(i, j)` for each pair of leaves that may matter.
@@ -45,10 +45,11 @@ uint32_t walk_transformed(const PostMesh& a, const PostMesh& b, Transform& trans
   uint32_t visits = 0;
   if (transform.is_rotated()) {
     RotatedBound bound(transform.rotated());
-    Shapes shapes(a, b, transform, &bound);
+    Shapes shapes(a, b, transform);
+    shapes.set_bound(bound);
     run([&] { visits = walk(ByReference<RotatedBound>{&bound}, shapes, leaf_pair); });
   } else {
-    Shapes shapes(a, b, transform, nullptr);
+    Shapes shapes(a, b, transform);
     run([&] { visits = walk(transform.translated().bound, shapes, leaf_pair); });
   }
   return visits;

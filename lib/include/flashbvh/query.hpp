@@ -187,6 +187,7 @@ class Query : Question {
 
   /// Orders with a stack can't go back to a pair, so they take along but one.
   using Batch = detail::LeafPairs<Index, Order::kStackless ? 8 : 1>;
+  using Shapes = typename detail::ShapesOf<Mesh, Question::kLeafShapes>::Type;
   using Test = detail::TriangleTest<Question, Mesh, Question::kIntersects>;
 
   /// `room()`: for how many more pairs `sink` is known to have room.
@@ -213,6 +214,7 @@ class Query : Question {
   template <class Sink, class Room>
   FLASHBVH_INLINE Status go_on(uint32_t visits, Sink& sink, const Room& room) {
     Batch batch;
+    Shapes shapes(*a_, *b_, transform_);
     State end = state_;
     for (;;) {
       while (next_answer(batch)) {
@@ -225,7 +227,7 @@ class Query : Question {
       if (end == State::done || (end == State::at_pair && visits == 0)) {
         return status();
       }
-      end = walk(visits, batch, room());
+      end = walk(visits, batch, shapes, room());
     }
   }
 
@@ -268,34 +270,26 @@ class Query : Question {
   }
 
   /// Until the batch is full, to the end, or the last visit granted.
-  State walk(uint32_t& visits_left, Batch& batch, uint32_t room) {
+  State walk(uint32_t& visits_left, Batch& batch, Shapes& shapes, uint32_t room) {
     const uint32_t granted = visits_left < Batch::kMostVisits ? visits_left : Batch::kMostVisits;
     detail::WalkRun<Cursor, Batch> run = {&cursor_, &batch, {granted, 0}};
     // Leaves of several triangles: four pairs each, as most have. More only cost a walk again.
     const bool single = a_->leaf_offsets == nullptr && b_->leaf_offsets == nullptr;
     const uint32_t pairs = single ? room : room / 4;
     batch.clear(run.progress, pairs == 0 ? 1 : pairs);
-    const State end = transform_.is_rotated() ? walk_rotated(run) : walk_translated(run);
+    const State end = transform_.is_rotated() ? walk_rotated(shapes, run)
+                                               : walk_translated(shapes, run);
     visits_left -= granted - run.progress.visits_left;
     batch.end(run.progress);
     return end;
   }
-  FLASHBVH_NOINLINE State walk_translated(detail::WalkRun<Cursor, Batch>& run) {
-    return walk_with(Question::translated(transform_.translated()), nullptr, run);
+  FLASHBVH_NOINLINE State walk_translated(Shapes& shapes, detail::WalkRun<Cursor, Batch>& run) {
+    return detail::walk<Order>(Question::translated(transform_.translated()), shapes, run, state_);
   }
-  FLASHBVH_NOINLINE State walk_rotated(detail::WalkRun<Cursor, Batch>& run) {
+  FLASHBVH_NOINLINE State walk_rotated(Shapes& shapes, detail::WalkRun<Cursor, Batch>& run) {
     auto bound = Question::rotated(transform_.rotated());
-    return walk_with(detail::ByReference<decltype(bound)>{&bound}, &bound, run);
-  }
-  template <class Bound, class Rotated>
-  State walk_with(const Bound& bound, Rotated rotated, detail::WalkRun<Cursor, Batch>& run) {
-    if constexpr (Question::kLeafShapes) {
-      detail::LeafShapes<Mesh> shapes(*a_, *b_, transform_, rotated);
-      return detail::walk<Order>(bound, shapes, run, state_);
-    } else {
-      detail::NoShapes<Mesh> shapes = {*a_, *b_};
-      return detail::walk<Order>(bound, shapes, run, state_);
-    }
+    shapes.set_bound(bound);
+    return detail::walk<Order>(detail::ByReference<decltype(bound)>{&bound}, shapes, run, state_);
   }
 
   /// Tests pairs of triangles until one is an answer; false if none is left of the batch.

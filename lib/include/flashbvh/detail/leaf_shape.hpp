@@ -26,45 +26,32 @@ class LeafShapes {
   using Tree = Mesh;
   static constexpr bool kShapes = true;
 
-  /// `rotated`: the bound of a walk under a rotation, whose rotated boxes are at hand; null under a
-  /// translation.
-  LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform,
-             RotatedBound* rotated)
-      : a(mesh_a), b(mesh_b), transform_(transform), rotated_(rotated) {}
+  LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
+      : a(mesh_a), b(mesh_b), transform_(transform) {}
 
-  /// Takes a leaf, by its node, as the shape for boxes of the other tree.
-  FLASHBVH_NOINLINE void begin(Side side, uint32_t node) {
-    const Node<typename Mesh::Index>* const at = (side == Side::a ? a : b).nodes + node;
-    if (at == node_ && side == side_) {  // one mesh may be both
-      return;
-    }
-    node_ = at;
-    side_ = side;
-    made_ = 0;
-    if (rotated_ != nullptr) {
-      window_ = side == Side::a ? rotated_->window_of_a(at->box) : rotated_->window_of_b(at->box);
-    } else {
-      const TranslatedBound& bound = transform_.translated().bound;
-      window_ = side == Side::a ? bound.window_of_a(at->box) : bound.window_of_b(at->box);
-    }
-  }
+  /// The bound of a walk under a rotation, while it lasts; its rotated boxes are at hand.
+  void set_bound(RotatedBound& bound) { rotated_ = &bound; }
 
-  /// False only if no triangle of the leaf intersects one of a subtree with this box.
-  FLASHBVH_INLINE bool may_touch(const PackedBox& box) {
-    return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window_) && slabs_touch(box);
-  }
-  /// The same of a box that the window has passed.
-  FLASHBVH_INLINE bool slabs_touch(const PackedBox& box) {
+  /// Takes a leaf, by its node, as the shape for boxes of the other tree. `reached`: the box of that
+  /// tree with which the leaf was reached, or null; false if a slab rejects it.
+  FLASHBVH_NOINLINE bool begin(Side side, uint32_t node, const PackedBox* reached) {
+    take(side, (side == Side::a ? a : b).nodes + node);
     if (made_ == 0) {
       make(plane_);
     }
-    if (!plane_.may_touch(box)) {
+    if (reached != nullptr && !plane_.may_touch(*reached)) {
       return false;
     }
     if (made_ == 1) {
       make(edge_);
     }
-    return edge_.may_touch(box);
+    return reached == nullptr || edge_.may_touch(*reached);
+  }
+
+  /// False only if no triangle of the leaf intersects one of a subtree with this box.
+  FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
+    return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window_) &&
+           plane_.may_touch(box) && edge_.may_touch(box);
   }
 
   const Mesh& a;
@@ -73,9 +60,25 @@ class LeafShapes {
  private:
   const Mesh& mesh() const { return side_ == Side::a ? a : b; }
 
+  void take(Side side, const Node<typename Mesh::Index>* node) {
+    if (node == node_ && side == side_) {  // one mesh may be both
+      return;
+    }
+    node_ = node;
+    side_ = side;
+    made_ = 0;
+    const PackedBox& box = node->box;
+    if (rotated_ != nullptr) {
+      window_ = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
+    } else {
+      const TranslatedBound& bound = transform_.translated().bound;
+      window_ = side == Side::a ? bound.window_of_a(box) : bound.window_of_b(box);
+    }
+  }
+
   /// The plane's first, then the edge's.
-  FLASHBVH_NOINLINE void make(Slab& slab) {
-    if (!begin(slab)) {
+  FLASHBVH_INLINE void make(Slab& slab) {
+    if (!lie(slab)) {
       slab.set_all();
     } else if (rotated_ != nullptr) {
       slab.rotate(transform_, side_);
@@ -86,7 +89,7 @@ class LeafShapes {
 
   /// As it lies in its own lattice; false if it has no direction. The plane's normal waits where
   /// the edge's slab will be.
-  FLASHBVH_NOINLINE bool begin(Slab& slab) {
+  FLASHBVH_NOINLINE bool lie(Slab& slab) {
     const uint32_t position = mesh().first_triangle(node_->leaf());
     const PackedTriangle first = triangle(position);
     PackedVector direction;
@@ -123,13 +126,23 @@ class LeafShapes {
   }
 
   const Transform& transform_;
-  RotatedBound* rotated_;
+  RotatedBound* rotated_ = nullptr;
   const Node<typename Mesh::Index>* node_ = nullptr;  ///< the leaf
   Side side_ = Side::none;
   uint8_t made_ = 0;  ///< slabs
   PackedTriple window_;
   Slab plane_;
   Slab edge_;
+};
+
+/// How a query takes leaves.
+template <class Mesh, bool as_shapes>
+struct ShapesOf {
+  using Type = LeafShapes<Mesh>;
+};
+template <class Mesh>
+struct ShapesOf<Mesh, false> {
+  using Type = NoShapes<Mesh>;
 };
 
 }  // namespace flashbvh::detail

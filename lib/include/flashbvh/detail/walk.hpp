@@ -26,7 +26,7 @@
 //
 // Once one node is a leaf, all that is left below the pair is that leaf against a subtree, whatever
 // the order. If leaves are taken as shapes (leaf_shape.hpp), that has a loop of its own, in which
-// shapes.begin(side, node) takes the leaf and shapes.may_touch(box) tests the other tree's boxes;
+// shapes.begin(side, node, box) takes the leaf and shapes.may_touch(box) tests the other tree's boxes;
 // where a walk is in it follows from the pair. An order with a stack leaves it alone meanwhile.
 // Without shapes the order goes there as the paper has it.
 #ifndef FLASHBVH_DETAIL_WALK_HPP
@@ -101,6 +101,11 @@ struct NoShapes {
   static constexpr bool kShapes = false;
   const Tree& a;
   const Tree& b;
+
+  template <class... Whatever>
+  NoShapes(const Tree& tree_a, const Tree& tree_b, const Whatever&...) : a(tree_a), b(tree_b) {}
+  template <class Bound>
+  static void set_bound(Bound&) {}
 };
 
 /// A bound that has a state, as a walk takes it: by a handle.
@@ -132,7 +137,7 @@ inline void put_in_place(ByReference<StatefulBound>& bound) {
 /// the last visit granted, or where `found(node)` says stop; there `at` is then. `after`: its node
 /// was visited before.
 template <class Subtree, class Shapes, class Found>
-FLASHBVH_INLINE inline State visit_subtree(Subtree& at, Shapes& shapes, Progress& progress,
+FLASHBVH_INLINE inline State visit_subtree(Subtree& at, const Shapes& shapes, Progress& progress,
                                            const Found& found, bool after) {
   uint32_t visits_left = progress.visits_left;
   uint32_t overlaps = progress.overlaps;
@@ -198,8 +203,7 @@ FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shape
   run.leaf = leaf_a ? a : b;
   run.root = leaf_a ? b : a;
   run.node = (leaf_a ? shapes.b : shapes.a).first_child(run.root);
-  shapes.begin(run.side, run.leaf);
-  if (!shapes.slabs_touch((leaf_a ? node_b : node_a)->box)) {
+  if (!shapes.begin(run.side, run.leaf, &(leaf_a ? node_b : node_a)->box)) {
     return State::done;
   }
   ++run.progress.overlaps;
@@ -215,7 +219,7 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
     run.leaf = run.side == Side::a ? at.index_a() : at.index_b();
     run.root = at.leaf_root();
     run.node = at.leaf_node();
-    shapes.begin(run.side, run.leaf);
+    (void)shapes.begin(run.side, run.leaf, nullptr);
     const State end = walk_below(shapes, run, after);
     if (end != State::done) {
       at.store_below(*run.cursor, run.side, run.node);
