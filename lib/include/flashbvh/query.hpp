@@ -299,7 +299,7 @@ class Query : Question {
     const Question& question = *this;
     Test test(question, *a_, *b_, transform_);
     while (untested_ != 0 || take_next(batch)) {
-      if (test_leaves(test)) {
+      if (test_leaves(test, batch)) {
         ++counts_.triangle_pairs;
         return true;
       }
@@ -308,31 +308,36 @@ class Query : Question {
   }
 
   /// Tests the pairs of triangles that the pair of leaves still has, down to an answer.
-  FLASHBVH_INLINE bool test_leaves(Test& test) {
+  FLASHBVH_INLINE bool test_leaves(Test& test, const Batch& batch) {
     const uint32_t first_a = a_->first_triangle(leaf_a_);
-    const uint32_t end_a = a_->end_triangle(leaf_a_);
+    const uint32_t in_a = a_->end_triangle(leaf_a_) - first_a;
     uint32_t untested = untested_;
-    uint32_t triangle_a = end_a;
-    uint32_t triangle_b = 0;
-    if (end_a - first_a != 1) {
-      // Where a run before this one stopped.
-      const uint32_t last = untested - 1;
-      triangle_a = first_a + last % (end_a - first_a) + 1;
-      triangle_b = b_->first_triangle(leaf_b_) + last / (end_a - first_a);
-    } else {
-      triangle_b = b_->first_triangle(leaf_b_) + untested - 1;
+    uint32_t of_a = untested;  // of A's, with the first of B's
+    uint32_t triangle_b = b_->first_triangle(leaf_b_);
+    if (in_a == 1) {
+      of_a = 1;
+      triangle_b += untested - 1;
+    } else if (untested > in_a) {
+      const uint32_t last = untested - 1;  // a run before this one may have stopped anywhere
+      of_a = last % in_a + 1;
+      triangle_b += last / in_a;
     }
-    for (;;) {
-      --untested;
-      --triangle_a;
-      const bool answer = test(triangle_a, triangle_b);
+    // A run that begins inside a pair of leaves does without.
+    const detail::PackedBox* const box_a =
+        batch.has_current() ? &a_->nodes[batch.current().a].box : nullptr;
+    bool answer = false;
+    for (;; of_a = in_a, --triangle_b) {
+      untested -= of_a;
+      if (test.take_b(triangle_b, box_a)) {
+        do {
+          --of_a;
+          answer = test(first_a + of_a);
+        } while (!answer && of_a != 0);
+        untested += of_a;
+      }
       if (answer || untested == 0) {
         untested_ = static_cast<uint16_t>(untested);
         return answer;
-      }
-      if (triangle_a == first_a) {
-        triangle_a = end_a;
-        --triangle_b;
       }
     }
   }

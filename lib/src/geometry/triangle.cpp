@@ -221,6 +221,20 @@ bool near_triangles_intersect(const Triangle& a, const Triangle& b,
   return unseparated_intersect(true, a, of_a, b, of_b);
 }
 
+/// One of the box's sides has all three corners beyond it if they do not overlap.
+bool box_overlaps(const PackedBox& box, const Triangle& t) noexcept {
+  const Point(&p)[3] = t.corner;
+  const auto apart = [](uint32_t upper, uint32_t negated_lower, int32_t u, int32_t v, int32_t w) {
+    const int32_t above = static_cast<int32_t>(upper) - kBoundBias;
+    const int32_t below = kBoundBias - static_cast<int32_t>(negated_lower);
+    return (((above - u) & (above - v) & (above - w)) |
+            ((u - below) & (v - below) & (w - below))) < 0;
+  };
+  return !apart(low_half(box.upper_xy), low_half(box.lower_xy), p[0].x, p[1].x, p[2].x) &&
+         !apart(high_half(box.upper_xy), high_half(box.lower_xy), p[0].y, p[1].y, p[2].y) &&
+         !apart(low_half(box.z), high_half(box.z), p[0].z, p[1].z, p[2].z);
+}
+
 void get_near_normal(const Triangle& t, PlaneNormal& normal) noexcept {
   normal = normal_of<PlaneNormal>(t);
 }

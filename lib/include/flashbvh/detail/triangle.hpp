@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "flashbvh/detail/box_packed.hpp"
 #include "flashbvh/lattice.hpp"
 
 namespace flashbvh::detail {
@@ -30,6 +31,9 @@ constexpr int32_t kMaxDifference = (1 << 20) - 1;
 /// Source: Guigue and Devillers, "Fast and Robust Triangle-Triangle Overlap Test Using Orientation
 /// Predicates", Journal of Graphics Tools 8(1), 2003, for the general case.
 bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
+
+/// Whether a box overlaps that of a triangle on the same lattice, within +-2^20 cells.
+bool box_overlaps(const PackedBox& box, const Triangle& t) noexcept;
 
 /// Of a triangle's plane, twice its area long.
 struct PlaneNormal {

@@ -17,12 +17,17 @@ class TriangleTest {
   TriangleTest(const Question& question, const Mesh& a, const Mesh& b, const Transform& transform)
       : question_(question), a_(a), b_(b), transform_(transform) {}
 
-  /// By positions.
-  bool operator()(uint32_t of_a, uint32_t of_b) {
+  /// A triangle of B, by its position; false if it intersects nothing in a box of A's, unless that is
+  /// null.
+  bool take_b(uint32_t of_b, const PackedBox* /*box_a*/) {
     if (of_b != kept_) {
       kept_ = of_b;
       transform_triangle(b_, of_b, transform_, kept_b_);
     }
+    return true;
+  }
+  /// With a triangle of A.
+  bool operator()(uint32_t of_a) const {
     Triangle a;
     translate_triangle(a_, of_a, kNoOffset, a);
     return question_.test(a, kept_b_);
@@ -42,9 +47,13 @@ template <class Question, class Mesh>
 class TriangleTest<Question, Mesh, true> {
  public:
   TriangleTest(const Question&, const Mesh& a, const Mesh& b, const Transform& transform)
-      : a_(a), b_(b), transform_(transform), narrow_(transform.is_narrow()) {}
+      : a_(a),
+        b_(b),
+        transform_(transform),
+        narrow_(transform.is_narrow()),
+        rotated_(transform.is_rotated()) {}
 
-  bool operator()(uint32_t of_a, uint32_t of_b) {
+  FLASHBVH_INLINE bool take_b(uint32_t of_b, const PackedBox* box_a) {
     if (of_b != kept_) {
       kept_ = of_b;
       transform_triangle(b_, of_b, transform_, kept_b_);
@@ -52,6 +61,11 @@ class TriangleTest<Question, Mesh, true> {
         get_near_normal(kept_b_, normal_);
       }
     }
+    // A rotated box is wider than what is in it; a translated one is not.
+    return !rotated_ || box_a == nullptr || box_overlaps(*box_a, kept_b_);
+  }
+
+  FLASHBVH_INLINE bool operator()(uint32_t of_a) const {
     const auto& corner = a_.triangles[of_a].corner;
     const auto at = [&](int i) {
       const Vertex& v = a_.vertices[corner[i]];
@@ -68,6 +82,7 @@ class TriangleTest<Question, Mesh, true> {
   const Transform& transform_;
   uint32_t kept_ = UINT32_MAX;
   bool narrow_;
+  bool rotated_;
   Triangle kept_b_;
   PlaneNormal normal_;
 };
