@@ -111,7 +111,7 @@ void add_triangle_tests(const PostMesh& a, const PostMesh& b, const Pose& pose, 
         PlaneNormal normal_b;
         get_near_normal(triangle_b, normal_b);
         tests.add(port::instructions_of([&] {
-          (void)near_triangles_intersect(triangle_a, triangle_b, normal_b);
+          (void)triangles_intersect(triangle_a, triangle_b, &normal_b);
         }));
       }
     }

@@ -510,31 +510,54 @@ TEST_CASE("narrow triangles intersect where triangles do") {
   std::uint32_t intersect = 0;
   for (int round = 0; round < 60000; ++round) {
     CAPTURE(round);
-    TransformedPair pair = any_pair(random);
-    const Point by = {random.between(-20000, 0), random.between(-20000, 0),
-                      random.between(-20000, 0)};
-    pair = {shifted(pair.a, by), shifted(pair.b, by)};
-    Vertex corner[3];
-    bool fits = true;
-    for (int i = 0; i < 3; ++i) {
-      const Point& p = pair.a.corner[i];
-      const Point& q = pair.b.corner[i];
-      const Point& r = pair.b.corner[(i + 1) % 3];
-      corner[i] = vertex(p.x, p.y, p.z);
-      for (const auto axis : kPointAxes) {
-        fits = fits && std::abs(p.*axis) <= kMaxCoordinate && std::abs(q.*axis - r.*axis) < 32768;
-      }
-    }
-    if (fits) {
-      const Point* const b = pair.b.corner;
-      const bool expected = triangles_intersect(pair.a, pair.b);
-      REQUIRE(near_triangles_intersect({{corner, corner + 1, corner + 2}}, pair.b,
-                                       Plane(b[0], b[1], b[2])) == expected);
+    const TransformedPair pair = any_pair(random);
+    const bool expected = triangles_intersect(pair.a, pair.b);
+    REQUIRE(triangles_intersect(pair.a, pair.b, nullptr) == expected);
+    if (is_narrow(pair.a) && is_narrow(pair.b)) {
+      PlaneNormal normal;
+      get_near_normal(pair.b, normal);
+      REQUIRE(triangles_intersect(pair.a, pair.b, &normal) == expected);
       ++tested;
       intersect += expected ? 1 : 0;
     }
   }
   CHECK(tested > 20000);
   CHECK(intersect > 5000);
-  ;
+}
+
+TEST_CASE("a box and a triangle overlap where their bounds do") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 9);
+  std::uint32_t overlapping = 0;
+  for (int round = 0; round < 60000; ++round) {
+    CAPTURE(round);
+    const int size = round % 3 == 0 ? 3 : round % 3 == 1 ? 300 : kMaxCoordinate;
+    const auto at = [&] {
+      return static_cast<std::int16_t>(random.between(-size, size));
+    };
+    Box box;
+    Triangle t;
+    bool expected = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::int16_t u = at();
+      const std::int16_t v = at();
+      box.lower.*kVertexAxes[axis] = std::min(u, v);
+      box.upper.*kVertexAxes[axis] = std::max(u, v);
+      std::int32_t least = INT32_MAX;
+      std::int32_t most = INT32_MIN;
+      const std::int32_t shift = random.below(4) == 0 ? random.between(-80000, 80000) : 0;
+      for (Point& corner : t.corner) {
+        corner.*kPointAxes[axis] = at() + shift;
+        least = std::min(least, corner.*kPointAxes[axis]);
+        most = std::max(most, corner.*kPointAxes[axis]);
+      }
+      expected = expected && least <= box.upper.*kVertexAxes[axis] &&
+                 most >= box.lower.*kVertexAxes[axis];
+    }
+    REQUIRE(box_overlaps(pack(box), t) == expected);
+    overlapping += expected ? 1 : 0;
+  }
+  CHECK(overlapping > 5000);
+  CHECK(overlapping < 55000);
 }

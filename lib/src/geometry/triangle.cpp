@@ -153,16 +153,23 @@ constexpr Projection kProjections[3] = {
 }
 
 /// Whether two triangles intersect that neither plane separates. If one of them lies in the other's
-/// plane or lacks area, their boxes overlap.
-[[gnu::noinline]] bool unseparated_intersect(bool narrow, const Triangle& a, Sides of_a,
-                                             const Triangle& b, Sides of_b) {
+/// plane or lacks area, their boxes overlap. Four arguments, so
+/// that callers need no stack while this runs.
+[[gnu::noinline]] bool unseparated_intersect(const Triangle& a, const Triangle& b, Sides of_a,
+                                             unsigned of_b_and_narrow) {
+  const Sides of_b = {of_b_and_narrow >> 1};
   if (!of_a.all_on_plane() && !of_b.all_on_plane()) {
-    return intervals_overlap(narrow, a, of_a, b, of_b);
+    return intervals_overlap((of_b_and_narrow & 1) != 0, a, of_a, b, of_b);
   }
   if (!of_a.all_on_plane()) {
     return segment_intersects(a, of_a, b);
   }
   return of_b.all_on_plane() ? flat_intersect(a, b) : segment_intersects(b, of_b, a);
+}
+
+inline bool unseparated_intersect(bool narrow, const Triangle& a, Sides of_a, const Triangle& b,
+                                  Sides of_b) {
+  return unseparated_intersect(a, b, of_a, of_b.bits << 1 | (narrow ? 1u : 0u));
 }
 
 /// Whether two triangles with overlapping boxes intersect. `narrow`: no edge exceeds kMaxNarrow.
@@ -207,9 +214,12 @@ inline int32_t extent(int32_t Point::*axis, const Triangle& a, const Triangle& b
 
 }  // namespace
 
-bool near_triangles_intersect(const Triangle& a, const Triangle& b,
-                              const PlaneNormal& normal_b) noexcept {
-  const Sides of_a = sides_of_normal(normal_b, b.corner[0], a);
+bool triangles_intersect(const Triangle& a, const Triangle& b,
+                         const PlaneNormal* normal_b) noexcept {
+  if (normal_b == nullptr) {
+    return boxes_overlap(a, b) && intersect(/*narrow=*/false, a, b);
+  }
+  const Sides of_a = sides_of_normal(*normal_b, b.corner[0], a);
   if (of_a.separate()) {
     return false;
   }
@@ -218,7 +228,7 @@ bool near_triangles_intersect(const Triangle& a, const Triangle& b,
       ((of_a.all_on_plane() || of_b.all_on_plane()) && !boxes_overlap(a, b))) {
     return false;
   }
-  return unseparated_intersect(true, a, of_a, b, of_b);
+  return unseparated_intersect(/*narrow=*/true, a, of_a, b, of_b);
 }
 
 /// One of the box's sides has all three corners beyond it if they do not overlap.

@@ -78,32 +78,39 @@ class LeafShapes {
 
   /// The plane's first, then the edge's.
   FLASHBVH_INLINE void make(Slab& slab) {
-    if (!lie(slab)) {
+    if (!(made_++ == 0 ? lie_in_plane() : lie_along_edge())) {
       slab.set_all();
-    } else if (rotated_ != nullptr) {
+      return;
+    }
+    if (mesh().leaf_offsets != nullptr) {
+      add_others(slab);
+    }
+    if (rotated_ != nullptr) {
       slab.rotate(transform_, side_);
     } else {
       slab.translate(transform_.translated().offset, side_);
     }
   }
 
-  /// As it lies in its own lattice; false if it has no direction. The plane's normal waits where
-  /// the edge's slab will be.
-  FLASHBVH_NOINLINE bool lie(Slab& slab) {
-    const uint32_t position = mesh().first_triangle(node_->leaf());
-    const PackedTriangle first = triangle(position);
-    PackedVector direction;
-    const bool good = made_ == 0 ? first.plane_direction(direction)
-                                 : first.edge_direction(edge_.direction(), direction);
-    ++made_;
-    edge_.begin(direction, {0, 0});
-    if (good) {
-      slab.begin(direction, first.extent(direction));
-      if (mesh().leaf_offsets != nullptr) {
-        add_others(slab);
-      }
-    }
+  /// As slabs lie in their own lattice; false if there is no direction. The plane's normal waits
+  /// where the edge's slab will be.
+  FLASHBVH_NOINLINE bool lie_in_plane() {
+    const PackedTriangle t = first();
+    PackedVector normal;
+    const bool good = t.plane_direction(normal);
+    edge_.begin(normal, {0, 0});
+    plane_.begin(normal, t.extent(normal));
     return good;
+  }
+  FLASHBVH_NOINLINE bool lie_along_edge() {
+    const PackedTriangle t = first();
+    PackedVector direction;
+    const bool good = t.edge_direction(edge_.direction(), direction);
+    edge_.begin(direction, t.extent(direction));
+    return good;
+  }
+  FLASHBVH_INLINE PackedTriangle first() const {
+    return triangle(mesh().first_triangle(node_->leaf()));
   }
 
   FLASHBVH_INLINE PackedTriangle triangle(uint32_t position) const {

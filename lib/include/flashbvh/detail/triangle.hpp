@@ -45,11 +45,11 @@ struct PlaneNormal {
 /// Of a narrow triangle: edges within +-(2^15 - 1) along each axis.
 void get_near_normal(const Triangle& t, PlaneNormal& normal) noexcept;
 
-/// The same of narrow triangles with differences within kMaxDifference, whose boxes need not touch.
-/// These, which a query tested before, are tested only where one is flat or lies in the other's
-/// plane. `normal_b`: of `b`.
-bool near_triangles_intersect(const Triangle& a, const Triangle& b,
-                              const PlaneNormal& normal_b) noexcept;
+/// The same of triangles with all differences within kMaxDifference, whose boxes need not touch:
+/// a query tested what they are in, so they are tested only where one triangle is flat or lies in
+/// the other's plane. `normal_b`: of `b`, if both triangles are narrow, or null.
+bool triangles_intersect(const Triangle& a, const Triangle& b,
+                         const PlaneNormal* normal_b) noexcept;
 
 }  // namespace flashbvh::detail
 

@@ -72,8 +72,7 @@ class TriangleTest<Question, Mesh, true> {
       return Point{v.x, v.y, v.z};
     };
     const Triangle a = {{at(0), at(1), at(2)}};
-    return narrow_ ? near_triangles_intersect(a, kept_b_, normal_)
-                   : triangles_intersect(a, kept_b_);
+    return triangles_intersect(a, kept_b_, narrow_ ? &normal_ : nullptr);
   }
 
  private:

@@ -239,19 +239,10 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
   return after ? State::at_leaf_pair : State::at_pair;
 }
 
-/// From the cursor, `from` a state that is not done, to where `leaf_pair` says stop, the end, or
-/// the last visit granted: where it stands then.
+/// From the cursor's pair, which is below no leaf that is a shape.
 template <class Order, class Bound, class Shapes, class LeafPair>
-FLASHBVH_NOINLINE State walk(const Bound& bound, Shapes& shapes,
-                             WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
-  if constexpr (Shapes::kShapes) {
-    if (from != State::fresh || !Order::kStartsAtRoots) {
-      from = walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
-      if (from == State::done || run.side != Side::none) {
-        return from;
-      }
-    }
-  }
+FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
+                                   WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
   Order at(shapes.a, shapes.b, *run.cursor);
   auto* kept = &run;
   keep_in_memory(kept);
@@ -308,6 +299,22 @@ FLASHBVH_NOINLINE State walk(const Bound& bound, Shapes& shapes,
   at.store(*kept->cursor, end == State::done);
   kept->progress = {visits_left, overlaps};
   return end;
+}
+
+/// From the cursor, `from` a state that is not done, to where `leaf_pair` says stop, the end, or
+/// the last visit granted: where it stands then.
+template <class Order, class Bound, class Shapes, class LeafPair>
+FLASHBVH_INLINE inline State walk(const Bound& bound, Shapes& shapes,
+                           WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
+  if constexpr (Shapes::kShapes) {
+    if (from != State::fresh || !Order::kStartsAtRoots) {
+      from = walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
+      if (from == State::done || run.side != Side::none) {
+        return from;
+      }
+    }
+  }
+  return walk_pairs<Order>(bound, shapes, run, from);
 }
 
 }  // namespace detail
