@@ -502,6 +502,24 @@ TEST_CASE("counts stay right over more visits than one batch may take") {
   CHECK(whole.counts().visits == 1 + 2 * (whole.counts().overlaps - whole.counts().leaf_pairs));
 }
 
+namespace {
+
+constexpr std::int16_t Vertex::*kVertexAxes[3] = {&Vertex::x, &Vertex::y, &Vertex::z};
+
+/// Whether no edge is longer than 2^15 - 1 cells along an axis.
+bool is_narrow(const Triangle& t) {
+  for (const auto axis : kPointAxes) {
+    for (int i = 0; i < 3; ++i) {
+      if (std::abs(t.corner[i].*axis - t.corner[(i + 1) % 3].*axis) > 32767) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 TEST_CASE("narrow triangles intersect where triangles do") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);

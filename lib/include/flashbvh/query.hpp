@@ -270,7 +270,8 @@ class Query : Question {
   }
 
   /// Until the batch is full, to the end, or the last visit granted.
-  State walk(uint32_t& visits_left, Batch& batch, Shapes& shapes, uint32_t room) {
+  FLASHBVH_NOINLINE State walk(uint32_t& visits_left, Batch& batch, Shapes& shapes,
+                               uint32_t room) {
     const uint32_t granted = visits_left < Batch::kMostVisits ? visits_left : Batch::kMostVisits;
     detail::WalkRun<Cursor, Batch> run = {&cursor_, &batch, {granted, 0}};
     // Leaves of several triangles: four pairs each, as most have. More only cost a walk again.

@@ -25,15 +25,15 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
         part(name) for name in ("run", "walk-on-below", "walk-below", "next-answer"))
     # A leaf is taken as a shape, and its two slabs are made, at most once a visit.
     others = part("other-triangles")
-    slabs = 2 * (part("make-slab").total + others.fixed)
+    shape = part("make-shape").total + 2 * others.fixed
     turn = on_below.term("turn") + below.fixed
     climb = below.term("climb")
     for kind in ("translated", "rotated"):
         walk = part(f"walk-{kind}")
         # In at one end and out at the other, a turn without a visit, and no answer left.
-        once = walk.fixed + on_below.fixed + turn + slabs + run.term("test") + answer.fixed
+        once = walk.fixed + on_below.fixed + turn + shape + run.term("test") + answer.fixed
         yield f"run-{kind}", run.fixed + once
-        yield f"visit-{kind}", slabs + max(walk.term("visit") + below.fixed,
+        yield f"visit-{kind}", shape + max(walk.term("visit") + below.fixed,
                                            turn + climb + below.term("visit"))
         yield f"ascent-{kind}", max(climb, walk.term("ascent"), on_below.term("ascent"))
         yield f"leaf-pair-{kind}", run.term("walk") + once
@@ -41,11 +41,10 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
     yield "leaf-triangle", 2 * others.term("other")
     # Transformed and tested, and maybe answered. triangle-pair-general: of triangles with area that
     # do not lie in one plane.
-    translate = part("translate").total
-    transform = max(translate, part("rotate").total)
+    transform = max(part("translate").total, part("rotate").total)
+    pair = run.term("test") + answer.fixed + sum(map(answer.term, ("row", "triangle")))
     for name, which in (("triangle-pair", costs), ("triangle-pair-general", general)):
-        test = max(part("near-test", which).total, part("wide-test", which).total + translate)
-        yield name, run.term("test") + answer.fixed + answer.term("triangle") + transform + test
+        yield name, pair + transform + part("triangle-test", which).total
     yield "make-query", costs.of(roots["make-query"]).total
 
 

@@ -21,7 +21,7 @@ file == 2 && $1 == "run" {
   of_run[runs, "walk"] = $5 + 1
   of_run[runs, "turn"] = $4 + 2 * ($5 + 1)
   of_run[runs, "sibling"] = 8 * ($5 + 1)
-  of_run[runs, "triangle"] = $6
+  of_run[runs, "row"] = of_run[runs, "triangle"] = $6
   of_run[runs, "other"] = 2 * $9 * of_run[runs, "turn"]
   of_run[runs, "test"] = $6 + $5 + 1
   of_run[runs, "ascent"] = $7
