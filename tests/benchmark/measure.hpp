@@ -30,7 +30,8 @@ struct Walked {
 /// Goes on at each pair of leaves. Holds the count itself: what a walk knows of it is one address.
 struct LeafCounter {
   mutable uint32_t count = 0;
-  bool operator()(uint32_t /*node_a*/, uint32_t /*node_b*/) const {
+  bool operator()(uint32_t /*node_a*/, uint32_t /*node_b*/,
+                  const flashbvh::detail::Progress& /*progress*/) const {
     ++count;
     return true;
   }

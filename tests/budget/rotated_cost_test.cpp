@@ -50,7 +50,7 @@ void add_walk(const PostMesh& a, const PostMesh& b, const Pose& pose, Cost& cost
     }
     RotatedBound overlap(transform);
     PairCursor<std::uint16_t> cursor;
-    const auto leaf_pair = [&leaf_pairs](std::uint32_t, std::uint32_t) {
+    const auto leaf_pair = [&leaf_pairs](std::uint32_t, std::uint32_t, const Progress&) {
       ++leaf_pairs;
       return true;
     };

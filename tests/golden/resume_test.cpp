@@ -21,7 +21,7 @@ template <class Traversal>
 bool ends(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
           typename Traversal::Cursor cursor, bool after) {
   const auto most = static_cast<std::uint32_t>(a.node_count) * b.node_count;
-  const auto go_on = [](std::uint32_t, std::uint32_t) { return true; };
+  const auto go_on = [](std::uint32_t, std::uint32_t, const Progress&) { return true; };
   // One more than there are pairs: the way out after the last one is no visit.
   return walk_from<Traversal>(a, b, AlwaysOverlap(), cursor, go_on, most + 1, after).end ==
          State::done;

@@ -32,7 +32,7 @@ Visited walk_all(const Tree& a, const Tree& b) {
   typename Traversal::Cursor cursor;
   Visited walked;
   const auto always = [](const PackedBox&, const PackedBox&) { return true; };
-  const auto leaf_pair = [&walked](std::uint32_t, std::uint32_t) {
+  const auto leaf_pair = [&walked](std::uint32_t, std::uint32_t, const detail::Progress&) {
     ++walked.leaf_pairs;
     return true;
   };

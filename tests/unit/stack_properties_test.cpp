@@ -52,8 +52,8 @@ Run run(std::uint64_t seed, std::uint32_t depth) {
   while (stack.size() != 0) {
     Stack before = copy_of(stack);
     (void)walk_from<AlternatingStack<LevelledPreMesh>>(
-        a, b, TranslatedBound(3, -5, 8), stack, [](std::uint32_t, std::uint32_t) { return true; },
-        1);
+        a, b, TranslatedBound(3, -5, 8), stack,
+        [](std::uint32_t, std::uint32_t, const Progress&) { return true; }, 1);
     const NodePair popped = before.back();
     before.pop_back();
     run.iterations.push_back({popped, before, copy_of(stack)});

@@ -39,7 +39,7 @@ class Ranked {
 
   static Cursor cursor_at(const Tree&, const Tree&, Index a, Index b) { return {a, b}; }
 
-  Ranked(const Tree& a, const Tree& b, const Cursor& cursor) : a_(a, cursor.a), b_(b, cursor.b) {}
+  Ranked(const Tree& a, const Tree& b, const Cursor& cursor) : b_(b, cursor.b), a_(a, cursor.a) {}
 
   const NodeType& node_a() const { return *a_.node; }
   const NodeType& node_b() const { return *b_.node; }
@@ -140,8 +140,8 @@ class Ranked {
     return tree.nodes[index - 1].rank();
   }
 
-  Place a_;
   Place b_;
+  Place a_;
 };
 
 }  // namespace flashbvh

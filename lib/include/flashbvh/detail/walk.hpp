@@ -242,16 +242,16 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
 /// From the cursor's pair, which is below no leaf that is a shape.
 template <class Order, class Bound, class Shapes, class LeafPair>
 FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
-                                   WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
-  Order at(shapes.a, shapes.b, *run.cursor);
+                                   WalkRun<typename Order::Cursor, LeafPair>& run, bool after) {
   auto* kept = &run;
   keep_in_memory(kept);
   Bound may_matter = bound;
   put_in_place(may_matter);
+  Order at(shapes.a, shapes.b, *run.cursor);
   uint32_t visits_left = run.progress.visits_left;
   uint32_t overlaps = run.progress.overlaps;
   State end = State::done;
-  for (bool visit = from != State::at_leaf_pair;; visit = true) {
+  for (bool visit = !after;; visit = true) {
     if (visit) {
       if (visits_left == 0) {
         end = State::at_pair;
@@ -275,6 +275,9 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
             at.store_below(*kept->cursor, kept->side, kept->node);
             return end;
           }
+          if (end != State::done) {
+            break;
+          }
         } else {
           ++overlaps;
           if (at.descend()) {
@@ -284,10 +287,8 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
           const Progress progress = {visits_left, overlaps};
           if (!(*kept->leaf_pair)(at.index_a(), at.index_b(), progress)) {
             end = State::at_leaf_pair;
+            break;
           }
-        }
-        if (end != State::done) {
-          break;
         }
       }
     }
@@ -314,7 +315,7 @@ FLASHBVH_INLINE inline State walk(const Bound& bound, Shapes& shapes,
       }
     }
   }
-  return walk_pairs<Order>(bound, shapes, run, from);
+  return walk_pairs<Order>(bound, shapes, run, from == State::at_leaf_pair);
 }
 
 }  // namespace detail
