@@ -20,6 +20,7 @@ struct NothingBelow {
   NothingBelow(const PostMesh& mesh_a, const PostMesh& mesh_b, const Transform&)
       : a(mesh_a), b(mesh_b) {}
   static void set_bound(RotatedBound&) {}
+  static void look_at(Side, uint32_t) {}
   static bool begin(Side, uint32_t, const PackedBox*) { return false; }
   static bool may_touch(const PackedBox&) { return false; }
 };

@@ -125,9 +125,15 @@ uint32_t RotatedBound::gap(const PackedBox& a, const PackedBox& b) {
 
 namespace flashbvh::detail {
 
-PackedTriple RotatedBound::window(RotatedBox& kept, const PackedBox& box) {
+void RotatedBound::keep(RotatedBox& kept, const PackedBox& box) {
   if (kept.source != &box) {
     (void)FLASHBVH_ROTATE_BOX(kept, box, box);
+  }
+}
+
+PackedTriple RotatedBound::window(const RotatedBox& kept, const PackedBox& box) {
+  if (kept.source != &box) {
+    return {{0, 0, 0}};
   }
   constexpr uint32_t zero = 2 * kBoundBias;  // what a sum of two bounds has if they are equal
   constexpr uint32_t zeros = join_halves(zero, zero);

@@ -50,12 +50,15 @@ class RotatedBound {
   bool operator()(const PackedBox& a, const PackedBox& b) { return gap(a, b) == 0; }
 
   /// What a box of B has to reach to overlap `a` on B's lattice; and the other way round, on A's.
-  PackedTriple window_of_a(const PackedBox& a) { return window(a_, a); }
-  PackedTriple window_of_b(const PackedBox& b) { return window(b_, b); }
+  /// The box was of the last pair that overlapped, or is kept; any other box does else.
+  PackedTriple window_of_a(const PackedBox& a) const { return window(a_, a); }
+  PackedTriple window_of_b(const PackedBox& b) const { return window(b_, b); }
+  void keep_a(const PackedBox& a) { keep(a_, a); }
+  void keep_b(const PackedBox& b) { keep(b_, b); }
 
  private:
-  static PackedTriple window(RotatedBox& kept, const PackedBox& box);
-
+  static PackedTriple window(const RotatedBox& kept, const PackedBox& box);
+  static void keep(RotatedBox& kept, const PackedBox& box);
 
   /// 0 if the boxes overlap.
   uint32_t gap(const PackedBox& a, const PackedBox& b);

@@ -48,6 +48,19 @@ class LeafShapes {
     return reached == nullptr || edge_.may_touch(*reached);
   }
 
+  /// Before a leaf is taken that was not reached with a pair of boxes.
+  FLASHBVH_NOINLINE void look_at(Side side, uint32_t node) {
+    const auto* const at = (side == Side::a ? a : b).nodes + node;
+    if (rotated_ == nullptr || is_taken(side, at)) {
+      return;
+    }
+    if (side == Side::a) {
+      rotated_->keep_a(at->box);
+    } else {
+      rotated_->keep_b(at->box);
+    }
+  }
+
   /// False only if no triangle of the leaf intersects one of a subtree with this box.
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
     return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window_) &&
@@ -60,8 +73,11 @@ class LeafShapes {
  private:
   const Mesh& mesh() const { return side_ == Side::a ? a : b; }
 
-  void take(Side side, const Node<typename Mesh::Index>* node) {
-    if (node == node_ && side == side_) {  // one mesh may be both
+  bool is_taken(Side side, const Node<typename Mesh::Index>* node) const {
+    return node == node_ && side == side_;  // one mesh may be both
+  }
+  FLASHBVH_NOINLINE void take(Side side, const Node<typename Mesh::Index>* node) {
+    if (is_taken(side, node)) {
       return;
     }
     node_ = node;

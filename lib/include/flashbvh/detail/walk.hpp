@@ -219,6 +219,7 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
     run.leaf = run.side == Side::a ? at.index_a() : at.index_b();
     run.root = at.leaf_root();
     run.node = at.leaf_node();
+    shapes.look_at(run.side, run.leaf);
     (void)shapes.begin(run.side, run.leaf, nullptr);
     const State end = walk_below(shapes, run, after);
     if (end != State::done) {
