@@ -29,7 +29,7 @@ struct NothingBelow {
 template <class Bound, class Shapes, class LeafPair>
 uint32_t walk(const Bound& bound, Shapes& shapes, LeafPair leaf_pair) {
   PairCursor<uint16_t> cursor;
-  WalkRun<PairCursor<uint16_t>, LeafPair> run = {&cursor, &leaf_pair, {UINT32_MAX, 0}};
+  WalkRun<PairCursor<uint16_t>, LeafPair> run(cursor, leaf_pair, UINT32_MAX);
   (void)detail::walk<Ranked<PostMesh>>(bound, shapes, run, State::fresh);
   return UINT32_MAX - run.progress.visits_left;
 }

@@ -20,8 +20,7 @@ Walked walk_from(const typename Order::Tree& a, const typename Order::Tree& b, c
                  typename Order::Cursor& cursor, const LeafPair& leaf_pair,
                  uint32_t visits = UINT32_MAX, bool after = false) {
   detail::NoShapes<typename Order::Tree> shapes = {a, b};
-  detail::WalkRun<typename Order::Cursor, const LeafPair> run = {&cursor, &leaf_pair,
-                                                                     {visits, 0}};
+  detail::WalkRun<typename Order::Cursor, const LeafPair> run(cursor, leaf_pair, visits);
   const detail::State end = detail::walk<Order>(
       bound, shapes, run, after ? detail::State::at_leaf_pair : detail::State::at_pair);
   Walked walked = {end, {visits - run.progress.visits_left, run.progress.overlaps, 0, 0}};

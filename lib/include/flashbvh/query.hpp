@@ -273,7 +273,7 @@ class Query : Question {
   FLASHBVH_NOINLINE State walk(uint32_t& visits_left, Batch& batch, Shapes& shapes,
                                uint32_t room) {
     const uint32_t granted = visits_left < Batch::kMostVisits ? visits_left : Batch::kMostVisits;
-    detail::WalkRun<Cursor, Batch> run = {&cursor_, &batch, {granted, 0}};
+    detail::WalkRun<Cursor, Batch> run(cursor_, batch, granted);
     // Leaves of several triangles: four pairs each, as most have. More only cost a walk again.
     const bool single = a_->leaf_offsets == nullptr && b_->leaf_offsets == nullptr;
     const uint32_t pairs = single ? room : room / 4;

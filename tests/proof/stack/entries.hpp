@@ -100,8 +100,7 @@ ENTRY(translated_walk, asked) {
     return true;
   };
   NoShapes<PostMesh> shapes = {*in->a, *in->b};
-  WalkRun<PairCursor<uint16_t>, decltype(leaf_pair)> run = {&in->stack[0], &leaf_pair,
-                                                            {in->visits, 0}};
+  WalkRun<PairCursor<uint16_t>, decltype(leaf_pair)> run(in->stack[0], leaf_pair, in->visits);
   (void)walk<Ranked<PostMesh>>(overlap, shapes, run, State::fresh);
   in->answer = leaf_pairs + run.progress.overlaps;
 }

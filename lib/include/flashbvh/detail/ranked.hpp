@@ -32,6 +32,7 @@ class Ranked {
   using Cursor = detail::PairCursor<Index>;
   static constexpr bool kStartsAtRoots = true;
   static constexpr bool kStackless = true;
+  static constexpr bool kBelowLeaves = false;
 
   static Cursor nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor; }
   /// Any pair: what comes after it is a function of it.

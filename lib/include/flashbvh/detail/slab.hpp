@@ -35,8 +35,8 @@ struct Extent {
     most = at > most ? at : most;
   }
   void add(const Extent& other) {
-    add(other.least);
-    add(other.most);
+    least = other.least < least ? other.least : least;
+    most = other.most > most ? other.most : most;
   }
 };
 

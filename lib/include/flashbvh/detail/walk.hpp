@@ -6,6 +6,7 @@
 //     Cursor                  where a walk is between runs; default: at its start
 //     kStartsAtRoots          whether roots that are disjoint end it with the first visit
 //     kStackless              whether a cursor is no more than a pair of nodes
+//     kBelowLeaves            whether leaf() is never none
 //     Order(a, b, cursor)     at the cursor's pair
 //     node_a(), node_b()      the pair of nodes
 //     index_a(), index_b()    their indices
@@ -85,13 +86,17 @@ struct Progress {
 /// `leaf_pair(i, j, progress)`: of a pair of leaves that may matter, whether to go on after it.
 template <class Cursor, class LeafPair>
 struct WalkRun {
+  WalkRun(Cursor& at, LeafPair& found, uint32_t visits)
+      : cursor(&at), leaf_pair(&found), progress{visits, 0} {}
+
   Cursor* cursor;
   LeafPair* leaf_pair;
   Progress progress;
-  Side side = Side::none;  ///< of the leaf that it is below, if it is
-  uint32_t leaf = 0;       ///< then: the leaf's node, and of the other tree
-  uint32_t root = 0;       ///< below which node
-  uint32_t node = 0;       ///< and at which one
+
+  Side side;      ///< of the leaf that it is below, if it is; set where leaves are shapes
+  uint32_t leaf;  ///< then: the leaf's node, and of the other tree
+  uint32_t root;  ///< below which node
+  uint32_t node;  ///< and at which one
 };
 
 /// The trees of a walk in which leaves are no shapes.
@@ -308,8 +313,10 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
 template <class Order, class Bound, class Shapes, class LeafPair>
 FLASHBVH_INLINE inline State walk(const Bound& bound, Shapes& shapes,
                            WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
-  if constexpr (Shapes::kShapes) {
-    if (from != State::fresh || !Order::kStartsAtRoots) {
+  if constexpr (Shapes::kShapes && Order::kBelowLeaves) {
+    return walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
+  } else if constexpr (Shapes::kShapes) {
+    if (from != State::fresh) {
       from = walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
       if (from == State::done || run.side != Side::none) {
         return from;

@@ -24,6 +24,7 @@ class Leaf {
   using Cursor = detail::PairCursor<Index>;
   static constexpr bool kStartsAtRoots = false;
   static constexpr bool kStackless = true;
+  static constexpr bool kBelowLeaves = true;
 
   static Cursor nodes(const Tree& a, const Tree&, const Cursor& cursor) {
     return {static_cast<Index>(left_to_right(a, cursor.a)), cursor.b};

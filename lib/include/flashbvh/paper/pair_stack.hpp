@@ -93,6 +93,7 @@ class StackOrder {
   using Cursor = PairStack<Index>;
   static constexpr bool kStartsAtRoots = true;
   static constexpr bool kStackless = false;
+  static constexpr bool kBelowLeaves = false;
 
   static Entry nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor.top()[-1]; }
 

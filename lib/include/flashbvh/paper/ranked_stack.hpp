@@ -25,6 +25,7 @@ class RankedStack {
   using Cursor = PairStack<Index>;
   static constexpr bool kStartsAtRoots = true;
   static constexpr bool kStackless = false;
+  static constexpr bool kBelowLeaves = false;
 
   static Entry nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor.top()[-1]; }
 

@@ -32,6 +32,7 @@ class AlternatingStackless {
   using Cursor = detail::PairCursor<Index>;
   static constexpr bool kStartsAtRoots = true;
   static constexpr bool kStackless = true;
+  static constexpr bool kBelowLeaves = false;
 
   static Cursor nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor; }
   /// Levels are further apart than the alternating rule makes them only under a leaf.
