@@ -1,6 +1,6 @@
 // One question, one call: each runs a query to its end. For slices, and for all else, query.hpp.
 //
-// Every call has a query on its stack: at most 432 bytes with all that it calls, on Cortex-M3 to
+// Every call has a query on its stack: at most 720 bytes with all that it calls, on Cortex-M3 to
 // M55 at -O2. It takes as long as the answer takes; where that is too long, cut a query into runs.
 // Errors are those of Query, in the status.
 #ifndef FLASHBVH_COLLIDE_HPP

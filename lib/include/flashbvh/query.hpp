@@ -99,7 +99,7 @@ class Query : Question {
   /// Returns `done`; `suspended` after the last visit granted; `full` as soon as the array is; or
   /// an error. After `suspended` and `full` the next run goes on where this one ended.
   ///
-  /// Stack on Cortex-M3 to M55 at -O2: 256 bytes. Instructions: bound.hpp.
+  /// Stack on Cortex-M3 to M55 at -O2: 544 bytes. Instructions: bound.hpp.
   FLASHBVH_INLINE Step run(uint32_t visits, Pair* found, uint32_t capacity) {
     uint32_t count = 0;
     if (capacity == 0 && status() == Status::suspended) {
