@@ -39,11 +39,11 @@ TEST_CASE("as many visits as fit, and no more") {
 }
 
 TEST_CASE("the worked example of lib/docs/bounded_time.md") {
-  constexpr RunCosts translated = {260, 30, 11, 183, 6, 4091, 0};  // Cortex-M4F
-  constexpr RunCosts general = {260, 30, 11, 183, 6, 1156, 0};
+  constexpr RunCosts translated = {1757, 1030, 30, 1617, 12, 4363, 116};  // Cortex-M4F
+  constexpr RunCosts general = {1757, 1030, 30, 1617, 12, 1453, 116};
   constexpr TreePair trees = {20, 6, 1};
-  STATIC_REQUIRE(most_instructions(translated, trees, {1, 1}) == 8947);
-  STATIC_REQUIRE(visits_within(56000, translated, trees) == 11);
-  STATIC_REQUIRE(visits_within(56000, general, trees) == 38);
-  STATIC_REQUIRE(most_instructions(translated, trees, {1000, 0}) == 4607 + 41000);
+  STATIC_REQUIRE(most_instructions(translated, trees, {1, 1}) == 13874);
+  STATIC_REQUIRE(visits_within(56000, translated, trees) == 6);
+  STATIC_REQUIRE(visits_within(56000, general, trees) == 12);
+  STATIC_REQUIRE(most_instructions(translated, trees, {46, 0}) == 55552);
 }
