@@ -146,6 +146,48 @@ TEST_CASE("a box rotated without the products that are zero is the rotated box")
   }
 }
 
+namespace {
+
+bool reaches(const PackedBox& box, const PackedTriple& window) {
+  return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window);
+}
+
+}  // namespace
+
+TEST_CASE("boxes reach a window exactly when they overlap the rotated box that it is of") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 2);
+  int overlaps = 0;
+  int gaps = 0;
+  for (int round = 0; round < 1000; ++round) {
+    CAPTURE(round);
+    const AnyRotation rotation(random);
+    const PackedBox any = any_box(random);
+    const PackedBox of_a = rotated_box(rotation.transform.columns, rotation.transform.on_b, any);
+    const PackedBox of_b =
+        rotated_box(rotation.pose.matrix().rows, rotation.transform.on_a, any);
+    const BoxInNode kept = in_node(random, unpack(any));
+    const BoxInNode other = in_node(random, unpack(any_box(random)));
+    RotatedBound bound(rotation.transform);
+    // Of a box that is not kept: all.
+    CHECK(reaches(other.box, bound.window_of_a(kept.box)));
+    CHECK(reaches(other.box, bound.window_of_b(kept.box)));
+    bound.keep_a(kept.box);
+    bound.keep_b(kept.box);
+    for (int i = 0; i < 20; ++i) {
+      const bool a = i % 2 == 0;
+      const PackedBox box = box_beside(random, a ? of_a : of_b);
+      const bool expected = overlap(box, a ? of_a : of_b);
+      REQUIRE(reaches(box, a ? bound.window_of_a(kept.box) : bound.window_of_b(kept.box)) ==
+              expected);
+      ++(expected ? overlaps : gaps);
+    }
+  }
+  CHECK(overlaps > 1000);
+  CHECK(gaps > 1000);
+}
+
 TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, whatever was kept") {
   const uint64_t seed = test_seed();
   CAPTURE(seed);
