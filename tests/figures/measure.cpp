@@ -1,7 +1,7 @@
 #include "measure.hpp"
 
-#include "insn.hpp"
 #include "flashbvh/detail/triangle.hpp"
+#include "insn.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -67,13 +67,12 @@ Walked measure_walk(const PostMesh& a, const PostMesh& b, const Pose& pose) {
     ++walked.leaf_pairs;
     return true;
   };
-  walked.visits =
-      walk_transformed<LeafShapes<PostMesh>>(a, b, transform, count, [&](const auto& all) {
-        walked.instructions = port::instructions_of(all);
-      });
-  walked.inner_visits = walk_transformed<NothingBelow>(a, b, transform, count, [&](const auto& all) {
-    walked.inner_instructions = port::instructions_of(all);
-  });
+  walked.visits = walk_transformed<LeafShapes<PostMesh>>(
+      a, b, transform, count,
+      [&](const auto& all) { walked.instructions = port::instructions_of(all); });
+  walked.inner_visits = walk_transformed<NothingBelow>(
+      a, b, transform, count,
+      [&](const auto& all) { walked.inner_instructions = port::instructions_of(all); });
   return walked;
 }
 
@@ -111,14 +110,14 @@ void add_triangle_tests(const PostMesh& a, const PostMesh& b, const Pose& pose, 
         translate_triangle(a, of_a, kNoOffset, triangle_a);
         PlaneNormal normal_b;
         get_near_normal(triangle_b, normal_b);
-        tests.add(port::instructions_of([&] {
-          (void)triangles_intersect(triangle_a, triangle_b, &normal_b);
-        }));
+        tests.add(port::instructions_of(
+            [&] { (void)triangles_intersect(triangle_a, triangle_b, &normal_b); }));
       }
     }
     return true;
   };
-  (void)walk_transformed<LeafShapes<PostMesh>>(a, b, transform, add, [](const auto& all) { all(); });
+  (void)walk_transformed<LeafShapes<PostMesh>>(a, b, transform, add,
+                                               [](const auto& all) { all(); });
 }
 
 void Motion::add(const Walked& walked, const Queried& queried) {

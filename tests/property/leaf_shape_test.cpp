@@ -551,9 +551,7 @@ TEST_CASE("a box and a triangle overlap where their bounds do") {
   for (int round = 0; round < 60000; ++round) {
     CAPTURE(round);
     const int size = round % 3 == 0 ? 3 : round % 3 == 1 ? 300 : kMaxCoordinate;
-    const auto at = [&] {
-      return static_cast<std::int16_t>(random.between(-size, size));
-    };
+    const auto at = [&] { return static_cast<std::int16_t>(random.between(-size, size)); };
     Box box;
     Triangle t;
     bool expected = true;
@@ -570,8 +568,8 @@ TEST_CASE("a box and a triangle overlap where their bounds do") {
         least = std::min(least, corner.*kPointAxes[axis]);
         most = std::max(most, corner.*kPointAxes[axis]);
       }
-      expected = expected && least <= box.upper.*kVertexAxes[axis] &&
-                 most >= box.lower.*kVertexAxes[axis];
+      expected =
+          expected && least <= box.upper.*kVertexAxes[axis] && most >= box.lower.*kVertexAxes[axis];
     }
     REQUIRE(box_overlaps(pack(box), t) == expected);
     overlapping += expected ? 1 : 0;

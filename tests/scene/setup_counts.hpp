@@ -34,9 +34,8 @@ Counts counts_of(const scene::Setup& setup, Built built = Built::paper) {
   scene::WalkStart<Traversal> start(view_a, view_b);
   const Point& t = setup.translation;
   std::uint32_t found = 0;
-  const Counts counts =
-      scene::count_query<Traversal, detail::BoxIntersection>(
-          view_a, view_b, Pose::translated(t.x, t.y, t.z), start, found);
+  const Counts counts = scene::count_query<Traversal, detail::BoxIntersection>(
+      view_a, view_b, Pose::translated(t.x, t.y, t.z), start, found);
   CHECK(found == counts.triangle_pairs);
   return counts;
 }

@@ -84,8 +84,7 @@ Record record_from(const BakedPair<Baked>& pair, const detail::TranslatedBound& 
   Record record;
   const auto a = pair.a.view();
   const auto b = pair.b.view();
-  const auto leaf_pair = [&](std::uint32_t node_a, std::uint32_t node_b,
-                             const detail::Progress&) {
+  const auto leaf_pair = [&](std::uint32_t node_a, std::uint32_t node_b, const detail::Progress&) {
     record.leaf_pairs.push_back(pair.build_pair(node_a, node_b));
     return true;
   };

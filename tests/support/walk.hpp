@@ -13,8 +13,8 @@ struct Walked {
   Counts counts;  ///< visits and overlaps
 };
 
-/// At most `visits` visits from `cursor` on, or after its pair. `leaf_pair(i, j, progress)` is asked at each
-/// pair of leaves whether to go on.
+/// At most `visits` visits from `cursor` on, or after its pair. `leaf_pair(i, j, progress)` is
+/// asked at each pair of leaves whether to go on.
 template <class Order, class Bound, class LeafPair>
 Walked walk_from(const typename Order::Tree& a, const typename Order::Tree& b, const Bound& bound,
                  typename Order::Cursor& cursor, const LeafPair& leaf_pair,

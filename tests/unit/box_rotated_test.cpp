@@ -165,8 +165,7 @@ TEST_CASE("boxes reach a window exactly when they overlap the rotated box that i
     const AnyRotation rotation(random);
     const PackedBox any = any_box(random);
     const PackedBox of_a = rotated_box(rotation.transform.columns, rotation.transform.on_b, any);
-    const PackedBox of_b =
-        rotated_box(rotation.pose.matrix().rows, rotation.transform.on_a, any);
+    const PackedBox of_b = rotated_box(rotation.pose.matrix().rows, rotation.transform.on_a, any);
     const BoxInNode kept = in_node(random, unpack(any));
     const BoxInNode other = in_node(random, unpack(any_box(random)));
     RotatedBound bound(rotation.transform);

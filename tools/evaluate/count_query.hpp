@@ -38,8 +38,9 @@ class WalkStart {
   std::vector<Entry> entries_;
 };
 
-/// Geometry tests and all, leaves as shapes unless the question is `BoxIntersection`; zeros if the query is refused. The pairs found are counted by the sink
-/// too: they must be counts.triangle_pairs.
+/// Geometry tests and all, leaves as shapes unless the question is `BoxIntersection`; zeros if the
+/// query is refused. The pairs found are counted by the sink too: they must be
+/// counts.triangle_pairs.
 template <class Traversal, class Question = detail::Intersection>
 Counts count_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
                    const Pose& pose, WalkStart<Traversal>& start, std::uint32_t& found) {

@@ -41,7 +41,7 @@ std::vector<Row> rows_of(const BothLayouts<Index>& a, const BothLayouts<Index>& 
     constexpr Layout layout = decltype(traversal)::kLayout;
     using Traversal = typename decltype(traversal)::template On<Index, layout>;
     rows.push_back(make_row<Traversal, Question>(traversal.name, a.template in<layout>().view(),
-                                       b.template in<layout>().view(), translation));
+                                                 b.template in<layout>().view(), translation));
   });
   return rows;
 }

@@ -53,7 +53,7 @@ struct SetupResult {
   const scene::Setup* setup;
   std::uint32_t repetitions;
   std::uint32_t rounds;
-  std::vector<RowResult> rows;  ///< the paper's: boxes alone
+  std::vector<RowResult> rows;             ///< the paper's: boxes alone
   std::optional<std::uint64_t> best_rule;  ///< absent beyond kBestRuleFaces
   std::vector<RowResult> shaped;           ///< leaves as shapes
 

@@ -30,9 +30,9 @@ struct RunCosts {
 
 /// What of two meshes has a part in a run's cost: constants of their baked headers.
 struct TreePair {
-  uint32_t depths;          ///< kDepth of A and of B added
-  uint32_t later_siblings;  ///< kArity - 1 of A and of B added, 0 for a root that is a leaf
-  uint32_t triangle_pairs;  ///< kLeafSize of A times that of B
+  uint32_t depths;               ///< kDepth of A and of B added
+  uint32_t later_siblings;       ///< kArity - 1 of A and of B added, 0 for a root that is a leaf
+  uint32_t triangle_pairs;       ///< kLeafSize of A times that of B
   uint32_t other_triangles = 0;  ///< the larger kLeafSize, less 1
 };
 

@@ -51,8 +51,8 @@ Answer intersects(const Mesh<Index, Layout::post_indexed>& a,
 /// `done` at the end, `full` if `visit` said no more.
 template <class Index, class Visitor>
 FLASHBVH_INLINE inline Status for_each_pair(const Mesh<Index, Layout::post_indexed>& a,
-                     const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
-                     Visitor&& visit) {
+                                            const Mesh<Index, Layout::post_indexed>& b,
+                                            const Pose& pose, Visitor&& visit) {
   DefaultQuery<Index> query(a, b, pose);
   return query.run(UINT32_MAX, visit);
 }

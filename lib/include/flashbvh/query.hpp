@@ -270,16 +270,15 @@ class Query : Question {
   }
 
   /// Until the batch is full, to the end, or the last visit granted.
-  FLASHBVH_NOINLINE State walk(uint32_t& visits_left, Batch& batch, Shapes& shapes,
-                               uint32_t room) {
+  FLASHBVH_NOINLINE State walk(uint32_t& visits_left, Batch& batch, Shapes& shapes, uint32_t room) {
     const uint32_t granted = visits_left < Batch::kMostVisits ? visits_left : Batch::kMostVisits;
     detail::WalkRun<Cursor, Batch> run(cursor_, batch, granted);
     // Leaves of several triangles: four pairs each, as most have. More only cost a walk again.
     const bool single = a_->leaf_offsets == nullptr && b_->leaf_offsets == nullptr;
     const uint32_t pairs = single ? room : room / 4;
     batch.clear(run.progress, pairs == 0 ? 1 : pairs);
-    const State end = transform_.is_rotated() ? walk_rotated(shapes, run)
-                                               : walk_translated(shapes, run);
+    const State end =
+        transform_.is_rotated() ? walk_rotated(shapes, run) : walk_translated(shapes, run);
     visits_left -= granted - run.progress.visits_left;
     batch.end(run.progress);
     return end;

@@ -1,6 +1,6 @@
 // Preparing a rotated transform, and transforming vertices.
-#include "flashbvh/detail/packed_vector.hpp"
 #include "flashbvh/detail/rotated_transform.hpp"
+#include "flashbvh/detail/packed_vector.hpp"
 
 namespace flashbvh::detail {
 namespace {
@@ -23,7 +23,7 @@ inline int64_t product(int32_t u, int32_t v) {
 
 /// Where B's origin lies along an axis of A's lattice; kSplitOne is a cell.
 [[gnu::noinline]] int32_t offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
-                          const int32_t (&origin_b)[3], int axis) {
+                                            const int32_t (&origin_b)[3], int axis) {
   // Wraps if the pose is out of range, which is an error of the pose.
   const auto cells = static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) -
                                           static_cast<uint32_t>(origin_a[axis]));
@@ -32,10 +32,9 @@ inline int64_t product(int32_t u, int32_t v) {
   int32_t z = 0;
   pose.matrix().get_row(axis, x, y, z);
   // kRotationBits fraction bits; below 2^54.
-  const int64_t sum =
-      product(cells, 1 << kRotationBits) +
-      product(pose.fraction(axis), 1 << (kRotationBits - 16)) + product(x, origin_b[0]) +
-      product(y, origin_b[1]) + product(z, origin_b[2]);
+  const int64_t sum = product(cells, 1 << kRotationBits) +
+                      product(pose.fraction(axis), 1 << (kRotationBits - 16)) +
+                      product(x, origin_b[0]) + product(y, origin_b[1]) + product(z, origin_b[2]);
   return clamp_offset((sum + (1 << (kRestBits - 1))) >> kRestBits);
 }
 
@@ -74,10 +73,10 @@ bool far_apart(const SplitRow& row, int32_t offset, const PackedBox& root_b, uin
       add_products(add_products(add_products(start.upper, row.positive_xy, root_b.upper_xy),
                                 row.negative_xy, root_b.lower_xy),
                    row.z, root_b.z);
-  const int32_t least = add_crossed_products(
-      add_products(add_products(start.lower, row.positive_xy, root_b.lower_xy), row.negative_xy,
-                   root_b.upper_xy),
-      row.z, root_b.z);
+  const int32_t least =
+      add_crossed_products(add_products(add_products(start.lower, row.positive_xy, root_b.lower_xy),
+                                        row.negative_xy, root_b.upper_xy),
+                           row.z, root_b.z);
   return (most >> kSplitBits) + static_cast<int32_t>(lower) < 2 * kBoundBias ||
          (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
 }

@@ -16,10 +16,9 @@ class Rotate {
         z_(join_halves(static_cast<uint16_t>(d.z), static_cast<uint16_t>(-d.z))) {}
 
   int32_t operator()(const SplitRow& row) const {
-    return add_signed_products(
-               add_signed_products(add_signed_products(kHalf, row.positive_xy, xy_),
-                                   row.negative_xy, negated_xy_),
-               row.z, z_) >>
+    return add_signed_products(add_signed_products(add_signed_products(kHalf, row.positive_xy, xy_),
+                                                   row.negative_xy, negated_xy_),
+                               row.z, z_) >>
            kSplitBits;
   }
 

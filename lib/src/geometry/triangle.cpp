@@ -56,8 +56,7 @@ inline Sides sides_of(bool narrow, const Triangle& plane, const Triangle& asked)
 
 /// Whether the intervals in which two triangles intersect the common line of their planes overlap.
 /// Each triangle is mirrored where the other's tip is below, which orders both intervals alike.
-bool intervals_overlap(bool narrow, const Triangle& a, Sides of_a,
-                                         const Triangle& b, Sides of_b) {
+bool intervals_overlap(bool narrow, const Triangle& a, Sides of_a, const Triangle& b, Sides of_b) {
   const Tip at = tip_of(of_a);
   const Tip bt = tip_of(of_b);
   const Point& tip_a = a.corner[at.corner];
@@ -224,8 +223,7 @@ bool triangles_intersect(const Triangle& a, const Triangle& b,
     return false;
   }
   const Sides of_b = sides_of_plane<Narrow>(a, b);
-  if (of_b.separate() ||
-      ((of_a.all_on_plane() || of_b.all_on_plane()) && !boxes_overlap(a, b))) {
+  if (of_b.separate() || ((of_a.all_on_plane() || of_b.all_on_plane()) && !boxes_overlap(a, b))) {
     return false;
   }
   return unseparated_intersect(/*narrow=*/true, a, of_a, b, of_b);
@@ -237,8 +235,8 @@ bool box_overlaps(const PackedBox& box, const Triangle& t) noexcept {
   const auto apart = [](uint32_t upper, uint32_t negated_lower, int32_t u, int32_t v, int32_t w) {
     const int32_t above = static_cast<int32_t>(upper) - kBoundBias;
     const int32_t below = kBoundBias - static_cast<int32_t>(negated_lower);
-    return (((above - u) & (above - v) & (above - w)) |
-            ((u - below) & (v - below) & (w - below))) < 0;
+    return (((above - u) & (above - v) & (above - w)) | ((u - below) & (v - below) & (w - below))) <
+           0;
   };
   return !apart(low_half(box.upper_xy), low_half(box.lower_xy), p[0].x, p[1].x, p[2].x) &&
          !apart(high_half(box.upper_xy), high_half(box.lower_xy), p[0].y, p[1].y, p[2].y) &&

@@ -1,8 +1,8 @@
 // Measures runs of queries on hard meshes under many poses, for what is proven to be held against:
 //   run ROTATED GRANTED VISITS LEAF_PAIRS PAIRS ASCENTS INSTRUCTIONS OTHERS
 //   make INSTRUCTIONS
-// PAIRS: at most so many pairs of triangles were tested. ASCENTS: at most so many. OTHERS: the larger
-// leaf size, less 1. Where a full array stopped a run, its walk may have been further.
+// PAIRS: at most so many pairs of triangles were tested. ASCENTS: at most so many. OTHERS: the
+// larger leaf size, less 1. Where a full array stopped a run, its walk may have been further.
 #include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "insn.hpp"
@@ -66,8 +66,7 @@ void measure_run(PairQuery& query, bool rotated) {
   const uint32_t visits = full ? slice.visits : query.counts().visits - before.visits;
   const uint32_t leaf_pairs = full ? visits : query.counts().leaf_pairs - before.leaf_pairs;
   const uint32_t pairs = (leaf_pairs + (pending ? 1 : 0)) * side_a.leaf_size * side_b.leaf_size;
-  port::print("run ", rotated ? 1 : 0, " ", slice.visits, " ", visits, " ", leaf_pairs, " ",
-              pairs);
+  port::print("run ", rotated ? 1 : 0, " ", slice.visits, " ", visits, " ", leaf_pairs, " ", pairs);
   const uint32_t descents = full ? visits : visits - leaf_pairs;
   port::print(" ", side_a.depth + side_b.depth + descents, " ", instructions, " ",
               (side_a.leaf_size > side_b.leaf_size ? side_a : side_b).leaf_size - 1, "\n");

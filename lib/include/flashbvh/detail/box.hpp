@@ -59,7 +59,9 @@ class TranslatedBound {
   }
 
   /// What a box of B has to reach to overlap `a`; and the other way round.
-  PackedTriple window_of_a(const PackedBox& a) const { return window(least_, a); }
+  PackedTriple window_of_a(const PackedBox& a) const {
+    return window(least_, a);
+  }
   PackedTriple window_of_b(const PackedBox& b) const {
     return window({{least_.word[1], least_.word[0], swap_halves(least_.word[2])}}, b);
   }

@@ -59,7 +59,8 @@ class LeafPairs {
     return join_halves(low_half(progress.visits_left), progress.overlaps);
   }
   Walked since(uint32_t counts) {
-    const Walked walked = {low_half(counted_ - counts), low_half(high_half(counts) - high_half(counted_))};
+    const Walked walked = {low_half(counted_ - counts),
+                           low_half(high_half(counts) - high_half(counted_))};
     counted_ = counts;
     return walked;
   }

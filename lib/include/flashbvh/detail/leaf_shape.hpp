@@ -32,8 +32,8 @@ class LeafShapes {
   /// The bound of a walk under a rotation, while it lasts; its rotated boxes are at hand.
   void set_bound(RotatedBound& bound) { rotated_ = &bound; }
 
-  /// Takes a leaf, by its node, as the shape for boxes of the other tree. `reached`: the box of that
-  /// tree with which the leaf was reached, or null; false if a slab rejects it.
+  /// Takes a leaf, by its node, as the shape for boxes of the other tree. `reached`: the box of
+  /// that tree with which the leaf was reached, or null; false if a slab rejects it.
   FLASHBVH_NOINLINE bool begin(Side side, uint32_t node, const PackedBox* reached) {
     take(side, (side == Side::a ? a : b).nodes + node);
     if (made_ == 0) {
@@ -63,8 +63,8 @@ class LeafShapes {
 
   /// False only if no triangle of the leaf intersects one of a subtree with this box.
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
-    return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window_) &&
-           plane_.may_touch(box) && edge_.may_touch(box);
+    return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window_) && plane_.may_touch(box) &&
+           edge_.may_touch(box);
   }
 
   const Mesh& a;

@@ -41,8 +41,12 @@ inline uint32_t positive_halves(uint32_t u) {
 
 #else
 
-constexpr int32_t signed_low(uint32_t u) { return static_cast<int16_t>(low_half(u)); }
-constexpr int32_t signed_high(uint32_t u) { return static_cast<int16_t>(high_half(u)); }
+constexpr int32_t signed_low(uint32_t u) {
+  return static_cast<int16_t>(low_half(u));
+}
+constexpr int32_t signed_high(uint32_t u) {
+  return static_cast<int16_t>(high_half(u));
+}
 /// As add_products(), of halves with a sign.
 constexpr int32_t add_signed_products(int32_t sum, uint32_t u, uint32_t v) {
   return sum + signed_low(u) * signed_low(v) + signed_high(u) * signed_high(v);

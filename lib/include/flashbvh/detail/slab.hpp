@@ -141,8 +141,8 @@ class Slab {
   FLASHBVH_INLINE void set_row(const PackedVector& seen, int32_t offset, int32_t margin) {
     const Extent along = extent();
     row_ = {positive_halves(seen.xy), positive_halves(signed_difference(0, seen.xy)),
-            positive_halves(join_halves(static_cast<uint16_t>(seen.z),
-                                        static_cast<uint16_t>(-seen.z)))};
+            positive_halves(
+                join_halves(static_cast<uint16_t>(seen.z), static_cast<uint16_t>(-seen.z)))};
     const int32_t bias = row_.sum() * kBoundBias;
     least_upper_ = bias + along.least + offset - margin;
     least_lower_ = bias - along.most - offset - margin;

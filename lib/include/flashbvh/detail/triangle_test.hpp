@@ -17,8 +17,8 @@ class TriangleTest {
   TriangleTest(const Question& question, const Mesh& a, const Mesh& b, const Transform& transform)
       : question_(question), a_(a), b_(b), transform_(transform) {}
 
-  /// A triangle of B, by its position; false if it intersects nothing in a box of A's, unless that is
-  /// null.
+  /// A triangle of B, by its position; false if it intersects nothing in a box of A's, unless that
+  /// is null.
   bool take_b(uint32_t of_b, const PackedBox* /*box_a*/) {
     if (of_b != kept_) {
       kept_ = of_b;

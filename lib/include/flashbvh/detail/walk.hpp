@@ -27,9 +27,9 @@
 //
 // Once one node is a leaf, all that is left below the pair is that leaf against a subtree, whatever
 // the order. If leaves are taken as shapes (leaf_shape.hpp), that has a loop of its own, in which
-// shapes.begin(side, node, box) takes the leaf and shapes.may_touch(box) tests the other tree's boxes;
-// where a walk is in it follows from the pair. An order with a stack leaves it alone meanwhile.
-// Without shapes the order goes there as the paper has it.
+// shapes.begin(side, node, box) takes the leaf and shapes.may_touch(box) tests the other tree's
+// boxes; where a walk is in it follows from the pair. An order with a stack leaves it alone
+// meanwhile. Without shapes the order goes there as the paper has it.
 #ifndef FLASHBVH_DETAIL_WALK_HPP
 #define FLASHBVH_DETAIL_WALK_HPP
 
@@ -175,14 +175,15 @@ FLASHBVH_INLINE inline State visit_subtree(Subtree& at, const Shapes& shapes, Pr
   return end;
 }
 
-/// A leaf, whose shape was begun, against the other tree's subtree; `after`: from after its node on.
+/// A leaf, whose shape was begun, against the other tree's subtree; `after`: from after its node
+/// on.
 template <class Shapes, class Run>
 FLASHBVH_NOINLINE State walk_below(Shapes& shapes, Run& run, bool after) {
   const Side side = run.side;
   const uint32_t leaf = run.leaf;
   using Tree = typename Shapes::Tree;
-  Subtree<typename Tree::Index, Tree::kLayout> at(side == Side::a ? shapes.b : shapes.a,
-                                                  run.root, run.node);
+  Subtree<typename Tree::Index, Tree::kLayout> at(side == Side::a ? shapes.b : shapes.a, run.root,
+                                                  run.node);
   const auto found = [side, leaf, &run](uint32_t other) {
     return side == Side::a ? (*run.leaf_pair)(leaf, other, run.progress)
                            : (*run.leaf_pair)(other, leaf, run.progress);
@@ -312,7 +313,7 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
 /// the last visit granted: where it stands then.
 template <class Order, class Bound, class Shapes, class LeafPair>
 FLASHBVH_INLINE inline State walk(const Bound& bound, Shapes& shapes,
-                           WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
+                                  WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
   if constexpr (Shapes::kShapes && Order::kBelowLeaves) {
     return walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
   } else if constexpr (Shapes::kShapes) {

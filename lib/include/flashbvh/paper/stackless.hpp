@@ -78,7 +78,7 @@ class AlternatingStackless {
 
   /// The tree descended into last says which node was a leaf before the other one.
   detail::Side leaf() const {
-    return lead_ < 0 ? node_a().is_leaf() ? detail::Side::a : detail::Side::none
+    return lead_ < 0            ? node_a().is_leaf() ? detail::Side::a : detail::Side::none
            : node_b().is_leaf() ? detail::Side::b
                                 : detail::Side::none;
   }
