@@ -1,65 +1,41 @@
 // Preparing a rotated transform, and transforming vertices.
 #include "flashbvh/detail/rotated_transform.hpp"
+#include "flashbvh/detail/packed_vector.hpp"
 
 namespace flashbvh::detail {
 namespace {
 
 constexpr int32_t kHalf = kSplitOne / 2;
 
-/// The largest magnitude of a coordinate in the box.
-int32_t reach(uint32_t upper, uint32_t lower) {
-  return static_cast<int32_t>(upper > lower ? upper : lower) - kBoundBias;
-}
-
-/// The sum of the largest magnitudes of x, y and z in the box: no point of it, however rotated, has
-/// a larger coordinate.
-int32_t reach(const PackedBox& box) {
-  return reach(low_half(box.upper_xy), low_half(box.lower_xy)) +
-         reach(high_half(box.upper_xy), high_half(box.lower_xy)) +
-         reach(low_half(box.z), high_half(box.z));
-}
-
-[[gnu::noinline]] int32_t clamp_offset(int64_t offset) {
-  constexpr int64_t most = static_cast<int64_t>(kMaxOffset) * kSplitOne;
-  return static_cast<int32_t>(offset > most ? most : offset < -most ? -most : offset);
+inline int32_t clamp_offset(int64_t offset) {
+  constexpr int32_t most = kMaxOffset * kSplitOne;
+  const auto low = static_cast<int32_t>(offset);
+  const auto high = static_cast<int32_t>(offset >> 32);
+  if (high != low >> 31) {
+    return high < 0 ? -most : most;
+  }
+  return low > most ? most : low < -most ? -most : low;
 }
 
 inline int64_t product(int32_t u, int32_t v) {
   return static_cast<int64_t>(u) * v;
 }
 
-/// Where B's origin lies in A's lattice: `offset`, kSplitOne is a cell.
-void offset_of(const Pose& pose, const int32_t (&origin_a)[3], const int32_t (&origin_b)[3],
-               int32_t (&offset)[3]) {
-  for (int i = 0; i < 3; ++i) {
-    // Wraps if the pose is out of range, which is an error of the pose.
-    const auto cells = static_cast<int32_t>(static_cast<uint32_t>(pose.translation(i)) -
-                                            static_cast<uint32_t>(origin_a[i]));
-    int32_t x = 0;
-    int32_t y = 0;
-    int32_t z = 0;
-    pose.matrix().get_row(i, x, y, z);
-    // kRotationBits fraction bits; below 2^54.
-    const int64_t sum = product(cells, 1 << kRotationBits) +
-                        product(pose.fraction(i), 1 << (kRotationBits - 16)) +
-                        product(x, origin_b[0]) + product(y, origin_b[1]) + product(z, origin_b[2]);
-    offset[i] = clamp_offset((sum + (1 << (kRestBits - 1))) >> kRestBits);
-  }
-}
-
-/// Whether an interval of half-width `radius` round `centre` is disjoint from [-lower, upper].
-bool disjoint(int32_t centre, int32_t radius, uint32_t upper, uint32_t lower) {
-  const int32_t cells = centre >> kSplitBits;
-  return cells - radius > static_cast<int32_t>(upper) - kBoundBias ||
-         cells + radius < kBoundBias - static_cast<int32_t>(lower);
-}
-
-bool far_apart(const int32_t (&offset)[3], const PackedBox& root_a, int32_t reach_b) {
-  // A vertex is at most this far from the offset: stretched by the rotation's defect, and rounded.
-  const int32_t radius = reach_b + (reach_b >> 12) + 2;
-  return disjoint(offset[0], radius, low_half(root_a.upper_xy), low_half(root_a.lower_xy)) ||
-         disjoint(offset[1], radius, high_half(root_a.upper_xy), high_half(root_a.lower_xy)) ||
-         disjoint(offset[2], radius, low_half(root_a.z), high_half(root_a.z));
+/// Where B's origin lies along an axis of A's lattice; kSplitOne is a cell.
+[[gnu::noinline]] int32_t offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
+                                            const int32_t (&origin_b)[3], int axis) {
+  // Wraps if the pose is out of range, which is an error of the pose.
+  const auto cells = static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) -
+                                          static_cast<uint32_t>(origin_a[axis]));
+  int32_t x = 0;
+  int32_t y = 0;
+  int32_t z = 0;
+  pose.matrix().get_row(axis, x, y, z);
+  // kRotationBits fraction bits; below 2^54.
+  const int64_t sum = product(cells, 1 << kRotationBits) +
+                      product(pose.fraction(axis), 1 << (kRotationBits - 16)) +
+                      product(x, origin_b[0]) + product(y, origin_b[1]) + product(z, origin_b[2]);
+  return clamp_offset((sum + (1 << (kRestBits - 1))) >> kRestBits);
 }
 
 /// What the rotation of boxes can lack of that of the vertices of B.
@@ -86,31 +62,46 @@ BoundStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
   return {bias + margin + offset, bias + margin - offset};
 }
 
-constexpr int32_t Point::*kAxes[3] = {&Point::x, &Point::y, &Point::z};
+/// What 14 bits lack of 22, on any lattice, and vertices' rounding: box_margin() at its largest.
+constexpr int32_t kWidestMargin = 3 * kMaxCoordinate / 2 + 1 + kHalf;
+
+/// Whether the box of all of B, rotated, ends along an axis before A's root box begins, or begins
+/// after it. `upper`, `lower`: the biased bound of A's box, and the negated one.
+bool far_apart(const SplitRow& row, const BoundStart& start, const PackedBox& root_b,
+               uint32_t upper, uint32_t lower) {
+  const int32_t most =
+      add_products(add_products(add_products(start.upper, row.positive_xy, root_b.upper_xy),
+                                row.negative_xy, root_b.lower_xy),
+                   row.z, root_b.z);
+  const int32_t least =
+      add_crossed_products(add_products(add_products(start.lower, row.positive_xy, root_b.lower_xy),
+                                        row.negative_xy, root_b.upper_xy),
+                           row.z, root_b.z);
+  return (most >> kSplitBits) + static_cast<int32_t>(lower) < 2 * kBoundBias ||
+         (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
+}
 
 /// What makes one coordinate of a transformed vertex.
 class Row {
  public:
   Row(const RotatedTransform& transform, int axis) {
     const SplitRow& row = transform.matrix->rows.row[axis];
-    x_ = row.x();
-    y_ = row.y();
-    z_ = row.z_entry();
-    rest_x_ = transform.matrix->rest_of(axis, 0);
-    rest_y_ = transform.matrix->rest_of(axis, 1);
-    rest_z_ = transform.matrix->rest_of(axis, 2);
+    const int8_t(&rest)[3] = transform.matrix->rest[axis];
+    entries_ = {signed_difference(row.positive_xy, row.negative_xy), row.z_entry()};
+    rest_ = {join_halves(static_cast<uint16_t>(rest[0]), static_cast<uint16_t>(rest[1])), rest[2]};
     const BoundStart& start = transform.on_a[axis];
-    offset_ = (start.upper - start.lower) / 2 + kHalf;  // exact: see start_of()
+    offset_ = offset_of(start) + kHalf;
   }
 
-  int32_t transform(const Vertex& v) const {
-    const int32_t rest = rest_x_ * v.x + rest_y_ * v.y + rest_z_ * v.z;
-    return (x_ * v.x + y_ * v.y + z_ * v.z + (rest >> kRestBits) + offset_) >> kSplitBits;
+  int32_t transform(const PackedVector& v) const {
+    const int32_t rest = add_signed_products(rest_.z * v.z, rest_.xy, v.xy);
+    const int32_t sum = add_signed_products(entries_.z * v.z + offset_, entries_.xy, v.xy);
+    return (sum + (rest >> kRestBits)) >> kSplitBits;
   }
 
  private:
-  int32_t x_, y_, z_;
-  int32_t rest_x_, rest_y_, rest_z_;
+  PackedVector entries_;
+  PackedVector rest_;
   int32_t offset_;
 };
 
@@ -119,39 +110,56 @@ class Row {
 bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
                                const PackedBox& root_a, const int32_t (&origin_b)[3],
                                const PackedBox& root_b, bool may_stop) {
-  int32_t offset[3];
-  offset_of(pose, origin_a, origin_b, offset);
-  const int32_t reach_b = reach(root_b);
-  if (may_stop && far_apart(offset, root_a, reach_b)) {
+  matrix = &pose.matrix();
+  const auto is_far = [&](int axis, uint32_t upper, uint32_t lower) {
+    const SplitRow& row = matrix->rows.row[axis];
+    const int32_t offset = offset_along_axis(pose, origin_a, origin_b, axis);
+    on_a[axis] = start_of(row, offset, kWidestMargin);
+    return may_stop && far_apart(row, on_a[axis], root_b, upper, lower);
+  };
+  if (is_far(0, low_half(root_a.upper_xy), low_half(root_a.lower_xy)) ||
+      is_far(1, high_half(root_a.upper_xy), high_half(root_a.lower_xy)) ||
+      is_far(2, low_half(root_a.z), high_half(root_a.z))) {
     return false;
   }
-  matrix = &pose.matrix();
+  prepare_boxes(reach(root_b));
+  return true;
+}
+
+void RotatedTransform::prepare_boxes(int32_t reach_b) {
   columns = matrix->rows.transposed();
-  const int32_t box = box_margin(*matrix, reach_b) + kHalf;
+  const int32_t offset[3] = {offset_of(on_a[0]), offset_of(on_a[1]), offset_of(on_a[2])};
+  const int32_t narrower = kWidestMargin - (box_margin(*matrix, reach_b) + kHalf);
   const int32_t axis = axis_margin(*matrix, reach_b);
   for (int i = 0; i < 3; ++i) {
     const SplitRow& column = columns.row[i];
     const int64_t back = product(column.x(), offset[0]) + product(column.y(), offset[1]) +
                          product(column.z_entry(), offset[2]);
-    on_a[i] = start_of(matrix->rows.row[i], offset[i], box);
+    on_a[i].upper -= narrower;
+    on_a[i].lower -= narrower;
     on_b[i] = start_of(column, clamp_offset(-(back >> kSplitBits)), axis);
   }
-  return true;
 }
 
 Point RotatedTransform::transform(const Vertex& v) const {
-  return {Row(*this, 0).transform(v), Row(*this, 1).transform(v), Row(*this, 2).transform(v)};
+  const PackedVector p = PackedVector::of(v);
+  return {Row(*this, 0).transform(p), Row(*this, 1).transform(p), Row(*this, 2).transform(p)};
 }
 
 void RotatedTransform::transform(const Vertex& u, const Vertex& v, const Vertex& w,
                                  Triangle& triangle) const {
-  for (int axis = 0; axis < 3; ++axis) {
+  const PackedVector p = PackedVector::of(u);
+  const PackedVector q = PackedVector::of(v);
+  const PackedVector r = PackedVector::of(w);
+  const auto transform_axis = [&](int axis, int32_t Point::*coordinate) {
     const Row row(*this, axis);
-    const auto coordinate = kAxes[axis];
-    triangle.corner[0].*coordinate = row.transform(u);
-    triangle.corner[1].*coordinate = row.transform(v);
-    triangle.corner[2].*coordinate = row.transform(w);
-  }
+    triangle.corner[0].*coordinate = row.transform(p);
+    triangle.corner[1].*coordinate = row.transform(q);
+    triangle.corner[2].*coordinate = row.transform(r);
+  };
+  transform_axis(0, &Point::x);
+  transform_axis(1, &Point::y);
+  transform_axis(2, &Point::z);
 }
 
 }  // namespace flashbvh::detail

@@ -56,6 +56,18 @@ constexpr Box unpack(const PackedBox& packed) {
           upper};
 }
 
+/// The largest magnitude of a coordinate between these bounds.
+constexpr int32_t reach(uint32_t upper, uint32_t lower) {
+  return static_cast<int32_t>(upper > lower ? upper : lower) - kBoundBias;
+}
+/// The sum of the largest magnitudes of x, y and z in the box: no point of it, however rotated, has
+/// a larger coordinate.
+constexpr int32_t reach(const PackedBox& box) {
+  return reach(low_half(box.upper_xy), low_half(box.lower_xy)) +
+         reach(high_half(box.upper_xy), high_half(box.lower_xy)) +
+         reach(low_half(box.z), high_half(box.z));
+}
+
 /// Length of the box along x, y or z in cells, 0 to 2 * kMaxCoordinate.
 constexpr uint32_t extent_x(const PackedBox& box) {
   return low_half(box.upper_xy) + low_half(box.lower_xy) - 2 * kBoundBias;

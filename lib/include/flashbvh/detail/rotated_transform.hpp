@@ -13,6 +13,7 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/box_packed.hpp"
+#include "flashbvh/detail/inline.hpp"
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/pose.hpp"
 
@@ -30,6 +31,12 @@ struct BoundStart {
   int32_t lower;
 };
 
+/// Where the other lattice's origin lies along the axis: both begin with it, one negated, beside
+/// what they share.
+inline int32_t offset_of(const BoundStart& start) {
+  return (start.upper - start.lower) >> 1;
+}
+
 /// 88 bytes on a 32-bit core; trivial, so that it can share memory with what a translation needs.
 struct RotatedTransform {
   const RotationMatrix* matrix;  ///< the pose's: its rows rotate boxes of B
@@ -43,6 +50,10 @@ struct RotatedTransform {
   /// outlives this.
   bool prepare(const Pose& pose, const int32_t (&origin_a)[3], const PackedBox& root_a,
                const int32_t (&origin_b)[3], const PackedBox& root_b, bool may_stop);
+
+  /// What boxes need beyond that, once it is known that they are not far apart. `reach_b`: reach()
+  /// of B's root box.
+  FLASHBVH_NOINLINE void prepare_boxes(int32_t reach_b);
 
   /// In cells from A's origin: within +-80,000.
   Point transform(const Vertex& v) const;
