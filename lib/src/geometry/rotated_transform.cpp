@@ -81,7 +81,16 @@ bool far_apart(const SplitRow& row, const BoundStart& start, const PackedBox& ro
          (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
 }
 
-/// What makes one coordinate of a transformed vertex.
+// What makes one coordinate of a transformed vertex, and the vertex as it is multiplied.
+#if defined(__ARM_FEATURE_DSP) && !defined(FLASHBVH_PORTABLE)
+
+/// Two products an instruction.
+using Factors = PackedVector;
+
+Factors factors_of(const Vertex& v) {
+  return PackedVector::of(v);
+}
+
 class Row {
  public:
   Row(const RotatedTransform& transform, int axis) {
@@ -89,8 +98,7 @@ class Row {
     const int8_t(&rest)[3] = transform.matrix->rest[axis];
     entries_ = {signed_difference(row.positive_xy, row.negative_xy), row.z_entry()};
     rest_ = {join_halves(static_cast<uint16_t>(rest[0]), static_cast<uint16_t>(rest[1])), rest[2]};
-    const BoundStart& start = transform.on_a[axis];
-    offset_ = offset_of(start) + kHalf;
+    offset_ = offset_of(transform.on_a[axis]) + kHalf;
   }
 
   int32_t transform(const PackedVector& v) const {
@@ -104,6 +112,40 @@ class Row {
   PackedVector rest_;
   int32_t offset_;
 };
+
+#else
+
+using Factors = const Vertex&;
+
+Factors factors_of(const Vertex& v) {
+  return v;
+}
+
+class Row {
+ public:
+  Row(const RotatedTransform& transform, int axis) {
+    const SplitRow& row = transform.matrix->rows.row[axis];
+    x_ = row.x();
+    y_ = row.y();
+    z_ = row.z_entry();
+    rest_x_ = transform.matrix->rest_of(axis, 0);
+    rest_y_ = transform.matrix->rest_of(axis, 1);
+    rest_z_ = transform.matrix->rest_of(axis, 2);
+    offset_ = offset_of(transform.on_a[axis]) + kHalf;
+  }
+
+  int32_t transform(const Vertex& v) const {
+    const int32_t rest = rest_x_ * v.x + rest_y_ * v.y + rest_z_ * v.z;
+    return (x_ * v.x + y_ * v.y + z_ * v.z + (rest >> kRestBits) + offset_) >> kSplitBits;
+  }
+
+ private:
+  int32_t x_, y_, z_;
+  int32_t rest_x_, rest_y_, rest_z_;
+  int32_t offset_;
+};
+
+#endif
 
 }  // namespace
 
@@ -142,15 +184,15 @@ void RotatedTransform::prepare_boxes(int32_t reach_b) {
 }
 
 Point RotatedTransform::transform(const Vertex& v) const {
-  const PackedVector p = PackedVector::of(v);
+  Factors p = factors_of(v);
   return {Row(*this, 0).transform(p), Row(*this, 1).transform(p), Row(*this, 2).transform(p)};
 }
 
 void RotatedTransform::transform(const Vertex& u, const Vertex& v, const Vertex& w,
                                  Triangle& triangle) const {
-  const PackedVector p = PackedVector::of(u);
-  const PackedVector q = PackedVector::of(v);
-  const PackedVector r = PackedVector::of(w);
+  Factors p = factors_of(u);
+  Factors q = factors_of(v);
+  Factors r = factors_of(w);
   const auto transform_axis = [&](int axis, int32_t Point::*coordinate) {
     const Row row(*this, axis);
     triangle.corner[0].*coordinate = row.transform(p);

@@ -22,29 +22,17 @@ inline int32_t add_products(int32_t sum, uint32_t u, uint32_t v) {
 inline int32_t add_crossed_products(int32_t sum, uint32_t u, uint32_t v) {
   return __smladx(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v), sum);
 }
-/// As add_products(), of halves with a sign.
+/// As add_products(), of halves with a sign; here alone.
 inline int32_t add_signed_products(int32_t sum, uint32_t u, uint32_t v) {
   return add_products(sum, u, v);
 }
-/// Half by half u - v, with a sign.
+/// Half by half u - v, with a sign; here alone.
 inline uint32_t signed_difference(uint32_t u, uint32_t v) {
   return static_cast<uint32_t>(__ssub16(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v)));
 }
 
 #else
 
-constexpr int32_t signed_half(uint32_t half) {
-  return static_cast<int16_t>(half);
-}
-/// As add_products(), of halves with a sign.
-constexpr int32_t add_signed_products(int32_t sum, uint32_t u, uint32_t v) {
-  return sum + signed_half(low_half(u)) * signed_half(low_half(v)) +
-         signed_half(high_half(u)) * signed_half(high_half(v));
-}
-/// Half by half u - v, with a sign.
-constexpr uint32_t signed_difference(uint32_t u, uint32_t v) {
-  return join_halves((u - v) & 0xFFFFu, high_half(u) - high_half(v));
-}
 /// sum + low * low + high * high. Halves are 0 to 32,767.
 constexpr int32_t add_products(int32_t sum, uint32_t u, uint32_t v) {
   return sum + static_cast<int32_t>(low_half(u) * low_half(v)) +
