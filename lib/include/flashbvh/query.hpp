@@ -65,8 +65,9 @@ class Query : Question {
   /// B lies at `pose` in A's frame. Orders with a stack take their array as `start`; the stackless
   /// ones need nothing. Errors show in status() and in every run.
   ///
-  /// Instructions on a Cortex-M4 at -O2: 30 under a translation, 400 under a rotation, which tells
-  /// objects that are far apart (lib/docs/figures.md, "start", has what the first run adds).
+  /// Instructions on a Cortex-M4 at -O2: 30 under a translation; under a rotation about 200 if the
+  /// objects are far apart, which it tells, and at most 720 (lib/docs/figures.md, "start", has what
+  /// the first run adds).
   Query(const Mesh& a, const Mesh& b, const Pose& pose, const Cursor& start = Cursor(),
         const Question& question = Question())
       : Question(question),

@@ -62,13 +62,13 @@ BoundStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
   return {bias + margin + offset, bias + margin - offset};
 }
 
-/// Whether the box of all of B, rotated, ends before A's root box begins along an axis, or begins
+/// What 14 bits lack of 22, on any lattice, and vertices' rounding: box_margin() at its largest.
+constexpr int32_t kWidestMargin = 3 * kMaxCoordinate / 2 + 1 + kHalf;
+
+/// Whether the box of all of B, rotated, ends along an axis before A's root box begins, or begins
 /// after it. `upper`, `lower`: the biased bound of A's box, and the negated one.
-bool far_apart(const SplitRow& row, int32_t offset, const PackedBox& root_b, uint32_t upper,
-               uint32_t lower) {
-  // What 14 bits lack of 22, on the largest lattice, and vertices' rounding.
-  constexpr int32_t margin = 3 * kMaxCoordinate / 2 + 1 + kHalf;
-  const BoundStart start = start_of(row, offset, margin);
+bool far_apart(const SplitRow& row, const BoundStart& start, const PackedBox& root_b,
+               uint32_t upper, uint32_t lower) {
   const int32_t most =
       add_products(add_products(add_products(start.upper, row.positive_xy, root_b.upper_xy),
                                 row.negative_xy, root_b.lower_xy),
@@ -81,7 +81,16 @@ bool far_apart(const SplitRow& row, int32_t offset, const PackedBox& root_b, uin
          (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
 }
 
-/// What makes one coordinate of a transformed vertex.
+// What makes one coordinate of a transformed vertex, and the vertex as it is multiplied.
+#if defined(__ARM_FEATURE_DSP) && !defined(FLASHBVH_PORTABLE)
+
+/// Two products an instruction.
+using Factors = PackedVector;
+
+Factors factors_of(const Vertex& v) {
+  return PackedVector::of(v);
+}
+
 class Row {
  public:
   Row(const RotatedTransform& transform, int axis) {
@@ -89,8 +98,7 @@ class Row {
     const int8_t(&rest)[3] = transform.matrix->rest[axis];
     entries_ = {signed_difference(row.positive_xy, row.negative_xy), row.z_entry()};
     rest_ = {join_halves(static_cast<uint16_t>(rest[0]), static_cast<uint16_t>(rest[1])), rest[2]};
-    const BoundStart& start = transform.on_a[axis];
-    offset_ = offset_of(start) + kHalf;
+    offset_ = offset_of(transform.on_a[axis]) + kHalf;
   }
 
   int32_t transform(const PackedVector& v) const {
@@ -105,50 +113,86 @@ class Row {
   int32_t offset_;
 };
 
+#else
+
+using Factors = const Vertex&;
+
+Factors factors_of(const Vertex& v) {
+  return v;
+}
+
+class Row {
+ public:
+  Row(const RotatedTransform& transform, int axis) {
+    const SplitRow& row = transform.matrix->rows.row[axis];
+    x_ = row.x();
+    y_ = row.y();
+    z_ = row.z_entry();
+    rest_x_ = transform.matrix->rest_of(axis, 0);
+    rest_y_ = transform.matrix->rest_of(axis, 1);
+    rest_z_ = transform.matrix->rest_of(axis, 2);
+    offset_ = offset_of(transform.on_a[axis]) + kHalf;
+  }
+
+  int32_t transform(const Vertex& v) const {
+    const int32_t rest = rest_x_ * v.x + rest_y_ * v.y + rest_z_ * v.z;
+    return (x_ * v.x + y_ * v.y + z_ * v.z + (rest >> kRestBits) + offset_) >> kSplitBits;
+  }
+
+ private:
+  int32_t x_, y_, z_;
+  int32_t rest_x_, rest_y_, rest_z_;
+  int32_t offset_;
+};
+
+#endif
+
 }  // namespace
 
 bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
                                const PackedBox& root_a, const int32_t (&origin_b)[3],
                                const PackedBox& root_b, bool may_stop) {
   matrix = &pose.matrix();
-  const SplitRow(&rows)[3] = matrix->rows.row;
-  int32_t offset[3];
   const auto is_far = [&](int axis, uint32_t upper, uint32_t lower) {
-    offset[axis] = offset_along_axis(pose, origin_a, origin_b, axis);
-    return may_stop && far_apart(rows[axis], offset[axis], root_b, upper, lower);
+    const SplitRow& row = matrix->rows.row[axis];
+    const int32_t offset = offset_along_axis(pose, origin_a, origin_b, axis);
+    on_a[axis] = start_of(row, offset, kWidestMargin);
+    return may_stop && far_apart(row, on_a[axis], root_b, upper, lower);
   };
   if (is_far(0, low_half(root_a.upper_xy), low_half(root_a.lower_xy)) ||
       is_far(1, high_half(root_a.upper_xy), high_half(root_a.lower_xy)) ||
       is_far(2, low_half(root_a.z), high_half(root_a.z))) {
     return false;
   }
-  set(offset, reach(root_b));
+  prepare_boxes(reach(root_b));
   return true;
 }
 
-void RotatedTransform::set(const int32_t (&offset)[3], int32_t reach_b) {
+void RotatedTransform::prepare_boxes(int32_t reach_b) {
   columns = matrix->rows.transposed();
-  const int32_t box = box_margin(*matrix, reach_b) + kHalf;
+  const int32_t offset[3] = {offset_of(on_a[0]), offset_of(on_a[1]), offset_of(on_a[2])};
+  const int32_t narrower = kWidestMargin - (box_margin(*matrix, reach_b) + kHalf);
   const int32_t axis = axis_margin(*matrix, reach_b);
   for (int i = 0; i < 3; ++i) {
     const SplitRow& column = columns.row[i];
     const int64_t back = product(column.x(), offset[0]) + product(column.y(), offset[1]) +
                          product(column.z_entry(), offset[2]);
-    on_a[i] = start_of(matrix->rows.row[i], offset[i], box);
+    on_a[i].upper -= narrower;
+    on_a[i].lower -= narrower;
     on_b[i] = start_of(column, clamp_offset(-(back >> kSplitBits)), axis);
   }
 }
 
 Point RotatedTransform::transform(const Vertex& v) const {
-  const PackedVector p = PackedVector::of(v);
+  Factors p = factors_of(v);
   return {Row(*this, 0).transform(p), Row(*this, 1).transform(p), Row(*this, 2).transform(p)};
 }
 
 void RotatedTransform::transform(const Vertex& u, const Vertex& v, const Vertex& w,
                                  Triangle& triangle) const {
-  const PackedVector p = PackedVector::of(u);
-  const PackedVector q = PackedVector::of(v);
-  const PackedVector r = PackedVector::of(w);
+  Factors p = factors_of(u);
+  Factors q = factors_of(v);
+  Factors r = factors_of(w);
   const auto transform_axis = [&](int axis, int32_t Point::*coordinate) {
     const Row row(*this, axis);
     triangle.corner[0].*coordinate = row.transform(p);

@@ -51,8 +51,9 @@ struct RotatedTransform {
   bool prepare(const Pose& pose, const int32_t (&origin_a)[3], const PackedBox& root_a,
                const int32_t (&origin_b)[3], const PackedBox& root_b, bool may_stop);
 
-  /// `offset`: of B's origin on A's lattice, kSplitOne is a cell; `reach_b`: reach() of B's root.
-  FLASHBVH_NOINLINE void set(const int32_t (&offset)[3], int32_t reach_b);
+  /// What boxes need beyond that, once it is known that they are not far apart. `reach_b`: reach()
+  /// of B's root box.
+  FLASHBVH_NOINLINE void prepare_boxes(int32_t reach_b);
 
   /// In cells from A's origin: within +-80,000.
   Point transform(const Vertex& v) const;

@@ -92,11 +92,10 @@ struct WalkRun {
   Cursor* cursor;
   LeafPair* leaf_pair;
   Progress progress;
-
-  Side side;      ///< of the leaf that it is below, if it is; set where leaves are shapes
-  uint32_t leaf;  ///< then: the leaf's node, and of the other tree
-  uint32_t root;  ///< below which node
-  uint32_t node;  ///< and at which one
+  Side side = Side::none;  ///< of the leaf that it is below, if it is
+  uint32_t leaf = 0;       ///< then: the leaf's node, and of the other tree
+  uint32_t root = 0;       ///< below which node
+  uint32_t node = 0;       ///< and at which one
 };
 
 /// The trees of a walk in which leaves are no shapes.
