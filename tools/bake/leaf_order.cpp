@@ -58,6 +58,9 @@ std::uint64_t measure(const LatticeMesh& mesh, const std::vector<std::uint32_t>&
 
 std::vector<std::uint32_t> leaf_order(const LatticeMesh& mesh,
                                       std::vector<std::uint32_t> triangles) {
+  if (triangles.size() < 2) {
+    return triangles;
+  }
   std::uint64_t least = UINT64_MAX;
   std::size_t best = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
