@@ -299,6 +299,7 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
       }
     }
     if (!at.next()) {
+      keep_in_memory(kept);  // and nothing of what comes then before the branch
       break;
     }
   }
