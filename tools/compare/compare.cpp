@@ -20,29 +20,28 @@ namespace {
 constexpr std::uint64_t kSeed = 20240607;
 /// Poses of a class, visited in turn, so that no branch predictor knows them by heart.
 constexpr std::size_t kPoses = 64;
-/// Of each library in turn; the fastest counts.
-constexpr int kRounds = 15;
-/// A sample is at least as long, of as many walks over the poses as that takes.
-constexpr double kSampleNanoseconds = 200e3;
+/// Samples of each library; their median counts.
+constexpr std::size_t kRounds = 25;
+/// What the fastest library's sample takes at least. All make as many walks over the poses: one,
+/// unless queries are short, so that none begins with a warmer branch predictor than the others.
+constexpr double kSampleNanoseconds = 10e3;
 
 struct Named {
   const char* name;
   std::unique_ptr<Contender> library;
-  double fastest = 0;  ///< nanoseconds a query
-  int walks = 1;       ///< over the poses, a sample
+  std::vector<double> samples;  ///< nanoseconds a query
 };
 
 std::vector<Named> all_libraries(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b) {
   std::vector<Named> all;
   const auto add = [&all](const char* name, std::unique_ptr<Contender> library) {
-    all.push_back({name, std::move(library)});
+    all.push_back({name, std::move(library), {}});
   };
   add("flashbvh", with_flashbvh(a, b, PoseMade::before));
-  add("flashbvh_pose", with_flashbvh(a, b, PoseMade::in_the_query));
-  add("opcode", with_opcode(a, b, OpcodeTree::of_ode, Matrices::both));
-  add("opcode_one", with_opcode(a, b, OpcodeTree::of_ode, Matrices::of_b));
-  add("opcode_quantized", with_opcode(a, b, OpcodeTree::quantized, Matrices::both));
+  add("opcode", with_opcode(a, b, Matrices::both));
   add("fcl", with_fcl(a, b));
+  add("flashbvh_pose", with_flashbvh(a, b, PoseMade::in_the_query));
+  add("opcode_one", with_opcode(a, b, Matrices::of_b));
   return all;
 }
 
@@ -57,17 +56,32 @@ double sample(Contender& library, Wanted wanted, int walks) {
   return passed.count() / (walks * static_cast<double>(kPoses));
 }
 
-/// The libraries take turns in every round, so that what slows the machine slows all of them.
-void time_all(std::vector<Named>& libraries, Wanted wanted) {
+/// Every round has all the libraries, so that what slows the machine slows all of them, in an order
+/// of its own, since each leaves caches and predictors to the next.
+void time_all(std::vector<Named>& libraries, Wanted wanted, flashbvh::test::Random& random) {
+  double fastest = 1e9;
   for (Named& named : libraries) {
-    named.fastest = sample(*named.library, wanted, 1);
-    named.walks = 1 + static_cast<int>(kSampleNanoseconds / (named.fastest * kPoses));
+    fastest = std::min(fastest, sample(*named.library, wanted, 1));
+    named.samples.clear();
   }
-  for (int round = 0; round < kRounds; ++round) {
-    for (Named& named : libraries) {
-      named.fastest = std::min(named.fastest, sample(*named.library, wanted, named.walks));
+  const int walks = 1 + static_cast<int>(kSampleNanoseconds / (fastest * kPoses));
+  std::vector<Named*> order;
+  for (Named& named : libraries) {
+    order.push_back(&named);
+  }
+  for (std::size_t round = 0; round < kRounds; ++round) {
+    for (std::size_t i = order.size(); i > 1; --i) {
+      std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
+    }
+    for (Named* named : order) {
+      named->samples.push_back(sample(*named->library, wanted, walks));
     }
   }
+}
+
+double median(std::vector<double>& samples) {
+  std::sort(samples.begin(), samples.end());
+  return samples[samples.size() / 2];
 }
 
 struct Found {
@@ -131,15 +145,16 @@ class Comparison {
   }
 
   void compare(Wanted wanted, const char* of_class) {
-    time_all(libraries_, wanted);
-    for (const Named& named : libraries_) {
+    time_all(libraries_, wanted, random_);
+    for (Named& named : libraries_) {
       std::printf("time %s %s %s %s %.2f\n", name_.c_str(), motion_, of_class, named.name,
-                  named.fastest);
+                  median(named.samples));
     }
   }
 
   std::string name_;
   PoseSearch search_;
+  flashbvh::test::Random random_{kSeed};
   std::vector<Named> libraries_;
   std::vector<Found> found_;  ///< as many
   const char* motion_ = nullptr;

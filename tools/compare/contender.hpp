@@ -46,12 +46,11 @@ enum class PoseMade { before, in_the_query };
 std::unique_ptr<Contender> with_flashbvh(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
                                          PoseMade pose_made);
 
-/// Trees as ODE builds them, or the defaults of OPCODE itself, which are quantized.
-enum class OpcodeTree { of_ode, quantized };
 /// `both`: matrices for A, the identity, and B; `of_b`: null for A, which saves a product.
 enum class Matrices { both, of_b };
+/// Trees as ODE builds them.
 std::unique_ptr<Contender> with_opcode(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
-                                       OpcodeTree tree, Matrices matrices);
+                                       Matrices matrices);
 
 /// Oriented boxes and spheres (OBBRSS), binary64.
 std::unique_ptr<Contender> with_fcl(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b);

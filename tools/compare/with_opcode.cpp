@@ -19,7 +19,7 @@ namespace {
 /// Its triangles in the order of the baked mesh.
 class Model {
  public:
-  Model(const PostMesh& mesh, OpcodeTree tree) {
+  explicit Model(const PostMesh& mesh) {
     for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
       float point[3];
       set_vertex(mesh, i, point);
@@ -33,7 +33,7 @@ class Model {
     interface_.SetNbVertices(mesh.vertex_count);
     interface_.SetPointers(triangles_.data(), vertices_.data());
     interface_.SetSingle(true);
-    if (!model_.Build(settings(tree))) {
+    if (!model_.Build(settings())) {
       throw std::runtime_error("OPCODE could not build a tree");
     }
   }
@@ -43,15 +43,11 @@ class Model {
   const Opcode::Model& model() const { return model_; }
 
  private:
-  Opcode::OPCODECREATE settings(OpcodeTree tree) {
-    Opcode::OPCODECREATE settings;
-    settings.mIMesh = &interface_;
-    if (tree == OpcodeTree::of_ode) {
-      settings.mSettings.mRules =
-          Opcode::SPLIT_BEST_AXIS | Opcode::SPLIT_SPLATTER_POINTS | Opcode::SPLIT_GEOM_CENTER;
-      settings.mQuantized = false;
-    }
-    return settings;
+  /// As in ODE's dxTriMeshData: an optimised tree without leaves, not quantized.
+  Opcode::OPCODECREATE settings() {
+    const Opcode::BuildSettings rules(Opcode::SPLIT_BEST_AXIS | Opcode::SPLIT_SPLATTER_POINTS |
+                                      Opcode::SPLIT_GEOM_CENTER);
+    return Opcode::OPCODECREATE(&interface_, rules, true, false);
   }
 
   std::vector<IceMaths::Point> vertices_;
@@ -62,8 +58,8 @@ class Model {
 
 class WithOpcode : public Contender {
  public:
-  WithOpcode(const PostMesh& a, const PostMesh& b, OpcodeTree tree, Matrices matrices)
-      : mesh_a_(&a), mesh_b_(&b), a_(a, tree), b_(b, tree) {
+  WithOpcode(const PostMesh& a, const PostMesh& b, Matrices matrices)
+      : mesh_a_(&a), mesh_b_(&b), a_(a), b_(b) {
     cache_.Model0 = &a_.model();
     cache_.Model1 = &b_.model();
     identity_.Identity();
@@ -123,9 +119,8 @@ class WithOpcode : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> with_opcode(const PostMesh& a, const PostMesh& b, OpcodeTree tree,
-                                       Matrices matrices) {
-  return std::make_unique<WithOpcode>(a, b, tree, matrices);
+std::unique_ptr<Contender> with_opcode(const PostMesh& a, const PostMesh& b, Matrices matrices) {
+  return std::make_unique<WithOpcode>(a, b, matrices);
 }
 
 }  // namespace compare
