@@ -90,19 +90,15 @@ struct Found {
   std::size_t by_one = 0;  ///< of the two alone
 };
 
-void add_pairs(Contender& flashbvh, Contender& other, Found& found) {
-  for (std::size_t pose = 0; pose < kPoses; ++pose) {
-    std::vector<Pair> ours = flashbvh.pairs(pose);
-    std::vector<Pair> theirs = other.pairs(pose);
-    std::sort(ours.begin(), ours.end());
-    std::sort(theirs.begin(), theirs.end());
-    std::vector<Pair> differing;
-    std::set_symmetric_difference(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
-                                  std::back_inserter(differing));
-    found.by_flashbvh += ours.size();
-    found.by_other += theirs.size();
-    found.by_one += differing.size();
-  }
+void add_pairs(std::vector<Pair> ours, std::vector<Pair> theirs, Found& found) {
+  std::sort(ours.begin(), ours.end());
+  std::sort(theirs.begin(), theirs.end());
+  std::vector<Pair> differing;
+  std::set_symmetric_difference(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
+                                std::back_inserter(differing));
+  found.by_flashbvh += ours.size();
+  found.by_other += theirs.size();
+  found.by_one += differing.size();
 }
 
 class Comparison {
@@ -140,7 +136,10 @@ class Comparison {
     }
     for (std::size_t i = 0; i < libraries_.size(); ++i) {
       libraries_[i].library->set_poses(poses);
-      add_pairs(*libraries_[0].library, *libraries_[i].library, found_[i]);
+      for (std::size_t pose = 0; pose < kPoses; ++pose) {
+        add_pairs(libraries_[0].library->pairs(pose), libraries_[i].library->pairs(pose),
+                  found_[i]);
+      }
     }
   }
 

@@ -3,6 +3,9 @@
 #define FLASHBVH_TOOLS_COMPARE_MESHES_HPP
 
 #include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,7 +22,15 @@ constexpr double kCellsOfUnit = 1024;
 /// An image in memory, opened; throws std::runtime_error.
 class Image {
  public:
-  explicit Image(const std::string& path);
+  explicit Image(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    words_.resize((bytes.size() + 3) / 4);
+    bytes.copy(reinterpret_cast<char*>(words_.data()), bytes.size());
+    if (flashbvh::open_image(words_.data(), bytes.size(), mesh_) != flashbvh::Status::done) {
+      throw std::runtime_error(path + ": no 16-bit post-indexed image");
+    }
+  }
   const flashbvh::PostMesh& mesh() const { return mesh_; }
 
  private:

@@ -57,8 +57,8 @@ END {
   if (meshes == 0) exit 1
   print "Time of a query of flashbvh, divided by another library's: below 1, flashbvh is faster."
   print ""
-  print "                                            OPCODE                              FCL"
-  print "B           class                      mean         pairs  pose made  one matrix    mean"
+  print "                                       OPCODE                                      FCL"
+  print "B           class                      mean   of one pair  pose made  one matrix    mean"
   rows("translated")
   rows("rotated")
   print ""

@@ -19,14 +19,9 @@ class Flashbvh : public Contender {
     const std::uint32_t capacity =
         wanted == Wanted::first ? 1 : static_cast<std::uint32_t>(found_.size());
     std::size_t count = 0;
-    if (pose_made_ == PoseMade::before) {
-      for (const Placed& placed : poses_) {
-        count += ask(placed.pose, capacity);
-      }
-    } else {
-      for (const Placed& placed : poses_) {
-        count += ask(make(placed), capacity);
-      }
+    for (const Placed& placed : poses_) {
+      count +=
+          pose_made_ == PoseMade::before ? ask(placed.pose, capacity) : ask(make(placed), capacity);
     }
     return count;
   }
