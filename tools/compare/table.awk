@@ -45,7 +45,11 @@ $1 == "time" {
   }
   time[$2, $3, $4, $5] = $6
 }
-$1 == "pairs" { found[$3] = found[$3, $4] += $5; theirs[$3, $4] += $6; alone[$3, $4] += $7 }
+$1 == "pairs" {
+  found[$3, $4] += $5
+  theirs[$3, $4] += $6
+  alone[$3, $4] += $7
+}
 
 function answers(motion, library, title) {
   printf "%-10s  %-8s  %8d  %8d  %9d\n", motion, title, found[motion, library],
