@@ -1,0 +1,60 @@
+// What is compared: a library with two meshes and a set of poses, which it visits in turn.
+#ifndef FLASHBVH_TOOLS_COMPARE_CONTENDER_HPP
+#define FLASHBVH_TOOLS_COMPARE_CONTENDER_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "flashbvh/mesh.hpp"
+#include "flashbvh/pose.hpp"
+#include "support/rotations.hpp"
+
+namespace compare {
+
+/// Where B lies in A's frame.
+struct Placed {
+  flashbvh::test::Rotation rotation;
+  std::int32_t cells[3];
+  flashbvh::Pose pose;  ///< made of these
+};
+
+/// All pairs, or the first that is found.
+enum class Wanted { all, first };
+
+/// Two triangles, by their numbers in the source meshes.
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// A loop over all poses is one virtual call: nothing of it counts as the query's.
+class Contender {
+ public:
+  virtual ~Contender() = default;
+
+  /// Not timed: what the library takes as a pose is made here.
+  virtual void set_poses(const std::vector<Placed>& poses) = 0;
+  /// Asks about each pose in turn; the number of pairs found.
+  virtual std::size_t ask_all(Wanted wanted) = 0;
+  /// All pairs under one of the poses, in any order.
+  virtual std::vector<Pair> pairs(std::size_t pose) = 0;
+};
+
+// The meshes outlive what is made of them.
+
+enum class PoseMade { before, in_the_query };
+std::unique_ptr<Contender> with_flashbvh(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
+                                         PoseMade pose_made);
+
+/// `both`: matrices for A, the identity, and B; `of_b`: null for A, which saves a product.
+enum class Matrices { both, of_b };
+/// Trees as ODE builds them.
+std::unique_ptr<Contender> with_opcode(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
+                                       Matrices matrices);
+
+/// Oriented boxes and spheres (OBBRSS), binary64.
+std::unique_ptr<Contender> with_fcl(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b);
+
+}  // namespace compare
+
+#endif
