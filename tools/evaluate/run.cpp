@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <iterator>
 #include <numeric>
 
 #include "evaluate/best_rule.hpp"
@@ -124,9 +125,9 @@ SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& 
                         {}};
   std::vector<Row> rows = make_rows(a, b, setup.translation);
   const std::size_t boxes = rows.size();
-  for (Row& row : make_rows(a, b, setup.translation, Leaves::shapes)) {
-    rows.push_back(std::move(row));
-  }
+  std::vector<Row> shapes = make_rows(a, b, setup.translation, Leaves::shapes);
+  rows.insert(rows.end(), std::make_move_iterator(shapes.begin()),
+              std::make_move_iterator(shapes.end()));
   std::vector<RowResult> results;
   for (const Row& row : rows) {
     results.push_back({row.algorithm, row.run(1), {}});
