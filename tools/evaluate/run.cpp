@@ -129,6 +129,7 @@ SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& 
   rows.insert(rows.end(), std::make_move_iterator(shapes.begin()),
               std::make_move_iterator(shapes.end()));
   std::vector<RowResult> results;
+  results.reserve(rows.size());
   for (const Row& row : rows) {
     results.push_back({row.algorithm, row.run(1), {}});
   }

@@ -17,6 +17,7 @@
 #include "flashbvh/detail/inline.hpp"
 #include "flashbvh/detail/packed.hpp"
 #include "flashbvh/detail/slab.hpp"
+#include "flashbvh/detail/slab_simd.hpp"
 
 namespace flashbvh::detail {
 
@@ -51,20 +52,30 @@ class LeafShapes {
   /// Before a leaf is taken that was not reached with a pair of boxes.
   FLASHBVH_NOINLINE void look_at(Side side, uint32_t node) {
     const auto* const at = (side == Side::a ? a : b).nodes + node;
-    if (rotated_ == nullptr || is_taken(side, at)) {
+    if (is_taken(side, at)) {
       return;
     }
-    if (side == Side::a) {
-      rotated_->keep_a(at->box);
-    } else {
-      rotated_->keep_b(at->box);
+    if (rotated_ != nullptr) {
+      if (side == Side::a) {
+        rotated_->keep_a(at->box);
+      } else {
+        rotated_->keep_b(at->box);
+      }
+    }
+    take(side, at);
+    const PackedBox& root = (side == Side::a ? b : a).nodes[0].box;
+    if (!halves_reach({{root.upper_xy, root.lower_xy, root.z}}, window_)) {
+      // No box will pass the window, and the trees may be too far apart for sums of 32 bits.
+      plane_.set_all();
+      edge_.set_all();
+      made_ = 2;
     }
   }
 
   /// False only if no triangle of the leaf intersects one of a subtree with this box.
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
-    return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window_) && plane_.may_touch(box) &&
-           edge_.may_touch(box);
+    return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window_) &&
+           may_touch_both(plane_, edge_, box);
   }
 
   const Mesh& a;

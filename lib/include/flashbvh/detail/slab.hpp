@@ -127,6 +127,11 @@ class Slab {
     least_upper_ = least_lower_ = INT32_MIN;
   }
 
+  const SplitRow& row() const { return row_; }
+  /// What a box's upper bound along the row has to reach, biased, and its negated lower one.
+  int32_t least_upper() const { return least_upper_; }
+  int32_t least_lower() const { return least_lower_; }
+
   /// False only if the box has no point in the slab.
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
     return add_products(add_products(add_products(0, row_.positive_xy, box.upper_xy),
@@ -149,8 +154,8 @@ class Slab {
   }
 
   SplitRow row_;
-  int32_t least_upper_;  ///< of a box's upper bound along the row, biased
-  int32_t least_lower_;  ///< of its negated lower bound
+  int32_t least_upper_;
+  int32_t least_lower_;
 };
 
 }  // namespace flashbvh::detail

@@ -1,0 +1,138 @@
+// Slabs: what they hold, and that two at once are two.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+
+#include "flashbvh/detail/slab_simd.hpp"
+#include "support/random.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+using namespace flashbvh::test;
+
+namespace {
+
+PackedVector vector(std::int32_t x, std::int32_t y, std::int32_t z) {
+  return {join_halves(static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)), z};
+}
+
+/// Any of 13 bits and a sign.
+PackedVector any_direction(Random& random) {
+  const std::int32_t most = random.below(4) == 0 ? 8191 : 1 << random.below(13);
+  const auto at = [&] { return random.between(-most, most); };
+  return vector(at(), at(), at());
+}
+
+Vertex any_vertex(Random& random, std::int32_t most) {
+  const auto at = [&] { return static_cast<std::int16_t>(random.between(-most, most)); };
+  return {at(), at(), at()};
+}
+
+Box any_box(Random& random, std::int32_t most) {
+  const Vertex u = any_vertex(random, most);
+  const Vertex v = any_vertex(random, most);
+  return {{std::min(u.x, v.x), std::min(u.y, v.y), std::min(u.z, v.z)},
+          {std::max(u.x, v.x), std::max(u.y, v.y), std::max(u.z, v.z)}};
+}
+
+/// Of a translated triangle, for boxes of the other tree.
+struct AnySlab {
+  PackedVector direction;
+  Extent extent;
+  Point offset;
+  Side side;
+  Slab slab;
+
+  AnySlab(Random& random, std::int32_t most)
+      : direction(any_direction(random)), side(random.below(2) == 0 ? Side::a : Side::b) {
+    const auto corner = [&] { return PackedVector::of(any_vertex(random, most)); };
+    extent = PackedTriangle{corner(), corner(), corner()}.extent(direction);
+    const auto shift = [&] { return random.between(-2 * most, 2 * most); };
+    offset = {shift(), shift(), shift()};
+    slab.begin(direction, extent);
+    slab.translate(offset, side);
+  }
+
+  /// In 64-bit integers: the box's own bounds along the direction, and the slab's.
+  bool touches(const Box& box) const {
+    const std::int64_t sign = side == Side::a ? -1 : 1;
+    const std::int32_t d[3] = {direction.x(), direction.y(), direction.z};
+    const std::int64_t moved =
+        sign * (std::int64_t{d[0]} * offset.x + std::int64_t{d[1]} * offset.y +
+                std::int64_t{d[2]} * offset.z);
+    const std::int32_t lower[3] = {box.lower.x, box.lower.y, box.lower.z};
+    const std::int32_t upper[3] = {box.upper.x, box.upper.y, box.upper.z};
+    std::int64_t least = 0;
+    std::int64_t most = 0;
+    for (int i = 0; i < 3; ++i) {
+      least += std::int64_t{d[i]} * (d[i] > 0 ? lower[i] : upper[i]);
+      most += std::int64_t{d[i]} * (d[i] > 0 ? upper[i] : lower[i]);
+    }
+    return most >= extent.least + moved && least <= extent.most + moved;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a box touches a slab exactly when their bounds along it meet, and two as each of them") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  std::uint32_t touching = 0;
+  std::uint32_t missing = 0;
+  for (int round = 0; round < 20000; ++round) {
+    CAPTURE(round);
+    const std::int32_t most = random.below(3) == 0 ? kMaxCoordinate : 4 << random.below(12);
+    const AnySlab u(random, most);
+    const AnySlab v(random, most);
+    const Box box = any_box(random, most);
+    const PackedBox packed = pack(box);
+    REQUIRE(u.slab.may_touch(packed) == u.touches(box));
+    const bool both = u.touches(box) && v.touches(box);
+    REQUIRE(may_touch_both(u.slab, v.slab, packed) == both);
+    ++(both ? touching : missing);
+  }
+  CHECK(touching > 2000);
+  CHECK(missing > 2000);
+  Slab all;
+  all.set_all();
+  CHECK(may_touch_both(all, all, pack(any_box(random, kMaxCoordinate))));
+}
+
+TEST_CASE("a scaled direction has 13 bits, those of the product, and its sign") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 1);
+  for (int round = 0; round < 20000; ++round) {
+    CAPTURE(round);
+    const std::int32_t most = random.below(3) == 0 ? 32766 : 1 << random.below(15);
+    const auto any = [&] {
+      return vector(random.between(-most, most), random.between(-most, most),
+                    random.between(-most, most));
+    };
+    const PackedVector u = any();
+    const PackedVector v = any();
+    const std::int64_t product[3] = {std::int64_t{u.y()} * v.z - std::int64_t{u.z} * v.y(),
+                                     std::int64_t{u.z} * v.x() - std::int64_t{u.x()} * v.z,
+                                     std::int64_t{u.x()} * v.y() - std::int64_t{u.y()} * v.x()};
+    std::int64_t largest = 1;
+    for (const std::int64_t component : product) {
+      largest = std::max(largest, component < 0 ? -component - 1 : component);
+    }
+    PackedVector direction{};
+    const bool some = product[0] != 0 || product[1] != 0 || product[2] != 0;
+    REQUIRE(cross_direction(u, v, direction) == some);
+    if (some) {
+      int shift = 0;
+      while ((largest << 1 << shift) < (std::int64_t{1} << 32)) {
+        ++shift;
+      }
+      const std::int32_t got[3] = {direction.x(), direction.y(), direction.z};
+      for (int i = 0; i < 3; ++i) {
+        REQUIRE(got[i] == (product[i] * (std::int64_t{1} << shift)) >> 19);
+      }
+    }
+  }
+}
