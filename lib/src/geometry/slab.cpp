@@ -4,7 +4,7 @@
 namespace flashbvh::detail {
 namespace {
 
-constexpr int32_t kHalf = kSplitOne / 2;
+constexpr int32_t kHalfUnit = kSplitOne / 2;
 
 /// A direction in the other lattice. The parts of a row's entries are apart, so it is multiplied by
 /// both signs.
@@ -16,9 +16,10 @@ class Rotate {
         z_(join_halves(static_cast<uint16_t>(d.z), static_cast<uint16_t>(-d.z))) {}
 
   int32_t operator()(const SplitRow& row) const {
-    return add_signed_products(add_signed_products(add_signed_products(kHalf, row.positive_xy, xy_),
-                                                   row.negative_xy, negated_xy_),
-                               row.z, z_) >>
+    return add_signed_products(
+               add_signed_products(add_signed_products(kHalfUnit, row.positive_xy, xy_),
+                                   row.negative_xy, negated_xy_),
+               row.z, z_) >>
            kSplitBits;
   }
 
