@@ -1,6 +1,6 @@
 # Prints the firmware's lines (firmware_examples/robot_arm/main.cpp) as tables: a configuration each,
 # then the traversals. Compares each result with the host's line. Status 1 if one differs, if one
-# side has another number of them, or if two traversals of a pair do not agree.
+# side has another number of them, or if two traversals of a pair find other triangles.
 BEGIN {
   while ((getline line < host) > 0) {
     on_host[line] = 1
@@ -30,10 +30,10 @@ $1 == "result" {
     last = pair
     row = sprintf("  %-26s %8d %9d %11d %15d %13d %12d   ", $3 " against " $4, $6, $7, $8, $9, $11, $10)
     visits_of_row = $6
-    pairs_found = $8 " " $9
+    pairs_found = $9
     row_is_same = 1
   }
-  if (pairs_found != $8 " " $9) same = 0
+  if (pairs_found != $9) same = 0
   if (!($5 in visits)) order[++traversals] = $5
   visits[$5] += $6
   overlaps[$5] += $7
