@@ -74,7 +74,7 @@ PairSet brute_force(const SmallScene<layout>& scene) {
 /// A query of any traversal; those with a stack get exactly what they are promised to need.
 template <class Traversal>
 struct SmallQuery {
-  detail::PairCursor<uint16_t> entries[2 * digest::kMostTriangles];
+  detail::PairCursor<uint16_t> entries[Traversal::kStackless ? 1 : 2 * digest::kMostTriangles];
   Query<Traversal> query;
 
   template <class Scene>
