@@ -152,8 +152,8 @@ constexpr Projection kProjections[3] = {
 }
 
 /// Whether two triangles intersect that neither plane separates. If one of them lies in the other's
-/// plane or lacks area, their boxes overlap. Four arguments, so
-/// that callers need no stack while this runs.
+/// plane or lacks area, their boxes overlap. No more than four arguments, so that a caller's frame is
+/// gone while this runs: of_b's sides and, in the lowest bit, whether both are narrow are one.
 [[gnu::noinline]] bool unseparated_intersect(const Triangle& a, const Triangle& b, Sides of_a,
                                              unsigned of_b_and_narrow) {
   const Sides of_b = {of_b_and_narrow >> 1};

@@ -49,7 +49,8 @@ class LeafShapes {
     return reached == nullptr || edge_.may_touch(*reached);
   }
 
-  /// Before a leaf is taken that was not reached with a pair of boxes.
+  /// Before begin() of a leaf below which a run goes on, so that no pair of boxes led to it: what
+  /// that pair would have left is made.
   FLASHBVH_NOINLINE void look_at(Side side, uint32_t node) {
     const auto* const at = (side == Side::a ? a : b).nodes + node;
     if (is_taken(side, at)) {

@@ -118,7 +118,7 @@ class Slab {
     const int32_t along = d.x() * offset.x + d.y() * offset.y + d.z * offset.z;
     set_row(d, of == Side::a ? -along : along, 0);
   }
-  /// The same under a rotation.
+  /// The same under a rotation, of a transform that is prepared.
   FLASHBVH_NOINLINE void rotate(const Transform& transform, Side of);
 
   /// The whole space.
