@@ -24,15 +24,14 @@ static_assert(INT64_MAX / kMaxDifference / kMaxDifference / kMaxDifference >= 6,
 constexpr int32_t kMaxNarrow = (1 << 15) - 1;
 static_assert(INT32_MAX / kMaxNarrow / kMaxNarrow >= 2, "a cofactor is a sum of two products");
 
-/// A cross product: int32_t up to kMaxNarrow, int64_t up to kMaxDifference.
-template <class Component>
-struct CrossProduct {
-  Component x;
-  Component y;
-  Component z;
+/// A cross product of differences up to kMaxNarrow.
+using Narrow = PlaneNormal;
+/// The same up to kMaxDifference.
+struct Wide {
+  int64_t x;
+  int64_t y;
+  int64_t z;
 };
-using Narrow = CrossProduct<int32_t>;
-using Wide = CrossProduct<int64_t>;
 
 inline int64_t volume(bool narrow, const Point& p, const Point& q, const Point& r, const Point& s) {
   return narrow ? detail::volume<Narrow>(p, q, r, s) : detail::volume<Wide>(p, q, r, s);
@@ -152,8 +151,8 @@ constexpr Projection kProjections[3] = {
 }
 
 /// Whether two triangles intersect that neither plane separates. If one of them lies in the other's
-/// plane or lacks area, their boxes overlap. No more than four arguments, so that a caller's frame is
-/// gone while this runs: of_b's sides and, in the lowest bit, whether both are narrow are one.
+/// plane or lacks area, their boxes overlap. Four arguments, the last of them two in one, so that a
+/// caller's frame is gone while this runs.
 [[gnu::noinline]] bool unseparated_intersect(const Triangle& a, const Triangle& b, Sides of_a,
                                              unsigned of_b_and_narrow) {
   const Sides of_b = {of_b_and_narrow >> 1};
@@ -244,7 +243,7 @@ bool box_overlaps(const PackedBox& box, const Triangle& t) noexcept {
 }
 
 void get_near_normal(const Triangle& t, PlaneNormal& normal) noexcept {
-  normal = normal_of<PlaneNormal>(t);
+  normal = normal_of<Narrow>(t);
 }
 
 bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept {
