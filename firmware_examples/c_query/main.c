@@ -9,7 +9,7 @@
 
 enum {
   CELLS_PER_MM = 100, /* the meshes are baked with cells of 0.01 mm */
-  VISITS_PER_TICK = 4
+  WORK_PER_TICK = 40
 };
 
 /** A place for the tool to go. */
@@ -45,11 +45,11 @@ static void check_start(check* c, const target* to) {
 }
 
 /* README: begin */
-/** A slice of the answer: at most VISITS_PER_TICK pairs of boxes. */
+/** A slice of the answer: lib/docs/bounded_time.md tells what so much work takes. */
 static verdict check_tick(check* c) {
   flashbvh_pair found[1];
   uint32_t count = 0;
-  const flashbvh_status status = flashbvh_query_run(&c->query, VISITS_PER_TICK, found, 1, &count);
+  const flashbvh_status status = flashbvh_query_run(&c->query, WORK_PER_TICK, found, 1, &count);
   if (status == FLASHBVH_STATUS_SUSPENDED) {
     return VERDICT_PENDING; /* not finished: the next tick goes on */
   }

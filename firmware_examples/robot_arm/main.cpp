@@ -10,7 +10,7 @@
 // and for every traversal
 //     result C A B traversal visits overlaps leaf_pairs triangle_pairs stack instructions
 // stack: bytes that run() needs at most; the query object and a stack traversal's array are the
-// caller's. instructions: of the whole query, in slices of 100 visits.
+// caller's. instructions: of the whole query, in slices of 100 work.
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/paper/traversals.hpp>
 
@@ -70,7 +70,7 @@ void print_pose(const Case& what) {
   port::print("\n");
 }
 
-/// 100 visits at a time, as a control loop would. `run_slice(found)` is a run into that array.
+/// 100 work at a time, as a control loop would. `run_slice(found)` is a run into that array.
 template <class Query, class Slice>
 void run_to_end(const Query& query, Slice run_slice) {
   typename Query::Pair found[4];

@@ -122,17 +122,17 @@ TEST_CASE("C gets the pairs that C++ gets, in slices, saved and resumed, and in 
     std::vector<flashbvh_pair> expected_pairs;
     const answer expected = whole(a, b, pose, expected_pairs);
     total += expected.count;
-    for (const std::uint32_t visits : kRuns) {
+    for (const std::uint32_t work : kRuns) {
       for (const std::uint32_t capacity : kCapacities) {
-        CAPTURE(visits, capacity);
+        CAPTURE(work, capacity);
         answer got{pairs.data(), 1000, 0, {}, FLASHBVH_STATUS_FULL};
         answer resumed = got;
         {
           const HeapForbidden guard;
-          query_in_slices(&a.c_tree, &b.c_tree, &at, visits, capacity, &got);
+          query_in_slices(&a.c_tree, &b.c_tree, &at, work, capacity, &got);
         }
         REQUIRE(same_answer(&got, &expected));
-        query_saved_and_resumed(&a.c_tree, &b.c_tree, &at, visits, capacity, &resumed);
+        query_saved_and_resumed(&a.c_tree, &b.c_tree, &at, work, capacity, &resumed);
         REQUIRE(same_answer(&resumed, &expected));
       }
     }

@@ -29,33 +29,33 @@ static void clear(answer* to) {
 }
 
 /* One run, whose pairs are kept. */
-static void run_once(flashbvh_query* query, uint32_t visits, uint32_t capacity, answer* to) {
+static void run_once(flashbvh_query* query, uint32_t work, uint32_t capacity, answer* to) {
   flashbvh_pair found[MOST_PAIRS_A_RUN];
   uint32_t count = UINT32_MAX;
-  to->status = flashbvh_query_run(query, visits, found, capacity, &count);
+  to->status = flashbvh_query_run(query, work, found, capacity, &count);
   keep(to, found, count);
 }
 
 void query_in_slices(const flashbvh_mesh* a, const flashbvh_mesh* b, const flashbvh_pose* pose,
-                     uint32_t visits, uint32_t capacity, answer* to) {
+                     uint32_t work, uint32_t capacity, answer* to) {
   flashbvh_query query;
   clear(to);
   flashbvh_query_start(&query, a, b, pose);
   do {
-    run_once(&query, visits, capacity, to);
+    run_once(&query, work, capacity, to);
   } while (can_go_on(to->status));
   to->counts = flashbvh_query_counts(&query);
 }
 
 void query_saved_and_resumed(const flashbvh_mesh* a, const flashbvh_mesh* b,
-                             const flashbvh_pose* pose, uint32_t visits, uint32_t capacity,
+                             const flashbvh_pose* pose, uint32_t work, uint32_t capacity,
                              answer* to) {
   unsigned char saved[sizeof(flashbvh_position)];
   flashbvh_query query;
   clear(to);
   flashbvh_query_start(&query, a, b, pose);
   do {
-    run_once(&query, visits, capacity, to);
+    run_once(&query, work, capacity, to);
     add_counts(&to->counts, flashbvh_query_counts(&query));
     if (can_go_on(to->status)) {
       flashbvh_position position = flashbvh_query_position(&query);

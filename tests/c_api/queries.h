@@ -17,13 +17,13 @@ typedef struct answer {
   flashbvh_status status;
 } answer;
 
-/** In runs of `visits` into an array of `capacity`, at most 8. */
+/** In runs of `work` into an array of `capacity`, at most 8. */
 void query_in_slices(const flashbvh_mesh* a, const flashbvh_mesh* b, const flashbvh_pose* pose,
-                     uint32_t visits, uint32_t capacity, answer* to);
+                     uint32_t work, uint32_t capacity, answer* to);
 
 /** The same, with a new query after each run, taken to the position of the one before. */
 void query_saved_and_resumed(const flashbvh_mesh* a, const flashbvh_mesh* b,
-                             const flashbvh_pose* pose, uint32_t visits, uint32_t capacity,
+                             const flashbvh_pose* pose, uint32_t work, uint32_t capacity,
                              answer* to);
 
 /** Whether status, count and pairs are the same. */

@@ -9,6 +9,7 @@
 #include "fuzz/any_pose.hpp"
 #include "golden/golden.hpp"
 #include "support/any_query.hpp"
+#include "support/most_work.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -17,7 +18,8 @@ using namespace flashbvh::test;
 namespace {
 
 template <class Query, class Index>
-void resume_and_end(Query& query, const QueryPosition<Index>& position, std::uint32_t most) {
+void resume_and_end(Query& query, const QueryPosition<Index>& position, std::uint32_t most_visits,
+                    std::uint32_t most_work) {
   const Status resumed = query.resume(position);
   if (resumed == Status::position_invalid) {
     require(query.counts().visits == 0, "a refused position changed the query");
@@ -27,10 +29,9 @@ void resume_and_end(Query& query, const QueryPosition<Index>& position, std::uin
     return;
   }
   const auto sink = [](const TrianglePair<Index>&) { return true; };
-  Status status = query.run(most, sink);
-  status =
-      status == Status::suspended && query.counts().visits == most ? query.run(1, sink) : status;
-  require(status == Status::done && query.counts().visits <= most, "a resumed query does not end");
+  const Status status = query.run(most_work, sink);
+  require(status == Status::done && query.counts().visits <= most_visits,
+          "a resumed query does not end");
 }
 
 template <class Tree>
@@ -48,11 +49,9 @@ void fuzz(const KeptImage& image_a, const KeptImage& image_b, Input& input) {
   position.b = input.take<Index>();
   position.untested = input.take<std::uint32_t>();
   const Pose pose = any_pose(input);
-  const auto most =
-      static_cast<std::uint32_t>(a.node_count) * static_cast<std::uint32_t>(b.node_count);
   for_each_query(a, b, pose, [&](const char*, auto& query) {
     if constexpr (!kIsStack<typename std::decay_t<decltype(query)>::Cursor>) {
-      resume_and_end(query, position, most);
+      resume_and_end(query, position, most_visits_of_nodes(a, b), most_work_of_nodes(a, b));
     }
   });
 }

@@ -1,14 +1,14 @@
-// Leaves as shapes, and pairs of leaves in batches: they save visits and change nothing else. The
-// same query with boxes alone is what each answer is compared with.
+// Leaves as shapes: they save visits and change nothing else. The same query with boxes alone is
+// what each answer is compared with.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cstdlib>
 #include <initializer_list>
-#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "property/any_mesh.hpp"
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
@@ -22,33 +22,6 @@ using namespace flashbvh::test;
 namespace {
 
 using flashbvh::test::same;
-
-/// A query at its start, with the array that its stack needs.
-template <class Order, class Question = Intersection>
-struct Asked {
-  using Tree = typename Order::Tree;
-  std::vector<PairCursor<typename Tree::Index>> entries;
-  Query<Order, Question> query;
-
-  Asked(const Tree& a, const Tree& b, const Pose& pose)
-      : entries(stack_entries(a.stack_need, b.stack_need)),
-        query(a, b, pose,
-              at_roots<Order>(entries.data(), static_cast<std::uint32_t>(entries.size()))) {}
-};
-
-/// A mesh in both layouts.
-struct AnyMesh {
-  std::tuple<Baked<Layout::pre_indexed>, Baked<Layout::post_indexed>> baked;
-
-  AnyMesh(const bake::BuildTree& tree, const bake::LatticeMesh& mesh)
-      : baked(bake::lay_out<std::uint16_t, Layout::pre_indexed>(tree, mesh),
-              bake::lay_out<std::uint16_t, Layout::post_indexed>(tree, mesh)) {}
-
-  template <class Tree>
-  Tree view() const {
-    return std::get<static_cast<std::size_t>(Tree::kLayout)>(baked).view();
-  }
-};
 
 /// Of many queries.
 struct Totals {
@@ -89,20 +62,6 @@ void compare_all(const AnyMesh& a, const AnyMesh& b, const Pose& pose, Totals& t
       compare<Order>(tree_a, b.view<typename Order::Tree>(), pose, totals);
     }
   });
-}
-
-AnyMesh any_mesh(Random& random, const bake::LatticeMesh& mesh) {
-  return AnyMesh(any_tree(random, mesh), mesh);
-}
-
-Pose any_pose(Random& random, std::int32_t reach) {
-  const auto cells = [&] { return random.between(-reach, reach); };
-  if (random.below(2) == 0) {
-    return any_rigid_pose(random, reach);
-  }
-  const std::int32_t x = cells();
-  const std::int32_t y = cells();
-  return Pose::translated(x, y, cells());
 }
 
 /// Makes some triangles points, segments, or parts of one of two planes.
@@ -377,127 +336,4 @@ TEST_CASE("on the largest lattice, thin triangles that just touch are found") {
     compare_all(a, b, pose, totals);
   }
   CHECK(totals.pairs > 3000);
-}
-
-namespace {
-
-/// Meshes with leaves of one triangle and of several, many of which intersect.
-struct Scene {
-  AnyMesh a, b;
-  Pose pose;
-};
-
-Scene any_scene(Random& random) {
-  const auto mesh = [&] {
-    return any_mesh(random, random_mesh(random, 1 + random.below(16), 25, 25));
-  };
-  AnyMesh a = mesh();
-  AnyMesh b = mesh();
-  return {std::move(a), std::move(b), any_pose(random, 15)};
-}
-
-/// Stops at each pair once and goes on, in the same query and from its position in another one.
-template <class Order>
-std::uint32_t check_counts(const typename Order::Tree& a, const typename Order::Tree& b,
-                           const Pose& pose) {
-  Pairs pairs;
-  std::vector<Counts> counts;
-  Asked<Order> whole(a, b, pose);
-  auto& query = whole.query;
-  const Status status = query.run(kNoLimit, [&](const auto& pair) {
-    pairs.emplace_back(pair.a, pair.b);
-    counts.push_back(query.counts());
-    return true;
-  });
-  REQUIRE(status == Status::done);
-  for (std::size_t stop = 0; stop < pairs.size(); stop += 1 + stop / 8) {
-    CAPTURE(stop);
-    REQUIRE(counts[stop].triangle_pairs == stop + 1);
-    const Counts& before = counts[stop == 0 ? 0 : stop - 1];
-    REQUIRE((counts[stop].visits >= before.visits && counts[stop].overlaps >= before.overlaps &&
-             counts[stop].leaf_pairs >= before.leaf_pairs));
-    Asked<Order> cut(a, b, pose);
-    std::size_t found = 0;
-    REQUIRE(cut.query.run(kNoLimit, [&](const auto&) { return found++ != stop; }) == Status::full);
-    REQUIRE(same(cut.query.counts(), counts[stop]));
-    const Pairs rest(pairs.begin() + static_cast<std::ptrdiff_t>(stop) + 1, pairs.end());
-    if constexpr (Order::kStackless) {
-      Query<Order> resumed(a, b, pose);
-      (void)resumed.resume(cut.query.position());
-      REQUIRE(run_to_end(resumed, kNoLimit, 100) == rest);
-      REQUIRE(counts[stop].visits + resumed.counts().visits == query.counts().visits);
-      REQUIRE(counts[stop].overlaps + resumed.counts().overlaps == query.counts().overlaps);
-      REQUIRE(counts[stop].leaf_pairs + resumed.counts().leaf_pairs == query.counts().leaf_pairs);
-    }
-    REQUIRE(run_to_end(cut.query, kNoLimit, 100) == rest);
-    REQUIRE(same(cut.query.counts(), query.counts()));
-  }
-  return static_cast<std::uint32_t>(pairs.size());
-}
-
-}  // namespace
-
-TEST_CASE("counts inside a sink are those of a query that is stopped there") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 5);
-  std::uint32_t pairs = 0;
-  for (int round = 0; round < 40; ++round) {
-    CAPTURE(round);
-    const Scene scene = any_scene(random);
-    for_each_order<std::uint16_t>([&](auto named) {
-      using Order = typename decltype(named)::Order;
-      CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
-      using Tree = typename Order::Tree;
-      pairs += check_counts<Order>(scene.a.view<Tree>(), scene.b.view<Tree>(), scene.pose);
-    });
-  }
-  CHECK(pairs > 1000);
-}
-
-TEST_CASE("wherever a batch of leaf pairs is cut, pairs and counts stay the same") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 6);
-  for (int round = 0; round < 20; ++round) {
-    const Scene scene = any_scene(random);
-    for_each_stackless_order<std::uint16_t>([&](auto named) {
-      using Order = typename decltype(named)::Order;
-      const auto a = scene.a.view<typename Order::Tree>();
-      const auto b = scene.b.view<typename Order::Tree>();
-      Query<Order> whole(a, b, scene.pose);
-      const Pairs expected = run_to_end(whole, kNoLimit, 10000);
-      for (const std::uint32_t visits :
-           {std::uint32_t{1}, std::uint32_t{2}, std::uint32_t{3}, std::uint32_t{7}, kNoLimit}) {
-        for (std::uint32_t capacity = 1; capacity < 10; ++capacity) {
-          CAPTURE(round, named.name, static_cast<int>(Order::Tree::kLayout), visits, capacity);
-          Query<Order> cut(a, b, scene.pose);
-          REQUIRE(run_to_end(cut, visits, capacity) == expected);
-          REQUIRE(same(cut.counts(), whole.counts()));
-        }
-      }
-    });
-  }
-}
-
-TEST_CASE("counts stay right over more visits than one batch may take") {
-  Random random(test_seed() + 7);
-  // Triangles in no order: nearly all boxes but the leaves' overlap.
-  const auto mesh_a = random_mesh(random, 400, 3000, 40);
-  const auto mesh_b = random_mesh(random, 400, 3000, 40);
-  const AnyMesh any_a(random_tree(random, mesh_a, {2, 1, false}), mesh_a);
-  const AnyMesh any_b(random_tree(random, mesh_b, {2, 1, false}), mesh_b);
-  const auto a = any_a.view<PostMesh>();
-  const auto b = any_b.view<PostMesh>();
-  const Pose pose = Pose::translated(20, 30, 0);
-  PairQuery whole(a, b, pose);
-  const Pairs expected = run_to_end(whole, kNoLimit, 100);
-  for (const std::uint32_t visits : {9999u, 65535u, 65536u}) {
-    PairQuery cut(a, b, pose);
-    REQUIRE(run_to_end(cut, visits, 100) == expected);
-    REQUIRE(same(cut.counts(), whole.counts()));
-  }
-  CHECK(whole.counts().visits > 65536);
-  // Each pair that may matter, but those of leaves, has two below it.
-  CHECK(whole.counts().visits == 1 + 2 * (whole.counts().overlaps - whole.counts().leaf_pairs));
 }

@@ -109,11 +109,11 @@ TEST_CASE("however a query is cut into runs, it gives the same pairs in order") 
       const auto scene = any_scene<Order::Tree::kLayout>(random, 14, scale);
       AnyQuery<Order> whole(scene);
       const Pairs expected = run_to_end(whole.query, kNoLimit, 10000);
-      for (const std::uint32_t visits : {1u, 2u, 3u, 7u, 50u}) {
+      for (const std::uint32_t work : {1u, 2u, 3u, 7u, 50u}) {
         for (const std::uint32_t capacity : {1u, 2u, 5u}) {
-          CAPTURE(round, visits, capacity);
+          CAPTURE(round, work, capacity);
           AnyQuery<Order> cut(scene);
-          REQUIRE(run_to_end(cut.query, visits, capacity) == expected);
+          REQUIRE(run_to_end(cut.query, work, capacity) == expected);
           REQUIRE(same(cut.query.counts(), whole.query.counts()));
         }
       }

@@ -6,6 +6,7 @@
 #include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "small_tree/scene.hpp"
+#include "support/most_work.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -192,7 +193,7 @@ TEST_CASE("small trees: a query ends on whatever opens after a flipped bit, chec
     LevelledPostMesh tree;
     if (open_image(image.bytes(), image.size(), tree) == Status::done) {
       ++opened;
-      const uint32_t most = static_cast<uint32_t>(tree.node_count) * tree.node_count + 1;
+      const uint32_t most = most_work_of_nodes(tree, tree);
       PairQuery query(tree, tree, pose);
       REQUIRE(query.run(most, [](const Pair&) { return true; }) == Status::done);
     }

@@ -3,6 +3,7 @@
 #include <initializer_list>
 
 #include "small_tree/scene.hpp"
+#include "support/most_work.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -21,24 +22,47 @@ using Position = QueryPosition<uint16_t>;
 template <class Traversal>
 using Scene = SmallScene<Traversal::Tree::kLayout>;
 
-/// In runs of `visits` into an array of `capacity`, at most 4.
+/// Where a query stands, if it can tell.
+template <class Query>
+Position position_of(const Query& query) {
+  if constexpr (kIsStack<typename Query::Cursor>) {
+    return {};
+  } else {
+    return query.position();
+  }
+}
+
+/// Whether a query got on: it stands elsewhere, or has made visits, or does not tell.
+template <class Query>
+bool got_on(const Query& query, const Counts& before, const Position& was) {
+  const Position is = position_of(query);
+  return kIsStack<typename Query::Cursor> || query.counts().visits != before.visits ||
+         is.a != was.a || is.b != was.b || is.untested != was.untested || is.state != was.state;
+}
+
+/// In runs of `work` into an array of `capacity`, at most 4.
 template <class Traversal>
-Report cut(const SmallScene<Traversal::Tree::kLayout>& scene, uint32_t visits, uint32_t capacity,
+Report cut(const SmallScene<Traversal::Tree::kLayout>& scene, uint32_t work, uint32_t capacity,
            Counts& counts) {
   SmallQuery<Traversal> any(scene);
   Report report;
   Status status = Status::suspended;
   while (status != Status::done) {
     Pair found[4];
-    const uint32_t before = any.query.counts().visits;
-    const Step step = any.query.run(visits, found, capacity);
+    const Counts before = any.query.counts();
+    const Position was = position_of(any.query);
+    const Step step = any.query.run(work, found, capacity);
     for (uint32_t i = 0; i < step.count; ++i) {
       report.add(found[i]);
     }
     status = step.status;
     REQUIRE((status == Status::done || status == Status::suspended || status == Status::full));
     REQUIRE((status != Status::full || step.count == capacity));
-    REQUIRE(any.query.counts().visits - before <= visits);
+    const uint32_t visits = any.query.counts().visits - before.visits;
+    REQUIRE((work == kNoLimit ? step.work == 0 : step.work <= work && visits <= step.work));
+    // It stops neither before its work is done, nor for ever.
+    REQUIRE((status != Status::suspended || step.work == work));
+    REQUIRE((status != Status::suspended || got_on(any.query, before, was)));
   }
   counts = any.query.counts();
   return report;
@@ -57,11 +81,11 @@ TEST_CASE("small trees: however a query is cut into runs, it gives the same pair
       const Scene<Order> scene(random);
       Counts counts{};
       const Report whole = cut<Order>(scene, kNoLimit, 4, counts);
-      for (const uint32_t visits : {1u, 2u, 7u, 50u}) {
+      for (const uint32_t work : {1u, 2u, 7u, 31u, 33u, 100u, 500u}) {
         for (const uint32_t capacity : {1u, 3u}) {
-          CAPTURE(round, visits, capacity);
+          CAPTURE(round, work, capacity);
           Counts others{};
-          const bool equal = cut<Order>(scene, visits, capacity, others) == whole;
+          const bool equal = cut<Order>(scene, work, capacity, others) == whole;
           REQUIRE(equal);
           REQUIRE(same(counts, others));
         }
@@ -90,7 +114,7 @@ TEST_CASE("small trees: a query resumed in a new object after any run goes on") 
         status = any.query.resume(position);
         REQUIRE((status == Status::suspended || status == Status::done));
         Pair found[1];
-        const Step step = any.query.run(1 + random.below(3), found);
+        const Step step = any.query.run(1 + random.below(50), found);
         status = step.status;
         if (step.count != 0) {
           report.add(found[0]);
@@ -130,8 +154,7 @@ TEST_CASE("small trees: any numbers for a position are refused or lead to an end
         continue;
       }
       ++taken;
-      const uint32_t most =
-          static_cast<uint32_t>(scene.a.view().node_count) * scene.b.view().node_count + 1;
+      const uint32_t most = most_work_of_nodes(scene.a.view(), scene.b.view());
       REQUIRE(any.query.run(most, [](const Pair&) { return true; }) == Status::done);
     }
     CHECK(refused > 20 * kRounds);

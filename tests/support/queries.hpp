@@ -19,9 +19,9 @@ using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 constexpr std::uint32_t kNoLimit = 0xFFFFFFFFu;
 
-/// All pairs in the order reported, in runs of `visits` into an array of `capacity`.
+/// All pairs in the order reported, in runs of `work` into an array of `capacity`.
 template <class Query>
-Pairs run_to_end(Query& query, std::uint32_t visits, std::uint32_t capacity) {
+Pairs run_to_end(Query& query, std::uint32_t work, std::uint32_t capacity) {
   std::vector<typename Query::Pair> found(capacity);
   Pairs pairs;
   pairs.reserve(10000);
@@ -29,7 +29,7 @@ Pairs run_to_end(Query& query, std::uint32_t visits, std::uint32_t capacity) {
     Step step{};
     {
       const HeapForbidden guard;
-      step = query.run(visits, found.data(), capacity);
+      step = query.run(work, found.data(), capacity);
     }
     for (std::uint32_t i = 0; i < step.count; ++i) {
       pairs.emplace_back(found[i].a, found[i].b);

@@ -23,7 +23,7 @@ Walked walk_from(const typename Order::Tree& a, const typename Order::Tree& b, c
   detail::WalkRun<typename Order::Cursor, const LeafPair> run(cursor, leaf_pair, visits);
   const detail::State end = detail::walk<Order>(
       bound, shapes, run, after ? detail::State::at_leaf_pair : detail::State::at_pair);
-  Walked walked = {end, {visits - run.progress.visits_left, run.progress.overlaps, 0, 0}};
+  Walked walked = {end, {visits - run.progress.visits_down(), run.progress.overlaps, 0, 0}};
   return walked;
 }
 

@@ -1,49 +1,58 @@
-// The formulas of bound.hpp.
+// The formulas of flashbvh/bound.hpp.
 #include "flashbvh/bound.hpp"
 
 #include <catch2/catch.hpp>
+#include <initializer_list>
 
 using namespace flashbvh;
 
 namespace {
 
-constexpr RunCosts kCosts = {100, 30, 10, 200, 6, 4000, 0};
-constexpr TreePair kTrees = {20, 4, 9};
+constexpr RunCosts kCosts = {1000, 10, 6, 50, 200};
+constexpr TreeSize kA = {9, 4, 3, 100, 250};
+constexpr TreeSize kB = {11, 2, 1, 40, 40};
+constexpr TreeSize kOneLeaf = {0, 0, 1, 1, 1};
+
+// What lib/docs/bounded_time.md says.
+constexpr TreeSize kOfPage = {10, 4, 2, 600, 1100};
 
 }  // namespace
 
-TEST_CASE("the bound on visits is that of a tree of pairs") {
+TEST_CASE("bound: the most visits and the most work of a query") {
   STATIC_REQUIRE(most_visits(1, 1) == 1);
   STATIC_REQUIRE(most_visits(32768, 32768) == (uint64_t{1} << 31) - 1);
+  STATIC_REQUIRE(most_work(kOneLeaf, kOneLeaf) == 3 + 32);
+  // 7,999 visits, all after a walk that went on, 2,666 of them to leaves taken as shapes of three
+  // triangles, 10,000 pairs of triangles; and a walk again after each 65,535.
+  STATIC_REQUIRE(most_work(kA, kB) == 3 * 7999 + 2666 * 10 + 10000 * 32 + 5 * 32);
 }
 
-TEST_CASE("the bound on a run adds up its parts") {
-  // The pair of leaves left by a full array is tested even by a run of no visits.
-  STATIC_REQUIRE(most_instructions(kCosts, kTrees, {0, 0}) == 100 + 24 + 200 + 36000);
-  STATIC_REQUIRE(most_instructions(kCosts, kTrees, {10, 0}) == 36324 + 10 * 40);
-  STATIC_REQUIRE(most_instructions(kCosts, kTrees, {10, 3}) ==
-                 36324 + 10 * 30 + 7 * 10 + 3 * (224 + 36000));
+TEST_CASE("bound: instructions are a start, a step that a run may overdraw by, and its work") {
+  STATIC_REQUIRE(largest_step(kA, kB) == 32);
+  STATIC_REQUIRE(largest_step(kB, {0, 0, 40, 1, 40}) == 48);
+  STATIC_REQUIRE(instructions_of_start(kCosts, kA, kB) == 1000 + 20 * 10 + 4 * 6 + 2 * 50);
+  STATIC_REQUIRE(instructions_of_work(kCosts, kA, kB) == 201);
+  STATIC_REQUIRE(most_instructions(kCosts, kA, kB, 0) == 1324 + 31 * 201);
+  STATIC_REQUIRE(most_instructions(kCosts, kA, kB, 100) == 1324 + 131 * 201);
+  STATIC_REQUIRE(most_instructions(kCosts, kOneLeaf, kOneLeaf, 1) == 1000 + 32 * 200);
+  STATIC_REQUIRE(most_instructions(kCosts, kA, kB, UINT32_MAX) ==
+                 1324 + (uint64_t{UINT32_MAX} + 31) * 201);
 }
 
-TEST_CASE("as many visits as fit, and no more") {
-  constexpr uint64_t kGranted[] = {36324, 40000, 100000, 72577, 72578, 1000000000};
-  for (const uint64_t instructions : kGranted) {
-    const uint32_t visits = visits_within(instructions, kCosts, kTrees);
-    CAPTURE(instructions, visits);
-    REQUIRE(most_instructions(kCosts, kTrees, {visits, visits}) <= instructions);
-    REQUIRE(most_instructions(kCosts, kTrees, {visits, 0}) <= instructions);
-    REQUIRE(most_instructions(kCosts, kTrees, {visits + 1, visits + 1}) > instructions);
+TEST_CASE("bound: the work within a number of instructions is the most that they are enough for") {
+  for (const uint64_t instructions : {7555u, 7556u, 7755u, 7756u, 100000u, 12345678u}) {
+    CAPTURE(instructions);
+    const uint32_t work = work_within(instructions, kCosts, kA, kB);
+    REQUIRE(most_instructions(kCosts, kA, kB, work) <= instructions);
+    REQUIRE(most_instructions(kCosts, kA, kB, work + 1) > instructions);
   }
-  REQUIRE(visits_within(36323, kCosts, kTrees) == 0);
-  REQUIRE(visits_within(UINT64_MAX, kCosts, kTrees) == UINT32_MAX);
+  STATIC_REQUIRE(work_within(7554, kCosts, kA, kB) == 0);
+  STATIC_REQUIRE(work_within(UINT64_MAX, kCosts, kA, kB) == UINT32_MAX);
 }
 
-TEST_CASE("the worked example of lib/docs/bounded_time.md") {
-  constexpr RunCosts translated = {2001, 1118, 30, 1861, 12, 4363, 102};  // Cortex-M4F
-  constexpr RunCosts general = {2001, 1118, 30, 1861, 12, 1453, 102};
-  constexpr TreePair trees = {20, 6, 1};
-  STATIC_REQUIRE(most_instructions(translated, trees, {1, 1}) == 14450);
-  STATIC_REQUIRE(visits_within(56000, translated, trees) == 6);
-  STATIC_REQUIRE(visits_within(56000, general, trees) == 11);
-  STATIC_REQUIRE(most_instructions(translated, trees, {42, 0}) == 55252);
+TEST_CASE("bound: the constants of the cores, and what the page makes of one") {
+  STATIC_REQUIRE(kCortexM4F.work < kCortexM0.work);
+  const uint32_t work = work_within(56000, kCortexM4F, kOfPage, kOfPage);
+  CHECK(work > 200);
+  CHECK(work < 300);
 }

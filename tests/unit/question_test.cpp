@@ -107,9 +107,9 @@ void check(const Baked& baked_a, const Baked& baked_b, const Pose& pose, std::in
   const auto a = baked_a.view();
   const auto b = baked_b.view();
   const Pairs truth = brute_force(a, b, pose, distance);
-  for (const std::uint32_t visits : {std::uint32_t{1}, std::uint32_t{7}, kNoLimit}) {
+  for (const std::uint32_t work : {std::uint32_t{1}, std::uint32_t{7}, kNoLimit}) {
     Query<Order, WithinBoxDistance> query(a, b, pose, {}, {distance});
-    Pairs pairs = run_to_end(query, visits, 5);
+    Pairs pairs = run_to_end(query, work, 5);
     std::sort(pairs.begin(), pairs.end());
     REQUIRE(pairs == truth);
   }

@@ -1,5 +1,6 @@
 // flashbvh collide: the firmware's query, on the desktop.
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -93,32 +94,82 @@ void append_pairs(std::string& text, std::size_t pose, std::vector<FoundPair> pa
   }
 }
 
-/// What no pose can exceed, and what a run's bound is made of (lib/docs/bounded_time.md).
-void print_bound(const ImageFile& a, const ImageFile& b, const std::string& algorithm, bool json) {
+/// The work that queries at the given poses needed.
+struct Needed {
+  std::uint64_t most = 0;
+  std::uint64_t percentile_99 = 0;  ///< 99 of 100 needed no more
+  double mean = 0;
+};
+
+Needed needed(std::vector<std::uint64_t> work) {
+  std::sort(work.begin(), work.end());
+  double sum = 0;
+  for (const std::uint64_t each : work) {
+    sum += static_cast<double>(each);
+  }
+  return {work.back(), work[(work.size() * 99 + 99) / 100 - 1],
+          sum / static_cast<double>(work.size())};
+}
+
+/// What no pose can exceed, what a run's bound is made of (lib/docs/bounded_time.md), and what the
+/// given poses needed, if any.
+void print_bound(const ImageFile& a, const ImageFile& b, const CollideArguments& arguments,
+                 const std::string& algorithm, const std::vector<std::uint64_t>& work) {
   const VisitBound bound = visit_bound(a.tree(), b.tree(), algorithm);
   const std::uint32_t depths = a.header().depth + b.header().depth;
   const auto later = [](const ImageHeader& header) {
     return header.arity == 0 ? 0u : header.arity - 1u;
   };
   const std::uint32_t siblings = later(a.header()) + later(b.header());
-  const std::uint32_t at_leaf_pair = std::uint32_t{a.header().leaf_size} * b.header().leaf_size;
-  if (json) {
-    const nlohmann::ordered_json line = {{"algorithm", algorithm},
-                                         {"most_visits", bound.visits},
-                                         {"most_leaf_pairs", bound.leaf_pairs},
-                                         {"most_triangle_pairs", bound.triangle_pairs},
-                                         {"depths", depths},
-                                         {"later_siblings", siblings},
-                                         {"triangle_pairs_of_leaves", at_leaf_pair}};
+  const std::uint32_t leaf_size = std::max(a.header().leaf_size, b.header().leaf_size);
+  const Needed poses = work.empty() ? Needed() : needed(work);
+  if (arguments.json) {
+    nlohmann::ordered_json line = {{"algorithm", algorithm},
+                                   {"most_work", bound.work},
+                                   {"most_visits", bound.visits},
+                                   {"most_leaf_pairs", bound.leaf_pairs},
+                                   {"most_triangle_pairs", bound.triangle_pairs},
+                                   {"depths", depths},
+                                   {"later_siblings", siblings},
+                                   {"leaf_size", leaf_size}};
+    if (!work.empty()) {
+      line.update({{"poses", work.size()},
+                   {"poses_most_work", poses.most},
+                   {"poses_99_percent_work", poses.percentile_99},
+                   {"poses_mean_work", std::llround(poses.mean)}});
+    }
     std::cout << line.dump() << "\n";
     return;
   }
-  std::cout << a.name() << " and " << b.name() << ", " << algorithm << ", any pose\n"
-            << "at most " << bound.visits << " visits, of which " << bound.leaf_pairs
-            << " pairs of leaves, where " << bound.triangle_pairs
-            << " pairs of triangles are tested\n"
-            << "depths " << depths << ", later siblings " << siblings
-            << ", pairs of triangles a pair of leaves " << at_leaf_pair << "\n";
+  std::cout << a.name() << " and " << b.name() << ", " << algorithm << "\n"
+            << "any pose: at most " << bound.work << " work: " << bound.visits
+            << " visits, of which " << bound.leaf_pairs << " pairs of leaves, where "
+            << bound.triangle_pairs << " pairs of triangles are tested\n";
+  if (!work.empty()) {
+    std::cout << work.size() << (work.size() == 1 ? " pose: at most " : " poses: at most ")
+              << poses.most << " work, 99 % of them at most " << poses.percentile_99
+              << ", the mean " << std::llround(poses.mean) << "\n";
+  }
+  std::cout << "depths " << depths << ", later siblings " << siblings
+            << ", triangles a leaf at most " << leaf_size << "\n";
+}
+
+/// All poses' answers, in their order.
+std::vector<Answer> answers(const CollideArguments& arguments, const ImageFile& a,
+                            const ImageFile& b, const std::string& algorithm) {
+  std::vector<Answer> found;
+  for (const Pose& pose : lattice_poses(arguments.poses, a.cell())) {
+    found.push_back(collide(a.tree(), b.tree(), pose, algorithm, arguments.first));
+    Answer& answer = found.back();
+    if (answer.status != Status::done) {
+      throw UserError(arguments.poses, "pose ", found.size() - 1, " can't be answered: status ",
+                      static_cast<int>(answer.status));
+    }
+    if (arguments.pairs.empty()) {
+      answer.pairs = {};  // there may be many
+    }
+  }
+  return found;
 }
 
 void collide_all(const CollideArguments& arguments) {
@@ -126,36 +177,33 @@ void collide_all(const CollideArguments& arguments) {
   const ImageFile b(arguments.b);
   check_partners(a, b);
   const std::string algorithm = chosen_algorithm(arguments, a);
+  std::vector<Answer> found;
+  if (!arguments.poses.empty()) {
+    found = answers(arguments, a, b, algorithm);
+  }
   if (arguments.bound) {
-    print_bound(a, b, algorithm, arguments.json);
+    std::vector<std::uint64_t> work(found.size());
+    std::transform(found.begin(), found.end(), work.begin(),
+                   [](const Answer& answer) { return answer.work; });
+    print_bound(a, b, arguments, algorithm, work);
     return;
   }
-  const std::vector<Pose> poses = lattice_poses(arguments.poses, a.cell());
-  std::string pairs;
-  std::vector<WideCounts> counts;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Answer answer = collide(a.tree(), b.tree(), poses[i], algorithm, arguments.first);
-    if (answer.status != Status::done) {
-      throw UserError(arguments.poses, "pose ", i, " can't be answered: status ",
-                      static_cast<int>(answer.status));
-    }
-    counts.push_back(answer.counts);
-    if (!arguments.pairs.empty()) {
-      append_pairs(pairs, i, answer.pairs);
-    }
-  }
   if (!arguments.pairs.empty()) {
+    std::string pairs;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      append_pairs(pairs, i, found[i].pairs);
+    }
     write_file(arguments.pairs, std::move(pairs));
   }
   if (!arguments.json) {
     std::cout << a.name() << " and " << b.name() << ", " << algorithm << "\n"
               << "  pose        visits      overlaps    leaf pairs  triangle pairs\n";
   }
-  for (std::size_t i = 0; i < poses.size(); ++i) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
     if (arguments.json) {
-      print_json(i, algorithm, counts[i]);
+      print_json(i, algorithm, found[i].counts);
     } else {
-      print_table_row(i, counts[i]);
+      print_table_row(i, found[i].counts);
     }
   }
 }
@@ -170,12 +218,11 @@ void add_collide(CLI::App& app) {
       "Find the triangles of A that intersect triangles of B, by the firmware's own code.");
   command->add_option("A", a.a, "Image (.fbvh) that stays in place")->required();
   command->add_option("B", a.b, "Image (.fbvh) that the poses rotate and translate")->required();
-  CLI::Option* const poses =
-      command
-          ->add_option("--poses", a.poses,
-                       "A pose a line, B into A's frame: the rotation row by row, then the "
-                       "translation in the mesh's unit; 12 numbers")
-          ->type_name("FILE");
+  command
+      ->add_option("--poses", a.poses,
+                   "A pose a line, B into A's frame: the rotation row by row, then the translation "
+                   "in the mesh's unit; 12 numbers")
+      ->type_name("FILE");
   command
       ->add_option("--algorithm", a.algorithm,
                    "Traversal; default: ranked, or stackless on pre-indexed images")
@@ -186,8 +233,10 @@ void add_collide(CLI::App& app) {
       command->add_option("--pairs", a.pairs, "Write `pose a b` for each pair, sorted")
           ->type_name("OUT");
   command->add_flag("--json", a.json, "One JSON object a pose");
-  command->add_flag("--bound", a.bound, "Print what no pose can exceed, instead")
-      ->excludes(poses, first, pairs);
+  command
+      ->add_flag("--bound", a.bound,
+                 "Print the work that no pose exceeds, instead, and what the given poses needed")
+      ->excludes(first, pairs);
   command->callback([arguments] {
     if (!arguments->bound && arguments->poses.empty()) {
       throw CLI::RequiredError("--poses or --bound");

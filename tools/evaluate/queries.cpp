@@ -8,7 +8,7 @@ namespace flashbvh::tool {
 namespace {
 
 /// Few enough that no count of one run wraps.
-constexpr std::uint32_t kVisitsPerRun = 1u << 24;
+constexpr std::uint32_t kWorkPerRun = 1u << 30;
 
 void add(WideCounts& sum, const Counts& now, const Counts& before) {
   sum.visits += now.visits - before.visits;
@@ -26,10 +26,12 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
   answer.status = query.status();
   while (answer.status == Status::suspended) {
     const Counts before = query.counts();
-    answer.status = query.run(kVisitsPerRun, [&](const typename Query<Traversal>::Pair& pair) {
+    std::uint32_t work = kWorkPerRun;
+    answer.status = query.spend(work, [&](const typename Query<Traversal>::Pair& pair) {
       answer.pairs.push_back({pair.a, pair.b});
       return !first;
     });
+    answer.work += kWorkPerRun - work;
     add(answer.counts, query.counts(), before);
   }
   if (answer.status == Status::full) {

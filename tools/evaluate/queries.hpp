@@ -35,6 +35,7 @@ struct WideCounts {
 struct Answer {
   Status status = Status::done;  ///< `done` or an error
   WideCounts counts;
+  std::uint64_t work = 0;
   std::vector<FoundPair> pairs;  ///< in the order in which the query reports them
 };
 

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <array>
 
+#include "flashbvh/bound.hpp"
+
 namespace flashbvh::tool {
 namespace {
 
@@ -96,12 +98,28 @@ std::uint64_t visits_of_any(const Tree& a, const Tree& b) {
   return std::min(pairs, 2 * std::uint64_t{a.leaf_count} * b.leaf_count - 1);
 }
 
+/// As far as work depends on it.
+template <class Tree>
+TreeSize size_of(const Tree& tree) {
+  std::uint32_t leaf_size = 1;
+  for (std::uint32_t leaf = 0; leaf < tree.leaf_count; ++leaf) {
+    leaf_size = std::max(leaf_size, tree.triangles_in(leaf));
+  }
+  return {0, 0, leaf_size, tree.leaf_count, tree.triangle_count};
+}
+
 template <class Tree>
 VisitBound bound_of(const Tree& a, const Tree& b, const std::string& algorithm) {
   const bool ranked = algorithm == "ranked" || algorithm == "ranked-stack";
-  return {ranked ? ranked_visits(a, b) : visits_of_any(a, b),
-          std::uint64_t{a.leaf_count} * b.leaf_count,
-          std::uint64_t{a.triangle_count} * b.triangle_count};
+  const std::uint64_t visits = ranked ? ranked_visits(a, b) : visits_of_any(a, b);
+  // Each takes a visit, and has as many below it as a node has children at least; but `leaf` begins
+  // with one for each leaf of A.
+  const std::uint64_t shapes = algorithm == "leaf"                          ? a.leaf_count
+                               : has_single_child(a) || has_single_child(b) ? visits / 2
+                                                                            : visits / 3;
+  return {visits, std::uint64_t{a.leaf_count} * b.leaf_count,
+          std::uint64_t{a.triangle_count} * b.triangle_count,
+          most_work(size_of(a), size_of(b), visits, shapes)};
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The most that a query on two trees can visit, whatever the pose: what it visits if all boxes
-// overlap.
+// The most that a query on two trees can visit, and the most work that it can take, whatever the
+// pose: if all boxes overlap.
 #ifndef FLASHBVH_TOOLS_EVALUATE_VISIT_BOUND_HPP
 #define FLASHBVH_TOOLS_EVALUATE_VISIT_BOUND_HPP
 
@@ -14,6 +14,7 @@ struct VisitBound {
   std::uint64_t visits = 0;
   std::uint64_t leaf_pairs = 0;      ///< of the visits
   std::uint64_t triangle_pairs = 0;  ///< that are tested at these
+  std::uint64_t work = 0;
 };
 
 /// Attained where all boxes overlap: exact for `ranked` and `ranked-stack`; for the others, which

@@ -102,9 +102,12 @@ std::string constants(const bake::BakedTree<Index, layout>& baked, const std::st
          constant("kVertexCount", baked.vertices.size(), "on the lattice, joined") +
          constant("kFlashBytes", flash_bytes(baked), "what `mesh` links, on a 32-bit core") +
          constant("kLevelBytes", levels, "what `levelled_mesh` adds to that") +
-         "constexpr double kCell = " + floating_literal(baked.cell) + ";  ///< in " +
-         (unit.empty() ? "the mesh's unit" : unit) + "\n" +
-         "constexpr float kCellsPerUnit = " + float_literal(1 / baked.cell) +
+         "/// For flashbvh/bound.hpp.\n"
+         "constexpr flashbvh::TreeSize kTreeSize = {kDepth, kArity, kLeafSize, kLeafCount, "
+         "kTriangleCount};\n"
+         "constexpr double kCell = " +
+         floating_literal(baked.cell) + ";  ///< in " + (unit.empty() ? "the mesh's unit" : unit) +
+         "\n" + "constexpr float kCellsPerUnit = " + float_literal(1 / baked.cell) +
          ";  ///< for flashbvh/pose_float.hpp\n";
 }
 

@@ -1,13 +1,35 @@
-// What queries can cost at worst, for static_assert: the formulas of lib/docs/bounded_time.md.
+// What queries can cost at worst, for static_assert: lib/docs/bounded_time.md has the proof.
 //
-//     static_assert(flashbvh::most_visits(arm::kLeafCount, cell::kLeafCount) < 1000000);
-//     static_assert(flashbvh::most_instructions(kMyCore, kMyTrees, {100, 20}) < 100000);
+//     constexpr uint32_t kWork =
+//         flashbvh::work_within(56000, flashbvh::kCortexM4F, arm::kTreeSize, cell::kTreeSize);
+//     step = query.run(kWork, found);  // 56,000 instructions at most
 #ifndef FLASHBVH_BOUND_HPP
 #define FLASHBVH_BOUND_HPP
 
 #include <stdint.h>
 
+#include "flashbvh/detail/run_costs.hpp"
+#include "flashbvh/detail/work.hpp"
+#include "flashbvh/mesh.hpp"
+
 namespace flashbvh {
+
+namespace detail {
+
+constexpr uint64_t greater_of(uint64_t u, uint64_t v) {
+  return u < v ? v : u;
+}
+
+constexpr uint64_t most_leaf_triangles(const TreeSize& a, const TreeSize& b) {
+  return greater_of(a.leaf_size, b.leaf_size);
+}
+
+/// Siblings after a node, in both trees.
+constexpr uint64_t later_siblings(const TreeSize& a, const TreeSize& b) {
+  return greater_of(a.arity, 1) + greater_of(b.arity, 1) - 2;
+}
+
+}  // namespace detail
 
 /// The most visits of a whole query by any traversal, at any pose, on two meshes with so many
 /// leaves, whose nodes have two children or more each, as `flashbvh bake` makes them. For two
@@ -16,57 +38,58 @@ constexpr uint64_t most_visits(uint32_t leaves_a, uint32_t leaves_b) {
   return 2 * static_cast<uint64_t>(leaves_a) * leaves_b - 1;
 }
 
-/// Instructions that each part of a run can take at most on some core, with some compiler; what
-/// `ctest -R "bound:" -V` prints as `bound NAME`.
-struct RunCosts {
-  uint32_t run;            ///< once
-  uint32_t visit;          ///< each visit
-  uint32_t ascent;         ///< each ascent to a parent
-  uint32_t leaf_pair;      ///< beside its visit, each pair of leaves whose boxes overlap
-  uint32_t later_sibling;  ///< each sibling after the node where a walk goes on
-  uint32_t triangle_pair;  ///< each pair of triangles transformed and tested
-  uint32_t leaf_triangle;  ///< each visit, for each triangle that its leaf has beside the first
-};
-
-/// What of two meshes has a part in a run's cost: constants of their baked headers.
-struct TreePair {
-  uint32_t depths;               ///< kDepth of A and of B added
-  uint32_t later_siblings;       ///< kArity - 1 of A and of B added, 0 for a root that is a leaf
-  uint32_t triangle_pairs;       ///< kLeafSize of A times that of B
-  uint32_t other_triangles = 0;  ///< the larger kLeafSize, less 1
-};
-
-struct RunLimits {
-  uint32_t visits;      ///< the run's argument
-  uint32_t leaf_pairs;  ///< visits to pairs of leaves that overlap: `visits` if unknown
-};
-
-/// The most instructions of PairQuery::run(limits.visits, found), from `run` called to returned.
-constexpr uint64_t most_instructions(const RunCosts& costs, const TreePair& trees,
-                                     const RunLimits& limits) {
-  const uint64_t walk = static_cast<uint64_t>(trees.later_siblings) * costs.later_sibling;
-  // An array that was full leaves the triangles of one more pair of leaves.
-  const uint64_t tested = (uint64_t{1} + limits.leaf_pairs) * trees.triangle_pairs;
-  return costs.run + walk + static_cast<uint64_t>(trees.depths) * costs.ascent +
-         static_cast<uint64_t>(limits.visits) *
-             (costs.visit + uint64_t{costs.leaf_triangle} * trees.other_triangles) +
-         static_cast<uint64_t>(limits.visits - limits.leaf_pairs) * costs.ascent +
-         limits.leaf_pairs * (costs.leaf_pair + walk) + tested * costs.triangle_pair;
+/// The most work of a whole query in one run, of so many visits, and so many leaves taken as
+/// shapes: where all boxes overlap, and all pairs of triangles are tested.
+constexpr uint64_t most_work(const TreeSize& a, const TreeSize& b, uint64_t visits,
+                             uint64_t shapes) {
+  const uint64_t shape = detail::kShapeWork - 1 + detail::most_leaf_triangles(a, b);
+  const uint64_t work = (1 + detail::kGoOnWork) * visits + shapes * shape +
+                        uint64_t{detail::kTrianglePairWork} * a.triangle_count * b.triangle_count;
+  return work + work / UINT16_MAX * detail::kTrianglePairWork;
+}
+/// By any traversal but `leaf`: a leaf is taken with one visit, and two or more are below it.
+constexpr uint64_t most_work(const TreeSize& a, const TreeSize& b) {
+  const uint64_t visits = most_visits(a.leaf_count, b.leaf_count);
+  return most_work(a, b, visits, visits / 3);
 }
 
-/// The most visits N for which run(N, found) stays within so many instructions, whatever it comes
-/// to; 0 if none does.
-constexpr uint32_t visits_within(uint64_t instructions, const RunCosts& costs,
-                                 const TreePair& trees) {
-  const uint64_t none = most_instructions(costs, trees, {0, 0});
-  const uint64_t all_leaves = most_instructions(costs, trees, {1, 1}) - none;
-  const uint64_t no_leaves = most_instructions(costs, trees, {1, 0}) - none;
-  const uint64_t each = all_leaves > no_leaves ? all_leaves : no_leaves;
-  if (instructions < none || each == 0) {
-    return 0;
-  }
-  const uint64_t visits = (instructions - none) / each;
-  return visits < UINT32_MAX ? static_cast<uint32_t>(visits) : UINT32_MAX;
+/// The most work of one step: a run may overdraw by it, less 1.
+constexpr uint64_t largest_step(const TreeSize& a, const TreeSize& b) {
+  return detail::greater_of(detail::kTrianglePairWork,
+                            detail::kShapeWork + detail::most_leaf_triangles(a, b));
+}
+
+/// The most instructions that a unit of work takes.
+constexpr uint64_t instructions_of_work(const RunCosts& costs, const TreeSize& a,
+                                        const TreeSize& b) {
+  // A walk begins anew for each pair of triangles at worst.
+  const uint64_t siblings = detail::later_siblings(a, b) * costs.later_sibling;
+  return costs.work + (siblings + detail::kTrianglePairWork - 1) / detail::kTrianglePairWork;
+}
+
+/// The most instructions that a run takes beside its work.
+constexpr uint64_t instructions_of_start(const RunCosts& costs, const TreeSize& a,
+                                         const TreeSize& b) {
+  return costs.start + (uint64_t{a.depth} + b.depth) * costs.ascent +
+         detail::later_siblings(a, b) * costs.later_sibling +
+         (detail::most_leaf_triangles(a, b) - 1) * costs.leaf_triangle;
+}
+
+/// The most instructions of PairQuery::run(work, found), from `run` called to returned, whatever
+/// the meshes, the pose, and where the query stands.
+constexpr uint64_t most_instructions(const RunCosts& costs, const TreeSize& a, const TreeSize& b,
+                                     uint32_t work) {
+  return instructions_of_start(costs, a, b) +
+         (work + largest_step(a, b) - 1) * instructions_of_work(costs, a, b);
+}
+
+/// The most work for which run(work, found) stays within so many instructions; 0 if none does.
+constexpr uint32_t work_within(uint64_t instructions, const RunCosts& costs, const TreeSize& a,
+                               const TreeSize& b) {
+  const uint64_t none = most_instructions(costs, a, b, 0);
+  const uint64_t work =
+      instructions < none ? 0 : (instructions - none) / instructions_of_work(costs, a, b);
+  return work < UINT32_MAX ? static_cast<uint32_t>(work) : UINT32_MAX;
 }
 
 }  // namespace flashbvh

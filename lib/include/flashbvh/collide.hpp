@@ -34,9 +34,9 @@ Answer first_pair(const Mesh<Index, Layout::post_indexed>& a,
                   const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
                   TrianglePair<Index>& found) {
   DefaultQuery<Index> query(a, b, pose);
-  const Step step = query.run(UINT32_MAX, &found, 1);
-  const bool yes = step.status == Status::full;
-  return {yes ? Status::done : step.status, step.status != Status::done};
+  const Status status = query.run(UINT32_MAX, &found, 1).status;
+  const bool yes = status == Status::full;
+  return {yes ? Status::done : status, status != Status::done};
 }
 
 /// Whether any two triangles intersect; ends at the first pair that does.
@@ -71,11 +71,12 @@ PairCount count_pairs(const Mesh<Index, Layout::post_indexed>& a,
 
 /// The first `capacity` pairs that intersect. `done`: these are all; `full`: there may be more.
 template <class Index>
-Step find_pairs(const Mesh<Index, Layout::post_indexed>& a,
-                const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
-                TrianglePair<Index>* found, uint32_t capacity) {
+PairCount find_pairs(const Mesh<Index, Layout::post_indexed>& a,
+                     const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
+                     TrianglePair<Index>* found, uint32_t capacity) {
   DefaultQuery<Index> query(a, b, pose);
-  return query.run(UINT32_MAX, found, capacity);
+  const Step step = query.run(UINT32_MAX, found, capacity);
+  return {step.status, step.count};
 }
 
 }  // namespace flashbvh

@@ -178,14 +178,17 @@ flashbvh_status flashbvh_query_start(flashbvh_query* query, const flashbvh_mesh*
 FLASHBVH_NODISCARD flashbvh_status flashbvh_query_status(const flashbvh_query* query);
 
 /**
- * Makes at most `visits` visits and writes at most `capacity` pairs to `pairs`, their number to
- * `count`: 0 after an error. A query gives the same pairs in the same order, however it is cut into
- * runs.
+ * Does at most `work` and writes at most `capacity` pairs to `pairs`, their number to `count`: 0
+ * after an error. A query gives the same pairs in the same order, however it is cut into runs.
  *
- * DONE: there are no more. SUSPENDED: the visits granted are made. FULL: `pairs` is. After these
- * two the next run goes on where this one ended.
+ * Work: a visit to a pair of boxes is 1, a leaf taken as a shape 8, two triangles tested 32; see
+ * bound.hpp for the time that it takes. With work of 1 or more a run always gets on: the step that
+ * it can't quite pay for is done, and is the last. UINT32_MAX: all there is to do.
+ *
+ * DONE: there are no more. SUSPENDED: the work is done. FULL: `pairs` is. After these two the next
+ * run goes on where this one ended.
  */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_query_run(flashbvh_query* query, uint32_t visits,
+FLASHBVH_NODISCARD flashbvh_status flashbvh_query_run(flashbvh_query* query, uint32_t work,
                                                       flashbvh_pair* pairs, uint32_t capacity,
                                                       uint32_t* count);
 

@@ -2,6 +2,7 @@
 #ifndef FLASHBVH_FLASHBVH_HPP
 #define FLASHBVH_FLASHBVH_HPP
 
+#include "flashbvh/bound.hpp"
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/image.hpp"

@@ -81,6 +81,15 @@ struct Tree {
   }
 };
 
+/// How large a baked mesh's tree is: what bounds are made of (bound.hpp). Baked as kTreeSize.
+struct TreeSize {
+  uint32_t depth;      ///< of the deepest leaf; 0 for a root that is a leaf
+  uint32_t arity;      ///< most children of a node
+  uint32_t leaf_size;  ///< most triangles in a leaf
+  uint32_t leaf_count;
+  uint32_t triangle_count;
+};
+
 /// A baked mesh: its tree and its triangles, a view of arrays that outlive it. 56 bytes with 16-bit
 /// indices on a 32-bit core.
 template <class IndexType, Layout layout>
@@ -101,6 +110,9 @@ struct Mesh : Tree<IndexType, layout> {
   }
   uint32_t end_triangle(uint32_t leaf) const {
     return leaf_offsets == nullptr ? leaf + 1 : leaf_offsets[leaf + 1];
+  }
+  uint32_t triangles_in(uint32_t leaf) const {
+    return leaf_offsets == nullptr ? 1 : uint32_t{leaf_offsets[leaf + 1]} - leaf_offsets[leaf];
   }
 };
 

@@ -1,7 +1,11 @@
 // A collision query between two baked meshes: which triangles of A intersect which triangles of B.
 //
-// The query object is all the memory there is. It may be stopped after any number of visits and
-// gives the same pairs in the same order however it is cut into runs.
+// The query object is all the memory there is. It may be stopped after any amount of work and gives
+// the same pairs in the same order however it is cut into runs.
+//
+// Work: a visit to a pair of boxes is 1; a leaf taken as a shape 8 with its visits to come, and 1
+// for each triangle beside its first; two triangles tested against each other 32. What of it a run
+// may take bounds its time (bound.hpp, lib/docs/bounded_time.md).
 //
 // A query writes nothing but itself and the caller's array, so any number of queries, in tasks and
 // in interrupts, may share meshes and poses. One query is one caller's at a time: what interrupts a
@@ -21,34 +25,9 @@
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
 #include "flashbvh/status.hpp"
+#include "flashbvh/step.hpp"
 
 namespace flashbvh {
-
-/// Two triangles that intersect, by their ids: their numbers in the source meshes.
-template <class Index>
-struct TrianglePair {
-  Index a;
-  Index b;
-};
-
-/// What a run gave.
-struct [[nodiscard]] Step {
-  Status status;
-  uint32_t count;  ///< entries written to the caller's array
-};
-
-/// Where a stackless query stands, between runs: all there is to keep beside what the query was
-/// made of, its meshes and its pose. May be stored for any time, as bytes too: 12 of them with
-/// 16-bit indices.
-template <class IndexType>
-struct QueryPosition {
-  using State = detail::State;
-
-  IndexType a = 0;
-  IndexType b = 0;
-  uint32_t untested = 0;  ///< pairs of triangles that the pair of leaves still has
-  State state = State::fresh;
-};
 
 /// `Order`: Ranked<PostMesh> or any other of paper/. The meshes and the pose outlive the query.
 /// 128 bytes on a 32-bit core with 16-bit indices.
@@ -96,28 +75,31 @@ class Query : Question {
   /// What was done so far, inside a sink too.
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
-  /// Makes at most `visits` visits and writes at most `capacity` pairs to `found`.
-  /// Returns `done`; `suspended` after the last visit granted; `full` as soon as the array is; or
-  /// an error. After `suspended` and `full` the next run goes on where this one ended.
+  /// Does at most `work`, and writes at most `capacity` pairs to `found`.
+  /// Returns `done`; `suspended` when the work is done; `full` as soon as the array is; or an
+  /// error. After `suspended` and `full` the next run goes on where this one ended. With work of 1
+  /// or more it always gets on: the step that it can't quite pay for is done, and is the last.
+  /// UINT32_MAX: all there is to do.
   ///
   /// Stack on Cortex-M3 to M55 at -O2: 544 bytes. Instructions: bound.hpp.
-  FLASHBVH_INLINE Step run(uint32_t visits, Pair* found, uint32_t capacity) {
+  FLASHBVH_INLINE Step run(uint32_t work, Pair* found, uint32_t capacity) {
     uint32_t count = 0;
     if (capacity == 0 && status() == Status::suspended) {
-      return {Status::full, 0};
+      return {Status::full, 0, 0};
     }
     const auto sink = [&](const Pair& pair) {
       found[count++] = pair;
       return count < capacity;
     };
-    const Status status = run_with(visits, sink, [&] { return capacity - count; });
-    return {status, count};
+    uint32_t left = work;
+    const Status status = run_with(left, sink, [&] { return capacity - count; });
+    return {status, count, work - left};
   }
 
   /// The same into an array of known length.
   template <uint32_t capacity>
-  FLASHBVH_INLINE Step run(uint32_t visits, Pair (&found)[capacity]) {
-    return run(visits, found, capacity);
+  FLASHBVH_INLINE Step run(uint32_t work, Pair (&found)[capacity]) {
+    return run(work, found, capacity);
   }
 
   /// Hands each pair to `sink(pair)`; if that returns false, the run ends with `full` after it.
@@ -126,8 +108,14 @@ class Query : Question {
   /// tested, so that its stack and that of the triangle test are never needed at once. Of those
   /// that a sink stops at the walk is done again by the next run; counts know them once.
   template <class Sink>
-  FLASHBVH_INLINE Status run(uint32_t visits, Sink&& sink) {
-    return run_with(visits, sink, [] { return UINT32_MAX; });
+  FLASHBVH_INLINE Status run(uint32_t work, Sink&& sink) {
+    return spend(work, sink);
+  }
+
+  /// The same, and what is left of `work` stays there.
+  template <class Sink>
+  FLASHBVH_INLINE Status spend(uint32_t& work, Sink&& sink) {
+    return run_with(work, sink, [] { return UINT32_MAX; });
   }
 
   /// Where the query stands. Between runs; not for orders with a stack.
@@ -165,17 +153,15 @@ class Query : Question {
   }
 
  private:
-  static uint32_t triangles(const Mesh& mesh, uint32_t leaf) {
-    return mesh.end_triangle(leaf) - mesh.first_triangle(leaf);
-  }
-  uint32_t triangles_of_a() const { return triangles(*a_, leaf_a_); }
-  uint32_t triangles_of_b() const { return triangles(*b_, leaf_b_); }
-
   /// Positions of the current pair of triangles: the leaves' pairs are taken from the last one on,
   /// all of A's for each of B's.
   /// The pair due is the one before `untested_`, the pair tested last that at it.
-  uint32_t of_a(uint32_t i) const { return a_->first_triangle(leaf_a_) + i % triangles_of_a(); }
-  uint32_t of_b(uint32_t i) const { return b_->first_triangle(leaf_b_) + i / triangles_of_a(); }
+  uint32_t of_a(uint32_t i) const {
+    return a_->first_triangle(leaf_a_) + i % a_->triangles_in(leaf_a_);
+  }
+  uint32_t of_b(uint32_t i) const {
+    return b_->first_triangle(leaf_b_) + i / a_->triangles_in(leaf_a_);
+  }
   Pair current_pair() const {
     return {a_->triangle_ids[of_a(untested_)], b_->triangle_ids[of_b(untested_)]};
   }
@@ -187,49 +173,64 @@ class Query : Question {
   }
 
   /// Orders with a stack can't go back to a pair, so they take along but one.
-  using Batch = detail::LeafPairs<Index, Order::kStackless ? 8 : 1>;
+  using Batch = detail::LeafPairs<Mesh, Order::kStackless ? 8 : 1>;
   using Shapes = typename detail::ShapesOf<Mesh, Question::kLeafShapes>::Type;
   using Test = detail::TriangleTest<Question, Mesh, Question::kIntersects>;
 
-  /// `room()`: for how many more pairs `sink` is known to have room.
+  /// `room()`: for how many more pairs `sink` is known to have room. Leaves in `work` what is left.
   template <class Sink, class Room>
-  FLASHBVH_INLINE Status run_with(uint32_t visits, Sink&& sink, const Room& room) {
+  FLASHBVH_INLINE Status run_with(uint32_t& work, Sink&& sink, const Room& room) {
     if (error_ != Status::done || state_ == State::done) {
       return status();
     }
     if (state_ == State::fresh) {
-      if (visits == 0) {
+      if (work == 0) {
         return Status::suspended;
       }
       if (Order::kStartsAtRoots && Question::kDisjointRootsEnd &&
           transform_.roots_disjoint(*a_, *b_)) {
+        work -= work == detail::kUnlimited ? 0 : 1;
         counts_.visits = 1;
         state_ = State::done;
         return Status::done;
       }
       transform_.prepare(b_->nodes[0].box);
     }
-    return go_on(visits, sink, room);
+    uint32_t left = work;  // in memory from here on only
+    const Status status = go_on(left, sink, room);
+    work = left;
+    return status;
   }
 
   template <class Sink, class Room>
-  FLASHBVH_INLINE Status go_on(uint32_t visits, Sink& sink, const Room& room) {
-    Batch batch;
+  FLASHBVH_INLINE Status go_on(uint32_t& work, Sink& sink, const Room& room) {
+    Batch batch(*a_, *b_);
     Shapes shapes(*a_, *b_, transform_);
     State end = state_;
     for (;;) {
-      while (next_answer(batch)) {
+      const uint32_t kept = untested_ == 0 ? 0 : pay(untested_, work);
+      while (next_answer(batch, kept)) {
         if (!sink(current_pair())) {
           stop_at_current(batch);
           return Status::full;
         }
       }
       state_ = end;
-      if (end == State::done || (end == State::at_pair && visits == 0)) {
+      if (end == State::done || work == 0) {
         return status();
       }
-      end = walk(visits, batch, shapes, room());
+      if (untested_ == 0) {
+        end = walk(work, batch, shapes, room());
+      }
     }
+  }
+
+  /// Pays for pairs of triangles, all of them or as many as work allows; how many are kept for
+  /// another run.
+  static uint32_t pay(uint32_t pairs, uint32_t& work) {
+    const uint32_t paid = detail::triangle_pairs_for(work);
+    detail::take_work(work, pairs * detail::kTrianglePairWork);
+    return paid < pairs ? pairs - paid : 0;
   }
 
   /// What the walk found after the pair at hand, it will find again.
@@ -256,8 +257,8 @@ class Query : Question {
     }
     const detail::PairCursor<Index> nodes = Order::nodes(*a_, *b_, cursor);
     return a_->nodes[nodes.a].is_leaf() && b_->nodes[nodes.b].is_leaf() &&
-           position.untested <= triangles(*a_, a_->nodes[nodes.a].leaf()) *
-                                    triangles(*b_, b_->nodes[nodes.b].leaf());
+           position.untested <= a_->triangles_in(a_->nodes[nodes.a].leaf()) *
+                                    b_->triangles_in(b_->nodes[nodes.b].leaf());
   }
 
   static Status error_of(const Mesh& a, const Mesh& b, const Pose& pose, const Cursor& start) {
@@ -270,18 +271,19 @@ class Query : Question {
     return start.fits(a, b) ? Status::done : Status::stack_too_small;
   }
 
-  /// Until the batch is full, to the end, or the last visit granted.
-  FLASHBVH_NOINLINE State walk(uint32_t& visits_left, Batch& batch, Shapes& shapes, uint32_t room) {
-    const uint32_t granted = visits_left < Batch::kMostVisits ? visits_left : Batch::kMostVisits;
+  /// Until the batch is full, to the end, or to that of the work.
+  FLASHBVH_NOINLINE State walk(uint32_t& work, Batch& batch, Shapes& shapes, uint32_t room) {
+    const uint32_t granted = work < Batch::kMostWork ? work : Batch::kMostWork;
     detail::WalkRun<Cursor, Batch> run(cursor_, batch, granted);
-    // Leaves of several triangles: four pairs each, as most have. More only cost a walk again.
-    const bool single = a_->leaf_offsets == nullptr && b_->leaf_offsets == nullptr;
-    const uint32_t pairs = single ? room : room / 4;
-    batch.clear(run.progress, pairs == 0 ? 1 : pairs);
+    batch.clear(run.progress, room);
     const State end =
         transform_.is_rotated() ? walk_rotated(shapes, run) : walk_translated(shapes, run);
-    visits_left -= granted - run.progress.visits_left;
     batch.end(run.progress);
+    uint32_t spent = granted - run.progress.work_left;
+    if (granted == Batch::kMostWork && (end == State::at_pair || batch.has_unpaid())) {
+      spent += detail::kTrianglePairWork;  // for another walk
+    }
+    detail::take_work(work, spent);
     return end;
   }
   FLASHBVH_NOINLINE State walk_translated(Shapes& shapes, detail::WalkRun<Cursor, Batch>& run) {
@@ -295,12 +297,13 @@ class Query : Question {
 
   /// Tests pairs of triangles until one is an answer; false if none is left of the batch.
   /// Transforming triangles, B's above all, is not done again while pairs share them.
-  /// Nothing but `this` outlives the call, which keeps the stack flat where it is deepest.
-  FLASHBVH_NOINLINE bool next_answer(Batch& batch) {
+  /// `kept`: how many of those at hand are not paid for. Nothing but `this` outlives the call,
+  /// which keeps the stack flat where it is deepest.
+  FLASHBVH_NOINLINE bool next_answer(Batch& batch, uint32_t kept) {
     const Question& question = *this;
     Test test(question, *a_, *b_, transform_);
-    while (untested_ != 0 || take_next(batch)) {
-      if (test_leaves(test, batch)) {
+    while (untested_ > kept || take_next(batch)) {
+      if (test_leaves(test, batch, kept)) {
         ++counts_.triangle_pairs;
         return true;
       }
@@ -308,18 +311,17 @@ class Query : Question {
     return false;
   }
 
-  /// Tests the pairs of triangles that the pair of leaves still has, down to an answer.
-  FLASHBVH_INLINE bool test_leaves(Test& test, const Batch& batch) {
+  /// Tests the pairs of triangles that the pair of leaves still has, down to an answer, or to those
+  /// that are kept for another run.
+  FLASHBVH_INLINE bool test_leaves(Test& test, const Batch& batch, uint32_t kept) {
     const uint32_t first_a = a_->first_triangle(leaf_a_);
     const uint32_t in_a = a_->end_triangle(leaf_a_) - first_a;
     uint32_t untested = untested_;
     uint32_t of_a = untested;  // of A's, with the first of B's
     uint32_t triangle_b = b_->first_triangle(leaf_b_);
-    if (in_a == 1) {
-      of_a = 1;
-      triangle_b += untested - 1;
-    } else if (untested > in_a) {
+    if (untested > in_a) {
       const uint32_t last = untested - 1;  // a run before this one may have stopped anywhere
+      // No leaf is empty. NOLINTNEXTLINE(clang-analyzer-core.DivideZero)
       of_a = last % in_a + 1;
       triangle_b += last / in_a;
     }
@@ -333,10 +335,10 @@ class Query : Question {
         do {
           --of_a;
           answer = test(first_a + of_a);
-        } while (!answer && of_a != 0);
+        } while (!answer && of_a != 0 && untested + of_a > kept);
         untested += of_a;
       }
-      if (answer || untested == 0) {
+      if (answer || untested <= kept) {
         untested_ = static_cast<uint16_t>(untested);
         return answer;
       }
@@ -348,8 +350,10 @@ class Query : Question {
     counts_.overlaps += walked.overlaps;
   }
 
+  /// The next pair of leaves; false if there is none, or it is not paid for.
   bool take_next(Batch& batch) {
-    if (!batch.has_next()) {
+    const bool paid = batch.has_next();
+    if (!paid && !batch.has_unpaid()) {
       count(batch.walked_to_end());
       return false;
     }
@@ -358,8 +362,8 @@ class Query : Question {
     ++counts_.leaf_pairs;
     leaf_a_ = a_->nodes[pair.a].leaf();
     leaf_b_ = b_->nodes[pair.b].leaf();
-    untested_ = static_cast<uint16_t>(triangles_of_a() * triangles_of_b());
-    return true;
+    untested_ = static_cast<uint16_t>(batch.triangle_pairs(leaf_a_, leaf_b_));
+    return paid;
   }
 
   // What is read most comes first, where short instructions reach it.

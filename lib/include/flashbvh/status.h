@@ -6,7 +6,7 @@
 typedef enum flashbvh_status {
   /** The answer is complete. */
   FLASHBVH_STATUS_DONE = 0,
-  /** The visits granted are used up; run again to go on. Nothing is lost. */
+  /** The work granted is done; run again to go on. Nothing is lost. */
   FLASHBVH_STATUS_SUSPENDED = 1,
   /** The caller's array is full; empty it and run again. Nothing is lost. */
   FLASHBVH_STATUS_FULL = 2,

@@ -51,14 +51,14 @@ inline flashbvh_pair c_pair(const PairQuery::Pair& pair) {
 }
 
 /// PairQuery::run() into an array of C's.
-FLASHBVH_INLINE inline Status run_into(PairQuery& query, uint32_t visits, flashbvh_pair* pairs,
+FLASHBVH_INLINE inline Status run_into(PairQuery& query, uint32_t work, flashbvh_pair* pairs,
                                        uint32_t capacity, uint32_t& count) {
   count = 0;
   if (capacity == 0 && query.status() == Status::suspended) {
     return Status::full;
   }
   uint32_t written = 0;
-  const Status status = query.run(visits, [&](const PairQuery::Pair& pair) {
+  const Status status = query.run(work, [&](const PairQuery::Pair& pair) {
     pairs[written++] = c_pair(pair);
     return written < capacity;
   });

@@ -30,9 +30,9 @@ flashbvh_status flashbvh_query_status(const flashbvh_query* query) {
   return c_status(object_in(query).status());
 }
 
-flashbvh_status flashbvh_query_run(flashbvh_query* query, uint32_t visits, flashbvh_pair* pairs,
+flashbvh_status flashbvh_query_run(flashbvh_query* query, uint32_t work, flashbvh_pair* pairs,
                                    uint32_t capacity, uint32_t* count) {
-  return c_status(run_into(object_in(query), visits, pairs, capacity, *count));
+  return c_status(run_into(object_in(query), work, pairs, capacity, *count));
 }
 
 flashbvh_counts flashbvh_query_counts(const flashbvh_query* query) {

@@ -2,7 +2,7 @@
 # of run it prints the most instructions, the bound on that run, and the largest part of its own
 # bound that a run of the kind took:
 #   measured NAME INSTRUCTIONS of BOUND, nearest PART
-# boxes-KIND-N: runs of N visits that came to no pair of leaves; run-KIND-N: those that did.
+# boxes-KIND-N: runs of N work that came to no pair of leaves; run-KIND-N: those that did.
 FNR == NR {
   if ($1 == "bound") {
     value[$2] = $3
@@ -27,9 +27,9 @@ function hold(name, measured, bound) {
 
 $1 == "run" {
   kind = $2 ? "rotated" : "translated"
-  what = $5 + $6 ? "run" : "boxes"
+  what = $5 ? "run" : "boxes"
   # The trees are binary: a later sibling in each.
-  hold(what "-" kind "-" $3, $8, most_instructions(value, kind, $4, $5, $6, $7, 2, $9))
+  hold(what "-" kind "-" $3, $8, most_instructions(value, $6, 2, $7, $3))
 }
 $1 == "make" {
   hold("make-query", $2, value["make-query"])

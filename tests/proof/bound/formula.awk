@@ -1,8 +1,8 @@
 # The most instructions of a run, as flashbvh::most_instructions(): lib/docs/bounded_time.md.
-# cost["visit-rotated"] and so on are what prove.py wrote; kind: translated or rotated.
-function most_instructions(cost, kind, visits, leaf_pairs, pairs, ascents, siblings, others) {
-  return cost["run-" kind] + ascents * cost["ascent-" kind] + \
-    visits * (cost["visit-" kind] + others * cost["leaf-triangle"]) + \
-    leaf_pairs * cost["leaf-pair-" kind] + pairs * cost["triangle-pair"] + \
-    (leaf_pairs + 1) * siblings * cost["later-sibling-" kind]
+# cost["start"] and so on are what prove.py wrote; leaf_size: of the larger leaves.
+function most_instructions(cost, depths, siblings, leaf_size, work,    step, unit) {
+  step = leaf_size + 8 > 32 ? leaf_size + 8 : 32
+  unit = cost["work"] + int((siblings * cost["later-sibling"] + 31) / 32)
+  return cost["start"] + depths * cost["ascent"] + siblings * cost["later-sibling"] + \
+    (leaf_size - 1) * cost["leaf-triangle"] + (work + step - 1) * unit
 }

@@ -1,8 +1,8 @@
 // Measures runs of queries on hard meshes under many poses, for what is proven to be held against:
-//   run ROTATED GRANTED VISITS LEAF_PAIRS PAIRS ASCENTS INSTRUCTIONS OTHERS
+//   run ROTATED WORK VISITS LEAF_PAIRS DEPTHS LEAF_SIZE INSTRUCTIONS
 //   make INSTRUCTIONS
-// PAIRS: at most so many pairs of triangles were tested. ASCENTS: at most so many. OTHERS: the
-// larger leaf size, less 1. Where a full array stopped a run, its walk may have been further.
+// Where a full array stopped a run, its walk may have been further, and these are what its work
+// allows. LEAF_SIZE: the larger one.
 #include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "insn.hpp"
@@ -21,7 +21,7 @@ namespace {
 constexpr uint32_t kScenes = 40;
 constexpr uint32_t kPoses = 4;
 constexpr uint32_t kRunsPerQuery = 24;
-constexpr uint32_t kGranted[] = {1, 10, 100};
+constexpr uint32_t kGranted[] = {1, 40, 400};
 constexpr uint64_t kSeed = 0x626F756E64u;
 
 struct Side {
@@ -63,13 +63,13 @@ void measure_run(PairQuery& query, bool rotated) {
   const uint32_t instructions = port::instructions_of_call(bound_run, &slice);
   bound_done();
   const bool full = slice.step.status == Status::full;
-  const uint32_t visits = full ? slice.visits : query.counts().visits - before.visits;
-  const uint32_t leaf_pairs = full ? visits : query.counts().leaf_pairs - before.leaf_pairs;
-  const uint32_t pairs = (leaf_pairs + (pending ? 1 : 0)) * side_a.leaf_size * side_b.leaf_size;
-  port::print("run ", rotated ? 1 : 0, " ", slice.visits, " ", visits, " ", leaf_pairs, " ", pairs);
-  const uint32_t descents = full ? visits : visits - leaf_pairs;
-  port::print(" ", side_a.depth + side_b.depth + descents, " ", instructions, " ",
-              (side_a.leaf_size > side_b.leaf_size ? side_a : side_b).leaf_size - 1, "\n");
+  const uint32_t visits = full ? slice.work : query.counts().visits - before.visits;
+  const uint32_t leaf_pairs =
+      full ? slice.work / 32 + 1 : query.counts().leaf_pairs - before.leaf_pairs + pending;
+  port::print("run ", rotated ? 1 : 0, " ", slice.work, " ", visits, " ", leaf_pairs, " ");
+  port::print(side_a.depth + side_b.depth, " ",
+              side_a.leaf_size > side_b.leaf_size ? side_a.leaf_size : side_b.leaf_size, " ",
+              instructions, "\n");
 }
 
 void measure_query(const Pose& pose, uint32_t granted) {
@@ -80,7 +80,7 @@ void measure_query(const Pose& pose, uint32_t granted) {
   slice.b = &b;
   slice.pose = &pose;
   slice.query = &query;
-  slice.visits = granted;
+  slice.work = granted;
   const uint32_t making = port::instructions_of_call(bound_make_query, &slice);
   bound_done();
   port::print("make ", making, "\n");

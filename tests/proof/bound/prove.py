@@ -16,35 +16,44 @@ from machine_code.instruction import Refused
 from machine_code.loops import Loops
 from machine_code.program import Program
 
+GO_ON, SHAPE, TRIANGLE_PAIR = 2, 8, 32  # in work: flashbvh/detail/work.hpp
+
 
 def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
     def part(name: str, which: Costs = costs) -> Cost:
         return which.of(roots[name])
 
-    run, on_below, below, answer = (
-        part(name) for name in ("run", "walk-on-below", "walk-below", "next-answer"))
-    # A leaf is taken as a shape, and its two slabs are made, at most once a visit.
-    others = part("other-triangles")
-    shape = part("make-shape").total + 2 * others.fixed
-    turn = on_below.term("turn") + below.fixed
-    climb = below.term("climb")
-    for kind in ("translated", "rotated"):
-        walk = part(f"walk-{kind}")
-        # In at one end and out at the other, a turn without a visit, and no answer left.
-        once = walk.fixed + on_below.fixed + turn + shape + run.term("test") + answer.fixed
-        yield f"run-{kind}", run.fixed + once
-        yield f"visit-{kind}", shape + max(walk.term("visit") + below.fixed,
-                                           turn + climb + below.term("visit"))
-        yield f"ascent-{kind}", max(climb, walk.term("ascent"), on_below.term("ascent"))
-        yield f"leaf-pair-{kind}", run.term("walk") + once
-        yield f"later-sibling-{kind}", walk.term("sibling") + on_below.term("sibling")
-    yield "leaf-triangle", 2 * others.term("other")
+    run, on_below, below, answer, others = (part(name) for name in (
+        "run", "walk-on-below", "walk-below", "next-answer", "other-triangles"))
+    tests = run.term("test") + answer.fixed
+    turn = on_below.term("turn") + below.fixed + below.term("climb")
+    again = part("take-again").total
+    begin = part("make-shape").total + 2 * others.fixed
+    # A leaf taken as a shape: reached, or the next one after a leaf that a run went on with.
+    shape = begin + max(part("reach-leaf").total + below.fixed + below.term("climb"), again + turn)
     # Transformed and tested, and maybe answered. triangle-pair-general: of triangles with area that
     # do not lie in one plane.
     transform = max(part("translate").total, part("rotate").total)
-    pair = run.term("test") + answer.fixed + sum(map(answer.term, ("row", "triangle")))
-    for name, which in (("triangle-pair", costs), ("triangle-pair-general", general)):
-        yield name, pair + transform + part("triangle-test", which).total
+    pair = part("found").total + tests + sum(map(answer.term, ("row", "triangle"))) + transform
+    walks = [part(f"walk-{kind}") for kind in ("translated", "rotated")]
+    ascent = max([below.term("climb"), on_below.term("ascent")] +
+                 [walk.term("ascent") for walk in walks])
+    visit = max([below.term("visit")] + [walk.term("visit") for walk in walks]) + ascent
+    # In at one end and out at the other, a turn without a visit, and no answer left.
+    once = max(walk.fixed for walk in walks) + on_below.fixed + turn + tests
+    triangle = pair + once + part("triangle-test").total
+    other = 2 * others.term("other")
+    # Before the first walk, and for a pair of leaves that is left to the next run.
+    yield "start", run.fixed + once + again + begin + 2 * tests + part("found").total
+    yield "ascent", ascent
+    yield "later-sibling", on_below.term("sibling") + max(walk.term("sibling") for walk in walks)
+    yield "leaf-triangle", other
+    yield "work", max(visit, -(-turn // GO_ON), -(-shape // SHAPE), other, -(-triangle // TRIANGLE_PAIR))
+    for kind, walk in zip(("translated", "rotated"), walks):
+        yield f"visit-{kind}", max(below.term("visit"), walk.term("visit")) + ascent
+    yield "shape", shape
+    yield "triangle-pair", triangle
+    yield "triangle-pair-general", pair + once + part("triangle-test", general).total
     yield "make-query", costs.of(roots["make-query"]).total
 
 

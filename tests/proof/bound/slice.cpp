@@ -8,7 +8,7 @@ void bound_make_query(void* context) {
 
 void bound_run(void* context) {
   auto& slice = *static_cast<bound::Slice*>(context);
-  slice.step = slice.query->run(slice.visits, slice.found);
+  slice.step = slice.query->run(slice.work, slice.found);
 }
 
 void bound_done() {

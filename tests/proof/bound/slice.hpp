@@ -15,7 +15,7 @@ struct Slice {
   const flashbvh::PostMesh* b;
   const flashbvh::Pose* pose;
   flashbvh::PairQuery* query;
-  uint32_t visits;
+  uint32_t work;
   flashbvh::PairQuery::Pair found[kCapacity];
   flashbvh::Step step;
 };

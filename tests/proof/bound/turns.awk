@@ -14,18 +14,22 @@ file == 1 && $1 == "cut" {
   at_entry[$3] = at_entry[$3] " " $2
 }
 
-# Two sides of a walk have two children a node, and the last one's look finds none.
+# run ROTATED WORK VISITS LEAF_PAIRS DEPTHS LEAF_SIZE INSTRUCTIONS. Two sides of a walk have two
+# children a node, and the last one's look finds none.
 file == 2 && $1 == "run" {
   ++runs
-  of_run[runs, "visit"] = $4 + 3 * ($5 + 1)
-  of_run[runs, "walk"] = $5 + 1
-  of_run[runs, "turn"] = $4 + 2 * ($5 + 1)
-  of_run[runs, "sibling"] = 8 * ($5 + 1)
-  of_run[runs, "row"] = of_run[runs, "triangle"] = $6
-  of_run[runs, "other"] = 2 * $9 * of_run[runs, "turn"]
-  of_run[runs, "test"] = $6 + $5 + 1
-  of_run[runs, "ascent"] = $7
-  of_run[runs, "climb"] = $7 + of_run[runs, "turn"]
+  walks = $5 + 1
+  pairs = int(($3 + 31) / 32)
+  shapes = int(($3 + 7) / 8) + 1
+  turns = walks + shapes + ($4 < $3 / 2 ? $4 : int($3 / 2))
+  of_run[runs, "visit"] = $4 + 2 * walks + turns
+  of_run[runs, "turn"] = turns
+  of_run[runs, "sibling"] = 8 * walks
+  of_run[runs, "row"] = of_run[runs, "triangle"] = pairs
+  of_run[runs, "other"] = 2 * ($7 - 1) * shapes
+  of_run[runs, "test"] = pairs + walks + 2
+  of_run[runs, "ascent"] = $6 + $4
+  of_run[runs, "climb"] = $6 + $4 + turns
 }
 
 function over(what, count, most) {

@@ -51,7 +51,7 @@ struct Arguments {
   const flashbvh_pose* c_pose;
   const flashbvh_pose* c_other_pose;
 
-  uint32_t visits;    ///< of a run
+  uint32_t work;      ///< of a run
   uint32_t capacity;  ///< of the array of pairs, in a run
 
   // Written.

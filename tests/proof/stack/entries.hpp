@@ -38,15 +38,15 @@ template <class Asked>
   });
 }
 
-/// Makes the query if no visits are granted, else runs it for a slice.
+/// Makes the query if no work is granted, else runs it for a slice.
 template <class Asked>
 [[gnu::always_inline]] inline void make_or_run(Arguments& in, const typename Asked::Mesh& a,
                                                const typename Asked::Mesh& b) {
-  if (in.visits == 0) {
+  if (in.work == 0) {
     make_query<Asked>(in, a, b);
     return;
   }
-  const Step step = as<Asked>(in.query).run(in.visits, in.found, in.capacity);
+  const Step step = as<Asked>(in.query).run(in.work, in.found, in.capacity);
   in.answer += step.count;
   in.status = static_cast<uint8_t>(step.status);
 }
@@ -79,15 +79,15 @@ QUERY(volume_stack_query, ticked, pre_a, pre_b, VolumeStack<PreMesh>)
 QUERY(alternating_stack_query, ticked, a, b, AlternatingStack<LevelledPostMesh>)
 QUERY(ranked_stack_query, ticked, a, b, RankedStack<PostMesh>)
 
-// A query in C: started if no visits are granted, else run for a slice.
+// A query in C: started if no work is granted, else run for a slice.
 ENTRY(c_query, ticked) {
   auto* const query = &as<flashbvh_query>(in->query);
-  if (in->visits == 0) {
+  if (in->work == 0) {
     in->ends(flashbvh_query_start(query, in->c_a, in->c_b, in->c_pose));
     return;
   }
   uint32_t count = 0;
-  in->ends(flashbvh_query_run(query, in->visits, in->c_found(), in->capacity, &count));
+  in->ends(flashbvh_query_run(query, in->work, in->c_found(), in->capacity, &count));
   in->answer += count;
 }
 
@@ -100,7 +100,7 @@ ENTRY(translated_walk, asked) {
     return true;
   };
   NoShapes<PostMesh> shapes = {*in->a, *in->b};
-  WalkRun<PairCursor<uint16_t>, decltype(leaf_pair)> run(in->stack[0], leaf_pair, in->visits);
+  WalkRun<PairCursor<uint16_t>, decltype(leaf_pair)> run(in->stack[0], leaf_pair, in->work);
   (void)walk<Ranked<PostMesh>>(overlap, shapes, run, State::fresh);
   in->answer = leaf_pairs + run.progress.overlaps;
 }
@@ -153,9 +153,9 @@ ENTRY(count_pairs_once, asked) {
 }
 
 ENTRY(find_pairs_once, asked) {
-  const Step step = find_pairs<uint16_t>(*in->a, *in->b, *in->pose, in->found, in->capacity);
-  in->answer = step.count;
-  in->ends(step.status);
+  const PairCount count = find_pairs<uint16_t>(*in->a, *in->b, *in->pose, in->found, in->capacity);
+  in->answer = count.pairs;
+  in->ends(count.status);
 }
 
 // triangles_intersect(): the exact test alone.

@@ -58,7 +58,7 @@ uint32_t ask(const TreeType& a, const TreeType& b, const Pose& pose) {
   Triangle transformed[2];
   uint32_t sum = intersects(a, b, pose).yes ? 1u : 0u;
   sum += first_pair(a, b, pose, found[0]).yes ? 1u : 0u;
-  sum += count_pairs(a, b, pose).pairs + find_pairs(a, b, pose, found, 2).count;
+  sum += count_pairs(a, b, pose).pairs + find_pairs(a, b, pose, found, 2).pairs;
   (void)for_each_pair(a, b, pose, [&sum](const Pair& pair) { return (sum += pair.a) != 0; });
   return sum + (transform_pair(a, b, pose, found[0], transformed[0], transformed[1]) ? 1u : 0u);
 }

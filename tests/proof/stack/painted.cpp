@@ -35,8 +35,8 @@ constexpr Entry kEntries[] = {
 };
 constexpr uint32_t kEntryCount = sizeof kEntries / sizeof kEntries[0];
 
-/// Few enough visits that slices end in the middle of everything.
-constexpr uint32_t kVisits = 7;
+/// Little enough that slices end in the middle of everything.
+constexpr uint32_t kWork = 7;
 
 /// How B lies: a quaternion of integers and cells.
 struct TestPose {
@@ -165,15 +165,15 @@ void ask(uint32_t entry) {
   in.status = static_cast<uint8_t>(Status::done);
   in.answer = 0;
   in.capacity = length(in.found);
-  in.visits = 0;
+  in.work = 0;
   if (kEntries[entry].kind == Kind::asked) {
-    in.visits = UINT32_MAX;
+    in.work = UINT32_MAX;
     call(entry);
     check(in.status <= static_cast<uint8_t>(Status::full), "status", kEntries[entry].name);
   } else {
     call(entry);
     in.status = static_cast<uint8_t>(Status::suspended);
-    in.visits = kVisits;
+    in.work = kWork;
     while (in.status == static_cast<uint8_t>(Status::suspended) ||
            in.status == static_cast<uint8_t>(Status::full)) {
       call(entry);

@@ -18,6 +18,7 @@
 #include "flashbvh/detail/packed.hpp"
 #include "flashbvh/detail/slab.hpp"
 #include "flashbvh/detail/slab_simd.hpp"
+#include "flashbvh/detail/work.hpp"
 
 namespace flashbvh::detail {
 
@@ -32,6 +33,16 @@ class LeafShapes {
 
   /// The bound of a walk under a rotation, while it lasts; its rotated boxes are at hand.
   void set_bound(RotatedBound& bound) { rotated_ = &bound; }
+
+  /// What it is in work to take a leaf, by its node, and to begin below it.
+  FLASHBVH_INLINE uint32_t work_of(Side side, uint32_t node) const {
+    const Mesh& mesh = side == Side::a ? a : b;
+    return kShapeWork - 1 + mesh.triangles_in(mesh.nodes[node].leaf());
+  }
+  /// Whether it is at hand.
+  FLASHBVH_INLINE bool is_taken(Side side, uint32_t node) const {
+    return is_taken(side, (side == Side::a ? a : b).nodes + node);
+  }
 
   /// Takes a leaf, by its node, as the shape for boxes of the other tree. `reached`: the box of
   /// that tree with which the leaf was reached, or null; false if a slab rejects it.
@@ -51,19 +62,16 @@ class LeafShapes {
 
   /// Before begin() of a leaf below which a run goes on, so that no pair of boxes led to it: what
   /// that pair would have left is made.
-  FLASHBVH_NOINLINE void look_at(Side side, uint32_t node) {
-    const auto* const at = (side == Side::a ? a : b).nodes + node;
-    if (is_taken(side, at)) {
-      return;
-    }
+  FLASHBVH_NOINLINE void take_again(Side side, uint32_t node) {
+    const PackedBox& box = (side == Side::a ? a : b).nodes[node].box;
     if (rotated_ != nullptr) {
       if (side == Side::a) {
-        rotated_->keep_a(at->box);
+        rotated_->keep_a(box);
       } else {
-        rotated_->keep_b(at->box);
+        rotated_->keep_b(box);
       }
     }
-    take(side, at);
+    take(side, (side == Side::a ? a : b).nodes + node);
     const PackedBox& root = (side == Side::a ? b : a).nodes[0].box;
     if (!halves_reach({{root.upper_xy, root.lower_xy, root.z}}, window_)) {
       // No box will pass the window, and the trees may be too far apart for sums of 32 bits.

@@ -27,7 +27,8 @@
 //
 // Once one node is a leaf, all that is left below the pair is that leaf against a subtree, whatever
 // the order. If leaves are taken as shapes (leaf_shape.hpp), that has a loop of its own, in which
-// shapes.begin(side, node, box) takes the leaf and shapes.may_touch(box) tests the other tree's
+// shapes.begin(side, node, box) takes the leaf, after shapes.take_again(side, node) if a run goes
+// on below it; it is shapes.work_of(side, node). And shapes.may_touch(box) tests the other tree's
 // boxes; where a walk is in it follows from the pair. An order with a stack leaves it alone
 // meanwhile. Without shapes the order goes there as the paper has it.
 #ifndef FLASHBVH_DETAIL_WALK_HPP
@@ -38,6 +39,7 @@
 #include "flashbvh/detail/box_packed.hpp"
 #include "flashbvh/detail/inline.hpp"
 #include "flashbvh/detail/subtree.hpp"
+#include "flashbvh/detail/work.hpp"
 
 namespace flashbvh {
 
@@ -76,26 +78,42 @@ struct PairCursor {
   }
 };
 
-/// What a run of a walk may do and has done. Loops keep it in registers.
+/// What a run of a walk may do and has done. Loops keep work and overlaps in registers.
 struct Progress {
-  uint32_t visits_left;
-  uint32_t overlaps;
+  uint32_t work_left;
+  uint32_t overlaps = 0;
+  uint32_t besides = 0;  ///< work that was not for visits
+
+  void go_on(uint32_t left, uint32_t overlaps_so_far) {
+    work_left = left;
+    overlaps = overlaps_so_far;
+  }
+  /// On what is not a visit. The step that takes more than is left is done, and ends the run.
+  void spend(uint32_t work) {
+    const uint32_t spent = work < work_left ? work : work_left;
+    work_left -= spent;
+    besides += spent;
+  }
+  /// Counts down by one a visit, whatever else is done.
+  uint32_t visits_down() const { return work_left + besides; }
 };
 
 /// A run of a walk. Its loop keeps but the address, and that in memory: registers are for the rest.
-/// `leaf_pair(i, j, progress)`: of a pair of leaves that may matter, whether to go on after it.
+/// `leaf_pair(i, j, progress)`: of a pair of leaves that may matter, whether to go on after it; it
+/// may spend work.
 template <class Cursor, class LeafPair>
 struct WalkRun {
-  WalkRun(Cursor& at, LeafPair& found, uint32_t visits)
-      : cursor(&at), leaf_pair(&found), progress{visits, 0} {}
+  WalkRun(Cursor& at, LeafPair& pair, uint32_t work)
+      : cursor(&at), leaf_pair(&pair), progress{work} {}
+
+  bool found(uint32_t a, uint32_t b) { return (*leaf_pair)(a, b, progress); }
 
   Cursor* cursor;
   LeafPair* leaf_pair;
   Progress progress;
   Side side = Side::none;  ///< of the leaf that it is below, if it is
-  uint32_t leaf = 0;       ///< then: the leaf's node, and of the other tree
-  uint32_t root = 0;       ///< below which node
-  uint32_t node = 0;       ///< and at which one
+  uint32_t leaf = 0;       ///< then: the leaf's node,
+  uint32_t node = 0;       ///< and where it is in the other tree
 };
 
 /// The trees of a walk in which leaves are no shapes.
@@ -138,29 +156,31 @@ inline void put_in_place(ByReference<StatefulBound>& bound) {
 }
 
 /// Visits nodes of a subtree, from `at` on, that may touch the shape that was begun, until the end,
-/// the last visit granted, or where `found(node)` says stop; there `at` is then. `after`: its node
-/// was visited before.
+/// the last of the work granted, or where `found(node)` says stop; there `at` is then. `after`: its
+/// node was visited before.
 template <class Subtree, class Shapes, class Found>
 FLASHBVH_INLINE inline State visit_subtree(Subtree& at, const Shapes& shapes, Progress& progress,
                                            const Found& found, bool after) {
-  uint32_t visits_left = progress.visits_left;
+  uint32_t work_left = progress.work_left;
   uint32_t overlaps = progress.overlaps;
   State end = State::done;
   for (bool visit = !after;; visit = true) {
     if (visit) {
-      if (visits_left == 0) {
+      if (work_left == 0) {
         end = State::at_pair;
         break;
       }
-      --visits_left;
+      --work_left;
       if (shapes.may_touch(at.node().box)) {
         ++overlaps;
         if (!at.node().is_leaf()) {
           at.descend();
           continue;
         }
-        progress = {visits_left, overlaps};
-        if (!found(at.index())) {
+        progress.go_on(work_left, overlaps);
+        const bool go_on = found(at.index());
+        work_left = progress.work_left;
+        if (!go_on) {
           end = State::at_leaf_pair;
           break;
         }
@@ -170,22 +190,22 @@ FLASHBVH_INLINE inline State visit_subtree(Subtree& at, const Shapes& shapes, Pr
       break;
     }
   }
-  progress = {visits_left, overlaps};
+  progress.go_on(work_left, overlaps);
   return end;
 }
 
-/// A leaf, whose shape was begun, against the other tree's subtree; `after`: from after its node
-/// on.
+/// A leaf, whose shape was begun, against the other tree's subtree below `root`; `after`: from
+/// after its node on.
 template <class Shapes, class Run>
-FLASHBVH_NOINLINE State walk_below(Shapes& shapes, Run& run, bool after) {
+FLASHBVH_NOINLINE State walk_below(Shapes& shapes, Run& run, uint32_t root, bool after) {
   const Side side = run.side;
   const uint32_t leaf = run.leaf;
   using Tree = typename Shapes::Tree;
-  Subtree<typename Tree::Index, Tree::kLayout> at(side == Side::a ? shapes.b : shapes.a, run.root,
+  Subtree<typename Tree::Index, Tree::kLayout> at(side == Side::a ? shapes.b : shapes.a, root,
                                                   run.node);
   const auto found = [side, leaf, &run](uint32_t other) {
-    return side == Side::a ? (*run.leaf_pair)(leaf, other, run.progress)
-                           : (*run.leaf_pair)(other, leaf, run.progress);
+    const bool leaf_is_a = side == Side::a;
+    return run.found(leaf_is_a ? leaf : other, leaf_is_a ? other : leaf);
   };
   const State end = visit_subtree(at, shapes, run.progress, found, after);
   run.node = at.index();
@@ -202,31 +222,43 @@ FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shape
   run.side = Side::none;
   if (leaf_a && node_b->is_leaf()) {
     ++run.progress.overlaps;
-    return (*run.leaf_pair)(a, b, run.progress) ? State::done : State::at_leaf_pair;
+    return run.found(a, b) ? State::done : State::at_leaf_pair;
   }
   run.side = leaf_a ? Side::a : Side::b;
   run.leaf = leaf_a ? a : b;
-  run.root = leaf_a ? b : a;
-  run.node = (leaf_a ? shapes.b : shapes.a).first_child(run.root);
+  const uint32_t root = leaf_a ? b : a;
+  run.node = (leaf_a ? shapes.b : shapes.a).first_child(root);
+  run.progress.spend(shapes.work_of(run.side, run.leaf));
   if (!shapes.begin(run.side, run.leaf, &(leaf_a ? node_b : node_a)->box)) {
     return State::done;
   }
   ++run.progress.overlaps;
-  return walk_below(shapes, run, false);
+  return walk_below(shapes, run, root, false);
 }
 
 /// To the end of the leaf's walk of a subtree that a walk was in, and of those that follow. Then
-/// run.side is none.
+/// run.side is none. The first leaf is taken as a shape for nothing: a run with work always gets
+/// on.
 template <class Order, class Shapes, class Run>
 FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
   Order at(shapes.a, shapes.b, *run.cursor);
-  while ((run.side = at.leaf()) != Side::none) {
+  for (;;) {
+    const bool first = run.side == Side::none;
+    run.side = at.leaf();
+    if (run.side == Side::none || run.progress.work_left == 0) {
+      break;
+    }
     run.leaf = run.side == Side::a ? at.index_a() : at.index_b();
-    run.root = at.leaf_root();
     run.node = at.leaf_node();
-    shapes.look_at(run.side, run.leaf);
-    (void)shapes.begin(run.side, run.leaf, nullptr);
-    const State end = walk_below(shapes, run, after);
+    const bool taken = shapes.is_taken(run.side, run.leaf);
+    if (!first) {
+      run.progress.spend(taken ? kGoOnWork : shapes.work_of(run.side, run.leaf));
+    }
+    if (!taken) {
+      shapes.take_again(run.side, run.leaf);
+      (void)shapes.begin(run.side, run.leaf, nullptr);
+    }
+    const State end = walk_below(shapes, run, at.leaf_root(), after);
     if (end != State::done) {
       at.store_below(*run.cursor, run.side, run.node);
       return end;
@@ -254,16 +286,16 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
   Bound may_matter = bound;
   put_in_place(may_matter);
   Order at(shapes.a, shapes.b, *run.cursor);
-  uint32_t visits_left = run.progress.visits_left;
+  uint32_t work_left = run.progress.work_left;
   uint32_t overlaps = run.progress.overlaps;
   State end = State::done;
   for (bool visit = !after;; visit = true) {
     if (visit) {
-      if (visits_left == 0) {
+      if (work_left == 0) {
         end = State::at_pair;
         break;
       }
-      --visits_left;
+      --work_left;
       if (__builtin_expect(may_matter(at.node_a().box, at.node_b().box), 1)) {
         if constexpr (Shapes::kShapes) {
           if (!at.node_a().is_leaf() && !at.node_b().is_leaf()) {
@@ -272,10 +304,10 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
             continue;
           }
           keep_in_memory(kept);
-          kept->progress = {visits_left, overlaps};
+          kept->progress.go_on(work_left, overlaps);
           end = reach_leaf(&at.node_a(), &at.node_b(), shapes, *kept);
           keep_in_memory(kept);
-          visits_left = kept->progress.visits_left;
+          work_left = kept->progress.work_left;
           overlaps = kept->progress.overlaps;
           if (end != State::done && kept->side != Side::none) {
             at.store_below(*kept->cursor, kept->side, kept->node);
@@ -290,9 +322,10 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
             continue;
           }
           keep_in_memory(kept);
-          const Progress progress = {visits_left, overlaps};
-          if (!(*kept->leaf_pair)(at.index_a(), at.index_b(), progress)) {
-            end = State::at_leaf_pair;
+          kept->progress.go_on(work_left, overlaps);
+          end = kept->found(at.index_a(), at.index_b()) ? State::done : State::at_leaf_pair;
+          work_left = kept->progress.work_left;
+          if (end != State::done) {
             break;
           }
         }
@@ -305,12 +338,12 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
   }
   keep_in_memory(kept);
   at.store(*kept->cursor, end == State::done);
-  kept->progress = {visits_left, overlaps};
+  kept->progress.go_on(work_left, overlaps);
   return end;
 }
 
-/// From the cursor, `from` a state that is not done, to where `leaf_pair` says stop, the end, or
-/// the last visit granted: where it stands then.
+/// From the cursor, `from` a state that is not done, with some work granted, to where `leaf_pair`
+/// says stop, the end, or the last of the work: where it stands then.
 template <class Order, class Bound, class Shapes, class LeafPair>
 FLASHBVH_INLINE inline State walk(const Bound& bound, Shapes& shapes,
                                   WalkRun<typename Order::Cursor, LeafPair>& run, State from) {

@@ -1,0 +1,28 @@
+// Written by tools/figures.sh, from what tests/proof/bound proved for GCC 12 at -O2.
+#ifndef FLASHBVH_DETAIL_RUN_COSTS_HPP
+#define FLASHBVH_DETAIL_RUN_COSTS_HPP
+
+#include <stdint.h>
+
+namespace flashbvh {
+
+/// Instructions that the parts of a run can take at most on some core, with some compiler.
+struct RunCosts {
+  uint32_t start;          ///< once
+  uint32_t ascent;         ///< once for each level of both trees
+  uint32_t later_sibling;  ///< each sibling after the node where a walk goes on
+  uint32_t leaf_triangle;  ///< once for each triangle that a leaf has beside the first
+  uint32_t work;           ///< each unit of work
+};
+
+constexpr RunCosts kCortexM0 = {8501, 33, 12, 168, 744};
+constexpr RunCosts kCortexM3 = {3781, 24, 12, 104, 232};
+constexpr RunCosts kCortexM33 = {3337, 23, 12, 102, 189};
+constexpr RunCosts kCortexM4F = {3304, 23, 12, 102, 188};
+constexpr RunCosts kCortexM55 = {3360, 23, 12, 102, 188};
+constexpr RunCosts kCortexM7 = {3340, 23, 12, 102, 192};
+constexpr RunCosts kRV32IMAC = {4680, 21, 10, 108, 403};
+
+}  // namespace flashbvh
+
+#endif

@@ -1,0 +1,41 @@
+// What a run of a query gives, and where a query stands between runs.
+#ifndef FLASHBVH_STEP_HPP
+#define FLASHBVH_STEP_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/walk.hpp"
+#include "flashbvh/status.hpp"
+
+namespace flashbvh {
+
+/// Two triangles that intersect, by their ids: their numbers in the source meshes.
+template <class Index>
+struct TrianglePair {
+  Index a;
+  Index b;
+};
+
+/// What a run gave.
+struct [[nodiscard]] Step {
+  Status status;
+  uint32_t count;  ///< entries written to the caller's array
+  uint32_t work;   ///< spent, of what was granted; 0 if that was UINT32_MAX
+};
+
+/// Where a stackless query stands, between runs: all there is to keep beside what the query was
+/// made of, its meshes and its pose. May be stored for any time, as bytes too: 12 of them with
+/// 16-bit indices.
+template <class IndexType>
+struct QueryPosition {
+  using State = detail::State;
+
+  IndexType a = 0;
+  IndexType b = 0;
+  uint32_t untested = 0;  ///< pairs of triangles that the pair of leaves still has
+  State state = State::fresh;
+};
+
+}  // namespace flashbvh
+
+#endif

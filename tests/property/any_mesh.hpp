@@ -1,0 +1,74 @@
+// Meshes in both layouts, poses, and queries by any order.
+#ifndef FLASHBVH_TESTS_PROPERTY_ANY_MESH_HPP
+#define FLASHBVH_TESTS_PROPERTY_ANY_MESH_HPP
+
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "support/queries.hpp"
+#include "support/rotations.hpp"
+#include "support/shapes.hpp"
+
+namespace flashbvh::test {
+
+/// A query at its start, with the array that its stack needs.
+template <class Order, class Question = detail::Intersection>
+struct Asked {
+  using Tree = typename Order::Tree;
+  std::vector<detail::PairCursor<typename Tree::Index>> entries;
+  Query<Order, Question> query;
+
+  Asked(const Tree& a, const Tree& b, const Pose& pose)
+      : entries(stack_entries(a.stack_need, b.stack_need)),
+        query(a, b, pose,
+              at_roots<Order>(entries.data(), static_cast<std::uint32_t>(entries.size()))) {}
+};
+
+/// A mesh in both layouts.
+struct AnyMesh {
+  std::tuple<Baked<Layout::pre_indexed>, Baked<Layout::post_indexed>> baked;
+
+  AnyMesh(const bake::BuildTree& tree, const bake::LatticeMesh& mesh)
+      : baked(bake::lay_out<std::uint16_t, Layout::pre_indexed>(tree, mesh),
+              bake::lay_out<std::uint16_t, Layout::post_indexed>(tree, mesh)) {}
+
+  template <class Tree>
+  Tree view() const {
+    return std::get<static_cast<std::size_t>(Tree::kLayout)>(baked).view();
+  }
+};
+
+inline AnyMesh any_mesh(Random& random, const bake::LatticeMesh& mesh) {
+  return AnyMesh(any_tree(random, mesh), mesh);
+}
+
+inline Pose any_pose(Random& random, std::int32_t reach) {
+  const auto cells = [&] { return random.between(-reach, reach); };
+  if (random.below(2) == 0) {
+    return any_rigid_pose(random, reach);
+  }
+  const std::int32_t x = cells();
+  const std::int32_t y = cells();
+  return Pose::translated(x, y, cells());
+}
+
+/// Meshes with leaves of one triangle and of several, many of which intersect.
+struct Scene {
+  AnyMesh a, b;
+  Pose pose;
+};
+
+inline Scene any_scene(Random& random) {
+  const auto mesh = [&] {
+    return any_mesh(random, random_mesh(random, 1 + random.below(16), 25, 25));
+  };
+  AnyMesh a = mesh();
+  AnyMesh b = mesh();
+  return {std::move(a), std::move(b), any_pose(random, 15)};
+}
+
+}  // namespace flashbvh::test
+
+#endif
