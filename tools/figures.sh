@@ -2,6 +2,8 @@
 # figures.sh [PRESET...]             measures the figures of lib/docs/figures.md anew and writes the page
 # figures.sh --check [PRESET...]     measures, and fails if anything differs from the page
 # figures.sh --compare [PRESET...]   compares what the tests left in the build folders, no more
+# figures.sh --trees [PRESET]        whole queries on trees of other leaf sizes and arities: the table of
+#                                    lib/docs/design.md, "Trees"; Cortex-M4F unless told
 # figures.sh --prepare               makes build/figures, which builds are given to measure a robot:
 #                                    cmake --preset cortex-m4f -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
 #
@@ -15,8 +17,8 @@ cd "$(dirname "$0")/.."
 
 mode=write
 case ${1:-} in
-  --check | --compare | --prepare) mode=${1#--}; shift ;;
-  -*) sed -n '2,11s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  --check | --compare | --prepare | --trees) mode=${1#--}; shift ;;
+  -*) sed -n '2,13s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 folder=$PWD/build/figures
 data=tests/figures/figures.txt
@@ -34,9 +36,11 @@ quietly() {
   "$@" >"$folder/log" 2>&1 || { cat "$folder/log" >&2; echo "figures: this failed: $*" >&2; exit 1; }
 }
 
-# bake LEAF_SIZE FOLDER: the links' trees; prints their bytes and their triangles.
+# bake FOLDER OPTION...: the links' trees; prints their bytes and their triangles.
 bake() {
-  "$flashbvh" bake $(for link in $links; do echo "$kr5/$link.STL"; done) -o "$2" --leaf-size "$1" \
+  to=$1
+  shift
+  "$flashbvh" bake $(for link in $links; do echo "$kr5/$link.STL"; done) -o "$to" "$@" \
     2>"$folder/log" >"$folder/table" || { cat "$folder/log" >&2; exit 1; }
   awk 'FNR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i }
     $1 == "cell" { exit }
@@ -51,8 +55,10 @@ visits() {
       sed 's/[{}"]//g; s/[:,]/ /g' | awk -v pair="$pair" '{
         for (i = 1; i < NF; i += 2) is[$i] = $(i + 1)
         print "all visits." pair ".ranked", is["most_visits"]
+        print "all visits." pair ".work", is["most_work"]
         print "all visits." pair ".depths", is["depths"]
         print "all visits." pair ".siblings", is["later_siblings"]
+        print "all visits." pair ".leaf_size", is["leaf_size"]
       }'
   done
   # A tree's leaves, and the poses.
@@ -60,7 +66,7 @@ visits() {
       for (i = 1; i < NF; ++i) if ($i == "kLeafCount") leaves[name] = $(i + 1)
     }
     /&.*::mesh,/ { pair = $2 "-" $3 }
-    /^ *\{\{.*\}, \{/ && $(NF - 3) + 0 > most[pair] + 0 { most[pair] = $(NF - 3) }
+    /^ *\{\{.*\}, \{/ && $(NF - 4) + 0 > most[pair] + 0 { most[pair] = $(NF - 4) }
     END {
       for (pair in most) {
         split(pair, link, "-")
@@ -76,12 +82,37 @@ prepare() {
   quietly cmake --preset $native
   quietly cmake --build --preset $native --target flashbvh_tool write_poses
   fetch_kr5 build/kr5
-  one=$(bake 1 "$folder")
-  five=$(bake 5 "$folder/compact")
-  quietly build/$native/bin/write_poses "$folder" $pairs
-  echo "$one $five" | awk '{ printf "all flash.leaf_1 %.1f\nall flash.leaf_5 %.1f\n", $1 / $2, $3 / $4
-    print "all flash.triangles", $2; print "all flash.bytes", $1 }' >"$folder/host.txt"
+  rm -f "$folder/host.txt"
+  default=$(bake "$folder")
+  for size in 1 2 3 4 5 6 7 8; do
+    flash=$(bake "$folder/leaf$size" --leaf-size $size)
+    quietly build/$native/bin/write_poses "$folder/leaf$size" "$folder/leaf1" $pairs
+    leaf_size $size $flash >>"$folder/host.txt"
+  done
+  quietly build/$native/bin/write_poses "$folder" "$folder/leaf1" $pairs
+  echo "$default" | awk '{ printf "all flash.default %.1f\n", $1 / $2
+    print "all flash.triangles", $2; print "all flash.bytes", $1 }' >>"$folder/host.txt"
   visits >>"$folder/host.txt"
+}
+
+# leaf_size SIZE BYTES TRIANGLES: what trees of that leaf size take, and the work that the rotated poses
+# need with them.
+leaf_size() {
+  printf 'all leaf.%d.flash %s\n' "$1" "$(echo "$2 $3" | awk '{ printf "%.1f", $1 / $2 }')"
+  # 16 poses of each class and each pair, translated, then rotated.
+  awk -F '[ {},]+' '/&.*::mesh,/ { row = 0 }
+    /^ *\{\{.*\}, \{/ {
+      class = int(row / 16)
+      if (class >= 6) print class == 6 ? "close" : "intersecting", $(NF - 1)
+      row = (row + 1) % 128
+    }' "$folder/leaf$1/poses.cpp" | sort -k 1,1 -k 2,2n | awk -v size="$1" '
+    { work[$1, ++n[$1]] = $2; sum[$1] += $2 }
+    END {
+      for (class in n) {
+        name = "all leaf." size ".work." class
+        printf "%s.mean %.0f\n%s.max %d\n", name, sum[class] / n[class], name, work[class, n[class]]
+      }
+    }' | sort
 }
 
 # boards: the presets that have one.
@@ -126,6 +157,42 @@ gather() {
   echo "$gathered"
 }
 
+# trees PRESET: a row for each leaf size and arity; the build is left as it was.
+trees() {
+  echo "| leaf size | arity | bytes a triangle | close, mean | most | intersecting, mean | most |" \
+    "rotated: close, mean | most | intersecting, mean | most |"
+  echo "|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
+  for size in 1 2 3 4; do
+    for arity in 2 3 4 6 8; do
+      flash=$(bake "$folder/trees" --leaf-size $size --arity $arity | awk '{ printf "%.1f", $1 / $2 }')
+      quietly build/$native/bin/write_poses "$folder/trees" "$folder/leaf1" $pairs
+      quietly cmake --preset "$1" -DFLASHBVH_HOST_TOOL="$flashbvh" \
+        -DFLASHBVH_KR5_FIGURES="$folder/trees"
+      quietly cmake --build --preset "$1" --target figures_kr5 figures_tori
+      quietly ctest --preset "$1" -R "figures: measured"
+      awk -v row="| $size | $arity | $flash |" '{ value[$2] = $3 }
+        END {
+          for (i = split("translated rotated", motion); i > 0; --i) {
+            cells = ""
+            for (j = split("intersecting close", class); j > 0; --j) {
+              name = "kr5.query." motion[i] "." class[j]
+              cells = cells " " value[name ".mean"] " | " value[name ".max"] " |"
+            }
+            row_of[i] = cells
+          }
+          print row row_of[1] row_of[2]
+        }' "build/$1/figures.txt"
+    done
+  done
+  quietly cmake --preset "$1" -DFLASHBVH_KR5_FIGURES="$folder"
+}
+
+if [ $mode = trees ]; then
+  ensure_packages $host_packages $board_packages
+  prepare
+  trees "${1:-cortex-m4f}"
+  exit 0
+fi
 if [ $mode = prepare ]; then
   ensure_packages $host_packages
   prepare
@@ -151,6 +218,9 @@ if [ $mode = write ]; then
   awk -f tests/figures/merge.awk $data $files >"$folder/figures.txt"
   mv "$folder/figures.txt" $data
   tests/figures/page.sh
+  costs=lib/include/flashbvh/detail/run_costs.hpp
+  awk -v write=1 -f tests/proof/bound/shipped.awk $data $costs >"$folder/costs"
+  cmp -s "$folder/costs" $costs || cp "$folder/costs" $costs
 fi
 # After writing, too: two boards may have one core.
 status=0

@@ -26,7 +26,7 @@ constexpr double kMostGrowth = 2.05;
 constexpr double kMostPerNode = 400;
 
 bake::BuildTree sah_of(const bake::LatticeMesh& mesh) {
-  return bake::build_default(mesh);
+  return bake::build_default(mesh, 1);
 }
 bake::BuildTree first_leaf_chain(const bake::LatticeMesh& mesh) {
   return chain(mesh, true);

@@ -32,6 +32,7 @@ struct Asked {
   uint32_t visits;
   uint32_t leaf_pairs;
   uint32_t triangle_pairs;
+  uint32_t work;
 };
 
 /// Two meshes and their poses: translated only, and rotated, too.

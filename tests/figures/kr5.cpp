@@ -17,7 +17,8 @@ bool agrees(const Asked& asked, const Walked& walked, const Queried& queried) {
   const Counts& counts = queried.counts;
   return queried.status == Status::done && counts.visits == asked.visits &&
          counts.leaf_pairs == asked.leaf_pairs && counts.triangle_pairs == asked.triangle_pairs &&
-         walked.visits == asked.visits && walked.leaf_pairs == asked.leaf_pairs;
+         queried.work == asked.work && walked.visits == asked.visits &&
+         walked.leaf_pairs == asked.leaf_pairs;
 }
 
 /// The poses of one class under one kind of motion.
@@ -25,6 +26,7 @@ struct OfClass {
   Spread visits;
   Spread leaf_pairs;
   Spread triangle_pairs;
+  Spread work;
   Spread queries;
   Spread until_first;
 
@@ -32,6 +34,7 @@ struct OfClass {
     visits.add(queried.counts.visits);
     leaf_pairs.add(queried.counts.leaf_pairs);
     triangle_pairs.add(queried.counts.triangle_pairs);
+    work.add(queried.work);
     queries.add(queried.instructions);
     until_first.add(queried.until_first);
   }
@@ -41,6 +44,7 @@ struct OfClass {
     print_counts({{kSet, "visits", motion, name}}, visits);
     print_counts({{kSet, "leaf_pairs", motion, name}}, leaf_pairs);
     print_counts({{kSet, "triangle_pairs", motion, name}}, triangle_pairs);
+    print_counts({{kSet, "work", motion, name}}, work);
     print_figures({{kSet, "query", motion, name}}, queries);
     if (proximity == Proximity::intersecting) {
       print_figures({{kSet, "first", motion, name}}, until_first);

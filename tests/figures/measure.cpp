@@ -20,7 +20,9 @@ struct NothingBelow {
   NothingBelow(const PostMesh& mesh_a, const PostMesh& mesh_b, const Transform&)
       : a(mesh_a), b(mesh_b) {}
   static void set_bound(RotatedBound&) {}
-  static void look_at(Side, uint32_t) {}
+  static bool is_taken(Side, uint32_t) { return false; }
+  static void take_again(Side, uint32_t) {}
+  static uint32_t work_of(Side, uint32_t) { return 0; }
   static bool begin(Side, uint32_t, const PackedBox*) { return false; }
   static bool may_touch(const PackedBox&) { return false; }
 };
@@ -31,7 +33,7 @@ uint32_t walk(const Bound& bound, Shapes& shapes, LeafPair leaf_pair) {
   PairCursor<uint16_t> cursor;
   WalkRun<PairCursor<uint16_t>, LeafPair> run(cursor, leaf_pair, UINT32_MAX);
   (void)detail::walk<Ranked<PostMesh>>(bound, shapes, run, State::fresh);
-  return UINT32_MAX - run.progress.visits_left;
+  return UINT32_MAX - run.progress.visits_down();
 }
 
 /// Calls `run(walk)`, which calls walk(), unless the roots alone tell that the meshes are disjoint.
@@ -92,7 +94,10 @@ Queried measure_query(const PostMesh& a, const PostMesh& b, const Pose& pose) {
   });
   // Its counts from another run: a user of the first would not copy them.
   PairQuery query(a, b, pose);
-  (void)query.run(UINT32_MAX, kEveryPair);
+  constexpr uint32_t kGranted = UINT32_MAX - 1;  // which is a limit
+  uint32_t work = kGranted;
+  (void)query.spend(work, kEveryPair);
+  queried.work = kGranted - work;
   queried.counts = query.counts();
   return queried;
 }

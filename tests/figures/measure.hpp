@@ -26,6 +26,7 @@ Walked measure_walk(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
 struct Queried {
   flashbvh::Status status;
   flashbvh::Counts counts;
+  uint32_t work;
   uint32_t instructions;  ///< made and run to its end, all pairs found
   uint32_t until_first;   ///< made and run to the first pair, or to its end
   uint32_t start;         ///< made and run for one visit

@@ -1,4 +1,4 @@
-# awk -f markdown.awk -f formula.awk -f page.awk figures.txt parts.txt page.md: the page, of its text and the data.
+# awk -f markdown.awk -f formula.awk -f page.awk figures.txt parts.txt PAGE: the page, of its text and the data.
 #
 # Lines of the text that begin with @ become tables:
 #     @table LABEL | HEAD...       the cores are the columns, after one for each HEAD
@@ -7,6 +7,7 @@
 #     @parts MOTION                what fits in a period of 1 ms, by part
 #     @visits                      what bounds the visits of each pair of meshes, and the most observed
 #     @bounded                     the worst queries observed on the links, beside the bounds on them
+#     @leaf_sizes CORE NUMBER      what leaf sizes take, and what of them so many instructions are enough for
 #     @worked CORE MOTION CLASS    the arithmetic of one of these figures
 # and @{CORE NAME} in any other line the value. A row of which nothing is known is left out.
 
@@ -179,9 +180,8 @@ $1 == "@visits" {
   next
 }
 
-# A query made and run to its end takes at most so much: by the most visits and pairs of leaves of the
-# class, and trees of a triangle a leaf.
-function bound_of_query(who, motion, of_class,    i, what, cost, visits, leaf_pairs) {
+# Sets `cost` to what prove.py wrote.
+function costs_of(who, cost,    i, what) {
   for (i = 0; i < names; ++i) {
     if (name[i] ~ /^bound\./) {
       what = name[i]
@@ -189,10 +189,50 @@ function bound_of_query(who, motion, of_class,    i, what, cost, visits, leaf_pa
       cost[what] = value[who, name[i]]
     }
   }
-  visits = value["all", "kr5.visits." motion "." of_class ".max"]
-  leaf_pairs = value["all", "kr5.leaf_pairs." motion "." of_class ".max"]
-  return cost["make-query"] + most_instructions(cost, motion, \
-    visits, leaf_pairs, leaf_pairs + 1, most_depths + visits, most_siblings)
+}
+
+# Of the pairs of links; `of`: depths, siblings or leaf_size.
+function most_of_pairs(of,    i, most) {
+  for (i = 0; i < names; ++i) {
+    if (name[i] ~ "^visits\\..*\\." of "$" && value["all", name[i]] > most) {
+      most = value["all", name[i]]
+    }
+  }
+  return most
+}
+
+# A query made and run to its end takes at most so much: by the most work of the class.
+function bound_of_query(who, motion, of_class,    cost) {
+  costs_of(who, cost)
+  return cost["make-query"] + most_instructions(cost, most_of_pairs("depths"),
+    most_of_pairs("siblings"), most_of_pairs("leaf_size"),
+    value["all", "kr5.work." motion "." of_class ".max"])
+}
+
+$1 == "@leaf_sizes" {
+  costs_of($2, cost)
+  begin_table()
+  split("triangles a leaf|bytes a triangle|two leaves, at most|work in " grouped($3) \
+    "|close, mean|most|intersecting, mean|most", head, "|")
+  for (i = 1; i <= 8; ++i) {
+    cell(head[i])
+  }
+  end_row()
+  for (size = 1; size <= 8; ++size) {
+    none = most_instructions(cost, most_of_pairs("depths"), most_of_pairs("siblings"), size, 0)
+    each = most_instructions(cost, most_of_pairs("depths"), most_of_pairs("siblings"), size, 1) - none
+    cell(size)
+    cell(value["all", "leaf." size ".flash"])
+    cell(32 * size * size)
+    cell(int(($3 - none) / each))
+    cell(shown("all", "leaf." size ".work.close.mean"))
+    cell(shown("all", "leaf." size ".work.close.max"))
+    cell(shown("all", "leaf." size ".work.intersecting.mean"))
+    cell(shown("all", "leaf." size ".work.intersecting.max"))
+    end_row()
+  }
+  print_table()
+  next
 }
 
 function bounded_rows(motion, of_class,    c) {
@@ -209,14 +249,6 @@ function bounded_rows(motion, of_class,    c) {
 }
 
 $1 == "@bounded" {
-  for (i = 0; i < names; ++i) {
-    if (name[i] ~ /^visits\..*\.depths$/ && value["all", name[i]] > most_depths) {
-      most_depths = value["all", name[i]]
-    }
-    if (name[i] ~ /^visits\..*\.siblings$/ && value["all", name[i]] > most_siblings) {
-      most_siblings = value["all", name[i]]
-    }
-  }
   begin_table()
   cell("the worst query observed, 64 poses")
   for (c = 0; c < cores; ++c) {

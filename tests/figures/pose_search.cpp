@@ -54,12 +54,12 @@ std::int64_t diagonal(const std::int64_t (&side)[3]) {
 
 }  // namespace
 
-PoseSearch::PoseSearch(const PostMesh& a, const PostMesh& b, std::uint64_t seed)
-    : a_(&a), b_(&b), random_(seed) {
+PoseSearch::PoseSearch(const Meshes& searched, const Meshes& asked, std::uint64_t seed)
+    : searched_(searched), asked_(asked), random_(seed) {
   std::int64_t side_a[3];
   std::int64_t side_b[3];
-  measure_root(a, middle_a_, side_a);
-  measure_root(b, middle_b_, side_b);
+  measure_root(*searched.a, middle_a_, side_a);
+  measure_root(*searched.b, middle_b_, side_b);
   reach_ = (diagonal(side_a) + diagonal(side_b)) / 2 + 2;
   size_b_ = side_b[0] > side_b[1] ? side_b[0] : side_b[1];
   size_b_ = size_b_ > side_b[2] ? size_b_ : side_b[2];
@@ -97,6 +97,7 @@ Asked PoseSearch::at(const Approach& approach, std::int64_t distance) const {
                  {0, 0, 0},
                  0,
                  0,
+                 0,
                  0};
   const Pose rotated = pose_of(asked);
   for (int axis = 0; axis < 3; ++axis) {
@@ -113,7 +114,7 @@ Asked PoseSearch::at(const Approach& approach, std::int64_t distance) const {
 
 bool PoseSearch::touches(const Approach& approach, std::int64_t distance) const {
   const Pose pose = pose_of(at(approach, distance));
-  return intersects(*a_, *b_, pose).yes;
+  return intersects(*searched_.a, *searched_.b, pose).yes;
 }
 
 std::int64_t PoseSearch::touching_distance(const Approach& approach) const {
@@ -151,12 +152,15 @@ bool PoseSearch::is(Proximity proximity, Asked& asked) const {
   const Pose pose = pose_of(asked);
   constexpr auto every_pair = [](const PairQuery::Pair&) { return true; };
   // Classes are of boxes alone, so that poses stay the same whatever else rejects pairs.
-  Query<Ranked<PostMesh>, detail::BoxIntersection> by_boxes(*a_, *b_, pose);
-  PairQuery query(*a_, *b_, pose);
+  Query<Ranked<PostMesh>, detail::BoxIntersection> by_boxes(*searched_.a, *searched_.b, pose);
+  PairQuery query(*asked_.a, *asked_.b, pose);
+  constexpr std::uint32_t kGranted = UINT32_MAX - 1;  // which is a limit
+  std::uint32_t work = kGranted;
   if (by_boxes.run(UINT32_MAX, every_pair) != Status::done ||
-      query.run(UINT32_MAX, every_pair) != Status::done) {
+      query.spend(work, every_pair) != Status::done) {
     return false;
   }
+  asked.work = kGranted - work;
   asked.visits = query.counts().visits;
   asked.leaf_pairs = query.counts().leaf_pairs;
   asked.triangle_pairs = query.counts().triangle_pairs;

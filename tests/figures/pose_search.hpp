@@ -9,13 +9,19 @@
 
 namespace figures {
 
+/// Two meshes that outlive what is given them.
+struct Meshes {
+  const flashbvh::PostMesh* a;
+  const flashbvh::PostMesh* b;
+};
+
 /// B is rotated at random, or not at all, and comes towards A from any direction, the middles of
 /// their boxes in line, until it touches. From there it is translated on or back by a part of its
 /// size.
 class PoseSearch {
  public:
-  /// The trees outlive the search.
-  PoseSearch(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b, std::uint64_t seed);
+  /// Poses are found with the one pair of trees, counts with the other, of the same meshes.
+  PoseSearch(const Meshes& searched, const Meshes& asked, std::uint64_t seed);
 
   Asked next(Proximity proximity, bool rotated);
 
@@ -37,8 +43,8 @@ class PoseSearch {
   /// Fills in the counts.
   bool is(Proximity proximity, Asked& asked) const;
 
-  const flashbvh::PostMesh* a_;
-  const flashbvh::PostMesh* b_;
+  Meshes searched_;
+  Meshes asked_;
   flashbvh::test::Random random_;
   std::int64_t middle_a_[3];  ///< in half cells
   std::int64_t middle_b_[3];

@@ -1,7 +1,8 @@
-// write_poses FOLDER PAIR...: FOLDER/poses.cpp, the poses that the figures are taken at.
+// write_poses FOLDER SEARCHED PAIR...: FOLDER/poses.cpp, the poses that the figures are taken at.
 //
-// PAIR: two meshes' names, as bicep-palm, whose images lie in FOLDER. The same file every time: the
-// poses follow from the images alone.
+// PAIR: two meshes' names, as bicep-palm, whose images lie in FOLDER, and in SEARCHED with one
+// triangle a leaf. The same file every time: the poses follow from the latter alone, what a query
+// at each of them counts from the former.
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
@@ -41,11 +42,34 @@ class Image {
   bool is_open_ = false;
 };
 
+class ImagePair {
+ public:
+  ImagePair(const std::string& folder, const std::string& a, const std::string& b)
+      : a_(folder + "/" + a + ".fbvh"), b_(folder + "/" + b + ".fbvh") {
+    if (!is_open()) {
+      std::fprintf(stderr, "write_poses: no 16-bit post-indexed images of %s and %s in %s\n",
+                   a.c_str(), b.c_str(), folder.c_str());
+    }
+  }
+
+  bool is_open() const { return a_.is_open() && b_.is_open(); }
+  Meshes meshes() const { return {&a_.tree(), &b_.tree()}; }
+
+ private:
+  Image a_;
+  Image b_;
+};
+
+struct Folders {
+  std::string asked;
+  std::string searched;
+};
+
 void write_asked(std::ostream& out, const Asked& asked) {
   const auto& q = asked.quaternion;
   out << "          {{" << q[0] << ", " << q[1] << ", " << q[2] << ", " << q[3] << "}, {"
       << asked.cells[0] << ", " << asked.cells[1] << ", " << asked.cells[2] << "}, " << asked.visits
-      << ", " << asked.leaf_pairs << ", " << asked.triangle_pairs << "},\n";
+      << ", " << asked.leaf_pairs << ", " << asked.triangle_pairs << ", " << asked.work << "},\n";
 }
 
 void write_motion(std::ostream& out, PoseSearch& search, bool rotated) {
@@ -61,16 +85,14 @@ void write_motion(std::ostream& out, PoseSearch& search, bool rotated) {
 }
 
 /// False, with a message, if an image can't be opened.
-bool write_pair(std::ostream& out, const std::string& folder, const std::string& a,
+bool write_pair(std::ostream& out, const Folders& folders, const std::string& a,
                 const std::string& b) {
-  const Image image_a(folder + "/" + a + ".fbvh");
-  const Image image_b(folder + "/" + b + ".fbvh");
-  if (!image_a.is_open() || !image_b.is_open()) {
-    std::fprintf(stderr, "write_poses: no 16-bit post-indexed images of %s and %s in %s\n",
-                 a.c_str(), b.c_str(), folder.c_str());
+  const ImagePair asked(folders.asked, a, b);
+  const ImagePair searched(folders.searched, a, b);
+  if (!asked.is_open() || !searched.is_open()) {
     return false;
   }
-  PoseSearch search(image_a.tree(), image_b.tree(), kSeed);
+  PoseSearch search(searched.meshes(), asked.meshes(), kSeed);
   out << "    {\"" << a << "\", \"" << b << "\", &" << a << "::mesh, &" << b << "::mesh,\n";
   write_motion(out, search, false);
   write_motion(out, search, true);
@@ -81,16 +103,16 @@ bool write_pair(std::ostream& out, const std::string& folder, const std::string&
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 3) {
-    std::fputs("usage: write_poses FOLDER PAIR...\n", stderr);
+  if (argc < 4) {
+    std::fputs("usage: write_poses FOLDER SEARCHED PAIR...\n", stderr);
     return 2;
   }
-  const std::string folder = argv[1];
-  std::ofstream out(folder + "/poses.cpp");
+  const Folders folders = {argv[1], argv[2]};
+  std::ofstream out(folders.asked + "/poses.cpp");
   out << "// Written by write_poses.\n#include \"asked.hpp\"\n";
   std::vector<std::pair<std::string, std::string>> pairs;
   std::set<std::string> meshes;
-  for (int i = 2; i < argc; ++i) {
+  for (int i = 3; i < argc; ++i) {
     const std::string names = argv[i];
     const std::size_t dash = names.find('-');
     pairs.emplace_back(names.substr(0, dash), names.substr(dash + 1));
@@ -101,7 +123,7 @@ int main(int argc, char** argv) {
   }
   out << "\nnamespace figures {\n\nconst AskedPair kAskedPairs[] = {\n";
   for (const auto& [a, b] : pairs) {
-    if (!write_pair(out, folder, a, b)) {
+    if (!write_pair(out, folders, a, b)) {
       return 1;
     }
   }

@@ -98,7 +98,7 @@ TEST_CASE("all traversals agree on the trees of each builder, and find what brut
   Random random(seed + 5);
   using Builder = bake::BuildTree (*)(const bake::LatticeMesh&);
   const Builder builders[] = {
-      bake::build_default,
+      [](const bake::LatticeMesh& mesh) { return bake::build_default(mesh); },
       [](const bake::LatticeMesh& mesh) { return bake::build_sah(mesh, 1); },
       [](const bake::LatticeMesh& mesh) { return bake::collapse(bake::build_sah(mesh, 3), 8); },
       [](const bake::LatticeMesh& mesh) { return bake::build_median(mesh, 1); },

@@ -19,7 +19,7 @@ template <class Index, Layout layout>
 bake::BakedTree<Index, layout> bake_object(const scene::PaperObject& object, Built built) {
   const bake::LatticeMesh mesh = make_mesh(object);
   return bake::lay_out<Index, layout>(
-      built == Built::paper ? bake::build_median(mesh, 1) : bake::build_default(mesh), mesh);
+      built == Built::paper ? bake::build_median(mesh, 1) : bake::build_default(mesh, 1), mesh);
 }
 
 /// Traversal: with its trees' index type and layout. By boxes alone, as the paper's figures.

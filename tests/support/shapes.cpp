@@ -131,7 +131,7 @@ bake::BuildTree any_tree(Random& random, const bake::LatticeMesh& mesh) {
     case 3:
       return random_tree(random, mesh, {2 + random.below(7), 1, true});
     case 5:
-      return bake::build_default(mesh);
+      return bake::build_default(mesh, 1 + random.below(2));
     case 6:
       return bake::collapse(bake::build_sah(mesh, 1 + random.below(4)), 2 + random.below(7));
     case 4:

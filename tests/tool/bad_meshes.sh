@@ -92,19 +92,19 @@ cell=$(sed 's/.*--cell //' stderr)
 
 # Too many for 16 bits: the message names the mend, and the mend works.
 refused "many_nodes.stl: 79999 nodes, but 16-bit indices reach 65535; use a larger --leaf-size" \
-  bake meshes/many_nodes.stl -o out --arity 2
-refused "many_nodes.stl: 79999 nodes" bake meshes/many_nodes.stl -o out --builder median
+  bake meshes/many_nodes.stl -o out --leaf-size 1 --arity 2
+refused "many_nodes.stl: 79999 nodes" bake meshes/many_nodes.stl -o out --leaf-size 1 --builder median
 refused "many_nodes.stl: 40000 leaves, but 16-bit indices reach 32768; use a larger --leaf-size" \
-  bake meshes/many_nodes.stl -o out
-"$FLASHBVH" bake meshes/many_nodes.stl -o many --leaf-size 2 >/dev/null
+  bake meshes/many_nodes.stl -o out --leaf-size 1
+"$FLASHBVH" bake meshes/many_nodes.stl -o many >/dev/null
 refused "many_vertices.stl: 66000 vertices, but" bake meshes/many_vertices.stl -o out --cell 0.25
 refused "many_triangles.stl: 66000 triangles, but" bake meshes/many_triangles.stl -o out
 "$FLASHBVH" bake meshes/many_triangles.stl -o many --index-bits 32 --format image >/dev/null
 "$FLASHBVH" check many/many_triangles.fbvh --mesh meshes/many_triangles.stl >/dev/null
 
 # Over budget.
-refused "takes 17" bake meshes/ring.stl -o out --max-bytes 16000
-grep -qF 'allows 16000' stderr || fail "$(cat stderr)"
+refused "takes 1" bake meshes/ring.stl -o out --max-bytes 9000
+grep -qF 'allows 9000' stderr || fail "$(cat stderr)"
 
 # Two meshes that would be written to one file.
 mkdir other

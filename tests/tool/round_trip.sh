@@ -12,7 +12,7 @@ f 3 2 1
 f 1 2 4
 f 5 4 2
 OBJ
-"$FLASHBVH" bake mesh.obj -o baked --cell 0.5 >table
+"$FLASHBVH" bake mesh.obj -o baked --cell 0.5 --leaf-size 1 >table
 "$FLASHBVH" export baked/mesh.fbvh -o lattice.obj
 # Corner by corner in source order: round(coordinate / 0.5), halves away from zero.
 awk '$1 == "v" { v[++n] = $2 " " $3 " " $4 } $1 == "f" { print v[$2]; print v[$3]; print v[$4] }' \

@@ -79,8 +79,8 @@ BuildTree build_sah(const LatticeMesh& mesh, std::uint32_t leaf_size) {
   return with_leaves(tree, leaf_size);
 }
 
-BuildTree build_default(const LatticeMesh& mesh) {
-  return collapse(build_sah(mesh, kDefaultLeafSize), kDefaultArity);
+BuildTree build_default(const LatticeMesh& mesh, std::uint32_t leaf_size) {
+  return collapse(build_sah(mesh, leaf_size), kDefaultArity);
 }
 
 }  // namespace flashbvh::bake

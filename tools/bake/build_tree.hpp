@@ -47,9 +47,9 @@ BuildTree build_sah(const LatticeMesh& mesh, std::uint32_t leaf_size);
 BuildTree collapse(const BuildTree& binary, std::uint32_t arity);
 
 /// What `flashbvh bake` builds without options.
-constexpr std::uint32_t kDefaultLeafSize = 1;
+constexpr std::uint32_t kDefaultLeafSize = 2;
 constexpr std::uint32_t kDefaultArity = 4;
-BuildTree build_default(const LatticeMesh& mesh);
+BuildTree build_default(const LatticeMesh& mesh, std::uint32_t leaf_size = kDefaultLeafSize);
 
 }  // namespace flashbvh::bake
 

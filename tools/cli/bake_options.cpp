@@ -20,6 +20,7 @@ struct Arguments {
   std::string layout = "post";
   std::string builder = "sah";
   std::string name;
+  std::optional<std::uint32_t> leaf_size;
   std::optional<std::uint32_t> arity;
   unsigned index_bits = 16;
   std::optional<std::string> max_deviation;
@@ -62,7 +63,8 @@ BakeOptions options_of(const Arguments& arguments) {
   options.layout = arguments.layout == "pre" ? Layout::pre_indexed : Layout::post_indexed;
   options.index_width = arguments.index_bits == 16 ? IndexWidth::bits_16 : IndexWidth::bits_32;
   options.builder = median ? Builder::median : Builder::sah;
-  // Two children a node are part of what makes the median tree the paper's.
+  // One triangle a leaf and two children a node are part of what makes the median tree the paper's.
+  options.leaf_size = arguments.leaf_size.value_or(median ? 1 : bake::kDefaultLeafSize);
   options.arity = arguments.arity.value_or(median ? 2 : bake::kDefaultArity);
   if (arguments.cell) {
     options.cell = length_of("--cell", *arguments.cell,
@@ -155,9 +157,10 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
                   "How triangles are grouped: median is the paper's, sah gives faster queries")
       ->check(CLI::IsMember({"median", "sah"}))
       ->capture_default_str();
-  command.add_option("--leaf-size", a.order.options.leaf_size, "Most triangles in a leaf")
-      ->check(CLI::Range(1, 16))
-      ->capture_default_str();
+  command
+      .add_option("--leaf-size", a.leaf_size,
+                  "Most triangles in a leaf; default: 2, with --builder median 1")
+      ->check(CLI::Range(1, 16));
   command
       .add_option("--arity", a.arity,
                   "Most children of a node; default: 4, with --builder median 2")

@@ -20,7 +20,7 @@ BakedObject::BakedObject(const scene::PaperObject& object)
 
 const bake::BuildTree& BakedObject::default_tree() {
   if (!default_tree_) {
-    default_tree_ = bake::build_default(mesh_);
+    default_tree_ = bake::build_default(mesh_, 1);
   }
   return *default_tree_;
 }

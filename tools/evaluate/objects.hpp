@@ -28,7 +28,8 @@ struct BothLayouts {
   }
 };
 
-/// The paper's tree over one object, split at the median, a triangle a leaf; and the default one.
+/// The paper's tree over one object, split at the median, a triangle a leaf; and that of `flashbvh
+/// bake` with a triangle a leaf, too.
 class BakedObject {
  public:
   explicit BakedObject(const scene::PaperObject& object);
