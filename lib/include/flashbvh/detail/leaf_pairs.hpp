@@ -22,6 +22,8 @@ class LeafPairs {
   using Index = typename Mesh::Index;
 
  public:
+  using SpendsWork = void;
+
   struct Entry {
     Index a;
     Index b;

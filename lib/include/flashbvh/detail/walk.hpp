@@ -98,15 +98,37 @@ struct Progress {
   uint32_t visits_down() const { return work_left + besides; }
 };
 
+/// Whether what is asked at pairs of leaves spends work.
+template <class LeafPair, class = void>
+struct SpendsWork {
+  static constexpr bool value = false;
+};
+template <class LeafPair>
+struct SpendsWork<LeafPair, typename LeafPair::SpendsWork> {
+  static constexpr bool value = true;
+};
+
 /// A run of a walk. Its loop keeps but the address, and that in memory: registers are for the rest.
 /// `leaf_pair(i, j, progress)`: of a pair of leaves that may matter, whether to go on after it; it
-/// may spend work.
+/// may spend work if it has a type SpendsWork, void.
 template <class Cursor, class LeafPair>
 struct WalkRun {
   WalkRun(Cursor& at, LeafPair& pair, uint32_t work)
       : cursor(&at), leaf_pair(&pair), progress{work} {}
 
   bool found(uint32_t a, uint32_t b) { return (*leaf_pair)(a, b, progress); }
+  /// For a loop that keeps work and overlaps itself.
+  bool found(uint32_t a, uint32_t b, uint32_t& work_left, uint32_t overlaps) {
+    if constexpr (SpendsWork<LeafPair>::value) {
+      progress.go_on(work_left, overlaps);
+      const bool go_on = found(a, b);
+      work_left = progress.work_left;
+      return go_on;
+    } else {
+      Progress now{work_left, overlaps};
+      return (*leaf_pair)(a, b, now);
+    }
+  }
 
   Cursor* cursor;
   LeafPair* leaf_pair;
@@ -322,10 +344,8 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
             continue;
           }
           keep_in_memory(kept);
-          kept->progress.go_on(work_left, overlaps);
-          end = kept->found(at.index_a(), at.index_b()) ? State::done : State::at_leaf_pair;
-          work_left = kept->progress.work_left;
-          if (end != State::done) {
+          if (!kept->found(at.index_a(), at.index_b(), work_left, overlaps)) {
+            end = State::at_leaf_pair;
             break;
           }
         }
