@@ -13,8 +13,7 @@
 #if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_ROTATE_DSP 1
 #include "box_rotated_dsp.hpp"
-#elif defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
-#define FLASHBVH_ROTATE_SSE2 1
+#elif defined(FLASHBVH_ROTATE_SSE2)
 #include "box_rotated_sse2.hpp"
 #elif defined(__thumb__) && __ARM_ARCH_PROFILE == 'M' && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_ROTATE_THUMB 1
@@ -85,11 +84,11 @@ inline PackedBox rotated(const SplitMatrix& matrix, const BoundStart* starts,
 FLASHBVH_NOINLINE uint32_t rotate_and_compare(RotatedBox& kept, const PackedBox& box,
                                               const PackedBox& other) {
 #if defined(FLASHBVH_ROTATE_SSE2)
-  kept.bounds = rotated_sse2(*kept.matrix, kept.starts, box);
+  kept.bounds = rotated_sse2(kept.by, box);
 #elif defined(FLASHBVH_ROTATE_PLAIN)
-  rotate_plain(*kept.matrix, kept.starts, box, kept.bounds);
+  rotate_plain(*kept.by.matrix, kept.by.starts, box, kept.bounds);
 #else
-  kept.bounds = rotated(*kept.matrix, kept.starts, box);
+  kept.bounds = rotated(*kept.by.matrix, kept.by.starts, box);
 #endif
   kept.source = &box;
   return compare(kept.bounds, other);

@@ -26,12 +26,46 @@
 
 namespace flashbvh::detail {
 
+#if defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_ROTATE_SSE2 1
+
+/// What rotates a box, an axis a lane.
+struct alignas(16) BoxRotation {
+  uint32_t positive_xy[4];
+  uint32_t negative_xy[4];
+  uint32_t z[4];
+  int32_t upper[4];
+  int32_t lower[4];
+
+  BoxRotation(const SplitMatrix& matrix, const BoundStart* starts)
+      : positive_xy(), negative_xy(), z(), upper(), lower() {
+    for (int i = 0; i < 3; ++i) {
+      positive_xy[i] = matrix.row[i].positive_xy;
+      negative_xy[i] = matrix.row[i].negative_xy;
+      z[i] = matrix.row[i].z;
+      upper[i] = starts[i].upper;
+      lower[i] = starts[i].lower;
+    }
+  }
+};
+
+#else
+
+/// What rotates a box: a matrix, and where the sums of its three axes begin.
+struct BoxRotation {
+  const SplitMatrix* matrix;
+  const BoundStart* starts;
+
+  BoxRotation(const SplitMatrix& by, const BoundStart* from) : matrix(&by), starts(from) {}
+};
+
+#endif
+
 /// A box seen from the other lattice. 24 bytes.
 struct RotatedBox {
   PackedBox bounds;
-  const PackedBox* source;    ///< the box that was rotated, null at first
-  const SplitMatrix* matrix;  ///< what rotates it
-  const BoundStart* starts;   ///< of its three axes
+  const PackedBox* source;  ///< the box that was rotated, null at first
+  BoxRotation by;
 };
 
 /// Tests boxes of A against boxes of B under a rotation; lives as long as a run of a walk. 48 bytes
@@ -40,8 +74,8 @@ class RotatedBound {
  public:
   /// `transform` and its pose outlive this.
   explicit RotatedBound(const RotatedTransform& transform)
-      : a_{{0, 0, 0}, nullptr, &transform.columns, transform.on_b},
-        b_{{0, 0, 0}, nullptr, &transform.matrix->rows, transform.on_a} {}
+      : a_{{0, 0, 0}, nullptr, {transform.columns, transform.on_b}},
+        b_{{0, 0, 0}, nullptr, {transform.matrix->rows, transform.on_a}} {}
 
   /// False only if no transformed triangle of a subtree with box `b` intersects one of a subtree
   /// with box `a`. Answers depend on the boxes alone, not on what was asked before; but boxes are

@@ -101,11 +101,11 @@ struct Progress {
 /// Whether what is asked at pairs of leaves spends work.
 template <class LeafPair, class = void>
 struct SpendsWork {
-  static constexpr bool value = false;
+  static constexpr bool kValue = false;
 };
 template <class LeafPair>
 struct SpendsWork<LeafPair, typename LeafPair::SpendsWork> {
-  static constexpr bool value = true;
+  static constexpr bool kValue = true;
 };
 
 /// A run of a walk. Its loop keeps but the address, and that in memory: registers are for the rest.
@@ -119,7 +119,7 @@ struct WalkRun {
   bool found(uint32_t a, uint32_t b) { return (*leaf_pair)(a, b, progress); }
   /// For a loop that keeps work and overlaps itself.
   bool found(uint32_t a, uint32_t b, uint32_t& work_left, uint32_t overlaps) {
-    if constexpr (SpendsWork<LeafPair>::value) {
+    if constexpr (SpendsWork<LeafPair>::kValue) {
       progress.go_on(work_left, overlaps);
       const bool go_on = found(a, b);
       work_left = progress.work_left;
