@@ -105,7 +105,7 @@ awk '
   FNR == NR { found[$2 " " $3 " " $4] = $9; usual += $11; next }
   { if (found[$2 " " $3 " " $4] != $9) differs = 1; compact += $11 }
   END {
-    printf "All questions, by ranked: %d instructions, %.2f times those of one triangle a leaf.\n",
+    printf "All questions, by ranked: %d instructions, %.2f times those of two triangles a leaf.\n",
       compact, compact / usual
     if (differs) print "The two trees found different triangles: DIFFERS"
     exit differs || compact > 1.3 * usual
