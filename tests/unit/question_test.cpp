@@ -51,18 +51,20 @@ struct NearBound {
 class GrownBound {
  public:
   GrownBound(const RotatedTransform& transform, std::int32_t distance)
-      : grown_(transform), bound_(grown_) {
-    for (int i = 0; i < 3; ++i) {
-      grow(grown_.on_a[i], distance);
-      grow(grown_.on_b[i], 2 * distance);
-    }
-  }
+      : grown_(grown(transform, distance)), bound_(grown_) {}
   bool operator()(const PackedBox& a, const PackedBox& b) { return bound_(a, b); }
 
  private:
   static void grow(BoundStart& start, std::int32_t cells) {
     start.upper += cells * kSplitOne;
     start.lower += cells * kSplitOne;
+  }
+  static RotatedTransform grown(RotatedTransform transform, std::int32_t distance) {
+    for (int i = 0; i < 3; ++i) {
+      grow(transform.on_a[i], distance);
+      grow(transform.on_b[i], 2 * distance);
+    }
+    return transform;
   }
 
   RotatedTransform grown_;

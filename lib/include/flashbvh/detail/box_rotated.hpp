@@ -72,7 +72,7 @@ struct RotatedBox {
 /// on a 32-bit core.
 class RotatedBound {
  public:
-  /// `transform` and its pose outlive this.
+  /// `transform` and its pose outlive this, as they are: some of it may be copied here.
   explicit RotatedBound(const RotatedTransform& transform)
       : a_{{0, 0, 0}, nullptr, {transform.columns, transform.on_b}},
         b_{{0, 0, 0}, nullptr, {transform.matrix->rows, transform.on_a}} {}
