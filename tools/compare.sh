@@ -57,9 +57,11 @@ torus() {
     >"$meshes/$1.obj"
 }
 
-# bake MESH...: those that are queried together share a cell.
+# bake MESH...: those that are queried together share a cell. With one triangle a leaf, too, for poses
+# to be searched with.
 bake() {
   quietly "$flashbvh" bake "$@" -o "$meshes" --format image
+  quietly "$flashbvh" bake "$@" -o "$meshes/searched" --format image --leaf-size 1
 }
 
 # cached NAME: what CMake has of that name for the program.

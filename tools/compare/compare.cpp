@@ -103,8 +103,11 @@ void add_pairs(std::vector<Pair> ours, std::vector<Pair> theirs, Found& found) {
 
 class Comparison {
  public:
-  Comparison(const std::string& name, const flashbvh::PostMesh& a, const flashbvh::PostMesh& b)
-      : name_(name), search_(a, b, kSeed), libraries_(all_libraries(a, b)) {}
+  /// Poses are found with the trees `searched`.
+  Comparison(const std::string& name, const Meshes& searched, const Meshes& asked)
+      : name_(name),
+        search_(searched, asked, kSeed),
+        libraries_(all_libraries(*asked.a, *asked.b)) {}
 
   void run(bool rotated) {
     motion_ = rotated ? "rotated" : "translated";
@@ -161,9 +164,13 @@ class Comparison {
 
 void compare_pair(const std::string& folder, const std::string& names) {
   const std::size_t dash = names.find('-');
-  const Image a(folder + "/" + names.substr(0, dash) + ".fbvh");
-  const Image b(folder + "/" + names.substr(dash + 1) + ".fbvh");
-  Comparison comparison(names, a.mesh(), b.mesh());
+  const std::string file_a = "/" + names.substr(0, dash) + ".fbvh";
+  const std::string file_b = "/" + names.substr(dash + 1) + ".fbvh";
+  const Image a(folder + file_a);
+  const Image b(folder + file_b);
+  const Image searched_a(folder + "/searched" + file_a);
+  const Image searched_b(folder + "/searched" + file_b);
+  Comparison comparison(names, {&searched_a.mesh(), &searched_b.mesh()}, {&a.mesh(), &b.mesh()});
   comparison.run(false);
   comparison.run(true);
 }
