@@ -9,6 +9,7 @@
 #include "flashbvh/bound.hpp"
 #include "flashbvh/image.hpp"
 #include "property/any_mesh.hpp"
+#include "support/most_work.hpp"
 #include "support/queries.hpp"
 #include "support/random.hpp"
 #include "support/shapes.hpp"
@@ -144,17 +145,9 @@ struct CountedTests {
   }
 };
 
-TreeSize size_of(const PostMesh& mesh) {
-  TreeSize size = {0, 0, 1, mesh.leaf_count, mesh.triangle_count};
-  for (std::uint32_t leaf = 0; leaf < mesh.leaf_count; ++leaf) {
-    size.leaf_size = std::max(size.leaf_size, mesh.triangles_in(leaf));
-  }
-  return size;
-}
-
-/// What the pairs of leaves of a query have in pairs of triangles, were each leaf as large as
-/// `most`.
-bool whole_work_is_possible(const Counts& counts, std::uint32_t work, std::uint32_t most) {
+/// Whether a query in one run can have taken so much work, if its leaves have one to `most`
+/// triangles.
+bool is_work_of(const Counts& counts, std::uint32_t work, std::uint32_t most) {
   const std::uint32_t least = counts.visits + kTrianglePairWork * counts.leaf_pairs;
   const std::uint32_t others = counts.overlaps * (kShapeWork + most) + kGoOnWork * counts.visits;
   return work >= least &&
@@ -225,7 +218,7 @@ TEST_CASE("work is visits, shapes and pairs of triangles") {
     PairQuery query(a, b, scene.pose);
     const Step step = query.run(kGranted, found.data(), 1000);
     REQUIRE(step.status == Status::done);
-    REQUIRE(whole_work_is_possible(query.counts(), step.work, most));
+    REQUIRE(is_work_of(query.counts(), step.work, most));
     if (most == 1) {  // and by boxes alone there are no shapes
       Query<Ranked<PostMesh>, BoxIntersection> boxes(a, b, scene.pose);
       const std::uint32_t work = boxes.run(kGranted, found.data(), 1000).work;

@@ -2,11 +2,22 @@
 #ifndef FLASHBVH_TESTS_MOST_WORK_HPP
 #define FLASHBVH_TESTS_MOST_WORK_HPP
 
+#include <algorithm>
 #include <cstdint>
 
-#include "flashbvh/detail/work.hpp"
+#include "flashbvh/bound.hpp"
 
 namespace flashbvh::test {
+
+/// As far as work depends on it.
+template <class Mesh>
+TreeSize size_of(const Mesh& mesh) {
+  TreeSize size = {0, 0, 1, mesh.leaf_count, mesh.triangle_count};
+  for (std::uint32_t leaf = 0; leaf < mesh.leaf_count; ++leaf) {
+    size.leaf_size = std::max(size.leaf_size, mesh.triangles_in(leaf));
+  }
+  return size;
+}
 
 /// A query visits each pair of nodes once at most.
 template <class Mesh>
@@ -18,10 +29,8 @@ std::uint32_t most_visits_of_nodes(const Mesh& a, const Mesh& b) {
 /// A leaf taken as a shape with each visit, and all triangles tested.
 template <class Mesh>
 std::uint32_t most_work_of_nodes(const Mesh& a, const Mesh& b) {
-  const std::uint64_t in_a_leaf = a.triangle_count + b.triangle_count;
-  const std::uint64_t work =
-      std::uint64_t{most_visits_of_nodes(a, b)} * (1 + detail::kShapeWork + in_a_leaf) +
-      std::uint64_t{detail::kTrianglePairWork} * a.triangle_count * b.triangle_count;
+  const std::uint64_t visits = most_visits_of_nodes(a, b);
+  const std::uint64_t work = most_work(size_of(a), size_of(b), visits, visits);
   return work < UINT32_MAX ? static_cast<std::uint32_t>(work) : UINT32_MAX;
 }
 

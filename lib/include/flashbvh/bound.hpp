@@ -76,20 +76,21 @@ constexpr uint64_t instructions_of_start(const RunCosts& costs, const TreeSize& 
 }
 
 /// The most instructions of PairQuery::run(work, found), from `run` called to returned, whatever
-/// the meshes, the pose, and where the query stands.
+/// the pose, and where the query stands. Not of UINT32_MAX, which is no limit.
 constexpr uint64_t most_instructions(const RunCosts& costs, const TreeSize& a, const TreeSize& b,
                                      uint32_t work) {
   return instructions_of_start(costs, a, b) +
          (work + largest_step(a, b) - 1) * instructions_of_work(costs, a, b);
 }
 
-/// The most work for which run(work, found) stays within so many instructions; 0 if none does.
+/// The most work for which run(work, found) stays within so many instructions; 0 if none does, and
+/// never UINT32_MAX.
 constexpr uint32_t work_within(uint64_t instructions, const RunCosts& costs, const TreeSize& a,
                                const TreeSize& b) {
   const uint64_t none = most_instructions(costs, a, b, 0);
   const uint64_t work =
       instructions < none ? 0 : (instructions - none) / instructions_of_work(costs, a, b);
-  return work < UINT32_MAX ? static_cast<uint32_t>(work) : UINT32_MAX;
+  return work < detail::kUnlimited ? static_cast<uint32_t>(work) : detail::kUnlimited - 1;
 }
 
 }  // namespace flashbvh

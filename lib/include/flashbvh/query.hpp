@@ -3,9 +3,9 @@
 // The query object is all the memory there is. It may be stopped after any amount of work and gives
 // the same pairs in the same order however it is cut into runs.
 //
-// Work: a visit to a pair of boxes is 1; a leaf taken as a shape 8 with its visits to come, and 1
-// for each triangle beside its first; two triangles tested against each other 32. What of it a run
-// may take bounds its time (bound.hpp, lib/docs/bounded_time.md).
+// Work: a visit to a pair of boxes is 1; a leaf taken as a shape 8, and 1 for each triangle beside
+// its first; two triangles tested against each other 32. The work of a run bounds its time
+// (bound.hpp, lib/docs/bounded_time.md).
 //
 // A query writes nothing but itself and the caller's array, so any number of queries, in tasks and
 // in interrupts, may share meshes and poses. One query is one caller's at a time: what interrupts a

@@ -64,8 +64,8 @@ void measure_run(PairQuery& query, bool rotated) {
   bound_done();
   const bool full = slice.step.status == Status::full;
   const uint32_t visits = full ? slice.work : query.counts().visits - before.visits;
-  const uint32_t leaf_pairs =
-      full ? slice.work / 32 + 1 : query.counts().leaf_pairs - before.leaf_pairs + pending;
+  const uint32_t leaf_pairs = full ? slice.work / kTrianglePairWork + 1
+                                   : query.counts().leaf_pairs - before.leaf_pairs + pending;
   port::print("run ", rotated ? 1 : 0, " ", slice.work, " ", visits, " ", leaf_pairs, " ");
   port::print(side_a.depth + side_b.depth, " ",
               side_a.leaf_size > side_b.leaf_size ? side_a.leaf_size : side_b.leaf_size, " ",

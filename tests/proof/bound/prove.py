@@ -16,7 +16,17 @@ from machine_code.instruction import Refused
 from machine_code.loops import Loops
 from machine_code.program import Program
 
-GO_ON, SHAPE, TRIANGLE_PAIR = 2, 8, 32  # in work: flashbvh/detail/work.hpp
+# In work. The awk programs of this folder and of tests/figures have them, too.
+GO_ON, SHAPE, TRIANGLE_PAIR = 2, 8, 32
+
+
+def check_units(sources: str) -> None:
+    header = (Path(sources) / "include/flashbvh/detail/work.hpp").read_text()
+    for name, units in (("GoOn", GO_ON), ("Shape", SHAPE), ("TrianglePair", TRIANGLE_PAIR)):
+        if f"k{name}Work = {units};" not in header:
+            raise Refused(f"k{name}Work is not {units} in work.hpp: change formula.awk, turns.awk, "
+                          "tests/figures/page.awk and the pages, too")
+
 
 
 def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
@@ -69,6 +79,7 @@ def cut_lines(program: Program, costs: Costs) -> Iterator[str]:
 
 def main() -> None:
     output, cuts, core, file, sources = sys.argv[1:]
+    check_units(sources)
     program = Program(file)
     loops = Loops(str(Path(__file__).with_name("loops.txt")), sources)
     costs = Costs(program, loops)
