@@ -6,8 +6,8 @@ using namespace flashbvh;
 
 void query_in_cpp(image a, image b, const int32_t rotation[9], const int32_t cells[3],
                   const int16_t fraction[3], answer* to) {
-  LevelledPostMesh tree_a;
-  LevelledPostMesh tree_b;
+  PostMesh tree_a;
+  PostMesh tree_b;
   to->count = 0;
   if (open_image(a.bytes, a.size, tree_a) != Status::done ||
       open_image(b.bytes, b.size, tree_b) != Status::done) {

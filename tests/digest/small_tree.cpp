@@ -20,6 +20,8 @@ uint32_t cut(Shape shape, uint32_t count) {
   }
 }
 
+constexpr uint16_t kOnlyShell[] = {0};
+
 uint16_t nodes_of(uint32_t leaves) {
   return static_cast<uint16_t>(2 * leaves - 1);
 }
@@ -80,6 +82,24 @@ void SmallTree<layout>::set_node(const SmallMesh& mesh, const Range& range, uint
   node.data = static_cast<uint16_t>((own < above ? own : above < 127 ? above : 126u) << 8 | above);
 }
 
+/// Of all triangles, in cells, rounded up.
+uint16_t longest_edge(const SmallMesh& mesh) {
+  const auto square = [](int32_t difference) { return uint32_t(difference) * uint32_t(difference); };
+  uint32_t longest = 0;
+  for (uint32_t i = 0; i < 3u * mesh.triangle_count; ++i) {
+    const Corners<uint16_t>& triangle = mesh.triangles[i / 3];
+    const Vertex& p = mesh.vertices[triangle.corner[i % 3]];
+    const Vertex& q = mesh.vertices[triangle.corner[(i + 1) % 3]];
+    const uint32_t squared = square(p.x - q.x) + square(p.y - q.y) + square(p.z - q.z);
+    longest = squared > longest ? squared : longest;
+  }
+  uint32_t root = 0;
+  while (root * root < longest) {
+    ++root;
+  }
+  return static_cast<uint16_t>(root);
+}
+
 template <Layout layout>
 void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_size) {
   const uint32_t leaf_count = (mesh.triangle_count + leaf_size - 1) / leaf_size;
@@ -128,6 +148,11 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
   for (int i = 0; i < 3; ++i) {
     view_.origin[i] = mesh.origin[i];
   }
+  view_.shell_vertices = kOnlyShell;
+  view_.shell_count = 1;
+  view_.longest_edge = longest_edge(mesh);
+  view_.unit = Unit::none;
+  view_.is_closed = false;
   view_.cell_bits = 0x3FF0000000000000u;
   view_.levels = levels_;
   if constexpr (kPost) {

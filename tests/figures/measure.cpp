@@ -44,7 +44,7 @@ uint32_t walk_transformed(const PostMesh& a, const PostMesh& b, Transform& trans
   if (transform.roots_disjoint(a, b)) {
     return 1;
   }
-  transform.prepare(b.nodes[0].box);
+  transform.prepare(b);
   uint32_t visits = 0;
   if (transform.is_rotated()) {
     RotatedBound bound(transform.rotated());

@@ -38,7 +38,7 @@ class Image {
 
  private:
   std::vector<std::uint32_t> words_;
-  LevelledPostMesh tree_{};
+  PostMesh tree_{};
   bool is_open_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "fuzz/any_pose.hpp"
 #include "golden/golden.hpp"
 #include "support/any_query.hpp"
+#include "support/opened.hpp"
 #include "support/most_work.hpp"
 
 using namespace flashbvh;
@@ -37,12 +38,13 @@ void resume_and_end(Query& query, const QueryPosition<Index>& position, std::uin
 template <class Tree>
 void fuzz(const KeptImage& image_a, const KeptImage& image_b, Input& input) {
   using Index = typename Tree::Index;
-  Tree a;
-  Tree b;
-  if (open_image(image_a.bytes, image_a.size, a) != Status::done ||
-      open_image(image_b.bytes, image_b.size, b) != Status::done) {
+  Opened<Tree> of_a;
+  Opened<Tree> of_b;
+  if (!of_a.open(image_a.bytes, image_a.size) || !of_b.open(image_b.bytes, image_b.size)) {
     return;
   }
+  const Tree& a = of_a.mesh;
+  const Tree& b = of_b.mesh;
   QueryPosition<Index> position;
   position.state = static_cast<typename QueryPosition<Index>::State>(input.take<std::uint8_t>());
   position.a = input.take<Index>();

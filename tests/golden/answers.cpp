@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "flashbvh/image.hpp"
 #include "golden/golden.hpp"
 #include "support/any_query.hpp"
+#include "support/opened.hpp"
 #include "support/rotations.hpp"
 
 namespace flashbvh::test {
@@ -78,14 +78,13 @@ std::string answer(const Tree& a, const Tree& b, const Pose& pose) {
 /// Nothing if the two are not of this kind.
 template <class Tree>
 std::string answers_between(const KeptImage& a, const KeptImage& b) {
-  Tree tree_a;
-  Tree tree_b;
+  Opened<Tree> opened_a;
+  Opened<Tree> opened_b;
   std::string text;
-  if (open_image(a.bytes, a.size, tree_a) == Status::done &&
-      open_image(b.bytes, b.size, tree_b) == Status::done) {
+  if (opened_a.open(a.bytes, a.size) && opened_b.open(b.bytes, b.size)) {
     for (const NamedPose& named : poses()) {
       text += std::string(a.name) + " " + b.name + " " + named.name + "\n" +
-              answer(tree_a, tree_b, named.pose);
+              answer(opened_a.mesh, opened_b.mesh, named.pose);
     }
   }
   return text;

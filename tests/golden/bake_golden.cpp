@@ -13,6 +13,7 @@ struct Recipe {
   Builder builder;
   std::uint32_t leaf_size;
   std::uint32_t arity;
+  bool levels = false;
 };
 
 template <class Index, Layout layout>
@@ -26,8 +27,9 @@ BakedImage baked(const char* mesh_name, const bake::LatticeMesh& mesh, const Rec
   const std::string name = std::string(mesh_name) +
                            (layout == Layout::pre_indexed ? "-pre-" : "-post-") +
                            std::to_string(8 * sizeof(Index)) + (median ? "-median-" : "-sah-") +
-                           std::to_string(recipe.leaf_size) + "-" + std::to_string(recipe.arity);
-  return {name, bake::image_of(bake::lay_out<Index, layout>(tree, mesh))};
+                           std::to_string(recipe.leaf_size) + "-" + std::to_string(recipe.arity) +
+                           (recipe.levels ? "-levels" : "");
+  return {name, bake::image_of(bake::lay_out<Index, layout>(tree, mesh), recipe.levels)};
 }
 
 /// Off its frame's origin, so that a rotation has to take the origin in.
@@ -36,6 +38,8 @@ bake::LatticeMesh ring() {
   mesh.origin = {40, -25, 7};
   mesh.cell = 0.125;
   mesh.deviation = 0.0625;
+  mesh.unit = Unit::mm;
+  mesh.name = "ring";
   return mesh;
 }
 
@@ -62,7 +66,7 @@ std::vector<BakedImage> bake_golden_images() {
   constexpr Layout post = Layout::post_indexed;
   return {
       baked<Narrow, post>("ring", ring(), {Builder::sah, 1, 4}),  // what bake does unasked
-      baked<Narrow, post>("knot", knot(), {Builder::median, 4, 2}),
+      baked<Narrow, post>("knot", knot(), {Builder::median, 4, 2, true}),
       baked<Narrow, post>("lone", lone(), {Builder::sah, 1, 4}),
       baked<Narrow, pre>("ring", ring(), {Builder::median, 1, 2}),
       baked<Narrow, pre>("knot", knot(), {Builder::sah, 4, 8}),

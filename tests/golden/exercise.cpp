@@ -8,6 +8,7 @@
 #include "golden/golden.hpp"
 #include "support/any_query.hpp"
 #include "support/most_work.hpp"
+#include "support/opened.hpp"
 #include "support/rotations.hpp"
 
 namespace flashbvh::test {
@@ -40,38 +41,39 @@ const char* exercise(const Tree& a, const Tree& b, const Pose& pose) {
   return wrong;
 }
 
-/// The smallest golden image of this kind, with the cell of another tree.
+/// Opens the smallest golden image of this kind; false if there is none.
 template <class Tree>
-Tree partner_of(const Tree& other) {
-  Tree smallest{};
+bool open_partner(Opened<Tree>& partner) {
+  const KeptImage* smallest = nullptr;
   for (std::size_t i = 0; i < kKeptImageCount; ++i) {
-    Tree tree;
-    if (open_image(kKeptImages[i].bytes, kKeptImages[i].size, tree) == Status::done &&
-        tree.node_count > 1 &&
-        (smallest.nodes == nullptr || tree.node_count < smallest.node_count)) {
-      smallest = tree;
+    const KeptImage& image = kKeptImages[i];
+    if (partner.open(image.bytes, image.size) && partner.mesh.node_count > 1 &&
+        (smallest == nullptr || image.size < smallest->size)) {
+      smallest = &image;
     }
   }
-  smallest.cell_bits = other.cell_bits;
-  return smallest;
+  return smallest != nullptr && partner.open(smallest->bytes, smallest->size);
 }
 
 template <class Tree>
 void open_and_exercise(const void* bytes, std::size_t size, const std::vector<Pose>& poses,
                        Verdict& verdict) {
-  Tree tree;
-  if (open_image(bytes, size, tree) != Status::done) {
+  Opened<Tree> opened;
+  if (!opened.open(bytes, size)) {
     return;
   }
   verdict.opened = true;
   if (poses.empty()) {
     return;
   }
-  const Tree partner = partner_of(tree);
-  if (partner.nodes == nullptr) {
+  Opened<Tree> with;
+  if (!open_partner(with)) {
     verdict.wrong = "there is no golden image of this kind";
     return;
   }
+  const Tree& tree = opened.mesh;
+  Tree& partner = with.mesh;
+  partner.cell_bits = tree.cell_bits;
   for (const Pose& pose : poses) {
     for (const char* wrong : {exercise(tree, tree, pose), exercise(tree, partner, pose),
                               exercise(partner, tree, pose)}) {

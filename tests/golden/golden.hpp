@@ -12,7 +12,7 @@ namespace flashbvh::test {
 
 /// An image as this build bakes it.
 struct BakedImage {
-  std::string name;  ///< MESH-LAYOUT-BITS-BUILDER-LEAFSIZE-ARITY
+  std::string name;  ///< MESH-LAYOUT-BITS-BUILDER-LEAFSIZE-ARITY[-levels]
   std::vector<std::uint32_t> words;
 };
 

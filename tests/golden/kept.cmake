@@ -7,9 +7,11 @@ add_custom_command(OUTPUT ${embedded}
     -P ${CMAKE_CURRENT_LIST_DIR}/embed.cmake
   DEPENDS ${CMAKE_CURRENT_LIST_DIR}/embed.cmake ${CMAKE_CURRENT_LIST_DIR}/answers.txt ${kept}
   VERBATIM)
+include(${CMAKE_CURRENT_LIST_DIR}/../../tools/rooms.cmake)
+flashbvh_need_room(bake)
 add_library(flashbvh_kept_images STATIC ${embedded} ${CMAKE_CURRENT_LIST_DIR}/exercise.cpp)
 target_include_directories(flashbvh_kept_images PUBLIC ${CMAKE_CURRENT_LIST_DIR}/..)
-target_link_libraries(flashbvh_kept_images PUBLIC flashbvh::flashbvh)
+target_link_libraries(flashbvh_kept_images PUBLIC flashbvh_bake)
 flashbvh_warnings(flashbvh_kept_images)
 if(CMAKE_CROSSCOMPILING)
   target_compile_options(flashbvh_kept_images PRIVATE -O1)

@@ -1,9 +1,9 @@
 // A walk goes on from any position that resume() lets pass, and ends: all of them are tried.
 #include <catch2/catch.hpp>
 
-#include "flashbvh/image.hpp"
 #include "golden/golden.hpp"
 #include "support/at_roots.hpp"
+#include "support/opened.hpp"
 #include "support/walk.hpp"
 
 using namespace flashbvh;
@@ -57,10 +57,12 @@ std::uint32_t try_pairs() {
   std::uint32_t tried = 0;
   for (std::size_t i = 0; i < kKeptImageCount; ++i) {
     for (std::size_t j = 0; j < kKeptImageCount; ++j) {
-      Tree a;
-      Tree b;
-      if (open_image(kKeptImages[i].bytes, kKeptImages[i].size, a) != Status::done ||
-          open_image(kKeptImages[j].bytes, kKeptImages[j].size, b) != Status::done ||
+      Opened<Tree> of_a;
+      Opened<Tree> of_b;
+      const Tree& a = of_a.mesh;
+      const Tree& b = of_b.mesh;
+      if (!of_a.open(kKeptImages[i].bytes, kKeptImages[i].size) ||
+          !of_b.open(kKeptImages[j].bytes, kKeptImages[j].size) ||
           a.node_count * b.node_count > 6000) {
         continue;
       }

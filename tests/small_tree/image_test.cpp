@@ -24,7 +24,7 @@ constexpr int kRounds = 1000;
 class Image {
  public:
   template <class Tree>
-  void write(const Tree& tree) {
+  void write(const Tree& tree, bool levels = true) {
     TreeShape shape;
     REQUIRE(check_tree(tree, shape) == Status::done);
     ImageHeader header = {};
@@ -38,21 +38,28 @@ class Image {
     header.vertex_count = tree.vertex_count;
     header.depth = shape.depth;
     header.stack_need = shape.stack_need;
-    header.leaf_size = static_cast<uint16_t>(shape.leaf_size);
+    header.leaf_size = static_cast<uint8_t>(shape.leaf_size);
+    header.name_size = sizeof kName;
     header.arity = static_cast<uint16_t>(shape.arity);
     memcpy(header.origin, tree.origin, sizeof header.origin);
     memcpy(header.cell, &tree.cell_bits, sizeof header.cell);
+    header.shell_count = tree.shell_count;
+    header.longest_edge = static_cast<uint16_t>(shape.longest_edge);
+    header.unit = static_cast<uint8_t>(Unit::mm);
+    header.flags = static_cast<uint8_t>((levels ? kImageHasLevels : 0) |
+                                        (shape.is_closed ? kImageIsClosed : 0));
     const ImageOffsets at = image_offsets(header);
     size_ = header.byte_count = static_cast<uint32_t>(at.end);
     REQUIRE(size_ <= sizeof words_);
     memset(words_, 0, sizeof words_);
     memcpy(bytes(), &header, sizeof header);
     put(at.nodes, tree.nodes, tree.node_count);
-    put(at.levels, tree.levels, tree.node_count);
+    const uint32_t level_count = levels ? tree.node_count : 0u;
+    put(at.levels, tree.levels, level_count);
     if constexpr (Tree::kLayout == Layout::post_indexed) {
-      put(at.climb, tree.right_child_levels, tree.node_count);
+      put(at.climb, tree.right_child_levels, level_count);
     } else {
-      put(at.climb, tree.parents, tree.node_count);
+      put(at.climb, tree.parents, level_count);
     }
     put(at.triangles, tree.triangles, tree.triangle_count);
     put(at.triangle_ids, tree.triangle_ids, tree.triangle_count);
@@ -60,6 +67,8 @@ class Image {
       put(at.leaf_offsets, tree.leaf_offsets, tree.leaf_count + 1u);
     }
     put(at.vertices, tree.vertices, tree.vertex_count);
+    put(at.shell_vertices, tree.shell_vertices, tree.shell_count);
+    put(at.name, kName, sizeof kName);
     repair_crc();
   }
 
@@ -82,10 +91,11 @@ class Image {
     memcpy(bytes() + offset, elements, sizeof(Element) * count);
   }
 
+  static constexpr char kName[3] = {'r', 'i', 'm'};
   static constexpr uint32_t kMostBytes =
       sizeof(ImageHeader) + digest::kMostNodes * (sizeof(Node<uint16_t>) + 2 * sizeof(uint16_t)) +
       digest::kMostTriangles * (sizeof(Corners<uint16_t>) + 2 * sizeof(uint16_t)) +
-      digest::kMostVertices * sizeof(Vertex) + 8 * sizeof(uint32_t);
+      digest::kMostVertices * sizeof(Vertex) + 10 * sizeof(uint32_t);
   uint32_t words_[kMostBytes / sizeof(uint32_t)];
   uint32_t size_ = 0;
 };

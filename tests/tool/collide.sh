@@ -23,11 +23,11 @@ count=$(sed 's/#.*//' poses | grep -c .)
 
 # brute NAME: all pairs for the two images in NAME.
 brute() {
-  "$FLASHBVH" export "$1/ring.fbvh" -o a.obj
+  "$FLASHBVH" export --cells "$1/ring.fbvh" -o a.obj
   grep -v '^#' poses | grep . | sed 's/#.*//' | {
     i=0
     while read -r pose; do
-      "$FLASHBVH" export "$1/coarse.fbvh" -o b.obj --pose "$pose"
+      "$FLASHBVH" export --cells "$1/coarse.fbvh" -o b.obj --pose "$pose"
       "$TOOLS/tool_test_brute_force" $i a.obj b.obj
       i=$((i + 1))
     done

@@ -85,7 +85,7 @@ for kind in obj off ply; do
 done
 cmp off/box.fbvh ply/box.fbvh
 "$FLASHBVH" check obj/box.fbvh --mesh box.off >verdict || fail "$(cat verdict)"
-"$FLASHBVH" export off/box.fbvh -o off.obj
+"$FLASHBVH" export --cells off/box.fbvh -o off.obj
 [ "$(grep -c '^f' off.obj)" -eq 12 ] || fail "not 12 triangles"
 # Binary PLY, big-endian: a triangle with corners 0 0 0, 2 0 0, 0 2 0.
 {
@@ -102,7 +102,7 @@ printf 'v 0 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3\n' >big.obj
 # A polygon with a notch, tiny, and one of nine corners: all of their triangles are there.
 printf 'v 0 0 0\nv 4e-4 0 0\nv 4e-4 4e-4 0\nv 2e-4 1e-4 0\nv 0 4e-4 0\nf 1 2 3 4 5\n' >notch.obj
 "$FLASHBVH" bake notch.obj -o notch --cell 1e-4 >/dev/null
-"$FLASHBVH" export notch/notch.fbvh -o notch.txt
+"$FLASHBVH" export --cells notch/notch.fbvh -o notch.txt
 [ "$(grep -c '^f' notch.txt)" -eq 3 ] || fail "not 3 triangles"
 # Twice the area, summed over the triangles, is that of the polygon: none lies in the notch.
 area=$(awk '$1 == "v" { x[++n] = $2; y[n] = $3 }

@@ -56,7 +56,7 @@ warned "without area: 1 triangle (12); left out" \
   "with the three vertices of an earlier one, once rounded: 2 triangles (14 and 15); $kept_duplicate"
 exits 0 check some/mesh.fbvh --mesh mesh.obj
 grep -q '14 triangles.*without 2 degenerate and 0 duplicate triangles' stdout || fail "$(cat stdout)"
-"$FLASHBVH" export some/mesh.fbvh -o some.obj
+"$FLASHBVH" export --cells some/mesh.fbvh -o some.obj
 [ "$(grep '^# triangle' some.obj)" = "# triangle 14" ] || fail "$(cat some.obj)"
 [ "$(grep -c '^v' some.obj)" -eq 8 ] || fail "vertices that nothing uses"
 

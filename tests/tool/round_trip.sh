@@ -13,7 +13,7 @@ f 1 2 4
 f 5 4 2
 OBJ
 "$FLASHBVH" bake mesh.obj -o baked --cell 0.5 --leaf-size 1 >table
-"$FLASHBVH" export baked/mesh.fbvh -o lattice.obj
+"$FLASHBVH" export --cells baked/mesh.fbvh -o lattice.obj
 # Corner by corner in source order: round(coordinate / 0.5), halves away from zero.
 awk '$1 == "v" { v[++n] = $2 " " $3 " " $4 } $1 == "f" { print v[$2]; print v[$3]; print v[$4] }' \
   lattice.obj >found
@@ -22,11 +22,11 @@ awk 'function cells(x) { x /= 0.5; return x < 0 ? -int(0.5 - x) : int(x + 0.5) }
   $1 == "f" { print v[$2]; print v[$3]; print v[$4] }' mesh.obj | sed 's/-0/0/g' >wanted
 cmp wanted found
 # Halves of a cell go up.
-"$FLASHBVH" export baked/mesh.fbvh -o translated.obj --pose "1 0 0 0 1 0 0 0 1 1.25 -1.25 100"
+"$FLASHBVH" export --cells baked/mesh.fbvh -o translated.obj --pose "1 0 0 0 1 0 0 0 1 1.25 -1.25 100"
 awk '$1 == "v" { print $2 - 3, $3 + 2, $4 - 200 } $1 == "f" { print }' translated.obj >found
 awk '$1 == "v" { print $2, $3, $4 } $1 == "f" { print }' lattice.obj >wanted
 cmp wanted found
-"$FLASHBVH" export baked/mesh.fbvh -o rotated.obj --pose "0 -1 0 1 0 0 0 0 1 1.25 -1.25 100"
+"$FLASHBVH" export --cells baked/mesh.fbvh -o rotated.obj --pose "0 -1 0 1 0 0 0 0 1 1.25 -1.25 100"
 awk '$1 == "v" { print $3 + 2, 3 - $2, $4 - 200 } $1 == "f" { print }' rotated.obj >found
 cmp wanted found
 
@@ -35,12 +35,12 @@ cmp wanted found
 # a rotation are at that distance).
 awk '$1 == "v" { $2 += 30000; $3 -= 2000000; $4 += 7 } { print }' lattice.obj >distant.obj
 "$FLASHBVH" bake distant.obj -o distant --cell 1 >/dev/null
-"$FLASHBVH" export distant/distant.fbvh -o distant_lattice.obj
+"$FLASHBVH" export --cells distant/distant.fbvh -o distant_lattice.obj
 # transformed_right IMAGE LATTICE.obj CELL SLACK REACH
 transformed_right() {
   awk -v count=20 -v seed=3 -v reach="$5" -f "$SOURCES/poses.awk" >transformed_poses
   while read -r pose; do
-    "$FLASHBVH" export "$1" -o rotated.obj --pose "$pose"
+    "$FLASHBVH" export --cells "$1" -o rotated.obj --pose "$pose"
     awk -v pose="$pose" -v cell="$3" -v slack="$4" '
       BEGIN { split(pose, p, " ") }
       FNR == NR { if ($1 == "v") { x[++n] = $2; y[n] = $3; z[n] = $4 } next }
@@ -61,7 +61,7 @@ transformed_right distant/distant.fbvh distant_lattice.obj 1 1 100
 
 # The exported mesh bakes to itself.
 "$FLASHBVH" bake lattice.obj -o again --cell 1 >/dev/null
-"$FLASHBVH" export again/lattice.fbvh -o again.obj
+"$FLASHBVH" export --cells again/lattice.fbvh -o again.obj
 "$FLASHBVH" check again/lattice.fbvh --mesh lattice.obj >/dev/null
 
 for options in "--layout post" "--layout pre" "--leaf-size 4 --arity 3" "--builder median" \

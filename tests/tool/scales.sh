@@ -5,7 +5,7 @@
 
 "$TOOLS/tool_test_meshes" meshes
 "$FLASHBVH" bake meshes/ring.stl -o plain --cell 0.013 >log
-"$FLASHBVH" export plain/ring.fbvh -o ring.obj
+"$FLASHBVH" export --cells plain/ring.fbvh -o ring.obj
 awk -v count=15 -v seed=7 -v reach=25 -f "$SOURCES/poses.awk" >poses
 
 # scaled EXPONENT CELL: the mesh's own lattice points as lengths, times ten to the exponent.
@@ -15,7 +15,7 @@ scaled() {
     >"by$1/ring.obj"
   awk -v e="$1" '{ for (i = 10; i <= 12; ++i) $i = $i "e" e; print }' poses >"by$1/poses"
   "$FLASHBVH" bake "by$1/ring.obj" -o "by$1" --cell "$2" >log
-  "$FLASHBVH" export "by$1/ring.fbvh" -o "by$1/lattice.obj"
+  "$FLASHBVH" export --cells "by$1/ring.fbvh" -o "by$1/lattice.obj"
   "$FLASHBVH" collide "by$1/ring.fbvh" "by$1/ring.fbvh" --poses "by$1/poses" --json \
     --pairs "by$1/pairs" >"by$1/answers"
 }

@@ -17,27 +17,35 @@ box 10 >parts/in.obj
 "$FLASHBVH" bake parts/mm.obj parts/m.obj parts/in.obj -o out --cell 0.5 --unit mm \
   --unit m.obj=m --unit parts/in.obj=in >table 2>warnings
 [ ! -s warnings ] || fail "$(cat warnings)"
-cmp out/mm.fbvh out/in.fbvh
+"$FLASHBVH" info out/mm.fbvh --json | sed 's/"name":"mm"/"name":"in"/' >of_mm
+"$FLASHBVH" info out/in.fbvh --json >of_in
+cmp of_mm of_in
+grep -q '"unit":"mm"' of_in || fail "$(cat of_in)"
+"$FLASHBVH" info out/in.fbvh | grep -q '^cell  *0.5  mm$' || fail "$("$FLASHBVH" info out/in.fbvh)"
 grep -q '^cell 0.5 mm;' table || fail "$(cat table)"
 grep -q 'kCell = 0.5;  ///< in mm' out/m.fbvh.hpp || fail "$(cat out/m.fbvh.hpp)"
 for name in mm m in; do
-  "$FLASHBVH" export out/$name.fbvh -o $name.obj
+  "$FLASHBVH" export --cells out/$name.fbvh -o $name.obj
   cmp mm.obj $name.obj
 done
 
-# A common unit alone changes no number, whichever it is.
+# A common unit alone changes no number, whichever it is; the image knows it.
 "$FLASHBVH" bake parts/in.obj -o plain --cell 0.5 --format image >table
 grep -q '^cell 0.5;' table || fail "$(cat table)"
 for unit in nm um mm cm m mil in ft; do
   "$FLASHBVH" bake parts/in.obj -o alone --cell 0.5 --unit $unit --format image >table
   grep -q "^cell 0.5 $unit;" table || fail "$(cat table)"
-  cmp plain/in.fbvh alone/in.fbvh
+  "$FLASHBVH" info alone/in.fbvh --json | sed "s/\"unit\":\"$unit\"/\"unit\":\"\"/" >found
+  "$FLASHBVH" info plain/in.fbvh --json | cmp - found
+  "$FLASHBVH" export alone/in.fbvh -o alone.obj
+  head -n 1 alone.obj | grep -q "^# in $unit$" || fail "$(cat alone.obj)"
+  grep -q '^v 10 10 10$' alone.obj || fail "$(cat alone.obj)"
 done
 
 # To feet and back: 12 inches to a foot.
 "$FLASHBVH" bake parts/in.obj -o feet --cell 0.5 --unit in.obj=in --unit ft --format image >/dev/null \
   2>warnings
-"$FLASHBVH" export feet/in.fbvh -o feet.obj
+"$FLASHBVH" export --cells feet/in.fbvh -o feet.obj
 grep -q '^v 2 2 2$' feet.obj || fail "10 in are not 2 cells of half a foot: $(cat feet.obj)"
 
 # check reads the mesh as bake did.

@@ -51,7 +51,14 @@ struct Image {
 template <Layout layout, class Change>
 Status status_after(Baked<layout> baked, Change change) {
   change(baked);
-  return Image{image_of(baked)}.template open<LevelledMesh<std::uint16_t, layout>>();
+  return Image{image_of(baked, true)}.template open<LevelledMesh<std::uint16_t, layout>>();
+}
+
+/// The same of an image without levels.
+template <class Change>
+Status status_without_levels(Baked<kPost> baked, Change change) {
+  change(baked);
+  return Image{image_of(baked)}.open<PostMesh>();
 }
 
 /// Three levels, one node with three children, leaves of one and two triangles.
@@ -88,9 +95,11 @@ TEST_CASE("an image opens in place as the tree that was baked") {
   Random random(test_seed());
   for (int round = 0; round < 100; ++round) {
     const auto baked = baked_shape<kPost>(random, 1 + random.below(30));
-    Image image{image_of(baked)};
-    REQUIRE(bake::image_size(baked) == image.size());
-    LevelledPostMesh tree;
+    const bool levels = round % 2 == 0;
+    Image image{image_of(baked, levels)};
+    REQUIRE(bake::image_size(baked, levels) == image.size());
+    REQUIRE(image.open<LevelledPostMesh>() == (levels ? Status::done : Status::image_kind));
+    PostMesh tree;
     REQUIRE(open_image(image.bytes(), image.size(), tree) == Status::done);
     REQUIRE(tree.node_count == baked.nodes.size());
     REQUIRE(std::memcmp(tree.nodes, baked.nodes.data(),
@@ -100,6 +109,11 @@ TEST_CASE("an image opens in place as the tree that was baked") {
     REQUIRE(tree.stack_need == baked.stack_need);
     REQUIRE(tree.cell_bits == baked.view().cell_bits);
     REQUIRE((tree.leaf_offsets == nullptr) == baked.leaf_offsets.empty());
+    REQUIRE(tree.shell_count == baked.shell_vertices.size());
+    REQUIRE(std::equal(baked.shell_vertices.begin(), baked.shell_vertices.end(),
+                       tree.shell_vertices));
+    REQUIRE(tree.longest_edge == baked.longest_edge);
+    REQUIRE(tree.is_closed == baked.is_closed);
     REQUIRE(Image{image_of(baked_shape<kPre>(random, 5))}.open<LevelledPreMesh>() == Status::done);
   }
 }
@@ -109,9 +123,11 @@ TEST_CASE("wide images open as wide trees") {
   const auto mesh = random_mesh(random, 20, 100, 30);
   const auto tree = any_tree(random, mesh);
   Image pre{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))};
-  Image post{image_of(bake::lay_out<std::uint32_t, kPost>(tree, mesh))};
+  Image post{image_of(bake::lay_out<std::uint32_t, kPost>(tree, mesh), true)};
   CHECK(pre.open<LargeLevelledPreMesh>() == Status::done);
   CHECK(post.open<LargeLevelledPostMesh>() == Status::done);
+  CHECK(post.open<LargePostMesh>() == Status::done);
+  CHECK(post.open<PostMesh>() == Status::image_kind);
   CHECK(pre.open<LevelledPreMesh>() == Status::image_kind);
   CHECK(pre.open<LargeLevelledPostMesh>() == Status::image_kind);
 }
@@ -142,12 +158,6 @@ std::vector<std::function<void(Baked<layout>&)>> broken_arrays(std::size_t last)
         t.nodes[1].data = static_cast<std::uint16_t>(126 << 8 | (t.nodes[1].data & 255));
       },
       [last](auto& t) { t.nodes[last].data ^= 1; },
-      [](auto& t) { t.levels[0] = 1; },
-      [last](auto& t) { t.levels[last] += 1; },
-      [last](auto& t) { t.levels[last] = 0; },
-      [](auto& t) { t.climb[0] = 1; },
-      [last](auto& t) { t.climb[last] += 1; },
-      [](auto& t) { t.climb[1] += 1; },
       [](auto& t) { t.triangles[0].corner[2] = 0xFFFF; },
       [](auto& t) { std::swap(t.triangles.front(), t.triangles.back()); },
       [](auto& t) { t.leaf_offsets[0] = 1; },
@@ -159,10 +169,27 @@ std::vector<std::function<void(Baked<layout>&)>> broken_arrays(std::size_t last)
         t.leaf_offsets.push_back(t.leaf_offsets.back());
       },
       [](auto& t) { t.vertices[0].x = 16384; },
+      [](auto& t) { t.shell_vertices.clear(); },
+      [](auto& t) { t.shell_vertices[0] = static_cast<std::uint16_t>(t.vertices.size()); },
+      [](auto& t) { t.shell_vertices.push_back(t.shell_vertices.back()); },
+      [](auto& t) { t.shell_vertices[1] = 0; },
       // Vertices that no triangle has: no box tells.
       stray({16384, 0, 0}),
       stray({0, -16384, 0}),
       stray({0, 0, INT16_MIN}),
+  };
+}
+
+/// What breaks one rule of the levels.
+template <Layout layout>
+std::vector<std::function<void(Baked<layout>&)>> broken_levels(std::size_t last) {
+  return {
+      [](auto& t) { t.levels[0] = 1; },
+      [last](auto& t) { t.levels[last] += 1; },
+      [last](auto& t) { t.levels[last] = 0; },
+      [](auto& t) { t.climb[0] = 1; },
+      [last](auto& t) { t.climb[last] += 1; },
+      [](auto& t) { t.climb[1] += 1; },
   };
 }
 
@@ -187,6 +214,11 @@ std::vector<std::function<void(Baked<layout>&)>> broken_headers() {
       [](auto& t) { t.cell = std::numeric_limits<double>::denorm_min(); },
       [](auto& t) { t.cell = std::numeric_limits<double>::infinity(); },
       [](auto& t) { t.cell = std::numeric_limits<double>::quiet_NaN(); },
+      [](auto& t) { t.longest_edge += 1; },
+      [](auto& t) { t.longest_edge -= 1; },
+      [](auto& t) { t.is_closed = !t.is_closed; },
+      [](auto& t) { t.unit = static_cast<Unit>(kUnitCount); },
+      [](auto& t) { t.name = std::string("a\0b", 3); },
       [](auto& t) { t.deviation = -0.0; },
       [](auto& t) { t.deviation = std::numeric_limits<double>::infinity(); },
       [](auto& t) { t.deviation = std::numeric_limits<double>::quiet_NaN(); },
@@ -198,11 +230,20 @@ TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused"
   constexpr Layout layout = TestType::kLayout;
   const Baked<layout> good = small_tree<layout>();
   REQUIRE(status_after(good, [](auto&) {}) == Status::done);
-  for (const auto& changes :
-       {broken_arrays<layout>(good.nodes.size() - 1), broken_headers<layout>()}) {
+  const std::size_t last = good.nodes.size() - 1;
+  for (const auto& changes : {broken_arrays<layout>(last), broken_headers<layout>()}) {
     for (std::size_t i = 0; i < changes.size(); ++i) {
       CAPTURE(i);
       CHECK(status_after(good, changes[i]) == Status::image_invalid);
+      if constexpr (layout == kPost) {
+        CHECK(status_without_levels(good, changes[i]) == Status::image_invalid);
+      }
+    }
+  }
+  for (const auto& change : broken_levels<layout>(last)) {
+    CHECK(status_after(good, change) == Status::image_invalid);
+    if constexpr (layout == kPost) {
+      CHECK(status_without_levels(good, change) == Status::done);
     }
   }
 }
@@ -215,6 +256,8 @@ TEST_CASE("the largest origins and the smallest and largest cells are good") {
       [](auto& t) { t.cell = std::numeric_limits<double>::min(); },
       [](auto& t) { t.cell = std::numeric_limits<double>::max(); },
       [](auto& t) { t.deviation = std::numeric_limits<double>::max(); },
+      [](auto& t) { t.unit = Unit::foot; },
+      [](auto& t) { t.name.assign(bake::kMaxNameSize, '\xFF'); },
   };
   for (const auto& change : changes) {
     CHECK(status_after(small_tree<kPost>(), change) == Status::done);
@@ -232,6 +275,18 @@ TEST_CASE("a layout or an index width that is none is refused as such") {
   }
 }
 
+TEST_CASE("a flag that is none is refused, and a pre-indexed image without levels") {
+  Image post{image_of(small_tree<kPost>())};
+  Image pre{image_of(small_tree<kPre>())};
+  REQUIRE(post.open<PostMesh>() == Status::done);
+  post.bytes()[offsetof(ImageHeader, flags)] |= 4;
+  post.repair_crc();
+  CHECK(post.open<PostMesh>() == Status::image_invalid);
+  pre.bytes()[offsetof(ImageHeader, flags)] &= static_cast<unsigned char>(~kImageHasLevels);
+  pre.repair_crc();
+  CHECK(pre.open<LevelledPreMesh>() == Status::image_invalid);
+}
+
 TEST_CASE("a last node with neither children nor triangles is refused") {
   for (unsigned parent_rank = 1; parent_rank <= 126; ++parent_rank) {
     CHECK(status_after(small_tree<kPost>(), [&](auto& t) {
@@ -246,13 +301,13 @@ TEST_CASE("a last node with neither children nor triangles is refused") {
 
 TEST_CASE("counts beyond the index type are refused, though what they are cut to would be sound") {
   const auto baked = small_tree<kPost>();
-  const Image small{image_of(baked)};
+  const Image small{image_of(baked, true)};
   ImageHeader header;
   std::memcpy(&header, small.words.data(), sizeof header);
   const ImageOffsets from = image_offsets(header);
   std::uint32_t ImageHeader::*const count =
       GENERATE(&ImageHeader::node_count, &ImageHeader::leaf_count, &ImageHeader::triangle_count,
-               &ImageHeader::vertex_count);
+               &ImageHeader::vertex_count, &ImageHeader::shell_count);
   header.*count += 0x10000;
   const ImageOffsets to = image_offsets(header);
   header.byte_count = static_cast<std::uint32_t>(to.end);
@@ -265,7 +320,8 @@ TEST_CASE("counts beyond the index type are refused, though what they are cut to
                                     {from.triangles, from.triangle_ids, to.triangles},
                                     {from.triangle_ids, from.leaf_offsets, to.triangle_ids},
                                     {from.leaf_offsets, from.vertices, to.leaf_offsets},
-                                    {from.vertices, from.end, to.vertices}};
+                                    {from.vertices, from.shell_vertices, to.vertices},
+                                    {from.shell_vertices, from.name, to.shell_vertices}};
   for (const auto& [begin, end, at] : parts) {
     std::memcpy(large.bytes() + at, bytes + begin, static_cast<std::size_t>(end - begin));
   }
@@ -275,25 +331,29 @@ TEST_CASE("counts beyond the index type are refused, though what they are cut to
 
 TEST_CASE("a header alone, of an image without nodes, is refused before a root is looked for") {
   ImageHeader header;
-  std::memcpy(&header, image_of(small_tree<kPost>()).data(), sizeof header);
-  header.node_count = header.leaf_count = header.triangle_count = header.vertex_count = 0;
+  std::memcpy(&header, image_of(small_tree<kPost>(), true).data(), sizeof header);
+  header.shell_count = header.node_count = header.leaf_count = header.triangle_count = header.vertex_count = 0;
   header.byte_count = sizeof header;
   Image image{std::vector<std::uint32_t>(sizeof header / 4)};
   std::memcpy(image.bytes(), &header, sizeof header);
   image.repair_crc();
   CHECK(image.open<LevelledPostMesh>() == Status::image_invalid);
+  CHECK(image.open<PostMesh>() == Status::image_invalid);
   CHECK(image.open<LevelledPreMesh>() == Status::image_kind);
 }
 
 TEST_CASE("a byte other than zero in any gap is refused") {
-  // 9 nodes, 7 triangles, 5 leaves, 21 vertices: a gap of 2 bytes after each array of odd length.
-  Image image{image_of(small_tree<kPost>())};
+  // 9 nodes, 7 triangles, 5 leaves, 21 vertices, 7 shells, a name of 3 bytes: a gap after each.
+  auto baked = small_tree<kPost>();
+  baked.name = "any";
+  Image image{image_of(baked, true)};
   ImageHeader header;
   std::memcpy(&header, image.bytes(), sizeof header);
   const ImageOffsets at = image_offsets(header);
-  const std::uint64_t gaps[] = {at.climb, at.triangles, at.triangle_ids, at.leaf_offsets, at.end};
+  const std::uint64_t gaps[] = {at.climb, at.triangles, at.triangle_ids, at.leaf_offsets,
+                                at.shell_vertices, at.name, at.end};
   for (const std::uint64_t end : gaps) {
-    for (const std::uint64_t offset : {end - 2, end - 1}) {
+    for (const std::uint64_t offset : {end - (end == at.end ? 1 : 2), end - 1}) {
       CAPTURE(end, offset);
       REQUIRE(image.bytes()[offset] == 0);
       image.bytes()[offset] = 1;
@@ -308,10 +368,10 @@ TEST_CASE("bits between the ranks of a wide node are refused") {
   Random random(test_seed());
   const auto mesh = random_mesh(random, 4, 100, 30);
   auto baked = bake::lay_out<std::uint32_t, kPost>(bake::build_median(mesh, 1), mesh);
-  REQUIRE(Image{image_of(baked)}.open<LargeLevelledPostMesh>() == Status::done);
+  REQUIRE(Image{image_of(baked)}.open<LargePostMesh>() == Status::done);
   for (const unsigned bit : {8u, 15u, 16u, 23u}) {
     baked.nodes[0].data ^= 1u << bit;
-    CHECK(Image{image_of(baked)}.open<LargeLevelledPostMesh>() == Status::image_invalid);
+    CHECK(Image{image_of(baked)}.open<LargePostMesh>() == Status::image_invalid);
     baked.nodes[0].data ^= 1u << bit;
   }
 }
@@ -324,8 +384,7 @@ TEST_CASE("a leaf of 255 triangles is good, one of 256 is not") {
     REQUIRE(tree.nodes.size() == 1);
     const Status wanted = size == 255 ? Status::done : Status::image_invalid;
     CHECK(
-        Image{image_of(bake::lay_out<std::uint16_t, kPost>(tree, mesh))}.open<LevelledPostMesh>() ==
-        wanted);
+        Image{image_of(bake::lay_out<std::uint16_t, kPost>(tree, mesh))}.open<PostMesh>() == wanted);
     CHECK(Image{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))}
               .open<LargeLevelledPreMesh>() == wanted);
   }

@@ -168,6 +168,12 @@ BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh)
   baked.origin = mesh.origin;
   baked.cell = mesh.cell;
   baked.deviation = mesh.deviation;
+  const Surface surface = surface_of(mesh);
+  baked.shell_vertices = narrowed<Index>(surface.shell_vertices);
+  baked.longest_edge = surface.longest_edge;
+  baked.is_closed = surface.is_closed;
+  baked.unit = mesh.unit;
+  baked.name = mesh.name.substr(0, kMaxNameSize);
   baked.build_nodes = std::move(order.build_nodes);
   return baked;
 }
@@ -180,11 +186,16 @@ LevelledMesh<Index, layout> BakedTree<Index, layout>::view() const {
   tree.triangle_ids = triangle_ids.data();
   tree.leaf_offsets = leaf_offsets.empty() ? nullptr : leaf_offsets.data();
   tree.vertices = vertices.data();
+  tree.shell_vertices = shell_vertices.data();
   tree.node_count = static_cast<Index>(nodes.size());
   tree.leaf_count = static_cast<Index>(leaf_count);
   tree.triangle_count = static_cast<Index>(triangles.size());
   tree.vertex_count = static_cast<Index>(vertices.size());
+  tree.shell_count = static_cast<Index>(shell_vertices.size());
   tree.stack_need = static_cast<Index>(stack_need);
+  tree.longest_edge = longest_edge;
+  tree.is_closed = is_closed;
+  tree.unit = unit;
   std::copy(origin.begin(), origin.end(), tree.origin);
   static_assert(sizeof tree.cell_bits == sizeof cell);
   std::memcpy(&tree.cell_bits, &cell, sizeof cell);

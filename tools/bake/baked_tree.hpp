@@ -7,6 +7,7 @@
 
 #include "bake/build_tree.hpp"
 #include "bake/mesh.hpp"
+#include "bake/surface.hpp"
 #include "flashbvh/mesh.hpp"
 
 namespace flashbvh::bake {
@@ -24,6 +25,7 @@ struct BakedTree {
   std::vector<Index> triangle_ids;
   std::vector<Index> leaf_offsets;  ///< empty at one triangle per leaf
   std::vector<Vertex> vertices;
+  std::vector<Index> shell_vertices;
 
   std::uint32_t leaf_count = 0;
   std::uint32_t depth = 0;       ///< of the deepest leaf; the root has depth 0
@@ -33,6 +35,10 @@ struct BakedTree {
   std::array<std::int32_t, 3> origin{};
   double cell = 1;
   double deviation = 0;
+  std::uint16_t longest_edge = 0;
+  bool is_closed = false;
+  Unit unit = Unit::none;
+  std::string name;
 
   /// Of array position i: the node of the BuildTree. Not written anywhere.
   std::vector<std::uint32_t> build_nodes;

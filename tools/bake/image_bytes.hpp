@@ -9,13 +9,14 @@
 
 namespace flashbvh::bake {
 
-/// Bytes that the image takes. An image holds at most 2^32 - 4.
+/// Bytes that the image takes. An image holds at most 2^32 - 4. `levels`: of a post-indexed tree,
+/// whether its levels are in it; a pre-indexed one has them.
 template <class Index, Layout layout>
-std::uint64_t image_size(const BakedTree<Index, layout>& baked);
+std::uint64_t image_size(const BakedTree<Index, layout>& baked, bool levels = false);
 
-/// The image, in words, so that it lies aligned. Precondition: image_size(baked) < 2^32.
+/// The image, in words, so that it lies aligned. Precondition: image_size() < 2^32.
 template <class Index, Layout layout>
-std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>& baked);
+std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>& baked, bool levels = false);
 
 }  // namespace flashbvh::bake
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "flashbvh/lattice.hpp"
+#include "flashbvh/mesh.hpp"
 
 namespace flashbvh::bake {
 
@@ -19,6 +20,9 @@ struct SourceMesh {
   std::vector<TriangleCorners> triangles;
 };
 
+/// Of a mesh's name in an image.
+constexpr std::size_t kMaxNameSize = 255;
+
 /// Rounded: vertex i lies at (origin + vertices[i]) * cell.
 struct LatticeMesh {
   double cell = 1;                         ///< in the mesh's unit
@@ -26,6 +30,8 @@ struct LatticeMesh {
   std::vector<Vertex> vertices;            ///< joined by position
   std::vector<TriangleCorners> triangles;  ///< in the source's order
   double deviation = 0;  ///< largest distance of a vertex from its source, in the mesh's unit
+  Unit unit = Unit::none;
+  std::string name;  ///< without folder and extension; at most kMaxNameSize bytes are kept
 };
 
 }  // namespace flashbvh::bake

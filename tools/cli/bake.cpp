@@ -102,11 +102,11 @@ void check_budget(const BakeOrder& order, const std::string& mesh, std::size_t b
 }
 
 template <class Baked>
-std::string image_file(const Baked& baked, const std::string& path) {
-  if (image_size(baked) > 0xFFFFFFFFu) {
+std::string image_file(const Baked& baked, const std::string& path, bool levels) {
+  if (image_size(baked, levels) > 0xFFFFFFFFu) {
     throw UserError(path, "the image would be over 4 GiB; use fewer triangles");
   }
-  const std::vector<std::uint32_t> words = image_of(baked);
+  const std::vector<std::uint32_t> words = image_of(baked, levels);
   return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]};
 }
 
@@ -115,12 +115,14 @@ BakeResult bake_one(const BakeOrder& order, const BakeOptions& options, const In
   BakeResult result = {&name, bake(mesh, options), 0, 0};
   const std::string stem = (std::filesystem::path(order.folder) / name.stem).string();
   std::visit(
-      [&](const auto& baked) {
-        result.image_bytes = image_size(baked);
+      [&](auto& baked) {
+        baked.unit = order.units.unit();
+        baked.name = name.stem.substr(0, bake::kMaxNameSize);
+        result.image_bytes = image_size(baked, order.levels);
         result.flash_bytes = flash_bytes(baked);
         check_budget(order, mesh.path, result.image_bytes);
         if (order.writes_images) {
-          files.add(stem + ".fbvh", image_file(baked, mesh.path));
+          files.add(stem + ".fbvh", image_file(baked, mesh.path, order.levels));
         }
         if (order.writes_cpp) {
           CppFiles cpp = cpp_of(baked, name, order.units.common());

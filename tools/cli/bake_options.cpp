@@ -152,6 +152,9 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
                   "Order of the nodes: pre for `stackless`, post for `ranked` and `stackless-post`")
       ->check(CLI::IsMember({"pre", "post"}))
       ->capture_default_str();
+  command.add_flag("--levels", a.order.levels,
+                   "Put levels into post-indexed images, for `stackless-post` and "
+                   "`alternating-stack`");
   command
       .add_option("--builder", a.builder,
                   "How triangles are grouped: median is the paper's, sah gives faster queries")

@@ -20,6 +20,7 @@ struct BakeOrder {
   std::string folder;
   bool writes_cpp = true;
   bool writes_images = true;
+  bool levels = false;  ///< in images of post-indexed trees
   std::optional<std::int64_t> max_bytes;  ///< of an image
   Units units;
   BakeOptions options;

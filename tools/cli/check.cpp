@@ -8,6 +8,7 @@
 #include <set>
 
 #include "bake/quantise.hpp"
+#include "bake/surface.hpp"
 #include "cli/commands.hpp"
 #include "image/image_file.hpp"
 #include "mesh/defects.hpp"
@@ -100,6 +101,30 @@ class Comparison {
   LeftOut left_out_;
 };
 
+/// UserError unless the image says of its shells, and whether they are closed, what its triangles
+/// say: the library doesn't look for the one, and tells the other by a sum.
+void check_surface(const ImageFile& image, const std::vector<SourceTriangle>& triangles) {
+  bake::LatticeMesh mesh;
+  std::vector<std::uint32_t> shells;
+  std::visit(
+      [&](const auto& tree) {
+        mesh.vertices.assign(tree.vertices, tree.vertices + tree.vertex_count);
+        shells.assign(tree.shell_vertices, tree.shell_vertices + tree.shell_count);
+      },
+      image.tree());
+  for (const SourceTriangle& triangle : triangles) {
+    mesh.triangles.push_back(triangle.vertices);
+  }
+  const bake::Surface surface = bake::surface_of(mesh);
+  const bool is_closed = (image.header().flags & kImageIsClosed) != 0;
+  if (surface.shell_vertices != shells || surface.is_closed != is_closed) {
+    throw UserError(image.path(), "is invalid: ",
+                    surface.is_closed != is_closed ? "whether its surface is closed"
+                                                   : "its vertices of shells",
+                    " is not what its triangles make; bake it again");
+  }
+}
+
 struct CheckArguments {
   std::string image;
   std::string mesh;
@@ -135,6 +160,7 @@ std::string compare(const CheckArguments& arguments, const ImageFile& image,
 ExitCode check(const CheckArguments& arguments) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
+  check_surface(image, triangles);
   std::string verdict = concat("well-formed, ", triangles.size(), " triangles, ",
                                image.header().node_count, " nodes");
   ExitCode exit_code = kSuccess;

@@ -5,6 +5,7 @@
 #include "cli/commands.hpp"
 #include "evaluate/poses.hpp"
 #include "image/image_file.hpp"
+#include "mesh/units.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -16,6 +17,7 @@ struct ExportArguments {
   std::string image;
   std::string mesh;
   std::optional<std::string> pose;
+  bool cells = false;
 };
 
 /// A comment tells the number of a triangle before which others were left out.
@@ -44,9 +46,17 @@ void write_obj(const ExportArguments& arguments) {
     const RigidPose pose = parse_pose(*arguments.pose, "--pose");
     vertices = transformed_vertices(image.tree(), lattice_pose(pose, image.cell(), "--pose"));
   }
-  std::string text = "# integer coordinates: cells\n";
+  const std::string unit = unit_name(image.unit());
+  std::string text = arguments.cells ? "# in cells\n"
+                     : unit.empty()  ? "# in the mesh's unit\n"
+                                     : "# in " + unit + "\n";
   for (const LatticePoint& v : vertices) {
-    text += concat("v ", v[0], " ", v[1], " ", v[2], "\n");
+    text += "v";
+    for (const std::int64_t c : v) {
+      text += " " + (arguments.cells ? std::to_string(c)
+                                     : shortest(static_cast<double>(c) * image.cell()));
+    }
+    text += "\n";
   }
   write_file(arguments.mesh, text + faces_of(triangles));
 }
@@ -57,8 +67,8 @@ void add_export(CLI::App& app) {
   const auto arguments = std::make_shared<ExportArguments>();
   CLI::App* const command =
       app.add_subcommand("export",
-                         "Write the lattice mesh of an image as OBJ: integer coordinates in cells, "
-                         "triangles in\nthe order of the source mesh.");
+                         "Write the lattice mesh of an image as OBJ, in its unit, triangles in the "
+                         "order of the\nsource mesh.");
   command->add_option("IMAGE", arguments->image, "Image (.fbvh)")->required();
   command->add_option("-o,--output", arguments->mesh, "File to write")
       ->required()
@@ -66,6 +76,7 @@ void add_export(CLI::App& app) {
   command->add_option("--pose", arguments->pose,
                       "A pose of 12 numbers, as in `collide --poses`: write the mesh where a query "
                       "puts it as B, in A's frame");
+  command->add_flag("--cells", arguments->cells, "Integer coordinates, in cells");
   command->callback([arguments] { write_obj(*arguments); });
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "image/image_file.hpp"
+#include "mesh/units.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -43,7 +44,7 @@ Json facts_of(const ImageFile& image) {
   const Bounds bounds = bounds_of(image.tree());
   const double cell = image.cell();
   return {
-      {"name", image.name()},
+      {"name", image.source()},
       {"format_version", header.version},
       {"layout", layout_name(image.layout())},
       {"index_bits", header.index_bits},
@@ -55,10 +56,15 @@ Json facts_of(const ImageFile& image) {
       {"vertices", header.vertex_count},
       {"leaf_size", header.leaf_size},
       {"arity", header.arity},
+      {"levels", (header.flags & kImageHasLevels) != 0},
+      {"closed", (header.flags & kImageIsClosed) != 0},
+      {"shells", header.shell_count},
       {"bytes", header.byte_count},
       {"bytes_per_triangle", static_cast<double>(header.byte_count) / header.triangle_count},
+      {"unit", unit_name(image.unit())},
       {"cell", cell},
       {"deviation", image.deviation()},
+      {"longest_edge", header.longest_edge * cell},
       {"origin", header.origin},
       {"box", {{"lower", in_unit(bounds.lower, cell)}, {"upper", in_unit(bounds.upper, cell)}}},
       {"box_cells", {{"lower", bounds.lower}, {"upper", bounds.upper}}},
@@ -67,7 +73,11 @@ Json facts_of(const ImageFile& image) {
 
 std::string text_of(const Json& value) {
   if (value.is_string()) {
-    return value.get<std::string>();
+    const std::string text = value.get<std::string>();
+    return text.empty() ? "unknown" : text;
+  }
+  if (value.is_boolean()) {
+    return value.get<bool>() ? "yes" : "no";
   }
   if (value.is_number_float()) {
     return shortest(value.get<double>());
@@ -86,11 +96,13 @@ std::string text_of(const Json& value) {
 }
 
 /// What the names leave open.
-const char* unit_of(const std::string& name) {
+std::string unit_of(const std::string& name, Unit unit) {
   if (name == "origin" || name == "box_cells") {
     return "cells";
   }
-  return name == "cell" || name == "deviation" || name == "box" ? "of the mesh's unit" : "";
+  const bool length =
+      name == "cell" || name == "deviation" || name == "longest_edge" || name == "box";
+  return !length ? "" : unit == Unit::none ? "of the mesh's unit" : unit_name(unit);
 }
 
 void info(const std::string& path, bool json) {
@@ -101,7 +113,7 @@ void info(const std::string& path, bool json) {
     return;
   }
   for (const auto& [name, value] : facts.items()) {
-    const std::string unit = unit_of(name);
+    const std::string unit = unit_of(name, image.unit());
     std::string label = name;
     for (char& c : label) {
       c = c == '_' ? ' ' : c;

@@ -35,7 +35,7 @@ class Image {
 
  private:
   std::vector<std::uint32_t> words_;
-  flashbvh::LevelledPostMesh mesh_{};
+  flashbvh::PostMesh mesh_{};
 };
 
 /// A vertex in the mesh's frame, in units.

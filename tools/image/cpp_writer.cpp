@@ -67,7 +67,7 @@ struct Kind {
   static std::string levelled() { return name("Levelled"); }
 
   /// Bytes of the two structs on a 32-bit core.
-  static constexpr std::size_t kMeshBytes = kLarge ? 64 : 56;
+  static constexpr std::size_t kMeshBytes = kLarge ? 80 : 64;
   static constexpr std::size_t kLevelledBytes = kMeshBytes + 8;
 
  private:
@@ -109,6 +109,13 @@ std::string constants(const bake::BakedTree<Index, layout>& baked, const std::st
          floating_literal(baked.cell) + ";  ///< in " + (unit.empty() ? "the mesh's unit" : unit) +
          "\n" + "constexpr float kCellsPerUnit = " + float_literal(1 / baked.cell) +
          ";  ///< for flashbvh/pose_float.hpp\n";
+}
+
+/// Of flashbvh::Unit.
+const char* enumerator_of(Unit unit) {
+  constexpr const char* kNames[kUnitCount] = {"none", "nm", "um",   "mm",  "cm",
+                                              "m",    "mil", "inch", "foot"};
+  return kNames[static_cast<std::size_t>(unit)];
 }
 
 /// Refuses a library with another interface: below 1.0 the minor version counts, too.
@@ -156,9 +163,11 @@ std::string view(const bake::BakedTree<Index, layout>& baked) {
   const auto count = [](std::size_t value) { return text_of(static_cast<Index>(value)); };
   return concat("{{kNodes, ", count(baked.nodes.size()), ", ", count(baked.leaf_count), ", ",
                 count(baked.stack_need), "},\n    kTriangles, kTriangleIds, ",
-                (baked.leaf_offsets.empty() ? "nullptr" : "kLeafOffsets"), ", kVertices,\n    ",
-                count(baked.triangles.size()), ", ", count(baked.vertices.size()), ",\n    {",
-                baked.origin[0], ", ", baked.origin[1], ", ", baked.origin[2], "}, ",
+                (baked.leaf_offsets.empty() ? "nullptr" : "kLeafOffsets"), ", kVertices, kShellVertices,\n    ",
+                count(baked.triangles.size()), ", ", count(baked.vertices.size()), ", ",
+                count(baked.shell_vertices.size()), ", ", baked.longest_edge, ",\n    {",
+                baked.origin[0], ", ", baked.origin[1], ", ", baked.origin[2], "}, flashbvh::Unit::",
+                enumerator_of(baked.unit), ", ", (baked.is_closed ? "true" : "false"), ", ",
                 hex(cell_bits, 16), "}");
 }
 
@@ -179,6 +188,7 @@ std::string source(const bake::BakedTree<Index, layout>& baked, const OutputName
     text += array(index, "kLeafOffsets", baked.leaf_offsets) + "\n";
   }
   text += array("flashbvh::Vertex", "kVertices", baked.vertices) + "\n";
+  text += array(index, "kShellVertices", baked.shell_vertices) + "\n";
   const char* const climb = MeshKind::kPre ? "kParents" : "kRightChildLevels";
   text += array(index, "kLevels", baked.levels) + "\n" + array(index, climb, baked.climb);
   text += "\n}  // namespace\n\n";
@@ -193,7 +203,8 @@ std::string source(const bake::BakedTree<Index, layout>& baked, const OutputName
 template <class Index, Layout layout>
 std::size_t flash_bytes(const bake::BakedTree<Index, layout>& baked) {
   return Kind<Index, layout>::kMeshBytes + bytes_of(baked.nodes) + bytes_of(baked.triangles) +
-         bytes_of(baked.triangle_ids) + bytes_of(baked.leaf_offsets) + bytes_of(baked.vertices);
+         bytes_of(baked.triangle_ids) + bytes_of(baked.leaf_offsets) + bytes_of(baked.vertices) +
+         bytes_of(baked.shell_vertices);
 }
 
 template <class Index, Layout layout>

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "bake/levels.hpp"
+#include "flashbvh/detail/image_parts.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -34,19 +36,23 @@ std::string refusal(Status status, const ImageHeader& header, std::size_t size) 
   }
 }
 
-template <class TreeType>
-Status open_as(const void* bytes, std::size_t size, AnyTree& any) {
-  return open_image(bytes, size, any.emplace<TreeType>());
+template <class Index, Layout layout>
+Status open_as(const void* bytes, std::size_t size, AnyTree& any, LevelArrays& levels) {
+  return bake::open_levelled(bytes, size, any.emplace<LevelledMesh<Index, layout>>(),
+                             levels.emplace<std::vector<Index>>());
 }
 
-Status open_any(const void* bytes, std::size_t size, const ImageHeader& header, AnyTree& any) {
-  const bool pre = header.layout == static_cast<std::uint8_t>(Layout::pre_indexed);
+Status open_any(const void* bytes, std::size_t size, const ImageHeader& header, AnyTree& any,
+                LevelArrays& levels) {
+  constexpr Layout pre = Layout::pre_indexed;
+  constexpr Layout post = Layout::post_indexed;
+  const bool is_pre = header.layout == static_cast<std::uint8_t>(pre);
   if (header.index_bits == 16) {
-    return pre ? open_as<LevelledPreMesh>(bytes, size, any)
-               : open_as<LevelledPostMesh>(bytes, size, any);
+    return is_pre ? open_as<std::uint16_t, pre>(bytes, size, any, levels)
+                  : open_as<std::uint16_t, post>(bytes, size, any, levels);
   }
-  return pre ? open_as<LargeLevelledPreMesh>(bytes, size, any)
-             : open_as<LargeLevelledPostMesh>(bytes, size, any);
+  return is_pre ? open_as<std::uint32_t, pre>(bytes, size, any, levels)
+                : open_as<std::uint32_t, post>(bytes, size, any, levels);
 }
 
 double double_of(const std::uint32_t (&words)[2]) {
@@ -67,7 +73,7 @@ ImageFile::ImageFile(const std::string& path) : path_(path) {
   ImageHeader header{};
   Status status = read_image_header(words_.data(), bytes.size(), header);
   if (status == Status::done) {
-    status = open_any(words_.data(), bytes.size(), header, tree_);
+    status = open_any(words_.data(), bytes.size(), header, tree_, levels_);
   }
   if (status != Status::done) {
     throw UserError(path, refusal(status, header_, bytes.size()));
@@ -80,6 +86,10 @@ ImageFile::ImageFile(const std::string& path) : path_(path) {
 
 std::string ImageFile::name() const {
   return std::filesystem::path(path_).stem().string();
+}
+std::string ImageFile::source() const {
+  const auto* const bytes = reinterpret_cast<const char*>(words_.data());
+  return {bytes + detail::image_offsets(header_).name, header_.name_size};
 }
 double ImageFile::cell() const {
   return double_of(header_.cell);

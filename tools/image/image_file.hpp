@@ -16,6 +16,9 @@ namespace flashbvh::tool {
 using AnyTree =
     std::variant<LevelledPreMesh, LevelledPostMesh, LargeLevelledPreMesh, LargeLevelledPostMesh>;
 
+/// Of bake::open_levelled().
+using LevelArrays = std::variant<std::vector<std::uint16_t>, std::vector<std::uint32_t>>;
+
 /// An image in memory, opened and found good by the library.
 class ImageFile {
  public:
@@ -28,17 +31,21 @@ class ImageFile {
   /// The file's name without folder and extension.
   std::string name() const;
   const ImageHeader& header() const { return header_; }
-  /// A view into the object.
+  /// A view into the object; it has the levels, whether the image has or not.
   const AnyTree& tree() const { return tree_; }
 
   Layout layout() const { return static_cast<Layout>(header_.layout); }
-  double cell() const;       ///< in the mesh's unit
+  double cell() const;       ///< in the unit
   double deviation() const;  ///< likewise
+  Unit unit() const { return static_cast<Unit>(header_.unit); }
+  /// Of the mesh, as it was baked.
+  std::string source() const;
 
  private:
   std::string path_;
   std::vector<std::uint32_t> words_;  ///< the bytes, aligned
   ImageHeader header_{};
+  LevelArrays levels_;
   AnyTree tree_;
 };
 

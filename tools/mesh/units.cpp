@@ -12,12 +12,13 @@
 namespace flashbvh::tool {
 namespace {
 
-struct Unit {
+struct Measure {
   std::string_view name;
   std::uint64_t nanometres;
 };
 
-constexpr std::array<Unit, 8> kUnits = {{{"nm", 1},
+/// In the order of flashbvh::Unit, from nm on.
+constexpr std::array<Measure, kUnitCount - 1> kUnits = {{{"nm", 1},
                                          {"um", 1'000},
                                          {"mm", 1'000'000},
                                          {"cm", 10'000'000},
@@ -29,7 +30,7 @@ constexpr std::array<Unit, 8> kUnits = {{{"nm", 1},
 /// In nanometres; 0 if there is no such unit.
 std::uint64_t length_of(std::string_view name) {
   const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
-                                 [&](const Unit& known) { return known.name == name; });
+                                 [&](const Measure& known) { return known.name == name; });
   return unit == kUnits.end() ? 0 : unit->nanometres;
 }
 
@@ -109,6 +110,19 @@ void Units::convert(bake::SourceMesh& mesh, const std::string& file) const {
       coordinate = coordinate * times / over;
     }
   }
+}
+
+Unit Units::unit() const {
+  for (std::size_t i = 0; i < kUnits.size(); ++i) {
+    if (kUnits[i].name == common_) {
+      return static_cast<Unit>(i + 1);
+    }
+  }
+  return Unit::none;
+}
+
+std::string unit_name(Unit unit) {
+  return unit == Unit::none ? "" : std::string(kUnits[static_cast<std::size_t>(unit) - 1].name);
 }
 
 std::string Units::with_unit(double length) const {

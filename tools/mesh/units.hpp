@@ -28,6 +28,7 @@ class Units {
 
   /// The name of the common unit; empty if none was given: then no file is converted.
   const std::string& common() const { return common_; }
+  Unit unit() const;
   /// `length`, which is in the common unit, with the unit's name if there is one.
   std::string with_unit(double length) const;
 
@@ -39,6 +40,9 @@ class Units {
   std::string common_;
   std::map<std::string, std::string> own_;  ///< by file
 };
+
+/// As it is given; empty for none.
+std::string unit_name(Unit unit);
 
 }  // namespace flashbvh::tool
 

@@ -38,10 +38,10 @@ extern "C" {
 
 /* Meshes --------------------------------------------------------------------------------------- */
 
-/** A baked mesh, opened: a view of its image. 56 bytes on a 32-bit core, 72 on a 64-bit one. */
+/** A baked mesh, opened: a view of its image. 64 bytes on a 32-bit core, 88 on a 64-bit one. */
 typedef struct flashbvh_mesh {
   union {
-    unsigned char bytes[4 * sizeof(void*) + 40];
+    unsigned char bytes[6 * sizeof(void*) + 40];
     uint64_t word;
     void* pointer;
   } opaque;

@@ -1,16 +1,18 @@
 // The binary image: a baked mesh in one block of bytes, opened in place, in flash.
 //
-// A header of 72 bytes, then the arrays of the mesh, each starting at a multiple of 4 bytes, gaps
+// A header of 80 bytes, then the arrays of the mesh, each starting at a multiple of 4 bytes, gaps
 // filled with zeros, in this order:
 //
 //     nodes                 node_count      x 16 or 20 bytes (16 or 32-bit indices)
-//     levels                node_count      x index
+//     levels                node_count      x index; absent unless kImageHasLevels
 //     parents (pre-indexed) or right child levels (post-indexed)
-//                           node_count      x index
+//                           node_count      x index; likewise
 //     triangles             triangle_count  x 3 indices, in order of their leaves
 //     triangle ids          triangle_count  x index
-//     leaf_offsets           leaf_count + 1  x index; absent if leaf_count = triangle_count
+//     leaf_offsets          leaf_count + 1  x index; absent if leaf_count = triangle_count
 //     vertices              vertex_count    x 3 x 16 bits
+//     shell vertices        shell_count     x index
+//     name                  name_size       x byte
 //
 // Little-endian. lib/docs/format.md has every bit.
 #ifndef FLASHBVH_IMAGE_HPP
@@ -25,7 +27,7 @@
 namespace flashbvh {
 
 constexpr uint32_t kImageMagic = 0x48564246u;  // "FBVH"
-constexpr uint16_t kImageVersion = 1;
+constexpr uint16_t kImageVersion = 2;
 
 /// Largest magnitude of an origin, in cells: the arithmetic of a rotation
 /// (detail/rotated_transform.hpp) rotates origins, too.
@@ -33,6 +35,10 @@ constexpr int32_t kMaxOrigin = 1 << 29;
 /// Most triangles in a leaf: what one visit can cost, and a pair of leaves counts its pairs of
 /// triangles in 32 bits.
 constexpr uint32_t kMaxLeafSize = 255;
+
+/// Of ImageHeader::flags.
+constexpr uint8_t kImageHasLevels = 1;  ///< always, of a pre-indexed tree
+constexpr uint8_t kImageIsClosed = 2;   ///< Mesh::is_closed
 
 struct ImageHeader {
   uint32_t magic;
@@ -47,14 +53,19 @@ struct ImageHeader {
   uint32_t vertex_count;
   uint32_t depth;         ///< of the deepest leaf; the root has depth 0
   uint32_t stack_need;    ///< Tree::stack_need
-  uint16_t leaf_size;     ///< most triangles in a leaf; at most kMaxLeafSize
+  uint8_t leaf_size;      ///< most triangles in a leaf
+  uint8_t name_size;      ///< of the source's name
   uint16_t arity;         ///< most children of a node, 65,535 standing for more
   int32_t origin[3];      ///< in cells, within +-kMaxOrigin
-  uint32_t cell[2];       ///< in the mesh's unit: IEEE binary64, low word first
+  uint32_t cell[2];       ///< in the unit: IEEE binary64, low word first
   uint32_t deviation[2];  ///< largest distance of a vertex from its source, likewise
+  uint32_t shell_count;
+  uint16_t longest_edge;  ///< Mesh::longest_edge
+  uint8_t unit;           ///< of enum Unit
+  uint8_t flags;          ///< kImageHasLevels, kImageIsClosed
 };
 
-static_assert(sizeof(ImageHeader) == 72, "the figure in the format's description");
+static_assert(sizeof(ImageHeader) == 80, "the figure in the format's description");
 
 /// Checks magic, version and size, and copies the header: tells what kind of image it is, not
 /// whether its contents can be trusted.
@@ -64,14 +75,16 @@ Status read_image_header(const void* bytes, size_t size, ImageHeader& header);
 ///
 /// Checks all of it in linear time and constant memory: checksum; links that go forward and nest;
 /// levels, ranks and the header's figures as the tree's shape makes them; indices in range; each
-/// node's box in its parent's, each triangle in its leaf's. `mesh` is written only on `done`; every
-/// query on it then stays inside the image and ends.
+/// node's box in its parent's, each triangle in its leaf's; the longest edge, and whether the
+/// surface is closed. `mesh` is written only on `done`; every query on it then stays inside the
+/// image and ends.
 ///
 /// Instructions: 45 a byte for the checksum and, on a Cortex-M4, some 230 a node. Stack: 400 bytes
 /// on Cortex-M3 to M55 at -O2.
 ///
 /// Bytes after the image, if `size` has more than the header says, are not looked at. MeshType:
-/// LevelledPreMesh, LevelledPostMesh or their Large kin; another kind of image gives `image_kind`.
+/// PostMesh, LevelledPostMesh, LevelledPreMesh or their Large kin; another kind of image gives
+/// `image_kind`, so does one without levels where they are asked for.
 template <class MeshType>
 Status open_image(const void* bytes, size_t size, MeshType& mesh);
 

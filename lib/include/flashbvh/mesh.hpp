@@ -90,7 +90,11 @@ struct TreeSize {
   uint32_t triangle_count;
 };
 
-/// A baked mesh: its tree and its triangles, a view of arrays that outlive it. 56 bytes with 16-bit
+/// Of lengths: what the numbers of a mesh's file mean. Images hold the values.
+enum class Unit : uint8_t { none = 0, nm, um, mm, cm, m, mil, inch, foot };
+constexpr uint8_t kUnitCount = 9;
+
+/// A baked mesh: its tree and its triangles, a view of arrays that outlive it. 64 bytes with 16-bit
 /// indices on a 32-bit core.
 template <class IndexType, Layout layout>
 struct Mesh : Tree<IndexType, layout> {
@@ -100,10 +104,15 @@ struct Mesh : Tree<IndexType, layout> {
   const Index* triangle_ids;        ///< triangle_count: the triangle's number in the source mesh
   const Index* leaf_offsets;  ///< leaf_count + 1: the leaf's first triangle; null at one per leaf
   const Vertex* vertices;     ///< vertex_count
+  const Index* shell_vertices;  ///< shell_count: the first vertex of each shell, ascending
   Index triangle_count;
   Index vertex_count;
-  int32_t origin[3];   ///< the lattice point, in cells, from which the vertices count
-  uint64_t cell_bits;  ///< the cell in the mesh's unit, as the bits of an IEEE binary64
+  Index shell_count;      ///< parts of the surface that share no vertex
+  uint16_t longest_edge;  ///< of all triangles, in cells, rounded up
+  int32_t origin[3];      ///< the lattice point, in cells, from which the vertices count
+  Unit unit;
+  bool is_closed;      ///< whether each edge is run through as often one way as the other
+  uint64_t cell_bits;  ///< the cell in the unit, as the bits of an IEEE binary64
 
   uint32_t first_triangle(uint32_t leaf) const {
     return leaf_offsets == nullptr ? leaf : leaf_offsets[leaf];

@@ -139,7 +139,7 @@ class Query : Question {
     if (state_ == State::fresh) {
       cursor_ = Cursor();
     } else if (state_ != State::done) {
-      transform_.prepare(b_->nodes[0].box);
+      transform_.prepare(*b_);
       set_leaves();
     }
     return status();
@@ -194,7 +194,7 @@ class Query : Question {
         state_ = State::done;
         return Status::done;
       }
-      transform_.prepare(b_->nodes[0].box);
+      transform_.prepare(*b_);
     }
     uint32_t left = work;  // in memory from here on only
     const Status status = go_on(left, sink, room);

@@ -5,10 +5,9 @@
 using namespace flashbvh;
 
 flashbvh_status flashbvh_open(const void* image, size_t size, flashbvh_mesh* mesh) {
-  LevelledPostMesh opened;
+  PostMesh opened;
   const Status status = open_image(image, size, opened);
   if (status == Status::done) {
-    // Without the levels, which the query does not need.
     new (storage_of<PostMesh>(mesh)) PostMesh(opened);
   }
   return c_status(status);

@@ -35,7 +35,17 @@ bool measures_fit(const ImageHeader& header) {
       return false;
     }
   }
-  return is_length(header.cell) && is_finite_unsigned(header.deviation[1]);
+  return is_length(header.cell) && is_finite_unsigned(header.deviation[1]) &&
+         header.unit < kUnitCount;
+}
+
+bool has_levels(const ImageHeader& header) {
+  return (header.flags & kImageHasLevels) != 0;
+}
+
+bool flags_fit(const ImageHeader& header) {
+  const bool pre = header.layout == static_cast<uint8_t>(Layout::pre_indexed);
+  return (header.flags & ~(kImageHasLevels | kImageIsClosed)) == 0 && (has_levels(header) || !pre);
 }
 
 /// Nothing is cut off when counts become indices, and there is a root. What else the format says of
@@ -44,7 +54,11 @@ template <class Index>
 bool counts_fit(const ImageHeader& header) {
   constexpr uint32_t most = static_cast<Index>(~Index{0});
   return header.node_count >= 1 && header.node_count <= most && header.leaf_count <= most &&
-         header.triangle_count <= most && header.vertex_count <= most;
+         header.triangle_count <= most && header.vertex_count <= most && header.shell_count <= most;
+}
+
+uint64_t level_count(const ImageHeader& header) {
+  return has_levels(header) ? header.node_count : 0;
 }
 
 /// One triangle per leaf needs none.
@@ -65,18 +79,34 @@ bool gap_is_zero(const void* bytes, uint64_t begin) {
 [[gnu::noinline]] bool gaps_are_zeros(const void* bytes, const ImageHeader& header) {
   const ImageOffsets at = image_offsets(header);
   const uint64_t index = header.index_bits / 8u;
-  return gap_is_zero(bytes, at.levels + header.node_count * index) &&
-         gap_is_zero(bytes, at.climb + header.node_count * index) &&
+  return gap_is_zero(bytes, at.levels + level_count(header) * index) &&
+         gap_is_zero(bytes, at.climb + level_count(header) * index) &&
          gap_is_zero(bytes, at.triangles + header.triangle_count * (3 * index)) &&
          gap_is_zero(bytes, at.triangle_ids + header.triangle_count * index) &&
          gap_is_zero(bytes, at.leaf_offsets + leaf_offset_count(header) * index) &&
-         gap_is_zero(bytes, at.vertices + header.vertex_count * uint64_t{sizeof(Vertex)});
+         gap_is_zero(bytes, at.vertices + header.vertex_count * uint64_t{sizeof(Vertex)}) &&
+         gap_is_zero(bytes, at.shell_vertices + header.shell_count * index) &&
+         gap_is_zero(bytes, at.name + header.name_size);
+}
+
+/// Text: no byte of it is 0.
+bool name_fits(const void* bytes, const ImageHeader& header) {
+  const auto* const name =
+      static_cast<const unsigned char*>(bytes) + image_offsets(header).name;
+  for (unsigned i = 0; i < header.name_size; ++i) {
+    if (name[i] == 0) {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool has_shape(const ImageHeader& header, const TreeShape& shape) {
   const uint32_t arity = shape.arity < UINT16_MAX ? shape.arity : UINT16_MAX;
   return header.depth == shape.depth && header.stack_need == shape.stack_need &&
-         header.leaf_size == shape.leaf_size && header.arity == arity;
+         header.leaf_size == shape.leaf_size && header.arity == arity &&
+         header.longest_edge == shape.longest_edge &&
+         ((header.flags & kImageIsClosed) != 0) == shape.is_closed;
 }
 
 template <class Element>
@@ -93,27 +123,73 @@ void set_climb(LevelledMesh<Index, Layout::post_indexed>& mesh, const Index* cli
   mesh.right_child_levels = climb;
 }
 
-template <class MeshType>
-[[gnu::noinline]] MeshType view(const void* bytes, const ImageHeader& header) {
-  using Index = typename MeshType::Index;
+template <class Index, Layout layout>
+[[gnu::noinline]] void view(const void* bytes, const ImageHeader& header,
+                            LevelledMesh<Index, layout>& mesh) {
   const ImageOffsets offsets = image_offsets(header);
-  MeshType mesh;
   mesh.nodes = at<Node<Index>>(bytes, offsets.nodes);
   mesh.triangles = at<Corners<Index>>(bytes, offsets.triangles);
   mesh.triangle_ids = at<Index>(bytes, offsets.triangle_ids);
   mesh.leaf_offsets =
       leaf_offset_count(header) == 0 ? nullptr : at<Index>(bytes, offsets.leaf_offsets);
   mesh.vertices = at<Vertex>(bytes, offsets.vertices);
+  mesh.shell_vertices = at<Index>(bytes, offsets.shell_vertices);
   mesh.node_count = static_cast<Index>(header.node_count);
   mesh.leaf_count = static_cast<Index>(header.leaf_count);
   mesh.triangle_count = static_cast<Index>(header.triangle_count);
   mesh.vertex_count = static_cast<Index>(header.vertex_count);
+  mesh.shell_count = static_cast<Index>(header.shell_count);
   mesh.stack_need = static_cast<Index>(header.stack_need);
+  mesh.longest_edge = header.longest_edge;
   memcpy(mesh.origin, header.origin, sizeof mesh.origin);
+  mesh.unit = static_cast<Unit>(header.unit);
+  mesh.is_closed = (header.flags & kImageIsClosed) != 0;
   mesh.cell_bits = (uint64_t{header.cell[1]} << 32) | header.cell[0];
-  mesh.levels = at<Index>(bytes, offsets.levels);
-  set_climb(mesh, at<Index>(bytes, offsets.climb));
-  return mesh;
+  const bool levels = has_levels(header);
+  mesh.levels = levels ? at<Index>(bytes, offsets.levels) : nullptr;
+  set_climb(mesh, levels ? at<Index>(bytes, offsets.climb) : nullptr);
+}
+
+/// Levels may be missing.
+template <class Index, Layout layout>
+Status open_any(const void* bytes, size_t size, LevelledMesh<Index, layout>& mesh) {
+  ImageHeader header;
+  if (reinterpret_cast<uintptr_t>(bytes) % 4 != 0) {
+    return Status::image_misaligned;
+  }
+  const Status read = read_image_header(bytes, size, header);
+  if (read != Status::done) {
+    return read;
+  }
+  if (header.byte_count < sizeof header || image_crc(bytes, header.byte_count) != header.crc) {
+    return Status::image_corrupt;
+  }
+  if (header.layout > static_cast<uint8_t>(Layout::post_indexed) ||
+      (header.index_bits != 16 && header.index_bits != 32)) {
+    return Status::image_invalid;
+  }
+  if (header.layout != static_cast<uint8_t>(layout) || header.index_bits != 8 * sizeof(Index)) {
+    return Status::image_kind;
+  }
+  if (!counts_fit<Index>(header) || !measures_fit(header) || !flags_fit(header) ||
+      image_offsets(header).end != header.byte_count || !gaps_are_zeros(bytes, header) ||
+      !name_fits(bytes, header)) {
+    return Status::image_invalid;
+  }
+  view(bytes, header, mesh);
+  TreeShape shape;
+  return check_tree(mesh, shape) == Status::done && has_shape(header, shape)
+             ? Status::done
+             : Status::image_invalid;
+}
+
+template <class Index, Layout layout>
+constexpr bool needs_levels(const LevelledMesh<Index, layout>&) {
+  return true;
+}
+template <class Index, Layout layout>
+constexpr bool needs_levels(const Mesh<Index, layout>&) {
+  return false;
 }
 
 }  // namespace
@@ -122,17 +198,18 @@ namespace detail {
 
 ImageOffsets image_offsets(const ImageHeader& header) {
   const uint64_t index = header.index_bits / 8u;
-  const uint64_t nodes = header.node_count;
   const uint64_t triangles = header.triangle_count;
   ImageOffsets at;
   at.nodes = sizeof(ImageHeader);
-  at.levels = at.nodes + nodes * (sizeof(PackedBox) + 2 * index);
-  at.climb = aligned(at.levels + nodes * index);
-  at.triangles = aligned(at.climb + nodes * index);
+  at.levels = at.nodes + uint64_t{header.node_count} * (sizeof(PackedBox) + 2 * index);
+  at.climb = aligned(at.levels + level_count(header) * index);
+  at.triangles = aligned(at.climb + level_count(header) * index);
   at.triangle_ids = aligned(at.triangles + triangles * 3 * index);
   at.leaf_offsets = aligned(at.triangle_ids + triangles * index);
   at.vertices = aligned(at.leaf_offsets + leaf_offset_count(header) * index);
-  at.end = aligned(at.vertices + uint64_t{header.vertex_count} * sizeof(Vertex));
+  at.shell_vertices = aligned(at.vertices + uint64_t{header.vertex_count} * sizeof(Vertex));
+  at.name = aligned(at.shell_vertices + header.shell_count * index);
+  at.end = aligned(at.name + header.name_size);
   return at;
 }
 
@@ -176,39 +253,20 @@ Status read_image_header(const void* bytes, size_t size, ImageHeader& header) {
 
 template <class MeshType>
 Status open_image(const void* bytes, size_t size, MeshType& mesh) {
-  using Index = typename MeshType::Index;
-  ImageHeader header;
-  if (reinterpret_cast<uintptr_t>(bytes) % 4 != 0) {
-    return Status::image_misaligned;
+  LevelledMesh<typename MeshType::Index, MeshType::kLayout> opened;
+  const Status status = open_any(bytes, size, opened);
+  if (status != Status::done) {
+    return status;
   }
-  const Status read = read_image_header(bytes, size, header);
-  if (read != Status::done) {
-    return read;
-  }
-  if (header.byte_count < sizeof header || image_crc(bytes, header.byte_count) != header.crc) {
-    return Status::image_corrupt;
-  }
-  if (header.layout > static_cast<uint8_t>(Layout::post_indexed) ||
-      (header.index_bits != 16 && header.index_bits != 32)) {
-    return Status::image_invalid;
-  }
-  if (header.layout != static_cast<uint8_t>(MeshType::kLayout) ||
-      header.index_bits != 8 * sizeof(Index)) {
+  if (needs_levels(mesh) && opened.levels == nullptr) {
     return Status::image_kind;
-  }
-  if (!counts_fit<Index>(header) || !measures_fit(header) ||
-      image_offsets(header).end != header.byte_count || !gaps_are_zeros(bytes, header)) {
-    return Status::image_invalid;
-  }
-  const MeshType opened = view<MeshType>(bytes, header);
-  TreeShape shape;
-  if (check_tree(opened, shape) != Status::done || !has_shape(header, shape)) {
-    return Status::image_invalid;
   }
   mesh = opened;
   return Status::done;
 }
 
+template Status open_image(const void*, size_t, PostMesh&);
+template Status open_image(const void*, size_t, LargePostMesh&);
 template Status open_image(const void*, size_t, LevelledPreMesh&);
 template Status open_image(const void*, size_t, LevelledPostMesh&);
 template Status open_image(const void*, size_t, LargeLevelledPreMesh&);

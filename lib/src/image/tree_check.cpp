@@ -5,9 +5,11 @@
 // comes a sibling of the leaf or of one of its ancestors, found by climbing. Each node is entered
 // once and left once, so the pass is linear; all that it reads was checked before, so it is safe on
 // any bytes; and it keeps a few words of state.
-#include "flashbvh/image.hpp"
-
+//
+// Of a post-indexed tree the links alone say all: the sibling that a node follows in array order is
+// its link. A pre-indexed tree is climbed by its parents.
 #include "flashbvh/detail/image_parts.hpp"
+#include "surface.hpp"
 
 namespace flashbvh::detail {
 namespace {
@@ -23,13 +25,13 @@ bool is_inside(const PackedBox& inner, const PackedBox& outer) {
                       {{inner.upper_xy, inner.lower_xy, inner.z}});
 }
 
-template <class MeshType>
+template <class Index, Layout layout>
 class Checker {
-  using Index = typename MeshType::Index;
-  static constexpr bool kPre = MeshType::kLayout == Layout::pre_indexed;
+  static constexpr bool kPre = layout == Layout::pre_indexed;
 
  public:
-  explicit Checker(const MeshType& tree) : tree_(tree), leaves_(0), shape_{0, 0, 0, 0} {}
+  explicit Checker(const LevelledMesh<Index, layout>& tree)
+      : tree_(tree), leaves_(0), shape_{0, 0, 0, 0, 0, false} {}
 
   bool check(TreeShape& shape) {
     if (!vertices_on_lattice() || !root() || !node(0)) {
@@ -42,11 +44,14 @@ class Checker {
       }
     }
     uint32_t last = tree_.node_count - 1u;
-    if (!tree_.nodes[last].is_leaf() || !leave_to_level(last, 0, tree_.node_count) ||
-        leaves_ != tree_.leaf_count || tree_.first_triangle(leaves_) != tree_.triangle_count) {
+    if (!tree_.nodes[last].is_leaf() || !leave_to(last, 0, tree_.node_count) ||
+        leaves_ != tree_.leaf_count || tree_.first_triangle(leaves_) != tree_.triangle_count ||
+        !shells()) {
       return false;
     }
     measure_children();
+    shape_.longest_edge = surface_.longest_edge();
+    shape_.is_closed = surface_.is_closed();
     shape = shape_;
     return true;
   }
@@ -68,14 +73,34 @@ class Checker {
   bool root() const {
     const Node<Index>& node = tree_.nodes[0];
     const bool rank = node.is_leaf() || node.parent_rank() == kRootParentRank;
-    const bool climb = kPre ? parent_of_root() == 0 : tree_.rcl(0) == 0;
-    return node.link == tree_.node_count && tree_.level(0) == 0 && rank && climb;
+    bool levels = !has_levels() || tree_.level(0) == 0;
+    if constexpr (kPre) {
+      levels = levels && tree_.parents[0] == 0;
+    } else {
+      levels = levels && (!has_levels() || tree_.rcl(0) == 0);
+    }
+    return node.link == tree_.node_count && rank && levels;
   }
+
+  /// There is one at least, and each has a triangle of its own, which is not looked for.
+  bool shells() const {
+    if (tree_.shell_count == 0) {
+      return false;
+    }
+    for (uint32_t i = 0; i < tree_.shell_count; ++i) {
+      const uint32_t vertex = tree_.shell_vertices[i];
+      if (vertex >= tree_.vertex_count || (i != 0 && vertex <= tree_.shell_vertices[i - 1])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool has_levels() const { return kPre || tree_.levels != nullptr; }
 
   /// What can be told of a node by itself.
   bool node(uint32_t i) {
     const Node<Index>& node = tree_.nodes[i];
-    shape_.depth = greater(shape_.depth, tree_.level(i));
     return is_on_lattice(node.box) && (node.is_leaf() ? leaf(node) : has_ranks(node));
   }
 
@@ -101,6 +126,7 @@ class Checker {
       if (!triangle_inside(i, node.box)) {
         return false;
       }
+      surface_.add(tree_.triangles[i], tree_.vertices);
     }
     ++leaves_;
     return true;
@@ -121,37 +147,38 @@ class Checker {
 
   /// Node i follows the internal node i - 1 and must be its child.
   bool enter_child(uint32_t i) const {
-    if (tree_.level(i) != tree_.level(i - 1) + 1) {
+    if (has_levels() && tree_.level(i) != tree_.level(i - 1) + 1) {
       return false;
     }
     if constexpr (kPre) {
       return tree_.parents[i] == i - 1;
     } else {
-      return tree_.rcl(i) == tree_.rcl(i - 1) + 1 && tree_.nodes[i].link >= i;
+      return tree_.nodes[i].link >= i && (!has_levels() || tree_.rcl(i) == tree_.rcl(i - 1) + 1);
     }
   }
 
   /// Node i follows the leaf i - 1 and must be a sibling of a node above it, or of the leaf itself.
   bool enter_sibling(uint32_t i) const {
     uint32_t sibling = i - 1;
-    if (!leave_to_level(sibling, tree_.level(i), i) || sibling == 0) {
-      return false;
-    }
     if constexpr (kPre) {
-      return tree_.parents[i] == tree_.parents[sibling];
+      return leave_to(sibling, tree_.level(i), i) && sibling != 0 &&
+             tree_.parents[i] == tree_.parents[sibling];
     } else {
-      return tree_.nodes[i].link == sibling && tree_.rcl(i) == 0;
+      const uint32_t link = tree_.nodes[i].link;
+      return link != 0 && link < i && leave_to(sibling, link, i) &&
+             (!has_levels() || (tree_.level(i) == tree_.level(link) && tree_.rcl(i) == 0));
     }
   }
 
-  /// Climbs from `node` to its ancestor of this level, checking each parent on the way once all its
-  /// children are done. `next` is the node that follows in array order: what a pre-indexed tree's
-  /// links of all nodes that are left must be, so that is where each link is checked.
-  bool leave_to_level(uint32_t& node, uint32_t level, uint32_t next) const {
+  /// Climbs from `node` to its ancestor at `place`, a level of a pre-indexed tree, an index of a
+  /// post-indexed one, checking each parent on the way once all its children are done. `next` is
+  /// the node that follows in array order: what a pre-indexed tree's links of all nodes that are
+  /// left must be, so that is where each link is checked.
+  bool leave_to(uint32_t& node, uint32_t place, uint32_t next) const {
     if (kPre && tree_.nodes[node].link != next) {
       return false;
     }
-    while (tree_.level(node) > level) {
+    while (place_of(node) > place) {
       uint32_t parent;
       if constexpr (kPre) {
         parent = tree_.parents[node];
@@ -159,10 +186,7 @@ class Checker {
           return false;
         }
       } else {
-        uint32_t last = node;
-        while (tree_.nodes[last].link < last) {
-          last = tree_.nodes[last].link;
-        }
+        const uint32_t last = last_sibling(node);
         if (tree_.nodes[last].link != node) {
           return false;
         }
@@ -173,7 +197,16 @@ class Checker {
       }
       node = parent;
     }
-    return tree_.level(node) == level;
+    return place_of(node) == place;
+  }
+
+  uint32_t place_of(uint32_t node) const { return kPre ? tree_.level(node) : node; }
+
+  uint32_t last_sibling(uint32_t node) const {
+    while (tree_.nodes[node].link < node) {
+      node = tree_.nodes[node].link;
+    }
+    return node;
   }
 
   bool children_belong_to(uint32_t parent) const {
@@ -191,23 +224,32 @@ class Checker {
     }
   }
 
-  /// The stack need and the arity. Only on a tree whose links are proven.
+  /// Depth, stack need and arity. Only on a tree whose links are proven.
   void measure_children() {
     uint32_t pending = 0;
+    uint32_t depth = 0;
     for (uint32_t i = 1; i < tree_.node_count; ++i) {
       uint32_t above = i - 1;
       if (tree_.nodes[above].is_leaf()) {
-        while (tree_.level(above) > tree_.level(i)) {
+        while (!are_siblings(above, i)) {
           above = parent_of(above);
           pending -= later_siblings(above);
+          --depth;
         }
       } else {
         const uint32_t more = later_siblings(above);
         shape_.arity = greater(shape_.arity, more + 1);
         pending += more;
+        ++depth;
       }
       shape_.stack_need = greater(shape_.stack_need, pending);
+      shape_.depth = greater(shape_.depth, depth);
     }
+  }
+
+  /// Of a node, and one above the leaf before it, or that leaf.
+  bool are_siblings(uint32_t above, uint32_t node) const {
+    return kPre ? tree_.level(above) == tree_.level(node) : tree_.nodes[node].link == above;
   }
 
   static uint32_t greater(uint32_t u, uint32_t v) { return u > v ? u : v; }
@@ -226,31 +268,21 @@ class Checker {
     if constexpr (kPre) {
       return tree_.parents[node];
     } else {
-      while (tree_.nodes[node].link < node) {
-        node = tree_.nodes[node].link;
-      }
-      return node - 1;
+      return last_sibling(node) - 1;
     }
   }
 
-  uint32_t parent_of_root() const {
-    if constexpr (kPre) {
-      return tree_.parents[0];
-    } else {
-      return 0;
-    }
-  }
-
-  const MeshType& tree_;
+  const LevelledMesh<Index, layout>& tree_;
   uint32_t leaves_;  ///< passed so far
+  Surface surface_;  ///< of their triangles
   TreeShape shape_;
 };
 
 }  // namespace
 
-template <class MeshType>
-Status check_tree(const MeshType& tree, TreeShape& shape) {
-  return Checker<MeshType>(tree).check(shape) ? Status::done : Status::image_invalid;
+template <class Index, Layout layout>
+Status check_tree(const LevelledMesh<Index, layout>& mesh, TreeShape& shape) {
+  return Checker<Index, layout>(mesh).check(shape) ? Status::done : Status::image_invalid;
 }
 
 template Status check_tree(const LevelledPreMesh&, TreeShape&);

@@ -169,7 +169,7 @@ ENTRY(contact, asked) {
 
 // open_image(): every check of a post-indexed image.
 ENTRY(open_an_image, asked) {
-  in->ends(open_image(in->image, in->image_size, as<LevelledPostMesh>(in->opened)));
+  in->ends(open_image(in->image, in->image_size, as<PostMesh>(in->opened)));
 }
 
 ENTRY(check_a_tree, asked) {

@@ -13,7 +13,8 @@ namespace flashbvh::detail {
 /// Where the arrays lie, in bytes from the start of the image; what an image of this header needs.
 /// 64 bits, so that no header makes a sum wrap.
 struct ImageOffsets {
-  uint64_t nodes, levels, climb, triangles, triangle_ids, leaf_offsets, vertices, end;
+  uint64_t nodes, levels, climb, triangles, triangle_ids, leaf_offsets, vertices, shell_vertices,
+      name, end;
 };
 ImageOffsets image_offsets(const ImageHeader& header);
 
@@ -24,18 +25,21 @@ uint32_t crc32(const void* bytes, size_t size, uint32_t crc = 0);
 /// The checksum that an image's header must hold.
 uint32_t image_crc(const void* bytes, size_t size);
 
-/// What follows from a tree's contents; the header repeats it.
+/// What follows from a mesh's contents; the header repeats it.
 struct TreeShape {
   uint32_t depth;
   uint32_t stack_need;
   uint32_t leaf_size;
   uint32_t arity;
+  uint32_t longest_edge;
+  bool is_closed;
 };
 
-/// The check of a tree's contents on its own. `done`, with what was found in `shape`, or
-/// `image_invalid`. Its counts and arrays are there; nothing else needs to be right.
-template <class MeshType>
-Status check_tree(const MeshType& mesh, TreeShape& shape);
+/// The check of a mesh's contents on its own. `done`, with what was found in `shape`, or
+/// `image_invalid`. Its counts and arrays are there, of a post-indexed tree with or without the
+/// levels (null then, both); nothing else needs to be right.
+template <class Index, Layout layout>
+Status check_tree(const LevelledMesh<Index, layout>& mesh, TreeShape& shape);
 
 }  // namespace flashbvh::detail
 

@@ -55,30 +55,23 @@ class Transform {
   int32_t slab_margin() const { return slab_margin_ * kMarginUnit; }
 
   /// Before the first walk.
-  void prepare(const PackedBox& root_b) {
+  template <class Mesh>
+  void prepare(const Mesh& b) {
     if (kind_ == Kind::translated) {
       const Point& t = translated_.offset;
       translated_.bound = TranslatedBound(t.x, t.y, t.z);
       narrow_ = true;
     } else {
-      slab_margin_ = margin_of_slabs(reach(root_b));
-      narrow_ = diagonal_is_narrow(root_b);
+      slab_margin_ = margin_of_slabs(reach(b.nodes[0].box));
+      narrow_ = b.longest_edge <= kMostNarrowEdge;
     }
   }
 
  private:
   enum class Kind : uint8_t { translated, rotated, far_apart };
 
-  /// No edge is longer than the box's diagonal, however rotated: stretched by a defect of 2^-12 at
-  /// most, and rounded at both ends. A lattice has no others.
-  static bool diagonal_is_narrow(const PackedBox& box) {
-    constexpr uint32_t most = 32700;
-    const uint32_t x = extent_x(box);
-    const uint32_t y = extent_y(box);
-    const uint32_t z = extent_z(box);
-    return x * x + y * y + z * z <= most * most;
-  }
-
+  /// Stretched by a defect of 2^-12 at most, and rounded at both ends, below 2^15.
+  static constexpr uint16_t kMostNarrowEdge = 32700;
   static constexpr int32_t kMarginUnit = 16;
 
   /// What rotating a direction of 13 bits can be off by, along it. `reach_b`: reach() of B's root.

@@ -1,0 +1,79 @@
+#include "bake/surface.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace flashbvh::bake {
+namespace {
+
+std::uint64_t squared_length(const Vertex& p, const Vertex& q) {
+  const auto square = [](std::int64_t difference) {
+    return static_cast<std::uint64_t>(difference * difference);
+  };
+  return square(p.x - q.x) + square(p.y - q.y) + square(p.z - q.z);
+}
+
+/// Rounded up.
+std::uint16_t root_of(std::uint64_t squared) {
+  std::uint64_t root = 0;
+  while (root * root < squared) {
+    ++root;
+  }
+  return static_cast<std::uint16_t>(root);
+}
+
+/// Groups of vertices that triangles join; each is known by its first vertex.
+class Shells {
+ public:
+  explicit Shells(std::size_t vertex_count) : above_(vertex_count) {
+    std::iota(above_.begin(), above_.end(), 0u);
+  }
+
+  std::uint32_t first_of(std::uint32_t vertex) {
+    while (above_[vertex] != vertex) {
+      vertex = above_[vertex] = above_[above_[vertex]];
+    }
+    return vertex;
+  }
+
+  void join(std::uint32_t u, std::uint32_t v) {
+    const std::uint32_t first_u = first_of(u);
+    const std::uint32_t first_v = first_of(v);
+    above_[std::max(first_u, first_v)] = std::min(first_u, first_v);
+  }
+
+ private:
+  std::vector<std::uint32_t> above_;
+};
+
+}  // namespace
+
+Surface surface_of(const LatticeMesh& mesh) {
+  std::uint64_t longest = 0;
+  Shells shells(mesh.vertices.size());
+  std::map<std::array<std::uint32_t, 2>, std::int64_t> runs;  // of an edge, less those back
+  for (const TriangleCorners& corners : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t u = corners[i];
+      const std::uint32_t v = corners[(i + 1) % 3];
+      longest = std::max(longest, squared_length(mesh.vertices[u], mesh.vertices[v]));
+      shells.join(u, v);
+      runs[{std::min(u, v), std::max(u, v)}] += u < v ? 1 : v < u ? -1 : 0;
+    }
+  }
+  Surface surface;
+  surface.longest_edge = root_of(longest);
+  surface.is_closed =
+      std::all_of(runs.begin(), runs.end(), [](const auto& edge) { return edge.second == 0; });
+  for (const TriangleCorners& corners : mesh.triangles) {
+    surface.shell_vertices.push_back(shells.first_of(corners[0]));
+  }
+  std::sort(surface.shell_vertices.begin(), surface.shell_vertices.end());
+  surface.shell_vertices.erase(
+      std::unique(surface.shell_vertices.begin(), surface.shell_vertices.end()),
+      surface.shell_vertices.end());
+  return surface;
+}
+
+}  // namespace flashbvh::bake
