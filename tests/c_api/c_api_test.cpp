@@ -28,8 +28,8 @@ struct Object {
     for (std::int32_t& origin : mesh.origin) {
       origin = random.between(-10, 10);
     }
-    image =
-        image_of(bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh), mesh), true);
+    image = image_of(
+        bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh), mesh), true);
     REQUIRE(open_image(image.data(), bytes(), tree) == Status::done);
     REQUIRE(flashbvh_open(image.data(), bytes(), &c_tree) == FLASHBVH_STATUS_DONE);
     REQUIRE(flashbvh_mesh_triangles(&c_tree) == mesh.triangles.size());

@@ -41,9 +41,11 @@ void make_side(Random& random, const Scale& scale, Side& side) {
 void add_contact(const Contact& contact, Hash& hash) {
   hash.add(static_cast<uint32_t>(contact.kind));
   for (const FinePoint& end : contact.ends) {
-    hash.add(static_cast<uint32_t>(end.x));
-    hash.add(static_cast<uint32_t>(end.y));
-    hash.add(static_cast<uint32_t>(end.z));
+    const int64_t coordinates[] = {end.x, end.y, end.z};
+    for (const int64_t coordinate : coordinates) {
+      hash.add(static_cast<uint32_t>(coordinate));
+      hash.add(static_cast<uint32_t>(coordinate >> 32));
+    }
   }
 }
 

@@ -84,7 +84,9 @@ void SmallTree<layout>::set_node(const SmallMesh& mesh, const Range& range, uint
 
 /// Of all triangles, in cells, rounded up.
 uint16_t longest_edge(const SmallMesh& mesh) {
-  const auto square = [](int32_t difference) { return uint32_t(difference) * uint32_t(difference); };
+  const auto square = [](int32_t difference) {
+    return uint32_t(difference) * uint32_t(difference);
+  };
   uint32_t longest = 0;
   for (uint32_t i = 0; i < 3u * mesh.triangle_count; ++i) {
     const Corners<uint16_t>& triangle = mesh.triangles[i / 3];

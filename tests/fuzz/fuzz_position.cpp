@@ -9,8 +9,8 @@
 #include "fuzz/any_pose.hpp"
 #include "golden/golden.hpp"
 #include "support/any_query.hpp"
-#include "support/opened.hpp"
 #include "support/most_work.hpp"
+#include "support/opened.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;

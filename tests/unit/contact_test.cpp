@@ -331,8 +331,8 @@ TEST_CASE("contact: translating both triangles translates the ends alike", "[con
     const Point& from = pair.a.corner[0];
     const Point& to = translated.a.corner[0];
     for (FinePoint& end : there.ends) {
-      end = {end.x - (to.x - from.x) * kFineOne, end.y - (to.y - from.y) * kFineOne,
-             end.z - (to.z - from.z) * kFineOne};
+      end = {end.x - int64_t{to.x - from.x} * kFineOne, end.y - int64_t{to.y - from.y} * kFineOne,
+             end.z - int64_t{to.z - from.z} * kFineOne};
     }
     if (!same_place(here, there) || !equal(here.normal_a, there.normal_a) ||
         !equal(here.normal_b, there.normal_b)) {

@@ -110,8 +110,8 @@ TEST_CASE("an image opens in place as the tree that was baked") {
     REQUIRE(tree.cell_bits == baked.view().cell_bits);
     REQUIRE((tree.leaf_offsets == nullptr) == baked.leaf_offsets.empty());
     REQUIRE(tree.shell_count == baked.shell_vertices.size());
-    REQUIRE(std::equal(baked.shell_vertices.begin(), baked.shell_vertices.end(),
-                       tree.shell_vertices));
+    REQUIRE(
+        std::equal(baked.shell_vertices.begin(), baked.shell_vertices.end(), tree.shell_vertices));
     REQUIRE(tree.longest_edge == baked.longest_edge);
     REQUIRE(tree.is_closed == baked.is_closed);
     REQUIRE(Image{image_of(baked_shape<kPre>(random, 5))}.open<LevelledPreMesh>() == Status::done);
@@ -184,12 +184,9 @@ std::vector<std::function<void(Baked<layout>&)>> broken_arrays(std::size_t last)
 template <Layout layout>
 std::vector<std::function<void(Baked<layout>&)>> broken_levels(std::size_t last) {
   return {
-      [](auto& t) { t.levels[0] = 1; },
-      [last](auto& t) { t.levels[last] += 1; },
-      [last](auto& t) { t.levels[last] = 0; },
-      [](auto& t) { t.climb[0] = 1; },
-      [last](auto& t) { t.climb[last] += 1; },
-      [](auto& t) { t.climb[1] += 1; },
+      [](auto& t) { t.levels[0] = 1; },        [last](auto& t) { t.levels[last] += 1; },
+      [last](auto& t) { t.levels[last] = 0; }, [](auto& t) { t.climb[0] = 1; },
+      [last](auto& t) { t.climb[last] += 1; }, [](auto& t) { t.climb[1] += 1; },
   };
 }
 
@@ -332,7 +329,8 @@ TEST_CASE("counts beyond the index type are refused, though what they are cut to
 TEST_CASE("a header alone, of an image without nodes, is refused before a root is looked for") {
   ImageHeader header;
   std::memcpy(&header, image_of(small_tree<kPost>(), true).data(), sizeof header);
-  header.shell_count = header.node_count = header.leaf_count = header.triangle_count = header.vertex_count = 0;
+  header.shell_count = header.node_count = header.leaf_count = header.triangle_count =
+      header.vertex_count = 0;
   header.byte_count = sizeof header;
   Image image{std::vector<std::uint32_t>(sizeof header / 4)};
   std::memcpy(image.bytes(), &header, sizeof header);
@@ -350,8 +348,8 @@ TEST_CASE("a byte other than zero in any gap is refused") {
   ImageHeader header;
   std::memcpy(&header, image.bytes(), sizeof header);
   const ImageOffsets at = image_offsets(header);
-  const std::uint64_t gaps[] = {at.climb, at.triangles, at.triangle_ids, at.leaf_offsets,
-                                at.shell_vertices, at.name, at.end};
+  const std::uint64_t gaps[] = {at.climb,          at.triangles, at.triangle_ids, at.leaf_offsets,
+                                at.shell_vertices, at.name,      at.end};
   for (const std::uint64_t end : gaps) {
     for (const std::uint64_t offset : {end - (end == at.end ? 1 : 2), end - 1}) {
       CAPTURE(end, offset);
@@ -383,8 +381,8 @@ TEST_CASE("a leaf of 255 triangles is good, one of 256 is not") {
     const auto tree = bake::build_median(mesh, size);
     REQUIRE(tree.nodes.size() == 1);
     const Status wanted = size == 255 ? Status::done : Status::image_invalid;
-    CHECK(
-        Image{image_of(bake::lay_out<std::uint16_t, kPost>(tree, mesh))}.open<PostMesh>() == wanted);
+    CHECK(Image{image_of(bake::lay_out<std::uint16_t, kPost>(tree, mesh))}.open<PostMesh>() ==
+          wanted);
     CHECK(Image{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))}
               .open<LargeLevelledPreMesh>() == wanted);
   }

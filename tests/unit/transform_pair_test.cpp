@@ -89,9 +89,6 @@ TEST_CASE(
     Triangle transformed_a;
     Triangle transformed_b;
     REQUIRE(transform_pair(a, b, pose, {0, i}, transformed_a, transformed_b));
-    for (Point& corner : transformed_b.corner) {
-      corner = {corner.x + a.origin[0], corner.y + a.origin[1], corner.z + a.origin[2]};
-    }
     CHECK(same(transformed_b, transformed(mesh_b, i, pose)));
   }
 }

@@ -79,7 +79,7 @@ std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>& baked, bool 
   return words;
 }
 
-#define FLASHBVH_KIND(Index, layout)                                  \
+#define FLASHBVH_KIND(Index, layout)                                        \
   template std::uint64_t image_size(const BakedTree<Index, layout>&, bool); \
   template std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>&, bool);
 FLASHBVH_FOR_EACH_KIND(FLASHBVH_KIND)

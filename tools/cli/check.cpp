@@ -118,10 +118,10 @@ void check_surface(const ImageFile& image, const std::vector<SourceTriangle>& tr
   const bake::Surface surface = bake::surface_of(mesh);
   const bool is_closed = (image.header().flags & kImageIsClosed) != 0;
   if (surface.shell_vertices != shells || surface.is_closed != is_closed) {
-    throw UserError(image.path(), "is invalid: ",
-                    surface.is_closed != is_closed ? "whether its surface is closed"
-                                                   : "its vertices of shells",
-                    " is not what its triangles make; bake it again");
+    throw UserError(
+        image.path(), "is invalid: ",
+        surface.is_closed != is_closed ? "whether its surface is closed" : "its vertices of shells",
+        " is not what its triangles make; bake it again");
   }
 }
 

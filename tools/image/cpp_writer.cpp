@@ -113,7 +113,7 @@ std::string constants(const bake::BakedTree<Index, layout>& baked, const std::st
 
 /// Of flashbvh::Unit.
 const char* enumerator_of(Unit unit) {
-  constexpr const char* kNames[kUnitCount] = {"none", "nm", "um",   "mm",  "cm",
+  constexpr const char* kNames[kUnitCount] = {"none", "nm",  "um",   "mm",  "cm",
                                               "m",    "mil", "inch", "foot"};
   return kNames[static_cast<std::size_t>(unit)];
 }
@@ -163,12 +163,12 @@ std::string view(const bake::BakedTree<Index, layout>& baked) {
   const auto count = [](std::size_t value) { return text_of(static_cast<Index>(value)); };
   return concat("{{kNodes, ", count(baked.nodes.size()), ", ", count(baked.leaf_count), ", ",
                 count(baked.stack_need), "},\n    kTriangles, kTriangleIds, ",
-                (baked.leaf_offsets.empty() ? "nullptr" : "kLeafOffsets"), ", kVertices, kShellVertices,\n    ",
-                count(baked.triangles.size()), ", ", count(baked.vertices.size()), ", ",
-                count(baked.shell_vertices.size()), ", ", baked.longest_edge, ",\n    {",
-                baked.origin[0], ", ", baked.origin[1], ", ", baked.origin[2], "}, flashbvh::Unit::",
-                enumerator_of(baked.unit), ", ", (baked.is_closed ? "true" : "false"), ", ",
-                hex(cell_bits, 16), "}");
+                (baked.leaf_offsets.empty() ? "nullptr" : "kLeafOffsets"),
+                ", kVertices, kShellVertices,\n    ", count(baked.triangles.size()), ", ",
+                count(baked.vertices.size()), ", ", count(baked.shell_vertices.size()), ", ",
+                baked.longest_edge, ",\n    {", baked.origin[0], ", ", baked.origin[1], ", ",
+                baked.origin[2], "}, flashbvh::Unit::", enumerator_of(baked.unit), ", ",
+                (baked.is_closed ? "true" : "false"), ", ", hex(cell_bits, 16), "}");
 }
 
 template <class Index, Layout layout>

@@ -19,13 +19,13 @@ struct Measure {
 
 /// In the order of flashbvh::Unit, from nm on.
 constexpr std::array<Measure, kUnitCount - 1> kUnits = {{{"nm", 1},
-                                         {"um", 1'000},
-                                         {"mm", 1'000'000},
-                                         {"cm", 10'000'000},
-                                         {"m", 1'000'000'000},
-                                         {"mil", 25'400},
-                                         {"in", 25'400'000},
-                                         {"ft", 304'800'000}}};
+                                                         {"um", 1'000},
+                                                         {"mm", 1'000'000},
+                                                         {"cm", 10'000'000},
+                                                         {"m", 1'000'000'000},
+                                                         {"mil", 25'400},
+                                                         {"in", 25'400'000},
+                                                         {"ft", 304'800'000}}};
 
 /// In nanometres; 0 if there is no such unit.
 std::uint64_t length_of(std::string_view name) {

@@ -19,14 +19,17 @@ constexpr int32_t kFineOne = 256;
 /// Largest difference along one axis between two corners of one triangle, in cells. Meshes keep
 /// within it under any pose: 2 * 16,383 * sqrt(3) = 56,753, and a cell for rounding.
 constexpr int32_t kMaxContactSpan = 57000;
-/// Largest magnitude of a corner's coordinate, in cells: what transformed vertices keep to.
-constexpr int32_t kMaxContactCoordinate = 80000;
+/// The same between any two corners of two triangles: what transformed vertices keep to.
+constexpr int32_t kMaxContactDistance = 160000;
+/// Largest magnitude of a corner's coordinate, in cells: that of an origin, and a mesh's extent.
+constexpr int32_t kMaxContactCoordinate = (1 << 29) + kMaxContactDistance / 2;
 
-/// A point in the frame of mesh A, in 1/256 cell: within +-2^25.
+/// A point in the frame of mesh A as it was drawn, in 1/256 cell: within +-2^38. pose_float.hpp
+/// turns it into the mesh's unit.
 struct FinePoint {
-  int32_t x;
-  int32_t y;
-  int32_t z;
+  int64_t x;
+  int64_t y;
+  int64_t z;
 };
 
 /// (p1 - p0) x (p2 - p0) of a triangle p0, p1, p2: exact, in square cells, twice the area long, not
@@ -62,13 +65,14 @@ struct Contact {
 ///
 /// The order of corners and of arguments changes the normals, as their definition says, and nothing
 /// else; translating both triangles by whole cells translates the ends alike. Each triangle spans
-/// at most kMaxContactSpan along each axis, and coordinates are within +-kMaxContactCoordinate, as
-/// those of every pair that a query reports are; this is not checked. Of triangles within these
-/// bounds that do not intersect, the answer is two meaningless points and correct normals.
+/// at most kMaxContactSpan along each axis, both at most kMaxContactDistance, and coordinates are
+/// within +-kMaxContactCoordinate, as those of every pair that a query reports are; this is not
+/// checked. Of triangles within these bounds that do not intersect, the answer is two meaningless
+/// points and correct normals.
 ///
 /// Cost in instructions on a Cortex-M4 at -O2: 1,800 for two planes that cross, 5,000 on average
 /// and at most 8,500 for coplanar triangles (tests/budget/contact_cost_test.cpp prints them).
-/// Stack: 280 bytes on Cortex-M3 to M55 at -O2, the contact itself, 80 bytes, not counted.
+/// Stack: 320 bytes on Cortex-M3 to M55 at -O2, the contact itself, 104 bytes, not counted.
 ///
 /// Source: the common line as in Guigue and Devillers (triangle.hpp).
 [[nodiscard]] Contact contact_of(const Triangle& a, const Triangle& b) noexcept;
@@ -93,7 +97,7 @@ uint32_t position_of(const Mesh& mesh, uint32_t id) {
 }
 
 /// The triangles of a reported pair at any later time, where a query on `a` and `b` under `pose`
-/// has them: in cells from A's origin, for contact_of(). False, and nothing is written, if the pose
+/// has them: in A's frame, in cells, for contact_of(). False, and nothing is written, if the pose
 /// is in error, the cells differ or an id isn't in its mesh; whether the triangles intersect is not
 /// asked. A rotated B that is farther off than 48,000 cells is put at that distance, where it
 /// intersects nothing.
@@ -111,8 +115,7 @@ template <class Mesh>
     return false;
   }
   const detail::Transform transform(pose, a, b, /*may_stop=*/false);
-  detail::translate_triangle(a, of_a, detail::kNoOffset, triangle_a);
-  detail::transform_triangle(b, of_b, transform, triangle_b);
+  detail::place_pair(a, of_a, b, of_b, transform, triangle_a, triangle_b);
   return true;
 }
 

@@ -23,14 +23,15 @@ struct Vertex {
   int16_t z;
 };
 
-/// A transformed vertex: cells in the frame of mesh A, wide enough for any pose.
+/// A transformed vertex: in cells, wide enough for any pose.
 struct Point {
   int32_t x;
   int32_t y;
   int32_t z;
 };
 
-/// A triangle in the frame of mesh A, in cells.
+/// A triangle in the frame of mesh A, in cells: as the mesh was drawn, origin included, wherever
+/// the library's users see one; inside it from A's origin on.
 ///
 /// Its corners may lie on one line or in one point: rounding to the lattice does that.
 struct Triangle {

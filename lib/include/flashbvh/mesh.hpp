@@ -102,8 +102,8 @@ struct Mesh : Tree<IndexType, layout> {
 
   const Corners<Index>* triangles;  ///< triangle_count, in order of their leaves
   const Index* triangle_ids;        ///< triangle_count: the triangle's number in the source mesh
-  const Index* leaf_offsets;  ///< leaf_count + 1: the leaf's first triangle; null at one per leaf
-  const Vertex* vertices;     ///< vertex_count
+  const Index* leaf_offsets;    ///< leaf_count + 1: the leaf's first triangle; null at one per leaf
+  const Vertex* vertices;       ///< vertex_count
   const Index* shell_vertices;  ///< shell_count: the first vertex of each shell, ascending
   Index triangle_count;
   Index vertex_count;

@@ -1,4 +1,5 @@
-// Poses from floating point, as kinematics and sensors give them: a matrix or a unit quaternion.
+// Poses from floating point, as kinematics and sensors give them: a matrix or a unit quaternion;
+// and contacts' points as floats.
 //
 // Optional, and the only float in the library: firmware that does not include this header links no
 // float code. It calculates with none, either: a float is taken apart by its bits and the rest is
@@ -19,6 +20,8 @@
 
 #include <stdint.h>
 
+#include "flashbvh/contact.hpp"
+#include "flashbvh/length.hpp"
 #include "flashbvh/pose.hpp"
 #include "flashbvh/status.hpp"
 
@@ -55,6 +58,12 @@ inline FloatParts parts_of(float value) {
   const bool is_subnormal = biased == 0;
   return {is_subnormal ? fraction : fraction | 0x800000u,
           static_cast<int32_t>(is_subnormal ? 1 : biased) - 150, bits >> 31 != 0, biased != 0xFFu};
+}
+
+inline float float_of(uint32_t bits) {
+  float value = 0;
+  __builtin_memcpy(&value, &bits, sizeof value);
+  return value;
 }
 
 /// Beyond every number that a pose takes.
@@ -185,6 +194,28 @@ inline Pose pose_of(const UnitQuaternion& rotation, const float (&translation)[3
   int32_t entries[3][3] = {};
   detail::set_rotation(rotation, entries);
   return detail::rigid(entries, translation, cells_per_unit);
+}
+
+/// kCellsPerUnit of a mesh whose header is not at hand, as of an image. `cell_bits`:
+/// Mesh::cell_bits.
+inline float cells_per_unit(uint64_t cell_bits) {
+  return detail::float_of(detail::cells_per_unit_bits(cell_bits));
+}
+
+/// In the mesh's unit.
+struct UnitPoint {
+  float x;
+  float y;
+  float z;
+};
+
+/// A contact's point in the unit of mesh A, which it is reported of; each coordinate rounded once,
+/// to the nearest float. A float has 24 bits, which a point 65,536 cells off takes up: past that,
+/// millionths_of() (length.hpp) keeps the rest.
+inline UnitPoint in_unit(const FinePoint& point, uint64_t cell_bits) {
+  return {detail::float_of(detail::length_bits(point.x, cell_bits)),
+          detail::float_of(detail::length_bits(point.y, cell_bits)),
+          detail::float_of(detail::length_bits(point.z, cell_bits))};
 }
 
 }  // namespace flashbvh

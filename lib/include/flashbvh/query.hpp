@@ -145,11 +145,10 @@ class Query : Question {
     return status();
   }
 
-  /// The triangles of the pair reported last, in A's frame: inside a sink, and after a run that
-  /// wrote a pair and ended with `full`.
+  /// The triangles of the pair reported last, in A's frame, in cells: inside a sink, and after a
+  /// run that wrote a pair and ended with `full`.
   void last_pair(Triangle& a, Triangle& b) const {
-    detail::translate_triangle(*a_, of_a(untested_), detail::kNoOffset, a);
-    detail::transform_triangle(*b_, of_b(untested_), transform_, b);
+    detail::place_pair(*a_, of_a(untested_), *b_, of_b(untested_), transform_, a, b);
   }
 
  private:

@@ -22,7 +22,7 @@ using namespace detail;
 
 namespace {
 
-constexpr int64_t kFarthest = int64_t{2} * kMaxContactCoordinate;
+constexpr int64_t kFarthest = kMaxContactDistance;
 static_assert(INT64_MAX / kFarthest / kFarthest / kFarthest >= 6,
               "a 3x3 determinant is a sum of six products of three differences");
 

@@ -14,10 +14,10 @@
 namespace flashbvh::detail {
 namespace {
 
-constexpr int32_t FinePoint::*kFineAxes[3] = {&FinePoint::x, &FinePoint::y, &FinePoint::z};
+constexpr int64_t FinePoint::*kFineAxes[3] = {&FinePoint::x, &FinePoint::y, &FinePoint::z};
 
 /// Beyond all points: where there are none, the answer must only not overflow.
-constexpr int32_t kBeyond = 1 << 28;
+constexpr int64_t kBeyond = int64_t{1} << 40;
 
 /// Two shapes and a projection onto two axes.
 struct Flat {
@@ -79,16 +79,16 @@ inline bool opposite(int64_t u, int64_t v) {
 [[gnu::noinline]] bool corner_inside(const Flat& flat, const Shape& of, unsigned corner,
                                      const Shape& in, FinePoint& point) {
   const Point& p = *of.corner[corner];
-  point = {p.x * kFineOne, p.y * kFineOne, p.z * kFineOne};
+  point = {int64_t{p.x} * kFineOne, int64_t{p.y} * kFineOne, int64_t{p.z} * kFineOne};
   return contains(flat, in, p);
 }
 
 /// What is known of the common part: its box, and its outermost points along one axis. Of equally
 /// outer points the first and the last, so that the order of corners has no influence.
 struct Found {
-  int32_t least[3];
-  int32_t most[3];
-  int32_t FinePoint::*axis;
+  int64_t least[3];
+  int64_t most[3];
+  int64_t FinePoint::*axis;
   FinePoint* ends;
 };
 
@@ -103,13 +103,13 @@ struct Found {
 
 [[gnu::noinline]] void add(Found& found, const FinePoint& p) {
   for (int i = 0; i < 3; ++i) {
-    const int32_t at = p.*kFineAxes[i];
+    const int64_t at = p.*kFineAxes[i];
     found.least[i] = at < found.least[i] ? at : found.least[i];
     found.most[i] = at > found.most[i] ? at : found.most[i];
   }
   const auto axis = found.axis;
-  const int32_t below = p.*axis - found.ends[0].*axis;
-  const int32_t above = p.*axis - found.ends[1].*axis;
+  const int64_t below = p.*axis - found.ends[0].*axis;
+  const int64_t above = p.*axis - found.ends[1].*axis;
   if (below < 0 || (below == 0 && comes_before(p, found.ends[0]))) {
     found.ends[0] = p;
   }
@@ -138,9 +138,9 @@ struct Found {
 
 /// Of equal ones the first.
 inline int longest_axis(const Found& found) {
-  const int32_t x = found.most[0] - found.least[0];
-  const int32_t y = found.most[1] - found.least[1];
-  const int32_t z = found.most[2] - found.least[2];
+  const int64_t x = found.most[0] - found.least[0];
+  const int64_t y = found.most[1] - found.least[1];
+  const int64_t z = found.most[2] - found.least[2];
   return z > x && z > y ? 2 : y > x ? 1 : 0;
 }
 

@@ -91,8 +91,7 @@ bool gap_is_zero(const void* bytes, uint64_t begin) {
 
 /// Text: no byte of it is 0.
 bool name_fits(const void* bytes, const ImageHeader& header) {
-  const auto* const name =
-      static_cast<const unsigned char*>(bytes) + image_offsets(header).name;
+  const auto* const name = static_cast<const unsigned char*>(bytes) + image_offsets(header).name;
   for (unsigned i = 0; i < header.name_size; ++i) {
     if (name[i] == 0) {
       return false;

@@ -127,7 +127,7 @@ FLASHBVH_NOINLINE void rotate_triangle(const Mesh& mesh, uint32_t position,
                       triangle);
 }
 
-/// A triangle of B, by its position, in A's frame.
+/// A triangle of B, by its position, in A's frame, from A's origin on.
 template <class Mesh>
 void transform_triangle(const Mesh& b, uint32_t position, const Transform& transform,
                         Triangle& triangle) {
@@ -135,6 +135,18 @@ void transform_triangle(const Mesh& b, uint32_t position, const Transform& trans
     rotate_triangle(b, position, transform.rotated(), triangle);
   } else {
     translate_triangle(b, position, transform.translated().offset, triangle);
+  }
+}
+
+/// A triangle of each, by their positions, in A's frame as it was drawn.
+template <class Mesh>
+void place_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b,
+                const Transform& transform, Triangle& triangle_a, Triangle& triangle_b) {
+  const Point origin = {a.origin[0], a.origin[1], a.origin[2]};
+  translate_triangle(a, of_a, origin, triangle_a);
+  transform_triangle(b, of_b, transform, triangle_b);
+  for (Point& corner : triangle_b.corner) {
+    corner = {corner.x + origin.x, corner.y + origin.y, corner.z + origin.z};
   }
 }
 
