@@ -1,7 +1,7 @@
 # flashbvh_add_mesh(name SOURCES mesh...
 #                   [UNIT unit|mesh=unit...] [CELL length] [MAX_DEVIATION length]
 #                   [LEAF_SIZE n] [ARITY n] [BUILDER name] [LAYOUT pre|post] [INDEX_BITS 16|32]
-#                   [DROP degenerate|duplicate...] [MAX_BYTES n] [NAME name]
+#                   [DROP degenerate|duplicate...] [LEVELS] [MAX_BYTES n] [NAME name]
 #                   [FORMAT cpp|image|both|c])
 #
 # A library `name`, also called name::name, with the baked trees of some meshes, which share one
@@ -17,7 +17,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 function(flashbvh_add_mesh name)
   set(single CELL MAX_DEVIATION LEAF_SIZE ARITY BUILDER LAYOUT INDEX_BITS MAX_BYTES NAME FORMAT)
   set(repeated UNIT DROP)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "${single}" "SOURCES;${repeated}")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "LEVELS" "${single}" "SOURCES;${repeated}")
   set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_SOURCES})
   list(FILTER odd EXCLUDE REGEX "\\.([Ss][Tt][Ll]|[Oo][Bb][Jj]|[Pp][Ll][Yy]|[Oo][Ff][Ff])$")
   if(odd OR NOT arg_SOURCES)
@@ -32,6 +32,9 @@ function(flashbvh_add_mesh name)
     set(arg_FORMAT image)
   endif()
   set(options "")
+  if(arg_LEVELS)
+    set(options --levels)
+  endif()
   foreach(option ${single} ${repeated})
     string(TOLOWER --${option} flag)
     string(REPLACE "_" "-" flag ${flag})

@@ -56,7 +56,7 @@ struct Cost {
 
 template <Layout layout>
 Cost cost_of(const bake::BuildTree& tree, const bake::LatticeMesh& mesh) {
-  const auto words = bake::image_of(bake::lay_out<std::uint16_t, layout>(tree, mesh));
+  const auto words = bake::image_of(bake::lay_out<std::uint16_t, layout>(tree, mesh), true);
   const auto size = static_cast<std::uint32_t>(words.size() * sizeof words[0]);
   LevelledMesh<std::uint16_t, layout> opened;
   Status status = Status::image_invalid;

@@ -1,11 +1,15 @@
 // The C interface against the C++ one on random meshes and poses; the queries are made in C.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <vector>
 
 #include "bake/image_bytes.hpp"
 #include "c_api/queries.h"
+#include "flashbvh/bound.hpp"
+#include "flashbvh/contact.hpp"
 #include "flashbvh/image.hpp"
+#include "flashbvh/pose_float.hpp"
 #include "flashbvh/query.hpp"
 #include "heap_guard.hpp"
 #include "support/rotations.hpp"
@@ -105,6 +109,19 @@ bool same(const flashbvh_triangle& c, const Triangle& transformed) {
   return same;
 }
 
+bool same(const flashbvh_contact& c, const Contact& contact) {
+  bool same = static_cast<int>(c.kind) == static_cast<int>(contact.kind);
+  for (int i = 0; i < 2; ++i) {
+    const FinePoint& end = contact.ends[i];
+    same = same && c.ends[i].x == end.x && c.ends[i].y == end.y && c.ends[i].z == end.z;
+  }
+  const auto same_normal = [](const flashbvh_normal& n, const Normal& m) {
+    return n.x == m.x && n.y == m.y && n.z == m.z;
+  };
+  return same && same_normal(c.normal_a, contact.normal_a) &&
+         same_normal(c.normal_b, contact.normal_b);
+}
+
 }  // namespace
 
 TEST_CASE("C gets the pairs that C++ gets, in slices, saved and resumed, and in one call") {
@@ -167,7 +184,115 @@ TEST_CASE("poses made in C are those made in C++, in place too") {
   }
 }
 
-TEST_CASE("the triangles of the last pair are transformed as in C++") {
+TEST_CASE("poses made of floats in C are those made in C++") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 24);
+  for (int round = 0; round < 300; ++round) {
+    const Rotation rotation = rotation_of(any_quaternion(random));
+    float rows[3][3];
+    for (int i = 0; i < 9; ++i) {
+      rows[i / 3][i % 3] = static_cast<float>(rotation.entry[i / 3][i % 3]) / kRotationOne;
+    }
+    const float translation[3] = {static_cast<float>(random.between(-9999, 9999)) / 7, -0.25f, 3};
+    const float scale = static_cast<float>(random.between(1, 1000)) / 3;
+    flashbvh_pose made;
+    CHECK(flashbvh_pose_of_matrix(rows[0], translation, scale, &made) == FLASHBVH_STATUS_DONE);
+    REQUIRE(same(pose_of(rows, translation, scale), made));
+    const float q[4] = {0.5f, -0.5f, 0.5f, static_cast<float>(round % 2 == 0 ? 0.5 : 0.6)};
+    flashbvh_pose_of_quaternion(q, translation, scale, &made);
+    REQUIRE(flashbvh_pose_status(&made) ==
+            (round % 2 == 0 ? FLASHBVH_STATUS_DONE : FLASHBVH_STATUS_NOT_A_ROTATION));
+    const Pose wanted = pose_of(UnitQuaternion{q[0], q[1], q[2], q[3]}, translation, scale);
+    REQUIRE((round % 2 != 0 || same(wanted, made)));
+  }
+}
+
+TEST_CASE("bounds in C are those of C++") {
+  Random random(test_seed() + 25);
+  const RunCosts costs[] = {kCortexM0,  kCortexM3,  kCortexM4F, kCortexM7,
+                            kCortexM33, kCortexM55, kRV32IMAC};
+  const flashbvh_run_costs* const c_costs[] = {
+      &flashbvh_cortex_m0,  &flashbvh_cortex_m3,  &flashbvh_cortex_m4f, &flashbvh_cortex_m7,
+      &flashbvh_cortex_m33, &flashbvh_cortex_m55, &flashbvh_rv32imac};
+  for (int round = 0; round < 50; ++round) {
+    const Object object_a(random);
+    const Object object_b(random);
+    ImageHeader header;
+    REQUIRE(read_image_header(object_a.image.data(), object_a.bytes(), header) == Status::done);
+    const TreeSize a = tree_size_of(header);
+    REQUIRE(read_image_header(object_b.image.data(), object_b.bytes(), header) == Status::done);
+    const TreeSize b = tree_size_of(header);
+    flashbvh_tree_size c_a;
+    flashbvh_tree_size c_b;
+    REQUIRE(flashbvh_image_tree_size(object_a.image.data(), object_a.bytes(), &c_a) ==
+            FLASHBVH_STATUS_DONE);
+    REQUIRE(flashbvh_image_tree_size(object_b.image.data(), object_b.bytes(), &c_b) ==
+            FLASHBVH_STATUS_DONE);
+    REQUIRE(flashbvh_image_tree_size(object_a.image.data(), 3, &c_a) ==
+            FLASHBVH_STATUS_IMAGE_TRUNCATED);
+    for (std::size_t core = 0; core < sizeof costs / sizeof costs[0]; ++core) {
+      const std::uint64_t instructions = random.below(1000000);
+      const std::uint32_t work = random.below(10000);
+      REQUIRE(flashbvh_work_within(instructions, c_costs[core], &c_a, &c_b) ==
+              work_within(instructions, costs[core], a, b));
+      REQUIRE(flashbvh_most_instructions(c_costs[core], &c_a, &c_b, work) ==
+              most_instructions(costs[core], a, b, work));
+    }
+    REQUIRE(flashbvh_most_work(&c_a, &c_b) == most_work(a, b));
+    REQUIRE(flashbvh_largest_step(&c_a, &c_b) == largest_step(a, b));
+  }
+}
+
+TEST_CASE("what C says of a mesh is what C++ has") {
+  Random random(test_seed() + 26);
+  for (int round = 0; round < 30; ++round) {
+    const Object object(random);
+    std::int32_t origin[3];
+    flashbvh_mesh_origin(&object.c_tree, origin);
+    CHECK(std::equal(origin, origin + 3, object.tree.origin));
+    CHECK(flashbvh_mesh_unit(&object.c_tree) == static_cast<flashbvh_unit>(object.tree.unit));
+    CHECK(flashbvh_mesh_is_closed(&object.c_tree) == object.tree.is_closed);
+    CHECK(flashbvh_mesh_cells_per_unit(&object.c_tree) == cells_per_unit(object.tree.cell_bits));
+  }
+}
+
+TEST_CASE("a run in C says what work is left, and hands pairs to a visitor") {
+  Random random(test_seed() + 27);
+  const Object a(random);
+  const flashbvh_pose at = c_pose(Pose::translated(0, 0, 0));
+  const Pose pose = Pose::translated(0, 0, 0);
+  for (const std::uint32_t granted : kRuns) {
+    PairQuery query(a.tree, a.tree, pose);
+    flashbvh_query spending;
+    flashbvh_query visited;
+    CHECK(flashbvh_query_start(&spending, &a.c_tree, &a.c_tree, &at) == FLASHBVH_STATUS_SUSPENDED);
+    CHECK(flashbvh_query_start(&visited, &a.c_tree, &a.c_tree, &at) == FLASHBVH_STATUS_SUSPENDED);
+    for (Status status = Status::suspended; status != Status::done;) {
+      PairQuery::Pair found[3];
+      flashbvh_pair c_found[3];
+      std::uint32_t count = 0;
+      std::uint32_t left = granted;
+      std::uint32_t visit_left = granted;
+      std::uint32_t room = 3;
+      const Step step = query.run(granted, found);
+      status = step.status;
+      REQUIRE(flashbvh_query_spend(&spending, &left, c_found, 3, &count) ==
+              static_cast<flashbvh_status>(status));
+      REQUIRE(count == step.count);
+      REQUIRE(granted - left == step.work);
+      const auto take = [](flashbvh_pair, void* context) {
+        return --*static_cast<std::uint32_t*>(context) != 0;
+      };
+      REQUIRE(flashbvh_query_visit(&visited, &visit_left, take, &room) ==
+              static_cast<flashbvh_status>(status));
+      REQUIRE(3 - room == step.count);
+    }
+  }
+}
+
+TEST_CASE(
+    "the triangles of the last pair are transformed as in C++, and their contact is the same") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 22);
@@ -198,6 +323,21 @@ TEST_CASE("the triangles of the last pair are transformed as in C++") {
       query.last_pair(transformed_a, transformed_b);
       flashbvh_query_last_pair(&c_query, &c_a, &c_b);
       REQUIRE((same(c_a, transformed_a) && same(c_b, transformed_b)));
+      REQUIRE(flashbvh_transform_pair(&a.c_tree, &b.c_tree, &at, c_found[0], &c_b, &c_a));
+      REQUIRE((same(c_b, transformed_a) && same(c_a, transformed_b)));
+      flashbvh_contact c_contact;
+      flashbvh_contact again;
+      flashbvh_query_last_contact(&c_query, &c_contact);
+      flashbvh_contact_of(&c_b, &c_a, &again);
+      const Contact contact = contact_of(transformed_a, transformed_b);
+      REQUIRE((same(c_contact, contact) && same(again, contact)));
+      float at_float[3];
+      std::int64_t millionths[3];
+      flashbvh_in_unit(&c_contact.ends[1], &a.c_tree, at_float);
+      flashbvh_in_millionths(&c_contact.ends[1], &a.c_tree, millionths);
+      const UnitPoint wanted = in_unit(contact.ends[1], a.tree.cell_bits);
+      REQUIRE((at_float[0] == wanted.x && at_float[1] == wanted.y && at_float[2] == wanted.z));
+      REQUIRE(millionths[2] == millionths_of(contact.ends[1].z, a.tree.cell_bits));
       ++total;
     }
   }

@@ -2,6 +2,8 @@
  * restores them, and compares all of it with C++. */
 #include <string.h>
 
+#include "blade.fbvh.h"
+#include "block.fbvh.h"
 #include "peg.fbvh.h"
 #include "plate.fbvh.h"
 #include "queries.h"
@@ -103,12 +105,82 @@ static void check_sizes(void) {
   check(sizeof(flashbvh_query) == (wide ? 152 : 128), "size of a query", 0);
 }
 
+static float least(float u, float v) {
+  return u < v ? u : v;
+}
+static float most(float u, float v) {
+  return u < v ? v : u;
+}
+static bool near(float length, float wanted, float cell) {
+  return length - wanted <= cell / 256 && wanted - length <= cell / 256;
+}
+
+/** The blade stands in the block's upper face, from (1003.1, 1003, 1010) to (1003.1, 1005, 1010)
+ * mm of the block's frame, as it was drawn. */
+static void check_contact(void) {
+  const float upright[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const float to_block[3] = {2000, 2000, 2000};
+  const float cell = 0.1f;
+  flashbvh_mesh block;
+  flashbvh_mesh blade;
+  flashbvh_pose pose;
+  flashbvh_query query;
+  flashbvh_pair found[1];
+  uint32_t count = 0;
+  int32_t origin[3];
+  float low = 2000;
+  float high = 0;
+  check(flashbvh_open(block_image, sizeof block_image, &block) == FLASHBVH_STATUS_DONE, "block", 0);
+  check(flashbvh_open(blade_image, sizeof blade_image, &blade) == FLASHBVH_STATUS_DONE, "blade", 0);
+  check(flashbvh_mesh_unit(&block) == FLASHBVH_UNIT_MM, "unit", 0);
+  check(flashbvh_mesh_is_closed(&block) && !flashbvh_mesh_is_closed(&blade), "closed", 0);
+  flashbvh_mesh_origin(&block, origin);
+  check(origin[0] == 10050 && origin[1] == 10050 && origin[2] == 10050, "origin", 0);
+  check(flashbvh_pose_of_matrix(upright, to_block, flashbvh_mesh_cells_per_unit(&block), &pose) ==
+            FLASHBVH_STATUS_DONE,
+        "pose of floats", 0);
+  flashbvh_query_start(&query, &block, &blade, &pose);
+  while (flashbvh_query_run(&query, UINT32_MAX, found, 1, &count) == FLASHBVH_STATUS_FULL) {
+    flashbvh_contact contact;
+    flashbvh_query_last_contact(&query, &contact);
+    for (int end = 0; end < 2; ++end) {
+      float at[3];
+      int64_t nanometres[3];
+      flashbvh_in_unit(&contact.ends[end], &block, at);
+      flashbvh_in_millionths(&contact.ends[end], &block, nanometres);
+      check(near(at[0], 1003.1f, cell) && near(at[2], 1010, cell), "contact in mm", end);
+      check(nanometres[0] == 1003100000 && nanometres[2] == 1010000000, "contact in nm", end);
+      low = least(low, at[1]);
+      high = most(high, at[1]);
+    }
+    check(contact.kind == FLASHBVH_CONTACT_SEGMENT && contact.normal_b.y == 0, "contact", 0);
+  }
+  check(near(low, 1003, cell) && near(high, 1005, cell), "contact's ends in mm", 0);
+}
+
+/** Work for a period is worked out on the target, from the images at hand. */
+static void check_bound(const image* one, const image* other) {
+  flashbvh_tree_size a;
+  flashbvh_tree_size b;
+  uint32_t work;
+  check(flashbvh_image_tree_size(one->bytes, one->size, &a) == FLASHBVH_STATUS_DONE, "size", 0);
+  check(flashbvh_image_tree_size(other->bytes, other->size, &b) == FLASHBVH_STATUS_DONE, "size", 1);
+  work = flashbvh_work_within(100000, &flashbvh_cortex_m4f, &a, &b);
+  check(work > 100 && work < 1000, "work within", (long)work);
+  check(flashbvh_most_instructions(&flashbvh_cortex_m4f, &a, &b, work) <= 100000, "instructions",
+        0);
+  check(flashbvh_most_instructions(&flashbvh_cortex_m4f, &a, &b, work + 1) > 100000, "instructions",
+        1);
+}
+
 int main(void) {
   const image plate = {plate_image, sizeof plate_image};
   const image peg = {peg_image, sizeof peg_image};
   flashbvh_pose pose;
   check_sizes();
   check_poses();
+  check_contact();
+  check_bound(&plate, &peg);
   flashbvh_pose_translated(0, 0, 0, &pose);
   for (int i = 0; i < POSES; ++i) {
     compare(plate, peg, &pose, i);

@@ -52,6 +52,34 @@ std::uint32_t try_positions(const typename Traversal::Tree& a, const typename Tr
   return tried;
 }
 
+/// Whether positions that a walk has may be resumed; of `ranked`, whether no others may.
+template <class Traversal>
+bool accepts_positions_of_walk(const typename Traversal::Tree& a,
+                               const typename Traversal::Tree& b) {
+  using Cursor = typename Traversal::Cursor;
+  constexpr bool kExact = std::is_same_v<Traversal, Ranked<typename Traversal::Tree>>;
+  const auto go_on = [](std::uint32_t, std::uint32_t, const Progress&) { return true; };
+  std::uint32_t walked = 0;
+  Cursor cursor;
+  bool accepted = true;
+  do {
+    ++walked;
+    // A walk that begins at no leaf of A finds the first one by itself.
+    const bool at_begin = walked == 1 && !Traversal::kStartsAtRoots;
+    accepted = accepted && (at_begin || Traversal::can_visit(a, b, cursor));
+  } while (walk_from<Traversal>(a, b, AlwaysOverlap(), cursor, go_on, 1).end != State::done);
+  std::uint32_t possible = 0;
+  for (std::uint32_t i = 0; kExact && i < a.node_count; ++i) {
+    for (std::uint32_t j = 0; j < b.node_count; ++j) {
+      using Index = typename Cursor::Index;
+      cursor.a = static_cast<Index>(i);
+      cursor.b = static_cast<Index>(j);
+      possible += Traversal::can_visit(a, b, cursor) ? 1 : 0;
+    }
+  }
+  return accepted && (!kExact || possible == walked);
+}
+
 template <class Tree>
 std::uint32_t try_pairs() {
   std::uint32_t tried = 0;
@@ -71,6 +99,7 @@ std::uint32_t try_pairs() {
         using Order = typename decltype(named)::Order;
         if constexpr (Order::Tree::kLayout == Tree::kLayout) {
           tried += try_positions<Order>(a, b);
+          REQUIRE(accepts_positions_of_walk<Order>(a, b));
         }
       });
     }

@@ -1,10 +1,12 @@
 /* flashbvh for C: which triangles of one baked mesh intersect which triangles of another.
  *
  * A C99 face of the C++ library flashbvh.hpp: the same meshes, queries, statuses and answers, in
- * the same order. It allocates nothing, keeps nothing of its own, and may be called for any number
- * of queries at once, in interrupts too, as long as no two calls write the same object.
+ * the same order. C++ alone has meshes of 32-bit indices and the paper's traversals. It allocates
+ * nothing, keeps nothing of its own, and may be called for any number of queries at once, in
+ * interrupts too, as long as no two calls write the same object.
  *
- * Lengths are in cells, the unit of the lattice that all meshes of one `flashbvh bake` share.
+ * Lengths are in cells, the unit of the lattice that all meshes of one `flashbvh bake` share, where
+ * nothing else is said.
  *
  * Pointers. Every object is the caller's. What an object points at outlives it, at the same
  * address: an image its mesh, two meshes and a pose their query. Null pointers are the caller's bug
@@ -65,6 +67,30 @@ uint32_t flashbvh_mesh_triangles(const flashbvh_mesh* mesh);
 /** The cell in the mesh's unit, as the bits of an IEEE binary64: copy them into a `double`. */
 uint64_t flashbvh_mesh_cell(const flashbvh_mesh* mesh);
 
+/** The number of cells in a unit, to the nearest float: for poses in the unit. */
+float flashbvh_mesh_cells_per_unit(const flashbvh_mesh* mesh);
+
+/** Of lengths: what the numbers of a mesh's file mean, where `bake` was told. */
+typedef enum flashbvh_unit {
+  FLASHBVH_UNIT_NONE = 0,
+  FLASHBVH_UNIT_NM = 1,
+  FLASHBVH_UNIT_UM = 2,
+  FLASHBVH_UNIT_MM = 3,
+  FLASHBVH_UNIT_CM = 4,
+  FLASHBVH_UNIT_M = 5,
+  FLASHBVH_UNIT_MIL = 6,
+  FLASHBVH_UNIT_INCH = 7,
+  FLASHBVH_UNIT_FOOT = 8
+} flashbvh_unit;
+flashbvh_unit flashbvh_mesh_unit(const flashbvh_mesh* mesh);
+
+/** The point of the mesh's frame, as it was drawn, around which its lattice lies. */
+void flashbvh_mesh_origin(const flashbvh_mesh* mesh, int32_t origin[3]);
+
+/** Whether each edge is run through as often one way as the other: a surface without holes whose
+ * triangles face alike. */
+bool flashbvh_mesh_is_closed(const flashbvh_mesh* mesh);
+
 /* Poses ---------------------------------------------------------------------------------------- */
 
 /** One in the fixed point of a rotation: 30 fraction bits. */
@@ -98,6 +124,19 @@ flashbvh_status flashbvh_pose_translated(int32_t x, int32_t y, int32_t z, flashb
  */
 flashbvh_status flashbvh_pose_rigid(const int32_t rotation[9], const int32_t cells[3],
                                     const int16_t fraction[3], flashbvh_pose* pose);
+
+/**
+ * The same from floats, `rotation` row by row, `translation` in the meshes' unit: as exactly as
+ * FLASHBVH_ROTATION_ONE and 1/65,536 of a cell have them, and alike on every core, with no
+ * arithmetic in floats. What is no number or out of range gives the same statuses.
+ *
+ * flashbvh_pose_of_quaternion: `rotation` is w, x, y, z, of a squared length within 2^-10 of 1, and
+ * taken as one of length 1.
+ */
+flashbvh_status flashbvh_pose_of_matrix(const float rotation[9], const float translation[3],
+                                        float cells_per_unit, flashbvh_pose* pose);
+flashbvh_status flashbvh_pose_of_quaternion(const float rotation[4], const float translation[3],
+                                            float cells_per_unit, flashbvh_pose* pose);
 
 /** First `inner`, then `outer`: B in A's frame from B in C's and C in A's. `pose` may be one of
  * them. The rotation is rounded to 2^-22, the translation to 2^-16 cells; tolerances add up. */
@@ -144,7 +183,7 @@ typedef struct flashbvh_position {
   uint8_t reserved[3]; /**< written as 0, not read */
 } flashbvh_position;
 
-/** In cells, in A's frame, counted from its origin. */
+/** In cells, in A's frame as it was drawn. */
 typedef struct flashbvh_point {
   int32_t x;
   int32_t y;
@@ -192,9 +231,22 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_query_run(flashbvh_query* query, uin
                                                       flashbvh_pair* pairs, uint32_t capacity,
                                                       uint32_t* count);
 
+/** The same, and takes what it did from `*work`, which UINT32_MAX stays. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_query_spend(flashbvh_query* query, uint32_t* work,
+                                                        flashbvh_pair* pairs, uint32_t capacity,
+                                                        uint32_t* count);
+
+/** Takes a pair of triangles that intersect; false for no more. `context` is the caller's. */
+typedef bool flashbvh_visitor(flashbvh_pair pair, void* context);
+
+/** The same, handing each pair to `visit`, until it returns false: FULL. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_query_visit(flashbvh_query* query, uint32_t* work,
+                                                        flashbvh_visitor* visit, void* context);
+
 flashbvh_counts flashbvh_query_counts(const flashbvh_query* query);
 
-/** After a run that wrote a pair and returned FULL: the triangles of the last one, transformed. */
+/** After a run that wrote a pair and returned FULL, and inside a visitor: the triangles of the last
+ * pair, transformed. */
 void flashbvh_query_last_pair(const flashbvh_query* query, flashbvh_triangle* a,
                               flashbvh_triangle* b);
 
@@ -203,11 +255,118 @@ flashbvh_position flashbvh_query_position(const flashbvh_query* query);
 /**
  * Takes a started query to the position of another one on the same meshes and pose; counts go on
  * from what they are. SUSPENDED or DONE, as the other query was. POSITION_INVALID, and nothing
- * changes, if no query on these meshes has such a position; one of another pose is not told apart.
+ * changes, if no query on these meshes has such a position. That it is one of another pose, or of
+ * other meshes, is not told where it could be one of this query.
  * The query's own error, if it has one.
  */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_query_resume(flashbvh_query* query,
                                                          const flashbvh_position* position);
+
+/* Contacts ------------------------------------------------------------------------------------- */
+
+/** In 1/256 cell, in A's frame as it was drawn. */
+typedef struct flashbvh_fine_point {
+  int64_t x;
+  int64_t y;
+  int64_t z;
+} flashbvh_fine_point;
+
+/** (p1 - p0) x (p2 - p0) of a triangle, exact, in square cells: outwards, twice the area long. */
+typedef struct flashbvh_normal {
+  int64_t x;
+  int64_t y;
+  int64_t z;
+} flashbvh_normal;
+
+typedef enum flashbvh_contact_kind {
+  FLASHBVH_CONTACT_SEGMENT = 0,   /**< two planes that differ: a segment or a point in common */
+  FLASHBVH_CONTACT_COPLANAR = 1,  /**< one plane: an area, a segment or a point */
+  FLASHBVH_CONTACT_DEGENERATE = 2 /**< a triangle without area: a segment or a point */
+} flashbvh_contact_kind;
+
+/** The common part of two triangles: two of its corners that are farthest apart, equal where there
+ * is but one point; within 0.53 / 256 cell. */
+typedef struct flashbvh_contact {
+  flashbvh_fine_point ends[2];
+  flashbvh_normal normal_a;
+  flashbvh_normal normal_b;
+  flashbvh_contact_kind kind;
+} flashbvh_contact;
+
+/**
+ * Where two triangles intersect, as flashbvh_query_last_pair() and flashbvh_transform_pair() have
+ * them. 1,800 instructions on a Cortex-M4 for two planes that cross, at most 8,500; 384 bytes of
+ * stack on Cortex-M3 to M55.
+ */
+void flashbvh_contact_of(const flashbvh_triangle* a, const flashbvh_triangle* b,
+                         flashbvh_contact* contact);
+
+/** The same of the last pair, where flashbvh_query_last_pair() may be asked. */
+void flashbvh_query_last_contact(const flashbvh_query* query, flashbvh_contact* contact);
+
+/** The triangles of a reported pair at any later time. False, and nothing is written, if the pose
+ * is in error, the cells differ or an id isn't in its mesh. Looks through the ids of both meshes
+ * one by one. */
+FLASHBVH_NODISCARD bool flashbvh_transform_pair(const flashbvh_mesh* a, const flashbvh_mesh* b,
+                                                const flashbvh_pose* pose, flashbvh_pair pair,
+                                                flashbvh_triangle* of_a, flashbvh_triangle* of_b);
+
+/** A point in the mesh's unit: each coordinate rounded once, to the nearest float. A float has 24
+ * bits, which a point 65,536 cells off takes up. */
+void flashbvh_in_unit(const flashbvh_fine_point* point, const flashbvh_mesh* mesh, float at[3]);
+
+/** The same in millionths of the unit, to the nearest: of millimetres, nanometres. INT64_MAX or its
+ * negative where that is too small. */
+void flashbvh_in_millionths(const flashbvh_fine_point* point, const flashbvh_mesh* mesh,
+                            int64_t at[3]);
+
+/* Time -----------------------------------------------------------------------------------------
+ *
+ * What queries can cost at worst: lib/docs/bounded_time.md has the proof. */
+
+/** How large a mesh's tree is. */
+typedef struct flashbvh_tree_size {
+  uint32_t depth;     /**< of the deepest leaf; 0 for a root that is a leaf */
+  uint32_t arity;     /**< most children of a node */
+  uint32_t leaf_size; /**< most triangles in a leaf */
+  uint32_t leaf_count;
+  uint32_t triangle_count;
+} flashbvh_tree_size;
+
+/** Of an image that flashbvh_open() has opened. Else the status with which it is no image. */
+flashbvh_status flashbvh_image_tree_size(const void* image, size_t size, flashbvh_tree_size* tree);
+
+/** Instructions that the parts of a run can take at most on some core, with GCC 12 at -O2. */
+typedef struct flashbvh_run_costs {
+  uint32_t start;         /**< once */
+  uint32_t ascent;        /**< once for each level of both trees */
+  uint32_t later_sibling; /**< each sibling after the node where a walk goes on */
+  uint32_t leaf_triangle; /**< once for each triangle that a leaf has beside the first */
+  uint32_t work;          /**< each unit of work */
+} flashbvh_run_costs;
+
+extern const flashbvh_run_costs flashbvh_cortex_m0;
+extern const flashbvh_run_costs flashbvh_cortex_m3;
+extern const flashbvh_run_costs flashbvh_cortex_m4f;
+extern const flashbvh_run_costs flashbvh_cortex_m7;
+extern const flashbvh_run_costs flashbvh_cortex_m33;
+extern const flashbvh_run_costs flashbvh_cortex_m55;
+extern const flashbvh_run_costs flashbvh_rv32imac;
+
+/** The most work for which a run stays within so many instructions; 0 if none does. */
+uint32_t flashbvh_work_within(uint64_t instructions, const flashbvh_run_costs* costs,
+                              const flashbvh_tree_size* a, const flashbvh_tree_size* b);
+
+/** The most instructions of a run of so much work, whatever the pose, and where the query stands.
+ * Not of UINT32_MAX, which is no limit. */
+uint64_t flashbvh_most_instructions(const flashbvh_run_costs* costs, const flashbvh_tree_size* a,
+                                    const flashbvh_tree_size* b, uint32_t work);
+
+/** The most work of a whole query in one run, at any pose. */
+uint64_t flashbvh_most_work(const flashbvh_tree_size* a, const flashbvh_tree_size* b);
+
+/** The most work of one step: a run may overdraw by it, less 1. */
+uint64_t flashbvh_largest_step(const flashbvh_tree_size* a, const flashbvh_tree_size* b);
 
 /* One question, one call ------------------------------------------------------------------------
  *
@@ -238,9 +397,6 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_find_pairs(const flashbvh_mesh* a,
                                                        const flashbvh_pose* pose,
                                                        flashbvh_pair* pairs, uint32_t capacity,
                                                        uint32_t* count);
-
-/** Takes a pair of triangles that intersect; false for no more. `context` is the caller's. */
-typedef bool flashbvh_visitor(flashbvh_pair pair, void* context);
 
 /** Hands each intersecting pair to `visit`, in the query's order, until it returns false: FULL. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_pair(const flashbvh_mesh* a,

@@ -71,6 +71,11 @@ static_assert(sizeof(ImageHeader) == 80, "the figure in the format's description
 /// whether its contents can be trusted.
 Status read_image_header(const void* bytes, size_t size, ImageHeader& header);
 
+/// For bounds (bound.hpp) on an image that was opened.
+inline TreeSize tree_size_of(const ImageHeader& header) {
+  return {header.depth, header.arity, header.leaf_size, header.leaf_count, header.triangle_count};
+}
+
 /// Opens an image in place: `bytes` must start at a multiple of 4 and outlive `mesh`.
 ///
 /// Checks all of it in linear time and constant memory: checksum; links that go forward and nest;

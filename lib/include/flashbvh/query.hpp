@@ -118,14 +118,22 @@ class Query : Question {
     return run_with(work, sink, [] { return UINT32_MAX; });
   }
 
+  /// The same; `room()` says for how many more pairs `sink` has room, which spares walking on after
+  /// the last of them.
+  template <class Sink, class Room>
+  FLASHBVH_INLINE Status spend(uint32_t& work, Sink&& sink, const Room& room) {
+    return run_with(work, sink, room);
+  }
+
   /// Where the query stands. Between runs; not for orders with a stack.
   [[nodiscard]] QueryPosition<Index> position() const {
     return {cursor_.a, cursor_.b, untested_, state_};
   }
 
   /// Goes on from a position of a query on the same meshes and pose; counts go on from what they
-  /// are. `position_invalid`, and nothing changes, if no query on these meshes has such a position;
-  /// one of another pose is not told apart, and gives the pairs after it.
+  /// are. `position_invalid`, and nothing changes, if no query on these meshes has such a position.
+  /// That it is one of another pose, or of other meshes, is not told where it could be one of this
+  /// query; the run then gives the pairs after it.
   Status resume(const QueryPosition<Index>& position) {
     if (error_ != Status::done) {
       return error_;

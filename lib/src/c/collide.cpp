@@ -33,7 +33,8 @@ flashbvh_status flashbvh_find_pairs(const flashbvh_mesh* a, const flashbvh_mesh*
                                     const flashbvh_pose* pose, flashbvh_pair* pairs,
                                     uint32_t capacity, uint32_t* count) {
   PairQuery query(object_in(a), object_in(b), object_in(pose));
-  return c_status(run_into(query, UINT32_MAX, pairs, capacity, *count));
+  uint32_t work = UINT32_MAX;
+  return c_status(run_into(query, work, pairs, capacity, *count));
 }
 
 flashbvh_status flashbvh_for_each_pair(const flashbvh_mesh* a, const flashbvh_mesh* b,

@@ -50,18 +50,21 @@ inline flashbvh_pair c_pair(const PairQuery::Pair& pair) {
   return {pair.a, pair.b};
 }
 
-/// PairQuery::run() into an array of C's.
-FLASHBVH_INLINE inline Status run_into(PairQuery& query, uint32_t work, flashbvh_pair* pairs,
+/// PairQuery::spend() into an array of C's.
+FLASHBVH_INLINE inline Status run_into(PairQuery& query, uint32_t& work, flashbvh_pair* pairs,
                                        uint32_t capacity, uint32_t& count) {
   count = 0;
   if (capacity == 0 && query.status() == Status::suspended) {
     return Status::full;
   }
   uint32_t written = 0;
-  const Status status = query.run(work, [&](const PairQuery::Pair& pair) {
-    pairs[written++] = c_pair(pair);
-    return written < capacity;
-  });
+  const Status status = query.spend(
+      work,
+      [&](const PairQuery::Pair& pair) {
+        pairs[written++] = c_pair(pair);
+        return written < capacity;
+      },
+      [&] { return capacity - written; });
   count = written;
   return status;
 }
@@ -71,5 +74,15 @@ FLASHBVH_INLINE inline Status run_into(PairQuery& query, uint32_t work, flashbvh
 [[gnu::returns_nonnull]] inline void* operator new(size_t /*size*/, flashbvh::Storage storage) {
   return storage.bytes;
 }
+
+namespace flashbvh {
+
+/// `made` is complete before the first byte of `pose` changes: they may be made of one another.
+inline flashbvh_status put_pose(const Pose& made, flashbvh_pose* pose) {
+  new (storage_of<Pose>(pose)) Pose(made);
+  return c_status(made.status());
+}
+
+}  // namespace flashbvh
 
 #endif

@@ -6,18 +6,8 @@ using namespace flashbvh;
 static_assert(FLASHBVH_ROTATION_ONE == kRotationOne, "one meaning of one");
 static_assert(FLASHBVH_MAX_TRANSLATION == kMaxTranslation, "one range of translations");
 
-namespace {
-
-/// `made` is complete before the first byte of `pose` changes: they may be made of one another.
-flashbvh_status put(const Pose& made, flashbvh_pose* pose) {
-  new (storage_of<Pose>(pose)) Pose(made);
-  return c_status(made.status());
-}
-
-}  // namespace
-
 flashbvh_status flashbvh_pose_translated(int32_t x, int32_t y, int32_t z, flashbvh_pose* pose) {
-  return put(Pose::translated(x, y, z), pose);
+  return put_pose(Pose::translated(x, y, z), pose);
 }
 
 flashbvh_status flashbvh_pose_rigid(const int32_t rotation[9], const int32_t cells[3],
@@ -29,21 +19,21 @@ flashbvh_status flashbvh_pose_rigid(const int32_t rotation[9], const int32_t cel
   for (int i = 0; fraction != nullptr && i < 3; ++i) {
     rest[i] = fraction[i];
   }
-  return put(Pose::rigid(rows, {cells[0], cells[1], cells[2]}, rest), pose);
+  return put_pose(Pose::rigid(rows, {cells[0], cells[1], cells[2]}, rest), pose);
 }
 
 flashbvh_status flashbvh_pose_composed(const flashbvh_pose* outer, const flashbvh_pose* inner,
                                        flashbvh_pose* pose) {
-  return put(Pose::composed(object_in(outer), object_in(inner)), pose);
+  return put_pose(Pose::composed(object_in(outer), object_in(inner)), pose);
 }
 
 flashbvh_status flashbvh_pose_inverse(const flashbvh_pose* pose, flashbvh_pose* inverse) {
-  return put(object_in(pose).inverse(), inverse);
+  return put_pose(object_in(pose).inverse(), inverse);
 }
 
 flashbvh_status flashbvh_pose_relative(const flashbvh_pose* world_a, const flashbvh_pose* world_b,
                                        flashbvh_pose* pose) {
-  return put(Pose::relative(object_in(world_a), object_in(world_b)), pose);
+  return put_pose(Pose::relative(object_in(world_a), object_in(world_b)), pose);
 }
 
 flashbvh_status flashbvh_pose_status(const flashbvh_pose* pose) {

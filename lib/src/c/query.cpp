@@ -9,15 +9,6 @@ using Position = QueryPosition<uint16_t>;
 
 static_assert(sizeof(flashbvh_position) == 12, "the figure in the header");
 
-flashbvh_triangle c_triangle(const Triangle& transformed) {
-  flashbvh_triangle triangle;
-  for (int i = 0; i < 3; ++i) {
-    const Point& corner = transformed.corner[i];
-    triangle.corner[i] = {corner.x, corner.y, corner.z};
-  }
-  return triangle;
-}
-
 }  // namespace
 
 flashbvh_status flashbvh_query_start(flashbvh_query* query, const flashbvh_mesh* a,
@@ -35,18 +26,21 @@ flashbvh_status flashbvh_query_run(flashbvh_query* query, uint32_t work, flashbv
   return c_status(run_into(object_in(query), work, pairs, capacity, *count));
 }
 
+flashbvh_status flashbvh_query_spend(flashbvh_query* query, uint32_t* work, flashbvh_pair* pairs,
+                                     uint32_t capacity, uint32_t* count) {
+  return c_status(run_into(object_in(query), *work, pairs, capacity, *count));
+}
+
+flashbvh_status flashbvh_query_visit(flashbvh_query* query, uint32_t* work, flashbvh_visitor* visit,
+                                     void* context) {
+  return c_status(object_in(query).spend(*work, [visit, context](const PairQuery::Pair& pair) {
+    return visit(c_pair(pair), context);
+  }));
+}
+
 flashbvh_counts flashbvh_query_counts(const flashbvh_query* query) {
   const Counts& counts = object_in(query).counts();
   return {counts.visits, counts.overlaps, counts.leaf_pairs, counts.triangle_pairs};
-}
-
-void flashbvh_query_last_pair(const flashbvh_query* query, flashbvh_triangle* a,
-                              flashbvh_triangle* b) {
-  Triangle transformed_a;
-  Triangle transformed_b;
-  object_in(query).last_pair(transformed_a, transformed_b);
-  *a = c_triangle(transformed_a);
-  *b = c_triangle(transformed_b);
 }
 
 flashbvh_position flashbvh_query_position(const flashbvh_query* query) {

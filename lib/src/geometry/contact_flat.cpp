@@ -85,27 +85,30 @@ inline bool opposite(int64_t u, int64_t v) {
 
 /// What is known of the common part: its box, and its outermost points along one axis. Of equally
 /// outer points the first and the last, so that the order of corners has no influence.
+///
+/// Of the box the low words alone: all points are within 2^26 steps of each other.
 struct Found {
-  int64_t least[3];
-  int64_t most[3];
+  uint32_t least[3];
+  uint32_t most[3];
   int64_t FinePoint::*axis;
   FinePoint* ends;
 };
 
 [[gnu::noinline]] void clear(Found& found) {
-  for (int i = 0; i < 3; ++i) {
-    found.least[i] = kBeyond;
-    found.most[i] = -kBeyond;
-  }
   found.ends[0] = {kBeyond, kBeyond, kBeyond};
   found.ends[1] = {-kBeyond, -kBeyond, -kBeyond};
 }
 
+inline bool is_less(uint32_t u, uint32_t v) {
+  return static_cast<int32_t>(u - v) < 0;
+}
+
 [[gnu::noinline]] void add(Found& found, const FinePoint& p) {
+  const bool first = found.ends[0].x == kBeyond;
   for (int i = 0; i < 3; ++i) {
-    const int64_t at = p.*kFineAxes[i];
-    found.least[i] = at < found.least[i] ? at : found.least[i];
-    found.most[i] = at > found.most[i] ? at : found.most[i];
+    const auto at = static_cast<uint32_t>(p.*kFineAxes[i]);
+    found.least[i] = first || is_less(at, found.least[i]) ? at : found.least[i];
+    found.most[i] = first || is_less(found.most[i], at) ? at : found.most[i];
   }
   const auto axis = found.axis;
   const int64_t below = p.*axis - found.ends[0].*axis;
@@ -138,9 +141,9 @@ struct Found {
 
 /// Of equal ones the first.
 inline int longest_axis(const Found& found) {
-  const int64_t x = found.most[0] - found.least[0];
-  const int64_t y = found.most[1] - found.least[1];
-  const int64_t z = found.most[2] - found.least[2];
+  const uint32_t x = found.most[0] - found.least[0];
+  const uint32_t y = found.most[1] - found.least[1];
+  const uint32_t z = found.most[2] - found.least[2];
   return z > x && z > y ? 2 : y > x ? 1 : 0;
 }
 

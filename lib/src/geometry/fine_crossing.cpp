@@ -39,7 +39,7 @@ inline uint64_t fine_magnitude(int64_t value) {
 }
 
 /// `share` in 31 fraction bits.
-inline int64_t between(int32_t from, int32_t to, int32_t share) {
+[[gnu::noinline]] int64_t between(int32_t from, int32_t to, int32_t share) {
   const int64_t steps = static_cast<int64_t>((to - from) * kFineOne) * share;
   constexpr int64_t half = int64_t{1} << (kFractionBits - 1);
   return int64_t{from} * kFineOne + static_cast<int32_t>((steps + half) >> kFractionBits);

@@ -76,8 +76,8 @@ bool gap_is_zero(const void* bytes, uint64_t begin) {
   return true;
 }
 
-[[gnu::noinline]] bool gaps_are_zeros(const void* bytes, const ImageHeader& header) {
-  const ImageOffsets at = image_offsets(header);
+[[gnu::noinline]] bool gaps_are_zeros(const void* bytes, const ImageHeader& header,
+                                      const ImageOffsets& at) {
   const uint64_t index = header.index_bits / 8u;
   return gap_is_zero(bytes, at.levels + level_count(header) * index) &&
          gap_is_zero(bytes, at.climb + level_count(header) * index) &&
@@ -90,14 +90,20 @@ bool gap_is_zero(const void* bytes, uint64_t begin) {
 }
 
 /// Text: no byte of it is 0.
-bool name_fits(const void* bytes, const ImageHeader& header) {
-  const auto* const name = static_cast<const unsigned char*>(bytes) + image_offsets(header).name;
-  for (unsigned i = 0; i < header.name_size; ++i) {
+bool is_name(const unsigned char* name, unsigned size) {
+  for (unsigned i = 0; i < size; ++i) {
     if (name[i] == 0) {
       return false;
     }
   }
   return true;
+}
+
+/// The arrays have the sizes that the header says, and are complete; whatever is in them.
+[[gnu::noinline]] bool arrays_fit(const void* bytes, const ImageHeader& header) {
+  const ImageOffsets at = image_offsets(header);
+  return at.end == header.byte_count && gaps_are_zeros(bytes, header, at) &&
+         is_name(static_cast<const unsigned char*>(bytes) + at.name, header.name_size);
 }
 
 bool has_shape(const ImageHeader& header, const TreeShape& shape) {
@@ -171,8 +177,7 @@ Status open_any(const void* bytes, size_t size, LevelledMesh<Index, layout>& mes
     return Status::image_kind;
   }
   if (!counts_fit<Index>(header) || !measures_fit(header) || !flags_fit(header) ||
-      image_offsets(header).end != header.byte_count || !gaps_are_zeros(bytes, header) ||
-      !name_fits(bytes, header)) {
+      !arrays_fit(bytes, header)) {
     return Status::image_invalid;
   }
   view(bytes, header, mesh);

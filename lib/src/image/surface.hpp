@@ -5,6 +5,7 @@
 
 #include <stdint.h>
 
+#include "flashbvh/detail/inline.hpp"
 #include "flashbvh/lattice.hpp"
 
 namespace flashbvh::detail {
@@ -15,11 +16,8 @@ namespace flashbvh::detail {
 /// of bad intent, by a chance of 2^-64.
 class Surface {
  public:
-  template <class Corners>
-  void add(const Corners& triangle, const Vertex* vertices) {
-    const uint32_t u = triangle.corner[0];
-    const uint32_t v = triangle.corner[1];
-    const uint32_t w = triangle.corner[2];
+  /// A triangle, by its vertices' indices.
+  FLASHBVH_NOINLINE void add(uint32_t u, uint32_t v, uint32_t w, const Vertex* vertices) {
     add_edge(u, v, vertices);
     add_edge(v, w, vertices);
     add_edge(w, u, vertices);
@@ -55,12 +53,11 @@ class Surface {
     return static_cast<uint32_t>(difference) * static_cast<uint32_t>(difference);
   }
 
-  /// Mixed as in SplitMix64 (Steele, Lea and Flood 2014).
+  /// Two vertices to one of 2^64 numbers, each to another one: multiplied by odd numbers, the high
+  /// word mixed into the low one between.
   static uint64_t number_of(uint32_t u, uint32_t v) {
-    uint64_t number = (uint64_t{u} << 32 | v) + 0x9E3779B97F4A7C15u;
-    number = (number ^ number >> 30) * 0xBF58476D1CE4E5B9u;
-    number = (number ^ number >> 27) * 0x94D049BB133111EBu;
-    return number ^ number >> 31;
+    const uint64_t spread = (uint64_t{u} << 32 | v) * 0xBF58476D1CE4E5B9u;
+    return (spread ^ spread >> 32) * 0x94D049BB133111EBu;
   }
 
   uint64_t sum_ = 0;

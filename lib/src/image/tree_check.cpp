@@ -30,10 +30,13 @@ class Checker {
   static constexpr bool kPre = layout == Layout::pre_indexed;
 
  public:
-  explicit Checker(const LevelledMesh<Index, layout>& tree)
-      : tree_(tree), leaves_(0), shape_{0, 0, 0, 0, 0, false} {}
+  /// `shape` is written as the check goes on.
+  Checker(const LevelledMesh<Index, layout>& tree, TreeShape& shape)
+      : tree_(tree), leaves_(0), shape_(shape) {
+    shape = {0, 0, 0, 0, 0, false};
+  }
 
-  bool check(TreeShape& shape) {
+  bool check() {
     if (!vertices_on_lattice() || !root() || !node(0)) {
       return false;
     }
@@ -52,12 +55,11 @@ class Checker {
     measure_children();
     shape_.longest_edge = surface_.longest_edge();
     shape_.is_closed = surface_.is_closed();
-    shape = shape_;
     return true;
   }
 
  private:
-  bool vertices_on_lattice() const {
+  FLASHBVH_NOINLINE bool vertices_on_lattice() const {
     for (uint32_t i = 0; i < tree_.vertex_count; ++i) {
       const Vertex& v = tree_.vertices[i];
       const int16_t coordinates[3] = {v.x, v.y, v.z};
@@ -83,7 +85,7 @@ class Checker {
   }
 
   /// There is one at least, and each has a triangle of its own, which is not looked for.
-  bool shells() const {
+  FLASHBVH_NOINLINE bool shells() const {
     if (tree_.shell_count == 0) {
       return false;
     }
@@ -126,13 +128,14 @@ class Checker {
       if (!triangle_inside(i, node.box)) {
         return false;
       }
-      surface_.add(tree_.triangles[i], tree_.vertices);
+      const Index(&corner)[3] = tree_.triangles[i].corner;
+      surface_.add(corner[0], corner[1], corner[2], tree_.vertices);
     }
     ++leaves_;
     return true;
   }
 
-  bool triangle_inside(uint32_t triangle, const PackedBox& box) const {
+  FLASHBVH_NOINLINE bool triangle_inside(uint32_t triangle, const PackedBox& box) const {
     for (const Index corner : tree_.triangles[triangle].corner) {
       if (corner >= tree_.vertex_count) {
         return false;
@@ -209,7 +212,7 @@ class Checker {
     return node;
   }
 
-  bool children_belong_to(uint32_t parent) const {
+  FLASHBVH_NOINLINE bool children_belong_to(uint32_t parent) const {
     const Node<Index>& above = tree_.nodes[parent];
     for (uint32_t child = tree_.first_child(parent);; child = tree_.next_sibling(child)) {
       const Node<Index>& node = tree_.nodes[child];
@@ -225,7 +228,7 @@ class Checker {
   }
 
   /// Depth, stack need and arity. Only on a tree whose links are proven.
-  void measure_children() {
+  FLASHBVH_NOINLINE void measure_children() {
     uint32_t pending = 0;
     uint32_t depth = 0;
     for (uint32_t i = 1; i < tree_.node_count; ++i) {
@@ -275,14 +278,14 @@ class Checker {
   const LevelledMesh<Index, layout>& tree_;
   uint32_t leaves_;  ///< passed so far
   Surface surface_;  ///< of their triangles
-  TreeShape shape_;
+  TreeShape& shape_;
 };
 
 }  // namespace
 
 template <class Index, Layout layout>
 Status check_tree(const LevelledMesh<Index, layout>& mesh, TreeShape& shape) {
-  return Checker<Index, layout>(mesh).check(shape) ? Status::done : Status::image_invalid;
+  return Checker<Index, layout>(mesh, shape).check() ? Status::done : Status::image_invalid;
 }
 
 template Status check_tree(const LevelledPreMesh&, TreeShape&);

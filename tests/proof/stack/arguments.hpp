@@ -44,7 +44,8 @@ struct Arguments {
   const int32_t (*rotation)[3];  ///< three rows
   const int32_t* cells;
   const int16_t* fraction;
-  const float* floats;  ///< twelve: a matrix and a translation, or a quaternion and a translation
+  const float* rigid_floats;  ///< a matrix's nine, row by row, and a translation
+  const float* floats;        ///< twelve: a matrix and a translation, or a quaternion and a translation
 
   const flashbvh_mesh* c_a;
   const flashbvh_mesh* c_b;
@@ -64,6 +65,9 @@ struct Arguments {
   Room<80> opened;
   flashbvh::Triangle transformed[2];
   flashbvh::Contact contact;
+  flashbvh_contact c_contact;
+  int64_t millionths;
+  float lengths[3];
   flashbvh::QueryPosition<uint16_t> position;
   flashbvh_position c_position;
 

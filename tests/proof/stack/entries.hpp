@@ -224,6 +224,37 @@ ENTRY(c_last_pair, asked) {
                            reinterpret_cast<flashbvh_triangle*>(&in->transformed[1]));
 }
 
+ENTRY(c_visit, asked) {
+  in->ends(
+      flashbvh_query_visit(&as<flashbvh_query>(in->query), &in->work, count_visit, &in->answer));
+}
+
+ENTRY(c_transform_pair, asked) {
+  const bool found =
+      flashbvh_transform_pair(in->c_a, in->c_b, in->c_pose, in->c_found()[0],
+                              reinterpret_cast<flashbvh_triangle*>(&in->transformed[0]),
+                              reinterpret_cast<flashbvh_triangle*>(&in->transformed[1]));
+  in->answer = found ? 1 : 0;
+}
+
+ENTRY(c_contact, asked) {
+  flashbvh_contact_of(reinterpret_cast<const flashbvh_triangle*>(&in->triangles[0]),
+                      reinterpret_cast<const flashbvh_triangle*>(&in->triangles[1]),
+                      &in->c_contact);
+}
+
+ENTRY(c_last_contact, asked) {
+  flashbvh_query_last_contact(&as<flashbvh_query>(in->query), &in->c_contact);
+}
+
+ENTRY(in_millionths, asked) {
+  in->millionths = millionths_of(in->contact.ends[0].x, in->a->cell_bits);
+}
+
+ENTRY(c_in_unit, asked) {
+  flashbvh_in_unit(&in->c_contact.ends[0], in->c_a, in->lengths);
+}
+
 ENTRY(c_intersects, asked) {
   bool yes = false;
   in->ends(flashbvh_intersects(in->c_a, in->c_b, in->c_pose, &yes));
@@ -252,6 +283,16 @@ ENTRY(c_for_each_pair, asked) {
 ENTRY(c_pose_rigid, asked) {
   in->ends(flashbvh_pose_rigid(in->rotation[0], in->cells, in->fraction,
                                &as<flashbvh_pose>(in->made_pose)));
+}
+
+ENTRY(c_pose_of_matrix, asked) {
+  in->ends(flashbvh_pose_of_matrix(in->rigid_floats, in->rigid_floats + 9, 1.0f,
+                                   &as<flashbvh_pose>(in->made_pose)));
+}
+
+ENTRY(c_pose_of_quaternion, asked) {
+  (void)flashbvh_pose_of_quaternion(in->floats, in->floats + 4, 1.0f,
+                                    &as<flashbvh_pose>(in->made_pose));
 }
 
 ENTRY(c_pose_composed, asked) {

@@ -80,6 +80,8 @@ constexpr Triangle kPairs[][2] = {
     {{{{0, 0, 0}, {20000, 0, 0}, {0, 20000, 0}}}, {{{0, 0, 0}, {20000, 0, 0}, {0, 0, 20000}}}},
 };
 
+constexpr float kRigidFloats[12] = {0.6f, -0.8f, 0, 0.8f, 0.6f, 0, 0, 0, 1, 1.25f, -7, 0.125f};
+
 /// A matrix and a translation, row by row; of a quaternion and a translation the first seven.
 constexpr float kFloats[][12] = {
     {0.6f, -0.8f, 0, 1.25f, 0.8f, 0.6f, 0, -7, 0, 0, 1, 0.125f},
@@ -134,6 +136,7 @@ void set_pose(const TestPose& where, test::Rotation& matrix) {
   in.rotation = matrix.entry;
   in.cells = where.cells;
   in.fraction = kFraction;
+  in.rigid_floats = kRigidFloats;
   in.pose =
       &stack_proof::make_in<Pose>(poses[0], [&] { return Pose::rigid(matrix.entry, where.cells); });
   in.other_pose = &stack_proof::make_in<Pose>(poses[1], [&] { return in.pose->inverse(); });

@@ -35,8 +35,12 @@ class Ranked {
   static constexpr bool kBelowLeaves = false;
 
   static Cursor nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor; }
-  /// Any pair: what comes after it is a function of it.
-  static bool can_visit(const Tree&, const Tree&, const Cursor&) { return true; }
+  /// Whether the invariant holds, which it does of no other pairs than those that a walk on which
+  /// everything overlaps comes by.
+  static bool can_visit(const Tree& a, const Tree& b, const Cursor& cursor) {
+    return a.nodes[cursor.a].rank() < find_parent_rank(b, cursor.b) &&
+           b.nodes[cursor.b].rank() <= find_parent_rank(a, cursor.a);
+  }
 
   static Cursor cursor_at(const Tree&, const Tree&, Index a, Index b) { return {a, b}; }
 

@@ -1,0 +1,29 @@
+// Lengths in a mesh's unit, of what queries report in cells. In integers; lengths as floats are in
+// pose_float.hpp.
+#ifndef FLASHBVH_LENGTH_HPP
+#define FLASHBVH_LENGTH_HPP
+
+#include <stdint.h>
+
+namespace flashbvh {
+
+/// `fine`, in 1/256 cell and within +-2^39, in millionths of the mesh's unit, to the nearest: of
+/// millimetres, nanometres. `cell_bits`: Mesh::cell_bits. INT64_MAX or its negative where that is
+/// too small.
+///
+/// Instructions on a Cortex-M4 at -O2: 110. Stack: 72 bytes on Cortex-M3 to M55.
+int64_t millionths_of(int64_t fine, uint64_t cell_bits);
+
+namespace detail {
+
+/// The bits of the binary32 nearest to a length, likewise in the unit.
+uint32_t length_bits(int64_t fine, uint64_t cell_bits);
+
+/// The bits of the binary32 nearest to the number of cells in a unit.
+uint32_t cells_per_unit_bits(uint64_t cell_bits);
+
+}  // namespace detail
+
+}  // namespace flashbvh
+
+#endif

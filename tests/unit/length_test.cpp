@@ -1,0 +1,168 @@
+// Lengths in the mesh's unit: exact products, rounded once.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "bake/baked_tree.hpp"
+#include "flashbvh/pose_float.hpp"
+#include "support/random.hpp"
+#include "support/rotations.hpp"
+#include "support/torus.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+using namespace flashbvh::test;
+
+namespace {
+
+std::uint64_t bits_of(double value) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+float length_of(std::int64_t fine, double cell) {
+  return float_of(length_bits(fine, bits_of(cell)));
+}
+
+constexpr std::int64_t kMostFine = std::int64_t{1} << 39;
+
+std::int64_t any_fine(Random& random) {
+  const std::int64_t high = random.between(-(1 << 28), 1 << 28);
+  const std::int64_t fine = high * 2048 + random.between(0, 2047);
+  return fine / (std::int64_t{1} << random.below(38));
+}
+
+}  // namespace
+
+TEST_CASE("lengths: a product that a double holds is rounded to a float once, however small") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  for (int round = 0; round < 20000; ++round) {
+    // 14 digits and 39.
+    const double cell =
+        std::ldexp(random.between(1 << 13, (1 << 14) - 1), random.between(-190, 80));
+    const std::int64_t fine = any_fine(random);
+    const double exact = static_cast<double>(fine) * cell / 256;
+    REQUIRE(length_of(fine, cell) == static_cast<float>(exact));
+  }
+}
+
+TEST_CASE("lengths: the ends of the range") {
+  CHECK(length_of(0, 1e-300) == 0);
+  CHECK(length_of(kMostFine, std::numeric_limits<double>::min()) == 0);
+  CHECK(std::isinf(length_of(256, 1e39)));
+  CHECK(length_of(-256, 1e39) == -std::numeric_limits<float>::infinity());
+  CHECK(length_of(256, 0x1.FFFFFEp127) == std::numeric_limits<float>::max());
+  CHECK(std::isinf(length_of(256, 0x1.FFFFFFp127)));  // half way to the next
+  CHECK(length_of(256, 0x1p-149) == std::numeric_limits<float>::denorm_min());
+  CHECK(length_of(128, 0x1p-149) == 0);  // a tie goes to the even one
+  CHECK(length_of(129, 0x1p-149) == std::numeric_limits<float>::denorm_min());
+  CHECK(length_of(256, 0x1.0000010000001p0) == 0x1.000002p0f);
+  CHECK(length_of(256, 0x1.000001p0) == 1);
+  CHECK(millionths_of(256, bits_of(1)) == 1'000'000);
+  CHECK(millionths_of(-1, bits_of(1)) == -3906);
+  CHECK(millionths_of(0, bits_of(1e300)) == 0);
+  CHECK(millionths_of(1, bits_of(1e300)) == INT64_MAX);
+  CHECK(millionths_of(-1, bits_of(1e300)) == -INT64_MAX);
+  CHECK(millionths_of(kMostFine, bits_of(1e-300)) == 0);
+  CHECK(millionths_of(256, bits_of(0x1p41)) == 1'000'000 * (std::int64_t{1} << 41));
+}
+
+TEST_CASE("lengths: cells of powers of two have whole numbers of millionths, or halves") {
+  for (int power = -20; power <= 20; ++power) {
+    const double cell = std::ldexp(1.0, power);
+    for (const int fine : {1, 3, 255, 256, 77777}) {
+      const double exact = fine * cell / 256 * 1e6;
+      CHECK(static_cast<double>(millionths_of(fine, bits_of(cell))) == std::nearbyint(exact));
+    }
+  }
+}
+
+#if defined(__SIZEOF_INT128__)
+TEST_CASE("lengths: cells of 53 digits, against integers of 128 bits") {
+  __extension__ using Wide = unsigned __int128;
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  for (int round = 0; round < 100000; ++round) {
+    const std::uint64_t digits = std::uint64_t{1} << 52 |
+                                 std::uint64_t{random.below(1u << 20)} << 32 |
+                                 random.below(UINT32_MAX);
+    const double one_to_two = std::ldexp(static_cast<double>(digits), -52);
+    const std::int64_t fine = any_fine(random);
+    const std::uint64_t size = static_cast<std::uint64_t>(fine < 0 ? -fine : fine);
+    const float length = std::ldexp(static_cast<float>(Wide{size} * digits), -60);
+    REQUIRE(length_of(fine, one_to_two) == (fine < 0 ? -length : length));
+
+    const Wide millions = Wide{size} * digits * 1'000'000;
+    const auto whole = static_cast<std::int64_t>(millions >> 60);
+    const auto rest = static_cast<std::uint64_t>(millions) & ((std::uint64_t{1} << 60) - 1);
+    constexpr std::uint64_t half = std::uint64_t{1} << 59;
+    const std::int64_t rounded = whole + (rest > half || (rest == half && whole % 2 != 0) ? 1 : 0);
+    REQUIRE(millionths_of(fine, bits_of(one_to_two)) == (fine < 0 ? -rounded : rounded));
+
+    // The floats beside it are on either side of half way.
+    const float per_unit = cells_per_unit(bits_of(one_to_two));
+    const auto tens = static_cast<std::uint64_t>(std::ldexp(per_unit, 24));  // 24 digits, of 25
+    const Wide inverse = Wide{1} << (52 + 25);
+    REQUIRE(Wide{2 * tens - 1} * digits <= inverse);
+    REQUIRE(Wide{2 * tens + 1} * digits >= inverse);
+  }
+}
+#endif
+
+TEST_CASE("lengths: a contact a metre off both frames' origins, in millimetres") {
+  // Rings of 1,000 cells, one through the other; each drawn a metre from its frame's origin.
+  for (const double cell : {0.001, 0.03125, 0.1}) {
+    CAPTURE(cell);
+    const auto metre = static_cast<std::int32_t>(std::lround(1000 / cell));
+    bake::LatticeMesh mesh_a = torus(12, 8, 1000, 300);
+    bake::LatticeMesh mesh_b = mesh_a;
+    mesh_a.cell = mesh_b.cell = cell;
+    mesh_a.origin = {metre, -metre, metre};
+    mesh_b.origin = {-metre, metre, 0};
+    const auto baked_a =
+        bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh_a, 1), mesh_a);
+    const auto baked_b =
+        bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh_b, 1), mesh_b);
+    const PostMesh a = baked_a.view();
+    const PostMesh b = baked_b.view();
+    const PostMesh at_origin_a = [&] {
+      PostMesh mesh = a;
+      mesh.origin[0] = mesh.origin[1] = mesh.origin[2] = 0;
+      return mesh;
+    }();
+    PostMesh at_origin_b = b;
+    std::memcpy(at_origin_b.origin, at_origin_a.origin, sizeof at_origin_b.origin);
+    // The same place: B a ring's radius beside A.
+    const Pose pose = Pose::translated(metre + metre + 1000, -2 * metre, metre);
+    const Pose near_pose = Pose::translated(1000, 0, 0);
+    PairQuery query(a, b, pose);
+    PairQuery near_query(at_origin_a, at_origin_b, near_pose);
+    PairQuery::Pair found[1];
+    int pairs = 0;
+    while (query.run(UINT32_MAX, found).status == Status::full) {
+      REQUIRE(near_query.run(UINT32_MAX, found).status == Status::full);
+      const Contact contact = contact_of_last(query);
+      const Contact near_contact = contact_of_last(near_query);
+      for (int end = 0; end < 2; ++end) {
+        const FinePoint& at = contact.ends[end];
+        const FinePoint& near_at = near_contact.ends[end];
+        const double millimetres = static_cast<double>(near_at.x) * cell / 256 + metre * cell;
+        REQUIRE(at.x - near_at.x == std::int64_t{metre} * kFineOne);
+        REQUIRE(at.y - near_at.y == -std::int64_t{metre} * kFineOne);
+        REQUIRE(at.z - near_at.z == std::int64_t{metre} * kFineOne);
+        const double nanometres = static_cast<double>(millionths_of(at.x, a.cell_bits));
+        REQUIRE(std::fabs(nanometres / 1e6 - millimetres) <= cell / 256);
+        const double as_float = static_cast<double>(in_unit(at, a.cell_bits).x);
+        REQUIRE(std::fabs(as_float - millimetres) <= 1024 * 0x1p-24);
+      }
+      ++pairs;
+    }
+    REQUIRE(pairs > 20);
+  }
+}
