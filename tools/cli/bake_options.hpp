@@ -19,7 +19,9 @@ struct BakeOrder {
   std::vector<OutputName> names;  ///< of each mesh, all different
   std::string folder;
   bool writes_cpp = true;
+  bool writes_c = false;
   bool writes_images = true;
+  bool dry_run = false;                   ///< writes nothing at all
   std::optional<std::int64_t> max_bytes;  ///< of an image
   Units units;
   BakeOptions options;

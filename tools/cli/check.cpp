@@ -9,6 +9,7 @@
 
 #include "bake/quantise.hpp"
 #include "cli/commands.hpp"
+#include "cli/surface.hpp"
 #include "image/image_file.hpp"
 #include "mesh/defects.hpp"
 #include "mesh/import.hpp"
@@ -100,6 +101,26 @@ class Comparison {
   LeftOut left_out_;
 };
 
+/// What the image's own surface is like.
+void warn_of_surface(const ImageFile& image, const std::vector<SourceTriangle>& triangles) {
+  bake::LatticeMesh mesh;
+  std::visit(
+      [&](const auto& tree) {
+        mesh.vertices.assign(tree.vertices, tree.vertices + tree.vertex_count);
+      },
+      image.tree());
+  for (const SourceTriangle& triangle : triangles) {
+    mesh.triangles.push_back(triangle.vertices);
+  }
+  MeshDefects defects;
+  defects.duplicates = duplicate_triangles(mesh.triangles);
+  defects.edges = edge_defects(mesh.triangles, defects.duplicates);
+  defects.inside_out = defects.edges.none() && is_inside_out(mesh, defects.duplicates);
+  Warnings warnings;
+  warn_of_surface(defects, image.path(), warnings);
+  warnings.print();
+}
+
 struct CheckArguments {
   std::string image;
   std::string mesh;
@@ -135,6 +156,7 @@ std::string compare(const CheckArguments& arguments, const ImageFile& image,
 ExitCode check(const CheckArguments& arguments) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
+  warn_of_surface(image, triangles);
   std::string verdict = concat("well-formed, ", triangles.size(), " triangles, ",
                                image.header().node_count, " nodes");
   ExitCode exit_code = kSuccess;
