@@ -39,9 +39,9 @@ C
 C
 } >main.c
 strictly="-pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -I$INCLUDE -Ibaked"
-for cc in "$CC" gcc clang; do
+for cc in "$CC" clang; do
   command -v "$cc" >/dev/null || continue
-  for standard in c99 gnu99 gnu17; do
+  for standard in c99 gnu17; do
     # shellcheck disable=SC2086
     "$cc" -std=$standard $strictly main.c baked/*.c -o program -lm
   done

@@ -40,7 +40,7 @@ void warn_of_defects(const MeshDefects& defects, const BakeOptions& options,
 }
 
 void check_size(const BakeOrder& order, const std::string& mesh, std::uint64_t bytes) {
-  if (bytes > 0xFFFFFFFFu) {
+  if (order.writes_images && bytes > 0xFFFFFFFFu) {
     throw UserError(mesh, "the image would be over 4 GiB; use fewer triangles");
   }
   if (order.writes_c && bytes > 0x7FFFFFFFu) {
