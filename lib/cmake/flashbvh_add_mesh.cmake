@@ -1,23 +1,27 @@
 # flashbvh_add_mesh(name SOURCES mesh...
-#                   [UNIT unit|mesh=unit...] [CELL length] [MAX_DEVIATION length]
+#                   [UNIT unit|mesh=unit...] [CELL length] [OWN_CELL] [MAX_DEVIATION length]
 #                   [LEAF_SIZE n] [ARITY n] [BUILDER name] [LAYOUT pre|post] [INDEX_BITS 16|32]
 #                   [DROP degenerate|duplicate...] [LEVELS] [MAX_BYTES n] [NAME name]
-#                   [FORMAT cpp|image|both|c])
+#                   [FORMAT cpp|c|image|both])
 #
 # A library `name`, also called name::name, with the baked trees of some meshes, which share one
 # cell. A target that links it includes a mesh's tree as "<stem>.fbvh.hpp". The options are those of
 # `flashbvh bake`. The meshes are baked anew when one of them, an option or the tool changes.
 #
-# FORMAT image makes no code: the folder of the images <stem>.fbvh is an include folder of whoever
-# links the library, for .incbin; the target's property FLASHBVH_IMAGES lists them. FORMAT both does
-# both. FORMAT c makes C of the images: "<stem>.fbvh.h" declares the array <stem>_image, for
-# flashbvh_open().
+# FORMAT c makes C of the images: "<stem>.fbvh.h" declares the array <stem>_image, for
+# flashbvh_open(). FORMAT image makes no code: the folder of the images <stem>.fbvh is an include
+# folder of whoever links the library, for .incbin; the target's property FLASHBVH_IMAGES lists
+# them. FORMAT both makes C++ and images.
+#
+# A target that links two such libraries does not configure unless they have the same CELL: a query
+# on meshes with different cells ends with cell_mismatch. OWN_CELL says that the meshes are never
+# queried with another library's.
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 
 function(flashbvh_add_mesh name)
   set(single CELL MAX_DEVIATION LEAF_SIZE ARITY BUILDER LAYOUT INDEX_BITS MAX_BYTES NAME FORMAT)
   set(repeated UNIT DROP)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "LEVELS" "${single}" "SOURCES;${repeated}")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "LEVELS;OWN_CELL" "${single}" "SOURCES;${repeated}")
   set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_SOURCES})
   list(FILTER odd EXCLUDE REGEX "\\.([Ss][Tt][Ll]|[Oo][Bb][Jj]|[Pp][Ll][Yy]|[Oo][Ff][Ff])$")
   if(odd OR NOT arg_SOURCES)
@@ -27,9 +31,8 @@ function(flashbvh_add_mesh name)
   if(NOT DEFINED arg_FORMAT)
     set(arg_FORMAT cpp)
   endif()
-  set(format ${arg_FORMAT})
-  if(format STREQUAL "c")
-    set(arg_FORMAT image)
+  if(arg_FORMAT STREQUAL "c" AND NOT CMAKE_C_COMPILER_LOADED)
+    message(FATAL_ERROR "flashbvh_add_mesh(${name}): FORMAT c makes C; name C in project()'s LANGUAGES")
   endif()
   set(options "")
   if(arg_LEVELS)
@@ -42,14 +45,30 @@ function(flashbvh_add_mesh name)
       list(APPEND options ${flag} ${value})
     endforeach()
   endforeach()
-  flashbvh_bake_command(${name} "${arg_SOURCES}" "${options}" "${arg_NAME}" ${format})
+  flashbvh_bake_command(${name} "${arg_SOURCES}" "${options}" "${arg_NAME}" ${arg_FORMAT})
+  if(NOT arg_OWN_CELL)
+    flashbvh_share_cell(${name} "${arg_CELL}")
+  endif()
+endfunction()
+
+# CMake compares the property in whatever links several such libraries. Its message has the
+# property's name, not its values: so that says what to do.
+function(flashbvh_share_cell name cell)
+  set(property "FLASHBVH_CELL [meshes that are queried together need the same cell: name them in one \
+flashbvh_add_mesh(), or give each the same CELL, written alike; OWN_CELL for meshes that are not]")
+  if(NOT cell)
+    set(cell "as fine as ${name} fits")
+  endif()
+  set_target_properties(${name} PROPERTIES
+    COMPATIBLE_INTERFACE_STRING "${property}" "INTERFACE_${property}" "${cell}")
 endfunction()
 
 # The custom command and the library that holds what it makes.
 function(flashbvh_bake_command name sources options stem format)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/flashbvh/${name})
   set(meshes "")
-  set(code "")
+  set(cpp_files "")
+  set(c_files "")
   set(images "")
   foreach(source ${sources})
     get_filename_component(mesh ${source} ABSOLUTE)
@@ -59,13 +78,18 @@ function(flashbvh_bake_command name sources options stem format)
     else()
       set(mesh_stem ${stem})
     endif()
-    list(APPEND code ${folder}/${mesh_stem}.fbvh.cpp ${folder}/${mesh_stem}.fbvh.hpp)
+    list(APPEND cpp_files ${folder}/${mesh_stem}.fbvh.cpp ${folder}/${mesh_stem}.fbvh.hpp)
+    list(APPEND c_files ${folder}/${mesh_stem}.fbvh.c ${folder}/${mesh_stem}.fbvh.h)
     list(APPEND images ${folder}/${mesh_stem}.fbvh)
   endforeach()
-  if(format STREQUAL "cpp")
+  set(code "")
+  if(format MATCHES "^(cpp|both)$")
+    set(code ${cpp_files})
+  elseif(format STREQUAL "c")
+    set(code ${c_files})
+  endif()
+  if(format MATCHES "^(cpp|c)$")
     set(images "")
-  elseif(format STREQUAL "image" OR format STREQUAL "c")
-    set(code "")
   endif()
 
   # A file that changes with the options: not every generator minds how a command is called.
@@ -76,9 +100,6 @@ function(flashbvh_bake_command name sources options stem format)
     DEPENDS ${meshes} ${folder}/options.txt ${depends}
     COMMENT "Baking ${name}"
     VERBATIM)
-  if(format STREQUAL "c")
-    flashbvh_image_arrays(code "${images}")
-  endif()
   if(code)
     add_library(${name} STATIC ${code} ${images})
     set(visibility PUBLIC)
@@ -90,18 +111,4 @@ function(flashbvh_bake_command name sources options stem format)
   set_target_properties(${name} PROPERTIES FLASHBVH_IMAGES "${images}")
   target_include_directories(${name} ${visibility} ${folder})
   target_link_libraries(${name} ${visibility} flashbvh::flashbvh)
-endfunction()
-
-# Sets `code` to the C files of the images, each made when its image changes.
-function(flashbvh_image_arrays code images)
-  set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/image_to_c.cmake)
-  set(files "")
-  foreach(image ${images})
-    add_custom_command(OUTPUT ${image}.c ${image}.h
-      COMMAND ${CMAKE_COMMAND} -DIMAGE=${image} -DSOURCE=${image}.c -DHEADER=${image}.h -P ${script}
-      DEPENDS ${image} ${script}
-      VERBATIM)
-    list(APPEND files ${image}.c ${image}.h)
-  endforeach()
-  set(${code} ${files} PARENT_SCOPE)
 endfunction()

@@ -11,7 +11,6 @@ set(source_folder ${CMAKE_INSTALL_DATADIR}/flashbvh/src)
 install(DIRECTORY lib/include/flashbvh DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY lib/src/ DESTINATION ${source_folder})
 install(FILES lib/cmake/flashbvh_add_mesh.cmake lib/cmake/host_tool.cmake
-  lib/cmake/image_to_c.cmake
   DESTINATION ${package_folder})
 if(NOT CMAKE_CROSSCOMPILING)
   install(TARGETS flashbvh EXPORT flashbvhTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

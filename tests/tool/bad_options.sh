@@ -16,7 +16,11 @@ refused "--leaf-size" bake meshes/ring.stl -o out --leaf-size 17
 refused "--arity" bake meshes/ring.stl -o out --arity 1
 refused "--arity" bake meshes/ring.stl -o out --arity 9
 refused "--index-bits" bake meshes/ring.stl -o out --index-bits 8
-refused "--max-bytes" bake meshes/ring.stl -o out --max-bytes -1
+refused "--index-bits: x not in {16,32}" bake meshes/ring.stl -o out --index-bits x
+for bytes in -1 0 1.5 4294967296 99999999999999999999 many ""; do
+  refused "--max-bytes $bytes: is no number of bytes; give one from 1 to 4294967295" \
+    bake missing.stl -o out --max-bytes "$bytes"
+done
 for cell in 0 -1 nan inf 1e-300 1e300 abc ""; do
   refused "--cell" bake meshes/ring.stl -o out --cell "$cell"
 done
@@ -44,9 +48,29 @@ refused "--pose: the pose translates B" \
   export images/ring.fbvh -o out.obj --pose "1 0 0 0 1 0 0 0 1 0 0 1e30"
 refused "meshes: is a folder" export images/ring.fbvh -o meshes
 
+# A slip costs no file that was read, and no image.
+cp images/ring.fbvh kept.fbvh
+ln -s images/ring.fbvh link.obj
+for mesh in images/ring.fbvh kept.fbvh link.obj; do
+  refused "$mesh: is an image, which would be replaced; write elsewhere" \
+    export images/ring.fbvh -o $mesh
+done
+echo "1 0 0 0 1 0 0 0 1 0 0 0" >poses
+ln poses same_poses
+for pairs in poses ./poses same_poses; do
+  refused "$pairs: would replace poses, which is read; write elsewhere" \
+    collide images/ring.fbvh images/ring.fbvh --poses poses --pairs $pairs
+done
+refused "kept.fbvh: is an image" \
+  collide images/ring.fbvh images/ring.fbvh --poses poses --pairs kept.fbvh
+cmp images/ring.fbvh kept.fbvh
+mkdir linked
+ln meshes/ring.stl linked/ring.fbvh.hpp
+refused "linked/ring.fbvh.hpp: would replace meshes/ring.stl" bake meshes/ring.stl -o linked
+
 # Where nothing can be written, nothing is left over.
 : >plain_file
-refused "plain_file" bake meshes/ring.stl -o plain_file/out
+refused "plain_file: is no folder; write elsewhere" bake meshes/ring.stl -o plain_file/out
 mkdir -p taken/ring.fbvh.cpp
 refused "ring.fbvh.cpp: is a folder" bake meshes/ring.stl -o taken
 [ "$(ls taken)" = ring.fbvh.cpp ] || fail "left over: $(ls taken)"

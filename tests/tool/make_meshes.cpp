@@ -77,10 +77,10 @@ int main(int argc, char** argv) {
   }
   write_stl(folder + "ring.stl", torus(20, 10));
   write_stl(folder + "coarse.stl", torus(8, 5));
-  const std::vector<Triangle> tetrahedron = {{Point{0, 0, 0}, Point{10, 0, 0}, Point{0, 10, 0}},
-                                             {Point{0, 0, 0}, Point{0, 10, 0}, Point{0, 0, 10}},
-                                             {Point{0, 0, 0}, Point{0, 0, 10}, Point{10, 0, 0}},
-                                             {Point{10, 0, 0}, Point{0, 0, 10}, Point{0, 10, 0}}};
+  const std::vector<Triangle> tetrahedron = {{Point{0, 0, 0}, Point{0, 10, 0}, Point{10, 0, 0}},
+                                             {Point{0, 0, 0}, Point{0, 0, 10}, Point{0, 10, 0}},
+                                             {Point{0, 0, 0}, Point{10, 0, 0}, Point{0, 0, 10}},
+                                             {Point{10, 0, 0}, Point{0, 10, 0}, Point{0, 0, 10}}};
   write_stl(folder + "tetrahedron.stl", tetrahedron);
   std::vector<Triangle> broken = tetrahedron;
   broken[2][1][0] = std::numeric_limits<float>::quiet_NaN();

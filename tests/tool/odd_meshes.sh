@@ -95,7 +95,33 @@ exits 0 bake mesh.obj -o odd --cell 1
 warned "$open (2 boundary edges of one triangle, 1 non-manifold edge of more than two): $inside"
 sed 's/^f 4 1 5 8$/f 8 5 1 4/' box.obj >mesh.obj
 exits 0 bake mesh.obj -o odd --cell 1
-warned "$open (4 edges of two that face opposite ways): $inside"
+warned "$open (4 edges of two that face opposite ways): $inside, nor which way normals face"
+exits 0 check odd/mesh.fbvh
+grep -q '^flashbvh: odd/mesh.fbvh: warning: .*, nor which way normals face$' stderr || fail "$(cat stderr)"
+# Inside out, told by the volume: wherever the mesh lies, and beside a smaller shell that is not. A
+# hollow box is none.
+# box SIZE X inwards|outwards: from (X X X).
+box() {
+  awk -v size="$1" -v x="$2" -v turned="$3" '
+    $1 == "v" { print $1, $2 / 8 * size + x, $3 / 8 * size + x, $4 / 8 * size + x }
+    $1 == "f" && turned == "inwards" { print $1, $5 - 9, $4 - 9, $3 - 9, $2 - 9 }
+    $1 == "f" && turned == "outwards" { print $1, $2 - 9, $3 - 9, $4 - 9, $5 - 9 }' box.obj
+}
+turned="is inside out: normals face into the solid; turn the triangles round in the program that made it"
+for x in -1000 -4 0 1000; do
+  box 8 $x inwards >mesh.obj
+  exits 0 bake mesh.obj -o odd --cell 1
+  warned "$turned"
+  exits 0 check odd/mesh.fbvh
+  [ "$(cat stderr)" = "flashbvh: odd/mesh.fbvh: warning: $turned" ] || fail "$(cat stderr)"
+done
+{ box 8 0 inwards; box 4 100 outwards; } >mesh.obj
+exits 0 bake mesh.obj -o odd --cell 1
+warned "$turned"
+{ box 8 0 outwards; box 4 2 inwards; } >mesh.obj
+exits 0 bake mesh.obj -o odd --cell 1
+[ ! -s stderr ] || fail "$(cat stderr)"
+
 # Two boxes side by side that rounding joins along a wall.
 {
   cat box.obj

@@ -143,7 +143,7 @@ refused "cut.fbvh: is truncated" report cut.fbvh -o out.html
 cp baked/ring.fbvh before
 ln -s baked/ring.fbvh link
 for page in baked/ring.fbvh link before; do
-  refused "$page: is an image, which the page would replace; give --output another name" \
+  refused "$page: is an image, which would be replaced; write elsewhere" \
     report baked/ring.fbvh -o $page
 done
 cmp before baked/ring.fbvh

@@ -22,7 +22,8 @@ struct Arguments {
   std::string name;
   std::optional<std::uint32_t> leaf_size;
   std::optional<std::uint32_t> arity;
-  unsigned index_bits = 16;
+  std::string index_bits = "16";
+  std::optional<std::string> max_bytes;
   std::optional<std::string> max_deviation;
   std::vector<std::string> units;
   std::vector<std::string> drop;
@@ -57,11 +58,22 @@ double length_of(const std::string& option, const std::string& text, double leas
   return *length;
 }
 
+/// What an image can have at all.
+constexpr long long kMostBytes = std::numeric_limits<std::uint32_t>::max();
+
+std::int64_t bytes_of(const std::string& option, const std::string& text) {
+  const std::optional<long long> bytes = parse_integer(text);
+  if (!bytes || *bytes < 1 || *bytes > kMostBytes) {
+    throw UserError(option + " " + text, "is no number of bytes; give one from 1 to ", kMostBytes);
+  }
+  return *bytes;
+}
+
 BakeOptions options_of(const Arguments& arguments) {
   BakeOptions options = arguments.order.options;
   const bool median = arguments.builder == "median";
   options.layout = arguments.layout == "pre" ? Layout::pre_indexed : Layout::post_indexed;
-  options.index_width = arguments.index_bits == 16 ? IndexWidth::bits_16 : IndexWidth::bits_32;
+  options.index_width = arguments.index_bits == "16" ? IndexWidth::bits_16 : IndexWidth::bits_32;
   options.builder = median ? Builder::median : Builder::sah;
   // One triangle a leaf and two children a node are part of what makes the median tree the paper's.
   options.leaf_size = arguments.leaf_size.value_or(median ? 1 : bake::kDefaultLeafSize);
@@ -83,18 +95,26 @@ BakeOptions options_of(const Arguments& arguments) {
 
 BakeOrder order_of(const Arguments& arguments) {
   BakeOrder order = arguments.order;
+  if (order.folder.empty() && !order.dry_run) {
+    throw CLI::RequiredError("--output or --dry-run");
+  }
   order.names = output_names(arguments);
   order.units = Units(arguments.units, order.meshes);
   order.options = options_of(arguments);
-  order.writes_cpp = arguments.format != "image";
-  order.writes_images = arguments.format != "cpp";
+  order.options.unit = order.units.common();
+  if (arguments.max_bytes) {
+    order.max_bytes = bytes_of("--max-bytes", *arguments.max_bytes);
+  }
+  order.writes_cpp = arguments.format == "cpp" || arguments.format == "both";
+  order.writes_c = arguments.format == "c";
+  order.writes_images = arguments.format == "image" || arguments.format == "both";
   return order;
 }
 
 /// What meshes are taken as, and what is refused.
 void add_mesh_options(CLI::App& command, Arguments& a) {
-  command.add_option("--max-bytes", a.order.max_bytes, "Refuse to write if an image is larger")
-      ->check(CLI::PositiveNumber);
+  command.add_option("--max-bytes", a.max_bytes, "Refuse to write if an image is larger")
+      ->type_name("N");
   command
       .add_option("--max-deviation", a.max_deviation,
                   "Refuse to write if rounding moves a vertex further")
@@ -137,10 +157,14 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
   command.add_option("MESH", a.order.meshes, "Mesh files")->required();
   command
       .add_option("-o,--output", a.order.folder, "Folder for the results; made if there is none")
-      ->required()
       ->type_name("DIR");
-  command.add_option("--format", a.format, "What to write")
-      ->check(CLI::IsMember({"cpp", "image", "both"}))
+  command.add_flag("--dry-run", a.order.dry_run,
+                   "Print the table and what is wrong, and write nothing");
+  command
+      .add_option("--format", a.format,
+                  "What to write: C++ arrays (cpp), the image as a C99 array (c), as a binary file "
+                  "(image),\nor cpp and image (both)")
+      ->check(CLI::IsMember({"cpp", "c", "image", "both"}))
       ->capture_default_str();
   command
       .add_option(
@@ -169,11 +193,11 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
                   "Most children of a node; default: 4, with --builder median 2")
       ->check(CLI::Range(2, 8));
   command.add_option("--index-bits", a.index_bits, "Width of indices; 16 reach 65535 nodes")
-      ->check(CLI::IsMember({16, 32}))
+      ->check(CLI::IsMember({"16", "32"}))
       ->capture_default_str();
   command.add_option(
       "--name", a.name,
-      "Name of the files and the namespace, for one mesh; default: that of the mesh file");
+      "Name of the files and of what is in them, for one mesh; default: that of the mesh file");
   add_mesh_options(command, a);
   command.callback([arguments, run] { run(order_of(*arguments)); });
 }

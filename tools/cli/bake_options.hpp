@@ -19,8 +19,10 @@ struct BakeOrder {
   std::vector<OutputName> names;  ///< of each mesh, all different
   std::string folder;
   bool writes_cpp = true;
+  bool writes_c = false;
   bool writes_images = true;
-  bool levels = false;  ///< in images of post-indexed trees
+  bool levels = false;                    ///< in images of post-indexed trees
+  bool dry_run = false;                   ///< writes nothing at all
   std::optional<std::int64_t> max_bytes;  ///< of an image
   Units units;
   BakeOptions options;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/outputs.hpp"
 #include "evaluate/figure.hpp"
 #include "evaluate/firmware_writer.hpp"
 #include "evaluate/run.hpp"
@@ -39,6 +40,7 @@ void check(const BenchArguments& arguments) {
   if (!arguments.svg.empty() && !arguments.wants(kScalabilityTable)) {
     throw UserError("--svg", "draws table 6; add --table 6");
   }
+  refuse_to_replace_image(arguments.svg);
 }
 
 /// What all objects of one setup begin with.
@@ -148,7 +150,7 @@ bool run_all(const BenchArguments& arguments) {
               << time_table(results);
   }
   if (!arguments.svg.empty()) {
-    write_file(arguments.svg, figure_33(results));
+    write_file(arguments.svg, figure_33(results), flush_output);
   }
   return agree;
 }

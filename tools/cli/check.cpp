@@ -10,6 +10,7 @@
 #include "bake/quantise.hpp"
 #include "bake/surface.hpp"
 #include "cli/commands.hpp"
+#include "cli/surface.hpp"
 #include "image/image_file.hpp"
 #include "mesh/defects.hpp"
 #include "mesh/import.hpp"
@@ -101,28 +102,46 @@ class Comparison {
   LeftOut left_out_;
 };
 
-/// UserError unless the image says of its shells, and whether they are closed, what its triangles
-/// say: the library doesn't look for the one, and tells the other by a sum.
-void check_surface(const ImageFile& image, const std::vector<SourceTriangle>& triangles) {
+bake::LatticeMesh mesh_of(const ImageFile& image, const std::vector<SourceTriangle>& triangles) {
   bake::LatticeMesh mesh;
-  std::vector<std::uint32_t> shells;
   std::visit(
       [&](const auto& tree) {
         mesh.vertices.assign(tree.vertices, tree.vertices + tree.vertex_count);
-        shells.assign(tree.shell_vertices, tree.shell_vertices + tree.shell_count);
       },
       image.tree());
   for (const SourceTriangle& triangle : triangles) {
     mesh.triangles.push_back(triangle.vertices);
   }
+  return mesh;
+}
+
+/// UserError unless the image says of its shells, and whether they are closed, what its triangles
+/// say: the library doesn't look for the one, and tells the other by a sum.
+void check_surface(const ImageFile& image, const bake::LatticeMesh& mesh) {
   const bake::Surface surface = bake::surface_of(mesh);
   const bool is_closed = (image.header().flags & kImageIsClosed) != 0;
-  if (surface.shell_vertices != shells || surface.is_closed != is_closed) {
-    throw UserError(
-        image.path(), "is invalid: ",
-        surface.is_closed != is_closed ? "whether its surface is closed" : "its vertices of shells",
-        " is not what its triangles make; bake it again");
+  const bool same_shells = std::visit(
+      [&](const auto& tree) {
+        return std::equal(surface.shell_vertices.begin(), surface.shell_vertices.end(),
+                          tree.shell_vertices, tree.shell_vertices + tree.shell_count);
+      },
+      image.tree());
+  if (!same_shells || surface.is_closed != is_closed) {
+    throw UserError(image.path(), "is invalid: ",
+                    same_shells ? "whether its surface is closed" : "its vertices of shells",
+                    " is not what its triangles make; bake it again");
   }
+}
+
+/// What the image's own surface is like.
+void warn_of_surface(const ImageFile& image, const bake::LatticeMesh& mesh) {
+  MeshDefects defects;
+  defects.duplicates = duplicate_triangles(mesh.triangles);
+  defects.edges = edge_defects(mesh.triangles, defects.duplicates);
+  defects.inside_out = defects.edges.none() && is_inside_out(mesh, defects.duplicates);
+  Warnings warnings;
+  warn_of_surface(defects, image.path(), warnings);
+  warnings.print();
 }
 
 struct CheckArguments {
@@ -160,7 +179,9 @@ std::string compare(const CheckArguments& arguments, const ImageFile& image,
 ExitCode check(const CheckArguments& arguments) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
-  check_surface(image, triangles);
+  const bake::LatticeMesh mesh = mesh_of(image, triangles);
+  check_surface(image, mesh);
+  warn_of_surface(image, mesh);
   std::string verdict = concat("well-formed, ", triangles.size(), " triangles, ",
                                image.header().node_count, " nodes");
   ExitCode exit_code = kSuccess;

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "cli/commands.hpp"
+#include "cli/outputs.hpp"
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
 #include "evaluate/visit_bound.hpp"
@@ -172,7 +173,26 @@ std::vector<Answer> answers(const CollideArguments& arguments, const ImageFile& 
   return found;
 }
 
+void print_answers(const CollideArguments& arguments, const std::string& names,
+                   const std::string& algorithm, const std::vector<Answer>& found) {
+  if (!arguments.json) {
+    std::cout << names << ", " << algorithm << "\n"
+              << "  pose        visits      overlaps    leaf pairs  triangle pairs\n";
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (arguments.json) {
+      print_json(i, algorithm, found[i].counts);
+    } else {
+      print_table_row(i, found[i].counts);
+    }
+  }
+}
+
 void collide_all(const CollideArguments& arguments) {
+  if (!arguments.pairs.empty()) {
+    refuse_to_replace_inputs(arguments.pairs, {arguments.poses});
+    refuse_to_replace_image(arguments.pairs);
+  }
   const ImageFile a(arguments.a);
   const ImageFile b(arguments.b);
   check_partners(a, b);
@@ -188,24 +208,19 @@ void collide_all(const CollideArguments& arguments) {
     print_bound(a, b, arguments, algorithm, work);
     return;
   }
-  if (!arguments.pairs.empty()) {
-    std::string pairs;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      append_pairs(pairs, i, found[i].pairs);
-    }
-    write_file(arguments.pairs, std::move(pairs));
+  const auto print = [&] {
+    print_answers(arguments, a.name() + " and " + b.name(), algorithm, found);
+    flush_output();
+  };
+  if (arguments.pairs.empty()) {
+    print();
+    return;
   }
-  if (!arguments.json) {
-    std::cout << a.name() << " and " << b.name() << ", " << algorithm << "\n"
-              << "  pose        visits      overlaps    leaf pairs  triangle pairs\n";
-  }
+  std::string pairs;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (arguments.json) {
-      print_json(i, algorithm, found[i].counts);
-    } else {
-      print_table_row(i, found[i].counts);
-    }
+    append_pairs(pairs, i, found[i].pairs);
   }
+  write_file(arguments.pairs, std::move(pairs), print);
 }
 
 }  // namespace

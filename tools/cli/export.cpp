@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "cli/commands.hpp"
+#include "cli/outputs.hpp"
 #include "evaluate/poses.hpp"
 #include "image/image_file.hpp"
 #include "mesh/units.hpp"
@@ -39,6 +40,7 @@ std::string faces_of(const std::vector<SourceTriangle>& triangles) {
 }
 
 void write_obj(const ExportArguments& arguments) {
+  refuse_to_replace_image(arguments.mesh);
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
   std::vector<LatticePoint> vertices = vertices_of(image.tree());

@@ -57,16 +57,18 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      return app.exit(error);  // --help and --version
+    if (error.get_exit_code() != 0) {
+      return fail(error, app);
     }
-    return fail(error, app);
+    app.exit(error);  // --help and --version
+    flush_output();
+    return kSuccess;
   }
   if (app.get_subcommands().empty()) {
     return fail("a command is missing; see flashbvh --help");
   }
-  std::cout.flush();
-  return std::cout ? exit_code : fail("standard output can't be written");
+  flush_output();
+  return exit_code;
 }
 
 }  // namespace

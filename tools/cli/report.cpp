@@ -1,14 +1,12 @@
 // flashbvh report: a page to look at, with nothing in it that comes from elsewhere.
-#include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "image/image_file.hpp"
 #include "report/page.hpp"
 #include "text/files.hpp"
-#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -18,20 +16,6 @@ struct ReportArguments {
   std::string page;
   std::size_t poses = 100;
 };
-
-/// A slip of the command line must not cost an image, be it one of those given or another.
-void refuse_to_replace_image(const std::string& path) {
-  std::uint32_t magic = 0;
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    return;
-  }
-  std::ifstream file(path, std::ios::binary);
-  file.read(reinterpret_cast<char*>(&magic), sizeof magic);
-  if (file && magic == kImageMagic) {
-    throw UserError(path, "is an image, which the page would replace; give --output another name");
-  }
-}
 
 void write_page(const ReportArguments& arguments) {
   refuse_to_replace_image(arguments.page);

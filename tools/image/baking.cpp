@@ -17,25 +17,31 @@ double sure_cell(double deviation) {
   return deviation * 2 / std::sqrt(3.0);
 }
 
-void check_range(const InputMesh& input, double cell) {
+/// A length for messages.
+std::string text_of(double length, const BakeOptions& options) {
+  return shortest(length) + (options.unit.empty() ? "" : " " + options.unit);
+}
+
+void check_range(const InputMesh& input, double cell, const BakeOptions& options) {
   if (bake::fits(input.mesh, cell)) {
     return;
   }
-  throw UserError(input.path, "is too large for a cell of ", shortest(cell), ": out of range are ",
-                  triangle_list(bake::out_of_range(input.mesh, cell)),
+  throw UserError(input.path, "is too large for a cell of ", text_of(cell, options),
+                  ": out of range are ", triangle_list(bake::out_of_range(input.mesh, cell)),
                   "; the finest that it fits is --cell ", shortest(finest_cell(input)));
 }
 
 void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded,
-                     const std::optional<double>& most) {
+                     const BakeOptions& options) {
+  const std::optional<double>& most = options.max_deviation;
   if (!most || rounded.deviation <= *most) {
     return;
   }
   const double cell = sure_cell(*most);
-  throw UserError(input.path, "rounding moves a vertex by ", shortest(rounded.deviation),
-                  ", --max-deviation allows ", shortest(*most),
+  throw UserError(input.path, "rounding moves a vertex by ", text_of(rounded.deviation, options),
+                  ", --max-deviation allows ", text_of(*most, options),
                   cell >= finest_cell(input)
-                      ? "; a cell of " + shortest(cell) + " or less keeps to that"
+                      ? "; a cell of " + text_of(cell, options) + " or less keeps to that"
                       : "; the mesh is too large for so fine a cell: cut it in parts");
 }
 
@@ -125,9 +131,9 @@ double finest_cell(const InputMesh& input) {
 
 BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
   const double cell = options.cell.value_or(finest_cell(input));
-  check_range(input, cell);
+  check_range(input, cell, options);
   bake::LatticeMesh lattice = bake::round_to_lattice(input.mesh, cell);
-  check_deviation(input, lattice, options.max_deviation);
+  check_deviation(input, lattice, options);
   BakedMesh baked;
   baked.defects = defects_of(input.mesh, lattice, input.degenerate);
   const TriangleIds kept = drop(lattice, baked.defects, options);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <variant>
 
 #include "bake/baked_tree.hpp"
@@ -21,6 +22,7 @@ enum class IndexWidth : std::uint8_t { bits_16, bits_32 };
 
 /// Lengths are in the unit of the mesh.
 struct BakeOptions {
+  std::string unit;  ///< its name, for messages; empty if it is not known
   Layout layout = Layout::post_indexed;
   IndexWidth index_width = IndexWidth::bits_16;
   Builder builder = Builder::sah;

@@ -3,21 +3,11 @@
 #include <cstddef>
 #include <cstring>
 
-#include "flashbvh/version.hpp"
+#include "image/source_text.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
-
-constexpr std::size_t kColumns = 100;
-
-std::string hex(std::uint64_t value, unsigned digits) {
-  std::string text = "0x";
-  for (unsigned i = digits; i-- != 0;) {
-    text += "0123456789abcdef"[value >> (4 * i) & 15];
-  }
-  return text + "u";
-}
 
 std::string text_of(std::uint16_t value) {
   return std::to_string(value);
@@ -39,21 +29,11 @@ std::string text_of(const Node<Index>& node) {
          hex(node.box.z, 8) + "}, " + text_of(node.link) + ", " + text_of(node.data) + "}";
 }
 
-/// "const TYPE NAME[] = {...};", as many elements a line as fit.
 template <class Element>
-std::string array(const std::string& type, const char* name, const std::vector<Element>& elements) {
-  std::string text = "const " + type + " " + name + "[] = {";
-  std::string line;
-  for (const Element& element : elements) {
-    const std::string next = text_of(element) + ",";
-    if (line.empty() || line.size() + 1 + next.size() > kColumns) {
-      text += line + "\n";
-      line = "    " + next;
-    } else {
-      line += " " + next;
-    }
-  }
-  return text + line + "\n};\n";
+std::string array_of(const std::string& type, const char* name,
+                     const std::vector<Element>& elements) {
+  return array(type + " " + name + "[]", elements,
+               [](const Element& element) { return text_of(element); });
 }
 
 /// What depends on the kind of tree.
@@ -83,8 +63,17 @@ std::size_t bytes_of(const std::vector<Element>& elements) {
   return (elements.size() * sizeof(Element) + 3) / 4 * 4;
 }
 
-std::string constant(const char* name, std::size_t value, const char* comment) {
-  return concat("constexpr uint32_t ", name, " = ", value, ";  ///< ", comment, "\n");
+std::string text_of(const Constant& constant) {
+  std::string name = "k";
+  bool begins_word = true;
+  for (const char* c = constant.name; *c != '\0'; ++c) {
+    if (*c != '_') {
+      name += begins_word ? static_cast<char>(*c - 'a' + 'A') : *c;
+    }
+    begins_word = *c == '_';
+  }
+  return concat("constexpr uint32_t ", name, " = ", constant.value, ";  ///< ", constant.comment,
+                "\n");
 }
 
 template <class Index, Layout layout>
@@ -92,22 +81,20 @@ std::string constants(const bake::BakedTree<Index, layout>& baked, const std::st
   using MeshKind = Kind<Index, layout>;
   const std::size_t levels =
       MeshKind::kLevelledBytes + bytes_of(baked.levels) + bytes_of(baked.climb);
-  return constant("kNodeCount", baked.nodes.size(), "of the tree") +
-         constant("kDepth", baked.depth, "of the deepest leaf; the root has depth 0") +
-         constant("kStackNeed", baked.stack_need, "see flashbvh::stack_entries()") +
-         constant("kLeafCount", baked.leaf_count, "see flashbvh::most_visits()") +
-         constant("kLeafSize", baked.leaf_size, "most triangles in a leaf") +
-         constant("kArity", baked.arity, "most children of a node; 0 if the root is a leaf") +
-         constant("kTriangleCount", baked.triangles.size(), "that were kept of the mesh file") +
-         constant("kVertexCount", baked.vertices.size(), "on the lattice, joined") +
-         constant("kFlashBytes", flash_bytes(baked), "what `mesh` links, on a 32-bit core") +
-         constant("kLevelBytes", levels, "what `levelled_mesh` adds to that") +
+  std::vector<Constant> numbers = constants_of(baked);
+  numbers.push_back({"flash_bytes", flash_bytes(baked), "what `mesh` links, on a 32-bit core"});
+  numbers.push_back({"level_bytes", levels, "what `levelled_mesh` adds to that"});
+  std::string text;
+  for (const Constant& number : numbers) {
+    text += text_of(number);
+  }
+  return text +
          "/// For flashbvh/bound.hpp.\n"
          "constexpr flashbvh::TreeSize kTreeSize = {kDepth, kArity, kLeafSize, kLeafCount, "
          "kTriangleCount};\n"
          "constexpr double kCell = " +
          floating_literal(baked.cell) + ";  ///< in " + (unit.empty() ? "the mesh's unit" : unit) +
-         "\n" + "constexpr float kCellsPerUnit = " + float_literal(1 / baked.cell) +
+         "\n" + "constexpr float kCellsPerUnit = " + cells_per_unit_literal(baked.cell) +
          ";  ///< for flashbvh/pose_float.hpp\n";
 }
 
@@ -116,18 +103,6 @@ const char* enumerator_of(Unit unit) {
   constexpr const char* kNames[kUnitCount] = {"none", "nm",  "um",   "mm",  "cm",
                                               "m",    "mil", "inch", "foot"};
   return kNames[static_cast<std::size_t>(unit)];
-}
-
-/// Refuses a library with another interface: below 1.0 the minor version counts, too.
-std::string version_guard(const OutputName& name) {
-  std::string condition = concat("#if FLASHBVH_VERSION_MAJOR != ", FLASHBVH_VERSION_MAJOR);
-  std::string version = std::to_string(FLASHBVH_VERSION_MAJOR);
-  if (FLASHBVH_VERSION_MAJOR == 0) {
-    condition += concat(" || FLASHBVH_VERSION_MINOR != ", FLASHBVH_VERSION_MINOR);
-    version += concat(".", FLASHBVH_VERSION_MINOR);
-  }
-  return condition + "\n#error \"" + name.identifier + " was baked by flashbvh " + version +
-         "; bake it again with this version\"\n#endif\n";
 }
 
 template <class Index, Layout layout>
@@ -181,16 +156,16 @@ std::string source(const bake::BakedTree<Index, layout>& baked, const OutputName
       "// Written by `flashbvh bake`; bake again instead of changing it.\n"
       "#include \"" +
       name.stem + ".fbvh.hpp\"\n\nnamespace " + name.identifier + " {\nnamespace {\n\n";
-  text += array(element, "kNodes", baked.nodes) + "\n";
-  text += array(corners, "kTriangles", baked.triangles) + "\n";
-  text += array(index, "kTriangleIds", baked.triangle_ids) + "\n";
+  text += array_of(element, "kNodes", baked.nodes) + "\n";
+  text += array_of(corners, "kTriangles", baked.triangles) + "\n";
+  text += array_of(index, "kTriangleIds", baked.triangle_ids) + "\n";
   if (!baked.leaf_offsets.empty()) {
-    text += array(index, "kLeafOffsets", baked.leaf_offsets) + "\n";
+    text += array_of(index, "kLeafOffsets", baked.leaf_offsets) + "\n";
   }
-  text += array("flashbvh::Vertex", "kVertices", baked.vertices) + "\n";
-  text += array(index, "kShellVertices", baked.shell_vertices) + "\n";
+  text += array_of("flashbvh::Vertex", "kVertices", baked.vertices) + "\n";
+  text += array_of(index, "kShellVertices", baked.shell_vertices) + "\n";
   const char* const climb = MeshKind::kPre ? "kParents" : "kRightChildLevels";
-  text += array(index, "kLevels", baked.levels) + "\n" + array(index, climb, baked.climb);
+  text += array_of(index, "kLevels", baked.levels) + "\n" + array_of(index, climb, baked.climb);
   text += "\n}  // namespace\n\n";
   text += "const " + MeshKind::mesh() + " mesh = " + view(baked) + ";\n\n";
   text += "const " + MeshKind::levelled() + " levelled_mesh = {\n    " + view(baked) +

@@ -1,34 +1,13 @@
 #include "image/output_name.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <string_view>
 
+#include "image/taken_names.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {
-
-/// C++20's keywords and alternative tokens, and names that a namespace of the user can't have.
-constexpr std::array<std::string_view, 100> kTaken = {
-    "alignas",       "alignof",      "and",       "and_eq",       "asm",      "auto",
-    "bitand",        "bitor",        "bool",      "break",        "case",     "catch",
-    "char",          "char16_t",     "char32_t",  "char8_t",      "class",    "co_await",
-    "co_return",     "co_yield",     "compl",     "concept",      "const",    "const_cast",
-    "consteval",     "constexpr",    "constinit", "continue",     "decltype", "default",
-    "delete",        "do",           "double",    "dynamic_cast", "else",     "enum",
-    "explicit",      "export",       "extern",    "false",        "flashbvh", "float",
-    "for",           "friend",       "goto",      "if",           "inline",   "int",
-    "long",          "main",         "mutable",   "namespace",    "new",      "noexcept",
-    "not",           "not_eq",       "nullptr",   "operator",     "or",       "or_eq",
-    "posix",         "private",      "protected", "public",       "register", "reinterpret_cast",
-    "requires",      "return",       "short",     "signed",       "sizeof",   "static",
-    "static_assert", "static_cast",  "std",       "struct",       "switch",   "template",
-    "this",          "thread_local", "throw",     "true",         "try",      "typedef",
-    "typeid",        "typename",     "union",     "unsigned",     "using",    "virtual",
-    "void",          "volatile",     "wchar_t",   "while",        "xor",      "xor_eq",
-    "linux",         "unix",         "errno",     "NULL"};
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -37,16 +16,17 @@ bool is_word(char c) {
   return is_digit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-std::string identifier_of(std::string text) {
+std::string word_of(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](char c) { return is_word(c) ? c : '_'; });
   if (text.empty() || is_digit(text[0])) {
     text.insert(0, "_");
   }
-  if (std::find(kTaken.begin(), kTaken.end(), text) != kTaken.end()) {
-    text += '_';
-  }
   return text;
+}
+
+std::string identifier_of(const std::string& word) {
+  return is_taken(word) ? word + "_" : word;
 }
 
 }  // namespace
@@ -57,13 +37,18 @@ OutputName output_name(const std::string& mesh_path, const std::string& chosen) 
     if (stem.find_first_of("\"\\\n\r") != std::string::npos) {
       throw UserError(mesh_path, "has a name that no #include can hold; use --name");
     }
-    return {stem, identifier_of(stem)};
+    const std::string word = word_of(stem);
+    return {stem, word, identifier_of(word)};
   }
-  if (identifier_of(chosen) != chosen) {
+  if (word_of(chosen) != chosen) {
     throw UserError("--name " + chosen,
                     "is no name for a C++ namespace; use letters, digits and '_'");
   }
-  return {chosen, chosen};
+  if (is_taken(chosen)) {
+    throw UserError("--name " + chosen, "is a name that C or C++ takes; use another, such as ",
+                    identifier_of(chosen));
+  }
+  return {chosen, chosen, chosen};
 }
 
 }  // namespace flashbvh::tool

@@ -1,4 +1,4 @@
-// How the files and the namespace of a baked mesh are called.
+// How the files of a baked mesh are called, and the names in them.
 #ifndef FLASHBVH_TOOLS_IMAGE_OUTPUT_NAME_HPP
 #define FLASHBVH_TOOLS_IMAGE_OUTPUT_NAME_HPP
 
@@ -8,11 +8,13 @@ namespace flashbvh::tool {
 
 struct OutputName {
   std::string stem;        ///< of the files: stem.fbvh, stem.fbvh.hpp, stem.fbvh.cpp
-  std::string identifier;  ///< of the namespace
+  std::string word;        ///< the stem as an identifier; C's names begin with it
+  std::string identifier;  ///< of the namespace: the word, with a '_' where that is taken
 };
 
 /// After the mesh file, or after `chosen` if that is not empty: "meshes/base link.STL" gives the
-/// stem "base link" and the namespace base_link. UserError if `chosen` is no name for a namespace.
+/// stem "base link" and the namespace base_link; "abs.stl" gives abs_. UserError if `chosen` is no
+/// name for a namespace.
 OutputName output_name(const std::string& mesh_path, const std::string& chosen);
 
 }  // namespace flashbvh::tool

@@ -127,6 +127,27 @@ EdgeDefects edge_defects(const std::vector<TriangleCorners>& triangles,
   return defects;
 }
 
+bool is_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates) {
+  // Six times the volume: tetrahedra with an apex at the lattice's zero, each below 2^45. The sums
+  // may wrap, the whole fits unless the surface is wound round the same cells 2^15 times.
+  std::uint64_t volume = 0;
+  auto duplicate = duplicates.begin();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (duplicate != duplicates.end() && *duplicate == i) {
+      ++duplicate;
+      continue;
+    }
+    const Vertex& p = mesh.vertices[mesh.triangles[i][0]];
+    const Vertex& q = mesh.vertices[mesh.triangles[i][1]];
+    const Vertex& r = mesh.vertices[mesh.triangles[i][2]];
+    const std::int64_t x = std::int64_t{q.y} * r.z - std::int64_t{q.z} * r.y;
+    const std::int64_t y = std::int64_t{q.z} * r.x - std::int64_t{q.x} * r.z;
+    const std::int64_t z = std::int64_t{q.x} * r.y - std::int64_t{q.y} * r.x;
+    volume += static_cast<std::uint64_t>(p.x * x + p.y * y + p.z * z);
+  }
+  return volume >> 63 != 0;
+}
+
 MeshDefects defects_of(const bake::SourceMesh& mesh, const bake::LatticeMesh& rounded,
                        const TriangleIds& degenerate) {
   MeshDefects defects;
@@ -138,6 +159,7 @@ MeshDefects defects_of(const bake::SourceMesh& mesh, const bake::LatticeMesh& ro
   defects.edges = edge_defects(rounded.triangles, defects.duplicates);
   defects.closed_before = !defects.edges.none() &&
                           edge_defects(mesh.triangles, duplicate_triangles(mesh.triangles)).none();
+  defects.inside_out = defects.edges.none() && is_inside_out(rounded, defects.duplicates);
   return defects;
 }
 

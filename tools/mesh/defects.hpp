@@ -34,6 +34,10 @@ struct EdgeDefects {
 EdgeDefects edge_defects(const std::vector<bake::TriangleCorners>& triangles,
                          const TriangleIds& duplicates);
 
+/// Whether the surface encloses a negative volume: its triangles run clockwise, seen from outside.
+/// Precondition: it is closed and oriented. O(n).
+bool is_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates);
+
 /// What rounding a mesh to the lattice leaves, and what was odd about it before.
 struct MeshDefects {
   TriangleIds degenerate;      ///< without area in the file already
@@ -41,6 +45,7 @@ struct MeshDefects {
   TriangleIds duplicates;      ///< on the lattice
   EdgeDefects edges;           ///< on the lattice
   bool closed_before = false;  ///< whether rounding alone is to blame for the edges
+  bool inside_out = false;     ///< closed, oriented, and normals face into the solid
 };
 
 /// `degenerate`: of the mesh as it is in the file.

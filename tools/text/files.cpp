@@ -3,9 +3,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <system_error>
 
 #include "text/messages.hpp"
@@ -39,12 +41,51 @@ class Rollback {
   std::vector<fs::path> made_;
 };
 
+constexpr int kEnding[] = {SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
+
+/// Holds back the signals that end the program, so that nothing half made stays behind: they arrive
+/// when this goes. Precondition: this thread is the only one.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    sigemptyset(&held_);
+    for (const int signal : kEnding) {
+      struct sigaction action {};
+      if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) {
+        sigaddset(&held_, signal);
+      }
+    }
+    sigprocmask(SIG_BLOCK, &held_, &before_);
+  }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+  ~HeldSignals() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+  /// Throws if one waits.
+  void stop_if_any() const {
+    sigset_t waiting;
+    sigpending(&waiting);
+    for (const int signal : kEnding) {
+      if (sigismember(&held_, signal) == 1 && sigismember(&waiting, signal) == 1) {
+        throw std::runtime_error("ended by a signal");
+      }
+    }
+  }
+
+ private:
+  sigset_t held_;
+  sigset_t before_;
+};
+
 void make_folder(const fs::path& folder, Rollback& rollback) {
-  if (folder.empty() || fs::is_directory(folder)) {
+  std::error_code error;
+  if (folder.empty() || fs::is_directory(folder, error)) {
     return;
   }
+  if (fs::exists(folder, error)) {
+    throw UserError(folder.string(), "is no folder; write elsewhere");
+  }
   make_folder(folder.parent_path(), rollback);
-  std::error_code error;
   if (fs::create_directory(folder, error)) {
     rollback.made(folder);
   } else if (error) {
@@ -64,7 +105,22 @@ void write_bytes(const fs::path& path, const fs::path& name, const std::string& 
 
 /// A device or a pipe: it takes the bytes, and must not be replaced by a file.
 bool is_special(const fs::path& path) {
-  return fs::exists(path) && !fs::is_regular_file(path);
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+/// The temporary becomes the file.
+void put_in_place(const fs::path& path, Rollback& rollback) {
+  std::error_code error;
+  const bool is_new = !fs::exists(path, error);
+  fs::rename(temporary_name(path), path, error);
+  if (error) {
+    throw UserError(path.string(), "can't be written: ", error.message());
+  }
+  if (is_new) {
+    rollback.made(path);
+  }
 }
 
 }  // namespace
@@ -88,42 +144,46 @@ std::string read_file(const std::string& path) {
   return bytes;
 }
 
-void FileSet::write() const {
+void FileSet::write(const std::function<void()>& report) const {
+  write_special();
+  const HeldSignals signals;
   Rollback rollback;
   for (const File& file : files_) {
-    make_folder(file.path.parent_path(), rollback);
-    if (fs::is_directory(file.path)) {
-      throw UserError(file.path.string(), "is a folder; move it away or write elsewhere");
+    if (!is_special(file.path)) {
+      signals.stop_if_any();
+      make_folder(file.path.parent_path(), rollback);
+      const fs::path temporary = temporary_name(file.path);
+      rollback.made(temporary);
+      write_bytes(temporary, file.path, file.bytes);
     }
-    if (is_special(file.path)) {
-      write_bytes(file.path, file.path, file.bytes);
-      continue;
-    }
-    const fs::path temporary = temporary_name(file.path);
-    rollback.made(temporary);
-    write_bytes(temporary, file.path, file.bytes);
   }
+  report();
+  signals.stop_if_any();
   for (const File& file : files_) {
-    if (is_special(file.path)) {
-      continue;
-    }
-    const bool is_new = !fs::exists(file.path);
-    std::error_code error;
-    fs::rename(temporary_name(file.path), file.path, error);
-    if (error) {
-      throw UserError(file.path.string(), "can't be written: ", error.message());
-    }
-    if (is_new) {
-      rollback.made(file.path);
+    if (!is_special(file.path)) {
+      put_in_place(file.path, rollback);
     }
   }
   rollback.keep();
 }
 
-void write_file(const std::string& path, std::string bytes) {
+/// Before anything that could be left behind, and while signals arrive: a pipe may be full.
+void FileSet::write_special() const {
+  for (const File& file : files_) {
+    std::error_code error;
+    if (fs::is_directory(file.path, error)) {
+      throw UserError(file.path.string(), "is a folder; move it away or write elsewhere");
+    }
+    if (is_special(file.path)) {
+      write_bytes(file.path, file.path, file.bytes);
+    }
+  }
+}
+
+void write_file(const std::string& path, std::string bytes, const std::function<void()>& report) {
   FileSet files;
   files.add(path, std::move(bytes));
-  files.write();
+  files.write(report);
 }
 
 }  // namespace flashbvh::tool

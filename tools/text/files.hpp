@@ -3,6 +3,7 @@
 #define FLASHBVH_TOOLS_TEXT_FILES_HPP
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,21 +21,26 @@ class FileSet {
     files_.push_back({std::move(path), std::move(bytes)});
   }
 
-  /// Writes every file under a temporary name beside its own, then renames them all; makes their
-  /// folder if there is none. UserError if that fails; then what it made is gone again, unless a
-  /// rename failed behind another that replaced an older file.
-  void write() const;
+  /// Writes every file under a temporary name beside its own, calls `report`, then renames them
+  /// all; makes their folder if there is none. UserError if that fails; then, or if `report`
+  /// throws, what it made is gone again, unless a rename failed behind another that replaced an
+  /// older file. Signals that end the program wait for that, too. What is no regular file gets its
+  /// bytes first.
+  void write(const std::function<void()>& report = [] {}) const;
 
  private:
   struct File {
     std::filesystem::path path;
     std::string bytes;
   };
+  void write_special() const;
+
   std::vector<File> files_;
 };
 
 /// One file alone.
-void write_file(const std::string& path, std::string bytes);
+void write_file(
+    const std::string& path, std::string bytes, const std::function<void()>& report = [] {});
 
 }  // namespace flashbvh::tool
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <stdexcept>
 
 namespace flashbvh::tool {
 namespace {
@@ -37,6 +38,12 @@ std::string at_line(const std::string& file, std::size_t line) {
 
 std::string quoted(std::string_view word) {
   return concat("'", word.substr(0, 40), "'");
+}
+
+void flush_output() {
+  if (!std::cout.flush()) {
+    throw std::runtime_error("standard output can't be written");
+  }
 }
 
 void Warnings::add(const std::string& place, const std::string& what) {

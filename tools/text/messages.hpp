@@ -37,6 +37,9 @@ std::string at_line(const std::string& file, std::size_t line);
 /// A word of a file, cut where it is long.
 std::string quoted(std::string_view word);
 
+/// Writes what standard output still holds back; throws if it does not take it.
+void flush_output();
+
 /// Collected while a progress bar may stand on the line, printed when it is gone.
 class Warnings {
  public:

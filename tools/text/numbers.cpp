@@ -48,9 +48,8 @@ std::string floating_literal(double value) {
   return with_point(to_text(value));
 }
 
-std::string float_literal(double value) {
-  const bool fits = std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max());
-  return with_point(to_text(fits ? static_cast<float>(value) : 0.0f)) + "f";
+std::string float_literal(float value) {
+  return with_point(to_text(std::isfinite(value) ? value : 0.0f)) + "f";
 }
 
 std::string fixed(double value, int digits) {

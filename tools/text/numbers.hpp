@@ -30,8 +30,8 @@ std::string shortest(double value);
 /// The same as a C++ literal of type double. Precondition: finite.
 std::string floating_literal(double value);
 
-/// The nearest number of type float as a C++ literal; 0 if it has no finite one.
-std::string float_literal(double value);
+/// The same of type float; 0 if it is not finite.
+std::string float_literal(float value);
 
 /// With `digits` digits after the point, for tables.
 std::string fixed(double value, int digits);

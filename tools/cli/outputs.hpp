@@ -1,0 +1,18 @@
+// What a slip of the command line must not cost.
+#ifndef FLASHBVH_TOOLS_CLI_OUTPUTS_HPP
+#define FLASHBVH_TOOLS_CLI_OUTPUTS_HPP
+
+#include <string>
+#include <vector>
+
+namespace flashbvh::tool {
+
+/// UserError if the file `output` is one of `inputs`, by whatever name.
+void refuse_to_replace_inputs(const std::string& output, const std::vector<std::string>& inputs);
+
+/// UserError if the file `output` is an image: for what writes none.
+void refuse_to_replace_image(const std::string& output);
+
+}  // namespace flashbvh::tool
+
+#endif
