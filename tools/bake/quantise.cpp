@@ -27,10 +27,17 @@ Range range_of(const SourceMesh& mesh, std::size_t axis) {
   return range;
 }
 
+/// The nearest multiple of the cell, in cells; halves away from zero. Also what is a half but for
+/// the rounding of the coordinate, the cell and their quotient, half a unit in the last place each:
+/// a mesh in another unit is the same on its lattice.
+double nearest(double coordinate, double cell) {
+  return std::round(coordinate / cell * (1 + 0x1p-51));
+}
+
 /// The lattice point in the middle of the rounded mesh.
 std::int32_t middle(const Range& range, double cell) {
-  const double low = std::round(range.low / cell);
-  const double high = std::round(range.high / cell);
+  const double low = nearest(range.low, cell);
+  const double high = nearest(range.high, cell);
   return static_cast<std::int32_t>(std::floor((low + high) / 2));
 }
 
@@ -39,8 +46,8 @@ std::int32_t middle(const Range& range, double cell) {
 bool fits(const SourceMesh& mesh, double cell) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Range range = range_of(mesh, axis);
-    const double low = std::round(range.low / cell);
-    const double high = std::round(range.high / cell);
+    const double low = nearest(range.low, cell);
+    const double high = nearest(range.high, cell);
     if (!(high - low <= kMaxWidth) || !(std::fabs(low) <= kMaxOrigin) ||
         !(std::fabs(high) <= kMaxOrigin)) {
       return false;
@@ -65,10 +72,9 @@ std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, double cell) {
   std::vector<bool> is_out(mesh.vertices.size(), false);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Range range = range_of(mesh, axis);
-    const double origin =
-        std::floor((std::round(range.low / cell) + std::round(range.high / cell)) / 2);
+    const double origin = std::floor((nearest(range.low, cell) + nearest(range.high, cell)) / 2);
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-      const double at = std::round(mesh.vertices[i][axis] / cell);
+      const double at = nearest(mesh.vertices[i][axis], cell);
       if (!(std::fabs(at - origin) <= kMaxCoordinate) || !(std::fabs(at) <= kMaxOrigin)) {
         is_out[i] = true;
       }
@@ -96,7 +102,7 @@ LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell) {
     std::array<std::int16_t, 3> at{};
     double squared = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double cells = std::round(mesh.vertices[i][axis] / cell);
+      const double cells = nearest(mesh.vertices[i][axis], cell);
       at[axis] = static_cast<std::int16_t>(cells - rounded.origin[axis]);
       const double off = mesh.vertices[i][axis] - cells * cell;
       squared += off * off;

@@ -18,8 +18,9 @@ bool fits(const SourceMesh& mesh, double cell);
 /// this cell, ascending; none if the mesh fits.
 std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, double cell);
 
-/// Rounds each coordinate to the nearest multiple of `cell`, halves away from zero, and joins
-/// vertices that fall together. Precondition: fits(mesh, cell).
+/// Rounds each coordinate to the nearest multiple of `cell`, halves away from zero (and what would
+/// be one if numbers were exact), and joins vertices that fall together. Precondition: fits(mesh,
+/// cell).
 LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell);
 
 }  // namespace flashbvh::bake
