@@ -4,10 +4,12 @@
 #include <iomanip>
 #include <iostream>
 #include <numeric>
+#include <set>
 
 #include "bake/image_bytes.hpp"
 #include "cli/bake_options.hpp"
 #include "cli/commands.hpp"
+#include "cli/mesh_warnings.hpp"
 #include "cli/progress.hpp"
 #include "image/cpp_writer.hpp"
 #include "text/files.hpp"
@@ -18,7 +20,7 @@ namespace {
 
 /// What one mesh became.
 struct BakeResult {
-  const OutputName* name;
+  OutputName name;
   BakedMesh baked;
   std::size_t image_bytes;
   std::size_t flash_bytes;
@@ -29,7 +31,7 @@ void print_row(const BakeResult& result, std::size_t width) {
       [&](const auto& baked) {
         const double per_triangle =
             static_cast<double>(result.flash_bytes) / static_cast<double>(baked.triangles.size());
-        std::cout << std::left << std::setw(static_cast<int>(width)) << result.name->stem
+        std::cout << std::left << std::setw(static_cast<int>(width)) << result.name.stem
                   << std::right << std::setw(10) << baked.triangles.size() << std::setw(10)
                   << baked.vertices.size() << std::setw(8) << baked.nodes.size() << std::setw(7)
                   << baked.depth << std::setw(10) << result.flash_bytes << std::setw(16)
@@ -39,29 +41,10 @@ void print_row(const BakeResult& result, std::size_t width) {
       result.baked.tree);
 }
 
-/// "kept; --drop degenerate leaves them out", or that they were.
-std::string fate(bool dropped, const char* kind) {
-  return dropped ? "; left out" : std::string("; kept (--drop ") + kind + " leaves them out)";
-}
-
-std::string edge_text(const EdgeDefects& edges) {
-  std::string text;
-  const auto add = [&](std::size_t count, const char* kind, const char* what) {
-    if (count != 0) {
-      text += concat((text.empty() ? "" : ", "), count, " ", kind,
-                     (count == 1 ? "edge " : "edges "), what);
-    }
-  };
-  add(edges.boundary, "boundary ", "of one triangle");
-  add(edges.non_manifold, "non-manifold ", "of more than two");
-  add(edges.twisted, "", "of two that face opposite ways");
-  return text;
-}
-
 void print_table(const std::vector<BakeResult>& results, const std::string& cell) {
   std::size_t width = 6;
   for (const BakeResult& result : results) {
-    width = std::max(width, result.name->stem.size() + 2);
+    width = std::max(width, result.name.stem.size() + 2);
   }
   std::cout << std::left << std::setw(static_cast<int>(width)) << "mesh"
             << " triangles  vertices   nodes  depth     flash  bytes/triangle     image  largest "
@@ -71,27 +54,6 @@ void print_table(const std::vector<BakeResult>& results, const std::string& cell
   }
   std::cout << "cell " << cell
             << "; flash: bytes that a query on the C++ output links; image: bytes of the binary\n";
-}
-
-void warn_of_defects(const MeshDefects& defects, const BakeOptions& options,
-                     const std::string& path, Warnings& warnings) {
-  const auto warn = [&](const TriangleIds& triangles, const char* what, bool dropped,
-                        const char* kind) {
-    if (!triangles.empty()) {
-      warnings.add(path, what + triangle_list(triangles) + fate(dropped, kind));
-    }
-  };
-  warn(defects.degenerate, "without area: ", options.drop_degenerate, "degenerate");
-  warn(defects.collapsed, "without area once rounded: ", options.drop_degenerate, "degenerate");
-  warn(defects.duplicates,
-       "with the three vertices of an earlier one, once rounded: ", options.drop_duplicate,
-       "duplicate");
-  if (!defects.edges.none()) {
-    warnings.add(path, std::string(defects.closed_before ? "once rounded " : "") +
-                           "no closed surface (" + edge_text(defects.edges) +
-                           "): what lies inside the solid can't be told" +
-                           (defects.closed_before ? "; a finer --cell keeps it closed" : ""));
-  }
 }
 
 void check_budget(const BakeOrder& order, const std::string& mesh, std::size_t bytes) {
@@ -112,7 +74,7 @@ std::string image_file(const Baked& baked, const std::string& path) {
 
 BakeResult bake_one(const BakeOrder& order, const BakeOptions& options, const InputMesh& mesh,
                     const OutputName& name, FileSet& files) {
-  BakeResult result = {&name, bake(mesh, options), 0, 0};
+  BakeResult result = {name, bake(mesh, options), 0, 0};
   const std::string stem = (std::filesystem::path(order.folder) / name.stem).string();
   std::visit(
       [&](const auto& baked) {
@@ -143,25 +105,55 @@ std::vector<double> weights_of(const std::vector<std::string>& paths) {
   return weights;
 }
 
+/// A mesh file, or one of its bodies.
+struct Part {
+  InputMesh mesh;
+  OutputName name;
+  double weight;
+};
+
+std::vector<Part> read_parts(const BakeOrder& order, const std::vector<double>& weights,
+                             Progress& progress, Warnings& warnings) {
+  std::vector<Part> parts;
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < order.meshes.size(); ++i) {
+    const std::string& path = order.meshes[i];
+    progress.begin("reading " + path, weights[i]);
+    if (!order.split) {
+      parts.push_back({read_mesh(path, order.units, warnings), order.names[i], weights[i]});
+      continue;
+    }
+    std::vector<InputMesh> bodies = read_bodies(path, order.units, warnings);
+    const std::vector<OutputName> names = body_names(path, bodies);
+    for (std::size_t j = 0; j < bodies.size(); ++j) {
+      if (!taken.insert(names[j].identifier).second) {
+        throw UserError(bodies[j].path, "would be written as '", names[j].identifier,
+                        "' like one of a mesh before it; bake the files into folders of their own");
+      }
+      parts.push_back(
+          {std::move(bodies[j]), names[j], weights[i] / static_cast<double>(bodies.size())});
+    }
+  }
+  return parts;
+}
+
 /// Everything but the reports. `options`: the order's, with the cell that all the meshes share.
 std::vector<BakeResult> bake_and_write(const BakeOrder& order, BakeOptions& options,
                                        Warnings& warnings) {
   const std::vector<double> weights = weights_of(order.meshes);
   Progress progress(2 * std::accumulate(weights.begin(), weights.end(), 0.0), order.progress);
-  std::vector<InputMesh> meshes;
+  const std::vector<Part> parts = read_parts(order, weights, progress, warnings);
   double finest = 0;
-  for (const std::string& path : order.meshes) {
-    progress.begin("reading " + path, weights[meshes.size()]);
-    meshes.push_back(read_mesh(path, order.units, warnings));
-    finest = std::max(finest, finest_cell(meshes.back()));
+  for (const Part& part : parts) {
+    finest = std::max(finest, finest_cell(part.mesh));
   }
   options.cell = order.options.cell.value_or(finest);
   FileSet files;
   std::vector<BakeResult> results;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    progress.begin("baking " + meshes[i].path, weights[i]);
-    results.push_back(bake_one(order, options, meshes[i], order.names[i], files));
-    warn_of_defects(results.back().baked.defects, options, meshes[i].path, warnings);
+  for (const Part& part : parts) {
+    progress.begin("baking " + part.mesh.path, part.weight);
+    results.push_back(bake_one(order, options, part.mesh, part.name, files));
+    warn_of_mesh(part.mesh, results.back().baked.defects, options, warnings);
   }
   progress.begin("writing " + order.folder, 0);
   files.write();
@@ -180,9 +172,9 @@ void bake_all(const BakeOrder& order) {
 
 void add_bake(CLI::App& app) {
   CLI::App* const command = app.add_subcommand(
-      "bake",
-      "Bake meshes (STL, OBJ, PLY, OFF) into trees: C++ arrays and binary images.\n"
-      "Meshes that are queried together share a cell: bake them in one call.");
+      "bake", concat("Bake meshes (", kMeshFormats,
+                     ")\ninto trees: C++ arrays and binary images.\n"
+                     "Meshes that are queried together share a cell: bake them in one call."));
   add_bake_options(*command, bake_all);
 }
 

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string_view>
 
 #include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -64,6 +67,25 @@ OutputName output_name(const std::string& mesh_path, const std::string& chosen) 
                     "is no name for a C++ namespace; use letters, digits and '_'");
   }
   return {chosen, chosen};
+}
+
+std::vector<OutputName> body_names(const std::string& mesh_path,
+                                   const std::vector<InputMesh>& bodies) {
+  const std::string stem = std::filesystem::path(mesh_path).stem().string();
+  std::vector<OutputName> names;
+  std::map<std::string, std::size_t> last_number;
+  std::set<std::string> taken;
+  for (const InputMesh& body : bodies) {
+    const std::string& own = body.bodies.front();
+    const std::string wanted = identifier_of(own.empty() ? stem : own);
+    std::string name = wanted;
+    for (std::size_t& number = last_number.emplace(wanted, 1).first->second;
+         !taken.insert(name).second;) {
+      name = concat(wanted, "_", ++number);
+    }
+    names.push_back({name, name});
+  }
+  return names;
 }
 
 }  // namespace flashbvh::tool
