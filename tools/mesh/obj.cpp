@@ -40,7 +40,8 @@ bool next_joined(Lines& lines, std::string& joined, std::size_t& number) {
 
 class ObjReader {
  public:
-  explicit ObjReader(const std::string& file) : file_(file), builder_(file) {}
+  explicit ObjReader(const std::string& file)
+      : file_(file), builder_(file), bodies_({{"", builder_.begin_body("")}}) {}
 
   void line(const Words& words, std::size_t number) {
     const std::string_view keyword = words[0];

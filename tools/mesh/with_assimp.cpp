@@ -136,6 +136,7 @@ FileMesh read_with_assimp(std::string_view bytes, const std::string& file) {
   Assimp::Importer importer;
   // Viewers of robot models ignore the up axis of Collada, and models are drawn for them.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   const aiScene* const scene = importer.ReadFile(file, 0);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw UserError(file, "can't be read: ", one_line(importer.GetErrorString()),
