@@ -91,6 +91,7 @@ std::vector<bake::SourceMesh> meshes_of_bodies(const FileMesh& whole) {
     builders[whole.body_of[i]].add_triangle({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
   }
   std::vector<bake::SourceMesh> meshes;
+  meshes.reserve(builders.size());
   for (MeshBuilder& builder : builders) {
     meshes.push_back(builder.finish().mesh);
   }

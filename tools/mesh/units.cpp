@@ -107,7 +107,9 @@ Units::Ratio Units::ratio_of(const std::string& file) const {
   const std::uint64_t from = length_of(own->second);
   const std::uint64_t to = length_of(common_);
   const std::uint64_t common_part = std::gcd(from, to);
-  return {static_cast<double>(from / common_part), static_cast<double>(to / common_part)};
+  const std::uint64_t numerator = from / common_part;
+  const std::uint64_t denominator = to / common_part;
+  return {static_cast<double>(numerator), static_cast<double>(denominator)};
 }
 
 void Units::convert(bake::SourceMesh& mesh, const std::string& file) const {
