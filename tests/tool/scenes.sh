@@ -14,7 +14,7 @@ vertices() {
 cat >arm.dae <<'DAE'
 <?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-<asset><unit meter="0.001" name="millimeter"/><up_axis>Y_UP</up_axis></asset>
+<asset><unit meter="0.001" name="millimeter"/><up_axis>Z_UP</up_axis></asset>
 <library_geometries><geometry id="g" name="g"><mesh>
 <source id="p"><float_array id="a" count="9">0 0 0 2 0 0 0 4 8</float_array><technique_common>
 <accessor source="#a" count="3" stride="3"><param name="X" type="float"/>
@@ -32,6 +32,9 @@ DAE
 vertices arm.dae 0.001 >found
 printf 'v %s\n' '100 0 0' '100 2 0' '96 0 8' '100 4 0' '92 0 16' >wanted
 cmp wanted found || fail "DAE: $(cat found)"
+sed 's/Z_UP/X_UP/' arm.dae >x_up.dae
+vertices x_up.dae 0.001 >found
+cmp wanted found || fail "DAE, X up: $(cat found)"
 exits 0 bake arm.dae -o mm --cell 1 --unit mm --unit arm.dae=m --format image
 exits 0 check mm/arm.fbvh --mesh arm.dae --unit mm --unit arm.dae=m
 exits 0 bake arm.dae -o bodies --cell 0.001 --split
