@@ -41,6 +41,18 @@ std::int32_t middle(const Range& range, double cell) {
   return static_cast<std::int32_t>(std::floor((low + high) / 2));
 }
 
+/// With which no axis of the mesh is over `width` cells wide or reaches further than `origin`,
+/// before rounding.
+double cell_of(const SourceMesh& mesh, double width, double origin) {
+  double cell = std::numeric_limits<double>::min();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Range range = range_of(mesh, axis);
+    cell = std::max({cell, (range.high - range.low) / width, std::fabs(range.low) / origin,
+                     std::fabs(range.high) / origin});
+  }
+  return cell;
+}
+
 }  // namespace
 
 bool fits(const SourceMesh& mesh, double cell) {
@@ -57,15 +69,15 @@ bool fits(const SourceMesh& mesh, double cell) {
 }
 
 double finest_cell(const SourceMesh& mesh) {
-  double cell = std::numeric_limits<double>::min();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Range range = range_of(mesh, axis);
-    // Rounding the two ends can widen the mesh by a cell.
-    cell = std::max({cell, (range.high - range.low) / (kMaxWidth - 1),
-                     std::fabs(range.low) / (kMaxOrigin - 1),
-                     std::fabs(range.high) / (kMaxOrigin - 1)});
+  const double full = cell_of(mesh, kMaxWidth, kMaxOrigin);
+  // Where the ends of the mesh lie halfway between cells, rounding widens it by one; a slightly
+  // larger cell keeps them off the halves.
+  for (const double cell : {full, full * (1 + 0x1p-48)}) {
+    if (fits(mesh, cell)) {
+      return cell;
+    }
   }
-  return cell;
+  return cell_of(mesh, kMaxWidth - 1, kMaxOrigin - 1);
 }
 
 std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, double cell) {

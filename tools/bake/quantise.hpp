@@ -6,8 +6,9 @@
 
 namespace flashbvh::bake {
 
-/// The smallest cell with which `mesh` fits the lattice, in the mesh's unit. A mesh of no extent
-/// fits any cell; for it this is the smallest positive normal number.
+/// A cell with which `mesh` fits the lattice, in the mesh's unit: its largest extent over
+/// 2 * kMaxCoordinate, or as much more as rounding takes, one part in 2 * kMaxCoordinate - 1 at
+/// most. A mesh of no extent fits any cell; for it this is the smallest positive normal number.
 double finest_cell(const SourceMesh& mesh);
 
 /// Whether `mesh` fits the lattice with this cell: at most 2 * kMaxCoordinate cells wide, and
