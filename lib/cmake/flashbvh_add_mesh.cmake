@@ -23,7 +23,7 @@ function(flashbvh_add_mesh name)
   set(repeated UNIT DROP)
   cmake_parse_arguments(PARSE_ARGV 1 arg "LEVELS;OWN_CELL" "${single}" "SOURCES;${repeated}")
   set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_SOURCES})
-  list(FILTER odd EXCLUDE REGEX "\\.([Ss][Tt][Ll]|[Oo][Bb][Jj]|[Pp][Ll][Yy]|[Oo][Ff][Ff])$")
+  list(FILTER odd EXCLUDE REGEX "\\.([Ss][Tt][Ll]|[Oo][Bb][Jj]|[Pp][Ll][Yy]|[Oo][Ff][Ff]|[Dd][Aa][Ee]|[Gg][Ll][Tt][Ff]|[Gg][Ll][Bb]|3[Mm][Ff])$")
   if(odd OR NOT arg_SOURCES)
     message(FATAL_ERROR "flashbvh_add_mesh(${name}): give SOURCES mesh... and options with their "
       "values; not understood: ${odd}")

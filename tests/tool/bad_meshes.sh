@@ -13,9 +13,9 @@ bad "empty.stl: is empty" empty.stl
 : >empty.obj
 bad "empty.obj: is empty" empty.obj
 bad "triangle" meshes/no_triangles.stl
-bad "is no .stl, .obj, .ply or .off file" "$SOURCES/common.sh"
+bad "is no mesh by its extension; convert it to one of STL, OBJ" "$SOURCES/common.sh"
 cp meshes/tetrahedron.stl mesh.xyz
-bad "mesh.xyz: is no" mesh.xyz
+bad "mesh.xyz: is no mesh" mesh.xyz
 
 # Not a mesh.
 head -c 300 "$FLASHBVH" >program.stl
@@ -38,7 +38,7 @@ bad "nan.obj:3: 'nan'" nan.obj
 printf 'v 0 0 0\nv 1 0 0\nv 0 1e999 0\nf 1 2 3\n' >huge.obj
 bad "huge.obj:3: '1e999'" huge.obj
 printf 'v 0 0 0\nv 1 0 0\nv 0 1e39 0\nf 1 2 3\n' >float.obj
-bad "float.obj: polygon 0" float.obj
+bad "float.obj:3: '1e39' is no finite number of at most 3.4e38" float.obj
 printf 'OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n' >inf.off
 bad "inf.off:4: 'inf'" inf.off
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n' >nan.ply

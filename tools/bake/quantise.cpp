@@ -27,11 +27,30 @@ Range range_of(const SourceMesh& mesh, std::size_t axis) {
   return range;
 }
 
+/// The nearest multiple of the cell, in cells; halves away from zero. Also what is a half but for
+/// the rounding of the coordinate, the cell and their quotient, half a unit in the last place each:
+/// a mesh in another unit is the same on its lattice.
+double nearest(double coordinate, double cell) {
+  return std::round(coordinate / cell * (1 + 0x1p-51));
+}
+
 /// The lattice point in the middle of the rounded mesh.
 std::int32_t middle(const Range& range, double cell) {
-  const double low = std::round(range.low / cell);
-  const double high = std::round(range.high / cell);
+  const double low = nearest(range.low, cell);
+  const double high = nearest(range.high, cell);
   return static_cast<std::int32_t>(std::floor((low + high) / 2));
+}
+
+/// With which no axis of the mesh is over `width` cells wide or reaches further than `origin`,
+/// before rounding.
+double cell_of(const SourceMesh& mesh, double width, double origin) {
+  double cell = std::numeric_limits<double>::min();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Range range = range_of(mesh, axis);
+    cell = std::max({cell, (range.high - range.low) / width, std::fabs(range.low) / origin,
+                     std::fabs(range.high) / origin});
+  }
+  return cell;
 }
 
 }  // namespace
@@ -39,8 +58,8 @@ std::int32_t middle(const Range& range, double cell) {
 bool fits(const SourceMesh& mesh, double cell) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Range range = range_of(mesh, axis);
-    const double low = std::round(range.low / cell);
-    const double high = std::round(range.high / cell);
+    const double low = nearest(range.low, cell);
+    const double high = nearest(range.high, cell);
     if (!(high - low <= kMaxWidth) || !(std::fabs(low) <= kMaxOrigin) ||
         !(std::fabs(high) <= kMaxOrigin)) {
       return false;
@@ -50,25 +69,24 @@ bool fits(const SourceMesh& mesh, double cell) {
 }
 
 double finest_cell(const SourceMesh& mesh) {
-  double cell = std::numeric_limits<double>::min();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Range range = range_of(mesh, axis);
-    // Rounding the two ends can widen the mesh by a cell.
-    cell = std::max({cell, (range.high - range.low) / (kMaxWidth - 1),
-                     std::fabs(range.low) / (kMaxOrigin - 1),
-                     std::fabs(range.high) / (kMaxOrigin - 1)});
+  const double full = cell_of(mesh, kMaxWidth, kMaxOrigin);
+  // Where the ends of the mesh lie halfway between cells, rounding widens it by one; a slightly
+  // larger cell keeps them off the halves.
+  for (const double cell : {full, full * (1 + 0x1p-48)}) {
+    if (fits(mesh, cell)) {
+      return cell;
+    }
   }
-  return cell;
+  return cell_of(mesh, kMaxWidth - 1, kMaxOrigin - 1);
 }
 
 std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, double cell) {
   std::vector<bool> is_out(mesh.vertices.size(), false);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Range range = range_of(mesh, axis);
-    const double origin =
-        std::floor((std::round(range.low / cell) + std::round(range.high / cell)) / 2);
+    const double origin = std::floor((nearest(range.low, cell) + nearest(range.high, cell)) / 2);
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-      const double at = std::round(mesh.vertices[i][axis] / cell);
+      const double at = nearest(mesh.vertices[i][axis], cell);
       if (!(std::fabs(at - origin) <= kMaxCoordinate) || !(std::fabs(at) <= kMaxOrigin)) {
         is_out[i] = true;
       }
@@ -96,7 +114,7 @@ LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell) {
     std::array<std::int16_t, 3> at{};
     double squared = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double cells = std::round(mesh.vertices[i][axis] / cell);
+      const double cells = nearest(mesh.vertices[i][axis], cell);
       at[axis] = static_cast<std::int16_t>(cells - rounded.origin[axis]);
       const double off = mesh.vertices[i][axis] - cells * cell;
       squared += off * off;

@@ -3,41 +3,21 @@
 #include <filesystem>
 #include <iostream>
 #include <numeric>
+#include <set>
 
 #include "bake/image_bytes.hpp"
 #include "cli/bake_options.hpp"
 #include "cli/bake_table.hpp"
 #include "cli/commands.hpp"
+#include "cli/mesh_warnings.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
-#include "cli/surface.hpp"
 #include "image/c_writer.hpp"
 #include "image/cpp_writer.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {
 namespace {
-
-/// "kept; --drop degenerate leaves them out", or that they were.
-std::string fate(bool dropped, const char* kind) {
-  return dropped ? "; left out" : std::string("; kept (--drop ") + kind + " leaves them out)";
-}
-
-void warn_of_defects(const MeshDefects& defects, const BakeOptions& options,
-                     const std::string& path, Warnings& warnings) {
-  const auto warn = [&](const TriangleIds& triangles, const char* what, bool dropped,
-                        const char* kind) {
-    if (!triangles.empty()) {
-      warnings.add(path, what + triangle_list(triangles) + fate(dropped, kind));
-    }
-  };
-  warn(defects.degenerate, "without area: ", options.drop_degenerate, "degenerate");
-  warn(defects.collapsed, "without area once rounded: ", options.drop_degenerate, "degenerate");
-  warn(defects.duplicates,
-       "with the three vertices of an earlier one, once rounded: ", options.drop_duplicate,
-       "duplicate");
-  warn_of_surface(defects, path, warnings);
-}
 
 void check_size(const BakeOrder& order, const std::string& mesh, std::uint64_t bytes) {
   if (order.writes_images && bytes > 0xFFFFFFFFu) {
@@ -110,25 +90,57 @@ std::vector<double> weights_of(const std::vector<std::string>& paths) {
   return weights;
 }
 
+/// A mesh file, or one of its bodies.
+struct Part {
+  InputMesh mesh;
+  OutputName name;
+  double weight;
+};
+
+std::vector<Part> read_parts(const BakeOrder& order, const std::vector<double>& weights,
+                             Progress& progress, Warnings& warnings) {
+  std::vector<Part> parts;
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < order.meshes.size(); ++i) {
+    const std::string& path = order.meshes[i];
+    progress.begin("reading " + path, weights[i]);
+    if (!order.split) {
+      parts.push_back({read_mesh(path, order.units, warnings), order.names[i], weights[i]});
+      continue;
+    }
+    std::vector<InputMesh> bodies = read_bodies(path, order.units, warnings);
+    const std::vector<OutputName> names = body_names(path, bodies);
+    for (std::size_t j = 0; j < bodies.size(); ++j) {
+      if (!taken.insert(names[j].identifier).second) {
+        throw UserError(bodies[j].path, "would be written as '", names[j].identifier,
+                        "' like one of a mesh before it; bake the files into folders of their own");
+      }
+      parts.push_back(
+          {std::move(bodies[j]), names[j], weights[i] / static_cast<double>(bodies.size())});
+    }
+  }
+  return parts;
+}
+
 /// Everything but what is written. `options`: the order's, with the cell that all the meshes share.
 std::vector<BakeRow> bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files,
                                  Warnings& warnings) {
   const std::vector<double> weights = weights_of(order.meshes);
   Progress progress(2 * std::accumulate(weights.begin(), weights.end(), 0.0), order.progress);
-  std::vector<InputMesh> meshes;
+  const std::vector<Part> parts = read_parts(order, weights, progress, warnings);
   double finest = 0;
-  for (const std::string& path : order.meshes) {
-    progress.begin("reading " + path, weights[meshes.size()]);
-    meshes.push_back(read_mesh(path, order.units, warnings));
-    finest = std::max(finest, finest_cell(meshes.back()));
+  for (const Part& part : parts) {
+    finest = std::max(finest, finest_cell(part.mesh));
   }
   options.cell = order.options.cell.value_or(finest);
   std::vector<BakeRow> rows;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    progress.begin("baking " + meshes[i].path, weights[i]);
-    BakedMesh baked = bake(meshes[i], options);
-    rows.push_back(bake_one(order, baked, meshes[i].path, order.names[i], files));
-    warn_of_defects(baked.defects, options, meshes[i].path, warnings);
+  for (const Part& part : parts) {
+    progress.begin("baking " + part.mesh.path, part.weight);
+    BakedMesh baked = bake(part.mesh, options);
+    rows.push_back(bake_one(order, baked, part.mesh.path, part.name, files));
+    warn_of_mesh(part.mesh, baked.defects, options, warnings);
+    std::visit([&](const auto& tree) { warn_of_place(tree.origin, part.mesh.path, warnings); },
+               baked.tree);
   }
   return rows;
 }
@@ -158,9 +170,9 @@ void bake_all(const BakeOrder& order) {
 
 void add_bake(CLI::App& app) {
   CLI::App* const command = app.add_subcommand(
-      "bake",
-      "Bake meshes (STL, OBJ, PLY, OFF) into trees: C++ arrays, C arrays and binary images.\n"
-      "Meshes that are queried together share a cell: bake them in one call.");
+      "bake", concat("Bake meshes (", kMeshFormats,
+                     ")\ninto trees: C++ arrays, C arrays and binary images.\n"
+                     "Meshes that are queried together share a cell: bake them in one call."));
   add_bake_options(*command, bake_all);
 }
 

@@ -16,7 +16,8 @@ namespace flashbvh::tool {
 
 struct BakeOrder {
   std::vector<std::string> meshes;
-  std::vector<OutputName> names;  ///< of each mesh, all different
+  bool split = false;             ///< each body of a mesh is baked apart
+  std::vector<OutputName> names;  ///< of each mesh, all different; none if they are split
   std::string folder;
   bool writes_cpp = true;
   bool writes_c = false;

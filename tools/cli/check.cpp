@@ -10,8 +10,9 @@
 #include "bake/quantise.hpp"
 #include "bake/surface.hpp"
 #include "cli/commands.hpp"
-#include "cli/surface.hpp"
+#include "cli/mesh_warnings.hpp"
 #include "image/image_file.hpp"
+#include "image/output_name.hpp"
 #include "mesh/defects.hpp"
 #include "mesh/import.hpp"
 #include "mesh/units.hpp"
@@ -147,18 +148,42 @@ void warn_of_surface(const ImageFile& image, const bake::LatticeMesh& mesh) {
 struct CheckArguments {
   std::string image;
   std::string mesh;
+  std::string body;
   std::vector<std::string> units;
 };
 
-/// The mesh, as `bake` reads it, against the image: sets the exit code, returns the verdict.
-std::string compare(const CheckArguments& arguments, const ImageFile& image,
-                    const std::vector<SourceTriangle>& triangles, ExitCode& exit_code) {
+/// As `bake` reads it.
+InputMesh read_mesh_or_body(const CheckArguments& arguments) {
   const Units units(arguments.units, {arguments.mesh});
   Warnings warnings;
-  const InputMesh input = read_mesh(arguments.mesh, units, warnings);
+  InputMesh input;
+  if (arguments.body.empty()) {
+    input = read_mesh(arguments.mesh, units, warnings);
+  } else {
+    std::vector<InputMesh> bodies = read_bodies(arguments.mesh, units, warnings);
+    const std::vector<OutputName> names = body_names(arguments.mesh, bodies);
+    std::string known;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (names[i].stem == arguments.body) {
+        input = std::move(bodies[i]);
+      }
+      known += (i == 0 ? "" : ", ") + names[i].stem;
+    }
+    if (input.mesh.triangles.empty()) {
+      throw UserError("--body " + arguments.body, "is none of ", arguments.mesh, "; it has ",
+                      known);
+    }
+  }
   warnings.print();
+  return input;
+}
+
+/// The mesh against the image: sets the exit code, returns the verdict.
+std::string compare(const CheckArguments& arguments, const ImageFile& image,
+                    const std::vector<SourceTriangle>& triangles, ExitCode& exit_code) {
+  const InputMesh input = read_mesh_or_body(arguments);
   exit_code = kCheckFailed;
-  const std::string but_not = ", but not " + arguments.mesh + ": ";
+  const std::string but_not = ", but not " + input.path + ": ";
   if (!bake::fits(input.mesh, image.cell())) {
     return but_not + "the mesh is too large for the image's cell";
   }
@@ -170,9 +195,9 @@ std::string compare(const CheckArguments& arguments, const ImageFile& image,
   exit_code = kSuccess;
   const LeftOut& left_out = comparison.left_out();
   if (left_out.degenerate + left_out.duplicate == 0) {
-    return ", equal to " + arguments.mesh;
+    return ", equal to " + input.path;
   }
-  return concat(", equal to ", arguments.mesh, " without ", left_out.degenerate, " degenerate and ",
+  return concat(", equal to ", input.path, " without ", left_out.degenerate, " degenerate and ",
                 left_out.duplicate, " duplicate triangles");
 }
 
@@ -185,6 +210,9 @@ ExitCode check(const CheckArguments& arguments) {
   std::string verdict = concat("well-formed, ", triangles.size(), " triangles, ",
                                image.header().node_count, " nodes");
   ExitCode exit_code = kSuccess;
+  if (arguments.mesh.empty() && !arguments.body.empty()) {
+    throw UserError("--body " + arguments.body, "names a body of no file; give --mesh, too");
+  }
   if (!arguments.mesh.empty()) {
     verdict += compare(arguments, image, triangles, exit_code);
   }
@@ -202,6 +230,8 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       "Exits with 1 if it is another one.");
   command->add_option("IMAGE", arguments->image, "Image (.fbvh)")->required();
   command->add_option("--mesh", arguments->mesh, "The mesh file that it was baked from");
+  command->add_option("--body", arguments->body,
+                      "The body of that file alone, as `bake --split` names it");
   add_unit_option(*command, arguments->units);
   command->callback([arguments, &exit_code] { exit_code = check(*arguments); });
 }

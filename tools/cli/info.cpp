@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/info_mesh.hpp"
 #include "image/image_file.hpp"
+#include "mesh/import.hpp"
 #include "mesh/units.hpp"
 #include "text/numbers.hpp"
 
@@ -106,6 +108,9 @@ std::string unit_of(const std::string& name, Unit unit) {
 }
 
 void info(const std::string& path, bool json) {
+  if (is_mesh_name(path)) {
+    return info_of_mesh(path, json);
+  }
   const ImageFile image(path);
   const Json facts = facts_of(image);
   if (json) {
@@ -133,8 +138,9 @@ void add_info(CLI::App& app) {
     bool json = false;
   };
   const auto arguments = std::make_shared<InfoArguments>();
-  CLI::App* const command = app.add_subcommand("info", "Print what is in an image.");
-  command->add_option("IMAGE", arguments->image, "Image (.fbvh)")->required();
+  CLI::App* const command =
+      app.add_subcommand("info", "Print what is in an image,\nor what baking a mesh would take.");
+  command->add_option("IMAGE", arguments->image, "Image (.fbvh) or mesh")->required();
   command->add_flag("--json", arguments->json, "As one JSON object");
   command->callback([arguments] { info(arguments->image, arguments->json); });
 }

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 
 #include "image/taken_names.hpp"
 #include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -49,6 +52,25 @@ OutputName output_name(const std::string& mesh_path, const std::string& chosen) 
                     identifier_of(chosen));
   }
   return {chosen, chosen, chosen};
+}
+
+std::vector<OutputName> body_names(const std::string& mesh_path,
+                                   const std::vector<InputMesh>& bodies) {
+  const std::string stem = std::filesystem::path(mesh_path).stem().string();
+  std::vector<OutputName> names;
+  std::map<std::string, std::size_t> last_number;
+  std::set<std::string> taken;
+  for (const InputMesh& body : bodies) {
+    const std::string& own = body.bodies.front();
+    const std::string wanted = word_of(own.empty() ? stem : own);
+    std::string name = wanted;
+    for (std::size_t& number = last_number.emplace(wanted, 1).first->second;
+         !taken.insert(name).second;) {
+      name = concat(wanted, "_", ++number);
+    }
+    names.push_back({name, name, identifier_of(name)});
+  }
+  return names;
 }
 
 }  // namespace flashbvh::tool

@@ -3,6 +3,9 @@
 #define FLASHBVH_TOOLS_IMAGE_OUTPUT_NAME_HPP
 
 #include <string>
+#include <vector>
+
+#include "mesh/import.hpp"
 
 namespace flashbvh::tool {
 
@@ -16,6 +19,11 @@ struct OutputName {
 /// stem "base link" and the namespace base_link; "abs.stl" gives abs_. UserError if `chosen` is no
 /// name for a namespace.
 OutputName output_name(const std::string& mesh_path, const std::string& chosen);
+
+/// Of the bodies of a mesh file: identifiers, by their names there, after the mesh file where a
+/// body has no name, numbered from 2 on where they are equal.
+std::vector<OutputName> body_names(const std::string& mesh_path,
+                                   const std::vector<InputMesh>& bodies);
 
 }  // namespace flashbvh::tool
 

@@ -1,7 +1,8 @@
 // Wavefront OBJ: `v` and `f` lines; what else may be there has no part in the shape.
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,11 +16,10 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-constexpr std::array<std::string_view, 25> kNoShape = {
-    "vt",     "vn",         "vp",        "g",      "o",     "s",        "mg",
-    "usemtl", "mtllib",     "usemap",    "maplib", "bevel", "c_interp", "d_interp",
-    "lod",    "shadow_obj", "trace_obj", "ctech",  "stech", "deg",      "vg",
-    "call",   "csh",        "bmat",      "step"};
+constexpr std::array<std::string_view, 23> kNoShape = {
+    "vt",     "vn",    "vp",       "s",        "mg",  "usemtl",     "mtllib",    "usemap",
+    "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech",
+    "stech",  "deg",   "vg",       "call",     "csh", "bmat",       "step"};
 
 /// A line that ends with a backslash goes on in the next.
 bool next_joined(Lines& lines, std::string& joined, std::size_t& number) {
@@ -38,11 +38,10 @@ bool next_joined(Lines& lines, std::string& joined, std::size_t& number) {
   return true;
 }
 
-class ObjConverter {
+class ObjReader {
  public:
-  ObjConverter(std::string_view text, const std::string& file) : file_(file) {
-    plain_.warning = warn_of_cut_line(text);
-  }
+  explicit ObjReader(const std::string& file)
+      : file_(file), builder_(file), bodies_({{"", builder_.begin_body("")}}) {}
 
   void line(const Words& words, std::size_t number) {
     const std::string_view keyword = words[0];
@@ -50,6 +49,8 @@ class ObjConverter {
       vertex(words, number);
     } else if (keyword == "f" || keyword == "fo") {
       face(words, number);
+    } else if (keyword == "o" || keyword == "g") {
+      body(words);
     } else if (keyword == "p" || keyword == "l") {
       ++left_out_;
     } else if (std::find(kNoShape.begin(), kNoShape.end(), keyword) == kNoShape.end()) {
@@ -59,15 +60,12 @@ class ObjConverter {
     }
   }
 
-  MeshText finish() {
-    if (plain_.face_count == 0) {
-      throw UserError(file_, "has no polygons; export the mesh again");
-    }
+  FileMesh finish() {
+    FileMesh mesh = builder_.finish();
     if (left_out_ != 0) {
-      plain_.warning +=
-          concat((plain_.warning.empty() ? "" : "; "), left_out_, " points or lines left out");
+      mesh.warnings.push_back(concat(left_out_, " points or lines left out"));
     }
-    return std::move(plain_);
+    return mesh;
   }
 
  private:
@@ -81,12 +79,8 @@ class ObjConverter {
       throw UserError(at_line(file_, number),
                       "a vertex with a weight; export the mesh as polygons");
     }
-    plain_.bytes += "v";
-    for (std::size_t axis = 1; axis <= 3; ++axis) {
-      append_coordinate(plain_.bytes, words[axis], file_, number);
-    }
-    plain_.bytes += "\n";
-    ++vertex_count_;
+    builder_.add_point({coordinate(words[1], file_, number), coordinate(words[2], file_, number),
+                        coordinate(words[3], file_, number)});
   }
 
   void face(const Words& words, std::size_t number) {
@@ -94,46 +88,60 @@ class ObjConverter {
       throw UserError(at_line(file_, number), "a polygon of ", words.size() - 1,
                       " corners; it must have three or more");
     }
-    plain_.bytes += "f";
+    corners_.clear();
     for (std::size_t i = 1; i < words.size(); ++i) {
-      plain_.bytes += concat(" ", vertex_number(words[i], number));
+      corners_.push_back(point(words[i], number));
     }
-    plain_.bytes += "\n";
-    ++plain_.face_count;
+    builder_.add_polygon(corners_);
+  }
+
+  void body(const Words& words) {
+    std::string name;
+    if (words.size() > 1) {
+      name.assign(words[1].data(), words.back().data() + words.back().size());
+    }
+    const auto known = bodies_.find(name);
+    if (known != bodies_.end()) {
+      builder_.resume_body(known->second);
+    } else {
+      bodies_[name] = builder_.begin_body(name);
+    }
   }
 
   /// Of "12", "12/3", "12//4" or "12/3/4"; negative numbers count back from the last vertex.
-  long long vertex_number(std::string_view corner, std::size_t number) const {
+  std::uint32_t point(std::string_view corner, std::size_t number) const {
+    const auto count = static_cast<long long>(builder_.point_count());
     const auto index = parse_integer(corner.substr(0, corner.find('/')));
-    const long long at = !index ? 0 : *index < 0 ? vertex_count_ + 1 + *index : *index;
-    if (at < 1 || at > vertex_count_) {
+    const long long at = !index ? 0 : *index < 0 ? count + 1 + *index : *index;
+    if (at < 1 || at > count) {
       throw UserError(at_line(file_, number), "a corner at vertex ", quoted(corner),
-                      ", but there are ", vertex_count_, " vertices so far; export the mesh again");
+                      ", but there are ", count, " vertices so far; export the mesh again");
     }
-    return at;
+    return static_cast<std::uint32_t>(at - 1);
   }
 
   const std::string& file_;
-  MeshText plain_;
-  long long vertex_count_ = 0;
+  MeshBuilder builder_;
+  std::map<std::string, std::uint32_t> bodies_;
+  std::vector<std::uint32_t> corners_;
   std::size_t left_out_ = 0;
 };
 
 }  // namespace
 
-// By value, as all its kin: one table holds them.
-// NOLINTNEXTLINE(performance-unnecessary-value-param)
-MeshText plain_obj(std::string bytes, const std::string& file) {
+FileMesh read_obj(std::string_view bytes, const std::string& file) {
   Lines lines(bytes);
-  ObjConverter converter(bytes, file);
+  ObjReader reader(file);
   std::string joined;
   for (std::size_t number = 0; next_joined(lines, joined, number);) {
     const Words words = words_of(joined);
     if (!words.empty()) {
-      converter.line(words, number);
+      reader.line(words, number);
     }
   }
-  return converter.finish();
+  FileMesh mesh = reader.finish();
+  warn_of_cut_line(bytes, mesh);
+  return mesh;
 }
 
 }  // namespace flashbvh::tool

@@ -1,5 +1,5 @@
 // OFF: a header, counts, a line a vertex, a line a polygon.
-#include <array>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -13,26 +13,18 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-/// assimp leaves out larger ones.
-constexpr long long kMostCorners = 9;
-
 struct Counts {
   long long vertices = 0;
   long long faces = 0;
 };
 
-class OffConverter {
+class OffReader {
  public:
-  OffConverter(std::string_view text, const std::string& file) : lines_(text), file_(file) {
-    plain_.warning = warn_of_cut_line(text);
-  }
+  OffReader(std::string_view text, const std::string& file)
+      : lines_(text), file_(file), builder_(file) {}
 
-  MeshText convert() {
+  FileMesh read() {
     const Counts counts = header();
-    if (counts.faces == 0) {
-      throw UserError(file_, "has no polygons; export the mesh again");
-    }
-    plain_.bytes = concat("OFF\n", counts.vertices, " ", counts.faces, " 0\n");
     for (long long i = 0; i < counts.vertices; ++i) {
       vertex(next("vertex", i, counts.vertices));
     }
@@ -42,8 +34,7 @@ class OffConverter {
     if (lines_.next_content()) {
       refuse("there is more than the header announces; export the mesh again");
     }
-    plain_.face_count = static_cast<std::size_t>(counts.faces);
-    return std::move(plain_);
+    return builder_.finish();
   }
 
  private:
@@ -81,45 +72,44 @@ class OffConverter {
     if (words.size() < 3) {
       refuse("a vertex of ", words.size(), " coordinates; it must have three");
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      append_coordinate(plain_.bytes, words[axis], file_, lines_.number());
-    }
-    plain_.bytes += "\n";
+    const std::size_t line = lines_.number();
+    builder_.add_point({coordinate(words[0], file_, line), coordinate(words[1], file_, line),
+                        coordinate(words[2], file_, line)});
   }
 
   void face(const Words& words, const Counts& counts) {
     const long long corners = parse_integer(words[0]).value_or(0);
-    if (corners < 3 || corners > kMostCorners) {
-      refuse("a polygon of ", quoted(words[0]),
-             " corners; it must have 3 to 9: triangulate the mesh");
+    if (corners < 3) {
+      refuse("a polygon of ", quoted(words[0]), " corners; it must have three or more");
     }
-    if (words.size() < static_cast<std::size_t>(corners) + 1) {
+    if (words.size() - 1 < static_cast<std::size_t>(corners)) {
       refuse("a polygon of ", corners, " corners names only ", words.size() - 1,
              "; export the mesh again");
     }
-    plain_.bytes += words[0];
+    corners_.clear();
     for (std::size_t i = 1; i <= static_cast<std::size_t>(corners); ++i) {
       const long long at = parse_integer(words[i]).value_or(-1);
       if (at < 0 || at >= counts.vertices) {
         refuse("a corner at vertex ", quoted(words[i]), ", but there are ", counts.vertices,
                " vertices; export the mesh again");
       }
-      plain_.bytes += concat(" ", at);
+      corners_.push_back(static_cast<std::uint32_t>(at));
     }
-    plain_.bytes += "\n";
+    builder_.add_polygon(corners_);
   }
 
   Lines lines_;
   const std::string& file_;
-  MeshText plain_;
+  MeshBuilder builder_;
+  std::vector<std::uint32_t> corners_;
 };
 
 }  // namespace
 
-// By value, as all its kin: one table holds them.
-// NOLINTNEXTLINE(performance-unnecessary-value-param)
-MeshText plain_off(std::string bytes, const std::string& file) {
-  return OffConverter(bytes, file).convert();
+FileMesh read_off(std::string_view bytes, const std::string& file) {
+  FileMesh mesh = OffReader(bytes, file).read();
+  warn_of_cut_line(bytes, mesh);
+  return mesh;
 }
 
 }  // namespace flashbvh::tool

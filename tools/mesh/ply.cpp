@@ -1,165 +1,80 @@
-// PLY: a header of elements and their properties, then the elements, as text or binary. Read to the
-// end, to learn whether the file has all that its header announces.
+// PLY: a header of elements and their properties, then the elements, as text or binary. Vertices
+// and faces make the mesh; what else is there is gone through, to learn whether the file has all
+// that its header announces.
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "mesh/formats.hpp"
+#include "mesh/ply_header.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
-#include "text/tokens.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-enum class Encoding { ascii, little_endian, big_endian };
+using Encoding = PlyHeader::Encoding;
 
-/// Of a number.
-struct Type {
-  std::string_view name;
-  std::string_view other_name;
-  unsigned size;  ///< in bytes
-  enum { is_signed, is_unsigned, is_floating } kind;
-};
-
-struct Property {
-  std::string_view name;
-  Type value;
-  std::optional<Type> length;  ///< of the list's length; absent if the property is one number
-};
-
-struct Element {
-  std::string_view name;
-  long long count;
-  std::vector<Property> properties;
-};
-
-struct Header {
-  Encoding encoding = Encoding::ascii;
-  std::vector<Element> elements;
-};
-
-constexpr std::array<Type, 8> kTypes = {{{"char", "int8", 1, Type::is_signed},
-                                         {"uchar", "uint8", 1, Type::is_unsigned},
-                                         {"short", "int16", 2, Type::is_signed},
-                                         {"ushort", "uint16", 2, Type::is_unsigned},
-                                         {"int", "int32", 4, Type::is_signed},
-                                         {"uint", "uint32", 4, Type::is_unsigned},
-                                         {"float", "float32", 4, Type::is_floating},
-                                         {"double", "float64", 8, Type::is_floating}}};
-
-/// `text` is the whole file, which the header's names point into.
-class HeaderReader {
- public:
-  HeaderReader(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
-
-  Header read() {
-    if (!lines_.next() || words_of(lines_.line()) != Words{"ply"}) {
-      throw UserError(file_, "is no PLY file: it does not begin with 'ply'");
-    }
-    while (lines_.next()) {
-      const Words words = words_of(lines_.line());
-      if (!words.empty() && words[0] == "end_header") {
-        return header_;
-      }
-      line(words);
-    }
-    throw UserError(at_line(file_, lines_.number()),
-                    "the file ends in its header; export the mesh again");
-  }
-
-  std::string_view body() const { return lines_.rest(); }
-
- private:
-  using Words = std::vector<std::string_view>;
-
-  [[noreturn]] void refuse(const char* what) const {
-    throw UserError(at_line(file_, lines_.number()), what, "; export the mesh again");
-  }
-
-  void line(const Words& words) {
-    if (words.empty() || words[0] == "comment" || words[0] == "obj_info") {
-      return;
-    }
-    if (words[0] == "format" && words.size() == 3) {
-      header_.encoding = encoding(words[1]);
-    } else if (words[0] == "element" && words.size() == 3) {
-      const auto count = parse_integer(words[2]);
-      if (!count || *count < 0) {
-        refuse("an element without a count");
-      }
-      header_.elements.push_back({words[1], *count, {}});
-    } else if (words[0] == "property" && !header_.elements.empty()) {
-      header_.elements.back().properties.push_back(property(words));
-    } else {
-      refuse("no line of a PLY header");
-    }
-  }
-
-  Encoding encoding(std::string_view name) const {
-    if (name == "ascii") {
-      return Encoding::ascii;
-    }
-    if (name == "binary_little_endian") {
-      return Encoding::little_endian;
-    }
-    if (name == "binary_big_endian") {
-      return Encoding::big_endian;
-    }
-    refuse("no format of PLY");
-  }
-
-  Property property(const Words& words) const {
-    if (words.size() == 3) {
-      return {words[2], type(words[1]), std::nullopt};
-    }
-    if (words.size() == 5 && words[1] == "list") {
-      return {words[4], type(words[3]), type(words[2])};
-    }
-    refuse("no property of PLY");
-  }
-
-  Type type(std::string_view name) const {
-    for (const Type& type : kTypes) {
-      if (type.name == name || type.other_name == name) {
-        return type;
-      }
-    }
-    refuse("no type of PLY");
-  }
-
-  Lines lines_;
-  const std::string& file_;
-  Header header_;
-};
-
-/// The numbers after the header, one after the other.
+/// The numbers after the header, one after the other. Nothing at the end of the file, or where no
+/// such number is.
 class Body {
  public:
-  Body(std::string_view bytes, Encoding encoding) : bytes_(bytes), encoding_(encoding) {}
+  explicit Body(const PlyHeader& header) : bytes_(header.body), encoding_(*header.encoding) {}
 
-  /// Nothing at the end of the file, or where no number is.
-  std::optional<double> number(const Type& type) {
-    return encoding_ == Encoding::ascii ? text_number() : binary_number(type);
-  }
-  bool at_end() const { return bytes_.find_first_not_of(" \t\r\n") == std::string_view::npos; }
-
- private:
-  std::optional<double> text_number() {
-    const std::size_t begin = bytes_.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos) {
+  std::optional<long long> integer(const PlyType& type) {
+    if (encoding_ == Encoding::ascii) {
+      return parse_integer(word());
+    }
+    const auto bits = binary(type);
+    if (!bits) {
       return std::nullopt;
     }
-    bytes_.remove_prefix(begin);
-    const std::string_view word = bytes_.substr(0, bytes_.find_first_of(" \t\r\n"));
-    bytes_.remove_prefix(word.size());
-    return parse_number(word);
+    const long long range = 1LL << 8 * type.size;
+    const auto value = static_cast<long long>(*bits);
+    return type.kind == PlyType::is_signed && value >= range / 2 ? value - range : value;
   }
 
-  std::optional<double> binary_number(const Type& type) {
+  std::optional<double> real(const PlyType& type) {
+    if (type.kind != PlyType::is_floating) {
+      const auto value = integer(type);
+      return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
+    }
+    if (encoding_ == Encoding::ascii) {
+      return parse_number(word());
+    }
+    const auto bits = binary(type);
+    if (!bits) {
+      return std::nullopt;
+    }
+    return type.size == 4 ? static_cast<double>(number_of<float>(static_cast<std::uint32_t>(*bits)))
+                          : number_of<double>(*bits);
+  }
+
+  /// Past a number that has no part in the shape; false at the end of the file.
+  bool skip(const PlyType& type) {
+    return encoding_ == Encoding::ascii ? !word().empty() : binary(type).has_value();
+  }
+
+  /// Of a text; empty at the end of the file and in a binary.
+  std::string_view last_word() const { return last_word_; }
+  bool at_end() const { return bytes_.find_first_not_of(kBlanks) == std::string_view::npos; }
+
+ private:
+  static constexpr std::string_view kBlanks = " \t\r\n";
+
+  /// Empty at the end of the file.
+  std::string_view word() {
+    bytes_.remove_prefix(std::min(bytes_.find_first_not_of(kBlanks), bytes_.size()));
+    last_word_ = bytes_.substr(0, bytes_.find_first_of(kBlanks));
+    bytes_.remove_prefix(last_word_.size());
+    return last_word_;
+  }
+
+  std::optional<std::uint64_t> binary(const PlyType& type) {
     if (bytes_.size() < type.size) {
       return std::nullopt;
     }
@@ -169,107 +84,173 @@ class Body {
       bits = bits << 8 | static_cast<unsigned char>(bytes_[at]);
     }
     bytes_.remove_prefix(type.size);
-    if (type.kind == Type::is_floating) {
-      return 0.0;  // indices and lengths are integers; assimp reads the rest
-    }
-    const double range = std::ldexp(1.0, static_cast<int>(8 * type.size));
-    const auto value = static_cast<double>(bits);
-    return type.kind == Type::is_signed && value >= range / 2 ? value - range : value;
+    return bits;
+  }
+
+  template <class Number, class Bits>
+  static Number number_of(Bits bits) {
+    static_assert(sizeof(Number) == sizeof bits);
+    Number number{};
+    std::memcpy(&number, &bits, sizeof number);
+    return number;
   }
 
   std::string_view bytes_;
+  std::string_view last_word_;
   Encoding encoding_;
 };
 
-/// Goes through all elements.
-class Checker {
- public:
-  Checker(const Header& header, Body body, const std::string& file)
-      : header_(header), body_(body), file_(file), vertex_count_(count_of("vertex")) {}
+bool holds_corners(const PlyProperty& property) {
+  return property.length && property.value.kind != PlyType::is_floating &&
+         (property.name == "vertex_indices" || property.name == "vertex_index");
+}
 
-  void check() {
-    for (const Element& element : header_.elements) {
-      if (element.count != 0 && element.properties.empty()) {
-        refuse(element, 0, "no properties in the header");
-      }
+class PlyReader {
+ public:
+  PlyReader(std::string_view text, const std::string& file)
+      : file_(file), header_(read_ply_header(text, file)), body_(header_), builder_(file) {}
+
+  FileMesh read() {
+    check_header();
+    for (const PlyElement& element : header_.elements) {
       for (long long i = 0; i < element.count; ++i) {
-        for (const Property& property : element.properties) {
-          check(element, i, property);
-        }
+        read(element, i);
       }
     }
     if (!body_.at_end()) {
       throw UserError(file_, "has more than its header announces; export the mesh again");
     }
+    for (const std::vector<std::uint32_t>& polygon : polygons_) {
+      builder_.add_polygon(polygon);
+    }
+    return builder_.finish();
   }
 
-  long long count_of(std::string_view name) const {
-    for (const Element& element : header_.elements) {
-      if (element.name == name) {
-        return element.count;
-      }
-    }
-    return 0;
-  }
+  bool is_text() const { return header_.encoding == Encoding::ascii; }
 
  private:
   template <class... Parts>
-  [[noreturn]] void refuse(const Element& element, long long i, const Parts&... what) const {
+  [[noreturn]] void refuse(const PlyElement& element, long long i, const Parts&... what) const {
     throw UserError(file_, element.name, " ", i, " of ", element.count, ": ", what...,
                     "; export the mesh again");
   }
 
-  double number(const Element& element, long long i, const Type& type) {
-    const auto value = body_.number(type);
+  template <class Number>
+  Number need(std::optional<Number> value, const PlyType& type, const PlyElement& element,
+              long long i) const {
+    if (!value && body_.last_word().empty()) {
+      refuse(element, i, "the file ends here");
+    }
     if (!value) {
-      refuse(element, i,
-             body_.at_end() ? "the file ends here" : "no finite number where one must be");
+      refuse(element, i, quoted(body_.last_word()), " is no ",
+             type.kind == PlyType::is_floating ? "finite " : "", type.name);
     }
     return *value;
   }
 
-  void check(const Element& element, long long i, const Property& property) {
-    if (!property.length) {
-      number(element, i, property.value);
-      return;
+  void check_header() {
+    for (const PlyElement& element : header_.elements) {
+      if (element.count != 0 && element.properties.empty()) {
+        refuse(element, 0, "no properties in the header");
+      }
     }
-    const double length = number(element, i, *property.length);
-    const bool corners = element.name == "face" &&
-                         (property.name == "vertex_indices" || property.name == "vertex_index");
-    if (corners && length < 3) {
-      refuse(element, i, "a polygon of ", shortest(length), " corners");
+    if (const PlyElement* strips = header_.element("tristrips"); strips && strips->count != 0) {
+      throw UserError(file_, "has triangle strips ('tristrips'); export the mesh as polygons");
     }
-    for (long long at = 0; static_cast<double>(at) < length; ++at) {
-      const double value = number(element, i, property.value);
-      if (corners && (value < 0 || value >= static_cast<double>(vertex_count_))) {
-        refuse(element, i, "a corner at vertex ", shortest(value), " of ", vertex_count_);
+    vertices_ = header_.element("vertex");
+    faces_ = header_.element("face");
+    if (vertices_ == nullptr || faces_ == nullptr) {
+      throw UserError(file_, "has no polygons ('vertex' and 'face'); export the mesh again");
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::string_view name = std::string_view("xyz").substr(axis, 1);
+      const auto& properties = vertices_->properties;
+      const auto found = std::find_if(properties.begin(), properties.end(), [&](const auto& known) {
+        return known.name == name && !known.length;
+      });
+      if (found == properties.end()) {
+        throw UserError(file_, "has vertices without a number ", quoted(name),
+                        "; export the mesh again");
+      }
+      axes_[axis] = static_cast<std::size_t>(found - properties.begin());
+    }
+    if (std::count_if(faces_->properties.begin(), faces_->properties.end(), holds_corners) != 1) {
+      throw UserError(file_,
+                      "has faces without one list of integers 'vertex_indices'; export the "
+                      "mesh again");
+    }
+  }
+
+  void read(const PlyElement& element, long long i) {
+    Position point{};
+    for (std::size_t at = 0; at < element.properties.size(); ++at) {
+      const PlyProperty& property = element.properties[at];
+      const auto axis = std::find(axes_.begin(), axes_.end(), at);
+      if (&element == vertices_ && axis != axes_.end()) {
+        const double value = need(body_.real(property.value), property.value, element, i);
+        if (!is_coordinate(value)) {
+          refuse(element, i, "no finite number of at most 3.4e38, which a coordinate must be");
+        }
+        point[static_cast<std::size_t>(axis - axes_.begin())] = value;
+      } else if (&element == faces_ && holds_corners(property)) {
+        read_corners(property, i);
+      } else {
+        skip(element, i, property);
+      }
+    }
+    if (&element == vertices_) {
+      builder_.add_point(point);
+    }
+  }
+
+  /// Kept to the end of the file: faces may come before vertices.
+  void read_corners(const PlyProperty& property, long long i) {
+    const long long length = need(body_.integer(*property.length), *property.length, *faces_, i);
+    if (length < 3) {
+      refuse(*faces_, i, "a polygon of ", length, " corners");
+    }
+    polygons_.emplace_back();
+    for (long long at = 0; at < length; ++at) {
+      const long long corner = need(body_.integer(property.value), property.value, *faces_, i);
+      if (corner < 0 || corner >= vertices_->count) {
+        refuse(*faces_, i, "a corner at vertex ", corner, " of ", vertices_->count);
+      }
+      polygons_.back().push_back(static_cast<std::uint32_t>(corner));
+    }
+  }
+
+  void skip(const PlyElement& element, long long i, const PlyProperty& property) {
+    const long long length =
+        property.length ? need(body_.integer(*property.length), *property.length, element, i) : 1;
+    if (length < 0) {
+      refuse(element, i, "a list of ", length);
+    }
+    for (long long at = 0; at < length; ++at) {
+      if (!body_.skip(property.value)) {
+        refuse(element, i, "the file ends here");
       }
     }
   }
 
-  const Header& header_;
-  Body body_;
   const std::string& file_;
-  long long vertex_count_;
+  PlyHeader header_;
+  Body body_;
+  const PlyElement* vertices_ = nullptr;
+  const PlyElement* faces_ = nullptr;
+  std::array<std::size_t, 3> axes_{};  ///< the vertices' properties x, y and z
+  std::vector<std::vector<std::uint32_t>> polygons_;
+  MeshBuilder builder_;
 };
 
 }  // namespace
 
-MeshText plain_ply(std::string bytes, const std::string& file) {
-  HeaderReader reader(bytes, file);
-  const Header header = reader.read();
-  Checker checker(header, Body(reader.body(), header.encoding), file);
-  checker.check();
-  MeshText plain;
-  plain.face_count = static_cast<std::size_t>(checker.count_of("face"));
-  if (plain.face_count == 0) {
-    throw UserError(file, "has no polygons; export the mesh again");
+FileMesh read_ply(std::string_view bytes, const std::string& file) {
+  PlyReader reader(bytes, file);
+  FileMesh mesh = reader.read();
+  if (reader.is_text()) {
+    warn_of_cut_line(bytes, mesh);
   }
-  if (header.encoding == Encoding::ascii) {
-    plain.warning = warn_of_cut_line(bytes);
-  }
-  plain.bytes = std::move(bytes);
-  return plain;
+  return mesh;
 }
 
 }  // namespace flashbvh::tool

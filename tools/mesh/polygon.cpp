@@ -1,14 +1,16 @@
 #include "mesh/polygon.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
+#include <utility>
+
+#include "mesh/corner_tree.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
 using Corner3 = std::array<double, 3>;
-using Corner2 = std::array<double, 2>;
 
 /// Newell's normal: the polygon's areas in the three projections, twice.
 Corner3 normal_of(const std::vector<Corner3>& corners) {
@@ -45,49 +47,101 @@ std::vector<Corner2> projected(const std::vector<Corner3>& corners) {
   return flat;
 }
 
-double turn(const Corner2& p, const Corner2& q, const Corner2& r) {
-  return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-}
+/// The polygon that is left while ears are cut off. The next ear is the first corner in order that
+/// is one, the polygon's first corner being the last to be asked.
+///
+/// A corner that is none is asked again only when its triangle has changed, or when the corner that
+/// lay in it is gone: corners go and never come, so the search for another one starts behind that.
+class EarCutter {
+ public:
+  explicit EarCutter(const std::vector<Corner2>& flat)
+      : flat_(flat), tree_(flat), asked_from_(flat.size()), waiting_(flat.size()) {
+    const auto count = static_cast<std::uint32_t>(flat.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      next_.push_back((i + 1) % count);
+      before_.push_back((i + count - 1) % count);
+      to_ask_.insert(to_ask_.end(), i);
+    }
+  }
 
-/// Whether the corner at `at` is convex and no other corner lies in its triangle.
-bool is_ear(const std::vector<Corner2>& flat, const std::vector<std::uint32_t>& left,
-            std::size_t at) {
-  const Corner2& p = flat[left[(at + left.size() - 1) % left.size()]];
-  const Corner2& q = flat[left[at]];
-  const Corner2& r = flat[left[(at + 1) % left.size()]];
-  if (!(turn(p, q, r) > 0)) {
+  std::array<std::uint32_t, 3> cut() {
+    const std::uint32_t ear = next_ear();
+    const std::array<std::uint32_t, 3> triangle = {before_[ear], ear, next_[ear]};
+    remove(ear);
+    return triangle;
+  }
+
+  std::array<std::uint32_t, 3> last() const { return {head_, next_[head_], before_[head_]}; }
+
+ private:
+  /// The corner after the first if there is no ear.
+  std::uint32_t next_ear() {
+    for (auto at = to_ask_.upper_bound(head_); at != to_ask_.end(); at = to_ask_.erase(at)) {
+      if (is_ear(*at)) {
+        return *at;
+      }
+    }
+    if (to_ask_.erase(head_) != 0 && is_ear(head_)) {
+      return head_;
+    }
+    return next_[head_];
+  }
+
+  /// Whether the corner is convex and no other corner lies in its triangle.
+  bool is_ear(std::uint32_t corner) {
+    const Triangle2 triangle = {flat_[before_[corner]], flat_[corner], flat_[next_[corner]]};
+    if (!(turn(triangle[0], triangle[1], triangle[2]) > 0)) {
+      return false;
+    }
+    const std::uint32_t inside = tree_.first_inside(triangle, asked_from_[corner]);
+    if (inside == flat_.size()) {
+      return true;
+    }
+    asked_from_[corner] = inside;
+    waiting_[inside].push_back(corner);
     return false;
   }
-  return std::none_of(left.begin(), left.end(), [&](std::uint32_t i) {
-    const Corner2& other = flat[i];
-    return other != p && other != q && other != r && turn(p, q, other) >= 0 &&
-           turn(q, r, other) >= 0 && turn(r, p, other) >= 0;
-  });
-}
+
+  void remove(std::uint32_t corner) {
+    const std::uint32_t before = before_[corner];
+    const std::uint32_t next = next_[corner];
+    next_[before] = next;
+    before_[next] = before;
+    head_ = corner == head_ ? next : head_;
+    tree_.remove(corner);
+    for (const std::uint32_t other : waiting_[corner]) {
+      if (next_[before_[other]] == other) {  // still there
+        to_ask_.insert(other);
+      }
+    }
+    to_ask_.insert({before, next});
+    to_ask_.erase(corner);
+    asked_from_[before] = asked_from_[next] = 0;
+  }
+
+  const std::vector<Corner2>& flat_;
+  CornerTree tree_;
+  std::uint32_t head_ = 0;           ///< the first that is left
+  std::vector<std::uint32_t> next_;  ///< of those that are left
+  std::vector<std::uint32_t> before_;
+  std::set<std::uint32_t> to_ask_;         ///< may be ears; the others are none
+  std::vector<std::uint32_t> asked_from_;  ///< no corner before this one lies in the triangle
+  std::vector<std::vector<std::uint32_t>> waiting_;  ///< whose triangles a corner lay in
+};
 
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 3>> triangulate(const std::vector<Corner3>& corners) {
+  if (corners.size() == 3) {
+    return {{0, 1, 2}};
+  }
   const std::vector<Corner2> flat = projected(corners);
-  std::vector<std::uint32_t> left(corners.size());
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    left[i] = static_cast<std::uint32_t>(i);
-  }
+  EarCutter cutter(flat);
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  while (left.size() > 3) {
-    std::size_t ear = 1;  // the one to cut off if there is none
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      const std::size_t at = (i + 1) % left.size();
-      if (is_ear(flat, left, at)) {
-        ear = at;
-        break;
-      }
-    }
-    const std::size_t before = (ear + left.size() - 1) % left.size();
-    triangles.push_back({left[before], left[ear], left[(ear + 1) % left.size()]});
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
+  while (triangles.size() < corners.size() - 3) {
+    triangles.push_back(cutter.cut());
   }
-  triangles.push_back({left[0], left[1], left[2]});
+  triangles.push_back(cutter.last());
   return triangles;
 }
 

@@ -1,4 +1,5 @@
 // STL: binary (80 bytes, a count, 50 bytes a triangle) and ASCII.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -7,7 +8,6 @@
 
 #include "mesh/formats.hpp"
 #include "text/messages.hpp"
-#include "text/numbers.hpp"
 #include "text/tokens.hpp"
 
 namespace flashbvh::tool {
@@ -26,12 +26,19 @@ bool is_binary(std::string_view bytes) {
   return bytes.size() >= kHeader && bytes.size() == kHeader + kPerTriangle * binary_count(bytes);
 }
 
+std::string lower(std::string_view word) {
+  std::string result(word);
+  for (char& c : result) {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return result;
+}
+
 /// Binary files may begin with "solid", too; then they hold bytes that text does not.
 bool looks_like_ascii(std::string_view bytes) {
   const std::vector<std::string_view> words = words_of(bytes.substr(0, bytes.find('\n')));
   constexpr std::string_view kNul("\0", 1);
-  return !words.empty() && words[0].size() == 5 && (words[0] == "solid" || words[0] == "SOLID") &&
-         bytes.find(kNul) == std::string_view::npos;
+  return !words.empty() && lower(words[0]) == "solid" && bytes.find(kNul) == std::string_view::npos;
 }
 
 [[noreturn]] void refuse_binary(std::string_view bytes, const std::string& file) {
@@ -44,21 +51,32 @@ bool looks_like_ascii(std::string_view bytes) {
                   bytes.size(), "; export the mesh again");
 }
 
-std::string lower(std::string_view word) {
-  std::string result(word);
-  for (char& c : result) {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return result;
-}
-
 /// The words of an ASCII file in turn, each with its line.
-class Reader {
+class AsciiReader {
  public:
-  Reader(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
+  AsciiReader(std::string_view text, const std::string& file)
+      : lines_(text), file_(file), builder_(file) {}
 
+  FileMesh read() {
+    for (std::string word = lower(next()); !word.empty(); word = lower(next())) {
+      if (word != "solid") {
+        refuse("solid", word);
+      }
+      builder_.begin_body(rest_of_line());
+      for (word = lower(next()); word == "facet"; word = lower(next())) {
+        facet();
+      }
+      if (word != "endsolid") {
+        refuse("endsolid", word);
+      }
+      rest_of_line();
+    }
+    return builder_.finish();
+  }
+
+ private:
   /// An empty word at the end of the file.
-  std::string word() {
+  std::string_view next() {
     while (at_ == words_.size()) {
       if (!lines_.next()) {
         return {};
@@ -66,90 +84,87 @@ class Reader {
       words_ = words_of(lines_.line());
       at_ = 0;
     }
-    return lower(words_[at_++]);
+    return words_[at_++];
   }
-  std::size_t line() const { return lines_.number(); }
-  const std::string& file() const { return file_; }
-  void skip_line() { at_ = words_.size(); }
+
+  /// The words of the line that are left, as they are written.
+  std::string rest_of_line() {
+    const std::size_t first = at_;
+    at_ = words_.size();
+    return first == at_
+               ? std::string()
+               : std::string(words_[first].data(), words_.back().data() + words_.back().size());
+  }
+
+  void facet() {
+    expect("normal");
+    for (int i = 0; i < 3; ++i) {
+      next();  // recomputed by nobody: the tree needs none
+    }
+    expect("outer");
+    expect("loop");
+    std::array<Position, 3> corners{};
+    for (Position& corner : corners) {
+      expect("vertex");
+      for (double& at : corner) {
+        const std::string_view word = next();
+        at = coordinate(word, file_, lines_.number());
+      }
+    }
+    expect("endloop");
+    expect("endfacet");
+    builder_.add_triangle(corners);
+  }
+
   void expect(const char* wanted) {
-    const std::string found = word();
-    if (found != wanted) {
+    const std::string_view found = next();
+    if (lower(found) != wanted) {
       refuse(wanted, found);
     }
   }
-  [[noreturn]] void refuse(const std::string& wanted, const std::string& found) const {
-    const std::string what = found.empty() ? "the file ends" : "'" + found.substr(0, 40) + "' is";
-    throw UserError(at_line(file_, lines_.number()), what, " where '", wanted,
+
+  [[noreturn]] void refuse(const char* wanted, std::string_view found) const {
+    throw UserError(at_line(file_, lines_.number()),
+                    found.empty() ? "the file ends" : quoted(found) + " is", " where '", wanted,
                     "' must be; export the mesh again");
   }
 
- private:
   Lines lines_;
   const std::string& file_;
+  MeshBuilder builder_;
   std::vector<std::string_view> words_;
   std::size_t at_ = 0;
 };
 
-void copy_facet(Reader& reader, std::string& plain) {
-  reader.expect("normal");
-  for (int i = 0; i < 3; ++i) {
-    reader.word();  // recomputed by nobody: the tree needs none
+FileMesh read_binary(std::string_view bytes, const std::string& file) {
+  MeshBuilder builder(file);
+  const std::size_t count = binary_count(bytes);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<std::array<float, 3>, 4> facet{};  // the normal comes first
+    std::memcpy(&facet, bytes.data() + kHeader + kPerTriangle * i, sizeof facet);
+    std::array<Position, 3> corners{};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      std::copy(facet[corner + 1].begin(), facet[corner + 1].end(), corners[corner].begin());
+      if (!std::all_of(corners[corner].begin(), corners[corner].end(), is_coordinate)) {
+        throw UserError(file, "polygon ", i,
+                        " (from 0) has a coordinate that is no finite number; repair the mesh");
+      }
+    }
+    builder.add_triangle(corners);
   }
-  reader.expect("outer");
-  reader.expect("loop");
-  plain += "facet normal 0 0 0\nouter loop\n";
-  for (int corner = 0; corner < 3; ++corner) {
-    reader.expect("vertex");
-    plain += "vertex";
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::string word = reader.word();
-      append_coordinate(plain, word, reader.file(), reader.line());
-    }
-    plain += "\n";
-  }
-  reader.expect("endloop");
-  reader.expect("endfacet");
-  plain += "endloop\nendfacet\n";
-}
-
-MeshText plain_ascii(std::string_view text, const std::string& file) {
-  MeshText plain;
-  plain.bytes = "solid\n";
-  Reader reader(text, file);
-  for (std::string word = reader.word(); !word.empty(); word = reader.word()) {
-    if (word != "solid") {
-      reader.refuse("solid", word);
-    }
-    reader.skip_line();
-    for (word = reader.word(); word == "facet"; word = reader.word()) {
-      copy_facet(reader, plain.bytes);
-      ++plain.face_count;
-    }
-    if (word != "endsolid") {
-      reader.refuse("endsolid", word);
-    }
-    reader.skip_line();
-  }
-  plain.bytes += "endsolid\n";
-  return plain;
+  return builder.finish();
 }
 
 }  // namespace
 
-MeshText plain_stl(std::string bytes, const std::string& file) {
-  MeshText plain;
+FileMesh read_stl(std::string_view bytes, const std::string& file) {
   if (is_binary(bytes)) {
-    plain.face_count = binary_count(bytes);
-    plain.bytes = std::move(bytes);
-  } else if (looks_like_ascii(bytes)) {
-    plain = plain_ascii(bytes, file);
-  } else {
+    return read_binary(bytes, file);
+  }
+  if (!looks_like_ascii(bytes)) {
     refuse_binary(bytes, file);
   }
-  if (plain.face_count == 0) {
-    throw UserError(file, "has no triangles; export the mesh again");
-  }
-  return plain;
+  return AsciiReader(bytes, file).read();
 }
 
 }  // namespace flashbvh::tool

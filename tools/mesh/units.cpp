@@ -92,22 +92,32 @@ void Units::set_own(const std::string& name, const std::string& unit,
   }
 }
 
-void Units::convert(bake::SourceMesh& mesh, const std::string& file) const {
+/// In lowest terms: from mm to m each length is rounded once, by the division.
+struct Units::Ratio {
+  double numerator = 1;
+  double denominator = 1;
+
+  double of(double length) const { return length * numerator / denominator; }
+};
+
+Units::Ratio Units::ratio_of(const std::string& file) const {
   const auto own = own_.find(file);
   if (own == own_.end()) {
-    return;
+    return {};
   }
   const std::uint64_t from = length_of(own->second);
   const std::uint64_t to = length_of(common_);
   const std::uint64_t common_part = std::gcd(from, to);
   const std::uint64_t numerator = from / common_part;
   const std::uint64_t denominator = to / common_part;
-  // The ratio in lowest terms: from mm to m each coordinate is rounded once, by the division.
-  const auto times = static_cast<double>(numerator);
-  const auto over = static_cast<double>(denominator);
+  return {static_cast<double>(numerator), static_cast<double>(denominator)};
+}
+
+void Units::convert(bake::SourceMesh& mesh, const std::string& file) const {
+  const Ratio ratio = ratio_of(file);
   for (auto& vertex : mesh.vertices) {
     for (double& coordinate : vertex) {
-      coordinate = coordinate * times / over;
+      coordinate = ratio.of(coordinate);
     }
   }
 }
@@ -123,6 +133,10 @@ Unit Units::unit() const {
 
 std::string unit_name(Unit unit) {
   return unit == Unit::none ? "" : std::string(kUnits[static_cast<std::size_t>(unit) - 1].name);
+}
+
+double Units::converted(double length, const std::string& file) const {
+  return ratio_of(file).of(length);
 }
 
 std::string Units::with_unit(double length) const {

@@ -25,6 +25,8 @@ class Units {
 
   /// Converts the mesh in `file`, one of the files.
   void convert(bake::SourceMesh& mesh, const std::string& file) const;
+  /// A length of that mesh.
+  double converted(double length, const std::string& file) const;
 
   /// The name of the common unit; empty if none was given: then no file is converted.
   const std::string& common() const { return common_; }
@@ -34,6 +36,8 @@ class Units {
 
  private:
   void set_common(const std::string& unit);
+  struct Ratio;
+  Ratio ratio_of(const std::string& file) const;
   void set_own(const std::string& name, const std::string& unit,
                const std::vector<std::string>& files);
 

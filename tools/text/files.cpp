@@ -2,8 +2,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -17,6 +20,8 @@ namespace flashbvh::tool {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostBytes = 0xFFFFFFFF;  // of a file that is read
 
 /// Beside the file itself, so that renaming stays within a file system.
 fs::path temporary_name(const fs::path& path) {
@@ -127,14 +132,27 @@ void put_in_place(const fs::path& path, Rollback& rollback) {
 
 std::string read_file(const std::string& path) {
   std::error_code error;
-  if (fs::is_directory(path, error)) {
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) {
     throw UserError(path, "is a folder; name a file");
+  }
+  if (fs::is_character_file(status) || fs::is_block_file(status)) {
+    throw UserError(path, "is a device; name a file or a pipe");
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) {
     throw UserError(path, "can't be opened: ", std::strerror(errno));
   }
-  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(path, error) : 0;
+  std::string bytes;
+  for (std::array<char, 0x10000> part{}; file && size <= kMostBytes;
+       size = std::max<std::uintmax_t>(size, bytes.size())) {
+    file.read(part.data(), part.size());
+    bytes.append(part.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (size > kMostBytes) {
+    throw UserError(path, "has 4 GiB or more; cut it in parts");
+  }
   if (file.bad()) {
     throw UserError(path, "can't be read to its end");
   }

@@ -10,7 +10,8 @@
 
 namespace flashbvh::tool {
 
-/// The bytes of a file. UserError if it can't be read or is empty.
+/// The bytes of a file or of a pipe. UserError if it can't be read, is empty or of 4 GiB or more,
+/// or is a device, which may have no end.
 std::string read_file(const std::string& path);
 
 /// Files that belong together: either all of them get written or none.

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace flashbvh::tool {
@@ -24,18 +25,6 @@ std::string with_point(const std::string& text) {
 std::string_view without_plus(std::string_view text) {
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   return plus ? text.substr(1) : text;
-}
-
-template <class Number>
-std::optional<Number> parse(std::string_view text) {
-  text = without_plus(text);
-  Number value{};
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ec != std::errc() || result.ptr != end) {
-    return std::nullopt;
-  }
-  return value;
 }
 
 }  // namespace
@@ -61,12 +50,25 @@ std::string significant(double value, int digits) {
 }
 
 std::optional<double> parse_number(std::string_view text) {
-  const std::optional<double> value = parse<double>(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
+  text = without_plus(text);
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ptr != end || result.ec == std::errc::invalid_argument) {
+    return std::nullopt;
+  }
+  if (result.ec == std::errc::result_out_of_range) {
+    value = std::strtod(std::string(text).c_str(), nullptr);  // near zero, if not infinite
+  }
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::optional<long long> parse_integer(std::string_view text) {
-  return parse<long long>(text);
+  text = without_plus(text);
+  long long value = 0;
+  const char* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace flashbvh::tool

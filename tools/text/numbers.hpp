@@ -39,7 +39,8 @@ std::string fixed(double value, int digits);
 /// With at most `digits` digits that count, for tables.
 std::string significant(double value, int digits);
 
-/// The whole of `text` as a finite number (decimal, an optional sign, an optional exponent).
+/// The whole of `text` as a finite number (decimal, an optional sign, an optional exponent): the
+/// double nearest to it.
 std::optional<double> parse_number(std::string_view text);
 
 /// The whole of `text` as an integer.

@@ -1,0 +1,189 @@
+// Binary files: their numbers as they are, of each type and in both orders of bytes.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <vector>
+
+#include "mesh/any_format.hpp"
+#include "support/random.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+using tool::FileMesh;
+using tool::Position;
+
+namespace {
+
+template <class Number>
+std::string bytes_of(Number number, bool big = false) {
+  std::string bytes(sizeof number, '\0');
+  std::memcpy(&bytes[0], &number, sizeof number);
+  if (big) {
+    std::reverse(bytes.begin(), bytes.end());
+  }
+  return bytes;
+}
+
+std::string binary_stl(const std::vector<float>& coordinates) {
+  std::string bytes(80, ' ');
+  bytes += bytes_of(static_cast<std::uint32_t>(coordinates.size() / 9));
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    bytes += i % 9 == 0 ? std::string(12, '\xFF') : "";
+    bytes += bytes_of(coordinates[i]);
+    bytes += i % 9 == 8 ? "ab" : "";
+  }
+  return bytes;
+}
+
+/// A triangle whose first vertex has these coordinates, of this type.
+template <class Number>
+std::string binary_ply(const std::string& type, const std::array<Number, 3>& first, bool big) {
+  std::string bytes = "ply\nformat binary_" + std::string(big ? "big" : "little") +
+                      "_endian 1.0\nelement vertex 3\nproperty uchar red\n";
+  for (const char* axis : {"x", "y", "z"}) {
+    bytes += "property " + type + " " + axis + "\n";
+  }
+  bytes +=
+      "property list ushort short other\nelement face 1\nproperty float quality\n"
+      "property list uint ushort vertex_index\nend_header\n";
+  const std::array<std::array<Number, 3>, 3> vertices = {
+      first, {Number{100}, Number{1}, Number{2}}, {Number{3}, Number{100}, Number{4}}};
+  for (const auto& vertex : vertices) {
+    bytes += "\xFE";
+    for (const Number coordinate : vertex) {
+      bytes += bytes_of(coordinate, big);
+    }
+    bytes += bytes_of(std::uint16_t{1}, big) + bytes_of(std::int16_t{-1}, big);
+  }
+  bytes += bytes_of(std::numeric_limits<float>::quiet_NaN(), big);
+  bytes += bytes_of(std::uint32_t{3}, big);
+  for (std::uint16_t corner = 0; corner < 3; ++corner) {
+    bytes += bytes_of(corner, big);
+  }
+  return bytes;
+}
+
+template <class Number>
+void check_ply(const std::string& type, const std::array<Number, 3>& first) {
+  for (const bool big : {false, true}) {
+    CAPTURE(type, big);
+    const FileMesh file = tool::read_ply(binary_ply(type, first, big), "file");
+    REQUIRE(file.mesh.vertices.size() == 3);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      CHECK(file.mesh.vertices[0][axis] == static_cast<double>(first[axis]));
+    }
+  }
+}
+
+template <class Integer>
+std::array<Integer, 3> extremes() {
+  using Limits = std::numeric_limits<Integer>;
+  return {Limits::min(), Limits::max(), Integer{5}};
+}
+
+std::vector<Position> corners_of(const FileMesh& file) {
+  std::vector<Position> corners;
+  for (const auto& triangle : file.mesh.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      corners.push_back(file.mesh.vertices[corner]);
+    }
+  }
+  return corners;
+}
+
+}  // namespace
+
+TEST_CASE("binary STL: each float as it is, to the subnormal ones and the largest") {
+  using Limits = std::numeric_limits<float>;
+  const std::vector<float> floats = {0.1f,          -0.0f,          Limits::denorm_min(),
+                                     Limits::max(), -Limits::max(), Limits::min() / 2,
+                                     16777217.0f,   1.0f / 3,       -1e-30f};
+  const FileMesh file = tool::read_stl(binary_stl(floats), "file");
+  REQUIRE(file.mesh.vertices.size() == 3);
+  for (std::size_t i = 0; i < floats.size(); ++i) {
+    CHECK(file.mesh.vertices[i / 3][i % 3] == static_cast<double>(floats[i]));
+  }
+  CHECK(std::signbit(file.mesh.vertices[0][1]));
+}
+
+TEST_CASE("binary PLY: each type of number, in both orders of bytes") {
+  check_ply("float", std::array<float, 3>{0.1f, std::numeric_limits<float>::denorm_min(), -3e38f});
+  check_ply("float64", std::array<double, 3>{0.1, 1000000.03, -5e-324});
+  check_ply("char", extremes<std::int8_t>());
+  check_ply("uint8", extremes<std::uint8_t>());
+  check_ply("short", extremes<std::int16_t>());
+  check_ply("uint16", extremes<std::uint16_t>());
+  check_ply("int32", extremes<std::int32_t>());
+  check_ply("uint", extremes<std::uint32_t>());
+}
+
+TEST_CASE("binary PLY: no coordinate is infinite, or larger than a float") {
+  for (const double at : {HUGE_VAL, -HUGE_VAL, std::nan(""), 1e39}) {
+    const std::string said =
+        refusal(tool::read_ply, binary_ply("double", std::array<double, 3>{1, at, 2}, false));
+    CHECK(said ==
+          "file: vertex 0 of 3: no finite number of at most 3.4e38, which a coordinate "
+          "must be; export the mesh again");
+  }
+}
+
+TEST_CASE("binary PLY, cut off anywhere, is refused") {
+  const std::string whole = binary_ply("float", std::array<float, 3>{1, 2, 3}, true);
+  for (std::size_t length = 1; length < whole.size(); ++length) {
+    CHECK(refusal(tool::read_ply, whole.substr(0, length)) != "");
+  }
+  CHECK(refusal(tool::read_ply, whole + "\1") ==
+        "file: has more than its header announces; export the mesh again");
+}
+
+TEST_CASE("what assimp reads of coordinates that are floats is what our own readers read") {
+  Random random(test_seed());
+  std::vector<float> floats;
+  std::string obj;
+  std::string off = "OFF\n150 50 0\n";
+  std::string faces;
+  for (int i = 0; i < 450; ++i) {
+    floats.push_back((static_cast<float>(random.below(4096)) - 2048) / 64);
+    const std::string text =
+        std::to_string(static_cast<double>(floats.back()));  // six digits: exact
+    obj += (i % 3 == 0 ? "v " : " ") + text + (i % 3 == 2 ? "\n" : "");
+    off += text + (i % 3 == 2 ? "\n" : " ");
+  }
+  for (int i = 0; i < 150; i += 3) {
+    const auto at = [i](int corner) { return std::to_string(i + corner) + " "; };
+    obj += "f " + at(1) + at(2) + at(3) + "\n";
+    faces += "3 " + at(0) + at(1) + at(2) + "\n";
+  }
+  off += faces;
+  std::string ply = kPlyHeader;
+  ply.replace(ply.find("vertex 3"), 8, "vertex 150").replace(ply.find("face 1"), 6, "face 50");
+  ply += off.substr(off.find('\n', 4) + 1);
+  struct Case {
+    const char* extension;
+    FileMesh (*read)(std::string_view, const std::string&);
+    std::string bytes;
+  };
+  const std::array<Case, 4> cases = {{{"stl", tool::read_stl, binary_stl(floats)},
+                                      {"obj", tool::read_obj, obj},
+                                      {"off", tool::read_off, off},
+                                      {"ply", tool::read_ply, ply}}};
+  for (const auto& [extension, read, bytes] : cases) {
+    CAPTURE(extension);
+    const std::string path = std::string("float_exact.") + extension;
+    std::ofstream(path, std::ios::binary) << bytes;
+    const FileMesh own = read(bytes, path);
+    const FileMesh other = tool::read_with_assimp(bytes, path);
+    std::filesystem::remove(path);
+    CHECK(own.mesh.triangles.size() == 50);
+    CHECK(own.mesh.vertices == other.mesh.vertices);
+    CHECK(own.mesh.triangles == other.mesh.triangles);
+    CHECK(corners_of(own).front() == Position{static_cast<double>(floats[0]),
+                                              static_cast<double>(floats[1]),
+                                              static_cast<double>(floats[2])});
+  }
+}

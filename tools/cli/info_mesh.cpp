@@ -1,0 +1,129 @@
+#include "cli/info_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "cli/mesh_warnings.hpp"
+#include "image/baking.hpp"
+#include "image/cpp_writer.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::uint32_t, 4> kLeafSizes = {1, 2, 4, 8};
+
+/// With 16-bit indices if they reach.
+BakedMesh bake_with(const InputMesh& mesh, BakeOptions options) {
+  try {
+    return bake(mesh, options);
+  } catch (const UserError&) {
+    options.index_width = IndexWidth::bits_32;
+    return bake(mesh, options);
+  }
+}
+
+Json flash_of(const AnyBakedTree& tree, std::uint32_t leaf_size) {
+  return std::visit(
+      [&](const auto& baked) {
+        const std::size_t bytes = flash_bytes(baked);
+        return Json{{"leaf_size", leaf_size},
+                    {"index_bits", 8 * sizeof baked.triangle_ids[0]},
+                    {"bytes", bytes},
+                    {"bytes_per_triangle",
+                     static_cast<double>(bytes) / static_cast<double>(baked.triangles.size())}};
+      },
+      tree);
+}
+
+Json box_of(const bake::SourceMesh& mesh) {
+  auto lower = mesh.vertices.front();
+  auto upper = lower;
+  for (const auto& vertex : mesh.vertices) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      lower[axis] = std::min(lower[axis], vertex[axis]);
+      upper[axis] = std::max(upper[axis], vertex[axis]);
+    }
+  }
+  return {{"lower", lower}, {"upper", upper}};
+}
+
+Json defects_as_json(const MeshDefects& defects) {
+  return {{"degenerate", defects.degenerate.size()},
+          {"collapsed", defects.collapsed.size()},
+          {"duplicate", defects.duplicates.size()},
+          {"boundary_edges", defects.edges.boundary},
+          {"non_manifold_edges", defects.edges.non_manifold},
+          {"twisted_edges", defects.edges.twisted}};
+}
+
+/// Names and values, in the order in which both outputs show them.
+Json facts_of(const InputMesh& mesh, Warnings& warnings) {
+  BakeOptions options;
+  options.cell = finest_cell(mesh);
+  Json facts = {{"name", mesh.path},
+                {"triangles", mesh.mesh.triangles.size()},
+                {"vertices", mesh.mesh.vertices.size()},
+                {"bodies", mesh.bodies},
+                {"box", box_of(mesh.mesh)},
+                {"finest_cell", *options.cell}};
+  for (const std::uint32_t leaf_size : kLeafSizes) {
+    options.leaf_size = leaf_size;
+    const BakedMesh baked = bake_with(mesh, options);
+    if (leaf_size == kLeafSizes[0]) {
+      warn_of_mesh(mesh, baked.defects, options, warnings);
+      facts["deviation"] = std::visit([](const auto& any) { return any.deviation; }, baked.tree);
+      facts["defects"] = defects_as_json(baked.defects);
+    }
+    facts["flash"].push_back(flash_of(baked.tree, leaf_size));
+  }
+  return facts;
+}
+
+std::string coordinates_text(const Json& point) {
+  std::string text;
+  for (const Json& coordinate : point) {
+    text += (text.empty() ? "" : " ") + shortest(coordinate.get<double>());
+  }
+  return text;
+}
+
+void print(const Json& facts) {
+  const auto line = [](const std::string& name, const std::string& text) {
+    std::cout << std::left << std::setw(20) << name << text << "\n";
+  };
+  line("name", one_line(facts["name"].get<std::string>()));
+  line("triangles", facts["triangles"].dump());
+  line("vertices", facts["vertices"].dump());
+  line("bodies", concat(facts["bodies"].size()));
+  line("box", coordinates_text(facts["box"]["lower"]) + "  to  " +
+                  coordinates_text(facts["box"]["upper"]));
+  line("finest cell", shortest(facts["finest_cell"].get<double>()));
+  line("deviation", shortest(facts["deviation"].get<double>()));
+  for (const Json& flash : facts["flash"]) {
+    line("flash, leaf size " + flash["leaf_size"].dump(),
+         concat(flash["bytes"].dump(), " bytes, ",
+                fixed(flash["bytes_per_triangle"].get<double>(), 1), " a triangle, with ",
+                flash["index_bits"].dump(), "-bit indices"));
+  }
+}
+
+}  // namespace
+
+void info_of_mesh(const std::string& path, bool json) {
+  Warnings warnings;
+  const Json facts = facts_of(read_mesh(path, Units(), warnings), warnings);
+  warnings.print();
+  if (json) {
+    std::cout << facts.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
+  } else {
+    print(facts);
+  }
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,14 @@
+// What baking a mesh would take.
+#ifndef FLASHBVH_TOOLS_CLI_INFO_MESH_HPP
+#define FLASHBVH_TOOLS_CLI_INFO_MESH_HPP
+
+#include <string>
+
+namespace flashbvh::tool {
+
+/// Prints it for the mesh file at `path`, baked with the finest cell; warns as `bake` does.
+void info_of_mesh(const std::string& path, bool json);
+
+}  // namespace flashbvh::tool
+
+#endif

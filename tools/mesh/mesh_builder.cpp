@@ -1,0 +1,115 @@
+#include "mesh/mesh_builder.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mesh/polygon.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+
+void MeshBuilder::add_polygon(const std::vector<std::uint32_t>& points) {
+  std::vector<Position> corners;
+  corners.reserve(points.size());
+  for (const std::uint32_t point : points) {
+    corners.push_back(points_[point].position);
+  }
+  for (const auto& [a, b, c] : triangulate(corners)) {
+    const std::uint32_t first = vertex_of(points_[points[a]]);
+    const std::uint32_t second = vertex_of(points_[points[b]]);
+    add({first, second, vertex_of(points_[points[c]])});
+  }
+}
+
+void MeshBuilder::add_triangle(const std::array<Position, 3>& corners) {
+  const std::uint32_t first = vertex_at(corners[0]);
+  const std::uint32_t second = vertex_at(corners[1]);
+  add({first, second, vertex_at(corners[2])});
+}
+
+std::uint32_t MeshBuilder::begin_body(std::string_view name) {
+  built_.bodies.emplace_back(name);
+  return body_ = static_cast<std::uint32_t>(built_.bodies.size() - 1);
+}
+
+FileMesh MeshBuilder::finish() {
+  if (built_.mesh.triangles.empty()) {
+    throw UserError(file_, "has no polygons or triangles; export the mesh again");
+  }
+  leave_out_empty_bodies();
+  return std::move(built_);
+}
+
+void MeshBuilder::leave_out_empty_bodies() {
+  std::vector<std::uint32_t> number(built_.bodies.size(), kUnused);
+  std::vector<std::string> bodies;
+  for (std::uint32_t& body : built_.body_of) {
+    if (number[body] == kUnused) {
+      number[body] = static_cast<std::uint32_t>(bodies.size());
+      bodies.push_back(built_.bodies[body]);
+    }
+    body = number[body];
+  }
+  built_.bodies = std::move(bodies);
+}
+
+std::uint32_t MeshBuilder::vertex_at(const Position& position) {
+  const auto next = static_cast<std::uint32_t>(built_.mesh.vertices.size());
+  const auto [entry, inserted] = vertex_at_.emplace(position, next);
+  if (inserted) {
+    built_.mesh.vertices.push_back(position);
+  }
+  return entry->second;
+}
+
+std::uint32_t MeshBuilder::vertex_of(FilePoint& point) {
+  if (point.vertex == kUnused) {
+    point.vertex = vertex_at(point.position);
+  }
+  return point.vertex;
+}
+
+void MeshBuilder::add(const bake::TriangleCorners& triangle) {
+  // So that the vertices, at most three of each, have numbers too.
+  if (built_.mesh.triangles.size() == kUnused / 3) {
+    throw UserError(file_, "has over ", kUnused / 3, " triangles; cut the mesh in parts");
+  }
+  if (body_ == kUnused) {
+    begin_body("");
+  }
+  built_.mesh.triangles.push_back(triangle);
+  built_.body_of.push_back(body_);
+}
+
+std::vector<bake::SourceMesh> meshes_of_bodies(const FileMesh& whole) {
+  std::vector<MeshBuilder> builders(whole.bodies.size(), MeshBuilder(""));
+  const bake::SourceMesh& mesh = whole.mesh;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    builders[whole.body_of[i]].add_triangle({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+  }
+  std::vector<bake::SourceMesh> meshes;
+  meshes.reserve(builders.size());
+  for (MeshBuilder& builder : builders) {
+    meshes.push_back(builder.finish().mesh);
+  }
+  return meshes;
+}
+
+double coordinate(std::string_view word, const std::string& file, std::size_t line) {
+  const auto value = parse_number(word);
+  if (!value || !is_coordinate(*value)) {
+    throw UserError(at_line(file, line), quoted(word),
+                    " is no finite number of at most 3.4e38, which a coordinate must be; repair "
+                    "the mesh");
+  }
+  return *value;
+}
+
+bool is_coordinate(double value) {
+  return std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max());
+}
+
+}  // namespace flashbvh::tool
