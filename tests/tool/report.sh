@@ -111,7 +111,7 @@ mkdir asked
 cp poses asked/ring-tetrahedron
 head -n 1 poses >asked/tetrahedron-coarse
 exits 0 report $a $b baked/coarse.fbvh --poses asked -o page.html
-holds page.html 'All 2 pairs' '1 pair is not asked about' "$(of poses_most_work | sed \
+holds page.html 'All 2 pairs' '1 pair is not asked about: no poses' 'takes at most ' "$(of poses_most_work | sed \
   's/\(...\)$/,\1/')</td>"
 [ "$(grep -c 'class="n heat"' page.html)" -eq 2 ] || fail "matrix"
 

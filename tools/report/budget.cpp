@@ -10,26 +10,16 @@ namespace flashbvh::tool {
 
 Need need_of(std::uint64_t work, const TreeSize& a, const TreeSize& b, const Budget& budget) {
   const RunCosts& costs = budget.core.costs;
-  Need need;
-  need.work = work;
-  // In one run, which spends what there is to do and no more.
-  need.instructions =
+  const auto period = static_cast<std::uint64_t>(std::min(budget.instructions(), 1e18));
+  // A single run spends what there is to do and no more.
+  const double instructions =
       static_cast<double>(instructions_of_start(costs, a, b)) +
       static_cast<double>(work) * static_cast<double>(instructions_of_work(costs, a, b));
-  if (need.share(budget) <= 1) {
-    need.slices = 1;
-    need.slice_work = work;
-    return need;
-  }
-  const double period = std::min(budget.instructions(), 1e18);
-  need.slice_work = work_within(static_cast<std::uint64_t>(period), costs, a, b);
-  need.slices = need.slice_work == 0 ? 0 : (work + need.slice_work - 1) / need.slice_work;
-  return need;
+  return {work, instructions, work_within(period, costs, a, b)};
 }
 
 Need operator+(const Need& a, const Need& b) {
-  const bool possible = a.slices != 0 && b.slices != 0;
-  return {a.work + b.work, a.instructions + b.instructions, possible ? a.slices + b.slices : 0, 0};
+  return {a.work + b.work, a.instructions + b.instructions, 0, a.queries + b.queries};
 }
 
 std::string verdict(const Need& need, const Budget& budget) {
@@ -39,11 +29,17 @@ std::string verdict(const Need& need, const Budget& budget) {
            (share < 0.001 ? "less than 0.1" : fixed(100 * share, share < 0.1 ? 1 : 0)) +
            " % of the period";
   }
-  if (need.slices == 0) {
+  if (need.queries > 1) {
+    return "takes at most " +
+           (share < 10 ? fixed(share, 1) : grouped(static_cast<std::uint64_t>(std::ceil(share)))) +
+           " periods";
+  }
+  if (need.slice_work == 0) {
     return "no slice fits: the period is too short";
   }
-  return "needs at most " + counted(need.slices, "slice", "slices") +
-         (need.slice_work == 0 ? "" : " of " + grouped(need.slice_work) + " work");
+  const std::uint64_t slices = (need.work + need.slice_work - 1) / need.slice_work;
+  return "needs at most " + counted(slices, "slice", "slices") + " of " + grouped(need.slice_work) +
+         " work";
 }
 
 std::string milliseconds(const Need& need, const Budget& budget) {

@@ -18,21 +18,21 @@ struct Budget {
   double instructions() const { return mhz * 1e6 / hz; }  ///< of a period
 };
 
-/// What a whole query can take at most, or several together.
+/// What a whole query can take at most, or several one after the other.
 struct Need {
   std::uint64_t work = 0;
-  double instructions = 0;
-  std::uint64_t slices = 0;      ///< runs, of which none takes longer than a period; 0: can't be
-  std::uint64_t slice_work = 0;  ///< the most of a run; 0 if the slices differ
+  double instructions = 0;       ///< of a single run each
+  std::uint64_t slice_work = 0;  ///< of a run that takes no longer than a period; 0: none does
+  std::size_t queries = 1;
 
   double share(const Budget& budget) const { return instructions / budget.instructions(); }
 };
 
 Need need_of(std::uint64_t work, const TreeSize& a, const TreeSize& b, const Budget& budget);
-/// One after the other.
 Need operator+(const Need& a, const Need& b);
 
-/// "fits in 37 % of the period" or "needs at most 4 slices of 888 work".
+/// "fits in 37 % of the period", "needs at most 4 slices of 888 work"; of several queries, "takes
+/// at most 3.2 periods".
 std::string verdict(const Need& need, const Budget& budget);
 
 /// "0.37 ms".

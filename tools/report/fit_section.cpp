@@ -107,32 +107,29 @@ std::string cards(const std::string& title, const Needs& needs, bool has_poses,
   return html + "</div>\n";
 }
 
-std::string answer(const std::string& question, const Need& need, const std::string& when,
-                   const Budget& budget) {
-  return concat("<li class=", (need.share(budget) <= 1 ? "good" : "bad"), "><b>", question, "</b> ",
-                verdict(need, budget), " ", when, "</li>\n");
+std::string answer(const std::string& style, const std::string& question,
+                   const std::string& words) {
+  return "<li class=" + style + "><b>" + question + "</b> " + words + "</li>\n";
 }
 
 /// The short of it.
 std::string answers(const std::vector<AskedPair>& pairs, bool has_poses, const Budget& budget) {
-  const bool several = pairs.size() > 1;
+  const char* const when = pairs.size() > 1 ? " for all pairs, each at its costliest pose"
+                                            : " at the costliest of the poses";
   std::string html = "<ul class=verdict>\n";
-  Needs needs;
   for (const Question& question : kQuestions) {
-    needs = needs_of(pairs, question, budget);
+    const Need need = needs_of(pairs, question, budget)[kCostliest];
     if (has_poses) {
-      html += answer(
-          question.name, needs[kCostliest],
-          several ? "for all pairs, each at its costliest pose" : "at the costliest of the poses",
-          budget);
+      html += answer(need.share(budget) <= 1 ? "good" : "bad", question.name,
+                     verdict(need, budget) + when);
     }
   }
+  const Need bound = needs_of(pairs, kQuestions[0], budget)[kAnyPose];
+  const bool fits = bound.share(budget) <= 1;
   return html +
-         answer("Proven of any pose:", needs[kAnyPose],
-                needs[kAnyPose].share(budget) <= 1 ? ""
-                                                   : "if all boxes overlapped, which no real "
-                                                     "pose comes near",
-                budget) +
+         answer(fits ? "good" : "soft", "Any pose, proven:",
+                verdict(bound, budget) +
+                    (fits ? "" : ", if all boxes overlapped, which no real pose comes near")) +
          "</ul>\n";
 }
 

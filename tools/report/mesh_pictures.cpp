@@ -31,11 +31,6 @@ std::string line(const Projected& way, bool back = false) {
   return back ? "l" + numbers(-way.x, -way.y) : "l" + numbers(way.x, way.y);
 }
 
-/// Seen along an axis: the rectangle.
-std::string rectangle(const Projected& start, const Projected& u, const Projected& v) {
-  return concat("M", numbers(start.x, start.y), "h", u.x, "v", v.y, "h", -u.x, "z");
-}
-
 /// The outline and the three edges that end in the corner in front: low x and y and high z come
 /// first, where the corner in front is high x, low y, high z.
 std::string solid(const Projected& start, const Projected& x, const Projected& y,
@@ -46,19 +41,11 @@ std::string solid(const Projected& start, const Projected& x, const Projected& y
          "m" + numbers(x.x, x.y) + line(z, true);
 }
 
-std::string path_of(const Bounds& box, const Projection& projection, bool flat) {
+std::string path_of(const Bounds& box, const Projection& projection) {
   const Projected x = projection.rotate({box.upper[0] - box.lower[0], 0, 0});
   const Projected y = projection.rotate({0, box.upper[1] - box.lower[1], 0});
   const Projected z = projection.rotate({0, 0, box.upper[2] - box.lower[2]});
-  if (flat) {
-    return rectangle(projection.project(box.lower), {x.x + y.x, 0, 0}, {0, y.y + z.y, 0});
-  }
   return solid(projection.project({box.lower[0], box.lower[1], box.upper[2]}), x, y, z);
-}
-
-/// Whether the picture's sides are axes, so that boxes are rectangles.
-bool is_along_axis(const View& view) {
-  return view.right[0] == View::kUnit || view.right[1] == View::kUnit;
 }
 
 /// A group of SVG paths; the style shows it by its level.
@@ -66,11 +53,10 @@ std::string box_lines(const Subject& subject, std::size_t level, const View& vie
                       const Frame& frame) {
   const std::vector<NodeBox>& boxes = subject.levels[level];
   const Projection projection(view, frame, kDrawingSide);
-  const bool flat = is_along_axis(view);
   const std::size_t step = (boxes.size() + kMostBoxes - 1) / kMostBoxes;
   std::array<std::string, kBoxColours> paths;
   for (std::size_t i = 0; i < boxes.size(); i += step) {
-    paths[i / step % kBoxColours] += path_of(boxes[i].box, projection, flat);
+    paths[i / step % kBoxColours] += path_of(boxes[i].box, projection);
   }
   std::string svg =
       concat("<g class=\"L L", level, (boxes.size() <= kMostFilled ? " F" : ""), "\">");

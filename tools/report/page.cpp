@@ -53,7 +53,7 @@ std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
   std::string html = head(title, most_levels(subjects)) + "<header>\n<p class=lead>flashbvh " +
                      "report: flash, RAM and time</p>\n<h1>" + title +
                      "</h1>\n</header>\n<main>\n" + fit_section(subjects, pairs, options) +
-                     pairs_section(subjects, pairs) + flash_table(subjects);
+                     pairs_section(subjects, pairs, options) + flash_table(subjects);
   for (const Subject* const subject : subjects) {
     step("drawing " + subject->name, 1);
     html += image_section(*subject);

@@ -122,13 +122,15 @@ std::string shortfall(const PairCosts& costs) {
 
 }  // namespace
 
-std::string pairs_section(const Subjects& subjects, const std::vector<AskedPair>& pairs) {
-  std::size_t different = subjects.size() * (subjects.size() - 1) / 2;
+std::string pairs_section(const Subjects& subjects, const std::vector<AskedPair>& pairs,
+                          const ReportOptions& options) {
+  const std::size_t different = subjects.size() * (subjects.size() - 1) / 2;
   std::string html;
   if (pairs.size() < different) {
-    html += note(counted(different - pairs.size(), "pair is", "pairs are") +
-                 " not asked about: baked with another cell, layout or index width, without poses, "
-                 "or beyond the first few.");
+    html += note(counted(different - pairs.size(), "pair is", "pairs are") + " not asked about: " +
+                 (options.poses.empty() ? "baked with another cell, layout or index width, or "
+                                          "beyond the first few."
+                                        : "no poses are given."));
   }
   if (!pairs.empty() && !costliest(pairs).costs.poses.empty()) {
     const AskedPair& worst = costliest(pairs);

@@ -36,7 +36,8 @@ std::string fit_section(const Subjects& subjects, const std::vector<AskedPair>& 
 
 /// The worst of each pair as a matrix, for three meshes or more; the costliest pose and a first
 /// contact as pictures; work by how close the meshes come. Nothing without poses.
-std::string pairs_section(const Subjects& subjects, const std::vector<AskedPair>& pairs);
+std::string pairs_section(const Subjects& subjects, const std::vector<AskedPair>& pairs,
+                          const ReportOptions& options);
 std::string pose_pictures(const AskedPair& pair);
 
 /// Key figures, pictures and warnings.

@@ -37,7 +37,7 @@ section{background:var(--paper);border:1px solid var(--line);border-radius:12px;
 padding:clamp(14px,2.5vw,28px);margin:22px 0}
 .good{color:var(--good)}.warnings{margin:.6em 0;padding:0;list-style:none}
 .verdict{list-style:none;padding:0;margin:0 0 1.4em;font-size:1.15rem;line-height:1.35}
-.verdict li{padding:.3em 0}.verdict b{color:var(--text)}.bad{color:var(--bad)}
+.verdict li{padding:.3em 0}.soft{color:var(--soft)}.verdict b{color:var(--text)}.bad{color:var(--bad)}
 .hide{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%);white-space:nowrap}
 .facts,.tiles,.cards{display:grid;gap:14px 20px;margin:0 0 1em;
 grid-template-columns:repeat(auto-fit,minmax(min(100%,200px),1fr))}
