@@ -41,6 +41,7 @@ padding:clamp(14px,2.5vw,28px);margin:22px 0}
 .hide{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%);white-space:nowrap}
 .facts,.tiles,.cards{display:grid;gap:14px 20px;margin:0 0 1em;
 grid-template-columns:repeat(auto-fit,minmax(min(100%,200px),1fr))}
+.cards{grid-template-columns:repeat(auto-fit,minmax(min(100%,150px),1fr));gap:10px}
 .tiles{grid-template-columns:repeat(auto-fit,minmax(min(100%,270px),1fr))}
 .facts div,.tiles div{border-left:3px solid var(--line);padding-left:12px;min-width:0}
 dt{color:var(--soft);font-size:.875rem}dd{margin:0}
