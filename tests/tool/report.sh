@@ -166,6 +166,11 @@ exits 0 report $a $b --poses apart -o page.html
 holds page.html 'At none of the poses do they intersect' 'no triangles intersect'
 pixels page.html 1 720 | awk '$4 == 255 && $1 > 2 * $2 { exit 1 }' || fail "lit, but disjoint"
 
+# As far apart as a pose can be, the picture's arithmetic still holds.
+echo "1 0 0  0 1 0  0 0 1  -5368709 5368709 5368709" >apart
+exits 0 report $a $b --poses apart -o page.html
+holds page.html 'no triangles intersect'
+
 # The same page from another folder, at another time; names that are the same are told apart.
 mkdir -p elsewhere other
 cp baked/ring.fbvh elsewhere/ring.fbvh
@@ -251,6 +256,7 @@ refused "--samples" report baked/ring.fbvh -o out.html --samples -1
 refused "--samples" report baked/ring.fbvh -o out.html --samples many
 refused "--samples" report baked/ring.fbvh -o out.html --samples 4 --poses poses
 refused "missing: can't be opened" report baked/ring.fbvh -o out.html --poses missing
+refused "names no file" report baked/ring.fbvh -o out.html --poses ""
 echo "1 0 0 0 1 0 0 0 1 0 0" >short
 refused "short:1: has 11 numbers" report baked/ring.fbvh -o out.html --poses short
 refused "coarse.fbvh: has a cell of 0.02, but" report baked/ring.fbvh baked/coarse.fbvh -o out.html \

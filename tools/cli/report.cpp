@@ -91,6 +91,7 @@ void add_report(CLI::App& app) {
           ->add_option("--poses", options.poses,
                        "Poses of the second image in the first one's frame, as `collide` takes "
                        "them; for more images a folder with a file A-B for each pair")
+          ->check([](const std::string& path) { return path.empty() ? "names no file" : ""; })
           ->type_name("FILE");
   command
       ->add_option("--samples", options.samples,
