@@ -14,12 +14,39 @@ native=${FLASHBVH_NATIVE:-native}
 flashbvh=build/$native/bin/flashbvh
 links="base_link shoulder bicep elbow forearm wrist palm"
 board=cortex-m4f
+last=
 mkdir -p $demo
 
 step() { printf '\n== %s\n' "$1"; }
 # quietly COMMAND...: its output goes to a log, which is shown if it fails.
 quietly() {
   "$@" >$demo/log 2>&1 || { cat $demo/log >&2; echo "demo: this failed: $*" >&2; exit 1; }
+}
+# build PRESET TARGET [OPTION...]: a line for each part that is compiled.
+build() {
+  preset=$1
+  target=$2
+  shift 2
+  quietly cmake --preset $preset "$@"
+  { cmake --build --preset $preset --target $target 2>&1 && echo "built $target"; } | tee $demo/log |
+    sed -u -n 's|.*Building .* \([a-z_/]*\)/CMakeFiles/.*|\1|p' | while read -r part; do
+      [ "$part" = "$last" ] || echo "  compiled: $part"
+      last=$part
+    done
+  grep -qx "built $target" $demo/log ||
+    { cat $demo/log >&2; echo "demo: building $target failed" >&2; exit 1; }
+}
+# run_arm OUTPUT [ARGUMENT]: the firmware in QEMU; a line for each configuration that it begins.
+run_arm() {
+  output=$1
+  shift
+  {
+    FLASHBVH_TIMEOUT=300 FLASHBVH_ICOUNT=8 ports/run mps2-an386 build/$board/bin/robot_arm.elf "$@" &&
+      echo ended
+  } | tee $output | while read -r kind name answer _; do
+    [ "$kind" != answer ] || echo "  $name: hits itself? $answer. What each pair costs ..."
+  done
+  grep -qx ended $output || { cat $output; echo "demo: the firmware failed" >&2; exit 1; }
 }
 
 step "1. The arm: a KUKA KR5 from Debian's package dart-doc (BSD-2-Clause)"
@@ -28,27 +55,25 @@ echo "Seven links, $(ls "$kr5"/*.STL | wc -l) STL files in $kr5"
 echo "Six joints, in $urdf"
 
 step "2. The host program"
-quietly cmake --preset $native
-quietly cmake --build --preset $native --target flashbvh_tool
+echo "Compiled once, which takes a minute:"
+build $native flashbvh_tool
 echo "$flashbvh"
 
 step "3. Bake: mesh in, C++ arrays and images out, one common cell for all"
 meshes=$(for link in $links; do echo "$kr5/$link.STL"; done)
 $flashbvh bake $meshes -o $demo/kr5
-$flashbvh bake $meshes -o $demo/kr5/pre --layout pre --format image >$demo/log
+quietly $flashbvh bake $meshes -o $demo/kr5/pre --layout pre --format image
 echo "The same links pre-indexed, for the paper's first stackless algorithm: $demo/kr5/pre"
 
 step "4. Firmware for a Cortex-M4 with all seven links in its flash"
 awk -f firmware_examples/robot_arm/joints.awk "$urdf" >$demo/kr5/joints.hpp
-quietly cmake --preset $board -DFLASHBVH_HOST_TOOL="$PWD/$flashbvh" \
-  -DFLASHBVH_ROBOT_ARM="$PWD/$demo/kr5"
-quietly cmake --build --preset $board --target robot_arm
+build $board robot_arm -DFLASHBVH_HOST_TOOL="$PWD/$flashbvh" -DFLASHBVH_ROBOT_ARM="$PWD/$demo/kr5"
 arm-none-eabi-size build/$board/bin/robot_arm.elf
 echo "text: flash, with every link twice, for both layouts; data and bss: static RAM"
 
 step "5. The arm's configurations, on the microcontroller (QEMU) and on this machine"
-FLASHBVH_TIMEOUT=300 FLASHBVH_ICOUNT=8 ports/run mps2-an386 build/$board/bin/robot_arm.elf >$demo/target ||
-  { failed=$?; cat $demo/target; echo "demo: the firmware ended with status $failed" >&2; exit 1; }
+echo "Eight configurations; for each, every pair of links by seven traversals:"
+run_arm $demo/target
 
 # write_poses: the poses that the firmware used, as numbers that `flashbvh collide` reads back to the
 # same ones, in a file a pair of links; beside it, the configurations they are of.
@@ -84,6 +109,7 @@ host_results() {
   done
 }
 write_poses
+echo "The same questions to this machine"
 host_results >$demo/host
 
 status=0
@@ -93,12 +119,10 @@ step "6. The same arm with five triangles in a leaf: less flash"
 mkdir -p $demo/compact
 $flashbvh bake $meshes -o $demo/compact --leaf-size 5 2>$demo/log >$demo/compact/table
 cat $demo/compact/table
-$flashbvh bake $meshes -o $demo/compact/pre --leaf-size 5 --layout pre --format image \
-  >$demo/log 2>&1
+quietly $flashbvh bake $meshes -o $demo/compact/pre --leaf-size 5 --layout pre --format image
 cp $demo/kr5/joints.hpp $demo/compact/
-quietly cmake --preset $board -DFLASHBVH_ROBOT_ARM="$PWD/$demo/compact"
-quietly cmake --build --preset $board --target robot_arm
-FLASHBVH_TIMEOUT=300 FLASHBVH_ICOUNT=8 ports/run mps2-an386 build/$board/bin/robot_arm.elf >$demo/target_compact
+build $board robot_arm -DFLASHBVH_ROBOT_ARM="$PWD/$demo/compact"
+run_arm $demo/target_compact ranked
 # A configuration's results by `ranked`: the same triangles, and at most 1.3 times the instructions.
 awk '
   $1 != "result" || $5 != "ranked" { next }
@@ -113,6 +137,18 @@ awk '
 awk '$3 ~ /^[0-9.]+$/ && $3 > 20 { print $1 ": more than 20 bytes a triangle"; bad = 1 }
   END { exit bad }' $demo/compact/table || status=1
 
+step "7. A page about the arm: flash, RAM, time, pictures"
+# Without neighbours, which the arm does not ask about.
+rm -rf $demo/asked
+cp -r $demo/poses $demo/asked
+for link in $links; do
+  rm -f $demo/asked/$last-$link
+  last=$link
+done
+$flashbvh report $(for link in $links; do echo $demo/kr5/$link.fbvh; done) --poses $demo/asked \
+  --core $board --hz 1000 --mhz 168 -o $demo/arm.html
+echo "Open $PWD/$demo/arm.html"
+
 step "What happened"
 if [ $status -eq 0 ]; then
   cat <<TEXT
@@ -122,6 +158,7 @@ the same baked meshes, with every traversal; all traversals found the same pairs
 and no query used more than the stack printed above. The query object and the pose, 196 bytes, are the
 caller's.
 
+Look:  $demo/arm.html                     the arm, its costliest pose, what fits a period
 Next:  $flashbvh bake your.stl -o baked        your own mesh
        firmware_examples/quick_start/          the smallest firmware, a page long
        README.md                               what is promised, and what it is not for

@@ -2,6 +2,11 @@
 # then the traversals. Compares each result with the host's line. Status 1 if one differs, if one
 # side has another number of them, or if two traversals of a pair find other triangles.
 BEGIN {
+  split("base_link shoulder bicep elbow forearm wrist palm", chain, " ")
+  for (i = 1; i < 7; ++i) neighbours[chain[i] " " chain[i + 1]] = 1
+  print "\nLinks next to each other share a bearing: there they intersect in every configuration. Whether the"
+  print "arm hits itself is asked of the other pairs. Neighbours are shown once, at home, for what they cost."
+  print "ms: at 168 MHz and one instruction a cycle; wait states of the flash come on top."
   while ((getline line < host) > 0) {
     on_host[line] = 1
     ++hosts
@@ -13,8 +18,7 @@ $1 == "arm" {
 $1 == "answer" {
   end_configuration()
   printf "\n%s: joints at %s degrees\n", name($2), angles
-  printf "%-28s %8s %9s %11s %15s %13s %12s   %s\n", "", "visits", "overlaps", "leaf pairs",
-    "triangle pairs", "instructions", "stack bytes", "same as the host"
+  head()
   answer = $3
   check = $4
   ++configurations
@@ -28,7 +32,8 @@ $1 == "result" {
   if (pair != last) {
     end_pair()
     last = pair
-    row = sprintf("  %-26s %8d %9d %11d %15d %13d %12d   ", $3 " against " $4, $6, $7, $8, $9, $11, $10)
+    row = columns($3 " against " $4 (($3 " " $4) in neighbours ? " *" : ""), $6, $7, $8, $9, $11, $10)
+    beside += ($3 " " $4) in neighbours
     visits_of_row = $6
     pairs_found = $9
     row_is_same = 1
@@ -46,6 +51,16 @@ $1 == "result" {
     row_is_same = 0
   }
 }
+function head() {
+  printf "%-30s %7s %8s %6s %9s %12s %7s %5s  %s\n", "", "visits", "overlaps", "leaf", "triangle",
+    "instructions", "ms", "stack", "same as"
+  printf "%-30s %7s %8s %6s %9s %12s %7s %5s  %s\n", "", "", "", "pairs", "pairs", "", "", "bytes", "the host"
+}
+function columns(what, visited, overlapped, leaves, triangles, instructed, stack) {
+  return sprintf("  %-28s %7d %8d %6d %9d %12d %7.2f %5d  ", what, visited, overlapped, leaves, triangles,
+    instructed, milliseconds(instructed), stack)
+}
+function milliseconds(instructed) { return instructed / 168000 }
 function name(text) { gsub(/_/, " ", text); return text }
 # A row a pair; those that were disjoint at the roots are only counted.
 function end_pair() {
@@ -58,19 +73,19 @@ function end_configuration() {
   end_pair()
   if (answer == "") return
   if (disjoint) printf "  %d pairs of links disjoint after one visit, on both\n", disjoint
-  printf "  Does it hit itself? %s: %d instructions for the answer, of these %d for the kinematics\n",
-    answer == "yes" ? "YES" : "no", check, kinematics
-  disjoint = 0
+  if (beside) print "  * neighbours, which share a bearing: not asked about"
+  printf "  Does it hit itself? %s: %d instructions for the answer, %.2f ms, of these %d for the kinematics\n",
+    answer == "yes" ? "YES" : "no", check, milliseconds(check), kinematics
+  disjoint = beside = 0
 }
 END {
   end_configuration()
   printf "\n%d of %d configurations hit. All of their questions, by traversal:\n", hits, configurations
-  printf "%-28s %8s %9s %11s %15s %13s %12s   %s\n", "", "visits", "overlaps", "leaf pairs",
-    "triangle pairs", "instructions", "stack bytes", "same as the host"
+  head()
   for (i = 1; i <= traversals; ++i) {
     t = order[i]
-    printf "  %-26s %8d %9d %11d %15d %13d %12d   %s\n", t, visits[t], overlaps[t], leaf_pairs[t],
-      found[t], instructions[t], deepest[t], differs[t] ? "DIFFERS" : "yes"
+    print columns(t, visits[t], overlaps[t], leaf_pairs[t], found[t], instructions[t], deepest[t]) \
+      (differs[t] ? "DIFFERS" : "yes")
   }
   print "Instructions: of whole queries, poses prepared and triangles tested. Stack: of a call of run()."
   if (results != hosts) print "demo: " results + 0 " results of the board, " hosts + 0 " of the host"

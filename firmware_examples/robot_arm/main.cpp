@@ -9,8 +9,11 @@
 //     pose C A B nine entries of the rotation in 2^-30, three cells, three 1/65,536 of cells
 // and for every traversal
 //     result C A B traversal visits overlaps leaf_pairs triangle_pairs stack instructions
+// or, with an argument, for that one alone.
 // stack: bytes that run() needs at most; the query object and a stack traversal's array are the
 // caller's. instructions: of the whole query, in slices of 100 work.
+#include <string.h>
+
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/paper/traversals.hpp>
 
@@ -26,6 +29,8 @@ using namespace flashbvh;
 namespace {
 
 bool failed = false;
+/// The only traversal that is measured; none: all are.
+const char* wanted = nullptr;
 
 ArmPose arm_pose(const Configuration& configuration) {
   float angles[kJointCount];
@@ -84,6 +89,9 @@ void run_to_end(const Query& query, Slice run_slice) {
 template <class Traversal, class Start>
 void measure(const Case& what, const char* algorithm, const typename Traversal::Tree& a,
              const typename Traversal::Tree& b, Start start) {
+  if (wanted != nullptr && strcmp(wanted, algorithm) != 0) {
+    return;
+  }
   using Pair = typename Query<Traversal>::Pair;
   Query<Traversal> query(a, b, what.pose, start());
   uint32_t stack = 0;
@@ -188,7 +196,8 @@ void ask_all(const Configuration& configuration, const PreTrees& pre, int neares
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  wanted = argc > 1 ? argv[1] : nullptr;
   PreTrees pre;
   if (!pre.open()) {
     return 1;

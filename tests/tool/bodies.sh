@@ -20,7 +20,7 @@ grep -q '"bodies":\["left wheel","","left-wheel","new"\]' stdout || fail "$(cat 
 
 exits 0 bake "robot arm.stl" -o split --cell 0.25 --split
 grep -q "robot arm.stl, body 0 'left wheel': warning: no closed surface" stderr || fail "$(cat stderr)"
-[ "$(cd split && echo *.fbvh)" = "left_wheel.fbvh left_wheel_2.fbvh new_.fbvh robot_arm.fbvh" ] ||
+[ "$(cd split && echo *.fbvh)" = "left_wheel.fbvh left_wheel_2.fbvh new.fbvh robot_arm.fbvh" ] ||
   fail "$(ls split)"
 grep -q 'namespace left_wheel_2 ' split/left_wheel_2.fbvh.hpp || fail "$(cat split/left_wheel_2.fbvh.hpp)"
 # Each is what a file of its own would give.
@@ -29,13 +29,13 @@ exits 0 bake left_wheel_2.stl -o alone --cell 0.25
 for file in fbvh fbvh.hpp fbvh.cpp; do
   cmp split/left_wheel_2.$file alone/left_wheel_2.$file
 done
-for body in left_wheel left_wheel_2 new_ robot_arm; do
+for body in left_wheel left_wheel_2 new robot_arm; do
   exits 0 check split/$body.fbvh --mesh "robot arm.stl" --body $body
 done
-exits 1 check split/left_wheel.fbvh --mesh "robot arm.stl" --body new_
+exits 1 check split/left_wheel.fbvh --mesh "robot arm.stl" --body new
 exits 1 check split/left_wheel.fbvh --mesh "robot arm.stl"
 exits 0 bake "robot arm.stl" -o units --cell 0.25 --split --unit mm --unit "robot arm.stl=in"
-exits 0 check units/new_.fbvh --mesh "robot arm.stl" --body new_ --unit mm --unit "robot arm.stl=in"
+exits 0 check units/new.fbvh --mesh "robot arm.stl" --body new --unit mm --unit "robot arm.stl=in"
 
 # Bodies share the cell that the largest needs, and what they are called in all files.
 printf 'o big\nv 0 0 0\nv 900 0 0\nv 0 900 0\nf 1 2 3\no small\nv 1 0 0\nv 0 1 0\nf 1 4 5\n' >sizes.obj
@@ -78,7 +78,7 @@ refused "missing.obj: can't be opened" info missing.obj
 # Text is read in double precision, and deviations are those from the text.
 printf 'v 1000000.03 0 0\nv 1000010 0 0\nv 1000000.01 10 0\nf 1 2 3\n' >far.obj
 exits 0 bake far.obj -o far --cell 0.01 --max-deviation 1e-9
-"$FLASHBVH" export far/far.fbvh -o lattice.obj
+"$FLASHBVH" export --cells far/far.fbvh -o lattice.obj
 grep -q '^v 100000003 0 0$' lattice.obj || fail "$(cat lattice.obj)"
 printf 'v 5000000.3 0 0\nv 5000010 0 0\nv 5000000 10 0\nf 1 2 3\n' >off.obj
 refused "off.obj: rounding moves a vertex by 0.0499999998" bake off.obj -o out --cell 0.25 \

@@ -18,10 +18,10 @@ echo '<p>hello' >hello.html
 browse --dump-dom "file://$PWD/hello.html" | grep -q '<p>hello' || skip "chromium does not start here"
 
 "$FLASHBVH" bake meshes/ring.stl meshes/tetrahedron.stl -o baked --format image >/dev/null
-"$FLASHBVH" report baked/ring.fbvh baked/tetrahedron.fbvh -o page.html --poses 4
+"$FLASHBVH" report baked/ring.fbvh baked/tetrahedron.fbvh -o page.html --samples 40
 
-# Scripts see what the style does: the level chosen is shown and no other, pictures can be drawn, the
-# page is not wider than its window.
+# Scripts see what the style does: no level is shown before one is chosen, and then no other; pictures can
+# be drawn; the page is not wider than its window, and no bar is hidden.
 sed '$d' page.html | sed '$d' >probe.html
 cat >>probe.html <<'HTML'
 <script>
@@ -30,8 +30,11 @@ const shown = () => [...document.querySelectorAll('#m0 g.L')]
 const first = shown();
 document.getElementById('v0-1').click();
 const second = shown();
-document.getElementById('v0-n').click();
+document.getElementById('v0-2').click();
 const last = shown();
+const bars = [...document.querySelectorAll('.row, .bar, .gauge')];
+const seen = bars.map(bar => bar.getBoundingClientRect())
+  .filter(at => at.width > 1 && at.height > 8 && at.right <= innerWidth).length;
 const wide = document.documentElement.scrollWidth - innerWidth;
 const colours = getComputedStyle(document.body).backgroundColor;
 const canvas = document.createElement('canvas').getContext('2d');
@@ -42,7 +45,7 @@ const drawn = picture => {
 };
 onload = () => {
   const pictures = [...document.querySelectorAll('image')].filter(drawn).length;
-  document.body.innerHTML = `<p>${first} ${second} ${last} ${wide} ${colours} ${pictures}</p>`;
+  document.body.innerHTML = `<p>${first} ${second} ${last} ${wide} ${colours} ${pictures} ${bars.length - seen}</p>`;
 };
 </script></body></html>
 HTML
@@ -51,7 +54,7 @@ for window in 500,900 1400,900; do
     colour=$(echo "${scheme#*,}" | sed 's/,/, /g')
     browse --blink-settings=preferredColorScheme="${scheme%%,*}" --window-size=$window \
       --virtual-time-budget=5000 --dump-dom "file://$PWD/probe.html" >dom || fail "$(cat browser_log)"
-    wanted="<p>L2,L2,L2,L2 L1,L1,L1,L1  0 rgb($colour) 8</p>"
+    wanted="<p> L1,L1,L1,L1 L2,L2,L2,L2 0 rgb($colour) 10 0</p>"
     grep -qF "$wanted" dom || fail "not $wanted but $(grep -o '<p>.*' dom | head -c 300)"
   done
 done

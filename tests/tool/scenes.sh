@@ -6,7 +6,7 @@
 vertices() {
   "$FLASHBVH" bake "$1" -o lattice --cell "$2" --format image >table 2>warnings || fail "$(cat warnings)"
   name=${1##*/}
-  "$FLASHBVH" export "lattice/${name%.*}.fbvh" -o lattice.obj
+  "$FLASHBVH" export --cells "lattice/${name%.*}.fbvh" -o lattice.obj
   grep '^v' lattice.obj
 }
 

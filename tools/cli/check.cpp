@@ -206,7 +206,6 @@ ExitCode check(const CheckArguments& arguments) {
   const std::vector<SourceTriangle> triangles = source_triangles(image);
   const bake::LatticeMesh mesh = mesh_of(image, triangles);
   check_surface(image, mesh);
-  warn_of_surface(image, mesh);
   std::string verdict = concat("well-formed, ", triangles.size(), " triangles, ",
                                image.header().node_count, " nodes");
   ExitCode exit_code = kSuccess;
@@ -216,6 +215,7 @@ ExitCode check(const CheckArguments& arguments) {
   if (!arguments.mesh.empty()) {
     verdict += compare(arguments, image, triangles, exit_code);
   }
+  warn_of_surface(image, mesh);
   std::cout << image.name() << ": " << verdict << "\n";
   return exit_code;
 }

@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
+#include "evaluate/needed_work.hpp"
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
 #include "evaluate/visit_bound.hpp"
@@ -31,22 +32,6 @@ struct CollideArguments {
   bool json = false;
 };
 
-std::string kind_of(const ImageFile& image) {
-  return concat(layout_name(image.layout()), "-indexed with ", image.header().index_bits,
-                "-bit indices");
-}
-
-void check_partners(const ImageFile& a, const ImageFile& b) {
-  if (a.tree().index() != b.tree().index()) {
-    throw UserError(b.path(), "is ", kind_of(b), ", but ", a.path(), " is ", kind_of(a),
-                    "; bake both with the same --layout and --index-bits");
-  }
-  if (a.cell() != b.cell()) {
-    throw UserError(b.path(), "has a cell of ", shortest(b.cell()), ", but ", a.path(), " one of ",
-                    shortest(a.cell()), "; bake both in one call or with the same --cell");
-  }
-}
-
 std::string chosen_algorithm(const CollideArguments& arguments, const ImageFile& a) {
   if (arguments.algorithm.empty()) {
     return default_traversal(a.layout());
@@ -58,15 +43,6 @@ std::string chosen_algorithm(const CollideArguments& arguments, const ImageFile&
                     pre ? "post" : "pre");
   }
   return arguments.algorithm;
-}
-
-/// All of them, before the first is asked about.
-std::vector<Pose> lattice_poses(const std::string& path, double cell) {
-  std::vector<Pose> poses;
-  for (const PoseAtLine& pose : read_poses(path)) {
-    poses.push_back(lattice_pose(pose.pose, cell, pose.place));
-  }
-  return poses;
 }
 
 void print_json(std::size_t pose, const std::string& algorithm, const WideCounts& counts) {
@@ -95,23 +71,6 @@ void append_pairs(std::string& text, std::size_t pose, std::vector<FoundPair> pa
   }
 }
 
-/// The work that queries at the given poses needed.
-struct Needed {
-  std::uint64_t most = 0;
-  std::uint64_t percentile_99 = 0;  ///< 99 of 100 needed no more
-  double mean = 0;
-};
-
-Needed needed(std::vector<std::uint64_t> work) {
-  std::sort(work.begin(), work.end());
-  double sum = 0;
-  for (const std::uint64_t each : work) {
-    sum += static_cast<double>(each);
-  }
-  return {work.back(), work[(work.size() * 99 + 99) / 100 - 1],
-          sum / static_cast<double>(work.size())};
-}
-
 /// What no pose can exceed, what a run's bound is made of (lib/docs/bounded_time.md), and what the
 /// given poses needed, if any.
 void print_bound(const ImageFile& a, const ImageFile& b, const CollideArguments& arguments,
@@ -123,7 +82,7 @@ void print_bound(const ImageFile& a, const ImageFile& b, const CollideArguments&
   };
   const std::uint32_t siblings = later(a.header()) + later(b.header());
   const std::uint32_t leaf_size = std::max(a.header().leaf_size, b.header().leaf_size);
-  const Needed poses = work.empty() ? Needed() : needed(work);
+  const NeededWork poses = work.empty() ? NeededWork() : needed_work(work);
   if (arguments.json) {
     nlohmann::ordered_json line = {{"algorithm", algorithm},
                                    {"most_work", bound.work},
@@ -159,13 +118,10 @@ void print_bound(const ImageFile& a, const ImageFile& b, const CollideArguments&
 std::vector<Answer> answers(const CollideArguments& arguments, const ImageFile& a,
                             const ImageFile& b, const std::string& algorithm) {
   std::vector<Answer> found;
-  for (const Pose& pose : lattice_poses(arguments.poses, a.cell())) {
+  for (const Pose& pose : read_lattice_poses(arguments.poses, a.cell())) {
     found.push_back(collide(a.tree(), b.tree(), pose, algorithm, arguments.first));
     Answer& answer = found.back();
-    if (answer.status != Status::done) {
-      throw UserError(arguments.poses, "pose ", found.size() - 1, " can't be answered: status ",
-                      static_cast<int>(answer.status));
-    }
+    check_answered(answer, arguments.poses, found.size() - 1);
     if (arguments.pairs.empty()) {
       answer.pairs = {};  // there may be many
     }

@@ -7,6 +7,8 @@
 #include "image/image_file.hpp"
 #include "report/page.hpp"
 #include "text/files.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -14,7 +16,8 @@ namespace {
 struct ReportArguments {
   std::vector<std::string> images;
   std::string page;
-  std::size_t poses = 100;
+  std::string core = "Cortex-M4F";
+  ReportOptions options = {"", 400, {{}, 1000, 168}};
 };
 
 void write_page(const ReportArguments& arguments) {
@@ -25,31 +28,71 @@ void write_page(const ReportArguments& arguments) {
   }
   std::string page;
   {
-    Progress progress(3.0 * static_cast<double>(images.size()), false);
-    page = page_of(images, arguments.poses,
+    Progress progress(2.0 * static_cast<double>(images.size()), false);
+    page = page_of(images, arguments.options,
                    [&](const std::string& what, double share) { progress.begin(what, share); });
   }
   write_file(arguments.page, std::move(page));
+}
+
+/// A finite number above 0.
+std::string refuse_rate(const std::string& text) {
+  const std::optional<double> rate = parse_number(text);
+  return rate && *rate >= 1e-3 && *rate <= 1e9 ? "" : "must be a number from 0.001 to 1e9";
+}
+
+void add_budget(CLI::App& command, ReportArguments& arguments) {
+  std::vector<std::string> names;
+  for (const Core& core : kCores) {
+    names.emplace_back(core.name);
+  }
+  Budget& budget = arguments.options.budget;
+  command.add_option("--core", arguments.core, "Core whose proven instructions are taken")
+      ->transform(CLI::IsMember(names, CLI::ignore_case))
+      ->capture_default_str();
+  command.add_option("--hz", budget.hz, "Periods a second")
+      ->check(refuse_rate, "NUMBER")
+      ->capture_default_str();
+  command.add_option("--mhz", budget.mhz, "The core's clock")
+      ->check(refuse_rate, "NUMBER")
+      ->capture_default_str();
 }
 
 }  // namespace
 
 void add_report(CLI::App& app) {
   const auto arguments = std::make_shared<ReportArguments>();
+  ReportOptions& options = arguments->options;
   CLI::App* const command = app.add_subcommand(
       "report",
-      "Write a page about images: the mesh with its boxes, bytes by part, the tree's shape,\n"
-      "warnings, and what queries cost.");
+      "Write a page to decide by: whether images fit a firmware's flash, RAM and period, what\n"
+      "queries about them cost, and how they look.");
   command->add_option("IMAGE", arguments->images, "Images (.fbvh)")->required();
   command->add_option("-o,--output", arguments->page, "Page to write")
       ->required()
       ->type_name("PAGE.html");
+  CLI::Option* const poses =
+      command
+          ->add_option("--poses", options.poses,
+                       "Poses of the second image in the first one's frame, as `collide` takes "
+                       "them; for more images a folder with a file A-B for each pair")
+          ->check([](const std::string& path) { return path.empty() ? "names no file" : ""; })
+          ->type_name("FILE");
   command
-      ->add_option("--poses", arguments->poses,
-                   "Random poses of each class about which a pair of images is asked; 0: none")
+      ->add_option("--samples", options.samples,
+                   "Without --poses: random poses of each pair; 0: none")
       ->check(CLI::Range(0, 100000))
-      ->capture_default_str();
-  command->callback([arguments] { write_page(*arguments); });
+      ->capture_default_str()
+      ->excludes(poses);
+  add_budget(*command, *arguments);
+  command->callback([arguments] {
+    for (const Core& core : kCores) {
+      if (arguments->core == core.name) {
+        arguments->options.budget.core = core;
+      }
+    }
+    write_page(*arguments);
+  });
 }
 
 }  // namespace flashbvh::tool

@@ -164,6 +164,14 @@ Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) 
   return on_lattice;
 }
 
+std::vector<Pose> read_lattice_poses(const std::string& path, double cell) {
+  std::vector<Pose> poses;
+  for (const PoseAtLine& pose : read_poses(path)) {
+    poses.push_back(lattice_pose(pose.pose, cell, pose.place));
+  }
+  return poses;
+}
+
 std::vector<LatticePoint> transformed_vertices(const AnyTree& b, const Pose& pose) {
   if (!pose.is_translation()) {
     return std::visit([&](const auto& tree) { return rotated_vertices(tree, pose); }, b);

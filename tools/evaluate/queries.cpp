@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "evaluate/count_query.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -56,6 +58,11 @@ Answer run_named(const std::string& name, const Levelled& a, const Levelled& b, 
   return answer;
 }
 
+std::string kind_of(const ImageFile& image) {
+  return concat(layout_name(image.layout()), "-indexed with ", image.header().index_bits,
+                "-bit indices");
+}
+
 }  // namespace
 
 std::vector<std::string> traversal_names() {
@@ -74,6 +81,21 @@ bool walks(const std::string& traversal, Layout layout) {
   return result;
 }
 
+bool are_partners(const ImageFile& a, const ImageFile& b) {
+  return a.tree().index() == b.tree().index() && a.cell() == b.cell();
+}
+
+void check_partners(const ImageFile& a, const ImageFile& b) {
+  if (a.tree().index() != b.tree().index()) {
+    throw UserError(b.path(), "is ", kind_of(b), ", but ", a.path(), " is ", kind_of(a),
+                    "; bake both with the same --layout and --index-bits");
+  }
+  if (a.cell() != b.cell()) {
+    throw UserError(b.path(), "has a cell of ", shortest(b.cell()), ", but ", a.path(), " one of ",
+                    shortest(a.cell()), "; bake both in one call or with the same --cell");
+  }
+}
+
 Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::string& traversal,
                bool first) {
   return std::visit(
@@ -82,6 +104,13 @@ Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::
         return run_named(traversal, tree_a, std::get<Levelled>(b), pose, first);
       },
       a);
+}
+
+void check_answered(const Answer& answer, const std::string& place, std::size_t pose) {
+  if (answer.status != Status::done) {
+    throw UserError(place, "pose ", pose, " can't be answered: status ",
+                    static_cast<int>(answer.status));
+  }
 }
 
 }  // namespace flashbvh::tool

@@ -18,6 +18,12 @@ std::vector<std::string> traversal_names();
 /// Whether the traversal walks trees of this layout.
 bool walks(const std::string& traversal, Layout layout);
 
+/// Whether the two can be asked about each other: trees of one kind, lattices of one cell.
+bool are_partners(const ImageFile& a, const ImageFile& b);
+
+/// UserError, with the mend, unless they are partners.
+void check_partners(const ImageFile& a, const ImageFile& b);
+
 /// Triangles by their numbers in the source files.
 struct FoundPair {
   std::uint32_t a;
@@ -43,6 +49,9 @@ struct Answer {
 /// Precondition: both trees are of one kind, and walks(traversal, their layout).
 Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::string& traversal,
                bool first);
+
+/// UserError, naming `place` and the pose by its number, if the query ended with an error.
+void check_answered(const Answer& answer, const std::string& place, std::size_t pose);
 
 }  // namespace flashbvh::tool
 

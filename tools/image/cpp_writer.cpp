@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "flashbvh/detail/image_parts.hpp"
 #include "image/source_text.hpp"
 #include "text/numbers.hpp"
 
@@ -180,6 +181,14 @@ std::size_t flash_bytes(const bake::BakedTree<Index, layout>& baked) {
   return Kind<Index, layout>::kMeshBytes + bytes_of(baked.nodes) + bytes_of(baked.triangles) +
          bytes_of(baked.triangle_ids) + bytes_of(baked.leaf_offsets) + bytes_of(baked.vertices) +
          bytes_of(baked.shell_vertices);
+}
+
+std::uint64_t flash_bytes(const ImageHeader& header) {
+  const detail::ImageOffsets at = detail::image_offsets(header);
+  const std::size_t mesh = header.index_bits == 32
+                               ? Kind<std::uint32_t, Layout::post_indexed>::kMeshBytes
+                               : Kind<std::uint16_t, Layout::post_indexed>::kMeshBytes;
+  return mesh + (at.levels - at.nodes) + (at.name - at.triangles);
 }
 
 template <class Index, Layout layout>

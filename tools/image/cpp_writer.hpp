@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bake/baked_tree.hpp"
+#include "flashbvh/image.hpp"
 #include "image/output_name.hpp"
 
 namespace flashbvh::tool {
@@ -19,6 +20,8 @@ struct CppFiles {
 /// Bytes, on a 32-bit core.
 template <class Index, Layout layout>
 std::size_t flash_bytes(const bake::BakedTree<Index, layout>& baked);
+/// The same, of the tree in an image.
+std::uint64_t flash_bytes(const ImageHeader& header);
 
 /// The text of both files: the same for the same arguments, on every machine. `unit`: the name of
 /// the unit of length; empty if it is not known.

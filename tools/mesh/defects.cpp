@@ -111,18 +111,32 @@ TriangleIds duplicate_triangles(const std::vector<TriangleCorners>& triangles) {
   return found;
 }
 
-EdgeDefects edge_defects(const std::vector<TriangleCorners>& triangles,
-                         const TriangleIds& duplicates) {
+std::vector<OddEdge> odd_edges(const std::vector<TriangleCorners>& triangles,
+                               const TriangleIds& duplicates) {
   std::vector<Edge> edges = edges_of(triangles, duplicates);
   std::sort(edges.begin(), edges.end());
-  EdgeDefects defects;
+  std::vector<OddEdge> odd;
   for (auto first = edges.begin(); first != edges.end();) {
     const auto end = std::upper_bound(first, edges.end(), *first);
     const auto count = end - first;
-    defects.boundary += count == 1 ? 1 : 0;
-    defects.non_manifold += count > 2 ? 1 : 0;
-    defects.twisted += count == 2 && first[0].rises == first[1].rises ? 1 : 0;
+    if (count != 2 || first[0].rises == first[1].rises) {
+      odd.push_back({{first->low, first->high},
+                     count == 1   ? EdgeDefect::boundary
+                     : count == 2 ? EdgeDefect::twisted
+                                  : EdgeDefect::non_manifold});
+    }
     first = end;
+  }
+  return odd;
+}
+
+EdgeDefects edge_defects(const std::vector<TriangleCorners>& triangles,
+                         const TriangleIds& duplicates) {
+  EdgeDefects defects;
+  for (const OddEdge& edge : odd_edges(triangles, duplicates)) {
+    defects.boundary += edge.defect == EdgeDefect::boundary ? 1 : 0;
+    defects.non_manifold += edge.defect == EdgeDefect::non_manifold ? 1 : 0;
+    defects.twisted += edge.defect == EdgeDefect::twisted ? 1 : 0;
   }
   return defects;
 }

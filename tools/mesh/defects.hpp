@@ -2,6 +2,7 @@
 #ifndef FLASHBVH_TOOLS_MESH_DEFECTS_HPP
 #define FLASHBVH_TOOLS_MESH_DEFECTS_HPP
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -29,8 +30,19 @@ struct EdgeDefects {
   bool none() const { return boundary == 0 && non_manifold == 0 && twisted == 0; }
 };
 
+enum class EdgeDefect : std::uint8_t { boundary, non_manifold, twisted };
+
+/// An edge by its vertices, and what is odd about it.
+struct OddEdge {
+  std::array<std::uint32_t, 2> vertices;
+  EdgeDefect defect;
+};
+
 /// Of the distinct triangles: duplicates count once, and those whose corners fall together not at
 /// all. O(n log n).
+std::vector<OddEdge> odd_edges(const std::vector<bake::TriangleCorners>& triangles,
+                               const TriangleIds& duplicates);
+/// How many they are.
 EdgeDefects edge_defects(const std::vector<bake::TriangleCorners>& triangles,
                          const TriangleIds& duplicates);
 

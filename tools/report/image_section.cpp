@@ -1,83 +1,45 @@
+#include <algorithm>
+
 #include "flashbvh/detail/image_parts.hpp"
-#include "report/sections.hpp"
-
-#include <vector>
-
+#include "flashbvh/version.hpp"
+#include "report/figure.hpp"
 #include "report/html.hpp"
 #include "report/sections.hpp"
-#include "report/tree_shape.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-/// Where an image's bytes go.
+/// Where the bytes that firmware links go.
 struct Part {
   const char* name;
-  const char* use;
   std::uint64_t bytes;  ///< with the gap after it
 };
 
-std::vector<Part> parts_of(const ImageHeader& header) {
-  const detail::ImageOffsets at = detail::image_offsets(header);
-  const bool pre = header.layout == static_cast<std::uint8_t>(Layout::pre_indexed);
-  const std::vector<Part> all = {
-      {"nodes", "boxes, links and ranks", at.levels - at.nodes},
-      {"triangles", "three vertex numbers each", at.triangle_ids - at.triangles},
-      {"vertices", "three coordinates each", at.end - at.vertices},
-      {"triangle ids", "their numbers in the mesh file", at.leaf_offsets - at.triangle_ids},
-      {"leaf offsets", "the first triangle of each leaf", at.vertices - at.leaf_offsets},
-      {"levels", "for the paper&#39;s alternating rule alone", at.climb - at.levels},
-      {pre ? "parents" : "right child levels", "likewise", at.triangles - at.climb},
-      {"header", "counts, cell and checksum", at.nodes},
-  };
-  std::vector<Part> present;
-  for (const Part& part : all) {
-    if (part.bytes != 0) {
-      present.push_back(part);
-    }
-  }
-  return present;
+std::array<Part, 5> parts_of(const Subject& subject) {
+  const detail::ImageOffsets at = detail::image_offsets(subject.image.header());
+  const std::uint64_t nodes = at.levels - at.nodes;
+  const std::uint64_t corners = at.triangle_ids - at.triangles;
+  const std::uint64_t vertices = at.shell_vertices - at.vertices;
+  const std::uint64_t ids = at.leaf_offsets - at.triangle_ids;
+  return {{{"nodes", nodes},
+           {"triangles", corners},
+           {"vertices", vertices},
+           {"triangle ids", ids},
+           {"leaf offsets and the rest", subject.flash - nodes - corners - vertices - ids}}};
 }
 
-std::string bar(const std::vector<Part>& parts, std::uint64_t total) {
+/// As long as its share of the largest.
+std::string bar(const std::array<Part, 5>& parts, std::uint64_t total, std::uint64_t most) {
   std::string label;
   std::string pieces;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    label +=
-        (i == 0 ? "" : ", ") + std::string(parts[i].name) + " " + percent(parts[i].bytes, total);
+    label += (i == 0 ? "" : ", ") + std::string(parts[i].name) + " " + grouped(parts[i].bytes);
     pieces += concat("<span class=p", i, " style=\"flex-grow:", parts[i].bytes, "\"></span>");
   }
-  return "<div class=bar role=img aria-label=\"" + label + "\">" + pieces + "</div>\n";
-}
-
-/// A bar and a table.
-std::string bytes_by_part(const ImageFile& image) {
-  const ImageHeader& header = image.header();
-  const std::vector<Part> parts = parts_of(header);
-  const double triangles = header.triangle_count;
-  std::vector<std::vector<std::string>> rows;
-  const auto add = [&](const std::string& name, const std::string& use, std::uint64_t bytes) {
-    rows.push_back({name + (use.empty() ? "" : "<small>" + use + "</small>"), grouped(bytes),
-                    percent(bytes, header.byte_count),
-                    fixed(static_cast<double>(bytes) / triangles, 1)});
-  };
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    add(concat("<i class=\"key p", i, "\"></i>", parts[i].name), parts[i].use, parts[i].bytes);
-  }
-  add("the image", "", header.byte_count);
-  return "<h3>Bytes</h3>\n" + bar(parts, header.byte_count) +
-         table("<span class=hide>Bytes by part</span>",
-               {{"part", false}, {"bytes", true}, {"share", true}, {"per triangle", true}}, rows);
-}
-
-double bytes_per_triangle(const ImageHeader& header) {
-  return static_cast<double>(header.byte_count) / header.triangle_count;
-}
-
-/// Lengths come from the file with all their digits.
-std::string length_of(double length) {
-  return significant(length, 4);
+  const double width = 100 * static_cast<double>(total) / static_cast<double>(most);
+  return "<div class=bar role=img style=\"width:" + fixed(width, 1) + "%\" aria-label=\"" + label +
+         "\">" + pieces + "</div>";
 }
 
 std::string fact(const char* name, const std::string& value, const std::string& note = "") {
@@ -85,82 +47,114 @@ std::string fact(const char* name, const std::string& value, const std::string& 
          (note.empty() ? "" : "<small>" + note + "</small>") + "</dd></div>\n";
 }
 
+std::string size_of(const Subject& subject) {
+  std::string size;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto cells = static_cast<double>(subject.bounds.upper[axis] - subject.bounds.lower[axis]);
+    size += (axis == 0 ? "" : " &times; ") + length_of(subject.image, cells * subject.image.cell());
+  }
+  return size;
+}
+
 std::string key_figures(const Subject& subject) {
-  const ImageHeader& header = subject.image.header();
-  return "<dl class=facts>\n" + fact("triangles", grouped(header.triangle_count)) +
-         fact("vertices", grouped(header.vertex_count)) +
-         fact("nodes", grouped(header.node_count), counted(header.leaf_count, "leaf", "leaves")) +
-         fact("depth", grouped(header.depth), "of the deepest leaf") +
-         fact("bytes", grouped(header.byte_count),
-              fixed(bytes_per_triangle(header), 1) + " per triangle") +
-         fact("layout", layout_name(subject.image.layout()),
-              concat(header.index_bits, "-bit indices")) +
+  const ImageFile& image = subject.image;
+  const ImageHeader& header = image.header();
+  return "<dl class=facts>\n" +
+         fact("flash", grouped(subject.flash) + " bytes",
+              fixed(static_cast<double>(subject.flash) / header.triangle_count, 1) +
+                  " per triangle") +
+         fact("triangles", grouped(header.triangle_count),
+              counted(header.vertex_count, "vertex", "vertices")) +
+         fact("size along x, y and z", size_of(subject),
+              unit_suffix(image).empty() ? "in the mesh&#39;s unit, as all lengths" : "") +
+         fact("largest deviation", length_of(image, image.deviation()),
+              "how far rounding moved a vertex: " + fixed(image.deviation() / image.cell(), 2) +
+                  " cells") +
          "</dl>\n";
 }
 
-std::string size_of(const Subject& subject) {
-  const double cell = subject.image.cell();
-  const detail::Box& box = subject.box;
-  const auto side = [&](int low, int high) { return length_of((high - low) * cell); };
-  return side(box.lower.x, box.upper.x) + " &times; " + side(box.lower.y, box.upper.y) +
-         " &times; " + side(box.lower.z, box.upper.z);
-}
-
-std::string rounding(const Subject& subject) {
-  const double cell = subject.image.cell();
-  const double deviation = subject.image.deviation();
-  return "<h3>Rounding</h3>\n<dl class=facts>\n" +
-         fact("cell", length_of(cell), "in the mesh&#39;s unit") +
-         fact("largest deviation", length_of(deviation),
-              fixed(deviation / cell, 2) + " cells; how far rounding moved a vertex") +
-         "</dl>\n<dl class=facts>\n" + fact("size along x, y and z", size_of(subject)) + "</dl>\n";
-}
-
 std::string warning_list(const Subject& subject) {
-  std::string html = "<h3>Warnings</h3>\n";
-  if (subject.warnings.empty()) {
-    return html +
-           "<p class=good>None: the surface is closed, and every triangle has an area of its "
-           "own.</p>\n";
+  std::string html;
+  for (const Warning& warning : subject.warnings) {
+    html += concat("<li><i class=\"key paint", static_cast<int>(warning.paint), "\"></i>",
+                   warning.text, "</li>\n");
   }
-  html += "<ul class=warnings>\n";
-  for (const std::string& warning : subject.warnings) {
-    html += "<li>" + warning + "</li>\n";
+  if (html.empty()) {
+    html =
+        "<p class=good>Nothing odd: the surface is closed, and every triangle has an area of its "
+        "own.</p>\n";
+  } else {
+    html = "<ul class=warnings>\n" + html +
+           "</ul>\n<p class=note>On the lattice, marked in the pictures. Queries answer exactly "
+           "all the same.</p>\n";
   }
-  return html + "</ul>\n<p class=note>On the lattice. Queries answer exactly all the same.</p>\n";
+  if (subject.left_out != 0) {
+    html += "<p class=note>" + counted(subject.left_out, "triangle was", "triangles were") +
+            " left out when the mesh was baked; the others kept their numbers.</p>\n";
+  }
+  return html;
 }
 
 }  // namespace
 
 std::string image_section(const Subject& subject) {
   return concat("<section id=m", subject.number, ">\n<h2>", escaped(subject.name), "</h2>\n",
-                key_figures(subject), pictures(subject), "<div class=columns>\n<div>\n",
-                bytes_by_part(subject.image), rounding(subject), warning_list(subject),
-                "</div>\n<div>\n", histograms(subject.shape), "</div>\n</div>\n</section>\n");
+                key_figures(subject), warning_list(subject), pictures(subject), "</section>\n");
 }
 
-std::string summary(const std::vector<const Subject*>& subjects) {
+std::string flash_table(const Subjects& subjects) {
+  std::uint64_t most = 0;
+  for (const Subject* const subject : subjects) {
+    most = std::max(most, subject->flash);
+  }
   std::vector<std::vector<std::string>> rows;
   for (const Subject* const subject : subjects) {
     const ImageHeader& header = subject->image.header();
-    rows.push_back({concat("<a href=\"#m", subject->number, "\">", escaped(subject->name), "</a>"),
-                    grouped(header.triangle_count), grouped(header.node_count),
-                    grouped(header.depth), grouped(header.byte_count),
-                    fixed(bytes_per_triangle(header), 1), length_of(subject->image.cell()),
-                    length_of(subject->image.deviation()),
-                    std::to_string(subject->warnings.size())});
+    const auto odd = subject->warnings.size();
+    rows.push_back(
+        {concat("<a href=\"#m", subject->number, "\">", escaped(subject->name), "</a>",
+                (odd == 0 ? "" : "<small>" + counted(odd, "warning", "warnings") + "</small>")),
+         grouped(header.triangle_count), grouped(subject->flash), grouped(header.byte_count),
+         bar(parts_of(*subject), subject->flash, most)});
   }
-  return table("Images",
+  std::string keys = "<p class=keys>";
+  const std::array<Part, 5> parts = parts_of(*subjects[0]);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    keys += concat("<i class=\"key p", i, "\"></i>", parts[i].name, " ");
+  }
+  return "<section id=flash>\n<h2>Flash by mesh</h2>\n<div class=hist>\n" +
+         table("<span class=hide>Flash by mesh</span>",
                {{"mesh", false},
                 {"triangles", true},
-                {"nodes", true},
-                {"depth", true},
-                {"bytes", true},
-                {"per triangle", true},
+                {"bytes linked", true},
+                {"as an image", true},
+                {"<span class=hide>bar</span>", false}},
+               rows) +
+         "</div>\n" + keys + "</p>\n</section>\n";
+}
+
+std::string foot(const Subjects& subjects) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Subject* const subject : subjects) {
+    const ImageFile& image = subject->image;
+    const ImageHeader& header = image.header();
+    rows.push_back({escaped(subject->name), grouped(header.leaf_size), grouped(header.arity),
+                    concat(layout_name(image.layout()), ", ", header.index_bits, "-bit indices"),
+                    length_of(image, image.cell()), grouped(header.node_count),
+                    grouped(header.depth)});
+  }
+  return "<footer>\n" +
+         table("How the images were baked",
+               {{"mesh", false},
+                {"leaf size, at most", true},
+                {"arity, at most", true},
+                {"layout", false},
                 {"cell", true},
-                {"deviation", true},
-                {"warnings", true}},
-               rows);
+                {"nodes", true},
+                {"depth", true}},
+               rows) +
+         concat("<p class=note>flashbvh ", FLASHBVH_VERSION_MAJOR, ".", FLASHBVH_VERSION_MINOR, ".",
+                FLASHBVH_VERSION_PATCH, ", image format ", kImageVersion, "</p>\n</footer>\n");
 }
 
 }  // namespace flashbvh::tool

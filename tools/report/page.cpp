@@ -11,62 +11,54 @@ namespace flashbvh::tool {
 namespace {
 
 /// `title` is HTML.
-std::string head(const std::string& title) {
+std::string head(const std::string& title, std::size_t levels) {
   return "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n"
          "<meta name=viewport content=\"width=device-width,initial-scale=1\">\n<title>" +
          title + " &middot; flashbvh report</title>\n<style>\n" + kColours + kText + kTables +
-         kPictures + picture_style() + "</style>\n</head>\n<body>\n";
+         kPictures + paint_style() + level_style(levels) + "</style>\n</head>\n<body>\n";
 }
 
-std::string title_of(const std::vector<const Subject*>& subjects) {
-  return subjects.size() == 1 ? escaped(subjects[0]->name)
-                              : counted(subjects.size(), "mesh", "meshes");
-}
-
-std::string opening(const std::vector<const Subject*>& subjects) {
-  return "<header>\n<h1>flashbvh report</h1>\n<p class=lead>What <code>flashbvh bake</code> made: "
-         "the collision geometry with the boxes over it, its bytes, and what queries "
-         "cost.</p>\n</header>\n<main>\n" +
-         (subjects.size() == 1
-              ? ""
-              : "<section>\n" + summary(subjects) +
-                    "<p><a href=\"#queries\">What queries cost</a></p></section>\n");
-}
-
-std::string queries(const std::vector<const Subject*>& subjects, std::size_t poses,
-                    const Step& step) {
-  if (poses == 0) {
-    return "";
+std::string title_of(const Subjects& subjects) {
+  if (subjects.size() > 2) {
+    return counted(subjects.size(), "mesh", "meshes");
   }
-  std::string html = "<section id=queries>\n<h2>What queries cost</h2>\n" +
-                     query_note(subjects, poses) + "<div class=pairs>\n";
-  for (const SubjectPair& pair : asked_pairs(subjects)) {
-    step("querying " + pair.first->name + " and " + pair.second->name, 1);
-    html += pair_section(pair, poses);
+  return escaped(subjects[0]->name) +
+         (subjects.size() == 1 ? "" : " and " + escaped(subjects[1]->name));
+}
+
+std::size_t most_levels(const Subjects& subjects) {
+  std::size_t levels = 0;
+  for (const Subject* const subject : subjects) {
+    levels = std::max(levels, subject->levels.size());
   }
-  return html + "</div>\n</section>\n";
+  return levels;
 }
 
 }  // namespace
 
-std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images, std::size_t poses,
-                    const Step& step) {
+std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
+                    const ReportOptions& options, const Step& step) {
   std::vector<std::string> paths(images.size());
   std::transform(images.begin(), images.end(), paths.begin(),
                  [](const auto& image) { return image->path(); });
   const std::vector<std::string> names = unique_names(paths);
   std::vector<std::unique_ptr<Subject>> owned;
-  std::vector<const Subject*> subjects;
+  Subjects subjects;
   for (std::size_t i = 0; i < images.size(); ++i) {
     owned.push_back(std::make_unique<Subject>(*images[i], i, names[i]));
     subjects.push_back(owned.back().get());
   }
-  std::string html = head(title_of(subjects)) + opening(subjects);
+  const std::vector<AskedPair> pairs = asked_pairs(subjects, options, step);
+  const std::string title = title_of(subjects);
+  std::string html = head(title, most_levels(subjects)) + "<header>\n<p class=lead>flashbvh " +
+                     "report: flash, RAM and time</p>\n<h1>" + title +
+                     "</h1>\n</header>\n<main>\n" + fit_section(subjects, pairs, options) +
+                     pairs_section(subjects, pairs, options) + flash_table(subjects);
   for (const Subject* const subject : subjects) {
     step("drawing " + subject->name, 1);
     html += image_section(*subject);
   }
-  return html + queries(subjects, poses, step) + "</main>\n</body>\n</html>\n";
+  return html + foot(subjects) + "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace flashbvh::tool

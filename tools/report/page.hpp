@@ -8,16 +8,25 @@
 #include <vector>
 
 #include "image/image_file.hpp"
+#include "report/budget.hpp"
 
 namespace flashbvh::tool {
+
+struct ReportOptions {
+  /// Of B in A's frame, as `collide` takes them. A file for two images; a folder with a file A-B
+  /// for each pair that is asked about; empty: random poses.
+  std::string poses;
+  std::size_t samples;  ///< random poses of each pair; 0: none
+  Budget budget;
+};
 
 /// Told before each piece of work: what it is about, and which share of the whole it is.
 using Step = std::function<void(const std::string& what, double share)>;
 
-/// One self-contained HTML file, the same bytes for the same images whatever their folder. `poses`:
-/// of each pair's sample. UserError as source_triangles(). At least one image.
-std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images, std::size_t poses,
-                    const Step& step);
+/// One self-contained HTML file, the same bytes for the same images and poses whatever their
+/// folder. UserError as source_triangles() and read_lattice_poses(). At least one image.
+std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
+                    const ReportOptions& options, const Step& step);
 
 }  // namespace flashbvh::tool
 

@@ -1,5 +1,4 @@
-// PNG (Portable Network Graphics, ISO/IEC 15948), colour type 3: a palette, with a table of its
-// colours' opacities.
+// PNG (Portable Network Graphics, ISO/IEC 15948), colour type 6: colours and opacity.
 #include "report/png.hpp"
 
 #include <zlib.h>
@@ -31,9 +30,10 @@ std::string chunk(const std::string& name, const std::string& data) {
 /// Each row after the byte that says "not filtered", compressed.
 std::string compressed_rows(const Picture& picture) {
   std::string rows;
-  for (std::uint32_t y = 0; y < picture.height; ++y) {
+  const std::size_t row = std::size_t{4} * picture.side;
+  for (std::uint32_t y = 0; y < picture.side; ++y) {
     rows += '\0';
-    rows.append(picture.pixels, std::size_t{y} * picture.width, picture.width);
+    rows.append(picture.pixels, y * row, row);
   }
   uLongf size = compressBound(rows.size());
   std::string stream(size, '\0');
@@ -62,19 +62,10 @@ std::string base64(const std::string& bytes) {
 }  // namespace
 
 std::string data_uri(const Picture& picture) {
-  std::string colours;
-  std::string opacities;
-  for (const Colour& colour : picture.palette) {
-    for (const std::uint8_t part : {colour.red, colour.green, colour.blue}) {
-      colours += static_cast<char>(part);
-    }
-    opacities += static_cast<char>(colour.alpha);
-  }
-  const std::string kind("\x08\x03\0\0\0", 5);  // 8 bits, palette, nothing interlaced
+  const std::string side = big_endian(picture.side);
+  const std::string kind("\x08\x06\0\0\0", 5);  // 8 bits, colours and opacity, not interlaced
   return "data:image/png;base64," +
-         base64("\x89PNG\r\n\x1A\n" +
-                chunk("IHDR", big_endian(picture.width) + big_endian(picture.height) + kind) +
-                chunk("PLTE", colours) + chunk("tRNS", opacities) +
+         base64("\x89PNG\r\n\x1A\n" + chunk("IHDR", side + side + kind) +
                 chunk("IDAT", compressed_rows(picture)) + chunk("IEND", ""));
 }
 

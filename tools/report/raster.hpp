@@ -1,8 +1,9 @@
-// A mesh as a picture: shaded triangles, the nearest in front.
+// A scene as a picture: shaded triangles, the nearest in front.
 #ifndef FLASHBVH_TOOLS_REPORT_RASTER_HPP
 #define FLASHBVH_TOOLS_REPORT_RASTER_HPP
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "report/png.hpp"
@@ -10,17 +11,46 @@
 
 namespace flashbvh::tool {
 
-/// A mesh's triangles by their corners, in cells from the mesh's origin.
-using TriangleSoup = std::vector<std::array<Vertex, 3>>;
+/// What a triangle or an edge is, told by its colour.
+enum Paint : std::uint8_t {
+  kFirstMesh,
+  kSecondMesh,
+  kIntersected,  ///< from here on: seen before all others at the same place
+  kNoArea,
+  kDuplicate,
+  kBoundary,
+  kNonManifold,
+  kTwisted,
+  kPaintCount,
+};
 
-/// Pixels of a picture's side.
-constexpr std::int64_t kPictureSide = 480;
-/// What stays free at its edges, for the lines of boxes.
-constexpr std::int64_t kPictureMargin = 8;
+/// The class of each paint, "paint3", for keys beside the text.
+std::string paint_style();
 
-/// The mesh on a transparent ground, in greys that are seen on white and on black. `box`: the
-/// mesh's. Triangles seen from the edge are drawn as lines, so that nothing is invisible.
-Picture picture_of(const TriangleSoup& triangles, const View& view, const detail::Box& box);
+struct Face {
+  std::array<LatticePoint, 3> corner;
+  Paint paint;
+};
+
+/// Drawn in front of everything.
+struct Line {
+  std::array<LatticePoint, 2> end;
+  Paint paint;
+};
+
+struct Scene {
+  std::vector<Face> faces;
+  std::vector<Line> lines;
+};
+
+struct Drawn {
+  Picture picture;
+  std::array<std::size_t, kPaintCount> seen;  ///< samples of each paint
+};
+
+/// The scene on a transparent ground, in colours that are seen on white and on black. Faces seen
+/// from the edge are drawn as lines, so that nothing is invisible.
+Drawn draw(const Scene& scene, const View& view, const Frame& frame, std::int64_t side);
 
 }  // namespace flashbvh::tool
 

@@ -3,36 +3,56 @@
 #define FLASHBVH_TOOLS_REPORT_SECTIONS_HPP
 
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "report/page.hpp"
+#include "report/pose_costs.hpp"
 #include "report/subject.hpp"
 
 namespace flashbvh::tool {
 
-/// Key figures, pictures, bytes, shape, rounding and warnings.
-std::string image_section(const Subject& subject);
+using Subjects = std::vector<const Subject*>;
 
-/// A row for each image.
-std::string summary(const std::vector<const Subject*>& subjects);
+/// Two subjects that are asked about each other, the second moving.
+struct AskedPair {
+  const Subject* a;
+  const Subject* b;
+  PairCosts costs;
+};
+
+/// "ring and peg", as HTML.
+std::string title_of(const AskedPair& pair);
+
+/// The pair whose costliest pose, or bound where there are no poses, takes most work.
+const AskedPair& costliest(const std::vector<AskedPair>& pairs);
+
+/// All pairs that can be asked about, or the first few. One mesh is asked about a second one.
+std::vector<AskedPair> asked_pairs(const Subjects& subjects, const ReportOptions& options,
+                                   const Step& step);
+
+/// Flash, RAM and time, and whether they are enough. `pairs`: may be none.
+std::string fit_section(const Subjects& subjects, const std::vector<AskedPair>& pairs,
+                        const ReportOptions& options);
+
+/// The worst of each pair as a matrix, for three meshes or more; the costliest pose and a first
+/// contact as pictures; work by how close the meshes come. Nothing without poses.
+std::string pairs_section(const Subjects& subjects, const std::vector<AskedPair>& pairs,
+                          const ReportOptions& options);
+std::string pose_pictures(const AskedPair& pair);
+
+/// Key figures, pictures and warnings.
+std::string image_section(const Subject& subject);
 
 /// Four views and a choice of levels, which works by style alone.
 std::string pictures(const Subject& subject);
+/// What the style needs for the choice among so many levels.
+std::string level_style(std::size_t levels);
 
-/// What the style needs for the choice.
-std::string picture_style();
+/// Flash by mesh and part, on one scale.
+std::string flash_table(const Subjects& subjects);
 
-/// Subjects that are asked about each other.
-using SubjectPair = std::pair<const Subject*, const Subject*>;
-
-/// Each with itself, then the first few pairs that can be queried.
-std::vector<SubjectPair> asked_pairs(const std::vector<const Subject*>& subjects);
-
-/// A table for a pair.
-std::string pair_section(const SubjectPair& pair, std::size_t poses);
-
-/// What the tables mean and which pairs are left out.
-std::string query_note(const std::vector<const Subject*>& subjects, std::size_t poses);
+/// The version, and how each image was baked.
+std::string foot(const Subjects& subjects);
 
 }  // namespace flashbvh::tool
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "image/cpp_writer.hpp"
 #include "mesh/defects.hpp"
 #include "report/html.hpp"
 #include "text/messages.hpp"
@@ -13,59 +14,79 @@
 namespace flashbvh::tool {
 namespace {
 
-/// In the order of the source mesh; `numbers` are the triangles' there.
-bake::LatticeMesh lattice_mesh(const ImageFile& image, std::vector<std::uint32_t>& numbers) {
+/// In the order of the source mesh.
+bake::LatticeMesh lattice_mesh(const ImageFile& image, const std::vector<SourceTriangle>& sources) {
   bake::LatticeMesh mesh;
   std::visit(
       [&](const auto& tree) {
         mesh.vertices.assign(tree.vertices, tree.vertices + tree.vertex_count);
       },
       image.tree());
-  for (const SourceTriangle& triangle : source_triangles(image)) {
+  for (const SourceTriangle& triangle : sources) {
     mesh.triangles.push_back(triangle.vertices);
-    numbers.push_back(triangle.number);
   }
   return mesh;
 }
 
-/// From places in the image to numbers in the source.
-TriangleIds renumbered(TriangleIds places, const std::vector<std::uint32_t>& numbers) {
-  for (std::uint32_t& place : places) {
-    place = numbers[place];
+/// `places`: in the image's order of sources. Told by their numbers in the source mesh.
+void mark_triangles(Subject& subject, TriangleIds places, Paint paint, const char* what) {
+  if (places.empty()) {
+    return;
   }
-  return places;
+  for (std::uint32_t& place : places) {
+    subject.triangles[place].paint = paint;
+    place = subject.triangles[place].source.number;
+  }
+  subject.warnings.push_back({paint, triangle_list(places) + what});
 }
 
-std::vector<std::string> warnings_of(const bake::LatticeMesh& mesh,
-                                     const std::vector<std::uint32_t>& numbers) {
-  std::vector<std::string> warnings;
-  const auto warn = [&](const TriangleIds& places, const char* what) {
-    if (!places.empty()) {
-      warnings.push_back(triangle_list(renumbered(places, numbers)) + what);
+void mark_edges(Subject& subject, const std::vector<OddEdge>& edges, EdgeDefect defect, Paint paint,
+                const char* one, const char* many) {
+  const std::vector<LatticePoint> points = vertices_of(subject.image.tree());
+  std::size_t count = 0;
+  for (const auto& [vertices, found] : edges) {
+    if (found == defect) {
+      subject.marked_edges.push_back({{points[vertices[0]], points[vertices[1]]}, paint});
+      ++count;
     }
-  };
+  }
+  if (count != 0) {
+    subject.warnings.push_back({paint, counted(count, one, many)});
+  }
+}
+
+void mark_defects(Subject& subject, const bake::LatticeMesh& mesh) {
   const TriangleIds duplicates = duplicate_triangles(mesh.triangles);
-  warn(degenerate_triangles(mesh), " without area: a segment or a point.");
-  warn(duplicates, " with the three vertices of an earlier one.");
-  const EdgeDefects defects = edge_defects(mesh.triangles, duplicates);
-  if (defects.boundary != 0) {
-    warnings.push_back(counted(defects.boundary, "boundary edge", "boundary edges") +
-                       " of one triangle only.");
-  }
-  if (defects.non_manifold != 0) {
-    warnings.push_back(counted(defects.non_manifold, "non-manifold edge", "non-manifold edges") +
-                       " of more than two triangles.");
-  }
-  if (defects.twisted != 0) {
-    warnings.push_back(counted(defects.twisted, "edge", "edges") +
-                       " of two triangles that face opposite ways.");
-  }
-  const std::size_t left_out = numbers.back() + std::size_t{1} - numbers.size();
-  if (left_out != 0) {
-    warnings.push_back(counted(left_out, "triangle was", "triangles were") +
-                       " left out when the mesh was baked; the others kept their numbers.");
-  }
-  return warnings;
+  mark_triangles(subject, duplicates, kDuplicate, " with the three vertices of an earlier one.");
+  mark_triangles(subject, degenerate_triangles(mesh), kNoArea,
+                 " without area: a segment or a point.");
+  const std::vector<OddEdge> edges = odd_edges(mesh.triangles, duplicates);
+  mark_edges(subject, edges, EdgeDefect::boundary, kBoundary, "boundary edge of one triangle only.",
+             "boundary edges of one triangle only.");
+  mark_edges(subject, edges, EdgeDefect::non_manifold, kNonManifold,
+             "non-manifold edge of more than two triangles.",
+             "non-manifold edges of more than two triangles.");
+  mark_edges(subject, edges, EdgeDefect::twisted, kTwisted,
+             "edge of two triangles that face opposite ways.",
+             "edges of two triangles that face opposite ways.");
+}
+
+std::vector<std::vector<NodeBox>> boxes_by_level(const AnyTree& any) {
+  std::vector<std::vector<NodeBox>> levels;
+  std::visit(
+      [&](const auto& tree) {
+        const auto& o = tree.origin;
+        for (std::uint32_t i = 0; i < tree.node_count; ++i) {
+          levels.resize(std::max<std::size_t>(levels.size(), tree.level(i) + std::size_t{1}));
+          const detail::Box box = detail::unpack(tree.nodes[i].box);
+          levels[tree.level(i)].push_back(
+              {{{o[0] + box.lower.x, o[1] + box.lower.y, o[2] + box.lower.z},
+                {o[0] + box.upper.x, o[1] + box.upper.y, o[2] + box.upper.z}},
+               tree.nodes[i].is_leaf()});
+        }
+      },
+      any);
+  return levels;
 }
 
 }  // namespace
@@ -74,15 +95,17 @@ Subject::Subject(const ImageFile& file, std::size_t place, std::string unique_na
     : image(file),
       number(place),
       name(std::move(unique_name)),
-      shape(shape_of(file.tree())),
-      box(std::visit([](const auto& tree) { return detail::unpack(tree.nodes[0].box); },
-                     file.tree())) {
-  std::vector<std::uint32_t> numbers;
-  const bake::LatticeMesh mesh = lattice_mesh(file, numbers);
-  for (const bake::TriangleCorners& t : mesh.triangles) {
-    triangles.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
+      flash(flash_bytes(file.header())),
+      levels(boxes_by_level(file.tree())) {
+  const std::vector<LatticePoint> points = vertices_of(file.tree());
+  const std::vector<SourceTriangle> sources = source_triangles(file);
+  bounds = levels[0][0].box;
+  for (const SourceTriangle& source : sources) {
+    const auto& [p, q, r] = source.vertices;
+    triangles.push_back({{{points[p], points[q], points[r]}, kFirstMesh}, source});
   }
-  warnings = warnings_of(mesh, numbers);
+  left_out = sources.back().number + std::size_t{1} - sources.size();
+  mark_defects(*this, lattice_mesh(file, sources));
 }
 
 std::vector<std::string> unique_names(const std::vector<std::string>& paths) {

@@ -1,4 +1,4 @@
-// An image and what a page says of it.
+// An image and what a page shows of it.
 #ifndef FLASHBVH_TOOLS_REPORT_SUBJECT_HPP
 #define FLASHBVH_TOOLS_REPORT_SUBJECT_HPP
 
@@ -7,9 +7,25 @@
 
 #include "image/image_file.hpp"
 #include "report/raster.hpp"
-#include "report/tree_shape.hpp"
 
 namespace flashbvh::tool {
+
+/// A box of the tree and whether it is a leaf's.
+struct NodeBox {
+  Bounds box;
+  bool is_leaf;
+};
+
+/// A triangle in cells of the mesh's frame.
+struct Triangle : Face {
+  SourceTriangle source;
+};
+
+/// What is odd about the lattice mesh.
+struct Warning {
+  Paint paint;       ///< in which the pictures show it
+  std::string text;  ///< a sentence
+};
 
 struct Subject {
   /// `number`: counts the page's images; `name`: without folder, unlike those of the others.
@@ -18,11 +34,13 @@ struct Subject {
   const ImageFile& image;
   std::size_t number;
   std::string name;
-  TreeShape shape;
-  TriangleSoup triangles;
-  detail::Box box;
-  /// What is odd about the lattice mesh: a sentence each, as HTML.
-  std::vector<std::string> warnings;
+  std::uint64_t flash;              ///< bytes that its C++ arrays link
+  Bounds bounds;                    ///< in cells of the mesh's frame
+  std::vector<Triangle> triangles;  ///< painted by what is odd about them
+  std::vector<Line> marked_edges;
+  std::vector<std::vector<NodeBox>> levels;  ///< from the root on
+  std::vector<Warning> warnings;
+  std::size_t left_out;  ///< triangles that `bake` was told to drop, but for the last ones
 };
 
 /// Names of the image files, numbered where they are the same.

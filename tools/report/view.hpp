@@ -4,12 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
-#include "flashbvh/detail/box.hpp"
+#include "image/image_file.hpp"
 
 namespace flashbvh::tool {
 
-using Vector = std::array<std::int64_t, 3>;
+using Vector = LatticePoint;
 
 std::int64_t dot(const Vector& u, const Vector& v);
 
@@ -24,12 +25,22 @@ inline std::int64_t square_root(std::int64_t value) {
   return root;
 }
 
+/// A box along the axes, in cells.
+struct Bounds {
+  LatticePoint lower;
+  LatticePoint upper;
+
+  std::vector<LatticePoint> corners() const;
+};
+
+/// Precondition: not empty.
+Bounds bounds_of(const std::vector<LatticePoint>& points);
+
 /// A parallel projection. The three directions are at right angles, each about kUnit long.
 struct View {
   static constexpr std::int64_t kUnit = 1024;
 
-  const char* name;     ///< "From above"
-  const char* caption;  ///< which axis points where
+  const char* name;  ///< "From above"
   Vector right;
   Vector up;
   Vector towards;  ///< from the mesh to who looks at it
@@ -38,6 +49,9 @@ struct View {
 /// From a corner, from above, from the front and from the right.
 const std::array<View, 4>& views();
 
+/// From the four corners above.
+const std::array<View, 4>& corner_views();
+
 /// A place on the picture: `x` to the right, `y` downwards, `depth` away from who looks.
 struct Projected {
   std::int64_t x;
@@ -45,23 +59,31 @@ struct Projected {
   std::int64_t depth;
 };
 
-/// Lays what lies in a box into a square picture, in the middle and as large as it goes.
+/// What is to be seen, and how large: pictures of one `across` have one scale.
+struct Frame {
+  std::vector<LatticePoint> points;  ///< the middle of what these take up is that of the picture
+  std::int64_t across;               ///< cells along the picture's side
+};
+
+/// The points as large as all views allow, with room for lines. Precondition: not empty.
+Frame frame_of(std::vector<LatticePoint> points, const std::array<View, 4>& views);
+
+/// Lays a frame into a square picture.
 class Projection {
  public:
-  /// `side`: of the picture; `margin`: what stays free round the box.
-  Projection(const View& view, const detail::Box& box, std::int64_t side, std::int64_t margin);
+  Projection(const View& view, const Frame& frame, std::int64_t side);
 
-  Projected project(const Vertex& vertex) const;
+  Projected project(const LatticePoint& point) const;
   /// A direction in the picture's measure.
   Projected rotate(const Vector& direction) const;
 
  private:
   View view_;
+  LatticePoint origin_;  ///< near what is seen, so that no product is out of range
   std::int64_t side_;
-  std::int64_t room_;
   std::int64_t extent_;
-  std::int64_t middle_x_;  ///< twice the middle of the box
-  std::int64_t middle_y_;
+  std::int64_t left_;  ///< of the picture, from the origin
+  std::int64_t top_;
 };
 
 }  // namespace flashbvh::tool

@@ -1,15 +1,14 @@
 // Rotations from quaternions of four integers in a ball, which makes them even over all rotations
 // (Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992); directions likewise from three.
 // Integers alone, rounded the same everywhere.
-#include "report/visits.hpp"
+#include "report/pose_costs.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
-#include "flashbvh/pose.hpp"
-#include "image/image_file.hpp"
 #include "report/view.hpp"
 
 namespace flashbvh::tool {
@@ -93,10 +92,8 @@ struct Place {
   std::int64_t diagonal = 0;  ///< half of it
 };
 
-/// B rotated by any rotation, each as likely as the other, and translated so that the middle of its
-/// box lies in any direction from the middle of A's, at any distance from 0 to the sum of half
-/// their boxes' diagonals: from there on their boxes are disjoint however they are rotated. Always
-/// the same poses for the same trees; not `done` where a mesh lies too far from its origin.
+/// From the sum of half the diagonals on, boxes are disjoint however they are rotated. Not `done`
+/// where a mesh lies too far from its origin.
 Pose next_pose(Random& random, const Place& a, const Place& b) {
   Matrix rotation;
   set_rotation(in_ball<4>(random), rotation);
@@ -127,50 +124,64 @@ Closeness closeness_of(const WideCounts& counts) {
   return counts.overlaps != 0 ? kSmallProximity : kSeparated;
 }
 
-void add(Visits& visits, std::uint64_t count) {
-  ++visits.poses;
-  visits.sum += count;
-  visits.most = std::max(visits.most, count);
+/// Adds what a query at the pose costs. The visits that it took to tell.
+std::uint64_t add(PairCosts& costs, const ImageFile& a, const ImageFile& b, const Pose& pose,
+                  const std::string& place) {
+  const char* const algorithm = default_traversal(a.layout());
+  const Answer all = collide(a.tree(), b.tree(), pose, algorithm, false);
+  check_answered(all, place, costs.poses.size());
+  costs.poses.push_back(
+      {pose, closeness_of(all.counts), all.work, all.work, all.counts.triangle_pairs});
+  if (all.counts.triangle_pairs == 0) {
+    return all.counts.visits;
+  }
+  const Answer first = collide(a.tree(), b.tree(), pose, algorithm, true);
+  costs.poses.back().work_to_first = first.work;
+  return all.counts.visits + first.counts.visits;
 }
 
-bool is_full(const VisitSample& sample, std::uint64_t wanted) {
-  return std::all_of(sample.all.begin(), sample.all.end(),
-                     [&](const Visits& visits) { return visits.poses == wanted; });
+void sum_up(PairCosts& costs, const ImageFile& a, const ImageFile& b) {
+  costs.bound = visit_bound(a.tree(), b.tree(), default_traversal(a.layout()));
+  std::vector<std::uint64_t> work;
+  std::vector<std::uint64_t> to_first;
+  for (const PoseCost& pose : costs.poses) {
+    work.push_back(pose.work);
+    to_first.push_back(pose.work_to_first);
+  }
+  if (!work.empty()) {
+    costs.needed = needed_work(std::move(work));
+    costs.needed_to_first = needed_work(std::move(to_first));
+  }
 }
 
 }  // namespace
 
-VisitSample sample_visits(const ImageFile& a, const ImageFile& b, std::uint64_t wanted) {
-  const char* const algorithm = default_traversal(a.layout());
+PairCosts costs_at(const ImageFile& a, const ImageFile& b, const std::string& path) {
+  PairCosts costs;
+  for (const Pose& pose : read_lattice_poses(path, a.cell())) {
+    add(costs, a, b, pose, path);
+  }
+  sum_up(costs, a, b);
+  return costs;
+}
+
+PairCosts sampled_costs(const ImageFile& a, const ImageFile& b, std::size_t count) {
   const Place place_a(a.tree());
   const Place place_b(b.tree());
   Random random;
-  VisitSample sample;
+  PairCosts costs;
   std::uint64_t spent = 0;
-  for (std::uint64_t i = 0; i < kTries * wanted && !is_full(sample, wanted); ++i) {
+  for (std::size_t i = 0; i < count && !costs.costly; ++i) {
     const Pose pose = next_pose(random, place_a, place_b);
     if (pose.status() != Status::done) {
-      ++sample.out_of_range;
+      ++costs.out_of_range;
       continue;
     }
-    // The first pair tells the class; only a pose that is wanted is worth all pairs.
-    WideCounts counts = collide(a.tree(), b.tree(), pose, algorithm, true).counts;
-    const Closeness closeness = closeness_of(counts);
-    spent += counts.visits;
-    if (sample.all[closeness].poses < wanted) {
-      if (closeness == kIntersecting) {
-        add(sample.first, counts.visits);
-        counts = collide(a.tree(), b.tree(), pose, algorithm, false).counts;
-        spent += counts.visits;
-      }
-      add(sample.all[closeness], counts.visits);
-    }
-    if (spent >= kMostVisits) {
-      sample.costly = true;
-      break;
-    }
+    spent += add(costs, a, b, pose, b.path());
+    costs.costly = spent >= kMostVisits && i + 1 < count;
   }
-  return sample;
+  sum_up(costs, a, b);
+  return costs;
 }
 
 }  // namespace flashbvh::tool

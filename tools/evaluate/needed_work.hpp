@@ -1,0 +1,41 @@
+// What queries at some poses needed, and what a core can take for it at most.
+#ifndef FLASHBVH_TOOLS_EVALUATE_NEEDED_WORK_HPP
+#define FLASHBVH_TOOLS_EVALUATE_NEEDED_WORK_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "flashbvh/bound.hpp"
+#include "flashbvh/image.hpp"
+
+namespace flashbvh::tool {
+
+/// The work that queries at some poses needed.
+struct NeededWork {
+  std::uint64_t most = 0;
+  std::uint64_t percentile_99 = 0;  ///< 99 of 100 needed no more
+  double mean = 0;
+};
+
+/// Precondition: not empty.
+NeededWork needed_work(std::vector<std::uint64_t> work);
+
+/// What the baked C++ has as kTreeSize.
+TreeSize tree_size(const ImageHeader& header);
+
+/// A core by its name in the documents, and what is proven of it.
+struct Core {
+  const char* name;
+  RunCosts costs;
+};
+
+/// Those of flashbvh/detail/run_costs.hpp.
+inline constexpr Core kCores[] = {
+    {"Cortex-M0", kCortexM0}, {"Cortex-M3", kCortexM3},   {"Cortex-M4F", kCortexM4F},
+    {"Cortex-M7", kCortexM7}, {"Cortex-M33", kCortexM33}, {"Cortex-M55", kCortexM55},
+    {"RV32IMAC", kRV32IMAC},
+};
+
+}  // namespace flashbvh::tool
+
+#endif

@@ -1,0 +1,29 @@
+// A picture in a page: the scene as pixels, lines over it, axes and a scale below.
+#ifndef FLASHBVH_TOOLS_REPORT_FIGURE_HPP
+#define FLASHBVH_TOOLS_REPORT_FIGURE_HPP
+
+#include <string>
+
+#include "image/image_file.hpp"
+#include "report/raster.hpp"
+
+namespace flashbvh::tool {
+
+/// Units of a drawing's side, whatever the pixels of the picture in it.
+constexpr std::int64_t kDrawingSide = 1600;
+
+/// " mm", or nothing where an image does not tell its unit.
+std::string unit_suffix(const ImageFile& image);
+
+/// A length, given in the mesh's unit, to four digits, with the unit.
+std::string length_of(const ImageFile& image, double length);
+
+/// `label`: what is seen, for who can't see it; `overlay`: SVG in units of the drawing; `caption`.
+/// All three HTML. `image`: whose cell and unit the scale has.
+std::string figure(const Drawn& drawn, const View& view, const Frame& frame, const ImageFile& image,
+                   const std::string& label, const std::string& overlay,
+                   const std::string& caption);
+
+}  // namespace flashbvh::tool
+
+#endif

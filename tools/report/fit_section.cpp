@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "report/html.hpp"
+#include "report/sections.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// What a query and a pose take on a 32-bit core: lib/docs/figures.md, "what the caller keeps";
+/// with 32-bit indices the query keeps eight bytes more.
+constexpr std::uint64_t kQueryBytes = 128;
+constexpr std::uint64_t kLargeQueryBytes = 136;
+constexpr std::uint64_t kPoseBytes = 68;
+
+/// What a question takes at most: at poses, and at any.
+enum Case : std::uint8_t { kMean, kPercentile99, kCostliest, kAnyPose, kCaseCount };
+constexpr std::array<const char*, kCaseCount> kCaseNames = {"mean of the poses", "99th percentile",
+                                                            "costliest pose", "any pose, proven"};
+using Needs = std::array<Need, kCaseCount>;
+
+struct Question {
+  const char* name;
+  NeededWork PairCosts::*needed;
+};
+constexpr Question kQuestions[] = {{"Do they touch?", &PairCosts::needed_to_first},
+                                   {"Which triangles?", &PairCosts::needed}};
+
+Needs needs_of(const AskedPair& pair, const Question& question, const Budget& budget) {
+  const auto need = [&](std::uint64_t work) {
+    return need_of(work, tree_size(pair.a->image.header()), tree_size(pair.b->image.header()),
+                   budget);
+  };
+  const NeededWork& needed = pair.costs.*question.needed;
+  return {need(static_cast<std::uint64_t>(std::llround(needed.mean))), need(needed.percentile_99),
+          need(needed.most), need(pair.costs.bound.work)};
+}
+
+/// Of all of them, one after the other.
+Needs needs_of(const std::vector<AskedPair>& pairs, const Question& question,
+               const Budget& budget) {
+  Needs all = needs_of(pairs[0], question, budget);
+  for (std::size_t i = 1; i < pairs.size(); ++i) {
+    const Needs next = needs_of(pairs[i], question, budget);
+    std::transform(all.begin(), all.end(), next.begin(), all.begin(), std::plus<>());
+  }
+  return all;
+}
+
+std::string tile(const char* name, const std::string& value, const std::string& note) {
+  return concat("<div><dt>", name, "</dt><dd>", value, "<small>", note, "</small></dd></div>\n");
+}
+
+std::string tiles(const Subjects& subjects, const Budget& budget) {
+  std::uint64_t flash = 0;
+  std::uint64_t images = 0;
+  bool large = false;
+  for (const Subject* const subject : subjects) {
+    flash += subject->flash;
+    images += subject->image.header().byte_count;
+    large = large || subject->image.header().index_bits == 32;
+  }
+  const std::uint64_t query = large ? kLargeQueryBytes : kQueryBytes;
+  return "<dl class=tiles>\n" +
+         tile("Flash", grouped(flash) + " bytes",
+              "linked C++ arrays; as images " + grouped(images) +
+                  " bytes. The code of a query, once: some 10 KiB.") +
+         tile("RAM", grouped(query + kPoseBytes) + " bytes",
+              concat("a query object of ", query, " and a pose of ", kPoseBytes,
+                     "; no heap, no static data. On the stack, in a run: at most 544 bytes, 708 on "
+                     "a Cortex-M0.")) +
+         tile("Period", significant(1e3 / budget.hz, 4) + " ms",
+              significant(budget.hz, 6) + " Hz on a " + budget.core.name + " at " +
+                  significant(budget.mhz, 6) + " MHz: " +
+                  grouped(static_cast<std::uint64_t>(std::min(budget.instructions(), 1e18))) +
+                  " instructions at one a cycle.") +
+         "</dl>\n";
+}
+
+/// "1,234,567" or "38.9 million".
+std::string large(double number) {
+  return number < 1e7   ? grouped(static_cast<std::uint64_t>(number))
+         : number < 1e9 ? significant(number / 1e6, 3) + " million"
+                        : significant(number / 1e9, 3) + " billion";
+}
+
+/// A gauge whose full width is a period.
+std::string card(const char* name, const Need& need, const Budget& budget) {
+  const double share = need.share(budget);
+  const char* const state = share <= 1 ? "in" : "beyond";
+  return concat("<div class=\"card ", state, "\"><h4>", name, "</h4><b>", verdict(need, budget),
+                "</b><div class=gauge><span style=\"width:", fixed(std::min(1.0, share) * 100, 1),
+                "%\"></span></div><small>", grouped(need.work), " work<br>at most ",
+                large(need.instructions), " instructions<br>", milliseconds(need, budget),
+                "</small></div>\n");
+}
+
+std::string cards(const std::string& title, const Needs& needs, bool has_poses,
+                  const Budget& budget) {
+  std::string html = "<h3>" + title + "</h3>\n<div class=cards>\n";
+  for (std::size_t i = has_poses ? kMean : kAnyPose; i < kCaseCount; ++i) {
+    html += card(kCaseNames[i], needs[i], budget);
+  }
+  return html + "</div>\n";
+}
+
+std::string answer(const std::string& style, const std::string& question,
+                   const std::string& words) {
+  return "<li class=" + style + "><b>" + question + "</b> " + words + "</li>\n";
+}
+
+/// The short of it.
+std::string answers(const std::vector<AskedPair>& pairs, bool has_poses, const Budget& budget) {
+  const char* const when = pairs.size() > 1 ? " for all pairs, each at its costliest pose"
+                                            : " at the costliest of the poses";
+  std::string html = "<ul class=verdict>\n";
+  for (const Question& question : kQuestions) {
+    const Need need = needs_of(pairs, question, budget)[kCostliest];
+    if (has_poses) {
+      html += answer(need.share(budget) <= 1 ? "good" : "bad", question.name,
+                     verdict(need, budget) + when);
+    }
+  }
+  const Need bound = needs_of(pairs, kQuestions[0], budget)[kAnyPose];
+  const bool fits = bound.share(budget) <= 1;
+  return html +
+         answer(fits ? "good" : "soft", "Any pose, proven:",
+                verdict(bound, budget) +
+                    (fits ? "" : ", if all boxes overlapped, which no real pose comes near")) +
+         "</ul>\n";
+}
+
+std::string pose_note(const std::vector<AskedPair>& pairs, const ReportOptions& options) {
+  if (!options.poses.empty()) {
+    std::size_t poses = 0;
+    for (const AskedPair& pair : pairs) {
+      poses += pair.costs.poses.size();
+    }
+    return counted(poses, "pose", "poses") + " as given.";
+  }
+  if (options.samples == 0) {
+    return "No poses were asked about.";
+  }
+  return grouped(options.samples) +
+         (pairs.size() == 1 ? " random poses" : " random poses of each pair") +
+         ": the second mesh rotated by any rotation, its middle in any direction from that of the "
+         "first, at any distance at which boxes can overlap. Your machine&#39;s poses are others: "
+         "give them with <code>--poses</code>.";
+}
+
+std::string notes(const std::vector<AskedPair>& pairs, const ReportOptions& options) {
+  return concat(
+      "<p class=note>Poses: ", pose_note(pairs, options),
+      "</p>\n<p class=note>Instructions are upper bounds: work times the most that a unit of work "
+      "can take on a ",
+      options.budget.core.name,
+      ", proven for GCC 12 at -O2 (<code>flashbvh/bound.hpp</code>). Queries on a "
+      "robot&#39;s links were measured to take about a tenth of that "
+      "(<code>lib/docs/figures.md</code>). Milliseconds assume an instruction a "
+      "cycle; wait states of the flash come on top, and so does making the query, once a pose. A "
+      "slice is a call of <code>run(work)</code> that takes no longer than a period.</p>\n");
+}
+
+}  // namespace
+
+std::string fit_section(const Subjects& subjects, const std::vector<AskedPair>& pairs,
+                        const ReportOptions& options) {
+  const Budget& budget = options.budget;
+  if (pairs.empty()) {
+    return "<section id=fit>\n" + tiles(subjects, budget) + "</section>\n";
+  }
+  const AskedPair& worst = costliest(pairs);
+  const bool has_poses = !worst.costs.poses.empty();
+  std::string html =
+      "<section id=fit>\n" + answers(pairs, has_poses, budget) + tiles(subjects, budget);
+  for (const Question& question : kQuestions) {
+    html += cards(
+        title_of(worst) + (pairs.size() > 1 ? ", the costliest pair: " : ": ") + question.name,
+        needs_of(worst, question, budget), has_poses, budget);
+  }
+  for (const Question& question : kQuestions) {
+    if (pairs.size() > 1) {
+      html += cards(concat("All ", pairs.size(), " pairs, each at its own: ", question.name),
+                    needs_of(pairs, question, budget), has_poses, budget);
+    }
+  }
+  return html + notes(pairs, options) + "</section>\n";
+}
+
+}  // namespace flashbvh::tool

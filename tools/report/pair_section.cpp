@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "evaluate/poses.hpp"
+#include "evaluate/queries.hpp"
+#include "report/figure.hpp"
+#include "report/html.hpp"
+#include "report/sections.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+std::string note(const std::string& text) {
+  return "<p class=note>" + text + "</p>\n";
+}
+
+const AskedPair* find(const std::vector<AskedPair>& pairs, const Subject* a, const Subject* b) {
+  const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const AskedPair& pair) {
+    return pair.a == a && pair.b == b;
+  });
+  return found == pairs.end() ? nullptr : &*found;
+}
+
+/// The darker, the more of the largest.
+std::string matrix_cell(const AskedPair* pair, std::uint64_t most) {
+  if (pair == nullptr) {
+    return "<td class=n>&ndash;</td>";
+  }
+  const std::uint64_t work = pair->costs.needed.most;
+  const double share = static_cast<double>(work) / static_cast<double>(most);
+  return "<td class=\"n heat\" style=\"--heat:" + fixed(std::sqrt(share), 2) + "\">" +
+         grouped(work) + "</td>";
+}
+
+std::string matrix(const Subjects& subjects, const std::vector<AskedPair>& pairs) {
+  const std::uint64_t most = std::max<std::uint64_t>(costliest(pairs).costs.needed.most, 1);
+  std::string html =
+      "<div class=scroll><table class=matrix><caption>Most work of each pair at its "
+      "poses</caption>\n<thead><tr><td></td>";
+  for (std::size_t i = 1; i < subjects.size(); ++i) {
+    html += "<th scope=col class=n>" + escaped(subjects[i]->name) + "</th>";
+  }
+  html += "</tr></thead>\n<tbody>\n";
+  for (std::size_t i = 0; i + 1 < subjects.size(); ++i) {
+    html += "<tr><th scope=row>" + escaped(subjects[i]->name) + "</th>";
+    for (std::size_t j = 1; j < subjects.size(); ++j) {
+      const AskedPair* const pair = find(pairs, subjects[i], subjects[j]);
+      html += j <= i ? "<td></td>"
+                     : matrix_cell(pair != nullptr ? pair : find(pairs, subjects[j], subjects[i]),
+                                   most);
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+/// Work of some of the poses.
+struct Row {
+  const char* name;
+  std::vector<std::uint64_t> work;
+};
+
+std::array<Row, 5> rows_of(const AskedPair& pair) {
+  std::array<Row, 5> rows = {{{"boxes of the meshes disjoint", {}},
+                              {"boxes overlap, none of two leaves", {}},
+                              {"leaves overlap, no triangles intersect", {}},
+                              {"intersecting: every pair of triangles", {}},
+                              {"intersecting: the first pair", {}}}};
+  for (const PoseCost& pose : pair.costs.poses) {
+    rows[pose.closeness].work.push_back(pose.work);
+    if (pose.closeness == kIntersecting) {
+      rows[kClosenessCount].work.push_back(pose.work_to_first);
+    }
+  }
+  return rows;
+}
+
+std::vector<std::string> cells_of(const Row& row, std::uint64_t most) {
+  if (row.work.empty()) {
+    return {row.name, "0", "&ndash;", "&ndash;", ""};
+  }
+  const NeededWork work = needed_work(row.work);
+  const auto width = [&](double part) {
+    return fixed(100 * part / static_cast<double>(most), 1) + "%\"></span>";
+  };
+  return {row.name, grouped(row.work.size()),
+          grouped(static_cast<std::uint64_t>(std::llround(work.mean))), grouped(work.most),
+          "<div class=\"row over\"><span class=inner style=\"width:" +
+              width(static_cast<double>(work.most)) +
+              "<span class=leaf style=\"width:" + width(work.mean) + "</div>"};
+}
+
+std::string closeness_table(const AskedPair& pair) {
+  std::vector<std::vector<std::string>> cells;
+  for (const Row& row : rows_of(pair)) {
+    cells.push_back(cells_of(row, std::max<std::uint64_t>(pair.costs.needed.most, 1)));
+  }
+  return "<div class=hist>\n" +
+         table("Work of " + title_of(pair) + ", by how close they come",
+               {{"the meshes", false},
+                {"poses", true},
+                {"<i class=\"key leaf\"></i>mean", true},
+                {"<i class=\"key inner\"></i>most", true},
+                {"<span class=hide>bar</span>", false}},
+               cells) +
+         "</div>\n";
+}
+
+/// Why there may be fewer poses than wanted.
+std::string shortfall(const PairCosts& costs) {
+  return (costs.costly ? note("Stopped after " + grouped(kMostVisits) +
+                              " visits in all: there are fewer poses.")
+                       : "") +
+         (costs.out_of_range == 0
+              ? ""
+              : note(counted(costs.out_of_range, "pose", "poses") +
+                     " passed over: a mesh lies so far from its origin that rotating it about its "
+                     "middle takes a translation out of range."));
+}
+
+}  // namespace
+
+std::string pairs_section(const Subjects& subjects, const std::vector<AskedPair>& pairs,
+                          const ReportOptions& options) {
+  const std::size_t different = subjects.size() * (subjects.size() - 1) / 2;
+  std::string html;
+  if (pairs.size() < different) {
+    html += note(counted(different - pairs.size(), "pair is", "pairs are") + " not asked about: " +
+                 (options.poses.empty() ? "baked with another cell, layout or index width, or "
+                                          "beyond the first few."
+                                        : "no poses are given."));
+  }
+  if (!pairs.empty() && !costliest(pairs).costs.poses.empty()) {
+    const AskedPair& worst = costliest(pairs);
+    html += (subjects.size() > 2 ? matrix(subjects, pairs) : "") + pose_pictures(worst) +
+            closeness_table(worst);
+  }
+  for (const AskedPair& pair : pairs) {
+    html += shortfall(pair.costs);
+  }
+  return html.empty() ? ""
+                      : "<section id=poses>\n<h2>Where the work is</h2>\n" + html + "</section>\n";
+}
+
+}  // namespace flashbvh::tool
