@@ -56,8 +56,8 @@ refused "--body big: names a body of no file; give --mesh, too" check shared/big
 exits 0 info meshes/ring.stl --json
 cp stdout facts
 for size in 1 2 4 8; do
-  "$FLASHBVH" bake meshes/ring.stl -o sized --leaf-size $size --format image >table
-  bytes=$(awk '$1 == "ring" { print $6 }' table)
+  "$FLASHBVH" bake meshes/ring.stl -o sized --leaf-size $size --format cpp >table
+  bytes=$(awk '$1 == "ring" { print $2 }' table)
   grep -q "{\"leaf_size\":$size,\"index_bits\":16,\"bytes\":$bytes,\"bytes_per_triangle\":" facts ||
     fail "$bytes at $size: $(cat facts)"
 done
@@ -66,7 +66,7 @@ grep -qF "\"triangles\":400,\"vertices\":200,\"bodies\":[\"\"],\"box\":{\"lower\
   fail "$(cat facts)"
 grep -qF "\"finest_cell\":$cell," facts || fail "$(cat facts)"
 exits 0 info meshes/ring.stl
-grep -q '^flash, leaf size 2  10004 bytes, 25.0 a triangle, with 16-bit indices$' stdout || fail "$(cat stdout)"
+grep -q '^flash, leaf size 2  10016 bytes, 25.0 a triangle, with 16-bit indices$' stdout || fail "$(cat stdout)"
 exits 0 info meshes/many_nodes.stl
 grep -q '^flash, leaf size 1 .* 32-bit indices$' stdout || fail "$(cat stdout)"
 grep -q '^flash, leaf size 4 .* 16-bit indices$' stdout || fail "$(cat stdout)"
