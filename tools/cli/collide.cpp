@@ -5,10 +5,12 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <tuple>
 
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
+#include "cli/summary.hpp"
 #include "evaluate/needed_work.hpp"
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
@@ -29,7 +31,10 @@ struct CollideArguments {
   std::string pairs;
   bool first = false;
   bool bound = false;
+  bool summary = false;
+  bool floats = false;
   bool json = false;
+  std::string contacts;
 };
 
 std::string chosen_algorithm(const CollideArguments& arguments, const ImageFile& a) {
@@ -62,13 +67,38 @@ void print_table_row(std::size_t pose, const WideCounts& counts) {
             << counts.triangle_pairs << "\n";
 }
 
-void append_pairs(std::string& text, std::size_t pose, std::vector<FoundPair> pairs) {
-  std::sort(pairs.begin(), pairs.end(), [](const FoundPair& p, const FoundPair& q) {
+/// Of a pose, in order of the pairs.
+void append_pairs(std::string& text, std::size_t pose, const Answer& answer,
+                  const std::vector<std::size_t>& order) {
+  for (const std::size_t i : order) {
+    text += concat(pose, " ", answer.pairs[i].a, " ", answer.pairs[i].b, "\n");
+  }
+}
+
+/// The same with both ends of what they have in common, in the images' unit.
+void append_contacts(std::string& text, std::size_t pose, const Answer& answer,
+                     const std::vector<std::size_t>& order, double cell) {
+  for (const std::size_t i : order) {
+    text += concat(pose, " ", answer.pairs[i].a, " ", answer.pairs[i].b);
+    for (const FinePoint& end : answer.contacts[i].ends) {
+      for (const std::int64_t coordinate : {end.x, end.y, end.z}) {
+        text += " " + shortest(static_cast<double>(coordinate) * cell / kFineOne);
+      }
+    }
+    text += "\n";
+  }
+}
+
+/// The answer's pairs by number.
+std::vector<std::size_t> order_of(const Answer& answer) {
+  std::vector<std::size_t> order(answer.pairs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    const FoundPair& p = answer.pairs[i];
+    const FoundPair& q = answer.pairs[j];
     return std::tie(p.a, p.b) < std::tie(q.a, q.b);
   });
-  for (const FoundPair& pair : pairs) {
-    text += concat(pose, " ", pair.a, " ", pair.b, "\n");
-  }
+  return order;
 }
 
 /// What no pose can exceed, what a run's bound is made of (lib/docs/bounded_time.md), and what the
@@ -118,11 +148,12 @@ void print_bound(const ImageFile& a, const ImageFile& b, const CollideArguments&
 std::vector<Answer> answers(const CollideArguments& arguments, const ImageFile& a,
                             const ImageFile& b, const std::string& algorithm) {
   std::vector<Answer> found;
-  for (const Pose& pose : read_lattice_poses(arguments.poses, a.cell())) {
-    found.push_back(collide(a.tree(), b.tree(), pose, algorithm, arguments.first));
+  const Asked asked = {arguments.first, !arguments.contacts.empty()};
+  for (const Pose& pose : read_lattice_poses(arguments.poses, a.cell(), arguments.floats)) {
+    found.push_back(collide(a.tree(), b.tree(), pose, algorithm, asked));
     Answer& answer = found.back();
     check_answered(answer, arguments.poses, found.size() - 1);
-    if (arguments.pairs.empty()) {
+    if (arguments.pairs.empty() && arguments.contacts.empty()) {
       answer.pairs = {};  // there may be many
     }
   }
@@ -145,9 +176,15 @@ void print_answers(const CollideArguments& arguments, const std::string& names,
 }
 
 void collide_all(const CollideArguments& arguments) {
-  if (!arguments.pairs.empty()) {
-    refuse_to_replace_inputs(arguments.pairs, {arguments.poses});
-    refuse_to_replace_image(arguments.pairs);
+  for (const std::string& output : {arguments.pairs, arguments.contacts}) {
+    if (!output.empty()) {
+      refuse_to_replace_inputs(output, {arguments.poses});
+      refuse_to_replace_image(output);
+    }
+  }
+  if (!arguments.pairs.empty() && arguments.pairs == arguments.contacts) {
+    throw UserError("--contacts " + arguments.contacts,
+                    "is the same file as that of --pairs; name two");
   }
   const ImageFile a(arguments.a);
   const ImageFile b(arguments.b);
@@ -157,26 +194,37 @@ void collide_all(const CollideArguments& arguments) {
   if (!arguments.poses.empty()) {
     found = answers(arguments, a, b, algorithm);
   }
-  if (arguments.bound) {
+  if (arguments.bound || arguments.summary) {
     std::vector<std::uint64_t> work(found.size());
     std::transform(found.begin(), found.end(), work.begin(),
                    [](const Answer& answer) { return answer.work; });
-    print_bound(a, b, arguments, algorithm, work);
+    if (arguments.bound) {
+      print_bound(a, b, arguments, algorithm, work);
+    } else {
+      print_summary(a, b, algorithm, work, arguments.json);
+    }
     return;
   }
-  const auto print = [&] {
+  FileSet files;
+  std::string pairs;
+  std::string contacts;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::vector<std::size_t> order = order_of(found[i]);
+    append_pairs(pairs, i, found[i], order);
+    if (!arguments.contacts.empty()) {
+      append_contacts(contacts, i, found[i], order, a.cell());
+    }
+  }
+  if (!arguments.pairs.empty()) {
+    files.add(arguments.pairs, std::move(pairs));
+  }
+  if (!arguments.contacts.empty()) {
+    files.add(arguments.contacts, std::move(contacts));
+  }
+  files.write([&] {
     print_answers(arguments, a.name() + " and " + b.name(), algorithm, found);
     flush_output();
-  };
-  if (arguments.pairs.empty()) {
-    print();
-    return;
-  }
-  std::string pairs;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    append_pairs(pairs, i, found[i].pairs);
-  }
-  write_file(arguments.pairs, std::move(pairs), print);
+  });
 }
 
 }  // namespace
@@ -203,11 +251,26 @@ void add_collide(CLI::App& app) {
   CLI::Option* const pairs =
       command->add_option("--pairs", a.pairs, "Write `pose a b` for each pair, sorted")
           ->type_name("OUT");
+  CLI::Option* const contacts =
+      command
+          ->add_option("--contacts", a.contacts,
+                       "Write `pose a b x y z x y z` for each pair, sorted: the two ends of what "
+                       "the triangles\nhave in common, in the images' unit, in A's frame")
+          ->type_name("OUT");
+  command->add_flag("--float", a.floats,
+                    "Take the poses' numbers as 32-bit floats, as firmware's pose_of() does: the "
+                    "same poses to the bit");
   command->add_flag("--json", a.json, "One JSON object a pose");
+  CLI::Option* const summary =
+      command
+          ->add_flag("--summary", a.summary,
+                     "Print, instead, the mean, the 99th percentile and the most work of the "
+                     "poses, and the\ninstructions that each core takes for it at most")
+          ->excludes(pairs, contacts);
   command
       ->add_flag("--bound", a.bound,
                  "Print the work that no pose exceeds, instead, and what the given poses needed")
-      ->excludes(first, pairs);
+      ->excludes(first, pairs, contacts, summary);
   command->callback([arguments] {
     if (!arguments->bound && arguments->poses.empty()) {
       throw CLI::RequiredError("--poses or --bound");

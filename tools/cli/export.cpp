@@ -19,6 +19,7 @@ struct ExportArguments {
   std::string mesh;
   std::optional<std::string> pose;
   bool cells = false;
+  bool floats = false;
 };
 
 /// A comment tells the number of a triangle before which others were left out.
@@ -46,7 +47,9 @@ void write_obj(const ExportArguments& arguments) {
   std::vector<LatticePoint> vertices = vertices_of(image.tree());
   if (arguments.pose) {
     const RigidPose pose = parse_pose(*arguments.pose, "--pose");
-    vertices = transformed_vertices(image.tree(), lattice_pose(pose, image.cell(), "--pose"));
+    vertices = transformed_vertices(image.tree(), arguments.floats
+                                                      ? pose_of_floats(pose, image.cell(), "--pose")
+                                                      : lattice_pose(pose, image.cell(), "--pose"));
   }
   const std::string unit = unit_name(image.unit());
   std::string text = arguments.cells ? "# in cells\n"
@@ -78,6 +81,8 @@ void add_export(CLI::App& app) {
   command->add_option("--pose", arguments->pose,
                       "A pose of 12 numbers, as in `collide --poses`: write the mesh where a query "
                       "puts it as B, in A's frame");
+  command->add_flag("--float", arguments->floats,
+                    "Take the pose's numbers as 32-bit floats, as firmware's pose_of() does");
   command->add_flag("--cells", arguments->cells, "Integer coordinates, in cells");
   command->callback([arguments] { write_obj(*arguments); });
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "flashbvh/detail/rotated_transform.hpp"
+#include "flashbvh/pose_float.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -56,6 +58,11 @@ double defect(const Matrix& r) {
                   "least 5 decimals");
 }
 
+[[noreturn]] void refuse_translation(double length, double cell, const std::string& place) {
+  throw UserError(place, "the pose translates B by ", shortest(length), ", the most is ",
+                  shortest(kMaxTranslation * cell), " (", kMaxTranslation, " cells)");
+}
+
 /// Cells, and what is left of them in 1/65,536.
 struct AxisTranslation {
   std::int32_t cells;
@@ -66,8 +73,7 @@ AxisTranslation axis_translation(double length, double cell, const std::string& 
   const double fractions = std::round(length / cell * 65536);
   const double cells = std::floor((fractions + 32768) / 65536);
   if (!(std::fabs(cells) <= kMaxTranslation)) {
-    throw UserError(place, "the pose translates B by ", shortest(length), ", the most is ",
-                    shortest(kMaxTranslation * cell), " (", kMaxTranslation, " cells)");
+    refuse_translation(length, cell, place);
   }
   return {static_cast<std::int32_t>(cells), static_cast<std::int16_t>(fractions - cells * 65536)};
 }
@@ -164,10 +170,36 @@ Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) 
   return on_lattice;
 }
 
-std::vector<Pose> read_lattice_poses(const std::string& path, double cell) {
+Pose pose_of_floats(const RigidPose& pose, double cell, const std::string& place) {
+  float rotation[3][3] = {};
+  float translation[3] = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      rotation[i][j] = static_cast<float>(pose.rotation[i][j]);
+    }
+    translation[i] = static_cast<float>(pose.translation[i]);
+  }
+  std::uint64_t cell_bits = 0;
+  std::memcpy(&cell_bits, &cell, sizeof cell_bits);
+  const Pose made = pose_of(rotation, translation, cells_per_unit(cell_bits));
+  if (made.status() == Status::not_a_rotation) {
+    refuse_rotation(pose.rotation, place);
+  }
+  if (made.status() != Status::done) {
+    const auto& t = pose.translation;
+    refuse_translation(
+        *std::max_element(t.begin(), t.end(),
+                          [](double u, double v) { return std::fabs(u) < std::fabs(v); }),
+        cell, place);
+  }
+  return made;
+}
+
+std::vector<Pose> read_lattice_poses(const std::string& path, double cell, bool as_floats) {
   std::vector<Pose> poses;
   for (const PoseAtLine& pose : read_poses(path)) {
-    poses.push_back(lattice_pose(pose.pose, cell, pose.place));
+    poses.push_back(as_floats ? pose_of_floats(pose.pose, cell, pose.place)
+                              : lattice_pose(pose.pose, cell, pose.place));
   }
   return poses;
 }

@@ -36,8 +36,12 @@ std::vector<PoseAtLine> read_poses(const std::string& path);
 /// no rotation within kRotationTolerance or translates B beyond kMaxTranslation.
 Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place);
 
+/// The same by firmware's own pose_of() (flashbvh/pose_float.hpp): the numbers as 32-bit floats,
+/// the translation multiplied by the cells in a unit.
+Pose pose_of_floats(const RigidPose& pose, double cell, const std::string& place);
+
 /// All poses of a file. UserError as read_poses() and lattice_pose().
-std::vector<Pose> read_lattice_poses(const std::string& path, double cell);
+std::vector<Pose> read_lattice_poses(const std::string& path, double cell, bool as_floats = false);
 
 /// The vertices of B in cells of A's frame: where a query has them, whatever the A, and where it
 /// would have those that are too far from A for it to look.

@@ -21,7 +21,7 @@ void add(WideCounts& sum, const Counts& now, const Counts& before) {
 
 template <class Traversal>
 Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b, const Pose& pose,
-           bool first) {
+           const Asked& asked) {
   scene::WalkStart<Traversal> start(a, b);
   Query<Traversal> query(a, b, pose, start.cursor());
   Answer answer;
@@ -31,7 +31,10 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
     std::uint32_t work = kWorkPerRun;
     answer.status = query.spend(work, [&](const typename Query<Traversal>::Pair& pair) {
       answer.pairs.push_back({pair.a, pair.b});
-      return !first;
+      if (asked.contacts) {
+        answer.contacts.push_back(contact_of_last(query));
+      }
+      return !asked.first;
     });
     answer.work += kWorkPerRun - work;
     add(answer.counts, query.counts(), before);
@@ -44,14 +47,14 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
 
 template <class Levelled>
 Answer run_named(const std::string& name, const Levelled& a, const Levelled& b, const Pose& pose,
-                 bool first) {
+                 const Asked& asked) {
   Answer answer;
   for_each_traversal([&](auto traversal) {
     using Named = decltype(traversal);
     if constexpr (Named::walks(Levelled::kLayout)) {
       if (name == traversal.name) {
         using Traversal = typename Named::template On<typename Levelled::Index, Levelled::kLayout>;
-        answer = run<Traversal>(a, b, pose, first);
+        answer = run<Traversal>(a, b, pose, asked);
       }
     }
   });
@@ -97,11 +100,11 @@ void check_partners(const ImageFile& a, const ImageFile& b) {
 }
 
 Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::string& traversal,
-               bool first) {
+               const Asked& asked) {
   return std::visit(
       [&](const auto& tree_a) {
         using Levelled = std::decay_t<decltype(tree_a)>;
-        return run_named(traversal, tree_a, std::get<Levelled>(b), pose, first);
+        return run_named(traversal, tree_a, std::get<Levelled>(b), pose, asked);
       },
       a);
 }

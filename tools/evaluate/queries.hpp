@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "flashbvh/contact.hpp"
 #include "flashbvh/paper/traversals.hpp"
 #include "flashbvh/pose.hpp"
 #include "image/image_file.hpp"
@@ -42,13 +43,20 @@ struct Answer {
   Status status = Status::done;  ///< `done` or an error
   WideCounts counts;
   std::uint64_t work = 0;
-  std::vector<FoundPair> pairs;  ///< in the order in which the query reports them
+  std::vector<FoundPair> pairs;   ///< in the order in which the query reports them
+  std::vector<Contact> contacts;  ///< of each pair, if asked for
 };
 
-/// Runs the library's query to its end or, with `first`, to the first pair.
+/// What a query is asked for beside counts and pairs.
+struct Asked {
+  bool first = false;  ///< to end at the first pair
+  bool contacts = false;
+};
+
+/// Runs the library's query to its end, or to the first pair.
 /// Precondition: both trees are of one kind, and walks(traversal, their layout).
 Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::string& traversal,
-               bool first);
+               const Asked& asked);
 
 /// UserError, naming `place` and the pose by its number, if the query ended with an error.
 void check_answered(const Answer& answer, const std::string& place, std::size_t pose);

@@ -128,14 +128,14 @@ Closeness closeness_of(const WideCounts& counts) {
 std::uint64_t add(PairCosts& costs, const ImageFile& a, const ImageFile& b, const Pose& pose,
                   const std::string& place) {
   const char* const algorithm = default_traversal(a.layout());
-  const Answer all = collide(a.tree(), b.tree(), pose, algorithm, false);
+  const Answer all = collide(a.tree(), b.tree(), pose, algorithm, {});
   check_answered(all, place, costs.poses.size());
   costs.poses.push_back(
       {pose, closeness_of(all.counts), all.work, all.work, all.counts.triangle_pairs});
   if (all.counts.triangle_pairs == 0) {
     return all.counts.visits;
   }
-  const Answer first = collide(a.tree(), b.tree(), pose, algorithm, true);
+  const Answer first = collide(a.tree(), b.tree(), pose, algorithm, {/*first=*/true, false});
   costs.poses.back().work_to_first = first.work;
   return all.counts.visits + first.counts.visits;
 }

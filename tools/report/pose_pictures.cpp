@@ -39,7 +39,7 @@ Contact contact_of(const AskedPair& pair, const Pose& pose) {
   std::set<std::uint32_t> of_a;
   std::set<std::uint32_t> of_b;
   const char* const algorithm = default_traversal(pair.a->image.layout());
-  for (const FoundPair& found : collide(a, b, pose, algorithm, false).pairs) {
+  for (const FoundPair& found : collide(a, b, pose, algorithm, {}).pairs) {
     of_a.insert(found.a);
     of_b.insert(found.b);
   }
