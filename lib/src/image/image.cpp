@@ -155,17 +155,21 @@ template <class Index, Layout layout>
   set_climb(mesh, levels ? at<Index>(bytes, offsets.climb) : nullptr);
 }
 
+/// Whether there is a header in its place; the copy is gone when the tree is checked.
+[[gnu::noinline]] Status check_readable(const void* bytes, size_t size) {
+  ImageHeader copy;
+  return reinterpret_cast<uintptr_t>(bytes) % 4 != 0 ? Status::image_misaligned
+                                                     : read_image_header(bytes, size, copy);
+}
+
 /// Levels may be missing.
 template <class Index, Layout layout>
 Status open_any(const void* bytes, size_t size, LevelledMesh<Index, layout>& mesh) {
-  ImageHeader header;
-  if (reinterpret_cast<uintptr_t>(bytes) % 4 != 0) {
-    return Status::image_misaligned;
-  }
-  const Status read = read_image_header(bytes, size, header);
+  const Status read = check_readable(bytes, size);
   if (read != Status::done) {
     return read;
   }
+  const ImageHeader& header = *at<ImageHeader>(bytes, 0);
   if (header.byte_count < sizeof header || image_crc(bytes, header.byte_count) != header.crc) {
     return Status::image_corrupt;
   }

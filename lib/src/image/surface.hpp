@@ -5,22 +5,26 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/inline.hpp"
 #include "flashbvh/lattice.hpp"
 
 namespace flashbvh::detail {
 
 /// A surface is closed if each edge is run through as often one way as the other: then a point's
-/// winding number is the same along every ray. Told by a sum over all edges, of a number that the
-/// two vertices make, positive one way, negative the other: 0 if it is closed, and otherwise, short
-/// of bad intent, by a chance of 2^-64.
+/// winding number is the same along every ray. Told by a sum over all edges (u, v) of
+/// g(u) h(v) - g(v) h(u), where g and h make numbers of vertices that look random: 0 if it is
+/// closed, and otherwise, short of bad intent, by a chance below 2^-26: of numbers that are random
+/// the sum is linear in one vertex's g, whose factor is a multiple of 2^k by a chance of 2^-k.
 class Surface {
  public:
-  /// A triangle, by its vertices' indices.
-  FLASHBVH_NOINLINE void add(uint32_t u, uint32_t v, uint32_t w, const Vertex* vertices) {
-    add_edge(u, v, vertices);
-    add_edge(v, w, vertices);
-    add_edge(w, u, vertices);
+  /// A triangle: the vertices p, q and r, and their indices.
+  void add(uint32_t u, uint32_t v, uint32_t w, const Vertex& p, const Vertex& q, const Vertex& r) {
+    measure(p, q);
+    measure(q, r);
+    measure(r, p);
+    const Numbers of_u(u);
+    const Numbers of_v(v);
+    const Numbers of_w(w);
+    sum_ += of_u.g * (of_v.h - of_w.h) + of_v.g * (of_w.h - of_u.h) + of_w.g * (of_u.h - of_v.h);
   }
 
   bool is_closed() const { return sum_ == 0; }
@@ -36,16 +40,23 @@ class Surface {
   }
 
  private:
-  void add_edge(uint32_t u, uint32_t v, const Vertex* vertices) {
-    const Vertex& p = vertices[u];
-    const Vertex& q = vertices[v];
+  /// Of a vertex.
+  struct Numbers {
+    uint32_t g;
+    uint32_t h;
+
+    explicit Numbers(uint32_t vertex) {
+      g = (vertex + 1) * 0x9E3779B1u;
+      g = (g ^ g >> 15) * 0x85EBCA6Bu;
+      h = (g ^ g >> 13) * 0xC2B2AE35u;
+      g ^= g >> 16;
+      h ^= h >> 16;
+    }
+  };
+
+  void measure(const Vertex& p, const Vertex& q) {
     const uint32_t squared = square(p.x - q.x) + square(p.y - q.y) + square(p.z - q.z);
     longest_squared_ = squared > longest_squared_ ? squared : longest_squared_;
-    if (u < v) {
-      sum_ += number_of(u, v);
-    } else if (v < u) {
-      sum_ -= number_of(v, u);
-    }
   }
 
   /// Three of them stay below 2^32: 3 * (2 * kMaxCoordinate)^2.
@@ -53,14 +64,7 @@ class Surface {
     return static_cast<uint32_t>(difference) * static_cast<uint32_t>(difference);
   }
 
-  /// Two vertices to one of 2^64 numbers, each to another one: multiplied by odd numbers, the high
-  /// word mixed into the low one between.
-  static uint64_t number_of(uint32_t u, uint32_t v) {
-    const uint64_t spread = (uint64_t{u} << 32 | v) * 0xBF58476D1CE4E5B9u;
-    return (spread ^ spread >> 32) * 0x94D049BB133111EBu;
-  }
-
-  uint64_t sum_ = 0;
+  uint32_t sum_ = 0;
   uint32_t longest_squared_ = 0;
 };
 

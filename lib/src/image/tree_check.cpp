@@ -9,6 +9,7 @@
 // Of a post-indexed tree the links alone say all: the sibling that a node follows in array order is
 // its link. A pre-indexed tree is climbed by its parents.
 #include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/inline.hpp"
 #include "surface.hpp"
 
 namespace flashbvh::detail {
@@ -20,9 +21,13 @@ bool is_on_lattice(const PackedBox& box) {
   return ((box.upper_xy | box.lower_xy | box.z) & 0x80008000u) == 0;
 }
 
+/// Of boxes on the lattice, whose halves have a spare bit that no difference needs.
 bool is_inside(const PackedBox& inner, const PackedBox& outer) {
-  return halves_reach({{outer.upper_xy, outer.lower_xy, outer.z}},
-                      {{inner.upper_xy, inner.lower_xy, inner.z}});
+  constexpr uint32_t spare = 0x80008000u;
+  const uint32_t reach = ((outer.upper_xy | spare) - inner.upper_xy) &
+                         ((outer.lower_xy | spare) - inner.lower_xy) &
+                         ((outer.z | spare) - inner.z);
+  return (reach & spare) == spare;
 }
 
 template <class Index, Layout layout>
@@ -125,27 +130,28 @@ class Checker {
     }
     shape_.leaf_size = greater(shape_.leaf_size, end - first);
     for (uint32_t i = first; i < end; ++i) {
-      if (!triangle_inside(i, node.box)) {
+      if (!triangle(i, node.box)) {
         return false;
       }
-      const Index(&corner)[3] = tree_.triangles[i].corner;
-      surface_.add(corner[0], corner[1], corner[2], tree_.vertices);
     }
     ++leaves_;
     return true;
   }
 
-  FLASHBVH_NOINLINE bool triangle_inside(uint32_t triangle, const PackedBox& box) const {
-    for (const Index corner : tree_.triangles[triangle].corner) {
-      if (corner >= tree_.vertex_count) {
-        return false;
-      }
-      const Vertex& v = tree_.vertices[corner];
-      if (!is_inside(pack({v, v}), box)) {
-        return false;
-      }
+  FLASHBVH_NOINLINE bool triangle(uint32_t position, const PackedBox& box) {
+    const Index(&corner)[3] = tree_.triangles[position].corner;
+    const uint32_t u = corner[0];
+    const uint32_t v = corner[1];
+    const uint32_t w = corner[2];
+    if (u >= tree_.vertex_count || v >= tree_.vertex_count || w >= tree_.vertex_count) {
+      return false;
     }
-    return true;
+    const Vertex p = tree_.vertices[u];
+    const Vertex q = tree_.vertices[v];
+    const Vertex r = tree_.vertices[w];
+    surface_.add(u, v, w, p, q, r);
+    return is_inside(pack({p, p}), box) && is_inside(pack({q, q}), box) &&
+           is_inside(pack({r, r}), box);
   }
 
   /// Node i follows the internal node i - 1 and must be its child.
