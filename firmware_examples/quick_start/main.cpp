@@ -14,7 +14,6 @@ constexpr int32_t cells(double millimetres) {
   return static_cast<int32_t>(millimetres / plate::kCell + (millimetres < 0 ? -0.5 : 0.5));
 }
 
-// README: begin
 /// What a slice may do in 50,000 instructions on a Cortex-M4F: proven, for any pose.
 constexpr uint32_t kWork =
     flashbvh::work_within(50000, flashbvh::kCortexM4F, plate::kTreeSize, peg::kTreeSize);
@@ -35,7 +34,6 @@ bool touches(int32_t height) {
     // Not finished: do something else, and come back.
   }
 }
-// README: end
 
 }  // namespace
 
