@@ -52,7 +52,8 @@ static verdict check_tick(check* c) {
   if (status == FLASHBVH_STATUS_SUSPENDED) {
     return VERDICT_PENDING; /* not finished: the next tick goes on */
   }
-  /* An error is no permission to move on. */
+  /* Free: no triangles intersect; a tool wholly inside the plate is not told. An error is no
+   * permission to move on. */
   return status == FLASHBVH_STATUS_DONE ? VERDICT_FREE : VERDICT_COLLIDES;
 }
 

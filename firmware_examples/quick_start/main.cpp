@@ -29,7 +29,9 @@ bool touches(int32_t height) {
       return true;  // found[0].a and found[0].b are triangles of plate.obj and peg.obj
     }
     if (step.status != flashbvh::Status::suspended) {
-      return step.status != flashbvh::Status::done;  // an error is no permission to move on
+      // Free: no triangles intersect; a peg wholly inside the plate is not told. An error is no
+      // permission to move on.
+      return step.status != flashbvh::Status::done;
     }
     // Not finished: do something else, and come back.
   }
