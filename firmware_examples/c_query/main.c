@@ -44,7 +44,6 @@ static void check_start(check* c, const target* to) {
   flashbvh_query_start(&c->query, &plate, &tool, &c->pose);
 }
 
-/* README: begin */
 /** A slice of the answer: lib/docs/bounded_time.md tells what so much work takes. */
 static verdict check_tick(check* c) {
   flashbvh_pair found[1];
@@ -53,10 +52,10 @@ static verdict check_tick(check* c) {
   if (status == FLASHBVH_STATUS_SUSPENDED) {
     return VERDICT_PENDING; /* not finished: the next tick goes on */
   }
-  /* An error is no permission to move on. */
+  /* Free: no triangles intersect; a tool wholly inside the plate is not told. An error is no
+   * permission to move on. */
   return status == FLASHBVH_STATUS_DONE ? VERDICT_FREE : VERDICT_COLLIDES;
 }
-/* README: end */
 
 /** The control loop, until the tool is at the target or must not go there. */
 static verdict control_loop(const target* to) {

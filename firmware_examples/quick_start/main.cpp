@@ -14,7 +14,6 @@ constexpr int32_t cells(double millimetres) {
   return static_cast<int32_t>(millimetres / plate::kCell + (millimetres < 0 ? -0.5 : 0.5));
 }
 
-// README: begin
 /// What a slice may do in 50,000 instructions on a Cortex-M4F: proven, for any pose.
 constexpr uint32_t kWork =
     flashbvh::work_within(50000, flashbvh::kCortexM4F, plate::kTreeSize, peg::kTreeSize);
@@ -30,12 +29,13 @@ bool touches(int32_t height) {
       return true;  // found[0].a and found[0].b are triangles of plate.obj and peg.obj
     }
     if (step.status != flashbvh::Status::suspended) {
-      return step.status != flashbvh::Status::done;  // an error is no permission to move on
+      // Free: no triangles intersect; a peg wholly inside the plate is not told. An error is no
+      // permission to move on.
+      return step.status != flashbvh::Status::done;
     }
     // Not finished: do something else, and come back.
   }
 }
-// README: end
 
 }  // namespace
 

@@ -41,6 +41,7 @@ struct Normal {
   int64_t z;
 };
 
+/// What the common part of two triangles may be.
 enum class ContactKind : uint8_t {
   segment = 0,     ///< two planes that differ: the common part is a segment or a point
   coplanar = 1,    ///< one plane: the common part is an area, a segment or a point

@@ -83,6 +83,8 @@ typedef enum flashbvh_unit {
   FLASHBVH_UNIT_INCH = 7,
   FLASHBVH_UNIT_FOOT = 8
 } flashbvh_unit;
+
+/** The unit of the mesh's file; NONE if `bake` wasn't told. */
 flashbvh_unit flashbvh_mesh_unit(const flashbvh_mesh* mesh);
 
 /** The point of the mesh's frame, as it was drawn, around which its lattice lies. */
@@ -130,12 +132,12 @@ flashbvh_status flashbvh_pose_rigid(const int32_t rotation[9], const int32_t cel
  * The same from floats, `rotation` row by row, `translation` in the meshes' unit: as exactly as
  * FLASHBVH_ROTATION_ONE and 1/65,536 of a cell have them, and alike on every core, with no
  * arithmetic in floats. What is no number or out of range gives the same statuses.
- *
- * flashbvh_pose_of_quaternion: `rotation` is w, x, y, z, of a squared length within 2^-10 of 1, and
- * taken as one of length 1.
  */
 flashbvh_status flashbvh_pose_of_matrix(const float rotation[9], const float translation[3],
                                         float cells_per_unit, flashbvh_pose* pose);
+
+/** The same of a quaternion: `rotation` is w, x, y, z, of a squared length within 2^-10 of 1, and
+ * taken as one of length 1. */
 flashbvh_status flashbvh_pose_of_quaternion(const float rotation[4], const float translation[3],
                                             float cells_per_unit, flashbvh_pose* pose);
 
@@ -191,6 +193,7 @@ typedef struct flashbvh_point {
   int32_t z;
 } flashbvh_point;
 
+/** In cells, in A's frame as it was drawn. */
 typedef struct flashbvh_triangle {
   flashbvh_point corner[3];
 } flashbvh_triangle;
@@ -244,6 +247,7 @@ typedef bool flashbvh_visitor(flashbvh_pair pair, void* context);
 FLASHBVH_NODISCARD flashbvh_status flashbvh_query_visit(flashbvh_query* query, uint32_t* work,
                                                         flashbvh_visitor* visit, void* context);
 
+/** What the query did so far. */
 flashbvh_counts flashbvh_query_counts(const flashbvh_query* query);
 
 /** After a run that wrote a pair and returned FULL, and inside a visitor: the triangles of the last
@@ -251,6 +255,7 @@ flashbvh_counts flashbvh_query_counts(const flashbvh_query* query);
 void flashbvh_query_last_pair(const flashbvh_query* query, flashbvh_triangle* a,
                               flashbvh_triangle* b);
 
+/** Where the query stands, between runs: for flashbvh_query_resume(). */
 flashbvh_position flashbvh_query_position(const flashbvh_query* query);
 
 /**
@@ -279,6 +284,7 @@ typedef struct flashbvh_normal {
   int64_t z;
 } flashbvh_normal;
 
+/** What the common part of two triangles may be. */
 typedef enum flashbvh_contact_kind {
   FLASHBVH_CONTACT_SEGMENT = 0,   /**< two planes that differ: a segment or a point in common */
   FLASHBVH_CONTACT_COPLANAR = 1,  /**< one plane: an area, a segment or a point */

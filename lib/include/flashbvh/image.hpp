@@ -40,6 +40,7 @@ constexpr uint32_t kMaxLeafSize = 255;
 constexpr uint8_t kImageHasLevels = 1;  ///< always, of a pre-indexed tree
 constexpr uint8_t kImageIsClosed = 2;   ///< Mesh::is_closed
 
+/// The first 80 bytes of an image.
 struct ImageHeader {
   uint32_t magic;
   uint16_t version;

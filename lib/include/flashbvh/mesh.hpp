@@ -26,6 +26,7 @@
 
 namespace flashbvh {
 
+/// Where a node's subtrees lie: see above.
 enum class Layout : uint8_t { pre_indexed = 0, post_indexed = 1 };
 
 /// A rank above every real one: what the root's missing parent counts as.
@@ -44,6 +45,7 @@ struct Node {
   Index link;
   Index data;
 
+  /// Whether the node has triangles, not children.
   constexpr bool is_leaf() const { return (data & kLeafFlag) != 0; }
   /// Of a leaf: its number in array order.
   constexpr Index leaf() const { return static_cast<Index>(data & ~kLeafFlag); }
@@ -71,10 +73,13 @@ struct Tree {
   Index leaf_count;
   Index stack_need;  ///< most pairs that descending this tree can leave on a stack
 
+  /// Of an internal node.
   uint32_t first_child(uint32_t node) const {
     return layout == Layout::pre_indexed ? node + 1 : nodes[node + 1].link;
   }
+  /// Of a child before the last.
   uint32_t next_sibling(uint32_t node) const { return nodes[node].link; }
+  /// Whether no sibling comes after `child`, whose parent is `parent`.
   bool is_last_child(uint32_t parent, uint32_t child) const {
     return layout == Layout::pre_indexed ? nodes[child].link == nodes[parent].link
                                          : child == parent + 1;
@@ -114,12 +119,15 @@ struct Mesh : Tree<IndexType, layout> {
   bool is_closed;      ///< whether each edge is run through as often one way as the other
   uint64_t cell_bits;  ///< the cell in the unit, as the bits of an IEEE binary64
 
+  /// The position of the leaf's first triangle in `triangles`.
   uint32_t first_triangle(uint32_t leaf) const {
     return leaf_offsets == nullptr ? leaf : leaf_offsets[leaf];
   }
+  /// The position after its last one.
   uint32_t end_triangle(uint32_t leaf) const {
     return leaf_offsets == nullptr ? leaf + 1 : leaf_offsets[leaf + 1];
   }
+  /// How many triangles the leaf has.
   uint32_t triangles_in(uint32_t leaf) const {
     return leaf_offsets == nullptr ? 1 : uint32_t{leaf_offsets[leaf + 1]} - leaf_offsets[leaf];
   }
@@ -151,7 +159,9 @@ struct LevelledMesh<IndexType, Layout::pre_indexed> : Mesh<IndexType, Layout::pr
   const IndexType* levels;   ///< node_count: the depth of the node, 0 at the root
   const IndexType* parents;  ///< node_count: the index of the parent; 0 at the root
 
+  /// The paper's Level.
   uint32_t level(uint32_t node) const { return levels[node]; }
+  /// The paper's Escape.
   uint32_t escape(uint32_t node) const { return this->nodes[node].link; }
   /// Takes a node to its escape index; 0 if that is the end node.
   uint32_t escape_from(uint32_t& node, uint32_t /*rcl*/) const {
@@ -164,6 +174,7 @@ struct LevelledMesh<IndexType, Layout::pre_indexed> : Mesh<IndexType, Layout::pr
     const uint32_t to = escape(node);
     return to == this->node_count ? level(node) : level(node) - level(to);
   }
+  /// The paper's LevelUp.
   uint32_t level_up(uint32_t node, uint32_t count) const {
     for (; count != 0; --count) {
       node = parents[node];
@@ -178,8 +189,11 @@ struct LevelledMesh<IndexType, Layout::post_indexed> : Mesh<IndexType, Layout::p
   const IndexType* levels;              ///< node_count: the depth of the node, 0 at the root
   const IndexType* right_child_levels;  ///< node_count: RCL
 
+  /// The paper's Level.
   uint32_t level(uint32_t node) const { return levels[node]; }
+  /// The paper's RCL.
   uint32_t rcl(uint32_t node) const { return right_child_levels[node]; }
+  /// The paper's LevelUp.
   uint32_t level_up(uint32_t node, uint32_t count) const { return node - count; }
   /// The link of the first left child above the node.
   uint32_t escape(uint32_t node) const { return this->nodes[node - rcl(node)].link; }

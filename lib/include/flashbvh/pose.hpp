@@ -43,6 +43,7 @@ class Pose {
   /// mirroring one, gives `not_a_rotation`; within it is used as it is, not mended.
   static Pose rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
                     const int16_t (&fraction)[3]);
+  /// The same, translated by whole cells.
   static Pose rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]);
 
   /// These three know how far their factors' matrices are from rotations, and do not work it out

@@ -12,6 +12,7 @@
 
 namespace flashbvh {
 
+/// Descends into the node of lower level, into B on ties.
 struct AlternatingRule {
   template <class LevelledTree>
   static bool descend_a(const LevelledTree& a, uint32_t node_a, const LevelledTree& b,

@@ -13,6 +13,7 @@
 
 namespace flashbvh {
 
+/// The order, for Query.
 template <class TreeType>
 class RankedStack {
   using Index = typename TreeType::Index;

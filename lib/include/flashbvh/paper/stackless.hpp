@@ -23,6 +23,7 @@
 
 namespace flashbvh {
 
+/// The order, for Query.
 template <class LevelledTree>
 class AlternatingStackless {
   using Index = typename LevelledTree::Index;

@@ -17,6 +17,7 @@ constexpr uint64_t volume(const detail::PackedBox& box) {
   return uint64_t{detail::extent_x(box)} * detail::extent_y(box) * detail::extent_z(box);
 }
 
+/// Descends into the larger box, into A on ties.
 struct VolumeRule {
   template <class Tree>
   static bool descend_a(const Tree& a, uint32_t node_a, const Tree& b, uint32_t node_b) {

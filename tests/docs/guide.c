@@ -1,0 +1,82 @@
+/* The guide's C: the same in C99. Its Makefile builds this program, too. */
+#include <flashbvh/flashbvh.h>
+
+#include "peg.fbvh.h"
+#include "plate.fbvh.h"
+
+static const flashbvh_tree_size plate_tree = plate_TREE_SIZE;
+static const flashbvh_tree_size peg_tree = peg_TREE_SIZE;
+static flashbvh_mesh plate;
+static flashbvh_mesh peg;
+static uint32_t work;
+
+/** Once, at reset: checks both images. */
+static bool start(void) {
+  work = flashbvh_work_within(56000, &flashbvh_cortex_m4f, &plate_tree, &peg_tree);
+  return work != 0 &&
+         flashbvh_open(plate_image, sizeof plate_image, &plate) == FLASHBVH_STATUS_DONE &&
+         flashbvh_open(peg_image, sizeof peg_image, &peg) == FLASHBVH_STATUS_DONE;
+}
+
+typedef enum verdict { PENDING, NO_CONTACT, STOP } verdict;
+
+/** Do surfaces intersect where the peg is to go? The query points at the pose. */
+typedef struct check {
+  flashbvh_pose pose;
+  flashbvh_query query;
+  flashbvh_status status;
+} check;
+
+/** Errors of all three show in every run. */
+static void check_start(check* c, const flashbvh_pose* plate_in_world, const float q[4],
+                        const float at[3]) {
+  (void)flashbvh_pose_of_quaternion(q, at, plate_CELLS_PER_UNIT, &c->pose);
+  (void)flashbvh_pose_relative(plate_in_world, &c->pose, &c->pose);
+  c->status = flashbvh_query_start(&c->query, &plate, &peg, &c->pose);
+}
+
+static verdict check_tick(check* c) {
+  flashbvh_pair found[1];
+  uint32_t count = 0;
+  c->status = flashbvh_query_run(&c->query, work, found, 1, &count);
+  switch (c->status) {
+    case FLASHBVH_STATUS_SUSPENDED:
+      return PENDING; /* the next period goes on */
+    case FLASHBVH_STATUS_DONE:
+      return NO_CONTACT;
+    default:
+      return STOP; /* FULL: a pair was found; all others: an error */
+  }
+}
+
+/** Where they touch, if the status is FULL, in mm of the plate's drawing. */
+static void check_contact(const check* c, float mm[3]) {
+  flashbvh_contact contact;
+  flashbvh_query_last_contact(&c->query, &contact);
+  flashbvh_in_unit(&contact.ends[0], &plate, mm);
+}
+
+static verdict verdict_at(float height, float mm[3]) {
+  const float upright[4] = {1, 0, 0, 0};
+  const float at[3] = {0, 0, height};
+  flashbvh_pose world;
+  check ahead;
+  verdict answer = PENDING;
+  (void)flashbvh_pose_translated(0, 0, 0, &world);
+  check_start(&ahead, &world, upright, at);
+  while (answer == PENDING) {
+    answer = check_tick(&ahead);
+  }
+  if (ahead.status == FLASHBVH_STATUS_FULL) {
+    check_contact(&ahead, mm);
+  }
+  return answer;
+}
+
+int main(void) {
+  float mm[3] = {1, 1, 1};
+  if (!start() || verdict_at(0.5f, mm) != NO_CONTACT || mm[2] < 1) {
+    return 1;
+  }
+  return verdict_at(0, mm) == STOP && mm[2] > -0.01f && mm[2] < 0.01f ? 0 : 1;
+}

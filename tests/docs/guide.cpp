@@ -1,0 +1,86 @@
+// The guide's C++: a peg that is about to be moved above a plate.
+#include <flashbvh/flashbvh.hpp>
+#include <flashbvh/pose_float.hpp>
+
+#include "peg.fbvh.hpp"
+#include "plate.fbvh.hpp"
+
+namespace {
+
+/// At most 56,000 instructions a slice: 1 kHz, 168 MHz, 1.5 cycles each, half of the period.
+constexpr uint32_t kWork =
+    flashbvh::work_within(56000, flashbvh::kCortexM4F, plate::kTreeSize, peg::kTreeSize);
+static_assert(kWork != 0, "the period is too short for a single step");
+static_assert(plate::kFlashBytes + peg::kFlashBytes < 4096, "the meshes' share of flash");
+
+flashbvh::Pose peg_in_plate(const flashbvh::Pose& plate_in_world, const flashbvh::UnitQuaternion& q,
+                            float x, float y, float z) {
+  const flashbvh::Pose peg_in_world = flashbvh::pose_of(q, {x, y, z}, plate::kCellsPerUnit);
+  return flashbvh::Pose::relative(plate_in_world, peg_in_world);
+}
+
+enum class Verdict { pending, no_contact, stop };
+
+/// Do surfaces intersect where the peg is to go? One call of tick() a period.
+class Check {
+ public:
+  explicit Check(const flashbvh::Pose& pose) : pose_(pose), query_(plate::mesh, peg::mesh, pose_) {}
+  Check(const Check&) = delete;  // the query points at pose_
+  Check& operator=(const Check&) = delete;
+
+  Verdict tick() {
+    flashbvh::PairQuery::Pair found[1];
+    status_ = query_.run(kWork, found).status;
+    switch (status_) {
+      case flashbvh::Status::suspended:
+        return Verdict::pending;  // the next period goes on
+      case flashbvh::Status::done:
+        return Verdict::no_contact;
+      default:
+        return Verdict::stop;  // full: a pair was found; all others: an error
+    }
+  }
+
+  bool has_contact() const { return status_ == flashbvh::Status::full; }
+  flashbvh::Contact contact() const { return flashbvh::contact_of_last(query_); }
+
+ private:
+  flashbvh::Pose pose_;
+  flashbvh::PairQuery query_;
+  flashbvh::Status status_ = flashbvh::Status::suspended;
+};
+
+/// How high above the plate's drawn origin a contact lies, in mm and in nm.
+float height_mm(const flashbvh::Contact& contact) {
+  return flashbvh::in_unit(contact.ends[0], plate::mesh.cell_bits).z;
+}
+int64_t height_nm(const flashbvh::Contact& contact) {
+  return flashbvh::millionths_of(contact.ends[0].z, plate::mesh.cell_bits);
+}
+
+/// The verdict with the peg upright at this height; where it stops, the contact's is written.
+Verdict verdict_at(float height, float& mm, int64_t& nm) {
+  const flashbvh::Pose world = flashbvh::Pose::translated(0, 0, 0);
+  Check check(peg_in_plate(world, {1, 0, 0, 0}, 0, 0, height));
+  Verdict verdict = Verdict::pending;
+  while (verdict == Verdict::pending) {
+    verdict = check.tick();
+  }
+  if (check.has_contact()) {
+    mm = height_mm(check.contact());
+    nm = height_nm(check.contact());
+  }
+  return verdict;
+}
+
+}  // namespace
+
+int main() {
+  float mm = 1;
+  int64_t nm = 1000000;
+  return verdict_at(0.5f, mm, nm) == Verdict::no_contact && mm == 1 &&
+                 verdict_at(0, mm, nm) == Verdict::stop && mm > -0.01f && mm < 0.01f &&
+                 nm > -10000 && nm < 10000
+             ? 0
+             : 1;
+}
