@@ -73,7 +73,7 @@ std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>& baked, bool 
   put(bytes, at.leaf_offsets, baked.leaf_offsets);
   put(bytes, at.vertices, baked.vertices);
   put(bytes, at.shell_vertices, baked.shell_vertices);
-  std::memcpy(bytes + at.name, baked.name.data(), baked.name.size());
+  std::copy(baked.name.begin(), baked.name.end(), bytes + at.name);
   header.crc = detail::image_crc(bytes, size);
   std::memcpy(bytes + offsetof(ImageHeader, crc), &header.crc, sizeof header.crc);
   return words;

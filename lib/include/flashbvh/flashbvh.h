@@ -352,6 +352,7 @@ typedef struct flashbvh_run_costs {
   uint32_t work;          /**< each unit of work */
 } flashbvh_run_costs;
 
+/* Names as all others of C. NOLINTBEGIN(readability-identifier-naming) */
 extern const flashbvh_run_costs flashbvh_cortex_m0;
 extern const flashbvh_run_costs flashbvh_cortex_m3;
 extern const flashbvh_run_costs flashbvh_cortex_m4f;
@@ -359,6 +360,7 @@ extern const flashbvh_run_costs flashbvh_cortex_m7;
 extern const flashbvh_run_costs flashbvh_cortex_m33;
 extern const flashbvh_run_costs flashbvh_cortex_m55;
 extern const flashbvh_run_costs flashbvh_rv32imac;
+/* NOLINTEND(readability-identifier-naming) */
 
 /** The most work for which a run stays within so many instructions; 0 if none does. */
 uint32_t flashbvh_work_within(uint64_t instructions, const flashbvh_run_costs* costs,
