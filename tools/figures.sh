@@ -62,7 +62,7 @@ visits() {
       }'
   done
   # A tree's leaves, and the poses.
-  awk -F '[ ={},;"]+' '/kLeafCount/ { name = FILENAME; gsub(/.*\/|\.fbvh.*/, "", name)
+  awk -F '[ ={},;"]+' '/uint32_t kLeafCount/ { name = FILENAME; gsub(/.*\/|\.fbvh.*/, "", name)
       for (i = 1; i < NF; ++i) if ($i == "kLeafCount") leaves[name] = $(i + 1)
     }
     /&.*::mesh,/ { pair = $2 "-" $3 }

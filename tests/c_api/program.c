@@ -158,6 +158,60 @@ static void check_contact(void) {
   check(near(low, 1003, cell) && near(high, 1005, cell), "contact's ends in mm", 0);
 }
 
+static bool same_point(const flashbvh_point* p, const flashbvh_point* q) {
+  return p->x == q->x && p->y == q->y && p->z == q->z;
+}
+
+/** Counts pairs until there are three. */
+static bool count_to_three(flashbvh_pair pair, void* context) {
+  (void)pair;
+  return ++*(uint32_t*)context < 3;
+}
+
+/** The other ways to run a query and to ask for a contact: each says what the usual one says. */
+static void check_other_ways(const image* one, const image* other) {
+  const float turned[4] = {0.8f, 0, 0.6f, 0};
+  const float nowhere[3] = {0, 0, 0};
+  flashbvh_mesh a;
+  flashbvh_mesh b;
+  flashbvh_pose pose;
+  flashbvh_query query;
+  flashbvh_query visited;
+  flashbvh_pair found[3];
+  flashbvh_triangle of_a;
+  flashbvh_triangle of_b;
+  flashbvh_triangle again_a;
+  flashbvh_triangle again_b;
+  flashbvh_contact contact;
+  flashbvh_contact again;
+  uint32_t count = 0;
+  uint32_t seen = 0;
+  uint32_t work = 100000;
+  uint32_t work_left = work;
+  check(flashbvh_open(one->bytes, one->size, &a) == FLASHBVH_STATUS_DONE, "open a", 1);
+  check(flashbvh_open(other->bytes, other->size, &b) == FLASHBVH_STATUS_DONE, "open b", 1);
+  check(flashbvh_pose_of_quaternion(turned, nowhere, 1, &pose) == FLASHBVH_STATUS_DONE,
+        "quaternion", 0);
+  flashbvh_query_start(&query, &a, &b, &pose);
+  flashbvh_query_start(&visited, &a, &b, &pose);
+  check(flashbvh_query_spend(&query, &work, found, 3, &count) == FLASHBVH_STATUS_FULL, "spend", 0);
+  check(flashbvh_query_visit(&visited, &work_left, count_to_three, &seen) == FLASHBVH_STATUS_FULL,
+        "visit", 0);
+  check(count == 3 && seen == 3 && work < 100000 && work_left <= work, "work left", (long)work);
+  flashbvh_query_last_pair(&query, &of_a, &of_b);
+  check(flashbvh_transform_pair(&a, &b, &pose, found[2], &again_a, &again_b), "pair", 2);
+  for (int i = 0; i < 3; ++i) {
+    check(same_point(&of_a.corner[i], &again_a.corner[i]) &&
+              same_point(&of_b.corner[i], &again_b.corner[i]),
+          "the triangles of a pair", i);
+  }
+  flashbvh_query_last_contact(&query, &contact);
+  flashbvh_contact_of(&again_a, &again_b, &again);
+  check(contact.kind == again.kind && contact.ends[0].x == again.ends[0].x &&
+            contact.ends[1].z == again.ends[1].z && contact.normal_a.x == again.normal_a.x,
+        "the contact of a pair", 0);
+}
+
 /** Work for a period is worked out on the target, from the images at hand. */
 static void check_bound(const image* one, const image* other) {
   flashbvh_tree_size a;
@@ -165,6 +219,10 @@ static void check_bound(const image* one, const image* other) {
   uint32_t work;
   check(flashbvh_image_tree_size(one->bytes, one->size, &a) == FLASHBVH_STATUS_DONE, "size", 0);
   check(flashbvh_image_tree_size(other->bytes, other->size, &b) == FLASHBVH_STATUS_DONE, "size", 1);
+  check(flashbvh_most_work(&a, &b) > flashbvh_largest_step(&a, &b), "most work", 0);
+  check(flashbvh_work_within(100000, &flashbvh_cortex_m0, &a, &b) <
+            flashbvh_work_within(100000, &flashbvh_rv32imac, &a, &b),
+        "work on smaller cores", 0);
   work = flashbvh_work_within(100000, &flashbvh_cortex_m4f, &a, &b);
   check(work > 100 && work < 1000, "work within", (long)work);
   check(flashbvh_most_instructions(&flashbvh_cortex_m4f, &a, &b, work) <= 100000, "instructions",
@@ -180,6 +238,7 @@ int main(void) {
   check_sizes();
   check_poses();
   check_contact();
+  check_other_ways(&plate, &peg);
   check_bound(&plate, &peg);
   flashbvh_pose_translated(0, 0, 0, &pose);
   for (int i = 0; i < POSES; ++i) {

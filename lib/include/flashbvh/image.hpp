@@ -85,8 +85,8 @@ inline TreeSize tree_size_of(const ImageHeader& header) {
 /// surface is closed. `mesh` is written only on `done`; every query on it then stays inside the
 /// image and ends.
 ///
-/// Instructions: 45 a byte for the checksum and, on a Cortex-M4, 240 to 370 a node. Stack: 400 bytes
-/// on Cortex-M3 to M55 at -O2.
+/// Instructions: 45 a byte for the checksum and, on a Cortex-M4, 240 to 370 a node. Stack: 400
+/// bytes on Cortex-M3 to M55 at -O2.
 ///
 /// Bytes after the image, if `size` has more than the header says, are not looked at. MeshType:
 /// PostMesh, LevelledPostMesh, LevelledPreMesh or their Large kin; another kind of image gives

@@ -45,7 +45,7 @@ struct Arguments {
   const int32_t* cells;
   const int16_t* fraction;
   const float* rigid_floats;  ///< a matrix's nine, row by row, and a translation
-  const float* floats;        ///< twelve: a matrix and a translation, or a quaternion and a translation
+  const float* floats;  ///< twelve: a matrix and a translation, or a quaternion and a translation
 
   const flashbvh_mesh* c_a;
   const flashbvh_mesh* c_b;
