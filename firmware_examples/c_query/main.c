@@ -7,16 +7,16 @@
 #include "plate.fbvh.h"
 #include "text.h"
 
-enum {
-  CELLS_PER_MM = 100, /* the meshes are baked with cells of 0.01 mm */
-  WORK_PER_TICK = 40
-};
+/* What a slice may take of a tick on a Cortex-M4F: proven, for any pose. */
+enum { INSTRUCTIONS_PER_TICK = 12000 };
+static const flashbvh_tree_size plate_size = plate_TREE_SIZE;
+static const flashbvh_tree_size tool_size = peg_TREE_SIZE;
 
 /** A place for the tool to go. */
 typedef struct target {
   const char* name;
-  int32_t height; /**< of the tool's tip above the plate, mm */
-  bool tilted;    /**< by 36.87 degrees: sine 3/5, cosine 4/5 */
+  float height; /**< of the tool's tip above the plate, mm */
+  bool tilted;  /**< by 36.87 degrees: sine 3/5, cosine 4/5 */
 } target;
 
 static const target targets[] = {
@@ -32,23 +32,37 @@ typedef enum verdict { VERDICT_PENDING, VERDICT_FREE, VERDICT_COLLIDES } verdict
 
 static flashbvh_mesh plate;
 static flashbvh_mesh tool;
+static uint32_t work_per_tick;
 
 static void check_start(check* c, const target* to) {
-  const int32_t one = FLASHBVH_ROTATION_ONE;
-  const int32_t sine = to->tilted ? one / 5 * 3 : 0;
-  const int32_t cosine = to->tilted ? one / 5 * 4 : one;
-  const int32_t about_y[9] = {cosine, 0, sine, 0, one, 0, -sine, 0, cosine};
-  const int32_t cells[3] = {0, 0, to->height * CELLS_PER_MM};
+  const float sine = to->tilted ? 0.6f : 0;
+  const float cosine = to->tilted ? 0.8f : 1;
+  const float about_y[9] = {cosine, 0, sine, 0, 1, 0, -sine, 0, cosine};
+  const float translation[3] = {0, 0, to->height};
   /* Errors of both show in every run. */
-  flashbvh_pose_rigid(about_y, cells, NULL, &c->pose);
+  flashbvh_pose_of_matrix(about_y, translation, flashbvh_mesh_cells_per_unit(&plate), &c->pose);
   flashbvh_query_start(&c->query, &plate, &tool, &c->pose);
 }
 
-/** A slice of the answer: lib/docs/bounded_time.md tells what so much work takes. */
+/** Where the pair that a run ended with has its contact, in the plate's frame. */
+static void print_contact(const check* c) {
+  flashbvh_contact contact;
+  int64_t nanometres[3];
+  flashbvh_query_last_contact(&c->query, &contact);
+  flashbvh_in_millionths(&contact.ends[0], &plate, nanometres);
+  port_put("first contact at");
+  for (int i = 0; i < 3; ++i) {
+    port_put(" ");
+    port_put_number((long)(nanometres[i] / 1000));
+  }
+  port_put(" um\n");
+}
+
+/** A slice of the answer, of as much work as fits the tick. */
 static verdict check_tick(check* c) {
   flashbvh_pair found[1];
   uint32_t count = 0;
-  const flashbvh_status status = flashbvh_query_run(&c->query, WORK_PER_TICK, found, 1, &count);
+  const flashbvh_status status = flashbvh_query_run(&c->query, work_per_tick, found, 1, &count);
   if (status == FLASHBVH_STATUS_SUSPENDED) {
     return VERDICT_PENDING; /* not finished: the next tick goes on */
   }
@@ -72,22 +86,31 @@ static verdict control_loop(const target* to) {
   port_put(answer == VERDICT_FREE ? ": free after " : ": collides after ");
   port_put_number(ticks);
   port_put(" ticks\n");
+  if (answer == VERDICT_COLLIDES && flashbvh_query_counts(&ahead.query).triangle_pairs != 0) {
+    print_contact(&ahead);
+  }
   return answer;
 }
 
 int main(void) {
   const size_t count = sizeof targets / sizeof targets[0];
-  long height = -1;
+  float height = -1;
   if (flashbvh_open(plate_image, sizeof plate_image, &plate) != FLASHBVH_STATUS_DONE ||
       flashbvh_open(peg_image, sizeof peg_image, &tool) != FLASHBVH_STATUS_DONE) {
     port_put("the images are damaged\n");
+    return 1;
+  }
+  work_per_tick =
+      flashbvh_work_within(INSTRUCTIONS_PER_TICK, &flashbvh_cortex_m4f, &plate_size, &tool_size);
+  if (work_per_tick == 0) {
+    port_put("a tick has no time for a slice\n");
     return 1;
   }
   for (size_t i = 0; i < count && control_loop(&targets[i]) == VERDICT_FREE; ++i) {
     height = targets[i].height;
   }
   port_put("stopped at ");
-  port_put_number(height);
+  port_put_number((long)height);
   port_put(" mm\n");
-  return height == 4 ? 0 : 1;
+  return (long)height == 4 ? 0 : 1;
 }
