@@ -174,7 +174,7 @@ class Checker {
              tree_.parents[i] == tree_.parents[sibling];
     } else {
       const uint32_t link = tree_.nodes[i].link;
-      return link != 0 && link < i && leave_to(sibling, link, i) &&
+      return link < i && leave_to(sibling, link, i) &&
              (!has_levels() || (tree_.level(i) == tree_.level(link) && tree_.rcl(i) == 0));
     }
   }
