@@ -16,9 +16,6 @@ namespace {
 
 constexpr int64_t FinePoint::*kFineAxes[3] = {&FinePoint::x, &FinePoint::y, &FinePoint::z};
 
-/// Beyond all points: where there are none, the answer must only not overflow.
-constexpr int64_t kBeyond = int64_t{1} << 40;
-
 /// Two shapes and a projection onto two axes.
 struct Flat {
   Shape a;
@@ -92,27 +89,43 @@ struct Found {
   uint32_t most[3];
   int64_t FinePoint::*axis;
   FinePoint* ends;
+  bool is_empty;
 };
 
+/// Where there are no points, the answer must only not overflow.
 [[gnu::noinline]] void clear(Found& found) {
-  found.ends[0] = {kBeyond, kBeyond, kBeyond};
-  found.ends[1] = {-kBeyond, -kBeyond, -kBeyond};
+  for (int i = 0; i < 3; ++i) {
+    found.least[i] = found.most[i] = 0;
+  }
+  found.ends[0] = found.ends[1] = {0, 0, 0};
+  found.is_empty = true;
 }
 
-inline bool is_less(uint32_t u, uint32_t v) {
-  return static_cast<int32_t>(u - v) < 0;
+/// Widens the range by a coordinate.
+inline void take(Found& found, int axis, int64_t coordinate) {
+  const auto at = static_cast<uint32_t>(coordinate);
+  if (fine_difference(at, found.least[axis]) < 0) {
+    found.least[axis] = at;
+  } else if (fine_difference(at, found.most[axis]) > 0) {
+    found.most[axis] = at;
+  }
 }
 
 [[gnu::noinline]] void add(Found& found, const FinePoint& p) {
-  const bool first = found.ends[0].x == kBeyond;
-  for (int i = 0; i < 3; ++i) {
-    const auto at = static_cast<uint32_t>(p.*kFineAxes[i]);
-    found.least[i] = first || is_less(at, found.least[i]) ? at : found.least[i];
-    found.most[i] = first || is_less(found.most[i], at) ? at : found.most[i];
+  if (found.is_empty) {
+    found.is_empty = false;
+    found.ends[0] = found.ends[1] = p;
+    for (int i = 0; i < 3; ++i) {
+      found.least[i] = found.most[i] = static_cast<uint32_t>(p.*kFineAxes[i]);
+    }
+    return;
   }
+  take(found, 0, p.x);
+  take(found, 1, p.y);
+  take(found, 2, p.z);
   const auto axis = found.axis;
-  const int64_t below = p.*axis - found.ends[0].*axis;
-  const int64_t above = p.*axis - found.ends[1].*axis;
+  const int32_t below = fine_difference(p.*axis, found.ends[0].*axis);
+  const int32_t above = fine_difference(p.*axis, found.ends[1].*axis);
   if (below < 0 || (below == 0 && comes_before(p, found.ends[0]))) {
     found.ends[0] = p;
   }

@@ -39,7 +39,11 @@ inline uint64_t fine_magnitude(int64_t value) {
 }
 
 /// `share` in 31 fraction bits.
-[[gnu::noinline]] int64_t between(int32_t from, int32_t to, int32_t share) {
+#if defined(__ARM_FEATURE_MVE)
+[[gnu::noinline]]  // three of it in one function take 24 bytes more of stack there
+#endif
+int64_t
+between(int32_t from, int32_t to, int32_t share) {
   const int64_t steps = static_cast<int64_t>((to - from) * kFineOne) * share;
   constexpr int64_t half = int64_t{1} << (kFractionBits - 1);
   return int64_t{from} * kFineOne + static_cast<int32_t>((steps + half) >> kFractionBits);

@@ -8,10 +8,20 @@
 
 namespace flashbvh::detail {
 
+/// Of two coordinates of one contact, whose low words tell: they are within 2^26 steps.
+template <class Fine>
+inline int32_t fine_difference(Fine u, Fine v) {
+  return static_cast<int32_t>(static_cast<uint32_t>(u) - static_cast<uint32_t>(v));
+}
+
 /// By x, then y, then z. On a line that is the order along it.
-template <class PointType>
-inline bool comes_before(const PointType& p, const PointType& q) {
+inline bool comes_before(const Point& p, const Point& q) {
   return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+}
+inline bool comes_before(const FinePoint& p, const FinePoint& q) {
+  const int32_t x = fine_difference(p.x, q.x);
+  const int32_t y = fine_difference(p.y, q.y);
+  return x != 0 ? x < 0 : y != 0 ? y < 0 : fine_difference(p.z, q.z) < 0;
 }
 
 /// An order of edges that doesn't ask in which direction they are given. Edges that start in the
