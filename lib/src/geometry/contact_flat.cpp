@@ -89,16 +89,18 @@ struct Found {
   uint32_t most[3];
   int64_t FinePoint::*axis;
   FinePoint* ends;
-  bool is_empty;
+
+  /// No point yet: a box that ends before it begins.
+  bool is_empty() const { return most[0] + 1 == least[0]; }
 };
 
 /// Where there are no points, the answer must only not overflow.
 [[gnu::noinline]] void clear(Found& found) {
   for (int i = 0; i < 3; ++i) {
-    found.least[i] = found.most[i] = 0;
+    found.least[i] = 1;
+    found.most[i] = 0;
   }
   found.ends[0] = found.ends[1] = {0, 0, 0};
-  found.is_empty = true;
 }
 
 /// Widens the range by a coordinate.
@@ -112,8 +114,7 @@ inline void take(Found& found, int axis, int64_t coordinate) {
 }
 
 [[gnu::noinline]] void add(Found& found, const FinePoint& p) {
-  if (found.is_empty) {
-    found.is_empty = false;
+  if (found.is_empty()) {
     found.ends[0] = found.ends[1] = p;
     for (int i = 0; i < 3; ++i) {
       found.least[i] = found.most[i] = static_cast<uint32_t>(p.*kFineAxes[i]);
