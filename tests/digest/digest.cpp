@@ -55,13 +55,13 @@ void add_query(const typename Traversal::Tree& a, const typename Traversal::Tree
   Query<Traversal> query(a, b, pose, test::at_roots<Traversal>(stack, 2 * kMostTriangles));
   const auto add_pair = [&](const TrianglePair<uint16_t>& pair) {
     hash.add(pair.a | static_cast<uint32_t>(pair.b) << 16);
-    if (with_contacts) {
-      add_contact(contact_of_last(query), hash);
-    }
-    return true;
+    return !with_contacts;  // a contact is asked for between runs: the smallest board's stack
   };
   Status status = Status::suspended;
-  while (status == Status::suspended) {
+  while (status == Status::suspended || status == Status::full) {
+    if (status == Status::full) {
+      add_contact(contact_of_last(query), hash);
+    }
     status = query.run(slice, add_pair);
   }
   hash.add(static_cast<uint32_t>(status));

@@ -20,7 +20,9 @@ uint32_t cut(Shape shape, uint32_t count) {
   }
 }
 
-constexpr uint16_t kOnlyShell[] = {0};
+/// Ids of triangles, from 0 on, and the only shell's vertex.
+constexpr uint16_t kIds[kMostTriangles] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13,
+                                           14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27};
 
 uint16_t nodes_of(uint32_t leaves) {
   return static_cast<uint16_t>(2 * leaves - 1);
@@ -139,7 +141,7 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
 
   view_.nodes = nodes_;
   view_.triangles = mesh.triangles;
-  view_.triangle_ids = sources_;
+  view_.triangle_ids = kIds;
   view_.leaf_offsets = leaf_size == 1 ? nullptr : leaf_offsets_;
   view_.vertices = mesh.vertices;
   view_.node_count = nodes_of(leaf_count);
@@ -150,7 +152,7 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
   for (int i = 0; i < 3; ++i) {
     view_.origin[i] = mesh.origin[i];
   }
-  view_.shell_vertices = kOnlyShell;
+  view_.shell_vertices = kIds;
   view_.shell_count = 1;
   view_.longest_edge = longest_edge(mesh);
   view_.unit = Unit::none;
@@ -161,9 +163,6 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
     view_.right_child_levels = climb_;
   } else {
     view_.parents = climb_;
-  }
-  for (uint16_t i = 0; i < mesh.triangle_count; ++i) {
-    sources_[i] = i;
   }
 }
 

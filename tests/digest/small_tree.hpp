@@ -54,7 +54,6 @@ class SmallTree {
   flashbvh::Node<uint16_t> nodes_[kMostNodes];
   uint16_t levels_[kMostNodes];
   uint16_t climb_[kMostNodes];
-  uint16_t sources_[kMostTriangles];
   uint16_t leaf_offsets_[kMostTriangles + 1];
   Tree view_;
 };
