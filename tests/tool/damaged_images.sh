@@ -32,3 +32,10 @@ refused "nonsense.fbvh: is invalid" check nonsense.fbvh
 # Version 9.
 "$TOOLS/tool_test_damage" $image set 4 0x10010009 later.fbvh
 refused "later.fbvh: is written in version 9" check later.fbvh
+# What the library leaves to `check`: of which shell a vertex is. The last words of the image are
+# the vertices (four of six bytes), the shell's first vertex with two zeros, and the name.
+"$FLASHBVH" bake meshes/tetrahedron.stl -o images --name t --format image >/dev/null
+"$TOOLS/tool_test_damage" images/t.fbvh set $(($(wc -c <images/t.fbvh) - 8)) 2 shell.fbvh
+exits 0 info shell.fbvh
+refused "shell.fbvh: is invalid: its vertices of shells are not those that its triangles make; bake it again" \
+  check shell.fbvh

@@ -139,6 +139,16 @@ refused "far.obj: is too large for a cell of 0.015: out of range are 13 triangle
 8 more); the finest that it fits is --cell " bake far.obj -o out --cell 0.015
 exits 0 bake far.obj -o far --cell "$(sed 's/.*--cell //' stderr)"
 
+# Far from its frame's origin: 2^18 cells are near enough, along all axes together.
+far() { awk -v x="$1" '$1 == "v" { $2 += x } { print }' box.obj; }
+far 262132 >mesh.obj
+exits 0 bake mesh.obj -o near --cell 1
+[ ! -s stderr ] || fail "$(cat stderr)"
+far 262133 >mesh.obj
+exits 0 bake mesh.obj -o near --cell 1
+warned "lies far from its frame's origin: rotated, it is placed within 0.54 cells instead of 0.51; \
+draw it nearer, or use a larger --cell"
+
 # How far rounding may move a vertex.
 printf 'v 0 0 0\nv 1 0 0\nv 0 0.25 1\nf 1 2 3\n' >thin.obj
 exits 0 bake thin.obj -o thin --cell 0.5 --max-deviation 0.25

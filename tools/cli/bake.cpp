@@ -46,12 +46,12 @@ void add_files(const Baked& baked, const BakeOrder& order, const OutputName& nam
     add(".fbvh", {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]});
   }
   if (order.writes_cpp) {
-    CppFiles cpp = cpp_of(baked, name, order.units.common());
+    SourceFiles cpp = cpp_of(baked, name, order.units.common());
     add(".fbvh.hpp", std::move(cpp.header));
     add(".fbvh.cpp", std::move(cpp.source));
   }
   if (order.writes_c) {
-    CFiles c = c_of(baked, image_of(baked, order.levels), name, order.units.common());
+    SourceFiles c = c_of(baked, image_of(baked, order.levels), name, order.units.common());
     add(".fbvh.h", std::move(c.header));
     add(".fbvh.c", std::move(c.source));
   }

@@ -103,19 +103,6 @@ class Comparison {
   LeftOut left_out_;
 };
 
-bake::LatticeMesh mesh_of(const ImageFile& image, const std::vector<SourceTriangle>& triangles) {
-  bake::LatticeMesh mesh;
-  std::visit(
-      [&](const auto& tree) {
-        mesh.vertices.assign(tree.vertices, tree.vertices + tree.vertex_count);
-      },
-      image.tree());
-  for (const SourceTriangle& triangle : triangles) {
-    mesh.triangles.push_back(triangle.vertices);
-  }
-  return mesh;
-}
-
 /// UserError unless the image says of its shells, and whether they are closed, what its triangles
 /// say: the library doesn't look for the one, and tells the other by a sum.
 void check_surface(const ImageFile& image, const bake::LatticeMesh& mesh) {
@@ -129,8 +116,9 @@ void check_surface(const ImageFile& image, const bake::LatticeMesh& mesh) {
       image.tree());
   if (!same_shells || surface.is_closed != is_closed) {
     throw UserError(image.path(), "is invalid: ",
-                    same_shells ? "whether its surface is closed" : "its vertices of shells",
-                    " is not what its triangles make; bake it again");
+                    same_shells ? "its surface is not closed or open as it says"
+                                : "its vertices of shells are not those that its triangles make",
+                    "; bake it again");
   }
 }
 

@@ -95,7 +95,7 @@ template <Layout layout>
 void add_tree(FileSet& files, const fs::path& folder, const scene::PaperObject& object,
               const bake::BakedTree<std::uint16_t, layout>& baked) {
   const std::string name = name_of(object, layout);
-  const CppFiles text = cpp_of(baked, {name, name, name}, "");
+  const SourceFiles text = cpp_of(baked, {name, name, name}, "");
   files.add(folder / (name + ".fbvh.hpp"), text.header);
   files.add(folder / (name + ".fbvh.cpp"), text.source);
 }

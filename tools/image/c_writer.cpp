@@ -44,15 +44,16 @@ std::string array_name(const OutputName& name, std::size_t words) {
 }  // namespace
 
 template <class Index, Layout layout>
-CFiles c_of(const bake::BakedTree<Index, layout>& baked, const std::vector<std::uint32_t>& image,
-            const OutputName& name, const std::string& unit) {
+SourceFiles c_of(const bake::BakedTree<Index, layout>& baked,
+                 const std::vector<std::uint32_t>& image, const OutputName& name,
+                 const std::string& unit) {
   constexpr bool opens_in_c =
       layout == Layout::post_indexed && std::is_same_v<Index, std::uint16_t>;
   std::vector<Constant> constants = constants_of(baked);
   constants.push_back({"image_bytes", image.size() * sizeof image[0], "of the array"});
   const std::string guard = "FLASHBVH_BAKED_" + name.word + "_H";
   const std::string declaration = array_name(name, image.size());
-  CFiles files;
+  SourceFiles files;
   files.header = kWritten + ("#ifndef " + guard) + "\n#define " + guard +
                  "\n\n#include <stdint.h>\n\n#include \"flashbvh/detail/byte_order.h\"\n"
                  "#include \"flashbvh/version.hpp\"\n\n" +
@@ -69,9 +70,10 @@ CFiles c_of(const bake::BakedTree<Index, layout>& baked, const std::vector<std::
   return files;
 }
 
-#define FLASHBVH_KIND(Index, layout)                                                             \
-  template CFiles c_of(const bake::BakedTree<Index, layout>&, const std::vector<std::uint32_t>&, \
-                       const OutputName&, const std::string&);
+#define FLASHBVH_KIND(Index, layout)                                              \
+  template SourceFiles c_of(const bake::BakedTree<Index, layout>&,                \
+                            const std::vector<std::uint32_t>&, const OutputName&, \
+                            const std::string&);
 FLASHBVH_FOR_EACH_KIND(FLASHBVH_KIND)
 #undef FLASHBVH_KIND
 

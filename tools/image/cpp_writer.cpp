@@ -192,15 +192,15 @@ std::uint64_t flash_bytes(const ImageHeader& header) {
 }
 
 template <class Index, Layout layout>
-CppFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name,
-                const std::string& unit) {
+SourceFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name,
+                   const std::string& unit) {
   return {header(baked, name, unit), source(baked, name)};
 }
 
-#define FLASHBVH_KIND(Index, layout)                                                 \
-  template std::size_t flash_bytes(const bake::BakedTree<Index, layout>&);           \
-  template CppFiles cpp_of(const bake::BakedTree<Index, layout>&, const OutputName&, \
-                           const std::string&);
+#define FLASHBVH_KIND(Index, layout)                                                    \
+  template std::size_t flash_bytes(const bake::BakedTree<Index, layout>&);              \
+  template SourceFiles cpp_of(const bake::BakedTree<Index, layout>&, const OutputName&, \
+                              const std::string&);
 FLASHBVH_FOR_EACH_KIND(FLASHBVH_KIND)
 #undef FLASHBVH_KIND
 

@@ -8,13 +8,9 @@
 #include "bake/baked_tree.hpp"
 #include "flashbvh/image.hpp"
 #include "image/output_name.hpp"
+#include "image/source_text.hpp"
 
 namespace flashbvh::tool {
-
-struct CppFiles {
-  std::string header;  ///< NAME.fbvh.hpp
-  std::string source;  ///< NAME.fbvh.cpp
-};
 
 /// What firmware links that uses the default query on the C++ output: everything but the levels.
 /// Bytes, on a 32-bit core.
@@ -23,11 +19,10 @@ std::size_t flash_bytes(const bake::BakedTree<Index, layout>& baked);
 /// The same, of the tree in an image.
 std::uint64_t flash_bytes(const ImageHeader& header);
 
-/// The text of both files: the same for the same arguments, on every machine. `unit`: the name of
-/// the unit of length; empty if it is not known.
+/// `unit`: the name of the unit of length; empty if it is not known.
 template <class Index, Layout layout>
-CppFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name,
-                const std::string& unit);
+SourceFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name,
+                   const std::string& unit);
 
 }  // namespace flashbvh::tool
 

@@ -122,6 +122,19 @@ std::vector<SourceTriangle> source_triangles(const ImageFile& image) {
   return triangles;
 }
 
+bake::LatticeMesh mesh_of(const ImageFile& image, const std::vector<SourceTriangle>& triangles) {
+  bake::LatticeMesh mesh;
+  std::visit(
+      [&](const auto& tree) {
+        mesh.vertices.assign(tree.vertices, tree.vertices + tree.vertex_count);
+      },
+      image.tree());
+  for (const SourceTriangle& triangle : triangles) {
+    mesh.triangles.push_back(triangle.vertices);
+  }
+  return mesh;
+}
+
 std::vector<LatticePoint> vertices_of(const AnyTree& any) {
   return std::visit(
       [](const auto& tree) {

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "bake/mesh.hpp"
 #include "flashbvh/image.hpp"
 
 namespace flashbvh::tool {
@@ -61,6 +62,9 @@ struct SourceTriangle {
 /// In the order of the source mesh; numbers are missing if `bake` left triangles out. UserError,
 /// naming the image, if a number occurs twice: the library can't tell that in constant memory.
 std::vector<SourceTriangle> source_triangles(const ImageFile& image);
+
+/// The image's vertices and these triangles of it, in cells from its own origin.
+bake::LatticeMesh mesh_of(const ImageFile& image, const std::vector<SourceTriangle>& triangles);
 
 /// In the order of the image.
 std::vector<LatticePoint> vertices_of(const AnyTree& any);

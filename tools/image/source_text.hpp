@@ -11,6 +11,12 @@
 
 namespace flashbvh::tool {
 
+/// A baked mesh in a language: the same text for the same arguments, on every machine.
+struct SourceFiles {
+  std::string header;  ///< NAME.fbvh.hpp or .h
+  std::string source;  ///< NAME.fbvh.cpp or .c
+};
+
 /// "0x00ffu" for 255 and four digits.
 std::string hex(std::uint64_t value, unsigned digits);
 

@@ -14,20 +14,6 @@
 namespace flashbvh::tool {
 namespace {
 
-/// In the order of the source mesh.
-bake::LatticeMesh lattice_mesh(const ImageFile& image, const std::vector<SourceTriangle>& sources) {
-  bake::LatticeMesh mesh;
-  std::visit(
-      [&](const auto& tree) {
-        mesh.vertices.assign(tree.vertices, tree.vertices + tree.vertex_count);
-      },
-      image.tree());
-  for (const SourceTriangle& triangle : sources) {
-    mesh.triangles.push_back(triangle.vertices);
-  }
-  return mesh;
-}
-
 /// `places`: in the image's order of sources. Told by their numbers in the source mesh.
 void mark_triangles(Subject& subject, TriangleIds places, Paint paint, const char* what) {
   if (places.empty()) {
@@ -105,7 +91,7 @@ Subject::Subject(const ImageFile& file, std::size_t place, std::string unique_na
     triangles.push_back({{{points[p], points[q], points[r]}, kFirstMesh}, source});
   }
   left_out = sources.back().number + std::size_t{1} - sources.size();
-  mark_defects(*this, lattice_mesh(file, sources));
+  mark_defects(*this, mesh_of(file, sources));
 }
 
 std::vector<std::string> unique_names(const std::vector<std::string>& paths) {
