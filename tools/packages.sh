@@ -30,6 +30,8 @@ host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev nlohmann-js
   catch2"
 # The sanitizers, and the fuzzer, without which the corpora alone are replayed.
 sanitizer_packages="clang libclang-rt-14-dev"
+# Exact rationals, for the oracle of distances.
+oracle_packages="libgmp-dev"
 # 32-bit programs that this machine runs, for the digest that every compiler must get.
 digest_packages="g++-i686-linux-gnu"
 board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib

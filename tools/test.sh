@@ -19,7 +19,7 @@ case ${1:-} in
   --quick) steps="tool native netduinoplus2" packages= ;;
   *) sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
-ensure_packages $host_packages $sanitizer_packages $board_packages $packages clang-format doxygen
+ensure_packages $host_packages $sanitizer_packages $oracle_packages $board_packages $packages clang-format doxygen
 
 began=$(date +%s)
 rm -rf build/log

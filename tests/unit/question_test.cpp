@@ -74,14 +74,21 @@ class GrownBound {
 struct WithinBoxDistance {
   static constexpr bool kIntersects = false;
   static constexpr bool kLeafShapes = false;
+  static constexpr bool kBatches = true;
   static constexpr bool kDisjointRootsEnd = false;
   std::int32_t distance = 0;
 
+  template <class Mesh>
+  Status error_of(const Transform&, const Mesh&, const Mesh&) const {
+    return Status::done;
+  }
   NearBound translated(const TranslatedTransform& transform) const {
     return {transform.offset, distance};
   }
   GrownBound rotated(const RotatedTransform& transform) const { return {transform, distance}; }
-  bool test(const Triangle& a, const Triangle& b) const { return box_gap(a, b) <= distance; }
+  bool test(const Triangle& a, const Triangle& b, std::uint32_t, std::uint32_t) const {
+    return box_gap(a, b) <= distance;
+  }
 };
 
 /// By their ids, in order.

@@ -32,7 +32,7 @@ namespace flashbvh {
 /// `Order`: Ranked<PostMesh> or any other of paper/. The meshes and the pose outlive the query.
 /// 128 bytes on a 32-bit core with 16-bit indices.
 template <class Order, class Question = detail::Intersection>
-class Query : Question {
+class Query : protected Question {
   using State = detail::State;
 
  public:
@@ -59,7 +59,12 @@ class Query : Question {
         untested_(0),
         state_(State::fresh),
         error_(error_of(a, b, pose, start)),
-        transform_(pose, a, b, Order::kStartsAtRoots && Question::kDisjointRootsEnd) {}
+        transform_(pose, a, b, Order::kStartsAtRoots && Question::kDisjointRootsEnd) {
+    if constexpr (!Question::kDisjointRootsEnd) {
+      transform_.bring_near();
+      error_ = error_ != Status::done ? error_ : question.error_of(transform_, a, b);
+    }
+  }
 
   /// Meshes and poses that would be gone before the first run.
   Query(const Mesh&&, const Mesh&, const Pose&, const Cursor& = Cursor()) = delete;
@@ -159,7 +164,7 @@ class Query : Question {
     detail::place_pair(*a_, of_a(untested_), *b_, of_b(untested_), transform_, a, b);
   }
 
- private:
+ protected:
   /// Positions of the current pair of triangles: the leaves' pairs are taken from the last one on,
   /// all of A's for each of B's.
   /// The pair due is the one before `untested_`, the pair tested last that at it.
@@ -180,7 +185,7 @@ class Query : Question {
   }
 
   /// Orders with a stack can't go back to a pair, so they take along but one.
-  using Batch = detail::LeafPairs<Mesh, Order::kStackless ? 8 : 1>;
+  using Batch = detail::LeafPairs<Mesh, Order::kStackless && Question::kBatches ? 8 : 1>;
   using Shapes = typename detail::ShapesOf<Mesh, Question::kLeafShapes>::Type;
   using Test = detail::TriangleTest<Question, Mesh, Question::kIntersects>;
 
@@ -307,7 +312,7 @@ class Query : Question {
   /// `kept`: how many of those at hand are not paid for. Nothing but `this` outlives the call,
   /// which keeps the stack flat where it is deepest.
   FLASHBVH_NOINLINE bool next_answer(Batch& batch, uint32_t kept) {
-    const Question& question = *this;
+    Question& question = *this;
     Test test(question, *a_, *b_, transform_);
     while (untested_ > kept || take_next(batch)) {
       if (test_leaves(test, batch, kept)) {

@@ -19,6 +19,8 @@ enum class [[nodiscard]] Status : uint8_t{
     translation_out_of_range = FLASHBVH_STATUS_TRANSLATION_OUT_OF_RANGE,
     not_a_rotation = FLASHBVH_STATUS_NOT_A_ROTATION,
     position_invalid = FLASHBVH_STATUS_POSITION_INVALID,
+    seed_invalid = FLASHBVH_STATUS_SEED_INVALID,
+    distance_out_of_range = FLASHBVH_STATUS_DISTANCE_OUT_OF_RANGE,
 
     image_truncated = FLASHBVH_STATUS_IMAGE_TRUNCATED,
     image_misaligned = FLASHBVH_STATUS_IMAGE_MISALIGNED,

@@ -4,10 +4,14 @@
 //     kIntersects             whether only triangles that intersect are an answer: then whatever
 //                             tells them disjoint may reject pairs, and the exact test is known
 //     kLeafShapes             whether leaves are taken as shapes, too (leaf_shape.hpp)
+//     kBatches                whether pairs of leaves may be found before others are tested: not if
+//                             an answer changes the bound
 //     kDisjointRootsEnd       whether nothing matters where the root boxes are disjoint
 //     translated(transform)   a bound for the walk under a translation
 //     rotated(transform)      one under a rotation, which may have a state: a run's own
-//     test(a, b)              unless kIntersects: whether two triangles in A's frame are an answer
+//     test(a, b, i, j)        unless kIntersects: whether two triangles in A's frame are an answer,
+//                             A's i-th and B's j-th; may change what the question asks
+//     error_of(transform, a, b)   unless kDisjointRootsEnd: what is wrong with the question
 // Bounds are the question's to widen; a test may only say yes where they do not say no.
 #ifndef FLASHBVH_DETAIL_INTERSECTION_HPP
 #define FLASHBVH_DETAIL_INTERSECTION_HPP
@@ -20,6 +24,7 @@ namespace flashbvh::detail {
 struct Intersection {
   static constexpr bool kIntersects = true;
   static constexpr bool kLeafShapes = true;
+  static constexpr bool kBatches = true;
   static constexpr bool kDisjointRootsEnd = true;
 
   const TranslatedBound& translated(const TranslatedTransform& transform) const {

@@ -35,6 +35,29 @@ class Transform {
     }
   }
 
+  /// For questions about distance: a translated B that is farther off than kMaxOffset along an axis
+  /// is put at that distance, as a rotated one is.
+  void bring_near() {
+    if (kind_ == Kind::translated) {
+      Point& t = translated_.offset;
+      t = {near_offset(t.x), near_offset(t.y), near_offset(t.z)};
+    }
+  }
+  /// Whether B lies where the pose puts it, and not nearer.
+  bool is_in_range() const {
+    const auto within = [](int32_t offset, int32_t most) {
+      return -most < offset && offset < most;
+    };
+    if (kind_ == Kind::translated) {
+      const Point& t = translated_.offset;
+      return within(t.x, kMaxOffset) && within(t.y, kMaxOffset) && within(t.z, kMaxOffset);
+    }
+    constexpr int32_t most = kMaxOffset * kSplitOne;
+    const BoundStart* const on_a = rotated_.on_a;
+    return within(offset_of(on_a[0]), most) && within(offset_of(on_a[1]), most) &&
+           within(offset_of(on_a[2]), most);
+  }
+
   bool is_rotated() const { return kind_ != Kind::translated; }
   bool is_far_apart() const { return kind_ == Kind::far_apart; }
   const TranslatedTransform& translated() const { return translated_; }
@@ -83,6 +106,10 @@ class Transform {
     const uint32_t each = turned + placed + (stretched >> 9);
     return static_cast<uint16_t>(((turned >> 1) + (each >> 2) * (most >> 13) + 20) / kMarginUnit +
                                  1);
+  }
+
+  static int32_t near_offset(int32_t offset) {
+    return offset < -kMaxOffset ? -kMaxOffset : offset > kMaxOffset ? kMaxOffset : offset;
   }
 
   /// Wraps if the pose is out of range, which is an error of the pose.

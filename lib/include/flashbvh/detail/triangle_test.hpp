@@ -14,7 +14,7 @@ namespace flashbvh::detail {
 template <class Question, class Mesh, bool kIntersects>
 class TriangleTest {
  public:
-  TriangleTest(const Question& question, const Mesh& a, const Mesh& b, const Transform& transform)
+  TriangleTest(Question& question, const Mesh& a, const Mesh& b, const Transform& transform)
       : question_(question), a_(a), b_(b), transform_(transform) {}
 
   /// A triangle of B, by its position; false if it intersects nothing in a box of A's, unless that
@@ -30,11 +30,11 @@ class TriangleTest {
   bool operator()(uint32_t of_a) const {
     Triangle a;
     translate_triangle(a_, of_a, kNoOffset, a);
-    return question_.test(a, kept_b_);
+    return question_.test(a, kept_b_, of_a, kept_);
   }
 
  private:
-  const Question& question_;
+  Question& question_;
   const Mesh& a_;
   const Mesh& b_;
   const Transform& transform_;
@@ -46,7 +46,7 @@ class TriangleTest {
 template <class Question, class Mesh>
 class TriangleTest<Question, Mesh, true> {
  public:
-  TriangleTest(const Question&, const Mesh& a, const Mesh& b, const Transform& transform)
+  TriangleTest(Question&, const Mesh& a, const Mesh& b, const Transform& transform)
       : a_(a),
         b_(b),
         transform_(transform),

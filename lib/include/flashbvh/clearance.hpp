@@ -1,0 +1,223 @@
+// How far two meshes are apart: between which points, and whether by more than a distance.
+//
+// Exact on the lattice, as everything here: the distance is that of the two transformed meshes. It
+// is told as an exact fraction of square cells, and rounded down and up to 1/256 cell. Surfaces are
+// asked, not solids: a mesh wholly inside another one is as far from it as from its wall. Meshes
+// that intersect have distance 0, and no depth: the least movement that parts two meshes is not a
+// property of the place where they touch (two combs that interlock have none of that size at all).
+// What pushes bodies apart is a band: all pairs within d (WithinQuery), each with its distance.
+//
+// Distances are in cells and 1/256 of them; pose_float.hpp and length.hpp turn them into lengths.
+#ifndef FLASHBVH_CLEARANCE_HPP
+#define FLASHBVH_CLEARANCE_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/collide.hpp"
+#include "flashbvh/contact.hpp"
+#include "flashbvh/detail/nearness.hpp"
+#include "flashbvh/query.hpp"
+
+namespace flashbvh {
+
+/// The largest distance that can be asked about, in 1/256 cell: 32,767 cells.
+constexpr uint32_t kMaxDistance = detail::Within::kMost;
+
+/// Of a UnitVector's coordinates: 1.
+constexpr int32_t kUnitOne = 1 << 30;
+/// A direction, in 1/kUnitOne; of length 1 to four parts in 2^30.
+struct UnitVector {
+  int32_t x;
+  int32_t y;
+  int32_t z;
+};
+
+/// Two triangles by their positions in the meshes' arrays: what a later query begins with. Opaque;
+/// may be stored.
+template <class Index>
+struct Witness {
+  Index a = static_cast<Index>(-1);
+  Index b = static_cast<Index>(-1);
+
+  /// By default it is none.
+  bool is_none() const { return a == static_cast<Index>(-1) && b == static_cast<Index>(-1); }
+};
+
+/// Where two triangles are nearest.
+struct NearestPoints {
+  uint32_t lower;     ///< the distance in 1/256 cell, rounded down; 0 if they intersect
+  uint32_t upper;     ///< rounded up
+  FinePoint point_a;  ///< in A's frame as it was drawn, each coordinate to the nearest 1/256 cell
+  FinePoint point_b;
+  UnitVector direction;  ///< from point_a to point_b; 0 if the triangles intersect
+};
+
+/// Of two triangles in A's frame, as Query::last_pair() and transform_pair() give them; differences
+/// of their corners are below 2^17 cells along each axis. A point of an intersection is one that
+/// both have.
+[[nodiscard]] NearestPoints nearest_points_of(const Triangle& a, const Triangle& b) noexcept;
+
+/// Every pair of triangles within a distance, in the order and the slices of a PairQuery: a Query
+/// (query.hpp) that is made of meshes, a pose and what is asked, `within(distance)`.
+using Within = detail::Within;
+using WithinQuery = Query<Ranked<PostMesh>, Within>;
+using LargeWithinQuery = Query<Ranked<LargePostMesh>, Within>;
+
+/// `distance`: in 1/256 cell, at most kMaxDistance; a query beyond it ends with
+/// `distance_out_of_range`.
+inline Within within(uint32_t distance) {
+  Within question;
+  question.distance = distance;
+  return question;
+}
+
+/// Whether any points of the two meshes are at most `distance` apart, in 1/256 cell.
+/// `distance_out_of_range`: it is more than kMaxDistance, or B's lattice lies 48,000 cells or more
+/// along an axis from A's, and whether it is within so large a distance can't be told; `yes` then.
+template <class Index>
+Answer closer_than(const Mesh<Index, Layout::post_indexed>& a,
+                   const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
+                   uint32_t distance) {
+  Query<Ranked<Mesh<Index, Layout::post_indexed>>, Within> query(a, b, pose, {}, within(distance));
+  TrianglePair<Index> found;
+  const Status status = query.run(UINT32_MAX, &found, 1).status;
+  const bool yes = status == Status::full;
+  return {yes ? Status::done : status, status != Status::done};
+}
+
+/// What is known of a distance.
+template <class Index>
+struct [[nodiscard]] Clearance {
+  Status
+      status;  ///< `done`; `suspended`: not all was looked at; or an error, and nothing else holds
+  bool in_range;  ///< false: B lies farther off than is asked about; only `lower` holds
+  uint32_t
+      lower;  ///< the distance is at least this: in 1/256 cell, rounded down; 0 while suspended
+  uint32_t upper;  ///< the distance of these triangles, rounded up; UINT32_MAX if none is known yet
+  TrianglePair<Index> triangles;  ///< by their ids
+  Witness<Index> witness;         ///< the same, as a seed for the next query
+  FinePoint point_a;              ///< where they are nearest
+  FinePoint point_b;
+  UnitVector direction;
+};
+
+/// Where a ClearanceQuery stands, between runs.
+template <class IndexType>
+struct ClearancePosition {
+  QueryPosition<IndexType> walk;
+  Witness<IndexType> witness;
+  bool has_witness = false;
+};
+
+/// The distance of two meshes, in slices. The last nearest pair, given as `seed`, makes it visit
+/// next to nothing more than the boxes that are nearer than the answer; without one it first goes
+/// down both trees to where they seem nearest. The distance never depends on the seed; where
+/// several pairs are nearest, which of them is told does.
+template <class MeshType>
+class BasicClearanceQuery
+    : protected Query<Ranked<MeshType>, detail::Nearest<typename MeshType::Index>> {
+  using Question = detail::Nearest<typename MeshType::Index>;
+  using Base = Query<Ranked<MeshType>, Question>;
+
+ public:
+  using Mesh = MeshType;
+  using Index = typename Mesh::Index;
+  using Seed = Witness<Index>;
+
+  /// `tolerance`, in 2^-16: the distance told may be larger than the true one by so much of it, and
+  /// `lower` smaller. `seed_invalid`: it is no pair of these meshes' triangles.
+  BasicClearanceQuery(const Mesh& a, const Mesh& b, const Pose& pose, const Seed& seed = Seed(),
+                      uint16_t tolerance = 0)
+      : Base(a, b, pose, {}, question(tolerance)) {
+    if (this->error_ != Status::done || seed.is_none()) {
+      return;
+    }
+    if (seed.a >= a.triangle_count || seed.b >= b.triangle_count) {
+      this->error_ = Status::seed_invalid;
+      return;
+    }
+    take(seed);
+  }
+  BasicClearanceQuery(const Mesh&&, const Mesh&, const Pose&, const Seed& = Seed(),
+                      uint16_t = 0) = delete;
+  BasicClearanceQuery(const Mesh&, const Mesh&&, const Pose&, const Seed& = Seed(),
+                      uint16_t = 0) = delete;
+  BasicClearanceQuery(const Mesh&, const Mesh&, const Pose&&, const Seed& = Seed(),
+                      uint16_t = 0) = delete;
+
+  /// `suspended` while there is something left to do.
+  Status status() const {
+    return this->error_ != Status::done ? this->error_
+           : is_zero(this->least.above) ? Status::done
+                                        : Base::status();
+  }
+  using Base::counts;
+
+  /// Does at most `work`; UINT32_MAX: all there is to do. As Query::run().
+  Status run(uint32_t work) {
+    while (status() == Status::suspended && work != 0 && !has_witness()) {
+      descend(work);
+    }
+    if (status() != Status::suspended || work == 0) {
+      return status();
+    }
+    (void)Base::spend(work,
+                      [this](const TrianglePair<Index>&) { return !is_zero(this->least.above); });
+    return status();
+  }
+
+  /// What is known by now.
+  Clearance<Index> result() const;
+
+  /// Between runs.
+  [[nodiscard]] ClearancePosition<Index> position() const {
+    return {has_witness() ? Base::position() : descent(),
+            {this->nearest_a, this->nearest_b},
+            has_witness()};
+  }
+  /// As Query::resume(); the distance is worked out of the witness again.
+  Status resume(const ClearancePosition<Index>& position);
+
+ private:
+  static Question question(uint16_t tolerance) {
+    Question made;
+    made.allowance = tolerance;
+    return made;
+  }
+  bool has_witness() const { return this->limit != INT64_MAX; }
+  /// While there is no witness its place holds the nodes that the descent is at.
+  QueryPosition<Index> descent() const { return {}; }
+
+  /// Two triangles by their positions.
+  void take(const Seed& pair);
+  /// To the children that are nearest of the node of the larger rank.
+  void descend(uint32_t& work);
+
+  void get_pair(uint32_t i, uint32_t j, Triangle& a, Triangle& b) const {
+    detail::translate_triangle(*this->a_, i, detail::kNoOffset, a);
+    detail::transform_triangle(*this->b_, j, this->transform_, b);
+  }
+};
+
+using ClearanceQuery = BasicClearanceQuery<PostMesh>;
+using LargeClearanceQuery = BasicClearanceQuery<LargePostMesh>;
+
+/// The distance in one call. For slices, ClearanceQuery.
+template <class Index>
+Clearance<Index> distance(const Mesh<Index, Layout::post_indexed>& a,
+                          const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
+                          const Witness<Index>& seed = Witness<Index>()) {
+  BasicClearanceQuery<Mesh<Index, Layout::post_indexed>> query(a, b, pose, seed);
+  (void)query.run(UINT32_MAX);
+  return query.result();
+}
+
+// Compiled once, in the library.
+extern template class Query<Ranked<PostMesh>, Within>;
+extern template class Query<Ranked<LargePostMesh>, Within>;
+extern template class BasicClearanceQuery<PostMesh>;
+extern template class BasicClearanceQuery<LargePostMesh>;
+
+}  // namespace flashbvh
+
+#endif

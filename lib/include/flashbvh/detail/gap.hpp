@@ -1,0 +1,122 @@
+// How far two boxes are apart at least: the bounds of questions about distance.
+//
+// Along an axis the gap of two boxes is what is missing for them to overlap; gaps along orthogonal
+// axes are squared and added. Under a rotation that is done on A's axes and on B's, and either must
+// be near enough. Sums of bounds are those of box.hpp and box_rotated.hpp, with the same margins,
+// but nothing is cut off at the lattice's end: a gap is a number here, not a sign.
+//
+// On B's axes, the columns n_j of the rotation with 14 bits, a vector w has sum (n_j . w)^2 <=
+// |N|^2 |w|^2, and |N|^2 is at most (1 + defect / 2 + 3 * 2^-15)^2 < 1 + 2^-11: the limit there is
+// larger by so much. Bounds on A's axes are of vertices, which are whole: they are rounded inwards.
+// On B's axes they are not: there they are rounded outwards.
+#ifndef FLASHBVH_DETAIL_GAP_HPP
+#define FLASHBVH_DETAIL_GAP_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/box_packed.hpp"
+#include "flashbvh/detail/inline.hpp"
+#include "flashbvh/detail/rotated_transform.hpp"
+
+namespace flashbvh::detail {
+
+/// Squared gaps, and what they must not exceed to matter, in 32 bits. A gap is within 92,761 cells.
+/// Where the limit has more than 30 bits gaps are taken in quarters of it, rounded down.
+class GapLimit {
+ public:
+  /// `squared`: the largest square of a distance that still matters, in square cells.
+  explicit constexpr GapLimit(int64_t squared)
+      : shift_(squared < int64_t{1} << 30 ? 0 : 2),
+        limit_(clamped(shift_ == 0 ? squared : (squared >> 4) + 1)) {}
+
+  constexpr uint32_t limit() const { return limit_; }
+  /// For vectors that may be longer by one part in 2^12 than what they stand for.
+  constexpr uint32_t longer_limit() const { return clamped(int64_t{limit_} + (limit_ >> 11) + 1); }
+
+  /// `gap`: of any sign; none if it is negative.
+  FLASHBVH_INLINE uint32_t squared(int32_t gap) const {
+    const uint32_t size = gap < 0 ? 0 : static_cast<uint32_t>(gap) >> shift_;
+    const uint32_t cut = size < kMost ? size : kMost;
+    return cut * cut;
+  }
+
+ private:
+  /// Three squares of it stay in 32 bits, and one alone is over a limit of 30.
+  static constexpr uint32_t kMost = 37'837;
+  static_assert(uint64_t{3} * kMost * kMost <= UINT32_MAX, "sums of three squares");
+
+  static constexpr uint32_t clamped(int64_t squared) {
+    return squared < 0 ? 0 : squared > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(squared);
+  }
+
+  uint32_t shift_;
+  uint32_t limit_;
+};
+
+/// What is missing along an axis: for the upper bound of one box and the lower of the other, or the
+/// other way round. Sums of biased bounds.
+FLASHBVH_INLINE inline int32_t gap_of(int32_t upper, int32_t lower) {
+  constexpr int32_t zero = 2 * kBoundBias;
+  return zero - (upper < lower ? upper : lower);
+}
+
+/// B translated.
+class TranslatedGap {
+ public:
+  /// `offset`: of B, within +-kMaxOffset.
+  TranslatedGap(const Point& offset, const GapLimit& limit) : offset_(offset), limit_(limit) {}
+
+  /// False only if no points of the boxes are within the limit.
+  FLASHBVH_INLINE bool operator()(const PackedBox& a, const PackedBox& b) const {
+    return squared(a, b) <= limit_.limit();
+  }
+  /// At most the square of the distance, as GapLimit has it.
+  FLASHBVH_INLINE uint32_t squared(const PackedBox& a, const PackedBox& b) const {
+    const uint32_t upper_xy = a.upper_xy + b.lower_xy;
+    const uint32_t lower_xy = a.lower_xy + b.upper_xy;
+    const uint32_t both_z = a.z + swap_halves(b.z);
+    const auto along = [this](uint32_t upper, uint32_t lower, int32_t offset) {
+      return limit_.squared(
+          gap_of(static_cast<int32_t>(upper) - offset, static_cast<int32_t>(lower) + offset));
+    };
+    return along(low_half(upper_xy), low_half(lower_xy), offset_.x) +
+           along(high_half(upper_xy), high_half(lower_xy), offset_.y) +
+           along(low_half(both_z), high_half(both_z), offset_.z);
+  }
+
+ private:
+  Point offset_;
+  GapLimit limit_;
+};
+
+/// B rotated. Lives as long as a run of a walk; boxes are known by their addresses.
+class RotatedGap {
+ public:
+  RotatedGap(const RotatedTransform& transform, const GapLimit& limit)
+      : transform_(&transform), limit_(limit) {}
+
+  bool operator()(const PackedBox& a, const PackedBox& b);
+  /// On A's axes alone.
+  uint32_t squared(const PackedBox& a, const PackedBox& b);
+
+ private:
+  /// A box seen from the other lattice: biased bounds in cells, upper and negated lower.
+  struct Seen {
+    const PackedBox* source = nullptr;
+    int32_t upper[3];
+    int32_t lower[3];
+  };
+  /// `rounding`: added to sums before they become whole cells.
+  static void rotate(const SplitMatrix& matrix, const BoundStart* starts, int32_t rounding,
+                     const PackedBox& box, Seen& seen);
+  uint32_t squared(const Seen& seen, const PackedBox& box) const;
+
+  const RotatedTransform* transform_;
+  GapLimit limit_;
+  Seen a_;
+  Seen b_;
+};
+
+}  // namespace flashbvh::detail
+
+#endif

@@ -1,0 +1,162 @@
+// Arithmetic of 128 bits, and of 256 where two fractions are nearly equal.
+#include "flashbvh/detail/fraction.hpp"
+
+namespace flashbvh::detail {
+namespace {
+
+constexpr uint64_t kLowHalf = UINT32_MAX;
+
+Int128 unsigned_product(uint64_t u, uint64_t v) {
+  const uint64_t low = (u & kLowHalf) * (v & kLowHalf);
+  const uint64_t first = (u >> 32) * (v & kLowHalf) + (low >> 32);
+  const uint64_t second = (u & kLowHalf) * (v >> 32) + (first & kLowHalf);
+  return {static_cast<int64_t>((u >> 32) * (v >> 32) + (first >> 32) + (second >> 32)),
+          (second << 32) | (low & kLowHalf)};
+}
+
+/// Of numbers that are not negative.
+int compare_products(const Int128& u, const Int128& v, const Int128& w, const Int128& x) {
+  struct Words {
+    uint64_t word[4];
+  };
+  const auto product_of = [](const Int128& p, const Int128& q) -> Words {
+    const auto p_high = static_cast<uint64_t>(p.high);
+    const auto q_high = static_cast<uint64_t>(q.high);
+    const Int128 low = unsigned_product(p.low, q.low);
+    const Int128 first = unsigned_product(p_high, q.low);
+    const Int128 second = unsigned_product(p.low, q_high);
+    const Int128 high = unsigned_product(p_high, q_high);
+    // Word by word, with what is carried.
+    uint64_t carry = 0;
+    const auto add = [&carry](uint64_t a, uint64_t b, uint64_t c) {
+      const uint64_t ab = a + b;
+      const uint64_t abc = ab + c;
+      const uint64_t all = abc + carry;
+      carry = (ab < a ? 1u : 0u) + (abc < ab ? 1u : 0u) + (all < abc ? 1u : 0u);
+      return all;
+    };
+    Words words{};
+    words.word[0] = low.low;
+    words.word[1] = add(static_cast<uint64_t>(low.high), first.low, second.low);
+    words.word[2] =
+        add(high.low, static_cast<uint64_t>(first.high), static_cast<uint64_t>(second.high));
+    words.word[3] = add(static_cast<uint64_t>(high.high), 0, 0);
+    return words;
+  };
+  const Words one = product_of(u, v);
+  const Words other = product_of(w, x);
+  for (int i = 3; i >= 0; --i) {
+    if (one.word[i] != other.word[i]) {
+      return one.word[i] < other.word[i] ? -1 : 1;
+    }
+  }
+  return 0;
+}
+
+/// The leading bits: the number is at least digits * 2^exponent, and below (digits + 1) *
+/// 2^exponent; digits have 31 bits, the first of them 1. Of a number above 0.
+struct Leading {
+  uint32_t digits;
+  int32_t exponent;
+};
+
+Leading leading(const Int128& u) {
+  const auto high = static_cast<uint64_t>(u.high);
+  const bool by_word = high != 0;
+  const uint64_t word = by_word ? high : u.low;
+  const int zeros = __builtin_clzll(word);
+  const uint64_t below = by_word ? u.low : 0;
+  const uint64_t top = zeros == 0 ? word : word << zeros | below >> (64 - zeros);
+  return {static_cast<uint32_t>(top >> 33), (by_word ? 64 : 0) + 33 - zeros};
+}
+
+}  // namespace
+
+Int128 product(int64_t u, int64_t v) noexcept {
+  const auto p = static_cast<uint64_t>(u);
+  const auto q = static_cast<uint64_t>(v);
+  Int128 wide = unsigned_product(p, q);
+  const uint64_t more = (u < 0 ? q : 0) + (v < 0 ? p : 0);
+  wide.high = static_cast<int64_t>(static_cast<uint64_t>(wide.high) - more);
+  return wide;
+}
+
+Int128 times(const Int128& u, int32_t v) noexcept {
+  Int128 wide = unsigned_product(u.low, static_cast<uint64_t>(v < 0 ? -int64_t{v} : v));
+  const uint64_t high =
+      static_cast<uint64_t>(u.high) * static_cast<uint64_t>(v < 0 ? -int64_t{v} : v);
+  wide.high = static_cast<int64_t>(static_cast<uint64_t>(wide.high) + high);
+  return v < 0 ? -wide : wide;
+}
+
+Int128 shifted_up(const Int128& u, unsigned bits) noexcept {
+  if (bits >= 64) {
+    return {static_cast<int64_t>(u.low << (bits - 64)), 0};
+  }
+  if (bits == 0) {
+    return u;
+  }
+  return {static_cast<int64_t>(static_cast<uint64_t>(u.high) << bits | u.low >> (64 - bits)),
+          u.low << bits};
+}
+
+Int128 quotient(const Int128& u, const Int128& v) noexcept {
+  Int128 rest = {0, 0};
+  Int128 whole = {0, 0};
+  for (int bit = 127; bit >= 0; --bit) {
+    const uint64_t word = bit >= 64 ? static_cast<uint64_t>(u.high) : u.low;
+    rest = shifted_up(rest, 1);
+    rest.low |= word >> (bit & 63) & 1;
+    whole = shifted_up(whole, 1);
+    if (!(rest < v)) {
+      rest = rest - v;
+      whole.low |= 1;
+    }
+  }
+  return whole;
+}
+
+uint64_t square_root(const Int128& u) noexcept {
+  uint64_t root = 0;
+  for (uint64_t bit = uint64_t{1} << 63; bit != 0; bit >>= 1) {
+    const Int128 square = unsigned_product(root | bit, root | bit);
+    if (square.high >= 0 && !(u < square)) {
+      root |= bit;
+    }
+  }
+  return root;
+}
+
+int compare(const Fraction& x, const Fraction& y) noexcept {
+  if (is_zero(x.above) || is_zero(y.above)) {
+    return sign_of(x.above) - sign_of(y.above);
+  }
+  const Leading x_above = leading(x.above);
+  const Leading x_below = leading(x.below);
+  const Leading y_above = leading(y.above);
+  const Leading y_below = leading(y.below);
+  // x_above * y_below against y_above * x_below: products of digits are from 2^60 to 2^62.
+  const int32_t shift = x_above.exponent + y_below.exponent - y_above.exponent - x_below.exponent;
+  const int32_t size = shift < 0 ? -shift : shift;
+  if (size > 2) {
+    return shift < 0 ? -1 : 1;
+  }
+  const auto least = [](const Leading& u, const Leading& v) {
+    return static_cast<uint64_t>(u.digits) * v.digits;
+  };
+  const auto most = [](const Leading& u, const Leading& v) {
+    return (static_cast<uint64_t>(u.digits) + 1) * (static_cast<uint64_t>(v.digits) + 1);
+  };
+  // A quarter of each, so that the larger scale still fits.
+  const int32_t x_up = shift > 0 ? shift : 0;
+  const int32_t y_up = shift < 0 ? -shift : 0;
+  if (((most(x_above, y_below) >> 2) + 1) << x_up <= (least(y_above, x_below) >> 2) << y_up) {
+    return -1;
+  }
+  if (((most(y_above, x_below) >> 2) + 1) << y_up <= (least(x_above, y_below) >> 2) << x_up) {
+    return 1;
+  }
+  return compare_products(x.above, y.below, y.above, x.below);
+}
+
+}  // namespace flashbvh::detail

@@ -1,0 +1,357 @@
+// Distances between the features of two triangles.
+//
+// Both a corner r above a face with edges e and f and two edges e, f whose starts are r apart ask
+// the same: where is the point of the plane of e and f nearest to r? With a = e.e, b = e.f, c = f.f
+// it is s e + t f with
+//     area = a c - b^2,    s area = c (r.e) - b (r.f),    t area = a (r.f) - b (r.e),
+// and its squared distance from r is (r . (e x f))^2 / area.
+#include "flashbvh/detail/triangle_distance.hpp"
+
+#include "flashbvh/detail/triangle.hpp"
+#include "orientation.hpp"
+
+namespace flashbvh::detail {
+namespace {
+
+/// Three components within +-2^35.
+struct Wide {
+  int64_t x;
+  int64_t y;
+  int64_t z;
+};
+
+inline int64_t dot(const Vector& u, const Vector& v) {
+  return static_cast<int64_t>(u.x) * v.x + static_cast<int64_t>(u.y) * v.y +
+         static_cast<int64_t>(u.z) * v.z;
+}
+inline Vector negated(const Vector& v) {
+  return {-v.x, -v.y, -v.z};
+}
+
+// Products of two dot products, and sums of two of them: in 64 bits where all differences are below
+// 2^14, in 128 bits else.
+struct Narrow {
+  using Product = int64_t;
+  static Product product(int64_t u, int64_t v) { return u * v; }
+};
+struct Full {
+  using Product = Int128;
+  static Product product(int64_t u, int64_t v) { return detail::product(u, v); }
+};
+inline Int128 widened(const Int128& u) {
+  return u;
+}
+using detail::widened;
+
+/// Where the plane of two vectors is nearest to a point, in shares of the vectors.
+template <class Width>
+class Plane {
+  using Product = typename Width::Product;
+
+ public:
+  Plane(const Vector& e, const Vector& f)
+      : e_(e),
+        f_(f),
+        ee_(dot(e, e)),
+        ef_(dot(e, f)),
+        ff_(dot(f, f)),
+        area_(Width::product(ee_, ff_) - Width::product(ef_, ef_)) {}
+
+  /// Whether there is a plane.
+  bool exists() const { return sign_of(area_) > 0; }
+  const Product& area() const { return area_; }
+
+  /// Sets where `r` is, times area().
+  void place(const Vector& r, Product& first, Product& second) const {
+    const int64_t re = dot(r, e_);
+    const int64_t rf = dot(r, f_);
+    first = Width::product(ff_, re) - Width::product(ef_, rf);
+    second = Width::product(ee_, rf) - Width::product(ef_, re);
+  }
+  /// Of a triangle with two edges e and f: closed.
+  bool triangle_has(const Vector& r) const {
+    Product s;
+    Product t;
+    place(r, s, t);
+    return sign_of(s) >= 0 && sign_of(t) >= 0 && sign_of(area_ - s - t) >= 0;
+  }
+  /// Of two edges: strictly.
+  bool edges_have(const Vector& r) const {
+    Product s;
+    Product t;
+    place(r, s, t);
+    return sign_of(s) > 0 && sign_of(t) > 0 && s < area_ && t < area_;
+  }
+  Fraction squared_height(const Vector& r) const {
+    const Wide n = cross<Wide>(e_, f_);
+    const int64_t height = detail::dot(n, r);
+    return {detail::product(height, height), widened(area_)};
+  }
+
+ private:
+  Vector e_;
+  Vector f_;
+  int64_t ee_;
+  int64_t ef_;
+  int64_t ff_;
+  Product area_;
+};
+
+inline Vector edge_of(const Triangle& t, unsigned i) {
+  return difference(t.corner[next(i)], t.corner[i]);
+}
+
+/// What is below (or at) a limit, and the least of it.
+class Search {
+ public:
+  Search(const Fraction& limit, bool closed) : least_(limit), closed_(closed) {}
+
+  /// Whether it is known that there is nothing to look for.
+  bool is_over() const { return found_ && closed_; }
+  bool found() const { return found_; }
+  const Fraction& least() const { return least_; }
+  const Features& features() const { return features_; }
+
+  void consider(const Fraction& squared, FeatureKind kind, unsigned of_a, unsigned of_b) {
+    const int order = compare(squared, least_);
+    if (order < 0 || (order == 0 && closed_)) {
+      found_ = true;
+      least_ = squared;
+      features_ = {kind, static_cast<uint8_t>(of_a), static_cast<uint8_t>(of_b)};
+    }
+  }
+
+ private:
+  Fraction least_;
+  Features features_ = {FeatureKind::intersection, 0, 0};
+  bool found_ = false;
+  bool closed_;
+};
+
+[[gnu::noinline]] void search_corners(const Triangle& a, const Triangle& b, Search& search) {
+  int64_t least = INT64_MAX;
+  unsigned of_a = 0;
+  unsigned of_b = 0;
+  for (unsigned i = 0; i < 3; ++i) {
+    for (unsigned j = 0; j < 3; ++j) {
+      const Vector apart = difference(b.corner[j], a.corner[i]);
+      const int64_t squared = dot(apart, apart);
+      if (squared < least) {
+        least = squared;
+        of_a = i;
+        of_b = j;
+      }
+    }
+  }
+  search.consider({widened(least), widened(1)}, FeatureKind::corners, of_a, of_b);
+}
+
+/// Corners of `of` beside edges of `other`.
+template <class Width>
+[[gnu::noinline]] void search_beside_edges(const Triangle& of, const Triangle& other, bool swapped,
+                                           Search& search) {
+  for (unsigned j = 0; j < 3; ++j) {
+    const Vector e = edge_of(other, j);
+    const int64_t ee = dot(e, e);
+    for (unsigned i = 0; i < 3; ++i) {
+      const Vector r = difference(of.corner[i], other.corner[j]);
+      const int64_t re = dot(r, e);
+      if (re > 0 && re < ee) {
+        search.consider(
+            {widened(Width::product(dot(r, r), ee) - Width::product(re, re)), widened(ee)},
+            swapped ? FeatureKind::edge_corner : FeatureKind::corner_edge, swapped ? j : i,
+            swapped ? i : j);
+      }
+    }
+  }
+}
+
+template <class Width>
+[[gnu::noinline]] void search_edges(const Triangle& a, const Triangle& b, Search& search) {
+  for (unsigned i = 0; i < 3; ++i) {
+    const Vector e = edge_of(a, i);
+    for (unsigned j = 0; j < 3; ++j) {
+      const Plane<Width> plane(e, negated(edge_of(b, j)));
+      const Vector r = difference(b.corner[j], a.corner[i]);
+      if (plane.exists() && plane.edges_have(r)) {
+        search.consider(plane.squared_height(r), FeatureKind::edges, i, j);
+      }
+    }
+  }
+}
+
+/// Corners of `of` above the face of `other`.
+template <class Width>
+[[gnu::noinline]] void search_above_face(const Triangle& of, const Triangle& other, bool swapped,
+                                         Search& search) {
+  const Plane<Width> plane(difference(other.corner[1], other.corner[0]),
+                           difference(other.corner[2], other.corner[0]));
+  if (!plane.exists()) {
+    return;
+  }
+  for (unsigned i = 0; i < 3; ++i) {
+    const Vector r = difference(of.corner[i], other.corner[0]);
+    if (plane.triangle_has(r)) {
+      search.consider(plane.squared_height(r),
+                      swapped ? FeatureKind::face_corner : FeatureKind::corner_face,
+                      swapped ? 0 : i, swapped ? i : 0);
+    }
+  }
+}
+
+template <class Width>
+void search_rest(const Triangle& a, const Triangle& b, Search& search) {
+  search_beside_edges<Width>(a, b, false, search);
+  search_beside_edges<Width>(b, a, true, search);
+  search_edges<Width>(a, b, search);
+  search_above_face<Width>(a, b, false, search);
+  search_above_face<Width>(b, a, true, search);
+}
+
+/// Of the coordinates along one axis.
+struct Range {
+  int32_t least;
+  int32_t most;
+};
+
+Range range_of(const Triangle& t, int32_t Point::*axis) {
+  const int32_t p = t.corner[0].*axis;
+  const int32_t q = t.corner[1].*axis;
+  const int32_t r = t.corner[2].*axis;
+  const int32_t least = p < q ? p : q;
+  const int32_t most = p < q ? q : p;
+  return {r < least ? r : least, r > most ? r : most};
+}
+
+/// Whether all differences between the corners are below 2^14.
+bool is_narrow(const Triangle& a, const Triangle& b) {
+  const auto spans = [&](int32_t Point::*axis) {
+    const Range of_a = range_of(a, axis);
+    const Range of_b = range_of(b, axis);
+    const int32_t least = of_a.least < of_b.least ? of_a.least : of_b.least;
+    const int32_t most = of_a.most > of_b.most ? of_a.most : of_b.most;
+    return most - least < 1 << 14;
+  };
+  return spans(&Point::x) && spans(&Point::y) && spans(&Point::z);
+}
+
+void search_all(const Triangle& a, const Triangle& b, Search& search) {
+  search_corners(a, b, search);
+  if (search.is_over()) {
+    return;
+  }
+  if (is_narrow(a, b)) {
+    search_rest<Narrow>(a, b, search);
+  } else {
+    search_rest<Full>(a, b, search);
+  }
+}
+
+constexpr Fraction kZero = {{0, 0}, {0, 1}};
+
+bool intersect(const Triangle& a, const Triangle& b) {
+  return squared_box_gap(a, b) == 0 && triangles_intersect(a, b);
+}
+
+}  // namespace
+
+int64_t squared_box_gap(const Triangle& a, const Triangle& b) noexcept {
+  const auto squared = [&](int32_t Point::*axis) {
+    const Range of_a = range_of(a, axis);
+    const Range of_b = range_of(b, axis);
+    const int32_t above = of_b.least - of_a.most;
+    const int32_t below = of_a.least - of_b.most;
+    const int32_t gap = above > below ? above : below;
+    return gap > 0 ? static_cast<int64_t>(gap) * gap : 0;
+  };
+  return squared(&Point::x) + squared(&Point::y) + squared(&Point::z);
+}
+
+int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept {
+  if (is_zero(squared.above)) {
+    return -1;
+  }
+  const auto whole =
+      static_cast<int64_t>(quotient(squared.above - widened(int64_t{1}), squared.below).low);
+  constexpr int64_t one = 1 << 16;
+  return tolerance == 0 ? whole : whole * one / (one + tolerance) * one / (one + tolerance);
+}
+
+bool is_nearer(const Triangle& a, const Triangle& b, Fraction& squared,
+               Features& features) noexcept {
+  if (is_zero(squared.above)) {
+    return false;
+  }
+  if (intersect(a, b)) {
+    squared = kZero;
+    features = {FeatureKind::intersection, 0, 0};
+    return true;
+  }
+  Search search(squared, false);
+  search_all(a, b, search);
+  if (search.found()) {
+    squared = search.least();
+    features = search.features();
+  }
+  return search.found();
+}
+
+bool is_within(const Triangle& a, const Triangle& b, const Fraction& squared) noexcept {
+  if (intersect(a, b)) {
+    return true;
+  }
+  Search search(squared, true);
+  search_all(a, b, search);
+  return search.found();
+}
+
+void nearest_places(const Triangle& a, const Triangle& b, const Features& features,
+                    PlaceInTriangle& of_a, PlaceInTriangle& of_b) noexcept {
+  const unsigned i = features.of_a;
+  const unsigned j = features.of_b;
+  const auto at_corner = [](unsigned corner) {
+    return PlaceInTriangle{static_cast<uint8_t>(corner), {0, 0}, {0, 0}, {0, 1}};
+  };
+  // Of the vectors to the next corner and to the one after it.
+  const auto beside = [](const Triangle& t, unsigned corner, const Point& p) {
+    const Vector e = edge_of(t, corner);
+    return PlaceInTriangle{static_cast<uint8_t>(corner),
+                           widened(dot(difference(p, t.corner[corner]), e)),
+                           {0, 0},
+                           widened(dot(e, e))};
+  };
+  const auto above = [](const Triangle& t, const Point& p) {
+    const Plane<Full> plane(difference(t.corner[1], t.corner[0]),
+                            difference(t.corner[2], t.corner[0]));
+    PlaceInTriangle place{0, {0, 0}, {0, 0}, plane.area()};
+    plane.place(difference(p, t.corner[0]), place.first, place.second);
+    return place;
+  };
+  of_a = at_corner(i);
+  of_b = at_corner(j);
+  switch (features.kind) {
+    case FeatureKind::intersection:
+    case FeatureKind::corners:
+      break;
+    case FeatureKind::corner_edge:
+      of_b = beside(b, j, a.corner[i]);
+      break;
+    case FeatureKind::edge_corner:
+      of_a = beside(a, i, b.corner[j]);
+      break;
+    case FeatureKind::edges: {
+      const Plane<Full> plane(edge_of(a, i), negated(edge_of(b, j)));
+      of_a.below = of_b.below = plane.area();
+      plane.place(difference(b.corner[j], a.corner[i]), of_a.first, of_b.first);
+      break;
+    }
+    case FeatureKind::corner_face:
+      of_b = above(b, a.corner[i]);
+      break;
+    case FeatureKind::face_corner:
+      of_a = above(a, b.corner[j]);
+      break;
+  }
+}
+
+}  // namespace flashbvh::detail
