@@ -15,8 +15,6 @@ using namespace flashbvh::test;
 
 namespace {
 
-constexpr Fraction kFar = {{1, 0}, {0, 1}};  // 2^64, beyond any
-
 mpz_class number_of(const Int128& value) {
   mpz_class high(static_cast<long>(value.high));
   mpz_class low(static_cast<unsigned long>(value.low));
@@ -32,7 +30,7 @@ mpq_class rational_of(const Fraction& fraction) {
 }
 
 mpq_class squared_distance(const Triangle& a, const Triangle& b, Features& features) {
-  Fraction squared = kFar;
+  Fraction squared = kInfinite;
   REQUIRE(is_nearer(a, b, squared, features));
   return rational_of(squared);
 }

@@ -132,6 +132,7 @@ namespace {
 struct CountedTests {
   static constexpr bool kIntersects = false;
   static constexpr bool kLeafShapes = true;
+  static constexpr bool kBatches = true;
   static constexpr bool kDisjointRootsEnd = true;
   std::uint32_t* tests = nullptr;
 
@@ -139,7 +140,7 @@ struct CountedTests {
     return transform.bound;
   }
   RotatedBound rotated(const RotatedTransform& transform) const { return RotatedBound(transform); }
-  bool test(const Triangle& a, const Triangle& b) const {
+  bool test(const Triangle& a, const Triangle& b, std::uint32_t, std::uint32_t) const {
     ++*tests;
     return triangles_intersect(a, b);
   }

@@ -129,11 +129,11 @@ class BasicClearanceQuery
   BasicClearanceQuery(const Mesh& a, const Mesh& b, const Pose& pose, const Seed& seed = Seed(),
                       uint16_t tolerance = 0)
       : Base(a, b, pose, {}, question(tolerance)) {
-    if (this->error_ != Status::done || seed.is_none()) {
+    if (this->error() != Status::done || seed.is_none()) {
       return;
     }
     if (seed.a >= a.triangle_count || seed.b >= b.triangle_count) {
-      this->error_ = Status::seed_invalid;
+      this->refuse(Status::seed_invalid);
       return;
     }
     take(seed);
@@ -147,9 +147,9 @@ class BasicClearanceQuery
 
   /// `suspended` while there is something left to do.
   Status status() const {
-    return this->error_ != Status::done ? this->error_
-           : is_zero(this->least.above) ? Status::done
-                                        : Base::status();
+    return this->error() != Status::done ? this->error()
+           : is_zero(this->least.above)  ? Status::done
+                                         : Base::status();
   }
   using Base::counts;
 
@@ -194,8 +194,8 @@ class BasicClearanceQuery
   void descend(uint32_t& work);
 
   void get_pair(uint32_t i, uint32_t j, Triangle& a, Triangle& b) const {
-    detail::translate_triangle(*this->a_, i, detail::kNoOffset, a);
-    detail::transform_triangle(*this->b_, j, this->transform_, b);
+    detail::translate_triangle(this->mesh_a(), i, detail::kNoOffset, a);
+    detail::transform_triangle(this->mesh_b(), j, this->transform(), b);
   }
 };
 

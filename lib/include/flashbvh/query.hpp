@@ -165,6 +165,20 @@ class Query : protected Question {
   }
 
  protected:
+  /// For queries that are made of this one: what it is asked of.
+  [[nodiscard]] const Mesh& mesh_a() const { return *a_; }
+  /// Likewise.
+  [[nodiscard]] const Mesh& mesh_b() const { return *b_; }
+  /// Where B lies.
+  [[nodiscard]] const detail::Transform& transform() const { return transform_; }
+  /// What is wrong with meshes, pose and question; `done`: nothing.
+  [[nodiscard]] Status error() const { return error_; }
+  /// Of what is wrong beside them.
+  void refuse(Status error) { error_ = error; }
+  /// A visit that was made beside the walk.
+  void count_visit() { ++counts_.visits; }
+
+ private:
   /// Positions of the current pair of triangles: the leaves' pairs are taken from the last one on,
   /// all of A's for each of B's.
   /// The pair due is the one before `untested_`, the pair tested last that at it.

@@ -17,7 +17,8 @@ Int128 way_along(const Triangle& t, const PlaceInTriangle& place, int32_t Point:
 }
 
 /// To the nearest 1/256.
-int64_t fine_coordinate(const Triangle& t, const PlaceInTriangle& place, int32_t Point::*axis) {
+[[gnu::noinline]] int64_t fine_coordinate(const Triangle& t, const PlaceInTriangle& place,
+                                          int32_t Point::*axis) {
   const Int128 way = way_along(t, place, axis);
   const bool negative = way.high < 0;
   const Int128 twice = shifted_up(negative ? -way : way, 9) + place.below;
@@ -31,8 +32,9 @@ FinePoint fine_point(const Triangle& t, const PlaceInTriangle& place) {
 }
 
 /// From a place of A to one of B. One of the two is a corner, or both shares have one denominator.
-Int128 apart_along(const Triangle& a, const PlaceInTriangle& of_a, const Triangle& b,
-                   const PlaceInTriangle& of_b, int32_t Point::*axis) {
+[[gnu::noinline]] Int128 apart_along(const Triangle& a, const PlaceInTriangle& of_a,
+                                     const Triangle& b, const PlaceInTriangle& of_b,
+                                     int32_t Point::*axis) {
   const Int128& below = of_a.below < of_b.below ? of_b.below : of_a.below;
   const int32_t corners = b.corner[of_b.origin].*axis - a.corner[of_a.origin].*axis;
   return times(below, corners) + way_along(b, of_b, axis) - way_along(a, of_a, axis);
@@ -46,7 +48,7 @@ int leading_zeros(const Int128& u) {
 }
 
 /// Of a vector that is not 0.
-UnitVector unit_vector(const Int128 (&v)[3]) {
+[[gnu::noinline]] UnitVector unit_vector(const Int128 (&v)[3]) {
   int zeros = 128;
   for (const Int128& component : v) {
     const int own = leading_zeros(component);
@@ -70,19 +72,18 @@ UnitVector unit_vector(const Int128 (&v)[3]) {
   return {share(scaled[0]), share(scaled[1]), share(scaled[2])};
 }
 
-}  // namespace
-}  // namespace detail
+/// Sets the distance: the root of `squared` in 1/256 cell, down and up.
+[[gnu::noinline]] void set_distance(const Fraction& squared, NearestPoints& nearest) {
+  constexpr unsigned bits = 16;  // of kFineOne squared
+  const Fraction fine = {shifted_up(squared.above, bits), squared.below};
+  nearest.lower = static_cast<uint32_t>(square_root(quotient(fine.above, fine.below)));
+  const auto root = static_cast<int64_t>(nearest.lower);
+  const bool exact = compare({product(root, root), {0, 1}}, fine) == 0;
+  nearest.upper = nearest.lower + (exact ? 0 : 1);
+}
 
-NearestPoints nearest_points_of(const Triangle& a, const Triangle& b) noexcept {
-  using namespace detail;
-  Fraction squared = {{INT64_MAX, 0}, {0, 1}};
-  Features features{};
-  NearestPoints nearest{};
-  (void)is_nearer(a, b, squared, features);
-  if (features.kind == FeatureKind::intersection) {
-    nearest.point_a = nearest.point_b = contact_of(a, b).ends[0];
-    return nearest;
-  }
+[[gnu::noinline]] void set_points(const Triangle& a, const Triangle& b, const Features& features,
+                                  NearestPoints& nearest) {
   PlaceInTriangle of_a{};
   PlaceInTriangle of_b{};
   nearest_places(a, b, features, of_a, of_b);
@@ -92,13 +93,29 @@ NearestPoints nearest_points_of(const Triangle& a, const Triangle& b) noexcept {
                            apart_along(a, of_a, b, of_b, &Point::y),
                            apart_along(a, of_a, b, of_b, &Point::z)};
   nearest.direction = unit_vector(apart);
-  constexpr unsigned bits = 16;  // of kFineOne squared
-  const Int128 above = shifted_up(squared.above, bits);
-  const Int128 whole = quotient(above, squared.below);
-  nearest.lower = static_cast<uint32_t>(square_root(whole));
-  const auto root = static_cast<int64_t>(nearest.lower);
-  const bool exact = compare({product(root, root), {0, 1}}, {above, squared.below}) == 0;
-  nearest.upper = nearest.lower + (exact ? 0 : 1);
+}
+
+/// Of two triangles that are nearest.
+[[gnu::noinline]] Features set_nearest(const Triangle& a, const Triangle& b,
+                                       NearestPoints& nearest) {
+  Fraction squared = kInfinite;
+  Features features{};
+  (void)is_nearer(a, b, squared, features);
+  set_distance(squared, nearest);
+  return features;
+}
+
+}  // namespace
+}  // namespace detail
+
+NearestPoints nearest_points_of(const Triangle& a, const Triangle& b) noexcept {
+  NearestPoints nearest{};
+  const detail::Features features = detail::set_nearest(a, b, nearest);
+  if (features.kind == detail::FeatureKind::intersection) {
+    nearest.point_a = nearest.point_b = contact_of(a, b).ends[0];
+  } else {
+    detail::set_points(a, b, features, nearest);
+  }
   return nearest;
 }
 

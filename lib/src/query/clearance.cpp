@@ -15,16 +15,16 @@ template <class MeshType>
 void BasicClearanceQuery<MeshType>::descend(uint32_t& work) {
   // Of a node with more children the first ones: a step takes bounded time.
   constexpr uint32_t kMostChildren = 8;
-  const auto& node_a = this->a_->nodes[this->nearest_a];
-  const auto& node_b = this->b_->nodes[this->nearest_b];
+  const auto& node_a = this->mesh_a().nodes[this->nearest_a];
+  const auto& node_b = this->mesh_b().nodes[this->nearest_b];
   if (node_a.is_leaf() && node_b.is_leaf()) {
     detail::take_work(work, detail::kTrianglePairWork);
-    take({static_cast<Index>(this->a_->first_triangle(node_a.leaf())),
-          static_cast<Index>(this->b_->first_triangle(node_b.leaf()))});
+    take({static_cast<Index>(this->mesh_a().first_triangle(node_a.leaf())),
+          static_cast<Index>(this->mesh_b().first_triangle(node_b.leaf()))});
     return;
   }
   const bool into_a = node_a.rank() >= node_b.rank();
-  const Mesh& mesh = into_a ? *this->a_ : *this->b_;
+  const Mesh& mesh = into_a ? this->mesh_a() : this->mesh_b();
   Index& place = into_a ? this->nearest_a : this->nearest_b;
   const uint32_t parent = place;
   const auto go_down = [&](auto&& gap) {
@@ -33,7 +33,7 @@ void BasicClearanceQuery<MeshType>::descend(uint32_t& work) {
     for (uint32_t i = 0; i < kMostChildren; ++i) {
       const auto& box = mesh.nodes[child].box;
       const uint32_t squared = into_a ? gap.squared(box, node_b.box) : gap.squared(node_a.box, box);
-      ++this->counts_.visits;
+      this->count_visit();
       detail::take_work(work, 1);
       if (squared < nearest || i == 0) {
         nearest = squared;
@@ -46,22 +46,22 @@ void BasicClearanceQuery<MeshType>::descend(uint32_t& work) {
     }
   };
   const detail::GapLimit any(INT64_MAX);
-  if (this->transform_.is_rotated()) {
-    go_down(detail::RotatedGap(this->transform_.rotated(), any));
+  if (this->transform().is_rotated()) {
+    go_down(detail::RotatedGap(this->transform().rotated(), any));
   } else {
-    go_down(detail::TranslatedGap(this->transform_.translated().offset, any));
+    go_down(detail::TranslatedGap(this->transform().translated().offset, any));
   }
 }
 
 template <class MeshType>
 Status BasicClearanceQuery<MeshType>::resume(const ClearancePosition<Index>& position) {
-  if (this->error_ != Status::done) {
-    return this->error_;
+  if (this->error() != Status::done) {
+    return this->error();
   }
   const Seed& pair = position.witness;
   if (!position.has_witness) {
-    if (position.walk.state != detail::State::fresh || pair.a >= this->a_->node_count ||
-        pair.b >= this->b_->node_count) {
+    if (position.walk.state != detail::State::fresh || pair.a >= this->mesh_a().node_count ||
+        pair.b >= this->mesh_b().node_count) {
       return Status::position_invalid;
     }
     static_cast<Question&>(*this) = question(this->allowance);
@@ -69,7 +69,7 @@ Status BasicClearanceQuery<MeshType>::resume(const ClearancePosition<Index>& pos
     this->nearest_b = pair.b;
     return Base::resume(position.walk);
   }
-  if (pair.a >= this->a_->triangle_count || pair.b >= this->b_->triangle_count) {
+  if (pair.a >= this->mesh_a().triangle_count || pair.b >= this->mesh_b().triangle_count) {
     return Status::position_invalid;
   }
   const Status resumed = Base::resume(position.walk);
@@ -84,15 +84,15 @@ template <class MeshType>
 Clearance<typename MeshType::Index> BasicClearanceQuery<MeshType>::result() const {
   Clearance<Index> known{};
   known.status = status();
-  known.in_range = this->error_ == Status::done && this->transform_.is_in_range();
+  known.in_range = this->error() == Status::done && this->transform().is_in_range();
   known.upper = UINT32_MAX;
-  if (this->error_ != Status::done || !has_witness()) {
+  if (this->error() != Status::done || !has_witness()) {
     return known;
   }
   Triangle of_a;
   Triangle of_b;
-  detail::place_pair(*this->a_, this->nearest_a, *this->b_, this->nearest_b, this->transform_, of_a,
-                     of_b);
+  detail::place_pair(this->mesh_a(), this->nearest_a, this->mesh_b(), this->nearest_b,
+                     this->transform(), of_a, of_b);
   const NearestPoints nearest = nearest_points_of(of_a, of_b);
   known.lower = known.status == Status::done ? nearest.lower : 0;
   if (this->allowance != 0 && known.lower != 0) {
@@ -101,8 +101,8 @@ Clearance<typename MeshType::Index> BasicClearanceQuery<MeshType>::result() cons
     known.lower = passed < known.lower ? passed : known.lower;
   }
   known.upper = nearest.upper;
-  known.triangles = {this->a_->triangle_ids[this->nearest_a],
-                     this->b_->triangle_ids[this->nearest_b]};
+  known.triangles = {this->mesh_a().triangle_ids[this->nearest_a],
+                     this->mesh_b().triangle_ids[this->nearest_b]};
   known.witness = {this->nearest_a, this->nearest_b};
   known.point_a = nearest.point_a;
   known.point_b = nearest.point_b;

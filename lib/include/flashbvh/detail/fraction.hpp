@@ -63,6 +63,9 @@ struct Fraction {
   Int128 below;
 };
 
+/// Above all squared distances.
+inline constexpr Fraction kInfinite = {{INT64_MAX, 0}, {0, 1}};
+
 /// -1, 0 or 1 as x is below, equal to or above y. Exact; nearly always the leading bits decide.
 int compare(const Fraction& x, const Fraction& y) noexcept;
 

@@ -66,9 +66,6 @@ struct Within : Nearness {
 template <class Index>
 struct Nearest : Nearness {
   static constexpr bool kBatches = false;
-  /// No pair: there is always a nearer one.
-  static constexpr Fraction kInfinite = {{INT64_MAX, 0}, {0, 1}};
-
   Fraction least = kInfinite;  ///< squared distance: of the nearest so far
   int64_t limit = INT64_MAX;   ///< the largest squared gap that still matters
   uint16_t allowance = 0;
