@@ -18,6 +18,7 @@ void add_check(CLI::App& app, ExitCode& exit_code);
 void add_export(CLI::App& app);
 void add_report(CLI::App& app);
 void add_collide(CLI::App& app);
+void add_clearance(CLI::App& app);
 void add_bench(CLI::App& app, ExitCode& exit_code);
 
 /// Declares --unit, which can be given several times and takes one word each time.

@@ -1,4 +1,4 @@
-// flashbvh: bakes meshes, and inspects, checks, exports and collides what it baked.
+// flashbvh: bakes meshes, and inspects, checks and exports what it baked, and asks about it.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   add_export(app);
   add_report(app);
   add_collide(app);
+  add_clearance(app);
   add_bench(app, exit_code);
   if (argc < 2) {
     return fail("a command is missing; see flashbvh --help");

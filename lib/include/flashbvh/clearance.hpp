@@ -154,7 +154,9 @@ class BasicClearanceQuery
   using Base::counts;
 
   /// Does at most `work`; UINT32_MAX: all there is to do. As Query::run().
-  Status run(uint32_t work) {
+  Status run(uint32_t work) { return spend(work); }
+  /// The same, and what is left of `work` stays there.
+  Status spend(uint32_t& work) {
     while (status() == Status::suspended && work != 0 && !has_witness()) {
       descend(work);
     }
@@ -168,6 +170,13 @@ class BasicClearanceQuery
 
   /// What is known by now.
   Clearance<Index> result() const;
+
+  /// The triangles that are nearest by now, in A's frame, in cells. Not before there are any:
+  /// where result().upper is UINT32_MAX.
+  void nearest_triangles(Triangle& a, Triangle& b) const {
+    detail::place_pair(this->mesh_a(), this->nearest_a, this->mesh_b(), this->nearest_b,
+                       this->transform(), a, b);
+  }
 
   /// Between runs.
   [[nodiscard]] ClearancePosition<Index> position() const {

@@ -91,8 +91,7 @@ Clearance<typename MeshType::Index> BasicClearanceQuery<MeshType>::result() cons
   }
   Triangle of_a;
   Triangle of_b;
-  detail::place_pair(this->mesh_a(), this->nearest_a, this->mesh_b(), this->nearest_b,
-                     this->transform(), of_a, of_b);
+  nearest_triangles(of_a, of_b);
   const NearestPoints nearest = nearest_points_of(of_a, of_b);
   known.lower = known.status == Status::done ? nearest.lower : 0;
   if (this->allowance != 0 && known.lower != 0) {

@@ -1,0 +1,198 @@
+// flashbvh clearance: the firmware's queries about distance, on the desktop.
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/outputs.hpp"
+#include "evaluate/clearances.hpp"
+#include "evaluate/poses.hpp"
+#include "evaluate/queries.hpp"
+#include "image/image_file.hpp"
+#include "text/files.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+struct ClearanceArguments {
+  std::string a;
+  std::string b;
+  std::string poses;
+  std::string pairs;
+  double within = -1;
+  bool is_within = false;
+  bool cold = false;
+  bool floats = false;
+  bool json = false;
+};
+
+/// A length in 1/256 cell, rounded down: what is a whole number but for a double's rounding is it.
+std::uint32_t fine_length(double length, double cell) {
+  const double steps = std::floor(length / cell * kFineOne * (1 + 0x1p-50));
+  if (!(steps >= 0 && steps <= kMaxDistance)) {
+    throw UserError("--within " + shortest(length), "is out of range: 0 to ",
+                    significant(kMaxDistance * cell / kFineOne, 6),
+                    ", 32,767 cells; bake with a larger --cell to ask further");
+  }
+  return static_cast<std::uint32_t>(steps);
+}
+
+double length_of(std::int64_t fine, double cell) {
+  return static_cast<double>(fine) * cell / kFineOne;
+}
+
+nlohmann::ordered_json json_of(const FinePoint& point, double cell) {
+  return {length_of(point.x, cell), length_of(point.y, cell), length_of(point.z, cell)};
+}
+
+void print_json(std::size_t pose, const ClearanceArguments& arguments, const ClearanceAnswer& found,
+                double cell) {
+  nlohmann::ordered_json line = {{"pose", pose}};
+  if (arguments.is_within) {
+    line["within"] = !found.nearest.empty();
+  }
+  if (!found.nearest.empty()) {
+    const NearestPair& pair = found.nearest[0];
+    line.update({{"distance", pair.distance * cell},
+                 {"lower", length_of(pair.points.lower, cell)},
+                 {"upper", length_of(pair.points.upper, cell)},
+                 {"triangles", {pair.triangles.a, pair.triangles.b}},
+                 {"point_a", json_of(pair.points.point_a, cell)},
+                 {"point_b", json_of(pair.points.point_b, cell)}});
+  }
+  line.update({{"visits", found.visits},
+               {"triangle_pairs", found.triangle_pairs},
+               {"status", found.in_range ? "ok" : "out_of_range"}});
+  std::cout << line.dump() << "\n";
+}
+
+void print_heading(const std::string& names, bool is_within) {
+  std::cout << names << (is_within ? ", within" : ", distance") << "\n"
+            << "  pose  " << std::setw(12) << (is_within ? "within" : "distance")
+            << "     triangles             visits  triangle pairs\n";
+}
+
+void print_row(std::size_t pose, const ClearanceArguments& arguments, const ClearanceAnswer& found,
+               double cell) {
+  std::cout << std::setw(6) << pose << "  " << std::setw(12);
+  if (arguments.is_within) {
+    std::cout << (found.nearest.empty() ? "no" : "yes");
+  } else {
+    std::cout << (found.in_range ? "" : ">= ") + significant(found.nearest[0].distance * cell, 6);
+  }
+  if (found.nearest.empty()) {
+    std::cout << std::setw(17) << "";
+  } else {
+    std::cout << std::setw(8) << found.nearest[0].triangles.a << " " << std::setw(8)
+              << found.nearest[0].triangles.b;
+  }
+  std::cout << std::setw(16) << found.visits << std::setw(16) << found.triangle_pairs << "\n";
+}
+
+std::vector<ClearanceAnswer> answers(const ClearanceArguments& arguments, const ImageFile& a,
+                                     const ImageFile& b) {
+  std::vector<ClearanceAnswer> found;
+  Witness<std::uint32_t> seed;
+  const std::uint32_t reach = arguments.is_within ? fine_length(arguments.within, a.cell()) : 0;
+  for (const Pose& pose : read_lattice_poses(arguments.poses, a.cell(), arguments.floats)) {
+    if (arguments.cold) {
+      seed = {};
+    }
+    found.push_back(arguments.is_within
+                        ? within_distance(a.tree(), b.tree(), pose, reach, !arguments.pairs.empty())
+                        : clearance(a.tree(), b.tree(), pose, seed));
+    if (found.back().status == Status::distance_out_of_range) {
+      throw UserError(arguments.poses, "pose ", found.size() - 1,
+                      " puts B so far off that --within can't be told; ask for less than ",
+                      significant(3000 * a.cell(), 4));
+    }
+    if (found.back().status != Status::done) {
+      throw UserError(arguments.poses, "pose ", found.size() - 1, " can't be answered: status ",
+                      static_cast<int>(found.back().status));
+    }
+  }
+  return found;
+}
+
+void ask_all(const ClearanceArguments& arguments) {
+  if (!arguments.pairs.empty()) {
+    refuse_to_replace_inputs(arguments.pairs, {arguments.poses});
+    refuse_to_replace_image(arguments.pairs);
+  }
+  const ImageFile a(arguments.a);
+  const ImageFile b(arguments.b);
+  check_has_clearance(a);
+  check_partners(a, b);
+  const std::vector<ClearanceAnswer> found = answers(arguments, a, b);
+  std::string pairs;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    for (const NearestPair& pair : found[i].nearest) {
+      pairs += concat(i, " ", pair.triangles.a, " ", pair.triangles.b, "\n");
+    }
+  }
+  FileSet files;
+  if (!arguments.pairs.empty()) {
+    files.add(arguments.pairs, std::move(pairs));
+  }
+  files.write([&] {
+    if (!arguments.json) {
+      print_heading(a.name() + " and " + b.name(), arguments.is_within);
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (arguments.json) {
+        print_json(i, arguments, found[i], a.cell());
+      } else {
+        print_row(i, arguments, found[i], a.cell());
+      }
+    }
+    flush_output();
+  });
+}
+
+}  // namespace
+
+void add_clearance(CLI::App& app) {
+  const auto arguments = std::make_shared<ClearanceArguments>();
+  ClearanceArguments& a = *arguments;
+  CLI::App* const command = app.add_subcommand(
+      "clearance",
+      "Tell how far A and B are apart, or whether they are within a distance, by the firmware's "
+      "own\ncode. Surfaces are asked: a mesh inside another one is as far as its wall.");
+  command->add_option("A", a.a, "Image (.fbvh) that stays in place")->required();
+  command->add_option("B", a.b, "Image (.fbvh) that the poses rotate and translate")->required();
+  command
+      ->add_option("--poses", a.poses,
+                   "A pose a line, B into A's frame: the rotation row by row, then the translation "
+                   "in the mesh's unit; 12 numbers")
+      ->required()
+      ->type_name("FILE");
+  CLI::Option* const within =
+      command
+          ->add_option("--within", a.within,
+                       "Tell whether any points are at most this far apart, in the images' unit, "
+                       "and of which triangles")
+          ->type_name("LENGTH");
+  CLI::Option* const pairs =
+      command
+          ->add_option("--pairs", a.pairs,
+                       "Write `pose a b` for each pair of triangles within that distance, sorted")
+          ->type_name("OUT");
+  pairs->needs(within);
+  command->add_flag("--cold", a.cold, "Begin each pose anew, not with what was nearest before")
+      ->excludes(within);
+  command->add_flag("--float", a.floats,
+                    "Take the poses' numbers as 32-bit floats, as firmware's pose_of() does: the "
+                    "same poses to the bit");
+  command->add_flag("--json", a.json, "One JSON object a pose");
+  command->callback([arguments, within] {
+    arguments->is_within = within->count() != 0;
+    ask_all(*arguments);
+  });
+}
+
+}  // namespace flashbvh::tool

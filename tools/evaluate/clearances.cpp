@@ -1,0 +1,139 @@
+#include "evaluate/clearances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <type_traits>
+#include <variant>
+
+#include "flashbvh/detail/triangle_distance.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+double number_of(const detail::Int128& value) {
+  return std::ldexp(static_cast<double>(value.high), 64) + static_cast<double>(value.low);
+}
+
+NearestPair nearest_pair(const FoundPair& ids, const Triangle& a, const Triangle& b) {
+  detail::Fraction squared = detail::kInfinite;
+  detail::Features features{};
+  (void)detail::is_nearer(a, b, squared, features);
+  return {ids, std::sqrt(number_of(squared.above) / number_of(squared.below)),
+          nearest_points_of(a, b)};
+}
+
+/// Runs `run(left)` to its end; the work that it took.
+template <class Run>
+std::uint64_t work_of(const Run& run) {
+  constexpr std::uint32_t kGranted = 1u << 30;
+  std::uint64_t work = 0;
+  for (;;) {
+    std::uint32_t left = kGranted;
+    const Status status = run(left);
+    work += kGranted - left;
+    if (status != Status::suspended) {
+      return work;
+    }
+  }
+}
+
+void count(const Counts& counts, std::uint64_t work, ClearanceAnswer& answer) {
+  answer.visits = counts.visits;
+  answer.triangle_pairs = (work - counts.visits) / detail::kTrianglePairWork;
+}
+
+template <class Mesh>
+ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
+                             Witness<std::uint32_t>& seed) {
+  using Index = typename Mesh::Index;
+  Witness<Index> begin;
+  if (!seed.is_none()) {
+    begin = {static_cast<Index>(seed.a), static_cast<Index>(seed.b)};
+  }
+  BasicClearanceQuery<Mesh> query(a, b, pose, begin);
+  ClearanceAnswer answer;
+  const std::uint64_t work = work_of([&](std::uint32_t& left) { return query.spend(left); });
+  const Clearance<Index> found = query.result();
+  answer.status = found.status;
+  answer.in_range = found.in_range;
+  if (found.status != Status::done) {
+    return answer;
+  }
+  count(query.counts(), work, answer);
+  seed = {found.witness.a, found.witness.b};
+  Triangle of_a;
+  Triangle of_b;
+  query.nearest_triangles(of_a, of_b);
+  answer.nearest.push_back(nearest_pair({found.triangles.a, found.triangles.b}, of_a, of_b));
+  return answer;
+}
+
+template <class Mesh>
+ClearanceAnswer within_of(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t distance,
+                          bool all) {
+  Query<Ranked<Mesh>, Within> query(a, b, pose, {}, within(distance));
+  ClearanceAnswer answer;
+  const auto take = [&](const auto& pair) {
+    Triangle of_a;
+    Triangle of_b;
+    query.last_pair(of_a, of_b);
+    answer.nearest.push_back(nearest_pair({pair.a, pair.b}, of_a, of_b));
+    return all;
+  };
+  const std::uint64_t work = work_of([&](std::uint32_t& left) {
+    answer.status = query.spend(left, take);
+    return answer.status;
+  });
+  answer.status = answer.status == Status::full ? Status::done : answer.status;
+  count(query.counts(), work, answer);
+  std::sort(
+      answer.nearest.begin(), answer.nearest.end(), [](const NearestPair& p, const NearestPair& q) {
+        return std::tie(p.triangles.a, p.triangles.b) < std::tie(q.triangles.a, q.triangles.b);
+      });
+  return answer;
+}
+
+/// `ask(a, b)` of two post-indexed meshes.
+template <class Ask>
+ClearanceAnswer ask_post(const AnyTree& any_a, const AnyTree& any_b, const Ask& ask) {
+  return std::visit(
+      [&](const auto& a) -> ClearanceAnswer {
+        using Tree = std::decay_t<decltype(a)>;
+        if constexpr (Tree::kLayout == Layout::post_indexed) {
+          using Plain = Mesh<typename Tree::Index, Layout::post_indexed>;
+          return ask(static_cast<const Plain&>(a),
+                     static_cast<const Plain&>(std::get<Tree>(any_b)));
+        } else {
+          return {};
+        }
+      },
+      any_a);
+}
+
+}  // namespace
+
+void check_has_clearance(const ImageFile& image) {
+  if (image.layout() != Layout::post_indexed) {
+    throw UserError(
+        image.path(),
+        "is pre-indexed, on which distances can't be asked; bake it with --layout post");
+  }
+}
+
+ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
+                          Witness<std::uint32_t>& seed) {
+  return ask_post(a, b, [&](const auto& mesh_a, const auto& mesh_b) {
+    return clearance_of(mesh_a, mesh_b, pose, seed);
+  });
+}
+
+ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& pose,
+                                std::uint32_t distance, bool all) {
+  return ask_post(a, b, [&](const auto& mesh_a, const auto& mesh_b) {
+    return within_of(mesh_a, mesh_b, pose, distance, all);
+  });
+}
+
+}  // namespace flashbvh::tool
