@@ -247,6 +247,36 @@ void search_all(const Triangle& a, const Triangle& b, Search& search) {
   }
 }
 
+/// Whether the plane of `face` has all of `other` on one side, as far off as a distance whose
+/// square is the whole number above `limit`.
+[[gnu::noinline]] bool plane_separates(const Triangle& face, const Triangle& other, int64_t limit) {
+  const Wide n = normal_of<Wide>(face);
+  const auto height = [&](int i) {
+    return detail::dot(n, difference(other.corner[i], face.corner[0]));
+  };
+  const int64_t p = height(0);
+  const int64_t q = height(1);
+  const int64_t r = height(2);
+  if ((p ^ q) < 0 || (p ^ r) < 0) {
+    return false;
+  }
+  const auto size = [](int64_t value) { return static_cast<uint64_t>(value < 0 ? -value : value); };
+  const uint64_t first = size(p) < size(q) ? size(p) : size(q);
+  const uint64_t least = first < size(r) ? first : size(r);
+  // To 13 bits a component, rounded up, so that squares and the limit's multiples have 64.
+  const uint64_t all = size(n.x) | size(n.y) | size(n.z) | 1;
+  const int bits = 64 - __builtin_clzll(all);
+  const int down = bits > 13 ? bits - 13 : 0;
+  const auto square = [&](int64_t component) {
+    const uint64_t up = (size(component) >> down) + (down != 0 ? 1 : 0);
+    return up * up;
+  };
+  const uint64_t squared = square(n.x) + square(n.y) + square(n.z);
+  const uint64_t distance = least >> down;
+  // On the plane, or where there is none, nothing is told.
+  return distance != 0 && distance * distance >= static_cast<uint64_t>(limit + 1) * squared;
+}
+
 constexpr Fraction kZero = {{0, 0}, {0, 1}};
 
 bool intersect(const Triangle& a, const Triangle& b) {
@@ -275,6 +305,10 @@ int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept {
       static_cast<int64_t>(quotient(squared.above - widened(int64_t{1}), squared.below).low);
   constexpr int64_t one = 1 << 16;
   return tolerance == 0 ? whole : whole * one / (one + tolerance) * one / (one + tolerance);
+}
+
+bool planes_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept {
+  return plane_separates(a, b, limit) || plane_separates(b, a, limit);
 }
 
 bool is_nearer(const Triangle& a, const Triangle& b, Fraction& squared,

@@ -51,6 +51,10 @@ int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept;
 /// The square of the distance of the triangles' boxes: the sum of squared gaps, below 2^36.
 int64_t squared_box_gap(const Triangle& a, const Triangle& b) noexcept;
 
+/// Whether the plane of either triangle has the other one on one side, so far off that the square
+/// is `limit` + 1 or more; the limit is below 2^35. Seldom false where the planes tell.
+bool planes_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept;
+
 /// A point of a triangle: corner `origin` and so much of the vectors from there to two others, in
 /// the order of corners: (first, second) / below.
 struct PlaceInTriangle {
