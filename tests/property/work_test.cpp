@@ -131,7 +131,8 @@ namespace {
 /// Boxes, and tests that are counted.
 struct CountedTests {
   static constexpr bool kIntersects = false;
-  static constexpr bool kLeafShapes = true;
+  template <class Mesh>
+  using Shapes = LeafShapes<Mesh>;
   static constexpr bool kBatches = true;
   static constexpr bool kDisjointRootsEnd = true;
   std::uint32_t* tests = nullptr;

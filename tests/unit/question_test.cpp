@@ -73,7 +73,8 @@ class GrownBound {
 
 struct WithinBoxDistance {
   static constexpr bool kIntersects = false;
-  static constexpr bool kLeafShapes = false;
+  template <class Mesh>
+  using Shapes = NoShapes<Mesh>;
   static constexpr bool kBatches = true;
   static constexpr bool kDisjointRootsEnd = false;
   std::int32_t distance = 0;

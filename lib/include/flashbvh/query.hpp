@@ -200,7 +200,7 @@ class Query : protected Question {
 
   /// Orders with a stack can't go back to a pair, so they take along but one.
   using Batch = detail::LeafPairs<Mesh, Order::kStackless && Question::kBatches ? 8 : 1>;
-  using Shapes = typename detail::ShapesOf<Mesh, Question::kLeafShapes>::Type;
+  using Shapes = typename Question::template Shapes<Mesh>;
   using Test = detail::TriangleTest<Question, Mesh, Question::kIntersects>;
 
   /// `room()`: for how many more pairs `sink` is known to have room. Leaves in `work` what is left.
@@ -313,7 +313,11 @@ class Query : protected Question {
     return end;
   }
   FLASHBVH_NOINLINE State walk_translated(Shapes& shapes, detail::WalkRun<Cursor, Batch>& run) {
-    return detail::walk<Order>(Question::translated(transform_.translated()), shapes, run, state_);
+    const auto& bound = Question::translated(transform_.translated());
+    if constexpr (Shapes::kAsksBound) {
+      shapes.set_bound(bound);
+    }
+    return detail::walk<Order>(bound, shapes, run, state_);
   }
   FLASHBVH_NOINLINE State walk_rotated(Shapes& shapes, detail::WalkRun<Cursor, Batch>& run) {
     auto bound = Question::rotated(transform_.rotated());

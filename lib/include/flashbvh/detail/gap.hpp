@@ -33,6 +33,9 @@ class GapLimit {
   /// For vectors that may be longer by one part in 2^12 than what they stand for.
   constexpr uint32_t longer_limit() const { return clamped(int64_t{limit_} + (limit_ >> 11) + 1); }
 
+  /// For sums of squared gaps along directions that are nearly orthogonal (near_shape.hpp).
+  constexpr uint32_t sum_limit() const { return clamped(int64_t{limit_} + (limit_ >> 9) + 1); }
+
   /// `gap`: of any sign; none if it is negative.
   FLASHBVH_INLINE uint32_t squared(int32_t gap) const {
     const uint32_t size = gap < 0 ? 0 : static_cast<uint32_t>(gap) >> shift_;
@@ -60,6 +63,33 @@ FLASHBVH_INLINE inline int32_t gap_of(int32_t upper, int32_t lower) {
   return zero - (upper < lower ? upper : lower);
 }
 
+/// A box seen from the other lattice: biased bounds in cells, upper and negated lower, anywhere.
+struct SeenBox {
+  int32_t upper[3];
+  int32_t lower[3];
+};
+
+/// `cells`: by which it is translated.
+inline SeenBox seen_translated(const PackedBox& box, const Point& cells) {
+  const auto bound = [](uint32_t half, int32_t by) { return static_cast<int32_t>(half) + by; };
+  return {{bound(low_half(box.upper_xy), cells.x), bound(high_half(box.upper_xy), cells.y),
+           bound(low_half(box.z), cells.z)},
+          {bound(low_half(box.lower_xy), -cells.x), bound(high_half(box.lower_xy), -cells.y),
+           bound(high_half(box.z), -cells.z)}};
+}
+
+/// At most the square of the distance to a box of the lattice, as GapLimit has it.
+FLASHBVH_INLINE inline uint32_t squared_gap(const SeenBox& seen, const PackedBox& box,
+                                            const GapLimit& limit) {
+  const auto along = [&](int axis, uint32_t upper, uint32_t lower) {
+    return limit.squared(gap_of(seen.upper[axis] + static_cast<int32_t>(lower),
+                                seen.lower[axis] + static_cast<int32_t>(upper)));
+  };
+  return along(0, low_half(box.upper_xy), low_half(box.lower_xy)) +
+         along(1, high_half(box.upper_xy), high_half(box.lower_xy)) +
+         along(2, low_half(box.z), high_half(box.z));
+}
+
 /// B translated.
 class TranslatedGap {
  public:
@@ -70,6 +100,7 @@ class TranslatedGap {
   FLASHBVH_INLINE bool operator()(const PackedBox& a, const PackedBox& b) const {
     return squared(a, b) <= limit_.limit();
   }
+  const GapLimit& limit() const { return limit_; }
   /// At most the square of the distance, as GapLimit has it.
   FLASHBVH_INLINE uint32_t squared(const PackedBox& a, const PackedBox& b) const {
     const uint32_t upper_xy = a.upper_xy + b.lower_xy;
@@ -95,26 +126,29 @@ class RotatedGap {
   RotatedGap(const RotatedTransform& transform, const GapLimit& limit)
       : transform_(&transform), limit_(limit) {}
 
+  /// False only if nothing in the boxes is within the limit.
   bool operator()(const PackedBox& a, const PackedBox& b);
-  /// On A's axes alone.
+  /// At most the square of the distance, as GapLimit has it: on A's axes alone.
   uint32_t squared(const PackedBox& a, const PackedBox& b);
+  const GapLimit& limit() const { return limit_; }
+
+  /// A box of A on B's lattice, and the other way round.
+  const SeenBox& seen_of_a(const PackedBox& a);
+  const SeenBox& seen_of_b(const PackedBox& b);
 
  private:
-  /// A box seen from the other lattice: biased bounds in cells, upper and negated lower.
-  struct Seen {
+  struct Kept {
     const PackedBox* source = nullptr;
-    int32_t upper[3];
-    int32_t lower[3];
+    SeenBox seen;
   };
   /// `rounding`: added to sums before they become whole cells.
   static void rotate(const SplitMatrix& matrix, const BoundStart* starts, int32_t rounding,
-                     const PackedBox& box, Seen& seen);
-  uint32_t squared(const Seen& seen, const PackedBox& box) const;
+                     const PackedBox& box, Kept& kept);
 
   const RotatedTransform* transform_;
   GapLimit limit_;
-  Seen a_;
-  Seen b_;
+  Kept a_;
+  Kept b_;
 };
 
 }  // namespace flashbvh::detail

@@ -3,7 +3,7 @@
 // A question is what a query asks of a walk's pairs. It is a small class with
 //     kIntersects             whether only triangles that intersect are an answer: then whatever
 //                             tells them disjoint may reject pairs, and the exact test is known
-//     kLeafShapes             whether leaves are taken as shapes, too (leaf_shape.hpp)
+//     Shapes<Mesh>            how leaves are taken as shapes (leaf_shape.hpp), or NoShapes
 //     kBatches                whether pairs of leaves may be found before others are tested: not if
 //                             an answer changes the bound
 //     kDisjointRootsEnd       whether nothing matters where the root boxes are disjoint
@@ -17,13 +17,15 @@
 #define FLASHBVH_DETAIL_INTERSECTION_HPP
 
 #include "flashbvh/detail/box_rotated.hpp"
+#include "flashbvh/detail/leaf_shape.hpp"
 #include "flashbvh/detail/transform.hpp"
 
 namespace flashbvh::detail {
 
 struct Intersection {
   static constexpr bool kIntersects = true;
-  static constexpr bool kLeafShapes = true;
+  template <class Mesh>
+  using Shapes = LeafShapes<Mesh>;
   static constexpr bool kBatches = true;
   static constexpr bool kDisjointRootsEnd = true;
 
@@ -35,7 +37,8 @@ struct Intersection {
 
 /// The same with boxes alone: the paper's, and what leaves as shapes are measured against.
 struct BoxIntersection : Intersection {
-  static constexpr bool kLeafShapes = false;
+  template <class Mesh>
+  using Shapes = NoShapes<Mesh>;
 };
 
 }  // namespace flashbvh::detail

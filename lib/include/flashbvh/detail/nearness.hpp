@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/gap.hpp"
+#include "flashbvh/detail/near_shape.hpp"
 #include "flashbvh/detail/transform.hpp"
 #include "flashbvh/detail/triangle_distance.hpp"
 #include "flashbvh/status.hpp"
@@ -15,7 +16,8 @@ namespace flashbvh::detail {
 struct Nearness {
   static constexpr int64_t kMostLimit = int64_t{1} << 35;
   static constexpr bool kIntersects = false;
-  static constexpr bool kLeafShapes = false;
+  template <class Mesh>
+  using Shapes = NearShapes<Mesh>;
   static constexpr bool kDisjointRootsEnd = false;
 };
 

@@ -127,6 +127,25 @@ class Slab {
     least_upper_ = least_lower_ = INT32_MIN;
   }
 
+  /// How far a box is from the slab, in units of its direction; 0 if it may touch.
+  FLASHBVH_INLINE uint32_t gap(const PackedBox& box) const {
+    const int32_t upper = add_products(add_products(add_products(0, row_.positive_xy, box.upper_xy),
+                                                    row_.negative_xy, box.lower_xy),
+                                       row_.z, box.z);
+    if (upper < least_upper_) {  // the sum is positive, so that nothing wraps
+      return static_cast<uint32_t>(least_upper_ - upper);
+    }
+    const int32_t lower =
+        add_crossed_products(add_products(add_products(0, row_.positive_xy, box.lower_xy),
+                                          row_.negative_xy, box.upper_xy),
+                             row_.z, box.z);
+    return lower < least_lower_ ? static_cast<uint32_t>(least_lower_ - lower) : 0;
+  }
+  /// As boxes see it, once translated or rotated.
+  PackedVector seen_direction() const {
+    return {signed_difference(row_.positive_xy, row_.negative_xy), row_.z_entry()};
+  }
+
   const SplitRow& row() const { return row_; }
   /// What a box's upper bound along the row has to reach, biased, and its negated lower one.
   int32_t least_upper() const { return least_upper_; }

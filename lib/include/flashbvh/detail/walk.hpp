@@ -143,6 +143,7 @@ template <class TreeType>
 struct NoShapes {
   using Tree = TreeType;
   static constexpr bool kShapes = false;
+  static constexpr bool kAsksBound = false;
   const Tree& a;
   const Tree& b;
 
