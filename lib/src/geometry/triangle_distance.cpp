@@ -277,6 +277,58 @@ void search_all(const Triangle& a, const Triangle& b, Search& search) {
   return distance != 0 && distance * distance >= static_cast<uint64_t>(limit + 1) * squared;
 }
 
+inline uint32_t size_of(int32_t value) {
+  return value < 0 ? 0u - static_cast<uint32_t>(value) : static_cast<uint32_t>(value);
+}
+
+inline int32_t short_dot(const Vector& u, const Vector& v) {
+  return u.x * v.x + u.y * v.y + u.z * v.z;
+}
+
+/// The corner that comes first along a direction, `from` counted as 0, and where it lies.
+struct Support {
+  unsigned corner;
+  int32_t at;
+};
+inline Support first_along(const Vector& direction, const Triangle& t, const Point& from) {
+  Support first = {0, short_dot(direction, difference(t.corner[0], from))};
+  for (unsigned i = 1; i < 3; ++i) {
+    const int32_t at = short_dot(direction, difference(t.corner[i], from));
+    if (at < first.at) {
+      first = {i, at};
+    }
+  }
+  return first;
+}
+
+/// A direction of 12 bits: sums of its products with differences have 32.
+inline Vector direction_of(const Vector& v) {
+  const uint32_t all = size_of(v.x) | size_of(v.y) | size_of(v.z) | 1u;
+  const int bits = 32 - __builtin_clz(all);
+  const int down = bits > 12 ? bits - 12 : 0;
+  return {v.x >> down, v.y >> down, v.z >> down};
+}
+
+/// The point nearest to 0 between `v` and `s`; `v` where that is the one. To whole cells.
+inline Vector nearest_between(const Vector& v, const Vector& s) {
+  const Vector back = {v.x - s.x, v.y - s.y, v.z - s.z};
+  const int64_t part = dot(v, back);
+  const int64_t whole = dot(back, back);
+  if (part <= 0) {
+    return v;
+  }
+  if (part >= whole) {
+    return s;
+  }
+  // The share with 12 bits, of 19.
+  const int bits = 64 - __builtin_clzll(static_cast<uint64_t>(whole));
+  const int down = bits > 19 ? bits - 19 : 0;
+  const auto share = static_cast<int32_t>((static_cast<uint32_t>(part >> down) << 12) /
+                                          static_cast<uint32_t>(whole >> down));
+  return {v.x - (back.x * share >> 12), v.y - (back.y * share >> 12),
+          v.z - (back.z * share >> 12)};
+}
+
 constexpr Fraction kZero = {{0, 0}, {0, 1}};
 
 bool intersect(const Triangle& a, const Triangle& b) {
@@ -305,6 +357,29 @@ int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept {
       static_cast<int64_t>(quotient(squared.above - widened(int64_t{1}), squared.below).low);
   constexpr int64_t one = 1 << 16;
   return tolerance == 0 ? whole : whole * one / (one + tolerance) * one / (one + tolerance);
+}
+
+bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept {
+  constexpr int kMostSteps = 4;
+  Vector v = difference(b.corner[0], a.corner[0]);
+  for (int step = 0;; ++step) {
+    const Vector d = direction_of(v);
+    const Support of_b = first_along(d, b, a.corner[0]);
+    const Support of_a = first_along(negated(d), a, a.corner[0]);
+    const int32_t gap = of_b.at + of_a.at;
+    if (gap > 0 && static_cast<uint64_t>(gap) * static_cast<uint32_t>(gap) >=
+                       static_cast<uint64_t>(limit + 1) * static_cast<uint32_t>(short_dot(d, d))) {
+      return true;
+    }
+    if (step == kMostSteps - 1) {
+      return false;
+    }
+    const Vector to = nearest_between(v, difference(b.corner[of_b.corner], a.corner[of_a.corner]));
+    if (to.x == v.x && to.y == v.y && to.z == v.z) {
+      return false;
+    }
+    v = to;
+  }
 }
 
 bool planes_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept {

@@ -47,7 +47,8 @@ struct Within : Nearness {
   }
 
   bool test(const Triangle& a, const Triangle& b, uint32_t, uint32_t) const {
-    return squared_box_gap(a, b) <= squared() && !planes_separate(a, b, squared()) &&
+    return squared_box_gap(a, b) <= squared() && !directions_separate(a, b, squared()) &&
+           !planes_separate(a, b, squared()) &&
            is_within(a, b, {{0, uint64_t{distance} * distance}, {0, kSteps * kSteps}});
   }
 
@@ -88,7 +89,8 @@ struct Nearest : Nearness {
   bool test(const Triangle& of_a, const Triangle& of_b, uint32_t i, uint32_t j) {
     Features features;
     if (squared_box_gap(of_a, of_b) > limit ||
-        (limit < kMostLimit && planes_separate(of_a, of_b, limit))) {
+        (limit < kMostLimit && (directions_separate(of_a, of_b, limit) ||
+                                planes_separate(of_a, of_b, limit)))) {
       return false;
     }
     if (!is_nearer(of_a, of_b, least, features)) {

@@ -51,6 +51,14 @@ int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept;
 /// The square of the distance of the triangles' boxes: the sum of squared gaps, below 2^36.
 int64_t squared_box_gap(const Triangle& a, const Triangle& b) noexcept;
 
+/// Whether some direction has the triangles so far apart that the square is `limit` + 1 or more; the
+/// limit is below 2^35. Directions are tried that come nearer to the one between the nearest points:
+/// four steps of Gilbert's.
+///
+/// Source: Gilbert, "An Iterative Procedure for Computing the Minimum of a Quadratic Form on a
+/// Convex Set", SIAM Journal on Control 4, 1966.
+bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept;
+
 /// Whether the plane of either triangle has the other one on one side, so far off that the square
 /// is `limit` + 1 or more; the limit is below 2^35. Seldom false where the planes tell.
 bool planes_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept;
