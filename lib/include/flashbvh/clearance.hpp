@@ -136,7 +136,7 @@ class BasicClearanceQuery
       this->refuse(Status::seed_invalid);
       return;
     }
-    take(seed);
+    begin_with(seed);
   }
   BasicClearanceQuery(const Mesh&&, const Mesh&, const Pose&, const Seed& = Seed(),
                       uint16_t = 0) = delete;
@@ -147,26 +147,14 @@ class BasicClearanceQuery
 
   /// `suspended` while there is something left to do.
   Status status() const {
-    return this->error() != Status::done ? this->error()
-           : is_zero(this->least.above)  ? Status::done
-                                         : Base::status();
+    return this->error() == Status::done && this->intersect ? Status::done : Base::status();
   }
   using Base::counts;
 
   /// Does at most `work`; UINT32_MAX: all there is to do. As Query::run().
   Status run(uint32_t work) { return spend(work); }
   /// The same, and what is left of `work` stays there.
-  Status spend(uint32_t& work) {
-    while (status() == Status::suspended && work != 0 && !has_witness()) {
-      descend(work);
-    }
-    if (status() != Status::suspended || work == 0) {
-      return status();
-    }
-    (void)Base::spend(work,
-                      [this](const TrianglePair<Index>&) { return !is_zero(this->least.above); });
-    return status();
-  }
+  Status spend(uint32_t& work);
 
   /// What is known by now.
   Clearance<Index> result() const;
@@ -180,9 +168,7 @@ class BasicClearanceQuery
 
   /// Between runs.
   [[nodiscard]] ClearancePosition<Index> position() const {
-    return {has_witness() ? Base::position() : descent(),
-            {this->nearest_a, this->nearest_b},
-            has_witness()};
+    return {Base::position(), {this->nearest_a, this->nearest_b}, this->has_nearest};
   }
   /// As Query::resume(); the distance is worked out of the witness again.
   Status resume(const ClearancePosition<Index>& position);
@@ -193,19 +179,15 @@ class BasicClearanceQuery
     made.allowance = tolerance;
     return made;
   }
-  bool has_witness() const { return this->limit != INT64_MAX; }
-  /// While there is no witness its place holds the nodes that the descent is at.
-  QueryPosition<Index> descent() const { return {}; }
-
-  /// Two triangles by their positions.
-  void take(const Seed& pair);
-  /// To the children that are nearest of the node of the larger rank.
+  /// From A's origin on.
+  void get_pair(uint32_t i, uint32_t j, Triangle& a, Triangle& b) const;
+  /// With a pair of triangles, which may be the nearest.
+  void begin_with(const Seed& pair);
+  /// Of two triangles by their positions: they are nearest, if they are.
+  void take(uint32_t i, uint32_t j);
+  /// To the children that are nearest of the node of the larger rank. While nothing is found, the
+  /// place of the nearest triangles holds the nodes that this is at.
   void descend(uint32_t& work);
-
-  void get_pair(uint32_t i, uint32_t j, Triangle& a, Triangle& b) const {
-    detail::translate_triangle(this->mesh_a(), i, detail::kNoOffset, a);
-    detail::transform_triangle(this->mesh_b(), j, this->transform(), b);
-  }
 };
 
 using ClearanceQuery = BasicClearanceQuery<PostMesh>;

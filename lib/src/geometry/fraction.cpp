@@ -159,4 +159,16 @@ int compare(const Fraction& x, const Fraction& y) noexcept {
   return compare_products(x.above, y.below, y.above, x.below);
 }
 
+int64_t rounded_up(const Fraction& x) noexcept {
+  if (is_zero(x.above)) {
+    return 0;
+  }
+  const Leading above = leading(x.above);
+  const Leading below = leading(x.below);
+  // At most a quotient of digits, below 2, with 31 bits, times a power of two.
+  const uint64_t share = ((static_cast<uint64_t>(above.digits) + 1) << 31) / below.digits + 1;
+  const int32_t down = 31 - (above.exponent - below.exponent);
+  return static_cast<int64_t>(down <= 0 ? share << -down : down > 40 ? 1 : (share >> down) + 1);
+}
+
 }  // namespace flashbvh::detail

@@ -325,8 +325,7 @@ inline Vector nearest_between(const Vector& v, const Vector& s) {
   const int down = bits > 19 ? bits - 19 : 0;
   const auto share = static_cast<int32_t>((static_cast<uint32_t>(part >> down) << 12) /
                                           static_cast<uint32_t>(whole >> down));
-  return {v.x - (back.x * share >> 12), v.y - (back.y * share >> 12),
-          v.z - (back.z * share >> 12)};
+  return {v.x - (back.x * share >> 12), v.y - (back.y * share >> 12), v.z - (back.z * share >> 12)};
 }
 
 constexpr Fraction kZero = {{0, 0}, {0, 1}};
@@ -353,8 +352,10 @@ int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept {
   if (is_zero(squared.above)) {
     return -1;
   }
-  const auto whole =
-      static_cast<int64_t>(quotient(squared.above - widened(int64_t{1}), squared.below).low);
+  int64_t whole = rounded_up(squared);
+  while (compare({widened(whole), {0, 1}}, squared) >= 0) {
+    --whole;
+  }
   constexpr int64_t one = 1 << 16;
   return tolerance == 0 ? whole : whole * one / (one + tolerance) * one / (one + tolerance);
 }
@@ -412,6 +413,67 @@ bool is_within(const Triangle& a, const Triangle& b, const Fraction& squared) no
   Search search(squared, true);
   search_all(a, b, search);
   return search.found();
+}
+
+bool Axis::separates(const Triangle& a, const Triangle& b) const noexcept {
+  if (gap == 0) {
+    return false;
+  }
+  const PlaneNormal n = {x, y, z};
+  const Point& from = a.corner[0];
+  const auto along = [&](const Point& corner) { return detail::dot(n, difference(corner, from)); };
+  const auto least = [](int64_t u, int64_t v) { return u < v ? u : v; };
+  const int64_t of_b = least(least(along(b.corner[0]), along(b.corner[1])), along(b.corner[2]));
+  // A's first corner is at 0; no other may be beyond what is left.
+  const int64_t left = of_b - gap;
+  return left >= 0 && along(a.corner[1]) <= left && along(a.corner[2]) <= left;
+}
+
+Axis axis_of(const Triangle& a, const Triangle& b, const Features& features) noexcept {
+  const unsigned i = features.of_a;
+  const unsigned j = features.of_b;
+  // Corners of the features, from A to B.
+  const Vector between = difference(b.corner[j], a.corner[i]);
+  const auto beside = [&between](const Vector& edge) {
+    const int64_t length = dot(edge, edge);
+    const int64_t along = dot(between, edge);
+    return Wide{length * between.x - along * edge.x, length * between.y - along * edge.y,
+                length * between.z - along * edge.z};
+  };
+  Wide n = {0, 0, 0};
+  switch (features.kind) {
+    case FeatureKind::intersection:
+      break;
+    case FeatureKind::corners:
+      n = {between.x, between.y, between.z};
+      break;
+    case FeatureKind::corner_edge:
+      n = beside(edge_of(b, j));
+      break;
+    case FeatureKind::edge_corner:
+      n = beside(edge_of(a, i));
+      break;
+    case FeatureKind::edges:
+      n = cross<Wide>(edge_of(a, i), edge_of(b, j));
+      break;
+    case FeatureKind::corner_face:
+      n = normal_of<Wide>(b);
+      break;
+    case FeatureKind::face_corner:
+      n = normal_of<Wide>(a);
+      break;
+  }
+  const auto fits = [](int64_t component) {
+    return component >= -INT32_MAX && component <= INT32_MAX;
+  };
+  if (!fits(n.x) || !fits(n.y) || !fits(n.z)) {
+    return {0, 0, 0, 0};
+  }
+  const auto x = static_cast<int32_t>(n.x);
+  const auto y = static_cast<int32_t>(n.y);
+  const auto z = static_cast<int32_t>(n.z);
+  const int64_t gap = detail::dot(PlaneNormal{x, y, z}, between);
+  return gap < 0 ? Axis{-x, -y, -z, -gap} : Axis{x, y, z, gap};
 }
 
 void nearest_places(const Triangle& a, const Triangle& b, const Features& features,

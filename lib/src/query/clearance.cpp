@@ -1,14 +1,53 @@
 // Queries about distance, compiled once.
 #include "flashbvh/clearance.hpp"
+#include "flashbvh/detail/triangle.hpp"
 
 namespace flashbvh {
 
 template <class MeshType>
-void BasicClearanceQuery<MeshType>::take(const Seed& pair) {
-  Triangle of_a;
-  Triangle of_b;
-  get_pair(pair.a, pair.b, of_a, of_b);
-  (void)this->test(of_a, of_b, pair.a, pair.b);
+void BasicClearanceQuery<MeshType>::get_pair(uint32_t i, uint32_t j, Triangle& a,
+                                             Triangle& b) const {
+  detail::translate_triangle(this->mesh_a(), i, detail::kNoOffset, a);
+  detail::transform_triangle(this->mesh_b(), j, this->transform(), b);
+}
+
+template <class MeshType>
+void BasicClearanceQuery<MeshType>::begin_with(const Seed& pair) {
+  Triangle a;
+  Triangle b;
+  get_pair(pair.a, pair.b, a, b);
+  this->nearest_a = pair.a;
+  this->nearest_b = pair.b;
+  this->has_nearest = true;
+  this->intersect = detail::squared_box_gap(a, b) == 0 && detail::triangles_intersect(a, b);
+}
+
+template <class MeshType>
+void BasicClearanceQuery<MeshType>::take(uint32_t i, uint32_t j) {
+  Triangle a;
+  Triangle b;
+  get_pair(i, j, a, b);
+  (void)this->test(a, b, i, j);
+}
+
+template <class MeshType>
+Status BasicClearanceQuery<MeshType>::spend(uint32_t& work) {
+  if (status() != Status::suspended || work == 0) {
+    return status();
+  }
+  detail::NearestSoFar known;
+  this->so_far = &known;
+  if (this->has_nearest) {
+    take(this->nearest_a, this->nearest_b);
+  }
+  while (!this->has_nearest && work != 0) {
+    descend(work);
+  }
+  if (!this->intersect && work != 0) {
+    (void)Base::spend(work, [this](const TrianglePair<Index>&) { return !this->intersect; });
+  }
+  this->so_far = nullptr;
+  return status();
 }
 
 template <class MeshType>
@@ -19,8 +58,8 @@ void BasicClearanceQuery<MeshType>::descend(uint32_t& work) {
   const auto& node_b = this->mesh_b().nodes[this->nearest_b];
   if (node_a.is_leaf() && node_b.is_leaf()) {
     detail::take_work(work, detail::kTrianglePairWork);
-    take({static_cast<Index>(this->mesh_a().first_triangle(node_a.leaf())),
-          static_cast<Index>(this->mesh_b().first_triangle(node_b.leaf()))});
+    take(this->mesh_a().first_triangle(node_a.leaf()),
+         this->mesh_b().first_triangle(node_b.leaf()));
     return;
   }
   const bool into_a = node_a.rank() >= node_b.rank();
@@ -59,25 +98,26 @@ Status BasicClearanceQuery<MeshType>::resume(const ClearancePosition<Index>& pos
     return this->error();
   }
   const Seed& pair = position.witness;
-  if (!position.has_witness) {
-    if (position.walk.state != detail::State::fresh || pair.a >= this->mesh_a().node_count ||
-        pair.b >= this->mesh_b().node_count) {
-      return Status::position_invalid;
-    }
-    static_cast<Question&>(*this) = question(this->allowance);
-    this->nearest_a = pair.a;
-    this->nearest_b = pair.b;
-    return Base::resume(position.walk);
-  }
-  if (pair.a >= this->mesh_a().triangle_count || pair.b >= this->mesh_b().triangle_count) {
+  const bool found = position.has_witness;
+  const uint32_t most_a = found ? this->mesh_a().triangle_count : this->mesh_a().node_count;
+  const uint32_t most_b = found ? this->mesh_b().triangle_count : this->mesh_b().node_count;
+  if (pair.a >= most_a || pair.b >= most_b ||
+      (!found && position.walk.state != detail::State::fresh)) {
     return Status::position_invalid;
   }
   const Status resumed = Base::resume(position.walk);
-  if (resumed != Status::position_invalid) {
-    static_cast<Question&>(*this) = question(this->allowance);
-    take(pair);
+  if (resumed == Status::position_invalid) {
+    return resumed;
   }
-  return resumed == Status::position_invalid ? resumed : status();
+  this->has_nearest = false;
+  this->intersect = false;
+  if (found) {
+    begin_with(pair);
+  } else {
+    this->nearest_a = pair.a;
+    this->nearest_b = pair.b;
+  }
+  return status();
 }
 
 template <class MeshType>
@@ -86,7 +126,7 @@ Clearance<typename MeshType::Index> BasicClearanceQuery<MeshType>::result() cons
   known.status = status();
   known.in_range = this->error() == Status::done && this->transform().is_in_range();
   known.upper = UINT32_MAX;
-  if (this->error() != Status::done || !has_witness()) {
+  if (this->error() != Status::done || !this->has_nearest) {
     return known;
   }
   Triangle of_a;
@@ -95,8 +135,12 @@ Clearance<typename MeshType::Index> BasicClearanceQuery<MeshType>::result() cons
   const NearestPoints nearest = nearest_points_of(of_a, of_b);
   known.lower = known.status == Status::done ? nearest.lower : 0;
   if (this->allowance != 0 && known.lower != 0) {
+    detail::Fraction squared = detail::kInfinite;
+    detail::Features features;
+    (void)detail::is_nearer(of_a, of_b, squared, features);
+    const int64_t limit = detail::largest_below(squared, this->allowance);
     const auto passed = static_cast<uint32_t>(
-        detail::square_root(detail::shifted_up(detail::widened(this->limit + 1), 16)));
+        detail::square_root(detail::shifted_up(detail::widened(limit + 1), 16)));
     known.lower = passed < known.lower ? passed : known.lower;
   }
   known.upper = nearest.upper;

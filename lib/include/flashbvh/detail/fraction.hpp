@@ -69,6 +69,10 @@ inline constexpr Fraction kInfinite = {{INT64_MAX, 0}, {0, 1}};
 /// -1, 0 or 1 as x is below, equal to or above y. Exact; nearly always the leading bits decide.
 int compare(const Fraction& x, const Fraction& y) noexcept;
 
+/// A whole number that is not below `x`, and above it by at most 1 and one part in 2^29; `x` below
+/// 2^40.
+int64_t rounded_up(const Fraction& x) noexcept;
+
 }  // namespace flashbvh::detail
 
 #endif

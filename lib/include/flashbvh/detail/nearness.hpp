@@ -63,6 +63,13 @@ struct Within : Nearness {
   }
 };
 
+/// What a run knows of the nearest pair so far: worked out of the pair when the run begins.
+struct NearestSoFar {
+  Fraction least = kInfinite;  ///< squared distance
+  int64_t limit = INT64_MAX;   ///< the largest squared gap that still matters
+  Axis axis = {0, 0, 0, 0};
+};
+
 /// Which triangles are nearer than all that were tested before: the last answer is the nearest.
 ///
 /// `allowance`, in 2^-16: pairs that are nearer by less than so much of the distance may be passed
@@ -70,40 +77,45 @@ struct Within : Nearness {
 template <class Index>
 struct Nearest : Nearness {
   static constexpr bool kBatches = false;
-  Fraction least = kInfinite;  ///< squared distance: of the nearest so far
-  int64_t limit = INT64_MAX;   ///< the largest squared gap that still matters
-  uint16_t allowance = 0;
-  Index nearest_a = 0;  ///< the positions of the nearest so far
+
+  NearestSoFar* so_far = nullptr;  ///< the run's
+  Index nearest_a = 0;             ///< the positions of the nearest so far
   Index nearest_b = 0;
+  uint16_t allowance = 0;
+  bool has_nearest = false;  ///< whether there is a nearest
+  bool intersect = false;
 
   TranslatedGap translated(const TranslatedTransform& transform) const {
-    return {transform.offset, gap_limit()};
+    return {transform.offset, GapLimit(so_far->limit)};
   }
-  RotatedGap rotated(const RotatedTransform& transform) const { return {transform, gap_limit()}; }
+  RotatedGap rotated(const RotatedTransform& transform) const {
+    return {transform, GapLimit(so_far->limit)};
+  }
 
   template <class Mesh>
   Status error_of(const Transform&, const Mesh&, const Mesh&) const {
     return Status::done;
   }
 
-  bool test(const Triangle& of_a, const Triangle& of_b, uint32_t i, uint32_t j) {
-    Features features;
-    if (squared_box_gap(of_a, of_b) > limit ||
-        (limit < kMostLimit && (directions_separate(of_a, of_b, limit) ||
-                                planes_separate(of_a, of_b, limit)))) {
+  bool test(const Triangle& a, const Triangle& b, uint32_t i, uint32_t j) {
+    const int64_t limit = so_far->limit;
+    if (squared_box_gap(a, b) > limit || so_far->axis.separates(a, b) ||
+        (limit < kMostLimit &&
+         (directions_separate(a, b, limit) || planes_separate(a, b, limit)))) {
       return false;
     }
-    if (!is_nearer(of_a, of_b, least, features)) {
+    Features features;
+    if (!is_nearer(a, b, so_far->least, features)) {
       return false;
     }
     nearest_a = static_cast<Index>(i);
     nearest_b = static_cast<Index>(j);
-    limit = largest_below(least, allowance);
+    has_nearest = true;
+    intersect = features.kind == FeatureKind::intersection;
+    so_far->limit = largest_below(so_far->least, allowance);
+    so_far->axis = axis_of(a, b, features);
     return true;
   }
-
- private:
-  GapLimit gap_limit() const { return GapLimit(limit); }
 };
 
 }  // namespace flashbvh::detail

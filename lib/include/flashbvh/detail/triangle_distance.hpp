@@ -36,8 +36,8 @@ struct Features {
 };
 
 /// Whether the squared distance of `a` and `b` is below `squared`, which then is set to it, and
-/// `features` to what is nearest; of equals the first in the order of FeatureKind, corners and
-/// edges ascending. Differences within kMaxApart, which is not checked.
+/// `features` to what is nearest; of equals the first that is looked at. Differences within
+/// kMaxApart, which is not checked.
 bool is_nearer(const Triangle& a, const Triangle& b, Fraction& squared,
                Features& features) noexcept;
 
@@ -51,9 +51,24 @@ int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept;
 /// The square of the distance of the triangles' boxes: the sum of squared gaps, below 2^36.
 int64_t squared_box_gap(const Triangle& a, const Triangle& b) noexcept;
 
-/// Whether some direction has the triangles so far apart that the square is `limit` + 1 or more; the
-/// limit is below 2^35. Directions are tried that come nearer to the one between the nearest points:
-/// four steps of Gilbert's.
+/// A direction from A to B along which two triangles are as far apart as they are: their nearest
+/// points lie in planes normal to it. Pairs that are `gap` apart along it, in units of it, or more,
+/// are no nearer: exactly, so that equals are told, too.
+struct Axis {
+  int32_t x;
+  int32_t y;
+  int32_t z;
+  int64_t gap;  ///< positive; 0: there is none, or its numbers are too large
+
+  /// Whether two triangles are as far apart.
+  bool separates(const Triangle& a, const Triangle& b) const noexcept;
+};
+/// Of triangles that do not intersect, between these features.
+Axis axis_of(const Triangle& a, const Triangle& b, const Features& features) noexcept;
+
+/// Whether some direction has the triangles so far apart that the square is `limit` + 1 or more;
+/// the limit is below 2^35. Directions are tried that come nearer to the one between the nearest
+/// points: four steps of Gilbert's.
 ///
 /// Source: Gilbert, "An Iterative Procedure for Computing the Minimum of a Quadratic Form on a
 /// Convex Set", SIAM Journal on Control 4, 1966.
