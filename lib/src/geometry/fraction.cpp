@@ -72,7 +72,7 @@ Leading leading(const Int128& u) {
 
 }  // namespace
 
-Int128 product(int64_t u, int64_t v) noexcept {
+Int128 full_product(int64_t u, int64_t v) noexcept {
   const auto p = static_cast<uint64_t>(u);
   const auto q = static_cast<uint64_t>(v);
   Int128 wide = unsigned_product(p, q);

@@ -59,7 +59,7 @@ int leading_zeros(const Int128& u) {
   Int128 squared = {0, 0};
   for (int i = 0; i < 3; ++i) {
     scaled[i] = shifted_up(v[i], static_cast<unsigned>(zeros - 1)).high >> 2;
-    squared = squared + product(scaled[i], scaled[i]);
+    squared = squared + full_product(scaled[i], scaled[i]);
   }
   const auto length = static_cast<int64_t>(square_root(squared));
   const auto share = [&](int64_t component) {
@@ -78,7 +78,7 @@ int leading_zeros(const Int128& u) {
   const Fraction fine = {shifted_up(squared.above, bits), squared.below};
   nearest.lower = static_cast<uint32_t>(square_root(quotient(fine.above, fine.below)));
   const auto root = static_cast<int64_t>(nearest.lower);
-  const bool exact = compare({product(root, root), {0, 1}}, fine) == 0;
+  const bool exact = compare({full_product(root, root), {0, 1}}, fine) == 0;
   nearest.upper = nearest.lower + (exact ? 0 : 1);
 }
 

@@ -14,7 +14,7 @@ namespace flashbvh::detail {
 namespace {
 
 /// Three components within +-2^35.
-struct Wide {
+struct LongVector {
   int64_t x;
   int64_t y;
   int64_t z;
@@ -30,13 +30,13 @@ inline Vector negated(const Vector& v) {
 
 // Products of two dot products, and sums of two of them: in 64 bits where all differences are below
 // 2^14, in 128 bits else.
-struct Narrow {
+struct In64 {
   using Product = int64_t;
   static Product product(int64_t u, int64_t v) { return u * v; }
 };
-struct Full {
+struct In128 {
   using Product = Int128;
-  static Product product(int64_t u, int64_t v) { return detail::product(u, v); }
+  static Product product(int64_t u, int64_t v) { return full_product(u, v); }
 };
 inline Int128 widened(const Int128& u) {
   return u;
@@ -83,9 +83,9 @@ class Plane {
     return sign_of(s) > 0 && sign_of(t) > 0 && s < area_ && t < area_;
   }
   Fraction squared_height(const Vector& r) const {
-    const Wide n = cross<Wide>(e_, f_);
+    const LongVector n = cross<LongVector>(e_, f_);
     const int64_t height = detail::dot(n, r);
-    return {detail::product(height, height), widened(area_)};
+    return {full_product(height, height), widened(area_)};
   }
 
  private:
@@ -241,16 +241,16 @@ void search_all(const Triangle& a, const Triangle& b, Search& search) {
     return;
   }
   if (is_narrow(a, b)) {
-    search_rest<Narrow>(a, b, search);
+    search_rest<In64>(a, b, search);
   } else {
-    search_rest<Full>(a, b, search);
+    search_rest<In128>(a, b, search);
   }
 }
 
 /// Whether the plane of `face` has all of `other` on one side, as far off as a distance whose
 /// square is the whole number above `limit`.
 [[gnu::noinline]] bool plane_separates(const Triangle& face, const Triangle& other, int64_t limit) {
-  const Wide n = normal_of<Wide>(face);
+  const LongVector n = normal_of<LongVector>(face);
   const auto height = [&](int i) {
     return detail::dot(n, difference(other.corner[i], face.corner[0]));
   };
@@ -437,10 +437,10 @@ Axis axis_of(const Triangle& a, const Triangle& b, const Features& features) noe
   const auto beside = [&between](const Vector& edge) {
     const int64_t length = dot(edge, edge);
     const int64_t along = dot(between, edge);
-    return Wide{length * between.x - along * edge.x, length * between.y - along * edge.y,
+    return LongVector{length * between.x - along * edge.x, length * between.y - along * edge.y,
                 length * between.z - along * edge.z};
   };
-  Wide n = {0, 0, 0};
+  LongVector n = {0, 0, 0};
   switch (features.kind) {
     case FeatureKind::intersection:
       break;
@@ -454,13 +454,13 @@ Axis axis_of(const Triangle& a, const Triangle& b, const Features& features) noe
       n = beside(edge_of(a, i));
       break;
     case FeatureKind::edges:
-      n = cross<Wide>(edge_of(a, i), edge_of(b, j));
+      n = cross<LongVector>(edge_of(a, i), edge_of(b, j));
       break;
     case FeatureKind::corner_face:
-      n = normal_of<Wide>(b);
+      n = normal_of<LongVector>(b);
       break;
     case FeatureKind::face_corner:
-      n = normal_of<Wide>(a);
+      n = normal_of<LongVector>(a);
       break;
   }
   const auto fits = [](int64_t component) {
@@ -492,7 +492,7 @@ void nearest_places(const Triangle& a, const Triangle& b, const Features& featur
                            widened(dot(e, e))};
   };
   const auto above = [](const Triangle& t, const Point& p) {
-    const Plane<Full> plane(difference(t.corner[1], t.corner[0]),
+    const Plane<In128> plane(difference(t.corner[1], t.corner[0]),
                             difference(t.corner[2], t.corner[0]));
     PlaceInTriangle place{0, {0, 0}, {0, 0}, plane.area()};
     plane.place(difference(p, t.corner[0]), place.first, place.second);
@@ -511,7 +511,7 @@ void nearest_places(const Triangle& a, const Triangle& b, const Features& featur
       of_a = beside(a, i, b.corner[j]);
       break;
     case FeatureKind::edges: {
-      const Plane<Full> plane(edge_of(a, i), negated(edge_of(b, j)));
+      const Plane<In128> plane(edge_of(a, i), negated(edge_of(b, j)));
       of_a.below = of_b.below = plane.area();
       plane.place(difference(b.corner[j], a.corner[i]), of_a.first, of_b.first);
       break;

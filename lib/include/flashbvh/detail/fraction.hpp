@@ -47,7 +47,7 @@ constexpr int sign_of(int64_t u) {
 }
 
 /// The whole product.
-Int128 product(int64_t u, int64_t v) noexcept;
+Int128 full_product(int64_t u, int64_t v) noexcept;
 /// `u` within +-2^95.
 Int128 times(const Int128& u, int32_t v) noexcept;
 /// Up to 127 bits; what leaves the top is lost.
