@@ -1,5 +1,6 @@
 #include "digest.hpp"
 
+#include "flashbvh/clearance.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
@@ -38,15 +39,25 @@ void make_side(Random& random, const Scale& scale, Side& side) {
   side.post.make(side.mesh, shape, leaf_size);
 }
 
+void add_point(const FinePoint& point, Hash& hash) {
+  const int64_t coordinates[] = {point.x, point.y, point.z};
+  for (const int64_t coordinate : coordinates) {
+    hash.add(static_cast<uint32_t>(coordinate));
+    hash.add(static_cast<uint32_t>(coordinate >> 32));
+  }
+}
+
 void add_contact(const Contact& contact, Hash& hash) {
   hash.add(static_cast<uint32_t>(contact.kind));
-  for (const FinePoint& end : contact.ends) {
-    const int64_t coordinates[] = {end.x, end.y, end.z};
-    for (const int64_t coordinate : coordinates) {
-      hash.add(static_cast<uint32_t>(coordinate));
-      hash.add(static_cast<uint32_t>(coordinate >> 32));
-    }
-  }
+  add_point(contact.ends[0], hash);
+  add_point(contact.ends[1], hash);
+}
+
+void add_counts(const Counts& counts, Hash& hash) {
+  hash.add(counts.visits);
+  hash.add(counts.overlaps);
+  hash.add(counts.leaf_pairs);
+  hash.add(counts.triangle_pairs);
 }
 
 template <class Traversal, bool with_contacts = false>
@@ -65,12 +76,40 @@ void add_query(const typename Traversal::Tree& a, const typename Traversal::Tree
     status = query.run(slice, add_pair);
   }
   hash.add(static_cast<uint32_t>(status));
-  hash.add(query.counts().visits);
-  hash.add(query.counts().overlaps);
-  hash.add(query.counts().leaf_pairs);
-  hash.add(query.counts().triangle_pairs);
+  add_counts(query.counts(), hash);
   ++result.cases;
   result.pairs += query.counts().triangle_pairs;
+}
+
+/// The distance, seeded by the last one, and the pairs within it and a little more.
+void add_distance(const PostMesh& a, const PostMesh& b, const Pose& pose, uint32_t slice,
+                  Witness<uint16_t>& seed, Hash& hash) {
+  uint32_t upper = 0;
+  {
+    ClearanceQuery query(a, b, pose, seed);
+    while (query.run(slice) == Status::suspended) {
+    }
+    add_counts(query.counts(), hash);
+    const Clearance<uint16_t> found = query.result();
+    hash.add(found.lower);
+    hash.add(found.upper);
+    hash.add(found.triangles.a | static_cast<uint32_t>(found.triangles.b) << 16);
+    add_point(found.point_a, hash);
+    add_point(found.point_b, hash);
+    hash.add(static_cast<uint32_t>(found.direction.x));
+    hash.add(static_cast<uint32_t>(found.direction.y));
+    hash.add(static_cast<uint32_t>(found.direction.z));
+    seed = found.witness;
+    upper = found.upper;
+  }
+  WithinQuery query(a, b, pose, {},
+                    within(upper < kMaxDistance - 500 ? upper + 500 : kMaxDistance));
+  while (query.run(slice, [&](const TrianglePair<uint16_t>& pair) {
+    hash.add(pair.a | static_cast<uint32_t>(pair.b) << 16);
+    return true;
+  }) == Status::suspended) {
+  }
+  add_counts(query.counts(), hash);
 }
 
 /// Every traversal, in an order that the value depends on.
@@ -99,7 +138,8 @@ uint32_t refused(const Side& side) {
 Result run() {
   Random random(kSeed);
   Hash hash;
-  Result result = {0, 0, 0, 0};
+  Hash distances;
+  Result result = {0, 0, 0, 0, 0};
   for (uint32_t pair = 0; pair < kMeshPairs; ++pair) {
     const Scale& scale = kScales[pair % (sizeof kScales / sizeof kScales[0])];
     make_side(random, scale, side_a);
@@ -110,14 +150,17 @@ Result run() {
     } else {
       make_side(random, scale, side_b);
     }
+    Witness<uint16_t> seed;
     result.refused += refused(side_a) + refused(side_b);
     for (uint32_t i = 0; i < kPoses; ++i) {
       const uint32_t slice = i % 3 == 0 ? UINT32_MAX : 1 + random.below(20);
       const Pose pose = any_pose(random, scale);
       add_pose(pose, slice, hash, result);
+      add_distance(side_a.post.view(), side_b.post.view(), pose, slice, seed, distances);
     }
   }
   result.value = hash.value();
+  result.distances = distances.value();
   return result;
 }
 

@@ -184,10 +184,13 @@ class BasicClearanceQuery
   /// With a pair of triangles, which may be the nearest.
   void begin_with(const Seed& pair);
   /// Of two triangles by their positions: they are nearest, if they are.
-  void take(uint32_t i, uint32_t j);
+  FLASHBVH_NOINLINE void take(uint32_t i, uint32_t j);
   /// To the children that are nearest of the node of the larger rank. While nothing is found, the
   /// place of the nearest triangles holds the nodes that this is at.
-  void descend(uint32_t& work);
+  /// False where both are leaves.
+  FLASHBVH_NOINLINE bool descend(uint32_t& work);
+  template <class Gap>
+  void go_down(Gap&& gap, bool into_a, uint32_t& work);
 };
 
 using ClearanceQuery = BasicClearanceQuery<PostMesh>;

@@ -14,37 +14,35 @@ Int128 unsigned_product(uint64_t u, uint64_t v) {
           (second << 32) | (low & kLowHalf)};
 }
 
+/// Of 256 bits.
+struct Words {
+  uint64_t word[4];
+};
+
 /// Of numbers that are not negative.
-int compare_products(const Int128& u, const Int128& v, const Int128& w, const Int128& x) {
-  struct Words {
-    uint64_t word[4];
-  };
-  const auto product_of = [](const Int128& p, const Int128& q) -> Words {
-    const auto p_high = static_cast<uint64_t>(p.high);
-    const auto q_high = static_cast<uint64_t>(q.high);
-    const Int128 low = unsigned_product(p.low, q.low);
-    const Int128 first = unsigned_product(p_high, q.low);
-    const Int128 second = unsigned_product(p.low, q_high);
-    const Int128 high = unsigned_product(p_high, q_high);
-    // Word by word, with what is carried.
-    uint64_t carry = 0;
-    const auto add = [&carry](uint64_t a, uint64_t b, uint64_t c) {
-      const uint64_t ab = a + b;
-      const uint64_t abc = ab + c;
-      const uint64_t all = abc + carry;
-      carry = (ab < a ? 1u : 0u) + (abc < ab ? 1u : 0u) + (all < abc ? 1u : 0u);
-      return all;
-    };
-    Words words{};
-    words.word[0] = low.low;
-    words.word[1] = add(static_cast<uint64_t>(low.high), first.low, second.low);
-    words.word[2] =
-        add(high.low, static_cast<uint64_t>(first.high), static_cast<uint64_t>(second.high));
-    words.word[3] = add(static_cast<uint64_t>(high.high), 0, 0);
-    return words;
-  };
-  const Words one = product_of(u, v);
-  const Words other = product_of(w, x);
+[[gnu::noinline]] Words long_product(const Int128& u, const Int128& v) {
+  const auto u_high = static_cast<uint64_t>(u.high);
+  const auto v_high = static_cast<uint64_t>(v.high);
+  const Int128 low = unsigned_product(u.low, v.low);
+  const Int128 high = unsigned_product(u_high, v_high);
+  const Int128 middle[2] = {unsigned_product(u_high, v.low), unsigned_product(u.low, v_high)};
+  Words words = {
+      {low.low, static_cast<uint64_t>(low.high), high.low, static_cast<uint64_t>(high.high)}};
+  for (const Int128& part : middle) {
+    words.word[1] += part.low;
+    uint64_t carry = words.word[1] < part.low ? 1 : 0;
+    carry += static_cast<uint64_t>(part.high);  // below 2^63, since both factors are below 2^127
+    words.word[2] += carry;
+    words.word[3] += words.word[2] < carry ? 1 : 0;
+  }
+  return words;
+}
+
+/// u v against w x, of numbers that are not negative.
+[[gnu::noinline]] int compare_products(const Int128& u, const Int128& v, const Int128& w,
+                                       const Int128& x) {
+  const Words one = long_product(u, v);
+  const Words other = long_product(w, x);
   for (int i = 3; i >= 0; --i) {
     if (one.word[i] != other.word[i]) {
       return one.word[i] < other.word[i] ? -1 : 1;
@@ -68,6 +66,39 @@ Leading leading(const Int128& u) {
   const uint64_t below = by_word ? u.low : 0;
   const uint64_t top = zeros == 0 ? word : word << zeros | below >> (64 - zeros);
   return {static_cast<uint32_t>(top >> 33), (by_word ? 64 : 0) + 33 - zeros};
+}
+
+/// As compare(), or 2 if the leading bits don't decide.
+[[gnu::noinline]] int compare_leading(const Fraction& x, const Fraction& y) {
+  if (is_zero(x.above) || is_zero(y.above)) {
+    return sign_of(x.above) - sign_of(y.above);
+  }
+  const Leading x_above = leading(x.above);
+  const Leading x_below = leading(x.below);
+  const Leading y_above = leading(y.above);
+  const Leading y_below = leading(y.below);
+  // x_above * y_below against y_above * x_below: products of digits are from 2^60 to 2^62.
+  const int32_t shift = x_above.exponent + y_below.exponent - y_above.exponent - x_below.exponent;
+  const int32_t size = shift < 0 ? -shift : shift;
+  if (size > 2) {
+    return shift < 0 ? -1 : 1;
+  }
+  const auto least = [](const Leading& u, const Leading& v) {
+    return static_cast<uint64_t>(u.digits) * v.digits;
+  };
+  const auto most = [](const Leading& u, const Leading& v) {
+    return (static_cast<uint64_t>(u.digits) + 1) * (static_cast<uint64_t>(v.digits) + 1);
+  };
+  // A quarter of each, so that the larger scale still fits.
+  const int32_t x_up = shift > 0 ? shift : 0;
+  const int32_t y_up = shift < 0 ? -shift : 0;
+  if (((most(x_above, y_below) >> 2) + 1) << x_up <= (least(y_above, x_below) >> 2) << y_up) {
+    return -1;
+  }
+  if (((most(y_above, x_below) >> 2) + 1) << y_up <= (least(x_above, y_below) >> 2) << x_up) {
+    return 1;
+  }
+  return 2;
 }
 
 }  // namespace
@@ -128,35 +159,8 @@ uint64_t square_root(const Int128& u) noexcept {
 }
 
 int compare(const Fraction& x, const Fraction& y) noexcept {
-  if (is_zero(x.above) || is_zero(y.above)) {
-    return sign_of(x.above) - sign_of(y.above);
-  }
-  const Leading x_above = leading(x.above);
-  const Leading x_below = leading(x.below);
-  const Leading y_above = leading(y.above);
-  const Leading y_below = leading(y.below);
-  // x_above * y_below against y_above * x_below: products of digits are from 2^60 to 2^62.
-  const int32_t shift = x_above.exponent + y_below.exponent - y_above.exponent - x_below.exponent;
-  const int32_t size = shift < 0 ? -shift : shift;
-  if (size > 2) {
-    return shift < 0 ? -1 : 1;
-  }
-  const auto least = [](const Leading& u, const Leading& v) {
-    return static_cast<uint64_t>(u.digits) * v.digits;
-  };
-  const auto most = [](const Leading& u, const Leading& v) {
-    return (static_cast<uint64_t>(u.digits) + 1) * (static_cast<uint64_t>(v.digits) + 1);
-  };
-  // A quarter of each, so that the larger scale still fits.
-  const int32_t x_up = shift > 0 ? shift : 0;
-  const int32_t y_up = shift < 0 ? -shift : 0;
-  if (((most(x_above, y_below) >> 2) + 1) << x_up <= (least(y_above, x_below) >> 2) << y_up) {
-    return -1;
-  }
-  if (((most(y_above, x_below) >> 2) + 1) << y_up <= (least(x_above, y_below) >> 2) << x_up) {
-    return 1;
-  }
-  return compare_products(x.above, y.below, y.above, x.below);
+  const int order = compare_leading(x, y);
+  return order != 2 ? order : compare_products(x.above, y.below, y.above, x.below);
 }
 
 int64_t rounded_up(const Fraction& x) noexcept {

@@ -43,60 +43,6 @@ inline Int128 widened(const Int128& u) {
 }
 using detail::widened;
 
-/// Where the plane of two vectors is nearest to a point, in shares of the vectors.
-template <class Width>
-class Plane {
-  using Product = typename Width::Product;
-
- public:
-  Plane(const Vector& e, const Vector& f)
-      : e_(e),
-        f_(f),
-        ee_(dot(e, e)),
-        ef_(dot(e, f)),
-        ff_(dot(f, f)),
-        area_(Width::product(ee_, ff_) - Width::product(ef_, ef_)) {}
-
-  /// Whether there is a plane.
-  bool exists() const { return sign_of(area_) > 0; }
-  const Product& area() const { return area_; }
-
-  /// Sets where `r` is, times area().
-  void place(const Vector& r, Product& first, Product& second) const {
-    const int64_t re = dot(r, e_);
-    const int64_t rf = dot(r, f_);
-    first = Width::product(ff_, re) - Width::product(ef_, rf);
-    second = Width::product(ee_, rf) - Width::product(ef_, re);
-  }
-  /// Of a triangle with two edges e and f: closed.
-  bool triangle_has(const Vector& r) const {
-    Product s;
-    Product t;
-    place(r, s, t);
-    return sign_of(s) >= 0 && sign_of(t) >= 0 && sign_of(area_ - s - t) >= 0;
-  }
-  /// Of two edges: strictly.
-  bool edges_have(const Vector& r) const {
-    Product s;
-    Product t;
-    place(r, s, t);
-    return sign_of(s) > 0 && sign_of(t) > 0 && s < area_ && t < area_;
-  }
-  Fraction squared_height(const Vector& r) const {
-    const LongVector n = cross<LongVector>(e_, f_);
-    const int64_t height = detail::dot(n, r);
-    return {full_product(height, height), widened(area_)};
-  }
-
- private:
-  Vector e_;
-  Vector f_;
-  int64_t ee_;
-  int64_t ef_;
-  int64_t ff_;
-  Product area_;
-};
-
 inline Vector edge_of(const Triangle& t, unsigned i) {
   return difference(t.corner[next(i)], t.corner[i]);
 }
@@ -104,7 +50,7 @@ inline Vector edge_of(const Triangle& t, unsigned i) {
 /// What is below (or at) a limit, and the least of it.
 class Search {
  public:
-  Search(const Fraction& limit, bool closed) : least_(limit), closed_(closed) {}
+  Search(const Fraction& limit, bool closed) : candidate(limit), least_(limit), closed_(closed) {}
 
   /// Whether it is known that there is nothing to look for.
   bool is_over() const { return found_ && closed_; }
@@ -112,12 +58,16 @@ class Search {
   const Fraction& least() const { return least_; }
   const Features& features() const { return features_; }
 
-  void consider(const Fraction& squared, FeatureKind kind, unsigned of_a, unsigned of_b) {
-    const int order = compare(squared, least_);
+  /// What is to be considered next. It lies here, so that the frames of what makes it are gone when
+  /// it is compared.
+  Fraction candidate;
+
+  [[gnu::noinline]] void consider(const Features& features) {
+    const int order = compare(candidate, least_);
     if (order < 0 || (order == 0 && closed_)) {
       found_ = true;
-      least_ = squared;
-      features_ = {kind, static_cast<uint8_t>(of_a), static_cast<uint8_t>(of_b)};
+      least_ = candidate;
+      features_ = features;
     }
   }
 
@@ -128,22 +78,71 @@ class Search {
   bool closed_;
 };
 
+/// Where the plane of two vectors is nearest to a point, in shares of the vectors: each of them
+/// times the area squared.
+template <class Width>
+struct Plane {
+  using Product = typename Width::Product;
+  int64_t ee;
+  int64_t ef;
+  int64_t ff;
+
+  Plane(const Vector& e, const Vector& f) : ee(dot(e, e)), ef(dot(e, f)), ff(dot(f, f)) {}
+
+  /// 0 if there is no plane.
+  Product area() const { return Width::product(ee, ff) - Width::product(ef, ef); }
+  /// Of a point with these products with both vectors.
+  Product first(int64_t re, int64_t rf) const {
+    return Width::product(ff, re) - Width::product(ef, rf);
+  }
+  Product second(int64_t re, int64_t rf) const {
+    return Width::product(ee, rf) - Width::product(ef, re);
+  }
+};
+
+/// The square of the distance between the point `r` and the plane of `e` and `f`; false if it is
+/// not nearest inside both edges (strictly), or inside the triangle of both (closed).
+template <class Width>
+[[gnu::noinline]] bool height_above(const Vector& e, const Vector& f, const Vector& r, bool edges,
+                                    Fraction& squared) {
+  const Plane<Width> plane(e, f);
+  const auto area = plane.area();
+  if (sign_of(area) <= 0) {
+    return false;
+  }
+  const int64_t re = dot(r, e);
+  const int64_t rf = dot(r, f);
+  const auto first = plane.first(re, rf);
+  if (sign_of(first) < (edges ? 1 : 0) || !(edges ? first < area : sign_of(area - first) >= 0)) {
+    return false;
+  }
+  const auto second = plane.second(re, rf);
+  if (sign_of(second) < (edges ? 1 : 0) ||
+      !(edges ? second < area : sign_of(area - first - second) >= 0)) {
+    return false;
+  }
+  const int64_t height = detail::dot(cross<LongVector>(e, f), r);
+  squared = {full_product(height, height), widened(area)};
+  return true;
+}
+
 [[gnu::noinline]] void search_corners(const Triangle& a, const Triangle& b, Search& search) {
   int64_t least = INT64_MAX;
-  unsigned of_a = 0;
-  unsigned of_b = 0;
+  uint8_t of_a = 0;
+  uint8_t of_b = 0;
   for (unsigned i = 0; i < 3; ++i) {
     for (unsigned j = 0; j < 3; ++j) {
       const Vector apart = difference(b.corner[j], a.corner[i]);
       const int64_t squared = dot(apart, apart);
       if (squared < least) {
         least = squared;
-        of_a = i;
-        of_b = j;
+        of_a = static_cast<uint8_t>(i);
+        of_b = static_cast<uint8_t>(j);
       }
     }
   }
-  search.consider({widened(least), widened(1)}, FeatureKind::corners, of_a, of_b);
+  search.candidate = {widened(least), widened(1)};
+  search.consider({FeatureKind::corners, of_a, of_b});
 }
 
 /// Corners of `of` beside edges of `other`.
@@ -157,10 +156,12 @@ template <class Width>
       const Vector r = difference(of.corner[i], other.corner[j]);
       const int64_t re = dot(r, e);
       if (re > 0 && re < ee) {
-        search.consider(
-            {widened(Width::product(dot(r, r), ee) - Width::product(re, re)), widened(ee)},
-            swapped ? FeatureKind::edge_corner : FeatureKind::corner_edge, swapped ? j : i,
-            swapped ? i : j);
+        const auto corner = static_cast<uint8_t>(i);
+        const auto edge = static_cast<uint8_t>(j);
+        search.candidate = {widened(Width::product(dot(r, r), ee) - Width::product(re, re)),
+                            widened(ee)};
+        search.consider(swapped ? Features{FeatureKind::edge_corner, edge, corner}
+                                : Features{FeatureKind::corner_edge, corner, edge});
       }
     }
   }
@@ -168,13 +169,12 @@ template <class Width>
 
 template <class Width>
 [[gnu::noinline]] void search_edges(const Triangle& a, const Triangle& b, Search& search) {
-  for (unsigned i = 0; i < 3; ++i) {
+  for (uint8_t i = 0; i < 3; ++i) {
     const Vector e = edge_of(a, i);
-    for (unsigned j = 0; j < 3; ++j) {
-      const Plane<Width> plane(e, negated(edge_of(b, j)));
-      const Vector r = difference(b.corner[j], a.corner[i]);
-      if (plane.exists() && plane.edges_have(r)) {
-        search.consider(plane.squared_height(r), FeatureKind::edges, i, j);
+    for (uint8_t j = 0; j < 3; ++j) {
+      if (height_above<Width>(e, negated(edge_of(b, j)), difference(b.corner[j], a.corner[i]), true,
+                              search.candidate)) {
+        search.consider({FeatureKind::edges, i, j});
       }
     }
   }
@@ -184,17 +184,13 @@ template <class Width>
 template <class Width>
 [[gnu::noinline]] void search_above_face(const Triangle& of, const Triangle& other, bool swapped,
                                          Search& search) {
-  const Plane<Width> plane(difference(other.corner[1], other.corner[0]),
-                           difference(other.corner[2], other.corner[0]));
-  if (!plane.exists()) {
-    return;
-  }
-  for (unsigned i = 0; i < 3; ++i) {
-    const Vector r = difference(of.corner[i], other.corner[0]);
-    if (plane.triangle_has(r)) {
-      search.consider(plane.squared_height(r),
-                      swapped ? FeatureKind::face_corner : FeatureKind::corner_face,
-                      swapped ? 0 : i, swapped ? i : 0);
+  const Vector e = difference(other.corner[1], other.corner[0]);
+  const Vector f = difference(other.corner[2], other.corner[0]);
+  for (uint8_t i = 0; i < 3; ++i) {
+    if (height_above<Width>(e, f, difference(of.corner[i], other.corner[0]), false,
+                            search.candidate)) {
+      search.consider(swapped ? Features{FeatureKind::face_corner, 0, i}
+                              : Features{FeatureKind::corner_face, i, 0});
     }
   }
 }
@@ -438,7 +434,7 @@ Axis axis_of(const Triangle& a, const Triangle& b, const Features& features) noe
     const int64_t length = dot(edge, edge);
     const int64_t along = dot(between, edge);
     return LongVector{length * between.x - along * edge.x, length * between.y - along * edge.y,
-                length * between.z - along * edge.z};
+                      length * between.z - along * edge.z};
   };
   LongVector n = {0, 0, 0};
   switch (features.kind) {
@@ -492,11 +488,13 @@ void nearest_places(const Triangle& a, const Triangle& b, const Features& featur
                            widened(dot(e, e))};
   };
   const auto above = [](const Triangle& t, const Point& p) {
-    const Plane<In128> plane(difference(t.corner[1], t.corner[0]),
-                            difference(t.corner[2], t.corner[0]));
-    PlaceInTriangle place{0, {0, 0}, {0, 0}, plane.area()};
-    plane.place(difference(p, t.corner[0]), place.first, place.second);
-    return place;
+    const Vector e = difference(t.corner[1], t.corner[0]);
+    const Vector f = difference(t.corner[2], t.corner[0]);
+    const Vector r = difference(p, t.corner[0]);
+    const Plane<In128> plane(e, f);
+    const int64_t re = dot(r, e);
+    const int64_t rf = dot(r, f);
+    return PlaceInTriangle{0, plane.first(re, rf), plane.second(re, rf), plane.area()};
   };
   of_a = at_corner(i);
   of_b = at_corner(j);
@@ -511,9 +509,13 @@ void nearest_places(const Triangle& a, const Triangle& b, const Features& featur
       of_a = beside(a, i, b.corner[j]);
       break;
     case FeatureKind::edges: {
-      const Plane<In128> plane(edge_of(a, i), negated(edge_of(b, j)));
+      const Vector e = edge_of(a, i);
+      const Vector f = negated(edge_of(b, j));
+      const Vector r = difference(b.corner[j], a.corner[i]);
+      const Plane<In128> plane(e, f);
       of_a.below = of_b.below = plane.area();
-      plane.place(difference(b.corner[j], a.corner[i]), of_a.first, of_b.first);
+      of_a.first = plane.first(dot(r, e), dot(r, f));
+      of_b.first = plane.second(dot(r, e), dot(r, f));
       break;
     }
     case FeatureKind::corner_face:

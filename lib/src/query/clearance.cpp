@@ -41,7 +41,11 @@ Status BasicClearanceQuery<MeshType>::spend(uint32_t& work) {
     take(this->nearest_a, this->nearest_b);
   }
   while (!this->has_nearest && work != 0) {
-    descend(work);
+    if (!descend(work)) {
+      detail::take_work(work, detail::kTrianglePairWork);
+      take(this->mesh_a().first_triangle(this->mesh_a().nodes[this->nearest_a].leaf()),
+           this->mesh_b().first_triangle(this->mesh_b().nodes[this->nearest_b].leaf()));
+    }
   }
   if (!this->intersect && work != 0) {
     (void)Base::spend(work, [this](const TrianglePair<Index>&) { return !this->intersect; });
@@ -51,45 +55,48 @@ Status BasicClearanceQuery<MeshType>::spend(uint32_t& work) {
 }
 
 template <class MeshType>
-void BasicClearanceQuery<MeshType>::descend(uint32_t& work) {
+template <class Gap>
+void BasicClearanceQuery<MeshType>::go_down(Gap&& gap, bool into_a, uint32_t& work) {
   // Of a node with more children the first ones: a step takes bounded time.
   constexpr uint32_t kMostChildren = 8;
+  const Mesh& mesh = into_a ? this->mesh_a() : this->mesh_b();
+  Index& place = into_a ? this->nearest_a : this->nearest_b;
+  const auto& other = into_a ? this->mesh_b().nodes[this->nearest_b].box
+                             : this->mesh_a().nodes[this->nearest_a].box;
+  const uint32_t parent = place;
+  uint32_t child = mesh.first_child(parent);
+  uint32_t nearest = UINT32_MAX;
+  for (uint32_t i = 0; i < kMostChildren; ++i) {
+    const auto& box = mesh.nodes[child].box;
+    const uint32_t squared = into_a ? gap.squared(box, other) : gap.squared(other, box);
+    this->count_visit();
+    detail::take_work(work, 1);
+    if (squared < nearest || i == 0) {
+      nearest = squared;
+      place = static_cast<Index>(child);
+    }
+    if (mesh.is_last_child(parent, child)) {
+      return;
+    }
+    child = mesh.next_sibling(child);
+  }
+}
+
+template <class MeshType>
+bool BasicClearanceQuery<MeshType>::descend(uint32_t& work) {
   const auto& node_a = this->mesh_a().nodes[this->nearest_a];
   const auto& node_b = this->mesh_b().nodes[this->nearest_b];
   if (node_a.is_leaf() && node_b.is_leaf()) {
-    detail::take_work(work, detail::kTrianglePairWork);
-    take(this->mesh_a().first_triangle(node_a.leaf()),
-         this->mesh_b().first_triangle(node_b.leaf()));
-    return;
+    return false;
   }
   const bool into_a = node_a.rank() >= node_b.rank();
-  const Mesh& mesh = into_a ? this->mesh_a() : this->mesh_b();
-  Index& place = into_a ? this->nearest_a : this->nearest_b;
-  const uint32_t parent = place;
-  const auto go_down = [&](auto&& gap) {
-    uint32_t child = mesh.first_child(parent);
-    uint32_t nearest = UINT32_MAX;
-    for (uint32_t i = 0; i < kMostChildren; ++i) {
-      const auto& box = mesh.nodes[child].box;
-      const uint32_t squared = into_a ? gap.squared(box, node_b.box) : gap.squared(node_a.box, box);
-      this->count_visit();
-      detail::take_work(work, 1);
-      if (squared < nearest || i == 0) {
-        nearest = squared;
-        place = static_cast<Index>(child);
-      }
-      if (mesh.is_last_child(parent, child)) {
-        break;
-      }
-      child = mesh.next_sibling(child);
-    }
-  };
   const detail::GapLimit any(INT64_MAX);
   if (this->transform().is_rotated()) {
-    go_down(detail::RotatedGap(this->transform().rotated(), any));
+    go_down(detail::RotatedGap(this->transform().rotated(), any), into_a, work);
   } else {
-    go_down(detail::TranslatedGap(this->transform().translated().offset, any));
+    go_down(detail::TranslatedGap(this->transform().translated().offset, any), into_a, work);
   }
+  return true;
 }
 
 template <class MeshType>

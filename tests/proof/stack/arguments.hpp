@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "flashbvh/clearance.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/flashbvh.h"
 #include "flashbvh/mesh.hpp"
@@ -60,7 +61,7 @@ struct Arguments {
   uint8_t status;
   flashbvh::PairQuery::Pair found[4];
   flashbvh::detail::PairCursor<uint16_t> stack[kStackEntries];
-  Room<144> query;
+  Room<160> query;
   Room<68> made_pose;
   Room<80> opened;
   flashbvh::Triangle transformed[2];
@@ -69,6 +70,8 @@ struct Arguments {
   int64_t millionths;
   float lengths[3];
   flashbvh::QueryPosition<uint16_t> position;
+  flashbvh::Clearance<uint16_t> clearance;
+  flashbvh::ClearancePosition<uint16_t> clearance_position;
   flashbvh_position c_position;
 
   template <class Status>

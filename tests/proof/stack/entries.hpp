@@ -5,6 +5,7 @@
 //     ticked      a query: made, then run slice by slice
 //     translated  the same, but only with poses that do not rotate
 //     asked       one call, one answer
+#include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/detail/image_parts.hpp"
@@ -36,6 +37,10 @@ template <class Asked>
       return Asked(a, b, *in.pose, typename Asked::Cursor(in.stack, stack_proof::kStackEntries));
     }
   });
+}
+
+[[gnu::noinline]] inline void make_clearance(Arguments& in) {
+  make_in<ClearanceQuery>(in.query, [&] { return ClearanceQuery(*in.a, *in.b, *in.pose); });
 }
 
 /// Makes the query if no work is granted, else runs it for a slice.
@@ -78,6 +83,9 @@ QUERY(leaf_query, ticked, pre_a, pre_b, Leaf<PreMesh>)
 QUERY(volume_stack_query, ticked, pre_a, pre_b, VolumeStack<PreMesh>)
 QUERY(alternating_stack_query, ticked, a, b, AlternatingStack<LevelledPostMesh>)
 QUERY(ranked_stack_query, ticked, a, b, RankedStack<PostMesh>)
+
+// All pairs within no distance at all: the same ones.
+QUERY(within_query, ticked, a, b, Ranked<PostMesh>, Within)
 
 // A query in C: started if no work is granted, else run for a slice.
 ENTRY(c_query, ticked) {
@@ -123,6 +131,30 @@ ENTRY(transform_a_pair, asked) {
                                         in->transformed[1])
                    ? 1u
                    : 0u;
+}
+
+// A distance, of a query that lies elsewhere: run, and what it knows.
+ENTRY(clearance_run, asked) {
+  make_clearance(*in);
+  in->ends(as<ClearanceQuery>(in->query).run(UINT32_MAX));
+}
+
+ENTRY(clearance_result, asked) {
+  new (InPlace{&in->clearance}) Clearance<uint16_t>(as<ClearanceQuery>(in->query).result());
+}
+
+ENTRY(clearance_resume, asked) {
+  in->ends(as<ClearanceQuery>(in->query).resume(in->clearance_position));
+}
+
+ENTRY(closer_than_once, asked) {
+  const Answer answer = closer_than<uint16_t>(*in->a, *in->b, *in->pose, in->capacity);
+  in->answer = answer.yes ? 1 : 0;
+  in->ends(answer.status);
+}
+
+ENTRY(distance_once, asked) {
+  new (InPlace{&in->clearance}) Clearance<uint16_t>(distance<uint16_t>(*in->a, *in->b, *in->pose));
 }
 
 // One call, the query on its stack.

@@ -1,5 +1,6 @@
 // Everything public that is a template or inline, compiled once: check_symbols.cmake looks at what
 // it calls and keeps, whether somebody uses it or not.
+#include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/image.hpp"
@@ -16,6 +17,9 @@ namespace flashbvh {
 // The stackless traversals, all their members; those over a stack have no positions.
 template class Query<Ranked<PostMesh>>;
 template class Query<Ranked<LargePostMesh>>;
+template class Query<Ranked<PostMesh>, Within>;
+template class BasicClearanceQuery<PostMesh>;
+template class BasicClearanceQuery<LargePostMesh>;
 template class Query<Stackless>;
 template class Query<LargeStackless>;
 template class Query<StacklessPost>;

@@ -205,7 +205,9 @@ void report() {
   check(answers[0] != 0, "no pairs", kEntries[0].name);
   port::print("object PairQuery ", sizeof(PairQuery), "\nobject Pose ", sizeof(Pose),
               "\nobject PostMesh ", sizeof(PostMesh), "\nobject QueryPosition ",
-              sizeof(QueryPosition<uint16_t>), "\nobject Contact ", sizeof(Contact), "\n");
+              sizeof(QueryPosition<uint16_t>), "\nobject Contact ", sizeof(Contact),
+              "\nobject ClearanceQuery ", sizeof(ClearanceQuery), "\nobject WithinQuery ",
+              sizeof(WithinQuery), "\n");
   check(port::stack_used() < port::stack_size(), "stack", "overflow");
   port::print("failures: ", failures, "\n");
 }
