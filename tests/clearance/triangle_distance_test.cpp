@@ -58,7 +58,45 @@ Fraction fraction_of(const mpq_class& value) {
   return {wide(value.get_num()), wide(value.get_den())};
 }
 
-void check(const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen) {
+/// What tells triangles apart says so of none that are nearer.
+struct Separations {
+  std::uint32_t directions = 0;
+  std::uint32_t planes = 0;
+  std::uint32_t axes = 0;
+  std::uint32_t others = 0;  ///< told apart by another pair's axis
+  Axis axis = {0, 0, 0, 0};
+  mpq_class axis_distance = 0;  ///< squared: of its own pair
+
+  void check(const Triangle& a, const Triangle& b, const Features& features,
+             const mpq_class& truth) {
+    const mpz_class whole = truth.get_num() / truth.get_den();
+    const std::int64_t limit = whole.get_si();  // the truth is below one more
+    REQUIRE_FALSE(directions_separate(a, b, limit));
+    REQUIRE_FALSE(planes_separate(a, b, limit));
+    const std::int64_t less = limit - limit / 64 - 1;
+    directions += limit > 64 && directions_separate(a, b, less) ? 1 : 0;
+    planes += limit > 64 && planes_separate(a, b, less) ? 1 : 0;
+    if (axis.separates(a, b)) {
+      ++others;
+      REQUIRE(truth >= axis_distance);
+    }
+    if (truth != 0) {
+      const Axis own = axis_of(a, b, features);
+      if (own.gap != 0) {
+        ++axes;
+        REQUIRE(own.separates(a, b));
+        Axis longer = own;
+        ++longer.gap;
+        REQUIRE_FALSE(longer.separates(a, b));
+        axis = own;
+        axis_distance = truth;
+      }
+    }
+  }
+};
+
+void check(const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen,
+           Separations& separations) {
   const mpq_class truth = Differences(a, b).squared_distance();
   Features features{};
   const mpq_class found = squared_distance(a, b, features);
@@ -69,6 +107,7 @@ void check(const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen) {
   }
   REQUIRE(mpq_class(squared_box_gap(a, b)) <= truth);
   seen.insert(features.kind);
+  separations.check(a, b, features, truth);
   Features other{};
   REQUIRE(squared_distance(b, a, other) == truth);
 
@@ -166,6 +205,7 @@ void translate(Triangle& t, const Point& by) {
 TEST_CASE("distances of triangles are those of exact rationals") {
   Random random(test_seed());
   std::set<FeatureKind> seen;
+  Separations separations;
   const std::int32_t reaches[] = {1, 3, 30, 1000, 4000, 16000, 30000};
   const std::int32_t offsets[] = {0, 2, 50, 1500, 8000, 30000, 60000};
   for (unsigned round = 0; round < 4000; ++round) {
@@ -176,9 +216,13 @@ TEST_CASE("distances of triangles are those of exact rationals") {
     Triangle b = any_triangle(random, reach);
     adapt(random, random.below(12), a, b);
     translate(b, any_point(random, offset));
-    check(a, b, seen);
+    check(a, b, seen, separations);
   }
   CHECK(seen.size() == 7);
+  CHECK(separations.directions > 1000);
+  CHECK(separations.planes > 300);
+  CHECK(separations.axes > 1000);
+  CHECK(separations.others > 50);
 }
 
 TEST_CASE("no order of corners changes a distance") {
@@ -213,17 +257,19 @@ TEST_CASE("every small pair of triangles in a plane and beside it") {
     }
   }
   std::set<FeatureKind> seen;
+  Separations separations;
   for (const Triangle& a : all) {
     for (std::size_t i = 0; i < all.size(); i += 3) {
       Triangle b = all[i];
       translate(b, {1, 1, static_cast<std::int32_t>(i % 3)});
-      check(a, b, seen);
+      check(a, b, seen, separations);
     }
   }
 }
 
 TEST_CASE("distances at the ends of their range") {
   std::set<FeatureKind> seen;
+  Separations separations;
   constexpr std::int32_t m = 28377;
   constexpr std::int32_t far = 48000 + m;
   const Triangle a = {{{-16383, -16383, -16383}, {16383, -16383, -16383}, {-16383, 16383, -16383}}};
@@ -231,9 +277,9 @@ TEST_CASE("distances at the ends of their range") {
     const std::int32_t x = (signs & 1) != 0 ? far : -far;
     const std::int32_t y = (signs & 2) != 0 ? far : -far;
     const std::int32_t z = (signs & 4) != 0 ? far : -far;
-    check(a, {{{x, y, z}, {x - 2 * m, y, z}, {x, y - 2 * m, z}}}, seen);
-    check(a, {{{x, y, z}, {x, y, z}, {-x, -y, -z}}}, seen);
-    check(a, {{{x, y, z}, {x, y, -z}, {-x, y, z}}}, seen);
+    check(a, {{{x, y, z}, {x - 2 * m, y, z}, {x, y - 2 * m, z}}}, seen, separations);
+    check(a, {{{x, y, z}, {x, y, z}, {-x, -y, -z}}}, seen, separations);
+    check(a, {{{x, y, z}, {x, y, -z}, {-x, y, z}}}, seen, separations);
   }
 }
 
