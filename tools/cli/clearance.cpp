@@ -58,10 +58,12 @@ void print_json(std::size_t pose, const ClearanceArguments& arguments, const Cle
   }
   if (!found.nearest.empty()) {
     const NearestPair& pair = found.nearest[0];
-    line.update({{"distance", pair.distance * cell},
-                 {"lower", length_of(pair.points.lower, cell)},
-                 {"upper", length_of(pair.points.upper, cell)},
-                 {"triangles", {pair.triangles.a, pair.triangles.b}},
+    if (!arguments.is_within) {  // of any pair that is near enough it would be taken for the meshes'
+      line.update({{"distance", pair.distance * cell},
+                   {"lower", length_of(pair.points.lower, cell)},
+                   {"upper", length_of(pair.points.upper, cell)}});
+    }
+    line.update({{"triangles", {pair.triangles.a, pair.triangles.b}},
                  {"point_a", json_of(pair.points.point_a, cell)},
                  {"point_b", json_of(pair.points.point_b, cell)}});
   }

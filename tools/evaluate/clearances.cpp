@@ -24,24 +24,17 @@ NearestPair nearest_pair(const FoundPair& ids, const Triangle& a, const Triangle
           nearest_points_of(a, b)};
 }
 
-/// Runs `run(left)` to its end; the work that it took.
-template <class Run>
-std::uint64_t work_of(const Run& run) {
-  constexpr std::uint32_t kGranted = 1u << 30;
-  std::uint64_t work = 0;
-  for (;;) {
-    std::uint32_t left = kGranted;
-    const Status status = run(left);
-    work += kGranted - left;
-    if (status != Status::suspended) {
-      return work;
-    }
-  }
-}
+/// What a query knows beside its answers.
+template <class Mesh>
+struct CountedWithin : Query<Ranked<Mesh>, Within> {
+  using Query<Ranked<Mesh>, Within>::Query;
+  std::uint32_t triangle_tests() const { return this->tested; }
+};
 
-void count(const Counts& counts, std::uint64_t work, ClearanceAnswer& answer) {
-  answer.visits = counts.visits;
-  answer.triangle_pairs = (work - counts.visits) / detail::kTrianglePairWork;
+template <class Query>
+void count(const Query& query, ClearanceAnswer& answer) {
+  answer.visits = query.counts().visits;
+  answer.triangle_pairs = query.triangle_tests();
 }
 
 template <class Mesh>
@@ -54,14 +47,14 @@ ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
   }
   BasicClearanceQuery<Mesh> query(a, b, pose, begin);
   ClearanceAnswer answer;
-  const std::uint64_t work = work_of([&](std::uint32_t& left) { return query.spend(left); });
+  (void)query.run(UINT32_MAX);
   const Clearance<Index> found = query.result();
   answer.status = found.status;
   answer.in_range = found.in_range;
   if (found.status != Status::done) {
     return answer;
   }
-  count(query.counts(), work, answer);
+  count(query, answer);
   seed = {found.witness.a, found.witness.b};
   Triangle of_a;
   Triangle of_b;
@@ -73,7 +66,7 @@ ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
 template <class Mesh>
 ClearanceAnswer within_of(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t distance,
                           bool all) {
-  Query<Ranked<Mesh>, Within> query(a, b, pose, {}, within(distance));
+  CountedWithin<Mesh> query(a, b, pose, {}, within(distance));
   ClearanceAnswer answer;
   const auto take = [&](const auto& pair) {
     Triangle of_a;
@@ -82,12 +75,9 @@ ClearanceAnswer within_of(const Mesh& a, const Mesh& b, const Pose& pose, std::u
     answer.nearest.push_back(nearest_pair({pair.a, pair.b}, of_a, of_b));
     return all;
   };
-  const std::uint64_t work = work_of([&](std::uint32_t& left) {
-    answer.status = query.spend(left, take);
-    return answer.status;
-  });
+  answer.status = query.run(UINT32_MAX, take);
   answer.status = answer.status == Status::full ? Status::done : answer.status;
-  count(query.counts(), work, answer);
+  count(query, answer);
   std::sort(
       answer.nearest.begin(), answer.nearest.end(), [](const NearestPair& p, const NearestPair& q) {
         return std::tie(p.triangles.a, p.triangles.b) < std::tie(q.triangles.a, q.triangles.b);

@@ -150,6 +150,8 @@ class BasicClearanceQuery
     return this->error() == Status::done && this->intersect ? Status::done : Base::status();
   }
   using Base::counts;
+  /// How many pairs of triangles were tested; counts() has those that were the nearest for a while.
+  [[nodiscard]] uint32_t triangle_tests() const { return this->tested; }
 
   /// Does at most `work`; UINT32_MAX: all there is to do. As Query::run().
   Status run(uint32_t work) { return spend(work); }

@@ -14,6 +14,8 @@ namespace flashbvh::detail {
 
 /// What questions about distance have in common: bounds of gaps, widened to nothing.
 struct Nearness {
+  uint32_t tested = 0;  ///< pairs of triangles
+
   static constexpr int64_t kMostLimit = int64_t{1} << 35;
   static constexpr bool kIntersects = false;
   template <class Mesh>
@@ -46,7 +48,8 @@ struct Within : Nearness {
                : Status::distance_out_of_range;
   }
 
-  bool test(const Triangle& a, const Triangle& b, uint32_t, uint32_t) const {
+  bool test(const Triangle& a, const Triangle& b, uint32_t, uint32_t) {
+    ++tested;
     return squared_box_gap(a, b) <= squared() && !directions_separate(a, b, squared()) &&
            !planes_separate(a, b, squared()) &&
            is_within(a, b, {{0, uint64_t{distance} * distance}, {0, kSteps * kSteps}});
@@ -99,6 +102,7 @@ struct Nearest : Nearness {
 
   bool test(const Triangle& a, const Triangle& b, uint32_t i, uint32_t j) {
     const int64_t limit = so_far->limit;
+    ++tested;
     if (squared_box_gap(a, b) > limit || so_far->axis.separates(a, b) ||
         (limit < kMostLimit &&
          (directions_separate(a, b, limit) || planes_separate(a, b, limit)))) {
