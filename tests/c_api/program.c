@@ -4,6 +4,7 @@
 
 #include "blade.fbvh.h"
 #include "block.fbvh.h"
+#include "clearance_failures.h"
 #include "peg.fbvh.h"
 #include "plate.fbvh.h"
 #include "queries.h"
@@ -240,6 +241,7 @@ int main(void) {
   check_contact();
   check_other_ways(&plate, &peg);
   check_bound(&plate, &peg);
+  failures += clearance_failures();
   flashbvh_pose_translated(0, 0, 0, &pose);
   for (int i = 0; i < POSES; ++i) {
     compare(plate, peg, &pose, i);

@@ -3,6 +3,7 @@
 #define FLASHBVH_FLASHBVH_HPP
 
 #include "flashbvh/bound.hpp"
+#include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/image.hpp"

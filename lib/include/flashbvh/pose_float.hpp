@@ -202,6 +202,20 @@ inline float cells_per_unit(uint64_t cell_bits) {
   return detail::float_of(detail::cells_per_unit_bits(cell_bits));
 }
 
+/// A length in the mesh's unit as a distance in 1/256 cell (clearance.hpp): rounded down, but for a
+/// rounding of the product to 1/65,536 cell. UINT32_MAX, which every query refuses, if it is
+/// negative, no number or too large.
+inline uint32_t fine_distance(float length, float cells_per_unit) {
+  const int64_t fractions = detail::cell_fractions(length, cells_per_unit);
+  const int64_t fine = fractions >> 8;
+  return fractions < 0 || fine >= UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(fine);
+}
+
+/// The length of so many 1/256 cells in the mesh's unit, to the nearest float.
+inline float length_in_unit(int64_t fine, uint64_t cell_bits) {
+  return detail::float_of(detail::length_bits(fine, cell_bits));
+}
+
 /// In the mesh's unit.
 struct UnitPoint {
   float x;

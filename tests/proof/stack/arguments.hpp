@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "flashbvh/clearance.h"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/flashbvh.h"
@@ -73,6 +74,8 @@ struct Arguments {
   flashbvh::Clearance<uint16_t> clearance;
   flashbvh::ClearancePosition<uint16_t> clearance_position;
   flashbvh_position c_position;
+  flashbvh_clearance c_clearance;
+  flashbvh_clearance_position c_clearance_position;
 
   template <class Status>
   void ends(Status with) {

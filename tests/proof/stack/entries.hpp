@@ -39,8 +39,22 @@ template <class Asked>
   });
 }
 
-[[gnu::noinline]] inline void make_clearance(Arguments& in) {
-  make_in<ClearanceQuery>(in.query, [&] { return ClearanceQuery(*in.a, *in.b, *in.pose); });
+/// Near enough to be told of the farthest pose.
+constexpr uint32_t kDistance = 3000 * 256;
+
+/// None, and some that are far from what is nearest, which the walk then finds.
+constexpr Witness<uint16_t> kSeeds[] = {{}, {0, 0}, {3, 3}, {6, 6}, {9, 9}};
+
+[[gnu::noinline]] inline void make_clearance(Arguments& in, const Witness<uint16_t>& seed) {
+  make_in<ClearanceQuery>(in.query, [&] { return ClearanceQuery(*in.a, *in.b, *in.pose, seed); });
+}
+[[gnu::noinline]] inline void make_within(Arguments& in) {
+  make_in<WithinQuery>(in.query,
+                       [&] { return WithinQuery(*in.a, *in.b, *in.pose, {}, within(kDistance)); });
+}
+[[gnu::noinline]] inline void start_clearance(Arguments& in, const flashbvh_witness* seed) {
+  in.ends(flashbvh_clearance_start(&as<flashbvh_clearance_query>(in.query), in.c_a, in.c_b,
+                                   in.c_pose, seed, 0));
 }
 
 /// Makes the query if no work is granted, else runs it for a slice.
@@ -83,9 +97,6 @@ QUERY(leaf_query, ticked, pre_a, pre_b, Leaf<PreMesh>)
 QUERY(volume_stack_query, ticked, pre_a, pre_b, VolumeStack<PreMesh>)
 QUERY(alternating_stack_query, ticked, a, b, AlternatingStack<LevelledPostMesh>)
 QUERY(ranked_stack_query, ticked, a, b, RankedStack<PostMesh>)
-
-// All pairs within no distance at all: the same ones.
-QUERY(within_query, ticked, a, b, Ranked<PostMesh>, Within)
 
 // A query in C: started if no work is granted, else run for a slice.
 ENTRY(c_query, ticked) {
@@ -133,22 +144,35 @@ ENTRY(transform_a_pair, asked) {
                    : 0u;
 }
 
-// A distance, of a query that lies elsewhere: run, and what it knows.
+// Queries about distance, which lie elsewhere.
 ENTRY(clearance_run, asked) {
-  make_clearance(*in);
-  in->ends(as<ClearanceQuery>(in->query).run(UINT32_MAX));
+  for (const Witness<uint16_t>& seed : kSeeds) {
+    make_clearance(*in, seed);
+    in->ends(as<ClearanceQuery>(in->query).run(UINT32_MAX));
+  }
 }
 
 ENTRY(clearance_result, asked) {
+  make_clearance(*in, {0, 0});
   new (InPlace{&in->clearance}) Clearance<uint16_t>(as<ClearanceQuery>(in->query).result());
 }
 
 ENTRY(clearance_resume, asked) {
+  make_clearance(*in, {});
+  in->clearance_position = {{}, {0, 0}, true};
   in->ends(as<ClearanceQuery>(in->query).resume(in->clearance_position));
 }
 
+ENTRY(within_run, asked) {
+  make_within(*in);
+  in->ends(as<WithinQuery>(in->query).run(UINT32_MAX, [in](const WithinQuery::Pair&) {
+    ++in->answer;
+    return true;
+  }));
+}
+
 ENTRY(closer_than_once, asked) {
-  const Answer answer = closer_than<uint16_t>(*in->a, *in->b, *in->pose, in->capacity);
+  const Answer answer = closer_than<uint16_t>(*in->a, *in->b, *in->pose, kDistance);
   in->answer = answer.yes ? 1 : 0;
   in->ends(answer.status);
 }
@@ -259,6 +283,44 @@ ENTRY(c_last_pair, asked) {
 ENTRY(c_visit, asked) {
   in->ends(
       flashbvh_query_visit(&as<flashbvh_query>(in->query), &in->work, count_visit, &in->answer));
+}
+
+ENTRY(c_clearance_run, asked) {
+  for (const Witness<uint16_t>& seed : kSeeds) {
+    const flashbvh_witness c_seed = {seed.a, seed.b};
+    start_clearance(*in, seed.is_none() ? nullptr : &c_seed);
+    uint32_t work = UINT32_MAX;
+    in->ends(flashbvh_clearance_spend(&as<flashbvh_clearance_query>(in->query), &work));
+  }
+}
+
+ENTRY(c_clearance_result, asked) {
+  in->c_clearance_position = {{0, 0, 0, 0, {0, 0, 0}}, {0, 0}, true};
+  start_clearance(*in, &in->c_clearance_position.witness);
+  flashbvh_clearance_result(&as<flashbvh_clearance_query>(in->query), &in->c_clearance);
+  in->ends(Status::done);
+}
+
+ENTRY(c_clearance_resume, asked) {
+  start_clearance(*in, nullptr);
+  in->c_clearance_position = {{0, 0, 0, 0, {0, 0, 0}}, {0, 0}, true};
+  in->ends(flashbvh_clearance_resume(&as<flashbvh_clearance_query>(in->query),
+                                     &in->c_clearance_position));
+}
+
+ENTRY(c_distance, asked) {
+  in->ends(flashbvh_distance(in->c_a, in->c_b, in->c_pose, nullptr, &in->c_clearance));
+}
+
+ENTRY(c_closer_than, asked) {
+  bool yes = false;
+  in->ends(flashbvh_closer_than(in->c_a, in->c_b, in->c_pose, kDistance, &yes));
+  in->answer = yes ? 1 : 0;
+}
+
+ENTRY(c_for_each_within, asked) {
+  in->ends(
+      flashbvh_for_each_within(in->c_a, in->c_b, in->c_pose, kDistance, count_visit, &in->answer));
 }
 
 ENTRY(c_transform_pair, asked) {

@@ -54,6 +54,14 @@ constexpr TestPose kTestPoses[] = {
     {{0, 0, 0, 1}, {1000, 10000, 0}},      // a half turn: segments on one line
     {{7, 3, -2, 5}, {3000, 1000, 500}},    // crossing, rotated
     {{7, 3, -2, 5}, {200000, 1000, 500}},  // far apart
+    {{1, 0, 0, 0}, {0, 0, 2500}},          // above itself
+    {{1, 0, 0, 0}, {16000, 500, 2500}},    // the same, and along an edge
+    {{7, 3, -2, 5}, {0, 15000, 20000}},    // beside itself, rotated
+    {{7, 3, -2, 5}, {0, 0, 20000}},        // a corner above a face
+    {{7, 3, -2, 5}, {3000, -2000, -20000}},
+    {{3, 1, 1, 0}, {3636, -636, 18409}},
+    {{0, 0, 0, 1}, {33000, 500, 0}},  // parallel edges: equal distances
+    {{0, 0, 0, 1}, {33000, 500, 300}},
 };
 
 /// Corners for the exact test and contacts. The narrow ones differ by less than 2^15.

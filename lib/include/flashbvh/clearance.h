@@ -1,0 +1,122 @@
+/* flashbvh for C: how far two meshes are apart, and what is within a distance. clearance.hpp says
+ * what is asked, and what is not: surfaces, not solids.
+ *
+ * Distances are in 1/256 cell; flashbvh_fine_distance() and flashbvh_length_in_unit() turn them
+ * from and into lengths.
+ *
+ * Stack on Cortex-M3 to M55 at -O2, in bytes (tests/proof/stack proves it): a run 944, a result
+ * 1,056, a question in one call 1,248.
+ */
+#ifndef FLASHBVH_CLEARANCE_H
+#define FLASHBVH_CLEARANCE_H
+
+#include "flashbvh/flashbvh.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The largest distance that can be asked about: 32,767 cells. */
+#define FLASHBVH_MAX_DISTANCE ((uint32_t)32767 * 256)
+
+/** One in the fixed point of a direction. */
+#define FLASHBVH_UNIT_ONE ((int32_t)1 << 30)
+
+/** Two triangles, as a later query begins with them. May be stored. */
+typedef struct flashbvh_witness {
+  uint16_t a;
+  uint16_t b;
+} flashbvh_witness;
+
+/** What is known of a distance. */
+typedef struct flashbvh_clearance {
+  flashbvh_fine_point point_a; /**< where the nearest triangles are nearest, in A's frame */
+  flashbvh_fine_point point_b;
+  int32_t direction[3]; /**< from point_a to point_b; 0 if they intersect */
+  uint32_t lower;       /**< the distance is at least this; 0 while SUSPENDED */
+  uint32_t upper;       /**< that of these triangles, rounded up; UINT32_MAX if none is known yet */
+  flashbvh_pair triangles;  /**< by their ids */
+  flashbvh_witness witness; /**< the same, as a seed for the next query */
+  flashbvh_status status;   /**< DONE; SUSPENDED: not all was looked at; or an error */
+  bool in_range; /**< false: B lies farther off than is asked about; only `lower` holds */
+} flashbvh_clearance;
+
+/** Where a query about a distance stands between runs. */
+typedef struct flashbvh_clearance_position {
+  flashbvh_position walk;
+  flashbvh_witness witness;
+  bool has_witness;
+} flashbvh_clearance_position;
+
+/** A query about a distance and all its memory. 144 bytes on a 32-bit core, 176 on a 64-bit one. */
+typedef struct flashbvh_clearance_query {
+  union {
+    unsigned char bytes[8 * sizeof(void*) + 112];
+    uint32_t word;
+    void* pointer;
+  } opaque;
+} flashbvh_clearance_query;
+
+/**
+ * Starts a query about the distance of A and B, which lies at `pose` in A's frame. `seed`: the
+ * witness of an earlier pose, which spares most of the visits, or null. `tolerance`, in 2^-16: the
+ * distance told may be larger than the true one by so much of it.
+ *
+ * SUSPENDED if there is something to run; DONE if the seed's triangles intersect; SEED_INVALID:
+ * it is no pair of these meshes'; else as flashbvh_query_start().
+ */
+flashbvh_status flashbvh_clearance_start(flashbvh_clearance_query* query, const flashbvh_mesh* a,
+                                         const flashbvh_mesh* b, const flashbvh_pose* pose,
+                                         const flashbvh_witness* seed, uint16_t tolerance);
+
+/** Does at most `*work`, and takes what it did from it, which UINT32_MAX stays: DONE, SUSPENDED or
+ * the query's error. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_clearance_spend(flashbvh_clearance_query* query,
+                                                            uint32_t* work);
+
+/** What is known by now. */
+void flashbvh_clearance_result(const flashbvh_clearance_query* query, flashbvh_clearance* result);
+
+/** What the query did so far. */
+flashbvh_counts flashbvh_clearance_counts(const flashbvh_clearance_query* query);
+
+/** Between runs: for flashbvh_clearance_resume(). */
+flashbvh_clearance_position flashbvh_clearance_position_of(const flashbvh_clearance_query* query);
+
+/** As flashbvh_query_resume(). */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_clearance_resume(
+    flashbvh_clearance_query* query, const flashbvh_clearance_position* position);
+
+/** The distance in one call; as above. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_distance(const flashbvh_mesh* a, const flashbvh_mesh* b,
+                                                     const flashbvh_pose* pose,
+                                                     const flashbvh_witness* seed,
+                                                     flashbvh_clearance* result);
+
+/** Whether any points of A and B are at most `distance` apart. After an error `yes` is true.
+ * DISTANCE_OUT_OF_RANGE: beyond FLASHBVH_MAX_DISTANCE, or not to be told of meshes that lie 48,000
+ * cells or more apart. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_closer_than(const flashbvh_mesh* a,
+                                                        const flashbvh_mesh* b,
+                                                        const flashbvh_pose* pose,
+                                                        uint32_t distance, bool* yes);
+
+/** Hands each pair of triangles within a distance to `visit`, until it returns false: FULL. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_within(const flashbvh_mesh* a,
+                                                            const flashbvh_mesh* b,
+                                                            const flashbvh_pose* pose,
+                                                            uint32_t distance,
+                                                            flashbvh_visitor* visit, void* context);
+
+/** A length in 1/256 cell, rounded down but for a rounding of 1/65,536 cell; UINT32_MAX, which
+ * every query refuses, if it is negative, no number or too large. */
+uint32_t flashbvh_fine_distance(float length, float cells_per_unit);
+
+/** The length of so many 1/256 cells in the mesh's unit, to the nearest float. */
+float flashbvh_length_in_unit(int64_t fine, const flashbvh_mesh* mesh);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,106 @@
+/* Distances in C: a blade 2.5 mm above a block, each a metre off its frame's origin, in
+ * millimetres; in slices, saved, resumed, seeded, in one call. */
+#include "flashbvh/clearance.h"
+
+#include <stddef.h>
+
+#include "blade.fbvh.h"
+#include "block.fbvh.h"
+#include "clearance_failures.h"
+
+static long failures;
+
+static void check(bool holds) {
+  failures += holds ? 0 : 1;
+}
+
+static bool near(float length, float wanted) {
+  return length - wanted <= 0.1f / 256 && wanted - length <= 0.1f / 256;
+}
+
+static bool same(const flashbvh_clearance* p, const flashbvh_clearance* q) {
+  return p->status == q->status && p->lower == q->lower && p->upper == q->upper &&
+         p->point_a.x == q->point_a.x && p->point_a.y == q->point_a.y &&
+         p->point_b.z == q->point_b.z && p->witness.a == q->witness.a &&
+         p->witness.b == q->witness.b && p->in_range == q->in_range;
+}
+
+static bool count_all(flashbvh_pair pair, void* context) {
+  (void)pair;
+  ++*(uint32_t*)context;
+  return true;
+}
+
+static void check_slices(const flashbvh_mesh* a, const flashbvh_mesh* b, const flashbvh_pose* pose,
+                         const flashbvh_clearance* wanted) {
+  flashbvh_clearance_query query;
+  flashbvh_clearance found;
+  flashbvh_status status = flashbvh_clearance_start(&query, a, b, pose, NULL, 0);
+  check(status == FLASHBVH_STATUS_SUSPENDED);
+  while (status == FLASHBVH_STATUS_SUSPENDED) {
+    flashbvh_clearance_query resumed;
+    const flashbvh_clearance_position position = flashbvh_clearance_position_of(&query);
+    uint32_t work = 3;
+    (void)flashbvh_clearance_start(&resumed, a, b, pose, NULL, 0);
+    check(flashbvh_clearance_resume(&resumed, &position) == FLASHBVH_STATUS_SUSPENDED);
+    query = resumed;
+    status = flashbvh_clearance_spend(&query, &work);
+    check(work < 3);
+  }
+  flashbvh_clearance_result(&query, &found);
+  check(same(&found, wanted));
+}
+
+long clearance_failures(void) {
+  const float upright[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const float above_block[3] = {2000, 2000, 2007.5f};
+  const flashbvh_witness nobody = {0, 9999};
+  flashbvh_mesh block;
+  flashbvh_mesh blade;
+  flashbvh_pose pose;
+  flashbvh_clearance found;
+  flashbvh_clearance seeded;
+  flashbvh_clearance_query query;
+  uint32_t work = 1000000;
+  uint32_t pairs = 0;
+  bool yes = false;
+  float scale;
+  float at[3];
+  check(flashbvh_open(block_image, sizeof block_image, &block) == FLASHBVH_STATUS_DONE);
+  check(flashbvh_open(blade_image, sizeof blade_image, &blade) == FLASHBVH_STATUS_DONE);
+  scale = flashbvh_mesh_cells_per_unit(&block);
+  check(flashbvh_pose_of_matrix(upright, above_block, scale, &pose) == FLASHBVH_STATUS_DONE);
+
+  check(flashbvh_distance(&block, &blade, &pose, NULL, &found) == FLASHBVH_STATUS_DONE);
+  check(found.in_range && found.lower == 25 * 256 && found.upper == 25 * 256);
+  check(near(flashbvh_length_in_unit(found.lower, &block), 2.5f));
+  flashbvh_in_unit(&found.point_a, &block, at);
+  check(near(at[0], 1003.1f) && at[1] >= 1002 && at[1] <= 1006 && near(at[2], 1010));
+  flashbvh_in_unit(&found.point_b, &block, at);
+  check(near(at[0], 1003.1f) && near(at[2], 1012.5f));
+  check(found.direction[0] == 0 && found.direction[1] == 0 &&
+        found.direction[2] == FLASHBVH_UNIT_ONE);
+
+  check(flashbvh_distance(&block, &blade, &pose, &found.witness, &seeded) == FLASHBVH_STATUS_DONE);
+  check(same(&seeded, &found));
+  check(flashbvh_distance(&block, &blade, &pose, &nobody, &seeded) == FLASHBVH_STATUS_SEED_INVALID);
+  check_slices(&block, &blade, &pose, &found);
+  check(flashbvh_clearance_start(&query, &block, &blade, &pose, &found.witness, 0) ==
+        FLASHBVH_STATUS_SUSPENDED);
+  check(flashbvh_clearance_spend(&query, &work) == FLASHBVH_STATUS_DONE);
+  check(work < 1000000 && flashbvh_clearance_counts(&query).visits >= 1);
+
+  check(flashbvh_closer_than(&block, &blade, &pose, flashbvh_fine_distance(2.5f, scale), &yes) ==
+            FLASHBVH_STATUS_DONE &&
+        yes);
+  check(flashbvh_closer_than(&block, &blade, &pose, 25 * 256 - 1, &yes) == FLASHBVH_STATUS_DONE &&
+        !yes);
+  check(flashbvh_closer_than(&block, &blade, &pose, FLASHBVH_MAX_DISTANCE + 1, &yes) ==
+            FLASHBVH_STATUS_DISTANCE_OUT_OF_RANGE &&
+        yes);
+  check(flashbvh_fine_distance(-1, scale) == UINT32_MAX);
+  check(flashbvh_for_each_within(&block, &blade, &pose, 25 * 256, count_all, &pairs) ==
+        FLASHBVH_STATUS_DONE);
+  check(pairs >= 1 && pairs <= 2);
+  return failures;
+}
