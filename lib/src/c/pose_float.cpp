@@ -1,7 +1,6 @@
 // The C interface to floats: apart, for firmware that has none.
 #include "flashbvh/pose_float.hpp"
 
-#include "flashbvh/clearance.h"
 #include "objects.hpp"
 
 using namespace flashbvh;
@@ -31,12 +30,4 @@ void flashbvh_in_unit(const flashbvh_fine_point* point, const flashbvh_mesh* mes
   at[0] = p.x;
   at[1] = p.y;
   at[2] = p.z;
-}
-
-uint32_t flashbvh_fine_distance(float length, float cells_per_unit) {
-  return fine_distance(length, cells_per_unit);
-}
-
-float flashbvh_length_in_unit(int64_t fine, const flashbvh_mesh* mesh) {
-  return length_in_unit(fine, object_in(mesh).cell_bits);
 }

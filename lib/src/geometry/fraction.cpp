@@ -169,8 +169,15 @@ int64_t rounded_up(const Fraction& x) noexcept {
   }
   const Leading above = leading(x.above);
   const Leading below = leading(x.below);
-  // At most a quotient of digits, below 2, with 31 bits, times a power of two.
-  const uint64_t share = ((static_cast<uint64_t>(above.digits) + 1) << 31) / below.digits + 1;
+  // The quotient of digits, at most 2, with 31 bits after the point, bit by bit.
+  uint32_t rest = above.digits + 1;
+  uint64_t share = 0;
+  for (int bit = 31; bit >= 0; --bit) {
+    const bool fits = rest >= below.digits;
+    rest = (fits ? rest - below.digits : rest) << 1;
+    share = share << 1 | (fits ? 1 : 0);
+  }
+  ++share;
   const int32_t down = 31 - (above.exponent - below.exponent);
   return static_cast<int64_t>(down <= 0 ? share << -down : down > 40 ? 1 : (share >> down) + 1);
 }

@@ -352,8 +352,12 @@ int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept {
   while (compare({widened(whole), {0, 1}}, squared) >= 0) {
     --whole;
   }
+  if (tolerance == 0) {
+    return whole;
+  }
   constexpr int64_t one = 1 << 16;
-  return tolerance == 0 ? whole : whole * one / (one + tolerance) * one / (one + tolerance);
+  const Int128 longer = widened((one + tolerance) * (one + tolerance));
+  return static_cast<int64_t>(quotient(shifted_up(widened(whole), 32), longer).low);
 }
 
 bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept {
@@ -436,28 +440,15 @@ Axis axis_of(const Triangle& a, const Triangle& b, const Features& features) noe
     return LongVector{length * between.x - along * edge.x, length * between.y - along * edge.y,
                       length * between.z - along * edge.z};
   };
-  LongVector n = {0, 0, 0};
-  switch (features.kind) {
-    case FeatureKind::intersection:
-      break;
-    case FeatureKind::corners:
-      n = {between.x, between.y, between.z};
-      break;
-    case FeatureKind::corner_edge:
-      n = beside(edge_of(b, j));
-      break;
-    case FeatureKind::edge_corner:
-      n = beside(edge_of(a, i));
-      break;
-    case FeatureKind::edges:
-      n = cross<LongVector>(edge_of(a, i), edge_of(b, j));
-      break;
-    case FeatureKind::corner_face:
-      n = normal_of<LongVector>(b);
-      break;
-    case FeatureKind::face_corner:
-      n = normal_of<LongVector>(a);
-      break;
+  // A table of jumps would be an indirect one, and no bound of stack sees through those.
+  const FeatureKind kind = features.kind;
+  LongVector n = {between.x, between.y, between.z};
+  if (kind == FeatureKind::corner_edge || kind == FeatureKind::edge_corner) {
+    n = beside(kind == FeatureKind::corner_edge ? edge_of(b, j) : edge_of(a, i));
+  } else if (kind == FeatureKind::edges) {
+    n = cross<LongVector>(edge_of(a, i), edge_of(b, j));
+  } else if (kind != FeatureKind::corners) {
+    n = normal_of<LongVector>(kind == FeatureKind::corner_face ? b : a);
   }
   const auto fits = [](int64_t component) {
     return component >= -INT32_MAX && component <= INT32_MAX;
@@ -498,32 +489,23 @@ void nearest_places(const Triangle& a, const Triangle& b, const Features& featur
   };
   of_a = at_corner(i);
   of_b = at_corner(j);
-  switch (features.kind) {
-    case FeatureKind::intersection:
-    case FeatureKind::corners:
-      break;
-    case FeatureKind::corner_edge:
-      of_b = beside(b, j, a.corner[i]);
-      break;
-    case FeatureKind::edge_corner:
-      of_a = beside(a, i, b.corner[j]);
-      break;
-    case FeatureKind::edges: {
-      const Vector e = edge_of(a, i);
-      const Vector f = negated(edge_of(b, j));
-      const Vector r = difference(b.corner[j], a.corner[i]);
-      const Plane<In128> plane(e, f);
-      of_a.below = of_b.below = plane.area();
-      of_a.first = plane.first(dot(r, e), dot(r, f));
-      of_b.first = plane.second(dot(r, e), dot(r, f));
-      break;
-    }
-    case FeatureKind::corner_face:
-      of_b = above(b, a.corner[i]);
-      break;
-    case FeatureKind::face_corner:
-      of_a = above(a, b.corner[j]);
-      break;
+  const FeatureKind kind = features.kind;
+  if (kind == FeatureKind::corner_edge) {
+    of_b = beside(b, j, a.corner[i]);
+  } else if (kind == FeatureKind::edge_corner) {
+    of_a = beside(a, i, b.corner[j]);
+  } else if (kind == FeatureKind::corner_face) {
+    of_b = above(b, a.corner[i]);
+  } else if (kind == FeatureKind::face_corner) {
+    of_a = above(a, b.corner[j]);
+  } else if (kind == FeatureKind::edges) {
+    const Vector e = edge_of(a, i);
+    const Vector f = negated(edge_of(b, j));
+    const Vector r = difference(b.corner[j], a.corner[i]);
+    const Plane<In128> plane(e, f);
+    of_a.below = of_b.below = plane.area();
+    of_a.first = plane.first(dot(r, e), dot(r, f));
+    of_b.first = plane.second(dot(r, e), dot(r, f));
   }
 }
 

@@ -43,7 +43,17 @@ template <class Asked>
 constexpr uint32_t kDistance = 3000 * 256;
 
 /// None, and some that are far from what is nearest, which the walk then finds.
-constexpr Witness<uint16_t> kSeeds[] = {{}, {0, 0}, {3, 3}, {6, 6}, {9, 9}};
+constexpr uint16_t kSeeds = 5;
+inline Witness<uint16_t> seed_of(uint16_t i) {
+  const auto at = static_cast<uint16_t>(3 * i - 3);
+  return i == 0 ? Witness<uint16_t>() : Witness<uint16_t>{at, at};
+}
+
+/// Of the first triangles each with each.
+constexpr uint16_t kMostPairs = 100;
+inline Witness<uint16_t> pair_of(uint16_t i) {
+  return {static_cast<uint16_t>(i / 10), static_cast<uint16_t>(i % 10)};
+}
 
 [[gnu::noinline]] inline void make_clearance(Arguments& in, const Witness<uint16_t>& seed) {
   make_in<ClearanceQuery>(in.query, [&] { return ClearanceQuery(*in.a, *in.b, *in.pose, seed); });
@@ -146,8 +156,8 @@ ENTRY(transform_a_pair, asked) {
 
 // Queries about distance, which lie elsewhere.
 ENTRY(clearance_run, asked) {
-  for (const Witness<uint16_t>& seed : kSeeds) {
-    make_clearance(*in, seed);
+  for (uint16_t i = 0; i < kSeeds; ++i) {
+    make_clearance(*in, seed_of(i));
     in->ends(as<ClearanceQuery>(in->query).run(UINT32_MAX));
   }
 }
@@ -158,9 +168,11 @@ ENTRY(clearance_result, asked) {
 }
 
 ENTRY(clearance_resume, asked) {
-  make_clearance(*in, {});
-  in->clearance_position = {{}, {0, 0}, true};
-  in->ends(as<ClearanceQuery>(in->query).resume(in->clearance_position));
+  for (uint16_t i = 0; i < kMostPairs; ++i) {
+    make_clearance(*in, pair_of(i));
+    in->clearance_position = {{}, pair_of(i), true};
+    in->ends(as<ClearanceQuery>(in->query).resume(in->clearance_position));
+  }
 }
 
 ENTRY(within_run, asked) {
@@ -286,9 +298,9 @@ ENTRY(c_visit, asked) {
 }
 
 ENTRY(c_clearance_run, asked) {
-  for (const Witness<uint16_t>& seed : kSeeds) {
-    const flashbvh_witness c_seed = {seed.a, seed.b};
-    start_clearance(*in, seed.is_none() ? nullptr : &c_seed);
+  for (uint16_t i = 0; i < kSeeds; ++i) {
+    const flashbvh_witness seed = {seed_of(i).a, seed_of(i).b};
+    start_clearance(*in, i == 0 ? nullptr : &seed);
     uint32_t work = UINT32_MAX;
     in->ends(flashbvh_clearance_spend(&as<flashbvh_clearance_query>(in->query), &work));
   }
@@ -302,10 +314,13 @@ ENTRY(c_clearance_result, asked) {
 }
 
 ENTRY(c_clearance_resume, asked) {
-  start_clearance(*in, nullptr);
-  in->c_clearance_position = {{0, 0, 0, 0, {0, 0, 0}}, {0, 0}, true};
-  in->ends(flashbvh_clearance_resume(&as<flashbvh_clearance_query>(in->query),
-                                     &in->c_clearance_position));
+  for (uint16_t i = 0; i < kMostPairs; ++i) {
+    const flashbvh_witness pair = {pair_of(i).a, pair_of(i).b};
+    start_clearance(*in, &pair);
+    in->c_clearance_position = {{0, 0, 0, 0, {0, 0, 0}}, pair, true};
+    in->ends(flashbvh_clearance_resume(&as<flashbvh_clearance_query>(in->query),
+                                       &in->c_clearance_position));
+  }
 }
 
 ENTRY(c_distance, asked) {

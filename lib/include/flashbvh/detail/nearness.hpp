@@ -117,7 +117,7 @@ struct Nearest : Nearness {
     has_nearest = true;
     intersect = features.kind == FeatureKind::intersection;
     so_far->limit = largest_below(so_far->least, allowance);
-    so_far->axis = axis_of(a, b, features);
+    so_far->axis = intersect ? Axis{0, 0, 0, 0} : axis_of(a, b, features);
     return true;
   }
 };
