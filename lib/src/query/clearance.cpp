@@ -68,11 +68,11 @@ void BasicClearanceQuery<MeshType>::go_down(Gap&& gap, bool into_a, uint32_t& wo
   uint32_t nearest = UINT32_MAX;
   for (uint32_t i = 0; i < kMostChildren; ++i) {
     const auto& box = mesh.nodes[child].box;
-    const uint32_t squared = into_a ? gap.squared(box, other) : gap.squared(other, box);
+    const uint32_t guess = into_a ? gap.guess(box, other) : gap.guess(other, box);
     this->count_visit();
     detail::take_work(work, 1);
-    if (squared < nearest || i == 0) {
-      nearest = squared;
+    if (guess < nearest || i == 0) {
+      nearest = guess;
       place = static_cast<Index>(child);
     }
     if (mesh.is_last_child(parent, child)) {

@@ -90,6 +90,20 @@ FLASHBVH_INLINE inline uint32_t squared_gap(const SeenBox& seen, const PackedBox
          along(2, low_half(box.z), high_half(box.z));
 }
 
+/// The square of the distance of the boxes' middles, a quarter of it a unit, as gaps beyond a limit
+/// of 30 bits have it: below 2^31.
+inline uint32_t squared_middles(const SeenBox& seen, const PackedBox& box) {
+  const auto along = [&](int axis, uint32_t upper, uint32_t lower) {
+    const int32_t apart = (seen.upper[axis] - seen.lower[axis] - static_cast<int32_t>(upper) +
+                           static_cast<int32_t>(lower)) >>
+                          3;
+    return static_cast<uint32_t>(apart * apart);
+  };
+  return along(0, low_half(box.upper_xy), low_half(box.lower_xy)) +
+         along(1, high_half(box.upper_xy), high_half(box.lower_xy)) +
+         along(2, low_half(box.z), high_half(box.z));
+}
+
 /// B translated.
 class TranslatedGap {
  public:
@@ -101,6 +115,10 @@ class TranslatedGap {
     return squared(a, b) <= limit_.limit();
   }
   const GapLimit& limit() const { return limit_; }
+  /// Which boxes seem nearest, where gaps alone don't tell: as many boxes overlap.
+  uint32_t guess(const PackedBox& a, const PackedBox& b) const {
+    return squared_middles(seen_translated(b, offset_), a) + squared(a, b);
+  }
   /// At most the square of the distance, as GapLimit has it.
   FLASHBVH_INLINE uint32_t squared(const PackedBox& a, const PackedBox& b) const {
     const uint32_t upper_xy = a.upper_xy + b.lower_xy;
@@ -131,6 +149,10 @@ class RotatedGap {
   /// At most the square of the distance, as GapLimit has it: on A's axes alone.
   uint32_t squared(const PackedBox& a, const PackedBox& b);
   const GapLimit& limit() const { return limit_; }
+  /// Which boxes seem nearest, where gaps alone don't tell.
+  uint32_t guess(const PackedBox& a, const PackedBox& b) {
+    return squared_middles(seen_of_b(b), a) + squared(a, b);
+  }
 
   /// A box of A on B's lattice, and the other way round.
   const SeenBox& seen_of_a(const PackedBox& a);

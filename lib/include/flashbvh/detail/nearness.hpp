@@ -103,7 +103,7 @@ struct Nearest : Nearness {
   bool test(const Triangle& a, const Triangle& b, uint32_t i, uint32_t j) {
     const int64_t limit = so_far->limit;
     ++tested;
-    if (squared_box_gap(a, b) > limit || so_far->axis.separates(a, b) ||
+    if (so_far->axis.separates(a, b) || squared_box_gap(a, b) > limit ||
         (limit < kMostLimit &&
          (directions_separate(a, b, limit) || planes_separate(a, b, limit)))) {
       return false;
