@@ -191,6 +191,8 @@ class BasicClearanceQuery
   void begin_with(const Seed& pair);
   /// Of two triangles by their positions: they are nearest, if they are.
   FLASHBVH_NOINLINE void take(uint32_t i, uint32_t j);
+  /// Where the descent ended: of the triangles there.
+  FLASHBVH_NOINLINE void take_leaves(uint32_t& work);
   /// To the children that are nearest of the node of the larger rank. While nothing is found, the
   /// place of the nearest triangles holds the nodes that this is at.
   /// False where both are leaves.

@@ -31,6 +31,23 @@ void BasicClearanceQuery<MeshType>::take(uint32_t i, uint32_t j) {
 }
 
 template <class MeshType>
+void BasicClearanceQuery<MeshType>::take_leaves(uint32_t& work) {
+  // Of leaves with more triangles the first ones: a step takes bounded time.
+  constexpr uint32_t kMost = 2;
+  const Mesh& mesh_a = this->mesh_a();
+  const Mesh& mesh_b = this->mesh_b();
+  const uint32_t leaf_a = mesh_a.nodes[this->nearest_a].leaf();
+  const uint32_t leaf_b = mesh_b.nodes[this->nearest_b].leaf();
+  const auto count = [](uint32_t triangles) { return triangles < kMost ? triangles : kMost; };
+  const uint32_t in_a = count(mesh_a.triangles_in(leaf_a));
+  const uint32_t in_b = count(mesh_b.triangles_in(leaf_b));
+  for (uint32_t i = 0; i < in_a * in_b && !this->intersect; ++i) {
+    detail::take_work(work, detail::kTrianglePairWork);
+    take(mesh_a.first_triangle(leaf_a) + i % in_a, mesh_b.first_triangle(leaf_b) + i / in_a);
+  }
+}
+
+template <class MeshType>
 Status BasicClearanceQuery<MeshType>::spend(uint32_t& work) {
   if (status() != Status::suspended || work == 0) {
     return status();
@@ -42,9 +59,7 @@ Status BasicClearanceQuery<MeshType>::spend(uint32_t& work) {
   }
   while (!this->has_nearest && work != 0) {
     if (!descend(work)) {
-      detail::take_work(work, detail::kTrianglePairWork);
-      take(this->mesh_a().first_triangle(this->mesh_a().nodes[this->nearest_a].leaf()),
-           this->mesh_b().first_triangle(this->mesh_b().nodes[this->nearest_b].leaf()));
+      take_leaves(work);
     }
   }
   if (!this->intersect && work != 0) {
