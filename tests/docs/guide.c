@@ -1,5 +1,5 @@
 /* The guide's C: the same in C99. Its Makefile builds this program, too. */
-#include <flashbvh/flashbvh.h>
+#include <flashbvh/clearance.h>
 
 #include "peg.fbvh.h"
 #include "plate.fbvh.h"
@@ -56,6 +56,16 @@ static void check_contact(const check* c, float mm[3]) {
   flashbvh_in_unit(&contact.ends[0], &plate, mm);
 }
 
+/** How far the peg is from the plate, in mm; negative if it can't be told. */
+static float distance_mm(const flashbvh_pose* pose, flashbvh_witness* nearest) {
+  flashbvh_clearance known;
+  if (flashbvh_distance(&plate, &peg, pose, nearest, &known) != FLASHBVH_STATUS_DONE) {
+    return -1;
+  }
+  *nearest = known.witness;
+  return flashbvh_length_in_unit(known.lower, &plate);
+}
+
 static verdict verdict_at(float height, float mm[3]) {
   const float upright[4] = {1, 0, 0, 0};
   const float at[3] = {0, 0, height};
@@ -75,8 +85,16 @@ static verdict verdict_at(float height, float mm[3]) {
 
 int main(void) {
   float mm[3] = {1, 1, 1};
+  flashbvh_pose above;
+  flashbvh_witness nearest = {0, 0};
+  float apart;
   if (!start() || verdict_at(0.5f, mm) != NO_CONTACT || mm[2] < 1) {
     return 1;
+  }
+  (void)flashbvh_pose_translated(0, 0, (int32_t)(3 * plate_CELLS_PER_UNIT + 0.5f), &above);
+  apart = distance_mm(&above, &nearest);
+  if (apart < 2.99f || apart > 3.01f) {
+    return 2;
   }
   return verdict_at(0, mm) == STOP && mm[2] > -0.01f && mm[2] < 0.01f ? 0 : 1;
 }

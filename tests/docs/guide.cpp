@@ -1,6 +1,7 @@
 // The guide's C++: a peg that is about to be moved above a plate.
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/pose_float.hpp>
+#include <initializer_list>
 
 #include "peg.fbvh.hpp"
 #include "plate.fbvh.hpp"
@@ -58,6 +59,28 @@ int64_t height_nm(const flashbvh::Contact& contact) {
   return flashbvh::millionths_of(contact.ends[0].z, plate::mesh.cell_bits);
 }
 
+/// Slow within 5 mm, stop within 1 mm. The pair that was nearest is where the next answer begins.
+class Guard {
+ public:
+  enum class Speed { full, slow, stop };
+
+  Speed at(const flashbvh::Pose& pose) {
+    const auto known = flashbvh::distance(plate::mesh, peg::mesh, pose, nearest_);
+    nearest_ = known.witness;
+    if (known.status != flashbvh::Status::done || known.lower < within_mm(1)) {
+      return Speed::stop;
+    }
+    return known.lower < within_mm(5) ? Speed::slow : Speed::full;
+  }
+
+ private:
+  static uint32_t within_mm(float length) {
+    return flashbvh::fine_distance(length, plate::kCellsPerUnit);
+  }
+
+  flashbvh::Witness<uint16_t> nearest_;
+};
+
 /// The verdict with the peg upright at this height; where it stops, the contact's is written.
 Verdict verdict_at(float height, float& mm, int64_t& nm) {
   const flashbvh::Pose world = flashbvh::Pose::translated(0, 0, 0);
@@ -78,6 +101,16 @@ Verdict verdict_at(float height, float& mm, int64_t& nm) {
 int main() {
   float mm = 1;
   int64_t nm = 1000000;
+  Guard guard;
+  const flashbvh::Pose plate_in_world = flashbvh::Pose::translated(0, 0, 0);
+  for (const float height : {20.0f, 8.0f, 3.0f, 0.5f, 0.0f}) {
+    const auto speed = guard.at(peg_in_plate(plate_in_world, {1, 0, 0, 0}, 0, 0, height));
+    if (speed != (height > 5   ? Guard::Speed::full
+                  : height > 1 ? Guard::Speed::slow
+                               : Guard::Speed::stop)) {
+      return 2;
+    }
+  }
   return verdict_at(0.5f, mm, nm) == Verdict::no_contact && mm == 1 &&
                  verdict_at(0, mm, nm) == Verdict::stop && mm > -0.01f && mm < 0.01f &&
                  nm > -10000 && nm < 10000
