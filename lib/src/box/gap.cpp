@@ -51,14 +51,14 @@ bool RotatedGap::operator()(const PackedBox& a, const PackedBox& b) {
          squared_gap(seen_of_a(a), b, limit_) <= limit_.longer_limit();
 }
 
-void NearSlab::set_length(const PackedVector& direction) {
+uint32_t cells_in_unit(const PackedVector& direction) noexcept {
   // Newton's steps are never below the root: the first one, from 2^13, is at most a quarter above
   // it, the third 1 part in 3,000.
   const uint32_t squared_length = squared(direction);
   uint32_t root = (squared_length >> 14) + (1u << 12) + 1;
   root = (root + squared_length / root) / 2 + 1;
   root = (root + squared_length / root) / 2 + 1;
-  cells_ = UINT32_MAX / root;
+  return UINT32_MAX / root;
 }
 
 }  // namespace flashbvh::detail

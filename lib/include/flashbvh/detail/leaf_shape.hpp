@@ -22,49 +22,6 @@
 
 namespace flashbvh::detail {
 
-/// The triangles of a leaf, and their slabs as they lie in their own lattice.
-template <class Mesh>
-struct LeafTriangles {
-  const Mesh& mesh;
-  uint32_t leaf;  ///< its number
-
-  /// Begins `plane`; the normal waits where the edge's slab will be. False if there is none.
-  FLASHBVH_NOINLINE bool lie_in_plane(Slab& plane, Slab& edge) const {
-    const PackedTriangle t = first();
-    PackedVector normal;
-    const bool good = t.plane_direction(normal);
-    edge.begin(normal, {0, 0});
-    plane.begin(normal, t.extent(normal));
-    return good;
-  }
-  /// Begins `edge`; false if there is no direction.
-  FLASHBVH_NOINLINE bool lie_along_edge(Slab& edge) const {
-    const PackedTriangle t = first();
-    PackedVector direction;
-    const bool good = t.edge_direction(edge.direction(), direction);
-    edge.begin(direction, t.extent(direction));
-    return good;
-  }
-  /// The leaf's triangles after the first.
-  FLASHBVH_NOINLINE void add_others(Slab& slab) const {
-    const PackedVector direction = slab.direction();
-    Extent extent = slab.extent();
-    const uint32_t end = mesh.end_triangle(leaf);
-    for (uint32_t i = mesh.first_triangle(leaf) + 1; i < end; ++i) {
-      extent.add(triangle(i).extent(direction));
-    }
-    slab.begin(direction, extent);
-  }
-
- private:
-  FLASHBVH_INLINE PackedTriangle first() const { return triangle(mesh.first_triangle(leaf)); }
-  FLASHBVH_INLINE PackedTriangle triangle(uint32_t position) const {
-    const auto& corner = mesh.triangles[position].corner;
-    return {PackedVector::of(mesh.vertices[corner[0]]), PackedVector::of(mesh.vertices[corner[1]]),
-            PackedVector::of(mesh.vertices[corner[2]])};
-  }
-};
-
 template <class Mesh>
 class LeafShapes {
  public:
@@ -134,7 +91,7 @@ class LeafShapes {
   const Mesh& a;
   const Mesh& b;
 
- private:
+ protected:
   const Mesh& mesh() const { return side_ == Side::a ? a : b; }
 
   bool is_taken(Side side, const Node<typename Mesh::Index>* node) const {
@@ -158,19 +115,58 @@ class LeafShapes {
 
   /// The plane's first, then the edge's.
   FLASHBVH_INLINE void make(Slab& slab) {
-    const LeafTriangles<Mesh> triangles = {mesh(), node_->leaf()};
-    if (!(made_++ == 0 ? triangles.lie_in_plane(plane_, edge_) : triangles.lie_along_edge(edge_))) {
+    if (!(made_++ == 0 ? lie_in_plane() : lie_along_edge())) {
       slab.set_all();
       return;
     }
     if (mesh().leaf_offsets != nullptr) {
-      triangles.add_others(slab);
+      add_others(slab);
     }
     if (rotated_ != nullptr) {
       slab.rotate(transform_, side_);
     } else {
       slab.translate(transform_.translated().offset, side_);
     }
+  }
+
+  /// As slabs lie in their own lattice; false if there is no direction. The plane's normal waits
+  /// where the edge's slab will be.
+  FLASHBVH_NOINLINE bool lie_in_plane() {
+    const PackedTriangle t = first();
+    PackedVector normal;
+    const bool good = t.plane_direction(normal);
+    edge_.begin(normal, {0, 0});
+    plane_.begin(normal, t.extent(normal));
+    return good;
+  }
+  FLASHBVH_NOINLINE bool lie_along_edge() {
+    const PackedTriangle t = first();
+    PackedVector direction;
+    const bool good = t.edge_direction(edge_.direction(), direction);
+    edge_.begin(direction, t.extent(direction));
+    return good;
+  }
+  FLASHBVH_INLINE PackedTriangle first() const {
+    return triangle(mesh().first_triangle(node_->leaf()));
+  }
+
+  FLASHBVH_INLINE PackedTriangle triangle(uint32_t position) const {
+    const Mesh& m = mesh();
+    const auto& corner = m.triangles[position].corner;
+    return {PackedVector::of(m.vertices[corner[0]]), PackedVector::of(m.vertices[corner[1]]),
+            PackedVector::of(m.vertices[corner[2]])};
+  }
+
+  /// The leaf's triangles after the first.
+  FLASHBVH_NOINLINE void add_others(Slab& slab) const {
+    const Mesh& m = mesh();
+    const PackedVector direction = slab.direction();
+    Extent extent = slab.extent();
+    const uint32_t end = m.end_triangle(node_->leaf());
+    for (uint32_t i = m.first_triangle(node_->leaf()) + 1; i < end; ++i) {
+      extent.add(triangle(i).extent(direction));
+    }
+    slab.begin(direction, extent);
   }
 
   const Transform& transform_;

@@ -16,128 +16,111 @@
 
 namespace flashbvh::detail {
 
-/// A slab that tells how far off boxes are. 24 bytes.
-class NearSlab {
- public:
-  Slab slab;
-
-  /// To be asked; `direction`: along which distances are true, in A's lattice.
-  void set_length(const PackedVector& direction);
-  /// The whole space.
-  void set_all() {
-    slab.set_all();
-    cells_ = 0;
-  }
-  /// How far off a box is, in cells, rounded down.
-  FLASHBVH_INLINE int32_t gap(const PackedBox& box) const {
-    return static_cast<int32_t>((uint64_t{slab.gap(box)} * cells_) >> 32);
-  }
-
- private:
-  uint32_t cells_ = 0;  ///< in a unit of the direction, times 2^32, rounded down
-};
+/// In a unit of a direction so many cells, times 2^32, rounded down. `direction`: along which
+/// distances are true, in A's lattice; of 13 bits.
+uint32_t cells_in_unit(const PackedVector& direction) noexcept;
 
 template <class Mesh>
-class NearShapes {
+class NearShapes : LeafShapes<Mesh> {
+  using Base = LeafShapes<Mesh>;
+
  public:
   using Tree = Mesh;
   static constexpr bool kShapes = true;
   static constexpr bool kAsksBound = true;
 
   NearShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
-      : a(mesh_a), b(mesh_b), transform_(transform) {}
+      : Base(mesh_a, mesh_b, transform) {}
+
+  using Base::a;
+  using Base::b;
+  using Base::is_taken;
+  using Base::work_of;
 
   /// The bound of a walk, while it lasts: its limit is asked for, and its rotated boxes.
   void set_bound(const TranslatedGap& bound) { limit_ = bound.limit(); }
   void set_bound(RotatedGap& bound) {
     limit_ = bound.limit();
-    rotated_ = &bound;
-  }
-
-  FLASHBVH_INLINE uint32_t work_of(Side side, uint32_t node) const {
-    const Mesh& mesh = side == Side::a ? a : b;
-    return kShapeWork - 1 + mesh.triangles_in(mesh.nodes[node].leaf());
-  }
-  FLASHBVH_INLINE bool is_taken(Side side, uint32_t node) const {
-    return node_ == (side == Side::a ? a : b).nodes + node && side == side_;
+    rotated_gap_ = &bound;
   }
 
   /// As LeafShapes::begin().
   FLASHBVH_NOINLINE bool begin(Side side, uint32_t node, const PackedBox* reached) {
     take(side, node);
-    if (made_ == 0) {
-      make(plane_);
+    if (this->made_ == 0) {
+      cells_in_plane_ = make(this->plane_);
     }
-    const uint32_t beyond = reached == nullptr ? 0 : limit_.squared(plane_.gap(*reached));
+    const uint32_t beyond = reached == nullptr ? 0 : plane_gap(*reached);
     if (beyond > limit_.sum_limit()) {
       return false;
     }
-    if (made_ == 1) {
-      make(edge_);
+    if (this->made_ == 1) {
+      cells_along_edge_ = make(this->edge_);
     }
-    return reached == nullptr || beyond + limit_.squared(edge_.gap(*reached)) <= limit_.sum_limit();
+    return reached == nullptr || beyond + edge_gap(*reached) <= limit_.sum_limit();
   }
   /// Boxes are rotated where they are needed.
   void take_again(Side side, uint32_t node) { take(side, node); }
 
   /// False only if no triangle of the leaf is near enough to one of a subtree with this box.
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
-    return squared_gap(seen_, box, limit_) <=
-               (side_ == Side::a && rotated_ != nullptr ? limit_.longer_limit() : limit_.limit()) &&
-           limit_.squared(plane_.gap(box)) + limit_.squared(edge_.gap(box)) <= limit_.sum_limit();
+    return squared_gap(seen_, box, limit_) <= (this->side_ == Side::a && rotated_gap_ != nullptr
+                                                   ? limit_.longer_limit()
+                                                   : limit_.limit()) &&
+           plane_gap(box) + edge_gap(box) <= limit_.sum_limit();
   }
-
-  const Mesh& a;
-  const Mesh& b;
 
  private:
   FLASHBVH_NOINLINE void take(Side side, uint32_t node) {
     if (is_taken(side, node)) {
       return;
     }
-    node_ = (side == Side::a ? a : b).nodes + node;
-    side_ = side;
-    made_ = 0;
-    if (rotated_ != nullptr) {
-      seen_ = side == Side::a ? rotated_->seen_of_a(node_->box) : rotated_->seen_of_b(node_->box);
+    this->node_ = (side == Side::a ? a : b).nodes + node;
+    this->side_ = side;
+    this->made_ = 0;
+    const PackedBox& box = this->node_->box;
+    if (rotated_gap_ != nullptr) {
+      seen_ = side == Side::a ? rotated_gap_->seen_of_a(box) : rotated_gap_->seen_of_b(box);
     } else {
-      const Point& t = transform_.translated().offset;
-      seen_ = side == Side::a ? seen_translated(node_->box, {-t.x, -t.y, -t.z})
-                              : seen_translated(node_->box, t);
+      const Point& t = this->transform_.translated().offset;
+      seen_ = seen_translated(box, side == Side::a ? Point{-t.x, -t.y, -t.z} : t);
     }
   }
 
-  /// The plane's first, then the edge's.
-  FLASHBVH_NOINLINE void make(NearSlab& near) {
-    const Mesh& mesh = side_ == Side::a ? a : b;
-    const LeafTriangles<Mesh> triangles = {mesh, node_->leaf()};
-    if (!(made_++ == 0 ? triangles.lie_in_plane(plane_.slab, edge_.slab)
-                       : triangles.lie_along_edge(edge_.slab))) {
-      near.set_all();
-      return;
+  /// The plane's first, then the edge's; how many cells a unit of its direction is: 0 if the slab
+  /// is the whole space.
+  FLASHBVH_NOINLINE uint32_t make(Slab& slab) {
+    if (!(this->made_++ == 0 ? this->lie_in_plane() : this->lie_along_edge())) {
+      slab.set_all();
+      return 0;
     }
-    if (mesh.leaf_offsets != nullptr) {
-      triangles.add_others(near.slab);
+    if (this->mesh().leaf_offsets != nullptr) {
+      this->add_others(slab);
     }
-    const PackedVector own = near.slab.direction();
-    if (rotated_ == nullptr) {
-      near.slab.translate(transform_.translated().offset, side_);
-      near.set_length(own);
-    } else {
-      near.slab.rotate(transform_, side_);
-      near.set_length(side_ == Side::a ? own : near.slab.seen_direction());
+    const PackedVector own = slab.direction();
+    if (rotated_gap_ == nullptr) {
+      slab.translate(this->transform_.translated().offset, this->side_);
+      return cells_in_unit(own);
     }
+    slab.rotate(this->transform_, this->side_);
+    return cells_in_unit(this->side_ == Side::a ? own : slab.seen_direction());
   }
 
-  const Transform& transform_;
-  RotatedGap* rotated_ = nullptr;
-  const Node<typename Mesh::Index>* node_ = nullptr;  ///< the leaf
-  Side side_ = Side::none;
-  uint8_t made_ = 0;  ///< slabs
+  FLASHBVH_INLINE uint32_t plane_gap(const PackedBox& box) const {
+    return squared(this->plane_, cells_in_plane_, box);
+  }
+  FLASHBVH_INLINE uint32_t edge_gap(const PackedBox& box) const {
+    return squared(this->edge_, cells_along_edge_, box);
+  }
+  FLASHBVH_INLINE uint32_t squared(const Slab& slab, uint32_t cells, const PackedBox& box) const {
+    return limit_.squared(static_cast<int32_t>((uint64_t{slab.gap(box)} * cells) >> 32));
+  }
+
+  RotatedGap* rotated_gap_ = nullptr;
   GapLimit limit_{0};
   SeenBox seen_{};
-  NearSlab plane_;
-  NearSlab edge_;
+  uint32_t cells_in_plane_ = 0;
+  uint32_t cells_along_edge_ = 0;
 };
 
 }  // namespace flashbvh::detail
