@@ -3,6 +3,14 @@
 #include "flashbvh/detail/triangle.hpp"
 
 namespace flashbvh {
+namespace {
+
+/// A step takes bounded time: of leaves with more triangles the first ones are taken, of nodes with
+/// more children the first ones are looked at.
+constexpr uint32_t kMostTaken = 2;
+constexpr uint32_t kMostChildren = 8;
+
+}  // namespace
 
 template <class MeshType>
 void BasicClearanceQuery<MeshType>::get_pair(uint32_t i, uint32_t j, Triangle& a,
@@ -32,13 +40,13 @@ void BasicClearanceQuery<MeshType>::take(uint32_t i, uint32_t j) {
 
 template <class MeshType>
 void BasicClearanceQuery<MeshType>::take_leaves(uint32_t& work) {
-  // Of leaves with more triangles the first ones: a step takes bounded time.
-  constexpr uint32_t kMost = 2;
   const Mesh& mesh_a = this->mesh_a();
   const Mesh& mesh_b = this->mesh_b();
   const uint32_t leaf_a = mesh_a.nodes[this->nearest_a].leaf();
   const uint32_t leaf_b = mesh_b.nodes[this->nearest_b].leaf();
-  const auto count = [](uint32_t triangles) { return triangles < kMost ? triangles : kMost; };
+  const auto count = [](uint32_t triangles) {
+    return triangles < kMostTaken ? triangles : kMostTaken;
+  };
   const uint32_t in_a = count(mesh_a.triangles_in(leaf_a));
   const uint32_t in_b = count(mesh_b.triangles_in(leaf_b));
   for (uint32_t i = 0; i < in_a * in_b && !this->intersect; ++i) {
@@ -72,8 +80,6 @@ Status BasicClearanceQuery<MeshType>::spend(uint32_t& work) {
 template <class MeshType>
 template <class Gap>
 void BasicClearanceQuery<MeshType>::go_down(Gap&& gap, bool into_a, uint32_t& work) {
-  // Of a node with more children the first ones: a step takes bounded time.
-  constexpr uint32_t kMostChildren = 8;
   const Mesh& mesh = into_a ? this->mesh_a() : this->mesh_b();
   Index& place = into_a ? this->nearest_a : this->nearest_b;
   const auto& other = into_a ? this->mesh_b().nodes[this->nearest_b].box

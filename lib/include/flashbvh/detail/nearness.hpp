@@ -28,6 +28,7 @@ struct Within : Nearness {
   static constexpr bool kBatches = true;
   /// Steps of a distance in a cell: 1/256, as everywhere.
   static constexpr uint32_t kSteps = 256;
+  static constexpr uint64_t kStepsSquared = uint64_t{kSteps} * kSteps;
   static constexpr uint32_t kMost = 32'767 * kSteps;
 
   uint32_t distance = 0;
@@ -52,12 +53,12 @@ struct Within : Nearness {
     ++tested;
     return squared_box_gap(a, b) <= squared() && !directions_separate(a, b, squared()) &&
            !planes_separate(a, b, squared()) &&
-           is_within(a, b, {{0, uint64_t{distance} * distance}, {0, kSteps * kSteps}});
+           is_within(a, b, {{0, uint64_t{distance} * distance}, {0, kStepsSquared}});
   }
 
  private:
   int64_t squared() const {
-    return static_cast<int64_t>(uint64_t{distance} * distance / (kSteps * kSteps));
+    return static_cast<int64_t>(uint64_t{distance} * distance / kStepsSquared);
   }
   GapLimit limit() const { return GapLimit(squared()); }
   bool may_matter(const Transform& transform, const PackedBox& a, const PackedBox& b) const {
