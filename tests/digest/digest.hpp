@@ -25,9 +25,9 @@ class Hash {
 struct Result {
   uint64_t value;
   uint64_t distances;  ///< another value: of queries about distance
-  uint32_t cases;    ///< (mesh pair, pose, rule)
-  uint32_t pairs;    ///< of triangles that intersect, over all cases
-  uint32_t refused;  ///< trees that check_tree() does not accept: 0
+  uint32_t cases;      ///< (mesh pair, pose, rule)
+  uint32_t pairs;      ///< of triangles that intersect, over all cases
+  uint32_t refused;    ///< trees that check_tree() does not accept: 0
 };
 
 /// Runs the fixed list of cases. About 7 KB of memory, all of it static.

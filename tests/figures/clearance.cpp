@@ -48,8 +48,7 @@ bool ask_both(const AskedPair& pair, const Asked& asked, OfClass& cold, OfClass&
   const Clearance<uint16_t> near = distance(*pair.a, *pair.b, pose_of(before));
   const Clearance<uint16_t> first = ask(pair, pose, {}, cold);
   const Clearance<uint16_t> second = ask(pair, pose, near.witness, seeded);
-  return first.status == Status::done && first.lower == second.lower &&
-         first.upper == second.upper;
+  return first.status == Status::done && first.lower == second.lower && first.upper == second.upper;
 }
 
 using PosesOfPair = Asked (AskedPair::*)[kProximities][kPosesOfPair];

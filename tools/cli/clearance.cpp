@@ -58,7 +58,8 @@ void print_json(std::size_t pose, const ClearanceArguments& arguments, const Cle
   }
   if (!found.nearest.empty()) {
     const NearestPair& pair = found.nearest[0];
-    if (!arguments.is_within) {  // of any pair that is near enough it would be taken for the meshes'
+    if (!arguments
+             .is_within) {  // of any pair that is near enough it would be taken for the meshes'
       line.update({{"distance", pair.distance * cell},
                    {"lower", length_of(pair.points.lower, cell)},
                    {"upper", length_of(pair.points.upper, cell)}});
