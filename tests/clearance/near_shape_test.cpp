@@ -122,6 +122,7 @@ TEST_CASE("leaves as shapes reject no box that is within the limit") {
   Random random(test_seed());
   std::uint32_t translated = 0;
   std::uint32_t rotated = 0;
+  std::uint32_t stretched = 0;
   constexpr std::uint32_t kRounds = 6000;
   for (std::uint32_t round = 0; round < kRounds; ++round) {
     CAPTURE(round);
@@ -141,8 +142,21 @@ TEST_CASE("leaves as shapes reject no box that is within the limit") {
     const std::int32_t far = random.below(4) == 0 ? 20000 : 0;
     const std::int32_t cells[3] = {random.between(-far, far), random.between(-far, far), 0};
     check(a, b, Pose::translated(cells[0], cells[1], cells[2]), translated);
-    check(a, b, Pose::rigid(rotation_of(any_quaternion(random)).entry, cells), rotated);
+    Rotation rotation = rotation_of(any_quaternion(random));
+    check(a, b, Pose::rigid(rotation.entry, cells), rotated);
+    // As far from a rotation as a pose takes.
+    for (auto& row : rotation.entry) {
+      for (std::int32_t& entry : row) {
+        entry += (random.below(8) == 0 ? -1 : 1) * (entry / 17000);
+      }
+    }
+    const Pose coarse = Pose::rigid(rotation.entry, cells);
+    if (coarse.status() == Status::done) {
+      check(a, b, coarse, rotated);
+      ++stretched;
+    }
   }
   CHECK(translated > kRounds / 4);
   CHECK(rotated > kRounds / 4);
+  CHECK(stretched > kRounds / 8);
 }

@@ -8,6 +8,7 @@
 #include "text.hpp"
 
 using namespace flashbvh;
+using namespace flashbvh::detail;
 
 namespace figures {
 namespace {
@@ -27,6 +28,88 @@ struct OfClass {
   }
 };
 
+/// What a visit takes, and two triangles as queries come to them, under one kind of motion.
+struct Parts {
+  uint64_t visits = 0;
+  uint64_t walks = 0;  ///< instructions
+  Spread within;
+  Spread nearest;
+
+  void print(const char* motion) const {
+    print_quotient({{"clearance", "visit", motion, "mean"}}, walks, visits);
+    print_figures({{"clearance", "test", "within", motion}}, within);
+    print_figures({{"clearance", "test", "nearest", motion}}, nearest);
+  }
+};
+
+/// A question whose tests are measured.
+template <class Question>
+struct Timed : Question {
+  Spread* tests = nullptr;
+
+  bool test(const Triangle& a, const Triangle& b, uint32_t i, uint32_t j) {
+    bool yes = false;
+    tests->add(port::instructions_of([&] { yes = Question::test(a, b, i, j); }));
+    return yes;
+  }
+};
+
+template <class Question>
+void run_all(const AskedPair& pair, const Pose& pose, const Question& question) {
+  Query<Ranked<PostMesh>, Question> query(*pair.a, *pair.b, pose, {}, question);
+  (void)query.run(UINT32_MAX, [](const TrianglePair<uint16_t>&) { return true; });
+}
+
+void measure_tests(const AskedPair& pair, const Pose& pose, const Clearance<uint16_t>& known,
+                   Parts& parts) {
+  Timed<Within> within;
+  within.tests = &parts.within;
+  within.distance = known.lower;
+  run_all(pair, pose, within);
+
+  Transform transform(pose, *pair.a, *pair.b, /*may_stop=*/false);
+  Triangle a;
+  Triangle b;
+  translate_triangle(*pair.a, known.witness.a, kNoOffset, a);
+  transform_triangle(*pair.b, known.witness.b, transform, b);
+  NearestSoFar so_far;
+  Timed<Nearest<uint16_t>> nearest;
+  Spread seed;
+  nearest.tests = &seed;
+  nearest.so_far = &so_far;
+  (void)nearest.test(a, b, known.witness.a, known.witness.b);
+  nearest.tests = &parts.nearest;
+  run_all(pair, pose, nearest);
+}
+
+template <class Bound, class Handle>
+void measure_walk(const AskedPair& pair, const Transform& transform, Bound& bound,
+                  const Handle& handle, Parts& parts) {
+  NearShapes<PostMesh> shapes(*pair.a, *pair.b, transform);
+  shapes.set_bound(bound);
+  uint32_t leaf_pairs = 0;
+  auto leaf_pair = [&leaf_pairs](uint32_t, uint32_t, const Progress&) { return ++leaf_pairs != 0; };
+  PairCursor<uint16_t> cursor;
+  WalkRun<PairCursor<uint16_t>, decltype(leaf_pair)> run(cursor, leaf_pair, UINT32_MAX);
+  parts.walks += port::instructions_of(
+      [&] { (void)walk<Ranked<PostMesh>>(handle, shapes, run, State::fresh); });
+  parts.visits += UINT32_MAX - run.progress.visits_down();
+}
+
+/// The walk alone, of pairs within the distance.
+void measure_walk(const AskedPair& pair, const Pose& pose, uint32_t distance, Parts& parts) {
+  Transform transform(pose, *pair.a, *pair.b, /*may_stop=*/false);
+  transform.prepare(*pair.b);
+  const Within question = within(distance);
+  if (transform.is_rotated()) {
+    RotatedGap bound = question.rotated(transform.rotated());
+    measure_walk(pair, transform, bound, ByReference<RotatedGap>{&bound}, parts);
+  } else {
+    const TranslatedGap bound = question.translated(transform.translated());
+    measure_walk(pair, transform, bound, bound, parts);
+  }
+}
+
 Clearance<uint16_t> ask(const AskedPair& pair, const Pose& pose, const Witness<uint16_t>& seed,
                         OfClass& of_class) {
   ClearanceQuery query(*pair.a, *pair.b, pose, seed);
@@ -41,13 +124,18 @@ Clearance<uint16_t> ask(const AskedPair& pair, const Pose& pose, const Witness<u
   return found;
 }
 
-bool ask_both(const AskedPair& pair, const Asked& asked, OfClass& cold, OfClass& seeded) {
+bool ask_both(const AskedPair& pair, const Asked& asked, OfClass& cold, OfClass& seeded,
+              Parts& parts) {
   const Pose pose = pose_of(asked);
   Asked before = asked;
   before.cells[0] += kStep;
   const Clearance<uint16_t> near = distance(*pair.a, *pair.b, pose_of(before));
   const Clearance<uint16_t> first = ask(pair, pose, {}, cold);
   const Clearance<uint16_t> second = ask(pair, pose, near.witness, seeded);
+  if (second.lower != 0 && second.lower <= kMaxDistance) {
+    measure_tests(pair, pose, second, parts);
+    measure_walk(pair, pose, second.lower, parts);
+  }
   return first.status == Status::done && first.lower == second.lower && first.upper == second.upper;
 }
 
@@ -55,17 +143,19 @@ using PosesOfPair = Asked (AskedPair::*)[kProximities][kPosesOfPair];
 
 bool ask_all(const char* motion, PosesOfPair poses) {
   bool good = true;
+  Parts parts;
   for (uint32_t i = 0; i < kProximities; ++i) {
     OfClass cold;
     OfClass seeded;
     for (uint32_t p = 0; p < kAskedPairCount; ++p) {
       for (const Asked& asked : (kAskedPairs[p].*poses)[i]) {
-        good = ask_both(kAskedPairs[p], asked, cold, seeded) && good;
+        good = ask_both(kAskedPairs[p], asked, cold, seeded, parts) && good;
       }
     }
     cold.print("cold", motion, kProximityNames[i]);
     seeded.print("seeded", motion, kProximityNames[i]);
   }
+  parts.print(motion);
   return good;
 }
 

@@ -92,17 +92,19 @@ Answer closer_than(const Mesh<Index, Layout::post_indexed>& a,
 /// What is known of a distance.
 template <class Index>
 struct [[nodiscard]] Clearance {
-  Status
-      status;  ///< `done`; `suspended`: not all was looked at; or an error, and nothing else holds
-  bool in_range;  ///< false: B lies farther off than is asked about; only `lower` holds
-  uint32_t
-      lower;  ///< the distance is at least this: in 1/256 cell, rounded down; 0 while suspended
-  uint32_t upper;  ///< the distance of these triangles, rounded up; UINT32_MAX if none is known yet
+  /// `done`; `suspended`: not all was looked at; or an error, and nothing else holds.
+  Status status;
+  /// False: B lies farther off than is asked about; only `lower` holds.
+  bool in_range;
+  /// In 1/256 cell: the distance is at least this, rounded down; 0 while suspended.
+  uint32_t lower;
+  /// The distance of these triangles, rounded up; UINT32_MAX if none is known yet.
+  uint32_t upper;
   TrianglePair<Index> triangles;  ///< by their ids
   Witness<Index> witness;         ///< the same, as a seed for the next query
   FinePoint point_a;              ///< where they are nearest
   FinePoint point_b;
-  UnitVector direction;
+  UnitVector direction;  ///< from point_a to point_b
 };
 
 /// Where a ClearanceQuery stands, between runs.

@@ -6,9 +6,10 @@
 // but nothing is cut off at the lattice's end: a gap is a number here, not a sign.
 //
 // On B's axes, the columns n_j of the rotation with 14 bits, a vector w has sum (n_j . w)^2 <=
-// |N|^2 |w|^2, and |N|^2 is at most (1 + defect / 2 + 3 * 2^-15)^2 < 1 + 2^-11: the limit there is
-// larger by so much. Bounds on A's axes are of vertices, which are whole: they are rounded inwards.
-// On B's axes they are not: there they are rounded outwards.
+// |N|^2 |w|^2, and |N|^2 is at most (1 + defect / 2 + 3 * 2^-15)^2, which is below 1 + 2^-10 where
+// no entry of R^T R is off by more than 2^-13: the limit there is larger by so much. Bounds on A's
+// axes are of vertices, which are whole: they are rounded inwards. On B's axes they are not: there
+// they are rounded outwards.
 #ifndef FLASHBVH_DETAIL_GAP_HPP
 #define FLASHBVH_DETAIL_GAP_HPP
 
@@ -30,8 +31,8 @@ class GapLimit {
         limit_(clamped(shift_ == 0 ? squared : (squared >> 4) + 1)) {}
 
   constexpr uint32_t limit() const { return limit_; }
-  /// For vectors that may be longer by one part in 2^12 than what they stand for.
-  constexpr uint32_t longer_limit() const { return clamped(int64_t{limit_} + (limit_ >> 11) + 1); }
+  /// For vectors that may be longer by one part in 2^11 than what they stand for.
+  constexpr uint32_t longer_limit() const { return clamped(int64_t{limit_} + (limit_ >> 10) + 1); }
 
   /// For sums of squared gaps along directions that are nearly orthogonal (near_shape.hpp).
   constexpr uint32_t sum_limit() const { return clamped(int64_t{limit_} + (limit_ >> 9) + 1); }
