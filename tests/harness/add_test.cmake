@@ -38,6 +38,10 @@ function(flashbvh_add_test name)
     set_target_properties(${name} PROPERTIES SUFFIX .elf)
     # Not by the test property ENVIRONMENT: catch_discover_tests() takes one variable at most.
     if(arg_ICOUNT)
+      # What is measured is printed with fractions, which newlib's small printf() does when asked.
+      if(CMAKE_CXX_FLAGS MATCHES "nano.specs")
+        target_link_options(${name} PRIVATE -Wl,-u,_printf_float)
+      endif()
       set_target_properties(${name} PROPERTIES CROSSCOMPILING_EMULATOR
         "${CMAKE_COMMAND};-E;env;FLASHBVH_ICOUNT=${FLASHBVH_ICOUNT_SHIFT};${FLASHBVH_RUN}")
     endif()
