@@ -7,6 +7,7 @@
 
 #include "flashbvh/clearance.hpp"
 #include "property/any_mesh.hpp"
+#include "support/pairs_of_triangles.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -27,18 +28,13 @@ std::vector<Pairwise> all_distances(const PostMesh& a, const PostMesh& b, const 
   Transform transform(pose, a, b, /*may_stop=*/false);
   transform.bring_near();
   std::vector<Pairwise> all;
-  for (std::uint32_t i = 0; i < a.triangle_count; ++i) {
-    for (std::uint32_t j = 0; j < b.triangle_count; ++j) {
-      Triangle of_a;
-      Triangle of_b;
-      translate_triangle(a, i, kNoOffset, of_a);
-      transform_triangle(b, j, transform, of_b);
-      Fraction squared = kInfinite;
-      Features features{};
-      REQUIRE(is_nearer(of_a, of_b, squared, features));
-      all.push_back({squared, i, j, a.triangle_ids[i], b.triangle_ids[j]});
-    }
-  }
+  for_all_pairs(a, b, transform,
+                [&](std::uint32_t i, std::uint32_t j, const Triangle& of_a, const Triangle& of_b) {
+                  Fraction squared = kInfinite;
+                  Features features{};
+                  REQUIRE(is_nearer(of_a, of_b, squared, features));
+                  all.push_back({squared, i, j, a.triangle_ids[i], b.triangle_ids[j]});
+                });
   return all;
 }
 

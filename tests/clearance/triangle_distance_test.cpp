@@ -265,6 +265,7 @@ TEST_CASE("every small pair of triangles in a plane and beside it") {
       check(a, b, seen, separations);
     }
   }
+  CHECK(seen.size() >= 4);
 }
 
 TEST_CASE("distances at the ends of their range") {
@@ -281,6 +282,7 @@ TEST_CASE("distances at the ends of their range") {
     check(a, {{{x, y, z}, {x, y, z}, {-x, -y, -z}}}, seen, separations);
     check(a, {{{x, y, z}, {x, y, -z}, {-x, y, z}}}, seen, separations);
   }
+  CHECK(seen.size() >= 3);
 }
 
 TEST_CASE("fractions are compared exactly, however near they are") {

@@ -4,6 +4,7 @@
 
 #include "flashbvh/clearance.hpp"
 #include "small_tree/scene.hpp"
+#include "support/pairs_of_triangles.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -19,21 +20,11 @@ constexpr int kRounds = 1000;
 
 using Scene = SmallScene<Layout::post_indexed>;
 
-/// `visit(i, j, a, b)` of all pairs of triangles, by their positions.
 template <class Visit>
 void for_all_pairs(const Scene& scene, const Visit& visit) {
   const PostMesh& a = scene.a.view();
   const PostMesh& b = scene.b.view();
-  const Transform transform(scene.pose, a, b, /*may_stop=*/false);
-  for (uint32_t j = 0; j < b.triangle_count; ++j) {
-    Triangle of_b;
-    transform_triangle(b, j, transform, of_b);
-    for (uint32_t i = 0; i < a.triangle_count; ++i) {
-      Triangle of_a;
-      translate_triangle(a, i, kNoOffset, of_a);
-      visit(i, j, of_a, of_b);
-    }
-  }
+  test::for_all_pairs(a, b, Transform(scene.pose, a, b, /*may_stop=*/false), visit);
 }
 
 /// Others are told in tests/clearance.

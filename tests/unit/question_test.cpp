@@ -7,6 +7,7 @@
 #include "bake/baked_tree.hpp"
 #include "flashbvh/paper/stackless.hpp"
 #include "flashbvh/query.hpp"
+#include "support/pairs_of_triangles.hpp"
 #include "support/queries.hpp"
 #include "support/record.hpp"
 #include "support/rotations.hpp"
@@ -97,17 +98,12 @@ template <class Mesh>
 Pairs brute_force(const Mesh& a, const Mesh& b, const Pose& pose, std::int32_t distance) {
   const Transform transform(pose, a, b, /*may_stop=*/false);
   Pairs pairs;
-  for (std::uint32_t i = 0; i < a.triangle_count; ++i) {
-    for (std::uint32_t j = 0; j < b.triangle_count; ++j) {
-      Triangle of_a;
-      Triangle of_b;
-      translate_triangle(a, i, kNoOffset, of_a);
-      transform_triangle(b, j, transform, of_b);
-      if (box_gap(of_a, of_b) <= distance) {
-        pairs.emplace_back(a.triangle_ids[i], b.triangle_ids[j]);
-      }
-    }
-  }
+  for_all_pairs(a, b, transform,
+                [&](std::uint32_t i, std::uint32_t j, const Triangle& of_a, const Triangle& of_b) {
+                  if (box_gap(of_a, of_b) <= distance) {
+                    pairs.emplace_back(a.triangle_ids[i], b.triangle_ids[j]);
+                  }
+                });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
+#include "cli/posed_images.hpp"
 #include "evaluate/clearances.hpp"
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
@@ -19,15 +20,11 @@
 namespace flashbvh::tool {
 namespace {
 
-struct ClearanceArguments {
-  std::string a;
-  std::string b;
-  std::string poses;
+struct ClearanceArguments : PosedImages {
   std::string pairs;
   double within = -1;
   bool is_within = false;
   bool cold = false;
-  bool floats = false;
   bool json = false;
 };
 
@@ -166,14 +163,7 @@ void add_clearance(CLI::App& app) {
       "clearance",
       "Tell how far A and B are apart, or whether they are within a distance, by the firmware's "
       "own\ncode. Surfaces are asked: a mesh inside another one is as far as its wall.");
-  command->add_option("A", a.a, "Image (.fbvh) that stays in place")->required();
-  command->add_option("B", a.b, "Image (.fbvh) that the poses rotate and translate")->required();
-  command
-      ->add_option("--poses", a.poses,
-                   "A pose a line, B into A's frame: the rotation row by row, then the translation "
-                   "in the mesh's unit; 12 numbers")
-      ->required()
-      ->type_name("FILE");
+  add_posed_images(*command, a)->required();
   CLI::Option* const within =
       command
           ->add_option("--within", a.within,
@@ -188,9 +178,7 @@ void add_clearance(CLI::App& app) {
   pairs->needs(within);
   command->add_flag("--cold", a.cold, "Begin each pose anew, not with what was nearest before")
       ->excludes(within);
-  command->add_flag("--float", a.floats,
-                    "Take the poses' numbers as 32-bit floats, as firmware's pose_of() does: the "
-                    "same poses to the bit");
+  add_float_flag(*command, a);
   command->add_flag("--json", a.json, "One JSON object a pose");
   command->callback([arguments, within] {
     arguments->is_within = within->count() != 0;

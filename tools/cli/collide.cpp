@@ -10,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
+#include "cli/posed_images.hpp"
 #include "cli/summary.hpp"
 #include "evaluate/needed_work.hpp"
 #include "evaluate/poses.hpp"
@@ -23,16 +24,12 @@
 namespace flashbvh::tool {
 namespace {
 
-struct CollideArguments {
-  std::string a;
-  std::string b;
-  std::string poses;
+struct CollideArguments : PosedImages {
   std::string algorithm;
   std::string pairs;
   bool first = false;
   bool bound = false;
   bool summary = false;
-  bool floats = false;
   bool json = false;
   std::string contacts;
 };
@@ -235,13 +232,7 @@ void add_collide(CLI::App& app) {
   CLI::App* const command = app.add_subcommand(
       "collide",
       "Find the triangles of A that intersect triangles of B, by the firmware's own code.");
-  command->add_option("A", a.a, "Image (.fbvh) that stays in place")->required();
-  command->add_option("B", a.b, "Image (.fbvh) that the poses rotate and translate")->required();
-  command
-      ->add_option("--poses", a.poses,
-                   "A pose a line, B into A's frame: the rotation row by row, then the translation "
-                   "in the mesh's unit; 12 numbers")
-      ->type_name("FILE");
+  (void)add_posed_images(*command, a);
   command
       ->add_option("--algorithm", a.algorithm,
                    "Traversal; default: ranked, or stackless on pre-indexed images")
@@ -257,9 +248,7 @@ void add_collide(CLI::App& app) {
                        "Write `pose a b x y z x y z` for each pair, sorted: the two ends of what "
                        "the triangles\nhave in common, in the images' unit, in A's frame")
           ->type_name("OUT");
-  command->add_flag("--float", a.floats,
-                    "Take the poses' numbers as 32-bit floats, as firmware's pose_of() does: the "
-                    "same poses to the bit");
+  add_float_flag(*command, a);
   command->add_flag("--json", a.json, "One JSON object a pose");
   CLI::Option* const summary =
       command
