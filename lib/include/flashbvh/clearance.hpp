@@ -75,7 +75,8 @@ inline Within within(uint32_t distance) {
   return question;
 }
 
-/// Whether any points of the two meshes are at most `distance` apart, in 1/256 cell.
+/// Whether any points of the two meshes are at most `distance` apart, in 1/256 cell; ends at the
+/// first pair of triangles that are.
 /// `distance_out_of_range`: it is more than kMaxDistance, or B's lattice lies 48,000 cells or more
 /// along an axis from A's, and whether it is within so large a distance can't be told; `yes` then.
 template <class Index>
@@ -115,10 +116,10 @@ struct ClearancePosition {
   bool has_witness = false;
 };
 
-/// The distance of two meshes, in slices. The last nearest pair, given as `seed`, makes it visit
-/// next to nothing more than the boxes that are nearer than the answer; without one it first goes
-/// down both trees to where they seem nearest. The distance never depends on the seed; where
-/// several pairs are nearest, which of them is told does.
+/// The distance of two meshes, in slices. With the last nearest pair as `seed` it visits hardly
+/// more than the boxes that are nearer than the answer; without one it first goes down both trees
+/// to where they seem nearest. Instructions on each core: lib/docs/figures.md, Distances. The
+/// distance never depends on the seed; where several pairs are nearest, which of them is told does.
 template <class MeshType>
 class BasicClearanceQuery
     : protected Query<Ranked<MeshType>, detail::Nearest<typename MeshType::Index>> {
@@ -206,7 +207,8 @@ class BasicClearanceQuery
 using ClearanceQuery = BasicClearanceQuery<PostMesh>;
 using LargeClearanceQuery = BasicClearanceQuery<LargePostMesh>;
 
-/// The distance in one call. For slices, ClearanceQuery.
+/// The distance in one call, which takes as long as the answer takes. For slices, ClearanceQuery;
+/// errors are its own.
 template <class Index>
 Clearance<Index> distance(const Mesh<Index, Layout::post_indexed>& a,
                           const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,

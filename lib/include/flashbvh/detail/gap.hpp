@@ -22,7 +22,7 @@
 namespace flashbvh::detail {
 
 /// Squared gaps, and what they must not exceed to matter, in 32 bits. A gap is within 92,761 cells.
-/// Where the limit has more than 30 bits gaps are taken in quarters of it, rounded down.
+/// Where the limit has more than 30 bits gaps are counted in fours of cells, rounded down.
 class GapLimit {
  public:
   /// `squared`: the largest square of a distance that still matters, in square cells.
@@ -91,8 +91,8 @@ FLASHBVH_INLINE inline uint32_t squared_gap(const SeenBox& seen, const PackedBox
          along(2, low_half(box.z), high_half(box.z));
 }
 
-/// The square of the distance of the boxes' middles, a quarter of it a unit, as gaps beyond a limit
-/// of 30 bits have it: below 2^31.
+/// The square of the distance of the boxes' middles, in fours of cells, as gaps beyond a limit of
+/// 30 bits are counted: below 2^31.
 inline uint32_t squared_middles(const SeenBox& seen, const PackedBox& box) {
   const auto along = [&](int axis, uint32_t upper, uint32_t lower) {
     const int32_t apart = (seen.upper[axis] - seen.lower[axis] - static_cast<int32_t>(upper) +
