@@ -1,7 +1,8 @@
 #!/bin/sh
-# compare.sh    The time of flashbvh's queries as a ratio to OPCODE's and FCL's, on the same meshes in
-#               the same poses, in one run: lib/docs/compare.md. A report, not a test. Installs what is
-#               missing; works in build/compare, where times.txt keeps the times of each pair.
+# compare.sh    The time of flashbvh's queries as a ratio to OPCODE's and FCL's, and of its distances to
+#               FCL's, on the same meshes in the same poses, in one run: lib/docs/compare.md. A report,
+#               not a test. Installs what is missing; works in build/compare, where times.txt keeps the
+#               times of each pair.
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh

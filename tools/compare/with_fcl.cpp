@@ -1,10 +1,9 @@
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
 
 #include <limits>
 
 #include "contender.hpp"
-#include "meshes.hpp"
+#include "fcl_model.hpp"
 
 using flashbvh::PostMesh;
 
@@ -13,44 +12,12 @@ namespace {
 
 using Model = fcl::BVHModel<fcl::OBBRSSd>;
 
-/// Its triangles in the order of the baked mesh.
-std::shared_ptr<Model> model_of(const PostMesh& mesh) {
-  std::vector<fcl::Vector3d> vertices;
-  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-    double point[3];
-    set_vertex(mesh, i, point);
-    vertices.emplace_back(point[0], point[1], point[2]);
-  }
-  std::vector<fcl::Triangle> triangles;
-  for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
-    const auto& corner = mesh.triangles[i].corner;
-    triangles.emplace_back(corner[0], corner[1], corner[2]);
-  }
-  auto model = std::make_shared<Model>();
-  model->beginModel();
-  model->addSubModel(vertices, triangles);
-  model->endModel();
-  return model;
-}
-
-class Fcl : public Contender {
+class Fcl : public Collider {
  public:
   Fcl(const PostMesh& a, const PostMesh& b)
-      : mesh_a_(&a), mesh_b_(&b), a_(model_of(a)), b_(model_of(b)) {}
+      : mesh_a_(&a), mesh_b_(&b), a_(model_of<fcl::OBBRSSd>(a)), b_(model_of<fcl::OBBRSSd>(b)) {}
 
-  void set_poses(const std::vector<Placed>& poses) override {
-    poses_.clear();
-    for (const Placed& placed : poses) {
-      fcl::Transform3d transform = fcl::Transform3d::Identity();
-      for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
-          transform.linear()(row, column) = rotation_of(placed.pose, row, column);
-        }
-        transform.translation()[row] = translation_of(placed.pose, row);
-      }
-      poses_.push_back(transform);
-    }
-  }
+  void set_poses(const std::vector<Placed>& poses) override { poses_ = transforms_of(poses); }
 
   std::size_t ask_all(Wanted wanted) override {
     std::size_t count = 0;
@@ -82,13 +49,13 @@ class Fcl : public Contender {
   const PostMesh* mesh_b_;
   std::shared_ptr<Model> a_;
   std::shared_ptr<Model> b_;
-  std::vector<fcl::Transform3d, Eigen::aligned_allocator<fcl::Transform3d>> poses_;
+  Transforms poses_;
   fcl::CollisionResultd result_;
 };
 
 }  // namespace
 
-std::unique_ptr<Contender> with_fcl(const PostMesh& a, const PostMesh& b) {
+std::unique_ptr<Collider> with_fcl(const PostMesh& a, const PostMesh& b) {
   return std::make_unique<Fcl>(a, b);
 }
 

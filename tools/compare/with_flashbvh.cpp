@@ -8,7 +8,7 @@ using namespace flashbvh;
 namespace compare {
 namespace {
 
-class Flashbvh : public Contender {
+class Flashbvh : public Collider {
  public:
   Flashbvh(const PostMesh& a, const PostMesh& b, PoseMade pose_made)
       : a_(&a), b_(&b), pose_made_(pose_made), found_(1u << 16) {}
@@ -59,7 +59,7 @@ class Flashbvh : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> with_flashbvh(const PostMesh& a, const PostMesh& b, PoseMade pose_made) {
+std::unique_ptr<Collider> with_flashbvh(const PostMesh& a, const PostMesh& b, PoseMade pose_made) {
   return std::make_unique<Flashbvh>(a, b, pose_made);
 }
 

@@ -56,7 +56,7 @@ class Model {
   Opcode::Model model_;
 };
 
-class WithOpcode : public Contender {
+class WithOpcode : public Collider {
  public:
   WithOpcode(const PostMesh& a, const PostMesh& b, Matrices matrices)
       : mesh_a_(&a), mesh_b_(&b), a_(a), b_(b) {
@@ -119,7 +119,7 @@ class WithOpcode : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> with_opcode(const PostMesh& a, const PostMesh& b, Matrices matrices) {
+std::unique_ptr<Collider> with_opcode(const PostMesh& a, const PostMesh& b, Matrices matrices) {
   return std::make_unique<WithOpcode>(a, b, matrices);
 }
 

@@ -1,0 +1,105 @@
+// Pairs of triangles that intersect.
+#include <algorithm>
+#include <cstdio>
+
+#include "comparison.hpp"
+
+using namespace figures;
+
+namespace compare {
+namespace {
+
+struct Named {
+  const char* name;
+  std::unique_ptr<Collider> library;
+};
+
+std::vector<Named> all_libraries(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b) {
+  std::vector<Named> all;
+  all.push_back({"flashbvh", with_flashbvh(a, b, PoseMade::before)});
+  all.push_back({"opcode", with_opcode(a, b, Matrices::both)});
+  all.push_back({"fcl", with_fcl(a, b)});
+  all.push_back({"flashbvh_pose", with_flashbvh(a, b, PoseMade::in_the_query)});
+  all.push_back({"opcode_one", with_opcode(a, b, Matrices::of_b)});
+  return all;
+}
+
+struct Found {
+  std::size_t by_flashbvh = 0;
+  std::size_t by_other = 0;
+  std::size_t by_one = 0;  ///< of the two alone
+};
+
+void add_pairs(std::vector<Pair> ours, std::vector<Pair> theirs, Found& found) {
+  std::sort(ours.begin(), ours.end());
+  std::sort(theirs.begin(), theirs.end());
+  std::vector<Pair> differing;
+  std::set_symmetric_difference(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
+                                std::back_inserter(differing));
+  found.by_flashbvh += ours.size();
+  found.by_other += theirs.size();
+  found.by_one += differing.size();
+}
+
+class Collisions {
+ public:
+  Collisions(const PairOfMeshes& meshes, bool rotated)
+      : of_(meshes.name + " " + name_of_motion(rotated) + " "),
+        rotated_(rotated),
+        search_(meshes.searched, meshes.asked, kSeed),
+        libraries_(all_libraries(*meshes.asked.a, *meshes.asked.b)),
+        found_(libraries_.size()) {}
+
+  void run() {
+    for (std::uint32_t i = 0; i < kProximities; ++i) {
+      const auto proximity = static_cast<Proximity>(i);
+      set_poses(proximity);
+      time(Wanted::all, kProximityNames[i]);
+      if (proximity == Proximity::intersecting) {
+        time(Wanted::first, "first");
+      }
+    }
+    for (std::size_t i = 0; i < libraries_.size(); ++i) {
+      std::printf("pairs %s%s %zu %zu %zu\n", of_.c_str(), libraries_[i].name,
+                  found_[i].by_flashbvh, found_[i].by_other, found_[i].by_one);
+    }
+  }
+
+ private:
+  void set_poses(Proximity proximity) {
+    std::vector<Placed> poses;
+    while (poses.size() < kPoses) {
+      poses.push_back(placed_of(search_.next(proximity, rotated_)));
+    }
+    for (std::size_t i = 0; i < libraries_.size(); ++i) {
+      libraries_[i].library->set_poses(poses);
+      for (std::size_t pose = 0; pose < kPoses; ++pose) {
+        add_pairs(libraries_[0].library->pairs(pose), libraries_[i].library->pairs(pose),
+                  found_[i]);
+      }
+    }
+  }
+
+  void time(Wanted wanted, const char* of_class) {
+    std::vector<Timed> timed;
+    for (const Named& named : libraries_) {
+      timed.push_back({named.name, named.library.get()});
+    }
+    print_times(timed, wanted, of_ + of_class, random_);
+  }
+
+  std::string of_;
+  bool rotated_;
+  PoseSearch search_;
+  flashbvh::test::Random random_{kSeed};
+  std::vector<Named> libraries_;
+  std::vector<Found> found_;  ///< as many
+};
+
+}  // namespace
+
+void compare_collisions(const PairOfMeshes& meshes, bool rotated) {
+  Collisions(meshes, rotated).run();
+}
+
+}  // namespace compare
