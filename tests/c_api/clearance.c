@@ -1,6 +1,8 @@
 /* Distances in C: a blade 2.5 mm above a block, each a metre off its frame's origin, in
  * millimetres; in slices, saved, resumed, seeded, in one call. */
 #include "flashbvh/clearance.h"
+#include "flashbvh/ray.h"
+#include "flashbvh/solid.h"
 
 #include <stddef.h>
 
@@ -49,6 +51,66 @@ static void check_slices(const flashbvh_mesh* a, const flashbvh_mesh* b, const f
   }
   flashbvh_clearance_result(&query, &found);
   check(same(&found, wanted));
+}
+
+/** The block is closed, the blade isn't. */
+static void check_solids(const flashbvh_mesh* block, const flashbvh_mesh* blade) {
+  const flashbvh_point middle = {10050, 10050, 10050};
+  const flashbvh_point corner = {10000, 10000, 10100};
+  const flashbvh_point above = {10050, 10050, 10101};
+  flashbvh_point_side side;
+  flashbvh_pose pose;
+  bool yes = false;
+  check(flashbvh_inside(block, &middle, &side) == FLASHBVH_STATUS_DONE &&
+        side == FLASHBVH_POINT_INSIDE);
+  check(flashbvh_inside(block, &corner, &side) == FLASHBVH_STATUS_DONE &&
+        side == FLASHBVH_POINT_ON_SURFACE);
+  check(flashbvh_inside(block, &above, &side) == FLASHBVH_STATUS_DONE &&
+        side == FLASHBVH_POINT_OUTSIDE);
+  check(flashbvh_inside(blade, &middle, &side) == FLASHBVH_STATUS_NOT_CLOSED);
+  (void)flashbvh_pose_translated(0, 0, 101, &pose);
+  check(flashbvh_solids_intersect(block, block, &pose, &yes) == FLASHBVH_STATUS_DONE && !yes);
+  (void)flashbvh_pose_translated(0, 0, 100, &pose);
+  check(flashbvh_solids_intersect(block, block, &pose, &yes) == FLASHBVH_STATUS_DONE && yes);
+  (void)flashbvh_pose_translated(0, 0, 0, &pose);
+  check(flashbvh_solids_intersect(block, blade, &pose, &yes) == FLASHBVH_STATUS_NOT_CLOSED && yes);
+}
+
+static bool count_front(const flashbvh_hit* hit, void* context) {
+  *(uint32_t*)context += hit->side > 0 ? 1 : 0;
+  return true;
+}
+
+/** Down through the block, 100 cells a side, from 50 cells above it; past it; and too far. */
+static void check_rays(const flashbvh_mesh* block) {
+  const float origin[3] = {1003, 1002, 1015};
+  const float down[3] = {0, 0, -3};
+  const flashbvh_segment past = {{10150, 10050, 10150}, {10150, 10050, 9000}};
+  const flashbvh_segment far = {{10050, 10050, 10150}, {10050, 10050, 10050 - 600000}};
+  flashbvh_segment ray = {{0, 0, 0}, {0, 0, 0}};
+  flashbvh_fine_point at;
+  flashbvh_hit hit;
+  bool yes = false;
+  uint32_t fronts = 0;
+  int32_t outwards = 9;
+  check(flashbvh_segment_of(origin, down, 30, 10, &ray) == FLASHBVH_STATUS_DONE);
+  check(ray.from.x == 10030 && ray.from.z == 10150 && ray.to.y == 10020 && ray.to.z == 9850);
+  check(flashbvh_nearest_hit(block, &ray, FLASHBVH_NO_SEED, &yes, &hit) == FLASHBVH_STATUS_DONE);
+  check(yes && hit.side == 1);
+  flashbvh_point_along(&ray, &hit, &at);
+  check(at.x == 10030 * 256 && at.y == 10020 * 256 && at.z == 10100 * 256);
+  check(flashbvh_distance_along(&ray, &hit) == 50 * 256);
+  check(flashbvh_nearest_hit(block, &ray, hit.position, &yes, &hit) == FLASHBVH_STATUS_DONE && yes);
+  check(flashbvh_for_each_hit(block, &ray, count_front, &fronts) == FLASHBVH_STATUS_DONE);
+  check(fronts >= 1 && fronts <= 2);
+  check(flashbvh_signed_crossings(block, &ray, &outwards) == FLASHBVH_STATUS_DONE && outwards == 0);
+  ray.to.z = 10050;
+  check(flashbvh_signed_crossings(block, &ray, &outwards) == FLASHBVH_STATUS_DONE &&
+        outwards == -1);
+  check(flashbvh_any_hit(block, &ray, &yes, &hit) == FLASHBVH_STATUS_DONE && yes);
+  check(flashbvh_any_hit(block, &past, &yes, &hit) == FLASHBVH_STATUS_DONE && !yes);
+  check(flashbvh_any_hit(block, &far, &yes, &hit) == FLASHBVH_STATUS_RAY_OUT_OF_RANGE && yes);
+  check(flashbvh_segment_of(origin, down, -1, 10, &ray) == FLASHBVH_STATUS_RAY_OUT_OF_RANGE);
 }
 
 long clearance_failures(void) {
@@ -102,5 +164,7 @@ long clearance_failures(void) {
   check(flashbvh_for_each_within(&block, &blade, &pose, 25 * 256, count_all, &pairs) ==
         FLASHBVH_STATUS_DONE);
   check(pairs >= 1 && pairs <= 2);
+  check_solids(&block, &blade);
+  check_rays(&block);
   return failures;
 }

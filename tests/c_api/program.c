@@ -9,6 +9,7 @@
 #include "plate.fbvh.h"
 #include "queries.h"
 #include "reference.h"
+#include "shapes.h"
 #include "text.h"
 
 enum { ROOM = 200, POSES = 60 };
@@ -242,6 +243,7 @@ int main(void) {
   check_other_ways(&plate, &peg);
   check_bound(&plate, &peg);
   failures += clearance_failures();
+  failures += shape_failures();
   flashbvh_pose_translated(0, 0, 0, &pose);
   for (int i = 0; i < POSES; ++i) {
     compare(plate, peg, &pose, i);

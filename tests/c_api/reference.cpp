@@ -1,8 +1,32 @@
 #include "reference.h"
 
 #include <flashbvh/flashbvh.hpp>
+#include <flashbvh/shape.hpp>
+
+#include "shapes.h"
 
 using namespace flashbvh;
+
+namespace {
+
+Pose pose_of(const int32_t rotation[9], const int32_t cells[3], const int16_t fraction[3]) {
+  int32_t rows[3][3];
+  for (int i = 0; i < 9; ++i) {
+    rows[i / 3][i % 3] = rotation[i];
+  }
+  return Pose::rigid(rows, {cells[0], cells[1], cells[2]}, {fraction[0], fraction[1], fraction[2]});
+}
+
+Point point_of(const flashbvh_point& p) {
+  return {p.x, p.y, p.z};
+}
+
+shape_answer ask(const PostMesh& mesh, const PostMesh& shape, const Pose& pose) {
+  const auto known = distance(mesh, shape, pose);
+  return {known.lower, known.upper, count_pairs(mesh, shape, pose).pairs};
+}
+
+}  // namespace
 
 void query_in_cpp(image a, image b, const int32_t rotation[9], const int32_t cells[3],
                   const int16_t fraction[3], answer* to) {
@@ -14,12 +38,7 @@ void query_in_cpp(image a, image b, const int32_t rotation[9], const int32_t cel
     to->status = FLASHBVH_STATUS_IMAGE_INVALID;
     return;
   }
-  int32_t rows[3][3];
-  for (int i = 0; i < 9; ++i) {
-    rows[i / 3][i % 3] = rotation[i];
-  }
-  const Pose pose =
-      Pose::rigid(rows, {cells[0], cells[1], cells[2]}, {fraction[0], fraction[1], fraction[2]});
+  const Pose pose = pose_of(rotation, cells, fraction);
   PairQuery query(tree_a, tree_b, pose);
   const Status status = query.run(UINT32_MAX, [to](const PairQuery::Pair& pair) {
     if (to->count < to->room) {
@@ -31,4 +50,21 @@ void query_in_cpp(image a, image b, const int32_t rotation[9], const int32_t cel
   const Counts& counts = query.counts();
   to->counts = {counts.visits, counts.overlaps, counts.leaf_pairs, counts.triangle_pairs};
   to->status = static_cast<flashbvh_status>(status);
+}
+
+void ask_shapes_in_cpp(image mesh, const flashbvh_triangle* of, const int32_t rotation[9],
+                       const int32_t cells[3], shape_answer to[SHAPES]) {
+  const int16_t whole[3] = {0, 0, 0};
+  const Pose pose = pose_of(rotation, cells, whole);
+  const Point p = point_of(of->corner[0]);
+  const Point q = point_of(of->corner[1]);
+  const Point r = point_of(of->corner[2]);
+  PostMesh tree;
+  if (open_image(mesh.bytes, mesh.size, tree) != Status::done) {
+    return;
+  }
+  to[0] = ask(tree, PointShape(tree, p).mesh(), pose);
+  to[1] = ask(tree, SegmentShape(tree, p, q).mesh(), pose);
+  to[2] = ask(tree, TriangleShape(tree, {{p, q, r}}).mesh(), pose);
+  to[3] = ask(tree, BoxShape(tree, p, q).mesh(), pose);
 }

@@ -111,7 +111,7 @@ std::uint32_t best_first(const Pairs& pairs, const Gap& make_gap, Fraction& leas
 
 /// The larger bound of both frames' axes.
 struct TranslatedNearest {
-  TranslatedGap gap;
+  WideGap gap;
   std::uint32_t nearest(const PackedBox& a, const PackedBox& b) { return gap.squared(a, b); }
 };
 struct RotatedNearest {
@@ -136,8 +136,7 @@ std::uint32_t best_first(const Pairs& pairs, Fraction& least, Witness<std::uint1
         least, witness);
   }
   return best_first(
-      pairs,
-      [&] { return TranslatedNearest{TranslatedGap(pairs.transform.translated().offset, limit)}; },
+      pairs, [&] { return TranslatedNearest{WideGap(pairs.transform.translated().offset, limit)}; },
       least, witness);
 }
 

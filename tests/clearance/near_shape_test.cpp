@@ -1,10 +1,13 @@
 // Bounds of distances reject nothing that is near enough: against exact distances, at the limit.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "flashbvh/clearance.hpp"
 #include "property/any_mesh.hpp"
+#include "support/rotations.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -76,17 +79,108 @@ void check(const PostMesh& a, const PostMesh& b, const Pose& pose, std::uint32_t
   const std::int64_t limit = limit_of(a, b, transform);
   // A tenth of the distance less.
   const std::int64_t less = limit / 5 * 4;
-  if (transform.is_rotated()) {
-    check_leaf(a, b, transform, RotatedGap(transform.rotated(), GapLimit(limit)), rejected,
-               RotatedGap(transform.rotated(), GapLimit(less)));
-  } else {
+  check_leaf(a, b, transform, KeptGap(transform, GapLimit(limit)), rejected,
+             KeptGap(transform, GapLimit(less)));
+  if (!KeptGap::is_for(transform, GapLimit(limit))) {
     const Point& offset = transform.translated().offset;
-    check_leaf(a, b, transform, TranslatedGap(offset, GapLimit(limit)), rejected,
+    std::uint32_t again = 0;
+    check_leaf(a, b, transform, TranslatedGap(offset, GapLimit(limit)), again,
                TranslatedGap(offset, GapLimit(less)));
   }
 }
 
+/// Of one box along one row, in whole cells.
+std::int32_t rotated_bound(const SplitRow& row, std::int64_t start, const std::uint32_t (&upper)[3],
+                           const std::uint32_t (&lower)[3]) {
+  const std::int32_t entry[3] = {row.x(), row.y(), row.z_entry()};
+  for (int i = 0; i < 3; ++i) {
+    start += std::int64_t{std::abs(entry[i])} * (entry[i] < 0 ? lower[i] : upper[i]);
+  }
+  return static_cast<std::int32_t>(start >> kSplitBits);
+}
+
+void check_seen(const SeenBox& seen, const SplitMatrix& matrix, const BoundStart* starts,
+                std::int32_t rounding, const PackedBox& box) {
+  const std::uint32_t upper[3] = {low_half(box.upper_xy), high_half(box.upper_xy), low_half(box.z)};
+  const std::uint32_t lower[3] = {low_half(box.lower_xy), high_half(box.lower_xy),
+                                  high_half(box.z)};
+  for (int i = 0; i < 3; ++i) {
+    const SplitRow& row = matrix.row[i];
+    REQUIRE(seen.upper[i] ==
+            rotated_bound(row, std::int64_t{starts[i].upper} + rounding, upper, lower));
+    REQUIRE(seen.lower[i] ==
+            rotated_bound(row, std::int64_t{starts[i].lower} + rounding, lower, upper));
+  }
+}
+
+Box any_box(Random& random) {
+  const Vertex p = any_vertex(random, kMaxCoordinate);
+  const Vertex q = any_vertex(random, 1 << random.below(15));
+  const auto most = [](std::int32_t u, std::int32_t v) {
+    return static_cast<std::int16_t>(std::min(std::max(u, u + v), kMaxCoordinate));
+  };
+  return {p, {most(p.x, q.x), most(p.y, q.y), most(p.z, q.z)}};
+}
+
 }  // namespace
+
+TEST_CASE("gaps of boxes are those along each axis, however many are worked out at once") {
+  Random random(test_seed());
+  std::uint32_t near = 0;
+  for (int round = 0; round < 20000; ++round) {
+    CAPTURE(round);
+    const GapLimit limit(std::int64_t{1} << random.below(35));
+    const PackedBox a = pack(any_box(random));
+    const PackedBox b = pack(any_box(random));
+    const std::int32_t most = round % 2 == 0 ? kMaxOffset : 20'000;
+    const auto any = [&] { return random.between(-most, most); };
+    const Point offset = {any(), any(), any()};
+    const SeenBox seen = seen_translated(b, offset);
+    REQUIRE(squared_gap(seen, a, limit) == squared_gap_by_axis(seen, a, limit));
+    REQUIRE(WideGap(offset, limit).squared(a, b) == squared_gap_by_axis(seen, a, limit));
+    // At the very gap, and beside it.
+    const std::int64_t squared = WideGap(offset, GapLimit(0)).squared(a, b);
+    for (std::int64_t by = -1; by <= 1; ++by) {
+      const GapLimit beside(squared + by);
+      if (squared + by >= 0 && TranslatedGap::fit(offset, beside)) {
+        REQUIRE(TranslatedGap(offset, beside)(a, b) == WideGap(offset, beside)(a, b));
+        REQUIRE(TranslatedGap(offset, beside)(a, b) == (by >= 0));
+        ++near;
+      }
+    }
+  }
+  CHECK(near > 10'000);
+}
+
+TEST_CASE("rotated boxes are the sums of products along each axis") {
+  Random random(test_seed());
+  for (int round = 0; round < 5000; ++round) {
+    CAPTURE(round);
+    const AnyMesh a = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
+    const AnyMesh b = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
+    const PostMesh mesh_a = a.view<PostMesh>();
+    const PostMesh mesh_b = b.view<PostMesh>();
+    const Pose pose = any_rigid_pose(random, 40000);
+    Transform transform(pose, mesh_a, mesh_b, /*may_stop=*/false);
+    if (!transform.is_rotated()) {
+      continue;
+    }
+    const RotatedTransform& rotated = transform.rotated();
+    RotatedGap gap(rotated, GapLimit(1 << 20));
+    const PackedBox& box_a = mesh_a.nodes[0].box;
+    const PackedBox& box_b = mesh_b.nodes[0].box;
+    check_seen(gap.seen_of_b(box_b), rotated.matrix->rows, rotated.on_a, 0, box_b);
+    check_seen(gap.seen_of_a(box_a), rotated.columns, rotated.on_b, kSplitOne - 1, box_a);
+    const std::int64_t squared = RotatedGap(rotated, GapLimit(0)).squared(box_a, box_b);
+    for (std::int64_t by = -1; by <= 1; ++by) {
+      const GapLimit beside(std::max<std::int64_t>(squared + by, 0));
+      RotatedGap wide(rotated, beside);
+      KeptGap kept(transform, beside);
+      REQUIRE(kept(box_a, box_b) == wide(box_a, box_b));
+      REQUIRE(kept(box_a, box_b) == wide(box_a, box_b));  // what is at hand
+    }
+  }
+}
 
 TEST_CASE("a sum of squared gaps is within a limit if it is") {
   Random random(test_seed());

@@ -5,6 +5,8 @@
 #include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/query.hpp"
+#include "flashbvh/ray.hpp"
+#include "flashbvh/solid.hpp"
 #include "small_mesh.hpp"
 #include "support/at_roots.hpp"
 
@@ -112,6 +114,36 @@ void add_distance(const PostMesh& a, const PostMesh& b, const Pose& pose, uint32
   add_counts(query.counts(), hash);
 }
 
+Point any_point(Random& random, int32_t reach) {
+  const int32_t x = random.between(-reach, reach);
+  const int32_t y = random.between(-reach, reach);
+  return {x, y, random.between(-reach, reach)};
+}
+
+/// Every hit of a ray and the nearest, its crossings, and where it starts: of a mesh that is said
+/// to be closed, which crossings need not be asked.
+void add_ray(const PostMesh& mesh, Random& random, int32_t reach, Hash& hash) {
+  PostMesh closed = mesh;
+  closed.is_closed = true;
+  const Segment segment = {any_point(random, reach), any_point(random, reach)};
+  const auto add_hit = [&](const RayHit<uint16_t>& hit) {
+    hash.add(hit.triangle | static_cast<uint32_t>(hit.side + 1) << 16);
+    add_point(point_along(segment, hit.along), hash);
+    hash.add(distance_along(segment, hit.along));
+    return true;
+  };
+  hash.add(static_cast<uint32_t>(for_each_hit(closed, segment, add_hit)));
+  const RayAnswer<uint16_t> nearest = nearest_hit(closed, segment);
+  hash.add(nearest.visits);
+  if (nearest.yes) {
+    add_hit(nearest.hit);
+  }
+  hash.add(static_cast<uint32_t>(signed_crossings(closed, segment).outwards));
+  const PointAnswer from = inside(closed, segment.from);
+  hash.add(static_cast<uint32_t>(from.side));
+  hash.add(from.visits);
+}
+
 /// Every traversal, in an order that the value depends on.
 void add_pose(const Pose& pose, uint32_t slice, Hash& hash, Result& result) {
   const LevelledPreMesh& pre_a = side_a.pre.view();
@@ -138,8 +170,10 @@ uint32_t refused(const Side& side) {
 Result run() {
   Random random(kSeed);
   Hash hash;
+  Random aim(kSeed + 1);
   Hash distances;
-  Result result = {0, 0, 0, 0, 0};
+  Hash rays;
+  Result result = {0, 0, 0, 0, 0, 0};
   for (uint32_t pair = 0; pair < kMeshPairs; ++pair) {
     const Scale& scale = kScales[pair % (sizeof kScales / sizeof kScales[0])];
     make_side(random, scale, side_a);
@@ -157,10 +191,12 @@ Result run() {
       const Pose pose = any_pose(random, scale);
       add_pose(pose, slice, hash, result);
       add_distance(side_a.post.view(), side_b.post.view(), pose, slice, seed, distances);
+      add_ray(side_a.post.view(), aim, scale.reach, rays);
     }
   }
   result.value = hash.value();
   result.distances = distances.value();
+  result.rays = rays.value();
   return result;
 }
 

@@ -25,6 +25,7 @@ class Hash {
 struct Result {
   uint64_t value;
   uint64_t distances;  ///< another value: of queries about distance
+  uint64_t rays;       ///< likewise of rays, and of points inside
   uint32_t cases;      ///< (mesh pair, pose, rule)
   uint32_t pairs;      ///< of triangles that intersect, over all cases
   uint32_t refused;    ///< trees that check_tree() does not accept: 0
@@ -36,6 +37,7 @@ Result run();
 /// What every core and every compiler must get.
 constexpr uint64_t kExpected = 0xFF21B5D96DE2C50Bu;
 constexpr uint64_t kExpectedDistances = 0x87B2CF829FB4E46Eu;
+constexpr uint64_t kExpectedRays = 0x1BC7A7B50DE8E882u;
 
 }  // namespace digest
 

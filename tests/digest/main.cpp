@@ -43,12 +43,13 @@ int main() {
   const digest::Result result = digest::run();
   const bool good = is_expected("digest", result.value, digest::kExpected);
   const bool near = is_expected("distances", result.distances, digest::kExpectedDistances);
+  const bool cast = is_expected("rays", result.rays, digest::kExpectedRays);
   print(result.cases, " queries found ", result.pairs, " pairs\n");
   if (result.refused != 0) {
     print(result.refused, " trees refused\n");
     return 2;
   }
-  if (!good || !near) {
+  if (!good || !near || !cast) {
     return 1;
   }
 #if defined(FLASHBVH_ON_BOARD)

@@ -1,5 +1,7 @@
 /* The guide's C: the same in C99. Its Makefile builds this program, too. */
 #include <flashbvh/clearance.h>
+#include <flashbvh/ray.h>
+#include <flashbvh/shape.h>
 
 #include "peg.fbvh.h"
 #include "plate.fbvh.h"
@@ -66,6 +68,34 @@ static float distance_mm(const flashbvh_pose* pose, flashbvh_witness* nearest) {
   return flashbvh_length_in_unit(known.lower, &plate);
 }
 
+/** Once, and where it stays: the shape points into itself. */
+static bool cable_start(flashbvh_segment_shape* axis) {
+  const flashbvh_point p = {0, 0, 0};
+  const flashbvh_point q = {0, 0, (int32_t)(20 * plate_CELLS_PER_UNIT)};
+  return flashbvh_segment_shape_make(axis, &plate, &p, &q) == FLASHBVH_STATUS_DONE;
+}
+
+/** What can't be told may touch. */
+static bool cable_touches_plate(const flashbvh_segment_shape* axis, const flashbvh_pose* pose) {
+  const uint32_t radius = flashbvh_fine_distance(2, plate_CELLS_PER_UNIT);
+  bool yes = true;
+  return flashbvh_closer_than(&plate, &axis->mesh, pose, radius, &yes) != FLASHBVH_STATUS_DONE ||
+         yes;
+}
+
+/** How high a sensor is above the plate, in mm: `reach` if nothing is seen, 0 if unknown. */
+static float height_seen(const float from[3], float reach) {
+  const float down[3] = {0, 0, -1};
+  flashbvh_segment ray;
+  flashbvh_hit hit;
+  bool yes = false;
+  if (flashbvh_segment_of(from, down, reach, plate_CELLS_PER_UNIT, &ray) != FLASHBVH_STATUS_DONE ||
+      flashbvh_nearest_hit(&plate, &ray, FLASHBVH_NO_SEED, &yes, &hit) != FLASHBVH_STATUS_DONE) {
+    return 0;
+  }
+  return yes ? flashbvh_length_in_unit(flashbvh_distance_along(&ray, &hit), &plate) : reach;
+}
+
 static verdict verdict_at(float height, float mm[3]) {
   const float upright[4] = {1, 0, 0, 0};
   const float at[3] = {0, 0, height};
@@ -83,6 +113,31 @@ static verdict verdict_at(float height, float mm[3]) {
   return answer;
 }
 
+/** The cable touches 1.9 mm above the plate, not 2.1. */
+static bool cable_is_right(void) {
+  const int32_t low = (int32_t)(1.9f * plate_CELLS_PER_UNIT);
+  const int32_t high = (int32_t)(2.1f * plate_CELLS_PER_UNIT);
+  flashbvh_segment_shape axis;
+  flashbvh_pose pose;
+  bool touches;
+  if (!cable_start(&axis)) {
+    return false;
+  }
+  (void)flashbvh_pose_translated(0, 0, low, &pose);
+  touches = cable_touches_plate(&axis, &pose);
+  (void)flashbvh_pose_translated(0, 0, high, &pose);
+  return touches && !cable_touches_plate(&axis, &pose);
+}
+
+/** 12 mm above the plate, and beside it. */
+static bool ray_is_right(void) {
+  const float above[3] = {30, 20, 12};
+  const float beside[3] = {300, 20, 12};
+  const float seen = height_seen(above, 100);
+  return seen > 11.99f && seen < 12.01f && height_seen(beside, 100) == 100 &&
+         height_seen(above, -1) == 0;
+}
+
 int main(void) {
   float mm[3] = {1, 1, 1};
   flashbvh_pose above;
@@ -95,6 +150,12 @@ int main(void) {
   apart = distance_mm(&above, &nearest);
   if (apart < 2.99f || apart > 3.01f) {
     return 2;
+  }
+  if (!cable_is_right()) {
+    return 3;
+  }
+  if (!ray_is_right()) {
+    return 4;
   }
   return verdict_at(0, mm) == STOP && mm[2] > -0.01f && mm[2] < 0.01f ? 0 : 1;
 }

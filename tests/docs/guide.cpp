@@ -1,6 +1,7 @@
 // The guide's C++: a peg that is about to be moved above a plate.
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/pose_float.hpp>
+#include <flashbvh/ray_float.hpp>
 #include <initializer_list>
 
 #include "peg.fbvh.hpp"
@@ -81,6 +82,36 @@ class Guard {
   flashbvh::Witness<uint16_t> nearest_;
 };
 
+/// Made once; a pose moves it, as it moves any mesh.
+class Cable {
+ public:
+  Cable() : axis_(plate::mesh, {0, 0, 0}, {0, 0, kLength}) {}
+
+  /// What can't be told may touch.
+  bool touches_plate(const flashbvh::Pose& pose) const {
+    const uint32_t radius = flashbvh::fine_distance(2, plate::kCellsPerUnit);
+    return axis_.status() != flashbvh::Status::done ||
+           closer_than(plate::mesh, axis_.mesh(), pose, radius).yes;
+  }
+
+ private:
+  static constexpr auto kLength = static_cast<int32_t>(20 * plate::kCellsPerUnit);
+
+  flashbvh::SegmentShape axis_;
+};
+
+/// How high a sensor is above the plate, in mm: `reach` if it sees nothing, 0 if it can't be told.
+float height_seen(const float (&from)[3], float reach) {
+  const float down[3] = {0, 0, -1};
+  const auto ray = flashbvh::segment_of(from, down, reach, plate::kCellsPerUnit);
+  const auto found = nearest_hit(plate::mesh, ray.segment);
+  if (ray.status != flashbvh::Status::done || found.status != flashbvh::Status::done) {
+    return 0;
+  }
+  const uint32_t apart = found.yes ? distance_along(ray.segment, found.hit.along) : 0;
+  return found.yes ? flashbvh::length_in_unit(apart, plate::mesh.cell_bits) : reach;
+}
+
 /// The verdict with the peg upright at this height; where it stops, the contact's is written.
 Verdict verdict_at(float height, float& mm, int64_t& nm) {
   const flashbvh::Pose world = flashbvh::Pose::translated(0, 0, 0);
@@ -110,6 +141,16 @@ int main() {
                                : Guard::Speed::stop)) {
       return 2;
     }
+  }
+  const Cable cable;
+  if (!cable.touches_plate(peg_in_plate(plate_in_world, {1, 0, 0, 0}, 0, 0, 1.9f)) ||
+      cable.touches_plate(peg_in_plate(plate_in_world, {1, 0, 0, 0}, 0, 0, 2.1f))) {
+    return 3;
+  }
+  const float seen = height_seen({30, 20, 12}, 100);
+  if (seen < 11.99f || seen > 12.01f || height_seen({30, 20, 12}, 5) != 5 ||
+      height_seen({300, 20, 12}, 100) != 100 || height_seen({30, 20, 12}, -1) != 0) {
+    return 4;
   }
   return verdict_at(0.5f, mm, nm) == Verdict::no_contact && mm == 1 &&
                  verdict_at(0, mm, nm) == Verdict::stop && mm > -0.01f && mm < 0.01f &&

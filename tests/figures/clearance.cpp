@@ -4,6 +4,7 @@
 
 #include "asked.hpp"
 #include "insn.hpp"
+#include "measure.hpp"
 #include "report.hpp"
 #include "text.hpp"
 
@@ -28,15 +29,27 @@ struct OfClass {
   }
 };
 
+/// What walks took.
+struct Walks {
+  uint64_t visits = 0;
+  uint64_t instructions = 0;
+};
+
 /// What a visit takes, and two triangles as queries come to them, under one kind of motion.
 struct Parts {
-  uint64_t visits = 0;
-  uint64_t walks = 0;  ///< instructions
+  Walks all;
+  Walks inner;         ///< outside the leaf phase, as measure.hpp has it of intersection
+  Walks intersection;  ///< inner ones of queries on intersection, as kr5.cpp prints them
   Spread within;
   Spread nearest;
 
   void print(const char* motion) const {
-    print_quotient({{"clearance", "visit", motion, "mean"}}, walks, visits);
+    print_quotient({{"clearance", "visit", motion, "mean"}}, inner.instructions, inner.visits);
+    print_quotient({{"clearance", "visit", motion, "ratio"}},
+                   inner.instructions * intersection.visits,
+                   inner.visits * intersection.instructions);
+    print_quotient({{"clearance", "leaf_visit", motion, "mean"}},
+                   all.instructions - inner.instructions, all.visits - inner.visits);
     print_figures({{"clearance", "test", "within", motion}}, within);
     print_figures({{"clearance", "test", "nearest", motion}}, nearest);
   }
@@ -82,31 +95,45 @@ void measure_tests(const AskedPair& pair, const Pose& pose, const Clearance<uint
   run_all(pair, pose, nearest);
 }
 
-template <class Bound, class Handle>
-void measure_walk(const AskedPair& pair, const Transform& transform, Bound& bound,
-                  const Handle& handle, Parts& parts) {
-  NearShapes<PostMesh> shapes(*pair.a, *pair.b, transform);
+template <class Shapes, class Bound, class Handle>
+void add_walk(const AskedPair& pair, const Transform& transform, Bound& bound, const Handle& handle,
+              Walks& walks) {
+  Shapes shapes(*pair.a, *pair.b, transform);
   shapes.set_bound(bound);
   uint32_t leaf_pairs = 0;
   auto leaf_pair = [&leaf_pairs](uint32_t, uint32_t, const Progress&) { return ++leaf_pairs != 0; };
   PairCursor<uint16_t> cursor;
   WalkRun<PairCursor<uint16_t>, decltype(leaf_pair)> run(cursor, leaf_pair, UINT32_MAX);
-  parts.walks += port::instructions_of(
+  walks.instructions += port::instructions_of(
       [&] { (void)walk<Ranked<PostMesh>>(handle, shapes, run, State::fresh); });
-  parts.visits += UINT32_MAX - run.progress.visits_down();
+  walks.visits += UINT32_MAX - run.progress.visits_down();
 }
 
-/// The walk alone, of pairs within the distance.
-void measure_walk(const AskedPair& pair, const Pose& pose, uint32_t distance, Parts& parts) {
-  Transform transform(pose, *pair.a, *pair.b, /*may_stop=*/false);
-  transform.prepare(*pair.b);
+template <class Shapes>
+void add_walk(const AskedPair& pair, const Transform& transform, uint32_t distance, Walks& walks) {
   const Within question = within(distance);
-  if (transform.is_rotated()) {
-    RotatedGap bound = question.rotated(transform.rotated());
-    measure_walk(pair, transform, bound, ByReference<RotatedGap>{&bound}, parts);
+  if (question.is_kept(transform)) {
+    KeptGap bound = question.kept(transform);
+    add_walk<Shapes>(pair, transform, bound, ByReference<KeptGap>{&bound}, walks);
   } else {
     const TranslatedGap bound = question.translated(transform.translated());
-    measure_walk(pair, transform, bound, bound, parts);
+    add_walk<Shapes>(pair, transform, bound, bound, walks);
+  }
+}
+
+/// Walks alone, of pairs within the distance.
+void measure_walks(const AskedPair& pair, const Pose& pose, uint32_t distance, Parts& parts) {
+  Transform transform(pose, *pair.a, *pair.b, /*may_stop=*/false);
+  transform.prepare(*pair.b);
+  add_walk<NearShapes<PostMesh>>(pair, transform, distance, parts.all);
+  add_walk<NothingBelow>(pair, transform, distance, parts.inner);
+}
+
+void measure_intersection(const AskedPair& pair, const Pose& pose, Walks& walks) {
+  const Walked walked = measure_walk(*pair.a, *pair.b, pose);
+  if (walked.visits > 1) {
+    walks.visits += walked.inner_visits;
+    walks.instructions += walked.inner_instructions;
   }
 }
 
@@ -134,8 +161,9 @@ bool ask_both(const AskedPair& pair, const Asked& asked, OfClass& cold, OfClass&
   const Clearance<uint16_t> second = ask(pair, pose, near.witness, seeded);
   if (second.lower != 0 && second.lower <= kMaxDistance) {
     measure_tests(pair, pose, second, parts);
-    measure_walk(pair, pose, second.lower, parts);
+    measure_walks(pair, pose, second.lower, parts);
   }
+  measure_intersection(pair, pose, parts.intersection);
   return first.status == Status::done && first.lower == second.lower && first.upper == second.upper;
 }
 

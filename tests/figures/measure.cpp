@@ -9,24 +9,6 @@ using namespace flashbvh::detail;
 namespace figures {
 namespace {
 
-/// Leaves that reject all that is below them: what is left of a walk is its visits to pairs of
-/// nodes that are no leaves, and to the first pair with one.
-struct NothingBelow {
-  using Tree = PostMesh;
-  static constexpr bool kShapes = true;
-  const PostMesh& a;
-  const PostMesh& b;
-
-  NothingBelow(const PostMesh& mesh_a, const PostMesh& mesh_b, const Transform&)
-      : a(mesh_a), b(mesh_b) {}
-  static void set_bound(RotatedBound&) {}
-  static bool is_taken(Side, uint32_t) { return false; }
-  static void take_again(Side, uint32_t) {}
-  static uint32_t work_of(Side, uint32_t) { return 0; }
-  static bool begin(Side, uint32_t, const PackedBox*) { return false; }
-  static bool may_touch(const PackedBox&) { return false; }
-};
-
 /// From the first visit to the last; `leaf_pair(i, j)` for each pair of leaves that may matter.
 template <class Bound, class Shapes, class LeafPair>
 uint32_t walk(const Bound& bound, Shapes& shapes, LeafPair leaf_pair) {

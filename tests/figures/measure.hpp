@@ -10,6 +10,28 @@
 
 namespace figures {
 
+/// Leaves that reject all that is below them: what is left of a walk is its visits to pairs of
+/// nodes that are no leaves, and to the first pair with one.
+struct NothingBelow {
+  using Tree = flashbvh::PostMesh;
+  static constexpr bool kShapes = true;
+  const flashbvh::PostMesh& a;
+  const flashbvh::PostMesh& b;
+
+  NothingBelow(const flashbvh::PostMesh& mesh_a, const flashbvh::PostMesh& mesh_b,
+               const flashbvh::detail::Transform&)
+      : a(mesh_a), b(mesh_b) {}
+  template <class Bound>
+  static void set_bound(const Bound&) {}
+  static bool is_taken(flashbvh::detail::Side, uint32_t) { return false; }
+  static void take_again(flashbvh::detail::Side, uint32_t) {}
+  static uint32_t work_of(flashbvh::detail::Side, uint32_t) { return 0; }
+  static bool begin(flashbvh::detail::Side, uint32_t, const flashbvh::detail::PackedBox*) {
+    return false;
+  }
+  static bool may_touch(const flashbvh::detail::PackedBox&) { return false; }
+};
+
 struct Walked {
   uint32_t visits;
   uint32_t leaf_pairs;

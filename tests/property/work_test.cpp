@@ -133,7 +133,8 @@ struct CountedTests {
   static constexpr bool kIntersects = false;
   template <class Mesh>
   using Shapes = LeafShapes<Mesh>;
-  static constexpr bool kBatches = true;
+  static constexpr std::uint32_t kBatch = 8;
+  static constexpr bool kKeepsShapes = true;
   static constexpr bool kDisjointRootsEnd = true;
   std::uint32_t* tests = nullptr;
 

@@ -48,7 +48,7 @@ uint32_t lower_of(const Fraction& squared) {
 
 PairSet brute_force_within(const Scene& scene, uint32_t distance) {
   PairSet pairs;
-  const Fraction limit = {{0, uint64_t{distance} * distance}, {0, 1 << 16}};
+  const ShortFraction limit = {uint64_t{distance} * distance, 1 << 16};
   for_all_pairs(scene, [&](uint32_t i, uint32_t j, const Triangle& a, const Triangle& b) {
     if (is_within(a, b, limit)) {
       (void)pairs.add(scene.a.view().triangle_ids[i], scene.b.view().triangle_ids[j]);

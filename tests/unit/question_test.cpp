@@ -76,7 +76,8 @@ struct WithinBoxDistance {
   static constexpr bool kIntersects = false;
   template <class Mesh>
   using Shapes = NoShapes<Mesh>;
-  static constexpr bool kBatches = true;
+  static constexpr std::uint32_t kBatch = 8;
+  static constexpr bool kKeepsShapes = true;
   static constexpr bool kDisjointRootsEnd = false;
   std::int32_t distance = 0;
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/lengths.hpp"
 #include "cli/outputs.hpp"
 #include "cli/posed_images.hpp"
 #include "evaluate/clearances.hpp"
@@ -39,14 +40,6 @@ std::uint32_t fine_length(double length, double cell) {
   return static_cast<std::uint32_t>(steps);
 }
 
-double length_of(std::int64_t fine, double cell) {
-  return static_cast<double>(fine) * cell / kFineOne;
-}
-
-nlohmann::ordered_json json_of(const FinePoint& point, double cell) {
-  return {length_of(point.x, cell), length_of(point.y, cell), length_of(point.z, cell)};
-}
-
 void print_json(std::size_t pose, const ClearanceArguments& arguments, const ClearanceAnswer& found,
                 double cell) {
   nlohmann::ordered_json line = {{"pose", pose}};
@@ -58,12 +51,12 @@ void print_json(std::size_t pose, const ClearanceArguments& arguments, const Cle
     if (!arguments
              .is_within) {  // of any pair that is near enough it would be taken for the meshes'
       line.update({{"distance", pair.distance * cell},
-                   {"lower", length_of(pair.points.lower, cell)},
-                   {"upper", length_of(pair.points.upper, cell)}});
+                   {"lower", unit_length(pair.points.lower, cell)},
+                   {"upper", unit_length(pair.points.upper, cell)}});
     }
     line.update({{"triangles", {pair.triangles.a, pair.triangles.b}},
-                 {"point_a", json_of(pair.points.point_a, cell)},
-                 {"point_b", json_of(pair.points.point_b, cell)}});
+                 {"point_a", point_json(pair.points.point_a, cell)},
+                 {"point_b", point_json(pair.points.point_b, cell)}});
   }
   line.update({{"visits", found.visits},
                {"triangle_pairs", found.triangle_pairs},

@@ -48,6 +48,8 @@ int run(int argc, char** argv) {
   add_report(app);
   add_collide(app);
   add_clearance(app);
+  add_inside(app);
+  add_ray(app);
   add_bench(app, exit_code);
   if (argc < 2) {
     return fail("a command is missing; see flashbvh --help");

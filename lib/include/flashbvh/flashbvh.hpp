@@ -11,6 +11,9 @@
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
 #include "flashbvh/query.hpp"
+#include "flashbvh/ray.hpp"
+#include "flashbvh/shape.hpp"
+#include "flashbvh/solid.hpp"
 #include "flashbvh/status.hpp"
 #include "flashbvh/version.hpp"
 

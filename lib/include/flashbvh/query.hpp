@@ -199,8 +199,9 @@ class Query : protected Question {
   }
 
   /// Orders with a stack can't go back to a pair, so they take along but one.
-  using Batch = detail::LeafPairs<Mesh, Order::kStackless && Question::kBatches ? 8 : 1>;
+  using Batch = detail::LeafPairs<Mesh, Order::kStackless ? Question::kBatch : 1>;
   using Shapes = typename Question::template Shapes<Mesh>;
+  using Kept = detail::KeptShapes<Shapes, Question::kKeepsShapes>;
   using Test = detail::TriangleTest<Question, Mesh, Question::kIntersects>;
 
   /// `room()`: for how many more pairs `sink` is known to have room. Leaves in `work` what is left.
@@ -231,7 +232,7 @@ class Query : protected Question {
   template <class Sink, class Room>
   FLASHBVH_INLINE Status go_on(uint32_t& work, Sink& sink, const Room& room) {
     Batch batch(*a_, *b_);
-    Shapes shapes(*a_, *b_, transform_);
+    typename Kept::Shapes shapes(*a_, *b_, transform_);
     State end = state_;
     for (;;) {
       const uint32_t kept = untested_ == 0 ? 0 : pay(untested_, work);
@@ -298,12 +299,15 @@ class Query : protected Question {
   }
 
   /// Until the batch is full, to the end, or to that of the work.
-  FLASHBVH_NOINLINE State walk(uint32_t& work, Batch& batch, Shapes& shapes, uint32_t room) {
+  FLASHBVH_NOINLINE State walk(uint32_t& work, Batch& batch, typename Kept::Shapes& kept,
+                               uint32_t room) {
+    typename Kept::AtHand shapes = Kept::at_hand(kept, *a_, *b_, transform_);
     const uint32_t granted = work < Batch::kMostWork ? work : Batch::kMostWork;
     detail::WalkRun<Cursor, Batch> run(cursor_, batch, granted);
     batch.clear(run.progress, room);
-    const State end =
-        transform_.is_rotated() ? walk_rotated(shapes, run) : walk_translated(shapes, run);
+    const State end = detail::StatefulBound<Question>::is_for(*this, transform_)
+                          ? walk_rotated(shapes, run)
+                          : walk_translated(shapes, run);
     batch.end(run.progress);
     uint32_t spent = granted - run.progress.work_left;
     if (granted == Batch::kMostWork && (end == State::at_pair || batch.has_unpaid())) {
@@ -320,7 +324,7 @@ class Query : protected Question {
     return detail::walk<Order>(bound, shapes, run, state_);
   }
   FLASHBVH_NOINLINE State walk_rotated(Shapes& shapes, detail::WalkRun<Cursor, Batch>& run) {
-    auto bound = Question::rotated(transform_.rotated());
+    auto bound = detail::StatefulBound<Question>::of(*this, transform_);
     shapes.set_bound(bound);
     return detail::walk<Order>(detail::ByReference<decltype(bound)>{&bound}, shapes, run, state_);
   }

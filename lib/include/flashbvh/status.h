@@ -25,6 +25,12 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_SEED_INVALID = 21,
   /** A distance beyond 32,767 cells, or one that can't be told of meshes so far apart. */
   FLASHBVH_STATUS_DISTANCE_OUT_OF_RANGE = 22,
+  /** A mesh that is no closed surface has no inside. */
+  FLASHBVH_STATUS_NOT_CLOSED = 23,
+  /** A shape that is larger than a mesh can be, or lies further off. */
+  FLASHBVH_STATUS_SHAPE_TOO_LARGE = 24,
+  /** A ray whose end lies too far from the mesh. */
+  FLASHBVH_STATUS_RAY_OUT_OF_RANGE = 25,
 
   /** Fewer bytes than the image says it has. */
   FLASHBVH_STATUS_IMAGE_TRUNCATED = 32,

@@ -21,6 +21,9 @@ enum class [[nodiscard]] Status : uint8_t{
     position_invalid = FLASHBVH_STATUS_POSITION_INVALID,
     seed_invalid = FLASHBVH_STATUS_SEED_INVALID,
     distance_out_of_range = FLASHBVH_STATUS_DISTANCE_OUT_OF_RANGE,
+    not_closed = FLASHBVH_STATUS_NOT_CLOSED,
+    shape_too_large = FLASHBVH_STATUS_SHAPE_TOO_LARGE,
+    ray_out_of_range = FLASHBVH_STATUS_RAY_OUT_OF_RANGE,
 
     image_truncated = FLASHBVH_STATUS_IMAGE_TRUNCATED,
     image_misaligned = FLASHBVH_STATUS_IMAGE_MISALIGNED,

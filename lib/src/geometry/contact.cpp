@@ -116,7 +116,7 @@ inline Edge either(const Point* tip_a, const Point* of_a, const Point* tip_b, co
 /// A triangle without area and a plane that doesn't contain it.
 [[gnu::noinline]] void set_piercing_ends(const Triangle& thin, const Point& base,
                                          const Normal& normal, FinePoint (&ends)[2]) {
-  const Shape segment = shape_of(thin, false);
+  const Outline segment = outline_of(thin, false);
   set_piercing_point(*segment.corner[0], *segment.corner[1], base, normal, ends[0]);
   ends[1] = ends[0];
 }

@@ -1,6 +1,7 @@
-// The corners of the common part of two coplanar shapes, and of these two that are farthest apart.
+// The corners of the common part of two coplanar outlines, and of these two that are farthest
+// apart.
 //
-// A corner of the common part is a corner of one shape inside the other one, or a point where two
+// A corner of the common part is a corner of one outline inside the other one, or a point where two
 // edges cross properly. Invariant: which points these are is told by signs of exact 2x2
 // determinants in a projection that is one-to-one on the plane, so no point comes twice with
 // different rounding.
@@ -16,10 +17,10 @@ namespace {
 
 constexpr int64_t FinePoint::*kFineAxes[3] = {&FinePoint::x, &FinePoint::y, &FinePoint::z};
 
-/// Two shapes and a projection onto two axes.
+/// Two outlines and a projection onto two axes.
 struct Flat {
-  Shape a;
-  Shape b;
+  Outline a;
+  Outline b;
   int32_t Point::*u;
   int32_t Point::*v;
 };
@@ -28,17 +29,17 @@ struct Flat {
   return area(flat.u, flat.v, p, q, r);
 }
 
-[[gnu::noinline]] bool contains(const Flat& flat, const Shape& shape, const Point& p) {
+[[gnu::noinline]] bool contains(const Flat& flat, const Outline& outline, const Point& p) {
   bool left = false;
   bool right = false;
   for (unsigned i = 0; i < 3; ++i) {
-    const int64_t side = turn(flat, *shape.corner[i], *shape.corner[next(i)], p);
+    const int64_t side = turn(flat, *outline.corner[i], *outline.corner[next(i)], p);
     left |= side > 0;
     right |= side < 0;
   }
   // Beside a segment, which is an edge there and one back, a point is both left and right.
-  return !(left && right) && (!shape.is_segment() || (!comes_before(p, *shape.corner[0]) &&
-                                                      !comes_before(*shape.corner[1], p)));
+  return !(left && right) && (!outline.is_segment() || (!comes_before(p, *outline.corner[0]) &&
+                                                        !comes_before(*outline.corner[1], p)));
 }
 
 inline bool opposite(int64_t u, int64_t v) {
@@ -73,8 +74,8 @@ inline bool opposite(int64_t u, int64_t v) {
   return true;
 }
 
-[[gnu::noinline]] bool corner_inside(const Flat& flat, const Shape& of, unsigned corner,
-                                     const Shape& in, FinePoint& point) {
+[[gnu::noinline]] bool corner_inside(const Flat& flat, const Outline& of, unsigned corner,
+                                     const Outline& in, FinePoint& point) {
   const Point& p = *of.corner[corner];
   point = {int64_t{p.x} * kFineOne, int64_t{p.y} * kFineOne, int64_t{p.z} * kFineOne};
   return contains(flat, in, p);
@@ -162,7 +163,7 @@ inline int longest_axis(const Found& found) {
 }
 
 /// The normal of the plane through two segments: zero on one line.
-inline Normal plane_through(const Shape& a, const Shape& b) {
+inline Normal plane_through(const Outline& a, const Outline& b) {
   return cross<Normal>(difference(*a.corner[1], *a.corner[0]),
                        difference(*b.corner[1], *b.corner[0]));
 }
@@ -178,7 +179,7 @@ inline Normal plane_through(const Shape& a, const Shape& b) {
 
 }  // namespace
 
-Shape shape_of(const Triangle& t, bool has_area) {
+Outline outline_of(const Triangle& t, bool has_area) {
   const Point* const corner = t.corner;
   if (has_area) {
     return {{&corner[0], &corner[1], &corner[2]}};
@@ -194,8 +195,8 @@ Shape shape_of(const Triangle& t, bool has_area) {
 
 [[gnu::noinline]] void set_flat_ends(const Triangle& a, const Triangle& b, Contact& contact) {
   Flat flat;
-  flat.a = shape_of(a, !is_zero(contact.normal_a));
-  flat.b = shape_of(b, !is_zero(contact.normal_b));
+  flat.a = outline_of(a, !is_zero(contact.normal_a));
+  flat.b = outline_of(b, !is_zero(contact.normal_b));
   set_projection(flat, contact);
   Found found;
   found.ends = contact.ends;

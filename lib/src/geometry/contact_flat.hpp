@@ -8,14 +8,14 @@ namespace flashbvh::detail {
 
 /// A triangle, or, of one without area, the segment between its outermost corners, which may be one
 /// point: then corner[0] comes first, and corner[1] and corner[2] are the same, that comes last.
-struct Shape {
+struct Outline {
   const Point* corner[3];
 
   bool is_segment() const { return corner[1] == corner[2]; }
 };
 
 /// Points into the triangle.
-Shape shape_of(const Triangle& t, bool has_area);
+Outline outline_of(const Triangle& t, bool has_area);
 
 /// Sets the ends of the common part of two triangles that intersect, and lie in one plane or both
 /// lack area. The contact's normals are set.

@@ -6,6 +6,22 @@ namespace {
 
 constexpr uint64_t kLowHalf = UINT32_MAX;
 
+#if defined(__SIZEOF_INT128__) && !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_HAS_INT128 1
+
+// Where the machine multiplies 64 bits; the same numbers.
+__extension__ using Native = unsigned __int128;
+
+Int128 of_native(Native value) {
+  return {static_cast<int64_t>(value >> 64), static_cast<uint64_t>(value)};
+}
+
+Int128 unsigned_product(uint64_t u, uint64_t v) {
+  return of_native(Native{u} * v);
+}
+
+#else
+
 Int128 unsigned_product(uint64_t u, uint64_t v) {
   const uint64_t low = (u & kLowHalf) * (v & kLowHalf);
   const uint64_t first = (u >> 32) * (v & kLowHalf) + (low >> 32);
@@ -14,41 +30,32 @@ Int128 unsigned_product(uint64_t u, uint64_t v) {
           (second << 32) | (low & kLowHalf)};
 }
 
-/// Of 256 bits.
-struct Words {
-  uint64_t word[4];
-};
+#endif
 
-/// Of numbers that are not negative.
-[[gnu::noinline]] Words long_product(const Int128& u, const Int128& v) {
-  const auto u_high = static_cast<uint64_t>(u.high);
-  const auto v_high = static_cast<uint64_t>(v.high);
-  const Int128 low = unsigned_product(u.low, v.low);
-  const Int128 high = unsigned_product(u_high, v_high);
-  const Int128 middle[2] = {unsigned_product(u_high, v.low), unsigned_product(u.low, v_high)};
-  Words words = {
-      {low.low, static_cast<uint64_t>(low.high), high.low, static_cast<uint64_t>(high.high)}};
-  for (const Int128& part : middle) {
-    words.word[1] += part.low;
-    uint64_t carry = words.word[1] < part.low ? 1 : 0;
-    carry += static_cast<uint64_t>(part.high);  // below 2^63, since both factors are below 2^127
-    words.word[2] += carry;
-    words.word[3] += words.word[2] < carry ? 1 : 0;
-  }
-  return words;
+inline uint32_t word_of(const Int128& u, int i) {
+  return static_cast<uint32_t>((i < 2 ? u.low : static_cast<uint64_t>(u.high)) >> (32 * (i & 1)));
 }
 
-/// u v against w x, of numbers that are not negative.
+/// u v against w x, of numbers that are not negative: the sign of the difference, by columns of 32
+/// bits, so that no product has to be kept.
 [[gnu::noinline]] int compare_products(const Int128& u, const Int128& v, const Int128& w,
                                        const Int128& x) {
-  const Words one = long_product(u, v);
-  const Words other = long_product(w, x);
-  for (int i = 3; i >= 0; --i) {
-    if (one.word[i] != other.word[i]) {
-      return one.word[i] < other.word[i] ? -1 : 1;
+  constexpr int kWords = 4;
+  int64_t carry = 0;
+  uint32_t any = 0;
+  for (int column = 0; column < 2 * kWords; ++column) {
+    int64_t sum = carry;
+    int64_t above = 0;
+    for (int i = column < kWords ? 0 : column - kWords + 1; i <= column && i < kWords; ++i) {
+      const uint64_t one = uint64_t{word_of(u, i)} * word_of(v, column - i);
+      const uint64_t other = uint64_t{word_of(w, i)} * word_of(x, column - i);
+      sum += static_cast<int64_t>(one & kLowHalf) - static_cast<int64_t>(other & kLowHalf);
+      above += static_cast<int64_t>(one >> 32) - static_cast<int64_t>(other >> 32);
     }
+    any |= static_cast<uint32_t>(sum);
+    carry = (sum >> 32) + above;
   }
-  return 0;
+  return carry < 0 ? -1 : any != 0 ? 1 : 0;
 }
 
 /// The leading bits: the number is at least digits * 2^exponent, and below (digits + 1) *
@@ -132,6 +139,12 @@ Int128 shifted_up(const Int128& u, unsigned bits) noexcept {
 }
 
 Int128 quotient(const Int128& u, const Int128& v) noexcept {
+#if defined(FLASHBVH_HAS_INT128)
+  const auto native = [](const Int128& x) {
+    return Native{static_cast<uint64_t>(x.high)} << 64 | x.low;
+  };
+  return of_native(native(u) / native(v));
+#else
   Int128 rest = {0, 0};
   Int128 whole = {0, 0};
   for (int bit = 127; bit >= 0; --bit) {
@@ -145,11 +158,12 @@ Int128 quotient(const Int128& u, const Int128& v) noexcept {
     }
   }
   return whole;
+#endif
 }
 
 uint64_t square_root(const Int128& u) noexcept {
   uint64_t root = 0;
-  for (uint64_t bit = uint64_t{1} << 63; bit != 0; bit >>= 1) {
+  for (uint64_t bit = uint64_t{1} << (u.high != 0 ? 63 : 31); bit != 0; bit >>= 1) {
     const Int128 square = unsigned_product(root | bit, root | bit);
     if (square.high >= 0 && !(u < square)) {
       root |= bit;
@@ -159,8 +173,22 @@ uint64_t square_root(const Int128& u) noexcept {
 }
 
 int compare(const Fraction& x, const Fraction& y) noexcept {
+  // As neighbours share edges, the same fraction often comes twice.
+  if (x.above == y.above && x.below == y.below) {
+    return 0;
+  }
   const int order = compare_leading(x, y);
   return order != 2 ? order : compare_products(x.above, y.below, y.above, x.below);
+}
+
+bool is_above(const Fraction& x, const ShortFraction& y) noexcept {
+  Int128 limit = unsigned_product(x.below.low, y.above);
+  const uint64_t more = static_cast<uint64_t>(x.below.high) * y.above;
+  limit.high = static_cast<int64_t>(static_cast<uint64_t>(limit.high) + more);
+  Int128 value = unsigned_product(x.above.low, y.below);
+  const uint64_t rest = static_cast<uint64_t>(x.above.high) * y.below;
+  value.high = static_cast<int64_t>(static_cast<uint64_t>(value.high) + rest);
+  return limit < value;
 }
 
 int64_t rounded_up(const Fraction& x) noexcept {

@@ -32,35 +32,40 @@ inline Vector edge_of(const Triangle& t, unsigned i) {
   return difference(t.corner[next(i)], t.corner[i]);
 }
 
-/// What is below (or at) a limit, and the least of it.
+/// What is below a limit, and the least of it; or whether anything is at most a limit.
 class Search {
  public:
-  Search(const Fraction& limit, bool closed) : candidate(limit), least_(limit), closed_(closed) {}
+  // The candidate is set before it is considered.
+  // NOLINTBEGIN(clang-analyzer-optin.cplusplus.UninitializedObject)
+
+  /// Sets the limit and `features` to the least.
+  Search(Fraction& limit, Features& features) : least_(&limit), features_(&features) {}
+  explicit Search(const ShortFraction& limit) : closed_limit_(&limit) {}
+  // NOLINTEND(clang-analyzer-optin.cplusplus.UninitializedObject)
 
   /// Whether it is known that there is nothing to look for.
-  bool is_over() const { return found_ && closed_; }
+  bool is_over() const { return found_ && closed_limit_ != nullptr; }
   bool found() const { return found_; }
-  const Fraction& least() const { return least_; }
-  const Features& features() const { return features_; }
 
   /// What is to be considered next. It lies here, so that the frames of what makes it are gone when
   /// it is compared.
   Fraction candidate;
 
-  [[gnu::noinline]] void consider(const Features& features) {
-    const int order = compare(candidate, least_);
-    if (order < 0 || (order == 0 && closed_)) {
+  [[gnu::noinline]] void consider(Features features) {
+    if (closed_limit_ != nullptr) {
+      found_ = found_ || !is_above(candidate, *closed_limit_);
+    } else if (compare(candidate, *least_) < 0) {
       found_ = true;
-      least_ = candidate;
-      features_ = features;
+      *least_ = candidate;
+      *features_ = features;
     }
   }
 
  private:
-  Fraction least_;
-  Features features_ = {FeatureKind::intersection, 0, 0};
+  Fraction* least_ = nullptr;
+  Features* features_ = nullptr;
+  const ShortFraction* closed_limit_ = nullptr;
   bool found_ = false;
-  bool closed_;
 };
 
 /// Where the plane of two vectors is nearest to a point, in shares of the vectors: each of them
@@ -85,11 +90,12 @@ struct Plane {
   }
 };
 
-/// The square of the distance between the point `r` and the plane of `e` and `f`; false if it is
-/// not nearest inside both edges (strictly), or inside the triangle of both (closed).
+/// Whether the plane of `e` and `f` is nearest to the point `r` inside both edges (strictly), or
+/// inside the triangle of both (closed); then `squared_area` is the
+/// square of the plane's.
 template <class Width>
-[[gnu::noinline]] bool height_above(const Vector& e, const Vector& f, const Vector& r, bool edges,
-                                    Fraction& squared) {
+[[gnu::noinline]] bool is_over_plane(const Vector& e, const Vector& f, const Vector& r, bool edges,
+                                     Int128& squared_area) {
   const Plane<Width> plane(e, f);
   const auto area = plane.area();
   if (sign_of(area) <= 0) {
@@ -106,8 +112,26 @@ template <class Width>
       !(edges ? second < area : sign_of(area - first - second) >= 0)) {
     return false;
   }
-  const int64_t height = detail::dot(cross<LongVector>(e, f), r);
-  squared = {full_product(height, height), widened(area)};
+  squared_area = widened(area);
+  return true;
+}
+
+/// The distance between the point and that plane, times the root of its squared area.
+[[gnu::noinline]] int64_t height_of(const Vector& e, const Vector& f, const Vector& r) {
+  return detail::dot(cross<LongVector>(e, f), r);
+}
+
+[[gnu::noinline]] void set_square(int64_t value, Int128& squared) {
+  squared = full_product(value, value);
+}
+
+template <class Width>
+inline bool height_above(const Vector& e, const Vector& f, const Vector& r, bool edges,
+                         Fraction& squared) {
+  if (!is_over_plane<Width>(e, f, r, edges, squared.below)) {
+    return false;
+  }
+  set_square(height_of(e, f, r), squared.above);
   return true;
 }
 
@@ -130,23 +154,29 @@ template <class Width>
   search.consider({FeatureKind::corners, of_a, of_b});
 }
 
+/// The square of the distance between the point `r` and the line of `e`; false if it is not nearest
+/// inside the edge (strictly).
+template <class Width>
+[[gnu::noinline]] bool beside(const Vector& e, const Vector& r, Fraction& squared) {
+  const int64_t ee = dot(e, e);
+  const int64_t re = dot(r, e);
+  if (re <= 0 || re >= ee) {
+    return false;
+  }
+  squared = {widened(Width::product(dot(r, r), ee) - Width::product(re, re)), widened(ee)};
+  return true;
+}
+
 /// Corners of `of` beside edges of `other`.
 template <class Width>
 [[gnu::noinline]] void search_beside_edges(const Triangle& of, const Triangle& other, bool swapped,
                                            Search& search) {
-  for (unsigned j = 0; j < 3; ++j) {
+  for (uint8_t j = 0; j < 3; ++j) {
     const Vector e = edge_of(other, j);
-    const int64_t ee = dot(e, e);
-    for (unsigned i = 0; i < 3; ++i) {
-      const Vector r = difference(of.corner[i], other.corner[j]);
-      const int64_t re = dot(r, e);
-      if (re > 0 && re < ee) {
-        const auto corner = static_cast<uint8_t>(i);
-        const auto edge = static_cast<uint8_t>(j);
-        search.candidate = {widened(Width::product(dot(r, r), ee) - Width::product(re, re)),
-                            widened(ee)};
-        search.consider(swapped ? Features{FeatureKind::edge_corner, edge, corner}
-                                : Features{FeatureKind::corner_edge, corner, edge});
+    for (uint8_t i = 0; i < 3; ++i) {
+      if (beside<Width>(e, difference(of.corner[i], other.corner[j]), search.candidate)) {
+        search.consider(swapped ? Features{FeatureKind::edge_corner, j, i}
+                                : Features{FeatureKind::corner_edge, i, j});
       }
     }
   }
@@ -183,8 +213,17 @@ template <class Width>
 template <class Width>
 void search_rest(const Triangle& a, const Triangle& b, Search& search) {
   search_beside_edges<Width>(a, b, false, search);
+  if (search.is_over()) {
+    return;
+  }
   search_beside_edges<Width>(b, a, true, search);
+  if (search.is_over()) {
+    return;
+  }
   search_edges<Width>(a, b, search);
+  if (search.is_over()) {
+    return;
+  }
   search_above_face<Width>(a, b, false, search);
   search_above_face<Width>(b, a, true, search);
 }
@@ -247,20 +286,16 @@ bool is_nearer(const Triangle& a, const Triangle& b, Fraction& squared,
     features = {FeatureKind::intersection, 0, 0};
     return true;
   }
-  Search search(squared, false);
+  Search search(squared, features);
   search_all(a, b, search);
-  if (search.found()) {
-    squared = search.least();
-    features = search.features();
-  }
   return search.found();
 }
 
-bool is_within(const Triangle& a, const Triangle& b, const Fraction& squared) noexcept {
+bool is_within(const Triangle& a, const Triangle& b, const ShortFraction& squared) noexcept {
   if (intersect(a, b)) {
     return true;
   }
-  Search search(squared, true);
+  Search search(squared);
   search_all(a, b, search);
   return search.found();
 }

@@ -116,7 +116,7 @@ bool Axis::separates(const Triangle& a, const Triangle& b) const noexcept {
 }
 
 bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept {
-  constexpr int kMostSteps = 4;
+  constexpr int kMostSteps = 6;
   Vector v = difference(b.corner[0], a.corner[0]);
   for (int step = 0;; ++step) {
     const Vector d = direction_of(v);

@@ -115,7 +115,7 @@ bool BasicClearanceQuery<MeshType>::descend(uint32_t& work) {
   if (this->transform().is_rotated()) {
     go_down(detail::RotatedGap(this->transform().rotated(), any), into_a, work);
   } else {
-    go_down(detail::TranslatedGap(this->transform().translated().offset, any), into_a, work);
+    go_down(detail::WideGap(this->transform().translated().offset, any), into_a, work);
   }
   return true;
 }

@@ -16,6 +16,9 @@
 #include "flashbvh/flashbvh.h"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/query.hpp"
+#include "flashbvh/ray.h"
+#include "flashbvh/shape.h"
+#include "flashbvh/solid.h"
 
 namespace stack_proof {
 
@@ -35,6 +38,7 @@ constexpr uint32_t kStackEntries = 64;
 struct Arguments {
   const flashbvh::LevelledPostMesh* a;
   const flashbvh::LevelledPostMesh* b;
+  const flashbvh::PostMesh* closed;  ///< the same mesh, said to be closed
   const flashbvh::LevelledPreMesh* pre_a;
   const flashbvh::LevelledPreMesh* pre_b;
   const flashbvh::Pose* pose;
@@ -51,9 +55,11 @@ struct Arguments {
 
   const flashbvh_mesh* c_a;
   const flashbvh_mesh* c_b;
+  const flashbvh_mesh* c_closed;  ///< the same mesh, said to be closed
   const flashbvh_pose* c_pose;
   const flashbvh_pose* c_other_pose;
 
+  uint32_t distance;  ///< that is asked about
   uint32_t work;      ///< of a run
   uint32_t capacity;  ///< of the array of pairs, in a run
 
@@ -75,6 +81,7 @@ struct Arguments {
   flashbvh::ClearancePosition<uint16_t> clearance_position;
   flashbvh_position c_position;
   flashbvh_clearance c_clearance;
+  flashbvh_box_shape c_box;
   flashbvh_clearance_position c_clearance_position;
 
   template <class Status>

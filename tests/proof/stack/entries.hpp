@@ -16,6 +16,8 @@
 #include "flashbvh/paper/stackless.hpp"
 #include "flashbvh/paper/volume_stack.hpp"
 #include "flashbvh/pose_float.hpp"
+#include "flashbvh/ray_float.hpp"
+#include "flashbvh/solid.hpp"
 #include "proof/stack/arguments.hpp"
 
 using namespace flashbvh;
@@ -39,9 +41,6 @@ template <class Asked>
   });
 }
 
-/// Near enough to be told of the farthest pose.
-constexpr uint32_t kDistance = 3000 * 256;
-
 /// None, and some that are far from what is nearest, which the walk then finds.
 constexpr uint16_t kSeeds = 5;
 inline Witness<uint16_t> seed_of(uint16_t i) {
@@ -59,8 +58,8 @@ inline Witness<uint16_t> pair_of(uint16_t i) {
   make_in<ClearanceQuery>(in.query, [&] { return ClearanceQuery(*in.a, *in.b, *in.pose, seed); });
 }
 [[gnu::noinline]] inline void make_within(Arguments& in) {
-  make_in<WithinQuery>(in.query,
-                       [&] { return WithinQuery(*in.a, *in.b, *in.pose, {}, within(kDistance)); });
+  make_in<WithinQuery>(
+      in.query, [&] { return WithinQuery(*in.a, *in.b, *in.pose, {}, within(in.distance)); });
 }
 [[gnu::noinline]] inline void start_clearance(Arguments& in, const flashbvh_witness* seed) {
   in.ends(flashbvh_clearance_start(&as<flashbvh_clearance_query>(in.query), in.c_a, in.c_b,
@@ -184,13 +183,62 @@ ENTRY(within_run, asked) {
 }
 
 ENTRY(closer_than_once, asked) {
-  const Answer answer = closer_than<uint16_t>(*in->a, *in->b, *in->pose, kDistance);
+  const Answer answer = closer_than<uint16_t>(*in->a, *in->b, *in->pose, in->distance);
   in->answer = answer.yes ? 1 : 0;
   in->ends(answer.status);
 }
 
 ENTRY(distance_once, asked) {
   new (InPlace{&in->clearance}) Clearance<uint16_t>(distance<uint16_t>(*in->a, *in->b, *in->pose));
+}
+
+// Solids.
+ENTRY(inside_once, asked) {
+  for (int32_t i = 0; i < 162; ++i) {
+    const Point point = {4000 * (i % 9) - 16000, 4000 * (i / 9 % 9) - 16000, i < 81 ? 0 : -500};
+    in->answer += static_cast<uint32_t>(inside<uint16_t>(*in->closed, point).side);
+  }
+}
+
+ENTRY(solids_intersect_once, asked) {
+  const Answer answer = solids_intersect<uint16_t>(*in->closed, *in->closed, *in->pose);
+  in->answer = answer.yes ? 1 : 0;
+  in->ends(answer.status);
+}
+
+// Rays: from nine places along nine directions, and in the planes of triangles.
+inline Segment any_segment(const PostMesh& mesh, uint32_t i) {
+  if (i < 81) {
+    const auto at = static_cast<int32_t>(i);
+    return {{4000 * (at % 9) - 16000, 20000, 0}, {4000 * (at / 9) - 16000, -20000, 300}};
+  }
+  const auto& corner = mesh.triangles[i % mesh.triangle_count].corner;
+  const Vertex& u = mesh.vertices[corner[i % 3]];
+  const Vertex& v = mesh.vertices[corner[(i + 1) % 3]];
+  const Vertex& w = mesh.vertices[corner[(i + 2) % 3]];
+  const int32_t* const o = mesh.origin;
+  return {{o[0] + 2 * u.x - v.x, o[1] + 2 * u.y - v.y, o[2] + 2 * u.z - v.z},
+          {o[0] + 2 * w.x - u.x, o[1] + 2 * w.y - u.y, o[2] + 2 * w.z - u.z}};
+}
+
+ENTRY(nearest_hit_once, asked) {
+  for (uint32_t i = 0; i < 162; ++i) {
+    const auto found = nearest_hit<uint16_t>(*in->closed, any_segment(*in->closed, i));
+    in->answer += found.yes ? found.hit.triangle : 0;
+  }
+}
+
+ENTRY(signed_crossings_once, asked) {
+  for (uint32_t i = 0; i < 162; ++i) {
+    in->answer += static_cast<uint32_t>(
+        signed_crossings<uint16_t>(*in->closed, any_segment(*in->closed, i)).outwards + 9);
+  }
+}
+
+ENTRY(segment_of_floats, asked) {
+  const float(&origin)[3] = *reinterpret_cast<const float(*)[3]>(in->floats);
+  const float(&direction)[3] = *reinterpret_cast<const float(*)[3]>(in->floats + 3);
+  in->ends(segment_of(origin, direction, 100, 1).status);
 }
 
 // One call, the query on its stack.
@@ -329,13 +377,68 @@ ENTRY(c_distance, asked) {
 
 ENTRY(c_closer_than, asked) {
   bool yes = false;
-  in->ends(flashbvh_closer_than(in->c_a, in->c_b, in->c_pose, kDistance, &yes));
+  in->ends(flashbvh_closer_than(in->c_a, in->c_b, in->c_pose, in->distance, &yes));
   in->answer = yes ? 1 : 0;
 }
 
 ENTRY(c_for_each_within, asked) {
-  in->ends(
-      flashbvh_for_each_within(in->c_a, in->c_b, in->c_pose, kDistance, count_visit, &in->answer));
+  in->ends(flashbvh_for_each_within(in->c_a, in->c_b, in->c_pose, in->distance, count_visit,
+                                    &in->answer));
+}
+
+ENTRY(c_inside, asked) {
+  for (int32_t i = 0; i < 162; ++i) {
+    const flashbvh_point point = {4000 * (i % 9) - 16000, 4000 * (i / 9 % 9) - 16000,
+                                  i < 81 ? 0 : -500};
+    flashbvh_point_side side = FLASHBVH_POINT_OUTSIDE;
+    in->ends(flashbvh_inside(in->c_closed, &point, &side));
+    in->answer += static_cast<uint32_t>(side);
+  }
+}
+
+inline flashbvh_segment any_c_segment(const PostMesh& mesh, uint32_t i) {
+  const Segment segment = any_segment(mesh, i);
+  return {{segment.from.x, segment.from.y, segment.from.z},
+          {segment.to.x, segment.to.y, segment.to.z}};
+}
+
+ENTRY(c_nearest_hit, asked) {
+  for (uint32_t i = 0; i < 162; ++i) {
+    const flashbvh_segment segment = any_c_segment(*in->closed, i);
+    bool yes = false;
+    flashbvh_hit hit;
+    in->ends(flashbvh_nearest_hit(in->c_closed, &segment, FLASHBVH_NO_SEED, &yes, &hit));
+    in->answer += yes ? hit.triangle : 0;
+  }
+}
+
+ENTRY(c_signed_crossings, asked) {
+  for (uint32_t i = 0; i < 162; ++i) {
+    const flashbvh_segment segment = any_c_segment(*in->closed, i);
+    int32_t outwards = 0;
+    in->ends(flashbvh_signed_crossings(in->c_closed, &segment, &outwards));
+    in->answer += static_cast<uint32_t>(outwards + 9);
+  }
+}
+
+ENTRY(c_segment_of, asked) {
+  flashbvh_segment segment;
+  in->ends(flashbvh_segment_of(in->floats, in->floats + 3, 100, 1, &segment));
+}
+
+ENTRY(c_solids_intersect, asked) {
+  bool yes = false;
+  in->ends(flashbvh_solids_intersect(in->c_closed, in->c_closed, in->c_pose, &yes));
+  in->answer = yes ? 1 : 0;
+}
+
+// The largest shape, of boxes of every size.
+ENTRY(c_box_shape, asked) {
+  for (int32_t i = 0; i < 13; ++i) {
+    const flashbvh_point lower = {-(1 << i), -(3 << i), 0};
+    const flashbvh_point upper = {1 << i, 2 << i, i};
+    in->ends(flashbvh_box_shape_make(&in->c_box, in->c_a, &lower, &upper));
+  }
 }
 
 ENTRY(c_transform_pair, asked) {

@@ -11,6 +11,8 @@
 #include "flashbvh/paper/volume_stack.hpp"
 #include "flashbvh/pose_float.hpp"
 #include "flashbvh/query.hpp"
+#include "flashbvh/ray_float.hpp"
+#include "flashbvh/solid.hpp"
 
 namespace flashbvh {
 

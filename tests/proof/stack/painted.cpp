@@ -44,20 +44,23 @@ struct TestPose {
   int32_t cells[3];
 };
 
+/// That nothing is near.
+constexpr int32_t kFarCells = 200'000;
+
 constexpr TestPose kTestPoses[] = {
-    {{1, 0, 0, 0}, {1000, 500, 0}},        // coplanar and crossing
-    {{1, 0, 0, 0}, {1000, 0, 0}},          // segments on one line
-    {{1, 0, 0, 0}, {0, 0, 0}},             // the mesh on itself
-    {{1, 0, 0, 0}, {400, 300, 50}},        // all crosses
-    {{1, 0, 0, 0}, {17000, 300, 50}},      // crossing, and more than 2^15 wide together
-    {{1, 0, 0, 1}, {1000, 500, 0}},        // a quarter turn, coplanar
-    {{0, 0, 0, 1}, {1000, 10000, 0}},      // a half turn: segments on one line
-    {{7, 3, -2, 5}, {3000, 1000, 500}},    // crossing, rotated
-    {{7, 3, -2, 5}, {200000, 1000, 500}},  // far apart
-    {{1, 0, 0, 0}, {0, 0, 2500}},          // above itself
-    {{1, 0, 0, 0}, {16000, 500, 2500}},    // the same, and along an edge
-    {{7, 3, -2, 5}, {0, 15000, 20000}},    // beside itself, rotated
-    {{7, 3, -2, 5}, {0, 0, 20000}},        // a corner above a face
+    {{1, 0, 0, 0}, {1000, 500, 0}},      // coplanar and crossing
+    {{1, 0, 0, 0}, {1000, 0, 0}},        // segments on one line
+    {{1, 0, 0, 0}, {0, 0, 0}},           // the mesh on itself
+    {{1, 0, 0, 0}, {400, 300, 50}},      // all crosses
+    {{1, 0, 0, 0}, {17000, 300, 50}},    // crossing, and more than 2^15 wide together
+    {{1, 0, 0, 1}, {1000, 500, 0}},      // a quarter turn, coplanar
+    {{0, 0, 0, 1}, {1000, 10000, 0}},    // a half turn: segments on one line
+    {{7, 3, -2, 5}, {3000, 1000, 500}},  // crossing, rotated
+    {{7, 3, -2, 5}, {kFarCells, 1000, 500}},
+    {{1, 0, 0, 0}, {0, 0, 2500}},        // above itself
+    {{1, 0, 0, 0}, {16000, 500, 2500}},  // the same, and along an edge
+    {{7, 3, -2, 5}, {0, 15000, 20000}},  // beside itself, rotated
+    {{7, 3, -2, 5}, {0, 0, 20000}},      // a corner above a face
     {{7, 3, -2, 5}, {3000, -2000, -20000}},
     {{3, 1, 1, 0}, {3636, -636, 18409}},
     {{0, 0, 0, 1}, {33000, 500, 0}},  // parallel edges: equal distances
@@ -102,11 +105,16 @@ constexpr uint32_t length(const Element (&)[count]) {
   return count;
 }
 
+/// One that can be told of a pose as far apart, and the farthest.
+constexpr uint32_t kDistances[] = {3000 * 256, kMaxDistance};
+
 // Static, since the smallest board has no such stack.
 stack_proof::Arguments in;
 LevelledPostMesh post;
 LevelledPreMesh pre;
 flashbvh_mesh c_tree;
+PostMesh closed;
+flashbvh_mesh c_closed;
 stack_proof::Room<sizeof(Pose)> poses[2];
 uint32_t most[kEntryCount];
 uint32_t answers[kEntryCount];
@@ -126,6 +134,12 @@ void open_trees() {
         "open", "C");
   in.a = in.b = &post;
   in.pre_a = in.pre_b = &pre;
+  closed = post;
+  closed.is_closed = true;
+  in.closed = &closed;
+  c_closed = c_tree;
+  reinterpret_cast<PostMesh*>(c_closed.opaque.bytes)->is_closed = true;
+  in.c_closed = &c_closed;
   in.c_a = in.c_b = &c_tree;
   in.image = deep_post_image;
   in.image_size = sizeof deep_post_image;
@@ -228,9 +242,10 @@ int main() {
   for (const TestPose& where : kTestPoses) {
     test::Rotation matrix;
     set_pose(where, matrix);
-    for (uint32_t i = 0; i < 2; ++i, ++round) {
+    for (uint32_t i = 0; i < length(kDistances); ++i, ++round) {
       in.triangles = kPairs[round % length(kPairs)];
       in.floats = kFloats[round % length(kFloats)];
+      in.distance = kDistances[where.cells[0] == kFarCells ? 0 : i];
       ask_all(in.pose->is_translation());
     }
   }

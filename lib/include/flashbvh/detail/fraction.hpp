@@ -35,6 +35,9 @@ constexpr Int128 operator-(const Int128& u, const Int128& v) {
 constexpr bool operator<(const Int128& u, const Int128& v) {
   return u.high != v.high ? u.high < v.high : u.low < v.low;
 }
+constexpr bool operator==(const Int128& u, const Int128& v) {
+  return u.high == v.high && u.low == v.low;
+}
 constexpr bool is_zero(const Int128& u) {
   return (static_cast<uint64_t>(u.high) | u.low) == 0;
 }
@@ -68,6 +71,15 @@ inline constexpr Fraction kInfinite = {{INT64_MAX, 0}, {0, 1}};
 
 /// -1, 0 or 1 as x is below, equal to or above y. Exact; nearly always the leading bits decide.
 int compare(const Fraction& x, const Fraction& y) noexcept;
+
+/// A fraction with which others of below 2^108 and 2^72 are compared in 128 bits: below 2^46 and
+/// 2^17.
+struct ShortFraction {
+  uint64_t above;
+  uint32_t below;
+};
+/// Whether x is above y: exact.
+bool is_above(const Fraction& x, const ShortFraction& y) noexcept;
 
 /// A whole number that is not below `x`, and above it by at most 1 and one part in 2^29; `x` below
 /// 2^40.

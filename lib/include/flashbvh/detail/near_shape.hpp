@@ -20,6 +20,10 @@ namespace flashbvh::detail {
 /// distances are true, in A's lattice; of 13 bits.
 uint32_t cells_in_unit(const PackedVector& direction) noexcept;
 
+/// Whether a leaf's own box and one of the other tree are within a limit, the long way (gap.hpp).
+bool is_within_far(const PackedBox& leaf, Side side, const PackedBox& box,
+                   const Transform& transform, const GapLimit& limit) noexcept;
+
 template <class Mesh>
 class NearShapes : LeafShapes<Mesh> {
   using Base = LeafShapes<Mesh>;
@@ -38,10 +42,10 @@ class NearShapes : LeafShapes<Mesh> {
   using Base::work_of;
 
   /// The bound of a walk, while it lasts: its limit is asked for, and its rotated boxes.
-  void set_bound(const TranslatedGap& bound) { limit_ = bound.limit(); }
-  void set_bound(RotatedGap& bound) {
-    limit_ = bound.limit();
-    rotated_gap_ = &bound;
+  void set_bound(const TranslatedGap& bound) { set_limit(bound.limit()); }
+  void set_bound(KeptGap& bound) {
+    kept_gap_ = &bound;
+    set_limit(bound.limit());
   }
 
   /// As LeafShapes::begin().
@@ -51,26 +55,42 @@ class NearShapes : LeafShapes<Mesh> {
       cells_in_plane_ = make(this->plane_);
     }
     const uint32_t beyond = reached == nullptr ? 0 : plane_gap(*reached);
-    if (beyond > limit_.sum_limit()) {
+    if (beyond > sum_limit_) {
       return false;
     }
     if (this->made_ == 1) {
       cells_along_edge_ = make(this->edge_);
     }
-    return reached == nullptr || beyond + edge_gap(*reached) <= limit_.sum_limit();
+    return reached == nullptr || beyond + edge_gap(*reached) <= sum_limit_;
   }
   /// Boxes are rotated where they are needed.
   void take_again(Side side, uint32_t node) { take(side, node); }
 
   /// False only if no triangle of the leaf is near enough to one of a subtree with this box.
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
-    return squared_gap(seen_, box, limit_) <= (this->side_ == Side::a && rotated_gap_ != nullptr
-                                                   ? limit_.longer_limit()
-                                                   : limit_.limit()) &&
-           plane_gap(box) + edge_gap(box) <= limit_.sum_limit();
+    if (is_far_) {
+      return is_within_far(this->node_->box, this->side_, box, this->transform_, limit_) &&
+             plane_gap(box) + edge_gap(box) <= sum_limit_;
+    }
+    if (!is_within(this->window_, box, box_limit_)) {
+      return false;
+    }
+    const uint32_t beyond = plane_gap(box);
+    return beyond <= sum_limit_ && beyond + edge_gap(box) <= sum_limit_;
   }
 
  private:
+  void set_limit(const GapLimit& limit) {
+    limit_ = limit;
+    sum_limit_ = limit.sum_limit();
+    is_far_ = !limit.is_near();
+    set_box_limit();
+  }
+  void set_box_limit() {
+    box_limit_ = this->side_ == Side::a && this->transform_.is_rotated() ? limit_.longer_limit()
+                                                                         : limit_.limit();
+  }
+
   FLASHBVH_NOINLINE void take(Side side, uint32_t node) {
     if (is_taken(side, node)) {
       return;
@@ -78,12 +98,14 @@ class NearShapes : LeafShapes<Mesh> {
     this->node_ = (side == Side::a ? a : b).nodes + node;
     this->side_ = side;
     this->made_ = 0;
+    set_box_limit();
     const PackedBox& box = this->node_->box;
-    if (rotated_gap_ != nullptr) {
-      seen_ = side == Side::a ? rotated_gap_->seen_of_a(box) : rotated_gap_->seen_of_b(box);
+    if (this->transform_.is_rotated()) {
+      this->window_ = side == Side::a ? kept_gap_->window_of_a(box) : kept_gap_->window_of_b(box);
     } else {
       const Point& t = this->transform_.translated().offset;
-      seen_ = seen_translated(box, side == Side::a ? Point{-t.x, -t.y, -t.z} : t);
+      this->window_ =
+          window_of(seen_translated(box, side == Side::a ? Point{-t.x, -t.y, -t.z} : t));
     }
   }
 
@@ -98,7 +120,7 @@ class NearShapes : LeafShapes<Mesh> {
       this->add_others(slab);
     }
     const PackedVector own = slab.direction();
-    if (rotated_gap_ == nullptr) {
+    if (!this->transform_.is_rotated()) {
       slab.translate(this->transform_.translated().offset, this->side_);
       return cells_in_unit(own);
     }
@@ -116,9 +138,11 @@ class NearShapes : LeafShapes<Mesh> {
     return limit_.squared(static_cast<int32_t>((uint64_t{slab.gap(box)} * cells) >> 32));
   }
 
-  RotatedGap* rotated_gap_ = nullptr;
+  KeptGap* kept_gap_ = nullptr;
   GapLimit limit_{0};
-  SeenBox seen_{};
+  uint32_t box_limit_ = 0;  ///< of the leaf's own box
+  uint32_t sum_limit_ = 0;  ///< of its slabs
+  bool is_far_ = false;
   uint32_t cells_in_plane_ = 0;
   uint32_t cells_along_edge_ = 0;
 };

@@ -17,6 +17,7 @@ struct Nearness {
   uint32_t tested = 0;  ///< pairs of triangles
 
   static constexpr int64_t kMostLimit = int64_t{1} << 35;
+  using KeepsBound = void;
   static constexpr bool kIntersects = false;
   template <class Mesh>
   using Shapes = NearShapes<Mesh>;
@@ -25,18 +26,20 @@ struct Nearness {
 
 /// Which triangles have points within a distance: closed, so equal is within.
 struct Within : Nearness {
-  static constexpr bool kBatches = true;
+  static constexpr uint32_t kBatch = 4;
+  static constexpr bool kKeepsShapes = false;
   /// Steps of a distance in a cell: 1/256, as everywhere.
   static constexpr uint32_t kSteps = 256;
-  static constexpr uint64_t kStepsSquared = uint64_t{kSteps} * kSteps;
+  static constexpr uint32_t kStepsSquared = kSteps * kSteps;
   static constexpr uint32_t kMost = 32'767 * kSteps;
 
   uint32_t distance = 0;
 
+  bool is_kept(const Transform& transform) const { return KeptGap::is_for(transform, limit()); }
+  KeptGap kept(const Transform& transform) const { return {transform, limit()}; }
   TranslatedGap translated(const TranslatedTransform& transform) const {
     return {transform.offset, limit()};
   }
-  RotatedGap rotated(const RotatedTransform& transform) const { return {transform, limit()}; }
 
   /// Of a B that was put nearer than it lies only "no" is an answer.
   template <class Mesh>
@@ -53,7 +56,7 @@ struct Within : Nearness {
     ++tested;
     return squared_box_gap(a, b) <= squared() && !directions_separate(a, b, squared()) &&
            !planes_separate(a, b, squared()) &&
-           is_within(a, b, {{0, uint64_t{distance} * distance}, {0, kStepsSquared}});
+           is_within(a, b, {uint64_t{distance} * distance, kStepsSquared});
   }
 
  private:
@@ -62,8 +65,7 @@ struct Within : Nearness {
   }
   GapLimit limit() const { return GapLimit(squared()); }
   bool may_matter(const Transform& transform, const PackedBox& a, const PackedBox& b) const {
-    return transform.is_rotated() ? rotated(transform.rotated())(a, b)
-                                  : translated(transform.translated())(a, b);
+    return kept(transform)(a, b);
   }
 };
 
@@ -80,7 +82,8 @@ struct NearestSoFar {
 /// over.
 template <class Index>
 struct Nearest : Nearness {
-  static constexpr bool kBatches = false;
+  static constexpr uint32_t kBatch = 1;
+  static constexpr bool kKeepsShapes = true;
 
   NearestSoFar* so_far = nullptr;  ///< the run's
   Index nearest_a = 0;             ///< the positions of the nearest so far
@@ -89,11 +92,12 @@ struct Nearest : Nearness {
   bool has_nearest = false;  ///< whether there is a nearest
   bool intersect = false;
 
+  bool is_kept(const Transform& transform) const {
+    return KeptGap::is_for(transform, GapLimit(so_far->limit));
+  }
+  KeptGap kept(const Transform& transform) const { return {transform, GapLimit(so_far->limit)}; }
   TranslatedGap translated(const TranslatedTransform& transform) const {
     return {transform.offset, GapLimit(so_far->limit)};
-  }
-  RotatedGap rotated(const RotatedTransform& transform) const {
-    return {transform, GapLimit(so_far->limit)};
   }
 
   template <class Mesh>

@@ -30,6 +30,12 @@ inline int32_t add_signed_products(int32_t sum, uint32_t u, uint32_t v) {
 inline int32_t cross_halves(uint32_t u, uint32_t v) {
   return __smusdx(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v));
 }
+/// The sum of the squares of four halves: each is at most 32,767, and one of `v`'s is 0.
+inline uint32_t sum_of_squares(uint32_t u, uint32_t v) {
+  const auto of_u = static_cast<int16x2_t>(u);
+  const auto of_v = static_cast<int16x2_t>(v);
+  return static_cast<uint32_t>(__smlad(of_v, of_v, __smuad(of_u, of_u)));
+}
 /// Half by half u - v, with a sign.
 inline uint32_t signed_difference(uint32_t u, uint32_t v) {
   return static_cast<uint32_t>(__ssub16(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v)));
@@ -62,6 +68,12 @@ constexpr uint32_t signed_difference(uint32_t u, uint32_t v) {
 /// Halves with a sign, of 15 bits: or 0 where they are negative.
 constexpr uint32_t positive_halves(uint32_t u) {
   return u & ~(((u >> 15) & 0x00010001u) * 0xFFFFu);
+}
+
+/// The sum of the squares of four halves: each is at most 32,767, and one of `v`'s is 0.
+constexpr uint32_t sum_of_squares(uint32_t u, uint32_t v) {
+  const uint32_t w = low_half(v) | high_half(v);
+  return low_half(u) * low_half(u) + high_half(u) * high_half(u) + w * w;
 }
 
 /// sum + low * low + high * high. Halves are 0 to 32,767.

@@ -42,7 +42,7 @@ bool is_nearer(const Triangle& a, const Triangle& b, Fraction& squared,
                Features& features) noexcept;
 
 /// Whether the squared distance is at most `squared`.
-bool is_within(const Triangle& a, const Triangle& b, const Fraction& squared) noexcept;
+bool is_within(const Triangle& a, const Triangle& b, const ShortFraction& squared) noexcept;
 
 /// The largest whole number below `squared`, less a tolerance in 2^-16 of its root. Pairs with a
 /// larger squared gap are no nearer, but for that; -1 if `squared` is 0.
@@ -68,7 +68,7 @@ Axis axis_of(const Triangle& a, const Triangle& b, const Features& features) noe
 
 /// Whether some direction has the triangles so far apart that the square is `limit` + 1 or more;
 /// the limit is below 2^35. Directions are tried that come nearer to the one between the nearest
-/// points: four steps of Gilbert's.
+/// points: six steps of Gilbert's.
 ///
 /// Source: Gilbert, "An Iterative Procedure for Computing the Minimum of a Quadratic Form on a
 /// Convex Set", SIAM Journal on Control 4, 1966.

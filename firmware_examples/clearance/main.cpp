@@ -1,0 +1,132 @@
+// A gripper comes down on a bar and turns as it does: how far are they apart, and may it go on?
+//
+// Distances are of surfaces: a bar wholly inside the palm is far from its walls. So "free" is said
+// only after the solids were asked, too. The last line is such a case.
+//
+// Prints a line a step: the distance in millimetres, the verdict, and the instructions of the whole
+// check, pose included. They are counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
+#include <flashbvh/clearance.hpp>
+#include <flashbvh/flashbvh.hpp>
+#include <flashbvh/pose_float.hpp>
+#include <flashbvh/solid.hpp>
+
+#include "bar.fbvh.hpp"
+#include "gripper.fbvh.hpp"
+#include "insn.hpp"
+#include "text.hpp"
+
+using namespace flashbvh;
+
+namespace {
+
+enum class Verdict : uint8_t { free, slow, warn, stop };
+constexpr const char* kNames[] = {"free", "slow", "warn", "stop"};
+
+/// Millimetres, the unit of both meshes, as a distance in 1/256 cell.
+constexpr uint32_t within_mm(double length) {
+  return static_cast<uint32_t>(length / bar::kCell * 256);
+}
+constexpr uint32_t kSlow = within_mm(20);
+constexpr uint32_t kWarn = within_mm(5);
+constexpr uint32_t kStop = within_mm(0.5);
+
+/// Of a slice.
+constexpr uint32_t kWork = 100;
+
+struct Known {
+  Verdict verdict;
+  uint32_t lower;  ///< the distance of the surfaces in 1/256 cell, rounded down
+};
+
+/// Remembers what was nearest: there the next answer begins.
+class Guard {
+ public:
+  Known at(const Pose& gripper_in_bar) {
+    ClearanceQuery query(bar::mesh, gripper::mesh, gripper_in_bar, nearest_);
+    while (query.run(kWork) == Status::suspended) {
+      // Not finished: a control loop comes back in the next period.
+    }
+    const Clearance<uint16_t> known = query.result();
+    nearest_ = known.witness;
+    // An error is no permission to move on.
+    if (known.status != Status::done || known.lower < kStop) {
+      return {Verdict::stop, known.lower};
+    }
+    // Apart are the surfaces of a bar inside the gripper, too.
+    if (solids_intersect(bar::mesh, gripper::mesh, gripper_in_bar).yes) {
+      return {Verdict::stop, known.lower};
+    }
+    return {verdict_of(known.lower), known.lower};
+  }
+
+ private:
+  static Verdict verdict_of(uint32_t distance) {
+    if (distance < kWarn) {
+      return Verdict::warn;
+    }
+    return distance < kSlow ? Verdict::slow : Verdict::free;
+  }
+
+  Witness<uint16_t> nearest_;
+};
+
+/// Where the gripper is, as a control loop has it: moved by so much a step, in floats.
+struct Approach {
+  float cosine = 1;  // of half the angle
+  float sine = 0;
+  float x = 15.0f;
+  float z = 58.4f;
+
+  Pose pose() const {
+    return pose_of(UnitQuaternion{cosine, 0, 0, sine}, {x, 0, z}, bar::kCellsPerUnit);
+  }
+
+  /// A millimetre aside, four down, and six degrees about the upright.
+  void step() {
+    constexpr float kCosine = 0.99862953f;
+    constexpr float kSine = 0.05233596f;
+    const float turned = cosine * kCosine - sine * kSine;
+    sine = sine * kCosine + cosine * kSine;
+    cosine = turned;
+    x -= 1.0f;
+    z -= 4.0f;
+  }
+};
+
+/// In millimetres, three decimals, rounded down as the distance is.
+void print_mm(uint32_t distance) {
+  const auto micrometres =
+      static_cast<uint32_t>(millionths_of(distance, bar::mesh.cell_bits) / 1000);
+  const uint32_t rest = micrometres % 1000;
+  port::print(micrometres / 1000, rest < 10 ? ".00" : rest < 100 ? ".0" : ".", rest, " mm ");
+}
+
+/// A line: what is known of the pose that is made.
+template <class MakePose>
+Verdict tell(Guard& guard, const MakePose& make_pose) {
+  Known known = {Verdict::stop, 0};
+  const uint32_t instructions = port::instructions_of([&] { known = guard.at(make_pose()); });
+  print_mm(known.lower);
+  port::print(kNames[static_cast<int>(known.verdict)], ", ", instructions, " instructions\n");
+  return known.verdict;
+}
+
+}  // namespace
+
+int main() {
+  constexpr unsigned kSteps = 16;
+  Guard guard;
+  Approach approach;
+  Verdict last = Verdict::free;
+  for (unsigned i = 0; i < kSteps; ++i) {
+    port::print("step ", i, ": ");
+    last = tell(guard, [&] { return approach.pose(); });
+    approach.step();
+  }
+  // As sensors may tell at reset. By the distance alone the gripper would be free.
+  port::print("bar in the palm: ");
+  const Verdict inside = tell(guard, [] {
+    return pose_of(UnitQuaternion{1, 0, 0, 0}, {0, 0, -36.0f}, bar::kCellsPerUnit);
+  });
+  return last == Verdict::stop && inside == Verdict::stop ? 0 : 1;
+}

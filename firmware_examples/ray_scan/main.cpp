@@ -1,0 +1,126 @@
+// What a time-of-flight sensor would measure in a room that is known, zone by zone; and what it
+// measures that is not in the map.
+//
+// The map says nothing of use where the sensor isn't: so a place is first asked to be in the room's
+// air. The last place is a wrong one, as odometry gives after a wheel has slipped.
+//
+// Prints for each place the instructions of the whole scan, from floats to millimetres, and the
+// distance along the ray of each zone; "-" where nothing is within the reach. Instructions are
+// counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
+#include <flashbvh/length.hpp>
+#include <flashbvh/ray.hpp>
+#include <flashbvh/solid.hpp>
+
+#include "insn.hpp"
+#include "measured.hpp"
+#include "room.fbvh.hpp"
+#include "sensor.hpp"
+#include "text.hpp"
+
+using namespace flashbvh;
+
+namespace {
+
+constexpr Place kAtTheDoor = {"at the door", {4600, 450, 1300}, {-0.8f, 0.6f, 0}, {0, 0, 1}};
+constexpr Place kOverTheTable = {
+    "over the table", {2600, 2750, 1500}, {0.8f, 0, -0.6f}, {0.6f, 0, 0.8f}};
+constexpr Place kAtTheShelves = {
+    "at the shelves", {1500, 1450, 1250}, {-0.96f, 0.28f, 0}, {0, 0, 1}};
+constexpr Place kInThePillar = {"in the pillar", {3000, 1500, 1200}, {-1, 0, 0}, {0, 0, 1}};
+
+struct Scan {
+  bool is_valid;
+  uint16_t mm[kZones];  ///< kNothing where no echo is to be expected
+};
+
+/// After an error a point counts as inside, which here would be permission: so the status, too.
+bool is_in_air(const Point& point) {
+  const PointAnswer answer = inside(room::mesh, point);
+  return answer.status == Status::done && answer.side == PointSide::inside;
+}
+
+/// Of 1/256 cell, to the nearest.
+uint16_t millimetres(uint32_t distance) {
+  return static_cast<uint16_t>((millionths_of(distance, room::mesh.cell_bits) + 500000) / 1000000);
+}
+
+/// Each ray begins with what the last one hit: that never changes an answer, and spares visits
+/// where neighbours mostly hit one triangle of many. With few triangles, as here, it is nearly even
+/// (lib/docs/figures.md, Rays).
+Scan scan_at(const Place& place) {
+  const Sensor sensor(place, room::kCellsPerUnit);
+  Scan scan = {};
+  uint16_t seed = kNoSeed<uint16_t>;
+  for (int zone = 0; zone < kZones; ++zone) {
+    const MadeSegment ray = sensor.ray(zone);
+    // All start in one cell.
+    if (ray.status != Status::done || (zone == 0 && !is_in_air(ray.segment.from))) {
+      return scan;
+    }
+    const RayAnswer<uint16_t> answer = nearest_hit(room::mesh, ray.segment, seed);
+    if (answer.status != Status::done) {
+      return scan;
+    }
+    scan.mm[zone] = kNothing;
+    if (answer.yes) {
+      scan.mm[zone] = millimetres(distance_along(ray.segment, answer.hit.along));
+      seed = answer.hit.position;
+    }
+  }
+  scan.is_valid = true;
+  return scan;
+}
+
+/// Four columns and a space.
+void print_mm(uint16_t mm) {
+  if (mm == kNothing) {
+    port::print("    -");
+    return;
+  }
+  port::print(mm < 10 ? "    " : mm < 100 ? "   " : mm < 1000 ? "  " : " ", unsigned{mm});
+}
+
+Scan tell(const Place& place) {
+  Scan scan = {};
+  const uint32_t instructions = port::instructions_of([&] { scan = scan_at(place); });
+  port::print(place.name, ": ");
+  if (!scan.is_valid) {
+    port::print("not in the room\n");
+    return scan;
+  }
+  port::print(instructions, " instructions\n");
+  for (int zone = 0; zone < kZones; ++zone) {
+    print_mm(scan.mm[zone]);
+    port::print(zone % kSide == kSide - 1 ? "\n" : "");
+  }
+  return scan;
+}
+
+/// A sixteenth, and two centimetres: what the sensor's noise and the place's error may make.
+bool agree(uint16_t measured, uint16_t expected) {
+  const int difference = measured < expected ? expected - measured : measured - expected;
+  return difference <= expected / 16 + 20;
+}
+
+/// Tells the zones that measure something else than the map has; returns how many.
+int tell_differences(const Scan& scan, const uint16_t (&measured)[kZones]) {
+  int count = 0;
+  for (int zone = 0; zone < kZones; ++zone) {
+    if (!agree(measured[zone], scan.mm[zone])) {
+      port::print("row ", zone / kSide, ", column ", zone % kSide, ": measured ",
+                  unsigned{measured[zone]}, " mm, the map has ", unsigned{scan.mm[zone]}, " mm\n");
+      ++count;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+int main() {
+  const bool scanned = tell(kAtTheDoor).is_valid && tell(kOverTheTable).is_valid;
+  const Scan shelves = tell(kAtTheShelves);
+  const int differences = tell_differences(shelves, kMeasuredAtTheShelves);
+  const Scan wrong = tell(kInThePillar);
+  return scanned && shelves.is_valid && differences == 1 && !wrong.is_valid ? 0 : 1;
+}

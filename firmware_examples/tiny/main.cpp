@@ -1,0 +1,82 @@
+// How much RAM do a ball and a capsule take that move among 2,048 triangles, on a BBC micro:bit?
+//
+// The mesh lies in flash, as it was baked. What moves is a point or a segment, made anew for each
+// question, and its radius is the distance that is asked about.
+#include <stdint.h>
+
+#include <flashbvh/flashbvh.hpp>
+#include <flashbvh/shape.hpp>
+
+#include "ring.fbvh.hpp"
+#include "stack.hpp"
+#include "start.hpp"
+#include "text.hpp"
+
+using namespace flashbvh;
+
+static_assert(ring::kTriangleCount > 1000 && ring::kFlashBytes < 64 * 1024);
+
+namespace {
+
+constexpr uint32_t kMostRam = 1024;
+
+/// What moves is set to where it is, in the ring's frame, so the pose can lie in flash, too.
+constexpr Pose kHere = Pose::translated(0, 0, 0);
+
+/// A radius in cells as a distance. The surface belongs to the ball.
+constexpr uint32_t radius(uint32_t cells) {
+  return cells * 256;
+}
+
+bool ball_touches(const Point& middle) {
+  const PointShape ball(ring::mesh, middle);
+  return closer_than(ring::mesh, ball.mesh(), kHere, radius(1500)).yes;
+}
+
+/// A tool of 40 mm, upright.
+bool capsule_touches(const Point& tip) {
+  const SegmentShape axis(ring::mesh, tip, {tip.x, tip.y, tip.z + 4000});
+  return closer_than(ring::mesh, axis.mesh(), kHere, radius(800)).yes;
+}
+
+struct Moved {
+  uint32_t touching;
+  uint32_t stack;  ///< the most that a question took, shape, query and all
+};
+
+/// Along a line that leads over the ring, down into its hole and through its wall.
+template <class Touches>
+Moved move(const Touches& touches) {
+  Moved moved = {0, 0};
+  for (int32_t i = 0; i < 64; ++i) {
+    const Point at = {-16000 + 500 * i, 250 * i - 8000, 5000 - 150 * i};
+    bool yes = false;
+    const uint32_t stack = port::stack_of([&] { yes = touches(at); });
+    moved.stack = stack > moved.stack ? stack : moved.stack;
+    moved.touching += yes ? 1 : 0;
+  }
+  return moved;
+}
+
+uint32_t static_ram() {
+  return static_cast<uint32_t>(reinterpret_cast<uintptr_t>(__bss_end) -
+                               reinterpret_cast<uintptr_t>(__data_start));
+}
+
+/// Whether it is little enough.
+bool print(const char* name, const Moved& moved) {
+  const uint32_t ram = static_ram() + moved.stack;
+  port::print(name, moved.touching, " of 64 places touch; ", moved.stack, " bytes of stack and ",
+              static_ram(), " static: ", ram, " bytes of RAM\n");
+  return ram < kMostRam;
+}
+
+}  // namespace
+
+int main() {
+  port::print("ring: ", ring::kTriangleCount, " triangles, ", ring::kFlashBytes,
+              " bytes of flash\n");
+  const bool ball = print("ball: ", move(ball_touches));
+  const bool capsule = print("capsule: ", move(capsule_touches));
+  return ball && capsule ? 0 : 1;
+}

@@ -1,0 +1,80 @@
+/* flashbvh for C: points, segments, triangles and boxes made at run time, in the caller's memory. A
+ * sphere is a point and a distance, a capsule a segment and a distance: shape.hpp says more.
+ *
+ * A shape's `mesh` is a mesh of one leaf, which every call takes as it takes an opened one:
+ *     flashbvh_closer_than(&part, &capsule.mesh, &pose, radius, &yes)
+ *
+ * A shape points into itself. It is not copied, by assignment neither, and stays where it was made
+ * for as long as it is asked about. It is moved by a pose, or made again in place, which no query
+ * on it outlives.
+ *
+ * Coordinates are cells of the shape's own frame. Stack on Cortex-M3 to M55 at -O2: 352 bytes
+ * (tests/proof/stack).
+ */
+#ifndef FLASHBVH_SHAPE_H
+#define FLASHBVH_SHAPE_H
+
+#include "flashbvh/flashbvh.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A point. 104 bytes on a 32-bit core, 128 on a 64-bit one. */
+typedef struct flashbvh_point_shape {
+  flashbvh_mesh mesh; /**< what queries take */
+  unsigned char opaque[40];
+} flashbvh_point_shape;
+
+/** A segment. 112 bytes on a 32-bit core, 136 on a 64-bit one. */
+typedef struct flashbvh_segment_shape {
+  flashbvh_mesh mesh; /**< what queries take */
+  unsigned char opaque[48];
+} flashbvh_segment_shape;
+
+/** A triangle. 120 bytes on a 32-bit core, 144 on a 64-bit one. */
+typedef struct flashbvh_triangle_shape {
+  flashbvh_mesh mesh; /**< what queries take */
+  unsigned char opaque[56];
+} flashbvh_triangle_shape;
+
+/** A closed box. 232 bytes on a 32-bit core, 256 on a 64-bit one. */
+typedef struct flashbvh_box_shape {
+  flashbvh_mesh mesh; /**< what queries take */
+  unsigned char opaque[168];
+} flashbvh_box_shape;
+
+/**
+ * Makes the shape, or makes it anew, of a point. It has the cell and the unit of `like`, which may
+ * be any mesh that it will meet and need not outlive it.
+ *
+ * SHAPE_TOO_LARGE: a coordinate is further than 16,383 cells from the middle of the shape, or the
+ * middle further than 2^29 from the origin. Queries of the shape and a mesh then end with
+ * CELL_MISMATCH.
+ */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_point_shape_make(flashbvh_point_shape* shape,
+                                                             const flashbvh_mesh* like,
+                                                             const flashbvh_point* at);
+
+/** The same of the segment from `p` to `q`. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_segment_shape_make(flashbvh_segment_shape* shape,
+                                                               const flashbvh_mesh* like,
+                                                               const flashbvh_point* p,
+                                                               const flashbvh_point* q);
+
+/** The same of a triangle. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_triangle_shape_make(flashbvh_triangle_shape* shape,
+                                                                const flashbvh_mesh* like,
+                                                                const flashbvh_triangle* triangle);
+
+/** The same of the box between two corners, `lower` along each axis not above `upper`. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_box_shape_make(flashbvh_box_shape* shape,
+                                                           const flashbvh_mesh* like,
+                                                           const flashbvh_point* lower,
+                                                           const flashbvh_point* upper);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

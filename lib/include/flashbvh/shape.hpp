@@ -1,0 +1,185 @@
+// Shapes made at run time, in the caller's memory: a point, a segment, a triangle, a box.
+//
+// A shape is a mesh of one leaf, so every query takes it, on either side, under any pose:
+//     a sphere     closer_than(mesh, PointShape, pose, radius)
+//     a capsule    closer_than(mesh, SegmentShape, pose, radius)
+//     a thick plate  closer_than(mesh, TriangleShape, pose, half of its thickness)
+//     a box        intersects(mesh, BoxShape, pose)
+// and distance() tells how far they are, less the radius. There is no other mechanism.
+//
+// Coordinates are cells of the shape's frame; it has the cell of the mesh that it will meet.
+#ifndef FLASHBVH_SHAPE_HPP
+#define FLASHBVH_SHAPE_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/fraction.hpp"
+#include "flashbvh/detail/inline.hpp"
+#include "flashbvh/lattice.hpp"
+#include "flashbvh/mesh.hpp"
+#include "flashbvh/status.hpp"
+
+namespace flashbvh {
+
+/// A mesh of one leaf and what it is a view of. Points into itself: it is not copied, and set anew
+/// in place. 64 bytes and 26 + 8 * triangles + 6 * vertices.
+template <uint16_t triangles, uint16_t vertices>
+class Shape {
+ public:
+  Shape(const Shape&) = delete;
+  Shape& operator=(const Shape&) = delete;
+
+  /// What queries take.
+  [[nodiscard]] const PostMesh& mesh() const { return mesh_; }
+
+  /// `shape_too_large` where a coordinate is further than 16,383 cells from the middle, or beyond
+  /// 2^29: then the shape is as it was.
+  [[nodiscard]] Status status() const { return status_; }
+
+ protected:
+  /// Has the cell of `like`.
+  FLASHBVH_NOINLINE explicit Shape(const PostMesh& like, const uint8_t (&corners)[triangles][3],
+                                   bool is_closed) {
+    for (uint16_t i = 0; i < triangles; ++i) {
+      corners_[i] = {{corners[i][0], corners[i][1], corners[i][2]}};
+      ids_[i] = i;
+    }
+    mesh_.nodes = &node_;
+    mesh_.node_count = 1;
+    mesh_.leaf_count = 1;
+    mesh_.stack_need = 0;
+    mesh_.triangles = corners_;
+    mesh_.triangle_ids = ids_;
+    mesh_.leaf_offsets = triangles == 1 ? nullptr : offsets_;
+    mesh_.vertices = vertices_;
+    mesh_.shell_vertices = &first_;
+    mesh_.triangle_count = triangles;
+    mesh_.vertex_count = vertices;
+    mesh_.shell_count = 1;
+    mesh_.unit = like.unit;
+    mesh_.is_closed = is_closed;
+    mesh_.cell_bits = like.cell_bits;
+  }
+
+  /// Of all its vertices.
+  void set_points(const Point (&points)[vertices]) {
+    Point least = points[0];
+    Point most = points[0];
+    for (const Point& p : points) {
+      least = {lesser(least.x, p.x), lesser(least.y, p.y), lesser(least.z, p.z)};
+      most = {greater(most.x, p.x), greater(most.y, p.y), greater(most.z, p.z)};
+    }
+    const Point middle = {half(least.x, most.x), half(least.y, most.y), half(least.z, most.z)};
+    if (!fits(least, middle) || !fits(most, middle)) {
+      status_ = Status::shape_too_large;
+      return;
+    }
+    status_ = Status::done;
+    mesh_.origin[0] = middle.x;
+    mesh_.origin[1] = middle.y;
+    mesh_.origin[2] = middle.z;
+    for (uint16_t i = 0; i < vertices; ++i) {
+      vertices_[i] = from(points[i], middle);
+    }
+    node_ = {detail::pack({from(least, middle), from(most, middle)}), 1, Node<uint16_t>::kLeafFlag};
+    // The diagonal is no shorter than any edge.
+    const int64_t x = int64_t{most.x} - least.x;
+    const int64_t y = int64_t{most.y} - least.y;
+    const int64_t z = int64_t{most.z} - least.z;
+    mesh_.longest_edge =
+        static_cast<uint16_t>(detail::square_root(detail::widened(x * x + y * y + z * z)) + 1);
+  }
+
+ private:
+  static constexpr int32_t kMostOrigin = 1 << 29;
+
+  static int32_t lesser(int32_t u, int32_t v) { return u < v ? u : v; }
+  static int32_t greater(int32_t u, int32_t v) { return u < v ? v : u; }
+  static int32_t half(int32_t u, int32_t v) { return static_cast<int32_t>((int64_t{u} + v) >> 1); }
+  static bool fits(int64_t at, int32_t middle) {
+    return middle >= -kMostOrigin && middle <= kMostOrigin && at - middle >= -kMaxCoordinate &&
+           at - middle <= kMaxCoordinate;
+  }
+  static bool fits(const Point& p, const Point& middle) {
+    return fits(p.x, middle.x) && fits(p.y, middle.y) && fits(p.z, middle.z);
+  }
+  static Vertex from(const Point& p, const Point& middle) {
+    return {static_cast<int16_t>(p.x - middle.x), static_cast<int16_t>(p.y - middle.y),
+            static_cast<int16_t>(p.z - middle.z)};
+  }
+
+  PostMesh mesh_{};
+  Node<uint16_t> node_{{0, 0, 0}, 1, Node<uint16_t>::kLeafFlag};
+  Corners<uint16_t> corners_[triangles];
+  uint16_t ids_[triangles];
+  uint16_t offsets_[2] = {0, triangles};
+  uint16_t first_ = 0;
+  Vertex vertices_[vertices] = {};
+  Status status_ = Status::done;
+};
+
+// Setting the smaller ones is not inlined: its frame is gone while they are asked about.
+
+/// A point.
+class PointShape : public Shape<1, 1> {
+ public:
+  /// With the cell of `like`; see status().
+  PointShape(const PostMesh& like, const Point& at) : Shape(like, {{0, 0, 0}}, false) { set(at); }
+  /// Sets it anew; see status().
+  FLASHBVH_NOINLINE void set(const Point& at) { set_points({at}); }
+};
+
+/// A segment from `p` to `q`.
+class SegmentShape : public Shape<1, 2> {
+ public:
+  /// With the cell of `like`; see status().
+  SegmentShape(const PostMesh& like, const Point& p, const Point& q)
+      : Shape(like, {{0, 1, 1}}, false) {
+    set(p, q);
+  }
+  /// Sets it anew; see status().
+  FLASHBVH_NOINLINE void set(const Point& p, const Point& q) { set_points({p, q}); }
+};
+
+/// A triangle.
+class TriangleShape : public Shape<1, 3> {
+ public:
+  /// With the cell of `like`; see status().
+  TriangleShape(const PostMesh& like, const Triangle& t) : Shape(like, {{0, 1, 2}}, false) {
+    set(t);
+  }
+  /// Sets it anew; see status().
+  FLASHBVH_NOINLINE void set(const Triangle& t) { set_points(t.corner); }
+};
+
+namespace detail {
+
+/// Corner i has the upper x where i has bit 0, y bit 1, z bit 2.
+inline constexpr uint8_t kBoxTriangles[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
+                                                 {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
+                                                 {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+
+}  // namespace detail
+
+/// A closed box between two corners, `lower` along each axis not above `upper`.
+class BoxShape : public Shape<12, 8> {
+ public:
+  /// With the cell of `like`; see status().
+  BoxShape(const PostMesh& like, const Point& lower, const Point& upper)
+      : Shape(like, detail::kBoxTriangles, true) {
+    set(lower, upper);
+  }
+  /// Sets it anew; see status().
+  void set(const Point& lower, const Point& upper) {
+    Point points[8];
+    for (int i = 0; i < 8; ++i) {
+      points[i] = {((i & 1) != 0 ? upper : lower).x, ((i & 2) != 0 ? upper : lower).y,
+                   ((i & 4) != 0 ? upper : lower).z};
+    }
+    set_points(points);
+  }
+};
+
+}  // namespace flashbvh
+
+#endif

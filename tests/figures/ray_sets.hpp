@@ -1,0 +1,93 @@
+// The rays that the figures are about: aimed at a mesh's box from outside, and fans of rays from
+// one place, as sensors scan. Of integers alone, so that they are the same everywhere.
+#ifndef FLASHBVH_TESTS_FIGURES_RAY_SETS_HPP
+#define FLASHBVH_TESTS_FIGURES_RAY_SETS_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/mesh.hpp"
+#include "flashbvh/ray.hpp"
+#include "support/random.hpp"
+
+namespace figures {
+
+/// Of a mesh, in its frame.
+struct Box {
+  flashbvh::Point lower = {INT32_MAX, INT32_MAX, INT32_MAX};
+  flashbvh::Point upper = {INT32_MIN, INT32_MIN, INT32_MIN};
+
+  explicit Box(const flashbvh::PostMesh& mesh) {
+    for (uint32_t i = 0; i < mesh.vertex_count; ++i) {
+      const flashbvh::Vertex& v = mesh.vertices[i];
+      extend(v.x + mesh.origin[0], lower.x, upper.x);
+      extend(v.y + mesh.origin[1], lower.y, upper.y);
+      extend(v.z + mesh.origin[2], lower.z, upper.z);
+    }
+  }
+  flashbvh::Point middle() const {
+    return {(lower.x + upper.x) / 2, (lower.y + upper.y) / 2, (lower.z + upper.z) / 2};
+  }
+  int32_t longest_side() const {
+    const int32_t x = upper.x - lower.x;
+    const int32_t y = upper.y - lower.y;
+    const int32_t z = upper.z - lower.z;
+    const int32_t of_xy = x < y ? y : x;
+    return of_xy < z ? z : of_xy;
+  }
+  bool holds(const flashbvh::Point& p) const {
+    return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y && lower.z <= p.z &&
+           p.z <= upper.z;
+  }
+
+ private:
+  static void extend(int32_t value, int32_t& least, int32_t& most) {
+    least = value < least ? value : least;
+    most = value > most ? value : most;
+  }
+};
+
+inline flashbvh::Point any_point(flashbvh::test::Random& random, const flashbvh::Point& lower,
+                                 const flashbvh::Point& upper) {
+  const int32_t x = random.between(lower.x, upper.x);
+  const int32_t y = random.between(lower.y, upper.y);
+  return {x, y, random.between(lower.z, upper.z)};
+}
+
+/// Through `by`, and as far again.
+inline flashbvh::Segment through(const flashbvh::Point& from, const flashbvh::Point& by) {
+  return {from, {2 * by.x - from.x, 2 * by.y - from.y, 2 * by.z - from.z}};
+}
+
+/// From outside the box, within two of its longest sides, through a point of it.
+inline flashbvh::Segment any_aimed(flashbvh::test::Random& random, const Box& box) {
+  const int32_t reach = 2 * box.longest_side();
+  const flashbvh::Point m = box.middle();
+  flashbvh::Point from = m;
+  while (box.holds(from)) {
+    from = any_point(random, {m.x - reach, m.y - reach, m.z - reach},
+                     {m.x + reach, m.y + reach, m.z + reach});
+  }
+  return through(from, any_point(random, box.lower, box.upper));
+}
+
+/// Rays in rows, 45 degrees wide and high.
+struct Fan {
+  const char* name;
+  int32_t rows;
+  int32_t columns;
+};
+
+/// From the longest side away along each axis, along (1, 1, -1); rows go along (1, -1, 0), columns
+/// along (1, 1, 2).
+inline flashbvh::Segment of_fan(const Fan& fan, const Box& box, int32_t row, int32_t column) {
+  const int32_t side = box.longest_side();
+  const flashbvh::Point m = box.middle();
+  const int32_t along = side * (2 * column - fan.columns + 1) / (2 * fan.columns);
+  const int32_t up = side * 7 / 24 * (2 * row - fan.rows + 1) / fan.rows;
+  return through({m.x - side, m.y - side, m.z + side},
+                 {m.x + along + up, m.y - along + up, m.z + 2 * up});
+}
+
+}  // namespace figures
+
+#endif

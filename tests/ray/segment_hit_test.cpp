@@ -1,0 +1,136 @@
+// A segment and a triangle against exact rationals: all kinds, at all sizes.
+#include <catch2/catch.hpp>
+
+#include "geometry/segment_hit.hpp"
+#include "ray/segment_oracle.hpp"
+#include "support/random.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+mpz_class number(std::int64_t value) {
+  return static_cast<long>(value);
+}
+
+mpq_class rational(const SegmentShare& share) {
+  mpq_class value(number(share.above), number(share.below));
+  value.canonicalize();
+  return value;
+}
+
+/// What was seen, to know that all of it was.
+struct Seen {
+  std::uint32_t hits = 0;
+  std::uint32_t misses = 0;
+  std::uint32_t in_plane = 0;
+};
+
+void check_segment(const Segment& segment, const Triangle& t, Seen& seen) {
+  CAPTURE(segment.from.x, segment.from.y, segment.from.z, segment.to.x, segment.to.y, segment.to.z);
+  CAPTURE(t.corner[0].x, t.corner[0].y, t.corner[0].z, t.corner[1].x, t.corner[1].y, t.corner[1].z,
+          t.corner[2].x, t.corner[2].y, t.corner[2].z);
+  const SegmentOracle truth(segment, t);
+  SegmentShare along = {0, 1};
+  std::int8_t side = 2;
+  const bool hit = detail::first_meeting(segment, t, along, side);
+  REQUIRE(hit == truth.meets());
+  if (!hit) {
+    ++seen.misses;
+    return;
+  }
+  ++seen.hits;
+  seen.in_plane += side == 0 ? 1 : 0;
+  REQUIRE(along.below > 0);
+  REQUIRE(rational(along) == truth.first());
+  // Any order of corners, and a turned one.
+  for (unsigned i = 0; i < 3; ++i) {
+    const Triangle same = {{t.corner[i], t.corner[(i + 1) % 3], t.corner[(i + 2) % 3]}};
+    const Triangle turned = {{t.corner[i], t.corner[(i + 2) % 3], t.corner[(i + 1) % 3]}};
+    SegmentShare other = {0, 1};
+    std::int8_t other_side = 2;
+    REQUIRE(detail::first_meeting(segment, same, other, other_side));
+    REQUIRE((detail::order_along(along, other) == 0 && other_side == side));
+    REQUIRE(detail::first_meeting(segment, turned, other, other_side));
+    REQUIRE((detail::order_along(along, other) == 0 && other_side == -side));
+  }
+}
+
+Point any_point(Random& random, std::int32_t reach) {
+  const auto at = [&] { return random.between(-reach, reach); };
+  return {at(), at(), at()};
+}
+
+Point point_between(const Point& u, const Point& v, std::int32_t share) {
+  return {u.x + share * (v.x - u.x), u.y + share * (v.y - u.y), u.z + share * (v.z - u.z)};
+}
+
+}  // namespace
+
+TEST_CASE("a segment first meets a triangle where exact rationals say") {
+  Random random(test_seed());
+  Seen seen;
+  // On few cells everything coincides.
+  for (int round = 0; round < 40'000; ++round) {
+    const std::int32_t reach = 1 + static_cast<std::int32_t>(random.below(3));
+    const Triangle t = {
+        {any_point(random, reach), any_point(random, reach), any_point(random, reach)}};
+    check_segment({any_point(random, reach), any_point(random, reach)}, t, seen);
+  }
+  CHECK((seen.hits > 5'000 && seen.misses > 10'000 && seen.in_plane > 1'000));
+}
+
+TEST_CASE("a segment meets corners and edges of large triangles, from far off") {
+  Random random(test_seed());
+  Seen seen;
+  for (int round = 0; round < 6'000; ++round) {
+    const auto reach = static_cast<std::int32_t>(1 + random.below(kMaxCoordinate));
+    const Triangle t = {
+        {any_point(random, reach), any_point(random, reach), any_point(random, reach)}};
+    const Point from = any_point(random, round % 2 == 0 ? reach : kMaxRayCoordinate / 2 - 40'000);
+    // Through a corner, or the middle of an edge; twice as far, or just there, or just short of it.
+    const Point& u = t.corner[random.below(3)];
+    const Point& v = t.corner[random.below(3)];
+    const Point to = {u.x + v.x - from.x, u.y + v.y - from.y, u.z + v.z - from.z};
+    check_segment({from, to}, t, seen);
+    check_segment({to, from}, t, seen);
+    check_segment({from, u}, t, seen);
+    check_segment({u, point_between(u, v, 2)}, t, seen);
+    check_segment({from, from}, t, seen);
+    check_segment({from, {u.x, u.y, u.z + 1}}, t, seen);
+    // In the plane, from beside an edge.
+    check_segment({point_between(u, v, -1), t.corner[random.below(3)]}, t, seen);
+    check_segment({point_between(u, v, -1), point_between(v, t.corner[0], 2)}, t, seen);
+    // Without area.
+    check_segment({from, u}, {{u, v, u}}, seen);
+    check_segment({from, to}, {{u, point_between(u, v, -1), v}}, seen);
+    check_segment({point_between(u, v, -1), v}, {{u, v, v}}, seen);
+    check_segment({from, u}, {{u, u, u}}, seen);
+  }
+  CHECK((seen.hits > 20'000 && seen.misses > 5'000 && seen.in_plane > 10'000));
+}
+
+TEST_CASE("at the ends of the range nothing overflows") {
+  Random random(test_seed());
+  Seen seen;
+  const auto far = [&] { return random.below(2) == 0 ? kMaxRayCoordinate : -kMaxRayCoordinate; };
+  const auto corner = [&] { return random.below(2) == 0 ? kMaxCoordinate : -kMaxCoordinate; };
+  for (int round = 0; round < 5'000; ++round) {
+    const Triangle t = {{{corner(), corner(), corner()},
+                         {corner(), corner(), corner()},
+                         {corner(), corner(), corner()}}};
+    const Point from = {far(), far(), far()};
+    check_segment({from, {far(), far(), far()}}, t, seen);
+    check_segment({from, {-from.x, -from.y, -from.z + 1}}, t, seen);
+  }
+  CHECK((seen.hits > 300 && seen.misses > 300));
+}
+
+TEST_CASE("shares of segments are told apart by one part in 2^105") {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  CHECK(detail::order_along({most - 2, most - 1}, {most - 1, most}) < 0);
+  CHECK(detail::order_along({most - 1, most}, {most - 2, most - 1}) > 0);
+  CHECK(detail::order_along({most / 2, most}, {1, 2}) == 0);
+  CHECK(detail::order_along({0, 5}, {0, most}) == 0);
+}

@@ -1,0 +1,118 @@
+// Shapes made at run time are meshes like any other: against the same ones baked, and formulas.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/shape.hpp"
+#include "flashbvh/solid.hpp"
+#include "property/any_mesh.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+/// The same triangles as bake lays them out.
+AnyMesh baked(const PostMesh& shape) {
+  bake::LatticeMesh mesh;
+  for (std::uint32_t i = 0; i < shape.vertex_count; ++i) {
+    mesh.vertices.push_back(shape.vertices[i]);
+  }
+  for (std::uint32_t i = 0; i < shape.triangle_count; ++i) {
+    const auto& corner = shape.triangles[i].corner;
+    mesh.triangles.push_back({corner[0], corner[1], corner[2]});
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    mesh.origin[i] = shape.origin[i];
+  }
+  return AnyMesh(bake::build_median(mesh, 1), mesh);
+}
+
+void compare(const PostMesh& mesh, const PostMesh& shape, const Pose& pose) {
+  const AnyMesh other = baked(shape);
+  const PostMesh same = other.view<PostMesh>();
+  CHECK(shape.longest_edge >= same.longest_edge);
+  CHECK(count_pairs(mesh, shape, pose).pairs == count_pairs(mesh, same, pose).pairs);
+  CHECK(count_pairs(shape, mesh, pose).pairs == count_pairs(same, mesh, pose).pairs);
+  const auto found = distance(mesh, shape, pose);
+  CHECK(found.status == Status::done);
+  CHECK(found.lower == distance(mesh, same, pose).lower);
+  CHECK(distance(shape, mesh, pose).lower == distance(same, mesh, pose).lower);
+  CHECK(closer_than(mesh, shape, pose, found.upper).yes);
+  CHECK((found.lower == 0 || !closer_than(mesh, shape, pose, found.lower - 1).yes));
+}
+
+Point any_point(Random& random, std::int32_t reach) {
+  const auto at = [&] { return random.between(-reach, reach); };
+  return {at(), at(), at()};
+}
+
+}  // namespace
+
+TEST_CASE("shapes are asked about like the same triangles, baked") {
+  Random random(test_seed());
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    const AnyMesh any = any_mesh(random, random_mesh(random, 1 + random.below(30), 200, 60));
+    const PostMesh mesh = any.view<PostMesh>();
+    const Pose pose = any_pose(random, 150);
+    const Point p = any_point(random, 300);
+    const Point q = any_point(random, 300);
+    const Point r = any_point(random, 300);
+    compare(mesh, PointShape(mesh, p).mesh(), pose);
+    compare(mesh, SegmentShape(mesh, p, q).mesh(), pose);
+    compare(mesh, TriangleShape(mesh, {{p, q, r}}).mesh(), pose);
+    const Point lower = {std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)};
+    const Point upper = {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)};
+    const BoxShape box(mesh, lower, upper);
+    compare(mesh, box.mesh(), pose);
+    // Closed, and facing outwards.
+    const Point middle = {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
+    CHECK(inside(box.mesh(), middle).side != PointSide::outside);
+    CHECK(inside(box.mesh(), {upper.x + 1, middle.y, middle.z}).side == PointSide::outside);
+    CHECK(inside(box.mesh(), lower).side == PointSide::on_surface);
+  }
+}
+
+TEST_CASE("a sphere and a capsule are a point and a segment with a radius") {
+  Random random(test_seed());
+  const AnyMesh any = any_mesh(random, random_mesh(random, 1, 10, 10));
+  const PostMesh like = any.view<PostMesh>();
+  const PointShape origin(like, {0, 0, 0});
+  const Pose still = Pose::translated(0, 0, 0);
+  PointShape point(like, {0, 0, 0});
+  SegmentShape segment(like, {0, 0, 0}, {0, 0, 0});
+  for (int round = 0; round < 200; ++round) {
+    const Point p = any_point(random, 12000);
+    point.set(p);
+    const double apart = 256 * std::sqrt(1.0 * p.x * p.x + 1.0 * p.y * p.y + 1.0 * p.z * p.z);
+    CHECK(distance(origin.mesh(), point.mesh(), still).lower == static_cast<std::uint32_t>(apart));
+    // Along x, past the origin.
+    segment.set({-16000, p.y, p.z}, {16000, p.y, p.z});
+    const double beside = 256 * std::sqrt(1.0 * p.y * p.y + 1.0 * p.z * p.z);
+    CHECK(distance(origin.mesh(), segment.mesh(), still).lower ==
+          static_cast<std::uint32_t>(beside));
+  }
+}
+
+TEST_CASE("a shape that no mesh can be stays as it was, and says so") {
+  Random random(test_seed());
+  const AnyMesh any = any_mesh(random, random_mesh(random, 1, 10, 10));
+  const PostMesh like = any.view<PostMesh>();
+  SegmentShape segment(like, {1 << 29, 0, 0}, {(1 << 29) - 32766, 5, 5});
+  CHECK(segment.status() == Status::done);
+  CHECK(segment.mesh().origin[0] == (1 << 29) - 16383);
+  segment.set({0, 0, 0}, {32767, 0, 0});
+  CHECK(segment.status() == Status::shape_too_large);
+  CHECK(segment.mesh().origin[0] == (1 << 29) - 16383);
+  segment.set({INT32_MAX, 0, 0}, {INT32_MAX, 0, 0});
+  CHECK(segment.status() == Status::shape_too_large);
+  segment.set({0, INT32_MIN, 0}, {0, INT32_MIN, 1});
+  CHECK(segment.status() == Status::shape_too_large);
+  segment.set({0, 0, INT32_MIN}, {0, 0, INT32_MAX});
+  CHECK(segment.status() == Status::shape_too_large);
+  segment.set({0, 0, 0}, {0, 0, 1});
+  CHECK(segment.status() == Status::done);
+  CHECK(segment.mesh().longest_edge >= 1);
+}

@@ -1,0 +1,33 @@
+// What is asked of one image, in the layout that the firmware's questions take.
+#ifndef FLASHBVH_TOOLS_CLI_POST_MESH_HPP
+#define FLASHBVH_TOOLS_CLI_POST_MESH_HPP
+
+#include <type_traits>
+#include <variant>
+
+#include "image/image_file.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+
+/// ask(mesh), whatever the width of the indices. UserError if the image is pre-indexed.
+template <class Answer, class Ask>
+Answer ask_post_mesh(const ImageFile& image, const Ask& ask) {
+  return std::visit(
+      [&](const auto& tree) -> Answer {
+        using Tree = std::decay_t<decltype(tree)>;
+        if constexpr (Tree::kLayout == Layout::post_indexed) {
+          using Plain = Mesh<typename Tree::Index, Layout::post_indexed>;
+          return ask(static_cast<const Plain&>(tree));
+        } else {
+          throw UserError(image.path(),
+                          "is pre-indexed, which this question does not take; bake it with "
+                          "--layout post");
+        }
+      },
+      image.tree());
+}
+
+}  // namespace flashbvh::tool
+
+#endif
