@@ -62,9 +62,12 @@ void add_counts(const Counts& counts, Hash& hash) {
   hash.add(counts.triangle_pairs);
 }
 
+// What a case needs of the stack is not inlined: the smallest board's holds one at a time.
+
 template <class Traversal, bool with_contacts = false>
-void add_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
-               const Pose& pose, uint32_t slice, Hash& hash, Result& result) {
+[[gnu::noinline]] void add_query(const typename Traversal::Tree& a,
+                                 const typename Traversal::Tree& b, const Pose& pose,
+                                 uint32_t slice, Hash& hash, Result& result) {
   Query<Traversal> query(a, b, pose, test::at_roots<Traversal>(stack, 2 * kMostTriangles));
   const auto add_pair = [&](const TrianglePair<uint16_t>& pair) {
     hash.add(pair.a | static_cast<uint32_t>(pair.b) << 16);
@@ -84,8 +87,8 @@ void add_query(const typename Traversal::Tree& a, const typename Traversal::Tree
 }
 
 /// The distance, seeded by the last one, and the pairs within it and a little more.
-void add_distance(const PostMesh& a, const PostMesh& b, const Pose& pose, uint32_t slice,
-                  Witness<uint16_t>& seed, Hash& hash) {
+[[gnu::noinline]] void add_distance(const PostMesh& a, const PostMesh& b, const Pose& pose,
+                                    uint32_t slice, Witness<uint16_t>& seed, Hash& hash) {
   uint32_t upper = 0;
   {
     ClearanceQuery query(a, b, pose, seed);
@@ -122,7 +125,7 @@ Point any_point(Random& random, int32_t reach) {
 
 /// Every hit of a ray and the nearest, its crossings, and where it starts: of a mesh that is said
 /// to be closed, which crossings need not be asked.
-void add_ray(const PostMesh& mesh, Random& random, int32_t reach, Hash& hash) {
+[[gnu::noinline]] void add_ray(const PostMesh& mesh, Random& random, int32_t reach, Hash& hash) {
   PostMesh closed = mesh;
   closed.is_closed = true;
   const Segment segment = {any_point(random, reach), any_point(random, reach)};
@@ -159,7 +162,7 @@ void add_pose(const Pose& pose, uint32_t slice, Hash& hash, Result& result) {
   add_query<Leaf<PreMesh>>(pre_a, pre_b, pose, slice, hash, result);
 }
 
-uint32_t refused(const Side& side) {
+[[gnu::noinline]] uint32_t refused(const Side& side) {
   TreeShape shape;
   return (check_tree(side.pre.view(), shape) == Status::done ? 0u : 1u) +
          (check_tree(side.post.view(), shape) == Status::done ? 0u : 1u);
