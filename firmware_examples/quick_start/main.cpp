@@ -1,4 +1,5 @@
-// The dozen lines of the README: a peg above a plate, lowered until they touch.
+// The dozen lines of the README: a peg above a plate, lowered until they touch, and wholly inside
+// it.
 #include "peg.fbvh.hpp"
 #include "plate.fbvh.hpp"
 #include "text.hpp"
@@ -18,7 +19,7 @@ constexpr int32_t cells(double millimetres) {
 constexpr uint32_t kWork =
     flashbvh::work_within(50000, flashbvh::kCortexM4F, plate::kTreeSize, peg::kTreeSize);
 
-/// Whether the peg, `height` cells above the plate's origin, touches the plate.
+/// Whether the peg, `height` cells above the plate's origin, touches the plate or is inside it.
 bool touches(int32_t height) {
   const flashbvh::Pose pose = flashbvh::Pose::translated(0, 0, height);
   flashbvh::PairQuery query(plate::mesh, peg::mesh, pose);  // a few words on the stack
@@ -29,9 +30,10 @@ bool touches(int32_t height) {
       return true;  // found[0].a and found[0].b are triangles of plate.obj and peg.obj
     }
     if (step.status != flashbvh::Status::suspended) {
-      // Free: no triangles intersect; a peg wholly inside the plate is not told. An error is no
+      // Free: no triangles intersect, nor is the peg wholly inside the plate. An error is no
       // permission to move on.
-      return step.status != flashbvh::Status::done;
+      return step.status != flashbvh::Status::done ||
+             one_is_inside(plate::mesh, peg::mesh, pose).yes;
     }
     // Not finished: do something else, and come back.
   }
@@ -43,8 +45,10 @@ int main() {
   const bool above = touches(cells(0.5));
   const bool on = touches(cells(0));
   const bool in = touches(cells(-2));
+  const bool inside = touches(cells(-35));  // 5 mm of the plate above it and below
   port::print("0.5 mm above the plate: ", above ? "touches" : "free", "\n");
   port::print("on the plate: ", on ? "touches" : "free", "\n");
   port::print("2 mm into the plate: ", in ? "touches" : "free", "\n");
-  return !above && on && in ? 0 : 1;
+  port::print("wholly inside the plate: ", inside ? "touches" : "free", "\n");
+  return !above && on && in && inside ? 0 : 1;
 }

@@ -2,6 +2,7 @@
  * millimetres; in slices, saved, resumed, seeded, in one call. */
 #include "flashbvh/clearance.h"
 #include "flashbvh/ray.h"
+#include "flashbvh/shape.h"
 #include "flashbvh/solid.h"
 
 #include <stddef.h>
@@ -53,6 +54,23 @@ static void check_slices(const flashbvh_mesh* a, const flashbvh_mesh* b, const f
   check(same(&found, wanted));
 }
 
+/** A box wholly inside the block: no pair, and yet not free. */
+static void check_contained(const flashbvh_mesh* block) {
+  const flashbvh_point lower = {10040, 10040, 10040};
+  const flashbvh_point upper = {10060, 10060, 10060};
+  flashbvh_box_shape box;
+  flashbvh_pose pose;
+  uint32_t pairs = 1;
+  bool yes = false;
+  check(flashbvh_box_shape_make(&box, block, &lower, &upper) == FLASHBVH_STATUS_DONE);
+  (void)flashbvh_pose_translated(0, 0, 0, &pose);
+  check(flashbvh_count_pairs(block, &box.mesh, &pose, &pairs) == FLASHBVH_STATUS_DONE);
+  check(pairs == 0);
+  check(flashbvh_one_is_inside(block, &box.mesh, &pose, &yes) == FLASHBVH_STATUS_DONE && yes);
+  yes = false;
+  check(flashbvh_one_is_inside(&box.mesh, block, &pose, &yes) == FLASHBVH_STATUS_DONE && yes);
+}
+
 /** The block is closed, the blade isn't. */
 static void check_solids(const flashbvh_mesh* block, const flashbvh_mesh* blade) {
   const flashbvh_point middle = {10050, 10050, 10050};
@@ -70,10 +88,15 @@ static void check_solids(const flashbvh_mesh* block, const flashbvh_mesh* blade)
   check(flashbvh_inside(blade, &middle, &side) == FLASHBVH_STATUS_NOT_CLOSED);
   (void)flashbvh_pose_translated(0, 0, 101, &pose);
   check(flashbvh_solids_intersect(block, block, &pose, &yes) == FLASHBVH_STATUS_DONE && !yes);
+  yes = true;
+  check(flashbvh_one_is_inside(block, block, &pose, &yes) == FLASHBVH_STATUS_DONE && !yes);
   (void)flashbvh_pose_translated(0, 0, 100, &pose);
   check(flashbvh_solids_intersect(block, block, &pose, &yes) == FLASHBVH_STATUS_DONE && yes);
   (void)flashbvh_pose_translated(0, 0, 0, &pose);
   check(flashbvh_solids_intersect(block, blade, &pose, &yes) == FLASHBVH_STATUS_NOT_CLOSED && yes);
+  yes = false;
+  check(flashbvh_one_is_inside(block, blade, &pose, &yes) == FLASHBVH_STATUS_NOT_CLOSED && yes);
+  check_contained(block);
 }
 
 static bool count_front(const flashbvh_hit* hit, void* context) {

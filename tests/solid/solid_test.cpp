@@ -140,6 +140,10 @@ TEST_CASE("bodies have points in common if triangles intersect or one lies insid
     REQUIRE(found.status == Status::done);
     REQUIRE(found.yes == truth);
     REQUIRE(solids_intersect(b, a, pose.inverse()).status == Status::done);
+    // A query that found no pair, and what it leaves to ask.
+    const Answer contained = one_is_inside(a, b, pose);
+    REQUIRE(contained.status == Status::done);
+    REQUIRE((touch || contained.yes == truth));
     within += truth && !touch ? 1 : 0;
     apart += truth ? 0 : 1;
   }
@@ -161,4 +165,26 @@ TEST_CASE("an open mesh has no inside") {
   CHECK(solids_intersect(a, b, apart).status == Status::not_closed);
   CHECK(solids_intersect(b, a, apart).yes);
   CHECK_FALSE(solids_intersect(b, b, apart).yes);
+  CHECK(one_is_inside(a, b, apart).status == Status::not_closed);
+  CHECK(one_is_inside(b, a, apart).status == Status::not_closed);
+  CHECK(one_is_inside(b, a, apart).yes);
+  CHECK(one_is_inside(b, b, apart).status == Status::done);
+  CHECK_FALSE(one_is_inside(b, b, apart).yes);
+}
+
+TEST_CASE("what is asked after a query refuses what the query refuses") {
+  Random random(test_seed());
+  bake::LatticeMesh box;
+  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
+  const AnyMesh any = any_mesh(random, box);
+  const PostMesh a = closed(any);
+  PostMesh other_cell = a;
+  other_cell.cell_bits ^= 1;
+  const Pose apart = Pose::translated(100, 0, 0);
+  const Pose nowhere = Pose::translated(INT32_MAX, 0, 0);
+  CHECK(one_is_inside(a, other_cell, apart).status == Status::cell_mismatch);
+  CHECK(one_is_inside(a, other_cell, apart).yes);
+  CHECK(one_is_inside(a, a, nowhere).status == Status::translation_out_of_range);
+  CHECK(one_is_inside(a, a, nowhere).yes);
+  CHECK(solids_intersect(a, other_cell, apart).status == Status::cell_mismatch);
 }

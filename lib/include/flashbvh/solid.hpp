@@ -43,6 +43,17 @@ struct [[nodiscard]] PointAnswer {
 template <class Index>
 PointAnswer inside(const Mesh<Index, Layout::post_indexed>& mesh, const Point& point) noexcept;
 
+/// Whether a shell of A or B, which lies at `pose` in A's frame, has its first vertex inside the
+/// other: of bodies whose triangles don't intersect, whether one is in the other, wholly or by a
+/// shell. With a PairQuery that ended `done` without a pair this is solids_intersect() in slices.
+/// Both are closed: else `not_closed`; `cell_mismatch` and the pose's errors as of a query; `yes`
+/// after any error. `yes` always means that they have a point in common.
+///
+/// Visits some tens of boxes a shell, as inside(); it is not cut into slices. Stack: 704 bytes.
+template <class Index>
+Answer one_is_inside(const Mesh<Index, Layout::post_indexed>& a,
+                     const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept;
+
 /// Whether A and B, which lies at `pose` in A's frame, have any point in common, surfaces and
 /// insides: triangles that intersect, or a shell of one of them inside the other. Both are closed:
 /// else `not_closed`, and `yes` as after any error. Stack: 752 bytes.

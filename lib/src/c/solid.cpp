@@ -15,6 +15,13 @@ flashbvh_status flashbvh_inside(const flashbvh_mesh* mesh, const flashbvh_point*
   return c_status(answer.status);
 }
 
+flashbvh_status flashbvh_one_is_inside(const flashbvh_mesh* a, const flashbvh_mesh* b,
+                                       const flashbvh_pose* pose, bool* yes) {
+  const Answer answer = one_is_inside(object_in(a), object_in(b), object_in(pose));
+  *yes = answer.yes;
+  return c_status(answer.status);
+}
+
 flashbvh_status flashbvh_solids_intersect(const flashbvh_mesh* a, const flashbvh_mesh* b,
                                           const flashbvh_pose* pose, bool* yes) {
   const Answer answer = solids_intersect(object_in(a), object_in(b), object_in(pose));

@@ -122,10 +122,21 @@ PointAnswer inside(const Mesh<Index, Layout::post_indexed>& mesh, const Point& p
 
 namespace {
 
-/// Of meshes whose triangles don't intersect. Apart from that question, so that the stacks of both
-/// don't add up.
 template <class MeshType>
-[[gnu::noinline]] bool one_is_inside(const MeshType& a, const MeshType& b, const Pose& pose) {
+Status solids_error(const MeshType& a, const MeshType& b, const Pose& pose) {
+  if (a.cell_bits != b.cell_bits) {
+    return Status::cell_mismatch;
+  }
+  if (pose.status() != Status::done) {
+    return pose.status();
+  }
+  return a.is_closed && b.is_closed ? Status::done : Status::not_closed;
+}
+
+// The two questions of solids_intersect are apart, so that their stacks don't add up.
+
+template <class MeshType>
+[[gnu::noinline]] bool has_one_inside(const MeshType& a, const MeshType& b, const Pose& pose) {
   detail::Transform transform(pose, a, b, /*may_stop=*/false);
   transform.bring_near();
   const auto of_b = [&transform](const Vertex& v) -> Point {
@@ -149,20 +160,26 @@ template <class MeshType>
 }  // namespace
 
 template <class Index>
+Answer one_is_inside(const Mesh<Index, Layout::post_indexed>& a,
+                     const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept {
+  const Status error = solids_error(a, b, pose);
+  if (error != Status::done) {
+    return {error, true};
+  }
+  return {Status::done, has_one_inside(a, b, pose)};
+}
+
+template <class Index>
 Answer solids_intersect(const Mesh<Index, Layout::post_indexed>& a,
                         const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept {
   const Answer surfaces = surfaces_intersect(a, b, pose);
-  if (surfaces.yes) {
-    return surfaces;
-  }
-  if (!a.is_closed || !b.is_closed) {
-    return {Status::not_closed, true};
-  }
-  return {Status::done, one_is_inside(a, b, pose)};
+  return surfaces.yes ? surfaces : one_is_inside(a, b, pose);
 }
 
 template PointAnswer inside(const PostMesh&, const Point&) noexcept;
 template PointAnswer inside(const LargePostMesh&, const Point&) noexcept;
+template Answer one_is_inside(const PostMesh&, const PostMesh&, const Pose&) noexcept;
+template Answer one_is_inside(const LargePostMesh&, const LargePostMesh&, const Pose&) noexcept;
 template Answer solids_intersect(const PostMesh&, const PostMesh&, const Pose&) noexcept;
 template Answer solids_intersect(const LargePostMesh&, const LargePostMesh&, const Pose&) noexcept;
 

@@ -200,6 +200,12 @@ ENTRY(inside_once, asked) {
   }
 }
 
+ENTRY(one_is_inside_once, asked) {
+  const Answer answer = one_is_inside<uint16_t>(*in->closed, *in->closed, *in->pose);
+  in->answer = answer.yes ? 1 : 0;
+  in->ends(answer.status);
+}
+
 ENTRY(solids_intersect_once, asked) {
   const Answer answer = solids_intersect<uint16_t>(*in->closed, *in->closed, *in->pose);
   in->answer = answer.yes ? 1 : 0;
@@ -424,6 +430,12 @@ ENTRY(c_signed_crossings, asked) {
 ENTRY(c_segment_of, asked) {
   flashbvh_segment segment;
   in->ends(flashbvh_segment_of(in->floats, in->floats + 3, 100, 1, &segment));
+}
+
+ENTRY(c_one_is_inside, asked) {
+  bool yes = false;
+  in->ends(flashbvh_one_is_inside(in->c_closed, in->c_closed, in->c_pose, &yes));
+  in->answer = yes ? 1 : 0;
 }
 
 ENTRY(c_solids_intersect, asked) {
