@@ -11,6 +11,7 @@
 #include "reference.h"
 #include "shapes.h"
 #include "text.h"
+#include "within.h"
 
 enum { ROOM = 200, POSES = 60 };
 
@@ -244,6 +245,7 @@ int main(void) {
   check_bound(&plate, &peg);
   failures += clearance_failures();
   failures += shape_failures();
+  failures += within_failures();
   flashbvh_pose_translated(0, 0, 0, &pose);
   for (int i = 0; i < POSES; ++i) {
     compare(plate, peg, &pose, i);

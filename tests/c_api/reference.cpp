@@ -1,9 +1,11 @@
 #include "reference.h"
 
+#include <flashbvh/clearance.hpp>
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/shape.hpp>
 
 #include "shapes.h"
+#include "within.h"
 
 using namespace flashbvh;
 
@@ -19,6 +21,14 @@ Pose pose_of(const int32_t rotation[9], const int32_t cells[3], const int16_t fr
 
 Point point_of(const flashbvh_point& p) {
   return {p.x, p.y, p.z};
+}
+
+flashbvh_nearest_points c_nearest(const NearestPoints& n) {
+  return {{n.point_a.x, n.point_a.y, n.point_a.z},
+          {n.point_b.x, n.point_b.y, n.point_b.z},
+          {n.direction.x, n.direction.y, n.direction.z},
+          n.lower,
+          n.upper};
 }
 
 shape_answer ask(const PostMesh& mesh, const PostMesh& shape, const Pose& pose) {
@@ -43,6 +53,37 @@ void query_in_cpp(image a, image b, const int32_t rotation[9], const int32_t cel
   const Status status = query.run(UINT32_MAX, [to](const PairQuery::Pair& pair) {
     if (to->count < to->room) {
       to->pairs[to->count] = {pair.a, pair.b};
+    }
+    ++to->count;
+    return true;
+  });
+  const Counts& counts = query.counts();
+  to->counts = {counts.visits, counts.overlaps, counts.leaf_pairs, counts.triangle_pairs};
+  to->status = static_cast<flashbvh_status>(status);
+}
+
+void band_in_cpp(image a, image b, const flashbvh_pose* pose, uint32_t distance, band* to) {
+  int32_t rotation[9];
+  int32_t cells[3];
+  int16_t fraction[3];
+  PostMesh tree_a;
+  PostMesh tree_b;
+  to->count = 0;
+  to->status = FLASHBVH_STATUS_IMAGE_INVALID;
+  if (open_image(a.bytes, a.size, tree_a) != Status::done ||
+      open_image(b.bytes, b.size, tree_b) != Status::done) {
+    return;
+  }
+  flashbvh_pose_values(pose, rotation, cells, fraction);
+  const Pose same = pose_of(rotation, cells, fraction);
+  WithinQuery query(tree_a, tree_b, same, {}, within(distance));
+  const Status status = query.run(UINT32_MAX, [&](const WithinQuery::Pair& pair) {
+    if (to->count < BAND_ROOM) {
+      Triangle of_a;
+      Triangle of_b;
+      query.last_pair(of_a, of_b);
+      to->pairs[to->count] = {pair.a, pair.b};
+      to->nearest[to->count] = c_nearest(nearest_points_of(of_a, of_b));
     }
     ++to->count;
     return true;

@@ -17,12 +17,27 @@ const ClearanceQuery& query_in(const flashbvh_clearance_query* query) {
   return *reinterpret_cast<const ClearanceQuery*>(query->opaque.bytes);
 }
 
+WithinQuery& query_in(flashbvh_within_query* query) {
+  return *reinterpret_cast<WithinQuery*>(query->opaque.bytes);
+}
+const WithinQuery& query_in(const flashbvh_within_query* query) {
+  return *reinterpret_cast<const WithinQuery*>(query->opaque.bytes);
+}
+
 Seed seed_of(const flashbvh_witness* seed) {
   return seed == nullptr ? Seed() : Seed{seed->a, seed->b};
 }
 
 flashbvh_fine_point fine_point_of(const FinePoint& p) {
   return {p.x, p.y, p.z};
+}
+
+void put(const NearestPoints& found, flashbvh_nearest_points* nearest) {
+  *nearest = {fine_point_of(found.point_a),
+              fine_point_of(found.point_b),
+              {found.direction.x, found.direction.y, found.direction.z},
+              found.lower,
+              found.upper};
 }
 
 flashbvh_clearance clearance_of(const Clearance<uint16_t>& known) {
@@ -56,25 +71,19 @@ void flashbvh_clearance_result(const flashbvh_clearance_query* query, flashbvh_c
 }
 
 flashbvh_counts flashbvh_clearance_counts(const flashbvh_clearance_query* query) {
-  const Counts& counts = query_in(query).counts();
-  return {counts.visits, counts.overlaps, counts.leaf_pairs, counts.triangle_pairs};
+  return c_counts(query_in(query).counts());
 }
 
 flashbvh_clearance_position flashbvh_clearance_position_of(const flashbvh_clearance_query* query) {
   const ClearancePosition<uint16_t> position = query_in(query).position();
-  const QueryPosition<uint16_t>& walk = position.walk;
-  return {{walk.a, walk.b, walk.untested, static_cast<uint8_t>(walk.state), {0, 0, 0}},
-          {position.witness.a, position.witness.b},
-          position.has_witness};
+  return {
+      c_position(position.walk), {position.witness.a, position.witness.b}, position.has_witness};
 }
 
 flashbvh_status flashbvh_clearance_resume(flashbvh_clearance_query* query,
                                           const flashbvh_clearance_position* position) {
   ClearancePosition<uint16_t> to;
-  to.walk.a = position->walk.a;
-  to.walk.b = position->walk.b;
-  to.walk.untested = position->walk.untested;
-  to.walk.state = static_cast<QueryPosition<uint16_t>::State>(position->walk.state);
+  to.walk = position_of(position->walk);
   to.witness = seed_of(&position->witness);
   to.has_witness = position->has_witness;
   return c_status(query_in(query).resume(to));
@@ -92,6 +101,70 @@ flashbvh_status flashbvh_closer_than(const flashbvh_mesh* a, const flashbvh_mesh
   const Answer answer = closer_than(object_in(a), object_in(b), object_in(pose), distance);
   *yes = answer.yes;
   return c_status(answer.status);
+}
+
+flashbvh_status flashbvh_within_start(flashbvh_within_query* query, const flashbvh_mesh* a,
+                                      const flashbvh_mesh* b, const flashbvh_pose* pose,
+                                      uint32_t distance) {
+  new (storage_of<WithinQuery>(query))
+      WithinQuery(object_in(a), object_in(b), object_in(pose), {}, within(distance));
+  return c_status(query_in(query).status());
+}
+
+flashbvh_status flashbvh_within_status(const flashbvh_within_query* query) {
+  return c_status(query_in(query).status());
+}
+
+flashbvh_status flashbvh_within_run(flashbvh_within_query* query, uint32_t work,
+                                    flashbvh_pair* pairs, uint32_t capacity, uint32_t* count) {
+  return c_status(run_into(query_in(query), work, pairs, capacity, *count));
+}
+
+flashbvh_status flashbvh_within_spend(flashbvh_within_query* query, uint32_t* work,
+                                      flashbvh_pair* pairs, uint32_t capacity, uint32_t* count) {
+  return c_status(run_into(query_in(query), *work, pairs, capacity, *count));
+}
+
+flashbvh_status flashbvh_within_visit(flashbvh_within_query* query, uint32_t* work,
+                                      flashbvh_visitor* visit, void* context) {
+  return c_status(query_in(query).spend(*work, [visit, context](const WithinQuery::Pair& pair) {
+    return visit(c_pair(pair), context);
+  }));
+}
+
+flashbvh_counts flashbvh_within_counts(const flashbvh_within_query* query) {
+  return c_counts(query_in(query).counts());
+}
+
+flashbvh_position flashbvh_within_position(const flashbvh_within_query* query) {
+  return c_position(query_in(query).position());
+}
+
+flashbvh_status flashbvh_within_resume(flashbvh_within_query* query,
+                                       const flashbvh_position* position) {
+  return c_status(query_in(query).resume(position_of(*position)));
+}
+
+void flashbvh_within_last_pair(const flashbvh_within_query* query, flashbvh_triangle* a,
+                               flashbvh_triangle* b) {
+  Triangle placed_a;
+  Triangle placed_b;
+  query_in(query).last_pair(placed_a, placed_b);
+  put(placed_a, a);
+  put(placed_b, b);
+}
+
+void flashbvh_within_last_nearest_points(const flashbvh_within_query* query,
+                                         flashbvh_nearest_points* nearest) {
+  Triangle a;
+  Triangle b;
+  query_in(query).last_pair(a, b);
+  put(nearest_points_of(a, b), nearest);
+}
+
+void flashbvh_nearest_points_of(const flashbvh_triangle* a, const flashbvh_triangle* b,
+                                flashbvh_nearest_points* nearest) {
+  put(nearest_points_of(triangle_of(*a), triangle_of(*b)), nearest);
 }
 
 flashbvh_status flashbvh_for_each_within(const flashbvh_mesh* a, const flashbvh_mesh* b,

@@ -10,18 +10,6 @@ static_assert(FLASHBVH_CONTACT_DEGENERATE == static_cast<int>(ContactKind::degen
 
 namespace {
 
-void put(const Triangle& placed, flashbvh_triangle* triangle) {
-  for (int i = 0; i < 3; ++i) {
-    const Point& corner = placed.corner[i];
-    triangle->corner[i] = {corner.x, corner.y, corner.z};
-  }
-}
-
-Triangle triangle_of(const flashbvh_triangle& given) {
-  const flashbvh_point* const c = given.corner;
-  return {{{c[0].x, c[0].y, c[0].z}, {c[1].x, c[1].y, c[1].z}, {c[2].x, c[2].y, c[2].z}}};
-}
-
 flashbvh_fine_point c_point(const FinePoint& p) {
   return {p.x, p.y, p.z};
 }

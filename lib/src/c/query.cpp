@@ -3,13 +3,7 @@
 
 using namespace flashbvh;
 
-namespace {
-
-using Position = QueryPosition<uint16_t>;
-
 static_assert(sizeof(flashbvh_position) == 12, "the figure in the header");
-
-}  // namespace
 
 flashbvh_status flashbvh_query_start(flashbvh_query* query, const flashbvh_mesh* a,
                                      const flashbvh_mesh* b, const flashbvh_pose* pose) {
@@ -39,21 +33,13 @@ flashbvh_status flashbvh_query_visit(flashbvh_query* query, uint32_t* work, flas
 }
 
 flashbvh_counts flashbvh_query_counts(const flashbvh_query* query) {
-  const Counts& counts = object_in(query).counts();
-  return {counts.visits, counts.overlaps, counts.leaf_pairs, counts.triangle_pairs};
+  return c_counts(object_in(query).counts());
 }
 
 flashbvh_position flashbvh_query_position(const flashbvh_query* query) {
-  const Position position = object_in(query).position();
-  return {
-      position.a, position.b, position.untested, static_cast<uint8_t>(position.state), {0, 0, 0}};
+  return c_position(object_in(query).position());
 }
 
 flashbvh_status flashbvh_query_resume(flashbvh_query* query, const flashbvh_position* position) {
-  Position to;
-  to.a = position->a;
-  to.b = position->b;
-  to.untested = position->untested;
-  to.state = static_cast<Position::State>(position->state);
-  return c_status(object_in(query).resume(to));
+  return c_status(object_in(query).resume(position_of(*position)));
 }

@@ -81,6 +81,7 @@ struct Arguments {
   flashbvh::ClearancePosition<uint16_t> clearance_position;
   flashbvh_position c_position;
   flashbvh_clearance c_clearance;
+  flashbvh_nearest_points c_nearest;
   flashbvh_box_shape c_box;
   flashbvh_clearance_position c_clearance_position;
 

@@ -66,6 +66,11 @@ inline Witness<uint16_t> pair_of(uint16_t i) {
                                    in.c_pose, seed, 0));
 }
 
+[[gnu::noinline]] inline void start_within(Arguments& in) {
+  in.ends(flashbvh_within_start(&as<flashbvh_within_query>(in.query), in.c_a, in.c_b, in.c_pose,
+                                in.distance));
+}
+
 /// Makes the query if no work is granted, else runs it for a slice.
 template <class Asked>
 [[gnu::always_inline]] inline void make_or_run(Arguments& in, const typename Asked::Mesh& a,
@@ -385,6 +390,33 @@ ENTRY(c_closer_than, asked) {
   bool yes = false;
   in->ends(flashbvh_closer_than(in->c_a, in->c_b, in->c_pose, in->distance, &yes));
   in->answer = yes ? 1 : 0;
+}
+
+ENTRY(c_within_run, asked) {
+  start_within(*in);
+  uint32_t count = 0;
+  do {
+    in->ends(flashbvh_within_run(&as<flashbvh_within_query>(in->query), UINT32_MAX, in->c_found(),
+                                 in->capacity, &count));
+    in->answer += count;
+  } while (count == in->capacity);
+}
+
+ENTRY(c_within_visit, asked) {
+  start_within(*in);
+  in->work = UINT32_MAX;
+  in->ends(flashbvh_within_visit(&as<flashbvh_within_query>(in->query), &in->work, count_visit,
+                                 &in->answer));
+}
+
+ENTRY(c_within_last_nearest_points, asked) {
+  auto& query = as<flashbvh_within_query>(in->query);
+  uint32_t count = 0;
+  start_within(*in);
+  in->ends(flashbvh_within_run(&query, UINT32_MAX, in->c_found(), 1, &count));
+  if (count != 0) {
+    flashbvh_within_last_nearest_points(&query, &in->c_nearest);
+  }
 }
 
 ENTRY(c_for_each_within, asked) {
