@@ -7,6 +7,7 @@
 #include "flashbvh/shape.hpp"
 #include "flashbvh/solid.hpp"
 #include "property/any_mesh.hpp"
+#include "support/boxes.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;
@@ -115,4 +116,37 @@ TEST_CASE("a shape that no mesh can be stays as it was, and says so") {
   segment.set({0, 0, 0}, {0, 0, 1});
   CHECK(segment.status() == Status::done);
   CHECK(segment.mesh().longest_edge >= 1);
+}
+
+TEST_CASE("what is asked of a shape that never was any is refused, until it is one") {
+  Random random(test_seed());
+  bake::LatticeMesh box;
+  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
+  const AnyMesh any = any_mesh(random, box);
+  const PostMesh mesh = any.view<PostMesh>();
+  const Pose still = Pose::translated(0, 0, 0);
+  constexpr Point far = {INT32_MAX, INT32_MAX, INT32_MAX};
+  const auto is_refused = [&](const PostMesh& shape) {
+    PairQuery query(mesh, shape, still);
+    return query.status() == Status::cell_mismatch && intersects(shape, mesh, still).yes &&
+           distance(mesh, shape, still).status == Status::cell_mismatch &&
+           closer_than(mesh, shape, still, 0).yes &&
+           solids_intersect(mesh, shape, still).status == Status::cell_mismatch &&
+           one_is_inside(shape, mesh, still).yes &&
+           inside(shape, {100, 0, 0}).status == Status::not_closed;
+  };
+  CHECK(is_refused(PointShape(mesh, far).mesh()));
+  CHECK(is_refused(SegmentShape(mesh, {0, 0, 0}, {32768, 0, 0}).mesh()));
+  CHECK(is_refused(TriangleShape(mesh, {{far, far, far}}).mesh()));
+  BoxShape zone(mesh, {0, 0, 0}, far);
+  CHECK(zone.status() == Status::shape_too_large);
+  CHECK(is_refused(zone.mesh()));
+  zone.set({-1, -1, -1}, far);
+  CHECK(is_refused(zone.mesh()));
+  zone.set({-1, -1, -1}, {1, 1, 1});
+  CHECK_FALSE(is_refused(zone.mesh()));
+  CHECK(zone.mesh().cell_bits == mesh.cell_bits);
+  CHECK_FALSE(intersects(mesh, zone.mesh(), still).yes);
+  CHECK(solids_intersect(mesh, zone.mesh(), still).status == Status::done);
+  CHECK(solids_intersect(mesh, zone.mesh(), still).yes);
 }

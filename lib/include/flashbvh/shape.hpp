@@ -33,13 +33,14 @@ class Shape {
   [[nodiscard]] const PostMesh& mesh() const { return mesh_; }
 
   /// `shape_too_large` where a coordinate is further than 16,383 cells from the middle, or beyond
-  /// 2^29: then the shape is as it was.
+  /// 2^29: then the shape is as it was. One that never was any has no cell of a mesh and no inside:
+  /// queries of it and a mesh end with `cell_mismatch`, inside() with `not_closed`. Rays alone meet
+  /// it, in the origin.
   [[nodiscard]] Status status() const { return status_; }
 
  protected:
-  /// Has the cell of `like`.
-  FLASHBVH_NOINLINE explicit Shape(const PostMesh& like, const uint8_t (&corners)[triangles][3],
-                                   bool is_closed) {
+  /// Has the cell of `like` from when its points are set; no mesh has a negative one.
+  FLASHBVH_NOINLINE explicit Shape(const PostMesh& like, const uint8_t (&corners)[triangles][3]) {
     for (uint16_t i = 0; i < triangles; ++i) {
       corners_[i] = {{corners[i][0], corners[i][1], corners[i][2]}};
       ids_[i] = i;
@@ -57,8 +58,7 @@ class Shape {
     mesh_.vertex_count = vertices;
     mesh_.shell_count = 1;
     mesh_.unit = like.unit;
-    mesh_.is_closed = is_closed;
-    mesh_.cell_bits = like.cell_bits;
+    mesh_.cell_bits = like.cell_bits | kNegative;
   }
 
   /// Of all its vertices.
@@ -75,6 +75,8 @@ class Shape {
       return;
     }
     status_ = Status::done;
+    mesh_.cell_bits &= ~kNegative;
+    mesh_.is_closed = kIsClosed;
     mesh_.origin[0] = middle.x;
     mesh_.origin[1] = middle.y;
     mesh_.origin[2] = middle.z;
@@ -92,6 +94,8 @@ class Shape {
 
  private:
   static constexpr int32_t kMostOrigin = 1 << 29;
+  static constexpr uint64_t kNegative = uint64_t{1} << 63;  // a double's sign
+  static constexpr bool kIsClosed = triangles > 1;          // a box
 
   static int32_t lesser(int32_t u, int32_t v) { return u < v ? u : v; }
   static int32_t greater(int32_t u, int32_t v) { return u < v ? v : u; }
@@ -124,7 +128,7 @@ class Shape {
 class PointShape : public Shape<1, 1> {
  public:
   /// With the cell of `like`; see status().
-  PointShape(const PostMesh& like, const Point& at) : Shape(like, {{0, 0, 0}}, false) { set(at); }
+  PointShape(const PostMesh& like, const Point& at) : Shape(like, {{0, 0, 0}}) { set(at); }
   /// Sets it anew; see status().
   FLASHBVH_NOINLINE void set(const Point& at) { set_points({at}); }
 };
@@ -133,8 +137,7 @@ class PointShape : public Shape<1, 1> {
 class SegmentShape : public Shape<1, 2> {
  public:
   /// With the cell of `like`; see status().
-  SegmentShape(const PostMesh& like, const Point& p, const Point& q)
-      : Shape(like, {{0, 1, 1}}, false) {
+  SegmentShape(const PostMesh& like, const Point& p, const Point& q) : Shape(like, {{0, 1, 1}}) {
     set(p, q);
   }
   /// Sets it anew; see status().
@@ -145,9 +148,7 @@ class SegmentShape : public Shape<1, 2> {
 class TriangleShape : public Shape<1, 3> {
  public:
   /// With the cell of `like`; see status().
-  TriangleShape(const PostMesh& like, const Triangle& t) : Shape(like, {{0, 1, 2}}, false) {
-    set(t);
-  }
+  TriangleShape(const PostMesh& like, const Triangle& t) : Shape(like, {{0, 1, 2}}) { set(t); }
   /// Sets it anew; see status().
   FLASHBVH_NOINLINE void set(const Triangle& t) { set_points(t.corner); }
 };
@@ -166,7 +167,7 @@ class BoxShape : public Shape<12, 8> {
  public:
   /// With the cell of `like`; see status().
   BoxShape(const PostMesh& like, const Point& lower, const Point& upper)
-      : Shape(like, detail::kBoxTriangles, true) {
+      : Shape(like, detail::kBoxTriangles) {
     set(lower, upper);
   }
   /// Sets it anew; see status().

@@ -22,10 +22,6 @@ flashbvh_status make_shape(Struct* shape, const flashbvh_mesh* like, const Corne
   static_assert(__has_trivial_destructor(Made), "C drops its structs as bytes");
   auto* const made =
       new (Storage{reinterpret_cast<unsigned char*>(shape)}) Made(object_in(like), corners...);
-  if (made->status() != Status::done) {
-    // No mesh has this cell: a shape whose status nobody reads must not answer.
-    const_cast<PostMesh&>(made->mesh()).cell_bits = 0;
-  }
   return c_status(made->status());
 }
 
