@@ -148,6 +148,10 @@ TEST_CASE("signed crossings are winding numbers' differences, through edges and 
       const long to = truth_of(mesh, segment.to, on_surface[1]);
       const CrossingCount found = signed_crossings(mesh, segment);
       REQUIRE(found.status == Status::done);
+      // Of the whole segment, not of the part before a hit.
+      const auto any_of_it = any_hit(mesh, segment);
+      REQUIRE((any_of_it.yes ? found.visits >= any_of_it.visits && found.visits <= mesh.node_count
+                             : found.visits == any_of_it.visits));
       if (!on_surface[0] && !on_surface[1]) {
         REQUIRE(found.outwards == from - to);
         changes += from != to ? 1 : 0;
@@ -228,6 +232,7 @@ TEST_CASE("what no ray can be is refused, and may hit") {
       CHECK(signed_crossings(mesh, segment).status == Status::ray_out_of_range);
       mesh.is_closed = false;
       CHECK(signed_crossings(mesh, segment).status == Status::not_closed);
+      CHECK(signed_crossings(mesh, segment).visits == 0);
     }
   }
   const auto count = static_cast<std::uint16_t>(mesh.triangle_count);

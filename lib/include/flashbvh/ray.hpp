@@ -82,6 +82,7 @@ Status for_each_hit(const Mesh<Index, Layout::post_indexed>& mesh, const Segment
 struct [[nodiscard]] CrossingCount {
   Status status;  ///< `done`, `not_closed`, `ray_out_of_range`
   int32_t outwards;
+  uint32_t visits;  ///< boxes tested
 };
 
 /// How often the segment goes out of a closed mesh, less how often it goes in: the winding number

@@ -143,7 +143,7 @@ template <class Index>
 CrossingCount signed_crossings(const Mesh<Index, Layout::post_indexed>& mesh,
                                const Segment& segment) noexcept {
   if (!mesh.is_closed) {
-    return {Status::not_closed, 0};
+    return {Status::not_closed, 0, 0};
   }
   detail::SegmentWalk<Mesh<Index, Layout::post_indexed>> walk(mesh, segment);
   const Point& from = walk.segment().from;
@@ -159,7 +159,7 @@ CrossingCount signed_crossings(const Mesh<Index, Layout::post_indexed>& mesh,
       outwards += side;
     }
   }
-  return {walk.status(), outwards};
+  return {walk.status(), outwards, walk.visits()};
 }
 
 FinePoint point_along(const Segment& segment, const SegmentShare& along) noexcept {
