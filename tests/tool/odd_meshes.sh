@@ -107,7 +107,8 @@ box() {
     $1 == "f" && turned == "inwards" { print $1, $5 - 9, $4 - 9, $3 - 9, $2 - 9 }
     $1 == "f" && turned == "outwards" { print $1, $2 - 9, $3 - 9, $4 - 9, $5 - 9 }' box.obj
 }
-turned="is inside out: normals face into the solid; turn the triangles round in the program that made it"
+turned="is inside out: normals face into the solid; turn the triangles round in the program that made it, \
+or leave them if it is a room, seen from within"
 for x in -1000 -4 0 1000; do
   box 8 $x inwards >mesh.obj
   exits 0 bake mesh.obj -o odd --cell 1

@@ -39,7 +39,7 @@ void warn_of_surface(const MeshDefects& defects, const std::string& path, Warnin
   if (defects.inside_out) {
     warnings.add(path,
                  "is inside out: normals face into the solid; turn the triangles round in the "
-                 "program that made it");
+                 "program that made it, or leave them if it is a room, seen from within");
   }
 }
 
