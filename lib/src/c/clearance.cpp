@@ -32,6 +32,34 @@ flashbvh_fine_point fine_point_of(const FinePoint& p) {
   return {p.x, p.y, p.z};
 }
 
+QueryPosition<uint16_t> position_of(const flashbvh_position& position) {
+  QueryPosition<uint16_t> to;
+  to.a = position.a;
+  to.b = position.b;
+  to.untested = position.untested;
+  to.state = static_cast<QueryPosition<uint16_t>::State>(position.state);
+  return to;
+}
+
+/// WithinQuery::spend() into an array of C's.
+Status run_into(WithinQuery& query, uint32_t& work, flashbvh_pair* pairs, uint32_t capacity,
+                uint32_t& count) {
+  count = 0;
+  if (capacity == 0 && query.status() == Status::suspended) {
+    return Status::full;
+  }
+  uint32_t written = 0;
+  const Status status = query.spend(
+      work,
+      [&](const WithinQuery::Pair& pair) {
+        pairs[written++] = c_pair(pair);
+        return written < capacity;
+      },
+      [&] { return capacity - written; });
+  count = written;
+  return status;
+}
+
 void put(const NearestPoints& found, flashbvh_nearest_points* nearest) {
   *nearest = {fine_point_of(found.point_a),
               fine_point_of(found.point_b),

@@ -58,14 +58,6 @@ inline flashbvh_position c_position(const QueryPosition<uint16_t>& position) {
   return {
       position.a, position.b, position.untested, static_cast<uint8_t>(position.state), {0, 0, 0}};
 }
-inline QueryPosition<uint16_t> position_of(const flashbvh_position& position) {
-  QueryPosition<uint16_t> to;
-  to.a = position.a;
-  to.b = position.b;
-  to.untested = position.untested;
-  to.state = static_cast<QueryPosition<uint16_t>::State>(position.state);
-  return to;
-}
 
 inline void put(const Triangle& placed, flashbvh_triangle* triangle) {
   for (int i = 0; i < 3; ++i) {
@@ -78,9 +70,8 @@ inline Triangle triangle_of(const flashbvh_triangle& given) {
   return {{{c[0].x, c[0].y, c[0].z}, {c[1].x, c[1].y, c[1].z}, {c[2].x, c[2].y, c[2].z}}};
 }
 
-/// Query::spend() into an array of C's.
-template <class AnyQuery>
-FLASHBVH_INLINE inline Status run_into(AnyQuery& query, uint32_t& work, flashbvh_pair* pairs,
+/// PairQuery::spend() into an array of C's.
+FLASHBVH_INLINE inline Status run_into(PairQuery& query, uint32_t& work, flashbvh_pair* pairs,
                                        uint32_t capacity, uint32_t& count) {
   count = 0;
   if (capacity == 0 && query.status() == Status::suspended) {

@@ -41,5 +41,10 @@ flashbvh_position flashbvh_query_position(const flashbvh_query* query) {
 }
 
 flashbvh_status flashbvh_query_resume(flashbvh_query* query, const flashbvh_position* position) {
-  return c_status(object_in(query).resume(position_of(*position)));
+  QueryPosition<uint16_t> to;
+  to.a = position->a;
+  to.b = position->b;
+  to.untested = position->untested;
+  to.state = static_cast<QueryPosition<uint16_t>::State>(position->state);
+  return c_status(object_in(query).resume(to));
 }
