@@ -67,6 +67,7 @@ void check_ray(Random& random, const PostMesh& mesh, const Segment& segment) {
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const auto is_it = [&](const Hit& hit) { return same(hit, hits[i]); };
     REQUIRE(std::count_if(found.begin(), found.end(), is_it) == 1);
+    REQUIRE(mesh.triangle_ids[hits[i].position] == hits[i].triangle);
   }
   const auto any = any_hit(mesh, segment);
   REQUIRE((any.status == Status::done && any.yes == !hits.empty()));
@@ -126,6 +127,34 @@ TEST_CASE("a ray hits what it hits of each triangle") {
   }
 }
 
+TEST_CASE("of several hits in one place that of the least triangle id is told") {
+  Random random(test_seed());
+  std::uint32_t shared = 0;
+  for (int round = 0; round < 200 / kShare; ++round) {
+    CAPTURE(round);
+    const AnyMesh any = any_mesh(random, boxes(random));
+    const PostMesh mesh = any.view<PostMesh>();
+    for (int i = 0; i < 30; ++i) {
+      // Through a corner, mostly of several triangles.
+      const Vertex& v = mesh.vertices[random.below(mesh.vertex_count)];
+      const Point corner = moved({v.x, v.y, v.z}, mesh.origin);
+      const Point from = moved(any_point(random, 25), mesh.origin);
+      const Segment segment = {
+          from, {2 * corner.x - from.x, 2 * corner.y - from.y, 2 * corner.z - from.z}};
+      check_ray(random, mesh, segment);
+      const auto nearest = nearest_hit(mesh, segment);
+      const std::vector<Hit> hits = all_hits(mesh, segment);
+      for (const Hit& hit : hits) {
+        shared += hit.triangle != nearest.hit.triangle &&
+                          detail::order_along(hit.along, nearest.hit.along) == 0
+                      ? 1
+                      : 0;
+      }
+    }
+  }
+  CHECK(shared > 5000 / kShare);
+}
+
 TEST_CASE("signed crossings are winding numbers' differences, through edges and corners too") {
   Random random(test_seed());
   std::uint32_t changes = 0;
@@ -175,6 +204,29 @@ TEST_CASE("no ray is lost at an edge or a corner of a closed mesh") {
   for (int round = 0; round < 3000 / kShare; ++round) {
     REQUIRE(rays.is_right(random));
   }
+}
+
+TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") {
+  Random random(test_seed());
+  const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
+  const AnyMesh any(bake::build_default(lattice), lattice);
+  const PostMesh mesh = any.view<PostMesh>();
+  std::uint32_t all = 0;
+  std::uint32_t nearest = 0;
+  std::uint32_t seeded = 0;
+  for (int i = 0; i < 200; ++i) {
+    // Along the ring's middle: through both walls and what is between them.
+    const Segment segment = {{-12000, random.between(-2000, 2000), random.between(-2000, 2000)},
+                             {12000, random.between(-2000, 2000), random.between(-2000, 2000)}};
+    const auto found = nearest_hit(mesh, segment);
+    REQUIRE((found.yes && found.visits != 0));
+    all += signed_crossings(mesh, segment).visits;
+    nearest += found.visits;
+    seeded += nearest_hit(mesh, segment, found.hit.position).visits;
+  }
+  CAPTURE(all, nearest, seeded);
+  CHECK(nearest * 10 < all * 9);
+  CHECK(seeded * 10 < nearest * 9);
 }
 
 TEST_CASE("where a hit is, and how far off") {

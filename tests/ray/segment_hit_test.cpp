@@ -1,6 +1,8 @@
 // A segment and a triangle against exact rationals: all kinds, at all sizes.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 #include "geometry/segment_hit.hpp"
 #include "ray/segment_oracle.hpp"
 #include "support/random.hpp"
@@ -18,6 +20,24 @@ mpq_class rational(const SegmentShare& share) {
   mpq_class value(number(share.above), number(share.below));
   value.canonicalize();
   return value;
+}
+
+/// 1 if the segment comes from where the triangle's corners turn counter-clockwise, -1 if they turn
+/// clockwise, 0 if it lies in the plane or there is none.
+int side_met(const Segment& segment, const Triangle& t) {
+  const auto at = [](const Point& p, unsigned axis) {
+    return number(axis == 0 ? p.x : axis == 1 ? p.y : p.z);
+  };
+  const Point& o = t.corner[0];
+  mpz_class slope = 0;
+  for (unsigned i = 0; i < 3; ++i) {
+    const unsigned j = (i + 1) % 3;
+    const unsigned k = (i + 2) % 3;
+    const mpz_class normal = (at(t.corner[1], j) - at(o, j)) * (at(t.corner[2], k) - at(o, k)) -
+                             (at(t.corner[1], k) - at(o, k)) * (at(t.corner[2], j) - at(o, j));
+    slope += normal * (at(segment.to, i) - at(segment.from, i));
+  }
+  return -sgn(slope);
 }
 
 /// What was seen, to know that all of it was.
@@ -44,6 +64,7 @@ void check_segment(const Segment& segment, const Triangle& t, Seen& seen) {
   seen.in_plane += side == 0 ? 1 : 0;
   REQUIRE(along.below > 0);
   REQUIRE(rational(along) == truth.first());
+  REQUIRE(side == side_met(segment, t));
   // Any order of corners, and a turned one.
   for (unsigned i = 0; i < 3; ++i) {
     const Triangle same = {{t.corner[i], t.corner[(i + 1) % 3], t.corner[(i + 2) % 3]}};
@@ -66,7 +87,67 @@ Point point_between(const Point& u, const Point& v, std::int32_t share) {
   return {u.x + share * (v.x - u.x), u.y + share * (v.y - u.y), u.z + share * (v.z - u.z)};
 }
 
+/// Whether the part of a segment from its start to `end`, a share of it, has a point of a box.
+bool meets_box(const Segment& segment, const mpq_class& end, const detail::Box& box) {
+  const std::int32_t from[3] = {segment.from.x, segment.from.y, segment.from.z};
+  const std::int32_t to[3] = {segment.to.x, segment.to.y, segment.to.z};
+  const Vertex& lower = box.lower;
+  const Vertex& upper = box.upper;
+  const std::int32_t least[3] = {lower.x, lower.y, lower.z};
+  const std::int32_t most[3] = {upper.x, upper.y, upper.z};
+  mpq_class first = 0;
+  mpq_class last = end;
+  for (int i = 0; i < 3; ++i) {
+    if (from[i] == to[i]) {
+      if (from[i] < least[i] || from[i] > most[i]) {
+        return false;
+      }
+      continue;
+    }
+    const mpq_class way = to[i] - from[i];
+    const mpq_class at_least = (least[i] - from[i]) / way;
+    const mpq_class at_most = (most[i] - from[i]) / way;
+    first = std::max(first, std::min(at_least, at_most));
+    last = std::min(last, std::max(at_least, at_most));
+  }
+  return first <= last;
+}
+
 }  // namespace
+
+TEST_CASE("a segment meets exactly the boxes that it has a point of, and no part of it is lost") {
+  Random random(test_seed());
+  std::uint32_t met = 0;
+  std::uint32_t missed = 0;
+  std::uint32_t behind = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    const std::int32_t reach = round % 2 == 0 ? 4 : 40;
+    const Segment segment = {any_point(random, reach), any_point(random, reach)};
+    const Point near = any_point(random, 4);  // to the segment's middle
+    const Point p = {(segment.from.x + segment.to.x) / 2 + near.x,
+                     (segment.from.y + segment.to.y) / 2 + near.y,
+                     (segment.from.z + segment.to.z) / 2 + near.z};
+    const auto sized = [&](std::int32_t at) {
+      return static_cast<std::int16_t>(at + static_cast<std::int32_t>(random.below(6)));
+    };
+    const detail::Box box = {{static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y),
+                              static_cast<std::int16_t>(p.z)},
+                             {sized(p.x), sized(p.y), sized(p.z)}};
+    detail::SegmentInBoxes boxes(segment);
+    const bool meets = meets_box(segment, 1, box);
+    REQUIRE(boxes.may_meet(detail::pack(box)) == meets);
+    ++(meets ? met : missed);
+    // Shortened it may meet boxes that are a few cells behind its end.
+    const std::int64_t below = 1 + random.below(8);
+    const std::int64_t above = random.below(static_cast<std::uint32_t>(below) + 1);
+    boxes.shorten({above, below});
+    const bool in_part = meets_box(segment, rational({above, below}), box);
+    REQUIRE((boxes.may_meet(detail::pack(box)) || !in_part));
+    behind += meets && !boxes.may_meet(detail::pack(box)) ? 1 : 0;
+  }
+  CAPTURE(met, missed, behind);
+  CHECK((met > 2'000 && missed > 5'000 && behind > 500));
+}
 
 TEST_CASE("a segment first meets a triangle where exact rationals say") {
   Random random(test_seed());

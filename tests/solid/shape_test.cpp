@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "flashbvh/clearance.hpp"
+#include "flashbvh/ray.hpp"
 #include "flashbvh/shape.hpp"
 #include "flashbvh/solid.hpp"
 #include "property/any_mesh.hpp"
@@ -34,6 +35,7 @@ void compare(const PostMesh& mesh, const PostMesh& shape, const Pose& pose) {
   const AnyMesh other = baked(shape);
   const PostMesh same = other.view<PostMesh>();
   CHECK(shape.longest_edge >= same.longest_edge);
+  CHECK((shape.is_closed == (shape.triangle_count > 1) && (!shape.is_closed || same.is_closed)));
   CHECK(count_pairs(mesh, shape, pose).pairs == count_pairs(mesh, same, pose).pairs);
   CHECK(count_pairs(shape, mesh, pose).pairs == count_pairs(same, mesh, pose).pairs);
   const auto found = distance(mesh, shape, pose);
@@ -73,6 +75,9 @@ TEST_CASE("shapes are asked about like the same triangles, baked") {
     CHECK(inside(box.mesh(), middle).side != PointSide::outside);
     CHECK(inside(box.mesh(), {upper.x + 1, middle.y, middle.z}).side == PointSide::outside);
     CHECK(inside(box.mesh(), lower).side == PointSide::on_surface);
+    if (inside(box.mesh(), middle).side == PointSide::inside) {
+      CHECK(signed_crossings(box.mesh(), {middle, {upper.x + 1, p.y, p.z}}).outwards == 1);
+    }
   }
 }
 
@@ -112,6 +117,14 @@ TEST_CASE("a shape that no mesh can be stays as it was, and says so") {
   segment.set({0, INT32_MIN, 0}, {0, INT32_MIN, 1});
   CHECK(segment.status() == Status::shape_too_large);
   segment.set({0, 0, INT32_MIN}, {0, 0, INT32_MAX});
+  CHECK(segment.status() == Status::shape_too_large);
+  segment.set({1 << 29, 1 << 29, 1 << 29}, {1 << 29, 1 << 29, 1 << 29});
+  CHECK(segment.status() == Status::done);
+  segment.set({(1 << 29) + 1, 0, 0}, {(1 << 29) + 1, 0, 0});
+  CHECK(segment.status() == Status::shape_too_large);
+  segment.set({-(1 << 29), -(1 << 29), -(1 << 29)}, {-(1 << 29), -(1 << 29), -(1 << 29)});
+  CHECK(segment.status() == Status::done);
+  segment.set({0, -(1 << 29) - 1, 0}, {0, -(1 << 29) - 1, 0});
   CHECK(segment.status() == Status::shape_too_large);
   segment.set({0, 0, 0}, {0, 0, 1});
   CHECK(segment.status() == Status::done);

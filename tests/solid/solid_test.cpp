@@ -97,6 +97,11 @@ TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
   CHECK(inside(mesh, {8000, 0, 0}).side == PointSide::inside);
   CHECK(inside(mesh, {1 << 29, 0, -(1 << 29)}).side == PointSide::outside);
   CHECK(inside(mesh, {8000, 0, 0}).visits < 200);
+  CHECK(inside(mesh, {8000, 0, 3001}).visits == 1);  // right above it, and beside it
+  CHECK(inside(mesh, {11001, 0, 0}).visits == 1);
+  CHECK(inside(mesh, {-11001, 0, 0}).visits == 1);
+  CHECK(inside(mesh, {0, 11001, 0}).visits == 1);
+  CHECK(inside(mesh, {0, -11001, 0}).visits == 1);
 }
 
 TEST_CASE("bodies have points in common if triangles intersect or one lies inside the other") {
@@ -148,6 +153,27 @@ TEST_CASE("bodies have points in common if triangles intersect or one lies insid
     apart += truth ? 0 : 1;
   }
   CHECK((kShare > 1 || (within > 10 && apart > 20)));
+}
+
+TEST_CASE("bodies at the ends of the range have nothing in common") {
+  Random random(test_seed());
+  bake::LatticeMesh box;
+  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
+  box.origin = {1 << 29, -(1 << 29), 1 << 29};
+  const AnyMesh any_a = any_mesh(random, box);
+  box.origin = {-(1 << 29), 1 << 29, -(1 << 29)};
+  const AnyMesh any_b = any_mesh(random, box);
+  const PostMesh a = closed(any_a);
+  const PostMesh b = closed(any_b);
+  const std::int32_t most = kMaxTranslation;
+  const Pose poses[] = {Pose::translated(0, 0, 0), Pose::translated(-most, most, -most),
+                        any_pose(random, most), any_pose(random, 10)};
+  for (const Pose& pose : poses) {
+    CHECK(one_is_inside(a, b, pose).status == Status::done);
+    CHECK_FALSE(one_is_inside(a, b, pose).yes);
+    CHECK_FALSE(one_is_inside(b, a, pose).yes);
+    CHECK_FALSE(solids_intersect(a, b, pose).yes);
+  }
 }
 
 TEST_CASE("an open mesh has no inside") {
