@@ -42,8 +42,8 @@ QueryPosition<uint16_t> position_of(const flashbvh_position& position) {
 }
 
 /// WithinQuery::spend() into an array of C's.
-Status run_into(WithinQuery& query, uint32_t& work, flashbvh_pair* pairs, uint32_t capacity,
-                uint32_t& count) {
+FLASHBVH_INLINE inline Status run_into(WithinQuery& query, uint32_t& work, flashbvh_pair* pairs,
+                                       uint32_t capacity, uint32_t& count) {
   count = 0;
   if (capacity == 0 && query.status() == Status::suspended) {
     return Status::full;
