@@ -64,6 +64,7 @@ struct Separations {
   std::uint32_t planes = 0;
   std::uint32_t axes = 0;
   std::uint32_t others = 0;  ///< told apart by another pair's axis
+  Direction first;           ///< another pair's, as queries keep it
   Axis axis = {0, 0, 0, 0};
   mpq_class axis_distance = 0;  ///< squared: of its own pair
 
@@ -71,10 +72,10 @@ struct Separations {
              const mpq_class& truth) {
     const mpz_class whole = truth.get_num() / truth.get_den();
     const std::int64_t limit = whole.get_si();  // the truth is below one more
-    REQUIRE_FALSE(directions_separate(a, b, limit));
+    REQUIRE_FALSE(directions_separate(a, b, limit, first));
     REQUIRE_FALSE(planes_separate(a, b, limit));
     const std::int64_t less = limit - limit / 64 - 1;
-    directions += limit > 64 && directions_separate(a, b, less) ? 1 : 0;
+    directions += limit > 64 && directions_separate(a, b, less, first) ? 1 : 0;
     planes += limit > 64 && planes_separate(a, b, less) ? 1 : 0;
     if (axis.separates(a, b)) {
       ++others;

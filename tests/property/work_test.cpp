@@ -134,6 +134,7 @@ struct CountedTests {
   template <class Mesh>
   using Shapes = LeafShapes<Mesh>;
   static constexpr std::uint32_t kBatch = 8;
+  static constexpr std::uint32_t kPairWork = kTrianglePairWork;
   static constexpr bool kKeepsShapes = true;
   static constexpr bool kDisjointRootsEnd = true;
   std::uint32_t* tests = nullptr;

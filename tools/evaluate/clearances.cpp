@@ -24,10 +24,21 @@ NearestPair nearest_pair(const FoundPair& ids, const Triangle& a, const Triangle
           nearest_points_of(a, b)};
 }
 
+/// Firmware's question, which also counts.
+struct CountingWithin : Within {
+  std::uint32_t tested = 0;
+
+  bool test(const Triangle& a, const Triangle& b, std::uint32_t i, std::uint32_t j) {
+    ++tested;
+    return Within::test(a, b, i, j);
+  }
+};
+
 /// What a query knows beside its answers.
 template <class Mesh>
-struct CountedWithin : Query<Ranked<Mesh>, Within> {
-  using Query<Ranked<Mesh>, Within>::Query;
+struct CountedWithin : Query<Ranked<Mesh>, CountingWithin> {
+  CountedWithin(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t reach)
+      : Query<Ranked<Mesh>, CountingWithin>(a, b, pose, {}, CountingWithin{within(reach)}) {}
   std::uint32_t triangle_tests() const { return this->tested; }
 };
 
@@ -66,7 +77,7 @@ ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
 template <class Mesh>
 ClearanceAnswer within_of(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t distance,
                           bool all) {
-  CountedWithin<Mesh> query(a, b, pose, {}, within(distance));
+  CountedWithin<Mesh> query(a, b, pose, distance);
   ClearanceAnswer answer;
   const auto take = [&](const auto& pair) {
     Triangle of_a;

@@ -4,8 +4,8 @@
 // the same pairs in the same order however it is cut into runs.
 //
 // Work: a visit to a pair of boxes is 1; a leaf taken as a shape 8, and 1 for each triangle beside
-// its first; two triangles tested against each other 32. The work of a run bounds its time
-// (bound.hpp, lib/docs/bounded_time.md).
+// its first; two triangles tested against each other 32, or 8 where they are asked whether they are
+// within a distance. The work of a run bounds its time (bound.hpp, lib/docs/bounded_time.md).
 //
 // A query writes nothing but itself and the caller's array, so any number of queries, in tasks and
 // in interrupts, may share meshes and poses. One query is one caller's at a time: what interrupts a
@@ -163,6 +163,12 @@ class Query : protected Question {
   void last_pair(Triangle& a, Triangle& b) const {
     detail::place_pair(*a_, of_a(untested_), *b_, of_b(untested_), transform_, a, b);
   }
+  /// Their positions in the meshes' arrays, not their ids: as seeds are (clearance.hpp). Likewise.
+  /// A template, so that what is compiled once has it where it is asked for alone.
+  template <class Positions = Pair>
+  [[nodiscard]] Positions last_positions() const {
+    return {static_cast<Index>(of_a(untested_)), static_cast<Index>(of_b(untested_))};
+  }
 
  protected:
   /// For queries that are made of this one: what it is asked of.
@@ -199,7 +205,8 @@ class Query : protected Question {
   }
 
   /// Orders with a stack can't go back to a pair, so they take along but one.
-  using Batch = detail::LeafPairs<Mesh, Order::kStackless ? Question::kBatch : 1>;
+  using Batch =
+      detail::LeafPairs<Mesh, Order::kStackless ? Question::kBatch : 1, Question::kPairWork>;
   using Shapes = typename Question::template Shapes<Mesh>;
   using Kept = detail::KeptShapes<Shapes, Question::kKeepsShapes>;
   using Test = detail::TriangleTest<Question, Mesh, Question::kIntersects>;
@@ -255,8 +262,8 @@ class Query : protected Question {
   /// Pays for pairs of triangles, all of them or as many as work allows; how many are kept for
   /// another run.
   static uint32_t pay(uint32_t pairs, uint32_t& work) {
-    const uint32_t paid = detail::triangle_pairs_for(work);
-    detail::take_work(work, pairs * detail::kTrianglePairWork);
+    const uint32_t paid = detail::triangle_pairs_for<Question::kPairWork>(work);
+    detail::take_work(work, pairs * Question::kPairWork);
     return paid < pairs ? pairs - paid : 0;
   }
 
@@ -311,7 +318,7 @@ class Query : protected Question {
     batch.end(run.progress);
     uint32_t spent = granted - run.progress.work_left;
     if (granted == Batch::kMostWork && (end == State::at_pair || batch.has_unpaid())) {
-      spent += detail::kTrianglePairWork;  // for another walk
+      spent += Question::kPairWork;  // for another walk
     }
     detail::take_work(work, spent);
     return end;

@@ -60,12 +60,44 @@ inline Support first_along(const Vector& direction, const Triangle& t, const Poi
   return first;
 }
 
+/// How far B lies beyond A along a direction, and the corners that face each other.
+struct GapAlong {
+  unsigned of_a;
+  unsigned of_b;
+  int32_t gap;
+  uint32_t squared_length;  ///< the direction's
+
+  /// Whether the square of the distance is above `limit`.
+  bool is_above(int64_t limit) const {
+    return gap > 0 && static_cast<uint64_t>(gap) * static_cast<uint32_t>(gap) >=
+                          static_cast<uint64_t>(limit + 1) * squared_length;
+  }
+};
+inline GapAlong gap_along(const Vector& direction, const Triangle& a, const Triangle& b) {
+  const Support of_b = first_along(direction, b, a.corner[0]);
+  const Support of_a = first_along(negated(direction), a, a.corner[0]);
+  return {of_a.corner, of_b.corner, of_b.at + of_a.at,
+          static_cast<uint32_t>(short_dot(direction, direction))};
+}
+
 /// A direction of 12 bits: sums of its products with differences have 32.
 inline Vector direction_of(const Vector& v) {
   const uint32_t all = size_of(v.x) | size_of(v.y) | size_of(v.z) | 1u;
   const int bits = 32 - __builtin_clz(all);
   const int down = bits > 12 ? bits - 12 : 0;
   return {v.x >> down, v.y >> down, v.z >> down};
+}
+
+/// Of 12 bits to 10, and back; not to the same, which any direction does as well.
+inline Direction packed(const Vector& v) {
+  const auto bits = [](int32_t component) { return static_cast<uint32_t>(component >> 2) & 1023u; };
+  return {bits(v.x) | bits(v.y) << 10 | bits(v.z) << 20};
+}
+inline Vector unpacked(const Direction& direction) {
+  const auto component = [&](int shift) {
+    return static_cast<int32_t>(direction.packed << shift) >> 22;
+  };
+  return {component(22), component(12), component(2)};
 }
 
 /// The point nearest to 0 between `v` and `s`; `v` where that is the one. To whole cells.
@@ -115,22 +147,25 @@ bool Axis::separates(const Triangle& a, const Triangle& b) const noexcept {
   return left >= 0 && along(a.corner[1]) <= left && along(a.corner[2]) <= left;
 }
 
-bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept {
+bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
+                         Direction& first) noexcept {
   constexpr int kMostSteps = 6;
+  // Neighbours often have the same direction between them.
+  if (gap_along(unpacked(first), a, b).is_above(limit)) {
+    return true;
+  }
   Vector v = difference(b.corner[0], a.corner[0]);
   for (int step = 0;; ++step) {
     const Vector d = direction_of(v);
-    const Support of_b = first_along(d, b, a.corner[0]);
-    const Support of_a = first_along(negated(d), a, a.corner[0]);
-    const int32_t gap = of_b.at + of_a.at;
-    if (gap > 0 && static_cast<uint64_t>(gap) * static_cast<uint32_t>(gap) >=
-                       static_cast<uint64_t>(limit + 1) * static_cast<uint32_t>(short_dot(d, d))) {
+    const GapAlong gap = gap_along(d, a, b);
+    if (gap.is_above(limit)) {
+      first = packed(d);
       return true;
     }
     if (step == kMostSteps - 1) {
       return false;
     }
-    const Vector to = nearest_between(v, difference(b.corner[of_b.corner], a.corner[of_a.corner]));
+    const Vector to = nearest_between(v, difference(b.corner[gap.of_b], a.corner[gap.of_a]));
     if (to.x == v.x && to.y == v.y && to.z == v.z) {
       return false;
     }

@@ -6,6 +6,7 @@
 //     Shapes<Mesh>            how leaves are taken as shapes (leaf_shape.hpp), or NoShapes
 //     kBatch                  how many pairs of leaves may be found before they are tested: one if
 //                             an answer changes the bound
+//     kPairWork               what two triangles' test is in work (work.hpp)
 //     kKeepsShapes            whether the leaf at hand stays a shape from one walk to the next; if
 //                             not, it makes room on the stack while triangles are tested
 //     kDisjointRootsEnd       whether nothing matters where the root boxes are disjoint
@@ -24,6 +25,7 @@
 #include "flashbvh/detail/inline.hpp"
 #include "flashbvh/detail/leaf_shape.hpp"
 #include "flashbvh/detail/transform.hpp"
+#include "flashbvh/detail/work.hpp"
 
 namespace flashbvh::detail {
 
@@ -76,6 +78,7 @@ struct Intersection {
   template <class Mesh>
   using Shapes = LeafShapes<Mesh>;
   static constexpr uint32_t kBatch = 8;
+  static constexpr uint32_t kPairWork = kTrianglePairWork;
   static constexpr bool kKeepsShapes = true;
   static constexpr bool kDisjointRootsEnd = true;
 

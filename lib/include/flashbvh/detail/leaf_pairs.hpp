@@ -17,7 +17,7 @@ namespace flashbvh::detail {
 ///
 /// With each pair goes where the walk's counts stood, so that counts are right at every pair.
 /// 8 * size + 16 bytes with 16-bit indices.
-template <class Mesh, uint32_t size>
+template <class Mesh, uint32_t size, uint32_t pair_work>
 class LeafPairs {
   using Index = typename Mesh::Index;
 
@@ -53,7 +53,7 @@ class LeafPairs {
   }
   /// Whether to go on: this one could be paid for, and there is room for another one.
   FLASHBVH_NOINLINE bool operator()(uint32_t a, uint32_t b, Progress& progress) {
-    uint32_t work = kTrianglePairWork;
+    uint32_t work = pair_work;
     if (a_ != nullptr) {
       work *= triangle_pairs(a_->nodes[a].leaf(), b_->nodes[b].leaf());
     }

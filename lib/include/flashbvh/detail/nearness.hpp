@@ -14,8 +14,6 @@ namespace flashbvh::detail {
 
 /// What questions about distance have in common: bounds of gaps, widened to nothing.
 struct Nearness {
-  uint32_t tested = 0;  ///< pairs of triangles
-
   static constexpr int64_t kMostLimit = int64_t{1} << 35;
   using KeepsBound = void;
   static constexpr bool kIntersects = false;
@@ -27,6 +25,7 @@ struct Nearness {
 /// Which triangles have points within a distance: closed, so equal is within.
 struct Within : Nearness {
   static constexpr uint32_t kBatch = 4;
+  static constexpr uint32_t kPairWork = kNearPairWork;
   static constexpr bool kKeepsShapes = false;
   /// Steps of a distance in a cell: 1/256, as everywhere.
   static constexpr uint32_t kSteps = 256;
@@ -34,6 +33,7 @@ struct Within : Nearness {
   static constexpr uint32_t kMost = 32'767 * kSteps;
 
   uint32_t distance = 0;
+  Direction direction;  ///< that separated two triangles last
 
   bool is_kept(const Transform& transform) const { return KeptGap::is_for(transform, limit()); }
   KeptGap kept(const Transform& transform) const { return {transform, limit()}; }
@@ -53,8 +53,7 @@ struct Within : Nearness {
   }
 
   bool test(const Triangle& a, const Triangle& b, uint32_t, uint32_t) {
-    ++tested;
-    return squared_box_gap(a, b) <= squared() && !directions_separate(a, b, squared()) &&
+    return squared_box_gap(a, b) <= squared() && !directions_separate(a, b, squared(), direction) &&
            !planes_separate(a, b, squared()) &&
            is_within(a, b, {uint64_t{distance} * distance, kStepsSquared});
   }
@@ -74,6 +73,7 @@ struct NearestSoFar {
   Fraction least = kInfinite;  ///< squared distance
   int64_t limit = INT64_MAX;   ///< the largest squared gap that still matters
   Axis axis = {0, 0, 0, 0};
+  Direction direction;
 };
 
 /// Which triangles are nearer than all that were tested before: the last answer is the nearest.
@@ -83,8 +83,10 @@ struct NearestSoFar {
 template <class Index>
 struct Nearest : Nearness {
   static constexpr uint32_t kBatch = 1;
+  static constexpr uint32_t kPairWork = kTrianglePairWork;
   static constexpr bool kKeepsShapes = true;
 
+  uint32_t tested = 0;             ///< pairs of triangles
   NearestSoFar* so_far = nullptr;  ///< the run's
   Index nearest_a = 0;             ///< the positions of the nearest so far
   Index nearest_b = 0;
@@ -110,7 +112,7 @@ struct Nearest : Nearness {
     ++tested;
     if (so_far->axis.separates(a, b) || squared_box_gap(a, b) > limit ||
         (limit < kMostLimit &&
-         (directions_separate(a, b, limit) || planes_separate(a, b, limit)))) {
+         (directions_separate(a, b, limit, so_far->direction) || planes_separate(a, b, limit)))) {
       return false;
     }
     Features features;

@@ -66,13 +66,19 @@ struct Axis {
 /// Of triangles that do not intersect, between these features.
 Axis axis_of(const Triangle& a, const Triangle& b, const Features& features) noexcept;
 
+/// A direction of 10 bits a component, in a word; 0: none.
+struct Direction {
+  uint32_t packed = 0;
+};
+
 /// Whether some direction has the triangles so far apart that the square is `limit` + 1 or more;
 /// the limit is below 2^35. Directions are tried that come nearer to the one between the nearest
-/// points: six steps of Gilbert's.
+/// points: six steps of Gilbert's, after `first`, which becomes the one that did.
 ///
 /// Source: Gilbert, "An Iterative Procedure for Computing the Minimum of a Quadratic Form on a
 /// Convex Set", SIAM Journal on Control 4, 1966.
-bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept;
+bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
+                         Direction& first) noexcept;
 
 /// Whether the plane of either triangle has the other one on one side, so far off that the square
 /// is `limit` + 1 or more; the limit is below 2^35. Seldom false where the planes tell.
