@@ -31,6 +31,14 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_SHAPE_TOO_LARGE = 24,
   /** A ray whose end lies too far from the mesh. */
   FLASHBVH_STATUS_RAY_OUT_OF_RANGE = 25,
+  /** A joint's value that is no number, or too large for one. */
+  FLASHBVH_STATUS_NOT_A_COORDINATE = 26,
+  /** A joint's value outside its limits. */
+  FLASHBVH_STATUS_JOINT_OUT_OF_LIMITS = 27,
+  /** A joint without limits that moved half a turn or more since the last period: either way. */
+  FLASHBVH_STATUS_JOINT_JUMPED = 28,
+  /** A guard's memory that is too small, or a state that is not one of this robot's. */
+  FLASHBVH_STATUS_GUARD_STATE_INVALID = 29,
 
   /** Fewer bytes than the image says it has. */
   FLASHBVH_STATUS_IMAGE_TRUNCATED = 32,

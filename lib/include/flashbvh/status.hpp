@@ -24,6 +24,10 @@ enum class [[nodiscard]] Status : uint8_t{
     not_closed = FLASHBVH_STATUS_NOT_CLOSED,
     shape_too_large = FLASHBVH_STATUS_SHAPE_TOO_LARGE,
     ray_out_of_range = FLASHBVH_STATUS_RAY_OUT_OF_RANGE,
+    not_a_coordinate = FLASHBVH_STATUS_NOT_A_COORDINATE,
+    joint_out_of_limits = FLASHBVH_STATUS_JOINT_OUT_OF_LIMITS,
+    joint_jumped = FLASHBVH_STATUS_JOINT_JUMPED,
+    guard_state_invalid = FLASHBVH_STATUS_GUARD_STATE_INVALID,
 
     image_truncated = FLASHBVH_STATUS_IMAGE_TRUNCATED,
     image_misaligned = FLASHBVH_STATUS_IMAGE_MISALIGNED,

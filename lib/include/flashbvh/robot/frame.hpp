@@ -1,0 +1,30 @@
+// Where a joint or a link lies: a rotation in fixed point and a translation in parts of a cell.
+#ifndef FLASHBVH_ROBOT_FRAME_HPP
+#define FLASHBVH_ROBOT_FRAME_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/pose.hpp"
+
+namespace flashbvh {
+
+/// Fraction bits of a frame's translation: a cell is 2,048.
+constexpr int kFrameBits = 11;
+constexpr int32_t kFrameCell = 1 << kFrameBits;
+
+/// Largest magnitude of a frame's translation along an axis, in 1/2,048 cell: 2^19 cells, so that
+/// differences of two still fit 32 bits.
+constexpr int32_t kMaxFrameTranslation = 1 << 30;
+
+/// Point p of this frame lies at rotation * p + translation in the frame it is told in. 48 bytes.
+struct Frame {
+  int32_t rotation[3][3];  ///< row by row, kRotationOne is 1
+  int32_t translation[3];  ///< in 1/2,048 cell
+};
+
+constexpr Frame kIdentityFrame = {
+    {{kRotationOne, 0, 0}, {0, kRotationOne, 0}, {0, 0, kRotationOne}}, {0, 0, 0}};
+
+}  // namespace flashbvh
+
+#endif

@@ -1,0 +1,173 @@
+// The guard: told a robot's joint values each period, it answers whether any two of its links are,
+// or may have been on the way, too near to each other.
+//
+// What is promised. A period runs from the last values to these. If the verdict is `free` or
+// `warn`, every pair of links that can collide stayed farther apart than its stop distance at every
+// moment of the period, under exact kinematics, as long as each joint moved monotonically between
+// the two values, however unevenly. Robot::slack, what rounding and arithmetic can be wrong by, is
+// in it. What is the user's: braking distance, encoder error and flex go into the stop distance;
+// the verdicts don't latch and have no hysteresis.
+//
+// How. A certificate of a pair is a distance, and the coordinates at which it was measured. As long
+// as the joints between the two links have not moved them nearer by more than what the distance has
+// over the stop distance (a joint moves a point by at most its reach times its angle), the pair is
+// free and nothing is looked at; not even a pose is made. Certificates that are about to run out
+// are measured anew, those that run out first before the others, in slices of work: a budget too
+// small shows as `not_yet_known`, which a caller treats as `stop`. It never shows as `free`. The
+// sum over joints is that of Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking"
+// (2005), with the farther of the two values of each joint.
+//
+// Surfaces are guarded: a link wholly inside another one is as far from it as from its wall.
+//
+// Stack of update() on Cortex-M3 to M55 at -O2: 1,088 bytes.
+#ifndef FLASHBVH_ROBOT_GUARD_HPP
+#define FLASHBVH_ROBOT_GUARD_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/robot/kinematics.hpp"
+#include "flashbvh/robot/robot.hpp"
+#include "flashbvh/status.hpp"
+
+namespace flashbvh {
+
+/// From the best to the worst.
+enum class Verdict : uint8_t {
+  free = 0,           ///< farther apart than the warn distance
+  warn = 1,           ///< farther apart than the stop distance; maybe not than the warn distance
+  not_yet_known = 2,  ///< what was granted did not do
+  stop = 3,           ///< not farther apart than the stop distance, or it can't be told apart
+};
+
+/// No pair: every one is free.
+constexpr uint16_t kNoPair = 0xFFFF;
+
+/// What is known of a period.
+struct GuardAnswer {
+  /// `done`; or why the values were refused, and nothing changed: not_a_coordinate,
+  /// joint_out_of_limits, joint_jumped; or an error of a query's. The verdict then is
+  /// `not_yet_known`.
+  Status status;
+  Verdict verdict;    ///< the worst of all pairs
+  uint16_t pair;      ///< of Robot::pairs: that of the least clearance with this verdict
+  uint32_t distance;  ///< its links stayed at least so far apart, in 1/256 cell
+  uint32_t work;      ///< that was spent
+};
+
+/// What is known of a pair. 12 bytes, and 4 for each joint between its links.
+struct GuardPair {
+  uint32_t lower;             ///< the distance then, in 1/256 cell, rounded down; 0: not known
+  uint32_t upper;             ///< rounded up; UINT32_MAX: not known
+  Witness<uint16_t> witness;  ///< where they were nearest
+};
+
+/// What a guard knows beside its arrays.
+struct GuardCore {
+  uint32_t version;
+  uint32_t robot_hash;
+  uint16_t walked_pair;  ///< that is being measured, or kNoPair
+  uint8_t has_values;    ///< 0 or not: of a state that was damaged, no bool
+  uint8_t has_frames;
+  uint32_t asked;    ///< of the pair: whether it is within this, in 1/256 cell
+  uint32_t nearest;  ///< the distance of its witness there, rounded up
+  Witness<uint16_t> witness;
+  QueryPosition<uint16_t> position;
+  Pose pose = Pose::translated(0, 0, 0);
+};
+
+/// All memory of a guard: plain data without pointers, which may be copied, stored and taken up
+/// again (Guard::resume()). A robot's header has its own as GuardState.
+template <uint32_t joint_count, uint32_t pair_count, uint32_t pair_joint_count>
+struct GuardStateOf {
+  GuardCore core;
+  JointCoordinate before[joint_count];  ///< the values of the last period
+  JointCoordinate step[joint_count];    ///< from there to those of this one
+  JointCoordinate next[joint_count];    ///< for frames, and until values are accepted
+  JointCoordinate walked[joint_count];  ///< where the measurement began
+  Frame frames[joint_count];
+  GuardPair pairs[pair_count];
+  JointCoordinate certified[pair_joint_count];  ///< of all joints between, pair after pair
+};
+
+/// Of one robot; what it knows lies in the state.
+class Guard {
+ public:
+  /// Knows nothing yet. `robot` and `state` outlive it; the state is written.
+  template <uint32_t joint_count, uint32_t pair_count, uint32_t pair_joint_count>
+  Guard(const Robot& robot, GuardStateOf<joint_count, pair_count, pair_joint_count>& state)
+      : robot_(&robot),
+        core_(&state.core),
+        before_(state.before),
+        step_(state.step),
+        next_(state.next),
+        walked_(state.walked),
+        frames_(state.frames),
+        pairs_(state.pairs),
+        certified_(state.certified) {
+    fits_ = joint_count >= robot.joint_count && pair_count >= robot.pair_count &&
+            pair_joint_count >= joints_between();
+    forget();
+  }
+
+  /// Forgets all certificates and where the robot was.
+  void forget();
+
+  /// Takes the state as it was copied back into its place, and goes on. `guard_state_invalid`, and
+  /// all is forgotten, if it is not one of this robot's.
+  Status resume();
+
+  /// A period: from the last values to these. `values`: variable_count of them. `work`: what may be
+  /// spent on measuring, as of queries (query.hpp); it is overdrawn by one step at most, and
+  /// looking at all pairs comes on top.
+  GuardAnswer update(const JointCoordinate* values, uint32_t work);
+
+  /// The same period, with more work.
+  GuardAnswer go_on(uint32_t work);
+
+  /// All certificates, whatever they take: at start-up, before the first period. The robot stands.
+  GuardAnswer prime(const JointCoordinate* values) {
+    forget();
+    return update(values, UINT32_MAX);
+  }
+
+ private:
+  struct Found;
+  struct Motion;
+
+  uint32_t joints_between() const;
+  bool is_possible() const;
+  bool has_triangles(uint16_t pair, const Witness<uint16_t>& witness) const;
+  Status move_to(const JointCoordinate* values);
+  Status measure(const Found& found, uint32_t& work);
+  Motion motion_of(const RobotPair& pair, const JointCoordinate* certified) const;
+  uint32_t rate_of(const RobotPair& pair) const;
+  uint32_t longest_step() const;
+  Found look() const;
+  void begin_walk(uint16_t pair, uint32_t& work);
+  bool certify_by_spheres(uint16_t pair, uint32_t rate);
+  void aim(uint32_t nearest);
+  Status walk(uint32_t& work);
+  Status finish(const GuardPair& certificate);
+  void certify(uint16_t pair, const JointCoordinate* at, const GuardPair& certificate);
+  Pose pose_of(const RobotPair& pair) const;
+  bool is_free(uint32_t joint) const;
+  int32_t step_to_next(uint32_t joint) const;
+  bool has_one_way(uint32_t joint) const;
+  void make_frames();
+
+  const Robot* robot_;
+  GuardCore* core_;
+  JointCoordinate* before_;
+  JointCoordinate* step_;
+  JointCoordinate* next_;
+  JointCoordinate* walked_;
+  Frame* frames_;
+  GuardPair* pairs_;
+  JointCoordinate* certified_;
+  bool fits_;
+};
+
+}  // namespace flashbvh
+
+#endif

@@ -1,0 +1,117 @@
+// Certified motions: whether a robot that goes straight from one set of joint values to another
+// one, all joints in proportion, is free at every moment.
+//
+// The motion is bisected. In the middle of an interval each pair of links is asked whether it is
+// within what the joints move it until the ends of the interval, and Robot::slack; if not, it is
+// free in all of the interval. If it is, and does not intersect there, the interval is cut in two.
+// Source: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking" (2005).
+//
+// Stack of run() on Cortex-M3 to M55 at -O2: 1,120 bytes.
+#ifndef FLASHBVH_ROBOT_MOTION_HPP
+#define FLASHBVH_ROBOT_MOTION_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/robot/kinematics.hpp"
+#include "flashbvh/robot/robot.hpp"
+#include "flashbvh/status.hpp"
+
+namespace flashbvh {
+
+/// Of a motion.
+enum class MotionOutcome : uint8_t {
+  free = 0,  ///< no pair that can collide intersects at any moment
+  hit = 1,   ///< a pair intersects at the moment told
+  /// A pair is nearer than three times Robot::slack about the moment told; it may intersect.
+  close = 2,
+};
+
+/// How far a query came.
+struct [[nodiscard]] MotionAnswer {
+  Status status;          ///< `done`: the rest holds; `suspended`; or why values were refused
+  MotionOutcome outcome;  ///< the first that is found: another pair may hit earlier
+  uint16_t pair;          ///< of Robot::pairs
+  TrianglePair<uint16_t> triangles;  ///< by their ids; of a hit
+  /// numerator / 2^level of the way; MotionQuery::set_values() has the joints there.
+  uint32_t numerator;
+  uint8_t level;
+};
+
+/// What a query knows beside its arrays.
+struct MotionCore {
+  uint32_t robot_hash;
+  Status status;
+  MotionOutcome outcome;
+  uint8_t level;
+  uint8_t phase;
+  uint16_t pair;
+  uint32_t interval;  ///< from interval / 2^level on
+  TrianglePair<uint16_t> triangles;
+  QueryPosition<uint16_t> position;
+  uint32_t within;  ///< in 1/256 cell
+  Pose pose = Pose::translated(0, 0, 0);
+};
+
+/// All memory of a query: plain data without pointers. A robot's header has its own as MotionState.
+template <uint32_t variable_count, uint32_t joint_count>
+struct MotionStateOf {
+  MotionCore core;
+  JointCoordinate from[variable_count];
+  JointCoordinate to[variable_count];
+  JointCoordinate values[variable_count];
+  JointCoordinate coordinates[joint_count];  ///< in an interval's middle
+  Frame frames[joint_count];
+};
+
+/// Of one motion at a time; where it stands lies in the state.
+class MotionQuery {
+ public:
+  /// `robot` and `state` outlive it; the state is written by start() and run().
+  template <uint32_t variable_count, uint32_t joint_count>
+  MotionQuery(const Robot& robot, MotionStateOf<variable_count, joint_count>& state)
+      : robot_(&robot),
+        core_(&state.core),
+        from_(state.from),
+        to_(state.to),
+        values_(state.values),
+        coordinates_(state.coordinates),
+        frames_(state.frames),
+        fits_(variable_count >= robot.variable_count && joint_count >= robot.joint_count) {}
+
+  /// A motion from these values to those: variable_count each. A joint without limits goes as far
+  /// as the numbers say. Both ends must be within the limits: statuses as those of
+  /// set_coordinates().
+  Status start(const JointCoordinate* from, const JointCoordinate* to);
+
+  /// Does at most `work` (query.hpp), overdrawn by one step. UINT32_MAX: all there is to do.
+  MotionAnswer run(uint32_t work);
+
+  /// The joints' values at numerator / 2^level of the way, rounded to the nearest; level to 30.
+  void set_values(uint32_t numerator, uint8_t level, JointCoordinate* values) const;
+
+ private:
+  void prepare();
+  uint32_t way_of(const RobotJoint& joint) const;
+  uint32_t reach_of_interval(uint16_t pair) const;
+  void begin_interval();
+  template <class Asked>
+  Status ask(Asked&& query, uint32_t& work);
+  Status ask_phase(uint32_t& work);
+  void next_interval();
+  void split_or_end();
+  void step(uint32_t& work);
+
+  const Robot* robot_;
+  MotionCore* core_;
+  JointCoordinate* from_;
+  JointCoordinate* to_;
+  JointCoordinate* values_;
+  JointCoordinate* coordinates_;
+  Frame* frames_;
+  bool fits_;
+};
+
+}  // namespace flashbvh
+
+#endif

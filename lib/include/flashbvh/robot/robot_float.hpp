@@ -1,0 +1,64 @@
+// Joints' coordinates from floats, as encoders' drivers and trajectories give them.
+//
+// Optional, as pose_float.hpp, and like it without float arithmetic: a coordinate is the same on
+// every core.
+#ifndef FLASHBVH_ROBOT_ROBOT_FLOAT_HPP
+#define FLASHBVH_ROBOT_ROBOT_FLOAT_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/pose_float.hpp"
+#include "flashbvh/robot/robot.hpp"
+
+namespace flashbvh {
+
+/// Of an angle in radians, rounded to 2^-28 of a turn (23 nanoradians). kNoCoordinate for what is
+/// no number, or 8 turns or more: those of joints without limits are reduced by the caller.
+inline JointCoordinate angle_coordinate(float radians) {
+  constexpr uint64_t per_radian = 0xA2F9836E4E44152Au;  // 2^28 / (2 pi), in 2^-38
+  constexpr int bits = 38;
+  const detail::FloatParts parts = detail::parts_of(radians);
+  const uint64_t low = uint64_t{parts.digits} * static_cast<uint32_t>(per_radian);
+  const uint64_t upper = uint64_t{parts.digits} * (per_radian >> 32) + (low >> 32);  // 32 bits less
+  const int shift = bits - parts.exponent - 32;
+  if (!parts.is_finite || shift < 23) {  // 64 radians
+    return kNoCoordinate;
+  }
+  const uint64_t units = shift > 60 ? 0 : (upper + (uint64_t{1} << (shift - 1))) >> shift;
+  if (units > INT32_MAX) {
+    return kNoCoordinate;
+  }
+  return static_cast<JointCoordinate>(parts.is_negative ? -static_cast<int64_t>(units)
+                                                        : static_cast<int64_t>(units));
+}
+
+/// Of a length in the robot's unit, metres, rounded to 1/2,048 cell. kNoCoordinate for what is no
+/// number, or 2^19 cells or more.
+inline JointCoordinate slide_coordinate(float length, float cells_per_unit) {
+  constexpr int dropped = 16 - kFrameBits;
+  const int64_t units =
+      (detail::cell_fractions(length, cells_per_unit) + (1 << (dropped - 1))) >> dropped;
+  return units > kMaxJointCoordinate || units < -kMaxJointCoordinate
+             ? kNoCoordinate
+             : static_cast<JointCoordinate>(units);
+}
+
+/// All values of a robot: radians, and metres of joints that slide. `floats` and `values`:
+/// variable_count each. What a float can't be shows as `not_a_coordinate` where the values are
+/// used.
+inline void set_values(const Robot& robot, const float* floats, JointCoordinate* values) {
+  const float cells = cells_per_unit(robot.cell_bits);
+  for (uint32_t i = 0; i < robot.joint_count; ++i) {
+    const RobotJoint& joint = robot.joints[i];
+    const uint32_t variable = joint.variable;
+    if (joint.shift == 0) {  // no mimic
+      values[variable] = joint.type == JointType::prismatic
+                             ? slide_coordinate(floats[variable], cells)
+                             : angle_coordinate(floats[variable]);
+    }
+  }
+}
+
+}  // namespace flashbvh
+
+#endif

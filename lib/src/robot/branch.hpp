@@ -1,0 +1,74 @@
+// The joints between two links, and how far they move one towards the other.
+#ifndef FLASHBVH_ROBOT_BRANCH_HPP
+#define FLASHBVH_ROBOT_BRANCH_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/inline.hpp"
+#include "flashbvh/robot/robot.hpp"
+
+namespace flashbvh::detail {
+
+/// `visit(joint, reach)` of all joints between the two links: those of a's branch, from its own
+/// inwards, then those of b's. One loop, so that there is one copy of what it does.
+template <class Visit>
+FLASHBVH_INLINE inline void for_each_between(const Robot& robot, const RobotPair& pair,
+                                             Visit&& visit) {
+  uint32_t left = pair.joints_a;
+  uint32_t then = pair.joints_b;
+  const RobotLink* link = &robot.links[pair.a];
+  for (;;) {
+    const uint32_t* reach = robot.reaches + link->first_reach;
+    uint32_t joint = link->joint;
+    for (; left != 0; --left) {
+      visit(joint, *reach++);
+      joint = robot.joints[joint].parent;
+    }
+    if (then == 0) {
+      return;
+    }
+    left = then;
+    then = 0;
+    link = &robot.links[pair.b];
+  }
+}
+
+inline const Frame& frame_of(const Frame* frames, uint8_t joint) {
+  return joint == kBase ? kIdentityFrame : frames[joint];
+}
+
+/// Lengths, up to the largest that 32 bits hold.
+constexpr uint32_t sum_of(uint32_t u, uint32_t v) {
+  return u > UINT32_MAX - v ? UINT32_MAX : u + v;
+}
+
+constexpr uint32_t difference_of(uint32_t u, uint32_t v) {
+  return u > v ? u - v : 0;
+}
+
+/// A sum of ways, up to the largest that 64 bits hold: more than any distance.
+class Travel {
+ public:
+  /// `by`: units of the joint's coordinate.
+  void add(uint32_t reach, uint32_t by) {
+    const uint64_t way = static_cast<uint64_t>(reach) * by;
+    sum_ = way > kMost - sum_ ? kMost : sum_ + way;
+  }
+  /// The same where all reaches together fit 32 bits and no way is more than 2^31.
+  void add_short(uint32_t reach, uint32_t by) { sum_ += static_cast<uint64_t>(reach) * by; }
+  /// In 1/256 cell, rounded up.
+  uint32_t fine() const {
+    const uint64_t whole = (sum_ + kBelowOne) >> kReachBits;
+    return whole > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(whole);
+  }
+
+ private:
+  static constexpr uint64_t kBelowOne = (uint64_t{1} << kReachBits) - 1;
+  static constexpr uint64_t kMost = UINT64_MAX - kBelowOne;
+
+  uint64_t sum_ = 0;
+};
+
+}  // namespace flashbvh::detail
+
+#endif

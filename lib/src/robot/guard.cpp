@@ -1,0 +1,242 @@
+// The guard: which certificates still hold. Measuring those that soon won't: guard_measure.cpp.
+#include "flashbvh/robot/guard.hpp"
+
+#include "branch.hpp"
+#include "coordinate.hpp"
+#include "guard_parts.hpp"
+
+namespace flashbvh {
+
+using detail::difference_of;
+using detail::kPeriodsAhead;
+using detail::sum_of;
+
+namespace {
+
+constexpr uint32_t kStateVersion = 1;
+
+constexpr GuardPair kUnknown = {0, UINT32_MAX, {0, 0}};
+
+constexpr bool is_unknown(const GuardPair& pair) {
+  return pair.lower == 0 && pair.upper == UINT32_MAX;
+}
+
+/// Whether the certificate might run out soon, if all joints went as fast as the fastest.
+bool is_near(uint32_t left, const RobotPair& pair, uint32_t longest_step) {
+  const uint64_t most = static_cast<uint64_t>(pair.reach) * longest_step >> kReachBits;
+  return left <= (most + 1) * kPeriodsAhead;
+}
+
+}  // namespace
+
+uint32_t Guard::joints_between() const {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < robot_->pair_count; ++i) {
+    count += robot_->pairs[i].joints_a + robot_->pairs[i].joints_b;
+  }
+  return count;
+}
+
+void Guard::forget() {
+  if (!fits_) {
+    return;
+  }
+  core_->version = kStateVersion;
+  core_->robot_hash = robot_->hash;
+  core_->walked_pair = kNoPair;
+  core_->has_values = 0;
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    before_[i] = step_[i] = 0;
+  }
+  JointCoordinate* certified = certified_;
+  for (uint32_t i = 0; i < robot_->pair_count; ++i) {
+    const RobotPair& pair = robot_->pairs[i];
+    pairs_[i] = kUnknown;
+    for (uint32_t between = pair.joints_a + pair.joints_b; between != 0; --between) {
+      *certified++ = 0;
+    }
+  }
+}
+
+/// Whether nothing in the state leads out of the robot's arrays, or out of the range of numbers.
+bool Guard::is_possible() const {
+  if (!fits_ || core_->version != kStateVersion || core_->robot_hash != robot_->hash) {
+    return false;
+  }
+  const uint16_t walked = core_->walked_pair;
+  bool is_valid =
+      walked == kNoPair || (walked < robot_->pair_count && has_triangles(walked, core_->witness));
+  for (uint16_t i = 0; is_valid && i < robot_->pair_count; ++i) {
+    is_valid = pairs_[i].lower <= pairs_[i].upper && has_triangles(i, pairs_[i].witness);
+  }
+  for (uint32_t i = 0; is_valid && i < robot_->joint_count; ++i) {
+    const RobotJoint& joint = robot_->joints[i];
+    const JointCoordinate now = detail::difference(before_[i], detail::difference(0, step_[i]));
+    is_valid = detail::can_be_at(joint, before_[i]) && detail::can_be_at(joint, now) &&
+               (walked == kNoPair || detail::can_be_at(joint, walked_[i]));
+  }
+  return is_valid;
+}
+
+bool Guard::has_triangles(uint16_t i, const Witness<uint16_t>& witness) const {
+  const RobotPair& pair = robot_->pairs[i];
+  return witness.a < robot_->meshes[pair.a].triangle_count &&
+         witness.b < robot_->meshes[pair.b].triangle_count;
+}
+
+Status Guard::resume() {
+  if (!is_possible()) {
+    forget();
+    return Status::guard_state_invalid;
+  }
+  if (core_->walked_pair != kNoPair) {  // a pose can't be told from another one: made again
+    set_frames(*robot_, walked_, frames_);
+    core_->pose = pose_of(robot_->pairs[core_->walked_pair]);
+  }
+  core_->has_frames = 0;
+  return Status::done;
+}
+
+Guard::Motion Guard::motion_of(const RobotPair& pair, const JointCoordinate* certified) const {
+  detail::Travel since;
+  uint32_t moved = 0;
+  detail::for_each_between(*robot_, pair, [&](uint32_t joint, uint32_t reach) {
+    const int32_t way = detail::difference(before_[joint], *certified++);
+    const int32_t began = is_free(joint) ? detail::wrapped(way) : way;
+    const int32_t ended = detail::difference(began, -step_[joint]);
+    since.add_short(reach, detail::greater(detail::magnitude(began), detail::magnitude(ended)));
+    moved |= static_cast<uint32_t>(ended);
+  });
+  return {since.fine(), moved == 0};
+}
+
+/// How far the joints move the pair in this period, in 1/256 cell.
+uint32_t Guard::rate_of(const RobotPair& pair) const {
+  detail::Travel rate;
+  detail::for_each_between(*robot_, pair, [&](uint32_t joint, uint32_t reach) {
+    rate.add_short(reach, detail::magnitude(step_[joint]));
+  });
+  return rate.fine();
+}
+
+/// The longest way of any joint in this period.
+uint32_t Guard::longest_step() const {
+  uint32_t longest = 0;
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    longest = detail::greater(longest, detail::magnitude(step_[i]));
+  }
+  return longest;
+}
+
+Guard::Found Guard::look() const {
+  Found found = {Verdict::free, kNoPair, UINT32_MAX, kNoPair, 0, 1, 0, kNoPair};
+  const uint32_t longest = longest_step();
+  const JointCoordinate* certified = certified_;
+  for (uint16_t i = 0; i < robot_->pair_count; ++i) {
+    const RobotPair& pair = robot_->pairs[i];
+    const GuardPair& known = pairs_[i];
+    const Motion motion = motion_of(pair, certified);
+    certified += pair.joints_a + pair.joints_b;
+    const bool is_fresh = motion.is_fresh && !is_unknown(known);
+    const uint32_t lost = sum_of(motion.since, robot_->slack);
+    const uint32_t distance = difference_of(known.lower, lost);
+    const uint32_t left = difference_of(distance, pair.stop);
+    const bool is_stopped = left == 0 && (is_fresh || sum_of(known.upper, lost) <= pair.stop);
+    found.take(left != 0    ? distance > pair.warn ? Verdict::free : Verdict::warn
+               : is_stopped ? Verdict::stop
+                            : Verdict::not_yet_known,
+               i, distance);
+    if (!is_fresh && is_near(left, pair, longest)) {
+      const uint32_t rate = rate_of(pair);
+      if (left <= uint64_t{rate} * kPeriodsAhead) {
+        found.take_due(i, left, sum_of(rate, 1));
+      }
+    }
+    if (!is_fresh && left != 0 && distance <= pair.warn && sum_of(known.upper, lost) > pair.warn) {
+      found.vague = i;
+    }
+    found.walked_left = i == core_->walked_pair ? left : found.walked_left;
+  }
+  if (found.due == kNoPair) {
+    found.due = found.vague;
+    found.due_left = UINT32_MAX;  // can wait
+  }
+  return found;
+}
+
+bool Guard::is_free(uint32_t joint) const {
+  return robot_->joints[joint].type == JointType::continuous;
+}
+
+int32_t Guard::step_to_next(uint32_t joint) const {
+  const int32_t step =
+      detail::difference(next_[joint], detail::difference(before_[joint], -step_[joint]));
+  return is_free(joint) ? detail::wrapped(step) : step;
+}
+
+/// Whether a joint without limits went less than half a turn, so that the shorter arc was its way.
+/// A mimic goes as far as its master takes it.
+bool Guard::has_one_way(uint32_t i) const {
+  const RobotJoint& joint = robot_->joints[i];
+  if (joint.shift == 0) {
+    return step_to_next(i) != -kFullTurn / 2;
+  }
+  uint32_t master = 0;
+  while (robot_->joints[master].shift != 0 || robot_->joints[master].variable != joint.variable) {
+    ++master;
+  }
+  const uint64_t way =
+      uint64_t{detail::magnitude(step_to_next(master))} * detail::magnitude(joint.multiplier);
+  return (way >> joint.shift) + 2 < kFullTurn / 2;  // each end is rounded
+}
+
+Status Guard::move_to(const JointCoordinate* values) {
+  if (!fits_) {
+    return Status::guard_state_invalid;
+  }
+  // Refused values change nothing, so the coordinates are made beside those that count.
+  core_->has_frames = 0;
+  const Status status = set_coordinates(*robot_, values, next_);
+  if (status != Status::done) {
+    return status;
+  }
+  for (uint32_t i = 0; i < robot_->joint_count && core_->has_values != 0; ++i) {
+    if (is_free(i) && !has_one_way(i)) {
+      return Status::joint_jumped;
+    }
+  }
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    const int32_t step = core_->has_values != 0 ? step_to_next(i) : 0;
+    before_[i] = detail::difference(next_[i], step);
+    step_[i] = step;
+  }
+  core_->has_values = 1;
+  return Status::done;
+}
+
+GuardAnswer Guard::update(const JointCoordinate* values, uint32_t work) {
+  const Status status = move_to(values);
+  return status == Status::done ? go_on(work)
+                                : GuardAnswer{status, Verdict::not_yet_known, kNoPair, 0, 0};
+}
+
+GuardAnswer Guard::go_on(uint32_t work) {
+  if (!fits_ || core_->has_values == 0) {
+    return {Status::guard_state_invalid, Verdict::not_yet_known, kNoPair, 0, 0};
+  }
+  const uint32_t granted = work;
+  Found found = look();
+  while (work != 0 && (found.due != kNoPair || core_->walked_pair != kNoPair)) {
+    const Status status = measure(found, work);
+    if (status == Status::suspended) {
+      break;
+    }
+    if (status != Status::done) {
+      return {status, Verdict::not_yet_known, found.pair, 0, granted - work};
+    }
+    found = look();
+  }
+  return {Status::done, found.verdict, found.pair, found.distance, granted - work};
+}
+
+}  // namespace flashbvh

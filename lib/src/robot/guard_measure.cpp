@@ -1,0 +1,190 @@
+// The guard: measuring pairs whose certificates are about to run out.
+#include "branch.hpp"
+#include "coordinate.hpp"
+#include "flashbvh/robot/guard.hpp"
+#include "guard_parts.hpp"
+#include "spheres.hpp"
+
+namespace flashbvh {
+
+using detail::difference_of;
+using detail::kPeriodsAhead;
+using detail::sum_of;
+
+namespace {
+
+/// One by spheres is taken if it lasts so many times longer.
+constexpr uint64_t kWorthwhile = 4;
+
+/// Spheres, and the pose of a pair that is going to be measured, in work (detail/work.hpp).
+constexpr uint32_t kPoseWork = 16;
+
+/// The distance of two triangles, and what it gives to ask.
+constexpr uint32_t kAimWork = 48;
+
+/// A witness's distance is worked out anew once the links have moved by so much of it.
+constexpr uint32_t kStaleShare = 8;
+
+/// A pair is asked whether it is within so much of what its witness has over what is to be kept, in
+/// 1/16: no triangles are tested for half of it, many for all.
+constexpr uint32_t kShare = 6;
+
+/// Its triangles in A's frame, in cells.
+void place_witness(const PostMesh& mesh_a, const PostMesh& mesh_b, const Pose& pose,
+                   const Witness<uint16_t>& witness, Triangle& a, Triangle& b) {
+  const detail::Transform transform(pose, mesh_a, mesh_b, /*may_stop=*/false);
+  detail::place_pair(mesh_a, witness.a, mesh_b, witness.b, transform, a, b);
+}
+
+}  // namespace
+
+void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& certificate) {
+  JointCoordinate* to = certified_;
+  for (uint16_t j = 0; j < i; ++j) {
+    to += robot_->pairs[j].joints_a + robot_->pairs[j].joints_b;
+  }
+  pairs_[i] = certificate;
+  detail::for_each_between(*robot_, robot_->pairs[i],
+                           [&](uint32_t joint, uint32_t) { *to++ = at[joint]; });
+}
+
+void Guard::make_frames() {
+  if (core_->has_frames != 0) {
+    return;
+  }
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    next_[i] = detail::difference(before_[i], -step_[i]);
+  }
+  set_frames(*robot_, next_, frames_);
+  core_->has_frames = 1;
+}
+
+Pose Guard::pose_of(const RobotPair& pair) const {
+  return relative_pose(detail::frame_of(frames_, robot_->links[pair.a].joint),
+                       detail::frame_of(frames_, robot_->links[pair.b].joint));
+}
+
+bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
+  const RobotPair& pair = robot_->pairs[i];
+  const RobotLink& a = robot_->links[pair.a];
+  const RobotLink& b = robot_->links[pair.b];
+  const uint32_t apart = detail::sphere_gap(a, detail::frame_of(frames_, a.joint), b,
+                                            detail::frame_of(frames_, b.joint));
+  const uint32_t known = difference_of(apart, robot_->slack);
+  const uint32_t left = difference_of(known, pair.stop);
+  const uint32_t worth = (a.radius >> 7) + (b.radius >> 7);  // a sixteenth of the radii, 1/256 cell
+  if (known <= pair.warn || left < worth ||
+      left <= uint64_t{rate} * (kPeriodsAhead * kWorthwhile)) {
+    return false;
+  }
+  certify(i, next_, {apart, UINT32_MAX, pairs_[i].witness});
+  return true;
+}
+
+void Guard::begin_walk(uint16_t i, uint32_t& work) {
+  const JointCoordinate* certified = certified_;
+  for (uint16_t j = 0; j < i; ++j) {
+    certified += robot_->pairs[j].joints_a + robot_->pairs[j].joints_b;
+  }
+  const uint32_t since = motion_of(robot_->pairs[i], certified).since;
+  core_->walked_pair = i;
+  core_->pose = pose_of(robot_->pairs[i]);
+  core_->witness = pairs_[i].witness;
+  for (uint32_t joint = 0; joint < robot_->joint_count; ++joint) {
+    walked_[joint] = next_[joint];
+  }
+  const uint32_t upper = pairs_[i].upper;
+  if (upper != UINT32_MAX && since <= upper / kStaleShare) {
+    aim(sum_of(upper, since));
+    return;
+  }
+  const RobotPair& pair = robot_->pairs[i];
+  Triangle a;
+  Triangle b;
+  place_witness(robot_->meshes[pair.a], robot_->meshes[pair.b], core_->pose, core_->witness, a, b);
+  detail::take_work(work, kAimWork);
+  aim(detail::distance_above(a, b));
+}
+
+/// What to ask: a share of what the witness has over the distance that is to be kept. `nearest`: it
+/// is no farther.
+void Guard::aim(uint32_t nearest) {
+  const RobotPair& pair = robot_->pairs[core_->walked_pair];
+  const uint32_t stop = sum_of(pair.stop, robot_->slack);
+  const uint32_t warn = sum_of(pair.warn, robot_->slack);
+  const uint32_t kept = nearest > warn ? warn : stop;
+  const uint32_t over = difference_of(nearest, kept);
+  const uint32_t share = over / 16 * kShare;
+  // What is asked is to last back to where the period began, if the witness has so much.
+  const uint32_t moved = sum_of(rate_of(pair), 2);
+  const uint32_t asked = sum_of(kept, moved < over ? detail::greater(share, moved) : share);
+  core_->nearest = nearest;
+  core_->asked = asked < kMaxDistance ? asked : kMaxDistance;
+  core_->position = {};
+}
+
+/// One run of the question. `done`: the pair has its certificate.
+Status Guard::walk(uint32_t& work) {
+  const uint16_t i = core_->walked_pair;
+  const RobotPair& pair = robot_->pairs[i];
+  if (core_->nearest <= sum_of(pair.stop, robot_->slack)) {
+    return finish({0, core_->nearest, core_->witness});
+  }
+  WithinQuery query(robot_->meshes[pair.a], robot_->meshes[pair.b], core_->pose, {},
+                    within(core_->asked));
+  Status status = query.resume(core_->position);
+  if (status == Status::suspended) {
+    status = query.spend(work, [](const TrianglePair<uint16_t>&) { return false; });
+  }
+  core_->position = query.position();
+  if (status == Status::done) {
+    return finish({core_->asked, core_->nearest, core_->witness});
+  }
+  if (status == Status::full) {
+    const TrianglePair<uint16_t> nearer = query.last_positions();
+    core_->witness = {nearer.a, nearer.b};
+    Triangle a;
+    Triangle b;
+    query.last_pair(a, b);
+    detail::take_work(work, kAimWork);
+    const uint32_t above = detail::distance_above(a, b);
+    aim(above < core_->asked ? above : core_->asked);  // so asking comes to an end
+    return Status::suspended;
+  }
+  if (status == Status::distance_out_of_range && core_->asked > 1) {
+    core_->asked /= 2;
+    return Status::suspended;
+  }
+  if (status == Status::position_invalid) {  // of a state that was taken up
+    core_->position = {};
+    return Status::suspended;
+  }
+  return status;
+}
+
+Status Guard::finish(const GuardPair& certificate) {
+  certify(core_->walked_pair, walked_, certificate);
+  core_->walked_pair = kNoPair;
+  return Status::done;
+}
+
+/// Goes on with what is being measured, unless another pair can't wait for it.
+Status Guard::measure(const Found& found, uint32_t& work) {
+  const bool is_overtaken = found.due != core_->walked_pair && found.due != kNoPair &&
+                            found.due_left == 0 && found.walked_left != 0;
+  if (core_->walked_pair == kNoPair || is_overtaken) {
+    detail::take_work(work, kPoseWork);
+    make_frames();
+    if (certify_by_spheres(found.due, found.due_rate)) {
+      return Status::done;
+    }
+    begin_walk(found.due, work);
+  }
+  Status status = Status::suspended;
+  while (status == Status::suspended && work != 0) {
+    status = walk(work);
+  }
+  return status;
+}
+
+}  // namespace flashbvh

@@ -1,0 +1,51 @@
+// What a guard's two halves share: looking at all pairs, measuring one.
+#ifndef FLASHBVH_ROBOT_GUARD_PARTS_HPP
+#define FLASHBVH_ROBOT_GUARD_PARTS_HPP
+
+#include "flashbvh/robot/guard.hpp"
+
+namespace flashbvh {
+namespace detail {
+
+/// A certificate is measured anew when it would run out within so many periods like the last one:
+/// a measurement takes several of them.
+constexpr uint32_t kPeriodsAhead = 8;
+}  // namespace detail
+
+/// How far two links may have moved towards each other since their certificate.
+struct Guard::Motion {
+  uint32_t since;  ///< in 1/256 cell, at any moment of this period
+  bool is_fresh;   ///< the certificate is of where the period ends
+};
+
+/// What looking at all pairs found.
+struct Guard::Found {
+  Verdict verdict;
+  uint16_t pair;
+  uint32_t distance;
+  uint16_t due;  ///< to be measured first, or kNoPair
+  uint32_t due_left;
+  uint32_t due_rate;
+  uint32_t walked_left;
+  uint16_t vague;  ///< whether it is free or warned of is not known, or kNoPair
+
+  void take(Verdict of_pair, uint16_t i, uint32_t known) {
+    if (of_pair > verdict || (of_pair == verdict && known < distance)) {
+      verdict = of_pair;
+      pair = i;
+      distance = known;
+    }
+  }
+  /// `left`: what it may still move. The one that runs out first is due first.
+  void take_due(uint16_t i, uint32_t left, uint32_t rate) {
+    if (due == kNoPair || uint64_t{left} * due_rate < uint64_t{due_left} * rate) {
+      due = i;
+      due_left = left;
+      due_rate = rate;
+    }
+  }
+};
+
+}  // namespace flashbvh
+
+#endif

@@ -1,0 +1,113 @@
+// Forward kinematics, in integers; products have 64 bits.
+#include "flashbvh/robot/kinematics.hpp"
+
+#include "coordinate.hpp"
+#include "sine.hpp"
+
+namespace flashbvh {
+namespace {
+
+using detail::sine_cosine;
+using detail::SineCosine;
+
+constexpr int64_t times(int32_t u, int32_t v) {
+  return static_cast<int64_t>(u) * v;
+}
+
+/// To the nearest, from twice the fraction bits of a rotation, or those of a rotation more.
+constexpr int32_t rounded(int64_t sum) {
+  return static_cast<int32_t>((sum + (kRotationOne >> 1)) >> 30);
+}
+
+/// Turned about its own z axis.
+void turn(Frame& frame, JointCoordinate coordinate) {
+  const SineCosine at = sine_cosine(static_cast<uint32_t>(coordinate) << (32 - detail::kTurnBits));
+  for (auto& row : frame.rotation) {
+    const int32_t x = row[0];
+    const int32_t y = row[1];
+    row[0] = rounded(times(x, at.cosine) + times(y, at.sine));
+    row[1] = rounded(times(y, at.cosine) - times(x, at.sine));
+  }
+}
+
+/// Moved along its own z axis.
+void slide(Frame& frame, JointCoordinate coordinate) {
+  for (int i = 0; i < 3; ++i) {
+    frame.translation[i] += rounded(times(frame.rotation[i][2], coordinate));
+  }
+}
+
+void compose(const Frame& outer, const Frame& inner, Frame& composed) {
+  const auto& r = inner.rotation;
+  const auto& t = inner.translation;
+  for (int i = 0; i < 3; ++i) {
+    const auto& row = outer.rotation[i];
+    for (int j = 0; j < 3; ++j) {
+      composed.rotation[i][j] =
+          rounded(times(row[0], r[0][j]) + times(row[1], r[1][j]) + times(row[2], r[2][j]));
+    }
+    composed.translation[i] =
+        outer.translation[i] +
+        rounded(times(row[0], t[0]) + times(row[1], t[1]) + times(row[2], t[2]));
+  }
+}
+
+}  // namespace
+
+Status set_coordinates(const Robot& robot, const JointCoordinate* values,
+                       JointCoordinate* coordinates) noexcept {
+  for (uint32_t i = 0; i < robot.joint_count; ++i) {
+    const RobotJoint& joint = robot.joints[i];
+    const JointCoordinate value = values[joint.variable];
+    if (value == kNoCoordinate) {
+      return Status::not_a_coordinate;
+    }
+    const JointCoordinate coordinate = detail::coordinate_of(joint, value);
+    const bool is_free = joint.type == JointType::continuous;
+    coordinates[i] = is_free ? detail::wrapped(coordinate) : coordinate;
+    if (!detail::can_be_at(joint, coordinates[i])) {
+      return Status::joint_out_of_limits;
+    }
+  }
+  return Status::done;
+}
+
+void set_frames(const Robot& robot, const JointCoordinate* coordinates, Frame* frames) noexcept {
+  for (uint32_t i = 0; i < robot.joint_count; ++i) {
+    const RobotJoint& joint = robot.joints[i];
+    if (joint.parent == kBase) {
+      frames[i] = joint.fixed;
+    } else {
+      compose(frames[joint.parent], joint.fixed, frames[i]);
+    }
+    if (joint.type == JointType::prismatic) {
+      slide(frames[i], coordinates[i]);
+    } else {
+      turn(frames[i], coordinates[i]);
+    }
+  }
+}
+
+Pose relative_pose(const Frame& a, const Frame& b) noexcept {
+  int32_t rotation[3][3];
+  int32_t cells[3];
+  int16_t fraction[3];
+  const int32_t between[3] = {b.translation[0] - a.translation[0],
+                              b.translation[1] - a.translation[1],
+                              b.translation[2] - a.translation[2]};
+  for (int i = 0; i < 3; ++i) {
+    const int32_t column[3] = {a.rotation[0][i], a.rotation[1][i], a.rotation[2][i]};
+    for (int j = 0; j < 3; ++j) {
+      rotation[i][j] =
+          rounded(times(column[0], b.rotation[0][j]) + times(column[1], b.rotation[1][j]) +
+                  times(column[2], b.rotation[2][j]));
+    }
+    const int32_t t = rounded(times(column[0], between[0]) + times(column[1], between[1]) +
+                              times(column[2], between[2]));
+    cells[i] = (t + kFrameCell / 2) >> kFrameBits;
+    fraction[i] = static_cast<int16_t>((t - cells[i] * kFrameCell) * (1 << (16 - kFrameBits)));
+  }
+  return Pose::rigid(rotation, cells, fraction);
+}
+
+}  // namespace flashbvh

@@ -1,0 +1,190 @@
+// Bisection of motions.
+#include "flashbvh/robot/motion.hpp"
+
+#include "branch.hpp"
+#include "coordinate.hpp"
+#include "flashbvh/query.hpp"
+#include "spheres.hpp"
+
+namespace flashbvh {
+namespace {
+
+/// An interval of 2^-24 of the way is not cut any more.
+constexpr uint8_t kMostLevels = 24;
+
+enum Phase : uint8_t { kNew, kWithin, kIntersects };
+
+/// Kinematics of an interval, its spheres and its pose, in work (detail/work.hpp).
+constexpr uint32_t kIntervalWork = 32;
+
+}  // namespace
+
+Status MotionQuery::start(const JointCoordinate* from, const JointCoordinate* to) {
+  if (!fits_) {
+    return Status::guard_state_invalid;
+  }
+  Status status = set_coordinates(*robot_, from, coordinates_);
+  if (status == Status::done) {
+    status = set_coordinates(*robot_, to, coordinates_);
+  }
+  for (uint32_t i = 0; i < robot_->variable_count; ++i) {
+    from_[i] = from[i];
+    to_[i] = to[i];
+  }
+  core_->robot_hash = robot_->hash;
+  core_->outcome = MotionOutcome::free;
+  core_->status = status != Status::done    ? status
+                  : robot_->pair_count == 0 ? Status::done
+                                            : Status::suspended;
+  core_->pair = 0;
+  core_->level = 0;
+  core_->interval = 0;
+  core_->phase = kNew;
+  return status;
+}
+
+void MotionQuery::set_values(uint32_t numerator, uint8_t level, JointCoordinate* values) const {
+  for (uint32_t i = 0; i < robot_->variable_count; ++i) {
+    const int64_t way = static_cast<int64_t>(to_[i]) - from_[i];
+    const int64_t half = level == 0 ? 0 : int64_t{1} << (level - 1);
+    values[i] = static_cast<JointCoordinate>(from_[i] + ((way * numerator + half) >> level));
+  }
+}
+
+/// Joints in the middle of the interval.
+void MotionQuery::prepare() {
+  set_values(2 * core_->interval + 1, static_cast<uint8_t>(core_->level + 1), values_);
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    const RobotJoint& joint = robot_->joints[i];
+    coordinates_[i] = detail::coordinate_of(joint, values_[joint.variable]);
+  }
+  set_frames(*robot_, coordinates_, frames_);
+}
+
+/// How far the joint goes from the middle of the interval to either end, and what rounding adds.
+uint32_t MotionQuery::way_of(const RobotJoint& joint) const {
+  const uint64_t way = detail::apart(from_[joint.variable], to_[joint.variable]);
+  const uint64_t half = (way >> (core_->level + 1)) + 2;
+  if (joint.shift == 0) {
+    return static_cast<uint32_t>(half);
+  }
+  const uint64_t mimicked = (half * detail::magnitude(joint.multiplier) >> joint.shift) + 2;
+  return mimicked > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(mimicked);
+}
+
+/// How far the joints move the pair from the middle to either end, in 1/256 cell.
+uint32_t MotionQuery::reach_of_interval(uint16_t i) const {
+  detail::Travel travel;
+  detail::for_each_between(*robot_, robot_->pairs[i], [&](uint32_t joint, uint32_t reach) {
+    travel.add(reach, way_of(robot_->joints[joint]));
+  });
+  return travel.fine();
+}
+
+/// On from an interval in which the pair is free: the next one on this level, or on the lowest
+/// above it that begins where this one ends.
+void MotionQuery::next_interval() {
+  ++core_->interval;
+  while (core_->level != 0 && core_->interval % 2 == 0) {
+    core_->interval /= 2;
+    --core_->level;
+  }
+  if (core_->level == 0) {
+    core_->interval = 0;
+    ++core_->pair;
+    core_->status = core_->pair < robot_->pair_count ? Status::suspended : Status::done;
+  }
+  core_->phase = kNew;
+}
+
+/// The pair may intersect in the interval, and does not in its middle.
+void MotionQuery::split_or_end() {
+  core_->phase = kNew;
+  if (core_->within <= 2 * robot_->slack || core_->level == kMostLevels) {
+    core_->outcome = MotionOutcome::close;
+    core_->status = Status::done;
+    return;
+  }
+  core_->interval *= 2;
+  ++core_->level;
+}
+
+/// Kinematics, spheres, pose. Where they don't settle it, the walk of the next phase is ready.
+void MotionQuery::begin_interval() {
+  prepare();
+  const RobotPair& pair = robot_->pairs[core_->pair];
+  const RobotLink& a = robot_->links[pair.a];
+  const RobotLink& b = robot_->links[pair.b];
+  const Frame& frame_a = detail::frame_of(frames_, a.joint);
+  const Frame& frame_b = detail::frame_of(frames_, b.joint);
+  core_->within = detail::sum_of(reach_of_interval(core_->pair), robot_->slack);
+  if (detail::sphere_gap(a, frame_a, b, frame_b) > core_->within) {
+    next_interval();
+  } else if (core_->within > kMaxDistance) {
+    split_or_end();
+  } else {
+    core_->pose = relative_pose(frame_a, frame_b);
+    core_->position = {};
+    core_->phase = kWithin;
+  }
+}
+
+/// Asks the pair the question of the phase: `full` if the answer is yes.
+template <class Asked>
+Status MotionQuery::ask(Asked&& query, uint32_t& work) {
+  Status status = query.resume(core_->position);
+  if (status != Status::suspended) {
+    return status;
+  }
+  status = query.spend(work, [&](const TrianglePair<uint16_t>& pair) {
+    core_->triangles = pair;
+    return false;
+  });
+  core_->position = query.position();
+  return status;
+}
+
+Status MotionQuery::ask_phase(uint32_t& work) {
+  const RobotPair& pair = robot_->pairs[core_->pair];
+  const PostMesh& a = robot_->meshes[pair.a];
+  const PostMesh& b = robot_->meshes[pair.b];
+  return core_->phase == kWithin
+             ? ask(WithinQuery(a, b, core_->pose, {}, within(core_->within)), work)
+             : ask(PairQuery(a, b, core_->pose), work);
+}
+
+/// One interval's beginning, or a slice of one question.
+void MotionQuery::step(uint32_t& work) {
+  if (core_->phase == kNew) {
+    detail::take_work(work, kIntervalWork);
+    begin_interval();
+    return;
+  }
+  const Status status = ask_phase(work);
+  if (status == Status::done && core_->phase == kWithin) {
+    next_interval();
+  } else if (status == Status::done) {
+    split_or_end();
+  } else if (status == Status::full && core_->phase == kWithin) {
+    core_->position = {};
+    core_->phase = kIntersects;
+  } else if (status == Status::full) {
+    core_->outcome = MotionOutcome::hit;
+    core_->status = Status::done;
+  } else if (status != Status::suspended) {
+    core_->status = status;
+  }
+}
+
+MotionAnswer MotionQuery::run(uint32_t work) {
+  if (!fits_ || core_->robot_hash != robot_->hash) {
+    return {Status::guard_state_invalid, MotionOutcome::close, 0, {}, 0, 0};
+  }
+  while (core_->status == Status::suspended && work != 0) {
+    step(work);
+  }
+  return {core_->status,    core_->outcome,          core_->pair,
+          core_->triangles, 2 * core_->interval + 1, static_cast<uint8_t>(core_->level + 1)};
+}
+
+}  // namespace flashbvh
