@@ -9,7 +9,7 @@
 namespace flashbvh::tool {
 
 /// What the program returns; 2 is for UserError.
-enum ExitCode : int { kSuccess = 0, kCheckFailed = 1, kBadInput = 2 };
+enum ExitCode : int { kSuccess = 0, kCheckFailed = 1, kBadInput = 2, kRefusedValues = 3 };
 
 /// `exit_code` is set when the command ran; it must outlive the parsing.
 void add_bake(CLI::App& app);
@@ -22,6 +22,8 @@ void add_clearance(CLI::App& app);
 void add_inside(CLI::App& app);
 void add_ray(CLI::App& app);
 void add_bench(CLI::App& app, ExitCode& exit_code);
+void add_robot(CLI::App& app);
+void add_guard(CLI::App& app, ExitCode& exit_code);
 
 /// Declares --unit, which can be given several times and takes one word each time.
 void add_unit_option(CLI::App& command, std::vector<std::string>& given);

@@ -51,6 +51,8 @@ int run(int argc, char** argv) {
   add_inside(app);
   add_ray(app);
   add_bench(app, exit_code);
+  add_robot(app);
+  add_guard(app, exit_code);
   if (argc < 2) {
     return fail("a command is missing; see flashbvh --help");
   }

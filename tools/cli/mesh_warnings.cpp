@@ -58,11 +58,17 @@ void warn_of_mesh(const InputMesh& mesh, const MeshDefects& defects, const BakeO
        "with the three vertices of an earlier one, once rounded: ", options.drop_duplicate,
        "duplicate");
   warn_of_surface(defects, path, warnings);
-  if (options.cell && mesh.precision > *options.cell / 2) {
-    warnings.add(path, concat("its coordinates are read as 32-bit floats, which may be off by ",
-                              shortest(mesh.precision), ", more than half a cell of ",
-                              shortest(*options.cell),
-                              "; export it as STL or PLY, or nearer to its origin"));
+  if (options.cell) {
+    warn_of_precision(mesh, *options.cell, warnings);
+  }
+}
+
+void warn_of_precision(const InputMesh& mesh, double cell, Warnings& warnings) {
+  if (mesh.precision > cell / 2) {
+    warnings.add(mesh.path,
+                 concat("its coordinates are read as 32-bit floats, which may be off by ",
+                        shortest(mesh.precision), ", more than half a cell of ", shortest(cell),
+                        "; export it as STL or PLY, or nearer to its origin"));
   }
 }
 

@@ -11,6 +11,9 @@ namespace flashbvh::tool {
 void warn_of_mesh(const InputMesh& mesh, const MeshDefects& defects, const BakeOptions& options,
                   Warnings& warnings);
 
+/// If the mesh is known less exactly than the lattice of `cell` can tell.
+void warn_of_precision(const InputMesh& mesh, double cell, Warnings& warnings);
+
 /// Of a surface that is not closed, or not oriented, or inside out. `path`: the mesh or image.
 void warn_of_surface(const MeshDefects& defects, const std::string& path, Warnings& warnings);
 

@@ -83,7 +83,7 @@ TriangleIds drop(bake::LatticeMesh& mesh, const MeshDefects& defects, const Bake
 
 /// UserError if something of the mesh or its tree is over the limit of 16-bit indices.
 void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
-                   const bake::BuildTree& tree, const TriangleIds& kept) {
+                   const bake::BuildTree& tree, const TriangleIds& kept, bool offers_wide) {
   constexpr std::size_t most = bake::IndexLimits<std::uint16_t>::kMost;
   const auto check = [&](std::size_t count, const char* what, std::size_t limit, const char* mend) {
     if (count > limit) {
@@ -91,8 +91,9 @@ void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
                       mend);
     }
   };
-  constexpr const char* fewer = "--index-bits 32 or fewer triangles";
-  constexpr const char* larger = "a larger --leaf-size or --index-bits 32";
+  const char* const fewer = offers_wide ? "--index-bits 32 or fewer triangles" : "fewer triangles";
+  const char* const larger = offers_wide ? "a larger --leaf-size or --index-bits 32"
+                                         : "a larger --leaf-size or fewer triangles";
   check(mesh.triangles.size(), "triangles", most, fewer);
   check(mesh.vertices.size(), "vertices", most, fewer);
   check(tree.nodes.size(), "nodes", most, larger);
@@ -146,7 +147,7 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
   tree = bake::collapse(tree, options.arity);
   const bool narrow = options.index_width == IndexWidth::bits_16;
   if (narrow) {
-    check_16_bits(input, lattice, tree, kept);
+    check_16_bits(input, lattice, tree, kept, options.offers_wide_indices);
   }
   baked.tree = narrow ? lay_out<std::uint16_t>(tree, lattice, options.layout)
                       : lay_out<std::uint32_t>(tree, lattice, options.layout);

@@ -133,43 +133,19 @@ std::string header(const bake::BakedTree<Index, layout>& baked, const OutputName
 }
 
 template <class Index, Layout layout>
-std::string view(const bake::BakedTree<Index, layout>& baked) {
-  std::uint64_t cell_bits = 0;
-  std::memcpy(&cell_bits, &baked.cell, sizeof cell_bits);
-  const auto count = [](std::size_t value) { return text_of(static_cast<Index>(value)); };
-  return concat("{{kNodes, ", count(baked.nodes.size()), ", ", count(baked.leaf_count), ", ",
-                count(baked.stack_need), "},\n    kTriangles, kTriangleIds, ",
-                (baked.leaf_offsets.empty() ? "nullptr" : "kLeafOffsets"),
-                ", kVertices, kShellVertices,\n    ", count(baked.triangles.size()), ", ",
-                count(baked.vertices.size()), ", ", count(baked.shell_vertices.size()), ", ",
-                baked.longest_edge, ",\n    {", baked.origin[0], ", ", baked.origin[1], ", ",
-                baked.origin[2], "}, flashbvh::Unit::", enumerator_of(baked.unit), ", ",
-                (baked.is_closed ? "true" : "false"), ", ", hex(cell_bits, 16), "}");
-}
-
-template <class Index, Layout layout>
 std::string source(const bake::BakedTree<Index, layout>& baked, const OutputName& name) {
   using MeshKind = Kind<Index, layout>;
   const std::string index = MeshKind::kIndex;
-  const std::string element = "flashbvh::Node<" + index + ">";
-  const std::string corners = "flashbvh::Corners<" + index + ">";
   std::string text =
       "// Written by `flashbvh bake`; bake again instead of changing it.\n"
       "#include \"" +
       name.stem + ".fbvh.hpp\"\n\nnamespace " + name.identifier + " {\nnamespace {\n\n";
-  text += array_of(element, "kNodes", baked.nodes) + "\n";
-  text += array_of(corners, "kTriangles", baked.triangles) + "\n";
-  text += array_of(index, "kTriangleIds", baked.triangle_ids) + "\n";
-  if (!baked.leaf_offsets.empty()) {
-    text += array_of(index, "kLeafOffsets", baked.leaf_offsets) + "\n";
-  }
-  text += array_of("flashbvh::Vertex", "kVertices", baked.vertices) + "\n";
-  text += array_of(index, "kShellVertices", baked.shell_vertices) + "\n";
+  text += arrays_of_mesh(baked) + "\n";
   const char* const climb = MeshKind::kPre ? "kParents" : "kRightChildLevels";
   text += array_of(index, "kLevels", baked.levels) + "\n" + array_of(index, climb, baked.climb);
   text += "\n}  // namespace\n\n";
-  text += "const " + MeshKind::mesh() + " mesh = " + view(baked) + ";\n\n";
-  text += "const " + MeshKind::levelled() + " levelled_mesh = {\n    " + view(baked) +
+  text += "const " + MeshKind::mesh() + " mesh = " + view_of_mesh(baked, {}) + ";\n\n";
+  text += "const " + MeshKind::levelled() + " levelled_mesh = {\n    " + view_of_mesh(baked, {}) +
           ",\n    kLevels, " + climb + "};\n\n";
   return text + "}  // namespace " + name.identifier + "\n";
 }
@@ -192,14 +168,45 @@ std::uint64_t flash_bytes(const ImageHeader& header) {
 }
 
 template <class Index, Layout layout>
+std::string arrays_of_mesh(const bake::BakedTree<Index, layout>& baked) {
+  const std::string index = Kind<Index, layout>::kIndex;
+  std::string text = array_of("flashbvh::Node<" + index + ">", "kNodes", baked.nodes) + "\n";
+  text += array_of("flashbvh::Corners<" + index + ">", "kTriangles", baked.triangles) + "\n";
+  text += array_of(index, "kTriangleIds", baked.triangle_ids) + "\n";
+  if (!baked.leaf_offsets.empty()) {
+    text += array_of(index, "kLeafOffsets", baked.leaf_offsets) + "\n";
+  }
+  text += array_of("flashbvh::Vertex", "kVertices", baked.vertices) + "\n";
+  return text + array_of(index, "kShellVertices", baked.shell_vertices);
+}
+
+template <class Index, Layout layout>
+std::string view_of_mesh(const bake::BakedTree<Index, layout>& baked, const std::string& scope) {
+  std::uint64_t cell_bits = 0;
+  std::memcpy(&cell_bits, &baked.cell, sizeof cell_bits);
+  const auto count = [](std::size_t value) { return text_of(static_cast<Index>(value)); };
+  return concat("{{", scope, "kNodes, ", count(baked.nodes.size()), ", ", count(baked.leaf_count),
+                ", ", count(baked.stack_need), "},\n    ", scope, "kTriangles, ", scope,
+                "kTriangleIds, ", (baked.leaf_offsets.empty() ? "nullptr" : scope + "kLeafOffsets"),
+                ", ", scope, "kVertices, ", scope, "kShellVertices,\n    ",
+                count(baked.triangles.size()), ", ", count(baked.vertices.size()), ", ",
+                count(baked.shell_vertices.size()), ", ", baked.longest_edge, ",\n    {",
+                baked.origin[0], ", ", baked.origin[1], ", ", baked.origin[2],
+                "}, flashbvh::Unit::", enumerator_of(baked.unit), ", ",
+                (baked.is_closed ? "true" : "false"), ", ", hex(cell_bits, 16), "}");
+}
+
+template <class Index, Layout layout>
 SourceFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name,
                    const std::string& unit) {
   return {header(baked, name, unit), source(baked, name)};
 }
 
-#define FLASHBVH_KIND(Index, layout)                                                    \
-  template std::size_t flash_bytes(const bake::BakedTree<Index, layout>&);              \
-  template SourceFiles cpp_of(const bake::BakedTree<Index, layout>&, const OutputName&, \
+#define FLASHBVH_KIND(Index, layout)                                                            \
+  template std::size_t flash_bytes(const bake::BakedTree<Index, layout>&);                      \
+  template std::string arrays_of_mesh(const bake::BakedTree<Index, layout>&);                   \
+  template std::string view_of_mesh(const bake::BakedTree<Index, layout>&, const std::string&); \
+  template SourceFiles cpp_of(const bake::BakedTree<Index, layout>&, const OutputName&,         \
                               const std::string&);
 FLASHBVH_FOR_EACH_KIND(FLASHBVH_KIND)
 #undef FLASHBVH_KIND

@@ -19,6 +19,13 @@ std::size_t flash_bytes(const bake::BakedTree<Index, layout>& baked);
 /// The same, of the tree in an image.
 std::uint64_t flash_bytes(const ImageHeader& header);
 
+/// The arrays that `mesh` is a view of: kNodes, kTriangles and so on.
+template <class Index, Layout layout>
+std::string arrays_of_mesh(const bake::BakedTree<Index, layout>& baked);
+/// The initialiser of that view. `scope`: what the arrays' names want before them, as in "palm::".
+template <class Index, Layout layout>
+std::string view_of_mesh(const bake::BakedTree<Index, layout>& baked, const std::string& scope);
+
 /// `unit`: the name of the unit of length; empty if it is not known.
 template <class Index, Layout layout>
 SourceFiles cpp_of(const bake::BakedTree<Index, layout>& baked, const OutputName& name,

@@ -57,20 +57,29 @@ OutputName output_name(const std::string& mesh_path, const std::string& chosen) 
 std::vector<OutputName> body_names(const std::string& mesh_path,
                                    const std::vector<InputMesh>& bodies) {
   const std::string stem = std::filesystem::path(mesh_path).stem().string();
-  std::vector<OutputName> names;
+  std::vector<std::string> wanted;
+  wanted.reserve(bodies.size());
+  for (const InputMesh& body : bodies) {
+    wanted.push_back(body.bodies.front().empty() ? stem : body.bodies.front());
+  }
+  return distinct_names(wanted);
+}
+
+std::vector<OutputName> distinct_names(const std::vector<std::string>& names) {
+  std::vector<OutputName> made;
+  made.reserve(names.size());
   std::map<std::string, std::size_t> last_number;
   std::set<std::string> taken;
-  for (const InputMesh& body : bodies) {
-    const std::string& own = body.bodies.front();
-    const std::string wanted = word_of(own.empty() ? stem : own);
+  for (const std::string& any : names) {
+    const std::string wanted = word_of(any);
     std::string name = wanted;
     for (std::size_t& number = last_number.emplace(wanted, 1).first->second;
          !taken.insert(name).second;) {
       name = concat(wanted, "_", ++number);
     }
-    names.push_back({name, name, identifier_of(name)});
+    made.push_back({name, name, identifier_of(name)});
   }
-  return names;
+  return made;
 }
 
 }  // namespace flashbvh::tool

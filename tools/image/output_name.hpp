@@ -25,6 +25,9 @@ OutputName output_name(const std::string& mesh_path, const std::string& chosen);
 std::vector<OutputName> body_names(const std::string& mesh_path,
                                    const std::vector<InputMesh>& bodies);
 
+/// Of any names, in the same way: none of them may be empty.
+std::vector<OutputName> distinct_names(const std::vector<std::string>& names);
+
 }  // namespace flashbvh::tool
 
 #endif

@@ -36,18 +36,27 @@ double scale_length(double across) {
   return power * (most < 2 * power ? 1 : most < 5 * power ? 2 : 5);
 }
 
-std::string scale_bar(const Frame& frame, const ImageFile& image) {
-  const double across = static_cast<double>(frame.across) * image.cell();
+std::string length_of(const std::string& suffix, double length) {
+  const double size = std::fabs(length);
+  return (size >= 1e4 && size < 1e9 ? fixed(length, 0) : significant(length, 4)) + suffix;
+}
+
+std::string scale_bar(const Frame& frame, const Measure& measure) {
+  const double across = static_cast<double>(frame.across) * measure.cell;
   const double length = scale_length(across);
   const auto units = static_cast<std::int64_t>(std::llround(kDrawingSide * length / across));
   const std::int64_t right = kDrawingSide - 60;
   const std::int64_t y = kDrawingSide + 125;
   return concat("<path class=axis d=\"M", right - units, " ", y - 22, "v44m0-22h", units,
                 "m0-22v44\"/><text x=", right - units / 2, " y=", y - 60, ">",
-                length_of(image, length), "</text>\n");
+                length_of(measure.suffix, length), "</text>\n");
 }
 
 }  // namespace
+
+Measure measure_of(const ImageFile& image) {
+  return {image.cell(), unit_suffix(image)};
+}
 
 std::string unit_suffix(const ImageFile& image) {
   const std::string unit = unit_name(image.unit());
@@ -55,18 +64,16 @@ std::string unit_suffix(const ImageFile& image) {
 }
 
 std::string length_of(const ImageFile& image, double length) {
-  const double size = std::fabs(length);
-  return (size >= 1e4 && size < 1e9 ? fixed(length, 0) : significant(length, 4)) +
-         unit_suffix(image);
+  return length_of(unit_suffix(image), length);
 }
 
-std::string figure(const Drawn& drawn, const View& view, const Frame& frame, const ImageFile& image,
+std::string figure(const Drawn& drawn, const View& view, const Frame& frame, const Measure& measure,
                    const std::string& label, const std::string& overlay,
                    const std::string& caption) {
   return concat("<figure><svg viewBox=\"0 0 ", kDrawingSide, " ", kDrawingSide + kStrip,
                 "\" role=img aria-label=\"", label, "\">\n<image width=", kDrawingSide,
                 " height=", kDrawingSide, " href=\"", data_uri(drawn.picture), "\"/>\n", overlay,
-                axes(view), scale_bar(frame, image), "</svg><figcaption>", caption,
+                axes(view), scale_bar(frame, measure), "</svg><figcaption>", caption,
                 "</figcaption></figure>\n");
 }
 

@@ -18,9 +18,16 @@ std::string unit_suffix(const ImageFile& image);
 /// A length, given in the mesh's unit, to four digits, with the unit.
 std::string length_of(const ImageFile& image, double length);
 
+/// A cell, in a unit, and what stands behind lengths in it: " mm".
+struct Measure {
+  double cell;
+  std::string suffix;
+};
+Measure measure_of(const ImageFile& image);
+
 /// `label`: what is seen, for who can't see it; `overlay`: SVG in units of the drawing; `caption`.
-/// All three HTML. `image`: whose cell and unit the scale has.
-std::string figure(const Drawn& drawn, const View& view, const Frame& frame, const ImageFile& image,
+/// All three HTML. `measure`: of the scale.
+std::string figure(const Drawn& drawn, const View& view, const Frame& frame, const Measure& measure,
                    const std::string& label, const std::string& overlay,
                    const std::string& caption);
 

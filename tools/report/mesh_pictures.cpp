@@ -109,7 +109,7 @@ std::string drawing(const Subject& subject, const Scene& scene, const View& view
   for (std::size_t level = 0; level < subject.levels.size(); ++level) {
     lines += box_lines(subject, level, view, frame);
   }
-  return figure(draw(scene, view, frame, kPictureSide), view, frame, subject.image,
+  return figure(draw(scene, view, frame, kPictureSide), view, frame, measure_of(subject.image),
                 escaped(subject.name) + ", " + view.name, lines, concat("<b>", view.name, "</b>"));
 }
 

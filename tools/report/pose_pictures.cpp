@@ -104,7 +104,7 @@ std::string picture(const AskedPair& pair, const PoseCost& cost, const Contact& 
                                 : counted(cost.triangle_pairs, "pair of triangles intersects",
                                           "pairs of triangles intersect") +
                                       (drawn.seen[kIntersected] == 0 ? ", out of sight" : "");
-  return figure(drawn, *best, contact.frame, pair.a->image,
+  return figure(drawn, *best, contact.frame, measure_of(pair.a->image),
                 name + " of " + title_of(pair) + ": " + found, circle(contact, *best),
                 concat("<b>", name, ":</b> ", grouped(cost.work), " work; ", found,
                        ".<details><summary>The pose</summary><code>",

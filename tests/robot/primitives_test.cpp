@@ -1,0 +1,80 @@
+// Primitives as meshes: closed, facing outwards, and nothing of the shape outside.
+#include "robot/primitives.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "mesh/defects.hpp"
+
+using namespace flashbvh;
+using tool::Vector3;
+
+namespace {
+
+/// How far a point lies inside all the planes of the triangles: a convex mesh's depth.
+double depth(const bake::SourceMesh& mesh, const Vector3& point) {
+  double least = 1e300;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vector3& p = mesh.vertices[a];
+    const Vector3& q = mesh.vertices[b];
+    const Vector3& r = mesh.vertices[c];
+    Vector3 normal{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const std::size_t k = (i + 2) % 3;
+      normal[i] = (q[j] - p[j]) * (r[k] - p[k]) - (q[k] - p[k]) * (r[j] - p[j]);
+    }
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    double above = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      above += (point[i] - p[i]) * normal[i] / length;
+    }
+    least = std::min(least, -above);
+  }
+  return least;
+}
+
+void check_closed(const bake::SourceMesh& mesh) {
+  CHECK(tool::edge_defects(mesh.triangles, {}).none());
+  CHECK(depth(mesh, {0, 0, 0}) > 0);
+}
+
+}  // namespace
+
+TEST_CASE("a box has its edges' lengths") {
+  const tool::PrimitiveMesh box = tool::box_mesh({2, 4, 6});
+  check_closed(box.mesh);
+  CHECK(box.excess == 0);
+  CHECK(box.mesh.triangles.size() == 12);
+  CHECK(depth(box.mesh, {1, 0, 0}) == 0);
+  CHECK(depth(box.mesh, {0, -2, 0}) == 0);
+  CHECK(depth(box.mesh, {0, 0, 3}) == 0);
+}
+
+TEST_CASE("a cylinder and a sphere lie inside their meshes, which reach no further than they say") {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  const double radius = 0.7;
+  const tool::PrimitiveMesh cylinder = tool::cylinder_mesh(radius, 2);
+  const tool::PrimitiveMesh sphere = tool::sphere_mesh(radius);
+  check_closed(cylinder.mesh);
+  check_closed(sphere.mesh);
+  CHECK(cylinder.excess < 0.005 * radius);
+  CHECK(sphere.excess < 0.019 * radius);
+  for (int i = 0; i < 20000; ++i) {
+    const Vector3 v = {normal(random), normal(random), normal(random)};
+    const double length = std::hypot(v[0], v[1], v[2]);
+    const double width = std::hypot(v[0], v[1]);
+    CHECK(depth(sphere.mesh,
+                {v[0] / length * radius, v[1] / length * radius, v[2] / length * radius}) >= 0);
+    CHECK(depth(cylinder.mesh, {v[0] / width * radius, v[1] / width * radius, 1}) >= 0);
+  }
+  for (const Vector3& v : sphere.mesh.vertices) {
+    CHECK(std::hypot(v[0], v[1], v[2]) < radius + sphere.excess + 1e-12);
+  }
+  for (const Vector3& v : cylinder.mesh.vertices) {
+    CHECK(std::hypot(v[0], v[1]) < radius + cylinder.excess + 1e-12);
+    CHECK(std::fabs(v[2]) == 1);
+  }
+}

@@ -1,0 +1,82 @@
+// Joint values from CSV files.
+#include "robot/trajectory.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "robot/robot_files.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+/// Variables "a" and "b"; "c" follows "b".
+tool::Model arm(RobotFiles& files) {
+  return files.read(link_text("base") + link_text("one") + link_text("two") + link_text("three") +
+                    joint_text("a", "revolute", "base", "one", kLimit) +
+                    joint_text("fixed", "fixed", "one", "two") +
+                    joint_text("b", "revolute", "two", "three", kLimit) + link_text("four") +
+                    joint_text("c", "revolute", "three", "four", kLimit + "<mimic joint=\"b\"/>"));
+}
+
+struct Given {
+  RobotFiles files;
+  tool::Model model = arm(files);
+
+  tool::Trajectory read(const std::string& text) const {
+    files.write("way.csv", text);
+    return tool::read_trajectory(files.path("way.csv"), model);
+  }
+  /// From the file's name on.
+  std::string refusal(const std::string& text) const {
+    try {
+      (void)read(text);
+      return {};
+    } catch (const tool::UserError& error) {
+      const std::string what = error.what();
+      return what.substr(what.find("way.csv"));
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("columns in any order, comments, blanks and line ends") {
+  const Given given;
+  const tool::Trajectory way =
+      given.read("\xEF\xBB\xBF# to the left\r\n b ,a# names\r\n\r\n +1.5e-1,\t-2\r# nothing\n3,4");
+  REQUIRE(way.size() == 2);
+  CHECK(way.line(0) == 4);
+  CHECK(way.values(0)[0] == -2.0f);
+  CHECK(way.values(0)[1] == 0.15f);
+  CHECK(way.line(1) == 6);
+  CHECK(way.values(1)[0] == 4.0f);
+  CHECK(way.values(1)[1] == 3.0f);
+}
+
+TEST_CASE("limits are the guard's") {
+  CHECK(Given().read("a,b\n1e30,-0\n").values(0)[0] == 1e30f);
+}
+
+TEST_CASE("trajectories that are refused") {
+  const Given given;
+  const auto [text, said] = GENERATE(table<const char*, const char*>(
+      {{"a\n1\n", "way.csv:1: has no column 'b'; the first line names all joints that move: a,b"},
+       {"a,b,a\n", "way.csv:1: has two columns 'a'; leave one out"},
+       {"\na,b,fixed\n",
+        "way.csv:2: the column 'fixed' is no joint of the robot that moves; its joints are a,b"},
+       {"a,b,\n",
+        "way.csv:1: the column '' is no joint of the robot that moves; its joints are a,b"},
+       {"a;b\n",
+        "way.csv:1: the column 'a;b' is no joint of the robot that moves; its joints are a,b"},
+       {"a,c\n", "way.csv:1: the column 'c' is a joint that follows 'b'; leave it out"},
+       {"a,b\n1,2\n1\n", "way.csv:3: has 1 value, the first line names 2 joints; give each one"},
+       {"a,b\n1,2,3\n", "way.csv:2: has 3 values, the first line names 2 joints; give each one"},
+       {"a,b\n1,x\n", "way.csv:2: 'x' is no finite number; give radians, or metres"},
+       {"a,b\n1,inf\n", "way.csv:2: 'inf' is no finite number; give radians, or metres"},
+       {"a,b\n1,-3.5e38\n", "way.csv:2: '-3.5e38' is no finite number; give radians, or metres"},
+       {"a,b\n", "way.csv: has no line of values; give one a period"},
+       {"#\n", "way.csv: has no line that names the joints: a,b"}}));
+  CHECK(given.refusal(text) == said);
+}

@@ -1,0 +1,51 @@
+// A robot for commands that need all of it: baked, its pairs decided, in fixed point.
+#ifndef FLASHBVH_TOOLS_CLI_BAKED_ROBOT_HPP
+#define FLASHBVH_TOOLS_CLI_BAKED_ROBOT_HPP
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/bake_links.hpp"
+#include "robot/fixed_robot.hpp"
+#include "robot/matrix.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+
+/// Which robot, and how it is baked; lengths as they are given.
+struct RobotArguments {
+  std::string urdf;
+  std::vector<std::string> packages;
+  std::string srdf;
+  std::optional<std::string> cell;
+  std::string stop = "0";
+  std::optional<std::string> warn;
+  std::uint32_t leaf_size = bake::kDefaultLeafSize;
+  bool progress = false;
+};
+
+/// Declares them: the same for all commands, so that they speak of the same robot.
+void add_robot_options(CLI::App& command, const std::string& name, RobotArguments& arguments);
+
+/// Its parts point into each other; it may be moved.
+struct BakedRobot {
+  Model model;
+  double cell;  ///< metres
+  std::vector<BakedLink> links;
+  std::vector<PairVerdict> pairs;
+  std::unique_ptr<FixedRobot> fixed;
+
+  const Robot& robot() const { return fixed->robot(); }
+};
+
+/// As it is described. UserError for it, and for what `arguments` say that is none.
+Model described_robot(const RobotArguments& arguments, Warnings& warnings);
+/// Takes some seconds a pair where proofs are hard. UserError for all that can't be baked.
+BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& warnings);
+
+}  // namespace flashbvh::tool
+
+#endif

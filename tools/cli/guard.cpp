@@ -1,0 +1,78 @@
+// flashbvh guard: a trajectory through the guard that firmware runs, on the desktop.
+#include <memory>
+
+#include "cli/baked_robot.hpp"
+#include "cli/commands.hpp"
+#include "cli/guard_output.hpp"
+#include "cli/outputs.hpp"
+#include "report/guard_page.hpp"
+#include "text/files.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+struct GuardArguments : RobotArguments {
+  std::string trajectory;
+  std::string page;
+  std::uint32_t work = kAllWork;
+  bool motion = false;
+  bool json = false;
+};
+
+ExitCode guard_trajectory(const GuardArguments& arguments) {
+  Warnings warnings;
+  Model model = described_robot(arguments, warnings);
+  const Trajectory trajectory = read_trajectory(arguments.trajectory, model);
+  const BakedRobot robot = baked_robot(std::move(model), arguments, warnings);
+  const Replayed replayed = {
+      robot,
+      arguments.trajectory,
+      trajectory,
+      replay(robot.robot(), trajectory, arguments.work),
+      arguments.motion,
+      arguments.motion ? certify(robot.robot(), trajectory) : std::vector<CertifiedMotion>()};
+  FileSet files;
+  if (!arguments.page.empty()) {
+    refuse_to_replace_inputs(arguments.page, {arguments.urdf, arguments.trajectory});
+    files.add(arguments.page,
+              guard_page({robot.model, robot.robot(), trajectory, replayed.answers}));
+  }
+  files.write([&] {
+    warnings.print();
+    print_refused(replayed);
+    (arguments.json ? print_replayed_json : print_replayed)(replayed);
+    flush_output();
+  });
+  return exit_code_of(replayed);
+}
+
+}  // namespace
+
+void add_guard(CLI::App& app, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<GuardArguments>();
+  GuardArguments& a = *arguments;
+  CLI::App* const command = app.add_subcommand(
+      "guard",
+      "Tell what a robot's guard answers along a trajectory, by the firmware's own code.\n"
+      "Exit code 0: all periods are free or warned of; 1: in some the guard says stop, or what "
+      "was\n"
+      "granted did not do, or a motion is not free; 3: firmware refuses some values.");
+  add_robot_options(*command, "ROBOT", a);
+  command
+      ->add_option("TRAJECTORY", a.trajectory,
+                   "A CSV: a line with the joints' names, then one a period with their values, in "
+                   "radians\nand metres")
+      ->required();
+  command
+      ->add_option("--work", a.work, "What the guard may spend in a period; default: what it takes")
+      ->check(CLI::Range(1u, kAllWork))
+      ->type_name("N");
+  command->add_flag("--motion", a.motion,
+                    "Certify the straight motion of all joints from each line to the next, too");
+  command->add_option("--report", a.page, "Write a page: distances over time, the closest moment")
+      ->type_name("PAGE.html");
+  command->add_flag("--json", a.json, "One JSON object a line");
+  command->callback([arguments, &exit_code] { exit_code = guard_trajectory(*arguments); });
+}
+
+}  // namespace flashbvh::tool

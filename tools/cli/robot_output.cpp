@@ -1,0 +1,178 @@
+#include "cli/robot_output.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "image/cpp_writer.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* type_name(JointType type) {
+  return type == JointType::prismatic    ? "prismatic"
+         : type == JointType::continuous ? "continuous"
+                                         : "revolute";
+}
+
+/// The base's is "base" in tables.
+std::string joint_name(const Model& model, std::size_t joint, const char* base) {
+  return joint == kNoJoint ? base : model.joints[joint].name;
+}
+
+bool is_mimic(const Model& model, std::size_t joint) {
+  return model.variables[model.joints[joint].variable] != joint;
+}
+
+template <class Rows, class NameOf>
+int width_of(const Rows& rows, const char* heading, const NameOf& name_of) {
+  std::size_t widest = std::string(heading).size();
+  for (const auto& row : rows) {
+    widest = std::max(widest, std::string(name_of(row)).size());
+  }
+  return static_cast<int>(widest) + 2;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
+void print_links(const Model& model, const std::vector<BakedLink>& links) {
+  const int width = width_of(model.links, "link", [](const ModelLink& l) { return l.name; });
+  const int joints = width_of(model.joints, "joint", [](const ModelJoint& j) { return j.name; });
+  std::cout << std::left << std::setw(width) << "link" << std::setw(joints) << "joint"
+            << "triangles     bytes  sources\n";
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const ModelLink& link = model.links[i];
+    std::cout << std::left << std::setw(width) << link.name << std::setw(joints)
+              << joint_name(model, link.joint, "base") << std::right << std::setw(9)
+              << links[i].tree.triangles.size() << std::setw(10) << flash_bytes(links[i].tree)
+              << "  " << joined(link.sources) << "\n";
+  }
+}
+
+void print_joints(const Model& model) {
+  if (model.joints.empty()) {
+    return;
+  }
+  const int width = width_of(model.joints, "joint", [](const ModelJoint& j) { return j.name; });
+  std::cout << "\n"
+            << std::left << std::setw(width) << "joint" << std::setw(width) << "parent"
+            << std::setw(12) << "type"
+            << "moves\n";
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const ModelJoint& joint = model.joints[i];
+    std::cout << std::left << std::setw(width) << joint.name << std::setw(width)
+              << joint_name(model, joint.parent, "base") << std::setw(12) << type_name(joint.type);
+    if (joint.type == JointType::continuous) {
+      std::cout << "on and on";
+    } else {
+      std::cout << significant(joint.lower, 6) << " to " << significant(joint.upper, 6)
+                << (joint.type == JointType::prismatic ? " m" : " rad");
+    }
+    if (is_mimic(model, i)) {
+      std::cout << ", as " << model.joints[model.variables[joint.variable]].name << " by "
+                << significant(joint.multiplier, 6);
+    }
+    std::cout << "\n";
+  }
+}
+
+void print_pairs(const Model& model, const std::vector<PairVerdict>& pairs) {
+  if (pairs.empty()) {
+    return;
+  }
+  const auto links_of = [&](const PairVerdict& pair) {
+    return model.links[pair.a].name + " - " + model.links[pair.b].name;
+  };
+  const int width = width_of(pairs, "pair", links_of);
+  std::cout << "\n"
+            << std::left << std::setw(width) << "pair" << std::setw(11) << "collide"
+            << "reason\n";
+  for (const PairVerdict& pair : pairs) {
+    std::cout << std::left << std::setw(width) << links_of(pair) << std::setw(11)
+              << name_of(pair.verdict) << pair.reason
+              << (pair.verdict == MatrixVerdict::never && pair.is_guarded
+                      ? "; guarded: may come within --stop"
+                      : "")
+              << "\n";
+  }
+}
+
+Json pair_json(const Model& model, const PairVerdict& pair) {
+  Json witness = Json::object();
+  for (std::size_t i = 0; i < pair.witness.size(); ++i) {
+    witness[model.joints[model.variables[i]].name] = pair.witness[i];
+  }
+  return {{"a", model.links[pair.a].name},    {"b", model.links[pair.b].name},
+          {"verdict", name_of(pair.verdict)}, {"reason", pair.reason},
+          {"witness", std::move(witness)},    {"cells", pair.cells},
+          {"guarded", pair.is_guarded}};
+}
+
+Json link_json(const Model& model, const ModelLink& link, const BakedLink& baked) {
+  return {{"name", link.name},
+          {"joint", link.joint == kNoJoint ? Json() : Json(model.joints[link.joint].name)},
+          {"triangles", baked.tree.triangles.size()},
+          {"flash_bytes", flash_bytes(baked.tree)},
+          {"sources", link.sources}};
+}
+
+Json joint_json(const Model& model, std::size_t number) {
+  const ModelJoint& joint = model.joints[number];
+  Json json = {
+      {"name", joint.name},
+      {"type", type_name(joint.type)},
+      {"parent", joint.parent == kNoJoint ? Json() : Json(model.joints[joint.parent].name)},
+      {"lower", joint.lower},
+      {"upper", joint.upper},
+      {"variable", joint.variable}};
+  if (is_mimic(model, number)) {
+    json["multiplier"] = joint.multiplier;
+    json["offset"] = joint.offset;
+  }
+  return json;
+}
+
+}  // namespace
+
+void print_robot(const Model& model, const std::vector<BakedLink>& links, const FixedRobot& robot,
+                 const std::vector<PairVerdict>& pairs) {
+  print_links(model, links);
+  print_joints(model);
+  print_pairs(model, pairs);
+  std::cout << "\ncell " << shortest(links[0].tree.cell) << " m; "
+            << robot_flash_bytes(robot, links) << " bytes of flash, " << robot_ram_bytes(robot)
+            << " bytes of RAM for a guard\n";
+}
+
+void print_robot_json(const Model& model, const std::vector<BakedLink>& links,
+                      const FixedRobot& robot, const std::vector<PairVerdict>& pairs) {
+  Json json = {{"name", model.name},
+               {"pairs", Json::array()},
+               {"links", Json::array()},
+               {"joints", Json::array()}};
+  for (const PairVerdict& pair : pairs) {
+    json["pairs"].push_back(pair_json(model, pair));
+  }
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    json["links"].push_back(link_json(model, model.links[i], links[i]));
+  }
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    json["joints"].push_back(joint_json(model, i));
+  }
+  json["cell"] = links[0].tree.cell;
+  json["flash_bytes"] = robot_flash_bytes(robot, links);
+  json["ram_bytes"] = robot_ram_bytes(robot);
+  std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,150 @@
+#include "robot/kinematics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evaluate/poses.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// From the joint to the base.
+std::vector<std::size_t> branch_of(const Model& model, std::size_t joint) {
+  std::vector<std::size_t> branch;
+  for (; joint != kNoJoint; joint = model.joints[joint].parent) {
+    branch.push_back(joint);
+  }
+  return branch;
+}
+
+}  // namespace
+
+Vector3 rotated(const Transform& transform, const Vector3& vector) {
+  const auto& [x, y, z] = transform.rotation;
+  const auto dot = [&](const Vector3& row) {
+    return row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2];
+  };
+  return {dot(x), dot(y), dot(z)};
+}
+
+Vector3 rotated_back(const Transform& transform, const Vector3& vector) {
+  Vector3 sum{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      sum[j] += transform.rotation[i][j] * vector[i];
+    }
+  }
+  return sum;
+}
+
+Vector3 placed(const Transform& transform, const Vector3& point) {
+  Vector3 sum = rotated(transform, point);
+  for (std::size_t i = 0; i < 3; ++i) {
+    sum[i] += transform.translation[i];
+  }
+  return sum;
+}
+
+Transform composed(const Transform& outer, const Transform& inner) {
+  Transform made;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Vector3 column =
+        rotated(outer, {inner.rotation[0][j], inner.rotation[1][j], inner.rotation[2][j]});
+    for (std::size_t i = 0; i < 3; ++i) {
+      made.rotation[i][j] = column[i];
+    }
+  }
+  made.translation = placed(outer, inner.translation);
+  return made;
+}
+
+Transform inverse(const Transform& transform) {
+  Transform made;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      made.rotation[i][j] = transform.rotation[j][i];
+    }
+  }
+  const Vector3 back = rotated_back(transform, transform.translation);
+  made.translation = {-back[0], -back[1], -back[2]};
+  return made;
+}
+
+double coordinate_of(const ModelJoint& joint, const std::vector<double>& variables) {
+  return joint.multiplier * variables[joint.variable] + joint.offset;
+}
+
+Interval range_of_variable(const Model& model, std::size_t variable) {
+  const ModelJoint& joint = model.joints[model.variables[variable]];
+  const auto margin = [](double limit) { return 0x1p-22 * std::max(1.0, std::abs(limit)); };
+  return joint.type == JointType::continuous
+             ? Interval{joint.lower, joint.upper}
+             : Interval{joint.lower - margin(joint.lower), joint.upper + margin(joint.upper)};
+}
+
+Interval range_of_joint(const Model& model, std::size_t number) {
+  const ModelJoint& joint = model.joints[number];
+  const Interval range = range_of_variable(model, joint.variable);
+  const double one = joint.multiplier * range.lower + joint.offset;
+  const double other = joint.multiplier * range.upper + joint.offset;
+  return {std::min(one, other), std::max(one, other)};
+}
+
+Transform motion_of(const ModelJoint& joint, double coordinate) {
+  Transform motion;
+  if (joint.type == JointType::prismatic) {
+    motion.translation[2] = coordinate;
+    return motion;
+  }
+  const double c = std::cos(coordinate);
+  const double s = std::sin(coordinate);
+  motion.rotation = {{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
+  return motion;
+}
+
+std::vector<Transform> frames_of(const Model& model, const std::vector<double>& variables) {
+  std::vector<Transform> frames;
+  for (const ModelJoint& joint : model.joints) {
+    const Transform parent = joint.parent == kNoJoint ? Transform() : frames[joint.parent];
+    const Transform motion = motion_of(joint, coordinate_of(joint, variables));
+    frames.push_back(composed(composed(parent, joint.fixed), motion));
+  }
+  return frames;
+}
+
+JointsBetween joints_between(const Model& model, std::size_t link_a, std::size_t link_b) {
+  JointsBetween joints = {branch_of(model, model.links[link_a].joint),
+                          branch_of(model, model.links[link_b].joint)};
+  while (!joints.of_a.empty() && !joints.of_b.empty() && joints.of_a.back() == joints.of_b.back()) {
+    joints.of_a.pop_back();
+    joints.of_b.pop_back();
+  }
+  return joints;
+}
+
+std::vector<Transform> frames_inwards(const Model& model, const std::vector<std::size_t>& joints,
+                                      const std::vector<double>& variables) {
+  std::vector<Transform> frames(joints.size());
+  Transform parent;
+  for (std::size_t i = joints.size(); i-- != 0;) {
+    const ModelJoint& joint = model.joints[joints[i]];
+    const Transform motion = motion_of(joint, coordinate_of(joint, variables));
+    frames[i] = parent = composed(composed(parent, joint.fixed), motion);
+  }
+  return frames;
+}
+
+Transform frame_between(const Model& model, const JointsBetween& joints,
+                        const std::vector<double>& variables) {
+  const auto outermost = [&](const std::vector<std::size_t>& branch) {
+    const std::vector<Transform> frames = frames_inwards(model, branch, variables);
+    return frames.empty() ? Transform() : frames.front();
+  };
+  return composed(inverse(outermost(joints.of_a)), outermost(joints.of_b));
+}
+
+Pose pose_of(const Transform& transform, double cell) {
+  return lattice_pose({transform.rotation, transform.translation}, cell, "the robot");
+}
+
+}  // namespace flashbvh::tool

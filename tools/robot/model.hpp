@@ -1,0 +1,74 @@
+// A robot as its URDF says, made ready to be baked: a tree of moving joints, bodies that hang on
+// them.
+//
+// Fixed joints are gone: what hangs on one hangs on the moving joint before it. A joint's frame is
+// turned so that the axis is its z; meshes are in the frame of the joint they hang on. Lengths are
+// in metres, angles in radians.
+#ifndef FLASHBVH_TOOLS_ROBOT_MODEL_HPP
+#define FLASHBVH_TOOLS_ROBOT_MODEL_HPP
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bake/mesh.hpp"
+#include "flashbvh/robot/robot.hpp"
+
+namespace flashbvh::tool {
+
+/// Point p lies at rotation * p + translation.
+struct Transform {
+  std::array<std::array<double, 3>, 3> rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::array<double, 3> translation{};
+};
+
+/// In place of a joint's number: none, the base.
+constexpr std::size_t kNoJoint = static_cast<std::size_t>(-1);
+
+struct ModelJoint {
+  std::string name;
+  std::size_t parent = kNoJoint;  ///< a joint before this one
+  Transform fixed;                ///< in the parent's frame, where its coordinate is 0
+  JointType type = JointType::revolute;
+  double lower = 0;  ///< limits, both allowed; of a continuous joint -pi and pi
+  double upper = 0;
+  /// The coordinate is multiplier * (that of the variable) + offset; 1 and 0 but for mimics.
+  std::size_t variable = 0;
+  double multiplier = 1;
+  double offset = 0;
+};
+
+/// A link with collision geometry.
+struct ModelLink {
+  std::string name;
+  std::size_t joint = kNoJoint;
+  bake::SourceMesh mesh;             ///< all its collision elements, in the joint's frame
+  std::vector<std::string> sources;  ///< files and primitives, for messages
+  std::vector<std::string> files;    ///< that were read
+  double precision = 0;              ///< how far readers may have rounded a coordinate
+};
+
+/// What the SRDF says of two links: not to be looked at.
+struct DisabledPair {
+  std::size_t a;
+  std::size_t b;
+  std::string reason;
+};
+
+struct Model {
+  std::string name;
+  std::string path;                    ///< the URDF, for messages
+  std::vector<ModelJoint> joints;      ///< parents before children
+  std::vector<std::size_t> variables;  ///< of each variable, the joint that is no mimic
+  std::vector<ModelLink> links;        ///< in the order of the file
+  /// Links next to each other: whose joints, counting links without geometry, are at most one
+  /// moving joint apart.
+  std::vector<std::pair<std::size_t, std::size_t>> neighbours;
+  std::vector<DisabledPair> disabled;
+};
+
+}  // namespace flashbvh::tool
+
+#endif

@@ -1,0 +1,26 @@
+// A robot as C++: constants and declarations in a header, constant arrays in a source file.
+#ifndef FLASHBVH_TOOLS_ROBOT_ROBOT_WRITER_HPP
+#define FLASHBVH_TOOLS_ROBOT_ROBOT_WRITER_HPP
+
+#include <cstddef>
+#include <vector>
+
+#include "image/source_text.hpp"
+#include "robot/bake_links.hpp"
+#include "robot/fixed_robot.hpp"
+
+namespace flashbvh::tool {
+
+/// What firmware links that uses all of the robot, in bytes, on a 32-bit core.
+std::size_t robot_flash_bytes(const FixedRobot& robot, const std::vector<BakedLink>& links);
+
+/// The state of a guard of it: plain data, of the same size on every core.
+std::size_t robot_ram_bytes(const FixedRobot& robot);
+
+/// NAME.robot.hpp and NAME.robot.cpp: `NAME::robot` and its constants.
+SourceFiles robot_sources(const Model& model, const FixedRobot& robot,
+                          const std::vector<BakedLink>& links, const OutputName& name);
+
+}  // namespace flashbvh::tool
+
+#endif

@@ -1,0 +1,139 @@
+#include "robot/support.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flashbvh::tool {
+namespace {
+
+/// Of an edge of the cube from -1 to 1. Relative error of an interpolated value: about 1/(2 n^2).
+constexpr std::size_t kSteps = 24;
+constexpr std::size_t kPoints = kSteps + 1;
+/// Of a full turn: arcs are replaced by polygons round them, 1/cos(half a part) as far out.
+constexpr double kParts = 72;
+constexpr double kTurn = 6.283185307179587;
+/// For what doubles round: a few units in 2^52 each, a few hundred operations.
+constexpr double kRoundUp = 1 + 1e-12;
+
+double at_point(std::size_t i) {
+  return 2.0 * static_cast<double>(i) / kSteps - 1;
+}
+
+/// Face 2 k has the coordinate k at -1, face 2 k + 1 at 1; rows and columns are the next two.
+Vector3 grid_direction(std::size_t face, std::size_t row, std::size_t column) {
+  const std::size_t axis = face / 2;
+  Vector3 direction{};
+  direction[axis] = face % 2 == 0 ? -1 : 1;
+  direction[(axis + 1) % 3] = at_point(row);
+  direction[(axis + 2) % 3] = at_point(column);
+  return direction;
+}
+
+/// A coordinate in steps: the point before it and how far it lies towards the next one.
+struct Step {
+  std::size_t point;
+  double part;
+};
+
+Step step_at(double coordinate) {
+  const double steps = std::clamp((coordinate + 1) / 2 * kSteps, 0.0, double{kSteps});
+  const double point = std::min(std::floor(steps), double{kSteps - 1});
+  return {static_cast<std::size_t>(point), steps - point};
+}
+
+/// The corners of a polygon round the arc that a vector describes as it turns about z.
+template <class Visitor>
+void for_each_corner(const Vector3& vector, const Interval& angles, Visitor&& visit) {
+  const double width = std::min(angles.upper - angles.lower, kTurn);
+  const int parts = std::max(1, static_cast<int>(std::ceil(width / kTurn * kParts)));
+  const double stretch = 1 / std::cos(width / parts / 2);
+  const auto at = [&](double angle, double scale) {
+    const double c = std::cos(angle) * scale;
+    const double s = std::sin(angle) * scale;
+    visit(Vector3{c * vector[0] - s * vector[1], s * vector[0] + c * vector[1], vector[2]});
+  };
+  at(angles.lower, 1);
+  for (int part = 0; part < parts; ++part) {
+    at(angles.lower + (part + 0.5) * width / parts, stretch);
+  }
+  at(angles.lower + width, 1);
+}
+
+}  // namespace
+
+template <class Function>
+Support Support::made(Function&& h) {
+  Support support;
+  support.values_.reserve(6 * kPoints * kPoints);
+  for (std::size_t face = 0; face < 6; ++face) {
+    for (std::size_t row = 0; row < kPoints; ++row) {
+      for (std::size_t column = 0; column < kPoints; ++column) {
+        support.values_.push_back(h(grid_direction(face, row, column)));
+      }
+    }
+  }
+  return support;
+}
+
+Support::Support(const std::vector<Vector3>& points, double deviation) {
+  *this = made([&](const Vector3& u) {
+    double most = -HUGE_VAL;
+    for (const Vector3& p : points) {
+      most = std::max(most, u[0] * p[0] + u[1] * p[1] + u[2] * p[2]);
+    }
+    return most + deviation * std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  });
+}
+
+double Support::operator()(const Vector3& direction) const {
+  std::size_t axis = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    axis = std::fabs(direction[i]) > std::fabs(direction[axis]) ? i : axis;
+  }
+  const double scale = std::fabs(direction[axis]);
+  if (scale == 0) {
+    return 0;
+  }
+  const Step row = step_at(direction[(axis + 1) % 3] / scale);
+  const Step column = step_at(direction[(axis + 2) % 3] / scale);
+  const std::size_t face = 2 * axis + (direction[axis] > 0 ? 1 : 0);
+  const double* const at = &values_[(face * kPoints + row.point) * kPoints + column.point];
+  const auto between = [&](const double* pair) {
+    return pair[0] + column.part * (pair[1] - pair[0]);
+  };
+  const double low = between(at);
+  return scale * (low + row.part * (between(at + kPoints) - low));
+}
+
+Support Support::moved(const Transform& transform) const {
+  return made([&](const Vector3& u) {
+    const Vector3& t = transform.translation;
+    return (*this)(rotated_back(transform, u)) + u[0] * t[0] + u[1] * t[1] + u[2] * t[2];
+  });
+}
+
+Support Support::turned(const Interval& angles) const {
+  // R p . u = p . R^-1 u
+  const Interval back = {-angles.upper, -angles.lower};
+  return made([&](const Vector3& u) {
+    double most = -HUGE_VAL;
+    for_each_corner(u, back,
+                    [&](const Vector3& corner) { most = std::max(most, (*this)(corner)); });
+    return most;
+  });
+}
+
+Support Support::slid(const Interval& distances) const {
+  return made([&](const Vector3& u) {
+    return (*this)(u) + std::max(distances.lower * u[2], distances.upper * u[2]);
+  });
+}
+
+double Support::reach() const {
+  double most = 0;
+  for_each_corner({1, 0, 0}, {0, kTurn},
+                  [&](const Vector3& corner) { most = std::max(most, (*this)(corner)); });
+  return most * kRoundUp;
+}
+
+}  // namespace flashbvh::tool
