@@ -1,7 +1,7 @@
-# cmake --install: headers, the library's sources, the CMake package; of a native build also the
-# library and, if it was built, the program.
+# cmake --install: headers, the libraries' sources, the CMake package; of a native build also the
+# libraries and, if it was built, the program.
 #
-# The sources are there because firmware needs the library with its own compiler and flags: where the
+# The sources are there because firmware needs the libraries with its own compiler and flags: where the
 # package is used in a cross build it compiles them.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -10,10 +10,11 @@ set(source_folder ${CMAKE_INSTALL_DATADIR}/flashbvh/src)
 
 install(DIRECTORY lib/include/flashbvh DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY lib/src/ DESTINATION ${source_folder})
-install(FILES lib/cmake/flashbvh_add_mesh.cmake lib/cmake/host_tool.cmake
-  DESTINATION ${package_folder})
+install(FILES lib/cmake/flashbvh_add_mesh.cmake lib/cmake/flashbvh_add_robot.cmake
+  lib/cmake/host_tool.cmake DESTINATION ${package_folder})
 if(NOT CMAKE_CROSSCOMPILING)
-  install(TARGETS flashbvh EXPORT flashbvhTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(TARGETS flashbvh flashbvh_robot_lib EXPORT flashbvhTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT flashbvhTargets NAMESPACE flashbvh:: DESTINATION ${package_folder})
 endif()
 if(TARGET flashbvh_tool)
@@ -22,8 +23,10 @@ if(TARGET flashbvh_tool)
   install(EXPORT flashbvhToolTargets NAMESPACE flashbvh:: DESTINATION ${package_folder})
 endif()
 
-get_target_property(library_sources flashbvh SOURCES)
-list(TRANSFORM library_sources REPLACE "^src/" "")
+foreach(library flashbvh flashbvh_robot_lib)
+  get_target_property(${library}_sources ${library} SOURCES)
+  list(TRANSFORM ${library}_sources REPLACE "^src/" "")
+endforeach()
 configure_package_config_file(lib/cmake/flashbvhConfig.cmake.in
   ${PROJECT_BINARY_DIR}/flashbvhConfig.cmake
   INSTALL_DESTINATION ${package_folder}

@@ -1,6 +1,6 @@
 #!/bin/sh
-# An installed package: natively with its library and its tool; in a cross build it compiles the
-# library for the target. It may be moved, and names no place on the machine that built it.
+# An installed package: natively with its libraries and its tool; in a cross build it compiles the
+# libraries for the target. It may be moved, and names no place on the machine that built it.
 . "$SOURCES/common.sh"
 "$CMAKE" --install "$FOLDER/cross/built/flashbvh-host" --prefix "$PWD/made" >log 2>&1 || fail install
 mv made "moved here"
@@ -14,9 +14,9 @@ fi
 [ -n "$(find "$prefix" -name libflashbvh.a)" ] || fail "no library"
 
 version=$("$prefix/bin/flashbvh" --version | sed 's/^flashbvh \([0-9]*\.[0-9]*\).*/\1/')
-configure built "-DCMAKE_PREFIX_PATH=$prefix" -DVERSION="$version" $bare
+configure built "-DCMAKE_PREFIX_PATH=$prefix" -DVERSION="$version" "-DROBOT=STOP;0.001" $bare
 bakes built "the first time"
-built/consumer || fail "wrong answers"
+built/consumer && built/guard || fail "wrong answers"
 rests built "nothing changed"
 touch "$prefix"/bin/flashbvh
 bakes built "the tool changed"
@@ -24,6 +24,7 @@ bakes built "the tool changed"
   fail "version 99 accepted"
 
 enter_cross_environment
-configure cross "-Dflashbvh_DIR=$(dirname "$(find "$prefix" -name flashbvhConfig.cmake)")"
+configure cross "-Dflashbvh_DIR=$(dirname "$(find "$prefix" -name flashbvhConfig.cmake)")" -DROBOT=
 bakes cross "the first time, crossing"
 for_the_target cross/consumer
+for_the_target cross/guard

@@ -14,7 +14,7 @@ last=${flags##*;}
 for way in add_subdirectory find_package; do
   configure $way -DWAY=$way "-DFLASHBVH_ROOT=$ROOT" "-DFLASHBVH_HOST_TOOL=$FLASHBVH" \
     "-Dflashbvh_DIR=$(dirname "$(find "$PWD/prefix" -name flashbvhConfig.cmake)")" \
-    "-DMACHINE=$flags" -DFLASHBVH_LINK=machine -DCMAKE_EXPORT_COMPILE_COMMANDS=ON $bare
+    "-DMACHINE=$flags" -DROBOT= -DFLASHBVH_LINK=machine -DCMAKE_EXPORT_COMPILE_COMMANDS=ON $bare
   grep '"command"' $way/compile_commands.json >commands
   [ "$(wc -l <commands)" -gt 10 ] || fail "few sources: $way"
   if grep -v -e "$last" commands; then

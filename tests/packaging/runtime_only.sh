@@ -1,6 +1,6 @@
 #!/bin/sh
-# Firmware that links arrays baked before needs neither the tool nor assimp, CLI11, nlohmann_json, zlib
-# or Catch2, whichever way it gets the library.
+# Firmware that links arrays baked before needs neither the tool nor assimp, CLI11, nlohmann_json,
+# urdfdom, zlib or Catch2, whichever way it gets the library.
 . "$SOURCES/common.sh"
 "$FLASHBVH" bake firmware/plate.obj firmware/peg.obj -o baked --format cpp >log 2>&1 || fail bake
 
