@@ -90,6 +90,7 @@ prepare() {
     leaf_size $size $flash >>"$folder/host.txt"
   done
   quietly build/$native/bin/write_poses "$folder" "$folder/leaf1" $pairs
+  quietly "$flashbvh" robot "$urdf" --name kr5_arm -o "$folder/robot"
   echo "$default" | awk '{ printf "all flash.default %.1f\n", $1 / $2
     print "all flash.triangles", $2; print "all flash.bytes", $1 }' >>"$folder/host.txt"
   visits >>"$folder/host.txt"

@@ -9,7 +9,7 @@ rm -rf "$WORK"
 mkdir -p "$WORK"
 {
   cat "$SOURCES/Doxyfile"
-  echo "INPUT = flashbvh flashbvh/paper $SOURCES/scopes.dox"
+  echo "INPUT = flashbvh flashbvh/paper flashbvh/robot $SOURCES/scopes.dox"
   echo "OUTPUT_DIRECTORY = $WORK"
 } | doxygen - >"$WORK/log" 2>&1 || true
 [ -s "$WORK/xml/classflashbvh_1_1Pose.xml" ] || { cat "$WORK/log"; exit 1; }

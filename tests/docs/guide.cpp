@@ -2,8 +2,10 @@
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/pose_float.hpp>
 #include <flashbvh/ray_float.hpp>
+#include <flashbvh/robot/robot_float.hpp>
 #include <initializer_list>
 
+#include "cell_arm.robot.hpp"
 #include "peg.fbvh.hpp"
 #include "plate.fbvh.hpp"
 
@@ -112,6 +114,27 @@ float height_seen(const float (&from)[3], float reach) {
   return found.yes ? flashbvh::length_in_unit(apart, plate::mesh.cell_bits) : reach;
 }
 
+/// Before the first period, at rest: start(). Then each period's set point goes to the drives only
+/// if it may.
+class ArmGuard {
+ public:
+  bool start(const float* joints) { return may_go(guard_.prime(set_point(joints))); }
+  bool tick(const float* joints) { return may_go(guard_.update(set_point(joints), 150)); }
+
+ private:
+  const flashbvh::JointCoordinate* set_point(const float* joints) {
+    flashbvh::set_values(cell_arm::robot, joints, values_);
+    return values_;
+  }
+  static bool may_go(const flashbvh::GuardAnswer& answer) {
+    return answer.status == flashbvh::Status::done && answer.verdict <= flashbvh::Verdict::warn;
+  }
+
+  flashbvh::JointCoordinate values_[cell_arm::kVariableCount] = {};
+  cell_arm::GuardState state_;
+  flashbvh::Guard guard_{cell_arm::robot, state_};
+};
+
 /// The verdict with the peg upright at this height; where it stops, the contact's is written.
 Verdict verdict_at(float height, float& mm, int64_t& nm) {
   const flashbvh::Pose world = flashbvh::Pose::translated(0, 0, 0);
@@ -151,6 +174,12 @@ int main() {
   if (seen < 11.99f || seen > 12.01f || height_seen({30, 20, 12}, 5) != 5 ||
       height_seen({300, 20, 12}, 100) != 100 || height_seen({30, 20, 12}, -1) != 0) {
     return 4;
+  }
+  ArmGuard arm;
+  const float upright[] = {0, 0, 0.5f, 0};
+  const float folded[] = {0, 0.2f, 2.9f, 1.5f};
+  if (!arm.start(upright) || !arm.tick(upright) || arm.start(folded)) {
+    return 5;
   }
   return verdict_at(0.5f, mm, nm) == Verdict::no_contact && mm == 1 &&
                  verdict_at(0, mm, nm) == Verdict::stop && mm > -0.01f && mm < 0.01f &&

@@ -17,6 +17,8 @@
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/query.hpp"
 #include "flashbvh/ray.h"
+#include "flashbvh/robot/guard.hpp"
+#include "flashbvh/robot/motion.hpp"
 #include "flashbvh/shape.h"
 #include "flashbvh/solid.h"
 
@@ -58,6 +60,10 @@ struct Arguments {
   const flashbvh_mesh* c_closed;  ///< the same mesh, said to be closed
   const flashbvh_pose* c_pose;
   const flashbvh_pose* c_other_pose;
+
+  const flashbvh::Robot* robot;  ///< one joint, a's mesh on either side of it
+  flashbvh::GuardStateOf<1, 1, 1>* guard_state;
+  flashbvh::MotionStateOf<1, 1>* motion_state;
 
   uint32_t distance;  ///< that is asked about
   uint32_t work;      ///< of a run

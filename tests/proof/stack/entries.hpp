@@ -197,6 +197,22 @@ ENTRY(distance_once, asked) {
   new (InPlace{&in->clearance}) Clearance<uint16_t>(distance<uint16_t>(*in->a, *in->b, *in->pose));
 }
 
+// The robot's layer.
+ENTRY(guard_update, asked) {
+  constexpr JointCoordinate values[1] = {0};
+  auto& guard = make_in<Guard>(in->query, [&] { return Guard(*in->robot, *in->guard_state); });
+  in->ends(guard.update(values, UINT32_MAX).status);
+}
+
+ENTRY(motion_run, asked) {
+  constexpr JointCoordinate from[1] = {-(1 << 20)};
+  constexpr JointCoordinate to[1] = {1 << 20};
+  auto& motion =
+      make_in<MotionQuery>(in->query, [&] { return MotionQuery(*in->robot, *in->motion_state); });
+  (void)motion.start(from, to);
+  in->ends(motion.run(UINT32_MAX).status);
+}
+
 // Solids.
 ENTRY(inside_once, asked) {
   for (int32_t i = 0; i < 162; ++i) {

@@ -65,6 +65,7 @@ constexpr TestPose kTestPoses[] = {
     {{3, 1, 1, 0}, {3636, -636, 18409}},
     {{0, 0, 0, 1}, {33000, 500, 0}},  // parallel edges: equal distances
     {{0, 0, 0, 1}, {33000, 500, 300}},
+    {{7, 3, -2, 5}, {0, 44000, 44000}},  // beyond kMaxDistance, though boxes are not
 };
 
 /// Corners for the exact test and contacts. The narrow ones differ by less than 2^15.
@@ -116,6 +117,12 @@ flashbvh_mesh c_tree;
 PostMesh closed;
 flashbvh_mesh c_closed;
 stack_proof::Room<sizeof(Pose)> poses[2];
+GuardStateOf<1, 1, 1> guard_state;
+MotionStateOf<1, 1> motion_state;
+RobotJoint joint;
+RobotPair pair;
+PostMesh meshes[2];
+Robot robot;
 uint32_t most[kEntryCount];
 uint32_t answers[kEntryCount];
 int failures = 0;
@@ -143,6 +150,34 @@ void open_trees() {
   in.c_a = in.c_b = &c_tree;
   in.image = deep_post_image;
   in.image_size = sizeof deep_post_image;
+}
+
+/// In 1/2,048 cell: as far as a mesh reaches.
+constexpr uint32_t kRadius = 30000u << kFrameBits;
+constexpr RobotLink kLinks[] = {{{0, 0, 0}, kRadius, 0, kBase, {}}, {{0, 0, 0}, kRadius, 0, 0, {}}};
+/// So that motion_run's asks for little less than kMaxDistance.
+constexpr uint32_t kReaches[] = {32760u << 14};
+
+/// Two links, posed as B in A's frame.
+void make_robot() {
+  meshes[0] = meshes[1] = post;
+  joint.lower = -kFullTurn;
+  joint.upper = kFullTurn;
+  joint.parent = kBase;
+  pair = {0, 0, kReaches[0], 0, 1, 0, 1};
+  robot = {&joint, kLinks, meshes, &pair, kReaches, 1, 2, 1, 0, 1, 1, 1, 1, post.cell_bits};
+  in.robot = &robot;
+  in.guard_state = &guard_state;
+  in.motion_state = &motion_state;
+}
+
+void pose_robot(const TestPose& where, const test::Rotation& matrix) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      joint.fixed.rotation[i][j] = matrix.entry[i][j];
+    }
+    joint.fixed.translation[i] = where.cells[i] * kFrameCell;
+  }
 }
 
 constexpr int16_t kFraction[3] = {-32768, 32767, 5};
@@ -238,14 +273,18 @@ void report() {
 
 int main() {
   open_trees();
+  make_robot();
   uint32_t round = 0;
   for (const TestPose& where : kTestPoses) {
     test::Rotation matrix;
     set_pose(where, matrix);
+    pose_robot(where, matrix);
     for (uint32_t i = 0; i < length(kDistances); ++i, ++round) {
       in.triangles = kPairs[round % length(kPairs)];
       in.floats = kFloats[round % length(kFloats)];
       in.distance = kDistances[where.cells[0] == kFarCells ? 0 : i];
+      pair.stop = (32760 << 8) * i;
+      pair.warn = UINT32_MAX;  // so that spheres don't do
       ask_all(in.pose->is_translation());
     }
   }
