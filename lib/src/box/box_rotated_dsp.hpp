@@ -7,6 +7,7 @@
 
 #include "box_rotated_layout.hpp"
 #include "flashbvh/detail/box_rotated.hpp"
+#include "rotate_sums_dsp.hpp"
 
 namespace flashbvh::detail {
 
@@ -19,21 +20,7 @@ namespace flashbvh::detail {
                                                                  const PackedBox& /*other*/) {
   // An axis: two sums of three pairs of products, then whole cells from 0 to 32,767.
 #define FLASHBVH_ROTATE_AXIS(upper, lower) \
-  "ldm r1!, {r7, r8, r9}\n\t"              \
-  "ldrd " upper ", " lower                 \
-  ", [r3], #8\n\t"                         \
-  "smlad " upper ", r7, r4, " upper        \
-  "\n\t"                                   \
-  "smlad " lower ", r7, r5, " lower        \
-  "\n\t"                                   \
-  "smlad " upper ", r8, r5, " upper        \
-  "\n\t"                                   \
-  "smlad " lower ", r8, r4, " lower        \
-  "\n\t"                                   \
-  "smlad " upper ", r9, r6, " upper        \
-  "\n\t"                                   \
-  "smladx " lower ", r9, r6, " lower       \
-  "\n\t"                                   \
+  FLASHBVH_ROTATE_SUMS(upper, lower)       \
   "usat " upper ", #15, " upper            \
   ", asr #14\n\t"                          \
   "usat " lower ", #15, " lower ", asr #14\n\t"

@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "flashbvh/detail/gap.hpp"
+#include "rotate_sums_dsp.hpp"
 
 namespace flashbvh::detail {
 
@@ -25,21 +26,7 @@ static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits ==
                                                       const NearBox* /*at_hand*/) {
   // An axis: two sums of three pairs of products, then what is missing to them, from 0 to 65,535.
 #define FLASHBVH_ROTATE_AXIS(upper, lower) \
-  "ldm r1!, {r7, r8, r9}\n\t"              \
-  "ldrd " upper ", " lower                 \
-  ", [r3], #8\n\t"                         \
-  "smlad " upper ", r7, r4, " upper        \
-  "\n\t"                                   \
-  "smlad " lower ", r7, r5, " lower        \
-  "\n\t"                                   \
-  "smlad " upper ", r8, r5, " upper        \
-  "\n\t"                                   \
-  "smlad " lower ", r8, r4, " lower        \
-  "\n\t"                                   \
-  "smlad " upper ", r9, r6, " upper        \
-  "\n\t"                                   \
-  "smladx " lower ", r9, r6, " lower       \
-  "\n\t"                                   \
+  FLASHBVH_ROTATE_SUMS(upper, lower)       \
   "sub " upper ", r2, " upper              \
   "\n\t"                                   \
   "sub " lower ", r2, " lower              \

@@ -41,25 +41,6 @@ QueryPosition<uint16_t> position_of(const flashbvh_position& position) {
   return to;
 }
 
-/// WithinQuery::spend() into an array of C's.
-FLASHBVH_INLINE inline Status run_into(WithinQuery& query, uint32_t& work, flashbvh_pair* pairs,
-                                       uint32_t capacity, uint32_t& count) {
-  count = 0;
-  if (capacity == 0 && query.status() == Status::suspended) {
-    return Status::full;
-  }
-  uint32_t written = 0;
-  const Status status = query.spend(
-      work,
-      [&](const WithinQuery::Pair& pair) {
-        pairs[written++] = c_pair(pair);
-        return written < capacity;
-      },
-      [&] { return capacity - written; });
-  count = written;
-  return status;
-}
-
 void put(const NearestPoints& found, flashbvh_nearest_points* nearest) {
   *nearest = {fine_point_of(found.point_a),
               fine_point_of(found.point_b),

@@ -70,8 +70,9 @@ inline Triangle triangle_of(const flashbvh_triangle& given) {
   return {{{c[0].x, c[0].y, c[0].z}, {c[1].x, c[1].y, c[1].z}, {c[2].x, c[2].y, c[2].z}}};
 }
 
-/// PairQuery::spend() into an array of C's.
-FLASHBVH_INLINE inline Status run_into(PairQuery& query, uint32_t& work, flashbvh_pair* pairs,
+/// A query's spend() into an array of C's.
+template <class Query>
+FLASHBVH_INLINE inline Status run_into(Query& query, uint32_t& work, flashbvh_pair* pairs,
                                        uint32_t capacity, uint32_t& count) {
   count = 0;
   if (capacity == 0 && query.status() == Status::suspended) {
@@ -80,7 +81,7 @@ FLASHBVH_INLINE inline Status run_into(PairQuery& query, uint32_t& work, flashbv
   uint32_t written = 0;
   const Status status = query.spend(
       work,
-      [&](const PairQuery::Pair& pair) {
+      [&](const typename Query::Pair& pair) {
         pairs[written++] = c_pair(pair);
         return written < capacity;
       },

@@ -38,11 +38,17 @@ void place_witness(const PostMesh& mesh_a, const PostMesh& mesh_b, const Pose& p
 
 }  // namespace
 
-void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& certificate) {
-  JointCoordinate* to = certified_;
+/// Where the joints between the pair's links stood when it was certified.
+JointCoordinate* Guard::certified_of(uint16_t i) {
+  JointCoordinate* of_pair = certified_;
   for (uint16_t j = 0; j < i; ++j) {
-    to += robot_->pairs[j].joints_a + robot_->pairs[j].joints_b;
+    of_pair += robot_->pairs[j].joints_a + robot_->pairs[j].joints_b;
   }
+  return of_pair;
+}
+
+void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& certificate) {
+  JointCoordinate* to = certified_of(i);
   pairs_[i] = certificate;
   detail::for_each_between(*robot_, robot_->pairs[i],
                            [&](uint32_t joint, uint32_t) { *to++ = at[joint]; });
@@ -82,11 +88,7 @@ bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
 }
 
 void Guard::begin_walk(uint16_t i, uint32_t& work) {
-  const JointCoordinate* certified = certified_;
-  for (uint16_t j = 0; j < i; ++j) {
-    certified += robot_->pairs[j].joints_a + robot_->pairs[j].joints_b;
-  }
-  const uint32_t since = motion_of(robot_->pairs[i], certified).since;
+  const uint32_t since = motion_of(robot_->pairs[i], certified_of(i)).since;
   core_->walked_pair = i;
   core_->pose = pose_of(robot_->pairs[i]);
   core_->witness = pairs_[i].witness;

@@ -10,6 +10,7 @@ namespace detail {
 /// A certificate is measured anew when it would run out within so many periods like the last one:
 /// a measurement takes several of them.
 constexpr uint32_t kPeriodsAhead = 8;
+
 }  // namespace detail
 
 /// How far two links may have moved towards each other since their certificate.

@@ -144,6 +144,7 @@ class Guard {
   uint32_t rate_of(const RobotPair& pair) const;
   uint32_t longest_step() const;
   Found look() const;
+  JointCoordinate* certified_of(uint16_t pair);
   void begin_walk(uint16_t pair, uint32_t& work);
   bool certify_by_spheres(uint16_t pair, uint32_t rate);
   void aim(uint32_t nearest);
