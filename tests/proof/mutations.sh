@@ -1,0 +1,112 @@
+#!/bin/sh
+# mutations.sh OUT   Changes a definition, a constant or a line at a time, in a copy; each change must be
+#                    refused by one of the proofs that are named. OUT: what check.sh checked.
+set -eu
+cd "$(dirname "$0")/../.."
+out=$1 work=$1/mutations
+refused=0 survived=0
+
+# mutate WHAT FILE OLD NEW PROOF...: FILE below the root has OLD, which becomes NEW.
+mutate() {
+  what=$1 file=$2 old=$3 new=$4
+  shift 4
+  rm -rf "$work"
+  mkdir -p "$work/tests" "$work/out"
+  cp -r lib "$work/lib"
+  cp -r tests/proof "$work/tests/proof"
+  cp "$out"/*.vo "$work/out"
+  python3 - "$work/$file" "$old" "$new" <<'PY'
+import pathlib, sys
+path, old, new = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+text = path.read_text()
+assert old in text, f"{path} has no: {old}"
+path.write_text(text.replace(old, new, 1))
+PY
+  if "$work/tests/proof/check.sh" "$work/lib" "$work/out" "$@" >"$work/said" 2>&1; then
+    echo "SURVIVED: $what"
+    survived=$((survived + 1))
+  else
+    echo "refused: $what ($(grep -m 1 -oE '[A-Za-z_]+\.(v|g|smt2):|no longer has' "$work/said" | head -n 1 | tr -d :))"
+    refused=$((refused + 1))
+  fi
+}
+walk=tests/proof/walk arithmetic=tests/proof/arithmetic
+mesh=lib/include/flashbvh/mesh.hpp detail=lib/include/flashbvh/detail
+
+# All names, nothing changed: what is refused below is refused for the change.
+rm -rf "$work"
+mkdir -p "$work/out"
+cp "$out"/*.vo "$work/out"
+tests/proof/check.sh lib "$work/out" Ranked.v Code.v Query.v Image.v >/dev/null
+
+mutate "a margin's line that is quoted" lib/src/geometry/rotated_transform.cpp '>> kRestBits) + 1;' '>> kRestBits);' Margins.v
+mutate "the box test's margin is two units less, of which one is spare" $arithmetic/Margins.v \
+  'most * reach / rest8 + 1' 'most * reach / rest8 - 1' Margins.v
+mutate "the margin on B's axes lacks an eighth of a cell" $arithmetic/Margins.v \
+  '7 * (cell14 / 8) + 7 * reach / 8' '6 * (cell14 / 8) + 7 * reach / 8' Margins.v
+mutate "a tie in the rule goes to B" $walk/Ranked.v \
+  'if rank A a <? rank B b then map' 'if rank A a <=? rank B b then map' Ranked.v
+mutate "B is left on < instead of <=" $walk/Ranked.v \
+  'if parent_rank B b <=? parent_rank A a then' 'if parent_rank B b <? parent_rank A a then' Ranked.v
+mutate "a real rank can be the root's parent's" $mesh 'kMaxRank = 126' 'kMaxRank = 127' Constants.v Ranked.v
+mutate "a root's missing parent ranks lower" $mesh 'kRootParentRank = 127' 'kRootParentRank = 100' \
+  Constants.v Ranked.v
+mutate "ranks may grow by one downwards" $walk/Ranked.v \
+  'In x (kids n) -> rank x <= rank n;' 'In x (kids n) -> rank x <= rank n + 1;' Ranked.v
+mutate "can_visit() takes equal ranks on both sides" $walk/Ranked.v \
+  'rank A a < parent_rank B b /\' 'rank A a <= parent_rank B b /\' Ranked.v
+mutate "an ascent keeps the parent's rank" $walk/Code.v \
+  'let i := node p - 1 in {| node := i; place_rank := c_parent_rank (cell cells i) |}' \
+  'let i := node p - 1 in {| node := i; place_rank := place_rank p |}' Code.v
+mutate "a descent keeps the parent's rank" $walk/Code.v 'place_rank := rank |}' 'place_rank := place_rank p |}' Code.v
+mutate "a last child's link is a sibling" $walk/Code.v 'if i <? node p then Some' 'if i <=? node p then Some' Code.v
+mutate "the first child is the next node" $walk/Code.v \
+  'Definition first_child (i : nat) : nat := c_link (cell cells (i + 1))' \
+  'Definition first_child (i : nat) : nat := i + 1' Code.v
+mutate "the end is seen a node late" $walk/Code.v 'None => if node b =? 0 then CDone' \
+  'None => if node b =? 1 then CDone' Code.v
+mutate "a walk below a leaf ends a node early" $walk/Code.v 'if i =? root then next_turn resumed a b' \
+  'if i - 1 =? root then next_turn resumed a b' Code.v
+mutate "below a leaf the other one is taken for it" $walk/Code.v \
+  'then if is_leaf cells_a (node a) then LeafA else NoLeaf' \
+  'then if is_leaf cells_b (node b) then LeafB else NoLeaf' Code.v
+mutate "a resumed walk does not look below which leaf it is" $walk/Code.v \
+  'if resumed then enter true a b else CVisit a b' 'CVisit a b' Code.v
+mutate "a position forgets what is untested" $walk/Query.v \
+  '(At_leaf_pair p (u - v))' '(At_leaf_pair p 0)' Query.v
+mutate "a batch that is left goes on behind its last pair" $walk/Query.v \
+  'found_in n (load at_) = l ++ p :: r ->' 'found_in n (load at_) = l ++ r ++ [p] ->' Query.v
+mutate "opening does not look whether the ring closes" $walk/Image.v \
+  '(link (last node) =? node) && ' '' Image.v
+mutate "opening takes a link to itself for a sibling" $walk/Image.v \
+  'Definition enter_sibling (i : nat) : bool := (link i <? i)' \
+  'Definition enter_sibling (i : nat) : bool := (link i <=? i)' Image.v
+mutate "opening does not climb from the last leaf" $walk/Image.v \
+  'leaf (count - 1) && leave_to count (count - 1) 0' 'leaf (count - 1)' Image.v
+mutate "opening does not compare ranks" $walk/Image.v '(rank child <=? rank parent)' 'true' Image.v
+mutate "a line of the walk that is quoted" $detail/ranked.hpp \
+  'if (b_.parent_rank <= a_.parent_rank)' 'if (b_.parent_rank < a_.parent_rank)' Code.v
+mutate "a coordinate has 16 bits" lib/include/flashbvh/lattice.hpp 'kMaxCoordinate = 16383' \
+  'kMaxCoordinate = 16385' box_test.smt2
+mutate "a threshold is off by one" $arithmetic/box_test.smt2 \
+  '(ite (bvsge t zero) #xffff' '(ite (bvsgt t zero) #xffff' box_test.smt2
+mutate "Helium looks at what lies behind a box" $arithmetic/box_forms.smt2 \
+  '(hi #x00000000 (add16 a3 b2))' '(hi #x00000001 (add16 a3 b2))' box_forms.smt2
+mutate "a clamp to 15 bits is one to 14" $arithmetic/box_rotated.smt2 \
+  '(ite (bvugt s most) most s)' '(ite (bvugt s most) (bvlshr most #x00000001) s)' box_rotated.smt2
+mutate "differences of 2^21" $detail/triangle.hpp '(1 << 20) - 1' '(1 << 21) - 1' determinant.g
+mutate "narrow differences of 2^15" lib/src/geometry/triangle.cpp '(1 << 15) - 1' '(1 << 15) + 1' \
+  determinant_narrow.g
+mutate "directions of 14 bits" $detail/slab.hpp 'kDirectionBits = 13' 'kDirectionBits = 14' slab.g
+mutate "distances of 2^18" $detail/triangle_distance.hpp '(1 << 17) - 1' '(1 << 18) - 1' distance.g
+mutate "rays of 2^21" $detail/segment_walk.hpp '(1 << 19) - 1' '(1 << 21) - 1' ray.g
+mutate "a coefficient of the sine is off by 4" lib/src/robot/sine.hpp '-346799333' '-346799329' sine.g
+mutate "a triangle's tip on the plane is not one" $arithmetic/Triangle.v \
+  'then above g else negb (g <? 0)' 'then above g else g <? 0' Triangle.v
+mutate "corners are not mirrored" $arithmetic/Triangle.v \
+  'if up_b then (na, pa) else (pa, na) in' 'if up_a then (na, pa) else (pa, na) in' Triangle.v
+mutate "touching does not count" $arithmetic/Triangle.v '(volume ta ha tb hb <=? 0)' \
+  '(volume ta ha tb hb <? 0)' Triangle.v
+rm -rf "$work"
+echo "== $refused changes refused, $survived survived"
+[ "$survived" -eq 0 ]
