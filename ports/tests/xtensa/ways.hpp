@@ -1,0 +1,54 @@
+// Ways to go wrong on Xtensa.
+#ifndef FLASHBVH_PORT_TESTS_WAYS_HPP
+#define FLASHBVH_PORT_TESTS_WAYS_HPP
+
+#include <stdint.h>
+
+extern "C" void Unexpected_Handler();
+
+inline void undefined_instruction() {
+  __asm__ volatile("ill");
+}
+
+inline void leave_stack() {
+  __asm__ volatile(
+      "movi sp, 0\n"
+      "s32i a2, sp, 0\n"
+      "ill\n");
+}
+
+/// Three zero bytes are the instruction that is none.
+inline void branch_to(const volatile void* data) {
+  __asm__ volatile("jx %0" ::"r"(data));
+}
+
+/// Whether the one interrupt that a program can raise by itself has a handler.
+inline volatile bool has_handler = false;
+
+inline void raise() {
+  constexpr uint32_t kSoftwareInterrupt = 1 << 7;
+  __asm__ volatile(
+      "wsr %0, intenable\n"
+      "wsr %0, intset\n"
+      "rsync" ::"r"(kSoftwareInterrupt)
+      : "memory");
+}
+
+/// An interrupt whose handler faults.
+inline void raise_handled() {
+  has_handler = true;
+  raise();
+}
+
+inline void raise_unhandled() {
+  raise();
+}
+
+extern "C" void Interrupt_Handler(uint32_t /*pending*/) {
+  if (has_handler) {
+    undefined_instruction();
+  }
+  Unexpected_Handler();
+}
+
+#endif

@@ -1,0 +1,50 @@
+#!/bin/sh
+# The library for Arduino: its examples, built by arduino-builder with a core of the test's own, whose
+# Arduino.h has the macros of Arduino's, run in QEMU and say what the firmware they were made of says.
+. "$(dirname "$0")/common.sh"
+hardware=hardware/flashbvh/arm
+mkdir -p $hardware/cores/qemu libraries tools built cache
+cp "$ROOT"/tests/release/arduino/*.txt $hardware
+cp "$ROOT"/tests/release/arduino/Arduino.h "$ROOT"/tests/release/arduino/core.cpp $board_sources \
+  "$ROOT"/ports/common/*.h "$ROOT"/ports/common/*.hpp "$ROOT"/ports/common/sections.ld $hardware/cores/qemu
+# An example brings its own text.hpp.
+mv $hardware/cores/qemu/text.hpp $hardware/cores/qemu/port_text.hpp
+sed -i 's/"text.hpp"/"port_text.hpp"/' $hardware/cores/qemu/*.cpp
+cp -r "$PACKAGES/arduino/flashbvh" libraries
+
+# runs EXAMPLE: its answer, against the regular expressions, line by line, in `expected`.
+runs() {
+  example=libraries/flashbvh/examples/$1/$1.ino
+  quietly arduino-builder -compile -hardware /usr/share/arduino-builder -hardware "$PWD/hardware" \
+    -tools "$PWD/tools" -libraries "$PWD/libraries" -fqbn flashbvh:arm:an386 -build-path "$PWD/built" \
+    -build-cache "$PWD/cache" "$example"
+  on_board "built/$1.ino.elf"
+  [ "$(wc -l <answer)" -eq "$(wc -l <expected)" ] || fail "$1: $(cat answer)"
+  paste -d '\n' expected answer | while read -r line && read -r said; do
+    expr "x$said" : "x$line\$" >/dev/null || fail "$1 says '$said', not '$line'"
+  done
+}
+
+cat >expected <<'end'
+0.5 mm above the plate: free
+on the plate: touches
+2 mm into the plate: touches
+wholly inside the plate: touches
+as it should be
+end
+runs quick_start
+sed 's/^  *//; s/#/[0-9]*/g' "$ROOT/firmware_examples/robot_guard/cell_arm/expected.txt" >expected
+echo "as it should be" >>expected
+runs robot_guard
+
+# What the IDE lists and opens.
+version=$(sed -n 's/^version=//p' libraries/flashbvh/library.properties)
+[ -s "$PACKAGES/arduino/flashbvh-$version.zip" ] || fail "the archive's name"
+python3 -m zipfile -e "$PACKAGES"/arduino/flashbvh-*.zip unpacked
+diff -r unpacked/flashbvh "$PACKAGES/arduino/flashbvh" >log || fail "the archive holds something else"
+
+# From C it is C's interface; a core of older C++ is told what it lacks.
+echo '#include <flashbvh.h>' >include.c
+quietly cc -std=c99 -Ilibraries/flashbvh/src -c include.c
+! c++ -std=c++14 -x c++ -Ilibraries/flashbvh/src -c include.c >log 2>&1 && grep -q "flashbvh is C++17" log ||
+  fail "C++14 is not told"

@@ -1,0 +1,39 @@
+# Sourced by every script. ROOT: the repository, PACKAGES: the folder that tools/release.sh made,
+# FLASHBVH: the host program, WORK: a folder for this script.
+set -eu
+rm -rf "$WORK"
+mkdir -p "$WORK"
+cd "$WORK"
+
+fail() {
+  echo "FAILED: $*" >&2
+  [ ! -r log ] || tail -n 40 log >&2
+  exit 1
+}
+
+# quietly COMMAND...: its output goes to a log, which is shown if it fails.
+quietly() {
+  "$@" >log 2>&1 || fail "$*"
+}
+
+warnings="-Wall -Wextra -Wconversion -Wshadow -Wdouble-promotion -Werror -Wno-sign-conversion"
+
+# A Cortex-M4F on which QEMU runs what a package was linked into: ports/boards/mps2-an386.
+cpu="-mthumb -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard"
+machine="--specs=nano.specs -nostartfiles -ffunction-sections -fdata-sections -fno-exceptions -fno-rtti"
+machine="$machine -fno-threadsafe-statics -Wl,--gc-sections -Wl,--no-warn-rwx-segments"
+machine="$machine -T$ROOT/ports/common/sections.ld -Wl,--defsym=__flash=0 -Wl,--defsym=__flash_size=4M"
+machine="$machine -Wl,--defsym=__ram=0x20000000 -Wl,--defsym=__ram_size=4M"
+board_sources="$ROOT/ports/cortex-m/startup.cpp $ROOT/ports/common/start.cpp $ROOT/ports/common/stack.cpp
+  $ROOT/ports/common/text.cpp"
+board_includes="-I$ROOT/ports/common -I$ROOT/ports/cortex-m"
+
+on_board() {
+  FLASHBVH_TIMEOUT=120 "$ROOT/ports/run" mps2-an386 "$1" >answer || fail "$1 ended with $?: $(cat answer)"
+}
+
+# same_digest PROGRAM [RUN]: it ends with 0 if the digest is the one that every core must get.
+same_digest() {
+  ${2:-} "$1" >answer || fail "another digest: $(cat answer)"
+  grep -q "^3584 queries" answer || fail "no digest"
+}

@@ -1,0 +1,26 @@
+# ESP-IDF's, after its documents. A component is read twice: in script mode for what it requires, where
+# only idf_component_register() may be called, and in the build.
+if(CMAKE_SCRIPT_MODE_FILE)
+  set(CMAKE_BUILD_EARLY_EXPANSION ON)
+  macro(idf_component_register)
+    cmake_parse_arguments(component "" "" "SRCS;INCLUDE_DIRS;REQUIRES;PRIV_REQUIRES" ${ARGN})
+    if(component_UNPARSED_ARGUMENTS OR NOT component_SRCS)
+      message(FATAL_ERROR "idf_component_register: ${component_UNPARSED_ARGUMENTS}")
+    endif()
+    message("requires: ${component_REQUIRES} ${component_PRIV_REQUIRES}")
+  endmacro()
+  include(${PACKAGE}/CMakeLists.txt)
+  return()
+endif()
+
+function(idf_component_register)
+  cmake_parse_arguments(component "" "" "SRCS;INCLUDE_DIRS" ${ARGN})
+  get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  add_library(__idf_${name} STATIC ${component_SRCS})
+  target_include_directories(__idf_${name} PUBLIC ${component_INCLUDE_DIRS})
+  target_link_libraries(__idf_${name} PUBLIC machine)
+  set(COMPONENT_LIB __idf_${name} PARENT_SCOPE)
+endfunction()
+
+add_subdirectory(${PACKAGE} flashbvh)
+add_library(packaged ALIAS __idf_flashbvh)

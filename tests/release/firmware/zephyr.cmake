@@ -1,0 +1,26 @@
+# Zephyr's, after its documents: zephyr_interface holds what everything is compiled with, an include
+# folder that a module adds among it; zephyr_library_sources() adds to the library named last.
+add_library(zephyr_interface INTERFACE)
+target_link_libraries(zephyr_interface INTERFACE machine)
+add_library(packaged INTERFACE)
+target_link_libraries(packaged INTERFACE zephyr_interface)
+
+macro(zephyr_library_named name)
+  set(ZEPHYR_CURRENT_LIBRARY ${name})
+  add_library(${name} STATIC "")
+  target_link_libraries(${name} PUBLIC zephyr_interface)
+  target_link_libraries(packaged INTERFACE ${name})
+endmacro()
+function(zephyr_library_sources)
+  target_sources(${ZEPHYR_CURRENT_LIBRARY} PRIVATE ${ARGN})
+endfunction()
+function(zephyr_include_directories)
+  foreach(folder IN LISTS ARGN)
+    get_filename_component(folder ${folder} ABSOLUTE BASE_DIR ${CMAKE_CURRENT_SOURCE_DIR})
+    target_include_directories(zephyr_interface INTERFACE ${folder})
+  endforeach()
+endfunction()
+
+set(CONFIG_FLASHBVH y)
+set(CONFIG_FLASHBVH_ROBOT ${ROBOT})
+add_subdirectory(${PACKAGE}/zephyr flashbvh)

@@ -1,0 +1,15 @@
+/* The whole library, for sketches; a part of it is <flashbvh/ray.hpp>, <flashbvh/robot/guard.hpp>
+ * ... */
+#ifndef FLASHBVH_ARDUINO_H
+#define FLASHBVH_ARDUINO_H
+
+#if !defined(__cplusplus)
+#include "flashbvh/flashbvh.h"
+#elif __cplusplus < 201703L
+#error \
+    "flashbvh is C++17: take a core that compiles it, or set -std=gnu++17 in the core's platform.local.txt"
+#else
+#include "flashbvh/flashbvh.hpp"
+#endif
+
+#endif
