@@ -1,0 +1,178 @@
+// A sheet of cloth falls over a robot's link and, below it, onto itself: which triangles touch
+// which, each frame, exactly.
+//
+// A frame is 10 ms. The sheet is a mesh that bends: each frame its vertices are put where the
+// cloth's points are, the boxes are fitted to them, and four questions are asked: which triangles
+// of link and sheet intersect, which of the sheet intersect each other, and which of both kinds are
+// nearer than the cloth is thick. The last two push. The same numbers come on every core and on the
+// host, where an argument names a page of pictures to write.
+//
+// Prints each frame's pairs, a digest of all there were up to it, and instructions, which are
+// counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
+#include <flashbvh/clearance.hpp>
+#include <flashbvh/self.hpp>
+
+#include "arm_link.fbvh.hpp"
+#include "cloth.hpp"
+#include "insn.hpp"
+#include "sheet.fbvh.hpp"
+#include "text.hpp"
+#if defined(FLASHBVH_CLOTH_PAGE)
+#include "page.hpp"
+#endif
+
+using namespace flashbvh;
+using cloth::Cloth;
+using cloth::Vector;
+
+namespace {
+
+constexpr int kFrames = 130;
+/// Half of a Cortex-M7 at 480 MHz and 100 Hz, at an instruction a cycle.
+constexpr uint32_t kMostInstructions = 2'400'000;
+constexpr float kPerMm = 1 / static_cast<float>(sheet::kCell);
+constexpr float kThickness = 1.5f * kPerMm;
+constexpr uint32_t kNear = static_cast<uint32_t>(kThickness) * 256;
+constexpr uint32_t kNearLink = 2 * kNear;
+
+// All the memory there is.
+Node<uint16_t> nodes[sheet::kNodeCount];
+Vertex vertices[sheet::kVertexCount];
+Vector points[sheet::kVertexCount];
+Vector before[sheet::kVertexCount];
+
+const Pose kInPlace = Pose::translated(0, 0, 0);
+
+struct Frame {
+  uint32_t of_link = 0;    ///< pairs that intersect
+  uint32_t of_itself = 0;  ///< likewise
+  uint32_t near_link = 0;
+  uint32_t near_itself = 0;
+  uint32_t digest = 2166136261u;  ///< of this frame and all before
+
+  template <class Pair>
+  void add(uint32_t& count, const Pair& pair) {
+    ++count;
+    digest = ((digest ^ pair.a) * 16777619u ^ pair.b) * 16777619u;
+  }
+};
+
+/// Instructions: of this frame, and the most of any.
+struct Costs {
+  uint32_t refit = 0;
+  uint32_t itself = 0;
+  uint32_t band = 0;
+  uint32_t link = 0;
+
+  void raise_to(const Costs& other) {
+    const auto larger = [](uint32_t u, uint32_t v) { return u < v ? v : u; };
+    refit = larger(refit, other.refit);
+    itself = larger(itself, other.itself);
+    band = larger(band, other.band);
+    link = larger(link, other.link);
+  }
+};
+
+/// The link's points as the cloth's: both count from their own origins.
+Vector of_link(const PostMesh& mesh, uint16_t vertex) {
+  const auto from_sheet = [&mesh](int axis) {
+    return static_cast<float>(mesh.origin[axis] - sheet::mesh.origin[axis]);
+  };
+  return cloth::from(mesh.vertices[vertex], {from_sheet(0), from_sheet(1), from_sheet(2)});
+}
+
+void push_off_link(Cloth& cloth, uint32_t of_a, uint32_t of_b) {
+  const auto& corner = arm_link::mesh.triangles[of_a].corner;
+  const Vector o = of_link(arm_link::mesh, corner[0]);
+  const Vector n =
+      cloth::cross(of_link(arm_link::mesh, corner[1]) - o, of_link(arm_link::mesh, corner[2]) - o);
+  const float squared = dot(n, n);
+  if (squared > 0) {
+    cloth.push_off(of_b, o, (1 / __builtin_sqrtf(squared)) * n);
+  }
+}
+
+/// Everything that is asked of a frame. Not inlined: its frames are what the stack is.
+Costs ask(const PostMesh& mesh, Cloth& cloth, Frame& frame) {
+  Costs costs;
+  costs.link = port::instructions_of([&] {
+    PairQuery query(arm_link::mesh, mesh, kInPlace);
+    (void)query.run(UINT32_MAX, [&](const PairQuery::Pair& pair) {
+      frame.add(frame.of_link, pair);
+      return true;
+    });
+  });
+  costs.itself = port::instructions_of([&] {
+    SelfQuery query(mesh);
+    (void)query.run(UINT32_MAX, [&](const SelfQuery::Pair& pair) {
+      frame.add(frame.of_itself, pair);
+      return true;
+    });
+  });
+  WithinQuery near_link(arm_link::mesh, mesh, kInPlace, {}, within(kNearLink));
+  (void)near_link.run(UINT32_MAX, [&](const WithinQuery::Pair& pair) {
+    frame.add(frame.near_link, pair);
+    const auto positions = near_link.last_positions();
+    push_off_link(cloth, positions.a, positions.b);
+    return true;
+  });
+  costs.band = port::instructions_of([&] {
+    SelfWithinQuery query(mesh, within(kNear));
+    (void)query.run(UINT32_MAX, [&](const SelfWithinQuery::Pair& pair) {
+      frame.add(frame.near_itself, pair);
+      const auto positions = query.last_positions();
+      cloth.push_apart(positions.a, positions.b);
+      return true;
+    });
+  });
+  return costs;
+}
+
+void tell(int number, const Frame& frame, const Costs& costs) {
+  port::print("frame ", number, ": link ", frame.of_link, " near ", frame.near_link, ", itself ",
+              frame.of_itself, " near ", frame.near_itself, ", digest ", frame.digest,
+              "; instructions: ");
+  port::print("refit ", costs.refit, ", itself ", costs.itself, ", near itself ", costs.band,
+              ", link ", costs.link, "\n");
+}
+
+}  // namespace
+
+int main([[maybe_unused]] int argc, [[maybe_unused]] char** argv) {
+  DeformableMesh mesh(sheet::mesh, nodes, vertices);
+  const float floor = -45.0f * kPerMm - static_cast<float>(sheet::mesh.origin[2]);
+  Cloth cloth(sheet::mesh, {0.5f * kPerMm, 3.0f * kPerMm, floor, kThickness}, points, before);
+  Costs most;
+  uint32_t digest = 0;
+#if defined(FLASHBVH_CLOTH_PAGE)
+  cloth::Page page(argc > 1 ? argv[1] : nullptr);
+#endif
+  for (int number = 0; number < kFrames; ++number) {
+    cloth.put_into(mesh.vertices());
+    RefitStep step{};
+    const uint32_t refit = port::instructions_of([&] { step = mesh.refit(); });
+    if (step.status != Status::done) {
+      port::print("vertex ", step.vertex, " left the lattice\n");
+      return 1;
+    }
+    Frame frame;
+    frame.digest ^= digest;
+    Costs costs = ask(mesh.mesh(), cloth, frame);
+    costs.refit = refit;
+    digest = frame.digest;
+    most.raise_to(costs);
+    if (number % 10 == 0 || number == kFrames - 1) {
+      tell(number, frame, costs);
+    }
+#if defined(FLASHBVH_CLOTH_PAGE)
+    page.add(number, mesh.mesh(), arm_link::mesh);
+#endif
+    cloth.step();
+  }
+  port::print("at most: refit ", most.refit, " (", most.refit / sheet::kNodeCount,
+              " a node), itself ", most.itself, ", near itself ", most.band, ", link ", most.link,
+              "\n");
+  port::print("RAM: nodes and vertices ", unsigned{sizeof nodes + sizeof vertices},
+              " bytes, the cloth's points ", unsigned{sizeof points + sizeof before}, "\n");
+  return most.refit + most.itself <= kMostInstructions ? 0 : 1;
+}

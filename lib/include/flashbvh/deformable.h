@@ -1,0 +1,116 @@
+/* flashbvh for C: meshes that bend, and where a mesh intersects itself: deformable.hpp and self.hpp
+ * say more.
+ *
+ * A deformable mesh is a baked one whose nodes and vertices were copied into the caller's memory.
+ * Move any vertices, refit, and ask: its `mesh` is a mesh that every call takes, on either side and
+ * under any pose.
+ *
+ *     flashbvh_deformable cloth;
+ *     flashbvh_deformable_make(&cloth, &baked, nodes, vertices);
+ *     vertices[7].z -= 12;
+ *     status = flashbvh_deformable_refit(&cloth, UINT32_MAX, &vertex);
+ *
+ * A query that was begun before a refit must not go on after it, nor a position be resumed: keep
+ * flashbvh_deformable_refits() beside them and compare. A self query knows by itself.
+ *
+ * Stack on a Cortex-M4 at -O2, painted (tests/budget/refit_cost_test.cpp): a refit 140 bytes, a
+ * self query's run 440.
+ */
+#ifndef FLASHBVH_DEFORMABLE_H
+#define FLASHBVH_DEFORMABLE_H
+
+#include "flashbvh/flashbvh.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A node of a tree: not the caller's to read. 16 bytes. */
+typedef struct flashbvh_node {
+  uint32_t opaque[4];
+} flashbvh_node;
+
+/** In cells from the mesh's origin on, each coordinate within +-16,383. 6 bytes. */
+typedef struct flashbvh_vertex {
+  int16_t x;
+  int16_t y;
+  int16_t z;
+} flashbvh_vertex;
+
+/** A mesh that bends. It does not move while it is asked about. 104 bytes on a 32-bit core, 144 on
+ * a 64-bit one. */
+typedef struct flashbvh_deformable {
+  flashbvh_mesh mesh; /**< what queries take */
+  union {
+    unsigned char bytes[3 * sizeof(void*) + 28];
+    uint32_t word;
+    void* pointer;
+  } opaque;
+} flashbvh_deformable;
+
+/** How many nodes a mesh has. */
+FLASHBVH_NODISCARD uint32_t flashbvh_mesh_nodes(const flashbvh_mesh* mesh);
+/** How many vertices. */
+FLASHBVH_NODISCARD uint32_t flashbvh_mesh_vertices(const flashbvh_mesh* mesh);
+
+/** Makes it of a baked mesh, copying as many nodes and vertices as it has. They, and the arrays or
+ * the image of `baked`, outlive it. */
+void flashbvh_deformable_make(flashbvh_deformable* deformable, const flashbvh_mesh* baked,
+                              flashbvh_node* nodes, flashbvh_vertex* vertices);
+
+/**
+ * Fits the boxes to the vertices as they are now; `work`: so many nodes, UINT32_MAX all.
+ *
+ * DONE: the mesh can be asked. SUSPENDED: call again; meanwhile vertices stay where they are, and
+ * queries of the mesh and another one end with CELL_MISMATCH. VERTEX_OUT_OF_LATTICE: `vertex` is
+ * the number of the first that is; mend it and refit. `vertex` is written only then.
+ */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_deformable_refit(flashbvh_deformable* deformable,
+                                                             uint32_t work, uint32_t* vertex);
+
+/** Odd while a refit is not done; another one after each. */
+FLASHBVH_NODISCARD uint32_t flashbvh_deformable_refits(const flashbvh_deformable* deformable);
+
+/** A query of a mesh against itself: each unordered pair of triangles that intersect and share no
+ * vertex, once. 140 bytes on a 32-bit core, 176 on a 64-bit one. */
+typedef struct flashbvh_self_query {
+  union {
+    unsigned char bytes[9 * sizeof(void*) + 104];
+    uint32_t word;
+    void* pointer;
+  } opaque;
+} flashbvh_self_query;
+
+/** Where it stands, between runs; refused once the mesh was refit. */
+typedef struct flashbvh_self_position {
+  flashbvh_position position;
+  uint32_t refits;
+} flashbvh_self_position;
+
+/** Starts it; the mesh outlives it. SUSPENDED, or MESH_CHANGED while a refit is not done. */
+flashbvh_status flashbvh_self_query_start(flashbvh_self_query* query,
+                                          const flashbvh_deformable* deformable);
+
+/** As flashbvh_query_run(); MESH_CHANGED once the mesh was refit. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_self_query_run(flashbvh_self_query* query,
+                                                           uint32_t work, flashbvh_pair* pairs,
+                                                           uint32_t capacity, uint32_t* count);
+
+/** What the query did so far. */
+flashbvh_counts flashbvh_self_query_counts(const flashbvh_self_query* query);
+
+/** For flashbvh_self_query_resume(). */
+flashbvh_self_position flashbvh_self_query_position(const flashbvh_self_query* query);
+
+/** As flashbvh_query_resume(); MESH_CHANGED if the position is from before a refit. */
+FLASHBVH_NODISCARD flashbvh_status
+flashbvh_self_query_resume(flashbvh_self_query* query, const flashbvh_self_position* position);
+
+/** The same question of any mesh, ended by the first pair: in `yes`, true after an error, too. */
+flashbvh_status flashbvh_intersects_itself(const flashbvh_mesh* mesh, bool* yes);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

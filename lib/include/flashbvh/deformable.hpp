@@ -1,0 +1,236 @@
+// Meshes that bend: vertices and boxes in the caller's RAM, the rest where it was baked.
+//
+// Move any of the vertices, refit(), and ask: mesh() is a baked mesh like any other, so every
+// query, order and shape takes it, on either side and under any pose. Which triangles lie in which
+// leaf, and the ranks, stay as they were baked; any are right. A refit works one pass backwards
+// over the nodes, without a stack, and can be cut into slices as queries can.
+//
+// From when vertices begin to move until a refit ends `done`, boxes and vertices do not agree and
+// the mesh must not be asked. While a refit is on, queries of it and another mesh end with
+// `cell_mismatch`, and inside() with `not_closed`. What was begun before a refit must not go on
+// after it: a DeformableQuery knows, and so does its position.
+//
+// RAM: 16 bytes a node and 6 a vertex (20 with 32-bit indices), and this object, 104 bytes on a
+// 32-bit core. Stack of a refit: 140 bytes on a Cortex-M4 at -O2, painted.
+#ifndef FLASHBVH_DEFORMABLE_HPP
+#define FLASHBVH_DEFORMABLE_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/refit.hpp"
+#include "flashbvh/mesh.hpp"
+#include "flashbvh/status.hpp"
+#include "flashbvh/step.hpp"
+
+namespace flashbvh {
+
+/// What a run of a refit gave.
+struct [[nodiscard]] RefitStep {
+  /// `done`; `suspended`: go on; `vertex_out_of_lattice`: put that vertex where a coordinate is
+  /// within +-kMaxCoordinate, and refit again; until then the mesh can't be asked.
+  Status status;
+  uint32_t vertex;  ///< the first that is out of the lattice
+  uint32_t work;    ///< spent, of what was granted
+};
+
+/// `MeshType`: PostMesh, or any other kind. The baked mesh's arrays and the caller's outlive it.
+/// Not to be copied while queries point to it.
+template <class MeshType>
+class BasicDeformableMesh {
+ public:
+  using Mesh = MeshType;
+  using Index = typename Mesh::Index;
+
+  /// Copies node_count nodes and vertex_count vertices of `baked` into `nodes` and `vertices`.
+  BasicDeformableMesh(const Mesh& baked, Node<Index>* nodes, Vertex* vertices)
+      : mesh_(baked), nodes_(nodes), vertices_(vertices) {
+    memcpy(nodes, baked.nodes, sizeof(Node<Index>) * baked.node_count);
+    memcpy(vertices, baked.vertices, sizeof(Vertex) * baked.vertex_count);
+    mesh_.nodes = nodes;
+    mesh_.vertices = vertices;
+    is_closed_ = baked.is_closed;
+  }
+
+  /// What queries take.
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+
+  /// To be moved, any of them; then refit(). They count from the origin.
+  [[nodiscard]] Vertex* vertices() { return vertices_; }
+
+  /// Where vertices count from, in cells of the mesh's frame, within +-2^29 along each axis: a mesh
+  /// that goes far takes its lattice along. Then refit().
+  void set_origin(const Point& origin) {
+    mesh_.origin[0] = origin.x;
+    mesh_.origin[1] = origin.y;
+    mesh_.origin[2] = origin.z;
+  }
+
+  /// Fits the boxes to the vertices, as they are now. `work`: nodes; UINT32_MAX: all there are.
+  /// After `suspended` the next one goes on; vertices must not move meanwhile: start_again().
+  RefitStep refit(uint32_t work = UINT32_MAX);
+  /// The refit at hand is given up; the next one starts at the beginning.
+  void start_again() { node_ = 0; }
+
+  /// Odd while a refit is not done; never twice the same, short of 2^31 refits.
+  [[nodiscard]] uint32_t refits() const { return refits_; }
+
+ private:
+  static constexpr uint64_t kNegative = uint64_t{1} << 63;  // no baked mesh's cell has this sign
+
+  void begin();
+  RefitStep end(uint32_t work);
+
+  Mesh mesh_;
+  Node<Index>* nodes_;
+  Vertex* vertices_;
+  uint32_t refits_ = 0;
+  uint32_t node_ = 0;  ///< after the next one; 0: no refit is on
+  detail::RefitPlace<Mesh> place_ = {};
+  bool is_closed_ = false;
+};
+
+using DeformableMesh = BasicDeformableMesh<PostMesh>;
+using LargeDeformableMesh = BasicDeformableMesh<LargePostMesh>;
+
+/// Where a DeformableQuery stands, between runs; refused once one of its meshes was refit.
+template <class Position>
+struct DeformablePosition {
+  Position position;
+  uint32_t refits;  ///< of both meshes
+};
+
+/// Any query that is run in slices (PairQuery, SelfQuery, ClearanceQuery, ...) of meshes of which
+/// one or both bend: after a refit it ends with `mesh_changed`, and so does what is resumed.
+///
+///     DeformableQuery<PairQuery> query(link, cloth, pose);
+template <class Query>
+class DeformableQuery {
+  using Mesh = typename Query::Mesh;
+  using Deformable = BasicDeformableMesh<Mesh>;
+
+ public:
+  using Pair = TrianglePair<typename Mesh::Index>;
+
+  /// Of two meshes, and what else the query takes: its pose first.
+  template <class... Asked>
+  DeformableQuery(const Deformable& a, const Deformable& b, const Asked&... asked)
+      : query_(a.mesh(), b.mesh(), asked...), a_(&a), b_(&b), refits_(refits()) {}
+  /// Of one that bends, as B.
+  template <class... Asked>
+  DeformableQuery(const Mesh& a, const Deformable& b, const Asked&... asked)
+      : query_(a, b.mesh(), asked...), a_(nullptr), b_(&b), refits_(refits()) {}
+  /// As A.
+  template <class... Asked>
+  DeformableQuery(const Deformable& a, const Mesh& b, const Asked&... asked)
+      : query_(a.mesh(), b, asked...), a_(&a), b_(nullptr), refits_(refits()) {}
+  /// Of one against itself, and a band's question.
+  template <class... Asked>
+  explicit DeformableQuery(const Deformable& mesh, const Asked&... asked)
+      : query_(mesh.mesh(), asked...), a_(&mesh), b_(nullptr), refits_(refits()) {}
+
+  /// Whether a mesh was refit since the query was made, or is being refit.
+  [[nodiscard]] bool is_outdated() const {
+    return refits_ != refits() || is_being_refit(a_) || is_being_refit(b_);
+  }
+  /// The query's own, or `mesh_changed`.
+  [[nodiscard]] Status status() const {
+    return is_outdated() ? Status::mesh_changed : query_.status();
+  }
+  /// As the query's own, in each of its forms.
+  template <class... Arguments>
+  auto run(uint32_t work, Arguments&&... arguments)
+      -> decltype(static_cast<Query*>(nullptr)->run(work, arguments...)) {
+    if (is_outdated()) {
+      return refusal(static_cast<decltype(query_.run(work, arguments...))*>(nullptr));
+    }
+    return query_.run(work, arguments...);
+  }
+
+  /// What was found and done: nothing that is told of it holds for the mesh as it is now, once it
+  /// is_outdated().
+  [[nodiscard]] const Query& query() const { return query_; }
+
+  /// Where the query stands, between runs.
+  [[nodiscard]] auto position() const {
+    return DeformablePosition<decltype(query_.position())>{query_.position(), refits_};
+  }
+  /// `mesh_changed`: it is from before a refit. Else as Query::resume().
+  template <class Position>
+  Status resume(const DeformablePosition<Position>& position) {
+    if (is_outdated() || position.refits != refits_) {
+      return Status::mesh_changed;
+    }
+    return query_.resume(position.position);
+  }
+
+ private:
+  static Status refusal(const Status*) { return Status::mesh_changed; }
+  static Step refusal(const Step*) { return {Status::mesh_changed, 0, 0}; }
+
+  static bool is_being_refit(const Deformable* mesh) {
+    return mesh != nullptr && mesh->refits() % 2 != 0;
+  }
+  /// Both only grow, so their sum is the same only if both are.
+  uint32_t refits() const {
+    return (a_ != nullptr ? a_->refits() : 0) + (b_ != nullptr ? b_->refits() : 0);
+  }
+
+  Query query_;
+  const Deformable* a_;  ///< null: it does not bend
+  const Deformable* b_;
+  uint32_t refits_;
+};
+
+template <class MeshType>
+void BasicDeformableMesh<MeshType>::begin() {
+  if (refits_ % 2 == 0) {
+    ++refits_;
+    mesh_.cell_bits |= kNegative;
+    mesh_.is_closed = false;
+  }
+  node_ = mesh_.node_count;
+  place_.triangles = mesh_.triangles + mesh_.triangle_count;
+}
+
+template <class MeshType>
+RefitStep BasicDeformableMesh<MeshType>::refit(uint32_t work) {
+  if (node_ == 0) {
+    begin();
+  }
+  const uint32_t spent = work < node_ ? work : node_;
+  if (spent != 0) {
+    const uint32_t last = node_ - spent;
+    if (mesh_.leaf_offsets == nullptr) {
+      detail::refit_nodes<true>(mesh_, nodes_, last, node_, place_);
+    } else {
+      detail::refit_nodes<false>(mesh_, nodes_, last, node_, place_);
+    }
+    node_ = last;
+  }
+  return node_ != 0 ? RefitStep{Status::suspended, 0, spent} : end(spent);
+}
+
+template <class MeshType>
+RefitStep BasicDeformableMesh<MeshType>::end(uint32_t work) {
+  const detail::PackedBox& root = nodes_[0].box;
+  if (!detail::is_in_lattice(root)) {
+    uint32_t vertex = 0;
+    while (detail::is_in_lattice(vertices_[vertex])) {
+      ++vertex;
+    }
+    return {Status::vertex_out_of_lattice, vertex, work};
+  }
+  mesh_.longest_edge = detail::longest_edge_in(root);
+  mesh_.is_closed = is_closed_;
+  mesh_.cell_bits &= ~kNegative;
+  ++refits_;
+  return {Status::done, 0, work};
+}
+
+// Compiled once, in the library.
+extern template class BasicDeformableMesh<PostMesh>;
+extern template class BasicDeformableMesh<LargePostMesh>;
+
+}  // namespace flashbvh
+
+#endif

@@ -1,0 +1,103 @@
+// Meshes that bend, for tests: soups, sheets and tubes, and ways to move their vertices.
+#ifndef FLASHBVH_TESTS_DEFORMABLE_BENDING_HPP
+#define FLASHBVH_TESTS_DEFORMABLE_BENDING_HPP
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "bake/baked_tree.hpp"
+#include "flashbvh/deformable.hpp"
+#include "support/shapes.hpp"
+
+namespace flashbvh::test {
+
+/// A grid of 2 * columns * rows triangles; `round`: its first column follows the last one.
+inline bake::LatticeMesh grid(std::uint32_t columns, std::uint32_t rows, bool round) {
+  bake::LatticeMesh mesh;
+  const std::uint32_t width = round ? columns : columns + 1;
+  mesh.vertices.resize(std::size_t{width} * (rows + 1));
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return j * width + i % width; };
+  for (std::uint32_t j = 0; j < rows; ++j) {
+    for (std::uint32_t i = 0; i < columns; ++i) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+      mesh.triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+inline std::int16_t near(Random& random, std::int32_t at, std::int32_t by) {
+  return static_cast<std::int16_t>(
+      std::clamp(at + random.between(-by, by), -kMaxCoordinate, kMaxCoordinate));
+}
+
+/// Each vertex of a grid to its place in rows of `width`, `pitch` apart, folded `folds` cells high,
+/// and moved by up to `noise`.
+inline void lay(Random& random, std::uint32_t width, std::int32_t pitch, std::int32_t fold,
+                std::int32_t noise, Vertex* vertices, std::size_t count) {
+  for (std::size_t v = 0; v < count; ++v) {
+    const auto i = static_cast<std::int32_t>(v % width);
+    const auto j = static_cast<std::int32_t>(v / width);
+    const std::int32_t up = i % 4 < 2 ? i % 4 : 4 - i % 4;
+    vertices[v] = {near(random, i * pitch, noise), near(random, j * pitch, noise),
+                   near(random, up * fold, noise)};
+  }
+}
+
+/// Any subset of them, by up to `by`, or all into one place or plane.
+inline void move_some(Random& random, std::int32_t by, Vertex* vertices, std::size_t count) {
+  const std::uint32_t one_in = 1 + random.below(4);
+  const std::uint32_t kind = random.below(16);
+  for (std::size_t v = 0; v < count; ++v) {
+    if (random.below(one_in) == 0) {
+      Vertex& at = vertices[v];
+      at = {near(random, at.x, by), near(random, at.y, by),
+            kind == 0 ? std::int16_t{0} : near(random, at.z, by)};
+      at = kind == 1 ? vertices[0] : at;
+    }
+  }
+}
+
+/// A soup, a sheet or a tube of at most some 40 triangles, laid out at random.
+inline bake::LatticeMesh any_bendable(Random& random) {
+  const std::uint32_t kind = random.below(3);
+  if (kind == 0) {
+    return random_mesh(random, 1 + random.below(24), 40, 25);
+  }
+  bake::LatticeMesh mesh = grid(3 + random.below(3), 1 + random.below(4), kind == 1);
+  lay(random, 3 + random.below(3), 10, 5, static_cast<std::int32_t>(random.below(12)),
+      mesh.vertices.data(), mesh.vertices.size());
+  return mesh;
+}
+
+/// A mesh that bends, of any baked tree, and its memory.
+template <class MeshType>
+struct Bending {
+  using Index = typename MeshType::Index;
+  bake::LatticeMesh lattice;
+  bake::BakedTree<Index, MeshType::kLayout> baked;
+  std::vector<Node<Index>> nodes;
+  std::vector<Vertex> vertices;
+  BasicDeformableMesh<MeshType> mesh;
+
+  Bending(const bake::BuildTree& tree, const bake::LatticeMesh& from)
+      : lattice(from),
+        baked(bake::lay_out<Index, MeshType::kLayout>(tree, lattice)),
+        nodes(baked.nodes.size()),
+        vertices(baked.vertices.size()),
+        mesh(baked.view(), nodes.data(), vertices.data()) {}
+  Bending(const Bending&) = delete;
+  Bending& operator=(const Bending&) = delete;
+
+  /// The source mesh as it is now.
+  bake::LatticeMesh now() const {
+    bake::LatticeMesh mesh_now = lattice;
+    mesh_now.vertices = vertices;
+    return mesh_now;
+  }
+};
+
+}  // namespace flashbvh::test
+
+#endif
