@@ -3,6 +3,7 @@
 #                   natively with sanitizers and on each board under QEMU.
 # test.sh --quick   What most changes break: formatting, the tests on this machine that don't take long,
 #                   and a board with a Cortex-M4F, without the proofs.
+# test.sh --all     Also an Xtensa LX106, and the packages of a release.
 #
 # A step (tools/test_step.sh) a core, side by side; what each prints is in build/log. Says at the end
 # where the minutes went. Installs what is missing.
@@ -14,10 +15,12 @@ cd "$(dirname "$0")/.."
 steps="tool lint native cortex-m33 cortex-m55 long cortex-m7 cortex-m4f cortex-m3 rv32imac
   cortex-m0 netduinoplus2 sifive_e stm32vldiscovery"
 packages="$riscv_packages $digest_packages clang-tidy"
+release=
 case ${1:-} in
   "") ;;
   --quick) steps="tool native netduinoplus2" packages= ;;
-  *) sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  --all) steps="$steps lx106" packages="$packages $xtensa_packages" release=yes ;;
+  *) sed -n '2,6s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 ensure_packages $host_packages $sanitizer_packages $oracle_packages $board_packages $packages clang-format doxygen
 
@@ -27,6 +30,7 @@ mkdir -p build/log
 tools/test_step.sh formatting
 tools/test_step.sh configured
 echo $steps | xargs -n 1 -P "$(nproc)" tools/test_step.sh
+[ -z "$release" ] || tools/release.sh --test
 awk -v all="$(($(date +%s) - began))" '
   BEGIN { print "\nminutes  step" }
   { printf "%7.1f  %s\n", $1 / 60, $2 }

@@ -29,6 +29,7 @@ board() {
     -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
   cmake --build --preset "$1" -j 1
   ctest --preset "$1"
+  [ "$1" != lx106 ] || return 0 # its answers alone are tested
   tools/figures.sh --compare "$1"
   grep -aE "^budget: |, budget: (at most|below)" "build/$1/Testing/Temporary/LastTest.log"
   [ "$1" != cortex-m4f ] || FLASHBVH_NATIVE=native-sanitize tools/demo.sh

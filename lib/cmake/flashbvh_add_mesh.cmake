@@ -1,7 +1,7 @@
 # flashbvh_add_mesh(name SOURCES mesh...
 #                   [UNIT unit|mesh=unit...] [CELL length] [OWN_CELL] [MAX_DEVIATION length]
 #                   [LEAF_SIZE n] [ARITY n] [BUILDER name] [LAYOUT pre|post] [INDEX_BITS 16|32]
-#                   [DROP degenerate|duplicate...] [LEVELS] [MAX_BYTES n] [NAME name]
+#                   [DROP degenerate|duplicate...] [LEVELS] [DEFORMABLE] [MAX_BYTES n] [NAME name]
 #                   [FORMAT cpp|c|image|both])
 #
 # A library `name`, also called name::name, with the baked trees of some meshes, which share one
@@ -21,7 +21,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 function(flashbvh_add_mesh name)
   set(single CELL MAX_DEVIATION LEAF_SIZE ARITY BUILDER LAYOUT INDEX_BITS MAX_BYTES NAME FORMAT)
   set(repeated UNIT DROP)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "LEVELS;OWN_CELL" "${single}" "SOURCES;${repeated}")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "LEVELS;DEFORMABLE;OWN_CELL" "${single}" "SOURCES;${repeated}")
   set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_SOURCES})
   list(FILTER odd EXCLUDE REGEX "\\.([Ss][Tt][Ll]|[Oo][Bb][Jj]|[Pp][Ll][Yy]|[Oo][Ff][Ff]|[Dd][Aa][Ee]|[Gg][Ll][Tt][Ff]|[Gg][Ll][Bb]|3[Mm][Ff])$")
   if(odd OR NOT arg_SOURCES)
@@ -37,6 +37,9 @@ function(flashbvh_add_mesh name)
   set(options "")
   if(arg_LEVELS)
     set(options --levels)
+  endif()
+  if(arg_DEFORMABLE)
+    list(APPEND options --deformable)
   endif()
   foreach(option ${single} ${repeated})
     string(TOLOWER --${option} flag)

@@ -1,9 +1,10 @@
 # flashbvh_add_robot(name URDF file
 #                    [PACKAGE name=folder]... [SRDF file] [CELL length] [LEAF_SIZE n] [STOP length]
-#                    [WARN length])
+#                    [WARN length] [PAIR link,link=stop[,warn]]... [FORMAT cpp|c])
 #
 # A library `name`, also called name::name, with the baked robot name::robot. A target that links it
-# includes "<name>.robot.hpp", and has flashbvh::robot. The options are those of `flashbvh robot`;
+# includes "<name>.robot.hpp", and has flashbvh::robot. With FORMAT c it is name_robot, and the header
+# "<name>.robot.h". The options are those of `flashbvh robot`;
 # lengths are in metres. The robot is baked anew when the URDF, the SRDF, one of the meshes, an option
 # or the tool changes; which meshes, the tool says in a depfile.
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
@@ -12,13 +13,13 @@ function(flashbvh_add_robot name)
   # Depfiles as Ninja wants them, however old the CMake is that the caller asks for.
   cmake_policy(SET CMP0116 NEW)
   set(files URDF SRDF)
-  set(single CELL LEAF_SIZE STOP WARN)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "${files};${single}" "PACKAGE")
-  set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_PACKAGE})
+  set(single CELL LEAF_SIZE STOP WARN FORMAT)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "${files};${single}" "PACKAGE;PAIR")
+  set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_PACKAGE} ${arg_PAIR})
   list(FILTER odd EXCLUDE REGEX "^[^=]+=.+$")
   if(odd OR arg_UNPARSED_ARGUMENTS OR NOT arg_URDF)
     message(FATAL_ERROR "flashbvh_add_robot(${name}): give URDF file and options with their values, "
-      "PACKAGE as name=folder; not understood: ${odd}")
+      "PACKAGE as name=folder, PAIR as link,link=length; not understood: ${odd}")
   endif()
   if(NOT name MATCHES "^[A-Za-z_][A-Za-z0-9_]*$")
     message(FATAL_ERROR "flashbvh_add_robot(${name}): the name is that of a C++ namespace; use letters, "
@@ -45,24 +46,34 @@ function(flashbvh_add_robot name)
     get_filename_component(package_folder "${package_folder}" ABSOLUTE)
     list(APPEND options --package "${package_name}${package_folder}")
   endforeach()
-  flashbvh_robot_command(${name} ${arg_URDF} "${options}" "${depends}")
+  foreach(pair IN LISTS arg_PAIR)
+    list(APPEND options --pair "${pair}")
+  endforeach()
+  if(NOT arg_FORMAT OR arg_FORMAT STREQUAL "cpp")
+    set(extensions hpp cpp)
+  elseif(arg_FORMAT STREQUAL "c")
+    set(extensions h c)
+  else()
+    message(FATAL_ERROR "flashbvh_add_robot(${name}): FORMAT is cpp or c, not ${arg_FORMAT}")
+  endif()
+  flashbvh_robot_command(${name} ${arg_URDF} "${options}" "${depends}" ${extensions})
 endfunction()
 
 # The custom command and the library that holds what it makes.
-function(flashbvh_robot_command name urdf options files)
+function(flashbvh_robot_command name urdf options files header source)
   cmake_policy(SET CMP0116 NEW)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/flashbvh/${name})
   set(stem ${folder}/${name}.robot)
   # A file that changes with the options: not every generator minds how a command is called.
   file(CONFIGURE OUTPUT ${folder}/options.txt CONTENT "${urdf};${options}" @ONLY)
   flashbvh_host_tool(program depends)
-  add_custom_command(OUTPUT ${stem}.hpp ${stem}.cpp
+  add_custom_command(OUTPUT ${stem}.${header} ${stem}.${source}
     COMMAND ${program} robot ${urdf} -o ${folder} --name ${name} --depfile ${stem}.d ${options}
     DEPENDS ${files} ${folder}/options.txt ${depends}
     DEPFILE ${stem}.d
     COMMENT "Baking ${name}"
     VERBATIM)
-  add_library(${name} STATIC ${stem}.cpp ${stem}.hpp)
+  add_library(${name} STATIC ${stem}.${source} ${stem}.${header})
   add_library(${name}::${name} ALIAS ${name})
   target_include_directories(${name} PUBLIC ${folder})
   target_link_libraries(${name} PUBLIC flashbvh::robot)

@@ -32,8 +32,8 @@ configure_package_config_file(lib/cmake/flashbvhConfig.cmake.in
   INSTALL_DESTINATION ${package_folder}
   PATH_VARS source_folder CMAKE_INSTALL_INCLUDEDIR
   NO_CHECK_REQUIRED_COMPONENTS_MACRO)
-# Of any architecture: see above. Below 1.0 the minor version counts.
+# Of any architecture: see above.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/flashbvhConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/flashbvhConfig.cmake
   ${PROJECT_BINARY_DIR}/flashbvhConfigVersion.cmake DESTINATION ${package_folder})

@@ -19,6 +19,9 @@ enum class HostCall : uint32_t {
 };
 
 /// Makes one call. `argument` is what the call expects: most take the address of a block of words.
+#if defined(__xtensa__)
+int32_t ask_host(HostCall call, const void* argument);  // xtensa/host.cpp
+#else
 inline int32_t ask_host(HostCall call, const void* argument) {
 #if defined(__riscv)
   register uint32_t a0 __asm__("a0") = static_cast<uint32_t>(call);
@@ -44,6 +47,7 @@ inline int32_t ask_host(HostCall call, const void* argument) {
   return static_cast<int32_t>(r0);
 #endif
 }
+#endif
 
 /// Statuses with which a program ends itself. 124 is free for timeout(1).
 enum ExitStatus : int {

@@ -1,5 +1,6 @@
 // SysTick as the instruction counter of insn.hpp. It has 24 bits; its interrupt counts the rest.
 #include "counter.hpp"
+#include "systick.hpp"
 
 extern "C" {
 volatile uint32_t port_systick_wraps;
@@ -22,18 +23,6 @@ namespace {
 
 constexpr uint32_t kHandlerInstructions = 5;
 
-struct SysTick {
-  uint32_t control;
-  uint32_t reload;
-  uint32_t current;  // counts down; any write clears it
-};
-
-volatile SysTick& systick() {
-  return *reinterpret_cast<volatile SysTick*>(0xE000E010);
-}
-
-constexpr uint32_t kStop = 4;   // processor clock; QEMU loses the count when the clock changes
-constexpr uint32_t kCount = 7;  // the same, interrupt at the wrap, enable
 constexpr uint32_t kLargestReload = 0xFFFFFF;
 
 // The same code around every call, so that what it adds is the same.

@@ -3,9 +3,26 @@
 
 #include "text.hpp"
 
+// Pushes 2 words, `context` times.
+#if defined(__xtensa__)
+extern "C" void push_pairs(void*);
+__asm__(
+    ".text\n"
+    ".align 4\n"
+    "push_pairs:\n"
+    "  mov a3, sp\n"
+    "1: addi sp, sp, -8\n"
+    "  s32i a2, sp, 0\n"
+    "  s32i a2, sp, 4\n"
+    "  addi a2, a2, -1\n"
+    "  bnez a2, 1b\n"
+    "  mov sp, a3\n"
+    "  ret\n");
+#endif
+
 namespace {
 
-// Pushes 2 words, `context` times.
+#if !defined(__xtensa__)
 __attribute__((naked)) void push_pairs(void*) {
   __asm__ volatile(
 #if defined(__riscv)
@@ -28,6 +45,7 @@ __attribute__((naked)) void push_pairs(void*) {
 #endif
   );
 }
+#endif
 
 int wrong = 0;
 

@@ -5,6 +5,7 @@
 #include "blade.fbvh.h"
 #include "block.fbvh.h"
 #include "clearance_failures.h"
+#include "deformable.h"
 #include "peg.fbvh.h"
 #include "plate.fbvh.h"
 #include "queries.h"
@@ -244,6 +245,7 @@ int main(void) {
   check_other_ways(&plate, &peg);
   check_bound(&plate, &peg);
   failures += clearance_failures();
+  failures += deformable_failures();
   failures += shape_failures();
   failures += within_failures();
   flashbvh_pose_translated(0, 0, 0, &pose);

@@ -5,9 +5,13 @@ set(root ${CMAKE_CURRENT_LIST_DIR}/../..)
 file(READ ${root}/README.md readme)
 file(READ ${root}/lib/docs/guide.md guide)
 
-# Each block in this language is in the program.
+# Each block in this language is in the program, or in one of those that follow.
 function(check_blocks document name language program)
   file(READ ${root}/${program} source)
+  foreach(other IN LISTS ARGN)
+    file(READ ${root}/${other} more)
+    string(APPEND source "${more}")
+  endforeach()
   set(rest "${document}")
   set(count 0)
   string(FIND "${rest}" "\n```${language}\n" start)
@@ -33,7 +37,7 @@ endfunction()
 check_blocks("${readme}" README.md cpp firmware_examples/quick_start/main.cpp)
 check_blocks("${readme}" README.md c firmware_examples/c_query/main.c)
 check_blocks("${guide}" guide.md cpp tests/docs/guide.cpp)
-check_blocks("${guide}" guide.md c tests/docs/guide.c)
+check_blocks("${guide}" guide.md c tests/docs/guide.c tests/docs/guide_robot.c)
 
 # Leaf sizes, row by row.
 file(STRINGS ${root}/lib/docs/guide.md rows REGEX "^\\| [0-9]")

@@ -3,6 +3,7 @@
 #include <flashbvh/pose_float.hpp>
 #include <flashbvh/ray_float.hpp>
 #include <flashbvh/robot/robot_float.hpp>
+#include <flashbvh/robot/workcell.hpp>
 #include <initializer_list>
 
 #include "cell_arm.robot.hpp"
@@ -114,6 +115,27 @@ float height_seen(const float (&from)[3], float reach) {
   return found.yes ? flashbvh::length_in_unit(apart, plate::mesh.cell_bits) : reach;
 }
 
+/// A peg of rubber: something else moves its vertices, each period.
+class SoftPeg {
+ public:
+  SoftPeg() : mesh_(peg::mesh, nodes_, vertices_) {}
+  SoftPeg(const SoftPeg&) = delete;  // the mesh points at its nodes
+  SoftPeg& operator=(const SoftPeg&) = delete;
+
+  flashbvh::Vertex* vertices() { return vertices_; }
+
+  /// Once they moved. What can't be told may touch.
+  bool touches_plate_or_itself(const flashbvh::Pose& pose) {
+    return mesh_.refit().status != flashbvh::Status::done ||
+           intersects(plate::mesh, mesh_.mesh(), pose).yes || intersects_itself(mesh_.mesh()).yes;
+  }
+
+ private:
+  flashbvh::Node<uint16_t> nodes_[peg::kNodeCount];
+  flashbvh::Vertex vertices_[peg::kVertexCount];
+  flashbvh::DeformableMesh mesh_;
+};
+
 /// Before the first period, at rest: start(). Then each period's set point goes to the drives only
 /// if it may.
 class ArmGuard {
@@ -134,6 +156,31 @@ class ArmGuard {
   cell_arm::GuardState state_;
   flashbvh::Guard guard_{cell_arm::robot, state_};
 };
+
+/// The arm with a tool on its gripper, and a cart that drives by.
+flashbvh::WorkcellOf<cell_arm::kJointCount + 2, cell_arm::kLinkCount + 2, cell_arm::kPairCount + 4,
+                     40>
+    room;
+flashbvh::Workcell cell(cell_arm::robot, room);
+uint8_t tool_link;
+uint8_t cart_link;
+
+/// Before the guard is made. Meshes are baked with the arm's cell.
+bool furnish(const flashbvh::PostMesh& tool, const flashbvh::PostMesh& cart,
+             const flashbvh::Frame& cart_at) {
+  using namespace cell_arm;
+  constexpr auto done = flashbvh::Status::done;
+  return cell.add(tool, mounts::gripper, tool_link) == done &&
+         cell.add(cart, {flashbvh::kBase, cart_at}, cart_link) == done &&
+         cell.keep_apart(links::base, tool_link, 3000, 9000) == done &&
+         cell.keep_apart(links::forearm, cart_link, 9000, 30000) == done;
+}
+
+/// Before each period's update(): where the cart is, and how far any point of it went, in 1/256
+/// cell.
+bool drive(const flashbvh::Frame& cart_at, uint32_t moved) {
+  return cell.move(cart_link, cart_at, moved) == flashbvh::Status::done;
+}
 
 /// The verdict with the peg upright at this height; where it stops, the contact's is written.
 Verdict verdict_at(float height, float& mm, int64_t& nm) {
@@ -175,11 +222,26 @@ int main() {
       height_seen({300, 20, 12}, 100) != 100 || height_seen({30, 20, 12}, -1) != 0) {
     return 4;
   }
+  SoftPeg soft;
+  const flashbvh::Pose above = peg_in_plate(plate_in_world, {1, 0, 0, 0}, 0, 0, 3);
+  const bool apart = !soft.touches_plate_or_itself(above);
+  for (uint32_t i = 0; i < peg::kVertexCount; ++i) {
+    flashbvh::Vertex& v = soft.vertices()[i];
+    v.z = static_cast<int16_t>(v.z < 0 ? 2 * v.z : v.z);
+  }
+  if (!apart || !soft.touches_plate_or_itself(above)) {
+    return 6;
+  }
   ArmGuard arm;
   const float upright[] = {0, 0, 0.5f, 0};
   const float folded[] = {0, 0.2f, 2.9f, 1.5f};
   if (!arm.start(upright) || !arm.tick(upright) || arm.start(folded)) {
     return 5;
+  }
+  const flashbvh::PostMesh& body = cell_arm::robot.meshes[cell_arm::links::gripper];
+  flashbvh::Frame cart_at = flashbvh::kIdentityFrame;
+  if (!furnish(body, body, cart_at) || !drive(cart_at, 256)) {
+    return 6;
   }
   return verdict_at(0.5f, mm, nm) == Verdict::no_contact && mm == 1 &&
                  verdict_at(0, mm, nm) == Verdict::stop && mm > -0.01f && mm < 0.01f &&

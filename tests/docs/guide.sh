@@ -5,7 +5,7 @@ rm -rf "$WORK"
 mkdir -p "$WORK/firmware"
 cd "$WORK/firmware"
 cp "$ROOT"/firmware_examples/quick_start/*.obj .
-cp "$ROOT/firmware_examples/robot_guard/cell_arm.urdf" "$SOURCES/guide.c" .
+cp "$ROOT/firmware_examples/robot_guard/cell_arm/cell_arm.urdf" "$SOURCES/guide.c" .
 mv guide.c main.c
 PATH=$(dirname "$FLASHBVH"):$PATH
 

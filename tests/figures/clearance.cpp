@@ -77,7 +77,7 @@ void measure_tests(const AskedPair& pair, const Pose& pose, const Clearance<uint
                    Parts& parts) {
   Timed<Within> within;
   within.tests = &parts.within;
-  within.distance = known.lower;
+  static_cast<Within&>(within) = flashbvh::within(known.lower);
   run_all(pair, pose, within);
 
   Transform transform(pose, *pair.a, *pair.b, /*may_stop=*/false);

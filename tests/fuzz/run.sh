@@ -15,13 +15,13 @@ printf 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned lon
 }
 mkdir -p build
 cmake --preset fuzz >build/fuzz.log 2>&1 &&
-  cmake --build --preset fuzz --target fuzz_image fuzz_position fuzz_mesh >>build/fuzz.log 2>&1 || {
+  cmake --build --preset fuzz --target fuzz_image fuzz_position fuzz_mesh fuzz_robot >>build/fuzz.log 2>&1 || {
   tail -n 40 build/fuzz.log
   exit 1
 }
 
 mkdir -p build/fuzz/found
-for program in image position mesh; do
+for program in image position mesh robot; do
   seeds=build/fuzz/seeds/$program
   rm -rf "$seeds"
   mkdir -p "$seeds"
@@ -30,6 +30,7 @@ for program in image position mesh; do
     image) runs=2500 && cp tests/golden/*.fbvh "$seeds" ;;
     position) runs=15000 ;;
     mesh) runs=12000 ;;
+    robot) runs=6000 ;;
   esac
   if [ "$long" = short ]; then
     limit="-runs=$runs -seed=1"

@@ -37,7 +37,7 @@ wrong() {
     "-DFLASHBVH_HOST_TOOL=$FLASHBVH" "-DROBOT=$1" >log 2>&1 && fail "accepted: $1"
   tr -s '\n ' '  ' <log | grep -qF -- "flashbvh_add_robot(arm): $2" || fail "no '$2'"
 }
-words="give URDF file and options with their values, PACKAGE as name=folder; not understood:"
+words="give URDF file and options with their values, PACKAGE as name=folder, PAIR as link,link=length; not understood:"
 wrong "CEL;1" "$words CEL;1"
 wrong CELL "$words CELL"
 wrong "PACKAGE;parts" "$words parts"

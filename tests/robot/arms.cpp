@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "bake/image_bytes.hpp"
 #include "flashbvh/clearance.hpp"
 
 namespace flashbvh::test {
@@ -178,6 +179,8 @@ Model any_arm(Random& random, std::size_t joints) {
   return model;
 }
 
+using Baked = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
+
 BakedArm::BakedArm(const Model& model, double cell) : model_(model), cell_(cell) {
   for (const ModelLink& link : model.links) {
     InputMesh input;
@@ -186,9 +189,14 @@ BakedArm::BakedArm(const Model& model, double cell) : model_(model), cell_(cell)
     BakeOptions options;
     options.cell = cell;
     baked_.push_back(tool::bake(input, options));
-    using Baked = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
-    meshes_.push_back(std::get<Baked>(baked_.back().tree).view());
+    Baked& tree = std::get<Baked>(baked_.back().tree);
+    tree.unit = Unit::m;
+    meshes_.push_back(tree.view());
   }
+}
+
+std::vector<std::uint32_t> BakedArm::image(std::size_t link) const {
+  return bake::image_of(std::get<Baked>(baked_[link].tree));
 }
 
 bool BakedArm::intersect(std::size_t a, std::size_t b, const std::vector<double>& variables) const {

@@ -50,6 +50,8 @@ class BakedArm {
 
   const std::vector<PostMesh>& meshes() const { return meshes_; }
   double cell() const { return cell_; }
+  /// Of a link, in metres.
+  std::vector<std::uint32_t> image(std::size_t link) const;
   /// By the exact query.
   bool intersect(std::size_t a, std::size_t b, const std::vector<double>& variables) const;
   /// Whether they are at most so many cells apart.

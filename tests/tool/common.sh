@@ -34,3 +34,28 @@ exits() {
   "$FLASHBVH" "$@" >stdout 2>stderr || code=$?
   [ $code -eq "$wanted" ] || fail "exit $code, not $wanted: $* ($(cat stderr))"
 }
+
+# holds PAGE TEXT...
+holds() {
+  page=$1
+  shift
+  for text; do
+    grep -qF -- "$text" "$page" || fail "no '$text' in $page"
+  done
+}
+
+# self_contained PAGE: no address but those that hold their data, no path, and no number that is none.
+self_contained() {
+  if grep -noE '(https?:|file:|src=|url\(|@import|<script|<link)[^>]{0,40}' "$1"; then
+    fail "$1 needs something from elsewhere"
+  fi
+  if grep -oE 'href="[^"]{5}' "$1" | grep -vE 'href="(data:|#m[0-9]|#quer)'; then
+    fail "$1 leads elsewhere"
+  fi
+  if grep -nE "$PWD|20[0-9][0-9]-[0-9][0-9]-" "$1" | cut -c 1-200 | grep .; then
+    fail "a path or a date in $1"
+  fi
+  if sed 's/base64,[^"]*//' "$1" | grep -niE '[^a-z](nan|inf)[^a-z]'; then
+    fail "no number in $1"
+  fi
+}

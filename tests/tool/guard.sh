@@ -58,6 +58,17 @@ exits 0 guard arm.urdf other.csv $distances --motion
 sed 's/line 4[0-9]*//; s/line [0-9]*,//' stdout >other
 sed 's/line 4[0-9]*//; s/line [0-9]*,//' text | diff - other || fail "other columns"
 
+# An image in place of the URDF: the same answers, for options that it was baked with.
+exits 0 robot arm.urdf -o image $distances --format image
+exits 0 guard image/arm.robot free.csv --motion
+diff stdout text || fail "another answer of the image"
+printf 'turn,fold,grip\n0,3.5,0\n' >over.csv
+exits 3 guard image/arm.robot over.csv
+grep -q "over.csv:2: joint 'fold' can't be at 3.5: its limits are -3 and 3; mend" stderr ||
+  fail "$(cat stderr)"
+refused "arm.robot: is baked already, --stop is for a URDF; leave it out" \
+  guard image/arm.robot free.csv --stop 0.02
+
 # Warned of, then stopped, in this order, before the links touch; a motion hits where they do.
 exits 1 guard arm.urdf folded.csv $distances --json --motion
 [ "$(wc -l <stdout)" -eq 301 ] || fail "not a line a period"
@@ -95,8 +106,9 @@ sed 's/.*"verdict":"\([a-z_]*\)".*/\1/' stdout | paste full - >both
 grep -q "stop.free" both && fail "a small budget promises more"
 
 # A jump through the upper arm is not free, though both of its ends are.
-printf 'turn,fold,grip\n0,0,0.05\n0,2.9,0.05\n0,0,0.05\n' >jump.csv
-exits 1 guard arm.urdf jump.csv --motion
+printf 'turn,fold,grip\n0,0,0.05\n0,2.9,0.05\n0,0,0.05\n0,0.1,0.05\n' >jump.csv
+exits 1 guard arm.urdf jump.csv --motion --report page.html
+holds page.html '>3 to 4</th><td>hit</td><td>upper - fore</td>' '>4 to 5</th><td>free</td>'
 grep -q 'first at line 3' stdout || fail "$(cat stdout)"
 # From 6 units of 2^-28 of a turn below 0 to 6 below half a turn.
 printf 'turn,fold,grip\n-1.404e-7,0,0.05\n3.1415925,0,0.05\n' >half.csv
@@ -104,17 +116,37 @@ exits 3 guard arm.urdf half.csv
 grep -q 'half.csv:3: a joint without limits turns by half a turn' stderr || fail "$(cat stderr)"
 
 # A page: the same bytes twice; nothing from elsewhere, no folder; not over an input.
-exits 1 guard arm.urdf folded.csv $distances --report page.html
+exits 1 guard arm.urdf folded.csv $distances --motion --work 40 --report page.html
 cp stdout text
-exits 1 guard arm.urdf folded.csv $distances
+exits 1 guard arm.urdf folded.csv $distances --motion --work 40
 diff stdout text || fail "--report changes what is told"
 mkdir elsewhere
 cp arm.urdf folded.csv elsewhere/
-(cd elsewhere && "$FLASHBVH" guard arm.urdf folded.csv $distances --report ../again.html >/dev/null) || :
+(cd elsewhere && "$FLASHBVH" guard arm.urdf folded.csv $distances --motion --work 40 \
+  --report ../again.html >/dev/null) || :
 cmp page.html again.html || fail "another page"
-grep -qE 'https?:|NaN|inf|/tmp' page.html && fail "the page holds what it should not"
+self_contained page.html
 grep -q "^<section><h2>Closest at line $hit: upper - fore intersect</h2>$" page.html || fail "no moment"
 grep -q '<path class=k0 d="M' page.html && grep -q 'data:image/png' page.html || fail "no pictures"
+exits 1 guard image/arm.robot folded.csv --motion --work 40 --report image.html
+cmp page.html image.html || fail "another page of the image"
+# What it counts is what is told; of work, what may be spent is drawn; motions as in the table.
+for kind in free warn stop 'not yet known'; do
+  holds page.html "<dt>$kind</dt><dd>$(sed -n "s/^$kind  *\([0-9]*\).*/\1/p" text)<"
+done
+holds page.html "<dt>work a period</dt><dd>$(sed -n 's/^work: .*at most //p' text)<" \
+  'what a period may spend, 40' '<path class=k4 d="M' 'In m of the base&#39;s frame, a point of both: '
+[ "$(grep -c '<path class=stop ' page.html)" -eq 2 ] || fail "no line at the budget"
+holds page.html "<th scope=row>$((hit - 1)) to $hit</th><td>hit</td><td>upper - fore</td><td class=n>0." \
+  "<th scope=row>2 to $((hit - 1))</th><td>free</td>"
+[ "$(grep -c '</th><td>\(hit\|close\|refused\)</td>' page.html)" -eq \
+  "$(sed -n 's/^motions .* free, \([0-9]*\) not/\1/p' text)" ] || fail "motions"
+# Pairs that stay far away are no lines, and links apart have two nearest points.
+exits 0 guard arm.urdf free.csv $distances --report page.html
+[ "$(sed -n '/^<section><h2>Distances/,/What the guard says/p' page.html | grep -c 'key c[0-3]')" -lt 4 ] ||
+  fail "lines of pairs far away"
+holds page.html 'the nearest points: <code>(' 'class=ends'
+grep -q 'Motions from line to line' page.html && fail "motions that were not asked for"
 code=0
 "$FLASHBVH" guard arm.urdf folded.csv --report folded.csv >stdout 2>stderr || code=$?
 [ $code -eq 2 ] && grep -q '^fold\|^turn' folded.csv || fail "the trajectory is replaced"

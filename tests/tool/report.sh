@@ -4,27 +4,6 @@
 # is refused, and no image is overwritten.
 . "$SOURCES/common.sh"
 
-holds() {
-  page=$1
-  shift
-  for text; do
-    grep -qF -- "$text" "$page" || fail "no '$text' in $page"
-  done
-}
-
-# self_contained PAGE: no address but those that hold their data, and no path.
-self_contained() {
-  if grep -noE '(https?:|file:|src=|url\(|@import|<script|<link)[^>]{0,40}' "$1"; then
-    fail "$1 needs something from elsewhere"
-  fi
-  if grep -oE 'href="[^"]{5}' "$1" | grep -vE 'href="(data:|#m[0-9]|#quer)'; then
-    fail "$1 leads elsewhere"
-  fi
-  if grep -nE "$PWD|20[0-9][0-9]-[0-9][0-9]-" "$1" | cut -c 1-200 | grep .; then
-    fail "a path or a date in $1"
-  fi
-}
-
 # pixels PAGE NUMBER SIDE >PIXELS: of a picture in the page; a byte before each row, four a pixel.
 pixels() {
   grep -o 'base64,[^"]*' "$1" | sed -n "$2p" | cut -c 8- | base64 -d >picture.png

@@ -49,7 +49,9 @@ grep -q "past its own limits" stderr && fail "$(cat stderr)"
 mkdir elsewhere
 cp -r arm.urdf arm.srdf parts elsewhere/
 (cd elsewhere && LC_ALL=C.UTF-8 TZ=Asia/Tokyo "$FLASHBVH" robot arm.urdf -o ../second \
-  --package parts=parts --srdf arm.srdf --stop 0.005 --warn 0.01 >/dev/null 2>&1)
+  --package parts=parts --srdf arm.srdf --stop 0.005 --warn 0.01 --format both >/dev/null 2>&1)
+mkdir image
+mv second/two_fingers.robot image/
 diff -r first second || fail "other bytes"
 grep -E 'arm\.|parts|/tmp|20[0-9][0-9]-' first/two_fingers.robot.?pp && fail "a path or a date"
 
@@ -57,6 +59,7 @@ grep -E 'arm\.|parts|/tmp|20[0-9][0-9]-' first/two_fingers.robot.?pp && fail "a 
 cat >use.cpp <<'CPP'
 #include "two_fingers.robot.hpp"
 #include <cstdio>
+#include "flashbvh/robot/motion.hpp"
 using namespace two_fingers;
 static_assert(kLinkCount == 5 && kJointCount == 5 && kVariableCount == 4 && kPairCount == 5, "");
 static_assert(variables::left == 3 && links::finger_l == 3 && links::class_ == 2, "");
@@ -71,12 +74,130 @@ int main() {
   const double stop = r.pairs[0].stop / 256.0 * kCell;
   good = good && stop >= 0.005 && stop < 0.005 + kCell && r.pairs[0].warn >= 2 * r.pairs[0].stop - 1;
   std::printf("%s %zu\n", good ? "good" : "bad", sizeof(GuardState));
+  using MotionState = flashbvh::MotionStateOf<kVariableCount, kJointCount>;
+  std::fprintf(stderr, "%zu\n", sizeof(MotionState));
 }
 CPP
 "$CXX" -std=c++17 -Wall -Wextra -Wconversion -Wshadow -pedantic -Werror -I"$INCLUDE" -Ifirst \
   use.cpp first/two_fingers.robot.cpp -o use || fail "does not compile"
-[ "$(./use)" = "good $(sed -n 's/.* flash, \([0-9]*\) bytes of RAM.*/\1/p' stdout)" ] ||
+[ "$(./use 2>motion_bytes)" = "good $(sed -n 's/.* flash, \([0-9]*\) bytes of RAM.*/\1/p' stdout)" ] ||
   fail "other numbers: $(./use)"
+
+# The image is of the same robot.
+grep -aE 'arm\.|parts|/tmp|20[0-9][0-9]-' image/two_fingers.robot && fail "a path or a date"
+cat >open.cpp <<'CPP'
+#include "flashbvh/robot/image.hpp"
+#include "two_fingers.robot.hpp"
+#include <cstdio>
+int main() {
+  alignas(4) static unsigned char image[1 << 17];
+  flashbvh::PostMesh meshes[two_fingers::kLinkCount];
+  flashbvh::Robot robot;
+  std::FILE* const file = std::fopen("image/two_fingers.robot", "rb");
+  const std::size_t size = std::fread(image, 1, sizeof image, file);
+  const bool good = flashbvh::open_robot(image, size, meshes, two_fingers::kLinkCount, robot) ==
+                        flashbvh::Status::done &&
+                    robot.hash == two_fingers::robot.hash;
+  std::printf("%s %s %s\n", good ? "good" : "bad", flashbvh::joint_name(image, 2),
+              flashbvh::link_name(image, 1));
+}
+CPP
+lib=$INCLUDE/../src
+"$CXX" -std=c++17 -Wall -Wextra -Werror -I"$INCLUDE" -Ifirst open.cpp first/two_fingers.robot.cpp \
+  "$lib"/image/*.cpp "$lib"/robot/image.cpp "$lib"/robot/robot_check.cpp "$lib"/robot/spheres.cpp \
+  "$lib"/geometry/*.cpp -o open || fail "does not compile"
+[ "$(./open)" = "good wrist upper-arm" ] || fail "$(./open)"
+
+# What is in it.
+exits 0 info image/two_fingers.robot
+grep -q "^robot two_fingers, format version 1: $(wc -c <image/two_fingers.robot) bytes of flash; " stdout ||
+  fail "$(cat stdout)"
+grep -q '^right  wrist  *revolute  *-0.75 to 0.5 rad, as left by -0.5$' stdout || fail "$(cat stdout)"
+grep -q '^base - finger.l  0.005, 0.01$' stdout || fail "$(cat stdout)"
+exits 0 info image/two_fingers.robot --json
+for part in '^{"name":"two_fingers","format_version":1,"bytes":' '"a":"base","b":"finger.l","stop":0.005' \
+  '{"name":"finger.r","joint":"right","triangles":320}' '"name":"right","type":"revolute","parent":"wrist"'; do
+  grep -q -- "$part" stdout || fail "no $part in $(cat stdout)"
+done
+
+# What is none: told apart.
+damaged() {
+  printf "$1" | dd of=bad.robot bs=1 seek="$2" conv=notrunc 2>/dev/null
+  refused "$3" info bad.robot
+  refused "$3" guard bad.robot nothing.csv
+  cp image/two_fingers.robot bad.robot
+}
+cp image/two_fingers.robot bad.robot
+damaged X 0 "bad.robot: is no image of a robot; name one"
+damaged '\011' 4 "bad.robot: is written in version 9 of the robots' image format"
+damaged X 60 "bad.robot: is corrupt: a checksum does not match; copy or bake it again"
+damaged X "$(($(wc -c <bad.robot) - 9))" "bad.robot: is corrupt"
+damaged XX "$(wc -c <bad.robot)" "bad.robot: has 2 bytes after its end"
+head -c 40 image/two_fingers.robot >bad.robot
+refused "is truncated: it has 40 bytes and needs a header of 44" info bad.robot
+head -c 400 image/two_fingers.robot >bad.robot
+refused "is truncated: it has 400 bytes of $(wc -c <image/two_fingers.robot)" info bad.robot
+refused "gone.robot" info gone.robot
+refused "is no flashbvh image" check image/two_fingers.robot
+refused "--format" robot arm.urdf -o out --format fbx
+
+# A page: what --json has, the same bytes from elsewhere, nothing from there.
+options="--srdf arm.srdf --stop 0.005 --warn 0.01"
+exits 0 robot arm.urdf -o first $options --json --report page.html
+(cd elsewhere && LC_ALL=C.UTF-8 TZ=Asia/Tokyo "$FLASHBVH" robot arm.urdf -o ../second $options \
+  --report ../again.html >/dev/null 2>&1)
+cmp page.html again.html || fail "another page"
+diff -r first second || fail "--report changes what is written"
+self_contained page.html
+value() { sed "s/.*\"$1\":\([0-9]*\).*/\1/" stdout | sed ':a; s/\([0-9]\)\([0-9]\{3\}\)\(,\|$\)/\1,\2\3/; ta'; }
+holds page.html '<!DOCTYPE html>' '<h1>two fingers</h1>' '<dd>0.005 m, 0.01 m<' \
+  "<dd>$(value flash_bytes) bytes<" "<dd>$(value ram_bytes) bytes<" "<dd>$(cat motion_bytes) bytes<" \
+  '<dd>5 of 10<' '-0.75 to 0.5 rad, as left by -0.5' 'package://parts/ring.stl'
+# Each pair in words, and twice in the matrix; each that can collide as two pictures at its witness.
+sed 's/"links":.*//; s/{"a":/\n&/g' stdout | sed -n 's/^{"a":"\([^"]*\)","b":"\([^"]*\)","verdict":"\([a-z]*\)","reason":"\([^"]*\)","witness":{\(.*\)},"cells":\([0-9]*\),"guarded":\([a-z]*\).*/\1|\2|\3|\4|\6|\7/p' >pairs
+[ "$(wc -l <pairs)" -eq 10 ] || fail "$(cat pairs)"
+sed 's/<[^>]*>/|/g; s/&ndash;/-/; s/|||*/|/g; s/,//g' page.html >rows
+while IFS='|' read -r a b verdict reason cells guarded; do
+  [ "$guarded" = true ] && guard=guarded || guard=-
+  grep -qxF "|$a - $b|$verdict|$guard|$cells|$(echo "$reason" | tr -d ,)|" rows || fail "no $a - $b, $reason"
+done <pairs
+for verdict in never can always; do
+  [ "$(grep -o "<td class=is-$verdict>" page.html | wc -l)" -eq $((2 * $(grep -c "|$verdict|" pairs))) ] ||
+    fail "$verdict in the matrix"
+done
+can=$(grep -c '|can|' pairs)
+[ "$(grep -c 'data:image/png;base64,' page.html)" -eq $((4 + 2 * can)) ] || fail "pictures"
+[ "$(grep -c 'paint3\"></i>two triangles that intersect' page.html)" -eq "$can" ] || fail "keys"
+[ "$(grep -c '^<p class=note>Joints: <code>turn ' page.html)" -eq "$can" ] || fail "joints of witnesses"
+# No input is replaced, and no other output.
+cp arm.srdf same.srdf
+for page in arm.urdf arm.srdf ./parts/ring.stl; do
+  refused "$page: would replace" robot arm.urdf -o out $options --report $page
+done
+cmp arm.srdf same.srdf
+refused "would be written twice" robot arm.urdf -o out $options --report ./out/two_fingers.robot.cpp
+
+# The same in C, as strict: its names, and what they stand for.
+exits 0 robot arm.urdf -o in_c --format c --srdf arm.srdf --stop 0.005 --warn 0.01 --depfile c.d
+grep -q '/in_c/two_fingers.robot.h:' c.d || fail "$(cat c.d)"
+cat >use.c <<'C'
+#include "two_fingers.robot.h"
+int main(void) {
+  const flashbvh_robot* const r = &two_fingers_robot;
+  bool good = r->link_count == two_fingers_LINK_COUNT && r->pair_count == two_fingers_PAIR_COUNT;
+  good = good && two_fingers_JOINT_COUNT == 5 && two_fingers_VARIABLE_COUNT == 4;
+  good = good && two_fingers_variable_left == 3 && two_fingers_link_finger_l == 3;
+  good = good && two_fingers_link_class == 2 && two_fingers_mount_hand.joint == 2;
+  good = good && r->reach_count == two_fingers_REACH_COUNT && r->links[0].joint == FLASHBVH_BASE;
+  good = good && r->joints[1].type == FLASHBVH_JOINT_PRISMATIC && sizeof(flashbvh_mesh_view) > 0;
+  return good && ((const flashbvh_mesh_view*)r->meshes)[4].triangle_count == 320 ? 0 : 1;
+}
+C
+for standard in 99 11; do
+  "${CC:-cc}" -std=c$standard -Wall -Wextra -Wconversion -pedantic -Werror -I"$INCLUDE" -Iin_c \
+    use.c in_c/two_fingers.robot.c -o use || fail "no C$standard"
+  ./use || fail "other numbers in C"
+done
 
 # One object.
 exits 0 robot arm.urdf -o json --json --cell 0.0001
@@ -102,6 +223,13 @@ grep -q "nowhere found" stderr && fail "$(cat stderr)"
 exits 0 robot box.urdf -o boxed
 "$CXX" -std=c++17 -Wall -Wextra -Wconversion -Werror -I"$INCLUDE" -c boxed/class.robot.cpp -o object
 grep -q '^namespace class_ {' boxed/class.robot.hpp || fail "$(cat boxed/class.robot.hpp)"
+exits 0 robot box.urdf -o boxed --format c
+"${CC:-cc}" -std=c99 -Wall -Wextra -pedantic -Werror -I"$INCLUDE" -c boxed/class.robot.c -o object
+grep -q '^extern const flashbvh_robot class_robot;' boxed/class.robot.h || fail "$(cat boxed/class.robot.h)"
+
+exits 0 robot box.urdf -o box_image --format image --depfile box.d
+[ "$(ls box_image)" = "class.robot" ] || fail "$(ls box_image)"
+grep -q '/box_image/class.robot: ' box.d || fail "$(cat box.d)"
 
 # A visual alone is said once.
 sed 's/<link name="hand">/&<visual\/>/' arm.urdf >seen.urdf

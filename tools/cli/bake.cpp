@@ -123,6 +123,9 @@ std::vector<Part> read_parts(const BakeOrder& order, const std::vector<double>& 
   return parts;
 }
 
+/// How much wider than its mesh the lattice of one that bends is.
+constexpr double kRoomToBend = 2;
+
 /// Everything but what is written. `options`: the order's, with the cell that all the meshes share.
 std::vector<BakeRow> bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files,
                                  Warnings& warnings) {
@@ -133,7 +136,7 @@ std::vector<BakeRow> bake_meshes(const BakeOrder& order, BakeOptions& options, F
   for (const Part& part : parts) {
     finest = std::max(finest, finest_cell(part.mesh));
   }
-  options.cell = order.options.cell.value_or(finest);
+  options.cell = order.options.cell.value_or(order.deformable ? kRoomToBend * finest : finest);
   std::vector<BakeRow> rows;
   for (const Part& part : parts) {
     progress.begin("baking " + part.mesh.path, part.weight);
@@ -163,6 +166,9 @@ void bake_all(const BakeOrder& order) {
     warnings.print();
     print_bake_table(rows, order.units);
     std::cout << "cell " << order.units.with_unit(*options.cell) << legend(order);
+    if (order.deformable) {
+      print_bending(rows, options.index_width == IndexWidth::bits_32 ? 32 : 16);
+    }
     flush_output();
   });
 }

@@ -24,6 +24,7 @@ struct BakeOrder {
   bool writes_images = true;
   bool levels = false;                    ///< in images of post-indexed trees
   bool dry_run = false;                   ///< writes nothing at all
+  bool deformable = false;                ///< the default cell leaves room to bend
   std::optional<std::int64_t> max_bytes;  ///< of an image
   Units units;
   BakeOptions options;

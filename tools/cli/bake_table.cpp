@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <iostream>
 
+#include "cli/bending.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -52,6 +53,14 @@ void print_bake_table(const std::vector<BakeRow>& rows, const Units& units) {
   }
   if (rows.size() > 1) {
     print_row(total_of(rows), width, units);
+  }
+}
+
+void print_bending(const std::vector<BakeRow>& rows, unsigned index_bits) {
+  for (const BakeRow& row : rows) {
+    const BendingCost cost = bending_cost(row.nodes, row.triangles, row.vertices, index_bits);
+    std::cout << row.mesh << " bends in " << cost.ram_bytes << " bytes of RAM; a refit takes about "
+              << cost.refit_instructions << " instructions on a Cortex-M4F\n";
   }
 }
 

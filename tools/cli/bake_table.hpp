@@ -25,6 +25,9 @@ struct BakeRow {
 /// On standard output, with a row for all of them if they are several.
 void print_bake_table(const std::vector<BakeRow>& rows, const Units& units);
 
+/// A line a mesh: what it takes to bend.
+void print_bending(const std::vector<BakeRow>& rows, unsigned index_bits);
+
 }  // namespace flashbvh::tool
 
 #endif

@@ -71,11 +71,95 @@ std::vector<PostMesh> meshes_of(const std::vector<BakedLink>& links) {
   return meshes;
 }
 
+struct Distances {
+  double stop;
+  double warn;
+};
+
+/// All that are guarded alike, and pairs with their own.
+struct AllDistances {
+  Distances usual;
+  std::vector<GuardedPair> own;
+};
+
+/// `place`: the options that say so.
+Distances distances_of(const std::string& stop_place, const std::string& stop,
+                       const std::string& warn_place, const std::string& warn) {
+  const Distances distances = {metres(stop_place, stop), metres(warn_place, warn)};
+  if (distances.warn < distances.stop) {
+    throw UserError(warn_place + " " + warn, "is nearer than ", stop_place, " ", stop,
+                    "; warn from further off");
+  }
+  return distances;
+}
+
+Distances usual_distances(const RobotArguments& arguments) {
+  return distances_of("--stop", arguments.stop, "--warn", arguments.warn.value_or(arguments.stop));
+}
+
+std::size_t link_of(const Model& model, const std::string& place, const std::string& name) {
+  const auto link = std::find_if(model.links.begin(), model.links.end(),
+                                 [&](const ModelLink& of) { return of.name == name; });
+  if (link == model.links.end()) {
+    std::string names;
+    for (const ModelLink& of : model.links) {
+      names += (names.empty() ? "" : ",") + of.name;
+    }
+    throw UserError(place, "names '", name, "', which is no link that collides; these are ", names);
+  }
+  return static_cast<std::size_t>(link - model.links.begin());
+}
+
+/// LINK,LINK=STOP[,WARN]
+GuardedPair own_distances(const Model& model, const std::string& given) {
+  const std::string place = "--pair " + given;
+  const std::size_t comma = given.find(',');
+  const std::size_t equals = given.find('=');
+  if (comma == std::string::npos || equals == std::string::npos || comma > equals) {
+    throw UserError(place, "is no LINK,LINK=STOP[,WARN]; give two links and their distances");
+  }
+  const std::string lengths = given.substr(equals + 1);
+  const std::size_t split = lengths.find(',');
+  const std::string stop = lengths.substr(0, split);
+  const Distances distances =
+      distances_of(place + ":", stop, place + ":",
+                   split == std::string::npos ? stop : lengths.substr(split + 1));
+  const GuardedPair pair = {link_of(model, place, given.substr(0, comma)),
+                            link_of(model, place, given.substr(comma + 1, equals - comma - 1)),
+                            distances.stop, distances.warn};
+  if (pair.a == pair.b) {
+    throw UserError(place, "names one link twice; give two");
+  }
+  return pair;
+}
+
+const GuardedPair* own_of(const std::vector<GuardedPair>& own, std::size_t a, std::size_t b) {
+  const auto found = std::find_if(own.begin(), own.end(), [&](const GuardedPair& pair) {
+    return std::minmax(pair.a, pair.b) == std::minmax(a, b);
+  });
+  return found == own.end() ? nullptr : &*found;
+}
+
+AllDistances all_distances(const Model& model, const RobotArguments& arguments) {
+  AllDistances all = {usual_distances(arguments), {}};
+  for (const std::string& given : arguments.pairs) {
+    const GuardedPair pair = own_distances(model, given);
+    if (own_of(all.own, pair.a, pair.b) != nullptr) {
+      throw UserError("--pair " + given, "says it of these links a second time; say it once");
+    }
+    all.own.push_back(pair);
+  }
+  return all;
+}
+
 /// Proofs hold for firmware's own kinematics.
 std::vector<PairVerdict> decide(const Model& model, const std::vector<PostMesh>& meshes,
-                                double cell, double stop, Progress& progress) {
+                                double cell, const AllDistances& distances, Progress& progress) {
   MatrixOptions options;
-  options.stop = stop / cell;
+  options.stop = distances.usual.stop / cell;
+  for (const GuardedPair& pair : distances.own) {
+    options.stops.push_back({pair.a, pair.b, pair.stop / cell});
+  }
   const FixedRobot robot(model, meshes, cell, {});
   options.slack = std::max(options.slack, kPlacing + robot.robot().slack / double{kFineOne});
   std::size_t begun = 0;
@@ -85,21 +169,6 @@ std::vector<PairVerdict> decide(const Model& model, const std::vector<PostMesh>&
                           progress.begin(concat("pair ", ++begun, " of ", pairs), 1);
                         }
                       });
-}
-
-struct Distances {
-  double stop;
-  double warn;
-};
-
-Distances distances_of(const RobotArguments& arguments) {
-  const double stop = metres("--stop", arguments.stop);
-  const double warn = arguments.warn ? metres("--warn", *arguments.warn) : stop;
-  if (warn < stop) {
-    throw UserError("--warn " + *arguments.warn, "is nearer than --stop ", arguments.stop,
-                    "; warn from further off");
-  }
-  return {stop, warn};
 }
 
 /// UserError if firmware can't tell distances so large.
@@ -114,26 +183,31 @@ void check_range(const Distances& distances, double cell) {
 }
 
 std::vector<GuardedPair> guarded(const std::vector<PairVerdict>& pairs,
-                                 const Distances& distances) {
+                                 const AllDistances& distances) {
   std::vector<GuardedPair> guarded;
   for (const PairVerdict& pair : pairs) {
     if (pair.is_guarded) {
-      guarded.push_back({pair.a, pair.b, distances.stop, distances.warn});
+      const GuardedPair* const own = own_of(distances.own, pair.a, pair.b);
+      const Distances of = own != nullptr ? Distances{own->stop, own->warn} : distances.usual;
+      guarded.push_back({pair.a, pair.b, of.stop, of.warn});
     }
   }
   return guarded;
 }
 
-void warn_of_stopped(const BakedRobot& robot, const RobotArguments& arguments, Warnings& warnings) {
+void warn_of_stopped(const BakedRobot& robot, const AllDistances& distances,
+                     const RobotArguments& arguments, Warnings& warnings) {
   for (const PairVerdict& pair : robot.pairs) {
     if (pair.is_stopped) {
-      warnings.add(arguments.urdf,
-                   concat("links '", robot.model.links[pair.a].name, "' and '",
-                          robot.model.links[pair.b].name,
-                          "' are nowhere found farther apart than the stop distance, ",
-                          arguments.stop, " m, so a guard would always say stop; ",
-                          metres("--stop", arguments.stop) == 0 ? "" : "lower --stop, or ",
-                          "disable the pair in an SRDF"));
+      const GuardedPair* const own = own_of(distances.own, pair.a, pair.b);
+      const double stop = own != nullptr ? own->stop : distances.usual.stop;
+      warnings.add(
+          arguments.urdf,
+          concat("links '", robot.model.links[pair.a].name, "' and '",
+                 robot.model.links[pair.b].name,
+                 "' are nowhere found farther apart than the stop distance, ", shortest(stop),
+                 " m, so a guard would always say stop; ",
+                 stop == 0 ? "" : "lower it (--stop, --pair), or ", "disable the pair in an SRDF"));
     }
   }
 }
@@ -166,12 +240,20 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
   command
       .add_option("--warn", arguments.warn, "Links nearer than this are warned of; default: --stop")
       ->type_name("LENGTH");
+  command
+      .add_option("--pair", arguments.pairs,
+                  "Distances of two links for which --stop and --warn don't hold; may be repeated")
+      ->type_name("LINK,LINK=STOP[,WARN]")
+      ->type_size(1)
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_flag("--progress", arguments.progress,
                    "Show a progress bar at once; default: on a terminal, after a second");
 }
 
 Model described_robot(const RobotArguments& arguments, Warnings& warnings) {
-  (void)distances_of(arguments);
+  (void)usual_distances(arguments);
   Model model =
       read_urdf(arguments.urdf, packages_of(arguments.packages), arguments.srdf, warnings);
   check_counts(model, arguments.urdf);
@@ -179,19 +261,37 @@ Model described_robot(const RobotArguments& arguments, Warnings& warnings) {
 }
 
 BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& warnings) {
-  const Distances distances = distances_of(arguments);
+  const AllDistances distances = all_distances(model, arguments);
   BakedRobot made;
   made.model = std::move(model);
   made.cell = robot_cell(made.model, cell_of(arguments), arguments.urdf);
-  check_range(distances, made.cell);
+  check_range(distances.usual, made.cell);
+  for (const GuardedPair& pair : distances.own) {
+    check_range({pair.stop, pair.warn}, made.cell);
+  }
   const auto count = static_cast<double>(made.model.links.size());
   Progress progress(kBakingWeight * count + count * (count - 1) / 2, arguments.progress);
   made.links = bake_links(made.model, made.cell, arguments, progress, warnings);
   const std::vector<PostMesh> meshes = meshes_of(made.links);
-  made.pairs = decide(made.model, meshes, made.cell, distances.stop, progress);
-  warn_of_stopped(made, arguments, warnings);
+  made.pairs = decide(made.model, meshes, made.cell, distances, progress);
+  warn_of_stopped(made, distances, arguments, warnings);
   made.fixed =
       std::make_unique<FixedRobot>(made.model, meshes, made.cell, guarded(made.pairs, distances));
+  return made;
+}
+
+BakedRobot opened_robot(const std::string& path, const CLI::App& command) {
+  for (const char* const option :
+       {"--package", "--srdf", "--cell", "--leaf-size", "--stop", "--warn"}) {
+    if (command.count(option) != 0) {
+      throw UserError(path, "is baked already, ", option,
+                      " is for a URDF; leave it out, or bake again with `flashbvh robot`");
+    }
+  }
+  BakedRobot made;
+  made.file = std::make_unique<RobotFile>(path);
+  made.model = made.file->model();
+  made.cell = made.file->cell();
   return made;
 }
 

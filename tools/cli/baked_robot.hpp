@@ -11,6 +11,7 @@
 #include "robot/bake_links.hpp"
 #include "robot/fixed_robot.hpp"
 #include "robot/matrix.hpp"
+#include "robot/robot_file.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
@@ -23,6 +24,7 @@ struct RobotArguments {
   std::optional<std::string> cell;
   std::string stop = "0";
   std::optional<std::string> warn;
+  std::vector<std::string> pairs;  ///< with distances of their own
   std::uint32_t leaf_size = bake::kDefaultLeafSize;
   bool progress = false;
 };
@@ -37,14 +39,19 @@ struct BakedRobot {
   std::vector<BakedLink> links;
   std::vector<PairVerdict> pairs;
   std::unique_ptr<FixedRobot> fixed;
+  std::unique_ptr<RobotFile> file;  ///< instead of all three, of an image
 
-  const Robot& robot() const { return fixed->robot(); }
+  const Robot& robot() const { return file ? file->robot() : fixed->robot(); }
 };
 
 /// As it is described. UserError for it, and for what `arguments` say that is none.
 Model described_robot(const RobotArguments& arguments, Warnings& warnings);
 /// Takes some seconds a pair where proofs are hard. UserError for all that can't be baked.
 BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& warnings);
+
+/// Of an image, as it was baked. UserError if it is none, or if `command` was given options of
+/// add_robot_options(): they are for baking.
+BakedRobot opened_robot(const std::string& path, const CLI::App& command);
 
 }  // namespace flashbvh::tool
 

@@ -19,11 +19,26 @@ struct GuardArguments : RobotArguments {
   bool json = false;
 };
 
-ExitCode guard_trajectory(const GuardArguments& arguments) {
-  Warnings warnings;
+struct Guarded {
+  BakedRobot robot;
+  Trajectory trajectory;
+};
+
+/// The trajectory is read before anything is baked.
+Guarded read_guarded(const GuardArguments& arguments, const CLI::App& command, Warnings& warnings) {
+  if (is_robot_file_name(arguments.urdf)) {
+    BakedRobot robot = opened_robot(arguments.urdf, command);
+    Trajectory trajectory = read_trajectory(arguments.trajectory, robot.model);
+    return {std::move(robot), std::move(trajectory)};
+  }
   Model model = described_robot(arguments, warnings);
-  const Trajectory trajectory = read_trajectory(arguments.trajectory, model);
-  const BakedRobot robot = baked_robot(std::move(model), arguments, warnings);
+  Trajectory trajectory = read_trajectory(arguments.trajectory, model);
+  return {baked_robot(std::move(model), arguments, warnings), std::move(trajectory)};
+}
+
+ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& command) {
+  Warnings warnings;
+  const auto& [robot, trajectory] = read_guarded(arguments, command, warnings);
   const Replayed replayed = {
       robot,
       arguments.trajectory,
@@ -34,8 +49,8 @@ ExitCode guard_trajectory(const GuardArguments& arguments) {
   FileSet files;
   if (!arguments.page.empty()) {
     refuse_to_replace_inputs(arguments.page, {arguments.urdf, arguments.trajectory});
-    files.add(arguments.page,
-              guard_page({robot.model, robot.robot(), trajectory, replayed.answers}));
+    files.add(arguments.page, guard_page({robot.model, robot.robot(), trajectory, replayed.answers,
+                                          arguments.work, replayed.motions}));
   }
   files.write([&] {
     warnings.print();
@@ -58,6 +73,7 @@ void add_guard(CLI::App& app, ExitCode& exit_code) {
       "was\n"
       "granted did not do, or a motion is not free; 3: firmware refuses some values.");
   add_robot_options(*command, "ROBOT", a);
+  command->get_option("ROBOT")->description("The robot (URDF), or its image (.robot)");
   command
       ->add_option("TRAJECTORY", a.trajectory,
                    "A CSV: a line with the joints' names, then one a period with their values, in "
@@ -69,10 +85,13 @@ void add_guard(CLI::App& app, ExitCode& exit_code) {
       ->type_name("N");
   command->add_flag("--motion", a.motion,
                     "Certify the straight motion of all joints from each line to the next, too");
-  command->add_option("--report", a.page, "Write a page: distances over time, the closest moment")
+  command
+      ->add_option("--report", a.page,
+                   "Write a page: distances and work over time, the closest moment, motions")
       ->type_name("PAGE.html");
   command->add_flag("--json", a.json, "One JSON object a line");
-  command->callback([arguments, &exit_code] { exit_code = guard_trajectory(*arguments); });
+  command->callback(
+      [arguments, command, &exit_code] { exit_code = guard_trajectory(*arguments, *command); });
 }
 
 }  // namespace flashbvh::tool

@@ -22,11 +22,6 @@ const char* name_of(Verdict verdict) {
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
-const char* name_of(MotionOutcome outcome) {
-  constexpr const char* kNames[] = {"free", "hit", "close"};
-  return kNames[static_cast<std::size_t>(outcome)];
-}
-
 std::string name_of(Status status) {
   switch (status) {
     case Status::done:
@@ -166,7 +161,7 @@ Json motion_json(const BakedRobot& robot, const CertifiedMotion& motion) {
   if (answer.status != Status::done) {
     return {{"outcome", "refused"}};
   }
-  Json json = {{"outcome", name_of(answer.outcome)}};
+  Json json = {{"outcome", outcome_name(answer.outcome)}};
   if (answer.outcome == MotionOutcome::free) {
     return json;
   }

@@ -4,8 +4,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/bending.hpp"
 #include "cli/commands.hpp"
 #include "cli/info_mesh.hpp"
+#include "cli/robot_output.hpp"
 #include "image/image_file.hpp"
 #include "mesh/import.hpp"
 #include "mesh/units.hpp"
@@ -45,6 +47,8 @@ Json facts_of(const ImageFile& image) {
   const ImageHeader& header = image.header();
   const Bounds bounds = bounds_of(image.tree());
   const double cell = image.cell();
+  const BendingCost bending = bending_cost(header.node_count, header.triangle_count,
+                                           header.vertex_count, header.index_bits);
   return {
       {"name", image.source()},
       {"format_version", header.version},
@@ -63,6 +67,8 @@ Json facts_of(const ImageFile& image) {
       {"shells", header.shell_count},
       {"bytes", header.byte_count},
       {"bytes_per_triangle", static_cast<double>(header.byte_count) / header.triangle_count},
+      {"ram_to_bend", bending.ram_bytes},
+      {"refit_instructions", bending.refit_instructions},
       {"unit", unit_name(image.unit())},
       {"cell", cell},
       {"deviation", image.deviation()},
@@ -104,12 +110,18 @@ std::string unit_of(const std::string& name, Unit unit) {
   }
   const bool length =
       name == "cell" || name == "deviation" || name == "longest_edge" || name == "box";
+  if (name == "ram_to_bend" || name == "refit_instructions") {
+    return name == "ram_to_bend" ? "bytes" : "about, on a Cortex-M4F";
+  }
   return !length ? "" : unit == Unit::none ? "of the mesh's unit" : unit_name(unit);
 }
 
 void info(const std::string& path, bool json) {
   if (is_mesh_name(path)) {
     return info_of_mesh(path, json);
+  }
+  if (is_robot_file_name(path)) {
+    return (json ? print_robot_file_json : print_robot_file)(RobotFile(path));
   }
   const ImageFile image(path);
   const Json facts = facts_of(image);
@@ -138,9 +150,9 @@ void add_info(CLI::App& app) {
     bool json = false;
   };
   const auto arguments = std::make_shared<InfoArguments>();
-  CLI::App* const command =
-      app.add_subcommand("info", "Print what is in an image,\nor what baking a mesh would take.");
-  command->add_option("IMAGE", arguments->image, "Image (.fbvh) or mesh")->required();
+  CLI::App* const command = app.add_subcommand(
+      "info", "Print what is in an image of a mesh or a robot,\nor what baking a mesh would take.");
+  command->add_option("IMAGE", arguments->image, "Image (.fbvh, .robot) or mesh")->required();
   command->add_flag("--json", arguments->json, "As one JSON object");
   command->callback([arguments] { info(arguments->image, arguments->json); });
 }

@@ -1,12 +1,17 @@
-// flashbvh robot: a URDF as C++ for firmware, with what can collide.
+// flashbvh robot: a URDF as C++, C or an image for firmware, with what can collide.
 #include <filesystem>
 #include <memory>
 #include <set>
 
+#include "bake/image_bytes.hpp"
 #include "cli/baked_robot.hpp"
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
+#include "cli/progress.hpp"
 #include "cli/robot_output.hpp"
+#include "report/robot_page.hpp"
+#include "robot/robot_c_writer.hpp"
+#include "robot/robot_image.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {
@@ -16,23 +21,49 @@ struct OutputArguments : RobotArguments {
   std::string folder;
   std::string name;
   std::string depfile;
+  std::string format = "cpp";
+  std::string page;
   bool json = false;
 };
 
-void add_files(const OutputArguments& arguments, const OutputName& name, SourceFiles sources,
+std::string image_of(const BakedRobot& baked, const OutputName& name) {
+  std::vector<std::vector<std::uint32_t>> meshes;
+  for (const BakedLink& link : baked.links) {
+    meshes.push_back(bake::image_of(link.tree));
+  }
+  const std::vector<std::uint32_t> words =
+      robot_image(baked.model, baked.robot(), meshes, name.stem);
+  return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]};
+}
+
+bool writes_cpp(const OutputArguments& arguments) {
+  return arguments.format == "cpp" || arguments.format == "both";
+}
+
+void add_files(const OutputArguments& arguments, const OutputName& name, const BakedRobot& baked,
                FileSet& files) {
   const std::string stem = (std::filesystem::path(arguments.folder) / name.stem).string();
   const auto add = [&](const char* extension, std::string text) {
     refuse_to_replace_inputs(stem + extension, {arguments.urdf});
     files.add(stem + extension, std::move(text));
   };
-  add(".robot.hpp", std::move(sources.header));
-  add(".robot.cpp", std::move(sources.source));
+  const auto add_sources = [&](SourceFiles sources, const char* header, const char* source) {
+    add(header, std::move(sources.header));
+    add(source, std::move(sources.source));
+  };
+  if (arguments.format == "image" || arguments.format == "both") {
+    add(".robot", image_of(baked, name));
+  }
+  if (writes_cpp(arguments)) {
+    add_sources(robot_sources(baked.model, *baked.fixed, baked.links, name), ".robot.hpp",
+                ".robot.cpp");
+  }
+  if (arguments.format == "c") {
+    add_sources(robot_in_c(baked.model, *baked.fixed, baked.links, name), ".robot.h", ".robot.c");
+  }
 }
 
-/// What was read, as make and Ninja have it.
-std::string dependencies(const OutputArguments& arguments, const OutputName& name,
-                         const Model& model) {
+std::set<std::string> files_read(const OutputArguments& arguments, const Model& model) {
   std::set<std::string> read = {arguments.urdf};
   if (!arguments.srdf.empty()) {
     read.insert(arguments.srdf);
@@ -40,6 +71,12 @@ std::string dependencies(const OutputArguments& arguments, const OutputName& nam
   for (const ModelLink& link : model.links) {
     read.insert(link.files.begin(), link.files.end());
   }
+  return read;
+}
+
+/// What was read, as make and Ninja have it.
+std::string dependencies(const OutputArguments& arguments, const OutputName& name,
+                         const Model& model) {
   const auto escaped = [](const std::string& path) {
     std::string text;
     for (const char c : std::filesystem::absolute(path).lexically_normal().string()) {
@@ -47,11 +84,25 @@ std::string dependencies(const OutputArguments& arguments, const OutputName& nam
     }
     return text;
   };
-  std::string text = escaped(arguments.folder + "/" + name.stem + ".robot.hpp") + ":";
-  for (const std::string& path : read) {
+  const char* const extension = writes_cpp(arguments)     ? ".robot.hpp"
+                                : arguments.format == "c" ? ".robot.h"
+                                                          : ".robot";
+  std::string text = escaped(arguments.folder + "/" + name.stem + extension) + ":";
+  for (const std::string& path : files_read(arguments, model)) {
     text += " \\\n  " + escaped(path);
   }
   return text + "\n";
+}
+
+void add_page(const OutputArguments& arguments, const BakedRobot& robot, FileSet& files) {
+  const std::set<std::string> read = files_read(arguments, robot.model);
+  refuse_to_replace_inputs(arguments.page, {read.begin(), read.end()});
+  Progress progress(2, arguments.progress);
+  files.add(arguments.page, robot_page({robot.model, robot.links, *robot.fixed, robot.pairs,
+                                        arguments.stop, arguments.warn.value_or(arguments.stop)},
+                                       [&](const std::string& what, double share) {
+                                         progress.begin(what, share);
+                                       }));
 }
 
 void make_robot(const OutputArguments& arguments) {
@@ -60,10 +111,13 @@ void make_robot(const OutputArguments& arguments) {
   const OutputName name = arguments.name.empty() ? distinct_names({baked.model.name}).front()
                                                  : output_name(arguments.urdf, arguments.name);
   FileSet files;
-  add_files(arguments, name, robot_sources(baked.model, *baked.fixed, baked.links, name), files);
+  add_files(arguments, name, baked, files);
   if (!arguments.depfile.empty()) {
     refuse_to_replace_inputs(arguments.depfile, {arguments.urdf});
     files.add(arguments.depfile, dependencies(arguments, name, baked.model));
+  }
+  if (!arguments.page.empty()) {
+    add_page(arguments, baked, files);
   }
   files.write([&] {
     warnings.print();
@@ -78,14 +132,22 @@ void make_robot(const OutputArguments& arguments) {
 void add_robot(CLI::App& app) {
   const auto arguments = std::make_shared<OutputArguments>();
   OutputArguments& a = *arguments;
-  CLI::App* const command = app.add_subcommand(
-      "robot",
-      "Bake a robot (URDF) into C++ arrays: joints, links, and which pairs of links can collide.\n"
-      "Lengths are in metres, angles in radians.");
+  CLI::App* const command =
+      app.add_subcommand("robot",
+                         "Bake a robot (URDF) into C++ or C arrays or a binary image: joints, "
+                         "links, and which pairs of links can collide.\n"
+                         "Lengths are in metres, angles in radians.");
   add_robot_options(*command, "URDF", a);
   command->add_option("-o,--output", a.folder, "Folder for the results; made if there is none")
       ->type_name("DIR")
       ->required();
+  command
+      ->add_option(
+          "--format", a.format,
+          "What to write: C++ arrays (cpp), C arrays (c), a binary file (image), or both cpp and "
+          "image")
+      ->check(CLI::IsMember({"cpp", "c", "image", "both"}))
+      ->capture_default_str();
   command
       ->add_option("--name", a.name,
                    "Name of the files and of the namespace; default: that of the robot")
@@ -94,6 +156,11 @@ void add_robot(CLI::App& app) {
       ->add_option("--depfile", a.depfile,
                    "Write what was read, for make and Ninja: the URDF, the SRDF and the meshes")
       ->type_name("FILE");
+  command
+      ->add_option(
+          "--report", a.page,
+          "Write a page: what can collide, how rare that is and how it looks; flash and RAM")
+      ->type_name("PAGE.html");
   command->add_flag("--json", a.json, "One JSON object");
   command->callback([arguments] { make_robot(*arguments); });
 }

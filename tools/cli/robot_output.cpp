@@ -5,7 +5,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "cli/lengths.hpp"
 #include "image/cpp_writer.hpp"
+#include "robot/joint_text.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -13,20 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* type_name(JointType type) {
-  return type == JointType::prismatic    ? "prismatic"
-         : type == JointType::continuous ? "continuous"
-                                         : "revolute";
-}
-
-/// The base's is "base" in tables.
-std::string joint_name(const Model& model, std::size_t joint, const char* base) {
-  return joint == kNoJoint ? base : model.joints[joint].name;
-}
-
-bool is_mimic(const Model& model, std::size_t joint) {
-  return model.variables[model.joints[joint].variable] != joint;
-}
+/// Of a PostMesh on a 32-bit core.
+constexpr std::size_t kMeshViewBytes = 64;
 
 template <class Rows, class NameOf>
 int width_of(const Rows& rows, const char* heading, const NameOf& name_of) {
@@ -71,18 +61,8 @@ void print_joints(const Model& model) {
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const ModelJoint& joint = model.joints[i];
     std::cout << std::left << std::setw(width) << joint.name << std::setw(width)
-              << joint_name(model, joint.parent, "base") << std::setw(12) << type_name(joint.type);
-    if (joint.type == JointType::continuous) {
-      std::cout << "on and on";
-    } else {
-      std::cout << significant(joint.lower, 6) << " to " << significant(joint.upper, 6)
-                << (joint.type == JointType::prismatic ? " m" : " rad");
-    }
-    if (is_mimic(model, i)) {
-      std::cout << ", as " << model.joints[model.variables[joint.variable]].name << " by "
-                << significant(joint.multiplier, 6);
-    }
-    std::cout << "\n";
+              << joint_name(model, joint.parent, "base") << std::setw(12) << type_name(joint.type)
+              << moves_of(model, i) << "\n";
   }
 }
 
@@ -150,7 +130,8 @@ void print_robot(const Model& model, const std::vector<BakedLink>& links, const 
   print_joints(model);
   print_pairs(model, pairs);
   std::cout << "\ncell " << shortest(links[0].tree.cell) << " m; "
-            << robot_flash_bytes(robot, links) << " bytes of flash, " << robot_ram_bytes(robot)
+            << robot_flash_bytes(robot, links) << " bytes of flash, "
+            << robot_ram_bytes(robot.robot(), robot.pair_joint_count())
             << " bytes of RAM for a guard\n";
 }
 
@@ -171,7 +152,69 @@ void print_robot_json(const Model& model, const std::vector<BakedLink>& links,
   }
   json["cell"] = links[0].tree.cell;
   json["flash_bytes"] = robot_flash_bytes(robot, links);
-  json["ram_bytes"] = robot_ram_bytes(robot);
+  json["ram_bytes"] = robot_ram_bytes(robot.robot(), robot.pair_joint_count());
+  std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
+}
+
+void print_robot_file(const RobotFile& file) {
+  const Model model = file.model();
+  const Robot& robot = file.robot();
+  const RobotImageHeader& header = file.header();
+  std::cout << "robot " << model.name << ", format version " << header.version << ": "
+            << header.byte_count << " bytes of flash; "
+            << robot_ram_bytes(robot, header.pair_joint_count) << " bytes of RAM for a guard, "
+            << kMeshViewBytes * header.link_count << " for views of its meshes\ncell "
+            << shortest(file.cell()) << " m; slack "
+            << significant(unit_length(robot.slack, file.cell()), 4) << " m; variables "
+            << int{robot.variable_count} << "; hash " << hex(robot.hash, 8) << "\n\n";
+  const int width = width_of(model.links, "link", [](const ModelLink& l) { return l.name; });
+  const int joints = width_of(model.joints, "joint", [](const ModelJoint& j) { return j.name; });
+  std::cout << std::left << std::setw(width) << "link" << std::setw(joints) << "joint"
+            << "triangles\n";
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    std::cout << std::left << std::setw(width) << model.links[i].name << std::setw(joints)
+              << joint_name(model, model.links[i].joint, "base") << std::right << std::setw(9)
+              << robot.meshes[i].triangle_count << "\n";
+  }
+  print_joints(model);
+  std::cout << (robot.pair_count == 0 ? "" : "\npairs that can collide: stop, warn in m\n");
+  for (std::size_t i = 0; i < robot.pair_count; ++i) {
+    const RobotPair& pair = robot.pairs[i];
+    std::cout << model.links[pair.a].name << " - " << model.links[pair.b].name << "  "
+              << significant(unit_length(pair.stop, file.cell()), 4) << ", "
+              << significant(unit_length(pair.warn, file.cell()), 4) << "\n";
+  }
+}
+
+void print_robot_file_json(const RobotFile& file) {
+  const Model model = file.model();
+  const Robot& robot = file.robot();
+  Json json = {{"name", model.name},
+               {"format_version", file.header().version},
+               {"bytes", file.header().byte_count},
+               {"ram_bytes", robot_ram_bytes(robot, file.header().pair_joint_count)},
+               {"cell", file.cell()},
+               {"slack", unit_length(robot.slack, file.cell())},
+               {"hash", robot.hash},
+               {"links", Json::array()},
+               {"joints", Json::array()},
+               {"pairs", Json::array()}};
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const std::size_t joint = model.links[i].joint;
+    json["links"].push_back({{"name", model.links[i].name},
+                             {"joint", joint == kNoJoint ? Json() : Json(model.joints[joint].name)},
+                             {"triangles", robot.meshes[i].triangle_count}});
+  }
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    json["joints"].push_back(joint_json(model, i));
+  }
+  for (std::size_t i = 0; i < robot.pair_count; ++i) {
+    const RobotPair& pair = robot.pairs[i];
+    json["pairs"].push_back({{"a", model.links[pair.a].name},
+                             {"b", model.links[pair.b].name},
+                             {"stop", unit_length(pair.stop, file.cell())},
+                             {"warn", unit_length(pair.warn, file.cell())}});
+  }
   std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 

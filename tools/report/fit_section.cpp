@@ -50,10 +50,6 @@ Needs needs_of(const std::vector<AskedPair>& pairs, const Question& question,
   return all;
 }
 
-std::string tile(const char* name, const std::string& value, const std::string& note) {
-  return concat("<div><dt>", name, "</dt><dd>", value, "<small>", note, "</small></dd></div>\n");
-}
-
 std::string tiles(const Subjects& subjects, const Budget& budget) {
   std::uint64_t flash = 0;
   std::uint64_t images = 0;
@@ -65,14 +61,14 @@ std::string tiles(const Subjects& subjects, const Budget& budget) {
   }
   const std::uint64_t query = large ? kLargeQueryBytes : kQueryBytes;
   return "<dl class=tiles>\n" +
-         tile("Flash", grouped(flash) + " bytes",
+         fact("Flash", grouped(flash) + " bytes",
               "linked C++ arrays; as images " + grouped(images) +
                   " bytes. The code of a query, once: some 10 KiB.") +
-         tile("RAM", grouped(query + kPoseBytes) + " bytes",
+         fact("RAM", grouped(query + kPoseBytes) + " bytes",
               concat("a query object of ", query, " and a pose of ", kPoseBytes,
                      "; no heap, no static data. On the stack, in a run: at most 544 bytes, 708 on "
                      "a Cortex-M0.")) +
-         tile("Period", significant(1e3 / budget.hz, 4) + " ms",
+         fact("Period", significant(1e3 / budget.hz, 4) + " ms",
               significant(budget.hz, 6) + " Hz on a " + budget.core.name + " at " +
                   significant(budget.mhz, 6) + " MHz: " +
                   grouped(static_cast<std::uint64_t>(std::min(budget.instructions(), 1e18))) +

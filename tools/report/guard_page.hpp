@@ -15,11 +15,18 @@ struct GuardedTrajectory {
   const Robot& robot;
   const Trajectory& trajectory;
   const std::vector<GuardAnswer>& answers;
+  std::uint32_t work;  ///< what a period may spend; kAllWork: what it takes
+  const std::vector<CertifiedMotion>& motions;  ///< from line to line; may be none
 };
 
 /// One self-contained HTML file, the same bytes for the same robot and trajectory: periods by
-/// verdict, distances over time, the closest moment as pictures.
+/// verdict, distances and work over time, the closest moment as pictures, motions.
 std::string guard_page(const GuardedTrajectory& guarded);
+
+/// Of the page: motions from line to line, those that are free one after the other in one row.
+/// Nothing if there are none.
+std::string motion_section(const GuardedTrajectory& guarded);
+std::string pair_name(const GuardedTrajectory& guarded, std::size_t pair);
 
 }  // namespace flashbvh::tool
 

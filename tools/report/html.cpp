@@ -1,5 +1,8 @@
 #include "report/html.hpp"
 
+#include "flashbvh/version.hpp"
+#include "report/raster.hpp"
+#include "report/style.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -77,6 +80,32 @@ std::string percent(std::uint64_t part, std::uint64_t whole) {
 
 std::string counted(std::uint64_t number, const char* one, const char* many) {
   return grouped(number) + " " + (number == 1 ? one : many);
+}
+
+std::string key(const std::string& style, const std::string& text) {
+  return "<span><i class=\"key " + style + "\"></i>" + text + "</span>\n";
+}
+
+std::string fact(const std::string& name, const std::string& value, const std::string& note) {
+  return "<div><dt>" + name + "</dt><dd>" + value +
+         (note.empty() ? "" : "<small>" + note + "</small>") + "</dd></div>\n";
+}
+
+std::string page_begin(const std::string& title, const char* command, const char* lead,
+                       const std::string& style) {
+  return concat(
+      "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n"
+      "<meta name=viewport content=\"width=device-width,initial-scale=1\">\n<title>",
+      title, " &middot; flashbvh ", command, "</title>\n<style>\n", kColours, kText, kTables,
+      kPictures, paint_style(), style,
+      "</style>\n</head>\n<body>\n<header>\n<p class=lead>flashbvh ", command, ": ", lead,
+      "</p>\n<h1>", title, "</h1>\n</header>\n<main>\n");
+}
+
+std::string page_end() {
+  return concat("<footer><p class=note>flashbvh ", FLASHBVH_VERSION_MAJOR, ".",
+                FLASHBVH_VERSION_MINOR, ".", FLASHBVH_VERSION_PATCH,
+                "</p></footer>\n</main>\n</body>\n</html>\n");
 }
 
 std::string table(const std::string& caption, const std::vector<Column>& columns,

@@ -21,6 +21,19 @@ std::string percent(std::uint64_t part, std::uint64_t whole);
 /// "1 box", "12 boxes".
 std::string counted(std::uint64_t number, const char* one, const char* many);
 
+/// A square in the colour of a style class, and what it stands for, HTML.
+std::string key(const std::string& style, const std::string& text);
+
+/// Of a list of facts, all HTML.
+std::string fact(const std::string& name, const std::string& value, const std::string& note = "");
+
+/// A page up to its first section. `title` and `lead` are HTML; `command`: which writes it;
+/// `style`: beside that of all pages.
+std::string page_begin(const std::string& title, const char* command, const char* lead,
+                       const std::string& style);
+/// Behind the last section, with the version.
+std::string page_end();
+
 struct Column {
   const char* title;
   bool is_number;

@@ -42,11 +42,6 @@ std::string bar(const std::array<Part, 5>& parts, std::uint64_t total, std::uint
          "\">" + pieces + "</div>";
 }
 
-std::string fact(const char* name, const std::string& value, const std::string& note = "") {
-  return std::string("<div><dt>") + name + "</dt><dd>" + value +
-         (note.empty() ? "" : "<small>" + note + "</small>") + "</dd></div>\n";
-}
-
 std::string size_of(const Subject& subject) {
   std::string size;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -76,8 +71,7 @@ std::string key_figures(const Subject& subject) {
 std::string warning_list(const Subject& subject) {
   std::string html;
   for (const Warning& warning : subject.warnings) {
-    html += concat("<li><i class=\"key paint", static_cast<int>(warning.paint), "\"></i>",
-                   warning.text, "</li>\n");
+    html += "<li>" + key(class_of(warning.paint), warning.text) + "</li>\n";
   }
   if (html.empty()) {
     html =
@@ -120,7 +114,7 @@ std::string flash_table(const Subjects& subjects) {
   std::string keys = "<p class=keys>";
   const std::array<Part, 5> parts = parts_of(*subjects[0]);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    keys += concat("<i class=\"key p", i, "\"></i>", parts[i].name, " ");
+    keys += key(concat("p", i), parts[i].name);
   }
   return "<section id=flash>\n<h2>Flash by mesh</h2>\n<div class=hist>\n" +
          table("<span class=hide>Flash by mesh</span>",

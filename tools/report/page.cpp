@@ -4,19 +4,10 @@
 
 #include "report/html.hpp"
 #include "report/sections.hpp"
-#include "report/style.hpp"
 #include "report/subject.hpp"
 
 namespace flashbvh::tool {
 namespace {
-
-/// `title` is HTML.
-std::string head(const std::string& title, std::size_t levels) {
-  return "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n"
-         "<meta name=viewport content=\"width=device-width,initial-scale=1\">\n<title>" +
-         title + " &middot; flashbvh report</title>\n<style>\n" + kColours + kText + kTables +
-         kPictures + paint_style() + level_style(levels) + "</style>\n</head>\n<body>\n";
-}
 
 std::string title_of(const Subjects& subjects) {
   if (subjects.size() > 2) {
@@ -50,10 +41,10 @@ std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
   }
   const std::vector<AskedPair> pairs = asked_pairs(subjects, options, step);
   const std::string title = title_of(subjects);
-  std::string html = head(title, most_levels(subjects)) + "<header>\n<p class=lead>flashbvh " +
-                     "report: flash, RAM and time</p>\n<h1>" + title +
-                     "</h1>\n</header>\n<main>\n" + fit_section(subjects, pairs, options) +
-                     pairs_section(subjects, pairs, options) + flash_table(subjects);
+  std::string html =
+      page_begin(title, "report", "flash, RAM and time", level_style(most_levels(subjects))) +
+      fit_section(subjects, pairs, options) + pairs_section(subjects, pairs, options) +
+      flash_table(subjects);
   for (const Subject* const subject : subjects) {
     step("drawing " + subject->name, 1);
     html += image_section(*subject);

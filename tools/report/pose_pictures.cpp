@@ -130,10 +130,9 @@ std::string pose_pictures(const AskedPair& pair) {
     costly.frame.across = touching.frame.across =
         std::max(costly.frame.across, touching.frame.across);
   }
-  return "<p class=keys><i class=\"key paint0\"></i>" + escaped(pair.a->name) +
-         " <i class=\"key paint1\"></i>" + (pair.a == pair.b ? "a second " : "") +
-         escaped(pair.b->name) +
-         " <i class=\"key paint2\"></i>triangles that intersect</p>\n<div class=contacts>\n" +
+  return "<p class=keys>" + key(class_of(kFirstMesh), escaped(pair.a->name)) +
+         key(class_of(kSecondMesh), (pair.a == pair.b ? "a second " : "") + escaped(pair.b->name)) +
+         key(class_of(kIntersected), "triangles that intersect") + "</p>\n<div class=contacts>\n" +
          picture(pair, *most, costly, "Costliest pose") +
          (touches ? picture(pair, *first, touching, "First contact")
                   : "<p class=note>At none of the poses do they intersect.</p>\n") +

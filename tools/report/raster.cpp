@@ -18,6 +18,7 @@ struct Colour {
 constexpr std::array<Colour, kPaintCount> kPaintColours = {{
     {{62, 76, 98}, {196, 210, 230}},   // blue grey
     {{104, 82, 46}, {232, 211, 170}},  // sand
+    {{96, 96, 96}, {178, 178, 178}},   // grey
     {{150, 12, 20}, {255, 84, 66}},    // red
     {{190, 0, 150}, {255, 60, 210}},   // magenta
     {{150, 70, 0}, {255, 150, 40}},    // orange
@@ -212,6 +213,10 @@ std::string paint_style() {
     style += concat(".paint", paint, "{background:rgb(", red, ",", green, ",", blue, ")}\n");
   }
   return style;
+}
+
+std::string class_of(Paint paint) {
+  return concat("paint", static_cast<int>(paint));
 }
 
 Drawn draw(const Scene& scene, const View& view, const Frame& frame, std::int64_t side) {

@@ -15,6 +15,7 @@ namespace flashbvh::tool {
 enum Paint : std::uint8_t {
   kFirstMesh,
   kSecondMesh,
+  kOtherMesh,
   kIntersected,  ///< from here on: seen before all others at the same place
   kNoArea,
   kDuplicate,
@@ -26,6 +27,8 @@ enum Paint : std::uint8_t {
 
 /// The class of each paint, "paint3", for keys beside the text.
 std::string paint_style();
+/// Such a class.
+std::string class_of(Paint paint);
 
 struct Face {
   std::array<LatticePoint, 3> corner;

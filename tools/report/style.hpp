@@ -31,7 +31,7 @@ h3{font-size:1.05rem;margin:1.5em 0 .6em;overflow-wrap:anywhere}h4{font-size:.87
 font-weight:400;color:var(--soft)}
 p{max-width:80ch;margin:.6em 0}.lead,.note,small,footer{color:var(--soft)}.lead{margin:0}
 .note,small,.keys,footer table{font-size:.875rem}
-.keys .key{margin-left:1.2em}.keys .key:first-child{margin-left:0}
+.keys span{display:inline-block;margin-right:1.2em}
 a{color:var(--accent)}code{font-size:.85em;overflow-wrap:anywhere}
 section{background:var(--paper);border:1px solid var(--line);border-radius:12px;
 padding:clamp(14px,2.5vw,28px);margin:22px 0}

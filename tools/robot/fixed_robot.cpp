@@ -5,6 +5,7 @@
 #include <cstring>
 #include <string>
 
+#include "flashbvh/detail/robot_image_parts.hpp"
 #include "robot/bounding_sphere.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/reaches.hpp"
@@ -15,11 +16,8 @@
 namespace flashbvh::tool {
 namespace {
 
-constexpr double kRadiansInTurn = 6.283185307179586;
-
-/// A unit of a joint's coordinate, in radians or metres.
 double unit_of(const ModelJoint& joint, double cell) {
-  return joint.type == JointType::prismatic ? cell / kFrameCell : kRadiansInTurn / kFullTurn;
+  return unit_of_coordinate(joint.type, cell);
 }
 
 std::int32_t rounded(double value) {
@@ -35,6 +33,11 @@ Frame frame_of(const Transform& transform, double cell) {
     frame.translation[i] = rounded(transform.translation[i] / cell * kFrameCell);
   }
   return frame;
+}
+
+/// Of a joint.
+std::uint8_t number_of(std::size_t joint) {
+  return joint == kNoJoint ? kBase : static_cast<std::uint8_t>(joint);
 }
 
 double length_of(const Vector3& v) {
@@ -62,27 +65,12 @@ bool is_mimic(const Model& model, std::size_t joint) {
   return model.variables[model.joints[joint].variable] != joint;
 }
 
-/// FNV-1a.
-class Hash {
- public:
-  template <class Element>
-  void add(const Element* elements, std::size_t count) {
-    const auto* bytes = reinterpret_cast<const unsigned char*>(elements);
-    for (std::size_t i = 0; i < count * sizeof(Element); ++i) {
-      value_ = (value_ ^ bytes[i]) * 16777619u;
-    }
-  }
-  template <class Element>
-  void add(const std::vector<Element>& elements) {
-    add(elements.data(), elements.size());
-  }
-  std::uint32_t value() const { return value_; }
-
- private:
-  std::uint32_t value_ = 2166136261u;
-};
-
 }  // namespace
+
+double unit_of_coordinate(JointType type, double cell) {
+  constexpr double radians_in_turn = 6.283185307179586;
+  return type == JointType::prismatic ? cell / kFrameCell : radians_in_turn / kFullTurn;
+}
 
 FixedRobot::FixedRobot(const Model& model, const std::vector<PostMesh>& meshes, double cell,
                        const std::vector<GuardedPair>& pairs)
@@ -114,14 +102,18 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<PostMesh>& meshes, 
   robot_.reach_count = static_cast<std::uint16_t>(reaches_.size());
   robot_.slack = slack(model);
   std::memcpy(&robot_.cell_bits, &cell_, sizeof cell_);
-  robot_.hash = hash();
+  robot_.hash = detail::robot_hash(robot_);
+}
+
+Mount FixedRobot::mount(const ModelMount& mount) const {
+  return {number_of(mount.joint), frame_of(mount.transform, cell_)};
 }
 
 void FixedRobot::add_joint(const Model& model, std::size_t number) {
   const ModelJoint& joint = model.joints[number];
   RobotJoint fixed{};
   fixed.fixed = frame_of(joint.fixed, cell_);
-  fixed.parent = joint.parent == kNoJoint ? kBase : static_cast<std::uint8_t>(joint.parent);
+  fixed.parent = number_of(joint.parent);
   fixed.variable = static_cast<std::uint8_t>(joint.variable);
   fixed.type = joint.type;
   fixed.multiplier = 1;
@@ -155,7 +147,7 @@ void FixedRobot::add_link(const Model& model, std::size_t number) {
   }
   fixed.radius = static_cast<std::uint32_t>(std::ceil(sphere.radius * kFrameCell)) + 2;
   fixed.first_reach = static_cast<std::uint16_t>(reaches_.size());
-  fixed.joint = link.joint == kNoJoint ? kBase : static_cast<std::uint8_t>(link.joint);
+  fixed.joint = number_of(link.joint);
   const std::vector<double> reaches = reaches_of(model, number, cell_);
   for (std::size_t j = link.joint; j != kNoJoint; j = model.joints[j].parent) {
     const double unit = unit_of(model.joints[j], cell_);
@@ -243,23 +235,6 @@ std::uint32_t FixedRobot::slack(const Model& model) const {
     kinematics = std::max(kinematics, error + extent * 0x1p-29 + 1.0 / kFrameCell);
   }
   return static_cast<std::uint32_t>(std::ceil((placing + 2 * kinematics) * 256));
-}
-
-std::uint32_t FixedRobot::hash() const {
-  Hash hash;
-  hash.add(joints_);
-  hash.add(links_);
-  hash.add(pairs_);
-  hash.add(reaches_);
-  hash.add(&robot_.slack, 1);
-  hash.add(&cell_, 1);
-  for (const PostMesh& mesh : meshes_) {
-    hash.add(mesh.nodes, mesh.node_count);
-    hash.add(mesh.triangles, mesh.triangle_count);
-    hash.add(mesh.vertices, mesh.vertex_count);
-    hash.add(mesh.origin, 3);
-  }
-  return hash.value();
 }
 
 }  // namespace flashbvh::tool

@@ -18,6 +18,9 @@ struct GuardedPair {
   double warn;
 };
 
+/// A unit of a joint's coordinate, in radians or metres.
+double unit_of_coordinate(JointType type, double cell);
+
 class FixedRobot {
  public:
   /// `meshes`: the links', of the same number, baked with `cell`, in metres; they outlive it.
@@ -36,6 +39,7 @@ class FixedRobot {
   const std::vector<RobotLink>& links() const { return links_; }
   const std::vector<RobotPair>& pairs() const { return pairs_; }
   const std::vector<std::uint32_t>& reaches() const { return reaches_; }
+  Mount mount(const ModelMount& mount) const;
   /// Of all pairs together: how many joints are between their links.
   std::uint32_t pair_joint_count() const { return pair_joint_count_; }
 
@@ -47,7 +51,6 @@ class FixedRobot {
   double extent_of(const Model& model, std::size_t link) const;
   void check_size(const Model& model) const;
   std::uint32_t slack(const Model& model) const;
-  std::uint32_t hash() const;
 
   double cell_;
   std::vector<RobotJoint> joints_;

@@ -39,14 +39,24 @@ class Decider {
     pair.reason = why_always(space, a, b);
     if (pair.reason.empty()) {
       search(space, progress, pair);
+      const double stop = stop_of(a, b);
       pair.is_guarded = pair.verdict != MatrixVerdict::never ||
-                        (options_.stop > 0 && !stays_away(space, progress, pair));
-      pair.is_stopped = pair.is_guarded && is_stopped(space);
+                        (stop > 0 && !stays_away(space, stop, progress, pair));
+      pair.is_stopped = pair.is_guarded && is_stopped(space, stop);
     }
     return pair;
   }
 
  private:
+  double stop_of(std::size_t a, std::size_t b) const {
+    for (const StopDistance& pair : options_.stops) {
+      if (std::minmax(pair.a, pair.b) == std::minmax(a, b)) {
+        return pair.stop;
+      }
+    }
+    return options_.stop;
+  }
+
   /// Empty unless the pair need not be asked about.
   std::string why_always(const PairSpace& space, std::size_t a, std::size_t b) const {
     for (const DisabledPair& pair : model_.disabled) {
@@ -101,20 +111,20 @@ class Decider {
   }
 
   /// Whether it is proven to stay farther apart than the stop distance; most proofs take few cells.
-  bool stays_away(const PairSpace& space, const std::function<void(double)>& progress,
+  bool stays_away(const PairSpace& space, double stop, const std::function<void(double)>& progress,
                   PairVerdict& pair) const {
     MatrixOptions few = options_;
     few.most_cells = std::min(options_.most_cells, kManyCells);
-    const SearchResult found = search_pair(space, few, progress, options_.stop);
+    const SearchResult found = search_pair(space, few, progress, stop);
     pair.cells += found.cells;
-    return found.end == SearchEnd::apart || (found.end == SearchEnd::cut_off &&
-                                             is_proven_swept(model_, pair.a, pair.b, cell_, few,
-                                                             progress, pair.cells, options_.stop));
+    return found.end == SearchEnd::apart ||
+           (found.end == SearchEnd::cut_off &&
+            is_proven_swept(model_, pair.a, pair.b, cell_, few, progress, pair.cells, stop));
   }
 
-  bool is_stopped(const PairSpace& space) const {
+  bool is_stopped(const PairSpace& space, double stop) const {
     for (std::uint32_t i = 0; i < options_.looks; ++i) {
-      if (space.are_apart(spread_point(space, i), options_.stop + options_.slack)) {
+      if (space.are_apart(spread_point(space, i), stop + options_.slack)) {
         return false;
       }
     }

@@ -38,6 +38,13 @@ struct PairVerdict {
 /// and what is left for kinematics in double (kinematics.hpp).
 constexpr double kPlacing = 0.89;
 
+/// Two links with a stop distance of their own, in cells.
+struct StopDistance {
+  std::size_t a;
+  std::size_t b;
+  double stop;
+};
+
 struct MatrixOptions {
   /// In cells. A proof holds for the lattice meshes wherever they are exactly, and for every query
   /// of poses that are rounded or worked out to as much: twice kPlacing. Firmware whose kinematics
@@ -45,6 +52,7 @@ struct MatrixOptions {
   double slack = 2 * kPlacing;
   /// In cells: how near links may come before a guard stops them. No part of the verdict.
   double stop = 0;
+  std::vector<StopDistance> stops;  ///< of pairs for which that does not hold
   /// In cells: where so little motion is left in a cell of the joints' values, it is not cut again.
   double resolution = 0.5;
   std::uint64_t most_cells = 1'000'000;  ///< of a pair

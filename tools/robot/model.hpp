@@ -50,6 +50,13 @@ struct ModelLink {
   double precision = 0;              ///< how far readers may have rounded a coordinate
 };
 
+/// A link's own frame, which a tool may be fastened in: of every link of the URDF.
+struct ModelMount {
+  std::string name;
+  std::size_t joint = kNoJoint;
+  Transform transform;  ///< in the joint's frame
+};
+
 /// What the SRDF says of two links: not to be looked at.
 struct DisabledPair {
   std::size_t a;
@@ -63,6 +70,7 @@ struct Model {
   std::vector<ModelJoint> joints;      ///< parents before children
   std::vector<std::size_t> variables;  ///< of each variable, the joint that is no mimic
   std::vector<ModelLink> links;        ///< in the order of the file
+  std::vector<ModelMount> mounts;
   /// Links next to each other: whose joints, counting links without geometry, are at most one
   /// moving joint apart.
   std::vector<std::pair<std::size_t, std::size_t>> neighbours;

@@ -83,9 +83,50 @@ double inner_radius(const bake::SourceMesh& sphere) {
   return least;
 }
 
+/// A box in slices of equal length along an axis.
+PrimitiveMesh sliced_box(const Vector3& size, std::size_t along, std::uint32_t slices) {
+  const std::size_t j = (along + 1) % 3;
+  const std::size_t k = (along + 2) % 3;
+  PrimitiveMesh box;
+  auto& vertices = box.mesh.vertices;
+  auto& triangles = box.mesh.triangles;
+  const auto add_quad = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r, std::uint32_t s) {
+    triangles.push_back({p, q, r});
+    triangles.push_back({p, r, s});
+  };
+  for (std::uint32_t slice = 0; slice <= slices; ++slice) {
+    for (const auto& [y, z] : {std::pair(-0.5, -0.5), {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
+      Vector3 vertex;
+      vertex[along] = (static_cast<double>(slice) / slices - 0.5) * size[along];
+      vertex[j] = y * size[j];
+      vertex[k] = z * size[k];
+      vertices.push_back(vertex);
+    }
+  }
+  for (std::uint32_t low = 0; low < 4 * slices; low += 4) {
+    for (std::uint32_t side = 0; side < 4; ++side) {
+      const std::uint32_t next = (side + 1) % 4;
+      add_quad(low + side, low + next, low + 4 + next, low + 4 + side);
+    }
+  }
+  add_quad(0, 3, 2, 1);
+  add_quad(4 * slices, 4 * slices + 1, 4 * slices + 2, 4 * slices + 3);
+  return box;
+}
+
 }  // namespace
 
+/// Of the two triangles of a bar's long side the boxes are as large as whatever the bar is part of:
+/// the longest axis is cut into slices about twice as long as they are thick.
 PrimitiveMesh box_mesh(const Vector3& size) {
+  constexpr double kMostSlices = 16;
+  const auto along =
+      static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  const double thickness = std::max(size[(along + 1) % 3], size[(along + 2) % 3]);
+  const double slices = std::min(size[along] / thickness / 2, kMostSlices);
+  if (slices >= 2) {
+    return sliced_box(size, along, static_cast<std::uint32_t>(slices));
+  }
   PrimitiveMesh box;
   for (unsigned i = 0; i < 8; ++i) {
     box.mesh.vertices.push_back({(i & 1 ? 0.5 : -0.5) * size[0], (i & 2 ? 0.5 : -0.5) * size[1],

@@ -9,6 +9,11 @@ std::size_t kind_of(const GuardAnswer& answer) {
   return answer.status == Status::done ? static_cast<std::size_t>(answer.verdict) : kRefusedKind;
 }
 
+const char* outcome_name(MotionOutcome outcome) {
+  constexpr const char* kNames[] = {"free", "hit", "close"};
+  return kNames[static_cast<std::size_t>(outcome)];
+}
+
 ReplaySummary summary_of(const std::vector<GuardAnswer>& answers) {
   ReplaySummary summary;
   std::vector<std::uint32_t> work;

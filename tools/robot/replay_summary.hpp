@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "flashbvh/robot/guard.hpp"
+#include "flashbvh/robot/motion.hpp"
 
 namespace flashbvh::tool {
 
@@ -18,6 +20,8 @@ constexpr std::array<std::size_t, kPeriodKinds> kKindsInOrder = {0, 1, 3, 2, 4};
 constexpr std::array<const char*, kPeriodKinds> kKindNames = {"free", "warn", "not yet known",
                                                               "stop", "refused"};
 std::size_t kind_of(const GuardAnswer& answer);
+/// "free", "hit", "close".
+const char* outcome_name(MotionOutcome outcome);
 
 struct ReplaySummary {
   std::array<std::size_t, kPeriodKinds> periods{};

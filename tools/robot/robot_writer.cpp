@@ -1,9 +1,8 @@
 #include "robot/robot_writer.hpp"
 
-#include <algorithm>
-
 #include "flashbvh/robot/guard.hpp"
 #include "image/cpp_writer.hpp"
+#include "robot/robot_text.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -12,72 +11,15 @@ namespace {
 constexpr const char* kWrittenBy =
     "// Written by `flashbvh robot`; run it again instead of changing this.\n";
 
-std::string text_of(const Frame& frame) {
-  std::string text = "{{";
-  for (const auto& row : frame.rotation) {
-    text += concat("{", row[0], ", ", row[1], ", ", row[2], "}",
-                   &row == &frame.rotation[2] ? "" : ", ");
+std::string mounts_of(const Model& model, const FixedRobot& robot) {
+  const std::vector<OutputName> distinct = distinct_names(names_of_mounts(model));
+  std::string text =
+      "\n/// Where tools are fastened: the frames of all links of the URDF.\nnamespace mounts {\n";
+  for (std::size_t i = 0; i < distinct.size(); ++i) {
+    text += concat("constexpr flashbvh::Mount ", distinct[i].identifier, " = ",
+                   text_of(robot.mount(model.mounts[i]), kRobotInCpp), ";\n");
   }
-  return text + concat("}, {", frame.translation[0], ", ", frame.translation[1], ", ",
-                       frame.translation[2], "}}");
-}
-
-const char* name_of(JointType type) {
-  return type == JointType::prismatic    ? "prismatic"
-         : type == JointType::continuous ? "continuous"
-                                         : "revolute";
-}
-
-/// kBase has a name.
-std::string joint_number(std::uint8_t joint) {
-  return joint == kBase ? "flashbvh::kBase" : std::to_string(joint);
-}
-
-std::string text_of(const RobotJoint& joint) {
-  return concat("{", text_of(joint.fixed), ",\n     ", joint.lower, ", ", joint.upper, ", ",
-                joint.multiplier, ", ", joint.offset, ", ", joint.shift, ", ",
-                joint_number(joint.parent), ", ", joint.variable,
-                ", flashbvh::JointType::", name_of(joint.type), ", 0}");
-}
-
-std::string text_of(const RobotLink& link) {
-  return concat("{{", link.centre[0], ", ", link.centre[1], ", ", link.centre[2], "}, ",
-                link.radius, "u, ", link.first_reach, ", ", joint_number(link.joint), ", {}}");
-}
-
-std::string text_of(const RobotPair& pair) {
-  return concat("{", pair.stop, "u, ", pair.warn, "u, ", pair.reach, "u, ", pair.a, ", ", pair.b,
-                ", ", pair.joints_a, ", ", pair.joints_b, "}");
-}
-
-/// Nothing if there are none: C++ has no arrays of no elements.
-template <class Element, class TextOf>
-std::string array_if_any(const std::string& declaration, const std::vector<Element>& elements,
-                         const TextOf& text) {
-  return elements.empty() ? "" : array(declaration, elements, text) + "\n";
-}
-
-template <class Element>
-std::string name_if_any(const char* name, const std::vector<Element>& elements) {
-  return elements.empty() ? "nullptr" : name;
-}
-
-std::vector<std::string> names_of_variables(const Model& model) {
-  std::vector<std::string> names;
-  names.reserve(model.variables.size());
-  for (const std::size_t joint : model.variables) {
-    names.push_back(model.joints[joint].name);
-  }
-  return names;
-}
-
-std::vector<std::string> names_of_links(const Model& model) {
-  std::vector<std::string> names;
-  names.reserve(model.links.size());
-  for (const ModelLink& link : model.links) {
-    names.push_back(link.name);
-  }
-  return names;
+  return text + "}  // namespace mounts\n";
 }
 
 /// "constexpr uint8_t elbow = 2;" for each, in a namespace of their own.
@@ -91,13 +33,29 @@ std::string numbers_of(const char* scope, const char* comment,
   return text + concat("}  // namespace ", scope, "\n");
 }
 
-std::string constant(const char* name, std::size_t value, const char* comment) {
-  return concat("constexpr uint32_t ", name, " = ", value, ";  ///< ", comment, "\n");
+/// As C++ reads it back, whatever bytes it holds.
+std::string literal(const std::string& text) {
+  std::string written = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = byte >= ' ' && byte < 0x7F && c != '"' && c != '\\' && c != '?';
+    const char octal[] = {'\\', static_cast<char>('0' + byte / 64),
+                          static_cast<char>('0' + byte / 8 % 8), static_cast<char>('0' + byte % 8)};
+    written += is_plain ? std::string(1, c) : std::string(octal, 4);
+  }
+  return written + "\"";
 }
 
-/// Arrays have elements.
-std::size_t at_least_one(std::size_t count) {
-  return std::max<std::size_t>(count, 1);
+std::string array_of_names(const char* array, const std::vector<std::string>& names) {
+  std::string text = concat("constexpr const char* ", array, "[] = {");
+  for (const std::string& name : names) {
+    text += concat(&name == &names[0] ? "" : ", ", literal(name));
+  }
+  return text + "};\n";
+}
+
+std::string constant(const char* name, std::size_t value, const char* comment) {
+  return concat("constexpr uint32_t ", name, " = ", value, ";  ///< ", comment, "\n");
 }
 
 std::string header_of(const Model& model, const FixedRobot& robot,
@@ -122,6 +80,10 @@ std::string header_of(const Model& model, const FixedRobot& robot,
          numbers_of("variables", "Where each joint's value stands among the caller's.",
                     names_of_variables(model)) +
          "\n" + numbers_of("links", "Links by number.", names_of_links(model)) +
+         mounts_of(model, robot) + "\n/// For messages: linked only if they are used.\n" +
+         array_of_names("kLinkNames", names_of_links(model)) +
+         (model.variables.empty() ? ""
+                                  : array_of_names("kVariableNames", names_of_variables(model))) +
          concat(
              "\nextern const flashbvh::Robot robot;\n\n/// What a flashbvh::Guard of it needs in "
              "RAM.\nusing GuardState = flashbvh::GuardStateOf<",
@@ -144,44 +106,44 @@ std::string meshes_of(const std::vector<BakedLink>& links, const std::vector<Out
 
 std::string source_of(const Model& model, const FixedRobot& robot,
                       const std::vector<BakedLink>& links, const OutputName& name) {
-  const auto text = [](const auto& element) { return text_of(element); };
+  const auto constants = [](const char* declaration, const auto& elements) {
+    return array_if_any("", declaration, elements, kRobotInCpp);
+  };
   return kWrittenBy +
          concat("#include \"", name.stem, ".robot.hpp\"\n\nnamespace ", name.identifier,
                 " {\nnamespace {\n\n") +
          meshes_of(links, distinct_names(names_of_links(model))) +
-         array_if_any("flashbvh::RobotJoint kJoints[]", robot.joints(), text) +
-         array_if_any("flashbvh::RobotLink kLinks[]", robot.links(), text) +
-         array_if_any("flashbvh::RobotPair kPairs[]", robot.pairs(), text) +
-         array_if_any("uint32_t kReaches[]", robot.reaches(),
-                      [](std::uint32_t reach) { return concat(reach, "u"); }) +
-         concat("}  // namespace\n\nconst flashbvh::Robot robot = {\n    ",
-                name_if_any("kJoints", robot.joints()), ", kLinks, kMeshes, ",
-                name_if_any("kPairs", robot.pairs()), ", ",
-                name_if_any("kReaches", robot.reaches()), ",\n    ", robot.joints().size(), ", ",
-                robot.links().size(), ", ", robot.robot().variable_count, ", 0, ",
-                robot.pairs().size(), ", ", robot.reaches().size(), ",\n    ", robot.robot().slack,
-                "u, ", hex(robot.robot().hash, 8), ", ", hex(robot.robot().cell_bits, 16),
-                "};\n\n}  // namespace ", name.identifier, "\n");
+         constants("flashbvh::RobotJoint kJoints", robot.joints()) +
+         constants("flashbvh::RobotLink kLinks", robot.links()) +
+         constants("flashbvh::RobotPair kPairs", robot.pairs()) +
+         constants("uint32_t kReaches", robot.reaches()) +
+         concat("}  // namespace\n\nconst flashbvh::Robot robot = ",
+                text_of(robot, {"kJoints", "kLinks", "kMeshes", "kPairs", "kReaches"}, kRobotInCpp),
+                ";\n\n}  // namespace ", name.identifier, "\n");
 }
 
 }  // namespace
 
-std::size_t robot_flash_bytes(const FixedRobot& robot, const std::vector<BakedLink>& links) {
+std::size_t robot_array_bytes(const FixedRobot& robot) {
   constexpr std::size_t kRobotBytes = 48;  // with pointers of four bytes
-  std::size_t bytes = kRobotBytes + robot.joints().size() * sizeof(RobotJoint) +
-                      robot.links().size() * sizeof(RobotLink) +
-                      robot.pairs().size() * sizeof(RobotPair) + robot.reaches().size() * 4;
+  return kRobotBytes + robot.joints().size() * sizeof(RobotJoint) +
+         robot.links().size() * sizeof(RobotLink) + robot.pairs().size() * sizeof(RobotPair) +
+         robot.reaches().size() * 4;
+}
+
+std::size_t robot_flash_bytes(const FixedRobot& robot, const std::vector<BakedLink>& links) {
+  std::size_t bytes = robot_array_bytes(robot);
   for (const BakedLink& link : links) {
     bytes += flash_bytes(link.tree);
   }
   return bytes;
 }
 
-std::size_t robot_ram_bytes(const FixedRobot& robot) {
+std::size_t robot_ram_bytes(const Robot& robot, std::size_t pair_joint_count) {
   return sizeof(GuardCore) +
-         at_least_one(robot.joints().size()) * (4 * sizeof(JointCoordinate) + sizeof(Frame)) +
-         at_least_one(robot.pairs().size()) * sizeof(GuardPair) +
-         at_least_one(robot.pair_joint_count()) * sizeof(JointCoordinate);
+         at_least_one(robot.joint_count) * (4 * sizeof(JointCoordinate) + sizeof(Frame)) +
+         at_least_one(robot.pair_count) * sizeof(GuardPair) +
+         at_least_one(pair_joint_count) * sizeof(JointCoordinate);
 }
 
 SourceFiles robot_sources(const Model& model, const FixedRobot& robot,

@@ -22,6 +22,7 @@ void add_links(const UrdfRobot& robot, const KinematicTree& tree, const std::str
                const Packages& packages, Model& model, Warnings& warnings) {
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const UrdfLink& link = robot.links[i];
+    model.mounts.push_back({link.name, tree.links[i].joint, tree.links[i].transform});
     if (link.collisions.empty()) {
       if (link.has_visual) {
         warnings.add(at_element(path, "link", link.name),

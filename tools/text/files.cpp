@@ -162,6 +162,16 @@ std::string read_file(const std::string& path) {
   return bytes;
 }
 
+void FileSet::add(fs::path path, std::string bytes) {
+  const auto place = [](const fs::path& of) { return fs::absolute(of).lexically_normal(); };
+  if (!is_special(path) && std::any_of(files_.begin(), files_.end(), [&](const File& file) {
+        return place(file.path) == place(path);
+      })) {
+    throw UserError(path.string(), "would be written twice; give each output a name of its own");
+  }
+  files_.push_back({std::move(path), std::move(bytes)});
+}
+
 void FileSet::write(const std::function<void()>& report) const {
   write_special();
   const HeldSignals signals;

@@ -17,10 +17,8 @@ std::string read_file(const std::string& path);
 /// Files that belong together: either all of them get written or none.
 class FileSet {
  public:
-  /// Adds a file; nothing is written yet.
-  void add(std::filesystem::path path, std::string bytes) {
-    files_.push_back({std::move(path), std::move(bytes)});
-  }
+  /// Adds a file; nothing is written yet. UserError if there is one of that path.
+  void add(std::filesystem::path path, std::string bytes);
 
   /// Writes every file under a temporary name beside its own, calls `report`, then renames them
   /// all; makes their folder if there is none. UserError if that fails; then, or if `report`

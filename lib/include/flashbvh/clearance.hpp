@@ -71,7 +71,8 @@ using LargeWithinQuery = Query<Ranked<LargePostMesh>, Within>;
 /// `distance_out_of_range`.
 inline Within within(uint32_t distance) {
   Within question;
-  question.distance = distance;
+  constexpr uint32_t beyond = kMaxDistance + 1;
+  question.distance = (distance < beyond ? distance : beyond) & 0xFFFFFF;
   return question;
 }
 

@@ -246,9 +246,11 @@ class Query : protected Question {
       while (next_answer(batch, kept)) {
         if (!sink(current_pair())) {
           stop_at_current(batch);
+          pay_dear(work);
           return Status::full;
         }
       }
+      pay_dear(work);
       state_ = end;
       if (end == State::done || work == 0) {
         return status();
@@ -265,6 +267,14 @@ class Query : protected Question {
     const uint32_t paid = detail::triangle_pairs_for<Question::kPairWork>(work);
     detail::take_work(work, pairs * Question::kPairWork);
     return paid < pairs ? pairs - paid : 0;
+  }
+
+  /// For what tests took that kPairWork is not for.
+  void pay_dear(uint32_t& work) {
+    if constexpr (Question::kDearWork != 0) {
+      detail::take_work(work, this->dear_tests * Question::kDearWork);
+      this->dear_tests = 0;
+    }
   }
 
   /// What the walk found after the pair at hand, it will find again.

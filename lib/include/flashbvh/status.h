@@ -39,6 +39,10 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_JOINT_JUMPED = 28,
   /** A guard's memory that is too small, or a state that is not one of this robot's. */
   FLASHBVH_STATUS_GUARD_STATE_INVALID = 29,
+  /** A workcell's memory has no room for another body or pair. */
+  FLASHBVH_STATUS_WORKCELL_FULL = 30,
+  /** The number of a link or a joint that is none, or not one of the kind asked for. */
+  FLASHBVH_STATUS_LINK_INVALID = 31,
 
   /** Fewer bytes than the image says it has. */
   FLASHBVH_STATUS_IMAGE_TRUNCATED = 32,
@@ -53,7 +57,14 @@ typedef enum flashbvh_status {
   /** The checksum does not match: the bytes were damaged. */
   FLASHBVH_STATUS_IMAGE_CORRUPT = 37,
   /** The checksum matches, but the contents break a rule of the format. */
-  FLASHBVH_STATUS_IMAGE_INVALID = 38
+  FLASHBVH_STATUS_IMAGE_INVALID = 38,
+  /** A robot's image with more links than the caller has room for meshes. C++ alone. */
+  FLASHBVH_STATUS_IMAGE_TOO_LARGE = 39,
+
+  /** A vertex of a deformable mesh that lies outside the lattice; the mesh is not to be asked. */
+  FLASHBVH_STATUS_VERTEX_OUT_OF_LATTICE = 40,
+  /** A mesh that was refit since, or whose refit is not done. */
+  FLASHBVH_STATUS_MESH_CHANGED = 41
 } flashbvh_status;
 
 #endif

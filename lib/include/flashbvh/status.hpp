@@ -28,6 +28,10 @@ enum class [[nodiscard]] Status : uint8_t{
     joint_out_of_limits = FLASHBVH_STATUS_JOINT_OUT_OF_LIMITS,
     joint_jumped = FLASHBVH_STATUS_JOINT_JUMPED,
     guard_state_invalid = FLASHBVH_STATUS_GUARD_STATE_INVALID,
+    workcell_full = FLASHBVH_STATUS_WORKCELL_FULL,
+    link_invalid = FLASHBVH_STATUS_LINK_INVALID,
+    vertex_out_of_lattice = FLASHBVH_STATUS_VERTEX_OUT_OF_LATTICE,
+    mesh_changed = FLASHBVH_STATUS_MESH_CHANGED,
 
     image_truncated = FLASHBVH_STATUS_IMAGE_TRUNCATED,
     image_misaligned = FLASHBVH_STATUS_IMAGE_MISALIGNED,
@@ -36,6 +40,7 @@ enum class [[nodiscard]] Status : uint8_t{
     image_kind = FLASHBVH_STATUS_IMAGE_KIND,
     image_corrupt = FLASHBVH_STATUS_IMAGE_CORRUPT,
     image_invalid = FLASHBVH_STATUS_IMAGE_INVALID,
+    image_too_large = FLASHBVH_STATUS_IMAGE_TOO_LARGE,
 };
 
 }  // namespace flashbvh

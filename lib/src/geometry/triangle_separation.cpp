@@ -173,6 +173,23 @@ bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
   }
 }
 
+bool middles_separate(const Triangle& a, const Triangle& b) noexcept {
+  const auto from_a_to_b = [&](int32_t Point::*axis) {
+    const auto sum = [axis](const Triangle& t) {
+      return t.corner[0].*axis + t.corner[1].*axis + t.corner[2].*axis;
+    };
+    return sum(b) - sum(a);
+  };
+  const Vector d =
+      direction_of({from_a_to_b(&Point::x), from_a_to_b(&Point::y), from_a_to_b(&Point::z)});
+  const Point& from = a.corner[0];
+  const auto along = [&](const Point& corner) { return short_dot(d, difference(corner, from)); };
+  const auto lesser = [](int32_t u, int32_t v) { return u < v ? u : v; };
+  const int32_t of_b = lesser(lesser(along(b.corner[0]), along(b.corner[1])), along(b.corner[2]));
+  // A's first corner is at 0.
+  return of_b > 0 && along(a.corner[1]) < of_b && along(a.corner[2]) < of_b;
+}
+
 bool planes_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept {
   return plane_separates(a, b, limit) || plane_separates(b, a, limit);
 }

@@ -42,9 +42,14 @@ constexpr bool can_be_at(const RobotJoint& joint, JointCoordinate coordinate) {
              : coordinate >= joint.lower && coordinate <= joint.upper;
 }
 
-/// Where a value of the caller's puts the joint; where that would be beyond 32 bits, limited joints
-/// to the end of the range, others so many turns back.
-inline JointCoordinate coordinate_of(const RobotJoint& joint, JointCoordinate value) {
+/// Where the caller's values put the joint; where that would be beyond 32 bits, limited joints to
+/// the end of the range, others so many turns back. What is fixed has no value: where an obstacle
+/// is moved, its joint counts how far.
+inline JointCoordinate coordinate_of(const RobotJoint& joint, const JointCoordinate* values) {
+  if (joint.type == JointType::fixed) {
+    return joint.offset;
+  }
+  const JointCoordinate value = values[joint.variable];
   if (joint.shift == 0) {
     return value;
   }

@@ -92,6 +92,7 @@ Status Guard::resume() {
   if (core_->walked_pair != kNoPair) {  // a pose can't be told from another one: made again
     set_frames(*robot_, walked_, frames_);
     core_->pose = pose_of(robot_->pairs[core_->walked_pair]);
+    // Where an obstacle stands now, it is as near as it was then, less all that it has moved since.
   }
   core_->has_frames = 0;
   return Status::done;
@@ -128,19 +129,22 @@ uint32_t Guard::longest_step() const {
   return longest;
 }
 
-Guard::Found Guard::look() const {
+Guard::Found Guard::look() {
   Found found = {Verdict::free, kNoPair, UINT32_MAX, kNoPair, 0, 1, 0, kNoPair};
   const uint32_t longest = longest_step();
   const JointCoordinate* certified = certified_;
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
     const RobotPair& pair = robot_->pairs[i];
-    const GuardPair& known = pairs_[i];
+    GuardPair& known = pairs_[i];
     const Motion motion = motion_of(pair, certified);
     certified += pair.joints_a + pair.joints_b;
     const bool is_fresh = motion.is_fresh && !is_unknown(known);
     const uint32_t lost = sum_of(motion.since, robot_->slack);
     const uint32_t distance = difference_of(known.lower, lost);
     const uint32_t left = difference_of(distance, pair.stop);
+    if (distance == 0) {
+      known.lower = 0;  // for good: what an obstacle moved is counted on and on, beyond 32 bits
+    }
     const bool is_stopped = left == 0 && (is_fresh || sum_of(known.upper, lost) <= pair.stop);
     found.take(left != 0    ? distance > pair.warn ? Verdict::free : Verdict::warn
                : is_stopped ? Verdict::stop

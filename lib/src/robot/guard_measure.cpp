@@ -29,14 +29,16 @@ constexpr uint32_t kStaleShare = 8;
 /// 1/16: no triangles are tested for half of it, many for all.
 constexpr uint32_t kShare = 6;
 
+}  // namespace
+
 /// Its triangles in A's frame, in cells.
-void place_witness(const PostMesh& mesh_a, const PostMesh& mesh_b, const Pose& pose,
-                   const Witness<uint16_t>& witness, Triangle& a, Triangle& b) {
+void Guard::place_witness(uint16_t i, const Witness<uint16_t>& witness, const Pose& pose,
+                          Triangle& a, Triangle& b) const {
+  const PostMesh& mesh_a = robot_->meshes[robot_->pairs[i].a];
+  const PostMesh& mesh_b = robot_->meshes[robot_->pairs[i].b];
   const detail::Transform transform(pose, mesh_a, mesh_b, /*may_stop=*/false);
   detail::place_pair(mesh_a, witness.a, mesh_b, witness.b, transform, a, b);
 }
-
-}  // namespace
 
 /// Where the joints between the pair's links stood when it was certified.
 JointCoordinate* Guard::certified_of(uint16_t i) {
@@ -100,10 +102,9 @@ void Guard::begin_walk(uint16_t i, uint32_t& work) {
     aim(sum_of(upper, since));
     return;
   }
-  const RobotPair& pair = robot_->pairs[i];
   Triangle a;
   Triangle b;
-  place_witness(robot_->meshes[pair.a], robot_->meshes[pair.b], core_->pose, core_->witness, a, b);
+  place_witness(i, core_->witness, core_->pose, a, b);
   detail::take_work(work, kAimWork);
   aim(detail::distance_above(a, b));
 }

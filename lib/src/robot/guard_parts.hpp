@@ -19,6 +19,12 @@ struct Guard::Motion {
   bool is_fresh;   ///< the certificate is of where the period ends
 };
 
+/// What one of the caller's variables has to do with a distance.
+struct Guard::Share {
+  int32_t change;  ///< a unit of it, in 2^-kReachBits of 1/256 cell
+  int64_t way;     ///< all that it moved in this period
+};
+
 /// What looking at all pairs found.
 struct Guard::Found {
   Verdict verdict;

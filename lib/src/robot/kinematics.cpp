@@ -37,32 +37,16 @@ void slide(Frame& frame, JointCoordinate coordinate) {
   }
 }
 
-void compose(const Frame& outer, const Frame& inner, Frame& composed) {
-  const auto& r = inner.rotation;
-  const auto& t = inner.translation;
-  for (int i = 0; i < 3; ++i) {
-    const auto& row = outer.rotation[i];
-    for (int j = 0; j < 3; ++j) {
-      composed.rotation[i][j] =
-          rounded(times(row[0], r[0][j]) + times(row[1], r[1][j]) + times(row[2], r[2][j]));
-    }
-    composed.translation[i] =
-        outer.translation[i] +
-        rounded(times(row[0], t[0]) + times(row[1], t[1]) + times(row[2], t[2]));
-  }
-}
-
 }  // namespace
 
 Status set_coordinates(const Robot& robot, const JointCoordinate* values,
                        JointCoordinate* coordinates) noexcept {
   for (uint32_t i = 0; i < robot.joint_count; ++i) {
     const RobotJoint& joint = robot.joints[i];
-    const JointCoordinate value = values[joint.variable];
-    if (value == kNoCoordinate) {
+    if (joint.type != JointType::fixed && values[joint.variable] == kNoCoordinate) {
       return Status::not_a_coordinate;
     }
-    const JointCoordinate coordinate = detail::coordinate_of(joint, value);
+    const JointCoordinate coordinate = detail::coordinate_of(joint, values);
     const bool is_free = joint.type == JointType::continuous;
     coordinates[i] = is_free ? detail::wrapped(coordinate) : coordinate;
     if (!detail::can_be_at(joint, coordinates[i])) {
@@ -78,14 +62,30 @@ void set_frames(const Robot& robot, const JointCoordinate* coordinates, Frame* f
     if (joint.parent == kBase) {
       frames[i] = joint.fixed;
     } else {
-      compose(frames[joint.parent], joint.fixed, frames[i]);
+      frames[i] = composed(frames[joint.parent], joint.fixed);
     }
     if (joint.type == JointType::prismatic) {
       slide(frames[i], coordinates[i]);
-    } else {
+    } else if (joint.type != JointType::fixed) {
       turn(frames[i], coordinates[i]);
     }
   }
+}
+
+Frame composed(const Frame& outer, const Frame& inner) noexcept {
+  Frame frame;
+  const auto& r = inner.rotation;
+  const auto& t = inner.translation;
+  for (int i = 0; i < 3; ++i) {
+    const auto& row = outer.rotation[i];
+    for (int j = 0; j < 3; ++j) {
+      frame.rotation[i][j] =
+          rounded(times(row[0], r[0][j]) + times(row[1], r[1][j]) + times(row[2], r[2][j]));
+    }
+    frame.translation[i] = outer.translation[i] +
+                           rounded(times(row[0], t[0]) + times(row[1], t[1]) + times(row[2], t[2]));
+  }
+  return frame;
 }
 
 Pose relative_pose(const Frame& a, const Frame& b) noexcept {

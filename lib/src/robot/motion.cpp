@@ -56,13 +56,16 @@ void MotionQuery::prepare() {
   set_values(2 * core_->interval + 1, static_cast<uint8_t>(core_->level + 1), values_);
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     const RobotJoint& joint = robot_->joints[i];
-    coordinates_[i] = detail::coordinate_of(joint, values_[joint.variable]);
+    coordinates_[i] = detail::coordinate_of(joint, values_);
   }
   set_frames(*robot_, coordinates_, frames_);
 }
 
 /// How far the joint goes from the middle of the interval to either end, and what rounding adds.
 uint32_t MotionQuery::way_of(const RobotJoint& joint) const {
+  if (joint.type == JointType::fixed) {
+    return 0;
+  }
   const uint64_t way = detail::apart(from_[joint.variable], to_[joint.variable]);
   const uint64_t half = (way >> (core_->level + 1)) + 2;
   if (joint.shift == 0) {

@@ -20,7 +20,8 @@ inline int32_t times_high(int32_t u, int32_t v) {
 /// `turn`: in 2^-32 of a turn. Some 70 instructions on a Cortex-M4.
 ///
 /// Polynomials in the square of an angle up to an eighth of a turn, x = pi/4 y, through the
-/// Chebyshev nodes: sin x = y S(y^2) to 4 * 2^-40, cos x = C(y^2) to 2^-34. Each coefficient has 2
+/// Chebyshev nodes: sin x = y S(y^2) to 4 * 2^-40, cos x = C(y^2) to 2^-34, before coefficients are
+/// rounded; to 2^-30.7 and 2^-33.3 after. Each coefficient has 2
 /// fraction bits more than the one before, from 30 on, since the square has 30 and a product gives
 /// up 32.
 inline SineCosine sine_cosine(uint32_t turn) {

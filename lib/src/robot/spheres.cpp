@@ -10,7 +10,8 @@ namespace {
 constexpr int kFineBits = 8;
 constexpr int kDropped = kFrameBits - kFineBits;
 
-/// Along an axis, in 1/2,048 cell, to the nearest.
+}  // namespace
+
 int64_t centre_of(const RobotLink& link, const Frame& frame, int axis) {
   const auto& row = frame.rotation[axis];
   const int64_t turned = static_cast<int64_t>(row[0]) * link.centre[0] +
@@ -19,7 +20,6 @@ int64_t centre_of(const RobotLink& link, const Frame& frame, int axis) {
   return frame.translation[axis] + ((turned + (kRotationOne >> 1)) >> 30);
 }
 
-/// Rounded down.
 uint32_t square_root(uint64_t square) {
   uint32_t root = 0;
   for (uint32_t bit = 1u << 31; bit != 0; bit >>= 1) {
@@ -28,8 +28,6 @@ uint32_t square_root(uint64_t square) {
   }
   return root;
 }
-
-}  // namespace
 
 uint32_t distance_above(const Triangle& a, const Triangle& b) {
   Fraction squared = kInfinite;

@@ -19,6 +19,7 @@
 #include "flashbvh/ray.h"
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/motion.hpp"
+#include "flashbvh/robot/workcell.hpp"
 #include "flashbvh/shape.h"
 #include "flashbvh/solid.h"
 
@@ -37,6 +38,9 @@ Object& as(Room<size>& room) {
 
 constexpr uint32_t kStackEntries = 64;
 
+/// Of robot_image.
+constexpr uint32_t kRobotLinks = 6;
+
 struct Arguments {
   const flashbvh::LevelledPostMesh* a;
   const flashbvh::LevelledPostMesh* b;
@@ -48,6 +52,9 @@ struct Arguments {
   const flashbvh::Triangle* triangles;  ///< two
   const void* image;                    ///< post-indexed
   uint32_t image_size;
+  const void* robot_image;
+  uint32_t robot_image_size;
+  flashbvh::PostMesh* robot_meshes;  ///< room for its views
 
   const int32_t (*rotation)[3];  ///< three rows
   const int32_t* cells;
@@ -64,6 +71,7 @@ struct Arguments {
   const flashbvh::Robot* robot;  ///< one joint, a's mesh on either side of it
   flashbvh::GuardStateOf<1, 1, 1>* guard_state;
   flashbvh::MotionStateOf<1, 1>* motion_state;
+  flashbvh::WorkcellOf<3, 4, 2, 5>* workcell_memory;
 
   uint32_t distance;  ///< that is asked about
   uint32_t work;      ///< of a run

@@ -17,6 +17,7 @@
 #include "flashbvh/paper/volume_stack.hpp"
 #include "flashbvh/pose_float.hpp"
 #include "flashbvh/ray_float.hpp"
+#include "flashbvh/robot/image.hpp"
 #include "flashbvh/solid.hpp"
 #include "proof/stack/arguments.hpp"
 
@@ -204,6 +205,24 @@ ENTRY(guard_update, asked) {
   in->ends(guard.update(values, UINT32_MAX).status);
 }
 
+ENTRY(guard_explain, asked) {
+  constexpr JointCoordinate values[1] = {0};
+  int32_t changes[1];
+  auto& guard = make_in<Guard>(in->query, [&] { return Guard(*in->robot, *in->guard_state); });
+  in->ends(guard.update(values, UINT32_MAX).status);
+  in->answer += guard.explain(0, changes).nearest.upper;
+}
+
+ENTRY(workcell_add, asked) {
+  Workcell cell(*in->robot, *in->workcell_memory);
+  uint8_t tool = 0;
+  uint8_t obstacle = 0;
+  in->ends(cell.add(*in->a, {0, kIdentityFrame}, tool));
+  in->ends(cell.add(*in->a, {kBase, kIdentityFrame}, obstacle));
+  in->ends(cell.keep_apart(tool, obstacle, 0, 0));
+  in->ends(cell.move(obstacle, kIdentityFrame, 1));
+}
+
 ENTRY(motion_run, asked) {
   constexpr JointCoordinate from[1] = {-(1 << 20)};
   constexpr JointCoordinate to[1] = {1 << 20};
@@ -313,6 +332,11 @@ ENTRY(contact, asked) {
 // open_image(): every check of a post-indexed image.
 ENTRY(open_an_image, asked) {
   in->ends(open_image(in->image, in->image_size, as<PostMesh>(in->opened)));
+}
+
+ENTRY(open_a_robot, asked) {
+  in->ends(open_robot(in->robot_image, in->robot_image_size, in->robot_meshes,
+                      stack_proof::kRobotLinks, as<Robot>(in->opened)));
 }
 
 ENTRY(check_a_tree, asked) {

@@ -3,6 +3,7 @@
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
+#include "flashbvh/deformable.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/paper/alternating_stack.hpp"
 #include "flashbvh/paper/leaf.hpp"
@@ -12,6 +13,7 @@
 #include "flashbvh/pose_float.hpp"
 #include "flashbvh/query.hpp"
 #include "flashbvh/ray_float.hpp"
+#include "flashbvh/self.hpp"
 #include "flashbvh/solid.hpp"
 
 namespace flashbvh {
@@ -22,6 +24,10 @@ template class Query<Ranked<LargePostMesh>>;
 template class Query<Ranked<PostMesh>, Within>;
 template class BasicClearanceQuery<PostMesh>;
 template class BasicClearanceQuery<LargePostMesh>;
+template class BasicDeformableMesh<PostMesh>;
+template class BasicDeformableMesh<LevelledPreMesh>;
+template class BasicSelfQuery<PostMesh, detail::Intersection>;
+template class BasicSelfQuery<PostMesh, Within>;
 template class Query<Stackless>;
 template class Query<LargeStackless>;
 template class Query<StacklessPost>;

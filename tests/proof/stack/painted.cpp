@@ -119,10 +119,15 @@ flashbvh_mesh c_closed;
 stack_proof::Room<sizeof(Pose)> poses[2];
 GuardStateOf<1, 1, 1> guard_state;
 MotionStateOf<1, 1> motion_state;
+WorkcellOf<3, 4, 2, 5> workcell_memory;
 RobotJoint joint;
 RobotPair pair;
 PostMesh meshes[2];
 Robot robot;
+alignas(4) constexpr unsigned char kRobotImage[] = {
+#include "robot_image.inc"
+};
+PostMesh robot_meshes[stack_proof::kRobotLinks];
 uint32_t most[kEntryCount];
 uint32_t answers[kEntryCount];
 int failures = 0;
@@ -150,6 +155,9 @@ void open_trees() {
   in.c_a = in.c_b = &c_tree;
   in.image = deep_post_image;
   in.image_size = sizeof deep_post_image;
+  in.robot_image = kRobotImage;
+  in.robot_image_size = sizeof kRobotImage;
+  in.robot_meshes = robot_meshes;
 }
 
 /// In 1/2,048 cell: as far as a mesh reaches.
@@ -169,6 +177,7 @@ void make_robot() {
   in.robot = &robot;
   in.guard_state = &guard_state;
   in.motion_state = &motion_state;
+  in.workcell_memory = &workcell_memory;
 }
 
 void pose_robot(const TestPose& where, const test::Rotation& matrix) {

@@ -7,6 +7,7 @@
 //     kBatch                  how many pairs of leaves may be found before they are tested: one if
 //                             an answer changes the bound
 //     kPairWork               what two triangles' test is in work (work.hpp)
+//     kDearWork               what comes on top for each of `dear_tests`, which it counts, or 0
 //     kKeepsShapes            whether the leaf at hand stays a shape from one walk to the next; if
 //                             not, it makes room on the stack while triangles are tested
 //     kDisjointRootsEnd       whether nothing matters where the root boxes are disjoint
@@ -79,6 +80,7 @@ struct Intersection {
   using Shapes = LeafShapes<Mesh>;
   static constexpr uint32_t kBatch = 8;
   static constexpr uint32_t kPairWork = kTrianglePairWork;
+  static constexpr uint32_t kDearWork = 0;
   static constexpr bool kKeepsShapes = true;
   static constexpr bool kDisjointRootsEnd = true;
 

@@ -26,14 +26,18 @@ struct Nearness {
 struct Within : Nearness {
   static constexpr uint32_t kBatch = 4;
   static constexpr uint32_t kPairWork = kNearPairWork;
+  static constexpr uint32_t kDearWork = kDearPairWork;
   static constexpr bool kKeepsShapes = false;
   /// Steps of a distance in a cell: 1/256, as everywhere.
   static constexpr uint32_t kSteps = 256;
   static constexpr uint32_t kStepsSquared = kSteps * kSteps;
   static constexpr uint32_t kMost = 32'767 * kSteps;
 
-  uint32_t distance = 0;
-  Direction direction;  ///< that separated two triangles last
+  uint32_t distance : 24;   ///< one beyond kMost for all that are
+  uint32_t dear_tests : 8;  ///< that nothing but the distance could decide; 255 for more
+  Direction direction;      ///< that separated two triangles last
+
+  Within() : distance(0), dear_tests(0) {}
 
   bool is_kept(const Transform& transform) const { return KeptGap::is_for(transform, limit()); }
   KeptGap kept(const Transform& transform) const { return {transform, limit()}; }
@@ -53,15 +57,22 @@ struct Within : Nearness {
   }
 
   bool test(const Triangle& a, const Triangle& b, uint32_t, uint32_t) {
-    return squared_box_gap(a, b) <= squared() && !directions_separate(a, b, squared(), direction) &&
-           !planes_separate(a, b, squared()) &&
-           is_within(a, b, {uint64_t{distance} * distance, kStepsSquared});
+    if (squared_box_gap(a, b) > squared() || directions_separate(a, b, squared(), direction) ||
+        planes_separate(a, b, squared())) {
+      return false;
+    }
+    if (dear_tests != UINT8_MAX) {
+      ++dear_tests;
+    }
+    return is_within(a, b, {squared_steps(), kStepsSquared});
   }
 
  private:
-  int64_t squared() const {
-    return static_cast<int64_t>(uint64_t{distance} * distance / kStepsSquared);
+  uint64_t squared_steps() const {
+    const uint64_t steps = distance;
+    return steps * steps;
   }
+  int64_t squared() const { return static_cast<int64_t>(squared_steps() / kStepsSquared); }
   GapLimit limit() const { return GapLimit(squared()); }
   bool may_matter(const Transform& transform, const PackedBox& a, const PackedBox& b) const {
     return kept(transform)(a, b);
@@ -84,6 +95,7 @@ template <class Index>
 struct Nearest : Nearness {
   static constexpr uint32_t kBatch = 1;
   static constexpr uint32_t kPairWork = kTrianglePairWork;
+  static constexpr uint32_t kDearWork = 0;
   static constexpr bool kKeepsShapes = true;
 
   uint32_t tested = 0;             ///< pairs of triangles

@@ -3,12 +3,11 @@
 // Every internal node has a rank that never grows from a parent to its child (a quantised size of
 // its box); leaves have none. The rule: descend into the node of the larger rank, into A on a tie.
 //
-// Invariant: at every visited pair rank(a) < rank(parent of b) and rank(b) <= rank(parent of a). So
-// on the way from the roots the walk descended through exactly the proper ancestors of a and of b,
-// in merged order of rank, A's before B's on ties: the ancestor descended into last is the one of
+// Invariant: at every visited pair rank(a) < rank(parent of b) and rank(b) <= rank(parent of a). It
+// holds at the roots, and each descent keeps it. So the ancestor descended into last is the one of
 // smaller rank among parent(a) and parent(b), B's on a tie, and the pair after (a, b) is a function
 // of the pair. A root's missing parent counts as kRootParentRank, above every real rank, so a root
-// is left last, and the walk is over when both nodes are roots.
+// is left last, and the walk is over when both nodes are roots. tests/proof/walk proves all of it.
 //
 // Post-indexed trees only. Each ascent undoes a descent: constant time a visit, amortised.
 #ifndef FLASHBVH_DETAIL_RANKED_HPP
@@ -100,7 +99,7 @@ class Ranked {
     (leaf == detail::Side::a ? cursor.b : cursor.a) = static_cast<Index>(node);
   }
 
- private:
+ protected:
   /// Where the walk is in one of the trees.
   struct Place {
     const NodeType* root;

@@ -80,6 +80,11 @@ struct Direction {
 bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
                          Direction& first) noexcept;
 
+/// Whether the direction between the triangles' middles has them apart: with a gap, exactly, so
+/// that it is false of triangles that touch. Tells most neighbours of a surface, which planes do
+/// not.
+bool middles_separate(const Triangle& a, const Triangle& b) noexcept;
+
 /// Whether the plane of either triangle has the other one on one side, so far off that the square
 /// is `limit` + 1 or more; the limit is below 2^35. Seldom false where the planes tell.
 bool planes_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept;

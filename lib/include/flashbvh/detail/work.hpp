@@ -31,10 +31,11 @@ constexpr uint32_t kGoOnWork = 2;
 /// divide by it.
 constexpr uint32_t kTrianglePairWork = 32;
 
-/// Two triangles asked whether they are within a distance: what it takes in the mean, a tenth of
-/// what it can. A walk at a distance tests hundreds that boxes don't tell apart; nearly all end at
-/// once.
+/// Two triangles asked whether they are within a distance: a walk at a distance tests hundreds that
+/// boxes don't tell apart, and nearly all end at once.
 constexpr uint32_t kNearPairWork = 8;
+/// On top, those that don't; paid when a batch of them is done.
+constexpr uint32_t kDearPairWork = 32;
 
 /// How many pairs of triangles are tested for so much work, the last one for what is left of it.
 template <uint32_t pair_work = kTrianglePairWork>

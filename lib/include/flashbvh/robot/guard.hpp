@@ -23,6 +23,7 @@
 #ifndef FLASHBVH_ROBOT_GUARD_HPP
 #define FLASHBVH_ROBOT_GUARD_HPP
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "flashbvh/clearance.hpp"
@@ -76,6 +77,24 @@ struct GuardCore {
   Pose pose = Pose::translated(0, 0, 0);
 };
 
+/// In place of a variable's number: none.
+constexpr uint8_t kNoVariable = 0xFF;
+
+/// Where two links are near each other, and which way is out.
+struct PairDetail {
+  /// `done`; `guard_state_invalid`: there was no period yet, or no such pair; or a query's error.
+  Status status;
+  /// Of the two triangles that were nearest when they were last looked at, where they are at the
+  /// end of the period, in the base's frame. The links may be nearer elsewhere: distance(), with
+  /// `witness` as its seed, tells.
+  NearestPoints nearest;
+  TrianglePair<uint16_t> triangles;  ///< by their ids
+  Witness<uint16_t> witness;
+  /// The one that has most to do with it: that brought the two points nearer by most in this
+  /// period; where none did, the one with the greatest share in `changes`. Or kNoVariable.
+  uint8_t variable;
+};
+
 /// All memory of a guard: plain data without pointers, which may be copied, stored and taken up
 /// again (Guard::resume()). A robot's header has its own as GuardState.
 template <uint32_t joint_count, uint32_t pair_count, uint32_t pair_joint_count>
@@ -110,6 +129,26 @@ class Guard {
     forget();
   }
 
+  /// The same in `size` bytes, as a GuardStateOf of the robot's own counts lies in them.
+  Guard(const Robot& robot, void* memory, size_t size)
+      : robot_(&robot),
+        core_(static_cast<GuardCore*>(memory)),
+        before_(reinterpret_cast<JointCoordinate*>(core_ + 1)),
+        step_(before_ + robot.joint_count),
+        next_(step_ + robot.joint_count),
+        walked_(next_ + robot.joint_count),
+        frames_(reinterpret_cast<Frame*>(walked_ + robot.joint_count)),
+        pairs_(reinterpret_cast<GuardPair*>(frames_ + robot.joint_count)),
+        certified_(reinterpret_cast<JointCoordinate*>(pairs_ + robot.pair_count)) {
+    const auto begin = reinterpret_cast<uintptr_t>(memory);
+    const auto end = reinterpret_cast<uintptr_t>(certified_ + joints_between());
+    fits_ = begin % alignof(GuardCore) == 0 && end - begin <= size;
+    forget();
+  }
+
+  /// Whether the memory is enough for the robot.
+  bool fits() const { return fits_; }
+
   /// Forgets all certificates and where the robot was.
   void forget();
 
@@ -125,6 +164,12 @@ class Guard {
   /// The same period, with more work.
   GuardAnswer go_on(uint32_t work);
 
+  /// Of a pair, at the end of the period. `changes`: variable_count of them: how the distance
+  /// changes with a unit of each variable, in 2^-kReachBits of 1/256 cell, as reaches are. It grows
+  /// where the joint goes up if that is positive. All 0 if the triangles intersect. Changes
+  /// nothing; linked only if it is called.
+  PairDetail explain(uint16_t pair, int32_t* changes);
+
   /// All certificates, whatever they take: at start-up, before the first period. The robot stands.
   GuardAnswer prime(const JointCoordinate* values) {
     forget();
@@ -134,6 +179,7 @@ class Guard {
  private:
   struct Found;
   struct Motion;
+  struct Share;
 
   uint32_t joints_between() const;
   bool is_possible() const;
@@ -143,7 +189,7 @@ class Guard {
   Motion motion_of(const RobotPair& pair, const JointCoordinate* certified) const;
   uint32_t rate_of(const RobotPair& pair) const;
   uint32_t longest_step() const;
-  Found look() const;
+  Found look();
   JointCoordinate* certified_of(uint16_t pair);
   void begin_walk(uint16_t pair, uint32_t& work);
   bool certify_by_spheres(uint16_t pair, uint32_t rate);
@@ -156,6 +202,9 @@ class Guard {
   int32_t step_to_next(uint32_t joint) const;
   bool has_one_way(uint32_t joint) const;
   void make_frames();
+  Share share_of(const RobotPair& pair, uint8_t variable, const NearestPoints& nearest) const;
+  void place_witness(uint16_t pair, const Witness<uint16_t>& witness, const Pose& pose, Triangle& a,
+                     Triangle& b) const;
 
   const Robot* robot_;
   GuardCore* core_;

@@ -22,6 +22,9 @@ namespace flashbvh {
 /// 500 a joint.
 void set_frames(const Robot& robot, const JointCoordinate* coordinates, Frame* frames) noexcept;
 
+/// First `inner`, then `outer`: the frame of B in C's from B's in A's and A's in C's.
+[[nodiscard]] Frame composed(const Frame& outer, const Frame& inner) noexcept;
+
 /// B in A's frame, from both in another one: as queries take it.
 [[nodiscard]] Pose relative_pose(const Frame& a, const Frame& b) noexcept;
 

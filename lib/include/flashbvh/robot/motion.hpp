@@ -10,6 +10,7 @@
 #ifndef FLASHBVH_ROBOT_MOTION_HPP
 #define FLASHBVH_ROBOT_MOTION_HPP
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "flashbvh/clearance.hpp"
@@ -78,6 +79,23 @@ class MotionQuery {
         coordinates_(state.coordinates),
         frames_(state.frames),
         fits_(variable_count >= robot.variable_count && joint_count >= robot.joint_count) {}
+
+  /// The same in `size` bytes, as a MotionStateOf of the robot's own counts lies in them.
+  MotionQuery(const Robot& robot, void* memory, size_t size)
+      : robot_(&robot),
+        core_(static_cast<MotionCore*>(memory)),
+        from_(reinterpret_cast<JointCoordinate*>(core_ + 1)),
+        to_(from_ + robot.variable_count),
+        values_(to_ + robot.variable_count),
+        coordinates_(values_ + robot.variable_count),
+        frames_(reinterpret_cast<Frame*>(coordinates_ + robot.joint_count)) {
+    const auto begin = reinterpret_cast<uintptr_t>(memory);
+    const auto end = reinterpret_cast<uintptr_t>(frames_ + robot.joint_count);
+    fits_ = begin % alignof(MotionCore) == 0 && end - begin <= size;
+  }
+
+  /// Whether the memory is enough for the robot.
+  bool fits() const { return fits_; }
 
   /// A motion from these values to those: variable_count each. A joint without limits goes as far
   /// as the numbers say. Both ends must be within the limits: statuses as those of

@@ -31,12 +31,21 @@ enum class JointType : uint8_t {
   revolute = 0,
   continuous = 1,  ///< revolute, without limits: coordinates a full turn apart are the same
   prismatic = 2,
+  /// Carries a body that was added to a robot (workcell.hpp): no value of the caller's moves it.
+  fixed = 3,
 };
 
 /// In place of a joint's number: what is fixed to the base, the robot's root.
 constexpr uint8_t kBase = 0xFF;
 /// Fraction bits of a reach: 2 pi 2^6 for each cell of a turning joint's, 2^23 of a sliding one.
 constexpr int kReachBits = 26;
+
+/// Where something is fastened to a robot: in the frame that a joint carries, or in the base's. A
+/// robot's header has those of all links of its URDF, with geometry or without.
+struct Mount {
+  uint8_t joint;  ///< or kBase
+  Frame frame;
+};
 
 /// Joints and links are at most so many each.
 constexpr uint32_t kMaxJoints = 64;

@@ -1,4 +1,4 @@
-// Joints' coordinates from floats, as encoders' drivers and trajectories give them.
+// Joints' coordinates from floats, as encoders' drivers and trajectories give them, and frames.
 //
 // Optional, as pose_float.hpp, and like it without float arithmetic: a coordinate is the same on
 // every core.
@@ -41,6 +41,39 @@ inline JointCoordinate slide_coordinate(float length, float cells_per_unit) {
   return units > kMaxJointCoordinate || units < -kMaxJointCoordinate
              ? kNoCoordinate
              : static_cast<JointCoordinate>(units);
+}
+
+namespace detail {
+
+inline Status set_translation(const Robot& robot, const float (&metres)[3], Frame& frame) {
+  const float cells = cells_per_unit(robot.cell_bits);
+  bool fits = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    frame.translation[axis] = slide_coordinate(metres[axis], cells);
+    fits = fits && frame.translation[axis] != kNoCoordinate;
+  }
+  return fits ? Status::done : Status::translation_out_of_range;
+}
+
+}  // namespace detail
+
+/// A frame from a matrix, row by row, and metres. `translation_out_of_range`; whether the matrix is
+/// a rotation is told where the frame is used.
+inline Status set_frame(const Robot& robot, const float (&rotation)[3][3], const float (&metres)[3],
+                        Frame& frame) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      frame.rotation[i][j] = detail::rotation_entry(rotation[i][j]);
+    }
+  }
+  return detail::set_translation(robot, metres, frame);
+}
+
+/// The same from a unit quaternion (pose_float.hpp).
+inline Status set_frame(const Robot& robot, const UnitQuaternion& rotation,
+                        const float (&metres)[3], Frame& frame) {
+  detail::set_rotation(rotation, frame.rotation);
+  return detail::set_translation(robot, metres, frame);
 }
 
 /// All values of a robot: radians, and metres of joints that slide. `floats` and `values`:

@@ -1,0 +1,29 @@
+// A small arm on a pedestal, with a gripper, behind a fence: what it is told to do.
+#ifndef FLASHBVH_ROBOT_GUARD_ARM_HPP
+#define FLASHBVH_ROBOT_GUARD_ARM_HPP
+
+#include "cell_arm.robot.hpp"
+#include "motion.hpp"
+
+namespace arm = cell_arm;
+
+/// 1 kHz on a small core of 96 MHz.
+constexpr uint32_t kInstructionsAPeriod = 96000;
+/// Granted each period, in units of query.hpp.
+constexpr uint32_t kWork = 150;
+
+constexpr Motion kMotions[] = {
+    {"from side to side",
+     {-1.2f, 0.5f, 1, 0},
+     {1.2f, 0.3f, 1.3f, 7},
+     1500,
+     flashbvh::Verdict::free},
+    {"folded into itself",
+     {0, 0, 0.5f, 1.5f},
+     {0, 0.2f, 2.9f, 1.5f},
+     1500,
+     flashbvh::Verdict::stop},
+    {"into the fence", {-0.6f, 0.5f, 1, 0}, {0.3f, 1.2f, 0.5f, 0}, 1200, flashbvh::Verdict::stop},
+};
+
+#endif

@@ -1,0 +1,40 @@
+// A KUKA KR5 on a pedestal, behind a fence: what it is told to do.
+#ifndef FLASHBVH_ROBOT_GUARD_ARM_HPP
+#define FLASHBVH_ROBOT_GUARD_ARM_HPP
+
+#include "kr5_cell.robot.hpp"
+#include "motion.hpp"
+
+namespace arm = kr5_cell;
+
+/// 1 kHz on a core of 168 MHz.
+constexpr uint32_t kInstructionsAPeriod = 168000;
+/// Granted each period, in units of query.hpp.
+constexpr uint32_t kWork = 500;
+
+/// Yaw and pitch of the shoulder, pitch and roll of the elbow, pitch and roll of the wrist.
+constexpr Motion kMotions[] = {
+    {"from side to side",
+     {-2, -0.2f, -0.6f, 0, 0.5f, 0},
+     {2, -0.4f, -0.3f, 0.3f, -0.5f, 3},
+     3000,
+     flashbvh::Verdict::free},
+    {"folded into itself",
+     {0, -0.2f, -1, 0, 0, 0},
+     {0.2f, -0.6f, -3.6f, -0.07f, -1.4f, 1.6f},
+     3000,
+     flashbvh::Verdict::stop},
+    {"into the fence",
+     {-1, -0.3f, -0.6f, 0, 0.5f, 0},
+     {0.3f, 0.9f, -0.9f, 0, 0.3f, 1},
+     2000,
+     flashbvh::Verdict::stop},
+    // What 10,000 random configurations mostly miss.
+    {"bicep and forearm",
+     {0, 0.3f, -2.5f, 0, 0, 0},
+     {0, 0.3f, -3.64f, -0.1f, 0, 0},
+     2000,
+     flashbvh::Verdict::stop},
+};
+
+#endif

@@ -1,0 +1,26 @@
+// What an arm is told to do: from rest to rest, all joints in proportion.
+#ifndef FLASHBVH_ROBOT_GUARD_MOTION_HPP
+#define FLASHBVH_ROBOT_GUARD_MOTION_HPP
+
+#include <flashbvh/robot/guard.hpp>
+
+constexpr uint32_t kMostVariables = 6;
+
+struct Motion {
+  const char* name;
+  float from[kMostVariables];  ///< in radians
+  float to[kMostVariables];
+  int milliseconds;
+  flashbvh::Verdict end;
+};
+
+/// Where the joints are to be after so many milliseconds: a cubic, which begins and ends at rest.
+inline void set_point(const Motion& motion, int millisecond, float* joints) {
+  const float time = static_cast<float>(millisecond) / static_cast<float>(motion.milliseconds);
+  const float way = time * time * (3 - 2 * time);
+  for (uint32_t i = 0; i < kMostVariables; ++i) {
+    joints[i] = motion.from[i] + way * (motion.to[i] - motion.from[i]);
+  }
+}
+
+#endif

@@ -1,0 +1,374 @@
+/* flashbvh for C: robots that can't hit themselves. robot/guard.hpp, motion.hpp, workcell.hpp and
+ * kinematics.hpp say what is promised, what is the user's, and how it is done.
+ *
+ * A robot comes as constant arrays, by `flashbvh robot --format c`. A guard, a motion and a
+ * workcell each are a small object and memory of the caller's, both of which stay where they are,
+ * and outlive all that is made of them. Memory is an array of words of the size that a macro tells;
+ * a guard's and a motion's is plain data without pointers:
+ *
+ *     static uint32_t state[FLASHBVH_GUARD_STATE_SIZE(JOINTS, PAIRS, PAIR_JOINTS) / 4];
+ *     flashbvh_guard_init(&guard, &robot, state, sizeof state);
+ *
+ * Values: flashbvh_robot::variable_count of them. Distances and work are as in clearance.h and
+ * flashbvh.h. Of the target flashbvh::robot.
+ */
+#ifndef FLASHBVH_ROBOT_H
+#define FLASHBVH_ROBOT_H
+
+#include "flashbvh/clearance.h"
+
+/* A struct that is read as its C++ twin, too, which has the same layout. */
+#if defined(__GNUC__)
+#define FLASHBVH_TWIN __attribute__((__may_alias__))
+#else
+#define FLASHBVH_TWIN
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Robots: robot/robot.hpp and frame.hpp -------------------------------------------------------- */
+
+/** Where a joint stands: of one that turns, in 2^-28 of a turn; of one that slides, in 1/2,048
+ * cell. */
+typedef int32_t flashbvh_joint_coordinate;
+
+/** A full turn. */
+#define FLASHBVH_FULL_TURN ((int32_t)1 << 28)
+/** What no joint takes: of a float that is no number, or too large. */
+#define FLASHBVH_NO_COORDINATE INT32_MIN
+/** Fraction bits of a frame's translation: a cell is 2,048. */
+#define FLASHBVH_FRAME_BITS 11
+/** Fraction bits of a reach. */
+#define FLASHBVH_REACH_BITS 26
+/** In place of a joint's number: the robot's root. */
+#define FLASHBVH_BASE 0xFF
+/** In place of a pair's number. */
+#define FLASHBVH_NO_PAIR 0xFFFF
+/** In place of a variable's number. */
+#define FLASHBVH_NO_VARIABLE 0xFF
+
+/** Point p of this frame lies at rotation * p + translation in the frame it is told in. */
+typedef struct FLASHBVH_TWIN flashbvh_frame {
+  int32_t rotation[3][3]; /**< row by row, FLASHBVH_ROTATION_ONE is 1 */
+  int32_t translation[3]; /**< in 1/2,048 cell, up to 2^30 */
+} flashbvh_frame;
+
+/** Where something is fastened: in the frame that a joint carries, or in the base's. */
+typedef struct FLASHBVH_TWIN flashbvh_mount {
+  uint8_t joint; /**< or FLASHBVH_BASE */
+  flashbvh_frame frame;
+} flashbvh_mount;
+
+/** How a joint moves. */
+typedef enum flashbvh_joint_type {
+  FLASHBVH_JOINT_REVOLUTE = 0,
+  FLASHBVH_JOINT_CONTINUOUS = 1,
+  FLASHBVH_JOINT_PRISMATIC = 2,
+  FLASHBVH_JOINT_FIXED = 3
+} flashbvh_joint_type;
+
+/** RobotJoint says what each means, as of the structs below. */
+typedef struct FLASHBVH_TWIN flashbvh_robot_joint {
+  flashbvh_frame fixed;
+  flashbvh_joint_coordinate lower;
+  flashbvh_joint_coordinate upper;
+  int32_t multiplier;
+  flashbvh_joint_coordinate offset;
+  uint8_t shift;
+  uint8_t parent;
+  uint8_t variable;
+  uint8_t type; /**< a flashbvh_joint_type */
+  uint32_t padding;
+} flashbvh_robot_joint;
+
+/** RobotLink: a body, with a sphere round it. */
+typedef struct FLASHBVH_TWIN flashbvh_robot_link {
+  int32_t centre[3];
+  uint32_t radius;
+  uint16_t first_reach;
+  uint8_t joint;
+  uint8_t padding[5];
+} flashbvh_robot_link;
+
+/** RobotPair: two links that can collide. */
+typedef struct FLASHBVH_TWIN flashbvh_robot_pair {
+  uint32_t stop; /**< distances, in 1/256 cell */
+  uint32_t warn;
+  uint32_t reach;
+  uint8_t a; /**< links */
+  uint8_t b;
+  uint8_t joints_a;
+  uint8_t joints_b;
+} flashbvh_robot_pair;
+
+/** Robot: a view of arrays that outlive it. */
+typedef struct FLASHBVH_TWIN flashbvh_robot {
+  const flashbvh_robot_joint* joints;
+  const flashbvh_robot_link* links;
+  const flashbvh_mesh* meshes; /**< link_count */
+  const flashbvh_robot_pair* pairs;
+  const uint32_t* reaches;
+  uint8_t joint_count;
+  uint8_t link_count;
+  uint8_t variable_count; /**< how many values the caller gives */
+  uint8_t padding;
+  uint16_t pair_count;
+  uint16_t reach_count;
+  uint32_t slack; /**< in 1/256 cell */
+  uint32_t hash;
+  uint64_t cell_bits; /**< the cell in metres, as the bits of an IEEE binary64 */
+} flashbvh_robot;
+
+/** What is in a flashbvh_mesh: for constant arrays that `flashbvh robot --format c` writes. */
+typedef struct FLASHBVH_TWIN flashbvh_mesh_view {
+  const void* nodes;
+  uint16_t node_count;
+  uint16_t leaf_count;
+  uint16_t stack_need;
+  const void* triangles;
+  const void* triangle_ids;
+  const void* leaf_offsets;
+  const void* vertices;
+  const void* shell_vertices;
+  uint16_t triangle_count;
+  uint16_t vertex_count;
+  uint16_t shell_count;
+  uint16_t longest_edge;
+  int32_t origin[3];
+  uint8_t unit;
+  bool is_closed;
+  uint64_t cell_bits;
+} flashbvh_mesh_view;
+
+/* Kinematics: robot/kinematics.hpp ------------------------------------------------------------- */
+
+/** Of all joints, joint_count, from the caller's values. NOT_A_COORDINATE for
+ * FLASHBVH_NO_COORDINATE; JOINT_OUT_OF_LIMITS. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_set_coordinates(const flashbvh_robot* robot,
+                                                            const flashbvh_joint_coordinate* values,
+                                                            flashbvh_joint_coordinate* coordinates);
+
+/** The frames of all joints in the base's frame: joint_count of them. */
+void flashbvh_set_frames(const flashbvh_robot* robot, const flashbvh_joint_coordinate* coordinates,
+                         flashbvh_frame* frames);
+
+/** First `inner`, then `outer`. `frame` may be one of them. */
+void flashbvh_frame_composed(const flashbvh_frame* outer, const flashbvh_frame* inner,
+                             flashbvh_frame* frame);
+
+/** B in A's frame, from both in another one: as queries take it. */
+flashbvh_status flashbvh_relative_pose(const flashbvh_frame* a, const flashbvh_frame* b,
+                                       flashbvh_pose* pose);
+
+/* From floats, without float arithmetic: robot/robot_float.hpp --------------------------------- */
+
+/** Of an angle in radians. FLASHBVH_NO_COORDINATE for what is no number, or 8 turns or more. */
+flashbvh_joint_coordinate flashbvh_angle_coordinate(float radians);
+
+/** Of a length in metres. FLASHBVH_NO_COORDINATE for what is no number, or 2^19 cells or more. */
+flashbvh_joint_coordinate flashbvh_slide_coordinate(float length, float cells_per_unit);
+
+/** All values of a robot: radians, and metres of joints that slide. What a float can't be shows as
+ * NOT_A_COORDINATE where the values are used. */
+void flashbvh_set_values(const flashbvh_robot* robot, const float* floats,
+                         flashbvh_joint_coordinate* values);
+
+/** A frame from a matrix, row by row, and metres. TRANSLATION_OUT_OF_RANGE; whether the matrix is a
+ * rotation is told where the frame is used. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_set_frame_of_matrix(const flashbvh_robot* robot,
+                                                                const float rotation[9],
+                                                                const float metres[3],
+                                                                flashbvh_frame* frame);
+
+/** The same from a unit quaternion: w, x, y, z. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_set_frame_of_quaternion(const flashbvh_robot* robot,
+                                                                    const float rotation[4],
+                                                                    const float metres[3],
+                                                                    flashbvh_frame* frame);
+
+/* The guard: robot/guard.hpp ------------------------------------------------------------------- */
+
+/** From the best to the worst. */
+typedef enum flashbvh_verdict {
+  FLASHBVH_VERDICT_FREE = 0,          /**< farther apart than the warn distance */
+  FLASHBVH_VERDICT_WARN = 1,          /**< farther apart than the stop distance */
+  FLASHBVH_VERDICT_NOT_YET_KNOWN = 2, /**< what was granted did not do */
+  FLASHBVH_VERDICT_STOP = 3 /**< not farther apart than the stop distance, or it can't be told */
+} flashbvh_verdict;
+
+/** What is known of a period. */
+typedef struct FLASHBVH_TWIN flashbvh_guard_answer {
+  uint8_t status;    /**< a flashbvh_status: DONE; why the values were refused; a query's error */
+  uint8_t verdict;   /**< a flashbvh_verdict: the worst of all pairs */
+  uint16_t pair;     /**< that of the least clearance with this verdict */
+  uint32_t distance; /**< its links stayed at least so far apart, in 1/256 cell */
+  uint32_t work;     /**< that was spent */
+} flashbvh_guard_answer;
+
+/** Where two links are near each other, and which way is out: PairDetail. */
+typedef struct flashbvh_pair_detail {
+  flashbvh_nearest_points nearest; /**< at the end of the period, in the base's frame */
+  flashbvh_pair triangles;         /**< by their ids */
+  flashbvh_witness witness;        /**< the same, as a seed of flashbvh_distance() */
+  uint8_t variable;                /**< that has most to do with it, or FLASHBVH_NO_VARIABLE */
+} flashbvh_pair_detail;
+
+/** Of one robot; what it knows lies in the state. */
+typedef struct flashbvh_guard {
+  union {
+    unsigned char bytes[10 * sizeof(void*)];
+    void* pointer;
+  } opaque;
+} flashbvh_guard;
+
+/** Bytes of a guard's state: of a robot with so many joints and pairs, and joints between the links
+ * of all pairs; or of one with fewer. A workcell's counts: those of its flashbvh_workcell_robot().
+ */
+#define FLASHBVH_GUARD_STATE_SIZE(joints, pairs, pair_joints) \
+  (104 + 64 * (joints) + 12 * (pairs) + 4 * (pair_joints))
+
+/** Knows nothing yet; the state is written. GUARD_STATE_INVALID, as of every later call, if `size`,
+ * in bytes, is too small, or the state does not start at a multiple of 4. */
+flashbvh_status flashbvh_guard_init(flashbvh_guard* guard, const flashbvh_robot* robot, void* state,
+                                    size_t size);
+
+/** Forgets all certificates and where the robot was. */
+void flashbvh_guard_forget(flashbvh_guard* guard);
+
+/** Takes the state as it was copied back into its place, after the guard was made, and goes on.
+ * GUARD_STATE_INVALID, and all is forgotten, if it is not one of this robot's. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_resume(flashbvh_guard* guard);
+
+/** A period: from the last values to these, with so much work. Refused values change nothing:
+ * NOT_A_COORDINATE, JOINT_OUT_OF_LIMITS, JOINT_JUMPED. */
+FLASHBVH_NODISCARD flashbvh_guard_answer flashbvh_guard_update(
+    flashbvh_guard* guard, const flashbvh_joint_coordinate* values, uint32_t work);
+
+/** The same period, with more work. */
+FLASHBVH_NODISCARD flashbvh_guard_answer flashbvh_guard_go_on(flashbvh_guard* guard, uint32_t work);
+
+/** All certificates, whatever they take: at start-up, before the first period. */
+FLASHBVH_NODISCARD flashbvh_guard_answer
+flashbvh_guard_prime(flashbvh_guard* guard, const flashbvh_joint_coordinate* values);
+
+/** Of a pair, at the end of the period. `changes`, variable_count: how the distance changes with a
+ * unit of each variable, in 2^-FLASHBVH_REACH_BITS of 1/256 cell. GUARD_STATE_INVALID: there was no
+ * period yet, or no such pair; or a query's error. Changes nothing. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_explain(flashbvh_guard* guard, uint16_t pair,
+                                                          int32_t* changes,
+                                                          flashbvh_pair_detail* detail);
+
+/* Certified motions: robot/motion.hpp ---------------------------------------------------------- */
+
+/** Of a motion. */
+typedef enum flashbvh_motion_outcome {
+  FLASHBVH_MOTION_FREE = 0, /**< no pair that can collide intersects at any moment */
+  FLASHBVH_MOTION_HIT = 1,  /**< a pair intersects at the moment told */
+  FLASHBVH_MOTION_CLOSE = 2 /**< nearer than three times the slack about there; may intersect */
+} flashbvh_motion_outcome;
+
+/** How far a query came. */
+typedef struct FLASHBVH_TWIN flashbvh_motion_answer {
+  uint8_t status;  /**< a flashbvh_status. DONE: the rest holds; SUSPENDED; or why it was refused */
+  uint8_t outcome; /**< a flashbvh_motion_outcome: the first that is found */
+  uint16_t pair;
+  flashbvh_pair triangles; /**< by their ids; of a hit */
+  uint32_t numerator;      /**< numerator / 2^level of the way: flashbvh_motion_set_values() */
+  uint8_t level;
+} flashbvh_motion_answer;
+
+/** Of one motion at a time; where it stands lies in the state. */
+typedef struct flashbvh_motion {
+  union {
+    unsigned char bytes[8 * sizeof(void*)];
+    void* pointer;
+  } opaque;
+} flashbvh_motion;
+
+/** Bytes of a motion's state: of a robot with so many variables and joints, or fewer. */
+#define FLASHBVH_MOTION_STATE_SIZE(variables, joints) (104 + 12 * (variables) + 52 * (joints))
+
+/** As flashbvh_guard_init(). The state is written by start and run; nothing runs before a start. */
+flashbvh_status flashbvh_motion_init(flashbvh_motion* motion, const flashbvh_robot* robot,
+                                     void* state, size_t size);
+
+/** A motion from these values to those. NOT_A_COORDINATE; JOINT_OUT_OF_LIMITS. */
+flashbvh_status flashbvh_motion_start(flashbvh_motion* motion,
+                                      const flashbvh_joint_coordinate* from,
+                                      const flashbvh_joint_coordinate* to);
+
+/** Does at most `work`, overdrawn by one step. UINT32_MAX: all there is to do. */
+FLASHBVH_NODISCARD flashbvh_motion_answer flashbvh_motion_run(flashbvh_motion* motion,
+                                                              uint32_t work);
+
+/** The joints' values at numerator / 2^level of the way; level to 30. */
+void flashbvh_motion_set_values(const flashbvh_motion* motion, uint32_t numerator, uint8_t level,
+                                flashbvh_joint_coordinate* values);
+
+/* Workcells: robot/workcell.hpp ---------------------------------------------------------------- */
+
+/** A robot in RAM, to which tools, obstacles and pairs are added. Not copied. */
+typedef struct flashbvh_workcell {
+  union {
+    unsigned char bytes[10 * sizeof(void*) + 48];
+    uint64_t word;
+    void* pointer;
+  } opaque;
+} flashbvh_workcell;
+
+/** So many at most, with those of the robot: each body takes a joint, a link and, on its way to the
+ * base, a reach for each joint; each pair a pair. */
+typedef struct flashbvh_workcell_room {
+  uint32_t joints;
+  uint32_t links;
+  uint32_t pairs;
+  uint32_t reaches;
+} flashbvh_workcell_room;
+
+/** Bytes of a workcell's memory: an array of uint64_t, as it has pointers and no size for all
+ * cores. */
+#define FLASHBVH_WORKCELL_SIZE(joints, links, pairs, reaches)                               \
+  ((72 * (size_t)(joints) + (24 + sizeof(flashbvh_mesh)) * (links) + 16 * (size_t)(pairs) + \
+    4 * (size_t)(reaches) + 7) /                                                            \
+   8 * 8)
+
+/** The robot alone. Its meshes outlive the workcell; `memory` is written. WORKCELL_FULL, as of
+ * every later call that adds: `size`, in bytes, is too small for the room, or the room for the
+ * robot; or `memory` does not start at a multiple of 8. */
+flashbvh_status flashbvh_workcell_init(flashbvh_workcell* workcell, const flashbvh_robot* robot,
+                                       void* memory, size_t size,
+                                       const flashbvh_workcell_room* room);
+
+/** With all that was added: guards and motions are made of it afterwards. */
+const flashbvh_robot* flashbvh_workcell_robot(const flashbvh_workcell* workcell);
+
+/** A tool that hangs on a joint, or an obstacle in the base's frame (FLASHBVH_BASE); `link` is its
+ * number, written on DONE alone. WORKCELL_FULL; CELL_MISMATCH; LINK_INVALID: there is no such
+ * joint; NOT_A_ROTATION; TRANSLATION_OUT_OF_RANGE. What `mesh` is a view of outlives the workcell.
+ */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_add(flashbvh_workcell* workcell,
+                                                         const flashbvh_mesh* mesh,
+                                                         const flashbvh_mount* mount,
+                                                         uint8_t* link);
+
+/** That two links are to be kept apart: distances in 1/256 cell, `warn` at least `stop`.
+ * WORKCELL_FULL; LINK_INVALID; DISTANCE_OUT_OF_RANGE. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_keep_apart(flashbvh_workcell* workcell,
+                                                                uint8_t a, uint8_t b, uint32_t stop,
+                                                                uint32_t warn);
+
+/** The obstacle is in that frame from the next period on; no point of it goes farther than `moved`
+ * on its way there, in 1/256 cell. Not between a guard's update and go_on, nor while a motion query
+ * is under way. LINK_INVALID; DISTANCE_OUT_OF_RANGE; NOT_A_ROTATION;
+ * TRANSLATION_OUT_OF_RANGE: it then stays where it was. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_move(flashbvh_workcell* workcell, uint8_t link,
+                                                          const flashbvh_frame* frame,
+                                                          uint32_t moved);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

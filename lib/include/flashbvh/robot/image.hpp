@@ -1,0 +1,89 @@
+// A robot's binary image: joints, links, the pairs that can collide and the links' meshes in one
+// block of bytes, opened in place, in flash.
+//
+// A header of 44 bytes, then, each at a multiple of 4 bytes:
+//
+//     joints   joint_count  x 72 bytes, RobotJoint
+//     links    link_count   x 24 bytes, RobotLink
+//     pairs    pair_count   x 16 bytes, RobotPair
+//     reaches  reach_count  x  4 bytes
+//     names    names_size   bytes: the robot's, the joints', the links', each ended by a zero
+//     meshes   link_count   images (image.hpp), post-indexed, with 16-bit indices
+//
+// Little-endian. lib/docs/format.md has every bit.
+#ifndef FLASHBVH_ROBOT_IMAGE_HPP
+#define FLASHBVH_ROBOT_IMAGE_HPP
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "flashbvh/robot/robot.hpp"
+#include "flashbvh/status.hpp"
+
+namespace flashbvh {
+
+constexpr uint32_t kRobotImageMagic = 0x52564246u;  // "FBVR"
+constexpr uint16_t kRobotImageVersion = 1;
+
+/// Most bytes of a name in it, without the zero at its end.
+constexpr uint32_t kMaxRobotNameSize = 255;
+
+/// The first 44 bytes of a robot's image.
+struct RobotImageHeader {
+  uint32_t magic;
+  uint16_t version;
+  uint8_t joint_count;
+  uint8_t link_count;
+  uint32_t byte_count;        ///< of the whole image
+  uint32_t crc;               ///< CRC-32 of all bytes before the meshes but these four
+  uint32_t hash;              ///< Robot::hash
+  uint32_t slack;             ///< Robot::slack
+  uint32_t cell[2];           ///< in metres: IEEE binary64, low word first
+  uint32_t pair_joint_count;  ///< between the links of all pairs: what a GuardState holds
+  uint16_t pair_count;
+  uint16_t reach_count;
+  uint16_t names_size;
+  uint8_t variable_count;
+  uint8_t zero;
+};
+
+static_assert(sizeof(RobotImageHeader) == 44, "the figure in the format's description");
+
+/// Checks magic, version and size, and copies the header: tells what it may be of, not whether its
+/// contents can be trusted.
+Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader& header);
+
+/// Opens an image in place: `bytes` must start at a multiple of 4 and outlive `robot`, and so must
+/// `meshes`, views of its meshes in the caller's memory: link_count of them, 64 bytes each on a
+/// 32-bit core. They may be written whatever the status; `robot` is on `done` alone. Then no guard
+/// and no motion query of it reads outside the image, overflows or runs on without end.
+///
+/// Proven are the joints' tree, types, limits, mimics and frames; where each link's reaches stand,
+/// that its sphere holds its mesh, and that nothing gets farther from the base than frames can say;
+/// of each pair the joints between, the sum of their reaches and its distances; each mesh, by
+/// open_image(); that all have one cell; the hash.
+///
+/// Trusted is what can't be worked out from the rest, and bounds what a guard's word is worth: how
+/// far turning joints move links (the reaches), that the other pairs never collide, and of the
+/// slack all but what rounding vertices takes. `flashbvh robot` works them out.
+///
+/// Statuses: those of open_image(); image_corrupt as well if the hash is another one;
+/// image_too_large if the robot has more than `mesh_capacity` links; cell_mismatch if a mesh has
+/// another cell than the robot.
+///
+/// Instructions on a Cortex-M4, at most: 1,000 a joint, 500 a link and 12 a joint on its branch, 30
+/// a joint between the links of a pair, 110 a vertex, 6 a byte of the meshes' trees and triangles,
+/// and of each mesh what open_image() takes. Stack: 600 bytes on Cortex-M3 to M55 at -O2.
+Status open_robot(const void* bytes, size_t size, PostMesh* meshes, uint32_t mesh_capacity,
+                  Robot& robot);
+
+/// Its name, for people, of an image that was opened; ends with a zero.
+const char* robot_name(const void* image);
+/// Of a joint, numbered below Robot::joint_count. Takes time linear in all names.
+const char* joint_name(const void* image, uint32_t joint);
+/// Of a link, numbered below Robot::link_count.
+const char* link_name(const void* image, uint32_t link);
+
+}  // namespace flashbvh
+
+#endif

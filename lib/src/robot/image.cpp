@@ -1,0 +1,217 @@
+#include "flashbvh/robot/image.hpp"
+
+#include <string.h>
+
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/robot_image_parts.hpp"
+#include "hash.hpp"
+
+namespace flashbvh {
+
+using namespace detail;
+
+namespace {
+
+static_assert(offsetof(RobotImageHeader, byte_count) == offsetof(ImageHeader, byte_count) &&
+                  offsetof(RobotImageHeader, crc) == offsetof(ImageHeader, crc),
+              "image_crc() leaves these bytes out");
+
+/// What rounding vertices to the lattice alone costs, in 1/256 cell (lib/docs/design.md, "Slack").
+constexpr uint32_t kLeastSlack = 228;
+
+template <class Element>
+const Element* at(const void* bytes, uint32_t offset) {
+  return reinterpret_cast<const Element*>(static_cast<const unsigned char*>(bytes) + offset);
+}
+
+const RobotImageHeader& header_of(const void* image) {
+  return *at<RobotImageHeader>(image, 0);
+}
+
+/// Of names, whose offset is needed by itself.
+uint32_t names_offset(const RobotImageHeader& header) {
+  return static_cast<uint32_t>(sizeof header + header.joint_count * sizeof(RobotJoint) +
+                               header.link_count * sizeof(RobotLink) +
+                               header.pair_count * sizeof(RobotPair) +
+                               header.reach_count * sizeof(uint32_t));
+}
+
+bool counts_fit(const RobotImageHeader& header) {
+  return header.joint_count <= kMaxJoints && header.link_count >= 1 &&
+         header.link_count <= kMaxLinks && header.variable_count <= header.joint_count &&
+         header.slack >= kLeastSlack && header.slack <= kMaxDistance && header.zero == 0;
+}
+
+/// As many names as there have to be, none too long, and zeros from there to the meshes.
+[[gnu::noinline]] bool names_fit(const void* bytes, const RobotImageHeader& header) {
+  const char* const names = at<char>(bytes, names_offset(header));
+  const uint32_t count = 1u + header.joint_count + header.link_count;
+  uint32_t ended = 0;
+  uint32_t length = 0;
+  for (uint32_t i = 0; i < header.names_size; ++i) {
+    length = names[i] == 0 ? 0 : length + 1;
+    ended += names[i] == 0 ? 1 : 0;
+    if (length > kMaxRobotNameSize) {
+      return false;
+    }
+  }
+  bool is_gap_zero = true;
+  for (uint32_t i = header.names_size; names + i < at<char>(bytes, robot_meshes_offset(header));
+       ++i) {
+    is_gap_zero = is_gap_zero && names[i] == 0;
+  }
+  return ended == count && length == 0 && is_gap_zero;
+}
+
+[[gnu::noinline]] void view(const void* bytes, const PostMesh* meshes, Robot& robot) {
+  const RobotImageHeader& header = header_of(bytes);
+  robot.joints = at<RobotJoint>(bytes, sizeof header);
+  robot.links = reinterpret_cast<const RobotLink*>(robot.joints + header.joint_count);
+  robot.meshes = meshes;
+  robot.pairs = reinterpret_cast<const RobotPair*>(robot.links + header.link_count);
+  robot.reaches = reinterpret_cast<const uint32_t*>(robot.pairs + header.pair_count);
+  robot.joint_count = header.joint_count;
+  robot.link_count = header.link_count;
+  robot.variable_count = header.variable_count;
+  robot.padding = 0;
+  robot.pair_count = header.pair_count;
+  robot.reach_count = header.reach_count;
+  robot.slack = header.slack;
+  robot.hash = header.hash;
+  robot.cell_bits = (uint64_t{header.cell[1]} << 32) | header.cell[0];
+}
+
+/// There is a header in its place; the copy is gone when meshes are opened.
+[[gnu::noinline]] Status check_readable(const void* bytes, size_t size) {
+  RobotImageHeader copy;
+  return reinterpret_cast<uintptr_t>(bytes) % 4 != 0 ? Status::image_misaligned
+                                                     : read_robot_image_header(bytes, size, copy);
+}
+
+/// One after the other, to the end of the image.
+[[gnu::noinline]] Status open_meshes(const void* bytes, PostMesh* meshes, uint64_t cell_bits) {
+  const RobotImageHeader& header = header_of(bytes);
+  uint32_t offset = robot_meshes_offset(header);
+  for (uint32_t i = 0; i < header.link_count; ++i) {
+    const void* const image = at<unsigned char>(bytes, offset);
+    const Status status = open_image(image, header.byte_count - offset, meshes[i]);
+    if (status == Status::image_truncated || status == Status::image_not_flashbvh) {
+      return Status::image_corrupt;  // all bytes are there, and so is the robot
+    }
+    if (status != Status::done) {
+      return status;
+    }
+    if (meshes[i].cell_bits != cell_bits || meshes[i].unit != Unit::m) {
+      return Status::cell_mismatch;
+    }
+    offset += at<ImageHeader>(image, 0)->byte_count;
+  }
+  return offset == header.byte_count ? Status::done : Status::image_invalid;
+}
+
+const char* name_of(const void* image, uint32_t number) {
+  const char* name = at<char>(image, names_offset(header_of(image)));
+  while (number != 0) {
+    number -= *name++ == 0 ? 1 : 0;
+  }
+  return name;
+}
+
+}  // namespace
+
+namespace detail {
+
+uint32_t robot_meshes_offset(const RobotImageHeader& header) {
+  return (names_offset(header) + header.names_size + 3) & ~3u;
+}
+
+uint32_t robot_hash(const Robot& robot) {
+  uint32_t hash = hash_of(robot.joints, robot.joint_count, kNoHash);
+  hash = hash_of(robot.links, robot.link_count, hash);
+  hash = hash_of(robot.pairs, robot.pair_count, hash);
+  hash = hash_of(robot.reaches, robot.reach_count, hash);
+  hash = hash_of(&robot.slack, 1, hash);
+  hash = hash_of(&robot.cell_bits, 1, hash);
+  for (uint32_t i = 0; i < robot.link_count; ++i) {
+    const PostMesh& mesh = robot.meshes[i];
+    hash = hash_of(mesh.nodes, mesh.node_count, hash);
+    hash = hash_of(mesh.triangles, mesh.triangle_count, hash);
+    hash = hash_of(mesh.vertices, mesh.vertex_count, hash);
+    hash = hash_of(mesh.origin, 3, hash);
+  }
+  return hash;
+}
+
+Status open_robot_unhashed(const void* bytes, size_t size, PostMesh* meshes, uint32_t mesh_capacity,
+                           Robot& robot) {
+  const Status read = check_readable(bytes, size);
+  if (read != Status::done) {
+    return read;
+  }
+  const RobotImageHeader& header = header_of(bytes);
+  const uint32_t own = robot_meshes_offset(header);
+  if (header.byte_count < own || image_crc(bytes, own) != header.crc) {
+    return Status::image_corrupt;
+  }
+  view(bytes, meshes, robot);
+  uint32_t pair_joint_count = 0;
+  if (!counts_fit(header) || !names_fit(bytes, header) || !check_robot(robot, pair_joint_count) ||
+      pair_joint_count != header.pair_joint_count) {
+    return Status::image_invalid;
+  }
+  if (header.link_count > mesh_capacity) {
+    return Status::image_too_large;
+  }
+  const Status opened = open_meshes(bytes, meshes, robot.cell_bits);
+  return opened != Status::done || check_spheres(robot) ? opened : Status::image_invalid;
+}
+
+}  // namespace detail
+
+Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader& header) {
+  uint32_t magic = 0;
+  if (size < sizeof magic) {
+    return Status::image_truncated;
+  }
+  memcpy(&magic, bytes, sizeof magic);
+  if (magic != kRobotImageMagic) {
+    return Status::image_not_flashbvh;
+  }
+  if (size < sizeof header) {
+    return Status::image_truncated;
+  }
+  memcpy(&header, bytes, sizeof header);
+  if (header.version != kRobotImageVersion) {
+    return Status::image_version;
+  }
+  return header.byte_count > size ? Status::image_truncated : Status::done;
+}
+
+Status open_robot(const void* bytes, size_t size, PostMesh* meshes, uint32_t mesh_capacity,
+                  Robot& robot) {
+  Robot opened;
+  const Status status = open_robot_unhashed(bytes, size, meshes, mesh_capacity, opened);
+  if (status != Status::done) {
+    return status;
+  }
+  if (robot_hash(opened) != opened.hash) {
+    return Status::image_corrupt;
+  }
+  robot = opened;
+  return Status::done;
+}
+
+const char* robot_name(const void* image) {
+  return name_of(image, 0);
+}
+
+const char* joint_name(const void* image, uint32_t joint) {
+  return name_of(image, 1 + joint);
+}
+
+const char* link_name(const void* image, uint32_t link) {
+  return name_of(image, 1u + header_of(image).joint_count + link);
+}
+
+}  // namespace flashbvh

@@ -1,0 +1,32 @@
+// The core's timer.
+#ifndef FLASHBVH_PORT_SYSTICK_HPP
+#define FLASHBVH_PORT_SYSTICK_HPP
+
+#include <stdint.h>
+
+namespace port {
+
+struct SysTick {
+  uint32_t control;
+  uint32_t reload;
+  uint32_t current;  ///< counts down; any write clears it
+};
+
+inline volatile SysTick& systick() {
+  return *reinterpret_cast<volatile SysTick*>(0xE000E010);
+}
+
+constexpr uint32_t kStop = 4;   ///< processor clock; QEMU loses the count when the clock changes
+constexpr uint32_t kCount = 7;  ///< the same, interrupt at the wrap, enable
+constexpr uint32_t kHasWrapped = 1U << 16;  ///< of control, forgotten when it is read
+
+/// Takes back an interrupt that is due already, since the last one took longer than a period.
+inline void forget_tick() {
+  constexpr uint32_t kClearPending = 1U << 25;
+  *reinterpret_cast<volatile uint32_t*>(0xE000ED04) = kClearPending;
+  __asm__ volatile("dsb" ::: "memory");
+}
+
+}  // namespace port
+
+#endif

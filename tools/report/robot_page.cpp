@@ -1,0 +1,222 @@
+#include "report/robot_page.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "flashbvh/robot/motion.hpp"
+#include "image/cpp_writer.hpp"
+#include "report/arm_pictures.hpp"
+#include "report/html.hpp"
+#include "robot/joint_text.hpp"
+#include "robot/rarity.hpp"
+#include "robot/robot_writer.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+constexpr std::uint32_t kConfigurations = 20000;  ///< drawn at random
+/// As many as a collision matrix is usually sampled from.
+constexpr std::uint32_t kUsualSamples = 10000;
+/// Witnesses that are drawn, the rarest.
+constexpr std::size_t kMostDrawn = 24;
+
+/// Of a MotionStateOf of the robot.
+std::size_t motion_ram_bytes(const Robot& robot) {
+  return sizeof(MotionCore) +
+         std::max<std::size_t>(robot.variable_count, 1) * 3 * sizeof(JointCoordinate) +
+         std::max<std::size_t>(robot.joint_count, 1) *
+             (sizeof(JointCoordinate) + sizeof(flashbvh::Frame));
+}
+
+std::string facts(const DecidedRobot& decided) {
+  const Robot& robot = decided.robot();
+  const double cell = cell_of(robot);
+  const std::size_t flash = robot_flash_bytes(decided.fixed, decided.links);
+  std::size_t meshes = 0;
+  for (const BakedLink& link : decided.links) {
+    meshes += flash_bytes(link.tree);
+  }
+  return "<section><h2>What firmware holds</h2>\n<dl class=facts>\n" +
+         fact("flash", grouped(flash) + " bytes",
+              grouped(meshes) + " of meshes, " + grouped(flash - meshes) +
+                  " of joints, links and pairs") +
+         fact("RAM of a guard",
+              grouped(robot_ram_bytes(robot, decided.fixed.pair_joint_count())) + " bytes",
+              "its state, all that it needs") +
+         fact("RAM of a motion query", grouped(motion_ram_bytes(robot)) + " bytes",
+              "where motions are certified") +
+         fact("pairs that are guarded",
+              concat(static_cast<int>(robot.pair_count), " of ", decided.pairs.size()),
+              concat(counted(robot.link_count, "link", "links"), ", ",
+                     counted(robot.joint_count, "joint", "joints"), ", ",
+                     counted(robot.variable_count, "value", "values"), " a period")) +
+         fact("stop, warn", escaped(decided.stop) + " m, " + escaped(decided.warn) + " m",
+              "links nearer than this stop, are warned of") +
+         fact("cell", significant(cell, 4) + " m", "of all meshes") +
+         fact("slack", significant(robot.slack * cell / kFineOne, 4) + " m",
+              "what rounding and arithmetic can be wrong by") +
+         "</dl></section>\n";
+}
+
+/// A value a variable, at a part of its range; without one at 0, or the limit next to it.
+std::vector<double> values_at(const Model& model, std::optional<double> part) {
+  std::vector<double> values;
+  for (const std::size_t number : model.variables) {
+    const ModelJoint& joint = model.joints[number];
+    values.push_back(part ? joint.lower + *part * (joint.upper - joint.lower)
+                          : std::clamp(0.0, joint.lower, joint.upper));
+  }
+  return values;
+}
+
+PosedArm posed(const DecidedRobot& decided, const std::vector<double>& values) {
+  return {decided.model, decided.robot(),
+          link_poses(decided.model, cell_of(decided.robot()), values)};
+}
+
+std::string arm_section(const DecidedRobot& decided) {
+  const Model& model = decided.model;
+  std::vector<PosedArm> arms = {posed(decided, values_at(model, {}))};
+  for (std::size_t i = 0; i < 3 && !model.variables.empty(); ++i) {
+    arms.push_back(posed(decided, values_at(model, std::array{0.5, 0.0, 1.0}[i])));
+  }
+  return "<section><h2>The robot</h2>\n" +
+         arm_pictures(arms, {"All joints at 0, or the limit next to it", "In the middle of ranges",
+                             "At the lower ends", "At the upper ends"}) +
+         "</section>\n";
+}
+
+std::string part_text(double part) {
+  return part < 1e-4 ? "&lt; 0.01 %" : significant(100 * part, 2) + " %";
+}
+
+/// "0.42 %", "below 0.015 %".
+std::string share_text(const Share& share) {
+  return (share.is_bound ? "&lt; " : "") + significant(100 * share.part, 2) + " %";
+}
+
+std::string missed_text(const Share& share) {
+  return (share.is_bound ? "&gt; " : "") + part_text(missed_by(kUsualSamples, share));
+}
+
+/// The pairs that can collide, the rarest first.
+std::vector<std::size_t> rarest(const DecidedRobot& decided,
+                                const std::vector<Collisions>& collisions) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < decided.pairs.size(); ++i) {
+    if (decided.pairs[i].verdict == MatrixVerdict::can) {
+      order.push_back(i);
+    }
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return share_of(collisions[i]).part < share_of(collisions[j]).part;
+  });
+  return order;
+}
+
+std::string rarity_table(const DecidedRobot& decided, const std::vector<std::size_t>& order,
+                         const std::vector<Collisions>& collisions) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::size_t i : order) {
+    const Share share = share_of(collisions[i]);
+    rows.push_back({links_of(decided.model, decided.pairs[i].a, decided.pairs[i].b),
+                    grouped(collisions[i].count), grouped(collisions[i].of), share_text(share),
+                    missed_text(share)});
+  }
+  return table(
+             "Of configurations drawn at random, so many collide",
+             {{"links", false}, {"collide", true}, {"of", true}, {"share", true}, {"missed", true}},
+             rows) +
+         "<p class=note>Missed: how likely " + grouped(kUsualSamples) +
+         " random configurations, usual for such a matrix, find none that collides. Where none of "
+         "those here does, the share is below what is told with a confidence of 95 %.</p>\n";
+}
+
+std::string witness(const DecidedRobot& decided, const PairVerdict& pair) {
+  const double cell = cell_of(decided.robot());
+  return "<h3>" + links_of(decided.model, pair.a, pair.b) + "</h3>\n" +
+         pair_pictures(
+             posed(decided, pair.witness),
+             {pair.a, pair.b, triangles_at(decided.model, decided.robot().meshes, cell, pair),
+              "two triangles that intersect"}) +
+         "<p class=note>Joints: <code>" + joint_values(decided.model, pair.witness) +
+         "</code></p>\n";
+}
+
+std::string witness_section(const DecidedRobot& decided, const std::vector<std::size_t>& order,
+                            const std::vector<Collisions>& collisions, const Step& step) {
+  if (order.empty()) {
+    return "";
+  }
+  const std::size_t drawn = std::min(order.size(), kMostDrawn);
+  std::string html = "<section id=witnesses><h2>Collisions, the rarest first</h2>\n" +
+                     rarity_table(decided, order, collisions);
+  for (std::size_t i = 0; i < drawn; ++i) {
+    const PairVerdict& pair = decided.pairs[order[i]];
+    step("drawing " + decided.model.links[pair.a].name + " - " + decided.model.links[pair.b].name,
+         1.0 / static_cast<double>(drawn));
+    html += witness(decided, pair);
+  }
+  return html +
+         (drawn == order.size() ? ""
+                                : "<p class=note>" + grouped(order.size() - drawn) +
+                                      " more are not drawn; --json has their joints.</p>\n") +
+         "</section>\n";
+}
+
+std::string parts_section(const DecidedRobot& decided) {
+  const Model& model = decided.model;
+  std::vector<std::vector<std::string>> links;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const ModelLink& link = model.links[i];
+    std::string sources;
+    for (const std::string& source : link.sources) {
+      sources += (sources.empty() ? "" : ", ") + escaped(source);
+    }
+    links.push_back({escaped(link.name), escaped(joint_name(model, link.joint, "base")),
+                     grouped(decided.links[i].tree.triangles.size()),
+                     grouped(flash_bytes(decided.links[i].tree)), sources});
+  }
+  std::vector<std::vector<std::string>> joints;
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const ModelJoint& joint = model.joints[i];
+    joints.push_back({escaped(joint.name), escaped(joint_name(model, joint.parent, "base")),
+                      type_name(joint.type), escaped(moves_of(model, i))});
+  }
+  return "<section><h2>Links and joints</h2>\n" +
+         table("Links",
+               {{"link", false},
+                {"joint", false},
+                {"triangles", true},
+                {"bytes of flash", true},
+                {"sources", false}},
+               links) +
+         (joints.empty()
+              ? ""
+              : table("Joints",
+                      {{"joint", false}, {"parent", false}, {"type", false}, {"moves", false}},
+                      joints)) +
+         "</section>\n";
+}
+
+}  // namespace
+
+std::string robot_page(const DecidedRobot& decided, const Step& step) {
+  step("drawing configurations at random", 1);
+  const std::vector<Collisions> collisions =
+      collisions_of(decided.model, decided.robot().meshes, cell_of(decided.robot()), decided.pairs,
+                    kConfigurations);
+  std::vector<std::string> shares;
+  shares.reserve(collisions.size());
+  for (const Collisions& found : collisions) {
+    shares.push_back(share_text(share_of(found)));
+  }
+  return page_begin(escaped(decided.model.name), "robot", "what of a robot can collide",
+                    matrix_style() + arm_style()) +
+         facts(decided) + arm_section(decided) + matrix_section(decided, shares) +
+         witness_section(decided, rarest(decided, collisions), collisions, step) +
+         parts_section(decided) + page_end();
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,39 @@
+// A page about a robot: what `flashbvh robot --report` writes.
+#ifndef FLASHBVH_TOOLS_REPORT_ROBOT_PAGE_HPP
+#define FLASHBVH_TOOLS_REPORT_ROBOT_PAGE_HPP
+
+#include <string>
+#include <vector>
+
+#include "report/page.hpp"
+#include "robot/bake_links.hpp"
+#include "robot/fixed_robot.hpp"
+#include "robot/matrix.hpp"
+
+namespace flashbvh::tool {
+
+/// A robot that was baked, its pairs decided; all outlives the page's making.
+struct DecidedRobot {
+  const Model& model;
+  const std::vector<BakedLink>& links;
+  const FixedRobot& fixed;
+  const std::vector<PairVerdict>& pairs;  ///< (0, 1), (0, 2), ...
+  std::string stop;                       ///< metres, as they were given
+  std::string warn;
+
+  const Robot& robot() const { return fixed.robot(); }
+};
+
+/// One self-contained HTML file, the same bytes for the same robot: what firmware holds, what can
+/// collide and why, how rare that is and how it looks. `step`: shares of two.
+std::string robot_page(const DecidedRobot& decided, const Step& step);
+
+/// Of the page: all pairs as a matrix and in words. `shares`: of configurations at which a pair
+/// collides, in the pairs' order, texts.
+std::string matrix_section(const DecidedRobot& decided, const std::vector<std::string>& shares);
+/// What its colours need.
+std::string matrix_style();
+
+}  // namespace flashbvh::tool
+
+#endif

@@ -1,0 +1,20 @@
+// A robot as C99: constants and declarations in a header, constant arrays in a source file.
+#ifndef FLASHBVH_TOOLS_ROBOT_ROBOT_C_WRITER_HPP
+#define FLASHBVH_TOOLS_ROBOT_ROBOT_C_WRITER_HPP
+
+#include <vector>
+
+#include "image/source_text.hpp"
+#include "robot/bake_links.hpp"
+#include "robot/fixed_robot.hpp"
+
+namespace flashbvh::tool {
+
+/// NAME.robot.h and NAME.robot.c: `NAME_robot` for flashbvh/robot.h, and its constants, whose names
+/// begin with NAME_. Meshes lie in their images, which need no opening.
+SourceFiles robot_in_c(const Model& model, const FixedRobot& robot,
+                       const std::vector<BakedLink>& links, const OutputName& name);
+
+}  // namespace flashbvh::tool
+
+#endif

@@ -1,0 +1,117 @@
+#include "robot/robot_image.hpp"
+
+#include <cstring>
+#include <stdexcept>
+
+#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/robot_image_parts.hpp"
+#include "robot/xml_file.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+void add_name(const std::string& name, std::string& names) {
+  names += name.substr(0, kMaxRobotNameSize);
+  names += '\0';
+}
+
+/// The robot's, the joints', the links'.
+std::string names_of(const Model& model, const std::string& name) {
+  std::string names;
+  add_name(name, names);
+  for (const ModelJoint& joint : model.joints) {
+    add_name(joint.name, names);
+  }
+  for (const ModelLink& link : model.links) {
+    add_name(link.name, names);
+  }
+  return names;
+}
+
+/// One who lays parts end to end.
+class Bytes {
+ public:
+  template <class Element>
+  void add(const Element* elements, std::size_t count) {
+    bytes_.append(reinterpret_cast<const char*>(elements), count * sizeof(Element));
+  }
+  /// To the next word.
+  void fill() { bytes_.resize((bytes_.size() + 3) / 4 * 4); }
+  std::size_t size() const { return bytes_.size(); }
+  std::vector<std::uint32_t> words() const {
+    std::vector<std::uint32_t> words(bytes_.size() / 4);
+    std::memcpy(words.data(), bytes_.data(), bytes_.size());
+    return words;
+  }
+
+ private:
+  std::string bytes_;
+};
+
+RobotImageHeader header_of(const Robot& robot) {
+  RobotImageHeader header{};
+  header.magic = kRobotImageMagic;
+  header.version = kRobotImageVersion;
+  header.joint_count = robot.joint_count;
+  header.link_count = robot.link_count;
+  header.hash = robot.hash;
+  header.slack = robot.slack;
+  std::memcpy(header.cell, &robot.cell_bits, sizeof header.cell);
+  header.pair_count = robot.pair_count;
+  header.reach_count = robot.reach_count;
+  header.variable_count = robot.variable_count;
+  for (std::size_t i = 0; i < robot.pair_count; ++i) {
+    header.pair_joint_count += robot.pairs[i].joints_a + robot.pairs[i].joints_b;
+  }
+  return header;
+}
+
+/// The C++ arrays take them, and refuse all values.
+void check_limits(const Model& model, const Robot& robot) {
+  for (std::size_t i = 0; i < robot.joint_count; ++i) {
+    if (robot.joints[i].lower > robot.joints[i].upper) {
+      throw UserError(at_element(model.path, "joint", model.joints[i].name),
+                      "has limits so narrow that no value keeps them; make it fixed");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
+                                       const std::vector<std::vector<std::uint32_t>>& meshes,
+                                       const std::string& name) {
+  check_limits(model, robot);
+  RobotImageHeader header = header_of(robot);
+  const std::string names = names_of(model, name);
+  header.names_size = static_cast<std::uint16_t>(names.size());
+  Bytes bytes;
+  bytes.add(&header, 1);
+  bytes.add(robot.joints, robot.joint_count);
+  bytes.add(robot.links, robot.link_count);
+  bytes.add(robot.pairs, robot.pair_count);
+  bytes.add(robot.reaches, robot.reach_count);
+  bytes.add(names.data(), names.size());
+  bytes.fill();
+  const std::size_t own = bytes.size();
+  for (const std::vector<std::uint32_t>& mesh : meshes) {
+    bytes.add(mesh.data(), mesh.size());
+  }
+  if (bytes.size() > UINT32_MAX) {
+    throw UserError(model.path, "the image would be over 4 GiB; use fewer triangles");
+  }
+  std::vector<std::uint32_t> image = bytes.words();
+  header.byte_count = static_cast<std::uint32_t>(bytes.size());
+  std::memcpy(image.data(), &header, sizeof header);
+  header.crc = detail::image_crc(image.data(), own);
+  std::memcpy(image.data(), &header, sizeof header);
+  std::vector<PostMesh> opened(kMaxLinks);
+  Robot again{};
+  if (open_robot(image.data(), bytes.size(), opened.data(), kMaxLinks, again) != Status::done) {
+    throw std::logic_error("a robot's image that does not open");
+  }
+  return image;
+}
+
+}  // namespace flashbvh::tool
