@@ -114,11 +114,6 @@ bool has_shape(const ImageHeader& header, const TreeShape& shape) {
          ((header.flags & kImageIsClosed) != 0) == shape.is_closed;
 }
 
-template <class Element>
-const Element* at(const void* bytes, uint64_t offset) {
-  return reinterpret_cast<const Element*>(static_cast<const unsigned char*>(bytes) + offset);
-}
-
 template <class Index>
 void set_climb(LevelledMesh<Index, Layout::pre_indexed>& mesh, const Index* climb) {
   mesh.parents = climb;
@@ -132,13 +127,13 @@ template <class Index, Layout layout>
 [[gnu::noinline]] void view(const void* bytes, const ImageHeader& header,
                             LevelledMesh<Index, layout>& mesh) {
   const ImageOffsets offsets = image_offsets(header);
-  mesh.nodes = at<Node<Index>>(bytes, offsets.nodes);
-  mesh.triangles = at<Corners<Index>>(bytes, offsets.triangles);
-  mesh.triangle_ids = at<Index>(bytes, offsets.triangle_ids);
+  mesh.nodes = image_part<Node<Index>>(bytes, offsets.nodes);
+  mesh.triangles = image_part<Corners<Index>>(bytes, offsets.triangles);
+  mesh.triangle_ids = image_part<Index>(bytes, offsets.triangle_ids);
   mesh.leaf_offsets =
-      leaf_offset_count(header) == 0 ? nullptr : at<Index>(bytes, offsets.leaf_offsets);
-  mesh.vertices = at<Vertex>(bytes, offsets.vertices);
-  mesh.shell_vertices = at<Index>(bytes, offsets.shell_vertices);
+      leaf_offset_count(header) == 0 ? nullptr : image_part<Index>(bytes, offsets.leaf_offsets);
+  mesh.vertices = image_part<Vertex>(bytes, offsets.vertices);
+  mesh.shell_vertices = image_part<Index>(bytes, offsets.shell_vertices);
   mesh.node_count = static_cast<Index>(header.node_count);
   mesh.leaf_count = static_cast<Index>(header.leaf_count);
   mesh.triangle_count = static_cast<Index>(header.triangle_count);
@@ -151,8 +146,8 @@ template <class Index, Layout layout>
   mesh.is_closed = (header.flags & kImageIsClosed) != 0;
   mesh.cell_bits = (uint64_t{header.cell[1]} << 32) | header.cell[0];
   const bool levels = has_levels(header);
-  mesh.levels = levels ? at<Index>(bytes, offsets.levels) : nullptr;
-  set_climb(mesh, levels ? at<Index>(bytes, offsets.climb) : nullptr);
+  mesh.levels = levels ? image_part<Index>(bytes, offsets.levels) : nullptr;
+  set_climb(mesh, levels ? image_part<Index>(bytes, offsets.climb) : nullptr);
 }
 
 /// Whether there is a header in its place; the copy is gone when the tree is checked.
@@ -169,7 +164,7 @@ Status open_any(const void* bytes, size_t size, LevelledMesh<Index, layout>& mes
   if (read != Status::done) {
     return read;
   }
-  const ImageHeader& header = *at<ImageHeader>(bytes, 0);
+  const ImageHeader& header = *image_part<ImageHeader>(bytes, 0);
   if (header.byte_count < sizeof header || image_crc(bytes, header.byte_count) != header.crc) {
     return Status::image_corrupt;
   }

@@ -20,13 +20,8 @@ static_assert(offsetof(RobotImageHeader, byte_count) == offsetof(ImageHeader, by
 /// What rounding vertices to the lattice alone costs, in 1/256 cell (lib/docs/design.md, "Slack").
 constexpr uint32_t kLeastSlack = 228;
 
-template <class Element>
-const Element* at(const void* bytes, uint32_t offset) {
-  return reinterpret_cast<const Element*>(static_cast<const unsigned char*>(bytes) + offset);
-}
-
 const RobotImageHeader& header_of(const void* image) {
-  return *at<RobotImageHeader>(image, 0);
+  return *image_part<RobotImageHeader>(image, 0);
 }
 
 /// Of names, whose offset is needed by itself.
@@ -45,7 +40,7 @@ bool counts_fit(const RobotImageHeader& header) {
 
 /// As many names as there have to be, none too long, and zeros from there to the meshes.
 [[gnu::noinline]] bool names_fit(const void* bytes, const RobotImageHeader& header) {
-  const char* const names = at<char>(bytes, names_offset(header));
+  const char* const names = image_part<char>(bytes, names_offset(header));
   const uint32_t count = 1u + header.joint_count + header.link_count;
   uint32_t ended = 0;
   uint32_t length = 0;
@@ -57,8 +52,8 @@ bool counts_fit(const RobotImageHeader& header) {
     }
   }
   bool is_gap_zero = true;
-  for (uint32_t i = header.names_size; names + i < at<char>(bytes, robot_meshes_offset(header));
-       ++i) {
+  for (uint32_t i = header.names_size;
+       names + i < image_part<char>(bytes, robot_meshes_offset(header)); ++i) {
     is_gap_zero = is_gap_zero && names[i] == 0;
   }
   return ended == count && length == 0 && is_gap_zero;
@@ -66,7 +61,7 @@ bool counts_fit(const RobotImageHeader& header) {
 
 [[gnu::noinline]] void view(const void* bytes, const PostMesh* meshes, Robot& robot) {
   const RobotImageHeader& header = header_of(bytes);
-  robot.joints = at<RobotJoint>(bytes, sizeof header);
+  robot.joints = image_part<RobotJoint>(bytes, sizeof header);
   robot.links = reinterpret_cast<const RobotLink*>(robot.joints + header.joint_count);
   robot.meshes = meshes;
   robot.pairs = reinterpret_cast<const RobotPair*>(robot.links + header.link_count);
@@ -83,7 +78,7 @@ bool counts_fit(const RobotImageHeader& header) {
 }
 
 /// There is a header in its place; the copy is gone when meshes are opened.
-[[gnu::noinline]] Status check_readable(const void* bytes, size_t size) {
+[[gnu::noinline]] Status check_robot_readable(const void* bytes, size_t size) {
   RobotImageHeader copy;
   return reinterpret_cast<uintptr_t>(bytes) % 4 != 0 ? Status::image_misaligned
                                                      : read_robot_image_header(bytes, size, copy);
@@ -94,7 +89,7 @@ bool counts_fit(const RobotImageHeader& header) {
   const RobotImageHeader& header = header_of(bytes);
   uint32_t offset = robot_meshes_offset(header);
   for (uint32_t i = 0; i < header.link_count; ++i) {
-    const void* const image = at<unsigned char>(bytes, offset);
+    const void* const image = image_part<unsigned char>(bytes, offset);
     const Status status = open_image(image, header.byte_count - offset, meshes[i]);
     if (status == Status::image_truncated || status == Status::image_not_flashbvh) {
       return Status::image_corrupt;  // all bytes are there, and so is the robot
@@ -105,13 +100,13 @@ bool counts_fit(const RobotImageHeader& header) {
     if (meshes[i].cell_bits != cell_bits || meshes[i].unit != Unit::m) {
       return Status::cell_mismatch;
     }
-    offset += at<ImageHeader>(image, 0)->byte_count;
+    offset += image_part<ImageHeader>(image, 0)->byte_count;
   }
   return offset == header.byte_count ? Status::done : Status::image_invalid;
 }
 
 const char* name_of(const void* image, uint32_t number) {
-  const char* name = at<char>(image, names_offset(header_of(image)));
+  const char* name = image_part<char>(image, names_offset(header_of(image)));
   while (number != 0) {
     number -= *name++ == 0 ? 1 : 0;
   }
@@ -145,7 +140,7 @@ uint32_t robot_hash(const Robot& robot) {
 
 Status open_robot_unhashed(const void* bytes, size_t size, PostMesh* meshes, uint32_t mesh_capacity,
                            Robot& robot) {
-  const Status read = check_readable(bytes, size);
+  const Status read = check_robot_readable(bytes, size);
   if (read != Status::done) {
     return read;
   }

@@ -19,7 +19,7 @@ constexpr uint32_t kMostMoved = 1u << 28;
 constexpr uint32_t kPlacing = 58328;
 
 /// So far from the base and from each joint, in 1/2,048 cell; links as baked keep to it, too.
-constexpr uint64_t kFarthest = kMaxFrameTranslation - (1 << 16);
+constexpr uint64_t kFarthestFrame = kMaxFrameTranslation - (1 << 16);
 
 /// Square of a length of up to 2^31.
 uint64_t square(int64_t value) {
@@ -47,7 +47,7 @@ bool set_sphere(const int64_t (&centre)[3], uint64_t radius, RobotLink& link) {
     link.centre[axis] = static_cast<int32_t>(centre[axis]);
   }
   link.radius = static_cast<uint32_t>(radius);
-  return detail::square_root(squared) + radius < kFarthest;
+  return detail::square_root(squared) + radius < kFarthestFrame;
 }
 
 /// The sphere round the mesh, a little more than as large, since a frame's matrix may be
@@ -146,8 +146,8 @@ void Workcell::copy() {
 bool Workcell::sweep(const RobotLink& body, uint32_t* reaches, uint32_t& error) const {
   RobotLink link = body;
   constexpr uint32_t rounding = 58;  // of a translation, twice, by half of 1/2,048 along each axis
-  constexpr uint32_t turned = kFarthest >> 22;  // by 2^-27, as far off as it may be
-  error = 34;                                   // of the relative pose
+  constexpr uint32_t turned = kFarthestFrame >> 22;  // by 2^-27, as far off as it may be
+  error = 34;                                        // of the relative pose
   for (uint8_t j = link.joint; j != kBase; j = joints_[j].parent) {
     const RobotJoint& joint = joints_[j];
     const uint32_t reach = reach_of(joint, link);

@@ -18,6 +18,12 @@ struct ImageOffsets {
 };
 ImageOffsets image_offsets(const ImageHeader& header);
 
+/// The element `offset` bytes from the start of an image.
+template <class Element>
+const Element* image_part(const void* bytes, uint64_t offset) {
+  return reinterpret_cast<const Element*>(static_cast<const unsigned char*>(bytes) + offset);
+}
+
 /// CRC-32 (IEEE 802.3, reflected, as in zlib) of `size` bytes, going on from `crc` (0 at first).
 /// No table: about 50 instructions a byte.
 uint32_t crc32(const void* bytes, size_t size, uint32_t crc = 0);

@@ -27,7 +27,7 @@ namespace flashbvh {
 /// link and, on its way to the base, a reach for each joint; each pair that is to be guarded a
 /// pair.
 template <uint32_t joint_count, uint32_t link_count, uint32_t pair_count, uint32_t reach_count>
-struct WorkcellOf {
+struct alignas(8) WorkcellOf {
   RobotJoint joints[joint_count];
   RobotLink links[link_count];
   PostMesh meshes[link_count];
