@@ -85,7 +85,7 @@ class BasicDeformableMesh {
   Vertex* vertices_;
   uint32_t refits_ = 0;
   uint32_t node_ = 0;  ///< after the next one; 0: no refit is on
-  detail::RefitPlace<Mesh> place_ = {};
+  detail::RefitPlace place_ = {};
   bool is_closed_ = false;
 };
 
@@ -189,7 +189,7 @@ void BasicDeformableMesh<MeshType>::begin() {
     mesh_.is_closed = false;
   }
   node_ = mesh_.node_count;
-  place_.triangles = mesh_.triangles + mesh_.triangle_count;
+  place_.leaf = mesh_.leaf_count;
 }
 
 template <class MeshType>
@@ -201,9 +201,9 @@ RefitStep BasicDeformableMesh<MeshType>::refit(uint32_t work) {
   if (spent != 0) {
     const uint32_t last = node_ - spent;
     if (mesh_.leaf_offsets == nullptr) {
-      detail::refit_nodes<true>(mesh_, nodes_, last, node_, place_);
+      detail::refit_nodes<true>(nodes_, last, node_, vertices_, mesh_, place_);
     } else {
-      detail::refit_nodes<false>(mesh_, nodes_, last, node_, place_);
+      detail::refit_nodes<false>(nodes_, last, node_, vertices_, mesh_, place_);
     }
     node_ = last;
   }
