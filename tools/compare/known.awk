@@ -1,6 +1,6 @@
 # awk -f known.awk: of the lines that `compare` prints, how many questions with known answers each
 # library answers wrongly; the boxes, then the other meshes together.
-$1 == "known" {
+$1 == "known" && !seen[$2, $3, $4]++ {
   kind = $2 " " ($3 ~ /^(crate|brick)/ ? "boxes" : "others")
   asked[kind, $4] += $5
   wrong[kind, $4] += $6
