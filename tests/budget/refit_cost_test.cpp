@@ -8,7 +8,6 @@
 #include "deformable/bending.hpp"
 #include "flashbvh/self.hpp"
 #include "insn.hpp"
-#include "stack.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;
@@ -17,12 +16,6 @@ namespace {
 
 /// Of a Cortex-M7 at 480 MHz and 100 Hz, at an instruction a cycle.
 [[maybe_unused]] constexpr std::uint32_t kHalfAFrame = 2'400'000;
-/// Bytes of stack, of a refit.
-constexpr std::uint32_t kMostStack = 256;
-/// Of self queries, their objects in the callers' frames included.
-constexpr std::uint32_t kMostSelfStack = 720;
-constexpr std::uint32_t kMostBandStack = 880;
-
 std::uint32_t cost_of_refit(BasicDeformableMesh<PostMesh>& mesh) {
   RefitStep step{};
   const std::uint32_t cost = port::instructions_of([&] { step = mesh.refit(); });
@@ -36,18 +29,6 @@ std::uint32_t cost_of_self(const PostMesh& mesh, Counts& counts) {
     (void)query.run(UINT32_MAX, [](const SelfQuery::Pair&) { return true; });
     counts = query.counts();
   });
-}
-
-/// The queries are the caller's memory, as everywhere.
-Status ask_itself(Bending<PostMesh>& bent) {
-  static SelfQuery query(bent.mesh.mesh());
-  query = SelfQuery(bent.mesh.mesh());
-  return query.run(UINT32_MAX, [](const SelfQuery::Pair&) { return true; });
-}
-Status ask_band(Bending<PostMesh>& bent) {
-  static SelfWithinQuery query(bent.mesh.mesh());
-  query = SelfWithinQuery(bent.mesh.mesh(), within(20 * 256));
-  return query.run(UINT32_MAX, [](const SelfWithinQuery::Pair&) { return true; });
 }
 
 }  // namespace
@@ -91,14 +72,5 @@ TEST_CASE("a refit keeps to what flashbvh info says of it, and a sheet is asked 
       CHECK(refit + crumpled <= kHalfAFrame);
     }
 #endif
-    const std::uint32_t of_refit = port::stack_of([&] { (void)bent.mesh.refit(); });
-    const std::uint32_t of_self = port::stack_of([&] { (void)ask_itself(bent); });
-    const std::uint32_t of_band = port::stack_of([&] { (void)ask_band(bent); });
-    std::printf("budget: stack of a refit %u, of a self query %u, of a band %u\n",
-                static_cast<unsigned>(of_refit), static_cast<unsigned>(of_self),
-                static_cast<unsigned>(of_band));
-    CHECK(of_refit <= kMostStack);
-    CHECK(of_self <= kMostSelfStack);
-    CHECK(of_band <= kMostBandStack);
   }
 }
