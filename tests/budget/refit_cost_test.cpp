@@ -2,10 +2,12 @@
 // target.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "bake/bending.hpp"
 #include "deformable/bending.hpp"
+#include "flashbvh/bound.hpp"
 #include "flashbvh/self.hpp"
 #include "insn.hpp"
 
@@ -31,6 +33,17 @@ std::uint32_t cost_of_self(const PostMesh& mesh, Counts& counts) {
   });
 }
 
+/// The most that a run of so much work takes.
+std::uint32_t worst_run(const PostMesh& mesh, std::uint32_t work) {
+  SelfQuery query(mesh);
+  std::uint32_t most = 0;
+  SelfQuery::Pair found[8];
+  while (query.status() == Status::suspended) {
+    most = std::max(most, port::instructions_of([&] { (void)query.run(work, found); }));
+  }
+  return most;
+}
+
 }  // namespace
 
 TEST_CASE("a refit keeps to what flashbvh info says of it, and a sheet is asked in half a frame") {
@@ -49,6 +62,22 @@ TEST_CASE("a refit keeps to what flashbvh info says of it, and a sheet is asked 
     const std::uint32_t rest = cost_of_self(bent.mesh.mesh(), counts);
     lay(random, 23, 320, 300, 210, bent.vertices.data(), bent.vertices.size());
     (void)cost_of_refit(bent.mesh);
+#if defined(__ARM_ARCH_7EM__)
+    for (const std::uint32_t work : {40u, 400u}) {
+      if (tree.leaf_size != bake::kDefaultLeafSize) {
+        continue;
+      }
+      const TreeSize size = {bent.baked.depth, bent.baked.arity, bent.baked.leaf_size,
+                             bent.baked.leaf_count,
+                             static_cast<std::uint32_t>(bent.baked.triangles.size())};
+      const std::uint64_t bound = most_instructions(kCortexM4F, size, size, work);
+      const std::uint32_t most = worst_run(bent.mesh.mesh(), work);
+      std::printf("budget: a self query's run of work %u: %u at most, of %u\n",
+                  static_cast<unsigned>(work), static_cast<unsigned>(most),
+                  static_cast<unsigned>(bound));
+      CHECK(most <= bound);
+    }
+#endif
     const std::uint32_t crumpled = cost_of_self(bent.mesh.mesh(), counts);
     const auto nodes = static_cast<std::uint32_t>(bent.nodes.size());
     const std::size_t told = bake::bending_cost(bent.mesh.mesh()).refit_instructions;
