@@ -110,6 +110,7 @@ typedef struct FLASHBVH_TWIN flashbvh_robot {
   const flashbvh_mesh* meshes; /**< link_count */
   const flashbvh_robot_pair* pairs;
   const uint32_t* reaches;
+  const uint8_t* charts;
   uint8_t joint_count;
   uint8_t link_count;
   uint8_t variable_count; /**< how many values the caller gives */
@@ -117,6 +118,7 @@ typedef struct FLASHBVH_TWIN flashbvh_robot {
   uint16_t pair_count;
   uint16_t reach_count;
   uint32_t slack; /**< in 1/256 cell */
+  uint32_t chart_bytes;
   uint32_t hash;
   uint64_t cell_bits; /**< the cell in metres, as the bits of an IEEE binary64 */
 } flashbvh_robot;
@@ -312,7 +314,7 @@ void flashbvh_motion_set_values(const flashbvh_motion* motion, uint32_t numerato
 /** A robot in RAM, to which tools, obstacles and pairs are added. Not copied. */
 typedef struct flashbvh_workcell {
   union {
-    unsigned char bytes[10 * sizeof(void*) + 48];
+    unsigned char bytes[11 * sizeof(void*) + 56];
     uint64_t word;
     void* pointer;
   } opaque;
