@@ -144,6 +144,27 @@ typedef struct FLASHBVH_TWIN flashbvh_mesh_view {
   uint64_t cell_bits;
 } flashbvh_mesh_view;
 
+/* Images: robot/image.hpp ---------------------------------------------------------------------- */
+
+/** Opens `NAME.robot` in place: `image` starts at a multiple of 4 and outlives `robot`, and so do
+ * `meshes`, views that may be written whatever the status; `robot` is on DONE alone. Statuses of
+ * flashbvh_open(); IMAGE_CORRUPT as well if the hash is another one; IMAGE_TOO_LARGE if there are
+ * more than `mesh_capacity` links, 64 at most; CELL_MISMATCH if a mesh has another cell. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_open_robot(const void* image, size_t size,
+                                                       flashbvh_mesh* meshes,
+                                                       uint32_t mesh_capacity,
+                                                       flashbvh_robot* robot);
+
+/** For people, of an image that was opened: of the robot; of a joint or a link by its number. */
+const char* flashbvh_robot_name(const void* image);
+const char* flashbvh_joint_name(const void* image, uint32_t joint);
+const char* flashbvh_link_name(const void* image, uint32_t link);
+
+/** Where tools are fastened: the frames of all links of the URDF, and these links' names. */
+uint32_t flashbvh_mount_count(const void* image);
+const flashbvh_mount* flashbvh_mounts(const void* image);
+const char* flashbvh_mount_name(const void* image, uint32_t mount);
+
 /* Kinematics: robot/kinematics.hpp ------------------------------------------------------------- */
 
 /** Of all joints, joint_count, from the caller's values. NOT_A_COORDINATE for
