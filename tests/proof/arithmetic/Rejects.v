@@ -282,7 +282,7 @@ Proof.
     assert (Z.abs (b1 * a1 + b2 * a2 + b3 * a3) <= d) as ba by (now rewrite !(Z.mul_comm (b1)), !(Z.mul_comm b2), !(Z.mul_comm b3)).
     pose proof (within_axis_margin b1 b2 b3 a1 a2 a3 c1 c2 c3 (y u) (x u) (z u) mq mp ms reach defect o1 o2 o3
       (conj Q2 (conj Q1 (conj Q3 R))) defects bb aa cc ba bc ac) as G.
-    rewrite !placed_swap in G. exact G.
+    rewrite (placed_swap a1 b1 c1), (placed_swap a2 b2 c2), (placed_swap a3 b3 c3) in G. exact G.
   - apply (box_on_b_axis (column c1 c2 c3) (back c1 c2 c3) (axis_margin reach defect) box_a (in_box box_b) place z _ _
       lattice_a MZ NZ PZ Margin (coarse_column _ _ _ d small_d cc)); auto.
     intros u U. split; [|apply U]. destruct (in_reach u U) as (Q1 & Q2 & Q3).
@@ -291,7 +291,7 @@ Proof.
     assert (Z.abs (c1 * b1 + c2 * b2 + c3 * b3) <= d) as cb by (now rewrite !(Z.mul_comm c1), !(Z.mul_comm c2), !(Z.mul_comm c3)).
     pose proof (within_axis_margin c1 c2 c3 a1 a2 a3 b1 b2 b3 (z u) (x u) (y u) ms mp mq reach defect o1 o2 o3
       (conj Q3 (conj Q1 (conj Q2 R))) defects cc aa bb ca cb ab) as G.
-    rewrite !placed_turn in G. exact G.
+    rewrite (placed_turn a1 b1 c1), (placed_turn a2 b2 c2), (placed_turn a3 b3 c3) in G. exact G.
 Qed.
 
 (* ---- Slabs. `e`: a direction of 13 bits, of a leaf of A, and then of B. *)
@@ -335,7 +335,23 @@ Proof.
 Qed.
 End Turned.
 
+(* ---- Slabs under a translation by o have no margin.
+   code: include/flashbvh/detail/slab.hpp | set_row(d, of == Side::a ? -along : along, 0); *)
+Definition moved_by (o : Point) (these : Point -> Prop) (v : Point) : Prop :=
+  exists u, these u /\ v = {| x := x u + x o; y := y u + y o; z := z u + z o |}.
+Theorem translated_slabs_reject_safely e least most_ o t :
+  (slab_rejects e least most_ (- dot e o) 0 t -> Apart (between e least most_) (moved_by o (in_box t))) /\
+  (slab_rejects e least most_ (dot e o) 0 t -> Apart (in_box t) (moved_by o (between e least most_))).
+Proof.
+  assert (forall u, dot e {| x := x u + x o; y := y u + y o; z := z u + z o |} = dot e u + dot e o) as E
+    by (intros u; unfold dot; cbn [x y z]; ring).
+  split; intros H; exists e; destruct (slab_separates _ _ _ _ _ _ H) as [S | S]; [right | left | left | right];
+    intros w v W (u & U & ->); rewrite E; unfold between in *;
+    [specialize (S u U) | specialize (S u U) | specialize (S w W) | specialize (S w W)]; lia.
+Qed.
+
 Print Assumptions apart_not_meet.
 Print Assumptions boxes_reject_safely.
 Print Assumptions slab_of_a_rejects_safely.
 Print Assumptions slab_of_b_rejects_safely.
+Print Assumptions translated_slabs_reject_safely.
