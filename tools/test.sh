@@ -26,7 +26,7 @@ ensure_packages $host_packages $sanitizer_packages $oracle_packages $board_packa
 
 # What is compiled once is not compiled again: boards of one core, tests that build the library.
 export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-export CCACHE_DIR="$PWD/build/ccache" CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=include_file_ctime
+export CCACHE_DIR="$PWD/build/ccache" CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=include_file_ctime,pch_defines,time_macros
 
 began=$(date +%s)
 rm -rf build/log

@@ -1,0 +1,1 @@
+// Only to have its precompiled headers made.
