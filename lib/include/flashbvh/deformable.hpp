@@ -44,8 +44,8 @@ class BasicDeformableMesh {
   /// Copies node_count nodes and vertex_count vertices of `baked` into `nodes` and `vertices`.
   BasicDeformableMesh(const Mesh& baked, Node<Index>* nodes, Vertex* vertices)
       : mesh_(baked), nodes_(nodes), vertices_(vertices) {
-    memcpy(nodes, baked.nodes, sizeof(Node<Index>) * baked.node_count);
-    memcpy(vertices, baked.vertices, sizeof(Vertex) * baked.vertex_count);
+    __builtin_memcpy(nodes, baked.nodes, sizeof(Node<Index>) * baked.node_count);
+    __builtin_memcpy(vertices, baked.vertices, sizeof(Vertex) * baked.vertex_count);
     mesh_.nodes = nodes;
     mesh_.vertices = vertices;
     is_closed_ = baked.is_closed;

@@ -9,7 +9,6 @@
 
 #include <stddef.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "flashbvh/detail/box_packed.hpp"
 #include "flashbvh/detail/fraction.hpp"
@@ -95,13 +94,13 @@ class VertexBoxes {
 
   FLASHBVH_INLINE uint32_t xy(uint32_t vertex) const {
     uint32_t word;
-    memcpy(&word, xy_ + vertex * sizeof(Vertex), sizeof word);
+    __builtin_memcpy(&word, xy_ + vertex * sizeof(Vertex), sizeof word);
     return word;
   }
   /// z + bias low, bias - z high: one product and a sum.
   FLASHBVH_INLINE uint32_t z(uint32_t vertex) const {
     int16_t half;
-    memcpy(&half, z_ + vertex * sizeof(Vertex), sizeof half);
+    __builtin_memcpy(&half, z_ + vertex * sizeof(Vertex), sizeof half);
     return static_cast<uint32_t>(half) * negative_high_ + raise_;
   }
   FLASHBVH_INLINE Span pair(uint32_t vertex_u, uint32_t vertex_v) const {
@@ -169,8 +168,8 @@ FLASHBVH_INLINE inline bool is_quad(const Corners<Index>& u, const Corners<Index
   if constexpr (sizeof(Index) == sizeof(uint16_t)) {
     uint32_t edge_of_u;
     uint32_t edge_of_v;
-    memcpy(&edge_of_u, &u.corner[1], sizeof edge_of_u);
-    memcpy(&edge_of_v, &v.corner[1], sizeof edge_of_v);
+    __builtin_memcpy(&edge_of_u, &u.corner[1], sizeof edge_of_u);
+    __builtin_memcpy(&edge_of_v, &v.corner[1], sizeof edge_of_v);
     return edge_of_u == swap_halves(edge_of_v);
   } else {
     return u.corner[1] == v.corner[2] && u.corner[2] == v.corner[1];
