@@ -53,10 +53,12 @@ TEST_CASE("a refit keeps to what flashbvh info says of it, and a sheet is asked 
   struct Tree {
     std::uint32_t leaf_size;
     std::uint32_t arity;
+    bool shows_quads = true;
   };
-  for (const Tree& tree : {Tree{1, 2}, Tree{1, 4}, Tree{bake::kDefaultLeafSize, 4}, Tree{4, 4}}) {
+  for (const Tree& tree : {Tree{1, 2}, Tree{1, 4}, Tree{bake::kDefaultLeafSize, 4}, Tree{4, 4},
+                           Tree{bake::kDefaultLeafSize, 4, false}}) {
     Bending<PostMesh> bent(bake::collapse(bake::build_sah(lattice, tree.leaf_size), tree.arity),
-                           lattice);
+                           lattice, tree.shows_quads);
     Counts counts{};
     const std::uint32_t refit = cost_of_refit(bent.mesh);
     const std::uint32_t rest = cost_of_self(bent.mesh.mesh(), counts);
@@ -64,7 +66,7 @@ TEST_CASE("a refit keeps to what flashbvh info says of it, and a sheet is asked 
     (void)cost_of_refit(bent.mesh);
 #if defined(__ARM_ARCH_7EM__)
     for (const std::uint32_t work : {40u, 400u}) {
-      if (tree.leaf_size != bake::kDefaultLeafSize) {
+      if (tree.leaf_size != bake::kDefaultLeafSize || !tree.shows_quads) {
         continue;
       }
       const TreeSize size = {bent.baked.depth, bent.baked.arity, bent.baked.leaf_size,

@@ -21,13 +21,14 @@ BendingCost bending_cost(const Mesh& mesh) {
   for (std::uint32_t leaf = 0; leaf < mesh.leaf_count; ++leaf) {
     const std::uint32_t first = mesh.first_triangle(leaf);
     std::uint32_t end = mesh.end_triangle(leaf);
-    refit += end - first > 2 ? 25 : 0;
-    while (end != first) {
+    std::size_t parts = 0;
+    for (; end != first; ++parts) {
       const auto* const last = mesh.triangles + end - 1;
       const bool is_quad = end - first > 1 && detail::is_quad(last[-1], last[0]);
-      refit += is_quad ? 64 : 40;
+      refit += is_quad ? 64 : parts == 0 && end - first == 1 ? 40 : 60;
       end -= is_quad ? 2 : 1;
     }
+    refit += parts > 1 ? 25 : 0;
   }
   return {mesh.node_count * sizeof *mesh.nodes + mesh.vertex_count * sizeof *mesh.vertices, refit};
 }

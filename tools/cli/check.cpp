@@ -84,9 +84,21 @@ class Comparison {
     return duplicates_.count(triangle) != 0;
   }
 
+  /// The image's corners may be turned: `bake --deformable` does.
   std::string difference(const SourceTriangle& triangle) const {
+    std::string first;
+    for (std::size_t turns = 0; turns < 3; ++turns) {
+      const std::string turned = difference(triangle, turns);
+      if (turned.empty()) {
+        return "";
+      }
+      first = turns == 0 ? turned : first;
+    }
+    return first;
+  }
+  std::string difference(const SourceTriangle& triangle, std::size_t turns) const {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const LatticePoint& found = vertices_[triangle.vertices[corner]];
+      const LatticePoint& found = vertices_[triangle.vertices[(corner + turns) % 3]];
       const LatticePoint wanted = point_of(rounded_, rounded_.triangles[triangle.number][corner]);
       if (found != wanted) {
         return concat("corner ", corner, " of triangle ", triangle.number, " lies at ",
