@@ -1,10 +1,11 @@
 # flashbvh_add_robot(name URDF file
 #                    [PACKAGE name=folder]... [SRDF file] [CELL length] [LEAF_SIZE n] [STOP length]
-#                    [WARN length] [PAIR link,link=stop[,warn]]... [FORMAT cpp|c])
+#                    [WARN length] [PAIR link,link=stop[,warn]]... [FORMAT cpp|c|image])
 #
 # A library `name`, also called name::name, with the baked robot name::robot. A target that links it
 # includes "<name>.robot.hpp", and has flashbvh::robot. With FORMAT c it is name_robot, and the header
-# "<name>.robot.h". The options are those of `flashbvh robot`;
+# "<name>.robot.h". FORMAT image makes no code: the folder of <name>.robot, for open_robot(), is an include
+# folder of whoever links the library, for .incbin. The options are those of `flashbvh robot`;
 # lengths are in metres. The robot is baked anew when the URDF, the SRDF, one of the meshes, an option
 # or the tool changes; which meshes, the tool says in a depfile.
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
@@ -50,31 +51,43 @@ function(flashbvh_add_robot name)
     list(APPEND options --pair "${pair}")
   endforeach()
   if(NOT arg_FORMAT OR arg_FORMAT STREQUAL "cpp")
-    set(extensions hpp cpp)
+    set(extensions .hpp .cpp)
   elseif(arg_FORMAT STREQUAL "c")
-    set(extensions h c)
+    set(extensions .h .c)
+  elseif(arg_FORMAT STREQUAL "image")
+    set(extensions "")
   else()
-    message(FATAL_ERROR "flashbvh_add_robot(${name}): FORMAT is cpp or c, not ${arg_FORMAT}")
+    message(FATAL_ERROR "flashbvh_add_robot(${name}): FORMAT is cpp, c or image, not ${arg_FORMAT}")
   endif()
-  flashbvh_robot_command(${name} ${arg_URDF} "${options}" "${depends}" ${extensions})
+  flashbvh_robot_command(${name} ${arg_URDF} "${options}" "${depends}" "${extensions}")
 endfunction()
 
 # The custom command and the library that holds what it makes.
-function(flashbvh_robot_command name urdf options files header source)
+function(flashbvh_robot_command name urdf options files extensions)
   cmake_policy(SET CMP0116 NEW)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/flashbvh/${name})
   set(stem ${folder}/${name}.robot)
   # A file that changes with the options: not every generator minds how a command is called.
   file(CONFIGURE OUTPUT ${folder}/options.txt CONTENT "${urdf};${options}" @ONLY)
   flashbvh_host_tool(program depends)
-  add_custom_command(OUTPUT ${stem}.${header} ${stem}.${source}
+  set(made ${stem})
+  if(extensions)
+    list(TRANSFORM extensions PREPEND ${stem} OUTPUT_VARIABLE made)
+  endif()
+  add_custom_command(OUTPUT ${made}
     COMMAND ${program} robot ${urdf} -o ${folder} --name ${name} --depfile ${stem}.d ${options}
     DEPENDS ${files} ${folder}/options.txt ${depends}
     DEPFILE ${stem}.d
     COMMENT "Baking ${name}"
     VERBATIM)
-  add_library(${name} STATIC ${stem}.${source} ${stem}.${header})
+  set(kind PUBLIC)
+  if(extensions)
+    add_library(${name} STATIC ${made})
+  else()
+    set(kind INTERFACE)
+    add_library(${name} INTERFACE ${made})
+  endif()
   add_library(${name}::${name} ALIAS ${name})
-  target_include_directories(${name} PUBLIC ${folder})
-  target_link_libraries(${name} PUBLIC flashbvh::robot)
+  target_include_directories(${name} ${kind} ${folder})
+  target_link_libraries(${name} ${kind} flashbvh::robot)
 endfunction()

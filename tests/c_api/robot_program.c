@@ -205,10 +205,37 @@ static void check_stories(teller* in_c, teller* in_cpp, int verdicts, int outcom
   }
 }
 
+extern const unsigned char robot_image[];
+extern const unsigned char robot_image_end[];
+
+/** Opened in place, it is the robot that was baked as arrays. */
+static void check_image(void) {
+  static flashbvh_mesh meshes[c_arm_LINK_COUNT];
+  const size_t size = (size_t)(robot_image_end - robot_image);
+  flashbvh_robot robot;
+  check(flashbvh_open_robot(robot_image, size - 1, meshes, c_arm_LINK_COUNT, &robot) ==
+            FLASHBVH_STATUS_IMAGE_TRUNCATED,
+        "image", 0);
+  check(flashbvh_open_robot(robot_image, size, meshes, c_arm_LINK_COUNT - 1, &robot) ==
+            FLASHBVH_STATUS_IMAGE_TOO_LARGE,
+        "image", 1);
+  check(flashbvh_open_robot(robot_image, size, meshes, c_arm_LINK_COUNT, &robot) ==
+            FLASHBVH_STATUS_DONE,
+        "image", 2);
+  check(is_robot_of_cpp(&robot), "image", 3);
+  check(strcmp(flashbvh_robot_name(robot_image), "i_arm") == 0, "image", 4);
+  check(strcmp(flashbvh_mount_name(robot_image, 0), "base") == 0, "image", 5);
+  const flashbvh_mount* const mount = flashbvh_mounts(robot_image);
+  check(mount->joint == c_arm_mount_base.joint &&
+            memcmp(&mount->frame, &c_arm_mount_base.frame, sizeof mount->frame) == 0,
+        "image", 6);
+}
+
 int main(void) {
   story c = {0};
   story cpp = {0};
   check(is_robot_of_cpp(&c_arm_robot), "robot", 0);
+  check_image();
   kinematics_in_c(&c);
   kinematics_in_cpp(&cpp);
   check_same(&c, &cpp, "kinematics", 0);

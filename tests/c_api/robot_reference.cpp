@@ -104,13 +104,14 @@ bool same_mesh(const PostMesh& p, const PostMesh& q) {
 bool is_robot_of_cpp(const flashbvh_robot* robot) {
   const Robot& c = *reinterpret_cast<const Robot*>(robot);
   const Robot& cpp = cell_arm::robot;
-  bool is_same = c.joint_count == cpp.joint_count && c.link_count == cpp.link_count &&
-                 c.variable_count == cpp.variable_count && c.pair_count == cpp.pair_count &&
-                 c.reach_count == cpp.reach_count && c.slack == cpp.slack && c.hash == cpp.hash &&
-                 c.cell_bits == cpp.cell_bits && same(c.joints, cpp.joints, cpp.joint_count) &&
-                 same(c.links, cpp.links, cpp.link_count) &&
-                 same(c.pairs, cpp.pairs, cpp.pair_count) &&
-                 same(c.reaches, cpp.reaches, cpp.reach_count);
+  bool is_same =
+      c.joint_count == cpp.joint_count && c.link_count == cpp.link_count &&
+      c.variable_count == cpp.variable_count && c.pair_count == cpp.pair_count &&
+      c.reach_count == cpp.reach_count && c.chart_bytes == cpp.chart_bytes &&
+      same(c.charts, cpp.charts, cpp.chart_bytes) && c.slack == cpp.slack && c.hash == cpp.hash &&
+      c.cell_bits == cpp.cell_bits && same(c.joints, cpp.joints, cpp.joint_count) &&
+      same(c.links, cpp.links, cpp.link_count) && same(c.pairs, cpp.pairs, cpp.pair_count) &&
+      same(c.reaches, cpp.reaches, cpp.reach_count);
   for (uint32_t i = 0; i < cpp.link_count; ++i) {
     is_same = is_same && same_mesh(c.meshes[i], cpp.meshes[i]);
   }

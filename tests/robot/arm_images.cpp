@@ -44,7 +44,7 @@ std::vector<NamedImage> arm_images() {
   add_joint(two, 0, shifted({0, 0.02, 0.1}), JointType::prismatic, 0, 0.4);
   add_link(two, tool::kNoJoint, pyramid(0.2));
   add_link(two, 1, pyramid(0.2));
-  images.push_back({"two_links", image_of(FixedArm(two, 1e-4, {{0, 1, 0.01, 0.03}}))});
+  images.push_back({"two_links", image_of(FixedArm(two, 1e-4, {{0, 1, 0.01, 0.03}}, true))});
   return images;
 }
 

@@ -155,6 +155,7 @@ std::size_t add_link(Model& model, std::size_t joint, const bake::SourceMesh& me
   link.joint = joint;
   link.mesh = mesh;
   model.links.push_back(link);
+  model.mounts.push_back({link.name, joint, shifted({0, 0, 0.01})});
   return model.links.size() - 1;
 }
 

@@ -6,6 +6,7 @@
 
 #include "flashbvh/clearance.hpp"
 #include "robot/arms.hpp"
+#include "robot/charts.hpp"
 #include "robot/fixed_robot.hpp"
 
 namespace flashbvh::test {
@@ -25,8 +26,13 @@ inline Model as_read(Model model) {
 }
 
 struct FixedArm {
-  FixedArm(const Model& made, double cell, const std::vector<tool::GuardedPair>& pairs = {})
-      : model(as_read(made)), arm(model, cell), fixed(model, arm.meshes(), cell, pairs) {}
+  FixedArm(const Model& made, double cell, const std::vector<tool::GuardedPair>& pairs = {},
+           bool has_charts = false)
+      : model(as_read(made)), arm(model, cell), fixed(model, arm.meshes(), cell, pairs) {
+    if (has_charts) {
+      fixed.set_charts(charts_of(model, robot(), [](std::size_t) {}));
+    }
+  }
 
   const Robot& robot() const { return fixed.robot(); }
   double unit_of(std::size_t variable) const {

@@ -252,7 +252,7 @@ TEST_CASE("a pair that has nothing left does not wait for one that has") {
   walk.guard.prime(values.data());
   for (int i = 0; i < 80 && walk.state->core.walked_pair != 0; ++i) {
     values[0] += kFrameCell;
-    (void)walk.guard.update(values.data(), 17);
+    (void)walk.guard.update(values.data(), 1);
   }
   REQUIRE(walk.state->core.walked_pair == 0);
   values[1] = 80 * kFrameCell;

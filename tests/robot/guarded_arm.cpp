@@ -109,7 +109,7 @@ FixedArm any_guarded_arm(Random& random, std::size_t joints, double cell) {
     const Model model = as_read(any_arm(random, joints));
     const std::vector<tool::GuardedPair> pairs = any_pairs(random, model, cell);
     if (!pairs.empty()) {
-      return FixedArm(model, cell, pairs);
+      return FixedArm(model, cell, pairs, random.below(2) == 0);
     }
   }
 }

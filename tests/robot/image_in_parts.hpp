@@ -24,7 +24,9 @@ struct Parts {
         links(reinterpret_cast<RobotLink*>(joints + header.joint_count)),
         pairs(reinterpret_cast<RobotPair*>(links + header.link_count)),
         reaches(reinterpret_cast<std::uint32_t*>(pairs + header.pair_count)),
-        names(reinterpret_cast<char*>(reaches + header.reach_count)),
+        mounts(reinterpret_cast<Mount*>(reaches + header.reach_count)),
+        charts(reinterpret_cast<std::uint8_t*>(mounts + header.mount_count)),
+        names(reinterpret_cast<char*>(charts + header.chart_bytes)),
         meshes(reinterpret_cast<unsigned char*>(words.data()) +
                detail::robot_meshes_offset(header)) {}
 
@@ -37,6 +39,8 @@ struct Parts {
   RobotLink* links;
   RobotPair* pairs;
   std::uint32_t* reaches;
+  Mount* mounts;
+  std::uint8_t* charts;
   char* names;
   unsigned char* meshes;
 };

@@ -35,7 +35,11 @@ const Crafted kCrafted[] = {
     {"too much slack", [](const Parts& p) { p.header.slack = kMaxDistance + 1; }},
     {"another cell", [](const Parts& p) { p.header.cell[0] ^= 1; }, Status::cell_mismatch},
     {"other joints between", [](const Parts& p) { ++p.header.pair_joint_count; }},
-    {"what is no zero", [](const Parts& p) { p.header.zero = 1; }},
+    {"a mount less", [](const Parts& p) { --p.header.mount_count; }},
+    {"a mount on no joint", [](const Parts& p) { p.mounts[1].joint = 5; }},
+    {"padding of a mount", [](const Parts& p) { (&p.mounts[0].joint)[3] = 1; }},
+    {"charts beyond 32 bits", [](const Parts& p) { p.header.chart_bytes = UINT32_MAX; },
+     Status::image_corrupt},
     {"an empty name more", [](const Parts& p) { p.names[0] = 0; }},
     {"a name without an end", [](const Parts& p) { p.names[p.header.names_size - 1] = 'x'; }},
     {"a gap that is no zero", [](const Parts& p) { p.meshes[-1] = 1; }},
@@ -155,6 +159,12 @@ TEST_CASE("an image that breaks a rule is refused with its status") {
     CHECK(verdict.status == crafted.status);
     CHECK(verdict.wrong == nullptr);
   }
+  // Charts of other cells than the joints have.
+  Words charted = arm_images()[2].words;
+  REQUIRE(Parts(charted).header.chart_bytes != 0);
+  Parts(charted).joints[0].upper = Parts(charted).joints[0].lower;
+  repair_robot(charted.data(), size_of(charted));
+  CHECK(exercise_any(charted.data(), size_of(charted)).status == Status::image_invalid);
   // Without the mend of the hash.
   Words words = whole;
   ++Parts(words).header.hash;

@@ -40,13 +40,14 @@ bool are_same(const PostMesh& u, const PostMesh& v) {
 }
 
 bool are_same(const Robot& u, const Robot& v) {
-  bool same = u.joint_count == v.joint_count && u.link_count == v.link_count &&
-              u.variable_count == v.variable_count && u.pair_count == v.pair_count &&
-              u.reach_count == v.reach_count && u.slack == v.slack && u.hash == v.hash &&
-              u.cell_bits == v.cell_bits && are_same(u.joints, v.joints, u.joint_count) &&
-              are_same(u.links, v.links, u.link_count) &&
-              are_same(u.pairs, v.pairs, u.pair_count) &&
-              are_same(u.reaches, v.reaches, u.reach_count);
+  bool same =
+      u.joint_count == v.joint_count && u.link_count == v.link_count &&
+      u.variable_count == v.variable_count && u.pair_count == v.pair_count &&
+      u.reach_count == v.reach_count && u.slack == v.slack && u.hash == v.hash &&
+      u.cell_bits == v.cell_bits && u.chart_bytes == v.chart_bytes &&
+      are_same(u.charts, v.charts, u.chart_bytes) && are_same(u.joints, v.joints, u.joint_count) &&
+      are_same(u.links, v.links, u.link_count) && are_same(u.pairs, v.pairs, u.pair_count) &&
+      are_same(u.reaches, v.reaches, u.reach_count);
   for (std::size_t i = 0; same && i < u.link_count; ++i) {
     same = are_same(u.meshes[i], v.meshes[i]);
   }
@@ -72,6 +73,13 @@ TEST_CASE("an image opens as the robot that it was made of, and its guard answer
     }
     for (std::size_t i = 0; i < arm.model.links.size(); ++i) {
       CHECK(link_name(words.data(), static_cast<std::uint32_t>(i)) == arm.model.links[i].name);
+    }
+    REQUIRE(mount_count(words.data()) == arm.model.mounts.size());
+    for (std::uint32_t i = 0; i < arm.model.mounts.size(); ++i) {
+      const Mount mount = tool::fixed_mount(arm.model.mounts[i], arm.arm.cell());
+      const Mount& kept = mounts(words.data())[i];
+      CHECK(mount_name(words.data(), i) == arm.model.mounts[i].name);
+      CHECK((kept.joint == mount.joint && are_same(&kept.frame, &mount.frame, 1)));
     }
     const auto states = std::make_unique<AnyGuardState[]>(2);
     Guard of_arrays(arm.robot(), states[0]);
@@ -186,6 +194,7 @@ TEST_CASE("as many joints and links as there may be, and one more") {
     RobotImageHeader header = parts.header;
     header.joint_count = header.variable_count = joints;
     header.link_count = links;
+    header.mount_count = 0;
     header.names_size = static_cast<std::uint16_t>(1 + joints + links);
     for (std::uint8_t i = 0; i < joints; ++i) {
       const RobotJoint joint = {

@@ -6,6 +6,7 @@
 #include "cli/mesh_warnings.hpp"
 #include "cli/progress.hpp"
 #include "flashbvh/clearance.hpp"
+#include "robot/charts.hpp"
 #include "robot/urdf.hpp"
 
 namespace flashbvh::tool {
@@ -277,6 +278,9 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   warn_of_stopped(made, distances, arguments, warnings);
   made.fixed =
       std::make_unique<FixedRobot>(made.model, meshes, made.cell, guarded(made.pairs, distances));
+  made.fixed->set_charts(charts_of(made.model, made.robot(), [&](std::size_t pair) {
+    progress.begin(concat("chart of pair ", pair + 1), 0);
+  }));
   return made;
 }
 

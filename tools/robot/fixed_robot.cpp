@@ -72,6 +72,10 @@ double unit_of_coordinate(JointType type, double cell) {
   return type == JointType::prismatic ? cell / kFrameCell : radians_in_turn / kFullTurn;
 }
 
+Mount fixed_mount(const ModelMount& mount, double cell) {
+  return {number_of(mount.joint), frame_of(mount.transform, cell)};
+}
+
 FixedRobot::FixedRobot(const Model& model, const std::vector<PostMesh>& meshes, double cell,
                        const std::vector<GuardedPair>& pairs)
     : cell_(cell), meshes_(meshes) {
@@ -105,8 +109,11 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<PostMesh>& meshes, 
   robot_.hash = detail::robot_hash(robot_);
 }
 
-Mount FixedRobot::mount(const ModelMount& mount) const {
-  return {number_of(mount.joint), frame_of(mount.transform, cell_)};
+void FixedRobot::set_charts(std::vector<std::uint8_t> charts) {
+  charts_ = std::move(charts);
+  robot_.charts = charts_.data();
+  robot_.chart_bytes = static_cast<std::uint32_t>(charts_.size());
+  robot_.hash = detail::robot_hash(robot_);
 }
 
 void FixedRobot::add_joint(const Model& model, std::size_t number) {

@@ -21,6 +21,8 @@ struct GuardedPair {
 /// A unit of a joint's coordinate, in radians or metres.
 double unit_of_coordinate(JointType type, double cell);
 
+Mount fixed_mount(const ModelMount& mount, double cell);
+
 class FixedRobot {
  public:
   /// `meshes`: the links', of the same number, baked with `cell`, in metres; they outlive it.
@@ -28,6 +30,9 @@ class FixedRobot {
   /// which cell it would do.
   FixedRobot(const Model& model, const std::vector<PostMesh>& meshes, double cell,
              const std::vector<GuardedPair>& pairs);
+
+  /// Adds charts_of() it.
+  void set_charts(std::vector<std::uint8_t> charts);
 
   /// A view of it.
   const Robot& robot() const { return robot_; }
@@ -39,7 +44,7 @@ class FixedRobot {
   const std::vector<RobotLink>& links() const { return links_; }
   const std::vector<RobotPair>& pairs() const { return pairs_; }
   const std::vector<std::uint32_t>& reaches() const { return reaches_; }
-  Mount mount(const ModelMount& mount) const;
+  const std::vector<std::uint8_t>& charts() const { return charts_; }
   /// Of all pairs together: how many joints are between their links.
   std::uint32_t pair_joint_count() const { return pair_joint_count_; }
 
@@ -57,6 +62,7 @@ class FixedRobot {
   std::vector<RobotLink> links_;
   std::vector<RobotPair> pairs_;
   std::vector<std::uint32_t> reaches_;
+  std::vector<std::uint8_t> charts_;
   std::vector<PostMesh> meshes_;
   std::uint32_t pair_joint_count_ = 0;
   Robot robot_{};

@@ -85,15 +85,15 @@ std::string c_numbers_of(const std::string& prefix, const char* comment,
   return names.empty() ? "" : concat("/** ", comment, " */\nenum {\n", text, "};\n\n");
 }
 
-std::string mount_names(const Model& model, const FixedRobot& robot, const OutputName& name,
-                        bool is_declared) {
+std::string mount_names(const Model& model, double cell, const OutputName& name, bool is_declared) {
   const std::vector<OutputName> distinct = distinct_names(names_of_mounts(model));
   std::string text;
   for (std::size_t i = 0; i < distinct.size(); ++i) {
     text += concat(is_declared ? "extern " : "", "const flashbvh_mount ", name.word, "_mount_",
                    distinct[i].word);
-    text += is_declared ? ";\n"
-                        : concat(" = ", text_of(robot.mount(model.mounts[i]), kRobotInC), ";\n");
+    text += is_declared
+                ? ";\n"
+                : concat(" = ", text_of(fixed_mount(model.mounts[i], cell), kRobotInC), ";\n");
   }
   return text;
 }
@@ -136,7 +136,7 @@ std::string c_header_of(const Model& model, const FixedRobot& robot,
          c_numbers_of(name.word + "_link_", "Links by number.", names_of_links(model)) +
          "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n"
          "/* Where tools are fastened: the frames of all links of the URDF. */\n" +
-         mount_names(model, robot, name, true) +
+         mount_names(model, links[0].tree.cell, name, true) +
          concat("\nextern const flashbvh_robot ", name.word,
                 "_robot;\n\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
 }
@@ -151,12 +151,15 @@ std::string c_source_of(const Model& model, const FixedRobot& robot,
          constants("flashbvh_robot_joint joints", robot.joints()) +
          constants("flashbvh_robot_link links", robot.links()) +
          constants("flashbvh_robot_pair pairs", robot.pairs()) +
-         constants("uint32_t reaches", robot.reaches()) + mount_names(model, robot, name, false) +
-         concat(
-             "\nconst flashbvh_robot ", name.word, "_robot = ",
-             text_of(robot, {"joints", "links", "(const flashbvh_mesh*)meshes", "pairs", "reaches"},
-                     kRobotInC),
-             ";\n");
+         constants("uint32_t reaches", robot.reaches()) +
+         constants("uint8_t charts", robot.charts()) +
+         mount_names(model, links[0].tree.cell, name, false) +
+         concat("\nconst flashbvh_robot ", name.word, "_robot = ",
+                text_of(robot,
+                        {"joints", "links", "(const flashbvh_mesh*)meshes", "pairs", "reaches",
+                         "charts"},
+                        kRobotInC),
+                ";\n");
 }
 
 }  // namespace

@@ -124,6 +124,11 @@ Model RobotFile::model() const {
     link.joint = number_of_joint(robot_.links[i].joint);
     model.links.push_back(link);
   }
+  for (std::uint32_t i = 0; i < mount_count(words_.data()); ++i) {
+    const Mount& mount = mounts(words_.data())[i];
+    model.mounts.push_back({mount_name(words_.data(), i), number_of_joint(mount.joint),
+                            transform_of(mount.frame, cell())});
+  }
   return model;
 }
 

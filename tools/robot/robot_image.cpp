@@ -16,7 +16,7 @@ void add_name(const std::string& name, std::string& names) {
   names += '\0';
 }
 
-/// The robot's, the joints', the links'.
+/// The robot's, the joints', the links', the mounts'.
 std::string names_of(const Model& model, const std::string& name) {
   std::string names;
   add_name(name, names);
@@ -25,6 +25,9 @@ std::string names_of(const Model& model, const std::string& name) {
   }
   for (const ModelLink& link : model.links) {
     add_name(link.name, names);
+  }
+  for (const ModelMount& mount : model.mounts) {
+    add_name(mount.name, names);
   }
   return names;
 }
@@ -61,10 +64,25 @@ RobotImageHeader header_of(const Robot& robot) {
   header.pair_count = robot.pair_count;
   header.reach_count = robot.reach_count;
   header.variable_count = robot.variable_count;
+  header.chart_bytes = robot.chart_bytes;
   for (std::size_t i = 0; i < robot.pair_count; ++i) {
     header.pair_joint_count += robot.pairs[i].joints_a + robot.pairs[i].joints_b;
   }
   return header;
+}
+
+std::vector<Mount> fixed_mounts(const Model& model, double cell) {
+  if (model.mounts.size() > UINT8_MAX) {
+    throw UserError(model.path, "has ", model.mounts.size(), " links; an image holds 255 at most");
+  }
+  std::vector<Mount> mounts(model.mounts.size());
+  for (std::size_t i = 0; i < mounts.size(); ++i) {
+    const Mount mount = fixed_mount(model.mounts[i], cell);
+    std::memset(static_cast<void*>(&mounts[i]), 0, sizeof mount);
+    mounts[i].joint = mount.joint;
+    mounts[i].frame = mount.frame;
+  }
+  return mounts;
 }
 
 /// The C++ arrays take them, and refuse all values.
@@ -86,12 +104,18 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
   RobotImageHeader header = header_of(robot);
   const std::string names = names_of(model, name);
   header.names_size = static_cast<std::uint16_t>(names.size());
+  double cell = 0;
+  std::memcpy(&cell, &robot.cell_bits, sizeof cell);
+  const std::vector<Mount> mounts = fixed_mounts(model, cell);
+  header.mount_count = static_cast<std::uint8_t>(mounts.size());
   Bytes bytes;
   bytes.add(&header, 1);
   bytes.add(robot.joints, robot.joint_count);
   bytes.add(robot.links, robot.link_count);
   bytes.add(robot.pairs, robot.pair_count);
   bytes.add(robot.reaches, robot.reach_count);
+  bytes.add(mounts.data(), mounts.size());
+  bytes.add(robot.charts, robot.chart_bytes);
   bytes.add(names.data(), names.size());
   bytes.fill();
   const std::size_t own = bytes.size();

@@ -67,15 +67,21 @@ std::string text_of(std::uint32_t reach, const RobotLanguage& /*language*/) {
   return concat(reach, "u");
 }
 
+std::string text_of(std::uint8_t distance, const RobotLanguage& /*language*/) {
+  return std::to_string(distance);
+}
+
 std::string text_of(const FixedRobot& robot, const RobotArrays& arrays,
                     const RobotLanguage& language) {
   const Robot& view = robot.robot();
   return concat("{\n    ", name_if_any(arrays.joints, robot.joints(), language), ", ", arrays.links,
                 ", ", arrays.meshes, ", ", name_if_any(arrays.pairs, robot.pairs(), language), ", ",
-                name_if_any(arrays.reaches, robot.reaches(), language), ",\n    ",
+                name_if_any(arrays.reaches, robot.reaches(), language), ", ",
+                name_if_any(arrays.charts, robot.charts(), language), ",\n    ",
                 robot.joints().size(), ", ", robot.links().size(), ", ", view.variable_count,
                 ", 0, ", robot.pairs().size(), ", ", robot.reaches().size(), ",\n    ", view.slack,
-                "u, ", hex(view.hash, 8), ", ", hex(view.cell_bits, 16), "}");
+                "u, ", view.chart_bytes, "u, ", hex(view.hash, 8), ", ", hex(view.cell_bits, 16),
+                "}");
 }
 
 std::vector<std::string> names_of_variables(const Model& model) {

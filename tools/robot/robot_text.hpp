@@ -30,6 +30,7 @@ std::string text_of(const RobotJoint& joint, const RobotLanguage& language);
 std::string text_of(const RobotLink& link, const RobotLanguage& language);
 std::string text_of(const RobotPair& pair, const RobotLanguage& language);
 std::string text_of(std::uint32_t reach, const RobotLanguage& language);
+std::string text_of(std::uint8_t distance, const RobotLanguage& language);
 
 /// "PREFIXconst TYPE NAME[] = {...};", or nothing if there are none: no array is empty.
 template <class Element>
@@ -48,6 +49,7 @@ struct RobotArrays {
   const char* meshes;
   const char* pairs;
   const char* reaches;
+  const char* charts;
 };
 std::string text_of(const FixedRobot& robot, const RobotArrays& arrays,
                     const RobotLanguage& language);

@@ -11,13 +11,13 @@ namespace {
 constexpr const char* kWrittenBy =
     "// Written by `flashbvh robot`; run it again instead of changing this.\n";
 
-std::string mounts_of(const Model& model, const FixedRobot& robot) {
+std::string mounts_of(const Model& model, double cell) {
   const std::vector<OutputName> distinct = distinct_names(names_of_mounts(model));
   std::string text =
       "\n/// Where tools are fastened: the frames of all links of the URDF.\nnamespace mounts {\n";
   for (std::size_t i = 0; i < distinct.size(); ++i) {
     text += concat("constexpr flashbvh::Mount ", distinct[i].identifier, " = ",
-                   text_of(robot.mount(model.mounts[i]), kRobotInCpp), ";\n");
+                   text_of(fixed_mount(model.mounts[i], cell), kRobotInCpp), ";\n");
   }
   return text + "}  // namespace mounts\n";
 }
@@ -80,7 +80,7 @@ std::string header_of(const Model& model, const FixedRobot& robot,
          numbers_of("variables", "Where each joint's value stands among the caller's.",
                     names_of_variables(model)) +
          "\n" + numbers_of("links", "Links by number.", names_of_links(model)) +
-         mounts_of(model, robot) + "\n/// For messages: linked only if they are used.\n" +
+         mounts_of(model, cell) + "\n/// For messages: linked only if they are used.\n" +
          array_of_names("kLinkNames", names_of_links(model)) +
          (model.variables.empty() ? ""
                                   : array_of_names("kVariableNames", names_of_variables(model))) +
@@ -117,18 +117,20 @@ std::string source_of(const Model& model, const FixedRobot& robot,
          constants("flashbvh::RobotLink kLinks", robot.links()) +
          constants("flashbvh::RobotPair kPairs", robot.pairs()) +
          constants("uint32_t kReaches", robot.reaches()) +
+         constants("uint8_t kCharts", robot.charts()) +
          concat("}  // namespace\n\nconst flashbvh::Robot robot = ",
-                text_of(robot, {"kJoints", "kLinks", "kMeshes", "kPairs", "kReaches"}, kRobotInCpp),
+                text_of(robot, {"kJoints", "kLinks", "kMeshes", "kPairs", "kReaches", "kCharts"},
+                        kRobotInCpp),
                 ";\n\n}  // namespace ", name.identifier, "\n");
 }
 
 }  // namespace
 
 std::size_t robot_array_bytes(const FixedRobot& robot) {
-  constexpr std::size_t kRobotBytes = 48;  // with pointers of four bytes
+  constexpr std::size_t kRobotBytes = 56;  // with pointers of four bytes
   return kRobotBytes + robot.joints().size() * sizeof(RobotJoint) +
          robot.links().size() * sizeof(RobotLink) + robot.pairs().size() * sizeof(RobotPair) +
-         robot.reaches().size() * 4;
+         robot.reaches().size() * 4 + robot.charts().size();
 }
 
 std::size_t robot_flash_bytes(const FixedRobot& robot, const std::vector<BakedLink>& links) {

@@ -110,6 +110,7 @@ typedef struct FLASHBVH_TWIN flashbvh_robot {
   const flashbvh_mesh* meshes; /**< link_count */
   const flashbvh_robot_pair* pairs;
   const uint32_t* reaches;
+  const uint8_t* charts;
   uint8_t joint_count;
   uint8_t link_count;
   uint8_t variable_count; /**< how many values the caller gives */
@@ -117,6 +118,7 @@ typedef struct FLASHBVH_TWIN flashbvh_robot {
   uint16_t pair_count;
   uint16_t reach_count;
   uint32_t slack; /**< in 1/256 cell */
+  uint32_t chart_bytes;
   uint32_t hash;
   uint64_t cell_bits; /**< the cell in metres, as the bits of an IEEE binary64 */
 } flashbvh_robot;
@@ -141,6 +143,27 @@ typedef struct FLASHBVH_TWIN flashbvh_mesh_view {
   bool is_closed;
   uint64_t cell_bits;
 } flashbvh_mesh_view;
+
+/* Images: robot/image.hpp ---------------------------------------------------------------------- */
+
+/** Opens `NAME.robot` in place: `image` starts at a multiple of 4 and outlives `robot`, and so do
+ * `meshes`, views that may be written whatever the status; `robot` is on DONE alone. Statuses of
+ * flashbvh_open(); IMAGE_CORRUPT as well if the hash is another one; IMAGE_TOO_LARGE if there are
+ * more than `mesh_capacity` links, 64 at most; CELL_MISMATCH if a mesh has another cell. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_open_robot(const void* image, size_t size,
+                                                       flashbvh_mesh* meshes,
+                                                       uint32_t mesh_capacity,
+                                                       flashbvh_robot* robot);
+
+/** For people, of an image that was opened: of the robot; of a joint or a link by its number. */
+const char* flashbvh_robot_name(const void* image);
+const char* flashbvh_joint_name(const void* image, uint32_t joint);
+const char* flashbvh_link_name(const void* image, uint32_t link);
+
+/** Where tools are fastened: the frames of all links of the URDF, and these links' names. */
+uint32_t flashbvh_mount_count(const void* image);
+const flashbvh_mount* flashbvh_mounts(const void* image);
+const char* flashbvh_mount_name(const void* image, uint32_t mount);
 
 /* Kinematics: robot/kinematics.hpp ------------------------------------------------------------- */
 
@@ -312,7 +335,7 @@ void flashbvh_motion_set_values(const flashbvh_motion* motion, uint32_t numerato
 /** A robot in RAM, to which tools, obstacles and pairs are added. Not copied. */
 typedef struct flashbvh_workcell {
   union {
-    unsigned char bytes[10 * sizeof(void*) + 48];
+    unsigned char bytes[11 * sizeof(void*) + 56];
     uint64_t word;
     void* pointer;
   } opaque;

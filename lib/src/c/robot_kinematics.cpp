@@ -48,12 +48,14 @@ FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, links);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, meshes);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, pairs);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, reaches);
+FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, charts);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, joint_count);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, link_count);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, variable_count);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, pair_count);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, reach_count);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, slack);
+FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, chart_bytes);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, hash);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, cell_bits);
 

@@ -98,7 +98,9 @@ Status Guard::resume() {
   return Status::done;
 }
 
-Guard::Motion Guard::motion_of(const RobotPair& pair, const JointCoordinate* certified) const {
+/// How far two links may have moved towards each other since their certificate.
+uint32_t Guard::motion_of(const RobotPair& pair, const JointCoordinate* certified,
+                          bool& is_fresh) const {
   detail::Travel since;
   uint32_t moved = 0;
   detail::for_each_between(*robot_, pair, [&](uint32_t joint, uint32_t reach) {
@@ -108,7 +110,21 @@ Guard::Motion Guard::motion_of(const RobotPair& pair, const JointCoordinate* cer
     since.add_short(reach, detail::greater(detail::magnitude(began), detail::magnitude(ended)));
     moved |= static_cast<uint32_t>(ended);
   });
-  return {since.fine(), moved == 0};
+  is_fresh = moved == 0;
+  return since.fine();
+}
+
+Guard::Left Guard::left_of(uint16_t i, const JointCoordinate* certified) const {
+  const RobotPair& pair = robot_->pairs[i];
+  const GuardPair& known = pairs_[i];
+  Left now;
+  now.lost = sum_of(motion_of(pair, certified, now.is_fresh), robot_->slack);
+  now.is_fresh = now.is_fresh && !is_unknown(known);
+  now.distance = difference_of(known.lower, now.lost);
+  now.left = difference_of(now.distance, pair.stop);
+  now.is_vague = !now.is_fresh && now.left != 0 && now.distance <= pair.warn &&
+                 sum_of(known.upper, now.lost) > pair.warn;
+  return now;
 }
 
 /// How far the joints move the pair in this period, in 1/256 cell.
@@ -136,30 +152,28 @@ Guard::Found Guard::look() {
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
     const RobotPair& pair = robot_->pairs[i];
     GuardPair& known = pairs_[i];
-    const Motion motion = motion_of(pair, certified);
-    certified += pair.joints_a + pair.joints_b;
-    const bool is_fresh = motion.is_fresh && !is_unknown(known);
-    const uint32_t lost = sum_of(motion.since, robot_->slack);
-    const uint32_t distance = difference_of(known.lower, lost);
-    const uint32_t left = difference_of(distance, pair.stop);
-    if (distance == 0) {
-      known.lower = 0;  // for good: what an obstacle moved is counted on and on, beyond 32 bits
-    }
-    const bool is_stopped = left == 0 && (is_fresh || sum_of(known.upper, lost) <= pair.stop);
-    found.take(left != 0    ? distance > pair.warn ? Verdict::free : Verdict::warn
-               : is_stopped ? Verdict::stop
-                            : Verdict::not_yet_known,
-               i, distance);
-    if (!is_fresh && is_near(left, pair, longest)) {
+    Left now = left_of(i, certified);
+    if (now.is_vague || (!now.is_fresh && is_near(now.left, pair, longest))) {
       const uint32_t rate = rate_of(pair);
-      if (left <= uint64_t{rate} * kPeriodsAhead) {
-        found.take_due(i, left, sum_of(rate, 1));
+      const bool is_due = now.left <= uint64_t{rate} * kPeriodsAhead;
+      if ((is_due || now.is_vague) && certify_by_chart(i, rate)) {
+        now = left_of(i, certified);
+      } else if (is_due) {
+        found.take_due(i, now.left, sum_of(rate, 1));
       }
     }
-    if (!is_fresh && left != 0 && distance <= pair.warn && sum_of(known.upper, lost) > pair.warn) {
-      found.vague = i;
+    certified += pair.joints_a + pair.joints_b;
+    if (now.distance == 0) {
+      known.lower = 0;  // for good: what an obstacle moved is counted on and on, beyond 32 bits
     }
-    found.walked_left = i == core_->walked_pair ? left : found.walked_left;
+    const bool is_stopped =
+        now.left == 0 && (now.is_fresh || sum_of(known.upper, now.lost) <= pair.stop);
+    found.take(now.left != 0 ? now.distance > pair.warn ? Verdict::free : Verdict::warn
+               : is_stopped  ? Verdict::stop
+                             : Verdict::not_yet_known,
+               i, now.distance);
+    found.vague = now.is_vague ? i : found.vague;
+    found.walked_left = i == core_->walked_pair ? now.left : found.walked_left;
   }
   if (found.due == kNoPair) {
     found.due = found.vague;

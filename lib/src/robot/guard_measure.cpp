@@ -1,6 +1,7 @@
 // The guard: measuring pairs whose certificates are about to run out.
 #include "branch.hpp"
 #include "coordinate.hpp"
+#include "flashbvh/detail/robot_chart.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "guard_parts.hpp"
 #include "spheres.hpp"
@@ -29,6 +30,10 @@ constexpr uint32_t kStaleShare = 8;
 /// 1/16: no triangles are tested for half of it, many for all.
 constexpr uint32_t kShare = 6;
 
+/// And within what so many periods move it, if that is less; and at least within one part of so
+/// many of the share, since joints speed up.
+constexpr uint32_t kPeriodsAsked = 16;
+
 }  // namespace
 
 /// Its triangles in A's frame, in cells.
@@ -51,18 +56,24 @@ JointCoordinate* Guard::certified_of(uint16_t i) {
 
 void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& certificate) {
   JointCoordinate* to = certified_of(i);
+  core_->walked_pair = core_->walked_pair == i ? kNoPair : core_->walked_pair;
   pairs_[i] = certificate;
   detail::for_each_between(*robot_, robot_->pairs[i],
                            [&](uint32_t joint, uint32_t) { *to++ = at[joint]; });
+}
+
+/// To where the period ends: values that were refused may stand there.
+void Guard::set_next() {
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    next_[i] = detail::difference(before_[i], -step_[i]);
+  }
 }
 
 void Guard::make_frames() {
   if (core_->has_frames != 0) {
     return;
   }
-  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
-    next_[i] = detail::difference(before_[i], -step_[i]);
-  }
+  set_next();
   set_frames(*robot_, next_, frames_);
   core_->has_frames = 1;
 }
@@ -89,8 +100,22 @@ bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
   return true;
 }
 
+/// By what is known of where the joints stand, if that lasts: no pose, and no triangles.
+bool Guard::certify_by_chart(uint16_t i, uint32_t rate) {
+  set_next();
+  const RobotPair& pair = robot_->pairs[i];
+  const uint32_t charted = detail::chart_distance_at(*robot_, i, next_);
+  const uint32_t known = difference_of(charted, robot_->slack);
+  if (known <= pair.warn || known - pair.stop <= uint64_t{rate} * (kPeriodsAhead + 1)) {
+    return false;
+  }
+  certify(i, next_, {charted, UINT32_MAX, pairs_[i].witness});
+  return true;
+}
+
 void Guard::begin_walk(uint16_t i, uint32_t& work) {
-  const uint32_t since = motion_of(robot_->pairs[i], certified_of(i)).since;
+  bool is_fresh = false;
+  const uint32_t since = motion_of(robot_->pairs[i], certified_of(i), is_fresh);
   core_->walked_pair = i;
   core_->pose = pose_of(robot_->pairs[i]);
   core_->witness = pairs_[i].witness;
@@ -117,9 +142,12 @@ void Guard::aim(uint32_t nearest) {
   const uint32_t warn = sum_of(pair.warn, robot_->slack);
   const uint32_t kept = nearest > warn ? warn : stop;
   const uint32_t over = difference_of(nearest, kept);
-  const uint32_t share = over / 16 * kShare;
-  // What is asked is to last back to where the period began, if the witness has so much.
+  const uint32_t most = over / 16 * kShare;
+  // As far as so many periods like this one move the links: farther takes walks of many periods.
   const uint32_t moved = sum_of(rate_of(pair), 2);
+  const uint32_t least = most / kPeriodsAsked;
+  const uint32_t share = moved >= least ? most : detail::greater(moved * kPeriodsAsked, least);
+  // What is asked is to last back to where the period began, if the witness has so much.
   const uint32_t asked = sum_of(kept, moved < over ? detail::greater(share, moved) : share);
   core_->nearest = nearest;
   core_->asked = asked < kMaxDistance ? asked : kMaxDistance;
@@ -167,7 +195,6 @@ Status Guard::walk(uint32_t& work) {
 
 Status Guard::finish(const GuardPair& certificate) {
   certify(core_->walked_pair, walked_, certificate);
-  core_->walked_pair = kNoPair;
   return Status::done;
 }
 

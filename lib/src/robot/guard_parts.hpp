@@ -13,10 +13,13 @@ constexpr uint32_t kPeriodsAhead = 8;
 
 }  // namespace detail
 
-/// How far two links may have moved towards each other since their certificate.
-struct Guard::Motion {
-  uint32_t since;  ///< in 1/256 cell, at any moment of this period
-  bool is_fresh;   ///< the certificate is of where the period ends
+/// What is left of a pair's certificate, in 1/256 cell, at any moment of this period.
+struct Guard::Left {
+  uint32_t lost;      ///< how far the links may have moved towards each other since, and the slack
+  uint32_t distance;  ///< they are farther apart than that
+  uint32_t left;      ///< of it, over the stop distance
+  bool is_fresh;      ///< the certificate is of where the period ends
+  bool is_vague;      ///< whether it is free or warned of is not known
 };
 
 /// What one of the caller's variables has to do with a distance.

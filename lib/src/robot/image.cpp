@@ -24,24 +24,35 @@ const RobotImageHeader& header_of(const void* image) {
   return *image_part<RobotImageHeader>(image, 0);
 }
 
-/// Of names, whose offset is needed by itself.
-uint32_t names_offset(const RobotImageHeader& header) {
+/// More than any robot's: what a header says of more does not lead past 32 bits.
+constexpr uint32_t kMostChartBytes = 1u << 28;
+
+uint32_t mounts_offset(const RobotImageHeader& header) {
   return static_cast<uint32_t>(sizeof header + header.joint_count * sizeof(RobotJoint) +
                                header.link_count * sizeof(RobotLink) +
                                header.pair_count * sizeof(RobotPair) +
                                header.reach_count * sizeof(uint32_t));
 }
 
+uint32_t charts_offset(const RobotImageHeader& header) {
+  return mounts_offset(header) + static_cast<uint32_t>(header.mount_count * sizeof(Mount));
+}
+
+uint32_t names_offset(const RobotImageHeader& header) {
+  return charts_offset(header) +
+         (header.chart_bytes < kMostChartBytes ? header.chart_bytes : kMostChartBytes);
+}
+
 bool counts_fit(const RobotImageHeader& header) {
   return header.joint_count <= kMaxJoints && header.link_count >= 1 &&
          header.link_count <= kMaxLinks && header.variable_count <= header.joint_count &&
-         header.slack >= kLeastSlack && header.slack <= kMaxDistance && header.zero == 0;
+         header.slack >= kLeastSlack && header.slack <= kMaxDistance;
 }
 
 /// As many names as there have to be, none too long, and zeros from there to the meshes.
 [[gnu::noinline]] bool names_fit(const void* bytes, const RobotImageHeader& header) {
   const char* const names = image_part<char>(bytes, names_offset(header));
-  const uint32_t count = 1u + header.joint_count + header.link_count;
+  const uint32_t count = 1u + header.joint_count + header.link_count + header.mount_count;
   uint32_t ended = 0;
   uint32_t length = 0;
   for (uint32_t i = 0; i < header.names_size; ++i) {
@@ -59,6 +70,19 @@ bool counts_fit(const RobotImageHeader& header) {
   return ended == count && length == 0 && is_gap_zero;
 }
 
+/// Frames are looked at where they are used.
+bool mounts_fit(const void* bytes, const RobotImageHeader& header) {
+  const Mount* const mounts = image_part<Mount>(bytes, mounts_offset(header));
+  for (uint32_t i = 0; i < header.mount_count; ++i) {
+    const unsigned char* const padding = &mounts[i].joint + 1;
+    if ((mounts[i].joint >= header.joint_count && mounts[i].joint != kBase) ||
+        (padding[0] | padding[1] | padding[2]) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
 [[gnu::noinline]] void view(const void* bytes, const PostMesh* meshes, Robot& robot) {
   const RobotImageHeader& header = header_of(bytes);
   robot.joints = image_part<RobotJoint>(bytes, sizeof header);
@@ -66,6 +90,7 @@ bool counts_fit(const RobotImageHeader& header) {
   robot.meshes = meshes;
   robot.pairs = reinterpret_cast<const RobotPair*>(robot.links + header.link_count);
   robot.reaches = reinterpret_cast<const uint32_t*>(robot.pairs + header.pair_count);
+  robot.charts = image_part<uint8_t>(bytes, charts_offset(header));
   robot.joint_count = header.joint_count;
   robot.link_count = header.link_count;
   robot.variable_count = header.variable_count;
@@ -73,6 +98,7 @@ bool counts_fit(const RobotImageHeader& header) {
   robot.pair_count = header.pair_count;
   robot.reach_count = header.reach_count;
   robot.slack = header.slack;
+  robot.chart_bytes = header.chart_bytes;
   robot.hash = header.hash;
   robot.cell_bits = (uint64_t{header.cell[1]} << 32) | header.cell[0];
 }
@@ -126,6 +152,7 @@ uint32_t robot_hash(const Robot& robot) {
   hash = hash_of(robot.links, robot.link_count, hash);
   hash = hash_of(robot.pairs, robot.pair_count, hash);
   hash = hash_of(robot.reaches, robot.reach_count, hash);
+  hash = hash_of(robot.charts, robot.chart_bytes, hash);
   hash = hash_of(&robot.slack, 1, hash);
   hash = hash_of(&robot.cell_bits, 1, hash);
   for (uint32_t i = 0; i < robot.link_count; ++i) {
@@ -151,8 +178,8 @@ Status open_robot_unhashed(const void* bytes, size_t size, PostMesh* meshes, uin
   }
   view(bytes, meshes, robot);
   uint32_t pair_joint_count = 0;
-  if (!counts_fit(header) || !names_fit(bytes, header) || !check_robot(robot, pair_joint_count) ||
-      pair_joint_count != header.pair_joint_count) {
+  if (!counts_fit(header) || !names_fit(bytes, header) || !mounts_fit(bytes, header) ||
+      !check_robot(robot, pair_joint_count) || pair_joint_count != header.pair_joint_count) {
     return Status::image_invalid;
   }
   if (header.link_count > mesh_capacity) {
@@ -207,6 +234,18 @@ const char* joint_name(const void* image, uint32_t joint) {
 
 const char* link_name(const void* image, uint32_t link) {
   return name_of(image, 1u + header_of(image).joint_count + link);
+}
+
+uint32_t mount_count(const void* image) {
+  return header_of(image).mount_count;
+}
+
+const Mount* mounts(const void* image) {
+  return image_part<Mount>(image, mounts_offset(header_of(image)));
+}
+
+const char* mount_name(const void* image, uint32_t mount) {
+  return link_name(image, header_of(image).link_count + mount);
 }
 
 }  // namespace flashbvh

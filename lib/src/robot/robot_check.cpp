@@ -4,6 +4,7 @@
 #include "branch.hpp"
 #include "coordinate.hpp"
 #include "flashbvh/clearance.hpp"
+#include "flashbvh/detail/robot_chart.hpp"
 #include "flashbvh/detail/robot_image_parts.hpp"
 #include "spheres.hpp"
 
@@ -216,6 +217,15 @@ bool check_between(const Robot& robot, const RobotPair& pair) {
   return true;
 }
 
+/// Of all pairs, or of none.
+bool check_charts(const Robot& robot) {
+  uint32_t bytes = 0;
+  for (uint32_t i = 0; i < robot.pair_count; ++i) {
+    bytes += chart_size(robot, robot.pairs[i]);
+  }
+  return robot.chart_bytes == 0 || robot.chart_bytes == bytes;
+}
+
 [[gnu::noinline]] bool check_tree(const Robot& robot) {
   uint32_t extents[kMaxJoints];
   return check_joints(robot, extents) && check_variables(robot) && check_links(robot, extents);
@@ -240,7 +250,7 @@ bool holds(const RobotLink& link, const int32_t (&origin)[3], const Vertex& vert
 
 bool check_robot(const Robot& robot, uint32_t& pair_joint_count) {
   pair_joint_count = 0;
-  return check_tree(robot) && check_pairs(robot, pair_joint_count);
+  return check_tree(robot) && check_pairs(robot, pair_joint_count) && check_charts(robot);
 }
 
 bool check_spheres(const Robot& robot) {

@@ -12,7 +12,7 @@ namespace flashbvh::detail {
 /// Where the first mesh lies, in bytes from the start of the image.
 uint32_t robot_meshes_offset(const RobotImageHeader& header);
 
-/// FNV-1a of the joints, links, pairs, reaches, slack and cell, and of each mesh's nodes,
+/// FNV-1a of the joints, links, pairs, reaches, charts, slack and cell, and of each mesh's nodes,
 /// triangles, vertices and origin: Robot::hash.
 uint32_t robot_hash(const Robot& robot);
 

@@ -178,7 +178,7 @@ class Guard {
 
  private:
   struct Found;
-  struct Motion;
+  struct Left;
   struct Share;
 
   uint32_t joints_between() const;
@@ -186,13 +186,15 @@ class Guard {
   bool has_triangles(uint16_t pair, const Witness<uint16_t>& witness) const;
   Status move_to(const JointCoordinate* values);
   Status measure(const Found& found, uint32_t& work);
-  Motion motion_of(const RobotPair& pair, const JointCoordinate* certified) const;
+  uint32_t motion_of(const RobotPair& pair, const JointCoordinate* certified, bool& is_fresh) const;
+  Left left_of(uint16_t pair, const JointCoordinate* certified) const;
   uint32_t rate_of(const RobotPair& pair) const;
   uint32_t longest_step() const;
   Found look();
   JointCoordinate* certified_of(uint16_t pair);
   void begin_walk(uint16_t pair, uint32_t& work);
   bool certify_by_spheres(uint16_t pair, uint32_t rate);
+  bool certify_by_chart(uint16_t pair, uint32_t rate);
   void aim(uint32_t nearest);
   Status walk(uint32_t& work);
   Status finish(const GuardPair& certificate);
@@ -201,6 +203,7 @@ class Guard {
   bool is_free(uint32_t joint) const;
   int32_t step_to_next(uint32_t joint) const;
   bool has_one_way(uint32_t joint) const;
+  void set_next();
   void make_frames();
   Share share_of(const RobotPair& pair, uint8_t variable, const NearestPoints& nearest) const;
   void place_witness(uint16_t pair, const Witness<uint16_t>& witness, const Pose& pose, Triangle& a,

@@ -1,13 +1,16 @@
 // A robot's binary image: joints, links, the pairs that can collide and the links' meshes in one
 // block of bytes, opened in place, in flash.
 //
-// A header of 44 bytes, then, each at a multiple of 4 bytes:
+// A header of 48 bytes, then, each at a multiple of 4 bytes:
 //
 //     joints   joint_count  x 72 bytes, RobotJoint
 //     links    link_count   x 24 bytes, RobotLink
 //     pairs    pair_count   x 16 bytes, RobotPair
 //     reaches  reach_count  x  4 bytes
-//     names    names_size   bytes: the robot's, the joints', the links', each ended by a zero
+//     mounts   mount_count  x 52 bytes, Mount
+//     charts   chart_bytes  bytes
+//     names    names_size   bytes: the robot's, the joints', the links', the mounts', each
+//                           ended by a zero
 //     meshes   link_count   images (image.hpp), post-indexed, with 16-bit indices
 //
 // Little-endian. lib/docs/format.md has every bit.
@@ -28,7 +31,7 @@ constexpr uint16_t kRobotImageVersion = 1;
 /// Most bytes of a name in it, without the zero at its end.
 constexpr uint32_t kMaxRobotNameSize = 255;
 
-/// The first 44 bytes of a robot's image.
+/// The first 48 bytes of a robot's image.
 struct RobotImageHeader {
   uint32_t magic;
   uint16_t version;
@@ -40,14 +43,15 @@ struct RobotImageHeader {
   uint32_t slack;             ///< Robot::slack
   uint32_t cell[2];           ///< in metres: IEEE binary64, low word first
   uint32_t pair_joint_count;  ///< between the links of all pairs: what a GuardState holds
+  uint32_t chart_bytes;       ///< Robot::chart_bytes
   uint16_t pair_count;
   uint16_t reach_count;
   uint16_t names_size;
   uint8_t variable_count;
-  uint8_t zero;
+  uint8_t mount_count;
 };
 
-static_assert(sizeof(RobotImageHeader) == 44, "the figure in the format's description");
+static_assert(sizeof(RobotImageHeader) == 48, "the figure in the format's description");
 
 /// Checks magic, version and size, and copies the header: tells what it may be of, not whether its
 /// contents can be trusted.
@@ -60,12 +64,13 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
 ///
 /// Proven are the joints' tree, types, limits, mimics and frames; where each link's reaches stand,
 /// that its sphere holds its mesh, and that nothing gets farther from the base than frames can say;
-/// of each pair the joints between, the sum of their reaches and its distances; each mesh, by
+/// of each pair the joints between, the sum of their reaches and its distances, and how many
+/// bytes its chart has; each mount's joint; each mesh, by
 /// open_image(); that all have one cell; the hash.
 ///
 /// Trusted is what can't be worked out from the rest, and bounds what a guard's word is worth: how
-/// far turning joints move links (the reaches), that the other pairs never collide, and of the
-/// slack all but what rounding vertices takes. `flashbvh robot` works them out.
+/// far turning joints move links (the reaches), what the charts say, that the other pairs never
+/// collide, and of the slack all but what rounding vertices takes. `flashbvh robot` works them out.
 ///
 /// Statuses: those of open_image(); image_corrupt as well if the hash is another one;
 /// image_too_large if the robot has more than `mesh_capacity` links; cell_mismatch if a mesh has
@@ -83,6 +88,12 @@ const char* robot_name(const void* image);
 const char* joint_name(const void* image, uint32_t joint);
 /// Of a link, numbered below Robot::link_count.
 const char* link_name(const void* image, uint32_t link);
+
+/// Where tools are fastened, of an image that was opened: the frames of all links of the URDF.
+uint32_t mount_count(const void* image);
+const Mount* mounts(const void* image);
+/// Of a mount, numbered below mount_count(): its link's.
+const char* mount_name(const void* image, uint32_t mount);
 
 }  // namespace flashbvh
 

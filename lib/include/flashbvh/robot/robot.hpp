@@ -100,6 +100,8 @@ struct Robot {
   /// How far a joint moves any point of a link, whatever the joints between the two: in
   /// 2^-kReachBits of 1/256 cell a unit of the joint's coordinate, rounded up.
   const uint32_t* reaches;
+  /// Of pairs with one or two joints between: how far apart at least, by where these stand; bytes.
+  const uint8_t* charts;
   uint8_t joint_count;
   uint8_t link_count;
   uint8_t variable_count;  ///< how many values the caller gives
@@ -109,8 +111,9 @@ struct Robot {
   /// How far two of its links may be nearer to each other than their placed meshes, in 1/256 cell:
   /// what rounding vertices to the lattice and kinematics in fixed point add up to.
   uint32_t slack;
-  uint32_t hash;       ///< of all of it: tells robots apart
-  uint64_t cell_bits;  ///< the cell in metres, as the bits of an IEEE binary64
+  uint32_t chart_bytes;  ///< 0: a guard does without
+  uint32_t hash;         ///< of all of it: tells robots apart
+  uint64_t cell_bits;    ///< the cell in metres, as the bits of an IEEE binary64
 };
 
 }  // namespace flashbvh
