@@ -112,7 +112,9 @@ mutate "offsets are cut to 30,000 cells" lib/include/flashbvh/detail/rotated_tra
 mutate "a bound that touches is rejected" $arithmetic/Rejects.v '+ (bias - lower) < 2 * bias' \
   '+ (bias - lower) <= 2 * bias' Rejects.v
 mutate "a product's rounding counts 12" lib/src/geometry/pose.cpp 'kRoundingDefect = 13' 'kRoundingDefect = 12' composed.g
-mutate "a chain of 2^20 joints" lib/include/flashbvh/robot/robot.hpp 'kMaxJoints = 64' 'kMaxJoints = 1048576' chain.g
+mutate "a sine within 2^-28" $arithmetic/chain.g '1.414214 * 1b-29' '1.414214 * 1b-28' chain.g
+mutate "a segment that touches an edge misses" $arithmetic/Segment.v '(u <? 0) || (v <? 0) || (w <? 0))).' \
+  '(u <=? 0) || (v <? 0) || (w <? 0))).' Segment.v
 mutate "a coordinate has 16 bits" lib/include/flashbvh/lattice.hpp 'kMaxCoordinate = 16383' \
   'kMaxCoordinate = 16385' box_test.smt2
 mutate "a threshold is off by one" $arithmetic/box_test.smt2 \

@@ -30,8 +30,8 @@ Proof. rewrite !Z.abs_le. lia. Qed.
 
 (* ---- Pose: an entry given, kept, and split.
    code: src/geometry/pose.cpp | return ((given >> (kGivenBits - kKeptBits - 1)) + 1) >> 1;
-   code: src/geometry/pose.cpp | coarse[j] = (r[i][j] + (1 << (kRestBits - 1))) >> kRestBits;
-   code: src/geometry/pose.cpp | matrix_.rest[i][j] = static_cast<int8_t>(r[i][j] - coarse[j] * (1 << kRestBits)); *)
+   code: src/geometry/pose.cpp | coarse[j] = (r[i][j] + (1 << (detail::kRestBits - 1))) >> detail::kRestBits;
+   code: src/geometry/pose.cpp | matrix_.rest[i][j] = static_cast<int8_t>(r[i][j] - coarse[j] * (1 << detail::kRestBits)); *)
 Definition kept (given : Z) : Z := (given / (one30 / one22 / 2) + 1) / 2.
 Definition coarse (k : Z) : Z := (k + rest8 / 2) / rest8.
 Definition rest (k : Z) : Z := k - coarse k * rest8.

@@ -81,13 +81,13 @@ Lemma reach_range : 0 <= reach.
 Proof. destruct sizes as (P & Q & S & <-). clear - P Q S. lia. Qed.
 
 (* The margin, without its quotients. *)
-Lemma margin_is : 35 * 1024 * reach + 24 * 1024 * (reach * defect) / 1024 + 16384 * 25100 <=
+Lemma margin_is : 35 * 1024 * reach + 24 * (reach * defect) + 16384 * 25100 <=
   16384 * slab_margin reach defect.
 Proof.
   unfold slab_margin. cbv zeta. change (@kMarginUnit@) with 16. pose proof reach_range.
   assert (0 <= reach * defect) by (clear - H defects; nia). clear - H H0.
   set (rd := reach * defect) in *. clearbody rd.
-  replace (24 * 1024 * rd) with (24 * rd * 1024) by ring. rewrite Z.div_mul by easy. divisions. lia.
+  divisions. lia.
 Qed.
 
 Lemma vertex_off : exists e1 e2 e3, Z.abs e1 <= 2097152 /\ Z.abs e2 <= 2097152 /\ Z.abs e3 <= 2097152 /\
@@ -133,8 +133,7 @@ Proof.
   assert (5242880 * mp + 5242880 * mq + 5242880 * ms = 5242880 * reach) as M by (rewrite <- R; ring).
   pose proof margin_is as L. pose proof reach_range as R0.
   assert (0 <= reach * defect) as R1 by (clear - R0 defects; nia).
-  replace (24 * 1024 * (reach * defect)) with (24 * (reach * defect) * 1024) in L by ring.
-  rewrite Z.div_mul in L by easy.
+  apply Z.abs_le in F1, F2, F3, G1, G2, G3, H1, H2, H3. apply Z.abs_le.
   revert Off F1 F2 F3 G1 G2 G3 H1 H2 H3 M L R0 R1. unfold most_part, one22.
   generalize (t1 * p) (t2 * q) (t3 * s) (d1 * e1) (d2 * e2) (d3 * e3) (reach * defect) (slab_margin reach defect)
     (d1 * (256 * o1 - 256 * (cell14 * w1))) (d2 * (256 * o2 - 256 * (cell14 * w2)))
@@ -249,10 +248,9 @@ Proof.
       [unfold off, one; ring|].
     rewrite E1, E2, E3. unfold t1, t2, skew1, skew2, skew3, h1, h2, h3, g1, g2, g3, m1, m2, m3, one, one22, cell14. ring. }
   pose proof margin_is as L. assert (0 <= reach * defect) as R1 by (clear - R0 defects; nia).
-  replace (24 * 1024 * (reach * defect)) with (24 * (reach * defect) * 1024) in L by ring.
-  rewrite Z.div_mul in L by easy.
   assert (24576 * d * mp + 24576 * d * mq + 24576 * d * ms = 25769803776 * (reach * defect)) as M.
   { rewrite <- R. unfold d, one, one22. change (4194304 * 4194304 / 16777216) with 1048576. ring. }
+  apply Z.abs_le in F1, F2, F3, T1, T2. apply Z.abs_le.
   revert Off F1 F2 F3 HM T1 T2 L M. unfold one, one22, most_part.
   generalize (skew1 * p) (skew2 * q) (skew3 * s) (h1 * m1 + h2 * m2 + h3 * m3) (reach * defect) (slab_margin reach defect)
     (24576 * d * mp) (24576 * d * mq) (24576 * d * ms).

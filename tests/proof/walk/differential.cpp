@@ -17,7 +17,7 @@ Definition make := map (fun c => let '(l, r, p) := c in
   {| c_link := Z.to_nat l; c_rank := r; c_parent_rank := p |}).
 Definition passes (m k : Z) := negb (k mod m =? 0)%Z.
 Definition bound (m : Z) (i j : nat) :=
-  let a := Z.of_nat i in let b := Z.of_nat j in passes m (a * 7 + b * 11 + a * b).
+  let a := Z.of_nat i in let b := Z.of_nat j in passes m (a * 7 + b * 11 + a * b + 1).
 Definition begin_ (m : Z) (i j : nat) := passes m (Z.of_nat i * 5 + Z.of_nat j * 3 - 1).
 Definition touch (m : Z) (s : Side) (i j : nat) :=
   passes m (Z.of_nat i * 3 + Z.of_nat j * 13 + match s with LeafA => 1 | _ => 2 end).

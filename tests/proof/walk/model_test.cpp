@@ -140,13 +140,16 @@ TEMPLATE_TEST_CASE("the walk that is proved is the library's, however it is cut"
   const uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed);
+  size_t visits = 0;
   for (int round = 0; round < 2000; ++round) {
     CAPTURE(round);
     const Subject<TestType> subject(random);
     Walked expected;
     subject.model.search({0, 0}, expected);
     REQUIRE(subject.walked_from(random, {}, State::fresh) == expected);
+    visits += expected.visits.size();
   }
+  REQUIRE(visits > 20'000);
 }
 
 TEMPLATE_TEST_CASE("what is proved of a position is so of each that the library accepts", "",
