@@ -1,13 +1,19 @@
 #!/bin/sh
-# compare.sh    The time of flashbvh's queries as a ratio to OPCODE's and FCL's, and of its distances to
-#               FCL's, on the same meshes in the same poses, in one run: lib/docs/compare.md. A report,
-#               not a test. Installs what is missing; works in build/compare, where times.txt keeps the
-#               times of each pair.
+# compare.sh           Beside OPCODE, FCL and Bullet: times as ratios, answers, allocations, on the same
+#                      meshes in the same poses, in one run; instructions on two boards under QEMU;
+#                      capsules, spheres, hulls and distance fields. Writes lib/docs/comparison.md.
+# compare.sh --page    writes the page of what the last run left in build/compare
+#
+# A report, not a test. Installs what is missing; works in build/compare.
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
 . tools/kr5.sh
 
+case ${1:-} in
+  "" | --page) ;;
+  *) sed -n '2,7s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+esac
 folder=$PWD/build/compare
 meshes=$folder/meshes
 # FLASHBVH_NATIVE: the preset whose host program bakes.
@@ -58,6 +64,11 @@ torus() {
     >"$meshes/$1.obj"
 }
 
+# box NAME X Y Z: half its sides.
+box() {
+  awk -v x="$2" -v y="$3" -v z="$4" -f tools/compare/box.awk >"$meshes/$1.obj"
+}
+
 # bake MESH...: those that are queried together share a cell. With one triangle a leaf, too, for poses
 # to be searched with.
 bake() {
@@ -65,32 +76,68 @@ bake() {
   quietly "$flashbvh" bake "$@" -o "$meshes/searched" --format image --leaf-size 1
 }
 
+# on_board BOARD: its instructions, for firmware.awk.
+on_board() {
+  quietly cmake -S tools/compare/firmware -B "$folder/$1" -G Ninja -DFLASHBVH_BOARD="$1" \
+    -DCMAKE_TOOLCHAIN_FILE="$PWD/ports/toolchain/arm-none-eabi.cmake" \
+    -DCOMPARE_ODE_SOURCE="$ode" -DCOMPARE_FIGURES="$PWD/build/figures"
+  quietly cmake --build "$folder/$1"
+  FLASHBVH_TIMEOUT=600 FLASHBVH_ICOUNT=8 ports/run "$1" "$folder/$1/bin/compare_firmware.elf" \
+    >"$folder/$1.txt"
+}
+
 # cached NAME: what CMake has of that name for the program.
 cached() {
   sed -n "s/^$1:[A-Z]*=//p" "$program/CMakeCache.txt"
 }
 
-mkdir -p "$meshes"
-ensure_packages $host_packages libode-dev libfcl-dev debian-archive-keyring
-fetch_ode
-fetch_kr5 build/kr5
-fetch_mug
-quietly cmake --preset "$native"
-quietly cmake --build --preset "$native" --target flashbvh_tool
-torus thick 20 20 6000 2000
-torus thin 40 10 7000 800
-bake "$meshes/thick.obj" "$meshes/thin.obj" --cell 1
-bake "$kr5/bicep.STL" "$kr5/forearm.STL" "$kr5/palm.STL" "$kr5/wrist.STL"
-bake "$mug"
-
-program=$folder/program
-quietly cmake -S tools/compare -B "$program" -G Ninja -DCOMPARE_ODE_SOURCE="$ode"
-quietly cmake --build "$program"
 pairs="thick-thin bicep-palm forearm-palm bicep-forearm bicep-wrist mug-mug"
-"$program/compare" "$meshes" $pairs >"$folder/times.txt"
+boards="mps2-an386 mps2-an500"
+program=$folder/program
 
-dpkg-query -W -f '${Package} ${Version}\n' libode-dev libfcl-dev
-echo "$("$(cached CMAKE_CXX_COMPILER)" --version | head -n 1), $(cached CMAKE_CXX_FLAGS_RELWITHDEBINFO), $(uname -m)"
-echo "meshes: $pairs"
-echo
-awk -f tools/compare/table.awk "$folder/times.txt"
+measure() {
+  mkdir -p "$meshes"
+  ensure_packages $host_packages $board_packages libbullet-dev libode-dev libfcl-dev pkg-config \
+    debian-archive-keyring
+  fetch_ode
+  fetch_kr5 build/kr5
+  fetch_mug
+  FLASHBVH_NATIVE=$native quietly tools/figures.sh --prepare
+  torus thick 20 20 6000 2000
+  torus thin 40 10 7000 800
+  box crate 1000 700 400
+  box brick 300 200 100
+  bake "$meshes/thick.obj" "$meshes/thin.obj" --cell 1
+  bake "$meshes/crate.obj" "$meshes/brick.obj" --cell 1
+  bake "$kr5/bicep.STL" "$kr5/forearm.STL" "$kr5/palm.STL" "$kr5/wrist.STL"
+  bake "$mug"
+
+  quietly cmake -S tools/compare -B "$program" -G Ninja -DCOMPARE_ODE_SOURCE="$ode"
+  quietly cmake --build "$program"
+  for board in $boards; do on_board "$board"; done
+  "$program/compare" "$meshes" crate-brick $pairs >"$folder/lines.txt"
+}
+
+# with: the libraries and the compiler.
+with() {
+  dpkg-query -W -f '${Package} ${Version}\n' libode-dev libfcl-dev libbullet-dev
+  echo "$("$(cached CMAKE_CXX_COMPILER)" --version | head -n 1), $(cached CMAKE_CXX_FLAGS_RELWITHDEBINFO), $(uname -m)"
+  echo "meshes: $pairs"
+}
+
+[ "${1:-}" = --page ] || measure
+with >"$folder/with"
+awk -f tools/compare/table.awk "$folder/lines.txt" >"$folder/times"
+for part in known heap stand_ins; do
+  awk -f tools/compare/$part.awk "$folder/lines.txt" >"$folder/$part"
+done
+for board in $boards; do
+  awk -f tools/compare/firmware.awk "$folder/$board.txt"
+done >"$folder/boards"
+# A line `@part@` of the text stands for what was measured.
+awk -v folder="$folder" '/^@.*@$/ {
+    file = folder "/" substr($0, 2, length($0) - 2)
+    while ((getline line <file) > 0) print line
+    next
+  } { print }' tools/compare/page.md >lib/docs/comparison.md
+cat "$folder/times" "$folder/known" "$folder/heap" "$folder/boards" "$folder/stand_ins"

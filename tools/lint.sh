@@ -1,22 +1,26 @@
 #!/bin/sh
-# lint.sh    clang-tidy on the library and the host program; wants a configured build/native-sanitize.
+# lint.sh          clang-tidy on the library and the host program.
+# lint.sh --deep   The analyzer takes as many steps a function as it usually does. On the host program
+#                  most of them go into the insides of the standard library.
 set -eu
 cd "$(dirname "$0")/.."
 texts=build/lint
 rm -rf $texts
 mkdir -p $texts
-quietly="--quiet --extra-arg=-Wno-unknown-warning-option"
+steps=20000
+[ "${1:-}" != --deep ] || steps=225000
 status=0
 
-# A room of the host program as one text, since its sources include the same headers; what is found
-# is said by source and line. The analyzer takes a third of its usual steps a function: the others go
-# into the insides of the standard library.
-lint_room() {
+# lint NAME SOURCE...    The sources as one text, since they include the same headers; what is found is
+# said by source and line.
+lint() {
   text=$texts/$1.cpp
-  cat "tools/$1"/*.cpp >"$text"
-  clang-tidy $quietly --config-file=.clang-tidy "$text" -- -std=c++17 \
-    -Xclang -analyzer-config -Xclang max-nodes=75000 -Ilib/include -Itools "-Itools/$1" \
-    >"$text.found" || status=1
+  shift
+  cat "$@" >"$text"
+  # shellcheck disable=SC2046
+  clang-tidy --quiet --config-file=.clang-tidy "$text" -- -std=c++17 -Wno-unknown-warning-option \
+    -Xclang -analyzer-config -Xclang max-nodes=$steps -Ilib/include -Itools \
+    $(printf '%s\n' "$@" | sed 's#/[^/]*$##; s/^/-I/' | sort -u) >"$text.found" || status=1
   awk -v text="$text:" '
     FILENAME != found { if (FNR == 1) { source[++n] = FILENAME; before[n] = lines } ++lines; next }
     at = index($0, text) {
@@ -24,12 +28,13 @@ lint_room() {
       for (i = n; before[i] >= where[1]; --i);
       $0 = source[i] ":" where[1] - before[i] substr($0, at + length(text where[1]))
     }
-    { print }' found="$text.found" "tools/$1"/*.cpp "$text.found"
+    { print }' found="$text.found" "$@" "$text.found"
 }
 
-find lib -name '*.cpp' | xargs clang-tidy $quietly -p build/native-sanitize || status=1
+lint lib lib/src/*/*.cpp
 for room in tools/*/; do
+  room=$(basename "$room")
   # tools/compare wants the headers of the libraries that it compares; tools/release has no source.
-  [ "$room" = tools/compare/ ] || [ "$room" = tools/release/ ] || lint_room "$(basename "$room")"
+  [ "$room" = compare ] || [ "$room" = release ] || lint "$room" "tools/$room"/*.cpp
 done
 exit $status

@@ -28,6 +28,7 @@ ensure_packages() {
 
 host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev liburdfdom-dev
   nlohmann-json3-dev zlib1g-dev catch2"
+test_packages="ccache clang-format doxygen"
 # The sanitizers, and the fuzzer, without which the corpora alone are replayed.
 sanitizer_packages="clang libclang-rt-14-dev"
 # Exact rationals, for the oracle of distances.

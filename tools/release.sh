@@ -3,7 +3,8 @@
 #                          lib/docs/packages.md. Installs what is missing. Debian's take some minutes.
 # release.sh --test [DIR]  Those, made a second time and compared, then built and run as their users would.
 #
-# FLASHBVH_URL, FLASHBVH_AUTHOR, FLASHBVH_EMAIL: what the packages say of where they are from.
+# FLASHBVH_URL, FLASHBVH_AUTHOR, FLASHBVH_EMAIL: what the packages say of where they are from. Without
+# them they name a host that can't exist, for no one's is right (RFC 2606).
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
@@ -40,6 +41,8 @@ quietly build_debs
 # What tells of one build on one machine.
 rm -rf "$tree" "$release"/debian/*.buildinfo "$release"/debian/*.changes
 echo "packages: ${release#"$PWD/"}"
+[ -n "${FLASHBVH_URL:-}" ] && [ -n "${FLASHBVH_EMAIL:-}" ] ||
+  echo "not to be published: FLASHBVH_URL and FLASHBVH_EMAIL are not set, the packages say flashbvh.example"
 [ -n "$tested" ] || exit 0
 
 again=$PWD/build/release-again

@@ -22,7 +22,11 @@ case ${1:-} in
   --all) steps="$steps lx106" packages="$packages $xtensa_packages" release=yes ;;
   *) sed -n '2,6s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
-ensure_packages $host_packages $sanitizer_packages $oracle_packages $board_packages $packages clang-format doxygen
+ensure_packages $host_packages $sanitizer_packages $oracle_packages $board_packages $packages $test_packages
+
+# What is compiled once is not compiled again: boards of one core, tests that build the library.
+export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+export CCACHE_DIR="$PWD/build/ccache" CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=include_file_ctime
 
 began=$(date +%s)
 rm -rf build/log

@@ -44,7 +44,7 @@ run() {
       cmake --build --preset native-sanitize
       ctest --preset native-sanitize -LE long -j "$(nproc)" ;;
     long) ctest --preset native-sanitize -L long ;;
-    lint) tools/lint.sh 2>build/log/lint.warnings ;;
+    lint) tools/lint.sh ${FLASHBVH_DEEP_LINT:+--deep} 2>build/log/lint.warnings ;;
     *) board "$1" ;;
   esac
 }

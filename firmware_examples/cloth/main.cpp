@@ -73,19 +73,29 @@ struct Costs {
   }
 };
 
+/// Under the sheet's lower edge, 28 mm of it over the sheet's origin.
+PostMesh put_link() {
+  PostMesh link = arm_link::mesh;
+  const detail::Box box = detail::unpack(link.nodes[0].box);
+  link.origin[0] = -(box.lower.x + box.upper.x) / 2;
+  link.origin[1] = -(box.lower.y + box.upper.y) / 2;
+  link.origin[2] = static_cast<int32_t>(28 * kPerMm) - box.upper.z;
+  return link;
+}
+const PostMesh link = put_link();
+
 /// The link's points as the cloth's: both count from their own origins.
-Vector of_link(const PostMesh& mesh, uint16_t vertex) {
-  const auto from_sheet = [&mesh](int axis) {
-    return static_cast<float>(mesh.origin[axis] - sheet::mesh.origin[axis]);
+Vector of_link(uint16_t vertex) {
+  const auto from_sheet = [](int axis) {
+    return static_cast<float>(link.origin[axis] - sheet::mesh.origin[axis]);
   };
-  return cloth::from(mesh.vertices[vertex], {from_sheet(0), from_sheet(1), from_sheet(2)});
+  return cloth::from(link.vertices[vertex], {from_sheet(0), from_sheet(1), from_sheet(2)});
 }
 
 void push_off_link(Cloth& cloth, uint32_t of_a, uint32_t of_b) {
-  const auto& corner = arm_link::mesh.triangles[of_a].corner;
-  const Vector o = of_link(arm_link::mesh, corner[0]);
-  const Vector n =
-      cloth::cross(of_link(arm_link::mesh, corner[1]) - o, of_link(arm_link::mesh, corner[2]) - o);
+  const auto& corner = link.triangles[of_a].corner;
+  const Vector o = of_link(corner[0]);
+  const Vector n = cloth::cross(of_link(corner[1]) - o, of_link(corner[2]) - o);
   const float squared = dot(n, n);
   if (squared > 0) {
     cloth.push_off(of_b, o, (1 / __builtin_sqrtf(squared)) * n);
@@ -96,7 +106,7 @@ void push_off_link(Cloth& cloth, uint32_t of_a, uint32_t of_b) {
 Costs ask(const PostMesh& mesh, Cloth& cloth, Frame& frame) {
   Costs costs;
   costs.link = port::instructions_of([&] {
-    PairQuery query(arm_link::mesh, mesh, kInPlace);
+    PairQuery query(link, mesh, kInPlace);
     (void)query.run(UINT32_MAX, [&](const PairQuery::Pair& pair) {
       frame.add(frame.of_link, pair);
       return true;
@@ -109,7 +119,7 @@ Costs ask(const PostMesh& mesh, Cloth& cloth, Frame& frame) {
       return true;
     });
   });
-  WithinQuery near_link(arm_link::mesh, mesh, kInPlace, {}, within(kNearLink));
+  WithinQuery near_link(link, mesh, kInPlace, {}, within(kNearLink));
   (void)near_link.run(UINT32_MAX, [&](const WithinQuery::Pair& pair) {
     frame.add(frame.near_link, pair);
     const auto positions = near_link.last_positions();
@@ -165,7 +175,7 @@ int main([[maybe_unused]] int argc, [[maybe_unused]] char** argv) {
       tell(number, frame, costs);
     }
 #if defined(FLASHBVH_CLOTH_PAGE)
-    page.add(number, mesh.mesh(), arm_link::mesh);
+    page.add(number, mesh.mesh(), link);
 #endif
     cloth.step();
   }

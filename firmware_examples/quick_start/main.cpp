@@ -1,5 +1,4 @@
-// The dozen lines of the README: a peg above a plate, lowered until they touch, and wholly inside
-// it.
+// A query in slices: a peg above a plate, lowered until they touch, and wholly inside it.
 #include "peg.fbvh.hpp"
 #include "plate.fbvh.hpp"
 #include "text.hpp"

@@ -2,12 +2,14 @@
 // target.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
+#include "bake/bending.hpp"
 #include "deformable/bending.hpp"
+#include "flashbvh/bound.hpp"
 #include "flashbvh/self.hpp"
 #include "insn.hpp"
-#include "stack.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;
@@ -16,12 +18,6 @@ namespace {
 
 /// Of a Cortex-M7 at 480 MHz and 100 Hz, at an instruction a cycle.
 [[maybe_unused]] constexpr std::uint32_t kHalfAFrame = 2'400'000;
-/// Bytes of stack, of a refit.
-constexpr std::uint32_t kMostStack = 256;
-/// Of self queries, their objects in the callers' frames included.
-constexpr std::uint32_t kMostSelfStack = 720;
-constexpr std::uint32_t kMostBandStack = 880;
-
 std::uint32_t cost_of_refit(BasicDeformableMesh<PostMesh>& mesh) {
   RefitStep step{};
   const std::uint32_t cost = port::instructions_of([&] { step = mesh.refit(); });
@@ -37,16 +33,15 @@ std::uint32_t cost_of_self(const PostMesh& mesh, Counts& counts) {
   });
 }
 
-/// The queries are the caller's memory, as everywhere.
-Status ask_itself(Bending<PostMesh>& bent) {
-  static SelfQuery query(bent.mesh.mesh());
-  query = SelfQuery(bent.mesh.mesh());
-  return query.run(UINT32_MAX, [](const SelfQuery::Pair&) { return true; });
-}
-Status ask_band(Bending<PostMesh>& bent) {
-  static SelfWithinQuery query(bent.mesh.mesh());
-  query = SelfWithinQuery(bent.mesh.mesh(), within(20 * 256));
-  return query.run(UINT32_MAX, [](const SelfWithinQuery::Pair&) { return true; });
+/// The most that a run of so much work takes.
+std::uint32_t worst_run(const PostMesh& mesh, std::uint32_t work) {
+  SelfQuery query(mesh);
+  std::uint32_t most = 0;
+  SelfQuery::Pair found[8];
+  while (query.status() == Status::suspended) {
+    most = std::max(most, port::instructions_of([&] { (void)query.run(work, found); }));
+  }
+  return most;
 }
 
 }  // namespace
@@ -67,23 +62,38 @@ TEST_CASE("a refit keeps to what flashbvh info says of it, and a sheet is asked 
     const std::uint32_t rest = cost_of_self(bent.mesh.mesh(), counts);
     lay(random, 23, 320, 300, 210, bent.vertices.data(), bent.vertices.size());
     (void)cost_of_refit(bent.mesh);
+#if defined(__ARM_ARCH_7EM__)
+    for (const std::uint32_t work : {40u, 400u}) {
+      if (tree.leaf_size != bake::kDefaultLeafSize) {
+        continue;
+      }
+      const TreeSize size = {bent.baked.depth, bent.baked.arity, bent.baked.leaf_size,
+                             bent.baked.leaf_count,
+                             static_cast<std::uint32_t>(bent.baked.triangles.size())};
+      const std::uint64_t bound = most_instructions(kCortexM4F, size, size, work);
+      const std::uint32_t most = worst_run(bent.mesh.mesh(), work);
+      std::printf("budget: a self query's run of work %u: %u at most, of %u\n",
+                  static_cast<unsigned>(work), static_cast<unsigned>(most),
+                  static_cast<unsigned>(bound));
+      CHECK(most <= bound);
+    }
+#endif
     const std::uint32_t crumpled = cost_of_self(bent.mesh.mesh(), counts);
     const auto nodes = static_cast<std::uint32_t>(bent.nodes.size());
+    const std::size_t told = bake::bending_cost(bent.mesh.mesh()).refit_instructions;
     std::printf(
-        "budget: leaf size %u, arity %u: %u nodes, %u bytes of RAM; refit %u instructions, %.1f a "
-        "node; itself at rest %u, crumpled %u (%u pairs)\n",
+        "budget: leaf size %u, arity %u: %u nodes, %u bytes of RAM; refit %u instructions (told "
+        "%u), "
+        "%.1f a node; itself at rest %u, crumpled %u (%u pairs)\n",
         static_cast<unsigned>(tree.leaf_size), static_cast<unsigned>(tree.arity),
         static_cast<unsigned>(nodes),
         static_cast<unsigned>(nodes * sizeof bent.nodes[0] +
                               bent.vertices.size() * sizeof bent.vertices[0]),
-        static_cast<unsigned>(refit), static_cast<double>(refit) / nodes,
-        static_cast<unsigned>(rest), static_cast<unsigned>(crumpled),
-        static_cast<unsigned>(counts.triangle_pairs));
+        static_cast<unsigned>(refit), static_cast<unsigned>(told),
+        static_cast<double>(refit) / nodes, static_cast<unsigned>(rest),
+        static_cast<unsigned>(crumpled), static_cast<unsigned>(counts.triangle_pairs));
     std::fflush(stdout);
 #if defined(__ARM_ARCH_7EM__)
-    // tools/cli/bending.hpp
-    const auto triangles = static_cast<std::uint32_t>(lattice.triangles.size());
-    const std::uint32_t told = 48 * triangles + 12 * nodes;
     CHECK(refit <= told + told / 8);
     CHECK(refit >= told - told / 8);
     if (tree.leaf_size == bake::kDefaultLeafSize) {
@@ -91,14 +101,5 @@ TEST_CASE("a refit keeps to what flashbvh info says of it, and a sheet is asked 
       CHECK(refit + crumpled <= kHalfAFrame);
     }
 #endif
-    const std::uint32_t of_refit = port::stack_of([&] { (void)bent.mesh.refit(); });
-    const std::uint32_t of_self = port::stack_of([&] { (void)ask_itself(bent); });
-    const std::uint32_t of_band = port::stack_of([&] { (void)ask_band(bent); });
-    std::printf("budget: stack of a refit %u, of a self query %u, of a band %u\n",
-                static_cast<unsigned>(of_refit), static_cast<unsigned>(of_self),
-                static_cast<unsigned>(of_band));
-    CHECK(of_refit <= kMostStack);
-    CHECK(of_self <= kMostSelfStack);
-    CHECK(of_band <= kMostBandStack);
   }
 }

@@ -81,12 +81,18 @@ struct Bending {
   std::vector<Vertex> vertices;
   BasicDeformableMesh<MeshType> mesh;
 
-  Bending(const bake::BuildTree& tree, const bake::LatticeMesh& from)
+  Bending(const bake::BuildTree& tree, const bake::LatticeMesh& from, bool shows_quads = true)
       : lattice(from),
         baked(bake::lay_out<Index, MeshType::kLayout>(tree, lattice)),
         nodes(baked.nodes.size()),
         vertices(baked.vertices.size()),
-        mesh(baked.view(), nodes.data(), vertices.data()) {}
+        mesh(shown(baked, shows_quads).view(), nodes.data(), vertices.data()) {}
+  static const auto& shown(decltype(baked)& tree, bool shows_quads) {
+    if (shows_quads) {
+      bake::show_quads(tree);
+    }
+    return tree;
+  }
   Bending(const Bending&) = delete;
   Bending& operator=(const Bending&) = delete;
 

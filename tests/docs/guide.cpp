@@ -1,4 +1,4 @@
-// The guide's C++: a peg that is about to be moved above a plate.
+// The guide's C++, and the README's: a peg that is about to be moved above a plate.
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/pose_float.hpp>
 #include <flashbvh/ray_float.hpp>
@@ -22,6 +22,19 @@ flashbvh::Pose peg_in_plate(const flashbvh::Pose& plate_in_world, const flashbvh
                             float x, float y, float z) {
   const flashbvh::Pose peg_in_world = flashbvh::pose_of(q, {x, y, z}, plate::kCellsPerUnit);
   return flashbvh::Pose::relative(plate_in_world, peg_in_world);
+}
+
+// The README's lines.
+
+/// May the peg go there? Exact, for the two solids; an error is no permission to move on.
+bool may_go(const flashbvh::Pose& peg_in_plate) {
+  return !flashbvh::solids_intersect(plate::mesh, peg::mesh, peg_in_plate).yes;
+}
+
+/// Is it nearer than that, in mm? After an error, too.
+bool is_near(const flashbvh::Pose& peg_in_plate, float length) {
+  const uint32_t within = flashbvh::fine_distance(length, plate::kCellsPerUnit);
+  return flashbvh::closer_than(plate::mesh, peg::mesh, peg_in_plate, within).yes;
 }
 
 enum class Verdict { pending, no_contact, stop };
@@ -211,6 +224,13 @@ int main() {
                                : Guard::Speed::stop)) {
       return 2;
     }
+  }
+  const auto lowered_to = [&](float height) {
+    return peg_in_plate(plate_in_world, {1, 0, 0, 0}, 0, 0, height);
+  };
+  if (!may_go(lowered_to(0.5f)) || may_go(lowered_to(0)) || !is_near(lowered_to(3), 3.1f) ||
+      is_near(lowered_to(3), 2.9f)) {
+    return 7;
   }
   const Cable cable;
   if (!cable.touches_plate(peg_in_plate(plate_in_world, {1, 0, 0, 0}, 0, 0, 1.9f)) ||

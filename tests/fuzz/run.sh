@@ -1,12 +1,17 @@
 #!/bin/sh
 # Fuzzes what reads bytes, under libFuzzer with the address and undefined-behaviour sanitizers:
-#     tests/fuzz/run.sh 600        each program for 600 seconds
-#     tests/fuzz/run.sh short      each for a fixed number of inputs, always the same ones
+#     tests/fuzz/run.sh 600                        each program for 600 seconds
+#     tests/fuzz/run.sh --executions 100000000     so many inputs in all, however long; with JOBS=4 four
+#                                                  processes of each program, one program after the other
+#     tests/fuzz/run.sh short                      each for a fixed number of inputs, always the same ones
 # Needs clang and libclang-rt-14-dev. What it finds lies in build/fuzz/found; put it into corpus/
 # beside the mend. Exits with 77 if there is no libFuzzer.
 set -eu
 cd "$(dirname "$0")/../.."
-long=${1:?how many seconds, or short}
+long=${1:?how many seconds, --executions N, or short}
+programs="image position mesh robot c text"
+[ "$long" != --executions ] || executions=${2:?how many inputs}
+jobs=${JOBS:-1}
 
 printf 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' |
   clang++ -x c++ - -fsanitize=fuzzer -o /dev/null 2>/dev/null || {
@@ -15,38 +20,51 @@ printf 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned lon
 }
 mkdir -p build
 cmake --preset fuzz >build/fuzz.log 2>&1 &&
-  cmake --build --preset fuzz --target fuzz_image fuzz_position fuzz_mesh fuzz_robot >>build/fuzz.log 2>&1 || {
+  cmake --build --preset fuzz --target $(for program in $programs; do echo fuzz_$program; done) >>build/fuzz.log 2>&1 || {
   tail -n 40 build/fuzz.log
   exit 1
 }
 
 mkdir -p build/fuzz/found
-for program in image position mesh robot; do
+for program in $programs; do
   seeds=build/fuzz/seeds/$program
   rm -rf "$seeds"
   mkdir -p "$seeds"
   cp tests/fuzz/corpus/$program/* "$seeds"
+  # `share`: of 1,000 inputs; the dearer an input, the fewer.
   case $program in
-    image) runs=2500 && cp tests/golden/*.fbvh "$seeds" ;;
-    position) runs=15000 ;;
-    mesh) runs=12000 ;;
-    robot) runs=6000 ;;
+    image) runs=2500 share=10 && cp tests/golden/*.fbvh "$seeds" ;;
+    position) runs=15000 share=200 ;;
+    mesh) runs=12000 share=420 ;;
+    robot) runs=6000 share=20 ;;
+    c) runs=10000 share=150 ;;
+    text) runs=6000 share=200 ;;
   esac
-  if [ "$long" = short ]; then
-    limit="-runs=$runs -seed=1"
-  else
-    limit="-max_total_time=$long"
-    grown=build/fuzz/grown/$program # kept from run to run
-    mkdir -p "$grown"
-    seeds="$grown $seeds"
-  fi
+  log=build/fuzz/$program.log
+  options="-max_len=3000 -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix=build/fuzz/found/$program-"
+  grown=build/fuzz/grown/$program # kept from run to run
+  mkdir -p "$grown"
+  case $long in
+    short) options="$options -runs=$runs -seed=1" grown= ;;
+    --executions) options="$options -runs=$((executions / 1000 * share / jobs + 1)) -reload=1" ;;
+    *) options="$options -max_total_time=$long" ;;
+  esac
   echo "== fuzz_$program"
-  # shellcheck disable=SC2086
-  build/fuzz/bin/fuzz_$program $limit -max_len=3000 -timeout=20 -rss_limit_mb=2048 \
-    -print_final_stats=1 -artifact_prefix=build/fuzz/found/$program- $seeds \
-    >build/fuzz/$program.log 2>&1 || {
-    tail -n 60 build/fuzz/$program.log
-    exit 1
-  }
-  grep -E 'cov:|stat::number_of_executed_units|slowest' build/fuzz/$program.log | tail -n 3
+  rm -f "$log".*
+  job=0
+  processes=
+  while [ $job -lt "$jobs" ]; do
+    # shellcheck disable=SC2086
+    build/fuzz/bin/fuzz_$program $options $grown $seeds >"$log.$job" 2>&1 &
+    processes="$processes $!"
+    job=$((job + 1))
+  done
+  for process in $processes; do
+    wait "$process" || {
+      grep -l -E 'ERROR|FOUND|deadly' "$log".* | head -n 1 | xargs tail -n 60
+      exit 1
+    }
+  done
+  awk -v program=$program '/number_of_executed_units/ { runs += $2 } / cov: / { for (i = 1; i < NF; ++i) if ($i == "cov:") cov = $(i + 1) }
+    END { printf "%d inputs, %d places reached\n", runs, cov }' "$log".*
 done

@@ -8,8 +8,8 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 lib=$(cd "$1" && pwd) out=$2
 shift 2
-walk="Constants Ranked Code Query Image Proved"
-arithmetic="Margins Triangle"
+walk="Constants Ranked Code Stackless Query Image Proved"
+arithmetic="Margins Slabs Triangle Rejects"
 python3 -B "$here/prelude.py" "$lib" "$out" "$here"/walk/*.v "$here"/arithmetic/*.v \
   "$here"/arithmetic/*.g "$here"/arithmetic/*.smt2
 cd "$out"

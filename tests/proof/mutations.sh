@@ -30,6 +30,7 @@ PY
     refused=$((refused + 1))
   fi
 }
+stackless=tests/proof/walk/Stackless.v paper=lib/include/flashbvh/paper
 walk=tests/proof/walk arithmetic=tests/proof/arithmetic
 mesh=lib/include/flashbvh/mesh.hpp detail=lib/include/flashbvh/detail
 
@@ -86,6 +87,32 @@ mutate "opening does not climb from the last leaf" $walk/Image.v \
 mutate "opening does not compare ranks" $walk/Image.v '(rank child <=? rank parent)' 'true' Image.v
 mutate "a line of the walk that is quoted" $detail/ranked.hpp \
   'if (b_.parent_rank <= a_.parent_rank)' 'if (b_.parent_rank < a_.parent_rank)' Code.v
+mutate "a line of the paper's walk that is quoted" $paper/stackless.hpp 'if (rcl_b < lag) {' 'if (rcl_b <= lag) {' \
+  Stackless.v
+mutate "a tie of levels goes to A" $stackless 'if ((level_a a <? level_b b)' 'if ((level_a a <=? level_b b)' Stackless.v
+mutate "a climb in A goes on into B's turn" $stackless 'if rcl_a <=? l then' 'if rcl_a <=? l + 1 then' Stackless.v
+mutate "a climb in B goes on into A's turn" $stackless 'if rcl_b <? lag then' 'if rcl_b <=? lag then' Stackless.v
+mutate "A's left child wins a tie too late" $stackless 'if rcl_a - l <=? rcl_b then' 'if rcl_a - l <? rcl_b then' Stackless.v
+mutate "A is left a level low" $stackless '(at_a s) (l + rcl_b + 1)' '(at_a s) (l + rcl_b)' Stackless.v
+mutate "levels may differ by two without a leaf" $stackless '(level_b b - level_a a <=? 1)' \
+  '(level_b b - level_a a <=? 2)' Stackless.v
+mutate "a level is one too large below the root" $stackless 'nth x levels 0 = S (nth n levels 0)' \
+  'nth x levels 0 = S (S (nth n levels 0))' Stackless.v
+mutate "slabs have half of the margin for vertices" lib/include/flashbvh/detail/transform.hpp "33'500" "16'500" Slabs.v
+mutate "slabs' margin lacks what turning adds to an edge" $arithmetic/Slabs.v 'turned / 2 + each / 4 * 3' \
+  'each / 4 * 3' Slabs.v
+mutate "a slab is placed by cells rounded down" $arithmetic/Slabs.v '(2 * offset + cell14) / (2 * cell14)' \
+  'offset / cell14' Slabs.v
+mutate "a slab's margin has the wrong sign" $arithmetic/Rejects.v 'bias + least + offset - margin' \
+  'bias + least + offset + margin' Rejects.v
+mutate "no half cell for rounded vertices" $arithmetic/Rejects.v '(box_margin most reach + kHalf) box_b' \
+  '(box_margin most reach) box_b' Rejects.v
+mutate "offsets are cut to 30,000 cells" lib/include/flashbvh/detail/rotated_transform.hpp 'kMaxOffset = 48000' \
+  'kMaxOffset = 30000' Rejects.v
+mutate "a bound that touches is rejected" $arithmetic/Rejects.v '+ (bias - lower) < 2 * bias' \
+  '+ (bias - lower) <= 2 * bias' Rejects.v
+mutate "a product's rounding counts 12" lib/src/geometry/pose.cpp 'kRoundingDefect = 13' 'kRoundingDefect = 12' composed.g
+mutate "a chain of 2^20 joints" lib/include/flashbvh/robot/robot.hpp 'kMaxJoints = 64' 'kMaxJoints = 1048576' chain.g
 mutate "a coordinate has 16 bits" lib/include/flashbvh/lattice.hpp 'kMaxCoordinate = 16383' \
   'kMaxCoordinate = 16385' box_test.smt2
 mutate "a threshold is off by one" $arithmetic/box_test.smt2 \

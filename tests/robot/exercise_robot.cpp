@@ -60,6 +60,17 @@ const char* guard_it(const Robot& robot, const Number& number) {
       return "a period of the guard ends in an error";
     }
   }
+  if (number() % 2 == 0) {  // as it was copied out and back, damaged on the way
+    auto* const bytes = reinterpret_cast<unsigned char*>(&state);
+    for (std::uint32_t i = number() % 4; i != 0; --i) {
+      const std::uint32_t reach = std::uint32_t{8} << number() % 12;
+      bytes[number() % (reach < sizeof state ? reach : sizeof state)] ^=
+          static_cast<unsigned char>(number());
+    }
+    if (guard.resume() == Status::done && !may_be(guard.update(values.data(), 300).status)) {
+      return "a period after taking up a state ends in an error";
+    }
+  }
   const Status last = guard.go_on(UINT32_MAX).status;  // invalid if no values were accepted
   return may_be(last) || last == Status::guard_state_invalid ? nullptr
                                                              : "going on ends in an error";

@@ -5,6 +5,7 @@
 
 #include "bake/leaf_order.hpp"
 #include "bake/rank.hpp"
+#include "flashbvh/detail/refit.hpp"
 
 namespace flashbvh::bake {
 namespace {
@@ -152,7 +153,31 @@ std::vector<Index> narrowed(const std::vector<std::uint32_t>& wide) {
   return narrow;
 }
 
+template <class Index>
+bool turn_to_quad(Corners<Index>& u, Corners<Index>& v) {
+  for (int turns = 0; turns < 9; ++turns) {
+    if (detail::is_quad(u, v)) {
+      return true;
+    }
+    std::rotate(u.corner, u.corner + 1, u.corner + 3);
+    if (turns % 3 == 2) {
+      std::rotate(v.corner, v.corner + 1, v.corner + 3);
+    }
+  }
+  return false;
+}
+
 }  // namespace
+
+template <class Index, Layout layout>
+void show_quads(BakedTree<Index, layout>& baked) {
+  for (std::size_t leaf = baked.leaf_offsets.size(); leaf > 1; --leaf) {
+    const std::size_t first = baked.leaf_offsets[leaf - 2];
+    for (std::size_t end = baked.leaf_offsets[leaf - 1]; end > first + 1;) {
+      end -= turn_to_quad(baked.triangles[end - 2], baked.triangles[end - 1]) ? 2 : 1;
+    }
+  }
+}
 
 template <class Index, Layout layout>
 BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh) {
@@ -210,6 +235,7 @@ LevelledMesh<Index, layout> BakedTree<Index, layout>::view() const {
 
 #define FLASHBVH_KIND(Index, layout)                                              \
   template struct BakedTree<Index, layout>;                                       \
+  template void show_quads(BakedTree<Index, layout>& baked);                      \
   template BakedTree<Index, layout> lay_out<Index, layout>(const BuildTree& tree, \
                                                            const LatticeMesh& mesh);
 FLASHBVH_FOR_EACH_KIND(FLASHBVH_KIND)

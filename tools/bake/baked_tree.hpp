@@ -71,6 +71,11 @@ bool fits_index(const BuildTree& tree, const LatticeMesh& mesh) {
 template <class Index, Layout layout>
 BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh);
 
+/// Turns the corners of a leaf's triangles so that shared edges show: refits then take two
+/// triangles for the price of four vertices (flashbvh/detail/refit.hpp).
+template <class Index, Layout layout>
+void show_quads(BakedTree<Index, layout>& baked);
+
 /// KIND(Index, layout) for every kind of tree.
 #define FLASHBVH_FOR_EACH_KIND(KIND)        \
   KIND(std::uint16_t, Layout::pre_indexed)  \

@@ -61,6 +61,9 @@ BakeRow bake_one(const BakeOrder& order, BakedMesh& mesh, const std::string& pat
                  const OutputName& name, FileSet& files) {
   return std::visit(
       [&](auto& baked) {
+        if (order.deformable) {
+          bake::show_quads(baked);
+        }
         baked.unit = order.units.unit();
         baked.name = name.stem.substr(0, bake::kMaxNameSize);
         const std::size_t image = image_size(baked, order.levels);
@@ -75,7 +78,8 @@ BakeRow bake_one(const BakeOrder& order, BakedMesh& mesh, const std::string& pat
                        baked.vertices.size(),
                        baked.nodes.size(),
                        baked.depth,
-                       baked.deviation};
+                       baked.deviation,
+                       bake::bending_cost(baked.view())};
       },
       mesh.tree);
 }
@@ -167,7 +171,7 @@ void bake_all(const BakeOrder& order) {
     print_bake_table(rows, order.units);
     std::cout << "cell " << order.units.with_unit(*options.cell) << legend(order);
     if (order.deformable) {
-      print_bending(rows, options.index_width == IndexWidth::bits_32 ? 32 : 16);
+      print_bending(rows);
     }
     flush_output();
   });

@@ -178,9 +178,11 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
           "--cell", a.cell,
           "Size of a lattice cell in the mesh's unit; default: the finest that all the meshes fit")
       ->type_name("LENGTH");
-  command.add_flag("--deformable", a.order.deformable,
-                   "For meshes that bend: the default cell is twice the finest, so that each may\n"
-                   "reach half of its width beyond its box; says what they take of RAM");
+  command.add_flag(
+      "--deformable", a.order.deformable,
+      "For meshes that bend: the default cell is twice the finest, so that each may\n"
+      "reach half of its width beyond its box, and corners are turned for refits; says what\n"
+      "they take");
   command
       .add_option("--layout", a.layout,
                   "Order of the nodes: pre for `stackless`, post for `ranked` and `stackless-post`")

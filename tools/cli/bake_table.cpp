@@ -4,7 +4,6 @@
 #include <iomanip>
 #include <iostream>
 
-#include "cli/bending.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -56,11 +55,11 @@ void print_bake_table(const std::vector<BakeRow>& rows, const Units& units) {
   }
 }
 
-void print_bending(const std::vector<BakeRow>& rows, unsigned index_bits) {
+void print_bending(const std::vector<BakeRow>& rows) {
   for (const BakeRow& row : rows) {
-    const BendingCost cost = bending_cost(row.nodes, row.triangles, row.vertices, index_bits);
-    std::cout << row.mesh << " bends in " << cost.ram_bytes << " bytes of RAM; a refit takes about "
-              << cost.refit_instructions << " instructions on a Cortex-M4F\n";
+    std::cout << row.mesh << " bends in " << row.bending.ram_bytes
+              << " bytes of RAM; a refit takes about " << row.bending.refit_instructions
+              << " instructions on a Cortex-M4F\n";
   }
 }
 

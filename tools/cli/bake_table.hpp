@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bake/bending.hpp"
 #include "mesh/units.hpp"
 
 namespace flashbvh::tool {
@@ -20,13 +21,14 @@ struct BakeRow {
   std::size_t nodes = 0;
   std::size_t depth = 0;
   double deviation = 0;
+  bake::BendingCost bending = {};
 };
 
 /// On standard output, with a row for all of them if they are several.
 void print_bake_table(const std::vector<BakeRow>& rows, const Units& units);
 
 /// A line a mesh: what it takes to bend.
-void print_bending(const std::vector<BakeRow>& rows, unsigned index_bits);
+void print_bending(const std::vector<BakeRow>& rows);
 
 }  // namespace flashbvh::tool
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/bending.hpp"
+#include "bake/bending.hpp"
 #include "cli/commands.hpp"
 #include "cli/info_mesh.hpp"
 #include "cli/robot_output.hpp"
@@ -47,8 +47,8 @@ Json facts_of(const ImageFile& image) {
   const ImageHeader& header = image.header();
   const Bounds bounds = bounds_of(image.tree());
   const double cell = image.cell();
-  const BendingCost bending = bending_cost(header.node_count, header.triangle_count,
-                                           header.vertex_count, header.index_bits);
+  const bake::BendingCost bending =
+      std::visit([](const auto& tree) { return bake::bending_cost(tree); }, image.tree());
   return {
       {"name", image.source()},
       {"format_version", header.version},

@@ -10,10 +10,12 @@
 namespace flashbvh::tool {
 
 void refuse_to_replace_inputs(const std::string& output, const std::vector<std::string>& inputs) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(output, error)) {
+    return;
+  }
   for (const std::string& input : inputs) {
-    std::error_code error;
-    if (std::filesystem::is_regular_file(output, error) &&
-        std::filesystem::equivalent(output, input, error)) {
+    if (std::filesystem::equivalent(output, input, error)) {
       throw UserError(output, "would replace ", input, ", which is read; write elsewhere");
     }
   }

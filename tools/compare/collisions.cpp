@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "comparison.hpp"
+#include "heap.hpp"
 
 using namespace figures;
 
@@ -12,15 +13,23 @@ namespace {
 struct Named {
   const char* name;
   std::unique_ptr<Collider> library;
+  Heap made{};  ///< what making it took
 };
 
 std::vector<Named> all_libraries(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b) {
   std::vector<Named> all;
-  all.push_back({"flashbvh", with_flashbvh(a, b, PoseMade::before)});
-  all.push_back({"opcode", with_opcode(a, b, Matrices::both)});
-  all.push_back({"fcl", with_fcl(a, b)});
-  all.push_back({"flashbvh_pose", with_flashbvh(a, b, PoseMade::in_the_query)});
-  all.push_back({"opcode_one", with_opcode(a, b, Matrices::of_b)});
+  const auto add = [&all](const char* name, const auto& make) {
+    count_heap();
+    Named named = {name, make()};
+    named.made = counted_heap();
+    all.push_back(std::move(named));
+  };
+  add("flashbvh", [&] { return with_flashbvh(a, b, PoseMade::before); });
+  add("opcode", [&] { return with_opcode(a, b, Matrices::both); });
+  add("fcl", [&] { return with_fcl(a, b); });
+  add("bullet", [&] { return with_bullet(a, b); });
+  add("flashbvh_pose", [&] { return with_flashbvh(a, b, PoseMade::in_the_query); });
+  add("opcode_one", [&] { return with_opcode(a, b, Matrices::of_b); });
   return all;
 }
 
@@ -56,6 +65,7 @@ class Collisions {
       set_poses(proximity);
       time(Wanted::all, kProximityNames[i]);
       if (proximity == Proximity::intersecting) {
+        print_heap();
         time(Wanted::first, "first");
       }
     }
@@ -77,6 +87,17 @@ class Collisions {
         add_pairs(libraries_[0].library->pairs(pose), libraries_[i].library->pairs(pose),
                   found_[i]);
       }
+    }
+  }
+
+  /// What was allocated to make each, and a query's allocations, of one walk over the poses.
+  void print_heap() {
+    for (const Named& named : libraries_) {
+      count_heap();
+      (void)named.library->ask_all(Wanted::all);
+      std::printf("heap %s%s %zu %zu %.2f\n", of_.c_str(), named.name, named.made.allocations,
+                  named.made.bytes,
+                  static_cast<double>(counted_heap().allocations) / static_cast<double>(kPoses));
     }
   }
 

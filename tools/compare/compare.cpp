@@ -2,6 +2,10 @@
 // lie in FOLDER. Prints lines for table.awk:
 //     time MESHES MOTION CLASS LIBRARY nanoseconds a query
 //     pairs MESHES MOTION LIBRARY found by flashbvh, by the library, by one of the two alone
+//     heap MESHES MOTION LIBRARY allocations to make it, bytes they hold, allocations of a query
+//     image MESHES bytes of both, triangles
+//     known QUESTION MESHES LIBRARY asked, answered wrongly
+//     stand_in MESHES MOTION CLASS KIND poses, those that are said to collide, bytes of A
 //     length MESHES MOTION CLASS LIBRARY poses, how many of them have another distance than
 //         flashbvh's, the largest difference in cells, and as a part of the distance
 #include <cstdio>
@@ -14,6 +18,11 @@
 namespace compare {
 namespace {
 
+/// More take minutes to fill a field of distances from.
+constexpr std::uint32_t kFewTriangles = 3000;
+/// Of a box, which is asked only what is known.
+constexpr std::uint32_t kBox = 12;
+
 void compare_pair(const std::string& folder, const std::string& names) {
   const std::size_t dash = names.find('-');
   const std::string file_a = "/" + names.substr(0, dash) + ".fbvh";
@@ -24,6 +33,15 @@ void compare_pair(const std::string& folder, const std::string& names) {
   const Image searched_b(folder + "/searched" + file_b);
   const PairOfMeshes meshes = {
       names, {&searched_a.mesh(), &searched_b.mesh()}, {&a.mesh(), &b.mesh()}};
+  std::printf("image %s %zu %zu\n", names.c_str(), a.size() + b.size(),
+              std::size_t{a.mesh().triangle_count} + b.mesh().triangle_count);
+  ask_what_is_known(names, a.mesh(), b.mesh());
+  if (a.mesh().triangle_count == kBox) {
+    return;
+  }
+  if (a.mesh().triangle_count <= kFewTriangles) {
+    compare_approximations(meshes);
+  }
   for (const bool rotated : {false, true}) {
     compare_collisions(meshes, rotated);
     compare_distances(meshes, rotated);

@@ -23,6 +23,9 @@ struct PairOfMeshes {
 /// Prints the lines of one pair of meshes.
 void compare_collisions(const PairOfMeshes& meshes, bool rotated);
 void compare_distances(const PairOfMeshes& meshes, bool rotated);
+void compare_approximations(const PairOfMeshes& meshes);
+void ask_what_is_known(const std::string& names, const flashbvh::PostMesh& a,
+                       const flashbvh::PostMesh& b);
 
 inline const char* name_of_motion(bool rotated) {
   return rotated ? "rotated" : "translated";

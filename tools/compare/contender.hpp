@@ -1,6 +1,6 @@
 // What is compared: a library with two meshes and a set of poses, which it visits in turn.
 //
-// A Collider finds pairs of triangles, a Ruler distances.
+// A Collider finds pairs of triangles, a Ruler distances, a Caster what a ray hits.
 #ifndef FLASHBVH_TOOLS_COMPARE_CONTENDER_HPP
 #define FLASHBVH_TOOLS_COMPARE_CONTENDER_HPP
 
@@ -12,6 +12,7 @@
 
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
+#include "flashbvh/ray.hpp"
 #include "support/rotations.hpp"
 
 namespace compare {
@@ -82,6 +83,22 @@ std::unique_ptr<Ruler> ruler_of_flashbvh(const flashbvh::PostMesh& a, const flas
 enum class Volumes { boxes_and_spheres, spheres };
 std::unique_ptr<Ruler> ruler_of_fcl(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
                                     Volumes volumes);
+
+/// GImpact: quantized boxes, binary32, no margin.
+std::unique_ptr<Collider> with_bullet(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b);
+
+/// Of one mesh, in cells.
+class Caster {
+ public:
+  virtual ~Caster() = default;
+  /// How much of the way to the nearest hit, 0 to 1; more than 1 if nothing is hit.
+  virtual double nearest(const flashbvh::Segment& segment) = 0;
+};
+
+constexpr double kNoHit = 2;
+std::unique_ptr<Caster> caster_of_flashbvh(const flashbvh::PostMesh& mesh);
+std::unique_ptr<Caster> caster_of_opcode(const flashbvh::PostMesh& mesh);
+std::unique_ptr<Caster> caster_of_bullet(const flashbvh::PostMesh& mesh);
 
 }  // namespace compare
 

@@ -32,6 +32,7 @@ class Image {
     }
   }
   const flashbvh::PostMesh& mesh() const { return mesh_; }
+  std::size_t size() const { return 4 * words_.size(); }
 
  private:
   std::vector<std::uint32_t> words_;

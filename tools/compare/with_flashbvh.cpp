@@ -8,16 +8,18 @@ using namespace flashbvh;
 namespace compare {
 namespace {
 
+constexpr std::uint32_t kMost = 1u << 16;
+PairQuery::Pair found[kMost];
+
 class Flashbvh : public Collider {
  public:
   Flashbvh(const PostMesh& a, const PostMesh& b, PoseMade pose_made)
-      : a_(&a), b_(&b), pose_made_(pose_made), found_(1u << 16) {}
+      : a_(&a), b_(&b), pose_made_(pose_made) {}
 
   void set_poses(const std::vector<Placed>& poses) override { poses_ = poses; }
 
   std::size_t ask_all(Wanted wanted) override {
-    const std::uint32_t capacity =
-        wanted == Wanted::first ? 1 : static_cast<std::uint32_t>(found_.size());
+    const std::uint32_t capacity = wanted == Wanted::first ? 1 : kMost;
     std::size_t count = 0;
     for (const Placed& placed : poses_) {
       count +=
@@ -27,13 +29,13 @@ class Flashbvh : public Collider {
   }
 
   std::vector<Pair> pairs(std::size_t pose) override {
-    const std::uint32_t count = ask(poses_[pose].pose, static_cast<std::uint32_t>(found_.size()));
-    if (count == found_.size()) {
+    const std::uint32_t count = ask(poses_[pose].pose, kMost);
+    if (count == kMost) {
       throw std::runtime_error("more pairs than are counted");
     }
     std::vector<Pair> all;
     for (std::uint32_t i = 0; i < count; ++i) {
-      all.emplace_back(found_[i].a, found_[i].b);
+      all.emplace_back(found[i].a, found[i].b);
     }
     return all;
   }
@@ -47,14 +49,13 @@ class Flashbvh : public Collider {
 
   std::uint32_t ask(const Pose& pose, std::uint32_t capacity) {
     PairQuery query(*a_, *b_, pose);
-    return query.run(UINT32_MAX, found_.data(), capacity).count;
+    return query.run(UINT32_MAX, found, capacity).count;
   }
 
   const PostMesh* a_;
   const PostMesh* b_;
   PoseMade pose_made_;
   std::vector<Placed> poses_;
-  std::vector<PairQuery::Pair> found_;
 };
 
 }  // namespace

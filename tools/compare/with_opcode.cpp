@@ -1,60 +1,9 @@
-// Its headers come last, for their macros: `for`, `null`, `override`.
-#include <stdexcept>
-
-#include "contender.hpp"
-#include "meshes.hpp"
-
-// clang-format off
-#include <ode/common.h>
-#include <OPCODE/Opcode.h>
-// clang-format on
-#undef for
-#undef override
+#include "opcode_model.hpp"
 
 using flashbvh::PostMesh;
 
 namespace compare {
 namespace {
-
-/// Its triangles in the order of the baked mesh.
-class Model {
- public:
-  explicit Model(const PostMesh& mesh) {
-    for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-      float point[3];
-      set_vertex(mesh, i, point);
-      vertices_.emplace_back(point[0], point[1], point[2]);
-    }
-    for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
-      const auto& corner = mesh.triangles[i].corner;
-      triangles_.emplace_back(corner[0], corner[1], corner[2]);
-    }
-    interface_.SetNbTriangles(mesh.triangle_count);
-    interface_.SetNbVertices(mesh.vertex_count);
-    interface_.SetPointers(triangles_.data(), vertices_.data());
-    interface_.SetSingle(true);
-    if (!model_.Build(settings())) {
-      throw std::runtime_error("OPCODE could not build a tree");
-    }
-  }
-  Model(const Model&) = delete;
-  Model& operator=(const Model&) = delete;
-
-  const Opcode::Model& model() const { return model_; }
-
- private:
-  /// As in ODE's dxTriMeshData: an optimised tree without leaves, not quantized.
-  Opcode::OPCODECREATE settings() {
-    const Opcode::BuildSettings rules(Opcode::SPLIT_BEST_AXIS | Opcode::SPLIT_SPLATTER_POINTS |
-                                      Opcode::SPLIT_GEOM_CENTER);
-    return Opcode::OPCODECREATE(&interface_, rules, true, false);
-  }
-
-  std::vector<IceMaths::Point> vertices_;
-  std::vector<IceMaths::IndexedTriangle> triangles_;
-  Opcode::MeshInterface interface_;
-  Opcode::Model model_;
-};
 
 class WithOpcode : public Collider {
  public:
@@ -108,8 +57,8 @@ class WithOpcode : public Collider {
  private:
   const PostMesh* mesh_a_;
   const PostMesh* mesh_b_;
-  Model a_;
-  Model b_;
+  OpcodeModel a_;
+  OpcodeModel b_;
   Opcode::BVTCache cache_;
   Opcode::AABBTreeCollider collider_;
   IceMaths::Matrix4x4 identity_;

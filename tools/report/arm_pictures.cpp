@@ -115,11 +115,11 @@ std::string marks(const Drawing& drawing, const View& view, const Frame& frame) 
 
 /// From the corner that shows most of what is lit.
 const View& best_view(const Drawing& drawing, const Frame& frame) {
-  const View* best = nullptr;
+  const View* best = corner_views().data();
   std::size_t most = 0;
   for (const View& view : corner_views()) {
     const std::size_t seen = draw(drawing.scene, view, frame, kTrialSide).seen[kIntersected];
-    if (best == nullptr || seen > most) {
+    if (seen > most) {
       best = &view;
       most = seen;
     }

@@ -163,10 +163,7 @@ std::string read_file(const std::string& path) {
 }
 
 void FileSet::add(fs::path path, std::string bytes) {
-  const auto place = [](const fs::path& of) { return fs::absolute(of).lexically_normal(); };
-  if (!is_special(path) && std::any_of(files_.begin(), files_.end(), [&](const File& file) {
-        return place(file.path) == place(path);
-      })) {
+  if (!is_special(path) && !places_.insert(fs::absolute(path).lexically_normal()).second) {
     throw UserError(path.string(), "would be written twice; give each output a name of its own");
   }
   files_.push_back({std::move(path), std::move(bytes)});

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,7 @@ class FileSet {
   void write_special() const;
 
   std::vector<File> files_;
+  std::set<std::filesystem::path> places_;  ///< of files_, each written in one way
 };
 
 /// One file alone.

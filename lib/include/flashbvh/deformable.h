@@ -13,8 +13,8 @@
  * A query that was begun before a refit must not go on after it, nor a position be resumed: keep
  * flashbvh_deformable_refits() beside them and compare. A self query knows by itself.
  *
- * Stack on a Cortex-M4 at -O2, painted (tests/budget/refit_cost_test.cpp): a refit 140 bytes, a
- * self query's run 440.
+ * Stack on a Cortex-M4 at -O2 (tests/proof/stack): a refit 176 bytes, a self query's run 504, of
+ * the band 720.
  */
 #ifndef FLASHBVH_DEFORMABLE_H
 #define FLASHBVH_DEFORMABLE_H
@@ -106,7 +106,33 @@ flashbvh_self_position flashbvh_self_query_position(const flashbvh_self_query* q
 FLASHBVH_NODISCARD flashbvh_status
 flashbvh_self_query_resume(flashbvh_self_query* query, const flashbvh_self_position* position);
 
-/** The same question of any mesh, ended by the first pair: in `yes`, true after an error, too. */
+/** The band: each unordered pair of triangles within a distance that share no vertex, once. 148
+ * bytes on a 32-bit core, 184 on a 64-bit one. */
+typedef struct flashbvh_self_within_query {
+  union {
+    unsigned char bytes[9 * sizeof(void*) + 112];
+    uint32_t word;
+    void* pointer;
+  } opaque;
+} flashbvh_self_within_query;
+
+/** Starts it; `distance` in 1/256 cell. DISTANCE_OUT_OF_RANGE: it is more than
+ * FLASHBVH_MAX_DISTANCE (clearance.h). Else as flashbvh_self_query_start(). */
+flashbvh_status flashbvh_self_within_start(flashbvh_self_within_query* query,
+                                           const flashbvh_deformable* deformable,
+                                           uint32_t distance);
+
+/** As of a self query. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_self_within_run(flashbvh_self_within_query* query,
+                                                            uint32_t work, flashbvh_pair* pairs,
+                                                            uint32_t capacity, uint32_t* count);
+flashbvh_counts flashbvh_self_within_counts(const flashbvh_self_within_query* query);
+flashbvh_self_position flashbvh_self_within_position(const flashbvh_self_within_query* query);
+FLASHBVH_NODISCARD flashbvh_status flashbvh_self_within_resume(
+    flashbvh_self_within_query* query, const flashbvh_self_position* position);
+
+/** The question of intersections of any mesh, ended by the first pair: in `yes`, true after an
+ * error, too. */
 flashbvh_status flashbvh_intersects_itself(const flashbvh_mesh* mesh, bool* yes);
 
 #ifdef __cplusplus

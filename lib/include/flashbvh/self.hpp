@@ -6,8 +6,8 @@
 // exact, in any slices, resumable, the same on every core. Of a pair, `a` is the triangle that lies
 // first in the mesh's array.
 //
-// 128 bytes on a 32-bit core, 136 for the band. Stack of a run on a Cortex-M4 at -O2, painted: 440
-// bytes, 632 for the band (tests/budget/refit_cost_test.cpp).
+// 128 bytes on a 32-bit core, 136 for the band. Stack of a run on a Cortex-M4 at -O2: 432
+// bytes, 640 for the band (tests/proof/stack).
 #ifndef FLASHBVH_SELF_HPP
 #define FLASHBVH_SELF_HPP
 

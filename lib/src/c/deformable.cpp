@@ -12,6 +12,7 @@ using namespace flashbvh;
 namespace {
 
 using DeformableSelfQuery = DeformableQuery<SelfQuery>;
+using DeformableBand = DeformableQuery<SelfWithinQuery>;
 
 static_assert(sizeof(flashbvh_node) == sizeof(Node<uint16_t>), "C's nodes are nodes");
 static_assert(sizeof(flashbvh_vertex) == sizeof(Vertex), "C's vertices are vertices");
@@ -36,6 +37,38 @@ static DeformableSelfQuery& object_in(flashbvh_self_query* query) {
 }
 static const DeformableSelfQuery& object_in(const flashbvh_self_query* query) {
   return *reinterpret_cast<const DeformableSelfQuery*>(query->opaque.bytes);
+}
+static DeformableBand& object_in(flashbvh_self_within_query* query) {
+  return *reinterpret_cast<DeformableBand*>(query->opaque.bytes);
+}
+static const DeformableBand& object_in(const flashbvh_self_within_query* query) {
+  return *reinterpret_cast<const DeformableBand*>(query->opaque.bytes);
+}
+
+template <class Query>
+static flashbvh_status run_self(Query& query, uint32_t work, flashbvh_pair* pairs,
+                                uint32_t capacity, uint32_t* count) {
+  static_assert(sizeof(flashbvh_pair) == sizeof(typename Query::Pair), "C's pairs are pairs");
+  const Step step = query.run(work, reinterpret_cast<typename Query::Pair*>(pairs), capacity);
+  *count = step.count;
+  return c_status(step.status);
+}
+
+template <class Query>
+static flashbvh_self_position self_position(const Query& query) {
+  const auto at = query.position();
+  return {c_position(at.position), at.refits};
+}
+
+template <class Query>
+static flashbvh_status resume_self(Query& query, const flashbvh_self_position& position) {
+  DeformablePosition<QueryPosition<uint16_t>> to;
+  to.position.a = position.position.a;
+  to.position.b = position.position.b;
+  to.position.untested = position.position.untested;
+  to.position.state = static_cast<QueryPosition<uint16_t>::State>(position.position.state);
+  to.refits = position.refits;
+  return c_status(query.resume(to));
 }
 
 }  // namespace flashbvh
@@ -76,11 +109,7 @@ flashbvh_status flashbvh_self_query_start(flashbvh_self_query* query,
 
 flashbvh_status flashbvh_self_query_run(flashbvh_self_query* query, uint32_t work,
                                         flashbvh_pair* pairs, uint32_t capacity, uint32_t* count) {
-  static_assert(sizeof(flashbvh_pair) == sizeof(DeformableSelfQuery::Pair), "C's pairs are pairs");
-  const Step step =
-      object_in(query).run(work, reinterpret_cast<DeformableSelfQuery::Pair*>(pairs), capacity);
-  *count = step.count;
-  return c_status(step.status);
+  return run_self(object_in(query), work, pairs, capacity, count);
 }
 
 flashbvh_counts flashbvh_self_query_counts(const flashbvh_self_query* query) {
@@ -88,19 +117,37 @@ flashbvh_counts flashbvh_self_query_counts(const flashbvh_self_query* query) {
 }
 
 flashbvh_self_position flashbvh_self_query_position(const flashbvh_self_query* query) {
-  const auto at = object_in(query).position();
-  return {c_position(at.position), at.refits};
+  return self_position(object_in(query));
 }
 
 flashbvh_status flashbvh_self_query_resume(flashbvh_self_query* query,
                                            const flashbvh_self_position* position) {
-  DeformablePosition<QueryPosition<uint16_t>> to;
-  to.position.a = position->position.a;
-  to.position.b = position->position.b;
-  to.position.untested = position->position.untested;
-  to.position.state = static_cast<QueryPosition<uint16_t>::State>(position->position.state);
-  to.refits = position->refits;
-  return c_status(object_in(query).resume(to));
+  return resume_self(object_in(query), *position);
+}
+
+flashbvh_status flashbvh_self_within_start(flashbvh_self_within_query* query,
+                                           const flashbvh_deformable* deformable,
+                                           uint32_t distance) {
+  new (storage_of<DeformableBand>(query)) DeformableBand(object_in(deformable), within(distance));
+  return c_status(object_in(query).status());
+}
+
+flashbvh_status flashbvh_self_within_run(flashbvh_self_within_query* query, uint32_t work,
+                                         flashbvh_pair* pairs, uint32_t capacity, uint32_t* count) {
+  return run_self(object_in(query), work, pairs, capacity, count);
+}
+
+flashbvh_counts flashbvh_self_within_counts(const flashbvh_self_within_query* query) {
+  return c_counts(object_in(query).query().counts());
+}
+
+flashbvh_self_position flashbvh_self_within_position(const flashbvh_self_within_query* query) {
+  return self_position(object_in(query));
+}
+
+flashbvh_status flashbvh_self_within_resume(flashbvh_self_within_query* query,
+                                            const flashbvh_self_position* position) {
+  return resume_self(object_in(query), *position);
 }
 
 flashbvh_status flashbvh_intersects_itself(const flashbvh_mesh* mesh, bool* yes) {

@@ -5,7 +5,6 @@ namespace flashbvh {
 namespace {
 
 using detail::kDefectBits;
-using detail::kRestBits;
 
 /// Fraction bits: of a rotation given, of one kept, of a fraction of a cell.
 constexpr unsigned kGivenBits = 30;
@@ -131,8 +130,8 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]) {
   for (int i = 0; i < 3; ++i) {
     int32_t coarse[3];
     for (int j = 0; j < 3; ++j) {
-      coarse[j] = (r[i][j] + (1 << (kRestBits - 1))) >> kRestBits;
-      matrix_.rest[i][j] = static_cast<int8_t>(r[i][j] - coarse[j] * (1 << kRestBits));
+      coarse[j] = (r[i][j] + (1 << (detail::kRestBits - 1))) >> detail::kRestBits;
+      matrix_.rest[i][j] = static_cast<int8_t>(r[i][j] - coarse[j] * (1 << detail::kRestBits));
     }
     matrix_.rows.row[i] = detail::SplitRow::of(coarse[0], coarse[1], coarse[2]);
   }

@@ -13,6 +13,8 @@
 #include "flashbvh/clearance.h"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/contact.hpp"
+#include "flashbvh/deformable.h"
+#include "flashbvh/deformable.hpp"
 #include "flashbvh/flashbvh.h"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/query.hpp"
@@ -45,6 +47,7 @@ struct Arguments {
   const flashbvh::LevelledPostMesh* a;
   const flashbvh::LevelledPostMesh* b;
   const flashbvh::PostMesh* closed;  ///< the same mesh, said to be closed
+  flashbvh::DeformableMesh* bent;    ///< the same mesh, two of its triangles moved
   const flashbvh::LevelledPreMesh* pre_a;
   const flashbvh::LevelledPreMesh* pre_b;
   const flashbvh::Pose* pose;
@@ -65,6 +68,7 @@ struct Arguments {
   const flashbvh_mesh* c_a;
   const flashbvh_mesh* c_b;
   const flashbvh_mesh* c_closed;  ///< the same mesh, said to be closed
+  flashbvh_deformable* c_bent;    ///< the same, two of its triangles moved
   const flashbvh_pose* c_pose;
   const flashbvh_pose* c_other_pose;
 

@@ -18,6 +18,7 @@
 #include "flashbvh/pose_float.hpp"
 #include "flashbvh/ray_float.hpp"
 #include "flashbvh/robot/image.hpp"
+#include "flashbvh/self.hpp"
 #include "flashbvh/solid.hpp"
 #include "proof/stack/arguments.hpp"
 
@@ -186,6 +187,32 @@ ENTRY(within_run, asked) {
     ++in->answer;
     return true;
   }));
+}
+
+// Meshes that bend. None of their vertices is out of the lattice.
+ENTRY(refit, asked) {
+  in->ends(in->bent->refit().status);
+}
+
+/// Of a mesh that bends, against itself.
+template <class Asked, class... Question>
+[[gnu::always_inline]] inline void ask_itself(Arguments& in, const Question&... question) {
+  const auto make = [&]() __attribute__((noinline)) {
+    make_in<Asked>(in.query, [&] { return Asked(*in.bent, question...); });
+  };
+  make();
+  in.ends(as<Asked>(in.query).run(UINT32_MAX, [&in](const typename Asked::Pair&) {
+    ++in.answer;
+    return true;
+  }));
+}
+
+ENTRY(self_run, asked) {
+  ask_itself<DeformableQuery<SelfQuery>>(*in);
+}
+
+ENTRY(self_within_run, asked) {
+  ask_itself<DeformableQuery<SelfWithinQuery>>(*in, within(in->distance));
 }
 
 ENTRY(closer_than_once, asked) {
@@ -430,6 +457,30 @@ ENTRY(c_closer_than, asked) {
   bool yes = false;
   in->ends(flashbvh_closer_than(in->c_a, in->c_b, in->c_pose, in->distance, &yes));
   in->answer = yes ? 1 : 0;
+}
+
+ENTRY(c_refit, asked) {
+  in->ends(flashbvh_deformable_refit(in->c_bent, UINT32_MAX, &in->answer));
+}
+
+ENTRY(c_self_run, asked) {
+  auto& query = as<flashbvh_self_query>(in->query);
+  uint32_t count = 0;
+  in->ends(flashbvh_self_query_start(&query, in->c_bent));
+  do {
+    in->ends(flashbvh_self_query_run(&query, UINT32_MAX, in->c_found(), in->capacity, &count));
+    in->answer += count;
+  } while (count == in->capacity);
+}
+
+ENTRY(c_self_within_run, asked) {
+  auto& query = as<flashbvh_self_within_query>(in->query);
+  uint32_t count = 0;
+  in->ends(flashbvh_self_within_start(&query, in->c_bent, in->distance));
+  do {
+    in->ends(flashbvh_self_within_run(&query, UINT32_MAX, in->c_found(), in->capacity, &count));
+    in->answer += count;
+  } while (count == in->capacity);
 }
 
 ENTRY(c_within_run, asked) {

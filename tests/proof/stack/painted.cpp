@@ -116,6 +116,9 @@ LevelledPreMesh pre;
 flashbvh_mesh c_tree;
 PostMesh closed;
 flashbvh_mesh c_closed;
+flashbvh_deformable bent;
+flashbvh_node bent_nodes[deep_post_NODE_COUNT];
+flashbvh_vertex bent_vertices[36];
 stack_proof::Room<sizeof(Pose)> poses[2];
 GuardStateOf<1, 1, 1> guard_state;
 MotionStateOf<1, 1> motion_state;
@@ -152,12 +155,29 @@ void open_trees() {
   c_closed = c_tree;
   reinterpret_cast<PostMesh*>(c_closed.opaque.bytes)->is_closed = true;
   in.c_closed = &c_closed;
+  check(post.vertex_count <= length(bent_vertices), "vertices", "bent");
+  flashbvh_deformable_make(&bent, &c_tree, bent_nodes, bent_vertices);
+  in.c_bent = &bent;
+  in.bent = reinterpret_cast<DeformableMesh*>(&bent);
   in.c_a = in.c_b = &c_tree;
   in.image = deep_post_image;
   in.image_size = sizeof deep_post_image;
   in.robot_image = kRobotImage;
   in.robot_image_size = sizeof kRobotImage;
   in.robot_meshes = robot_meshes;
+}
+
+/// The first triangle and the last one become these two, half as large.
+void bend(const Triangle* two) {
+  const auto half = [](int32_t at) { return static_cast<int16_t>(at / 2); };
+  for (int i = 0; i < 2; ++i) {
+    const auto& corners = post.triangles[i == 0 ? 0 : post.triangle_count - 1].corner;
+    for (int j = 0; j < 3; ++j) {
+      const Point& to = two[i].corner[j];
+      bent_vertices[corners[j]] = {half(to.x), half(to.y), half(to.z)};
+    }
+  }
+  check(in.bent->refit().status == Status::done, "refit", "bent");
 }
 
 /// In 1/2,048 cell: as far as a mesh reaches.
@@ -291,6 +311,7 @@ int main() {
     pose_robot(where, matrix);
     for (uint32_t i = 0; i < length(kDistances); ++i, ++round) {
       in.triangles = kPairs[round % length(kPairs)];
+      bend(in.triangles);
       in.floats = kFloats[round % length(kFloats)];
       in.distance = kDistances[where.cells[0] == kFarCells ? 0 : i];
       pair.stop = (32760 << 8) * i;

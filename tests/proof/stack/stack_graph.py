@@ -1,8 +1,8 @@
-"""stack_graph.py PROGRAM ROOTS CALLS TAGS FOLDER OUTPUT
+"""stack_graph.py PROGRAM ROOTS CALLS TAGS FOLDER:... OUTPUT
 
 The worst-case stack of the functions listed in the file ROOTS, by the call graph of the linked
 PROGRAM's machine code. It must give each function the frame that its compiler gives, by what
--fcallgraph-info=su left in FOLDER.
+-fcallgraph-info=su left in each FOLDER.
 
 CALLS (calls.txt) names what is no plain call of a function compiled here. Recursion, a frame of no
 fixed size, an indirect call or an unknown function that it does not name are errors. TAGS, by
@@ -39,16 +39,16 @@ class Calls:
         self.never = {row[1]: row[2] for row in rows if row[0] == "never"}
 
 
-def compilers_frames(folder: str) -> dict[str, set[int]]:
+def compilers_frames(folders: str) -> dict[str, set[int]]:
     """Of each function compiled here; a template's instance may have several."""
     frames: dict[str, set[int]] = {}
-    for path in sorted(Path(folder).rglob("*.ci")):
+    for path in (path for folder in folders.split(":") for path in Path(folder).rglob("*.ci")):
         for name, size, kind in NODE.findall(path.read_text()):
             if kind != "static":
                 raise Refused(f"{name} has a frame of no fixed size")
             frames.setdefault(name, set()).add(int(size))
     if not frames:
-        raise Refused(f"no call graph in {folder}")
+        raise Refused(f"no call graph in {folders}")
     return frames
 
 

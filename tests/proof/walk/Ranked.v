@@ -11,8 +11,11 @@ Local Open Scope Z_scope.
 
 (* ============================================================== Part 1: definitions *)
 
+(* Ranks go up to `most`; a root's missing parent has `top`, above all. *)
+Class Limits := { most : Z; top : Z; limit : 0 < top /\ most < top }.
+
 (* A rooted, ordered tree as the walk sees it. What a node is stays open: an index, a pointer. *)
-Record Tree := {
+Record Tree {limits : Limits} := {
   Node : Type;
   root : Node;
   kids : Node -> list Node;    (* in order; of a leaf: none *)
@@ -24,10 +27,10 @@ Record Tree := {
   height : Node -> nat;        (* anything that shrinks from a node to its children *)
 
   rank_of_leaf : forall n, kids n = [] <-> rank n < 0;
-  rank_of_internal : forall n, kids n <> [] -> 1 <= rank n <= kMaxRank;
+  rank_of_internal : forall n, kids n <> [] -> 1 <= rank n <= most;
   rank_monotone : forall n x, In x (kids n) -> rank x <= rank n;
   parent_rank_of_kid : forall n x, In x (kids n) -> parent_rank x = rank n;
-  parent_rank_of_root : parent_rank root = kRootParentRank;
+  parent_rank_of_root : parent_rank root = top;
   next_of_kid : forall n l x y r, kids n = l ++ x :: y :: r -> next x = Some y;
   next_of_last : forall n l x, kids n = l ++ [x] -> next x = None;
   next_of_root : next root = None;
@@ -38,13 +41,14 @@ Record Tree := {
 }.
 
 (* `Under n x`: x is n or lies below it. *)
-Inductive Under {T : Tree} : Node T -> Node T -> Prop :=
+Inductive Under {limits : Limits} {T : Tree} : Node T -> Node T -> Prop :=
 | Under_self n : Under n n
 | Under_kid n x y : In x (kids T n) -> Under x y -> Under n y.
 
 #[global] Hint Constructors Under : core.
 
 Section Walk.
+Context {limits : Limits}.
 Variables A B : Tree.
 Variable overlap : Node A -> Node B -> bool.  (* what is tested of a pair: any predicate *)
 
@@ -131,11 +135,12 @@ Definition safe (hit : Pair -> bool) : Prop := forall a b x y,
   Under a x -> Under b y -> kids A x = [] -> kids B y = [] -> hit (x, y) = true ->
   overlap a b = true.
 End Walk.
-Arguments Visit {A B}. Arguments Behind {A B}. Arguments Done {A B}.
+Arguments Visit {limits A B}. Arguments Behind {limits A B}. Arguments Done {limits A B}.
 
 (* ============================================================== Part 2: the theorems *)
 
 Section Theorems.
+Context {limits : Limits}.
 Variables A B : Tree.
 Variable overlap : Node A -> Node B -> bool.
 Let visits depth := dfs A B overlap depth (roots A B).
@@ -180,6 +185,7 @@ End Theorems.
 (* ============================================================== Part 3: the proofs *)
 
 Section Proofs.
+Context {limits : Limits}.
 Variables A B : Tree.
 Variable overlap : Node A -> Node B -> bool.
 Local Notation Inv := (can_visit A B).
@@ -191,11 +197,9 @@ Local Notation Run := (Run A B overlap).
 Local Notation size := (size A B).
 Local Notation roots := (roots A B).
 
-Lemma limit : kMaxRank < kRootParentRank. Proof. reflexivity. Qed.
-
-Lemma rank_limit (T : Tree) n : rank T n < kRootParentRank.
+Lemma rank_limit (T : Tree) n : rank T n < top.
 Proof.
-  pose proof limit. assert (0 < kRootParentRank) by reflexivity. destruct (kids T n) eqn:K.
+  pose proof limit. destruct (kids T n) eqn:K.
   - apply (rank_of_leaf T) in K. lia.
   - pose proof (rank_of_internal T n) as R. rewrite K in R. specialize (R ltac:(easy)). lia.
 Qed.
@@ -246,7 +250,7 @@ Proof.
 Qed.
 
 Lemma turn_last : turn (Behind roots) = Done.
-Proof. cbn. now rewrite !parent_rank_of_root, next_of_root, root_is_root. Qed.
+Proof. cbn. now rewrite !parent_rank_of_root, Z.leb_refl, next_of_root, root_is_root. Qed.
 
 Lemma child_expand p q : In q (descents p) -> In q (expand p).
 Proof. unfold Ranked.descents. now destruct (overlap (fst p) (snd p)). Qed.
@@ -516,7 +520,7 @@ Proof.
 Qed.
 End Proofs.
 
-Theorem can_be_visited A B : Can_be_visited A B.
+Theorem can_be_visited {limits : Limits} A B : Can_be_visited A B.
 Proof.
   intros d q E T I.
   assert (forall d p q, In p (dfs A B (fun _ _ => true) d (roots A B)) ->
@@ -537,3 +541,7 @@ Proof.
     apply (smaller_child A B) in Z. lia. }
   eapply Bound; eauto.
 Qed.
+
+(* The ranks of mesh.hpp. *)
+#[global] Instance ranks_of_nodes : Limits.
+Proof. exists kMaxRank kRootParentRank. now split. Defined.

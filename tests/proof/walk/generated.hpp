@@ -1,4 +1,4 @@
-// Random post-indexed trees, and what the library's walk does on them: pairs are tested by
+// Random post-indexed trees, and what the library's walks do on them: pairs are tested by
 // functions of their indices, so that a model is asked the same without a box.
 #ifndef FLASHBVH_TEST_PROOF_GENERATED_HPP
 #define FLASHBVH_TEST_PROOF_GENERATED_HPP
@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/paper/stackless.hpp"
 #include "support/random.hpp"
 
 namespace flashbvh::test {
 
-using ModelTree = PostTree;
+using ModelTree = LevelledPostMesh;
 using ModelNode = Node<uint16_t>;
 using NodePair = std::pair<uint32_t, uint32_t>;
 
@@ -20,14 +21,24 @@ struct GeneratedTree {
   std::vector<ModelNode> nodes;
   std::vector<std::vector<uint32_t>> children;
   std::vector<uint32_t> parent;  ///< 0 of the root
+  std::vector<uint16_t> levels;
+  std::vector<uint16_t> right_child_levels;
 
-  ModelTree view() const { return {nodes.data(), static_cast<uint16_t>(nodes.size()), 0, 0}; }
+  ModelTree view() const {
+    ModelTree tree = {};
+    tree.nodes = nodes.data();
+    tree.node_count = static_cast<uint16_t>(nodes.size());
+    tree.levels = levels.data();
+    tree.right_child_levels = right_child_levels.data();
+    return tree;
+  }
 
   static GeneratedTree random(Random& random) {
     constexpr uint32_t limits[] = {2, 4, kMaxRank};
     GeneratedTree tree;
     tree.grow(random, limits[random.below(3)], kRootParentRank, random.below(5), 0);
     tree.nodes[0].link = static_cast<uint16_t>(tree.nodes.size());
+    tree.set_levels();
     return tree;
   }
 
@@ -58,6 +69,17 @@ struct GeneratedTree {
       later = child;
     }
     nodes[self + 1].link = static_cast<uint16_t>(later);
+  }
+
+  void set_levels() {
+    levels.assign(nodes.size(), 0);
+    right_child_levels.assign(nodes.size(), 0);
+    for (uint32_t i = 1; i < nodes.size(); ++i) {
+      const uint32_t above = parent[i];
+      levels[i] = static_cast<uint16_t>(levels[above] + 1);
+      const bool last = children[above].back() == i;
+      right_child_levels[i] = static_cast<uint16_t>(last ? right_child_levels[above] + 1 : 0);
+    }
   }
 };
 
@@ -119,11 +141,12 @@ class TestedShapes {
   uint32_t node_ = 0;
 };
 
-/// One run of the library's walk with `work` from a position, which it moves on. It stops after
-/// `batch` pairs of leaves.
-inline void walk_on(const ModelTree& a, const ModelTree& b, const PairTests& tests, uint32_t work,
-                    uint32_t batch, detail::PairCursor<uint16_t>& cursor, detail::State& state,
-                    Walked& walked) {
+/// One run of a walk of the library's with `work` from a position, which it moves on. It stops
+/// after `batch` pairs of leaves.
+template <class Order>
+void walk_on(const ModelTree& a, const ModelTree& b, const PairTests& tests, uint32_t work,
+             uint32_t batch, detail::PairCursor<uint16_t>& cursor, detail::State& state,
+             Walked& walked) {
   const auto bound = [&](const detail::PackedBox& box_a, const detail::PackedBox& box_b) {
     walked.visits.emplace_back(box_a.z, box_b.z);
     return tests.bound(box_a.z, box_b.z);
@@ -134,7 +157,7 @@ inline void walk_on(const ModelTree& a, const ModelTree& b, const PairTests& tes
   };
   TestedShapes shapes(a, b, tests, walked);
   detail::WalkRun<detail::PairCursor<uint16_t>, decltype(leaf_pair)> run(cursor, leaf_pair, work);
-  state = detail::walk<Ranked<ModelTree>>(bound, shapes, run, state);
+  state = detail::walk<Order>(bound, shapes, run, state);
 }
 
 }  // namespace flashbvh::test

@@ -1,0 +1,15 @@
+# kinematics: a joint adds less than 2^-27 to the norm of a rotation's error, in a chain of kMaxJoints
+#
+# e: the error so far, of its parent's rotation. By norms: a product of two that are off by e and f is off
+# by e (1 + f) + f, and rounding n entries by half of 2^-30 adds sqrt(n) 2^-31. The joint's own rotation is
+# rounded, too; `turn`: sine and cosine, each within 2^-29 (sine.g, cosine.g).
+# code: src/robot/kinematics.cpp | frames[i] = composed(frames[joint.parent], joint.fixed);
+# code: src/robot/kinematics.cpp | row[0] = rounded(times(x, at.cosine) + times(y, at.sine));
+# code: src/robot/kinematics.cpp | row[1] = rounded(times(y, at.cosine) - times(x, at.sine));
+# code: src/robot/kinematics.cpp | return static_cast<int32_t>((sum + (kRotationOne >> 1)) >> 30);
+nine = 3 / @2 * kRotationOne@;
+six = 2.44949 / @2 * kRotationOne@;
+turn = 1.414214 * 1b-29;
+composed = e * nine + nine + nine;                  # beside e
+more = composed + (e + composed) * turn + turn + six;
+{ e in [0,@kMaxJoints@b-27] -> more in [0,1b-27] }

@@ -1,0 +1,37 @@
+// What a mesh takes that bends (flashbvh/deformable.hpp).
+#ifndef FLASHBVH_TOOLS_BAKE_BENDING_HPP
+#define FLASHBVH_TOOLS_BAKE_BENDING_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include "flashbvh/detail/refit.hpp"
+
+namespace flashbvh::bake {
+
+struct BendingCost {
+  std::size_t ram_bytes;           ///< nodes and vertices
+  std::size_t refit_instructions;  ///< of all of it, on a Cortex-M4F at -O2, within 12 %
+};
+
+/// The instructions are those that tests/budget/refit_cost_test.cpp holds to.
+template <class Mesh>
+BendingCost bending_cost(const Mesh& mesh) {
+  std::size_t refit = 12 * std::size_t{mesh.node_count};
+  for (std::uint32_t leaf = 0; leaf < mesh.leaf_count; ++leaf) {
+    const std::uint32_t first = mesh.first_triangle(leaf);
+    std::uint32_t end = mesh.end_triangle(leaf);
+    refit += end - first > 2 ? 25 : 0;
+    while (end != first) {
+      const auto* const last = mesh.triangles + end - 1;
+      const bool is_quad = end - first > 1 && detail::is_quad(last[-1], last[0]);
+      refit += is_quad ? 64 : 40;
+      end -= is_quad ? 2 : 1;
+    }
+  }
+  return {mesh.node_count * sizeof *mesh.nodes + mesh.vertex_count * sizeof *mesh.vertices, refit};
+}
+
+}  // namespace flashbvh::bake
+
+#endif

@@ -1,0 +1,101 @@
+// Instructions of a query by flashbvh, OPCODE and the paper's tree in floats, class by class, on
+// the links of a KUKA KR5: the poses of lib/docs/figures.md. Prints lines:
+//     CORE MOTION CLASS LIBRARY mean most pairs-found
+#include <initializer_list>
+
+#include "asked.hpp"
+#include "asked_of.hpp"
+#include "insn.hpp"
+#include "text.hpp"
+
+using namespace flashbvh;
+using namespace figures;
+
+namespace compare {
+namespace {
+
+class WithFlashbvh : public Library {
+ public:
+  void set_meshes(const PostMesh& a, const PostMesh& b) override {
+    a_ = &a;
+    b_ = &b;
+  }
+  void set_pose(const Pose& pose) override { pose_ = pose; }
+  uint32_t ask(bool first) override {
+    uint32_t count = 0;
+    PairQuery query(*a_, *b_, pose_);
+    (void)query.run(UINT32_MAX, [&](const PairQuery::Pair&) {
+      ++count;
+      return !first;
+    });
+    return count;
+  }
+
+ private:
+  const PostMesh* a_ = nullptr;
+  const PostMesh* b_ = nullptr;
+  Pose pose_ = Pose::translated(0, 0, 0);
+};
+
+struct Cost {
+  uint64_t sum = 0;
+  uint32_t most = 0;
+  uint32_t found = 0;
+  uint32_t count = 0;
+
+  void add(Library& library, bool first) {
+    const uint32_t instructions = port::instructions_of([&] { found += library.ask(first); });
+    sum += instructions;
+    most = instructions > most ? instructions : most;
+    ++count;
+  }
+  void print(const char* motion, const char* name, const char* library) const {
+    port::print(FLASHBVH_CORE " ", motion, " ", name, " ", library, " ",
+                static_cast<uint32_t>(sum / count), " ", most, " ", found, "\n");
+  }
+};
+
+Library& flashbvh_itself() {
+  static WithFlashbvh* const library = new WithFlashbvh;
+  return *library;
+}
+
+struct Named {
+  const char* name;
+  Library& library;
+};
+
+void ask_class(const char* motion, bool is_rotated, uint32_t proximity, const Named& named) {
+  Cost all;
+  Cost first;
+  for (uint32_t p = 0; p < kAskedPairCount; ++p) {
+    const AskedPair& pair = kAskedPairs[p];
+    named.library.set_meshes(*pair.a, *pair.b);
+    for (const Asked& asked : (is_rotated ? pair.rotated : pair.translated)[proximity]) {
+      named.library.set_pose(pose_of(asked));
+      all.add(named.library, false);
+      first.add(named.library, true);
+    }
+  }
+  all.print(motion, kProximityNames[proximity], named.name);
+  if (static_cast<Proximity>(proximity) == Proximity::intersecting) {
+    first.print(motion, "first", named.name);
+  }
+}
+
+}  // namespace
+}  // namespace compare
+
+int main() {
+  const compare::Named all[] = {{"flashbvh", compare::flashbvh_itself()},
+                                {"opcode", compare::opcode()},
+                                {"float", compare::float_tree()}};
+  for (const bool is_rotated : {false, true}) {
+    for (uint32_t i = 0; i < kProximities; ++i) {
+      for (const compare::Named& named : all) {
+        compare::ask_class(is_rotated ? "rotated" : "translated", is_rotated, i, named);
+      }
+    }
+  }
+  return 0;
+}

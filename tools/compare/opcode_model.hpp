@@ -1,0 +1,63 @@
+// OPCODE's model of a baked mesh. Its headers come last, for their macros: `for`, `null`,
+// `override`.
+#ifndef FLASHBVH_TOOLS_COMPARE_OPCODE_MODEL_HPP
+#define FLASHBVH_TOOLS_COMPARE_OPCODE_MODEL_HPP
+
+#include <stdexcept>
+#include <vector>
+
+#include "contender.hpp"
+#include "meshes.hpp"
+
+// clang-format off
+#include <ode/common.h>
+#include <OPCODE/Opcode.h>
+// clang-format on
+#undef for
+#undef override
+
+namespace compare {
+
+/// Its triangles in the order of the baked mesh.
+class OpcodeModel {
+ public:
+  explicit OpcodeModel(const flashbvh::PostMesh& mesh) {
+    for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
+      float point[3];
+      set_vertex(mesh, i, point);
+      vertices_.emplace_back(point[0], point[1], point[2]);
+    }
+    for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
+      const auto& corner = mesh.triangles[i].corner;
+      triangles_.emplace_back(corner[0], corner[1], corner[2]);
+    }
+    interface_.SetNbTriangles(mesh.triangle_count);
+    interface_.SetNbVertices(mesh.vertex_count);
+    interface_.SetPointers(triangles_.data(), vertices_.data());
+    interface_.SetSingle(true);
+    if (!model_.Build(settings())) {
+      throw std::runtime_error("OPCODE could not build a tree");
+    }
+  }
+  OpcodeModel(const OpcodeModel&) = delete;
+  OpcodeModel& operator=(const OpcodeModel&) = delete;
+
+  const Opcode::Model& model() const { return model_; }
+
+ private:
+  /// As in ODE's dxTriMeshData: an optimised tree without leaves, not quantized.
+  Opcode::OPCODECREATE settings() {
+    const Opcode::BuildSettings rules(Opcode::SPLIT_BEST_AXIS | Opcode::SPLIT_SPLATTER_POINTS |
+                                      Opcode::SPLIT_GEOM_CENTER);
+    return Opcode::OPCODECREATE(&interface_, rules, true, false);
+  }
+
+  std::vector<IceMaths::Point> vertices_;
+  std::vector<IceMaths::IndexedTriangle> triangles_;
+  Opcode::MeshInterface interface_;
+  Opcode::Model model_;
+};
+
+}  // namespace compare
+
+#endif

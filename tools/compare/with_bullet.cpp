@@ -1,0 +1,164 @@
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
+#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
+#include <BulletCollision/Gimpact/btGImpactShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
+
+#include "bullet_mesh.hpp"
+#include "contender.hpp"
+
+using flashbvh::PostMesh;
+
+namespace compare {
+namespace {
+
+/// Bullet tells each point of contact of two triangles; here each pair counts once.
+class Contacts : public btManifoldResult {
+ public:
+  using btManifoldResult::btManifoldResult;
+
+  void addContactPoint(const btVector3& /*normal*/, const btVector3& /*point*/,
+                       btScalar /*depth*/) override {
+    const std::pair<int, int> pair(m_index0, m_index1);
+    if (pairs.empty() || pairs.back() != pair) {
+      pairs.push_back(pair);
+    }
+  }
+
+  std::vector<std::pair<int, int>> pairs;
+};
+
+/// A shape over a mesh, as a body of a world.
+class Body {
+ public:
+  explicit Body(const PostMesh& mesh) : mesh_(mesh), shape_(&mesh_.array()) {
+    shape_.setMargin(0);
+    shape_.updateBound();
+    object_.setCollisionShape(&shape_);
+  }
+
+  void set_pose(const btTransform& pose) { object_.setWorldTransform(pose); }
+  btCollisionObjectWrapper wrapped() const {
+    return {nullptr, &shape_, &object_, object_.getWorldTransform(), -1, -1};
+  }
+
+ private:
+  BulletMesh mesh_;
+  btGImpactMeshShape shape_;
+  btCollisionObject object_;
+};
+
+class Bullet : public Collider {
+ public:
+  Bullet(const PostMesh& a, const PostMesh& b)
+      : mesh_a_(&a),
+        mesh_b_(&b),
+        configuration_(few()),
+        dispatcher_(&configuration_),
+        a_(a),
+        b_(b) {
+    btCollisionAlgorithmConstructionInfo info(&dispatcher_, 0);
+    const btCollisionObjectWrapper wrapped_a = a_.wrapped();
+    const btCollisionObjectWrapper wrapped_b = b_.wrapped();
+    algorithm_ = std::make_unique<btGImpactCollisionAlgorithm>(info, &wrapped_a, &wrapped_b);
+  }
+
+  void set_poses(const std::vector<Placed>& poses) override {
+    poses_.clear();
+    for (const Placed& placed : poses) {
+      poses_.push_back(transform_of(placed.pose));
+    }
+  }
+
+  /// All pairs, whatever is wanted: it stops at none.
+  std::size_t ask_all(Wanted /*wanted*/) override {
+    std::size_t count = 0;
+    for (const btTransform& pose : poses_) {
+      ask(pose);
+      count += contacts_.pairs.size();
+    }
+    return count;
+  }
+
+  std::vector<Pair> pairs(std::size_t pose) override {
+    ask(poses_[pose]);
+    std::vector<Pair> all;
+    for (const auto& [a, b] : contacts_.pairs) {
+      all.emplace_back(mesh_a_->triangle_ids[a], mesh_b_->triangle_ids[b]);
+    }
+    return all;
+  }
+
+ private:
+  /// No pools for thousands of bodies: there are two.
+  static btDefaultCollisionConstructionInfo few() {
+    btDefaultCollisionConstructionInfo info;
+    info.m_defaultMaxPersistentManifoldPoolSize = 16;
+    info.m_defaultMaxCollisionAlgorithmPoolSize = 16;
+    return info;
+  }
+
+  void ask(const btTransform& pose) {
+    b_.set_pose(pose);
+    const btCollisionObjectWrapper wrapped_a = a_.wrapped();
+    const btCollisionObjectWrapper wrapped_b = b_.wrapped();
+    contacts_.pairs.clear();
+    contacts_.setBody0Wrap(&wrapped_a);
+    contacts_.setBody1Wrap(&wrapped_b);
+    algorithm_->processCollision(&wrapped_a, &wrapped_b, btDispatcherInfo(), &contacts_);
+  }
+
+  const PostMesh* mesh_a_;
+  const PostMesh* mesh_b_;
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_;
+  Body a_;
+  Body b_;
+  std::unique_ptr<btGImpactCollisionAlgorithm> algorithm_;
+  Contacts contacts_;
+  std::vector<btTransform> poses_;
+};
+
+class BulletCaster : public Caster {
+ public:
+  explicit BulletCaster(const PostMesh& mesh)
+      : mesh_(mesh), shape_(&mesh_.array(), /*useQuantizedAabbCompression=*/true) {}
+
+  double nearest(const flashbvh::Segment& segment) override {
+    const btVector3 from = point_of(segment.from);
+    const btVector3 to = point_of(segment.to);
+    Nearest nearest(from, to);
+    shape_.performRaycast(&nearest, from, to);
+    return nearest.share;
+  }
+
+ private:
+  struct Nearest : btTriangleRaycastCallback {
+    using btTriangleRaycastCallback::btTriangleRaycastCallback;
+    btScalar reportHit(const btVector3& /*normal*/, btScalar fraction, int /*part*/,
+                       int /*triangle*/) override {
+      share = fraction;  // nearer than those before
+      return fraction;
+    }
+    double share = kNoHit;
+  };
+
+  static btVector3 point_of(const flashbvh::Point& point) {
+    const auto units = [](std::int32_t cells) { return static_cast<float>(cells / kCellsOfUnit); };
+    return {units(point.x), units(point.y), units(point.z)};
+  }
+
+  BulletMesh mesh_;
+  btBvhTriangleMeshShape shape_;
+};
+
+}  // namespace
+
+std::unique_ptr<Collider> with_bullet(const PostMesh& a, const PostMesh& b) {
+  return std::make_unique<Bullet>(a, b);
+}
+
+std::unique_ptr<Caster> caster_of_bullet(const PostMesh& mesh) {
+  return std::make_unique<BulletCaster>(mesh);
+}
+
+}  // namespace compare
