@@ -104,7 +104,7 @@ int main() {
 CPP
 lib=$INCLUDE/../src
 "$CXX" -std=c++17 -Wall -Wextra -Werror -I"$INCLUDE" -Ifirst open.cpp first/two_fingers.robot.cpp \
-  "$lib"/image/*.cpp "$lib"/robot/image.cpp "$lib"/robot/robot_check.cpp "$lib"/robot/spheres.cpp \
+  "$lib"/image/*.cpp "$lib"/robot/chart.cpp "$lib"/robot/image.cpp "$lib"/robot/robot_check.cpp "$lib"/robot/spheres.cpp \
   "$lib"/geometry/*.cpp -o open || fail "does not compile"
 [ "$(./open)" = "good wrist upper-arm" ] || fail "$(./open)"
 
@@ -134,7 +134,7 @@ damaged X 60 "bad.robot: is corrupt: a checksum does not match; copy or bake it 
 damaged X "$(($(wc -c <bad.robot) - 9))" "bad.robot: is corrupt"
 damaged XX "$(wc -c <bad.robot)" "bad.robot: has 2 bytes after its end"
 head -c 40 image/two_fingers.robot >bad.robot
-refused "is truncated: it has 40 bytes and needs a header of 44" info bad.robot
+refused "is truncated: it has 40 bytes and needs a header of 48" info bad.robot
 head -c 400 image/two_fingers.robot >bad.robot
 refused "is truncated: it has 400 bytes of $(wc -c <image/two_fingers.robot)" info bad.robot
 refused "gone.robot" info gone.robot
@@ -215,6 +215,9 @@ done
 exits 0 robot arm.urdf -o stopped --stop 0.5
 grep -q "arm.urdf: warning: links 'base' and 'upper-arm' are nowhere found farther apart than the stop" \
   stderr || fail "$(cat stderr)"
+exits 0 robot arm.urdf -o stopped --warn 0.5
+grep -q "farther apart than the warn distance, 0.5 m, so a guard would never say free" stderr ||
+  fail "$(cat stderr)"
 exits 0 robot arm.urdf -o stopped
 grep -q "nowhere found" stderr && fail "$(cat stderr)"
 

@@ -158,8 +158,9 @@ std::vector<PairVerdict> decide(const Model& model, const std::vector<PostMesh>&
                                 double cell, const AllDistances& distances, Progress& progress) {
   MatrixOptions options;
   options.stop = distances.usual.stop / cell;
+  options.warn = distances.usual.warn / cell;
   for (const GuardedPair& pair : distances.own) {
-    options.stops.push_back({pair.a, pair.b, pair.stop / cell});
+    options.stops.push_back({pair.a, pair.b, pair.stop / cell, pair.warn / cell});
   }
   const FixedRobot robot(model, meshes, cell, {});
   options.slack = std::max(options.slack, kPlacing + robot.robot().slack / double{kFineOne});
@@ -196,20 +197,25 @@ std::vector<GuardedPair> guarded(const std::vector<PairVerdict>& pairs,
   return guarded;
 }
 
-void warn_of_stopped(const BakedRobot& robot, const AllDistances& distances,
-                     const RobotArguments& arguments, Warnings& warnings) {
+/// Pairs of which a guard would say the same wherever the robot stands.
+void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
+                  const RobotArguments& arguments, Warnings& warnings) {
   for (const PairVerdict& pair : robot.pairs) {
-    if (pair.is_stopped) {
-      const GuardedPair* const own = own_of(distances.own, pair.a, pair.b);
-      const double stop = own != nullptr ? own->stop : distances.usual.stop;
-      warnings.add(
-          arguments.urdf,
-          concat("links '", robot.model.links[pair.a].name, "' and '",
-                 robot.model.links[pair.b].name,
-                 "' are nowhere found farther apart than the stop distance, ", shortest(stop),
-                 " m, so a guard would always say stop; ",
-                 stop == 0 ? "" : "lower it (--stop, --pair), or ", "disable the pair in an SRDF"));
+    if (!pair.is_stopped && !pair.is_warned) {
+      continue;
     }
+    const GuardedPair* const own = own_of(distances.own, pair.a, pair.b);
+    const Distances of = own != nullptr ? Distances{own->stop, own->warn} : distances.usual;
+    const double distance = pair.is_stopped ? of.stop : of.warn;
+    const char* const word = pair.is_stopped ? "stop" : "warn";
+    warnings.add(
+        arguments.urdf,
+        concat("links '", robot.model.links[pair.a].name, "' and '", robot.model.links[pair.b].name,
+               "' are nowhere found farther apart than the ", word, " distance, ",
+               shortest(distance), " m, so a guard would ",
+               pair.is_stopped ? "always say stop; " : "never say free; ",
+               distance == 0 ? "" : concat("lower it (--", word, ", --pair), or "),
+               "disable the pair in an SRDF"));
   }
 }
 
@@ -275,7 +281,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   made.links = bake_links(made.model, made.cell, arguments, progress, warnings);
   const std::vector<PostMesh> meshes = meshes_of(made.links);
   made.pairs = decide(made.model, meshes, made.cell, distances, progress);
-  warn_of_stopped(made, distances, arguments, warnings);
+  warn_of_near(made, distances, arguments, warnings);
   made.fixed =
       std::make_unique<FixedRobot>(made.model, meshes, made.cell, guarded(made.pairs, distances));
   made.fixed->set_charts(charts_of(made.model, made.robot(), [&](std::size_t pair) {

@@ -39,22 +39,24 @@ class Decider {
     pair.reason = why_always(space, a, b);
     if (pair.reason.empty()) {
       search(space, progress, pair);
-      const double stop = stop_of(a, b);
+      const auto [stop, warn] = distances_of(a, b);
       pair.is_guarded = pair.verdict != MatrixVerdict::never ||
                         (stop > 0 && !stays_away(space, stop, progress, pair));
-      pair.is_stopped = pair.is_guarded && is_stopped(space, stop);
+      pair.is_stopped = pair.is_guarded && is_within(space, stop);
+      pair.is_warned = pair.is_guarded && !pair.is_stopped && is_within(space, warn);
     }
     return pair;
   }
 
  private:
-  double stop_of(std::size_t a, std::size_t b) const {
+  /// To stop, to warn.
+  std::pair<double, double> distances_of(std::size_t a, std::size_t b) const {
     for (const StopDistance& pair : options_.stops) {
       if (std::minmax(pair.a, pair.b) == std::minmax(a, b)) {
-        return pair.stop;
+        return {pair.stop, pair.warn};
       }
     }
-    return options_.stop;
+    return {options_.stop, options_.warn};
   }
 
   /// Empty unless the pair need not be asked about.
@@ -122,9 +124,9 @@ class Decider {
             is_proven_swept(model_, pair.a, pair.b, cell_, few, progress, pair.cells, stop));
   }
 
-  bool is_stopped(const PairSpace& space, double stop) const {
+  bool is_within(const PairSpace& space, double distance) const {
     for (std::uint32_t i = 0; i < options_.looks; ++i) {
-      if (space.are_apart(spread_point(space, i), stop + options_.slack)) {
+      if (space.are_apart(spread_point(space, i), distance + options_.slack)) {
         return false;
       }
     }

@@ -32,17 +32,20 @@ struct PairVerdict {
   /// stop distance.
   bool is_guarded = false;
   bool is_stopped = false;  ///< guarded, and at no configuration tried farther apart than that
+  bool is_warned =
+      false;  ///< not stopped so, but nowhere tried farther apart than the warn distance
 };
 
 /// How far a placed vertex lies from where it should, in cells: 0.51 along each axis of rounding,
 /// and what is left for kinematics in double (kinematics.hpp).
 constexpr double kPlacing = 0.89;
 
-/// Two links with a stop distance of their own, in cells.
+/// Two links with distances of their own, in cells.
 struct StopDistance {
   std::size_t a;
   std::size_t b;
   double stop;
+  double warn;
 };
 
 struct MatrixOptions {
@@ -52,6 +55,7 @@ struct MatrixOptions {
   double slack = 2 * kPlacing;
   /// In cells: how near links may come before a guard stops them. No part of the verdict.
   double stop = 0;
+  double warn = 0;                  ///< nor is this: from where it warns of them
   std::vector<StopDistance> stops;  ///< of pairs for which that does not hold
   /// In cells: where so little motion is left in a cell of the joints' values, it is not cut again.
   double resolution = 0.5;

@@ -193,7 +193,8 @@ void make_robot() {
   joint.upper = kFullTurn;
   joint.parent = kBase;
   pair = {0, 0, kReaches[0], 0, 1, 0, 1};
-  robot = {&joint, kLinks, meshes, &pair, kReaches, 1, 2, 1, 0, 1, 1, 1, 1, post.cell_bits};
+  robot = {&joint, kLinks, meshes, &pair, kReaches, nullptr, 1, 2,
+           1,      0,      1,      1,     1,        0,       1, post.cell_bits};
   in.robot = &robot;
   in.guard_state = &guard_state;
   in.motion_state = &motion_state;
