@@ -6,7 +6,7 @@
 namespace flashbvh::detail {
 namespace {
 
-constexpr int kCellBits = 5;
+constexpr int kChartCellBits = 5;
 
 }  // namespace
 
@@ -15,7 +15,7 @@ ChartAxis chart_axis(const RobotJoint& joint) {
   const bool is_empty = joint.lower > joint.upper;
   const uint32_t range = is_free ? kFullTurn - 1 : is_empty ? 0 : apart(joint.lower, joint.upper);
   uint32_t shift = 0;
-  while (range >> shift >> kCellBits != 0) {
+  while (range >> shift >> kChartCellBits != 0) {
     ++shift;
   }
   return {is_free ? -kFullTurn / 2 : joint.lower, shift, (range >> shift) + 1};
