@@ -34,7 +34,7 @@ std::uint32_t cost_of_self(const PostMesh& mesh, Counts& counts) {
 }
 
 /// The most that a run of so much work takes.
-std::uint32_t worst_run(const PostMesh& mesh, std::uint32_t work) {
+[[maybe_unused]] std::uint32_t worst_run(const PostMesh& mesh, std::uint32_t work) {
   SelfQuery query(mesh);
   std::uint32_t most = 0;
   SelfQuery::Pair found[8];

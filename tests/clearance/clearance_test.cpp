@@ -213,6 +213,35 @@ TEST_CASE("the distance of two meshes is that of their nearest triangles") {
   }
 }
 
+TEST_CASE("what is farther than 2^15 cells is measured as well, from any seed") {
+  Random random(test_seed());
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    const auto mesh = [&] {
+      return any_mesh(random, random_mesh(random, 20 + random.below(20), 800, 400));
+    };
+    const AnyMesh any_a = mesh();
+    const AnyMesh any_b = mesh();
+    const PostMesh a = view_of(any_a);
+    const PostMesh b = view_of(any_b);
+    const auto far = [&] { return (random.below(2) == 0 ? 1 : -1) * random.between(20000, 23000); };
+    const std::int32_t x = far();
+    const std::int32_t y = far();
+    const std::int32_t cells[3] = {x, y, far()};
+    const Pose pose = round % 4 == 0
+                          ? Pose::translated(cells[0], cells[1], cells[2])
+                          : Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
+    const std::vector<Pairwise> all = all_distances(a, b, pose);
+    check_result(all, distance(a, b, pose));
+    for (int i = 0; i < 8; ++i) {
+      const Pairwise& pair = all[random.below(static_cast<std::uint32_t>(all.size()))];
+      check_result(all, distance(a, b, pose,
+                                 {static_cast<std::uint16_t>(pair.of_a),
+                                  static_cast<std::uint16_t>(pair.of_b)}));
+    }
+  }
+}
+
 TEST_CASE("a tolerance is kept to, and said to be") {
   Random random(test_seed());
   for (int round = 0; round < 150; ++round) {

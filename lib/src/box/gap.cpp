@@ -159,6 +159,7 @@ bool KeptGap::compare_new(const PackedBox& a, const PackedBox& b) {
 const PackedTriple& KeptGap::window_of_a(const PackedBox& a) {
   if (a_.source != &a) {
     (void)rotate_near(a_, a, a, nullptr);
+    a_.source = rotates_ ? &a : nullptr;
   }
   return a_.window;
 }
@@ -166,6 +167,7 @@ const PackedTriple& KeptGap::window_of_a(const PackedBox& a) {
 const PackedTriple& KeptGap::window_of_b(const PackedBox& b) {
   if (b_.source != &b) {
     (void)rotate_near(b_, b, b, nullptr);
+    b_.source = rotates_ ? &b : nullptr;
   }
   return b_.window;
 }
