@@ -128,7 +128,7 @@ bool RotatedGap::operator()(const PackedBox& a, const PackedBox& b) {
 KeptGap::KeptGap(const Transform& transform, const GapLimit& limit)
     : transform_(&transform), limit_(limit), rotates_(transform.is_rotated() && limit.is_near()) {
   if (!transform.is_rotated()) {
-    return;
+    return;  // NOLINT(clang-analyzer-optin.cplusplus.UninitializedObject): what rotates is not used
   }
   const RotatedTransform& rotated = transform.rotated();
   // A difference that is shifted down is rounded up by what is one less than a cell.

@@ -9,6 +9,7 @@ namespace flashbvh {
 
 using detail::difference_of;
 using detail::kPeriodsAhead;
+using detail::kRateMargin;
 using detail::sum_of;
 
 namespace {
@@ -119,9 +120,12 @@ Guard::Left Guard::left_of(uint16_t i, const JointCoordinate* certified) const {
   const GuardPair& known = pairs_[i];
   Left now;
   now.lost = sum_of(motion_of(pair, certified, now.is_fresh), robot_->slack);
-  now.is_fresh = now.is_fresh && !is_unknown(known);
   now.distance = difference_of(known.lower, now.lost);
   now.left = difference_of(now.distance, pair.stop);
+  // Who comes back to where little was asked, and faster, may ask for more (aim() in
+  // guard_measure.cpp).
+  now.is_fresh = now.is_fresh && !is_unknown(known) &&
+                 (now.left != 0 || known.upper <= sum_of(sum_of(pair.stop, now.lost), kRateMargin));
   now.is_vague = !now.is_fresh && now.left != 0 && now.distance <= pair.warn &&
                  sum_of(known.upper, now.lost) > pair.warn;
   return now;

@@ -10,6 +10,7 @@ namespace flashbvh {
 
 using detail::difference_of;
 using detail::kPeriodsAhead;
+using detail::kRateMargin;
 using detail::sum_of;
 
 namespace {
@@ -144,11 +145,13 @@ void Guard::aim(uint32_t nearest) {
   const uint32_t over = difference_of(nearest, kept);
   const uint32_t most = over / 16 * kShare;
   // As far as so many periods like this one move the links: farther takes walks of many periods.
-  const uint32_t moved = sum_of(rate_of(pair), 2);
+  const uint32_t moved = sum_of(rate_of(pair), kRateMargin);
   const uint32_t least = most / kPeriodsAsked;
   const uint32_t share = moved >= least ? most : detail::greater(moved * kPeriodsAsked, least);
   // What is asked is to last back to where the period began, if the witness has so much.
-  const uint32_t asked = sum_of(kept, moved < over ? detail::greater(share, moved) : share);
+  const uint32_t share_asked = sum_of(kept, moved < over ? detail::greater(share, moved) : share);
+  const uint32_t lasting = sum_of(stop, moved);
+  const uint32_t asked = nearest > lasting ? detail::greater(share_asked, lasting) : share_asked;
   core_->nearest = nearest;
   core_->asked = asked < kMaxDistance ? asked : kMaxDistance;
   core_->position = {};
@@ -184,6 +187,7 @@ Status Guard::walk(uint32_t& work) {
   }
   if (status == Status::distance_out_of_range && core_->asked > 1) {
     core_->asked /= 2;
+    core_->nearest = core_->asked;  // too near is said at worst, and not asked again
     return Status::suspended;
   }
   if (status == Status::position_invalid) {  // of a state that was taken up

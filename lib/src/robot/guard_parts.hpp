@@ -11,6 +11,9 @@ namespace detail {
 /// a measurement takes several of them.
 constexpr uint32_t kPeriodsAhead = 8;
 
+/// 1/256 cell that a certificate is asked to last beyond the period's motion.
+constexpr uint32_t kRateMargin = 2;
+
 }  // namespace detail
 
 /// What is left of a pair's certificate, in 1/256 cell, at any moment of this period.
