@@ -3,7 +3,8 @@
 #                   natively with sanitizers and on each board under QEMU.
 # test.sh --quick   What most changes break: formatting, the tests on this machine that don't take long,
 #                   and a board with a Cortex-M4F, without the proofs.
-# test.sh --all     Also an Xtensa LX106, and the packages of a release.
+# test.sh --all     Also an Xtensa LX106, all tests on cores that run another one's code, a deeper lint,
+#                   and the packages of a release.
 #
 # A step (tools/test_step.sh) a core, side by side; what each prints is in build/log. Says at the end
 # where the minutes went. Installs what is missing.
@@ -12,15 +13,16 @@ cd "$(dirname "$0")/.."
 . tools/packages.sh
 
 # The longest first, so that none is left over at the end; all but lint wait for the first.
-steps="tool lint native cortex-m33 cortex-m55 long cortex-m7 cortex-m4f cortex-m3 rv32imac
-  cortex-m0 netduinoplus2 sifive_e stm32vldiscovery"
+steps="tool lint native cortex-m55 long cortex-m4f cortex-m3 rv32imac cortex-m0 cortex-m7
+  cortex-m33 netduinoplus2 sifive_e stm32vldiscovery"
 packages="$riscv_packages $digest_packages clang-tidy"
 release=
 case ${1:-} in
   "") ;;
   --quick) steps="tool native netduinoplus2" packages= ;;
-  --all) steps="$steps lx106" packages="$packages $xtensa_packages" release=yes ;;
-  *) sed -n '2,6s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  --all) steps="$steps lx106" packages="$packages $xtensa_packages" release=yes
+    export FLASHBVH_ALL_TESTS=ON FLASHBVH_DEEP_LINT=yes ;;
+  *) sed -n '2,7s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 ensure_packages $host_packages $sanitizer_packages $oracle_packages $board_packages $packages $test_packages
 
