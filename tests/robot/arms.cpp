@@ -229,4 +229,15 @@ std::vector<double> any_variables(Random& random, const Model& model) {
   return variables;
 }
 
+Model blade_and(const bake::SourceMesh& mesh, double lower, double upper) {
+  Model model;
+  add_link(model, kNoJoint, mesh);
+  const std::size_t carriage =
+      add_joint(model, kNoJoint, turned(1, kPi / 2), JointType::prismatic, lower, upper);
+  const std::size_t spindle =
+      add_joint(model, carriage, turned(1, -kPi / 2), JointType::revolute, -3, 3);
+  add_link(model, spindle, box({-0.1, -0.01, 0}, {0.1, 0.01, 0.3}));
+  return model;
+}
+
 }  // namespace flashbvh::test

@@ -69,6 +69,10 @@ class BakedArm {
 /// A value each, within the limits.
 std::vector<double> any_variables(Random& random, const Model& model);
 
+/// A base with `mesh`, and a blade, 0.1 long either way, on a carriage that slides along x, turning
+/// about z.
+tool::Model blade_and(const bake::SourceMesh& mesh, double lower, double upper);
+
 }  // namespace flashbvh::test
 
 #endif

@@ -23,18 +23,6 @@ bool is_proven(const Model& model, double cell) {
   return proven;
 }
 
-/// A base with `mesh`, and a blade on a carriage that slides along x, turning about z.
-Model blade_and(const bake::SourceMesh& mesh, double lower, double upper) {
-  Model model;
-  add_link(model, kNoJoint, mesh);
-  const std::size_t carriage =
-      add_joint(model, kNoJoint, turned(1, kPi / 2), JointType::prismatic, lower, upper);
-  const std::size_t spindle =
-      add_joint(model, carriage, turned(1, -kPi / 2), JointType::revolute, -3, 3);
-  add_link(model, spindle, box({-0.1, -0.01, 0}, {0.1, 0.01, 0.3}));
-  return model;
-}
-
 }  // namespace
 
 TEST_CASE("a solid of revolution holds its mesh at every angle") {
@@ -46,7 +34,7 @@ TEST_CASE("a solid of revolution holds its mesh at every angle") {
     Model model = any_arm(random, 1);
     const Transform axis = model.joints[0].fixed;
     const bake::SourceMesh mesh = model.links[0].mesh;
-    model.links[0].mesh = revolved(mesh, axis, 1.8 * cell);
+    model.links[0].mesh = revolved(mesh, axis, 1.8 * cell, round % 2 == 0 ? kCoarse : kFine);
     const BakedArm arm(model, cell);
     const PostMesh& solid = arm.meshes()[0];
     REQUIRE(solid.is_closed);

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
+#include <memory>
 #include <queue>
 
 #include "flashbvh/detail/robot_chart.hpp"
 #include "robot/matrix.hpp"
 #include "robot/pair_space.hpp"
 #include "robot/reaches.hpp"
+#include "robot/swept_pair.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -20,8 +23,13 @@ constexpr double kLeastCells = 16;
 /// Of the least distance seen in a cell, what is told at least: more below so many times the least,
 /// where a guard looks again every few periods.
 constexpr double kNear = 6;
-constexpr double kNearShare = 0.7;
-constexpr double kFarShare = 0.3;
+struct Shares {
+  double near;
+  double far;
+};
+constexpr Shares kShares{0.7, 0.3};
+/// More, so that what is proven of a row is enough for its cells.
+constexpr Shares kRowShares{0.8, 0.4};
 
 /// The largest that is no more than `distance`, in cells.
 std::uint8_t byte_of(double distance) {
@@ -52,23 +60,26 @@ struct Part {
 
 class Chart {
  public:
-  /// `radius`: the smaller link's, in cells.
-  Chart(const PairSpace& space, double radius)
+  /// `radius`: the smaller link's; `deviation`: how far meshes may lie from where they should,
+  /// beside placing. In cells.
+  Chart(const PairSpace& space, double radius, double deviation, const Shares& shares)
       : space_(space),
-        slack_(kPlacing + space.far_origin() + 0.1),
+        shares_(shares),
+        slack_(kPlacing + space.far_origin() + 0.1 + deviation),
         least_(std::max(kLeastCells, radius * kLeastPart)) {}
 
-  /// No two places in the box are nearer. The part that may be nearest is halved, until it is
-  /// nearly as far as the nearest middle.
-  double distance(const std::vector<Interval>& box) {
+  /// No two places in the box are nearer, nor than what is known of it. The part that may be
+  /// nearest is halved, until it is nearly as far as the nearest middle.
+  double distance(const std::vector<Interval>& box, double known = 0) {
     nearest_ = HUGE_VAL;
     std::priority_queue<Part> parts;
     parts.push(looked_at(box));
     while (nearest_ > least_) {
       const Part part = parts.top();
-      const double share = nearest_ < kNear * least_ ? kNearShare : kFarShare;
-      if (part.least >= share * nearest_ || part.motion.sum <= least_ / 4) {
-        return std::max(0.0, part.least);
+      const double share = nearest_ < kNear * least_ ? shares_.near : shares_.far;
+      const double least = std::max(known, part.least);
+      if (least >= share * nearest_ || part.motion.sum <= least_ / 4) {
+        return least;
       }
       parts.pop();
       const auto most = std::max_element(part.motion.parts.begin(), part.motion.parts.end());
@@ -98,11 +109,92 @@ class Chart {
   }
 
   const PairSpace& space_;
+  Shares shares_;
   double slack_;
   double least_;
   double nearest_ = 0;
   Witness<std::uint16_t> seed_{};
 };
+
+/// As far as can be: what a solid's box says instead is as good.
+std::vector<double> unknown_reaches(const Model& model) {
+  std::vector<double> reaches;
+  for (const ModelJoint& joint : model.joints) {
+    reaches.push_back(joint.type == JointType::prismatic ? 1 : HUGE_VAL);
+  }
+  return reaches;
+}
+
+/// One of the links turned all the way about the joint next to it: what is far from all that it
+/// sweeps is proven for each of that joint's cells at once.
+class SweptChart {
+ public:
+  /// `reaches_a`, `reaches_b`: of the links, which outlive it.
+  SweptChart(const Model& model, const RobotPair& pair, const SweptEnd& end,
+             const std::vector<double>& reaches_a, const std::vector<double>& reaches_b,
+             double radius, double cell)
+      : pair_(swept_pair(model, pair.a, pair.b, cell, {end}, kFine)),
+        scale_(pair_.cell / cell),
+        mesh_a_(pair_.a.view()),
+        mesh_b_(pair_.b.view()),
+        unknown_(unknown_reaches(model)),
+        joints_(joints_between(pair_.model, pair.a, pair.b)),
+        is_a_swept_(end.link == pair.a),
+        space_(pair_.model, {pair.a, &mesh_a_, is_a_swept_ ? &unknown_ : &reaches_a},
+               {pair.b, &mesh_b_, is_a_swept_ ? &reaches_b : &unknown_}, pair_.cell),
+        chart_(space_, radius / scale_, 2 * kDeviation, kRowShares) {
+    while (space_.dimensions()[dimension_].variable != model.joints[end.joint].variable) {
+      ++dimension_;
+    }
+  }
+
+  /// In cells of the robot's. Kept for boxes that differ in the swept joint alone.
+  double distance(std::vector<Interval> box) {
+    const Interval held = space_.dimensions()[dimension_].range;
+    box[dimension_] = {held.lower, held.lower};
+    const Interval row = box[1 - dimension_];
+    const auto place = kept_.find(row.lower);
+    if (place != kept_.end()) {
+      return place->second;
+    }
+    const double found = is_inside({box[0].lower, box[1].lower}) ? 0 : chart_.distance(box);
+    return kept_[row.lower] = scale_ * found;
+  }
+
+ private:
+  bool is_inside(const std::vector<double>& point) const {
+    const Transform frame = frame_between(pair_.model, joints_, space_.variables_at(point));
+    return is_a_swept_ ? is_any_inside(mesh_a_, mesh_b_, frame, pair_.cell)
+                       : is_any_inside(mesh_b_, mesh_a_, inverse(frame), pair_.cell);
+  }
+
+  SweptPair pair_;
+  double scale_;
+  PostMesh mesh_a_;
+  PostMesh mesh_b_;
+  std::vector<double> unknown_;
+  JointsBetween joints_;
+  bool is_a_swept_;
+  PairSpace space_;
+  Chart chart_;
+  std::size_t dimension_ = 0;
+  std::map<double, double> kept_;
+};
+
+/// Of a pair with two joints of its own.
+std::vector<std::unique_ptr<SweptChart>> swept_charts(const Model& model, const RobotPair& pair,
+                                                      const std::vector<double>& reaches_a,
+                                                      const std::vector<double>& reaches_b,
+                                                      double radius, double cell) {
+  std::vector<std::unique_ptr<SweptChart>> charts;
+  for (const auto& [link, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
+    if (const std::optional<SweptEnd> end = swept_end(model, link, other)) {
+      charts.push_back(
+          std::make_unique<SweptChart>(model, pair, *end, reaches_a, reaches_b, radius, cell));
+    }
+  }
+  return charts;
+}
 
 /// A coordinate more either way, which values are rounded by.
 Interval side_of(const Axis& axis, std::uint32_t cell) {
@@ -141,7 +233,8 @@ void add_chart(const Model& model, const Robot& robot, const RobotPair& pair, do
   const std::vector<Axis> axes = axes_of(model, robot, pair, space, cell);
   const std::uint32_t radius =
       std::min(robot.links[pair.a].radius, robot.links[pair.b].radius) / kFrameCell;
-  Chart chart(space, radius);
+  Chart chart(space, radius, 0, kShares);
+  const auto swept = swept_charts(model, pair, reaches_a, reaches_b, radius, cell);
   const std::uint32_t size = detail::chart_size(robot, pair);
   for (std::uint32_t place = 0; place < size; ++place) {
     std::vector<Interval> box(axes.size());
@@ -149,7 +242,11 @@ void add_chart(const Model& model, const Robot& robot, const RobotPair& pair, do
     for (std::size_t i = axes.size(); i-- != 0; rest /= axes[i].cells.cells) {
       box[axes[i].dimension] = side_of(axes[i], rest % axes[i].cells.cells);
     }
-    charts.push_back(byte_of(chart.distance(box)));
+    double known = 0;
+    for (const auto& all : swept) {
+      known = std::max(known, all->distance(box));
+    }
+    charts.push_back(byte_of(chart.distance(box, known)));
   }
 }
 

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace flashbvh::tool {
 namespace {
 
-constexpr std::uint32_t kSlabs = 16;
-constexpr std::uint32_t kSides = 32;
-/// Widths that differ by less than this part are the same.
-constexpr double kAlike = 0.02;
+/// How far beside a height a cut is, in margins; more than what both are rounded.
+constexpr double kBeside = 1.6;
+/// Times as many slabs as there may be, are looked at.
+constexpr std::uint32_t kTries = 8;
 constexpr double kHalfTurn = 3.141592653589793;
 
 /// The largest distance from z of a segment's part between two heights; 0 if there is none.
@@ -54,21 +55,55 @@ struct Slab {
   double radius;
 };
 
-std::vector<Slab> slabs_of(const bake::SourceMesh& mesh, double low, double high, double margin) {
+/// Beside the mesh's heights, from which a solid's width may jump: the margin away, so that a slab
+/// between two such has nothing of theirs. Few, or none: the mesh has more than are worth it.
+std::vector<double> cuts_by_heights(const bake::SourceMesh& mesh, double margin, std::size_t most) {
+  std::set<double> heights;
+  for (const Vector3& vertex : mesh.vertices) {
+    heights.insert(margin * std::round(vertex[2] / margin));
+  }
+  std::vector<double> cuts;
+  if (2 * heights.size() <= most) {
+    for (const double height : heights) {
+      cuts.insert(cuts.end(), {height - kBeside * margin, height + kBeside * margin});
+    }
+  }
+  return cuts;
+}
+
+std::vector<double> cuts_of(const bake::SourceMesh& mesh, double low, double high, double margin,
+                            const Fineness& fineness) {
+  std::vector<double> cuts;
+  if (fineness.by_heights) {
+    cuts = cuts_by_heights(mesh, margin, std::size_t{kTries} * fineness.slabs);
+  }
+  cuts.insert(cuts.end(), {low, high});
+  for (std::uint32_t i = 1; i < fineness.slabs; ++i) {
+    cuts.push_back(low + (high - low) * i / fineness.slabs);
+  }
+  for (double& cut : cuts) {
+    cut = std::clamp(cut, low, high);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  return cuts;
+}
+
+std::vector<Slab> slabs_of(const bake::SourceMesh& mesh, const std::vector<double>& cuts,
+                           double margin) {
   std::vector<Slab> slabs;
-  for (std::uint32_t i = 0; i < kSlabs; ++i) {
-    const double from = low + (high - low) * i / kSlabs;
-    const double to = low + (high - low) * (i + 1) / kSlabs;
-    slabs.push_back({from, to, widest(mesh, from - margin, to + margin) + margin});
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    slabs.push_back(
+        {cuts[i - 1], cuts[i], widest(mesh, cuts[i - 1] - margin, cuts[i] + margin) + margin});
   }
   return slabs;
 }
 
 /// Neighbours of nearly the same width as one: fewer triangles.
-std::vector<Slab> merged(const std::vector<Slab>& slabs) {
+std::vector<Slab> merged(const std::vector<Slab>& slabs, double alike) {
   std::vector<Slab> kept;
   for (const Slab& slab : slabs) {
-    if (!kept.empty() && std::fabs(kept.back().radius - slab.radius) < kAlike * slab.radius) {
+    if (!kept.empty() && std::fabs(kept.back().radius - slab.radius) < alike * slab.radius) {
       kept.back() = {kept.back().low, slab.high, std::max(kept.back().radius, slab.radius)};
     } else {
       kept.push_back(slab);
@@ -77,32 +112,42 @@ std::vector<Slab> merged(const std::vector<Slab>& slabs) {
   return kept;
 }
 
-void add_ring(bake::SourceMesh& mesh, double radius, double z) {
-  for (std::uint32_t i = 0; i < kSides; ++i) {
-    const double angle = 2 * kHalfTurn * i / kSides;
+/// As few as the fineness allows.
+std::vector<Slab> few(const std::vector<Slab>& slabs, const Fineness& fineness) {
+  std::vector<Slab> kept = merged(slabs, fineness.alike);
+  for (double alike = 2 * fineness.alike; kept.size() > fineness.slabs; alike *= 2) {
+    kept = merged(slabs, alike);
+  }
+  return kept;
+}
+
+void add_ring(bake::SourceMesh& mesh, double radius, double z, std::uint32_t sides) {
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const double angle = 2 * kHalfTurn * i / sides;
     mesh.vertices.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
   }
 }
 
 /// Sides between one ring and the next, and the lids; the vertices are all there, the middles of
 /// the lids last.
-void add_triangles(bake::SourceMesh& mesh) {
+void add_triangles(bake::SourceMesh& mesh, std::uint32_t sides) {
   const auto bottom = static_cast<std::uint32_t>(mesh.vertices.size() - 2);
-  const std::uint32_t last = bottom - kSides;
-  for (std::uint32_t i = 0; i < kSides; ++i) {
-    const std::uint32_t next = (i + 1) % kSides;
+  const std::uint32_t last = bottom - sides;
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t next = (i + 1) % sides;
     mesh.triangles.push_back({bottom, next, i});
     mesh.triangles.push_back({bottom + 1, last + i, last + next});
-    for (std::uint32_t ring = 0; ring < last; ring += kSides) {
-      mesh.triangles.push_back({ring + i, ring + next, ring + kSides + next});
-      mesh.triangles.push_back({ring + i, ring + kSides + next, ring + kSides + i});
+    for (std::uint32_t ring = 0; ring < last; ring += sides) {
+      mesh.triangles.push_back({ring + i, ring + next, ring + sides + next});
+      mesh.triangles.push_back({ring + i, ring + sides + next, ring + sides + i});
     }
   }
 }
 
 }  // namespace
 
-bake::SourceMesh revolved(const bake::SourceMesh& mesh, const Transform& axis, double margin) {
+bake::SourceMesh revolved(const bake::SourceMesh& mesh, const Transform& axis, double margin,
+                          const Fineness& fineness) {
   bake::SourceMesh seen = mesh;
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
@@ -114,13 +159,15 @@ bake::SourceMesh revolved(const bake::SourceMesh& mesh, const Transform& axis, d
   low -= margin;
   high += margin;
   bake::SourceMesh body;
-  for (const Slab& slab : merged(slabs_of(seen, low, high, margin))) {
-    add_ring(body, slab.radius / std::cos(kHalfTurn / kSides), slab.low);
-    add_ring(body, slab.radius / std::cos(kHalfTurn / kSides), slab.high);
+  const double wider = 1 / std::cos(kHalfTurn / fineness.sides);
+  const std::vector<double> cuts = cuts_of(seen, low, high, margin, fineness);
+  for (const Slab& slab : few(slabs_of(seen, cuts, margin), fineness)) {
+    add_ring(body, slab.radius * wider, slab.low, fineness.sides);
+    add_ring(body, slab.radius * wider, slab.high, fineness.sides);
   }
   body.vertices.push_back({0, 0, low});
   body.vertices.push_back({0, 0, high});
-  add_triangles(body);
+  add_triangles(body, fineness.sides);
   for (Vector3& vertex : body.vertices) {
     vertex = placed(axis, vertex);
   }

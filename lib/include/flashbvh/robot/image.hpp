@@ -91,6 +91,7 @@ const char* link_name(const void* image, uint32_t link);
 
 /// Where tools are fastened, of an image that was opened: the frames of all links of the URDF.
 uint32_t mount_count(const void* image);
+/// So many of them, in the image.
 const Mount* mounts(const void* image);
 /// Of a mount, numbered below mount_count(): its link's.
 const char* mount_name(const void* image, uint32_t mount);
