@@ -42,6 +42,11 @@ Definition on_plane_of b0 b1 b2 a0 a1 a2 : Prop :=
 Definition No_is_right := forall a0 a1 a2 b0 b1 b2, on_plane_of b0 b1 b2 a0 a1 a2 ->
   flat_intersect a0 a1 a2 b0 b1 b2 = false -> ~ meet a0 a1 a2 b0 b1 b2.
 
+(* Where one of both has an area. *)
+Definition Yes_is_right := forall a0 a1 a2 b0 b1 b2, on_plane_of b0 b1 b2 a0 a1 a2 -> on_plane_of a0 a1 a2 b0 b1 b2 ->
+  ~ (no_area a0 a1 a2 /\ no_area b0 b1 b2) ->
+  flat_intersect a0 a1 a2 b0 b1 b2 = true -> meet a0 a1 a2 b0 b1 b2.
+
 (* ============================================================== Proofs *)
 
 Definition axes (u v : Point -> Z) : Prop := (u = x /\ v = y) \/ (u = y /\ v = z) \/ (u = z /\ v = x).
@@ -272,5 +277,33 @@ Proof.
   apply point_meets; auto using onto_corner.
 Qed.
 
+Lemma has_area a0 a1 a2 : no_area a0 a1 a2 \/ exists u v, axes u v /\ area u v a0 a1 a2 <> 0.
+Proof.
+  unfold axes. destruct (Z.eq_dec (area x y a0 a1 a2) 0) as [X | X]; [|right; exists x, y; auto].
+  destruct (Z.eq_dec (area y z a0 a1 a2) 0) as [Y | Y]; [|right; exists y, z; auto].
+  destruct (Z.eq_dec (area z x a0 a1 a2) 0) as [Z0 | Z0]; [|right; exists z, x; auto].
+  left. apply turns_no_area; unfold turn; now rewrite ?X, ?Y, ?Z0.
+Qed.
+
+Theorem yes_is_right : Yes_is_right.
+Proof.
+  intros a0 a1 a2 b0 b1 b2 PA PB Some_ F. unfold flat_intersect in F.
+  assert (forall u v later, axes u v ->
+    (if edge_separates u v a0 a1 a2 b0 b1 b2 || edge_separates u v b0 b1 b2 a0 a1 a2 then false
+     else if negb (turn u v a0 a1 a2 =? 0) then true else later) = true ->
+    meet a0 a1 a2 b0 b1 b2 \/ (edge_separates u v a0 a1 a2 b0 b1 b2 = false /\
+      edge_separates u v b0 b1 b2 a0 a1 a2 = false /\ turn u v a0 a1 a2 = 0 /\ later = true)) as Step.
+  { intros u v later X. destruct (edge_separates u v a0 a1 a2 b0 b1 b2) eqn:S; [easy|].
+    destruct (edge_separates u v b0 b1 b2 a0 a1 a2) eqn:T; [easy|]. cbn [orb].
+    destruct (Z.eqb_spec (turn u v a0 a1 a2) 0) as [E | E]; [auto|]. intros _. left.
+    apply (area_yes u v); auto. unfold turn in E. intros A. now rewrite A in E. }
+  apply Step in F as [F | (S0 & T0 & A0 & F)]; [exact F | | now left].
+  apply Step in F as [F | (S1 & T1 & A1 & F)]; [exact F | | right; now left].
+  apply Step in F as [F | (S2 & T2 & A2 & F)]; [exact F | | right; now right].
+  assert (no_area a0 a1 a2) as NA by now apply turns_no_area.
+  destruct (has_area b0 b1 b2) as [NB | (u & v & X & B)]; [tauto|].
+  apply meet_swap, (area_yes u v); auto; destruct X as [[-> ->] | [[-> ->] | [-> ->]]]; auto.
+Qed.
+
 Print Assumptions no_is_right.
-Print Assumptions area_yes.
+Print Assumptions yes_is_right.
