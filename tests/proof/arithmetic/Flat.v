@@ -285,6 +285,11 @@ Proof.
   left. apply turns_no_area; unfold turn; now rewrite ?X, ?Y, ?Z0.
 Qed.
 
+Lemma no_area_flat u v a0 a1 a2 : axes u v -> no_area a0 a1 a2 -> area u v a0 a1 a2 = 0.
+Proof.
+  unfold no_area, normal, cross, sub, area. cbn [x y z]. intros [[-> ->] | [[-> ->] | [-> ->]]]; tauto.
+Qed.
+
 Theorem yes_is_right : Yes_is_right.
 Proof.
   intros a0 a1 a2 b0 b1 b2 PA PB Some_ F. unfold flat_intersect in F.

@@ -124,11 +124,8 @@ Lemma spine_crossed u v a0 a1 a2 b0 b1 b2 p q : axes u v -> no_area a0 a1 a2 -> 
   edge_separates u v a0 a1 a2 b0 b1 b2 = false ->
   crossed (cross (onto u v p) (onto u v q)) (onto u v b0) (onto u v b1) (onto u v b2).
 Proof.
-  intros X (N1 & N2 & N3) S F. unfold edge_separates, turn in F. cbv zeta in F.
-  assert (area u v a0 a1 a2 = 0) as A.
-  { unfold normal, cross, sub in *. cbn [x y z] in *. unfold area.
-    destruct X as [[-> ->] | [[-> ->] | [-> ->]]]; lia. }
-  rewrite A, !orb_false_iff in F. cbn [Z.sgn] in F. destruct F as [[F0 F1] F2].
+  intros X N S F. unfold edge_separates, turn in F. cbv zeta in F.
+  rewrite (no_area_flat u v a0 a1 a2 X N), !orb_false_iff in F. cbn [Z.sgn] in F. destruct F as [[F0 F1] F2].
   destruct S as [[-> ->] | [-> ->]]; now apply beside_line.
 Qed.
 Lemma spine_volume a0 a1 a2 b0 b1 b2 p q s t : coplanar a0 a1 a2 b0 b1 b2 = true -> spine a0 a1 a2 p q ->
@@ -219,8 +216,7 @@ Theorem segments_are_exact : Segments_are_exact.
 Proof.
   intros a0 a1 a2 b0 b1 b2 NA NB Boxes F. unfold flat_intersect in F.
   assert (forall u v, axes u v -> turn u v a0 a1 a2 = 0) as T.
-  { destruct NA as (N1 & N2 & N3). unfold normal, cross, sub in *. cbn [x y z] in *. intros u v X.
-    unfold turn. rewrite Z.sgn_null_iff. unfold area. destruct X as [[-> ->] | [[-> ->] | [-> ->]]]; lia. }
+  { intros u v X. unfold turn. now rewrite (no_area_flat u v). }
   assert (forall u v later, axes u v ->
     (if edge_separates u v a0 a1 a2 b0 b1 b2 || edge_separates u v b0 b1 b2 a0 a1 a2 then false
      else if negb (turn u v a0 a1 a2 =? 0) then true else later) = true ->

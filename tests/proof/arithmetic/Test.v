@@ -1,9 +1,7 @@
 (* All of triangles_intersect() in lib/src/geometry/triangle.cpp, put together of its cases: it says yes
-   exactly if the triangles have a point in common, unless both are without area.
-
-   Left out are the boxes, which it compares where a case needs them: none of those here does. *)
+   exactly if the triangles have a point in common, whatever they are. *)
 From Coq Require Import ZArith Lia Bool.
-Require Import Triangle Segment Flat.
+Require Import Triangle Segment Flat Lines.
 Local Open Scope Z_scope.
 
 (* code: src/geometry/orientation.hpp | bool separate() const { return above() == kAllCorners || below() == kAllCorners; }
@@ -29,10 +27,45 @@ Definition intersect a0 a1 a2 b0 b1 b2 : bool :=
   else if of above_a all_on_plane b0 b1 b2 then segment_case a0 a1 a2 b0 b1 b2
   else intervals_overlap a0 a1 a2 b0 b1 b2.
 
-Definition Test_is_exact := forall a0 a1 a2 b0 b1 b2, ~ (no_area a0 a1 a2 /\ no_area b0 b1 b2) ->
-  (intersect a0 a1 a2 b0 b1 b2 = true <-> meet a0 a1 a2 b0 b1 b2).
+Definition overlap_along (c : Point -> Z) a0 a1 a2 b0 b1 b2 : bool :=
+  let least p q r := Z.min (c p) (Z.min (c q) (c r)) in let most p q r := Z.max (c p) (Z.max (c q) (c r)) in
+  (least a0 a1 a2 <=? most b0 b1 b2) && (least b0 b1 b2 <=? most a0 a1 a2).
+Definition boxes_overlap a0 a1 a2 b0 b1 b2 : bool := overlap_along x a0 a1 a2 b0 b1 b2 &&
+  overlap_along y a0 a1 a2 b0 b1 b2 && overlap_along z a0 a1 a2 b0 b1 b2.
+
+(* Where B's normal is not at hand, and where it is: then boxes are compared late.
+   code: src/geometry/triangle.cpp | return boxes_overlap(a, b) && intersect(/*narrow=*/false, a, b);
+   code: src/geometry/triangle.cpp | ((of_a.all_on_plane() || of_b.all_on_plane()) && !boxes_overlap(a, b))) { return false; } *)
+Definition triangles_intersect a0 a1 a2 b0 b1 b2 : bool :=
+  boxes_overlap a0 a1 a2 b0 b1 b2 && intersect a0 a1 a2 b0 b1 b2.
+Definition near_triangles_intersect a0 a1 a2 b0 b1 b2 : bool :=
+  let on p q r s t o := all_on_plane (height p q r s) (height p q r t) (height p q r o) in
+  if (on b0 b1 b2 a0 a1 a2 || on a0 a1 a2 b0 b1 b2) && negb (boxes_overlap a0 a1 a2 b0 b1 b2) then false
+  else intersect a0 a1 a2 b0 b1 b2.
+
+Definition Test_is_exact := forall a0 a1 a2 b0 b1 b2,
+  (triangles_intersect a0 a1 a2 b0 b1 b2 = true <-> meet a0 a1 a2 b0 b1 b2) /\
+  (near_triangles_intersect a0 a1 a2 b0 b1 b2 = true <-> meet a0 a1 a2 b0 b1 b2).
 
 (* ---- Proof. *)
+
+Lemma overlap_spec a0 a1 a2 b0 b1 b2 : boxes_overlap a0 a1 a2 b0 b1 b2 = true <-> ~ boxes_apart a0 a1 a2 b0 b1 b2.
+Proof.
+  unfold boxes_overlap, overlap_along, boxes_apart, apart_along. rewrite !andb_true_iff, !Z.leb_le. lia.
+Qed.
+Lemma boxes_hold a0 a1 a2 b0 b1 b2 : meet a0 a1 a2 b0 b1 b2 -> boxes_overlap a0 a1 a2 b0 b1 b2 = true.
+Proof.
+  intros M. apply overlap_spec.
+  assert (forall n p q r s t o (c : Point -> Z), (forall p q, dot n (sub p q) = c p - c q) -> meet p q r s t o ->
+    Z.max (c p) (Z.max (c q) (c r)) < Z.min (c s) (Z.min (c t) (c o)) -> False) as G.
+  { intros n p q r s t o c N K L. destruct (extremes c p q r) as (_ & u & _ & _ & _ & E & _).
+    apply (separates n u p q r s t o K); rewrite N; lia. }
+  pose proof (meet_swap _ _ _ _ _ _ M) as S.
+  intros [[A | A] | [[A | A] | [A | A]]].
+  1, 2: revert A; apply (G {| x := 1; y := 0; z := 0 |}); auto; intros; unfold dot, sub; cbn [x y z]; ring.
+  1, 2: revert A; apply (G {| x := 0; y := 1; z := 0 |}); auto; intros; unfold dot, sub; cbn [x y z]; ring.
+  1, 2: revert A; apply (G {| x := 0; y := 0; z := 1 |}); auto; intros; unfold dot, sub; cbn [x y z]; ring.
+Qed.
 
 Lemma separate_no_meet a0 a1 a2 b0 b1 b2 : let h := height b0 b1 b2 in
   separate (h a0) (h a1) (h a2) = true -> ~ meet a0 a1 a2 b0 b1 b2.
@@ -84,21 +117,39 @@ Proof.
   rewrite <- M. apply segment_is_exact; [exact NF|]. fold h. destruct up; auto.
 Qed.
 
-Theorem test_is_exact : Test_is_exact.
+Lemma intersect_is_exact a0 a1 a2 b0 b1 b2 :
+  (on_plane_of b0 b1 b2 a0 a1 a2 -> on_plane_of a0 a1 a2 b0 b1 b2 -> boxes_overlap a0 a1 a2 b0 b1 b2 = true) ->
+  (intersect a0 a1 a2 b0 b1 b2 = true <-> meet a0 a1 a2 b0 b1 b2).
 Proof.
-  intros a0 a1 a2 b0 b1 b2 Some_. unfold intersect. cbv zeta beta.
+  intros Boxes. unfold intersect. cbv zeta beta.
   destruct (separate (height b0 b1 b2 a0) _ _) eqn:SA; cbn [orb].
   { split; [easy|]. intros M. now apply separate_no_meet in SA. }
   destruct (separate (height a0 a1 a2 b0) _ _) eqn:SB; cbn [orb].
   { split; [easy|]. intros M. apply meet_swap in M. now apply separate_no_meet in SB. }
   destruct (all_on_plane (height b0 b1 b2 a0) _ _) eqn:OA, (all_on_plane (height a0 a1 a2 b0) _ _) eqn:OB.
-  - apply all_on in OA, OB. split; [now apply yes_is_right|]. intros M.
-    destruct (flat_intersect a0 a1 a2 b0 b1 b2) eqn:F; auto. now apply no_is_right in F.
+  - apply all_on in OA, OB. specialize (Boxes OA OB). apply overlap_spec in Boxes. split.
+    + intros F. destruct (has_area a0 a1 a2) as [NA | (u & v & X & E)]; [destruct (has_area b0 b1 b2) as [NB | (u & v & X & E)]|].
+      * now apply segments_are_exact.
+      * apply yes_is_right; auto. intros [_ N]. now apply (no_area_flat u v) in N.
+      * apply yes_is_right; auto. intros [N _]. now apply (no_area_flat u v) in N.
+    + intros M. destruct (flat_intersect a0 a1 a2 b0 b1 b2) eqn:F; auto. now apply no_is_right in F.
   - assert (no_area b0 b1 b2) as N by (apply (is_segment b0 b1 b2 a0 a1 a2); auto; now apply all_on in OA).
     rewrite segment_case_is_exact; auto using crosses_or. split; apply meet_swap.
   - assert (no_area a0 a1 a2) as N by (apply (is_segment a0 a1 a2 b0 b1 b2); auto; now apply all_on in OB).
     apply segment_case_is_exact; auto using crosses_or.
   - apply general_case_is_exact; auto using crosses_or.
+Qed.
+
+Theorem test_is_exact : Test_is_exact.
+Proof.
+  intros a0 a1 a2 b0 b1 b2. unfold triangles_intersect, near_triangles_intersect. cbv zeta.
+  pose proof (boxes_hold a0 a1 a2 b0 b1 b2) as H. destruct (boxes_overlap a0 a1 a2 b0 b1 b2) eqn:B; cbn [andb negb].
+  - rewrite andb_false_r. split; apply intersect_is_exact; auto.
+  - split; [split; [easy | intros M; now apply H in M]|]. rewrite andb_true_r.
+    destruct (all_on_plane (height b0 b1 b2 a0) _ _) eqn:OA; cbn [orb].
+    + split; [easy | intros M; now apply H in M].
+    + destruct (all_on_plane (height a0 a1 a2 b0) _ _) eqn:OB; [split; [easy | intros M; now apply H in M]|].
+      apply intersect_is_exact. intros P. apply all_on in P. congruence.
 Qed.
 
 Print Assumptions test_is_exact.

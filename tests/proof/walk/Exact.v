@@ -4,11 +4,12 @@
    of an image has, and so what is asked of each pair.
 
    What stays a premise: that a rotation's columns are orthogonal within its defect (Near_rotation),
-   and that leaves share no triangle. Any directions of 13 bits will do for slabs.
+   and that leaves share no triangle. Any directions of 13 bits will do for slabs. Widths of integers
+   are gappa's and cvc5's.
 
    Part 1  definitions.   Part 2  the theorems.   Part 3  their proofs. *)
 From Coq Require Import List ZArith Lia Bool FinFun.
-Require Import Constants Ranked Code Query Image Margins Slabs Triangle Segment Rejects.
+Require Import Constants Ranked Code Query Image Margins Slabs Triangle Segment Test Rejects.
 Import ListNotations.
 Local Open Scope Z_scope.
 
@@ -162,26 +163,29 @@ Definition touch (side : Side) n k : bool :=
 Definition pairs_of (p : nat * nat) : list (nat * nat) :=
   flat_map (fun j => map (fun i => (i, j)) (rev (triangles A (fst p)))) (rev (triangles B (snd p))).
 
-(* A triangle of A and one of B as it lies in A's lattice have a point in common. *)
-Definition common_point (i j : nat) : Prop :=
-  let '(p, q, r) := corners A i in let '(s, t, o) := corners B j in
-  meet p q r (put pose s) (put pose t) (put pose o).
+(* A triangle of A and one of B as it lies in A's lattice have a point in common; and what the code
+   says of that, with the normal of B's at hand or without.
+   code: include/flashbvh/detail/triangle_test.hpp | return triangles_intersect(a, kept_b_, narrow_ ? &normal_ : nullptr); *)
+Definition of_pair {T} (f : Point -> Point -> Point -> Point -> Point -> Point -> T) (i j : nat) : T :=
+  let '(p, q, r) := corners A i in let '(s, t, o) := corners B j in f p q r (put pose s) (put pose t) (put pose o).
+Definition common_point : nat -> nat -> Prop := of_pair meet.
+Definition intersects (narrow : bool) (p : nat * nat) : bool :=
+  of_pair (if narrow then near_triangles_intersect else triangles_intersect) (fst p) (snd p).
 End Two.
 
 (* ============================================================== Part 2: the theorems *)
 
 Definition has m i := exists n, is_leaf (cells m) n = true /\ In i (triangles m n).
 
-(* Runs of a query from a position to another, and the answers on the way. `exact`: the triangle test. *)
-Definition runs A B pose exact := Rounds (cells A) (cells B) (bound A B pose) (begin A B pose) (touch A B pose)
-  (nat * nat) (pairs_of A B) exact.
+(* Runs of a query from a position to another, and the answers on the way. *)
+Definition runs A B pose narrow := Rounds (cells A) (cells B) (bound A B pose) (begin A B pose) (touch A B pose)
+  (nat * nat) (pairs_of A B) (intersects A B pose narrow).
 
 (* Of two images that open accepts, wherever B lies and however a query is cut into runs: its answers
    are the pairs of triangles that have a common point, each once. *)
-Definition Answers_are_the_pairs_with_a_common_point := forall A B pose exact,
+Definition Answers_are_the_pairs_with_a_common_point := forall A B pose narrow,
   opens A = true -> opens B = true -> sound A -> sound B -> fits pose ->
-  (forall i j, exact (i, j) = true <-> common_point A B pose i j) ->
-  forall answers, runs A B pose exact Fresh answers Finished ->
+  forall answers, runs A B pose narrow Fresh answers Finished ->
   (forall i j, In (i, j) answers <-> has A i /\ has B j /\ common_point A B pose i j) /\ NoDup answers.
 
 (* What a query tells before it walks changes nothing: roots that are far apart are rejected, too; and
@@ -287,7 +291,7 @@ Lemma apart_no_common these those i j : apart these those ->
   (forall p, In p (points (corners A i)) -> these p) -> (forall p, In p (points (corners B j)) -> those p) ->
   ~ common_point A B pose i j.
 Proof.
-  unfold common_point. intros S T U. destruct (corners A i) as [[p q] r], (corners B j) as [[s t] o]. cbn in T, U.
+  unfold common_point, of_pair. intros S T U. destruct (corners A i) as [[p q] r], (corners B j) as [[s t] o]. cbn in T, U.
   apply (apart_not_meet _ _ _ _ _ _ _ _ S); eauto 9.
 Qed.
 
@@ -477,7 +481,10 @@ Qed.
 
 Theorem answers_are_the_pairs_with_a_common_point : Answers_are_the_pairs_with_a_common_point.
 Proof.
-  intros A B pose exact opened_a opened_b SA SB F R e Q.
+  intros A B pose narrow opened_a opened_b SA SB F e Q. set (exact := intersects A B pose narrow).
+  assert (forall i j, exact (i, j) = true <-> common_point A B pose i j) as R.
+  { intros i j. unfold exact, intersects, common_point, of_pair. cbn [fst snd].
+    destruct (corners A i) as [[p q] r], (corners B j) as [[s t] o]. destruct narrow; apply test_is_exact. }
   destruct (all_reject_safely A B opened_a opened_b pose F SA SB exact R) as (RB & RG & RT).
   destruct (answers_are_exact _ _ _ _ (proj1 (is_tree A opened_a)) (proj1 (is_tree B opened_b)) _ _ _ _ _ exact RB RG RT e Q) as [Exact Once]. split.
   - intros i j. rewrite Exact. pose proof (is_tree A opened_a) as [TA _]. pose proof (is_tree B opened_b) as [TB _].
@@ -494,7 +501,7 @@ Qed.
 
 Theorem left_out_rightly : Left_out_rightly.
 Proof.
-  intros A B pose n i j O I H. unfold common_point.
+  intros A B pose n i j O I H. unfold common_point, of_pair.
   assert (forall p, In p (points (corners A i)) -> in_box (box A n) p) as In_a.
   { intros p P. apply node_in; [exact O | now apply (has_in_range A n i)|]. apply in_flat_map. eauto. }
   destruct (corners A i) as [[p q] r], (corners B j) as [[s t] o]. cbn in In_a.
