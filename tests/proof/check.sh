@@ -8,7 +8,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 lib=$(cd "$1" && pwd) out=$2
 shift 2
-walk="Constants Ranked Code Stackless Query Image Proved"
+walk="Constants Ranked Code Stackless Query Image Work Proved"
 arithmetic="Margins Slabs Triangle Segment Helly Flat Lines Test Rejects"
 both="Exact"
 python3 -B "$here/prelude.py" "$lib" "$out" "$here"/walk/*.v "$here"/arithmetic/*.v \

@@ -150,6 +150,23 @@ mutate "corners are not mirrored" $arithmetic/Triangle.v \
   'if up_b then (na, pa) else (pa, na) in' 'if up_a then (na, pa) else (pa, na) in' Triangle.v
 mutate "touching does not count" $arithmetic/Triangle.v '(volume ta ha tb hb <=? 0)' \
   '(volume ta ha tb hb <? 0)' Triangle.v
+mutate "an edge that touches separates" $arithmetic/Flat.v \
+  'negb (side =? 0) && negb (side =? inner) && (side' 'negb (side =? inner) && (side' Flat.v
+mutate "an edge separates from what lies on its inner side" $arithmetic/Flat.v 'negb (side =? inner) && ' '' Flat.v
+mutate "two corners beyond an edge suffice" $arithmetic/Flat.v ' && (side =? turn u v p q b2).' '.' Flat.v
+mutate "one projection decides, whatever its area" $arithmetic/Flat.v \
+  'negb (turn u v a0 a1 a2 =? 0) then true' 'negb (turn u v a0 a1 a2 =? 1) then true' Flat.v
+mutate "skew segments meet" $arithmetic/Flat.v '(volume a0 a1 b0 b1 =? 0) && ' '' Flat.v Lines.v
+mutate "segments on one line are not asked for their boxes" $arithmetic/Test.v \
+  'boxes_overlap a0 a1 a2 b0 b1 b2 && intersect' 'intersect' Test.v
+mutate "boxes that touch do not overlap" $arithmetic/Test.v 'least a0 a1 a2 <=? most' 'least a0 a1 a2 <? most' Test.v
+mutate "two corners on a side separate" $arithmetic/Test.v '(0 <? g0) && (0 <? g1) && (0 <? g2)' \
+  '(0 <? g0) && (0 <? g1)' Test.v
+mutate "a tip's segment takes another corner" $arithmetic/Test.v "let '(s0, s1, _) :=" "let '(s0, _, s1) :=" Test.v
+mutate "a line of the flat case that is quoted" lib/src/geometry/triangle.cpp 'side != inner && side ==' \
+  'side == inner && side ==' Flat.v
+mutate "a step that takes more leaves work" $walk/Work.v 'then left - spent else 0' 'then left - spent else 1' Work.v
+mutate "pairs that are not paid for are tested" $walk/Work.v 'then 0 else 1' 'then 0 else 2' Work.v
 rm -rf "$work"
 echo "== $refused changes refused, $survived survived"
 [ "$survived" -eq 0 ]
