@@ -310,5 +310,4 @@ Proof.
   apply meet_swap, (area_yes u v); auto; destruct X as [[-> ->] | [[-> ->] | [-> ->]]]; auto.
 Qed.
 
-Print Assumptions no_is_right.
 Print Assumptions yes_is_right.

@@ -414,6 +414,3 @@ Proof.
 Qed.
 
 Print Assumptions areas_meet.
-Print Assumptions line_meets.
-Print Assumptions point_meets.
-Print Assumptions lines_meet.

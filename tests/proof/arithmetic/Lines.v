@@ -140,15 +140,20 @@ Lemma parallel_on_line p q b0 b1 b2 :
   (forall r, corner_of b0 b1 b2 r -> zero (cross (sub q p) (sub r b0))) ->
   forall r, corner_of b0 b1 b2 r -> on_line (sub q p) p r.
 Proof.
-  intros X P r R. pose proof (P r R) as PR. pose proof (P b1) as P1. pose proof (P b2) as P2.
-  specialize (P1 (or_intror (or_introl eq_refl))). specialize (P2 (or_intror (or_intror eq_refl))).
+  intros X P.
   assert (forall u v s, dot (cross (onto u v p) (onto u v q)) (onto u v s) = area u v p q s) as D by (intros; apply det_area).
-  pose proof (X x y (or_introl (conj eq_refl eq_refl))) as XY.
-  pose proof (X y z (or_intror (or_introl (conj eq_refl eq_refl)))) as YZ.
-  pose proof (X z x (or_intror (or_intror (conj eq_refl eq_refl)))) as ZX. clear X P.
-  unfold crossed in *. rewrite !D in *. clear D. unfold area in *.
-  unfold on_line, zero, cross, sub in *. cbn [x y z] in *.
-  destruct R as [-> | [-> | ->]]; lia.
+  (* Along p, q all are as far off. *)
+  assert (forall u v, axes u v -> forall r, corner_of b0 b1 b2 r -> area u v p q r = 0) as Off.
+  { intros u v Y. destruct (X u v Y) as [N M]. rewrite !D in N, M. clear X D.
+    assert (forall r, corner_of b0 b1 b2 r -> area u v p q r = area u v p q b0) as Same.
+    { intros r R. apply Zminus_eq. destruct (P r R) as (P1 & P2 & P3). clear - Y P1 P2 P3.
+      unfold area, cross, sub in *. cbn [x y z] in *. destruct Y as [[-> ->] | [[-> ->] | [-> ->]]];
+        [rewrite <- P3 | rewrite <- P1 | rewrite <- P2]; ring. }
+    rewrite (Same b1), (Same b2) in N, M by (unfold corner_of; auto).
+    intros r R. rewrite (Same r R). clear - N M. lia. }
+  intros r R. unfold on_line, zero. split; [|split];
+    [rewrite <- (Off y z) with (r := r) | rewrite <- (Off z x) with (r := r) | rewrite <- (Off x y) with (r := r)];
+    unfold axes; auto; unfold area, cross, sub; cbn [x y z]; ring.
 Qed.
 
 Lemma zero_cross d e f : ~ zero d -> zero (cross e d) -> zero (cross d f) -> zero (cross e f).
