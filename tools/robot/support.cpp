@@ -37,8 +37,8 @@ struct Step {
 
 Step step_at(double coordinate) {
   const double steps = std::clamp((coordinate + 1) / 2 * kSteps, 0.0, double{kSteps});
-  const double point = std::min(std::floor(steps), double{kSteps - 1});
-  return {static_cast<std::size_t>(point), steps - point};
+  const std::size_t point = std::min(static_cast<std::size_t>(steps), kSteps - 1);
+  return {point, steps - static_cast<double>(point)};
 }
 
 /// What turns a vector about z, and stretches it.
