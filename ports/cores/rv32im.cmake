@@ -1,6 +1,5 @@
 set(FLASHBVH_CORE RV32IM)
 set(FLASHBVH_CPU_FLAGS -march=rv32im -mabi=ilp32)
-# No figures: GCC's instructions are those for RV32IMAC, only longer. Its bound and stack are proven to
-# be that core's.
+# GCC's instructions are those for RV32IMAC, only longer: bound, stack and counts are held to be that core's.
 set(FLASHBVH_IS_MEASURED FALSE)
 set(FLASHBVH_PROVEN_AS RV32IMAC)
