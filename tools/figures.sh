@@ -119,7 +119,8 @@ leaf_size() {
 # boards: the presets that have one, and are measured (tests/CMakeLists.txt).
 boards() {
   awk -F '"' '$2 == "configurePresets" { here = 1 } $2 == "buildPresets" { exit }
-    here && $2 == "name" { name = $4 } here && /"FLASHBVH_BOARD"/ && name != "lx106" { print name }' CMakePresets.json
+    here && $2 == "name" { name = $4 }
+    here && /"FLASHBVH_BOARD"/ && name !~ /^(lx106|rv32im)$/ { print name }' CMakePresets.json
 }
 
 # measure PRESET: its tests leave figures.txt, memory.txt and bound.txt in its build folder.

@@ -42,7 +42,7 @@ riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf libstdc++-a
   qemu-system-misc"
 xtensa_packages="gcc-xtensa-lx106 picolibc-xtensa-lx106-elf libstdc++-arm-none-eabi-dev qemu-system-misc"
 # What builds and checks a release's packages.
-release_packages="arduino-builder debhelper dpkg-dev help2man libxml2-utils lintian python3-jsonschema
-  python3-kconfiglib python3-pykwalify python3-ruamel.yaml python3-yaml"
+release_packages="arduino-builder debhelper dpkg-dev help2man libxml2-utils lintian python3-dateutil
+  python3-jsonschema python3-kconfiglib python3-pykwalify python3-ruamel.yaml python3-yaml"
 # What checks the proofs (tools/prove.sh).
 proof_packages="coq gappa cvc5"

@@ -3,8 +3,8 @@
 #                   natively with sanitizers and on each board under QEMU.
 # test.sh --quick   What most changes break: formatting, the tests on this machine that don't take long,
 #                   and a board with a Cortex-M4F, without the proofs.
-# test.sh --all     Also an Xtensa LX106, all tests on cores that run another one's code, a deeper lint,
-#                   and the packages of a release.
+# test.sh --all     Also an Xtensa LX106 and a plain RV32IM, all tests on cores that run another one's
+#                   code, a deeper lint, and the packages of a release.
 #
 # A step (tools/test_step.sh) a core, side by side; what each prints is in build/log. Says at the end
 # where the minutes went. Installs what is missing.
@@ -20,7 +20,7 @@ release=
 case ${1:-} in
   "") ;;
   --quick) steps="tool native netduinoplus2" packages= ;;
-  --all) steps="$steps lx106" packages="$packages $xtensa_packages" release=yes
+  --all) steps="$steps lx106 rv32im" packages="$packages $xtensa_packages" release=yes
     export FLASHBVH_ALL_TESTS=ON FLASHBVH_DEEP_LINT=yes ;;
   *) sed -n '2,7s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac

@@ -3,7 +3,7 @@
 // Time is QEMU's under `-icount shift=8` (insn.hpp), where an instruction takes 256 ns: a rate is
 // told as the instructions between two interrupts, 168,000 for 1 kHz on a core of 168 MHz that
 // executes one a cycle. On Cortex-M the interrupt is SysTick's, so a program has this or insn.hpp.
-// On RISC-V, whose start-up code takes no interrupts, a loop stands for the timer.
+// Elsewhere, where start-up code takes no interrupts, a loop stands for the timer.
 #ifndef FLASHBVH_PORT_TIMER_HPP
 #define FLASHBVH_PORT_TIMER_HPP
 

@@ -35,6 +35,10 @@ quietly ${CC:-cc} -std=c99 -pedantic $warnings "-I$files" c.c -o c
 ./c || fail "C"
 
 [ "${1:-}" != quick ] || exit 0
+shown "Two files" >command
+ln -s "$files" amalgamation
+quietly sh -e command
+[ -s flashbvh.o ] || fail "the page's command"
 for file in flashbvh flashbvh_robot; do
   quietly arm-none-eabi-g++ $cpu -std=c++17 -O2 $warnings -ffreestanding -c "$files/$file.cpp" -o $file.o
 done

@@ -37,6 +37,12 @@ sed 's/^  *//; s/#/[0-9]*/g' "$ROOT/firmware_examples/robot_guard/cell_arm/expec
 echo "as it should be" >>expected
 runs robot_guard
 
+# As the page shows it.
+cp "$ROOT"/firmware_examples/quick_start/*.obj .
+shown Arduino >command
+PATH=$(dirname "$FLASHBVH"):$PATH quietly sh -e command
+[ -s MySketch/plate.fbvh.hpp ] && [ -s MySketch/peg.fbvh.cpp ] || fail "the page's command"
+
 # What the IDE lists and opens.
 version=$(sed -n 's/^version=//p' libraries/flashbvh/library.properties)
 [ -s "$PACKAGES/arduino/flashbvh-$version.zip" ] || fail "the archive's name"

@@ -28,6 +28,12 @@ board_sources="$ROOT/ports/cortex-m/startup.cpp $ROOT/ports/common/start.cpp $RO
   $ROOT/ports/common/text.cpp"
 board_includes="-I$ROOT/ports/common -I$ROOT/ports/cortex-m"
 
+# shown SECTION: the lines that the page shows there as they are typed.
+shown() {
+  awk -v section="## $1" '/^## / { here = $0 == section } here && sub(/^    /, "")' "$ROOT/lib/docs/packages.md" |
+    sed 's/arm\.stl/plate.obj/; s/gripper\.obj/peg.obj/'
+}
+
 on_board() {
   FLASHBVH_TIMEOUT=120 "$ROOT/ports/run" mps2-an386 "$1" >answer || fail "$1 ended with $?: $(cat answer)"
 }

@@ -11,8 +11,19 @@ quietly dpkg-source -x "$PACKAGES"/debian/*.dsc tree
 cd tree
 FLASHBVH_PREFIX=$WORK/root/usr quietly debian/tests/consumer
 
-# Without the program the library serves, and says what it needs to bake.
+# As the page shows it.
 cd "$WORK"
+mkdir page
+cp tree/tests/packaging/consumer/main.cpp tree/firmware_examples/quick_start/*.obj page
+{
+  printf 'cmake_minimum_required(VERSION 3.21)\nproject(page LANGUAGES CXX)\nadd_executable(firmware main.cpp)\n'
+  shown Debian
+} >page/CMakeLists.txt
+quietly cmake -G Ninja -S page -B page/built "-DCMAKE_PREFIX_PATH=$WORK/root/usr"
+quietly cmake --build page/built
+page/built/firmware || fail "the page's lines"
+
+# Without the program the library serves, and says what it needs to bake.
 dpkg-deb -x "$PACKAGES"/debian/libflashbvh-dev_*.deb alone
 cp -r tree/tests/packaging/consumer .
 ! cmake -S consumer -B wrong "-DCMAKE_PREFIX_PATH=$WORK/alone/usr" >log 2>&1 || fail "nothing to bake with"

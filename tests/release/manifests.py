@@ -1,6 +1,7 @@
-"""manifests.py PACKAGES    What each package says of itself keeps the rules of those who will read it:
+"""manifests.py PACKAGES PAGE    What each package says of itself keeps the rules of those who will read it:
 Arduino's library specification and arduino-lint, PlatformIO's and ESP-IDF's manifests, Zephyr's modules,
-CMSIS-Pack. The rules are written down here as facts, no tool of theirs is needed.
+CMSIS-Pack. The rules are written down here as facts, no tool of theirs is needed. What PAGE,
+lib/docs/packages.md, names is in the packages, and it takes at most ten lines for each.
 """
 from __future__ import annotations
 
@@ -183,12 +184,32 @@ def check_cmsis(folder: Path) -> str:
     return version
 
 
-def main(packages: Path) -> None:
+def check_page(packages: Path, page: str) -> None:
+    for title, text in re.findall(r"^## (.+)\n((?:(?!## ).*\n)*)", page, re.M):
+        count = sum(line != "" and not line.startswith("```") for line in text.splitlines())
+        require(count <= 10, f"the page: {count} lines of {title}")
+    named = re.findall(r"`((?:arduino|platformio|zephyr|esp-idf|cmsis|amalgamation|debian)(?:/[^`*]+)?)`", page)
+    for name in named:
+        # Debian's are not made on every occasion.
+        require((packages / name).exists() or name == "debian", f"the page: no {name}")
+    folders = {name.split("/")[0] for name in named}
+    require(folders >= {path.name for path in packages.iterdir()}, f"the page: {folders} alone")
+    options = (packages / "zephyr/flashbvh/zephyr/Kconfig").read_text()
+    for option in re.findall(r"CONFIG_(FLASHBVH\w*)=y", page):
+        require(f"config {option}\n" in options, f"the page: no option {option}")
+    pack = xml.parse(next((packages / "cmsis/flashbvh").glob("*.pdsc"))).getroot()
+    components = {f"{c.get('Cclass')}:{c.get('Cgroup')}" for c in pack.iter("component")}
+    shown = set(re.findall(r"- component: (\S+)", page))
+    require(shown == components, f"the page: components {shown}, not {components}")
+
+
+def main(packages: Path, page: Path) -> None:
     versions = {check_arduino(packages / "arduino/flashbvh"), check_platformio(packages / "platformio/flashbvh"),
                 check_esp_idf(packages / "esp-idf/flashbvh"), check_cmsis(packages / "cmsis/flashbvh")}
     check_zephyr(packages / "zephyr/flashbvh")
     require(len(versions) == 1, f"versions differ: {versions}")
+    check_page(packages, page.read_text())
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]).resolve())
+    main(Path(sys.argv[1]).resolve(), Path(sys.argv[2]))

@@ -1,7 +1,7 @@
 #!/bin/sh
 # What the packages say of themselves; none names a place of the machine that made it.
 . "$(dirname "$0")/common.sh"
-/usr/bin/python3 -c "import jsonschema, kconfiglib, pykwalify.core, yaml" 2>log && command -v xmllint >/dev/null || exit 77
-/usr/bin/python3 "$ROOT/tests/release/manifests.py" "$PACKAGES" || fail "manifests.py"
+/usr/bin/python3 -c "import jsonschema, kconfiglib, pykwalify.core, yaml" && command -v xmllint || exit 77
+/usr/bin/python3 "$ROOT/tests/release/manifests.py" "$PACKAGES" "$ROOT/lib/docs/packages.md" || fail "manifests.py"
 xmllint --noout "$PACKAGES"/cmsis/flashbvh/*.pdsc
 ! grep -rlF -e "$ROOT" "$PACKAGES" || fail "a path of this machine"

@@ -1,4 +1,4 @@
-"""RV32IMAC: where an instruction leads and how it moves sp."""
+"""RV32IM, compressed instructions or not: where an instruction leads and how it moves sp."""
 from __future__ import annotations
 
 from typing import Iterator
