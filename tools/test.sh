@@ -38,6 +38,8 @@ tools/test_step.sh configured
 echo $steps | xargs -n 1 -P "$(nproc)" tools/test_step.sh
 [ -z "$release" ] || tools/release.sh --test
 awk -v all="$(($(date +%s) - began))" '
-  BEGIN { print "\nminutes  step" }
-  { printf "%7.1f  %s\n", $1 / 60, $2 }
-  END { printf "%7.1f  in all, on '"$(nproc)"' cores\n\n== All tests passed\n", all / 60 }' build/log/seconds
+  BEGIN { print "\nminutes  computing  step" }
+  { printf "%7.1f  %9.1f  %s\n", $1 / 60, $2 / 60, $3; computed += $2 }
+  END {
+    printf "%7.1f  %9.1f  in all, on '"$(nproc)"' cores\n\n== All tests passed\n", all / 60, computed / 60
+  }' build/log/seconds

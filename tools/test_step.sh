@@ -9,7 +9,7 @@
 #   lint         clang-tidy: the library and the host program
 #   PRESET       the tests on a board, under QEMU; on cortex-m4f tools/demo.sh as well
 # On one core but for the tool, which the others wait for, and native, the last one of --quick. What it
-# prints goes to build/log/STEP, its duration to build/log/seconds.
+# prints goes to build/log/STEP, its duration and the time it computed to build/log/seconds.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -64,7 +64,8 @@ finish() {
   status=$?
   took=$(($(date +%s) - began))
   if [ $status -eq 0 ]; then
-    echo "$took $1" >>build/log/seconds
+    times >build/log/times.$1
+    awk 'NR == 2 { gsub(/[ms]/, " "); print '$took', $1 * 60 + $2 + $3 * 60 + $4, "'"$1"'" }' build/log/times.$1 >>build/log/seconds
     touch "build/log/$1.passed"
     printf '== %s passed in %d s\n' "$1" $took >&3
     grep -aE "^budget: |, budget: (at most|below)" "build/log/$1" >&3 || true

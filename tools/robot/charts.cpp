@@ -116,32 +116,19 @@ class Chart {
   Witness<std::uint16_t> seed_{};
 };
 
-/// As far as can be: what a solid's box says instead is as good.
-std::vector<double> unknown_reaches(const Model& model) {
-  std::vector<double> reaches;
-  for (const ModelJoint& joint : model.joints) {
-    reaches.push_back(joint.type == JointType::prismatic ? 1 : HUGE_VAL);
-  }
-  return reaches;
-}
-
 /// One of the links turned all the way about the joint next to it: what is far from all that it
 /// sweeps is proven for each of that joint's cells at once.
 class SweptChart {
  public:
-  /// `reaches_a`, `reaches_b`: of the links, which outlive it.
-  SweptChart(const Model& model, const RobotPair& pair, const SweptEnd& end,
-             const std::vector<double>& reaches_a, const std::vector<double>& reaches_b,
-             double radius, double cell)
+  SweptChart(const Model& model, const RobotPair& pair, const SweptEnd& end, double radius,
+             double cell)
       : pair_(swept_pair(model, pair.a, pair.b, cell, {end}, kFine)),
         scale_(pair_.cell / cell),
         mesh_a_(pair_.a.view()),
         mesh_b_(pair_.b.view()),
-        unknown_(unknown_reaches(model)),
         joints_(joints_between(pair_.model, pair.a, pair.b)),
         is_a_swept_(end.link == pair.a),
-        space_(pair_.model, {pair.a, &mesh_a_, is_a_swept_ ? &unknown_ : &reaches_a},
-               {pair.b, &mesh_b_, is_a_swept_ ? &reaches_b : &unknown_}, pair_.cell),
+        space_(pair_.model, {pair.a, &mesh_a_, nullptr}, {pair.b, &mesh_b_, nullptr}, pair_.cell),
         chart_(space_, radius / scale_, 2 * kDeviation, kRowShares) {
     while (space_.dimensions()[dimension_].variable != model.joints[end.joint].variable) {
       ++dimension_;
@@ -172,7 +159,6 @@ class SweptChart {
   double scale_;
   PostMesh mesh_a_;
   PostMesh mesh_b_;
-  std::vector<double> unknown_;
   JointsBetween joints_;
   bool is_a_swept_;
   PairSpace space_;
@@ -183,14 +169,11 @@ class SweptChart {
 
 /// Of a pair with two joints of its own.
 std::vector<std::unique_ptr<SweptChart>> swept_charts(const Model& model, const RobotPair& pair,
-                                                      const std::vector<double>& reaches_a,
-                                                      const std::vector<double>& reaches_b,
                                                       double radius, double cell) {
   std::vector<std::unique_ptr<SweptChart>> charts;
   for (const auto& [link, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
     if (const std::optional<SweptEnd> end = swept_end(model, link, other)) {
-      charts.push_back(
-          std::make_unique<SweptChart>(model, pair, *end, reaches_a, reaches_b, radius, cell));
+      charts.push_back(std::make_unique<SweptChart>(model, pair, *end, radius, cell));
     }
   }
   return charts;
@@ -226,15 +209,13 @@ std::vector<Axis> axes_of(const Model& model, const Robot& robot, const RobotPai
 
 void add_chart(const Model& model, const Robot& robot, const RobotPair& pair, double cell,
                std::vector<std::uint8_t>& charts) {
-  const std::vector<double> reaches_a = reaches_of(model, pair.a, cell);
-  const std::vector<double> reaches_b = reaches_of(model, pair.b, cell);
-  const PairSpace space(model, {pair.a, &robot.meshes[pair.a], &reaches_a},
-                        {pair.b, &robot.meshes[pair.b], &reaches_b}, cell);
+  const PairSpace space(model, {pair.a, &robot.meshes[pair.a], nullptr},
+                        {pair.b, &robot.meshes[pair.b], nullptr}, cell);
   const std::vector<Axis> axes = axes_of(model, robot, pair, space, cell);
   const std::uint32_t radius =
       std::min(robot.links[pair.a].radius, robot.links[pair.b].radius) / kFrameCell;
   Chart chart(space, radius, 0, kShares);
-  const auto swept = swept_charts(model, pair, reaches_a, reaches_b, radius, cell);
+  const auto swept = swept_charts(model, pair, radius, cell);
   const std::uint32_t size = detail::chart_size(robot, pair);
   for (std::uint32_t place = 0; place < size; ++place) {
     std::vector<Interval> box(axes.size());

@@ -34,7 +34,11 @@ PairSpace::PairSpace(const Model& model, const PairLink& a, const PairLink& b, d
   path.insert(path.end(), joints_.of_b.rbegin(), joints_.of_b.rend());
   for (const std::size_t joint : path) {
     const std::size_t dimension = dimension_of(model.joints[joint].variable);
-    path_.push_back({joint, dimension, (*a.reaches)[joint], (*b.reaches)[joint]});
+    const auto reach_of = [&](const PairLink& link) {
+      const bool slides = model.joints[joint].type == JointType::prismatic;
+      return link.reaches != nullptr ? (*link.reaches)[joint] : slides ? 1 : HUGE_VAL;
+    };
+    path_.push_back({joint, dimension, reach_of(a), reach_of(b)});
   }
   for (std::size_t i = 0; i < model.variables.size(); ++i) {
     const Interval range = range_of_variable(model, i);

@@ -13,7 +13,7 @@ namespace flashbvh::tool {
 struct PairLink {
   std::size_t link;
   const PostMesh* mesh;
-  const std::vector<double>* reaches;  ///< reaches_of()
+  const std::vector<double>* reaches;  ///< reaches_of(), or null: the mesh's box tells
 };
 
 /// A variable that moves the links against each other.

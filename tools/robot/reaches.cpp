@@ -14,13 +14,19 @@ class Spread {
   /// `from`: the joint that it came over, or none.
   void visit(std::size_t body, std::size_t from, const Support& support) {
     if (body != kNoJoint && body != from) {
-      const Support swept = cross(body, support, false);
-      visit(model_.joints[body].parent, body, swept.moved(model_.joints[body].fixed));
+      reach(body, support);
+      const std::size_t parent = model_.joints[body].parent;
+      if (leads_on(parent, body)) {
+        visit(parent, body, swept(body, support, false).moved(model_.joints[body].fixed));
+      }
     }
     for (std::size_t child = 0; child < model_.joints.size(); ++child) {
       if (model_.joints[child].parent == body && child != from) {
         const Support seen = support.moved(inverse(model_.joints[child].fixed));
-        visit(child, child, cross(child, seen, true));
+        reach(child, seen);
+        if (leads_on(child, child)) {
+          visit(child, child, swept(child, seen, true));
+        }
       }
     }
   }
@@ -28,16 +34,31 @@ class Spread {
   const std::vector<double>& reaches() const { return reaches_; }
 
  private:
-  /// `support` in the joint's frame, on the one side and the other. Outward: from the parent's
-  /// side, where what lies still moves backwards.
-  Support cross(std::size_t number, const Support& support, bool outward) {
-    const bool slides = model_.joints[number].type == JointType::prismatic;
-    reaches_[number] = slides ? 1 : support.reach();
+  /// Whether there is a joint at the body but the one that it was reached over.
+  bool leads_on(std::size_t body, std::size_t from) const {
+    const auto& joints = model_.joints;
+    for (std::size_t child = 0; child < joints.size(); ++child) {
+      if (joints[child].parent == body && child != from) {
+        return true;
+      }
+    }
+    return body != kNoJoint && body != from;
+  }
+
+  /// `support`: in the joint's frame.
+  void reach(std::size_t number, const Support& support) {
+    reaches_[number] = model_.joints[number].type == JointType::prismatic ? 1 : support.reach();
+  }
+
+  /// In the joint's frame, beyond it. Outward: from the parent's side, where what lies still moves
+  /// backwards.
+  Support swept(std::size_t number, const Support& support, bool outward) const {
     Interval range = range_of_joint(model_, number);
     if (outward) {
       range = {-range.upper, -range.lower};
     }
-    return slides ? support.slid(range) : support.turned(range);
+    return model_.joints[number].type == JointType::prismatic ? support.slid(range)
+                                                              : support.turned(range);
   }
 
   const Model& model_;

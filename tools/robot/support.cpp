@@ -37,26 +37,35 @@ struct Step {
 
 Step step_at(double coordinate) {
   const double steps = std::clamp((coordinate + 1) / 2 * kSteps, 0.0, double{kSteps});
-  const double point = std::min(std::floor(steps), double{kSteps - 1});
-  return {static_cast<std::size_t>(point), steps - point};
+  const std::size_t point = std::min(static_cast<std::size_t>(steps), kSteps - 1);
+  return {point, steps - static_cast<double>(point)};
 }
 
-/// The corners of a polygon round the arc that a vector describes as it turns about z.
-template <class Visitor>
-void for_each_corner(const Vector3& vector, const Interval& angles, Visitor&& visit) {
+/// What turns a vector about z, and stretches it.
+struct Turn {
+  double c;
+  double s;
+
+  Vector3 operator()(const Vector3& v) const {
+    return {c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
+  }
+};
+
+/// To the corners of a polygon round the arc that a vector describes as it turns about z.
+std::vector<Turn> turns_to_corners(const Interval& angles) {
   const double width = std::min(angles.upper - angles.lower, kTurn);
   const int parts = std::max(1, static_cast<int>(std::ceil(width / kTurn * kParts)));
   const double stretch = 1 / std::cos(width / parts / 2);
-  const auto at = [&](double angle, double scale) {
-    const double c = std::cos(angle) * scale;
-    const double s = std::sin(angle) * scale;
-    visit(Vector3{c * vector[0] - s * vector[1], s * vector[0] + c * vector[1], vector[2]});
+  std::vector<Turn> turns;
+  const auto add = [&](double angle, double scale) {
+    turns.push_back({std::cos(angle) * scale, std::sin(angle) * scale});
   };
-  at(angles.lower, 1);
+  add(angles.lower, 1);
   for (int part = 0; part < parts; ++part) {
-    at(angles.lower + (part + 0.5) * width / parts, stretch);
+    add(angles.lower + (part + 0.5) * width / parts, stretch);
   }
-  at(angles.lower + width, 1);
+  add(angles.lower + width, 1);
+  return turns;
 }
 
 }  // namespace
@@ -83,6 +92,15 @@ Support::Support(const std::vector<Vector3>& points, double deviation) {
     }
     return most + deviation * std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
   });
+}
+
+template <class Turns>
+double Support::most_of(const Vector3& direction, const Turns& turns) const {
+  double most = -HUGE_VAL;
+  for (const auto& turn : turns) {
+    most = std::max(most, (*this)(turn(direction)));
+  }
+  return most;
 }
 
 double Support::operator()(const Vector3& direction) const {
@@ -114,13 +132,8 @@ Support Support::moved(const Transform& transform) const {
 
 Support Support::turned(const Interval& angles) const {
   // R p . u = p . R^-1 u
-  const Interval back = {-angles.upper, -angles.lower};
-  return made([&](const Vector3& u) {
-    double most = -HUGE_VAL;
-    for_each_corner(u, back,
-                    [&](const Vector3& corner) { most = std::max(most, (*this)(corner)); });
-    return most;
-  });
+  const std::vector<Turn> turns = turns_to_corners({-angles.upper, -angles.lower});
+  return made([&](const Vector3& u) { return most_of(u, turns); });
 }
 
 Support Support::slid(const Interval& distances) const {
@@ -130,10 +143,7 @@ Support Support::slid(const Interval& distances) const {
 }
 
 double Support::reach() const {
-  double most = 0;
-  for_each_corner({1, 0, 0}, {0, kTurn},
-                  [&](const Vector3& corner) { most = std::max(most, (*this)(corner)); });
-  return most * kRoundUp;
+  return most_of({1, 0, 0}, turns_to_corners({0, kTurn})) * kRoundUp;
 }
 
 }  // namespace flashbvh::tool

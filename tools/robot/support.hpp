@@ -35,6 +35,10 @@ class Support {
   template <class Function>
   static Support made(Function&& h);
 
+  /// Over all that the turns make of a direction.
+  template <class Turns>
+  double most_of(const Vector3& direction, const Turns& turns) const;
+
   std::vector<double> values_;
 };
 

@@ -61,29 +61,28 @@ inline uint32_t word_of(const Int128& u, int i) {
 /// The leading bits: the number is at least digits * 2^exponent, and below (digits + 1) *
 /// 2^exponent; digits have 31 bits, the first of them 1. Of a number above 0.
 struct Leading {
+  [[gnu::noinline]] explicit Leading(const Int128& u) {
+    const bool by_word = u.high != 0;
+    const uint64_t word = by_word ? static_cast<uint64_t>(u.high) : u.low;
+    const int zeros = __builtin_clzll(word);
+    const uint64_t below = by_word ? u.low : 0;
+    const uint64_t top = word << zeros | below >> 1 >> (63 - zeros);
+    digits = static_cast<uint32_t>(top >> 33);
+    exponent = (by_word ? 97 : 33) - zeros;
+  }
   uint32_t digits;
   int32_t exponent;
 };
-
-Leading leading(const Int128& u) {
-  const auto high = static_cast<uint64_t>(u.high);
-  const bool by_word = high != 0;
-  const uint64_t word = by_word ? high : u.low;
-  const int zeros = __builtin_clzll(word);
-  const uint64_t below = by_word ? u.low : 0;
-  const uint64_t top = zeros == 0 ? word : word << zeros | below >> (64 - zeros);
-  return {static_cast<uint32_t>(top >> 33), (by_word ? 64 : 0) + 33 - zeros};
-}
 
 /// As compare(), or 2 if the leading bits don't decide.
 [[gnu::noinline]] int compare_leading(const Fraction& x, const Fraction& y) {
   if (is_zero(x.above) || is_zero(y.above)) {
     return sign_of(x.above) - sign_of(y.above);
   }
-  const Leading x_above = leading(x.above);
-  const Leading x_below = leading(x.below);
-  const Leading y_above = leading(y.above);
-  const Leading y_below = leading(y.below);
+  const Leading x_above(x.above);
+  const Leading x_below(x.below);
+  const Leading y_above(y.above);
+  const Leading y_below(y.below);
   // x_above * y_below against y_above * x_below: products of digits are from 2^60 to 2^62.
   const int32_t shift = x_above.exponent + y_below.exponent - y_above.exponent - x_below.exponent;
   const int32_t size = shift < 0 ? -shift : shift;
@@ -195,8 +194,8 @@ int64_t rounded_up(const Fraction& x) noexcept {
   if (is_zero(x.above)) {
     return 0;
   }
-  const Leading above = leading(x.above);
-  const Leading below = leading(x.below);
+  const Leading above(x.above);
+  const Leading below(x.below);
   // The quotient of digits, at most 2, with 31 bits after the point, bit by bit.
   uint32_t rest = above.digits + 1;
   uint64_t share = 0;

@@ -128,11 +128,16 @@ void Guard::begin_walk(uint16_t i, uint32_t& work) {
     aim(sum_of(upper, since));
     return;
   }
+  aim(witness_distance(work));
+}
+
+/// How far apart the witness is, where the pair is being measured.
+uint32_t Guard::witness_distance(uint32_t& work) const {
   Triangle a;
   Triangle b;
-  place_witness(i, core_->witness, core_->pose, a, b);
+  place_witness(core_->walked_pair, core_->witness, core_->pose, a, b);
   detail::take_work(work, kAimWork);
-  aim(detail::distance_above(a, b));
+  return detail::distance_above(a, b);
 }
 
 /// What to ask: a share of what the witness has over the distance that is to be kept. `nearest`: it
@@ -157,7 +162,8 @@ void Guard::aim(uint32_t nearest) {
   core_->position = {};
 }
 
-/// One run of the question. `done`: the pair has its certificate.
+/// One run of the question. `done`: the pair has its certificate; `full`: the witness is nearer
+/// than what was asked.
 Status Guard::walk(uint32_t& work) {
   const uint16_t i = core_->walked_pair;
   const RobotPair& pair = robot_->pairs[i];
@@ -177,13 +183,7 @@ Status Guard::walk(uint32_t& work) {
   if (status == Status::full) {
     const TrianglePair<uint16_t> nearer = query.last_positions();
     core_->witness = {nearer.a, nearer.b};
-    Triangle a;
-    Triangle b;
-    query.last_pair(a, b);
-    detail::take_work(work, kAimWork);
-    const uint32_t above = detail::distance_above(a, b);
-    aim(above < core_->asked ? above : core_->asked);  // so asking comes to an end
-    return Status::suspended;
+    return Status::full;
   }
   if (status == Status::distance_out_of_range && core_->asked > 1) {
     core_->asked /= 2;
@@ -217,6 +217,12 @@ Status Guard::measure(const Found& found, uint32_t& work) {
   Status status = Status::suspended;
   while (status == Status::suspended && work != 0) {
     status = walk(work);
+    if (status ==
+        Status::full) {  // apart from the walk, so that their stacks are never needed at once
+      const uint32_t above = witness_distance(work);
+      aim(above < core_->asked ? above : core_->asked);  // so asking comes to an end
+      status = Status::suspended;
+    }
   }
   return status;
 }

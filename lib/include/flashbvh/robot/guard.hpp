@@ -195,6 +195,7 @@ class Guard {
   void begin_walk(uint16_t pair, uint32_t& work);
   bool certify_by_spheres(uint16_t pair, uint32_t rate);
   bool certify_by_chart(uint16_t pair, uint32_t rate);
+  FLASHBVH_NOINLINE uint32_t witness_distance(uint32_t& work) const;
   void aim(uint32_t nearest);
   Status walk(uint32_t& work);
   Status finish(const GuardPair& certificate);
