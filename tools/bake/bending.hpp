@@ -11,7 +11,7 @@ namespace flashbvh::bake {
 
 struct BendingCost {
   std::size_t ram_bytes;           ///< nodes and vertices
-  std::size_t refit_instructions;  ///< of all of it, on a Cortex-M4F at -O2, within 12 %
+  std::size_t refit_instructions;  ///< of all of it, on a Cortex-M4F at -O2, within 5 %
 };
 
 /// The instructions are those that tests/budget/refit_cost_test.cpp holds to.
