@@ -38,7 +38,7 @@ mesh=lib/include/flashbvh/mesh.hpp detail=lib/include/flashbvh/detail
 rm -rf "$work"
 mkdir -p "$work/out"
 cp "$out"/*.vo "$work/out"
-tests/proof/check.sh lib "$work/out" Ranked.v Code.v Query.v Image.v >/dev/null
+tests/proof/check.sh lib "$work/out" Ranked.v Code.v Query.v Image.v Exact.v >/dev/null
 
 mutate "a margin's line that is quoted" lib/src/geometry/rotated_transform.cpp '>> kRestBits) + 1;' '>> kRestBits);' Margins.v
 mutate "the box test's margin is two units less, of which one is spare" $arithmetic/Margins.v \
@@ -85,6 +85,20 @@ mutate "opening takes a link to itself for a sibling" $walk/Image.v \
 mutate "opening does not climb from the last leaf" $walk/Image.v \
   'leaf (count - 1) && leave_to count (count - 1) 0' 'leaf (count - 1)' Image.v
 mutate "opening does not compare ranks" $walk/Image.v '(rank child <=? rank parent)' 'true' Image.v
+mutate "opening takes a box that ends outside its parent" $walk/Exact.v \
+  '(x (high s) <=? x (high t))' '(x (high t) <=? x (high s))' Exact.v
+mutate "opening does not look whether a leaf's box holds its triangles" $walk/Exact.v \
+  'is_inside {| low := p; high := p |} (box m n)) (leaf_points m n)) (seq' 'true) (leaf_points m n)) (seq' Exact.v
+mutate "a slab begins where its triangles end" $walk/Exact.v 'least := extreme Z.min' 'least := extreme Z.max' Exact.v
+mutate "a rotated leaf's slabs have no margin" $walk/Exact.v '(slab_margin (reach root_b) (defect r)) s)' '0 s)' Exact.v
+mutate "B's reach is its upper bounds'" $walk/Exact.v 'Z.max (c (high t)) (- c (low t))' 'c (high t)' Exact.v
+mutate "one entry's rest is left out of the margin" $walk/Exact.v '(Z.max (size (a1 r)) (size (b1 r)))' \
+  '(size (b1 r))' Exact.v
+mutate "a triangle that touches its leaf's box is beside it" $walk/Exact.v 'c (high t) < c p' 'c (high t) <= c p' Exact.v
+mutate "roots are far apart by half of the margin" $walk/Exact.v 'start_of e offset @kWidestMargin@' \
+  'start_of e offset (@kWidestMargin@ / 2)' Exact.v
+mutate "a line of the leaf's test that is quoted" $detail/leaf_shape.hpp 'may_touch_both(plane_, edge_, box)' \
+  'may_touch_both(edge_, plane_, box)' Exact.v
 mutate "a line of the walk that is quoted" $detail/ranked.hpp \
   'if (b_.parent_rank <= a_.parent_rank)' 'if (b_.parent_rank < a_.parent_rank)' Code.v
 mutate "a line of the paper's walk that is quoted" $paper/stackless.hpp 'if (rcl_b < lag) {' 'if (rcl_b <= lag) {' \
@@ -136,6 +150,23 @@ mutate "corners are not mirrored" $arithmetic/Triangle.v \
   'if up_b then (na, pa) else (pa, na) in' 'if up_a then (na, pa) else (pa, na) in' Triangle.v
 mutate "touching does not count" $arithmetic/Triangle.v '(volume ta ha tb hb <=? 0)' \
   '(volume ta ha tb hb <? 0)' Triangle.v
+mutate "an edge that touches separates" $arithmetic/Flat.v \
+  'negb (side =? 0) && negb (side =? inner) && (side' 'negb (side =? inner) && (side' Flat.v
+mutate "an edge separates from what lies on its inner side" $arithmetic/Flat.v 'negb (side =? inner) && ' '' Flat.v
+mutate "two corners beyond an edge suffice" $arithmetic/Flat.v ' && (side =? turn u v p q b2).' '.' Flat.v
+mutate "one projection decides, whatever its area" $arithmetic/Flat.v \
+  'negb (turn u v a0 a1 a2 =? 0) then true' 'negb (turn u v a0 a1 a2 =? 1) then true' Flat.v
+mutate "skew segments meet" $arithmetic/Flat.v '(volume a0 a1 b0 b1 =? 0) && ' '' Flat.v Lines.v
+mutate "segments on one line are not asked for their boxes" $arithmetic/Test.v \
+  'boxes_overlap a0 a1 a2 b0 b1 b2 && intersect' 'intersect' Test.v
+mutate "boxes that touch do not overlap" $arithmetic/Test.v 'least a0 a1 a2 <=? most' 'least a0 a1 a2 <? most' Test.v
+mutate "two corners on a side separate" $arithmetic/Test.v '(0 <? g0) && (0 <? g1) && (0 <? g2)' \
+  '(0 <? g0) && (0 <? g1)' Test.v
+mutate "a tip's segment takes another corner" $arithmetic/Test.v "let '(s0, s1, _) :=" "let '(s0, _, s1) :=" Test.v
+mutate "a line of the flat case that is quoted" lib/src/geometry/triangle.cpp 'side != inner && side ==' \
+  'side == inner && side ==' Flat.v
+mutate "a step that takes more leaves work" $walk/Work.v 'then left - spent else 0' 'then left - spent else 1' Work.v
+mutate "pairs that are not paid for are tested" $walk/Work.v 'then 0 else 1' 'then 0 else 2' Work.v
 rm -rf "$work"
 echo "== $refused changes refused, $survived survived"
 [ "$survived" -eq 0 ]

@@ -236,12 +236,16 @@ Definition placed_of (these : Point -> Prop) (v : Point) : Prop := exists u, the
 Definition column k1 k2 k3 := {| x := coarse k1; y := coarse k2; z := coarse k3 |}.
 Definition back k1 k2 k3 := (coarse k1 * o1 + coarse k2 * o2 + coarse k3 * o3) / cell14.
 
-Definition boxes_reject : Prop :=
+(* A box of B on A's axes, a box of A on B's; a window is one of the two. *)
+Definition rejects_on_a : Prop :=
   let on_a kx ky kz o := axis_rejects (column kx ky kz) o (box_margin most reach + kHalf) box_b in
-  let on_b k1 k2 k3 := axis_rejects (column k1 k2 k3) (clamped (- back k1 k2 k3)) (axis_margin reach defect) box_a in
   on_a a1 b1 c1 o1 (x (low box_a)) (x (high box_a)) \/ on_a a2 b2 c2 o2 (y (low box_a)) (y (high box_a)) \/
-  on_a a3 b3 c3 o3 (z (low box_a)) (z (high box_a)) \/ on_b a1 a2 a3 (x (low box_b)) (x (high box_b)) \/
-  on_b b1 b2 b3 (y (low box_b)) (y (high box_b)) \/ on_b c1 c2 c3 (z (low box_b)) (z (high box_b)).
+  on_a a3 b3 c3 o3 (z (low box_a)) (z (high box_a)).
+Definition rejects_on_b : Prop :=
+  let on_b k1 k2 k3 := axis_rejects (column k1 k2 k3) (clamped (- back k1 k2 k3)) (axis_margin reach defect) box_a in
+  on_b a1 a2 a3 (x (low box_b)) (x (high box_b)) \/ on_b b1 b2 b3 (y (low box_b)) (y (high box_b)) \/
+  on_b c1 c2 c3 (z (low box_b)) (z (high box_b)).
+Definition boxes_reject : Prop := rejects_on_a \/ rejects_on_b.
 
 Lemma lattice_a : on_lattice box_a.
 Proof. destruct limits as [L _]. intros p P. unfold in_box, limited, kMaxCoordinate in *. clear - L P. rewrite !Z.abs_le. lia. Qed.
@@ -260,7 +264,7 @@ Theorem boxes_reject_safely : boxes_reject -> Apart (in_box box_a) (placed_of (i
 Proof.
   destruct rests as (R1 & R2 & R3). destruct orders as [(OX & OY & OZ) (PX & PY & PZ)].
   destruct limits as [(LX & HX & LY & HY & LZ & HZ) (MX & NX & MY & NY & MZ & NZ)].
-  intros [H | [H | [H | [H | [H | H]]]]].
+  intros [[H | [H | H]] | [H | [H | H]]].
   1: destruct (box_on_a_axis _ _ _ _ _ _ _ _ _ LX HX OX R1 H) as [S | S]; exists {| x := 1; y := 0; z := 0 |}.
   3: destruct (box_on_a_axis _ _ _ _ _ _ _ _ _ LY HY OY R2 H) as [S | S]; exists {| x := 0; y := 1; z := 0 |}.
   5: destruct (box_on_a_axis _ _ _ _ _ _ _ _ _ LZ HZ OZ R3 H) as [S | S]; exists {| x := 0; y := 0; z := 1 |}.

@@ -1,0 +1,416 @@
+(* Separating axes in the plane: triangles whose edges do not separate them have a point in common. By
+   Helly's theorem, which asks of convex sets but three at a time.
+
+   A point of the plane is a ray of space: (x, y, z) with z > 0 stands for (x / z, y / z), and corners
+   have z = 1. What is convex in the plane is a cone there, and three corners' determinant is twice
+   their area. *)
+From Coq Require Import ZArith Lia Psatz Bool.
+Require Import Triangle.
+Local Open Scope Z_scope.
+
+Definition mix i p j q :=
+  {| x := i * x p + j * x q; y := i * y p + j * y q; z := i * z p + j * z q |}.
+Definition cone (C : Point -> Prop) := forall i j p q, 0 <= i -> 0 <= j -> C p -> C q -> C (mix i p j q).
+Definition both (C D : Point -> Prop) p := C p /\ D p.
+Definition somewhere (C : Point -> Prop) := exists p, 0 < z p /\ C p.
+Definition det p q r := dot (cross p q) r.
+
+(* ============================================================== Statements *)
+
+Definition Helly := forall C D E F, cone C -> cone D -> cone E -> cone F ->
+  somewhere (both C (both D E)) -> somewhere (both C (both D F)) ->
+  somewhere (both C (both E F)) -> somewhere (both D (both E F)) -> somewhere (both (both C D) (both E F)).
+
+(* On one line, on which n is 0, two at a time. *)
+Definition Helly_on_line := forall n C D E, x n <> 0 \/ y n <> 0 -> cone C -> cone D -> cone E ->
+  let on p := dot n p = 0 in
+  somewhere (both on (both C D)) -> somewhere (both on (both C E)) -> somewhere (both on (both D E)) ->
+  somewhere (both on (both C (both D E))).
+
+(* ============================================================== Proofs *)
+
+Lemma point_eq p q : x p = x q -> y p = y q -> z p = z q -> p = q.
+Proof. destruct p, q. cbn. now intros -> -> ->. Qed.
+Lemma cone_both C D : cone C -> cone D -> cone (both C D).
+Proof. intros K L i j p q I J [] []. split; [apply K | apply L]; auto. Qed.
+Definition sum3 i p j q k r := mix 1 (mix i p j q) k r.
+Lemma cone_sum C i p j q k r : cone C -> 0 <= i -> 0 <= j -> 0 <= k -> C p -> C q -> C r -> C (sum3 i p j q k r).
+Proof. intros K I J L P Q R. apply K; auto; lia. Qed.
+
+(* ---- More vectors than dimensions depend on each other. *)
+Lemma depend1 a b : exists s t, (s <> 0 \/ t <> 0) /\ s * a + t * b = 0.
+Proof.
+  destruct (Z.eq_dec a 0) as [-> | A]; [exists 1, 0; split; [now left | ring]|].
+  exists (- b), a. split; [now right | ring].
+Qed.
+Lemma depend2 a a' b b' c c' : exists i j k, (i <> 0 \/ j <> 0 \/ k <> 0) /\
+  i * a + j * b + k * c = 0 /\ i * a' + j * b' + k * c' = 0.
+Proof.
+  assert (forall a a' b b' c c', a <> 0 -> exists i j k, (i <> 0 \/ j <> 0 \/ k <> 0) /\
+    i * a + j * b + k * c = 0 /\ i * a' + j * b' + k * c' = 0) as G.
+  { clear. intros a a' b b' c c' A. destruct (depend1 (a * b' - b * a') (a * c' - c * a')) as (s & t & N & E).
+    exists (- (s * b + t * c)), (s * a), (t * a). split; [right; destruct N; [left | right]; now apply Z.neq_mul_0|]. split; [ring|].
+    rewrite <- E. ring. }
+  destruct (Z.eq_dec a 0) as [-> | A]; [|now apply G].
+  destruct (Z.eq_dec b 0) as [-> | B]; [|destruct (G b b' 0 a' c c' B) as (j & i & k & N & E & F); exists i, j, k; lia].
+  destruct (Z.eq_dec c 0) as [-> | C]; [|destruct (G c c' 0 a' 0 b' C) as (k & i & j & N & E & F); exists i, j, k; lia].
+  destruct (depend1 a' b') as (s & t & N & E). exists s, t, 0. lia.
+Qed.
+Lemma depend3 p q r s : exists i j k l, (i <> 0 \/ j <> 0 \/ k <> 0 \/ l <> 0) /\
+  i * x p + j * x q + k * x r + l * x s = 0 /\ i * y p + j * y q + k * y r + l * y s = 0 /\
+  i * z p + j * z q + k * z r + l * z s = 0.
+Proof.
+  assert (forall p q r s, x p <> 0 -> exists i j k l, (i <> 0 \/ j <> 0 \/ k <> 0 \/ l <> 0) /\
+    i * x p + j * x q + k * x r + l * x s = 0 /\ i * y p + j * y q + k * y r + l * y s = 0 /\
+    i * z p + j * z q + k * z r + l * z s = 0) as G.
+  { clear. intros p q r s P. destruct (depend2 (x p * y q - x q * y p) (x p * z q - x q * z p)
+      (x p * y r - x r * y p) (x p * z r - x r * z p) (x p * y s - x s * y p) (x p * z s - x s * z p))
+      as (j & k & l & N & E & F).
+    exists (- (j * x q + k * x r + l * x s)), (j * x p), (k * x p), (l * x p).
+    split; [right; destruct N as [N | [N | N]]; [left | right; left | right; right]; now apply Z.neq_mul_0|].
+    split; [ring|].
+    split; [rewrite <- E | rewrite <- F]; ring. }
+  destruct (Z.eq_dec (x p) 0) as [P | P]; [|now apply G].
+  destruct (Z.eq_dec (x q) 0) as [Q | Q];
+    [|destruct (G q p r s Q) as (j & i & k & l & N & H); exists i, j, k, l; lia].
+  destruct (Z.eq_dec (x r) 0) as [R | R];
+    [|destruct (G r p q s R) as (k & i & j & l & N & H); exists i, j, k, l; lia].
+  destruct (Z.eq_dec (x s) 0) as [S | S];
+    [|destruct (G s p q r S) as (l & i & j & k & N & H); exists i, j, k, l; lia].
+  destruct (depend2 (y p) (z p) (y q) (z q) (y r) (z r)) as (i & j & k & N & E & F).
+  exists i, j, k, 0. rewrite P, Q, R, S. lia.
+Qed.
+
+(* ---- Radon: of points that depend, some have a mean that is one of the others, too. *)
+Definition pos i := Z.max i 0.
+Theorem helly : Helly.
+Proof.
+  intros C D E F KC KD KE KF (s & Zs & sC & sD & sE) (r & Zr & rC & rD & rF) (q & Zq & qC & qE & qF) (p & Zp & pD & pE & pF).
+  destruct (depend3 p q r s) as (i & j & k & l & N & X & Y & Z0).
+  set (above := sum3 1 (sum3 (pos i) p (pos j) q (pos k) r) (pos l) s 0 s).
+  set (below := sum3 1 (sum3 (pos (- i)) p (pos (- j)) q (pos (- k)) r) (pos (- l)) s 0 s).
+  assert (forall n t, n * t = pos n * t - pos (- n) * t) as Split
+    by (intros n t; rewrite <- Z.mul_sub_distr_r; f_equal; unfold pos; lia).
+  assert (above = below) as E0.
+  { apply point_eq; unfold above, below, sum3, mix; cbn [x y z];
+      [rewrite (Split i), (Split j), (Split k), (Split l) in X | rewrite (Split i), (Split j), (Split k), (Split l) in Y |
+       rewrite (Split i), (Split j), (Split k), (Split l) in Z0]; lia. }
+  assert (0 < z above) as Up.
+  { assert (z above + z below = Z.abs i * z p + Z.abs j * z q + Z.abs k * z r + Z.abs l * z s) as Sum.
+    { unfold above, below, sum3, mix. cbn [x y z].
+      assert (forall n, Z.abs n = pos n + pos (- n)) as A by (intros; unfold pos; lia). rewrite !A. ring. }
+    rewrite <- E0 in Sum.
+    assert (forall n t, 0 < t -> 0 <= Z.abs n * t /\ (n <> 0 -> 0 < Z.abs n * t)) as Share
+      by (clear; intros n t T; split; intros; [apply Z.mul_nonneg_nonneg | apply Z.mul_pos_pos]; lia).
+    pose proof (Share i _ Zp) as [I0 I1]. pose proof (Share j _ Zq) as [J0 J1].
+    pose proof (Share k _ Zr) as [K0 K1]. pose proof (Share l _ Zs) as [L0 L1].
+    clear - Sum N I0 I1 J0 J1 K0 K1 L0 L1. lia. }
+  assert (forall n, 0 <= pos n) as Pos by (intros; unfold pos; lia).
+  (* Without a share of one point, in the set that this one need not be in. *)
+  assert (forall G i j k u v w t, cone G -> G u -> G v -> G w -> 0 <= i -> 0 <= j -> 0 <= k ->
+    t = sum3 i u j v k w -> G t) as In3 by (intros; subst; now apply cone_sum).
+  assert (forall n, pos n = 0 \/ pos (- n) = 0) as One by (intros; unfold pos; lia).
+  exists above. split; [exact Up|]. repeat split.
+  - destruct (One i) as [O | O]; [|rewrite E0].
+    + apply (In3 C (pos j) (pos k) (pos l) q r s); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+    + apply (In3 C (pos (- j)) (pos (- k)) (pos (- l)) q r s); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+  - destruct (One j) as [O | O]; [|rewrite E0].
+    + apply (In3 D (pos i) (pos k) (pos l) p r s); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+    + apply (In3 D (pos (- i)) (pos (- k)) (pos (- l)) p r s); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+  - destruct (One k) as [O | O]; [|rewrite E0].
+    + apply (In3 E (pos i) (pos j) (pos l) p q s); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+    + apply (In3 E (pos (- i)) (pos (- j)) (pos (- l)) p q s); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+  - destruct (One l) as [O | O]; [|rewrite E0].
+    + apply (In3 F (pos i) (pos j) (pos k) p q r); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+    + apply (In3 F (pos (- i)) (pos (- j)) (pos (- k)) p q r); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+Qed.
+
+Lemma depend_on_line n p q r : x n <> 0 \/ y n <> 0 -> dot n p = 0 -> dot n q = 0 -> dot n r = 0 ->
+  exists i j k, (i <> 0 \/ j <> 0 \/ k <> 0) /\ i * x p + j * x q + k * x r = 0 /\
+    i * y p + j * y q + k * y r = 0 /\ i * z p + j * z q + k * z r = 0.
+Proof.
+  unfold dot. intros N P Q R.
+  assert (forall a b, a <> 0 -> a * b = 0 -> b = 0) as Cancel by (intros a b A E; apply Z.mul_eq_0 in E; tauto).
+  destruct (Z.eq_dec (x n) 0) as [X | X].
+  - destruct (depend2 (x p) (z p) (x q) (z q) (x r) (z r)) as (i & j & k & M & E & F).
+    exists i, j, k. repeat split; auto. apply (Cancel (y n)); [lia|].
+    transitivity (i * (x n * x p + y n * y p + z n * z p) + j * (x n * x q + y n * y q + z n * z q) +
+      k * (x n * x r + y n * y r + z n * z r) - x n * (i * x p + j * x q + k * x r) -
+      z n * (i * z p + j * z q + k * z r)); [ring | rewrite P, Q, R, E, F; ring].
+  - destruct (depend2 (y p) (z p) (y q) (z q) (y r) (z r)) as (i & j & k & M & E & F).
+    exists i, j, k. repeat split; auto. apply (Cancel (x n)); [exact X|].
+    transitivity (i * (x n * x p + y n * y p + z n * z p) + j * (x n * x q + y n * y q + z n * z q) +
+      k * (x n * x r + y n * y r + z n * z r) - y n * (i * y p + j * y q + k * y r) -
+      z n * (i * z p + j * z q + k * z r)); [ring | rewrite P, Q, R, E, F; ring].
+Qed.
+
+Theorem helly_on_line : Helly_on_line.
+Proof.
+  intros n C D E N KC KD KE on (r & Zr & rO & rC & rD) (q & Zq & qO & qC & qE) (p & Zp & pO & pD & pE).
+  destruct (depend_on_line n p q r N pO qO rO) as (i & j & k & M & X & Y & Z0).
+  set (above := sum3 (pos i) p (pos j) q (pos k) r).
+  set (below := sum3 (pos (- i)) p (pos (- j)) q (pos (- k)) r).
+  assert (forall n t, n * t = pos n * t - pos (- n) * t) as Split
+    by (intros a t; rewrite <- Z.mul_sub_distr_r; f_equal; unfold pos; lia).
+  assert (above = below) as E0.
+  { apply point_eq; unfold above, below, sum3, mix; cbn [x y z];
+      [rewrite (Split i), (Split j), (Split k) in X | rewrite (Split i), (Split j), (Split k) in Y |
+       rewrite (Split i), (Split j), (Split k) in Z0]; lia. }
+  assert (0 < z above) as Up.
+  { assert (z above + z below = Z.abs i * z p + Z.abs j * z q + Z.abs k * z r) as Sum.
+    { unfold above, below, sum3, mix. cbn [x y z].
+      assert (forall n, Z.abs n = pos n + pos (- n)) as A by (intros; unfold pos; lia). rewrite !A. ring. }
+    rewrite <- E0 in Sum.
+    assert (forall n t, 0 < t -> 0 <= Z.abs n * t /\ (n <> 0 -> 0 < Z.abs n * t)) as Share
+      by (clear; intros n t T; split; intros; [apply Z.mul_nonneg_nonneg | apply Z.mul_pos_pos]; lia).
+    pose proof (Share i _ Zp) as [I0 I1]. pose proof (Share j _ Zq) as [J0 J1].
+    pose proof (Share k _ Zr) as [K0 K1]. clear - Sum M I0 I1 J0 J1 K0 K1. lia. }
+  assert (forall n, 0 <= pos n) as Pos by (intros; unfold pos; lia).
+  assert (forall G i j u v t, cone G -> G u -> G v -> 0 <= i -> 0 <= j -> t = mix i u j v -> G t) as In2
+    by (intros; subst; auto).
+  assert (forall n, pos n = 0 \/ pos (- n) = 0) as One by (intros; unfold pos; lia).
+  exists above. split; [exact Up|]. split; [|repeat split].
+  - unfold on, dot, above, sum3, mix in *. cbn [x y z].
+    transitivity (pos i * (x n * x p + y n * y p + z n * z p) + pos j * (x n * x q + y n * y q + z n * z q) +
+      pos k * (x n * x r + y n * y r + z n * z r)); [ring | rewrite pO, qO, rO; ring].
+  - destruct (One i) as [O | O]; [|rewrite E0].
+    + apply (In2 C (pos j) (pos k) q r); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+    + apply (In2 C (pos (- j)) (pos (- k)) q r); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+  - destruct (One j) as [O | O]; [|rewrite E0].
+    + apply (In2 D (pos i) (pos k) p r); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+    + apply (In2 D (pos (- i)) (pos (- k)) p r); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+  - destruct (One k) as [O | O]; [|rewrite E0].
+    + apply (In2 E (pos i) (pos j) p q); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+    + apply (In2 E (pos (- i)) (pos (- j)) p q); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+Qed.
+
+(* ---- Triangles in the plane. *)
+Definition hull a0 a1 a2 p := exists i j k, 0 <= i /\ 0 <= j /\ 0 <= k /\ p = sum3 i a0 j a1 k a2.
+Lemma cone_hull a0 a1 a2 : cone (hull a0 a1 a2).
+Proof.
+  intros m n p q M N (i & j & k & I & J & K & ->) (i' & j' & k' & I' & J' & K' & ->).
+  exists (m * i + n * i'), (m * j + n * j'), (m * k + n * k').
+  repeat split; try (apply Z.add_nonneg_nonneg; apply Z.mul_nonneg_nonneg; assumption).
+  apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+Qed.
+
+(* On the inner side of an edge. *)
+Definition inner s p q r := 0 <= s * det p q r.
+Lemma cone_inner s p q : cone (inner s p q).
+Proof.
+  intros i j u v I J U V. unfold inner in *.
+  assert (s * det p q (mix i u j v) = i * (s * det p q u) + j * (s * det p q v)) as ->
+    by (unfold det, dot, mix; cbn [x y z]; ring).
+  apply Z.add_nonneg_nonneg; apply Z.mul_nonneg_nonneg; assumption.
+Qed.
+
+Definition inside_all a0 a1 a2 : Point -> Prop :=
+  let s := Z.sgn (det a0 a1 a2) in both (inner s a0 a1) (both (inner s a1 a2) (inner s a2 a0)).
+
+Lemma inside_hull a0 a1 a2 p : det a0 a1 a2 <> 0 -> inside_all a0 a1 a2 p ->
+  exists w, 0 < w /\ hull a0 a1 a2 (mix w p 0 p).
+Proof.
+  intros D (H0 & H1 & H2). exists (Z.abs (det a0 a1 a2)). split; [lia|].
+  unfold inner in *. exists (Z.sgn (det a0 a1 a2) * det a1 a2 p), (Z.sgn (det a0 a1 a2) * det a2 a0 p),
+    (Z.sgn (det a0 a1 a2) * det a0 a1 p). repeat split; auto.
+  rewrite <- Z.sgn_abs. set (s := Z.sgn (det a0 a1 a2)). 
+  apply point_eq; unfold sum3, mix, det, dot, cross; cbn [x y z]; ring.
+Qed.
+
+(* The corners of an edge's own triangle. *)
+Lemma corners_inside a0 a1 a2 : inside_all a0 a1 a2 a0 /\ inside_all a0 a1 a2 a1 /\ inside_all a0 a1 a2 a2.
+Proof.
+  set (s := Z.sgn (det a0 a1 a2)).
+  assert (0 <= s * det a0 a1 a2) as P by (unfold s; pose proof (Z.sgn_abs (det a0 a1 a2)); lia).
+  assert (forall p q, det p q p = 0 /\ det p q q = 0) as O by (intros; unfold det, dot, cross; cbn [x y z]; split; ring).
+  assert (forall p q r, det q r p = det p q r) as Cycle by (intros; unfold det, dot, cross; cbn [x y z]; ring).
+  unfold inside_all, both, inner. fold s.
+  repeat split; first [rewrite (proj1 (O _ _)); lia | rewrite (proj2 (O _ _)); lia | exact P
+    | rewrite Cycle; exact P | rewrite Cycle, Cycle; exact P].
+Qed.
+
+(* Some corner of b is not beyond each edge of a. *)
+Definition some_inner s p q b0 b1 b2 := inner s p q b0 \/ inner s p q b1 \/ inner s p q b2.
+Definition no_edge a0 a1 a2 b0 b1 b2 := let s := Z.sgn (det a0 a1 a2) in
+  some_inner s a0 a1 b0 b1 b2 /\ some_inner s a1 a2 b0 b1 b2 /\ some_inner s a2 a0 b0 b1 b2.
+Definition corner p := z p = 1.
+
+Theorem edges_tell a0 a1 a2 b0 b1 b2 : corner a0 -> corner a1 -> corner a2 -> corner b0 -> corner b1 -> corner b2 ->
+  det a0 a1 a2 <> 0 -> det b0 b1 b2 <> 0 -> no_edge a0 a1 a2 b0 b1 b2 -> no_edge b0 b1 b2 a0 a1 a2 ->
+  somewhere (both (inside_all a0 a1 a2) (inside_all b0 b1 b2)).
+Proof.
+  intros A0 A1 A2 B0 B1 B2 DA DB (E0 & E1 & E2) (F0 & F1 & F2).
+  pose proof (corners_inside a0 a1 a2) as IA. pose proof (corners_inside b0 b1 b2) as IB.
+  set (s := Z.sgn (det a0 a1 a2)) in *. set (t := Z.sgn (det b0 b1 b2)) in *.
+  unfold inside_all in *. fold s in IA. fold s. fold t in IB. fold t.
+  set (H0 := inner s a0 a1) in *. set (H1 := inner s a1 a2) in *. set (H2 := inner s a2 a0) in *.
+  set (K0 := inner t b0 b1) in *. set (K1 := inner t b1 b2) in *. set (K2 := inner t b2 b0) in *.
+  assert (cone H0 /\ cone H1 /\ cone H2 /\ cone K0 /\ cone K1 /\ cone K2) as (CH0 & CH1 & CH2 & CK0 & CK1 & CK2)
+    by (repeat split; apply cone_inner).
+  assert (forall K, cone K -> K a0 \/ K a1 \/ K a2 -> somewhere (both K (both H0 (both H1 H2)))) as OfA.
+  { intros K _ [G | [G | G]]; [exists a0 | exists a1 | exists a2]; unfold corner in *; split; try lia; split; auto; apply IA. }
+  assert (forall H, cone H -> H b0 \/ H b1 \/ H b2 -> somewhere (both H (both K0 (both K1 K2)))) as OfB.
+  { intros H _ [G | [G | G]]; [exists b0 | exists b1 | exists b2]; unfold corner in *; split; try lia; split; auto; apply IB. }
+  pose proof (OfA K0 CK0 F0) as (k0 & Zk0 & Ak0). pose proof (OfA K1 CK1 F1) as (k1 & Zk1 & Ak1).
+  pose proof (OfA K2 CK2 F2) as (k2 & Zk2 & Ak2). pose proof (OfB H0 CH0 E0) as (h0 & Zh0 & Ah0).
+  pose proof (OfB H1 CH1 E1) as (h1 & Zh1 & Ah1). pose proof (OfB H2 CH2 E2) as (h2 & Zh2 & Ah2).
+  clearbody H0 H1 H2 K0 K1 K2. clear E0 E1 E2 F0 F1 F2 IA IB OfA OfB DA DB A0 A1 A2 B0 B1 B2. clear s t.
+  unfold both in *.
+  (* Two of each. *)
+  assert (forall X Y U V hx hy ku kv, cone X -> cone Y -> cone U -> cone V ->
+    0 < z hx -> 0 < z hy -> 0 < z ku -> 0 < z kv ->
+    X hx /\ U hx /\ V hx -> Y hy /\ U hy /\ V hy -> U ku /\ X ku /\ Y ku -> V kv /\ X kv /\ Y kv ->
+    somewhere (both (both X Y) (both U V))) as Two.
+  { intros X Y U V hx hy ku kv CX CY CU CV Zx Zy Zu Zv HX HY HU HV. apply helly; auto;
+      [exists ku | exists kv | exists hx | exists hy]; split; auto; unfold both; tauto. }
+  (* All of a's, two of b's. *)
+  assert (forall U V ku kv, cone U -> cone V -> 0 < z ku -> 0 < z kv ->
+    U ku /\ H0 ku /\ H1 ku /\ H2 ku -> V kv /\ H0 kv /\ H1 kv /\ H2 kv ->
+    (forall p, K0 p /\ K1 p /\ K2 p -> U p /\ V p) -> somewhere (both (both H0 H1) (both H2 (both U V)))) as Three.
+  { intros U V ku kv CU CV Zu Zv HU HV Sub.
+    pose proof (Sub h0 (proj2 Ah0)). pose proof (Sub h1 (proj2 Ah1)). pose proof (Sub h2 (proj2 Ah2)).
+    apply helly; auto using cone_both.
+    - exists ku. unfold both. tauto.
+    - destruct (Two H0 H1 U V h0 h1 ku kv) as (p & Zp & P); try assumption; try tauto. exists p. unfold both in *. tauto.
+    - destruct (Two H0 H2 U V h0 h2 ku kv) as (p & Zp & P); try assumption; try tauto. exists p. unfold both in *. tauto.
+    - destruct (Two H1 H2 U V h1 h2 ku kv) as (p & Zp & P); try assumption; try tauto. exists p. unfold both in *. tauto. }
+  destruct (helly K0 K1 K2 (both H0 (both H1 H2))) as (p & Zp & P); auto using cone_both.
+  - exists h0. unfold both. tauto.
+  - destruct (Three K0 K1 k0 k1) as (p & Zp & P); auto; try tauto. exists p. unfold both in *. tauto.
+  - destruct (Three K0 K2 k0 k2) as (p & Zp & P); auto; try tauto. exists p. unfold both in *. tauto.
+  - destruct (Three K1 K2 k1 k2) as (p & Zp & P); auto; try tauto. exists p. unfold both in *. tauto.
+  - exists p. unfold both in *. tauto.
+Qed.
+
+(* In the plane, corners are weighed alike. *)
+Lemma hulls_meet a0 a1 a2 b0 b1 b2 : corner a0 -> corner a1 -> corner a2 -> corner b0 -> corner b1 -> corner b2 ->
+  (exists p, 0 < z p /\ hull a0 a1 a2 p /\ hull b0 b1 b2 p) -> meet a0 a1 a2 b0 b1 b2.
+Proof.
+  unfold corner. intros A0 A1 A2 B0 B1 B2 (p & P & (i & j & k & I & J & K & E) & (l & m & n & L & M & N & F)).
+  exists i, j, k, l, m, n, p. unfold mean.
+  assert (z p = i + j + k) as S by (rewrite E; unfold sum3, mix; cbn [x y z]; rewrite A0, A1, A2; ring).
+  assert (z p = l + m + n) as T by (rewrite F; unfold sum3, mix; cbn [x y z]; rewrite B0, B1, B2; ring).
+  do 6 (split; [assumption|]). split; [lia|]. split; [lia|].
+  split; [rewrite E | rewrite F]; unfold sum3, mix; cbn [x y z]; repeat split; ring.
+Qed.
+
+Lemma grown a0 a1 a2 p w v : 0 <= v -> hull a0 a1 a2 (mix w p 0 p) -> hull a0 a1 a2 (mix (v * w) p 0 p).
+Proof.
+  intros V H. replace (mix (v * w) p 0 p) with (mix v (mix w p 0 p) 0 (mix w p 0 p))
+    by (apply point_eq; unfold mix; cbn [x y z]; ring).
+  apply cone_hull; auto; lia.
+Qed.
+
+Theorem areas_meet a0 a1 a2 b0 b1 b2 : corner a0 -> corner a1 -> corner a2 -> corner b0 -> corner b1 -> corner b2 ->
+  det a0 a1 a2 <> 0 -> det b0 b1 b2 <> 0 -> no_edge a0 a1 a2 b0 b1 b2 -> no_edge b0 b1 b2 a0 a1 a2 ->
+  meet a0 a1 a2 b0 b1 b2.
+Proof.
+  intros A0 A1 A2 B0 B1 B2 DA DB E F.
+  destruct (edges_tell a0 a1 a2 b0 b1 b2) as (p & P & PA & PB); auto.
+  apply inside_hull in PA as (v & V & PA); auto. apply inside_hull in PB as (w & W & PB); auto.
+  apply hulls_meet; auto. exists (mix (v * w) p 0 p).
+  split; [unfold mix; cbn [z]; assert (0 < v * w * z p) by (repeat apply Z.mul_pos_pos; auto); lia|].
+  split; [rewrite Z.mul_comm; apply grown; auto; lia | apply grown; auto; lia].
+Qed.
+
+(* ---- A triangle with area, and one on a line: then what is asked of that line's two sides suffices. *)
+Definition crossed n a0 a1 a2 := ~ (0 < dot n a0 /\ 0 < dot n a1 /\ 0 < dot n a2) /\
+  ~ (dot n a0 < 0 /\ dot n a1 < 0 /\ dot n a2 < 0).
+
+Lemma point_on C n p q : cone C -> corner p -> corner q -> C p -> C q -> dot n p <= 0 <= dot n q ->
+  somewhere (both (fun r => dot n r = 0) C).
+Proof.
+  unfold corner. intros K Zp Zq P Q [L M]. destruct (Z.eq_dec (dot n p) 0) as [E | E].
+  - exists p. split; [lia|]. now split.
+  - exists (mix (dot n q) p (- dot n p) q). split; [unfold mix; cbn [z]; rewrite Zp, Zq; lia|].
+    split; [unfold dot, mix; cbn [x y z]; ring | apply K; auto; lia].
+Qed.
+
+Lemma crossed_somewhere C n a0 a1 a2 : cone C -> corner a0 -> corner a1 -> corner a2 -> C a0 -> C a1 -> C a2 ->
+  crossed n a0 a1 a2 -> somewhere (both (fun r => dot n r = 0) C).
+Proof.
+  intros K Z0 Z1 Z2 H0 H1 H2 [U V].
+  assert (exists p, (p = a0 \/ p = a1 \/ p = a2) /\ dot n p <= 0) as (p & P & LP)
+    by (destruct (Z.le_gt_cases (dot n a0) 0); [eauto|]; destruct (Z.le_gt_cases (dot n a1) 0); [eauto|];
+      destruct (Z.le_gt_cases (dot n a2) 0); [eauto | lia]).
+  assert (exists q, (q = a0 \/ q = a1 \/ q = a2) /\ 0 <= dot n q) as (q & Q & LQ)
+    by (destruct (Z.le_gt_cases 0 (dot n a0)); [eauto|]; destruct (Z.le_gt_cases 0 (dot n a1)); [eauto|];
+      destruct (Z.le_gt_cases 0 (dot n a2)); [eauto | lia]).
+  apply (point_on C n p q K); auto; [| | destruct P as [-> | [-> | ->]] | destruct Q as [-> | [-> | ->]]]; auto;
+    [destruct P as [-> | [-> | ->]] | destruct Q as [-> | [-> | ->]]]; auto.
+Qed.
+
+Lemma hull_corners b0 b1 b2 : hull b0 b1 b2 b0 /\ hull b0 b1 b2 b1 /\ hull b0 b1 b2 b2.
+Proof.
+  repeat split; [exists 1, 0, 0 | exists 0, 1, 0 | exists 0, 0, 1]; repeat split; try lia;
+    apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+Qed.
+
+Theorem line_meets n a0 a1 a2 b0 b1 b2 : corner a0 -> corner a1 -> corner a2 -> corner b0 -> corner b1 -> corner b2 ->
+  det a0 a1 a2 <> 0 -> x n <> 0 \/ y n <> 0 -> dot n b0 = 0 -> dot n b1 = 0 -> dot n b2 = 0 ->
+  no_edge a0 a1 a2 b0 b1 b2 -> crossed n a0 a1 a2 -> meet a0 a1 a2 b0 b1 b2.
+Proof.
+  intros A0 A1 A2 B0 B1 B2 DA N N0 N1 N2 (E0 & E1 & E2) X.
+  pose proof (corners_inside a0 a1 a2) as (I0 & I1 & I2). pose proof (hull_corners b0 b1 b2) as (J0 & J1 & J2).
+  set (s := Z.sgn (det a0 a1 a2)) in *. pose proof (cone_hull a0 a1 a2) as _.
+  assert (cone (inside_all a0 a1 a2)) as CA by (apply cone_both; [|apply cone_both]; apply cone_inner).
+  destruct (crossed_somewhere _ n a0 a1 a2 CA A0 A1 A2 I0 I1 I2 X) as (p & Zp & Np & Ip).
+  assert (forall q r, some_inner s q r b0 b1 b2 -> exists b, 0 < z b /\ dot n b = 0 /\ inner s q r b /\ hull b0 b1 b2 b) as Some_.
+  { unfold corner in *. intros q r [G | [G | G]]; [exists b0 | exists b1 | exists b2]; repeat split; auto; lia. }
+  assert (forall q r t o, inner s q r p -> inner s t o p -> some_inner s q r b0 b1 b2 -> some_inner s t o b0 b1 b2 ->
+    somewhere (both (inner s q r) (both (inner s t o) (hull b0 b1 b2)))) as Two.
+  { intros q r t o P Q S T. destruct (Some_ q r S) as (c & Zc & Nc & Ic & Hc), (Some_ t o T) as (d & Zd & Nd & Id & Hd).
+    destruct (helly_on_line n (inner s q r) (inner s t o) (hull b0 b1 b2) N) as (w & Zw & _ & W);
+      try apply cone_inner; try apply cone_hull; [exists p | exists c | exists d | now exists w]; unfold both; auto. }
+  destruct Ip as (P0 & P1 & P2). fold s in P0, P1, P2.
+  destruct (helly (inner s a0 a1) (inner s a1 a2) (inner s a2 a0) (hull b0 b1 b2)) as (w & Zw & W);
+    try apply cone_inner; try apply cone_hull; auto.
+  - exists a0. unfold corner in *. split; [lia|]. exact I0.
+  - destruct W as ((W0 & W1) & W2 & WB).
+    assert (inside_all a0 a1 a2 w) as WA by (repeat split; assumption).
+    apply inside_hull in WA as (v & V & WA); auto. apply hulls_meet; auto. exists (mix v w 0 w).
+    split; [unfold mix; cbn [z]; assert (0 < v * z w) by (apply Z.mul_pos_pos; auto); lia|].
+    split; auto. apply cone_hull; auto; lia.
+Qed.
+
+Theorem point_meets a0 a1 a2 b : corner a0 -> corner a1 -> corner a2 -> corner b -> det a0 a1 a2 <> 0 ->
+  no_edge a0 a1 a2 b b b -> meet a0 a1 a2 b b b.
+Proof.
+  intros A0 A1 A2 B DA (E0 & E1 & E2).
+  assert (inside_all a0 a1 a2 b) as I by (unfold some_inner in *; repeat split; tauto).
+  apply inside_hull in I as (v & V & I); auto. apply hulls_meet; auto. exists (mix v b 0 b).
+  unfold corner in B. split; [unfold mix; cbn [z]; rewrite B; lia|]. split; auto.
+  apply cone_hull; try lia; apply hull_corners.
+Qed.
+
+(* Two on lines that cross. *)
+Theorem lines_meet n m a0 a1 a2 b0 b1 b2 : corner a0 -> corner a1 -> corner a2 -> corner b0 -> corner b1 -> corner b2 ->
+  z (cross n m) <> 0 -> dot n a0 = 0 -> dot n a1 = 0 -> dot n a2 = 0 -> dot m b0 = 0 -> dot m b1 = 0 -> dot m b2 = 0 ->
+  crossed n b0 b1 b2 -> crossed m a0 a1 a2 -> meet a0 a1 a2 b0 b1 b2.
+Proof.
+  intros A0 A1 A2 B0 B1 B2 D N0 N1 N2 M0 M1 M2 XB XA.
+  pose proof (hull_corners a0 a1 a2) as (I0 & I1 & I2). pose proof (hull_corners b0 b1 b2) as (J0 & J1 & J2).
+  destruct (crossed_somewhere _ m a0 a1 a2 (cone_hull a0 a1 a2) A0 A1 A2 I0 I1 I2 XA) as (p & Zp & Mp & Hp).
+  destruct (crossed_somewhere _ n b0 b1 b2 (cone_hull b0 b1 b2) B0 B1 B2 J0 J1 J2 XB) as (q & Zq & Nq & Hq).
+  assert (forall l c0 c1 c2 r, dot l c0 = 0 -> dot l c1 = 0 -> dot l c2 = 0 -> hull c0 c1 c2 r -> dot l r = 0) as On.
+  { intros l c0 c1 c2 r E0 E1 E2 (i & j & k & _ & _ & _ & ->).
+    transitivity (i * dot l c0 + j * dot l c1 + k * dot l c2);
+      [unfold dot, sum3, mix; cbn [x y z]; ring | rewrite E0, E1, E2; ring]. }
+  pose proof (On n _ _ _ p N0 N1 N2 Hp) as Np. pose proof (On m _ _ _ q M0 M1 M2 Hq) as Mq.
+  pose proof (parallel n m p Np Mp) as (PX & PY & PZ). pose proof (parallel n m q Nq Mq) as (QX & QY & QZ).
+  cbv zeta in *. set (d := cross n m) in *. set (P := dot p d) in *. set (Q := dot q d) in *.
+  assert (dot d d <> 0) as DD by (unfold dot; nia).
+  assert (forall s t, dot d d * s = dot d d * t -> s = t) as Cancel by (intros; eapply Z.mul_reg_l; eauto).
+  assert (mix (z q) p 0 p = mix (z p) q 0 q) as E.
+  { apply point_eq; unfold mix; cbn [x y z]; rewrite !Z.mul_0_l, !Z.add_0_r; apply Cancel, Cancel.
+    - transitivity ((dot d d * z q) * (dot d d * x p)); [ring | rewrite QZ, PX].
+      transitivity ((dot d d * z p) * (dot d d * x q)); [rewrite PZ, QX; ring | ring].
+    - transitivity ((dot d d * z q) * (dot d d * y p)); [ring | rewrite QZ, PY].
+      transitivity ((dot d d * z p) * (dot d d * y q)); [rewrite PZ, QY; ring | ring].
+    - ring. }
+  apply hulls_meet; auto. exists (mix (z q) p 0 p).
+  split; [unfold mix; cbn [z]; assert (0 < z q * z p) by (apply Z.mul_pos_pos; auto); lia|].
+  split; [|rewrite E]; apply cone_hull; auto; lia.
+Qed.
+
+Print Assumptions areas_meet.
