@@ -96,8 +96,8 @@ TEST_CASE("a refit keeps to what flashbvh info says of it, and a sheet is asked 
         static_cast<unsigned>(crumpled), static_cast<unsigned>(counts.triangle_pairs));
     std::fflush(stdout);
 #if defined(__ARM_ARCH_7EM__)
-    CHECK(refit <= told + told / 8);
-    CHECK(refit >= told - told / 8);
+    CHECK(refit <= told + told / 20);
+    CHECK(refit >= told - told / 20);
     if (tree.leaf_size == bake::kDefaultLeafSize) {
       CHECK(refit + rest <= kHalfAFrame);
       CHECK(refit + crumpled <= kHalfAFrame);

@@ -39,6 +39,16 @@ TEST_CASE("bound: instructions are a start, a step that a run may overdraw by, a
                  1324 + (uint64_t{UINT32_MAX} + 31) * 201);
 }
 
+TEST_CASE("bound: a mesh against itself passes by siblings at each ascent") {
+  // 6 later siblings of both sides, and a look.
+  STATIC_REQUIRE(most_instructions(kCosts, kA, 100) ==
+                 1000 + 18 * (10 + 7 * 6) + 6 * 6 + 2 * 50 + 131 * (200 + 7 * 6));
+  STATIC_REQUIRE(most_instructions(kCosts, kOneLeaf, 1) == 1000 + 32 * 206);
+  STATIC_REQUIRE(work_within(most_instructions(kCosts, kA, 100) + 241, kCosts, kA) == 100);
+  STATIC_REQUIRE(work_within(most_instructions(kCosts, kA, 100) - 1, kCosts, kA) == 99);
+  STATIC_REQUIRE(work_within(UINT64_MAX, kCosts, kA) == UINT32_MAX - 1);
+}
+
 TEST_CASE("bound: the work within a number of instructions is the most that they are enough for") {
   for (const uint64_t instructions : {7555u, 7556u, 7755u, 7756u, 100000u, 12345678u}) {
     CAPTURE(instructions);

@@ -83,14 +83,34 @@ constexpr uint64_t most_instructions(const RunCosts& costs, const TreeSize& a, c
          (work + largest_step(a, b) - 1) * instructions_of_work(costs, a, b);
 }
 
+/// Of SelfQuery::run(work, found), whose ascents may pass by all siblings.
+constexpr uint64_t most_instructions(const RunCosts& costs, const TreeSize& mesh, uint32_t work) {
+  const uint64_t passed = (detail::later_siblings(mesh, mesh) + 1) * costs.later_sibling;
+  return instructions_of_start(costs, mesh, mesh) + 2 * uint64_t{mesh.depth} * passed +
+         (uint64_t{work} + detail::kTrianglePairWork - 1) * (costs.work + passed);
+}
+
+namespace detail {
+
+/// `none`: what a run without work takes at most.
+constexpr uint32_t work_within(uint64_t instructions, uint64_t none, uint64_t of_work) {
+  const uint64_t work = instructions < none ? 0 : (instructions - none) / of_work;
+  return work < kUnlimited ? static_cast<uint32_t>(work) : kUnlimited - 1;
+}
+
+}  // namespace detail
+
 /// The most work for which run(work, found) stays within so many instructions; 0 if none does, and
 /// never UINT32_MAX.
 constexpr uint32_t work_within(uint64_t instructions, const RunCosts& costs, const TreeSize& a,
                                const TreeSize& b) {
-  const uint64_t none = most_instructions(costs, a, b, 0);
-  const uint64_t work =
-      instructions < none ? 0 : (instructions - none) / instructions_of_work(costs, a, b);
-  return work < detail::kUnlimited ? static_cast<uint32_t>(work) : detail::kUnlimited - 1;
+  return detail::work_within(instructions, most_instructions(costs, a, b, 0),
+                             instructions_of_work(costs, a, b));
+}
+/// The same of a mesh against itself.
+constexpr uint32_t work_within(uint64_t instructions, const RunCosts& costs, const TreeSize& mesh) {
+  const uint64_t none = most_instructions(costs, mesh, 0);
+  return detail::work_within(instructions, none, most_instructions(costs, mesh, 1) - none);
 }
 
 }  // namespace flashbvh

@@ -11,7 +11,7 @@
 // after it: a DeformableQuery knows, and so does its position.
 //
 // RAM: 16 bytes a node and 6 a vertex (20 with 32-bit indices), and this object, 104 bytes on a
-// 32-bit core. Stack of a refit: 168 bytes on a Cortex-M4 at -O2.
+// 32-bit core. Stack of a refit: 176 bytes on a Cortex-M4 at -O2.
 #ifndef FLASHBVH_DEFORMABLE_HPP
 #define FLASHBVH_DEFORMABLE_HPP
 

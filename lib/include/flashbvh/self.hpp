@@ -7,7 +7,7 @@
 // first in the mesh's array.
 //
 // 128 bytes on a 32-bit core, 136 for the band. Stack of a run on a Cortex-M4 at -O2: 432
-// bytes, 640 for the band (tests/proof/stack).
+// bytes, 632 for the band (tests/proof/stack).
 #ifndef FLASHBVH_SELF_HPP
 #define FLASHBVH_SELF_HPP
 

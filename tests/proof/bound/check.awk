@@ -26,10 +26,10 @@ function hold(name, measured, bound) {
 }
 
 $1 == "run" {
-  kind = $2 ? "rotated" : "translated"
   what = $5 ? "run" : "boxes"
   # The trees are binary: a later sibling in each.
-  hold(what "-" kind "-" $3, $8, most_instructions(value, $6, 2, $7, $3))
+  hold(what "-" $2 "-" $3, $8, $2 == "itself" ? most_of_itself(value, $6, 2, $7, $3) : \
+    most_instructions(value, $6, 2, $7, $3))
 }
 $1 == "make" {
   hold("make-query", $2, value["make-query"])

@@ -6,3 +6,9 @@ function most_instructions(cost, depths, siblings, leaf_size, work,    step, uni
   return cost["start"] + depths * cost["ascent"] + siblings * cost["later-sibling"] + \
     (leaf_size - 1) * cost["leaf-triangle"] + (work + step - 1) * unit
 }
+# The same of a mesh against itself, `depths` being twice its own.
+function most_of_itself(cost, depths, siblings, leaf_size, work,    passed) {
+  passed = (siblings + 1) * cost["later-sibling"]
+  return cost["start"] + depths * (cost["ascent"] + passed) + siblings * cost["later-sibling"] + \
+    (leaf_size - 1) * cost["leaf-triangle"] + (work + 31) * (cost["work"] + passed)
+}

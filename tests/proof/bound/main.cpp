@@ -1,8 +1,8 @@
 // Measures runs of queries on hard meshes under many poses, for what is proven to be held against:
-//   run ROTATED WORK VISITS LEAF_PAIRS DEPTHS LEAF_SIZE INSTRUCTIONS
+//   run KIND WORK VISITS LEAF_PAIRS DEPTHS LEAF_SIZE INSTRUCTIONS
 //   make INSTRUCTIONS
 // Where a full array stopped a run, its walk may have been further, and these are what its work
-// allows. LEAF_SIZE: the larger one.
+// allows. KIND: `translated`, `rotated`, or `itself`. LEAF_SIZE: the larger one.
 #include "flashbvh/detail/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "insn.hpp"
@@ -21,6 +21,7 @@ namespace {
 constexpr uint32_t kScenes = 40;
 constexpr uint32_t kPoses = 4;
 constexpr uint32_t kRunsPerQuery = 24;
+constexpr uint32_t kRunsOfItself = 8;
 constexpr uint32_t kGranted[] = {1, 40, 400};
 constexpr uint64_t kSeed = 0x626F756E64u;
 
@@ -57,19 +58,29 @@ Pose any_pose(Random& random, int32_t reach) {
   return Pose::translated(x, y, random.below(2) == 0 ? 0 : random.between(-far, far));
 }
 
-void measure_run(PairQuery& query, bool rotated) {
+template <class Asked>
+void measure_run(const Asked& query, void (*run)(void*), const char* kind, const Side& a,
+                 const Side& b) {
   const Counts before = query.counts();
   const bool pending = query.position().untested != 0;
-  const uint32_t instructions = port::instructions_of_call(bound_run, &slice);
+  const uint32_t instructions = port::instructions_of_call(run, &slice);
   bound_done();
   const bool full = slice.step.status == Status::full;
   const uint32_t visits = full ? slice.work : query.counts().visits - before.visits;
   const uint32_t leaf_pairs = full ? slice.work / kTrianglePairWork + 1
                                    : query.counts().leaf_pairs - before.leaf_pairs + pending;
-  port::print("run ", rotated ? 1 : 0, " ", slice.work, " ", visits, " ", leaf_pairs, " ");
-  port::print(side_a.depth + side_b.depth, " ",
-              side_a.leaf_size > side_b.leaf_size ? side_a.leaf_size : side_b.leaf_size, " ",
+  port::print("run ", kind, " ", slice.work, " ", visits, " ", leaf_pairs, " ");
+  port::print(a.depth + b.depth, " ", a.leaf_size > b.leaf_size ? a.leaf_size : b.leaf_size, " ",
               instructions, "\n");
+}
+
+void measure_itself(const Side& side, uint32_t granted) {
+  SelfQuery query(side.tree.view());
+  slice.itself = &query;
+  slice.work = granted;
+  for (uint32_t i = 0; i < kRunsOfItself && query.status() == Status::suspended; ++i) {
+    measure_run(query, bound_run_itself, "itself", side, side);
+  }
 }
 
 void measure_query(const Pose& pose, uint32_t granted) {
@@ -85,7 +96,7 @@ void measure_query(const Pose& pose, uint32_t granted) {
   bound_done();
   port::print("make ", making, "\n");
   for (uint32_t i = 0; i < kRunsPerQuery; ++i) {
-    measure_run(query, !pose.is_translation());
+    measure_run(query, bound_run, pose.is_translation() ? "translated" : "rotated", side_a, side_b);
     if (slice.step.status == Status::done) {
       return;
     }
@@ -99,6 +110,9 @@ bool measure_all() {
     const int32_t reach = reaches[i % 4];
     if (!make_side(random, reach, side_a) || !make_side(random, reach, side_b)) {
       return false;
+    }
+    for (const uint32_t granted : kGranted) {
+      measure_itself(side_a, granted);
     }
     for (uint32_t j = 0; j < kPoses; ++j) {
       const Pose pose = any_pose(random, reach);

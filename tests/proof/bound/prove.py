@@ -67,6 +67,31 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
     yield "make-query", costs.of(roots["make-query"]).total
 
 
+def check_itself(costs: Costs, roots: dict[str, str], bound: dict[str, int]) -> None:
+    """Whether runs of a mesh against itself keep to most_of_itself() in formula.awk. An ascent looks
+    at as many siblings as the arity, a walk's begin at as many in both trees; what is held against
+    each other is at an arity of 1, and what one more adds, where the formula adds two siblings."""
+    run, answer, walk, rotated = (costs.of(roots[name]) for name in (
+        "self-run", "self-next-answer", "self-walk", "self-walk-rotated"))
+    found, test = (costs.of(roots[name]).total for name in ("found", "triangle-test"))
+    looks, skipped = 2 * walk.term("sibling"), walk.term("skipped")
+    tests = run.term("test") + answer.fixed
+    once = max(walk.fixed, rotated.fixed) + looks + tests
+    pair = found + tests + sum(map(answer.term, ("row", "triangle"))) + 6 * answer.term("corner")
+    ascent = walk.term("ascent") + skipped
+    sibling = bound["later-sibling"]
+    unit = bound["work"] + sibling
+    for name, most, given in (
+            ("start", run.fixed + once + 2 * tests + found, bound["start"]),
+            ("ascent", ascent, bound["ascent"] + sibling),
+            ("sibling", max(looks, skipped), 2 * sibling),
+            ("visit", walk.term("visit") + ascent, unit),
+            ("triangle-pair", pair + once + test, TRIANGLE_PAIR * unit)):
+        print(f"itself {name} {most} of {given}")
+        if most > given:
+            raise Refused(f"{name} of a mesh against itself: {most}, more than {given}")
+
+
 def cut_lines(program: Program, costs: Costs) -> Iterator[str]:
     for function, cost in costs.known.items():
         for address, kind in cost.cuts.items():
@@ -83,8 +108,9 @@ def main() -> None:
     program = Program(file)
     loops = Loops(str(Path(__file__).with_name("loops.txt")), sources)
     costs = Costs(program, loops)
-    found = bounds(costs, Costs(program, loops, general=True), loops.roots)
-    text = "\n".join([f"core {core}"] + [f"bound {name} {value}" for name, value in found])
+    found = dict(bounds(costs, Costs(program, loops, general=True), loops.roots))
+    check_itself(costs, loops.roots, found)
+    text = "\n".join([f"core {core}"] + [f"bound {name} {value}" for name, value in found.items()])
     Path(output).write_text(text + "\n")
     Path(cuts).write_text("\n".join(cut_lines(program, costs)) + "\n")
     print(text)

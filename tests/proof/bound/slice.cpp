@@ -11,6 +11,11 @@ void bound_run(void* context) {
   slice.step = slice.query->run(slice.work, slice.found);
 }
 
+void bound_run_itself(void* context) {
+  auto& slice = *static_cast<bound::Slice*>(context);
+  slice.step = slice.itself->run(slice.work, slice.found);
+}
+
 void bound_done() {
   __asm__ volatile("");
 }

@@ -1,10 +1,11 @@
-// What is analysed and measured: making a query, and one run of it.
+// What is analysed and measured: making a query, one run of it, and of a mesh against itself.
 #ifndef FLASHBVH_TESTS_BOUND_SLICE_HPP
 #define FLASHBVH_TESTS_BOUND_SLICE_HPP
 
 #include <stdint.h>
 
 #include "flashbvh/query.hpp"
+#include "flashbvh/self.hpp"
 
 namespace bound {
 
@@ -15,6 +16,7 @@ struct Slice {
   const flashbvh::PostMesh* b;
   const flashbvh::Pose* pose;
   flashbvh::PairQuery* query;
+  flashbvh::SelfQuery* itself;
   uint32_t work;
   flashbvh::PairQuery::Pair found[kCapacity];
   flashbvh::Step step;
@@ -26,6 +28,7 @@ struct Slice {
 extern "C" {
 void bound_make_query(void* slice);
 void bound_run(void* slice);
+void bound_run_itself(void* slice);
 void bound_done();  ///< after each of these: what follows is not looked at
 }
 

@@ -1,8 +1,9 @@
 # turns.awk CUTS RUNS TRACE. RUNS: what the firmware printed.
 #
-# What counts is executed between the call of bound_run or bound_make_query and that of bound_done.
+# What counts is executed between the call of bound_run, bound_run_itself or bound_make_query and that
+# of bound_done.
 # Where the table has a number, it holds for each call; where it leaves it open, for each run: the
-# k-th execution of bound_run is the k-th line "run".
+# k-th execution of either bound_run is the k-th line "run".
 FNR == 1 { ++file }
 
 file == 1 && $1 == "symbol" { symbol[$2] = $3 }
@@ -14,7 +15,7 @@ file == 1 && $1 == "cut" {
   at_entry[$3] = at_entry[$3] " " $2
 }
 
-# run ROTATED WORK VISITS LEAF_PAIRS DEPTHS LEAF_SIZE INSTRUCTIONS. Two sides of a walk have two
+# run KIND WORK VISITS LEAF_PAIRS DEPTHS LEAF_SIZE INSTRUCTIONS. Two sides of a walk have two
 # children a node, and the last one's look finds none.
 file == 2 && $1 == "run" {
   ++runs
@@ -29,6 +30,8 @@ file == 2 && $1 == "run" {
   of_run[runs, "other"] = 2 * ($7 - 1) * shapes
   of_run[runs, "test"] = pairs + walks + 2
   of_run[runs, "ascent"] = $6 + $4
+  of_run[runs, "skipped"] = 2 * of_run[runs, "ascent"]
+  of_run[runs, "corner"] = 6 * pairs
   of_run[runs, "climb"] = $6 + $4 + turns
 }
 
@@ -63,7 +66,7 @@ file == 3 {
 function execute(at,    i, n, inside) {
   if (at in symbol) {
     counts = symbol[at] != "bound_done"
-    if (symbol[at] == "bound_run") {
+    if (symbol[at] ~ /^bound_run/) {
       end_run()
       ++traced
     }

@@ -126,6 +126,13 @@ class Ranked {
       return false;
     }
 
+    /// To the last one.
+    void skip_siblings() {
+      while (root + node->link < node) {
+        node = root + node->link;
+      }
+    }
+
     /// From a last child to its parent.
     void ascend() {
       --node;

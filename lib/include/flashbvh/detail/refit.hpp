@@ -29,18 +29,18 @@ FLASHBVH_INLINE inline void add_box(PackedBox& box, PackedBox other) {
 }
 
 #if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
-/// What follows is not begun before `value` is there: there are registers for one after the other.
-FLASHBVH_INLINE inline void finish(uint32_t& value) {
-  __asm__ volatile("" : "+r"(value) : : "memory");
-}
+/// As one piece, in the box's own registers: three more are all that it takes.
 FLASHBVH_INLINE inline void add_stored(PackedBox& box, const PackedBox& other) {
-  uint32_t upper_xy;
-  uint32_t lower_xy;
-  __asm__("ldrd %0, %1, [%2]" : "=&r"(upper_xy), "=r"(lower_xy) : "r"(&other), "m"(other));
-  box.upper_xy = larger_halves(box.upper_xy, upper_xy);
-  box.lower_xy = larger_halves(box.lower_xy, lower_xy);
-  finish(box.lower_xy);
-  box.z = larger_halves(box.z, other.z);
+  uint32_t u;
+  uint32_t v;
+  __asm__(
+      "ldrd %3, %4, [%5]\n\t"
+      "uqsub16 %0, %0, %3\n\tadd %0, %3\n\t"
+      "uqsub16 %1, %1, %4\n\tadd %1, %4\n\t"
+      "ldr %3, [%5, #8]\n\t"
+      "uqsub16 %2, %2, %3\n\tadd %2, %3"
+      : "+r"(box.upper_xy), "+r"(box.lower_xy), "+r"(box.z), "=&r"(u), "=&r"(v)
+      : "r"(&other), "m"(other));
 }
 #else
 inline void add_stored(PackedBox& box, const PackedBox& other) {
@@ -58,7 +58,7 @@ constexpr bool is_in_lattice(const Vertex& v) {
   return fits(v.x) && fits(v.y) && fits(v.z);
 }
 
-/// Of vertices by their numbers, three or four at once.
+/// Spans of vertices, by their numbers, and the boxes that hold them.
 #if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
 
 /// Halves are compared with their signs, and raised once a box; one beyond the lattice wraps to
@@ -71,42 +71,57 @@ class VertexBoxes {
     __asm__("" : "+r"(z_), "+r"(negative_high_), "+r"(raise_));
   }
 
-  FLASHBVH_INLINE PackedBox box_of(uint32_t u, uint32_t v, uint32_t w) const {
-    uint32_t of_z = larger_halves(larger_halves(z(u), z(v)), z(w));
-    finish(of_z);
-    const uint32_t last = xy(w);
-    return packed(joined(pair(u, v), {last, last}), of_z);
+  /// Of x and y half by half; of z as in a box.
+  struct Span {
+    uint32_t most;
+    uint32_t least;
+    uint32_t z;
+  };
+
+  FLASHBVH_INLINE Span span_of(uint32_t u, uint32_t v) const {
+    const Corner of_u = corner(u);
+    const Corner of_v = corner(v);
+    return pair(of_u.xy, of_v.xy, larger(of_u.z, of_v.z));
   }
-  FLASHBVH_INLINE PackedBox box_of(uint32_t u, uint32_t v, uint32_t w, uint32_t t) const {
-    uint32_t of_z = larger_halves(larger_halves(z(u), z(v)), larger_halves(z(w), z(t)));
-    finish(of_z);
-    return packed(joined(pair(u, v), pair(w, t)), of_z);
+  FLASHBVH_INLINE Span with(const Span& span, uint32_t u) const {
+    const Corner of_u = corner(u);
+    return joined(span, {of_u.xy, of_u.xy, larger(span.z, of_u.z)});
+  }
+  FLASHBVH_INLINE Span with(const Span& span, uint32_t u, uint32_t v) const {
+    const Corner of_u = corner(u);
+    const uint32_t z = larger(span.z, of_u.z);
+    const Corner of_v = corner(v);
+    return joined(span, pair(of_u.xy, of_v.xy, larger(z, of_v.z)));
+  }
+  FLASHBVH_INLINE PackedBox packed(const Span& span) const {
+    return {__uadd16(span.most, raise_), __usub16(raise_, span.least), span.z};
   }
 
  private:
   static constexpr uint32_t kRaise = kBoundBias * 0x10001u;
 
-  /// Of x and y, half by half.
-  struct Span {
-    uint32_t most;
-    uint32_t least;
+  struct Corner {
+    uint32_t xy;
+    uint32_t z;  ///< z + bias low, bias - z high: one product and a sum
   };
-
-  FLASHBVH_INLINE uint32_t xy(uint32_t vertex) const {
-    uint32_t word;
-    __builtin_memcpy(&word, xy_ + vertex * sizeof(Vertex), sizeof word);
-    return word;
+  /// `value`, before what follows is begun: there are registers for one vertex after the other.
+  FLASHBVH_INLINE static uint32_t finished(uint32_t value) {
+    __asm__ volatile("" : "+r"(value));
+    return value;
   }
-  /// z + bias low, bias - z high: one product and a sum.
-  FLASHBVH_INLINE uint32_t z(uint32_t vertex) const {
-    int16_t half;
-    __builtin_memcpy(&half, z_ + vertex * sizeof(Vertex), sizeof half);
-    return static_cast<uint32_t>(half) * negative_high_ + raise_;
+  FLASHBVH_INLINE static uint32_t larger(uint32_t u, uint32_t v) {
+    return finished(larger_halves(u, v));
   }
-  FLASHBVH_INLINE Span pair(uint32_t vertex_u, uint32_t vertex_v) const {
-    const uint32_t u = xy(vertex_u);
-    const uint32_t v = xy(vertex_v);
+  FLASHBVH_INLINE Corner corner(uint32_t vertex) const {
+    uint32_t xy;
+    int16_t z;
+    __builtin_memcpy(&xy, xy_ + vertex * sizeof(Vertex), sizeof xy);
+    __builtin_memcpy(&z, z_ + vertex * sizeof(Vertex), sizeof z);
+    return {xy, finished(static_cast<uint32_t>(z) * negative_high_ + raise_)};
+  }
+  FLASHBVH_INLINE static Span pair(uint32_t u, uint32_t v, uint32_t z) {
     Span span;
+    span.z = z;
     __asm__("ssub16 %0, %2, %3\n\tsel %0, %2, %3\n\tsel %1, %3, %2"
             : "=&r"(span.most), "=r"(span.least)
             : "r"(u), "r"(v));
@@ -114,12 +129,10 @@ class VertexBoxes {
   }
   FLASHBVH_INLINE static Span joined(const Span& p, const Span& q) {
     Span span;
+    span.z = q.z;
     __asm__("ssub16 %0, %1, %2\n\tsel %0, %1, %2" : "=&r"(span.most) : "r"(p.most), "r"(q.most));
     __asm__("ssub16 %0, %1, %2\n\tsel %0, %2, %1" : "=&r"(span.least) : "r"(p.least), "r"(q.least));
     return span;
-  }
-  FLASHBVH_INLINE PackedBox packed(const Span& span, uint32_t of_z) const {
-    return {__uadd16(span.most, raise_), __usub16(raise_, span.least), of_z};
   }
 
   const char* xy_;
@@ -134,11 +147,15 @@ class VertexBoxes {
  public:
   explicit VertexBoxes(const Vertex* vertices) : vertices_(vertices) {}
 
+  FLASHBVH_INLINE Box span_of(uint32_t u, uint32_t v) const {
+    return with({vertices_[u], vertices_[u]}, v);
+  }
   template <class... Numbers>
-  FLASHBVH_INLINE PackedBox box_of(uint32_t first, Numbers... others) const {
-    const Vertex& v = vertices_[first];
-    Box box = {v, v};
-    (add(box, vertices_[others]), ...);
+  FLASHBVH_INLINE Box with(Box box, Numbers... vertices) const {
+    (add(box, vertices_[vertices]), ...);
+    return box;
+  }
+  FLASHBVH_INLINE static PackedBox packed(const Box& box) {
     return {join_halves(half(box.upper.x), half(box.upper.y)),
             join_halves(half(-box.lower.x), half(-box.lower.y)),
             join_halves(half(box.upper.z), half(-box.lower.z))};
@@ -208,11 +225,11 @@ class LeafBoxes {
     } else {
       uint32_t left = *offset_;
       left -= *--offset_;
+      if (left == 2) {
+        return take_two();
+      }
       if (left == 1) {
         return take_one();
-      }
-      if (left == 2 && is_quad(triangle_[-2], triangle_[-1])) {
-        return take_quad();
       }
       const auto* const end = triangle_;
       triangle_ -= left;
@@ -228,15 +245,21 @@ class LeafBoxes {
  private:
   FLASHBVH_INLINE PackedBox take_one() {
     const auto& v = triangle_[-1].corner;
-    const PackedBox box = boxes_.box_of(v[0], v[1], v[2]);
+    const PackedBox box = boxes_.packed(boxes_.with(boxes_.span_of(v[0], v[1]), v[2]));
     --triangle_;
     return box;
   }
-  FLASHBVH_INLINE PackedBox take_quad() {
-    const auto& v = triangle_[-2].corner;
-    const PackedBox box = boxes_.box_of(v[0], v[1], v[2], triangle_[-1].corner[0]);
+  /// `kQuad`: known to be one.
+  template <bool kQuad = false>
+  FLASHBVH_INLINE PackedBox take_two() {
+    const auto& u = triangle_[-2].corner;
+    const auto& v = triangle_[-1].corner;
+    auto span = boxes_.with(boxes_.span_of(u[0], u[1]), u[2], v[0]);
+    if (!kQuad && !is_quad(triangle_[-2], triangle_[-1])) {
+      span = boxes_.with(span, v[1], v[2]);
+    }
     triangle_ -= 2;
-    return box;
+    return boxes_.packed(span);
   }
   /// Apart from the loop over nodes, which needs the registers.
   FLASHBVH_NOINLINE static PackedBox box_of_many(const Mesh& mesh, const Corners<Index>* end,
@@ -246,7 +269,7 @@ class LeafBoxes {
     while (boxes.triangle_ != first) {
       const bool is_one =
           boxes.triangle_ - first == 1 || !is_quad(boxes.triangle_[-2], boxes.triangle_[-1]);
-      add_box(box, is_one ? boxes.take_one() : boxes.take_quad());
+      add_box(box, is_one ? boxes.take_one() : boxes.template take_two<true>());
     }
     return box;
   }
@@ -288,10 +311,10 @@ FLASHBVH_NOINLINE void refit_nodes(Node<typename Mesh::Index>* nodes, uint32_t b
   auto* const first = nodes + begin;
   do {
     --node;
-    if (node->is_leaf()) {
-      box = leaves.take();
-    } else {
+    if (!node->is_leaf()) {
       add_children<Mesh>(nodes, node, box);
+    } else {
+      box = leaves.take();
     }
     node->box = box;
   } while (node != first);

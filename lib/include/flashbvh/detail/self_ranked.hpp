@@ -40,8 +40,7 @@ class SelfRanked : public Ranked<TreeType> {
         if (this->b_.node == this->b_.root) {
           return false;
         }
-        while (this->b_.next_sibling()) {
-        }
+        this->b_.skip_siblings();
         this->b_.ascend();
       } else {
         if (this->a_.next_sibling()) {
