@@ -91,29 +91,29 @@ struct Plane {
 };
 
 /// Whether the plane of `e` and `f` is nearest to the point `r` inside both edges (strictly), or
-/// inside the triangle of both (closed). `squared_area`: the square of the plane's, if there is
-/// one.
+/// inside the triangle of both (closed); then `squared_area` is the
+/// square of the plane's.
 template <class Width>
 [[gnu::noinline]] bool is_over_plane(const Vector& e, const Vector& f, const Vector& r, bool edges,
                                      Int128& squared_area) {
-  using Product = typename Width::Product;
   const Plane<Width> plane(e, f);
-  const Product area = plane.area();
+  const auto area = plane.area();
   if (sign_of(area) <= 0) {
     return false;
   }
-  squared_area = widened(area);
-  const int least = edges ? 1 : 0;
   const int64_t re = dot(r, e);
   const int64_t rf = dot(r, f);
-  const Product first = plane.first(re, rf);
-  const Product rest = area - first;
-  if (sign_of(first) < least || sign_of(rest) < least) {
+  const auto first = plane.first(re, rf);
+  if (sign_of(first) < (edges ? 1 : 0) || !(edges ? first < area : sign_of(area - first) >= 0)) {
     return false;
   }
-  const Product room = edges ? area : rest;
-  const Product second = plane.second(re, rf);
-  return sign_of(second) >= least && sign_of(room - second) >= least;
+  const auto second = plane.second(re, rf);
+  if (sign_of(second) < (edges ? 1 : 0) ||
+      !(edges ? second < area : sign_of(area - first - second) >= 0)) {
+    return false;
+  }
+  squared_area = widened(area);
+  return true;
 }
 
 /// The distance between the point and that plane, times the root of its squared area.
