@@ -1,1 +1,0 @@
-cd /tmp/hE2/build/proof && python3 -B ../../tests/proof/prelude.py ../../lib . ../../tests/proof/*/$1.v && timeout ${2:-60} coqc -q -time $1.v > /tmp/t.out 2>/tmp/t.err; echo rc $?; cat /tmp/t.err | head -40; grep -oE "^Chars.*secs" /tmp/t.out | sed 's/\(.*\) \([0-9.]*\) secs.*/\2 \1/' | sort -rn | head -${3:-4}; date
