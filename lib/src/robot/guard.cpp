@@ -123,9 +123,10 @@ Guard::Left Guard::left_of(uint16_t i, const JointCoordinate* certified) const {
   now.distance = difference_of(known.lower, now.lost);
   now.left = difference_of(now.distance, pair.stop);
   // Who comes back to where little was asked, and faster, may ask for more (aim() in
-  // guard_measure.cpp).
+  // guard_measure.cpp), if there is more to ask.
   now.is_fresh = now.is_fresh && !is_unknown(known) &&
-                 (now.left != 0 || known.upper <= sum_of(sum_of(pair.stop, now.lost), kRateMargin));
+                 (now.left != 0 || known.lower >= kMaxDistance ||
+                  known.upper <= sum_of(sum_of(pair.stop, now.lost), kRateMargin));
   now.is_vague = !now.is_fresh && now.left != 0 && now.distance <= pair.warn &&
                  sum_of(known.upper, now.lost) > pair.warn;
   return now;
