@@ -10,6 +10,8 @@ namespace {
 
 /// TinyXML calls itself once a level.
 constexpr int kMostLevels = 1000;
+/// And takes as many bytes for a character as its first one says, beyond the end, too.
+constexpr std::size_t kLongestCharacter = 4;
 
 /// At least how deep elements are nested, whatever else is wrong with them.
 bool is_too_deep(std::string_view text) {
@@ -30,13 +32,14 @@ bool is_too_deep(std::string_view text) {
 }  // namespace
 
 void read_xml(const std::string& path, const char* root, TiXmlDocument& document) {
-  const std::string text = read_file(path);
+  std::string text = read_file(path);
   if (is_too_deep(text)) {
     throw UserError(path, "nests elements over ", kMostLevels, " deep; write it again");
   }
   if (text.find('\0') != std::string::npos) {
     throw UserError(path, "is no text, so no XML; name the robot's file");
   }
+  text.append(kLongestCharacter, '\0');
   document.Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {
     const std::string what = one_line(document.ErrorDesc());
