@@ -34,11 +34,11 @@ for program in $programs; do
   # `share`: of 1,000 inputs; the dearer an input, the fewer.
   case $program in
     image) runs=2500 share=10 && cp tests/golden/*.fbvh "$seeds" ;;
-    position) runs=15000 share=200 ;;
-    mesh) runs=12000 share=420 ;;
-    robot) runs=6000 share=20 ;;
-    c) runs=10000 share=150 ;;
-    text) runs=6000 share=200 ;;
+    position) runs=15000 share=30 ;;
+    mesh) runs=12000 share=400 ;;
+    robot) runs=6000 share=140 ;;
+    c) runs=10000 share=20 ;;
+    text) runs=6000 share=400 ;;
   esac
   log=build/fuzz/$program.log
   options="-max_len=3000 -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix=build/fuzz/found/$program-"
