@@ -4,15 +4,21 @@
 #     tests/fuzz/run.sh --executions 100000000     so many inputs in all, however long; with JOBS=4 four
 #                                                  processes of each program, one program after the other;
 #                                                  files of text and meshes of 300 bytes at most
-#     tests/fuzz/run.sh short                      each for a fixed number of inputs, always the same ones
-# PROGRAMS="mesh text": these alone. Needs clang and libclang-rt-14-dev. What it finds lies in build/fuzz/found; put it into corpus/
-# beside the mend. Exits with 77 if there is no libFuzzer.
+#     tests/fuzz/run.sh short                      each for a fixed number of inputs, always the same ones;
+#                                                  with FLASHBVH_THOROUGH alone: it is building that takes long
+# PROGRAMS="mesh text" has these alone. Needs clang and libclang-rt-14-dev. What it finds lies in
+# build/fuzz/found; put it into corpus/ beside the mend. Exits with 77 if there is no libFuzzer, or where
+# it is left out.
 set -eu
 cd "$(dirname "$0")/../.."
 long=${1:?how many seconds, --executions N, or short}
 programs=${PROGRAMS:-image position mesh robot c text}
 [ "$long" != --executions ] || executions=${2:?how many inputs}
 jobs=${JOBS:-1}
+if [ "$long" = short ] && [ -z "${FLASHBVH_THOROUGH:-}" ]; then
+  echo "left out: FLASHBVH_THOROUGH=1 tests/fuzz/run.sh short"
+  exit 77
+fi
 
 printf 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' |
   clang++ -x c++ - -fsanitize=fuzzer -o /dev/null 2>/dev/null || {
