@@ -114,7 +114,7 @@ class LeafShapes {
   }
 
   /// The plane's first, then the edge's.
-  FLASHBVH_INLINE void make(Slab& slab) {
+  FLASHBVH_INLINE_FOR_SPEED void make(Slab& slab) {
     if (!(made_++ == 0 ? lie_in_plane() : lie_along_edge())) {
       slab.set_all();
       return;
@@ -146,11 +146,11 @@ class LeafShapes {
     edge_.begin(direction, t.extent(direction));
     return good;
   }
-  FLASHBVH_INLINE PackedTriangle first() const {
+  FLASHBVH_INLINE_FOR_SPEED PackedTriangle first() const {
     return triangle(mesh().first_triangle(node_->leaf()));
   }
 
-  FLASHBVH_INLINE PackedTriangle triangle(uint32_t position) const {
+  FLASHBVH_INLINE_FOR_SPEED PackedTriangle triangle(uint32_t position) const {
     const Mesh& m = mesh();
     const auto& corner = m.triangles[position].corner;
     return {PackedVector::of(m.vertices[corner[0]]), PackedVector::of(m.vertices[corner[1]]),
