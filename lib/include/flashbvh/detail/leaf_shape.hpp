@@ -27,7 +27,8 @@ class LeafShapes {
  public:
   using Tree = Mesh;
   static constexpr bool kShapes = true;
-  static constexpr bool kAsksBound = false;  ///< of a translation
+  static constexpr bool kAsksBound = false;                              ///< of a translation
+  static constexpr bool kKnowsRoot = sizeof(typename Mesh::Index) == 2;  ///< there is room
 
   LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
       : a(mesh_a), b(mesh_b), transform_(transform) {}
@@ -87,6 +88,11 @@ class LeafShapes {
     return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window_) &&
            may_touch_both(plane_, edge_, box);
   }
+
+  /// Of the leaf at hand, below which node a walk stopped; 0 if it stopped elsewhere.
+  void keep_root(uint32_t root) { root_ = static_cast<uint16_t>(root); }
+  uint32_t kept_root() const { return root_; }
+  Side leaf_side() const { return side_; }
 
   const Mesh& a;
   const Mesh& b;
@@ -174,6 +180,7 @@ class LeafShapes {
   const Node<typename Mesh::Index>* node_ = nullptr;  ///< the leaf
   Side side_ = Side::none;
   uint8_t made_ = 0;  ///< slabs
+  uint16_t root_ = 0;
   PackedTriple window_;
   Slab plane_;
   Slab edge_;
