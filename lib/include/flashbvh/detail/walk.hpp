@@ -338,6 +338,14 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
   return after ? State::at_leaf_pair : State::at_pair;
 }
 
+/// Of a walk at a pair below which it stopped, in the subtree of the node that is no leaf.
+template <class Shapes, class Order>
+FLASHBVH_INLINE inline void keep_root(Shapes& shapes, Side leaf, const Order& at) {
+  if constexpr (Shapes::kKnowsRoot) {
+    shapes.keep_root(leaf == Side::a ? at.index_b() : at.index_a());
+  }
+}
+
 /// From the cursor's pair, which is below no leaf that is a shape.
 template <class Order, class Bound, class Shapes, class LeafPair>
 FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
@@ -371,9 +379,7 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
           work_left = kept->progress.work_left;
           overlaps = kept->progress.overlaps;
           if (end != State::done && kept->side != Side::none) {
-            if constexpr (Shapes::kKnowsRoot) {
-              shapes.keep_root(kept->side == Side::a ? at.index_b() : at.index_a());
-            }
+            keep_root(shapes, kept->side, at);
             at.store_below(*kept->cursor, kept->side, kept->node);
             return end;
           }
