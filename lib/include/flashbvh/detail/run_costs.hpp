@@ -15,13 +15,13 @@ struct RunCosts {
   uint32_t work;           ///< each unit of work
 };
 
-constexpr RunCosts kCortexM0 = {8481, 33, 12, 168, 744};
-constexpr RunCosts kCortexM3 = {3778, 24, 12, 104, 232};
-constexpr RunCosts kCortexM33 = {3334, 23, 12, 102, 189};
-constexpr RunCosts kCortexM4F = {3301, 23, 12, 102, 188};
-constexpr RunCosts kCortexM55 = {3354, 23, 12, 102, 188};
-constexpr RunCosts kCortexM7 = {3337, 23, 12, 102, 192};
-constexpr RunCosts kRV32IMAC = {4671, 21, 10, 108, 403};
+constexpr RunCosts kCortexM0 = {8715, 33, 12, 168, 750};
+constexpr RunCosts kCortexM3 = {3567, 24, 12, 104, 232};
+constexpr RunCosts kCortexM33 = {3129, 24, 12, 102, 186};
+constexpr RunCosts kCortexM4F = {3102, 23, 12, 102, 185};
+constexpr RunCosts kCortexM55 = {3149, 24, 12, 102, 185};
+constexpr RunCosts kCortexM7 = {3135, 24, 12, 102, 189};
+constexpr RunCosts kRV32IMAC = {4468, 21, 10, 108, 403};
 
 }  // namespace flashbvh
 
