@@ -171,7 +171,7 @@ TEST_CASE("a seeded query visits what the best order visits, and a cold one litt
   Ratio cold;
   // The gap, from 30 % of their size to 0.1 %: B goes along a line that grazes A.
   for (const std::int32_t gap : {7000, 2400, 800, 240, 80, 24}) {
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < rounds(2, 8); ++i) {
       const auto rotation = rotation_of(any_quaternion(random));
       const bool turned = i % 2 == 1;
       const auto pose_at = [&](std::int32_t x) {

@@ -71,7 +71,7 @@ void check_against_stack(const Trees& trees) {
   REQUIRE(ranked.sorted_leaf_pairs() == trees.truth);
 }
 
-constexpr int kRounds = 300;
+const int kRounds = rounds(75, 300);
 
 }  // namespace
 

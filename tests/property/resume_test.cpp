@@ -42,7 +42,7 @@ TEST_CASE("a query saved after any run and resumed in a new object goes on as if
     using Order = typename decltype(named)::Order;
     CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
     Random random(seed);
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < rounds(15, 60); ++round) {
       CAPTURE(round);
       const auto scene = any_scene<Order::Tree::kLayout>(random);
       AnyQuery<Order> whole(scene);

@@ -74,7 +74,7 @@ TEST_CASE("all traversals agree on all pairs of sizes 1 to 8, over random shapes
   Random random(seed);
   for (std::uint32_t a = 1; a <= 8; ++a) {
     for (std::uint32_t b = 1; b <= 8; ++b) {
-      for (int round = 0; round < 40; ++round) {
+      for (int round = 0; round < rounds(8, 40); ++round) {
         CAPTURE(a, b, round);
         check_all(any_trees(random, a, b));
       }
@@ -86,7 +86,7 @@ TEST_CASE("all traversals agree on random trees of every shape") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 1);
-  for (int round = 0; round < 600; ++round) {
+  for (int round = 0; round < rounds(100, 600); ++round) {
     CAPTURE(round);
     check_all(any_trees(random, 1 + random.below(60), 1 + random.below(60)));
   }
@@ -105,7 +105,7 @@ TEST_CASE("all traversals agree on the trees of each builder, and find what brut
   };
   for (const Builder& build_a : builders) {
     for (const Builder& build_b : builders) {
-      for (int round = 0; round < 30; ++round) {
+      for (int round = 0; round < rounds(4, 30); ++round) {
         CAPTURE(&build_a - builders, &build_b - builders, round);
         Trees trees = any_trees(random, 1 + random.below(90), 1 + random.below(90));
         trees.a = build_a(trees.mesh_a);

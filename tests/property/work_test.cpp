@@ -83,7 +83,7 @@ TEST_CASE("wherever a batch of leaf pairs is cut, pairs and counts stay the same
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed + 6);
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < rounds(4, 20); ++round) {
     const Scene scene = any_scene(random);
     for_each_stackless_order<std::uint16_t>([&](auto named) {
       using Order = typename decltype(named)::Order;
@@ -166,7 +166,7 @@ TEST_CASE("a run tests no more triangles than it is granted, and a step beyond, 
   CAPTURE(seed);
   Random random(seed + 8);
   std::uint32_t inside_leaves = 0;
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < rounds(40, 150); ++round) {
     CAPTURE(round);
     const Scene scene = any_scene(random);
     const auto a = scene.a.view<PostMesh>();

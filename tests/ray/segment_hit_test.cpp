@@ -153,19 +153,21 @@ TEST_CASE("a segment first meets a triangle where exact rationals say") {
   Random random(test_seed());
   Seen seen;
   // On few cells everything coincides.
-  for (int round = 0; round < 40'000; ++round) {
+  const auto tries = rounds(8000u, 40'000u);
+  for (std::uint32_t round = 0; round < tries; ++round) {
     const std::int32_t reach = 1 + static_cast<std::int32_t>(random.below(3));
     const Triangle t = {
         {any_point(random, reach), any_point(random, reach), any_point(random, reach)}};
     check_segment({any_point(random, reach), any_point(random, reach)}, t, seen);
   }
-  CHECK((seen.hits > 5'000 && seen.misses > 10'000 && seen.in_plane > 1'000));
+  CHECK((seen.hits > tries / 8 && seen.misses > tries / 4 && seen.in_plane > tries / 40));
 }
 
 TEST_CASE("a segment meets corners and edges of large triangles, from far off") {
   Random random(test_seed());
   Seen seen;
-  for (int round = 0; round < 6'000; ++round) {
+  const auto tries = rounds(1000u, 6'000u);
+  for (std::uint32_t round = 0; round < tries; ++round) {
     const auto reach = static_cast<std::int32_t>(1 + random.below(kMaxCoordinate));
     const Triangle t = {
         {any_point(random, reach), any_point(random, reach), any_point(random, reach)}};
@@ -189,7 +191,8 @@ TEST_CASE("a segment meets corners and edges of large triangles, from far off") 
     check_segment({point_between(u, v, -1), v}, {{u, v, v}}, seen);
     check_segment({from, u}, {{u, u, u}}, seen);
   }
-  CHECK((seen.hits > 20'000 && seen.misses > 5'000 && seen.in_plane > 10'000));
+  CHECK(
+      (seen.hits > 10 * tries / 3 && seen.misses > 5 * tries / 6 && seen.in_plane > 5 * tries / 3));
 }
 
 TEST_CASE("at the ends of the range nothing overflows") {
@@ -197,7 +200,7 @@ TEST_CASE("at the ends of the range nothing overflows") {
   Seen seen;
   const auto far = [&] { return random.below(2) == 0 ? kMaxRayCoordinate : -kMaxRayCoordinate; };
   const auto corner = [&] { return random.below(2) == 0 ? kMaxCoordinate : -kMaxCoordinate; };
-  for (int round = 0; round < 5'000; ++round) {
+  for (int round = 0; round < rounds(1500, 5'000); ++round) {
     const Triangle t = {{{corner(), corner(), corner()},
                          {corner(), corner(), corner()},
                          {corner(), corner(), corner()}}};

@@ -11,7 +11,7 @@ native=${CXX:-c++}
 level=-O0
 [ "${1:-}" = quick ] || { native="g++ clang++"; level=-O2; }
 
-"$FLASHBVH" robot "$ROOT/firmware_examples/robot_guard/cell_arm/cell_arm.urdf" --stop 0.005 --warn 0.03 -o . >log
+cp "$PACKAGES"/arduino/flashbvh/examples/robot_guard/cell_arm.robot.?pp .
 for compiler in $native; do
   for file in flashbvh flashbvh_robot; do
     quietly $compiler -std=c++17 $level $warnings -c "$files/$file.cpp" -o $file.o

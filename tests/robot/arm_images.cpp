@@ -12,6 +12,20 @@ bake::SourceMesh pyramid(double size) {
   return mesh;
 }
 
+std::vector<NamedImage> made_images() {
+  std::vector<NamedImage> images = {{"every_joint", image_of(every_joint_arm())}};
+  Model fixed;
+  add_link(fixed, tool::kNoJoint, pyramid(0.1));
+  images.push_back({"one_link", image_of(FixedArm(fixed, 1e-3))});
+  Model two;
+  add_joint(two, tool::kNoJoint, shifted({0, 0, 0.01}), JointType::revolute, -3, 3);
+  add_joint(two, 0, shifted({0, 0.02, 0.1}), JointType::prismatic, 0, 0.4);
+  add_link(two, tool::kNoJoint, pyramid(0.2));
+  add_link(two, 1, pyramid(0.2));
+  images.push_back({"two_links", image_of(FixedArm(two, 1e-4, {{0, 1, 0.01, 0.03}}, true))});
+  return images;
+}
+
 }  // namespace
 
 FixedArm every_joint_arm() {
@@ -34,17 +48,8 @@ FixedArm every_joint_arm() {
                   {{0, 2, 0.01, 0.02}, {0, 3, 0, 0.05}, {2, 4, 0.005, 0.005}, {4, 5, 0.01, 0.1}});
 }
 
-std::vector<NamedImage> arm_images() {
-  std::vector<NamedImage> images = {{"every_joint", image_of(every_joint_arm())}};
-  Model fixed;
-  add_link(fixed, tool::kNoJoint, pyramid(0.1));
-  images.push_back({"one_link", image_of(FixedArm(fixed, 1e-3))});
-  Model two;
-  add_joint(two, tool::kNoJoint, shifted({0, 0, 0.01}), JointType::revolute, -3, 3);
-  add_joint(two, 0, shifted({0, 0.02, 0.1}), JointType::prismatic, 0, 0.4);
-  add_link(two, tool::kNoJoint, pyramid(0.2));
-  add_link(two, 1, pyramid(0.2));
-  images.push_back({"two_links", image_of(FixedArm(two, 1e-4, {{0, 1, 0.01, 0.03}}, true))});
+const std::vector<NamedImage>& arm_images() {
+  static const std::vector<NamedImage> images = made_images();
   return images;
 }
 

@@ -27,7 +27,7 @@ struct NamedImage {
 /// of few triangles: 2 joints of it, and so on.
 FixedArm every_joint_arm();
 /// All of them, the first is of every_joint_arm().
-std::vector<NamedImage> arm_images();
+const std::vector<NamedImage>& arm_images();
 
 }  // namespace flashbvh::test
 

@@ -37,7 +37,8 @@ TEST_CASE("what is explained of a pair is where it is near, and how its joints m
   CAPTURE(test_seed());
   Random random(test_seed());
   int told = 0;
-  for (int round = 0; round < 12; ++round) {
+  const int tries = rounds(4, 12);
+  for (int round = 0; round < tries; ++round) {
     CAPTURE(round);
     const auto cell = std::make_unique<CrowdedCell>(random);
     const Robot& robot = cell->robot();
@@ -90,5 +91,5 @@ TEST_CASE("what is explained of a pair is where it is near, and how its joints m
                                             : std::abs(changes[detail.variable]) == most));
     }
   }
-  CHECK(told > 100);
+  CHECK(told > 8 * tries);
 }

@@ -49,7 +49,7 @@ TEST_CASE("links come no nearer in a cell than its motion says") {
   CAPTURE(test_seed());
   Random random(test_seed());
   double tightest = 0;
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < rounds(10, 30); ++round) {
     CAPTURE(round);
     const Pair pair(any_arm(random, 2 + random.below(4)));
     for (int i = 0; i < 10; ++i) {

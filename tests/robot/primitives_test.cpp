@@ -6,6 +6,7 @@
 #include <random>
 
 #include "mesh/defects.hpp"
+#include "support/random.hpp"
 
 using namespace flashbvh;
 using tool::Vector3;
@@ -62,7 +63,7 @@ TEST_CASE("a cylinder and a sphere lie inside their meshes, which reach no furth
   check_closed(sphere.mesh);
   CHECK(cylinder.excess < 0.005 * radius);
   CHECK(sphere.excess < 0.019 * radius);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < test::rounds(3000, 20000); ++i) {
     const Vector3 v = {normal(random), normal(random), normal(random)};
     const double length = std::hypot(v[0], v[1], v[2]);
     const double width = std::hypot(v[0], v[1]);

@@ -62,7 +62,7 @@ bool try_arm(Random& random, const Model& model, long configurations, Counts& co
 }  // namespace
 
 int main(int argc, char** argv) {
-  const long configurations = argc > 1 ? std::atol(argv[1]) : 10'000;
+  const long configurations = argc > 1 ? std::atol(argv[1]) : rounds(5'000L, 10'000L);
   const long arms = argc > 2 ? std::atol(argv[2]) : 8;
   std::printf("FLASHBVH_SEED=%llu\n", static_cast<unsigned long long>(test_seed()));
   Random random(test_seed());

@@ -140,12 +140,12 @@ TEST_CASE("every flipped bit is refused") {
 
 TEST_CASE("every flipped bit before the meshes, with checksum and hash that match, is harmless") {
   std::size_t opened = 0;
-  std::vector<NamedImage> images = arm_images();
-  for (NamedImage& image : images) {
-    const std::size_t meshes = detail::robot_meshes_offset(Parts(image.words).header);
+  for (const NamedImage& image : arm_images()) {
+    Words words = image.words;
+    const std::size_t meshes = detail::robot_meshes_offset(Parts(words).header);
     for (std::size_t bit = 0; bit < 8 * meshes; ++bit) {
       CAPTURE(image.name, bit);
-      Words words = image.words;
+      words = image.words;
       words[bit / 32] ^= 1u << bit % 32;
       repair_robot(words.data(), size_of(words));
       const RobotVerdict verdict = exercise_any(words.data(), size_of(words));

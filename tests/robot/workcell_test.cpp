@@ -43,7 +43,7 @@ TEST_CASE("tools and obstacles are guarded as links are, whatever the budget") {
   CAPTURE(test_seed());
   Random random(test_seed());
   long verdicts[4] = {};
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < rounds(5, 10); ++round) {
     CAPTURE(round);
     const auto cell = std::make_unique<CrowdedCell>(random);
     const auto state = std::make_unique<WorkcellState>();
@@ -115,7 +115,7 @@ TEST_CASE("motions are certified with tools and obstacles in the way") {
   CAPTURE(test_seed());
   Random random(test_seed());
   int outcomes[3] = {};
-  for (int round = 0; round < 16; ++round) {
+  for (int round = 0; round < rounds(6, 16); ++round) {
     CAPTURE(round);
     const auto cell = std::make_unique<CrowdedCell>(random);
     MotionStateOf<12, 12> state{};

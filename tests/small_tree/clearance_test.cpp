@@ -12,11 +12,7 @@ using namespace flashbvh::test;
 
 namespace {
 
-#if defined(FLASHBVH_ON_BOARD)
-constexpr int kRounds = 100;
-#else
-constexpr int kRounds = 1000;
-#endif
+const int kRounds = rounds(100, 1000);
 
 using Scene = SmallScene<Layout::post_indexed>;
 

@@ -14,11 +14,7 @@ using namespace flashbvh::test;
 
 namespace {
 
-#if defined(FLASHBVH_ON_BOARD)
-constexpr int kRounds = 40;
-#else
-constexpr int kRounds = 1000;
-#endif
+const int kRounds = rounds(40, 1000);
 
 /// An image of a small tree, by a writer of its own.
 class Image {

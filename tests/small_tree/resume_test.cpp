@@ -11,11 +11,7 @@ using namespace flashbvh::test;
 
 namespace {
 
-#if defined(FLASHBVH_ON_BOARD)
-constexpr int kRounds = 40;
-#else
-constexpr int kRounds = 400;
-#endif
+const int kRounds = rounds(40, 400);
 
 using Position = QueryPosition<uint16_t>;
 

@@ -35,14 +35,26 @@ class Random {
   uint64_t state_;
 };
 
+/// Of the environment, which a board has none of.
+inline const char* setting(const char* name) {
+#if defined(FLASHBVH_ON_BOARD)
+  (void)name;
+  return nullptr;
+#else
+  return getenv(name);
+#endif
+}
+
+/// How often a test with random numbers tries: `many` times if FLASHBVH_THOROUGH is set.
+template <class Count>
+Count rounds(Count few, Count many) {
+  return setting("FLASHBVH_THOROUGH") != nullptr ? many : few;
+}
+
 /// The seed of this run: FLASHBVH_SEED, decimal or 0x hexadecimal, or a fixed one where unset.
 /// A test prints it (CAPTURE), so that a failure elsewhere can be replayed.
 inline uint64_t test_seed() {
-#if defined(FLASHBVH_ON_BOARD)
-  const char* const text = nullptr;  // a board has no environment
-#else
-  const char* const text = getenv("FLASHBVH_SEED");
-#endif
+  const char* const text = setting("FLASHBVH_SEED");
   return text != nullptr ? strtoull(text, nullptr, 0) : 20240607u;
 }
 

@@ -141,12 +141,18 @@ refused "gone.robot" info gone.robot
 refused "is no flashbvh image" check image/two_fingers.robot
 refused "--format" robot arm.urdf -o out --format fbx
 
-# A page: what --json has, the same bytes from elsewhere, nothing from there.
+# A page: what --json has, nothing from elsewhere.
 options="--srdf arm.srdf --stop 0.005 --warn 0.01"
 exits 0 robot arm.urdf -o first $options --json --report page.html
-(cd elsewhere && LC_ALL=C.UTF-8 TZ=Asia/Tokyo "$FLASHBVH" robot arm.urdf -o ../second $options \
-  --report ../again.html >/dev/null 2>&1)
-cmp page.html again.html || fail "another page"
+[ "$(wc -l <stdout)" -eq 1 ] || fail "not one line"
+for part in '"pairs":\[{"a":"base","b":"upper-arm","verdict":"never","reason":"proven for all' \
+  '"b":"finger.l","verdict":"can","reason":"intersect at the witness","witness":{"turn":' \
+  '"links":\[{"name":"base","joint":null,"triangles":12,' '"cell":[0-9.e-]*,' \
+  '"flash_bytes":[0-9]*,"ram_bytes":[0-9]' \
+  '"joints":\[{"name":"turn","type":"revolute","parent":null,"lower":-1.0,"upper":1.5,"variable":0}' \
+  '"name":"right","type":"revolute","parent":"wrist","lower":-0.75,"upper":0.5,"variable":3,"multip'; do
+  grep -q -- "$part" stdout || fail "no $part in $(cat stdout)"
+done
 diff -r first second || fail "--report changes what is written"
 self_contained page.html
 value() { sed "s/.*\"$1\":\([0-9]*\).*/\1/" stdout | sed ':a; s/\([0-9]\)\([0-9]\{3\}\)\(,\|$\)/\1,\2\3/; ta'; }
@@ -169,14 +175,6 @@ can=$(grep -c '|can|' pairs)
 [ "$(grep -c 'data:image/png;base64,' page.html)" -eq $((4 + 2 * can)) ] || fail "pictures"
 [ "$(grep -c 'paint3\"></i>two triangles that intersect' page.html)" -eq "$can" ] || fail "keys"
 [ "$(grep -c '^<p class=note>Joints: <code>turn ' page.html)" -eq "$can" ] || fail "joints of witnesses"
-# No input is replaced, and no other output.
-cp arm.srdf same.srdf
-for page in arm.urdf arm.srdf ./parts/ring.stl; do
-  refused "$page: would replace" robot arm.urdf -o out $options --report $page
-done
-cmp arm.srdf same.srdf
-refused "would be written twice" robot arm.urdf -o out $options --report ./out/two_fingers.robot.cpp
-
 # The same in C, as strict: its names, and what they stand for.
 exits 0 robot arm.urdf -o in_c --format c --srdf arm.srdf --stop 0.005 --warn 0.01 --depfile c.d
 grep -q '/in_c/two_fingers.robot.h:' c.d || fail "$(cat c.d)"
@@ -199,28 +197,6 @@ for standard in 99 11; do
   ./use || fail "other numbers in C"
 done
 
-# One object.
-exits 0 robot arm.urdf -o json --json --cell 0.0001
-[ "$(wc -l <stdout)" -eq 1 ] || fail "not one line"
-for part in '"pairs":\[{"a":"base","b":"upper-arm","verdict":"never","reason":"proven for all' \
-  '"b":"finger.l","verdict":"can","reason":"intersect at the witness","witness":{"turn":' \
-  '"links":\[{"name":"base","joint":null,"triangles":12,' '"cell":0.0001,' \
-  '"flash_bytes":[0-9]*,"ram_bytes":[0-9]' \
-  '"joints":\[{"name":"turn","type":"revolute","parent":null,"lower":-1.0,"upper":1.5,"variable":0}' \
-  '"name":"right","type":"revolute","parent":"wrist","lower":-0.75,"upper":0.5,"variable":3,"multip'; do
-  grep -q -- "$part" stdout || fail "no $part in $(cat stdout)"
-done
-
-# What is nearer than --stop wherever the robot stands makes a guard useless; --stop 0 does not.
-exits 0 robot arm.urdf -o stopped --stop 0.5
-grep -q "arm.urdf: warning: links 'base' and 'upper-arm' are nowhere found farther apart than the stop" \
-  stderr || fail "$(cat stderr)"
-exits 0 robot arm.urdf -o stopped --warn 0.5
-grep -q "farther apart than the warn distance, 0.5 m, so a guard would never say free" stderr ||
-  fail "$(cat stderr)"
-exits 0 robot arm.urdf -o stopped
-grep -q "nowhere found" stderr && fail "$(cat stderr)"
-
 # A robot without joints, and one that is a keyword.
 { echo '<robot name="class">'; link only "$(shape '<box size="1 1 1"/>')"; echo '</robot>'; } >box.urdf
 exits 0 robot box.urdf -o boxed
@@ -230,15 +206,46 @@ exits 0 robot box.urdf -o boxed --format c
 "${CC:-cc}" -std=c99 -Wall -Wextra -pedantic -Werror -I"$INCLUDE" -c boxed/class.robot.c -o object
 grep -q '^extern const flashbvh_robot class_robot;' boxed/class.robot.h || fail "$(cat boxed/class.robot.h)"
 
+exits 0 robot box.urdf -o boxed --json --cell 0.0001
+grep -q '"cell":0.0001,' stdout || fail "$(cat stdout)"
 exits 0 robot box.urdf -o box_image --format image --depfile box.d
 [ "$(ls box_image)" = "class.robot" ] || fail "$(ls box_image)"
 grep -q '/box_image/class.robot: ' box.d || fail "$(cat box.d)"
 
 # A visual alone is said once.
-sed 's/<link name="hand">/&<visual\/>/' arm.urdf >seen.urdf
+{ echo '<robot name="seen">'; link base "$(shape '<box size="1 1 1"/>')"; link hand '<visual/>'
+  joint on fixed base hand; echo '</robot>'; } >seen.urdf
 exits 0 robot seen.urdf -o seen
 grep -q "seen.urdf, link 'hand': warning: has a <visual> but no <collision>" stderr ||
   fail "$(cat stderr)"
+
+# What is nearer than --stop wherever the robot stands makes a guard useless; --stop 0 does not.
+{ echo '<robot name="two">'; link base "$(shape '<box size="0.2 0.2 0.1"/>')"
+  link upper-arm "$(shape '<mesh filename="package://parts/ring.stl" scale="0.01 0.01 0.01"/>')"
+  joint turn revolute base upper-arm "<origin xyz=\"0 0 0.2\"/><axis xyz=\"0 -1 0\"/>$limit"
+  echo '</robot>'; } >two.urdf
+exits 0 robot two.urdf -o stopped --stop 0.5
+grep -q "two.urdf: warning: links 'base' and 'upper-arm' are nowhere found farther apart than the stop" \
+  stderr || fail "$(cat stderr)"
+exits 0 robot two.urdf -o stopped --warn 0.5
+grep -q "farther apart than the warn distance, 0.5 m, so a guard would never say free" stderr ||
+  fail "$(cat stderr)"
+exits 0 robot two.urdf -o stopped
+grep -q "nowhere found" stderr && fail "$(cat stderr)"
+
+# No input is replaced, and no other output.
+echo '<robot name="two"/>' | tee two.srdf >same.srdf
+for page in two.urdf two.srdf ./parts/ring.stl; do
+  refused "$page: would replace" robot two.urdf -o out --srdf two.srdf --report $page
+done
+cmp two.srdf same.srdf
+# A page has the same bytes from elsewhere.
+cp two.urdf elsewhere/
+exits 0 robot two.urdf -o stopped --report two.html
+(cd elsewhere && LC_ALL=C.UTF-8 TZ=Asia/Tokyo "$FLASHBVH" robot two.urdf -o ../stopped \
+  --report ../again.html >/dev/null 2>&1)
+cmp two.html again.html || fail "another page"
+refused "would be written twice" robot box.urdf -o out --report ./out/class.robot.cpp
 
 refused "--output" robot arm.urdf
 refused "gone.urdf" robot gone.urdf -o out

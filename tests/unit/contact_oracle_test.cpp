@@ -14,7 +14,7 @@
 namespace flashbvh::test {
 namespace {
 
-constexpr uint32_t kPairs = 20000;
+const uint32_t kPairs = rounds(4000u, 20000u);
 
 bool same(const FinePoint& p, const FinePoint& q) {
   return p.x == q.x && p.y == q.y && p.z == q.z;

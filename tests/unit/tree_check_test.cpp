@@ -112,8 +112,10 @@ bool passes(Baked<layout>& baked, const Fields& fields, bool levels) {
     baked.nodes[i].data =
         field[3] != 0 ? static_cast<std::uint16_t>(kLeaf | baked.leaf_count++) : ranks;
   }
-  baked.triangles.assign(baked.leaf_count, {{0, 1, 2}});
-  baked.triangle_ids.assign(baked.leaf_count, 0);
+  if (baked.triangles.size() != baked.leaf_count) {
+    baked.triangles.assign(baked.leaf_count, {{0, 1, 2}});
+    baked.triangle_ids.assign(baked.leaf_count, 0);
+  }
   return passes(baked, levels);
 }
 
@@ -165,7 +167,8 @@ void check_all_changes(std::size_t count, int depth, bool levels = true) {
   for (auto& tree : trees) {
     Fields fields = fields_of(tree);
     for_each_change(fields, 0, depth, levels, [&](const Fields& changed) {
-      const bool is_sound = sound.count(levels ? changed : without_levels(changed)) != 0;
+      const bool is_sound =
+          (levels ? sound.count(changed) : sound.count(without_levels(changed))) != 0;
       if (passes(tree, changed, levels) != is_sound) {
         CAPTURE(changed);
         FAIL("the check is wrong about these fields");

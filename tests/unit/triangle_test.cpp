@@ -359,7 +359,7 @@ TEST_CASE("every pair of triangles in the unit cube agrees with the oracle", "[t
 TEST_CASE("small triangles agree with the oracle", "[triangle][oracle]") {
   const uint64_t seed = test_seed();
   Random random(seed);
-  for (uint32_t run = 0; run < 400000; ++run) {
+  for (uint32_t run = 0; run < rounds(60000u, 400000u); ++run) {
     const int32_t size = random.between(2, 3);
     const Pair pair = {random_triangle(random, size), random_triangle(random, size)};
     if (!agrees(pair.a, pair.b)) {
@@ -372,7 +372,7 @@ TEST_CASE("small triangles agree with the oracle", "[triangle][oracle]") {
 TEST_CASE("triangles of every kind and size agree with the oracle", "[triangle][oracle]") {
   const uint64_t seed = test_seed();
   Random random(seed);
-  for (uint32_t run = 0; run < 400000; ++run) {
+  for (uint32_t run = 0; run < rounds(60000u, 400000u); ++run) {
     bool touching = false;
     Pair pair = random_pair(random, touching);
     // Every other pair is shaken by one cell: from touching to nearly touching.

@@ -46,7 +46,8 @@ struct Turn {
   double c;
   double s;
 
-  Vector3 operator()(const Vector3& v) const {
+  Vector3 operator()(const Vector3& vector) const {
+    const double* const v = vector.data();
     return {c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
   }
 };
@@ -104,17 +105,18 @@ double Support::most_of(const Vector3& direction, const Turns& turns) const {
 }
 
 double Support::operator()(const Vector3& direction) const {
+  const double* const u = direction.data();
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i) {
-    axis = std::fabs(direction[i]) > std::fabs(direction[axis]) ? i : axis;
+    axis = std::fabs(u[i]) > std::fabs(u[axis]) ? i : axis;
   }
-  const double scale = std::fabs(direction[axis]);
+  const double scale = std::fabs(u[axis]);
   if (scale == 0) {
     return 0;
   }
-  const Step row = step_at(direction[(axis + 1) % 3] / scale);
-  const Step column = step_at(direction[(axis + 2) % 3] / scale);
-  const std::size_t face = 2 * axis + (direction[axis] > 0 ? 1 : 0);
+  const Step row = step_at(u[(axis + 1) % 3] / scale);
+  const Step column = step_at(u[(axis + 2) % 3] / scale);
+  const std::size_t face = 2 * axis + (u[axis] > 0 ? 1 : 0);
   const double* const at = &values_[(face * kPoints + row.point) * kPoints + column.point];
   const auto between = [&](const double* pair) {
     return pair[0] + column.part * (pair[1] - pair[0]);
