@@ -3,12 +3,12 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
 #include <vector>
 
 #include "evaluate/run.hpp"
 #include "evaluate/setups.hpp"
+#include "support/random.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -30,7 +30,7 @@ tool::Objects& objects() {
 }
 
 bool is_thorough() {
-  return std::getenv("FLASHBVH_THOROUGH") != nullptr;
+  return test::rounds(0, 1) != 0;
 }
 
 std::vector<scene::Setup> setups() {
