@@ -3,9 +3,11 @@
 #                   natively with sanitizers and on each board under QEMU.
 # test.sh --quick   What most changes break: formatting, the tests on this machine that don't take long,
 #                   and a board with a Cortex-M4F, without the proofs.
-# test.sh --all     Also an Xtensa LX106 and a plain RV32IM, all tests on boards that run another one's
-#                   code (of which there are the answers alone otherwise), a deeper lint, and the
-#                   packages of a release.
+# test.sh --all     Also an Xtensa LX106 and a plain RV32IM; on every board all tests that fit it, which
+#                   otherwise run natively and on the Cortex-M4F (elsewhere there is what a core has of
+#                   its own: answers, arithmetic, stack, bounds, figures; of a core that another board
+#                   has the answers alone); random tests with all their tries, compilers in all ways,
+#                   libFuzzer; a deeper lint; the packages of a release.
 #
 # A step (tools/test_step.sh) a core, side by side; what each prints is in build/log. Says at the end
 # where the minutes went. Installs what is missing.
@@ -23,8 +25,8 @@ case ${1:-} in
   --quick) steps="tool native netduinoplus2" packages=
     export FLASHBVH_QUICK=ON ;;
   --all) steps="$steps lx106 rv32im" packages="$packages $xtensa_packages" release=yes
-    export FLASHBVH_ALL_TESTS=ON FLASHBVH_DEEP_LINT=yes ;;
-  *) sed -n '2,8s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+    export FLASHBVH_ALL_TESTS=ON FLASHBVH_THOROUGH=yes FLASHBVH_DEEP_LINT=yes ;;
+  *) sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 ensure_packages $host_packages $sanitizer_packages $oracle_packages $board_packages $packages $test_packages
 

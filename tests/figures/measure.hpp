@@ -15,6 +15,7 @@ namespace figures {
 struct NothingBelow {
   using Tree = flashbvh::PostMesh;
   static constexpr bool kShapes = true;
+  static constexpr bool kKnowsRoot = false;
   const flashbvh::PostMesh& a;
   const flashbvh::PostMesh& b;
 

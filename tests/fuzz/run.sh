@@ -2,16 +2,23 @@
 # Fuzzes what reads bytes, under libFuzzer with the address and undefined-behaviour sanitizers:
 #     tests/fuzz/run.sh 600                        each program for 600 seconds
 #     tests/fuzz/run.sh --executions 100000000     so many inputs in all, however long; with JOBS=4 four
-#                                                  processes of each program, one program after the other
-#     tests/fuzz/run.sh short                      each for a fixed number of inputs, always the same ones
-# Needs clang and libclang-rt-14-dev. What it finds lies in build/fuzz/found; put it into corpus/
-# beside the mend. Exits with 77 if there is no libFuzzer.
+#                                                  processes of each program, one program after the other;
+#                                                  files of text and meshes of 300 bytes at most
+#     tests/fuzz/run.sh short                      each for a fixed number of inputs, always the same ones;
+#                                                  with FLASHBVH_THOROUGH alone: it is building that takes long
+# PROGRAMS="mesh text" has these alone. Needs clang and libclang-rt-14-dev. What it finds lies in
+# build/fuzz/found; put it into corpus/ beside the mend. Exits with 77 if there is no libFuzzer, or where
+# it is left out.
 set -eu
 cd "$(dirname "$0")/../.."
 long=${1:?how many seconds, --executions N, or short}
-programs="image position mesh robot c text"
+programs=${PROGRAMS:-image position mesh robot c text}
 [ "$long" != --executions ] || executions=${2:?how many inputs}
 jobs=${JOBS:-1}
+if [ "$long" = short ] && [ -z "${FLASHBVH_THOROUGH:-}" ]; then
+  echo "left out: FLASHBVH_THOROUGH=1 tests/fuzz/run.sh short"
+  exit 77
+fi
 
 printf 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' |
   clang++ -x c++ - -fsanitize=fuzzer -o /dev/null 2>/dev/null || {
@@ -26,19 +33,22 @@ cmake --preset fuzz >build/fuzz.log 2>&1 &&
 }
 
 mkdir -p build/fuzz/found
+# Where memory came from is worth a fifth of the inputs: an input that was found says it again.
+export ASAN_OPTIONS="malloc_context_size=2:quarantine_size_mb=32${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 for program in $programs; do
   seeds=build/fuzz/seeds/$program
   rm -rf "$seeds"
   mkdir -p "$seeds"
   cp tests/fuzz/corpus/$program/* "$seeds"
-  # `share`: of 1,000 inputs; the dearer an input, the fewer.
+  # `share`: of 1,000 inputs; the dearer an input, the fewer. `most`: bytes, where inputs are many.
+  most=3000
   case $program in
     image) runs=2500 share=10 && cp tests/golden/*.fbvh "$seeds" ;;
     position) runs=15000 share=30 ;;
-    mesh) runs=12000 share=400 ;;
-    robot) runs=6000 share=140 ;;
-    c) runs=10000 share=20 ;;
-    text) runs=6000 share=400 ;;
+    mesh) runs=12000 share=465 most=300 ;;
+    robot) runs=6000 share=20 ;;
+    c) runs=10000 share=10 ;;
+    text) runs=6000 share=465 most=300 ;;
   esac
   log=build/fuzz/$program.log
   options="-max_len=3000 -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix=build/fuzz/found/$program-"
@@ -46,7 +56,7 @@ for program in $programs; do
   mkdir -p "$grown"
   case $long in
     short) options="$options -runs=$runs -seed=1" grown= ;;
-    --executions) options="$options -runs=$((executions / 1000 * share / jobs + 1)) -reload=1" ;;
+    --executions) options="$options -runs=$((executions / 1000 * share / jobs + 1)) -reload=100 -max_len=$most" ;;
     *) options="$options -max_total_time=$long" ;;
   esac
   echo "== fuzz_$program"

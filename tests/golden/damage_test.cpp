@@ -2,6 +2,7 @@
 // made to match, refused or harmless.
 #include <catch2/catch.hpp>
 
+#include <cstdlib>
 #include <cstring>
 #include <vector>
 
@@ -24,6 +25,13 @@ std::vector<unsigned char> bytes_of(const KeptImage& image) {
 
 void flip(std::vector<unsigned char>& bytes, std::size_t bit) {
   bytes[bit / 8] = static_cast<unsigned char>(bytes[bit / 8] ^ (1u << (bit % 8)));
+}
+
+/// Of the poses one in turn, with FLASHBVH_THOROUGH all.
+std::vector<Pose> poses_for(std::size_t bit) {
+  static const std::vector<Pose> all = telling_poses();
+  static const bool is_thorough = std::getenv("FLASHBVH_THOROUGH") != nullptr;
+  return is_thorough ? all : std::vector<Pose>{all[(bit + bit / 8) % all.size()]};
 }
 
 /// Large enough to have every part, small enough for every bit.
@@ -77,7 +85,6 @@ TEST_CASE("every flipped bit of a golden image is refused") {
 }
 
 TEST_CASE("every flipped bit of a golden image with a checksum that matches is harmless") {
-  const std::vector<Pose> poses = telling_poses();
   std::size_t opened = 0;
   for (std::size_t i = 0; i < kKeptImageCount; ++i) {
     CAPTURE(kKeptImages[i].name);
@@ -86,7 +93,7 @@ TEST_CASE("every flipped bit of a golden image with a checksum that matches is h
       CAPTURE(bit);
       flip(bytes, bit);
       repair_crc(bytes.data(), bytes.size());
-      const Verdict verdict = exercise_image(bytes.data(), bytes.size(), poses);
+      const Verdict verdict = exercise_image(bytes.data(), bytes.size(), poses_for(bit));
       REQUIRE(verdict.wrong == nullptr);
       opened += verdict.opened ? 1 : 0;
       flip(bytes, bit);

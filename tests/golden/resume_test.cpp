@@ -3,6 +3,7 @@
 
 #include "golden/golden.hpp"
 #include "support/at_roots.hpp"
+#include "support/compiled_queries.hpp"
 #include "support/opened.hpp"
 #include "support/walk.hpp"
 

@@ -3,8 +3,9 @@
 #
 # An executable of Catch2 tests, for this machine or, when crossing, for the board. CTest runs it as
 # "<preset>/<name>". An own main() is not needed.
-# HEAP says that the tests need a heap: boards without room for one leave them out, and so do those
-# whose core runs another's code, unless FLASHBVH_ALL_TESTS. All others run on every board, down to 8 KB of RAM, over tests/harness/small_catch, and do not link with a heap.
+# HEAP says that the tests need a heap: boards without room for one leave them out, and all but the
+# Cortex-M4F do so unless FLASHBVH_ALL_TESTS, or ICOUNT. All others run on every board, down to 8 KB of
+# RAM, over tests/harness/small_catch, and do not link with a heap.
 # ICOUNT makes instruction counts on the board exact, and each test case a test of CTest's,
 # "<preset>/<test case>", whose figures -R and -V show. LONG leaves it out of tools/test.sh --quick.
 # OPTIMISED: with the sanitizers, too.
@@ -15,9 +16,9 @@ function(flashbvh_add_test name)
   if(arg_HEAP AND NOT FLASHBVH_TESTS_HAVE_HEAP)
     return()
   endif()
-  # A Cortex-M7 and M33 run what an M4F runs, in an order of their own.
-  if(arg_HEAP AND NOT arg_ICOUNT AND NOT FLASHBVH_ALL_TESTS
-      AND FLASHBVH_BOARD MATCHES "^(mps2-an500|mps2-an505)$")
+  # What a core has of its own is asked by the tests without a heap and by the digest.
+  if(arg_HEAP AND NOT arg_ICOUNT AND NOT FLASHBVH_ALL_TESTS AND FLASHBVH_BOARD
+      AND NOT FLASHBVH_BOARD STREQUAL "mps2-an386")
     return()
   endif()
   if(NOT arg_TIMEOUT)
@@ -33,7 +34,7 @@ function(flashbvh_add_test name)
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_sources(${name} PRIVATE $<TARGET_OBJECTS:flashbvh_harness>)
   target_link_libraries(${name} PRIVATE
-    ${arg_LIBRARIES} flashbvh::flashbvh flashbvh_harness_options)
+    ${arg_LIBRARIES} flashbvh_test_queries flashbvh::flashbvh flashbvh_harness_options)
   flashbvh_warnings(${name})
   if(FLASHBVH_SANITIZE)
     set(headers flashbvh_test_headers)

@@ -136,6 +136,19 @@ TEST_CASE("graphs that are no tree") {
              Contains("joint 'j' is not unique"));
 }
 
+TEST_CASE("what a robot says is no format of messages") {
+  CHECK_THAT(said_of_shape("<box size=\"1 %s%n 3\"/>"), Contains("%s%n"));
+  RobotFiles files;
+  CHECK(files.refusal(link_text("a%n") + link_text("%%s") + link_text("c") +
+                      joint_text("%n", "revolute", "a%n", "%%s", kLimit) +
+                      joint_text("k", "revolute", "%%s", "c",
+                                 kLimit + "<mimic joint=\"%n\" multiplier=\"0.5\"/>")) == "");
+  CHECK_THAT(files.refusal(link_text("a",
+                                     "<collision><geometry><mesh filename=\"50%n%%.stl\"/>"
+                                     "</geometry></collision>")),
+             Contains("no 50%n%%.stl;"));
+}
+
 TEST_CASE("shapes that are none") {
   CHECK(said_of_shape("<box size=\"1 2 3\"/>") == "");
   CHECK(said_of_shape("<box size=\"1 0 3\"/>") ==

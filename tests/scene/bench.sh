@@ -34,12 +34,15 @@ grep '"setup":"Different sizes"' out.json | grep '"default_tree":' | grep -q '"r
 grep '"default_tree_totals":' out.json | grep -q '"ranked_to_best":' || fail "no default tree's totals"
 tail -n 1 out.json | grep -q '"ranked_to_volume":' || fail "no summary"
 
-# shellcheck disable=SC2086
-"$FLASHBVH" bench --table 6 $quick --svg figure.svg >/dev/null 2>&1
-grep -q '</svg>' figure.svg || fail "no figure"
-for name in ranked leaf volume-stack Iterations Time 203776; do
-  grep -q ">$name</text>" figure.svg || fail "the figure lacks $name"
-done
+# bench_test has the figure of made-up results.
+if [ -n "${FLASHBVH_THOROUGH:-}" ]; then
+  # shellcheck disable=SC2086
+  "$FLASHBVH" bench --table 6 $quick --svg figure.svg >/dev/null 2>&1
+  grep -q '</svg>' figure.svg || fail "no figure"
+  for name in ranked leaf volume-stack Iterations Time 203776; do
+    grep -q ">$name</text>" figure.svg || fail "the figure lacks $name"
+  done
+fi
 
 refused() {
   wanted=$1

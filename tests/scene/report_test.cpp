@@ -1,6 +1,7 @@
 // Figures that the tables print.
 #include <catch2/catch.hpp>
 
+#include "evaluate/figure.hpp"
 #include "evaluate/run.hpp"
 #include "evaluate/tables.hpp"
 
@@ -58,4 +59,23 @@ TEST_CASE("tables are aligned Markdown") {
         "| --------- | -: |\n"
         "| a         | 10 |\n"
         "| long name |  5 |\n");
+}
+
+TEST_CASE("the figure has a line of every algorithm, by its name, and every number of faces") {
+  std::vector<tool::SetupResult> results;
+  for (const scene::Setup& setup : scene::kSetups) {
+    if (setup.table == tool::kScalabilityTable) {
+      results.push_back(result_of(100, 90));
+      results.back().setup = &setup;
+      for (tool::RowResult& row : results.back().rows) {
+        row.times = tool::times_of({0.5, 1.5});
+      }
+    }
+  }
+  const std::string figure = tool::figure_33(results);
+  for (const char* name : {"volume-stack", "ranked", "Iterations", "Time", "796", "203776"}) {
+    CAPTURE(name);
+    CHECK(figure.find(std::string(">") + name + "</text>") != std::string::npos);
+  }
+  CHECK(figure.find("</svg>") != std::string::npos);
 }

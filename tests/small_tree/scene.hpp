@@ -10,6 +10,7 @@
 #include "digest/small_tree.hpp"
 #include "flashbvh/query.hpp"
 #include "support/at_roots.hpp"
+#include "support/compiled_queries.hpp"
 #include "support/transformed_vertex.hpp"
 
 namespace flashbvh::test {

@@ -7,6 +7,7 @@
 
 #include "flashbvh/query.hpp"
 #include "support/at_roots.hpp"
+#include "support/compiled_queries.hpp"
 
 namespace flashbvh::test {
 

@@ -11,6 +11,9 @@ fail() {
   exit 1
 }
 
+# thorough: whether all is asked for, however long it takes.
+thorough() { [ -n "${FLASHBVH_THOROUGH:-}" ]; }
+
 # refused WHAT ARGUMENT...: the program must exit with 2 and one line on standard error that holds
 # WHAT, print nothing else, and leave no folder or file named out*.
 refused() {

@@ -1,6 +1,7 @@
 #!/bin/sh
 # The C++ output compiles whatever the mesh is called, before and after all headers of C and C++: by
-# names that those headers declare or define, taken from what the compilers say, and by keywords.
+# names that those headers declare or define, taken from what the compilers say, and by keywords. By
+# one standard, with FLASHBVH_THOROUGH by others, too.
 . "$SOURCES/common.sh"
 
 headers="assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign
@@ -40,6 +41,8 @@ compiles() {
   "$@" -I"$INCLUDE" -Ibaked -fsyntax-only both.cpp 2>messages || fail "$* ($(head -n 5 messages))"
 }
 
+standards=gnu++20
+! thorough || standards="c++17 gnu++17 gnu++20"
 for prefix in "" arm-none-eabi-; do
   cc=${prefix}gcc
   command -v "$cc" >/dev/null || continue
@@ -55,7 +58,7 @@ for prefix in "" arm-none-eabi-; do
     fail "$("$FLASHBVH" bake named/*.obj -o baked --format cpp --cell 1 2>&1 | tail -n 1)"
   (cd baked && printf '#include "%s"\n' *.hpp) >meshes.hpp
   printf '#include "%s.hpp"\n' headers meshes headers >both.cpp
-  for standard in c++17 gnu++17 gnu++20; do
+  for standard in $standards; do
     compiles "${prefix}g++" -std=$standard -I.
     [ "$prefix" ] || ! command -v clang++ >/dev/null || compiles clang++ -std=$standard -I.
   done

@@ -11,8 +11,8 @@ namespace flashbvh::tool {
 namespace {
 
 struct Colour {
-  std::array<std::int64_t, 3> dark;   ///< red, green, blue where no light falls
-  std::array<std::int64_t, 3> light;  ///< where all of it does
+  std::int64_t dark[3];   ///< red, green, blue where no light falls
+  std::int64_t light[3];  ///< where all of it does
 };
 
 constexpr std::array<Colour, kPaintCount> kPaintColours = {{
@@ -162,16 +162,19 @@ class Canvas {
     const auto [p, q, r] = corner;
     const Span columns = span_of(std::min({p.x, q.x, r.x}), std::max({p.x, q.x, r.x}));
     const Span rows = span_of(std::min({p.y, q.y, r.y}), std::max({p.y, q.y, r.y}));
+    const std::int64_t x = columns.first * kFine + kFine / 2;
     for (std::int64_t row = rows.first; row <= rows.last; ++row) {
       const std::int64_t y = row * kFine + kFine / 2;
+      std::int64_t of_p = edge(q, r, x, y);
+      std::int64_t of_q = edge(r, p, x, y);
+      std::int64_t of_r = edge(p, q, x, y);
       for (std::int64_t column = columns.first; column <= columns.last; ++column) {
-        const std::int64_t x = column * kFine + kFine / 2;
-        const std::int64_t of_p = edge(q, r, x, y);
-        const std::int64_t of_q = edge(r, p, x, y);
-        const std::int64_t of_r = edge(p, q, x, y);
         if (of_p >= 0 && of_q >= 0 && of_r >= 0) {
           put(column, row, (of_p * p.depth + of_q * q.depth + of_r * r.depth) / area, face);
         }
+        of_p -= (r.y - q.y) * kFine;
+        of_q -= (p.y - r.y) * kFine;
+        of_r -= (q.y - p.y) * kFine;
       }
     }
   }
@@ -179,7 +182,7 @@ class Canvas {
   /// The mean of the samples that are covered, as opaque as there are many.
   void append_pixel(std::string& pixels, std::int64_t x, std::int64_t y) const {
     std::int64_t covered = 0;
-    std::array<std::int64_t, 3> sum{};
+    std::int64_t sum[3] = {};
     for (std::int64_t i = 0; i < kSamples * kSamples; ++i) {
       const std::int64_t row = kSamples * y + i / kSamples;
       const Sample& sample =
@@ -193,8 +196,12 @@ class Canvas {
         sum[part] += dark[part] + (light[part] - dark[part]) * sample.shade / (kShades - 1);
       }
     }
+    if (covered == 0) {
+      pixels.append(4, '\0');
+      return;
+    }
     for (const std::int64_t part : sum) {
-      pixels += static_cast<char>(covered == 0 ? 0 : part / covered);
+      pixels += static_cast<char>(part / covered);
     }
     pixels += static_cast<char>(255 * covered / (kSamples * kSamples));
   }

@@ -15,10 +15,9 @@ namespace {
 constexpr const char* kWrittenForC =
     "/* Written by `flashbvh robot`; run it again instead of changing this. */\n";
 
-using Words = std::vector<std::uint32_t>;
-
 /// Where a part of the image lies: "name + words", or null for none.
-std::string place_of(const void* part, const Words& image, const std::string& name) {
+std::string place_of(const void* part, const std::vector<std::uint32_t>& image,
+                     const std::string& name) {
   if (part == nullptr) {
     return kRobotInC.null;
   }
@@ -31,7 +30,7 @@ std::string place_of(const void* part, const Words& image, const std::string& na
 }
 
 /// A flashbvh_mesh_view of the image.
-std::string view_of(const Words& image, const std::string& name) {
+std::string view_of(const std::vector<std::uint32_t>& image, const std::string& name) {
   PostMesh m;
   if (open_image(image.data(), image.size() * sizeof image[0], m) != Status::done) {
     throw std::logic_error("an image that does not open");
@@ -50,7 +49,7 @@ std::string c_meshes_of(const std::vector<BakedLink>& links, const std::vector<O
   std::string text;
   std::string views = "static const flashbvh_mesh_view meshes[] = {\n";
   for (std::size_t i = 0; i < links.size(); ++i) {
-    const Words image = bake::image_of(links[i].tree);
+    const std::vector<std::uint32_t> image = bake::image_of(links[i].tree);
     const std::string name = concat("mesh_", i);
     text += concat("/* ", names[i].word, " */\nstatic ",
                    array(concat("uint32_t ", name, "[]"), image,

@@ -213,6 +213,24 @@ TrimmedRobot trim(const std::string& path) {
   return trimmed;
 }
 
+/// urdfdom takes what it says of a text for a format of printf()'s, in which each '%' has to stand
+/// twice; so it gets the text, and has its names, like that.
+std::string doubled(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    result.append(c == '%' ? 2 : 1, c);
+  }
+  return result;
+}
+std::string halved(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    result += text[i];
+    i += text.compare(i, 2, "%%") == 0 ? 1 : 0;
+  }
+  return result;
+}
+
 /// Keeps the errors that urdfdom logs, as long as it lives.
 class ErrorLog : public console_bridge::OutputHandler {
  public:
@@ -224,7 +242,7 @@ class ErrorLog : public console_bridge::OutputHandler {
   void log(const std::string& text, console_bridge::LogLevel level, const char* /*file*/,
            int /*line*/) override {
     if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) {
-      text_ += (text_.empty() ? "" : "; ") + one_line(text);
+      text_ += (text_.empty() ? "" : "; ") + one_line(halved(text));
     }
   }
   const std::string& text() const { return text_; }
@@ -240,7 +258,7 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& text, const std::string& 
   try {
     model = urdf::parseURDF(text);
   } catch (const std::exception& error) {
-    thrown = one_line(error.what());
+    thrown = one_line(halved(error.what()));
   }
   if (model == nullptr || !errors.text().empty()) {
     throw UserError(path, "is no sound URDF: ", errors.text().empty() ? thrown : errors.text(),
@@ -277,7 +295,7 @@ UrdfGeometry geometry_of(const urdf::Geometry& geometry) {
       return {Shape::sphere, {}, static_cast<const urdf::Sphere&>(geometry).radius, 0, {}};
     default: {
       const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
-      return {Shape::mesh, vector_of(mesh.scale), 0, 0, mesh.filename};
+      return {Shape::mesh, vector_of(mesh.scale), 0, 0, halved(mesh.filename)};
     }
   }
 }
@@ -295,7 +313,7 @@ void set_joint(const urdf::Joint& joint, UrdfJoint& made) {
     made.upper = joint.limits->upper;
   }
   if (joint.mimic != nullptr) {
-    made.mimic = {joint.mimic->joint_name, joint.mimic->multiplier, joint.mimic->offset};
+    made.mimic = {halved(joint.mimic->joint_name), joint.mimic->multiplier, joint.mimic->offset};
   }
 }
 
@@ -303,22 +321,22 @@ void set_joint(const urdf::Joint& joint, UrdfJoint& made) {
 
 UrdfRobot read_urdf_document(const std::string& path) {
   TrimmedRobot trimmed = trim(path);
-  const urdf::ModelInterfaceSharedPtr model = parse(trimmed.text, path);
+  const urdf::ModelInterfaceSharedPtr model = parse(doubled(trimmed.text), path);
   UrdfRobot robot;
-  robot.name = model->getName();
+  robot.name = halved(model->getName());
   robot.links = std::move(trimmed.links);
   robot.joints = std::move(trimmed.joints);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     UrdfLink& link = robot.links[i];
-    if (link.name == model->getRoot()->name) {
+    if (doubled(link.name) == model->getRoot()->name) {
       robot.root = i;
     }
-    for (const urdf::CollisionSharedPtr& c : model->getLink(link.name)->collision_array) {
+    for (const urdf::CollisionSharedPtr& c : model->getLink(doubled(link.name))->collision_array) {
       link.collisions.push_back({transform_of(c->origin), geometry_of(*c->geometry)});
     }
   }
   for (UrdfJoint& joint : robot.joints) {
-    set_joint(*model->getJoint(joint.name), joint);
+    set_joint(*model->getJoint(doubled(joint.name)), joint);
   }
   return robot;
 }

@@ -52,7 +52,7 @@ class Query : protected Question {
       : Question(question),
         a_(&a),
         b_(&b),
-        counts_{0, 0, 0, 0},
+        counts_(detail::no_counts()),
         cursor_(start),
         leaf_a_(0),
         leaf_b_(0),
@@ -321,7 +321,7 @@ class Query : protected Question {
     typename Kept::AtHand shapes = Kept::at_hand(kept, *a_, *b_, transform_);
     const uint32_t granted = work < Batch::kMostWork ? work : Batch::kMostWork;
     detail::WalkRun<Cursor, Batch> run(cursor_, batch, granted);
-    batch.clear(run.progress, room);
+    batch.clear(run.progress, room, Question::kIntersects && state_ == State::fresh);
     const State end = detail::StatefulBound<Question>::is_for(*this, transform_)
                           ? walk_rotated(shapes, run)
                           : walk_translated(shapes, run);
@@ -351,6 +351,9 @@ class Query : protected Question {
   /// `kept`: how many of those at hand are not paid for. Nothing but `this` outlives the call,
   /// which keeps the stack flat where it is deepest.
   FLASHBVH_NOINLINE bool next_answer(Batch& batch, uint32_t kept) {
+    if (Question::kIntersects && untested_ == 0 && !batch.is_walked()) {
+      return false;  // before a run's first walk: with no registers saved
+    }
     Question& question = *this;
     Test test(question, *a_, *b_, transform_);
     while (untested_ > kept || take_next(batch)) {

@@ -11,10 +11,8 @@ inline int32_t clamp_offset(int64_t offset) {
   constexpr int32_t most = kMaxOffset * kSplitOne;
   const auto low = static_cast<int32_t>(offset);
   const auto high = static_cast<int32_t>(offset >> 32);
-  if (high != low >> 31) {
-    return high < 0 ? -most : most;
-  }
-  return low > most ? most : low < -most ? -most : low;
+  const bool within = high == low >> 31 && static_cast<uint32_t>(low) + most <= 2u * most;
+  return within ? low : high < 0 ? -most : most;
 }
 
 inline int64_t product(int32_t u, int32_t v) {
@@ -32,10 +30,11 @@ inline int64_t product(int32_t u, int32_t v) {
   int32_t z = 0;
   pose.matrix().get_row(axis, x, y, z);
   // kRotationBits fraction bits; below 2^54.
-  const int64_t sum = product(cells, 1 << kRotationBits) +
-                      product(pose.fraction(axis), 1 << (kRotationBits - 16)) +
-                      product(x, origin_b[0]) + product(y, origin_b[1]) + product(z, origin_b[2]);
-  return clamp_offset((sum + (1 << (kRestBits - 1))) >> kRestBits);
+  const int32_t fraction = pose.fraction(axis) * (1 << (kRotationBits - 16));
+  const int64_t sum = fraction + (1 << (kRestBits - 1)) + product(x, origin_b[0]) +
+                      product(y, origin_b[1]) + product(z, origin_b[2]) +
+                      product(cells, 1 << kRotationBits);
+  return clamp_offset(sum >> kRestBits);
 }
 
 /// What the rotation of boxes can lack of that of the vertices of B.

@@ -45,7 +45,8 @@ Theorem rest_fits k : -128 <= rest k <= 127.
 Proof. unfold rest, coarse, rest8. change (256 / 2) with 128. divisions. lia. Qed.
 
 (* ---- Placing.
-   code: src/geometry/rotated_transform.cpp | return clamp_offset((sum + (1 << (kRestBits - 1))) >> kRestBits);
+   code: src/geometry/rotated_transform.cpp | const int64_t sum = fraction + (1 << (kRestBits - 1)) + product(x, origin_b[0]) +
+   code: src/geometry/rotated_transform.cpp | return clamp_offset(sum >> kRestBits);
    code: src/geometry/rotated_transform.cpp | const int32_t rest = rest_x_ * v.x + rest_y_ * v.y + rest_z_ * v.z;
    code: src/geometry/rotated_transform.cpp | return (x_ * v.x + y_ * v.y + z_ * v.z + (rest >> kRestBits) + offset_) >> kSplitBits;
    code: src/geometry/rotated_transform.cpp | offset_ = offset_of(transform.on_a[axis]) + kHalf; *)

@@ -154,7 +154,8 @@ Proof.
 Qed.
 
 (* ---- B's axes: n, a column.
-   code: src/geometry/rotated_transform.cpp | return low > most ? most : low < -most ? -most : low; *)
+   code: src/geometry/rotated_transform.cpp | const bool within = high == low >> 31 && static_cast<uint32_t>(low) + most <= 2u * most;
+   code: src/geometry/rotated_transform.cpp | return within ? low : high < 0 ? -most : most; *)
 Definition clamped (offset : Z) : Z :=
   Z.max (- (@kMaxOffset@ * cell14)) (Z.min (@kMaxOffset@ * cell14) offset).
 

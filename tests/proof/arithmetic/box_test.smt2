@@ -7,8 +7,9 @@
 ; code: include/flashbvh/detail/box_packed.hpp | join_halves(pack_bound(-box.lower.x), pack_bound(-box.lower.y)),
 ; code: include/flashbvh/detail/box_packed.hpp | join_halves(pack_bound(box.upper.z), pack_bound(-box.lower.z))};
 ; code: include/flashbvh/detail/box.hpp | return {{a.upper_xy + b.lower_xy, a.lower_xy + b.upper_xy, a.z + swap_halves(b.z)}};
-; code: include/flashbvh/detail/box.hpp | return t < -zero ? 0u : t >= zero ? 0xFFFFu : static_cast<uint32_t>(t + zero);
-; code: include/flashbvh/detail/box.hpp | return threshold(t == INT32_MIN ? INT32_MAX : -t);
+; code: include/flashbvh/detail/box.hpp | return static_cast<uint32_t>(kZero + clamp(t, -kZero, kZero - 1));
+; code: include/flashbvh/detail/box.hpp | return static_cast<uint32_t>(kZero - clamp(t, 1 - kZero, kZero));
+; code: include/flashbvh/detail/box.hpp | const int32_t raised = t < least ? least : t; return raised > most ? most : raised;
 (set-logic QF_BV)
 (define-sort Word () (_ BitVec 32))
 (define-sort Half () (_ BitVec 16))
@@ -54,10 +55,12 @@
 
 ; ---- threshold(), threshold_negated()
 (define-fun zero () Word (_ bv@2 * kBoundBias@ 32))
+(define-fun clamp ((t Word) (least Word) (most Word)) Word
+  (let ((raised (ite (bvslt t least) least t))) (ite (bvsgt raised most) most raised)))
 (define-fun threshold ((t Word)) Half
-  (ite (bvslt t (bvneg zero)) #x0000 (ite (bvsge t zero) #xffff ((_ extract 15 0) (bvadd t zero)))))
+  ((_ extract 15 0) (bvadd zero (clamp t (bvneg zero) (bvsub zero #x00000001)))))
 (define-fun threshold_negated ((t Word)) Half
-  (threshold (ite (= t #x80000000) #x7fffffff (bvneg t))))
+  ((_ extract 15 0) (bvsub zero (clamp t (bvsub #x00000001 zero) zero))))
 (define-fun least0 () Word (join (threshold tx) (threshold ty)))
 (define-fun least1 () Word (join (threshold_negated tx) (threshold_negated ty)))
 (define-fun least2 () Word (join (threshold tz) (threshold_negated tz)))

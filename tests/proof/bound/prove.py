@@ -50,7 +50,7 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
                  [walk.term("ascent") for walk in walks])
     visit = max([below.term("visit")] + [walk.term("visit") for walk in walks]) + ascent
     # In at one end and out at the other, a turn without a visit, and no answer left.
-    once = max(walk.fixed for walk in walks) + on_below.fixed + turn + tests
+    once = part("walk").total + max(walk.fixed for walk in walks) + on_below.fixed + turn + tests
     triangle = pair + once + part("triangle-test").total
     other = 2 * others.term("other")
     # Before the first walk, and for a pair of leaves that is left to the next run.
@@ -76,7 +76,8 @@ def check_itself(costs: Costs, roots: dict[str, str], bound: dict[str, int]) -> 
     found, test = (costs.of(roots[name]).total for name in ("found", "triangle-test"))
     looks, skipped = 2 * walk.term("sibling"), walk.term("skipped")
     tests = run.term("test") + answer.fixed
-    once = max(walk.fixed, rotated.fixed) + looks + tests
+    way = costs.of(roots["self-way"]).total
+    once = way + max(walk.fixed, rotated.fixed) + looks + tests
     pair = found + tests + sum(map(answer.term, ("row", "triangle"))) + 6 * answer.term("corner")
     ascent = walk.term("ascent") + skipped
     sibling = bound["later-sibling"]

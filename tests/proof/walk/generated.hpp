@@ -110,6 +110,7 @@ class TestedShapes {
  public:
   using Tree = ModelTree;
   static constexpr bool kShapes = true;
+  static constexpr bool kKnowsRoot = true;
 
   TestedShapes(const Tree& tree_a, const Tree& tree_b, const PairTests& tests, Walked& walked)
       : a(tree_a), b(tree_b), tests_(tests), walked_(walked) {}
@@ -131,6 +132,9 @@ class TestedShapes {
     walked_.visits.push_back(pair);
     return tests_.touch(side_, pair.first, pair.second);
   }
+  void keep_root(uint32_t root) { root_ = root; }
+  uint32_t kept_root() const { return root_; }
+  detail::Side leaf_side() const { return side_; }
 
   const Tree& a;
   const Tree& b;
@@ -140,25 +144,30 @@ class TestedShapes {
   Walked& walked_;
   detail::Side side_ = detail::Side::none;
   uint32_t node_ = 0;
+  uint32_t root_ = 0;
 };
 
 /// One run of a walk of the library's with `work` from a position, which it moves on. It stops
-/// after `batch` pairs of leaves.
+/// after `batch` pairs of leaves, or, if it is `to_end`, goes on from there.
 template <class Order>
 void walk_on(const ModelTree& a, const ModelTree& b, const PairTests& tests, uint32_t work,
              uint32_t batch, detail::PairCursor<uint16_t>& cursor, detail::State& state,
-             Walked& walked) {
+             Walked& walked, bool to_end = false) {
   const auto bound = [&](const detail::PackedBox& box_a, const detail::PackedBox& box_b) {
     walked.visits.emplace_back(box_a.z, box_b.z);
     return tests.bound(box_a.z, box_b.z);
   };
+  uint32_t left = batch;
   auto leaf_pair = [&](uint32_t i, uint32_t j, detail::Progress&) {
     walked.found.emplace_back(i, j);
-    return --batch != 0;
+    return --left != 0;
   };
   TestedShapes shapes(a, b, tests, walked);
-  detail::WalkRun<detail::PairCursor<uint16_t>, decltype(leaf_pair)> run(cursor, leaf_pair, work);
-  state = detail::walk<Order>(bound, shapes, run, state);
+  do {
+    left = batch;
+    detail::WalkRun<detail::PairCursor<uint16_t>, decltype(leaf_pair)> run(cursor, leaf_pair, work);
+    state = detail::walk<Order>(bound, shapes, run, state);
+  } while (to_end && state != detail::State::done);
 }
 
 }  // namespace flashbvh::test

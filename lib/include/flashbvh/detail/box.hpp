@@ -78,12 +78,16 @@ class TranslatedBound {
 
   /// Sums are 2 to 65,534: a threshold of 0 always holds, one of 65,535 never does.
   static constexpr uint32_t threshold(int32_t t) {
-    const int32_t zero = 2 * kBoundBias;
-    return t < -zero ? 0u : t >= zero ? 0xFFFFu : static_cast<uint32_t>(t + zero);
+    return static_cast<uint32_t>(kZero + clamp(t, -kZero, kZero - 1));
   }
   static constexpr uint32_t threshold_negated(int32_t t) {
-    return threshold(t == INT32_MIN ? INT32_MAX : -t);
+    return static_cast<uint32_t>(kZero - clamp(t, 1 - kZero, kZero));
   }
+  static constexpr int32_t clamp(int32_t t, int32_t least, int32_t most) {
+    const int32_t raised = t < least ? least : t;
+    return raised > most ? most : raised;
+  }
+  static constexpr int32_t kZero = 2 * kBoundBias;
 
   PackedTriple least_;
 };

@@ -7,9 +7,16 @@
 #define FLASHBVH_NOINLINE [[gnu::noinline]]
 /// What is small, and whose frame would stand in a query's way.
 #define FLASHBVH_INLINE [[gnu::always_inline]]
+/// The same unless size counts for more: what is there in several places.
+#if defined(__OPTIMIZE_SIZE__)
+#define FLASHBVH_INLINE_FOR_SPEED
+#else
+#define FLASHBVH_INLINE_FOR_SPEED FLASHBVH_INLINE
+#endif
 #else
 #define FLASHBVH_NOINLINE
 #define FLASHBVH_INLINE
+#define FLASHBVH_INLINE_FOR_SPEED
 #endif
 
 #endif

@@ -36,19 +36,23 @@ class LeafPairs {
   };
   /// The most work of a walk for one batch: counts keep 16 bits.
   static constexpr uint32_t kMostWork = UINT16_MAX;
+  /// The most pairs of a query's first batch.
+  static constexpr uint32_t kFirst = 3;
 
   LeafPairs(const Mesh& a, const Mesh& b)
       : a_(a.leaf_offsets == nullptr && b.leaf_offsets == nullptr ? nullptr : &a), b_(&b) {
     entry_[0].counts = 0;
   }
 
-  /// `room`: for how many pairs of triangles, at least one.
-  void clear(const Progress& before, uint32_t room) {
+  /// `room`: for how many pairs of triangles, at least one. `first`: of the query, whose first
+  /// answer may be all that is wanted.
+  void clear(const Progress& before, uint32_t room, bool first) {
     // Leaves of several triangles: four pairs each, as most have. More only cost a walk again.
     const uint32_t pairs = a_ == nullptr ? room : room / 4 + 1;
     count_ = next_ = 0;
     unpaid_ = false;
-    room_ = static_cast<uint8_t>(pairs < size ? pairs : size);
+    const uint32_t most = first && kFirst < size ? kFirst : size;
+    room_ = static_cast<uint8_t>(pairs < most ? pairs : most);
     counted_ = halves(before);
   }
   /// Whether to go on: this one could be paid for, and there is room for another one.
@@ -81,6 +85,7 @@ class LeafPairs {
     return a_ == nullptr ? 1 : a_->triangles_in(leaf_a) * b_->triangles_in(leaf_b);
   }
 
+  bool is_walked() const { return room_ != 0; }
   bool has_next() const { return next_ < count_; }
   /// Whether the next one, the last, was not paid for.
   bool has_unpaid() const { return unpaid_ && next_ == count_; }
@@ -106,7 +111,7 @@ class LeafPairs {
 
   const Mesh* a_;  ///< null: one triangle in each leaf
   const Mesh* b_;
-  uint8_t room_ = size;
+  uint8_t room_ = 0;  ///< of the walk, if there was one
   uint8_t count_ = 0;
   uint8_t next_ = 0;
   bool unpaid_ = false;

@@ -27,7 +27,8 @@ class LeafShapes {
  public:
   using Tree = Mesh;
   static constexpr bool kShapes = true;
-  static constexpr bool kAsksBound = false;  ///< of a translation
+  static constexpr bool kAsksBound = false;                              ///< of a translation
+  static constexpr bool kKnowsRoot = sizeof(typename Mesh::Index) == 2;  ///< there is room
 
   LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
       : a(mesh_a), b(mesh_b), transform_(transform) {}
@@ -88,6 +89,11 @@ class LeafShapes {
            may_touch_both(plane_, edge_, box);
   }
 
+  /// Of the leaf at hand, below which node a walk stopped; 0 if it stopped elsewhere.
+  void keep_root(uint32_t root) { root_ = static_cast<uint16_t>(root); }
+  uint32_t kept_root() const { return root_; }
+  Side leaf_side() const { return side_; }
+
   const Mesh& a;
   const Mesh& b;
 
@@ -114,7 +120,7 @@ class LeafShapes {
   }
 
   /// The plane's first, then the edge's.
-  FLASHBVH_INLINE void make(Slab& slab) {
+  FLASHBVH_INLINE_FOR_SPEED void make(Slab& slab) {
     if (!(made_++ == 0 ? lie_in_plane() : lie_along_edge())) {
       slab.set_all();
       return;
@@ -146,11 +152,11 @@ class LeafShapes {
     edge_.begin(direction, t.extent(direction));
     return good;
   }
-  FLASHBVH_INLINE PackedTriangle first() const {
+  FLASHBVH_INLINE_FOR_SPEED PackedTriangle first() const {
     return triangle(mesh().first_triangle(node_->leaf()));
   }
 
-  FLASHBVH_INLINE PackedTriangle triangle(uint32_t position) const {
+  FLASHBVH_INLINE_FOR_SPEED PackedTriangle triangle(uint32_t position) const {
     const Mesh& m = mesh();
     const auto& corner = m.triangles[position].corner;
     return {PackedVector::of(m.vertices[corner[0]]), PackedVector::of(m.vertices[corner[1]]),
@@ -174,6 +180,7 @@ class LeafShapes {
   const Node<typename Mesh::Index>* node_ = nullptr;  ///< the leaf
   Side side_ = Side::none;
   uint8_t made_ = 0;  ///< slabs
+  uint16_t root_ = 0;
   PackedTriple window_;
   Slab plane_;
   Slab edge_;

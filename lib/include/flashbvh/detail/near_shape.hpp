@@ -39,6 +39,10 @@ class NearShapes : LeafShapes<Mesh> {
   using Base::a;
   using Base::b;
   using Base::is_taken;
+  using Base::keep_root;
+  using Base::kept_root;
+  using Base::kKnowsRoot;
+  using Base::leaf_side;
   using Base::work_of;
 
   /// The bound of a walk, while it lasts: its limit is asked for, and its rotated boxes.

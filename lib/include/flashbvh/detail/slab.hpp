@@ -42,8 +42,8 @@ struct Extent {
 
 /// Sets `direction` to that of u x v, scaled; false if that is 0. Components of u and v: within
 /// +-32,766.
-FLASHBVH_INLINE inline bool cross_direction(const PackedVector& u, const PackedVector& v,
-                                            PackedVector& direction) {
+FLASHBVH_INLINE_FOR_SPEED inline bool cross_direction(const PackedVector& u, const PackedVector& v,
+                                                      PackedVector& direction) {
   int32_t x = u.y() * v.z - u.z * v.y();
   int32_t y = u.z * v.x() - u.x() * v.z;
   int32_t z = cross_halves(u.xy, v.xy);
@@ -71,12 +71,13 @@ struct PackedTriangle {
   PackedVector r;
 
   /// The normal; false if the triangle has no area.
-  FLASHBVH_INLINE bool plane_direction(PackedVector& normal) const {
+  FLASHBVH_INLINE_FOR_SPEED bool plane_direction(PackedVector& normal) const {
     return cross_direction(q - p, r - p, normal);
   }
   /// In the plane with this normal, the normal of the longest edge, the first of equals; false if
   /// it has no length.
-  FLASHBVH_INLINE bool edge_direction(const PackedVector& normal, PackedVector& direction) const {
+  FLASHBVH_INLINE_FOR_SPEED bool edge_direction(const PackedVector& normal,
+                                                PackedVector& direction) const {
     PackedVector longest = q - p;
     uint32_t most = squared(longest);
     const auto consider = [&](const PackedVector& edge) {
@@ -90,7 +91,7 @@ struct PackedTriangle {
     consider(p - r);
     return cross_direction(longest, normal, direction);
   }
-  FLASHBVH_INLINE Extent extent(const PackedVector& direction) const {
+  FLASHBVH_INLINE_FOR_SPEED Extent extent(const PackedVector& direction) const {
     const int32_t at = dot(direction, p);
     Extent along = {at, at};
     along.add(dot(direction, q));
@@ -113,7 +114,7 @@ class Slab {
   Extent extent() const { return {least_upper_, least_lower_}; }
 
   /// For boxes of the other tree than side `of`, under a translation of B.
-  FLASHBVH_INLINE void translate(const Point& offset, Side of) {
+  FLASHBVH_INLINE_FOR_SPEED void translate(const Point& offset, Side of) {
     const PackedVector d = direction();
     const int32_t along = d.x() * offset.x + d.y() * offset.y + d.z * offset.z;
     set_row(d, of == Side::a ? -along : along, 0);
@@ -162,7 +163,7 @@ class Slab {
   }
 
  private:
-  FLASHBVH_INLINE void set_row(const PackedVector& seen, int32_t offset, int32_t margin) {
+  FLASHBVH_INLINE_FOR_SPEED void set_row(const PackedVector& seen, int32_t offset, int32_t margin) {
     const Extent along = extent();
     row_ = {positive_halves(seen.xy), positive_halves(signed_difference(0, seen.xy)),
             positive_halves(

@@ -30,7 +30,8 @@
 // shapes.begin(side, node, box) takes the leaf, after shapes.take_again(side, node) if a run goes
 // on below it; it is shapes.work_of(side, node). And shapes.may_touch(box) tests the other tree's
 // boxes; where a walk is in it follows from the pair. An order with a stack leaves it alone
-// meanwhile. Without shapes the order goes there as the paper has it.
+// meanwhile. Without shapes the order goes there as the paper has it. Shapes that have kKnowsRoot
+// keep below which node a walk stopped, for the next one of the same run.
 #ifndef FLASHBVH_DETAIL_WALK_HPP
 #define FLASHBVH_DETAIL_WALK_HPP
 
@@ -52,6 +53,15 @@ struct Counts {
 };
 
 namespace detail {
+
+/// Zeros, for -Os by four stores: memset() would take 160 bytes along.
+FLASHBVH_INLINE inline Counts no_counts() {
+  uint32_t none = 0;
+#if defined(__OPTIMIZE_SIZE__) && defined(__GNUC__)
+  __asm__("" : "+r"(none));
+#endif
+  return {none, none, none, none};
+}
 
 /// Where a walk stands.
 enum class State : uint8_t {
@@ -144,6 +154,7 @@ struct NoShapes {
   using Tree = TreeType;
   static constexpr bool kShapes = false;
   static constexpr bool kAsksBound = false;
+  static constexpr bool kKnowsRoot = false;
   const Tree& a;
   const Tree& b;
 
@@ -259,11 +270,38 @@ FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shape
   return walk_below(shapes, run, root, false);
 }
 
+/// To the end of the leaf's walk in which this run's walk before stopped, below the root that was
+/// kept: as in one go, with no look for what is left. Then the pair with that root is behind.
+template <class Shapes, class Run>
+FLASHBVH_INLINE inline State walk_to_root(Shapes& shapes, Run& run, bool after) {
+  const uint32_t root = shapes.kept_root();
+  const Side side = shapes.leaf_side();
+  auto& leaf = side == Side::a ? run.cursor->a : run.cursor->b;
+  auto& node = side == Side::a ? run.cursor->b : run.cursor->a;
+  run.side = side;
+  run.leaf = leaf;
+  run.node = node;
+  State end = walk_below(shapes, run, root, after);
+  if (end == State::done) {
+    run.node = root;
+    run.side = Side::none;
+    shapes.keep_root(0);
+    end = State::at_leaf_pair;
+  }
+  node = static_cast<typename Shapes::Tree::Index>(run.node);
+  return end;
+}
+
 /// To the end of the leaf's walk of a subtree that a walk was in, and of those that follow. Then
 /// run.side is none. The first leaf is taken as a shape for nothing: a run with work always gets
 /// on.
 template <class Order, class Shapes, class Run>
 FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
+  if constexpr (Shapes::kKnowsRoot && Order::kStackless && !Order::kBelowLeaves) {
+    if (shapes.kept_root() != 0) {
+      return walk_to_root(shapes, run, after);
+    }
+  }
   Order at(shapes.a, shapes.b, *run.cursor);
   for (;;) {
     const bool first = run.side == Side::none;
@@ -300,6 +338,14 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
   return after ? State::at_leaf_pair : State::at_pair;
 }
 
+/// Of a walk at a pair below which it stopped, in the subtree of the node that is no leaf.
+template <class Shapes, class Order>
+FLASHBVH_INLINE inline void keep_root(Shapes& shapes, Side leaf, const Order& at) {
+  if constexpr (Shapes::kKnowsRoot) {
+    shapes.keep_root(leaf == Side::a ? at.index_b() : at.index_a());
+  }
+}
+
 /// From the cursor's pair, which is below no leaf that is a shape.
 template <class Order, class Bound, class Shapes, class LeafPair>
 FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
@@ -333,6 +379,7 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
           work_left = kept->progress.work_left;
           overlaps = kept->progress.overlaps;
           if (end != State::done && kept->side != Side::none) {
+            keep_root(shapes, kept->side, at);
             at.store_below(*kept->cursor, kept->side, kept->node);
             return end;
           }

@@ -1,0 +1,33 @@
+// The queries of all orders, compiled once for all tests (compiled_queries.cpp): the walk and the
+// test of triangles, which take no sink. Those of Ranked are in the library.
+#ifndef FLASHBVH_TESTS_SUPPORT_COMPILED_QUERIES_HPP
+#define FLASHBVH_TESTS_SUPPORT_COMPILED_QUERIES_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/paper/traversals.hpp"
+#include "flashbvh/query.hpp"
+
+#define FLASHBVH_COMPILED_QUERY(keyword, ...)                                      \
+  keyword template bool __VA_ARGS__::next_answer(__VA_ARGS__::Batch&, uint32_t);   \
+  keyword template detail::State __VA_ARGS__::walk(uint32_t&, __VA_ARGS__::Batch&, \
+                                                   typename __VA_ARGS__::Kept::Shapes&, uint32_t)
+#define FLASHBVH_COMPILED_LAYOUT(keyword, Index, layout)                                      \
+  FLASHBVH_COMPILED_QUERY(keyword, Query<VolumeStack<flashbvh::Mesh<Index, layout>>>);        \
+  FLASHBVH_COMPILED_QUERY(keyword, Query<AlternatingStack<LevelledMesh<Index, layout>>>);     \
+  FLASHBVH_COMPILED_QUERY(keyword, Query<AlternatingStackless<LevelledMesh<Index, layout>>>); \
+  FLASHBVH_COMPILED_QUERY(keyword, Query<Leaf<flashbvh::Mesh<Index, layout>>>)
+/// `keyword`: extern, or nothing.
+#define FLASHBVH_COMPILED_QUERIES(keyword, Index)                 \
+  FLASHBVH_COMPILED_LAYOUT(keyword, Index, Layout::pre_indexed);  \
+  FLASHBVH_COMPILED_LAYOUT(keyword, Index, Layout::post_indexed); \
+  FLASHBVH_COMPILED_QUERY(keyword, Query<RankedStack<flashbvh::Mesh<Index, Layout::post_indexed>>>)
+
+namespace flashbvh {
+
+FLASHBVH_COMPILED_QUERIES(extern, uint16_t);
+FLASHBVH_COMPILED_QUERIES(extern, uint32_t);
+
+}  // namespace flashbvh
+
+#endif
