@@ -240,7 +240,7 @@ TEST_CASE("distances of triangles are those of exact rationals") {
   }
   CHECK(seen.size() == 7);
   CHECK(separations.directions > tries / 4);
-  CHECK(separations.planes > tries / 14);
+  CHECK(separations.planes > 3 * tries / 40);
   CHECK(separations.axes > tries / 4);
   CHECK(separations.others > tries / 80);
 }
