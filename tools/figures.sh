@@ -159,8 +159,15 @@ gather() {
   echo "$gathered"
 }
 
+# configured PRESET NAME: the value of FLASHBVH_NAME in the build folder.
+configured() {
+  sed -n "s/^FLASHBVH_$2:INTERNAL=//p" "build/$1/CMakeCache.txt" | tr ';' ' '
+}
+
 # trees PRESET: a row for each leaf size and arity; the build is left as it was.
 trees() {
+  mkdir -p "$folder/trees"
+  ln -sfn ../robot "$folder/trees/robot"
   echo "| leaf size | arity | bytes a triangle | close, mean | most | intersecting, mean | most |" \
     "rotated: close, mean | most | intersecting, mean | most |"
   echo "|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
@@ -170,8 +177,9 @@ trees() {
       quietly build/$native/bin/write_poses "$folder/trees" "$folder/leaf1" $pairs
       quietly cmake --preset "$1" -DFLASHBVH_HOST_TOOL="$flashbvh" \
         -DFLASHBVH_KR5_FIGURES="$folder/trees"
-      quietly cmake --build --preset "$1" --target figures_kr5 figures_tori
-      quietly ctest --preset "$1" -R "figures: measured"
+      quietly cmake --build --preset "$1" --target figures_kr5
+      RUN=$(configured "$1" RUN) FLASHBVH_ICOUNT=$(configured "$1" ICOUNT_SHIFT) \
+        quietly tests/figures/run.sh "$folder/trees/figures.txt" "build/$1/bin/figures_kr5.elf"
       awk -v row="| $size | $arity | $flash |" '{ value[$2] = $3 }
         END {
           for (i = split("translated rotated", motion); i > 0; --i) {
@@ -183,7 +191,7 @@ trees() {
             row_of[i] = cells
           }
           print row row_of[1] row_of[2]
-        }' "build/$1/figures.txt"
+        }' "$folder/trees/figures.txt"
     done
   done
   quietly cmake --preset "$1" -DFLASHBVH_KR5_FIGURES="$folder"
