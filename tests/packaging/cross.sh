@@ -3,10 +3,6 @@
 # and the baked code, not the tool, which is built for this machine beside it.
 . "$SOURCES/common.sh"
 enter_cross_environment
-# What is compiled here hardly runs.
-printf '#!/bin/sh\nexec %s "$@" -O0\n' "${CMAKE_CXX_COMPILER_LAUNCHER:-}" >unoptimised
-chmod +x unoptimised
-export CMAKE_C_COMPILER_LAUNCHER="$PWD/unoptimised" CMAKE_CXX_COMPILER_LAUNCHER="$PWD/unoptimised"
 configure built -DWAY=add_subdirectory "-DFLASHBVH_ROOT=$ROOT" "-DOPTIONS=CELL;0.01"
 bakes built "the first time"
 for_the_target built/consumer
