@@ -4,9 +4,9 @@
 # test.sh --quick   What most changes break: formatting, the tests on this machine that don't take long,
 #                   and a board with a Cortex-M4F, without the proofs.
 # test.sh --all     Also an Xtensa LX106 and a plain RV32IM; on every board all tests that fit it, which
-#                   otherwise run natively and on the Cortex-M4F (elsewhere there is what a core has of
-#                   its own: answers, arithmetic, stack, bounds, figures; of a core that another board
-#                   has the answers alone); random tests with all their tries, compilers in all ways,
+#                   otherwise run natively and on the Cortex-M4F (on Cortex-M0 and RISC-V what a core
+#                   has of its own: answers, arithmetic, stack, bounds, figures; of the others answers
+#                   and arithmetic); random tests with all their tries, compilers in all ways,
 #                   libFuzzer; a deeper lint; the packages of a release.
 #
 # A step (tools/test_step.sh) a core, side by side; what each prints is in build/log. Says at the end
@@ -16,8 +16,8 @@ cd "$(dirname "$0")/.."
 . tools/packages.sh
 
 # The longest first, so that none is left over at the end; all but lint wait for the first.
-steps="tool lint native cortex-m55 long cortex-m4f cortex-m3 rv32imac cortex-m0 cortex-m7
-  cortex-m33 netduinoplus2 sifive_e stm32vldiscovery"
+steps="tool lint native cortex-m4f long rv32imac cortex-m0 cortex-m55 cortex-m3 stm32vldiscovery
+  cortex-m7 cortex-m33 netduinoplus2 sifive_e"
 packages="$riscv_packages $digest_packages clang-tidy"
 release=
 case ${1:-} in
