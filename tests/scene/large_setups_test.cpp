@@ -29,12 +29,8 @@ tool::Objects& objects() {
   return all;
 }
 
-bool is_thorough() {
-  return test::rounds(0, 1) != 0;
-}
-
 std::vector<scene::Setup> setups() {
-  const std::uint32_t most = is_thorough() ? 203776 : 50944;
+  const std::uint32_t most = test::is_thorough() ? 203776 : 50944;
   std::vector<scene::Setup> asked;
   std::copy_if(scene::kSetups.begin(), scene::kSetups.end(), std::back_inserter(asked),
                [&](const scene::Setup& setup) {
@@ -76,7 +72,7 @@ TEST_CASE("ranked on the default tree: 0.60 of the paper's visits, 1.10 of the b
   const tool::DefaultTreeVisits all = sum_of(results, false);
   CAPTURE(intersecting.stackless, intersecting.ranked, all.ranked, all.best_rule);
   CHECK(100 * intersecting.ranked <= 60 * intersecting.stackless);
-  if (is_thorough()) {  // what is promised is so of all setups together
+  if (test::is_thorough()) {  // what is promised is so of all setups together
     CHECK(100 * all.ranked <= 110 * all.best_rule);
   }
 }

@@ -45,10 +45,15 @@ inline const char* setting(const char* name) {
 #endif
 }
 
-/// How often a test with random numbers tries: `many` times if FLASHBVH_THOROUGH is set.
+/// Whether FLASHBVH_THOROUGH is set: all is asked for, however long it takes.
+inline bool is_thorough() {
+  return setting("FLASHBVH_THOROUGH") != nullptr;
+}
+
+/// How often a test with random numbers tries.
 template <class Count>
 Count rounds(Count few, Count many) {
-  return setting("FLASHBVH_THOROUGH") != nullptr ? many : few;
+  return is_thorough() ? many : few;
 }
 
 /// The seed of this run: FLASHBVH_SEED, decimal or 0x hexadecimal, or a fixed one where unset.
