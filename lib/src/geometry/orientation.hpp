@@ -62,7 +62,6 @@ struct Sides {
 
   unsigned above() const { return bits & kAllCorners; }
   unsigned below() const { return bits >> 3; }
-  bool separate() const { return above() == kAllCorners || below() == kAllCorners; }
   bool all_on_plane() const { return bits == 0; }
 };
 
