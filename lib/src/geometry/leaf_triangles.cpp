@@ -12,6 +12,7 @@
 #define FLASHBVH_AVX2 [[gnu::target("avx2")]]
 
 namespace flashbvh::detail {
+namespace avx2 {
 namespace {
 
 FLASHBVH_AVX2 inline __m128i all_of(const uint32_t (&words)[4]) {
@@ -146,6 +147,7 @@ FLASHBVH_AVX2 inline bool intersect(const WideTriangle& a, const WideTriangle& b
 }
 
 }  // namespace
+}  // namespace avx2
 
 void VertexTransform::translate(const Point& by) {
   *this = {{}, {}, {}, {}, {by.x, by.y, by.z, 0}};
@@ -169,11 +171,13 @@ void VertexTransform::rotate(const RotatedTransform& by) {
 
 FLASHBVH_AVX2 void take_translated(const VertexTransform& by, const Vertex* const (&corner)[3],
                                    WideTriangle& t) {
-  take(translated(by, *corner[0]), translated(by, *corner[1]), translated(by, *corner[2]), t);
+  using avx2::translated;
+  avx2::take(translated(by, *corner[0]), translated(by, *corner[1]), translated(by, *corner[2]), t);
 }
 FLASHBVH_AVX2 void take_rotated(const VertexTransform& by, const Vertex* const (&corner)[3],
                                 WideTriangle& t) {
-  take(rotated(by, *corner[0]), rotated(by, *corner[1]), rotated(by, *corner[2]), t);
+  using avx2::rotated;
+  avx2::take(rotated(by, *corner[0]), rotated(by, *corner[1]), rotated(by, *corner[2]), t);
 }
 
 FLASHBVH_AVX2 uint32_t intersecting_pairs(const WideTriangle* a, uint32_t in_a,
@@ -181,7 +185,7 @@ FLASHBVH_AVX2 uint32_t intersecting_pairs(const WideTriangle* a, uint32_t in_a,
   uint32_t answers = 0;
   for (uint32_t j = 0; j < in_b; ++j) {
     for (uint32_t i = 0; i < in_a; ++i) {
-      answers |= (intersect(a[i], b[j]) ? 1u : 0u) << (i + j * in_a);
+      answers |= (avx2::intersect(a[i], b[j]) ? 1u : 0u) << (i + j * in_a);
     }
   }
   return answers;

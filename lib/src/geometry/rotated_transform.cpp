@@ -170,14 +170,14 @@ bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
                                const PackedBox& root_b, bool may_stop) {
   matrix = &pose.matrix();
 #if defined(FLASHBVH_ROTATE_SSE2)
-  const RowLanes rows(*matrix);
+  const RowLanes rows = row_lanes(matrix->rows);
   const auto along = [&](int axis) { return offset_along_axis(pose, origin_a, origin_b, axis); };
   const int32_t offset[3] = {along(0), along(1), along(2)};
-  const StartLanes starts(rows, offset, kWidestMargin);
+  const BoundLanes starts = start_all(rows, offset, kWidestMargin);
   if (may_stop && far_apart(rows, starts, root_a, root_b)) {
     return false;
   }
-  starts.store(on_a);
+  store_all(starts, on_a);
 #else
   const auto is_far = [&](int axis, uint32_t upper, uint32_t lower) {
     const SplitRow& row = matrix->rows.row[axis];
