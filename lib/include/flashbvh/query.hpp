@@ -208,7 +208,7 @@ class Query : protected Question {
   /// Orders with a stack can't go back to a pair, so they take along but one.
   using Batches = detail::Batches<
       detail::LeafPairs<Mesh, Order::kStackless ? Question::kBatch : 1, Question::kPairWork>, Mesh,
-      Question::kIntersects>;
+      detail::kAsksAllAlike<Question>>;
   using Batch = typename Batches::Batch;
   using Shapes = typename Question::template Shapes<Mesh>;
   using Kept = detail::KeptShapes<Shapes, Question::kKeepsShapes>;

@@ -19,9 +19,13 @@
 
 namespace flashbvh::detail {
 
-/// A batch of pairs of leaves. Elsewhere their triangles are tested one pair after the other, as
-/// they are where more is asked than whether triangles intersect.
-template <class LeafPairs, class Mesh, bool kIntersects>
+/// Whether any two triangles of two leaves are asked, and whether they intersect, no more.
+template <class Question>
+inline constexpr bool kAsksAllAlike = Question::kIntersects;
+
+/// A batch of pairs of leaves. Elsewhere, and where triangles are not asked alike, they are tested
+/// one pair after the other.
+template <class LeafPairs, class Mesh, bool asks_all_alike>
 struct Batches {
   using Batch = LeafPairs;
   static constexpr bool kAtOnce = false;
