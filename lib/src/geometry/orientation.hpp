@@ -62,6 +62,7 @@ struct Sides {
 
   unsigned above() const { return bits & kAllCorners; }
   unsigned below() const { return bits >> 3; }
+  bool separate() const { return above() == kAllCorners || below() == kAllCorners; }
   bool all_on_plane() const { return bits == 0; }
 };
 
