@@ -365,15 +365,15 @@ class Query : protected Question {
         return false;
       }
       bool answer = false;
-      bool tested = false;
+      bool is_at_once = false;
       if constexpr (Batches::kAtOnce) {
-        tested = batch.at_once.has(transform_, leaf_a_, leaf_b_);
-        if (tested) {
+        is_at_once = batch.at_once.has(transform_, leaf_a_, leaf_b_);
+        if (is_at_once) {
           untested_ = static_cast<uint16_t>(untested);
           answer = batch.at_once.next_answer(leaf_a_, leaf_b_, kept, untested_);
         }
       }
-      if (!tested) {
+      if (!is_at_once) {
         answer = test_leaves(test, batch, kept, untested);
       }
       if (answer) {
