@@ -12,6 +12,7 @@ demo=build/demo
 # FLASHBVH_NATIVE: the preset whose host program bakes.
 native=${FLASHBVH_NATIVE:-native}
 flashbvh=build/$native/bin/flashbvh
+bake=${FLASHBVH_BAKE:-$PWD/$flashbvh}
 links="base_link shoulder bicep elbow forearm wrist palm"
 board=cortex-m4f
 last=
@@ -67,7 +68,7 @@ echo "The same links pre-indexed, for the paper's first stackless algorithm: $de
 
 step "4. Firmware for a Cortex-M4 with all seven links in its flash"
 awk -f firmware_examples/robot_arm/joints.awk "$urdf" >$demo/kr5/joints.hpp
-build $board robot_arm -DFLASHBVH_HOST_TOOL="$PWD/$flashbvh" -DFLASHBVH_ROBOT_ARM="$PWD/$demo/kr5"
+build $board robot_arm -DFLASHBVH_HOST_TOOL="$bake" -DFLASHBVH_ROBOT_ARM="$PWD/$demo/kr5"
 arm-none-eabi-size build/$board/bin/robot_arm.elf
 echo "text: flash, with every link twice, for both layouts; data and bss: static RAM"
 

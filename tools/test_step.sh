@@ -22,13 +22,21 @@ sources() {
 tool() {
   cmake --build --preset native-sanitize --target flashbvh_tool write_poses \
     tool_test_meshes tool_test_damage tool_test_brute_force
+  cp tools/bake_once.sh build/
+  touch -r build/native-sanitize/bin/flashbvh build/bake_once.sh
   FLASHBVH_NATIVE=native-sanitize tools/figures.sh --prepare
   cmake --preset native-sanitize -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
 }
 
 board() {
-  cmake --preset "$1" -DFLASHBVH_HOST_TOOL="$PWD/build/native-sanitize/bin/flashbvh" \
-    -DFLASHBVH_KR5_FIGURES="$PWD/build/figures" -DFLASHBVH_ALL_TESTS="${FLASHBVH_ALL_TESTS:-OFF}"
+  all=${FLASHBVH_ALL_TESTS:-OFF}
+  figures=
+  case $1-$all in
+    cortex-m4f-* | *-ON) figures=$PWD/build/figures ;;
+    *) echo "Of the figures those of the KR5 are left to the Cortex-M4F: --all measures them here, too" ;;
+  esac
+  cmake --preset "$1" -DFLASHBVH_HOST_TOOL="$PWD/build/bake_once.sh" \
+    -DFLASHBVH_KR5_FIGURES="$figures" -DFLASHBVH_ALL_TESTS=$all
   case $1-${FLASHBVH_ALL_TESTS:-${FLASHBVH_QUICK:-OFF}} in
     cortex-m7-OFF | cortex-m33-OFF | netduinoplus2-OFF | sifive_e-OFF)
       cmake --build --preset "$1" -j 1 --target digest
@@ -36,8 +44,8 @@ board() {
       return ;;
     cortex-m3-OFF | cortex-m55-OFF)
       cmake --build --preset "$1" -j 1 --target digest geometry_test small_query_test \
-        small_resume_test small_clearance_test small_image_test
-      ctest --preset "$1" -R "the digest is every core's$|/geometry_test|/small_.*_test"
+        small_clearance_test
+      ctest --preset "$1" -R "the digest is every core's$|/geometry_test|/small_(query|clearance)_test"
       return ;;
   esac
   cmake --build --preset "$1" -j 1
@@ -45,7 +53,8 @@ board() {
   case $1 in lx106 | rv32im) return 0 ;; esac # not on the page
   tools/figures.sh --compare "$1"
   grep -aE "^budget: |, budget: (at most|below)" "build/$1/Testing/Temporary/LastTest.log"
-  [ "$1" != cortex-m4f ] || FLASHBVH_NATIVE=native-sanitize tools/demo.sh
+  [ "$1" != cortex-m4f ] ||
+    FLASHBVH_NATIVE=native-sanitize FLASHBVH_BAKE=$PWD/build/bake_once.sh tools/demo.sh
 }
 
 run() {
