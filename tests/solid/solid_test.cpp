@@ -49,7 +49,7 @@ PostMesh closed(const AnyMesh& mesh) {
 TEST_CASE("a point's side is told by its winding number, wherever edges and corners lie above it") {
   Random random(test_seed());
   std::uint32_t seen[3] = {0, 0, 0};
-  for (int round = 0; round < 60 / kShare; ++round) {
+  for (int round = 0; round < rounds(24, 60) / kShare; ++round) {
     CAPTURE(round);
     bake::LatticeMesh lattice = boxes(random);
     for (std::int32_t& origin : lattice.origin) {
