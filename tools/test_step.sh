@@ -37,7 +37,7 @@ board() {
   cmake --preset "$1" -DFLASHBVH_HOST_TOOL="$PWD/build/bake_once.sh" \
     -DFLASHBVH_KR5_FIGURES="$figures" -DFLASHBVH_ALL_TESTS=$all
   case $1-${FLASHBVH_QUICK:+quick-}$all in
-    cortex-m7-OFF | cortex-m33-OFF | netduinoplus2-OFF | sifive_e-OFF)
+    cortex-m7-OFF | cortex-m33-OFF | netduinoplus2-OFF | sifive_e-OFF | stm32vldiscovery-OFF)
       cmake --build --preset "$1" -j 1 --target digest
       ctest --preset "$1" -R "the digest is every core's$"
       return ;;
@@ -53,7 +53,8 @@ board() {
   tools/figures.sh --compare "$1"
   grep -aE "^budget: |, budget: (at most|below)" "build/$1/Testing/Temporary/LastTest.log"
   [ "$1" != cortex-m4f ] ||
-    FLASHBVH_NATIVE=native-sanitize FLASHBVH_BAKE=$PWD/build/bake_once.sh tools/demo.sh
+    FLASHBVH_NATIVE=native-sanitize FLASHBVH_BAKE=$PWD/build/bake_once.sh \
+      FLASHBVH_DEMO_OF_MESHES=$([ $all = ON ] || echo yes) tools/demo.sh
 }
 
 run() {
