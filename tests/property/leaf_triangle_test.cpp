@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "flashbvh/detail/leaf_triangles.hpp"
 #include "flashbvh/detail/triangle.hpp"
 #include "support/random.hpp"
+#include "support/rotations.hpp"
 #include "support/triangle_pairs.hpp"
 
 using namespace flashbvh;
@@ -90,3 +92,121 @@ TEST_CASE("a box and a triangle overlap where their bounds do") {
   CHECK(overlapping > tries / 12);
   CHECK(overlapping < tries - tries / 12);
 }
+
+#if defined(FLASHBVH_LEAVES_AT_ONCE)
+
+namespace {
+
+bool has_avx2() {
+  return __builtin_cpu_supports("avx2") != 0;
+}
+
+/// A narrow one.
+WideTriangle wide(const Triangle& t) {
+  const Point& base = t.corner[0];
+  Vertex corner[3];
+  for (int i = 0; i < 3; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Point& p = t.corner[i];
+      corner[i].*kVertexAxes[axis] =
+          static_cast<std::int16_t>(p.*kPointAxes[axis] - base.*kPointAxes[axis]);
+    }
+  }
+  VertexTransform by;
+  by.translate(base);
+  WideTriangle made;
+  take_translated(by, {&corner[0], &corner[1], &corner[2]}, made);
+  return made;
+}
+
+TransformedPair narrow_pair(Random& random) {
+  for (;;) {
+    const TransformedPair pair = any_pair(random);
+    if (is_narrow(pair.a) && is_narrow(pair.b)) {
+      return pair;
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("triangles of two leaves tested at once intersect where triangles do") {
+  if (!has_avx2()) {
+    WARN("left out: no AVX2");
+    return;
+  }
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 10);
+  std::uint32_t intersect = 0;
+  const auto tries = rounds(12000u, 200000u);
+  for (std::uint32_t round = 0; round < tries; ++round) {
+    CAPTURE(round);
+    const TransformedPair first = narrow_pair(random);
+    const TransformedPair second = random.below(2) == 0 ? first : narrow_pair(random);
+    const Triangle a[2] = {first.a, second.b};
+    const Triangle b[2] = {first.b, second.a};
+    const WideTriangle wide_a[2] = {wide(a[0]), wide(a[1])};
+    const WideTriangle wide_b[2] = {wide(b[0]), wide(b[1])};
+    for (std::uint32_t in_a = 1; in_a <= 2; ++in_a) {
+      for (std::uint32_t in_b = 1; in_b <= 2; ++in_b) {
+        std::uint32_t expected = 0;
+        for (std::uint32_t j = 0; j < in_b; ++j) {
+          for (std::uint32_t i = 0; i < in_a; ++i) {
+            const bool answer = triangles_intersect(a[i], b[j]);
+            expected |= (answer ? 1u : 0u) << (i + j * in_a);
+            intersect += answer ? 1 : 0;
+          }
+        }
+        REQUIRE(intersecting_pairs(wide_a, in_a, wide_b, in_b) == expected);
+      }
+    }
+  }
+  CHECK(intersect > tries);
+}
+
+TEST_CASE("corners of a rotated leaf are where the transform puts them") {
+  if (!has_avx2()) {
+    WARN("left out: no AVX2");
+    return;
+  }
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 11);
+  const PackedBox all = pack({{-kMaxCoordinate, -kMaxCoordinate, -kMaxCoordinate},
+                              {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate}});
+  for (int round = 0; round < rounds(3000, 100000); ++round) {
+    CAPTURE(round);
+    const Pose pose = any_rigid_pose(random, round % 2 == 0 ? 40000 : kMaxTranslation);
+    if (pose.is_translation()) {
+      continue;
+    }
+    const std::int32_t origin[3] = {0, 0, 0};
+    RotatedTransform transform{};
+    REQUIRE(transform.prepare(pose, origin, all, origin, all, /*may_stop=*/false));
+    VertexTransform by;
+    by.rotate(transform);
+    Vertex corner[3];
+    for (Vertex& v : corner) {
+      for (const auto axis : kVertexAxes) {
+        v.*axis = static_cast<std::int16_t>(random.below(4) == 0
+                                                ? kMaxCoordinate * random.between(-1, 1)
+                                                : random.between(-kMaxCoordinate, kMaxCoordinate));
+      }
+    }
+    WideTriangle made;
+    take_rotated(by, {&corner[0], &corner[1], &corner[2]}, made);
+    for (int i = 0; i < 3; ++i) {
+      const Point expected = transform.transform(corner[i]);
+      for (int axis = 0; axis < 3; ++axis) {
+        REQUIRE(made.corner[i][axis] == expected.*kPointAxes[axis]);
+      }
+      REQUIRE(made.corner[i][3] == 0);
+      REQUIRE(made.x[i] == expected.x);
+      REQUIRE(made.y[i] == expected.y);
+      REQUIRE(made.z[i] == expected.z);
+    }
+  }
+}
+
+#endif

@@ -221,3 +221,33 @@ TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, wh
   CHECK(overlaps > 1000);
   CHECK(gaps > 1000);
 }
+
+TEST_CASE("roots are far apart exactly when B's, rotated with the widest margin, is beside A's") {
+  constexpr int32_t widest = 3 * kMost / 2 + 1 + kSplitOne / 2;
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 3);
+  int near = 0;
+  int far = 0;
+  for (int round = 0; round < 20000; ++round) {
+    CAPTURE(round);
+    const AnyRotation rotation(random);
+    const RotationMatrix& matrix = rotation.pose.matrix();
+    BoundStart starts[3];
+    for (int i = 0; i < 3; ++i) {
+      const int32_t offset = offset_of(rotation.transform.on_a[i]);
+      const int32_t shared = (kSplitOne - matrix.rows.row[i].sum()) * kBoundBias + widest;
+      starts[i] = {shared + offset, shared - offset};
+    }
+    const PackedBox b = any_box(random);
+    const PackedBox rotated = rotated_box(matrix.rows, starts, b);
+    const PackedBox a = random.below(4) == 0 ? any_box(random) : box_beside(random, rotated);
+    const int32_t origin[3] = {0, 0, 0};
+    RotatedTransform transform{};
+    const bool expected = overlap(a, rotated);
+    REQUIRE(transform.prepare(rotation.pose, origin, a, origin, b, /*may_stop=*/true) == expected);
+    ++(expected ? near : far);
+  }
+  CHECK(near > 2000);
+  CHECK(far > 2000);
+}

@@ -18,6 +18,7 @@
 #include "flashbvh/detail/intersection.hpp"
 #include "flashbvh/detail/leaf_pairs.hpp"
 #include "flashbvh/detail/leaf_shape.hpp"
+#include "flashbvh/detail/leaf_triangles.hpp"
 #include "flashbvh/detail/ranked.hpp"
 #include "flashbvh/detail/transform.hpp"
 #include "flashbvh/detail/triangle_test.hpp"
@@ -205,8 +206,10 @@ class Query : protected Question {
   }
 
   /// Orders with a stack can't go back to a pair, so they take along but one.
-  using Batch =
-      detail::LeafPairs<Mesh, Order::kStackless ? Question::kBatch : 1, Question::kPairWork>;
+  using Batches = detail::Batches<
+      detail::LeafPairs<Mesh, Order::kStackless ? Question::kBatch : 1, Question::kPairWork>, Mesh,
+      detail::kAsksAllAlike<Question>>;
+  using Batch = typename Batches::Batch;
   using Shapes = typename Question::template Shapes<Mesh>;
   using Kept = detail::KeptShapes<Shapes, Question::kKeepsShapes>;
   using Test = detail::TriangleTest<Question, Mesh, Question::kIntersects>;
@@ -357,6 +360,15 @@ class Query : protected Question {
     Question& question = *this;
     Test test(question, *a_, *b_, transform_);
     while (untested_ > kept || take_next(batch)) {
+      if constexpr (Batches::kAtOnce) {
+        if (batch.at_once.has(transform_, leaf_a_, leaf_b_)) {
+          if (batch.at_once.next_answer(leaf_a_, leaf_b_, kept, untested_)) {
+            ++counts_.triangle_pairs;
+            return true;
+          }
+          continue;
+        }
+      }
       if (test_leaves(test, batch, kept)) {
         ++counts_.triangle_pairs;
         return true;

@@ -38,14 +38,6 @@
 namespace flashbvh::detail {
 namespace {
 
-/// Compares two boxes on one lattice: 0 if they overlap. They do if no sum of an upper and a
-/// negated lower bound is negative, that is, below its bias, which is the top bit.
-inline uint32_t compare(const PackedBox& a, const PackedBox& b) {
-  constexpr uint32_t biases = 0x80008000u;
-  return biases &
-         ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z)));
-}
-
 #if !defined(FLASHBVH_ROTATE_DSP) && !defined(FLASHBVH_ROTATE_THUMB)
 #if !defined(FLASHBVH_ROTATE_SSE2) && !defined(FLASHBVH_ROTATE_PLAIN)
 

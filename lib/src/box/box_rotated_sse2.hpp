@@ -11,6 +11,17 @@
 
 namespace flashbvh::detail {
 
+/// A box of sums, with kSplitBits of fraction: whole cells from 0 to 32,767, beyond which lies no
+/// box.
+inline PackedBox box_of_sums(__m128i upper, __m128i lower) {
+  upper = _mm_srai_epi32(upper, kSplitBits);
+  lower = _mm_srai_epi32(lower, kSplitBits);
+  const __m128i cells = _mm_max_epi16(_mm_packs_epi32(upper, lower), _mm_setzero_si128());
+  uint32_t words[4];
+  memcpy(words, &cells, sizeof words);
+  return {words[0], words[2], join_halves(low_half(words[1]), low_half(words[3]))};
+}
+
 /// The bounds of a rotated box.
 inline PackedBox rotated_sse2(const BoxRotation& by, const PackedBox& box) {
   const auto lanes = [](const auto& words) {
@@ -22,16 +33,10 @@ inline PackedBox rotated_sse2(const BoxRotation& by, const PackedBox& box) {
   const auto sum = [&](const int32_t* start, __m128i positive, __m128i negative, __m128i z) {
     const __m128i xy = _mm_add_epi32(_mm_madd_epi16(lanes(by.positive_xy), positive),
                                      _mm_madd_epi16(lanes(by.negative_xy), negative));
-    return _mm_srai_epi32(
-        _mm_add_epi32(_mm_add_epi32(lanes(start), xy), _mm_madd_epi16(lanes(by.z), z)), kSplitBits);
+    return _mm_add_epi32(_mm_add_epi32(lanes(start), xy), _mm_madd_epi16(lanes(by.z), z));
   };
-  const __m128i upper = sum(by.upper, box_upper, box_lower, all(box.z));
-  const __m128i lower = sum(by.lower, box_lower, box_upper, all(swap_halves(box.z)));
-  // Whole cells from 0 to 32,767, four upper bounds and four lower ones.
-  const __m128i cells = _mm_max_epi16(_mm_packs_epi32(upper, lower), _mm_setzero_si128());
-  uint32_t words[4];
-  memcpy(words, &cells, sizeof words);
-  return {words[0], words[2], join_halves(low_half(words[1]), low_half(words[3]))};
+  return box_of_sums(sum(by.upper, box_upper, box_lower, all(box.z)),
+                     sum(by.lower, box_lower, box_upper, all(swap_halves(box.z))));
 }
 
 }  // namespace flashbvh::detail

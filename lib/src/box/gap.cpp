@@ -60,7 +60,8 @@ struct Halves {
 /// What words of a box have to reach of the rotated one's sums, from `zero` on.
 inline PackedTriple window_of_rotated(const NearBox& kept, const PackedBox& box) {
 #if defined(FLASHBVH_GAP_SIMD)
-  return window_lanes(rotated_lanes(*kept.matrix, kept.starts, box), kept.zero);
+  return window_lanes(rotated_lanes(row_lanes(*kept.matrix), start_lanes(kept.starts), box),
+                      kept.zero);
 #else
   const auto least_half = [&](int32_t sum) {
     const int32_t cells = (kept.zero - sum) >> kSplitBits;

@@ -39,11 +39,9 @@ inline BoundLanes start_lanes(const BoundStart* starts) {
 }
 
 /// Of a rotated box's bounds, with kSplitBits of fraction.
-inline BoundLanes rotated_lanes(const SplitMatrix& matrix, const BoundStart* starts,
+inline BoundLanes rotated_lanes(const RowLanes& rows, const BoundLanes& start,
                                 const PackedBox& box) {
   const auto all = [](uint32_t word) { return _mm_set1_epi32(static_cast<int>(word)); };
-  const RowLanes rows = row_lanes(matrix);
-  const BoundLanes start = start_lanes(starts);
   const __m128i box_upper = all(box.upper_xy);
   const __m128i box_lower = all(box.lower_xy);
   const auto sum = [&](__m128i from, __m128i positive, __m128i negative, __m128i z) {
@@ -58,7 +56,7 @@ inline BoundLanes rotated_lanes(const SplitMatrix& matrix, const BoundStart* sta
 /// As rotate() in gap.cpp.
 inline void rotate_lanes(const SplitMatrix& matrix, const BoundStart* starts, int32_t rounding,
                          const PackedBox& box, SeenBox& seen) {
-  const BoundLanes sums = rotated_lanes(matrix, starts, box);
+  const BoundLanes sums = rotated_lanes(row_lanes(matrix), start_lanes(starts), box);
   const auto set = [rounding](int32_t(&bounds)[4], __m128i sum) {
     _mm_store_si128(reinterpret_cast<__m128i*>(bounds),
                     _mm_srai_epi32(_mm_add_epi32(sum, _mm_set1_epi32(rounding)), kSplitBits));

@@ -1,6 +1,15 @@
 // Preparing a rotated transform, and transforming vertices.
 #include "flashbvh/detail/rotated_transform.hpp"
+#include "flashbvh/detail/box_rotated.hpp"
 #include "flashbvh/detail/packed_vector.hpp"
+
+// One axis after the other, to the first that tells; with vectors all three at once.
+#if defined(FLASHBVH_ROTATE_SSE2)
+#include "starts_sse2.hpp"
+#define FLASHBVH_ONE_AXIS inline
+#else
+#define FLASHBVH_ONE_AXIS [[gnu::noinline]]
+#endif
 
 namespace flashbvh::detail {
 namespace {
@@ -9,10 +18,14 @@ constexpr int32_t kHalf = kSplitOne / 2;
 
 inline int32_t clamp_offset(int64_t offset) {
   constexpr int32_t most = kMaxOffset * kSplitOne;
+#if defined(FLASHBVH_ROTATE_SSE2)
+  return static_cast<int32_t>(offset < -most ? -most : offset > most ? most : offset);
+#else
   const auto low = static_cast<int32_t>(offset);
   const auto high = static_cast<int32_t>(offset >> 32);
   const bool within = high == low >> 31 && static_cast<uint32_t>(low) + most <= 2u * most;
   return within ? low : high < 0 ? -most : most;
+#endif
 }
 
 inline int64_t product(int32_t u, int32_t v) {
@@ -20,7 +33,7 @@ inline int64_t product(int32_t u, int32_t v) {
 }
 
 /// Where B's origin lies along an axis of A's lattice; kSplitOne is a cell.
-[[gnu::noinline]] int32_t offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
+FLASHBVH_ONE_AXIS int32_t offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
                                             const int32_t (&origin_b)[3], int axis) {
   // Wraps if the pose is out of range, which is an error of the pose.
   const auto cells = static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) -
@@ -64,6 +77,8 @@ BoundStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
 /// What 14 bits lack of 22, on any lattice, and vertices' rounding: box_margin() at its largest.
 constexpr int32_t kWidestMargin = 3 * kMaxCoordinate / 2 + 1 + kHalf;
 
+#if !defined(FLASHBVH_ROTATE_SSE2)
+
 /// Whether the box of all of B, rotated, ends along an axis before A's root box begins, or begins
 /// after it. `upper`, `lower`: the biased bound of A's box, and the negated one.
 bool far_apart(const SplitRow& row, const BoundStart& start, const PackedBox& root_b,
@@ -79,6 +94,8 @@ bool far_apart(const SplitRow& row, const BoundStart& start, const PackedBox& ro
   return (most >> kSplitBits) + static_cast<int32_t>(lower) < 2 * kBoundBias ||
          (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
 }
+
+#endif
 
 // What makes one coordinate of a transformed vertex, and the vertex as it is multiplied.
 #if defined(__ARM_FEATURE_DSP) && !defined(FLASHBVH_PORTABLE)
@@ -152,6 +169,16 @@ bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
                                const PackedBox& root_a, const int32_t (&origin_b)[3],
                                const PackedBox& root_b, bool may_stop) {
   matrix = &pose.matrix();
+#if defined(FLASHBVH_ROTATE_SSE2)
+  const RowLanes rows = row_lanes(matrix->rows);
+  const auto along = [&](int axis) { return offset_along_axis(pose, origin_a, origin_b, axis); };
+  const int32_t offset[3] = {along(0), along(1), along(2)};
+  const BoundLanes starts = start_all(rows, offset, kWidestMargin);
+  if (may_stop && far_apart(rows, starts, root_a, root_b)) {
+    return false;
+  }
+  store_all(starts, on_a);
+#else
   const auto is_far = [&](int axis, uint32_t upper, uint32_t lower) {
     const SplitRow& row = matrix->rows.row[axis];
     const int32_t offset = offset_along_axis(pose, origin_a, origin_b, axis);
@@ -163,6 +190,7 @@ bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
       is_far(2, low_half(root_a.z), high_half(root_a.z))) {
     return false;
   }
+#endif
   prepare_boxes(reach(root_b));
   return true;
 }

@@ -31,7 +31,7 @@ Definition sizes_sum e := Z.abs (x e) + Z.abs (y e) + Z.abs (z e).
 Definition start_of (e : Point) (offset margin : Z) : Z := (cell14 - sizes_sum e) * bias + margin + offset.
 (* code: src/box/box_rotated.cpp | return static_cast<uint32_t>(cells < 0 ? 0 : cells > 0x7FFF ? 0x7FFF : cells); *)
 Definition whole (sum : Z) : Z := Z.max 0 (Z.min 32767 (sum / cell14)).
-(* code: src/box/box_rotated.cpp | ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z))); *)
+(* code: include/flashbvh/detail/box_packed.hpp | ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z))); *)
 Definition axis_rejects (e : Point) (offset margin : Z) (t : Box) (lower upper : Z) : Prop :=
   whole (bound_sum (start_of e offset margin) e t) + (bias - lower) < 2 * bias \/
   whole (bound_sum (start_of e (- offset) margin) (negated e) t) + (upper + bias) < 2 * bias.

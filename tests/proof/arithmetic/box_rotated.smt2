@@ -3,7 +3,7 @@
 ; VMLADAVA's sums are not modelled. One axis: the sums of a row's products with a box's bounds, modulo 2^32, and whole cells of them; then
 ; the comparison with another box. Rows as SplitRow::of() makes them: of an entry's two parts one is 0.
 ; code: src/box/box_rotated.cpp | return static_cast<uint32_t>(cells < 0 ? 0 : cells > 0x7FFF ? 0x7FFF : cells);
-; code: src/box/box_rotated.cpp | ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z)));
+; code: include/flashbvh/detail/box_packed.hpp | ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z)));
 ; code: src/box/box_rotated_plain.hpp | return sum >> 31 != 0 ? 0 : sum > most ? most : sum;
 ; code: src/box/box_rotated_plain.hpp | if (__builtin_expect((sums.upper | sums.lower) >> (15 + kSplitBits), 0) != 0) {
 ; code: src/box/box_rotated_sse2.hpp | const __m128i cells = _mm_max_epi16(_mm_packs_epi32(upper, lower), _mm_setzero_si128());

@@ -65,6 +65,14 @@ inline PackedTriple window(const PackedTriple& least, const PackedBox& other) {
            swap_halves(subtract_halves(least.word[2], other.z))}};
 }
 
+/// Compares two boxes on one lattice: 0 if they overlap. They do if no sum of an upper and a
+/// negated lower bound is negative, that is, below its bias, which is the top bit.
+constexpr uint32_t compare(const PackedBox& a, const PackedBox& b) {
+  constexpr uint32_t biases = 0x80008000u;
+  return biases &
+         ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z)));
+}
+
 /// The largest magnitude of a coordinate between these bounds.
 constexpr int32_t reach(uint32_t upper, uint32_t lower) {
   return static_cast<int32_t>(upper > lower ? upper : lower) - kBoundBias;

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/inline.hpp"
+#include "flashbvh/detail/leaf_triangles.hpp"
 #include "flashbvh/detail/transform.hpp"
 #include "flashbvh/detail/triangle_distance.hpp"
 #include "flashbvh/detail/triangle_test.hpp"
@@ -21,6 +22,10 @@ struct SelfQuestion : Base {
   SelfQuestion() = default;
   explicit SelfQuestion(const Base& base) : Base(base) {}
 };
+
+/// Not of triangles that share a vertex.
+template <class Base>
+inline constexpr bool kAsksAllAlike<SelfQuestion<Base>> = false;
 
 /// Which pairs count, by the positions of their triangles.
 template <class Mesh>
