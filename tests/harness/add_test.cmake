@@ -50,6 +50,9 @@ function(flashbvh_add_test name)
       set(level -O1)
     endif()
     target_compile_options(${name} PRIVATE -g1 ${level})
+    # As for the host program (tools/cli): templates of what is optimised come first.
+    target_link_options(${name} PRIVATE -Wl,--whole-archive $<TARGET_FILE:flashbvh_test_queries>
+      $<TARGET_FILE:flashbvh> -Wl,--no-whole-archive)
     target_precompile_headers(${name} REUSE_FROM ${headers})
   endif()
   if(CMAKE_CROSSCOMPILING)
