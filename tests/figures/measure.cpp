@@ -40,6 +40,28 @@ uint32_t walk_transformed(const PostMesh& a, const PostMesh& b, Transform& trans
   return visits;
 }
 
+/// Leaves whose slabs are made twice, or counted: what that takes more is what they take.
+template <bool kCounted>
+class MadeTwice : public LeafShapes<PostMesh> {
+ public:
+  using LeafShapes::LeafShapes;
+
+  static uint32_t slabs;
+
+  bool begin(Side side, uint32_t node, const PackedBox* reached) {
+    if (!is_taken(side, node)) {
+      (void)LeafShapes::begin(side, node, reached);
+      if (kCounted) {
+        slabs += made_;
+      }
+      node_ = nullptr;
+    }
+    return LeafShapes::begin(side, node, reached);
+  }
+};
+template <bool kCounted>
+uint32_t MadeTwice<kCounted>::slabs;
+
 constexpr auto kEveryPair = [](const PairQuery::Pair&) { return true; };
 
 }  // namespace
@@ -57,6 +79,18 @@ Walked measure_walk(const PostMesh& a, const PostMesh& b, const Pose& pose) {
   walked.inner_visits = walk_transformed<NothingBelow>(
       a, b, transform, count,
       [&](const auto& all) { walked.inner_instructions = port::instructions_of(all); });
+  uint32_t again = 0;
+  const auto count_again = [&](uint32_t, uint32_t, const Progress&) {
+    ++again;
+    return true;
+  };
+  (void)walk_transformed<MadeTwice<false>>(a, b, transform, count_again, [&](const auto& all) {
+    walked.slab_instructions = port::instructions_of(all) - walked.instructions;
+  });
+  MadeTwice<true>::slabs = 0;
+  (void)walk_transformed<MadeTwice<true>>(a, b, transform, count_again,
+                                          [](const auto& all) { all(); });
+  walked.slabs = MadeTwice<true>::slabs;
   return walked;
 }
 
@@ -98,7 +132,7 @@ void add_triangle_tests(const PostMesh& a, const PostMesh& b, const Pose& pose, 
         PlaneNormal normal_b;
         get_near_normal(triangle_b, normal_b);
         tests.add(port::instructions_of(
-            [&] { (void)triangles_intersect(triangle_a, triangle_b, &normal_b); }));
+            [&] { (void)near_triangles_intersect(triangle_a, triangle_b, normal_b); }));
       }
     }
     return true;
@@ -116,6 +150,8 @@ void Motion::add(const Walked& walked, const Queried& queried) {
   inner_walks_ += walked.inner_instructions;
   leaf_pairs_ += walked.leaf_pairs;
   walks_ += walked.instructions;
+  slabs_ += walked.slabs;
+  making_ += walked.slab_instructions;
   queries_ += queried.instructions;
   start_.add(queried.start);
   if (walked.inner_visits >= kFewVisits &&
@@ -129,6 +165,9 @@ void Motion::print(const char* set, const char* motion) const {
   print_quotient({{set, "visit", motion, "mean"}}, inner_walks_, inner_visits_);
   print_quotient({{set, "visit", motion, "max"}}, worst_walk_, worst_visits_);
   print_quotient({{set, "leaf_visit", motion, "mean"}}, walks_ - inner_walks_,
+                 visits_ - inner_visits_);
+  print_quotient({{set, "slab", motion, "mean"}}, making_, slabs_);
+  print_quotient({{set, "bare_visit", motion, "mean"}}, walks_ - inner_walks_ - making_,
                  visits_ - inner_visits_);
   print_figures({{set, "start", motion}}, start_);
   print_quotient({{set, "leaf_pair", motion, "mean"}}, queries_ - walks_ - start_.sum(),

@@ -39,10 +39,13 @@ struct Walked {
   uint32_t instructions;
   uint32_t inner_visits;  ///< outside the leaf phase: no leaf, or the first pair with one
   uint32_t inner_instructions;
+  uint32_t slabs;  ///< made, their leaves taken
+  uint32_t slab_instructions;
 };
 
 /// The walk alone: from the first visit to the last, slabs made, the preparation left out and pairs
-/// of leaves counted; and once more as if nothing below a leaf mattered.
+/// of leaves counted; once more as if nothing below a leaf mattered, and once with slabs made
+/// twice.
 Walked measure_walk(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
                     const flashbvh::Pose& pose);
 
@@ -71,8 +74,9 @@ class Motion {
   /// Of the same pose.
   void add(const Walked& walked, const Queried& queried);
   /// SET.visit.MOTION: a visit outside the leaf phase, on average and in the worst walk observed;
-  /// SET.leaf_visit.MOTION: one in it, slabs and all; SET.start.MOTION: a
-  /// query made and its first visit; SET.leaf_pair.MOTION: what a pair of leaves adds to a query.
+  /// SET.leaf_visit.MOTION: one in it, slabs and all; SET.slab.MOTION: a slab, and taking the leaf;
+  /// SET.bare_visit.MOTION: a visit in the leaf phase without; SET.start.MOTION: a query made and
+  /// its first visit; SET.leaf_pair.MOTION: what a pair of leaves adds to a query.
   void print(const char* set, const char* motion) const;
 
  private:
@@ -81,6 +85,8 @@ class Motion {
   uint64_t walks_ = 0;  ///< instructions
   uint64_t inner_visits_ = 0;
   uint64_t inner_walks_ = 0;
+  uint64_t slabs_ = 0;
+  uint64_t making_ = 0;
   uint64_t queries_ = 0;
   uint64_t worst_walk_ = 0;
   uint64_t worst_visits_ = 0;

@@ -129,7 +129,11 @@ struct Mesh : Tree<IndexType, layout> {
   }
   /// How many triangles the leaf has.
   uint32_t triangles_in(uint32_t leaf) const {
-    return leaf_offsets == nullptr ? 1 : uint32_t{leaf_offsets[leaf + 1]} - leaf_offsets[leaf];
+    if (leaf_offsets == nullptr) {
+      return 1;
+    }
+    const auto* const offset = leaf_offsets + leaf;
+    return uint32_t{offset[1]} - offset[0];
   }
 };
 

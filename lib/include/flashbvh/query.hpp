@@ -359,30 +359,39 @@ class Query : protected Question {
     }
     Question& question = *this;
     Test test(question, *a_, *b_, transform_);
-    while (untested_ > kept || take_next(batch)) {
+    for (;;) {
+      const uint32_t untested = untested_ > kept ? untested_ : take_next(batch);
+      if (untested == 0) {
+        return false;
+      }
+      bool answer = false;
+      bool is_at_once = false;
       if constexpr (Batches::kAtOnce) {
-        if (batch.at_once.has(transform_, leaf_a_, leaf_b_)) {
-          if (batch.at_once.next_answer(leaf_a_, leaf_b_, kept, untested_)) {
-            ++counts_.triangle_pairs;
-            return true;
-          }
-          continue;
+        is_at_once = batch.at_once.has(transform_, leaf_a_, leaf_b_);
+        if (is_at_once) {
+          untested_ = static_cast<uint16_t>(untested);
+          answer = batch.at_once.next_answer(leaf_a_, leaf_b_, kept, untested_);
         }
       }
-      if (test_leaves(test, batch, kept)) {
+      if (!is_at_once) {
+        answer = test_leaves(test, batch, kept, untested);
+      }
+      if (answer) {
+        if (batch.has_current()) {
+          count(batch.walked_to_current());
+        }
         ++counts_.triangle_pairs;
         return true;
       }
     }
-    return false;
   }
 
   /// Tests the pairs of triangles that the pair of leaves still has, down to an answer, or to those
   /// that are kept for another run.
-  FLASHBVH_INLINE bool test_leaves(Test& test, const Batch& batch, uint32_t kept) {
+  FLASHBVH_INLINE bool test_leaves(Test& test, const Batch& batch, uint32_t kept,
+                                   uint32_t untested) {
     const uint32_t first_a = a_->first_triangle(leaf_a_);
     const uint32_t in_a = a_->end_triangle(leaf_a_) - first_a;
-    uint32_t untested = untested_;
     uint32_t of_a = untested;  // of A's, with the first of B's
     uint32_t triangle_b = b_->first_triangle(leaf_b_);
     if (untested > in_a) {
@@ -416,20 +425,25 @@ class Query : protected Question {
     counts_.overlaps += walked.overlaps;
   }
 
-  /// The next pair of leaves; false if there is none, or it is not paid for.
-  bool take_next(Batch& batch) {
+  /// The next pair of leaves, and how many pairs of triangles it has; 0 if there is none, or it is
+  /// not paid for.
+  FLASHBVH_INLINE_FOR_SPEED uint32_t take_next(Batch& batch) {
     const bool paid = batch.has_next();
     if (!paid && !batch.has_unpaid()) {
       count(batch.walked_to_end());
-      return false;
+      return 0;
     }
     const auto& pair = batch.next();
-    count(batch.walked_to_current());
     ++counts_.leaf_pairs;
     leaf_a_ = a_->nodes[pair.a].leaf();
     leaf_b_ = b_->nodes[pair.b].leaf();
-    untested_ = static_cast<uint16_t>(batch.triangle_pairs(leaf_a_, leaf_b_));
-    return paid;
+    const uint32_t pairs = a_->triangles_in(leaf_a_) * b_->triangles_in(leaf_b_);
+    if (paid) {
+      return pairs;
+    }
+    count(batch.walked_to_current());
+    untested_ = static_cast<uint16_t>(pairs);
+    return 0;
   }
 
   // What is read most comes first, where short instructions reach it.

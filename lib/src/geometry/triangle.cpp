@@ -12,6 +12,7 @@
 // whose sign is taken is exact.
 #include "flashbvh/detail/triangle.hpp"
 
+#include "flashbvh/detail/inline.hpp"
 #include "orientation.hpp"
 
 namespace flashbvh::detail {
@@ -33,50 +34,113 @@ struct Wide {
   int64_t z;
 };
 
-inline int64_t volume(bool narrow, const Point& p, const Point& q, const Point& r, const Point& s) {
-  return narrow ? detail::volume<Narrow>(p, q, r, s) : detail::volume<Wide>(p, q, r, s);
+/// Six times the volume of p, q, r, s: in place where edges are narrow, as nearly all are.
+FLASHBVH_INLINE inline int64_t volume_of(Narrow, const Point& p, const Point& q, const Point& r,
+                                         const Point& s) {
+  return dot(cross<Narrow>(difference(s, r), difference(q, p)), difference(r, p));
+}
+inline int64_t volume_of(Wide, const Point& p, const Point& q, const Point& r, const Point& s) {
+  return volume<Wide>(p, q, r, s);
+}
+
+/// Which corners of a triangle are above a plane: bit i for corner i. With all corners on the plane
+/// none is, and all are where it separates, with every corner strictly on one side of it. Else some
+/// are and some are not: a corner on the plane is above it if one is below.
+using Upper = unsigned;
+constexpr Upper kSeparated = kAllCorners;
+
+/// Of the corners' heights, in any measure.
+FLASHBVH_INLINE_FOR_SPEED inline Upper upper_of(const int64_t (&height)[3]) {
+  const auto bits = [](bool first, bool second, bool third) {
+    return (first ? 1u : 0u) | (second ? 2u : 0u) | (third ? 4u : 0u);
+  };
+  const unsigned below = bits(height[0] < 0, height[1] < 0, height[2] < 0);
+  if (below == 0) {
+    return bits(height[0] > 0, height[1] > 0, height[2] > 0);
+  }
+  return below == kAllCorners ? kSeparated : kAllCorners ^ below;
 }
 
 /// `origin`: a point of the plane.
-template <class Cofactors>
-inline Sides sides_of_normal(const Cofactors& normal, const Point& origin, const Triangle& asked) {
-  return detail::sides_of(
-      asked, [&](const Point& corner) { return dot(normal, difference(corner, origin)); });
+inline Upper upper_of_normal(const Narrow& normal, const Point& origin, const Triangle& asked) {
+  const auto height = [&](const Point& corner) { return dot(normal, difference(corner, origin)); };
+  return upper_of({height(asked.corner[0]), height(asked.corner[1]), height(asked.corner[2])});
+}
+/// The same, one height at a time: three would take more stack than all else.
+inline Upper upper_of_normal(const Wide& normal, const Point& origin, const Triangle& asked) {
+  unsigned below = 0;
+  unsigned above = 0;
+  for (unsigned i = 3; i-- != 0;) {
+    const int64_t height = dot(normal, difference(asked.corner[i], origin));
+    below = below << 1 | (height < 0 ? 1u : 0u);
+    above = above << 1 | (height > 0 ? 1u : 0u);
+  }
+  return below == 0 ? above : below == kAllCorners ? kSeparated : kAllCorners ^ below;
 }
 
 template <class Cofactors>
-[[gnu::noinline]] Sides sides_of_plane(const Triangle& plane, const Triangle& asked) {
-  return sides_of_normal(normal_of<Cofactors>(plane), plane.corner[0], asked);
+[[gnu::noinline]] Upper upper_of_plane(const Triangle& plane, const Triangle& asked) {
+  return upper_of_normal(normal_of<Cofactors>(plane), plane.corner[0], asked);
 }
 
-inline Sides sides_of(bool narrow, const Triangle& plane, const Triangle& asked) {
-  return narrow ? sides_of_plane<Narrow>(plane, asked) : sides_of_plane<Wide>(plane, asked);
+inline Upper upper_of(bool narrow, const Triangle& plane, const Triangle& asked) {
+  return narrow ? upper_of_plane<Narrow>(plane, asked) : upper_of_plane<Wide>(plane, asked);
 }
+
+/// A corner's place in a triangle, in bytes.
+using Place = uint8_t;
+constexpr Place kFirst = 0;
+constexpr Place kSecond = sizeof(Point);
+constexpr Place kThird = 2 * sizeof(Point);
+
+inline const Point& corner_at(const Triangle& t, Place place) {
+  return *reinterpret_cast<const Point*>(reinterpret_cast<const char*>(t.corner) + place);
+}
+
+/// The tip of a triangle, alone on its side of a plane, by what is above it. Both edges from it end
+/// strictly on the other side or, unless it is itself on the plane, on the plane: each edge
+/// intersects the plane in exactly one point.
+struct Fan {
+  Place tip;
+  bool up;
+  Place others[3];  ///< the previous, the next and the previous corner
+};
+constexpr Fan kFans[kAllCorners] = {{},
+                                    {kFirst, true, {kThird, kSecond, kThird}},
+                                    {kSecond, true, {kFirst, kThird, kFirst}},
+                                    {kThird, false, {kSecond, kFirst, kSecond}},
+                                    {kThird, true, {kSecond, kFirst, kSecond}},
+                                    {kSecond, false, {kFirst, kThird, kFirst}},
+                                    {kFirst, false, {kThird, kSecond, kThird}}};
 
 /// Whether the intervals in which two triangles intersect the common line of their planes overlap.
 /// Each triangle is mirrored where the other's tip is below, which orders both intervals alike.
-bool intervals_overlap(bool narrow, const Triangle& a, Sides of_a, const Triangle& b, Sides of_b) {
-  const Tip at = tip_of(of_a);
-  const Tip bt = tip_of(of_b);
-  const Point& tip_a = a.corner[at.corner];
-  const Point& tip_b = b.corner[bt.corner];
-  const Point& high_a = a.corner[bt.up ? next(at.corner) : previous(at.corner)];
-  const Point& high_b = b.corner[at.up ? next(bt.corner) : previous(bt.corner)];
-  const Point& low_a = a.corner[bt.up ? previous(at.corner) : next(at.corner)];
-  const Point& low_b = b.corner[at.up ? previous(bt.corner) : next(bt.corner)];
-  return volume(narrow, tip_a, high_a, tip_b, high_b) <= 0 &&
-         volume(narrow, tip_a, low_a, tip_b, low_b) >= 0;
+template <class Cofactors>
+[[gnu::noinline]] bool intervals_overlap(const Triangle& a, const Triangle& b, Upper of_a,
+                                         Upper of_b) {
+  const Fan& fan_a = kFans[of_a];
+  const Fan& fan_b = kFans[of_b];
+  const Place* const others_a = fan_a.others + fan_b.up;
+  const Place* const others_b = fan_b.others + fan_a.up;
+  const Point& tip_a = corner_at(a, fan_a.tip);
+  const Point& tip_b = corner_at(b, fan_b.tip);
+  const auto volume = [&](unsigned i) {
+    return volume_of(Cofactors(), tip_a, corner_at(a, others_a[i]), tip_b,
+                     corner_at(b, others_b[i]));
+  };
+  return volume(0) <= 0 && volume(1) >= 0;
 }
 
 /// Whether a segment on both sides of the plane of `t`, or on it with one end, intersects `t`.
-[[gnu::noinline]] bool segment_intersects(const Triangle& segment, Sides of_segment,
+[[gnu::noinline]] bool segment_intersects(const Triangle& segment, Upper of_segment,
                                           const Triangle& t) {
-  const unsigned tip = tip_of(of_segment).corner;
+  const Fan& fan = kFans[of_segment];
+  const Point& from = corner_at(segment, fan.tip);
+  const Point& to = corner_at(segment, fan.others[1]);
   bool left = false;
   bool right = false;
   for (unsigned i = 0; i < 3; ++i) {
-    const int64_t turn = detail::volume<Wide>(segment.corner[tip], segment.corner[next(tip)],
-                                              t.corner[i], t.corner[next(i)]);
+    const int64_t turn = detail::volume<Wide>(from, to, t.corner[i], t.corner[next(i)]);
     left |= turn > 0;
     right |= turn < 0;
   }
@@ -150,34 +214,31 @@ constexpr Projection kProjections[3] = {
   return coplanar(a, b);
 }
 
-/// Whether two triangles intersect that neither plane separates. If one of them lies in the other's
-/// plane or lacks area, their boxes overlap. Four arguments, the last of them two in one, so that a
-/// caller's frame is gone while this runs.
-[[gnu::noinline]] bool unseparated_intersect(const Triangle& a, const Triangle& b, Sides of_a,
-                                             unsigned of_b_and_narrow) {
-  const Sides of_b = {of_b_and_narrow >> 1};
-  if (!of_a.all_on_plane() && !of_b.all_on_plane()) {
-    return intervals_overlap((of_b_and_narrow & 1) != 0, a, of_a, b, of_b);
-  }
-  if (!of_a.all_on_plane()) {
+/// Whether two triangles with overlapping boxes intersect one of which lies in the other's plane or
+/// lacks area.
+[[gnu::noinline, gnu::cold]] bool flat_or_segment_intersect(const Triangle& a, const Triangle& b,
+                                                            Upper of_a, Upper of_b) {
+  if (of_a != 0) {
     return segment_intersects(a, of_a, b);
   }
-  return of_b.all_on_plane() ? flat_intersect(a, b) : segment_intersects(b, of_b, a);
-}
-
-inline bool unseparated_intersect(bool narrow, const Triangle& a, Sides of_a, const Triangle& b,
-                                  Sides of_b) {
-  return unseparated_intersect(a, b, of_a, of_b.bits << 1 | (narrow ? 1u : 0u));
+  return of_b == 0 ? flat_intersect(a, b) : segment_intersects(b, of_b, a);
 }
 
 /// Whether two triangles with overlapping boxes intersect. `narrow`: no edge exceeds kMaxNarrow.
 [[gnu::noinline]] bool intersect(bool narrow, const Triangle& a, const Triangle& b) {
-  const Sides of_a = sides_of(narrow, b, a);
-  if (of_a.separate()) {
+  const Upper of_a = upper_of(narrow, b, a);
+  if (of_a == kSeparated) {
     return false;
   }
-  const Sides of_b = sides_of(narrow, a, b);
-  return !of_b.separate() && unseparated_intersect(narrow, a, of_a, b, of_b);
+  const Upper of_b = upper_of(narrow, a, b);
+  if (of_b == kSeparated) {
+    return false;
+  }
+  if (of_a == 0 || of_b == 0) {
+    return flat_or_segment_intersect(a, b, of_a, of_b);
+  }
+  return narrow ? intervals_overlap<Narrow>(a, b, of_a, of_b)
+                : intervals_overlap<Wide>(a, b, of_a, of_b);
 }
 
 inline int32_t least(int32_t u, int32_t v) {
@@ -212,30 +273,39 @@ inline int32_t extent(int32_t Point::*axis, const Triangle& a, const Triangle& b
 
 }  // namespace
 
-bool triangles_intersect(const Triangle& a, const Triangle& b,
-                         const PlaneNormal* normal_b) noexcept {
-  if (normal_b == nullptr) {
-    return boxes_overlap(a, b) && intersect(/*narrow=*/false, a, b);
-  }
-  const Sides of_a = sides_of_normal(*normal_b, b.corner[0], a);
-  if (of_a.separate()) {
+bool near_triangles_intersect(const Triangle& a, const Triangle& b,
+                              const PlaneNormal& normal_b) noexcept {
+  const Upper of_a = upper_of_normal(normal_b, b.corner[0], a);
+  if (of_a == kSeparated) {
     return false;
   }
-  const Sides of_b = sides_of_plane<Narrow>(a, b);
-  if (of_b.separate() || ((of_a.all_on_plane() || of_b.all_on_plane()) && !boxes_overlap(a, b))) {
+  const Upper of_b = upper_of_plane<Narrow>(a, b);
+  if (of_b == kSeparated) {
     return false;
   }
-  return unseparated_intersect(/*narrow=*/true, a, of_a, b, of_b);
+  if (of_a == 0 || of_b == 0) {
+    return boxes_overlap(a, b) && flat_or_segment_intersect(a, b, of_a, of_b);
+  }
+  return intervals_overlap<Narrow>(a, b, of_a, of_b);
+}
+
+bool wide_triangles_intersect(const Triangle& a, const Triangle& b) noexcept {
+  return boxes_overlap(a, b) && intersect(/*narrow=*/false, a, b);
 }
 
 /// One of the box's sides has all three corners beyond it if they do not overlap.
 bool box_overlaps(const PackedBox& box, const Triangle& t) noexcept {
   const Point(&p)[3] = t.corner;
-  const auto apart = [](uint32_t upper, uint32_t negated_lower, int32_t u, int32_t v, int32_t w) {
-    const int32_t above = static_cast<int32_t>(upper) - kBoundBias;
-    const int32_t below = kBoundBias - static_cast<int32_t>(negated_lower);
-    return (((above - u) & (above - v) & (above - w)) | ((u - below) & (v - below) & (w - below))) <
-           0;
+  int32_t unbiased = -kBoundBias;
+#if defined(__GNUC__)
+  __asm__("" : "+r"(unbiased));  // added while a half is unpacked
+#endif
+  const auto apart = [unbiased](uint32_t upper, uint32_t negated_lower, int32_t u, int32_t v,
+                                int32_t w) {
+    const int32_t above = unbiased + static_cast<int32_t>(upper);
+    const int32_t negated_below = unbiased + static_cast<int32_t>(negated_lower);
+    return (((above - u) & (above - v) & (above - w)) |
+            ((negated_below + u) & (negated_below + v) & (negated_below + w))) < 0;
   };
   return !apart(low_half(box.upper_xy), low_half(box.lower_xy), p[0].x, p[1].x, p[2].x) &&
          !apart(high_half(box.upper_xy), high_half(box.lower_xy), p[0].y, p[1].y, p[2].y) &&

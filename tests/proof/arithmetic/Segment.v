@@ -5,7 +5,7 @@ From Coq Require Import ZArith Lia Bool.
 Require Import Triangle.
 Local Open Scope Z_scope.
 
-(* code: src/geometry/triangle.cpp | const int64_t turn = detail::volume<Wide>(segment.corner[tip], segment.corner[next(tip)], t.corner[i], t.corner[next(i)]);
+(* code: src/geometry/triangle.cpp | const int64_t turn = detail::volume<Wide>(from, to, t.corner[i], t.corner[next(i)]);
    code: src/geometry/triangle.cpp | left |= turn > 0; right |= turn < 0; } return !(left && right); *)
 Definition segment_intersects s0 s1 t0 t1 t2 : bool :=
   let u := volume s0 s1 t0 t1 in let v := volume s0 s1 t1 t2 in let w := volume s0 s1 t2 t0 in

@@ -4,16 +4,15 @@ From Coq Require Import ZArith Lia Bool.
 Require Import Triangle Segment Flat Lines.
 Local Open Scope Z_scope.
 
-(* code: src/geometry/orientation.hpp | bool separate() const { return above() == kAllCorners || below() == kAllCorners; }
-   code: src/geometry/orientation.hpp | bool all_on_plane() const { return bits == 0; } *)
+(* As tip_of() has them: kSeparated is kAllCorners, and no corner is above where all are on the plane.
+   code: src/geometry/triangle.cpp | constexpr Upper kSeparated = kAllCorners; *)
 Definition separate g0 g1 g2 : bool :=
   (0 <? g0) && (0 <? g1) && (0 <? g2) || (g0 <? 0) && (g1 <? 0) && (g2 <? 0).
 Definition all_on_plane g0 g1 g2 : bool := (g0 =? 0) && (g1 =? 0) && (g2 =? 0).
 
-(* code: src/geometry/triangle.cpp | const unsigned tip = tip_of(of_segment).corner;
-   code: src/geometry/triangle.cpp | if (!of_a.all_on_plane() && !of_b.all_on_plane()) {
-   code: src/geometry/triangle.cpp | if (!of_a.all_on_plane()) { return segment_intersects(a, of_a, b); } return of_b.all_on_plane() ? flat_intersect(a, b) : segment_intersects(b, of_b, a);
-   code: src/geometry/triangle.cpp | const Sides of_b = sides_of(narrow, a, b); return !of_b.separate() && unseparated_intersect(narrow, a, of_a, b, of_b); *)
+(* code: src/geometry/triangle.cpp | const Point& from = corner_at(segment, fan.tip); const Point& to = corner_at(segment, fan.others[1]);
+   code: src/geometry/triangle.cpp | if (of_a != 0) { return segment_intersects(a, of_a, b); } return of_b == 0 ? flat_intersect(a, b) : segment_intersects(b, of_b, a);
+   code: src/geometry/triangle.cpp | if (of_a == 0 || of_b == 0) { return flat_or_segment_intersect(a, b, of_a, of_b); } *)
 Definition segment_case a0 a1 a2 t0 t1 t2 : bool :=
   let h := height t0 t1 t2 in
   let '(s0, s1, _) := from (fst (tip_of (h a0) (h a1) (h a2))) a0 a1 a2 in segment_intersects s0 s1 t0 t1 t2.
@@ -35,7 +34,7 @@ Definition boxes_overlap a0 a1 a2 b0 b1 b2 : bool := overlap_along x a0 a1 a2 b0
 
 (* Where B's normal is not at hand, and where it is: then boxes are compared late.
    code: src/geometry/triangle.cpp | return boxes_overlap(a, b) && intersect(/*narrow=*/false, a, b);
-   code: src/geometry/triangle.cpp | ((of_a.all_on_plane() || of_b.all_on_plane()) && !boxes_overlap(a, b))) { return false; } *)
+   code: src/geometry/triangle.cpp | if (of_a == 0 || of_b == 0) { return boxes_overlap(a, b) && flat_or_segment_intersect(a, b, of_a, of_b); } *)
 Definition triangles_intersect a0 a1 a2 b0 b1 b2 : bool :=
   boxes_overlap a0 a1 a2 b0 b1 b2 && intersect a0 a1 a2 b0 b1 b2.
 Definition near_triangles_intersect a0 a1 a2 b0 b1 b2 : bool :=

@@ -35,11 +35,16 @@ Definition tip (of_p of_q of_r : Z) : Prop :=
   0 <= of_p /\ of_q <= 0 /\ of_r <= 0 /\ of_q < of_p /\ of_r < of_p.
 
 (* The corner that is the tip, and whether it is the upper one, of three heights.
-   code: src/geometry/orientation.hpp | const unsigned upper = sides.above() != 0 ? sides.above() : kAllCorners ^ sides.below();
-   code: src/geometry/orientation.hpp | const bool one = (upper & (upper - 1)) == 0; return {(one ? upper : kAllCorners ^ upper) >> 1, one}; *)
+   code: src/geometry/triangle.cpp | const unsigned below = bits(height[0] < 0, height[1] < 0, height[2] < 0);
+   code: src/geometry/triangle.cpp | return bits(height[0] > 0, height[1] > 0, height[2] > 0);
+   code: src/geometry/triangle.cpp | return below == kAllCorners ? kSeparated : kAllCorners ^ below;
+   code: src/geometry/triangle.cpp | return below == 0 ? above : below == kAllCorners ? kSeparated : kAllCorners ^ below;
+   code: src/geometry/triangle.cpp | {kFirst, true, {kThird, kSecond, kThird}}, {kSecond, true, {kFirst, kThird, kFirst}},
+   code: src/geometry/triangle.cpp | {kThird, false, {kSecond, kFirst, kSecond}}, {kThird, true, {kSecond, kFirst, kSecond}},
+   code: src/geometry/triangle.cpp | {kSecond, false, {kFirst, kThird, kFirst}}, {kFirst, false, {kThird, kSecond, kThird}}}; *)
 Definition tip_of (g0 g1 g2 : Z) : nat * bool :=
-  let above g := 0 <? g in
-  let upper g := if above g0 || above g1 || above g2 then above g else negb (g <? 0) in
+  let below g := g <? 0 in
+  let upper g := if below g0 || below g1 || below g2 then negb (below g) else 0 <? g in
   match upper g0, upper g1, upper g2 with
   | true, false, false => (0%nat, true) | false, true, false => (1%nat, true)
   | false, false, true => (2%nat, true) | false, true, true => (0%nat, false)
@@ -49,10 +54,9 @@ Definition tip_of (g0 g1 g2 : Z) : nat * bool :=
 Definition from {T} (corner : nat) (p q r : T) : T * T * T :=
   match corner with O => (p, q, r) | S O => (q, r, p) | _ => (r, p, q) end.
 
-(* code: src/geometry/triangle.cpp | const Point& high_a = a.corner[bt.up ? next(at.corner) : previous(at.corner)];
-   code: src/geometry/triangle.cpp | const Point& high_b = b.corner[at.up ? next(bt.corner) : previous(bt.corner)];
-   code: src/geometry/triangle.cpp | const Point& low_a = a.corner[bt.up ? previous(at.corner) : next(at.corner)];
-   code: src/geometry/triangle.cpp | return volume(narrow, tip_a, high_a, tip_b, high_b) <= 0 && volume(narrow, tip_a, low_a, tip_b, low_b) >= 0; *)
+(* code: src/geometry/triangle.cpp | const Place* const others_a = fan_a.others + fan_b.up; const Place* const others_b = fan_b.others + fan_a.up;
+   code: src/geometry/triangle.cpp | return dot(cross<Narrow>(difference(s, r), difference(q, p)), difference(r, p));
+   code: src/geometry/triangle.cpp | return volume_of(Cofactors(), tip_a, corner_at(a, others_a[i]), tip_b, corner_at(b, others_b[i])); }; return volume(0) <= 0 && volume(1) >= 0; *)
 Definition intervals_overlap a0 a1 a2 b0 b1 b2 : bool :=
   let above_b := height b0 b1 b2 in
   let above_a := height a0 a1 a2 in

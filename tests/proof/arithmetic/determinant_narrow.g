@@ -1,5 +1,6 @@
 # narrow triangles: cofactors fit 32 bits, and determinants 64 with a difference of any pair of corners
 # code: src/geometry/triangle.cpp | using Narrow = PlaneNormal;
+# code: include/flashbvh/detail/transform.hpp | normal = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 p1 = uy * vz; p2 = uz * vy; nx = p1 - p2;
 q1 = nx * wx; q2 = ny * wy; q3 = nz * wz;
 s1 = q1 + q2; det = s1 + q3;

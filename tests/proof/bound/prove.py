@@ -33,14 +33,15 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
     def part(name: str, which: Costs = costs) -> Cost:
         return which.of(roots[name])
 
-    run, on_below, below, answer, others = (part(name) for name in (
-        "run", "walk-on-below", "walk-below", "next-answer", "other-triangles"))
+    run, on_below, below, answer = (part(name) for name in (
+        "run", "walk-on-below", "walk-below", "next-answer"))
+    slabs = [part("make-plane"), part("make-edge")]
     tests = run.term("test") + answer.fixed
     turn = on_below.term("turn") + below.fixed + below.term("climb")
     again = part("take-again").total
-    begin = part("make-shape").total + 2 * others.fixed
+    made = sum(slab.fixed for slab in slabs)
     # A leaf taken as a shape: reached, or the next one after a leaf that a run went on with.
-    shape = begin + max(part("reach-leaf").total + below.fixed + below.term("climb"), again + turn)
+    shape = made + max(part("reach-leaf").total + below.fixed + below.term("climb"), again + turn)
     # Transformed and tested, and maybe answered. triangle-pair-general: of triangles with area that
     # do not lie in one plane.
     transform = max(part("translate").total, part("rotate").total)
@@ -51,10 +52,10 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
     visit = max([below.term("visit")] + [walk.term("visit") for walk in walks]) + ascent
     # In at one end and out at the other, a turn without a visit, and no answer left.
     once = part("walk").total + max(walk.fixed for walk in walks) + on_below.fixed + turn + tests
-    triangle = pair + once + part("triangle-test").total
-    other = 2 * others.term("other")
+    triangle = pair + once + max(part("near-test").total, part("wide-test").total)
+    other = sum(slab.term("other") for slab in slabs)
     # Before the first walk, and for a pair of leaves that is left to the next run.
-    yield "start", run.fixed + once + again + begin + 2 * tests + part("found").total
+    yield "start", run.fixed + once + again + made + 2 * tests + part("found").total
     yield "ascent", ascent
     yield "later-sibling", on_below.term("sibling") + max(walk.term("sibling") for walk in walks)
     yield "leaf-triangle", other
@@ -63,7 +64,8 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
         yield f"visit-{kind}", max(below.term("visit"), walk.term("visit")) + ascent
     yield "shape", shape
     yield "triangle-pair", triangle
-    yield "triangle-pair-general", pair + once + part("triangle-test", general).total
+    yield "triangle-pair-general", pair + once + max(
+        part("near-test", general).total, part("wide-test", general).total)
     yield "make-query", costs.of(roots["make-query"]).total
 
 
@@ -73,7 +75,7 @@ def check_itself(costs: Costs, roots: dict[str, str], bound: dict[str, int]) -> 
     each other is at an arity of 1, and what one more adds, where the formula adds two siblings."""
     run, answer, walk, rotated = (costs.of(roots[name]) for name in (
         "self-run", "self-next-answer", "self-walk", "self-walk-rotated"))
-    found, test = (costs.of(roots[name]).total for name in ("found", "triangle-test"))
+    found, test = (costs.of(roots[name]).total for name in ("found", "near-test"))
     looks, skipped = 2 * walk.term("sibling"), walk.term("skipped")
     tests = run.term("test") + answer.fixed
     way = costs.of(roots["self-way"]).total

@@ -46,7 +46,7 @@ Definition sound m : Prop :=
 
 (* Where points lie along a direction.
    code: include/flashbvh/detail/slab.hpp | Extent along = {at, at}; along.add(dot(direction, q)); along.add(dot(direction, r));
-   code: include/flashbvh/detail/leaf_shape.hpp | extent.add(triangle(i).extent(direction)); *)
+   code: include/flashbvh/detail/leaf_shape.hpp | extent.add(triangle(m, i).extent(direction)); *)
 Definition extreme (choose : Z -> Z -> Z) e (those : list Point) : Z :=
   match those with [] => 0 | p :: r => fold_right (fun q => choose (dot e q)) (dot e p) r end.
 Definition least := extreme Z.min.
@@ -115,8 +115,8 @@ Let root_b := box B 0.
 
 (* Two boxes; the window of a leaf of one side, and its slabs.
    code: include/flashbvh/detail/leaf_shape.hpp | window_ = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
-   code: include/flashbvh/detail/leaf_shape.hpp | return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window_) && may_touch_both(plane_, edge_, box);
-   code: include/flashbvh/detail/leaf_shape.hpp | return reached == nullptr || edge_.may_touch( *)
+   code: include/flashbvh/detail/slab_dsp.hpp | return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window) && may_touch_both(plane, edge, box);
+   code: include/flashbvh/detail/leaf_shape.hpp | return reached == nullptr || may_touch_one(edge_, *reached); *)
 Definition boxes_overlap s t : bool :=
   match pose with
   | Moved o => negb (decide (moved_boxes_dec o s t))
@@ -165,7 +165,7 @@ Definition pairs_of (p : nat * nat) : list (nat * nat) :=
 
 (* A triangle of A and one of B as it lies in A's lattice have a point in common; and what the code
    says of that, with the normal of B's at hand or without.
-   code: include/flashbvh/detail/triangle_test.hpp | return triangles_intersect(a, kept_b_, narrow_ ? &normal_ : nullptr); *)
+   code: include/flashbvh/detail/triangle_test.hpp | return narrow_ ? near_triangles_intersect(a, kept_b_, normal_) : wide_triangles_intersect(a, kept_b_); *)
 Definition of_pair {T} (f : Point -> Point -> Point -> Point -> Point -> Point -> T) (i j : nat) : T :=
   let '(p, q, r) := corners A i in let '(s, t, o) := corners B j in f p q r (put pose s) (put pose t) (put pose o).
 Definition common_point : nat -> nat -> Prop := of_pair meet.
@@ -192,7 +192,7 @@ Definition Answers_are_the_pairs_with_a_common_point := forall A B pose narrow,
    a triangle of B beside the box of A's leaf meets none of its triangles.
    code: src/geometry/rotated_transform.cpp | return (most >> kSplitBits) + static_cast<int32_t>(lower) < 2 * kBoundBias || (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
    code: src/geometry/rotated_transform.cpp | on_a[axis] = start_of(row, offset, kWidestMargin);
-   code: src/geometry/triangle.cpp | return (((above - u) & (above - v) & (above - w)) | ((u - below) & (v - below) & (w - below))) < 0; *)
+   code: src/geometry/triangle.cpp | return (((above - u) & (above - v) & (above - w)) | ((negated_below + u) & (negated_below + v) & (negated_below + w))) < 0; *)
 Definition far_along e offset t lower upper : Prop :=
   bound_sum (start_of e offset @kWidestMargin@) e t / cell14 + (bias - lower) < 2 * bias \/
   bound_sum (start_of e (- offset) @kWidestMargin@) (negated e) t / cell14 + (upper + bias) < 2 * bias.

@@ -96,7 +96,7 @@ class LeafPairs {
 
   /// What the walk did since this was asked before, up to the pair at hand; or up to its end.
   Walked walked_to_current() { return since(current().counts); }
-  Walked walked_to_end() { return since(count_ < size ? entry_[count_].counts : counted_); }
+  Walked walked_to_end() { return since(entry_[count_ < size ? count_ : size - 1].counts); }
 
  private:
   static uint32_t halves(const Progress& progress) {

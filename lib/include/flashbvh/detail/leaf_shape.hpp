@@ -17,13 +17,19 @@
 #include "flashbvh/detail/inline.hpp"
 #include "flashbvh/detail/packed.hpp"
 #include "flashbvh/detail/slab.hpp"
-#include "flashbvh/detail/slab_simd.hpp"
+#include "flashbvh/detail/slab_dsp.hpp"
 #include "flashbvh/detail/work.hpp"
 
 namespace flashbvh::detail {
 
 template <class Mesh>
 class LeafShapes {
+ protected:
+  // What boxes are tested against comes first, and in this order (slab_dsp.hpp).
+  PackedTriple window_;
+  Slab plane_;
+  Slab edge_;
+
  public:
   using Tree = Mesh;
   static constexpr bool kShapes = true;
@@ -48,18 +54,18 @@ class LeafShapes {
 
   /// Takes a leaf, by its node, as the shape for boxes of the other tree. `reached`: the box of
   /// that tree with which the leaf was reached, or null; false if a slab rejects it.
-  FLASHBVH_NOINLINE bool begin(Side side, uint32_t node, const PackedBox* reached) {
+  FLASHBVH_INLINE_FOR_SPEED bool begin(Side side, uint32_t node, const PackedBox* reached) {
     take(side, (side == Side::a ? a : b).nodes + node);
     if (made_ == 0) {
-      make(plane_);
+      make_plane();
     }
-    if (reached != nullptr && !plane_.may_touch(*reached)) {
+    if (reached != nullptr && !may_touch_one(plane_, *reached)) {
       return false;
     }
     if (made_ == 1) {
-      make(edge_);
+      make_edge();
     }
-    return reached == nullptr || edge_.may_touch(*reached);
+    return reached == nullptr || may_touch_one(edge_, *reached);
   }
 
   /// Before begin() of a leaf below which a run goes on, so that no pair of boxes led to it: what
@@ -85,8 +91,7 @@ class LeafShapes {
 
   /// False only if no triangle of the leaf intersects one of a subtree with this box.
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
-    return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window_) &&
-           may_touch_both(plane_, edge_, box);
+    return may_touch_all(window_, plane_, edge_, box);
   }
 
   /// Of the leaf at hand, below which node a walk stopped; 0 if it stopped elsewhere.
@@ -119,60 +124,69 @@ class LeafShapes {
     }
   }
 
-  /// The plane's first, then the edge's.
-  FLASHBVH_INLINE_FOR_SPEED void make(Slab& slab) {
-    if (!(made_++ == 0 ? lie_in_plane() : lie_along_edge())) {
+  FLASHBVH_NOINLINE void make_plane() {
+    if (lie_in_plane()) {
+      see(plane_);
+    }
+  }
+  FLASHBVH_NOINLINE void make_edge() {
+    if (lie_along_edge()) {
+      see(edge_);
+    }
+  }
+
+  /// As slabs lie in their own lattice, the plane's first; false, and the whole space, if there is
+  /// no direction. The plane's normal waits where the edge's slab will be.
+  FLASHBVH_INLINE_FOR_SPEED bool lie_in_plane() {
+    made_ = 1;
+    const Mesh& m = mesh();
+    const uint32_t first = m.first_triangle(node_->leaf());
+    const PackedTriangle t = triangle(m, first);
+    PackedVector normal;
+    const bool good = t.plane_direction(normal);
+    edge_.keep_direction(normal);
+    return hold(plane_, good, normal, t, first);
+  }
+  FLASHBVH_INLINE_FOR_SPEED bool lie_along_edge() {
+    made_ = 2;
+    const Mesh& m = mesh();
+    const uint32_t first = m.first_triangle(node_->leaf());
+    const PackedTriangle t = triangle(m, first);
+    PackedVector direction;
+    const bool good = t.edge_direction(edge_.direction(), direction);
+    return hold(edge_, good, direction, t, first);
+  }
+  /// All of the leaf's triangles; `t`: the first.
+  FLASHBVH_INLINE_FOR_SPEED bool hold(Slab& slab, bool good, const PackedVector& direction,
+                                      const PackedTriangle& t, uint32_t first) {
+    if (!good) {
       slab.set_all();
-      return;
+      return false;
     }
-    if (mesh().leaf_offsets != nullptr) {
-      add_others(slab);
+    const Mesh& m = mesh();
+    Extent extent = t.extent(direction);
+    if (m.leaf_offsets != nullptr) {
+      const uint32_t end = m.end_triangle(node_->leaf());
+      for (uint32_t i = first + 1; i < end; ++i) {
+        extent.add(triangle(m, i).extent(direction));
+      }
     }
-    if (rotated_ != nullptr) {
+    slab.begin(direction, extent);
+    return true;
+  }
+  /// As the other tree sees it.
+  FLASHBVH_INLINE_FOR_SPEED void see(Slab& slab) const {
+    if (transform_.is_rotated()) {
       slab.rotate(transform_, side_);
     } else {
       slab.translate(transform_.translated().offset, side_);
     }
   }
 
-  /// As slabs lie in their own lattice; false if there is no direction. The plane's normal waits
-  /// where the edge's slab will be.
-  FLASHBVH_NOINLINE bool lie_in_plane() {
-    const PackedTriangle t = first();
-    PackedVector normal;
-    const bool good = t.plane_direction(normal);
-    edge_.begin(normal, {0, 0});
-    plane_.begin(normal, t.extent(normal));
-    return good;
-  }
-  FLASHBVH_NOINLINE bool lie_along_edge() {
-    const PackedTriangle t = first();
-    PackedVector direction;
-    const bool good = t.edge_direction(edge_.direction(), direction);
-    edge_.begin(direction, t.extent(direction));
-    return good;
-  }
-  FLASHBVH_INLINE_FOR_SPEED PackedTriangle first() const {
-    return triangle(mesh().first_triangle(node_->leaf()));
-  }
-
-  FLASHBVH_INLINE_FOR_SPEED PackedTriangle triangle(uint32_t position) const {
-    const Mesh& m = mesh();
+  FLASHBVH_INLINE_FOR_SPEED static PackedTriangle triangle(const Mesh& m, uint32_t position) {
     const auto& corner = m.triangles[position].corner;
     return {PackedVector::of(m.vertices[corner[0]]), PackedVector::of(m.vertices[corner[1]]),
             PackedVector::of(m.vertices[corner[2]])};
-  }
-
-  /// The leaf's triangles after the first.
-  FLASHBVH_NOINLINE void add_others(Slab& slab) const {
-    const Mesh& m = mesh();
-    const PackedVector direction = slab.direction();
-    Extent extent = slab.extent();
-    const uint32_t end = m.end_triangle(node_->leaf());
-    for (uint32_t i = m.first_triangle(node_->leaf()) + 1; i < end; ++i) {
-      extent.add(triangle(i).extent(direction));
-    }
-    slab.begin(direction, extent);
   }
 
   const Transform& transform_;
@@ -181,9 +195,6 @@ class LeafShapes {
   Side side_ = Side::none;
   uint8_t made_ = 0;  ///< slabs
   uint16_t root_ = 0;
-  PackedTriple window_;
-  Slab plane_;
-  Slab edge_;
 };
 
 }  // namespace flashbvh::detail

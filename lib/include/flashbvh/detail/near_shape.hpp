@@ -56,14 +56,14 @@ class NearShapes : LeafShapes<Mesh> {
   FLASHBVH_NOINLINE bool begin(Side side, uint32_t node, const PackedBox* reached) {
     take(side, node);
     if (this->made_ == 0) {
-      cells_in_plane_ = make(this->plane_);
+      make_plane();
     }
     const uint32_t beyond = reached == nullptr ? 0 : plane_gap(*reached);
     if (beyond > sum_limit_) {
       return false;
     }
     if (this->made_ == 1) {
-      cells_along_edge_ = make(this->edge_);
+      make_edge();
     }
     return reached == nullptr || beyond + edge_gap(*reached) <= sum_limit_;
   }
@@ -113,22 +113,17 @@ class NearShapes : LeafShapes<Mesh> {
     }
   }
 
-  /// The plane's first, then the edge's; how many cells a unit of its direction is: 0 if the slab
-  /// is the whole space.
-  FLASHBVH_NOINLINE uint32_t make(Slab& slab) {
-    if (!(this->made_++ == 0 ? this->lie_in_plane() : this->lie_along_edge())) {
-      slab.set_all();
-      return 0;
-    }
-    if (this->mesh().leaf_offsets != nullptr) {
-      this->add_others(slab);
-    }
+  FLASHBVH_NOINLINE void make_plane() {
+    cells_in_plane_ = this->lie_in_plane() ? see(this->plane_) : 0;
+  }
+  FLASHBVH_NOINLINE void make_edge() {
+    cells_along_edge_ = this->lie_along_edge() ? see(this->edge_) : 0;
+  }
+  /// How many cells a unit of the direction is of a slab in its own lattice, from where the other
+  /// tree sees it on.
+  FLASHBVH_INLINE_FOR_SPEED uint32_t see(Slab& slab) {
     const PackedVector own = slab.direction();
-    if (!this->transform_.is_rotated()) {
-      slab.translate(this->transform_.translated().offset, this->side_);
-      return cells_in_unit(own);
-    }
-    slab.rotate(this->transform_, this->side_);
+    Base::see(slab);
     return cells_in_unit(this->side_ == Side::a ? own : slab.seen_direction());
   }
 

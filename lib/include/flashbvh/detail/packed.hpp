@@ -10,7 +10,7 @@
 
 #include "flashbvh/detail/byte_order.h"
 
-#if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
+#if (defined(__ARM_FEATURE_SIMD32) || defined(__ARM_FEATURE_SAT)) && !defined(FLASHBVH_PORTABLE)
 #include <arm_acle.h>
 #endif
 

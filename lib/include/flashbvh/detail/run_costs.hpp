@@ -15,13 +15,13 @@ struct RunCosts {
   uint32_t work;           ///< each unit of work
 };
 
-constexpr RunCosts kCortexM0 = {8715, 33, 12, 168, 750};
+constexpr RunCosts kCortexM0 = {8483, 32, 12, 176, 753};
 constexpr RunCosts kCortexM3 = {3567, 24, 12, 104, 232};
 constexpr RunCosts kCortexM33 = {3129, 24, 12, 102, 186};
-constexpr RunCosts kCortexM4F = {3102, 23, 12, 102, 185};
+constexpr RunCosts kCortexM4F = {2916, 23, 12, 88, 184};
 constexpr RunCosts kCortexM55 = {3149, 24, 12, 102, 185};
 constexpr RunCosts kCortexM7 = {3135, 24, 12, 102, 189};
-constexpr RunCosts kRV32IMAC = {4468, 21, 10, 108, 403};
+constexpr RunCosts kRV32IMAC = {4188, 21, 10, 108, 403};
 
 }  // namespace flashbvh
 

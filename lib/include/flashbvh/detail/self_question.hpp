@@ -96,7 +96,7 @@ class TriangleTest<SelfQuestion<Base>, Mesh, true> {
       get_near_normal(b_, normal_);
       has_normal_ = true;
     }
-    return triangles_intersect(a, b_, &normal_);
+    return near_triangles_intersect(a, b_, normal_);
   }
 
  private:

@@ -31,8 +31,13 @@ struct Extent {
   int32_t most;
 
   void add(int32_t at) {
+#if defined(__ARM_FEATURE_SAT) && !defined(FLASHBVH_PORTABLE) && !defined(__OPTIMIZE_SIZE__)
+    least -= __usat(least - at, 31);  // by what it is less, if it is
+    most += __usat(at - most, 31);
+#else
     least = at < least ? at : least;
     most = at > most ? at : most;
+#endif
   }
   void add(const Extent& other) {
     least = other.least < least ? other.least : least;
@@ -109,6 +114,11 @@ class Slab {
     row_ = {direction.xy, 0, static_cast<uint32_t>(direction.z)};
     least_upper_ = extent.least;
     least_lower_ = extent.most;
+  }
+  /// For later; nothing else is set.
+  FLASHBVH_INLINE void keep_direction(const PackedVector& direction) {
+    row_.positive_xy = direction.xy;
+    row_.z = static_cast<uint32_t>(direction.z);
   }
   PackedVector direction() const { return {row_.positive_xy, static_cast<int32_t>(row_.z)}; }
   Extent extent() const { return {least_upper_, least_lower_}; }

@@ -7,6 +7,7 @@
 
 #include "flashbvh/detail/box.hpp"
 #include "flashbvh/detail/rotated_transform.hpp"
+#include "flashbvh/detail/triangle.hpp"
 #include "flashbvh/detail/walk.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
@@ -143,6 +144,28 @@ FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, c
     return {v.x + o.x, v.y + o.y, v.z + o.z};
   };
   triangle = {{at(0), at(1), at(2)}};
+}
+
+/// The same, with its normal; each is narrow.
+template <class Mesh>
+FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, const Point& offset,
+                                          Triangle& triangle, PlaneNormal& normal) {
+#if defined(__OPTIMIZE_SIZE__)
+  translate_triangle(mesh, position, offset, triangle);
+  get_near_normal(triangle, normal);
+#else
+  const auto& corner = mesh.triangles[position].corner;
+  const Vertex& p = mesh.vertices[corner[0]];
+  const Vertex& q = mesh.vertices[corner[1]];
+  const Vertex& r = mesh.vertices[corner[2]];
+  const Point u = {q.x - p.x, q.y - p.y, q.z - p.z};
+  const Point v = {r.x - p.x, r.y - p.y, r.z - p.z};
+  const Point o = offset;
+  triangle = {{{p.x + o.x, p.y + o.y, p.z + o.z},
+               {q.x + o.x, q.y + o.y, q.z + o.z},
+               {r.x + o.x, r.y + o.y, r.z + o.z}}};
+  normal = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+#endif
 }
 
 /// The same, rotated and translated.

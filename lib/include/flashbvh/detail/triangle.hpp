@@ -23,8 +23,8 @@ constexpr int32_t kMaxDifference = (1 << 20) - 1;
 /// must keep within kMaxDifference, which triangles that each span less than 2^19 cells do by
 /// themselves. This is not checked: beyond it the answer is meaningless.
 ///
-/// Cost in instructions on a Cortex-M4 at -O2: at most 135 where the boxes are disjoint, else 330
-/// on average and at most 520; up to 1,000 for coplanar triangles and 2,100 for two segments
+/// Cost in instructions on a Cortex-M4 at -O2: at most 135 where the boxes are disjoint, else 265
+/// on average and at most 390; up to 950 for coplanar triangles and 2,100 for two segments
 /// (tests/budget/triangle_cost_test.cpp prints them), more where a difference reaches 2^15.
 /// Stack: 104 bytes on Cortex-M3 and M4 at -O2.
 ///
@@ -47,9 +47,11 @@ void get_near_normal(const Triangle& t, PlaneNormal& normal) noexcept;
 
 /// The same of triangles with all differences within kMaxDifference, whose boxes need not touch:
 /// a query tested what they are in, so they are tested only where one triangle is flat or lies in
-/// the other's plane. `normal_b`: of `b`, if both triangles are narrow, or null.
-bool triangles_intersect(const Triangle& a, const Triangle& b,
-                         const PlaneNormal* normal_b) noexcept;
+/// the other's plane. `normal_b`: of `b`; both triangles are narrow.
+bool near_triangles_intersect(const Triangle& a, const Triangle& b,
+                              const PlaneNormal& normal_b) noexcept;
+/// Where they may not be narrow: the boxes first.
+bool wide_triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
 
 }  // namespace flashbvh::detail
 

@@ -54,15 +54,27 @@ class TriangleTest<Question, Mesh, true> {
         rotated_(transform.is_rotated()) {}
 
   FLASHBVH_INLINE bool take_b(uint32_t of_b, const PackedBox* box_a) {
+    if (!rotated_) {
+      if (of_b != kept_) {
+        kept_ = of_b;
+        translate_triangle(b_, of_b, transform_.translated().offset, kept_b_, normal_);
+      }
+      return true;
+    }
     if (of_b != kept_) {
       kept_ = of_b;
-      transform_triangle(b_, of_b, transform_, kept_b_);
-      if (narrow_) {
-        get_near_normal(kept_b_, normal_);
-      }
+      rotate_triangle(b_, of_b, transform_.rotated(), kept_b_);
+      has_normal_ = !narrow_;
     }
     // A rotated box is wider than what is in it; a translated one is not.
-    return !rotated_ || box_a == nullptr || box_overlaps(*box_a, kept_b_);
+    if (box_a != nullptr && !box_overlaps(*box_a, kept_b_)) {
+      return false;
+    }
+    if (!has_normal_) {
+      has_normal_ = true;
+      get_near_normal(kept_b_, normal_);
+    }
+    return true;
   }
 
   /// Reads A's triangle in place: translate_triangle() by nothing would be a call and nine sums.
@@ -73,7 +85,8 @@ class TriangleTest<Question, Mesh, true> {
       return Point{v.x, v.y, v.z};
     };
     const Triangle a = {{at(0), at(1), at(2)}};
-    return triangles_intersect(a, kept_b_, narrow_ ? &normal_ : nullptr);
+    return narrow_ ? near_triangles_intersect(a, kept_b_, normal_)
+                   : wide_triangles_intersect(a, kept_b_);
   }
 
  private:
@@ -83,6 +96,7 @@ class TriangleTest<Question, Mesh, true> {
   uint32_t kept_ = UINT32_MAX;
   bool narrow_;
   bool rotated_;
+  bool has_normal_ = false;  ///< or needs none
   Triangle kept_b_;
   PlaneNormal normal_;
 };

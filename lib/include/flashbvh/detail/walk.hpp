@@ -232,14 +232,12 @@ FLASHBVH_INLINE inline State visit_subtree(Subtree& at, const Shapes& shapes, Pr
 /// after its node on.
 template <class Shapes, class Run>
 FLASHBVH_NOINLINE State walk_below(Shapes& shapes, Run& run, uint32_t root, bool after) {
-  const Side side = run.side;
-  const uint32_t leaf = run.leaf;
   using Tree = typename Shapes::Tree;
-  Subtree<typename Tree::Index, Tree::kLayout> at(side == Side::a ? shapes.b : shapes.a, root,
+  Subtree<typename Tree::Index, Tree::kLayout> at(run.side == Side::a ? shapes.b : shapes.a, root,
                                                   run.node);
-  const auto found = [side, leaf, &run](uint32_t other) {
-    const bool leaf_is_a = side == Side::a;
-    return run.found(leaf_is_a ? leaf : other, leaf_is_a ? other : leaf);
+  const auto found = [&run](uint32_t other) {
+    const bool leaf_is_a = run.side == Side::a;
+    return run.found(leaf_is_a ? run.leaf : other, leaf_is_a ? other : run.leaf);
   };
   const State end = visit_subtree(at, shapes, run.progress, found, after);
   run.node = at.index();
