@@ -84,13 +84,15 @@ prepare() {
   fetch_kr5 build/kr5
   rm -f "$folder/host.txt"
   default=$(bake "$folder")
+  bake "$folder/leaf1" --leaf-size 1 >/dev/null
+  quietly build/$native/bin/write_poses "$folder" "$folder/leaf1" $pairs
+  quietly "$flashbvh" robot "$urdf" --name kr5_arm -o "$folder/robot"
+  [ $mode != prepare ] || return 0 # that is all that boards are given
   for size in 1 2 3 4 5 6 7 8; do
     flash=$(bake "$folder/leaf$size" --leaf-size $size)
     quietly build/$native/bin/write_poses "$folder/leaf$size" "$folder/leaf1" $pairs
     leaf_size $size $flash >>"$folder/host.txt"
   done
-  quietly build/$native/bin/write_poses "$folder" "$folder/leaf1" $pairs
-  quietly "$flashbvh" robot "$urdf" --name kr5_arm -o "$folder/robot"
   echo "$default" | awk '{ printf "all flash.default %.1f\n", $1 / $2
     print "all flash.triangles", $2; print "all flash.bytes", $1 }' >>"$folder/host.txt"
   visits >>"$folder/host.txt"

@@ -1,8 +1,8 @@
 #!/bin/sh
 # test.sh           Everything that has to hold before a change is one: formatting, lint, and all tests,
 #                   natively with sanitizers and on each board under QEMU.
-# test.sh --quick   What most changes break: formatting, the tests on this machine that don't take long,
-#                   and a board with a Cortex-M4F, without the proofs.
+# test.sh --quick   What most changes of the library break: formatting, the library's tests on this
+#                   machine with sanitizers, answers and arithmetic on a Cortex-M4F.
 # test.sh --all     Also an Xtensa LX106 and a plain RV32IM; on every board all tests that fit it, which
 #                   otherwise run natively and on the Cortex-M4F (on Cortex-M0 and RISC-V what a core
 #                   has of its own: answers, arithmetic, stack, bounds, figures; of the others answers
@@ -16,13 +16,13 @@ cd "$(dirname "$0")/.."
 . tools/packages.sh
 
 # The longest first, so that none is left over at the end; all but lint wait for the first.
-steps="tool lint native cortex-m4f long rv32imac cortex-m0 cortex-m55 cortex-m3 stm32vldiscovery
+steps="tool native cortex-m4f long lint rv32imac cortex-m0 cortex-m55 cortex-m3 stm32vldiscovery
   cortex-m7 cortex-m33 netduinoplus2 sifive_e"
 packages="$riscv_packages $digest_packages clang-tidy"
 release=
 case ${1:-} in
   "") ;;
-  --quick) steps="tool native netduinoplus2" packages=
+  --quick) steps="library netduinoplus2" packages=
     export FLASHBVH_QUICK=ON ;;
   --all) steps="$steps lx106 rv32im" packages="$packages $xtensa_packages" release=yes
     export FLASHBVH_ALL_TESTS=ON FLASHBVH_THOROUGH=yes FLASHBVH_DEEP_LINT=yes ;;

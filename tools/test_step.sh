@@ -6,12 +6,12 @@
 #                are measured on
 #   native       the tests on this machine, but for
 #   long         those that damage meshes and images in many ways, or compile projects of their own
+#   library      of native what needs nothing of the host program: --quick
 #   lint         clang-tidy: the library and the host program
 #   PRESET       the tests on a board, under QEMU; on cortex-m4f tools/demo.sh as well. Without --all
 #                of cores that run another one's code the digest alone, of a Cortex-M3 and M55,
 #                which have forms of their own, answers and arithmetic; in the core's form
-# On one core but for the tool, which the others wait for, and native, the last one of --quick. What it
-# prints goes to build/log/STEP, its duration and the time it computed to build/log/seconds.
+# On one core but for the tool, which the others wait for, native and library. What it prints goes to build/log/STEP, its duration and the time it computed to build/log/seconds.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -22,22 +22,29 @@ sources() {
 tool() {
   cmake --build --preset native-sanitize --target flashbvh_tool write_poses \
     tool_test_meshes tool_test_damage tool_test_brute_force
+  touch -r build/native-sanitize/bin/flashbvh build/bake_once.sh
   FLASHBVH_NATIVE=native-sanitize tools/figures.sh --prepare
   cmake --preset native-sanitize -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
 }
 
 board() {
-  cmake --preset "$1" -DFLASHBVH_HOST_TOOL="$PWD/build/native-sanitize/bin/flashbvh" \
-    -DFLASHBVH_KR5_FIGURES="$PWD/build/figures" -DFLASHBVH_ALL_TESTS="${FLASHBVH_ALL_TESTS:-OFF}"
-  case $1-${FLASHBVH_ALL_TESTS:-${FLASHBVH_QUICK:-OFF}} in
-    cortex-m7-OFF | cortex-m33-OFF | netduinoplus2-OFF | sifive_e-OFF)
+  all=${FLASHBVH_ALL_TESTS:-OFF}
+  figures=
+  case $1-$all in
+    cortex-m4f-* | *-ON) figures=$PWD/build/figures ;;
+    *) echo "Of the figures those of the KR5 are left to the Cortex-M4F: --all measures them here, too" ;;
+  esac
+  cmake --preset "$1" -DFLASHBVH_HOST_TOOL="$PWD/build/bake_once.sh" \
+    -DFLASHBVH_KR5_FIGURES="$figures" -DFLASHBVH_ALL_TESTS=$all
+  case $1-${FLASHBVH_QUICK:+quick-}$all in
+    cortex-m7-OFF | cortex-m33-OFF | netduinoplus2-OFF | sifive_e-OFF | stm32vldiscovery-OFF)
       cmake --build --preset "$1" -j 1 --target digest
       ctest --preset "$1" -R "the digest is every core's$"
       return ;;
-    cortex-m3-OFF | cortex-m55-OFF)
+    cortex-m3-OFF | cortex-m55-OFF | netduinoplus2-quick-*)
       cmake --build --preset "$1" -j 1 --target digest geometry_test small_query_test \
-        small_resume_test small_clearance_test small_image_test
-      ctest --preset "$1" -R "the digest is every core's$|/geometry_test|/small_.*_test"
+        small_clearance_test
+      ctest --preset "$1" -R "the digest is every core's$|/geometry_test|/small_(query|clearance)_test"
       return ;;
   esac
   cmake --build --preset "$1" -j 1
@@ -45,26 +52,33 @@ board() {
   case $1 in lx106 | rv32im) return 0 ;; esac # not on the page
   tools/figures.sh --compare "$1"
   grep -aE "^budget: |, budget: (at most|below)" "build/$1/Testing/Temporary/LastTest.log"
-  [ "$1" != cortex-m4f ] || FLASHBVH_NATIVE=native-sanitize tools/demo.sh
+  [ "$1" != cortex-m4f ] ||
+    FLASHBVH_NATIVE=native-sanitize FLASHBVH_BAKE=$PWD/build/bake_once.sh \
+      FLASHBVH_DEMO_OF_MESHES=$([ $all = ON ] || echo yes) tools/demo.sh
 }
 
 run() {
   case $1 in
     formatting) sources | xargs clang-format --dry-run -Werror ;;
-    configured) cmake --preset native-sanitize ;;
+    configured)
+      cmake --preset native-sanitize
+      cp tools/bake_once.sh build/ ;;
     tool) tool ;;
     native)
       cmake --build --preset native-sanitize
       ctest --preset native-sanitize -LE long -j "$(nproc)" ;;
     long) ctest --preset native-sanitize -L long ;;
+    library)
+      cmake --build --preset native-sanitize --target library_tests
+      ctest --preset native-sanitize -L library -j "$(nproc)" ;;
     lint) tools/lint.sh ${FLASHBVH_DEEP_LINT:+--deep} 2>build/log/lint.warnings ;;
     *) board "$1" ;;
   esac
 }
 
 # After a failure nothing begins; the tests want the tool, the long ones what native builds.
-case $1 in
-  formatting | configured | tool | lint) wanted=/dev/null ;;
+case $1${FLASHBVH_QUICK:+-quick} in
+  formatting | configured | tool | lint | *-quick) wanted=/dev/null ;;
   long) wanted=build/log/native.passed ;;
   *) wanted=build/log/tool.passed ;;
 esac

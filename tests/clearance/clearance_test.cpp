@@ -169,7 +169,7 @@ PostMesh view_of(const AnyMesh& mesh) {
 
 TEST_CASE("the distance of two meshes is that of their nearest triangles") {
   Random random(test_seed());
-  for (int round = 0; round < 250; ++round) {
+  for (int round = 0; round < rounds(80, 250); ++round) {
     CAPTURE(round);
     const std::int32_t spreads[] = {5, 60, 1000, 16000};
     const std::int32_t spread = spreads[random.below(4)];
@@ -215,7 +215,7 @@ TEST_CASE("the distance of two meshes is that of their nearest triangles") {
 
 TEST_CASE("what is farther than 2^15 cells is measured as well, from any seed") {
   Random random(test_seed());
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < rounds(20, 60); ++round) {
     CAPTURE(round);
     const auto mesh = [&] {
       return any_mesh(random, random_mesh(random, 20 + random.below(20), 800, 400));
@@ -244,7 +244,7 @@ TEST_CASE("what is farther than 2^15 cells is measured as well, from any seed") 
 
 TEST_CASE("a tolerance is kept to, and said to be") {
   Random random(test_seed());
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < rounds(50, 150); ++round) {
     CAPTURE(round);
     const AnyMesh any_a = any_mesh(random, random_mesh(random, 1 + random.below(30), 400, 60));
     const AnyMesh any_b = any_mesh(random, random_mesh(random, 1 + random.below(30), 400, 60));
@@ -318,7 +318,7 @@ TEST_CASE("seeds and positions that are none are refused") {
 
   const Clearance<std::uint16_t> truth = distance(a, b, pose);
   std::uint32_t taken = 0;
-  for (int round = 0; round < 20000; ++round) {
+  for (int round = 0; round < rounds(7000, 20000); ++round) {
     const auto index = [&] { return static_cast<std::uint16_t>(random.below(80)); };
     ClearancePosition<std::uint16_t> position;
     position.walk.a = index();

@@ -148,7 +148,7 @@ TEST_CASE("over thousands of frames of one sheet the pairs are those of brute fo
   const bake::LatticeMesh lattice = grid(4, 3, false);
   Bending<PostMesh> bent(bake::build_default(lattice), lattice);
   lay(random, 5, 20, 0, 0, bent.vertices.data(), bent.vertices.size());
-  for (int frame = 0; frame < 3000 / kShare; ++frame) {
+  for (int frame = 0; frame < rounds(1000, 3000) / kShare; ++frame) {
     CAPTURE(frame);
     move_some(random, 3, bent.vertices.data(), bent.vertices.size());
     REQUIRE(bent.mesh.refit().status == Status::done);

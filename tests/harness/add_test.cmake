@@ -7,8 +7,9 @@
 # Cortex-M4F do so unless FLASHBVH_ALL_TESTS, or ICOUNT. All others run on every board, down to 8 KB of
 # RAM, over tests/harness/small_catch, and do not link with a heap.
 # ICOUNT makes instruction counts on the board exact, and each test case a test of CTest's,
-# "<preset>/<test case>", whose figures -R and -V show. LONG leaves it out of tools/test.sh --quick.
-# OPTIMISED: with the sanitizers, too.
+# "<preset>/<test case>", whose figures -R and -V show. LONG is a label of what runs apart; what needs no
+# room of the host program but `bake` is labelled `library`, and all of it a target, library_tests:
+# tools/test.sh --quick. OPTIMISED: with the sanitizers, too.
 set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
 
 function(flashbvh_add_test name)
@@ -30,8 +31,13 @@ function(flashbvh_add_test name)
   set(labels "")
   if(arg_LONG)
     set(labels LABELS long)
+  elseif(NOT "${arg_LIBRARIES}" MATCHES "flashbvh_(evaluate|mesh|robot|test_arm)")
+    set(labels LABELS library)
   endif()
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+  if("library" IN_LIST labels)
+    add_dependencies(library_tests ${name})
+  endif()
   target_sources(${name} PRIVATE $<TARGET_OBJECTS:flashbvh_harness>)
   target_link_libraries(${name} PRIVATE
     ${arg_LIBRARIES} flashbvh_test_queries flashbvh::flashbvh flashbvh_harness_options)
@@ -44,6 +50,9 @@ function(flashbvh_add_test name)
       set(level -O1)
     endif()
     target_compile_options(${name} PRIVATE -g1 ${level})
+    # As for the host program (tools/cli): templates of what is optimised come first.
+    target_link_options(${name} PRIVATE -Wl,--whole-archive $<TARGET_FILE:flashbvh_test_queries>
+      $<TARGET_FILE:flashbvh> -Wl,--no-whole-archive)
     target_precompile_headers(${name} REUSE_FROM ${headers})
   endif()
   if(CMAKE_CROSSCOMPILING)

@@ -46,7 +46,7 @@ TEST_CASE("ranked visits exactly its bound when all boxes overlap") {
   const std::uint64_t seed = test_seed();
   CAPTURE(seed);
   Random random(seed);
-  for (int round = 0; round < 2000; ++round) {
+  for (int round = 0; round < rounds(600, 2000); ++round) {
     const Post baked_a = any_baked(random);
     const Post baked_b = any_baked(random);
     const LevelledPostMesh a = baked_a.view();

@@ -23,13 +23,7 @@
 namespace flashbvh::detail {
 
 template <class Mesh>
-class LeafShapes {
- protected:
-  // What boxes are tested against comes first, and in this order (slab_dsp.hpp).
-  PackedTriple window_;
-  Slab plane_;
-  Slab edge_;
-
+class LeafShapes : protected BoxTests {
  public:
   using Tree = Mesh;
   static constexpr bool kShapes = true;
@@ -90,9 +84,7 @@ class LeafShapes {
   }
 
   /// False only if no triangle of the leaf intersects one of a subtree with this box.
-  FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
-    return may_touch_all(window_, plane_, edge_, box);
-  }
+  FLASHBVH_INLINE bool may_touch(const PackedBox& box) const { return may_touch_all(*this, box); }
 
   /// Of the leaf at hand, below which node a walk stopped; 0 if it stopped elsewhere.
   void keep_root(uint32_t root) { root_ = static_cast<uint16_t>(root); }

@@ -4,10 +4,19 @@
 #ifndef FLASHBVH_DETAIL_SLAB_DSP_HPP
 #define FLASHBVH_DETAIL_SLAB_DSP_HPP
 
+#include <stddef.h>
+
 #include "flashbvh/detail/slab.hpp"
 #include "flashbvh/detail/slab_simd.hpp"
 
 namespace flashbvh::detail {
+
+/// What a leaf as a shape holds against boxes.
+struct BoxTests {
+  PackedTriple window_;
+  Slab plane_;
+  Slab edge_;
+};
 
 #if defined(__ARM_FEATURE_DSP) && defined(__thumb2__) && !defined(FLASHBVH_PORTABLE)
 
@@ -36,12 +45,12 @@ namespace flashbvh::detail {
   ", r12\n\t"                                \
   "blt " apart "\n\t"
 
-static_assert(sizeof(PackedTriple) == 12 && sizeof(Slab) == 20, "what is loaded");
+static_assert(offsetof(BoxTests, plane_) == 12 && offsetof(BoxTests, edge_) == 32 &&
+                  sizeof(Slab) == 20,
+              "loaded one after the other");
 
-/// False only if the box misses the window or has no point in one of the slabs. They lie right
-/// after it, one after the other.
-FLASHBVH_INLINE inline bool may_touch_all(const PackedTriple& window, const Slab& /*plane*/,
-                                          const Slab& /*edge*/, const PackedBox& box) {
+/// False only if the box misses the window or has no point in one of the slabs.
+FLASHBVH_INLINE inline bool may_touch_all(const BoxTests& tests, const PackedBox& box) {
   __asm__ goto(
       "ldm %1, {r4, r5, r8}\n\t"
       "mov lr, %0\n\t"
@@ -54,7 +63,7 @@ FLASHBVH_INLINE inline bool may_touch_all(const PackedTriple& window, const Slab
       "bne %l[apart]\n\t" FLASHBVH_TEST_SLAB("lr!", "r10", "%l[apart]")
           FLASHBVH_TEST_SLAB("lr!", "r10", "%l[apart]")
       :
-      : "r"(&window), "r"(&box)
+      : "r"(&tests), "r"(&box)
       : "r0", "r1", "r2", "r3", "r4", "r5", "r8", "r10", "r12", "lr", "cc", "memory"
       : apart);
   return true;
@@ -78,10 +87,9 @@ apart:
 
 #else
 
-FLASHBVH_INLINE inline bool may_touch_all(const PackedTriple& window, const Slab& plane,
-                                          const Slab& edge, const PackedBox& box) {
-  return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window) &&
-         may_touch_both(plane, edge, box);
+FLASHBVH_INLINE inline bool may_touch_all(const BoxTests& tests, const PackedBox& box) {
+  return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, tests.window_) &&
+         may_touch_both(tests.plane_, tests.edge_, box);
 }
 FLASHBVH_INLINE inline bool may_touch_one(const Slab& slab, const PackedBox& box) {
   return slab.may_touch(box);

@@ -1,0 +1,33 @@
+#!/bin/sh
+# bake_once.sh ARGUMENT...    flashbvh, as tools/test_step.sh copies it to the build folder: what it made
+# for one board is copied for the next, from build/baked.
+set -eu
+build=$(cd "$(dirname "$0")" && pwd)
+flashbvh=$build/native-sanitize/bin/flashbvh
+made=$build/baked/new.$$
+before= folder= depfile= asked=$(stat -c %y "$flashbvh")
+for argument; do
+  shift
+  key=$argument
+  case $before in
+    -o | --firmware) folder=$argument key= argument=$made ;;
+    --depfile) depfile=$argument key= argument=$made/depfile ;;
+    *) [ ! -f "$argument" ] || key="${argument##*/} $(cksum <"$argument")" ;;
+  esac
+  before=$argument
+  asked="$asked
+$key"
+  set -- "$@" "$argument"
+done
+kept=$build/baked/$(echo "$asked" | sha1sum | cut -c 1-40)
+if [ ! -d "$kept" ]; then
+  mkdir -p "$made"
+  "$flashbvh" "$@"
+  mv -T "$made" "$kept" 2>/dev/null || rm -r "$made" # another board was faster
+fi
+mkdir -p "$folder"
+cp "$kept"/* "$folder"
+if [ -n "$depfile" ]; then
+  sed "s#$build/baked/new\.[0-9]*#$folder#g" "$kept/depfile" >"$depfile"
+  rm "$folder/depfile"
+fi
