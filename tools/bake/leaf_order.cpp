@@ -28,7 +28,8 @@ std::uint64_t square_root(std::uint64_t square) {
 /// Of the leaf's triangles along a direction, in 1/256 of a cell; one cell at least.
 std::uint64_t thickness(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles,
                         const PackedVector& direction) {
-  Extent extent = {INT32_MAX, INT32_MIN};
+  const std::int32_t first = dot(direction, corner(mesh, mesh.triangles[triangles[0]][0]));
+  Extent extent = {first, first};
   for (const std::uint32_t triangle : triangles) {
     for (const std::uint32_t vertex : mesh.triangles[triangle]) {
       extent.add(dot(direction, corner(mesh, vertex)));
