@@ -17,10 +17,10 @@ struct RunCosts {
 
 constexpr RunCosts kCortexM0 = {8483, 32, 12, 176, 753};
 constexpr RunCosts kCortexM3 = {3373, 24, 12, 108, 232};
-constexpr RunCosts kCortexM33 = {2927, 24, 12, 88, 185};
-constexpr RunCosts kCortexM4F = {2916, 23, 12, 88, 184};
-constexpr RunCosts kCortexM55 = {2916, 24, 12, 86, 183};
-constexpr RunCosts kCortexM7 = {2953, 24, 12, 88, 188};
+constexpr RunCosts kCortexM33 = {2928, 24, 12, 88, 185};
+constexpr RunCosts kCortexM4F = {2917, 23, 12, 88, 185};
+constexpr RunCosts kCortexM55 = {2917, 24, 12, 86, 183};
+constexpr RunCosts kCortexM7 = {2954, 24, 12, 88, 189};
 constexpr RunCosts kRV32IMAC = {4188, 21, 10, 108, 403};
 
 }  // namespace flashbvh
