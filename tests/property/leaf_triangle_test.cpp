@@ -97,12 +97,17 @@ TEST_CASE("a box and a triangle overlap where their bounds do") {
 
 namespace {
 
+/// Says so where there is none.
 bool has_avx2() {
-  return __builtin_cpu_supports("avx2") != 0;
+  const bool has = __builtin_cpu_supports("avx2") != 0;
+  if (!has) {
+    WARN("left out: no AVX2");
+  }
+  return has;
 }
 
 /// A narrow one.
-WideTriangle wide(const Triangle& t) {
+TriangleLanes lanes_of(const Triangle& t) {
   const Point& base = t.corner[0];
   Vertex corner[3];
   for (int i = 0; i < 3; ++i) {
@@ -114,7 +119,7 @@ WideTriangle wide(const Triangle& t) {
   }
   VertexTransform by;
   by.translate(base);
-  WideTriangle made;
+  TriangleLanes made;
   take_translated(by, {&corner[0], &corner[1], &corner[2]}, made);
   return made;
 }
@@ -132,7 +137,6 @@ TransformedPair narrow_pair(Random& random) {
 
 TEST_CASE("triangles of two leaves tested at once intersect where triangles do") {
   if (!has_avx2()) {
-    WARN("left out: no AVX2");
     return;
   }
   const std::uint64_t seed = test_seed();
@@ -146,8 +150,8 @@ TEST_CASE("triangles of two leaves tested at once intersect where triangles do")
     const TransformedPair second = random.below(2) == 0 ? first : narrow_pair(random);
     const Triangle a[2] = {first.a, second.b};
     const Triangle b[2] = {first.b, second.a};
-    const WideTriangle wide_a[2] = {wide(a[0]), wide(a[1])};
-    const WideTriangle wide_b[2] = {wide(b[0]), wide(b[1])};
+    const TriangleLanes lanes_a[2] = {lanes_of(a[0]), lanes_of(a[1])};
+    const TriangleLanes lanes_b[2] = {lanes_of(b[0]), lanes_of(b[1])};
     for (std::uint32_t in_a = 1; in_a <= 2; ++in_a) {
       for (std::uint32_t in_b = 1; in_b <= 2; ++in_b) {
         std::uint32_t expected = 0;
@@ -158,7 +162,7 @@ TEST_CASE("triangles of two leaves tested at once intersect where triangles do")
             intersect += answer ? 1 : 0;
           }
         }
-        REQUIRE(intersecting_pairs(wide_a, in_a, wide_b, in_b) == expected);
+        REQUIRE(intersecting_pairs(lanes_a, in_a, lanes_b, in_b) == expected);
       }
     }
   }
@@ -167,7 +171,6 @@ TEST_CASE("triangles of two leaves tested at once intersect where triangles do")
 
 TEST_CASE("corners of a rotated leaf are where the transform puts them") {
   if (!has_avx2()) {
-    WARN("left out: no AVX2");
     return;
   }
   const std::uint64_t seed = test_seed();
@@ -194,7 +197,7 @@ TEST_CASE("corners of a rotated leaf are where the transform puts them") {
                                                 : random.between(-kMaxCoordinate, kMaxCoordinate));
       }
     }
-    WideTriangle made;
+    TriangleLanes made;
     take_rotated(by, {&corner[0], &corner[1], &corner[2]}, made);
     for (int i = 0; i < 3; ++i) {
       const Point expected = transform.transform(corner[i]);

@@ -63,7 +63,7 @@ FLASHBVH_AVX2 inline __m256i cross(__m256i u, __m256i v) {
       _mm256_mullo_epi32(_mm256_shuffle_epi32(u, zxy), _mm256_shuffle_epi32(v, yzx)));
 }
 
-FLASHBVH_AVX2 inline void take(__m128i p, __m128i q, __m128i r, WideTriangle& t) {
+FLASHBVH_AVX2 inline void take(__m128i p, __m128i q, __m128i r, TriangleLanes& t) {
   store(p, t.corner[0]);
   store(q, t.corner[1]);
   store(r, t.corner[2]);
@@ -85,7 +85,7 @@ FLASHBVH_AVX2 inline void take(__m128i p, __m128i q, __m128i r, WideTriangle& t)
 }
 
 /// On which sides of the plane of `face` the corners of `t` lie.
-FLASHBVH_AVX2 inline Sides sides_of(const WideTriangle& face, const WideTriangle& t) {
+FLASHBVH_AVX2 inline Sides sides_of(const TriangleLanes& face, const TriangleLanes& t) {
   const __m256i x = _mm256_mul_epi32(_mm256_set1_epi64x(face.plane[0]), all_of(t.x));
   const __m256i y = _mm256_mul_epi32(_mm256_set1_epi64x(face.plane[1]), all_of(t.y));
   const __m256i z = _mm256_mul_epi32(_mm256_set1_epi64x(face.plane[2]), all_of(t.z));
@@ -102,8 +102,8 @@ FLASHBVH_AVX2 inline __m256i join(const int32_t (&low)[4], const int32_t (&high)
 }
 
 /// As in triangle.cpp: both determinants at once, that of the high ends in the lower half.
-FLASHBVH_AVX2 inline bool intervals_overlap(const WideTriangle& a, Sides of_a,
-                                            const WideTriangle& b, Sides of_b) {
+FLASHBVH_AVX2 inline bool intervals_overlap(const TriangleLanes& a, Sides of_a,
+                                            const TriangleLanes& b, Sides of_b) {
   const Tip at = tip_of(of_a);
   const Tip bt = tip_of(of_b);
   const unsigned high_a = bt.up ? next(at.corner) : previous(at.corner);
@@ -124,16 +124,16 @@ FLASHBVH_AVX2 inline bool intervals_overlap(const WideTriangle& a, Sides of_a,
          _mm_cvtsi128_si64(_mm256_extracti128_si256(volumes, 1)) >= 0;
 }
 
-Triangle triangle_of(const WideTriangle& t) {
+Triangle triangle_of(const TriangleLanes& t) {
   const auto at = [&](int i) { return Point{t.corner[i][0], t.corner[i][1], t.corner[i][2]}; };
   return {{at(0), at(1), at(2)}};
 }
 /// Where one lies in the other's plane or lacks area.
-[[gnu::noinline, gnu::cold]] bool flat_intersect(const WideTriangle& a, const WideTriangle& b) {
+[[gnu::noinline, gnu::cold]] bool flat_intersect(const TriangleLanes& a, const TriangleLanes& b) {
   return triangles_intersect(triangle_of(a), triangle_of(b));
 }
 
-FLASHBVH_AVX2 inline bool intersect(const WideTriangle& a, const WideTriangle& b) {
+FLASHBVH_AVX2 inline bool intersect(const TriangleLanes& a, const TriangleLanes& b) {
   const Sides of_a = sides_of(b, a);
   if (of_a.separate()) {
     return false;
@@ -170,18 +170,18 @@ void VertexTransform::rotate(const RotatedTransform& by) {
 }
 
 FLASHBVH_AVX2 void take_translated(const VertexTransform& by, const Vertex* const (&corner)[3],
-                                   WideTriangle& t) {
+                                   TriangleLanes& t) {
   using avx2::translated;
   avx2::take(translated(by, *corner[0]), translated(by, *corner[1]), translated(by, *corner[2]), t);
 }
 FLASHBVH_AVX2 void take_rotated(const VertexTransform& by, const Vertex* const (&corner)[3],
-                                WideTriangle& t) {
+                                TriangleLanes& t) {
   using avx2::rotated;
   avx2::take(rotated(by, *corner[0]), rotated(by, *corner[1]), rotated(by, *corner[2]), t);
 }
 
-FLASHBVH_AVX2 uint32_t intersecting_pairs(const WideTriangle* a, uint32_t in_a,
-                                          const WideTriangle* b, uint32_t in_b) {
+FLASHBVH_AVX2 uint32_t intersecting_pairs(const TriangleLanes* a, uint32_t in_a,
+                                          const TriangleLanes* b, uint32_t in_b) {
   uint32_t answers = 0;
   for (uint32_t j = 0; j < in_b; ++j) {
     for (uint32_t i = 0; i < in_a; ++i) {

@@ -36,8 +36,8 @@ struct Batches {
 /// The most triangles of a leaf that is tested at once: what trees have by default.
 constexpr uint32_t kMostAtOnce = 2;
 
-/// A narrow triangle in A's frame.
-struct alignas(16) WideTriangle {
+/// A narrow triangle in A's frame, a corner a lane. In cells, within +-2^17.
+struct alignas(16) TriangleLanes {
   int64_t x[4];  ///< of the three corners, and once more the last one's
   int64_t y[4];
   int64_t z[4];
@@ -57,12 +57,12 @@ struct alignas(16) VertexTransform {
   void rotate(const RotatedTransform& by);
 };
 
-/// `corner`: three vertices of a mesh.
-void take_translated(const VertexTransform& by, const Vertex* const (&corner)[3], WideTriangle& t);
-void take_rotated(const VertexTransform& by, const Vertex* const (&corner)[3], WideTriangle& t);
+/// `corner`: three vertices of a mesh. Only where the processor has AVX2, as what follows.
+void take_translated(const VertexTransform& by, const Vertex* const (&corner)[3], TriangleLanes& t);
+void take_rotated(const VertexTransform& by, const Vertex* const (&corner)[3], TriangleLanes& t);
 
 /// Which pairs of triangles intersect: bit i + j * in_a for A's i-th and B's j-th.
-uint32_t intersecting_pairs(const WideTriangle* a, uint32_t in_a, const WideTriangle* b,
+uint32_t intersecting_pairs(const TriangleLanes* a, uint32_t in_a, const TriangleLanes* b,
                             uint32_t in_b);
 
 /// Of the pair of leaves asked for last all answers are kept, and the triangles of both.
@@ -112,7 +112,7 @@ class LeavesAtOnce {
     const Mesh& mesh;
     uint32_t leaf = UINT32_MAX;
     uint32_t count = 0;
-    WideTriangle triangle[kMostAtOnce];
+    TriangleLanes triangle[kMostAtOnce];
 
     explicit Leaf(const Mesh& of) : mesh(of) {}
     /// Whether it is another one than before.
