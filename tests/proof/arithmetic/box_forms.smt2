@@ -4,6 +4,8 @@
 ; another, or 0 where that is negative. Boxes: halves from 1 to 32,767; thresholds: any.
 ; code: include/flashbvh/detail/packed.hpp | return value >= least && (value << 16) >= (least << 16);
 ; code: include/flashbvh/detail/packed.hpp | return (__uqsub16(least.word[0], value.word[0]) | __uqsub16(least.word[1], value.word[1]) |
+; code: include/flashbvh/detail/box_dsp.hpp | "ldrd r2, r3, %0\n\t" "ldrd r0, r12, %1\n\t" "add r2, r2, r12\n\t" "uqsub16 r2, %2, r2\n\t" "add r3, r3, r0\n\t" "uqsub16 r3, %3, r3\n\t" "orrs r2, r2, r3\n\t"
+; code: include/flashbvh/detail/box_dsp.hpp | return __uqsub16(least.word[2], a.z + swap_halves(b.z)) == 0;
 ; code: include/flashbvh/detail/box_simd.hpp | _mm_add_epi16(first_two(&a), _mm_shuffle_epi32(first_two(&b), 0xE1));
 ; code: include/flashbvh/detail/box_simd.hpp | const __m128i missing = _mm_subs_epu16(threshold, _mm_unpacklo_epi64(xy, z));
 ; code: include/flashbvh/detail/box_simd.hpp | const uint16x4_t xy = add(first_two(&a), vrev64_u32(first_two(&b)));

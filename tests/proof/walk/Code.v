@@ -128,9 +128,9 @@ Definition next_turn (resumed : bool) (a b : Place) : Code :=
 Definition pair_below (side : Side) (a b : Place) (i : nat) : nat * nat :=
   match side with LeafB => (i, node b) | _ => (node a, i) end.
 
-(* code: include/flashbvh/detail/ranked.hpp | if (rank_a < rank_b) { if (rank_b > 0) { b_.descend(rank_b); return true; } *)
-(* code: include/flashbvh/detail/ranked.hpp | } else if (rank_a >= 0) { a_.descend(rank_a); *)
-(* code: include/flashbvh/detail/walk.hpp | if (!at.node_a().is_leaf() && !at.node_b().is_leaf()) { ++overlaps; (void)at.descend(); continue; } *)
+(* code: include/flashbvh/detail/ranked.hpp | if (rank_a < rank_b) { b_.descend(rank_b); } else { a_.descend(rank_a); } *)
+(* code: include/flashbvh/detail/walk.hpp | return (a.rank() | b.rank()) >= 0; *)
+(* code: include/flashbvh/detail/walk.hpp | if (are_inner(at.node_a(), at.node_b())) { ++overlaps; at.descend_inner(); continue; } *)
 (* code: include/flashbvh/detail/walk.hpp | run.side = leaf_a ? Side::a : Side::b; run.leaf = leaf_a ? a : b; const uint32_t root = leaf_a ? b : a; *)
 (* code: include/flashbvh/detail/walk.hpp | if (!shapes.begin(run.side, run.leaf, &(leaf_a ? node_b : node_a)->box)) { *)
 (* code: include/flashbvh/detail/walk.hpp | if (shapes.may_touch(at.node().box)) { ++overlaps; if (!at.node().is_leaf()) { at.descend(); continue; } *)
@@ -143,7 +143,7 @@ Definition code_turn (c : Code) : Code :=
       let rank_b := c_rank (cell cells_b (node b)) in
       if bound (node a) (node b) then
         match is_leaf cells_a (node a), is_leaf cells_b (node b) with
-        | false, false =>                                            (* Ranked::descend() *)
+        | false, false =>                                            (* descend_inner() *)
             if (rank_a <? rank_b)%Z then CVisit a (descend cells_b b rank_b)
             else CVisit (descend cells_a a rank_a) b
         | true, true => CBehind false a b                            (* reach_leaf(): found *)

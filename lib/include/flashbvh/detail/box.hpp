@@ -9,6 +9,7 @@
 
 #include <stdint.h>
 
+#include "flashbvh/detail/box_dsp.hpp"
 #include "flashbvh/detail/box_mve.hpp"
 #include "flashbvh/detail/box_packed.hpp"
 #include "flashbvh/detail/box_simd.hpp"
@@ -49,6 +50,8 @@ class TranslatedBound {
     return bounds_reach_simd(a, b, least_);
 #elif defined(FLASHBVH_BOX_MVE)
     return bounds_reach_mve(a, b, least_);
+#elif defined(FLASHBVH_BOX_DSP)
+    return bounds_reach_dsp(a, b, least_);
 #elif defined(__ARM_FEATURE_SIMD32) || defined(FLASHBVH_PORTABLE)
     return halves_reach(sums(a, b), least_);
 #else  // word by word, so that what an early rejection does not need is not even loaded

@@ -11,6 +11,7 @@
 //     node_a(), node_b()      the pair of nodes
 //     index_a(), index_b()    their indices
 //     descend()               to the first pair below this one; false at a pair of leaves
+//     descend_inner()         the same of a pair of which none is a leaf, unless kBelowLeaves
 //     next()                  to the pair after this one and all below it; false if there is none
 //     leaf()                  of a walk that goes on: which of the two is a leaf whose walk of the
 //                             other's subtree it is in
@@ -344,6 +345,12 @@ FLASHBVH_INLINE inline void keep_root(Shapes& shapes, Side leaf, const Order& at
   }
 }
 
+/// Whether neither node is a leaf: leaves' ranks are negative.
+template <class Node>
+FLASHBVH_INLINE inline bool are_inner(const Node& a, const Node& b) {
+  return (a.rank() | b.rank()) >= 0;
+}
+
 /// From the cursor's pair, which is below no leaf that is a shape.
 template <class Order, class Bound, class Shapes, class LeafPair>
 FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
@@ -365,9 +372,9 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
       --work_left;
       if (__builtin_expect(may_matter(at.node_a().box, at.node_b().box), 1)) {
         if constexpr (Shapes::kShapes) {
-          if (!at.node_a().is_leaf() && !at.node_b().is_leaf()) {
+          if (are_inner(at.node_a(), at.node_b())) {
             ++overlaps;
-            (void)at.descend();
+            at.descend_inner();
             continue;
           }
           keep_in_memory(kept);
@@ -415,15 +422,17 @@ FLASHBVH_INLINE inline State walk(const Bound& bound, Shapes& shapes,
                                   WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
   if constexpr (Shapes::kShapes && Order::kBelowLeaves) {
     return walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
-  } else if constexpr (Shapes::kShapes) {
-    if (from != State::fresh) {
-      from = walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
-      if (from == State::done || run.side != Side::none) {
-        return from;
+  } else {
+    if constexpr (Shapes::kShapes) {
+      if (from != State::fresh) {
+        from = walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
+        if (from == State::done || run.side != Side::none) {
+          return from;
+        }
       }
     }
+    return walk_pairs<Order>(bound, shapes, run, from == State::at_leaf_pair);
   }
-  return walk_pairs<Order>(bound, shapes, run, from == State::at_leaf_pair);
 }
 
 }  // namespace detail

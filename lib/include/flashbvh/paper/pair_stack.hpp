@@ -120,6 +120,7 @@ class StackOrder {
     }
     return false;
   }
+  void descend_inner() { (void)descend(); }
 
   bool next() {
     if (stack_.is_empty()) {

@@ -60,6 +60,8 @@ class RankedStack {
     return false;
   }
 
+  void descend_inner() { (void)descend(); }
+
   bool next() {
     if (top_ == bottom_) {
       return false;

@@ -73,6 +73,16 @@ class AlternatingStackless {
     return false;
   }
 
+  void descend_inner() {
+    if (lead_ < 0) {
+      a_ = tree_a_.first_child(a_);
+      ++lead_;
+    } else {
+      b_ = tree_b_.first_child(b_);
+      --lead_;
+    }
+  }
+
   /// To the element below this one on algorithm 3's stack. False if there is none: then a node is
   /// its tree's end node.
   bool next() { return (lead_ >= 0 ? next_of_a() : next_of_b()) != 0; }
