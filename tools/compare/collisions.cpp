@@ -107,6 +107,9 @@ class Collisions {
       timed.push_back({named.name, named.library.get()});
     }
     print_times(timed, wanted, of_ + of_class, random_);
+    // With no other library between them to take the caches.
+    print_times({{"flashbvh_alone", timed[0].library}, {"opcode_alone", timed[1].library}}, wanted,
+                of_ + of_class, random_);
   }
 
   std::string of_;

@@ -25,8 +25,9 @@ function range(motion, kind, ours, theirs,    i, r, least, most) {
 }
 
 function row(motion, kind, title) {
-  printf "%-10s  %-23s  %6.2f  %12s  %9.2f  %10.2f  %6.2f  %6s\n", motion, title,
+  printf "%-10s  %-23s  %6.2f  %12s  %5.2f  %9.2f  %10.2f  %6.2f  %6s\n", motion, title,
     mean(motion, kind, "flashbvh", "opcode"), range(motion, kind, "flashbvh", "opcode"),
+    mean(motion, kind, "flashbvh_alone", "opcode_alone"),
     mean(motion, kind, "flashbvh_pose", "opcode"), mean(motion, kind, "flashbvh", "opcode_one"),
     mean(motion, kind, "flashbvh", "fcl"),
     kind == "first" ? "-" : sprintf("%.3f", mean(motion, kind, "flashbvh", "bullet"))
@@ -96,8 +97,8 @@ END {
   if (meshes == 0) exit 1
   print "Time of a query of flashbvh, divided by another library's: below 1, flashbvh is faster."
   print ""
-  print "                                       OPCODE                                      FCL  Bullet"
-  print "B           class                      mean   of one pair  pose made  one matrix    mean    mean"
+  print "                                       OPCODE                                             FCL  Bullet"
+  print "B           class                      mean   of one pair  alone  pose made  one matrix    mean    mean"
   rows("translated")
   rows("rotated")
   print ""
