@@ -51,13 +51,19 @@ class Ranked {
   uint32_t index_b() const { return b_.index(); }
 
   FLASHBVH_INLINE bool descend() {
-    if (a_.node->is_leaf() && b_.node->is_leaf()) {
-      return false;
+    const int32_t rank_a = a_.node->rank();
+    const int32_t rank_b = b_.node->rank();
+    if (rank_a < rank_b) {
+      if (rank_b > 0) {
+        b_.descend(rank_b);
+        return true;
+      }
+    } else if (rank_a >= 0) {
+      a_.descend(rank_a);
+      return true;
     }
-    descend_inner();
-    return true;
+    return false;
   }
-  /// Of a pair of leaves it would be wrong, since their ranks are none; a single one's is less.
   FLASHBVH_INLINE void descend_inner() {
     const int32_t rank_a = a_.node->rank();
     const int32_t rank_b = b_.node->rank();
