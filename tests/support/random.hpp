@@ -50,10 +50,10 @@ inline bool is_thorough() {
   return setting("FLASHBVH_THOROUGH") != nullptr;
 }
 
-/// How often a test with random numbers tries; half of the few with FLASHBVH_QUICK.
+/// How often a test with random numbers tries.
 template <class Count>
 Count rounds(Count few, Count many) {
-  return is_thorough() ? many : setting("FLASHBVH_QUICK") != nullptr ? (few + 1) / 2 : few;
+  return is_thorough() ? many : few;
 }
 
 /// The seed of this run: FLASHBVH_SEED, decimal or 0x hexadecimal, or a fixed one where unset.
