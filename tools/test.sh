@@ -37,8 +37,7 @@ export CCACHE_DIR="$PWD/build/ccache" CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 C
 began=$(date +%s)
 rm -rf build/log
 mkdir -p build/log
-tools/test_step.sh formatting
-tools/test_step.sh configured
+echo formatting configured | xargs -n 1 -P "$(nproc)" tools/test_step.sh
 echo $steps | xargs -n 1 -P "$(nproc)" tools/test_step.sh
 [ -z "$release" ] || tools/release.sh --test
 awk -v all="$(($(date +%s) - began))" '

@@ -1,7 +1,0 @@
-// main() of every test executable, on this machine.
-#define CATCH_CONFIG_RUNNER
-#include <catch2/catch.hpp>
-
-int main(int argc, char** argv) {
-  return Catch::Session().run(argc, argv);
-}
