@@ -1,5 +1,5 @@
 # flashbvh_add_test(name source... [HEAP] [LIBRARIES library...] [TIMEOUT seconds] [ICOUNT] [LONG]
-#   [OPTIMISED])
+#   [OPTIMISED] [WITHOUT_QUERIES])
 #
 # An executable of Catch2 tests, for this machine or, when crossing, for the board. CTest runs it as
 # "<preset>/<name>". An own main() is not needed.
@@ -9,11 +9,12 @@
 # ICOUNT makes instruction counts on the board exact, and each test case a test of CTest's,
 # "<preset>/<test case>", whose figures -R and -V show. LONG is a label of what runs apart; what needs no
 # room of the host program but `bake` is labelled `library`, and all of it a target, library_tests:
-# tools/test.sh --quick. OPTIMISED: with the sanitizers, too.
+# tools/test.sh --quick. OPTIMISED: with the sanitizers, too. WITHOUT_QUERIES: it asks none of those that
+# are compiled once for all tests.
 set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
 
 function(flashbvh_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "HEAP;ICOUNT;LONG;OPTIMISED" "TIMEOUT" "LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "HEAP;ICOUNT;LONG;OPTIMISED;WITHOUT_QUERIES" "TIMEOUT" "LIBRARIES")
   if(arg_HEAP AND NOT FLASHBVH_TESTS_HAVE_HEAP)
     return()
   endif()
@@ -39,8 +40,12 @@ function(flashbvh_add_test name)
     add_dependencies(library_tests ${name})
   endif()
   target_sources(${name} PRIVATE $<TARGET_OBJECTS:flashbvh_harness>)
+  set(queries flashbvh_test_queries)
+  if(arg_WITHOUT_QUERIES)
+    set(queries "")
+  endif()
   target_link_libraries(${name} PRIVATE
-    ${arg_LIBRARIES} flashbvh_test_queries flashbvh::flashbvh flashbvh_harness_options)
+    ${arg_LIBRARIES} ${queries} flashbvh::flashbvh flashbvh_harness_options)
   flashbvh_warnings(${name})
   if(FLASHBVH_SANITIZE)
     set(headers flashbvh_test_headers)
@@ -51,8 +56,9 @@ function(flashbvh_add_test name)
     endif()
     target_compile_options(${name} PRIVATE -g1 ${level})
     # As for the host program (tools/cli): templates of what is optimised come first.
-    target_link_options(${name} PRIVATE -Wl,--whole-archive $<TARGET_FILE:flashbvh_test_queries>
-      $<TARGET_FILE:flashbvh> -Wl,--no-whole-archive)
+    set(first ${queries} flashbvh)
+    list(TRANSFORM first REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+    target_link_options(${name} PRIVATE -Wl,--whole-archive ${first} -Wl,--no-whole-archive)
     target_precompile_headers(${name} REUSE_FROM ${headers})
   endif()
   if(CMAKE_CROSSCOMPILING)
