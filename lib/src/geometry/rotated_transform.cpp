@@ -47,6 +47,12 @@ FLASHBVH_ONE_AXIS int32_t offset_along_axis(const Pose& pose, const int32_t (&or
   const int64_t sum = fraction + (1 << (kRestBits - 1)) + product(x, origin_b[0]) +
                       product(y, origin_b[1]) + product(z, origin_b[2]) +
                       product(cells, 1 << kRotationBits);
+  // The high word mostly tells that nothing is to be clamped.
+  constexpr int32_t most = kMaxOffset * kSplitOne >> (32 - kRestBits);
+  const auto high = static_cast<int32_t>(sum >> 32);
+  if (static_cast<uint32_t>(high + most) < 2u * most) {
+    return static_cast<int32_t>(sum >> kRestBits);
+  }
   return clamp_offset(sum >> kRestBits);
 }
 

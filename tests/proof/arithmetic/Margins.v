@@ -52,6 +52,17 @@ Proof. unfold rest, coarse, rest8. change (256 / 2) with 128. divisions. lia. Qe
    code: src/geometry/rotated_transform.cpp | offset_ = offset_of(transform.on_a[axis]) + kHalf; *)
 Definition offset_along (cells fraction kx ky kz ox oy oz : Z) : Z :=
   (cells * one22 + fraction * (one22 / 65536) + kx * ox + ky * oy + kz * oz + rest8 / 2) / rest8.
+(* Nothing is to be clamped where the high word says so.
+   code: src/geometry/rotated_transform.cpp | constexpr int32_t most = kMaxOffset * kSplitOne >> (32 - kRestBits);
+   code: src/geometry/rotated_transform.cpp | if (static_cast<uint32_t>(high + most) < 2u * most) { return static_cast<int32_t>(sum >> kRestBits); } *)
+Definition farthest := @kMaxOffset * 2**kSplitBits@.
+Theorem high_word_tells sum : let most := farthest / 2 ^ 24 in
+  - most <= sum / 2 ^ 32 < most -> Z.abs (sum / rest8) <= farthest.
+Proof.
+  intros most H. change most with 46 in H. change (2 ^ 32) with 4294967296 in H. change rest8 with 256.
+  unfold farthest. divisions. lia.
+Qed.
+
 Definition before_rounding (kx ky kz offset px py pz : Z) : Z :=
   coarse kx * px + coarse ky * py + coarse kz * pz +
   (rest kx * px + rest ky * py + rest kz * pz) / rest8 + offset + kHalf.
@@ -337,6 +348,7 @@ Proof.
 Qed.
 End Axis.
 
+Print Assumptions high_word_tells.
 Print Assumptions placed_within.
 Print Assumptions below_upper_bound.
 Print Assumptions above_lower_bound.
