@@ -101,6 +101,9 @@ mutate "a line of the leaf's test that is quoted" $detail/slab_dsp.hpp 'may_touc
   'may_touch_both(tests.edge_, tests.plane_, box)' Exact.v
 mutate "a line of the walk that is quoted" $detail/ranked.hpp \
   'if (b_.parent_rank <= a_.parent_rank)' 'if (b_.parent_rank < a_.parent_rank)' Code.v
+mutate "one leaf of two nodes counts as none" $detail/walk.hpp '(a.rank() | b.rank()) >= 0' \
+  '(a.rank() & b.rank()) >= 0' Code.v
+mutate "a high word lets farther offsets by" $arithmetic/Margins.v 'farthest / 2 ^ 24' 'farthest / 2 ^ 23' Margins.v
 mutate "a line of the paper's walk that is quoted" $paper/stackless.hpp 'if (rcl_b < lag) {' 'if (rcl_b <= lag) {' \
   Stackless.v
 mutate "a tie of levels goes to A" $stackless 'if ((level_a a <? level_b b)' 'if ((level_a a <=? level_b b)' Stackless.v
