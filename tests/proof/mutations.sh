@@ -148,7 +148,7 @@ mutate "distances of 2^18" $detail/triangle_distance.hpp '(1 << 17) - 1' '(1 << 
 mutate "rays of 2^21" $detail/segment_walk.hpp '(1 << 19) - 1' '(1 << 21) - 1' ray.g
 mutate "a coefficient of the sine is off by 4" lib/src/robot/sine.hpp '-346799333' '-346799329' sine.g
 mutate "a triangle's tip on the plane is not one" $arithmetic/Triangle.v \
-  'then above g else negb (g <? 0)' 'then above g else g <? 0' Triangle.v
+  'then negb (below g) else 0 <? g' 'then 0 <? g else 0 <? g' Triangle.v
 mutate "corners are not mirrored" $arithmetic/Triangle.v \
   'if up_b then (na, pa) else (pa, na) in' 'if up_a then (na, pa) else (pa, na) in' Triangle.v
 mutate "touching does not count" $arithmetic/Triangle.v '(volume ta ha tb hb <=? 0)' \
