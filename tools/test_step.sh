@@ -10,7 +10,8 @@
 #   lint         clang-tidy: the library and the host program
 #   PRESET       the tests on a board, under QEMU; on cortex-m4f tools/demo.sh as well. Without --all
 #                of cores that run another one's code the digest alone, of a Cortex-M3 and M55,
-#                which have forms of their own, answers and arithmetic; in the core's form
+#                which have forms of their own, answers and arithmetic; in the core's form. For
+#                --quick the digest and the arithmetic
 # On one core but for the tool, which the others wait for, native and library. What it prints goes to
 # build/log/STEP, its duration and the time it computed to build/log/seconds.
 set -eu
