@@ -1,7 +1,6 @@
 #include "flashbvh/detail/box_rotated.hpp"
 
 #include "flashbvh/detail/packed_multiply.hpp"
-#include "flashbvh/detail/walk.hpp"
 
 #if defined(__ARM_FEATURE_MVE) && !defined(FLASHBVH_PORTABLE)
 #include "box_rotated_mve.hpp"

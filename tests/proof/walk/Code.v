@@ -1,6 +1,6 @@
-(* The code of a walk on the arrays of mesh.hpp: ranked.hpp, the two loops of walk.hpp (pairs of
-   nodes; what lies below a leaf that is taken as a shape) and subtree.hpp. It makes the visits of
-   Ranked.v.
+(* The code of a walk on the arrays of mesh.hpp: ranked.hpp, the loop of walk.hpp over pairs
+   of nodes, that of walk_below.hpp over what lies below a leaf that is taken as a shape, and
+   subtree.hpp. It makes the visits of Ranked.v.
 
    Part 1  definitions: the array's format, the code.
    Part 2  the theorem, and its proof. *)
@@ -97,9 +97,9 @@ Inductive Code :=
 | CDone.
 
 (* The head of walk_on_below()'s loop: from a pair, or from behind it. *)
-(* code: include/flashbvh/detail/walk.hpp | run.side = at.leaf(); *)
-(* code: include/flashbvh/detail/walk.hpp | run.node = at.leaf_node(); *)
-(* code: include/flashbvh/detail/walk.hpp | const State end = walk_below(shapes, run, at.leaf_root(), after); *)
+(* code: include/flashbvh/detail/walk_below.hpp | run.side = at.leaf(); *)
+(* code: include/flashbvh/detail/walk_below.hpp | run.node = at.leaf_node(); *)
+(* code: include/flashbvh/detail/walk_below.hpp | const State end = walk_below(shapes, run, at.leaf_root(), after); *)
 Definition enter (visit : bool) (a b : Place) : Code :=
   match leaf a b with
   | NoLeaf => if visit then CVisit a b else CBehind false a b
@@ -131,9 +131,9 @@ Definition pair_below (side : Side) (a b : Place) (i : nat) : nat * nat :=
 (* code: include/flashbvh/detail/ranked.hpp | if (rank_a < rank_b) { b_.descend(rank_b); } else { a_.descend(rank_a); } *)
 (* code: include/flashbvh/detail/walk.hpp | return (a.rank() | b.rank()) >= 0; *)
 (* code: include/flashbvh/detail/walk.hpp | if (are_inner(at.node_a(), at.node_b())) { ++overlaps; at.descend_inner(); continue; } *)
-(* code: include/flashbvh/detail/walk.hpp | run.side = leaf_a ? Side::a : Side::b; run.leaf = leaf_a ? a : b; const uint32_t root = leaf_a ? b : a; *)
-(* code: include/flashbvh/detail/walk.hpp | if (!shapes.begin(run.side, run.leaf, &(leaf_a ? node_b : node_a)->box)) { *)
-(* code: include/flashbvh/detail/walk.hpp | if (shapes.may_touch(at.node().box)) { ++overlaps; if (!at.node().is_leaf()) { at.descend(); continue; } *)
+(* code: include/flashbvh/detail/walk_below.hpp | run.side = leaf_a ? Side::a : Side::b; run.leaf = leaf_a ? a : b; const uint32_t root = leaf_a ? b : a; *)
+(* code: include/flashbvh/detail/walk_below.hpp | if (!shapes.begin(run.side, run.leaf, &(leaf_a ? node_b : node_a)->box)) { *)
+(* code: include/flashbvh/detail/walk_below.hpp | if (shapes.may_touch(at.node().box)) { ++overlaps; if (!at.node().is_leaf()) { at.descend(); continue; } *)
 (* code: include/flashbvh/detail/subtree.hpp | while (node_ != root_) { const NodeType* const sibling = nodes_ + node_->link; if (sibling < node_) { node_ = sibling; return true; } --node_; } *)
 (* code: include/flashbvh/detail/subtree.hpp | void descend() { node_ = nodes_ + node_[1].link; } *)
 Definition code_turn (c : Code) : Code :=

@@ -68,8 +68,8 @@ Definition nothing_untested (at_ : Position) : Prop :=
 (* Where a walk goes on below the root that the one before it kept, walk_below() and walk_pairs() go on
    as they would have in one go: here they are one walk, tested in parts. *)
 (* code: include/flashbvh/detail/walk.hpp | shapes.keep_root(leaf == Side::a ? at.index_b() : at.index_a()); *)
-(* code: include/flashbvh/detail/walk.hpp | State end = walk_below(shapes, run, root, after); *)
-(* code: include/flashbvh/detail/walk.hpp | run.node = root; run.side = Side::none; shapes.keep_root(0); end = State::at_leaf_pair; *)
+(* code: include/flashbvh/detail/walk_below.hpp | State end = walk_below(shapes, run, root, after); *)
+(* code: include/flashbvh/detail/walk_below.hpp | run.node = root; run.side = Side::none; shapes.keep_root(0); end = State::at_leaf_pair; *)
 (* What a query does in one go, as far as it gets: for want of work, because the batch is full, or
    because the caller's array is. `Round at answers at'`. *)
 (* code: include/flashbvh/query.hpp | const uint32_t kept = untested_ == 0 ? 0 : pay(untested_, work); *)

@@ -5,10 +5,11 @@ Import ListNotations.
 Local Open Scope Z_scope.
 
 (* code: include/flashbvh/detail/work.hpp | if (left != kUnlimited) { left = spent < left ? left - spent : 0; }
-   code: include/flashbvh/detail/walk.hpp | const uint32_t spent = work < work_left ? work : work_left; work_left -= spent; *)
+   code: include/flashbvh/detail/walk_run.hpp | const uint32_t spent = work < work_left ? work : work_left; work_left -= spent; *)
 Definition take (left spent : Z) : Z := if spent <? left then left - spent else 0.
 
 (* The steps that are done of those to come, each with what it takes.
+   code: include/flashbvh/detail/walk_below.hpp | if (work_left == 0) { end = State::at_pair; break; } --work_left;
    code: include/flashbvh/detail/walk.hpp | if (work_left == 0) { end = State::at_pair; break; } --work_left;
    code: include/flashbvh/query.hpp | if (end == State::done || work == 0) { return status(); } *)
 Fixpoint done (left : Z) (steps : list Z) : list Z :=

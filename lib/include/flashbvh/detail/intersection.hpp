@@ -26,6 +26,7 @@
 #include "flashbvh/detail/inline.hpp"
 #include "flashbvh/detail/leaf_shape.hpp"
 #include "flashbvh/detail/transform.hpp"
+#include "flashbvh/detail/walk.hpp"
 #include "flashbvh/detail/work.hpp"
 
 namespace flashbvh::detail {

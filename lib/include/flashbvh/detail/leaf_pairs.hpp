@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/walk.hpp"
+#include "flashbvh/detail/walk_run.hpp"
 #include "flashbvh/detail/work.hpp"
 #include "flashbvh/mesh.hpp"
 

@@ -15,7 +15,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/walk.hpp"
+#include "flashbvh/detail/walk_run.hpp"
 #include "flashbvh/mesh.hpp"
 
 namespace flashbvh {

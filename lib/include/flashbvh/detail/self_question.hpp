@@ -10,6 +10,7 @@
 #include "flashbvh/detail/transform.hpp"
 #include "flashbvh/detail/triangle_distance.hpp"
 #include "flashbvh/detail/triangle_test.hpp"
+#include "flashbvh/detail/walk.hpp"
 
 namespace flashbvh::detail {
 

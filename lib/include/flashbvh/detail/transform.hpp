@@ -8,7 +8,7 @@
 #include "flashbvh/detail/box.hpp"
 #include "flashbvh/detail/rotated_transform.hpp"
 #include "flashbvh/detail/triangle.hpp"
-#include "flashbvh/detail/walk.hpp"
+#include "flashbvh/detail/walk_run.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
 
