@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/detail/walk.hpp"
 #include "flashbvh/paper/stackless.hpp"
 #include "support/random.hpp"
 
