@@ -97,8 +97,8 @@ mutate "one entry's rest is left out of the margin" $walk/Exact.v '(Z.max (size 
 mutate "a triangle that touches its leaf's box is beside it" $walk/Exact.v 'c (high t) < c p' 'c (high t) <= c p' Exact.v
 mutate "roots are far apart by half of the margin" $walk/Exact.v 'start_of e offset @kWidestMargin@' \
   'start_of e offset (@kWidestMargin@ / 2)' Exact.v
-mutate "a line of the leaf's test that is quoted" $detail/slab_dsp.hpp 'may_touch_both(tests.plane_, tests.edge_, box)' \
-  'may_touch_both(tests.edge_, tests.plane_, box)' Exact.v
+mutate "a line of the leaf's test that is quoted" $detail/slab_dsp.hpp 'may_touch_both(tests.plane, tests.edge, box)' \
+  'may_touch_both(tests.edge, tests.plane, box)' Exact.v
 mutate "a line of the walk that is quoted" $detail/ranked.hpp \
   'if (b_.parent_rank <= a_.parent_rank)' 'if (b_.parent_rank < a_.parent_rank)' Code.v
 mutate "one leaf of two nodes counts as none" $detail/walk.hpp '(a.rank() | b.rank()) >= 0' \

@@ -114,9 +114,9 @@ Variable pose : Pose.
 Let root_b := box B 0.
 
 (* Two boxes; the window of a leaf of one side, and its slabs.
-   code: include/flashbvh/detail/leaf_shape.hpp | window_ = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
-   code: include/flashbvh/detail/slab_dsp.hpp | return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, tests.window_) && may_touch_both(tests.plane_, tests.edge_, box);
-   code: include/flashbvh/detail/leaf_shape.hpp | return reached == nullptr || may_touch_one(edge_, *reached); *)
+   code: include/flashbvh/detail/leaf_shape.hpp | window = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
+   code: include/flashbvh/detail/slab_dsp.hpp | return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, tests.window) && may_touch_both(tests.plane, tests.edge, box);
+   code: include/flashbvh/detail/leaf_shape.hpp | return reached == nullptr || may_touch_one(edge, *reached); *)
 Definition boxes_overlap s t : bool :=
   match pose with
   | Moved o => negb (decide (moved_boxes_dec o s t))

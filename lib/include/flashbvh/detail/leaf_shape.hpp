@@ -53,13 +53,13 @@ class LeafShapes : protected BoxTests {
     if (made_ == 0) {
       make_plane();
     }
-    if (reached != nullptr && !may_touch_one(plane_, *reached)) {
+    if (reached != nullptr && !may_touch_one(plane, *reached)) {
       return false;
     }
     if (made_ == 1) {
       make_edge();
     }
-    return reached == nullptr || may_touch_one(edge_, *reached);
+    return reached == nullptr || may_touch_one(edge, *reached);
   }
 
   /// Before begin() of a leaf below which a run goes on, so that no pair of boxes led to it: what
@@ -75,10 +75,10 @@ class LeafShapes : protected BoxTests {
     }
     take(side, (side == Side::a ? a : b).nodes + node);
     const PackedBox& root = (side == Side::a ? b : a).nodes[0].box;
-    if (!halves_reach({{root.upper_xy, root.lower_xy, root.z}}, window_)) {
+    if (!halves_reach({{root.upper_xy, root.lower_xy, root.z}}, window)) {
       // No box will pass the window, and the trees may be too far apart for sums of 32 bits.
-      plane_.set_all();
-      edge_.set_all();
+      plane.set_all();
+      edge.set_all();
       made_ = 2;
     }
   }
@@ -109,21 +109,21 @@ class LeafShapes : protected BoxTests {
     made_ = 0;
     const PackedBox& box = node->box;
     if (rotated_ != nullptr) {
-      window_ = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
+      window = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
     } else {
       const TranslatedBound& bound = transform_.translated().bound;
-      window_ = side == Side::a ? bound.window_of_a(box) : bound.window_of_b(box);
+      window = side == Side::a ? bound.window_of_a(box) : bound.window_of_b(box);
     }
   }
 
   FLASHBVH_NOINLINE void make_plane() {
     if (lie_in_plane()) {
-      see(plane_);
+      see(plane);
     }
   }
   FLASHBVH_NOINLINE void make_edge() {
     if (lie_along_edge()) {
-      see(edge_);
+      see(edge);
     }
   }
 
@@ -136,8 +136,8 @@ class LeafShapes : protected BoxTests {
     const PackedTriangle t = triangle(m, first);
     PackedVector normal;
     const bool good = t.plane_direction(normal);
-    edge_.keep_direction(normal);
-    return hold(plane_, good, normal, t, first);
+    edge.keep_direction(normal);
+    return hold(plane, good, normal, t, first);
   }
   FLASHBVH_INLINE_FOR_SPEED bool lie_along_edge() {
     made_ = 2;
@@ -145,8 +145,8 @@ class LeafShapes : protected BoxTests {
     const uint32_t first = m.first_triangle(node_->leaf());
     const PackedTriangle t = triangle(m, first);
     PackedVector direction;
-    const bool good = t.edge_direction(edge_.direction(), direction);
-    return hold(edge_, good, direction, t, first);
+    const bool good = t.edge_direction(edge.direction(), direction);
+    return hold(edge, good, direction, t, first);
   }
   /// All of the leaf's triangles; `t`: the first.
   FLASHBVH_INLINE_FOR_SPEED bool hold(Slab& slab, bool good, const PackedVector& direction,

@@ -76,7 +76,7 @@ class NearShapes : LeafShapes<Mesh> {
       return is_within_far(this->node_->box, this->side_, box, this->transform_, limit_) &&
              plane_gap(box) + edge_gap(box) <= sum_limit_;
     }
-    if (!is_within(this->window_, box, box_limit_)) {
+    if (!is_within(this->window, box, box_limit_)) {
       return false;
     }
     const uint32_t beyond = plane_gap(box);
@@ -105,19 +105,18 @@ class NearShapes : LeafShapes<Mesh> {
     set_box_limit();
     const PackedBox& box = this->node_->box;
     if (this->transform_.is_rotated()) {
-      this->window_ = side == Side::a ? kept_gap_->window_of_a(box) : kept_gap_->window_of_b(box);
+      this->window = side == Side::a ? kept_gap_->window_of_a(box) : kept_gap_->window_of_b(box);
     } else {
       const Point& t = this->transform_.translated().offset;
-      this->window_ =
-          window_of(seen_translated(box, side == Side::a ? Point{-t.x, -t.y, -t.z} : t));
+      this->window = window_of(seen_translated(box, side == Side::a ? Point{-t.x, -t.y, -t.z} : t));
     }
   }
 
   FLASHBVH_NOINLINE void make_plane() {
-    cells_in_plane_ = this->lie_in_plane() ? see(this->plane_) : 0;
+    cells_in_plane_ = this->lie_in_plane() ? see(this->plane) : 0;
   }
   FLASHBVH_NOINLINE void make_edge() {
-    cells_along_edge_ = this->lie_along_edge() ? see(this->edge_) : 0;
+    cells_along_edge_ = this->lie_along_edge() ? see(this->edge) : 0;
   }
   /// How many cells a unit of the direction is of a slab in its own lattice, from where the other
   /// tree sees it on.
@@ -128,10 +127,10 @@ class NearShapes : LeafShapes<Mesh> {
   }
 
   FLASHBVH_INLINE uint32_t plane_gap(const PackedBox& box) const {
-    return squared(this->plane_, cells_in_plane_, box);
+    return squared(this->plane, cells_in_plane_, box);
   }
   FLASHBVH_INLINE uint32_t edge_gap(const PackedBox& box) const {
-    return squared(this->edge_, cells_along_edge_, box);
+    return squared(this->edge, cells_along_edge_, box);
   }
   FLASHBVH_INLINE uint32_t squared(const Slab& slab, uint32_t cells, const PackedBox& box) const {
     return limit_.squared(static_cast<int32_t>((uint64_t{slab.gap(box)} * cells) >> 32));

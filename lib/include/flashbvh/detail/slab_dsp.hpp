@@ -13,9 +13,9 @@ namespace flashbvh::detail {
 
 /// What a leaf as a shape holds against boxes.
 struct BoxTests {
-  PackedTriple window_;
-  Slab plane_;
-  Slab edge_;
+  PackedTriple window;
+  Slab plane;
+  Slab edge;
 };
 
 // Where nothing is optimised there are too few registers.
@@ -47,7 +47,7 @@ struct BoxTests {
   ", r12\n\t"                                \
   "blt " apart "\n\t"
 
-static_assert(offsetof(BoxTests, plane_) == 12 && offsetof(BoxTests, edge_) == 32 &&
+static_assert(offsetof(BoxTests, plane) == 12 && offsetof(BoxTests, edge) == 32 &&
                   sizeof(Slab) == 20,
               "loaded one after the other");
 
@@ -90,8 +90,8 @@ apart:
 #else
 
 FLASHBVH_INLINE inline bool may_touch_all(const BoxTests& tests, const PackedBox& box) {
-  return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, tests.window_) &&
-         may_touch_both(tests.plane_, tests.edge_, box);
+  return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, tests.window) &&
+         may_touch_both(tests.plane, tests.edge, box);
 }
 FLASHBVH_INLINE inline bool may_touch_one(const Slab& slab, const PackedBox& box) {
   return slab.may_touch(box);
