@@ -23,7 +23,7 @@ uint32_t walk(const Bound& bound, Shapes& shapes, LeafPair leaf_pair) {
 template <class Shapes, class LeafPair, class Run>
 uint32_t walk_transformed(const PostMesh& a, const PostMesh& b, Transform& transform,
                           const LeafPair& leaf_pair, const Run& run) {
-  if (transform.roots_disjoint(a, b)) {
+  if (transform.roots_disjoint()) {
     return 1;
   }
   transform.prepare(b);

@@ -96,7 +96,8 @@ TEST_CASE("a quarter turn of boxes is tested as exactly as no turn at all") {
     RotatedTransform transform{};
     const std::int32_t nowhere[3] = {0, 0, 0};
     REQUIRE(transform.prepare(pose, nowhere, pack(a), nowhere, pack(b), false));
-    const bool expected = !boxes_disjoint(pack(a), pack(rotated), cells[0], cells[1], cells[2]);
+    const bool expected =
+        !boxes_disjoint(pack(a), pack(rotated), [&](int axis) { return cells[axis]; });
     const PackedBox packed_a = pack(a);
     const PackedBox packed_b = pack(b);
     RotatedBound overlap(transform);

@@ -45,25 +45,24 @@ class Query : protected Question {
   /// B lies at `pose` in A's frame. Orders with a stack take their array as `start`; the stackless
   /// ones need nothing. Errors show in status() and in every run.
   ///
-  /// Instructions on a Cortex-M4 at -O2: 30 under a translation; under a rotation about 200 if the
-  /// objects are far apart, which it tells, and at most 720 (lib/docs/figures.md, "start", has what
-  /// the first run adds).
-  Query(const Mesh& a, const Mesh& b, const Pose& pose, const Cursor& start = Cursor(),
-        const Question& question = Question())
-      : Question(question),
-        a_(&a),
-        b_(&b),
-        counts_(detail::no_counts()),
-        cursor_(start),
-        leaf_a_(0),
-        leaf_b_(0),
-        untested_(0),
-        state_(State::fresh),
-        error_(error_of(a, b, pose, start)),
-        transform_(pose, a, b, Order::kStartsAtRoots && Question::kDisjointRootsEnd) {
-    if constexpr (!Question::kDisjointRootsEnd) {
-      transform_.bring_near();
-      error_ = error_ != Status::done ? error_ : question.error_of(transform_, a, b);
+  /// Instructions on a Cortex-M4 at -O2: about 60 under a translation; under a rotation about 190
+  /// if the objects are far apart, which it tells, and at most 720 (lib/docs/figures.md, "start",
+  /// has what the first run adds).
+  FLASHBVH_INLINE_TO_RUN Query(const Mesh& a, const Mesh& b, const Pose& pose,
+                               const Cursor& start = Cursor(),
+                               const Question& question = Question())
+      : Question(question), cursor_(start) {
+    constexpr bool may_stop = Order::kStartsAtRoots && Question::kDisjointRootsEnd;
+    if constexpr (may_stop) {
+      const Status wrong = error_of(a, b, pose, start);
+      if (__builtin_expect(wrong == Status::done, 1)) {
+        transform_.place(pose, a, b, may_stop, [&] { begin(a, b, Status::done); });
+      } else {
+        transform_.place_nowhere();
+        begin(a, b, wrong);
+      }
+    } else {
+      place_and_begin(a, b, pose);
     }
   }
 
@@ -224,8 +223,7 @@ class Query : protected Question {
       if (work == 0) {
         return Status::suspended;
       }
-      if (Order::kStartsAtRoots && Question::kDisjointRootsEnd &&
-          transform_.roots_disjoint(*a_, *b_)) {
+      if (Order::kStartsAtRoots && Question::kDisjointRootsEnd && transform_.roots_disjoint()) {
         work -= work == detail::kUnlimited ? 0 : 1;
         counts_.visits = 1;
         state_ = State::done;
@@ -316,6 +314,33 @@ class Query : protected Question {
       return pose.status();
     }
     return start.fits(a, b) ? Status::done : Status::stack_too_small;
+  }
+
+  /// Of what is set but the transform.
+  void begin(const Mesh& a, const Mesh& b, Status error) {
+    a_ = &a;
+    b_ = &b;
+    counts_ = detail::no_counts();
+    leaf_a_ = 0;
+    leaf_b_ = 0;
+    untested_ = 0;
+    state_ = State::fresh;
+    error_ = error;
+  }
+  /// Where roots that are disjoint end nothing: with no part in the caller's frame.
+  FLASHBVH_NOINLINE void place_and_begin(const Mesh& a, const Mesh& b, const Pose& pose) {
+    const Status wrong = error_of(a, b, pose, cursor_);
+    if (wrong == Status::done) {
+      transform_.place(pose, a, b, false, [] {});
+    } else {
+      transform_.place_nowhere();
+    }
+    begin(a, b, wrong);
+    if constexpr (!Question::kDisjointRootsEnd) {
+      transform_.bring_near();
+      const Question& question = *this;
+      error_ = error_ != Status::done ? error_ : question.error_of(transform_, a, b);
+    }
   }
 
   /// Until the batch is full, to the end, or to that of the work.

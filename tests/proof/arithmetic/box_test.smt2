@@ -73,7 +73,10 @@
 (define-fun test () Bool (and (reaches sum0 least0) (reaches sum1 least1) (reaches sum2 least2)))
 
 ; ---- boxes_disjoint(): translations within +-2^30
-; code: include/flashbvh/detail/box.hpp | return below(low_half(upper_xy), zero + x) || below(low_half(lower_xy), zero - x) ||
+; code: include/flashbvh/detail/box.hpp | if (below(low_half(upper_xy), zero + x)) { return true; }
+; code: include/flashbvh/detail/box.hpp | if (below(low_half(lower_xy), zero - x)) { return true; }
+; code: include/flashbvh/detail/box.hpp | if (below(high_half(upper_xy), zero + y) || below(high_half(lower_xy), zero - y)) { return true; }
+; code: include/flashbvh/detail/box.hpp | return below(low_half(both_z), zero + z) || below(high_half(both_z), zero - z);
 (define-fun below ((h Half) (l Word)) Bool (bvslt ((_ zero_extend 16) h) l))
 (define-fun disjoint () Bool
   (or (below (low sum0) (bvadd zero tx)) (below (low sum1) (bvsub zero tx))

@@ -19,17 +19,29 @@
 namespace flashbvh::detail {
 
 /// Whether two boxes, the second under a translation, are disjoint; for a single test, which the
-/// thresholds of TranslatedBound would not pay. `x, y, z`: cells, within +-2^30.
-constexpr bool boxes_disjoint(const PackedBox& a, const PackedBox& b, int32_t x, int32_t y,
-                              int32_t z) {
+/// thresholds of TranslatedBound would not pay. `along(axis)`: the translation in cells, within
+/// +-2^30; the first axis with a gap is the last that is asked for.
+template <class Along>
+FLASHBVH_INLINE constexpr bool boxes_disjoint(const PackedBox& a, const PackedBox& b,
+                                              const Along& along) {
   constexpr int32_t zero = 2 * kBoundBias;  // what a sum of two bounds has if they are equal
-  const uint32_t upper_xy = a.upper_xy + b.lower_xy;
-  const uint32_t lower_xy = a.lower_xy + b.upper_xy;
-  const uint32_t both_z = a.z + swap_halves(b.z);
   const auto below = [](uint32_t sum, int32_t least) { return static_cast<int32_t>(sum) < least; };
-  return below(low_half(upper_xy), zero + x) || below(low_half(lower_xy), zero - x) ||
-         below(high_half(upper_xy), zero + y) || below(high_half(lower_xy), zero - y) ||
-         below(low_half(both_z), zero + z) || below(high_half(both_z), zero - z);
+  const uint32_t upper_xy = a.upper_xy + b.lower_xy;
+  const int32_t x = along(0);
+  if (below(low_half(upper_xy), zero + x)) {
+    return true;
+  }
+  const uint32_t lower_xy = a.lower_xy + b.upper_xy;
+  if (below(low_half(lower_xy), zero - x)) {
+    return true;
+  }
+  const int32_t y = along(1);
+  if (below(high_half(upper_xy), zero + y) || below(high_half(lower_xy), zero - y)) {
+    return true;
+  }
+  const int32_t z = along(2);
+  const uint32_t both_z = a.z + swap_halves(b.z);
+  return below(low_half(both_z), zero + z) || below(high_half(both_z), zero - z);
 }
 
 /// Tests boxes of A against boxes of B under a translation. 12 bytes; made once a query.

@@ -23,23 +23,49 @@ struct TranslatedTransform {
 /// 92 bytes on a 32-bit core.
 class Transform {
  public:
-  /// All that follows from a pose, unless `may_stop` and the root boxes tell already that nothing
-  /// can intersect.
+  /// To be placed.
+  Transform() {}
   template <class Mesh>
-  Transform(const Pose& pose, const Mesh& a, const Mesh& b, bool may_stop)
-      : kind_(pose.is_translation() ? Kind::translated : Kind::rotated) {
-    if (kind_ == Kind::translated) {
-      translated_.offset = {offset(pose, a, b, 0), offset(pose, a, b, 1), offset(pose, a, b, 2)};
-    } else if (!rotated_.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box,
-                                 may_stop)) {
-      kind_ = Kind::far_apart;
+  Transform(const Pose& pose, const Mesh& a, const Mesh& b, bool may_stop) {
+    place(pose, a, b, may_stop, [] {});
+  }
+
+  /// Sets all that follows from a pose without an error, unless `may_stop` and the root boxes tell
+  /// already that nothing can intersect. Ends with `rest()`, on each way of its own: what is set
+  /// there costs nothing where the query ends at once and lies in the same function.
+  template <class Mesh, class Rest>
+  FLASHBVH_INLINE_FOR_SPEED void place(const Pose& pose, const Mesh& a, const Mesh& b,
+                                       bool may_stop, const Rest& rest) {
+    if (pose.is_translation()) {
+      const auto along = [&](int axis) { return offset(pose, a, b, axis); };
+      if (may_stop && boxes_disjoint(a.nodes[0].box, b.nodes[0].box, along)) {
+        translated_.offset = {along(0), along(1), along(2)};
+        begin(false, kDisjoint);
+        rest();
+      } else {
+        translated_.offset = {along(0), along(1), along(2)};
+        begin(false, 0);
+        rest();
+      }
+    } else if (rotated_.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box,
+                                may_stop)) {
+      begin(true, 0);
+      rest();
+    } else {
+      begin(true, kDisjoint);
+      rest();
     }
+  }
+  /// Of what can't be asked.
+  void place_nowhere() {
+    begin(false, 0);
+    translated_.offset = {0, 0, 0};
   }
 
   /// For questions about distance: a translated B that is farther off than kMaxOffset along an axis
   /// is put at that distance, as a rotated one is.
   void bring_near() {
-    if (kind_ == Kind::translated) {
+    if (!is_rotated_) {
       Point& t = translated_.offset;
       t = {near_offset(t.x), near_offset(t.y), near_offset(t.z)};
     }
@@ -49,7 +75,7 @@ class Transform {
     const auto within = [](int32_t offset, int32_t most) {
       return -most < offset && offset < most;
     };
-    if (kind_ == Kind::translated) {
+    if (!is_rotated_) {
       const Point& t = translated_.offset;
       return within(t.x, kMaxOffset) && within(t.y, kMaxOffset) && within(t.z, kMaxOffset);
     }
@@ -59,19 +85,14 @@ class Transform {
            within(offset_of(on_a[2]), most);
   }
 
-  bool is_rotated() const { return kind_ != Kind::translated; }
-  bool is_far_apart() const { return kind_ == Kind::far_apart; }
+  bool is_rotated() const { return is_rotated_; }
+  bool is_far_apart() const { return is_rotated_ && roots_disjoint(); }
   const TranslatedTransform& translated() const { return translated_; }
   const RotatedTransform& rotated() const { return rotated_; }
 
   /// Two objects that are nowhere near each other, the commonest query, are told apart before
   /// anything is prepared for a walk.
-  template <class Mesh>
-  bool roots_disjoint(const Mesh& a, const Mesh& b) const {
-    const Point& t = translated_.offset;
-    return kind_ == Kind::translated ? boxes_disjoint(a.nodes[0].box, b.nodes[0].box, t.x, t.y, t.z)
-                                     : kind_ == Kind::far_apart;
-  }
+  bool roots_disjoint() const { return slab_margin_ == kDisjoint; }
 
   /// Whether no transformed edge of B is longer than 2^15 - 1 cells along an axis; once prepared.
   bool is_narrow() const { return narrow_; }
@@ -81,7 +102,7 @@ class Transform {
   /// Before the first walk.
   template <class Mesh>
   void prepare(const Mesh& b) {
-    if (kind_ == Kind::translated) {
+    if (!is_rotated_) {
       const Point& t = translated_.offset;
       translated_.bound = TranslatedBound(t.x, t.y, t.z);
       narrow_ = true;
@@ -92,11 +113,16 @@ class Transform {
   }
 
  private:
-  enum class Kind : uint8_t { translated, rotated, far_apart };
-
+  static constexpr uint16_t kDisjoint = UINT16_MAX;  ///< no margin is as large
   /// Stretched by a defect of 2^-12 at most, and rounded at both ends, below 2^15.
   static constexpr uint16_t kMostNarrowEdge = 32700;
   static constexpr int32_t kMarginUnit = 16;
+
+  FLASHBVH_INLINE void begin(bool is_rotated, uint16_t slab_margin) {
+    is_rotated_ = is_rotated;
+    narrow_ = false;
+    slab_margin_ = slab_margin;
+  }
 
   /// What rotating a direction of 13 bits can be off by, along it. `reach_b`: reach() of B's root.
   uint16_t margin_of_slabs(int32_t reach_b) const {
@@ -125,9 +151,9 @@ class Transform {
     TranslatedTransform translated_;
     RotatedTransform rotated_;
   };
-  Kind kind_;
-  bool narrow_ = false;
-  uint16_t slab_margin_ = 0;  ///< in kMarginUnit
+  bool is_rotated_;
+  bool narrow_;
+  uint16_t slab_margin_;  ///< in kMarginUnit; kDisjoint where the roots are
 };
 
 /// Where A's own triangles are.
