@@ -32,10 +32,15 @@ struct SplitRow {
   constexpr int32_t y() const { return value(high_half(positive_xy), high_half(negative_xy)); }
   constexpr int32_t z_entry() const { return value(low_half(z), high_half(z)); }
 
-  /// The sum of the magnitudes.
+  /// The sum of the magnitudes, below 2^16.
   constexpr int32_t sum() const {
     const uint32_t xy = positive_xy + negative_xy;
+#if defined(__thumb2__)  // adds a half in one instruction
     return static_cast<int32_t>(low_half(xy) + high_half(xy) + low_half(z) + high_half(z));
+#else
+    const uint32_t both = xy + z;  // magnitudes are 15 bits, and of z's halves one is 0
+    return static_cast<int32_t>((both + (both << 16)) >> 16);
+#endif
   }
 
  private:
