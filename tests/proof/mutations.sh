@@ -104,6 +104,8 @@ mutate "a line of the walk that is quoted" $detail/ranked.hpp \
 mutate "one leaf of two nodes counts as none" $detail/walk.hpp '(a.rank() | b.rank()) >= 0' \
   '(a.rank() & b.rank()) >= 0' Code.v
 mutate "a high word lets farther offsets by" $arithmetic/Margins.v 'farthest / 2 ^ 24' 'farthest / 2 ^ 23' Margins.v
+mutate "whole cells let a farther offset by" $arithmetic/Margins.v '(whole <? most_cells)' '(whole <=? most_cells)' \
+  Margins.v
 mutate "a line of the paper's walk that is quoted" $paper/stackless.hpp 'if (rcl_b < lag) {' 'if (rcl_b <= lag) {' \
   Stackless.v
 mutate "a tie of levels goes to A" $stackless 'if ((level_a a <? level_b b)' 'if ((level_a a <=? level_b b)' Stackless.v

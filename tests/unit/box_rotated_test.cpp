@@ -251,3 +251,49 @@ TEST_CASE("roots are far apart exactly when B's, rotated with the widest margin,
   CHECK(near > 2000);
   CHECK(far > 2000);
 }
+
+TEST_CASE("B's origin lies where a sum of 64 bits says, near or far") {
+  constexpr int32_t reaches[] = {0, 20, 32768, 32769, 100000, 1 << 29};
+  constexpr int64_t most = int64_t{kMaxOffset} * kSplitOne;
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 4);
+  const PackedBox all = pack({{-kMost, -kMost, -kMost}, {kMost, kMost, kMost}});
+  int within = 0;
+  int clamped = 0;
+  for (int round = 0; round < 5000; ++round) {
+    Pose pose = Pose::translated(0, 0, 0);
+    while (pose.is_translation()) {
+      pose = any_rigid_pose(random, reaches[random.below(6)]);
+    }
+    // Anywhere, or at an end.
+    const auto coordinate = [&](int32_t reach) {
+      const int32_t any = random.between(-reach, reach);
+      return random.below(4) != 0 ? any : any < 0 ? -reach : reach - 1;
+    };
+    const int32_t reach_a = reaches[random.below(6)];
+    const int32_t reach_b = reaches[random.below(6)];
+    const int32_t a[] = {coordinate(reach_a), coordinate(reach_a), coordinate(reach_a)};
+    const int32_t b[] = {coordinate(reach_b), coordinate(reach_b), coordinate(reach_b)};
+    RotatedTransform transform{};
+    REQUIRE(transform.prepare(pose, a, all, b, all, /*may_stop=*/false));
+    for (int i = 0; i < 3; ++i) {
+      int32_t row[3] = {};
+      pose.matrix().get_row(i, row[0], row[1], row[2]);
+      int64_t sum = int64_t{pose.translation(i) - a[i]} * (1 << kRotationBits) +
+                    int64_t{pose.fraction(i)} * (1 << (kRotationBits - 16)) +
+                    (1 << (kRestBits - 1));
+      for (int j = 0; j < 3; ++j) {
+        sum += int64_t{row[j]} * b[j];
+      }
+      const int64_t offset = sum >> kRestBits;
+      CAPTURE(round, i, offset);
+      REQUIRE(offset_of(transform.on_a[i]) == (offset < -most  ? -most
+                                               : offset > most ? most
+                                                               : offset));
+      ++(offset < -most || offset > most ? clamped : within);
+    }
+  }
+  CHECK(within > 2000);
+  CHECK(clamped > 2000);
+}

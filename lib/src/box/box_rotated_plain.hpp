@@ -59,10 +59,10 @@ inline AxisBounds whole_bounds(AxisSums sums) {
   return {sums.upper >> kSplitBits, sums.lower >> kSplitBits};
 }
 
-/// The bounds along the axis of `row` of a box with bounds `x`, `y` and `z`.
-[[gnu::always_inline]] inline AxisBounds rotated_axis(const SplitRow& row, const BoundStart& start,
-                                                      const AxisBounds& x, const AxisBounds& y,
-                                                      const AxisBounds& z) {
+/// The sums along the axis of `row` of a box with bounds `x`, `y` and `z`.
+[[gnu::always_inline]] inline AxisSums rotated_sums(const SplitRow& row, const BoundStart& start,
+                                                    const AxisBounds& x, const AxisBounds& y,
+                                                    const AxisBounds& z) {
   AxisSums sums = {static_cast<uint32_t>(start.upper), static_cast<uint32_t>(start.lower)};
   const auto add = [&sums](const uint32_t& positives, int positive, const uint32_t& negatives,
                            int negative, const AxisBounds& bounds) {
@@ -76,7 +76,7 @@ inline AxisBounds whole_bounds(AxisSums sums) {
   add(row.positive_xy, 0, row.negative_xy, 0, x);
   add(row.positive_xy, 1, row.negative_xy, 1, y);
   add(row.z, 0, row.z, 1, z);
-  return whole_bounds(sums);
+  return sums;
 }
 
 /// Sets `bounds` to those of `box` rotated by `matrix`, its sums beginning at `starts`. They are
@@ -86,13 +86,13 @@ inline AxisBounds whole_bounds(AxisSums sums) {
   const AxisBounds x = {loaded_half(box.upper_xy, 0), loaded_half(box.lower_xy, 0)};
   const AxisBounds y = {loaded_half(box.upper_xy, 1), loaded_half(box.lower_xy, 1)};
   const AxisBounds z = {loaded_half(box.z, 0), loaded_half(box.z, 1)};
-  const AxisBounds on_x = rotated_axis(matrix.row[0], starts[0], x, y, z);
+  const AxisBounds on_x = whole_bounds(rotated_sums(matrix.row[0], starts[0], x, y, z));
   store_half(bounds.upper_xy, 0, on_x.upper);
   store_half(bounds.lower_xy, 0, on_x.lower);
-  const AxisBounds on_y = rotated_axis(matrix.row[1], starts[1], x, y, z);
+  const AxisBounds on_y = whole_bounds(rotated_sums(matrix.row[1], starts[1], x, y, z));
   store_half(bounds.upper_xy, 1, on_y.upper);
   store_half(bounds.lower_xy, 1, on_y.lower);
-  const AxisBounds on_z = rotated_axis(matrix.row[2], starts[2], x, y, z);
+  const AxisBounds on_z = whole_bounds(rotated_sums(matrix.row[2], starts[2], x, y, z));
   store_half(bounds.z, 0, on_z.upper);
   store_half(bounds.z, 1, on_z.lower);
 }

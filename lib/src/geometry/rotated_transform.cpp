@@ -7,6 +7,12 @@
 #if defined(FLASHBVH_ROTATE_SSE2)
 #include "starts_sse2.hpp"
 #define FLASHBVH_ONE_AXIS inline
+#elif UINTPTR_MAX == UINT32_MAX && !defined(__thumb2__) && !defined(__OPTIMIZE_SIZE__) && \
+    !defined(FLASHBVH_PORTABLE)
+// A product of 64 bits takes several instructions, or a call, and one of two halves two.
+#include "../box/box_rotated_plain.hpp"
+#define FLASHBVH_NARROW_SUMS 1
+#define FLASHBVH_ONE_AXIS [[gnu::noinline]]
 #else
 #define FLASHBVH_ONE_AXIS [[gnu::noinline]]
 #endif
@@ -32,12 +38,16 @@ inline int64_t product(int32_t u, int32_t v) {
   return static_cast<int64_t>(u) * v;
 }
 
+/// From A's origin on; wraps if the pose is out of range, which is an error of the pose.
+inline int32_t cells_along_axis(const Pose& pose, const int32_t (&origin_a)[3], int axis) {
+  return static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) -
+                              static_cast<uint32_t>(origin_a[axis]));
+}
+
 /// Where B's origin lies along an axis of A's lattice; kSplitOne is a cell.
 FLASHBVH_ONE_AXIS int32_t offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
                                             const int32_t (&origin_b)[3], int axis) {
-  // Wraps if the pose is out of range, which is an error of the pose.
-  const auto cells = static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) -
-                                          static_cast<uint32_t>(origin_a[axis]));
+  const int32_t cells = cells_along_axis(pose, origin_a, axis);
   int32_t x = 0;
   int32_t y = 0;
   int32_t z = 0;
@@ -55,6 +65,41 @@ FLASHBVH_ONE_AXIS int32_t offset_along_axis(const Pose& pose, const int32_t (&or
   }
   return clamp_offset(sum >> kRestBits);
 }
+
+#if defined(FLASHBVH_NARROW_SUMS)
+
+/// Whether the coordinates have 16 bits.
+inline bool is_near(const int32_t (&origin)[3]) {
+  constexpr uint32_t half = 1u << 15;
+  const auto raised = [&](int axis) { return static_cast<uint32_t>(origin[axis]) + half; };
+  return (raised(0) | raised(1) | raised(2)) < 2 * half;
+}
+
+/// The same as offset_along_axis() if B's origin is near. Coarse entries and the rest are summed
+/// apart, and whole cells tell what is to be clamped.
+inline int32_t near_offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
+                                      const int32_t (&origin_b)[3], int axis) {
+  const int32_t cells = cells_along_axis(pose, origin_a, axis);
+  const SplitRow& row = pose.matrix().rows.row[axis];
+  const int8_t(&rest)[3] = pose.matrix().rest[axis];
+  // Both entries in a word, the second one less 1 where the first one is negative.
+  const uint32_t xy = row.positive_xy - row.negative_xy;
+  const auto x = static_cast<int16_t>(xy);
+  const int32_t y = static_cast<int32_t>(xy - static_cast<uint32_t>(x)) >> 16;
+  const int32_t z = row.z_entry();
+  const int32_t fraction = pose.fraction(axis) * (1 << (kRotationBits - 16));
+  const int32_t parts = fraction + (1 << (kRestBits - 1)) + rest[0] * origin_b[0] +
+                        rest[1] * origin_b[1] + rest[2] * origin_b[2];
+  const int32_t turned = x * origin_b[0] + y * origin_b[1] + z * origin_b[2] + (parts >> kRestBits);
+  const auto whole = static_cast<int32_t>(static_cast<uint32_t>(turned >> kSplitBits) +
+                                          static_cast<uint32_t>(cells));
+  if (static_cast<uint32_t>(whole) + kMaxOffset < 2u * kMaxOffset) {
+    return turned + cells * kSplitOne;
+  }
+  return whole < 0 ? -kMaxOffset * kSplitOne : kMaxOffset * kSplitOne;
+}
+
+#endif
 
 /// What the rotation of boxes can lack of that of the vertices of B.
 int32_t box_margin(const RotationMatrix& matrix, int32_t reach_b) {
@@ -89,6 +134,14 @@ constexpr int32_t kWidestMargin = 3 * kMaxCoordinate / 2 + 1 + kHalf;
 /// after it. `upper`, `lower`: the biased bound of A's box, and the negated one.
 bool far_apart(const SplitRow& row, const BoundStart& start, const PackedBox& root_b,
                uint32_t upper, uint32_t lower) {
+#if defined(FLASHBVH_NARROW_SUMS)
+  const AxisBounds x = {loaded_half(root_b.upper_xy, 0), loaded_half(root_b.lower_xy, 0)};
+  const AxisBounds y = {loaded_half(root_b.upper_xy, 1), loaded_half(root_b.lower_xy, 1)};
+  const AxisBounds z = {loaded_half(root_b.z, 0), loaded_half(root_b.z, 1)};
+  const AxisSums sums = rotated_sums(row, start, x, y, z);
+  const auto most = static_cast<int32_t>(sums.upper);
+  const auto least = static_cast<int32_t>(sums.lower);
+#else
   const int32_t most =
       add_products(add_products(add_products(start.upper, row.positive_xy, root_b.upper_xy),
                                 row.negative_xy, root_b.lower_xy),
@@ -97,6 +150,7 @@ bool far_apart(const SplitRow& row, const BoundStart& start, const PackedBox& ro
       add_crossed_products(add_products(add_products(start.lower, row.positive_xy, root_b.lower_xy),
                                         row.negative_xy, root_b.upper_xy),
                            row.z, root_b.z);
+#endif
   return (most >> kSplitBits) + static_cast<int32_t>(lower) < 2 * kBoundBias ||
          (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
 }
@@ -184,6 +238,24 @@ bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
     return false;
   }
   store_all(starts, on_a);
+#elif defined(FLASHBVH_NARROW_SUMS)
+  const bool near = is_near(origin_b);
+  uint32_t upper = root_a.upper_xy;
+  uint32_t lower = root_a.lower_xy;
+  for (int axis = 0;;) {
+    const SplitRow& row = matrix->rows.row[axis];
+    const int32_t offset = near ? near_offset_along_axis(pose, origin_a, origin_b, axis)
+                                : offset_along_axis(pose, origin_a, origin_b, axis);
+    on_a[axis] = start_of(row, offset, kWidestMargin);
+    if (may_stop && far_apart(row, on_a[axis], root_b, low_half(upper), low_half(lower))) {
+      return false;
+    }
+    if (++axis == 3) {
+      break;
+    }
+    upper = axis == 1 ? high_half(upper) : root_a.z;
+    lower = axis == 1 ? high_half(lower) : high_half(root_a.z);
+  }
 #else
   const auto is_far = [&](int axis, uint32_t upper, uint32_t lower) {
     const SplitRow& row = matrix->rows.row[axis];

@@ -63,6 +63,113 @@ Proof.
   unfold farthest. divisions. lia.
 Qed.
 
+(* Where B's origin has coordinates of 16 bits, sums of 32 bits give the same: coarse entries apart from
+   the rest, and whole cells tell what is to be clamped.
+   code: src/geometry/rotated_transform.cpp | constexpr uint32_t half = 1u << 15;
+   code: src/geometry/rotated_transform.cpp | return (raised(0) | raised(1) | raised(2)) < 2 * half;
+   code: src/geometry/rotated_transform.cpp | const auto x = static_cast<int16_t>(xy); const int32_t y = static_cast<int32_t>(xy - static_cast<uint32_t>(x)) >> 16;
+   code: src/geometry/rotated_transform.cpp | const int32_t parts = fraction + (1 << (kRestBits - 1)) + rest[0] * origin_b[0] + rest[1] * origin_b[1] + rest[2] * origin_b[2];
+   code: src/geometry/rotated_transform.cpp | const int32_t turned = x * origin_b[0] + y * origin_b[1] + z * origin_b[2] + (parts >> kRestBits);
+   code: src/geometry/rotated_transform.cpp | const auto whole = static_cast<int32_t>(static_cast<uint32_t>(turned >> kSplitBits) + static_cast<uint32_t>(cells));
+   code: src/geometry/rotated_transform.cpp | if (static_cast<uint32_t>(whole) + kMaxOffset < 2u * kMaxOffset) { return turned + cells * kSplitOne; } return whole < 0 ? -kMaxOffset * kSplitOne : kMaxOffset * kSplitOne; *)
+Definition parts (fraction kx ky kz ox oy oz : Z) : Z :=
+  fraction * (one22 / 65536) + rest8 / 2 + rest kx * ox + rest ky * oy + rest kz * oz.
+Definition turned (fraction kx ky kz ox oy oz : Z) : Z :=
+  coarse kx * ox + coarse ky * oy + coarse kz * oz + parts fraction kx ky kz ox oy oz / rest8.
+Definition most_cells := @kMaxOffset@.
+
+Theorem near_offset cells fraction kx ky kz ox oy oz :
+  offset_along cells fraction kx ky kz ox oy oz = turned fraction kx ky kz ox oy oz + cells * cell14.
+Proof.
+  unfold offset_along, turned, parts, rest.
+  replace (cells * one22 + _ + _ + _ + _ + _) with
+    ((coarse kx * ox + coarse ky * oy + coarse kz * oz + cells * cell14) * rest8 +
+     (fraction * (one22 / 65536) + rest8 / 2 + (kx - coarse kx * rest8) * ox +
+      (ky - coarse ky * rest8) * oy + (kz - coarse kz * rest8) * oz))
+    by (change one22 with (cell14 * rest8); lia).
+  rewrite Z.div_add_l by easy. lia.
+Qed.
+
+(* Both entries come of one word: the first is its low half with a sign, and what is left the second. *)
+Theorem entries_of_word x y : - 2 ^ 15 <= x < 2 ^ 15 ->
+  let low := (x + 65536 * y) mod 65536 in
+  let first := if low <? 2 ^ 15 then low else low - 65536 in
+  first = x /\ (x + 65536 * y - first) / 65536 = y.
+Proof.
+  intros X low first. assert (low = if x <? 0 then x + 65536 else x) as L.
+  { unfold low. rewrite (Z.mul_comm 65536), Z.mod_add by easy. change (2 ^ 15) with 32768 in X.
+    destruct (Z.ltb_spec x 0).
+    - rewrite <- (Z.mod_add x 1 65536) by easy. apply Z.mod_small. lia.
+    - apply Z.mod_small. lia. }
+  assert (first = x) as F.
+  { unfold first. rewrite L. change (2 ^ 15) with 32768 in *. destruct (Z.ltb_spec x 0).
+    - destruct (Z.ltb_spec (x + 65536) 32768); lia.
+    - destruct (Z.ltb_spec x 32768); lia. }
+  split; [exact F |]. rewrite F. replace (x + 65536 * y - x) with (y * 65536) by lia.
+  now apply Z.div_mul.
+Qed.
+
+Section Near.
+Variables cells fraction kx ky kz ox oy oz : Z.
+Hypothesis Kx : Z.abs kx <= one22 + 2 ^ 9.
+Hypothesis Ky : Z.abs ky <= one22 + 2 ^ 9.
+Hypothesis Kz : Z.abs kz <= one22 + 2 ^ 9.
+Hypothesis Ox : - 2 ^ 15 <= ox < 2 ^ 15.
+Hypothesis Oy : - 2 ^ 15 <= oy < 2 ^ 15.
+Hypothesis Oz : - 2 ^ 15 <= oz < 2 ^ 15.
+Hypothesis Part : Z.abs fraction <= 2 ^ 15.
+Let turned' := turned fraction kx ky kz ox oy oz.
+Let whole := turned' / cell14 + cells.
+
+Lemma near_product a b A B : Z.abs a <= A -> Z.abs b <= B -> Z.abs (a * b) <= A * B.
+Proof. intros. rewrite Z.abs_mul. apply Z.mul_le_mono_nonneg; lia. Qed.
+
+Theorem near_sums_fit :
+  Z.abs (parts fraction kx ky kz ox oy oz) <= 2 ^ 24 /\ Z.abs turned' <= 2 ^ 31 - 2 ^ 28.
+Proof.
+  assert (forall k, Z.abs k <= one22 + 2 ^ 9 -> Z.abs (coarse k) <= 16387) as C.
+  { intros k K. change (one22 + 2 ^ 9) with 4194816 in K. unfold coarse, rest8.
+    change (256 / 2) with 128. divisions. lia. }
+  assert (forall k, Z.abs (rest k) <= 128) as R by (intros k; pose proof (rest_fits k); lia).
+  assert (forall o, - 2 ^ 15 <= o < 2 ^ 15 -> Z.abs o <= 32768) as O by (intros; lia).
+  pose proof (near_product _ _ _ _ (R kx) (O _ Ox)) as Rx.
+  pose proof (near_product _ _ _ _ (R ky) (O _ Oy)) as Ry.
+  pose proof (near_product _ _ _ _ (R kz) (O _ Oz)) as Rz.
+  pose proof (near_product _ _ _ _ (C _ Kx) (O _ Ox)) as Cx.
+  pose proof (near_product _ _ _ _ (C _ Ky) (O _ Oy)) as Cy.
+  pose proof (near_product _ _ _ _ (C _ Kz) (O _ Oz)) as Cz.
+  unfold turned', turned, parts. rewrite Z.abs_le in *. clear - Part Rx Ry Rz Cx Cy Cz.
+  change (one22 / 65536) with 64. change rest8 with 256. change (256 / 2) with 128.
+  change (2 ^ 15) with 32768 in Part. change (2 ^ 24) with 16777216.
+  change (2 ^ 31 - 2 ^ 28) with 1879048192.
+  generalize dependent (rest kx * ox). generalize dependent (rest ky * oy).
+  generalize dependent (rest kz * oz). generalize dependent (coarse kx * ox).
+  generalize dependent (coarse ky * oy). generalize dependent (coarse kz * oz).
+  intros. divisions. lia.
+Qed.
+
+(* Nothing wraps on the way to what is returned, and it is the same as is clamped. *)
+Theorem near_offset_clamped : Z.abs cells <= 2 ^ 30 -> Z.abs whole < 2 ^ 31 /\
+  (if ((- most_cells <=? whole) && (whole <? most_cells))%bool then turned' + cells * cell14
+   else if whole <? 0 then - farthest else farthest) =
+  Z.max (- farthest) (Z.min farthest (offset_along cells fraction kx ky kz ox oy oz)).
+Proof.
+  intros Cells. rewrite near_offset. fold turned'. destruct near_sums_fit as [_ T].
+  assert (Z.abs (turned' / cell14) <= 131072) as Q.
+  { change (2 ^ 31 - 2 ^ 28) with 1879048192 in T. change cell14 with 16384. clearbody turned'.
+    clear - T. divisions. lia. }
+  change (2 ^ 30) with 1073741824 in Cells. change (2 ^ 31) with 2147483648.
+  pose proof (floor turned' cell14 eq_refl) as F. fold whole in F.
+  assert (cell14 * whole <= turned' + cells * cell14 < cell14 * whole + cell14) as W
+    by (unfold whole; clear - F; lia).
+  assert (Z.abs whole < 2147483648) as Fits by (unfold whole; clear - Cells Q; lia).
+  split; [exact Fits |]. clear - W. clearbody whole turned'. unfold farthest, most_cells.
+  change cell14 with 16384 in *.
+  destruct (Z.leb_spec (- (48000)) whole); destruct (Z.ltb_spec whole 48000);
+    destruct (Z.ltb_spec whole 0); cbn [andb]; lia.
+Qed.
+End Near.
+
 Definition before_rounding (kx ky kz offset px py pz : Z) : Z :=
   coarse kx * px + coarse ky * py + coarse kz * pz +
   (rest kx * px + rest ky * py + rest kz * pz) / rest8 + offset + kHalf.
@@ -349,6 +456,10 @@ Qed.
 End Axis.
 
 Print Assumptions high_word_tells.
+Print Assumptions near_offset.
+Print Assumptions entries_of_word.
+Print Assumptions near_sums_fit.
+Print Assumptions near_offset_clamped.
 Print Assumptions placed_within.
 Print Assumptions below_upper_bound.
 Print Assumptions above_lower_bound.
