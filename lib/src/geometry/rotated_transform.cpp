@@ -94,7 +94,8 @@ inline int32_t near_offset_along_axis(const Pose& pose, const int32_t (&origin_a
   const auto whole = static_cast<int32_t>(static_cast<uint32_t>(turned >> kSplitBits) +
                                           static_cast<uint32_t>(cells));
   if (static_cast<uint32_t>(whole) + kMaxOffset < 2u * kMaxOffset) {
-    return turned + cells * kSplitOne;
+    return static_cast<int32_t>(static_cast<uint32_t>(turned) +
+                                static_cast<uint32_t>(cells) * kSplitOne);
   }
   return whole < 0 ? -kMaxOffset * kSplitOne : kMaxOffset * kSplitOne;
 }

@@ -71,7 +71,7 @@ Qed.
    code: src/geometry/rotated_transform.cpp | const int32_t parts = fraction + (1 << (kRestBits - 1)) + rest[0] * origin_b[0] + rest[1] * origin_b[1] + rest[2] * origin_b[2];
    code: src/geometry/rotated_transform.cpp | const int32_t turned = x * origin_b[0] + y * origin_b[1] + z * origin_b[2] + (parts >> kRestBits);
    code: src/geometry/rotated_transform.cpp | const auto whole = static_cast<int32_t>(static_cast<uint32_t>(turned >> kSplitBits) + static_cast<uint32_t>(cells));
-   code: src/geometry/rotated_transform.cpp | if (static_cast<uint32_t>(whole) + kMaxOffset < 2u * kMaxOffset) { return turned + cells * kSplitOne; } return whole < 0 ? -kMaxOffset * kSplitOne : kMaxOffset * kSplitOne; *)
+   code: src/geometry/rotated_transform.cpp | if (static_cast<uint32_t>(whole) + kMaxOffset < 2u * kMaxOffset) { return static_cast<int32_t>(static_cast<uint32_t>(turned) + static_cast<uint32_t>(cells) * kSplitOne); } return whole < 0 ? -kMaxOffset * kSplitOne : kMaxOffset * kSplitOne; *)
 Definition parts (fraction kx ky kz ox oy oz : Z) : Z :=
   fraction * (one22 / 65536) + rest8 / 2 + rest kx * ox + rest ky * oy + rest kz * oz.
 Definition turned (fraction kx ky kz ox oy oz : Z) : Z :=
@@ -148,7 +148,8 @@ Proof.
   intros. divisions. lia.
 Qed.
 
-(* Nothing wraps on the way to what is returned, and it is the same as is clamped. *)
+(* What tells does not wrap, and what is returned is the same as is clamped; cells times kSplitOne may
+   wrap, their sum with the rest does not. *)
 Theorem near_offset_clamped : Z.abs cells <= 2 ^ 30 -> Z.abs whole < 2 ^ 31 /\
   (if ((- most_cells <=? whole) && (whole <? most_cells))%bool then turned' + cells * cell14
    else if whole <? 0 then - farthest else farthest) =
