@@ -51,20 +51,7 @@ class Query : protected Question {
   FLASHBVH_INLINE_TO_RUN Query(const Mesh& a, const Mesh& b, const Pose& pose,
                                const Cursor& start = Cursor(),
                                const Question& question = Question())
-      : Question(question), cursor_(start) {
-    constexpr bool may_stop = Order::kStartsAtRoots && Question::kDisjointRootsEnd;
-    if constexpr (may_stop) {
-      const Status wrong = error_of(a, b, pose, start);
-      if (__builtin_expect(wrong == Status::done, 1)) {
-        transform_.place(pose, a, b, may_stop, [&] { begin(a, b, Status::done); });
-      } else {
-        transform_.place_nowhere();
-        begin(a, b, wrong);
-      }
-    } else {
-      place_and_begin(a, b, pose);
-    }
-  }
+      : Query(EndsAtRoots<kEndsAtRoots>(), a, b, pose, start, question) {}
 
   /// Meshes and poses that would be gone before the first run.
   Query(const Mesh&&, const Mesh&, const Pose&, const Cursor& = Cursor()) = delete;
@@ -223,7 +210,7 @@ class Query : protected Question {
       if (work == 0) {
         return Status::suspended;
       }
-      if (Order::kStartsAtRoots && Question::kDisjointRootsEnd && transform_.roots_disjoint()) {
+      if (kEndsAtRoots && transform_.roots_disjoint()) {
         work -= work == detail::kUnlimited ? 0 : 1;
         counts_.visits = 1;
         state_ = State::done;
@@ -316,6 +303,35 @@ class Query : protected Question {
     return start.fits(a, b) ? Status::done : Status::stack_too_small;
   }
 
+  /// Whether roots that are disjoint end the query with its first visit.
+  static constexpr bool kEndsAtRoots = Order::kStartsAtRoots && Question::kDisjointRootsEnd;
+  template <bool>
+  struct EndsAtRoots {};
+  FLASHBVH_INLINE_TO_RUN Query(EndsAtRoots<true>, const Mesh& a, const Mesh& b, const Pose& pose,
+                               const Cursor& start, const Question& question)
+      : Question(question), cursor_(start) {
+    const Status wrong = error_of(a, b, pose, start);
+    if (__builtin_expect(wrong == Status::done, 1)) {
+      transform_.place(pose, a, b, true, [&] { begin(a, b, Status::done); });
+    } else {
+      transform_.place_nowhere();
+      begin(a, b, wrong);
+    }
+  }
+  Query(EndsAtRoots<false>, const Mesh& a, const Mesh& b, const Pose& pose, const Cursor& start,
+        const Question& question)
+      : Question(question), cursor_(start) {
+    begin(a, b, error_of(a, b, pose, start));
+    if (error_ == Status::done) {
+      transform_.place(pose, a, b, false, [] {});
+    } else {
+      transform_.place_nowhere();
+    }
+    if constexpr (!Question::kDisjointRootsEnd) {
+      transform_.bring_near();
+      error_ = error_ != Status::done ? error_ : question.error_of(transform_, a, b);
+    }
+  }
   /// Of what is set but the transform.
   void begin(const Mesh& a, const Mesh& b, Status error) {
     a_ = &a;
@@ -327,22 +343,6 @@ class Query : protected Question {
     state_ = State::fresh;
     error_ = error;
   }
-  /// Where roots that are disjoint end nothing: with no part in the caller's frame.
-  FLASHBVH_NOINLINE void place_and_begin(const Mesh& a, const Mesh& b, const Pose& pose) {
-    const Status wrong = error_of(a, b, pose, cursor_);
-    if (wrong == Status::done) {
-      transform_.place(pose, a, b, false, [] {});
-    } else {
-      transform_.place_nowhere();
-    }
-    begin(a, b, wrong);
-    if constexpr (!Question::kDisjointRootsEnd) {
-      transform_.bring_near();
-      const Question& question = *this;
-      error_ = error_ != Status::done ? error_ : question.error_of(transform_, a, b);
-    }
-  }
-
   /// Until the batch is full, to the end, or to that of the work.
   FLASHBVH_NOINLINE State walk(uint32_t& work, Batch& batch, typename Kept::Shapes& kept,
                                uint32_t room) {

@@ -134,6 +134,8 @@ Int128 shifted_up(const Int128& u, unsigned bits) noexcept {
     return u;
   }
   return {static_cast<int64_t>(static_cast<uint64_t>(u.high) << bits | u.low >> (64 - bits)),
+          // Unsigned, whatever it was made of.
+          // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult)
           u.low << bits};
 }
 
