@@ -318,18 +318,23 @@ class Query : protected Question {
       begin(a, b, wrong);
     }
   }
-  Query(EndsAtRoots<false>, const Mesh& a, const Mesh& b, const Pose& pose, const Cursor& start,
-        const Question& question)
-      : Question(question), cursor_(start) {
-    begin(a, b, error_of(a, b, pose, start));
+  FLASHBVH_INLINE_TO_RUN Query(EndsAtRoots<false>, const Mesh& a, const Mesh& b, const Pose& pose,
+                               const Cursor& start, const Question& question)
+      : Question(question), a_(&a), b_(&b), cursor_(start) {
+    place_and_begin(pose);
+  }
+  /// With no part in the caller's frame.
+  FLASHBVH_NOINLINE void place_and_begin(const Pose& pose) {
+    begin(*a_, *b_, error_of(*a_, *b_, pose, cursor_));
     if (error_ == Status::done) {
-      transform_.place(pose, a, b, false, [] {});
+      transform_.place(pose, *a_, *b_, false, [] {});
     } else {
       transform_.place_nowhere();
     }
     if constexpr (!Question::kDisjointRootsEnd) {
       transform_.bring_near();
-      error_ = error_ != Status::done ? error_ : question.error_of(transform_, a, b);
+      const Question& question = *this;
+      error_ = error_ != Status::done ? error_ : question.error_of(transform_, *a_, *b_);
     }
   }
   /// Of what is set but the transform.

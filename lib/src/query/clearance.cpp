@@ -49,9 +49,11 @@ void BasicClearanceQuery<MeshType>::take_leaves(uint32_t& work) {
   };
   const uint32_t in_a = count(mesh_a.triangles_in(leaf_a));
   const uint32_t in_b = count(mesh_b.triangles_in(leaf_b));
-  for (uint32_t i = 0; i < in_a * in_b && !this->intersect; ++i) {
-    detail::take_work(work, detail::kTrianglePairWork);
-    take(mesh_a.first_triangle(leaf_a) + i % in_a, mesh_b.first_triangle(leaf_b) + i / in_a);
+  for (uint32_t b = 0; b < in_b; ++b) {
+    for (uint32_t a = 0; a < in_a && !this->intersect; ++a) {
+      detail::take_work(work, detail::kTrianglePairWork);
+      take(mesh_a.first_triangle(leaf_a) + a, mesh_b.first_triangle(leaf_b) + b);
+    }
   }
 }
 
