@@ -15,13 +15,13 @@ struct RunCosts {
   uint32_t work;           ///< each unit of work
 };
 
-constexpr RunCosts kCortexM0 = {8481, 32, 12, 176, 753};
-constexpr RunCosts kCortexM3 = {3369, 24, 12, 108, 228};
-constexpr RunCosts kCortexM33 = {2924, 24, 12, 88, 185};
-constexpr RunCosts kCortexM4F = {2913, 23, 12, 88, 184};
-constexpr RunCosts kCortexM55 = {2913, 24, 12, 86, 183};
-constexpr RunCosts kCortexM7 = {2950, 24, 12, 88, 188};
-constexpr RunCosts kRV32IMAC = {4184, 21, 10, 108, 399};
+constexpr RunCosts kCortexM0 = {8408, 32, 12, 176, 753};
+constexpr RunCosts kCortexM3 = {3325, 24, 12, 108, 228};
+constexpr RunCosts kCortexM33 = {2880, 24, 12, 88, 184};
+constexpr RunCosts kCortexM4F = {2869, 23, 12, 88, 184};
+constexpr RunCosts kCortexM55 = {2867, 24, 12, 86, 183};
+constexpr RunCosts kCortexM7 = {2906, 24, 12, 88, 188};
+constexpr RunCosts kRV32IMAC = {4138, 21, 10, 108, 399};
 
 }  // namespace flashbvh
 
