@@ -337,7 +337,7 @@ class Query : protected Question {
       error_ = error_ != Status::done ? error_ : question.error_of(transform_, *a_, *b_);
     }
   }
-  /// Of what is set but the transform.
+  /// Sets all but the transform and the cursor.
   void begin(const Mesh& a, const Mesh& b, Status error) {
     a_ = &a;
     b_ = &b;

@@ -23,7 +23,7 @@ struct TranslatedTransform {
 /// 92 bytes on a 32-bit core.
 class Transform {
  public:
-  /// To be placed.
+  /// Nothing is set before place() or place_nowhere().
   Transform() {}
   template <class Mesh>
   Transform(const Pose& pose, const Mesh& a, const Mesh& b, bool may_stop) {
@@ -31,8 +31,9 @@ class Transform {
   }
 
   /// Sets all that follows from a pose without an error, unless `may_stop` and the root boxes tell
-  /// already that nothing can intersect. Ends with `rest()`, on each way of its own: what is set
-  /// there costs nothing where the query ends at once and lies in the same function.
+  /// already that nothing can intersect. Ends with `rest()`, which sets what else there is to set.
+  /// Each way has its own copy of the same end: where the query ends at once, in the function that
+  /// made it, compilers leave out what is never read; merged, they keep it all.
   template <class Mesh, class Rest>
   FLASHBVH_INLINE_FOR_SPEED void place(const Pose& pose, const Mesh& a, const Mesh& b,
                                        bool may_stop, const Rest& rest) {
@@ -56,7 +57,7 @@ class Transform {
       rest();
     }
   }
-  /// Of what can't be asked.
+  /// For a query with an error: no translation, no rotation.
   void place_nowhere() {
     begin(false, 0);
     translated_.offset = {0, 0, 0};
