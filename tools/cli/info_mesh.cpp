@@ -19,12 +19,12 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::uint32_t, 4> kLeafSizes = {1, 2, 4, 8};
 
 /// With 16-bit indices if they reach.
-BakedMesh bake_with(const InputMesh& mesh, BakeOptions options) {
+AnyBakedTree tree_of(const InputMesh& mesh, const RoundedMesh& rounded, BakeOptions options) {
   try {
-    return bake(mesh, options);
+    return build_tree(mesh, rounded, options);
   } catch (const UserError&) {
     options.index_width = IndexWidth::bits_32;
-    return bake(mesh, options);
+    return build_tree(mesh, rounded, options);
   }
 }
 
@@ -72,15 +72,13 @@ Json facts_of(const InputMesh& mesh, Warnings& warnings) {
                 {"bodies", mesh.bodies},
                 {"box", box_of(mesh.mesh)},
                 {"finest_cell", *options.cell}};
+  const RoundedMesh rounded = round_mesh(mesh, options);
+  warn_of_mesh(mesh, rounded.defects, options, warnings);
+  facts["deviation"] = rounded.lattice.deviation;
+  facts["defects"] = defects_as_json(rounded.defects);
   for (const std::uint32_t leaf_size : kLeafSizes) {
     options.leaf_size = leaf_size;
-    const BakedMesh baked = bake_with(mesh, options);
-    if (leaf_size == kLeafSizes[0]) {
-      warn_of_mesh(mesh, baked.defects, options, warnings);
-      facts["deviation"] = std::visit([](const auto& any) { return any.deviation; }, baked.tree);
-      facts["defects"] = defects_as_json(baked.defects);
-    }
-    facts["flash"].push_back(flash_of(baked.tree, leaf_size));
+    facts["flash"].push_back(flash_of(tree_of(mesh, rounded, options), leaf_size));
   }
   return facts;
 }

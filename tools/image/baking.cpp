@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bake/build_tree.hpp"
 #include "bake/quantise.hpp"
@@ -130,29 +131,40 @@ double finest_cell(const InputMesh& input) {
                   static_cast<double>(std::numeric_limits<float>::min()));
 }
 
-BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
+RoundedMesh round_mesh(const InputMesh& input, const BakeOptions& options) {
   const double cell = options.cell.value_or(finest_cell(input));
   check_range(input, cell, options);
-  bake::LatticeMesh lattice = bake::round_to_lattice(input.mesh, cell);
-  check_deviation(input, lattice, options);
-  BakedMesh baked;
-  baked.defects = defects_of(input.mesh, lattice, input.degenerate);
-  const TriangleIds kept = drop(lattice, baked.defects, options);
-  if (kept.empty()) {
+  RoundedMesh rounded;
+  rounded.lattice = bake::round_to_lattice(input.mesh, cell);
+  check_deviation(input, rounded.lattice, options);
+  rounded.defects = defects_of(input.mesh, rounded.lattice, input.degenerate);
+  rounded.kept = drop(rounded.lattice, rounded.defects, options);
+  if (rounded.kept.empty()) {
     throw UserError(input.path, "--drop leaves no triangle; use a finer --cell or drop less");
   }
+  return rounded;
+}
+
+AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
+                        const BakeOptions& options) {
+  const bake::LatticeMesh& lattice = rounded.lattice;
   bake::BuildTree tree = options.builder == Builder::median
                              ? bake::build_median(lattice, options.leaf_size)
                              : bake::build_sah(lattice, options.leaf_size);
   tree = bake::collapse(tree, options.arity);
   const bool narrow = options.index_width == IndexWidth::bits_16;
   if (narrow) {
-    check_16_bits(input, lattice, tree, kept, options.offers_wide_indices);
+    check_16_bits(input, lattice, tree, rounded.kept, options.offers_wide_indices);
   }
-  baked.tree = narrow ? lay_out<std::uint16_t>(tree, lattice, options.layout)
-                      : lay_out<std::uint32_t>(tree, lattice, options.layout);
-  std::visit([&](auto& any) { renumber(any, kept); }, baked.tree);
+  AnyBakedTree baked = narrow ? lay_out<std::uint16_t>(tree, lattice, options.layout)
+                              : lay_out<std::uint32_t>(tree, lattice, options.layout);
+  std::visit([&](auto& any) { renumber(any, rounded.kept); }, baked);
   return baked;
+}
+
+BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
+  RoundedMesh rounded = round_mesh(input, options);
+  return {build_tree(input, rounded, options), std::move(rounded.defects)};
 }
 
 }  // namespace flashbvh::tool

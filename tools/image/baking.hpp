@@ -50,8 +50,20 @@ struct BakedMesh {
 /// in a float.
 double finest_cell(const InputMesh& input);
 
-/// UserError, naming the mesh's file, if the mesh is too large for the cell or for the indices, if
-/// rounding moves a vertex too far, or if no triangle is left.
+/// What trees of all kinds are built of.
+struct RoundedMesh {
+  bake::LatticeMesh lattice;  ///< without what was dropped
+  TriangleIds kept;           ///< the file's numbers of its triangles
+  MeshDefects defects;        ///< before any triangle was dropped
+};
+
+/// UserError, naming the mesh's file, if the mesh is too large for the cell, if rounding moves a
+/// vertex too far, or if no triangle is left.
+RoundedMesh round_mesh(const InputMesh& input, const BakeOptions& options);
+/// UserError if the mesh or its tree is too large for the indices.
+AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
+                        const BakeOptions& options);
+/// Both.
 BakedMesh bake(const InputMesh& input, const BakeOptions& options);
 
 }  // namespace flashbvh::tool

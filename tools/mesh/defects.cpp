@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 namespace flashbvh::tool {
@@ -50,6 +49,11 @@ TriangleIds without_area(const Mesh& mesh) {
   return found;
 }
 
+/// Ordered by `first`, then by `second`: one comparison.
+std::uint64_t pair_of(std::uint32_t first, std::uint32_t second) {
+  return std::uint64_t{first} << 32 | second;
+}
+
 /// An edge of one triangle.
 struct Edge {
   std::uint32_t low;
@@ -57,7 +61,7 @@ struct Edge {
   bool rises;  ///< the triangle runs from the lower vertex to the higher one
 
   bool operator<(const Edge& other) const {
-    return std::tie(low, high) < std::tie(other.low, other.high);
+    return pair_of(low, high) < pair_of(other.low, other.high);
   }
 };
 
@@ -93,18 +97,21 @@ TriangleIds degenerate_triangles(const bake::LatticeMesh& mesh) {
 }
 
 TriangleIds duplicate_triangles(const std::vector<TriangleCorners>& triangles) {
-  std::vector<std::pair<TriangleCorners, std::uint32_t>> sorted;
+  // Two corners; the third and the triangle.
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> sorted;
   sorted.reserve(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     TriangleCorners corners = triangles[i];
     std::sort(corners.begin(), corners.end());
-    sorted.emplace_back(corners, static_cast<std::uint32_t>(i));
+    sorted.emplace_back(pair_of(corners[0], corners[1]),
+                        pair_of(corners[2], static_cast<std::uint32_t>(i)));
   }
   std::sort(sorted.begin(), sorted.end());
   TriangleIds found;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
-    if (sorted[i].first == sorted[i - 1].first) {
-      found.push_back(sorted[i].second);
+    const auto& [corners, last] = sorted[i];
+    if (corners == sorted[i - 1].first && last >> 32 == sorted[i - 1].second >> 32) {
+      found.push_back(static_cast<std::uint32_t>(last));
     }
   }
   std::sort(found.begin(), found.end());
