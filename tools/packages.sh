@@ -30,7 +30,7 @@ host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev liburdfdom-
   nlohmann-json3-dev zlib1g-dev catch2"
 test_packages="ccache clang-format doxygen"
 # The sanitizers, and the fuzzer, without which the corpora alone are replayed.
-sanitizer_packages="clang libclang-rt-14-dev"
+sanitizer_packages="clang lld libclang-rt-14-dev"
 # Exact rationals, for the oracle of distances.
 oracle_packages="libgmp-dev"
 # 32-bit programs that this machine runs, for the digest that every compiler must get.

@@ -5,22 +5,7 @@
 //     ticked      a query: made, then run slice by slice
 //     translated  the same, but only with poses that do not rotate
 //     asked       one call, one answer
-#include "flashbvh/clearance.hpp"
-#include "flashbvh/collide.hpp"
-#include "flashbvh/contact.hpp"
-#include "flashbvh/detail/image_parts.hpp"
-#include "flashbvh/image.hpp"
-#include "flashbvh/paper/alternating_stack.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/ranked_stack.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
-#include "flashbvh/pose_float.hpp"
-#include "flashbvh/ray_float.hpp"
-#include "flashbvh/robot/image.hpp"
-#include "flashbvh/self.hpp"
-#include "flashbvh/solid.hpp"
-#include "proof/stack/arguments.hpp"
+#include "proof/stack/entry_headers.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
