@@ -35,9 +35,11 @@ struct Step {
   double part;
 };
 
+/// From -1 to 1: no sum or product here rounds to less than none or more than all steps.
 Step step_at(double coordinate) {
-  const double steps = std::clamp((coordinate + 1) / 2 * kSteps, 0.0, double{kSteps});
-  const std::size_t point = std::min(static_cast<std::size_t>(steps), kSteps - 1);
+  const double steps = (coordinate + 1) / 2 * kSteps;
+  const auto before = static_cast<std::size_t>(steps);
+  const std::size_t point = before < kSteps ? before : kSteps - 1;
   return {point, steps - static_cast<double>(point)};
 }
 
