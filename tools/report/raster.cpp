@@ -132,13 +132,11 @@ class Canvas {
 
   Drawn drawn() const {
     Drawn drawn = {{static_cast<std::uint32_t>(side_), {}}, {}};
+    drawn.picture.pixels.reserve(static_cast<std::size_t>(4 * side_ * side_));
     for (std::int64_t y = 0; y < side_; ++y) {
       for (std::int64_t x = 0; x < side_; ++x) {
-        append_pixel(drawn.picture.pixels, x, y);
+        append_pixel(drawn, x, y);
       }
-    }
-    for (const Sample& sample : samples_) {
-      drawn.seen[sample.paint] += sample.depth != INT64_MAX ? 1 : 0;
     }
     return drawn;
   }
@@ -180,7 +178,8 @@ class Canvas {
   }
 
   /// The mean of the samples that are covered, as opaque as there are many.
-  void append_pixel(std::string& pixels, std::int64_t x, std::int64_t y) const {
+  void append_pixel(Drawn& drawn, std::int64_t x, std::int64_t y) const {
+    std::string& pixels = drawn.picture.pixels;
     std::int64_t covered = 0;
     std::int64_t sum[3] = {};
     for (std::int64_t i = 0; i < kSamples * kSamples; ++i) {
@@ -191,6 +190,7 @@ class Canvas {
         continue;
       }
       ++covered;
+      ++drawn.seen[sample.paint];
       const auto& [dark, light] = kPaintColours[sample.paint];
       for (std::size_t part = 0; part < 3; ++part) {
         sum[part] += dark[part] + (light[part] - dark[part]) * sample.shade / (kShades - 1);
