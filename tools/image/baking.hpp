@@ -63,7 +63,7 @@ RoundedMesh round_mesh(const InputMesh& input, const BakeOptions& options);
 /// UserError if the mesh or its tree is too large for the indices.
 AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
                         const BakeOptions& options);
-/// Both.
+/// Both, one after the other.
 BakedMesh bake(const InputMesh& input, const BakeOptions& options);
 
 }  // namespace flashbvh::tool

@@ -50,7 +50,7 @@ TriangleIds without_area(const Mesh& mesh) {
 }
 
 /// Ordered by `first`, then by `second`: one comparison.
-std::uint64_t pair_of(std::uint32_t first, std::uint32_t second) {
+std::uint64_t key_of(std::uint32_t first, std::uint32_t second) {
   return std::uint64_t{first} << 32 | second;
 }
 
@@ -61,7 +61,7 @@ struct Edge {
   bool rises;  ///< the triangle runs from the lower vertex to the higher one
 
   bool operator<(const Edge& other) const {
-    return pair_of(low, high) < pair_of(other.low, other.high);
+    return key_of(low, high) < key_of(other.low, other.high);
   }
 };
 
@@ -103,8 +103,8 @@ TriangleIds duplicate_triangles(const std::vector<TriangleCorners>& triangles) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     TriangleCorners corners = triangles[i];
     std::sort(corners.begin(), corners.end());
-    sorted.emplace_back(pair_of(corners[0], corners[1]),
-                        pair_of(corners[2], static_cast<std::uint32_t>(i)));
+    sorted.emplace_back(key_of(corners[0], corners[1]),
+                        key_of(corners[2], static_cast<std::uint32_t>(i)));
   }
   std::sort(sorted.begin(), sorted.end());
   TriangleIds found;

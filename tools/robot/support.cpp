@@ -35,7 +35,7 @@ struct Step {
   double part;
 };
 
-/// From -1 to 1: no sum or product here rounds to less than none or more than all steps.
+/// Of a coordinate from -1 to 1, which no rounding brings below no step or beyond the last.
 Step step_at(double coordinate) {
   const double steps = (coordinate + 1) / 2 * kSteps;
   const auto before = static_cast<std::size_t>(steps);
