@@ -13,7 +13,10 @@ bake::SourceMesh pyramid(double size) {
 }
 
 std::vector<NamedImage> made_images() {
-  std::vector<NamedImage> images = {{"every_joint", image_of(every_joint_arm())}};
+  std::vector<NamedImage> images = {
+      {"every_joint",
+       image_of(every_joint_arm(), {tool::unguarded_pair(0, 1, WhyUnguarded::intersecting),
+                                    tool::unguarded_pair(2, 3, WhyUnguarded::believed)})}};
   Model fixed;
   add_link(fixed, tool::kNoJoint, pyramid(0.1));
   images.push_back({"one_link", image_of(FixedArm(fixed, 1e-3))});

@@ -10,12 +10,13 @@
 
 namespace flashbvh::test {
 
-inline std::vector<std::uint32_t> image_of(const FixedArm& arm) {
+inline std::vector<std::uint32_t> image_of(const FixedArm& arm,
+                                           const std::vector<tool::UnguardedPair>& unguarded = {}) {
   std::vector<std::vector<std::uint32_t>> meshes;
   for (std::size_t i = 0; i < arm.model.links.size(); ++i) {
     meshes.push_back(arm.arm.image(i));
   }
-  return tool::robot_image(arm.model, arm.robot(), meshes, "arm");
+  return tool::robot_image(arm.model, arm.robot(), unguarded, meshes, "arm");
 }
 
 struct NamedImage {

@@ -25,7 +25,8 @@ struct Parts {
         pairs(reinterpret_cast<RobotPair*>(links + header.link_count)),
         reaches(reinterpret_cast<std::uint32_t*>(pairs + header.pair_count)),
         mounts(reinterpret_cast<Mount*>(reaches + header.reach_count)),
-        charts(reinterpret_cast<std::uint8_t*>(mounts + header.mount_count)),
+        unguarded(reinterpret_cast<RobotUnguarded*>(mounts + header.mount_count)),
+        charts(reinterpret_cast<std::uint8_t*>(unguarded + header.unguarded_count)),
         names(reinterpret_cast<char*>(charts + header.chart_bytes)),
         meshes(reinterpret_cast<unsigned char*>(words.data()) +
                detail::robot_meshes_offset(header)) {}
@@ -40,6 +41,7 @@ struct Parts {
   RobotPair* pairs;
   std::uint32_t* reaches;
   Mount* mounts;
+  RobotUnguarded* unguarded;
   std::uint8_t* charts;
   char* names;
   unsigned char* meshes;

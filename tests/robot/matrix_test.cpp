@@ -205,8 +205,8 @@ TEST_CASE("what need not be asked says why") {
   Model model = rod_and_wall(-3, 3, 0.5);
   add_link(model, kNoJoint, box({0, 0, -0.2}, {0.1, 0.1, 0.2}));
   const PairVerdict fixed = decided(model, 0, 2);
-  CHECK(fixed.verdict == MatrixVerdict::always);
-  CHECK(fixed.reason == "fixed to each other, apart");
+  CHECK(fixed.verdict == MatrixVerdict::fixed);
+  CHECK(fixed.reason == "no joint moves them, apart");
   model.disabled = {{1, 0, "Adjacent"}};
   CHECK(decided(model, 0, 1).reason == "disabled in the SRDF: Adjacent");
   // A hub and what turns on it.

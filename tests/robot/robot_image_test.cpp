@@ -156,6 +156,23 @@ TEST_CASE("every flipped bit before the meshes, with checksum and hash that matc
   CHECK(opened > 100);  // a limit, a distance, a translation may change
 }
 
+TEST_CASE("pairs that are not guarded are kept with the reason; one that no joint moves is none") {
+  Model model;
+  const std::size_t joint = add_joint(model, tool::kNoJoint, {}, JointType::revolute, -1, 1);
+  for (const std::size_t on : {tool::kNoJoint, joint, joint}) {
+    add_link(model, on, box({0, 0, 0}, {0.1, 0.1, 0.1}));
+  }
+  const FixedArm arm(model, 1e-3);
+  const Words words = image_of(arm, {tool::unguarded_pair(0, 1, WhyUnguarded::intersecting),
+                                     tool::unguarded_pair(0, 2, WhyUnguarded::believed)});
+  REQUIRE(unguarded_count(words.data()) == 2);
+  const RobotUnguarded* const kept = unguarded_pairs(words.data());
+  CHECK((kept[0].a == 0 && kept[0].b == 1 && kept[0].why == WhyUnguarded::intersecting));
+  CHECK((kept[1].a == 0 && kept[1].b == 2 && kept[1].why == WhyUnguarded::believed));
+  CHECK_THROWS_AS(image_of(arm, {tool::unguarded_pair(1, 2, WhyUnguarded::believed)}),
+                  std::logic_error);
+}
+
 TEST_CASE("an image at an address that is no multiple of 4, and with too little room for meshes") {
   const Words words = arm_images()[0].words;
   const std::uint32_t links = words[1] >> 24;

@@ -110,12 +110,12 @@ lib=$INCLUDE/../src
 
 # What is in it.
 exits 0 info image/two_fingers.robot
-grep -q "^robot two_fingers, format version 1: $(wc -c <image/two_fingers.robot) bytes of flash; " stdout ||
+grep -q "^robot two_fingers, format version 2: $(wc -c <image/two_fingers.robot) bytes of flash; " stdout ||
   fail "$(cat stdout)"
 grep -q '^right  wrist  *revolute  *-0.75 to 0.5 rad, as left by -0.5$' stdout || fail "$(cat stdout)"
 grep -q '^base - finger.l  0.005, 0.01$' stdout || fail "$(cat stdout)"
 exits 0 info image/two_fingers.robot --json
-for part in '^{"name":"two_fingers","format_version":1,"bytes":' '"a":"base","b":"finger.l","stop":0.005' \
+for part in '^{"name":"two_fingers","format_version":2,"bytes":' '"a":"base","b":"finger.l","stop":0.005' \
   '{"name":"finger.r","joint":"right","triangles":320}' '"name":"right","type":"revolute","parent":"wrist"'; do
   grep -q -- "$part" stdout || fail "no $part in $(cat stdout)"
 done
@@ -134,7 +134,7 @@ damaged X 60 "bad.robot: is corrupt: a checksum does not match; copy or bake it 
 damaged X "$(($(wc -c <bad.robot) - 9))" "bad.robot: is corrupt"
 damaged XX "$(wc -c <bad.robot)" "bad.robot: has 2 bytes after its end"
 head -c 40 image/two_fingers.robot >bad.robot
-refused "is truncated: it has 40 bytes and needs a header of 48" info bad.robot
+refused "is truncated: it has 40 bytes and needs a header of 52" info bad.robot
 head -c 400 image/two_fingers.robot >bad.robot
 refused "is truncated: it has 400 bytes of $(wc -c <image/two_fingers.robot)" info bad.robot
 refused "gone.robot" info gone.robot

@@ -197,6 +197,12 @@ std::vector<GuardedPair> guarded(const std::vector<PairVerdict>& pairs,
   return guarded;
 }
 
+void warn_of_unguarded(const BakedRobot& robot, const std::string& path, Warnings& warnings) {
+  for (const std::string& warning : unguarded_warnings(robot.model, robot.unguarded)) {
+    warnings.add(path, warning);
+  }
+}
+
 /// Pairs of which a guard would say the same wherever the robot stands.
 void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
                   const RobotArguments& arguments, Warnings& warnings) {
@@ -281,6 +287,8 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   made.links = bake_links(made.model, made.cell, arguments, progress, warnings);
   const std::vector<PostMesh> meshes = meshes_of(made.links);
   made.pairs = decide(made.model, meshes, made.cell, distances, progress);
+  made.unguarded = unguarded_pairs(made.pairs);
+  warn_of_unguarded(made, arguments.urdf, warnings);
   warn_of_near(made, distances, arguments, warnings);
   made.fixed =
       std::make_unique<FixedRobot>(made.model, meshes, made.cell, guarded(made.pairs, distances));
@@ -290,9 +298,9 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   return made;
 }
 
-BakedRobot opened_robot(const std::string& path, const CLI::App& command) {
+BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings) {
   for (const char* const option :
-       {"--package", "--srdf", "--cell", "--leaf-size", "--stop", "--warn"}) {
+       {"--package", "--srdf", "--cell", "--leaf-size", "--stop", "--warn", "--pair"}) {
     if (command.count(option) != 0) {
       throw UserError(path, "is baked already, ", option,
                       " is for a URDF; leave it out, or bake again with `flashbvh robot`");
@@ -302,6 +310,8 @@ BakedRobot opened_robot(const std::string& path, const CLI::App& command) {
   made.file = std::make_unique<RobotFile>(path);
   made.model = made.file->model();
   made.cell = made.file->cell();
+  made.unguarded = made.file->unguarded();
+  warn_of_unguarded(made, path, warnings);
   return made;
 }
 

@@ -12,6 +12,7 @@
 #include "robot/fixed_robot.hpp"
 #include "robot/matrix.hpp"
 #include "robot/robot_file.hpp"
+#include "robot/unguarded.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
@@ -38,6 +39,7 @@ struct BakedRobot {
   double cell;  ///< metres
   std::vector<BakedLink> links;
   std::vector<PairVerdict> pairs;
+  std::vector<UnguardedPair> unguarded;  ///< of an image, too
   std::unique_ptr<FixedRobot> fixed;
   std::unique_ptr<RobotFile> file;  ///< instead of all three, of an image
 
@@ -51,7 +53,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
 
 /// Of an image, as it was baked. UserError if it is none, or if `command` was given options of
 /// add_robot_options(): they are for baking.
-BakedRobot opened_robot(const std::string& path, const CLI::App& command);
+BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings);
 
 }  // namespace flashbvh::tool
 

@@ -27,7 +27,7 @@ struct Guarded {
 /// The trajectory is read before anything is baked.
 Guarded read_guarded(const GuardArguments& arguments, const CLI::App& command, Warnings& warnings) {
   if (is_robot_file_name(arguments.urdf)) {
-    BakedRobot robot = opened_robot(arguments.urdf, command);
+    BakedRobot robot = opened_robot(arguments.urdf, command, warnings);
     Trajectory trajectory = read_trajectory(arguments.trajectory, robot.model);
     return {std::move(robot), std::move(trajectory)};
   }

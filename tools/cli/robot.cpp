@@ -12,6 +12,7 @@
 #include "report/robot_page.hpp"
 #include "robot/robot_c_writer.hpp"
 #include "robot/robot_image.hpp"
+#include "robot/robot_writer.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {
@@ -32,7 +33,7 @@ std::string image_of(const BakedRobot& baked, const OutputName& name) {
     meshes.push_back(bake::image_of(link.tree));
   }
   const std::vector<std::uint32_t> words =
-      robot_image(baked.model, baked.robot(), meshes, name.stem);
+      robot_image(baked.model, baked.robot(), baked.unguarded, meshes, name.stem);
   return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]};
 }
 
@@ -55,11 +56,12 @@ void add_files(const OutputArguments& arguments, const OutputName& name, const B
     add(".robot", image_of(baked, name));
   }
   if (writes_cpp(arguments)) {
-    add_sources(robot_sources(baked.model, *baked.fixed, baked.links, name), ".robot.hpp",
-                ".robot.cpp");
+    add_sources(robot_sources(baked.model, *baked.fixed, baked.links, baked.unguarded, name),
+                ".robot.hpp", ".robot.cpp");
   }
   if (arguments.format == "c") {
-    add_sources(robot_in_c(baked.model, *baked.fixed, baked.links, name), ".robot.h", ".robot.c");
+    add_sources(robot_in_c(baked.model, *baked.fixed, baked.links, baked.unguarded, name),
+                ".robot.h", ".robot.c");
   }
 }
 
@@ -121,8 +123,7 @@ void make_robot(const OutputArguments& arguments) {
   }
   files.write([&] {
     warnings.print();
-    (arguments.json ? print_robot_json : print_robot)(baked.model, baked.links, *baked.fixed,
-                                                      baked.pairs);
+    (arguments.json ? print_robot_json : print_robot)(baked);
     flush_output();
   });
 }

@@ -8,6 +8,7 @@
 #include "cli/lengths.hpp"
 #include "image/cpp_writer.hpp"
 #include "robot/joint_text.hpp"
+#include "robot/robot_writer.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -87,6 +88,23 @@ void print_pairs(const Model& model, const std::vector<PairVerdict>& pairs) {
   }
 }
 
+/// A line at the top for those that nobody looks at.
+void print_unguarded(const Model& model, const std::vector<UnguardedPair>& unguarded) {
+  if (!unguarded.empty()) {
+    std::cout << "not guarded: " << names_of(model, unguarded) << "\n\n";
+  }
+}
+
+Json unguarded_json(const Model& model, const std::vector<UnguardedPair>& unguarded) {
+  Json json = Json::array();
+  for (const UnguardedPair& pair : unguarded) {
+    json.push_back({{"a", model.links[pair.a].name},
+                    {"b", model.links[pair.b].name},
+                    {"reason", pair.reason}});
+  }
+  return json;
+}
+
 Json pair_json(const Model& model, const PairVerdict& pair) {
   Json witness = Json::object();
   for (std::size_t i = 0; i < pair.witness.size(); ++i) {
@@ -124,35 +142,36 @@ Json joint_json(const Model& model, std::size_t number) {
 
 }  // namespace
 
-void print_robot(const Model& model, const std::vector<BakedLink>& links, const FixedRobot& robot,
-                 const std::vector<PairVerdict>& pairs) {
-  print_links(model, links);
-  print_joints(model);
-  print_pairs(model, pairs);
-  std::cout << "\ncell " << shortest(links[0].tree.cell) << " m; "
-            << robot_flash_bytes(robot, links) << " bytes of flash, "
-            << robot_ram_bytes(robot.robot(), robot.pair_joint_count())
+void print_robot(const BakedRobot& robot) {
+  print_unguarded(robot.model, robot.unguarded);
+  print_links(robot.model, robot.links);
+  print_joints(robot.model);
+  print_pairs(robot.model, robot.pairs);
+  std::cout << "\ncell " << shortest(robot.cell) << " m; "
+            << robot_flash_bytes(*robot.fixed, robot.links) << " bytes of flash, "
+            << robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count())
             << " bytes of RAM for a guard\n";
 }
 
-void print_robot_json(const Model& model, const std::vector<BakedLink>& links,
-                      const FixedRobot& robot, const std::vector<PairVerdict>& pairs) {
+void print_robot_json(const BakedRobot& robot) {
+  const Model& model = robot.model;
   Json json = {{"name", model.name},
+               {"not_guarded", unguarded_json(model, robot.unguarded)},
                {"pairs", Json::array()},
                {"links", Json::array()},
                {"joints", Json::array()}};
-  for (const PairVerdict& pair : pairs) {
+  for (const PairVerdict& pair : robot.pairs) {
     json["pairs"].push_back(pair_json(model, pair));
   }
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    json["links"].push_back(link_json(model, model.links[i], links[i]));
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    json["links"].push_back(link_json(model, model.links[i], robot.links[i]));
   }
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     json["joints"].push_back(joint_json(model, i));
   }
-  json["cell"] = links[0].tree.cell;
-  json["flash_bytes"] = robot_flash_bytes(robot, links);
-  json["ram_bytes"] = robot_ram_bytes(robot.robot(), robot.pair_joint_count());
+  json["cell"] = robot.cell;
+  json["flash_bytes"] = robot_flash_bytes(*robot.fixed, robot.links);
+  json["ram_bytes"] = robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count());
   std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 
@@ -167,6 +186,7 @@ void print_robot_file(const RobotFile& file) {
             << shortest(file.cell()) << " m; slack "
             << significant(unit_length(robot.slack, file.cell()), 4) << " m; variables "
             << int{robot.variable_count} << "; hash " << hex(robot.hash, 8) << "\n\n";
+  print_unguarded(model, file.unguarded());
   const int width = width_of(model.links, "link", [](const ModelLink& l) { return l.name; });
   const int joints = width_of(model.joints, "joint", [](const ModelJoint& j) { return j.name; });
   std::cout << std::left << std::setw(width) << "link" << std::setw(joints) << "joint"
@@ -196,6 +216,7 @@ void print_robot_file_json(const RobotFile& file) {
                {"cell", file.cell()},
                {"slack", unit_length(robot.slack, file.cell())},
                {"hash", robot.hash},
+               {"not_guarded", unguarded_json(model, file.unguarded())},
                {"links", Json::array()},
                {"joints", Json::array()},
                {"pairs", Json::array()}};

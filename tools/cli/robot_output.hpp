@@ -3,21 +3,14 @@
 #ifndef FLASHBVH_TOOLS_CLI_ROBOT_OUTPUT_HPP
 #define FLASHBVH_TOOLS_CLI_ROBOT_OUTPUT_HPP
 
-#include <string>
-#include <vector>
-
-#include "robot/matrix.hpp"
-#include "robot/robot_file.hpp"
-#include "robot/robot_writer.hpp"
+#include "cli/baked_robot.hpp"
 
 namespace flashbvh::tool {
 
 /// Tables on standard output.
-void print_robot(const Model& model, const std::vector<BakedLink>& links, const FixedRobot& robot,
-                 const std::vector<PairVerdict>& pairs);
+void print_robot(const BakedRobot& robot);
 /// One object on one line.
-void print_robot_json(const Model& model, const std::vector<BakedLink>& links,
-                      const FixedRobot& robot, const std::vector<PairVerdict>& pairs);
+void print_robot_json(const BakedRobot& robot);
 
 /// What is in a robot's image, likewise.
 void print_robot_file(const RobotFile& file);

@@ -6,17 +6,23 @@
 namespace flashbvh::tool {
 namespace {
 
-constexpr std::array<MatrixVerdict, 4> kVerdicts = {
-    MatrixVerdict::never, MatrixVerdict::can, MatrixVerdict::always, MatrixVerdict::undecided};
-constexpr std::array<const char*, 4> kMeanings = {
-    "proven to collide nowhere", "collide at this share of random configurations", "not looked at",
-    "neither proven nor found to collide"};
+constexpr std::array<MatrixVerdict, 6> kVerdicts = {MatrixVerdict::never,  MatrixVerdict::can,
+                                                    MatrixVerdict::always, MatrixVerdict::undecided,
+                                                    MatrixVerdict::fixed,  MatrixVerdict::believed};
+constexpr std::array<const char*, 6> kMeanings = {"proven to collide nowhere",
+                                                  "collide at this share of random configurations",
+                                                  "intersect wherever they were tried, not guarded",
+                                                  "neither proven nor found to collide",
+                                                  "no joint moves them",
+                                                  "disabled in the SRDF, not guarded"};
 
 /// What fits a cell: how often, or how it is known.
 std::string short_reason(const PairVerdict& pair, const std::string& share) {
   return pair.verdict == MatrixVerdict::can ? share
-         : pair.verdict == MatrixVerdict::always
-             ? escaped(pair.reason.substr(0, pair.reason.find(' ')))  // fixed, neighbours, disabled
+         : pair.verdict == MatrixVerdict::always || pair.verdict == MatrixVerdict::believed
+             ? "not guarded"
+         : pair.verdict == MatrixVerdict::fixed
+             ? escaped(pair.reason.substr(pair.reason.rfind(' ') + 1))  // apart, intersecting
              : counted(pair.cells, "cell", "cells") + (pair.is_guarded ? ", guarded" : "");
 }
 
@@ -89,14 +95,15 @@ std::string matrix_section(const DecidedRobot& decided, const std::vector<std::s
 std::string matrix_style() {
   // Behind text of either scheme.
   return ".is-never{background:rgba(40,160,90,.2)}.is-can{background:rgba(var(--hot),.34)}\n"
-         ".is-always{background:rgba(130,145,165,.22)}"
+         ".is-always,.is-believed{background:rgba(220,160,20,.3)}"
+         ".is-fixed{background:rgba(130,145,165,.22)}"
          ".is-undecided{background:rgba(160,80,200,.28)}\n"
          ".pairs td{text-align:center;border:2px solid var(--paper);line-height:1.25}\n"
          ".pairs td small{display:block;color:var(--text);white-space:nowrap}\n"
          ".pairs tbody th{white-space:nowrap;padding-right:10px;position:sticky;left:0;"
          "background:var(--paper)}\n"
          ".pairs thead th{text-align:center}.key.is-can,.key.is-never,.key.is-always,"
-         ".key.is-undecided{outline:1px solid var(--soft)}\n"
+         ".key.is-undecided,.key.is-fixed,.key.is-believed{outline:1px solid var(--soft)}\n"
          "@media (max-width:539px){.words tr{display:grid;border-bottom:1px solid var(--line);"
          "grid-template-columns:1fr 5em 4.4em 4.4em;padding:4px 0}"
          ".words :is(td,th){border:0;padding:1px 0}.words thead th:last-child{display:none}"

@@ -36,6 +36,11 @@ class Decider {
     PairVerdict pair = {a, b, MatrixVerdict::always, "", {}, 0};
     const PairSpace space(model_, {a, &meshes_[a], &reaches_[a]}, {b, &meshes_[b], &reaches_[b]},
                           cell_);
+    if (space.dimensions().empty()) {
+      pair.verdict = MatrixVerdict::fixed;
+      pair.reason = concat("no joint moves them, ", space.intersect({}) ? "intersecting" : "apart");
+      return pair;
+    }
     pair.reason = why_always(space, a, b);
     if (pair.reason.empty()) {
       search(space, progress, pair);
@@ -65,9 +70,6 @@ class Decider {
       if (std::minmax(pair.a, pair.b) == std::minmax(a, b)) {
         return concat("disabled in the SRDF: ", pair.reason.empty() ? "no reason" : pair.reason);
       }
-    }
-    if (space.dimensions().empty()) {
-      return concat("fixed to each other, ", space.intersect({}) ? "intersecting" : "apart");
     }
     if (!are_neighbours(a, b) || options_.looks == 0) {
       return "";
@@ -179,7 +181,7 @@ class Decider {
 }  // namespace
 
 const char* name_of(MatrixVerdict verdict) {
-  constexpr const char* kNames[] = {"never", "can", "always", "undecided"};
+  constexpr const char* kNames[] = {"never", "can", "always", "undecided", "fixed", "believed"};
   return kNames[static_cast<std::size_t>(verdict)];
 }
 

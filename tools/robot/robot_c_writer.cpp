@@ -122,8 +122,35 @@ std::string state_sizes(const std::string& word) {
                 word, "_JOINT_COUNT)\n\n");
 }
 
+std::string unguarded_declared(const Model& model, const std::vector<UnguardedPair>& unguarded,
+                               const std::string& word) {
+  const std::vector<OutputName> links = distinct_names(names_of_links(model));
+  std::string text = concat("\n/** ", kUnguardedComment);
+  for (const UnguardedPair& pair : unguarded) {
+    text += concat("\n * ", links[pair.a].word, " - ", links[pair.b].word);
+  }
+  text += concat(" */\nenum { ", word, "_UNGUARDED_COUNT = ", unguarded.size(), " };\n");
+  return unguarded.empty() ? text
+                           : text + concat("extern const flashbvh_robot_unguarded ", word,
+                                           "_unguarded_pairs[", word, "_UNGUARDED_COUNT];\n");
+}
+
+std::string unguarded_defined(const Model& model, const std::vector<UnguardedPair>& unguarded,
+                              const std::string& word) {
+  if (unguarded.empty()) {
+    return "";
+  }
+  std::vector<std::string> links;
+  for (const OutputName& link : distinct_names(names_of_links(model))) {
+    links.push_back(word + "_link_" + link.word);
+  }
+  return array(concat("flashbvh_robot_unguarded ", word, "_unguarded_pairs[]"), unguarded,
+               [&](const UnguardedPair& pair) { return text_of(pair, links, kRobotInC); });
+}
+
 std::string c_header_of(const Model& model, const FixedRobot& robot,
-                        const std::vector<BakedLink>& links, const OutputName& name) {
+                        const std::vector<BakedLink>& links,
+                        const std::vector<UnguardedPair>& unguarded, const OutputName& name) {
   const std::string guard = "FLASHBVH_BAKED_" + name.word + "_ROBOT_H";
   return kWrittenForC +
          concat("#ifndef ", guard, "\n#define ", guard, "\n\n#include \"flashbvh/robot.h\"\n\n",
@@ -136,12 +163,14 @@ std::string c_header_of(const Model& model, const FixedRobot& robot,
          "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n"
          "/* Where tools are fastened: the frames of all links of the URDF. */\n" +
          mount_names(model, links[0].tree.cell, name, true) +
+         unguarded_declared(model, unguarded, name.word) +
          concat("\nextern const flashbvh_robot ", name.word,
                 "_robot;\n\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
 }
 
 std::string c_source_of(const Model& model, const FixedRobot& robot,
-                        const std::vector<BakedLink>& links, const OutputName& name) {
+                        const std::vector<BakedLink>& links,
+                        const std::vector<UnguardedPair>& unguarded, const OutputName& name) {
   const auto constants = [](const char* declaration, const auto& elements) {
     return array_if_any("static ", declaration, elements, kRobotInC);
   };
@@ -153,6 +182,7 @@ std::string c_source_of(const Model& model, const FixedRobot& robot,
          constants("uint32_t reaches", robot.reaches()) +
          constants("uint8_t charts", robot.charts()) +
          mount_names(model, links[0].tree.cell, name, false) +
+         unguarded_defined(model, unguarded, name.word) +
          concat("\nconst flashbvh_robot ", name.word, "_robot = ",
                 text_of(robot,
                         {"joints", "links", "(const flashbvh_mesh*)meshes", "pairs", "reaches",
@@ -164,8 +194,10 @@ std::string c_source_of(const Model& model, const FixedRobot& robot,
 }  // namespace
 
 SourceFiles robot_in_c(const Model& model, const FixedRobot& robot,
-                       const std::vector<BakedLink>& links, const OutputName& name) {
-  return {c_header_of(model, robot, links, name), c_source_of(model, robot, links, name)};
+                       const std::vector<BakedLink>& links,
+                       const std::vector<UnguardedPair>& unguarded, const OutputName& name) {
+  return {c_header_of(model, robot, links, unguarded, name),
+          c_source_of(model, robot, links, unguarded, name)};
 }
 
 }  // namespace flashbvh::tool

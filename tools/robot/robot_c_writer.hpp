@@ -7,13 +7,15 @@
 #include "image/source_text.hpp"
 #include "robot/bake_links.hpp"
 #include "robot/fixed_robot.hpp"
+#include "robot/unguarded.hpp"
 
 namespace flashbvh::tool {
 
 /// NAME.robot.h and NAME.robot.c: `NAME_robot` for flashbvh/robot.h, and its constants, whose names
 /// begin with NAME_. Meshes lie in their images, which need no opening.
 SourceFiles robot_in_c(const Model& model, const FixedRobot& robot,
-                       const std::vector<BakedLink>& links, const OutputName& name);
+                       const std::vector<BakedLink>& links,
+                       const std::vector<UnguardedPair>& unguarded, const OutputName& name);
 
 }  // namespace flashbvh::tool
 

@@ -132,4 +132,13 @@ Model RobotFile::model() const {
   return model;
 }
 
+std::vector<UnguardedPair> RobotFile::unguarded() const {
+  std::vector<UnguardedPair> unguarded;
+  const RobotUnguarded* const kept = flashbvh::unguarded_pairs(words_.data());
+  for (std::uint32_t i = 0; i < unguarded_count(words_.data()); ++i) {
+    unguarded.push_back(unguarded_pair(kept[i].a, kept[i].b, kept[i].why));
+  }
+  return unguarded;
+}
+
 }  // namespace flashbvh::tool

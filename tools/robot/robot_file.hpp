@@ -8,6 +8,7 @@
 
 #include "flashbvh/robot/image.hpp"
 #include "robot/model.hpp"
+#include "robot/unguarded.hpp"
 
 namespace flashbvh::tool {
 
@@ -29,6 +30,7 @@ class RobotFile {
   std::string name() const;  ///< of the robot
   /// What is known of it without its URDF: names, joints, and what hangs on them, but no meshes.
   Model model() const;
+  std::vector<UnguardedPair> unguarded() const;
 
  private:
   std::string path_;

@@ -98,12 +98,18 @@ void check_limits(const Model& model, const Robot& robot) {
 }  // namespace
 
 std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
+                                       const std::vector<UnguardedPair>& unguarded,
                                        const std::vector<std::vector<std::uint32_t>>& meshes,
                                        const std::string& name) {
   check_limits(model, robot);
   RobotImageHeader header = header_of(robot);
   const std::string names = names_of(model, name);
+  if (names.size() > UINT16_MAX) {
+    throw UserError(model.path, "has names of ", names.size(),
+                    " bytes together; an image holds 65,535: shorten them");
+  }
   header.names_size = static_cast<std::uint16_t>(names.size());
+  header.unguarded_count = static_cast<std::uint16_t>(unguarded.size());
   double cell = 0;
   std::memcpy(&cell, &robot.cell_bits, sizeof cell);
   const std::vector<Mount> mounts = fixed_mounts(model, cell);
@@ -115,6 +121,10 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
   bytes.add(robot.pairs, robot.pair_count);
   bytes.add(robot.reaches, robot.reach_count);
   bytes.add(mounts.data(), mounts.size());
+  for (const UnguardedPair& pair : unguarded) {
+    const RobotUnguarded kept = fixed_unguarded(pair);
+    bytes.add(&kept, 1);
+  }
   bytes.add(robot.charts, robot.chart_bytes);
   bytes.add(names.data(), names.size());
   bytes.fill();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "robot/fixed_robot.hpp"
+#include "robot/unguarded.hpp"
 
 namespace flashbvh::tool {
 
@@ -14,6 +15,7 @@ namespace flashbvh::tool {
 /// indices, in metres. Names are cut after 255 bytes. UserError if the robot has limits that no
 /// value keeps, or would be 4 GiB or more.
 std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
+                                       const std::vector<UnguardedPair>& unguarded,
                                        const std::vector<std::vector<std::uint32_t>>& meshes,
                                        const std::string& name);
 

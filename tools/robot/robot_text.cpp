@@ -8,11 +8,13 @@ const RobotLanguage kRobotInCpp = {
     "flashbvh::kBase",
     {"flashbvh::JointType::revolute", "flashbvh::JointType::continuous",
      "flashbvh::JointType::prismatic"},
+    {"flashbvh::WhyUnguarded::intersecting", "flashbvh::WhyUnguarded::believed"},
     "{}",
     "nullptr"};
 const RobotLanguage kRobotInC = {
     "FLASHBVH_BASE",
     {"FLASHBVH_JOINT_REVOLUTE", "FLASHBVH_JOINT_CONTINUOUS", "FLASHBVH_JOINT_PRISMATIC"},
+    {"FLASHBVH_UNGUARDED_INTERSECTING", "FLASHBVH_UNGUARDED_BELIEVED"},
     "{0}",
     "0"};
 
@@ -69,6 +71,12 @@ std::string text_of(std::uint32_t reach, const RobotLanguage& /*language*/) {
 
 std::string text_of(std::uint8_t distance, const RobotLanguage& /*language*/) {
   return std::to_string(distance);
+}
+
+std::string text_of(const UnguardedPair& pair, const std::vector<std::string>& links,
+                    const RobotLanguage& language) {
+  return concat("{", links[pair.a], ", ", links[pair.b], ", ",
+                language.why_unguarded[static_cast<std::size_t>(pair.why)], ", 0}");
 }
 
 std::string text_of(const FixedRobot& robot, const RobotArrays& arrays,

@@ -10,6 +10,7 @@
 #include "image/source_text.hpp"
 #include "robot/fixed_robot.hpp"
 #include "robot/model.hpp"
+#include "robot/unguarded.hpp"
 
 namespace flashbvh::tool {
 
@@ -17,7 +18,8 @@ namespace flashbvh::tool {
 struct RobotLanguage {
   const char* base;            ///< of kBase
   const char* joint_types[3];  ///< revolute, continuous, prismatic
-  const char* zeros;           ///< of an array
+  const char* why_unguarded[2];
+  const char* zeros;  ///< of an array
   const char* null;
 };
 
@@ -31,6 +33,13 @@ std::string text_of(const RobotLink& link, const RobotLanguage& language);
 std::string text_of(const RobotPair& pair, const RobotLanguage& language);
 std::string text_of(std::uint32_t reach, const RobotLanguage& language);
 std::string text_of(std::uint8_t distance, const RobotLanguage& language);
+
+/// Of what no guard looks at, in both languages.
+constexpr const char* kUnguardedComment =
+    "Pairs of links that a joint moves and no guard looks at: their collisions are never detected.";
+/// "{table, bridge, why, 0}"; `links`: the names of the links' numbers.
+std::string text_of(const UnguardedPair& pair, const std::vector<std::string>& links,
+                    const RobotLanguage& language);
 
 /// "PREFIXconst TYPE NAME[] = {...};", or nothing if there are none: no array is empty.
 template <class Element>

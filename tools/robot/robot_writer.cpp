@@ -58,8 +58,23 @@ std::string constant(const char* name, std::size_t value, const char* comment) {
   return concat("constexpr uint32_t ", name, " = ", value, ";  ///< ", comment, "\n");
 }
 
+std::string unguarded_of(const Model& model, const std::vector<UnguardedPair>& unguarded) {
+  std::string text = concat("\n/// ", kUnguardedComment, "\n") +
+                     concat("constexpr uint32_t kUnguardedCount = ", unguarded.size(), ";\n");
+  if (unguarded.empty()) {
+    return text;
+  }
+  std::vector<std::string> links;
+  for (const OutputName& name : distinct_names(names_of_links(model))) {
+    links.push_back("links::" + name.identifier);
+  }
+  return text + array("flashbvh::RobotUnguarded kUnguardedPairs[]", unguarded,
+                      [&](const UnguardedPair& pair) { return text_of(pair, links, kRobotInCpp); });
+}
+
 std::string header_of(const Model& model, const FixedRobot& robot,
-                      const std::vector<BakedLink>& links, const OutputName& name) {
+                      const std::vector<BakedLink>& links,
+                      const std::vector<UnguardedPair>& unguarded, const OutputName& name) {
   const double cell = links[0].tree.cell;
   const std::string guard = "FLASHBVH_BAKED_" + name.identifier + "_ROBOT_HPP";
   return kWrittenBy +
@@ -80,7 +95,8 @@ std::string header_of(const Model& model, const FixedRobot& robot,
          numbers_of("variables", "Where each joint's value stands among the caller's.",
                     names_of_variables(model)) +
          "\n" + numbers_of("links", "Links by number.", names_of_links(model)) +
-         mounts_of(model, cell) + "\n/// For messages: linked only if they are used.\n" +
+         unguarded_of(model, unguarded) + mounts_of(model, cell) +
+         "\n/// For messages: linked only if they are used.\n" +
          array_of_names("kLinkNames", names_of_links(model)) +
          (model.variables.empty() ? ""
                                   : array_of_names("kVariableNames", names_of_variables(model))) +
@@ -149,8 +165,9 @@ std::size_t robot_ram_bytes(const Robot& robot, std::size_t pair_joint_count) {
 }
 
 SourceFiles robot_sources(const Model& model, const FixedRobot& robot,
-                          const std::vector<BakedLink>& links, const OutputName& name) {
-  return {header_of(model, robot, links, name), source_of(model, robot, links, name)};
+                          const std::vector<BakedLink>& links,
+                          const std::vector<UnguardedPair>& unguarded, const OutputName& name) {
+  return {header_of(model, robot, links, unguarded, name), source_of(model, robot, links, name)};
 }
 
 }  // namespace flashbvh::tool

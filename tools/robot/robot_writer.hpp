@@ -8,6 +8,7 @@
 #include "image/source_text.hpp"
 #include "robot/bake_links.hpp"
 #include "robot/fixed_robot.hpp"
+#include "robot/unguarded.hpp"
 
 namespace flashbvh::tool {
 
@@ -23,7 +24,8 @@ std::size_t robot_ram_bytes(const Robot& robot, std::size_t pair_joint_count);
 
 /// NAME.robot.hpp and NAME.robot.cpp: `NAME::robot` and its constants.
 SourceFiles robot_sources(const Model& model, const FixedRobot& robot,
-                          const std::vector<BakedLink>& links, const OutputName& name);
+                          const std::vector<BakedLink>& links,
+                          const std::vector<UnguardedPair>& unguarded, const OutputName& name);
 
 }  // namespace flashbvh::tool
 

@@ -103,6 +103,20 @@ typedef struct FLASHBVH_TWIN flashbvh_robot_pair {
   uint8_t joints_b;
 } flashbvh_robot_pair;
 
+/** Why no guard looks at two links that a joint moves. */
+typedef enum flashbvh_why_unguarded {
+  FLASHBVH_UNGUARDED_INTERSECTING = 0,
+  FLASHBVH_UNGUARDED_BELIEVED = 1
+} flashbvh_why_unguarded;
+
+/** RobotUnguarded: two links whose collisions are never detected. */
+typedef struct FLASHBVH_TWIN flashbvh_robot_unguarded {
+  uint8_t a; /**< links */
+  uint8_t b;
+  uint8_t why; /**< a flashbvh_why_unguarded */
+  uint8_t padding;
+} flashbvh_robot_unguarded;
+
 /** Robot: a view of arrays that outlive it. */
 typedef struct FLASHBVH_TWIN flashbvh_robot {
   const flashbvh_robot_joint* joints;
@@ -164,6 +178,11 @@ const char* flashbvh_link_name(const void* image, uint32_t link);
 uint32_t flashbvh_mount_count(const void* image);
 const flashbvh_mount* flashbvh_mounts(const void* image);
 const char* flashbvh_mount_name(const void* image, uint32_t mount);
+
+/** Pairs of links that a joint moves and that no guard looks at: a collision of the two is never
+ * detected. */
+uint32_t flashbvh_unguarded_count(const void* image);
+const flashbvh_robot_unguarded* flashbvh_unguarded_pairs(const void* image);
 
 /* Kinematics: robot/kinematics.hpp ------------------------------------------------------------- */
 

@@ -33,3 +33,11 @@ const flashbvh_mount* flashbvh_mounts(const void* image) {
 const char* flashbvh_mount_name(const void* image, uint32_t mount) {
   return mount_name(image, mount);
 }
+
+uint32_t flashbvh_unguarded_count(const void* image) {
+  return unguarded_count(image);
+}
+
+const flashbvh_robot_unguarded* flashbvh_unguarded_pairs(const void* image) {
+  return reinterpret_cast<const flashbvh_robot_unguarded*>(unguarded_pairs(image));
+}

@@ -43,6 +43,9 @@ FLASHBVH_SAME_PLACE(RobotPair, flashbvh_robot_pair, b);
 FLASHBVH_SAME_PLACE(RobotPair, flashbvh_robot_pair, joints_a);
 FLASHBVH_SAME_PLACE(RobotPair, flashbvh_robot_pair, joints_b);
 
+FLASHBVH_SAME_SIZE(RobotUnguarded, flashbvh_robot_unguarded);
+FLASHBVH_SAME_PLACE(RobotUnguarded, flashbvh_robot_unguarded, why);
+
 FLASHBVH_SAME_SIZE(Robot, flashbvh_robot);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, links);
 FLASHBVH_SAME_PLACE(Robot, flashbvh_robot, meshes);

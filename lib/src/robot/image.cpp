@@ -34,8 +34,13 @@ uint32_t mounts_offset(const RobotImageHeader& header) {
                                header.reach_count * sizeof(uint32_t));
 }
 
-uint32_t charts_offset(const RobotImageHeader& header) {
+uint32_t unguarded_offset(const RobotImageHeader& header) {
   return mounts_offset(header) + static_cast<uint32_t>(header.mount_count * sizeof(Mount));
+}
+
+uint32_t charts_offset(const RobotImageHeader& header) {
+  return unguarded_offset(header) +
+         static_cast<uint32_t>(header.unguarded_count * sizeof(RobotUnguarded));
 }
 
 uint32_t names_offset(const RobotImageHeader& header) {
@@ -46,7 +51,7 @@ uint32_t names_offset(const RobotImageHeader& header) {
 bool counts_fit(const RobotImageHeader& header) {
   return header.joint_count <= kMaxJoints && header.link_count >= 1 &&
          header.link_count <= kMaxLinks && header.variable_count <= header.joint_count &&
-         header.slack >= kLeastSlack && header.slack <= kMaxDistance;
+         header.slack >= kLeastSlack && header.slack <= kMaxDistance && header.padding == 0;
 }
 
 /// As many names as there have to be, none too long, and zeros from there to the meshes.
@@ -79,6 +84,34 @@ bool mounts_fit(const void* bytes, const RobotImageHeader& header) {
         (padding[0] | padding[1] | padding[2]) != 0) {
       return false;
     }
+  }
+  return true;
+}
+
+uint32_t links_of(uint32_t a, uint32_t b) {
+  return a << 8 | b;
+}
+
+/// Ascending, of links that a joint moves against each other, and none of them guarded.
+[[gnu::noinline]] bool unguarded_fit(const void* bytes, const Robot& robot) {
+  const uint32_t count = header_of(bytes).unguarded_count;
+  const RobotUnguarded* const unguarded = unguarded_pairs(bytes);
+  uint32_t before = 0;
+  const RobotPair* guarded = robot.pairs;
+  for (uint32_t i = 0; i < count; ++i) {
+    const RobotUnguarded& pair = unguarded[i];
+    const uint32_t links = links_of(pair.a, pair.b);
+    while (guarded != robot.pairs + robot.pair_count && links_of(guarded->a, guarded->b) < links) {
+      ++guarded;
+    }
+    const bool is_guarded =
+        guarded != robot.pairs + robot.pair_count && links_of(guarded->a, guarded->b) == links;
+    if (pair.a >= pair.b || pair.b >= robot.link_count || links <= before || is_guarded ||
+        robot.links[pair.a].joint == robot.links[pair.b].joint ||
+        pair.why > WhyUnguarded::believed || pair.padding != 0) {
+      return false;
+    }
+    before = links;
   }
   return true;
 }
@@ -179,7 +212,8 @@ Status open_robot_unhashed(const void* bytes, size_t size, PostMesh* meshes, uin
   view(bytes, meshes, robot);
   uint32_t pair_joint_count = 0;
   if (!counts_fit(header) || !names_fit(bytes, header) || !mounts_fit(bytes, header) ||
-      !check_robot(robot, pair_joint_count) || pair_joint_count != header.pair_joint_count) {
+      !check_robot(robot, pair_joint_count) || pair_joint_count != header.pair_joint_count ||
+      !unguarded_fit(bytes, robot)) {
     return Status::image_invalid;
   }
   if (header.link_count > mesh_capacity) {
@@ -246,6 +280,14 @@ const Mount* mounts(const void* image) {
 
 const char* mount_name(const void* image, uint32_t mount) {
   return link_name(image, header_of(image).link_count + mount);
+}
+
+uint32_t unguarded_count(const void* image) {
+  return header_of(image).unguarded_count;
+}
+
+const RobotUnguarded* unguarded_pairs(const void* image) {
+  return image_part<RobotUnguarded>(image, unguarded_offset(header_of(image)));
 }
 
 }  // namespace flashbvh

@@ -1,13 +1,14 @@
 // A robot's binary image: joints, links, the pairs that can collide and the links' meshes in one
 // block of bytes, opened in place, in flash.
 //
-// A header of 48 bytes, then, each at a multiple of 4 bytes:
+// A header of 52 bytes, then, each at a multiple of 4 bytes:
 //
 //     joints   joint_count  x 72 bytes, RobotJoint
 //     links    link_count   x 24 bytes, RobotLink
 //     pairs    pair_count   x 16 bytes, RobotPair
 //     reaches  reach_count  x  4 bytes
 //     mounts   mount_count  x 52 bytes, Mount
+//     unguarded  unguarded_count x 4 bytes, RobotUnguarded
 //     charts   chart_bytes  bytes
 //     names    names_size   bytes: the robot's, the joints', the links', the mounts', each
 //                           ended by a zero
@@ -26,12 +27,12 @@
 namespace flashbvh {
 
 constexpr uint32_t kRobotImageMagic = 0x52564246u;  // "FBVR"
-constexpr uint16_t kRobotImageVersion = 1;
+constexpr uint16_t kRobotImageVersion = 2;
 
 /// Most bytes of a name in it, without the zero at its end.
 constexpr uint32_t kMaxRobotNameSize = 255;
 
-/// The first 48 bytes of a robot's image.
+/// The first 52 bytes of a robot's image.
 struct RobotImageHeader {
   uint32_t magic;
   uint16_t version;
@@ -49,9 +50,11 @@ struct RobotImageHeader {
   uint16_t names_size;
   uint8_t variable_count;
   uint8_t mount_count;
+  uint16_t unguarded_count;
+  uint16_t padding;
 };
 
-static_assert(sizeof(RobotImageHeader) == 48, "the figure in the format's description");
+static_assert(sizeof(RobotImageHeader) == 52, "the figure in the format's description");
 
 /// Checks magic, version and size, and copies the header: tells what it may be of, not whether its
 /// contents can be trusted.
@@ -65,8 +68,8 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
 /// Proven are the joints' tree, types, limits, mimics and frames; where each link's reaches stand,
 /// that its sphere holds its mesh, and that nothing gets farther from the base than frames can say;
 /// of each pair the joints between, the sum of their reaches and its distances, and how many
-/// bytes its chart has; each mount's joint; each mesh, by
-/// open_image(); that all have one cell; the hash.
+/// bytes its chart has; each mount's joint; that the pairs that are not guarded
+/// are none of the guarded ones; each mesh, by open_image(); that all have one cell; the hash.
 ///
 /// Trusted is what can't be worked out from the rest, and bounds what a guard's word is worth: how
 /// far turning joints move links (the reaches), what the charts say, that the other pairs never
@@ -95,6 +98,11 @@ uint32_t mount_count(const void* image);
 const Mount* mounts(const void* image);
 /// Of a mount, numbered below mount_count(): its link's.
 const char* mount_name(const void* image, uint32_t mount);
+
+/// Pairs of links that a joint moves and that no guard looks at, of an image that was opened.
+uint32_t unguarded_count(const void* image);
+/// So many of them, in the image; ascending by a, then b.
+const RobotUnguarded* unguarded_pairs(const void* image);
 
 }  // namespace flashbvh
 

@@ -91,6 +91,21 @@ struct RobotPair {
   uint8_t joints_b;
 };
 
+/// Why no guard looks at two links that a joint moves.
+enum class WhyUnguarded : uint8_t {
+  intersecting = 0,  ///< neighbours that intersect at all configurations tried
+  believed = 1,      ///< they can collide, but an SRDF disables the pair and --believe names it
+};
+
+/// Two links that a joint moves and that no guard looks at: a collision of the two is never
+/// detected. 4 bytes.
+struct RobotUnguarded {
+  uint8_t a;  ///< links
+  uint8_t b;
+  WhyUnguarded why;
+  uint8_t padding;
+};
+
 /// A view of arrays that outlive it.
 struct Robot {
   const RobotJoint* joints;  ///< joint_count, parents before children
