@@ -207,10 +207,7 @@ TEST_CASE("what need not be asked says why") {
   const PairVerdict fixed = decided(model, 0, 2);
   CHECK(fixed.verdict == MatrixVerdict::fixed);
   CHECK(fixed.reason == "no joint moves them, apart");
-  model.disabled = {{1, 0, "Adjacent"}};
-  CHECK(decided(model, 0, 1).reason == "disabled in the SRDF: Adjacent");
   // A hub and what turns on it.
-  model.disabled.clear();
   model.neighbours = {{1, 2}, {0, 1}};
   model.links[2].mesh = prism(12, 0.25, 0, 0, -0.2, 0.2);
   const PairVerdict hub = decided(model, 1, 2);
@@ -219,6 +216,55 @@ TEST_CASE("what need not be asked says why") {
         "neighbours that intersect at each of 256 configurations spread over the limits; sampled, "
         "not proven");
   CHECK(decided(model, 0, 1).verdict == MatrixVerdict::can);  // neighbours, but not everywhere
+}
+
+TEST_CASE("neighbours that intersect wherever they are tried are decided if they get distances") {
+  Model model = rod_and_wall(-3, 3, 0.5);
+  add_link(model, kNoJoint, prism(12, 0.25, 0, 0, -0.2, 0.2));
+  model.neighbours = {{1, 2}};
+  MatrixOptions options;
+  options.stops = {{2, 1, 0, 0}};
+  const PairVerdict forced = decided(model, 1, 2, options);
+  CHECK(forced.verdict == MatrixVerdict::can);
+  CHECK(forced.is_guarded);
+}
+
+TEST_CASE("what an SRDF disables is decided as any pair") {
+  Model model = rod_and_wall(-1, 1, 0.5);
+  model.disabled = {{1, 0, "Never", 7}};
+  const PairVerdict can = decided(model, 0, 1);
+  CHECK(can.verdict == MatrixVerdict::can);
+  CHECK(can.is_guarded);
+  model.disabled[0].is_believed = true;
+  const PairVerdict believed = decided(model, 0, 1);
+  CHECK(believed.verdict == MatrixVerdict::believed);
+  CHECK(believed.reason == "intersect at the witness; disabled in the SRDF and believed");
+  CHECK_FALSE(believed.is_guarded);
+  // What is too near to tell is guarded, unless it is believed.
+  model.joints[0].upper = angle_at(0.5 - 1.2 * kCell);
+  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::believed);
+  model.disabled[0].is_believed = false;
+  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::undecided);
+  CHECK(decided(model, 0, 1).is_guarded);
+  // What never collides is no more than that, and not guarded for the stop distance.
+  model.joints[0].upper = angle_at(0.45);
+  MatrixOptions options;
+  options.stop = 0.1 / kCell;
+  CHECK(decided(model, 0, 1, options).verdict == MatrixVerdict::never);
+  CHECK_FALSE(decided(model, 0, 1, options).is_guarded);
+  options.stops = {{0, 1, options.stop, options.stop}};
+  CHECK(decided(model, 0, 1, options).is_guarded);
+}
+
+TEST_CASE("a proof and the proof for the stop distance are told apart") {
+  MatrixOptions options;
+  options.stop = 10;
+  const PairVerdict pair = decided(rod_and_wall(-1, angle_at(0.4), 0.5), 0, 1, options);
+  const PairVerdict alone = decided(rod_and_wall(-1, angle_at(0.4), 0.5), 0, 1);
+  CHECK(alone.reason ==
+        "proven for all values within the limits, " + std::to_string(alone.cells) + " cells");
+  CHECK(pair.reason ==
+        alone.reason + "; " + std::to_string(pair.cells - alone.cells) + " more for --stop");
 }
 
 TEST_CASE("plates that slide beside each other end") {

@@ -221,7 +221,30 @@ TEST_CASE("an SRDF's pairs, each once, with their reasons") {
   CHECK(model.disabled[0].a == 0);
   CHECK(model.disabled[0].b == 2);
   CHECK(model.disabled[0].reason == "Never");
+  CHECK(model.disabled[0].line == 1);
   files.write("bad.srdf", "<robot name=\"arm\">\n<disable_collisions link1=\"a\"/></robot>");
   CHECK_THROWS_WITH(files.read(robot, files.path("bad.srdf")),
                     Catch::Matchers::Contains("bad.srdf:2: has a <disable_collisions>"));
+}
+
+TEST_CASE("an SRDF's default is disabled for all pairs of a link but those that it enables") {
+  RobotFiles files;
+  files.write("arm.srdf",
+              "<robot name=\"arm\">\n<disable_default_collisions link=\"a\"/>\n"
+              "<enable_collisions link1=\"b\" link2=\"a\"/>\n"
+              "<enable_collisions link1=\"b\" link2=\"c\"/>\n"
+              "<disable_collisions link1=\"b\" link2=\"c\" reason=\"User\"/></robot>");
+  const std::string robot = link_text("a") + link_text("b") + link_text("c") + link_text("d") +
+                            joint_text("j", "fixed", "a", "b") +
+                            joint_text("k", "fixed", "a", "c") + joint_text("l", "fixed", "a", "d");
+  const tool::Model model = files.read(robot, files.path("arm.srdf"));
+  REQUIRE(model.disabled.size() == 3);
+  CHECK((model.disabled[0].a == 1 && model.disabled[0].b == 2 && model.disabled[0].line == 5));
+  CHECK((model.disabled[1].a == 0 && model.disabled[1].b == 2));
+  CHECK(model.disabled[1].reason == "disable_default_collisions");
+  CHECK((model.disabled[2].a == 0 && model.disabled[2].b == 3 && model.disabled[2].line == 2));
+  files.write("bad.srdf", "<robot name=\"arm\">\n<disable_default_collisions/></robot>");
+  CHECK_THROWS_WITH(files.read(robot, files.path("bad.srdf")),
+                    Catch::Matchers::Contains("bad.srdf:2: has a <disable_default_collisions> that "
+                                              "does not name a link; give it link"));
 }

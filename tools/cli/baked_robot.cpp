@@ -6,6 +6,7 @@
 #include "cli/mesh_warnings.hpp"
 #include "cli/progress.hpp"
 #include "flashbvh/clearance.hpp"
+#include "robot/believed.hpp"
 #include "robot/charts.hpp"
 #include "robot/urdf.hpp"
 
@@ -111,6 +112,22 @@ std::size_t link_of(const Model& model, const std::string& place, const std::str
   return static_cast<std::size_t>(link - model.links.begin());
 }
 
+/// LINK,LINK
+std::pair<std::size_t, std::size_t> links_of(const Model& model, const std::string& place,
+                                             const std::string& names) {
+  const std::size_t comma = names.find(',');
+  if (comma == std::string::npos) {
+    throw UserError(place, "does not name LINK,LINK; give two links");
+  }
+  const std::pair<std::size_t, std::size_t> links = {
+      link_of(model, place, names.substr(0, comma)),
+      link_of(model, place, names.substr(comma + 1))};
+  if (links.first == links.second) {
+    throw UserError(place, "names one link twice; give two");
+  }
+  return links;
+}
+
 /// LINK,LINK=STOP[,WARN]
 GuardedPair own_distances(const Model& model, const std::string& given) {
   const std::string place = "--pair " + given;
@@ -125,13 +142,8 @@ GuardedPair own_distances(const Model& model, const std::string& given) {
   const Distances distances =
       distances_of(place + ":", stop, place + ":",
                    split == std::string::npos ? stop : lengths.substr(split + 1));
-  const GuardedPair pair = {link_of(model, place, given.substr(0, comma)),
-                            link_of(model, place, given.substr(comma + 1, equals - comma - 1)),
-                            distances.stop, distances.warn};
-  if (pair.a == pair.b) {
-    throw UserError(place, "names one link twice; give two");
-  }
-  return pair;
+  const auto [a, b] = links_of(model, place, given.substr(0, equals));
+  return {a, b, distances.stop, distances.warn};
 }
 
 const GuardedPair* own_of(const std::vector<GuardedPair>& own, std::size_t a, std::size_t b) {
@@ -147,6 +159,12 @@ AllDistances all_distances(const Model& model, const RobotArguments& arguments) 
     const GuardedPair pair = own_distances(model, given);
     if (own_of(all.own, pair.a, pair.b) != nullptr) {
       throw UserError("--pair " + given, "says it of these links a second time; say it once");
+    }
+    for (const DisabledPair& disabled : model.disabled) {
+      if (disabled.is_believed &&
+          std::minmax(disabled.a, disabled.b) == std::minmax(pair.a, pair.b)) {
+        throw UserError("--pair " + given, "guards what --believe leaves out; give one of the two");
+      }
     }
     all.own.push_back(pair);
   }
@@ -220,8 +238,14 @@ void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
                "' are nowhere found farther apart than the ", word, " distance, ",
                shortest(distance), " m, so a guard would ",
                pair.is_stopped ? "always say stop; " : "never say free; ",
-               distance == 0 ? "" : concat("lower it (--", word, ", --pair), or "),
-               "disable the pair in an SRDF"));
+               distance != 0    ? concat("lower it (--", word, ", --pair), or ")
+               : own != nullptr ? "leave out its --pair, or "
+                                : "",
+               "disable the pair in an SRDF",
+               pair.verdict == MatrixVerdict::never
+                   ? ""
+                   : concat(" and name it by --believe ", robot.model.links[pair.a].name, ",",
+                            robot.model.links[pair.b].name)));
   }
 }
 
@@ -238,8 +262,19 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--srdf", arguments.srdf, "Pairs of links that shall not be looked at")
+  command
+      .add_option("--srdf", arguments.srdf,
+                  "Pairs of links that need no guard; those that can collide are an error")
       ->type_name("FILE");
+  command
+      .add_option("--believe", arguments.believed,
+                  "Two links that --srdf disables and that can collide: don't guard them; may be "
+                  "repeated")
+      ->type_name("LINK,LINK")
+      ->type_size(1)
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
       .add_option("--cell", arguments.cell,
                   "Size of a lattice cell; default: the finest that all the links fit")
@@ -270,6 +305,11 @@ Model described_robot(const RobotArguments& arguments, Warnings& warnings) {
   Model model =
       read_urdf(arguments.urdf, packages_of(arguments.packages), arguments.srdf, warnings);
   check_counts(model, arguments.urdf);
+  for (const std::string& names : arguments.believed) {
+    const std::string place = "--believe " + names;
+    const auto [a, b] = links_of(model, place, names);
+    believe(a, b, place, model);
+  }
   return model;
 }
 
@@ -287,6 +327,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   made.links = bake_links(made.model, made.cell, arguments, progress, warnings);
   const std::vector<PostMesh> meshes = meshes_of(made.links);
   made.pairs = decide(made.model, meshes, made.cell, distances, progress);
+  check_disabled(made.model, made.pairs, arguments.srdf, warnings);
   made.unguarded = unguarded_pairs(made.pairs);
   warn_of_unguarded(made, arguments.urdf, warnings);
   warn_of_near(made, distances, arguments, warnings);
@@ -299,8 +340,8 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
 }
 
 BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings) {
-  for (const char* const option :
-       {"--package", "--srdf", "--cell", "--leaf-size", "--stop", "--warn", "--pair"}) {
+  for (const char* const option : {"--package", "--srdf", "--believe", "--cell", "--leaf-size",
+                                   "--stop", "--warn", "--pair"}) {
     if (command.count(option) != 0) {
       throw UserError(path, "is baked already, ", option,
                       " is for a URDF; leave it out, or bake again with `flashbvh robot`");

@@ -22,6 +22,7 @@ struct RobotArguments {
   std::string urdf;
   std::vector<std::string> packages;
   std::string srdf;
+  std::vector<std::string> believed;  ///< pairs that the SRDF disables
   std::optional<std::string> cell;
   std::string stop = "0";
   std::optional<std::string> warn;

@@ -21,6 +21,15 @@ constexpr std::uint64_t kManyCells = 65536;
 constexpr std::uint32_t kStarts = 256;
 constexpr const char* kProven = "proven for all values within the limits, ";
 
+/// The one of these two links, in either order, or null.
+template <class Element>
+const Element* of_pair(const std::vector<Element>& elements, std::size_t a, std::size_t b) {
+  const auto found = std::find_if(elements.begin(), elements.end(), [&](const Element& of) {
+    return std::minmax(of.a, of.b) == std::minmax(a, b);
+  });
+  return found == elements.end() ? nullptr : &*found;
+}
+
 class Decider {
  public:
   Decider(const Model& model, const std::vector<PostMesh>& meshes, double cell,
@@ -44,34 +53,22 @@ class Decider {
     pair.reason = why_always(space, a, b);
     if (pair.reason.empty()) {
       search(space, progress, pair);
-      const auto [stop, warn] = distances_of(a, b);
-      pair.is_guarded = pair.verdict != MatrixVerdict::never ||
-                        (stop > 0 && !stays_away(space, stop, progress, pair));
-      pair.is_stopped = pair.is_guarded && is_within(space, stop);
-      pair.is_warned = pair.is_guarded && !pair.is_stopped && is_within(space, warn);
+      if (!is_left_out(pair)) {
+        guard(space, progress, pair);
+      }
     }
     return pair;
   }
 
  private:
-  /// To stop, to warn.
-  std::pair<double, double> distances_of(std::size_t a, std::size_t b) const {
-    for (const StopDistance& pair : options_.stops) {
-      if (std::minmax(pair.a, pair.b) == std::minmax(a, b)) {
-        return {pair.stop, pair.warn};
-      }
-    }
-    return {options_.stop, options_.warn};
+  /// Null if the usual ones hold.
+  const StopDistance* own_distances(std::size_t a, std::size_t b) const {
+    return of_pair(options_.stops, a, b);
   }
 
-  /// Empty unless the pair need not be asked about.
+  /// Empty if the pair has to be decided.
   std::string why_always(const PairSpace& space, std::size_t a, std::size_t b) const {
-    for (const DisabledPair& pair : model_.disabled) {
-      if (std::minmax(pair.a, pair.b) == std::minmax(a, b)) {
-        return concat("disabled in the SRDF: ", pair.reason.empty() ? "no reason" : pair.reason);
-      }
-    }
-    if (!are_neighbours(a, b) || options_.looks == 0) {
+    if (!are_neighbours(a, b) || options_.looks == 0 || own_distances(a, b) != nullptr) {
       return "";
     }
     for (std::uint32_t i = 0; i < options_.looks; ++i) {
@@ -87,6 +84,40 @@ class Decider {
     return std::any_of(model_.neighbours.begin(), model_.neighbours.end(), [&](const auto& pair) {
       return std::minmax(pair.first, pair.second) == std::minmax(a, b);
     });
+  }
+
+  /// Whether the SRDF keeps a pair that is decided from being guarded.
+  bool is_left_out(PairVerdict& pair) const {
+    const DisabledPair* const disabled = of_pair(model_.disabled, pair.a, pair.b);
+    if (disabled == nullptr) {
+      return false;
+    }
+    if (pair.verdict == MatrixVerdict::never) {
+      return own_distances(pair.a, pair.b) == nullptr;
+    }
+    if (disabled->is_believed) {
+      pair.verdict = MatrixVerdict::believed;
+      pair.reason += "; disabled in the SRDF and believed";
+    } else if (pair.verdict == MatrixVerdict::undecided) {
+      pair.reason += "; disabled in the SRDF, guarded all the same";
+    }
+    return disabled->is_believed;
+  }
+
+  /// Whether a guard has to look at the pair, and what it would say.
+  void guard(const PairSpace& space, const std::function<void(double)>& progress,
+             PairVerdict& pair) const {
+    const StopDistance* const own = own_distances(pair.a, pair.b);
+    const double stop = own != nullptr ? own->stop : options_.stop;
+    const double warn = own != nullptr ? own->warn : options_.warn;
+    pair.is_guarded = true;
+    if (pair.verdict == MatrixVerdict::never) {
+      const std::uint64_t before = pair.cells;
+      pair.is_guarded = stop > 0 && !stays_away(space, stop, progress, pair);
+      pair.reason += stop > 0 ? concat("; ", pair.cells - before, " more for --stop") : "";
+    }
+    pair.is_stopped = pair.is_guarded && is_within(space, stop);
+    pair.is_warned = pair.is_guarded && !pair.is_stopped && is_within(space, warn);
   }
 
   /// A few cells, then a witness, then all cells.

@@ -69,8 +69,9 @@ struct MatrixOptions {
 /// How far: `pair` of `pairs`, and what part of its configurations is decided, 0 to 1.
 using MatrixProgress = std::function<void(std::size_t pair, std::size_t pairs, double part)>;
 
-/// All pairs of the model's links, (0, 1), (0, 2), ... `meshes`: theirs, of the same number, baked
-/// with `cell`, in metres. `progress` may be empty. Deterministic.
+/// All pairs of the model's links, also those that the SRDF disables, (0, 1), (0, 2), ... `meshes`:
+/// theirs, of the same number, baked with `cell`, in metres. `progress` may be empty.
+/// Deterministic.
 std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<PostMesh>& meshes,
                                       double cell, const MatrixOptions& options,
                                       const MatrixProgress& progress);

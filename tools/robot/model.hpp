@@ -57,11 +57,13 @@ struct ModelMount {
   Transform transform;  ///< in the joint's frame
 };
 
-/// What the SRDF says of two links: not to be looked at.
+/// What the SRDF says of two links: that they need no guard. It is decided all the same.
 struct DisabledPair {
   std::size_t a;
   std::size_t b;
-  std::string reason;
+  std::string reason;        ///< as the SRDF gives it
+  std::size_t line = 0;      ///< of the SRDF
+  bool is_believed = false;  ///< the user stands by it, whatever is found
 };
 
 struct Model {

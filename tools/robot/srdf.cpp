@@ -1,7 +1,9 @@
 #include "robot/srdf.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "robot/xml_file.hpp"
 #include "text/numbers.hpp"
@@ -9,23 +11,101 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Its number, or the number of links if it has no geometry.
-std::size_t link_of(const Model& model, const std::string& name) {
-  const auto found = std::find_if(model.links.begin(), model.links.end(),
-                                  [&](const ModelLink& link) { return link.name == name; });
-  return static_cast<std::size_t>(found - model.links.begin());
-}
+using Pair = std::pair<std::size_t, std::size_t>;
 
-/// Two names; UserError if one is missing.
-std::array<std::string, 2> names_in(const TiXmlElement& element, const std::string& path) {
-  std::array<std::string, 2> names = {attribute(&element, "link1"), attribute(&element, "link2")};
-  if (names[0].empty() || names[1].empty()) {
-    throw UserError(at_line(path, static_cast<std::size_t>(element.Row())),
-                    "has a <disable_collisions> that does not name two links; give it link1 and "
-                    "link2");
+class SrdfReader {
+ public:
+  SrdfReader(const std::string& path, const Model& model, const std::vector<std::string>& all_links,
+             Warnings& warnings)
+      : path_(path), model_(model), all_links_(all_links), warnings_(warnings) {}
+
+  std::vector<DisabledPair> read(const TiXmlElement& robot) {
+    for_each(robot, "enable_collisions", [&](const TiXmlElement& e) {
+      if (const auto pair = pair_of(e)) {
+        enabled_.insert(*pair);
+      }
+    });
+    for_each(robot, "disable_collisions", [&](const TiXmlElement& e) {
+      const auto pair = pair_of(e);
+      if (pair && enabled_.count(*pair) != 0) {
+        warnings_.add(place_of(e), concat("disables ", model_.links[pair->first].name, " - ",
+                                          model_.links[pair->second].name,
+                                          ", which is enabled as well; it counts as disabled"));
+      }
+      if (pair) {
+        disable(*pair, attribute(&e, "reason"), e);
+      }
+    });
+    for_each(robot, "disable_default_collisions",
+             [&](const TiXmlElement& e) { disable_all_of(e); });
+    return std::move(disabled_);
   }
-  return names;
-}
+
+ private:
+  template <class Visit>
+  static void for_each(const TiXmlElement& robot, const char* name, const Visit& visit) {
+    for (const TiXmlElement* e = robot.FirstChildElement(name); e != nullptr;
+         e = e->NextSiblingElement(name)) {
+      visit(*e);
+    }
+  }
+
+  static std::size_t line_of(const TiXmlElement& element) {
+    return static_cast<std::size_t>(element.Row());
+  }
+  std::string place_of(const TiXmlElement& element) const {
+    return at_line(path_, line_of(element));
+  }
+
+  /// Its number, or the number of links if it has no geometry. UserError if there is no name.
+  std::size_t link_of(const TiXmlElement& element, const char* which) {
+    const std::string name = attribute(&element, which);
+    if (name.empty()) {
+      throw UserError(place_of(element), "has a <", element.Value(), "> that does not name ",
+                      std::string(which) == "link" ? "a link; give it link"
+                                                   : "two links; give it link1 and link2");
+    }
+    if (std::find(all_links_.begin(), all_links_.end(), name) == all_links_.end()) {
+      warnings_.add(place_of(element), concat("names ", tool::quoted(name),
+                                              ", which is no link of the robot; left out"));
+    }
+    const auto found = std::find_if(model_.links.begin(), model_.links.end(),
+                                    [&](const ModelLink& link) { return link.name == name; });
+    return static_cast<std::size_t>(found - model_.links.begin());
+  }
+
+  /// Of two links with geometry, the lower first.
+  std::optional<Pair> pair_of(const TiXmlElement& element) {
+    const std::size_t one = link_of(element, "link1");
+    const std::size_t other = link_of(element, "link2");
+    const auto [a, b] = std::minmax(one, other);
+    return b < model_.links.size() && a != b ? std::optional<Pair>({a, b}) : std::nullopt;
+  }
+
+  void disable(const Pair& pair, const std::string& reason, const TiXmlElement& element) {
+    if (known_.insert(pair).second) {
+      disabled_.push_back({pair.first, pair.second, reason, line_of(element)});
+    }
+  }
+
+  void disable_all_of(const TiXmlElement& element) {
+    const std::size_t link = link_of(element, "link");
+    for (std::size_t other = 0; other < model_.links.size(); ++other) {
+      const Pair pair = std::minmax(link, other);
+      if (link < model_.links.size() && other != link && enabled_.count(pair) == 0) {
+        disable(pair, element.Value(), element);
+      }
+    }
+  }
+
+  const std::string& path_;
+  const Model& model_;
+  const std::vector<std::string>& all_links_;
+  Warnings& warnings_;
+  std::set<Pair> enabled_;
+  std::set<Pair> known_;
+  std::vector<DisabledPair> disabled_;
+};
 
 }  // namespace
 
@@ -38,27 +118,7 @@ std::vector<DisabledPair> read_srdf(const std::string& path, const Model& model,
     warnings.add(path, concat("is of a robot ", tool::quoted(attribute(&robot, "name")),
                               ", not of ", tool::quoted(model.name)));
   }
-  if (robot.FirstChildElement("disable_default_collisions") != nullptr) {
-    warnings.add(path, "has <disable_default_collisions>, which does not count; name the pairs");
-  }
-  std::vector<DisabledPair> disabled;
-  std::set<std::pair<std::size_t, std::size_t>> known;
-  for (const TiXmlElement* e = robot.FirstChildElement("disable_collisions"); e != nullptr;
-       e = e->NextSiblingElement("disable_collisions")) {
-    const std::array<std::string, 2> names = names_in(*e, path);
-    for (const std::string& name : names) {
-      if (std::find(all_links.begin(), all_links.end(), name) == all_links.end()) {
-        warnings.add(
-            at_line(path, static_cast<std::size_t>(e->Row())),
-            concat("names ", tool::quoted(name), ", which is no link of the robot; left out"));
-      }
-    }
-    const auto [a, b] = std::minmax({link_of(model, names[0]), link_of(model, names[1])});
-    if (b < model.links.size() && a != b && known.emplace(a, b).second) {
-      disabled.push_back({a, b, attribute(e, "reason")});
-    }
-  }
-  return disabled;
+  return SrdfReader(path, model, all_links, warnings).read(robot);
 }
 
 }  // namespace flashbvh::tool
