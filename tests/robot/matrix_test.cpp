@@ -263,6 +263,7 @@ TEST_CASE("a proof and the proof for the stop distance are told apart") {
   const PairVerdict alone = decided(rod_and_wall(-1, angle_at(0.4), 0.5), 0, 1);
   CHECK(alone.reason ==
         "proven for all values within the limits, " + std::to_string(alone.cells) + " cells");
+  CHECK(alone.cells > 1);
   CHECK(pair.reason ==
         alone.reason + "; " + std::to_string(pair.cells - alone.cells) + " more for --stop");
 }

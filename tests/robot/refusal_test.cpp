@@ -41,12 +41,21 @@ std::string said_of_file(const std::string& text) {
 }  // namespace
 
 TEST_CASE("files that are no URDF") {
+  tool::Warnings warnings;
   CHECK(said_of_file("<robot name=\"r\"><link name=\"a\">") ==
         "x.urdf: is no XML: Error reading Element value; mend it there");
   CHECK_THAT(said_of_file("hello"), Contains("x.urdf: is no XML"));
   CHECK_THAT(said_of_file("<robot name=\"r\">\n<link name=\"a\"></lin></robot>"),
              Contains("x.urdf:2: is no XML"));
-  CHECK_THAT(said_of_file("<sdf/>"), Contains("begins with <sdf>, not with <robot>"));
+  CHECK_THAT(said_of_file("<arm/>"), Contains("begins with <arm>, not with <robot>"));
+  CHECK_THAT(said_of_file("<sdf/>"),
+             Contains("is a model of Gazebo (SDF") && Contains("convert it"));
+  CHECK_THAT(said_of_file("<mujoco model=\"a\"/>"),
+             Contains("is a model of MuJoCo (MJCF), not a URDF") && Contains("convert it"));
+  for (const char* const name : {"x.step", "x.STL"}) {
+    CHECK_THROWS_WITH(tool::read_urdf(name, {}, "", warnings),
+                      Contains("is a mesh or a model of CAD, which has no joints; name a URDF"));
+  }
   CHECK_THAT(said_of_file(std::string("<robot\0>", 8)), Contains("is no text"));
   CHECK_THAT(said_of_file("<robot name=\"r\"><xacro:arm/></robot>"),
              Contains("is a xacro (it has <xacro:arm>)"));
@@ -57,7 +66,6 @@ TEST_CASE("files that are no URDF") {
     deep += "<a>";
   }
   CHECK_THAT(said_of_file(deep), Contains("nests elements over 1000 deep"));
-  tool::Warnings warnings;
   CHECK_THROWS_AS(tool::read_urdf("no such file", {}, "", warnings), tool::UserError);
 }
 
@@ -76,6 +84,9 @@ TEST_CASE("joints that firmware can't hold, and what is missing of them") {
         "upper=\"...\">");
   CHECK(said_of_joint("revolute", "<limit lower=\"2\" upper=\"1\"/>") ==
         "arm.urdf, joint 'j': has a lower limit of 2 above its upper of 1; exchange them");
+  CHECK(said_of_joint("revolute", "<limit lower=\"-180\" upper=\"90\"/>") ==
+        "arm.urdf, joint 'j': has limits of four turns or more, -180 to 90 rad; if these are "
+        "degrees, write -3.14159 and 1.5708; if it turns without end, make it continuous");
   CHECK_THAT(said_of_joint("revolute", "<limit lower=\"0\" upper=\"25.2\"/>"),
              Contains("has limits of four turns or more"));
   CHECK(said_of_joint("revolute", "<limit lower=\"-25.1\" upper=\"25.1\"/>") == "");
@@ -159,6 +170,9 @@ TEST_CASE("shapes that are none") {
   CHECK_THAT(said_of_shape("<sphere radius=\"1,5\"/>"), Contains("[1,5]"));
   CHECK_THAT(said_of_shape("<sphere/>"), Contains("Link [a]"));
   CHECK_THAT(said_of_shape("<capsule radius=\"1\" length=\"1\"/>"), Contains("has a <capsule>"));
+  CHECK(said_of_shape("<drake:capsule/><sphere radius=\"1\"/><drake:hint/>") == "");
+  CHECK_THAT(said_of_shape("<drake:capsule radius=\"1\"/>"),
+             Contains("whose only shape, <drake:capsule>, is no URDF; use <box>"));
   CHECK_THAT(said_of_shape("<cone/>"), Contains("has a shape <cone>; use <box>"));
   CHECK_THAT(said_of_shape("<box size=\"1 1 1\"/><box size=\"1 1 1\"/>"),
              Contains("without one shape"));

@@ -2,14 +2,10 @@
 # A robot from its URDF to C++ that compiles: tables, JSON, the same bytes each time, and what can't be
 # made is refused before anything is written.
 . "$SOURCES/common.sh"
+. "$SOURCES/urdf.sh"
 
 # A base, a shoulder turned by -y with a mesh, a slide, and two fingers of which one follows the
 # other, on a link without geometry.
-link() { printf '<link name="%s">%s</link>\n' "$1" "$2"; }
-shape() { printf '<collision>%s<geometry>%s</geometry></collision>' "${2-}" "$1"; }
-joint() {
-  printf '<joint name="%s" type="%s"><parent link="%s"/><child link="%s"/>%s</joint>\n' "$@"
-}
 limit='<limit lower="-1" upper="1.5" effort="1" velocity="1"/>'
 arm() {
   echo '<robot name="two fingers">'
@@ -33,10 +29,10 @@ arm >arm.urdf
 printf '<robot name="two fingers"><disable_collisions link1="base" link2="class" %s/></robot>\n' \
   'reason="Never"' >arm.srdf
 
-exits 0 robot arm.urdf -o first --srdf arm.srdf --stop 0.005 --warn 0.01
-grep -q '^upper-arm  turn  *[0-9]* *[0-9]*  package://parts/ring.stl$' stdout || fail "$(cat stdout)"
+exits 0 robot arm.urdf -o first --srdf arm.srdf --believe base,class --stop 0.005 --warn 0.01
+grep -q '^upper-arm  turn  *[0-9]* *[0-9]*  0.52 x 0.52 x 0.114 m  *package://parts/ring.stl$' stdout || fail "$(cat stdout)"
 grep -q '^right  wrist  *revolute  *-0.75 to 0.5 rad, as left by -0.5$' stdout || fail "$(cat stdout)"
-grep -q '^base - class *always *disabled in the SRDF: Never$' stdout || fail "$(cat stdout)"
+grep -q '^base - class *believed *intersect at the witness; disabled in the SRDF and believed$' stdout || fail "$(cat stdout)"
 grep -q '^base - finger.l *can *intersect at the witness$' stdout || fail "$(cat stdout)"
 grep -q '^base - upper-arm *never *proven' stdout || fail "$(cat stdout)"
 # It comes as near as 5 mm.
@@ -49,7 +45,7 @@ grep -q "past its own limits" stderr && fail "$(cat stderr)"
 mkdir elsewhere
 cp -r arm.urdf arm.srdf parts elsewhere/
 (cd elsewhere && LC_ALL=C.UTF-8 TZ=Asia/Tokyo "$FLASHBVH" robot arm.urdf -o ../second \
-  --package parts=parts --srdf arm.srdf --stop 0.005 --warn 0.01 --format both >/dev/null 2>&1)
+  --package parts=parts --srdf arm.srdf --believe base,class --stop 0.005 --warn 0.01 --format both >/dev/null 2>&1)
 mkdir image
 mv second/two_fingers.robot image/
 diff -r first second || fail "other bytes"
@@ -116,7 +112,7 @@ grep -q '^right  wrist  *revolute  *-0.75 to 0.5 rad, as left by -0.5$' stdout |
 grep -q '^base - finger.l  0.005, 0.01$' stdout || fail "$(cat stdout)"
 exits 0 info image/two_fingers.robot --json
 for part in '^{"name":"two_fingers","format_version":2,"bytes":' '"a":"base","b":"finger.l","stop":0.005' \
-  '{"name":"finger.r","joint":"right","triangles":320}' '"name":"right","type":"revolute","parent":"wrist"'; do
+  '{"name":"finger.r","joint":"right","triangles":320,"size":\[0.0407' '"name":"right","type":"revolute","parent":"wrist"'; do
   grep -q -- "$part" stdout || fail "no $part in $(cat stdout)"
 done
 
@@ -142,7 +138,7 @@ refused "is no flashbvh image" check image/two_fingers.robot
 refused "--format" robot arm.urdf -o out --format fbx
 
 # A page: what --json has, nothing from elsewhere.
-options="--srdf arm.srdf --stop 0.005 --warn 0.01"
+options="--srdf arm.srdf --believe base,class --stop 0.005 --warn 0.01"
 exits 0 robot arm.urdf -o first $options --json --report page.html
 [ "$(wc -l <stdout)" -eq 1 ] || fail "not one line"
 for part in '"pairs":\[{"a":"base","b":"upper-arm","verdict":"never","reason":"proven for all' \
@@ -167,7 +163,7 @@ while IFS='|' read -r a b verdict reason cells guarded; do
   [ "$guarded" = true ] && guard=guarded || guard=-
   grep -qxF "|$a - $b|$verdict|$guard|$cells|$(echo "$reason" | tr -d ,)|" rows || fail "no $a - $b, $reason"
 done <pairs
-for verdict in never can always; do
+for verdict in never can believed; do
   [ "$(grep -o "<td class=is-$verdict>" page.html | wc -l)" -eq $((2 * $(grep -c "|$verdict|" pairs))) ] ||
     fail "$verdict in the matrix"
 done
@@ -176,7 +172,7 @@ can=$(grep -c '|can|' pairs)
 [ "$(grep -c 'paint3\"></i>two triangles that intersect' page.html)" -eq "$can" ] || fail "keys"
 [ "$(grep -c '^<p class=note>Joints: <code>turn ' page.html)" -eq "$can" ] || fail "joints of witnesses"
 # The same in C, as strict: its names, and what they stand for.
-exits 0 robot arm.urdf -o in_c --format c --srdf arm.srdf --stop 0.005 --warn 0.01 --depfile c.d
+exits 0 robot arm.urdf -o in_c --format c --srdf arm.srdf --believe base,class --stop 0.005 --warn 0.01 --depfile c.d
 grep -q '/in_c/two_fingers.robot.h:' c.d || fail "$(cat c.d)"
 cat >use.c <<'C'
 #include "two_fingers.robot.h"

@@ -5,6 +5,7 @@
 
 #include "cli/mesh_warnings.hpp"
 #include "cli/progress.hpp"
+#include "cli/robot_sizes.hpp"
 #include "flashbvh/clearance.hpp"
 #include "robot/believed.hpp"
 #include "robot/charts.hpp"
@@ -322,6 +323,10 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   for (const GuardedPair& pair : distances.own) {
     check_range({pair.stop, pair.warn}, made.cell);
   }
+  made.sizes = link_sizes(made.model);
+  warn_of_sizes(made.model, made.sizes, arguments.urdf, warnings);
+  warn_of_cell(made.model, made.sizes, made.cell, distances.usual.stop,
+               arguments.cell ? concat("--cell ", *arguments.cell) : arguments.urdf, warnings);
   const auto count = static_cast<double>(made.model.links.size());
   Progress progress(kBakingWeight * count + count * (count - 1) / 2, arguments.progress);
   made.links = bake_links(made.model, made.cell, arguments, progress, warnings);
@@ -351,6 +356,7 @@ BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnin
   made.file = std::make_unique<RobotFile>(path);
   made.model = made.file->model();
   made.cell = made.file->cell();
+  made.sizes = link_sizes(made.model, made.robot().meshes, made.cell);
   made.unguarded = made.file->unguarded();
   warn_of_unguarded(made, path, warnings);
   return made;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/sizes.hpp"
 #include "robot/bake_links.hpp"
 #include "robot/fixed_robot.hpp"
 #include "robot/matrix.hpp"
@@ -39,6 +40,7 @@ struct BakedRobot {
   Model model;
   double cell;  ///< metres
   std::vector<BakedLink> links;
+  std::vector<Size> sizes;  ///< of the links, in their own frames, in metres; of an image, too
   std::vector<PairVerdict> pairs;
   std::vector<UnguardedPair> unguarded;  ///< of an image, too
   std::unique_ptr<FixedRobot> fixed;

@@ -107,6 +107,20 @@ void add_page(const OutputArguments& arguments, const BakedRobot& robot, FileSet
                                        }));
 }
 
+/// Flash, if it is much, with leaves of kLargeLeaf triangles.
+std::optional<std::size_t> bytes_with_large_leaves(const BakedRobot& baked,
+                                                   const OutputArguments& arguments) {
+  if (robot_flash_bytes(*baked.fixed, baked.links) <= kMuchFlash ||
+      arguments.leaf_size >= kLargeLeaf) {
+    return std::nullopt;
+  }
+  std::vector<BakedLink> links;
+  for (const ModelLink& link : baked.model.links) {
+    links.push_back(bake_link(link, baked.cell, kLargeLeaf, arguments.urdf));
+  }
+  return robot_flash_bytes(*baked.fixed, links);
+}
+
 void make_robot(const OutputArguments& arguments) {
   Warnings warnings;
   const BakedRobot baked = baked_robot(described_robot(arguments, warnings), arguments, warnings);
@@ -121,9 +135,10 @@ void make_robot(const OutputArguments& arguments) {
   if (!arguments.page.empty()) {
     add_page(arguments, baked, files);
   }
+  const std::optional<std::size_t> smaller = bytes_with_large_leaves(baked, arguments);
   files.write([&] {
     warnings.print();
-    (arguments.json ? print_robot_json : print_robot)(baked);
+    (arguments.json ? print_robot_json : print_robot)(baked, smaller);
     flush_output();
   });
 }
@@ -152,6 +167,7 @@ void add_robot(CLI::App& app) {
   command
       ->add_option("--name", a.name,
                    "Name of the files and of the namespace; default: that of the robot")
+      ->check([](const std::string& name) { return name.empty() ? "is empty; give a name" : ""; })
       ->type_name("NAME");
   command
       ->add_option("--depfile", a.depfile,

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/lengths.hpp"
+#include "cli/robot_sizes.hpp"
 #include "image/cpp_writer.hpp"
 #include "robot/joint_text.hpp"
 #include "robot/robot_writer.hpp"
@@ -36,17 +37,22 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-void print_links(const Model& model, const std::vector<BakedLink>& links) {
+void print_links(const BakedRobot& robot) {
+  const Model& model = robot.model;
+  const std::vector<BakedLink>& links = robot.links;
+  const int sizes = width_of(robot.sizes, "size", [](const Size& s) { return size_text(s, "m"); });
   const int width = width_of(model.links, "link", [](const ModelLink& l) { return l.name; });
   const int joints = width_of(model.joints, "joint", [](const ModelJoint& j) { return j.name; });
   std::cout << std::left << std::setw(width) << "link" << std::setw(joints) << "joint"
-            << "triangles     bytes  sources\n";
+            << "triangles     bytes  " << std::setw(sizes) << "size"
+            << "sources\n";
   for (std::size_t i = 0; i < links.size(); ++i) {
     const ModelLink& link = model.links[i];
     std::cout << std::left << std::setw(width) << link.name << std::setw(joints)
               << joint_name(model, link.joint, "base") << std::right << std::setw(9)
               << links[i].tree.triangles.size() << std::setw(10) << flash_bytes(links[i].tree)
-              << "  " << joined(link.sources) << "\n";
+              << "  " << std::left << std::setw(sizes) << size_text(robot.sizes[i], "m")
+              << joined(link.sources) << "\n";
   }
 }
 
@@ -116,11 +122,22 @@ Json pair_json(const Model& model, const PairVerdict& pair) {
           {"guarded", pair.is_guarded}};
 }
 
-Json link_json(const Model& model, const ModelLink& link, const BakedLink& baked) {
+double deviation_of(const BakedRobot& robot) {
+  double most = 0;
+  for (const BakedLink& link : robot.links) {
+    most = std::max(most, link.tree.deviation);
+  }
+  return most;
+}
+
+Json link_json(const Model& model, const ModelLink& link, const BakedLink& baked,
+               const Size& size) {
   return {{"name", link.name},
           {"joint", link.joint == kNoJoint ? Json() : Json(model.joints[link.joint].name)},
           {"triangles", baked.tree.triangles.size()},
           {"flash_bytes", flash_bytes(baked.tree)},
+          {"size", size},
+          {"deviation", baked.tree.deviation},
           {"sources", link.sources}};
 }
 
@@ -142,18 +159,23 @@ Json joint_json(const Model& model, std::size_t number) {
 
 }  // namespace
 
-void print_robot(const BakedRobot& robot) {
+void print_robot(const BakedRobot& robot, const std::optional<std::size_t>& smaller) {
   print_unguarded(robot.model, robot.unguarded);
-  print_links(robot.model, robot.links);
+  print_links(robot);
   print_joints(robot.model);
   print_pairs(robot.model, robot.pairs);
-  std::cout << "\ncell " << shortest(robot.cell) << " m; "
+  std::cout << "\ncell " << shortest(robot.cell) << " m, vertices moved by up to "
+            << significant(deviation_of(robot), 3) << " m; "
             << robot_flash_bytes(*robot.fixed, robot.links) << " bytes of flash, "
             << robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count())
             << " bytes of RAM for a guard\n";
+  if (smaller) {
+    std::cout << "--leaf-size " << kLargeLeaf << ": " << *smaller
+              << " bytes of flash; queries take up to three times the work\n";
+  }
 }
 
-void print_robot_json(const BakedRobot& robot) {
+void print_robot_json(const BakedRobot& robot, const std::optional<std::size_t>& smaller) {
   const Model& model = robot.model;
   Json json = {{"name", model.name},
                {"not_guarded", unguarded_json(model, robot.unguarded)},
@@ -164,13 +186,17 @@ void print_robot_json(const BakedRobot& robot) {
     json["pairs"].push_back(pair_json(model, pair));
   }
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    json["links"].push_back(link_json(model, model.links[i], robot.links[i]));
+    json["links"].push_back(link_json(model, model.links[i], robot.links[i], robot.sizes[i]));
   }
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     json["joints"].push_back(joint_json(model, i));
   }
   json["cell"] = robot.cell;
+  json["deviation"] = deviation_of(robot);
   json["flash_bytes"] = robot_flash_bytes(*robot.fixed, robot.links);
+  if (smaller) {
+    json["flash_bytes_leaf_size_5"] = *smaller;
+  }
   json["ram_bytes"] = robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count());
   std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
 }
@@ -189,12 +215,13 @@ void print_robot_file(const RobotFile& file) {
   print_unguarded(model, file.unguarded());
   const int width = width_of(model.links, "link", [](const ModelLink& l) { return l.name; });
   const int joints = width_of(model.joints, "joint", [](const ModelJoint& j) { return j.name; });
+  const std::vector<Size> sizes = link_sizes(model, robot.meshes, file.cell());
   std::cout << std::left << std::setw(width) << "link" << std::setw(joints) << "joint"
-            << "triangles\n";
+            << "triangles  size\n";
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     std::cout << std::left << std::setw(width) << model.links[i].name << std::setw(joints)
               << joint_name(model, model.links[i].joint, "base") << std::right << std::setw(9)
-              << robot.meshes[i].triangle_count << "\n";
+              << robot.meshes[i].triangle_count << "  " << size_text(sizes[i], "m") << "\n";
   }
   print_joints(model);
   std::cout << (robot.pair_count == 0 ? "" : "\npairs that can collide: stop, warn in m\n");
@@ -220,11 +247,13 @@ void print_robot_file_json(const RobotFile& file) {
                {"links", Json::array()},
                {"joints", Json::array()},
                {"pairs", Json::array()}};
+  const std::vector<Size> sizes = link_sizes(model, robot.meshes, file.cell());
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const std::size_t joint = model.links[i].joint;
     json["links"].push_back({{"name", model.links[i].name},
                              {"joint", joint == kNoJoint ? Json() : Json(model.joints[joint].name)},
-                             {"triangles", robot.meshes[i].triangle_count}});
+                             {"triangles", robot.meshes[i].triangle_count},
+                             {"size", sizes[i]}});
   }
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     json["joints"].push_back(joint_json(model, i));

@@ -7,10 +7,14 @@
 
 namespace flashbvh::tool {
 
-/// Tables on standard output.
-void print_robot(const BakedRobot& robot);
+/// Beyond so many bytes of flash a robot says what leaves of kLargeLeaf triangles save.
+constexpr std::size_t kMuchFlash = 1 << 20;
+constexpr std::uint32_t kLargeLeaf = 5;
+
+/// Tables on standard output. `smaller`: flash with leaves of kLargeLeaf, if it is to be said.
+void print_robot(const BakedRobot& robot, const std::optional<std::size_t>& smaller);
 /// One object on one line.
-void print_robot_json(const BakedRobot& robot);
+void print_robot_json(const BakedRobot& robot, const std::optional<std::size_t>& smaller);
 
 /// What is in a robot's image, likewise.
 void print_robot_file(const RobotFile& file);

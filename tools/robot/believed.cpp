@@ -30,21 +30,16 @@ std::string values_of(const Model& model, const PairVerdict& pair) {
   return text;
 }
 
-const DisabledPair* disabled_of(const Model& model, const PairVerdict& pair) {
-  const auto found =
-      std::find_if(model.disabled.begin(), model.disabled.end(), [&](const DisabledPair& disabled) {
-        return std::minmax(disabled.a, disabled.b) == std::minmax(pair.a, pair.b);
-      });
-  return found == model.disabled.end() ? nullptr : &*found;
+template <class Element>
+bool is_of(const Element& element, std::size_t a, std::size_t b) {
+  return std::minmax(element.a, element.b) == std::minmax(a, b);
 }
 
 }  // namespace
 
 void believe(std::size_t a, std::size_t b, const std::string& place, Model& model) {
-  const auto found =
-      std::find_if(model.disabled.begin(), model.disabled.end(), [&](const DisabledPair& disabled) {
-        return std::minmax(disabled.a, disabled.b) == std::minmax(a, b);
-      });
+  const auto found = std::find_if(model.disabled.begin(), model.disabled.end(),
+                                  [&](const DisabledPair& pair) { return is_of(pair, a, b); });
   if (found == model.disabled.end()) {
     throw UserError(place,
                     "names a pair that no SRDF disables; leave it out, or give the SRDF that "
@@ -58,13 +53,12 @@ void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
   std::string place;
   std::string first;
   std::string more;
-  for (const PairVerdict& pair : pairs) {
-    const DisabledPair* const disabled = disabled_of(model, pair);
-    if (disabled == nullptr) {
-      continue;
-    }
+  for (const DisabledPair& disabled : model.disabled) {
+    const PairVerdict& pair = *std::find_if(
+        pairs.begin(), pairs.end(),
+        [&](const PairVerdict& decided) { return is_of(decided, disabled.a, disabled.b); });
     if (pair.verdict == MatrixVerdict::undecided) {
-      warnings.add(at_line(srdf, disabled->line),
+      warnings.add(at_line(srdf, disabled.line),
                    concat("disables ", pair_name(model, pair, " - "), ", which is ", pair.reason,
                           "; --believe ", pair_name(model, pair, ","), " leaves it out"));
     }
@@ -72,15 +66,15 @@ void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
       continue;
     }
     if (first.empty()) {
-      place = at_line(srdf, disabled->line);
+      place = at_line(srdf, disabled.line);
       first =
           concat("disables ", pair_name(model, pair, " - "),
-                 disabled->reason.empty() ? "" : concat(" as \"", disabled->reason, "\""),
+                 disabled.reason.empty() ? "" : concat(" as \"", disabled.reason, "\""),
                  ", but they intersect at ", values_of(model, pair),
                  "; delete the line, or stand by it with --believe ", pair_name(model, pair, ","));
     } else {
       more += concat(more.empty() ? ". So can: " : ", ", pair_name(model, pair, " - "), " (line ",
-                     disabled->line, ")");
+                     disabled.line, ")");
     }
   }
   if (!first.empty()) {

@@ -10,6 +10,13 @@
 namespace flashbvh::tool {
 namespace {
 
+/// Of a joint that few machines have, in radians: who writes as much may mean degrees.
+constexpr double kManyTurns = 4 * kPi;
+
+std::string in_radians(double degrees) {
+  return significant(degrees * kPi / 180, 6);
+}
+
 /// To unit length. `place`: of the joint.
 Vector3 unit_axis(const Vector3& axis, const std::string& place, Warnings& warnings) {
   const double length = std::hypot(axis[0], axis[1], axis[2]);
@@ -40,7 +47,15 @@ void set_limits(const UrdfJoint& joint, const std::string& place, ModelJoint& ma
     return;
   }
   if (made.type == JointType::revolute && (joint.lower <= -kMaxAngle || joint.upper >= kMaxAngle)) {
-    throw UserError(place, "has limits of four turns or more; make it continuous");
+    throw UserError(place, "has limits of four turns or more, ", shortest(joint.lower), " to ",
+                    shortest(joint.upper), " rad; if these are degrees, write ",
+                    in_radians(joint.lower), " and ", in_radians(joint.upper),
+                    "; if it turns without end, make it continuous");
+  }
+  if (made.type == JointType::revolute && std::max(-joint.lower, joint.upper) > kManyTurns) {
+    warnings.add(place, concat("turns from ", shortest(joint.lower), " to ", shortest(joint.upper),
+                               " rad, over two turns one way; if these are degrees, write ",
+                               in_radians(joint.lower), " and ", in_radians(joint.upper)));
   }
   made.lower = joint.lower;
   made.upper = joint.upper;

@@ -19,7 +19,11 @@ constexpr std::uint64_t kFewCells = 4096;
 constexpr std::uint64_t kManyCells = 65536;
 /// Places from which a witness is searched for.
 constexpr std::uint32_t kStarts = 256;
-constexpr const char* kProven = "proven for all values within the limits, ";
+
+std::string proven(std::uint64_t cells) {
+  return concat("proven for all values within the limits, ", cells,
+                cells == 1 ? " cell" : " cells");
+}
 
 /// The one of these two links, in either order, or null.
 template <class Element>
@@ -136,7 +140,7 @@ class Decider {
     if (found.end == SearchEnd::cut_off && few.most_cells < options_.most_cells) {
       if (is_proven_swept(model_, pair.a, pair.b, cell_, options_, progress, pair.cells)) {
         pair.verdict = MatrixVerdict::never;
-        pair.reason = concat(kProven, pair.cells, " cells, by solids of revolution");
+        pair.reason = proven(pair.cells) + ", by solids of revolution";
         return;
       }
       found = search_pair(space, options_, progress);
@@ -181,7 +185,7 @@ class Decider {
     switch (found.end) {
       case SearchEnd::apart:
         pair.verdict = MatrixVerdict::never;
-        pair.reason = concat(kProven, pair.cells, " cells");
+        pair.reason = proven(pair.cells);
         break;
       case SearchEnd::near:
         pair.verdict = MatrixVerdict::can;

@@ -17,8 +17,8 @@ constexpr Why kWhys[] = {
     {WhyUnguarded::intersecting, "neighbours that intersect at all configurations tried",
      "make a part that stands in the other link's way (a post on a table) a link of its own, on a "
      "fixed joint"},
-    {WhyUnguarded::believed, "disabled in the SRDF and believed, though they can collide",
-     "to guard a pair, leave out its --believe and enable it in the SRDF"},
+    {WhyUnguarded::believed, "disabled in the SRDF and believed, though they may collide",
+     "to guard a pair, delete its line in the SRDF and its --believe"},
 };
 
 const Why& of(WhyUnguarded why) {

@@ -40,6 +40,14 @@ void add_links(const UrdfRobot& robot, const KinematicTree& tree, const std::str
   }
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
 std::vector<std::string> names_of(const std::vector<UrdfLink>& links) {
   std::vector<std::string> names;
   names.reserve(links.size());
@@ -55,6 +63,13 @@ Model read_urdf(const std::string& path, const Packages& packages, const std::st
                 Warnings& warnings) {
   const UrdfRobot robot = read_urdf_document(path);
   KinematicTree tree = kinematic_tree(robot, path, warnings);
+  if (!robot.soft_limits.empty()) {
+    warnings.add(path,
+                 concat("has a <safety_controller> whose soft limits do not count, the <limit> "
+                        "does, of ",
+                        joined(robot.soft_limits),
+                        "; if the machine keeps the soft limits, make them the <limit>"));
+  }
   Model model;
   model.name = robot.name;
   model.path = path;

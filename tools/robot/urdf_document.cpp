@@ -10,6 +10,7 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <initializer_list>
 #include <map>
 #include <string_view>
@@ -55,9 +56,34 @@ void normalise_attributes(TiXmlElement& element) {
   }
 }
 
+/// Whether an element is another program's, as <drake:capsule> is.
+bool is_foreign(const TiXmlNode& node) {
+  return node.ToElement() != nullptr && node.ValueStr().find(':') != std::string::npos;
+}
+
+/// Takes out what is another program's. UserError if nothing else is inside.
+void drop_foreign(TiXmlElement& element, const std::string& place) {
+  std::string dropped;
+  for (TiXmlNode* child = element.FirstChild(); child != nullptr;) {
+    TiXmlNode* const next = child->NextSibling();
+    if (is_foreign(*child)) {
+      dropped = child->ValueStr();
+      element.RemoveChild(child);
+    }
+    child = next;
+  }
+  if (!dropped.empty() && element.FirstChildElement() == nullptr) {
+    throw UserError(place, "has a <collision> whose only shape, <", dropped,
+                    ">, is no URDF; use <box>, <cylinder>, <sphere> or <mesh>");
+  }
+}
+
 /// What urdfdom would skip.
-void check_geometry(const TiXmlElement& collision, const std::string& place) {
-  const TiXmlElement* const geometry = collision.FirstChildElement("geometry");
+void check_geometry(TiXmlElement& collision, const std::string& place) {
+  TiXmlElement* const geometry = collision.FirstChildElement("geometry");
+  if (geometry != nullptr) {
+    drop_foreign(*geometry, place);
+  }
   const TiXmlElement* const shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
   if (shape == nullptr || shape->NextSiblingElement() != nullptr) {
     throw UserError(place,
@@ -80,8 +106,7 @@ UrdfLink trim_link(TiXmlElement& link, const std::string& path) {
   trimmed.name = attribute(&link, "name");
   trimmed.has_visual = link.FirstChildElement("visual") != nullptr;
   keep_only(link, {"collision"});
-  for (const TiXmlElement* c = link.FirstChildElement(); c != nullptr;
-       c = c->NextSiblingElement()) {
+  for (TiXmlElement* c = link.FirstChildElement(); c != nullptr; c = c->NextSiblingElement()) {
     check_geometry(*c, at_element(path, "link", trimmed.name));
   }
   return trimmed;
@@ -99,6 +124,17 @@ void check_limits(TiXmlElement& joint, const std::string& type, const std::strin
     limit->SetAttribute("effort", "0");
     limit->SetAttribute("velocity", "0");
   }
+}
+
+/// Whether it has soft limits within its limits.
+bool has_soft_limits(const TiXmlElement& joint) {
+  const TiXmlElement* const soft = joint.FirstChildElement("safety_controller");
+  const TiXmlElement* const limit = joint.FirstChildElement("limit");
+  const auto differs = [&](const char* of_soft, const char* of_limit) {
+    const std::string text = attribute(soft, of_soft);
+    return !text.empty() && parse_number(text) != parse_number(attribute(limit, of_limit));
+  };
+  return differs("soft_lower_limit", "lower") || differs("soft_upper_limit", "upper");
 }
 
 void trim_joint(TiXmlElement& joint, const std::string& path) {
@@ -126,6 +162,7 @@ struct TrimmedRobot {
   std::string text;
   std::vector<UrdfLink> links;    ///< without their collisions
   std::vector<UrdfJoint> joints;  ///< which links they join, no more
+  std::vector<std::string> soft_limits;
 };
 
 using LinkNumbers = std::map<std::string, std::size_t>;
@@ -184,7 +221,24 @@ void check_tree(const TrimmedRobot& robot, const std::string& path) {
   }
 }
 
+/// Files of other kinds, that a user may take for a robot, by how their names end.
+void check_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  if (is_one_of(extension,
+                {".step", ".stp", ".iges", ".igs", ".brep", ".sldprt", ".sldasm", ".f3d", ".x_t",
+                 ".stl", ".obj", ".ply", ".off", ".dae", ".gltf", ".glb", ".3mf", ".fbx"})) {
+    throw UserError(path,
+                    "is a mesh or a model of CAD, which has no joints; name a URDF, whose "
+                    "links name such meshes, as CAD exports it, or bake it alone by `flashbvh "
+                    "bake`");
+  }
+}
+
 TrimmedRobot trim(const std::string& path) {
+  check_extension(path);
   TiXmlDocument document;
   read_xml(path, "robot", document);
   TiXmlElement& robot = *document.RootElement();
@@ -202,6 +256,9 @@ TrimmedRobot trim(const std::string& path) {
     if (e->ValueStr() == "link") {
       trimmed.links.push_back(trim_link(*e, path));
     } else {
+      if (has_soft_limits(*e)) {
+        trimmed.soft_limits.push_back(attribute(e, "name"));
+      }
       trim_joint(*e, path);
     }
   }
@@ -326,6 +383,7 @@ UrdfRobot read_urdf_document(const std::string& path) {
   robot.name = halved(model->getName());
   robot.links = std::move(trimmed.links);
   robot.joints = std::move(trimmed.joints);
+  robot.soft_limits = std::move(trimmed.soft_limits);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     UrdfLink& link = robot.links[i];
     if (doubled(link.name) == model->getRoot()->name) {

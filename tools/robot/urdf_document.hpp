@@ -59,6 +59,8 @@ struct UrdfRobot {
   std::size_t root = 0;
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
+  /// Of joints with soft limits other than their limits: these count, those do not.
+  std::vector<std::string> soft_limits;
 };
 
 /// UserError, with the element and the mend, if the file is no URDF, or has what firmware can't

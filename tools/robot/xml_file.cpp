@@ -49,7 +49,19 @@ void read_xml(const std::string& path, const char* root, TiXmlDocument& document
                     "; mend it there");
   }
   const TiXmlElement* const found = document.RootElement();
-  if (found == nullptr || found->ValueStr() != root) {
+  const std::string_view name = found == nullptr ? "" : found->Value();
+  if (name != root && name == "mujoco") {
+    throw UserError(path,
+                    "is a model of MuJoCo (MJCF), not a URDF; take the URDF that it was made from, "
+                    "or convert it, as by mjcf_urdf_simple_converter (Python)");
+  }
+  if (name != root && name == "sdf") {
+    throw UserError(path,
+                    "is a model of Gazebo (SDF: it begins with <sdf>, not with <robot>), not a "
+                    "URDF; take the URDF that it was made from, or convert it, as by sdformat_urdf "
+                    "(ROS)");
+  }
+  if (name != root) {
     throw UserError(path, "begins with <", found == nullptr ? "nothing" : found->Value(),
                     ">, not with <", root, ">; name another file");
   }

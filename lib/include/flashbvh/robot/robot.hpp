@@ -94,7 +94,7 @@ struct RobotPair {
 /// Why no guard looks at two links that a joint moves.
 enum class WhyUnguarded : uint8_t {
   intersecting = 0,  ///< neighbours that intersect at all configurations tried
-  believed = 1,      ///< they can collide, but an SRDF disables the pair and --believe names it
+  believed = 1,      ///< they may collide, but an SRDF disables the pair and --believe names it
 };
 
 /// Two links that a joint moves and that no guard looks at: a collision of the two is never
