@@ -1,5 +1,5 @@
 # flashbvh_add_robot(name URDF file
-#                    [PACKAGE name=folder]... [SRDF file] [CELL length] [LEAF_SIZE n] [STOP length]
+#                    [PACKAGE name=folder]... [SRDF file] [BELIEVE link,link]... [CELL length] [LEAF_SIZE n] [STOP length]
 #                    [WARN length] [PAIR link,link=stop[,warn]]... [FORMAT cpp|c|image])
 #
 # A library `name`, also called name::name, with the baked robot name::robot. A target that links it
@@ -15,7 +15,7 @@ function(flashbvh_add_robot name)
   cmake_policy(SET CMP0116 NEW)
   set(files URDF SRDF)
   set(single CELL LEAF_SIZE STOP WARN FORMAT)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "${files};${single}" "PACKAGE;PAIR")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "${files};${single}" "PACKAGE;PAIR;BELIEVE")
   set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_PACKAGE} ${arg_PAIR})
   list(FILTER odd EXCLUDE REGEX "^[^=]+=.+$")
   if(odd OR arg_UNPARSED_ARGUMENTS OR NOT arg_URDF)
@@ -49,6 +49,9 @@ function(flashbvh_add_robot name)
   endforeach()
   foreach(pair IN LISTS arg_PAIR)
     list(APPEND options --pair "${pair}")
+  endforeach()
+  foreach(pair IN LISTS arg_BELIEVE)
+    list(APPEND options --believe "${pair}")
   endforeach()
   if(NOT arg_FORMAT OR arg_FORMAT STREQUAL "cpp")
     set(extensions .hpp .cpp)

@@ -229,6 +229,10 @@ static void check_image(void) {
   check(mount->joint == c_arm_mount_base.joint &&
             memcmp(&mount->frame, &c_arm_mount_base.frame, sizeof mount->frame) == 0,
         "image", 6);
+  check(flashbvh_unguarded_count(robot_image) == c_arm_UNGUARDED_COUNT, "image", 7);
+  check((const void*)flashbvh_unguarded_pairs(robot_image) ==
+            (const void*)(mount + flashbvh_mount_count(robot_image)),
+        "image", 8);
 }
 
 int main(void) {
