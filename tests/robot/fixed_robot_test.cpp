@@ -238,3 +238,16 @@ TEST_CASE("robots that firmware can't hold") {
         "arm.urdf, link 'a': has 65536 triangles, 16-bit indices reach 65535; give it a coarser "
         "mesh for collisions");
 }
+
+TEST_CASE("the slack grows by what the reader of a link's file rounded, along three axes, twice") {
+  RobotFiles files;
+  const double cell = 1e-4;
+  tool::Model model = files.read(chain({{"revolute", limits("-1", "1")}}));
+  const auto slack = [&] { return bake_robot(model, cell).robot->robot().slack; };
+  const double before = tool::link_deviation(model.links[1], cell);
+  const std::uint32_t least = slack();
+  model.links[1].precision = 10 * cell;
+  CHECK(tool::link_deviation(model.links[1], cell) == Approx(before + std::sqrt(3.0) * 10 * cell));
+  CHECK(slack() >= least + 2 * 17 * 256);
+  CHECK(slack() <= least + 2 * 18 * 256);
+}

@@ -1,5 +1,6 @@
-// The guard where the truth is a formula: corners of a link before a wide wall. What placing rounds
-// is far more than what doubles do, so no margin hides it.
+// The guard where the truth is a formula: corners of a link before a wide wall, as they are drawn,
+// between the lattice's points. What rounding takes is far more than what doubles do, so no margin
+// hides it.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -16,29 +17,27 @@ namespace {
 
 constexpr double kCell = 0.01;
 
-/// Joints before a wall from x = 1 on.
+/// Where the wall begins: rounding moves it off by half a cell, nearly.
+constexpr double kWall = 1.0054;
+
+/// Joints before a wall.
 struct Scene {
   Model model;
   std::vector<GuardedPair> pairs;
 };
 
 Scene with_wall(Model model, const bake::SourceMesh& tip, double stop, double warn) {
-  add_link(model, kNoJoint, box({1, -4, -4}, {1.5, 4, 4}));
+  add_link(model, kNoJoint, box({kWall, -4, -4}, {1.5, 4, 4}));
   add_link(model, model.joints.size() - 1, tip);
   return {std::move(model), {{0, 1, stop, warn}}};
 }
 
-/// Of the link's corners to the wall, in 1/256 cell.
+/// Of the link's corners to the wall, as both are drawn, in 1/256 cell.
 double true_distance(const FixedArm& arm, const Values& values) {
   const Transform frame = frames_of(arm.model, arm.variables(values)).back();
-  const PostMesh& mesh = arm.robot().meshes[1];
   double nearest = 1e9;
-  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-    const Vertex& v = mesh.vertices[i];
-    const Vector3 at =
-        placed(frame, {(mesh.origin[0] + v.x) * kCell, (mesh.origin[1] + v.y) * kCell,
-                       (mesh.origin[2] + v.z) * kCell});
-    nearest = std::min(nearest, 1 - at[0]);
+  for (const Vector3& vertex : arm.model.links[1].mesh.vertices) {
+    nearest = std::min(nearest, kWall - placed(frame, vertex)[0]);
   }
   return nearest / kCell * 256;
 }
@@ -78,7 +77,7 @@ Scene sliders(std::size_t count, double stop, double warn) {
     const Transform fixed = i == 0 ? turned(1, kPi / 2) : Transform();
     add_joint(model, i == 0 ? kNoJoint : i - 1, fixed, JointType::prismatic, -0.4, 0.4);
   }
-  return with_wall(model, box({-0.2, -0.2, -0.3}, {0.2, 0.2, 0}), stop, warn);
+  return with_wall(model, box({-0.2, -0.2, -0.3}, {0.2043, 0.2046, 0.0048}), stop, warn);
 }
 
 /// A long rod that turns towards the wall, all of whose length counts.
@@ -86,7 +85,7 @@ Scene hammer(double stop, double warn) {
   Model model;
   add_joint(model, kNoJoint, composed(shifted({0.7, -2, 0}), turned(2, kPi / 2)),
             JointType::revolute, -0.3, 1.5);
-  return with_wall(model, box({0.5, -0.03, -0.1}, {2.5, 0.03, 0.1}), stop, warn);
+  return with_wall(model, box({0.5, -0.0347, -0.1}, {2.5049, 0.0344, 0.1048}), stop, warn);
 }
 
 /// A chunk that turns about all axes and slides.
@@ -96,7 +95,7 @@ Scene tumbler(double stop, double warn) {
             JointType::prismatic, -0.5, 0.5);
   add_joint(model, 0, turned(0, 1.2), JointType::continuous, -kPi, kPi);
   add_joint(model, 1, turned(1, 1), JointType::continuous, -kPi, kPi);
-  return with_wall(model, box({-0.1, -0.2, -0.17}, {0.15, 0.1, 0.2}), stop, warn);
+  return with_wall(model, box({-0.1048, -0.2046, -0.1747}, {0.1549, 0.1043, 0.2047}), stop, warn);
 }
 
 const FixedArm& made(std::vector<std::unique_ptr<FixedArm>>& arms, const Scene& scene) {

@@ -26,7 +26,8 @@ struct Verdicts {
 };
 
 /// Some 1,000 periods of one arm with one budget.
-void walk(Random& random, const FixedArm& arm, long count, Verdicts& counts) {
+void walk(Random& random, const FixedArm& arm, const DrawnArm& drawn, long count,
+          Verdicts& counts) {
   const auto state = std::make_unique<AnyGuardState>();
   Guard guard(arm.robot(), *state);
   const std::uint32_t budget = kBudgets[random.below(6)];
@@ -43,7 +44,8 @@ void walk(Random& random, const FixedArm& arm, long count, Verdicts& counts) {
     const Values now = wandering.step(random);
     const Period period(arm, before, now);
     answer = guard.update(now.data(), budget);
-    const char* const wrong = contradiction(arm, answer, period, budget == UINT32_MAX, random);
+    const char* const wrong =
+        contradiction(arm, drawn, answer, period, budget == UINT32_MAX, random);
     if (wrong != nullptr) {
       CAPTURE(wrong, i, budget, answer.pair, answer.distance, static_cast<int>(answer.verdict));
       FAIL();
@@ -62,13 +64,15 @@ TEST_CASE("no verdict is contradicted on random arms, whatever the budget") {
   constexpr long kAtOnce = 200;
   constexpr long kOfArm = 3;
   std::unique_ptr<FixedArm> arm;
+  std::unique_ptr<DrawnArm> drawn;
   for (long done = 0; done < periods(); done += kAtOnce) {
     CAPTURE(done);
     if (done / kAtOnce % kOfArm == 0) {
       const double cell = random.below(2) == 0 ? 1e-3 : 4e-3;
       arm.reset(new FixedArm(any_guarded_arm(random, 3 + random.below(3), cell)));
+      drawn = std::make_unique<DrawnArm>(*arm);
     }
-    walk(random, *arm, kAtOnce, counts);
+    walk(random, *arm, *drawn, kAtOnce, counts);
   }
   CAPTURE(counts.of[0], counts.of[1], counts.of[2], counts.of[3]);
   for (const long of : counts.of) {

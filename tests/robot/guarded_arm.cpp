@@ -114,8 +114,21 @@ FixedArm any_guarded_arm(Random& random, std::size_t joints, double cell) {
   }
 }
 
-const char* contradiction(const FixedArm& arm, const GuardAnswer& answer, const Period& period,
-                          bool is_unlimited, Random& random) {
+bool DrawnArm::is_closer(const RobotPair& pair, const Values& values,
+                         std::uint32_t distance) const {
+  // Of the finer cell: what placing rounds, and both meshes by half a diagonal.
+  constexpr std::uint32_t rounded = kPlacingFine + 2 * 222;
+  const std::uint32_t fine = std::min(distance, kMaxDistance / kFiner) * kFiner;
+  const tool::JointsBetween between = joints_between(arm_.model, pair.a, pair.b);
+  const Transform frame = frame_between(arm_.model, between, arm_.variables(values));
+  const Answer answer =
+      closer_than(drawn_.meshes()[pair.a], drawn_.meshes()[pair.b],
+                  tool::pose_of(frame, drawn_.cell()), fine > rounded ? fine - rounded : 0);
+  return fine > rounded && answer.status == Status::done && answer.yes;
+}
+
+const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const GuardAnswer& answer,
+                          const Period& period, bool is_unlimited, Random& random) {
   const Robot& robot = arm.robot();
   const RobotPair& told = robot.pairs[answer.pair];
   if (answer.status != Status::done) {
@@ -141,15 +154,12 @@ const char* contradiction(const FixedArm& arm, const GuardAnswer& answer, const 
     const Values values = moment == 0   ? period.at_start()
                           : moment == 1 ? period.at_end()
                                         : period.between(random);
-    const auto is_below = [&](const RobotPair& pair, std::uint32_t distance) {
-      return distance > kPlacingFine && arm.is_closer(pair, values, distance - kPlacingFine);
-    };
-    if (is_below(told, answer.distance)) {
+    if (drawn.is_closer(told, values, answer.distance)) {
       return "nearer than the distance told";
     }
     for (std::uint32_t i = 0; is_apart && i < robot.pair_count; ++i) {
       const RobotPair& pair = robot.pairs[i];
-      if (is_below(pair, answer.verdict == Verdict::free ? pair.warn : pair.stop)) {
+      if (drawn.is_closer(pair, values, answer.verdict == Verdict::free ? pair.warn : pair.stop)) {
         return "nearer than the verdict has it";
       }
     }

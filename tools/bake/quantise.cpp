@@ -102,9 +102,23 @@ std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, double cell) {
   return found;
 }
 
+double deviation(const SourceMesh& mesh, double cell) {
+  double most = 0;
+  for (const auto& vertex : mesh.vertices) {
+    double squared = 0;
+    for (const double coordinate : vertex) {
+      const double off = coordinate - nearest(coordinate, cell) * cell;
+      squared += off * off;
+    }
+    most = std::max(most, std::sqrt(squared));
+  }
+  return most;
+}
+
 LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell) {
   LatticeMesh rounded;
   rounded.cell = cell;
+  rounded.deviation = deviation(mesh, cell);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     rounded.origin[axis] = middle(range_of(mesh, axis), cell);
   }
@@ -112,14 +126,10 @@ LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell) {
   std::vector<std::uint32_t> index_of(mesh.vertices.size());
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     std::array<std::int16_t, 3> at{};
-    double squared = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double cells = nearest(mesh.vertices[i][axis], cell);
-      at[axis] = static_cast<std::int16_t>(cells - rounded.origin[axis]);
-      const double off = mesh.vertices[i][axis] - cells * cell;
-      squared += off * off;
+      at[axis] =
+          static_cast<std::int16_t>(nearest(mesh.vertices[i][axis], cell) - rounded.origin[axis]);
     }
-    rounded.deviation = std::max(rounded.deviation, std::sqrt(squared));
     const auto next = static_cast<std::uint32_t>(rounded.vertices.size());
     const auto [entry, inserted] = joined.emplace(at, next);
     if (inserted) {

@@ -19,6 +19,9 @@ bool fits(const SourceMesh& mesh, double cell);
 /// this cell, ascending; none if the mesh fits.
 std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, double cell);
 
+/// How far rounding to the lattice moves a vertex of the mesh, at most, in the mesh's unit.
+double deviation(const SourceMesh& mesh, double cell);
+
 /// Rounds each coordinate to the nearest multiple of `cell`, halves away from zero (and what would
 /// be one if numbers were exact), and joins vertices that fall together. Precondition: fits(mesh,
 /// cell).

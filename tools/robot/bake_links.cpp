@@ -84,6 +84,10 @@ InputMesh link_input(const ModelLink& link, const std::string& path) {
           link.precision};
 }
 
+double link_deviation(const ModelLink& link, double cell) {
+  return bake::deviation(link.mesh, cell) + std::sqrt(3.0) * link.precision;
+}
+
 BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
                     const std::string& path) {
   constexpr std::size_t kMost = bake::IndexLimits<std::uint16_t>::kMost;

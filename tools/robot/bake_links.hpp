@@ -29,6 +29,10 @@ double robot_cell(const Model& model, const std::optional<double>& wanted, const
 /// As it is baked, in metres, for messages.
 InputMesh link_input(const ModelLink& link, const std::string& path);
 
+/// In metres: how far a point of the baked link may lie from where the URDF has it, by what
+/// rounding to the lattice moved its vertices and by what the reader rounded.
+double link_deviation(const ModelLink& link, double cell);
+
 /// UserError, with the link and the mend, if it has more triangles, vertices or nodes than 16-bit
 /// indices reach. `leaf_size`: most triangles in a leaf.
 BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,

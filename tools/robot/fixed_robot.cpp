@@ -6,6 +6,7 @@
 #include <string>
 
 #include "flashbvh/detail/robot_image_parts.hpp"
+#include "robot/bake_links.hpp"
 #include "robot/bounding_sphere.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/reaches.hpp"
@@ -225,13 +226,13 @@ void FixedRobot::check_size(const Model& model) const {
   }
 }
 
-/// See lib/docs/design.md, "Slack": of placing, and of both links' kinematics.
+/// See lib/docs/design.md, "Slack": of placing, and of both links' rounding and kinematics.
 std::uint32_t FixedRobot::slack(const Model& model) const {
   constexpr double placing = 0.89;
-  double kinematics = 0;
+  double most = 0;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const double extent = extent_of(model, i);
-    double error = 0;
+    double error = link_deviation(model.links[i], cell_) / cell_;
     std::size_t reach = links_[i].first_reach;
     for (std::size_t j = model.links[i].joint; j != kNoJoint; j = model.joints[j].parent) {
       // Its rotation's norm; its translation, rounded twice; its coordinate.
@@ -239,9 +240,9 @@ std::uint32_t FixedRobot::slack(const Model& model) const {
       error += extent * 0x1p-27 + 2 * 1.7321 / 2 / kFrameCell +
                coordinate * std::ldexp(reaches_[reach++], -kReachBits) / 256;
     }
-    kinematics = std::max(kinematics, error + extent * 0x1p-29 + 1.0 / kFrameCell);
+    most = std::max(most, error + extent * 0x1p-29 + 1.0 / kFrameCell);
   }
-  return static_cast<std::uint32_t>(std::ceil((placing + 2 * kinematics) * 256));
+  return static_cast<std::uint32_t>(std::ceil((placing + 2 * most) * 256));
 }
 
 }  // namespace flashbvh::tool

@@ -17,6 +17,8 @@ constexpr uint32_t kMostMoved = 1u << 28;
 
 /// What placed vertices are rounded by, 0.89 cells, in 1/65,536.
 constexpr uint32_t kPlacing = 58328;
+/// What baking moves a vertex by at most, half a cell's diagonal, in 1/65,536 cell.
+constexpr uint32_t kBaking = 56756;
 
 /// So far from the base and from each joint, in 1/2,048 cell; links as baked keep to it, too.
 constexpr uint64_t kFarthestFrame = kMaxFrameTranslation - (1 << 16);
@@ -147,7 +149,7 @@ bool Workcell::sweep(const RobotLink& body, uint32_t* reaches, uint32_t& error) 
   RobotLink link = body;
   constexpr uint32_t rounding = 58;  // of a translation, twice, by half of 1/2,048 along each axis
   constexpr uint32_t turned = kFarthestFrame >> 22;  // by 2^-27, as far off as it may be
-  error = 34;                                        // of the relative pose
+  error = kBaking + 34;                              // and of the relative pose
   for (uint8_t j = link.joint; j != kBase; j = joints_[j].parent) {
     const RobotJoint& joint = joints_[j];
     const uint32_t reach = reach_of(joint, link);

@@ -4,8 +4,8 @@
 // What is promised. A period runs from the last values to these. If the verdict is `free` or
 // `warn`, every pair of links that can collide stayed farther apart than its stop distance at every
 // moment of the period, under exact kinematics, as long as each joint moved monotonically between
-// the two values, however unevenly. Robot::slack, what rounding and arithmetic can be wrong by, is
-// in it. What is the user's: braking distance, encoder error and flex go into the stop distance;
+// the two values, however unevenly. The links are those of the URDF, unrounded: Robot::slack, what
+// rounding vertices to the lattice and arithmetic can be wrong by, is in it. What is the user's: braking distance, encoder error and flex go into the stop distance;
 // the verdicts don't latch and have no hysteresis.
 //
 // How. A certificate of a pair is a distance, and the coordinates at which it was measured. As long

@@ -7,7 +7,8 @@
 //
 // What is promised of a tool is what is promised of a link: how far each joint moves it is bounded
 // by the sphere round it, swept over all settings of the joints, so a long thin tool is measured
-// more often than a baked link of its shape would be. What is promised of an obstacle hangs on what
+// more often than a baked link of its shape would be. Tools and obstacles are guarded as they were
+// drawn, before baking rounded their vertices. What is promised of an obstacle hangs on what
 // the caller says of its way.
 //
 // Stack of its functions on Cortex-M3 to M55 at -O2: 400 bytes at most.
