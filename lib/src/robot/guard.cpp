@@ -119,15 +119,16 @@ Guard::Left Guard::left_of(uint16_t i, const JointCoordinate* certified) const {
   const RobotPair& pair = robot_->pairs[i];
   const GuardPair& known = pairs_[i];
   Left now;
-  now.lost = sum_of(motion_of(pair, certified, now.is_fresh), robot_->slack);
+  now.lost = sum_of(motion_of(pair, certified, now.is_current), robot_->slack);
   now.distance = difference_of(known.lower, now.lost);
   now.left = difference_of(now.distance, pair.stop);
-  // Who comes back to where little was asked, and faster, may ask for more (aim() in
-  // guard_measure.cpp), if there is more to ask.
-  now.is_fresh = now.is_fresh && !is_unknown(known) &&
-                 (now.left != 0 || known.lower >= kMaxDistance ||
-                  known.upper <= sum_of(sum_of(pair.stop, now.lost), kRateMargin));
-  now.is_vague = !now.is_fresh && now.left != 0 && now.distance <= pair.warn &&
+  // Who comes back to where little was asked, and faster, may ask for more, if there is more to
+  // ask. Whatever has been measured where the period ends is settled: aim() in guard_measure.cpp.
+  const uint32_t sought = now.left != 0 ? pair.warn : pair.stop;
+  now.is_settled = now.is_current && !is_unknown(known) &&
+                   (now.distance > pair.warn || known.lower >= kMaxDistance ||
+                    known.upper <= sum_of(sum_of(sought, now.lost), kRateMargin));
+  now.is_vague = !now.is_settled && now.left != 0 && now.distance <= pair.warn &&
                  sum_of(known.upper, now.lost) > pair.warn;
   return now;
 }
@@ -151,37 +152,40 @@ uint32_t Guard::longest_step() const {
 }
 
 Guard::Found Guard::look() {
-  Found found = {Verdict::free, kNoPair, UINT32_MAX, kNoPair, 0, 1, 0, kNoPair};
+  Found found = {Verdict::free, kNoPair, UINT32_MAX, kNoPair, 0, 1, 0, kNoPair, 1};
   const uint32_t longest = longest_step();
   const JointCoordinate* certified = certified_;
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
     const RobotPair& pair = robot_->pairs[i];
     GuardPair& known = pairs_[i];
     Left now = left_of(i, certified);
-    if (now.is_vague || (!now.is_fresh && is_near(now.left, pair, longest))) {
+    if (now.is_vague || (!now.is_settled && is_near(now.left, pair, longest))) {
       const uint32_t rate = rate_of(pair);
       const bool is_due = now.left <= uint64_t{rate} * kPeriodsAhead;
       if ((is_due || now.is_vague) && certify_by_chart(i, rate)) {
         now = left_of(i, certified);
       } else if (is_due) {
         found.take_due(i, now.left, sum_of(rate, 1));
+      } else if (now.is_vague) {
+        found.vague = i;
+        found.vague_rate = sum_of(rate, 1);
       }
     }
     certified += pair.joints_a + pair.joints_b;
-    if (now.distance == 0) {
+    if (now.distance == 0 && !now.is_current) {
       known.lower = 0;  // for good: what an obstacle moved is counted on and on, beyond 32 bits
     }
     const bool is_stopped =
-        now.left == 0 && (now.is_fresh || sum_of(known.upper, now.lost) <= pair.stop);
+        now.left == 0 && (now.is_settled || sum_of(known.upper, now.lost) <= pair.stop);
     found.take(now.left != 0 ? now.distance > pair.warn ? Verdict::free : Verdict::warn
                : is_stopped  ? Verdict::stop
                              : Verdict::not_yet_known,
                i, now.distance);
-    found.vague = now.is_vague ? i : found.vague;
     found.walked_left = i == core_->walked_pair ? now.left : found.walked_left;
   }
   if (found.due == kNoPair) {
     found.due = found.vague;
+    found.due_rate = found.vague_rate;
     found.due_left = UINT32_MAX;  // can wait
   }
   return found;
@@ -243,6 +247,9 @@ GuardAnswer Guard::update(const JointCoordinate* values, uint32_t work) {
                                 : GuardAnswer{status, Verdict::not_yet_known, kNoPair, 0, 0};
 }
 
+/// The loop ends. Each turn but one certifies a pair where the period ends, which settles it: no
+/// pair is due twice. The one may end a walk that began in an earlier period. A walk is given up
+/// for a pair alone that has nothing left and that none is given up for, which is then certified.
 GuardAnswer Guard::go_on(uint32_t work) {
   if (!fits_ || core_->has_values == 0) {
     return {Status::guard_state_invalid, Verdict::not_yet_known, kNoPair, 0, 0};
@@ -255,7 +262,7 @@ GuardAnswer Guard::go_on(uint32_t work) {
       break;
     }
     if (status != Status::done) {
-      return {status, Verdict::not_yet_known, found.pair, 0, granted - work};
+      return {status, Verdict::not_yet_known, found.pair, found.distance, granted - work};
     }
     found = look();
   }

@@ -82,7 +82,10 @@ PairDetail Guard::explain(uint16_t i, int32_t* changes) {
   const Witness<uint16_t>& witness = pairs_[i].witness;
   Triangle a;
   Triangle b;
-  place_witness(i, witness, pose, a, b);
+  if (!place_witness(i, witness, pose, a, b)) {
+    detail.status = Status::distance_out_of_range;
+    return detail;
+  }
   detail.witness = witness;
   detail.triangles = {robot_->meshes[pair.a].triangle_ids[witness.a],
                       robot_->meshes[pair.b].triangle_ids[witness.b]};

@@ -37,13 +37,14 @@ constexpr uint32_t kPeriodsAsked = 16;
 
 }  // namespace
 
-/// Its triangles in A's frame, in cells.
-void Guard::place_witness(uint16_t i, const Witness<uint16_t>& witness, const Pose& pose,
+/// Its triangles in A's frame, in cells. False if B lies so far off that it was put nearer.
+bool Guard::place_witness(uint16_t i, const Witness<uint16_t>& witness, const Pose& pose,
                           Triangle& a, Triangle& b) const {
   const PostMesh& mesh_a = robot_->meshes[robot_->pairs[i].a];
   const PostMesh& mesh_b = robot_->meshes[robot_->pairs[i].b];
   const detail::Transform transform(pose, mesh_a, mesh_b, /*may_stop=*/false);
   detail::place_pair(mesh_a, witness.a, mesh_b, witness.b, transform, a, b);
+  return transform.is_in_range();
 }
 
 /// Where the joints between the pair's links stood when it was certified.
@@ -93,8 +94,9 @@ bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
   const uint32_t known = difference_of(apart, robot_->slack);
   const uint32_t left = difference_of(known, pair.stop);
   const uint32_t worth = (a.radius >> 7) + (b.radius >> 7);  // a sixteenth of the radii, 1/256 cell
-  if (known <= pair.warn || left < worth ||
-      left <= uint64_t{rate} * (kPeriodsAhead * kWorthwhile)) {
+  const bool is_worthwhile = difference_of(known, rate) > pair.warn && left >= worth &&
+                             left > uint64_t{rate} * (kPeriodsAhead * kWorthwhile);
+  if (!is_worthwhile && apart < kMaxDistance) {  // farther, triangles tell no more
     return false;
   }
   certify(i, next_, {apart, UINT32_MAX, pairs_[i].witness});
@@ -107,7 +109,8 @@ bool Guard::certify_by_chart(uint16_t i, uint32_t rate) {
   const RobotPair& pair = robot_->pairs[i];
   const uint32_t charted = detail::chart_distance_at(*robot_, i, next_);
   const uint32_t known = difference_of(charted, robot_->slack);
-  if (known <= pair.warn || known - pair.stop <= uint64_t{rate} * (kPeriodsAhead + 1)) {
+  if (difference_of(known, rate) <= pair.warn ||
+      known - pair.stop <= uint64_t{rate} * (kPeriodsAhead + 1)) {
     return false;
   }
   certify(i, next_, {charted, UINT32_MAX, pairs_[i].witness});
@@ -131,17 +134,20 @@ void Guard::begin_walk(uint16_t i, uint32_t& work) {
   aim(witness_distance(work));
 }
 
-/// How far apart the witness is, where the pair is being measured.
+/// How far apart the witness is, where the pair is being measured; UINT32_MAX: not known.
 uint32_t Guard::witness_distance(uint32_t& work) const {
   Triangle a;
   Triangle b;
-  place_witness(core_->walked_pair, core_->witness, core_->pose, a, b);
+  const bool is_placed = place_witness(core_->walked_pair, core_->witness, core_->pose, a, b);
   detail::take_work(work, kAimWork);
-  return detail::distance_above(a, b);
+  return is_placed ? detail::distance_above(a, b) : UINT32_MAX;
 }
 
 /// What to ask: a share of what the witness has over the distance that is to be kept. `nearest`: it
-/// is no farther.
+/// is no farther. Less than `nearest`, so each witness that is found is nearer than the last. A
+/// "no" settles the pair (Left::is_settled): what is asked is as far as can be, or beyond what
+/// lasts the period and the warn distance, or the stop distance; else the witness is no farther
+/// than that.
 void Guard::aim(uint32_t nearest) {
   const RobotPair& pair = robot_->pairs[core_->walked_pair];
   const uint32_t stop = sum_of(pair.stop, robot_->slack);
@@ -202,7 +208,9 @@ Status Guard::finish(const GuardPair& certificate) {
   return Status::done;
 }
 
-/// Goes on with what is being measured, unless another pair can't wait for it.
+/// Goes on with what is being measured, unless another pair can't wait for it. With unlimited work
+/// it ends: each turn of the loop ends the walk, takes a nearer witness, halves what is asked, or
+/// begins a walk of a damaged state anew, once.
 Status Guard::measure(const Found& found, uint32_t& work) {
   const bool is_overtaken = found.due != core_->walked_pair && found.due != kNoPair &&
                             found.due_left == 0 && found.walked_left != 0;
@@ -220,7 +228,7 @@ Status Guard::measure(const Found& found, uint32_t& work) {
     if (status ==
         Status::full) {  // apart from the walk, so that their stacks are never needed at once
       const uint32_t above = witness_distance(work);
-      aim(above < core_->asked ? above : core_->asked);  // so asking comes to an end
+      aim(above < core_->asked ? above : core_->asked);
       status = Status::suspended;
     }
   }

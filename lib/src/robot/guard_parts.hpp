@@ -21,7 +21,8 @@ struct Guard::Left {
   uint32_t lost;      ///< how far the links may have moved towards each other since, and the slack
   uint32_t distance;  ///< they are farther apart than that
   uint32_t left;      ///< of it, over the stop distance
-  bool is_fresh;      ///< the certificate is of where the period ends
+  bool is_current;    ///< the certificate is of where the period ends
+  bool is_settled;    ///< and to measure the pair again would tell no more of the period
   bool is_vague;      ///< whether it is free or warned of is not known
 };
 
@@ -41,6 +42,7 @@ struct Guard::Found {
   uint32_t due_rate;
   uint32_t walked_left;
   uint16_t vague;  ///< whether it is free or warned of is not known, or kNoPair
+  uint32_t vague_rate;
 
   void take(Verdict of_pair, uint16_t i, uint32_t known) {
     if (of_pair > verdict || (of_pair == verdict && known < distance)) {

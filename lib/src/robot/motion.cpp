@@ -100,7 +100,7 @@ void MotionQuery::next_interval() {
   core_->phase = kNew;
 }
 
-/// The pair may intersect in the interval, and does not in its middle.
+/// The pair may intersect in the interval, and does not in its middle, as far as is known.
 void MotionQuery::split_or_end() {
   core_->phase = kNew;
   if (core_->within <= 2 * robot_->slack || core_->level == kMostLevels) {
@@ -166,8 +166,8 @@ void MotionQuery::step(uint32_t& work) {
   const Status status = ask_phase(work);
   if (status == Status::done && core_->phase == kWithin) {
     next_interval();
-  } else if (status == Status::done) {
-    split_or_end();
+  } else if (status == Status::done || status == Status::distance_out_of_range) {
+    split_or_end();  // also of what lies too far off for so large a question
   } else if (status == Status::full && core_->phase == kWithin) {
     core_->position = {};
     core_->phase = kIntersects;
@@ -179,6 +179,8 @@ void MotionQuery::step(uint32_t& work) {
   }
 }
 
+/// With unlimited work it ends: each turn gets on with a question, and each question halves its
+/// interval or goes on to the next one; none is halved more than kMostLevels times.
 MotionAnswer MotionQuery::run(uint32_t work) {
   if (!fits_ || core_->robot_hash != robot_->hash) {
     return {Status::guard_state_invalid, MotionOutcome::close, 0, {}, 0, 0};

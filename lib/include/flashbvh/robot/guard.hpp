@@ -207,7 +207,7 @@ class Guard {
   void set_next();
   void make_frames();
   Share share_of(const RobotPair& pair, uint8_t variable, const NearestPoints& nearest) const;
-  void place_witness(uint16_t pair, const Witness<uint16_t>& witness, const Pose& pose, Triangle& a,
+  bool place_witness(uint16_t pair, const Witness<uint16_t>& witness, const Pose& pose, Triangle& a,
                      Triangle& b) const;
 
   const Robot* robot_;
