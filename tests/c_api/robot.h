@@ -31,7 +31,7 @@ enum { STOP_FINE = 40328, WARN_FINE = 241964 };
 typedef struct story {
   uint32_t hash;
   uint32_t count;
-  uint32_t verdicts[4]; /**< how many of each, to tell that all came up */
+  uint32_t verdicts[5]; /**< how many of each, to tell that all came up */
   uint32_t outcomes[3];
 } story;
 

@@ -32,7 +32,7 @@ static void check_memory(void) {
   check(flashbvh_guard_init(&guard, &c_arm_robot, state, c_arm_GUARD_STATE_SIZE - 1) ==
         FLASHBVH_STATUS_GUARD_STATE_INVALID);
   check(flashbvh_guard_prime(&guard, values).status == FLASHBVH_STATUS_GUARD_STATE_INVALID);
-  check(flashbvh_guard_update(&guard, values, 1).verdict == FLASHBVH_VERDICT_NOT_YET_KNOWN);
+  check(flashbvh_guard_update(&guard, values, 1).verdict == FLASHBVH_VERDICT_REFUSED);
   check(flashbvh_guard_resume(&guard) == FLASHBVH_STATUS_GUARD_STATE_INVALID);
   check(flashbvh_guard_explain(&guard, 0, changes, &detail) == FLASHBVH_STATUS_GUARD_STATE_INVALID);
   check(detail.variable == FLASHBVH_NO_VARIABLE);

@@ -22,7 +22,7 @@ void tell_answer(story* to, flashbvh_guard_answer answer) {
   tell(to, answer.pair);
   tell(to, answer.distance);
   tell(to, answer.work);
-  ++to->verdicts[answer.verdict % 4];
+  ++to->verdicts[answer.verdict];
 }
 
 static void tell_point(story* to, const flashbvh_fine_point* p) {

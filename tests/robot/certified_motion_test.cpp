@@ -154,3 +154,30 @@ TEST_CASE("a geared mimic of a joint without limits hits what its master never c
     CHECK(query.run(UINT32_MAX).outcome == MotionOutcome::hit);
   }
 }
+
+TEST_CASE(
+    "a motion of links so far apart that a question about half of it can't be told is halved") {
+  Model model;
+  const Transform forwards = composed(shifted({0.48, 0, 0}), turned(1, kPi / 2));
+  const std::size_t slide =
+      add_joint(model, tool::kNoJoint, forwards, JointType::prismatic, 0, 0.3);
+  add_joint(model, slide, composed(turned(1, -kPi / 2), turned(2, kPi / 4)), JointType::revolute,
+            -1, 1);
+  add_link(model, tool::kNoJoint, box({-0.16, -0.16, -0.16}, {0.16, 0.16, 0.16}));
+  add_link(model, 1, box({-0.16, -0.16, -0.16}, {0.16, 0.16, 0.16}));
+  const FixedArm arm(model, 1e-5, {{0, 1, 0.001, 0.002}});
+  const JointCoordinate from[] = {0, 0};
+  const JointCoordinate to[] = {static_cast<JointCoordinate>(0.22 / arm.unit_of(0)), 0};
+  const auto state = std::make_unique<State>();
+  MotionQuery query(arm.robot(), *state);
+  REQUIRE(query.start(from, to) == Status::done);
+  const MotionAnswer answer = query.run(UINT32_MAX);
+  CHECK(answer.status == Status::done);
+  CHECK(answer.outcome == MotionOutcome::free);
+  // There the witness can't be placed: nothing is told of it.
+  AnyGuardState memory;
+  Guard guard(arm.robot(), memory);
+  CHECK(guard.prime(to).verdict == Verdict::free);
+  int32_t changes[2];
+  CHECK(guard.explain(0, changes).status == Status::distance_out_of_range);
+}

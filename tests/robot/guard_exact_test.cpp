@@ -248,7 +248,7 @@ TEST_CASE("a pair that has nothing left does not wait for one that has") {
   const FixedArm arm(model, kCell, {{0, 1, 0.05, 0.05}, {0, 2, 0.05, 0.05}});
   Walk walk(arm);
   Values values = {0, 0};
-  walk.guard.prime(values.data());
+  (void)walk.guard.prime(values.data());
   for (int i = 0; i < 80 && walk.state->core.walked_pair != 0; ++i) {
     values[0] += kFrameCell;
     (void)walk.guard.update(values.data(), 1);

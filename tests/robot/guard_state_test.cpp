@@ -88,7 +88,7 @@ TEST_CASE("refused values change nothing, and a state taken up goes on as if it 
         const Status wanted = any_refused(random, arm, last, refused);
         const GuardAnswer answer = other.update(refused.data(), 100);
         CHECK(answer.status == wanted);
-        CHECK(answer.verdict == Verdict::not_yet_known);
+        CHECK(answer.verdict == Verdict::refused);
       }
       const std::uint32_t work = kBudgets[random.below(5)];
       const GuardAnswer wanted = guard.update(now.data(), work);
@@ -142,6 +142,7 @@ TEST_CASE("what is no state of this guard") {
   const auto state = no_state();
   Guard guard(arm.robot(), *state);
   CHECK(guard.go_on(1).status == Status::guard_state_invalid);
+  CHECK(guard.go_on(1).verdict == Verdict::refused);
   CHECK(guard.prime(values.data()).status == Status::done);
   const auto stored = no_state();
   copy(*state, *stored);

@@ -67,6 +67,8 @@ printf 'turn,fold,grip\n0,3.5,0\n' >over.csv
 exits 3 guard image/arm.robot over.csv
 grep -q "over.csv:2: joint 'fold' can't be at 3.5: its limits are -3 and 3; mend" stderr ||
   fail "$(cat stderr)"
+exits 3 guard image/arm.robot over.csv --json
+grep -q '"verdict":"refused","a":null' stdout || fail "$(cat stdout)"
 refused "arm.robot: is baked already, --stop is for a URDF; leave it out" \
   guard image/arm.robot free.csv --stop 0.02
 
@@ -77,7 +79,7 @@ cp stdout first
 exits 1 guard image/arm.robot folded.csv --json --motion
 diff first stdout || fail "another answer"
 seen=$(sed 's/.*"verdict":"\([a-z_]*\)".*/\1/' first | uniq | tr '\n' ' ')
-case $seen in "free warn "*" warn stop ") ;; *) fail "$seen" ;; esac
+[ "$seen" = "free warn stop " ] || fail "$seen"
 line_of() { sed -n "/$1/{s/{\"line\":\([0-9]*\),.*/\1/p;q;}" first; }
 stop=$(line_of '"verdict":"stop"')
 hit=$(line_of '"outcome":"hit"')

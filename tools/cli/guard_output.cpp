@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kShownLines = 10;
 
 const char* name_of(Verdict verdict) {
-  constexpr const char* kNames[] = {"free", "warn", "not_yet_known", "stop"};
+  constexpr const char* kNames[] = {"free", "warn", "not_yet_known", "stop", "refused"};
   return kNames[static_cast<std::size_t>(verdict)];
 }
 

@@ -133,7 +133,7 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_self_within_resume(
 
 /** The question of intersections of any mesh, ended by the first pair: in `yes`, true after an
  * error, too. */
-flashbvh_status flashbvh_intersects_itself(const flashbvh_mesh* mesh, bool* yes);
+FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects_itself(const flashbvh_mesh* mesh, bool* yes);
 
 #ifdef __cplusplus
 }

@@ -341,7 +341,8 @@ typedef struct flashbvh_tree_size {
 } flashbvh_tree_size;
 
 /** Of an image that flashbvh_open() has opened. Else the status with which it is no image. */
-flashbvh_status flashbvh_image_tree_size(const void* image, size_t size, flashbvh_tree_size* tree);
+FLASHBVH_NODISCARD flashbvh_status flashbvh_image_tree_size(const void* image, size_t size,
+                                                            flashbvh_tree_size* tree);
 
 /** Instructions that the parts of a run can take at most on some core, with GCC 12 at -O2. */
 typedef struct flashbvh_run_costs {

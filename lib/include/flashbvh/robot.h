@@ -237,7 +237,8 @@ typedef enum flashbvh_verdict {
   FLASHBVH_VERDICT_FREE = 0,          /**< farther apart than the warn distance */
   FLASHBVH_VERDICT_WARN = 1,          /**< farther apart than the stop distance */
   FLASHBVH_VERDICT_NOT_YET_KNOWN = 2, /**< what was granted did not do */
-  FLASHBVH_VERDICT_STOP = 3 /**< not farther apart than the stop distance, or it can't be told */
+  FLASHBVH_VERDICT_STOP = 3,   /**< not farther apart than the stop distance, or it can't be told */
+  FLASHBVH_VERDICT_REFUSED = 4 /**< the values were refused and nothing changed */
 } flashbvh_verdict;
 
 /** What is known of a period. */

@@ -9,7 +9,8 @@ static_assert(FLASHBVH_NO_PAIR == kNoPair && FLASHBVH_NO_VARIABLE == kNoVariable
               "one meaning of none");
 static_assert(FLASHBVH_VERDICT_WARN == static_cast<int>(Verdict::warn) &&
                   FLASHBVH_VERDICT_NOT_YET_KNOWN == static_cast<int>(Verdict::not_yet_known) &&
-                  FLASHBVH_VERDICT_STOP == static_cast<int>(Verdict::stop),
+                  FLASHBVH_VERDICT_STOP == static_cast<int>(Verdict::stop) &&
+                  FLASHBVH_VERDICT_REFUSED == static_cast<int>(Verdict::refused),
               "one list of verdicts");
 static_assert(FLASHBVH_GUARD_STATE_SIZE(1, 1, 1) == sizeof(GuardStateOf<1, 1, 1>) &&
                   FLASHBVH_GUARD_STATE_SIZE(7, 1, 1) == sizeof(GuardStateOf<7, 1, 1>) &&

@@ -244,7 +244,7 @@ Status Guard::move_to(const JointCoordinate* values) {
 GuardAnswer Guard::update(const JointCoordinate* values, uint32_t work) {
   const Status status = move_to(values);
   return status == Status::done ? go_on(work)
-                                : GuardAnswer{status, Verdict::not_yet_known, kNoPair, 0, 0};
+                                : GuardAnswer{status, Verdict::refused, kNoPair, 0, 0};
 }
 
 /// The loop ends. Each turn but one certifies a pair where the period ends, which settles it: no
@@ -252,7 +252,7 @@ GuardAnswer Guard::update(const JointCoordinate* values, uint32_t work) {
 /// for a pair alone that has nothing left and that none is given up for, which is then certified.
 GuardAnswer Guard::go_on(uint32_t work) {
   if (!fits_ || core_->has_values == 0) {
-    return {Status::guard_state_invalid, Verdict::not_yet_known, kNoPair, 0, 0};
+    return {Status::guard_state_invalid, Verdict::refused, kNoPair, 0, 0};
   }
   const uint32_t granted = work;
   Found found = look();

@@ -5,8 +5,9 @@
 // `warn`, every pair of links that can collide stayed farther apart than its stop distance at every
 // moment of the period, under exact kinematics, as long as each joint moved monotonically between
 // the two values, however unevenly. The links are those of the URDF, unrounded: Robot::slack, what
-// rounding vertices to the lattice and arithmetic can be wrong by, is in it. What is the user's: braking distance, encoder error and flex go into the stop distance;
-// the verdicts don't latch and have no hysteresis.
+// rounding vertices to the lattice and arithmetic can be wrong by, is in it. What is the user's:
+// braking distance, encoder error and flex go into the stop distance; the verdicts don't latch and
+// have no hysteresis.
 //
 // How. A certificate of a pair is a distance, and the coordinates at which it was measured. As long
 // as the joints between the two links have not moved them nearer by more than what the distance has
@@ -34,26 +35,28 @@
 namespace flashbvh {
 
 /// From the best to the worst.
-enum class Verdict : uint8_t {
-  free = 0,           ///< farther apart than the warn distance
-  warn = 1,           ///< farther apart than the stop distance; maybe not than the warn distance
-  not_yet_known = 2,  ///< what was granted did not do
-  stop = 3,           ///< not farther apart than the stop distance, or it can't be told apart
+enum class [[nodiscard]] Verdict : uint8_t{
+    free = 0,           ///< farther apart than the warn distance
+    warn = 1,           ///< farther apart than the stop distance; maybe not than the warn distance
+    not_yet_known = 2,  ///< what was granted did not do
+    stop = 3,           ///< not farther apart than the stop distance, or it can't be told apart
+    refused = 4,        ///< the values were refused and nothing changed: `status` says why
 };
 
 /// No pair: every one is free.
 constexpr uint16_t kNoPair = 0xFFFF;
 
 /// What is known of a period.
-struct GuardAnswer {
-  /// `done`; or why the values were refused, and nothing changed: not_a_coordinate,
-  /// joint_out_of_limits, joint_jumped; or an error of a query's. The verdict then is
+struct [[nodiscard]] GuardAnswer {
+  /// `done`; or, with the verdict `refused`, why nothing changed: not_a_coordinate,
+  /// joint_out_of_limits, joint_jumped, guard_state_invalid; or an error of a query's, with
   /// `not_yet_known`.
   Status status;
-  Verdict verdict;    ///< the worst of all pairs
-  uint16_t pair;      ///< of Robot::pairs: that of the least clearance with this verdict
-  uint32_t distance;  ///< its links stayed at least so far apart, in 1/256 cell
-  uint32_t work;      ///< that was spent
+  Verdict verdict;  ///< the worst of all pairs
+  uint16_t pair;    ///< of Robot::pairs: that of the least clearance with this verdict
+  /// Its links stayed at least so far apart, in 1/256 cell, whatever the verdict: what is known.
+  uint32_t distance;
+  uint32_t work;  ///< that was spent
 };
 
 /// What is known of a pair. 12 bytes, and 4 for each joint between its links.
@@ -81,7 +84,7 @@ struct GuardCore {
 constexpr uint8_t kNoVariable = 0xFF;
 
 /// Where two links are near each other, and which way is out.
-struct PairDetail {
+struct [[nodiscard]] PairDetail {
   /// `done`; `guard_state_invalid`: there was no period yet, or no such pair; or a query's error.
   Status status;
   /// Of the two triangles that were nearest when they were last looked at, where they are at the

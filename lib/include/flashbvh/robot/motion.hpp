@@ -21,11 +21,11 @@
 namespace flashbvh {
 
 /// Of a motion.
-enum class MotionOutcome : uint8_t {
-  free = 0,  ///< no pair that can collide intersects at any moment
-  hit = 1,   ///< a pair intersects at the moment told
-  /// A pair is nearer than three times Robot::slack about the moment told; it may intersect.
-  close = 2,
+enum class [[nodiscard]] MotionOutcome : uint8_t{
+    free = 0,  ///< no pair that can collide intersects at any moment
+    hit = 1,   ///< a pair intersects at the moment told
+    /// A pair is nearer than three times Robot::slack about the moment told; it may intersect.
+    close = 2,
 };
 
 /// How far a query came.
