@@ -28,11 +28,11 @@ struct Guarded {
 Guarded read_guarded(const GuardArguments& arguments, const CLI::App& command, Warnings& warnings) {
   if (is_robot_file_name(arguments.urdf)) {
     BakedRobot robot = opened_robot(arguments.urdf, command, warnings);
-    Trajectory trajectory = read_trajectory(arguments.trajectory, robot.model);
+    Trajectory trajectory = read_trajectory(arguments.trajectory, robot.model, warnings);
     return {std::move(robot), std::move(trajectory)};
   }
   Model model = described_robot(arguments, warnings);
-  Trajectory trajectory = read_trajectory(arguments.trajectory, model);
+  Trajectory trajectory = read_trajectory(arguments.trajectory, model, warnings);
   return {baked_robot(std::move(model), arguments, warnings), std::move(trajectory)};
 }
 

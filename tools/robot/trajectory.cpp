@@ -1,9 +1,13 @@
 #include "robot/trajectory.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "mesh/mesh_builder.hpp"
+#include "robot/trajectory_columns.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -12,89 +16,112 @@
 namespace flashbvh::tool {
 namespace {
 
-/// What is between commas, without the blanks around it.
-std::vector<std::string_view> fields_of(std::string_view line) {
-  constexpr std::string_view kBlanks = " \t\v\f";
-  std::vector<std::string_view> fields;
-  for (std::size_t begin = 0, end = 0; end != std::string_view::npos; begin = end + 1) {
-    end = line.find(',', begin);
-    std::string_view field = line.substr(begin, end == std::string_view::npos ? end : end - begin);
-    field.remove_prefix(std::min(field.find_first_not_of(kBlanks), field.size()));
-    fields.push_back(field.substr(0, field.find_last_not_of(kBlanks) + 1));
+/// How far a mimic's value may be from what its joint gives: both have three decimals at least.
+constexpr double kMostRounding = 1e-3;
+
+double number_in(std::string_view field, const std::string& place) {
+  const auto value = parse_number(field);
+  if (value && is_coordinate(*value)) {
+    return *value;
   }
-  return fields;
+  std::string pointed(field);
+  std::replace(pointed.begin(), pointed.end(), ',', '.');
+  if (pointed != field && parse_number(pointed)) {
+    throw UserError(place, quoted(field), " has a decimal comma; write a point: ", pointed);
+  }
+  throw UserError(place, quoted(field), " is no finite number; give radians, or metres");
 }
 
-const std::string& name_of(const Model& model, std::size_t variable) {
-  return model.joints[model.variables[variable]].name;
-}
-
-std::string names_of(const Model& model) {
-  std::string names;
-  for (std::size_t i = 0; i < model.variables.size(); ++i) {
-    names += (i == 0 ? "" : ",") + name_of(model, i);
-  }
-  return names;
-}
-
-std::size_t variable_named(const Model& model, std::string_view name, const std::string& place) {
-  const auto joint = std::find_if(model.joints.begin(), model.joints.end(),
-                                  [&](const ModelJoint& j) { return j.name == name; });
-  if (joint == model.joints.end()) {
-    throw UserError(place, "the column ", quoted(name),
-                    " is no joint of the robot that moves; its joints are ", names_of(model));
-  }
-  const std::size_t moving = model.variables[joint->variable];
-  if (&model.joints[moving] != &*joint) {
-    throw UserError(place, "the column ", quoted(name), " is a joint that follows ",
-                    tool::quoted(model.joints[moving].name), "; leave it out");
-  }
-  return joint->variable;
-}
-
-/// The variable of each column.
-std::vector<std::size_t> read_header(const Model& model, std::string_view line,
-                                     const std::string& place) {
-  std::vector<std::size_t> variables;
-  std::vector<bool> has_column(model.variables.size());
-  for (const std::string_view name : fields_of(line)) {
-    variables.push_back(variable_named(model, name, place));
-    if (has_column[variables.back()]) {
-      throw UserError(place, "has two columns ", quoted(name), "; leave one out");
-    }
-    has_column[variables.back()] = true;
-  }
-  const auto missing = std::find(has_column.begin(), has_column.end(), false);
-  if (missing != has_column.end()) {
-    throw UserError(
-        place, "has no column ",
-        tool::quoted(name_of(model, static_cast<std::size_t>(missing - has_column.begin()))),
-        "; the first line names all joints that move: ", names_of(model));
-  }
-  return variables;
-}
-
-std::vector<float> read_values(const std::vector<std::size_t>& variables, std::string_view line,
-                               const std::string& place) {
-  const std::vector<std::string_view> fields = fields_of(line);
-  if (fields.size() != variables.size()) {
+/// The numbers of a line, one a column; none for a time that is no number, as a date.
+std::vector<std::optional<double>> numbers_of(const TrajectoryColumns& header,
+                                              std::string_view line, const std::string& place) {
+  const std::vector<std::string_view> fields = fields_of(line, header.separator);
+  if (fields.size() != header.columns.size()) {
     throw UserError(place, "has ", fields.size(), fields.size() == 1 ? " value" : " values",
-                    ", the first line names ", variables.size(), " joints; give each one");
+                    ", the first line names ", header.columns.size(), " columns; give each one");
   }
-  std::vector<float> values(variables.size());
+  std::vector<std::optional<double>> numbers;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const auto value = parse_number(fields[i]);
-    if (!value || !is_coordinate(*value)) {
-      throw UserError(place, quoted(fields[i]), " is no finite number; give radians, or metres");
-    }
-    values[variables[i]] = static_cast<float>(*value);
+    numbers.push_back(header.columns[i].is_time ? parse_number(fields[i])
+                                                : number_in(fields[i], place));
   }
-  return values;
+  return numbers;
+}
+
+/// Of a line; `values`: of the variables.
+void check_mimic(const Model& model, const TrajectoryColumn& column, double told,
+                 const std::vector<double>& values, const std::string& place) {
+  const ModelJoint& joint = model.joints[column.joint];
+  const double wanted = joint.multiplier * values[joint.variable] + joint.offset;
+  if (std::fabs(told - wanted) > kMostRounding * std::max(1.0, std::fabs(joint.multiplier))) {
+    const ModelJoint& master = model.joints[model.variables[joint.variable]];
+    throw UserError(place, tool::quoted(joint.name), " is ", significant(told, 6),
+                    ", but it follows ", tool::quoted(master.name), ", which puts it at ",
+                    significant(wanted, 6), "; leave the column out, or mend the value");
+  }
+}
+
+/// Reads lines one after the other.
+class RowReader {
+ public:
+  RowReader(const Model& model, TrajectoryColumns columns)
+      : model_(model), header_(std::move(columns)), times_(header_.columns.size()) {}
+
+  /// Of the variables, in their order.
+  std::vector<float> read(std::string_view line, const std::string& place) {
+    const std::vector<std::optional<double>> numbers = numbers_of(header_, line, place);
+    check_times(numbers, place);
+    std::vector<double> values(model_.variables.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (is_variable(i)) {
+        values[model_.joints[header_.columns[i].joint].variable] = *numbers[i];
+      }
+    }
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (!header_.columns[i].is_time && !is_variable(i)) {
+        check_mimic(model_, header_.columns[i], *numbers[i], values, place);
+      }
+    }
+    return {values.begin(), values.end()};
+  }
+
+ private:
+  bool is_variable(std::size_t column) const {
+    const std::size_t joint = header_.columns[column].joint;
+    return joint != kNoJoint && model_.variables[model_.joints[joint].variable] == joint;
+  }
+
+  void check_times(const std::vector<std::optional<double>>& numbers, const std::string& place) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (!header_.columns[i].is_time || !numbers[i]) {
+        continue;
+      }
+      if (times_[i] && *numbers[i] < *times_[i]) {
+        throw UserError(place, tool::quoted(header_.columns[i].name), " goes back from ",
+                        shortest(*times_[i]), " to ", shortest(*numbers[i]),
+                        "; each line is one period after the line before: sort them");
+      }
+      times_[i] = numbers[i];
+    }
+  }
+
+  const Model& model_;
+  TrajectoryColumns header_;
+  std::vector<std::optional<double>> times_;  ///< the last ones, by column
+};
+
+void note_times(const TrajectoryColumns& header, const std::string& place, Warnings& warnings) {
+  for (const TrajectoryColumn& column : header.columns) {
+    if (column.is_time) {
+      warnings.add(place, concat("the column ", tool::quoted(column.name),
+                                 " is not used: each line is one period after the line before"));
+    }
+  }
 }
 
 }  // namespace
 
-Trajectory read_trajectory(const std::string& path, const Model& model) {
+Trajectory read_trajectory(const std::string& path, const Model& model, Warnings& warnings) {
   if (model.variables.empty()) {
     throw UserError(path, "the robot has no joint that moves, so it has no trajectory");
   }
@@ -103,14 +130,15 @@ Trajectory read_trajectory(const std::string& path, const Model& model) {
   const bool is_marked = text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0;
   Lines lines(std::string_view(text).substr(is_marked ? kByteOrderMark.size() : 0));
   if (!lines.next_content()) {
-    throw UserError(path, "has no line that names the joints: ", names_of(model));
+    throw UserError(path, "has no line that names the joints: ", variable_names(model));
   }
-  const std::vector<std::size_t> variables =
-      read_header(model, lines.line(), at_line(path, lines.number()));
+  const std::string place = at_line(path, lines.number());
+  TrajectoryColumns columns = read_columns(model, lines.line(), place);
+  note_times(columns, place, warnings);
+  RowReader reader(model, std::move(columns));
   Trajectory trajectory(model.variables.size());
   while (lines.next_content()) {
-    trajectory.add(lines.number(),
-                   read_values(variables, lines.line(), at_line(path, lines.number())));
+    trajectory.add(lines.number(), reader.read(lines.line(), at_line(path, lines.number())));
   }
   if (trajectory.size() == 0) {
     throw UserError(path, "has no line of values; give one a period");

@@ -2,6 +2,8 @@
 //
 // The first line names a variable in each column, in any order; each other line has their values
 // one period after the line before: radians, metres of joints that slide. '#' begins a comment.
+// Fields lie between semicolons, commas or tabs. Columns of a time and of joints that mimic are
+// checked and not used.
 #ifndef FLASHBVH_TOOLS_ROBOT_TRAJECTORY_HPP
 #define FLASHBVH_TOOLS_ROBOT_TRAJECTORY_HPP
 
@@ -10,6 +12,7 @@
 #include <vector>
 
 #include "robot/model.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 
@@ -35,9 +38,10 @@ class Trajectory {
   std::vector<float> values_;
 };
 
-/// UserError, with the line and the mend, unless each variable has one column, nothing else has,
-/// and all values are numbers. Limits are not looked at.
-Trajectory read_trajectory(const std::string& path, const Model& model);
+/// UserError, with the line and the mend, unless each variable has one column, all values are
+/// numbers, times don't go back, and mimics are where their joints put them. Limits are not looked
+/// at. Warns of a column of times, which sets none.
+Trajectory read_trajectory(const std::string& path, const Model& model, Warnings& warnings);
 
 }  // namespace flashbvh::tool
 
