@@ -50,7 +50,7 @@ ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& comma
   if (!arguments.page.empty()) {
     refuse_to_replace_inputs(arguments.page, {arguments.urdf, arguments.trajectory});
     files.add(arguments.page, guard_page({robot.model, robot.robot(), trajectory, replayed.answers,
-                                          arguments.work, replayed.motions}));
+                                          arguments.work, replayed.motions, robot.unguarded}));
   }
   files.write([&] {
     warnings.print();

@@ -21,9 +21,18 @@ struct Replayed {
   std::vector<CertifiedMotion> motions;  ///< the first: to the second line
 };
 
-/// Counts, the closest moment, work, and motions that are not free.
+/// Lines that are told one by one in tables and on standard error.
+constexpr std::size_t kShownLines = 10;
+
+/// "ok" of `done`.
+std::string name_of(Status status);
+const std::string& link_name(const BakedRobot& robot, std::uint8_t link);
+const std::string& variable_name(const BakedRobot& robot, std::size_t variable);
+
+/// Pairs that are not guarded, counts, stretches that are not free, the closest moment, work, and
+/// motions that are not free.
 void print_replayed(const Replayed& replayed);
-/// One object a line of the trajectory.
+/// One object a line of the trajectory; the first has the pairs that are not guarded, too.
 void print_replayed_json(const Replayed& replayed);
 /// Values that firmware refuses, on standard error.
 void print_refused(const Replayed& replayed);

@@ -7,6 +7,7 @@
 
 #include "cli/lengths.hpp"
 #include "cli/robot_sizes.hpp"
+#include "cli/unguarded_json.hpp"
 #include "image/cpp_writer.hpp"
 #include "robot/joint_text.hpp"
 #include "robot/robot_writer.hpp"
@@ -99,16 +100,6 @@ void print_unguarded(const Model& model, const std::vector<UnguardedPair>& ungua
   if (!unguarded.empty()) {
     std::cout << "not guarded: " << names_of(model, unguarded) << "\n\n";
   }
-}
-
-Json unguarded_json(const Model& model, const std::vector<UnguardedPair>& unguarded) {
-  Json json = Json::array();
-  for (const UnguardedPair& pair : unguarded) {
-    json.push_back({{"a", model.links[pair.a].name},
-                    {"b", model.links[pair.b].name},
-                    {"reason", pair.reason}});
-  }
-  return json;
 }
 
 Json pair_json(const Model& model, const PairVerdict& pair) {

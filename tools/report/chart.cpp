@@ -14,9 +14,16 @@ namespace {
 constexpr double kChartWidth = 1000;
 constexpr double kChartHeight = 300;
 constexpr double kPlotLeft = 120;   // of the plot, for lengths
-constexpr double kBelowPlot = 60;   // for the verdicts and the lines' numbers
 constexpr double kPlotRight = 985;  // the plot's end
-constexpr double kStripHeight = 12;
+constexpr double kLane = 30;        // of a verdict, below the plot
+constexpr double kBar = 18;         // in it
+constexpr double kBelowLanes = 48;  // for the first and the last line's numbers
+constexpr double kLeastBar = 3;     // a single period can be seen
+/// Of line styles that have a number; the one behind them is dotted.
+constexpr std::size_t kNumbered = 6;
+
+/// Of the kinds of periods.
+constexpr const char* kLetters[kPeriodKinds] = {"F", "W", "N", "S", "R"};
 
 /// At least `value`, and 1, 2 or 5 times a power of ten.
 double round_number(double value) {
@@ -69,32 +76,68 @@ std::string text(double x, double y, const char* anchor, const std::string& cont
                 content, "</text>\n");
 }
 
-std::string level_line(const ChartLevel& level, double top) {
-  return concat("<path class=", level.name, " d=\"M", at(kPlotLeft, height_of(level.value, top)),
-                "H", fixed(kPlotRight, 1), "\"/>\n");
+/// `order`: of the levels, whose names stand beside each other.
+std::string level_line(const ChartLevel& level, double top, std::size_t order) {
+  const double y = height_of(level.value, top);
+  return concat("<path class=", level.style, " d=\"M", at(kPlotLeft, y), "H", fixed(kPlotRight, 1),
+                "\"/>\n") +
+         text(kPlotRight - 110 * static_cast<double>(order), y - 12, "end", level.name);
 }
 
-std::string strip(const Chart& chart) {
-  std::string svg;
+/// The line's number, on the line; lines have theirs beside each other.
+std::string number_on(const ChartLine& line, std::size_t lines, double top) {
+  const std::size_t count = line.values.size();
+  const std::size_t place = (2 * line.style + 1) * count / (2 * lines);
+  if (place >= count || !line.values[place]) {
+    return "";
+  }
+  const double part =
+      static_cast<double>(place) / std::max<double>(static_cast<double>(count) - 1, 1);
+  return concat("<text class=number x=", fixed(kPlotLeft + (kPlotRight - kPlotLeft) * part, 0),
+                " y=", fixed(height_of(*line.values[place], top), 0), ">", line.style + 1,
+                "</text>\n");
+}
+
+bool has_numbers(const Chart& chart) {
+  return chart.lines.size() > 1;
+}
+
+bool has_kind(const Chart& chart, std::size_t kind) {
+  return std::any_of(chart.runs.begin(), chart.runs.end(),
+                     [&](const KindRun& run) { return run.kind == kind; });
+}
+
+/// The periods of a kind, in a lane below the plot.
+std::string lane(const Chart& chart, std::size_t kind, double y) {
+  std::string svg = text(kPlotLeft - 8, y + kBar / 2, "end", kLetters[kind]);
   for (const KindRun& run : chart.runs) {
-    svg += concat("<rect class=v", run.kind,
-                  " x=", fixed(kPlotLeft + (kPlotRight - kPlotLeft) * run.begin, 1),
-                  " y=", fixed(kChartHeight + 8, 0),
-                  " width=", fixed((kPlotRight - kPlotLeft) * (run.end - run.begin), 2),
-                  " height=", fixed(kStripHeight, 0), "></rect>\n");
+    if (run.kind == kind) {
+      svg += concat("<rect class=v", kind,
+                    " x=", fixed(kPlotLeft + (kPlotRight - kPlotLeft) * run.begin, 1),
+                    " y=", fixed(y, 0), " width=",
+                    fixed(std::max((kPlotRight - kPlotLeft) * (run.end - run.begin), kLeastBar), 2),
+                    " height=", fixed(kBar, 0), "></rect>\n");
+    }
   }
   return svg;
+}
+
+std::string line_key(const ChartLine& line, bool is_numbered) {
+  return concat("<span><svg class=sample viewBox=\"0 0 40 8\"><path class=l", line.style,
+                " d=\"M0 4H40\"/></svg>",
+                is_numbered && line.style < kNumbered ? concat(line.style + 1, " ") : "", line.name,
+                "</span>\n");
 }
 
 std::string keys_of(const Chart& chart) {
   std::string html = "<p class=keys>";
   for (const ChartLine& line : chart.lines) {
-    html += key(concat("c", line.colour), line.name);
+    html += line_key(line, has_numbers(chart));
   }
   if (!chart.runs.empty()) {
     html += "</p>\n<p class=keys><span>What the guard says:</span>\n";
     for (const std::size_t kind : kKindsInOrder) {
-      html += key(concat("v", kind), kKindNames[kind]);
+      html += key(concat("v", kind), concat(kLetters[kind], " ", kKindNames[kind]));
     }
   }
   return html + "</p>\n";
@@ -103,37 +146,54 @@ std::string keys_of(const Chart& chart) {
 }  // namespace
 
 std::string chart_style() {
-  return ".chart text{font-size:32px}\n@media (min-width:760px){.chart text{font-size:15px}}\n"
-         ".chart path{stroke-width:1.6px}.chart .stop{stroke:rgb(var(--hot))}\n"
-         ".chart .warn{stroke:var(--bad)}.stop,.warn{stroke-dasharray:7 5}\n"
-         ".v0{background:var(--line);fill:var(--line)}.v1{background:var(--bad);fill:var(--bad)}\n"
-         ".v2{background:var(--k3);fill:var(--k3)}\n"
-         ".v3{background:rgb(var(--hot));fill:rgb(var(--hot))}\n"
-         ".v4{background:var(--text);fill:var(--text)}\n"
-         ".c0{background:var(--k0)}.c1{background:var(--k1)}.c2{background:var(--k2)}\n"
-         ".c3{background:var(--k3)}.c4{background:var(--text)}\n"
-         ".chart .k4{stroke:var(--text);stroke-width:1px;stroke-dasharray:2 2}\n";
+  return ":root{--l0:#0b5cad;--l1:#00795c;--l2:#7a4b1e;--l3:#007c9e;--l4:#5b6776;--l5:#3b3f9e}\n"
+         "@media (prefers-color-scheme:dark){:root{--l0:#58a6ff;--l1:#4ade93;--l2:#d9b38c;"
+         "--l3:#4dd0e1;--l4:#a3adb8;--l5:#b4bcff}}\n"
+         ".chart text{font-size:32px}\n@media (min-width:760px){.chart text{font-size:15px}}\n"
+         ".chart path,.sample path{stroke-width:1.8px}.chart .stop{stroke:var(--v3)}\n"
+         ".chart .warn{stroke:var(--v1)}.chart .stop,.chart .warn{stroke-dasharray:7 5}\n"
+         ".chart .number{font-weight:600;fill:var(--text);paint-order:stroke;stroke:var(--ground);"
+         "stroke-width:6px}\n"
+         ".sample{width:40px;height:8px;margin-right:.4em;vertical-align:middle}\n"
+         ".l0{stroke:var(--l0)}.l1{stroke:var(--l1);stroke-dasharray:12 4}\n"
+         ".l2{stroke:var(--l2);stroke-dasharray:6 3}.l3{stroke:var(--l3);"
+         "stroke-dasharray:12 3 2 3}\n"
+         ".l4{stroke:var(--l4);stroke-dasharray:18 5}.l5{stroke:var(--l5);"
+         "stroke-dasharray:12 3 2 3 2 3}\n"
+         ".chart .l6,.sample .l6{stroke:var(--text);stroke-width:1px;stroke-dasharray:2 2}\n";
 }
 
 std::string drawn(const Chart& chart) {
   const double top = top_of(chart);
-  std::string svg = concat("<figure class=chart><svg viewBox=\"0 -14 ", fixed(kChartWidth, 0), " ",
-                           fixed(kChartHeight + kBelowPlot + 14, 0), "\" role=img aria-label=\"",
-                           chart.label, "\">\n<path class=axis d=\"M", at(kPlotLeft, 0), "V",
-                           fixed(kChartHeight, 0), "H", fixed(kPlotRight, 0), "\"/>\n");
-  svg +=
+  std::string plot =
       text(kPlotLeft - 8, 4, "end", (top < 1 ? significant(top, 3) : fixed(top, 0)) + chart.unit) +
       text(kPlotLeft - 8, kChartHeight, "end", "0");
-  for (const ChartLevel& level : chart.levels) {
-    svg += level_line(level, top);
+  for (std::size_t i = 0; i < chart.levels.size(); ++i) {
+    plot += level_line(chart.levels[i], top, i);
   }
   for (const ChartLine& line : chart.lines) {
-    svg += concat("<path class=k", line.colour, " d=\"", path_of(line, top), "\"/>\n");
+    plot += concat("<path class=l", line.style, " d=\"", path_of(line, top), "\"/>\n");
   }
-  const double y = kChartHeight + 8 + kStripHeight + 20;
-  svg += strip(chart) + text(kPlotLeft, y, "start", chart.first) +
-         text(kPlotRight, y, "end", chart.last);
-  return keys_of(chart) + svg + "</svg><figcaption>" + chart.caption + "</figcaption></figure>\n";
+  for (const ChartLine& line : chart.lines) {
+    plot += has_numbers(chart) && line.style < kNumbered
+                ? number_on(line, chart.lines.size() - 1, top)
+                : "";
+  }
+  double y = kChartHeight + 10;
+  for (const std::size_t kind : kKindsInOrder) {
+    if (has_kind(chart, kind)) {
+      plot += lane(chart, kind, y);
+      y += kLane;
+    }
+  }
+  plot += text(kPlotLeft, y + kBelowLanes / 2, "start", chart.first) +
+          text(kPlotRight, y + kBelowLanes / 2, "end", chart.last);
+  return keys_of(chart) +
+         concat("<figure class=chart><svg viewBox=\"0 -14 ", fixed(kChartWidth, 0), " ",
+                fixed(y + kBelowLanes + 14, 0), "\" role=img aria-label=\"", chart.label,
+                "\">\n<path class=axis d=\"M", at(kPlotLeft, 0), "V", fixed(kChartHeight, 0), "H",
+                fixed(kPlotRight, 0), "\"/>\n") +
+         plot + "</svg><figcaption>" + chart.caption + "</figcaption></figure>\n";
 }
 
 }  // namespace flashbvh::tool

@@ -11,12 +11,13 @@ namespace flashbvh::tool {
 struct ChartLine {
   std::string name;                           ///< HTML
   std::vector<std::optional<double>> values;  ///< one a place along the chart; none: not known
-  std::size_t colour = 0;                     ///< 0 to 3; 4 is dotted
+  std::size_t style = 0;                      ///< 0 to 5: a colour, dashes, a number; 6 is dotted
 };
 
-/// A dashed line across; `name`: "stop", "warn".
+/// A dashed line across; `style`: "stop", "warn".
 struct ChartLevel {
   double value;
+  const char* style;
   const char* name;
 };
 

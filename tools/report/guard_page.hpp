@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "robot/replay.hpp"
+#include "robot/stretches.hpp"
+#include "robot/unguarded.hpp"
 
 namespace flashbvh::tool {
 
@@ -17,16 +18,26 @@ struct GuardedTrajectory {
   const std::vector<GuardAnswer>& answers;
   std::uint32_t work;  ///< what a period may spend; kAllWork: what it takes
   const std::vector<CertifiedMotion>& motions;  ///< from line to line; may be none
+  const std::vector<UnguardedPair>& unguarded;
 };
 
-/// One self-contained HTML file, the same bytes for the same robot and trajectory: periods by
-/// verdict, distances and work over time, the closest moment as pictures, motions.
+/// One self-contained HTML file, the same bytes for the same robot and trajectory: what it comes
+/// to, periods by verdict, distances and work over time, pairs and stretches that are not free, the
+/// closest moment as pictures, motions.
 std::string guard_page(const GuardedTrajectory& guarded);
+
+/// Pairs that are drawn as lines: the first of the near pairs, by number from 1.
+constexpr std::size_t kMostLines = 6;
+/// Of the page: distances and work over time.
+std::string chart_section(const GuardedTrajectory& guarded, const std::vector<NearPair>& near);
+/// Of the page: all near pairs, and the stretches that are not free. Nothing if there are none.
+std::string near_section(const GuardedTrajectory& guarded, const std::vector<NearPair>& near);
 
 /// Of the page: motions from line to line, those that are free one after the other in one row.
 /// Nothing if there are none.
 std::string motion_section(const GuardedTrajectory& guarded);
 std::string pair_name(const GuardedTrajectory& guarded, std::size_t pair);
+double metres_of(const GuardedTrajectory& guarded, std::uint32_t fine);
 
 }  // namespace flashbvh::tool
 

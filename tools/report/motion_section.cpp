@@ -10,10 +10,6 @@ namespace {
 /// More are counted.
 constexpr std::size_t kMostRows = 200;
 
-bool is_free(const CertifiedMotion& motion) {
-  return motion.answer.status == Status::done && motion.answer.outcome == MotionOutcome::free;
-}
-
 std::vector<std::string> row_of(const GuardedTrajectory& guarded, std::size_t first,
                                 std::size_t last) {
   const CertifiedMotion& motion = guarded.motions[first];

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <memory>
 
-#include "flashbvh/robot/robot_float.hpp"
+#include "robot/posed_pairs.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -13,12 +13,6 @@ constexpr std::uint32_t kMostPairs = kMaxLinks * (kMaxLinks - 1) / 2;
 /// Too large for a stack.
 using AnyGuardState = GuardStateOf<kMaxJoints, kMostPairs, kMostPairs * kMaxJoints>;
 using AnyMotionState = MotionStateOf<kMaxJoints, kMaxJoints>;
-
-std::vector<JointCoordinate> coordinates_of(const Robot& robot, const float* floats) {
-  std::vector<JointCoordinate> values(robot.variable_count);
-  set_values(robot, floats, values.data());
-  return values;
-}
 
 double cell_of(const Robot& robot) {
   double cell = 0;
@@ -59,38 +53,6 @@ CertifiedMotion certified(const Robot& robot, AnyMotionState& state, const float
   motion.values = lengths_of(robot, values);
   return motion;
 }
-
-/// The poses of pairs of links in a period.
-class Configuration {
- public:
-  explicit Configuration(const Robot& robot)
-      : robot_(robot), coordinates_(robot.joint_count), frames_(robot.joint_count) {}
-
-  /// False if firmware refuses the values.
-  bool take(const float* floats) {
-    if (set_coordinates(robot_, coordinates_of(robot_, floats).data(), coordinates_.data()) !=
-        Status::done) {
-      return false;
-    }
-    set_frames(robot_, coordinates_.data(), frames_.data());
-    return true;
-  }
-
-  Pose pose(const RobotPair& pair) const {
-    return relative_pose(frame_of(pair.a), frame_of(pair.b));
-  }
-  Pose pose(std::uint8_t link) const { return relative_pose(kIdentityFrame, frame_of(link)); }
-
- private:
-  const flashbvh::Frame& frame_of(std::uint8_t link) const {
-    const std::uint8_t joint = robot_.links[link].joint;
-    return joint == kBase ? kIdentityFrame : frames_[joint];
-  }
-
-  const Robot& robot_;
-  std::vector<JointCoordinate> coordinates_;
-  std::vector<flashbvh::Frame> frames_;
-};
 
 /// The pair, if it is nearer than the closest one by now.
 void take_nearer(const Robot& robot, std::size_t period, std::uint16_t number, const Pose& pose,
@@ -137,13 +99,13 @@ std::vector<CertifiedMotion> certify(const Robot& robot, const Trajectory& traje
 
 std::optional<ClosestMoment> closest_moment(const Robot& robot, const Trajectory& trajectory) {
   std::optional<ClosestMoment> closest;
-  Configuration configuration(robot);
+  PosedPairs posed(robot);
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
-    if (!configuration.take(trajectory.values(i))) {
+    if (!posed.take(trajectory.values(i))) {
       continue;
     }
     for (std::uint16_t pair = 0; pair < robot.pair_count; ++pair) {
-      take_nearer(robot, i, pair, configuration.pose(robot.pairs[pair]), closest);
+      take_nearer(robot, i, pair, posed.pose(robot.pairs[pair]), closest);
     }
   }
   return closest;
@@ -153,33 +115,24 @@ std::vector<std::vector<std::optional<double>>> distances_over(const Robot& robo
                                                                const Trajectory& trajectory,
                                                                std::size_t step) {
   std::vector<std::vector<std::optional<double>>> distances(robot.pair_count);
-  std::vector<Witness<std::uint16_t>> nearest(robot.pair_count);
-  Configuration configuration(robot);
+  PosedPairs posed(robot);
   for (std::size_t i = 0; i < trajectory.size(); i += step) {
-    const bool is_accepted = configuration.take(trajectory.values(i));
-    for (std::size_t pair = 0; pair < distances.size(); ++pair) {
-      distances[pair].emplace_back();
-      if (!is_accepted) {
-        continue;
-      }
-      const RobotPair& links = robot.pairs[pair];
-      const Clearance<std::uint16_t> found = distance(robot.meshes[links.a], robot.meshes[links.b],
-                                                      configuration.pose(links), nearest[pair]);
-      if (found.status == Status::done && found.in_range) {
-        nearest[pair] = found.witness;
-        distances[pair].back() = found.lower * cell_of(robot) / kFineOne;
-      }
+    const bool is_accepted = posed.take(trajectory.values(i));
+    for (std::uint16_t pair = 0; pair < robot.pair_count; ++pair) {
+      const auto found = is_accepted ? posed.distance_of(pair) : std::nullopt;
+      distances[pair].push_back(found ? std::optional<double>(*found * cell_of(robot) / kFineOne)
+                                      : std::nullopt);
     }
   }
   return distances;
 }
 
 std::vector<Pose> link_poses(const Robot& robot, const float* values) {
-  Configuration configuration(robot);
-  (void)configuration.take(values);
+  PosedPairs posed(robot);
+  (void)posed.take(values);
   std::vector<Pose> poses;
   for (std::uint8_t link = 0; link < robot.link_count; ++link) {
-    poses.push_back(configuration.pose(link));
+    poses.push_back(posed.pose(link));
   }
   return poses;
 }

@@ -14,6 +14,10 @@ const char* outcome_name(MotionOutcome outcome) {
   return kNames[static_cast<std::size_t>(outcome)];
 }
 
+bool is_free(const CertifiedMotion& motion) {
+  return motion.answer.status == Status::done && motion.answer.outcome == MotionOutcome::free;
+}
+
 ReplaySummary summary_of(const std::vector<GuardAnswer>& answers) {
   ReplaySummary summary;
   std::vector<std::uint32_t> work;

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "flashbvh/robot/guard.hpp"
-#include "flashbvh/robot/motion.hpp"
+#include "robot/replay.hpp"
 
 namespace flashbvh::tool {
 
@@ -22,6 +21,7 @@ constexpr std::array<const char*, kPeriodKinds> kKindNames = {"free", "warn", "n
 std::size_t kind_of(const GuardAnswer& answer);
 /// "free", "hit", "close".
 const char* outcome_name(MotionOutcome outcome);
+bool is_free(const CertifiedMotion& motion);
 
 struct ReplaySummary {
   std::array<std::size_t, kPeriodKinds> periods{};
