@@ -301,6 +301,17 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
                    "Show a progress bar at once; default: on a terminal, after a second");
 }
 
+std::set<std::string> files_read(const RobotArguments& arguments, const Model& model) {
+  std::set<std::string> read = {arguments.urdf};
+  if (!arguments.srdf.empty()) {
+    read.insert(arguments.srdf);
+  }
+  for (const ModelLink& link : model.links) {
+    read.insert(link.files.begin(), link.files.end());
+  }
+  return read;
+}
+
 Model described_robot(const RobotArguments& arguments, Warnings& warnings) {
   (void)usual_distances(arguments);
   Model model =

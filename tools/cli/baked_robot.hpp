@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,9 @@ struct BakedRobot {
 
 /// As it is described. UserError for it, and for what `arguments` say that is none.
 Model described_robot(const RobotArguments& arguments, Warnings& warnings);
+/// The URDF, the SRDF and the meshes, or the image: what no output may replace.
+std::set<std::string> files_read(const RobotArguments& arguments, const Model& model);
+
 /// Takes some seconds a pair where proofs are hard. UserError for all that can't be baked.
 BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& warnings);
 

@@ -48,7 +48,9 @@ ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& comma
       arguments.motion ? certify(robot.robot(), trajectory) : std::vector<CertifiedMotion>()};
   FileSet files;
   if (!arguments.page.empty()) {
-    refuse_to_replace_inputs(arguments.page, {arguments.urdf, arguments.trajectory});
+    std::set<std::string> read = files_read(arguments, robot.model);
+    read.insert(arguments.trajectory);
+    refuse_to_replace_inputs(arguments.page, {read.begin(), read.end()});
     files.add(arguments.page, guard_page({robot.model, robot.robot(), trajectory, replayed.answers,
                                           arguments.work, replayed.motions, robot.unguarded}));
   }

@@ -1,4 +1,5 @@
 // flashbvh report: a page to look at, with nothing in it that comes from elsewhere.
+#include <filesystem>
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -20,8 +21,19 @@ struct ReportArguments {
   ReportOptions options = {"", 400, {{}, 1000, 168}};
 };
 
+/// The file of poses, or all that the folder holds.
+std::vector<std::string> poses_read(const std::string& poses) {
+  std::vector<std::string> read = {poses};
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(poses, error)) {
+    read.push_back(entry.path().string());
+  }
+  return read;
+}
+
 void write_page(const ReportArguments& arguments) {
   refuse_to_replace_image(arguments.page);
+  refuse_to_replace_inputs(arguments.page, poses_read(arguments.options.poses));
   std::vector<std::unique_ptr<ImageFile>> images;
   for (const std::string& path : arguments.images) {
     images.push_back(std::make_unique<ImageFile>(path));

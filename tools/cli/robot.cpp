@@ -41,12 +41,19 @@ bool writes_cpp(const OutputArguments& arguments) {
   return arguments.format == "cpp" || arguments.format == "both";
 }
 
+/// UserError if it would replace what was read.
+void add_output(const OutputArguments& arguments, const Model& model, const std::string& path,
+                std::string text, FileSet& files) {
+  const std::set<std::string> read = files_read(arguments, model);
+  refuse_to_replace_inputs(path, {read.begin(), read.end()});
+  files.add(path, std::move(text));
+}
+
 void add_files(const OutputArguments& arguments, const OutputName& name, const BakedRobot& baked,
                FileSet& files) {
   const std::string stem = (std::filesystem::path(arguments.folder) / name.stem).string();
   const auto add = [&](const char* extension, std::string text) {
-    refuse_to_replace_inputs(stem + extension, {arguments.urdf});
-    files.add(stem + extension, std::move(text));
+    add_output(arguments, baked.model, stem + extension, std::move(text), files);
   };
   const auto add_sources = [&](SourceFiles sources, const char* header, const char* source) {
     add(header, std::move(sources.header));
@@ -63,17 +70,6 @@ void add_files(const OutputArguments& arguments, const OutputName& name, const B
     add_sources(robot_in_c(baked.model, *baked.fixed, baked.links, baked.unguarded, name),
                 ".robot.h", ".robot.c");
   }
-}
-
-std::set<std::string> files_read(const OutputArguments& arguments, const Model& model) {
-  std::set<std::string> read = {arguments.urdf};
-  if (!arguments.srdf.empty()) {
-    read.insert(arguments.srdf);
-  }
-  for (const ModelLink& link : model.links) {
-    read.insert(link.files.begin(), link.files.end());
-  }
-  return read;
 }
 
 /// What was read, as make and Ninja have it.
@@ -100,11 +96,11 @@ void add_page(const OutputArguments& arguments, const BakedRobot& robot, FileSet
   const std::set<std::string> read = files_read(arguments, robot.model);
   refuse_to_replace_inputs(arguments.page, {read.begin(), read.end()});
   Progress progress(2, arguments.progress);
-  files.add(arguments.page, robot_page({robot.model, robot.links, *robot.fixed, robot.pairs,
-                                        arguments.stop, arguments.warn.value_or(arguments.stop)},
-                                       [&](const std::string& what, double share) {
-                                         progress.begin(what, share);
-                                       }));
+  files.add(
+      arguments.page,
+      robot_page({robot.model, robot.links, *robot.fixed, robot.pairs, arguments.stop,
+                  arguments.warn.value_or(arguments.stop), robot.unguarded},
+                 [&](const std::string& what, double share) { progress.begin(what, share); }));
 }
 
 /// Flash, if it is much, with leaves of kLargeLeaf triangles.
@@ -129,8 +125,8 @@ void make_robot(const OutputArguments& arguments) {
   FileSet files;
   add_files(arguments, name, baked, files);
   if (!arguments.depfile.empty()) {
-    refuse_to_replace_inputs(arguments.depfile, {arguments.urdf});
-    files.add(arguments.depfile, dependencies(arguments, name, baked.model));
+    add_output(arguments, baked.model, arguments.depfile,
+               dependencies(arguments, name, baked.model), files);
   }
   if (!arguments.page.empty()) {
     add_page(arguments, baked, files);

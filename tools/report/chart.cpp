@@ -87,8 +87,11 @@ std::string level_line(const ChartLevel& level, double top, std::size_t order) {
 /// The line's number, on the line; lines have theirs beside each other.
 std::string number_on(const ChartLine& line, std::size_t lines, double top) {
   const std::size_t count = line.values.size();
-  const std::size_t place = (2 * line.style + 1) * count / (2 * lines);
-  if (place >= count || !line.values[place]) {
+  std::size_t place = std::min((2 * line.style + 1) * count / (2 * lines), count - 1);
+  while (place < count && !line.values[place]) {
+    ++place;
+  }
+  if (place == count) {
     return "";
   }
   const double part =

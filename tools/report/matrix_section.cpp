@@ -72,11 +72,12 @@ std::string words(const DecidedRobot& decided) {
   }
   return "<div class=words>\n" +
          table(
-             "Each pair, how many cells of joint values were looked at, and what it was decided by",
+             "Each pair, how many cells of joint values were looked at in all, and what it was "
+             "decided by",
              {{"links", false},
               {"collide", false},
               {"guard", false},
-              {"cells", true},
+              {"cells in all", true},
               {"reason", false}},
              rows) +
          "</div>\n";

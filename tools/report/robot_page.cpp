@@ -6,6 +6,7 @@
 #include "flashbvh/robot/motion.hpp"
 #include "image/cpp_writer.hpp"
 #include "report/arm_pictures.hpp"
+#include "report/decision.hpp"
 #include "report/html.hpp"
 #include "robot/joint_text.hpp"
 #include "robot/rarity.hpp"
@@ -57,6 +58,17 @@ std::string facts(const DecidedRobot& decided) {
          fact("slack", significant(robot.slack * cell / kFineOne, 4) + " m",
               "what rounding and arithmetic can be wrong by") +
          "</dl></section>\n";
+}
+
+std::string guarded_decision(const DecidedRobot& decided) {
+  const std::size_t guarded = decided.robot().pair_count;
+  return decision_section(
+      "What is guarded",
+      unguarded_decisions(decided.model, decided.unguarded) +
+          decision("v0", concat(counted(guarded, "pair", "pairs"), " of links guarded"),
+                   concat(grouped(decided.unguarded.size()), " not looked at, ",
+                          grouped(decided.pairs.size() - guarded - decided.unguarded.size()),
+                          " that can&#39;t collide")));
 }
 
 /// A value a variable, at a part of its range; without one at 0, or the limit next to it.
@@ -213,8 +225,9 @@ std::string robot_page(const DecidedRobot& decided, const Step& step) {
     shares.push_back(share_text(share_of(found)));
   }
   return page_begin(escaped(decided.model.name), "robot", "what of a robot can collide",
-                    matrix_style() + arm_style()) +
-         facts(decided) + arm_section(decided) + matrix_section(decided, shares) +
+                    decision_style() + matrix_style() + arm_style()) +
+         guarded_decision(decided) + facts(decided) + arm_section(decided) +
+         matrix_section(decided, shares) +
          witness_section(decided, rarest(decided, collisions), collisions, step) +
          parts_section(decided) + page_end();
 }

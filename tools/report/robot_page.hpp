@@ -9,6 +9,7 @@
 #include "robot/bake_links.hpp"
 #include "robot/fixed_robot.hpp"
 #include "robot/matrix.hpp"
+#include "robot/unguarded.hpp"
 
 namespace flashbvh::tool {
 
@@ -20,6 +21,7 @@ struct DecidedRobot {
   const std::vector<PairVerdict>& pairs;  ///< (0, 1), (0, 2), ...
   std::string stop;                       ///< metres, as they were given
   std::string warn;
+  const std::vector<UnguardedPair>& unguarded;
 
   const Robot& robot() const { return fixed.robot(); }
 };
