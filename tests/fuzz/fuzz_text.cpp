@@ -73,7 +73,7 @@ void read(const std::string& kind, const std::string& path) {
     (void)read_lattice_poses(path, 0.001);
     (void)read_lattice_poses(path, 0.001, /*as_floats=*/true);
   } else {
-    const Trajectory values = read_trajectory(path, arm());
+    const Trajectory values = read_trajectory(path, arm(), warnings);
     for (std::size_t period = 0; period < values.size(); ++period) {
       for (std::size_t i = 0; i < values.variables(); ++i) {
         require(std::isfinite(values.values(period)[i]), "a value that is no number");
