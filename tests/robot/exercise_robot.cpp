@@ -102,6 +102,12 @@ RobotVerdict exercise_robot(const void* bytes, std::size_t size, const Number& n
     verdict.wrong = robot.joints != nullptr ? "a robot is written that is refused" : nullptr;
     return verdict;
   }
+  for (std::uint32_t i = 0; i < unguarded_count(exact.get()); ++i) {
+    if (unguarded_pairs(exact.get())[i].b >= robot.link_count) {
+      verdict.wrong = "a pair that is not guarded is of no link";
+      return verdict;
+    }
+  }
   const char* const last = link_name(exact.get(), robot.link_count - 1u);
   verdict.wrong = last + std::strlen(last) >= reinterpret_cast<const char*>(exact.get()) + size
                       ? "names go on after the end"
