@@ -102,6 +102,10 @@ refused 'gantry.srdf:2: disables carriage - post as "disable_default_collisions"
 srdf "<enable_collisions link1=\"table\" link2=\"bridge\"/>$(disables bridge table)"
 exits 0 robot post.urdf -o baked --srdf gantry.srdf
 says 'gantry.srdf:2: warning: disables table - bridge, which is enabled as well; it counts as disabled'
+srdf "$(disables bridge carriage)"
+exits 0 robot post.urdf -o baked --srdf gantry.srdf --believe carriage,bridge --pair table,post=0.01
+says 'gantry.srdf:2: warning: bridge - carriage is never, with or without --believe bridge,carriage; leave that out' \
+  "links 'table' and 'post' have a --pair, but no joint moves them; leave it out"
 
 # Sizes: of a link whose scale was forgotten, and of a robot where all were; cells too coarse.
 sized() {
@@ -123,7 +127,7 @@ grep -q warning stderr && fail "$(cat stderr)"
 sized '200 100 100' '100 200 100' '100 100 150' 0.1
 says 'has links of 200 m on joints at most 0.3 m apart; URDF is in metres'
 sized '1 1 1' '1 1 1' '1 1 1' 1e9
-says 'makes a cell of 1.91e+03 m, coarser than a tenth of --stop 0.005, since a joint lies or slides 1e+09 m far' \
+says 'makes a cell of 1.91e+03 m, coarser than a tenth of the stop distance, 0.005 m, since a joint lies or slides 1e+09 m far' \
   "m for link 'a' of 1 x 1 x 1 m, since"
 
 # Flash that is much: what larger leaves save.

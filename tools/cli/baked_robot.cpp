@@ -172,6 +172,15 @@ AllDistances all_distances(const Model& model, const RobotArguments& arguments) 
   return all;
 }
 
+/// The least one above 0; 0 if there is none.
+double least_stop(const AllDistances& distances) {
+  double least = distances.usual.stop;
+  for (const GuardedPair& pair : distances.own) {
+    least = least == 0 || (pair.stop > 0 && pair.stop < least) ? pair.stop : least;
+  }
+  return least;
+}
+
 /// Proofs hold for firmware's own kinematics.
 std::vector<PairVerdict> decide(const Model& model, const std::vector<PostMesh>& meshes,
                                 double cell, const AllDistances& distances, Progress& progress) {
@@ -214,6 +223,17 @@ std::vector<GuardedPair> guarded(const std::vector<PairVerdict>& pairs,
     }
   }
   return guarded;
+}
+
+void warn_of_fixed(const BakedRobot& robot, const AllDistances& distances, const std::string& path,
+                   Warnings& warnings) {
+  for (const PairVerdict& pair : robot.pairs) {
+    if (pair.verdict == MatrixVerdict::fixed && own_of(distances.own, pair.a, pair.b) != nullptr) {
+      warnings.add(path, concat("links '", robot.model.links[pair.a].name, "' and '",
+                                robot.model.links[pair.b].name,
+                                "' have a --pair, but no joint moves them; leave it out"));
+    }
+  }
 }
 
 void warn_of_unguarded(const BakedRobot& robot, const std::string& path, Warnings& warnings) {
@@ -336,7 +356,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   }
   made.sizes = link_sizes(made.model);
   warn_of_sizes(made.model, made.sizes, arguments.urdf, warnings);
-  warn_of_cell(made.model, made.sizes, made.cell, distances.usual.stop,
+  warn_of_cell(made.model, made.sizes, made.cell, least_stop(distances),
                arguments.cell ? concat("--cell ", *arguments.cell) : arguments.urdf, warnings);
   const auto count = static_cast<double>(made.model.links.size());
   Progress progress(kBakingWeight * count + count * (count - 1) / 2, arguments.progress);
@@ -346,6 +366,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   check_disabled(made.model, made.pairs, arguments.srdf, warnings);
   made.unguarded = unguarded_pairs(made.pairs);
   warn_of_unguarded(made, arguments.urdf, warnings);
+  warn_of_fixed(made, distances, arguments.urdf, warnings);
   warn_of_near(made, distances, arguments, warnings);
   made.fixed =
       std::make_unique<FixedRobot>(made.model, meshes, made.cell, guarded(made.pairs, distances));

@@ -107,8 +107,8 @@ void warn_of_cell(const Model& model, const std::vector<Size>& sizes, double cel
                   const std::string& place, Warnings& warnings) {
   if (stop > 0 && cell > stop / 10) {
     warnings.add(place, concat("makes a cell of ", significant(cell, 3),
-                               " m, coarser than a tenth of --stop ", shortest(stop), ", since ",
-                               cause_of(model, sizes),
+                               " m, coarser than a tenth of the stop distance, ", shortest(stop),
+                               " m, since ", cause_of(model, sizes),
                                "; narrow that, or a guard stops up to some cells too early"));
   }
   for (std::size_t i = 0; i < sizes.size(); ++i) {

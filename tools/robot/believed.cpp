@@ -62,6 +62,12 @@ void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
                    concat("disables ", pair_name(model, pair, " - "), ", which is ", pair.reason,
                           "; --believe ", pair_name(model, pair, ","), " leaves it out"));
     }
+    if (disabled.is_believed && pair.verdict != MatrixVerdict::believed) {
+      warnings.add(
+          at_line(srdf, disabled.line),
+          concat(pair_name(model, pair, " - "), " is ", name_of(pair.verdict),
+                 ", with or without --believe ", pair_name(model, pair, ","), "; leave that out"));
+    }
     if (pair.verdict != MatrixVerdict::can) {
       continue;
     }

@@ -16,7 +16,8 @@ namespace flashbvh::tool {
 void believe(std::size_t a, std::size_t b, const std::string& place, Model& model);
 
 /// UserError, with the line of `srdf`, the joints' values and the fix, if a pair that is disabled
-/// can collide and is not believed; names all such pairs. Warns of those that are undecided.
+/// can collide and is not believed; names all such pairs. Warns of those that are undecided,
+/// and of those that are believed for nothing.
 void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
                     const std::string& srdf, Warnings& warnings);
 
