@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
+#include <numeric>
 
 #include "robot/arms.hpp"
 
@@ -16,11 +18,11 @@ namespace {
 
 /// How many of each verdict there are.
 struct Counts {
-  std::size_t of[4] = {};
+  std::size_t of[6] = {};
   std::size_t operator[](MatrixVerdict verdict) const {
     return of[static_cast<std::size_t>(verdict)];
   }
-  std::size_t all() const { return of[0] + of[1] + of[2] + of[3]; }
+  std::size_t all() const { return std::accumulate(std::begin(of), std::end(of), std::size_t{0}); }
 };
 
 /// In cells.
@@ -74,9 +76,10 @@ int main(int argc, char** argv) {
       return 1;
     }
   }
-  std::printf("%zu pairs: %zu never, %zu can, %zu always, %zu undecided\n", counts.all(),
+  std::printf("%zu pairs: %zu never, %zu can, %zu always, %zu undecided, %zu fixed\n", counts.all(),
               counts[MatrixVerdict::never], counts[MatrixVerdict::can],
-              counts[MatrixVerdict::always], counts[MatrixVerdict::undecided]);
+              counts[MatrixVerdict::always], counts[MatrixVerdict::undecided],
+              counts[MatrixVerdict::fixed]);
   const bool both = counts[MatrixVerdict::never] > 0 && counts[MatrixVerdict::can] > 0;
   // Of fewer than a hundred pairs, one.
   const std::size_t most = std::max<std::size_t>(counts.all() / 100, 1);
