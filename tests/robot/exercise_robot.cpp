@@ -56,7 +56,9 @@ const char* guard_it(const Robot& robot, const Number& number) {
     for (std::size_t i = 0; i < to.size() && period != 1; ++i) {
       values[i] = to[i] / 16 + (values[i] - values[i] / 16);  // nearer
     }
-    if (!may_be(guard.update(period == 1 ? to.data() : values.data(), 300).status)) {
+    if (!may_be(
+            guard.update(period == 1 ? to.data() : values.data(), period == 0 ? 300 : UINT32_MAX)
+                .status)) {
       return "a period of the guard ends in an error";
     }
   }
