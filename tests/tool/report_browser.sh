@@ -58,3 +58,41 @@ for window in 500,900 1400,900; do
     grep -qF "$wanted" dom || fail "not $wanted but $(grep -o '<p>.*' dom | head -c 300)"
   done
 done
+
+# The pages of a robot with long names and of its guard, too: the matrix scrolls in its card, and the names
+# at its left leave place for it.
+link() {
+  printf '<link name="%s"><collision><geometry><box size="%s"/></geometry></collision></link>' "$@"
+}
+{
+  echo '<robot name="gantry">'
+  link a_link_with_a_rather_long_name "0.1 0.1 0.1"
+  for i in 1 2 3 4 5; do
+    link "another_link_whose_name_is_long_$i" "0.1 0.1 0.1"
+    echo "<joint name=\"slide_$i\" type=\"prismatic\"><parent link=\"a_link_with_a_rather_long_name\"/>"
+    echo "<child link=\"another_link_whose_name_is_long_$i\"/><origin xyz=\"0 $((10 * i - 9)) 0\"/><axis xyz=\"0 1 0\"/>"
+    echo '<limit lower="-1" upper="1"/></joint>'
+  done
+  echo '</robot>'
+} >gantry.urdf
+printf 'slide_1,slide_2,slide_3,slide_4,slide_5\n0,0,0,0,0\n-1,0,0,0,0\n' >way.csv
+"$FLASHBVH" robot gantry.urdf -o gantry --format image --stop 0.01 --report page.html >/dev/null
+"$FLASHBVH" guard gantry/gantry.robot way.csv --report guard.html >/dev/null || [ $? -eq 1 ]
+# A window is no narrower than 500 pixels, a frame is.
+cat >frame.html <<'HTML'
+<script>onmessage = told => { document.body.innerHTML = `<p>${told.data}</p>`; }</script>
+<iframe src="probe.html" style="width:400px;height:900px;border:0"></iframe>
+HTML
+for page in page guard; do
+  sed '$d' $page.html | sed '$d' >probe.html
+  cat >>probe.html <<'HTML'
+<script>
+const matrix = document.querySelector('.pairs');
+const fits = !matrix || (matrix.parentNode.scrollWidth > matrix.parentNode.clientWidth &&
+  matrix.querySelector('tbody th').offsetWidth < matrix.parentNode.clientWidth / 2);
+parent.postMessage(`${document.documentElement.scrollWidth - innerWidth} ${innerWidth} ${fits}`, '*');
+</script></body></html>
+HTML
+  browse --virtual-time-budget=5000 --dump-dom "file://$PWD/frame.html" >dom || fail "$(cat browser_log)"
+  grep -qF '<p>0 400 true</p>' dom || fail "$page is too wide: $(grep -o '<p>.*' dom | head -c 300)"
+done

@@ -68,7 +68,7 @@ std::string guarded_decision(const DecidedRobot& decided) {
           decision("v0", concat(counted(guarded, "pair", "pairs"), " of links guarded"),
                    concat(grouped(decided.unguarded.size()), " not looked at, ",
                           grouped(decided.pairs.size() - guarded - decided.unguarded.size()),
-                          " that can&#39;t collide")));
+                          " proven never to, or fixed")));
 }
 
 /// A value a variable, at a part of its range; without one at 0, or the limit next to it.
