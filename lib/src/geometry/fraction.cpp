@@ -1,6 +1,8 @@
 // Arithmetic of 128 bits, and of 256 where two fractions are nearly equal.
 #include "flashbvh/detail/fraction.hpp"
 
+#include "long_division.hpp"
+
 namespace flashbvh::detail {
 namespace {
 
@@ -146,19 +148,7 @@ Int128 quotient(const Int128& u, const Int128& v) noexcept {
   };
   return of_native(native(u) / native(v));
 #else
-  Int128 rest = {0, 0};
-  Int128 whole = {0, 0};
-  for (int bit = 127; bit >= 0; --bit) {
-    const uint64_t word = bit >= 64 ? static_cast<uint64_t>(u.high) : u.low;
-    rest = shifted_up(rest, 1);
-    rest.low |= word >> (bit & 63) & 1;
-    whole = shifted_up(whole, 1);
-    if (!(rest < v)) {
-      rest = rest - v;
-      whole.low |= 1;
-    }
-  }
-  return whole;
+  return long_quotient(u, v);
 #endif
 }
 

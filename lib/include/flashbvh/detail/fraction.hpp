@@ -55,7 +55,7 @@ Int128 full_product(int64_t u, int64_t v) noexcept;
 Int128 times(const Int128& u, int32_t v) noexcept;
 /// Up to 127 bits; what leaves the top is lost.
 Int128 shifted_up(const Int128& u, unsigned bits) noexcept;
-/// The quotient, rounded down: `u` not negative, `v` positive. 128 steps of some ten instructions.
+/// The quotient, rounded down: `u` not negative, `v` positive. A step for each of its bits.
 Int128 quotient(const Int128& u, const Int128& v) noexcept;
 /// The largest number whose square is not above `u`, which is not negative.
 uint64_t square_root(const Int128& u) noexcept;
