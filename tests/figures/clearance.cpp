@@ -141,13 +141,11 @@ Clearance<uint16_t> ask(const AskedPair& pair, const Pose& pose, const Witness<u
                         OfClass& of_class) {
   ClearanceQuery query(*pair.a, *pair.b, pose, seed);
   (void)query.run(UINT32_MAX);
-  const Clearance<uint16_t> found = query.result();
   of_class.visits.add(query.counts().visits);
   of_class.leaf_pairs.add(query.counts().leaf_pairs);
-  of_class.instructions.add(port::instructions_of([&] {
-    ClearanceQuery measured(*pair.a, *pair.b, pose, seed);
-    (void)measured.run(UINT32_MAX);
-  }));
+  Clearance<uint16_t> found{};
+  of_class.instructions.add(
+      port::instructions_of([&] { found = distance(*pair.a, *pair.b, pose, seed); }));
   return found;
 }
 
