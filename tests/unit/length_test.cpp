@@ -70,6 +70,10 @@ TEST_CASE("lengths: the ends of the range") {
   CHECK(millionths_of(-1, bits_of(1e300)) == -INT64_MAX);
   CHECK(millionths_of(kMostFine, bits_of(1e-300)) == 0);
   CHECK(millionths_of(256, bits_of(0x1p41)) == 1'000'000 * (std::int64_t{1} << 41));
+  // Up to 2^63: 10^6 = 15,625 * 2^6.
+  CHECK(millionths_of(64, bits_of(0x1p45)) == 15'625 * (std::int64_t{1} << 49));
+  CHECK(millionths_of(-64, bits_of(0x1p45)) == -15'625 * (std::int64_t{1} << 49));
+  CHECK(millionths_of(64, bits_of(0x1p46)) == INT64_MAX);
 }
 
 TEST_CASE("lengths: cells of powers of two have whole numbers of millionths, or halves") {
@@ -104,6 +108,15 @@ TEST_CASE("lengths: cells of 53 digits, against integers of 128 bits") {
     constexpr std::uint64_t half = std::uint64_t{1} << 59;
     const std::int64_t rounded = whole + (rest > half || (rest == half && whole % 2 != 0) ? 1 : 0);
     REQUIRE(millionths_of(fine, bits_of(one_to_two)) == (fine < 0 ? -rounded : rounded));
+
+    // Of larger cells, up to what 63 bits hold and beyond.
+    const int power = static_cast<int>(random.below(12));
+    const Wide scaled = (millions << power) + (Wide{1} << 59);
+    const Wide large = (scaled >> 60) -
+                       ((scaled & ((Wide{1} << 60) - 1)) == 0 && ((scaled >> 60) & 1) != 0 ? 1 : 0);
+    const std::int64_t most = large < INT64_MAX ? static_cast<std::int64_t>(large) : INT64_MAX;
+    REQUIRE(millionths_of(fine, bits_of(std::ldexp(one_to_two, power))) ==
+            (fine < 0 ? -most : most));
 
     // The floats beside it are on either side of half way.
     const float per_unit = cells_per_unit(bits_of(one_to_two));

@@ -8,8 +8,8 @@
 namespace flashbvh {
 
 /// `fine`, in 1/256 cell and within +-2^39, in millionths of the mesh's unit, to the nearest: of
-/// millimetres, nanometres. `cell_bits`: Mesh::cell_bits. INT64_MAX or its negative where that is
-/// too small.
+/// millimetres, nanometres. `cell_bits`: Mesh::cell_bits. INT64_MAX or its negative for that much
+/// or more.
 ///
 /// Stack: 112 bytes on Cortex-M3 to M55 at -O2.
 int64_t millionths_of(int64_t fine, uint64_t cell_bits);

@@ -45,7 +45,7 @@ Wide product(int64_t fine, uint64_t cell_bits) {
   return wide;
 }
 
-/// Of the two words, down by `bits`, to the nearest, ties to even. The result has 63 bits at most.
+/// Of the two words, down by `bits`, to the nearest, ties to even. The result has 64 bits at most.
 uint64_t shifted_down(const Wide& wide, int32_t bits) {
   if (bits <= 0 || bits > 127) {
     return bits <= 0 ? wide.low : 0;
@@ -93,9 +93,10 @@ int64_t millionths_of(int64_t fine, uint64_t cell_bits) {
   int64_t size = INT64_MAX;
   if ((wide.high | wide.low) == 0) {
     size = 0;
-  } else if (leading_bit(wide) + wide.exponent < 62) {
-    size = static_cast<int64_t>(wide.exponent <= 0 ? shifted_down(wide, -wide.exponent)
-                                                   : wide.low << wide.exponent);
+  } else if (leading_bit(wide) + wide.exponent < 63) {
+    const uint64_t rounded =
+        wide.exponent <= 0 ? shifted_down(wide, -wide.exponent) : wide.low << wide.exponent;
+    size = rounded < INT64_MAX ? static_cast<int64_t>(rounded) : INT64_MAX;
   }
   return fine < 0 ? -size : size;
 }
