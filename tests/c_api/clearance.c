@@ -28,6 +28,20 @@ static bool same(const flashbvh_clearance* p, const flashbvh_clearance* q) {
          p->witness.b == q->witness.b && p->in_range == q->in_range;
 }
 
+/** Out of range: bounds, and neither points nor a witness. The block's sides are 100 cells. */
+static void check_far(const flashbvh_mesh* block) {
+  flashbvh_pose pose;
+  flashbvh_clearance found;
+  const flashbvh_witness none = {UINT16_MAX, UINT16_MAX};
+  (void)flashbvh_pose_translated(60100, 0, 0, &pose);
+  check(flashbvh_distance(block, block, &pose, NULL, &found) == FLASHBVH_STATUS_DONE);
+  check(!found.in_range && found.lower <= 60000 * 256 && found.upper >= 60000 * 256);
+  check(found.upper < 60200 * 256 && found.point_a.x == 0 && found.point_b.x == 0);
+  check(found.witness.a == none.a && found.witness.b == none.b && found.direction[0] == 0);
+  /* What it told of is no seed, and taken as none. */
+  check(flashbvh_distance(block, block, &pose, &found.witness, &found) == FLASHBVH_STATUS_DONE);
+}
+
 static bool count_all(flashbvh_pair pair, void* context) {
   (void)pair;
   ++*(uint32_t*)context;
@@ -187,6 +201,7 @@ long clearance_failures(void) {
   check(flashbvh_for_each_within(&block, &blade, &pose, 25 * 256, count_all, &pairs) ==
         FLASHBVH_STATUS_DONE);
   check(pairs >= 1 && pairs <= 2);
+  check_far(&block);
   check_solids(&block, &blade);
   check_rays(&block);
   return failures;

@@ -5,50 +5,15 @@
 #include <cmath>
 #include <vector>
 
+#include "clearance/all_distances.hpp"
 #include "flashbvh/clearance.hpp"
 #include "property/any_mesh.hpp"
-#include "support/pairs_of_triangles.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 namespace {
-
-struct Pairwise {
-  Fraction squared;
-  std::uint32_t of_a;  ///< positions
-  std::uint32_t of_b;
-  std::uint32_t id_a;
-  std::uint32_t id_b;
-};
-
-/// Of every pair of triangles.
-std::vector<Pairwise> all_distances(const PostMesh& a, const PostMesh& b, const Pose& pose) {
-  Transform transform(pose, a, b, /*may_stop=*/false);
-  transform.bring_near();
-  std::vector<Pairwise> all;
-  for_all_pairs(a, b, transform,
-                [&](std::uint32_t i, std::uint32_t j, const Triangle& of_a, const Triangle& of_b) {
-                  Fraction squared = kInfinite;
-                  Features features{};
-                  REQUIRE(is_nearer(of_a, of_b, squared, features));
-                  all.push_back({squared, i, j, a.triangle_ids[i], b.triangle_ids[j]});
-                });
-  return all;
-}
-
-const Pairwise& least_of(const std::vector<Pairwise>& all) {
-  return *std::min_element(all.begin(), all.end(), [](const Pairwise& p, const Pairwise& q) {
-    return compare(p.squared, q.squared) < 0;
-  });
-}
-
-/// 256 times the root, rounded down.
-std::uint32_t lower_of(const Fraction& squared) {
-  return static_cast<std::uint32_t>(
-      square_root(quotient(shifted_up(squared.above, 16), squared.below)));
-}
 
 bool is_of(const std::vector<Pairwise>& all, const Fraction& squared,
            const TrianglePair<std::uint16_t>& pair) {
@@ -238,28 +203,6 @@ TEST_CASE("what is farther than 2^15 cells is measured as well, from any seed") 
       check_result(all, distance(a, b, pose,
                                  {static_cast<std::uint16_t>(pair.of_a),
                                   static_cast<std::uint16_t>(pair.of_b)}));
-    }
-  }
-}
-
-TEST_CASE("a tolerance is kept to, and said to be") {
-  Random random(test_seed());
-  for (int round = 0; round < rounds(50, 150); ++round) {
-    CAPTURE(round);
-    const AnyMesh any_a = any_mesh(random, random_mesh(random, 1 + random.below(30), 400, 60));
-    const AnyMesh any_b = any_mesh(random, random_mesh(random, 1 + random.below(30), 400, 60));
-    const PostMesh a = view_of(any_a);
-    const PostMesh b = view_of(any_b);
-    const Pose pose = any_pose(random, 1500);
-    const Clearance<std::uint16_t> truth = distance(a, b, pose);
-    for (const unsigned tolerance : {655u, 6554u, 65535u}) {
-      ClearanceQuery query(a, b, pose, {}, static_cast<std::uint16_t>(tolerance));
-      REQUIRE(query.run(kNoLimit) == Status::done);
-      const Clearance<std::uint16_t> found = query.result();
-      REQUIRE(found.lower <= truth.lower);
-      REQUIRE(found.upper >= truth.upper);
-      REQUIRE(found.upper <= truth.upper * (1 + tolerance / 65536.0) + 1);
-      REQUIRE((found.lower + 512) * (1 + tolerance / 65536.0) >= found.upper);
     }
   }
 }

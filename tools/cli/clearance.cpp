@@ -45,6 +45,12 @@ void print_json(std::size_t pose, const ClearanceArguments& arguments, const Cle
   nlohmann::ordered_json line = {{"pose", pose}};
   if (arguments.is_within) {
     line["within"] = !found.nearest.empty();
+  } else if (!found.in_range) {
+    line.update({{"distance", nullptr}, {"lower", unit_length(found.lower, cell)}});
+    line["upper"] = found.upper == UINT32_MAX
+                        ? nlohmann::ordered_json()
+                        : nlohmann::ordered_json(unit_length(found.upper, cell));
+    line.update({{"triangles", nullptr}, {"point_a", nullptr}, {"point_b", nullptr}});
   }
   if (!found.nearest.empty()) {
     const NearestPair& pair = found.nearest[0];
@@ -75,11 +81,13 @@ void print_row(std::size_t pose, const ClearanceArguments& arguments, const Clea
   std::cout << std::setw(6) << pose << "  " << std::setw(12);
   if (arguments.is_within) {
     std::cout << (found.nearest.empty() ? "no" : "yes");
+  } else if (found.in_range) {
+    std::cout << significant(found.nearest[0].distance * cell, 6);
   } else {
-    std::cout << (found.in_range ? "" : ">= ") + significant(found.nearest[0].distance * cell, 6);
+    std::cout << ">= " + significant(unit_length(found.lower, cell), 6);
   }
   if (found.nearest.empty()) {
-    std::cout << std::setw(17) << "";
+    std::cout << std::setw(17) << (found.in_range ? "" : "out of range");
   } else {
     std::cout << std::setw(8) << found.nearest[0].triangles.a << " " << std::setw(8)
               << found.nearest[0].triangles.b;

@@ -66,6 +66,12 @@ ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
     return answer;
   }
   count(query, answer);
+  answer.lower = found.lower;
+  answer.upper = found.upper;
+  if (!found.in_range) {
+    seed = {};
+    return answer;
+  }
   seed = {found.witness.a, found.witness.b};
   Triangle of_a;
   Triangle of_b;

@@ -21,7 +21,9 @@ struct NearestPair {
 
 struct ClearanceAnswer {
   Status status = Status::done;
-  bool in_range = true;              ///< false: the distance is a lower bound
+  bool in_range = true;              ///< false: of the distance only both bounds are known
+  std::uint32_t lower = 0;           ///< of a distance, in 1/256 cell
+  std::uint32_t upper = UINT32_MAX;  ///< UINT32_MAX: so much or more
   std::vector<NearestPair> nearest;  ///< one, or none; within a distance: all, sorted
   std::uint64_t visits = 0;
   std::uint64_t triangle_pairs = 0;  ///< tested

@@ -34,11 +34,13 @@ typedef struct flashbvh_clearance {
   flashbvh_fine_point point_b;
   int32_t direction[3]; /**< from point_a to point_b; 0 if they intersect */
   uint32_t lower;       /**< the distance is at least this; 0 while SUSPENDED */
-  uint32_t upper;       /**< that of these triangles, rounded up; UINT32_MAX if none is known yet */
+  uint32_t upper; /**< at most this: in range that of these triangles, rounded up; UINT32_MAX if
+                     none is known yet, or if it may be so much or more */
   flashbvh_pair triangles;  /**< by their ids */
   flashbvh_witness witness; /**< the same, as a seed for the next query */
   flashbvh_status status;   /**< DONE; SUSPENDED: not all was looked at; or an error */
-  bool in_range; /**< false: B lies farther off than is asked about; only `lower` holds */
+  bool in_range; /**< false: B's lattice lies 48,000 cells or more along an axis from A's; `lower`
+                    and `upper` hold, no triangles, no witness and no points are told */
 } flashbvh_clearance;
 
 /** Where a query about a distance stands between runs. */
@@ -60,7 +62,8 @@ typedef struct flashbvh_clearance_query {
 /**
  * Starts a query about the distance of A and B, which lies at `pose` in A's frame. `seed`: the
  * witness of an earlier pose, which spares most of the visits, or null. `tolerance`, in 2^-16: the
- * distance told may be larger than the true one by so much of it.
+ * distance told may be larger than the true one by so much of that, and as much larger than
+ * `lower`, but for what both are rounded by.
  *
  * SUSPENDED if there is something to run; DONE if the seed's triangles intersect; SEED_INVALID:
  * it is no pair of these meshes'; else as flashbvh_query_start().

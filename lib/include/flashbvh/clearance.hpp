@@ -96,11 +96,13 @@ template <class Index>
 struct [[nodiscard]] Clearance {
   /// `done`; `suspended`: not all was looked at; or an error, and nothing else holds.
   Status status;
-  /// False: B lies farther off than is asked about; only `lower` holds.
+  /// False: B lies 48,000 cells or more along an axis from A, lattice from lattice. `lower` and
+  /// `upper` hold; no triangles, no witness and no points are told.
   bool in_range;
   /// In 1/256 cell: the distance is at least this, rounded down; 0 while suspended.
   uint32_t lower;
-  /// The distance of these triangles, rounded up; UINT32_MAX if none is known yet.
+  /// The distance is at most this, rounded up: in range that of these triangles. UINT32_MAX if none
+  /// is known yet, or if it may be so much or more.
   uint32_t upper;
   TrianglePair<Index> triangles;  ///< by their ids
   Witness<Index> witness;         ///< the same, as a seed for the next query
@@ -132,19 +134,13 @@ class BasicClearanceQuery
   using Index = typename Mesh::Index;
   using Seed = Witness<Index>;
 
-  /// `tolerance`, in 2^-16: the distance told may be larger than the true one by so much of it, and
-  /// `lower` smaller. `seed_invalid`: it is no pair of these meshes' triangles.
+  /// `tolerance`, in 2^-16: the distance told may be larger than the true one by so much of that,
+  /// and as much larger than `lower`, but for what both are rounded by. `seed_invalid`: it is no
+  /// pair of these meshes' triangles.
   BasicClearanceQuery(const Mesh& a, const Mesh& b, const Pose& pose, const Seed& seed = Seed(),
                       uint16_t tolerance = 0)
       : Base(a, b, pose, {}, question(tolerance)) {
-    if (this->error() != Status::done || seed.is_none()) {
-      return;
-    }
-    if (seed.a >= a.triangle_count || seed.b >= b.triangle_count) {
-      this->refuse(Status::seed_invalid);
-      return;
-    }
-    begin_with(seed);
+    begin_at(pose, seed);
   }
   BasicClearanceQuery(const Mesh&&, const Mesh&, const Pose&, const Seed& = Seed(),
                       uint16_t = 0) = delete;
@@ -169,8 +165,8 @@ class BasicClearanceQuery
   /// What is known by now.
   Clearance<Index> result() const;
 
-  /// The triangles that are nearest by now, in A's frame, in cells. Not before there are any:
-  /// where result().upper is UINT32_MAX.
+  /// The triangles that are nearest by now, in A's frame, in cells. Not before there are any, where
+  /// result().upper is UINT32_MAX, nor out of range.
   void nearest_triangles(Triangle& a, Triangle& b) const {
     detail::place_pair(this->mesh_a(), this->nearest_a, this->mesh_b(), this->nearest_b,
                        this->transform(), a, b);
@@ -189,6 +185,8 @@ class BasicClearanceQuery
     made.allowance = tolerance;
     return made;
   }
+  /// With no part in the caller's frame.
+  void begin_at(const Pose& pose, const Seed& seed);
   /// From A's origin on.
   void get_pair(uint32_t i, uint32_t j, Triangle& a, Triangle& b) const;
   /// With a pair of triangles, which may be the nearest.

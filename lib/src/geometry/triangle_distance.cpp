@@ -264,16 +264,17 @@ int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept {
   if (is_zero(squared.above)) {
     return -1;
   }
+  constexpr int64_t one = 1 << 16;
+  const int64_t longer = tolerance == 0 ? 1 : (one + tolerance) * (one + tolerance);
+  const Int128 shorter = widened(tolerance == 0 ? 1 : one * one);
   int64_t whole = rounded_up(squared);
-  while (compare({widened(whole), {0, 1}}, squared) >= 0) {
+  if (tolerance != 0) {
+    whole = static_cast<int64_t>(quotient(shifted_up(widened(whole), 32), widened(longer)).low) + 1;
+  }
+  while (compare({full_product(whole, longer), shorter}, squared) >= 0) {
     --whole;
   }
-  if (tolerance == 0) {
-    return whole;
-  }
-  constexpr int64_t one = 1 << 16;
-  const Int128 longer = widened((one + tolerance) * (one + tolerance));
-  return static_cast<int64_t>(quotient(shifted_up(widened(whole), 32), longer).low);
+  return whole;
 }
 
 bool is_nearer(const Triangle& a, const Triangle& b, Fraction& squared,

@@ -10,7 +10,52 @@ namespace {
 constexpr uint32_t kMostTaken = 2;
 constexpr uint32_t kMostChildren = 8;
 
+/// Up to UINT32_MAX.
+uint32_t saturated(uint64_t value) {
+  return value < UINT32_MAX ? static_cast<uint32_t>(value) : UINT32_MAX;
+}
+
+/// How far from where it lies a B that is out of range is put, at most: in 1/256 cell, up to
+/// UINT32_MAX (Transform::bring_near()).
+uint32_t brought_near(const Pose& pose, const int32_t (&origin_a)[3],
+                      const int32_t (&origin_b)[3]) {
+  // Fractions, of the offset and of the rounded vertices.
+  const int64_t rounded = pose.is_translation() ? 0 : 3;
+  detail::Int128 squared = {0, 0};
+  for (int axis = 0; axis < 3; ++axis) {
+    int64_t turned = 0;  // 2^30 is a cell; below 2^60
+    for (int column = 0; column < 3; ++column) {
+      turned += int64_t{pose.rotation(axis, column)} * origin_b[column];
+    }
+    const int64_t cells = (turned >> 30) + pose.translation(axis) - origin_a[axis];
+    const int64_t beyond = (cells < 0 ? -cells : cells) + rounded - detail::kMaxOffset;
+    squared = beyond > 0 ? squared + detail::full_product(beyond, beyond) : squared;
+  }
+  const uint64_t length = detail::square_root(detail::shifted_up(squared, 16));
+  return saturated(detail::is_zero(squared) ? 0 : length + 1);
+}
+
 }  // namespace
+
+template <class MeshType>
+void BasicClearanceQuery<MeshType>::begin_at(const Pose& pose, const Seed& seed) {
+  const Mesh& a = this->mesh_a();
+  const Mesh& b = this->mesh_b();
+  if (this->error() != Status::done) {
+    return;
+  }
+  if (!this->transform().is_in_range()) {
+    this->beyond = brought_near(pose, a.origin, b.origin);
+  }
+  if (seed.is_none()) {
+    return;
+  }
+  if (seed.a >= a.triangle_count || seed.b >= b.triangle_count) {
+    this->refuse(Status::seed_invalid);
+    return;
+  }
+  begin_with(seed);
+}
 
 template <class MeshType>
 void BasicClearanceQuery<MeshType>::get_pair(uint32_t i, uint32_t j, Triangle& a,
@@ -63,6 +108,7 @@ Status BasicClearanceQuery<MeshType>::spend(uint32_t& work) {
     return status();
   }
   detail::NearestSoFar known;
+  const uint32_t kept = this->beyond;
   this->so_far = &known;
   if (this->has_nearest) {
     take(this->nearest_a, this->nearest_b);
@@ -75,7 +121,7 @@ Status BasicClearanceQuery<MeshType>::spend(uint32_t& work) {
   if (!this->intersect && work != 0) {
     (void)Base::spend(work, [this](const TrianglePair<Index>&) { return !this->intersect; });
   }
-  this->so_far = nullptr;
+  this->beyond = kept;
   return status();
 }
 
@@ -168,12 +214,15 @@ Clearance<typename MeshType::Index> BasicClearanceQuery<MeshType>::result() cons
     detail::Fraction squared = detail::kInfinite;
     detail::Features features;
     (void)detail::is_nearer(of_a, of_b, squared, features);
-    const int64_t limit = detail::largest_below(squared, this->allowance);
+    const int64_t passed_over = detail::largest_below(squared, this->allowance) + 1;
     const auto passed = static_cast<uint32_t>(
-        detail::square_root(detail::shifted_up(detail::widened(limit + 1), 16)));
+        detail::square_root(detail::shifted_up(detail::widened(passed_over), 16)));
     known.lower = passed < known.lower ? passed : known.lower;
   }
-  known.upper = nearest.upper;
+  known.upper = saturated(uint64_t{nearest.upper} + this->beyond);
+  if (!known.in_range) {
+    return known;
+  }
   known.triangles = {this->mesh_a().triangle_ids[this->nearest_a],
                      this->mesh_b().triangle_ids[this->nearest_b]};
   known.witness = {this->nearest_a, this->nearest_b};

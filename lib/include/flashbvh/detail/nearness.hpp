@@ -89,8 +89,8 @@ struct NearestSoFar {
 
 /// Which triangles are nearer than all that were tested before: the last answer is the nearest.
 ///
-/// `allowance`, in 2^-16: pairs that are nearer by less than so much of the distance may be passed
-/// over.
+/// `allowance`, in 2^-16: the nearest that is found may be farther than the nearest by so much of
+/// its distance.
 template <class Index>
 struct Nearest : Nearness {
   static constexpr uint32_t kBatch = 1;
@@ -98,9 +98,12 @@ struct Nearest : Nearness {
   static constexpr uint32_t kDearWork = 0;
   static constexpr bool kKeepsShapes = true;
 
-  uint32_t tested = 0;             ///< pairs of triangles
-  NearestSoFar* so_far = nullptr;  ///< the run's
-  Index nearest_a = 0;             ///< the positions of the nearest so far
+  uint32_t tested = 0;  ///< pairs of triangles
+  union {
+    uint32_t beyond = 0;   ///< between runs: by how much at most B was put nearer, in 1/256 cell
+    NearestSoFar* so_far;  ///< the run's, while it lasts
+  };
+  Index nearest_a = 0;  ///< the positions of the nearest so far
   Index nearest_b = 0;
   uint16_t allowance = 0;
   bool has_nearest = false;  ///< whether there is a nearest

@@ -44,8 +44,9 @@ bool is_nearer(const Triangle& a, const Triangle& b, Fraction& squared,
 /// Whether the squared distance is at most `squared`.
 bool is_within(const Triangle& a, const Triangle& b, const ShortFraction& squared) noexcept;
 
-/// The largest whole number below `squared`, less a tolerance in 2^-16 of its root. Pairs with a
-/// larger squared gap are no nearer, but for that; -1 if `squared` is 0.
+/// The largest whole number whose root, and a tolerance in 2^-16 of it, is below the root of
+/// `squared`; -1 if `squared` is 0. Pairs with a larger squared gap, which is whole, are no nearer,
+/// but for that.
 int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept;
 
 /// The square of the distance of the triangles' boxes: the sum of squared gaps, below 2^36.

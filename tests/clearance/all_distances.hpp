@@ -1,0 +1,63 @@
+// The distance of every pair of triangles of two meshes, by brute force.
+#ifndef FLASHBVH_TESTS_CLEARANCE_ALL_DISTANCES_HPP
+#define FLASHBVH_TESTS_CLEARANCE_ALL_DISTANCES_HPP
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "flashbvh/detail/triangle_distance.hpp"
+#include "flashbvh/mesh.hpp"
+#include "flashbvh/pose.hpp"
+#include "support/pairs_of_triangles.hpp"
+
+namespace flashbvh::test {
+
+struct Pairwise {
+  detail::Fraction squared;
+  std::uint32_t of_a;  ///< positions
+  std::uint32_t of_b;
+  std::uint32_t id_a;
+  std::uint32_t id_b;
+};
+
+/// Of every pair of triangles.
+inline std::vector<Pairwise> all_distances(const PostMesh& a, const PostMesh& b, const Pose& pose) {
+  detail::Transform transform(pose, a, b, /*may_stop=*/false);
+  transform.bring_near();
+  std::vector<Pairwise> all;
+  for_all_pairs(a, b, transform,
+                [&](std::uint32_t i, std::uint32_t j, const Triangle& of_a, const Triangle& of_b) {
+                  detail::Fraction squared = detail::kInfinite;
+                  detail::Features features{};
+                  REQUIRE(detail::is_nearer(of_a, of_b, squared, features));
+                  all.push_back({squared, i, j, a.triangle_ids[i], b.triangle_ids[j]});
+                });
+  return all;
+}
+
+inline const Pairwise& least_of(const std::vector<Pairwise>& all) {
+  return *std::min_element(all.begin(), all.end(), [](const Pairwise& p, const Pairwise& q) {
+    return detail::compare(p.squared, q.squared) < 0;
+  });
+}
+
+/// 256 times the root, rounded down.
+inline std::uint32_t lower_of(const detail::Fraction& squared) {
+  return static_cast<std::uint32_t>(
+      detail::square_root(detail::quotient(detail::shifted_up(squared.above, 16), squared.below)));
+}
+
+/// In cells, to the last bits of a double.
+inline double length_of(const detail::Fraction& squared) {
+  const auto number = [](const detail::Int128& u) {
+    return std::ldexp(static_cast<double>(u.high), 64) + static_cast<double>(u.low);
+  };
+  return std::sqrt(number(squared.above) / number(squared.below));
+}
+
+}  // namespace flashbvh::test
+
+#endif
