@@ -9,7 +9,7 @@ function row(motion, class, title,    i, library, line) {
 END {
   if (core == "") exit 1
   printf "%s, instructions a query\n\n", core
-  print "                                                  flashbvh                OPCODE          the paper's tree"
+  print "                                                  flashbvh                OPCODE         a tree in floats"
   print "B           class                         mean       most       mean       most       mean       most"
   for (i = 1; i <= 2; ++i) {
     motion = i == 1 ? "translated" : "rotated"
@@ -19,7 +19,7 @@ END {
     row(motion, "intersecting", "intersecting, all pairs")
     row(motion, "first", "intersecting, first hit")
   }
-  printf "pairs found: flashbvh %d and %d, OPCODE %d and %d, the paper's tree %d and %d\n\n",
+  printf "pairs found: flashbvh %d and %d, OPCODE %d and %d, the tree in floats %d and %d\n\n",
     found["translated", "intersecting", "flashbvh"], found["rotated", "intersecting", "flashbvh"],
     found["translated", "intersecting", "opcode"], found["rotated", "intersecting", "opcode"],
     found["translated", "intersecting", "float"], found["rotated", "intersecting", "float"]

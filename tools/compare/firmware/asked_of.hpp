@@ -34,7 +34,8 @@ class Library {
   virtual ~Library() = default;
   /// Not counted: trees are built here, of floats, and what was built before is freed.
   virtual void set_meshes(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b) = 0;
-  /// Not counted: the pose is put into the library's form.
+  /// Not counted: the pose is put into the caller's form, integers or a matrix of floats. What a
+  /// query makes of it is.
   virtual void set_pose(const flashbvh::Pose& pose) = 0;
   /// Pairs of triangles that intersect; with `first`, at most one.
   virtual uint32_t ask(bool first) = 0;

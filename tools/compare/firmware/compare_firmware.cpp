@@ -1,4 +1,4 @@
-// Instructions of a query by flashbvh, OPCODE and the paper's tree in floats, class by class, on
+// Instructions of a query by flashbvh, OPCODE and a tree in floats, class by class, on
 // the links of a KUKA KR5: the poses of lib/docs/figures.md. Prints lines:
 //     CORE MOTION CLASS LIBRARY mean most pairs-found
 #include <initializer_list>

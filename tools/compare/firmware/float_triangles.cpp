@@ -53,33 +53,11 @@ Interval crossed(const float (&at)[3], const float (&height)[3]) {
   return {least(to_u, to_v), most(to_u, to_v)};
 }
 
-bool one_side(const float (&height)[3]) {
-  return (height[0] > 0 && height[1] > 0 && height[2] > 0) ||
-         (height[0] < 0 && height[1] < 0 && height[2] < 0);
-}
-
-void set_heights(const Vec& normal, float offset, const Vec (&corners)[3], float (&height)[3]) {
-  for (int i = 0; i < 3; ++i) {
-    height[i] = dot(normal, corners[i]) - offset;
-  }
-}
-
 }  // namespace
 
-bool triangles_intersect(const Vec (&a)[3], const Vec (&b)[3]) {
-  float of_a[3];
-  float of_b[3];
-  const Vec normal_a = cross(a[1] - a[0], a[2] - a[0]);
-  set_heights(normal_a, dot(normal_a, a[0]), b, of_b);
-  if (one_side(of_b)) {
-    return false;
-  }
-  const Vec normal_b = cross(b[1] - b[0], b[2] - b[0]);
-  set_heights(normal_b, dot(normal_b, b[0]), a, of_a);
-  if (one_side(of_a)) {
-    return false;
-  }
-  if (of_a[0] == 0 && of_a[1] == 0 && of_a[2] == 0) {
+bool crossing_intersect(const Vec (&a)[3], const Vec (&b)[3], const Vec& normal_a,
+                        const Vec& normal_b, const Heights& of_a, const Heights& of_b) {
+  if (of_a.of[0] == 0 && of_a.of[1] == 0 && of_a.of[2] == 0) {
     return coplanar_intersect(a, b, normal_a);
   }
   const Vec line = cross(normal_a, normal_b);
@@ -90,7 +68,7 @@ bool triangles_intersect(const Vec (&a)[3], const Vec (&b)[3]) {
   const float Vec::*axis = x >= y && x >= z ? &Vec::x : y >= z ? &Vec::y : &Vec::z;
   const float along_a[3] = {a[0].*axis, a[1].*axis, a[2].*axis};
   const float along_b[3] = {b[0].*axis, b[1].*axis, b[2].*axis};
-  return !disjoint(crossed(along_a, of_a), crossed(along_b, of_b));
+  return !disjoint(crossed(along_a, of_a.of), crossed(along_b, of_b.of));
 }
 
 }  // namespace compare

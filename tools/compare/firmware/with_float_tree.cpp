@@ -1,5 +1,5 @@
-// The paper's tree and its algorithm 2, in binary32: boxes along the axes, split top-down at the
-// median of the longest one until a triangle is left; a stack, the larger volume descended. Under
+// The paper's tree and its algorithm 2, in binary32: boxes along the axes, split top-down along
+// the longest one until a triangle is left; a stack, the larger volume descended. Under
 // rotation boxes are told apart by the axes of both frames.
 #include <algorithm>
 #include <vector>
@@ -14,83 +14,192 @@ namespace compare {
 namespace {
 
 struct Node {
-  float middle[3];
-  float half[3];
-  float volume;
+  Vec middle;
+  Vec half;
+  float volume;    ///< below 0: a leaf
   uint32_t first;  ///< its children: this one and the next; of a leaf the triangle
-  bool is_leaf;
+
+  bool is_leaf() const { return volume < 0; }
 };
 
-struct Corners {
-  Vec corner[3];
+/// B's pose in A's frame, as a caller in floats has it.
+struct Matrix {
+  Vec rows[3];
+  Vec translation;
+  bool is_rotated;
 };
+
+Matrix matrix_of(const Pose& pose) {
+  Matrix matrix{};
+  for (int i = 0; i < 3; ++i) {
+    matrix.rows[i] = {rotation_of(pose, i, 0), rotation_of(pose, i, 1), rotation_of(pose, i, 2)};
+  }
+  matrix.translation = {translation_of(pose, 0), translation_of(pose, 1), translation_of(pose, 2)};
+  matrix.is_rotated = !pose.is_translation();
+  return matrix;
+}
 
 class Tree {
  public:
   void build(const PostMesh& mesh) {
     triangles_.clear();
     for (uint32_t i = 0; i < mesh.triangle_count; ++i) {
-      Corners corners;
+      Flat flat;
       for (int k = 0; k < 3; ++k) {
         float at[3];
         set_vertex(mesh, mesh.triangles[i].corner[k], at);
-        corners.corner[k] = {at[0], at[1], at[2]};
+        flat.corner[k] = {at[0], at[1], at[2]};
       }
-      triangles_.push_back(corners);
+      flat.normal = normal_of(flat.corner);
+      flat.offset = dot(flat.normal, flat.corner[0]);
+      triangles_.push_back(flat);
     }
     nodes_.assign(1, Node());
     fill(0, 0, static_cast<uint32_t>(triangles_.size()));
   }
 
-  const Node& node(uint32_t i) const { return nodes_[i]; }
-  const Vec (&triangle(uint32_t i) const)[3] { return triangles_[i].corner; }
+  const Node* nodes() const { return nodes_.data(); }
+  const Flat* triangles() const { return triangles_.data(); }
 
  private:
-  static float of(const Vec& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+  /// For what turning rounds off; a tenth of what vertices are apart.
+  static constexpr float kSlack = 1e-5f;
 
   void fill(uint32_t at, uint32_t begin, uint32_t end) {
-    int longest = 0;
+    float Vec::*const axes[] = {&Vec::x, &Vec::y, &Vec::z};
+    float Vec::*longest = axes[0];
     Node node{};
     node.volume = 1;
-    for (int axis = 0; axis < 3; ++axis) {
+    for (float Vec::*const axis : axes) {
       float low = 1e30f;
       float high = -1e30f;
       for (uint32_t i = begin; i < end; ++i) {
         for (const Vec& v : triangles_[i].corner) {
-          low = std::min(low, of(v, axis));
-          high = std::max(high, of(v, axis));
+          low = std::min(low, v.*axis);
+          high = std::max(high, v.*axis);
         }
       }
-      node.middle[axis] = (low + high) / 2;
-      node.half[axis] = std::max(high - node.middle[axis], node.middle[axis] - low);
-      node.volume *= node.half[axis];
-      longest = node.half[axis] > node.half[longest] ? axis : longest;
+      node.middle.*axis = (low + high) / 2;
+      node.half.*axis = std::max(high - node.middle.*axis, node.middle.*axis - low) + kSlack;
+      node.volume *= node.half.*axis;
+      longest = node.half.*axis > node.half.*longest ? axis : longest;
     }
-    node.is_leaf = end - begin == 1;
-    node.first = node.is_leaf ? begin : static_cast<uint32_t>(nodes_.size());
+    const bool is_leaf = end - begin == 1;
+    node.volume = is_leaf ? -1 : node.volume;
+    node.first = is_leaf ? begin : static_cast<uint32_t>(nodes_.size());
     nodes_[at] = node;
-    if (node.is_leaf) {
+    if (is_leaf) {
       return;
     }
-    const uint32_t half = (begin + end) / 2;
-    const auto sum = [longest](const Corners& t) {
-      return of(t.corner[0], longest) + of(t.corner[1], longest) + of(t.corner[2], longest);
+    // At the mean of the triangles' middles, which makes a better tree than their median.
+    const auto sum = [longest](const Flat& t) {
+      return t.corner[0].*longest + t.corner[1].*longest + t.corner[2].*longest;
     };
-    std::nth_element(triangles_.begin() + begin, triangles_.begin() + half,
-                     triangles_.begin() + end,
-                     [&](const Corners& x, const Corners& y) { return sum(x) < sum(y); });
+    float mean = 0;
+    for (uint32_t i = begin; i < end; ++i) {
+      mean += sum(triangles_[i]) / static_cast<float>(end - begin);
+    }
+    const auto from = triangles_.begin();
+    const auto at_mean =
+        std::partition(from + begin, from + end, [&](const Flat& t) { return sum(t) < mean; });
+    const auto found = static_cast<uint32_t>(at_mean - from);
+    const uint32_t half = found == begin || found == end ? (begin + end) / 2 : found;
     nodes_.resize(nodes_.size() + 2);
     fill(node.first, begin, half);
     fill(node.first + 1, half, end);
   }
 
-  std::vector<Corners> triangles_;
+  std::vector<Flat> triangles_;
   std::vector<Node> nodes_;
 };
 
-float absolute(float x) {
-  return x < 0 ? -x : x;
+Vec magnitudes(const Vec& v) {
+  return {__builtin_fabsf(v.x), __builtin_fabsf(v.y), __builtin_fabsf(v.z)};
 }
+
+/// Whether middles so far `apart` along an axis are farther off than both halves reach.
+bool parts(float apart, float half, float other) {
+  return __builtin_fabsf(apart) > half + other;
+}
+
+/// A box in the other frame: where its middle lies, and how far it reaches along the axes.
+struct Seen {
+  Vec middle;
+  Vec half;
+};
+
+/// B is moved.
+struct Moved {
+  Vec t;
+
+  explicit Moved(const Matrix& pose) : t(pose.translation) {}
+  Seen seen_of_a(const Node& a) const { return {a.middle - t, a.half}; }
+  Seen seen_of_b(const Node& b) const { return {b.middle + t, b.half}; }
+  /// Of a box and another one, seen from it.
+  static bool overlap(const Node& box, const Seen& other) {
+    return !parts(other.middle.x - box.middle.x, box.half.x, other.half.x) &&
+           !parts(other.middle.y - box.middle.y, box.half.y, other.half.y) &&
+           !parts(other.middle.z - box.middle.z, box.half.z, other.half.z);
+  }
+  bool overlap_a(const Node& a, const Seen& b, const Node&) const { return overlap(a, b); }
+  bool overlap_b(const Node& b, const Seen& a, const Node&) const { return overlap(b, a); }
+  Vec placed(const Vec& corner) const { return corner + t; }
+  static Vec turned(const Vec& normal) { return normal; }
+  static Vec turned_back(const Vec& normal) { return normal; }
+};
+
+/// B is turned and moved. One of two boxes is looked at with both children of the other: what of it
+/// is the same for both is worked out once.
+struct Turned {
+  Vec rows[3];
+  Vec columns[3];
+  Vec row_sizes[3];
+  Vec column_sizes[3];
+  Vec t;
+  Vec back;
+
+  explicit Turned(const Matrix& pose) : t(pose.translation) {
+    for (int i = 0; i < 3; ++i) {
+      rows[i] = pose.rows[i];
+      row_sizes[i] = magnitudes(rows[i]);
+    }
+    columns[0] = {rows[0].x, rows[1].x, rows[2].x};
+    columns[1] = {rows[0].y, rows[1].y, rows[2].y};
+    columns[2] = {rows[0].z, rows[1].z, rows[2].z};
+    for (int i = 0; i < 3; ++i) {
+      column_sizes[i] = magnitudes(columns[i]);
+    }
+    back = product(columns, t);
+  }
+  static Vec product(const Vec (&by)[3], const Vec& v) {
+    return {dot(by[0], v), dot(by[1], v), dot(by[2], v)};
+  }
+  Seen seen_of_a(const Node& a) const {
+    return {product(columns, a.middle) - back, product(column_sizes, a.half)};
+  }
+  Seen seen_of_b(const Node& b) const {
+    return {product(rows, b.middle) + t, product(row_sizes, b.half)};
+  }
+  /// The axes of the box's own frame first, then those of the other's, `other`'s own.
+  static bool overlap(const Node& box, const Seen& seen, const Vec (&to_other)[3],
+                      const Vec (&sizes)[3], const Node& other) {
+    const Vec way = seen.middle - box.middle;
+    return !parts(way.x, box.half.x, seen.half.x) && !parts(way.y, box.half.y, seen.half.y) &&
+           !parts(way.z, box.half.z, seen.half.z) &&
+           !parts(dot(to_other[0], way), other.half.x, dot(sizes[0], box.half)) &&
+           !parts(dot(to_other[1], way), other.half.y, dot(sizes[1], box.half)) &&
+           !parts(dot(to_other[2], way), other.half.z, dot(sizes[2], box.half));
+  }
+  bool overlap_a(const Node& a, const Seen& seen_b, const Node& b) const {
+    return overlap(a, seen_b, columns, column_sizes, b);
+  }
+  bool overlap_b(const Node& b, const Seen& seen_a, const Node& a) const {
+    return overlap(b, seen_a, rows, row_sizes, a);
+  }
+  Vec placed(const Vec& corner) const { return product(rows, corner) + t; }
+  Vec turned(const Vec& normal) const { return product(rows, normal); }
+  Vec turned_back(const Vec& normal) const { return product(columns, normal); }
+};
 
 class FloatTree : public Library {
  public:
@@ -99,109 +208,99 @@ class FloatTree : public Library {
     b_.build(b);
   }
 
-  void set_pose(const Pose& pose) override {
-    is_rotated_ = !pose.is_translation();
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column) {
-        rotation_[row][column] = rotation_of(pose, row, column);
-        size_[row][column] = absolute(rotation_[row][column]);
-      }
-      translation_[row] = translation_of(pose, row);
-    }
-  }
+  void set_pose(const Pose& pose) override { pose_ = matrix_of(pose); }
 
   uint32_t ask(bool first) override {
-    return is_rotated_ ? walk(first, [this](const Node& a, const Node& b) { return rotated(a, b); })
-                       : walk(first, [this](const Node& a, const Node& b) { return moved(a, b); });
+    return pose_.is_rotated ? walk(first, Turned(pose_)) : walk(first, Moved(pose_));
   }
 
  private:
   struct Element {
-    uint32_t a, b;
+    const Node* a;
+    const Node* b;
   };
 
-  template <class Overlap>
-  uint32_t walk(bool first, Overlap overlap) {
+  template <class Placed>
+  uint32_t walk(bool first, const Placed& placed) const {
+    const Node* const nodes_a = a_.nodes();
+    const Node* const nodes_b = b_.nodes();
     Element stack[128];
-    stack[0] = {0, 0};
+    Element* top = stack;
     uint32_t found = 0;
-    for (int depth = 1; depth != 0;) {
-      const Element pair = stack[--depth];
-      const Node& a = a_.node(pair.a);
-      const Node& b = b_.node(pair.b);
-      if (!overlap(a, b)) {
-        continue;
-      }
-      if (a.is_leaf && b.is_leaf) {
-        found += intersect(a.first, b.first) ? 1 : 0;
-        if (first && found != 0) {
-          break;
+    const Node* a = nodes_a;
+    const Node* b = nodes_b;
+    if (!placed.overlap_a(*a, placed.seen_of_b(*b), *b)) {
+      return 0;
+    }
+    for (;;) {
+      // The pair overlaps.
+      if (b->is_leaf() ? !a->is_leaf() : a->volume > b->volume) {
+        const Seen seen = placed.seen_of_b(*b);
+        const Node* const child = nodes_a + a->first;
+        const bool near = placed.overlap_a(child[0], seen, *b);
+        if (placed.overlap_a(child[1], seen, *b)) {
+          a = child + 1;
+          if (!near) {
+            continue;
+          }
+          *top++ = {a, b};
         }
-      } else if (b.is_leaf || (!a.is_leaf && a.volume >= b.volume)) {
-        stack[depth++] = {a.first + 1, pair.b};
-        stack[depth++] = {a.first, pair.b};
+        if (near) {
+          a = child;
+          continue;
+        }
+      } else if (!b->is_leaf()) {
+        const Seen seen = placed.seen_of_a(*a);
+        const Node* const child = nodes_b + b->first;
+        const bool near = placed.overlap_b(child[0], seen, *a);
+        if (placed.overlap_b(child[1], seen, *a)) {
+          b = child + 1;
+          if (!near) {
+            continue;
+          }
+          *top++ = {a, b};
+        }
+        if (near) {
+          b = child;
+          continue;
+        }
       } else {
-        stack[depth++] = {pair.a, b.first + 1};
-        stack[depth++] = {pair.a, b.first};
+        found += intersect(placed, *a, *b) ? 1 : 0;
+        if (first && found != 0) {
+          return found;
+        }
       }
+      if (top == stack) {
+        return found;
+      }
+      --top;
+      a = top->a;
+      b = top->b;
     }
-    return found;
   }
 
-  bool moved(const Node& a, const Node& b) const {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (absolute(b.middle[axis] + translation_[axis] - a.middle[axis]) >
-          a.half[axis] + b.half[axis]) {
-        return false;
-      }
+  template <class Placed>
+  bool intersect(const Placed& placed, const Node& leaf_a, const Node& leaf_b) const {
+    const Flat& a = a_.triangles()[leaf_a.first];
+    const Flat& b = b_.triangles()[leaf_b.first];
+    // Planes are placed first: they part most, and are one vector each.
+    const Heights of_b(placed.turned_back(a.normal), a.offset - dot(a.normal, placed.t), b.corner);
+    if (of_b.are_on_one_side()) {
+      return false;
     }
-    return true;
+    const Vec normal = placed.turned(b.normal);
+    const Heights of_a(normal, b.offset + dot(normal, placed.t), a.corner);
+    if (of_a.are_on_one_side()) {
+      return false;
+    }
+    const Vec corners[3] = {placed.placed(b.corner[0]), placed.placed(b.corner[1]),
+                            placed.placed(b.corner[2])};
+    return crossing_intersect(a.corner, corners, a.normal, normal, of_a, of_b);
   }
-
-  bool rotated(const Node& a, const Node& b) const {
-    float way[3];
-    for (int i = 0; i < 3; ++i) {
-      const float(&row)[3] = rotation_[i];
-      const float(&size)[3] = size_[i];
-      way[i] = row[0] * b.middle[0] + row[1] * b.middle[1] + row[2] * b.middle[2] +
-               translation_[i] - a.middle[i];
-      if (absolute(way[i]) >
-          a.half[i] + size[0] * b.half[0] + size[1] * b.half[1] + size[2] * b.half[2] + kSlack) {
-        return false;
-      }
-    }
-    for (int i = 0; i < 3; ++i) {
-      const float along =
-          rotation_[0][i] * way[0] + rotation_[1][i] * way[1] + rotation_[2][i] * way[2];
-      if (absolute(along) > b.half[i] + size_[0][i] * a.half[0] + size_[1][i] * a.half[1] +
-                                size_[2][i] * a.half[2] + kSlack) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  bool intersect(uint32_t of_a, uint32_t of_b) const {
-    Vec b[3];
-    for (int i = 0; i < 3; ++i) {
-      const Vec v = b_.triangle(of_b)[i];
-      b[i] = is_rotated_ ? Vec{dot(row(0), v), dot(row(1), v), dot(row(2), v)} : v;
-      b[i] = b[i] + Vec{translation_[0], translation_[1], translation_[2]};
-    }
-    return triangles_intersect(a_.triangle(of_a), b);
-  }
-
-  Vec row(int i) const { return {rotation_[i][0], rotation_[i][1], rotation_[i][2]}; }
-
-  /// For what turning rounds off.
-  static constexpr float kSlack = 1e-5f;
 
   Tree a_;
   Tree b_;
-  bool is_rotated_ = false;
-  float rotation_[3][3];
-  float size_[3][3];
-  float translation_[3];
+  Matrix pose_{};
 };
 
 }  // namespace
