@@ -9,6 +9,7 @@
 #include "cli/robot_sizes.hpp"
 #include "cli/unguarded_json.hpp"
 #include "image/cpp_writer.hpp"
+#include "robot/bake_links.hpp"
 #include "robot/joint_text.hpp"
 #include "robot/robot_writer.hpp"
 #include "text/numbers.hpp"
@@ -115,8 +116,8 @@ Json pair_json(const Model& model, const PairVerdict& pair) {
 
 double deviation_of(const BakedRobot& robot) {
   double most = 0;
-  for (const BakedLink& link : robot.links) {
-    most = std::max(most, link.tree.deviation);
+  for (const ModelLink& link : robot.model.links) {
+    most = std::max(most, link_deviation(link, robot.cell));
   }
   return most;
 }
@@ -128,7 +129,7 @@ Json link_json(const Model& model, const ModelLink& link, const BakedLink& baked
           {"triangles", baked.tree.triangles.size()},
           {"flash_bytes", flash_bytes(baked.tree)},
           {"size", size},
-          {"deviation", baked.tree.deviation},
+          {"deviation", link_deviation(link, baked.tree.cell)},
           {"sources", link.sources}};
 }
 
