@@ -1,7 +1,9 @@
-// The formats that assimp reads: its nodes' meshes, placed by the nodes.
+// The formats that assimp reads: its nodes' meshes, placed by the nodes. In a process of its own:
+// damaged files make assimp abort, read out of bounds, and take all memory.
 #include <assimp/config.h>
 #include <assimp/scene.h>
 
+#include <assimp/DefaultIOSystem.h>
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
@@ -10,6 +12,7 @@
 #include <vector>
 
 #include "mesh/formats.hpp"
+#include "mesh/guarded_import.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 
@@ -124,6 +127,34 @@ class SceneReader {
   std::size_t left_out_ = 0;
 };
 
+/// What a file refers to may be a device or a pipe, which may have no end.
+class RegularFiles : public Assimp::DefaultIOSystem {
+ public:
+  bool Exists(const char* file) const override {
+    std::error_code missing;
+    return std::filesystem::is_regular_file(file, missing);
+  }
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    return Exists(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
+  }
+};
+
+FileMesh read_scene(const std::string& file) {
+  Assimp::Importer importer;
+  importer.SetIOHandler(new RegularFiles);  // which the importer owns
+  // Viewers of robot models ignore the up axis of Collada, and models are drawn for them.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+  const aiScene* const scene = importer.ReadFile(file, 0);
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    const std::string said = one_line(importer.GetErrorString());
+    throw UserError(file, "can't be read: ",
+                    said == "std::bad_alloc" ? "takes more memory than there is" : said,
+                    "; export the mesh again");
+  }
+  return SceneReader(*scene, file).read();
+}
+
 }  // namespace
 
 FileMesh read_with_assimp(std::string_view bytes, const std::string& file) {
@@ -133,16 +164,7 @@ FileMesh read_with_assimp(std::string_view bytes, const std::string& file) {
   if (!std::filesystem::is_regular_file(file)) {
     throw UserError(file, "is a pipe, from which this format can't be read; name a file");
   }
-  Assimp::Importer importer;
-  // Viewers of robot models ignore the up axis of Collada, and models are drawn for them.
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
-  const aiScene* const scene = importer.ReadFile(file, 0);
-  if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw UserError(file, "can't be read: ", one_line(importer.GetErrorString()),
-                    "; export the mesh again");
-  }
-  return SceneReader(*scene, file).read();
+  return guarded_import([&] { return read_scene(file); }, file, limits_of_file(bytes.size()));
 }
 
 }  // namespace flashbvh::tool

@@ -1,0 +1,32 @@
+// A reader that may crash, grow or never end, run apart from the program.
+#ifndef FLASHBVH_TOOLS_MESH_GUARDED_IMPORT_HPP
+#define FLASHBVH_TOOLS_MESH_GUARDED_IMPORT_HPP
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "mesh/mesh_builder.hpp"
+
+namespace flashbvh::tool {
+
+/// What a reader may use.
+struct ImportLimits {
+  std::uint64_t bytes;        ///< of resident memory
+  std::uint64_t cpu_seconds;  ///< of processor time
+};
+
+/// Generous: a file of this size needs a small part of it.
+constexpr ImportLimits limits_of_file(std::uint64_t file_bytes) {
+  constexpr std::uint64_t kMebibyte = 1 << 20;
+  return {1024 * kMebibyte + 64 * file_bytes, 60 + 4 * (file_bytes / kMebibyte)};
+}
+
+/// Runs `read` in a child process and returns its result. UserError, naming `file`, if `read`
+/// throws one, crashes, ends the process, or exceeds a limit. The child's output is discarded.
+FileMesh guarded_import(const std::function<FileMesh()>& read, const std::string& file,
+                        const ImportLimits& limits);
+
+}  // namespace flashbvh::tool
+
+#endif
