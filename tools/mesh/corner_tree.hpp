@@ -1,10 +1,11 @@
-// Which corners of a polygon lie in a triangle: boxes over runs of neighbours, in a complete binary
-// tree (a segment tree over the polygon's order, in which what is near is mostly near in the
-// plane).
+// Which corners of a polygon lie in a triangle: boxes over corners that are near in the plane, in a
+// complete binary tree. Runs of the polygon's order would not do: the boxes of a star's rays
+// overlap.
 #ifndef FLASHBVH_TOOLS_MESH_CORNER_TREE_HPP
 #define FLASHBVH_TOOLS_MESH_CORNER_TREE_HPP
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,10 +26,13 @@ class CornerTree {
 
   void remove(std::uint32_t corner);
 
-  /// The first corner from number `begin` on that is still there and lies in the triangle or on its
-  /// rim, but not where one of the triangle's own corners lies; the number of corners if there is
-  /// none. Exactly the corners that turn() places so: no box is passed over that holds one.
-  std::uint32_t first_inside(const Triangle2& triangle, std::uint32_t begin) const;
+  /// A corner that is still there and lies in the triangle or on its rim, but not where one of the
+  /// triangle's own corners lies; the number of corners if there is none. Exactly the corners that
+  /// turn() places so: no box is passed over that holds one.
+  std::uint32_t any_inside(const Triangle2& triangle);
+
+  /// Nodes that any_inside() looked at so far.
+  std::size_t visits() const { return visits_; }
 
  private:
   struct Box {
@@ -36,13 +40,16 @@ class CornerTree {
     Corner2 high;
   };
 
-  std::uint32_t search(const Triangle2& triangle, std::uint32_t begin, std::size_t node,
-                       std::uint32_t first, std::uint32_t width) const;
+  void split(const std::vector<Corner2>& corners, std::uint32_t first, std::uint32_t width);
+  std::uint32_t search(const Triangle2& triangle, std::size_t node);
   void join_children(std::size_t node);
 
   std::uint32_t count_;
-  std::uint32_t leaves_ = 1;  ///< a power of two; leaf i is node leaves_ + i
-  std::vector<Box> boxes_;    ///< of node i; its children are 2i and 2i + 1
+  std::uint32_t leaves_ = 1;           ///< a power of two; leaf i is node leaves_ + i
+  std::vector<std::uint32_t> corner_;  ///< of each leaf that has one
+  std::vector<std::uint32_t> leaf_;    ///< of each corner
+  std::vector<Box> boxes_;             ///< of node i; its children are 2i and 2i + 1
+  std::size_t visits_ = 0;
 };
 
 }  // namespace flashbvh::tool

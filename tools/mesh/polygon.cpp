@@ -51,11 +51,11 @@ std::vector<Corner2> projected(const std::vector<Corner3>& corners) {
 /// is one, the polygon's first corner being the last to be asked.
 ///
 /// A corner that is none is asked again only when its triangle has changed, or when the corner that
-/// lay in it is gone: corners go and never come, so the search for another one starts behind that.
+/// lay in it is gone: corners go and never come.
 class EarCutter {
  public:
   explicit EarCutter(const std::vector<Corner2>& flat)
-      : flat_(flat), tree_(flat), asked_from_(flat.size()), waiting_(flat.size()) {
+      : flat_(flat), tree_(flat), waiting_(flat.size()) {
     const auto count = static_cast<std::uint32_t>(flat.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       next_.push_back((i + 1) % count);
@@ -93,11 +93,10 @@ class EarCutter {
     if (!(turn(triangle[0], triangle[1], triangle[2]) > 0)) {
       return false;
     }
-    const std::uint32_t inside = tree_.first_inside(triangle, asked_from_[corner]);
+    const std::uint32_t inside = tree_.any_inside(triangle);
     if (inside == flat_.size()) {
       return true;
     }
-    asked_from_[corner] = inside;
     waiting_[inside].push_back(corner);
     return false;
   }
@@ -116,7 +115,6 @@ class EarCutter {
     }
     to_ask_.insert({before, next});
     to_ask_.erase(corner);
-    asked_from_[before] = asked_from_[next] = 0;
   }
 
   const std::vector<Corner2>& flat_;
@@ -124,8 +122,7 @@ class EarCutter {
   std::uint32_t head_ = 0;           ///< the first that is left
   std::vector<std::uint32_t> next_;  ///< of those that are left
   std::vector<std::uint32_t> before_;
-  std::set<std::uint32_t> to_ask_;         ///< may be ears; the others are none
-  std::vector<std::uint32_t> asked_from_;  ///< no corner before this one lies in the triangle
+  std::set<std::uint32_t> to_ask_;                   ///< may be ears; the others are none
   std::vector<std::vector<std::uint32_t>> waiting_;  ///< whose triangles a corner lay in
 };
 
