@@ -114,6 +114,10 @@ mkdir other
 cp meshes/ring.stl other/ring.STL
 refused "other/ring.STL" bake meshes/ring.stl other/ring.STL -o out
 
+cp meshes/ring.stl other/RING.stl
+refused "other/RING.stl: would be written as 'RING' like 'ring' but for the case, which some file systems \
+ignore; rename one of the files" bake meshes/ring.stl other/RING.stl -o out
+
 # Counts that no file can hold are refused at once.
 printf 'ply\nformat ascii 1.0\nelement vertex 9000000000000000000\nend_header\n' >endless.ply
 refused "endless.ply: vertex 0 of 9000000000000000000: no properties" bake endless.ply -o out

@@ -30,6 +30,9 @@ refused "--max-deviation abc" bake missing.stl -o out --max-deviation abc
 refused "--unit yard" bake missing.stl -o out --unit yard
 refused "--name" bake meshes/ring.stl meshes/coarse.stl -o out --name both
 refused "--name class" bake meshes/ring.stl -o out --name class
+refused "--name: is empty; give a name" bake meshes/ring.stl -o out --name ""
+refused "--name __x: is a name that C or C++ takes; use another, such as m__x" \
+  bake meshes/ring.stl -o out --name __x
 refused "--name 2nd" bake meshes/ring.stl -o out --name 2nd
 refused "required" info
 refused "missing.fbvh: can't be opened" info missing.fbvh

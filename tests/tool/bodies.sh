@@ -52,6 +52,33 @@ refused "--body huge: is none of sizes.obj; it has big, small" \
   check shared/big.fbvh --mesh sizes.obj --body huge
 refused "--body big: names a body of no file; give --mesh, too" check shared/big.fbvh --body big
 
+# Names that compilers keep for themselves are changed, and those that differ in case alone numbered.
+{
+  for name in __wheel _Wheel Arm arm; do
+    echo "solid $name" && facet 0 && echo endsolid
+  done
+} >named.stl
+exits 0 bake named.stl -o named --cell 0.25 --split --format cpp
+[ "$(cd named && echo *.hpp)" = "Arm.fbvh.hpp arm_2.fbvh.hpp m_Wheel.fbvh.hpp m__wheel.fbvh.hpp" ] ||
+  fail "$(ls named)"
+grep -q '^namespace m__wheel ' named/m__wheel.fbvh.hpp || fail "$(cat named/m__wheel.fbvh.hpp)"
+
+# A mesh 50 times as long as the others is one of another unit, by the look of it.
+for size in 1 49 51; do
+  for body in a b c; do
+    printf 'o %s\nv 0 0 0\nv %s 0 0\nv 0 1 0\nf -3 -2 -1\n' $body "$([ $body = c ] && echo $size || echo 1)"
+  done >odd.obj
+  exits 0 bake odd.obj -o odd --split --unit mm
+  grep "times as long" stderr >odd_sizes || :
+  [ "$(wc -l <odd_sizes)" -eq $((size > 50)) ] || fail "$size: $(cat stderr)"
+done
+grep -qF "odd.obj, body 2 'c': warning: is 51 x 1 x 0 mm, 51 times as long as the other meshes; if its \
+unit or its scale is another one, --unit FILE=UNIT converts it" odd_sizes || fail "$(cat odd_sizes)"
+"$FLASHBVH" info odd/c.fbvh | grep -q '^size  *51 x 1 x 0  mm$' || fail "$("$FLASHBVH" info odd/c.fbvh)"
+"$FLASHBVH" info odd/c.fbvh --json | grep -q '"size":\[5[01]\.' || fail "$("$FLASHBVH" info odd/c.fbvh --json)"
+"$FLASHBVH" bake odd.obj --split --dry-run --json 2>/dev/null |
+  grep -qF '{"place":"odd.obj, body 2 '"'c'"'","warning":"is 51 x 1 x 0, ' || fail "no warning in JSON"
+
 # What baking a mesh would take is what baking it takes.
 exits 0 info meshes/ring.stl --json
 cp stdout facts
@@ -66,6 +93,7 @@ grep -qF "\"triangles\":400,\"vertices\":200,\"bodies\":[\"\"],\"box\":{\"lower\
   fail "$(cat facts)"
 grep -qF "\"finest_cell\":$cell," facts || fail "$(cat facts)"
 exits 0 info meshes/ring.stl
+grep -q '^size  *52 x 52 x 11.4$' stdout || fail "$(cat stdout)"
 grep -q '^flash, leaf size 2  10016 bytes, 25.0 a triangle, with 16-bit indices$' stdout || fail "$(cat stdout)"
 exits 0 info meshes/many_nodes.stl
 grep -q '^flash, leaf size 1 .* 32-bit indices$' stdout || fail "$(cat stdout)"

@@ -31,11 +31,25 @@ awk '
     ++totals
     if ($3 != sprintf("%.1f", $2 / $5) || $9 != largest) exit 1
   }
-  $1 != "mesh" && $1 != "cell" && !/  [0-9.]+ mm$/ { exit 1 }
+  $1 != "mesh" && $1 != "cell" && $1 != "total" && !/  [0-9.]+ mm  +[0-9.]+ x [0-9.]+ x [0-9.]+ mm$/ { exit 1 }
+  $1 == "total" && !/  [0-9.]+ mm$/ { exit 1 }
   $1 == "cell" && !/^cell 0.25 mm;/ { exit 1 }
   END { if (NR != 5 || totals != 1) exit 1 }' stdout || fail "$(cat stdout)"
 bytes=$(sed -n 's/.*kFlashBytes = \([0-9]*\);.*/\1/p' table/ring.fbvh.hpp)
 grep -q "^ring  *$bytes " stdout || fail "not $bytes: $(cat stdout)"
+# The same as JSON, with the warnings.
+"$FLASHBVH" bake meshes/ring.stl meshes/tetrahedron.stl --cell 0.25 --unit mm --dry-run --json >json
+python3 - <<'PYTHON' || fail "$(cat json)"
+import json
+found = json.load(open("json"))
+rows = [line.split() for line in open("stdout") if line.split()[0] in ("ring", "tetrahedron")]
+assert (found["unit"], found["cell"], found["warnings"]) == ("mm", 0.25, [])
+for row, mesh in zip(rows, found["meshes"], strict=True):
+    names = "name flash_bytes image_bytes triangles vertices nodes depth".split()
+    assert [str(mesh[name]) for name in names] == row[:2] + row[3:8], mesh
+    assert abs(mesh["deviation"] - float(row[8])) < 1e-4
+    assert [f"{side:.3g}" for side in mesh["size"]] == [row[10], row[12], row[14]]
+PYTHON
 exits 0 bake meshes/ring.stl --cell 0.25 --format image -o table
 grep -q "^ring  *$(($(wc -c <table/ring.fbvh))) " stdout || fail "$(cat stdout)"
 grep -q total stdout && fail "a row for all of one mesh"

@@ -107,4 +107,4 @@ done
 # The deviation is that of (0.24 -0.26 0): to (0 -0.5 0), and so printed by bake, with four digits.
 deviation=$(sed -n 's/^deviation *\([^ ]*\) .*/\1/p' text)
 awk -v d="$deviation" 'BEGIN { exit !(d > 0.339411 && d < 0.339412) }' || fail "deviation $deviation"
-grep -q '^mesh .*  0.3394$' table || fail "$(cat table)"
+grep -q '^mesh .*  0.3394  ' table || fail "$(cat table)"

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <iostream>
 #include <numeric>
-#include <set>
 
 #include "bake/image_bytes.hpp"
 #include "cli/bake_options.hpp"
@@ -12,6 +11,7 @@
 #include "cli/mesh_warnings.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
+#include "cli/sizes.hpp"
 #include "image/c_writer.hpp"
 #include "image/cpp_writer.hpp"
 #include "text/files.hpp"
@@ -79,6 +79,7 @@ BakeRow bake_one(const BakeOrder& order, BakedMesh& mesh, const std::string& pat
                        baked.nodes.size(),
                        baked.depth,
                        baked.deviation,
+                       {},
                        bake::bending_cost(baked.view())};
       },
       mesh.tree);
@@ -105,7 +106,7 @@ struct Part {
 std::vector<Part> read_parts(const BakeOrder& order, const std::vector<double>& weights,
                              Progress& progress, Warnings& warnings) {
   std::vector<Part> parts;
-  std::set<std::string> taken;
+  TakenOutputs taken;
   for (std::size_t i = 0; i < order.meshes.size(); ++i) {
     const std::string& path = order.meshes[i];
     progress.begin("reading " + path, weights[i]);
@@ -116,15 +117,27 @@ std::vector<Part> read_parts(const BakeOrder& order, const std::vector<double>& 
     std::vector<InputMesh> bodies = read_bodies(path, order.units, warnings);
     const std::vector<OutputName> names = body_names(path, bodies);
     for (std::size_t j = 0; j < bodies.size(); ++j) {
-      if (!taken.insert(names[j].identifier).second) {
-        throw UserError(bodies[j].path, "would be written as '", names[j].identifier,
-                        "' like one of a mesh before it; bake the files into folders of their own");
-      }
+      taken.add(names[j], bodies[j].path, "bake the files into folders of their own");
       parts.push_back(
           {std::move(bodies[j]), names[j], weights[i] / static_cast<double>(bodies.size())});
     }
   }
   return parts;
+}
+
+/// Of meshes that look as if they were in another unit than the others.
+void warn_of_odd_sizes(const std::vector<Part>& parts, const std::vector<BakeRow>& rows,
+                       const std::string& unit, Warnings& warnings) {
+  std::vector<Size> sizes;
+  for (const BakeRow& row : rows) {
+    sizes.push_back(row.size);
+  }
+  for (const OddSize& odd : odd_sizes(sizes)) {
+    warnings.add(
+        parts[odd.which].mesh.path,
+        concat("is ", size_text(sizes[odd.which], unit), ", ", odd_size_text(odd, "meshes"),
+               "; if its unit or its scale is another one, --unit FILE=UNIT converts it"));
+  }
 }
 
 /// How much wider than its mesh the lattice of one that bends is.
@@ -146,10 +159,12 @@ std::vector<BakeRow> bake_meshes(const BakeOrder& order, BakeOptions& options, F
     progress.begin("baking " + part.mesh.path, part.weight);
     BakedMesh baked = bake(part.mesh, options);
     rows.push_back(bake_one(order, baked, part.mesh.path, part.name, files));
+    rows.back().size = size_of(part.mesh.mesh);
     warn_of_mesh(part.mesh, baked.defects, options, warnings);
     std::visit([&](const auto& tree) { warn_of_place(tree.origin, part.mesh.path, warnings); },
                baked.tree);
   }
+  warn_of_odd_sizes(parts, rows, order.units.common(), warnings);
   return rows;
 }
 
@@ -168,6 +183,11 @@ void bake_all(const BakeOrder& order) {
   // Files that nobody heard of are none: what prints fails before they are in place.
   files.write([&] {
     warnings.print();
+    if (order.json) {
+      print_bake_json(rows, *options.cell, order.units, warnings);
+      flush_output();
+      return;
+    }
     print_bake_table(rows, order.units);
     std::cout << "cell " << order.units.with_unit(*options.cell) << legend(order);
     if (order.deformable) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <set>
 
 #include "cli/commands.hpp"
 #include "text/messages.hpp"
@@ -19,7 +18,7 @@ struct Arguments {
   std::optional<std::string> cell;
   std::string layout = "post";
   std::string builder = "sah";
-  std::string name;
+  std::optional<std::string> name;
   std::optional<std::uint32_t> leaf_size;
   std::optional<std::uint32_t> arity;
   std::string index_bits = "16";
@@ -31,25 +30,26 @@ struct Arguments {
 
 /// Output files and namespaces must not collide.
 std::vector<OutputName> output_names(const Arguments& arguments) {
-  if (!arguments.name.empty() && arguments.order.meshes.size() > 1) {
+  const std::string chosen = arguments.name.value_or("");
+  if (arguments.name && chosen.empty()) {
+    throw UserError("--name", "is empty; give a name of letters, digits and '_', or none");
+  }
+  if (arguments.name && arguments.order.meshes.size() > 1) {
     throw UserError("--name", "names one mesh, but ", arguments.order.meshes.size(),
                     " are given; bake them one by one with the same --cell");
   }
   if (arguments.order.split) {
-    if (!arguments.name.empty()) {
+    if (arguments.name) {
       throw UserError("--name",
                       "names one mesh, but --split makes one of each body, named after it");
     }
     return {};
   }
   std::vector<OutputName> names;
-  std::set<std::string> taken;
+  TakenOutputs taken;
   for (const std::string& mesh : arguments.order.meshes) {
-    names.push_back(output_name(mesh, arguments.name));
-    if (!taken.insert(names.back().identifier).second) {
-      throw UserError(mesh, "would be written as '", names.back().identifier,
-                      "' like a mesh before it; rename one of the files");
-    }
+    names.push_back(output_name(mesh, chosen));
+    taken.add(names.back(), mesh, "rename one of the files");
   }
   return names;
 }
@@ -167,6 +167,7 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
       ->type_name("DIR");
   command.add_flag("--dry-run", a.order.dry_run,
                    "Print the table and what is wrong, and write nothing");
+  command.add_flag("--json", a.order.json, "Print the table as one JSON object");
   command
       .add_option("--format", a.format,
                   "What to write: C++ arrays (cpp), the image as a C99 array (c), as a binary file "

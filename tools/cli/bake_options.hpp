@@ -29,6 +29,7 @@ struct BakeOrder {
   Units units;
   BakeOptions options;
   bool progress = false;  ///< a bar at once
+  bool json = false;      ///< the table as an object
 };
 
 /// Declares them; `run` gets what they say. UserError if they make no sense.

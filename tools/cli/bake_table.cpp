@@ -4,10 +4,13 @@
 #include <iomanip>
 #include <iostream>
 
+#include "cli/json.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// Bytes and counts of all, the depth and the deviation of the worst.
 BakeRow total_of(const std::vector<BakeRow>& rows) {
@@ -25,15 +28,21 @@ BakeRow total_of(const std::vector<BakeRow>& rows) {
   return total;
 }
 
-void print_row(const BakeRow& row, int width, const Units& units) {
+void print_row(const BakeRow& row, int width, const Units& units, bool is_total) {
   const double per_triangle =
       static_cast<double>(row.flash_bytes) / static_cast<double>(row.triangles);
   std::cout << std::left << std::setw(width) << row.mesh << std::right << std::setw(10)
             << row.flash_bytes << std::setw(16) << fixed(per_triangle, 1) << std::setw(10)
             << row.image_bytes << std::setw(11) << row.triangles << std::setw(10) << row.vertices
-            << std::setw(8) << row.nodes << std::setw(7) << row.depth << "  "
-            << significant(row.deviation, 4) << (units.common().empty() ? "" : " " + units.common())
-            << "\n";
+            << std::setw(8) << row.nodes << std::setw(7) << row.depth << "  ";
+  const std::string deviation =
+      significant(row.deviation, 4) + (units.common().empty() ? "" : " " + units.common());
+  if (is_total) {
+    std::cout << deviation << "\n";
+    return;
+  }
+  std::cout << std::left << std::setw(18) << deviation << std::right
+            << size_text(row.size, units.common()) << "\n";
 }
 
 }  // namespace
@@ -46,13 +55,33 @@ void print_bake_table(const std::vector<BakeRow>& rows, const Units& units) {
   const int width = static_cast<int>(widest) + 1;
   std::cout << std::left << std::setw(width) << "mesh"
             << "     flash  bytes/triangle     image  triangles  vertices   nodes  depth  largest "
-               "deviation\n";
+               "deviation size\n";
   for (const BakeRow& row : rows) {
-    print_row(row, width, units);
+    print_row(row, width, units, false);
   }
   if (rows.size() > 1) {
-    print_row(total_of(rows), width, units);
+    print_row(total_of(rows), width, units, true);
   }
+}
+
+void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units& units,
+                     const Warnings& warnings) {
+  Json all = {{"unit", units.common()}, {"cell", cell}, {"meshes", Json::array()}};
+  for (const BakeRow& row : rows) {
+    all["meshes"].push_back({{"name", row.mesh},
+                             {"flash_bytes", row.flash_bytes},
+                             {"image_bytes", row.image_bytes},
+                             {"triangles", row.triangles},
+                             {"vertices", row.vertices},
+                             {"nodes", row.nodes},
+                             {"depth", row.depth},
+                             {"deviation", row.deviation},
+                             {"size", row.size},
+                             {"ram_to_bend", row.bending.ram_bytes},
+                             {"refit_instructions", row.bending.refit_instructions}});
+  }
+  all["warnings"] = json_of(warnings);
+  std::cout << json_line(all);
 }
 
 void print_bending(const std::vector<BakeRow>& rows) {

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "bake/bending.hpp"
+#include "cli/sizes.hpp"
 #include "mesh/units.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 
@@ -21,11 +23,16 @@ struct BakeRow {
   std::size_t nodes = 0;
   std::size_t depth = 0;
   double deviation = 0;
+  Size size = {};
   bake::BendingCost bending = {};
 };
 
 /// On standard output, with a row for all of them if they are several.
 void print_bake_table(const std::vector<BakeRow>& rows, const Units& units);
+
+/// The rows, the cell and the warnings as one JSON object on standard output.
+void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units& units,
+                     const Warnings& warnings);
 
 /// A line a mesh: what it takes to bend.
 void print_bending(const std::vector<BakeRow>& rows);

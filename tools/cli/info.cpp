@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/info_mesh.hpp"
 #include "cli/robot_output.hpp"
+#include "cli/sizes.hpp"
 #include "image/image_file.hpp"
 #include "mesh/import.hpp"
 #include "mesh/units.hpp"
@@ -49,6 +50,9 @@ Json facts_of(const ImageFile& image) {
   const double cell = image.cell();
   const bake::BendingCost bending =
       std::visit([](const auto& tree) { return bake::bending_cost(tree); }, image.tree());
+  const auto lower = in_unit(bounds.lower, cell);
+  const auto upper = in_unit(bounds.upper, cell);
+  const Size size = {upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]};
   return {
       {"name", image.source()},
       {"format_version", header.version},
@@ -74,7 +78,8 @@ Json facts_of(const ImageFile& image) {
       {"deviation", image.deviation()},
       {"longest_edge", header.longest_edge * cell},
       {"origin", header.origin},
-      {"box", {{"lower", in_unit(bounds.lower, cell)}, {"upper", in_unit(bounds.upper, cell)}}},
+      {"box", {{"lower", lower}, {"upper", upper}}},
+      {"size", size},
       {"box_cells", {{"lower", bounds.lower}, {"upper", bounds.upper}}},
   };
 }
@@ -108,8 +113,8 @@ std::string unit_of(const std::string& name, Unit unit) {
   if (name == "origin" || name == "box_cells") {
     return "cells";
   }
-  const bool length =
-      name == "cell" || name == "deviation" || name == "longest_edge" || name == "box";
+  const bool length = name == "cell" || name == "deviation" || name == "longest_edge" ||
+                      name == "box" || name == "size";
   if (name == "ram_to_bend" || name == "refit_instructions") {
     return name == "ram_to_bend" ? "bytes" : "about, on a Cortex-M4F";
   }
@@ -137,7 +142,9 @@ void info(const std::string& path, bool json) {
     }
     label.resize(20, ' ');
     std::cout << label
-              << (name == "bytes_per_triangle" ? fixed(value.get<double>(), 2) : text_of(value))
+              << (name == "bytes_per_triangle" ? fixed(value.get<double>(), 2)
+                  : name == "size"             ? size_text(value.get<Size>(), "")
+                                               : text_of(value))
               << (unit.empty() ? "" : "  " + unit) << "\n";
   }
 }

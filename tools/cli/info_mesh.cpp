@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/mesh_warnings.hpp"
+#include "cli/sizes.hpp"
 #include "image/baking.hpp"
 #include "image/cpp_writer.hpp"
 #include "text/numbers.hpp"
@@ -71,6 +72,7 @@ Json facts_of(const InputMesh& mesh, Warnings& warnings) {
                 {"vertices", mesh.mesh.vertices.size()},
                 {"bodies", mesh.bodies},
                 {"box", box_of(mesh.mesh)},
+                {"size", size_of(mesh.mesh)},
                 {"finest_cell", *options.cell}};
   const RoundedMesh rounded = round_mesh(mesh, options);
   warn_of_mesh(mesh, rounded.defects, options, warnings);
@@ -101,6 +103,7 @@ void print(const Json& facts) {
   line("bodies", concat(facts["bodies"].size()));
   line("box", coordinates_text(facts["box"]["lower"]) + "  to  " +
                   coordinates_text(facts["box"]["upper"]));
+  line("size", size_text(facts["size"].get<Size>(), ""));
   line("finest cell", shortest(facts["finest_cell"].get<double>()));
   line("deviation", shortest(facts["deviation"].get<double>()));
   for (const Json& flash : facts["flash"]) {

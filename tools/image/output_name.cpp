@@ -19,11 +19,25 @@ bool is_word(char c) {
   return is_digit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+/// For compilers: a '_' before another one or before a capital.
+bool is_reserved(const std::string& word) {
+  return word.size() > 1 && word[0] == '_' &&
+         (word[1] == '_' || (word[1] >= 'A' && word[1] <= 'Z'));
+}
+
+std::string small_letters(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return text;
+}
+
 std::string word_of(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](char c) { return is_word(c) ? c : '_'; });
   if (text.empty() || is_digit(text[0])) {
     text.insert(0, "_");
+  } else if (is_reserved(text)) {
+    text.insert(0, "m");
   }
   return text;
 }
@@ -43,6 +57,10 @@ OutputName output_name(const std::string& mesh_path, const std::string& chosen) 
     const std::string word = word_of(stem);
     return {stem, word, identifier_of(word)};
   }
+  if (is_reserved(chosen)) {
+    throw UserError("--name " + chosen, "is a name that C or C++ takes; use another, such as ",
+                    word_of(chosen));
+  }
   if (word_of(chosen) != chosen) {
     throw UserError("--name " + chosen,
                     "is no name for a C++ namespace; use letters, digits and '_'");
@@ -52,6 +70,22 @@ OutputName output_name(const std::string& mesh_path, const std::string& chosen) 
                     identifier_of(chosen));
   }
   return {chosen, chosen, chosen};
+}
+
+void TakenOutputs::add(const OutputName& name, const std::string& mesh, const char* fix) {
+  const auto take = [&](std::map<std::string, std::string>& taken, const std::string& wanted) {
+    const auto [known, is_new] = taken.emplace(small_letters(wanted), wanted);
+    if (!is_new) {
+      const std::string other = "'" + known->second + "'";
+      throw UserError(mesh, "would be written as '", wanted, "' like ",
+                      known->second == wanted
+                          ? "one of a mesh before it"
+                          : other + " but for the case, which some file systems ignore",
+                      "; ", fix);
+    }
+  };
+  take(identifiers_, name.identifier);
+  take(stems_, name.stem);
 }
 
 std::vector<OutputName> body_names(const std::string& mesh_path,
@@ -73,8 +107,8 @@ std::vector<OutputName> distinct_names(const std::vector<std::string>& names) {
   for (const std::string& any : names) {
     const std::string wanted = word_of(any);
     std::string name = wanted;
-    for (std::size_t& number = last_number.emplace(wanted, 1).first->second;
-         !taken.insert(name).second;) {
+    for (std::size_t& number = last_number.emplace(small_letters(wanted), 1).first->second;
+         !taken.insert(small_letters(name)).second;) {
       name = concat(wanted, "_", ++number);
     }
     made.push_back({name, name, identifier_of(name)});

@@ -2,6 +2,7 @@
 #ifndef FLASHBVH_TOOLS_IMAGE_OUTPUT_NAME_HPP
 #define FLASHBVH_TOOLS_IMAGE_OUTPUT_NAME_HPP
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,20 @@ struct OutputName {
 /// name for a namespace.
 OutputName output_name(const std::string& mesh_path, const std::string& chosen);
 
+/// The names of one call's outputs so far: no two may differ in case alone, since some file systems
+/// ignore it.
+class TakenOutputs {
+ public:
+  /// UserError, naming `mesh` and ending with the `fix`, if the name is taken.
+  void add(const OutputName& name, const std::string& mesh, const char* fix);
+
+ private:
+  std::map<std::string, std::string> identifiers_;  ///< by their small letters
+  std::map<std::string, std::string> stems_;        ///< the same
+};
+
 /// Of the bodies of a mesh file: identifiers, by their names there, after the mesh file where a
-/// body has no name, numbered from 2 on where they are equal.
+/// body has no name, numbered from 2 on where they are equal but for their case.
 std::vector<OutputName> body_names(const std::string& mesh_path,
                                    const std::vector<InputMesh>& bodies);
 

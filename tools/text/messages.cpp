@@ -47,12 +47,12 @@ void flush_output() {
 }
 
 void Warnings::add(const std::string& place, const std::string& what) {
-  lines_.push_back(one_line(place + ": warning: " + what));
+  all_.push_back({place, what});
 }
 
 void Warnings::print() const {
-  for (const std::string& line : lines_) {
-    std::cerr << "flashbvh: " << line << "\n";
+  for (const PlacedWarning& warning : all_) {
+    std::cerr << "flashbvh: " << one_line(warning.place + ": warning: " + warning.what) << "\n";
   }
 }
 

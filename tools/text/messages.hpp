@@ -40,15 +40,21 @@ std::string quoted(std::string_view word);
 /// Writes what standard output still holds back; throws if it does not take it.
 void flush_output();
 
+struct PlacedWarning {
+  std::string place;
+  std::string what;
+};
+
 /// Collected while a progress bar may stand on the line, printed when it is gone.
 class Warnings {
  public:
   void add(const std::string& place, const std::string& what);
   /// One line each on standard error.
   void print() const;
+  const std::vector<PlacedWarning>& all() const { return all_; }
 
  private:
-  std::vector<std::string> lines_;
+  std::vector<PlacedWarning> all_;
 };
 
 }  // namespace flashbvh::tool
