@@ -31,13 +31,14 @@ value distance | awk '{ print $1 + 0 }' | cmp wanted - || fail "$(cat stdout)"
 value lower | awk '{ print $1 + 0 }' | cmp wanted - || fail "$(cat stdout)"
 value upper | awk '{ print $1 + 0 }' | cmp wanted - || fail "$(cat stdout)"
 [ "$(grep -c '"status":"ok"' stdout)" -eq 5 ] || fail "$(cat stdout)"
+[ "$(grep -c '"unit":"mm"' stdout)" -eq 5 ] || fail "$(cat stdout)"
 # In A's frame, as it was drawn.
 sed -n 3p stdout | grep -q '"point_a":\[1008.0,1008.0,1008.0\],"point_b":\[1010.0,1014.0,1011.0\]' ||
   fail "$(cat stdout)"
 sed -n 1p stdout | sed 's/.*"point_a":\[\([^]]*\)\],"point_b":\[\([^]]*\)\].*/\1,\2/' |
   awk -F , '$1 != 1008 || $4 != 1020.5 || $2 != $5 || $3 != $6 { exit 1 }' || fail "$(cat stdout)"
 exits 0 clearance mm/there.fbvh mm/here.fbvh --poses poses
-grep -q '^ *2 *7 ' stdout || fail "$(cat stdout)"
+grep -q '^ *2 *7 mm ' stdout || fail "$(cat stdout)"
 exits 0 clearance mm/there.fbvh mm/here.fbvh --poses poses --cold --json
 value distance | awk '{ print $1 + 0 }' | cmp wanted - || fail "$(cat stdout)"
 

@@ -79,6 +79,37 @@ if grep -qE '"triangle_pairs":([2-9]|[1-9][0-9])' json; then
 fi
 [ "$("$FLASHBVH" collide post/ring.fbvh post/coarse.fbvh --poses poses | wc -l)" -eq $((count + 2)) ] ||
   fail table
+# What is said of each pose, and first of all: of pairs, of one mesh inside the other, of neither.
+# said LINE JSON X: of a tetrahedron moved by X against itself, half a cell off.
+"$FLASHBVH" bake meshes/tetrahedron.stl meshes/ring.stl -o solid --cell 0.01 >/dev/null 2>&1
+awk '{ print }' <<'OBJ' >small.obj
+v 1 1 1
+v 1 2 1
+v 2 1 1
+v 1 1 2
+f 1 2 3
+f 1 4 2
+f 1 3 4
+f 3 2 4
+OBJ
+"$FLASHBVH" bake small.obj -o solid --cell 0.01 >/dev/null 2>&1
+said() {
+  echo "1 0 0 0 1 0 0 0 1  $3 0 0" >pose
+  exits 0 collide solid/tetrahedron.fbvh solid/small.fbvh --poses pose
+  [ "$(head -n 1 stdout)" = "tetrahedron and small, ranked: $1" ] || fail "$(cat stdout)"
+  grep -q "^ *0  $1 " stdout || fail "$(cat stdout)"
+  exits 0 collide solid/tetrahedron.fbvh solid/small.fbvh --poses pose --json
+  grep -qF "{\"pose\":0,$2,\"algorithm\"" stdout || fail "$(cat stdout)"
+}
+said free '"intersects":false,"inside":false' 20
+said inside '"intersects":false,"inside":true' 0
+said intersect '"intersects":true' -1
+exits 0 collide post/ring.fbvh post/coarse.fbvh --poses poses
+intersecting=$(cut -d ' ' -f 1 wanted | sort -u | wc -l)
+head -n 1 stdout | grep -q "^ring and coarse, ranked: $intersecting of $count poses intersect" ||
+  fail "$(cat stdout)"
+[ "$(grep -c ' intersect  ' stdout)" -eq "$intersecting" ] || fail "$(cat stdout)"
+"$FLASHBVH" collide pre/ring.fbvh pre/coarse.fbvh --poses poses | grep -q ' free  ' || fail "pre-indexed"
 "$FLASHBVH" collide post/ring.fbvh post/coarse.fbvh --poses poses --pairs /dev/null >/dev/null
 [ -c /dev/null ] || fail "a device was replaced"
 

@@ -14,6 +14,7 @@
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
 #include "image/image_file.hpp"
+#include "mesh/units.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -41,8 +42,8 @@ std::uint32_t fine_length(double length, double cell) {
 }
 
 void print_json(std::size_t pose, const ClearanceArguments& arguments, const ClearanceAnswer& found,
-                double cell) {
-  nlohmann::ordered_json line = {{"pose", pose}};
+                double cell, const std::string& unit) {
+  nlohmann::ordered_json line = {{"pose", pose}, {"unit", unit}};
   if (arguments.is_within) {
     line["within"] = !found.nearest.empty();
   } else if (!found.in_range) {
@@ -77,14 +78,15 @@ void print_heading(const std::string& names, bool is_within) {
 }
 
 void print_row(std::size_t pose, const ClearanceArguments& arguments, const ClearanceAnswer& found,
-               double cell) {
+               double cell, const std::string& unit) {
   std::cout << std::setw(6) << pose << "  " << std::setw(12);
   if (arguments.is_within) {
     std::cout << (found.nearest.empty() ? "no" : "yes");
-  } else if (found.in_range) {
-    std::cout << significant(found.nearest[0].distance * cell, 6);
   } else {
-    std::cout << ">= " + significant(unit_length(found.lower, cell), 6);
+    const std::string length = found.in_range
+                                   ? significant(found.nearest[0].distance * cell, 6)
+                                   : ">= " + significant(unit_length(found.lower, cell), 6);
+    std::cout << length + (unit.empty() ? "" : " " + unit);
   }
   if (found.nearest.empty()) {
     std::cout << std::setw(17) << (found.in_range ? "" : "out of range");
@@ -146,9 +148,9 @@ void ask_all(const ClearanceArguments& arguments) {
     }
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (arguments.json) {
-        print_json(i, arguments, found[i], a.cell());
+        print_json(i, arguments, found[i], a.cell(), unit_name(a.unit()));
       } else {
-        print_row(i, arguments, found[i], a.cell());
+        print_row(i, arguments, found[i], a.cell(), unit_name(a.unit()));
       }
     }
     flush_output();

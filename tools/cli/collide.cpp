@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "cli/commands.hpp"
@@ -16,6 +17,7 @@
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
 #include "evaluate/visit_bound.hpp"
+#include "flashbvh/solid.hpp"
 #include "image/image_file.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
@@ -47,21 +49,64 @@ std::string chosen_algorithm(const CollideArguments& arguments, const ImageFile&
   return arguments.algorithm;
 }
 
-void print_json(std::size_t pose, const std::string& algorithm, const WideCounts& counts) {
-  const nlohmann::ordered_json line = {{"pose", pose},
-                                       {"algorithm", algorithm},
-                                       {"visits", counts.visits},
-                                       {"overlaps", counts.overlaps},
-                                       {"leaf_pairs", counts.leaf_pairs},
-                                       {"triangle_pairs", counts.triangle_pairs},
-                                       {"status", "ok"}};
+/// Of two meshes whose triangles do not intersect; nothing if one is not closed, or pre-indexed.
+std::optional<bool> one_is_inside(const ImageFile& a, const ImageFile& b, const Pose& pose) {
+  return std::visit(
+      [&](const auto& tree) -> std::optional<bool> {
+        using Tree = std::decay_t<decltype(tree)>;
+        if constexpr (Tree::kLayout == Layout::post_indexed) {
+          using Plain = Mesh<typename Tree::Index, Layout::post_indexed>;
+          const auto answer =
+              flashbvh::one_is_inside(static_cast<const Plain&>(tree),
+                                      static_cast<const Plain&>(std::get<Tree>(b.tree())), pose);
+          return answer.status == Status::done ? std::optional(answer.yes) : std::nullopt;
+        } else {
+          return std::nullopt;
+        }
+      },
+      a.tree());
+}
+
+bool intersects(const Answer& answer) {
+  return answer.counts.triangle_pairs != 0;
+}
+
+const char* verdict_of(const Answer& answer) {
+  return intersects(answer) ? "intersect" : answer.inside.value_or(false) ? "inside" : "free";
+}
+
+/// Of one pose its verdict; of several how many intersect.
+std::string verdict_of_all(const std::vector<Answer>& found) {
+  if (found.size() == 1) {
+    return verdict_of(found[0]);
+  }
+  const auto count = std::count_if(found.begin(), found.end(), intersects);
+  const auto inside = std::count_if(found.begin(), found.end(), [](const Answer& answer) {
+    return answer.inside.value_or(false);
+  });
+  return concat(count, " of ", found.size(), " poses intersect",
+                inside == 0 ? "" : concat(", one mesh is inside the other in ", inside));
+}
+
+void print_json(std::size_t pose, const std::string& algorithm, const Answer& answer) {
+  nlohmann::ordered_json line = {{"pose", pose}, {"intersects", intersects(answer)}};
+  if (answer.inside) {
+    line["inside"] = *answer.inside;
+  }
+  line.update({{"algorithm", algorithm},
+               {"visits", answer.counts.visits},
+               {"overlaps", answer.counts.overlaps},
+               {"leaf_pairs", answer.counts.leaf_pairs},
+               {"triangle_pairs", answer.counts.triangle_pairs},
+               {"status", "ok"}});
   std::cout << line.dump() << "\n";
 }
 
-void print_table_row(std::size_t pose, const WideCounts& counts) {
-  std::cout << std::setw(6) << pose << std::setw(14) << counts.visits << std::setw(14)
-            << counts.overlaps << std::setw(14) << counts.leaf_pairs << std::setw(16)
-            << counts.triangle_pairs << "\n";
+void print_table_row(std::size_t pose, const Answer& answer) {
+  const WideCounts& counts = answer.counts;
+  std::cout << std::setw(6) << pose << "  " << std::left << std::setw(9) << verdict_of(answer)
+            << std::right << std::setw(14) << counts.visits << std::setw(14) << counts.overlaps
+            << std::setw(14) << counts.leaf_pairs << std::setw(16) << counts.triangle_pairs << "\n";
 }
 
 /// Of a pose, in order of the pairs.
@@ -150,6 +195,9 @@ std::vector<Answer> answers(const CollideArguments& arguments, const ImageFile& 
     found.push_back(collide(a.tree(), b.tree(), pose, algorithm, asked));
     Answer& answer = found.back();
     check_answered(answer, arguments.poses, found.size() - 1);
+    if (!intersects(answer) && !arguments.bound && !arguments.summary) {
+      answer.inside = one_is_inside(a, b, pose);
+    }
     if (arguments.pairs.empty() && arguments.contacts.empty()) {
       answer.pairs = {};  // there may be many
     }
@@ -160,14 +208,14 @@ std::vector<Answer> answers(const CollideArguments& arguments, const ImageFile& 
 void print_answers(const CollideArguments& arguments, const std::string& names,
                    const std::string& algorithm, const std::vector<Answer>& found) {
   if (!arguments.json) {
-    std::cout << names << ", " << algorithm << "\n"
-              << "  pose        visits      overlaps    leaf pairs  triangle pairs\n";
+    std::cout << names << ", " << algorithm << ": " << verdict_of_all(found) << "\n"
+              << "  pose  verdict          visits      overlaps    leaf pairs  triangle pairs\n";
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (arguments.json) {
-      print_json(i, algorithm, found[i].counts);
+      print_json(i, algorithm, found[i]);
     } else {
-      print_table_row(i, found[i].counts);
+      print_table_row(i, found[i]);
     }
   }
 }
@@ -231,7 +279,9 @@ void add_collide(CLI::App& app) {
   CollideArguments& a = *arguments;
   CLI::App* const command = app.add_subcommand(
       "collide",
-      "Find the triangles of A that intersect triangles of B, by the firmware's own code.");
+      "Find the triangles of A that intersect triangles of B, by the firmware's own code. Prints "
+      "of "
+      "each pose:\nintersect; inside, if the one closed mesh lies in the other; or free.");
   (void)add_posed_images(*command, a);
   command
       ->add_option("--algorithm", a.algorithm,

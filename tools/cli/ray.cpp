@@ -13,6 +13,7 @@
 #include "evaluate/points.hpp"
 #include "flashbvh/ray.hpp"
 #include "image/image_file.hpp"
+#include "mesh/units.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -80,9 +81,9 @@ nlohmann::ordered_json hit_json(const Segment& segment, const Hit& hit, double c
                                   : "edge"}};
 }
 
-void print_json(std::size_t number, const RayArguments& arguments, const Found& found,
-                double cell) {
-  nlohmann::ordered_json line = {{"ray", number}, {"hit", !found.hits.empty()}};
+void print_json(std::size_t number, const RayArguments& arguments, const Found& found, double cell,
+                const std::string& unit) {
+  nlohmann::ordered_json line = {{"ray", number}, {"unit", unit}, {"hit", !found.hits.empty()}};
   if (arguments.all) {
     line["hits"] = nlohmann::ordered_json::array();
     for (const Hit& hit : found.hits) {
@@ -123,12 +124,14 @@ void ask_all(const RayArguments& arguments) {
                       ", from the middle of the mesh's box is the most");
     }
   }
+  const std::string unit = unit_name(image.unit());
   if (!arguments.json) {
-    std::cout << image.name() << "\n   ray      distance   triangle     visits\n";
+    std::cout << image.name() << (unit.empty() ? "" : ", distances in " + unit)
+              << "\n   ray      distance   triangle     visits\n";
   }
   for (std::size_t i = 0; i < answers.size(); ++i) {
     if (arguments.json) {
-      print_json(i, arguments, answers[i], image.cell());
+      print_json(i, arguments, answers[i], image.cell(), unit);
     } else {
       print_rows(i, answers[i], image.cell());
     }

@@ -45,6 +45,9 @@ Segment ray_of(const Words& words, double cell, const std::string& place) {
   for (std::size_t i = 0; i < 7; ++i) {
     number[i] = static_cast<float>(number_of(words[i], place));
   }
+  if (number_of(words[6], place) < 0) {  // which may round to 0
+    throw UserError(place, "is no ray: the reach is negative; give one from 0");
+  }
   const MadeSegment made =
       segment_of({number[0], number[1], number[2]}, {number[3], number[4], number[5]}, number[6],
                  cells_per_unit(cell_bits));

@@ -3,6 +3,7 @@
 #define FLASHBVH_TOOLS_EVALUATE_QUERIES_HPP
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct Answer {
   std::uint64_t work = 0;
   std::vector<FoundPair> pairs;   ///< in the order in which the query reports them
   std::vector<Contact> contacts;  ///< of each pair, if asked for
+  std::optional<bool> inside;     ///< without pairs: whether one mesh is inside the other, if known
 };
 
 /// What a query is asked for beside counts and pairs.
