@@ -10,17 +10,21 @@
 #include "bake/quantise.hpp"
 #include "bake/surface.hpp"
 #include "cli/commands.hpp"
+#include "cli/json.hpp"
 #include "cli/mesh_warnings.hpp"
 #include "image/image_file.hpp"
 #include "image/output_name.hpp"
 #include "mesh/defects.hpp"
 #include "mesh/import.hpp"
 #include "mesh/units.hpp"
+#include "robot/robot_file.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 std::string text_of(const LatticePoint& point) {
   return concat("(", point[0], " ", point[1], " ", point[2], ")");
@@ -115,19 +119,17 @@ class Comparison {
   LeftOut left_out_;
 };
 
-/// UserError unless the image says of its shells, and whether they are closed, what its triangles
-/// say: the library doesn't look for the one, and tells the other by a sum.
-void check_surface(const ImageFile& image, const bake::LatticeMesh& mesh) {
+/// UserError unless the image at `path` says of its shells, and whether they are closed, what its
+/// triangles say: the library doesn't look for the one, and tells the other by a sum. `of`: which
+/// mesh of the image, for the message.
+template <class Tree>
+void check_surface(const Tree& tree, bool is_closed, const bake::LatticeMesh& mesh,
+                   const std::string& path, const std::string& of) {
   const bake::Surface surface = bake::surface_of(mesh);
-  const bool is_closed = (image.header().flags & kImageIsClosed) != 0;
-  const bool same_shells = std::visit(
-      [&](const auto& tree) {
-        return std::equal(surface.shell_vertices.begin(), surface.shell_vertices.end(),
-                          tree.shell_vertices, tree.shell_vertices + tree.shell_count);
-      },
-      image.tree());
+  const bool same_shells = std::equal(surface.shell_vertices.begin(), surface.shell_vertices.end(),
+                                      tree.shell_vertices, tree.shell_vertices + tree.shell_count);
   if (!same_shells || surface.is_closed != is_closed) {
-    throw UserError(image.path(), "is invalid: ",
+    throw UserError(path, "is invalid: ", of,
                     same_shells ? "its surface is not closed or open as it says"
                                 : "its vertices of shells are not those that its triangles make",
                     "; bake it again");
@@ -135,14 +137,12 @@ void check_surface(const ImageFile& image, const bake::LatticeMesh& mesh) {
 }
 
 /// What the image's own surface is like.
-void warn_of_surface(const ImageFile& image, const bake::LatticeMesh& mesh) {
+void warn_of_surface(const ImageFile& image, const bake::LatticeMesh& mesh, Warnings& warnings) {
   MeshDefects defects;
   defects.duplicates = duplicate_triangles(mesh.triangles);
   defects.edges = edge_defects(mesh.triangles, defects.duplicates);
   defects.inside_out = defects.edges.none() && is_inside_out(mesh, defects.duplicates);
-  Warnings warnings;
   warn_of_surface(defects, image.path(), warnings);
-  warnings.print();
 }
 
 struct CheckArguments {
@@ -150,12 +150,20 @@ struct CheckArguments {
   std::string mesh;
   std::string body;
   std::vector<std::string> units;
+  bool json = false;
+};
+
+/// What is known of an image that is well-formed.
+struct CheckResult {
+  std::string name;
+  std::string text;  ///< without the name
+  Json facts;        ///< as fields of an object, behind its name
+  ExitCode exit_code = kSuccess;
 };
 
 /// As `bake` reads it.
-InputMesh read_mesh_or_body(const CheckArguments& arguments) {
+InputMesh read_mesh_or_body(const CheckArguments& arguments, Warnings& warnings) {
   const Units units(arguments.units, {arguments.mesh});
-  Warnings warnings;
   InputMesh input;
   if (arguments.body.empty()) {
     input = read_mesh(arguments.mesh, units, warnings);
@@ -174,50 +182,111 @@ InputMesh read_mesh_or_body(const CheckArguments& arguments) {
                       known);
     }
   }
-  warnings.print();
   return input;
 }
 
-/// The mesh against the image: sets the exit code, returns the verdict.
-std::string compare(const CheckArguments& arguments, const ImageFile& image,
-                    const std::vector<SourceTriangle>& triangles, ExitCode& exit_code) {
-  const InputMesh input = read_mesh_or_body(arguments);
-  exit_code = kCheckFailed;
-  const std::string but_not = ", but not " + input.path + ": ";
-  if (!bake::fits(input.mesh, image.cell())) {
-    return but_not + "the mesh is too large for the image's cell";
+/// Adds how the mesh compares to the image.
+void compare(const CheckArguments& arguments, const ImageFile& image,
+             const std::vector<SourceTriangle>& triangles, CheckResult& result,
+             Warnings& warnings) {
+  const InputMesh input = read_mesh_or_body(arguments, warnings);
+  const bool is_small = bake::fits(input.mesh, image.cell());
+  std::string difference = "the mesh is too large for the image's cell";
+  LeftOut left_out;
+  if (is_small) {
+    Comparison comparison(image, input);
+    difference = comparison.difference(triangles);
+    left_out = comparison.left_out();
   }
-  Comparison comparison(image, input);
-  const std::string found = comparison.difference(triangles);
-  if (!found.empty()) {
-    return but_not + found;
+  result.facts.update({{"mesh", input.path}, {"equal", difference.empty()}});
+  if (!difference.empty()) {
+    result.exit_code = kCheckFailed;
+    result.text += ", but not " + input.path + ": " + difference;
+    result.facts["difference"] = difference;
+    return;
   }
-  exit_code = kSuccess;
-  const LeftOut& left_out = comparison.left_out();
-  if (left_out.degenerate + left_out.duplicate == 0) {
-    return ", equal to " + input.path;
+  result.facts.update(
+      {{"left_out_degenerate", left_out.degenerate}, {"left_out_duplicate", left_out.duplicate}});
+  result.text += ", equal to " + input.path;
+  if (left_out.degenerate + left_out.duplicate != 0) {
+    result.text += concat(" without ", left_out.degenerate, " degenerate and ", left_out.duplicate,
+                          " duplicate triangles");
   }
-  return concat(", equal to ", input.path, " without ", left_out.degenerate, " degenerate and ",
-                left_out.duplicate, " duplicate triangles");
 }
 
-ExitCode check(const CheckArguments& arguments) {
+CheckResult check_mesh(const CheckArguments& arguments, Warnings& warnings) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
   const bake::LatticeMesh mesh = mesh_of(image, triangles);
-  check_surface(image, mesh);
-  std::string verdict = concat("well-formed, ", triangles.size(), " triangles, ",
-                               image.header().node_count, " nodes");
-  ExitCode exit_code = kSuccess;
+  const bool is_closed = (image.header().flags & kImageIsClosed) != 0;
+  std::visit([&](const auto& tree) { check_surface(tree, is_closed, mesh, image.path(), ""); },
+             image.tree());
+  CheckResult result;
+  result.name = image.name();
+  result.text = concat("well-formed, ", triangles.size(), " triangles, ", image.header().node_count,
+                       " nodes");
+  result.facts = {
+      {"kind", "mesh"}, {"triangles", triangles.size()}, {"nodes", image.header().node_count}};
   if (arguments.mesh.empty() && !arguments.body.empty()) {
     throw UserError("--body " + arguments.body, "names a body of no file; give --mesh, too");
   }
   if (!arguments.mesh.empty()) {
-    verdict += compare(arguments, image, triangles, exit_code);
+    compare(arguments, image, triangles, result, warnings);
   }
-  warn_of_surface(image, mesh);
-  std::cout << image.name() << ": " << verdict << "\n";
-  return exit_code;
+  warn_of_surface(image, mesh, warnings);
+  return result;
+}
+
+CheckResult check_robot(const CheckArguments& arguments) {
+  if (!arguments.mesh.empty() || !arguments.body.empty()) {
+    throw UserError(arguments.image,
+                    "is a robot's image, which --mesh can't be compared to; leave --mesh out");
+  }
+  const RobotFile file(arguments.image);
+  const Robot& robot = file.robot();
+  std::size_t triangles = 0;
+  for (std::uint32_t i = 0; i < robot.link_count; ++i) {
+    triangles += robot.meshes[i].triangle_count;
+  }
+  CheckResult result;
+  result.name = file.name();
+  result.text = concat("well-formed, a robot of ", robot.joint_count, " joints, ", robot.link_count,
+                       " links with ", triangles, " triangles, ", robot.pair_count,
+                       " pairs of links that can collide");
+  result.facts = {{"kind", "robot"},
+                  {"joints", robot.joint_count},
+                  {"links", robot.link_count},
+                  {"triangles", triangles},
+                  {"pairs", robot.pair_count}};
+  return result;
+}
+
+ExitCode check_and_print(const CheckArguments& arguments) {
+  Warnings warnings;
+  const CheckResult result = is_robot_file_name(arguments.image) ? check_robot(arguments)
+                                                                 : check_mesh(arguments, warnings);
+  warnings.print();
+  if (!arguments.json) {
+    std::cout << result.name << ": " << result.text << "\n";
+    return result.exit_code;
+  }
+  Json line = {{"image", arguments.image}, {"ok", result.exit_code == kSuccess}};
+  line.update(result.facts);
+  line["warnings"] = json_of(warnings);
+  std::cout << json_line(line);
+  return result.exit_code;
+}
+
+ExitCode check(const CheckArguments& arguments) {
+  try {
+    return check_and_print(arguments);
+  } catch (const UserError& error) {
+    if (arguments.json) {
+      const Json line = {{"image", arguments.image}, {"ok", false}, {"wrong", error.what()}};
+      std::cout << json_line(line);
+    }
+    throw;
+  }
 }
 
 }  // namespace
@@ -226,13 +295,15 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* const command = app.add_subcommand(
       "check",
-      "Prove that an image is well-formed and, with --mesh, that it is this mesh.\n"
-      "Exits with 1 if it is another one.");
-  command->add_option("IMAGE", arguments->image, "Image (.fbvh)")->required();
+      "Prove that an image of a mesh or a robot is well-formed and, with --mesh, that it is this "
+      "mesh.\nPrints what it holds; exits with 1 if it is another mesh.");
+  command->add_option("IMAGE", arguments->image, "Image (.fbvh, .robot)")->required();
   command->add_option("--mesh", arguments->mesh, "The mesh file that it was baked from");
   command->add_option("--body", arguments->body,
                       "The body of that file alone, as `bake --split` names it");
   add_unit_option(*command, arguments->units);
+  command->add_flag("--json", arguments->json,
+                    "Print one JSON object, of an image that is not well-formed, too");
   command->callback([arguments, &exit_code] { exit_code = check(*arguments); });
 }
 
