@@ -123,3 +123,29 @@ printf 'ply\nformat ascii 1.0\nelement vertex 9000000000000000000\nend_header\n'
 refused "endless.ply: vertex 0 of 9000000000000000000: no properties" bake endless.ply -o out
 printf 'OFF\n4000000000 4000000000 0\n0 0 0\n' >endless.off
 refused "endless.off:3: the file ends at vertex 1" bake endless.off -o out
+
+# Named where an image is expected: what it is, and what to do.
+echo BLENDER >part.blend
+refused "part.blend: is no mesh by its extension; convert it to one of STL" info part.blend
+echo ISO-10303-21 >part.step
+refused "part.step: is a model of CAD, not a mesh; export it" info part.step
+for name in part.blend part.step meshes/ring.stl; do
+  refused "$name: is no flashbvh image but a mesh; name its image, and the mesh by --mesh" check $name
+done
+echo few >few.fbvh
+echo few >few
+refused "few.fbvh: is no flashbvh image; name a .fbvh file" check few.fbvh
+refused "few: is no flashbvh image; name a .fbvh file" info few
+echo few >few.robot
+refused "few.robot: is no image of a robot; name one that" check few.robot
+for folder in folder.stl folder.robot folder.fbvh; do
+  mkdir $folder
+  refused "$folder: is a folder; name a file" info $folder
+done
+ln -s /dev/null null.stl
+refused "null.stl: is a device; name a file or a pipe" info null.stl
+for content in '{}' '{"asset":{"version":"2.0"}}' \
+  '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}]}'; do
+  echo "$content" >part.gltf
+  refused "part.gltf: can't be read: " bake part.gltf -o out
+done

@@ -65,6 +65,20 @@ exits 0 check few/mesh.fbvh --mesh mesh.obj
 grep -q '12 triangles.*without 2 degenerate and 2 duplicate triangles' stdout || fail "$(cat stdout)"
 exits 1 check few/mesh.fbvh --mesh meshes/tetrahedron.stl
 exits 1 check box/box.fbvh --mesh meshes/tetrahedron.stl
+# checked CODE JSON ARGUMENT...: what `check --json` prints.
+checked() {
+  code=$1
+  json=$2
+  shift 2
+  exits "$code" check "$@" --json
+  [ "$(cat stdout)" = "$json" ] || fail "$(cat stdout)"
+}
+checked 0 '{"image":"few/mesh.fbvh","ok":true,"kind":"mesh","triangles":12,"nodes":8,"mesh":"mesh.obj","equal":true,"left_out_degenerate":2,"left_out_duplicate":2,"warnings":[]}' \
+  few/mesh.fbvh --mesh mesh.obj
+checked 1 '{"image":"box/box.fbvh","ok":false,"kind":"mesh","triangles":12,"nodes":8,"mesh":"meshes/tetrahedron.stl","equal":false,"difference":"corner 0 of triangle 0 lies at (0 8 0) in the image, at (0 0 0) in the mesh","warnings":[]}' \
+  box/box.fbvh --mesh meshes/tetrahedron.stl
+checked 2 '{"image":"box.obj","ok":false,"wrong":"box.obj: is no flashbvh image but a mesh; name its image, and the mesh by --mesh"}' \
+  box.obj
 sed '$d' box.obj >open.obj
 exits 0 bake open.obj -o open --cell 1
 exits 1 check open/open.fbvh --mesh box.obj
@@ -98,6 +112,8 @@ exits 0 bake mesh.obj -o odd --cell 1
 warned "$open (4 edges of two that face opposite ways): $inside, nor which way normals face"
 exits 0 check odd/mesh.fbvh
 grep -q '^flashbvh: odd/mesh.fbvh: warning: .*, nor which way normals face$' stderr || fail "$(cat stderr)"
+exits 0 check odd/mesh.fbvh --json
+grep -q '"warnings":\[{"place":"odd/mesh.fbvh","warning":"no closed surface' stdout || fail "$(cat stdout)"
 # Inside out, told by the volume: wherever the mesh lies, and beside a smaller shell that is not. A
 # hollow box is none.
 # box SIZE X inwards|outwards: from (X X X).

@@ -42,6 +42,11 @@ sed -n 1p stdout | grep -o '"side":"[a-z]*"' | tr '\n' ' ' >sides
 exits 0 ray shut/boxes.fbvh --rays rays
 [ "$(awk '$2 == 10' stdout | wc -l)" -eq 4 ] || fail "$(cat stdout)"
 
+exits 0 ray shut/boxes.fbvh --rays rays
+head -n 1 stdout | grep -q '^boxes, distances in mm$' || fail "$(cat stdout)"
+exits 0 ray shut/boxes.fbvh --rays rays --json
+[ "$(grep -c '"unit":"mm"' stdout)" -eq 7 ] || fail "$(cat stdout)"
+
 # An open mesh is hit, and has no crossings.
 sed '$d' boxes.obj >open.obj
 "$FLASHBVH" bake open.obj -o open --cell 0.01 >/dev/null 2>&1
@@ -57,6 +62,8 @@ echo "1 2 3 0 0 0 1" >bad
 refused "bad:1: is no ray" ray shut/boxes.fbvh --rays bad
 echo "1 2 3 0 0 1 -1" >bad
 refused "bad:1: is no ray" ray shut/boxes.fbvh --rays bad
+echo "1 2 3 0 0 1 -1e-50" >bad  # a float rounds it to 0
+refused "bad:1: is no ray: the reach is negative; give one from 0" ray shut/boxes.fbvh --rays bad
 echo "0 0 0 9000 0 0" >bad
 refused "ray 0 ends too far off" ray shut/boxes.fbvh --rays bad
 : >bad

@@ -105,6 +105,13 @@ lib=$INCLUDE/../src
 [ "$(./open)" = "good wrist upper-arm" ] || fail "$(./open)"
 
 # What is in it.
+exits 0 check image/two_fingers.robot
+grep -qE '^two_fingers: well-formed, a robot of [0-9]+ joints, [0-9]+ links with [0-9]+ triangles, [0-9]+ pairs' \
+  stdout || fail "$(cat stdout)"
+exits 0 check image/two_fingers.robot --json
+grep -qF '{"image":"image/two_fingers.robot","ok":true,"kind":"robot","joints":' stdout || fail "$(cat stdout)"
+refused "image/two_fingers.robot: is a robot's image, which --mesh can't be compared to" \
+  check image/two_fingers.robot --mesh arm.stl
 exits 0 info image/two_fingers.robot
 grep -q "^robot two_fingers, format version 2: $(wc -c <image/two_fingers.robot) bytes of flash; " stdout ||
   fail "$(cat stdout)"
@@ -120,6 +127,7 @@ done
 damaged() {
   printf "$1" | dd of=bad.robot bs=1 seek="$2" conv=notrunc 2>/dev/null
   refused "$3" info bad.robot
+  refused "$3" check bad.robot
   refused "$3" guard bad.robot nothing.csv
   cp image/two_fingers.robot bad.robot
 }
@@ -134,7 +142,6 @@ refused "is truncated: it has 40 bytes and needs a header of 52" info bad.robot
 head -c 400 image/two_fingers.robot >bad.robot
 refused "is truncated: it has 400 bytes of $(wc -c <image/two_fingers.robot)" info bad.robot
 refused "gone.robot" info gone.robot
-refused "is no flashbvh image" check image/two_fingers.robot
 refused "--format" robot arm.urdf -o out --format fbx
 
 # A page: what --json has, nothing from elsewhere.

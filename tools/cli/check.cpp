@@ -262,6 +262,10 @@ CheckResult check_robot(const CheckArguments& arguments) {
 }
 
 ExitCode check_and_print(const CheckArguments& arguments) {
+  if (is_mesh_name(arguments.image)) {
+    throw UserError(arguments.image,
+                    "is no flashbvh image but a mesh; name its image, and the mesh by --mesh");
+  }
   Warnings warnings;
   const CheckResult result = is_robot_file_name(arguments.image) ? check_robot(arguments)
                                                                  : check_mesh(arguments, warnings);

@@ -14,6 +14,9 @@ namespace flashbvh::tool {
 namespace {
 
 std::string refusal(Status status, const ImageHeader& header, std::size_t size) {
+  if (status == Status::image_truncated && header.magic != kImageMagic) {
+    status = Status::image_not_flashbvh;
+  }
   switch (status) {
     case Status::image_truncated:
       return concat("is truncated: it has ", size, " bytes",

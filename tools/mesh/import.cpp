@@ -42,6 +42,10 @@ constexpr std::array<Refusal, 22> kRefusals = {
      {"3dm", kSolid},     {"scad", kSolid},   {"urdf", kRobot},  {"xacro", kRobot},
      {"sdf", kRobot},     {"srdf", kRobot}}};
 
+/// Other meshes and scenes, which are not read: named as a mesh they are refused as one.
+constexpr std::array<std::string_view, 12> kUnread = {
+    "blend", "fbx", "3ds", "wrl", "x3d", "amf", "usd", "usda", "usdc", "usdz", "dxf", "lwo"};
+
 std::string lower_extension(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -71,7 +75,8 @@ const char* const kMeshFormats = "STL, OBJ, PLY, OFF, DAE, glTF, GLB, 3MF";
 
 bool is_mesh_name(const std::string& path) {
   const std::string extension = lower_extension(path);
-  return find(kFormats, extension) != nullptr || find(kRefusals, extension) != nullptr;
+  return find(kFormats, extension) != nullptr || find(kRefusals, extension) != nullptr ||
+         std::find(kUnread.begin(), kUnread.end(), extension) != kUnread.end();
 }
 
 FileMesh import_mesh(const std::string& path, Warnings& warnings) {
