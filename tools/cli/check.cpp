@@ -123,12 +123,12 @@ class Comparison {
 /// triangles say: the library doesn't look for the one, and tells the other by a sum. `of`: which
 /// mesh of the image, for the message.
 template <class Tree>
-void check_surface(const Tree& tree, bool is_closed, const bake::LatticeMesh& mesh,
-                   const std::string& path, const std::string& of) {
+void check_surface(const Tree& tree, const bake::LatticeMesh& mesh, const std::string& path,
+                   const std::string& of) {
   const bake::Surface surface = bake::surface_of(mesh);
   const bool same_shells = std::equal(surface.shell_vertices.begin(), surface.shell_vertices.end(),
                                       tree.shell_vertices, tree.shell_vertices + tree.shell_count);
-  if (!same_shells || surface.is_closed != is_closed) {
+  if (!same_shells || surface.is_closed != tree.is_closed) {
     throw UserError(path, "is invalid: ", of,
                     same_shells ? "its surface is not closed or open as it says"
                                 : "its vertices of shells are not those that its triangles make",
@@ -218,9 +218,7 @@ CheckResult check_mesh(const CheckArguments& arguments, Warnings& warnings) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
   const bake::LatticeMesh mesh = mesh_of(image, triangles);
-  const bool is_closed = (image.header().flags & kImageIsClosed) != 0;
-  std::visit([&](const auto& tree) { check_surface(tree, is_closed, mesh, image.path(), ""); },
-             image.tree());
+  std::visit([&](const auto& tree) { check_surface(tree, mesh, image.path(), ""); }, image.tree());
   CheckResult result;
   result.name = image.name();
   result.text = concat("well-formed, ", triangles.size(), " triangles, ", image.header().node_count,
@@ -237,6 +235,17 @@ CheckResult check_mesh(const CheckArguments& arguments, Warnings& warnings) {
   return result;
 }
 
+/// What check_surface() takes: the triangles in any order.
+bake::LatticeMesh mesh_of(const PostMesh& link) {
+  bake::LatticeMesh mesh;
+  mesh.vertices.assign(link.vertices, link.vertices + link.vertex_count);
+  for (std::uint32_t i = 0; i < link.triangle_count; ++i) {
+    const auto& corner = link.triangles[i].corner;
+    mesh.triangles.push_back({corner[0], corner[1], corner[2]});
+  }
+  return mesh;
+}
+
 CheckResult check_robot(const CheckArguments& arguments) {
   if (!arguments.mesh.empty() || !arguments.body.empty()) {
     throw UserError(arguments.image,
@@ -246,7 +255,9 @@ CheckResult check_robot(const CheckArguments& arguments) {
   const Robot& robot = file.robot();
   std::size_t triangles = 0;
   for (std::uint32_t i = 0; i < robot.link_count; ++i) {
-    triangles += robot.meshes[i].triangle_count;
+    const PostMesh& link = robot.meshes[i];
+    check_surface(link, mesh_of(link), arguments.image, concat("of link ", i, ": "));
+    triangles += link.triangle_count;
   }
   CheckResult result;
   result.name = file.name();
