@@ -16,15 +16,16 @@ std::string side_text(double side) {
   return side >= 100 && side < 1e9 ? fixed(side, 0) : significant(side, 3);
 }
 
-/// Of the sides of all but one; 0 if there are none.
-double median_without(std::vector<double> sides, std::size_t which) {
+/// How many times as long as the median of all but one; 1 if there is none. Of an even number of
+/// sides the median that is nearer counts.
+double times_the_others(std::vector<double> sides, std::size_t which) {
+  const double side = sides[which];
   sides.erase(sides.begin() + static_cast<std::ptrdiff_t>(which));
-  if (sides.empty()) {
-    return 0;
+  std::sort(sides.begin(), sides.end());
+  if (sides.empty() || sides[(sides.size() - 1) / 2] <= 0) {
+    return 1;
   }
-  const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
-  std::nth_element(sides.begin(), middle, sides.end());
-  return *middle;
+  return side / std::clamp(side, sides[(sides.size() - 1) / 2], sides[sides.size() / 2]);
 }
 
 }  // namespace
@@ -50,8 +51,7 @@ std::vector<OddSize> odd_sizes(const std::vector<Size>& sizes) {
   std::transform(sizes.begin(), sizes.end(), sides.begin(), longest_side);
   std::vector<OddSize> odd;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    const double median = median_without(sides, i);
-    const double times = median > 0 ? sides[i] / median : 1;
+    const double times = times_the_others(sides, i);
     if (times >= kOddSize || (times <= 1 / kOddSize && sides.size() > 2)) {
       odd.push_back({i, times});
     }
