@@ -10,9 +10,11 @@ for name in $names; do
   cp meshes/tetrahedron.stl "named/$name.stl"
 done
 cp meshes/ring.stl "named/base link-2.stl"
-"$FLASHBVH" bake named/*.stl -o baked --format c --unit mm >/dev/null
+for mesh in named/*.stl; do  # one by one: some differ in case alone
+  "$FLASHBVH" bake "$mesh" -o baked --format c --unit mm >/dev/null
+  "$FLASHBVH" bake "$mesh" -o images --format image --unit mm >/dev/null
+done
 [ "$(find baked -type f | wc -l)" -eq 32 ] || fail "files: $(ls baked)"
-"$FLASHBVH" bake named/*.stl -o images --format image --unit mm >/dev/null
 
 {
   printf '#include <%s.h>\n' stdlib math string stdio
@@ -26,7 +28,7 @@ static void write_image(const char* path, const uint32_t* image, size_t size) {
 int main(void) {
 C
   for name in $names base_link_2; do
-    word=$(echo "$name" | sed 's/^\([0-9]\)/_\1/')
+    word=$(echo "$name" | sed 's/^\([0-9]\)/_\1/; s/^_[A-Z]/m&/')
     echo "  write_image(\"$name.written\", ${word}_image, ${word}_IMAGE_BYTES);"
     echo "  if (sizeof ${word}_image != ${word}_IMAGE_BYTES) return 1;"
   done
