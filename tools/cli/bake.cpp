@@ -128,10 +128,9 @@ std::vector<Part> read_parts(const BakeOrder& order, const std::vector<double>& 
 /// Of meshes that look as if they were in another unit than the others.
 void warn_of_odd_sizes(const std::vector<Part>& parts, const std::vector<BakeRow>& rows,
                        const std::string& unit, Warnings& warnings) {
-  std::vector<Size> sizes;
-  for (const BakeRow& row : rows) {
-    sizes.push_back(row.size);
-  }
+  std::vector<Size> sizes(rows.size());
+  std::transform(rows.begin(), rows.end(), sizes.begin(),
+                 [](const BakeRow& row) { return row.size; });
   for (const OddSize& odd : odd_sizes(sizes)) {
     warnings.add(
         parts[odd.which].mesh.path,

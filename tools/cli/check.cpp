@@ -157,7 +157,6 @@ struct CheckArguments {
 struct CheckResult {
   std::string name;
   std::string text;  ///< without the name
-  Json facts;        ///< as fields of an object, behind its name
   ExitCode exit_code = kSuccess;
 };
 
@@ -187,7 +186,7 @@ InputMesh read_mesh_or_body(const CheckArguments& arguments, Warnings& warnings)
 
 /// Adds how the mesh compares to the image.
 void compare(const CheckArguments& arguments, const ImageFile& image,
-             const std::vector<SourceTriangle>& triangles, CheckResult& result,
+             const std::vector<SourceTriangle>& triangles, CheckResult& result, Json& facts,
              Warnings& warnings) {
   const InputMesh input = read_mesh_or_body(arguments, warnings);
   const bool is_small = bake::fits(input.mesh, image.cell());
@@ -198,14 +197,14 @@ void compare(const CheckArguments& arguments, const ImageFile& image,
     difference = comparison.difference(triangles);
     left_out = comparison.left_out();
   }
-  result.facts.update({{"mesh", input.path}, {"equal", difference.empty()}});
+  facts.update({{"mesh", input.path}, {"equal", difference.empty()}});
   if (!difference.empty()) {
     result.exit_code = kCheckFailed;
     result.text += ", but not " + input.path + ": " + difference;
-    result.facts["difference"] = difference;
+    facts["difference"] = difference;
     return;
   }
-  result.facts.update(
+  facts.update(
       {{"left_out_degenerate", left_out.degenerate}, {"left_out_duplicate", left_out.duplicate}});
   result.text += ", equal to " + input.path;
   if (left_out.degenerate + left_out.duplicate != 0) {
@@ -214,7 +213,8 @@ void compare(const CheckArguments& arguments, const ImageFile& image,
   }
 }
 
-CheckResult check_mesh(const CheckArguments& arguments, Warnings& warnings) {
+/// Adds what the image holds to `facts`.
+CheckResult check_mesh(const CheckArguments& arguments, Json& facts, Warnings& warnings) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
   const bake::LatticeMesh mesh = mesh_of(image, triangles);
@@ -223,13 +223,12 @@ CheckResult check_mesh(const CheckArguments& arguments, Warnings& warnings) {
   result.name = image.name();
   result.text = concat("well-formed, ", triangles.size(), " triangles, ", image.header().node_count,
                        " nodes");
-  result.facts = {
-      {"kind", "mesh"}, {"triangles", triangles.size()}, {"nodes", image.header().node_count}};
+  facts = {{"kind", "mesh"}, {"triangles", triangles.size()}, {"nodes", image.header().node_count}};
   if (arguments.mesh.empty() && !arguments.body.empty()) {
     throw UserError("--body " + arguments.body, "names a body of no file; give --mesh, too");
   }
   if (!arguments.mesh.empty()) {
-    compare(arguments, image, triangles, result, warnings);
+    compare(arguments, image, triangles, result, facts, warnings);
   }
   warn_of_surface(image, mesh, warnings);
   return result;
@@ -246,7 +245,8 @@ bake::LatticeMesh mesh_of(const PostMesh& link) {
   return mesh;
 }
 
-CheckResult check_robot(const CheckArguments& arguments) {
+/// The same.
+CheckResult check_robot(const CheckArguments& arguments, Json& facts) {
   if (!arguments.mesh.empty() || !arguments.body.empty()) {
     throw UserError(arguments.image,
                     "is a robot's image, which --mesh can't be compared to; leave --mesh out");
@@ -264,11 +264,11 @@ CheckResult check_robot(const CheckArguments& arguments) {
   result.text = concat("well-formed, a robot of ", robot.joint_count, " joints, ", robot.link_count,
                        " links with ", triangles, " triangles, ", robot.pair_count,
                        " pairs of links that can collide");
-  result.facts = {{"kind", "robot"},
-                  {"joints", robot.joint_count},
-                  {"links", robot.link_count},
-                  {"triangles", triangles},
-                  {"pairs", robot.pair_count}};
+  facts = {{"kind", "robot"},
+           {"joints", robot.joint_count},
+           {"links", robot.link_count},
+           {"triangles", triangles},
+           {"pairs", robot.pair_count}};
   return result;
 }
 
@@ -278,15 +278,17 @@ ExitCode check_and_print(const CheckArguments& arguments) {
                     "is no flashbvh image but a mesh; name its image, and the mesh by --mesh");
   }
   Warnings warnings;
-  const CheckResult result = is_robot_file_name(arguments.image) ? check_robot(arguments)
-                                                                 : check_mesh(arguments, warnings);
+  Json facts;
+  const CheckResult result = is_robot_file_name(arguments.image)
+                                 ? check_robot(arguments, facts)
+                                 : check_mesh(arguments, facts, warnings);
   warnings.print();
   if (!arguments.json) {
     std::cout << result.name << ": " << result.text << "\n";
     return result.exit_code;
   }
   Json line = {{"image", arguments.image}, {"ok", result.exit_code == kSuccess}};
-  line.update(result.facts);
+  line.update(facts);
   line["warnings"] = json_of(warnings);
   std::cout << json_line(line);
   return result.exit_code;
