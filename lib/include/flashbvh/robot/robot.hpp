@@ -124,8 +124,8 @@ struct Robot {
   uint16_t pair_count;
   uint16_t reach_count;
   /// How far two of its links, as the URDF has them, may be nearer to each other than their placed
-  /// meshes, in 1/256 cell: what rounding vertices to the lattice, when they are baked and when they
-  /// are placed, and kinematics in fixed point add up to.
+  /// meshes, in 1/256 cell: what rounding vertices to the lattice, when they are baked and when
+  /// they are placed, and kinematics in fixed point add up to.
   uint32_t slack;
   uint32_t chart_bytes;  ///< 0: a guard does without
   uint32_t hash;         ///< of all of it: tells robots apart
