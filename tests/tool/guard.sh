@@ -194,6 +194,12 @@ done
 [ "$(grep -c '<text class=number ' page.html)" -eq 6 ] && grep -q '<path class=l5 d="M' page.html ||
   fail "not six lines with numbers"
 self_contained page.html
+# So are pairs that stop between two lines, where the guard names another.
+printf 'x\n0.2\n0.4\n' >coarse.csv
+exits 1 guard gantry/gantry.robot coarse.csv --report coarse.html
+for i in 1 2 3 4 5 6 7; do
+  holds coarse.html "<tr><th scope=row>cube$i - beam</th>"
+done
 # The colours of verdicts and of lines are told apart, light and dark; verdicts have a lane each.
 for name in v l; do
   grep -o -- "--$name[0-9]:#[0-9a-f]*" page.html | sed 's/.*://' | sort | uniq -d | grep . && fail "a colour of two"

@@ -38,8 +38,8 @@ std::string pairs_table(const GuardedTrajectory& guarded, const std::vector<Near
                 {"closest, m", true},
                 {"at line", true}},
                rows) +
-         "<p class=note>The guard names one pair a period, that which is nearest of the worst; "
-         "lines are counted as the meshes are measured there.</p>\n";
+         "<p class=note>Stop and warn count periods of a guard of the pair alone, with all the work "
+         "it takes; lines are counted as the meshes are measured there.</p>\n";
 }
 
 std::string stretches_table(const GuardedTrajectory& guarded) {

@@ -20,13 +20,31 @@ void take_least(std::optional<std::uint32_t> found, std::optional<std::uint32_t>
   }
 }
 
-std::vector<NearPair> named_pairs(const Robot& robot, const std::vector<GuardAnswer>& answers) {
+/// The robot with one of its pairs, without a chart.
+Robot with_one_pair(const Robot& robot, std::uint16_t pair) {
+  Robot one = robot;
+  one.pairs += pair;
+  one.pair_count = 1;
+  one.charts = nullptr;
+  one.chart_bytes = 0;
+  return one;
+}
+
+/// Each pair by a guard of its own, which takes all the work it needs; what is not yet known, by
+/// the answers.
+std::vector<NearPair> named_pairs(const Robot& robot, const Trajectory& trajectory,
+                                  const std::vector<GuardAnswer>& answers) {
   std::vector<NearPair> pairs(robot.pair_count);
   for (std::uint16_t i = 0; i < robot.pair_count; ++i) {
     pairs[i].pair = i;
+    for (const GuardAnswer& answer : replay(with_one_pair(robot, i), trajectory, kAllWork)) {
+      if (answer.pair != kNoPair) {
+        ++pairs[i].named[kind_of(answer)];
+      }
+    }
   }
   for (const GuardAnswer& answer : answers) {
-    if (answer.pair != kNoPair) {
+    if (answer.pair != kNoPair && answer.verdict == Verdict::not_yet_known) {
       ++pairs[answer.pair].named[kind_of(answer)];
     }
   }
@@ -104,7 +122,7 @@ std::vector<Stretch> worst_of(std::vector<Stretch> stretches, std::size_t most) 
 
 std::vector<NearPair> near_pairs(const Robot& robot, const Trajectory& trajectory,
                                  const std::vector<GuardAnswer>& answers) {
-  std::vector<NearPair> pairs = named_pairs(robot, answers);
+  std::vector<NearPair> pairs = named_pairs(robot, trajectory, answers);
   PosedPairs posed(robot);
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     if (posed.take(trajectory.values(i))) {

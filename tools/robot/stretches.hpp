@@ -30,11 +30,11 @@ std::vector<Stretch> stretches_of(const Robot& robot, const Trajectory& trajecto
 /// At most `most` of them, in order: those that stop before the others, the longest first.
 std::vector<Stretch> worst_of(std::vector<Stretch> stretches, std::size_t most);
 
-/// A pair that the guard names in a period that is not free, or that comes within its warn distance
-/// at a line. The guard names one pair a period.
+/// A pair that is not free in some period, by a guard of its own with all the work it takes, or
+/// that the robot's guard names as not yet known, or that comes within its warn distance at a line.
 struct NearPair {
   std::uint16_t pair;
-  std::array<std::size_t, kPeriodKinds> named{};  ///< periods in which it is named
+  std::array<std::size_t, kPeriodKinds> named{};  ///< periods by verdict, but `free`
   std::size_t within_stop = 0;                    ///< lines
   std::size_t within_warn = 0;
   std::optional<std::uint32_t> closest;  ///< at a line, in 1/256 cell; none: too far to be told
