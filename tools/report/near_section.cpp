@@ -38,7 +38,8 @@ std::string pairs_table(const GuardedTrajectory& guarded, const std::vector<Near
                 {"closest, m", true},
                 {"at line", true}},
                rows) +
-         "<p class=note>Stop and warn count periods of a guard of the pair alone, with all the work "
+         "<p class=note>Stop and warn count periods of a guard of the pair alone, with all the "
+         "work "
          "it takes; lines are counted as the meshes are measured there.</p>\n";
 }
 
