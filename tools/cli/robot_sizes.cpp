@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "robot/kinematics.hpp"
 #include "robot/xml_file.hpp"
@@ -89,9 +90,7 @@ void warn_of_sizes(const Model& model, const std::vector<Size>& sizes, const std
                             : "; if its mesh is in metres, leave out the scale of its <mesh>"));
   }
   std::vector<double> sides;
-  for (const Size& size : sizes) {
-    sides.push_back(longest(size));
-  }
+  std::transform(sizes.begin(), sizes.end(), std::back_inserter(sides), longest);
   const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
   std::nth_element(sides.begin(), middle, sides.end());
   const double joint = longest_joint(model);

@@ -181,7 +181,7 @@ Pose pose_of_floats(const RigidPose& pose, double cell, const std::string& place
   }
   std::uint64_t cell_bits = 0;
   std::memcpy(&cell_bits, &cell, sizeof cell_bits);
-  const Pose made = pose_of(rotation, translation, cells_per_unit(cell_bits));
+  const Pose made = flashbvh::pose_of(rotation, translation, cells_per_unit(cell_bits));
   if (made.status() == Status::not_a_rotation) {
     refuse_rotation(pose.rotation, place);
   }

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 #include "report/chart.hpp"
 #include "report/guard_page.hpp"
@@ -83,15 +85,14 @@ std::vector<KindRun> runs_of(const std::vector<GuardAnswer>& answers) {
 std::vector<std::uint16_t> chosen_pairs(const std::vector<NearPair>& near,
                                         const std::vector<Values>& distances, double most) {
   std::vector<std::uint16_t> pairs;
-  for (const NearPair& pair : near) {
-    pairs.push_back(pair.pair);
-  }
+  std::transform(near.begin(), near.end(), std::back_inserter(pairs),
+                 [](const NearPair& pair) { return pair.pair; });
+  std::vector<std::uint16_t> all(distances.size());
+  std::iota(all.begin(), all.end(), std::uint16_t{0});
   std::vector<std::uint16_t> others;
-  for (std::uint16_t pair = 0; pair < distances.size(); ++pair) {
-    if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) {
-      others.push_back(pair);
-    }
-  }
+  std::copy_if(all.begin(), all.end(), std::back_inserter(others), [&](std::uint16_t pair) {
+    return std::find(pairs.begin(), pairs.end(), pair) == pairs.end();
+  });
   std::stable_sort(others.begin(), others.end(), [&](std::uint16_t p, std::uint16_t q) {
     return least_of(distances[p]) < least_of(distances[q]);
   });
