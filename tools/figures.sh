@@ -3,7 +3,7 @@
 # figures.sh --check [PRESET...]     measures, and fails if anything differs from the page
 # figures.sh --compare [PRESET...]   compares what the tests left in the build folders, no more
 # figures.sh --trees [PRESET]        whole queries on trees of other leaf sizes and arities: the table of
-#                                    lib/docs/design.md, "Trees"; Cortex-M4F unless told
+#                                    lib/docs/decisions/0003-trees.md; default: Cortex-M4F
 # figures.sh --prepare               makes build/figures, which builds are given to measure a robot:
 #                                    cmake --preset cortex-m4f -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
 #

@@ -69,7 +69,7 @@ def problems_of(root: Path, document: Path) -> list[str]:
 
 
 def main(root: Path) -> int:
-    documents = sorted(chain(root.glob("*.md"), root.glob("lib/docs/*.md"), root.glob("ports/*.md"),
+    documents = sorted(chain(root.glob("*.md"), root.glob("lib/docs/**/*.md"), root.glob("ports/*.md"),
                              root.glob(".github/*.md")))
     found = [f"{document.relative_to(root)}: {problem}" for document in documents
              for problem in problems_of(root, document)]

@@ -1,4 +1,4 @@
-// Where a pose puts a vertex, by the definition in lib/docs/design.md and by nothing of the
+// Where a pose puts a vertex, by the definition in lib/docs/derivations.md and by nothing of the
 // library's own arithmetic, and which triangles intersect there, by trying all pairs of them.
 #ifndef FLASHBVH_TESTS_SUPPORT_TRANSFORMED_VERTEX_HPP
 #define FLASHBVH_TESTS_SUPPORT_TRANSFORMED_VERTEX_HPP

@@ -226,7 +226,7 @@ void FixedRobot::check_size(const Model& model) const {
   }
 }
 
-/// See lib/docs/design.md, "Slack": of placing, and of both links' rounding and kinematics.
+/// Placing, and both links' rounding and kinematics (lib/docs/derivations.md, "Robots").
 std::uint32_t FixedRobot::slack(const Model& model) const {
   constexpr double placing = 0.89;
   double most = 0;

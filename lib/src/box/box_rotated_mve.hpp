@@ -6,7 +6,7 @@
 // to 65,535, but the sum with another bound, which is at least 1, saturates and reaches the bias.
 //
 // By LLVM's model of the core a rotated box takes a fifth fewer cycles than with SMLAD, and it
-// takes a quarter fewer instructions (lib/docs/design.md, Helium).
+// takes a quarter fewer instructions (lib/docs/decisions/0008-helium.md).
 #ifndef FLASHBVH_BOX_ROTATED_MVE_HPP
 #define FLASHBVH_BOX_ROTATED_MVE_HPP
 

@@ -114,7 +114,7 @@ int32_t box_margin(const RotationMatrix& matrix, int32_t reach_b) {
 }
 
 /// How far, along one of B's axes, a transformed vertex can be from where it lies in B; see
-/// lib/docs/design.md, Rotation.
+/// lib/docs/derivations.md, "Rotated boxes".
 int32_t axis_margin(const RotationMatrix& matrix, int32_t reach_b) {
   const uint32_t stretched = static_cast<uint32_t>(reach_b) * matrix.defect;
   return 7 * (kSplitOne / 8) + ((7 * reach_b) >> 3) + static_cast<int32_t>(stretched >> 10) + 4;

@@ -17,7 +17,7 @@ static_assert(offsetof(RobotImageHeader, byte_count) == offsetof(ImageHeader, by
                   offsetof(RobotImageHeader, crc) == offsetof(ImageHeader, crc),
               "image_crc() leaves these bytes out");
 
-/// What rounding vertices to the lattice alone costs, in 1/256 cell (lib/docs/design.md, "Slack").
+/// The slack of rounding vertices alone, in 1/256 cell (lib/docs/derivations.md, "Robots").
 constexpr uint32_t kLeastSlack = 228;
 
 const RobotImageHeader& header_of(const void* image) {

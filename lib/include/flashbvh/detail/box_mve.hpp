@@ -5,8 +5,8 @@
 //
 // B's words are exchanged in registers. Gathering its halves in the order wanted takes four
 // instructions fewer, but eight accesses to memory, which may cost more than they save
-// (lib/docs/design.md, Helium). In assembly, since GCC extends the predicates' sign before it
-// compares them, and makes the vector of thresholds anew in each visit.
+// (lib/docs/decisions/0008-helium.md). In assembly, since GCC extends the predicates' sign before
+// it compares them, and makes the vector of thresholds anew in each visit.
 #ifndef FLASHBVH_DETAIL_BOX_MVE_HPP
 #define FLASHBVH_DETAIL_BOX_MVE_HPP
 

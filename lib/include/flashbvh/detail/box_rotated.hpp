@@ -7,15 +7,15 @@
 // Rotated the other way, a box of A makes one on B's lattice, widened by what rounded vertices and
 // columns that are not quite orthogonal can add. The boxes are disjoint if either rotated box is
 // disjoint from the other box, which three packed sums of bounds tell. The bounds rounding to whole
-// cells loses nothing, since they are compared with whole cells. lib/docs/design.md, Rotation,
-// derives the margins.
+// cells loses nothing, since they are compared with whole cells. lib/docs/derivations.md, "Rotated
+// boxes", derives the margins.
 //
 // A rotated box is kept until another one of its tree is: a walk goes on in one tree at a time. The
 // axes whose rotated box is at hand go first, and what that rejects costs no rotation at all.
 //
 // Source: Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, for the separating axes. The nine
 // cross products of edges are left out: fewer pairs are visited with them, but more instructions
-// executed (lib/docs/design.md).
+// executed (lib/docs/decisions/0007-rotated-boxes.md).
 #ifndef FLASHBVH_DETAIL_BOX_ROTATED_HPP
 #define FLASHBVH_DETAIL_BOX_ROTATED_HPP
 

@@ -6,7 +6,7 @@
 // by what rotating it can add. It only ever rejects.
 //
 // Source: the separating axes of Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, taken one by
-// one; lib/docs/design.md, Leaves as shapes, derives the margins.
+// one; lib/docs/derivations.md, "Slabs of leaf planes", derives the margins.
 #ifndef FLASHBVH_DETAIL_SLAB_HPP
 #define FLASHBVH_DETAIL_SLAB_HPP
 
