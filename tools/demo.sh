@@ -68,7 +68,7 @@ quietly $flashbvh bake $meshes -o $demo/kr5/pre --layout pre --format image
 echo "The same links pre-indexed, for the paper's first stackless algorithm: $demo/kr5/pre"
 
 step "4. Firmware for a Cortex-M4 with all seven links in its flash"
-awk -f firmware_examples/robot_arm/joints.awk "$urdf" >$demo/kr5/joints.hpp
+python3 firmware_examples/robot_arm/joints.py "$urdf" >$demo/kr5/joints.hpp
 build $board robot_arm -DFLASHBVH_HOST_TOOL="$bake" -DFLASHBVH_ROBOT_ARM="$PWD/$demo/kr5"
 arm-none-eabi-size build/$board/bin/robot_arm.elf
 echo "text: flash, with every link twice, for both layouts; data and bss: static RAM"
@@ -77,45 +77,11 @@ step "5. The arm's configurations, on the microcontroller (QEMU) and on this mac
 echo "Eight configurations; for each, every pair of links by seven traversals:"
 run_arm $demo/target
 
-# write_poses: the poses that the firmware used, as numbers that `flashbvh collide` reads back to the
-# same ones, in a file a pair of links; beside it, the configurations they are of.
-write_poses() {
-  rm -rf $demo/poses
-  mkdir $demo/poses
-  cell=$($flashbvh info $demo/kr5/palm.fbvh --json | sed 's/.*"cell":\([^,}]*\).*/\1/')
-  awk -v cell="$cell" -v folder=$demo/poses '$1 == "pose" {
-    line = ""
-    for (i = 5; i <= 13; ++i) line = line sprintf("%.17g ", $i / 1073741824)
-    for (i = 14; i <= 16; ++i) line = line sprintf("%.17g ", ($i + $(i + 3) / 65536) * cell)
-    print line >(folder "/" $3 "-" $4)
-    print $2 >(folder "/" $3 "-" $4 ".names")
-  }' $demo/target
-}
-
-# host_results: the same questions to `flashbvh collide`, in the same lines up to the counts.
-host_results() {
-  for names in $demo/poses/*.names; do
-    poses=${names%.names}
-    pair=${poses##*/}
-    a=${pair%-*}
-    b=${pair#*-}
-    for algorithm in ranked stackless-post stackless leaf ranked-stack volume-stack \
-      alternating-stack; do
-      images=$demo/kr5
-      [ "$algorithm" = stackless ] && images=$demo/kr5/pre
-      $flashbvh collide $images/$a.fbvh $images/$b.fbvh --poses "$poses" --algorithm $algorithm \
-        --json >$demo/answer
-      sed 's/.*"visits": *\([0-9]*\),.*"overlaps": *\([0-9]*\),.*"leaf_pairs": *\([0-9]*\),.*"triangle_pairs": *\([0-9]*\),.*/\1 \2 \3 \4/' $demo/answer |
-        paste -d ' ' "$names" - | sed "s/ / $a $b $algorithm /; s/^/result /"
-    done
-  done
-}
-write_poses
 echo "The same questions to this machine"
-host_results >$demo/host
+python3 tools/demo.py host $flashbvh
 
 status=0
-awk -v host=$demo/host -f tools/demo_table.awk $demo/target || status=1
+python3 tools/demo.py table || status=1
 
 step "6. The same arm with five triangles in a leaf: less flash"
 mkdir -p $demo/compact
@@ -125,19 +91,7 @@ quietly $flashbvh bake $meshes -o $demo/compact/pre --leaf-size 5 --layout pre -
 cp $demo/kr5/joints.hpp $demo/compact/
 build $board robot_arm -DFLASHBVH_ROBOT_ARM="$PWD/$demo/compact"
 run_arm $demo/target_compact ranked
-# A configuration's results by `ranked`: the same triangles, and at most 1.3 times the instructions.
-awk '
-  $1 != "result" || $5 != "ranked" { next }
-  FNR == NR { found[$2 " " $3 " " $4] = $9; usual += $11; next }
-  { if (found[$2 " " $3 " " $4] != $9) differs = 1; compact += $11 }
-  END {
-    printf "All questions, by ranked: %d instructions, %.2f times those of two triangles a leaf.\n",
-      compact, compact / usual
-    if (differs) print "The two trees found different triangles: DIFFERS"
-    exit differs || compact > 1.3 * usual
-  }' $demo/target $demo/target_compact || status=1
-awk '$3 ~ /^[0-9.]+$/ && $3 > 20 { print $1 ": more than 20 bytes a triangle"; bad = 1 }
-  END { exit bad }' $demo/compact/table || status=1
+python3 tools/demo.py compact || status=1
 
 step "7. A page about the arm: flash, RAM, time, pictures"
 # Without neighbours, which the arm does not ask about.
@@ -177,13 +131,7 @@ else
 fi
 
 step "10. A page about a motion that 10,000 random configurations mostly miss"
-awk 'BEGIN {
-  print "shoulder_yaw,shoulder_pitch,elbow_pitch,elbow_roll,wrist_pitch,wrist_roll"
-  for (t = 0; t <= 1; t += 0.001) {
-    s = t * t * (3 - 2 * t)
-    printf "0,0.3,%.6f,%.6f,0,0\n", -2.5 - 1.14 * s, -0.1 * s
-  }
-}' >$demo/motion.csv
+python3 tools/demo.py motion >$demo/motion.csv
 $flashbvh guard $demo/robot/kr5_cell.robot $demo/motion.csv --work 500 --report $demo/motion.html || [ $? -eq 1 ]
 
 step "What happened"

@@ -1,0 +1,10 @@
+# flashbvh_write_shape(output shape size...): `output` is what meshes.py prints. Made anew for each build: small.
+include_guard()
+find_program(python python3 REQUIRED)
+set(FLASHBVH_SHAPES ${CMAKE_CURRENT_LIST_DIR}/meshes.py)
+function(flashbvh_write_shape output)
+  add_custom_command(OUTPUT ${output}
+    COMMAND ${python} ${FLASHBVH_SHAPES} ${ARGN} > ${output}
+    DEPENDS ${FLASHBVH_SHAPES}
+    VERBATIM)
+endfunction()

@@ -1,0 +1,155 @@
+"""meshes.py SHAPE [SIZE...]: prints a mesh of the examples and of the figures in OBJ.
+
+    torus AROUND ACROSS RING TUBE           about the z axis, 2 * AROUND * ACROSS triangles, on whole numbers
+    box X Y Z                               about the origin, its sides twice these
+    sheet COLUMNS ROWS PITCH LEAN HEIGHT    square meshes, 2 * COLUMNS * ROWS triangles, diagonals that
+                                            alternate; stands on one edge along y, HEIGHT above the origin,
+                                            each column LEAN further along x
+    link AROUND RINGS PARTS RADIUS TUBE     along y: two half balls of RINGS rings, between them a tube in
+                                            PARTS
+    room                                    5 x 4 x 2.5 m with a pillar, a table and shelves, in millimetres
+"""
+import sys
+from math import copysign, cos, pi, sin, sqrt
+
+
+def nearest(value):
+    """The nearest whole number; halves away from zero."""
+    return int(value + copysign(0.5, value))
+
+
+class Mesh:
+    def __init__(self):
+        self.lines = []
+        self.corners = 0
+
+    def corner(self, *point):
+        self.lines.append("v " + " ".join(x if isinstance(x, str) else f"{x:.6g}" for x in point))
+        self.corners += 1
+        return self.corners
+
+    def face(self, *corners):
+        self.lines.append("f " + " ".join(map(str, corners)))
+
+    def quad(self, a, b, c, d):
+        self.face(a, b, c)
+        self.face(a, c, d)
+
+
+def torus(mesh, around, across, ring, tube):
+    def corner(i, j):
+        return i % around * across + j % across + 1
+
+    places = [(i, j) for i in range(around) for j in range(across)]
+    for i, j in places:
+        radius = ring + tube * cos(2 * pi * j / across)
+        mesh.corner(*map(nearest, (radius * cos(2 * pi * i / around), radius * sin(2 * pi * i / around),
+                                   tube * sin(2 * pi * j / across))))
+    for i, j in places:
+        mesh.quad(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1))
+
+
+def box(mesh, x, y, z):
+    for i in range(8):
+        mesh.corner(x if i & 1 else -x, y if i & 2 else -y, z if i & 4 else -z)
+    for side in (1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6):
+        mesh.quad(*side)
+
+
+def sheet(mesh, columns, rows, pitch, lean, height):
+    up = sqrt(pitch * pitch - lean * lean)
+    for j in range(rows + 1):
+        for i in range(columns + 1):
+            mesh.corner(*(f"{x:.3f}" for x in (i * lean, (j - rows / 2) * pitch, height + i * up)))
+    for j in range(rows):
+        for i in range(columns):
+            a = j * (columns + 1) + i + 1
+            c = a + columns + 1
+            if (i + j) % 2 == 0:
+                mesh.face(a, a + 1, c)
+                mesh.face(a + 1, c + 1, c)
+            else:
+                mesh.quad(a, a + 1, c + 1, c)
+
+
+def link(mesh, around, rings, parts, radius, tube):
+    def ring(y, r):
+        for i in range(around):
+            turn = 2 * pi * i / around
+            mesh.corner(*(nearest(100 * x) / 100 for x in (r * sin(turn), y, r * cos(turn))))
+
+    def half_ball(middle, side, order):
+        for i in order:
+            turn = pi / 2 * i / rings
+            ring(middle + side * radius * cos(turn), radius * sin(turn))
+
+    def corner(row, i):
+        return row * around + i % around + 2
+
+    mesh.corner(0, -tube / 2 - radius, 0)
+    half_ball(-tube / 2, -1, range(1, rings + 1))
+    for i in range(1, parts):
+        ring(tube * (i / parts - 0.5), radius)
+    half_ball(tube / 2, 1, range(rings, 0, -1))
+    last = mesh.corner(0, tube / 2 + radius, 0)
+    rows = 2 * rings + parts - 1
+    for i in range(around):
+        mesh.face(1, corner(0, i + 1), corner(0, i))
+        mesh.face(last, corner(rows - 1, i), corner(rows - 1, i + 1))
+        for j in range(rows - 1):
+            mesh.face(corner(j, i), corner(j + 1, i + 1), corner(j + 1, i))
+            mesh.face(corner(j, i), corner(j, i + 1), corner(j + 1, i + 1))
+
+
+def room(mesh):
+    """The walls are a box inside out: their triangles face inwards, those of what stands in the room
+    outwards, so all that a sensor in the room may see is a front. Winding numbers add up: the room's is
+    -1, and in the pillar 0 again. What inside() finds is the air. So no two parts overlap."""
+    def block(x0, y0, z0, x1, y1, z1, inwards=False):
+        a, b, c, d, e, f, g, h = (mesh.corner(x, y, z) for z in (z0, z1)
+                                  for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
+        for side in (((a, b, c, d), (e, h, g, f), (a, e, f, b), (c, g, h, d), (d, h, e, a), (b, f, g, c))
+                     if inwards else
+                     ((a, d, c, b), (e, f, g, h), (a, b, f, e), (c, d, h, g), (d, a, e, h), (b, c, g, f))):
+            mesh.quad(*side)
+
+    def pillar(x, y, radius, height, around):
+        low, high = [], []
+        for i in range(around):
+            turn = 2 * pi * i / around
+            foot = nearest(x + radius * cos(turn)), nearest(y + radius * sin(turn))
+            low.append(mesh.corner(*foot, 0))
+            high.append(mesh.corner(*foot, height))
+        for i in range(around):
+            j = (i + 1) % around
+            mesh.quad(low[i], low[j], high[j], high[i])
+        for i in range(1, around - 1):
+            mesh.face(low[0], low[i + 1], low[i])
+            mesh.face(high[0], high[i], high[i + 1])
+
+    block(0, 0, 0, 5000, 4000, 2500, inwards=True)
+    pillar(3000, 1500, 200, 2500, 16)
+    # The table: a top on four legs.
+    block(3500, 2500, 700, 4700, 3300, 740)
+    for x in 3540, 4600:
+        for y in 2540, 3200:
+            block(x, y, 0, x + 60, y + 60, 700)
+    # Shelves between two boards, at the wall x = 0.
+    block(0, 1000, 0, 350, 1020, 2000)
+    block(0, 2180, 0, 350, 2200, 2000)
+    for z in range(100, 2000, 450):
+        block(0, 1020, z, 350, 2180, z + 20)
+
+
+def main():
+    shapes = {"torus": (torus, 4), "box": (box, 3), "sheet": (sheet, 5), "link": (link, 5), "room": (room, 0)}
+    shape, sizes = shapes.get(sys.argv[1] if len(sys.argv) > 1 else "", (None, 0))
+    if not shape or len(sys.argv) != 2 + sizes:
+        sys.exit(__doc__)
+    mesh = Mesh()
+    shape(mesh, *map(int, sys.argv[2:]))
+    print("\n".join(mesh.lines))
+
+
+if __name__ == "__main__":
+    main()
