@@ -58,15 +58,11 @@ fetch_mug() {
   dpkg-deb -x "$folder"/libmujoco-samples_*.deb "$folder/mujoco"
 }
 
-# torus NAME AROUND ACROSS RING TUBE: as in tests/figures.
-torus() {
-  awk -v around="$2" -v across="$3" -v ring="$4" -v tube="$5" -f tests/figures/torus.awk \
-    >"$meshes/$1.obj"
-}
-
-# box NAME X Y Z: half its sides.
-box() {
-  awk -v x="$2" -v y="$3" -v z="$4" -f tools/compare/box.awk >"$meshes/$1.obj"
+# mesh NAME SHAPE SIZE...: of firmware_examples/meshes.py.
+mesh() {
+  name=$1
+  shift
+  python3 firmware_examples/meshes.py "$@" >"$meshes/$name.obj"
 }
 
 # bake MESH...: those that are queried together share a cell. With one triangle a leaf, too, for poses
@@ -76,7 +72,7 @@ bake() {
   quietly "$flashbvh" bake "$@" -o "$meshes/searched" --format image --leaf-size 1
 }
 
-# on_board BOARD: its instructions, for firmware.awk.
+# on_board BOARD: its instructions, for page.py.
 on_board() {
   quietly cmake -S tools/compare/firmware -B "$folder/$1" -G Ninja -DFLASHBVH_BOARD="$1" \
     -DCMAKE_TOOLCHAIN_FILE="$PWD/ports/toolchain/arm-none-eabi.cmake" \
@@ -103,10 +99,10 @@ measure() {
   fetch_kr5 build/kr5
   fetch_mug
   FLASHBVH_NATIVE=$native quietly tools/figures.sh --prepare
-  torus thick 20 20 6000 2000
-  torus thin 40 10 7000 800
-  box crate 1000 700 400
-  box brick 300 200 100
+  mesh thick torus 20 20 6000 2000
+  mesh thin torus 40 10 7000 800
+  mesh crate box 1000 700 400
+  mesh brick box 300 200 100
   bake "$meshes/thick.obj" "$meshes/thin.obj" --cell 1
   bake "$meshes/crate.obj" "$meshes/brick.obj" --cell 1
   bake "$kr5/bicep.STL" "$kr5/forearm.STL" "$kr5/palm.STL" "$kr5/wrist.STL"
@@ -127,17 +123,4 @@ with() {
 
 [ "${1:-}" = --page ] || measure
 with >"$folder/with"
-awk -f tools/compare/table.awk "$folder/lines.txt" >"$folder/times"
-for part in known heap stand_ins; do
-  awk -f tools/compare/$part.awk "$folder/lines.txt" >"$folder/$part"
-done
-for board in $boards; do
-  awk -f tools/compare/firmware.awk "$folder/$board.txt"
-done >"$folder/boards"
-# A line `@part@` of the text stands for what was measured.
-awk -v folder="$folder" '/^@.*@$/ {
-    file = folder "/" substr($0, 2, length($0) - 2)
-    while ((getline line <file) > 0) print line
-    next
-  } { print }' tools/compare/page.md >lib/docs/comparison.md
-cat "$folder/times" "$folder/known" "$folder/heap" "$folder/boards" "$folder/stand_ins"
+python3 tools/compare/page.py lib/docs/comparison.md "$folder" $boards

@@ -1,5 +1,5 @@
 // compare FOLDER A-B...: what each library takes for the same queries on two meshes, whose images
-// lie in FOLDER. Prints lines for table.awk:
+// lie in FOLDER. Prints lines for page.py:
 //     time MESHES MOTION CLASS LIBRARY nanoseconds a query
 //     pairs MESHES MOTION LIBRARY found by flashbvh, by the library, by one of the two alone
 //     heap MESHES MOTION LIBRARY allocations to make it, bytes they hold, allocations of a query
