@@ -2,7 +2,7 @@
 
 Finds what a run of a query can cost at worst in the machine code of PROGRAM, the firmware of this
 folder, and writes it to OUTPUT, "bound NAME VALUE" a line: flashbvh::RunCosts (bound.hpp), for
-poses that translate and for those that rotate. Where loops were cut goes to CUTS: see turns.sh.
+poses that translate and for those that rotate. Where loops were cut goes to CUTS: see turns.py.
 CORE: its name; SOURCES: the folder that loops.txt speaks of.
 """
 from __future__ import annotations
@@ -16,7 +16,7 @@ from machine_code.instruction import Refused
 from machine_code.loops import Loops
 from machine_code.program import Program
 
-# In work. The awk programs of this folder and of tests/figures have them, too.
+# In work. Programs of this folder and of tests/figures have them, too.
 GO_ON, SHAPE, TRIANGLE_PAIR = 2, 8, 32
 
 
@@ -24,8 +24,8 @@ def check_units(sources: str) -> None:
     header = (Path(sources) / "include/flashbvh/detail/work.hpp").read_text()
     for name, units in (("GoOn", GO_ON), ("Shape", SHAPE), ("TrianglePair", TRIANGLE_PAIR)):
         if f"k{name}Work = {units};" not in header:
-            raise Refused(f"k{name}Work is not {units} in work.hpp: change formula.awk, turns.awk, "
-                          "tests/figures/page.awk and the pages, too")
+            raise Refused(f"k{name}Work is not {units} in work.hpp: change formula.py, turns.py, "
+                          "tests/figures/page.py and the pages, too")
 
 
 
@@ -70,7 +70,7 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
 
 
 def check_itself(costs: Costs, roots: dict[str, str], bound: dict[str, int]) -> None:
-    """Whether runs of a mesh against itself keep to most_of_itself() in formula.awk. An ascent looks
+    """Whether runs of a mesh against itself keep to most_of_itself() in formula.py. An ascent looks
     at as many siblings as the arity, a walk's begin at as many in both trees; what is held against
     each other is at an arity of 1, and what one more adds, where the formula adds two siblings."""
     run, answer, walk, rotated = (costs.of(roots[name]) for name in (

@@ -1,0 +1,70 @@
+"""check.py BOUND MEASURED MACHINE PROGRAM
+
+Runs the firmware of this folder under QEMU and holds what it measures against what prove.py wrote to
+BOUND. To MEASURED and to standard output goes for each kind of run the most instructions, the bound on
+that run, and the largest part of its own bound that a run of the kind took:
+    measured NAME INSTRUCTIONS of BOUND, nearest PART
+boxes-KIND-N: runs of N work that came to no pair of leaves; run-KIND-N: those that did. Fails if a run
+takes more than was proven.
+"""
+import sys
+from pathlib import Path
+
+from formula import most_instructions, most_of_itself
+from firmware import run
+
+LEAST = 1000
+
+
+class Kind:
+    def __init__(self):
+        self.most, self.bound, self.nearest = 0, 0, 0.0
+
+    def add(self, measured, bound):
+        if measured > self.most:
+            self.most, self.bound = measured, bound
+        self.nearest = max(self.nearest, measured / bound)
+
+
+def runs_in(lines, cost):
+    """Name, instructions and bound of each run, and its line."""
+    for line in lines:
+        kind, *words = line.split() or [""]
+        if kind == "run":
+            of, (work, _, leaf_pairs, depths, leaf_size, measured) = words[0], map(int, words[1:7])
+            formula = most_of_itself if of == "itself" else most_instructions
+            # The trees are binary: a later sibling in each.
+            yield (f"{'run' if leaf_pairs else 'boxes'}-{of}-{work}", measured,
+                   formula(cost, depths, 2, leaf_size, work), line)
+        elif kind == "make":
+            yield "make-query", int(words[0]), cost["make-query"], line
+
+
+def report(cost, lines):
+    """The lines to print, and whether all runs keep to their bounds."""
+    kinds, over, held = {}, [], 0
+    for name, measured, bound, line in runs_in(lines, cost):
+        held += 1
+        kinds.setdefault(name, Kind()).add(measured, bound)
+        if measured > bound:
+            over.append(f"OVER THE BOUND of {bound}: {line}")
+    text = over + [f"measured {name} {kind.most} of {kind.bound}, nearest {kind.nearest:.2f}"
+                   for name, kind in sorted(kinds.items())]
+    if held < LEAST:
+        return [*text, "too little was measured"], False
+    return [*text, f"{held} measured, {len(over)} over the bound"], not over
+
+
+def main(bound, measured, machine, program):
+    if not Path(bound).exists():
+        sys.exit(f"check.py: no bounds in {bound}: run the test that proves them first")
+    words = map(str.split, Path(bound).read_text().splitlines())
+    cost = {name: int(value) for kind, name, *rest in words if kind == "bound" for value in rest}
+    text, good = report(cost, run(machine, program, timeout=120).splitlines())
+    Path(measured).write_text("".join(f"{line}\n" for line in text))
+    print("\n".join(text))
+    sys.exit(not good)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
