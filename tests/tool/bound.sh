@@ -60,7 +60,7 @@ kept() {
       fail "$algorithm: more than $most: $(cat visits)"
   done
 }
-awk -v count=40 -v seed=5 -v reach=20 -f "$SOURCES/poses.awk" >poses
+python3 "$SOURCES/poses.py" 40 5 20 >poses
 "$FLASHBVH" bake meshes/ring.stl meshes/coarse.stl -o post --cell 0.01 >/dev/null
 "$FLASHBVH" bake meshes/ring.stl meshes/coarse.stl -o pre --layout pre --cell 0.01 >/dev/null
 kept post ranked ranked-stack volume-stack alternating-stack stackless-post leaf

@@ -57,7 +57,7 @@ exits 0 clearance mm/there.fbvh mm/here.fbvh --poses poses --within 13 --pairs n
 
 # Any shape, rotated, of any tree: one answer.
 "$TOOLS/tool_test_meshes" meshes
-awk -v count=30 -v seed=3 -v reach=35 -f "$SOURCES/poses.awk" >any
+python3 "$SOURCES/poses.py" 30 3 35 >any
 for options in "" "--leaf-size 5 --arity 6" "--builder median --leaf-size 1" "--index-bits 32"; do
   # shellcheck disable=SC2086
   "$FLASHBVH" bake meshes/ring.stl meshes/coarse.stl -o post $options --cell 0.01 >/dev/null

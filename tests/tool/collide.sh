@@ -18,7 +18,7 @@ cat >poses <<'POSES'
 0.66667 -0.33333 0.66667 0.66667 0.66667 -0.33333 -0.33333 0.66667 0.66667  0 0 0
 0 0 1 0 1 0 -1 0 0  -4e6 1 1
 POSES
-awk -v count=12 -v seed=1 -v reach=25 -f "$SOURCES/poses.awk" >>poses
+python3 "$SOURCES/poses.py" 12 1 25 >>poses
 count=$(sed 's/#.*//' poses | grep -c .)
 
 # brute NAME: all pairs for the two images in NAME.
@@ -134,7 +134,7 @@ inverse <poses >inverses
 awk '{ print $1, $3, $2 }' back | sort >back_sorted
 sort there | cmp - back_sorted || fail "another answer with the arguments changed round"
 
-awk -v count=40 -v seed=2 -v reach=40 -f "$SOURCES/poses.awk" >poses
+python3 "$SOURCES/poses.py" 40 2 40 >poses
 inverse <poses >inverses
 "$FLASHBVH" collide post/ring.fbvh post/coarse.fbvh --poses poses --json >there
 "$FLASHBVH" collide post/coarse.fbvh post/ring.fbvh --poses inverses --json >back

@@ -48,7 +48,7 @@ cmp -s found of_doubles && fail "floats and doubles round alike: $(cat found)"
 # A summary says what --bound says of the same poses, and what that takes at most.
 "$TOOLS/tool_test_meshes" meshes
 "$FLASHBVH" bake meshes/ring.stl meshes/coarse.stl -o post --cell 0.01 >/dev/null
-awk -v count=40 -v seed=5 -v reach=20 -f "$SOURCES/poses.awk" >poses
+python3 "$SOURCES/poses.py" 40 5 20 >poses
 exits 0 collide post/ring.fbvh post/coarse.fbvh --poses poses --bound --json
 cp stdout bound
 exits 0 collide post/ring.fbvh post/coarse.fbvh --poses poses --summary --json

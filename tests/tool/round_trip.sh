@@ -44,7 +44,7 @@ awk '$1 == "v" { $2 += 30000; $3 -= 2000000; $4 += 7 } { print }' lattice.obj >d
 "$FLASHBVH" export --cells distant/distant.fbvh -o distant_lattice.obj
 # transformed_right IMAGE LATTICE.obj CELL SLACK REACH
 transformed_right() {
-  awk -v count=20 -v seed=3 -v reach="$5" -f "$SOURCES/poses.awk" >transformed_poses
+  python3 "$SOURCES/poses.py" 20 3 "$5" >transformed_poses
   while read -r pose; do
     "$FLASHBVH" export --cells "$1" -o rotated.obj --pose "$pose"
     awk -v pose="$pose" -v cell="$3" -v slack="$4" '

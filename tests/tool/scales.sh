@@ -6,7 +6,7 @@
 "$TOOLS/tool_test_meshes" meshes
 "$FLASHBVH" bake meshes/ring.stl -o plain --cell 0.013 >log
 "$FLASHBVH" export --cells plain/ring.fbvh -o ring.obj
-awk -v count=15 -v seed=7 -v reach=25 -f "$SOURCES/poses.awk" >poses
+python3 "$SOURCES/poses.py" 15 7 25 >poses
 
 # scaled EXPONENT CELL: the mesh's own lattice points as lengths, times ten to the exponent.
 scaled() {
