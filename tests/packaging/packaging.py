@@ -1,0 +1,351 @@
+"""packaging.py WAY: flashbvh in the build of a firmware project (consumer/), in a folder of its own.
+
+WAY names a function below. From the environment: FLASHBVH, the tool; ROOT, the repository; FOLDER, where the
+ways have their folders; CMAKE.
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT, FOLDER, FLASHBVH, CMAKE = (os.environ[name] for name in ("ROOT", "FOLDER", "FLASHBVH", "CMAKE"))
+HERE = Path(__file__).resolve().parent
+GENERATORS = "Ninja", "Unix Makefiles"
+# No package but the compiler's: what these options forbid is looked for by nobody.
+BARE = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=TRUE" for name in
+        ("assimp", "CLI11", "nlohmann_json", "Catch2", "urdfdom", "ZLIB")]
+IN_SOURCES = ["-DWAY=add_subdirectory", f"-DFLASHBVH_ROOT={ROOT}"]
+WITH_TOOL = [*IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={FLASHBVH}"]
+log = ""
+
+
+class Failed(Exception):
+    pass
+
+
+def hold(good, otherwise):
+    if not good:
+        raise Failed(otherwise)
+
+
+def run(*command):
+    """Whether it ends well; its output is in `log`."""
+    global log
+    done = subprocess.run(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          errors="replace")
+    log = done.stdout
+    return done.returncode == 0
+
+
+def cmake(build, *options, source="firmware", generator="Ninja"):
+    return run(CMAKE, "-G", generator, "-S", source, "-B", build, *options)
+
+
+def configure(build, *options, **more):
+    hold(cmake(build, *options, **more), f"configure: {options}")
+
+
+def refuses(said, *options, **more):
+    """CMake fails, and says this."""
+    shutil.rmtree("wrong", ignore_errors=True)
+    hold(not cmake("wrong", *options, **more), f"accepted: {options}")
+    hold(re.search(said, " ".join(log.split())), f"no '{said}'")
+
+
+def build(folder):
+    hold(run(CMAKE, "--build", folder), f"build {folder}")
+
+
+def bakes(folder, why, baked="parts"):
+    build(folder)
+    hold(f"Baking {baked}" in log, f"not baked: {why}")
+
+
+def rests(folder, why="nothing changed", baked="parts"):
+    """The build has no reason to call the tool."""
+    build(folder)
+    hold(f"Baking {baked}" not in log, f"baked without a reason: {why}")
+
+
+def answers(*programs):
+    for program in programs:
+        hold(run(f"./{program}"), f"wrong answers: {program}")
+
+
+def holds(file, pattern):
+    return re.search(pattern, Path(file).read_text(errors="replace"))
+
+
+def edit(file, *changes):
+    text = Path(file).read_text()
+    for old, new in changes:
+        text = text.replace(old, new)
+    Path(file).write_text(text)
+
+
+def own_tool():
+    """A copy of the tool, to be touched."""
+    Path("tool").mkdir()
+    return shutil.copy(FLASHBVH, Path("tool/flashbvh").absolute())
+
+
+def package_in(prefix):
+    return next(Path(prefix).absolute().rglob("flashbvhConfig.cmake")).parent
+
+
+def enter_cross_environment():
+    """The compiler of a cross build in the environment; whether there is one."""
+    Path("toolchain.cmake").write_text("set(CMAKE_SYSTEM_NAME Generic)\nset(CMAKE_SYSTEM_PROCESSOR arm)\n"
+                                       "set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)\n")
+    is_arm = shutil.which("arm-none-eabi-g++") is not None
+    if is_arm:
+        os.environ.update(CC="arm-none-eabi-gcc", CXX="arm-none-eabi-g++", LDFLAGS="--specs=nosys.specs",
+                          CXXFLAGS="-mcpu=cortex-m4 -mthumb -DFOR_THE_TARGET")
+    else:
+        os.environ.update(CC="cc", CXX="c++", CXXFLAGS="-DFOR_THE_TARGET")
+    os.environ.update(CFLAGS=os.environ["CXXFLAGS"], CMAKE_TOOLCHAIN_FILE=str(Path("toolchain.cmake").absolute()))
+    return is_arm
+
+
+def for_the_target(program):
+    hold(Path(program).exists() and Path(program).stat().st_size, f"no {program}")
+    if os.environ["CXX"] != "c++":
+        run("arm-none-eabi-readelf", "-h", program)
+        hold(re.search("Machine: *ARM", log), f"{program} is no ARM program")
+
+
+def add_subdirectory():
+    """add_subdirectory() and flashbvh_add_mesh(): bakes when a mesh, an option or the tool changes, and not
+    otherwise, with Ninja and with make."""
+    tool = own_tool()
+    for generator in GENERATORS:
+        configure("built", *IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={tool}", "-DOPTIONS=CELL;0.01", *BARE,
+                  generator=generator)
+        bakes("built", "the first time")
+        answers("built/consumer")
+        rests("built")
+        configure("built", "-DOPTIONS=CELL;0.01", generator=generator)
+        rests("built", "configured anew")
+        Path("firmware/main.cpp").touch()
+        rests("built", "another source changed")
+        Path("firmware/peg.obj").touch()
+        bakes("built", "a mesh changed")
+        rests("built", "nothing changed since the mesh")
+        configure("built", "-DOPTIONS=CELL;0.02", generator=generator)
+        bakes("built", "an option changed")
+        hold(holds("built/flashbvh/parts/peg.fbvh.hpp", "kCell = 0.02;"), "the option has no effect")
+        rests("built", "nothing changed since the option")
+        Path(tool).touch()
+        bakes("built", "the tool changed")
+        answers("built/consumer")
+        hold(not Path("built/parts/peg.fbvh").exists(), "an image that nobody asked for")
+        shutil.rmtree("built")
+    # What is wrong is said by its name.
+    refuses(r"flashbvh_add_mesh\(parts\): give SOURCES mesh... and options with their values; not understood: CEL;1",
+            *WITH_TOOL, "-DOPTIONS=CEL;1")
+    refuses("not understood: CELL", *WITH_TOOL, "-DOPTIONS=CELL")
+    refuses("FLASHBVH_HOST_TOOL: there is no /nowhere/flashbvh; give the path", *IN_SOURCES,
+            "-DFLASHBVH_HOST_TOOL=/nowhere/flashbvh")
+
+
+def robot():
+    """flashbvh_add_robot(): bakes when the URDF, one of its meshes, an option or the tool changes, and not
+    otherwise, with Ninja and with make."""
+    tool = own_tool()
+    for generator in GENERATORS:
+        configure("built", *IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={tool}", "-DROBOT=STOP;0.001;WARN;0.002", *BARE,
+                  generator=generator)
+        bakes("built", "the first time", "arm")
+        answers("built/guard")
+        rests("built", baked="arm")
+        Path("firmware/guard.cpp").touch()
+        Path("firmware/plate.obj").touch()
+        rests("built", "what is none of the robot's changed", "arm")
+        Path("firmware/peg.obj").touch()
+        bakes("built", "a mesh changed", "arm")
+        rests("built", "nothing changed since the mesh", "arm")
+        Path("firmware/arm.urdf").touch()
+        bakes("built", "the URDF changed", "arm")
+        configure("built", "-DROBOT=LEAF_SIZE;2;CELL;0.0001", generator=generator)
+        bakes("built", "an option changed", "arm")
+        hold(holds("built/flashbvh/arm/arm.robot.hpp", "kCell = (1e-04|0.0001)"), "the option has no effect")
+        rests("built", "nothing changed since the option", "arm")
+        Path(tool).touch()
+        bakes("built", "the tool changed", "arm")
+        answers("built/guard")
+        shutil.rmtree("built")
+    # What is wrong is said by its name.
+    words = (r"flashbvh_add_robot\(arm\): give URDF file and options with their values, PACKAGE as name=folder, PAIR "
+             "as link,link=length; not understood:")
+    refuses(f"{words} CEL;1", *WITH_TOOL, "-DROBOT=CEL;1")
+    refuses(f"{words} CELL", *WITH_TOOL, "-DROBOT=CELL")
+    refuses(f"{words} parts", *WITH_TOOL, "-DROBOT=PACKAGE;parts")
+    edit("firmware/CMakeLists.txt", ("URDF arm.urdf PACKAGE", "PACKAGE"))
+    refuses(words, *WITH_TOOL, "-DROBOT=")
+    edit("firmware/CMakeLists.txt", ("(arm PACKAGE", "(arm-1 URDF arm.urdf PACKAGE"), ("arm::arm", "arm-1"))
+    refuses(r"flashbvh_add_robot\(arm-1\): the name is that of a C\+\+ namespace", *WITH_TOOL, "-DROBOT=")
+
+
+def cells():
+    """Meshes that are queried together need one cell: what links two libraries of meshes does not configure
+    unless they are given the same, and the message says what to do."""
+    shutil.copy("firmware/peg.obj", "firmware/tool.obj")
+
+    def of(options, more):
+        """Of the first library and the second."""
+        shutil.rmtree("built", ignore_errors=True)
+        return [*WITH_TOOL, *BARE, f"-DOPTIONS={options}", f"-DMORE={more}"]
+
+    for options, more in (("", ""), ("CELL;0.01", ""), ("CELL;0.01", "CELL;0.02"),
+                          ("CELL;0.01;FORMAT;both", "CELL;0.02;FORMAT;image")):
+        refuses(r"need the same cell: name them in one flashbvh_add_mesh\(\), or give each the same CELL, written "
+                r'alike; OWN_CELL for meshes that are not\] property of "more" does not agree', *of(options, more))
+    configure("built", *of("CELL;0.01", "CELL;0.01"))
+    configure("built", *of("", "OWN_CELL"))
+    configure("built", *of("OWN_CELL", "CELL;0.01"))
+    build("built")
+    answers("built/consumer")
+    # C needs a compiler of C.
+    refuses(r"flashbvh_add_mesh\(parts\): FORMAT c makes C; name C in project\(\)'s LANGUAGES",
+            *of("FORMAT;c", "OWN_CELL"))
+    edit("firmware/CMakeLists.txt", ("LANGUAGES CXX", "LANGUAGES C CXX"))
+    configure("built", *of("CELL;0.01", "CELL;0.01;FORMAT;c"))
+    build("built")
+    hold(Path("built/flashbvh/more/tool.fbvh.c").exists(), "no C")
+    hold(not Path("built/flashbvh/more/tool.fbvh").exists(), "an image that nobody asked for")
+
+
+def fetch_content():
+    """FetchContent from a local folder, with images beside the code."""
+    configure("built", "-DWAY=fetch_content", f"-DFLASHBVH_ROOT={ROOT}", f"-DFLASHBVH_HOST_TOOL={FLASHBVH}",
+              "-DOPTIONS=FORMAT;both;UNIT;mm", *BARE)
+    bakes("built", "the first time")
+    answers("built/consumer")
+    hold(run(FLASHBVH, "check", "built/flashbvh/parts/peg.fbvh", "--mesh", "firmware/peg.obj"), "no image")
+    rests("built")
+
+
+def cross():
+    """A cross build with its compiler, flags and toolchain file in the environment: they reach the library and
+    the baked code, not the tool, which is built for this machine beside it."""
+    enter_cross_environment()
+    configure("built", *IN_SOURCES, "-DOPTIONS=CELL;0.01")
+    bakes("built", "the first time")
+    for_the_target("built/consumer")
+    hold(holds("built/build.ninja", "FOR_THE_TARGET"), "the flags don't reach the firmware")
+    host = Path("built/flashbvh-host")
+    hold(os.access(host / "bin/flashbvh", os.X_OK), "no tool")
+    for file in "CMakeCache.txt", "build.ninja":
+        hold(not holds(host / file, "FOR_THE_TARGET"), f"the target's flags reach the tool: {file}")
+    rests("built")
+
+
+def find_package():
+    """An installed package: natively with its libraries and its tool; in a cross build it compiles the libraries
+    for the target. It may be moved, and names no place on the machine that built it."""
+    made = Path("made").absolute()
+    hold(run(CMAKE, "--install", f"{FOLDER}/cross/built/flashbvh-host", "--prefix", made), "install")
+    prefix = made.rename(made.parent / "moved here")
+    # A path that begins there; "${folder}/project" is no sign of a checkout in /project.
+    place = rf"(^|[^A-Za-z0-9_.}}/-])({re.escape(ROOT)}|{re.escape(FOLDER)})(/|[^A-Za-z0-9_.-]|$)"
+    for folder in prefix / "include", prefix / "share", *prefix.glob("lib*/cmake"):
+        for file in filter(Path.is_file, folder.rglob("*")):
+            hold(not re.search(place, file.read_text(errors="replace"), re.M), f"absolute paths: {file}")
+    hold(run(prefix / "bin/flashbvh", "--version") and "flashbvh" in log, "no tool")
+    version = re.match(r"flashbvh (\d+\.\d+)", log)[1]
+    hold(any(prefix.rglob("libflashbvh.a")), "no library")
+
+    at = f"-DCMAKE_PREFIX_PATH={prefix}"
+    configure("built", at, f"-DVERSION={version}", "-DROBOT=STOP;0.001", *BARE)
+    bakes("built", "the first time")
+    answers("built/consumer", "built/guard")
+    rests("built")
+    (prefix / "bin/flashbvh").touch()
+    bakes("built", "the tool changed")
+    refuses("", at, "-DVERSION=99")
+
+    enter_cross_environment()
+    configure("cross", f"-Dflashbvh_DIR={package_in(prefix)}", "-DROBOT=")
+    bakes("cross", "the first time, crossing")
+    for_the_target("cross/consumer")
+    for_the_target("cross/guard")
+
+
+def install_library():
+    configure("library", "-DFLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
+    build("library")
+    hold(run(CMAKE, "--install", "library", "--prefix", "prefix"), "install")
+
+
+def machine_target():
+    """The machine's flags reach firmware by a target alone, as Zephyr's do: FLASHBVH_LINK brings them to the
+    library and the baked meshes, from its sources and from a package."""
+    is_arm = enter_cross_environment()
+    os.environ.update(CXXFLAGS="", CFLAGS="")
+    flags = "-mcpu=cortex-m4;-mthumb;-mfloat-abi=hard;-mfpu=fpv4-sp-d16" if is_arm else "-DFOR_THE_TARGET"
+    configure("library", "-DFLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
+    hold(run(CMAKE, "--install", "library", "--prefix", "prefix"), "install")
+    for way in "add_subdirectory", "find_package":
+        configure(way, f"-DWAY={way}", f"-DFLASHBVH_ROOT={ROOT}", f"-DFLASHBVH_HOST_TOOL={FLASHBVH}",
+                  f"-Dflashbvh_DIR={package_in('prefix')}", f"-DMACHINE={flags}", "-DROBOT=",
+                  "-DFLASHBVH_LINK=machine", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *BARE)
+        commands = [line for line in Path(f"{way}/compile_commands.json").read_text().splitlines()
+                    if '"command"' in line]
+        hold(len(commands) > 10, f"few sources: {way}")
+        for command in commands:
+            hold(flags.split(";")[-1] in command, f"compiled for another machine: {way}: {command}")
+        build(way)
+        for_the_target(f"{way}/consumer")
+    # Without it, linking fails.
+    if is_arm:
+        configure("wrong", *WITH_TOOL, f"-DMACHINE={flags}", *BARE)
+        hold(not run(CMAKE, "--build", "wrong"), "linked with a library for another machine")
+
+
+def runtime_only():
+    """Firmware that links arrays baked before needs neither the tool nor assimp, CLI11, nlohmann_json, urdfdom,
+    zlib or Catch2, whichever way it gets the library."""
+    hold(run(FLASHBVH, "bake", "firmware/plate.obj", "firmware/peg.obj", "-o", "baked", "--format", "cpp"), "bake")
+    install_library()
+    hold(not Path("prefix/bin").exists(), "a program was installed")
+    at = f"-DCMAKE_PREFIX_PATH={Path('prefix').absolute()}"
+    for way in "add_subdirectory", "fetch_content", "find_package":
+        configure(way, f"-DWAY={way}", f"-DFLASHBVH_ROOT={ROOT}", f"-DBAKED={Path('baked').absolute()}", at, *BARE)
+        build(way)
+        answers(f"{way}/consumer")
+        hold(not Path(way, "flashbvh-host").exists(), "the tool was built")
+    # The package without the tool says what it needs to bake, and takes it.
+    refuses("set FLASHBVH_HOST_TOOL to its path", at)
+    configure("with_tool", at, f"-DFLASHBVH_HOST_TOOL={FLASHBVH}")
+    bakes("with_tool", "the first time")
+    answers("with_tool/consumer")
+    # flashbvh's own build does look for them, and names the way out.
+    refuses("assimp not found: apt-get install .*FLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
+
+
+def enter(way):
+    """A folder of its own, with the firmware project in it. What is compiled there hardly runs."""
+    work = Path(FOLDER, way)
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    os.chdir(work)
+    shutil.copytree(HERE / "consumer", "firmware")
+    for mesh in Path(ROOT, "firmware_examples/quick_start").glob("*.obj"):
+        shutil.copy(mesh, "firmware")
+    launcher = Path("unoptimised").absolute()
+    launcher.write_text(f'#!/bin/sh\nexec {os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")} "$@" -O0\n')
+    launcher.chmod(0o755)
+    os.environ.update(CMAKE_C_COMPILER_LAUNCHER=str(launcher), CMAKE_CXX_COMPILER_LAUNCHER=str(launcher))
+
+
+WAYS = (add_subdirectory, fetch_content, cells, machine_target, runtime_only, robot, cross, find_package)
+
+if __name__ == "__main__":
+    chosen = next(way for way in WAYS if way.__name__ == sys.argv[1])
+    enter(chosen.__name__)
+    try:
+        chosen()
+    except Failed as failure:
+        sys.exit("\n".join([f"FAILED: {failure}", *log.splitlines()[-40:]]))
