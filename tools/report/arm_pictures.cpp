@@ -14,62 +14,65 @@
 namespace flashbvh::tool {
 namespace {
 
-constexpr std::int64_t kPairSide = 720;
-constexpr std::int64_t kArmSide = 480;
-/// To choose a view, less is enough.
-constexpr std::int64_t kTrialSide = 240;
 /// Differences of corners that nearest_points_of() takes are below it.
 constexpr std::int64_t kMostSpan = 1 << 17;
 
-struct Drawing {
-  Scene scene;
-  std::vector<LatticePoint> points;  ///< of all that is seen
-  std::vector<LatticePoint> lit;     ///< corners of a triangle of a's, then of one of b's
-};
+bool is_link_solid(const PostMesh& mesh) {
+  bake::LatticeMesh lattice;
+  lattice.vertices.assign(mesh.vertices, mesh.vertices + mesh.vertex_count);
+  for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
+    const auto& [p, q, r] = mesh.triangles[i].corner;
+    lattice.triangles.push_back({p, q, r});
+  }
+  return is_solid(lattice);
+}
 
 void add_link(const PosedArm& arm, std::size_t link, Paint paint, const std::uint16_t* lit,
-              Drawing& drawing) {
+              Faces& faces) {
   const PostMesh& mesh = arm.robot.meshes[link];
   const std::vector<LatticePoint> points =
       transformed_vertices(AnyTree(LevelledPostMesh{mesh, nullptr, nullptr}), arm.poses[link]);
+  const bool solid = is_link_solid(mesh);
   for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
     const auto& corner = mesh.triangles[i].corner;
-    const std::array<LatticePoint, 3> corners = {points[corner[0]], points[corner[1]],
-                                                 points[corner[2]]};
     const bool is_lit = lit != nullptr && mesh.triangle_ids[i] == *lit;
-    drawing.scene.faces.push_back({corners, is_lit ? kIntersected : paint});
-    if (is_lit) {
-      drawing.lit.insert(drawing.lit.end(), corners.begin(), corners.end());
-    }
+    faces.push_back({{points[corner[0]], points[corner[1]], points[corner[2]]},
+                     is_lit ? kIntersected : paint,
+                     solid});
   }
-  drawing.points.insert(drawing.points.end(), points.begin(), points.end());
 }
 
-/// `all`: links besides the two.
-Drawing drawing_of(const PosedArm& arm, const LitPair& pair, bool all) {
-  Drawing drawing;
-  add_link(arm, pair.a, kFirstMesh, &pair.triangles.a, drawing);
-  add_link(arm, pair.b, kSecondMesh, &pair.triangles.b, drawing);
+/// The two links, a's mark first; `all`: the other links, too.
+Faces faces_of(const PosedArm& arm, const LitPair& pair, bool all) {
+  Faces faces;
+  add_link(arm, pair.a, kFirstMesh, &pair.triangles.a, faces);
+  add_link(arm, pair.b, kSecondMesh, &pair.triangles.b, faces);
   for (std::size_t link = 0; all && link < arm.robot.link_count; ++link) {
     if (link != pair.a && link != pair.b) {
-      add_link(arm, link, kOtherMesh, nullptr, drawing);
+      add_link(arm, link, kOtherMesh, nullptr, faces);
     }
   }
-  return drawing;
+  return faces;
 }
 
 /// Where the two lit triangles are nearest, in cells of the base's frame.
 using Spot = std::array<double, 3>;
-std::optional<std::pair<Spot, Spot>> nearest_places(const Drawing& drawing) {
-  const Bounds bounds = bounds_of(drawing.lit);
+std::optional<std::pair<Spot, Spot>> nearest_places(const Faces& faces) {
+  const std::vector<LatticePoint> lit = marked_corners(faces);
+  LatticePoint origin = lit[0];
+  for (const LatticePoint& corner : lit) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      origin[axis] = std::min(origin[axis], corner[axis]);
+    }
+  }
   std::array<flashbvh::Triangle, 2> triangles{};
-  for (std::size_t i = 0; i < drawing.lit.size(); ++i) {
+  for (std::size_t i = 0; i < lit.size(); ++i) {
     std::array<std::int32_t, 3> corner{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (bounds.upper[axis] - bounds.lower[axis] >= kMostSpan) {
+      if (lit[i][axis] - origin[axis] >= kMostSpan) {
         return std::nullopt;
       }
-      corner[axis] = static_cast<std::int32_t>(drawing.lit[i][axis] - bounds.lower[axis]);
+      corner[axis] = static_cast<std::int32_t>(lit[i][axis] - origin[axis]);
     }
     triangles[i / 3].corner[i % 3] = {corner[0], corner[1], corner[2]};
   }
@@ -78,60 +81,33 @@ std::optional<std::pair<Spot, Spot>> nearest_places(const Drawing& drawing) {
     const std::array<std::int64_t, 3> fine = {point.x, point.y, point.z};
     Spot cells{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      cells[axis] = static_cast<double>(bounds.lower[axis] * kFineOne + fine[axis]) / kFineOne;
+      cells[axis] = static_cast<double>(origin[axis] * kFineOne + fine[axis]) / kFineOne;
     }
     return cells;
   };
   return std::pair(place(nearest.point_a), place(nearest.point_b));
 }
 
-/// Round what is lit, which may be small or hidden, and the way between the nearest points.
-std::string marks(const Drawing& drawing, const View& view, const Frame& frame) {
-  const Projection projection(view, frame, kDrawingSide);
-  std::vector<LatticePoint> seen;
-  for (const LatticePoint& corner : drawing.lit) {
-    const Projected at = projection.project(corner);
-    seen.push_back({at.x, at.y, 0});
+/// A circle round the two triangles, and the line between the nearest points.
+std::string marks(const Faces& faces, const Frame& frame) {
+  const auto nearest = nearest_places(faces);
+  if (!nearest) {
+    return circle(faces, frame);
   }
-  const auto [low, high] = bounds_of(seen);
-  const std::int64_t x = high[0] - low[0];
-  const std::int64_t y = high[1] - low[1];
-  std::string svg = concat("<circle cx=", (low[0] + high[0]) / 2, " cy=", (low[1] + high[1]) / 2,
-                           " r=", square_root(x * x + y * y) / 2 + 30, "></circle>\n");
-  if (const auto nearest = nearest_places(drawing)) {
-    const auto at = [&](const Spot& place) {
-      const auto& [x_cells, y_cells, z_cells] = place;
-      const Projected shown =
-          projection.project({std::llround(x_cells), std::llround(y_cells), std::llround(z_cells)});
-      return concat(shown.x, " ", shown.y);
-    };
-    const std::string a = at(nearest->first);
-    const std::string b = at(nearest->second);
-    svg += concat("<path class=way d=\"M", a, "L", b, "\"/><path class=ends d=\"M", a, "h0M", b,
-                  "h0\"/>\n");
-  }
-  return svg;
+  const auto at = [&](const Spot& place) {
+    const Vector shown =
+        frame.project({std::llround(place[0]), std::llround(place[1]), std::llround(place[2])});
+    return concat(shown[0], " ", shown[1]);
+  };
+  const std::string a = at(nearest->first);
+  const std::string b = at(nearest->second);
+  return circle(faces, frame) + "<path class=way d=\"M" + a + "L" + b +
+         "\"/><path class=ends d=\"M" + a + "h0M" + b + "h0\"/>\n";
 }
 
-/// From the corner that shows most of what is lit.
-const View& best_view(const Drawing& drawing, const Frame& frame) {
-  const View* best = corner_views().data();
-  std::size_t most = 0;
-  for (const View& view : corner_views()) {
-    const std::size_t seen = draw(drawing.scene, view, frame, kTrialSide).seen[kIntersected];
-    if (seen > most) {
-      best = &view;
-      most = seen;
-    }
-  }
-  return *best;
-}
-
-std::string picture(const PosedArm& arm, const Drawing& drawing, const char* caption) {
-  const Frame frame = frame_of(drawing.points, corner_views());
-  const View& view = best_view(drawing, frame);
-  return figure(draw(drawing.scene, view, frame, kPairSide), view, frame,
-                {cell_of(arm.robot), " m"}, caption, marks(drawing, view, frame), caption);
+std::string picture(const PosedArm& arm, const Faces& faces, const char* caption) {
+  const Frame frame = frame_of_marks(faces);
+  return figure(faces, frame, {cell_of(arm.robot), " m"}, caption, marks(faces, frame), caption);
 }
 
 std::string text_of(const Spot& place, double cell) {
@@ -139,8 +115,8 @@ std::string text_of(const Spot& place, double cell) {
                 fixed(place[2] * cell, 4), ")");
 }
 
-std::string places_note(const PosedArm& arm, const Drawing& drawing) {
-  const auto nearest = nearest_places(drawing);
+std::string places_note(const PosedArm& arm, const Faces& faces) {
+  const auto nearest = nearest_places(faces);
   if (!nearest) {
     return "";
   }
@@ -162,31 +138,30 @@ double cell_of(const Robot& robot) {
 }
 
 std::string pair_pictures(const PosedArm& arm, const LitPair& pair) {
-  const Drawing all = drawing_of(arm, pair, true);
+  const Faces all = faces_of(arm, pair, true);
   return "<p class=keys>" + key(class_of(kFirstMesh), escaped(arm.model.links[pair.a].name)) +
          key(class_of(kSecondMesh), escaped(arm.model.links[pair.b].name)) +
          key(class_of(kOtherMesh), "other links") + key(class_of(kIntersected), pair.what) +
          "</p>\n<div class=contacts>\n" + picture(arm, all, "The robot") +
-         picture(arm, drawing_of(arm, pair, false), "The two links") + "</div>\n" +
+         picture(arm, faces_of(arm, pair, false), "The two links") + "</div>\n" +
          places_note(arm, all);
 }
 
 std::string arm_pictures(const std::vector<PosedArm>& arms,
                          const std::vector<std::string>& captions) {
-  const View& view = corner_views()[0];
-  std::vector<Drawing> drawings(arms.size());
-  std::vector<LatticePoint> points;
+  std::vector<Faces> drawings(arms.size());
+  Faces all;
   for (std::size_t i = 0; i < arms.size(); ++i) {
     for (std::size_t link = 0; link < arms[i].robot.link_count; ++link) {
       add_link(arms[i], link, link % 2 == 0 ? kFirstMesh : kSecondMesh, nullptr, drawings[i]);
     }
-    points.insert(points.end(), drawings[i].points.begin(), drawings[i].points.end());
+    all.insert(all.end(), drawings[i].begin(), drawings[i].end());
   }
-  const Frame frame = frame_of(std::move(points), {view, view, view, view});
+  const Frame frame(views()[0], points_of(all));
   std::string html = "<div class=views>\n";
   for (std::size_t i = 0; i < arms.size(); ++i) {
-    html += figure(draw(drawings[i].scene, view, frame, kArmSide), view, frame,
-                   {cell_of(arms[i].robot), " m"}, captions[i], "", captions[i]);
+    html +=
+        figure(drawings[i], frame, {cell_of(arms[i].robot), " m"}, captions[i], "", captions[i]);
   }
   return html + "</div>\n";
 }

@@ -8,13 +8,13 @@
 namespace flashbvh::tool {
 namespace {
 
-constexpr std::int64_t kStrip = 190;  ///< height of what lies below the picture
-constexpr std::int64_t kArrow = 88;   ///< an axis's length
+constexpr std::int64_t kStrip = 120;  ///< height of what lies below the picture
+constexpr std::int64_t kArrow = 55;   ///< an axis's length
 
 /// The axes as arrows; none for the one along which one looks.
 std::string axes(const View& view) {
-  constexpr std::int64_t x = 130;
-  constexpr std::int64_t y = kDrawingSide + 95;
+  constexpr std::int64_t x = 80;
+  constexpr std::int64_t y = kDrawingSide + 60;
   constexpr std::array<const char*, 3> names = {"x", "y", "z"};
   std::string svg;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -45,10 +45,10 @@ std::string scale_bar(const Frame& frame, const Measure& measure) {
   const double across = static_cast<double>(frame.across) * measure.cell;
   const double length = scale_length(across);
   const auto units = static_cast<std::int64_t>(std::llround(kDrawingSide * length / across));
-  const std::int64_t right = kDrawingSide - 60;
-  const std::int64_t y = kDrawingSide + 125;
-  return concat("<path class=axis d=\"M", right - units, " ", y - 22, "v44m0-22h", units,
-                "m0-22v44\"/><text x=", right - units / 2, " y=", y - 60, ">",
+  const std::int64_t right = kDrawingSide - 40;
+  const std::int64_t y = kDrawingSide + 80;
+  return concat("<path class=axis d=\"M", right - units, " ", y - 14, "v28m0-14h", units,
+                "m0-14v28\"/><text x=", right - units / 2, " y=", y - 38, ">",
                 length_of(measure.suffix, length), "</text>\n");
 }
 
@@ -67,13 +67,12 @@ std::string length_of(const ImageFile& image, double length) {
   return length_of(unit_suffix(image), length);
 }
 
-std::string figure(const Drawn& drawn, const View& view, const Frame& frame, const Measure& measure,
+std::string figure(const Faces& faces, const Frame& frame, const Measure& measure,
                    const std::string& label, const std::string& overlay,
                    const std::string& caption) {
   return concat("<figure><svg viewBox=\"0 0 ", kDrawingSide, " ", kDrawingSide + kStrip,
-                "\" role=img aria-label=\"", label, "\">\n<image width=", kDrawingSide,
-                " height=", kDrawingSide, " href=\"", data_uri(drawn.picture), "\"/>\n", overlay,
-                axes(view), scale_bar(frame, measure), "</svg><figcaption>", caption,
+                "\" role=img aria-label=\"", label, "\">\n", drawing(faces, frame), overlay,
+                axes(frame.view), scale_bar(frame, measure), "</svg><figcaption>", caption,
                 "</figcaption></figure>\n");
 }
 

@@ -1,16 +1,13 @@
-// A picture in a page: the scene as pixels, lines over it, axes and a scale below.
+// A picture in a page: faces, lines over them, axes and a scale below.
 #ifndef FLASHBVH_TOOLS_REPORT_FIGURE_HPP
 #define FLASHBVH_TOOLS_REPORT_FIGURE_HPP
 
 #include <string>
 
 #include "image/image_file.hpp"
-#include "report/raster.hpp"
+#include "report/drawing.hpp"
 
 namespace flashbvh::tool {
-
-/// Units of a drawing's side, whatever the pixels of the picture in it.
-constexpr std::int64_t kDrawingSide = 1600;
 
 /// " mm", or nothing where an image does not tell its unit.
 std::string unit_suffix(const ImageFile& image);
@@ -27,7 +24,7 @@ Measure measure_of(const ImageFile& image);
 
 /// `label`: what is seen, for who can't see it; `overlay`: SVG in units of the drawing; `caption`.
 /// All three HTML. `measure`: of the scale.
-std::string figure(const Drawn& drawn, const View& view, const Frame& frame, const Measure& measure,
+std::string figure(const Faces& faces, const Frame& frame, const Measure& measure,
                    const std::string& label, const std::string& overlay,
                    const std::string& caption);
 

@@ -1,7 +1,7 @@
 #include "report/html.hpp"
 
 #include "flashbvh/version.hpp"
-#include "report/raster.hpp"
+#include "report/drawing.hpp"
 #include "report/style.hpp"
 #include "text/numbers.hpp"
 

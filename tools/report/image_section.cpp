@@ -45,7 +45,8 @@ std::string bar(const std::array<Part, 5>& parts, std::uint64_t total, std::uint
 std::string size_of(const Subject& subject) {
   std::string size;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto cells = static_cast<double>(subject.bounds.upper[axis] - subject.bounds.lower[axis]);
+    const NodeBox& root = subject.levels[0][0];
+    const auto cells = static_cast<double>(root.upper[axis] - root.lower[axis]);
     size += (axis == 0 ? "" : " &times; ") + length_of(subject.image, cells * subject.image.cell());
   }
   return size;

@@ -13,50 +13,61 @@ namespace flashbvh::tool {
 namespace {
 
 /// Boxes of a level that are drawn: more can't be told apart.
-constexpr std::size_t kMostBoxes = 600;
+constexpr std::size_t kMostBoxes = 500;
 
 /// So many boxes are filled, too: more would hide the mesh.
 constexpr std::size_t kMostFilled = 40;
 constexpr std::size_t kBoxColours = 4;
 
-/// Pixels of a picture's side.
-constexpr std::int64_t kPictureSide = 480;
+/// An SVG command and the corner that it goes to, of corners_of().
+struct Stroke {
+  char command;
+  unsigned corner;
+};
+constexpr std::array<Stroke, 12> kBoxPath = {{{'M', 0},
+                                              {'l', 2},
+                                              {'l', 3},
+                                              {'l', 7},
+                                              {'l', 5},
+                                              {'l', 4},
+                                              {'l', 0},
+                                              {'m', 3},
+                                              {'l', 1},
+                                              {'l', 0},
+                                              {'m', 1},
+                                              {'l', 5}}};
 
-/// "12-3": a minus sign separates, too.
-std::string numbers(std::int64_t x, std::int64_t y) {
-  return concat(x, (y < 0 ? "" : " "), y);
+/// Of eight corners; bits of the index are set where x and y are high and z is low.
+std::vector<LatticePoint> corners_of(const NodeBox& box) {
+  std::vector<LatticePoint> points;
+  for (unsigned i = 0; i < 8; ++i) {
+    points.push_back({(i & 1 ? box.upper : box.lower)[0], (i & 2 ? box.upper : box.lower)[1],
+                      (i & 4 ? box.lower : box.upper)[2]});
+  }
+  return points;
 }
 
-std::string line(const Projected& way, bool back = false) {
-  return back ? "l" + numbers(-way.x, -way.y) : "l" + numbers(way.x, way.y);
-}
-
-/// The outline and the three edges that end in the corner in front: low x and y and high z come
-/// first, where the corner in front is high x, low y, high z.
-std::string solid(const Projected& start, const Projected& x, const Projected& y,
-                  const Projected& z) {
-  // The inner edges run the way of the outline, so that what they enclose stays filled.
-  return "M" + numbers(start.x, start.y) + line(y) + line(x) + line(z, true) + line(y, true) +
-         line(x, true) + "zm" + numbers(x.x + y.x, x.y + y.y) + line(y, true) + line(x, true) +
-         "m" + numbers(x.x, x.y) + line(z, true);
-}
-
-std::string path_of(const Bounds& box, const Projection& projection) {
-  const Projected x = projection.rotate({box.upper[0] - box.lower[0], 0, 0});
-  const Projected y = projection.rotate({0, box.upper[1] - box.lower[1], 0});
-  const Projected z = projection.rotate({0, 0, box.upper[2] - box.lower[2]});
-  return solid(projection.project({box.lower[0], box.lower[1], box.upper[2]}), x, y, z);
+/// The outline and the three edges that end in the corner in front. All run the same way round, so
+/// that what they enclose stays filled.
+std::string path_of(const NodeBox& box, const Frame& frame) {
+  const std::vector<LatticePoint> corners = corners_of(box);
+  std::string path;
+  Vector at{};
+  for (const auto& [command, corner] : kBoxPath) {
+    const Vector next = frame.project(corners[corner]);
+    path += command + step(at, next);
+    at = next;
+  }
+  return path;
 }
 
 /// A group of SVG paths; the style shows it by its level.
-std::string box_lines(const Subject& subject, std::size_t level, const View& view,
-                      const Frame& frame) {
+std::string box_lines(const Subject& subject, std::size_t level, const Frame& frame) {
   const std::vector<NodeBox>& boxes = subject.levels[level];
-  const Projection projection(view, frame, kDrawingSide);
   const std::size_t step = (boxes.size() + kMostBoxes - 1) / kMostBoxes;
   std::array<std::string, kBoxColours> paths;
   for (std::size_t i = 0; i < boxes.size(); i += step) {
-    paths[i / step % kBoxColours] += path_of(boxes[i].box, projection);
+    paths[i / step % kBoxColours] += path_of(boxes[i], frame);
   }
   std::string svg =
       concat("<g class=\"L L", level, (boxes.size() <= kMostFilled ? " F" : ""), "\">");
@@ -87,30 +98,16 @@ std::string level_note(const std::vector<NodeBox>& boxes, std::size_t level) {
       (step == 1 ? "" : concat("; one in ", step, " is drawn")), ".</span>\n");
 }
 
-Scene scene_of(const Subject& subject) {
-  Scene scene;
-  for (const Triangle& triangle : subject.triangles) {
-    if (triangle.paint == kNoArea) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        scene.lines.push_back({{triangle.corner[i], triangle.corner[(i + 1) % 3]}, kNoArea});
-      }
-    } else {
-      scene.faces.push_back({triangle.corner, triangle.paint});
-    }
-  }
-  // The first line at a place is seen.
-  scene.lines.insert(scene.lines.end(), subject.marked_edges.begin(), subject.marked_edges.end());
-  return scene;
-}
-
-std::string drawing(const Subject& subject, const Scene& scene, const View& view,
-                    const Frame& frame) {
+std::string view_of(const Subject& subject, const Frame& frame) {
+  Faces faces(subject.triangles.begin(), subject.triangles.end());
+  faces.insert(faces.end(), subject.marked_edges.begin(), subject.marked_edges.end());
   std::string lines;
   for (std::size_t level = 0; level < subject.levels.size(); ++level) {
-    lines += box_lines(subject, level, view, frame);
+    lines += box_lines(subject, level, frame);
   }
-  return figure(draw(scene, view, frame, kPictureSide), view, frame, measure_of(subject.image),
-                escaped(subject.name) + ", " + view.name, lines, concat("<b>", view.name, "</b>"));
+  const char* const name = frame.view.name;
+  return figure(faces, frame, measure_of(subject.image), escaped(subject.name) + ", " + name, lines,
+                concat("<b>", name, "</b>"));
 }
 
 }  // namespace
@@ -126,10 +123,16 @@ std::string pictures(const Subject& subject) {
     html += level_note(subject.levels[level], level);
   }
   html += "</p>\n<div class=views>\n";
-  const Scene scene = scene_of(subject);
-  const Frame frame = frame_of(subject.bounds.corners(), views());
+  const NodeBox& root = subject.levels[0][0];
+  std::vector<Frame> frames;
+  std::int64_t across = 0;
   for (const View& view : views()) {
-    html += drawing(subject, scene, view, frame);
+    frames.emplace_back(view, corners_of(root));
+    across = std::max(across, frames.back().across);
+  }
+  for (Frame& frame : frames) {
+    frame.across = across;
+    html += view_of(subject, frame);
   }
   return html + "</div></fieldset>\n";
 }

@@ -14,8 +14,7 @@ inline constexpr const char* kColours = R"(:root{color-scheme:light dark;
 --ground:#0d1117;--paper:#161b22;--text:#e6edf3;--soft:#a3adb8;--line:#30363d;--accent:#79b8ff;
 --good:#6fd08c;--bad:#f0a45d;--leaf:#58a6ff;--inner:#66788c;--hot:240,120,50;
 --p0:#58a6ff;--p1:#f0883e;--p2:#4ac78a;--p3:#c89bf0;--p4:#9da5b0;
---k0:#58a6ff;--k1:#ff9d5c;--k2:#4ade93;--k3:#e29bff}
-image{filter:brightness(.8)}}
+--k0:#58a6ff;--k1:#ff9d5c;--k2:#4ade93;--k3:#e29bff}}
 )";
 
 inline constexpr const char* kText = R"(*{box-sizing:border-box}
@@ -104,9 +103,10 @@ figure svg{display:block;width:100%;height:auto;border:1px solid var(--line);bor
 background:var(--ground)}
 figcaption{color:var(--soft);font-size:.875rem;line-height:1.4;padding-top:5px}
 figcaption b{color:var(--text)}summary{cursor:pointer;width:max-content}
-svg text{font-size:62px;fill:var(--soft);text-anchor:middle;dominant-baseline:central}
-@media (min-width:760px){.contacts text{font-size:44px}}
+svg text{font-size:39px;fill:var(--soft);text-anchor:middle;dominant-baseline:central}
+@media (min-width:760px){.contacts text{font-size:28px}}
 path,circle{fill:none;stroke-width:1.3px;stroke-linejoin:round;vector-effect:non-scaling-stroke}
+.faces path{stroke-width:.8px}
 .axis{stroke:var(--soft)}circle{stroke:var(--accent);stroke-width:2px;stroke-dasharray:6 4}
 .k0{stroke:var(--k0)}.k1{stroke:var(--k1)}.k2{stroke:var(--k2)}.k3{stroke:var(--k3)}
 .F path{fill-opacity:.09;stroke-width:1.7px}

@@ -32,7 +32,8 @@ void mark_edges(Subject& subject, const std::vector<OddEdge>& edges, EdgeDefect 
   std::size_t count = 0;
   for (const auto& [vertices, found] : edges) {
     if (found == defect) {
-      subject.marked_edges.push_back({{points[vertices[0]], points[vertices[1]]}, paint});
+      const LatticePoint& to = points[vertices[1]];
+      subject.marked_edges.push_back({{points[vertices[0]], to, to}, paint});
       ++count;
     }
   }
@@ -66,8 +67,8 @@ std::vector<std::vector<NodeBox>> boxes_by_level(const AnyTree& any) {
           levels.resize(std::max<std::size_t>(levels.size(), tree.level(i) + std::size_t{1}));
           const detail::Box box = detail::unpack(tree.nodes[i].box);
           levels[tree.level(i)].push_back(
-              {{{o[0] + box.lower.x, o[1] + box.lower.y, o[2] + box.lower.z},
-                {o[0] + box.upper.x, o[1] + box.upper.y, o[2] + box.upper.z}},
+              {{o[0] + box.lower.x, o[1] + box.lower.y, o[2] + box.lower.z},
+               {o[0] + box.upper.x, o[1] + box.upper.y, o[2] + box.upper.z},
                tree.nodes[i].is_leaf()});
         }
       },
@@ -85,13 +86,14 @@ Subject::Subject(const ImageFile& file, std::size_t place, std::string unique_na
       levels(boxes_by_level(file.tree())) {
   const std::vector<LatticePoint> points = vertices_of(file.tree());
   const std::vector<SourceTriangle> sources = source_triangles(file);
-  bounds = levels[0][0].box;
+  const bake::LatticeMesh mesh = mesh_of(file, sources);
+  const bool solid = is_solid(mesh);
   for (const SourceTriangle& source : sources) {
     const auto& [p, q, r] = source.vertices;
-    triangles.push_back({{{points[p], points[q], points[r]}, kFirstMesh}, source});
+    triangles.push_back({{{points[p], points[q], points[r]}, kFirstMesh, solid}, source});
   }
   left_out = sources.back().number + std::size_t{1} - sources.size();
-  mark_defects(*this, mesh_of(file, sources));
+  mark_defects(*this, mesh);
 }
 
 std::vector<std::string> unique_names(const std::vector<std::string>& paths) {

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "image/image_file.hpp"
-#include "report/raster.hpp"
+#include "report/drawing.hpp"
 
 namespace flashbvh::tool {
 
-/// A box of the tree and whether it is a leaf's.
+/// A box of the tree in cells of the mesh's frame, and whether it is a leaf's.
 struct NodeBox {
-  Bounds box;
+  LatticePoint lower;
+  LatticePoint upper;
   bool is_leaf;
 };
 
@@ -35,10 +36,9 @@ struct Subject {
   std::size_t number;
   std::string name;
   std::uint64_t flash;              ///< bytes that its C++ arrays link
-  Bounds bounds;                    ///< in cells of the mesh's frame
   std::vector<Triangle> triangles;  ///< painted by what is odd about them
-  std::vector<Line> marked_edges;
-  std::vector<std::vector<NodeBox>> levels;  ///< from the root on
+  std::vector<Face> marked_edges;
+  std::vector<std::vector<NodeBox>> levels;  ///< from the root on, which holds all
   std::vector<Warning> warnings;
   std::size_t left_out;  ///< triangles that `bake` was told to drop, but for the last ones
 };

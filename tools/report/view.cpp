@@ -1,58 +1,27 @@
 #include "report/view.hpp"
 
 #include <algorithm>
-#include <utility>
+
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
-namespace {
-
-/// To the nearest; `divisor` is positive.
-std::int64_t rounded_quotient(std::int64_t value, std::int64_t divisor) {
-  const std::int64_t twice = 2 * value + divisor;
-  const std::int64_t quotient = twice / (2 * divisor);
-  return twice < 0 && twice % (2 * divisor) != 0 ? quotient - 1 : quotient;
-}
-
-struct Range {
-  std::int64_t low;
-  std::int64_t high;
-};
-
-/// What points take up along a direction.
-Range range_along(const Vector& direction, const std::vector<LatticePoint>& points) {
-  Range range = {INT64_MAX, INT64_MIN};
-  for (const LatticePoint& point : points) {
-    const std::int64_t place = dot(direction, point);
-    range = {std::min(range.low, place), std::max(range.high, place)};
-  }
-  return range;
-}
-
-}  // namespace
 
 std::int64_t dot(const Vector& u, const Vector& v) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-std::vector<LatticePoint> Bounds::corners() const {
-  std::vector<LatticePoint> points(8, lower);
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      points[corner][axis] = (corner >> axis & 1) != 0 ? upper[axis] : lower[axis];
+std::int64_t square_root(std::int64_t value) {
+  std::int64_t root = 0;  // below 2^31
+  for (std::int64_t bit = std::int64_t{1} << 30; bit != 0; bit >>= 1) {
+    if ((root + bit) * (root + bit) <= value) {
+      root += bit;
     }
   }
-  return points;
+  return root;
 }
 
-Bounds bounds_of(const std::vector<LatticePoint>& points) {
-  Bounds bounds = {points[0], points[0]};
-  for (const LatticePoint& point : points) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      bounds.lower[axis] = std::min(bounds.lower[axis], point[axis]);
-      bounds.upper[axis] = std::max(bounds.upper[axis], point[axis]);
-    }
-  }
-  return bounds;
+Vector difference(const Vector& u, const Vector& v) {
+  return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
 }
 
 const std::array<View, 4>& corner_views() {
@@ -74,42 +43,34 @@ const std::array<View, 4>& views() {
   return all;
 }
 
-Frame frame_of(std::vector<LatticePoint> points, const std::array<View, 4>& views) {
-  std::int64_t extent = View::kUnit;
-  for (const View& view : views) {
-    for (const Vector& direction : {view.right, view.up}) {
-      const Range range = range_along(direction, points);
-      extent = std::max(extent, range.high - range.low);
+Frame::Frame(const View& seen_from, const std::vector<LatticePoint>& points)
+    : view(seen_from), middle(), across(1) {
+  const std::array<const Vector*, 3> directions = {&view.right, &view.up, &view.towards};
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::int64_t low = INT64_MAX;
+    std::int64_t high = INT64_MIN;
+    for (const LatticePoint& point : points) {
+      const std::int64_t along = dot(*directions[i], point);
+      low = std::min(low, along);
+      high = std::max(high, along);
+    }
+    middle[i] = low + (high - low) / 2;
+    if (i < 2) {
+      across = std::max(across, (high - low) * 33 / 32 / View::kUnit + 1);  // room for lines
     }
   }
-  return {std::move(points), extent * 33 / 32 / View::kUnit + 1};
 }
 
-Projection::Projection(const View& view, const Frame& frame, std::int64_t side)
-    : view_(view),
-      origin_(frame.points[0]),
-      side_(side),
-      extent_(View::kUnit * frame.across),
-      left_(0),
-      top_(0) {
-  const Range x = range_along(view.right, frame.points);
-  const Range y = range_along(view.up, frame.points);
-  const std::int64_t middle_x = (x.low + x.high) / 2 - dot(view.right, origin_);
-  const std::int64_t middle_y = (y.low + y.high) / 2 - dot(view.up, origin_);
-  left_ = side / 2 - rounded_quotient(middle_x * side, extent_);
-  top_ = side / 2 + rounded_quotient(middle_y * side, extent_);
+Vector Frame::project(const LatticePoint& point) const {
+  const auto along = [&](const Vector& direction, std::size_t i) {
+    return (dot(direction, point) - middle[i]) * kDrawingSide / (across * View::kUnit);
+  };
+  return {kDrawingSide / 2 + along(view.right, 0), kDrawingSide / 2 - along(view.up, 1),
+          -along(view.towards, 2)};
 }
 
-Projected Projection::project(const LatticePoint& point) const {
-  const Projected way =
-      rotate({point[0] - origin_[0], point[1] - origin_[1], point[2] - origin_[2]});
-  return {left_ + way.x, top_ + way.y, way.depth};
-}
-
-Projected Projection::rotate(const Vector& direction) const {
-  return {rounded_quotient(dot(view_.right, direction) * side_, extent_),
-          rounded_quotient(-dot(view_.up, direction) * side_, extent_),
-          -dot(view_.towards, direction)};
+std::string step(const Vector& from, const Vector& to) {
+  return concat(to[0] - from[0], (to[1] < from[1] ? "" : " "), to[1] - from[1]);
 }
 
 }  // namespace flashbvh::tool

@@ -1,9 +1,10 @@
-// From where a mesh is looked at. All in integers: the same picture on every machine.
+// Points as a viewer sees them. In integers: the same drawing on every machine.
 #ifndef FLASHBVH_TOOLS_REPORT_VIEW_HPP
 #define FLASHBVH_TOOLS_REPORT_VIEW_HPP
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "image/image_file.hpp"
@@ -12,38 +13,23 @@ namespace flashbvh::tool {
 
 using Vector = LatticePoint;
 
+Vector difference(const Vector& u, const Vector& v);
 std::int64_t dot(const Vector& u, const Vector& v);
 
 /// The largest number whose square is not above `value`, 0 to 2^62 - 1.
-inline std::int64_t square_root(std::int64_t value) {
-  std::int64_t root = 0;  // below 2^31
-  for (std::int64_t bit = std::int64_t{1} << 30; bit != 0; bit >>= 1) {
-    if ((root + bit) * (root + bit) <= value) {
-      root += bit;
-    }
-  }
-  return root;
-}
+std::int64_t square_root(std::int64_t value);
 
-/// A box along the axes, in cells.
-struct Bounds {
-  LatticePoint lower;
-  LatticePoint upper;
+/// Units of a drawing's side.
+constexpr std::int64_t kDrawingSide = 1000;
 
-  std::vector<LatticePoint> corners() const;
-};
-
-/// Precondition: not empty.
-Bounds bounds_of(const std::vector<LatticePoint>& points);
-
-/// A parallel projection. The three directions are at right angles, each about kUnit long.
+/// A parallel projection. The three directions are at right angles, each kUnit long.
 struct View {
   static constexpr std::int64_t kUnit = 1024;
 
   const char* name;  ///< "From above"
   Vector right;
   Vector up;
-  Vector towards;  ///< from the mesh to who looks at it
+  Vector towards;  ///< from the mesh to the viewer
 };
 
 /// From a corner, from above, from the front and from the right.
@@ -52,39 +38,21 @@ const std::array<View, 4>& views();
 /// From the four corners above.
 const std::array<View, 4>& corner_views();
 
-/// A place on the picture: `x` to the right, `y` downwards, `depth` away from who looks.
-struct Projected {
-  std::int64_t x;
-  std::int64_t y;
-  std::int64_t depth;
-};
-
-/// What is to be seen, and how large: pictures of one `across` have one scale.
+/// A view of points in the middle of a square drawing.
 struct Frame {
-  std::vector<LatticePoint> points;  ///< the middle of what these take up is that of the picture
-  std::int64_t across;               ///< cells along the picture's side
+  /// Precondition: `points` is not empty.
+  Frame(const View& seen_from, const std::vector<LatticePoint>& points);
+
+  /// To the right, downwards and away from the viewer, in units of the drawing.
+  Vector project(const LatticePoint& point) const;
+
+  const View& view;
+  Vector middle;        ///< along the three directions
+  std::int64_t across;  ///< cells along the drawing's side; frames of one `across` have one scale
 };
 
-/// The points as large as all views allow, with room for lines. Precondition: not empty.
-Frame frame_of(std::vector<LatticePoint> points, const std::array<View, 4>& views);
-
-/// Lays a frame into a square picture.
-class Projection {
- public:
-  Projection(const View& view, const Frame& frame, std::int64_t side);
-
-  Projected project(const LatticePoint& point) const;
-  /// A direction in the picture's measure.
-  Projected rotate(const Vector& direction) const;
-
- private:
-  View view_;
-  LatticePoint origin_;  ///< near what is seen, so that no product is out of range
-  std::int64_t side_;
-  std::int64_t extent_;
-  std::int64_t left_;  ///< of the picture, from the origin
-  std::int64_t top_;
-};
+/// A relative step of a path: "12-3", as a minus sign separates, too.
+std::string step(const Vector& from, const Vector& to);
 
 }  // namespace flashbvh::tool
 
