@@ -11,8 +11,7 @@ def matrix(w, x, y, z):
             2 * (x * z - y * w), 2 * (y * z + x * w), w * w - x * x - y * y + z * z)
 
 
-def main(count, seed, reach):
-    any_of = random.Random(seed)
+def any_poses(count, any_of, reach):
     for n in range(count):
         if n % 4 == 0:
             turned = [1, 0, 0, 0]
@@ -21,8 +20,8 @@ def main(count, seed, reach):
             turned = [any_of.uniform(-1, 1) for _ in range(4)]
         length = sqrt(sum(part * part for part in turned))
         place = [any_of.uniform(-reach, reach) for _ in range(3)]
-        print(*(f"{entry:.17g}" for entry in (*matrix(*(part / length for part in turned)), *place)))
+        yield " ".join(f"{entry:.17g}" for entry in (*matrix(*(part / length for part in turned)), *place))
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]), int(sys.argv[2]), float(sys.argv[3]))
+    print("\n".join(any_poses(int(sys.argv[1]), random.Random(int(sys.argv[2])), float(sys.argv[3]))))
