@@ -1,6 +1,7 @@
-"""cases.py NAME: a test of the host program, a function of bakes.py or queries.py."""
+"""cases.py NAME: a test of the host program, a function of one of these modules."""
 import bakes
 import command_line
+import evaluation
 import queries
 
-command_line.main(bakes, queries)
+command_line.main(bakes, queries, evaluation)
