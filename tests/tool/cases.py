@@ -2,6 +2,8 @@
 import bakes
 import command_line
 import evaluation
+import names
 import queries
+import refusals
 
-command_line.main(bakes, queries, evaluation)
+command_line.main(bakes, queries, evaluation, refusals, names)

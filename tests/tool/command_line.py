@@ -56,13 +56,14 @@ def flashbvh(*arguments, **options):
 
 def refused(what, *arguments):
     """The program must exit with 2 and one line on standard error that holds `what`, print nothing else, and
-    leave no folder or file named out*."""
+    leave no folder or file named out*. Returns the line."""
     said = flashbvh(*arguments, code=2)
     hold(said.warnings.count("\n") == 1, f"not one line: {arguments} ({said.warnings})")
     hold(not said, f"output on stdout: {arguments}")
     hold(said.warnings.startswith("flashbvh: "), said.warnings)
     hold(what in said.warnings, f"no '{what}' in: {said.warnings}")
     hold(not any(Path(".").rglob("out*")), f"something written: {arguments}")
+    return said.warnings
 
 
 def same(a, b, otherwise=""):

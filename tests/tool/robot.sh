@@ -2,7 +2,6 @@
 # A robot from its URDF to C++ that compiles: tables, JSON, the same bytes each time, and what can't be
 # made is refused before anything is written.
 . "$SOURCES/common.sh"
-. "$SOURCES/urdf.sh"
 
 # A base, a shoulder turned by -y with a mesh, a slide, and two fingers of which one follows the
 # other, on a link without geometry.

@@ -2,7 +2,6 @@
 # What `flashbvh robot` believes and says: pairs that no guard looks at, what an SRDF disables, sizes
 # and cells, and what is no robot.
 . "$SOURCES/common.sh"
-. "$SOURCES/urdf.sh"
 
 # says TEXT...: on standard error.
 says() { holds stderr "$@"; }
