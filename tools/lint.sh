@@ -26,14 +26,7 @@ lint() {
   clang-tidy --quiet --config-file=.clang-tidy --checks="$checks" "$text" -- -std=c++17 \
     -Wno-unknown-warning-option -Xclang -analyzer-config -Xclang max-nodes=$steps -Ilib/include -Itools \
     $(printf '%s\n' "$@" | sed 's#/[^/]*$##; s/^/-I/' | sort -u) >"$text.found" || status=1
-  awk -v text="$text:" '
-    FILENAME != found { if (FNR == 1) { source[++n] = FILENAME; before[n] = lines } ++lines; next }
-    at = index($0, text) {
-      split(substr($0, at + length(text)), where, ":")
-      for (i = n; before[i] >= where[1]; --i);
-      $0 = source[i] ":" where[1] - before[i] substr($0, at + length(text where[1]))
-    }
-    { print }' found="$text.found" "$@" "$text.found"
+  python3 tools/lint_places.py "$text" "$@" <"$text.found"
 }
 
 lint lib "" lib/src/*/*.cpp

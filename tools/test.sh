@@ -40,9 +40,13 @@ mkdir -p build/log
 echo formatting configured | xargs -n 1 -P "$(nproc)" tools/test_step.sh
 echo $steps | xargs -n 1 -P "$(nproc)" tools/test_step.sh
 [ -z "$release" ] || tools/release.sh --test
-awk -v all="$(($(date +%s) - began))" '
-  BEGIN { print "\nminutes  computing  step" }
-  { printf "%7.1f  %9.1f  %s\n", $1 / 60, $2 / 60, $3; computed += $2 }
-  END {
-    printf "%7.1f  %9.1f  in all, on '"$(nproc)"' cores\n\n== All tests passed\n", all / 60, computed / 60
-  }' build/log/seconds
+python3 - "$(($(date +%s) - began))" "$(nproc)" <<'PYTHON'
+import sys
+steps = [line.split() for line in open("build/log/seconds")]
+row = "{:7.1f}  {:9.1f}  {}".format
+print("\nminutes  computing  step")
+for took, computed, name in steps:
+    print(row(float(took) / 60, float(computed) / 60, name))
+print(row(int(sys.argv[1]) / 60, sum(float(step[1]) for step in steps) / 60, f"in all, on {sys.argv[2]} cores"))
+print("\n== All tests passed")
+PYTHON
