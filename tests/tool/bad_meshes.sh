@@ -92,7 +92,7 @@ refused "too large for a cell of 1e-04" bake meshes/ring.stl -o out --cell 0.000
 cell=$(sed 's/.*--cell //' stderr)
 "$FLASHBVH" bake meshes/ring.stl -o fitting --cell "$cell" >/dev/null
 
-# Too many for 16 bits: the message names the mend, and the mend works (--index-bits 32: large.sh).
+# Too many for 16 bits: the message names the mend, and the mend works (--index-bits 32: large() in bakes.py).
 refused "many_nodes.stl: 79999 nodes, but 16-bit indices reach 65535; use a larger --leaf-size" \
   bake meshes/many_nodes.stl -o out --leaf-size 1 --builder median
 ! thorough || refused "many_nodes.stl: 79999 nodes" \
