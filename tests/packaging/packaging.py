@@ -15,7 +15,7 @@ HERE = Path(__file__).resolve().parent
 GENERATORS = "Ninja", "Unix Makefiles"
 # No package but the compiler's: what these options forbid is looked for by nobody.
 BARE = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=TRUE" for name in
-        ("assimp", "CLI11", "nlohmann_json", "Catch2", "urdfdom", "ZLIB")]
+        ("assimp", "CLI11", "nlohmann_json", "Catch2", "urdfdom")]
 IN_SOURCES = ["-DWAY=add_subdirectory", f"-DFLASHBVH_ROOT={ROOT}"]
 WITH_TOOL = [*IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={FLASHBVH}"]
 log = ""
@@ -305,8 +305,8 @@ def machine_target():
 
 
 def runtime_only():
-    """Firmware that links arrays baked before needs neither the tool nor assimp, CLI11, nlohmann_json, urdfdom,
-    zlib or Catch2, whichever way it gets the library."""
+    """Firmware that links arrays baked before needs neither the tool nor assimp, CLI11, nlohmann_json, urdfdom
+    or Catch2, whichever way it gets the library."""
     hold(run(FLASHBVH, "bake", "firmware/plate.obj", "firmware/peg.obj", "-o", "baked", "--format", "cpp"), "bake")
     install_library()
     hold(not Path("prefix/bin").exists(), "a program was installed")
