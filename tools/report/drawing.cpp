@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -257,17 +256,21 @@ std::vector<LatticePoint> marked_corners(const Faces& faces) {
 
 Frame frame_of_marks(const Faces& faces) {
   const std::vector<LatticePoint> points = points_of(faces);
-  std::optional<Frame> best;
+  View view = views()[0];
+  Frame best(view, points);
   std::ptrdiff_t fewest = PTRDIFF_MAX;
-  for (const View& view : corner_views()) {
+  for (int quarter = 0; quarter < 4; ++quarter) {
     const Frame frame(view, points);
     const std::ptrdiff_t covers = covers_of_marks(flattened(faces, frame));
     if (covers < fewest) {
       fewest = covers;
-      best.emplace(frame);
+      best = frame;
+    }
+    for (Vector* const v : {&view.right, &view.up, &view.towards}) {
+      *v = {-(*v)[1], (*v)[0], (*v)[2]};
     }
   }
-  return *best;
+  return best;
 }
 
 std::string drawing(Faces faces, const Frame& frame) {

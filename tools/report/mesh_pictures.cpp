@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/figure.hpp"
@@ -19,23 +20,10 @@ constexpr std::size_t kMostBoxes = 500;
 constexpr std::size_t kMostFilled = 40;
 constexpr std::size_t kBoxColours = 4;
 
-/// An SVG command and the corner that it goes to, of corners_of().
-struct Stroke {
-  char command;
-  unsigned corner;
-};
-constexpr std::array<Stroke, 12> kBoxPath = {{{'M', 0},
-                                              {'l', 2},
-                                              {'l', 3},
-                                              {'l', 7},
-                                              {'l', 5},
-                                              {'l', 4},
-                                              {'l', 0},
-                                              {'m', 3},
-                                              {'l', 1},
-                                              {'l', 0},
-                                              {'m', 1},
-                                              {'l', 5}}};
+/// SVG commands and the corners that they go to, of corners_of(): the outline and the three edges
+/// that end in the corner in front. All run the same way round, so that what they enclose is
+/// filled.
+constexpr std::string_view kBoxPath = "M0l2l3l7l5l4l0m3l1l0m1l5";
 
 /// Of eight corners; bits of the index are set where x and y are high and z is low.
 std::vector<LatticePoint> corners_of(const NodeBox& box) {
@@ -47,15 +35,13 @@ std::vector<LatticePoint> corners_of(const NodeBox& box) {
   return points;
 }
 
-/// The outline and the three edges that end in the corner in front. All run the same way round, so
-/// that what they enclose stays filled.
 std::string path_of(const NodeBox& box, const Frame& frame) {
   const std::vector<LatticePoint> corners = corners_of(box);
   std::string path;
   Vector at{};
-  for (const auto& [command, corner] : kBoxPath) {
-    const Vector next = frame.project(corners[corner]);
-    path += command + step(at, next);
+  for (std::size_t i = 0; i < kBoxPath.size(); i += 2) {
+    const Vector next = frame.project(corners[static_cast<std::size_t>(kBoxPath[i + 1] - '0')]);
+    path += kBoxPath[i] + step(at, next);
     at = next;
   }
   return path;

@@ -24,19 +24,10 @@ Vector difference(const Vector& u, const Vector& v) {
   return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
 }
 
-const std::array<View, 4>& corner_views() {
+const std::array<View, 4>& views() {
   // 1,024 times 1 / sqrt(2), 1 / sqrt(6), 2 / sqrt(6) and 1 / sqrt(3).
   static const std::array<View, 4> all = {
       {{"From a corner", {724, 724, 0}, {-418, 418, 836}, {591, -591, 591}},
-       {"From a corner", {-724, 724, 0}, {-418, -418, 836}, {591, 591, 591}},
-       {"From a corner", {-724, -724, 0}, {418, -418, 836}, {-591, 591, 591}},
-       {"From a corner", {724, -724, 0}, {418, 418, 836}, {-591, -591, 591}}}};
-  return all;
-}
-
-const std::array<View, 4>& views() {
-  static const std::array<View, 4> all = {
-      {corner_views()[0],
        {"From above", {1024, 0, 0}, {0, 1024, 0}, {0, 0, 1024}},
        {"From the front", {1024, 0, 0}, {0, 0, 1024}, {0, -1024, 0}},
        {"From the right", {0, 1024, 0}, {0, 0, 1024}, {1024, 0, 0}}}};

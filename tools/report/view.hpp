@@ -35,9 +35,6 @@ struct View {
 /// From a corner, from above, from the front and from the right.
 const std::array<View, 4>& views();
 
-/// From the four corners above.
-const std::array<View, 4>& corner_views();
-
 /// A view of points in the middle of a square drawing.
 struct Frame {
   /// Precondition: `points` is not empty.
@@ -46,7 +43,7 @@ struct Frame {
   /// To the right, downwards and away from the viewer, in units of the drawing.
   Vector project(const LatticePoint& point) const;
 
-  const View& view;
+  View view;
   Vector middle;        ///< along the three directions
   std::int64_t across;  ///< cells along the drawing's side; frames of one `across` have one scale
 };
