@@ -275,7 +275,8 @@ Frame frame_of_marks(const Faces& faces) {
 
 std::string drawing(Faces faces, const Frame& frame) {
   std::vector<Flat> seen = flattened(faces, frame);
-  for (std::int64_t cell = frame.across / 400 + 1; seen.size() > kMostSeen; cell += cell / 4 + 1) {
+  for (std::int64_t cell = frame.across / 400 + 1; seen.size() > kMostSeen;
+       cell += seen.size() > 4 * kMostSeen ? cell : cell / 4 + 1) {
     faces = merged(std::move(faces), cell);
     seen = flattened(faces, frame);
   }
