@@ -1,5 +1,5 @@
 #!/bin/sh
-# prove.sh               Checks every proof in tests/proof (lib/docs/proofs.md says what they say): Coq,
+# prove.sh               Checks every proof in proofs (lib/docs/proofs.md says what they say): Coq,
 #                        gappa and cvc5, on the constants and the lines that lib has today. No axiom, no
 #                        proof left out.
 # prove.sh --mutations   Then changes definitions and constants one at a time: each must be refused.
@@ -17,5 +17,5 @@ ensure_packages python3 $proof_packages
 out=$PWD/build/proof
 rm -rf "$out"
 mkdir -p "$out"
-tests/proof/check.sh lib "$out"
-[ "${1:-}" != --mutations ] || tests/proof/mutations.sh "$out"
+proofs/check.sh lib "$out"
+[ "${1:-}" != --mutations ] || proofs/mutations.sh "$out"

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "bake/image_bytes.hpp"
-#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "insn.hpp"
 #include "stack.hpp"

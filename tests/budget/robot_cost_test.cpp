@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bake/image_bytes.hpp"
-#include "flashbvh/detail/robot_image_parts.hpp"
+#include "flashbvh/detail/robot/image_parts.hpp"
 #include "insn.hpp"
 #include "support/torus.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "bake/baked_tree.hpp"
-#include "flashbvh/detail/box_rotated.hpp"
+#include "flashbvh/detail/bounds/box_rotated.hpp"
 #include "flashbvh/query.hpp"
 #include "insn.hpp"
 #include "support/rotations.hpp"

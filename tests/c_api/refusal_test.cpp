@@ -7,7 +7,7 @@
 
 #include "bake/image_bytes.hpp"
 #include "c_api/queries.h"
-#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "support/shapes.hpp"
 

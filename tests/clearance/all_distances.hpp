@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "flashbvh/detail/triangle_distance.hpp"
+#include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
 #include "support/pairs_of_triangles.hpp"

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "clearance/distance_oracle.hpp"
-#include "flashbvh/detail/triangle.hpp"
-#include "flashbvh/detail/triangle_distance.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "support/random.hpp"
 
 using namespace flashbvh;

@@ -55,8 +55,8 @@ def main(work):
     work.mkdir(parents=True, exist_ok=True)
     whole = one_source(work / "all.cpp", "lib/src/*/*.cpp")
     # What the digest is of.
-    needed = one_source(work / "needed.cpp", "lib/src/box/*.cpp", "lib/src/geometry/*.cpp", "lib/src/image/*.cpp",
-                        "lib/src/query/[!s]*.cpp", "lib/src/query/solid.cpp")
+    needed = one_source(work / "needed.cpp", "lib/src/[blpw]*/*.cpp", "lib/src/query/[!ds]*.cpp",
+                        "lib/src/query/solid.cpp")
     answers = []
     for emulator, *command in ways():
         program = work / f"digest_{len(answers)}"

@@ -2,7 +2,7 @@
 
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/contact.hpp"
-#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/query.hpp"
 #include "flashbvh/ray.hpp"

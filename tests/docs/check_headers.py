@@ -1,6 +1,6 @@
 """check_headers.py WORK: doxygen reads the public headers' comments without a warning. Every type and every
 function has one; fields, constants and aliases may speak for themselves, and so may what an order of paper/
-has, which is what detail/walk.hpp asks of it."""
+has, which is what detail/walk/walk.hpp asks of it."""
 import re
 import shutil
 import subprocess

@@ -25,8 +25,8 @@ HERE = Path(__file__).resolve().parent
 DATA = HERE / "figures.txt"
 ROOT = HERE.parents[1]
 PAGES = ROOT / "lib/docs"
-SHIPPED = ROOT / "tests/proof/bound/shipped.py"
-COSTS = ROOT / "lib/include/flashbvh/detail/run_costs.hpp"
+SHIPPED = ROOT / "proofs/time/shipped.py"
+COSTS = ROOT / "lib/include/flashbvh/detail/walk/run_costs.hpp"
 SLACK = 2  # percent
 
 

@@ -1,6 +1,6 @@
 #include "measure.hpp"
 
-#include "flashbvh/detail/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
 #include "insn.hpp"
 
 using namespace flashbvh;

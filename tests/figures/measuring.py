@@ -11,7 +11,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build"
 FOLDER = BUILD / "figures"
-# What measures: the figures, the memory (tests/proof/stack) and the bounds (tests/proof/bound).
+# What measures: the figures, the memory (proofs/stack) and the bounds (proofs/time).
 TESTS = "figures: measured|memory, and both stacks|bound: no run takes more"
 # Each pair of links that no joint connects, of those that fit 256 KB together.
 LINKS = "bicep", "forearm", "palm", "wrist"

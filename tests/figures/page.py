@@ -17,7 +17,7 @@ from pathlib import Path
 
 from markdown import table
 
-sys.path.append(str(Path(__file__).resolve().parents[1] / "proof/bound"))
+sys.path.append(str(Path(__file__).resolve().parents[2] / "proofs/time"))
 from formula import most_instructions  # noqa: E402
 
 CLASSES = "separated", "small", "close", "intersecting"

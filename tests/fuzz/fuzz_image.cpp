@@ -4,7 +4,7 @@
 // size and checksum are mended first, which no chance would bring about.
 #include <vector>
 
-#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "fuzz/any_pose.hpp"
 #include "golden/exercise.hpp"

@@ -6,8 +6,8 @@
 // hash, cells, and what pairs say of the joints between their links.
 #include <vector>
 
-#include "flashbvh/detail/image_parts.hpp"
-#include "flashbvh/detail/robot_image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/detail/robot/image_parts.hpp"
 #include "fuzz/fuzz.hpp"
 #include "golden/exercise.hpp"
 #include "robot/exercise_robot.hpp"

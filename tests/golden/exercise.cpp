@@ -3,7 +3,7 @@
 #include <cstring>
 #include <memory>
 
-#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "golden/golden.hpp"
 #include "support/any_query.hpp"

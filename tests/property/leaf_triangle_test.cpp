@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "flashbvh/detail/leaf_triangles.hpp"
-#include "flashbvh/detail/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
+#include "flashbvh/detail/query/leaf_triangles.hpp"
 #include "support/random.hpp"
 #include "support/rotations.hpp"
 #include "support/triangle_pairs.hpp"

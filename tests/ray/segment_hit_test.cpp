@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "geometry/segment_hit.hpp"
+#include "predicates/segment_hit.hpp"
 #include "ray/segment_oracle.hpp"
 #include "support/random.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "flashbvh/detail/robot_chart.hpp"
+#include "flashbvh/detail/robot/chart.hpp"
 #include "robot/guarded_arm.hpp"
 
 using namespace flashbvh;

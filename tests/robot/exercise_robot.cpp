@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "flashbvh/detail/image_parts.hpp"
-#include "flashbvh/detail/robot_image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/detail/robot/image_parts.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/motion.hpp"
 

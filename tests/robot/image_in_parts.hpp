@@ -2,7 +2,7 @@
 #ifndef FLASHBVH_TESTS_ROBOT_IMAGE_IN_PARTS_HPP
 #define FLASHBVH_TESTS_ROBOT_IMAGE_IN_PARTS_HPP
 
-#include "flashbvh/detail/robot_image_parts.hpp"
+#include "flashbvh/detail/robot/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "golden/exercise.hpp"
 #include "robot/arm_images.hpp"

@@ -3,7 +3,7 @@
 #include <initializer_list>
 
 #include "flashbvh/contact.hpp"
-#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "small_tree/scene.hpp"
 #include "support/same_triangle.hpp"

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/box_packed.hpp"
+#include "flashbvh/detail/lattice/box_packed.hpp"
 #include "support/random.hpp"
 
 namespace flashbvh::test {

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/transform.hpp"
+#include "flashbvh/detail/bounds/transform.hpp"
 
 namespace flashbvh::test {
 

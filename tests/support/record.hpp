@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bake/baked_tree.hpp"
-#include "flashbvh/detail/box.hpp"
+#include "flashbvh/detail/bounds/box.hpp"
 #include "support/at_roots.hpp"
 #include "support/walk.hpp"
 

@@ -2,7 +2,7 @@
 #ifndef FLASHBVH_TESTS_SUPPORT_SAME_TRIANGLE_HPP
 #define FLASHBVH_TESTS_SUPPORT_SAME_TRIANGLE_HPP
 
-#include "flashbvh/detail/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
 
 namespace flashbvh::test {
 

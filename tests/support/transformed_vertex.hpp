@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
 #include "support/random.hpp"
 
 namespace flashbvh::test {

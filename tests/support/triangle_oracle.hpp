@@ -21,7 +21,7 @@
 
 #include <initializer_list>
 
-#include "flashbvh/detail/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
 
 namespace flashbvh::test {
 

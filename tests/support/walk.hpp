@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/walk.hpp"
+#include "flashbvh/detail/walk/walk.hpp"
 
 namespace flashbvh::test {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "flashbvh/detail/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
 
 namespace {
 

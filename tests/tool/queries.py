@@ -202,7 +202,7 @@ def contacts():
     hold(number("work", "most") == bound["poses_most_work"] and number("work", "mean") == bound["poses_mean_work"],
          f"{said}{bound}")
     # With one triangle a leaf and two children a node little is added to the constants.
-    costs = Path(os.environ["INCLUDE"], "flashbvh/detail/run_costs.hpp").read_text()
+    costs = Path(os.environ["INCLUDE"], "flashbvh/detail/walk/run_costs.hpp").read_text()
     least = int(re.search(r"^constexpr RunCosts kCortexM4F = .* (\d+)};", costs, re.M)[1])
     work = number("work", "most")
     hold(work * least < number("Cortex-M4F", "most") < work * (least + 12) + 20000, said)

@@ -101,7 +101,7 @@ holds page.html 'All 2 pairs' '1 pair is not asked about: no poses' 'takes at mo
 # check_instructions NAME CONSTANT HZ MHZ
 check_instructions() {
   cards --core "$1" --hz "$3" --mhz "$4"
-  sed -n "s/.*$2 = {\(.*\)};/\1/p" "$INCLUDE/flashbvh/detail/run_costs.hpp" | tr -d , >costs
+  sed -n "s/.*$2 = {\(.*\)};/\1/p" "$INCLUDE/flashbvh/detail/walk/run_costs.hpp" | tr -d , >costs
   awk -v period="$(awk "BEGIN { print int($4 * 1000000 / $3) }")" -v depths="$(of depths)" \
     -v siblings="$(of later_siblings)" -v leaf="$(of leaf_size)" '
     function up(x) { return x == int(x) ? x : int(x) + 1 }
@@ -131,7 +131,7 @@ if thorough; then
 fi
 check_instructions rv32imac kRV32IMAC 3.5 108.5
 # Every core that has constants can be chosen.
-sed -n 's/^constexpr RunCosts k\([^ ]*\) .*/\1/p' "$INCLUDE/flashbvh/detail/run_costs.hpp" >cores
+sed -n 's/^constexpr RunCosts k\([^ ]*\) .*/\1/p' "$INCLUDE/flashbvh/detail/walk/run_costs.hpp" >cores
 while read -r core; do
   "$FLASHBVH" report --help | tr -d - | grep -q "[{,]$core[,}]" || fail "no core $core"
 done <cores

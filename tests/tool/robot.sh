@@ -99,8 +99,8 @@ int main() {
 CPP
 lib=$INCLUDE/../src
 "$CXX" -std=c++17 -Wall -Wextra -Werror -I"$INCLUDE" -Ifirst open.cpp first/two_fingers.robot.cpp \
-  "$lib"/image/*.cpp "$lib"/robot/chart.cpp "$lib"/robot/image.cpp "$lib"/robot/robot_check.cpp "$lib"/robot/spheres.cpp \
-  "$lib"/geometry/*.cpp -o open || fail "does not compile"
+  "$lib"/lattice/*.cpp "$lib"/robot/chart.cpp "$lib"/robot/image.cpp "$lib"/robot/robot_check.cpp "$lib"/robot/spheres.cpp \
+  "$lib"/predicates/*.cpp "$lib"/bounds/*.cpp -o open || fail "does not compile"
 [ "$(./open)" = "good wrist upper-arm" ] || fail "$(./open)"
 
 # What is in it.

@@ -3,8 +3,8 @@
 
 #include <stdint.h>
 
-#include "box/box_rotated_plain.hpp"
-#include "flashbvh/detail/box_rotated.hpp"
+#include "bounds/box_rotated_plain.hpp"
+#include "flashbvh/detail/bounds/box_rotated.hpp"
 #include "support/box_in_node.hpp"
 #include "support/random.hpp"
 #include "support/rotations.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "flashbvh/detail/box.hpp"
+#include "flashbvh/detail/bounds/box.hpp"
 #include "support/box_in_node.hpp"
 #include "support/random.hpp"
 

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "../support/random.hpp"
-#include "flashbvh/detail/fraction.hpp"
-#include "geometry/long_division.hpp"
+#include "flashbvh/detail/predicates/fraction.hpp"
+#include "predicates/long_division.hpp"
 
 namespace flashbvh::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "bake/image_bytes.hpp"
-#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "heap_guard.hpp"
 #include "support/shapes.hpp"

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "../support/random.hpp"
-#include "flashbvh/detail/triangle_distance.hpp"
+#include "flashbvh/detail/predicates/triangle_distance.hpp"
 
 namespace flashbvh::test {
 namespace {

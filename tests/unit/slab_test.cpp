@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "flashbvh/detail/slab_simd.hpp"
+#include "flashbvh/detail/bounds/slab_simd.hpp"
 #include "support/random.hpp"
 
 using namespace flashbvh;

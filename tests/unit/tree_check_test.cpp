@@ -7,7 +7,7 @@
 #include <set>
 
 #include "bake/baked_tree.hpp"
-#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 
 using namespace flashbvh;

@@ -1,6 +1,6 @@
 // The triangle test against known answers, against its own symmetries and, on the host, against an
 // oracle that proves each answer. FLASHBVH_SEED replays a run.
-#include "flashbvh/detail/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
 
 #include <stddef.h>
 #include <stdint.h>

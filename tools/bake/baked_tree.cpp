@@ -5,7 +5,7 @@
 
 #include "bake/leaf_order.hpp"
 #include "bake/rank.hpp"
-#include "flashbvh/detail/refit.hpp"
+#include "flashbvh/detail/query/refit.hpp"
 
 namespace flashbvh::bake {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "flashbvh/detail/refit.hpp"
+#include "flashbvh/detail/query/refit.hpp"
 
 namespace flashbvh::bake {
 

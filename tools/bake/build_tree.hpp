@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bake/mesh.hpp"
-#include "flashbvh/detail/box.hpp"
+#include "flashbvh/detail/bounds/box.hpp"
 
 namespace flashbvh::bake {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 
 namespace flashbvh::bake {

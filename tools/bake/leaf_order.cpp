@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "flashbvh/detail/slab.hpp"
+#include "flashbvh/detail/bounds/slab.hpp"
 
 namespace flashbvh::bake {
 namespace {

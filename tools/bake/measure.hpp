@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-#include "flashbvh/detail/box.hpp"
+#include "flashbvh/detail/bounds/box.hpp"
 
 namespace flashbvh::bake {
 

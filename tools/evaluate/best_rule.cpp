@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "flashbvh/detail/box.hpp"
+#include "flashbvh/detail/bounds/box.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "flashbvh/detail/triangle_distance.hpp"
+#include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "flashbvh/detail/rotated_transform.hpp"
+#include "flashbvh/detail/bounds/rotated_transform.hpp"
 #include "flashbvh/pose_float.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"

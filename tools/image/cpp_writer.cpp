@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "image/source_text.hpp"
 #include "text/numbers.hpp"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "bake/levels.hpp"
-#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "flashbvh/detail/image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/version.hpp"
 #include "report/figure.hpp"
 #include "report/html.hpp"

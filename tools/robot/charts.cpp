@@ -7,7 +7,7 @@
 #include <memory>
 #include <queue>
 
-#include "flashbvh/detail/robot_chart.hpp"
+#include "flashbvh/detail/robot/chart.hpp"
 #include "robot/matrix.hpp"
 #include "robot/pair_space.hpp"
 #include "robot/reaches.hpp"

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string>
 
-#include "flashbvh/detail/robot_image_parts.hpp"
+#include "flashbvh/detail/robot/image_parts.hpp"
 #include "robot/bake_links.hpp"
 #include "robot/bounding_sphere.hpp"
 #include "robot/kinematics.hpp"

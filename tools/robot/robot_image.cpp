@@ -3,8 +3,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "flashbvh/detail/image_parts.hpp"
-#include "flashbvh/detail/robot_image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/detail/robot/image_parts.hpp"
 #include "robot/xml_file.hpp"
 #include "text/messages.hpp"
 

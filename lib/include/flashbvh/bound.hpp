@@ -8,8 +8,8 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/run_costs.hpp"
-#include "flashbvh/detail/work.hpp"
+#include "flashbvh/detail/walk/run_costs.hpp"
+#include "flashbvh/detail/walk/work.hpp"
 #include "flashbvh/mesh.hpp"
 
 namespace flashbvh {

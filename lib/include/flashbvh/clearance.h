@@ -4,7 +4,7 @@
  * Distances are in 1/256 cell; flashbvh_fine_distance() and flashbvh_length_in_unit() turn them
  * from and into lengths.
  *
- * Stack on Cortex-M3 to M55 at -O2, in bytes (tests/proof/stack proves it): a run 880, a result
+ * Stack on Cortex-M3 to M55 at -O2, in bytes (proofs/stack proves it): a run 880, a result
  * 1,040, nearest points 928, a question in one call 1,216.
  */
 #ifndef FLASHBVH_CLEARANCE_H

@@ -8,7 +8,7 @@
 // What pushes bodies apart is a band: all pairs within d (WithinQuery), each with its distance.
 //
 // Stack on Cortex-M3 to M55 at -O2, in bytes: a run 880, a result 944, distance() 1,120,
-// closer_than() 880 (tests/proof/stack). Budgets of work cut these queries as any other, but what a
+// closer_than() 880 (proofs/stack). Budgets of work cut these queries as any other, but what a
 // unit of it takes is proven of PairQuery alone (bound.hpp): two triangles take more here.
 //
 // Distances are in cells and 1/256 of them; pose_float.hpp and length.hpp turn them into lengths.
@@ -19,7 +19,7 @@
 
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
-#include "flashbvh/detail/nearness.hpp"
+#include "flashbvh/detail/query/nearness.hpp"
 #include "flashbvh/query.hpp"
 
 namespace flashbvh {

@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/transform.hpp"
+#include "flashbvh/detail/bounds/transform.hpp"
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/query.hpp"
 

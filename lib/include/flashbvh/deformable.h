@@ -13,7 +13,7 @@
  * A query that was begun before a refit must not go on after it, nor a position be resumed: keep
  * flashbvh_deformable_refits() beside them and compare. A self query knows by itself.
  *
- * Stack on a Cortex-M4 at -O2 (tests/proof/stack): a refit 176 bytes, a self query's run 504, of
+ * Stack on a Cortex-M4 at -O2 (proofs/stack): a refit 176 bytes, a self query's run 504, of
  * the band 720.
  */
 #ifndef FLASHBVH_DEFORMABLE_H

@@ -17,7 +17,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/refit.hpp"
+#include "flashbvh/detail/query/refit.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/status.hpp"
 #include "flashbvh/step.hpp"

@@ -14,7 +14,7 @@
  * call that makes it. An object made here may be copied by assignment, a query too: the copy goes
  * on by itself.
  *
- * Stack on Cortex-M3 and M4 at -O2, in bytes (tests/proof/stack proves it): to open an image at
+ * Stack on Cortex-M3 and M4 at -O2, in bytes (proofs/stack proves it): to open an image at
  * most 480, a run 592, a question in one call 736, a contact 496, the triangles of a pair 416, a
  * pose 416, a point in the unit 112.
  */
@@ -25,7 +25,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "flashbvh/detail/byte_order.h"
+#include "flashbvh/detail/arch/byte_order.h"
 #include "flashbvh/status.h"
 #include "flashbvh/version.hpp" /* macros alone: C as well as C++ */
 

@@ -30,7 +30,7 @@ constexpr uint32_t kImageMagic = 0x48564246u;  // "FBVH"
 constexpr uint16_t kImageVersion = 2;
 
 /// Largest magnitude of an origin, in cells: the arithmetic of a rotation
-/// (detail/rotated_transform.hpp) rotates origins, too.
+/// (detail/bounds/rotated_transform.hpp) rotates origins, too.
 constexpr int32_t kMaxOrigin = 1 << 29;
 /// Most triangles in a leaf: what one visit can cost, and a pair of leaves counts its pairs of
 /// triangles in 32 bits.

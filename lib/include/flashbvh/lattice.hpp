@@ -12,7 +12,7 @@ namespace flashbvh {
 /// Largest magnitude of a baked coordinate, in cells: 15-bit coordinates in 16-bit fields.
 ///
 /// The spare bit lets the sum of two box bounds stay in 16 bits, so that packed arithmetic neither
-/// wraps nor saturates (detail/box.hpp), and lets a rotated mesh stay inside 16 bits
+/// wraps nor saturates (detail/bounds/box.hpp), and lets a rotated mesh stay inside 16 bits
 /// (16,383 * sqrt(3) = 28,377).
 constexpr int32_t kMaxCoordinate = 16383;
 

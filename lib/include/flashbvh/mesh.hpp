@@ -15,13 +15,13 @@
 //
 // `data` of a leaf has the top bit set and holds the leaf's number, counted in array order. `data`
 // of an internal node holds its rank in the top byte (1 to 126) and its parent's rank in the low
-// byte (127 at the root): see detail/ranked.hpp.
+// byte (127 at the root): see detail/walk/ranked.hpp.
 #ifndef FLASHBVH_MESH_HPP
 #define FLASHBVH_MESH_HPP
 
 #include <stdint.h>
 
-#include "flashbvh/detail/box_packed.hpp"
+#include "flashbvh/detail/lattice/box_packed.hpp"
 #include "flashbvh/lattice.hpp"
 
 namespace flashbvh {

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/split_matrix.hpp"
+#include "flashbvh/detail/lattice/split_matrix.hpp"
 #include "flashbvh/status.hpp"
 
 namespace flashbvh {

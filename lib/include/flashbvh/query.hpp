@@ -15,14 +15,14 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/intersection.hpp"
-#include "flashbvh/detail/leaf_pairs.hpp"
-#include "flashbvh/detail/leaf_shape.hpp"
-#include "flashbvh/detail/leaf_triangles.hpp"
-#include "flashbvh/detail/ranked.hpp"
-#include "flashbvh/detail/transform.hpp"
-#include "flashbvh/detail/triangle_test.hpp"
-#include "flashbvh/detail/walk.hpp"
+#include "flashbvh/detail/bounds/transform.hpp"
+#include "flashbvh/detail/query/intersection.hpp"
+#include "flashbvh/detail/query/leaf_triangles.hpp"
+#include "flashbvh/detail/query/triangle_test.hpp"
+#include "flashbvh/detail/walk/leaf_pairs.hpp"
+#include "flashbvh/detail/walk/leaf_shape.hpp"
+#include "flashbvh/detail/walk/ranked.hpp"
+#include "flashbvh/detail/walk/walk.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
 #include "flashbvh/status.hpp"

@@ -1,7 +1,7 @@
 /* flashbvh for C: what a ray hits. ray.hpp says what a hit is and what a crossing, ray_float.hpp
  * how flashbvh_segment_of() rounds.
  *
- * Stack on Cortex-M3 to M55 at -O2, in bytes (tests/proof/stack proves it): a hit 832, crossings
+ * Stack on Cortex-M3 to M55 at -O2, in bytes (proofs/stack proves it): a hit 832, crossings
  * 528, a segment of floats 352.
  */
 #ifndef FLASHBVH_RAY_H

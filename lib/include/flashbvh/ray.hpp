@@ -20,7 +20,7 @@
 #include <stdint.h>
 
 #include "flashbvh/contact.hpp"
-#include "flashbvh/detail/segment_walk.hpp"
+#include "flashbvh/detail/walk/segment_walk.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/status.hpp"
 

@@ -9,7 +9,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/fraction.hpp"
+#include "flashbvh/detail/predicates/fraction.hpp"
 #include "flashbvh/pose_float.hpp"
 #include "flashbvh/ray.hpp"
 

@@ -7,7 +7,7 @@
 // first in the mesh's array.
 //
 // 128 bytes on a 32-bit core, 136 for the band. Stack of a run on a Cortex-M4 at -O2: 432
-// bytes, 632 for the band (tests/proof/stack).
+// bytes, 632 for the band (proofs/stack).
 #ifndef FLASHBVH_SELF_HPP
 #define FLASHBVH_SELF_HPP
 
@@ -15,8 +15,8 @@
 
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
-#include "flashbvh/detail/self_question.hpp"
-#include "flashbvh/detail/self_ranked.hpp"
+#include "flashbvh/detail/query/self_question.hpp"
+#include "flashbvh/detail/walk/self_ranked.hpp"
 #include "flashbvh/query.hpp"
 
 namespace flashbvh {

@@ -9,7 +9,7 @@
  * on it outlives.
  *
  * Coordinates are cells of the shape's own frame. Stack on Cortex-M3 to M55 at -O2: 352 bytes
- * (tests/proof/stack).
+ * (proofs/stack).
  */
 #ifndef FLASHBVH_SHAPE_H
 #define FLASHBVH_SHAPE_H

@@ -13,8 +13,8 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/fraction.hpp"
-#include "flashbvh/detail/inline.hpp"
+#include "flashbvh/detail/arch/inline.hpp"
+#include "flashbvh/detail/predicates/fraction.hpp"
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/status.hpp"

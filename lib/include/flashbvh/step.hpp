@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/walk_run.hpp"
+#include "flashbvh/detail/walk/walk_run.hpp"
 #include "flashbvh/status.hpp"
 
 namespace flashbvh {

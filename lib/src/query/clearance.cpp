@@ -1,6 +1,6 @@
 // Queries about distance, compiled once.
 #include "flashbvh/clearance.hpp"
-#include "flashbvh/detail/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
 
 namespace flashbvh {
 namespace {

@@ -1,11 +1,11 @@
 // Rays: the walk of a segment, and the questions that are asked on its way.
 #include "flashbvh/ray.hpp"
 
-#include "../geometry/fine_crossing.hpp"
-#include "../geometry/segment_hit.hpp"
-#include "flashbvh/detail/fraction.hpp"
-#include "flashbvh/detail/transform.hpp"
-#include "mesh_frame.hpp"
+#include "../lattice/mesh_frame.hpp"
+#include "../predicates/fine_crossing.hpp"
+#include "../predicates/segment_hit.hpp"
+#include "flashbvh/detail/bounds/transform.hpp"
+#include "flashbvh/detail/predicates/fraction.hpp"
 
 namespace flashbvh {
 namespace detail {

@@ -1,12 +1,12 @@
 // Winding numbers, along z.
 #include "flashbvh/solid.hpp"
 
-#include "../geometry/segment_hit.hpp"
-#include "flashbvh/detail/gap.hpp"
-#include "flashbvh/detail/subtree.hpp"
-#include "flashbvh/detail/transform.hpp"
-#include "flashbvh/detail/triangle.hpp"
-#include "mesh_frame.hpp"
+#include "../lattice/mesh_frame.hpp"
+#include "../predicates/segment_hit.hpp"
+#include "flashbvh/detail/bounds/gap.hpp"
+#include "flashbvh/detail/bounds/transform.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
+#include "flashbvh/detail/walk/subtree.hpp"
 
 namespace flashbvh {
 namespace detail {

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/inline.hpp"
+#include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/robot/robot.hpp"
 
 namespace flashbvh::detail {

@@ -1,4 +1,4 @@
-#include "flashbvh/detail/robot_chart.hpp"
+#include "flashbvh/detail/robot/chart.hpp"
 
 #include "branch.hpp"
 #include "coordinate.hpp"

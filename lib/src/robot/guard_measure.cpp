@@ -1,7 +1,7 @@
 // The guard: measuring pairs whose certificates are about to run out.
 #include "branch.hpp"
 #include "coordinate.hpp"
-#include "flashbvh/detail/robot_chart.hpp"
+#include "flashbvh/detail/robot/chart.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "guard_parts.hpp"
 #include "spheres.hpp"
@@ -18,7 +18,7 @@ namespace {
 /// One by spheres is taken if it lasts so many times longer.
 constexpr uint64_t kWorthwhile = 4;
 
-/// Spheres, and the pose of a pair that is going to be measured, in work (detail/work.hpp).
+/// Spheres, and the pose of a pair that is going to be measured, in work (detail/walk/work.hpp).
 constexpr uint32_t kPoseWork = 16;
 
 /// The distance of two triangles, and what it gives to ask.

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "flashbvh/clearance.hpp"
-#include "flashbvh/detail/image_parts.hpp"
-#include "flashbvh/detail/robot_image_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/detail/robot/image_parts.hpp"
 #include "hash.hpp"
 
 namespace flashbvh {

@@ -14,7 +14,7 @@ constexpr uint8_t kMostLevels = 24;
 
 enum Phase : uint8_t { kNew, kWithin, kIntersects };
 
-/// Kinematics of an interval, its spheres and its pose, in work (detail/work.hpp).
+/// Kinematics of an interval, its spheres and its pose, in work (detail/walk/work.hpp).
 constexpr uint32_t kIntervalWork = 32;
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include "branch.hpp"
 #include "coordinate.hpp"
 #include "flashbvh/clearance.hpp"
-#include "flashbvh/detail/robot_chart.hpp"
-#include "flashbvh/detail/robot_image_parts.hpp"
+#include "flashbvh/detail/robot/chart.hpp"
+#include "flashbvh/detail/robot/image_parts.hpp"
 #include "spheres.hpp"
 
 namespace flashbvh::detail {

@@ -1,7 +1,7 @@
 #include "spheres.hpp"
 
-#include "flashbvh/detail/fraction.hpp"
-#include "flashbvh/detail/triangle_distance.hpp"
+#include "flashbvh/detail/predicates/fraction.hpp"
+#include "flashbvh/detail/predicates/triangle_distance.hpp"
 
 namespace flashbvh::detail {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/walk_run.hpp"
+#include "flashbvh/detail/walk/walk_run.hpp"
 #include "flashbvh/mesh.hpp"
 
 namespace flashbvh {

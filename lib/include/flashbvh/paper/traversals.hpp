@@ -5,7 +5,7 @@
 #ifndef FLASHBVH_PAPER_TRAVERSALS_HPP
 #define FLASHBVH_PAPER_TRAVERSALS_HPP
 
-#include "flashbvh/detail/ranked.hpp"
+#include "flashbvh/detail/walk/ranked.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/paper/alternating_stack.hpp"
 #include "flashbvh/paper/leaf.hpp"

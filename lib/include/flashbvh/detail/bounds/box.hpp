@@ -1,0 +1,112 @@
+// The test whether two boxes overlap.
+//
+// Box A overlaps box B translated by t if on each axis
+//     upper(A) - lower(B) >= t    and    upper(B) - lower(A) >= -t,
+// that is, if six sums of two packed bounds reach six thresholds that depend on the translation
+// alone. No form of the arithmetic wraps or saturates.
+#ifndef FLASHBVH_DETAIL_BOUNDS_BOX_HPP
+#define FLASHBVH_DETAIL_BOUNDS_BOX_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/arch/inline.hpp"
+#include "flashbvh/detail/arch/packed.hpp"
+#include "flashbvh/detail/bounds/box_dsp.hpp"
+#include "flashbvh/detail/bounds/box_mve.hpp"
+#include "flashbvh/detail/bounds/box_simd.hpp"
+#include "flashbvh/detail/lattice/box_packed.hpp"
+
+namespace flashbvh::detail {
+
+/// Whether two boxes, the second under a translation, are disjoint; for a single test, which the
+/// thresholds of TranslatedBound would not pay. `along(axis)`: the translation in cells, within
+/// +-2^30; the first axis with a gap is the last that is asked for.
+template <class Along>
+FLASHBVH_INLINE constexpr bool boxes_disjoint(const PackedBox& a, const PackedBox& b,
+                                              const Along& along) {
+  constexpr int32_t zero = 2 * kBoundBias;  // what a sum of two bounds has if they are equal
+  const auto below = [](uint32_t sum, int32_t least) { return static_cast<int32_t>(sum) < least; };
+  const uint32_t upper_xy = a.upper_xy + b.lower_xy;
+  const int32_t x = along(0);
+  if (below(low_half(upper_xy), zero + x)) {
+    return true;
+  }
+  const uint32_t lower_xy = a.lower_xy + b.upper_xy;
+  if (below(low_half(lower_xy), zero - x)) {
+    return true;
+  }
+  const int32_t y = along(1);
+  if (below(high_half(upper_xy), zero + y) || below(high_half(lower_xy), zero - y)) {
+    return true;
+  }
+  const int32_t z = along(2);
+  const uint32_t both_z = a.z + swap_halves(b.z);
+  return below(low_half(both_z), zero + z) || below(high_half(both_z), zero - z);
+}
+
+/// Tests boxes of A against boxes of B under a translation. 12 bytes; made once a query.
+class TranslatedBound {
+ public:
+  /// To be assigned to before it is asked.
+  TranslatedBound() = default;
+  /// `x, y, z`: the translation of B in cells; any 32-bit value.
+  constexpr TranslatedBound(int32_t x, int32_t y, int32_t z)
+      : least_{{join_halves(threshold(x), threshold(y)),
+                join_halves(threshold_negated(x), threshold_negated(y)),
+                join_halves(threshold(z), threshold_negated(z))}} {}
+
+  /// True if the closed boxes share a point. Of boxes in nodes: with Helium the four bytes after a
+  /// box are read, too.
+  FLASHBVH_INLINE bool operator()(const PackedBox& a, const PackedBox& b) const {
+#if defined(FLASHBVH_BOX_SIMD)
+    return bounds_reach_simd(a, b, least_);
+#elif defined(FLASHBVH_BOX_MVE)
+    return bounds_reach_mve(a, b, least_);
+#elif defined(FLASHBVH_BOX_DSP)
+    return bounds_reach_dsp(a, b, least_);
+#elif defined(__ARM_FEATURE_SIMD32) || defined(FLASHBVH_PORTABLE)
+    return halves_reach(sums(a, b), least_);
+#else  // word by word, so that what an early rejection does not need is not even loaded
+    return word_reaches_plain(a.upper_xy + b.lower_xy, least_.word[0]) &&
+           word_reaches_plain(a.lower_xy + b.upper_xy, least_.word[1]) &&
+           word_reaches_plain(a.z + swap_halves(b.z), least_.word[2]);
+#endif
+  }
+
+  /// What a box of B has to reach to overlap `a`; and the other way round.
+  PackedTriple window_of_a(const PackedBox& a) const {
+    return window(least_, a);
+  }
+  PackedTriple window_of_b(const PackedBox& b) const {
+    return window({{least_.word[1], least_.word[0], swap_halves(least_.word[2])}}, b);
+  }
+
+  /// The same by the reference form of the arithmetic.
+  constexpr bool portable(const PackedBox& a, const PackedBox& b) const {
+    return halves_reach_portable(sums(a, b), least_);
+  }
+
+ private:
+  static constexpr PackedTriple sums(const PackedBox& a, const PackedBox& b) {
+    return {{a.upper_xy + b.lower_xy, a.lower_xy + b.upper_xy, a.z + swap_halves(b.z)}};
+  }
+
+  /// Sums are 2 to 65,534: a threshold of 0 always holds, one of 65,535 never does.
+  static constexpr uint32_t threshold(int32_t t) {
+    return static_cast<uint32_t>(kZero + clamp(t, -kZero, kZero - 1));
+  }
+  static constexpr uint32_t threshold_negated(int32_t t) {
+    return static_cast<uint32_t>(kZero - clamp(t, 1 - kZero, kZero));
+  }
+  static constexpr int32_t clamp(int32_t t, int32_t least, int32_t most) {
+    const int32_t raised = t < least ? least : t;
+    return raised > most ? most : raised;
+  }
+  static constexpr int32_t kZero = 2 * kBoundBias;
+
+  PackedTriple least_;
+};
+
+}  // namespace flashbvh::detail
+
+#endif

@@ -1,0 +1,106 @@
+// The test whether a box of A and a rotated box of B overlap: the face axes of both.
+//
+// On A's axis i the transformed vertices of a box of B lie between
+//     sum_j R_ij * (upper_j where R_ij > 0, else lower_j) + o_i    above, likewise below.
+// Widened by half a cell, by which vertices are rounded, and by what the 14 bits of R lack of the
+// vertices' 22, and rounded to whole cells, these bounds are an axis-aligned box on A's lattice.
+// Rotated the other way, a box of A makes one on B's lattice, widened by what rounded vertices and
+// columns that are not quite orthogonal can add. The boxes are disjoint if either rotated box is
+// disjoint from the other box, which three packed sums of bounds tell. The bounds rounding to whole
+// cells loses nothing, since they are compared with whole cells. lib/docs/derivations.md, "Rotated
+// boxes", derives the margins.
+//
+// A rotated box is kept until another one of its tree is: a walk goes on in one tree at a time. The
+// axes whose rotated box is at hand go first, and what that rejects costs no rotation at all.
+//
+// Source: Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, for the separating axes. The nine
+// cross products of edges are left out: fewer pairs are visited with them, but more instructions
+// executed (lib/docs/decisions/0007-rotated-boxes.md).
+#ifndef FLASHBVH_DETAIL_BOUNDS_BOX_ROTATED_HPP
+#define FLASHBVH_DETAIL_BOUNDS_BOX_ROTATED_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/bounds/rotated_transform.hpp"
+#include "flashbvh/detail/lattice/box_packed.hpp"
+
+namespace flashbvh::detail {
+
+#if defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_ROTATE_SSE2 1
+
+/// What rotates a box, an axis a lane.
+struct alignas(16) BoxRotation {
+  uint32_t positive_xy[4];
+  uint32_t negative_xy[4];
+  uint32_t z[4];
+  int32_t upper[4];
+  int32_t lower[4];
+
+  BoxRotation(const SplitMatrix& matrix, const BoundStart* starts)
+      : positive_xy(), negative_xy(), z(), upper(), lower() {
+    for (int i = 0; i < 3; ++i) {
+      positive_xy[i] = matrix.row[i].positive_xy;
+      negative_xy[i] = matrix.row[i].negative_xy;
+      z[i] = matrix.row[i].z;
+      upper[i] = starts[i].upper;
+      lower[i] = starts[i].lower;
+    }
+  }
+};
+
+#else
+
+/// What rotates a box: a matrix, and where the sums of its three axes begin.
+struct BoxRotation {
+  const SplitMatrix* matrix;
+  const BoundStart* starts;
+
+  BoxRotation(const SplitMatrix& by, const BoundStart* from) : matrix(&by), starts(from) {}
+};
+
+#endif
+
+/// A box seen from the other lattice. 24 bytes.
+struct RotatedBox {
+  PackedBox bounds;
+  const PackedBox* source;  ///< the box that was rotated, null at first
+  BoxRotation by;
+};
+
+/// Tests boxes of A against boxes of B under a rotation; lives as long as a run of a walk. 48 bytes
+/// on a 32-bit core.
+class RotatedBound {
+ public:
+  /// `transform` and its pose outlive this, as they are: some of it may be copied here.
+  explicit RotatedBound(const RotatedTransform& transform)
+      : a_{{0, 0, 0}, nullptr, {transform.columns, transform.on_b}},
+        b_{{0, 0, 0}, nullptr, {transform.matrix->rows, transform.on_a}} {}
+
+  /// False only if no transformed triangle of a subtree with box `b` intersects one of a subtree
+  /// with box `a`. Answers depend on the boxes alone, not on what was asked before; but boxes are
+  /// known by their addresses, and what lies there must not change while this lives. Of boxes in
+  /// nodes: with Helium the four bytes after a box are read, too.
+  bool operator()(const PackedBox& a, const PackedBox& b) { return gap(a, b) == 0; }
+
+  /// What a box of B has to reach to overlap `a` on B's lattice; and the other way round, on A's.
+  /// The box was of the last pair that overlapped, or is kept; any other box does else.
+  PackedTriple window_of_a(const PackedBox& a) const { return window(a_, a); }
+  PackedTriple window_of_b(const PackedBox& b) const { return window(b_, b); }
+  void keep_a(const PackedBox& a) { keep(a_, a); }
+  void keep_b(const PackedBox& b) { keep(b_, b); }
+
+ private:
+  static PackedTriple window(const RotatedBox& kept, const PackedBox& box);
+  static void keep(RotatedBox& kept, const PackedBox& box);
+
+  /// 0 if the boxes overlap.
+  uint32_t gap(const PackedBox& a, const PackedBox& b);
+
+  RotatedBox a_;  ///< a box of A, seen from B
+  RotatedBox b_;
+};
+
+}  // namespace flashbvh::detail
+
+#endif

@@ -1,0 +1,65 @@
+// B's lattice under a pose that rotates it, seen from A's: where each vertex of B goes, and what
+// the box test needs of the two meshes together (box_rotated.hpp).
+//
+// A vertex p goes to floor(R p + o + 1/2), where R is the pose's rotation with 22 fraction bits and
+// o, with 14 of them, takes both meshes' origins in. That is a function of p alone, so a
+// transformed mesh keeps its edges and corners together. Each coordinate is within 1/2 + 1/100 cell
+// of what the pose's numbers give (lib/docs/derivations.md, "Poses").
+//
+// All factors have 16 bits and all sums 32, which every core has.
+#ifndef FLASHBVH_DETAIL_BOUNDS_ROTATED_TRANSFORM_HPP
+#define FLASHBVH_DETAIL_BOUNDS_ROTATED_TRANSFORM_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/arch/inline.hpp"
+#include "flashbvh/detail/lattice/box_packed.hpp"
+#include "flashbvh/lattice.hpp"
+#include "flashbvh/pose.hpp"
+
+namespace flashbvh::detail {
+
+/// Offsets are kept within +-this, in cells. Beyond 16,383 * (1 + sqrt(3)) + 1 cells no vertex of B
+/// can be anywhere near A, and a larger offset says nothing else; this one leaves every sum of the
+/// box test in 32 bits.
+constexpr int32_t kMaxOffset = 48000;
+
+/// Where the sums of products begin that make the bounds of a rotated box along an axis: the upper
+/// and the negated lower one. kSplitOne is a cell; biases, rounding and margin included.
+struct BoundStart {
+  int32_t upper;
+  int32_t lower;
+};
+
+/// Where the other lattice's origin lies along the axis: both begin with it, one negated, beside
+/// what they share.
+inline int32_t offset_of(const BoundStart& start) {
+  return (start.upper - start.lower) >> 1;
+}
+
+/// 88 bytes on a 32-bit core; trivial, so that it can share memory with what a translation needs.
+struct RotatedTransform {
+  const RotationMatrix* matrix;  ///< the pose's: its rows rotate boxes of B
+  SplitMatrix columns;           ///< rotate boxes of A
+  BoundStart on_a[3];            ///< boxes of B on A's axes
+  BoundStart on_b[3];            ///< boxes of A on B's axes
+
+  /// Sets all members. The origins are the meshes', within +-2^29 cells; `root_b` contains all that
+  /// will be transformed. False, and no use, if `may_stop` and two meshes with these root boxes are
+  /// so far apart that they cannot intersect; true where in doubt. The pose, which rotates,
+  /// outlives this.
+  bool prepare(const Pose& pose, const int32_t (&origin_a)[3], const PackedBox& root_a,
+               const int32_t (&origin_b)[3], const PackedBox& root_b, bool may_stop);
+
+  /// What boxes need beyond that, once it is known that they are not far apart. `reach_b`: reach()
+  /// of B's root box.
+  FLASHBVH_NOINLINE void prepare_boxes(int32_t reach_b);
+
+  /// In cells from A's origin: within +-80,000.
+  Point transform(const Vertex& v) const;
+  void transform(const Vertex& u, const Vertex& v, const Vertex& w, Triangle& triangle) const;
+};
+
+}  // namespace flashbvh::detail
+
+#endif

@@ -1,0 +1,232 @@
+// How a query sees B from A's lattice: translated, or rotated too. Which of the two follows from
+// the pose; a translation never pays for the arithmetic of a rotation.
+#ifndef FLASHBVH_DETAIL_BOUNDS_TRANSFORM_HPP
+#define FLASHBVH_DETAIL_BOUNDS_TRANSFORM_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/bounds/box.hpp"
+#include "flashbvh/detail/bounds/rotated_transform.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
+#include "flashbvh/detail/walk/walk_run.hpp"
+#include "flashbvh/mesh.hpp"
+#include "flashbvh/pose.hpp"
+
+namespace flashbvh::detail {
+
+/// B translated by whole cells.
+struct TranslatedTransform {
+  Point offset;           ///< from B's lattice to A's; both count from their own origins
+  TranslatedBound bound;  ///< set by Transform::prepare()
+};
+
+/// 92 bytes on a 32-bit core.
+class Transform {
+ public:
+  /// Nothing is set before place() or place_nowhere().
+  Transform() {}
+  template <class Mesh>
+  Transform(const Pose& pose, const Mesh& a, const Mesh& b, bool may_stop) {
+    place(pose, a, b, may_stop, [] {});
+  }
+
+  /// Sets all that follows from a pose without an error, unless `may_stop` and the root boxes tell
+  /// already that nothing can intersect. Ends with `rest()`, which sets what else there is to set.
+  /// Each way has its own copy of the same end: where the query ends at once, in the function that
+  /// made it, compilers leave out what is never read; merged, they keep it all.
+  template <class Mesh, class Rest>
+  FLASHBVH_INLINE_FOR_SPEED void place(const Pose& pose, const Mesh& a, const Mesh& b,
+                                       bool may_stop, const Rest& rest) {
+    if (pose.is_translation()) {
+      const auto along = [&](int axis) { return offset(pose, a, b, axis); };
+      if (may_stop && boxes_disjoint(a.nodes[0].box, b.nodes[0].box, along)) {
+        translated_.offset = {along(0), along(1), along(2)};
+        begin(false, kDisjoint);
+        rest();
+      } else {
+        translated_.offset = {along(0), along(1), along(2)};
+        begin(false, 0);
+        rest();
+      }
+    } else if (rotated_.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box,
+                                may_stop)) {
+      begin(true, 0);
+      rest();
+    } else {
+      begin(true, kDisjoint);
+      rest();
+    }
+  }
+  /// For a query with an error: no translation, no rotation.
+  void place_nowhere() {
+    begin(false, 0);
+    translated_.offset = {0, 0, 0};
+  }
+
+  /// For questions about distance: a translated B that is farther off than kMaxOffset along an axis
+  /// is put at that distance, as a rotated one is.
+  void bring_near() {
+    if (!is_rotated_) {
+      Point& t = translated_.offset;
+      t = {near_offset(t.x), near_offset(t.y), near_offset(t.z)};
+    }
+  }
+  /// Whether B lies where the pose puts it, and not nearer.
+  bool is_in_range() const {
+    const auto within = [](int32_t offset, int32_t most) {
+      return -most < offset && offset < most;
+    };
+    if (!is_rotated_) {
+      const Point& t = translated_.offset;
+      return within(t.x, kMaxOffset) && within(t.y, kMaxOffset) && within(t.z, kMaxOffset);
+    }
+    constexpr int32_t most = kMaxOffset * kSplitOne;
+    const BoundStart* const on_a = rotated_.on_a;
+    return within(offset_of(on_a[0]), most) && within(offset_of(on_a[1]), most) &&
+           within(offset_of(on_a[2]), most);
+  }
+
+  bool is_rotated() const { return is_rotated_; }
+  bool is_far_apart() const { return is_rotated_ && roots_disjoint(); }
+  const TranslatedTransform& translated() const { return translated_; }
+  const RotatedTransform& rotated() const { return rotated_; }
+
+  /// Two objects that are nowhere near each other, the commonest query, are told apart before
+  /// anything is prepared for a walk.
+  bool roots_disjoint() const { return slab_margin_ == kDisjoint; }
+
+  /// Whether no transformed edge of B is longer than 2^15 - 1 cells along an axis; once prepared.
+  bool is_narrow() const { return narrow_; }
+  /// Of slabs under a rotation, in units of their directions; once prepared.
+  int32_t slab_margin() const { return slab_margin_ * kMarginUnit; }
+
+  /// Before the first walk.
+  template <class Mesh>
+  void prepare(const Mesh& b) {
+    if (!is_rotated_) {
+      const Point& t = translated_.offset;
+      translated_.bound = TranslatedBound(t.x, t.y, t.z);
+      narrow_ = true;
+    } else {
+      slab_margin_ = margin_of_slabs(reach(b.nodes[0].box));
+      narrow_ = b.longest_edge <= kMostNarrowEdge;
+    }
+  }
+
+ private:
+  static constexpr uint16_t kDisjoint = UINT16_MAX;  ///< no margin is as large
+  /// Stretched by a defect of 2^-12 at most, and rounded at both ends, below 2^15.
+  static constexpr uint16_t kMostNarrowEdge = 32700;
+  static constexpr int32_t kMarginUnit = 16;
+
+  FLASHBVH_INLINE void begin(bool is_rotated, uint16_t slab_margin) {
+    is_rotated_ = is_rotated;
+    narrow_ = false;
+    slab_margin_ = slab_margin;
+  }
+
+  /// What rotating a direction of 13 bits can be off by, along it. `reach_b`: reach() of B's root.
+  uint16_t margin_of_slabs(int32_t reach_b) const {
+    constexpr uint32_t most = 3u << 13;  // the sum of a direction's magnitudes
+    constexpr uint32_t placed = 33'500;  // 0.51 for the vertices, 0.501 for the offset, times 2^15
+    const uint32_t turned = (7 * static_cast<uint32_t>(reach_b) + 3) >> 2;
+    const uint32_t stretched = static_cast<uint32_t>(reach_b) * rotated_.matrix->defect;
+    const uint32_t each = turned + placed + (stretched >> 9);
+    return static_cast<uint16_t>(((turned >> 1) + (each >> 2) * (most >> 13) + 20) / kMarginUnit +
+                                 1);
+  }
+
+  static int32_t near_offset(int32_t offset) {
+    return offset < -kMaxOffset ? -kMaxOffset : offset > kMaxOffset ? kMaxOffset : offset;
+  }
+
+  /// Wraps if the pose is out of range, which is an error of the pose.
+  template <class Mesh>
+  static int32_t offset(const Pose& pose, const Mesh& a, const Mesh& b, int axis) {
+    return static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) +
+                                static_cast<uint32_t>(b.origin[axis]) -
+                                static_cast<uint32_t>(a.origin[axis]));
+  }
+
+  union {
+    TranslatedTransform translated_;
+    RotatedTransform rotated_;
+  };
+  bool is_rotated_;
+  bool narrow_;
+  uint16_t slab_margin_;  ///< in kMarginUnit; kDisjoint where the roots are
+};
+
+/// Where A's own triangles are.
+inline constexpr Point kNoOffset = {0, 0, 0};
+
+/// A triangle of a mesh, by its position, translated by whole cells.
+template <class Mesh>
+FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, const Point& offset,
+                                          Triangle& triangle) {
+  const auto& corner = mesh.triangles[position].corner;
+  const Point o = offset;
+  const auto at = [&](int i) -> Point {
+    const Vertex& v = mesh.vertices[corner[i]];
+    return {v.x + o.x, v.y + o.y, v.z + o.z};
+  };
+  triangle = {{at(0), at(1), at(2)}};
+}
+
+/// The same, with its normal; each is narrow.
+template <class Mesh>
+FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, const Point& offset,
+                                          Triangle& triangle, PlaneNormal& normal) {
+#if defined(__OPTIMIZE_SIZE__)
+  translate_triangle(mesh, position, offset, triangle);
+  get_near_normal(triangle, normal);
+#else
+  const auto& corner = mesh.triangles[position].corner;
+  const Vertex& p = mesh.vertices[corner[0]];
+  const Vertex& q = mesh.vertices[corner[1]];
+  const Vertex& r = mesh.vertices[corner[2]];
+  const Point u = {q.x - p.x, q.y - p.y, q.z - p.z};
+  const Point v = {r.x - p.x, r.y - p.y, r.z - p.z};
+  const Point o = offset;
+  triangle = {{{p.x + o.x, p.y + o.y, p.z + o.z},
+               {q.x + o.x, q.y + o.y, q.z + o.z},
+               {r.x + o.x, r.y + o.y, r.z + o.z}}};
+  normal = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+#endif
+}
+
+/// The same, rotated and translated.
+template <class Mesh>
+FLASHBVH_NOINLINE void rotate_triangle(const Mesh& mesh, uint32_t position,
+                                       const RotatedTransform& transform, Triangle& triangle) {
+  const auto& corner = mesh.triangles[position].corner;
+  transform.transform(mesh.vertices[corner[0]], mesh.vertices[corner[1]], mesh.vertices[corner[2]],
+                      triangle);
+}
+
+/// A triangle of B, by its position, in A's frame, from A's origin on.
+template <class Mesh>
+void transform_triangle(const Mesh& b, uint32_t position, const Transform& transform,
+                        Triangle& triangle) {
+  if (transform.is_rotated()) {
+    rotate_triangle(b, position, transform.rotated(), triangle);
+  } else {
+    translate_triangle(b, position, transform.translated().offset, triangle);
+  }
+}
+
+/// A triangle of each, by their positions, in A's frame as it was drawn.
+template <class Mesh>
+void place_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b,
+                const Transform& transform, Triangle& triangle_a, Triangle& triangle_b) {
+  const Point origin = {a.origin[0], a.origin[1], a.origin[2]};
+  translate_triangle(a, of_a, origin, triangle_a);
+  transform_triangle(b, of_b, transform, triangle_b);
+  for (Point& corner : triangle_b.corner) {
+    corner = {corner.x + origin.x, corner.y + origin.y, corner.z + origin.z};
+  }
+}
+
+}  // namespace flashbvh::detail
+
+#endif

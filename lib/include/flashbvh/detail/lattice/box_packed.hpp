@@ -1,0 +1,101 @@
+// Axis-aligned boxes on the lattice as they lie in flash.
+//
+// A packed box keeps, per axis, the upper bound and the negated lower bound, each raised by
+// kBoundBias so that it is a number from 1 to 32,767. The sum of two bounds is then at most 65,534:
+// two of them fit in a 32-bit addition without carry from one to the other.
+#ifndef FLASHBVH_DETAIL_LATTICE_BOX_PACKED_HPP
+#define FLASHBVH_DETAIL_LATTICE_BOX_PACKED_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/arch/packed.hpp"
+#include "flashbvh/lattice.hpp"
+
+namespace flashbvh::detail {
+
+/// Raises a bound (or a negated one) to a positive number of 15 bits.
+constexpr int32_t kBoundBias = kMaxCoordinate + 1;
+
+static_assert(2 * (kMaxCoordinate + kBoundBias) <= 0xFFFF, "sums of two bounds fit 16 bits");
+
+/// A closed box: all points with lower <= coordinate <= upper, in cells.
+struct Box {
+  Vertex lower;
+  Vertex upper;
+};
+
+/// A box as it lies in flash: 12 bytes, low half first.
+struct PackedBox {
+  uint32_t upper_xy;  ///< upper x, upper y
+  uint32_t lower_xy;  ///< negated lower x, negated lower y
+  uint32_t z;         ///< upper z, negated lower z
+};
+
+constexpr uint32_t pack_bound(int32_t bound) {
+  return static_cast<uint32_t>(bound + kBoundBias);
+}
+
+constexpr PackedBox pack(const Box& box) {
+  return {join_halves(pack_bound(box.upper.x), pack_bound(box.upper.y)),
+          join_halves(pack_bound(-box.lower.x), pack_bound(-box.lower.y)),
+          join_halves(pack_bound(box.upper.z), pack_bound(-box.lower.z))};
+}
+
+constexpr int16_t unpack_bound(uint32_t half) {
+  return static_cast<int16_t>(static_cast<int32_t>(half) - kBoundBias);
+}
+
+constexpr Box unpack(const PackedBox& packed) {
+  const Vertex upper = {unpack_bound(low_half(packed.upper_xy)),
+                        unpack_bound(high_half(packed.upper_xy)), unpack_bound(low_half(packed.z))};
+  const auto lower = [](uint32_t half) {
+    return static_cast<int16_t>(kBoundBias - static_cast<int32_t>(half));
+  };
+  return {{lower(low_half(packed.lower_xy)), lower(high_half(packed.lower_xy)),
+           lower(high_half(packed.z))},
+          upper};
+}
+
+/// What the words upper_xy, lower_xy and z of a box have to reach, half by half, so that its sums
+/// with `other`, as box.hpp has them, reach `least`. Not more than a half holds: where `least` is
+/// 65,535 no box reaches it.
+inline PackedTriple window(const PackedTriple& least, const PackedBox& other) {
+  return {{subtract_halves(least.word[1], other.lower_xy),
+           subtract_halves(least.word[0], other.upper_xy),
+           swap_halves(subtract_halves(least.word[2], other.z))}};
+}
+
+/// Compares two boxes on one lattice: 0 if they overlap. They do if no sum of an upper and a
+/// negated lower bound is negative, that is, below its bias, which is the top bit.
+constexpr uint32_t compare(const PackedBox& a, const PackedBox& b) {
+  constexpr uint32_t biases = 0x80008000u;
+  return biases &
+         ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z)));
+}
+
+/// The largest magnitude of a coordinate between these bounds.
+constexpr int32_t reach(uint32_t upper, uint32_t lower) {
+  return static_cast<int32_t>(upper > lower ? upper : lower) - kBoundBias;
+}
+/// The sum of the largest magnitudes of x, y and z in the box: no point of it, however rotated, has
+/// a larger coordinate.
+constexpr int32_t reach(const PackedBox& box) {
+  return reach(low_half(box.upper_xy), low_half(box.lower_xy)) +
+         reach(high_half(box.upper_xy), high_half(box.lower_xy)) +
+         reach(low_half(box.z), high_half(box.z));
+}
+
+/// Length of the box along x, y or z in cells, 0 to 2 * kMaxCoordinate.
+constexpr uint32_t extent_x(const PackedBox& box) {
+  return low_half(box.upper_xy) + low_half(box.lower_xy) - 2 * kBoundBias;
+}
+constexpr uint32_t extent_y(const PackedBox& box) {
+  return high_half(box.upper_xy) + high_half(box.lower_xy) - 2 * kBoundBias;
+}
+constexpr uint32_t extent_z(const PackedBox& box) {
+  return low_half(box.z) + high_half(box.z) - 2 * kBoundBias;
+}
+
+}  // namespace flashbvh::detail
+
+#endif

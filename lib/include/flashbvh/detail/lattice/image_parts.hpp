@@ -1,0 +1,52 @@
+// What an image consists of, and the parts of its check: for open_image(), the tool that writes
+// images and the tests.
+#ifndef FLASHBVH_DETAIL_LATTICE_IMAGE_PARTS_HPP
+#define FLASHBVH_DETAIL_LATTICE_IMAGE_PARTS_HPP
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "flashbvh/image.hpp"
+
+namespace flashbvh::detail {
+
+/// Where the arrays lie, in bytes from the start of the image; what an image of this header needs.
+/// 64 bits, so that no header makes a sum wrap.
+struct ImageOffsets {
+  uint64_t nodes, levels, climb, triangles, triangle_ids, leaf_offsets, vertices, shell_vertices,
+      name, end;
+};
+ImageOffsets image_offsets(const ImageHeader& header);
+
+/// The element `offset` bytes from the start of an image.
+template <class Element>
+const Element* image_part(const void* bytes, uint64_t offset) {
+  return reinterpret_cast<const Element*>(static_cast<const unsigned char*>(bytes) + offset);
+}
+
+/// CRC-32 (IEEE 802.3, reflected, as in zlib) of `size` bytes, going on from `crc` (0 at first).
+/// No table: about 50 instructions a byte.
+uint32_t crc32(const void* bytes, size_t size, uint32_t crc = 0);
+
+/// The checksum that an image's header must hold.
+uint32_t image_crc(const void* bytes, size_t size);
+
+/// What follows from a mesh's contents; the header repeats it.
+struct TreeShape {
+  uint32_t depth;
+  uint32_t stack_need;
+  uint32_t leaf_size;
+  uint32_t arity;
+  uint32_t longest_edge;
+  bool is_closed;
+};
+
+/// The check of a mesh's contents on its own. `done`, with what was found in `shape`, or
+/// `image_invalid`. Its counts and arrays are there, of a post-indexed tree with or without the
+/// levels (null then, both); nothing else needs to be right.
+template <class Index, Layout layout>
+Status check_tree(const LevelledMesh<Index, layout>& mesh, TreeShape& shape);
+
+}  // namespace flashbvh::detail
+
+#endif

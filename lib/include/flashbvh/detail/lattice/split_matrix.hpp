@@ -1,0 +1,100 @@
+// A 3x3 matrix made for rotating boxes.
+//
+// The bounds of a rotated box are sums of products: each entry of the matrix takes the upper bound
+// of the box where it is positive and the lower one where it is negative. So the positive and the
+// negative part of every entry are kept apart, as halves of words that multiply a packed box's
+// words two products at a time (SMLAD on Cortex-M4, M7, M33; PMADDWD on SSE2).
+#ifndef FLASHBVH_DETAIL_LATTICE_SPLIT_MATRIX_HPP
+#define FLASHBVH_DETAIL_LATTICE_SPLIT_MATRIX_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/arch/packed_multiply.hpp"
+
+namespace flashbvh::detail {
+
+/// Fraction bits of the entries: 1 is 16,384.
+constexpr unsigned kSplitBits = 14;
+constexpr int32_t kSplitOne = 1 << kSplitBits;
+
+/// One row: what a box's bounds along one axis of the other frame are made of. 12 bytes.
+struct SplitRow {
+  uint32_t positive_xy;  ///< first column low, second high: the entry, or 0 where it is negative
+  uint32_t negative_xy;  ///< the negated entry, or 0 where it is positive
+  uint32_t z;            ///< third column: positive part low, negative part high
+
+  static constexpr SplitRow of(int32_t x, int32_t y, int32_t z) {
+    return {join_halves(positive(x), positive(y)), join_halves(positive(-x), positive(-y)),
+            join_halves(positive(z), positive(-z))};
+  }
+
+  constexpr int32_t x() const { return value(low_half(positive_xy), low_half(negative_xy)); }
+  constexpr int32_t y() const { return value(high_half(positive_xy), high_half(negative_xy)); }
+  constexpr int32_t z_entry() const { return value(low_half(z), high_half(z)); }
+
+  /// The sum of the magnitudes, below 2^16.
+  constexpr int32_t sum() const {
+    const uint32_t xy = positive_xy + negative_xy;
+#if defined(__thumb2__)  // adds a half in one instruction
+    return static_cast<int32_t>(low_half(xy) + high_half(xy) + low_half(z) + high_half(z));
+#else
+    const uint32_t both = xy + z;  // magnitudes are 15 bits, and of z's halves one is 0
+    return static_cast<int32_t>((both + (both << 16)) >> 16);
+#endif
+  }
+
+ private:
+  static constexpr uint32_t positive(int32_t entry) {
+    return entry < 0 ? 0u : static_cast<uint32_t>(entry);
+  }
+  static constexpr int32_t value(uint32_t positive, uint32_t negative) {
+    return static_cast<int32_t>(positive) - static_cast<int32_t>(negative);
+  }
+};
+
+struct SplitMatrix {
+  SplitRow row[3];
+
+  /// Halves change places; no entry is unpacked.
+  constexpr SplitMatrix transposed() const {
+    const auto low = [](uint32_t u, uint32_t v) { return low_half(u) | v << 16; };
+    const auto high = [](uint32_t u, uint32_t v) { return u >> 16 | (v & 0xFFFF0000u); };
+    const SplitRow& r = row[0];
+    const SplitRow& s = row[1];
+    const SplitRow& t = row[2];
+    return {{{low(r.positive_xy, s.positive_xy), low(r.negative_xy, s.negative_xy),
+              low(t.positive_xy, t.negative_xy)},
+             {high(r.positive_xy, s.positive_xy), high(r.negative_xy, s.negative_xy),
+              high(t.positive_xy, t.negative_xy)},
+             {low(r.z, s.z), high(r.z, s.z), t.z}}};
+  }
+};
+
+/// Fraction bits kept of a rotation, and of its defect.
+constexpr unsigned kRotationBits = 22;
+constexpr unsigned kDefectBits = 24;
+constexpr unsigned kRestBits = kRotationBits - kSplitBits;
+
+/// A rotation with kRotationBits fraction bits in two parts, so that all factors of a vertex's
+/// products have 16 bits. 48 bytes.
+struct RotationMatrix {
+  SplitMatrix rows;   ///< as boxes need it
+  int8_t rest[3][3];  ///< what `rows` lack, in 2^-kRotationBits: -128 to 127
+  /// A bound on the spectral norm of R^T R - 1, in 2^-kDefectBits. That is the norm of R R^T - 1,
+  /// too: a rotation has its inverse's.
+  uint16_t defect;
+
+  constexpr int32_t rest_of(int i, int j) const { return rest[i][j]; }
+
+  /// A row with all its bits.
+  constexpr void get_row(int i, int32_t& x, int32_t& y, int32_t& z) const {
+    constexpr int32_t one = 1 << kRestBits;
+    x = rows.row[i].x() * one + rest[i][0];
+    y = rows.row[i].y() * one + rest[i][1];
+    z = rows.row[i].z_entry() * one + rest[i][2];
+  }
+};
+
+}  // namespace flashbvh::detail
+
+#endif

@@ -1,0 +1,90 @@
+// Numbers of 128 bits and fractions of them: what exact distances are compared by.
+//
+// Portable C++: 32-bit cores have no integer of 128 bits. Numbers are in two's complement; nothing
+// is checked, the ranges are the callers' to keep.
+#ifndef FLASHBVH_DETAIL_PREDICATES_FRACTION_HPP
+#define FLASHBVH_DETAIL_PREDICATES_FRACTION_HPP
+
+#include <stdint.h>
+
+namespace flashbvh::detail {
+
+struct Int128 {
+  int64_t high;
+  uint64_t low;
+};
+
+constexpr Int128 widened(int64_t value) {
+  return {value < 0 ? -1 : 0, static_cast<uint64_t>(value)};
+}
+
+constexpr Int128 operator+(const Int128& u, const Int128& v) {
+  const uint64_t low = u.low + v.low;
+  const uint64_t carry = low < u.low ? 1 : 0;
+  return {
+      static_cast<int64_t>(static_cast<uint64_t>(u.high) + static_cast<uint64_t>(v.high) + carry),
+      low};
+}
+constexpr Int128 operator-(const Int128& u) {
+  return {static_cast<int64_t>(~static_cast<uint64_t>(u.high) + (u.low == 0 ? 1 : 0)), ~u.low + 1};
+}
+constexpr Int128 operator-(const Int128& u, const Int128& v) {
+  return u + -v;
+}
+
+constexpr bool operator<(const Int128& u, const Int128& v) {
+  return u.high != v.high ? u.high < v.high : u.low < v.low;
+}
+constexpr bool operator==(const Int128& u, const Int128& v) {
+  return u.high == v.high && u.low == v.low;
+}
+constexpr bool is_zero(const Int128& u) {
+  return (static_cast<uint64_t>(u.high) | u.low) == 0;
+}
+/// -1, 0 or 1.
+constexpr int sign_of(const Int128& u) {
+  return u.high < 0 ? -1 : is_zero(u) ? 0 : 1;
+}
+constexpr int sign_of(int64_t u) {
+  return u < 0 ? -1 : u == 0 ? 0 : 1;
+}
+
+/// The whole product.
+Int128 full_product(int64_t u, int64_t v) noexcept;
+/// `u` within +-2^95.
+Int128 times(const Int128& u, int32_t v) noexcept;
+/// Up to 127 bits; what leaves the top is lost.
+Int128 shifted_up(const Int128& u, unsigned bits) noexcept;
+/// The quotient, rounded down: `u` not negative, `v` positive. A step for each of its bits.
+Int128 quotient(const Int128& u, const Int128& v) noexcept;
+/// The largest number whose square is not above `u`, which is not negative.
+uint64_t square_root(const Int128& u) noexcept;
+
+/// Not negative; `below` is positive.
+struct Fraction {
+  Int128 above;
+  Int128 below;
+};
+
+/// Above all squared distances.
+inline constexpr Fraction kInfinite = {{INT64_MAX, 0}, {0, 1}};
+
+/// -1, 0 or 1 as x is below, equal to or above y. Exact; nearly always the leading bits decide.
+int compare(const Fraction& x, const Fraction& y) noexcept;
+
+/// A fraction with which others of below 2^108 and 2^72 are compared in 128 bits: below 2^46 and
+/// 2^17.
+struct ShortFraction {
+  uint64_t above;
+  uint32_t below;
+};
+/// Whether x is above y: exact.
+bool is_above(const Fraction& x, const ShortFraction& y) noexcept;
+
+/// A whole number that is not below `x`, and above it by at most 1 and one part in 2^29; `x` below
+/// 2^40.
+int64_t rounded_up(const Fraction& x) noexcept;
+
+}  // namespace flashbvh::detail
+
+#endif

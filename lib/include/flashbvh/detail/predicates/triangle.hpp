@@ -1,0 +1,58 @@
+// Triangle against triangle in exact integer arithmetic: the question in which every query ends.
+#ifndef FLASHBVH_DETAIL_PREDICATES_TRIANGLE_HPP
+#define FLASHBVH_DETAIL_PREDICATES_TRIANGLE_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/lattice/box_packed.hpp"
+#include "flashbvh/lattice.hpp"
+
+namespace flashbvh::detail {
+
+/// Largest difference along one axis between any two of the six corners, in cells.
+///
+/// Below 2^20 the six products of a 3x3 determinant of differences add up to less than 6 * 2^60,
+/// so 64-bit integers hold the determinant and every partial sum of it.
+constexpr int32_t kMaxDifference = (1 << 20) - 1;
+
+/// Answers whether the closed triangles `a` and `b` have a point in common.
+///
+/// Touching and coplanar overlap count; a triangle degenerated to a segment or a point is tested
+/// as that. There is no epsilon, and the order of corners and of arguments changes nothing.
+/// Corners may lie anywhere in 32 bits. Where the boxes of the triangles touch, all differences
+/// must keep within kMaxDifference, which triangles that each span less than 2^19 cells do by
+/// themselves. This is not checked: beyond it the answer is meaningless.
+///
+/// Cost in instructions on a Cortex-M4 at -O2: at most 135 where the boxes are disjoint, else 265
+/// on average and at most 390; up to 950 for coplanar triangles and 2,100 for two segments
+/// (tests/budget/triangle_cost_test.cpp prints them), more where a difference reaches 2^15.
+/// Stack: 104 bytes on Cortex-M3 and M4 at -O2.
+///
+/// Source: Guigue and Devillers, "Fast and Robust Triangle-Triangle Overlap Test Using Orientation
+/// Predicates", Journal of Graphics Tools 8(1), 2003, for the general case.
+bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
+
+/// Whether a box overlaps that of a triangle on the same lattice, within +-2^20 cells.
+bool box_overlaps(const PackedBox& box, const Triangle& t) noexcept;
+
+/// Of a triangle's plane, twice its area long.
+struct PlaneNormal {
+  int32_t x;
+  int32_t y;
+  int32_t z;
+};
+
+/// Of a narrow triangle: edges within +-(2^15 - 1) along each axis.
+void get_near_normal(const Triangle& t, PlaneNormal& normal) noexcept;
+
+/// The same of triangles with all differences within kMaxDifference, whose boxes need not touch:
+/// a query tested what they are in, so they are tested only where one triangle is flat or lies in
+/// the other's plane. `normal_b`: of `b`; both triangles are narrow.
+bool near_triangles_intersect(const Triangle& a, const Triangle& b,
+                              const PlaneNormal& normal_b) noexcept;
+/// Where they may not be narrow: the boxes first.
+bool wide_triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
+
+}  // namespace flashbvh::detail
+
+#endif

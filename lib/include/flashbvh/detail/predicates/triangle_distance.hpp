@@ -1,0 +1,108 @@
+// How far two triangles are apart: exactly, as a fraction of squared cells.
+//
+// Triangles that do not intersect are nearest between two of their features: a corner above a face,
+// two edges, a corner beside an edge, or two corners. Each of the 42 pairs counts where the nearest
+// points of the planes, lines or points lie inside both features; what counts is never below the
+// distance, and the least of it is the distance. So "within" is a disjunction of comparisons, and
+// no order of them matters.
+#ifndef FLASHBVH_DETAIL_PREDICATES_TRIANGLE_DISTANCE_HPP
+#define FLASHBVH_DETAIL_PREDICATES_TRIANGLE_DISTANCE_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/predicates/fraction.hpp"
+#include "flashbvh/lattice.hpp"
+
+namespace flashbvh::detail {
+
+/// Largest difference along one axis between any two of the six corners, in cells: then the
+/// numerators below are less than 2^108 and the denominators less than 2^72.
+constexpr int32_t kMaxApart = (1 << 17) - 1;
+
+/// Between which features two triangles are nearest.
+enum class FeatureKind : uint8_t {
+  intersection,  ///< none: they have a point in common
+  corners,       ///< corner `of_a` and corner `of_b`
+  corner_edge,   ///< corner `of_a` and the edge of B from corner `of_b` on
+  edge_corner,   ///< the other way round
+  edges,         ///< the edges from corner `of_a` and from corner `of_b` on
+  corner_face,   ///< corner `of_a` and B's face
+  face_corner,   ///< A's face and corner `of_b`
+};
+struct Features {
+  FeatureKind kind;
+  uint8_t of_a;
+  uint8_t of_b;
+};
+
+/// Whether the squared distance of `a` and `b` is below `squared`, which then is set to it, and
+/// `features` to what is nearest; of equals the first that is looked at. Differences within
+/// kMaxApart, which is not checked.
+bool is_nearer(const Triangle& a, const Triangle& b, Fraction& squared,
+               Features& features) noexcept;
+
+/// Whether the squared distance is at most `squared`.
+bool is_within(const Triangle& a, const Triangle& b, const ShortFraction& squared) noexcept;
+
+/// The largest whole number whose root, and a tolerance in 2^-16 of it, is below the root of
+/// `squared`; -1 if `squared` is 0. Pairs with a larger squared gap, which is whole, are no nearer,
+/// but for that.
+int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept;
+
+/// The square of the distance of the triangles' boxes: the sum of squared gaps, below 2^36.
+int64_t squared_box_gap(const Triangle& a, const Triangle& b) noexcept;
+
+/// A direction from A to B along which two triangles are as far apart as they are: their nearest
+/// points lie in planes normal to it. Pairs that are `gap` apart along it, in units of it, or more,
+/// are no nearer: exactly, so that equals are told, too.
+struct Axis {
+  int32_t x;
+  int32_t y;
+  int32_t z;
+  int64_t gap;  ///< positive; 0: there is none, or its numbers are too large
+
+  /// Whether two triangles are as far apart.
+  bool separates(const Triangle& a, const Triangle& b) const noexcept;
+};
+/// Of triangles that do not intersect, between these features.
+Axis axis_of(const Triangle& a, const Triangle& b, const Features& features) noexcept;
+
+/// A direction of 10 bits a component, in a word; 0: none.
+struct Direction {
+  uint32_t packed = 0;
+};
+
+/// Whether some direction has the triangles so far apart that the square is `limit` + 1 or more;
+/// the limit is below 2^35. Directions are tried that come nearer to the one between the nearest
+/// points: six steps of Gilbert's, after `first`, which becomes the one that did.
+///
+/// Source: Gilbert, "An Iterative Procedure for Computing the Minimum of a Quadratic Form on a
+/// Convex Set", SIAM Journal on Control 4, 1966.
+bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
+                         Direction& first) noexcept;
+
+/// Whether the direction between the triangles' middles has them apart: with a gap, exactly, so
+/// that it is false of triangles that touch. Tells most neighbours of a surface, which planes do
+/// not.
+bool middles_separate(const Triangle& a, const Triangle& b) noexcept;
+
+/// Whether the plane of either triangle has the other one on one side, so far off that the square
+/// is `limit` + 1 or more; the limit is below 2^35. Seldom false where the planes tell.
+bool planes_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept;
+
+/// A point of a triangle: corner `origin` and so much of the vectors from there to two others, in
+/// the order of corners: (first, second) / below.
+struct PlaceInTriangle {
+  uint8_t origin;
+  Int128 first;
+  Int128 second;
+  Int128 below;
+};
+
+/// Where the nearest points lie that is_nearer() found; not of an intersection.
+void nearest_places(const Triangle& a, const Triangle& b, const Features& features,
+                    PlaceInTriangle& of_a, PlaceInTriangle& of_b) noexcept;
+
+}  // namespace flashbvh::detail
+
+#endif

@@ -1,0 +1,106 @@
+// Tests pairs of triangles of two meshes, keeping what consecutive pairs share.
+#ifndef FLASHBVH_DETAIL_QUERY_TRIANGLE_TEST_HPP
+#define FLASHBVH_DETAIL_QUERY_TRIANGLE_TEST_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/arch/inline.hpp"
+#include "flashbvh/detail/bounds/transform.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
+
+namespace flashbvh::detail {
+
+/// Any question's. Rotating a triangle of B costs most, so it is kept.
+template <class Question, class Mesh, bool kIntersects>
+class TriangleTest {
+ public:
+  TriangleTest(Question& question, const Mesh& a, const Mesh& b, const Transform& transform)
+      : question_(question), a_(a), b_(b), transform_(transform) {}
+
+  /// A triangle of B, by its position; false if it intersects nothing in a box of A's, unless that
+  /// is null.
+  bool take_b(uint32_t of_b, const PackedBox* /*box_a*/) {
+    if (of_b != kept_) {
+      kept_ = of_b;
+      transform_triangle(b_, of_b, transform_, kept_b_);
+    }
+    return true;
+  }
+  /// With a triangle of A.
+  bool operator()(uint32_t of_a) const {
+    Triangle a;
+    translate_triangle(a_, of_a, kNoOffset, a);
+    return question_.test(a, kept_b_, of_a, kept_);
+  }
+
+ private:
+  Question& question_;
+  const Mesh& a_;
+  const Mesh& b_;
+  const Transform& transform_;
+  uint32_t kept_ = UINT32_MAX;
+  Triangle kept_b_;
+};
+
+/// Of intersection: the normal of B's triangle is kept, too.
+template <class Question, class Mesh>
+class TriangleTest<Question, Mesh, true> {
+ public:
+  TriangleTest(Question&, const Mesh& a, const Mesh& b, const Transform& transform)
+      : a_(a),
+        b_(b),
+        transform_(transform),
+        narrow_(transform.is_narrow()),
+        rotated_(transform.is_rotated()) {}
+
+  FLASHBVH_INLINE bool take_b(uint32_t of_b, const PackedBox* box_a) {
+    if (!rotated_) {
+      if (of_b != kept_) {
+        kept_ = of_b;
+        translate_triangle(b_, of_b, transform_.translated().offset, kept_b_, normal_);
+      }
+      return true;
+    }
+    if (of_b != kept_) {
+      kept_ = of_b;
+      rotate_triangle(b_, of_b, transform_.rotated(), kept_b_);
+      has_normal_ = !narrow_;
+    }
+    // A rotated box is wider than what is in it; a translated one is not.
+    if (box_a != nullptr && !box_overlaps(*box_a, kept_b_)) {
+      return false;
+    }
+    if (!has_normal_) {
+      has_normal_ = true;
+      get_near_normal(kept_b_, normal_);
+    }
+    return true;
+  }
+
+  /// Reads A's triangle in place: translate_triangle() by nothing would be a call and nine sums.
+  FLASHBVH_INLINE bool operator()(uint32_t of_a) const {
+    const auto& corner = a_.triangles[of_a].corner;
+    const auto at = [&](int i) {
+      const Vertex& v = a_.vertices[corner[i]];
+      return Point{v.x, v.y, v.z};
+    };
+    const Triangle a = {{at(0), at(1), at(2)}};
+    return narrow_ ? near_triangles_intersect(a, kept_b_, normal_)
+                   : wide_triangles_intersect(a, kept_b_);
+  }
+
+ private:
+  const Mesh& a_;
+  const Mesh& b_;
+  const Transform& transform_;
+  uint32_t kept_ = UINT32_MAX;
+  bool narrow_;
+  bool rotated_;
+  bool has_normal_ = false;  ///< or needs none
+  Triangle kept_b_;
+  PlaneNormal normal_;
+};
+
+}  // namespace flashbvh::detail
+
+#endif

@@ -1,0 +1,150 @@
+// A leaf as a shape in questions about distance: how far its triangles are from the other tree's
+// boxes at least (leaf_shape.hpp has the same of intersection).
+//
+// The leaf's own box, seen from the other tree, bounds the distance along that tree's axes; its
+// plane and, in it, the normal of its longest edge bound it along two more directions, which are
+// nearly orthogonal: squared gaps along both add up, but for one part in 2^9. That holds what is
+// between two rounded directions: each is off by less than sqrt(3) of 2^12, and by as much again
+// once rotated.
+#ifndef FLASHBVH_DETAIL_WALK_NEAR_SHAPE_HPP
+#define FLASHBVH_DETAIL_WALK_NEAR_SHAPE_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/bounds/gap.hpp"
+#include "flashbvh/detail/walk/leaf_shape.hpp"
+
+namespace flashbvh::detail {
+
+/// In a unit of a direction so many cells, times 2^32, rounded down. `direction`: along which
+/// distances are true, in A's lattice; of 13 bits.
+uint32_t cells_in_unit(const PackedVector& direction) noexcept;
+
+/// Whether a leaf's own box and one of the other tree are within a limit, the long way (gap.hpp).
+bool is_within_far(const PackedBox& leaf, Side side, const PackedBox& box,
+                   const Transform& transform, const GapLimit& limit) noexcept;
+
+template <class Mesh>
+class NearShapes : LeafShapes<Mesh> {
+  using Base = LeafShapes<Mesh>;
+
+ public:
+  using Tree = Mesh;
+  static constexpr bool kShapes = true;
+  static constexpr bool kAsksBound = true;
+
+  NearShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
+      : Base(mesh_a, mesh_b, transform) {}
+
+  using Base::a;
+  using Base::b;
+  using Base::is_taken;
+  using Base::keep_root;
+  using Base::kept_root;
+  using Base::kKnowsRoot;
+  using Base::leaf_side;
+  using Base::work_of;
+
+  /// The bound of a walk, while it lasts: its limit is asked for, and its rotated boxes.
+  void set_bound(const TranslatedGap& bound) { set_limit(bound.limit()); }
+  void set_bound(KeptGap& bound) {
+    kept_gap_ = &bound;
+    set_limit(bound.limit());
+  }
+
+  /// As LeafShapes::begin().
+  FLASHBVH_NOINLINE bool begin(Side side, uint32_t node, const PackedBox* reached) {
+    take(side, node);
+    if (this->made_ == 0) {
+      make_plane();
+    }
+    const uint32_t beyond = reached == nullptr ? 0 : plane_gap(*reached);
+    if (beyond > sum_limit_) {
+      return false;
+    }
+    if (this->made_ == 1) {
+      make_edge();
+    }
+    return reached == nullptr || beyond + edge_gap(*reached) <= sum_limit_;
+  }
+  /// Boxes are rotated where they are needed.
+  void take_again(Side side, uint32_t node) { take(side, node); }
+
+  /// False only if no triangle of the leaf is near enough to one of a subtree with this box.
+  FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
+    if (is_far_) {
+      return is_within_far(this->node_->box, this->side_, box, this->transform_, limit_) &&
+             plane_gap(box) + edge_gap(box) <= sum_limit_;
+    }
+    if (!is_within(this->window, box, box_limit_)) {
+      return false;
+    }
+    const uint32_t beyond = plane_gap(box);
+    return beyond <= sum_limit_ && beyond + edge_gap(box) <= sum_limit_;
+  }
+
+ private:
+  void set_limit(const GapLimit& limit) {
+    limit_ = limit;
+    sum_limit_ = limit.sum_limit();
+    is_far_ = !limit.is_near();
+    set_box_limit();
+  }
+  void set_box_limit() {
+    box_limit_ = this->side_ == Side::a && this->transform_.is_rotated() ? limit_.longer_limit()
+                                                                         : limit_.limit();
+  }
+
+  FLASHBVH_NOINLINE void take(Side side, uint32_t node) {
+    if (is_taken(side, node)) {
+      return;
+    }
+    this->node_ = (side == Side::a ? a : b).nodes + node;
+    this->side_ = side;
+    this->made_ = 0;
+    set_box_limit();
+    const PackedBox& box = this->node_->box;
+    if (this->transform_.is_rotated()) {
+      this->window = side == Side::a ? kept_gap_->window_of_a(box) : kept_gap_->window_of_b(box);
+    } else {
+      const Point& t = this->transform_.translated().offset;
+      this->window = window_of(seen_translated(box, side == Side::a ? Point{-t.x, -t.y, -t.z} : t));
+    }
+  }
+
+  FLASHBVH_NOINLINE void make_plane() {
+    cells_in_plane_ = this->lie_in_plane() ? see(this->plane) : 0;
+  }
+  FLASHBVH_NOINLINE void make_edge() {
+    cells_along_edge_ = this->lie_along_edge() ? see(this->edge) : 0;
+  }
+  /// How many cells a unit of the direction is of a slab in its own lattice, from where the other
+  /// tree sees it on.
+  FLASHBVH_INLINE_FOR_SPEED uint32_t see(Slab& slab) {
+    const PackedVector own = slab.direction();
+    Base::see(slab);
+    return cells_in_unit(this->side_ == Side::a ? own : slab.seen_direction());
+  }
+
+  FLASHBVH_INLINE uint32_t plane_gap(const PackedBox& box) const {
+    return squared(this->plane, cells_in_plane_, box);
+  }
+  FLASHBVH_INLINE uint32_t edge_gap(const PackedBox& box) const {
+    return squared(this->edge, cells_along_edge_, box);
+  }
+  FLASHBVH_INLINE uint32_t squared(const Slab& slab, uint32_t cells, const PackedBox& box) const {
+    return limit_.squared(static_cast<int32_t>((uint64_t{slab.gap(box)} * cells) >> 32));
+  }
+
+  KeptGap* kept_gap_ = nullptr;
+  GapLimit limit_{0};
+  uint32_t box_limit_ = 0;  ///< of the leaf's own box
+  uint32_t sum_limit_ = 0;  ///< of its slabs
+  bool is_far_ = false;
+  uint32_t cells_in_plane_ = 0;
+  uint32_t cells_along_edge_ = 0;
+};
+
+}  // namespace flashbvh::detail
+
+#endif

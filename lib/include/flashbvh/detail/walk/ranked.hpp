@@ -1,0 +1,170 @@
+// Ranked: stackless, in the order of a dynamic rule.
+//
+// Every internal node has a rank that never grows from a parent to its child (a quantised size of
+// its box); leaves have none. The rule: descend into the node of the larger rank, into A on a tie.
+//
+// Invariant: at every visited pair rank(a) < rank(parent of b) and rank(b) <= rank(parent of a). It
+// holds at the roots, and each descent keeps it. So the ancestor descended into last is the one of
+// smaller rank among parent(a) and parent(b), B's on a tie, and the pair after (a, b) is a function
+// of the pair. A root's missing parent counts as kRootParentRank, above every real rank, so a root
+// is left last, and the walk is over when both nodes are roots. proofs/walk proves all of it.
+//
+// Post-indexed trees only. Each ascent undoes a descent: constant time a visit, amortised.
+#ifndef FLASHBVH_DETAIL_WALK_RANKED_HPP
+#define FLASHBVH_DETAIL_WALK_RANKED_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/walk/walk_run.hpp"
+#include "flashbvh/mesh.hpp"
+
+namespace flashbvh {
+
+template <class TreeType>
+class Ranked {
+  using Index = typename TreeType::Index;
+  using NodeType = Node<Index>;
+  static_assert(TreeType::kLayout == Layout::post_indexed, "ranked walks post-indexed trees");
+
+ public:
+  using Tree = TreeType;
+  using Cursor = detail::PairCursor<Index>;
+  static constexpr bool kStartsAtRoots = true;
+  static constexpr bool kStackless = true;
+  static constexpr bool kBelowLeaves = false;
+
+  static Cursor nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor; }
+  /// Whether the invariant holds, which it does of no other pairs than those that a walk on which
+  /// everything overlaps comes by.
+  static bool can_visit(const Tree& a, const Tree& b, const Cursor& cursor) {
+    return a.nodes[cursor.a].rank() < find_parent_rank(b, cursor.b) &&
+           b.nodes[cursor.b].rank() <= find_parent_rank(a, cursor.a);
+  }
+
+  static Cursor cursor_at(const Tree&, const Tree&, Index a, Index b) { return {a, b}; }
+
+  Ranked(const Tree& a, const Tree& b, const Cursor& cursor) : b_(b, cursor.b), a_(a, cursor.a) {}
+
+  const NodeType& node_a() const { return *a_.node; }
+  const NodeType& node_b() const { return *b_.node; }
+  uint32_t index_a() const { return a_.index(); }
+  uint32_t index_b() const { return b_.index(); }
+
+  FLASHBVH_INLINE bool descend() {
+    const int32_t rank_a = a_.node->rank();
+    const int32_t rank_b = b_.node->rank();
+    if (rank_a < rank_b) {
+      if (rank_b > 0) {
+        b_.descend(rank_b);
+        return true;
+      }
+    } else if (rank_a >= 0) {
+      a_.descend(rank_a);
+      return true;
+    }
+    return false;
+  }
+  /// Without what descend() asks of leaves.
+  FLASHBVH_INLINE void descend_inner() {
+    const int32_t rank_a = a_.node->rank();
+    const int32_t rank_b = b_.node->rank();
+    if (rank_a < rank_b) {
+      b_.descend(rank_b);
+    } else {
+      a_.descend(rank_a);
+    }
+  }
+
+  bool next() {
+    for (;;) {
+      if (b_.parent_rank <= a_.parent_rank) {
+        if (b_.next_sibling()) {
+          return true;
+        }
+        if (b_.node == b_.root) {
+          return false;
+        }
+        b_.ascend();
+      } else {
+        if (a_.next_sibling()) {
+          return true;
+        }
+        a_.ascend();
+      }
+    }
+  }
+
+  /// The tree descended into last says which node was a leaf before the other one.
+  detail::Side leaf() const {
+    const bool into_b = b_.parent_rank <= a_.parent_rank;
+    const bool below_leaf = into_b ? a_.node->is_leaf() : b_.node->is_leaf();
+    return !below_leaf ? detail::Side::none : into_b ? detail::Side::a : detail::Side::b;
+  }
+  uint32_t leaf_root() const { return leaf() == detail::Side::a ? index_b() : index_a(); }
+  uint32_t leaf_node() const { return leaf_root(); }
+
+  void store(Cursor& cursor, bool /*ended*/) const { cursor = {a_.index(), b_.index()}; }
+  void store_below(Cursor& cursor, detail::Side leaf, uint32_t node) const {
+    store(cursor, false);
+    (leaf == detail::Side::a ? cursor.b : cursor.a) = static_cast<Index>(node);
+  }
+
+ protected:
+  /// Where the walk is in one of the trees.
+  struct Place {
+    const NodeType* root;
+    const NodeType* node;
+    int32_t parent_rank;
+
+    Place(const Tree& tree, Index index)
+        : root(tree.nodes), node(tree.nodes + index), parent_rank(find_parent_rank(tree, index)) {}
+
+    Index index() const { return static_cast<Index>(node - root); }
+
+    void descend(int32_t rank) {
+      parent_rank = rank;
+      node = root + node[1].link;
+    }
+
+    /// To the next sibling; false, and nowhere, if there is none. A root has none.
+    bool next_sibling() {
+      const NodeType* const next = root + node->link;
+      if (next < node) {
+        node = next;
+        return true;
+      }
+      return false;
+    }
+
+    /// To the last one.
+    void skip_siblings() {
+      while (root + node->link < node) {
+        node = root + node->link;
+      }
+    }
+
+    /// From a last child to its parent.
+    void ascend() {
+      --node;
+      parent_rank = node->parent_rank();
+    }
+  };
+
+  /// Of any node, in as many steps as it has later siblings.
+  static int32_t find_parent_rank(const Tree& tree, uint32_t index) {
+    if (index == 0) {
+      return kRootParentRank;
+    }
+    while (tree.nodes[index].link < index) {
+      index = tree.nodes[index].link;
+    }
+    return tree.nodes[index - 1].rank();
+  }
+
+  Place b_;
+  Place a_;
+};
+
+}  // namespace flashbvh
+
+#endif

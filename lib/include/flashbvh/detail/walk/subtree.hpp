@@ -1,0 +1,72 @@
+// A walk over one tree: the nodes below one node, parents first, in the order of the traversals.
+#ifndef FLASHBVH_DETAIL_WALK_SUBTREE_HPP
+#define FLASHBVH_DETAIL_WALK_SUBTREE_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/mesh.hpp"
+
+namespace flashbvh::detail {
+
+template <class IndexType, Layout layout>
+class Subtree;
+
+/// What lies behind a subtree is known by its index: the escape index of its root.
+template <class IndexType>
+class Subtree<IndexType, Layout::pre_indexed> {
+  using NodeType = Node<IndexType>;
+
+ public:
+  /// At `node`, which lies in the subtree below `root` or is it.
+  Subtree(const Tree<IndexType, Layout::pre_indexed>& tree, uint32_t root, uint32_t node)
+      : nodes_(tree.nodes), end_(nodes_ + nodes_[root].link), node_(nodes_ + node) {}
+
+  const NodeType& node() const { return *node_; }
+  uint32_t index() const { return static_cast<uint32_t>(node_ - nodes_); }
+  /// To the first child of an internal node.
+  void descend() { ++node_; }
+  /// To the node after this one and all below it; false if there is none.
+  bool next() {
+    node_ = nodes_ + node_->link;
+    return node_ != end_;
+  }
+
+ private:
+  const NodeType* nodes_;
+  const NodeType* end_;
+  const NodeType* node_;
+};
+
+/// A node without a later sibling lies right after its parent.
+template <class IndexType>
+class Subtree<IndexType, Layout::post_indexed> {
+  using NodeType = Node<IndexType>;
+
+ public:
+  Subtree(const Tree<IndexType, Layout::post_indexed>& tree, uint32_t root, uint32_t node)
+      : nodes_(tree.nodes), root_(nodes_ + root), node_(nodes_ + node) {}
+
+  const NodeType& node() const { return *node_; }
+  uint32_t index() const { return static_cast<uint32_t>(node_ - nodes_); }
+  void descend() { node_ = nodes_ + node_[1].link; }
+  bool next() {
+    while (node_ != root_) {
+      const NodeType* const sibling = nodes_ + node_->link;
+      if (sibling < node_) {
+        node_ = sibling;
+        return true;
+      }
+      --node_;
+    }
+    return false;
+  }
+
+ private:
+  const NodeType* nodes_;
+  const NodeType* root_;
+  const NodeType* node_;
+};
+
+}  // namespace flashbvh::detail
+
+#endif

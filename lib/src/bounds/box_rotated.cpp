@@ -1,0 +1,138 @@
+#include "flashbvh/detail/bounds/box_rotated.hpp"
+
+#include "flashbvh/detail/arch/packed_multiply.hpp"
+
+#if defined(__ARM_FEATURE_MVE) && !defined(FLASHBVH_PORTABLE)
+#include "box_rotated_mve.hpp"
+#define FLASHBVH_ROTATE_BOX flashbvh_rotate_and_compare
+// Bounds are kept with upper and lower exchanged, as they are added to a box's.
+#define FLASHBVH_ROTATED_EXCHANGED 1
+#else
+
+#if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_ROTATE_DSP 1
+#include "box_rotated_dsp.hpp"
+#elif defined(FLASHBVH_ROTATE_SSE2)
+#include "box_rotated_sse2.hpp"
+#elif defined(__thumb__) && __ARM_ARCH_PROFILE == 'M' && !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_ROTATE_THUMB 1
+#if __ARM_ARCH_ISA_THUMB >= 2
+#include "box_rotated_thumb2.hpp"
+#else
+#include "box_rotated_thumb1.hpp"
+#endif
+#elif !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_ROTATE_PLAIN 1
+#include "box_rotated_plain.hpp"
+#endif
+
+// Rotating both boxes is for most visits the exception, and the only path of RotatedBound::gap()
+// that needs registers saved. On cores that save them one by one it is a function of its own.
+#if defined(FLASHBVH_ROTATE_PLAIN)
+#define FLASHBVH_ROTATE_BOTH FLASHBVH_NOINLINE
+#else
+#define FLASHBVH_ROTATE_BOTH inline
+#endif
+
+namespace flashbvh::detail {
+namespace {
+
+#if !defined(FLASHBVH_ROTATE_DSP) && !defined(FLASHBVH_ROTATE_THUMB)
+#if !defined(FLASHBVH_ROTATE_SSE2) && !defined(FLASHBVH_ROTATE_PLAIN)
+
+/// Whole cells of a bound, biased: 0 stands for all below the lattice, 32,767 for its end and all
+/// above, which is the same against any box on it.
+inline uint32_t whole_bound(int32_t bound) {
+  const int32_t cells = bound >> kSplitBits;
+  return static_cast<uint32_t>(cells < 0 ? 0 : cells > 0x7FFF ? 0x7FFF : cells);
+}
+
+inline uint32_t upper_bound(const SplitRow& row, int32_t start, const PackedBox& box) {
+  return whole_bound(add_products(add_products(add_products(start, row.positive_xy, box.upper_xy),
+                                               row.negative_xy, box.lower_xy),
+                                  row.z, box.z));
+}
+
+inline uint32_t lower_bound(const SplitRow& row, int32_t start, const PackedBox& box) {
+  return whole_bound(
+      add_crossed_products(add_products(add_products(start, row.positive_xy, box.lower_xy),
+                                        row.negative_xy, box.upper_xy),
+                           row.z, box.z));
+}
+
+/// The bounds of a rotated box on the other lattice.
+inline PackedBox rotated(const SplitMatrix& matrix, const BoundStart* starts,
+                         const PackedBox& box) {
+  const auto upper = [&](int i) { return upper_bound(matrix.row[i], starts[i].upper, box); };
+  const auto lower = [&](int i) { return lower_bound(matrix.row[i], starts[i].lower, box); };
+  return {join_halves(upper(0), upper(1)), join_halves(lower(0), lower(1)),
+          join_halves(upper(2), lower(2))};
+}
+
+#endif
+
+/// Rotates `box` and keeps it; 0 if it overlaps `other`.
+FLASHBVH_NOINLINE uint32_t rotate_and_compare(RotatedBox& kept, const PackedBox& box,
+                                              const PackedBox& other) {
+#if defined(FLASHBVH_ROTATE_SSE2)
+  kept.bounds = rotated_sse2(kept.by, box);
+#elif defined(FLASHBVH_ROTATE_PLAIN)
+  rotate_plain(*kept.by.matrix, kept.by.starts, box, kept.bounds);
+#else
+  kept.bounds = rotated(*kept.by.matrix, kept.by.starts, box);
+#endif
+  kept.source = &box;
+  return compare(kept.bounds, other);
+}
+
+#endif
+
+/// Rotates `b` and, if need be, `a`; 0 if they overlap.
+FLASHBVH_ROTATE_BOTH uint32_t rotate_both(RotatedBox& kept_a, RotatedBox& kept_b,
+                                          const PackedBox& a, const PackedBox& b) {
+  const uint32_t gap = rotate_and_compare(kept_b, b, a);
+  return gap != 0 ? gap : rotate_and_compare(kept_a, a, b);
+}
+
+}  // namespace
+
+uint32_t RotatedBound::gap(const PackedBox& a, const PackedBox& b) {
+  if (b_.source == &b) {
+    const uint32_t gap = compare(b_.bounds, a);
+    return gap != 0 ? gap : rotate_and_compare(a_, a, b);
+  }
+  if (a_.source == &a) {
+    const uint32_t gap = compare(a_.bounds, b);
+    return gap != 0 ? gap : rotate_and_compare(b_, b, a);
+  }
+  return rotate_both(a_, b_, a, b);
+}
+
+}  // namespace flashbvh::detail
+
+#define FLASHBVH_ROTATE_BOX rotate_and_compare
+#endif
+
+namespace flashbvh::detail {
+
+void RotatedBound::keep(RotatedBox& kept, const PackedBox& box) {
+  if (kept.source != &box) {
+    (void)FLASHBVH_ROTATE_BOX(kept, box, box);
+  }
+}
+
+PackedTriple RotatedBound::window(const RotatedBox& kept, const PackedBox& box) {
+  if (kept.source != &box) {
+    return {{0, 0, 0}};
+  }
+  constexpr uint32_t zero = 2 * kBoundBias;  // what a sum of two bounds has if they are equal
+  constexpr uint32_t zeros = join_halves(zero, zero);
+#if defined(FLASHBVH_ROTATED_EXCHANGED)
+  return {{subtract_halves(zeros, kept.bounds.upper_xy),
+           subtract_halves(zeros, kept.bounds.lower_xy), subtract_halves(zeros, kept.bounds.z)}};
+#else
+  return detail::window({{zeros, zeros, zeros}}, kept.bounds);
+#endif
+}
+
+}  // namespace flashbvh::detail

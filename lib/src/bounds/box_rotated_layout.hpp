@@ -1,0 +1,27 @@
+// What the forms in assembly of the rotated box test take the layout of its objects to be.
+#ifndef FLASHBVH_BOUNDS_BOX_ROTATED_LAYOUT_HPP
+#define FLASHBVH_BOUNDS_BOX_ROTATED_LAYOUT_HPP
+
+#include <stddef.h>
+
+#include "flashbvh/detail/bounds/box_rotated.hpp"
+
+/// Of a function that assembly calls by its name: no optimiser may drop it, rename it or, at link
+/// time, hide it from the caller's part of the program.
+#if defined(__clang__)
+#define FLASHBVH_CALLED_BY_NAME gnu::naked, gnu::used, gnu::visibility("hidden")
+#else
+#define FLASHBVH_CALLED_BY_NAME \
+  gnu::naked, gnu::used, gnu::externally_visible, gnu::visibility("hidden")
+#endif
+
+namespace flashbvh::detail {
+
+static_assert(offsetof(RotatedBox, bounds) == 0 && offsetof(RotatedBox, source) == 12 &&
+              offsetof(RotatedBox, by.matrix) == 16 && offsetof(RotatedBox, by.starts) == 20 &&
+              sizeof(RotatedBox) == 24 && sizeof(RotatedBound) == 48);
+static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits == 14);
+
+}  // namespace flashbvh::detail
+
+#endif

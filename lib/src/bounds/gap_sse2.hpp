@@ -1,0 +1,85 @@
+// A box seen from the other lattice, with SSE2: all three axes at once, two products a lane
+// (PMADDWD), as in box_rotated_sse2.hpp. The arithmetic is that of gap.cpp, bit for bit.
+#ifndef FLASHBVH_BOUNDS_GAP_SSE2_HPP
+#define FLASHBVH_BOUNDS_GAP_SSE2_HPP
+
+#include <emmintrin.h>
+
+#include "flashbvh/detail/bounds/gap.hpp"
+
+namespace flashbvh::detail {
+
+/// Words of a matrix's rows, an axis a lane; what the fourth lane has is never used.
+struct RowLanes {
+  __m128i positive_xy;
+  __m128i negative_xy;
+  __m128i z;
+};
+
+inline RowLanes row_lanes(const SplitMatrix& matrix) {
+  static_assert(sizeof(matrix.row) == 9 * sizeof(uint32_t), "words without gaps");
+  const uint32_t* const words = &matrix.row[0].positive_xy;
+  const auto load = [words](int at) {
+    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(words + at));
+  };
+  const __m128i first = load(0);
+  const __m128i second = load(3);
+  const __m128i third = load(5);  // from the second row's last word on: nothing beyond the matrix
+  const __m128i xy = _mm_unpacklo_epi32(first, second);
+  return {_mm_unpacklo_epi64(xy, _mm_srli_si128(third, 4)), _mm_unpackhi_epi64(xy, third),
+          _mm_unpacklo_epi64(_mm_unpackhi_epi32(first, second), _mm_srli_si128(third, 12))};
+}
+
+inline BoundLanes start_lanes(const BoundStart* starts) {
+  static_assert(sizeof(BoundStart) == 2 * sizeof(int32_t), "words without gaps");
+  const __m128i two =
+      _mm_shuffle_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(starts)), 0xD8);
+  const __m128i third = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(starts + 2));
+  return {_mm_unpacklo_epi64(two, third), _mm_unpackhi_epi64(two, _mm_shuffle_epi32(third, 0x50))};
+}
+
+/// Of a rotated box's bounds, with kSplitBits of fraction.
+inline BoundLanes rotated_lanes(const RowLanes& rows, const BoundLanes& start,
+                                const PackedBox& box) {
+  const auto all = [](uint32_t word) { return _mm_set1_epi32(static_cast<int>(word)); };
+  const __m128i box_upper = all(box.upper_xy);
+  const __m128i box_lower = all(box.lower_xy);
+  const auto sum = [&](__m128i from, __m128i positive, __m128i negative, __m128i z) {
+    const __m128i xy = _mm_add_epi32(_mm_madd_epi16(rows.positive_xy, positive),
+                                     _mm_madd_epi16(rows.negative_xy, negative));
+    return _mm_add_epi32(from, _mm_add_epi32(xy, _mm_madd_epi16(rows.z, z)));
+  };
+  return {sum(start.upper, box_upper, box_lower, all(box.z)),
+          sum(start.lower, box_lower, box_upper, all(swap_halves(box.z)))};
+}
+
+/// As rotate() in gap.cpp.
+inline void rotate_lanes(const SplitMatrix& matrix, const BoundStart* starts, int32_t rounding,
+                         const PackedBox& box, SeenBox& seen) {
+  const BoundLanes sums = rotated_lanes(row_lanes(matrix), start_lanes(starts), box);
+  const auto set = [rounding](int32_t(&bounds)[4], __m128i sum) {
+    _mm_store_si128(reinterpret_cast<__m128i*>(bounds),
+                    _mm_srai_epi32(_mm_add_epi32(sum, _mm_set1_epi32(rounding)), kSplitBits));
+  };
+  set(seen.upper, sums.upper);
+  set(seen.lower, sums.lower);
+}
+
+/// What words of a box have to reach: sums from `zero` on, as halves, cut to 16 bits.
+inline PackedTriple window_lanes(const BoundLanes& sums, int32_t zero) {
+  const __m128i half = _mm_set1_epi32(1 << 15);  // so that a signed half saturates
+  const auto cells = [&](__m128i sum) {
+    return _mm_sub_epi32(_mm_srai_epi32(_mm_sub_epi32(_mm_set1_epi32(zero), sum), kSplitBits),
+                         half);
+  };
+  const __m128i both = _mm_xor_si128(_mm_packs_epi32(cells(sums.lower), cells(sums.upper)),
+                                     _mm_set1_epi16(INT16_MIN));
+  const auto word = [](__m128i lanes) { return static_cast<uint32_t>(_mm_cvtsi128_si32(lanes)); };
+  return {{word(both), word(_mm_unpackhi_epi64(both, both)),
+           join_halves(static_cast<uint32_t>(_mm_extract_epi16(both, 2)),
+                       static_cast<uint32_t>(_mm_extract_epi16(both, 6)))}};
+}
+
+}  // namespace flashbvh::detail
+
+#endif

@@ -1,0 +1,313 @@
+// Preparing a rotated transform, and transforming vertices.
+#include "flashbvh/detail/bounds/rotated_transform.hpp"
+#include "flashbvh/detail/bounds/box_rotated.hpp"
+#include "flashbvh/detail/lattice/packed_vector.hpp"
+
+// One axis after the other, to the first that tells; with vectors all three at once.
+#if defined(FLASHBVH_ROTATE_SSE2)
+#include "starts_sse2.hpp"
+#define FLASHBVH_ONE_AXIS inline
+#elif UINTPTR_MAX == UINT32_MAX && !defined(__thumb2__) && !defined(__OPTIMIZE_SIZE__) && \
+    !defined(FLASHBVH_PORTABLE)
+// A product of 64 bits takes several instructions, or a call, and one of two halves two.
+#include "box_rotated_plain.hpp"
+#define FLASHBVH_NARROW_SUMS 1
+#define FLASHBVH_ONE_AXIS [[gnu::noinline]]
+#else
+#define FLASHBVH_ONE_AXIS [[gnu::noinline]]
+#endif
+
+namespace flashbvh::detail {
+namespace {
+
+constexpr int32_t kHalf = kSplitOne / 2;
+
+inline int32_t clamp_offset(int64_t offset) {
+  constexpr int32_t most = kMaxOffset * kSplitOne;
+#if defined(FLASHBVH_ROTATE_SSE2)
+  return static_cast<int32_t>(offset < -most ? -most : offset > most ? most : offset);
+#else
+  const auto low = static_cast<int32_t>(offset);
+  const auto high = static_cast<int32_t>(offset >> 32);
+  const bool within = high == low >> 31 && static_cast<uint32_t>(low) + most <= 2u * most;
+  return within ? low : high < 0 ? -most : most;
+#endif
+}
+
+inline int64_t product(int32_t u, int32_t v) {
+  return static_cast<int64_t>(u) * v;
+}
+
+/// From A's origin on; wraps if the pose is out of range, which is an error of the pose.
+inline int32_t cells_along_axis(const Pose& pose, const int32_t (&origin_a)[3], int axis) {
+  return static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) -
+                              static_cast<uint32_t>(origin_a[axis]));
+}
+
+/// Where B's origin lies along an axis of A's lattice; kSplitOne is a cell.
+FLASHBVH_ONE_AXIS int32_t offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
+                                            const int32_t (&origin_b)[3], int axis) {
+  const int32_t cells = cells_along_axis(pose, origin_a, axis);
+  int32_t x = 0;
+  int32_t y = 0;
+  int32_t z = 0;
+  pose.matrix().get_row(axis, x, y, z);
+  // kRotationBits fraction bits; below 2^54.
+  const int32_t fraction = pose.fraction(axis) * (1 << (kRotationBits - 16));
+  const int64_t sum = fraction + (1 << (kRestBits - 1)) + product(x, origin_b[0]) +
+                      product(y, origin_b[1]) + product(z, origin_b[2]) +
+                      product(cells, 1 << kRotationBits);
+  // The high word mostly tells that nothing is to be clamped.
+  constexpr int32_t most = kMaxOffset * kSplitOne >> (32 - kRestBits);
+  const auto high = static_cast<int32_t>(sum >> 32);
+  if (static_cast<uint32_t>(high + most) < 2u * most) {
+    return static_cast<int32_t>(sum >> kRestBits);
+  }
+  return clamp_offset(sum >> kRestBits);
+}
+
+#if defined(FLASHBVH_NARROW_SUMS)
+
+/// Whether the coordinates have 16 bits.
+inline bool is_near(const int32_t (&origin)[3]) {
+  constexpr uint32_t half = 1u << 15;
+  const auto raised = [&](int axis) { return static_cast<uint32_t>(origin[axis]) + half; };
+  return (raised(0) | raised(1) | raised(2)) < 2 * half;
+}
+
+/// The same as offset_along_axis() if B's origin is near. Coarse entries and the rest are summed
+/// apart, and whole cells tell what is to be clamped.
+inline int32_t near_offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
+                                      const int32_t (&origin_b)[3], int axis) {
+  const int32_t cells = cells_along_axis(pose, origin_a, axis);
+  const SplitRow& row = pose.matrix().rows.row[axis];
+  const int8_t(&rest)[3] = pose.matrix().rest[axis];
+  // Both entries in a word, the second one less 1 where the first one is negative.
+  const uint32_t xy = row.positive_xy - row.negative_xy;
+  const auto x = static_cast<int16_t>(xy);
+  const int32_t y = static_cast<int32_t>(xy - static_cast<uint32_t>(x)) >> 16;
+  const int32_t z = row.z_entry();
+  const int32_t fraction = pose.fraction(axis) * (1 << (kRotationBits - 16));
+  const int32_t parts = fraction + (1 << (kRestBits - 1)) + rest[0] * origin_b[0] +
+                        rest[1] * origin_b[1] + rest[2] * origin_b[2];
+  const int32_t turned = x * origin_b[0] + y * origin_b[1] + z * origin_b[2] + (parts >> kRestBits);
+  const auto whole = static_cast<int32_t>(static_cast<uint32_t>(turned >> kSplitBits) +
+                                          static_cast<uint32_t>(cells));
+  if (static_cast<uint32_t>(whole) + kMaxOffset < 2u * kMaxOffset) {
+    return static_cast<int32_t>(static_cast<uint32_t>(turned) +
+                                static_cast<uint32_t>(cells) * kSplitOne);
+  }
+  return whole < 0 ? -kMaxOffset * kSplitOne : kMaxOffset * kSplitOne;
+}
+
+#endif
+
+/// What the rotation of boxes can lack of that of the vertices of B.
+int32_t box_margin(const RotationMatrix& matrix, int32_t reach_b) {
+  const int8_t* const rest = matrix.rest[0];
+  int32_t most = 0;
+  for (int i = 0; i < 9; ++i) {
+    const int32_t size = rest[i] < 0 ? -rest[i] : rest[i];
+    most = size > most ? size : most;
+  }
+  return ((most * reach_b) >> kRestBits) + 1;
+}
+
+/// How far, along one of B's axes, a transformed vertex can be from where it lies in B; see
+/// lib/docs/derivations.md, "Rotated boxes".
+int32_t axis_margin(const RotationMatrix& matrix, int32_t reach_b) {
+  const uint32_t stretched = static_cast<uint32_t>(reach_b) * matrix.defect;
+  return 7 * (kSplitOne / 8) + ((7 * reach_b) >> 3) + static_cast<int32_t>(stretched >> 10) + 4;
+}
+
+/// Products are of biased bounds and make a biased bound.
+BoundStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
+  const int32_t bias = (kSplitOne - row.sum()) * kBoundBias;
+  return {bias + margin + offset, bias + margin - offset};
+}
+
+/// What 14 bits lack of 22, on any lattice, and vertices' rounding: box_margin() at its largest.
+constexpr int32_t kWidestMargin = 3 * kMaxCoordinate / 2 + 1 + kHalf;
+
+#if !defined(FLASHBVH_ROTATE_SSE2)
+
+/// Whether the box of all of B, rotated, ends along an axis before A's root box begins, or begins
+/// after it. `upper`, `lower`: the biased bound of A's box, and the negated one.
+bool far_apart(const SplitRow& row, const BoundStart& start, const PackedBox& root_b,
+               uint32_t upper, uint32_t lower) {
+#if defined(FLASHBVH_NARROW_SUMS)
+  const AxisBounds x = {loaded_half(root_b.upper_xy, 0), loaded_half(root_b.lower_xy, 0)};
+  const AxisBounds y = {loaded_half(root_b.upper_xy, 1), loaded_half(root_b.lower_xy, 1)};
+  const AxisBounds z = {loaded_half(root_b.z, 0), loaded_half(root_b.z, 1)};
+  const AxisSums sums = rotated_sums(row, start, x, y, z);
+  const auto most = static_cast<int32_t>(sums.upper);
+  const auto least = static_cast<int32_t>(sums.lower);
+#else
+  const int32_t most =
+      add_products(add_products(add_products(start.upper, row.positive_xy, root_b.upper_xy),
+                                row.negative_xy, root_b.lower_xy),
+                   row.z, root_b.z);
+  const int32_t least =
+      add_crossed_products(add_products(add_products(start.lower, row.positive_xy, root_b.lower_xy),
+                                        row.negative_xy, root_b.upper_xy),
+                           row.z, root_b.z);
+#endif
+  return (most >> kSplitBits) + static_cast<int32_t>(lower) < 2 * kBoundBias ||
+         (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
+}
+
+#endif
+
+// What makes one coordinate of a transformed vertex, and the vertex as it is multiplied.
+#if defined(__ARM_FEATURE_DSP) && !defined(FLASHBVH_PORTABLE)
+
+/// Two products an instruction.
+using Factors = PackedVector;
+
+Factors factors_of(const Vertex& v) {
+  return PackedVector::of(v);
+}
+
+class Row {
+ public:
+  Row(const RotatedTransform& transform, int axis) {
+    const SplitRow& row = transform.matrix->rows.row[axis];
+    const int8_t(&rest)[3] = transform.matrix->rest[axis];
+    entries_ = {signed_difference(row.positive_xy, row.negative_xy), row.z_entry()};
+    rest_ = {join_halves(static_cast<uint16_t>(rest[0]), static_cast<uint16_t>(rest[1])), rest[2]};
+    offset_ = offset_of(transform.on_a[axis]) + kHalf;
+  }
+
+  int32_t transform(const PackedVector& v) const {
+    const int32_t rest = add_signed_products(rest_.z * v.z, rest_.xy, v.xy);
+    const int32_t sum = add_signed_products(entries_.z * v.z + offset_, entries_.xy, v.xy);
+    return (sum + (rest >> kRestBits)) >> kSplitBits;
+  }
+
+ private:
+  PackedVector entries_;
+  PackedVector rest_;
+  int32_t offset_;
+};
+
+#else
+
+using Factors = const Vertex&;
+
+Factors factors_of(const Vertex& v) {
+  return v;
+}
+
+class Row {
+ public:
+  Row(const RotatedTransform& transform, int axis) {
+    const SplitRow& row = transform.matrix->rows.row[axis];
+    x_ = row.x();
+    y_ = row.y();
+    z_ = row.z_entry();
+    rest_x_ = transform.matrix->rest_of(axis, 0);
+    rest_y_ = transform.matrix->rest_of(axis, 1);
+    rest_z_ = transform.matrix->rest_of(axis, 2);
+    offset_ = offset_of(transform.on_a[axis]) + kHalf;
+  }
+
+  int32_t transform(const Vertex& v) const {
+    const int32_t rest = rest_x_ * v.x + rest_y_ * v.y + rest_z_ * v.z;
+    return (x_ * v.x + y_ * v.y + z_ * v.z + (rest >> kRestBits) + offset_) >> kSplitBits;
+  }
+
+ private:
+  int32_t x_, y_, z_;
+  int32_t rest_x_, rest_y_, rest_z_;
+  int32_t offset_;
+};
+
+#endif
+
+}  // namespace
+
+bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
+                               const PackedBox& root_a, const int32_t (&origin_b)[3],
+                               const PackedBox& root_b, bool may_stop) {
+  matrix = &pose.matrix();
+#if defined(FLASHBVH_ROTATE_SSE2)
+  const RowLanes rows = row_lanes(matrix->rows);
+  const auto along = [&](int axis) { return offset_along_axis(pose, origin_a, origin_b, axis); };
+  const int32_t offset[3] = {along(0), along(1), along(2)};
+  const BoundLanes starts = start_all(rows, offset, kWidestMargin);
+  if (may_stop && far_apart(rows, starts, root_a, root_b)) {
+    return false;
+  }
+  store_all(starts, on_a);
+#elif defined(FLASHBVH_NARROW_SUMS)
+  const bool near = is_near(origin_b);
+  uint32_t upper = root_a.upper_xy;
+  uint32_t lower = root_a.lower_xy;
+  for (int axis = 0;;) {
+    const SplitRow& row = matrix->rows.row[axis];
+    const int32_t offset = near ? near_offset_along_axis(pose, origin_a, origin_b, axis)
+                                : offset_along_axis(pose, origin_a, origin_b, axis);
+    on_a[axis] = start_of(row, offset, kWidestMargin);
+    if (may_stop && far_apart(row, on_a[axis], root_b, low_half(upper), low_half(lower))) {
+      return false;
+    }
+    if (++axis == 3) {
+      break;
+    }
+    upper = axis == 1 ? high_half(upper) : root_a.z;
+    lower = axis == 1 ? high_half(lower) : high_half(root_a.z);
+  }
+#else
+  const auto is_far = [&](int axis, uint32_t upper, uint32_t lower) {
+    const SplitRow& row = matrix->rows.row[axis];
+    const int32_t offset = offset_along_axis(pose, origin_a, origin_b, axis);
+    on_a[axis] = start_of(row, offset, kWidestMargin);
+    return may_stop && far_apart(row, on_a[axis], root_b, upper, lower);
+  };
+  if (is_far(0, low_half(root_a.upper_xy), low_half(root_a.lower_xy)) ||
+      is_far(1, high_half(root_a.upper_xy), high_half(root_a.lower_xy)) ||
+      is_far(2, low_half(root_a.z), high_half(root_a.z))) {
+    return false;
+  }
+#endif
+  prepare_boxes(reach(root_b));
+  return true;
+}
+
+void RotatedTransform::prepare_boxes(int32_t reach_b) {
+  columns = matrix->rows.transposed();
+  const int32_t offset[3] = {offset_of(on_a[0]), offset_of(on_a[1]), offset_of(on_a[2])};
+  const int32_t narrower = kWidestMargin - (box_margin(*matrix, reach_b) + kHalf);
+  const int32_t axis = axis_margin(*matrix, reach_b);
+  for (int i = 0; i < 3; ++i) {
+    const SplitRow& column = columns.row[i];
+    const int64_t back = product(column.x(), offset[0]) + product(column.y(), offset[1]) +
+                         product(column.z_entry(), offset[2]);
+    on_a[i].upper -= narrower;
+    on_a[i].lower -= narrower;
+    on_b[i] = start_of(column, clamp_offset(-(back >> kSplitBits)), axis);
+  }
+}
+
+Point RotatedTransform::transform(const Vertex& v) const {
+  Factors p = factors_of(v);
+  return {Row(*this, 0).transform(p), Row(*this, 1).transform(p), Row(*this, 2).transform(p)};
+}
+
+void RotatedTransform::transform(const Vertex& u, const Vertex& v, const Vertex& w,
+                                 Triangle& triangle) const {
+  Factors p = factors_of(u);
+  Factors q = factors_of(v);
+  Factors r = factors_of(w);
+  const auto transform_axis = [&](int axis, int32_t Point::*coordinate) {
+    const Row row(*this, axis);
+    triangle.corner[0].*coordinate = row.transform(p);
+    triangle.corner[1].*coordinate = row.transform(q);
+    triangle.corner[2].*coordinate = row.transform(r);
+  };
+  transform_axis(0, &Point::x);
+  transform_axis(1, &Point::y);
+  transform_axis(2, &Point::z);
+}
+
+}  // namespace flashbvh::detail

@@ -1,0 +1,42 @@
+// Where the sums of a rotated box begin, and whether all of B is far from A, with SSE2: an axis a
+// lane, with the arithmetic of rotated_transform.cpp, bit for bit, and one branch for all three.
+#ifndef FLASHBVH_BOUNDS_STARTS_SSE2_HPP
+#define FLASHBVH_BOUNDS_STARTS_SSE2_HPP
+
+#include "box_rotated_sse2.hpp"
+#include "gap_sse2.hpp"
+
+namespace flashbvh::detail {
+
+/// start_of() for all axes.
+inline BoundLanes start_all(const RowLanes& rows, const int32_t (&offset)[3], int32_t margin) {
+  constexpr int bias_bits = 14;
+  static_assert(kBoundBias == 1 << bias_bits);
+  const __m128i ones = _mm_set1_epi16(1);
+  const __m128i magnitudes =
+      _mm_add_epi32(_mm_madd_epi16(_mm_add_epi16(rows.positive_xy, rows.negative_xy), ones),
+                    _mm_madd_epi16(rows.z, ones));
+  const __m128i bias =
+      _mm_slli_epi32(_mm_sub_epi32(_mm_set1_epi32(kSplitOne), magnitudes), bias_bits);
+  const __m128i shared = _mm_add_epi32(bias, _mm_set1_epi32(margin));
+  const __m128i offsets = _mm_set_epi32(0, offset[2], offset[1], offset[0]);
+  return {_mm_add_epi32(shared, offsets), _mm_sub_epi32(shared, offsets)};
+}
+
+inline void store_all(const BoundLanes& from, BoundStart (&starts)[3]) {
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(&starts[0]),
+                   _mm_unpacklo_epi32(from.upper, from.lower));
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(&starts[2]),
+                   _mm_unpackhi_epi32(from.upper, from.lower));
+}
+
+/// Whether along one of the axes all of B is beyond A's root box.
+inline bool far_apart(const RowLanes& rows, const BoundLanes& starts, const PackedBox& root_a,
+                      const PackedBox& root_b) {
+  const BoundLanes sums = rotated_lanes(rows, starts, root_b);
+  return compare(root_a, box_of_sums(sums.upper, sums.lower)) != 0;
+}
+
+}  // namespace flashbvh::detail
+
+#endif

@@ -1,0 +1,26 @@
+// From a mesh's frame to its lattice.
+#ifndef FLASHBVH_LATTICE_MESH_FRAME_HPP
+#define FLASHBVH_LATTICE_MESH_FRAME_HPP
+
+#include "flashbvh/lattice.hpp"
+
+namespace flashbvh::detail {
+
+/// A point of a mesh's frame, anywhere in 32 bits, from the mesh's origin on; false if that is more
+/// than `most` along an axis.
+inline bool get_from_origin(const int32_t (&origin)[3], const Point& p, int32_t most,
+                            Point& from_origin) {
+  const auto fits = [most](int64_t at) { return at >= -most && at <= most; };
+  const int64_t x = int64_t{p.x} - origin[0];
+  const int64_t y = int64_t{p.y} - origin[1];
+  const int64_t z = int64_t{p.z} - origin[2];
+  if (!fits(x) || !fits(y) || !fits(z)) {
+    return false;
+  }
+  from_origin = {static_cast<int32_t>(x), static_cast<int32_t>(y), static_cast<int32_t>(z)};
+  return true;
+}
+
+}  // namespace flashbvh::detail
+
+#endif

@@ -1,0 +1,302 @@
+// The proof that queries on a tree stay in bounds and end.
+//
+// Nodes are taken in array order, in which a node stands before its subtree. After an internal node
+// comes its child (the first in a pre-indexed tree, the last in a post-indexed one); after a leaf
+// comes a sibling of the leaf or of one of its ancestors, found by climbing. Each node is entered
+// once and left once, so the pass is linear; all that it reads was checked before, so it is safe on
+// any bytes; and it keeps a few words of state.
+//
+// Of a post-indexed tree the links alone say all: the sibling that a node follows in array order is
+// its link. A pre-indexed tree is climbed by its parents.
+#include "flashbvh/detail/arch/inline.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "surface.hpp"
+
+namespace flashbvh::detail {
+namespace {
+
+/// No bound beyond the lattice. That bounds are no zeros, and lower ones not above upper ones,
+/// follows: each box is a leaf's or contains a child's, and leaves' boxes contain triangles.
+bool is_on_lattice(const PackedBox& box) {
+  return ((box.upper_xy | box.lower_xy | box.z) & 0x80008000u) == 0;
+}
+
+/// Of boxes on the lattice, whose halves have a spare bit that no difference needs.
+bool is_inside(const PackedBox& inner, const PackedBox& outer) {
+  constexpr uint32_t spare = 0x80008000u;
+  const uint32_t reach = ((outer.upper_xy | spare) - inner.upper_xy) &
+                         ((outer.lower_xy | spare) - inner.lower_xy) &
+                         ((outer.z | spare) - inner.z);
+  return (reach & spare) == spare;
+}
+
+template <class Index, Layout layout>
+class Checker {
+  static constexpr bool kPre = layout == Layout::pre_indexed;
+
+ public:
+  /// `shape` is written as the check goes on.
+  Checker(const LevelledMesh<Index, layout>& tree, TreeShape& shape)
+      : tree_(tree), leaves_(0), shape_(shape) {
+    shape = {0, 0, 0, 0, 0, false};
+  }
+
+  bool check() {
+    if (!vertices_on_lattice() || !root() || !node(0)) {
+      return false;
+    }
+    for (uint32_t i = 1; i < tree_.node_count; ++i) {
+      const bool entered = tree_.nodes[i - 1].is_leaf() ? enter_sibling(i) : enter_child(i);
+      if (!entered || !node(i)) {
+        return false;
+      }
+    }
+    uint32_t last = tree_.node_count - 1u;
+    if (!tree_.nodes[last].is_leaf() || !leave_to(last, 0, tree_.node_count) ||
+        leaves_ != tree_.leaf_count || tree_.first_triangle(leaves_) != tree_.triangle_count ||
+        !shells()) {
+      return false;
+    }
+    measure_children();
+    shape_.longest_edge = surface_.longest_edge();
+    shape_.is_closed = surface_.is_closed();
+    return true;
+  }
+
+ private:
+  FLASHBVH_NOINLINE bool vertices_on_lattice() const {
+    for (uint32_t i = 0; i < tree_.vertex_count; ++i) {
+      const Vertex& v = tree_.vertices[i];
+      const int16_t coordinates[3] = {v.x, v.y, v.z};
+      for (const int16_t c : coordinates) {
+        if (c < -kMaxCoordinate || c > kMaxCoordinate) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  bool root() const {
+    const Node<Index>& node = tree_.nodes[0];
+    const bool rank = node.is_leaf() || node.parent_rank() == kRootParentRank;
+    bool levels = !has_levels() || tree_.level(0) == 0;
+    if constexpr (kPre) {
+      levels = levels && tree_.parents[0] == 0;
+    } else {
+      levels = levels && (!has_levels() || tree_.rcl(0) == 0);
+    }
+    return node.link == tree_.node_count && rank && levels;
+  }
+
+  /// There is one at least, and each has a triangle of its own, which is not looked for.
+  FLASHBVH_NOINLINE bool shells() const {
+    if (tree_.shell_count == 0) {
+      return false;
+    }
+    for (uint32_t i = 0; i < tree_.shell_count; ++i) {
+      const uint32_t vertex = tree_.shell_vertices[i];
+      if (vertex >= tree_.vertex_count || (i != 0 && vertex <= tree_.shell_vertices[i - 1])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool has_levels() const { return kPre || tree_.levels != nullptr; }
+
+  /// What can be told of a node by itself.
+  bool node(uint32_t i) {
+    const Node<Index>& node = tree_.nodes[i];
+    return is_on_lattice(node.box) && (node.is_leaf() ? leaf(node) : has_ranks(node));
+  }
+
+  /// Two ranks and nothing between them.
+  static bool has_ranks(const Node<Index>& node) {
+    constexpr Index ends = static_cast<Index>((Index{0xFF} << (Node<Index>::kBits - 8)) | 0xFF);
+    return node.rank() >= 1 && node.rank() <= kMaxRank && (node.data & ends) == node.data;
+  }
+
+  /// Leaves count up in array order; so do their triangles, which lie in the leaf's box.
+  bool leaf(const Node<Index>& node) {
+    if (node.leaf() != leaves_ || leaves_ == tree_.leaf_count) {
+      return false;
+    }
+    const uint32_t first = tree_.first_triangle(leaves_);
+    const uint32_t end = tree_.end_triangle(leaves_);
+    if (first >= end || end > tree_.triangle_count || end - first > kMaxLeafSize ||
+        (leaves_ == 0 && first != 0)) {
+      return false;
+    }
+    shape_.leaf_size = greater(shape_.leaf_size, end - first);
+    for (uint32_t i = first; i < end; ++i) {
+      if (!triangle(i, node.box)) {
+        return false;
+      }
+    }
+    ++leaves_;
+    return true;
+  }
+
+  FLASHBVH_NOINLINE bool triangle(uint32_t position, const PackedBox& box) {
+    const Index(&corner)[3] = tree_.triangles[position].corner;
+    const uint32_t u = corner[0];
+    const uint32_t v = corner[1];
+    const uint32_t w = corner[2];
+    if (u >= tree_.vertex_count || v >= tree_.vertex_count || w >= tree_.vertex_count) {
+      return false;
+    }
+    const Vertex p = tree_.vertices[u];
+    const Vertex q = tree_.vertices[v];
+    const Vertex r = tree_.vertices[w];
+    surface_.add(u, v, w, p, q, r);
+    return is_inside(pack({p, p}), box) && is_inside(pack({q, q}), box) &&
+           is_inside(pack({r, r}), box);
+  }
+
+  /// Node i follows the internal node i - 1 and must be its child.
+  bool enter_child(uint32_t i) const {
+    if (has_levels() && tree_.level(i) != tree_.level(i - 1) + 1) {
+      return false;
+    }
+    if constexpr (kPre) {
+      return tree_.parents[i] == i - 1;
+    } else {
+      return tree_.nodes[i].link >= i && (!has_levels() || tree_.rcl(i) == tree_.rcl(i - 1) + 1);
+    }
+  }
+
+  /// Node i follows the leaf i - 1 and must be a sibling of a node above it, or of the leaf itself.
+  bool enter_sibling(uint32_t i) const {
+    uint32_t sibling = i - 1;
+    if constexpr (kPre) {
+      return leave_to(sibling, tree_.level(i), i) && sibling != 0 &&
+             tree_.parents[i] == tree_.parents[sibling];
+    } else {
+      const uint32_t link = tree_.nodes[i].link;
+      return link < i && leave_to(sibling, link, i) &&
+             (!has_levels() || (tree_.level(i) == tree_.level(link) && tree_.rcl(i) == 0));
+    }
+  }
+
+  /// Climbs from `node` to its ancestor at `place`, a level of a pre-indexed tree, an index of a
+  /// post-indexed one, checking each parent on the way once all its children are done. `next` is
+  /// the node that follows in array order: what a pre-indexed tree's links of all nodes that are
+  /// left must be, so that is where each link is checked.
+  bool leave_to(uint32_t& node, uint32_t place, uint32_t next) const {
+    if (kPre && tree_.nodes[node].link != next) {
+      return false;
+    }
+    while (place_of(node) > place) {
+      uint32_t parent;
+      if constexpr (kPre) {
+        parent = tree_.parents[node];
+        if (tree_.nodes[parent].link != next) {
+          return false;
+        }
+      } else {
+        const uint32_t last = last_sibling(node);
+        if (tree_.nodes[last].link != node) {
+          return false;
+        }
+        parent = last - 1;
+      }
+      if (!children_belong_to(parent)) {
+        return false;
+      }
+      node = parent;
+    }
+    return place_of(node) == place;
+  }
+
+  uint32_t place_of(uint32_t node) const { return kPre ? tree_.level(node) : node; }
+
+  uint32_t last_sibling(uint32_t node) const {
+    while (tree_.nodes[node].link < node) {
+      node = tree_.nodes[node].link;
+    }
+    return node;
+  }
+
+  FLASHBVH_NOINLINE bool children_belong_to(uint32_t parent) const {
+    const Node<Index>& above = tree_.nodes[parent];
+    for (uint32_t child = tree_.first_child(parent);; child = tree_.next_sibling(child)) {
+      const Node<Index>& node = tree_.nodes[child];
+      const bool ranks =
+          node.is_leaf() || (node.parent_rank() == above.rank() && node.rank() <= above.rank());
+      if (!ranks || !is_inside(node.box, above.box)) {
+        return false;
+      }
+      if (tree_.is_last_child(parent, child)) {
+        return true;
+      }
+    }
+  }
+
+  /// Depth, stack need and arity. Only on a tree whose links are proven.
+  FLASHBVH_NOINLINE void measure_children() {
+    uint32_t pending = 0;
+    uint32_t depth = 0;
+    for (uint32_t i = 1; i < tree_.node_count; ++i) {
+      uint32_t above = i - 1;
+      if (tree_.nodes[above].is_leaf()) {
+        while (!are_siblings(above, i)) {
+          above = parent_of(above);
+          pending -= later_siblings(above);
+          --depth;
+        }
+      } else {
+        const uint32_t more = later_siblings(above);
+        shape_.arity = greater(shape_.arity, more + 1);
+        pending += more;
+        ++depth;
+      }
+      shape_.stack_need = greater(shape_.stack_need, pending);
+      shape_.depth = greater(shape_.depth, depth);
+    }
+  }
+
+  /// Of a node, and one above the leaf before it, or that leaf.
+  bool are_siblings(uint32_t above, uint32_t node) const {
+    return kPre ? tree_.level(above) == tree_.level(node) : tree_.nodes[node].link == above;
+  }
+
+  static uint32_t greater(uint32_t u, uint32_t v) { return u > v ? u : v; }
+
+  /// Children of a node, less one.
+  uint32_t later_siblings(uint32_t parent) const {
+    uint32_t count = 0;
+    for (uint32_t child = tree_.first_child(parent); !tree_.is_last_child(parent, child);
+         child = tree_.next_sibling(child)) {
+      ++count;
+    }
+    return count;
+  }
+
+  uint32_t parent_of(uint32_t node) const {
+    if constexpr (kPre) {
+      return tree_.parents[node];
+    } else {
+      return last_sibling(node) - 1;
+    }
+  }
+
+  const LevelledMesh<Index, layout>& tree_;
+  uint32_t leaves_;  ///< passed so far
+  Surface surface_;  ///< of their triangles
+  TreeShape& shape_;
+};
+
+}  // namespace
+
+template <class Index, Layout layout>
+Status check_tree(const LevelledMesh<Index, layout>& mesh, TreeShape& shape) {
+  return Checker<Index, layout>(mesh, shape).check() ? Status::done : Status::image_invalid;
+}
+
+template Status check_tree(const LevelledPreMesh&, TreeShape&);
+template Status check_tree(const LevelledPostMesh&, TreeShape&);
+template Status check_tree(const LargeLevelledPreMesh&, TreeShape&);
+template Status check_tree(const LargeLevelledPostMesh&, TreeShape&);
+
+}  // namespace flashbvh::detail

@@ -1,0 +1,204 @@
+// Arithmetic of 128 bits, and of 256 where two fractions are nearly equal.
+#include "flashbvh/detail/predicates/fraction.hpp"
+
+#include "long_division.hpp"
+
+namespace flashbvh::detail {
+namespace {
+
+constexpr uint64_t kLowHalf = UINT32_MAX;
+
+#if defined(__SIZEOF_INT128__) && !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_HAS_INT128 1
+
+// Where the machine multiplies 64 bits; the same numbers.
+__extension__ using Native = unsigned __int128;
+
+Int128 of_native(Native value) {
+  return {static_cast<int64_t>(value >> 64), static_cast<uint64_t>(value)};
+}
+
+Int128 unsigned_product(uint64_t u, uint64_t v) {
+  return of_native(Native{u} * v);
+}
+
+#else
+
+Int128 unsigned_product(uint64_t u, uint64_t v) {
+  const uint64_t low = (u & kLowHalf) * (v & kLowHalf);
+  const uint64_t first = (u >> 32) * (v & kLowHalf) + (low >> 32);
+  const uint64_t second = (u & kLowHalf) * (v >> 32) + (first & kLowHalf);
+  return {static_cast<int64_t>((u >> 32) * (v >> 32) + (first >> 32) + (second >> 32)),
+          (second << 32) | (low & kLowHalf)};
+}
+
+#endif
+
+inline uint32_t word_of(const Int128& u, int i) {
+  return static_cast<uint32_t>((i < 2 ? u.low : static_cast<uint64_t>(u.high)) >> (32 * (i & 1)));
+}
+
+/// u v against w x, of numbers that are not negative: the sign of the difference, by columns of 32
+/// bits, so that no product has to be kept.
+[[gnu::noinline]] int compare_products(const Int128& u, const Int128& v, const Int128& w,
+                                       const Int128& x) {
+  constexpr int kWords = 4;
+  int64_t carry = 0;
+  uint32_t any = 0;
+  for (int column = 0; column < 2 * kWords; ++column) {
+    int64_t sum = carry;
+    int64_t above = 0;
+    for (int i = column < kWords ? 0 : column - kWords + 1; i <= column && i < kWords; ++i) {
+      const uint64_t one = uint64_t{word_of(u, i)} * word_of(v, column - i);
+      const uint64_t other = uint64_t{word_of(w, i)} * word_of(x, column - i);
+      sum += static_cast<int64_t>(one & kLowHalf) - static_cast<int64_t>(other & kLowHalf);
+      above += static_cast<int64_t>(one >> 32) - static_cast<int64_t>(other >> 32);
+    }
+    any |= static_cast<uint32_t>(sum);
+    carry = (sum >> 32) + above;
+  }
+  return carry < 0 ? -1 : any != 0 ? 1 : 0;
+}
+
+/// The leading bits: the number is at least digits * 2^exponent, and below (digits + 1) *
+/// 2^exponent; digits have 31 bits, the first of them 1. Of a number above 0.
+struct Leading {
+  [[gnu::noinline]] explicit Leading(const Int128& u) {
+    const bool by_word = u.high != 0;
+    const uint64_t word = by_word ? static_cast<uint64_t>(u.high) : u.low;
+    const int zeros = __builtin_clzll(word);
+    const uint64_t below = by_word ? u.low : 0;
+    const uint64_t top = word << zeros | below >> 1 >> (63 - zeros);
+    digits = static_cast<uint32_t>(top >> 33);
+    exponent = (by_word ? 97 : 33) - zeros;
+  }
+  uint32_t digits;
+  int32_t exponent;
+};
+
+/// As compare(), or 2 if the leading bits don't decide.
+[[gnu::noinline]] int compare_leading(const Fraction& x, const Fraction& y) {
+  if (is_zero(x.above) || is_zero(y.above)) {
+    return sign_of(x.above) - sign_of(y.above);
+  }
+  const Leading x_above(x.above);
+  const Leading x_below(x.below);
+  const Leading y_above(y.above);
+  const Leading y_below(y.below);
+  // x_above * y_below against y_above * x_below: products of digits are from 2^60 to 2^62.
+  const int32_t shift = x_above.exponent + y_below.exponent - y_above.exponent - x_below.exponent;
+  const int32_t size = shift < 0 ? -shift : shift;
+  if (size > 2) {
+    return shift < 0 ? -1 : 1;
+  }
+  const auto least = [](const Leading& u, const Leading& v) {
+    return static_cast<uint64_t>(u.digits) * v.digits;
+  };
+  const auto most = [](const Leading& u, const Leading& v) {
+    return (static_cast<uint64_t>(u.digits) + 1) * (static_cast<uint64_t>(v.digits) + 1);
+  };
+  // A quarter of each, so that the larger scale still fits.
+  const int32_t x_up = shift > 0 ? shift : 0;
+  const int32_t y_up = shift < 0 ? -shift : 0;
+  if (((most(x_above, y_below) >> 2) + 1) << x_up <= (least(y_above, x_below) >> 2) << y_up) {
+    return -1;
+  }
+  if (((most(y_above, x_below) >> 2) + 1) << y_up <= (least(x_above, y_below) >> 2) << x_up) {
+    return 1;
+  }
+  return 2;
+}
+
+}  // namespace
+
+Int128 full_product(int64_t u, int64_t v) noexcept {
+  const auto p = static_cast<uint64_t>(u);
+  const auto q = static_cast<uint64_t>(v);
+  Int128 wide = unsigned_product(p, q);
+  const uint64_t more = (u < 0 ? q : 0) + (v < 0 ? p : 0);
+  wide.high = static_cast<int64_t>(static_cast<uint64_t>(wide.high) - more);
+  return wide;
+}
+
+Int128 times(const Int128& u, int32_t v) noexcept {
+  Int128 wide = unsigned_product(u.low, static_cast<uint64_t>(v < 0 ? -int64_t{v} : v));
+  const uint64_t high =
+      static_cast<uint64_t>(u.high) * static_cast<uint64_t>(v < 0 ? -int64_t{v} : v);
+  wide.high = static_cast<int64_t>(static_cast<uint64_t>(wide.high) + high);
+  return v < 0 ? -wide : wide;
+}
+
+Int128 shifted_up(const Int128& u, unsigned bits) noexcept {
+  if (bits >= 64) {
+    return {static_cast<int64_t>(u.low << (bits - 64)), 0};
+  }
+  if (bits == 0) {
+    return u;
+  }
+  return {static_cast<int64_t>(static_cast<uint64_t>(u.high) << bits | u.low >> (64 - bits)),
+          // Unsigned, whatever it was made of.
+          // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult)
+          u.low << bits};
+}
+
+Int128 quotient(const Int128& u, const Int128& v) noexcept {
+#if defined(FLASHBVH_HAS_INT128)
+  const auto native = [](const Int128& x) {
+    return Native{static_cast<uint64_t>(x.high)} << 64 | x.low;
+  };
+  return of_native(native(u) / native(v));
+#else
+  return long_quotient(u, v);
+#endif
+}
+
+uint64_t square_root(const Int128& u) noexcept {
+  uint64_t root = 0;
+  for (uint64_t bit = uint64_t{1} << (u.high != 0 ? 63 : 31); bit != 0; bit >>= 1) {
+    const Int128 square = unsigned_product(root | bit, root | bit);
+    if (square.high >= 0 && !(u < square)) {
+      root |= bit;
+    }
+  }
+  return root;
+}
+
+int compare(const Fraction& x, const Fraction& y) noexcept {
+  // As neighbours share edges, the same fraction often comes twice.
+  if (x.above == y.above && x.below == y.below) {
+    return 0;
+  }
+  const int order = compare_leading(x, y);
+  return order != 2 ? order : compare_products(x.above, y.below, y.above, x.below);
+}
+
+bool is_above(const Fraction& x, const ShortFraction& y) noexcept {
+  Int128 limit = unsigned_product(x.below.low, y.above);
+  const uint64_t more = static_cast<uint64_t>(x.below.high) * y.above;
+  limit.high = static_cast<int64_t>(static_cast<uint64_t>(limit.high) + more);
+  Int128 value = unsigned_product(x.above.low, y.below);
+  const uint64_t rest = static_cast<uint64_t>(x.above.high) * y.below;
+  value.high = static_cast<int64_t>(static_cast<uint64_t>(value.high) + rest);
+  return limit < value;
+}
+
+int64_t rounded_up(const Fraction& x) noexcept {
+  if (is_zero(x.above)) {
+    return 0;
+  }
+  const Leading above(x.above);
+  const Leading below(x.below);
+  // The quotient of digits, at most 2, with 31 bits after the point, bit by bit.
+  uint32_t rest = above.digits + 1;
+  uint64_t share = 0;
+  for (int bit = 31; bit >= 0; --bit) {
+    const bool fits = rest >= below.digits;
+    rest = (fits ? rest - below.digits : rest) << 1;
+    share = share << 1 | (fits ? 1 : 0);
+  }
+  ++share;
+  const int32_t down = 31 - (above.exponent - below.exponent);
+  return static_cast<int64_t>(down <= 0 ? share << -down : down > 40 ? 1 : (share >> down) + 1);
+}
+
+}  // namespace flashbvh::detail

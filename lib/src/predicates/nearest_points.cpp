@@ -1,0 +1,122 @@
+// Where two triangles are nearest, rounded to 1/256 cell.
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/detail/predicates/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle_distance.hpp"
+
+namespace flashbvh {
+namespace detail {
+namespace {
+
+/// Times `below`: a coordinate's way from the place's corner.
+Int128 way_along(const Triangle& t, const PlaceInTriangle& place, int32_t Point::*axis) {
+  const unsigned i = place.origin;
+  const unsigned j = i == 2 ? 0 : i + 1;
+  const unsigned k = j == 2 ? 0 : j + 1;
+  return times(place.first, t.corner[j].*axis - t.corner[i].*axis) +
+         times(place.second, t.corner[k].*axis - t.corner[i].*axis);
+}
+
+/// To the nearest 1/256.
+[[gnu::noinline]] int64_t fine_coordinate(const Triangle& t, const PlaceInTriangle& place,
+                                          int32_t Point::*axis) {
+  const Int128 way = way_along(t, place, axis);
+  const bool negative = way.high < 0;
+  const Int128 twice = shifted_up(negative ? -way : way, 9) + place.below;
+  const auto steps = static_cast<int64_t>(quotient(twice, shifted_up(place.below, 1)).low);
+  return int64_t{t.corner[place.origin].*axis} * kFineOne + (negative ? -steps : steps);
+}
+
+FinePoint fine_point(const Triangle& t, const PlaceInTriangle& place) {
+  return {fine_coordinate(t, place, &Point::x), fine_coordinate(t, place, &Point::y),
+          fine_coordinate(t, place, &Point::z)};
+}
+
+/// From a place of A to one of B. One of the two is a corner, or both shares have one denominator.
+[[gnu::noinline]] Int128 apart_along(const Triangle& a, const PlaceInTriangle& of_a,
+                                     const Triangle& b, const PlaceInTriangle& of_b,
+                                     int32_t Point::*axis) {
+  const Int128& below = of_a.below < of_b.below ? of_b.below : of_a.below;
+  const int32_t corners = b.corner[of_b.origin].*axis - a.corner[of_a.origin].*axis;
+  return times(below, corners) + way_along(b, of_b, axis) - way_along(a, of_a, axis);
+}
+
+int leading_zeros(const Int128& u) {
+  const Int128 size = u.high < 0 ? -u : u;
+  return size.high != 0  ? __builtin_clzll(static_cast<uint64_t>(size.high))
+         : size.low != 0 ? 64 + __builtin_clzll(size.low)
+                         : 128;
+}
+
+/// Of a vector that is not 0.
+[[gnu::noinline]] UnitVector unit_vector(const Int128 (&v)[3]) {
+  int zeros = 128;
+  for (const Int128& component : v) {
+    const int own = leading_zeros(component);
+    zeros = own < zeros ? own : zeros;
+  }
+  // To 61 bits and a sign, of which the root of the sum of squares takes one more at most.
+  int64_t scaled[3];
+  Int128 squared = {0, 0};
+  for (int i = 0; i < 3; ++i) {
+    scaled[i] = shifted_up(v[i], static_cast<unsigned>(zeros - 1)).high >> 2;
+    squared = squared + full_product(scaled[i], scaled[i]);
+  }
+  const auto length = static_cast<int64_t>(square_root(squared));
+  const auto share = [&](int64_t component) {
+    const bool negative = component < 0;
+    const Int128 size = shifted_up(widened(negative ? -component : component), 31);
+    const uint64_t twice = quotient(size, widened(length)).low;
+    const auto rounded = static_cast<int32_t>((twice + 1) >> 1);
+    return negative ? -rounded : rounded;
+  };
+  return {share(scaled[0]), share(scaled[1]), share(scaled[2])};
+}
+
+/// Sets the distance: the root of `squared` in 1/256 cell, down and up.
+[[gnu::noinline]] void set_distance(const Fraction& squared, NearestPoints& nearest) {
+  constexpr unsigned bits = 16;  // of kFineOne squared
+  const Fraction fine = {shifted_up(squared.above, bits), squared.below};
+  nearest.lower = static_cast<uint32_t>(square_root(quotient(fine.above, fine.below)));
+  const auto root = static_cast<int64_t>(nearest.lower);
+  const bool exact = compare({full_product(root, root), {0, 1}}, fine) == 0;
+  nearest.upper = nearest.lower + (exact ? 0 : 1);
+}
+
+[[gnu::noinline]] void set_points(const Triangle& a, const Triangle& b, const Features& features,
+                                  NearestPoints& nearest) {
+  PlaceInTriangle of_a{};
+  PlaceInTriangle of_b{};
+  nearest_places(a, b, features, of_a, of_b);
+  nearest.point_a = fine_point(a, of_a);
+  nearest.point_b = fine_point(b, of_b);
+  const Int128 apart[3] = {apart_along(a, of_a, b, of_b, &Point::x),
+                           apart_along(a, of_a, b, of_b, &Point::y),
+                           apart_along(a, of_a, b, of_b, &Point::z)};
+  nearest.direction = unit_vector(apart);
+}
+
+/// Of two triangles that are nearest.
+[[gnu::noinline]] Features set_nearest(const Triangle& a, const Triangle& b,
+                                       NearestPoints& nearest) {
+  Fraction squared = kInfinite;
+  Features features{};
+  (void)is_nearer(a, b, squared, features);
+  set_distance(squared, nearest);
+  return features;
+}
+
+}  // namespace
+}  // namespace detail
+
+NearestPoints nearest_points_of(const Triangle& a, const Triangle& b) noexcept {
+  NearestPoints nearest{};
+  const detail::Features features = detail::set_nearest(a, b, nearest);
+  if (features.kind == detail::FeatureKind::intersection) {
+    nearest.point_a = nearest.point_b = contact_of(a, b).ends[0];
+  } else {
+    detail::set_points(a, b, features, nearest);
+  }
+  return nearest;
+}
+
+}  // namespace flashbvh

@@ -1,0 +1,103 @@
+// The orientation predicates of exact tests: only differences of corners are multiplied, so the
+// place never matters, and each value is exact within the ranges that the callers state.
+#ifndef FLASHBVH_PREDICATES_ORIENTATION_HPP
+#define FLASHBVH_PREDICATES_ORIENTATION_HPP
+
+#include "flashbvh/lattice.hpp"
+
+namespace flashbvh::detail {
+
+/// In cells.
+struct Vector {
+  int32_t x;
+  int32_t y;
+  int32_t z;
+};
+
+inline Vector difference(const Point& to, const Point& from) {
+  return {to.x - from.x, to.y - from.y, to.z - from.z};
+}
+
+/// A cross product u x v. Cofactors: a vector of int32_t or int64_t that holds its components,
+/// which are sums of two products of differences.
+template <class Cofactors>
+inline Cofactors cross(const Vector& u, const Vector& v) {
+  const Cofactors wide = {u.x, u.y, u.z};
+  return {wide.y * v.z - wide.z * v.y, wide.z * v.x - wide.x * v.z, wide.x * v.y - wide.y * v.x};
+}
+
+template <class Cofactors>
+inline int64_t dot(const Cofactors& n, const Vector& v) {
+  return static_cast<int64_t>(n.x) * v.x + static_cast<int64_t>(n.y) * v.y +
+         static_cast<int64_t>(n.z) * v.z;
+}
+
+/// The normal of p, q, r, twice the area long.
+template <class Cofactors>
+inline Cofactors normal_of(const Triangle& t) {
+  return cross<Cofactors>(difference(t.corner[1], t.corner[0]),
+                          difference(t.corner[2], t.corner[0]));
+}
+
+/// Six times the signed volume of the tetrahedron p, q, r, s. Cofactors: of its edges p-q and r-s.
+template <class Cofactors>
+[[gnu::noinline]] int64_t volume(const Point& p, const Point& q, const Point& r, const Point& s) {
+  return dot(cross<Cofactors>(difference(s, r), difference(q, p)), difference(r, p));
+}
+
+/// Twice the signed area of p, q, r in the projection onto the axes u and v: positive where they
+/// turn left.
+inline int64_t area(int32_t Point::*u, int32_t Point::*v, const Point& p, const Point& q,
+                    const Point& r) {
+  return static_cast<int64_t>(q.*u - p.*u) * (r.*v - p.*v) -
+         static_cast<int64_t>(q.*v - p.*v) * (r.*u - p.*u);
+}
+
+constexpr unsigned kAllCorners = 7;
+
+/// On which sides of a plane the corners of a triangle lie: bit i for corner i strictly above, bit
+/// 3 + i for corner i strictly below.
+struct Sides {
+  unsigned bits;
+
+  unsigned above() const { return bits & kAllCorners; }
+  unsigned below() const { return bits >> 3; }
+  bool separate() const { return above() == kAllCorners || below() == kAllCorners; }
+  bool all_on_plane() const { return bits == 0; }
+};
+
+/// `height(corner)`: above the plane, in any measure.
+template <class Height>
+inline Sides sides_of(const Triangle& asked, const Height& height) {
+  const auto bits = [&](const Point& corner, unsigned above) {
+    const int64_t at = height(corner);
+    return at > 0 ? above : at < 0 ? above << 3 : 0u;
+  };
+  return {bits(asked.corner[0], 1) | bits(asked.corner[1], 2) | bits(asked.corner[2], 4)};
+}
+
+/// The corner alone on its side of a plane, of a triangle on both sides of it or touching it. Both
+/// edges from it end strictly on the other side or, unless it is itself on the plane, on the plane:
+/// each edge intersects the plane in exactly one point.
+struct Tip {
+  unsigned corner;
+  bool up;
+};
+
+inline Tip tip_of(Sides sides) {
+  // Corners above the others: never none and never all, since neither side has all three.
+  const unsigned upper = sides.above() != 0 ? sides.above() : kAllCorners ^ sides.below();
+  const bool one = (upper & (upper - 1)) == 0;
+  return {(one ? upper : kAllCorners ^ upper) >> 1, one};
+}
+
+inline unsigned next(unsigned corner) {
+  return corner == 2 ? 0 : corner + 1;
+}
+inline unsigned previous(unsigned corner) {
+  return corner == 0 ? 2 : corner - 1;
+}
+
+}  // namespace flashbvh::detail
+
+#endif

@@ -1,0 +1,197 @@
+// What tells that two triangles are no nearer than a limit, without their distance.
+#include "flashbvh/detail/predicates/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle_distance.hpp"
+#include "triangle_range.hpp"
+
+namespace flashbvh::detail {
+namespace {
+
+/// Whether the plane of `face` has all of `other` on one side, as far off as a distance whose
+/// square is the whole number above `limit`.
+[[gnu::noinline]] bool plane_separates(const Triangle& face, const Triangle& other, int64_t limit) {
+  const LongVector n = normal_of<LongVector>(face);
+  const auto height = [&](int i) {
+    return detail::dot(n, difference(other.corner[i], face.corner[0]));
+  };
+  const int64_t p = height(0);
+  const int64_t q = height(1);
+  const int64_t r = height(2);
+  if ((p ^ q) < 0 || (p ^ r) < 0) {
+    return false;
+  }
+  const auto size = [](int64_t value) { return static_cast<uint64_t>(value < 0 ? -value : value); };
+  const uint64_t first = size(p) < size(q) ? size(p) : size(q);
+  const uint64_t least = first < size(r) ? first : size(r);
+  // To 13 bits a component, rounded up, so that squares and the limit's multiples have 64.
+  const uint64_t all = size(n.x) | size(n.y) | size(n.z) | 1;
+  const int bits = 64 - __builtin_clzll(all);
+  const int down = bits > 13 ? bits - 13 : 0;
+  const auto square = [&](int64_t component) {
+    const uint64_t up = (size(component) >> down) + (down != 0 ? 1 : 0);
+    return up * up;
+  };
+  const uint64_t squared = square(n.x) + square(n.y) + square(n.z);
+  const uint64_t distance = least >> down;
+  // On the plane, or where there is none, nothing is told.
+  return distance != 0 && distance * distance >= static_cast<uint64_t>(limit + 1) * squared;
+}
+
+inline uint32_t size_of(int32_t value) {
+  return value < 0 ? 0u - static_cast<uint32_t>(value) : static_cast<uint32_t>(value);
+}
+
+inline int32_t short_dot(const Vector& u, const Vector& v) {
+  return u.x * v.x + u.y * v.y + u.z * v.z;
+}
+
+/// The corner that comes first along a direction, `from` counted as 0, and where it lies.
+struct Support {
+  unsigned corner;
+  int32_t at;
+};
+inline Support first_along(const Vector& direction, const Triangle& t, const Point& from) {
+  Support first = {0, short_dot(direction, difference(t.corner[0], from))};
+  for (unsigned i = 1; i < 3; ++i) {
+    const int32_t at = short_dot(direction, difference(t.corner[i], from));
+    if (at < first.at) {
+      first = {i, at};
+    }
+  }
+  return first;
+}
+
+/// How far B lies beyond A along a direction, and the corners that face each other.
+struct GapAlong {
+  unsigned of_a;
+  unsigned of_b;
+  int32_t gap;
+  uint32_t squared_length;  ///< the direction's
+
+  /// Whether the square of the distance is above `limit`.
+  bool is_above(int64_t limit) const {
+    return gap > 0 && static_cast<uint64_t>(gap) * static_cast<uint32_t>(gap) >=
+                          static_cast<uint64_t>(limit + 1) * squared_length;
+  }
+};
+inline GapAlong gap_along(const Vector& direction, const Triangle& a, const Triangle& b) {
+  const Support of_b = first_along(direction, b, a.corner[0]);
+  const Support of_a = first_along(negated(direction), a, a.corner[0]);
+  return {of_a.corner, of_b.corner, of_b.at + of_a.at,
+          static_cast<uint32_t>(short_dot(direction, direction))};
+}
+
+/// A direction of 12 bits: sums of its products with differences have 32.
+inline Vector direction_of(const Vector& v) {
+  const uint32_t all = size_of(v.x) | size_of(v.y) | size_of(v.z) | 1u;
+  const int bits = 32 - __builtin_clz(all);
+  const int down = bits > 12 ? bits - 12 : 0;
+  return {v.x >> down, v.y >> down, v.z >> down};
+}
+
+/// Of 12 bits to 10, and back; not to the same, which any direction does as well.
+inline Direction packed(const Vector& v) {
+  const auto bits = [](int32_t component) { return static_cast<uint32_t>(component >> 2) & 1023u; };
+  return {bits(v.x) | bits(v.y) << 10 | bits(v.z) << 20};
+}
+inline Vector unpacked(const Direction& direction) {
+  const auto component = [&](int shift) {
+    return static_cast<int32_t>(direction.packed << shift) >> 22;
+  };
+  return {component(22), component(12), component(2)};
+}
+
+/// The point nearest to 0 between `v` and `s`; `v` where that is the one. To whole cells.
+inline Vector nearest_between(const Vector& v, const Vector& s) {
+  const Vector back = {v.x - s.x, v.y - s.y, v.z - s.z};
+  const int64_t part = dot(v, back);
+  const int64_t whole = dot(back, back);
+  if (part <= 0) {
+    return v;
+  }
+  if (part >= whole) {
+    return s;
+  }
+  // The share with 12 bits, of 19.
+  const int bits = 64 - __builtin_clzll(static_cast<uint64_t>(whole));
+  const int down = bits > 19 ? bits - 19 : 0;
+  const auto share = static_cast<int32_t>((static_cast<uint32_t>(part >> down) << 12) /
+                                          static_cast<uint32_t>(whole >> down));
+  return {v.x - (back.x * share >> 12), v.y - (back.y * share >> 12), v.z - (back.z * share >> 12)};
+}
+
+}  // namespace
+
+int64_t squared_box_gap(const Triangle& a, const Triangle& b) noexcept {
+  const auto squared = [&](int32_t Point::*axis) {
+    const Range of_a = range_of(a, axis);
+    const Range of_b = range_of(b, axis);
+    const int32_t above = of_b.least - of_a.most;
+    const int32_t below = of_a.least - of_b.most;
+    const int32_t gap = above > below ? above : below;
+    return gap > 0 ? static_cast<int64_t>(gap) * gap : 0;
+  };
+  return squared(&Point::x) + squared(&Point::y) + squared(&Point::z);
+}
+
+bool Axis::separates(const Triangle& a, const Triangle& b) const noexcept {
+  if (gap == 0) {
+    return false;
+  }
+  const PlaneNormal n = {x, y, z};
+  const Point& from = a.corner[0];
+  const auto along = [&](const Point& corner) { return detail::dot(n, difference(corner, from)); };
+  const auto least = [](int64_t u, int64_t v) { return u < v ? u : v; };
+  const int64_t of_b = least(least(along(b.corner[0]), along(b.corner[1])), along(b.corner[2]));
+  // A's first corner is at 0; no other may be beyond what is left.
+  const int64_t left = of_b - gap;
+  return left >= 0 && along(a.corner[1]) <= left && along(a.corner[2]) <= left;
+}
+
+bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
+                         Direction& first) noexcept {
+  constexpr int kMostSteps = 6;
+  // Neighbours often have the same direction between them.
+  if (gap_along(unpacked(first), a, b).is_above(limit)) {
+    return true;
+  }
+  Vector v = difference(b.corner[0], a.corner[0]);
+  for (int step = 0;; ++step) {
+    const Vector d = direction_of(v);
+    const GapAlong gap = gap_along(d, a, b);
+    if (gap.is_above(limit)) {
+      first = packed(d);
+      return true;
+    }
+    if (step == kMostSteps - 1) {
+      return false;
+    }
+    const Vector to = nearest_between(v, difference(b.corner[gap.of_b], a.corner[gap.of_a]));
+    if (to.x == v.x && to.y == v.y && to.z == v.z) {
+      return false;
+    }
+    v = to;
+  }
+}
+
+bool middles_separate(const Triangle& a, const Triangle& b) noexcept {
+  const auto from_a_to_b = [&](int32_t Point::*axis) {
+    const auto sum = [axis](const Triangle& t) {
+      return t.corner[0].*axis + t.corner[1].*axis + t.corner[2].*axis;
+    };
+    return sum(b) - sum(a);
+  };
+  const Vector d =
+      direction_of({from_a_to_b(&Point::x), from_a_to_b(&Point::y), from_a_to_b(&Point::z)});
+  const Point& from = a.corner[0];
+  const auto along = [&](const Point& corner) { return short_dot(d, difference(corner, from)); };
+  const auto lesser = [](int32_t u, int32_t v) { return u < v ? u : v; };
+  const int32_t of_b = lesser(lesser(along(b.corner[0]), along(b.corner[1])), along(b.corner[2]));
+  // A's first corner is at 0.
+  return of_b > 0 && along(a.corner[1]) < of_b && along(a.corner[2]) < of_b;
+}
+
+bool planes_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept {
+  return plane_separates(a, b, limit) || plane_separates(b, a, limit);
+}
+
+}  // namespace flashbvh::detail

@@ -1,0 +1,362 @@
+(* What the tests under a rotation reject does not intersect: boxes on A's axes and on B's, and slabs of
+   leaves of either side. With Slabs.v and Margins.v this is what Query.v asks of `bound`, `begin` and
+   `touch`. Sums are whole numbers here; that they fit 32 bits is slab.g's, rotated_sums.g's and
+   box_rotated.smt2's. *)
+From Coq Require Import ZArith Lia Psatz.
+Require Import Margins Slabs Triangle.
+Local Open Scope Z_scope.
+
+(* ============================================================== Definitions *)
+
+Definition bias := @kBoundBias@.
+Record Box := { low : Point; high : Point }.
+Definition in_box (t : Box) (p : Point) : Prop :=
+  x (low t) <= x p <= x (high t) /\ y (low t) <= y p <= y (high t) /\ z (low t) <= z p <= z (high t).
+Definition on_lattice (t : Box) : Prop := forall p, in_box t p ->
+  Z.abs (x p) <= kMaxCoordinate /\ Z.abs (y p) <= kMaxCoordinate /\ Z.abs (z p) <= kMaxCoordinate.
+
+(* A row's products with a biased box: the upper bound, from `start` on; of the negated row, the negated
+   lower one.
+   code: include/flashbvh/detail/lattice/split_matrix.hpp | return {join_halves(positive(x), positive(y)), join_halves(positive(-x), positive(-y)), join_halves(positive(z), positive(-z))};
+   code: src/bounds/box_rotated.cpp | return whole_bound(add_products(add_products(add_products(start, row.positive_xy, box.upper_xy), row.negative_xy, box.lower_xy), row.z, box.z)); *)
+Definition part (e : Z) : Z := Z.max e 0.
+Definition bound_sum (start : Z) (e : Point) (t : Box) : Z :=
+  start + (part (x e) * (x (high t) + bias) + part (- x e) * (bias - x (low t))) +
+  (part (y e) * (y (high t) + bias) + part (- y e) * (bias - y (low t))) +
+  (part (z e) * (z (high t) + bias) + part (- z e) * (bias - z (low t))).
+Definition negated e := {| x := - x e; y := - y e; z := - z e |}.
+Definition sizes_sum e := Z.abs (x e) + Z.abs (y e) + Z.abs (z e).
+
+(* code: src/bounds/rotated_transform.cpp | const int32_t bias = (kSplitOne - row.sum()) * kBoundBias; return {bias + margin + offset, bias + margin - offset}; *)
+Definition start_of (e : Point) (offset margin : Z) : Z := (cell14 - sizes_sum e) * bias + margin + offset.
+(* code: src/bounds/box_rotated.cpp | return static_cast<uint32_t>(cells < 0 ? 0 : cells > 0x7FFF ? 0x7FFF : cells); *)
+Definition whole (sum : Z) : Z := Z.max 0 (Z.min 32767 (sum / cell14)).
+(* code: include/flashbvh/detail/lattice/box_packed.hpp | ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z))); *)
+Definition axis_rejects (e : Point) (offset margin : Z) (t : Box) (lower upper : Z) : Prop :=
+  whole (bound_sum (start_of e offset margin) e t) + (bias - lower) < 2 * bias \/
+  whole (bound_sum (start_of e (- offset) margin) (negated e) t) + (upper + bias) < 2 * bias.
+
+(* code: include/flashbvh/detail/bounds/slab.hpp | row_.z, box.z) >= least_upper_ &&
+   code: include/flashbvh/detail/bounds/slab.hpp | least_upper_ = bias + along.least + offset - margin;
+   code: include/flashbvh/detail/bounds/slab.hpp | least_lower_ = bias - along.most - offset - margin; *)
+Definition slab_rejects (e : Point) (least most_ offset margin : Z) (t : Box) : Prop :=
+  bound_sum 0 e t < sizes_sum e * bias + least + offset - margin \/
+  bound_sum 0 (negated e) t < sizes_sum e * bias - most_ - offset - margin.
+
+(* Some plane has all of one on one side, and all of the other on the other. *)
+Definition Apart (these those : Point -> Prop) : Prop := exists n,
+  (forall w v, these w -> those v -> dot n w < dot n v) \/
+  (forall w v, these w -> those v -> dot n v < dot n w).
+
+(* ============================================================== Statements, and their proofs *)
+
+Theorem apart_not_meet these those p q r s t o : Apart these those ->
+  these p -> these q -> these r -> those s -> those t -> those o -> ~ meet p q r s t o.
+Proof.
+  intros (n & H) P Q R S T O (i & j & k & l & m & k' & c & I & J & K & L & M & N & W & E & (X1 & Y1 & Z1) & (X2 & Y2 & Z2)).
+  assert (forall f : Z, (f = 1 \/ f = -1) -> (forall w v, these w -> those v -> f * dot n w < f * dot n v) -> False) as G.
+  { intros f _ A. set (D := fun u => f * dot n u).
+    assert (i * D p + j * D q + k * D r = l * D s + m * D t + k' * D o) as Same.
+    { unfold D, dot. transitivity (f * (x n * x c + y n * y c + z n * z c));
+        [rewrite <- X1, <- Y1, <- Z1 | rewrite <- X2, <- Y2, <- Z2]; ring. }
+    assert (exists b, D p < b /\ D q < b /\ D r < b /\ b <= D s /\ b <= D t /\ b <= D o) as (b & Bp & Bq & Br & Bs & Bt & Bo).
+    { exists (Z.min (D s) (Z.min (D t) (D o))). unfold D.
+      pose proof (A p s P S). pose proof (A p t P T). pose proof (A p o P O).
+      pose proof (A q s Q S). pose proof (A q t Q T). pose proof (A q o Q O).
+      pose proof (A r s R S). pose proof (A r t R T). pose proof (A r o R O). lia. }
+    assert (i * D p <= i * (b - 1)) by (apply Z.mul_le_mono_nonneg_l; lia).
+    assert (j * D q <= j * (b - 1)) by (apply Z.mul_le_mono_nonneg_l; lia).
+    assert (k * D r <= k * (b - 1)) by (apply Z.mul_le_mono_nonneg_l; lia).
+    assert (l * b <= l * D s) by (apply Z.mul_le_mono_nonneg_l; lia).
+    assert (m * b <= m * D t) by (apply Z.mul_le_mono_nonneg_l; lia).
+    assert (k' * b <= k' * D o) by (apply Z.mul_le_mono_nonneg_l; lia).
+    assert ((i + j + k) * b = (l + m + k') * b) by (now rewrite E). lia. }
+  destruct H as [H | H].
+  - apply (G 1); [now left|]. intros w v Ww Vv. specialize (H w v Ww Vv). lia.
+  - apply (G (-1)); [now right|]. intros w v Ww Vv. specialize (H w v Ww Vv). lia.
+Qed.
+
+Lemma part_holds e u l p : l <= p <= u -> e * p + Z.abs e * bias <= part e * (u + bias) + part (- e) * (bias - l).
+Proof.
+  intros H. unfold part. destruct (Z.le_ge_cases 0 e) as [E|E].
+  - rewrite (Z.abs_eq e), (Z.max_l e), (Z.max_r (- e)) by lia.
+    assert (e * p <= e * u) by (apply Z.mul_le_mono_nonneg_l; lia). lia.
+  - rewrite (Z.abs_neq e), (Z.max_r e), (Z.max_l (- e)) by lia.
+    assert (- e * l <= - e * p) by (apply Z.mul_le_mono_nonneg_l; lia). lia.
+Qed.
+
+Lemma sum_holds start e t p : in_box t p -> start + dot e p + sizes_sum e * bias <= bound_sum start e t.
+Proof.
+  intros (X & Y & Z0). pose proof (part_holds (x e) _ _ _ X). pose proof (part_holds (y e) _ _ _ Y).
+  pose proof (part_holds (z e) _ _ _ Z0). unfold bound_sum, dot, sizes_sum. lia.
+Qed.
+Lemma dot_negated e p : dot (negated e) p = - dot e p.
+Proof. unfold dot, negated. cbn [x y z]. ring. Qed.
+Lemma sizes_negated e : sizes_sum (negated e) = sizes_sum e.
+Proof. unfold sizes_sum, negated. cbn [x y z]. lia. Qed.
+
+Lemma whole_below sum b : 0 < b <= 32767 -> whole sum < b -> sum < cell14 * b.
+Proof. unfold whole. intros B H. pose proof (floor sum cell14 eq_refl). unfold cell14 in *. lia. Qed.
+
+Lemma axis_separates e offset margin t lower upper :
+  - kMaxCoordinate <= lower -> upper <= kMaxCoordinate -> lower <= upper ->
+  axis_rejects e offset margin t lower upper ->
+  (forall p, in_box t p -> dot e p + offset + margin < cell14 * lower) \/
+  (forall p, in_box t p -> cell14 * upper < dot e p + offset - margin).
+Proof.
+  unfold kMaxCoordinate. intros L U LU [H | H]; [left | right]; intros p P.
+  - pose proof (sum_holds (start_of e offset margin) e t p P) as S.
+    assert (bound_sum (start_of e offset margin) e t < cell14 * (bias + lower)) as W
+      by (apply whole_below; unfold bias in *; lia).
+    unfold start_of in S, W. lia.
+  - pose proof (sum_holds (start_of e (- offset) margin) (negated e) t p P) as S.
+    rewrite dot_negated, sizes_negated in S.
+    assert (bound_sum (start_of e (- offset) margin) (negated e) t < cell14 * (bias - upper)) as W
+      by (apply whole_below; unfold bias in *; lia).
+    unfold start_of in S, W. lia.
+Qed.
+
+Lemma slab_separates e least most_ offset margin t : slab_rejects e least most_ offset margin t ->
+  (forall p, in_box t p -> dot e p < least + offset - margin) \/
+  (forall p, in_box t p -> most_ + offset + margin < dot e p).
+Proof.
+  intros [H | H]; [left | right]; intros p P.
+  - pose proof (sum_holds 0 e t p P). lia.
+  - pose proof (sum_holds 0 (negated e) t p P) as S. rewrite dot_negated, sizes_negated in S. lia.
+Qed.
+
+(* ---- A's axes, one at a time: kx ky kz is the row, along that axis. *)
+Lemma box_on_a_axis kx ky kz offset most reach t lower upper :
+  - kMaxCoordinate <= lower -> upper <= kMaxCoordinate -> lower <= upper ->
+  Z.abs (rest kx) <= most /\ Z.abs (rest ky) <= most /\ Z.abs (rest kz) <= most ->
+  axis_rejects {| x := coarse kx; y := coarse ky; z := coarse kz |} offset
+    (box_margin most reach + kHalf) t lower upper ->
+  (forall p, in_box t p -> Z.abs (x p) + Z.abs (y p) + Z.abs (z p) <= reach ->
+     placed kx ky kz offset (x p) (y p) (z p) < lower) \/
+  (forall p, in_box t p -> Z.abs (x p) + Z.abs (y p) + Z.abs (z p) <= reach ->
+     upper < placed kx ky kz offset (x p) (y p) (z p)).
+Proof.
+  intros L U LU M H.
+  assert (forall p, Z.abs (x p) + Z.abs (y p) + Z.abs (z p) <= reach -> let v := placed kx ky kz offset (x p) (y p) (z p) in
+    cell14 * v <= coarse kx * x p + coarse ky * y p + coarse kz * z p + offset + (box_margin most reach + kHalf) /\
+    coarse kx * x p + coarse ky * y p + coarse kz * z p + offset - (box_margin most reach + kHalf) <= cell14 * v) as Near.
+  { intros p R v. set (mz := reach - Z.abs (x p) - Z.abs (y p)).
+    assert (forall a q, times_upper a q q = a * q) as T by (intros; unfold times_upper; now destruct (_ <? _)).
+    pose proof (below_upper_bound kx ky kz offset most reach (x p) (y p) (z p) (x p) (y p) (z p) (x p) (y p) (z p)
+      (Z.abs (x p)) (Z.abs (y p)) mz ltac:(lia) ltac:(lia) ltac:(lia) M) as B.
+    pose proof (above_lower_bound kx ky kz offset most reach (x p) (y p) (z p) (x p) (y p) (z p) (x p) (y p) (z p)
+      (Z.abs (x p)) (Z.abs (y p)) mz ltac:(lia) ltac:(lia) ltac:(lia) M) as A.
+    rewrite !T in A, B. fold v in A, B. clear M R. clearbody v. revert A B.
+    generalize (box_margin most reach). intros g A B. unfold kHalf, cell14 in *. divisions. lia. }
+  destruct (axis_separates _ _ _ _ _ _ L U LU H) as [S | S]; [left | right]; intros p P R;
+    specialize (S p P); specialize (Near p R); unfold dot in S; cbn [x y z] in S; cbv zeta in Near;
+    unfold cell14 in *; lia.
+Qed.
+
+(* ---- B's axes: n, a column.
+   code: src/bounds/rotated_transform.cpp | const bool within = high == low >> 31 && static_cast<uint32_t>(low) + most <= 2u * most;
+   code: src/bounds/rotated_transform.cpp | return within ? low : high < 0 ? -most : most; *)
+Definition clamped (offset : Z) : Z :=
+  Z.max (- (@kMaxOffset@ * cell14)) (Z.min (@kMaxOffset@ * cell14) offset).
+
+Lemma box_on_b_axis n back margin t (those : Point -> Prop) (place : Point -> Point) (along : Point -> Z) lower upper :
+  on_lattice t -> - kMaxCoordinate <= lower -> upper <= kMaxCoordinate -> lower <= upper ->
+  0 <= margin <= 360000 -> dot n n <= 269000000 ->
+  (forall u, those u -> Z.abs (dot n (place u) - back - cell14 * along u) <= margin /\ lower <= along u <= upper) ->
+  axis_rejects n (clamped (- back)) margin t lower upper ->
+  Apart (in_box t) (fun v => exists u, those u /\ v = place u).
+Proof.
+  intros T L U LU M N Near H.
+  assert (forall w, in_box t w -> - 467000000 <= dot n w <= 467000000) as Far.
+  { intros w W. destruct (T w W) as (X & Y & Z0). unfold kMaxCoordinate in *.
+    apply (cauchy _ _ _ _ _ _ 269000000 805208067 467000000); [exact N | | easy | easy].
+    assert (forall e, Z.abs e <= 16383 -> e * e <= 16383 * 16383) as G by (intros; apply square_bound; lia).
+    pose proof (G _ X). pose proof (G _ Y). pose proof (G _ Z0). lia. }
+  exists n. unfold kMaxCoordinate, cell14, clamped in *. clear N T.
+  destruct (axis_separates _ _ _ _ _ _ L U LU H) as [S | S]; [left | right]; intros w v W (u & P & ->);
+    specialize (S w W); specialize (Far w W); destruct (Near u P) as [A B]; unfold cell14 in *; lia.
+Qed.
+
+(* ---- All of it, of one pose. *)
+Lemma placed_swap kx ky kz o p q s : placed ky kx kz o q p s = placed kx ky kz o p q s.
+Proof.
+  unfold placed, before_rounding. rewrite (Z.add_comm (rest ky * q) (rest kx * p)).
+  now rewrite (Z.add_comm (coarse ky * q) (coarse kx * p)).
+Qed.
+Lemma placed_turn kx ky kz o p q s : placed kz kx ky o s p q = placed kx ky kz o p q s.
+Proof.
+  unfold placed, before_rounding.
+  replace (rest kz * s + rest kx * p + rest ky * q) with (rest kx * p + rest ky * q + rest kz * s) by ring.
+  now replace (coarse kz * s + coarse kx * p + coarse ky * q) with (coarse kx * p + coarse ky * q + coarse kz * s) by ring.
+Qed.
+
+Lemma coarse_column k1 k2 k3 d : 0 <= d <= 6442450944 ->
+  Z.abs (k1 * k1 + k2 * k2 + k3 * k3 - one22 * one22) <= d ->
+  dot {| x := coarse k1; y := coarse k2; z := coarse k3 |} {| x := coarse k1; y := coarse k2; z := coarse k3 |} <= 269000000.
+Proof.
+  intros D K. unfold dot. cbn [x y z].
+  assert (forall k, 65536 * (coarse k * coarse k) * 16384 <= 16385 * (k * k) + 16385 * 16384 * (128 * 128)) as Square.
+  { intros k. assert (256 * coarse k = k - rest k) as C by (unfold rest, rest8; ring).
+    pose proof (rest_fits k) as F. assert (rest k * rest k <= 128 * 128) as R by (apply square_bound; lia).
+    pose proof (Z.square_nonneg (k + 16384 * rest k)) as N.
+    assert (65536 * (coarse k * coarse k) * 16384 = 16385 * (k * k) + 16385 * 16384 * (rest k * rest k) -
+      (k + 16384 * rest k) * (k + 16384 * rest k)) as ->.
+    { transitivity ((256 * coarse k) * (256 * coarse k) * 16384); [ring | rewrite C; ring]. }
+    clear - R N. lia. }
+  pose proof (Square k1). pose proof (Square k2). pose proof (Square k3). unfold one22 in *. lia.
+Qed.
+
+Section Turned.
+Variables a1 a2 a3 b1 b2 b3 c1 c2 c3 : Z.   (* rows of the rotation: (a1, b1, c1), ... *)
+Variables o1 o2 o3 mp mq ms reach most defect : Z.
+Let one := one22 * one22.
+Let d := defect * (one / @2**kDefectBits@).
+Hypothesis reaches : mp + mq + ms = reach.
+Hypothesis reach_most : reach <= 3 * kMaxCoordinate.
+Hypothesis defects : 0 <= defect <= 3 * @kMaxEntryDefect@.
+Hypothesis aa : Z.abs (a1 * a1 + a2 * a2 + a3 * a3 - one) <= d.
+Hypothesis bb : Z.abs (b1 * b1 + b2 * b2 + b3 * b3 - one) <= d.
+Hypothesis cc : Z.abs (c1 * c1 + c2 * c2 + c3 * c3 - one) <= d.
+Hypothesis ab : Z.abs (a1 * b1 + a2 * b2 + a3 * b3) <= d.
+Hypothesis ac : Z.abs (a1 * c1 + a2 * c2 + a3 * c3) <= d.
+Hypothesis bc : Z.abs (b1 * c1 + b2 * c2 + b3 * c3) <= d.
+Let small k := Z.abs (rest k) <= most.
+Hypothesis rests : (small a1 /\ small b1 /\ small c1) /\ (small a2 /\ small b2 /\ small c2) /\ (small a3 /\ small b3 /\ small c3).
+Variables box_a box_b : Box.
+Let ordered t := x (low t) <= x (high t) /\ y (low t) <= y (high t) /\ z (low t) <= z (high t).
+Let limited t := - kMaxCoordinate <= x (low t) /\ x (high t) <= kMaxCoordinate /\ - kMaxCoordinate <= y (low t) /\
+  y (high t) <= kMaxCoordinate /\ - kMaxCoordinate <= z (low t) /\ z (high t) <= kMaxCoordinate.
+Hypothesis orders : ordered box_a /\ ordered box_b.
+Hypothesis limits : limited box_a /\ limited box_b.
+Definition reached (u : Point) : Prop := Z.abs (x u) <= mp /\ Z.abs (y u) <= mq /\ Z.abs (z u) <= ms.
+Hypothesis in_reach : forall u, in_box box_b u -> reached u.
+
+Definition place (u : Point) : Point := {| x := placed a1 b1 c1 o1 (x u) (y u) (z u);
+  y := placed a2 b2 c2 o2 (x u) (y u) (z u); z := placed a3 b3 c3 o3 (x u) (y u) (z u) |}.
+Definition placed_of (these : Point -> Prop) (v : Point) : Prop := exists u, these u /\ v = place u.
+Definition column k1 k2 k3 := {| x := coarse k1; y := coarse k2; z := coarse k3 |}.
+Definition back k1 k2 k3 := (coarse k1 * o1 + coarse k2 * o2 + coarse k3 * o3) / cell14.
+
+(* A box of B on A's axes, a box of A on B's; a window is one of the two. *)
+Definition rejects_on_a : Prop :=
+  let on_a kx ky kz o := axis_rejects (column kx ky kz) o (box_margin most reach + kHalf) box_b in
+  on_a a1 b1 c1 o1 (x (low box_a)) (x (high box_a)) \/ on_a a2 b2 c2 o2 (y (low box_a)) (y (high box_a)) \/
+  on_a a3 b3 c3 o3 (z (low box_a)) (z (high box_a)).
+Definition rejects_on_b : Prop :=
+  let on_b k1 k2 k3 := axis_rejects (column k1 k2 k3) (clamped (- back k1 k2 k3)) (axis_margin reach defect) box_a in
+  on_b a1 a2 a3 (x (low box_b)) (x (high box_b)) \/ on_b b1 b2 b3 (y (low box_b)) (y (high box_b)) \/
+  on_b c1 c2 c3 (z (low box_b)) (z (high box_b)).
+Definition boxes_reject : Prop := rejects_on_a \/ rejects_on_b.
+
+Lemma lattice_a : on_lattice box_a.
+Proof. destruct limits as [L _]. intros p P. unfold in_box, limited, kMaxCoordinate in *. clear - L P. rewrite !Z.abs_le. lia. Qed.
+Lemma reach_sum u : reached u -> Z.abs (x u) + Z.abs (y u) + Z.abs (z u) <= reach.
+Proof. unfold reached. clear - reaches. lia. Qed.
+Lemma small_axis_margin u : reached u -> 0 <= axis_margin reach defect <= 360000.
+Proof.
+  intros R. apply reach_sum in R. unfold axis_margin, cell14, kMaxCoordinate in *.
+  assert (0 <= reach) by (clear - R; lia). assert (0 <= reach * defect <= 49149 * 6144) by (clear - H reach_most defects; nia).
+  clear - H H0 reach_most. change (16384 / 8) with 2048. set (rd := reach * defect) in *. clearbody rd. divisions. lia.
+Qed.
+Lemma small_d : 0 <= d <= 6442450944.
+Proof. unfold d, one, one22. change (4194304 * 4194304 / 16777216) with 1048576. clear - defects. lia. Qed.
+
+Theorem boxes_reject_safely : boxes_reject -> Apart (in_box box_a) (placed_of (in_box box_b)).
+Proof.
+  destruct rests as (R1 & R2 & R3). destruct orders as [(OX & OY & OZ) (PX & PY & PZ)].
+  destruct limits as [(LX & HX & LY & HY & LZ & HZ) (MX & NX & MY & NY & MZ & NZ)].
+  intros [[H | [H | H]] | [H | [H | H]]].
+  1: destruct (box_on_a_axis _ _ _ _ _ _ _ _ _ LX HX OX R1 H) as [S | S]; exists {| x := 1; y := 0; z := 0 |}.
+  3: destruct (box_on_a_axis _ _ _ _ _ _ _ _ _ LY HY OY R2 H) as [S | S]; exists {| x := 0; y := 1; z := 0 |}.
+  5: destruct (box_on_a_axis _ _ _ _ _ _ _ _ _ LZ HZ OZ R3 H) as [S | S]; exists {| x := 0; y := 0; z := 1 |}.
+  1,3,5: right; intros w v (WX & WY & WZ) (u & U & ->); specialize (S u U (reach_sum u (in_reach u U)));
+    unfold dot, place; cbn [x y z]; clear - S WX WY WZ; lia.
+  1,2,3: left; intros w v (WX & WY & WZ) (u & U & ->); specialize (S u U (reach_sum u (in_reach u U)));
+    unfold dot, place; cbn [x y z]; clear - S WX WY WZ; lia.
+  all: assert (in_box box_b (low box_b)) as Some_ by (unfold in_box; clear - PX PY PZ; lia);
+    pose proof (small_axis_margin _ (in_reach _ Some_)) as Margin; clear Some_.
+  - apply (box_on_b_axis (column a1 a2 a3) (back a1 a2 a3) (axis_margin reach defect) box_a (in_box box_b) place x _ _
+      lattice_a MX NX PX Margin (coarse_column _ _ _ d small_d aa)); auto.
+    intros u U. split; [|apply U]. destruct (in_reach u U) as (Q1 & Q2 & Q3).
+    exact (within_axis_margin a1 a2 a3 b1 b2 b3 c1 c2 c3 (x u) (y u) (z u) mp mq ms reach defect o1 o2 o3
+      (conj Q1 (conj Q2 (conj Q3 reaches))) defects aa bb cc ab ac bc).
+  - apply (box_on_b_axis (column b1 b2 b3) (back b1 b2 b3) (axis_margin reach defect) box_a (in_box box_b) place y _ _
+      lattice_a MY NY PY Margin (coarse_column _ _ _ d small_d bb)); auto.
+    intros u U. split; [|apply U]. destruct (in_reach u U) as (Q1 & Q2 & Q3).
+    assert (mq + mp + ms = reach) as R by (clear - reaches; lia).
+    assert (Z.abs (b1 * a1 + b2 * a2 + b3 * a3) <= d) as ba by (now rewrite !(Z.mul_comm (b1)), !(Z.mul_comm b2), !(Z.mul_comm b3)).
+    pose proof (within_axis_margin b1 b2 b3 a1 a2 a3 c1 c2 c3 (y u) (x u) (z u) mq mp ms reach defect o1 o2 o3
+      (conj Q2 (conj Q1 (conj Q3 R))) defects bb aa cc ba bc ac) as G.
+    rewrite (placed_swap a1 b1 c1), (placed_swap a2 b2 c2), (placed_swap a3 b3 c3) in G. exact G.
+  - apply (box_on_b_axis (column c1 c2 c3) (back c1 c2 c3) (axis_margin reach defect) box_a (in_box box_b) place z _ _
+      lattice_a MZ NZ PZ Margin (coarse_column _ _ _ d small_d cc)); auto.
+    intros u U. split; [|apply U]. destruct (in_reach u U) as (Q1 & Q2 & Q3).
+    assert (ms + mp + mq = reach) as R by (clear - reaches; lia).
+    assert (Z.abs (c1 * a1 + c2 * a2 + c3 * a3) <= d) as ca by (now rewrite !(Z.mul_comm c1), !(Z.mul_comm c2), !(Z.mul_comm c3)).
+    assert (Z.abs (c1 * b1 + c2 * b2 + c3 * b3) <= d) as cb by (now rewrite !(Z.mul_comm c1), !(Z.mul_comm c2), !(Z.mul_comm c3)).
+    pose proof (within_axis_margin c1 c2 c3 a1 a2 a3 b1 b2 b3 (z u) (x u) (y u) ms mp mq reach defect o1 o2 o3
+      (conj Q3 (conj Q1 (conj Q2 R))) defects cc aa bb ca cb ab) as G.
+    rewrite (placed_turn a1 b1 c1), (placed_turn a2 b2 c2), (placed_turn a3 b3 c3) in G. exact G.
+Qed.
+
+(* ---- Slabs. `e`: a direction of 13 bits, of a leaf of A, and then of B. *)
+Variable e : Point.
+Hypothesis parts : Z.abs (x e) <= most_part /\ Z.abs (y e) <= most_part /\ Z.abs (z e) <= most_part.
+Variables least most_ : Z.
+Definition between (p : Point) : Prop := least <= dot e p <= most_.
+Definition origin := {| x := whole_cells o1; y := whole_cells o2; z := whole_cells o3 |}.
+Definition seen_from_b := {| x := turned a1 a2 a3 (x e) (y e) (z e); y := turned b1 b2 b3 (x e) (y e) (z e);
+  z := turned c1 c2 c3 (x e) (y e) (z e) |}.
+Definition seen_from_a := {| x := turned a1 b1 c1 (x e) (y e) (z e); y := turned a2 b2 c2 (x e) (y e) (z e);
+  z := turned a3 b3 c3 (x e) (y e) (z e) |}.
+
+(* code: src/bounds/slab.cpp | const PackedVector seen = rotated(of_a ? rotation.columns : rotation.matrix->rows, own);
+   code: src/bounds/slab.cpp | const int32_t along = origin_along(of_a ? own : seen, rotation);
+   code: src/bounds/slab.cpp | set_row(seen, of_a ? -along : along, transform.slab_margin()); *)
+Theorem slab_of_a_rejects_safely :
+  slab_rejects seen_from_b least most_ (- dot e origin) (slab_margin reach defect) box_b ->
+  Apart between (placed_of (in_box box_b)).
+Proof.
+  destruct parts as (P1 & P2 & P3). intros H. exists e.
+  assert (forall u, in_box box_b u -> Z.abs (dot e (place u) - dot seen_from_b u - dot e origin) <= slab_margin reach defect) as Near.
+  { intros u U. destruct (in_reach u U) as (Q1 & Q2 & Q3).
+    exact (slab_of_a a1 a2 a3 b1 b2 b3 c1 c2 c3 (x u) (y u) (z u) mp mq ms reach defect o1 o2 o3
+      (conj Q1 (conj Q2 (conj Q3 reaches))) defects (x e) (y e) (z e) P1 P2 P3). }
+  clear - H Near. destruct (slab_separates _ _ _ _ _ _ H) as [S | S]; [right | left];
+    intros w v W (u & U & ->); specialize (S u U); specialize (Near u U); unfold between in W; lia.
+Qed.
+
+Theorem slab_of_b_rejects_safely :
+  slab_rejects seen_from_a least most_ (dot seen_from_a origin) (slab_margin reach defect) box_a ->
+  Apart (in_box box_a) (placed_of (fun u => reached u /\ between u)).
+Proof.
+  destruct parts as (P1 & P2 & P3). intros H. exists seen_from_a.
+  assert (forall u, reached u -> Z.abs (dot seen_from_a (place u) - dot e u - dot seen_from_a origin) <= slab_margin reach defect) as Near.
+  { intros u (Q1 & Q2 & Q3).
+    exact (slab_of_b a1 a2 a3 b1 b2 b3 c1 c2 c3 (x u) (y u) (z u) mp mq ms reach defect o1 o2 o3
+      (conj Q1 (conj Q2 (conj Q3 reaches))) defects aa bb cc ab ac bc (x e) (y e) (z e) P1 P2 P3). }
+  clear - H Near. destruct (slab_separates _ _ _ _ _ _ H) as [S | S]; [left | right];
+    intros w v W (u & (U & B) & ->); specialize (S w W); specialize (Near u U); unfold between in B; lia.
+Qed.
+End Turned.
+
+(* ---- Slabs under a translation by o have no margin.
+   code: include/flashbvh/detail/bounds/slab.hpp | set_row(d, of == Side::a ? -along : along, 0); *)
+Definition moved_by (o : Point) (these : Point -> Prop) (v : Point) : Prop :=
+  exists u, these u /\ v = {| x := x u + x o; y := y u + y o; z := z u + z o |}.
+Theorem translated_slabs_reject_safely e least most_ o t :
+  (slab_rejects e least most_ (- dot e o) 0 t -> Apart (between e least most_) (moved_by o (in_box t))) /\
+  (slab_rejects e least most_ (dot e o) 0 t -> Apart (in_box t) (moved_by o (between e least most_))).
+Proof.
+  assert (forall u, dot e {| x := x u + x o; y := y u + y o; z := z u + z o |} = dot e u + dot e o) as E
+    by (intros u; unfold dot; cbn [x y z]; ring).
+  split; intros H; exists e; destruct (slab_separates _ _ _ _ _ _ H) as [S | S]; [right | left | left | right];
+    intros w v W (u & U & ->); rewrite E; unfold between in *;
+    [specialize (S u U) | specialize (S u U) | specialize (S w W) | specialize (S w W)]; lia.
+Qed.
+
+Print Assumptions apart_not_meet.
+Print Assumptions boxes_reject_safely.
+Print Assumptions slab_of_a_rejects_safely.
+Print Assumptions slab_of_b_rejects_safely.
+Print Assumptions translated_slabs_reject_safely.

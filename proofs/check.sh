@@ -1,0 +1,80 @@
+#!/bin/sh
+# check.sh LIB OUT [NAME...]   Checks the proofs, or those of these names, of the code in LIB, in OUT.
+#
+# A file of Coq says with `Print Assumptions` what it proves. A file of gappa proves one claim, which
+# its first line says. One of cvc5 has after each check-sat a comment with what is expected, and of what:
+#   (check-sat) ; unsat: no box ...
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+lib=$(cd "$1" && pwd) out=$2
+shift 2
+walk="Constants Ranked Code Stackless Query Image Work Proved"
+arithmetic="Margins Slabs Triangle Segment Helly Flat Lines Test Rejects"
+both="Exact"
+python3 -B "$here/prelude.py" "$lib" "$out" "$here"/walk/*.v "$here"/arithmetic/*.v \
+  "$here"/arithmetic/*.g "$here"/arithmetic/*.smt2
+cd "$out"
+
+# Runs a checker; on failure its first words, and where all of it is.
+attempt() {
+  name=$1
+  shift
+  "$@" >"$name.log" 2>&1 || { printf '%s: REFUSED\n' "$name"; head -n 12 "$name.log"; return 1; }
+}
+
+# Every theorem that is printed is closed, and nothing else is printed.
+coq() {
+  for module; do
+    attempt "$module.v" coqc -q "$module.v" || return 1
+    theorems=$(sed -n 's/^Print Assumptions \(.*\)\.$/\1/p' "$module.v")
+    [ "$(grep -c "^Closed under the global context" "$module.v.log" || true)" = \
+      "$(echo "$theorems" | grep -c . || true)" ] || { echo "$module.v: REFUSED: an axiom"; return 1; }
+    [ -z "$theorems" ] || printf '%-22s %s\n' "$module.v" "$(echo $theorems)"
+  done
+}
+gappas() {
+  for file; do
+    attempt "$file" gappa "$file" || return 1
+    printf '%-22s %s\n' "$file" "$(sed -n '1s/^# *//p' "$file")"
+  done
+}
+solvers() {
+  for file; do
+    sed -n 's/^(check-sat) ; \(unsat\|sat\):.*/\1/p' "$file" >"$file.expected"
+    attempt "$file" cvc5 --incremental "$file" || return 1
+    cmp -s "$file.log" "$file.expected" ||
+      { echo "$file: REFUSED"; diff "$file.log" "$file.expected" | head; return 1; }
+    printf '%-22s %s\n' "$file" "$(sed -n '1s/^; *//p' "$file")"
+  done
+}
+wanted() {  # of the files of these names, those that were asked for
+  for file; do
+    [ -e "$file" ] || continue
+    case " $names " in "  " | *" $file "*) echo "$file" ;; esac
+  done
+}
+# The definitions of Code.v and Image.v do what the library does, on random trees.
+differential() {
+  attempt differential ${CXX:-g++} -std=c++17 -O1 -I "$lib/include" -I "$lib/src" -I "$here/.." -I "$here/../tests" \
+    "$here/walk/differential.cpp" "$lib/src/lattice/tree_check.cpp" -o differential.out || return 1
+  ./differential.out >Differential.v || { echo "differential.cpp: too few trees of a kind"; return 1; }
+  attempt Differential.v coqc -q -w none Differential.v || return 1
+  printf '%-22s %s\n' Differential.v "$(grep -c '^Goal' Differential.v) trees: as the library"
+}
+names="$*"
+began=$(date +%s)
+# Side by side: the walk and all that is not Coq's, and arithmetic; then what rests on both.
+{ coq $(for module in $walk; do wanted "$module.v"; done | sed 's/\.v$//') &&
+    { [ -n "$names" ] || differential; } &&
+    gappas $(wanted *.g) && solvers $(wanted *.smt2); } >walk.said 2>&1 &
+one=$!
+coq $(for module in $arithmetic; do wanted "$module.v"; done | sed 's/\.v$//') >arithmetic.said 2>&1 &
+two=$!
+status=0
+wait $one || status=1
+wait $two || status=1
+cat walk.said arithmetic.said
+[ $status -ne 0 ] || coq $(for module in $both; do wanted "$module.v"; done | sed 's/\.v$//') || status=1
+! grep -nE '^ *(Admitted|Axiom|Parameter|Conjecture)|admit\.' ./*.v || status=1
+[ $status -eq 0 ] || { echo "== A proof was refused" >&2; exit 1; }
+echo "== All proofs checked in $(($(date +%s) - began)) s"

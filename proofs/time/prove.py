@@ -1,0 +1,126 @@
+"""prove.py OUTPUT CUTS CORE PROGRAM SOURCES
+
+Finds what a run of a query can cost at worst in the machine code of PROGRAM, the firmware of this
+folder, and writes it to OUTPUT, "bound NAME VALUE" a line: flashbvh::RunCosts (bound.hpp), for
+poses that translate and for those that rotate. Where loops were cut goes to CUTS: see turns.py.
+CORE: its name; SOURCES: the folder that loops.txt speaks of.
+"""
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Iterator
+
+from machine_code.cost import Cost, Costs
+from machine_code.instruction import Refused
+from machine_code.loops import Loops
+from machine_code.program import Program
+
+# In work. Programs of this folder and of tests/figures have them, too.
+GO_ON, SHAPE, TRIANGLE_PAIR = 2, 8, 32
+
+
+def check_units(sources: str) -> None:
+    header = (Path(sources) / "include/flashbvh/detail/walk/work.hpp").read_text()
+    for name, units in (("GoOn", GO_ON), ("Shape", SHAPE), ("TrianglePair", TRIANGLE_PAIR)):
+        if f"k{name}Work = {units};" not in header:
+            raise Refused(f"k{name}Work is not {units} in work.hpp: change formula.py, turns.py, "
+                          "tests/figures/page.py and the pages, too")
+
+
+
+def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
+    def part(name: str, which: Costs = costs) -> Cost:
+        return which.of(roots[name])
+
+    run, on_below, below, answer = (part(name) for name in (
+        "run", "walk-on-below", "walk-below", "next-answer"))
+    slabs = [part("make-plane"), part("make-edge")]
+    tests = run.term("test") + answer.fixed
+    turn = on_below.term("turn") + below.fixed + below.term("climb")
+    again = part("take-again").total
+    made = sum(slab.fixed for slab in slabs)
+    # A leaf taken as a shape: reached, or the next one after a leaf that a run went on with.
+    shape = made + max(part("reach-leaf").total + below.fixed + below.term("climb"), again + turn)
+    # Transformed and tested, and maybe answered. triangle-pair-general: of triangles with area that
+    # do not lie in one plane.
+    transform = max(part("translate").total, part("rotate").total)
+    pair = part("found").total + tests + sum(map(answer.term, ("row", "triangle"))) + transform
+    walks = [part(f"walk-{kind}") for kind in ("translated", "rotated")]
+    ascent = max([below.term("climb"), on_below.term("ascent")] +
+                 [walk.term("ascent") for walk in walks])
+    visit = max([below.term("visit")] + [walk.term("visit") for walk in walks]) + ascent
+    # In at one end and out at the other, a turn without a visit, and no answer left.
+    once = part("walk").total + max(walk.fixed for walk in walks) + on_below.fixed + turn + tests
+    triangle = pair + once + max(part("near-test").total, part("wide-test").total)
+    other = sum(slab.term("other") for slab in slabs)
+    # Before the first walk, and for a pair of leaves that is left to the next run.
+    yield "start", run.fixed + once + again + made + 2 * tests + part("found").total
+    yield "ascent", ascent
+    yield "later-sibling", on_below.term("sibling") + max(walk.term("sibling") for walk in walks)
+    yield "leaf-triangle", other
+    yield "work", max(visit, -(-turn // GO_ON), -(-shape // SHAPE), other, -(-triangle // TRIANGLE_PAIR))
+    for kind, walk in zip(("translated", "rotated"), walks):
+        yield f"visit-{kind}", max(below.term("visit"), walk.term("visit")) + ascent
+    yield "shape", shape
+    yield "triangle-pair", triangle
+    yield "triangle-pair-general", pair + once + max(
+        part("near-test", general).total, part("wide-test", general).total)
+    yield "make-query", costs.of(roots["make-query"]).total
+
+
+def check_itself(costs: Costs, roots: dict[str, str], bound: dict[str, int]) -> None:
+    """Whether runs of a mesh against itself keep to most_of_itself() in formula.py. An ascent looks
+    at as many siblings as the arity, a walk's begin at as many in both trees; what is held against
+    each other is at an arity of 1, and what one more adds, where the formula adds two siblings."""
+    run, answer, walk, rotated = (costs.of(roots[name]) for name in (
+        "self-run", "self-next-answer", "self-walk", "self-walk-rotated"))
+    found, test = (costs.of(roots[name]).total for name in ("found", "near-test"))
+    looks, skipped = 2 * walk.term("sibling"), walk.term("skipped")
+    tests = run.term("test") + answer.fixed
+    way = costs.of(roots["self-way"]).total
+    once = way + max(walk.fixed, rotated.fixed) + looks + tests
+    pair = found + tests + sum(map(answer.term, ("row", "triangle"))) + 6 * answer.term("corner")
+    ascent = walk.term("ascent") + skipped
+    sibling = bound["later-sibling"]
+    unit = bound["work"] + sibling
+    for name, most, given in (
+            ("start", run.fixed + once + 2 * tests + found, bound["start"]),
+            ("ascent", ascent, bound["ascent"] + sibling),
+            ("sibling", max(looks, skipped), 2 * sibling),
+            ("visit", walk.term("visit") + ascent, unit),
+            ("triangle-pair", pair + once + test, TRIANGLE_PAIR * unit)):
+        print(f"itself {name} {most} of {given}")
+        if most > given:
+            raise Refused(f"{name} of a mesh against itself: {most}, more than {given}")
+
+
+def cut_lines(program: Program, costs: Costs) -> Iterator[str]:
+    for function, cost in costs.known.items():
+        for address, kind in cost.cuts.items():
+            count = -1 if kind.count is None else kind.count
+            yield f"cut {address:x} {function.address:x} {kind.name} {count}"
+    for function in program.functions.values():
+        if function.names[0].startswith("bound_"):
+            yield f"symbol {function.address:x} {function}"
+
+
+def main() -> None:
+    output, cuts, core, file, sources = sys.argv[1:]
+    check_units(sources)
+    program = Program(file)
+    loops = Loops(str(Path(__file__).with_name("loops.txt")), sources)
+    costs = Costs(program, loops)
+    found = dict(bounds(costs, Costs(program, loops, general=True), loops.roots))
+    check_itself(costs, loops.roots, found)
+    text = "\n".join([f"core {core}"] + [f"bound {name} {value}" for name, value in found.items()])
+    Path(output).write_text(text + "\n")
+    Path(cuts).write_text("\n".join(cut_lines(program, costs)) + "\n")
+    print(text)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Refused as refusal:
+        sys.exit(f"prove.py: {refusal}")

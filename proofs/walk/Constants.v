@@ -1,0 +1,5 @@
+(* The constants of lib/include/flashbvh/mesh.hpp, put in by proofs/prelude.py. *)
+From Coq Require Import ZArith.
+Local Open Scope Z_scope.
+Definition kRootParentRank : Z := @kRootParentRank@.
+Definition kMaxRank : Z := @kMaxRank@.

@@ -1,0 +1,577 @@
+(* A query's answers, whole: of two images that were opened and however B is moved or turned, they are
+   exactly the pairs of triangles that have a common point, each once, wherever the query was cut.
+   Query.v leaves open what boxes and slabs reject, and Rejects.v who asks it; here is what each node
+   of an image has, and so what is asked of each pair.
+
+   What stays a premise: that a rotation's columns are orthogonal within its defect (Near_rotation),
+   and that leaves share no triangle. Any directions of 13 bits will do for slabs. Widths of integers
+   are gappa's and cvc5's.
+
+   Part 1  definitions.   Part 2  the theorems.   Part 3  their proofs. *)
+From Coq Require Import List ZArith Lia Bool FinFun.
+Require Import Constants Ranked Code Query Image Margins Slabs Triangle Segment Test Rejects.
+Import ListNotations.
+Local Open Scope Z_scope.
+
+(* ============================================================== Part 1: definitions *)
+
+Definition decide {P} (d : {P} + {~ P}) : bool := if d then true else false.
+Definition either {P Q} (d : {P} + {~ P}) (e : {Q} + {~ Q}) : {P \/ Q} + {~ (P \/ Q)}.
+Proof. destruct d; [left; now left|]. destruct e; [left; now right | right; tauto]. Defined.
+
+(* ---- An image: nodes, their boxes, and triangles by their positions; of a leaf, by its node, its
+   triangles and the directions of its slabs. *)
+Record Image := { cells : list Cell; box : nat -> Box; corners : nat -> Point * Point * Point;
+  own_triangles : nat -> list nat; directions : nat -> list Point }.
+Definition triangles m n := if (n <? length (cells m))%nat then own_triangles m n else [].
+Definition points (t : Point * Point * Point) : list Point := let '(p, q, r) := t in [p; q; r].
+Definition leaf_points m n := flat_map (fun i => points (corners m i)) (triangles m n).
+
+(* What opening looks at, beside what Image.v has.
+   code: src/lattice/tree_check.cpp | return ((box.upper_xy | box.lower_xy | box.z) & 0x80008000u) == 0;
+   code: src/lattice/tree_check.cpp | return is_inside(pack({p, p}), box) && is_inside(pack({q, q}), box) && is_inside(pack({r, r}), box); *)
+Definition is_inside (s t : Box) : bool :=
+  (x (low t) <=? x (low s)) && (y (low t) <=? y (low s)) && (z (low t) <=? z (low s)) &&
+  (x (high s) <=? x (high t)) && (y (high s) <=? y (high t)) && (z (high s) <=? z (high t)).
+Definition lattice : Box :=
+  let at_ c := {| x := c; y := c; z := c |} in {| low := at_ (- kMaxCoordinate); high := at_ kMaxCoordinate |}.
+Definition opens m : bool :=
+  accepts (cells m) (fun inner outer => is_inside (box m inner) (box m outer)) &&
+  forallb (fun n => is_inside (box m n) lattice &&
+    forallb (fun p => is_inside {| low := p; high := p |} (box m n)) (leaf_points m n)) (seq 0 (length (cells m))).
+Definition sound m : Prop :=
+  (forall n e, In e (directions m n) -> Z.abs (x e) <= most_part /\ Z.abs (y e) <= most_part /\ Z.abs (z e) <= most_part) /\
+  (forall n, NoDup (triangles m n)) /\
+  (forall n k i, In i (triangles m n) -> In i (triangles m k) -> n = k).
+
+(* Where points lie along a direction.
+   code: include/flashbvh/detail/bounds/slab.hpp | Extent along = {at, at}; along.add(dot(direction, q)); along.add(dot(direction, r));
+   code: include/flashbvh/detail/walk/leaf_shape.hpp | extent.add(triangle(m, i).extent(direction)); *)
+Definition extreme (choose : Z -> Z -> Z) e (those : list Point) : Z :=
+  match those with [] => 0 | p :: r => fold_right (fun q => choose (dot e q)) (dot e p) r end.
+Definition least := extreme Z.min.
+Definition most := extreme Z.max.
+
+(* ---- Where B lies: moved by whole cells, or turned (rows a1 b1 c1, ... of 22 fraction bits, offsets
+   of 14) with a defect of kDefectBits. *)
+Record Rotation := { a1 : Z; a2 : Z; a3 : Z; b1 : Z; b2 : Z; b3 : Z; c1 : Z; c2 : Z; c3 : Z;
+  o1 : Z; o2 : Z; o3 : Z; defect : Z }.
+Inductive Pose := Moved (by_ : Point) | Turned (r : Rotation).
+
+Definition with_entries {T} (f : Z -> Z -> Z -> Z -> Z -> Z -> Z -> Z -> Z -> T) r : T :=
+  f (a1 r) (a2 r) (a3 r) (b1 r) (b2 r) (b3 r) (c1 r) (c2 r) (c3 r).
+Definition with_all {T} (f : Z -> Z -> Z -> Z -> Z -> Z -> Z -> Z -> Z -> Z -> Z -> Z -> T) r : T :=
+  with_entries f r (o1 r) (o2 r) (o3 r).
+(* code: src/bounds/rotated_transform.cpp | most = size > most ? size : most; *)
+Definition most_rest r : Z :=
+  let size k := Z.abs (rest k) in
+  Z.max (Z.max (Z.max (size (a1 r)) (size (b1 r))) (Z.max (size (c1 r)) (size (a2 r))))
+    (Z.max (Z.max (size (b2 r)) (size (c2 r))) (Z.max (Z.max (size (a3 r)) (size (b3 r))) (size (c3 r)))).
+
+Definition Near_rotation r : Prop :=
+  let one := one22 * one22 in
+  let small u := Z.abs u <= defect r * (one / @2**kDefectBits@) in
+  0 <= defect r <= 3 * @kMaxEntryDefect@ /\
+  small (a1 r * a1 r + a2 r * a2 r + a3 r * a3 r - one) /\ small (b1 r * b1 r + b2 r * b2 r + b3 r * b3 r - one) /\
+  small (c1 r * c1 r + c2 r * c2 r + c3 r * c3 r - one) /\ small (a1 r * b1 r + a2 r * b2 r + a3 r * b3 r) /\
+  small (a1 r * c1 r + a2 r * c2 r + a3 r * c3 r) /\ small (b1 r * c1 r + b2 r * c2 r + b3 r * c3 r).
+Definition fits (pose : Pose) : Prop := match pose with Moved _ => True | Turned r => Near_rotation r end.
+
+(* code: include/flashbvh/detail/bounds/transform.hpp | return {v.x + o.x, v.y + o.y, v.z + o.z}; *)
+Definition put pose (u : Point) : Point :=
+  match pose with
+  | Moved o => {| x := x u + x o; y := y u + y o; z := z u + z o |}
+  | Turned r => with_all place r u
+  end.
+
+(* code: include/flashbvh/detail/lattice/box_packed.hpp | return static_cast<int32_t>(upper > lower ? upper : lower) - kBoundBias; *)
+Definition reach_along (c : Point -> Z) (t : Box) : Z := Z.max (c (high t)) (- c (low t)).
+Definition reach t : Z := reach_along x t + reach_along y t + reach_along z t.
+
+(* ---- What is asked of a pair. Under a translation, plain boxes (box_test.smt2). *)
+Definition moved_boxes_reject o s t : Prop :=
+  (x (high t) + x o < x (low s) \/ y (high t) + y o < y (low s) \/ z (high t) + z o < z (low s)) \/
+  (x (high s) < x (low t) + x o \/ y (high s) < y (low t) + y o \/ z (high s) < z (low t) + z o).
+Definition moved_boxes_dec o s t : {moved_boxes_reject o s t} + {~ moved_boxes_reject o s t} :=
+  either (either (Z_lt_dec _ _) (either (Z_lt_dec _ _) (Z_lt_dec _ _)))
+    (either (Z_lt_dec _ _) (either (Z_lt_dec _ _) (Z_lt_dec _ _))).
+Definition on_a r root s t : Prop :=
+  with_all rejects_on_a r (reach root) (most_rest r) s t.
+Definition on_b r root s t : Prop :=
+  with_all rejects_on_b r (reach root) (defect r) s t.
+Definition axis_dec e offset margin t lower upper : {axis_rejects e offset margin t lower upper} +
+  {~ axis_rejects e offset margin t lower upper} := either (Z_lt_dec _ _) (Z_lt_dec _ _).
+Definition on_a_dec r root s t : {on_a r root s t} + {~ on_a r root s t} :=
+  either (axis_dec _ _ _ _ _ _) (either (axis_dec _ _ _ _ _ _) (axis_dec _ _ _ _ _ _)).
+Definition on_b_dec r root s t : {on_b r root s t} + {~ on_b r root s t} :=
+  either (axis_dec _ _ _ _ _ _) (either (axis_dec _ _ _ _ _ _) (axis_dec _ _ _ _ _ _)).
+Definition slab_dec e lower upper offset margin t : {slab_rejects e lower upper offset margin t} +
+  {~ slab_rejects e lower upper offset margin t} := either (Z_lt_dec _ _) (Z_lt_dec _ _).
+
+Section Two.
+Variables A B : Image.
+Variable pose : Pose.
+Let root_b := box B 0.
+
+(* Two boxes; the window of a leaf of one side, and its slabs.
+   code: include/flashbvh/detail/walk/leaf_shape.hpp | window = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
+   code: include/flashbvh/detail/bounds/slab_dsp.hpp | return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, tests.window) && may_touch_both(tests.plane, tests.edge, box);
+   code: include/flashbvh/detail/walk/leaf_shape.hpp | return reached == nullptr || may_touch_one(edge, *reached); *)
+Definition boxes_overlap s t : bool :=
+  match pose with
+  | Moved o => negb (decide (moved_boxes_dec o s t))
+  | Turned r => negb (decide (on_a_dec r root_b s t)) && negb (decide (on_b_dec r root_b s t))
+  end.
+Definition window_passes (side : Side) s t : bool :=
+  match pose, side with
+  | Moved o, _ => negb (decide (moved_boxes_dec o s t))
+  | Turned r, LeafB => negb (decide (on_a_dec r root_b s t))
+  | Turned r, _ => negb (decide (on_b_dec r root_b s t))
+  end.
+Definition slab_of_a e those t : bool :=
+  let lower := least e those in let upper := most e those in
+  negb match pose with
+  | Moved o => decide (slab_dec e lower upper (- dot e o) 0 t)
+  | Turned r => decide (slab_dec (with_entries seen_from_b r e) lower upper
+      (- dot e (origin (o1 r) (o2 r) (o3 r))) (slab_margin (reach root_b) (defect r)) t)
+  end.
+Definition slab_of_b e those s : bool :=
+  let lower := least e those in let upper := most e those in
+  negb match pose with
+  | Moved o => decide (slab_dec e lower upper (dot e o) 0 s)
+  | Turned r => let seen := with_entries seen_from_a r e in
+      decide (slab_dec seen lower upper (dot seen (origin (o1 r) (o2 r) (o3 r)))
+        (slab_margin (reach root_b) (defect r)) s)
+  end.
+
+(* What Code.v leaves open. *)
+Let leaf_a n := is_leaf (cells A) n.
+Let leaf_b n := is_leaf (cells B) n.
+Definition bound n k : bool := boxes_overlap (box A n) (box B k).
+Definition slabs_pass_a n k : bool := forallb (fun e => slab_of_a e (leaf_points A n) (box B k)) (directions A n).
+Definition slabs_pass_b n k : bool := forallb (fun e => slab_of_b e (leaf_points B k) (box A n)) (directions B k).
+Definition begin n k : bool := if leaf_a n then slabs_pass_a n k else if leaf_b k then slabs_pass_b n k else true.
+Definition touch (side : Side) n k : bool :=
+  match side with
+  | LeafB => if leaf_b k then window_passes LeafB (box A n) (box B k) && slabs_pass_b n k else true
+  | _ => if leaf_a n then window_passes LeafA (box A n) (box B k) && slabs_pass_a n k else true
+  end.
+
+(* All of A's triangles with each of B's, from the last ones on.
+   code: include/flashbvh/query.hpp | return a_->first_triangle(leaf_a_) + i % a_->triangles_in(leaf_a_);
+   code: include/flashbvh/query.hpp | return b_->first_triangle(leaf_b_) + i / a_->triangles_in(leaf_a_); *)
+Definition pairs_of (p : nat * nat) : list (nat * nat) :=
+  flat_map (fun j => map (fun i => (i, j)) (rev (triangles A (fst p)))) (rev (triangles B (snd p))).
+
+(* A triangle of A and one of B as it lies in A's lattice have a point in common; and what the code
+   says of that, with the normal of B's at hand or without.
+   code: include/flashbvh/detail/query/triangle_test.hpp | return narrow_ ? near_triangles_intersect(a, kept_b_, normal_) : wide_triangles_intersect(a, kept_b_); *)
+Definition of_pair {T} (f : Point -> Point -> Point -> Point -> Point -> Point -> T) (i j : nat) : T :=
+  let '(p, q, r) := corners A i in let '(s, t, o) := corners B j in f p q r (put pose s) (put pose t) (put pose o).
+Definition common_point : nat -> nat -> Prop := of_pair meet.
+Definition intersects (narrow : bool) (p : nat * nat) : bool :=
+  of_pair (if narrow then near_triangles_intersect else triangles_intersect) (fst p) (snd p).
+End Two.
+
+(* ============================================================== Part 2: the theorems *)
+
+Definition has m i := exists n, is_leaf (cells m) n = true /\ In i (triangles m n).
+
+(* Runs of a query from a position to another, and the answers on the way. *)
+Definition runs A B pose narrow := Rounds (cells A) (cells B) (bound A B pose) (begin A B pose) (touch A B pose)
+  (nat * nat) (pairs_of A B) (intersects A B pose narrow).
+
+(* Of two images that open accepts, wherever B lies and however a query is cut into runs: its answers
+   are the pairs of triangles that have a common point, each once. *)
+Definition Answers_are_the_pairs_with_a_common_point := forall A B pose narrow,
+  opens A = true -> opens B = true -> sound A -> sound B -> fits pose ->
+  forall answers, runs A B pose narrow Fresh answers Finished ->
+  (forall i j, In (i, j) answers <-> has A i /\ has B j /\ common_point A B pose i j) /\ NoDup answers.
+
+(* What a query tells before it walks changes nothing: roots that are far apart are rejected, too; and
+   a triangle of B beside the box of A's leaf meets none of its triangles.
+   code: src/bounds/rotated_transform.cpp | return (most >> kSplitBits) + static_cast<int32_t>(lower) < 2 * kBoundBias || (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
+   code: src/bounds/rotated_transform.cpp | on_a[axis] = start_of(row, offset, kWidestMargin);
+   code: src/predicates/triangle.cpp | return (((above - u) & (above - v) & (above - w)) | ((negated_below + u) & (negated_below + v) & (negated_below + w))) < 0; *)
+Definition far_along e offset t lower upper : Prop :=
+  bound_sum (start_of e offset @kWidestMargin@) e t / cell14 + (bias - lower) < 2 * bias \/
+  bound_sum (start_of e (- offset) @kWidestMargin@) (negated e) t / cell14 + (upper + bias) < 2 * bias.
+Definition far_apart r s t : Prop :=
+  far_along (column (a1 r) (b1 r) (c1 r)) (o1 r) t (x (low s)) (x (high s)) \/
+  far_along (column (a2 r) (b2 r) (c2 r)) (o2 r) t (y (low s)) (y (high s)) \/
+  far_along (column (a3 r) (b3 r) (c3 r)) (o3 r) t (z (low s)) (z (high s)).
+Definition beside t (p q r : Point) : Prop :=
+  let along c := (c (high t) < c p /\ c (high t) < c q /\ c (high t) < c r) \/
+    (c p < c (low t) /\ c q < c (low t) /\ c r < c (low t)) in along x \/ along y \/ along z.
+
+Definition Early_ends_are_right := forall A B r j, opens A = true -> opens B = true -> has B j ->
+  far_apart r (box A 0) (box B 0) -> bound A B (Turned r) 0 0 = false.
+Definition Left_out_rightly := forall A B pose n i j, opens A = true -> In i (triangles A n) ->
+  (let '(p, q, r) := corners B j in beside (box A n) (put pose p) (put pose q) (put pose r)) ->
+  ~ common_point A B pose i j.
+
+(* ============================================================== Part 3: the proofs *)
+
+Lemma opened_cells m : opens m = true -> accepts (cells m) (fun n k => is_inside (box m n) (box m k)) = true.
+Proof. unfold opens. now rewrite andb_true_iff. Qed.
+Definition is_tree m (opened : opens m = true) := accepted_is_tree _ _ (opened_cells m opened).
+
+Ltac bools := repeat rewrite ?andb_true_iff, ?Z.leb_le, ?Nat.ltb_lt in *.
+Lemma decided P (d : {P} + {~ P}) : negb (decide d) = true <-> ~ P.
+Proof. unfold decide. destruct d; cbn; split; auto; discriminate || tauto. Qed.
+
+Lemma inside_box s t p : is_inside s t = true -> in_box s p -> in_box t p.
+Proof. unfold is_inside, in_box. bools. lia. Qed.
+Lemma inside_point p t : is_inside {| low := p; high := p |} t = true -> in_box t p.
+Proof. unfold is_inside, in_box. cbn [low high]. bools. lia. Qed.
+
+Lemma extreme_bounds e those p : In p those -> least e those <= dot e p <= most e those.
+Proof.
+  destruct those as [|f r]; [easy|]. unfold least, most, extreme.
+  assert (fold_right (fun q => Z.min (dot e q)) (dot e f) r <= dot e f <= fold_right (fun q => Z.max (dot e q)) (dot e f) r
+    /\ (In p r -> fold_right (fun q => Z.min (dot e q)) (dot e f) r <= dot e p <= fold_right (fun q => Z.max (dot e q)) (dot e f) r)) as [F G].
+  { induction r as [|g r [IF IG]]; cbn [fold_right]; [split; [lia | easy]|]. split; [lia|].
+    intros [-> | I]; [lia|]. specialize (IG I). lia. }
+  intros [<- | I]; auto.
+Qed.
+
+Section OfImage.
+Variable m : Image.
+Hypothesis opened : opens m = true.
+Let F := proj1 (is_tree m opened).
+
+Lemma node_in n p : (n < length (cells m))%nat -> is_inside (box m n) lattice = true /\
+  (In p (leaf_points m n) -> in_box (box m n) p).
+Proof.
+  intros L. pose proof opened as H. unfold opens in H. rewrite andb_true_iff, forallb_forall in H. destruct H as [_ H].
+  specialize (H n ltac:(apply in_seq; lia)). apply andb_true_iff in H as [H G]. split; auto.
+  intros I. rewrite forallb_forall in G. now apply inside_point, G.
+Qed.
+
+Lemma has_in_range n i : In i (triangles m n) -> (n < length (cells m))%nat.
+Proof. unfold triangles. now destruct (Nat.ltb_spec n (length (cells m))). Qed.
+
+Lemma below n k : Under (T := array_tree _ _ F) n k -> (k < length (cells m))%nat ->
+  (n < length (cells m))%nat /\ forall p, in_box (box m k) p -> in_box (box m n) p.
+Proof.
+  intros U L. induction U as [n | n k l I U IH]; auto. destruct (IH L) as [K H]. cbn in I.
+  split; [now apply (fmt_inside _ _ F n k)|]. intros p P.
+  apply (inside_box (box m k)); auto. now apply (proj2 (is_tree m opened) n k).
+Qed.
+
+Lemma corners_in n k i p : Under (T := array_tree _ _ F) n k -> In i (triangles m k) ->
+  In p (points (corners m i)) -> in_box (box m n) p /\ (n < length (cells m))%nat /\ In p (leaf_points m k).
+Proof.
+  intros U I P. pose proof (has_in_range _ _ I) as L. destruct (below n k U L) as [N H].
+  assert (In p (leaf_points m k)) as G by (unfold leaf_points; apply in_flat_map; eauto).
+  split; auto. now apply H, node_in.
+Qed.
+
+Lemma leaf_below n k : Under (T := array_tree _ _ F) n k -> is_leaf (cells m) n = true -> n = k.
+Proof.
+  intros U L. apply (leaf_spec _ _ F) in L. destruct U as [|n k l I U]; auto. cbn in I. now rewrite L in I.
+Qed.
+End OfImage.
+
+Section Pair.
+Variables A B : Image.
+Hypothesis opened_a : opens A = true.
+Hypothesis opened_b : opens B = true.
+Let FA := proj1 (is_tree A opened_a).
+Let FB := proj1 (is_tree B opened_b).
+Variable pose : Pose.
+Hypothesis pose_fits : fits pose.
+Hypothesis sound_a : sound A.
+Hypothesis sound_b : sound B.
+
+(* Some of A and some of B, as it lies. *)
+Definition apart (these those : Point -> Prop) := Apart these (fun v => exists u, those u /\ v = put pose u).
+
+Lemma apart_no_common these those i j : apart these those ->
+  (forall p, In p (points (corners A i)) -> these p) -> (forall p, In p (points (corners B j)) -> those p) ->
+  ~ common_point A B pose i j.
+Proof.
+  unfold common_point, of_pair. intros S T U. destruct (corners A i) as [[p q] r], (corners B j) as [[s t] o]. cbn in T, U.
+  apply (apart_not_meet _ _ _ _ _ _ _ _ S); eauto 9.
+Qed.
+
+Lemma rests_small r : let small k := Z.abs (rest k) <= most_rest r in
+  (small (a1 r) /\ small (b1 r) /\ small (c1 r)) /\ (small (a2 r) /\ small (b2 r) /\ small (c2 r)) /\
+  small (a3 r) /\ small (b3 r) /\ small (c3 r).
+Proof.
+  unfold most_rest. cbv zeta. generalize (Z.abs (rest (a1 r))) (Z.abs (rest (b1 r))) (Z.abs (rest (c1 r)))
+    (Z.abs (rest (a2 r))) (Z.abs (rest (b2 r))) (Z.abs (rest (c2 r))) (Z.abs (rest (a3 r))) (Z.abs (rest (b3 r)))
+    (Z.abs (rest (c3 r))). clear. intros. repeat split; rewrite !Z.max_le_iff; auto 8 using Z.le_refl.
+Qed.
+
+(* Boxes of two nodes that have something in them. *)
+Definition filled m n := (n < length (cells m))%nat /\ exists p, in_box (box m n) p.
+
+Lemma filled_box m n : opens m = true -> filled m n -> let t := box m n in
+  (x (low t) <= x (high t) /\ y (low t) <= y (high t) /\ z (low t) <= z (high t)) /\
+  (- kMaxCoordinate <= x (low t) /\ x (high t) <= kMaxCoordinate /\ - kMaxCoordinate <= y (low t) /\
+   y (high t) <= kMaxCoordinate /\ - kMaxCoordinate <= z (low t) /\ z (high t) <= kMaxCoordinate).
+Proof.
+  intros O [L (p & P)]. destruct (node_in m O n p L) as [H _]. unfold is_inside, lattice in H. cbn [low high x y z] in H.
+  unfold in_box in P. bools. cbv zeta. lia.
+Qed.
+
+Let mx := reach_along x (box B 0).
+Let my := reach_along y (box B 0).
+Let mz := reach_along z (box B 0).
+
+Lemma in_reach k u : (k < length (cells B))%nat -> in_box (box B k) u -> reached mx my mz u.
+Proof.
+  intros L U. assert (in_box (box B 0) u) as R.
+  { apply (below B opened_b 0%nat k); auto. now apply all_under. }
+  unfold reached, mx, my, mz, reach_along, in_box in *. lia.
+Qed.
+
+Lemma boxes_apart n k : filled A n -> filled B k ->
+  (match pose with Moved o => moved_boxes_reject o (box A n) (box B k)
+   | Turned r => on_a r (box B 0) (box A n) (box B k) \/ on_b r (box B 0) (box A n) (box B k) end) ->
+  apart (in_box (box A n)) (in_box (box B k)).
+Proof.
+  intros FN FK H. destruct (filled_box A n opened_a FN) as [OA LA], (filled_box B k opened_b FK) as [OB LB].
+  unfold apart, fits in *. destruct pose as [o | r].
+  - unfold Apart, moved_boxes_reject, in_box, put, dot in *. clear - H.
+    destruct H as [[H | [H | H]] | [H | [H | H]]].
+    1, 4: exists {| x := 1; y := 0; z := 0 |}.
+    3, 5: exists {| x := 0; y := 1; z := 0 |}.
+    5, 6: exists {| x := 0; y := 0; z := 1 |}.
+    all: cbn [x y z]; first [left; intros w v W (u & U & ->); cbn [x y z]; lia
+      | right; intros w v W (u & U & ->); cbn [x y z]; lia].
+  - destruct pose_fits as (D & aa & bb & cc & ab & ac & bc).
+    assert (reach (box B 0) <= 3 * kMaxCoordinate) as Most.
+    { destruct FK as [K (p & P)]. destruct (below B opened_b 0%nat k) as [Z0 In0]; auto; [now apply all_under|].
+      destruct (filled_box B 0 opened_b) as [O L]; [split; eauto|]. unfold reach, reach_along. cbv zeta in L. lia. }
+    apply (boxes_reject_safely _ _ _ _ _ _ _ _ _ _ _ _ mx my mz (reach (box B 0)) (most_rest r) (defect r)
+      eq_refl Most D aa bb cc ab ac bc); auto.
+    + exact (rests_small r).
+    + intros u U. now apply (in_reach k); auto; apply FK.
+Qed.
+
+Lemma slab_a_apart k e those : filled B k ->
+  Z.abs (x e) <= most_part /\ Z.abs (y e) <= most_part /\ Z.abs (z e) <= most_part ->
+  slab_of_a B pose e those (box B k) = false -> apart (fun p => In p those) (in_box (box B k)).
+Proof.
+  intros FK P H. assert (Apart (Rejects.between e (least e those) (most e those))
+    (fun v => exists u, in_box (box B k) u /\ v = put pose u)) as (n & G).
+  { unfold slab_of_a, fits in *. apply negb_false_iff in H. destruct pose as [o | r]; unfold decide in H.
+    - destruct (slab_dec _ _ _ _ _ _) as [S|]; [|easy].
+      exact (proj1 (translated_slabs_reject_safely e _ _ o _) S).
+    - destruct (slab_dec _ _ _ _ _ _) as [S|]; [|easy].
+      destruct pose_fits as (D & _).
+      apply (slab_of_a_rejects_safely _ _ _ _ _ _ _ _ _ _ _ _ mx my mz (reach (box B 0)) (defect r)); auto.
+      intros u U. now apply (in_reach k); auto; apply FK. }
+  exists n. destruct G as [G | G]; [left | right]; intros w v W V; apply G; auto; now apply extreme_bounds.
+Qed.
+
+Lemma slab_b_apart n k e those : filled A n -> (k < length (cells B))%nat ->
+  (forall u, In u those -> in_box (box B k) u) ->
+  Z.abs (x e) <= most_part /\ Z.abs (y e) <= most_part /\ Z.abs (z e) <= most_part ->
+  slab_of_b B pose e those (box A n) = false -> apart (in_box (box A n)) (fun p => In p those).
+Proof.
+  intros FN K R P H. assert (Apart (in_box (box A n)) (fun v => exists u,
+    (reached mx my mz u /\ Rejects.between e (least e those) (most e those) u) /\ v = put pose u)) as (d & G).
+  { unfold slab_of_b, fits in *. apply negb_false_iff in H. destruct pose as [o | r]; unfold decide in H.
+    - destruct (slab_dec _ _ _ _ _ _) as [S|]; [|easy].
+      destruct (proj2 (translated_slabs_reject_safely e _ _ o _) S) as (d & G). exists d.
+      destruct G as [G | G]; [left | right]; intros w v W (u & (_ & U) & V); apply G; auto; now exists u.
+    - destruct (slab_dec _ _ _ _ _ _) as [S|]; [|easy].
+      destruct pose_fits as (D & aa & bb & cc & ab & ac & bc).
+      exact (slab_of_b_rejects_safely _ _ _ _ _ _ _ _ _ _ _ _ mx my mz (reach (box B 0)) (defect r)
+        eq_refl D aa bb cc ab ac bc _ _ P _ _ S). }
+  exists d. destruct G as [G | G]; [left | right]; intros w v W (u & U & V); apply G; auto; exists u; repeat split; auto;
+    try (now apply (in_reach k); auto); now apply extreme_bounds.
+Qed.
+
+(* ---- What Query.v asks of each test. *)
+Let exact_meets (exact : nat * nat -> bool) := forall i j, exact (i, j) = true <-> common_point A B pose i j.
+Let safely exact := rejects_safely (cells A) (cells B) _ _ FA FB (nat * nat) (pairs_of A B) exact.
+
+Lemma in_pairs n k i j : In (i, j) (pairs_of A B (n, k)) <-> In i (triangles A n) /\ In j (triangles B k).
+Proof.
+  unfold pairs_of. cbn [fst snd]. rewrite in_flat_map. setoid_rewrite in_map_iff. setoid_rewrite <- in_rev. split.
+  - intros (j' & J & i' & [= -> ->] & I). auto.
+  - intros [I J]. exists j. split; auto. now exists i.
+Qed.
+
+Section Common.
+Variable exact : nat * nat -> bool.
+Hypothesis right : exact_meets exact.
+Variables n k l m i j : nat.
+Hypothesis below_n : Under (T := array_tree _ _ FA) n l.
+Hypothesis below_k : Under (T := array_tree _ _ FB) k m.
+Hypothesis I : In i (triangles A l).
+Hypothesis J : In j (triangles B m).
+Hypothesis yes : exact (i, j) = true.
+
+Lemma never (these those : Point -> Prop) : (forall p, In p (points (corners A i)) -> these p) ->
+  (forall p, In p (points (corners B j)) -> those p) -> ~ apart these those.
+Proof. intros T U S. apply right in yes. revert yes. now apply (apart_no_common these those). Qed.
+
+Lemma filled_a : filled A n.
+Proof.
+  destruct (corners A i) as [[p q] r] eqn:E.
+  destruct (corners_in A opened_a n l i p below_n I) as (P & L & _); [rewrite E; now left|]. split; eauto.
+Qed.
+Lemma filled_b : filled B k.
+Proof.
+  destruct (corners B j) as [[p q] r] eqn:E.
+  destruct (corners_in B opened_b k m j p below_k J) as (P & L & _); [rewrite E; now left|]. split; eauto.
+Qed.
+Lemma in_a p : In p (points (corners A i)) -> in_box (box A n) p.
+Proof. intros P. now apply (corners_in A opened_a n l i p). Qed.
+Lemma in_b p : In p (points (corners B j)) -> in_box (box B k) p.
+Proof. intros P. now apply (corners_in B opened_b k m j p). Qed.
+
+Lemma boxes_stay : ~ (match pose with Moved o => moved_boxes_reject o (box A n) (box B k)
+  | Turned r => on_a r (box B 0) (box A n) (box B k) \/ on_b r (box B 0) (box A n) (box B k) end).
+Proof. intros R. apply (never _ _ in_a in_b). apply boxes_apart; auto using filled_a, filled_b. Qed.
+
+Lemma boxes_say : boxes_overlap B pose (box A n) (box B k) = true.
+Proof.
+  pose proof boxes_stay as S. unfold boxes_overlap. destruct pose; rewrite ?andb_true_iff, !decided; tauto.
+Qed.
+Lemma windows_say side : window_passes B pose side (box A n) (box B k) = true.
+Proof.
+  pose proof boxes_stay as S. unfold window_passes. destruct pose, side; rewrite decided; tauto.
+Qed.
+Lemma slabs_of_a_say : is_leaf (cells A) n = true -> slabs_pass_a A B pose n k = true.
+Proof.
+  intros L. pose proof (leaf_below A opened_a n l below_n L) as E. apply forallb_forall. intros e D.
+  destruct (slab_of_a B pose e _ _) eqn:S; auto. exfalso. apply slab_a_apart in S; auto using filled_b.
+  - revert S. apply never; [|exact in_b]. intros p P. rewrite E. now apply (corners_in A opened_a n l i p).
+  - now apply (proj1 sound_a n).
+Qed.
+Lemma slabs_of_b_say : is_leaf (cells B) k = true -> slabs_pass_b A B pose n k = true.
+Proof.
+  intros L. pose proof (leaf_below B opened_b k m below_k L) as E. apply forallb_forall. intros e D.
+  destruct (slab_of_b B pose e _ _) eqn:S; auto. exfalso. destruct filled_b as [K _].
+  apply (slab_b_apart n k) in S; auto using filled_a.
+  - revert S. apply never; [exact in_a|]. intros p P. rewrite E. now apply (corners_in B opened_b k m j p).
+  - intros u U. now apply node_in.
+  - now apply (proj1 sound_b k).
+Qed.
+End Common.
+
+Lemma all_reject_safely exact : exact_meets exact ->
+  safely exact (bound A B pose) /\ safely exact (begin A B pose) /\ forall side, safely exact (touch A B pose side).
+Proof.
+  intros R. repeat split; [| | intros side]; intros n k l m [i j] UN UK _ _ P Y; apply in_pairs in P as [I J].
+  - apply (boxes_say exact R n k l m i j); auto.
+  - unfold begin. destruct (is_leaf (cells A) n) eqn:L; [now apply (slabs_of_a_say exact R n k l m i j)|].
+    destruct (is_leaf (cells B) k) eqn:K; auto. now apply (slabs_of_b_say exact R n k l m i j).
+  - pose proof (windows_say exact R n k l m i j UN UK I J Y) as W.
+    pose proof (slabs_of_a_say exact R n k l m i j UN UK I J Y) as S.
+    pose proof (slabs_of_b_say exact R n k l m i j UN UK I J Y) as T.
+    unfold touch. destruct side; [destruct (is_leaf (cells A) n) | destruct (is_leaf (cells A) n) |
+      destruct (is_leaf (cells B) k)]; auto; rewrite W; auto.
+Qed.
+End Pair.
+
+Lemma NoDup_product (is js : list nat) : NoDup is -> NoDup js ->
+  NoDup (flat_map (fun j => map (fun i => (i, j)) (rev is)) (rev js)).
+Proof.
+  intros I J. apply NoDup_flat_map; [now apply NoDup_rev | |].
+  - intros j. apply Injective_map_NoDup; [now intros ? ? [= ->] | now apply NoDup_rev].
+  - intros j k p P Q. apply in_map_iff in P as (i & <- & _), Q as (l & [= _ ->] & _). reflexivity.
+Qed.
+
+Theorem answers_are_the_pairs_with_a_common_point : Answers_are_the_pairs_with_a_common_point.
+Proof.
+  intros A B pose narrow opened_a opened_b SA SB F e Q. set (exact := intersects A B pose narrow).
+  assert (forall i j, exact (i, j) = true <-> common_point A B pose i j) as R.
+  { intros i j. unfold exact, intersects, common_point, of_pair. cbn [fst snd].
+    destruct (corners A i) as [[p q] r], (corners B j) as [[s t] o]. destruct narrow; apply test_is_exact. }
+  destruct (all_reject_safely A B opened_a opened_b pose F SA SB exact R) as (RB & RG & RT).
+  destruct (answers_are_exact _ _ _ _ (proj1 (is_tree A opened_a)) (proj1 (is_tree B opened_b)) _ _ _ _ _ exact RB RG RT e Q) as [Exact Once]. split.
+  - intros i j. rewrite Exact. pose proof (is_tree A opened_a) as [TA _]. pose proof (is_tree B opened_b) as [TB _].
+    split.
+    + intros (n & k & L & K & LN & LK & P & Y). apply in_pairs in P as [I J].
+      repeat split; [exists n | exists k | now apply R]; split; auto; [now apply (leaf_spec _ _ TA) | now apply (leaf_spec _ _ TB)].
+    + intros ((n & L & I) & (k & K & J) & Y). exists n, k.
+      repeat split; eauto using has_in_range; [now apply (leaf_spec _ _ TA) | now apply (leaf_spec _ _ TB) | now apply in_pairs | now apply R].
+  - apply Once.
+    + intros [n k]. apply NoDup_product; [apply SA | apply SB].
+    + intros [n k] [l m] [i j] P P'. apply in_pairs in P as [I J], P' as [I' J'].
+      f_equal; [now apply (proj2 (proj2 SA) _ _ i) | now apply (proj2 (proj2 SB) _ _ j)].
+Qed.
+
+Theorem left_out_rightly : Left_out_rightly.
+Proof.
+  intros A B pose n i j O I H. unfold common_point, of_pair.
+  assert (forall p, In p (points (corners A i)) -> in_box (box A n) p) as In_a.
+  { intros p P. apply node_in; [exact O | now apply (has_in_range A n i)|]. apply in_flat_map. eauto. }
+  destruct (corners A i) as [[p q] r], (corners B j) as [[s t] o]. cbn in In_a.
+  apply (apart_not_meet (in_box (box A n)) (fun v => v = put pose s \/ v = put pose t \/ v = put pose o)); auto 8.
+  unfold beside, in_box in *. generalize dependent (put pose s). generalize (put pose t) (put pose o).
+  clear. intros t o s H. unfold Apart, dot.
+  destruct H as [[H | H] | [[H | H] | [H | H]]];
+    [exists {| x := 1; y := 0; z := 0 |} | exists {| x := 1; y := 0; z := 0 |} | exists {| x := 0; y := 1; z := 0 |} |
+     exists {| x := 0; y := 1; z := 0 |} | exists {| x := 0; y := 0; z := 1 |} | exists {| x := 0; y := 0; z := 1 |}];
+    cbn [x y z]; first [left; intros w v W [-> | [-> | ->]]; lia | right; intros w v W [-> | [-> | ->]]; lia].
+Qed.
+
+Lemma far_is_rejected e offset margin t lower upper : - kMaxCoordinate <= lower -> upper <= kMaxCoordinate ->
+  margin <= @kWidestMargin@ -> far_along e offset t lower upper -> axis_rejects e offset margin t lower upper.
+Proof.
+  assert (forall g o f b, margin <= @kWidestMargin@ -> 0 < b -> bound_sum (start_of g o @kWidestMargin@) f t / cell14 < b ->
+    whole (bound_sum (start_of g o margin) f t) < b) as G.
+  { intros g o f b M P H. unfold whole. assert (bound_sum (start_of g o margin) f t <= bound_sum (start_of g o @kWidestMargin@) f t)
+      as L by (unfold bound_sum, start_of; lia). apply (Z.div_le_mono _ _ cell14 eq_refl) in L. lia. }
+  intros L U M [H | H]; [left | right].
+  - enough (whole (bound_sum (start_of e offset margin) e t) < bias + lower) by lia.
+    apply G; [exact M | unfold bias, kMaxCoordinate in *; lia | lia].
+  - enough (whole (bound_sum (start_of e (- offset) margin) (negated e) t) < bias - upper) by lia.
+    apply G; [exact M | unfold bias, kMaxCoordinate in *; lia | lia].
+Qed.
+
+Theorem early_ends_are_right : Early_ends_are_right.
+Proof.
+  intros A B r j OA OB (k & _ & J) H.
+  assert (box_margin (most_rest r) (reach (box B 0)) + kHalf <= @kWidestMargin@) as M.
+  { assert (filled B 0) as F.
+    { destruct (corners B j) as [[p q] o] eqn:E. destruct (corners_in B OB 0%nat k j p) as (P & L & _);
+        [apply all_under; now apply has_in_range in J | exact J | rewrite E; now left | split; eauto]. }
+    destruct (filled_box B 0 OB F) as [O L]. cbv zeta in L. apply widest_margin.
+    - pose proof (rests_small r) as S. cbv zeta in S. unfold most_rest.
+      assert (forall e, Z.abs (rest e) <= 128) as R by (intros e; pose proof (rest_fits e); lia).
+      split; [apply (Z.le_trans _ (Z.abs (rest (a1 r)))); [apply Z.abs_nonneg | apply S]|].
+      repeat apply Z.max_lub; apply R.
+    - unfold reach, reach_along. lia. }
+  destruct (node_in A OA 0%nat (low (box A 0))) as [L _].
+  { apply (fmt_some _ _ (proj1 (is_tree A OA))). }
+  unfold is_inside, lattice in L. cbn [low high x y z] in L. bools.
+  unfold bound, boxes_overlap, decide. destruct (on_a_dec _ _ _ _) as [|N]; auto. exfalso. apply N.
+  unfold on_a, with_all, with_entries, rejects_on_a. cbv zeta.
+  destruct H as [H | [H | H]]; [left | right; left | right; right]; apply far_is_rejected; auto; lia.
+Qed.
+
+(* ---- The premises can be met, by tests that reject something: two triangles, and a quarter turn. *)
+Definition at_ p q r := {| x := p; y := q; z := r |}.
+Definition two : Image := {|
+  cells := [ {| c_link := 3; c_rank := 5; c_parent_rank := kRootParentRank |};
+    {| c_link := 2; c_rank := -7; c_parent_rank := 0 |}; {| c_link := 1; c_rank := -7; c_parent_rank := 0 |} ];
+  box n := match n with 1%nat => {| low := at_ 10 0 0; high := at_ 19 9 9 |} |
+    2%nat => {| low := at_ 40 0 0; high := at_ 49 9 9 |} | _ => {| low := at_ 10 0 0; high := at_ 49 9 9 |} end;
+  corners i := match i with O => (at_ 10 0 0, at_ 19 9 0, at_ 15 0 9) | _ => (at_ 40 0 0, at_ 49 9 0, at_ 45 0 9) end;
+  own_triangles n := match n with 1%nat => [0%nat] | 2%nat => [1%nat] | _ => [] end;
+  directions n := [at_ 0 0 @2**kDirectionBits@] |}.
+Definition quarter : Rotation := {| a1 := 0; a2 := one22; a3 := 0; b1 := - one22; b2 := 0; b3 := 0; c1 := 0; c2 := 0;
+  c3 := one22; o1 := 20 * cell14; o2 := -2 * cell14; o3 := 0; defect := 0 |}.
+Example premises_met : opens two = true /\ sound two /\ fits (Turned quarter) /\
+  bound two two (Turned quarter) 1 1 = true /\ bound two two (Turned quarter) 1 2 = false.
+Proof.
+  split; [reflexivity|]. split; [|repeat split; vm_compute; easy]. repeat split.
+  - destruct H as [<- | []]; easy.
+  - destruct H as [<- | []]; easy.
+  - destruct H as [<- | []]; easy.
+  - intros [|[|[|n]]]; repeat constructor; easy.
+  - intros [|[|[|n]]] [|[|[|k]]] i; unfold triangles; cbn; intuition congruence.
+Qed.
+
+Print Assumptions early_ends_are_right.
+Print Assumptions left_out_rightly.
+Print Assumptions answers_are_the_pairs_with_a_common_point.

@@ -1,5 +1,0 @@
-(* The constants of lib/include/flashbvh/mesh.hpp, put in by tests/proof/prelude.py. *)
-From Coq Require Import ZArith.
-Local Open Scope Z_scope.
-Definition kRootParentRank : Z := @kRootParentRank@.
-Definition kMaxRank : Z := @kMaxRank@.
