@@ -130,7 +130,7 @@ cp arm.urdf folded.csv elsewhere/
 cmp page.html again.html || fail "another page"
 self_contained page.html
 grep -q "^<section><h2>Closest at line $hit: upper - fore intersect</h2>$" page.html || fail "no moment"
-grep -q '<path class=l0 d="M' page.html && grep -q 'data:image/png' page.html || fail "no pictures"
+grep -q '<path class=l0 d="M' page.html && grep -q '<g class="faces"><path' page.html || fail "no pictures"
 # What it counts is what is told; of work, what may be spent is drawn; motions as in the table.
 for kind in free warn stop 'not yet known'; do
   holds page.html "<dt>$kind</dt><dd>$(sed -n "s/^$kind  *\([0-9]*\).*/\1/p" text)<"

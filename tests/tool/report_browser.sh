@@ -20,8 +20,8 @@ browse --dump-dom "file://$PWD/hello.html" | grep -q '<p>hello' || skip "chromiu
 "$FLASHBVH" bake meshes/ring.stl meshes/tetrahedron.stl -o baked --format image >/dev/null
 "$FLASHBVH" report baked/ring.fbvh baked/tetrahedron.fbvh -o page.html --samples 40
 
-# Scripts see what the style does: no level is shown before one is chosen, and then no other; pictures can
-# be drawn; the page is not wider than its window, and no bar is hidden.
+# Scripts see what the style does: no level is shown before one is chosen, and then no other; pictures
+# are drawn; the page is not wider than its window, and no bar is hidden.
 sed '$d' page.html | sed '$d' >probe.html
 cat >>probe.html <<'HTML'
 <script>
@@ -37,14 +37,13 @@ const seen = bars.map(bar => bar.getBoundingClientRect())
   .filter(at => at.width > 1 && at.height > 8 && at.right <= innerWidth).length;
 const wide = document.documentElement.scrollWidth - innerWidth;
 const colours = getComputedStyle(document.body).backgroundColor;
-const canvas = document.createElement('canvas').getContext('2d');
-const drawn = picture => {
-  canvas.clearRect(0, 0, 300, 150);
-  canvas.drawImage(picture, 0, 0, 150, 150);
-  return canvas.getImageData(0, 0, 150, 150).data.filter((part, i) => i % 4 == 3 && part != 0).length > 500;
+const drawn = faces => {
+  const at = faces.getBoundingClientRect(), frame = faces.parentNode.getBoundingClientRect();
+  return at.width > frame.width / 3 && at.width <= frame.width && at.height <= frame.height &&
+    [...faces.children].every(path => getComputedStyle(path).fill.startsWith('rgb('));
 };
 onload = () => {
-  const pictures = [...document.querySelectorAll('image')].filter(drawn).length;
+  const pictures = [...document.querySelectorAll('.faces')].filter(drawn).length;
   document.body.innerHTML = `<p>${first} ${second} ${last} ${wide} ${colours} ${pictures} ${bars.length - seen}</p>`;
 };
 </script></body></html>

@@ -174,7 +174,7 @@ for verdict in never can believed; do
     fail "$verdict in the matrix"
 done
 can=$(grep -c '|can|' pairs)
-[ "$(grep -c 'data:image/png;base64,' page.html)" -eq $((4 + 2 * can)) ] || fail "pictures"
+[ "$(grep -c '<g class="faces"><path' page.html)" -eq $((4 + 2 * can)) ] || fail "pictures"
 [ "$(grep -c 'paint3\"></i>two triangles that intersect' page.html)" -eq "$can" ] || fail "keys"
 [ "$(grep -c '^<p class=note>Joints: <code>turn ' page.html)" -eq "$can" ] || fail "joints of witnesses"
 # The same in C, as strict: its names, and what they stand for.

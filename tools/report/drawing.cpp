@@ -35,7 +35,7 @@ constexpr std::array<Colour, kPaintCount> kPaintColours = {{
 
 constexpr std::int64_t kShades = 9;
 constexpr std::int64_t kColumn = 40;     ///< units; faces of a look follow each other by columns
-constexpr std::size_t kMostSeen = 1600;  ///< faces of a drawing
+constexpr std::size_t kMostSeen = 1900;  ///< faces of a drawing
 constexpr std::int64_t kFar = std::int64_t{1} << 40;  ///< cells, beyond any coordinate
 
 std::string rgb(const Colour& colour, std::int64_t shade) {
@@ -101,6 +101,10 @@ std::int64_t shade_of(const Face& face, const View& view) {
                                   kShades - 1);
 }
 
+/// Layers behind all others.
+constexpr std::size_t kMarks = SIZE_MAX - 1;
+constexpr std::size_t kHidden = SIZE_MAX;
+
 /// A face in the drawing.
 struct Flat {
   std::array<Vector, 3> corner;  ///< clockwise, as seen
@@ -114,6 +118,11 @@ struct Flat {
 
 std::int64_t side_of(const Vector& p, const Vector& q, const Vector& r) {
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
+bool contains(const Flat& face, const Vector& point) {
+  const auto& [p, q, r] = face.corner;
+  return side_of(p, q, point) > 0 && side_of(q, r, point) > 0 && side_of(r, p, point) > 0;
 }
 
 /// Whether a line along an edge of `t` has `u` on its other side.
@@ -159,10 +168,8 @@ std::ptrdiff_t covers_of_marks(const std::vector<Flat>& faces) {
   for (const Flat& mark : faces) {
     const auto& [p, q, r] = mark.corner;
     const Vector middle = {(p[0] + q[0] + r[0]) / 3, (p[1] + q[1] + r[1]) / 3, 0};
-    const auto hides = [&, &depth = mark.depth](const Flat& face) {
-      const auto& [t, u, v] = face.corner;
-      return face.paint < kIntersected && face.depth < depth && side_of(t, u, middle) > 0 &&
-             side_of(u, v, middle) > 0 && side_of(v, t, middle) > 0;
+    const auto hides = [&](const Flat& face) {
+      return face.paint < kIntersected && face.depth < mark.depth && contains(face, middle);
     };
     if (mark.paint >= kIntersected) {
       covers += std::count_if(faces.begin(), faces.end(), hides);
@@ -171,23 +178,31 @@ std::ptrdiff_t covers_of_marks(const std::vector<Flat>& faces) {
   return covers;
 }
 
-/// Faces of one layer do not hide each other, but for marks, which are in front.
+/// Puts each face in a layer of its own or of faces that do not hide it, and marks in front; leaves
+/// out what a single face covers.
 void set_layers(std::vector<Flat>& faces) {
   std::stable_sort(faces.begin(), faces.end(),
                    [](const Flat& t, const Flat& u) { return t.depth > u.depth; });
   for (auto face = faces.begin(); face != faces.end(); ++face) {
     if (face->paint >= kIntersected) {
-      face->layer = faces.size();
+      face->layer = kMarks;
       continue;
     }
     for (auto below = faces.begin(); below != face; ++below) {
-      const std::size_t layer = below->layer + (below->look() == face->look() ? 0 : 1);
-      if (layer > face->layer && below->paint < kIntersected && !separates(*face, *below) &&
-          !separates(*below, *face)) {
-        face->layer = layer;
+      if (below->layer >= kMarks || separates(*face, *below) || separates(*below, *face)) {
+        continue;
+      }
+      if (std::all_of(below->corner.begin(), below->corner.end(),
+                      [&](const Vector& corner) { return contains(*face, corner); })) {
+        below->layer = kHidden;
+      } else {
+        face->layer = std::max(face->layer, below->layer + (below->look() == face->look() ? 0 : 1));
       }
     }
   }
+  faces.erase(std::remove_if(faces.begin(), faces.end(),
+                             [](const Flat& face) { return face.layer == kHidden; }),
+              faces.end());
 }
 
 /// A path for all faces of a layer that look alike.
@@ -225,7 +240,9 @@ std::string paint_style() {
     for (std::int64_t shade = 0; shade < (is_mark ? 1 : kShades); ++shade) {
       const std::string look = rgb(colour, shade);
       style += concat(".faces .f", paint * kShades + shade, "{fill:", look, ";stroke:", look,
-                      (is_mark ? ";fill-opacity:.65;stroke-width:2px}\n" : "}\n"));
+                      (paint > kIntersected ? ";stroke-width:2px}\n"
+                       : is_mark            ? ";fill-opacity:.65}\n"
+                                            : "}\n"));
     }
   }
   return style;

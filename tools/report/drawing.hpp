@@ -49,7 +49,7 @@ bool is_solid(const bake::LatticeMesh& mesh);
 /// The faces from the corner of four where the fewest others hide marks.
 Frame frame_of_marks(const Faces& faces);
 
-/// The faces as an SVG group. Many are merged into some 1,600 that are seen.
+/// The faces as an SVG group. Corners of many are merged until at most 1,900 are seen.
 std::string drawing(Faces faces, const Frame& frame);
 
 /// A circle round the faces that intersect; nothing where it would hold most of the drawing.
