@@ -77,6 +77,8 @@ TEST_CASE("what is no ray is told") {
   CHECK(status(1, 0, 1, 1) == Status::ray_out_of_range);
   CHECK(status(1, -0.0f, 1, 1) == Status::ray_out_of_range);
   CHECK(status(1, 1, -1, 1) == Status::ray_out_of_range);
+  CHECK(status(1, 1, -1e-9f, 1) == Status::ray_out_of_range);
+  CHECK(status(1, 1, -0.0f, 1) == Status::done);
   CHECK(status(1, 1, 1.1e6f, 1) == Status::ray_out_of_range);
   CHECK(status(6e8f, 1, 1, 1) == Status::ray_out_of_range);
   CHECK(status(-6e8f, 1, 1, 1) == Status::ray_out_of_range);

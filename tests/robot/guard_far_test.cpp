@@ -184,6 +184,12 @@ TEST_CASE("what was measured where a period ends is known in the next, however f
   const GuardAnswer standing = guard.update(&right, 0);
   CHECK(standing.verdict == Verdict::free);
   CHECK(standing.distance > 0.09 * kFine);
+  // What is left of it is told where it is too little, and there is no work to know more.
+  const JointCoordinate nearer = right - at((standing.distance / kFine) - 0.004);
+  const GuardAnswer unknown = guard.update(&nearer, 0);
+  CHECK(unknown.verdict == Verdict::not_yet_known);
+  CHECK(unknown.distance > 0.003 * kFine);
+  CHECK(unknown.distance <= 0.005 * kFine);
 }
 
 TEST_CASE("gantries that jump anywhere: no call fails to end, and no verdict is contradicted") {
