@@ -82,7 +82,7 @@ inline int64_t way_along(int64_t reach, int32_t component, uint32_t length) {
 inline MadeSegment segment_of(const float (&origin)[3], const float (&direction)[3], float reach,
                               float cells_per_unit) {
   const MadeSegment none = {Status::ray_out_of_range, {}};
-  const int64_t fractions = detail::reach_fractions(reach, cells_per_unit);
+  const int64_t fractions = detail::cell_fractions(reach, cells_per_unit);
   int32_t whole[3];
   if (fractions < 0 || fractions > int64_t{2} * kMaxRayCoordinate << 16 ||
       !detail::get_direction(direction, whole)) {
