@@ -77,6 +77,7 @@ TEST_CASE("what is no ray is told") {
   CHECK(status(1, 0, 1, 1) == Status::ray_out_of_range);
   CHECK(status(1, -0.0f, 1, 1) == Status::ray_out_of_range);
   CHECK(status(1, 1, -1, 1) == Status::ray_out_of_range);
+  CHECK(status(1, 1, -1e-9f, 1) == Status::ray_out_of_range);
   CHECK(status(1, 1, -0.0f, 1) == Status::done);
   CHECK(fine_distance(-1e-9f, 1) == UINT32_MAX);
   CHECK(fine_distance(-0.0f, 1) == 0);

@@ -107,10 +107,11 @@ inline int64_t cell_fractions(float length, float cells_per_unit) {
   return t.is_negative && size != kTooLarge ? -size : size;
 }
 
-/// The same of a length that can't be negative: -1 for one that is, however small.
-inline int64_t reach_fractions(float length, float cells_per_unit) {
-  const FloatParts t = parts_of(length);
-  return t.is_negative && t.digits != 0 ? -1 : cell_fractions(length, cells_per_unit);
+/// Whether it is negative, however small; not of -0. By its bits: a core may have no FPU.
+inline bool is_below_zero(float value) {
+  uint32_t bits = 0;
+  __builtin_memcpy(&bits, &value, sizeof bits);
+  return bits > 0x80000000u;
 }
 
 inline Pose rigid(const int32_t (&rotation)[3][3], const float (&translation)[3],
@@ -212,9 +213,9 @@ inline float cells_per_unit(uint64_t cell_bits) {
 /// rounding of the product to 1/65,536 cell. UINT32_MAX, which every query refuses, if it is
 /// negative, no number or too large.
 inline uint32_t fine_distance(float length, float cells_per_unit) {
-  const int64_t fractions = detail::reach_fractions(length, cells_per_unit);
-  const int64_t fine = fractions >> 8;
-  return fractions < 0 || fine >= UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(fine);
+  const int64_t fine = detail::cell_fractions(length, cells_per_unit) >> 8;
+  return detail::is_below_zero(length) || fine >= UINT32_MAX ? UINT32_MAX
+                                                             : static_cast<uint32_t>(fine);
 }
 
 /// The length of so many 1/256 cells in the mesh's unit, to the nearest float.

@@ -88,6 +88,9 @@ inline MadeSegment segment_of(const float (&origin)[3], const float (&direction)
       !detail::get_direction(direction, whole)) {
     return none;
   }
+  if (detail::is_below_zero(reach)) {  // by so little that it was rounded to 0
+    return none;
+  }
   int64_t squared = 0;
   for (const int32_t component : whole) {
     squared += int64_t{component} * component;
