@@ -42,7 +42,11 @@ echo $steps | xargs -n 1 -P "$(nproc)" tools/test_step.sh
 [ -z "$release" ] || tools/release.sh --test
 python3 - "$(($(date +%s) - began))" "$(nproc)" <<'PYTHON'
 import sys
-steps = [line.split() for line in open("build/log/seconds")]
+def seconds_in(time):
+    minutes, seconds = time.rstrip("s").split("m")
+    return 60 * int(minutes) + float(seconds)
+
+steps = [(took, sum(map(seconds_in, times)), name) for took, name, *times in map(str.split, open("build/log/seconds"))]
 row = "{:7.1f}  {:9.1f}  {}".format
 print("\nminutes  computing  step")
 for took, computed, name in steps:

@@ -98,7 +98,7 @@ finish() {
   took=$(($(date +%s) - began))
   if [ $status -eq 0 ]; then
     times >build/log/times.$1
-    awk 'NR == 2 { gsub(/[ms]/, " "); print '$took', $1 * 60 + $2 + $3 * 60 + $4, "'"$1"'" }' build/log/times.$1 >>build/log/seconds
+    echo "$took $1 $(sed -n 2p build/log/times.$1)" >>build/log/seconds
     touch "build/log/$1.passed"
     printf '== %s passed in %d s\n' "$1" $took >&3
     grep -aE "^budget: |, budget: (at most|below)" "build/log/$1" >&3 || true

@@ -30,8 +30,7 @@ board_includes="-I$ROOT/ports/common -I$ROOT/ports/cortex-m"
 
 # shown SECTION: the lines that the page shows there as they are typed.
 shown() {
-  awk -v section="## $1" '/^## / { here = $0 == section } here && sub(/^    /, "")' "$ROOT/lib/docs/packages.md" |
-    sed 's/arm\.stl/plate.obj/; s/gripper\.obj/peg.obj/'
+  sed -n "/^## $1\$/,/^## /s/^    //p" "$ROOT/lib/docs/packages.md" | sed 's/arm\.stl/plate.obj/; s/gripper\.obj/peg.obj/'
 }
 
 on_board() {
