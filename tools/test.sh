@@ -15,16 +15,15 @@ set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
 
-# The longest first, so that none is left over at the end; all but lint wait for the first.
-steps="tool native cortex-m4f long lint rv32imac cortex-m0 cortex-m55 cortex-m3 stm32vldiscovery
-  cortex-m7 cortex-m33 netduinoplus2 sifive_e"
+host_steps="tool native long lint"
+cores=$(tools/cores.py --steps)
 packages="$riscv_packages $digest_packages clang-tidy"
 release=
 case ${1:-} in
   "") ;;
-  --quick) steps="library netduinoplus2" packages=
+  --quick) host_steps=library cores=netduinoplus2 packages=
     export FLASHBVH_QUICK=ON ;;
-  --all) steps="$steps lx106 rv32im" packages="$packages $xtensa_packages" release=yes
+  --all) cores=$(tools/cores.py --all) packages="$packages $xtensa_packages" release=yes
     export FLASHBVH_ALL_TESTS=ON FLASHBVH_THOROUGH=yes FLASHBVH_DEEP_LINT=yes ;;
   *) sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
@@ -38,7 +37,8 @@ began=$(date +%s)
 rm -rf build/log
 mkdir -p build/log
 echo formatting configured | xargs -n 1 -P "$(nproc)" tools/test_step.sh
-echo $steps | xargs -n 1 -P "$(nproc)" tools/test_step.sh
+# The longest first, so that none is left over at the end; all but lint wait for the first.
+echo $host_steps $cores | xargs -n 1 -P "$(nproc)" tools/test_step.sh
 [ -z "$release" ] || tools/release.sh --test
 python3 - "$(($(date +%s) - began))" "$(nproc)" <<'PYTHON'
 import sys
