@@ -16,14 +16,14 @@ cd "$(dirname "$0")/.."
 . tools/packages.sh
 
 host_steps="tool native long lint"
-cores=$(tools/cores.py --steps)
+cores= list=--steps
 packages="$riscv_packages $digest_packages clang-tidy"
 release=
 case ${1:-} in
   "") ;;
   --quick) host_steps=library cores=netduinoplus2 packages=
     export FLASHBVH_QUICK=ON ;;
-  --all) cores=$(tools/cores.py --all) packages="$packages $xtensa_packages" release=yes
+  --all) list=--all packages="$packages $xtensa_packages" release=yes
     export FLASHBVH_ALL_TESTS=ON FLASHBVH_THOROUGH=yes FLASHBVH_DEEP_LINT=yes ;;
   *) sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
@@ -32,6 +32,8 @@ ensure_packages $host_packages $sanitizer_packages $oracle_packages $board_packa
 # What is compiled once is not compiled again: boards of one core, tests that build the library.
 export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
 export CCACHE_DIR="$PWD/build/ccache" CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=include_file_ctime,pch_defines,time_macros
+
+[ -n "$cores" ] || cores=$(tools/cores.py $list)
 
 began=$(date +%s)
 rm -rf build/log
