@@ -9,7 +9,7 @@
 
 namespace port {
 
-/// Instructions of `function(context)` and of what is around every call, always as many.
+/// Instructions of `function(context)` and of the code around every call, always as many.
 uint32_t counted(Call function, void* context);
 
 /// Returns at once.

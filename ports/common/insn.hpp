@@ -20,7 +20,7 @@ namespace port {
 /// and must not count itself.
 uint32_t instructions_of_call(Call function, void* context);
 
-/// Instructions that `function()` executes, the loads of what it captured included.
+/// Instructions that `function()` executes, the loads of its captures included.
 template <class Function>
 uint32_t instructions_of(Function function) {
   return instructions_of_call(call_object<Function>, &function);

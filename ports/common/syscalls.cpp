@@ -1,4 +1,4 @@
-// What newlib asks of an operating system, for tests that use it: a heap between .bss and
+// newlib's calls to an operating system, for tests that use it: a heap between .bss and
 // the stack, standard output, a clock. Firmware never links this.
 #include <errno.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-// What picolibc asks of an operating system, for tests that use it: its semihosting is not for this
+// picolibc's calls to an operating system, for tests that use it: its semihosting is not for this
 // core.
 #include <signal.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #     amalgamation.sh quick    by one compiler, on this machine
 . "$(dirname "$0")/common.sh"
 files=$PACKAGES/amalgamation
-# What the digest asks of detail/ the two files do not show; all else is theirs.
+# The digest uses names of detail/ that the two files do not show; all else is theirs.
 digest="$ROOT/tests/digest/main.cpp $ROOT/tests/digest/digest.cpp $ROOT/tests/digest/small_mesh.cpp
   $ROOT/tests/digest/small_tree.cpp -I$files -I$ROOT/tests -idirafter $ROOT/lib/include"
 native=${CXX:-c++}

@@ -68,7 +68,7 @@ class BasicDeformableMesh {
   /// Fits the boxes to the vertices, as they are now. `work`: nodes; UINT32_MAX: all there are.
   /// After `suspended` the next one goes on; vertices must not move meanwhile: start_again().
   RefitStep refit(uint32_t work = UINT32_MAX);
-  /// The refit at hand is given up; the next one starts at the beginning.
+  /// Gives up the current refit; the next one starts at the beginning.
   void start_again() { node_ = 0; }
 
   /// Odd while a refit is not done; never twice the same, short of 2^31 refits.

@@ -6,7 +6,7 @@
 //     nodes                 node_count      x 16 or 20 bytes (16 or 32-bit indices)
 //     levels                node_count      x index; absent unless kImageHasLevels
 //     parents (pre-indexed) or right child levels (post-indexed)
-//                           node_count      x index; likewise
+//                           node_count      x index; absent unless kImageHasLevels
 //     triangles             triangle_count  x 3 indices, in order of their leaves
 //     triangle ids          triangle_count  x index
 //     leaf_offsets          leaf_count + 1  x index; absent if leaf_count = triangle_count
@@ -59,7 +59,7 @@ struct ImageHeader {
   uint16_t arity;         ///< most children of a node, 65,535 standing for more
   int32_t origin[3];      ///< in cells, within +-kMaxOrigin
   uint32_t cell[2];       ///< in the unit: IEEE binary64, low word first
-  uint32_t deviation[2];  ///< largest distance of a vertex from its source, likewise
+  uint32_t deviation[2];  ///< largest distance of a vertex from its source, as `cell`
   uint32_t shell_count;
   uint16_t longest_edge;  ///< Mesh::longest_edge
   uint8_t unit;           ///< of enum Unit

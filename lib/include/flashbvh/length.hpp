@@ -1,4 +1,4 @@
-// Lengths in a mesh's unit, of what queries report in cells. In integers; lengths as floats are in
+// Lengths that queries report in cells, in a mesh's unit. In integers; lengths as floats are in
 // pose_float.hpp.
 #ifndef FLASHBVH_LENGTH_HPP
 #define FLASHBVH_LENGTH_HPP
@@ -16,7 +16,7 @@ int64_t millionths_of(int64_t fine, uint64_t cell_bits);
 
 namespace detail {
 
-/// The bits of the binary32 nearest to a length, likewise in the unit.
+/// The bits of the binary32 nearest to the length in the unit.
 uint32_t length_bits(int64_t fine, uint64_t cell_bits);
 
 /// The bits of the binary32 nearest to the number of cells in a unit.

@@ -10,7 +10,7 @@
 //   post-indexed  of a child before the last: its next sibling, which lies at a smaller index;
 //                 of the last child: its first sibling (itself if it is alone), which does not.
 // So in a post-indexed tree the children form a ring: the first child of node i is the link of
-// i + 1, its last child, and whether a node is a last child is told by its link. The root's link
+// i + 1, its last child, and whether a node is a last child shows in its link. The root's link
 // is the number of nodes, the imaginary end node of definition 3.3, in both layouts.
 //
 // `data` of a leaf has the top bit set and holds the leaf's number, counted in array order. `data`

@@ -40,7 +40,7 @@ class Pose {
   /// B rotated and translated. `rotation`: row by row, kRotationOne is 1; kept to 2^-22. `cells`:
   /// the translation, rounded to whole cells; `fraction`: what rounding left, in 1/65,536 of a
   /// cell, -32,768 to 32,767. A matrix further than kRotationTolerance from a rotation, or a
-  /// mirroring one, gives `not_a_rotation`; within it is used as it is, not mended.
+  /// mirroring one, gives `not_a_rotation`; within it is used as it is, not repaired.
   static Pose rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
                     const int16_t (&fraction)[3]);
   /// The same, translated by whole cells.

@@ -3,7 +3,7 @@
 //
 // Optional, and the only float in the library: firmware that does not include this header links no
 // float code. It calculates with none, either: a float is taken apart by its bits and the rest is
-// integers. So no conversion is out of range, NaN and infinity are told by their bits (whatever
+// integers. So no conversion is out of range, NaN and infinity are known by their bits (whatever
 // -ffast-math assumes), and the pose is the same on every core: without an FPU, with fused
 // multiplication, with subnormals flushed to zero.
 //
@@ -203,7 +203,7 @@ inline Pose pose_of(const UnitQuaternion& rotation, const float (&translation)[3
   return detail::rigid(entries, translation, cells_per_unit);
 }
 
-/// kCellsPerUnit of a mesh whose header is not at hand, as of an image. `cell_bits`:
+/// kCellsPerUnit of a mesh whose header is not there, as of an image. `cell_bits`:
 /// Mesh::cell_bits.
 inline float cells_per_unit(uint64_t cell_bits) {
   return detail::float_of(detail::cells_per_unit_bits(cell_bits));

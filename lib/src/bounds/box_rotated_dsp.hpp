@@ -14,7 +14,7 @@ namespace flashbvh::detail {
 /// Rotates `box` and keeps it; 0 if it overlaps `other`. 47 instructions.
 ///
 /// r0 rotated, r1 box, then rows, r2 other, r3 starts; r4, r5, r6 the box's words; r7, r8, r9 a
-/// row's; r10, r11 upper and lower x and y; r12, lr the bounds at hand.
+/// row's; r10, r11 upper and lower x and y; r12, lr the current bounds.
 [[gnu::naked, gnu::noinline]] static uint32_t rotate_and_compare(RotatedBox& /*rotated*/,
                                                                  const PackedBox& /*box*/,
                                                                  const PackedBox& /*other*/) {

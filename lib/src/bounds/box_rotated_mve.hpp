@@ -65,7 +65,7 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] uint32_t flashbvh_rotate_and_compare(
       "str r1, [r0, #12]\n\t" FLASHBVH_COMPARE("r0") "pop {r4, r5, r6, r8, r10, pc}");
 }
 
-/// 12 instructions where a box at hand tells the two apart, 50 or more where one is rotated.
+/// 12 instructions where a current box separates the two, 50 or more where one is rotated.
 [[gnu::naked]] uint32_t RotatedBound::gap(const PackedBox& /*a*/, const PackedBox& /*b*/) {
 #define FLASHBVH_EXCHANGE_BOXES \
   "mov r3, r1\n\t"              \
@@ -78,7 +78,7 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] uint32_t flashbvh_rotate_and_compare(
       "ldr r3, [r0, #12]\n\t"
       "cmp r3, r1\n\t"
       "bne 2f\n\t"
-      // A's box is at hand, seen from B.
+      // A's box is current, seen from B.
       "vldrw.u32 q0, [r0]\n\t"
       "vldrw.u32 q1, [r2]\n\t"
       "add r0, r0, #24\n\t"

@@ -13,7 +13,7 @@ namespace flashbvh::detail {
 /// Rotates `box` and keeps it; 0 if it overlaps `other`. 77 instructions.
 ///
 /// r0 rotated, r1 box, then rows, r2 other, then an entry, r3 starts; r4 and r5, r6 and r7, r8 and
-/// r9 the box's bounds; r10, r11 upper and lower x and y; r12, lr the bounds at hand.
+/// r9 the box's bounds; r10, r11 upper and lower x and y; r12, lr the current bounds.
 [[gnu::naked, gnu::noinline]] static uint32_t rotate_and_compare(RotatedBox& /*rotated*/,
                                                                  const PackedBox& /*box*/,
                                                                  const PackedBox& /*other*/) {

@@ -79,7 +79,7 @@ inline PackedTriple window_of_rotated(const NearBox& kept, const PackedBox& box)
 #endif
 }
 
-/// Whether `box` is within the limit of what is at hand, if that is not null; if so, rotates it and
+/// Whether `box` is within the limit of the current box, if that is not null; if so, rotates it and
 /// keeps it: whether `other` is within the limit of that.
 FLASHBVH_NOINLINE bool rotate_near(NearBox& kept, const PackedBox& box, const PackedBox& other,
                                    const NearBox* at_hand) {
@@ -140,7 +140,7 @@ KeptGap::KeptGap(const Transform& transform, const GapLimit& limit)
 }
 
 bool KeptGap::operator()(const PackedBox& a, const PackedBox& b) {
-  // What is at hand goes first.
+  // The current boxes go first.
   if (b_.source == &b) {
     return rotate_near(a_, a, b, &b_);
   }

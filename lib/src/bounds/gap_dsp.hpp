@@ -15,12 +15,12 @@ static_assert(offsetof(NearBox, window) == 0 && offsetof(NearBox, source) == 12 
               offsetof(NearBox, zero) == 24 && offsetof(NearBox, limit) == 28);
 static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits == 14);
 
-/// Whether `box` is within the limit of what is at hand, if that is not null; if so, rotates it and
+/// Whether `box` is within the limit of the current box, if that is not null; if so, rotates it and
 /// keeps it: whether `other` is within the limit of that. 11 and 61 instructions.
 ///
-/// r0 kept, r1 box, then rows, r2 what sums are subtracted from, then other, r3 at hand, then
+/// r0 kept, r1 box, then rows, r2 what sums are subtracted from, then other, r3 current, then
 /// starts; r4, r5, r6 the box's words; r7, r8, r9 a row's; r10, r11 what upper and lower x and y
-/// are to reach; r12, lr the bounds at hand.
+/// are to reach; r12, lr the current bounds.
 [[gnu::naked, gnu::noinline]] static bool rotate_near(NearBox& /*kept*/, const PackedBox& /*box*/,
                                                       const PackedBox& /*other*/,
                                                       const NearBox* /*at_hand*/) {

@@ -5,7 +5,7 @@
 // the later one of the two lower ends to the earlier one of the two upper ends. Which these are is
 // told by the signs of determinants; only their coordinates are rounded.
 //
-// The rest, as in triangle.cpp, is told apart by the sides of the planes alone: a segment that
+// The rest, as in triangle.cpp, is decided by the sides of the planes alone: a segment that
 // crosses the plane of a triangle does so in one point; all else lies in one plane
 // (contact_flat.hpp).
 //

@@ -2,7 +2,7 @@
 // apart.
 //
 // A corner of the common part is a corner of one outline inside the other one, or a point where two
-// edges cross properly. Invariant: which points these are is told by signs of exact 2x2
+// edges cross properly. Invariant: which points these are is decided by signs of exact 2x2
 // determinants in a projection that is one-to-one on the plane, so no point comes twice with
 // different rounding.
 //

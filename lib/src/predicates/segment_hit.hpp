@@ -25,7 +25,7 @@ bool first_meeting(const Segment& segment, const Triangle& t, SegmentShare& alon
 /// it; 0 if it goes past. The line is moved by (e, e^2, e^3) for e below any number.
 int passage(const Triangle& t, const Point& from, const Vector& way) noexcept;
 
-/// 1 if `p`, moved likewise, is above the triangle's plane, -1 if it is below. Not of a triangle
+/// 1 if `p`, moved alike, is above the triangle's plane, -1 if it is below. Not of a triangle
 /// without area.
 int side_of_plane(const Triangle& t, const Point& p) noexcept;
 

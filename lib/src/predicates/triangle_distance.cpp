@@ -47,8 +47,8 @@ class Search {
   bool is_over() const { return found_ && closed_limit_ != nullptr; }
   bool found() const { return found_; }
 
-  /// What is to be considered next. It lies here, so that the frames of what makes it are gone when
-  /// it is compared.
+  /// What is to be considered next. It lies here, so that the frames of the functions that make it
+  /// are gone when it is compared.
   Fraction candidate;
 
   [[gnu::noinline]] void consider(Features features) {

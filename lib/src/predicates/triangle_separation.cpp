@@ -32,7 +32,7 @@ namespace {
   };
   const uint64_t squared = square(n.x) + square(n.y) + square(n.z);
   const uint64_t distance = least >> down;
-  // On the plane, or where there is none, nothing is told.
+  // On the plane, or where there is none, nothing is decided.
   return distance != 0 && distance * distance >= static_cast<uint64_t>(limit + 1) * squared;
 }
 

@@ -54,7 +54,7 @@ FLASHBVH_AVX2 inline __m128i rotated(const VertexTransform& by, const Vertex& v)
       kSplitBits);
 }
 
-/// The cross product of what is in each half, which fits 32 bits.
+/// The cross product of each half, which fits 32 bits.
 FLASHBVH_AVX2 inline __m256i cross(__m256i u, __m256i v) {
   constexpr int yzx = 0xC9;
   constexpr int zxy = 0xD2;

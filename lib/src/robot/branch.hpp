@@ -10,7 +10,7 @@
 namespace flashbvh::detail {
 
 /// `visit(joint, reach)` of all joints between the two links: those of a's branch, from its own
-/// inwards, then those of b's. One loop, so that there is one copy of what it does.
+/// inwards, then those of b's. One loop, so that its code is there once.
 template <class Visit>
 FLASHBVH_INLINE inline void for_each_between(const Robot& robot, const RobotPair& pair,
                                              Visit&& visit) {

@@ -27,7 +27,7 @@ constexpr uint32_t kAimWork = 48;
 /// A witness's distance is worked out anew once the links have moved by so much of it.
 constexpr uint32_t kStaleShare = 8;
 
-/// A pair is asked whether it is within so much of what its witness has over what is to be kept, in
+/// A pair is asked whether it is within a share of its witness's distance over the one to keep, in
 /// 1/16: no triangles are tested for half of it, many for all.
 constexpr uint32_t kShare = 6;
 
@@ -143,7 +143,7 @@ uint32_t Guard::witness_distance(uint32_t& work) const {
   return is_placed ? detail::distance_above(a, b) : UINT32_MAX;
 }
 
-/// What to ask: a share of what the witness has over the distance that is to be kept. `nearest`: it
+/// The distance to test: a share of the witness's distance over the one to keep. `nearest`: it
 /// is no farther. Less than `nearest`, so each witness that is found is nearer than the last. A
 /// "no" settles the pair (Left::is_settled): what is asked is as far as can be, or beyond what
 /// lasts the period and the warn distance, or the stop distance; else the witness is no farther

@@ -167,7 +167,7 @@ void MotionQuery::step(uint32_t& work) {
   if (status == Status::done && core_->phase == kWithin) {
     next_interval();
   } else if (status == Status::done || status == Status::distance_out_of_range) {
-    split_or_end();  // also of what lies too far off for so large a question
+    split_or_end();  // also pairs too far apart for so large a distance
   } else if (status == Status::full && core_->phase == kWithin) {
     core_->position = {};
     core_->phase = kIntersects;

@@ -6,7 +6,7 @@
 
 namespace flashbvh::detail {
 
-/// Both within 2^-29 of what they are.
+/// Both within 2^-29 of the exact values.
 struct SineCosine {
   int32_t sine;  ///< kRotationOne is 1
   int32_t cosine;

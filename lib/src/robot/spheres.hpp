@@ -9,7 +9,7 @@
 
 namespace flashbvh::detail {
 
-/// Of the sphere round a link, in the frame that its joint's is told in: along an axis, in 1/2,048
+/// Of the sphere round a link, in its joint's parent frame: along an axis, in 1/2,048
 /// cell, to the nearest.
 int64_t centre_of(const RobotLink& link, const Frame& frame, int axis);
 

@@ -16,7 +16,7 @@ constexpr int32_t kFrameCell = 1 << kFrameBits;
 /// differences of two still fit 32 bits.
 constexpr int32_t kMaxFrameTranslation = 1 << 30;
 
-/// Point p of this frame lies at rotation * p + translation in the frame it is told in. 48 bytes.
+/// Point p of this frame lies at rotation * p + translation in its parent frame. 48 bytes.
 struct Frame {
   int32_t rotation[3][3];  ///< row by row, kRotationOne is 1
   int32_t translation[3];  ///< in 1/2,048 cell

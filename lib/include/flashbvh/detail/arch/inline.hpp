@@ -1,4 +1,4 @@
-// What the compiler is told of inlining, where its own judgement costs registers or stack.
+// Inlining attributes, where the compiler's own judgement costs registers or stack.
 #ifndef FLASHBVH_DETAIL_ARCH_INLINE_HPP
 #define FLASHBVH_DETAIL_ARCH_INLINE_HPP
 

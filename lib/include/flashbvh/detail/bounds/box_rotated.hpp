@@ -1,7 +1,7 @@
 // The test whether a box of A and a rotated box of B overlap: the face axes of both.
 //
 // On A's axis i the transformed vertices of a box of B lie between
-//     sum_j R_ij * (upper_j where R_ij > 0, else lower_j) + o_i    above, likewise below.
+//     sum_j R_ij * (upper_j where R_ij > 0, else lower_j) + o_i    above, and the same form below.
 // Widened by half a cell, by which vertices are rounded, and by what the 14 bits of R lack of the
 // vertices' 22, and rounded to whole cells, these bounds are an axis-aligned box on A's lattice.
 // Rotated the other way, a box of A makes one on B's lattice, widened by what rounded vertices and
@@ -11,7 +11,7 @@
 // boxes", derives the margins.
 //
 // A rotated box is kept until another one of its tree is: a walk goes on in one tree at a time. The
-// axes whose rotated box is at hand go first, and what that rejects costs no rotation at all.
+// axes whose rotated box is current go first, and what that rejects costs no rotation at all.
 //
 // Source: Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, for the separating axes. The nine
 // cross products of edges are left out: fewer pairs are visited with them, but more instructions

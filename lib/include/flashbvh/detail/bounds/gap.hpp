@@ -337,7 +337,7 @@ class KeptGap {
   const PackedTriple& window_of_b(const PackedBox& b);
 
  private:
-  /// Of which neither is at hand: the exception, and all that needs registers saved. The long way
+  /// Neither box is current: the exception, and all that needs registers saved. The long way
   /// keeps none.
   FLASHBVH_NOINLINE bool compare_new(const PackedBox& a, const PackedBox& b);
 

@@ -24,8 +24,8 @@ inline BoundLanes bound_lanes(const PackedBox& box) {
           _mm_unpackhi_epi64(xy, _mm_shuffle_epi32(z, _MM_SHUFFLE(3, 1, 1, 0)))};
 }
 
-/// Of sums of bounds, upper ones with lower ones and the other way round: the squares of what is
-/// missing to `zero`, summed. Gaps are shifted down, and cut at `most`, below 2^16.
+/// Of sums of bounds, upper ones with lower ones and the other way round: the squares of their
+/// distances below `zero`, summed. Gaps are shifted down, and cut at `most`, below 2^16.
 inline uint32_t squared_gap_lanes(__m128i upper, __m128i lower, int32_t zero, uint32_t shift,
                                   uint32_t most) {
   const __m128i all_zero = _mm_set1_epi32(zero);

@@ -4,7 +4,7 @@
 // A vertex p goes to floor(R p + o + 1/2), where R is the pose's rotation with 22 fraction bits and
 // o, with 14 of them, takes both meshes' origins in. That is a function of p alone, so a
 // transformed mesh keeps its edges and corners together. Each coordinate is within 1/2 + 1/100 cell
-// of what the pose's numbers give (lib/docs/derivations.md, "Poses").
+// of those that the pose's numbers give (lib/docs/derivations.md, "Poses").
 //
 // All factors have 16 bits and all sums 32, which every core has.
 #ifndef FLASHBVH_DETAIL_BOUNDS_ROTATED_TRANSFORM_HPP

@@ -91,7 +91,7 @@ class Transform {
   const TranslatedTransform& translated() const { return translated_; }
   const RotatedTransform& rotated() const { return rotated_; }
 
-  /// Two objects that are nowhere near each other, the commonest query, are told apart before
+  /// Two objects that are nowhere near each other, the commonest query, are separated before
   /// anything is prepared for a walk.
   bool roots_disjoint() const { return slab_margin_ == kDisjoint; }
 

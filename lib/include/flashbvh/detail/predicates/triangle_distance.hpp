@@ -54,7 +54,7 @@ int64_t squared_box_gap(const Triangle& a, const Triangle& b) noexcept;
 
 /// A direction from A to B along which two triangles are as far apart as they are: their nearest
 /// points lie in planes normal to it. Pairs that are `gap` apart along it, in units of it, or more,
-/// are no nearer: exactly, so that equals are told, too.
+/// are no nearer: exactly, so that equal distances are found, too.
 struct Axis {
   int32_t x;
   int32_t y;

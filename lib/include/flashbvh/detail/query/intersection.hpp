@@ -1,6 +1,6 @@
 // The question of PairQuery: which triangles intersect.
 //
-// A question is what a query asks of a walk's pairs. It is a small class with
+// A question is the test that a query makes of a walk's pairs. It is a small class with
 //     kIntersects             whether only triangles that intersect are an answer: then whatever
 //                             tells them disjoint may reject pairs, and the exact test is known
 //     Shapes<Mesh>            how leaves are taken as shapes (leaf_shape.hpp), or NoShapes
@@ -8,7 +8,7 @@
 //                             an answer changes the bound
 //     kPairWork               what two triangles' test is in work (work.hpp)
 //     kDearWork               what comes on top for each of `dear_tests`, which it counts, or 0
-//     kKeepsShapes            whether the leaf at hand stays a shape from one walk to the next; if
+//     kKeepsShapes            whether the current leaf stays a shape from one walk to the next; if
 //                             not, it makes room on the stack while triangles are tested
 //     kDisjointRootsEnd       whether nothing matters where the root boxes are disjoint
 //     translated(transform)   a bound for the walk under a translation

@@ -49,7 +49,7 @@ struct alignas(16) TriangleLanes {
 struct alignas(16) VertexTransform {
   uint32_t entries_xy[4];  ///< halves with a sign
   uint32_t entries_z[4];
-  uint32_t rest_xy[4];  ///< likewise
+  uint32_t rest_xy[4];  ///< of the other halves
   uint32_t rest_z[4];
   int32_t offset[4];  ///< of a translation: in cells
 

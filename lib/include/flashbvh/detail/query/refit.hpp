@@ -1,7 +1,7 @@
 // Boxes of a tree whose vertices moved, from the leaves up, in one pass.
 //
 // In both layouts a node lies before its subtrees, so backwards in the array children come before
-// their parents, and the box of the child that lies right after its parent is at hand when the
+// their parents, and the box of the child that lies right after its parent is in registers when the
 // parent's turn comes. Leaves and their triangles come in the array's order, too, so nothing is
 // looked up.
 #ifndef FLASHBVH_DETAIL_QUERY_REFIT_HPP
@@ -201,7 +201,7 @@ inline uint16_t longest_edge_in(const PackedBox& box) {
   return static_cast<uint16_t>(square_root(widened(x * x + y * y + z * z)) + 1);
 }
 
-/// Where a refit is: the next node's box is made of what lies after it.
+/// Where a refit is: the next node's box is made of the nodes after it.
 struct RefitPlace {
   uint32_t leaf;  ///< after the leaves to come
   PackedBox box;  ///< of the node after, which came before

@@ -13,7 +13,7 @@ namespace flashbvh::detail {
 
 /// A pair of leaves is paid for when it is found, with all its pairs of triangles, so that none is
 /// walked to again for want of work. One that can't be paid for ends the walk and is not taken
-/// along: it is tested by and by.
+/// along: it is tested in turn.
 ///
 /// With each pair goes where the walk's counts stood, so that counts are right at every pair.
 /// 8 * size + 16 bytes with 16-bit indices.
@@ -90,11 +90,11 @@ class LeafPairs {
   /// Whether the next one, the last, was not paid for.
   bool has_unpaid() const { return unpaid_ && next_ == count_; }
   const Entry& next() { return entry_[next_++]; }
-  /// The pair at hand.
+  /// The current pair.
   bool has_current() const { return next_ != 0; }
   const Entry& current() const { return entry_[next_ - 1]; }
 
-  /// What the walk did since this was asked before, up to the pair at hand; or up to its end.
+  /// What the walk did since this was asked before, up to the current pair; or up to its end.
   Walked walked_to_current() { return since(current().counts); }
   Walked walked_to_end() { return since(entry_[count_ < size ? count_ : size - 1].counts); }
 

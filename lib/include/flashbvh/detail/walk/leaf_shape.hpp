@@ -7,7 +7,7 @@
 // gives the same answers.
 //
 // What is tested of a pair follows from the pair alone, however a query was cut: only whether a
-// slab is made or at hand does not.
+// slab is made or current does not.
 #ifndef FLASHBVH_DETAIL_WALK_LEAF_SHAPE_HPP
 #define FLASHBVH_DETAIL_WALK_LEAF_SHAPE_HPP
 
@@ -33,7 +33,7 @@ class LeafShapes : protected BoxTests {
   LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
       : a(mesh_a), b(mesh_b), transform_(transform) {}
 
-  /// The bound of a walk under a rotation, while it lasts; its rotated boxes are at hand.
+  /// The bound of a walk under a rotation, while it lasts; it keeps its rotated boxes.
   void set_bound(RotatedBound& bound) { rotated_ = &bound; }
 
   /// What it is in work to take a leaf, by its node, and to begin below it.
@@ -41,7 +41,7 @@ class LeafShapes : protected BoxTests {
     const Mesh& mesh = side == Side::a ? a : b;
     return kShapeWork - 1 + mesh.triangles_in(mesh.nodes[node].leaf());
   }
-  /// Whether it is at hand.
+  /// Whether it is current.
   FLASHBVH_INLINE bool is_taken(Side side, uint32_t node) const {
     return is_taken(side, (side == Side::a ? a : b).nodes + node);
   }
@@ -86,7 +86,7 @@ class LeafShapes : protected BoxTests {
   /// False only if no triangle of the leaf intersects one of a subtree with this box.
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) const { return may_touch_all(*this, box); }
 
-  /// Of the leaf at hand, below which node a walk stopped; 0 if it stopped elsewhere.
+  /// Of the current leaf, below which node a walk stopped; 0 if it stopped elsewhere.
   void keep_root(uint32_t root) { root_ = static_cast<uint16_t>(root); }
   uint32_t kept_root() const { return root_; }
   Side leaf_side() const { return side_; }

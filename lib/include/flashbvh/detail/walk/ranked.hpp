@@ -64,7 +64,7 @@ class Ranked {
     }
     return false;
   }
-  /// Without what descend() asks of leaves.
+  /// Without the tests of leaves in descend().
   FLASHBVH_INLINE void descend_inner() {
     const int32_t rank_a = a_.node->rank();
     const int32_t rank_b = b_.node->rank();

@@ -146,7 +146,7 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
       }
     }
     if (!at.next()) {
-      keep_in_memory(kept);  // and nothing of what comes then before the branch
+      keep_in_memory(kept);  // and nothing that follows before the branch
       break;
     }
   }

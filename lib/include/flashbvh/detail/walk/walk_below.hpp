@@ -74,7 +74,7 @@ FLASHBVH_NOINLINE State walk_below(Shapes& shapes, Run& run, uint32_t root, bool
   return end;
 }
 
-/// At a pair that may matter, one node or both leaves: to the end of what is below it.
+/// At a pair that may matter, one node or both leaves: to the end of the subtree below it.
 template <class Node, class Shapes, class Run>
 FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shapes& shapes,
                                    Run& run) {
