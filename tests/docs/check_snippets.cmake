@@ -1,10 +1,9 @@
-# The C++ and C that README.md, the reference and the guide show are lines of programs that the tests compile, and what
+# The C++ and C that README.md and the guide show are lines of programs that the tests compile, and what
 # the guide repeats of other documents is there.
 cmake_minimum_required(VERSION 3.21)
 set(root ${CMAKE_CURRENT_LIST_DIR}/../..)
 file(READ ${root}/README.md readme)
 file(READ ${root}/lib/docs/guide.md guide)
-file(READ ${root}/lib/docs/reference.md reference)
 
 # Each block in this language is in the program, or in one of those that follow.
 function(check_blocks document name language program)
@@ -36,8 +35,6 @@ function(check_blocks document name language program)
 endfunction()
 
 check_blocks("${readme}" README.md cpp tests/docs/guide.cpp)
-check_blocks("${reference}" reference.md cpp firmware_examples/quick_start/main.cpp)
-check_blocks("${reference}" reference.md c firmware_examples/c_query/main.c)
 check_blocks("${guide}" guide.md cpp tests/docs/guide.cpp)
 check_blocks("${guide}" guide.md c tests/docs/guide.c tests/docs/guide_robot.c)
 

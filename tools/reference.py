@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+"""Makes what lib/docs/reference.md can take from its sources, and the API index.
+
+reference.py FLASHBVH            writes the page's generated parts anew; FLASHBVH is the host program
+reference.py --check FLASHBVH    fails if the page is not what the first form writes
+reference.py --api FOLDER        makes doxygen's pages of all public headers in FOLDER
+
+A generated part stands between `<!-- NAME -->` and `<!-- end -->`. Needs doxygen.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import textwrap
+import xml.etree.ElementTree as ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+PAGE = ROOT / "lib/docs/reference.md"
+INCLUDE = ROOT / "lib/include"
+DOXYFILE = ROOT / "tests/docs/Doxyfile"
+
+
+def text_of(*command):
+    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+def run_doxygen(folder, *options):
+    inputs = f"flashbvh flashbvh/robot {DOXYFILE.parent}/scopes.dox"
+    text = "\n".join([DOXYFILE.read_text(), f"INPUT = {inputs}", f"OUTPUT_DIRECTORY = {folder}",
+                      "WARNINGS = NO", "WARN_IF_UNDOCUMENTED = NO", "HAVE_DOT = NO", *options])
+    subprocess.run(["doxygen", "-"], input=text, cwd=INCLUDE, text=True, check=True, stdout=subprocess.DEVNULL)
+
+
+def json_fields(command):
+    """The names of what a command prints with --json, from the sources that print it."""
+    sources = [path for path in sorted((ROOT / "tools/cli").rglob("*.cpp"))
+               if path.stem == command or path.stem.startswith(command + "_")]
+    text = "".join(path.read_text() for path in sources)
+    text = re.sub(r'(IsMember|add_choice)\(.*?\);|\{"\w+", "\w+",.*?\}', "", text, flags=re.S)  # values, not names
+    found = re.findall(r'\{"([a-z]\w*)",|\["([a-z]\w*)"\]', text)
+    return dict.fromkeys(f"`{first or second}`" for first, second in found)
+
+
+def filled(text, indent=""):
+    return textwrap.fill(text, 118, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+
+
+def commands(flashbvh):
+    """Each command's own help: arguments, options, what it prints and exits with."""
+    names = re.findall(r"^  (\w+)  ", text_of(flashbvh, "--help").split("Subcommands:")[1], re.M)
+    for name in names:
+        lines = [line.rstrip() for line in text_of(flashbvh, name, "--help").splitlines()]
+        lines = [line for line in lines if "--help" not in line]
+        yield f"### flashbvh {name}\n\n```\n" + "\n".join(lines).strip() + "\n```\n"
+        fields = json_fields(name) if "--json" in "".join(lines) else []
+        if fields:
+            yield filled("JSON: " + ", ".join(fields)) + "\n"
+
+
+def cmake_functions():
+    """The comment that each file of lib/cmake with a public function begins with."""
+    for name in ("flashbvh_add_mesh", "flashbvh_add_robot"):
+        comment = re.match(r"(?:#.*\n)+", (ROOT / f"lib/cmake/{name}.cmake").read_text()).group()
+        yield f"### {name}\n\n```\n" + re.sub(r"^# ?", "", comment, flags=re.M).strip() + "\n```\n"
+
+
+def public_functions(tree):
+    """Of one of doxygen's files: (header, name) of what a caller can call."""
+    for member in tree.iter("memberdef"):
+        if member.get("kind") == "function" and member.get("prot") == "public":
+            yield member.find("location").get("file"), member.findtext("name")
+
+
+def calls():
+    """By header: its functions, and its classes' with the class before them."""
+    found = {}
+    with tempfile.TemporaryDirectory() as folder:
+        run_doxygen(folder)
+        for path in sorted(pathlib.Path(folder, "xml").glob("*.xml")):
+            root = ElementTree.parse(path).getroot()
+            compound = root.find("compounddef")
+            if compound is None or compound.get("kind") not in ("namespace", "file", "class", "struct"):
+                continue
+            scope = compound.findtext("compoundname")
+            if compound.get("kind") == "file" and not scope.endswith(".h") or "detail" in scope:
+                continue
+            is_class = compound.get("kind") in ("class", "struct")
+            owner = re.sub(r"<.*", "", scope).strip().split("::")[-1] + "::" if is_class else ""
+            for header, name in public_functions(root):
+                if not name.startswith(("~", "operator", owner[:-2] or "~")) and "detail/" not in header:
+                    names = found.setdefault(header, [])
+                    if f"`{owner}{name}`" not in names:
+                        names.append(f"`{owner}{name}`")
+    return found
+
+
+def call_lists(suffix):
+    for header, names in sorted(calls().items()):
+        if header.endswith(suffix):
+            yield filled(f"- `{header}`: " + ", ".join(names), "  ")
+
+
+def parts(flashbvh):
+    yield "commands", "\n".join(commands(flashbvh))
+    yield "cmake", "\n".join(cmake_functions())
+    yield "c++ calls", "\n".join(call_lists(".hpp")) + "\n"
+    yield "c calls", "\n".join(call_lists(".h")) + "\n"
+
+
+def page(flashbvh):
+    text = PAGE.read_text()
+    for name, made in parts(flashbvh):
+        begin, end = f"<!-- {name} -->\n", "<!-- end -->"
+        before, after = text.split(begin)
+        text = f"{before}{begin}\n{made}\n{after[after.index(end):]}"
+    return text
+
+
+def main(arguments):
+    if len(arguments) == 2 and arguments[0] == "--api":
+        run_doxygen(arguments[1], "GENERATE_HTML = YES", "GENERATE_XML = NO")
+    elif len(arguments) == 2 and arguments[0] == "--check":
+        if page(arguments[1]) != PAGE.read_text():
+            sys.exit("lib/docs/reference.md differs from help texts or headers: tools/reference.py writes it")
+    elif len(arguments) == 1:
+        PAGE.write_text(page(arguments[0]))
+    else:
+        sys.exit(__doc__)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
