@@ -37,7 +37,7 @@ static void check_far(const flashbvh_mesh* block) {
   check(flashbvh_distance(block, block, &pose, NULL, &found) == FLASHBVH_STATUS_DONE);
   check(!found.in_range && found.lower <= 60000 * 256 && found.upper >= 60000 * 256);
   check(found.upper < 60200 * 256 && found.point_a.x == 0 && found.point_b.x == 0);
-  check(found.witness.a == none.a && found.witness.b == none.b && found.direction[0] == 0);
+  check(found.witness.a == none.a && found.witness.b == none.b && found.direction.x == 0);
   /* What it told of is no seed, and taken as none. */
   check(flashbvh_distance(block, block, &pose, &found.witness, &found) == FLASHBVH_STATUS_DONE);
 }
@@ -177,8 +177,7 @@ long clearance_failures(void) {
   check(near(at[0], 1003.1f) && at[1] >= 1002 && at[1] <= 1006 && near(at[2], 1010));
   flashbvh_in_unit(&found.point_b, &block, at);
   check(near(at[0], 1003.1f) && near(at[2], 1012.5f));
-  check(found.direction[0] == 0 && found.direction[1] == 0 &&
-        found.direction[2] == FLASHBVH_UNIT_ONE);
+  check(found.direction.x == 0 && found.direction.y == 0 && found.direction.z == FLASHBVH_UNIT_ONE);
 
   check(flashbvh_distance(&block, &blade, &pose, &found.witness, &seeded) == FLASHBVH_STATUS_DONE);
   check(same(&seeded, &found));

@@ -19,18 +19,6 @@ Pose pose_of(const int32_t rotation[9], const int32_t cells[3], const int16_t fr
   return Pose::rigid(rows, {cells[0], cells[1], cells[2]}, {fraction[0], fraction[1], fraction[2]});
 }
 
-Point point_of(const flashbvh_point& p) {
-  return {p.x, p.y, p.z};
-}
-
-flashbvh_nearest_points c_nearest(const NearestPoints& n) {
-  return {{n.point_a.x, n.point_a.y, n.point_a.z},
-          {n.point_b.x, n.point_b.y, n.point_b.z},
-          {n.direction.x, n.direction.y, n.direction.z},
-          n.lower,
-          n.upper};
-}
-
 shape_answer ask(const PostMesh& mesh, const PostMesh& shape, const Pose& pose) {
   const auto known = distance(mesh, shape, pose);
   return {known.lower, known.upper, count_pairs(mesh, shape, pose).pairs};
@@ -83,7 +71,7 @@ void band_in_cpp(image a, image b, const flashbvh_pose* pose, uint32_t distance,
       Triangle of_b;
       query.last_pair(of_a, of_b);
       to->pairs[to->count] = {pair.a, pair.b};
-      to->nearest[to->count] = c_nearest(nearest_points_of(of_a, of_b));
+      to->nearest[to->count] = nearest_points_of(of_a, of_b);
     }
     ++to->count;
     return true;
@@ -97,9 +85,9 @@ void ask_shapes_in_cpp(image mesh, const flashbvh_triangle* of, const int32_t ro
                        const int32_t cells[3], shape_answer to[SHAPES]) {
   const int16_t whole[3] = {0, 0, 0};
   const Pose pose = pose_of(rotation, cells, whole);
-  const Point p = point_of(of->corner[0]);
-  const Point q = point_of(of->corner[1]);
-  const Point r = point_of(of->corner[2]);
+  const Point p = of->corner[0];
+  const Point q = of->corner[1];
+  const Point r = of->corner[2];
   PostMesh tree;
   if (open_image(mesh.bytes, mesh.size, tree) != Status::done) {
     return;

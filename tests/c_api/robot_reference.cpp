@@ -29,26 +29,14 @@ void tell(story* to, Status status) {
 using ::tell;
 
 void tell_of(story* to, const GuardAnswer& answer) {
-  tell_answer(to, {static_cast<uint8_t>(answer.status), static_cast<uint8_t>(answer.verdict),
-                   answer.pair, answer.distance, answer.work});
-}
-
-flashbvh_fine_point c_point(const FinePoint& p) {
-  return {p.x, p.y, p.z};
+  tell_answer(to, answer);
 }
 
 void tell_of(story* to, Guard& guard, uint16_t pair) {
   int32_t changes[VARIABLES];
   const PairDetail d = guard.explain(pair, changes);
   const flashbvh_pair_detail detail = {
-      {c_point(d.nearest.point_a),
-       c_point(d.nearest.point_b),
-       {d.nearest.direction.x, d.nearest.direction.y, d.nearest.direction.z},
-       d.nearest.lower,
-       d.nearest.upper},
-      {d.triangles.a, d.triangles.b},
-      {d.witness.a, d.witness.b},
-      d.variable};
+      d.nearest, d.triangles, {d.witness.a, d.witness.b}, d.variable};
   tell(to, d.status);
   tell_detail(to, &detail, changes);
 }
@@ -216,12 +204,7 @@ void motion_in_cpp(int motion, story* to) {
   tell(to, query.start(from, at));
   for (bool goes_on = true; goes_on;) {
     const MotionAnswer a = query.run(MOTION_WORK);
-    tell_motion(to, {static_cast<uint8_t>(a.status),
-                     static_cast<uint8_t>(a.outcome),
-                     a.pair,
-                     {a.triangles.a, a.triangles.b},
-                     a.numerator,
-                     a.level});
+    tell_motion(to, a);
     goes_on = a.status == Status::suspended;
     query.set_values(a.numerator, a.level, at);
   }

@@ -34,7 +34,7 @@ static void tell_point(story* to, const flashbvh_fine_point* p) {
 void tell_detail(story* to, const flashbvh_pair_detail* detail, const int32_t* changes) {
   tell_point(to, &detail->nearest.point_a);
   tell_point(to, &detail->nearest.point_b);
-  tell_words(to, detail->nearest.direction, 3);
+  tell_words(to, &detail->nearest.direction, 3);
   tell(to, detail->nearest.lower);
   tell(to, detail->nearest.upper);
   tell(to, detail->triangles.a);

@@ -42,8 +42,8 @@ static bool same_point(const flashbvh_fine_point* p, const flashbvh_fine_point* 
 
 static bool same_nearest(const flashbvh_nearest_points* p, const flashbvh_nearest_points* q) {
   return same_point(&p->point_a, &q->point_a) && same_point(&p->point_b, &q->point_b) &&
-         p->direction[0] == q->direction[0] && p->direction[1] == q->direction[1] &&
-         p->direction[2] == q->direction[2] && p->lower == q->lower && p->upper == q->upper;
+         p->direction.x == q->direction.x && p->direction.y == q->direction.y &&
+         p->direction.z == q->direction.z && p->lower == q->lower && p->upper == q->upper;
 }
 
 /** Where the pair reported last is nearest, told in both ways. */

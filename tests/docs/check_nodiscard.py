@@ -70,9 +70,14 @@ def is_pointer(function):
     return "*" in function["type"]["qualType"].split("(")[0]
 
 
+def aliases_in(found):
+    return {node["name"]: base_name(node["type"]["qualType"]) for node, _ in found
+            if node["kind"] == "TypeAliasDecl"}
+
+
 def carriers_of(found, seeds):
     """Names of types with a status in a public field, and of those with such a one."""
-    fields = {}
+    fields = {alias: [(None, kind)] for alias, kind in aliases_in(found).items()}
     for node, scope in found:
         if node["kind"] == "FieldDecl" and scope:
             kind = base_name(node["type"]["qualType"])
@@ -91,6 +96,7 @@ def check(found, carriers, say):
     marked = {node["name"] for node, _ in found
               if "name" in node and is_marked(node) and "Decl" in node["kind"]
               and node["kind"] not in ("FunctionDecl", "CXXMethodDecl")}
+    marked |= {alias for alias, kind in aliases_in(found).items() if kind in marked}
     functions = {}
     for node, scope in found:
         if node["kind"] in ("FunctionDecl", "CXXMethodDecl") and not is_pointer(node):

@@ -32,8 +32,8 @@ typedef struct flashbvh_witness {
 typedef struct flashbvh_clearance {
   flashbvh_fine_point point_a; /**< where the nearest triangles are nearest, in A's frame */
   flashbvh_fine_point point_b;
-  int32_t direction[3]; /**< from point_a to point_b; 0 if they intersect */
-  uint32_t lower;       /**< the distance is at least this; 0 while SUSPENDED */
+  flashbvh_unit_vector direction; /**< from point_a to point_b; 0 if they intersect */
+  uint32_t lower;                 /**< the distance is at least this; 0 while SUSPENDED */
   uint32_t upper; /**< at most this: in range that of these triangles, rounded up; UINT32_MAX if
                      none is known yet, or if it may be so much or more */
   flashbvh_pair triangles;  /**< by their ids */
@@ -103,15 +103,6 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_closer_than(const flashbvh_mesh* a,
                                                         const flashbvh_mesh* b,
                                                         const flashbvh_pose* pose,
                                                         uint32_t distance, bool* yes);
-
-/** Where two triangles are nearest. */
-typedef struct flashbvh_nearest_points {
-  flashbvh_fine_point point_a; /**< in A's frame as it was drawn, to the nearest 1/256 cell */
-  flashbvh_fine_point point_b;
-  int32_t direction[3]; /**< from point_a to point_b; 0 if the triangles intersect */
-  uint32_t lower;       /**< the distance in 1/256 cell, rounded down; 0 if they intersect */
-  uint32_t upper;       /**< rounded up */
-} flashbvh_nearest_points;
 
 /** A query for every pair of triangles within a distance, and all its memory. 136 bytes on a 32-bit
  * core, 160 on a 64-bit one. */

@@ -29,12 +29,7 @@ constexpr uint32_t kMaxDistance = detail::Within::kMost;
 
 /// Of a UnitVector's coordinates: 1.
 constexpr int32_t kUnitOne = 1 << 30;
-/// A direction, in 1/kUnitOne; of length 1 to four parts in 2^30.
-struct UnitVector {
-  int32_t x;
-  int32_t y;
-  int32_t z;
-};
+using UnitVector = flashbvh_unit_vector;
 
 /// Two triangles by their positions in the meshes' arrays: what a later query begins with. Opaque;
 /// may be stored.
@@ -47,14 +42,7 @@ struct Witness {
   bool is_none() const { return a == static_cast<Index>(-1) && b == static_cast<Index>(-1); }
 };
 
-/// Where two triangles are nearest.
-struct NearestPoints {
-  uint32_t lower;     ///< the distance in 1/256 cell, rounded down; 0 if they intersect
-  uint32_t upper;     ///< rounded up
-  FinePoint point_a;  ///< in A's frame as it was drawn, each coordinate to the nearest 1/256 cell
-  FinePoint point_b;
-  UnitVector direction;  ///< from point_a to point_b; 0 if the triangles intersect
-};
+using NearestPoints = flashbvh_nearest_points;
 
 /// Of two triangles in A's frame, as Query::last_pair() and transform_pair() give them; differences
 /// of their corners are below 2^17 cells along each axis. A point of an intersection is one that

@@ -24,42 +24,16 @@ constexpr int32_t kMaxContactDistance = 160000;
 /// Largest magnitude of a corner's coordinate, in cells: that of an origin, and a mesh's extent.
 constexpr int32_t kMaxContactCoordinate = (1 << 29) + kMaxContactDistance / 2;
 
-/// A point in the frame of mesh A as it was drawn, in 1/256 cell: within +-2^38. pose_float.hpp
-/// turns it into the mesh's unit.
-struct FinePoint {
-  int64_t x;
-  int64_t y;
-  int64_t z;
-};
-
-/// (p1 - p0) x (p2 - p0) of a triangle p0, p1, p2: exact, in square cells, twice the area long, not
-/// normalised. Each component is within +-57,000^2, below 2^32. Zero for a triangle without area.
-/// It points outwards where the mesh winds its triangles counter-clockwise seen from outside.
-struct Normal {
-  int64_t x;
-  int64_t y;
-  int64_t z;
-};
+/// pose_float.hpp turns it into the mesh's unit.
+using FinePoint = flashbvh_fine_point;
+using Normal = flashbvh_normal;
+using Contact = flashbvh_contact;
 
 /// What the common part of two triangles may be.
 enum class ContactKind : uint8_t {
-  segment = 0,     ///< two planes that differ: the common part is a segment or a point
-  coplanar = 1,    ///< one plane: the common part is an area, a segment or a point
-  degenerate = 2,  ///< a triangle has no area, its normal is zero: a segment or a point
-};
-
-/// The common part of two triangles.
-///
-/// `ends` are two corners of the common part that are farthest apart, distance being the largest
-/// difference along one axis: of a segment its two ends, of an area two opposite corners. Each
-/// coordinate is within 0.53 / 256 cell of the exact one, and equal to it where that is a multiple
-/// of 1/256, as at a corner of a triangle. Where the triangles have only one point in common, both
-/// ends are equal. ends[0] comes before ends[1] by x, then y, then z.
-struct Contact {
-  ContactKind kind;
-  FinePoint ends[2];
-  Normal normal_a;
-  Normal normal_b;
+  segment = FLASHBVH_CONTACT_SEGMENT,
+  coplanar = FLASHBVH_CONTACT_COPLANAR,
+  degenerate = FLASHBVH_CONTACT_DEGENERATE,
 };
 
 /// The common part of `a` and `b`, which intersect.

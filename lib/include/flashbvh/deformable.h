@@ -30,13 +30,6 @@ typedef struct flashbvh_node {
   uint32_t opaque[4];
 } flashbvh_node;
 
-/** In cells from the mesh's origin on, each coordinate within +-16,383. 6 bytes. */
-typedef struct flashbvh_vertex {
-  int16_t x;
-  int16_t y;
-  int16_t z;
-} flashbvh_vertex;
-
 /** A mesh that bends. It does not move while it is asked about. 104 bytes on a 32-bit core, 144 on
  * a 64-bit one. */
 typedef struct flashbvh_deformable {

@@ -21,11 +21,12 @@
 #ifndef FLASHBVH_FLASHBVH_H
 #define FLASHBVH_FLASHBVH_H
 
-#include <stdbool.h> /* freestanding in C99; C++ callers see their own bool */
 #include <stddef.h>
 #include <stdint.h>
 
 #include "flashbvh/detail/arch/byte_order.h"
+#include "flashbvh/plain/counts.h"
+#include "flashbvh/plain/points.h"
 #include "flashbvh/status.h"
 #include "flashbvh/version.hpp" /* macros alone: C as well as C++ */
 
@@ -163,20 +164,6 @@ void flashbvh_pose_values(const flashbvh_pose* pose, int32_t rotation[9], int32_
 
 /* Queries -------------------------------------------------------------------------------------- */
 
-/** Two triangles that intersect, by their ids: their numbers in the source meshes. */
-typedef struct flashbvh_pair {
-  uint16_t a;
-  uint16_t b;
-} flashbvh_pair;
-
-/** What a query did, since it was started. */
-typedef struct flashbvh_counts {
-  uint32_t visits;         /**< pairs of boxes tested */
-  uint32_t overlaps;       /**< of these, pairs that overlap */
-  uint32_t leaf_pairs;     /**< of these, pairs of leaves */
-  uint32_t triangle_pairs; /**< pairs of triangles that intersect */
-} flashbvh_counts;
-
 /** Where a query stands between runs. 12 bytes, which may be stored for any time. */
 typedef struct flashbvh_position {
   uint16_t a;
@@ -185,18 +172,6 @@ typedef struct flashbvh_position {
   uint8_t state;
   uint8_t reserved[3]; /**< written as 0, not read */
 } flashbvh_position;
-
-/** In cells, in A's frame as it was drawn. */
-typedef struct flashbvh_point {
-  int32_t x;
-  int32_t y;
-  int32_t z;
-} flashbvh_point;
-
-/** In cells, in A's frame as it was drawn. */
-typedef struct flashbvh_triangle {
-  flashbvh_point corner[3];
-} flashbvh_triangle;
 
 /** A query and all its memory. 128 bytes on a 32-bit core, 152 on a 64-bit one. */
 typedef struct flashbvh_query {
@@ -270,36 +245,6 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_query_resume(flashbvh_query* query,
 
 /* Contacts ------------------------------------------------------------------------------------- */
 
-/** In 1/256 cell, in A's frame as it was drawn. */
-typedef struct flashbvh_fine_point {
-  int64_t x;
-  int64_t y;
-  int64_t z;
-} flashbvh_fine_point;
-
-/** (p1 - p0) x (p2 - p0) of a triangle, exact, in square cells: outwards, twice the area long. */
-typedef struct flashbvh_normal {
-  int64_t x;
-  int64_t y;
-  int64_t z;
-} flashbvh_normal;
-
-/** What the common part of two triangles may be. */
-typedef enum flashbvh_contact_kind {
-  FLASHBVH_CONTACT_SEGMENT = 0,   /**< two planes that differ: a segment or a point in common */
-  FLASHBVH_CONTACT_COPLANAR = 1,  /**< one plane: an area, a segment or a point */
-  FLASHBVH_CONTACT_DEGENERATE = 2 /**< a triangle without area: a segment or a point */
-} flashbvh_contact_kind;
-
-/** The common part of two triangles: two of its corners that are farthest apart, equal where there
- * is but one point; within 0.53 / 256 cell. */
-typedef struct flashbvh_contact {
-  flashbvh_fine_point ends[2];
-  flashbvh_normal normal_a;
-  flashbvh_normal normal_b;
-  flashbvh_contact_kind kind;
-} flashbvh_contact;
-
 /**
  * Where two triangles intersect, as flashbvh_query_last_pair() and flashbvh_transform_pair() have
  * them. 1,800 instructions on a Cortex-M4 for two planes that cross, at most 8,500; 496 bytes of
@@ -331,27 +276,9 @@ void flashbvh_in_millionths(const flashbvh_fine_point* point, const flashbvh_mes
  *
  * What queries can cost at worst: lib/docs/bounded_time.md has the proof. */
 
-/** How large a mesh's tree is. */
-typedef struct flashbvh_tree_size {
-  uint32_t depth;     /**< of the deepest leaf; 0 for a root that is a leaf */
-  uint32_t arity;     /**< most children of a node */
-  uint32_t leaf_size; /**< most triangles in a leaf */
-  uint32_t leaf_count;
-  uint32_t triangle_count;
-} flashbvh_tree_size;
-
 /** Of an image that flashbvh_open() has opened. Else the status with which it is no image. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_image_tree_size(const void* image, size_t size,
                                                             flashbvh_tree_size* tree);
-
-/** Instructions that the parts of a run can take at most on some core, with GCC 12 at -O2. */
-typedef struct flashbvh_run_costs {
-  uint32_t start;         /**< once */
-  uint32_t ascent;        /**< once for each level of both trees */
-  uint32_t later_sibling; /**< each sibling after the node where a walk goes on */
-  uint32_t leaf_triangle; /**< once for each triangle that a leaf has beside the first */
-  uint32_t work;          /**< each unit of work */
-} flashbvh_run_costs;
 
 /* Names as all others of C. NOLINTBEGIN(readability-identifier-naming) */
 extern const flashbvh_run_costs flashbvh_cortex_m0;

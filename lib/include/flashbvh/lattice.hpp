@@ -7,6 +7,8 @@
 
 #include <stdint.h>
 
+#include "flashbvh/plain/points.h"
+
 namespace flashbvh {
 
 /// Largest magnitude of a baked coordinate, in cells: 15-bit coordinates in 16-bit fields.
@@ -16,27 +18,10 @@ namespace flashbvh {
 /// (16,383 * sqrt(3) = 28,377).
 constexpr int32_t kMaxCoordinate = 16383;
 
-/// A baked vertex: cells from the mesh's origin, each coordinate within +-kMaxCoordinate.
-struct Vertex {
-  int16_t x;
-  int16_t y;
-  int16_t z;
-};
-
-/// A transformed vertex: in cells, wide enough for any pose.
-struct Point {
-  int32_t x;
-  int32_t y;
-  int32_t z;
-};
-
-/// A triangle in the frame of mesh A, in cells: as the mesh was drawn, origin included, wherever
-/// the library's users see one; inside it from A's origin on.
-///
-/// Its corners may lie on one line or in one point: rounding to the lattice does that.
-struct Triangle {
-  Point corner[3];
-};
+using Vertex = flashbvh_vertex;
+using Point = flashbvh_point;
+/// Inside the library: from A's origin on.
+using Triangle = flashbvh_triangle;
 
 static_assert(sizeof(Vertex) == 6, "vertices are packed three halfwords");
 

@@ -23,6 +23,7 @@
 
 #include "flashbvh/detail/lattice/box_packed.hpp"
 #include "flashbvh/lattice.hpp"
+#include "flashbvh/plain/counts.h"
 
 namespace flashbvh {
 
@@ -86,14 +87,8 @@ struct Tree {
   }
 };
 
-/// How large a baked mesh's tree is: what bounds are made of (bound.hpp). Baked as kTreeSize.
-struct TreeSize {
-  uint32_t depth;      ///< of the deepest leaf; 0 for a root that is a leaf
-  uint32_t arity;      ///< most children of a node
-  uint32_t leaf_size;  ///< most triangles in a leaf
-  uint32_t leaf_count;
-  uint32_t triangle_count;
-};
+/// Baked as kTreeSize, for bound.hpp.
+using TreeSize = flashbvh_tree_size;
 
 /// Of lengths: what the numbers of a mesh's file mean. Images hold the values.
 enum class Unit : uint8_t { none = 0, nm, um, mm, cm, m, mil, inch, foot };

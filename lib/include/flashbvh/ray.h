@@ -19,12 +19,6 @@ extern "C" {
 /** No triangle to begin with. */
 #define FLASHBVH_NO_SEED ((uint16_t)0xFFFF)
 
-/** A ray from `from` as far as `to`, in cells of the mesh's frame. */
-typedef struct flashbvh_segment {
-  flashbvh_point from;
-  flashbvh_point to;
-} flashbvh_segment;
-
 /** What a ray hits. */
 typedef struct flashbvh_hit {
   int64_t above; /**< how far along: above / below of the segment, exactly, from 0 to 1 */

@@ -16,23 +16,13 @@
 #define FLASHBVH_ROBOT_H
 
 #include "flashbvh/clearance.h"
-
-/* A struct that is read as its C++ twin, too, which has the same layout. */
-#if defined(__GNUC__)
-#define FLASHBVH_TWIN __attribute__((__may_alias__))
-#else
-#define FLASHBVH_TWIN
-#endif
+#include "flashbvh/plain/robot_parts.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 /* Robots: robot/robot.hpp and frame.hpp -------------------------------------------------------- */
-
-/** Where a joint stands: of one that turns, in 2^-28 of a turn; of one that slides, in 1/2,048
- * cell. */
-typedef int32_t flashbvh_joint_coordinate;
 
 /** A full turn. */
 #define FLASHBVH_FULL_TURN ((int32_t)1 << 28)
@@ -49,96 +39,15 @@ typedef int32_t flashbvh_joint_coordinate;
 /** In place of a variable's number. */
 #define FLASHBVH_NO_VARIABLE 0xFF
 
-/** Point p of this frame lies at rotation * p + translation in the frame it is told in. */
-typedef struct FLASHBVH_TWIN flashbvh_frame {
-  int32_t rotation[3][3]; /**< row by row, FLASHBVH_ROTATION_ONE is 1 */
-  int32_t translation[3]; /**< in 1/2,048 cell, up to 2^30 */
-} flashbvh_frame;
-
-/** Where something is fastened: in the frame that a joint carries, or in the base's. */
-typedef struct FLASHBVH_TWIN flashbvh_mount {
-  uint8_t joint; /**< or FLASHBVH_BASE */
-  flashbvh_frame frame;
-} flashbvh_mount;
-
-/** How a joint moves. */
-typedef enum flashbvh_joint_type {
-  FLASHBVH_JOINT_REVOLUTE = 0,
-  FLASHBVH_JOINT_CONTINUOUS = 1,
-  FLASHBVH_JOINT_PRISMATIC = 2,
-  FLASHBVH_JOINT_FIXED = 3
-} flashbvh_joint_type;
-
-/** RobotJoint says what each means, as of the structs below. */
-typedef struct FLASHBVH_TWIN flashbvh_robot_joint {
-  flashbvh_frame fixed;
-  flashbvh_joint_coordinate lower;
-  flashbvh_joint_coordinate upper;
-  int32_t multiplier;
-  flashbvh_joint_coordinate offset;
-  uint8_t shift;
-  uint8_t parent;
-  uint8_t variable;
-  uint8_t type; /**< a flashbvh_joint_type */
-  uint32_t padding;
-} flashbvh_robot_joint;
-
-/** RobotLink: a body, with a sphere round it. */
-typedef struct FLASHBVH_TWIN flashbvh_robot_link {
-  int32_t centre[3];
-  uint32_t radius;
-  uint16_t first_reach;
-  uint8_t joint;
-  uint8_t padding[5];
-} flashbvh_robot_link;
-
-/** RobotPair: two links that can collide. */
-typedef struct FLASHBVH_TWIN flashbvh_robot_pair {
-  uint32_t stop; /**< distances, in 1/256 cell */
-  uint32_t warn;
-  uint32_t reach;
-  uint8_t a; /**< links */
-  uint8_t b;
-  uint8_t joints_a;
-  uint8_t joints_b;
-} flashbvh_robot_pair;
-
-/** Why no guard looks at two links that a joint moves. */
-typedef enum flashbvh_why_unguarded {
-  FLASHBVH_UNGUARDED_INTERSECTING = 0,
-  FLASHBVH_UNGUARDED_BELIEVED = 1
-} flashbvh_why_unguarded;
-
-/** RobotUnguarded: two links whose collisions are never detected. */
-typedef struct FLASHBVH_TWIN flashbvh_robot_unguarded {
-  uint8_t a; /**< links */
-  uint8_t b;
-  uint8_t why; /**< a flashbvh_why_unguarded */
-  uint8_t padding;
-} flashbvh_robot_unguarded;
-
-/** Robot: a view of arrays that outlive it. */
-typedef struct FLASHBVH_TWIN flashbvh_robot {
-  const flashbvh_robot_joint* joints;
-  const flashbvh_robot_link* links;
-  const flashbvh_mesh* meshes; /**< link_count */
-  const flashbvh_robot_pair* pairs;
-  const uint32_t* reaches;
-  const uint8_t* charts;
-  uint8_t joint_count;
-  uint8_t link_count;
-  uint8_t variable_count; /**< how many values the caller gives */
-  uint8_t padding;
-  uint16_t pair_count;
-  uint16_t reach_count;
-  uint32_t slack; /**< in 1/256 cell */
-  uint32_t chart_bytes;
-  uint32_t hash;
-  uint64_t cell_bits; /**< the cell in metres, as the bits of an IEEE binary64 */
-} flashbvh_robot;
+/* Read as the mesh that it is. */
+#if defined(__GNUC__)
+#define FLASHBVH_VIEW __attribute__((__may_alias__))
+#else
+#define FLASHBVH_VIEW
+#endif
 
 /** What is in a flashbvh_mesh: for constant arrays that `flashbvh robot --format c` writes. */
-typedef struct FLASHBVH_TWIN flashbvh_mesh_view {
+typedef struct FLASHBVH_VIEW flashbvh_mesh_view {
   const void* nodes;
   uint16_t node_count;
   uint16_t leaf_count;
@@ -232,24 +141,6 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_set_frame_of_quaternion(const flashb
 
 /* The guard: robot/guard.hpp ------------------------------------------------------------------- */
 
-/** From the best to the worst. */
-typedef enum flashbvh_verdict {
-  FLASHBVH_VERDICT_FREE = 0,          /**< farther apart than the warn distance */
-  FLASHBVH_VERDICT_WARN = 1,          /**< farther apart than the stop distance */
-  FLASHBVH_VERDICT_NOT_YET_KNOWN = 2, /**< what was granted did not do */
-  FLASHBVH_VERDICT_STOP = 3,   /**< not farther apart than the stop distance, or it can't be told */
-  FLASHBVH_VERDICT_REFUSED = 4 /**< the values were refused and nothing changed */
-} flashbvh_verdict;
-
-/** What is known of a period. */
-typedef struct FLASHBVH_TWIN flashbvh_guard_answer {
-  uint8_t status;    /**< a flashbvh_status: DONE; why the values were refused; a query's error */
-  uint8_t verdict;   /**< a flashbvh_verdict: the worst of all pairs */
-  uint16_t pair;     /**< that of the least clearance with this verdict */
-  uint32_t distance; /**< its links stayed at least so far apart, in 1/256 cell */
-  uint32_t work;     /**< that was spent */
-} flashbvh_guard_answer;
-
 /** Where two links are near each other, and which way is out: PairDetail. */
 typedef struct flashbvh_pair_detail {
   flashbvh_nearest_points nearest; /**< at the end of the period, in the base's frame */
@@ -305,23 +196,6 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_explain(flashbvh_guard* guard,
 
 /* Certified motions: robot/motion.hpp ---------------------------------------------------------- */
 
-/** Of a motion. */
-typedef enum flashbvh_motion_outcome {
-  FLASHBVH_MOTION_FREE = 0, /**< no pair that can collide intersects at any moment */
-  FLASHBVH_MOTION_HIT = 1,  /**< a pair intersects at the moment told */
-  FLASHBVH_MOTION_CLOSE = 2 /**< nearer than three times the slack about there; may intersect */
-} flashbvh_motion_outcome;
-
-/** How far a query came. */
-typedef struct FLASHBVH_TWIN flashbvh_motion_answer {
-  uint8_t status;  /**< a flashbvh_status. DONE: the rest holds; SUSPENDED; or why it was refused */
-  uint8_t outcome; /**< a flashbvh_motion_outcome: the first that is found */
-  uint16_t pair;
-  flashbvh_pair triangles; /**< by their ids; of a hit */
-  uint32_t numerator;      /**< numerator / 2^level of the way: flashbvh_motion_set_values() */
-  uint8_t level;
-} flashbvh_motion_answer;
-
 /** Of one motion at a time; where it stands lies in the state. */
 typedef struct flashbvh_motion {
   union {
@@ -360,15 +234,6 @@ typedef struct flashbvh_workcell {
     void* pointer;
   } opaque;
 } flashbvh_workcell;
-
-/** So many at most, with those of the robot: each body takes a joint, a link and, on its way to the
- * base, a reach for each joint; each pair a pair. */
-typedef struct flashbvh_workcell_room {
-  uint32_t joints;
-  uint32_t links;
-  uint32_t pairs;
-  uint32_t reaches;
-} flashbvh_workcell_room;
 
 /** Bytes of a workcell's memory: an array of uint64_t, as it has pointers and no size for all
  * cores. */

@@ -4,43 +4,45 @@
 
 #include <stdint.h>
 
+#include "flashbvh/plain/language.h"
 #include "flashbvh/status.h"
 
 namespace flashbvh {
 
-/// status.h has the values, which never change, and says what each means.
-enum class [[nodiscard]] Status : uint8_t{
-    done = FLASHBVH_STATUS_DONE,
-    suspended = FLASHBVH_STATUS_SUSPENDED,
-    full = FLASHBVH_STATUS_FULL,
+/// status.h has the values, which never change, and says what each means. The compiler warns where
+/// one is dropped (plain/language.h).
+enum class Status : uint8_t {
+  done = FLASHBVH_STATUS_DONE,
+  suspended = FLASHBVH_STATUS_SUSPENDED,
+  full = FLASHBVH_STATUS_FULL,
 
-    cell_mismatch = FLASHBVH_STATUS_CELL_MISMATCH,
-    stack_too_small = FLASHBVH_STATUS_STACK_TOO_SMALL,
-    translation_out_of_range = FLASHBVH_STATUS_TRANSLATION_OUT_OF_RANGE,
-    not_a_rotation = FLASHBVH_STATUS_NOT_A_ROTATION,
-    position_invalid = FLASHBVH_STATUS_POSITION_INVALID,
-    seed_invalid = FLASHBVH_STATUS_SEED_INVALID,
-    distance_out_of_range = FLASHBVH_STATUS_DISTANCE_OUT_OF_RANGE,
-    not_closed = FLASHBVH_STATUS_NOT_CLOSED,
-    shape_too_large = FLASHBVH_STATUS_SHAPE_TOO_LARGE,
-    ray_out_of_range = FLASHBVH_STATUS_RAY_OUT_OF_RANGE,
-    not_a_coordinate = FLASHBVH_STATUS_NOT_A_COORDINATE,
-    joint_out_of_limits = FLASHBVH_STATUS_JOINT_OUT_OF_LIMITS,
-    joint_jumped = FLASHBVH_STATUS_JOINT_JUMPED,
-    guard_state_invalid = FLASHBVH_STATUS_GUARD_STATE_INVALID,
-    workcell_full = FLASHBVH_STATUS_WORKCELL_FULL,
-    link_invalid = FLASHBVH_STATUS_LINK_INVALID,
-    vertex_out_of_lattice = FLASHBVH_STATUS_VERTEX_OUT_OF_LATTICE,
-    mesh_changed = FLASHBVH_STATUS_MESH_CHANGED,
+  cell_mismatch = FLASHBVH_STATUS_CELL_MISMATCH,
+  stack_too_small = FLASHBVH_STATUS_STACK_TOO_SMALL,
+  translation_out_of_range = FLASHBVH_STATUS_TRANSLATION_OUT_OF_RANGE,
+  not_a_rotation = FLASHBVH_STATUS_NOT_A_ROTATION,
+  position_invalid = FLASHBVH_STATUS_POSITION_INVALID,
+  seed_invalid = FLASHBVH_STATUS_SEED_INVALID,
+  distance_out_of_range = FLASHBVH_STATUS_DISTANCE_OUT_OF_RANGE,
+  not_closed = FLASHBVH_STATUS_NOT_CLOSED,
+  shape_too_large = FLASHBVH_STATUS_SHAPE_TOO_LARGE,
+  ray_out_of_range = FLASHBVH_STATUS_RAY_OUT_OF_RANGE,
+  not_a_coordinate = FLASHBVH_STATUS_NOT_A_COORDINATE,
+  joint_out_of_limits = FLASHBVH_STATUS_JOINT_OUT_OF_LIMITS,
+  joint_jumped = FLASHBVH_STATUS_JOINT_JUMPED,
+  guard_state_invalid = FLASHBVH_STATUS_GUARD_STATE_INVALID,
+  workcell_full = FLASHBVH_STATUS_WORKCELL_FULL,
+  link_invalid = FLASHBVH_STATUS_LINK_INVALID,
+  vertex_out_of_lattice = FLASHBVH_STATUS_VERTEX_OUT_OF_LATTICE,
+  mesh_changed = FLASHBVH_STATUS_MESH_CHANGED,
 
-    image_truncated = FLASHBVH_STATUS_IMAGE_TRUNCATED,
-    image_misaligned = FLASHBVH_STATUS_IMAGE_MISALIGNED,
-    image_not_flashbvh = FLASHBVH_STATUS_IMAGE_NOT_FLASHBVH,
-    image_version = FLASHBVH_STATUS_IMAGE_VERSION,
-    image_kind = FLASHBVH_STATUS_IMAGE_KIND,
-    image_corrupt = FLASHBVH_STATUS_IMAGE_CORRUPT,
-    image_invalid = FLASHBVH_STATUS_IMAGE_INVALID,
-    image_too_large = FLASHBVH_STATUS_IMAGE_TOO_LARGE,
+  image_truncated = FLASHBVH_STATUS_IMAGE_TRUNCATED,
+  image_misaligned = FLASHBVH_STATUS_IMAGE_MISALIGNED,
+  image_not_flashbvh = FLASHBVH_STATUS_IMAGE_NOT_FLASHBVH,
+  image_version = FLASHBVH_STATUS_IMAGE_VERSION,
+  image_kind = FLASHBVH_STATUS_IMAGE_KIND,
+  image_corrupt = FLASHBVH_STATUS_IMAGE_CORRUPT,
+  image_invalid = FLASHBVH_STATUS_IMAGE_INVALID,
+  image_too_large = FLASHBVH_STATUS_IMAGE_TOO_LARGE,
 };
 
 }  // namespace flashbvh

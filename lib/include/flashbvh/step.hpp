@@ -5,16 +5,33 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/walk/walk_run.hpp"
+#include "flashbvh/plain/counts.h"
 #include "flashbvh/status.hpp"
 
 namespace flashbvh {
 
-/// Two triangles that intersect, by their ids: their numbers in the source meshes.
+namespace detail {
+
+/// Which type a pair of triangles' ids has.
 template <class Index>
-struct TrianglePair {
-  Index a;
-  Index b;
+struct PairOf {
+  /// With wider indices.
+  struct Type {
+    Index a;
+    Index b;
+  };
 };
+/// With those of C.
+template <>
+struct PairOf<uint16_t> {
+  using Type = flashbvh_pair;
+};
+
+}  // namespace detail
+
+/// A flashbvh_pair, or the same with wider indices.
+template <class Index>
+using TrianglePair = typename detail::PairOf<Index>::Type;
 
 /// What a run gave.
 struct [[nodiscard]] Step {

@@ -1,12 +1,14 @@
-// The C++ objects inside the C interface's plain structs.
+// The C++ objects inside the C interface's opaque structs.
 //
 // A struct's bytes are an array of unsigned char, so an object may be made in them, and a copy of
-// the struct is a copy of the object: all are trivially copyable, and none points into itself.
+// the struct is a copy of the object: all are trivially copyable, and none points into itself but
+// those that make_in_place() makes.
 #ifndef FLASHBVH_C_OBJECTS_HPP
 #define FLASHBVH_C_OBJECTS_HPP
 
 #include <stddef.h>
 
+#include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/flashbvh.h"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
@@ -21,73 +23,63 @@ struct Storage {
   unsigned char* bytes;
 };
 
-template <class Object, class Struct>
-Storage storage_of(Struct* object) {
-  static_assert(sizeof(Object) <= sizeof(Struct), "the struct in flashbvh.h is too small");
-  static_assert(alignof(Object) <= alignof(Struct), "the struct in flashbvh.h is not aligned");
-  static_assert(__is_trivially_copyable(Object), "C copies and drops its structs as bytes");
-  return {object->opaque.bytes};
-}
+/// Which object lies in a struct.
+template <class Struct>
+struct ObjectIn;
+template <>
+struct ObjectIn<flashbvh_mesh> {
+  using Type = PostMesh;
+};
+template <>
+struct ObjectIn<flashbvh_pose> {
+  using Type = Pose;
+};
+template <>
+struct ObjectIn<flashbvh_query> {
+  using Type = PairQuery;
+};
+template <class Struct>
+using Object = typename ObjectIn<Struct>::Type;
 
-inline const PostMesh& object_in(const flashbvh_mesh* mesh) {
-  return *reinterpret_cast<const PostMesh*>(mesh->opaque.bytes);
+template <class Struct>
+Object<Struct>& object_in(Struct* object) {
+  return *reinterpret_cast<Object<Struct>*>(object);
 }
-inline const Pose& object_in(const flashbvh_pose* pose) {
-  return *reinterpret_cast<const Pose*>(pose->opaque.bytes);
-}
-inline PairQuery& object_in(flashbvh_query* query) {
-  return *reinterpret_cast<PairQuery*>(query->opaque.bytes);
-}
-inline const PairQuery& object_in(const flashbvh_query* query) {
-  return *reinterpret_cast<const PairQuery*>(query->opaque.bytes);
+template <class Struct>
+const Object<Struct>& object_in(const Struct* object) {
+  return *reinterpret_cast<const Object<Struct>*>(object);
 }
 
 inline flashbvh_status c_status(Status status) {
   return static_cast<flashbvh_status>(status);
 }
 
-inline flashbvh_pair c_pair(const PairQuery::Pair& pair) {
-  return {pair.a, pair.b};
+/// An answer to yes or no, and its status.
+template <class Answer>
+flashbvh_status put_answer(const Answer& answer, bool* yes) {
+  *yes = answer.yes;
+  return c_status(answer.status);
 }
 
-inline flashbvh_counts c_counts(const Counts& counts) {
-  return {counts.visits, counts.overlaps, counts.leaf_pairs, counts.triangle_pairs};
+/// What a run found.
+inline flashbvh_status put_count(const Step& step, uint32_t* count) {
+  *count = step.count;
+  return c_status(step.status);
 }
 
 inline flashbvh_position c_position(const QueryPosition<uint16_t>& position) {
   return {
       position.a, position.b, position.untested, static_cast<uint8_t>(position.state), {0, 0, 0}};
 }
-
-inline void put(const Triangle& placed, flashbvh_triangle* triangle) {
-  for (int i = 0; i < 3; ++i) {
-    const Point& corner = placed.corner[i];
-    triangle->corner[i] = {corner.x, corner.y, corner.z};
-  }
-}
-inline Triangle triangle_of(const flashbvh_triangle& given) {
-  const flashbvh_point* const c = given.corner;
-  return {{{c[0].x, c[0].y, c[0].z}, {c[1].x, c[1].y, c[1].z}, {c[2].x, c[2].y, c[2].z}}};
+inline QueryPosition<uint16_t> position_in(const flashbvh_position& position) {
+  return {position.a, position.b, position.untested,
+          static_cast<QueryPosition<uint16_t>::State>(position.state)};
 }
 
-/// A query's spend() into an array of C's.
-template <class Query>
-FLASHBVH_INLINE inline Status run_into(Query& query, uint32_t& work, flashbvh_pair* pairs,
-                                       uint32_t capacity, uint32_t& count) {
-  count = 0;
-  if (capacity == 0 && query.status() == Status::suspended) {
-    return Status::full;
-  }
-  uint32_t written = 0;
-  const Status status = query.spend(
-      work,
-      [&](const typename Query::Pair& pair) {
-        pairs[written++] = c_pair(pair);
-        return written < capacity;
-      },
-      [&] { return capacity - written; });
-  count = written;
-  return status;
+/// The caller's numbers, row by row, as an array of C++.
+template <class Array, class Number>
+const Array& array_in(const Number* numbers) {
+  return *reinterpret_cast<const Array*>(numbers);
 }
 
 }  // namespace flashbvh
@@ -98,12 +90,33 @@ FLASHBVH_INLINE inline Status run_into(Query& query, uint32_t& work, flashbvh_pa
 
 namespace flashbvh {
 
+/// An object that its caller does not copy.
+template <class Struct, class... Arguments>
+FLASHBVH_INLINE inline Object<Struct>& make_in_place(Struct* object, const Arguments&... with) {
+  static_assert(sizeof(Object<Struct>) <= sizeof(Struct), "the struct is too small");
+  static_assert(alignof(Object<Struct>) <= alignof(Struct), "the struct is not aligned");
+  static_assert(__has_trivial_destructor(Object<Struct>), "C drops its structs as bytes");
+  return *new (Storage{reinterpret_cast<unsigned char*>(object)}) Object<Struct>(with...);
+}
+
+template <class Struct, class... Arguments>
+FLASHBVH_INLINE inline Object<Struct>& make(Struct* object, const Arguments&... with) {
+  static_assert(__is_trivially_copyable(Object<Struct>), "C copies its structs as bytes");
+  return make_in_place(object, with...);
+}
+
 /// `made` is complete before the first byte of `pose` changes: they may be made of one another.
 inline flashbvh_status put_pose(const Pose& made, flashbvh_pose* pose) {
-  new (storage_of<Pose>(pose)) Pose(made);
-  return c_status(made.status());
+  return c_status(make(pose, made).status());
 }
 
 }  // namespace flashbvh
+
+/// Says in a source file which object lies in a struct.
+#define FLASHBVH_HOLDS(Struct, Held)  \
+  template <>                         \
+  struct flashbvh::ObjectIn<Struct> { \
+    using Type = Held;                \
+  }
 
 #endif

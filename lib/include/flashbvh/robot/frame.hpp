@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "flashbvh/plain/robot_parts.h"
 #include "flashbvh/pose.hpp"
 
 namespace flashbvh {
@@ -16,11 +17,7 @@ constexpr int32_t kFrameCell = 1 << kFrameBits;
 /// differences of two still fit 32 bits.
 constexpr int32_t kMaxFrameTranslation = 1 << 30;
 
-/// Point p of this frame lies at rotation * p + translation in its parent frame. 48 bytes.
-struct Frame {
-  int32_t rotation[3][3];  ///< row by row, kRotationOne is 1
-  int32_t translation[3];  ///< in 1/2,048 cell
-};
+using Frame = flashbvh_frame;
 
 constexpr Frame kIdentityFrame = {
     {{kRotationOne, 0, 0}, {0, kRotationOne, 0}, {0, 0, kRotationOne}}, {0, 0, 0}};

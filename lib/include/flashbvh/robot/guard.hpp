@@ -35,29 +35,18 @@
 namespace flashbvh {
 
 /// From the best to the worst.
-enum class [[nodiscard]] Verdict : uint8_t{
-    free = 0,           ///< farther apart than the warn distance
-    warn = 1,           ///< farther apart than the stop distance; maybe not than the warn distance
-    not_yet_known = 2,  ///< what was granted did not do
-    stop = 3,           ///< not farther apart than the stop distance, or it can't be told apart
-    refused = 4,        ///< the values were refused and nothing changed: `status` says why
+enum class Verdict : uint8_t {
+    free = FLASHBVH_VERDICT_FREE,
+    warn = FLASHBVH_VERDICT_WARN,
+    not_yet_known = FLASHBVH_VERDICT_NOT_YET_KNOWN,
+    stop = FLASHBVH_VERDICT_STOP,
+    refused = FLASHBVH_VERDICT_REFUSED,
 };
 
 /// No pair: every one is free.
 constexpr uint16_t kNoPair = 0xFFFF;
 
-/// What is known of a period.
-struct [[nodiscard]] GuardAnswer {
-  /// `done`; or, with the verdict `refused`, why nothing changed: not_a_coordinate,
-  /// joint_out_of_limits, joint_jumped, guard_state_invalid; or an error of a query's, with
-  /// `not_yet_known`.
-  Status status;
-  Verdict verdict;  ///< the worst of all pairs
-  uint16_t pair;    ///< of Robot::pairs: that of the least clearance with this verdict
-  /// Its links stayed at least so far apart, in 1/256 cell, whatever the verdict: what is known.
-  uint32_t distance;
-  uint32_t work;  ///< that was spent
-};
+using GuardAnswer = flashbvh_guard_answer;
 
 /// What is known of a pair. 12 bytes, and 4 for each joint between its links.
 struct GuardPair {

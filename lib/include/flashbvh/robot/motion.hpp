@@ -21,23 +21,13 @@
 namespace flashbvh {
 
 /// Of a motion.
-enum class [[nodiscard]] MotionOutcome : uint8_t{
-    free = 0,  ///< no pair that can collide intersects at any moment
-    hit = 1,   ///< a pair intersects at the moment told
-    /// A pair is nearer than three times Robot::slack about the moment told; it may intersect.
-    close = 2,
+enum class MotionOutcome : uint8_t {
+    free = FLASHBVH_MOTION_FREE,
+    hit = FLASHBVH_MOTION_HIT,
+    close = FLASHBVH_MOTION_CLOSE,
 };
 
-/// How far a query came.
-struct [[nodiscard]] MotionAnswer {
-  Status status;          ///< `done`: the rest holds; `suspended`; or why values were refused
-  MotionOutcome outcome;  ///< the first that is found: another pair may hit earlier
-  uint16_t pair;          ///< of Robot::pairs
-  TrianglePair<uint16_t> triangles;  ///< by their ids; of a hit
-  /// numerator / 2^level of the way; MotionQuery::set_values() has the joints there.
-  uint32_t numerator;
-  uint8_t level;
-};
+using MotionAnswer = flashbvh_motion_answer;
 
 /// What a query knows beside its arrays.
 struct MotionCore {

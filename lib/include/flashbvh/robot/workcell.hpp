@@ -39,13 +39,7 @@ struct alignas(8) WorkcellOf {
 /// Of one robot; not copied, as its robot() is a view of `memory`.
 class Workcell {
  public:
-  /// So many of each at most.
-  struct Room {
-    uint32_t joints;
-    uint32_t links;
-    uint32_t pairs;
-    uint32_t reaches;
-  };
+  using Room = flashbvh_workcell_room;
 
   /// The robot alone. Its meshes outlive the workcell; `memory` is written, and outlives it.
   template <uint32_t joint_count, uint32_t link_count, uint32_t pair_count, uint32_t reach_count>

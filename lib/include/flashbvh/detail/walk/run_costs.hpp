@@ -2,18 +2,11 @@
 #ifndef FLASHBVH_DETAIL_WALK_RUN_COSTS_HPP
 #define FLASHBVH_DETAIL_WALK_RUN_COSTS_HPP
 
-#include <stdint.h>
+#include "flashbvh/plain/counts.h"
 
 namespace flashbvh {
 
-/// Instructions that the parts of a run can take at most on some core, with some compiler.
-struct RunCosts {
-  uint32_t start;          ///< once
-  uint32_t ascent;         ///< once for each level of both trees
-  uint32_t later_sibling;  ///< each sibling after the node where a walk goes on
-  uint32_t leaf_triangle;  ///< once for each triangle that a leaf has beside the first
-  uint32_t work;           ///< each unit of work
-};
+using RunCosts = flashbvh_run_costs;
 
 constexpr RunCosts kCortexM0 = {8408, 32, 12, 176, 753};
 constexpr RunCosts kCortexM3 = {3325, 24, 12, 108, 228};

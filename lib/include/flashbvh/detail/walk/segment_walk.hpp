@@ -16,11 +16,7 @@ namespace flashbvh {
 /// that of a vertex. Determinants stay below 2^57.
 constexpr int32_t kMaxRayCoordinate = (1 << 19) - 1;
 
-/// From a point to another one, which may be the same.
-struct Segment {
-  Point from;
-  Point to;
-};
+using Segment = flashbvh_segment;
 
 /// A share of a segment: above / below, from 0 to 1; `below` is positive. Both are below 2^53.
 struct SegmentShare {

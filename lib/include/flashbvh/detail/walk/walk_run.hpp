@@ -5,16 +5,11 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/arch/inline.hpp"
+#include "flashbvh/plain/counts.h"
 
 namespace flashbvh {
 
-/// What a query did: the columns of the paper's tables.
-struct Counts {
-  uint32_t visits;          ///< pairs of boxes tested ("iterations")
-  uint32_t overlaps;        ///< of these, pairs that may matter
-  uint32_t leaf_pairs;      ///< of these, pairs of leaves ("leaf overlaps")
-  uint32_t triangle_pairs;  ///< pairs of triangles that intersect ("geometry overlaps")
-};
+using Counts = flashbvh_counts;
 
 namespace detail {
 

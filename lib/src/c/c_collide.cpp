@@ -6,20 +6,12 @@ using namespace flashbvh;
 
 flashbvh_status flashbvh_intersects(const flashbvh_mesh* a, const flashbvh_mesh* b,
                                     const flashbvh_pose* pose, bool* yes) {
-  const Answer answer = intersects(object_in(a), object_in(b), object_in(pose));
-  *yes = answer.yes;
-  return c_status(answer.status);
+  return put_answer(intersects(object_in(a), object_in(b), object_in(pose)), yes);
 }
 
 flashbvh_status flashbvh_first_pair(const flashbvh_mesh* a, const flashbvh_mesh* b,
                                     const flashbvh_pose* pose, bool* yes, flashbvh_pair* found) {
-  PairQuery::Pair pair;
-  const Answer answer = first_pair(object_in(a), object_in(b), object_in(pose), pair);
-  *yes = answer.yes;
-  if (answer.yes && answer.status == Status::done) {
-    *found = c_pair(pair);
-  }
-  return c_status(answer.status);
+  return put_answer(first_pair(object_in(a), object_in(b), object_in(pose), *found), yes);
 }
 
 flashbvh_status flashbvh_count_pairs(const flashbvh_mesh* a, const flashbvh_mesh* b,
@@ -32,15 +24,15 @@ flashbvh_status flashbvh_count_pairs(const flashbvh_mesh* a, const flashbvh_mesh
 flashbvh_status flashbvh_find_pairs(const flashbvh_mesh* a, const flashbvh_mesh* b,
                                     const flashbvh_pose* pose, flashbvh_pair* pairs,
                                     uint32_t capacity, uint32_t* count) {
-  PairQuery query(object_in(a), object_in(b), object_in(pose));
-  uint32_t work = UINT32_MAX;
-  return c_status(run_into(query, work, pairs, capacity, *count));
+  const PairCount found = find_pairs(object_in(a), object_in(b), object_in(pose), pairs, capacity);
+  *count = found.pairs;
+  return c_status(found.status);
 }
 
 flashbvh_status flashbvh_for_each_pair(const flashbvh_mesh* a, const flashbvh_mesh* b,
                                        const flashbvh_pose* pose, flashbvh_visitor* visit,
                                        void* context) {
-  return c_status(for_each_pair(
-      object_in(a), object_in(b), object_in(pose),
-      [visit, context](const PairQuery::Pair& pair) { return visit(c_pair(pair), context); }));
+  return c_status(
+      for_each_pair(object_in(a), object_in(b), object_in(pose),
+                    [visit, context](const flashbvh_pair& pair) { return visit(pair, context); }));
 }

@@ -12,14 +12,10 @@ flashbvh_status flashbvh_pose_translated(int32_t x, int32_t y, int32_t z, flashb
 
 flashbvh_status flashbvh_pose_rigid(const int32_t rotation[9], const int32_t cells[3],
                                     const int16_t fraction[3], flashbvh_pose* pose) {
-  const int32_t rows[3][3] = {{rotation[0], rotation[1], rotation[2]},
-                              {rotation[3], rotation[4], rotation[5]},
-                              {rotation[6], rotation[7], rotation[8]}};
-  int16_t rest[3] = {0, 0, 0};
-  for (int i = 0; fraction != nullptr && i < 3; ++i) {
-    rest[i] = fraction[i];
-  }
-  return put_pose(Pose::rigid(rows, {cells[0], cells[1], cells[2]}, rest), pose);
+  const int16_t none[3] = {0, 0, 0};
+  return put_pose(Pose::rigid(array_in<int32_t[3][3]>(rotation), array_in<int32_t[3]>(cells),
+                              array_in<int16_t[3]>(fraction == nullptr ? none : fraction)),
+                  pose);
 }
 
 flashbvh_status flashbvh_pose_composed(const flashbvh_pose* outer, const flashbvh_pose* inner,

@@ -1,7 +1,7 @@
 // The C interface to robots' floats: apart, for firmware that has none.
+#include "flashbvh/robot.h"
 #include "flashbvh/robot/robot_float.hpp"
-
-#include "robot_objects.hpp"
+#include "objects.hpp"
 
 using namespace flashbvh;
 
@@ -15,22 +15,18 @@ flashbvh_joint_coordinate flashbvh_slide_coordinate(float length, float cells_pe
 
 void flashbvh_set_values(const flashbvh_robot* robot, const float* floats,
                          flashbvh_joint_coordinate* values) {
-  set_values(object_in(robot), floats, values);
+  set_values(*robot, floats, values);
 }
 
 flashbvh_status flashbvh_set_frame_of_matrix(const flashbvh_robot* robot, const float rotation[9],
                                              const float metres[3], flashbvh_frame* frame) {
-  const float rows[3][3] = {{rotation[0], rotation[1], rotation[2]},
-                            {rotation[3], rotation[4], rotation[5]},
-                            {rotation[6], rotation[7], rotation[8]}};
   return c_status(
-      set_frame(object_in(robot), rows, {metres[0], metres[1], metres[2]}, object_in(frame)));
+      set_frame(*robot, array_in<float[3][3]>(rotation), array_in<float[3]>(metres), *frame));
 }
 
 flashbvh_status flashbvh_set_frame_of_quaternion(const flashbvh_robot* robot,
                                                  const float rotation[4], const float metres[3],
                                                  flashbvh_frame* frame) {
   const UnitQuaternion q = {rotation[0], rotation[1], rotation[2], rotation[3]};
-  return c_status(
-      set_frame(object_in(robot), q, {metres[0], metres[1], metres[2]}, object_in(frame)));
+  return c_status(set_frame(*robot, q, array_in<float[3]>(metres), *frame));
 }

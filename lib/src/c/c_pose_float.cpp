@@ -1,6 +1,5 @@
 // The C interface to floats: apart, for firmware that has none.
 #include "flashbvh/pose_float.hpp"
-
 #include "objects.hpp"
 
 using namespace flashbvh;
@@ -11,22 +10,19 @@ float flashbvh_mesh_cells_per_unit(const flashbvh_mesh* mesh) {
 
 flashbvh_status flashbvh_pose_of_matrix(const float rotation[9], const float translation[3],
                                         float cells_per_unit, flashbvh_pose* pose) {
-  const float rows[3][3] = {{rotation[0], rotation[1], rotation[2]},
-                            {rotation[3], rotation[4], rotation[5]},
-                            {rotation[6], rotation[7], rotation[8]}};
-  return put_pose(pose_of(rows, {translation[0], translation[1], translation[2]}, cells_per_unit),
-                  pose);
+  return put_pose(
+      pose_of(array_in<float[3][3]>(rotation), array_in<float[3]>(translation), cells_per_unit),
+      pose);
 }
 
 flashbvh_status flashbvh_pose_of_quaternion(const float rotation[4], const float translation[3],
                                             float cells_per_unit, flashbvh_pose* pose) {
   const UnitQuaternion q = {rotation[0], rotation[1], rotation[2], rotation[3]};
-  return put_pose(pose_of(q, {translation[0], translation[1], translation[2]}, cells_per_unit),
-                  pose);
+  return put_pose(pose_of(q, array_in<float[3]>(translation), cells_per_unit), pose);
 }
 
 void flashbvh_in_unit(const flashbvh_fine_point* point, const flashbvh_mesh* mesh, float at[3]) {
-  const UnitPoint p = in_unit({point->x, point->y, point->z}, object_in(mesh).cell_bits);
+  const UnitPoint p = in_unit(*point, object_in(mesh).cell_bits);
   at[0] = p.x;
   at[1] = p.y;
   at[2] = p.z;

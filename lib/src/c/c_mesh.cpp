@@ -12,7 +12,7 @@ flashbvh_status flashbvh_open(const void* image, size_t size, flashbvh_mesh* mes
   PostMesh opened;
   const Status status = open_image(image, size, opened);
   if (status == Status::done) {
-    new (storage_of<PostMesh>(mesh)) PostMesh(opened);
+    make(mesh, opened);
   }
   return c_status(status);
 }

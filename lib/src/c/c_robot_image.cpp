@@ -1,13 +1,21 @@
 // The C interface to robots' images.
+#include "flashbvh/robot.h"
 #include "flashbvh/robot/image.hpp"
-#include "robot_objects.hpp"
+#include "objects.hpp"
 
 using namespace flashbvh;
 
+// Proofs that a flashbvh_mesh and a flashbvh_mesh_view are meshes: an array of one is read as the
+// other. tests/c_api compares the fields, since offsetof() does not know those of a base class.
+static_assert(sizeof(PostMesh) == sizeof(flashbvh_mesh) &&
+                  sizeof(PostMesh) == sizeof(flashbvh_mesh_view) &&
+                  alignof(PostMesh) == alignof(flashbvh_mesh) &&
+                  alignof(PostMesh) == alignof(flashbvh_mesh_view),
+              "robot.h has another layout");
+
 flashbvh_status flashbvh_open_robot(const void* image, size_t size, flashbvh_mesh* meshes,
                                     uint32_t mesh_capacity, flashbvh_robot* robot) {
-  return c_status(open_robot(image, size, reinterpret_cast<PostMesh*>(meshes), mesh_capacity,
-                             *reinterpret_cast<Robot*>(robot)));
+  return c_status(open_robot(image, size, &object_in(meshes), mesh_capacity, *robot));
 }
 
 const char* flashbvh_robot_name(const void* image) {
@@ -27,7 +35,7 @@ uint32_t flashbvh_mount_count(const void* image) {
 }
 
 const flashbvh_mount* flashbvh_mounts(const void* image) {
-  return reinterpret_cast<const flashbvh_mount*>(mounts(image));
+  return mounts(image);
 }
 
 const char* flashbvh_mount_name(const void* image, uint32_t mount) {
@@ -39,5 +47,5 @@ uint32_t flashbvh_unguarded_count(const void* image) {
 }
 
 const flashbvh_robot_unguarded* flashbvh_unguarded_pairs(const void* image) {
-  return reinterpret_cast<const flashbvh_robot_unguarded*>(unguarded_pairs(image));
+  return unguarded_pairs(image);
 }
