@@ -146,7 +146,7 @@ def contacts():
     """Where triangles intersect, in the images' unit and A's frame; poses as firmware makes them of floats; and
     what poses needed, in work and in instructions."""
     # A blade in the upper face of a block, each a metre off its frame's origin: along x = 1003.1, z = 1010, from
-    # y = 1003 to 1005 (tests/c_api/program.c has the same).
+    # y = 1003 to 1005 (tests/c_api/story.c has the same).
     meshes = [HERE.parent / f"c_api/{name}.obj" for name in ("block", "blade")]
     bake("mm", *meshes, options="--cell 0.1 --unit mm")
     pair = "mm/block.fbvh", "mm/blade.fbvh"

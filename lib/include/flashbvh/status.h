@@ -67,4 +67,16 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_MESH_CHANGED = 41
 } flashbvh_status;
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** "cell_mismatch" of FLASHBVH_STATUS_CELL_MISMATCH, for people; "unknown" of what is no status.
+ * Firmware that does not call this does not link the names. */
+const char* flashbvh_status_name(flashbvh_status status);
+
+#ifdef __cplusplus
+}
+#endif
+
 #endif

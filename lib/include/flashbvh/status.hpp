@@ -45,6 +45,11 @@ enum class Status : uint8_t {
   image_too_large = FLASHBVH_STATUS_IMAGE_TOO_LARGE,
 };
 
+/// As flashbvh_status_name().
+inline const char* status_name(Status status) {
+  return flashbvh_status_name(static_cast<flashbvh_status>(status));
+}
+
 }  // namespace flashbvh
 
 #endif

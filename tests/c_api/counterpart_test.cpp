@@ -1,0 +1,136 @@
+// Each C function beside its C++ counterpart, on random meshes and poses.
+#include <catch2/catch.hpp>
+
+#include "bake/image_bytes.hpp"
+#include "c_api/scene.hpp"
+#include "flashbvh/image.hpp"
+#include "heap_guard.hpp"
+#include "support/rotations.hpp"
+#include "support/shapes.hpp"
+#include "support/torus.hpp"
+
+namespace flashbvh::test {
+namespace {
+
+bake::LatticeMesh any_mesh(Random& random) {
+  if (random.below(3) == 0) {
+    return torus(3 + random.below(5), 3, 20, 8);
+  }
+  auto mesh = random_mesh(random, 1 + random.below(24), 30, 25);
+  for (std::int32_t& origin : mesh.origin) {
+    origin = random.between(-10, 10);
+  }
+  return mesh;
+}
+
+flashbvh_pose taken_to_c(const Pose& pose) {
+  std::int32_t rotation[9];
+  std::int32_t cells[3];
+  std::int16_t fraction[3];
+  flashbvh_pose made;
+  for (int i = 0; i < 9; ++i) {
+    rotation[i] = pose.rotation(i / 3, i % 3);
+    cells[i % 3] = pose.translation(i % 3);
+    fraction[i % 3] = static_cast<std::int16_t>(pose.fraction(i % 3));
+  }
+  (void)flashbvh_pose_rigid(rotation, cells, fraction, &made);
+  return made;
+}
+
+Pose any_pose(Random& random) {
+  const std::int32_t x = random.between(-20, 20);
+  const std::uint32_t kind = random.below(9);
+  return kind == 0  ? Pose::translated(x, kMaxTranslation + 1, 0)
+         : kind < 3 ? Pose::translated(x, -x, 0)
+                    : any_rigid_pose(random, 40);
+}
+
+std::uint32_t any_distance(Random& random) {
+  return random.below(8) == 0 ? kMaxDistance + random.below(2) : random.below(60) * 100;
+}
+
+/// All but those of C++ alone and of robots.
+std::uint64_t all_statuses() {
+  std::uint64_t all = 0;
+  for (int i = 0; i < 64; ++i) {
+    const auto status = static_cast<flashbvh_status>(i);
+    const bool is_named = std::strcmp(flashbvh_status_name(status), "unknown") != 0;
+    const bool is_other =
+        status == FLASHBVH_STATUS_STACK_TOO_SMALL || status == FLASHBVH_STATUS_IMAGE_TOO_LARGE ||
+        (i >= FLASHBVH_STATUS_NOT_A_COORDINATE && i <= FLASHBVH_STATUS_LINK_INVALID);
+    all |= std::uint64_t{is_named && !is_other} << i;
+  }
+  return all;
+}
+
+}  // namespace
+
+std::uint64_t seen_statuses;
+
+Object::Object(Random& random, double cell) {
+  const auto source = any_mesh(random);
+  auto baked = bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, source), source);
+  baked.cell = cell;
+  image = bake::image_of(baked);
+  REQUIRE(open_image(image.data(), size(), mesh) == Status::done);
+  REQUIRE(flashbvh_open(image.data(), size(), &c) == FLASHBVH_STATUS_DONE);
+}
+
+Scene::Scene(Random& from)
+    : random(from),
+      a(from, 1),
+      b(from, from.below(9) == 0 ? 0.5 : 1),
+      damaged(a.image.size() + 1),
+      pose(any_pose(from)),
+      c_pose(taken_to_c(pose)),
+      distance(any_distance(from)) {}
+
+bool same(const flashbvh_pose& c, const Pose& pose) {
+  std::int32_t rotation[9];
+  std::int32_t cells[3];
+  std::int16_t fraction[3];
+  flashbvh_pose_values(&c, rotation, cells, fraction);
+  bool agree = same(flashbvh_pose_status(&c), pose.status());
+  for (int i = 0; agree && pose.status() == Status::done && i < 9; ++i) {
+    agree = rotation[i] == pose.rotation(i / 3, i % 3) && cells[i % 3] == pose.translation(i % 3) &&
+            fraction[i % 3] == pose.fraction(i % 3);
+  }
+  return agree;
+}
+
+bool same(const flashbvh_clearance& c, const Clearance<std::uint16_t>& known) {
+  return same(c.status, known.status) && c.in_range == known.in_range && c.lower == known.lower &&
+         c.upper == known.upper && same(c.triangles, known.triangles) &&
+         same(c.witness, known.witness) && same(c.point_a, known.point_a) &&
+         same(c.point_b, known.point_b) && same(c.direction, known.direction);
+}
+
+}  // namespace flashbvh::test
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+TEST_CASE("each function of C answers as its counterpart in C++") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 20);
+  std::uint32_t pairs = 0;
+  for (int round = 0; round < 150; ++round) {
+    CAPTURE(round);
+    Scene scene(random);
+    pairs += count_pairs(scene.a.mesh, scene.b.mesh, scene.pose).pairs;
+    for (const auto& rows : {query_rows(), pose_rows(), distance_rows(), shape_rows()}) {
+      for (const Row& row : rows) {
+        bool agrees = false;
+        {
+          const HeapForbidden guard;
+          agrees = row.agree(scene);
+        }
+        CAPTURE(row.name);
+        REQUIRE(agrees);
+      }
+    }
+  }
+  CHECK(pairs > 100);
+  CHECK(seen_statuses == all_statuses());
+}

@@ -1,0 +1,219 @@
+// Meshes, queries, contacts, time bounds.
+#include "c_api/slices.hpp"
+#include "flashbvh/bound.hpp"
+#include "flashbvh/contact.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/image.hpp"
+#include "flashbvh/length.hpp"
+#include "flashbvh/pose_float.hpp"
+
+namespace flashbvh::test {
+namespace {
+
+struct PairFunctions {
+  using Struct = flashbvh_query;
+  static constexpr bool kVisits = true;
+  static PairQuery query(Scene& s) { return PairQuery(s.a.mesh, s.b.mesh, s.pose); }
+  static flashbvh_status start(Struct* c, Scene& s) {
+    return flashbvh_query_start(c, &s.a.c, &s.b.c, &s.c_pose);
+  }
+  static const Counts& counts_of(const PairQuery& query) { return query.counts(); }
+  static constexpr auto status = flashbvh_query_status;
+  static constexpr auto run = flashbvh_query_run;
+  static constexpr auto spend = flashbvh_query_spend;
+  static constexpr auto visit = flashbvh_query_visit;
+  static constexpr auto counts = flashbvh_query_counts;
+  static constexpr auto position = flashbvh_query_position;
+  static constexpr auto resume = flashbvh_query_resume;
+  static constexpr auto last_pair = flashbvh_query_last_pair;
+};
+
+/// A word of the image changed, its checksum repaired or not; a part of it; from a wrong address.
+bool damage_agrees(Scene& s) {
+  const std::size_t count = s.a.image.size();
+  auto* bytes = reinterpret_cast<unsigned char*>(s.damaged.data());
+  std::memcpy(bytes, s.a.image.data(), s.a.size());
+  const std::size_t of_header = s.random.below(2) == 0 ? 3 : count;
+  s.damaged[s.random.below(static_cast<std::uint32_t>(of_header))] ^= 1u << s.random.below(32);
+  if (s.random.below(2) == 0) {
+    s.damaged[offsetof(ImageHeader, crc) / 4] = detail::image_crc(s.damaged.data(), 4 * count);
+  }
+  const std::size_t size = s.random.below(6) == 0 ? s.random.below(999) % s.a.size() : s.a.size();
+  if (s.random.below(6) == 0) {
+    std::memmove(bytes + 2, bytes, s.a.size());
+    bytes += 2;
+  }
+  PostMesh wanted;
+  flashbvh_mesh found;
+  flashbvh_mesh before;
+  flashbvh_tree_size tree;
+  ImageHeader header;
+  wipe(found);
+  wipe(before);
+  const Status status = open_image(bytes, size, wanted);
+  return same(flashbvh_open(bytes, size, &found), status) &&
+         same(flashbvh_image_tree_size(bytes, size, &tree),
+              read_image_header(bytes, size, header)) &&
+         (status == Status::done || same(found.opaque.bytes, before.opaque.bytes));
+}
+
+bool damages_agree(Scene& s) {
+  bool agree = true;
+  for (int i = 0; i < 20; ++i) {
+    agree = agree && damage_agrees(s);
+  }
+  return agree;
+}
+
+bool mesh_agrees(Scene& s) {
+  const PostMesh& mesh = s.a.mesh;
+  std::int32_t origin[3];
+  flashbvh_mesh_origin(&s.a.c, origin);
+  return same(origin, mesh.origin) && flashbvh_mesh_triangles(&s.a.c) == mesh.triangle_count &&
+         flashbvh_mesh_cell(&s.a.c) == mesh.cell_bits &&
+         flashbvh_mesh_cells_per_unit(&s.a.c) == cells_per_unit(mesh.cell_bits) &&
+         flashbvh_mesh_unit(&s.a.c) == static_cast<flashbvh_unit>(mesh.unit) &&
+         flashbvh_mesh_is_closed(&s.a.c) == mesh.is_closed;
+}
+
+struct Kept {
+  flashbvh_pair pairs[4];
+  std::uint32_t count;
+  std::uint32_t most;
+};
+bool keep(flashbvh_pair pair, void* context) {
+  Kept& kept = *static_cast<Kept*>(context);
+  kept.pairs[kept.count % 4] = pair;
+  return ++kept.count < kept.most;
+}
+
+bool visits_agree(Scene& s) {
+  Kept wanted = {{}, 0, 1 + s.random.below(40)};
+  Kept found = wanted;
+  const Status status = for_each_pair(
+      s.a.mesh, s.b.mesh, s.pose, [&](const flashbvh_pair& pair) { return keep(pair, &wanted); });
+  return same(flashbvh_for_each_pair(&s.a.c, &s.b.c, &s.c_pose, keep, &found), status) &&
+         same(found, wanted);
+}
+
+bool first_pair_agrees(Scene& s) {
+  flashbvh_pair wanted = {0xABCD, 0xDCBA};  // untouched where there is none
+  flashbvh_pair found = wanted;
+  bool yes = false;
+  const Answer answer = first_pair(s.a.mesh, s.b.mesh, s.pose, wanted);
+  return same(flashbvh_first_pair(&s.a.c, &s.b.c, &s.c_pose, &yes, &found), answer.status) &&
+         yes == answer.yes && same(found, wanted);
+}
+
+bool intersects_agrees(Scene& s) {
+  bool yes = false;
+  const Answer answer = intersects(s.a.mesh, s.b.mesh, s.pose);
+  return same(flashbvh_intersects(&s.a.c, &s.b.c, &s.c_pose, &yes), answer.status) &&
+         yes == answer.yes;
+}
+
+bool pairs_agree(Scene& s) {
+  flashbvh_pair wanted[3];
+  flashbvh_pair found[3];
+  std::uint32_t count = 99;
+  std::uint32_t pairs = 99;
+  const PairCount all = count_pairs(s.a.mesh, s.b.mesh, s.pose);
+  const PairCount some = find_pairs(s.a.mesh, s.b.mesh, s.pose, wanted, 3);
+  return same(flashbvh_count_pairs(&s.a.c, &s.b.c, &s.c_pose, &pairs), all.status) &&
+         same(flashbvh_find_pairs(&s.a.c, &s.b.c, &s.c_pose, found, 3, &count), some.status) &&
+         pairs == all.pairs && count == some.pairs && same(found, wanted, count);
+}
+
+/// Of each pair: asked of the query, and at any later time.
+bool contacts_agree(Scene& s) {
+  PairQuery query(s.a.mesh, s.b.mesh, s.pose);
+  flashbvh_query c_query;
+  flashbvh_pair pair[1];
+  std::uint32_t count = 0;
+  (void)flashbvh_query_start(&c_query, &s.a.c, &s.b.c, &s.c_pose);
+  Triangle none[2];
+  bool agree = query.status() == Status::suspended ||
+               !flashbvh_transform_pair(&s.a.c, &s.b.c, &s.c_pose, {0, 0}, &none[0], &none[1]);
+  while (agree && query.run(UINT32_MAX, pair).status == Status::full) {
+    Triangle a;
+    Triangle b;
+    flashbvh_triangle c_a;
+    flashbvh_triangle c_b;
+    flashbvh_contact last;
+    flashbvh_contact again;
+    query.last_pair(a, b);
+    agree = flashbvh_query_run(&c_query, UINT32_MAX, pair, 1, &count) == FLASHBVH_STATUS_FULL &&
+            flashbvh_transform_pair(&s.a.c, &s.b.c, &s.c_pose, pair[0], &c_a, &c_b);
+    flashbvh_query_last_contact(&c_query, &last);
+    flashbvh_contact_of(&c_a, &c_b, &again);
+    agree = agree && same(c_a, a) && same(c_b, b) && same(last, contact_of(a, b)) &&
+            same(again, contact_of(a, b));
+  }
+  return agree;
+}
+
+bool lengths_agree(Scene& s) {
+  const FinePoint p = {s.random.between(-9999, 9999), s.random.between(INT32_MIN / 2, 0), 1};
+  const std::uint64_t cell = s.a.mesh.cell_bits;
+  const UnitPoint wanted = in_unit(p, cell);
+  const std::int64_t whole[3] = {millionths_of(p.x, cell), millionths_of(p.y, cell),
+                                 millionths_of(p.z, cell)};
+  const auto length = static_cast<float>(s.random.between(-10, 100000)) / 7;
+  float at[3];
+  std::int64_t millionths[3];
+  flashbvh_in_unit(&p, &s.a.c, at);
+  flashbvh_in_millionths(&p, &s.a.c, millionths);
+  return at[0] == wanted.x && at[1] == wanted.y && at[2] == wanted.z && same(millionths, whole) &&
+         flashbvh_length_in_unit(p.y, &s.a.c) == length_in_unit(p.y, cell) &&
+         flashbvh_fine_distance(length, 3) == fine_distance(length, 3);
+}
+
+bool bounds_agree(Scene& s) {
+  const RunCosts costs[] = {kCortexM0,  kCortexM3,  kCortexM4F, kCortexM7,
+                            kCortexM33, kCortexM55, kRV32IMAC};
+  const flashbvh_run_costs* const c_costs[] = {
+      &flashbvh_cortex_m0,  &flashbvh_cortex_m3,  &flashbvh_cortex_m4f, &flashbvh_cortex_m7,
+      &flashbvh_cortex_m33, &flashbvh_cortex_m55, &flashbvh_rv32imac};
+  const std::uint32_t core = s.random.below(7);
+  const std::uint64_t instructions = s.random.below(1000000);
+  const std::uint32_t work = s.random.below(10000);
+  ImageHeader of_a;
+  ImageHeader of_b;
+  flashbvh_tree_size a;
+  flashbvh_tree_size b;
+  const Status read = read_image_header(s.a.image.data(), s.a.size(), of_a);
+  (void)read_image_header(s.b.image.data(), s.b.size(), of_b);
+  return same(flashbvh_image_tree_size(s.a.image.data(), s.a.size(), &a), read) &&
+         same(flashbvh_image_tree_size(s.b.image.data(), s.b.size(), &b), Status::done) &&
+         same(a, tree_size_of(of_a)) && same(*c_costs[core], costs[core]) &&
+         flashbvh_work_within(instructions, c_costs[core], &a, &b) ==
+             work_within(instructions, costs[core], a, b) &&
+         flashbvh_most_instructions(c_costs[core], &a, &b, work) ==
+             most_instructions(costs[core], a, b, work) &&
+         flashbvh_most_work(&a, &b) == most_work(a, b) &&
+         flashbvh_largest_step(&a, &b) == largest_step(a, b);
+}
+
+bool names_agree(Scene& s) {
+  const auto status = static_cast<flashbvh_status>(s.random.below(64));
+  return flashbvh_status_name(status) == status_name(static_cast<Status>(status)) &&
+         std::strcmp(flashbvh_status_name(FLASHBVH_STATUS_SEED_INVALID), "seed_invalid") == 0;
+}
+
+}  // namespace
+
+std::vector<Row> query_rows() {
+  return {{"images, damaged", damages_agree},
+          {"what a mesh says", mesh_agrees},
+          {"a query in slices", [](Scene& s) { return Slices<PairFunctions>(s).agree(); }},
+          {"each pair, to a visitor", visits_agree},
+          {"the first pair", first_pair_agrees},
+          {"whether there is one", intersects_agrees},
+          {"how many pairs", pairs_agree},
+          {"contacts", contacts_agree},
+          {"lengths", lengths_agree},
+          {"time bounds", bounds_agree},
+          {"names of statuses", names_agree}};
+}
+
+}  // namespace flashbvh::test

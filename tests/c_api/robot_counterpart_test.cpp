@@ -1,0 +1,384 @@
+// Each C function of robots beside its C++ counterpart, on the arm of
+// firmware_examples/robot_guard: baked as arrays of C++, of C, and as an image.
+#include <catch2/catch.hpp>
+
+#include <string.h>
+
+#include "c_arm.robot.h"
+#include "cell_arm.robot.hpp"
+#include "flashbvh/robot/image.hpp"
+#include "flashbvh/robot/motion.hpp"
+#include "flashbvh/robot/robot_float.hpp"
+#include "flashbvh/robot/workcell.hpp"
+#include "support/random.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+extern "C" const unsigned char robot_image[];
+extern "C" const unsigned char robot_image_end[];
+
+namespace {
+
+constexpr uint32_t kVariables = 4;
+constexpr uint32_t kJoints = cell_arm::kJointCount;
+constexpr flashbvh_workcell_room kRoom = {6, 8, 11, 16};
+using Memory = WorkcellOf<6, 8, 11, 16>;
+using State = GuardStateOf<6, 11, 41>;
+static_assert(sizeof(Memory) == FLASHBVH_WORKCELL_SIZE(6, 8, 11, 16), "as in C");
+static_assert(sizeof(State) == FLASHBVH_GUARD_STATE_SIZE(6, 11, 41), "as in C");
+
+/// One user at a time: small boards have no more.
+Memory memory;
+Memory c_memory;
+State state;
+State c_state;
+
+bool same(flashbvh_status c, Status status) {
+  return c == static_cast<flashbvh_status>(status);
+}
+template <class Element>
+bool same(const Element* p, const Element* q, uint32_t count) {
+  return memcmp(p, q, count * sizeof *p) == 0;
+}
+bool same(const Frame& p, const Frame& q) {
+  return same(&p, &q, 1);
+}
+bool same(const GuardAnswer& c, const GuardAnswer& answer) {
+  return same(&c, &answer, 1);
+}
+bool same(const MotionAnswer& c, const MotionAnswer& answer) {
+  return c.status == answer.status && c.outcome == answer.outcome && c.pair == answer.pair &&
+         c.numerator == answer.numerator && c.level == answer.level &&
+         (answer.outcome != MotionOutcome::hit || same(&c.triangles, &answer.triangles, 1));
+}
+bool same(const flashbvh_pose& c, const Pose& pose) {
+  int32_t rotation[9];
+  int32_t cells[3];
+  int16_t fraction[3];
+  flashbvh_pose_values(&c, rotation, cells, fraction);
+  bool agree = same(flashbvh_pose_status(&c), pose.status());
+  for (int i = 0; i < 9; ++i) {
+    agree = agree && rotation[i] == pose.rotation(i / 3, i % 3) &&
+            cells[i % 3] == pose.translation(i % 3) && fraction[i % 3] == pose.fraction(i % 3);
+  }
+  return agree;
+}
+
+bool same_mesh(const PostMesh& p, const PostMesh& q) {
+  return p.node_count == q.node_count && p.leaf_count == q.leaf_count &&
+         p.stack_need == q.stack_need && p.triangle_count == q.triangle_count &&
+         p.vertex_count == q.vertex_count && p.shell_count == q.shell_count &&
+         p.longest_edge == q.longest_edge && p.unit == q.unit && p.is_closed == q.is_closed &&
+         p.cell_bits == q.cell_bits && same(p.origin, q.origin, 3) &&
+         same(p.nodes, q.nodes, p.node_count) && same(p.triangles, q.triangles, p.triangle_count) &&
+         same(p.triangle_ids, q.triangle_ids, p.triangle_count) &&
+         same(p.vertices, q.vertices, p.vertex_count) &&
+         same(p.shell_vertices, q.shell_vertices, p.shell_count) &&
+         (p.leaf_offsets == nullptr) == (q.leaf_offsets == nullptr) &&
+         (p.leaf_offsets == nullptr || same(p.leaf_offsets, q.leaf_offsets, p.leaf_count + 1u));
+}
+
+bool same_robot(const Robot& c, const Robot& cpp) {
+  bool is_same =
+      c.joint_count == cpp.joint_count && c.link_count == cpp.link_count &&
+      c.variable_count == cpp.variable_count && c.pair_count == cpp.pair_count &&
+      c.reach_count == cpp.reach_count && c.chart_bytes == cpp.chart_bytes &&
+      same(c.charts, cpp.charts, cpp.chart_bytes) && c.slack == cpp.slack && c.hash == cpp.hash &&
+      c.cell_bits == cpp.cell_bits && same(c.joints, cpp.joints, cpp.joint_count) &&
+      same(c.links, cpp.links, cpp.link_count) && same(c.pairs, cpp.pairs, cpp.pair_count) &&
+      same(c.reaches, cpp.reaches, cpp.reach_count);
+  for (uint32_t i = 0; i < cpp.link_count; ++i) {
+    is_same = is_same && same_mesh(c.meshes[i], cpp.meshes[i]);
+  }
+  return is_same;
+}
+
+/// In steps that a guard takes, but now and then a jump, beyond a limit, or no number.
+void move(Random& random, float (&floats)[kVariables]) {
+  const auto i = random.below(kVariables);
+  floats[i] += static_cast<float>(random.between(-100, 100)) / 1000;
+  if (random.below(12) == 0) {
+    floats[i] = static_cast<float>(random.between(-40, 40)) / 10;
+  }
+  if (random.below(12) == 0) {
+    floats[i] = 1e30f;
+  }
+}
+
+struct Values {
+  float floats[kVariables] = {0, 0.3f, 1, 0};
+  JointCoordinate values[kVariables];
+
+  void move_on(Random& random) {
+    if (floats[random.below(kVariables)] > 6) {
+      floats[0] = floats[1] = floats[2] = floats[3] = 0.2f;
+    }
+    move(random, floats);
+    set_values(cell_arm::robot, floats, values);
+  }
+};
+
+void check_explained(flashbvh_guard& c, Guard& guard, uint16_t pair) {
+  int32_t changes[kVariables] = {};
+  int32_t c_changes[kVariables] = {};
+  flashbvh_pair_detail found;
+  const PairDetail known = guard.explain(pair, changes);
+  REQUIRE(same(flashbvh_guard_explain(&c, pair, c_changes, &found), known.status));
+  REQUIRE(found.variable == known.variable);
+  if (known.status == Status::done) {
+    REQUIRE(same(changes, c_changes, kVariables));
+    REQUIRE(same(&found.nearest.point_a, &known.nearest.point_a, 1));
+    REQUIRE(same(&found.nearest.point_b, &known.nearest.point_b, 1));
+    REQUIRE(same(&found.nearest.direction, &known.nearest.direction, 1));
+    REQUIRE(found.nearest.lower == known.nearest.lower);
+    REQUIRE(found.nearest.upper == known.nearest.upper);
+    REQUIRE(same(&found.triangles, &known.triangles, 1));
+    REQUIRE(found.witness.a == known.witness.a);
+    REQUIRE(found.witness.b == known.witness.b);
+  }
+}
+
+/// A period, and more work for it; how bad it was.
+uint32_t check_period(flashbvh_guard& c, Guard& guard, Values& at, Random& random) {
+  at.move_on(random);
+  const uint32_t work = random.below(60);
+  GuardAnswer answer = guard.update(at.values, work);
+  REQUIRE(same(flashbvh_guard_update(&c, at.values, work), answer));
+  const uint32_t seen = 1u << static_cast<uint32_t>(answer.verdict);
+  if (random.below(2) == 0) {
+    const uint32_t more = random.below(2) == 0 ? UINT32_MAX : 9;
+    answer = guard.go_on(more);
+    REQUIRE(same(flashbvh_guard_go_on(&c, more), answer));
+  }
+  check_explained(c, guard, random.below(4) == 0 ? kNoPair : answer.pair);
+  return seen | 1u << static_cast<uint32_t>(answer.verdict);
+}
+
+}  // namespace
+
+TEST_CASE("a robot's arrays of C and its image are those of C++") {
+  static flashbvh_mesh meshes[c_arm_LINK_COUNT];
+  const auto size = static_cast<size_t>(robot_image_end - robot_image);
+  flashbvh_robot robot;
+  CHECK(flashbvh_open_robot(robot_image, size - 1, meshes, c_arm_LINK_COUNT, &robot) ==
+        FLASHBVH_STATUS_IMAGE_TRUNCATED);
+  CHECK(flashbvh_open_robot(robot_image, size, meshes, c_arm_LINK_COUNT - 1, &robot) ==
+        FLASHBVH_STATUS_IMAGE_TOO_LARGE);
+  REQUIRE(flashbvh_open_robot(robot_image, size, meshes, c_arm_LINK_COUNT, &robot) ==
+          FLASHBVH_STATUS_DONE);
+  CHECK(same_robot(robot, cell_arm::robot));
+  CHECK(same_robot(c_arm_robot, cell_arm::robot));
+  CHECK(strcmp(flashbvh_robot_name(robot_image), "i_arm") == 0);
+  for (uint32_t i = 0; i < robot.joint_count; ++i) {
+    CHECK(flashbvh_joint_name(robot_image, i) == joint_name(robot_image, i));
+  }
+  for (uint32_t i = 0; i < robot.link_count; ++i) {
+    CHECK(flashbvh_link_name(robot_image, i) == link_name(robot_image, i));
+  }
+  CHECK(strcmp(flashbvh_mount_name(robot_image, 0), "base") == 0);
+  CHECK(flashbvh_mount_count(robot_image) == mount_count(robot_image));
+  CHECK(same(flashbvh_mounts(robot_image)->frame, c_arm_mount_base.frame));
+  CHECK(flashbvh_unguarded_count(robot_image) == c_arm_UNGUARDED_COUNT);
+  CHECK(flashbvh_unguarded_pairs(robot_image) == unguarded_pairs(robot_image));
+}
+
+TEST_CASE("kinematics in C are those of C++") {
+  Random random(test_seed() + 40);
+  Values at;
+  for (int round = 0; round < 60; ++round) {
+    at.move_on(random);
+    JointCoordinate values[kVariables];
+    JointCoordinate wanted[kJoints] = {};
+    JointCoordinate found[kJoints] = {};
+    flashbvh_set_values(&c_arm_robot, at.floats, values);
+    REQUIRE(same(values, at.values, kVariables));
+    const Status status = set_coordinates(cell_arm::robot, values, wanted);
+    REQUIRE(same(flashbvh_set_coordinates(&c_arm_robot, values, found), status));
+    const float length = at.floats[round % 4] / 8;
+    CHECK(flashbvh_angle_coordinate(-length) == angle_coordinate(-length));
+    CHECK(flashbvh_slide_coordinate(length, 512) == slide_coordinate(length, 512));
+    if (status != Status::done) {
+      continue;
+    }
+    REQUIRE(same(found, wanted, kJoints));
+    Frame frames[kJoints];
+    Frame c_frames[kJoints];
+    set_frames(cell_arm::robot, wanted, frames);
+    flashbvh_set_frames(&c_arm_robot, found, c_frames);
+    REQUIRE(same(frames, c_frames, kJoints));
+    const float rows[3][3] = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
+    const float q[4] = {0.8f, 0, 0.6f, 0};
+    const float metres[3] = {length, -0.2f, round % 9 == 0 ? 1e6f : 0.3f};
+    Frame turned;
+    Frame c_turned;
+    REQUIRE(same(flashbvh_set_frame_of_matrix(&c_arm_robot, rows[0], metres, &c_turned),
+                 set_frame(cell_arm::robot, rows, metres, turned)));
+    REQUIRE(same(turned, c_turned));
+    const Status placed =
+        set_frame(cell_arm::robot, UnitQuaternion{q[0], q[1], q[2], q[3]}, metres, turned);
+    REQUIRE(same(flashbvh_set_frame_of_quaternion(&c_arm_robot, q, metres, &c_turned), placed));
+    REQUIRE(same(turned, c_turned));
+    if (placed != Status::done) {
+      continue;
+    }
+    flashbvh_frame_composed(&c_turned, &frames[3], &c_turned);
+    REQUIRE(same(c_turned, composed(turned, frames[3])));
+    flashbvh_pose pose;
+    const Pose relative = relative_pose(frames[0], c_turned);
+    REQUIRE(same(flashbvh_relative_pose(&frames[0], &c_turned, &pose), relative.status()));
+    REQUIRE((relative.status() != Status::done || same(pose, relative)));
+  }
+}
+
+TEST_CASE("a guard in C answers as in C++, also after its state was stored, or damaged") {
+  Random random(test_seed() + 41);
+  Values at;
+  flashbvh_guard c;
+  uint32_t verdicts = 0;
+  at.move_on(random);
+  REQUIRE(flashbvh_guard_init(&c, &c_arm_robot, &c_state, sizeof c_state) == FLASHBVH_STATUS_DONE);
+  Guard guard(cell_arm::robot, &state, sizeof state);
+  check_explained(c, guard, 0);  // before the first period
+  const GuardAnswer first = guard.prime(at.values);
+  REQUIRE(same(flashbvh_guard_prime(&c, at.values), first));
+  for (int period = 0; period < 400; ++period) {
+    verdicts |= check_period(c, guard, at, random);
+    if (random.below(20) == 0) {
+      memcpy(static_cast<void*>(&state), &c_state, sizeof state);  // C++ goes on where C stands
+      const uint32_t damage = random.below(2);
+      reinterpret_cast<uint32_t*>(&state)[1] ^= damage;
+      reinterpret_cast<uint32_t*>(&c_state)[1] ^= damage;
+      REQUIRE(same(flashbvh_guard_resume(&c), guard.resume()));
+    }
+    if (random.below(50) == 0) {
+      guard.forget();
+      flashbvh_guard_forget(&c);
+    }
+  }
+  CHECK(verdicts == 0x1F);
+}
+
+TEST_CASE("certified motions in C are those of C++") {
+  Random random(test_seed() + 42);
+  Values from;
+  Values to;
+  flashbvh_motion c;
+  uint32_t outcomes = 0;
+  REQUIRE(flashbvh_motion_init(&c, &c_arm_robot, &c_state, sizeof c_state) == FLASHBVH_STATUS_DONE);
+  MotionQuery motion(cell_arm::robot, &state, sizeof state);
+  for (int round = 0; round < 12; ++round) {
+    to.floats[2] = round % 2 == 0 ? 2.9f : 0.5f;
+    from.move_on(random);
+    to.move_on(random);
+    REQUIRE(same(flashbvh_motion_start(&c, from.values, to.values),
+                 motion.start(from.values, to.values)));
+    MotionAnswer answer{};
+    do {
+      const uint32_t work = 1 + random.below(200);
+      answer = motion.run(work);
+      REQUIRE(same(flashbvh_motion_run(&c, work), answer));
+    } while (answer.status == Status::suspended);
+    if (answer.status == Status::done) {
+      JointCoordinate values[kVariables];
+      JointCoordinate c_values[kVariables];
+      outcomes |= 1u << static_cast<uint32_t>(answer.outcome);
+      motion.set_values(answer.numerator, answer.level, values);
+      flashbvh_motion_set_values(&c, answer.numerator, answer.level, c_values);
+      REQUIRE(same(values, c_values, kVariables));
+    }
+  }
+  CHECK((outcomes & 3) == 3);
+}
+
+TEST_CASE("a workcell in C is that of C++, and so is its guard") {
+  Random random(test_seed() + 43);
+  for (int round = 0; round < 8; ++round) {
+    flashbvh_workcell c;
+    REQUIRE(flashbvh_workcell_init(&c, &c_arm_robot, &c_memory, sizeof c_memory, &kRoom) ==
+            FLASHBVH_STATUS_DONE);
+    Workcell cell(cell_arm::robot, memory);
+    for (int body = 0; body < 3; ++body) {
+      const uint32_t link = random.below(c_arm_LINK_COUNT);
+      Mount mount = body == 0 ? cell_arm::mounts::gripper : cell_arm::mounts::base;
+      mount.joint = body == 2 ? static_cast<uint8_t>(random.below(9)) : mount.joint;
+      mount.frame.rotation[0][0] /= random.below(4) == 0 ? 2 : 1;
+      mount.frame.translation[2] += random.between(0, 1 << (random.below(5) == 0 ? 30 : 20));
+      uint8_t number = 77;
+      uint8_t c_number = 77;
+      const Status status = cell.add(cell_arm::robot.meshes[link], mount, number);
+      const auto* const meshes = reinterpret_cast<const flashbvh_mesh*>(c_arm_robot.meshes);
+      REQUIRE(same(flashbvh_workcell_add(&c, &meshes[link], &mount, &c_number), status));
+      REQUIRE(c_number == number);
+      for (uint8_t other = 0; other < 7; ++other) {
+        const uint32_t warn = random.below(9) == 0 ? kMaxDistance + 1 : random.below(200000);
+        const uint32_t stop = random.below(200000);
+        REQUIRE(same(flashbvh_workcell_keep_apart(&c, other, number, stop, warn),
+                     cell.keep_apart(other, number, stop, warn)));
+      }
+      const uint32_t moved = random.below(9) == 0 ? UINT32_MAX : random.below(9999);
+      REQUIRE(same(flashbvh_workcell_move(&c, number, &mount.frame, moved),
+                   cell.move(number, mount.frame, moved)));
+    }
+    REQUIRE(same_robot(*flashbvh_workcell_robot(&c), cell.robot()));
+    flashbvh_guard c_guard;
+    REQUIRE(flashbvh_guard_init(&c_guard, flashbvh_workcell_robot(&c), &c_state, sizeof c_state) ==
+            FLASHBVH_STATUS_DONE);
+    Guard guard(cell.robot(), state);
+    Values at;
+    for (int period = 0; period < 20; ++period) {
+      (void)check_period(c_guard, guard, at, random);
+    }
+  }
+}
+
+TEST_CASE("memory that is too small or not aligned is refused by init and by every later call") {
+  struct Row {
+    uint32_t offset;
+    size_t size;
+    flashbvh_workcell_room room;
+  };
+  const size_t of_cell = FLASHBVH_WORKCELL_SIZE(4, 6, 6, 10);
+  const flashbvh_workcell_room room = {4, 6, 6, 10};
+  const Row rows[] = {{0, of_cell - 8, room},
+                      {4, of_cell, room},
+                      {0, of_cell, {3, 6, 6, 10}},
+                      {0, of_cell, {4, 5, 6, 10}},
+                      {0, of_cell, {4, 6, 5, 10}},
+                      {0, of_cell, {4, 6, 6, 9}},
+                      {0, of_cell, {4, 6, 6, UINT32_MAX}}};
+  auto* const bytes = reinterpret_cast<char*>(&c_memory);
+  flashbvh_workcell cell;
+  CHECK(flashbvh_workcell_init(&cell, &c_arm_robot, bytes, of_cell, &room) == FLASHBVH_STATUS_DONE);
+  for (const Row& row : rows) {
+    uint8_t link = 77;
+    CHECK(flashbvh_workcell_init(&cell, &c_arm_robot, bytes + row.offset, row.size, &row.room) ==
+          FLASHBVH_STATUS_WORKCELL_FULL);
+    CHECK(flashbvh_workcell_add(&cell, reinterpret_cast<const flashbvh_mesh*>(c_arm_robot.meshes),
+                                &c_arm_mount_base, &link) == FLASHBVH_STATUS_WORKCELL_FULL);
+    CHECK(link == 77);
+  }
+  const JointCoordinate values[kVariables] = {};
+  const Status invalid = Status::guard_state_invalid;
+  memset(&c_state, 0, sizeof c_state);
+  auto* const state_bytes = reinterpret_cast<char*>(&c_state);
+  for (const uint32_t offset : {0, 2}) {
+    const uint32_t less = offset == 0 ? 1 : 0;
+    flashbvh_guard guard;
+    flashbvh_motion motion;
+    CHECK(same(flashbvh_guard_init(&guard, &c_arm_robot, state_bytes + offset,
+                                   c_arm_GUARD_STATE_SIZE - less),
+               invalid));
+    CHECK(flashbvh_guard_prime(&guard, values).status == invalid);
+    CHECK(flashbvh_guard_update(&guard, values, 1).verdict == Verdict::refused);
+    CHECK(same(flashbvh_guard_resume(&guard), invalid));
+    CHECK(same(flashbvh_motion_init(&motion, &c_arm_robot, state_bytes + offset,
+                                    c_arm_MOTION_STATE_SIZE - less),
+               invalid));
+    CHECK(same(flashbvh_motion_start(&motion, values, values), invalid));
+    CHECK(flashbvh_motion_run(&motion, 1).status == invalid);
+  }
+  for (size_t i = 0; i < sizeof c_state; ++i) {
+    REQUIRE(state_bytes[i] == 0);  // what is refused is not written
+  }
+}

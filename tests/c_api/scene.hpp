@@ -1,0 +1,100 @@
+// Random meshes and poses in both languages, and rows that ask both the same.
+#ifndef FLASHBVH_TESTS_C_API_SCENE_HPP
+#define FLASHBVH_TESTS_C_API_SCENE_HPP
+
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "flashbvh/clearance.h"
+#include "flashbvh/clearance.hpp"
+#include "support/random.hpp"
+
+namespace flashbvh::test {
+
+/// A random mesh's image, opened in both languages.
+struct Object {
+  std::vector<std::uint32_t> image;
+  PostMesh mesh{};
+  flashbvh_mesh c{};
+
+  /// Of a few random triangles, or closed: a torus.
+  Object(Random& random, double cell);
+  std::size_t size() const { return image.size() * sizeof image[0]; }
+};
+
+/// What a row may use.
+struct Scene {
+  explicit Scene(Random& from);
+
+  Random& random;
+  Object a;
+  Object b;                            ///< now and then of another cell
+  std::vector<std::uint32_t> damaged;  ///< memory for a's image, and a word more
+  Pose pose;                           ///< now and then one that can't be
+  flashbvh_pose c_pose;
+  std::uint32_t distance;  ///< now and then too large
+
+  /// A budget that suspends a query, or none.
+  std::uint32_t any_work() { return random.below(4) == 0 ? UINT32_MAX : 1 + random.below(60); }
+  /// In cells, near the meshes.
+  Point any_point() { return {random.between(-40, 40), random.between(-40, 40), any_height()}; }
+  std::int32_t any_height() { return random.between(-40, 40); }
+  Triangle any_triangle() { return {{any_point(), any_point(), any_point()}}; }
+};
+
+/// A C function and its C++ counterpart on one scene; `agree` allocates nothing.
+struct Row {
+  const char* name;
+  bool (*agree)(Scene& scene);
+};
+
+std::vector<Row> query_rows();
+std::vector<Row> pose_rows();
+std::vector<Row> distance_rows();
+std::vector<Row> shape_rows();
+
+/// A bit for each status that both languages gave.
+extern std::uint64_t seen_statuses;
+
+inline bool same(flashbvh_status c, Status status) {
+  seen_statuses |= std::uint64_t{1} << c;
+  return c == static_cast<flashbvh_status>(status);
+}
+/// Of types without padding.
+template <class Plain>
+bool same(const Plain& p, const Plain& q) {
+  static_assert(__has_unique_object_representations(Plain), "padding has any bytes");
+  return std::memcmp(&p, &q, sizeof p) == 0;
+}
+template <class Plain>
+bool same(const Plain* p, const Plain* q, std::size_t count) {
+  return std::memcmp(p, q, count * sizeof *p) == 0;
+}
+inline bool same(const NearestPoints& p, const NearestPoints& q) {
+  return same(p.point_a, q.point_a) && same(p.point_b, q.point_b) &&
+         same(p.direction, q.direction) && p.lower == q.lower && p.upper == q.upper;
+}
+inline bool same(const Contact& p, const Contact& q) {
+  return same(p.ends, q.ends) && same(p.normal_a, q.normal_a) && same(p.normal_b, q.normal_b) &&
+         p.kind == q.kind;
+}
+inline bool same(flashbvh_witness c, const Witness<std::uint16_t>& witness) {
+  return c.a == witness.a && c.b == witness.b;
+}
+inline bool same(const flashbvh_position& c, const QueryPosition<std::uint16_t>& position) {
+  return c.a == position.a && c.b == position.b && c.untested == position.untested &&
+         c.state == static_cast<std::uint8_t>(position.state);
+}
+bool same(const flashbvh_clearance& c, const Clearance<std::uint16_t>& known);
+bool same(const flashbvh_pose& c, const Pose& pose);
+
+/// A query's bytes are gone, as if power had been.
+template <class Struct>
+void wipe(Struct& object) {
+  std::memset(&object, 0xA5, sizeof object);
+}
+
+}  // namespace flashbvh::test
+
+#endif

@@ -1,0 +1,150 @@
+// A query in C beside the same in C++, cut into random runs, saved, copied and resumed.
+#ifndef FLASHBVH_TESTS_C_API_SLICES_HPP
+#define FLASHBVH_TESTS_C_API_SLICES_HPP
+
+#include "c_api/scene.hpp"
+#include "flashbvh/deformable.h"
+#include "flashbvh/deformable.hpp"
+
+namespace flashbvh::test {
+
+/// Of a position in either language: where it is in the trees.
+template <class Walk>
+Walk& walk_of(Walk& position) {
+  return position;
+}
+inline flashbvh_position& walk_of(flashbvh_self_position& position) {
+  return position.position;
+}
+template <class Walk>
+Walk& walk_of(DeformablePosition<Walk>& position) {
+  return position.position;
+}
+
+/// What is common to queries that hand out pairs. `C` names the functions:
+///     Struct, Position       of C
+///     query(scene)           the query in C++
+///     start, run, counts, position, resume
+///     kVisits                whether there are spend, visit, status and last_pair, too
+template <class C>
+class Slices {
+ public:
+  explicit Slices(Scene& scene) : scene_(scene), query_(C::query(scene)) {}
+
+  bool agree() {
+    bool agrees = same(C::start(&c_, scene_), query_.status());
+    bool goes_on = true;
+    while (agrees && goes_on) {
+      Step step = {};
+      agrees = run(step) && same(C::counts(&c_), C::counts_of(query_));
+      goes_on = step.status == Status::suspended || step.status == Status::full;
+      if constexpr (C::kVisits) {
+        agrees = agrees && same(C::status(&c_), query_.status()) && last_pair(step);
+      }
+      agrees = agrees && (!goes_on || move());
+    }
+    return agrees;
+  }
+
+ private:
+  static constexpr std::uint32_t kMost = 8;
+
+  bool run(Step& step) {
+    const std::uint32_t capacity = scene_.random.below(kMost + 1);
+    if constexpr (C::kVisits) {
+      if (capacity != 0 && scene_.random.below(3) == 0) {
+        return visit(step, capacity);
+      }
+    }
+    const std::uint32_t work = scene_.any_work();
+    flashbvh_pair wanted[kMost];
+    flashbvh_pair found[kMost];
+    std::uint32_t count = 99;
+    std::uint32_t left = work;
+    flashbvh_status status = FLASHBVH_STATUS_DONE;
+    step = query_.run(work, wanted, capacity);
+    if constexpr (C::kVisits) {
+      if (scene_.random.below(2) == 0) {
+        status = C::spend(&c_, &left, found, capacity, &count);
+        return same(status, step.status) && count == step.count && work - left == step.work &&
+               same(found, wanted, count);
+      }
+    }
+    status = C::run(&c_, work, found, capacity, &count);
+    return same(status, step.status) && count == step.count && same(found, wanted, count);
+  }
+
+  struct Room {
+    std::uint32_t capacity;
+    std::uint32_t count;
+    flashbvh_pair pairs[kMost];
+  };
+  static bool take(flashbvh_pair pair, void* context) {
+    Room& room = *static_cast<Room*>(context);
+    room.pairs[room.count] = pair;
+    return ++room.count < room.capacity;
+  }
+
+  bool visit(Step& step, std::uint32_t capacity) {
+    Room wanted = {capacity, 0, {}};
+    Room found = wanted;
+    std::uint32_t left = scene_.any_work();
+    std::uint32_t c_left = left;
+    step.status = query_.spend(left, [&](const flashbvh_pair& p) { return take(p, &wanted); });
+    step.count = wanted.count;
+    return same(C::visit(&c_, &c_left, take, &found), step.status) && c_left == left &&
+           same(found, wanted);
+  }
+
+  bool last_pair(const Step& step) {
+    Triangle wanted[2];
+    flashbvh_triangle found[2];
+    if (step.status != Status::full || step.count == 0) {
+      return true;
+    }
+    query_.last_pair(wanted[0], wanted[1]);
+    C::last_pair(&c_, &found[0], &found[1]);
+    return same(wanted, found, 2);
+  }
+
+  /// To another address, or by its position to another query, in both languages.
+  bool move() {
+    if (scene_.random.below(2) == 0) {
+      const typename C::Struct copy = c_;
+      wipe(c_);
+      c_ = copy;
+      return true;
+    }
+    if (!refusals_agree()) {
+      return false;
+    }
+    const auto position = C::position(&c_);
+    auto again = C::query(scene_);
+    (void)again.resume(query_.position());
+    query_ = again;
+    wipe(c_);
+    (void)C::start(&c_, scene_);
+    return same(C::resume(&c_, &position), query_.status());
+  }
+
+  /// Of positions that may be none.
+  bool refusals_agree() {
+    auto copy = query_;
+    typename C::Struct c_copy = c_;
+    auto wrong = query_.position();
+    auto c_wrong = C::position(&c_);
+    walk_of(c_wrong).untested += scene_.random.below(2);
+    walk_of(c_wrong).a += static_cast<std::uint16_t>(scene_.random.below(3));
+    walk_of(wrong).untested = walk_of(c_wrong).untested;
+    walk_of(wrong).a = walk_of(c_wrong).a;
+    return same(C::resume(&c_copy, &c_wrong), copy.resume(wrong));
+  }
+
+  Scene& scene_;
+  decltype(C::query(*static_cast<Scene*>(nullptr))) query_;
+  typename C::Struct c_;
+};
+
+}  // namespace flashbvh::test
+
+#endif

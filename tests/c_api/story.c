@@ -1,0 +1,269 @@
+/* One story through all topics in C99, with answers that are known: a blade of a triangle, upright,
+ * above and in a block of 10 mm, both drawn a metre off; a cell is 0.1 mm. counterpart_test.cpp
+ * compares all else with C++. */
+#include <string.h>
+
+#include "blade.fbvh.h"
+#include "block.fbvh.h"
+#include "flashbvh/clearance.h"
+#include "flashbvh/deformable.h"
+#include "flashbvh/ray.h"
+#include "flashbvh/shape.h"
+#include "flashbvh/solid.h"
+#include "text.h"
+#ifdef STORY_HAS_ROBOT
+#include "c_arm.robot.h"
+#endif
+
+#define CHECK(holds) check((holds), #holds, __LINE__)
+/** A call that answers yes or no. */
+#define CHECK_YES(call, wanted) CHECK((call) == FLASHBVH_STATUS_DONE && yes == (wanted))
+
+static long failures;
+static bool yes;
+static flashbvh_mesh block;
+static flashbvh_mesh blade;
+
+static void check(bool holds, const char* what, long line) {
+  if (!holds) {
+    ++failures;
+    port_put(what);
+    port_put(", line ");
+    port_put_number(line);
+    port_put("\n");
+  }
+}
+
+static bool near(float length, float wanted) {
+  return length - wanted <= 0.1f / 256 && wanted - length <= 0.1f / 256;
+}
+
+static bool same_point(const flashbvh_fine_point* p, int64_t x, int64_t y, int64_t z) {
+  return p->x == x * 256 && p->y == y * 256 && p->z == z * 256;
+}
+
+static void meshes(void) {
+  int32_t origin[3];
+  const size_t wider = sizeof(void*) == 8 ? 24 : 0;
+  CHECK(flashbvh_open(block_image, sizeof block_image, &block) == FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_open(blade_image, sizeof blade_image, &blade) == FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_mesh_triangles(&block) == 12 && flashbvh_mesh_triangles(&blade) == 1);
+  CHECK(flashbvh_mesh_unit(&block) == FLASHBVH_UNIT_MM);
+  CHECK(flashbvh_mesh_is_closed(&block) && !flashbvh_mesh_is_closed(&blade));
+  flashbvh_mesh_origin(&block, origin);
+  CHECK(origin[0] == 10050 && origin[1] == 10050 && origin[2] == 10050);
+  CHECK(sizeof(flashbvh_position) == 12 && sizeof(flashbvh_pose) == 68);
+  CHECK(sizeof(flashbvh_mesh) == 64 + wider && sizeof(flashbvh_query) == 128 + wider);
+  CHECK(sizeof(flashbvh_box_shape) == 232 + wider && sizeof(flashbvh_contact) == 104);
+}
+
+/** The blade's lower corner is (1003.1, 1004, 1005) mm of the block's frame, and `height` up. */
+static void place_blade(float height, flashbvh_pose* pose) {
+  const float upright[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const float quaternion[4] = {1, 0, 0, 0};
+  const float scale = flashbvh_mesh_cells_per_unit(&block);
+  const float to[3] = {2000, 2000, 2000 + height};
+  flashbvh_pose back;
+  int32_t cells[3];
+  CHECK(flashbvh_pose_of_quaternion(quaternion, to, scale, pose) == FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_pose_of_matrix(upright, to, scale, pose) == FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_pose_inverse(pose, &back) == FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_pose_composed(&back, pose, &back) == FLASHBVH_STATUS_DONE);
+  flashbvh_pose_values(&back, NULL, cells, NULL);
+  CHECK(cells[0] == 0 && cells[1] == 0 && cells[2] == 0);
+}
+
+/** The blade stands in the block's upper face, from (1003.1, 1003, 1010) to (1003.1, 1005, 1010).
+ */
+static void contacts(const flashbvh_pose* pose) {
+  flashbvh_query query;
+  flashbvh_pair found[1];
+  uint32_t count = 0;
+  uint32_t pairs = 0;
+  int64_t low = INT64_MAX;
+  int64_t high = 0;
+  CHECK(flashbvh_count_pairs(&block, &blade, pose, &pairs) == FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_query_start(&query, &block, &blade, pose) == FLASHBVH_STATUS_SUSPENDED);
+  while (flashbvh_query_run(&query, UINT32_MAX, found, 1, &count) == FLASHBVH_STATUS_FULL) {
+    flashbvh_contact contact;
+    flashbvh_query_last_contact(&query, &contact);
+    CHECK(contact.kind == FLASHBVH_CONTACT_SEGMENT && contact.normal_b.y == 0);
+    for (int end = 0; end < 2; ++end) {
+      float at[3];
+      int64_t nm[3];
+      flashbvh_in_unit(&contact.ends[end], &block, at);
+      flashbvh_in_millionths(&contact.ends[end], &block, nm);
+      CHECK(near(at[0], 1003.1f) && near(at[2], 1010));
+      CHECK(nm[0] == 1003100000 && nm[2] == 1010000000);
+      low = nm[1] < low ? nm[1] : low;
+      high = nm[1] > high ? nm[1] : high;
+    }
+    --pairs;
+  }
+  CHECK(pairs == 0 && low > 1002990000 && low < 1003010000 && high > 1004990000 &&
+        high < 1005010000);
+}
+
+/** Work for a period is worked out on the target, from the images it has. */
+static void time_bounds(void) {
+  flashbvh_tree_size a;
+  flashbvh_tree_size b;
+  uint32_t work;
+  CHECK(flashbvh_image_tree_size(block_image, sizeof block_image, &a) == FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_image_tree_size(blade_image, sizeof blade_image, &b) == FLASHBVH_STATUS_DONE);
+  work = flashbvh_work_within(100000, &flashbvh_cortex_m4f, &a, &b);
+  CHECK(work > 100 && work < 1000);
+  CHECK(flashbvh_most_instructions(&flashbvh_cortex_m4f, &a, &b, work) <= 100000);
+  CHECK(flashbvh_most_instructions(&flashbvh_cortex_m4f, &a, &b, work + 1) > 100000);
+}
+
+static bool count_pair(flashbvh_pair pair, void* context) {
+  (void)pair;
+  ++*(uint32_t*)context;
+  return true;
+}
+
+/** The blade is 2.5 mm above the block. */
+static void distances(const flashbvh_pose* pose) {
+  const float scale = flashbvh_mesh_cells_per_unit(&block);
+  flashbvh_clearance found;
+  flashbvh_pose far;
+  uint32_t pairs = 0;
+  CHECK(flashbvh_distance(&block, &blade, pose, NULL, &found) == FLASHBVH_STATUS_DONE);
+  CHECK(found.in_range && found.lower == 25 * 256 && found.upper == 25 * 256);
+  CHECK(near(flashbvh_length_in_unit(found.lower, &block), 2.5f));
+  CHECK(found.point_a.z == 10100 * 256 && found.point_b.z == 10125 * 256);
+  CHECK(found.direction.x == 0 && found.direction.z == FLASHBVH_UNIT_ONE);
+  CHECK_YES(flashbvh_closer_than(&block, &blade, pose, flashbvh_fine_distance(2.5f, scale), &yes),
+            true);
+  CHECK_YES(flashbvh_closer_than(&block, &blade, pose, 25 * 256 - 1, &yes), false);
+  CHECK(flashbvh_for_each_within(&block, &blade, pose, 25 * 256, count_pair, &pairs) ==
+        FLASHBVH_STATUS_DONE);
+  CHECK(pairs >= 1 && pairs <= 2);
+  (void)flashbvh_pose_translated(60100, 0, 0, &far);
+  CHECK(flashbvh_distance(&block, &block, &far, &found.witness, &found) == FLASHBVH_STATUS_DONE);
+  CHECK(!found.in_range && found.lower <= 60000 * 256 && found.upper >= 60000 * 256);
+}
+
+/** Down through the block from 5 mm above it. */
+static void rays(void) {
+  const float origin[3] = {1003, 1002, 1015};
+  const float down[3] = {0, 0, -3};
+  flashbvh_segment ray;
+  flashbvh_fine_point at;
+  flashbvh_hit hit;
+  int32_t outwards = 9;
+  CHECK(flashbvh_segment_of(origin, down, 30, 10, &ray) == FLASHBVH_STATUS_DONE);
+  CHECK(ray.from.x == 10030 && ray.from.z == 10150 && ray.to.y == 10020 && ray.to.z == 9850);
+  CHECK_YES(flashbvh_nearest_hit(&block, &ray, FLASHBVH_NO_SEED, &yes, &hit), true);
+  flashbvh_point_along(&ray, &hit, &at);
+  CHECK(hit.side == 1 && same_point(&at, 10030, 10020, 10100));
+  CHECK(flashbvh_distance_along(&ray, &hit) == 50 * 256);
+  ray.to.z = 10050;
+  CHECK(flashbvh_signed_crossings(&block, &ray, &outwards) == FLASHBVH_STATUS_DONE);
+  CHECK(outwards == -1);
+}
+
+/** A box inside the block has no pair with it, and a point in common. A sphere, a capsule and a
+ * plate are 30 and 50 cells off. */
+static void solids_and_shapes(void) {
+  const flashbvh_point lower = {10040, 10040, 10040};
+  const flashbvh_point upper = {10060, 10060, 10060};
+  const flashbvh_point above = {10050, 10050, 10130};
+  const flashbvh_triangle across = {
+      {{10130, 9000, 10140}, {10130, 11000, 10140}, {10130, 9000, 12000}}};
+  flashbvh_box_shape box;
+  flashbvh_point_shape sphere;
+  flashbvh_segment_shape capsule;
+  flashbvh_triangle_shape plate;
+  flashbvh_pose pose;
+  flashbvh_point_side side;
+  (void)flashbvh_pose_translated(0, 0, 0, &pose);
+  CHECK(flashbvh_inside(&block, &lower, &side) == FLASHBVH_STATUS_DONE);
+  CHECK(side == FLASHBVH_POINT_INSIDE);
+  CHECK(flashbvh_inside(&blade, &lower, &side) == FLASHBVH_STATUS_NOT_CLOSED);
+  CHECK(flashbvh_box_shape_make(&box, &block, &lower, &upper) == FLASHBVH_STATUS_DONE);
+  CHECK_YES(flashbvh_intersects(&block, &box.mesh, &pose, &yes), false);
+  CHECK_YES(flashbvh_one_is_inside(&block, &box.mesh, &pose, &yes), true);
+  CHECK_YES(flashbvh_solids_intersect(&block, &box.mesh, &pose, &yes), true);
+  CHECK(flashbvh_point_shape_make(&sphere, &block, &above) == FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_segment_shape_make(&capsule, &block, &across.corner[0], &across.corner[1]) ==
+        FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_triangle_shape_make(&plate, &block, &across) == FLASHBVH_STATUS_DONE);
+  CHECK_YES(flashbvh_closer_than(&block, &sphere.mesh, &pose, 30 * 256, &yes), true);
+  CHECK_YES(flashbvh_closer_than(&block, &sphere.mesh, &pose, 30 * 256 - 1, &yes), false);
+  CHECK_YES(flashbvh_closer_than(&block, &capsule.mesh, &pose, 50 * 256, &yes), true);
+  CHECK_YES(flashbvh_closer_than(&block, &plate.mesh, &pose, 50 * 256 - 1, &yes), false);
+}
+
+/** A corner of the block is pulled through its other side. */
+static void bending(void) {
+  static flashbvh_node nodes[16];
+  static flashbvh_vertex vertices[8];
+  flashbvh_deformable bent;
+  flashbvh_self_query query;
+  flashbvh_pair pairs[32];
+  uint32_t vertex = 0;
+  uint32_t count = 0;
+  CHECK(flashbvh_mesh_nodes(&block) <= 16 && flashbvh_mesh_vertices(&block) == 8);
+  flashbvh_deformable_make(&bent, &block, nodes, vertices);
+  CHECK_YES(flashbvh_intersects_itself(&bent.mesh, &yes), false);
+  vertices[0].x = (int16_t)(-3 * vertices[0].x);
+  vertices[0].y = (int16_t)(-3 * vertices[0].y / 2);
+  CHECK(flashbvh_deformable_refit(&bent, UINT32_MAX, &vertex) == FLASHBVH_STATUS_DONE);
+  CHECK_YES(flashbvh_intersects_itself(&bent.mesh, &yes), true);
+  CHECK(flashbvh_self_query_start(&query, &bent) == FLASHBVH_STATUS_SUSPENDED);
+  CHECK(flashbvh_self_query_run(&query, UINT32_MAX, pairs, 32, &count) == FLASHBVH_STATUS_DONE);
+  CHECK(count != 0 && count < 32);
+  vertices[5].z = 16384;
+  CHECK(flashbvh_deformable_refit(&bent, UINT32_MAX, &vertex) ==
+        FLASHBVH_STATUS_VERTEX_OUT_OF_LATTICE);
+  CHECK(vertex == 5);
+}
+
+#ifdef STORY_HAS_ROBOT
+/** An arm goes from rest to where it folds into itself. */
+static void robots(void) {
+  static uint32_t state[c_arm_GUARD_STATE_SIZE / 4];
+  static uint32_t motion_state[c_arm_MOTION_STATE_SIZE / 4];
+  const float rest[c_arm_VARIABLE_COUNT] = {0, 0, 0.5f, 1.5f};
+  const float folded[c_arm_VARIABLE_COUNT] = {0, 0.2f, 2.9f, 1.5f};
+  flashbvh_joint_coordinate from[c_arm_VARIABLE_COUNT];
+  flashbvh_joint_coordinate to[c_arm_VARIABLE_COUNT];
+  flashbvh_guard guard;
+  flashbvh_motion motion;
+  flashbvh_motion_answer answer;
+  flashbvh_set_values(&c_arm_robot, rest, from);
+  flashbvh_set_values(&c_arm_robot, folded, to);
+  CHECK(flashbvh_guard_init(&guard, &c_arm_robot, state, sizeof state) == FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_guard_prime(&guard, from).verdict <= FLASHBVH_VERDICT_WARN);
+  CHECK(flashbvh_guard_update(&guard, to, UINT32_MAX).verdict == FLASHBVH_VERDICT_STOP);
+  CHECK(flashbvh_motion_init(&motion, &c_arm_robot, motion_state, sizeof motion_state) ==
+        FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_motion_start(&motion, from, to) == FLASHBVH_STATUS_DONE);
+  answer = flashbvh_motion_run(&motion, UINT32_MAX);
+  CHECK(answer.status == FLASHBVH_STATUS_DONE && answer.outcome != FLASHBVH_MOTION_FREE);
+}
+#endif
+
+int main(void) {
+  flashbvh_pose standing;
+  flashbvh_pose above;
+  meshes();
+  place_blade(0, &standing);
+  place_blade(7.5f, &above);
+  contacts(&standing);
+  time_bounds();
+  distances(&above);
+  rays();
+  solids_and_shapes();
+  bending();
+#ifdef STORY_HAS_ROBOT
+  robots();
+#endif
+  CHECK(strcmp(flashbvh_status_name(FLASHBVH_STATUS_NOT_CLOSED), "not_closed") == 0);
+  port_put("failures: ");
+  port_put_number(failures);
+  port_put("\n");
+  return failures == 0 ? 0 : 1;
+}
