@@ -360,9 +360,9 @@ TEST_CASE("memory that is too small or not aligned is refused by init and by eve
   }
   const JointCoordinate values[kVariables] = {};
   const Status invalid = Status::guard_state_invalid;
-  memset(&c_state, 0, sizeof c_state);
   auto* const state_bytes = reinterpret_cast<char*>(&c_state);
-  for (const uint32_t offset : {0, 2}) {
+  memset(state_bytes, 0, sizeof c_state);
+  for (uint32_t offset = 0; offset <= 2; offset += 2) {
     const uint32_t less = offset == 0 ? 1 : 0;
     flashbvh_guard guard;
     flashbvh_motion motion;
