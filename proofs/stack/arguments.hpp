@@ -1,4 +1,4 @@
-// What an entry is given, under one signature for all of entries.cpp.
+// What an entry is given, under one signature for all of entries.inc, and what their sources include.
 //
 // Linked alone an entry gives its query's code size; it is the root of the query's call graph; and
 // the firmware of painted.cpp calls it through a pointer, so that the painted depth is that of the
@@ -12,18 +12,29 @@
 
 #include "flashbvh/clearance.h"
 #include "flashbvh/clearance.hpp"
+#include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/deformable.h"
 #include "flashbvh/deformable.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/flashbvh.h"
-#include "flashbvh/mesh.hpp"
-#include "flashbvh/query.hpp"
+#include "flashbvh/image.hpp"
+#include "flashbvh/paper/alternating_stack.hpp"
+#include "flashbvh/paper/leaf.hpp"
+#include "flashbvh/paper/ranked_stack.hpp"
+#include "flashbvh/paper/stackless.hpp"
+#include "flashbvh/paper/volume_stack.hpp"
+#include "flashbvh/pose_float.hpp"
 #include "flashbvh/ray.h"
+#include "flashbvh/ray_float.hpp"
 #include "flashbvh/robot/guard.hpp"
+#include "flashbvh/robot/image.hpp"
 #include "flashbvh/robot/motion.hpp"
 #include "flashbvh/robot/workcell.hpp"
+#include "flashbvh/self.hpp"
 #include "flashbvh/shape.h"
 #include "flashbvh/solid.h"
+#include "flashbvh/solid.hpp"
 
 namespace stack_proof {
 
@@ -107,8 +118,36 @@ struct Arguments {
   void ends(Status with) {
     status = static_cast<uint8_t>(with);
   }
+  void takes(const flashbvh::Answer& answered) {
+    answer = answered.yes ? 1 : 0;
+    ends(answered.status);
+  }
+  void takes(const flashbvh::PairCount& counted) {
+    answer = counted.pairs;
+    ends(counted.status);
+  }
+  /// All pairs of a query.
+  template <class Asked>
+  [[gnu::always_inline]] void counts(Asked& asked) {
+    ends(asked.run(UINT32_MAX, [this](const typename Asked::Pair&) {
+      ++answer;
+      return true;
+    }));
+  }
+
   flashbvh_pair* c_found() { return reinterpret_cast<flashbvh_pair*>(found); }
+  flashbvh_triangle* c_transformed() { return reinterpret_cast<flashbvh_triangle*>(transformed); }
+  const flashbvh_triangle* c_triangles() const {
+    return reinterpret_cast<const flashbvh_triangle*>(triangles);
+  }
+  flashbvh_pose* c_made() { return &as<flashbvh_pose>(made_pose); }
 };
+
+/// Of its floats from one on, a matrix or a vector.
+template <class Array>
+const Array& floats_as(const Arguments& in, int from) {
+  return *reinterpret_cast<const Array*>(in.floats + from);
+}
 
 /// An object made in its place, as a caller's variable is.
 template <class Object, size_t size, class Make>

@@ -13,8 +13,8 @@ using namespace flashbvh;
 using namespace flashbvh::detail;
 
 extern "C" {
-#define ENTRY(name, kind) EntryFunction name;
-#include "entry_list.inc"
+#define ENTRY(name, kind, ...) EntryFunction name;
+#include "proofs/stack/entries.inc"
 #undef ENTRY
 }
 
@@ -29,8 +29,8 @@ struct Entry {
 };
 
 constexpr Entry kEntries[] = {
-#define ENTRY(name, kind) {#name, name, Kind::kind},
-#include "entry_list.inc"
+#define ENTRY(name, kind, ...) {#name, name, Kind::kind},
+#include "proofs/stack/entries.inc"
 #undef ENTRY
 };
 constexpr uint32_t kEntryCount = sizeof kEntries / sizeof kEntries[0];
