@@ -35,9 +35,3 @@ class Instruction:
 
 class Refused(Exception):
     """What cannot be proven, and where."""
-
-
-def signed(value: int, bits: int) -> int:
-    """The lowest bits of a value, as a number with sign."""
-    value &= (1 << bits) - 1
-    return value - (1 << bits) if value >> (bits - 1) else value

@@ -3,9 +3,9 @@ from __future__ import annotations
 
 import re
 import subprocess
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cached_property
 from pathlib import PurePath
 from typing import Iterator
 
@@ -13,7 +13,7 @@ from elftools.dwarf.lineprogram import LineProgram
 from elftools.elf.constants import SH_FLAGS
 from elftools.elf.elffile import ELFFile
 
-from . import riscv, thumb
+from .disassembly import disassemble
 from .instruction import Instruction, Refused
 
 
@@ -36,24 +36,20 @@ class Program:
         self._path = path
         with open(path, "rb") as file:
             elf = ELFFile(file)
-            self._decode = riscv.decode if elf["e_machine"] == "EM_RISCV" else thumb.decode
-            self._is_thumb = self._decode is thumb.decode
-            self._sections = {i: (s["sh_addr"], s.data()) for i, s in enumerate(elf.iter_sections())
+            self._machine = elf["e_machine"]
+            self._sections = {i: range(s["sh_addr"], s["sh_addr"] + s["sh_size"])
+                              for i, s in enumerate(elf.iter_sections())
                               if s["sh_flags"] & SH_FLAGS.SHF_EXECINSTR}
             self._read_symbols(elf)
 
     def _read_symbols(self, elf: ELFFile) -> None:
         names: dict[int, list[str]] = {}
-        self._data_starts: dict[int, bool] = {}  # mapping symbols: whether data follow
         for symbol in elf.get_section_by_name(".symtab").iter_symbols():
             kind, address = symbol["st_info"]["type"], symbol["st_value"]
-            base, code = self._sections.get(symbol["st_shndx"], (0, b""))
-            if not base <= address < base + len(code):
-                continue
-            if symbol.name.startswith("$"):
-                self._data_starts[address] = symbol.name.startswith("$d")
-            elif kind in ("STT_FUNC", "STT_NOTYPE") and symbol.name:
-                address &= ~1 if self._is_thumb else ~0
+            is_marked = symbol.name[:1] in ("", "$")  # where code or data begin
+            if address in self._sections.get(symbol["st_shndx"], ()) and not is_marked and \
+                    kind in ("STT_FUNC", "STT_NOTYPE"):
+                address &= ~1 if self._machine == "EM_ARM" else ~0
                 names.setdefault(address, []).append(symbol.name)
         self._names = names
 
@@ -66,9 +62,9 @@ class Program:
                                                capture_output=True, check=True).stdout.split("\n")))
         found = {}
         for start, following in zip(starts, starts[1:] + [1 << 32]):
-            base, code = self._section_at(start)
+            section = next(section for section in self._sections.values() if start in section)
             names = tuple(self._names[start])
-            found[start] = Function(start, min(following, base + len(code)), names,
+            found[start] = Function(start, min(following, section.stop), names,
                                     tuple(titles[name] for name in names))
         return found
 
@@ -91,19 +87,15 @@ class Program:
     def _starts(self) -> list[int]:
         return sorted(self.functions)
 
-    @cache
     def code_of(self, function: Function) -> dict[int, Instruction]:
         """All instructions of a function, in the order of their addresses."""
-        base, data = self._section_at(function.address)
-        marks = sorted(a for a in self._data_starts if function.address < a < function.end)
-        found = {}
-        is_data = False
-        for start, end in zip([function.address] + marks, marks + [function.end]):
-            is_data = self._data_starts.get(start, is_data)
-            if not is_data:
-                for instruction in self._decode(data[start - base:end - base], start):
-                    found[instruction.address] = instruction
-        return found
+        first, last = (bisect_left(self._code, at, key=lambda found: found.address)
+                       for at in (function.address, function.end))
+        return {found.address: found for found in self._code[first:last]}
+
+    @cached_property
+    def _code(self) -> list[Instruction]:
+        return sorted(disassemble(self._path, self._machine), key=lambda found: found.address)
 
     def line_at(self, address: int) -> tuple[str, int]:
         """File, without its folder, and line."""
@@ -119,10 +111,6 @@ class Program:
         """For messages."""
         file, line = self.line_at(address)
         return f"{address:x} in {self.at(address)}" + (f" ({file}:{line})" if file else "")
-
-    def _section_at(self, address: int) -> tuple[int, bytes]:
-        return next((base, data) for base, data in self._sections.values()
-                    if base <= address < base + len(data))
 
 
 def _read_lines(elf: ELFFile) -> list[tuple[int, str, int]]:
