@@ -18,4 +18,4 @@ out=$PWD/build/proof
 rm -rf "$out"
 mkdir -p "$out"
 proofs/check.sh lib "$out"
-[ "${1:-}" != --mutations ] || proofs/mutations.sh "$out"
+[ "${1:-}" != --mutations ] || python3 -B proofs/mutations.py "$out"
