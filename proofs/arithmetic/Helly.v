@@ -83,46 +83,65 @@ Qed.
 
 (* ---- Radon: of points that depend, some have a mean that is one of the others, too. *)
 Definition pos i := Z.max i 0.
-Theorem helly : Helly.
+Definition sum4 i p j q k r l s := mix 1 (mix i p j q) 1 (mix k r l s).
+Lemma cone_sum4 C i p j q k r l s : cone C -> 0 <= i -> 0 <= j -> 0 <= k -> 0 <= l ->
+  i = 0 \/ C p -> j = 0 \/ C q -> k = 0 \/ C r -> l = 0 \/ C s -> 0 < z (sum4 i p j q k r l s) -> C (sum4 i p j q k r l s).
 Proof.
-  intros C D E F KC KD KE KF (s & Zs & sC & sD & sE) (r & Zr & rC & rD & rF) (q & Zq & qC & qE & qF) (p & Zp & pD & pE & pF).
-  destruct (depend3 p q r s) as (i & j & k & l & N & X & Y & Z0).
-  set (above := sum3 1 (sum3 (pos i) p (pos j) q (pos k) r) (pos l) s 0 s).
-  set (below := sum3 1 (sum3 (pos (- i)) p (pos (- j)) q (pos (- k)) r) (pos (- l)) s 0 s).
+  intros K I J L M P Q R S U. set (o := {| x := 0; y := 0; z := 0 |}).
+  (* With the origin, which is a sum of nothing. *)
+  assert (forall i p j q, 0 <= i -> 0 <= j -> i = 0 \/ p = o \/ C p -> j = 0 \/ q = o \/ C q ->
+    mix i p j q = o \/ C (mix i p j q)) as G.
+  { clear - K. intros i p j q I J.
+    assert (forall i p, 0 <= i -> C p -> C (mix i p 0 p)) as One by (intros; apply K; auto; lia).
+    intros [-> | [-> | P]] [-> | [-> | Q]]; try (right; now apply K); try (left; apply point_eq; cbn; ring).
+    all: right; match goal with P : ?D ?p |- ?D (mix ?i ?p _ _) => replace (mix i p _ _) with (mix i p 0 p) |
+      Q : ?D ?q |- ?D (mix _ _ ?j ?q) => replace (mix _ _ j q) with (mix j q 0 q) end; auto; apply point_eq; cbn; ring. }
+  destruct (G 1 (mix i p j q) 1 (mix k r l s)) as [E | E]; auto; try lia; try (right; apply G; tauto).
+  unfold sum4 in U. rewrite E in U. now cbn in U.
+Qed.
+
+Lemma radon p q r s i j k l : 0 < z p -> 0 < z q -> 0 < z r -> 0 < z s -> i <> 0 \/ j <> 0 \/ k <> 0 \/ l <> 0 ->
+  i * x p + j * x q + k * x r + l * x s = 0 -> i * y p + j * y q + k * y r + l * y s = 0 ->
+  i * z p + j * z q + k * z r + l * z s = 0 ->
+  exists t, 0 < z t /\ (forall n, dot n p = 0 -> dot n q = 0 -> dot n r = 0 -> dot n s = 0 -> dot n t = 0) /\
+  forall C, cone C -> C p /\ C q /\ C r \/ (l = 0 \/ C s) /\ (C q /\ C r \/ C p /\ C r \/ C p /\ C q) -> C t.
+Proof.
+  intros Zp Zq Zr Zs N X Y Z0.
+  set (above := sum4 (pos i) p (pos j) q (pos k) r (pos l) s).
+  set (below := sum4 (pos (- i)) p (pos (- j)) q (pos (- k)) r (pos (- l)) s).
   assert (forall n t, n * t = pos n * t - pos (- n) * t) as Split
     by (intros n t; rewrite <- Z.mul_sub_distr_r; f_equal; unfold pos; lia).
-  assert (above = below) as E0.
-  { apply point_eq; unfold above, below, sum3, mix; cbn [x y z];
-      [rewrite (Split i), (Split j), (Split k), (Split l) in X | rewrite (Split i), (Split j), (Split k), (Split l) in Y |
-       rewrite (Split i), (Split j), (Split k), (Split l) in Z0]; lia. }
+  rewrite (Split i), (Split j), (Split k), (Split l) in X, Y, Z0.
+  assert (above = below) as E0 by (apply point_eq; unfold above, below, sum4, mix; cbn [x y z]; lia).
   assert (0 < z above) as Up.
   { assert (z above + z below = Z.abs i * z p + Z.abs j * z q + Z.abs k * z r + Z.abs l * z s) as Sum.
-    { unfold above, below, sum3, mix. cbn [x y z].
+    { unfold above, below, sum4, mix. cbn [x y z].
       assert (forall n, Z.abs n = pos n + pos (- n)) as A by (intros; unfold pos; lia). rewrite !A. ring. }
     rewrite <- E0 in Sum.
     assert (forall n t, 0 < t -> 0 <= Z.abs n * t /\ (n <> 0 -> 0 < Z.abs n * t)) as Share
       by (clear; intros n t T; split; intros; [apply Z.mul_nonneg_nonneg | apply Z.mul_pos_pos]; lia).
-    pose proof (Share i _ Zp) as [I0 I1]. pose proof (Share j _ Zq) as [J0 J1].
-    pose proof (Share k _ Zr) as [K0 K1]. pose proof (Share l _ Zs) as [L0 L1].
-    clear - Sum N I0 I1 J0 J1 K0 K1 L0 L1. lia. }
-  assert (forall n, 0 <= pos n) as Pos by (intros; unfold pos; lia).
-  (* Without a share of one point, in the set that this one need not be in. *)
-  assert (forall G i j k u v w t, cone G -> G u -> G v -> G w -> 0 <= i -> 0 <= j -> 0 <= k ->
-    t = sum3 i u j v k w -> G t) as In3 by (intros; subst; now apply cone_sum).
-  assert (forall n, pos n = 0 \/ pos (- n) = 0) as One by (intros; unfold pos; lia).
-  exists above. split; [exact Up|]. repeat split.
-  - destruct (One i) as [O | O]; [|rewrite E0].
-    + apply (In3 C (pos j) (pos k) (pos l) q r s); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
-    + apply (In3 C (pos (- j)) (pos (- k)) (pos (- l)) q r s); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
-  - destruct (One j) as [O | O]; [|rewrite E0].
-    + apply (In3 D (pos i) (pos k) (pos l) p r s); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
-    + apply (In3 D (pos (- i)) (pos (- k)) (pos (- l)) p r s); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
-  - destruct (One k) as [O | O]; [|rewrite E0].
-    + apply (In3 E (pos i) (pos j) (pos l) p q s); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
-    + apply (In3 E (pos (- i)) (pos (- j)) (pos (- l)) p q s); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
-  - destruct (One l) as [O | O]; [|rewrite E0].
-    + apply (In3 F (pos i) (pos j) (pos k) p q r); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
-    + apply (In3 F (pos (- i)) (pos (- j)) (pos (- k)) p q r); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+    pose proof (Share i _ Zp). pose proof (Share j _ Zq). pose proof (Share k _ Zr). pose proof (Share l _ Zs).
+    clear - Sum N H H0 H1 H2. lia. }
+  exists above. split; [exact Up|]. split.
+  - intros n P Q R S. transitivity (pos i * dot n p + pos j * dot n q + pos k * dot n r + pos l * dot n s);
+      [unfold dot, above, sum4, mix; cbn [x y z]; ring | rewrite P, Q, R, S; ring].
+  - (* Without a share of one point, in the set that this one need not be in. *)
+    assert (forall n, 0 <= pos n) as Pos by (intros; unfold pos; lia).
+    assert (forall n, n = 0 -> pos n = 0 /\ pos (- n) = 0) as Zero by (intros; unfold pos; lia).
+    assert (forall n, pos n = 0 \/ pos (- n) = 0) as One by (intros; unfold pos; lia).
+    assert (forall n (P : Prop), n = 0 \/ P -> (pos n = 0 \/ P) /\ (pos (- n) = 0 \/ P)) as Or
+      by (intros n P [E | E]; [destruct (Zero n E) |]; tauto).
+    intros C K [(P & Q & R) | (S & H)]; [|apply Or in S as [S S']; destruct H as [(Q & R) | [(P & R) | (P & Q)]]];
+      [destruct (One l) | destruct (One i) | destruct (One j) | destruct (One k)]; [idtac | rewrite E0 | idtac |
+      rewrite E0 | idtac | rewrite E0 | idtac | rewrite E0];
+      apply cone_sum4; auto; change (0 < z below); now rewrite <- E0.
+Qed.
+
+Theorem helly : Helly.
+Proof.
+  intros C D E F KC KD KE KF (s & Zs & sC & sD & sE) (r & Zr & rC & rD & rF) (q & Zq & qC & qE & qF) (p & Zp & pD & pE & pF).
+  destruct (depend3 p q r s) as (i & j & k & l & N & X & Y & Z0).
+  destruct (radon p q r s i j k l) as (t & Zt & _ & H); auto. exists t. split; [exact Zt|]. repeat split; apply H; tauto.
 Qed.
 
 Lemma depend_on_line n p q r : x n <> 0 \/ y n <> 0 -> dot n p = 0 -> dot n q = 0 -> dot n r = 0 ->
@@ -148,40 +167,8 @@ Theorem helly_on_line : Helly_on_line.
 Proof.
   intros n C D E N KC KD KE on (r & Zr & rO & rC & rD) (q & Zq & qO & qC & qE) (p & Zp & pO & pD & pE).
   destruct (depend_on_line n p q r N pO qO rO) as (i & j & k & M & X & Y & Z0).
-  set (above := sum3 (pos i) p (pos j) q (pos k) r).
-  set (below := sum3 (pos (- i)) p (pos (- j)) q (pos (- k)) r).
-  assert (forall n t, n * t = pos n * t - pos (- n) * t) as Split
-    by (intros a t; rewrite <- Z.mul_sub_distr_r; f_equal; unfold pos; lia).
-  assert (above = below) as E0.
-  { apply point_eq; unfold above, below, sum3, mix; cbn [x y z];
-      [rewrite (Split i), (Split j), (Split k) in X | rewrite (Split i), (Split j), (Split k) in Y |
-       rewrite (Split i), (Split j), (Split k) in Z0]; lia. }
-  assert (0 < z above) as Up.
-  { assert (z above + z below = Z.abs i * z p + Z.abs j * z q + Z.abs k * z r) as Sum.
-    { unfold above, below, sum3, mix. cbn [x y z].
-      assert (forall n, Z.abs n = pos n + pos (- n)) as A by (intros; unfold pos; lia). rewrite !A. ring. }
-    rewrite <- E0 in Sum.
-    assert (forall n t, 0 < t -> 0 <= Z.abs n * t /\ (n <> 0 -> 0 < Z.abs n * t)) as Share
-      by (clear; intros n t T; split; intros; [apply Z.mul_nonneg_nonneg | apply Z.mul_pos_pos]; lia).
-    pose proof (Share i _ Zp) as [I0 I1]. pose proof (Share j _ Zq) as [J0 J1].
-    pose proof (Share k _ Zr) as [K0 K1]. clear - Sum M I0 I1 J0 J1 K0 K1. lia. }
-  assert (forall n, 0 <= pos n) as Pos by (intros; unfold pos; lia).
-  assert (forall G i j u v t, cone G -> G u -> G v -> 0 <= i -> 0 <= j -> t = mix i u j v -> G t) as In2
-    by (intros; subst; auto).
-  assert (forall n, pos n = 0 \/ pos (- n) = 0) as One by (intros; unfold pos; lia).
-  exists above. split; [exact Up|]. split; [|repeat split].
-  - unfold on, dot, above, sum3, mix in *. cbn [x y z].
-    transitivity (pos i * (x n * x p + y n * y p + z n * z p) + pos j * (x n * x q + y n * y q + z n * z q) +
-      pos k * (x n * x r + y n * y r + z n * z r)); [ring | rewrite pO, qO, rO; ring].
-  - destruct (One i) as [O | O]; [|rewrite E0].
-    + apply (In2 C (pos j) (pos k) q r); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
-    + apply (In2 C (pos (- j)) (pos (- k)) q r); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
-  - destruct (One j) as [O | O]; [|rewrite E0].
-    + apply (In2 D (pos i) (pos k) p r); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
-    + apply (In2 D (pos (- i)) (pos (- k)) p r); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
-  - destruct (One k) as [O | O]; [|rewrite E0].
-    + apply (In2 E (pos i) (pos j) p q); auto. unfold above. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
-    + apply (In2 E (pos (- i)) (pos (- j)) p q); auto. unfold below. rewrite O. apply point_eq; unfold sum3, mix; cbn [x y z]; ring.
+  destruct (radon p q r p i j k 0) as (t & Zt & O & H); auto; try lia.
+  exists t. split; [exact Zt|]. split; [now apply O|]. repeat split; apply H; tauto.
 Qed.
 
 (* ---- Triangles in the plane. *)

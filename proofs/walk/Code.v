@@ -344,14 +344,6 @@ Proof.
   rewrite (fmt_parent_rank _ _ F _ _ J NL). symmetry. now apply find_kid.
 Qed.
 
-Lemma parent_rank_positive i : i < length cells -> (0 < find_parent_rank cells i)%Z.
-Proof.
-  intros L. destruct (Nat.eq_dec i 0) as [->|Z]; [reflexivity|].
-  destruct (fmt_all _ _ F i) as [n I]; [lia|]. rewrite (find_kid n i I).
-  assert (children n <> []) as N by (intros E; now rewrite E in I).
-  apply (fmt_rank _ _ F) in N. lia.
-Qed.
-
 (* Of a node strictly below m: its parent is below m or is it, and ranks no higher. *)
 Lemma parent_under (m i n : nat) :
   Under (T := array_tree) m i -> i <> m -> In i (children n) ->
@@ -431,11 +423,6 @@ Lemma good_eq i j : good i j <->
   (i < length cells_a /\ j < length cells_b) /\ (rank_a i < above_b j /\ rank_b j <= above_a i)%Z.
 Proof. reflexivity. Qed.
 
-Lemma above_limit_a i : (above_a i <= kRootParentRank)%Z.
-Proof.
-  unfold above_a, find_parent_rank. destruct (i =? 0); [lia|].
-  pose proof (rank_limit A (last_sibling cells_a i i - 1)) as L. cbn in L. lia.
-Qed.
 Lemma above_limit_b j : (above_b j <= kRootParentRank)%Z.
 Proof.
   unfold above_b, find_parent_rank. destruct (j =? 0); [lia|].

@@ -185,11 +185,6 @@ Proof.
   now rewrite <- flat_map_app, <- filter_app, E2.
 Qed.
 
-Lemma Left_unique s l l' : Left s l -> Left s l' -> l = l'.
-Proof.
-  intros (n & t & R & ->) (m & u & Q & ->). now rewrite (Run_done A B overlap n m s t u R Q).
-Qed.
-
 Definition Left_at (at_ : Position) (l : list Triangles) : Prop :=
   match at_ with
   | Fresh => Left (Visit (roots A B)) l
