@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <optional>
 
 #include "evaluate/poses.hpp"
 #include "flashbvh/clearance.hpp"
-#include "report/figure.hpp"
 #include "report/html.hpp"
+#include "report/picture.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -106,7 +107,7 @@ std::string marks(const Faces& faces, const Frame& frame) {
 }
 
 std::string picture(const PosedArm& arm, const Faces& faces, const char* caption) {
-  const Frame frame = frame_of_marks(faces);
+  const Frame frame = Frame(views()[0], points_of(faces));
   return figure(faces, frame, {cell_of(arm.robot), " m"}, caption, marks(faces, frame), caption);
 }
 
@@ -123,10 +124,10 @@ std::string places_note(const PosedArm& arm, const Faces& faces) {
   const double cell = cell_of(arm.robot);
   const std::string a = text_of(nearest->first, cell);
   const std::string b = text_of(nearest->second, cell);
-  return std::string("<p class=note>In m of the base&#39;s frame, ") +
-         (a == b ? "a point of both: <code>" + a
-                 : "the nearest points: <code>" + a + "</code> and <code>" + b) +
-         "</code></p>\n";
+  return note("In m of the base&#39;s frame, " +
+              (a == b ? "a point of both: <code>" + a
+                      : "the nearest points: <code>" + a + "</code> and <code>" + b) +
+              "</code>");
 }
 
 }  // namespace
@@ -179,9 +180,29 @@ std::string joint_values(const Model& model, const std::vector<double>& values) 
   return text;
 }
 
-std::string arm_style() {
-  return ".way{stroke:var(--text);stroke-width:2px}\n"
-         ".ends{stroke:var(--text);stroke-width:7px;stroke-linecap:round}\n";
+std::string decision(const std::string& style, const std::string& what, const std::string& of) {
+  return "<li>" + square(style) + "<b>" + what + "</b>" + (of.empty() ? "" : ": " + of) + "</li>\n";
+}
+
+std::string unguarded_decisions(const Model& model, const std::vector<UnguardedPair>& unguarded) {
+  std::map<WhyUnguarded, std::vector<UnguardedPair>> by_reason;
+  for (const UnguardedPair& pair : unguarded) {
+    by_reason[pair.why].push_back(pair);
+  }
+  std::string html;
+  for (const auto& [why, pairs] : by_reason) {
+    html += decision("v1", "Not guarded",
+                     escaped(names_of(model, pairs) + " (" + pairs.front().reason + ")"));
+  }
+  return html;
+}
+
+std::string decision_section(const std::string& title, const std::string& decisions) {
+  return section("decision", title, "<ul class=verdict>\n" + decisions + "</ul>");
+}
+
+std::string footer() {
+  return "<footer>" + note(version_text()) + "</footer>\n";
 }
 
 }  // namespace flashbvh::tool

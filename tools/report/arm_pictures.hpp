@@ -1,4 +1,4 @@
-// A robot in a configuration, as pictures.
+// What pages about robots share: pictures of configurations, names, verdicts.
 #ifndef FLASHBVH_TOOLS_REPORT_ARM_PICTURES_HPP
 #define FLASHBVH_TOOLS_REPORT_ARM_PICTURES_HPP
 
@@ -7,7 +7,7 @@
 
 #include "flashbvh/robot/robot.hpp"
 #include "flashbvh/step.hpp"
-#include "robot/model.hpp"
+#include "robot/unguarded.hpp"
 
 namespace flashbvh::tool {
 
@@ -42,8 +42,15 @@ std::string links_of(const Model& model, std::size_t a, std::size_t b);
 /// "elbow 1.5, wrist 0", HTML. A value a variable.
 std::string joint_values(const Model& model, const std::vector<double>& values);
 
-/// What the pictures' marks need.
-std::string arm_style();
+/// A verdict of a page: a square in the colour of a style class, the verdict, its subject; all
+/// HTML.
+std::string decision(const std::string& style, const std::string& what, const std::string& of);
+/// A line a reason: "Not guarded: base - arm (neighbours that ...)". Nothing if there are none.
+std::string unguarded_decisions(const Model& model, const std::vector<UnguardedPair>& unguarded);
+/// The first section of a page.
+std::string decision_section(const std::string& title, const std::string& decisions);
+/// Behind the last section, with the version.
+std::string footer();
 
 }  // namespace flashbvh::tool
 

@@ -55,16 +55,24 @@ double height_of(double value, double top) {
   return kChartHeight * (1 - std::min(value / top, 1.0));
 }
 
+/// `part`: 0 at the left end of the plot, 1 at the right one.
+double x_of(double part) {
+  return kPlotLeft + (kPlotRight - kPlotLeft) * part;
+}
+
+/// Of a line's value.
+double x_of(const ChartLine& line, std::size_t place) {
+  return x_of(static_cast<double>(place) /
+              std::max<double>(static_cast<double>(line.values.size()) - 1, 1));
+}
+
 std::string path_of(const ChartLine& line, double top) {
   std::string path;
   bool is_drawing = false;
-  const double last = std::max<double>(static_cast<double>(line.values.size()) - 1, 1);
   for (std::size_t i = 0; i < line.values.size(); ++i) {
     const std::optional<double>& value = line.values[i];
     if (value) {
-      path += (is_drawing ? "L" : "M") +
-              at(kPlotLeft + (kPlotRight - kPlotLeft) * static_cast<double>(i) / last,
-                 height_of(*value, top));
+      path += (is_drawing ? "L" : "M") + at(x_of(line, i), height_of(*value, top));
     }
     is_drawing = value.has_value();
   }
@@ -94,9 +102,7 @@ std::string number_on(const ChartLine& line, std::size_t lines, double top) {
   if (place == count) {
     return "";
   }
-  const double part =
-      static_cast<double>(place) / std::max<double>(static_cast<double>(count) - 1, 1);
-  return concat("<text class=number x=", fixed(kPlotLeft + (kPlotRight - kPlotLeft) * part, 0),
+  return concat("<text class=number x=", fixed(x_of(line, place), 0),
                 " y=", fixed(height_of(*line.values[place], top), 0), ">", line.style + 1,
                 "</text>\n");
 }
@@ -105,24 +111,17 @@ bool has_numbers(const Chart& chart) {
   return chart.lines.size() > 1;
 }
 
-bool has_kind(const Chart& chart, std::size_t kind) {
-  return std::any_of(chart.runs.begin(), chart.runs.end(),
-                     [&](const KindRun& run) { return run.kind == kind; });
-}
-
-/// The periods of a kind, in a lane below the plot.
+/// The periods of a kind, in a lane below the plot; nothing if there are none.
 std::string lane(const Chart& chart, std::size_t kind, double y) {
-  std::string svg = text(kPlotLeft - 8, y + kBar / 2, "end", kLetters[kind]);
+  std::string svg;
   for (const KindRun& run : chart.runs) {
     if (run.kind == kind) {
-      svg += concat("<rect class=v", kind,
-                    " x=", fixed(kPlotLeft + (kPlotRight - kPlotLeft) * run.begin, 1),
-                    " y=", fixed(y, 0), " width=",
-                    fixed(std::max((kPlotRight - kPlotLeft) * (run.end - run.begin), kLeastBar), 2),
+      svg += concat("<rect class=v", kind, " x=", fixed(x_of(run.begin), 1), " y=", fixed(y, 0),
+                    " width=", fixed(std::max(x_of(run.end) - x_of(run.begin), kLeastBar), 2),
                     " height=", fixed(kBar, 0), "></rect>\n");
     }
   }
-  return svg;
+  return svg.empty() ? "" : text(kPlotLeft - 8, y + kBar / 2, "end", kLetters[kind]) + svg;
 }
 
 std::string line_key(const ChartLine& line, bool is_numbered) {
@@ -148,24 +147,6 @@ std::string keys_of(const Chart& chart) {
 
 }  // namespace
 
-std::string chart_style() {
-  return ":root{--l0:#0b5cad;--l1:#00795c;--l2:#7a4b1e;--l3:#007c9e;--l4:#5b6776;--l5:#3b3f9e}\n"
-         "@media (prefers-color-scheme:dark){:root{--l0:#58a6ff;--l1:#4ade93;--l2:#d9b38c;"
-         "--l3:#4dd0e1;--l4:#a3adb8;--l5:#b4bcff}}\n"
-         ".chart text{font-size:32px}\n@media (min-width:760px){.chart text{font-size:15px}}\n"
-         ".chart path,.sample path{stroke-width:1.8px}.chart .stop{stroke:var(--v3)}\n"
-         ".chart .warn{stroke:var(--v1)}.chart .stop,.chart .warn{stroke-dasharray:7 5}\n"
-         ".chart .number{font-weight:600;fill:var(--text);paint-order:stroke;stroke:var(--ground);"
-         "stroke-width:6px}\n"
-         ".sample{width:40px;height:8px;margin-right:.4em;vertical-align:middle}\n"
-         ".l0{stroke:var(--l0)}.l1{stroke:var(--l1);stroke-dasharray:12 4}\n"
-         ".l2{stroke:var(--l2);stroke-dasharray:6 3}.l3{stroke:var(--l3);"
-         "stroke-dasharray:12 3 2 3}\n"
-         ".l4{stroke:var(--l4);stroke-dasharray:18 5}.l5{stroke:var(--l5);"
-         "stroke-dasharray:12 3 2 3 2 3}\n"
-         ".chart .l6,.sample .l6{stroke:var(--text);stroke-width:1px;stroke-dasharray:2 2}\n";
-}
-
 std::string drawn(const Chart& chart) {
   const double top = top_of(chart);
   std::string plot =
@@ -184,10 +165,9 @@ std::string drawn(const Chart& chart) {
   }
   double y = kChartHeight + 10;
   for (const std::size_t kind : kKindsInOrder) {
-    if (has_kind(chart, kind)) {
-      plot += lane(chart, kind, y);
-      y += kLane;
-    }
+    const std::string bars = lane(chart, kind, y);
+    plot += bars;
+    y += bars.empty() ? 0 : kLane;
   }
   plot += text(kPlotLeft, y + kBelowLanes / 2, "start", chart.first) +
           text(kPlotRight, y + kBelowLanes / 2, "end", chart.last);

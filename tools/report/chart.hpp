@@ -41,8 +41,6 @@ struct Chart {
   std::string caption;
 };
 
-/// What its colours need.
-std::string chart_style();
 /// A figure with a key, HTML.
 std::string drawn(const Chart& chart);
 

@@ -60,20 +60,19 @@ std::string tiles(const Subjects& subjects, const Budget& budget) {
     large = large || subject->image.header().index_bits == 32;
   }
   const std::uint64_t query = large ? kLargeQueryBytes : kQueryBytes;
-  return "<dl class=tiles>\n" +
-         fact("Flash", grouped(flash) + " bytes",
-              "linked C++ arrays; as images " + grouped(images) +
-                  " bytes. The code of a query, once: some 10 KiB.") +
-         fact("RAM", grouped(query + kPoseBytes) + " bytes",
-              concat("a query object of ", query, " and a pose of ", kPoseBytes,
-                     "; no heap, no static data. On the stack, in a run: at most 544 bytes, 708 on "
-                     "a Cortex-M0.")) +
-         fact("Period", significant(1e3 / budget.hz, 4) + " ms",
-              significant(budget.hz, 6) + " Hz on a " + budget.core.name + " at " +
-                  significant(budget.mhz, 6) + " MHz: " +
-                  grouped(static_cast<std::uint64_t>(std::min(budget.instructions(), 1e18))) +
-                  " instructions at one a cycle.") +
-         "</dl>\n";
+  return facts(
+      fact("Flash", grouped(flash) + " bytes",
+           "linked C++ arrays; as images " + grouped(images) +
+               " bytes. The code of a query, once: some 10 KiB.") +
+      fact("RAM", grouped(query + kPoseBytes) + " bytes",
+           concat("a query object of ", query, " and a pose of ", kPoseBytes,
+                  "; no heap, no static data. On the stack, in a run: at most 544 bytes, 708 on "
+                  "a Cortex-M0.")) +
+      fact("Period", significant(1e3 / budget.hz, 4) + " ms",
+           significant(budget.hz, 6) + " Hz on a " + budget.core.name + " at " +
+               significant(budget.mhz, 6) + " MHz: " +
+               grouped(static_cast<std::uint64_t>(std::min(budget.instructions(), 1e18))) +
+               " instructions at one a cycle."));
 }
 
 /// "1,234,567" or "38.9 million".
@@ -103,11 +102,6 @@ std::string cards(const std::string& title, const Needs& needs, bool has_poses,
   return html + "</div>\n";
 }
 
-std::string answer(const std::string& style, const std::string& question,
-                   const std::string& words) {
-  return "<li class=" + style + "><b>" + question + "</b> " + words + "</li>\n";
-}
-
 /// The short of it.
 std::string answers(const std::vector<AskedPair>& pairs, bool has_poses, const Budget& budget) {
   const char* const when = pairs.size() > 1 ? " for all pairs, each at its costliest pose"
@@ -116,16 +110,17 @@ std::string answers(const std::vector<AskedPair>& pairs, bool has_poses, const B
   for (const Question& question : kQuestions) {
     const Need need = needs_of(pairs, question, budget)[kCostliest];
     if (has_poses) {
-      html += answer(need.share(budget) <= 1 ? "good" : "bad", question.name,
-                     verdict(need, budget) + when);
+      html += verdict_line(need.share(budget) <= 1 ? " class=good" : " class=bad", question.name,
+                           " " + verdict(need, budget) + when);
     }
   }
   const Need bound = needs_of(pairs, kQuestions[0], budget)[kAnyPose];
   const bool fits = bound.share(budget) <= 1;
   return html +
-         answer(fits ? "good" : "soft", "Any pose, proven:",
-                verdict(bound, budget) +
-                    (fits ? "" : ", if all boxes overlapped, which no real pose comes near")) +
+         verdict_line(
+             fits ? " class=good" : " class=soft", "Any pose, proven:",
+             " " + verdict(bound, budget) +
+                 (fits ? "" : ", if all boxes overlapped, which no real pose comes near")) +
          "</ul>\n";
 }
 
@@ -148,16 +143,17 @@ std::string pose_note(const std::vector<AskedPair>& pairs, const ReportOptions& 
 }
 
 std::string notes(const std::vector<AskedPair>& pairs, const ReportOptions& options) {
-  return concat(
-      "<p class=note>Poses: ", pose_note(pairs, options),
-      "</p>\n<p class=note>Instructions are upper bounds: work times the most that a unit of work "
-      "can take on a ",
-      options.budget.core.name,
-      ", proven for GCC 12 at -O2 (<code>flashbvh/bound.hpp</code>). Queries on a "
-      "robot&#39;s links were measured to take about a tenth of that "
-      "(<code>lib/docs/figures.md</code>). Milliseconds assume an instruction a "
-      "cycle; wait states of the flash come on top, and so does making the query, once a pose. A "
-      "slice is a call of <code>run(work)</code> that takes no longer than a period.</p>\n");
+  return note("Poses: " + pose_note(pairs, options)) +
+         note(concat(
+             "Instructions are upper bounds: work times the most that a unit of work "
+             "can take on a ",
+             options.budget.core.name,
+             ", proven for GCC 12 at -O2 (<code>flashbvh/bound.hpp</code>). Queries on a "
+             "robot&#39;s links were measured to take about a tenth of that "
+             "(<code>lib/docs/figures.md</code>). Milliseconds assume an instruction a "
+             "cycle; wait states of the flash come on top, and so does making the query, once a "
+             "pose. A "
+             "slice is a call of <code>run(work)</code> that takes no longer than a period."));
 }
 
 }  // namespace
@@ -166,12 +162,11 @@ std::string fit_section(const Subjects& subjects, const std::vector<AskedPair>& 
                         const ReportOptions& options) {
   const Budget& budget = options.budget;
   if (pairs.empty()) {
-    return "<section id=fit>\n" + tiles(subjects, budget) + "</section>\n";
+    return section("fit", "", tiles(subjects, budget));
   }
   const AskedPair& worst = costliest(pairs);
   const bool has_poses = !worst.costs.poses.empty();
-  std::string html =
-      "<section id=fit>\n" + answers(pairs, has_poses, budget) + tiles(subjects, budget);
+  std::string html = answers(pairs, has_poses, budget) + tiles(subjects, budget);
   for (const Question& question : kQuestions) {
     html += cards(
         title_of(worst) + (pairs.size() > 1 ? ", the costliest pair: " : ": ") + question.name,
@@ -183,7 +178,7 @@ std::string fit_section(const Subjects& subjects, const std::vector<AskedPair>& 
                     needs_of(pairs, question, budget), has_poses, budget);
     }
   }
-  return html + notes(pairs, options) + "</section>\n";
+  return section("fit", "", html + notes(pairs, options));
 }
 
 }  // namespace flashbvh::tool

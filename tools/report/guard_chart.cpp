@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
+#include <utility>
 
 #include "report/chart.hpp"
 #include "report/guard_page.hpp"
@@ -87,17 +87,15 @@ std::vector<std::uint16_t> chosen_pairs(const std::vector<NearPair>& near,
   std::vector<std::uint16_t> pairs;
   std::transform(near.begin(), near.end(), std::back_inserter(pairs),
                  [](const NearPair& pair) { return pair.pair; });
-  std::vector<std::uint16_t> all(distances.size());
-  std::iota(all.begin(), all.end(), std::uint16_t{0});
-  std::vector<std::uint16_t> others;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(others), [&](std::uint16_t pair) {
-    return std::find(pairs.begin(), pairs.end(), pair) == pairs.end();
-  });
-  std::stable_sort(others.begin(), others.end(), [&](std::uint16_t p, std::uint16_t q) {
-    return least_of(distances[p]) < least_of(distances[q]);
-  });
-  for (const std::uint16_t pair : others) {
-    if (pairs.empty() || most <= 0 || least_of(distances[pair]) <= most) {
+  std::vector<std::pair<double, std::uint16_t>> others;
+  for (std::uint16_t pair = 0; pair < distances.size(); ++pair) {
+    if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) {
+      others.emplace_back(least_of(distances[pair]), pair);
+    }
+  }
+  std::sort(others.begin(), others.end());
+  for (const auto& [least, pair] : others) {
+    if (pairs.empty() || most <= 0 || least <= most) {
       pairs.push_back(pair);
     }
   }
@@ -155,14 +153,15 @@ std::string chart_section(const GuardedTrajectory& guarded, const std::vector<Ne
     work.caption += concat(" Dashed: what a period may spend, ", grouped(guarded.work),
                            "; a step may overdraw it.");
   }
-  return "<section><h2>Distances</h2>\n" +
-         drawn({"Distances over time", " m", lines, levels, most_shown, runs_of(guarded.answers),
-                first, last,
-                "Distance of the meshes in each period, of the pairs that come near; dotted: the "
-                "least that the guard knows of all; dashed: the stop and the warn distance. Below: "
-                "what the guard says. What is far above is cut off."}) +
-         (step == 1 ? "" : concat("<p class=note>One line in ", step, " is measured.</p>\n")) +
-         "<h3>Work</h3>\n" + drawn(work) + "</section>\n";
+  return section(
+      "", "Distances",
+      drawn({"Distances over time", " m", lines, levels, most_shown, runs_of(guarded.answers),
+             first, last,
+             "Distance of the meshes in each period, of the pairs that come near; dotted: the "
+             "least that the guard knows of all; dashed: the stop and the warn distance. Below: "
+             "what the guard says. What is far above is cut off."}) +
+          (step == 1 ? "" : note(concat("One line in ", step, " is measured."))) +
+          "<h3>Work</h3>\n" + drawn(work));
 }
 
 }  // namespace flashbvh::tool

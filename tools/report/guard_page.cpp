@@ -4,7 +4,6 @@
 
 #include "report/arm_pictures.hpp"
 #include "report/chart.hpp"
-#include "report/decision.hpp"
 #include "report/html.hpp"
 #include "robot/replay_summary.hpp"
 #include "text/numbers.hpp"
@@ -61,19 +60,19 @@ std::string decisions(const GuardedTrajectory& guarded) {
 
 std::string counts(const GuardedTrajectory& guarded) {
   const ReplaySummary summary = summary_of(guarded.answers);
-  std::string html = "<section><h2>Periods</h2>\n<dl class=facts>\n";
+  std::string items;
   for (const std::size_t kind : kKindsInOrder) {
-    html += fact(kKindNames[kind], grouped(summary.periods[kind]),
-                 kind == 0 || summary.periods[kind] == 0
-                     ? ""
-                     : concat("first at line ", guarded.trajectory.line(summary.first[kind])));
+    items += fact(kKindNames[kind], grouped(summary.periods[kind]),
+                  kind == 0 || summary.periods[kind] == 0
+                      ? ""
+                      : concat("first at line ", guarded.trajectory.line(summary.first[kind])));
   }
-  return html +
-         fact("work a period", grouped(summary.most),
-              concat("at most; ", fixed(summary.mean, 1), " on average, ",
-                     grouped(summary.percentile_999), " at the 99.9th percentile, ",
-                     grouped(summary.priming), " to prime")) +
-         "</dl></section>\n";
+  return section(
+      "", "Periods",
+      facts(items + fact("work a period", grouped(summary.most),
+                         concat("at most; ", fixed(summary.mean, 1), " on average, ",
+                                grouped(summary.percentile_999), " at the 99.9th percentile, ",
+                                grouped(summary.priming), " to prime"))));
 }
 
 std::string closest_section(const GuardedTrajectory& guarded) {
@@ -84,15 +83,17 @@ std::string closest_section(const GuardedTrajectory& guarded) {
   const double metres = metres_of(guarded, closest->clearance.lower);
   const RobotPair& links = guarded.robot.pairs[closest->pair];
   const float* const values = guarded.trajectory.values(closest->period);
-  return concat("<section><h2>Closest at line ", guarded.trajectory.line(closest->period), ": ",
-                pair_name(guarded, closest->pair),
-                metres == 0 ? " intersect" : ", " + significant(metres, 4) + " m", "</h2>\n",
-                pair_pictures({guarded.model, guarded.robot, link_poses(guarded.robot, values)},
-                              {links.a, links.b, closest->clearance.triangles,
-                               "the triangles that are nearest"}),
-                "<p class=note>Joints: <code>",
-                joint_values(guarded.model, {values, values + guarded.trajectory.variables()}),
-                "</code></p>\n</section>\n");
+  return section(
+      "",
+      concat("Closest at line ", guarded.trajectory.line(closest->period), ": ",
+             pair_name(guarded, closest->pair),
+             metres == 0 ? " intersect" : ", " + significant(metres, 4) + " m"),
+      pair_pictures(
+          {guarded.model, guarded.robot, link_poses(guarded.robot, values)},
+          {links.a, links.b, closest->clearance.triangles, "the triangles that are nearest"}) +
+          note("Joints: <code>" +
+               joint_values(guarded.model, {values, values + guarded.trajectory.variables()}) +
+               "</code>"));
 }
 
 }  // namespace
@@ -106,16 +107,14 @@ double metres_of(const GuardedTrajectory& guarded, std::uint32_t fine) {
 }
 
 std::string guard_page(const GuardedTrajectory& guarded) {
-  std::string html = page_begin(escaped(guarded.model.name), "guard",
-                                "a trajectory, as firmware&#39;s guard sees it",
-                                decision_style() + chart_style() + arm_style()) +
-                     decision_section("What it comes to", decisions(guarded)) + counts(guarded);
+  std::string html = decision_section("What it comes to", decisions(guarded)) + counts(guarded);
   if (guarded.robot.pair_count != 0) {
     const std::vector<NearPair> near =
         near_pairs(guarded.robot, guarded.trajectory, guarded.answers);
     html += chart_section(guarded, near) + near_section(guarded, near) + closest_section(guarded);
   }
-  return html + motion_section(guarded) + page_end();
+  return page(escaped(guarded.model.name), "guard", "a trajectory, as firmware&#39;s guard sees it",
+              "", html + motion_section(guarded) + footer());
 }
 
 }  // namespace flashbvh::tool

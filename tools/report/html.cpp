@@ -1,7 +1,9 @@
 #include "report/html.hpp"
 
+#include <utility>
+
 #include "flashbvh/version.hpp"
-#include "report/drawing.hpp"
+#include "report/picture.hpp"
 #include "report/style.hpp"
 #include "text/numbers.hpp"
 
@@ -38,20 +40,27 @@ std::size_t character_length(const std::string& text, std::size_t place) {
 }
 
 std::string escaped_character(const std::string& character) {
-  switch (character[0]) {
-    case '&':
-      return "&amp;";
-    case '<':
-      return "&lt;";
-    case '>':
-      return "&gt;";
-    case '"':
-      return "&quot;";
-    case '\'':
-      return "&#39;";
-    default:
-      return character;
+  constexpr std::pair<char, const char*> kEntities[] = {
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
+  for (const auto& [special, entity] : kEntities) {
+    if (character[0] == special) {
+      return entity;
+    }
   }
+  return character;
+}
+
+/// "th" or "td" with its content.
+std::string cell(const std::string& tag, const std::string& attributes,
+                 const std::string& content) {
+  return "<" + tag + attributes + ">" + content + "</" + tag + ">";
+}
+
+std::string whole_table(const std::string& style, const std::string& caption,
+                        const std::string& head, const std::string& body) {
+  return "<div class=scroll><table" + style + ">" +
+         (caption.empty() ? "" : "<caption>" + caption + "</caption>") + "\n<thead><tr>" + head +
+         "</tr></thead>\n<tbody>\n" + body + "</tbody></table></div>\n";
 }
 
 }  // namespace
@@ -74,16 +83,16 @@ std::string grouped(std::uint64_t number) {
   return text;
 }
 
-std::string percent(std::uint64_t part, std::uint64_t whole) {
-  return fixed(100.0 * static_cast<double>(part) / static_cast<double>(whole), 1) + " %";
-}
-
 std::string counted(std::uint64_t number, const char* one, const char* many) {
   return grouped(number) + " " + (number == 1 ? one : many);
 }
 
+std::string square(const std::string& style) {
+  return "<i class=\"key " + style + "\"></i>";
+}
+
 std::string key(const std::string& style, const std::string& text) {
-  return "<span><i class=\"key " + style + "\"></i>" + text + "</span>\n";
+  return "<span>" + square(style) + text + "</span>\n";
 }
 
 std::string fact(const std::string& name, const std::string& value, const std::string& note) {
@@ -91,43 +100,75 @@ std::string fact(const std::string& name, const std::string& value, const std::s
          (note.empty() ? "" : "<small>" + note + "</small>") + "</dd></div>\n";
 }
 
-std::string page_begin(const std::string& title, const char* command, const char* lead,
-                       const std::string& style) {
+std::string facts(const std::string& items) {
+  return "<dl class=facts>\n" + items + "</dl>\n";
+}
+
+std::string note(const std::string& text) {
+  return "<p class=note>" + text + "</p>\n";
+}
+
+std::string verdict_line(const std::string& style, const std::string& what, const std::string& of) {
+  return "<li" + style + "><b>" + what + "</b>" + of + "</li>\n";
+}
+
+std::string section(const std::string& id, const std::string& title, const std::string& body) {
+  return "<section" + (id.empty() ? "" : " id=" + id) + ">" +
+         (title.empty() ? "" : "<h2>" + title + "</h2>") + "\n" + body + "</section>\n";
+}
+
+std::string page(const std::string& title, const char* command, const char* lead,
+                 const std::string& style, const std::string& body) {
   return concat(
       "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n"
       "<meta name=viewport content=\"width=device-width,initial-scale=1\">\n<title>",
       title, " &middot; flashbvh ", command, "</title>\n<style>\n", kColours, kText, kTables,
       kPictures, paint_style(), style,
       "</style>\n</head>\n<body>\n<header>\n<p class=lead>flashbvh ", command, ": ", lead,
-      "</p>\n<h1>", title, "</h1>\n</header>\n<main>\n");
+      "</p>\n<h1>", title, "</h1>\n</header>\n<main>\n", body, "</main>\n</body>\n</html>\n");
 }
 
-std::string page_end() {
-  return concat("<footer><p class=note>flashbvh ", FLASHBVH_VERSION_MAJOR, ".",
-                FLASHBVH_VERSION_MINOR, ".", FLASHBVH_VERSION_PATCH,
-                "</p></footer>\n</main>\n</body>\n</html>\n");
+std::string version_text() {
+  return concat("flashbvh ", FLASHBVH_VERSION_MAJOR, ".", FLASHBVH_VERSION_MINOR, ".",
+                FLASHBVH_VERSION_PATCH);
 }
 
-std::string table(const std::string& caption, const std::vector<Column>& columns,
-                  const std::vector<std::vector<std::string>>& rows) {
-  const auto cell = [&](const char* tag, std::size_t column, const char* scope,
-                        const std::string& content) {
-    return std::string("<") + tag + scope + (columns[column].is_number ? " class=n>" : ">") +
-           content + "</" + tag + ">";
-  };
-  std::string html = "<div class=scroll><table><caption>" + caption + "</caption>\n<thead><tr>";
+std::string table(const std::string& caption, const Cells& columns,
+                  const std::vector<Cells>& rows) {
+  const auto is_number = [&](std::size_t i) { return columns[i][0] == '#'; };
+  std::string head;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    html += cell("th", i, " scope=col", columns[i].title);
+    head += cell("th", std::string(" scope=col") + (is_number(i) ? " class=n" : ""),
+                 columns[i].substr(is_number(i) ? 1 : 0));
   }
-  html += "</tr></thead>\n<tbody>\n";
-  for (const std::vector<std::string>& row : rows) {
-    html += "<tr>";
+  std::string body;
+  for (const Cells& row : rows) {
+    body += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i) {
-      html += i == 0 ? cell("th", i, " scope=row", row[i]) : cell("td", i, "", row[i]);
+      body += i == 0 ? cell("th", " scope=row", row[i])
+                     : cell("td", is_number(i) ? " class=n" : "", row[i]);
     }
-    html += "</tr>\n";
+    body += "</tr>\n";
   }
-  return html + "</tbody></table></div>\n";
+  return whole_table("", caption, head, body);
+}
+
+std::string matrix(const std::string& style, const std::string& caption, const Cells& rows,
+                   const Cells& columns,
+                   const std::function<std::string(std::size_t, std::size_t)>& cell_at) {
+  std::string head = "<td></td>";
+  for (const std::string& column : columns) {
+    head += cell("th", " scope=col", column);
+  }
+  std::string body;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    body += "<tr>" + cell("th", " scope=row", rows[i]);
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      body += cell_at(i, j);
+    }
+    body += "</tr>\n";
+  }
+  return whole_table(" class=\"matrix " + style + "\"", caption, head, body);
 }
 
 }  // namespace flashbvh::tool

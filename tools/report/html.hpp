@@ -1,8 +1,9 @@
-// Pieces of HTML.
+// Pieces of HTML, of which all pages are made. Arguments are HTML, too, but for those of escaped().
 #ifndef FLASHBVH_TOOLS_REPORT_HTML_HPP
 #define FLASHBVH_TOOLS_REPORT_HTML_HPP
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,34 +16,44 @@ std::string escaped(const std::string& text);
 /// "1,234,567".
 std::string grouped(std::uint64_t number);
 
-/// "12.3 %"; `whole` is not 0.
-std::string percent(std::uint64_t part, std::uint64_t whole);
-
 /// "1 box", "12 boxes".
 std::string counted(std::uint64_t number, const char* one, const char* many);
 
-/// A square in the colour of a style class, and what it stands for, HTML.
+/// A square in the colour of a style class.
+std::string square(const std::string& style);
+/// A square and its meaning.
 std::string key(const std::string& style, const std::string& text);
 
-/// Of a list of facts, all HTML.
+/// An item of a list of facts.
 std::string fact(const std::string& name, const std::string& value, const std::string& note = "");
+std::string facts(const std::string& items);
 
-/// A page up to its first section. `title` and `lead` are HTML; `command`: which writes it;
-/// `style`: beside that of all pages.
-std::string page_begin(const std::string& title, const char* command, const char* lead,
-                       const std::string& style);
-/// Behind the last section, with the version.
-std::string page_end();
+/// A paragraph in small print.
+std::string note(const std::string& text);
 
-struct Column {
-  const char* title;
-  bool is_number;
-};
+/// A line of a list of verdicts; nothing is put between its parts.
+std::string verdict_line(const std::string& style, const std::string& what, const std::string& of);
 
-/// A table that scrolls by itself where the page is narrow. Cells are HTML; the first of each row
-/// is its head.
-std::string table(const std::string& caption, const std::vector<Column>& columns,
-                  const std::vector<std::vector<std::string>>& rows);
+/// `id` may be empty.
+std::string section(const std::string& id, const std::string& title, const std::string& body);
+
+/// A whole page. `command`: the command that writes it; `style`: CSS beside that of all pages.
+std::string page(const std::string& title, const char* command, const char* lead,
+                 const std::string& style, const std::string& body);
+
+/// "flashbvh 0.1.0".
+std::string version_text();
+
+using Cells = std::vector<std::string>;
+
+/// A table that scrolls by itself where the page is narrow. The first cell of each row is its head.
+/// A column whose title begins with '#' is of numbers.
+std::string table(const std::string& caption, const Cells& columns, const std::vector<Cells>& rows);
+
+/// A table of all rows and columns; `cell(row, column)`: its whole tag.
+std::string matrix(const std::string& style, const std::string& caption, const Cells& rows,
+                   const Cells& columns,
+                   const std::function<std::string(std::size_t, std::size_t)>& cell);
 
 }  // namespace flashbvh::tool
 

@@ -1,9 +1,8 @@
 #include <algorithm>
 
 #include "flashbvh/detail/lattice/image_parts.hpp"
-#include "flashbvh/version.hpp"
-#include "report/figure.hpp"
 #include "report/html.hpp"
+#include "report/picture.hpp"
 #include "report/sections.hpp"
 #include "text/numbers.hpp"
 
@@ -47,7 +46,8 @@ std::string size_of(const Subject& subject) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const NodeBox& root = subject.levels[0][0];
     const auto cells = static_cast<double>(root.upper[axis] - root.lower[axis]);
-    size += (axis == 0 ? "" : " &times; ") + length_of(subject.image, cells * subject.image.cell());
+    size += (axis == 0 ? "" : " &times; ") +
+            length_of(measure_of(subject.image), cells * subject.image.cell());
   }
   return size;
 }
@@ -55,18 +55,17 @@ std::string size_of(const Subject& subject) {
 std::string key_figures(const Subject& subject) {
   const ImageFile& image = subject.image;
   const ImageHeader& header = image.header();
-  return "<dl class=facts>\n" +
-         fact("flash", grouped(subject.flash) + " bytes",
-              fixed(static_cast<double>(subject.flash) / header.triangle_count, 1) +
-                  " per triangle") +
-         fact("triangles", grouped(header.triangle_count),
-              counted(header.vertex_count, "vertex", "vertices")) +
-         fact("size along x, y and z", size_of(subject),
-              unit_suffix(image).empty() ? "in the mesh&#39;s unit, as all lengths" : "") +
-         fact("largest deviation", length_of(image, image.deviation()),
-              "how far rounding moved a vertex: " + fixed(image.deviation() / image.cell(), 2) +
-                  " cells") +
-         "</dl>\n";
+  const Measure measure = measure_of(image);
+  return facts(
+      fact("flash", grouped(subject.flash) + " bytes",
+           fixed(static_cast<double>(subject.flash) / header.triangle_count, 1) + " per triangle") +
+      fact("triangles", grouped(header.triangle_count),
+           counted(header.vertex_count, "vertex", "vertices")) +
+      fact("size along x, y and z", size_of(subject),
+           measure.suffix.empty() ? "in the mesh&#39;s unit, as all lengths" : "") +
+      fact("largest deviation", length_of(measure, image.deviation()),
+           "how far rounding moved a vertex: " + fixed(image.deviation() / image.cell(), 2) +
+               " cells"));
 }
 
 std::string warning_list(const Subject& subject) {
@@ -79,13 +78,12 @@ std::string warning_list(const Subject& subject) {
         "<p class=good>Nothing odd: the surface is closed, and every triangle has an area of its "
         "own.</p>\n";
   } else {
-    html = "<ul class=warnings>\n" + html +
-           "</ul>\n<p class=note>On the lattice, marked in the pictures. Queries answer exactly "
-           "all the same.</p>\n";
+    html = "<ul class=warnings>\n" + html + "</ul>\n" +
+           note("On the lattice, marked in the pictures. Queries answer exactly all the same.");
   }
   if (subject.left_out != 0) {
-    html += "<p class=note>" + counted(subject.left_out, "triangle was", "triangles were") +
-            " left out when the mesh was baked; the others kept their numbers.</p>\n";
+    html += note(counted(subject.left_out, "triangle was", "triangles were") +
+                 " left out when the mesh was baked; the others kept their numbers.");
   }
   return html;
 }
@@ -93,8 +91,8 @@ std::string warning_list(const Subject& subject) {
 }  // namespace
 
 std::string image_section(const Subject& subject) {
-  return concat("<section id=m", subject.number, ">\n<h2>", escaped(subject.name), "</h2>\n",
-                key_figures(subject), warning_list(subject), pictures(subject), "</section>\n");
+  return section(concat("m", subject.number), escaped(subject.name),
+                 key_figures(subject) + warning_list(subject) + pictures(subject));
 }
 
 std::string flash_table(const Subjects& subjects) {
@@ -102,7 +100,7 @@ std::string flash_table(const Subjects& subjects) {
   for (const Subject* const subject : subjects) {
     most = std::max(most, subject->flash);
   }
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Cells> rows;
   for (const Subject* const subject : subjects) {
     const ImageHeader& header = subject->image.header();
     const auto odd = subject->warnings.size();
@@ -117,39 +115,29 @@ std::string flash_table(const Subjects& subjects) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     keys += key(concat("p", i), parts[i].name);
   }
-  return "<section id=flash>\n<h2>Flash by mesh</h2>\n<div class=hist>\n" +
-         table("<span class=hide>Flash by mesh</span>",
-               {{"mesh", false},
-                {"triangles", true},
-                {"bytes linked", true},
-                {"as an image", true},
-                {"<span class=hide>bar</span>", false}},
-               rows) +
-         "</div>\n" + keys + "</p>\n</section>\n";
+  return section(
+      "flash", "Flash by mesh",
+      "<div class=hist>\n" +
+          table("", {"mesh", "#triangles", "#bytes linked", "#as an image", "bar"}, rows) +
+          "</div>\n" + keys + "</p>\n");
 }
 
 std::string foot(const Subjects& subjects) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Cells> rows;
   for (const Subject* const subject : subjects) {
     const ImageFile& image = subject->image;
     const ImageHeader& header = image.header();
     rows.push_back({escaped(subject->name), grouped(header.leaf_size), grouped(header.arity),
                     concat(layout_name(image.layout()), ", ", header.index_bits, "-bit indices"),
-                    length_of(image, image.cell()), grouped(header.node_count),
+                    length_of(measure_of(image), image.cell()), grouped(header.node_count),
                     grouped(header.depth)});
   }
   return "<footer>\n" +
          table("How the images were baked",
-               {{"mesh", false},
-                {"leaf size, at most", true},
-                {"arity, at most", true},
-                {"layout", false},
-                {"cell", true},
-                {"nodes", true},
-                {"depth", true}},
+               {"mesh", "#leaf size, at most", "#arity, at most", "layout", "#cell", "#nodes",
+                "#depth"},
                rows) +
-         concat("<p class=note>flashbvh ", FLASHBVH_VERSION_MAJOR, ".", FLASHBVH_VERSION_MINOR, ".",
-                FLASHBVH_VERSION_PATCH, ", image format ", kImageVersion, "</p>\n</footer>\n");
+         note(concat(version_text(), ", image format ", kImageVersion)) + "</footer>\n";
 }
 
 }  // namespace flashbvh::tool

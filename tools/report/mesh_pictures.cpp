@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "report/figure.hpp"
 #include "report/html.hpp"
+#include "report/picture.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

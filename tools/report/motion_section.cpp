@@ -10,8 +10,7 @@ namespace {
 /// More are counted.
 constexpr std::size_t kMostRows = 200;
 
-std::vector<std::string> row_of(const GuardedTrajectory& guarded, std::size_t first,
-                                std::size_t last) {
+Cells row_of(const GuardedTrajectory& guarded, std::size_t first, std::size_t last) {
   const CertifiedMotion& motion = guarded.motions[first];
   const std::string lines =
       concat(guarded.trajectory.line(first), " to ", guarded.trajectory.line(last + 1));
@@ -19,18 +18,17 @@ std::vector<std::string> row_of(const GuardedTrajectory& guarded, std::size_t fi
     return {lines, "refused", "", "", ""};
   }
   const char* const outcome = outcome_name(motion.answer.outcome);
-  return is_free(motion) ? std::vector<std::string>{lines, outcome, "", "", ""}
-                         : std::vector<std::string>{
-                               lines, outcome, pair_name(guarded, motion.answer.pair),
-                               significant(motion.part, 4),
-                               "<code>" + joint_values(guarded.model, motion.values) + "</code>"};
+  return is_free(motion) ? Cells{lines, outcome, "", "", ""}
+                         : Cells{lines, outcome, pair_name(guarded, motion.answer.pair),
+                                 significant(motion.part, 4),
+                                 "<code>" + joint_values(guarded.model, motion.values) + "</code>"};
 }
 
 }  // namespace
 
 std::string motion_section(const GuardedTrajectory& guarded) {
   const std::vector<CertifiedMotion>& motions = guarded.motions;
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Cells> rows;
   std::size_t i = 0;
   while (i < motions.size() && rows.size() < kMostRows) {
     const std::size_t first = i++;
@@ -42,18 +40,12 @@ std::string motion_section(const GuardedTrajectory& guarded) {
   if (rows.empty()) {
     return "";
   }
-  return "<section><h2>Motions from line to line</h2>\n" +
-         table("Straight ways of all joints, certified",
-               {{"lines", false},
-                {"outcome", false},
-                {"links", false},
-                {"part of the way", true},
-                {"joints there", false}},
-               rows) +
-         (i == motions.size() ? ""
-                              : "<p class=note>And " + grouped(motions.size() - i) +
-                                    " more: --json has all.</p>\n") +
-         "</section>\n";
+  return section("", "Motions from line to line",
+                 table("Straight ways of all joints, certified",
+                       {"lines", "outcome", "links", "#part of the way", "joints there"}, rows) +
+                     (i == motions.size()
+                          ? ""
+                          : note("And " + grouped(motions.size() - i) + " more: --json has all.")));
 }
 
 }  // namespace flashbvh::tool

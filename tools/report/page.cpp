@@ -40,16 +40,14 @@ std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
     subjects.push_back(owned.back().get());
   }
   const std::vector<AskedPair> pairs = asked_pairs(subjects, options, step);
-  const std::string title = title_of(subjects);
-  std::string html =
-      page_begin(title, "report", "flash, RAM and time", level_style(most_levels(subjects))) +
-      fit_section(subjects, pairs, options) + pairs_section(subjects, pairs, options) +
-      flash_table(subjects);
+  std::string html = fit_section(subjects, pairs, options) +
+                     pairs_section(subjects, pairs, options) + flash_table(subjects);
   for (const Subject* const subject : subjects) {
     step("drawing " + subject->name, 1);
     html += image_section(*subject);
   }
-  return html + foot(subjects) + "</main>\n</body>\n</html>\n";
+  return page(title_of(subjects), "report", "flash, RAM and time",
+              level_style(most_levels(subjects)), html + foot(subjects));
 }
 
 }  // namespace flashbvh::tool

@@ -4,17 +4,13 @@
 
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
-#include "report/figure.hpp"
 #include "report/html.hpp"
+#include "report/picture.hpp"
 #include "report/sections.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
-
-std::string note(const std::string& text) {
-  return "<p class=note>" + text + "</p>\n";
-}
 
 const AskedPair* find(const std::vector<AskedPair>& pairs, const Subject* a, const Subject* b) {
   const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const AskedPair& pair) {
@@ -34,26 +30,19 @@ std::string matrix_cell(const AskedPair* pair, std::uint64_t most) {
          grouped(work) + "</td>";
 }
 
-std::string matrix(const Subjects& subjects, const std::vector<AskedPair>& pairs) {
+std::string work_matrix(const Subjects& subjects, const std::vector<AskedPair>& pairs) {
   const std::uint64_t most = std::max<std::uint64_t>(costliest(pairs).costs.needed.most, 1);
-  std::string html =
-      "<div class=scroll><table class=matrix><caption>Most work of each pair at its "
-      "poses</caption>\n<thead><tr><td></td>";
-  for (std::size_t i = 1; i < subjects.size(); ++i) {
-    html += "<th scope=col class=n>" + escaped(subjects[i]->name) + "</th>";
+  Cells names;
+  for (const Subject* const subject : subjects) {
+    names.push_back(escaped(subject->name));
   }
-  html += "</tr></thead>\n<tbody>\n";
-  for (std::size_t i = 0; i + 1 < subjects.size(); ++i) {
-    html += "<tr><th scope=row>" + escaped(subjects[i]->name) + "</th>";
-    for (std::size_t j = 1; j < subjects.size(); ++j) {
-      const AskedPair* const pair = find(pairs, subjects[i], subjects[j]);
-      html += j <= i ? "<td></td>"
-                     : matrix_cell(pair != nullptr ? pair : find(pairs, subjects[j], subjects[i]),
-                                   most);
-    }
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></div>\n";
+  return matrix(
+      "", "Most work of each pair at its poses", names, names, [&](std::size_t i, std::size_t j) {
+        const AskedPair* const pair = find(pairs, subjects[i], subjects[j]);
+        return j <= i ? "<td></td>"
+                      : matrix_cell(pair != nullptr ? pair : find(pairs, subjects[j], subjects[i]),
+                                    most);
+      });
 }
 
 /// Work of some of the poses.
@@ -77,7 +66,7 @@ std::array<Row, 5> rows_of(const AskedPair& pair) {
   return rows;
 }
 
-std::vector<std::string> cells_of(const Row& row, std::uint64_t most) {
+Cells cells_of(const Row& row, std::uint64_t most) {
   if (row.work.empty()) {
     return {row.name, "0", "&ndash;", "&ndash;", ""};
   }
@@ -93,17 +82,14 @@ std::vector<std::string> cells_of(const Row& row, std::uint64_t most) {
 }
 
 std::string closeness_table(const AskedPair& pair) {
-  std::vector<std::vector<std::string>> cells;
+  std::vector<Cells> cells;
   for (const Row& row : rows_of(pair)) {
     cells.push_back(cells_of(row, std::max<std::uint64_t>(pair.costs.needed.most, 1)));
   }
   return "<div class=hist>\n" +
          table("Work of " + title_of(pair) + ", by how close they come",
-               {{"the meshes", false},
-                {"poses", true},
-                {"<i class=\"key leaf\"></i>mean", true},
-                {"<i class=\"key inner\"></i>most", true},
-                {"<span class=hide>bar</span>", false}},
+               {"the meshes", "#poses", "#" + square("leaf") + "mean",
+                "#" + square("inner") + "most", "<span class=hide>bar</span>"},
                cells) +
          "</div>\n";
 }
@@ -134,14 +120,13 @@ std::string pairs_section(const Subjects& subjects, const std::vector<AskedPair>
   }
   if (!pairs.empty() && !costliest(pairs).costs.poses.empty()) {
     const AskedPair& worst = costliest(pairs);
-    html += (subjects.size() > 2 ? matrix(subjects, pairs) : "") + pose_pictures(worst) +
+    html += (subjects.size() > 2 ? work_matrix(subjects, pairs) : "") + pose_pictures(worst) +
             closeness_table(worst);
   }
   for (const AskedPair& pair : pairs) {
     html += shortfall(pair.costs);
   }
-  return html.empty() ? ""
-                      : "<section id=poses>\n<h2>Where the work is</h2>\n" + html + "</section>\n";
+  return html.empty() ? "" : section("poses", "Where the work is", html);
 }
 
 }  // namespace flashbvh::tool

@@ -10,7 +10,7 @@
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
 #include "evaluate/random.hpp"
-#include "report/view.hpp"
+#include "report/picture.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
-#include "report/figure.hpp"
 #include "report/html.hpp"
+#include "report/picture.hpp"
 #include "report/sections.hpp"
 #include "text/numbers.hpp"
 
@@ -51,7 +51,8 @@ std::string line_of(const Pose& pose, double cell) {
 }
 
 std::string picture(const AskedPair& pair, const PoseCost& cost, const Faces& faces,
-                    const Frame& frame, const std::string& name) {
+                    const std::string& name) {
+  const Frame frame(views()[0], points_of(faces));
   const std::string found = cost.triangle_pairs == 0
                                 ? "no triangles intersect"
                                 : counted(cost.triangle_pairs, "pair of triangles intersects",
@@ -75,21 +76,13 @@ std::string pose_pictures(const AskedPair& pair) {
       std::min_element(poses.begin(), poses.end(), [](const PoseCost& p, const PoseCost& q) {
         return p.triangle_pairs - 1 < q.triangle_pairs - 1;
       });
-  const Faces costly = contact_of(pair, most->pose);
-  const Faces touching = contact_of(pair, first->pose);
-  Frame costly_frame = frame_of_marks(costly);
-  Frame touching_frame = frame_of_marks(touching);
-  const bool touches = first->triangle_pairs != 0;
-  if (touches) {
-    costly_frame.across = touching_frame.across =
-        std::max(costly_frame.across, touching_frame.across);
-  }
   return "<p class=keys>" + key(class_of(kFirstMesh), escaped(pair.a->name)) +
          key(class_of(kSecondMesh), (pair.a == pair.b ? "a second " : "") + escaped(pair.b->name)) +
          key(class_of(kIntersected), "triangles that intersect") + "</p>\n<div class=contacts>\n" +
-         picture(pair, *most, costly, costly_frame, "Costliest pose") +
-         (touches ? picture(pair, *first, touching, touching_frame, "First contact")
-                  : "<p class=note>At none of the poses do they intersect.</p>\n") +
+         picture(pair, *most, contact_of(pair, most->pose), "Costliest pose") +
+         (first->triangle_pairs != 0
+              ? picture(pair, *first, contact_of(pair, first->pose), "First contact")
+              : note("At none of the poses do they intersect.")) +
          "</div>\n";
 }
 

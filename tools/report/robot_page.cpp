@@ -6,7 +6,6 @@
 #include "flashbvh/robot/motion.hpp"
 #include "image/cpp_writer.hpp"
 #include "report/arm_pictures.hpp"
-#include "report/decision.hpp"
 #include "report/html.hpp"
 #include "robot/joint_text.hpp"
 #include "robot/rarity.hpp"
@@ -30,7 +29,7 @@ std::size_t motion_ram_bytes(const Robot& robot) {
              (sizeof(JointCoordinate) + sizeof(flashbvh::Frame));
 }
 
-std::string facts(const DecidedRobot& decided) {
+std::string facts_section(const DecidedRobot& decided) {
   const Robot& robot = decided.robot();
   const double cell = cell_of(robot);
   const std::size_t flash = robot_flash_bytes(decided.fixed, decided.links);
@@ -38,26 +37,26 @@ std::string facts(const DecidedRobot& decided) {
   for (const BakedLink& link : decided.links) {
     meshes += flash_bytes(link.tree);
   }
-  return "<section><h2>What firmware holds</h2>\n<dl class=facts>\n" +
-         fact("flash", grouped(flash) + " bytes",
-              grouped(meshes) + " of meshes, " + grouped(flash - meshes) +
-                  " of joints, links and pairs") +
-         fact("RAM of a guard",
-              grouped(robot_ram_bytes(robot, decided.fixed.pair_joint_count())) + " bytes",
-              "its state, all that it needs") +
-         fact("RAM of a motion query", grouped(motion_ram_bytes(robot)) + " bytes",
-              "where motions are certified") +
-         fact("pairs that are guarded",
-              concat(static_cast<int>(robot.pair_count), " of ", decided.pairs.size()),
-              concat(counted(robot.link_count, "link", "links"), ", ",
-                     counted(robot.joint_count, "joint", "joints"), ", ",
-                     counted(robot.variable_count, "value", "values"), " a period")) +
-         fact("stop, warn", escaped(decided.stop) + " m, " + escaped(decided.warn) + " m",
-              "links nearer than this stop, are warned of") +
-         fact("cell", significant(cell, 4) + " m", "of all meshes") +
-         fact("slack", significant(robot.slack * cell / kFineOne, 4) + " m",
-              "what rounding and arithmetic can be wrong by") +
-         "</dl></section>\n";
+  return section(
+      "", "What firmware holds",
+      facts(fact("flash", grouped(flash) + " bytes",
+                 grouped(meshes) + " of meshes, " + grouped(flash - meshes) +
+                     " of joints, links and pairs") +
+            fact("RAM of a guard",
+                 grouped(robot_ram_bytes(robot, decided.fixed.pair_joint_count())) + " bytes",
+                 "its state, all that it needs") +
+            fact("RAM of a motion query", grouped(motion_ram_bytes(robot)) + " bytes",
+                 "where motions are certified") +
+            fact("pairs that are guarded",
+                 concat(static_cast<int>(robot.pair_count), " of ", decided.pairs.size()),
+                 concat(counted(robot.link_count, "link", "links"), ", ",
+                        counted(robot.joint_count, "joint", "joints"), ", ",
+                        counted(robot.variable_count, "value", "values"), " a period")) +
+            fact("stop, warn", escaped(decided.stop) + " m, " + escaped(decided.warn) + " m",
+                 "links nearer than this stop, are warned of") +
+            fact("cell", significant(cell, 4) + " m", "of all meshes") +
+            fact("slack", significant(robot.slack * cell / kFineOne, 4) + " m",
+                 "what rounding and arithmetic can be wrong by")));
 }
 
 std::string guarded_decision(const DecidedRobot& decided) {
@@ -93,10 +92,10 @@ std::string arm_section(const DecidedRobot& decided) {
   for (std::size_t i = 0; i < 3 && !model.variables.empty(); ++i) {
     arms.push_back(posed(decided, values_at(model, std::array{0.5, 0.0, 1.0}[i])));
   }
-  return "<section><h2>The robot</h2>\n" +
-         arm_pictures(arms, {"All joints at 0, or the limit next to it", "In the middle of ranges",
-                             "At the lower ends", "At the upper ends"}) +
-         "</section>\n";
+  return section(
+      "", "The robot",
+      arm_pictures(arms, {"All joints at 0, or the limit next to it", "In the middle of ranges",
+                          "At the lower ends", "At the upper ends"}));
 }
 
 std::string part_text(double part) {
@@ -129,20 +128,19 @@ std::vector<std::size_t> rarest(const DecidedRobot& decided,
 
 std::string rarity_table(const DecidedRobot& decided, const std::vector<std::size_t>& order,
                          const std::vector<Collisions>& collisions) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Cells> rows;
   for (const std::size_t i : order) {
     const Share share = share_of(collisions[i]);
     rows.push_back({links_of(decided.model, decided.pairs[i].a, decided.pairs[i].b),
                     grouped(collisions[i].count), grouped(collisions[i].of), share_text(share),
                     missed_text(share)});
   }
-  return table(
-             "Of configurations drawn at random, so many collide",
-             {{"links", false}, {"collide", true}, {"of", true}, {"share", true}, {"missed", true}},
-             rows) +
-         "<p class=note>Missed: how likely " + grouped(kUsualSamples) +
-         " random configurations, usual for such a matrix, find none that collides. Where none of "
-         "those here does, the share is below what is told with a confidence of 95 %.</p>\n";
+  return table("Of configurations drawn at random, so many collide",
+               {"links", "#collide", "#of", "#share", "#missed"}, rows) +
+         note("Missed: how likely " + grouped(kUsualSamples) +
+              " random configurations, usual for such a matrix, find none that collides. Where "
+              "none of "
+              "those here does, the share is below what is told with a confidence of 95 %.");
 }
 
 std::string witness(const DecidedRobot& decided, const PairVerdict& pair) {
@@ -152,8 +150,7 @@ std::string witness(const DecidedRobot& decided, const PairVerdict& pair) {
              posed(decided, pair.witness),
              {pair.a, pair.b, triangles_at(decided.model, decided.robot().meshes, cell, pair),
               "two triangles that intersect"}) +
-         "<p class=note>Joints: <code>" + joint_values(decided.model, pair.witness) +
-         "</code></p>\n";
+         note("Joints: <code>" + joint_values(decided.model, pair.witness) + "</code>");
 }
 
 std::string witness_section(const DecidedRobot& decided, const std::vector<std::size_t>& order,
@@ -162,24 +159,22 @@ std::string witness_section(const DecidedRobot& decided, const std::vector<std::
     return "";
   }
   const std::size_t drawn = std::min(order.size(), kMostDrawn);
-  std::string html = "<section id=witnesses><h2>Collisions, the rarest first</h2>\n" +
-                     rarity_table(decided, order, collisions);
+  std::string html = rarity_table(decided, order, collisions);
   for (std::size_t i = 0; i < drawn; ++i) {
     const PairVerdict& pair = decided.pairs[order[i]];
     step("drawing " + decided.model.links[pair.a].name + " - " + decided.model.links[pair.b].name,
          1.0 / static_cast<double>(drawn));
     html += witness(decided, pair);
   }
-  return html +
-         (drawn == order.size() ? ""
-                                : "<p class=note>" + grouped(order.size() - drawn) +
-                                      " more are not drawn; --json has their joints.</p>\n") +
-         "</section>\n";
+  if (drawn != order.size()) {
+    html += note(grouped(order.size() - drawn) + " more are not drawn; --json has their joints.");
+  }
+  return section("witnesses", "Collisions, the rarest first", html);
 }
 
 std::string parts_section(const DecidedRobot& decided) {
   const Model& model = decided.model;
-  std::vector<std::vector<std::string>> links;
+  std::vector<Cells> links;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const ModelLink& link = model.links[i];
     std::string sources;
@@ -190,26 +185,16 @@ std::string parts_section(const DecidedRobot& decided) {
                      grouped(decided.links[i].tree.triangles.size()),
                      grouped(flash_bytes(decided.links[i].tree)), sources});
   }
-  std::vector<std::vector<std::string>> joints;
+  std::vector<Cells> joints;
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const ModelJoint& joint = model.joints[i];
     joints.push_back({escaped(joint.name), escaped(joint_name(model, joint.parent, "base")),
                       type_name(joint.type), escaped(moves_of(model, i))});
   }
-  return "<section><h2>Links and joints</h2>\n" +
-         table("Links",
-               {{"link", false},
-                {"joint", false},
-                {"triangles", true},
-                {"bytes of flash", true},
-                {"sources", false}},
-               links) +
-         (joints.empty()
-              ? ""
-              : table("Joints",
-                      {{"joint", false}, {"parent", false}, {"type", false}, {"moves", false}},
-                      joints)) +
-         "</section>\n";
+  return section(
+      "", "Links and joints",
+      table("Links", {"link", "joint", "#triangles", "#bytes of flash", "sources"}, links) +
+          (joints.empty() ? "" : table("Joints", {"joint", "parent", "type", "moves"}, joints)));
 }
 
 }  // namespace
@@ -224,12 +209,11 @@ std::string robot_page(const DecidedRobot& decided, const Step& step) {
   for (const Collisions& found : collisions) {
     shares.push_back(share_text(share_of(found)));
   }
-  return page_begin(escaped(decided.model.name), "robot", "what of a robot can collide",
-                    decision_style() + matrix_style() + arm_style()) +
-         guarded_decision(decided) + facts(decided) + arm_section(decided) +
-         matrix_section(decided, shares) +
-         witness_section(decided, rarest(decided, collisions), collisions, step) +
-         parts_section(decided) + page_end();
+  return page(escaped(decided.model.name), "robot", "what of a robot can collide", "",
+              guarded_decision(decided) + facts_section(decided) + arm_section(decided) +
+                  matrix_section(decided, shares) +
+                  witness_section(decided, rarest(decided, collisions), collisions, step) +
+                  parts_section(decided) + footer());
 }
 
 }  // namespace flashbvh::tool

@@ -33,8 +33,6 @@ std::string robot_page(const DecidedRobot& decided, const Step& step);
 /// Of the page: all pairs as a matrix and in words. `shares`: of configurations at which a pair
 /// collides, in the pairs' order, texts.
 std::string matrix_section(const DecidedRobot& decided, const std::vector<std::string>& shares);
-/// What its colours need.
-std::string matrix_style();
 
 }  // namespace flashbvh::tool
 

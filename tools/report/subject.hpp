@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "image/image_file.hpp"
-#include "report/drawing.hpp"
+#include "report/picture.hpp"
 
 namespace flashbvh::tool {
 
