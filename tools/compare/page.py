@@ -1,9 +1,9 @@
-"""page.py PAGE FOLDER BOARD...: writes lib/docs/comparison.md to PAGE and prints its tables.
+"""page.py PAGE FOLDER BOARD...: prints the tables of PAGE, lib/docs/comparison.md, and rewrites them in place.
 
-A line `@part@` of page.md stands for what was measured, in FOLDER: lines.txt, which `compare` printed,
-BOARD.txt, which compare_firmware printed, and the file `with`, the libraries' versions. Status 1, and no
-page, if a twentieth of the pairs of triangles differs, or a distance by more than a cell: then something
-is set up wrong.
+A block of the page below a comment, `<!-- part -->`, is made of what was measured, in FOLDER: lines.txt,
+which `compare` printed, BOARD.txt, which compare_firmware printed, and the file `with`, the libraries'
+versions. Status 1, and the old page, if a twentieth of the pairs of triangles differs, or a distance by
+more than a cell: then something is set up wrong.
 """
 import re
 import sys
@@ -199,8 +199,9 @@ def main(page, folder, *boards):
     if "DIFFERS" in parts["times"][-1]:
         sys.exit(1)
     parts["with"] = (folder / "with").read_text().splitlines()
-    text = Path(__file__).with_name("page.md").read_text()
-    page.write_text(re.sub("^@(.*)@$", lambda part: "\n".join(parts[part[1]]), text, flags=re.M))
+    page.write_text(re.sub(r"^<!-- (\w+) -->\n```text\n(?s:.*?)```$",
+                           lambda block: "<!-- %s -->\n```text\n%s\n```" % (block[1], "\n".join(parts[block[1]])),
+                           page.read_text(), flags=re.M))
 
 
 if __name__ == "__main__":
