@@ -1,6 +1,5 @@
-// What stands in for meshes where they are too dear: a capsule, spheres, a convex hull, a field of
-// distances. Each is asked whether B collides with A at poses where flashbvh's exact answer is
-// known: alarms where nothing collides, collisions that are missed, bytes. None has a margin.
+// Approximations of meshes: a capsule, spheres, a convex hull, a field of distances. Each decides
+// whether B collides with A at poses where flashbvh's exact answer is known. None has a margin.
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
@@ -47,10 +46,10 @@ std::vector<Vector3d> vertices_of(const PostMesh& mesh) {
   return all;
 }
 
-/// Asks whether B, in A's frame, collides with A.
-class StandIn {
+/// Decides whether B, in A's frame, collides with A.
+class Approximation {
  public:
-  virtual ~StandIn() = default;
+  virtual ~Approximation() = default;
   virtual bool collide(const flashbvh::Pose& pose) = 0;
   virtual std::size_t bytes() const = 0;  ///< of A's
 };
@@ -71,7 +70,7 @@ double segments_apart(const Vector3d& p, const Vector3d& along_p, const Vector3d
 }
 
 /// About the axis along which the vertices spread most, of the least radius there.
-class Capsules : public StandIn {
+class Capsules : public Approximation {
  public:
   Capsules(const PostMesh& a, const PostMesh& b) : a_(around(a)), b_(around(b)) {}
   bool collide(const flashbvh::Pose& pose) override {
@@ -119,7 +118,7 @@ class Capsules : public StandIn {
 };
 
 /// About the parts of the tree, the largest opened first, until there are `kCount`.
-class Spheres : public StandIn {
+class Spheres : public Approximation {
  public:
   static constexpr std::size_t kCount = 32;
   Spheres(const PostMesh& a, const PostMesh& b) : a_(around(a)), b_(around(b)) {}
@@ -201,7 +200,7 @@ class Spheres : public StandIn {
 };
 
 /// Of all vertices; Bullet's GJK.
-class Hulls : public StandIn {
+class Hulls : public Approximation {
  public:
   Hulls(const PostMesh& a, const PostMesh& b) {
     fill(a, a_);
@@ -237,7 +236,7 @@ class Hulls : public StandIn {
 };
 
 /// Signed distances from A at the corners of a grid, 16 bits each; of B its vertices are looked up.
-class Field : public StandIn {
+class Field : public Approximation {
  public:
   static constexpr int kSide = 24;
   Field(const PostMesh& a, const PostMesh& b) : b_(vertices_of(b)) {
@@ -341,7 +340,7 @@ class Field : public StandIn {
 void compare_approximations(const PairOfMeshes& meshes) {
   const PostMesh& a = *meshes.asked.a;
   const PostMesh& b = *meshes.asked.b;
-  const std::pair<const char*, std::unique_ptr<StandIn>> all[] = {
+  const std::pair<const char*, std::unique_ptr<Approximation>> all[] = {
       {"capsule", std::make_unique<Capsules>(a, b)},
       {"spheres", std::make_unique<Spheres>(a, b)},
       {"hull", std::make_unique<Hulls>(a, b)},
@@ -357,7 +356,7 @@ void compare_approximations(const PairOfMeshes& meshes) {
         }
       }
       for (std::size_t of = 0; of < 4; ++of) {
-        std::printf("stand_in %s %s %s %s %zu %zu %zu\n", meshes.name.c_str(),
+        std::printf("approximation %s %s %s %s %zu %zu %zu\n", meshes.name.c_str(),
                     name_of_motion(rotated), figures::kProximityNames[i], all[of].first, kPoses,
                     alarms[of], all[of].second->bytes());
       }

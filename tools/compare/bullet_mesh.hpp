@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "meshes.hpp"
+#include "units.hpp"
 
 namespace compare {
 

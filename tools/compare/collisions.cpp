@@ -94,7 +94,7 @@ class Collisions {
   void print_heap() {
     for (const Named& named : libraries_) {
       count_heap();
-      (void)named.library->ask_all(Wanted::all);
+      (void)named.library->query_all(Wanted::all);
       std::printf("heap %s%s %zu %zu %.2f\n", of_.c_str(), named.name, named.made.allocations,
                   named.made.bytes,
                   static_cast<double>(counted_heap().allocations) / static_cast<double>(kPoses));

@@ -4,23 +4,47 @@
 //     pairs MESHES MOTION LIBRARY found by flashbvh, by the library, by one of the two alone
 //     heap MESHES MOTION LIBRARY allocations to make it, bytes they hold, allocations of a query
 //     image MESHES bytes of both, triangles
-//     known QUESTION MESHES LIBRARY asked, answered wrongly
-//     stand_in MESHES MOTION CLASS KIND poses, those that are said to collide, bytes of A
+//     known QUESTION MESHES LIBRARY queries, wrong answers
+//     approximation MESHES MOTION CLASS KIND poses, reported collisions, bytes of A
 //     length MESHES MOTION CLASS LIBRARY poses, how many of them have another distance than
 //         flashbvh's, the largest difference in cells, and as a part of the distance
 #include <cstdio>
 #include <exception>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "comparison.hpp"
-#include "meshes.hpp"
+#include "flashbvh/image.hpp"
 
 namespace compare {
 namespace {
 
+/// An image in memory, opened; throws std::runtime_error.
+class Image {
+ public:
+  explicit Image(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    words_.resize((bytes.size() + 3) / 4);
+    bytes.copy(reinterpret_cast<char*>(words_.data()), bytes.size());
+    if (flashbvh::open_image(words_.data(), bytes.size(), mesh_) != flashbvh::Status::done) {
+      throw std::runtime_error(path + ": no 16-bit post-indexed image");
+    }
+  }
+  const flashbvh::PostMesh& mesh() const { return mesh_; }
+  std::size_t size() const { return 4 * words_.size(); }
+
+ private:
+  std::vector<std::uint32_t> words_;
+  flashbvh::PostMesh mesh_{};
+};
+
 /// More take minutes to fill a field of distances from.
 constexpr std::uint32_t kFewTriangles = 3000;
-/// Of a box, which is asked only what is known.
+/// Of a box: only queries with known answers are made of boxes.
 constexpr std::uint32_t kBox = 12;
 
 void compare_pair(const std::string& folder, const std::string& names) {
@@ -35,7 +59,7 @@ void compare_pair(const std::string& folder, const std::string& names) {
       names, {&searched_a.mesh(), &searched_b.mesh()}, {&a.mesh(), &b.mesh()}};
   std::printf("image %s %zu %zu\n", names.c_str(), a.size() + b.size(),
               std::size_t{a.mesh().triangle_count} + b.mesh().triangle_count);
-  ask_what_is_known(names, a.mesh(), b.mesh());
+  query_known_answers(names, a.mesh(), b.mesh());
   if (a.mesh().triangle_count == kBox) {
     return;
   }

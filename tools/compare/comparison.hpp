@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "contender.hpp"
+#include "competitor.hpp"
 #include "pose_search.hpp"
 
 namespace compare {
@@ -24,8 +24,8 @@ struct PairOfMeshes {
 void compare_collisions(const PairOfMeshes& meshes, bool rotated);
 void compare_distances(const PairOfMeshes& meshes, bool rotated);
 void compare_approximations(const PairOfMeshes& meshes);
-void ask_what_is_known(const std::string& names, const flashbvh::PostMesh& a,
-                       const flashbvh::PostMesh& b);
+void query_known_answers(const std::string& names, const flashbvh::PostMesh& a,
+                         const flashbvh::PostMesh& b);
 
 inline const char* name_of_motion(bool rotated) {
   return rotated ? "rotated" : "translated";
@@ -40,7 +40,7 @@ inline Placed placed_of(const figures::Asked& asked) {
 
 struct Timed {
   const char* name;
-  Contender* library;
+  Competitor* library;
 };
 
 /// Prints what each takes for a query, in nanoseconds; `of`: what stands in front of its name.

@@ -11,20 +11,20 @@ namespace compare {
 namespace {
 
 constexpr Proximity kApart[] = {Proximity::separated, Proximity::small, Proximity::close};
-/// What double precision is given: more than that of a distance is a difference.
+/// Of double precision: a larger part of a distance is a difference.
 constexpr double kTolerance = 1e-6;
 
 struct Named {
   const char* name;
-  std::unique_ptr<Ruler> library;
+  std::unique_ptr<DistanceMeter> library;
 };
 
-std::vector<Named> all_rulers(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b) {
+std::vector<Named> all_libraries(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b) {
   std::vector<Named> all;
-  all.push_back({"distance", ruler_of_flashbvh(a, b, Seeds::none)});
-  all.push_back({"distance_seeded", ruler_of_flashbvh(a, b, Seeds::last_pose)});
-  all.push_back({"distance_fcl", ruler_of_fcl(a, b, Volumes::boxes_and_spheres)});
-  all.push_back({"distance_rss", ruler_of_fcl(a, b, Volumes::spheres)});
+  all.push_back({"distance", distances_of_flashbvh(a, b, Hint::none)});
+  all.push_back({"distance_seeded", distances_of_flashbvh(a, b, Hint::last_pose)});
+  all.push_back({"distance_fcl", distances_of_fcl(a, b, Volumes::boxes_and_spheres)});
+  all.push_back({"distance_rss", distances_of_fcl(a, b, Volumes::spheres)});
   return all;
 }
 
@@ -40,7 +40,7 @@ class Distances {
         rotated_(rotated),
         meshes_(meshes.asked),
         search_(meshes.searched, meshes.asked, kSeed),
-        libraries_(all_rulers(*meshes.asked.a, *meshes.asked.b)) {}
+        libraries_(all_libraries(*meshes.asked.a, *meshes.asked.b)) {}
 
   void run() {
     for (const Proximity proximity : kApart) {
@@ -56,8 +56,8 @@ class Distances {
   }
 
  private:
-  /// Meshes that lie too far apart for flashbvh to tell are not asked about.
-  bool is_told(const Placed& placed) const {
+  /// Poses beyond flashbvh's range of distances are left out.
+  bool is_in_range(const Placed& placed) const {
     return distance(*meshes_.a, *meshes_.b, placed.pose).in_range;
   }
 
@@ -65,7 +65,7 @@ class Distances {
     std::vector<Placed> poses;
     while (poses.size() < kPoses) {
       const Placed placed = placed_of(search_.next(proximity, rotated_));
-      if (is_told(placed)) {
+      if (is_in_range(placed)) {
         poses.push_back(placed);
       }
     }

@@ -1,13 +1,12 @@
-// OPCODE's model of a baked mesh. Its headers come last, for their macros: `for`, `null`,
-// `override`.
+// OPCODE's model of a baked mesh, on the desktop and on boards. Its headers come last, for their
+// macros: `for`, `null`, `override`.
 #ifndef FLASHBVH_TOOLS_COMPARE_OPCODE_MODEL_HPP
 #define FLASHBVH_TOOLS_COMPARE_OPCODE_MODEL_HPP
 
-#include <stdexcept>
+#include <cstdlib>
 #include <vector>
 
-#include "contender.hpp"
-#include "meshes.hpp"
+#include "units.hpp"
 
 // clang-format off
 #include <ode/common.h>
@@ -36,7 +35,7 @@ class OpcodeModel {
     interface_.SetPointers(triangles_.data(), vertices_.data());
     interface_.SetSingle(true);
     if (!model_.Build(settings())) {
-      throw std::runtime_error("OPCODE could not build a tree");
+      std::abort();  // it could not build a tree
     }
   }
   OpcodeModel(const OpcodeModel&) = delete;
@@ -57,6 +56,19 @@ class OpcodeModel {
   Opcode::MeshInterface interface_;
   Opcode::Model model_;
 };
+
+/// Of row vectors.
+inline IceMaths::Matrix4x4 matrix_of(const flashbvh::Pose& pose) {
+  IceMaths::Matrix4x4 matrix;
+  matrix.Identity();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      matrix.m[column][row] = static_cast<float>(rotation_of(pose, row, column));
+    }
+    matrix.m[3][row] = static_cast<float>(translation_of(pose, row));
+  }
+  return matrix;
+}
 
 }  // namespace compare
 

@@ -120,7 +120,7 @@ def times(file):
 
 
 def known(file):
-    """How many questions with known answers each library answers wrongly; the boxes, then the others."""
+    """How many queries with known answers each library answers wrongly; of boxes, then of the others."""
     lines = {tuple(key): numbers for *key, asked, wrong in words_of(file, "known")
              for numbers in [(asked, wrong)]}
     of = sums(((kind, "boxes" if mesh.startswith(("crate", "brick")) else "others", library), *numbers)
@@ -154,9 +154,9 @@ def heap(file):
             query / len(images))
 
 
-def stand_ins(file):
-    """How often what stands in for a mesh reports a collision, in percent of the poses of a class."""
-    lines = list(words_of(file, "stand_in"))
+def approximations(file):
+    """How often an approximation of a mesh reports a collision, in percent of the poses of a class."""
+    lines = list(words_of(file, "approximation"))
     of = sums(((kind, of_class), poses, alarms) for _, _, of_class, kind, poses, alarms, _ in lines)
     sizes = sums((kind, size, 1) for *_, kind, _, _, size in lines)
     yield "                                          false alarms, % of the poses:   collisions missed,"
@@ -194,7 +194,7 @@ def main(page, folder, *boards):
     file = folder / "lines.txt"
     parts = {"times": list(times(file)), "known": list(known(file)), "heap": list(heap(file)),
              "boards": [line for name in boards for line in board(folder / f"{name}.txt")],
-             "stand_ins": list(stand_ins(file))}
+             "approximations": list(approximations(file))}
     print("\n".join(line for part in parts.values() for line in part))
     if "DIFFERS" in parts["times"][-1]:
         sys.exit(1)

@@ -15,11 +15,11 @@ constexpr std::size_t kRounds = 25;
 constexpr double kSampleNanoseconds = 10e3;
 
 /// Nanoseconds of a query, on the average of the poses.
-double sample(Contender& library, Wanted wanted, int walks) {
+double sample(Competitor& library, Wanted wanted, int walks) {
   static volatile std::size_t found;  // so that no query is left out
   const auto began = std::chrono::steady_clock::now();
   for (int i = 0; i < walks; ++i) {
-    found = library.ask_all(wanted);
+    found = library.query_all(wanted);
   }
   const std::chrono::duration<double, std::nano> passed = std::chrono::steady_clock::now() - began;
   return passed.count() / (walks * static_cast<double>(kPoses));

@@ -4,7 +4,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 
 #include "bullet_mesh.hpp"
-#include "contender.hpp"
+#include "competitor.hpp"
 
 using flashbvh::PostMesh;
 
@@ -70,17 +70,17 @@ class Bullet : public Collider {
   }
 
   /// All pairs, whatever is wanted: it stops at none.
-  std::size_t ask_all(Wanted /*wanted*/) override {
+  std::size_t query_all(Wanted /*wanted*/) override {
     std::size_t count = 0;
     for (const btTransform& pose : poses_) {
-      ask(pose);
+      query(pose);
       count += contacts_.pairs.size();
     }
     return count;
   }
 
   std::vector<Pair> pairs(std::size_t pose) override {
-    ask(poses_[pose]);
+    query(poses_[pose]);
     std::vector<Pair> all;
     for (const auto& [a, b] : contacts_.pairs) {
       all.emplace_back(mesh_a_->triangle_ids[a], mesh_b_->triangle_ids[b]);
@@ -97,7 +97,7 @@ class Bullet : public Collider {
     return info;
   }
 
-  void ask(const btTransform& pose) {
+  void query(const btTransform& pose) {
     b_.set_pose(pose);
     const btCollisionObjectWrapper wrapped_a = a_.wrapped();
     const btCollisionObjectWrapper wrapped_b = b_.wrapped();
@@ -118,9 +118,9 @@ class Bullet : public Collider {
   std::vector<btTransform> poses_;
 };
 
-class BulletCaster : public Caster {
+class BulletRayCaster : public RayCaster {
  public:
-  explicit BulletCaster(const PostMesh& mesh)
+  explicit BulletRayCaster(const PostMesh& mesh)
       : mesh_(mesh), shape_(&mesh_.array(), /*useQuantizedAabbCompression=*/true) {}
 
   double nearest(const flashbvh::Segment& segment) override {
@@ -157,8 +157,8 @@ std::unique_ptr<Collider> with_bullet(const PostMesh& a, const PostMesh& b) {
   return std::make_unique<Bullet>(a, b);
 }
 
-std::unique_ptr<Caster> caster_of_bullet(const PostMesh& mesh) {
-  return std::make_unique<BulletCaster>(mesh);
+std::unique_ptr<RayCaster> ray_caster_of_bullet(const PostMesh& mesh) {
+  return std::make_unique<BulletRayCaster>(mesh);
 }
 
 }  // namespace compare

@@ -1,16 +1,54 @@
+#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
 
 #include <limits>
 
-#include "contender.hpp"
-#include "fcl_model.hpp"
+#include "competitor.hpp"
+#include "units.hpp"
 
 using flashbvh::PostMesh;
 
 namespace compare {
 namespace {
 
-using Model = fcl::BVHModel<fcl::OBBRSSd>;
+/// The model has its triangles in the order of the baked mesh.
+template <class Volume>
+std::shared_ptr<fcl::BVHModel<Volume>> model_of(const flashbvh::PostMesh& mesh) {
+  std::vector<fcl::Vector3d> vertices;
+  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
+    double point[3];
+    set_vertex(mesh, i, point);
+    vertices.emplace_back(point[0], point[1], point[2]);
+  }
+  std::vector<fcl::Triangle> triangles;
+  for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
+    const auto& corner = mesh.triangles[i].corner;
+    triangles.emplace_back(corner[0], corner[1], corner[2]);
+  }
+  auto model = std::make_shared<fcl::BVHModel<Volume>>();
+  model->beginModel();
+  model->addSubModel(vertices, triangles);
+  model->endModel();
+  return model;
+}
+
+using Transforms = std::vector<fcl::Transform3d, Eigen::aligned_allocator<fcl::Transform3d>>;
+
+Transforms transforms_of(const std::vector<Placed>& poses) {
+  Transforms transforms;
+  for (const Placed& placed : poses) {
+    fcl::Transform3d transform = fcl::Transform3d::Identity();
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        transform.linear()(row, column) = rotation_of(placed.pose, row, column);
+      }
+      transform.translation()[row] = translation_of(placed.pose, row);
+    }
+    transforms.push_back(transform);
+  }
+  return transforms;
+}
 
 class Fcl : public Collider {
  public:
@@ -19,17 +57,17 @@ class Fcl : public Collider {
 
   void set_poses(const std::vector<Placed>& poses) override { poses_ = transforms_of(poses); }
 
-  std::size_t ask_all(Wanted wanted) override {
+  std::size_t query_all(Wanted wanted) override {
     std::size_t count = 0;
     for (const fcl::Transform3d& pose : poses_) {
-      count += ask(pose, wanted);
+      count += query(pose, wanted);
     }
     return count;
   }
 
   std::vector<Pair> pairs(std::size_t pose) override {
     std::vector<Pair> all;
-    for (std::size_t i = 0, count = ask(poses_[pose], Wanted::all); i < count; ++i) {
+    for (std::size_t i = 0, count = query(poses_[pose], Wanted::all); i < count; ++i) {
       const fcl::Contactd& contact = result_.getContact(i);
       all.emplace_back(mesh_a_->triangle_ids[contact.b1], mesh_b_->triangle_ids[contact.b2]);
     }
@@ -37,7 +75,7 @@ class Fcl : public Collider {
   }
 
  private:
-  std::size_t ask(const fcl::Transform3d& pose, Wanted wanted) {
+  std::size_t query(const fcl::Transform3d& pose, Wanted wanted) {
     const fcl::CollisionRequestd request(
         wanted == Wanted::first ? 1 : std::numeric_limits<std::size_t>::max());
     result_.clear();
@@ -47,16 +85,59 @@ class Fcl : public Collider {
 
   const PostMesh* mesh_a_;
   const PostMesh* mesh_b_;
-  std::shared_ptr<Model> a_;
-  std::shared_ptr<Model> b_;
+  std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> a_;
+  std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> b_;
   Transforms poses_;
   fcl::CollisionResultd result_;
+};
+
+template <class Volume>
+class FclDistances : public DistanceMeter {
+ public:
+  FclDistances(const PostMesh& a, const PostMesh& b)
+      : a_(model_of<Volume>(a)), b_(model_of<Volume>(b)) {}
+
+  void set_poses(const std::vector<Placed>& poses) override { poses_ = transforms_of(poses); }
+
+  std::size_t query_all(Wanted /*wanted*/) override {
+    double sum = 0;
+    for (const fcl::Transform3d& pose : poses_) {
+      sum += query(pose);
+    }
+    return static_cast<std::size_t>(sum);
+  }
+
+  Length length(std::size_t pose) override {
+    const double cells = query(poses_[pose]) * kCellsOfUnit;
+    return {cells, cells};
+  }
+
+ private:
+  double query(const fcl::Transform3d& pose) {
+    result_.clear();
+    fcl::distance(a_.get(), fcl::Transform3d::Identity(), b_.get(), pose, request_, result_);
+    return result_.min_distance;
+  }
+
+  std::shared_ptr<fcl::BVHModel<Volume>> a_;
+  std::shared_ptr<fcl::BVHModel<Volume>> b_;
+  Transforms poses_;
+  fcl::DistanceRequestd request_{/*enable_nearest_points=*/true};
+  fcl::DistanceResultd result_;
 };
 
 }  // namespace
 
 std::unique_ptr<Collider> with_fcl(const PostMesh& a, const PostMesh& b) {
   return std::make_unique<Fcl>(a, b);
+}
+
+std::unique_ptr<DistanceMeter> distances_of_fcl(const PostMesh& a, const PostMesh& b,
+                                                Volumes volumes) {
+  if (volumes == Volumes::spheres) {
+    return std::make_unique<FclDistances<fcl::RSSd>>(a, b);
+  }
+  return std::make_unique<FclDistances<fcl::OBBRSSd>>(a, b);
 }
 
 }  // namespace compare

@@ -1,6 +1,7 @@
 #include <stdexcept>
 
-#include "contender.hpp"
+#include "competitor.hpp"
+#include "flashbvh/clearance.hpp"
 #include "flashbvh/query.hpp"
 
 using namespace flashbvh;
@@ -11,6 +12,12 @@ namespace {
 constexpr std::uint32_t kMost = 1u << 16;
 PairQuery::Pair found[kMost];
 
+/// The rotation of `placed`, at `cells`.
+Pose pose_of(const Placed& placed, const std::int32_t (&cells)[3]) {
+  return placed.pose.is_translation() ? Pose::translated(cells[0], cells[1], cells[2])
+                                      : Pose::rigid(placed.rotation.entry, cells);
+}
+
 class Flashbvh : public Collider {
  public:
   Flashbvh(const PostMesh& a, const PostMesh& b, PoseMade pose_made)
@@ -18,18 +25,18 @@ class Flashbvh : public Collider {
 
   void set_poses(const std::vector<Placed>& poses) override { poses_ = poses; }
 
-  std::size_t ask_all(Wanted wanted) override {
+  std::size_t query_all(Wanted wanted) override {
     const std::uint32_t capacity = wanted == Wanted::first ? 1 : kMost;
     std::size_t count = 0;
     for (const Placed& placed : poses_) {
-      count +=
-          pose_made_ == PoseMade::before ? ask(placed.pose, capacity) : ask(make(placed), capacity);
+      count += pose_made_ == PoseMade::before ? query(placed.pose, capacity)
+                                              : query(pose_of(placed, placed.cells), capacity);
     }
     return count;
   }
 
   std::vector<Pair> pairs(std::size_t pose) override {
-    const std::uint32_t count = ask(poses_[pose].pose, kMost);
+    const std::uint32_t count = query(poses_[pose].pose, kMost);
     if (count == kMost) {
       throw std::runtime_error("more pairs than are counted");
     }
@@ -41,13 +48,7 @@ class Flashbvh : public Collider {
   }
 
  private:
-  static Pose make(const Placed& placed) {
-    const std::int32_t(&t)[3] = placed.cells;
-    return placed.pose.is_translation() ? Pose::translated(t[0], t[1], t[2])
-                                        : Pose::rigid(placed.rotation.entry, t);
-  }
-
-  std::uint32_t ask(const Pose& pose, std::uint32_t capacity) {
+  std::uint32_t query(const Pose& pose, std::uint32_t capacity) {
     PairQuery query(*a_, *b_, pose);
     return query.run(UINT32_MAX, found, capacity).count;
   }
@@ -58,10 +59,88 @@ class Flashbvh : public Collider {
   std::vector<Placed> poses_;
 };
 
+/// How far B came since the pose before, in cells: tests/figures/clearance.cpp has the same.
+constexpr std::int32_t kStep = 10;
+
+/// B as it was one step before.
+Pose last_pose(const Placed& placed) {
+  const std::int32_t cells[3] = {placed.cells[0] + kStep, placed.cells[1], placed.cells[2]};
+  return pose_of(placed, cells);
+}
+
+class FlashbvhDistances : public DistanceMeter {
+ public:
+  FlashbvhDistances(const PostMesh& a, const PostMesh& b, Hint hint)
+      : a_(&a), b_(&b), hint_(hint) {}
+
+  void set_poses(const std::vector<Placed>& poses) override {
+    queries_.clear();
+    for (const Placed& placed : poses) {
+      Witness<std::uint16_t> hint;
+      if (hint_ == Hint::last_pose) {
+        hint = distance(*a_, *b_, last_pose(placed)).witness;
+      }
+      queries_.push_back({placed.pose, hint});
+    }
+  }
+
+  std::size_t query_all(Wanted /*wanted*/) override {
+    std::size_t sum = 0;
+    for (const PoseAndHint& query : queries_) {
+      sum += distance(*a_, *b_, query.pose, query.hint).lower;
+    }
+    return sum;
+  }
+
+  Length length(std::size_t pose) override {
+    const PoseAndHint& query = queries_[pose];
+    const auto known = distance(*a_, *b_, query.pose, query.hint);
+    return {known.lower / 256.0, known.upper / 256.0};
+  }
+
+ private:
+  struct PoseAndHint {
+    Pose pose;
+    Witness<std::uint16_t> hint;
+  };
+
+  const PostMesh* a_;
+  const PostMesh* b_;
+  Hint hint_;
+  std::vector<PoseAndHint> queries_;
+};
+
+class FlashbvhRayCaster : public RayCaster {
+ public:
+  explicit FlashbvhRayCaster(const PostMesh& mesh) : mesh_(&mesh) {}
+
+  double nearest(const Segment& segment) override {
+    const auto answer = nearest_hit(*mesh_, segment);
+    if (answer.status != Status::done) {
+      throw std::runtime_error("flashbvh refused a ray");
+    }
+    const SegmentShare& along = answer.hit.along;
+    return answer.yes ? static_cast<double>(along.above) / static_cast<double>(along.below)
+                      : kNoHit;
+  }
+
+ private:
+  const PostMesh* mesh_;
+};
+
 }  // namespace
 
 std::unique_ptr<Collider> with_flashbvh(const PostMesh& a, const PostMesh& b, PoseMade pose_made) {
   return std::make_unique<Flashbvh>(a, b, pose_made);
+}
+
+std::unique_ptr<DistanceMeter> distances_of_flashbvh(const PostMesh& a, const PostMesh& b,
+                                                     Hint hint) {
+  return std::make_unique<FlashbvhDistances>(a, b, hint);
+}
+
+std::unique_ptr<RayCaster> ray_caster_of_flashbvh(const PostMesh& mesh) {
+  return std::make_unique<FlashbvhRayCaster>(mesh);
 }
 
 }  // namespace compare

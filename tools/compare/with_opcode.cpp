@@ -1,4 +1,9 @@
+#include "competitor.hpp"
+//
 #include "opcode_model.hpp"
+//
+#include <cmath>
+#include <stdexcept>
 
 using flashbvh::PostMesh;
 
@@ -19,19 +24,11 @@ class WithOpcode : public Collider {
   void set_poses(const std::vector<Placed>& poses) override {
     poses_.clear();
     for (const Placed& placed : poses) {
-      IceMaths::Matrix4x4 matrix;  // of row vectors
-      matrix.Identity();
-      for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
-          matrix.m[column][row] = static_cast<float>(rotation_of(placed.pose, row, column));
-        }
-        matrix.m[3][row] = static_cast<float>(translation_of(placed.pose, row));
-      }
-      poses_.push_back(matrix);
+      poses_.push_back(matrix_of(placed.pose));
     }
   }
 
-  std::size_t ask_all(Wanted wanted) override {
+  std::size_t query_all(Wanted wanted) override {
     collider_.SetFirstContact(wanted == Wanted::first);
     std::size_t count = 0;
     for (const IceMaths::Matrix4x4& pose : poses_) {
@@ -66,10 +63,51 @@ class WithOpcode : public Collider {
   std::vector<IceMaths::Matrix4x4> poses_;
 };
 
+class OpcodeRayCaster : public RayCaster {
+ public:
+  explicit OpcodeRayCaster(const PostMesh& mesh) : model_(mesh) {
+    collider_.SetClosestHit(true);
+    collider_.SetCulling(false);
+    collider_.SetTemporalCoherence(false);
+    collider_.SetDestination(&faces_);
+  }
+
+  double nearest(const flashbvh::Segment& segment) override {
+    const IceMaths::Point from = point_of(segment.from);
+    IceMaths::Point way = point_of(segment.to) - from;
+    const float length = way.Magnitude();
+    way /= length;
+    collider_.SetMaxDist(length);
+    faces_.Reset();
+    if (!collider_.Collide(IceMaths::Ray(from, way), model_.model())) {
+      throw std::runtime_error("OPCODE refused a ray");
+    }
+    double nearest = kNoHit;
+    for (udword i = 0; i < faces_.GetNbFaces(); ++i) {
+      nearest = std::fmin(nearest, faces_.GetFaces()[i].mDistance / length);
+    }
+    return nearest;
+  }
+
+ private:
+  static IceMaths::Point point_of(const flashbvh::Point& point) {
+    const auto units = [](std::int32_t cells) { return static_cast<float>(cells / kCellsOfUnit); };
+    return {units(point.x), units(point.y), units(point.z)};
+  }
+
+  OpcodeModel model_;
+  Opcode::RayCollider collider_;
+  Opcode::CollisionFaces faces_;
+};
+
 }  // namespace
 
 std::unique_ptr<Collider> with_opcode(const PostMesh& a, const PostMesh& b, Matrices matrices) {
   return std::make_unique<WithOpcode>(a, b, matrices);
+}
+
+std::unique_ptr<RayCaster> ray_caster_of_opcode(const PostMesh& mesh) {
+  return std::make_unique<OpcodeRayCaster>(mesh);
 }
 
 }  // namespace compare

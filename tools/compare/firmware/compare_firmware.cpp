@@ -4,8 +4,8 @@
 #include <initializer_list>
 
 #include "asked.hpp"
-#include "asked_of.hpp"
 #include "insn.hpp"
+#include "library.hpp"
 #include "text.hpp"
 
 using namespace flashbvh;
@@ -21,7 +21,7 @@ class WithFlashbvh : public Library {
     b_ = &b;
   }
   void set_pose(const Pose& pose) override { pose_ = pose; }
-  uint32_t ask(bool first) override {
+  uint32_t query(bool first) override {
     uint32_t count = 0;
     PairQuery query(*a_, *b_, pose_);
     (void)query.run(UINT32_MAX, [&](const PairQuery::Pair&) {
@@ -44,7 +44,7 @@ struct Cost {
   uint32_t count = 0;
 
   void add(Library& library, bool first) {
-    const uint32_t instructions = port::instructions_of([&] { found += library.ask(first); });
+    const uint32_t instructions = port::instructions_of([&] { found += library.query(first); });
     sum += instructions;
     most = instructions > most ? instructions : most;
     ++count;
@@ -65,7 +65,7 @@ struct Named {
   Library& library;
 };
 
-void ask_class(const char* motion, bool is_rotated, uint32_t proximity, const Named& named) {
+void query_class(const char* motion, bool is_rotated, uint32_t proximity, const Named& named) {
   Cost all;
   Cost first;
   for (uint32_t p = 0; p < kAskedPairCount; ++p) {
@@ -93,7 +93,7 @@ int main() {
   for (const bool is_rotated : {false, true}) {
     for (uint32_t i = 0; i < kProximities; ++i) {
       for (const compare::Named& named : all) {
-        compare::ask_class(is_rotated ? "rotated" : "translated", is_rotated, i, named);
+        compare::query_class(is_rotated ? "rotated" : "translated", is_rotated, i, named);
       }
     }
   }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "asked_of.hpp"
 #include "float_triangles.hpp"
+#include "library.hpp"
 
 using flashbvh::Pose;
 using flashbvh::PostMesh;
@@ -29,12 +29,18 @@ struct Matrix {
   bool is_rotated;
 };
 
+/// Its parts in binary32: `part(axis)`.
+template <class Part>
+Vec vector_of(const Part& part) {
+  return {static_cast<float>(part(0)), static_cast<float>(part(1)), static_cast<float>(part(2))};
+}
+
 Matrix matrix_of(const Pose& pose) {
   Matrix matrix{};
   for (int i = 0; i < 3; ++i) {
-    matrix.rows[i] = {rotation_of(pose, i, 0), rotation_of(pose, i, 1), rotation_of(pose, i, 2)};
+    matrix.rows[i] = vector_of([&](int column) { return rotation_of(pose, i, column); });
   }
-  matrix.translation = {translation_of(pose, 0), translation_of(pose, 1), translation_of(pose, 2)};
+  matrix.translation = vector_of([&](int axis) { return translation_of(pose, axis); });
   matrix.is_rotated = !pose.is_translation();
   return matrix;
 }
@@ -210,7 +216,7 @@ class FloatTree : public Library {
 
   void set_pose(const Pose& pose) override { pose_ = matrix_of(pose); }
 
-  uint32_t ask(bool first) override {
+  uint32_t query(bool first) override {
     return pose_.is_rotated ? walk(first, Turned(pose_)) : walk(first, Moved(pose_));
   }
 

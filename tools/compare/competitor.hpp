@@ -1,8 +1,7 @@
-// What is compared: a library with two meshes and a set of poses, which it visits in turn.
-//
-// A Collider finds pairs of triangles, a Ruler distances, a Caster what a ray hits.
-#ifndef FLASHBVH_TOOLS_COMPARE_CONTENDER_HPP
-#define FLASHBVH_TOOLS_COMPARE_CONTENDER_HPP
+// A library in a comparison, with two meshes and a set of poses, which it visits in turn: a
+// Collider finds pairs of triangles, a DistanceMeter distances, a RayCaster hits of rays.
+#ifndef FLASHBVH_TOOLS_COMPARE_COMPETITOR_HPP
+#define FLASHBVH_TOOLS_COMPARE_COMPETITOR_HPP
 
 #include <cstddef>
 #include <cstdint>
@@ -31,17 +30,17 @@ enum class Wanted { all, first, distance };
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// A loop over all poses is one virtual call: nothing of it counts as the query's.
-class Contender {
+class Competitor {
  public:
-  virtual ~Contender() = default;
+  virtual ~Competitor() = default;
 
-  /// Not timed: what the library takes as a pose is made here.
+  /// Not timed: makes the library's own form of each pose.
   virtual void set_poses(const std::vector<Placed>& poses) = 0;
-  /// Asks about each pose in turn; what is found is counted, whatever it is.
-  virtual std::size_t ask_all(Wanted wanted) = 0;
+  /// Queries each pose in turn; returns a number that depends on all answers.
+  virtual std::size_t query_all(Wanted wanted) = 0;
 };
 
-class Collider : public Contender {
+class Collider : public Competitor {
  public:
   /// All pairs under one of the poses, in any order.
   virtual std::vector<Pair> pairs(std::size_t pose) = 0;
@@ -53,7 +52,7 @@ struct Length {
   double upper;
 };
 
-class Ruler : public Contender {
+class DistanceMeter : public Competitor {
  public:
   /// The distance under one of the poses.
   virtual Length length(std::size_t pose) = 0;
@@ -74,31 +73,31 @@ std::unique_ptr<Collider> with_opcode(const flashbvh::PostMesh& a, const flashbv
 /// Oriented boxes and spheres (OBBRSS), binary64.
 std::unique_ptr<Collider> with_fcl(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b);
 
-enum class Seeds { none, last_pose };
+enum class Hint { none, last_pose };
 /// `last_pose`: each distance begins with the witness of a pose near by.
-std::unique_ptr<Ruler> ruler_of_flashbvh(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
-                                         Seeds seeds);
+std::unique_ptr<DistanceMeter> distances_of_flashbvh(const flashbvh::PostMesh& a,
+                                                     const flashbvh::PostMesh& b, Hint hint);
 
 /// `spheres`: swept over rectangles (RSS), as PQP has them; `boxes_and_spheres`: OBBRSS.
 enum class Volumes { boxes_and_spheres, spheres };
-std::unique_ptr<Ruler> ruler_of_fcl(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
-                                    Volumes volumes);
+std::unique_ptr<DistanceMeter> distances_of_fcl(const flashbvh::PostMesh& a,
+                                                const flashbvh::PostMesh& b, Volumes volumes);
 
 /// GImpact: quantized boxes, binary32, no margin.
 std::unique_ptr<Collider> with_bullet(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b);
 
 /// Of one mesh, in cells.
-class Caster {
+class RayCaster {
  public:
-  virtual ~Caster() = default;
+  virtual ~RayCaster() = default;
   /// How much of the way to the nearest hit, 0 to 1; more than 1 if nothing is hit.
   virtual double nearest(const flashbvh::Segment& segment) = 0;
 };
 
 constexpr double kNoHit = 2;
-std::unique_ptr<Caster> caster_of_flashbvh(const flashbvh::PostMesh& mesh);
-std::unique_ptr<Caster> caster_of_opcode(const flashbvh::PostMesh& mesh);
-std::unique_ptr<Caster> caster_of_bullet(const flashbvh::PostMesh& mesh);
+std::unique_ptr<RayCaster> ray_caster_of_flashbvh(const flashbvh::PostMesh& mesh);
+std::unique_ptr<RayCaster> ray_caster_of_opcode(const flashbvh::PostMesh& mesh);
+std::unique_ptr<RayCaster> ray_caster_of_bullet(const flashbvh::PostMesh& mesh);
 
 }  // namespace compare
 

@@ -1,4 +1,4 @@
-// Questions whose answers follow from how they are made: meshes that touch in a point, or come
+// Queries whose answers follow from how they are made: meshes that touch in a point, or come
 // within a cell of it, distances of boxes, and rays through vertices and edges of a mesh. All
 // numbers are integers below 2^24, or their quotients by 1,024: binary32 holds each.
 #include <algorithm>
@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include "comparison.hpp"
-#include "meshes.hpp"
 
 using flashbvh::Point;
 using flashbvh::PostMesh;
@@ -16,7 +15,7 @@ using flashbvh::test::Random;
 namespace compare {
 namespace {
 
-constexpr std::size_t kAsked = 2000;  ///< of each kind and pair of meshes
+constexpr std::size_t kQueries = 2000;  ///< of each kind and pair of meshes
 
 constexpr std::int64_t kFarthest = 400000;  ///< of a ray's ends
 
@@ -120,7 +119,7 @@ Placed any_touching(const PostMesh& a, const PostMesh& b, bool gap, Random& rand
   return placed(turn, at);
 }
 
-void ask_touching(const std::string& names, const PostMesh& a, const PostMesh& b) {
+void query_touching(const std::string& names, const PostMesh& a, const PostMesh& b) {
   const std::pair<const char*, std::unique_ptr<Collider>> libraries[] = {
       {"flashbvh", with_flashbvh(a, b, PoseMade::before)},
       {"opcode", with_opcode(a, b, Matrices::both)},
@@ -129,17 +128,17 @@ void ask_touching(const std::string& names, const PostMesh& a, const PostMesh& b
   for (const bool gap : {false, true}) {
     Random random(kSeed);
     std::vector<Placed> poses;
-    for (std::size_t i = 0; i < kAsked; ++i) {
+    for (std::size_t i = 0; i < kQueries; ++i) {
       poses.push_back(any_touching(a, b, gap, random));
     }
     for (const auto& [name, library] : libraries) {
       library->set_poses(poses);
       std::size_t wrong = 0;
-      for (std::size_t i = 0; i < kAsked; ++i) {
+      for (std::size_t i = 0; i < kQueries; ++i) {
         wrong += library->pairs(i).empty() != gap ? 1 : 0;
       }
-      std::printf("known %s %s %s %zu %zu\n", gap ? "gap" : "touching", names.c_str(), name, kAsked,
-                  wrong);
+      std::printf("known %s %s %s %zu %zu\n", gap ? "gap" : "touching", names.c_str(), name,
+                  kQueries, wrong);
     }
   }
 }
@@ -160,12 +159,12 @@ double distance_of_boxes(const PostMesh& a, const PostMesh& b, const Cells& at) 
   return std::sqrt(square);
 }
 
-void ask_distances(const std::string& names, const PostMesh& a, const PostMesh& b) {
+void query_distances(const std::string& names, const PostMesh& a, const PostMesh& b) {
   const flashbvh::test::Rotation none = flashbvh::test::rotation_of({1, 0, 0, 0});
   Random random(kSeed);
   std::vector<Placed> poses;
   std::vector<double> lengths;
-  while (poses.size() < kAsked) {
+  while (poses.size() < kQueries) {
     const Cells at = {random.between(-4000, 4000), random.between(-4000, 4000),
                       random.between(-4000, 4000)};
     const double length = distance_of_boxes(a, b, at);
@@ -174,19 +173,19 @@ void ask_distances(const std::string& names, const PostMesh& a, const PostMesh& 
       lengths.push_back(length);
     }
   }
-  const std::pair<const char*, std::unique_ptr<Ruler>> libraries[] = {
-      {"flashbvh", ruler_of_flashbvh(a, b, Seeds::none)},
-      {"fcl", ruler_of_fcl(a, b, Volumes::boxes_and_spheres)},
-      {"fcl_rss", ruler_of_fcl(a, b, Volumes::spheres)}};
+  const std::pair<const char*, std::unique_ptr<DistanceMeter>> libraries[] = {
+      {"flashbvh", distances_of_flashbvh(a, b, Hint::none)},
+      {"fcl", distances_of_fcl(a, b, Volumes::boxes_and_spheres)},
+      {"fcl_rss", distances_of_fcl(a, b, Volumes::spheres)}};
   for (const auto& [name, library] : libraries) {
     library->set_poses(poses);
     std::size_t wrong = 0;
-    for (std::size_t i = 0; i < kAsked; ++i) {
-      const Length told = library->length(i);
+    for (std::size_t i = 0; i < kQueries; ++i) {
+      const Length found = library->length(i);
       const double allowed = 1e-6 * lengths[i];
-      wrong += told.lower > lengths[i] + allowed || told.upper < lengths[i] - allowed ? 1 : 0;
+      wrong += found.lower > lengths[i] + allowed || found.upper < lengths[i] - allowed ? 1 : 0;
     }
-    std::printf("known distance %s %s %zu %zu\n", names.c_str(), name, kAsked, wrong);
+    std::printf("known distance %s %s %zu %zu\n", names.c_str(), name, kQueries, wrong);
   }
 }
 
@@ -243,15 +242,15 @@ flashbvh::Segment any_ray(const PostMesh& mesh, Aim aim, Random& random) {
 }
 
 /// Wrong: a ray misses what it goes through, says that it is behind it, or hits what it passes by.
-void ask_rays(const std::string& name_of_mesh, const PostMesh& mesh) {
-  const std::pair<const char*, std::unique_ptr<Caster>> libraries[] = {
-      {"flashbvh", caster_of_flashbvh(mesh)},
-      {"opcode", caster_of_opcode(mesh)},
-      {"bullet", caster_of_bullet(mesh)}};
+void query_rays(const std::string& name_of_mesh, const PostMesh& mesh) {
+  const std::pair<const char*, std::unique_ptr<RayCaster>> libraries[] = {
+      {"flashbvh", ray_caster_of_flashbvh(mesh)},
+      {"opcode", ray_caster_of_opcode(mesh)},
+      {"bullet", ray_caster_of_bullet(mesh)}};
   for (const Aim aim : {Aim::vertex, Aim::edge, Aim::beside}) {
     Random random(kSeed);
     std::size_t wrong[3] = {0, 0, 0};
-    for (std::size_t i = 0; i < kAsked; ++i) {
+    for (std::size_t i = 0; i < kQueries; ++i) {
       const flashbvh::Segment segment = any_ray(mesh, aim, random);
       for (std::size_t of = 0; of < 3; ++of) {
         const double share = libraries[of].second->nearest(segment);
@@ -260,19 +259,19 @@ void ask_rays(const std::string& name_of_mesh, const PostMesh& mesh) {
     }
     for (std::size_t of = 0; of < 3; ++of) {
       std::printf("known %s %s %s %zu %zu\n", kAims[static_cast<int>(aim)], name_of_mesh.c_str(),
-                  libraries[of].first, kAsked, wrong[of]);
+                  libraries[of].first, kQueries, wrong[of]);
     }
   }
 }
 
 }  // namespace
 
-void ask_what_is_known(const std::string& names, const PostMesh& a, const PostMesh& b) {
-  ask_touching(names, a, b);
+void query_known_answers(const std::string& names, const PostMesh& a, const PostMesh& b) {
+  query_touching(names, a, b);
   if (a.triangle_count == 12 && b.triangle_count == 12) {
-    ask_distances(names, a, b);
+    query_distances(names, a, b);
   }
-  ask_rays(names.substr(0, names.find('-')), a);
+  query_rays(names.substr(0, names.find('-')), a);
 }
 
 }  // namespace compare

@@ -1,0 +1,37 @@
+// Vertices and poses of flashbvh in the numbers and the unit of the other libraries.
+#ifndef FLASHBVH_TOOLS_COMPARE_UNITS_HPP
+#define FLASHBVH_TOOLS_COMPARE_UNITS_HPP
+
+#include <cstdint>
+
+#include "flashbvh/mesh.hpp"
+#include "flashbvh/pose.hpp"
+
+namespace compare {
+
+/// The unit of the other libraries' meshes: a power of two, so that every vertex is exact in
+/// binary32, and of a size that keeps their products of five lengths and areas far from its limits.
+inline constexpr double kCellsOfUnit = 1024;
+
+/// A vertex in the mesh's frame, in units.
+template <class Number>
+void set_vertex(const flashbvh::PostMesh& mesh, std::uint32_t vertex, Number (&point)[3]) {
+  const flashbvh::Vertex& v = mesh.vertices[vertex];
+  const std::int32_t cells[3] = {v.x, v.y, v.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    point[axis] = static_cast<Number>((mesh.origin[axis] + cells[axis]) / kCellsOfUnit);
+  }
+}
+
+inline double rotation_of(const flashbvh::Pose& pose, int row, int column) {
+  return pose.rotation(row, column) / static_cast<double>(flashbvh::kRotationOne);
+}
+
+/// In units.
+inline double translation_of(const flashbvh::Pose& pose, int axis) {
+  return (pose.translation(axis) + pose.fraction(axis) / 65536.0) / kCellsOfUnit;
+}
+
+}  // namespace compare
+
+#endif
