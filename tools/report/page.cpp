@@ -1,13 +1,57 @@
 #include "report/page.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "evaluate/poses.hpp"
+#include "evaluate/queries.hpp"
 #include "report/html.hpp"
 #include "report/sections.hpp"
-#include "report/subject.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
+
+namespace fs = std::filesystem;
+
+/// Pairs that are asked about at random poses: all of twelve meshes.
+constexpr std::size_t kMostPairs = 66;
+
+std::vector<AskedPair> partners(const Subjects& subjects) {
+  std::vector<AskedPair> pairs;
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    for (std::size_t j = i + 1; j < subjects.size(); ++j) {
+      if (pairs.size() < kMostPairs && are_partners(subjects[i]->image, subjects[j]->image)) {
+        pairs.push_back({subjects[i], subjects[j], {}});
+      }
+    }
+  }
+  return pairs;
+}
+
+AskedPair at_poses(const Subject& a, const Subject& b, const std::string& path) {
+  check_partners(a.image, b.image);
+  return {&a, &b, costs_at(a.image, b.image, path)};
+}
+
+/// A file A-B for each pair that is asked about.
+std::vector<AskedPair> at_poses_of_folder(const Subjects& subjects, const std::string& folder) {
+  std::vector<AskedPair> pairs;
+  for (const Subject* const a : subjects) {
+    for (const Subject* const b : subjects) {
+      const fs::path file = fs::path(folder) / (a->name + "-" + b->name);
+      if (fs::exists(file)) {
+        pairs.push_back(at_poses(*a, *b, file.string()));
+      }
+    }
+  }
+  if (pairs.empty()) {
+    const std::string example = subjects.front()->name + "-" + subjects.back()->name;
+    throw UserError(folder, "has poses of no two of the images; name a file after them: ", example);
+  }
+  return pairs;
+}
 
 std::string title_of(const Subjects& subjects) {
   if (subjects.size() > 2) {
@@ -25,7 +69,47 @@ std::size_t most_levels(const Subjects& subjects) {
   return levels;
 }
 
+/// All pairs that can be queried, or the first few. One mesh is queried against a second one.
+std::vector<AskedPair> asked_pairs(const Subjects& subjects, const ReportOptions& options,
+                                   const Step& step) {
+  if (!options.poses.empty()) {
+    step("querying", static_cast<double>(subjects.size()));
+    if (fs::is_directory(options.poses)) {
+      return at_poses_of_folder(subjects, options.poses);
+    }
+    if (subjects.size() > 2) {
+      throw UserError(options.poses, "has poses of a second image in a first one's frame, and ",
+                      subjects.size(),
+                      " are given; give two, or a folder with a file A-B for "
+                      "each pair of them");
+    }
+    return {at_poses(*subjects.front(), *subjects.back(), options.poses)};
+  }
+  std::vector<AskedPair> pairs = partners(subjects);
+  if (subjects.size() == 1) {
+    pairs.push_back({subjects[0], subjects[0], {}});
+  }
+  for (AskedPair& pair : pairs) {
+    step("querying " + pair.a->name + " and " + pair.b->name,
+         static_cast<double>(subjects.size()) / static_cast<double>(pairs.size()));
+    pair.costs = sampled_costs(pair.a->image, pair.b->image, options.samples);
+  }
+  return pairs;
+}
+
 }  // namespace
+
+std::string title_of(const AskedPair& pair) {
+  const std::string a = escaped(pair.a->name);
+  return a + (pair.a == pair.b ? " and a second " + a : " and " + escaped(pair.b->name));
+}
+
+const AskedPair& costliest(const std::vector<AskedPair>& pairs) {
+  return *std::max_element(pairs.begin(), pairs.end(), [](const AskedPair& p, const AskedPair& q) {
+    return std::pair(p.costs.needed.most, p.costs.bound.work) <
+           std::pair(q.costs.needed.most, q.costs.bound.work);
+  });
+}
 
 std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
                     const ReportOptions& options, const Step& step) {

@@ -7,10 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "evaluate/needed_work.hpp"
 #include "image/image_file.hpp"
-#include "report/budget.hpp"
 
 namespace flashbvh::tool {
+
+/// A period of a core.
+struct Budget {
+  Core core;
+  double hz;   ///< periods a second
+  double mhz;  ///< a million instructions a second: one a cycle
+
+  double instructions() const { return mhz * 1e6 / hz; }  ///< of a period
+};
 
 struct ReportOptions {
   /// Of B in A's frame, as `collide` takes them. A file for two images; a folder with a file A-B

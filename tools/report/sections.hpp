@@ -26,10 +26,6 @@ std::string title_of(const AskedPair& pair);
 /// The pair whose costliest pose, or bound where there are no poses, takes most work.
 const AskedPair& costliest(const std::vector<AskedPair>& pairs);
 
-/// All pairs that can be asked about, or the first few. One mesh is asked about a second one.
-std::vector<AskedPair> asked_pairs(const Subjects& subjects, const ReportOptions& options,
-                                   const Step& step);
-
 /// Flash, RAM and time, and whether they are enough. `pairs`: may be none.
 std::string fit_section(const Subjects& subjects, const std::vector<AskedPair>& pairs,
                         const ReportOptions& options);
@@ -38,7 +34,6 @@ std::string fit_section(const Subjects& subjects, const std::vector<AskedPair>& 
 /// contact as pictures; work by how close the meshes come. Nothing without poses.
 std::string pairs_section(const Subjects& subjects, const std::vector<AskedPair>& pairs,
                           const ReportOptions& options);
-std::string pose_pictures(const AskedPair& pair);
 
 /// Key figures, pictures and warnings.
 std::string image_section(const Subject& subject);
