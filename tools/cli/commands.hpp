@@ -3,7 +3,9 @@
 #define FLASHBVH_TOOLS_CLI_COMMANDS_HPP
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace flashbvh::tool {
@@ -24,6 +26,16 @@ void add_ray(CLI::App& app);
 void add_bench(CLI::App& app, ExitCode& exit_code);
 void add_robot(CLI::App& app);
 void add_guard(CLI::App& app, ExitCode& exit_code);
+
+/// Declares a command that calls run(arguments); its options go to the arguments.
+template <class Arguments, class Run>
+std::pair<CLI::App&, Arguments&> add_command(CLI::App& app, const char* name, const char* what,
+                                             const Run& run) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* const command = app.add_subcommand(name, what);
+  command->callback([arguments, run] { run(*arguments); });
+  return {*command, *arguments};
+}
 
 /// Declares --unit, which can be given several times and takes one word each time.
 void add_unit_option(CLI::App& command, std::vector<std::string>& given);

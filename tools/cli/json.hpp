@@ -1,26 +1,37 @@
-// JSON as all commands print it: fields in order, a line each.
+// JSON as all commands print it: fields in order, a line an object.
 #ifndef FLASHBVH_TOOLS_CLI_JSON_HPP
 #define FLASHBVH_TOOLS_CLI_JSON_HPP
 
+#include <iostream>
 #include <nlohmann/json.hpp>
-#include <string>
 
+#include "flashbvh/contact.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
 
-/// With its line end; bytes that are no UTF-8 are replaced.
-inline std::string json_line(const nlohmann::ordered_json& object) {
-  using Json = nlohmann::ordered_json;
-  return object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+using Json = nlohmann::ordered_json;
+
+/// On a line of standard output; bytes that are no UTF-8 are replaced.
+inline void print_object(const Json& object) {
+  std::cout << object.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 
-inline nlohmann::ordered_json json_of(const Warnings& warnings) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+inline Json json_of(const Warnings& warnings) {
+  Json all = Json::array();
   for (const PlacedWarning& warning : warnings.all()) {
     all.push_back({{"place", warning.place}, {"warning", warning.what}});
   }
   return all;
+}
+
+/// A length in 1/256 cell, in the unit of the cell.
+inline double unit_length(std::int64_t fine, double cell) {
+  return static_cast<double>(fine) * cell / kFineOne;
+}
+
+inline Json point_json(const FinePoint& point, double cell) {
+  return {unit_length(point.x, cell), unit_length(point.y, cell), unit_length(point.z, cell)};
 }
 
 }  // namespace flashbvh::tool

@@ -21,7 +21,8 @@ void refuse_to_replace_inputs(const std::string& output, const std::vector<std::
   }
 }
 
-void refuse_to_replace_image(const std::string& output) {
+void check_output(const std::string& output, const std::vector<std::string>& inputs) {
+  refuse_to_replace_inputs(output, inputs);
   std::uint32_t magic = 0;
   std::error_code error;
   if (!std::filesystem::is_regular_file(output, error)) {

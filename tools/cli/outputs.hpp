@@ -10,8 +10,9 @@ namespace flashbvh::tool {
 /// UserError if the file `output` is one of `inputs`, by whatever name.
 void refuse_to_replace_inputs(const std::string& output, const std::vector<std::string>& inputs);
 
-/// UserError if the file `output` is an image: for what writes none.
-void refuse_to_replace_image(const std::string& output);
+/// For commands that write no image: UserError as above, or if the file `output` is an image. It
+/// may be empty: no file.
+void check_output(const std::string& output, const std::vector<std::string>& inputs);
 
 }  // namespace flashbvh::tool
 

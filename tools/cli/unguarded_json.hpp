@@ -2,16 +2,14 @@
 #ifndef FLASHBVH_TOOLS_CLI_UNGUARDED_JSON_HPP
 #define FLASHBVH_TOOLS_CLI_UNGUARDED_JSON_HPP
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "robot/unguarded.hpp"
 
 namespace flashbvh::tool {
 
-inline nlohmann::ordered_json unguarded_json(const Model& model,
-                                             const std::vector<UnguardedPair>& unguarded) {
-  auto json = nlohmann::ordered_json::array();
+inline Json unguarded_json(const Model& model, const std::vector<UnguardedPair>& unguarded) {
+  auto json = Json::array();
   for (const UnguardedPair& pair : unguarded) {
     json.push_back({{"a", model.links[pair.a].name},
                     {"b", model.links[pair.b].name},

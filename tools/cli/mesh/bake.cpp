@@ -1,0 +1,209 @@
+// flashbvh bake: everything is read and baked before the first file is written.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <numeric>
+
+#include "bake/image_bytes.hpp"
+#include "cli/commands.hpp"
+#include "cli/mesh/bake_options.hpp"
+#include "cli/mesh/bake_table.hpp"
+#include "cli/mesh/mesh_warnings.hpp"
+#include "cli/mesh/sizes.hpp"
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "image/c_writer.hpp"
+#include "image/cpp_writer.hpp"
+#include "text/files.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+void check_size(const BakeOrder& order, const std::string& mesh, std::uint64_t bytes) {
+  if (order.writes_images && bytes > 0xFFFFFFFFu) {
+    throw UserError(mesh, "the image would be over 4 GiB; use fewer triangles");
+  }
+  if (order.writes_c && bytes > 0x7FFFFFFFu) {
+    throw UserError(mesh, "the C array would be over 2 GiB; use --format image or fewer triangles");
+  }
+  if (order.max_bytes && static_cast<std::int64_t>(bytes) > *order.max_bytes) {
+    throw UserError(
+        mesh, "takes ", bytes, " bytes, --max-bytes allows ", *order.max_bytes,
+        "; use fewer triangles, or a larger --leaf-size, which makes the worst pose dearer");
+  }
+}
+
+/// The files of a mesh, whatever the format.
+template <class Baked>
+void add_files(const Baked& baked, const BakeOrder& order, const OutputName& name, FileSet& files) {
+  const std::string stem = (std::filesystem::path(order.folder) / name.stem).string();
+  const auto add = [&](const char* extension, std::string bytes) {
+    refuse_to_replace_inputs(stem + extension, order.meshes);
+    files.add(stem + extension, std::move(bytes));
+  };
+  if (order.writes_images) {
+    const std::vector<std::uint32_t> words = image_of(baked, order.levels);
+    add(".fbvh", {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]});
+  }
+  if (order.writes_cpp) {
+    SourceFiles cpp = cpp_of(baked, name, order.units.common());
+    add(".fbvh.hpp", std::move(cpp.header));
+    add(".fbvh.cpp", std::move(cpp.source));
+  }
+  if (order.writes_c) {
+    SourceFiles c = c_of(baked, image_of(baked, order.levels), name, order.units.common());
+    add(".fbvh.h", std::move(c.header));
+    add(".fbvh.c", std::move(c.source));
+  }
+}
+
+BakeRow bake_one(const BakeOrder& order, BakedMesh& mesh, const std::string& path,
+                 const OutputName& name, FileSet& files) {
+  return std::visit(
+      [&](auto& baked) {
+        if (order.deformable) {
+          bake::show_quads(baked);
+        }
+        baked.unit = order.units.unit();
+        baked.name = name.stem.substr(0, bake::kMaxNameSize);
+        const std::size_t image = image_size(baked, order.levels);
+        check_size(order, path, image);
+        if (!order.dry_run) {
+          add_files(baked, order, name, files);
+        }
+        return BakeRow{name.stem,
+                       order.writes_cpp ? flash_bytes(baked) : image,
+                       image,
+                       baked.triangles.size(),
+                       baked.vertices.size(),
+                       baked.nodes.size(),
+                       baked.depth,
+                       baked.deviation,
+                       {},
+                       bake::bending_cost(baked.view())};
+      },
+      mesh.tree);
+}
+
+/// Reading a mesh takes about as long as baking it; both grow with the file.
+std::vector<double> weights_of(const std::vector<std::string>& paths) {
+  std::vector<double> weights;
+  for (const std::string& path : paths) {
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+    weights.push_back(unknown ? 1 : static_cast<double>(size));
+  }
+  return weights;
+}
+
+/// A mesh file, or one of its bodies.
+struct Part {
+  InputMesh mesh;
+  OutputName name;
+  double weight;
+};
+
+std::vector<Part> read_parts(const BakeOrder& order, const std::vector<double>& weights,
+                             Progress& progress, Warnings& warnings) {
+  std::vector<Part> parts;
+  TakenOutputs taken;
+  for (std::size_t i = 0; i < order.meshes.size(); ++i) {
+    const std::string& path = order.meshes[i];
+    progress.begin("reading " + path, weights[i]);
+    if (!order.split) {
+      parts.push_back({read_mesh(path, order.units, warnings), order.names[i], weights[i]});
+      continue;
+    }
+    std::vector<InputMesh> bodies = read_bodies(path, order.units, warnings);
+    const std::vector<OutputName> names = body_names(path, bodies);
+    for (std::size_t j = 0; j < bodies.size(); ++j) {
+      taken.add(names[j], bodies[j].path, "bake the files into folders of their own");
+      parts.push_back(
+          {std::move(bodies[j]), names[j], weights[i] / static_cast<double>(bodies.size())});
+    }
+  }
+  return parts;
+}
+
+/// Of meshes that look as if they were in another unit than the others.
+void warn_of_odd_sizes(const std::vector<Part>& parts, const std::vector<BakeRow>& rows,
+                       const std::string& unit, Warnings& warnings) {
+  std::vector<Size> sizes(rows.size());
+  std::transform(rows.begin(), rows.end(), sizes.begin(),
+                 [](const BakeRow& row) { return row.size; });
+  for (const OddSize& odd : odd_sizes(sizes)) {
+    warnings.add(
+        parts[odd.which].mesh.path,
+        concat("is ", size_text(sizes[odd.which], unit), ", ", odd_size_text(odd, "meshes"),
+               "; if its unit or its scale is another one, --unit FILE=UNIT converts it"));
+  }
+}
+
+/// How much wider than its mesh the lattice of one that bends is.
+constexpr double kRoomToBend = 2;
+
+/// Everything but what is written. `options`: the order's, with the cell that all the meshes share.
+std::vector<BakeRow> bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files,
+                                 Warnings& warnings) {
+  const std::vector<double> weights = weights_of(order.meshes);
+  Progress progress(2 * std::accumulate(weights.begin(), weights.end(), 0.0), order.progress);
+  const std::vector<Part> parts = read_parts(order, weights, progress, warnings);
+  double finest = 0;
+  for (const Part& part : parts) {
+    finest = std::max(finest, finest_cell(part.mesh));
+  }
+  options.cell = order.options.cell.value_or(order.deformable ? kRoomToBend * finest : finest);
+  std::vector<BakeRow> rows;
+  for (const Part& part : parts) {
+    progress.begin("baking " + part.mesh.path, part.weight);
+    BakedMesh baked = bake(part.mesh, options);
+    rows.push_back(bake_one(order, baked, part.mesh.path, part.name, files));
+    rows.back().size = size_of(part.mesh.mesh);
+    warn_of_mesh(part.mesh, baked.defects, options, warnings);
+    std::visit([&](const auto& tree) { warn_of_place(tree.origin, part.mesh.path, warnings); },
+               baked.tree);
+  }
+  warn_of_odd_sizes(parts, rows, order.units.common(), warnings);
+  return rows;
+}
+
+const char* legend(const BakeOrder& order) {
+  return order.writes_cpp ? "; flash: bytes that a query on the C++ arrays links; image: bytes of "
+                            "the binary\n"
+         : order.writes_c ? "; flash: bytes of the C array, which is the image\n"
+                          : "; flash: bytes of the image\n";
+}
+
+void bake_all(const BakeOrder& order) {
+  Warnings warnings;
+  BakeOptions options = order.options;
+  FileSet files;
+  const std::vector<BakeRow> rows = bake_meshes(order, options, files, warnings);
+  // Files that nobody heard of are none: what prints fails before they are in place.
+  files.write([&] {
+    warnings.print();
+    if (order.json) {
+      print_bake_json(rows, *options.cell, order.units, warnings);
+      flush_output();
+      return;
+    }
+    print_bake_table(rows, order.units);
+    std::cout << "cell " << order.units.with_unit(*options.cell) << legend(order);
+    if (order.deformable) {
+      print_bending(rows);
+    }
+    flush_output();
+  });
+}
+
+}  // namespace
+
+void add_bake(CLI::App& app) {
+  CLI::App* const command = app.add_subcommand(
+      "bake", concat("Bake meshes (", kMeshFormats,
+                     ")\ninto trees: C++ arrays, C arrays and binary images.\n"
+                     "Meshes that are queried together share a cell: bake them in one call."));
+  add_bake_options(*command, bake_all);
+}
+
+}  // namespace flashbvh::tool

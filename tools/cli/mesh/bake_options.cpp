@@ -1,0 +1,200 @@
+#include "cli/mesh/bake_options.hpp"
+#include "cli/options.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// As they are given.
+struct Arguments {
+  BakeOrder order;
+  std::string format = "both";
+  std::optional<std::string> cell;
+  std::string layout = "post";
+  std::string builder = "sah";
+  std::optional<std::string> name;
+  std::optional<std::uint32_t> leaf_size;
+  std::optional<std::uint32_t> arity;
+  std::string index_bits = "16";
+  std::optional<std::string> max_bytes;
+  std::optional<std::string> max_deviation;
+  std::vector<std::string> units;
+  std::vector<std::string> drop;
+};
+
+/// Output files and namespaces must not collide.
+std::vector<OutputName> output_names(const Arguments& arguments) {
+  const std::string chosen = arguments.name.value_or("");
+  if (arguments.name && chosen.empty()) {
+    throw UserError("--name", "is empty; give a name of letters, digits and '_', or none");
+  }
+  if (arguments.name && arguments.order.meshes.size() > 1) {
+    throw UserError("--name", "names one mesh, but ", arguments.order.meshes.size(),
+                    " are given; bake them one by one with the same --cell");
+  }
+  if (arguments.order.split) {
+    if (arguments.name) {
+      throw UserError("--name",
+                      "names one mesh, but --split makes one of each body, named after it");
+    }
+    return {};
+  }
+  std::vector<OutputName> names;
+  TakenOutputs taken;
+  for (const std::string& mesh : arguments.order.meshes) {
+    names.push_back(output_name(mesh, chosen));
+    taken.add(names.back(), mesh, "rename one of the files");
+  }
+  return names;
+}
+
+/// A length from the command line that firmware can hold in a float. `least`: the smallest.
+double length_of(const std::string& option, const std::string& text, double least) {
+  const std::optional<double> length = parse_number(text);
+  if (!length || *length < least ||
+      *length > static_cast<double>(std::numeric_limits<float>::max())) {
+    throw UserError(option + " " + text, "is no length; give a ",
+                    least > 0 ? "positive number" : "number from 0", " in the mesh's unit");
+  }
+  return *length;
+}
+
+/// What an image can have at all.
+constexpr long long kMostBytes = std::numeric_limits<std::uint32_t>::max();
+
+std::int64_t bytes_of(const std::string& option, const std::string& text) {
+  const std::optional<long long> bytes = parse_integer(text);
+  if (!bytes || *bytes < 1 || *bytes > kMostBytes) {
+    throw UserError(option + " " + text, "is no number of bytes; give one from 1 to ", kMostBytes);
+  }
+  return *bytes;
+}
+
+BakeOptions options_of(const Arguments& arguments) {
+  BakeOptions options = arguments.order.options;
+  const bool median = arguments.builder == "median";
+  options.layout = arguments.layout == "pre" ? Layout::pre_indexed : Layout::post_indexed;
+  options.index_width = arguments.index_bits == "16" ? IndexWidth::bits_16 : IndexWidth::bits_32;
+  options.builder = median ? Builder::median : Builder::sah;
+  // One triangle a leaf and two children a node are part of what makes the median tree the paper's.
+  options.leaf_size = arguments.leaf_size.value_or(median ? 1 : bake::kDefaultLeafSize);
+  options.arity = arguments.arity.value_or(median ? 2 : bake::kDefaultArity);
+  if (arguments.cell) {
+    options.cell = length_of("--cell", *arguments.cell,
+                             static_cast<double>(std::numeric_limits<float>::min()));
+  }
+  if (arguments.max_deviation) {
+    options.max_deviation = length_of("--max-deviation", *arguments.max_deviation, 0);
+  }
+  const auto drops = [&](const char* kind) {
+    return std::find(arguments.drop.begin(), arguments.drop.end(), kind) != arguments.drop.end();
+  };
+  options.drop_degenerate = drops("degenerate");
+  options.drop_duplicate = drops("duplicate");
+  return options;
+}
+
+BakeOrder order_of(const Arguments& arguments) {
+  BakeOrder order = arguments.order;
+  if (order.folder.empty() && !order.dry_run) {
+    throw CLI::RequiredError("--output or --dry-run");
+  }
+  order.names = output_names(arguments);
+  order.units = Units(arguments.units, order.meshes);
+  order.options = options_of(arguments);
+  order.options.unit = order.units.common();
+  if (arguments.max_bytes) {
+    order.max_bytes = bytes_of("--max-bytes", *arguments.max_bytes);
+  }
+  order.writes_cpp = arguments.format == "cpp" || arguments.format == "both";
+  order.writes_c = arguments.format == "c";
+  order.writes_images = arguments.format == "image" || arguments.format == "both";
+  return order;
+}
+
+/// What meshes are taken as, and what is refused.
+void add_mesh_options(CLI::App& command, Arguments& a) {
+  add_option(command, "--max-bytes", a.max_bytes, "N", "Refuse to write if an image is larger");
+  add_option(command, "--max-deviation", a.max_deviation, "LENGTH",
+             "Refuse to write if rounding moves a vertex further");
+  add_unit_option(command, a.units);
+  command
+      .add_option("--drop", a.drop,
+                  "Leave out triangles without area (`degenerate`) or with the three vertices of "
+                  "an\nearlier one (`duplicate`), or both, with a comma between. The others keep "
+                  "their numbers")
+      ->check(CLI::IsMember({"degenerate", "duplicate"}))
+      ->type_size(1)
+      ->expected(1)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_progress(command, a.order.progress);
+}
+
+}  // namespace
+
+void add_unit_option(CLI::App& command, std::vector<std::string>& given) {
+  repeated(
+      add_option(command, "--unit", given, "UNIT|FILE=UNIT",
+                 "Unit of the meshes and of all other lengths, given and printed: " +
+                     std::string(Units::kNames) +
+                     ".\nFILE=UNIT: this file alone is in another unit and is converted. May be "
+                     "repeated. Default: numbers as they are"));
+}
+
+void add_bake_options(CLI::App& command, const std::function<void(const BakeOrder&)>& run) {
+  const auto arguments = std::make_shared<Arguments>();
+  Arguments& a = *arguments;
+  command.add_option("MESH", a.order.meshes, "Mesh files")->required();
+  add_option(command, "-o,--output", a.order.folder, "DIR",
+             "Folder for the results; made if there is none");
+  command.add_flag("--dry-run", a.order.dry_run,
+                   "Print the table and what is wrong, and write nothing");
+  add_json(command, a.order.json, "Print the table as one JSON object");
+  add_choice(command, "--format", a.format, {"cpp", "c", "image", "both"},
+             "What to write: C++ arrays (cpp), the image as a C99 array (c), as a binary file "
+             "(image),\nor cpp and image (both)");
+  add_option(
+      command, "--cell", a.cell, "LENGTH",
+      "Size of a lattice cell in the mesh's unit; default: the finest that all the meshes fit");
+  command.add_flag(
+      "--deformable", a.order.deformable,
+      "For meshes that bend: the default cell is twice the finest, so that each may\n"
+      "reach half of its width beyond its box, and corners are turned for refits; says what\n"
+      "they take");
+  add_choice(command, "--layout", a.layout, {"pre", "post"},
+             "Order of the nodes: pre for `stackless`, post for `ranked` and `stackless-post`");
+  command.add_flag("--levels", a.order.levels,
+                   "Put levels into post-indexed images, for `stackless-post` and "
+                   "`alternating-stack`");
+  add_choice(command, "--builder", a.builder, {"median", "sah"},
+             "How triangles are grouped: median is the paper's, sah gives faster queries");
+  command
+      .add_option("--leaf-size", a.leaf_size,
+                  "Most triangles in a leaf; default: 2, with --builder median 1")
+      ->check(CLI::Range(1, 16));
+  command
+      .add_option("--arity", a.arity,
+                  "Most children of a node; default: 4, with --builder median 2")
+      ->check(CLI::Range(2, 8));
+  add_choice(command, "--index-bits", a.index_bits, {"16", "32"},
+             "Width of indices; 16 reach 65535 nodes");
+  command.add_option(
+      "--name", a.name,
+      "Name of the files and of what is in them, for one mesh; default: that of the mesh file");
+  command.add_flag("--split", a.order.split,
+                   "Bake each body apart, named after it: ASCII STL's solids, what OBJ's o and g\n"
+                   "name, the nodes of DAE, glTF and 3MF. Triangles are counted in each body");
+  add_mesh_options(command, a);
+  command.callback([arguments, run] { run(order_of(*arguments)); });
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,42 @@
+// What `flashbvh bake` prints: a row a mesh, what firmware links first.
+#ifndef FLASHBVH_TOOLS_CLI_BAKE_TABLE_HPP
+#define FLASHBVH_TOOLS_CLI_BAKE_TABLE_HPP
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bake/bending.hpp"
+#include "cli/mesh/sizes.hpp"
+#include "mesh/units.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+
+/// What one mesh became.
+struct BakeRow {
+  std::string mesh;
+  std::size_t flash_bytes = 0;  ///< what firmware links that uses it
+  std::size_t image_bytes = 0;
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  std::size_t nodes = 0;
+  std::size_t depth = 0;
+  double deviation = 0;
+  Size size = {};
+  bake::BendingCost bending = {};
+};
+
+/// On standard output, with a row for all of them if they are several.
+void print_bake_table(const std::vector<BakeRow>& rows, const Units& units);
+
+/// The rows, the cell and the warnings as one JSON object on standard output.
+void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units& units,
+                     const Warnings& warnings);
+
+/// A line a mesh: what it takes to bend.
+void print_bending(const std::vector<BakeRow>& rows);
+
+}  // namespace flashbvh::tool
+
+#endif

@@ -1,0 +1,322 @@
+// flashbvh check: proves that an image is well-formed, and that it is a certain mesh.
+//
+// An image is a mesh if, rounded with the image's cell, triangle by triangle in the order of the
+// file, the mesh has the same corners as the image. The image may lack what `bake --drop` leaves
+// out.
+#include <iostream>
+#include <set>
+
+#include "bake/quantise.hpp"
+#include "bake/surface.hpp"
+#include "cli/commands.hpp"
+#include "cli/json.hpp"
+#include "cli/mesh/mesh_warnings.hpp"
+#include "cli/options.hpp"
+#include "image/image_file.hpp"
+#include "image/output_name.hpp"
+#include "mesh/defects.hpp"
+#include "mesh/import.hpp"
+#include "mesh/units.hpp"
+#include "robot/robot_file.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+std::string text_of(const LatticePoint& point) {
+  return concat("(", point[0], " ", point[1], " ", point[2], ")");
+}
+
+LatticePoint point_of(const bake::LatticeMesh& mesh, std::uint32_t vertex) {
+  const Vertex& v = mesh.vertices[vertex];
+  return {std::int64_t{v.x} + mesh.origin[0], std::int64_t{v.y} + mesh.origin[1],
+          std::int64_t{v.z} + mesh.origin[2]};
+}
+
+/// What an image may lack: triangles that `bake --drop` leaves out.
+struct LeftOut {
+  std::size_t degenerate = 0;
+  std::size_t duplicate = 0;
+};
+
+/// Compares an image with a mesh, both in the order of the source.
+class Comparison {
+ public:
+  Comparison(const ImageFile& image, const InputMesh& input)
+      : vertices_(vertices_of(image.tree())),
+        rounded_(bake::round_to_lattice(input.mesh, image.cell())) {
+    const MeshDefects defects = defects_of(input.mesh, rounded_, input.degenerate);
+    for (const TriangleIds& numbers : {defects.degenerate, defects.collapsed}) {
+      degenerate_.insert(numbers.begin(), numbers.end());
+    }
+    duplicates_.insert(defects.duplicates.begin(), defects.duplicates.end());
+  }
+
+  /// The first difference; empty if there is none.
+  std::string difference(const std::vector<SourceTriangle>& triangles) {
+    const std::size_t count = rounded_.triangles.size();
+    auto at = triangles.begin();
+    for (std::uint32_t number = 0; number < count; ++number) {
+      if (at == triangles.end() || at->number != number) {
+        if (!may_lack(number)) {
+          return concat("the image lacks triangle ", number);
+        }
+        continue;
+      }
+      std::string moved = difference(*at++);
+      if (!moved.empty()) {
+        return moved;
+      }
+    }
+    return at == triangles.end()
+               ? ""
+               : concat("the image has a triangle ", at->number, ", the mesh only ", count);
+  }
+
+  const LeftOut& left_out() const { return left_out_; }
+
+ private:
+  bool may_lack(std::uint32_t triangle) {
+    if (degenerate_.count(triangle) != 0) {
+      ++left_out_.degenerate;
+      return true;
+    }
+    left_out_.duplicate += duplicates_.count(triangle);
+    return duplicates_.count(triangle) != 0;
+  }
+
+  /// The image's corners may be turned: `bake --deformable` does.
+  std::string difference(const SourceTriangle& triangle) const {
+    std::string first;
+    for (std::size_t turns = 0; turns < 3; ++turns) {
+      const std::string turned = difference(triangle, turns);
+      if (turned.empty()) {
+        return "";
+      }
+      first = turns == 0 ? turned : first;
+    }
+    return first;
+  }
+  std::string difference(const SourceTriangle& triangle, std::size_t turns) const {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const LatticePoint& found = vertices_[triangle.vertices[(corner + turns) % 3]];
+      const LatticePoint wanted = point_of(rounded_, rounded_.triangles[triangle.number][corner]);
+      if (found != wanted) {
+        return concat("corner ", corner, " of triangle ", triangle.number, " lies at ",
+                      text_of(found), " in the image, at ", text_of(wanted), " in the mesh");
+      }
+    }
+    return {};
+  }
+
+  std::vector<LatticePoint> vertices_;
+  bake::LatticeMesh rounded_;
+  std::set<std::uint32_t> degenerate_;
+  std::set<std::uint32_t> duplicates_;
+  LeftOut left_out_;
+};
+
+/// UserError unless the image at `path` says of its shells, and whether they are closed, what its
+/// triangles say: the library doesn't look for the one, and tells the other by a sum. `of`: which
+/// mesh of the image, for the message.
+template <class Tree>
+void check_surface(const Tree& tree, const bake::LatticeMesh& mesh, const std::string& path,
+                   const std::string& of) {
+  const bake::Surface surface = bake::surface_of(mesh);
+  const bool same_shells = std::equal(surface.shell_vertices.begin(), surface.shell_vertices.end(),
+                                      tree.shell_vertices, tree.shell_vertices + tree.shell_count);
+  if (!same_shells || surface.is_closed != tree.is_closed) {
+    throw UserError(path, "is invalid: ", of,
+                    same_shells ? "its surface is not closed or open as it says"
+                                : "its vertices of shells are not those that its triangles make",
+                    "; bake it again");
+  }
+}
+
+/// What the image's own surface is like.
+void warn_of_surface(const ImageFile& image, const bake::LatticeMesh& mesh, Warnings& warnings) {
+  MeshDefects defects;
+  defects.duplicates = duplicate_triangles(mesh.triangles);
+  defects.edges = edge_defects(mesh.triangles, defects.duplicates);
+  defects.inside_out = defects.edges.none() && is_inside_out(mesh, defects.duplicates);
+  warn_of_surface(defects, image.path(), warnings);
+}
+
+struct CheckArguments {
+  std::string image;
+  std::string mesh;
+  std::string body;
+  std::vector<std::string> units;
+  bool json = false;
+};
+
+/// What is known of an image that is well-formed.
+struct CheckResult {
+  std::string name;
+  std::string text;  ///< without the name
+  ExitCode exit_code = kSuccess;
+};
+
+/// As `bake` reads it.
+InputMesh read_mesh_or_body(const CheckArguments& arguments, Warnings& warnings) {
+  const Units units(arguments.units, {arguments.mesh});
+  InputMesh input;
+  if (arguments.body.empty()) {
+    input = read_mesh(arguments.mesh, units, warnings);
+  } else {
+    std::vector<InputMesh> bodies = read_bodies(arguments.mesh, units, warnings);
+    const std::vector<OutputName> names = body_names(arguments.mesh, bodies);
+    std::string known;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (names[i].stem == arguments.body) {
+        input = std::move(bodies[i]);
+      }
+      known += (i == 0 ? "" : ", ") + names[i].stem;
+    }
+    if (input.mesh.triangles.empty()) {
+      throw UserError("--body " + arguments.body, "is none of ", arguments.mesh, "; it has ",
+                      known);
+    }
+  }
+  return input;
+}
+
+/// Adds how the mesh compares to the image.
+void compare(const CheckArguments& arguments, const ImageFile& image,
+             const std::vector<SourceTriangle>& triangles, CheckResult& result, Json& facts,
+             Warnings& warnings) {
+  const InputMesh input = read_mesh_or_body(arguments, warnings);
+  const bool is_small = bake::fits(input.mesh, image.cell());
+  std::string difference = "the mesh is too large for the image's cell";
+  LeftOut left_out;
+  if (is_small) {
+    Comparison comparison(image, input);
+    difference = comparison.difference(triangles);
+    left_out = comparison.left_out();
+  }
+  facts.update({{"mesh", input.path}, {"equal", difference.empty()}});
+  if (!difference.empty()) {
+    result.exit_code = kCheckFailed;
+    result.text += ", but not " + input.path + ": " + difference;
+    facts["difference"] = difference;
+    return;
+  }
+  facts.update(
+      {{"left_out_degenerate", left_out.degenerate}, {"left_out_duplicate", left_out.duplicate}});
+  result.text += ", equal to " + input.path;
+  if (left_out.degenerate + left_out.duplicate != 0) {
+    result.text += concat(" without ", left_out.degenerate, " degenerate and ", left_out.duplicate,
+                          " duplicate triangles");
+  }
+}
+
+/// Adds what the image holds to `facts`.
+CheckResult check_mesh(const CheckArguments& arguments, Json& facts, Warnings& warnings) {
+  const ImageFile image(arguments.image);
+  const std::vector<SourceTriangle> triangles = source_triangles(image);
+  const bake::LatticeMesh mesh = mesh_of(image, triangles);
+  std::visit([&](const auto& tree) { check_surface(tree, mesh, image.path(), ""); }, image.tree());
+  CheckResult result;
+  result.name = image.name();
+  result.text = concat("well-formed, ", triangles.size(), " triangles, ", image.header().node_count,
+                       " nodes");
+  facts = {{"kind", "mesh"}, {"triangles", triangles.size()}, {"nodes", image.header().node_count}};
+  if (arguments.mesh.empty() && !arguments.body.empty()) {
+    throw UserError("--body " + arguments.body, "names a body of no file; give --mesh, too");
+  }
+  if (!arguments.mesh.empty()) {
+    compare(arguments, image, triangles, result, facts, warnings);
+  }
+  warn_of_surface(image, mesh, warnings);
+  return result;
+}
+
+/// What check_surface() takes: the triangles in any order.
+bake::LatticeMesh mesh_of(const PostMesh& link) {
+  bake::LatticeMesh mesh;
+  mesh.vertices.assign(link.vertices, link.vertices + link.vertex_count);
+  for (std::uint32_t i = 0; i < link.triangle_count; ++i) {
+    const auto& corner = link.triangles[i].corner;
+    mesh.triangles.push_back({corner[0], corner[1], corner[2]});
+  }
+  return mesh;
+}
+
+/// The same.
+CheckResult check_robot(const CheckArguments& arguments, Json& facts) {
+  if (!arguments.mesh.empty() || !arguments.body.empty()) {
+    throw UserError(arguments.image,
+                    "is a robot's image, which --mesh can't be compared to; leave --mesh out");
+  }
+  const RobotFile file(arguments.image);
+  const Robot& robot = file.robot();
+  std::size_t triangles = 0;
+  for (std::uint32_t i = 0; i < robot.link_count; ++i) {
+    const PostMesh& link = robot.meshes[i];
+    check_surface(link, mesh_of(link), arguments.image, concat("of link ", i, ": "));
+    triangles += link.triangle_count;
+  }
+  CheckResult result;
+  result.name = file.name();
+  result.text = concat("well-formed, a robot of ", robot.joint_count, " joints, ", robot.link_count,
+                       " links with ", triangles, " triangles, ", robot.pair_count,
+                       " pairs of links that can collide");
+  facts = {{"kind", "robot"},
+           {"joints", robot.joint_count},
+           {"links", robot.link_count},
+           {"triangles", triangles},
+           {"pairs", robot.pair_count}};
+  return result;
+}
+
+ExitCode check_and_print(const CheckArguments& arguments) {
+  if (is_mesh_name(arguments.image)) {
+    throw UserError(arguments.image,
+                    "is no flashbvh image but a mesh; name its image, and the mesh by --mesh");
+  }
+  Warnings warnings;
+  Json facts;
+  const CheckResult result = is_robot_file_name(arguments.image)
+                                 ? check_robot(arguments, facts)
+                                 : check_mesh(arguments, facts, warnings);
+  warnings.print();
+  if (!arguments.json) {
+    std::cout << result.name << ": " << result.text << "\n";
+    return result.exit_code;
+  }
+  Json line = {{"image", arguments.image}, {"ok", result.exit_code == kSuccess}};
+  line.update(facts);
+  line["warnings"] = json_of(warnings);
+  print_object(line);
+  return result.exit_code;
+}
+
+ExitCode check(const CheckArguments& arguments) {
+  try {
+    return check_and_print(arguments);
+  } catch (const UserError& error) {
+    if (arguments.json) {
+      const Json line = {{"image", arguments.image}, {"ok", false}, {"wrong", error.what()}};
+      print_object(line);
+    }
+    throw;
+  }
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, ExitCode& exit_code) {
+  auto [command, a] = add_command<CheckArguments>(
+      app, "check",
+      "Prove that an image of a mesh or a robot is well-formed and, with --mesh, that it is this "
+      "mesh.\nPrints what it holds; exits with 1 if it is another mesh.",
+      [&exit_code](const CheckArguments& given) { exit_code = check(given); });
+  add_image(command, a.image, "Image (.fbvh, .robot)");
+  command.add_option("--mesh", a.mesh, "The mesh file that it was baked from");
+  command.add_option("--body", a.body, "The body of that file alone, as `bake --split` names it");
+  add_unit_option(command, a.units);
+  add_json(command, a.json, "Print one JSON object, of an image that is not well-formed, too");
+}
+
+}  // namespace flashbvh::tool

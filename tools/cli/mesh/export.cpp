@@ -1,0 +1,87 @@
+// flashbvh export: the lattice mesh as OBJ, for other programs to look at and to check answers by.
+#include <optional>
+
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/outputs.hpp"
+#include "evaluate/poses.hpp"
+#include "image/image_file.hpp"
+#include "mesh/units.hpp"
+#include "text/files.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+struct ExportArguments {
+  std::string image;
+  std::string mesh;
+  std::optional<std::string> pose;
+  bool cells = false;
+  bool floats = false;
+};
+
+/// A comment tells the number of a triangle before which others were left out.
+std::string faces_of(const std::vector<SourceTriangle>& triangles) {
+  std::string text;
+  std::uint32_t next = 0;
+  for (const SourceTriangle& triangle : triangles) {
+    if (triangle.number != next) {
+      text += concat("# triangle ", triangle.number, "\n");
+    }
+    next = triangle.number + 1;
+    text += "f";
+    for (const std::uint32_t vertex : triangle.vertices) {
+      text += concat(" ", vertex + 1);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+void write_obj(const ExportArguments& arguments) {
+  check_output(arguments.mesh, {});
+  const ImageFile image(arguments.image);
+  const std::vector<SourceTriangle> triangles = source_triangles(image);
+  std::vector<LatticePoint> vertices = vertices_of(image.tree());
+  if (arguments.pose) {
+    const RigidPose pose = parse_pose(*arguments.pose, "--pose");
+    vertices = transformed_vertices(image.tree(), arguments.floats
+                                                      ? pose_of_floats(pose, image.cell(), "--pose")
+                                                      : lattice_pose(pose, image.cell(), "--pose"));
+  }
+  const std::string unit = unit_name(image.unit());
+  std::string text = arguments.cells ? "# in cells\n"
+                     : unit.empty()  ? "# in the mesh's unit\n"
+                                     : "# in " + unit + "\n";
+  for (const LatticePoint& v : vertices) {
+    text += "v";
+    for (const std::int64_t c : v) {
+      text += " " + (arguments.cells ? std::to_string(c)
+                                     : shortest(static_cast<double>(c) * image.cell()));
+    }
+    text += "\n";
+  }
+  write_file(arguments.mesh, text + faces_of(triangles));
+}
+
+}  // namespace
+
+void add_export(CLI::App& app) {
+  auto [command, a] = add_command<ExportArguments>(
+      app, "export",
+      "Write the lattice mesh of an image as OBJ, in its unit, triangles in the "
+      "order of the\nsource mesh.",
+      write_obj);
+  add_image(command, a.image);
+  add_option(command, "-o,--output", a.mesh, "MESH.obj", "File to write")->required();
+  command.add_option("--pose", a.pose,
+                     "A pose of 12 numbers, as in `collide --poses`: write the mesh where a query "
+                     "puts it as B, in A's frame");
+  command.add_flag("--float", a.floats,
+                   "Take the pose's numbers as 32-bit floats, as firmware's pose_of() does");
+  command.add_flag("--cells", a.cells, "Integer coordinates, in cells");
+}
+
+}  // namespace flashbvh::tool

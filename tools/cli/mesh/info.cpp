@@ -1,0 +1,166 @@
+// flashbvh info: what is in an image.
+#include <array>
+#include <iostream>
+
+#include "bake/bending.hpp"
+#include "cli/commands.hpp"
+#include "cli/json.hpp"
+#include "cli/mesh/info_mesh.hpp"
+#include "cli/mesh/sizes.hpp"
+#include "cli/options.hpp"
+#include "cli/robot/robot_output.hpp"
+#include "image/image_file.hpp"
+#include "mesh/import.hpp"
+#include "mesh/units.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+struct Bounds {
+  LatticePoint lower;
+  LatticePoint upper;
+};
+
+/// The root's box, in cells of the mesh's frame.
+Bounds bounds_of(const AnyTree& any) {
+  return std::visit(
+      [](const auto& tree) {
+        const detail::Box box = detail::unpack(tree.nodes[0].box);
+        const auto& origin = tree.origin;
+        return Bounds{{std::int64_t{origin[0]} + box.lower.x, std::int64_t{origin[1]} + box.lower.y,
+                       std::int64_t{origin[2]} + box.lower.z},
+                      {std::int64_t{origin[0]} + box.upper.x, std::int64_t{origin[1]} + box.upper.y,
+                       std::int64_t{origin[2]} + box.upper.z}};
+      },
+      any);
+}
+
+std::array<double, 3> in_unit(const LatticePoint& point, double cell) {
+  return {static_cast<double>(point[0]) * cell, static_cast<double>(point[1]) * cell,
+          static_cast<double>(point[2]) * cell};
+}
+
+/// Names and values, in the order in which both outputs show them.
+Json facts_of(const ImageFile& image) {
+  const ImageHeader& header = image.header();
+  const Bounds bounds = bounds_of(image.tree());
+  const double cell = image.cell();
+  const bake::BendingCost bending =
+      std::visit([](const auto& tree) { return bake::bending_cost(tree); }, image.tree());
+  const auto lower = in_unit(bounds.lower, cell);
+  const auto upper = in_unit(bounds.upper, cell);
+  const Size size = {upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]};
+  return {
+      {"name", image.source()},
+      {"format_version", header.version},
+      {"layout", layout_name(image.layout())},
+      {"index_bits", header.index_bits},
+      {"nodes", header.node_count},
+      {"leaves", header.leaf_count},
+      {"depth", header.depth},
+      {"stack_need", header.stack_need},
+      {"triangles", header.triangle_count},
+      {"vertices", header.vertex_count},
+      {"leaf_size", header.leaf_size},
+      {"arity", header.arity},
+      {"levels", (header.flags & kImageHasLevels) != 0},
+      {"closed", (header.flags & kImageIsClosed) != 0},
+      {"shells", header.shell_count},
+      {"bytes", header.byte_count},
+      {"bytes_per_triangle", static_cast<double>(header.byte_count) / header.triangle_count},
+      {"ram_to_bend", bending.ram_bytes},
+      {"refit_instructions", bending.refit_instructions},
+      {"unit", unit_name(image.unit())},
+      {"cell", cell},
+      {"deviation", image.deviation()},
+      {"longest_edge", header.longest_edge * cell},
+      {"origin", header.origin},
+      {"box", {{"lower", lower}, {"upper", upper}}},
+      {"size", size},
+      {"box_cells", {{"lower", bounds.lower}, {"upper", bounds.upper}}},
+  };
+}
+
+std::string text_of(const Json& value) {
+  if (value.is_string()) {
+    const std::string text = value.get<std::string>();
+    return text.empty() ? "unknown" : text;
+  }
+  if (value.is_boolean()) {
+    return value.get<bool>() ? "yes" : "no";
+  }
+  if (value.is_number_float()) {
+    return shortest(value.get<double>());
+  }
+  if (value.is_array()) {
+    std::string text;
+    for (const Json& element : value) {
+      text += (text.empty() ? "" : " ") + text_of(element);
+    }
+    return text;
+  }
+  if (value.is_object()) {
+    return text_of(value["lower"]) + "  to  " + text_of(value["upper"]);
+  }
+  return value.dump();
+}
+
+/// What the names leave open.
+std::string unit_of(const std::string& name, Unit unit) {
+  if (name == "origin" || name == "box_cells") {
+    return "cells";
+  }
+  const bool length = name == "cell" || name == "deviation" || name == "longest_edge" ||
+                      name == "box" || name == "size";
+  if (name == "ram_to_bend" || name == "refit_instructions") {
+    return name == "ram_to_bend" ? "bytes" : "about, on a Cortex-M4F";
+  }
+  return !length ? "" : unit == Unit::none ? "of the mesh's unit" : unit_name(unit);
+}
+
+struct InfoArguments {
+  std::string image;
+  bool json = false;
+};
+
+void info(const InfoArguments& arguments) {
+  const auto& [path, json] = arguments;
+  if (is_mesh_name(path)) {
+    return info_of_mesh(path, json);
+  }
+  if (is_robot_file_name(path)) {
+    return (json ? print_robot_file_json : print_robot_file)(RobotFile(path));
+  }
+  const ImageFile image(path);
+  const Json facts = facts_of(image);
+  if (json) {
+    print_object(facts);
+    return;
+  }
+  for (const auto& [name, value] : facts.items()) {
+    const std::string unit = unit_of(name, image.unit());
+    std::string label = name;
+    for (char& c : label) {
+      c = c == '_' ? ' ' : c;
+    }
+    label.resize(20, ' ');
+    std::cout << label
+              << (name == "bytes_per_triangle" ? fixed(value.get<double>(), 2)
+                  : name == "size"             ? size_text(value.get<Size>(), "")
+                                               : text_of(value))
+              << (unit.empty() ? "" : "  " + unit) << "\n";
+  }
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  auto [command, a] = add_command<InfoArguments>(
+      app, "info",
+      "Print what is in an image of a mesh or a robot,\nor what baking a mesh would take.", info);
+  add_image(command, a.image, "Image (.fbvh, .robot) or mesh");
+  add_json(command, a.json, "As one JSON object");
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,91 @@
+#include "cli/mesh/mesh_warnings.hpp"
+
+#include <cstdlib>
+
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// "kept; --drop degenerate leaves them out", or that they were.
+std::string fate(bool dropped, const char* kind) {
+  return dropped ? "; left out" : std::string("; kept (--drop ") + kind + " leaves them out)";
+}
+
+std::string edge_text(const EdgeDefects& edges) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* kind, const char* what) {
+    if (count != 0) {
+      text += concat((text.empty() ? "" : ", "), count, " ", kind,
+                     (count == 1 ? "edge " : "edges "), what);
+    }
+  };
+  add(edges.boundary, "boundary ", "of one triangle");
+  add(edges.non_manifold, "non-manifold ", "of more than two");
+  add(edges.twisted, "", "of two that face opposite ways");
+  return text;
+}
+
+}  // namespace
+
+void warn_of_surface(const MeshDefects& defects, const std::string& path, Warnings& warnings) {
+  if (!defects.edges.none()) {
+    warnings.add(path, std::string(defects.closed_before ? "once rounded " : "") +
+                           "no closed surface (" + edge_text(defects.edges) +
+                           "): what lies inside the solid can't be told" +
+                           (defects.edges.twisted != 0 ? ", nor which way normals face" : "") +
+                           (defects.closed_before ? "; a finer --cell keeps it closed" : ""));
+  }
+  if (defects.inside_out) {
+    warnings.add(path,
+                 "is inside out: normals face into the solid; turn the triangles round in the "
+                 "program that made it, or leave them if it is a room, seen from within");
+  }
+}
+
+void warn_of_mesh(const InputMesh& mesh, const MeshDefects& defects, const BakeOptions& options,
+                  Warnings& warnings) {
+  const std::string& path = mesh.path;
+  const auto warn = [&](const TriangleIds& triangles, const char* what, bool dropped,
+                        const char* kind) {
+    if (!triangles.empty()) {
+      warnings.add(path, what + triangle_list(triangles) + fate(dropped, kind));
+    }
+  };
+  warn(defects.degenerate, "without area: ", options.drop_degenerate, "degenerate");
+  warn(defects.collapsed, "without area once rounded: ", options.drop_degenerate, "degenerate");
+  warn(defects.duplicates,
+       "with the three vertices of an earlier one, once rounded: ", options.drop_duplicate,
+       "duplicate");
+  warn_of_surface(defects, path, warnings);
+  if (options.cell) {
+    warn_of_precision(mesh, *options.cell, warnings);
+  }
+}
+
+void warn_of_precision(const InputMesh& mesh, double cell, Warnings& warnings) {
+  if (mesh.precision > cell / 2) {
+    warnings.add(mesh.path,
+                 concat("its coordinates are read as 32-bit floats, which may be off by ",
+                        shortest(mesh.precision), ", more than half a cell of ", shortest(cell),
+                        "; export it as STL or PLY, or nearer to its origin"));
+  }
+}
+
+void warn_of_place(const std::array<std::int32_t, 3>& origin, const std::string& path,
+                   Warnings& warnings) {
+  constexpr std::int64_t kFar = std::int64_t{1} << 18;
+  std::int64_t distance = 0;
+  for (const std::int32_t cells : origin) {
+    distance += std::abs(std::int64_t{cells});
+  }
+  if (distance > kFar) {
+    // Entries of a rotation are rounded by 2^-23.
+    const double off = static_cast<double>(distance) / (1 << 23);
+    warnings.add(path, concat("lies far from its frame's origin: rotated, it is placed within ",
+                              significant(0.51 + off, 2),
+                              " cells instead of 0.51; draw it nearer, or use a larger --cell"));
+  }
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,311 @@
+// flashbvh collide: the firmware's query, on the desktop.
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+#include "cli/commands.hpp"
+#include "cli/json.hpp"
+#include "cli/options.hpp"
+#include "cli/outputs.hpp"
+#include "cli/query/posed_images.hpp"
+#include "cli/query/summary.hpp"
+#include "evaluate/needed_work.hpp"
+#include "evaluate/poses.hpp"
+#include "evaluate/queries.hpp"
+#include "evaluate/visit_bound.hpp"
+#include "flashbvh/solid.hpp"
+#include "image/image_file.hpp"
+#include "text/files.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+struct CollideArguments : PosedImages {
+  std::string algorithm;
+  std::string pairs;
+  bool first = false;
+  bool bound = false;
+  bool summary = false;
+  bool json = false;
+  std::string contacts;
+};
+
+std::string chosen_algorithm(const CollideArguments& arguments, const ImageFile& a) {
+  if (arguments.algorithm.empty()) {
+    return default_traversal(a.layout());
+  }
+  if (!walks(arguments.algorithm, a.layout())) {
+    const bool pre = a.layout() == Layout::pre_indexed;
+    throw UserError(a.path(), "is ", std::string(layout_name(a.layout())), "-indexed, which ",
+                    arguments.algorithm, " can't walk; bake it with --layout ",
+                    pre ? "post" : "pre");
+  }
+  return arguments.algorithm;
+}
+
+/// Of two meshes whose triangles do not intersect; nothing if one is not closed, or pre-indexed.
+std::optional<bool> one_is_inside(const ImageFile& a, const ImageFile& b, const Pose& pose) {
+  return std::visit(
+      [&](const auto& tree) -> std::optional<bool> {
+        using Tree = std::decay_t<decltype(tree)>;
+        if constexpr (Tree::kLayout == Layout::post_indexed) {
+          using Plain = Mesh<typename Tree::Index, Layout::post_indexed>;
+          const auto answer =
+              flashbvh::one_is_inside(static_cast<const Plain&>(tree),
+                                      static_cast<const Plain&>(std::get<Tree>(b.tree())), pose);
+          return answer.status == Status::done ? std::optional(answer.yes) : std::nullopt;
+        } else {
+          return std::nullopt;
+        }
+      },
+      a.tree());
+}
+
+bool intersects(const Answer& answer) {
+  return answer.counts.triangle_pairs != 0;
+}
+
+const char* verdict_of(const Answer& answer) {
+  return intersects(answer) ? "intersect" : answer.inside.value_or(false) ? "inside" : "free";
+}
+
+/// Of one pose its verdict; of several how many intersect.
+std::string verdict_of_all(const std::vector<Answer>& found) {
+  if (found.size() == 1) {
+    return verdict_of(found[0]);
+  }
+  const auto count = std::count_if(found.begin(), found.end(), intersects);
+  const auto inside = std::count_if(found.begin(), found.end(), [](const Answer& answer) {
+    return answer.inside.value_or(false);
+  });
+  return concat(count, " of ", found.size(), " poses intersect",
+                inside == 0 ? "" : concat(", one mesh is inside the other in ", inside));
+}
+
+void print_json(std::size_t pose, const std::string& algorithm, const Answer& answer) {
+  Json line = {{"pose", pose}, {"intersects", intersects(answer)}};
+  if (answer.inside) {
+    line["inside"] = *answer.inside;
+  }
+  line.update({{"algorithm", algorithm},
+               {"visits", answer.counts.visits},
+               {"overlaps", answer.counts.overlaps},
+               {"leaf_pairs", answer.counts.leaf_pairs},
+               {"triangle_pairs", answer.counts.triangle_pairs},
+               {"status", "ok"}});
+  print_object(line);
+}
+
+void print_table_row(std::size_t pose, const Answer& answer) {
+  const WideCounts& counts = answer.counts;
+  std::cout << std::setw(6) << pose << "  " << std::left << std::setw(9) << verdict_of(answer)
+            << std::right << std::setw(14) << counts.visits << std::setw(14) << counts.overlaps
+            << std::setw(14) << counts.leaf_pairs << std::setw(16) << counts.triangle_pairs << "\n";
+}
+
+/// Of a pose, in order of the pairs.
+void append_pairs(std::string& text, std::size_t pose, const Answer& answer,
+                  const std::vector<std::size_t>& order) {
+  for (const std::size_t i : order) {
+    text += concat(pose, " ", answer.pairs[i].a, " ", answer.pairs[i].b, "\n");
+  }
+}
+
+/// The same with both ends of what they have in common, in the images' unit.
+void append_contacts(std::string& text, std::size_t pose, const Answer& answer,
+                     const std::vector<std::size_t>& order, double cell) {
+  for (const std::size_t i : order) {
+    text += concat(pose, " ", answer.pairs[i].a, " ", answer.pairs[i].b);
+    for (const FinePoint& end : answer.contacts[i].ends) {
+      for (const std::int64_t coordinate : {end.x, end.y, end.z}) {
+        text += " " + shortest(static_cast<double>(coordinate) * cell / kFineOne);
+      }
+    }
+    text += "\n";
+  }
+}
+
+/// The answer's pairs by number.
+std::vector<std::size_t> order_of(const Answer& answer) {
+  std::vector<std::size_t> order(answer.pairs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    const FoundPair& p = answer.pairs[i];
+    const FoundPair& q = answer.pairs[j];
+    return std::tie(p.a, p.b) < std::tie(q.a, q.b);
+  });
+  return order;
+}
+
+/// What no pose can exceed, what a run's bound is made of (lib/docs/bounded_time.md), and what the
+/// given poses needed, if any.
+void print_bound(const ImageFile& a, const ImageFile& b, const CollideArguments& arguments,
+                 const std::string& algorithm, const std::vector<std::uint64_t>& work) {
+  const VisitBound bound = visit_bound(a.tree(), b.tree(), algorithm);
+  const std::uint32_t depths = a.header().depth + b.header().depth;
+  const auto later = [](const ImageHeader& header) {
+    return header.arity == 0 ? 0u : header.arity - 1u;
+  };
+  const std::uint32_t siblings = later(a.header()) + later(b.header());
+  const std::uint32_t leaf_size = std::max(a.header().leaf_size, b.header().leaf_size);
+  const NeededWork poses = work.empty() ? NeededWork() : needed_work(work);
+  if (arguments.json) {
+    Json line = {{"algorithm", algorithm},
+                 {"most_work", bound.work},
+                 {"most_visits", bound.visits},
+                 {"most_leaf_pairs", bound.leaf_pairs},
+                 {"most_triangle_pairs", bound.triangle_pairs},
+                 {"depths", depths},
+                 {"later_siblings", siblings},
+                 {"leaf_size", leaf_size}};
+    if (!work.empty()) {
+      line.update({{"poses", work.size()},
+                   {"poses_most_work", poses.most},
+                   {"poses_99_percent_work", poses.percentile_99},
+                   {"poses_mean_work", std::llround(poses.mean)}});
+    }
+    print_object(line);
+    return;
+  }
+  std::cout << a.name() << " and " << b.name() << ", " << algorithm << "\n"
+            << "any pose: at most " << bound.work << " work: " << bound.visits
+            << " visits, of which " << bound.leaf_pairs << " pairs of leaves, where "
+            << bound.triangle_pairs << " pairs of triangles are tested\n";
+  if (!work.empty()) {
+    std::cout << work.size() << (work.size() == 1 ? " pose: at most " : " poses: at most ")
+              << poses.most << " work, 99 % of them at most " << poses.percentile_99
+              << ", the mean " << std::llround(poses.mean) << "\n";
+  }
+  std::cout << "depths " << depths << ", later siblings " << siblings
+            << ", triangles a leaf at most " << leaf_size << "\n";
+}
+
+/// All poses' answers, in their order.
+std::vector<Answer> answers(const CollideArguments& arguments, const ImageFile& a,
+                            const ImageFile& b, const std::string& algorithm) {
+  std::vector<Answer> found;
+  const Asked asked = {arguments.first, !arguments.contacts.empty()};
+  for (const Pose& pose : read_lattice_poses(arguments.poses, a.cell(), arguments.floats)) {
+    found.push_back(collide(a.tree(), b.tree(), pose, algorithm, asked));
+    Answer& answer = found.back();
+    check_answered(answer, arguments.poses, found.size() - 1);
+    if (!intersects(answer) && !arguments.bound && !arguments.summary) {
+      answer.inside = one_is_inside(a, b, pose);
+    }
+    if (arguments.pairs.empty() && arguments.contacts.empty()) {
+      answer.pairs = {};  // there may be many
+    }
+  }
+  return found;
+}
+
+void print_answers(const CollideArguments& arguments, const std::string& names,
+                   const std::string& algorithm, const std::vector<Answer>& found) {
+  if (!arguments.json) {
+    std::cout << names << ", " << algorithm << ": " << verdict_of_all(found) << "\n"
+              << "  pose  verdict          visits      overlaps    leaf pairs  triangle pairs\n";
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (arguments.json) {
+      print_json(i, algorithm, found[i]);
+    } else {
+      print_table_row(i, found[i]);
+    }
+  }
+}
+
+void collide_all(const CollideArguments& arguments) {
+  if (!arguments.bound && arguments.poses.empty()) {
+    throw CLI::RequiredError("--poses or --bound");
+  }
+  for (const std::string& output : {arguments.pairs, arguments.contacts}) {
+    check_output(output, {arguments.poses});
+  }
+  if (!arguments.pairs.empty() && arguments.pairs == arguments.contacts) {
+    throw UserError("--contacts " + arguments.contacts,
+                    "is the same file as that of --pairs; name two");
+  }
+  const ImageFile a(arguments.a);
+  const ImageFile b(arguments.b);
+  check_partners(a, b);
+  const std::string algorithm = chosen_algorithm(arguments, a);
+  std::vector<Answer> found;
+  if (!arguments.poses.empty()) {
+    found = answers(arguments, a, b, algorithm);
+  }
+  if (arguments.bound || arguments.summary) {
+    std::vector<std::uint64_t> work(found.size());
+    std::transform(found.begin(), found.end(), work.begin(),
+                   [](const Answer& answer) { return answer.work; });
+    if (arguments.bound) {
+      print_bound(a, b, arguments, algorithm, work);
+    } else {
+      print_summary(a, b, algorithm, work, arguments.json);
+    }
+    return;
+  }
+  FileSet files;
+  std::string pairs;
+  std::string contacts;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::vector<std::size_t> order = order_of(found[i]);
+    append_pairs(pairs, i, found[i], order);
+    if (!arguments.contacts.empty()) {
+      append_contacts(contacts, i, found[i], order, a.cell());
+    }
+  }
+  for (const auto& [path, text] :
+       {std::pair(arguments.pairs, pairs), {arguments.contacts, contacts}}) {
+    if (!path.empty()) {
+      files.add(path, text);
+    }
+  }
+  files.write([&] {
+    print_answers(arguments, a.name() + " and " + b.name(), algorithm, found);
+    flush_output();
+  });
+}
+
+}  // namespace
+
+void add_collide(CLI::App& app) {
+  auto [command, a] = add_command<CollideArguments>(
+      app, "collide",
+      "Find the triangles of A that intersect triangles of B, by the firmware's own code. Prints "
+      "of "
+      "each pose:\nintersect; inside, if the one closed mesh lies in the other; or free.",
+      collide_all);
+  (void)add_posed_images(command, a);
+  command
+      .add_option("--algorithm", a.algorithm,
+                  "Traversal; default: ranked, or stackless on pre-indexed images")
+      ->check(CLI::IsMember(traversal_names()));
+  CLI::Option* const first =
+      command.add_flag("--first", a.first, "Stop at the first pair of triangles");
+  CLI::Option* const pairs =
+      add_option(command, "--pairs", a.pairs, "OUT", "Write `pose a b` for each pair, sorted");
+  CLI::Option* const contacts =
+      add_option(command, "--contacts", a.contacts, "OUT",
+                 "Write `pose a b x y z x y z` for each pair, sorted: the two ends of what "
+                 "the triangles\nhave in common, in the images' unit, in A's frame");
+  add_float_flag(command, a);
+  add_json(command, a.json, "One JSON object a pose");
+  CLI::Option* const summary =
+      command
+          .add_flag("--summary", a.summary,
+                    "Print, instead, the mean, the 99th percentile and the most work of the "
+                    "poses, and the\ninstructions that each core takes for it at most")
+          ->excludes(pairs, contacts);
+  command
+      .add_flag("--bound", a.bound,
+                "Print the work that no pose exceeds, instead, and what the given poses needed")
+      ->excludes(first, pairs, contacts, summary);
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,78 @@
+// flashbvh inside: the firmware's point in solid, on the desktop.
+#include <iomanip>
+#include <iostream>
+
+#include "cli/commands.hpp"
+#include "cli/json.hpp"
+#include "cli/options.hpp"
+#include "cli/query/post_mesh.hpp"
+#include "evaluate/points.hpp"
+#include "flashbvh/solid.hpp"
+#include "image/image_file.hpp"
+#include "text/files.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+struct InsideArguments {
+  std::string image;
+  std::string points;
+  bool json = false;
+};
+
+const char* side_name(PointSide side) {
+  return side == PointSide::inside ? "inside" : side == PointSide::outside ? "outside" : "surface";
+}
+
+void query_points(const InsideArguments& arguments) {
+  const ImageFile image(arguments.image);
+  const std::vector<Point> points = read_lattice_points(arguments.points, image.cell());
+  std::vector<PointAnswer> answers;
+  for (const Point& point : points) {
+    const auto answer =
+        ask_post_mesh<PointAnswer>(image, [&](const auto& mesh) { return inside(mesh, point); });
+    if (answer.status == Status::not_closed) {
+      throw UserError(image.path(),
+                      "is no closed surface and has no inside; `flashbvh check` says where it is "
+                      "open");
+    }
+    answers.push_back(answer);
+  }
+  if (!arguments.json) {
+    std::cout << image.name() << "\n point  where         visits\n";
+  }
+  std::size_t number = 0;
+  for (const PointAnswer& answer : answers) {
+    if (arguments.json) {
+      const Json line = {{"point", number},
+                         {"where", side_name(answer.side)},
+                         {"visits", answer.visits},
+                         {"status", "ok"}};
+      print_object(line);
+    } else {
+      std::cout << std::setw(6) << number << "  " << std::left << std::setw(9)
+                << side_name(answer.side) << std::right << std::setw(11) << answer.visits << "\n";
+    }
+    ++number;
+  }
+  flush_output();
+}
+
+}  // namespace
+
+void add_inside(CLI::App& app) {
+  auto [command, a] = add_command<InsideArguments>(
+      app, "inside",
+      "Tell which points lie inside a closed mesh, outside, or on its surface, by the firmware's "
+      "own code.",
+      query_points);
+  add_image(command, a.image);
+  add_option(command, "--points", a.points, "FILE",
+             "A point a line, in the mesh's frame and unit, taken to the nearest cell; 3 "
+             "numbers")
+      ->required();
+  add_json(command, a.json, "One JSON object a point");
+}
+
+}  // namespace flashbvh::tool

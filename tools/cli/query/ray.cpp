@@ -1,0 +1,158 @@
+// flashbvh ray: the firmware's rays, on the desktop.
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+
+#include "cli/commands.hpp"
+#include "cli/json.hpp"
+#include "cli/options.hpp"
+#include "cli/query/post_mesh.hpp"
+#include "evaluate/points.hpp"
+#include "flashbvh/ray.hpp"
+#include "image/image_file.hpp"
+#include "mesh/units.hpp"
+#include "text/files.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+struct RayArguments {
+  std::string image;
+  std::string rays;
+  bool all = false;
+  bool json = false;
+};
+
+using Hit = RayHit<std::uint32_t>;
+
+/// Of one ray, whatever the width of the mesh's indices.
+struct Found {
+  Segment segment;
+  Status status = Status::done;
+  std::vector<Hit> hits;  ///< the nearest, or all, along the ray
+  std::uint32_t visits = 0;
+  std::optional<std::int32_t> outwards;  ///< of a closed mesh
+};
+
+template <class Index>
+Hit widened(const RayHit<Index>& hit) {
+  return {hit.triangle, hit.position, hit.side, hit.along};
+}
+
+bool is_before(const Hit& x, const Hit& y) {
+  const int order = detail::order_along(x.along, y.along);
+  return order < 0 || (order == 0 && x.triangle < y.triangle);
+}
+
+template <class MeshType>
+Found cast(const MeshType& mesh, const Segment& segment, bool all) {
+  Found found;
+  found.segment = segment;
+  const auto nearest = nearest_hit(mesh, segment);
+  found.status = nearest.status;
+  found.visits = nearest.visits;
+  if (all) {
+    (void)for_each_hit(mesh, segment, [&found](const auto& hit) {
+      found.hits.push_back(widened(hit));
+      return true;
+    });
+    std::sort(found.hits.begin(), found.hits.end(), is_before);
+  } else if (nearest.yes) {
+    found.hits.push_back(widened(nearest.hit));
+  }
+  const CrossingCount crossings = signed_crossings(mesh, segment);
+  if (crossings.status == Status::done) {
+    found.outwards = crossings.outwards;
+  }
+  return found;
+}
+
+Json hit_json(const Segment& segment, const Hit& hit, double cell) {
+  return {{"triangle", hit.triangle},
+          {"distance", unit_length(distance_along(segment, hit.along), cell)},
+          {"point", point_json(point_along(segment, hit.along), cell)},
+          {"side", hit.side > 0   ? "front"
+                   : hit.side < 0 ? "back"
+                                  : "edge"}};
+}
+
+void print_json(std::size_t number, const RayArguments& arguments, const Found& found, double cell,
+                const std::string& unit) {
+  Json line = {{"ray", number}, {"unit", unit}, {"hit", !found.hits.empty()}};
+  if (arguments.all) {
+    line["hits"] = Json::array();
+    for (const Hit& hit : found.hits) {
+      line["hits"].push_back(hit_json(found.segment, hit, cell));
+    }
+  } else if (!found.hits.empty()) {
+    line.update(hit_json(found.segment, found.hits[0], cell));
+  }
+  line["visits"] = found.visits;
+  if (found.outwards) {
+    line["crossings"] = *found.outwards;
+  }
+  line["status"] = "ok";
+  print_object(line);
+}
+
+void print_rows(std::size_t number, const Found& found, double cell) {
+  if (found.hits.empty()) {
+    std::cout << std::setw(6) << number << "          none\n";
+  }
+  for (const Hit& hit : found.hits) {
+    const auto distance = unit_length(distance_along(found.segment, hit.along), cell);
+    std::cout << std::setw(6) << number << "  " << std::setw(12) << significant(distance, 6)
+              << std::setw(11) << hit.triangle << std::setw(11) << found.visits << "\n";
+  }
+}
+
+void query_rays(const RayArguments& arguments) {
+  const ImageFile image(arguments.image);
+  std::vector<Found> answers;
+  for (const Segment& segment : read_lattice_rays(arguments.rays, image.cell())) {
+    answers.push_back(ask_post_mesh<Found>(
+        image, [&](const auto& mesh) { return cast(mesh, segment, arguments.all); }));
+    if (answers.back().status != Status::done) {
+      throw UserError(arguments.rays, "ray ", answers.size() - 1,
+                      " ends too far off: ", kMaxRayCoordinate, " cells, ",
+                      significant(kMaxRayCoordinate * image.cell(), 6),
+                      ", from the middle of the mesh's box is the most");
+    }
+  }
+  const std::string unit = unit_name(image.unit());
+  if (!arguments.json) {
+    std::cout << image.name() << (unit.empty() ? "" : ", distances in " + unit)
+              << "\n   ray      distance   triangle     visits\n";
+  }
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    if (arguments.json) {
+      print_json(i, arguments, answers[i], image.cell(), unit);
+    } else {
+      print_rows(i, answers[i], image.cell());
+    }
+  }
+  flush_output();
+}
+
+}  // namespace
+
+void add_ray(CLI::App& app) {
+  auto [command, a] = add_command<RayArguments>(
+      app, "ray",
+      "Tell what rays hit first, how far off, and how often they go out of a closed mesh and in, "
+      "by the\nfirmware's own code.",
+      query_rays);
+  add_image(command, a.image);
+  add_option(command, "--rays", a.rays, "FILE",
+             "A ray a line, in the mesh's frame and unit: 6 numbers, from and to, each to the "
+             "nearest cell; or 7: origin, direction, reach")
+      ->required();
+  command.add_flag("--all", a.all, "All hits of each ray, nearest first");
+  add_json(command, a.json, "One JSON object a ray");
+}
+
+}  // namespace flashbvh::tool

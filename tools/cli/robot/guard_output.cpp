@@ -1,0 +1,187 @@
+#include "cli/robot/guard_output.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+
+#include "cli/json.hpp"
+#include "robot/stretches.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+std::string links_of(const BakedRobot& robot, std::uint16_t pair) {
+  const RobotPair& links = robot.robot().pairs[pair];
+  return link_name(robot, links.a) + " - " + link_name(robot, links.b);
+}
+
+std::string metres_text(const Replayed& replayed, std::uint32_t fine) {
+  return significant(unit_length(fine, replayed.robot.cell), 4);
+}
+
+/// "  first at line 3, upper - fore".
+std::string first_of(const Replayed& replayed, std::size_t kind, std::size_t first) {
+  const GuardAnswer& answer = replayed.answers[first];
+  std::string text = concat("  first at line ", replayed.trajectory.line(first));
+  if (kind == kRefusedKind || answer.pair == kNoPair) {
+    return text;
+  }
+  text += ", " + links_of(replayed.robot, answer.pair);
+  if (kind != static_cast<std::size_t>(Verdict::not_yet_known)) {
+    return text;
+  }
+  return text + (answer.distance == 0
+                     ? ", of which nothing is known"
+                     : ", at least " + metres_text(replayed, answer.distance) + " m apart");
+}
+
+void print_counts(const Replayed& replayed) {
+  const ReplaySummary counts = summary_of(replayed.answers);
+  for (const std::size_t kind : kKindsInOrder) {
+    std::cout << std::left << std::setw(15) << kKindNames[kind] << std::right << std::setw(9)
+              << counts.periods[kind]
+              << (kind == 0 || counts.periods[kind] == 0
+                      ? ""
+                      : first_of(replayed, kind, counts.first[kind]))
+              << "\n";
+  }
+}
+
+void print_stretch(const Replayed& replayed, const Stretch& stretch) {
+  const bool is_refused = stretch.pair == kNoPair;
+  std::cout << std::left << std::setw(9) << replayed.trajectory.line(stretch.first) << std::setw(9)
+            << replayed.trajectory.line(stretch.last) << std::setw(15) << kKindNames[stretch.kind]
+            << std::setw(12) << (is_refused ? "-" : metres_text(replayed, stretch.kept))
+            << std::setw(12) << (stretch.closest ? metres_text(replayed, *stretch.closest) : "-")
+            << (is_refused ? "-" : links_of(replayed.robot, stretch.pair)) << "\n";
+}
+
+/// What is not free.
+void print_stretches(const Replayed& replayed) {
+  const std::vector<Stretch> stretches =
+      stretches_of(replayed.robot.robot(), replayed.trajectory, replayed.answers);
+  if (stretches.empty()) {
+    return;
+  }
+  std::cout << "\nfrom     to       verdict        known m     closest m   links\n";
+  for (const Stretch& stretch : worst_of(stretches, kShownLines)) {
+    print_stretch(replayed, stretch);
+  }
+  if (stretches.size() > kShownLines) {
+    std::cout << "and " << stretches.size() - kShownLines << " more: --report has a table\n";
+  }
+}
+
+void print_closest(const Replayed& replayed) {
+  const auto closest = closest_moment(replayed.robot.robot(), replayed.trajectory);
+  if (!closest) {
+    return;
+  }
+  const double distance = unit_length(closest->clearance.lower, replayed.robot.cell);
+  std::cout << "\nclosest: line " << replayed.trajectory.line(closest->period) << ", "
+            << links_of(replayed.robot, closest->pair)
+            << (distance == 0 ? " intersect" : ", " + significant(distance, 4) + " m") << "\n";
+}
+
+void print_work(const Replayed& replayed) {
+  const ReplaySummary summary = summary_of(replayed.answers);
+  if (summary.is_primed) {
+    std::cout << "work: " << summary.priming << " to prime; a period " << fixed(summary.mean, 1)
+              << " on average, " << summary.percentile_999 << " at the 99.9th percentile, at most "
+              << summary.most << "\n";
+  }
+}
+
+void print_motion(const Replayed& replayed, std::size_t i) {
+  const CertifiedMotion& motion = replayed.motions[i];
+  std::cout << "  to line " << replayed.trajectory.line(i + 1) << ": ";
+  if (motion.answer.status != Status::done) {
+    std::cout << "refused\n";
+    return;
+  }
+  std::cout << links_of(replayed.robot, motion.answer.pair)
+            << (motion.answer.outcome == MotionOutcome::hit ? " hit " : " close ")
+            << significant(motion.part, 4) << " of the way on, at ";
+  for (std::size_t v = 0; v < motion.values.size(); ++v) {
+    std::cout << (v == 0 ? "" : ", ") << variable_name(replayed.robot, v) << " "
+              << significant(motion.values[v], 6);
+  }
+  std::cout << "\n";
+}
+
+void print_motions(const Replayed& replayed) {
+  const auto& motions = replayed.motions;
+  const auto free = std::count_if(motions.begin(), motions.end(), is_free);
+  const std::size_t others = motions.size() - static_cast<std::size_t>(free);
+  std::cout << "\nmotions from line to line: " << free << " free, " << others << " not\n";
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < motions.size() && shown < kShownLines; ++i) {
+    if (!is_free(motions[i])) {
+      print_motion(replayed, i);
+      ++shown;
+    }
+  }
+  if (shown < others) {
+    std::cout << "  and " << others - shown << " more: --json has all\n";
+  }
+}
+
+}  // namespace
+
+void print_replayed(const Replayed& replayed) {
+  const BakedRobot& robot = replayed.robot;
+  const std::uint16_t pairs = robot.robot().pair_count;
+  for (const UnguardedPair& pair : robot.unguarded) {
+    std::cout << "not guarded: " << names_of(robot.model, {pair}) << " (" << pair.reason << ")\n";
+  }
+  std::cout << replayed.answers.size()
+            << (replayed.answers.size() == 1 ? " period, " : " periods, ") << pairs
+            << (pairs == 1 ? " pair" : " pairs") << " of links guarded, " << robot.unguarded.size()
+            << " not looked at\n\n";
+  print_counts(replayed);
+  print_stretches(replayed);
+  print_closest(replayed);
+  print_work(replayed);
+  if (replayed.has_motions) {
+    print_motions(replayed);
+  }
+}
+
+std::string name_of(Status status) {
+  switch (status) {
+    case Status::done:
+      return "ok";
+    case Status::not_a_coordinate:
+      return "not_a_coordinate";
+    case Status::joint_out_of_limits:
+      return "joint_out_of_limits";
+    case Status::joint_jumped:
+      return "joint_jumped";
+    default:
+      return concat("status ", static_cast<int>(status));
+  }
+}
+
+const std::string& link_name(const BakedRobot& robot, std::uint8_t link) {
+  return robot.model.links[link].name;
+}
+
+const std::string& variable_name(const BakedRobot& robot, std::size_t variable) {
+  return robot.model.joints[robot.model.variables[variable]].name;
+}
+
+ExitCode exit_code_of(const Replayed& replayed) {
+  const auto& answers = replayed.answers;
+  if (std::any_of(answers.begin(), answers.end(),
+                  [](const GuardAnswer& answer) { return answer.status != Status::done; })) {
+    return kRefusedValues;
+  }
+  const bool is_free_all =
+      std::all_of(answers.begin(), answers.end(),
+                  [](const GuardAnswer& answer) { return answer.verdict <= Verdict::warn; }) &&
+      std::all_of(replayed.motions.begin(), replayed.motions.end(), is_free);
+  return is_free_all ? kSuccess : kCheckFailed;
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,169 @@
+// flashbvh robot: a URDF as C++, C or an image for firmware, with what can collide.
+#include <filesystem>
+#include <set>
+
+#include "bake/image_bytes.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "cli/robot/baked_robot.hpp"
+#include "cli/robot/robot_output.hpp"
+#include "report/robot_page.hpp"
+#include "robot/robot_c_writer.hpp"
+#include "robot/robot_image.hpp"
+#include "robot/robot_writer.hpp"
+#include "text/files.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+struct OutputArguments : RobotArguments {
+  std::string folder;
+  std::string name;
+  std::string depfile;
+  std::string format = "cpp";
+  std::string page;
+  bool json = false;
+};
+
+std::string image_of(const BakedRobot& baked, const OutputName& name) {
+  std::vector<std::vector<std::uint32_t>> meshes;
+  for (const BakedLink& link : baked.links) {
+    meshes.push_back(bake::image_of(link.tree));
+  }
+  const std::vector<std::uint32_t> words =
+      robot_image(baked.model, baked.robot(), baked.unguarded, meshes, name.stem);
+  return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]};
+}
+
+bool writes_cpp(const OutputArguments& arguments) {
+  return arguments.format == "cpp" || arguments.format == "both";
+}
+
+/// UserError if it would replace what was read.
+void add_output(const OutputArguments& arguments, const Model& model, const std::string& path,
+                std::string text, FileSet& files) {
+  const std::set<std::string> read = files_read(arguments, model);
+  refuse_to_replace_inputs(path, {read.begin(), read.end()});
+  files.add(path, std::move(text));
+}
+
+void add_files(const OutputArguments& arguments, const OutputName& name, const BakedRobot& baked,
+               FileSet& files) {
+  const std::string stem = (std::filesystem::path(arguments.folder) / name.stem).string();
+  const auto add = [&](const char* extension, std::string text) {
+    add_output(arguments, baked.model, stem + extension, std::move(text), files);
+  };
+  const auto add_sources = [&](SourceFiles sources, const char* header, const char* source) {
+    add(header, std::move(sources.header));
+    add(source, std::move(sources.source));
+  };
+  if (arguments.format == "image" || arguments.format == "both") {
+    add(".robot", image_of(baked, name));
+  }
+  if (writes_cpp(arguments)) {
+    add_sources(robot_sources(baked.model, *baked.fixed, baked.links, baked.unguarded, name),
+                ".robot.hpp", ".robot.cpp");
+  }
+  if (arguments.format == "c") {
+    add_sources(robot_in_c(baked.model, *baked.fixed, baked.links, baked.unguarded, name),
+                ".robot.h", ".robot.c");
+  }
+}
+
+/// What was read, as make and Ninja have it.
+std::string dependencies(const OutputArguments& arguments, const OutputName& name,
+                         const Model& model) {
+  const auto escaped = [](const std::string& path) {
+    std::string text;
+    for (const char c : std::filesystem::absolute(path).lexically_normal().string()) {
+      text += c == ' ' || c == '#' ? concat("\\", c) : c == '$' ? "$$" : std::string(1, c);
+    }
+    return text;
+  };
+  const char* const extension = writes_cpp(arguments)     ? ".robot.hpp"
+                                : arguments.format == "c" ? ".robot.h"
+                                                          : ".robot";
+  std::string text = escaped(arguments.folder + "/" + name.stem + extension) + ":";
+  for (const std::string& path : files_read(arguments, model)) {
+    text += " \\\n  " + escaped(path);
+  }
+  return text + "\n";
+}
+
+void add_page(const OutputArguments& arguments, const BakedRobot& robot, FileSet& files) {
+  const std::set<std::string> read = files_read(arguments, robot.model);
+  refuse_to_replace_inputs(arguments.page, {read.begin(), read.end()});
+  Progress progress(2, arguments.progress);
+  files.add(
+      arguments.page,
+      robot_page({robot.model, robot.links, *robot.fixed, robot.pairs, arguments.stop,
+                  arguments.warn.value_or(arguments.stop), robot.unguarded},
+                 [&](const std::string& what, double share) { progress.begin(what, share); }));
+}
+
+/// Flash, if it is much, with leaves of kLargeLeaf triangles.
+std::optional<std::size_t> bytes_with_large_leaves(const BakedRobot& baked,
+                                                   const OutputArguments& arguments) {
+  if (robot_flash_bytes(*baked.fixed, baked.links) <= kMuchFlash ||
+      arguments.leaf_size >= kLargeLeaf) {
+    return std::nullopt;
+  }
+  std::vector<BakedLink> links;
+  for (const ModelLink& link : baked.model.links) {
+    links.push_back(bake_link(link, baked.cell, kLargeLeaf, arguments.urdf));
+  }
+  return robot_flash_bytes(*baked.fixed, links);
+}
+
+void make_robot(const OutputArguments& arguments) {
+  Warnings warnings;
+  const BakedRobot baked = baked_robot(described_robot(arguments, warnings), arguments, warnings);
+  const OutputName name = arguments.name.empty() ? distinct_names({baked.model.name}).front()
+                                                 : output_name(arguments.urdf, arguments.name);
+  FileSet files;
+  add_files(arguments, name, baked, files);
+  if (!arguments.depfile.empty()) {
+    add_output(arguments, baked.model, arguments.depfile,
+               dependencies(arguments, name, baked.model), files);
+  }
+  if (!arguments.page.empty()) {
+    add_page(arguments, baked, files);
+  }
+  const std::optional<std::size_t> smaller = bytes_with_large_leaves(baked, arguments);
+  files.write([&] {
+    warnings.print();
+    (arguments.json ? print_robot_json : print_robot)(baked, smaller);
+    flush_output();
+  });
+}
+
+}  // namespace
+
+void add_robot(CLI::App& app) {
+  auto [command, a] = add_command<OutputArguments>(
+      app, "robot",
+      "Bake a robot (URDF) into C++ or C arrays or a binary image: joints, "
+      "links, and which pairs of links can collide.\n"
+      "Lengths are in metres, angles in radians.",
+      make_robot);
+  add_robot_options(command, "URDF", a);
+  add_option(command, "-o,--output", a.folder, "DIR",
+             "Folder for the results; made if there is none")
+      ->required();
+  add_choice(
+      command, "--format", a.format, {"cpp", "c", "image", "both"},
+      "What to write: C++ arrays (cpp), C arrays (c), a binary file (image), or both cpp and "
+      "image");
+  add_option(command, "--name", a.name, "NAME",
+             "Name of the files and of the namespace; default: that of the robot")
+      ->check([](const std::string& name) { return name.empty() ? "is empty; give a name" : ""; });
+  add_option(command, "--depfile", a.depfile, "FILE",
+             "Write what was read, for make and Ninja: the URDF, the SRDF and the meshes");
+  add_option(command, "--report", a.page, "PAGE.html",
+             "Write a page: what can collide, how rare that is and how it looks; flash and RAM");
+  add_json(command, a.json, "One JSON object");
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,260 @@
+#include "cli/robot/robot_output.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+
+#include "cli/json.hpp"
+#include "cli/robot/robot_sizes.hpp"
+#include "cli/unguarded_json.hpp"
+#include "image/cpp_writer.hpp"
+#include "robot/bake_links.hpp"
+#include "robot/joint_text.hpp"
+#include "robot/robot_writer.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// Of a PostMesh on a 32-bit core.
+constexpr std::size_t kMeshViewBytes = 64;
+
+template <class Rows, class NameOf>
+int width_of(const Rows& rows, const char* heading, const NameOf& name_of) {
+  std::size_t widest = std::string(heading).size();
+  for (const auto& row : rows) {
+    widest = std::max(widest, std::string(name_of(row)).size());
+  }
+  return static_cast<int>(widest) + 2;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
+void print_links(const BakedRobot& robot) {
+  const Model& model = robot.model;
+  const std::vector<BakedLink>& links = robot.links;
+  const int sizes = width_of(robot.sizes, "size", [](const Size& s) { return size_text(s, "m"); });
+  const int width = width_of(model.links, "link", [](const ModelLink& l) { return l.name; });
+  const int joints = width_of(model.joints, "joint", [](const ModelJoint& j) { return j.name; });
+  std::cout << std::left << std::setw(width) << "link" << std::setw(joints) << "joint"
+            << "triangles     bytes  " << std::setw(sizes) << "size"
+            << "sources\n";
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const ModelLink& link = model.links[i];
+    std::cout << std::left << std::setw(width) << link.name << std::setw(joints)
+              << joint_name(model, link.joint, "base") << std::right << std::setw(9)
+              << links[i].tree.triangles.size() << std::setw(10) << flash_bytes(links[i].tree)
+              << "  " << std::left << std::setw(sizes) << size_text(robot.sizes[i], "m")
+              << joined(link.sources) << "\n";
+  }
+}
+
+void print_joints(const Model& model) {
+  if (model.joints.empty()) {
+    return;
+  }
+  const int width = width_of(model.joints, "joint", [](const ModelJoint& j) { return j.name; });
+  std::cout << "\n"
+            << std::left << std::setw(width) << "joint" << std::setw(width) << "parent"
+            << std::setw(12) << "type"
+            << "moves\n";
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const ModelJoint& joint = model.joints[i];
+    std::cout << std::left << std::setw(width) << joint.name << std::setw(width)
+              << joint_name(model, joint.parent, "base") << std::setw(12) << type_name(joint.type)
+              << moves_of(model, i) << "\n";
+  }
+}
+
+void print_pairs(const Model& model, const std::vector<PairVerdict>& pairs) {
+  if (pairs.empty()) {
+    return;
+  }
+  const auto links_of = [&](const PairVerdict& pair) {
+    return model.links[pair.a].name + " - " + model.links[pair.b].name;
+  };
+  const int width = width_of(pairs, "pair", links_of);
+  std::cout << "\n"
+            << std::left << std::setw(width) << "pair" << std::setw(11) << "collide"
+            << "reason\n";
+  for (const PairVerdict& pair : pairs) {
+    std::cout << std::left << std::setw(width) << links_of(pair) << std::setw(11)
+              << name_of(pair.verdict) << pair.reason
+              << (pair.verdict == MatrixVerdict::never && pair.is_guarded
+                      ? "; guarded: may come within --stop"
+                      : "")
+              << "\n";
+  }
+}
+
+/// A line at the top for those that nobody looks at.
+void print_unguarded(const Model& model, const std::vector<UnguardedPair>& unguarded) {
+  if (!unguarded.empty()) {
+    std::cout << "not guarded: " << names_of(model, unguarded) << "\n\n";
+  }
+}
+
+Json pair_json(const Model& model, const PairVerdict& pair) {
+  Json witness = Json::object();
+  for (std::size_t i = 0; i < pair.witness.size(); ++i) {
+    witness[model.joints[model.variables[i]].name] = pair.witness[i];
+  }
+  return {{"a", model.links[pair.a].name},    {"b", model.links[pair.b].name},
+          {"verdict", name_of(pair.verdict)}, {"reason", pair.reason},
+          {"witness", std::move(witness)},    {"cells", pair.cells},
+          {"guarded", pair.is_guarded}};
+}
+
+double deviation_of(const BakedRobot& robot) {
+  double most = 0;
+  for (const ModelLink& link : robot.model.links) {
+    most = std::max(most, link_deviation(link, robot.cell));
+  }
+  return most;
+}
+
+Json link_json(const Model& model, const ModelLink& link, const BakedLink& baked,
+               const Size& size) {
+  return {{"name", link.name},
+          {"joint", link.joint == kNoJoint ? Json() : Json(model.joints[link.joint].name)},
+          {"triangles", baked.tree.triangles.size()},
+          {"flash_bytes", flash_bytes(baked.tree)},
+          {"size", size},
+          {"deviation", link_deviation(link, baked.tree.cell)},
+          {"sources", link.sources}};
+}
+
+Json joint_json(const Model& model, std::size_t number) {
+  const ModelJoint& joint = model.joints[number];
+  Json json = {
+      {"name", joint.name},
+      {"type", type_name(joint.type)},
+      {"parent", joint.parent == kNoJoint ? Json() : Json(model.joints[joint.parent].name)},
+      {"lower", joint.lower},
+      {"upper", joint.upper},
+      {"variable", joint.variable}};
+  if (is_mimic(model, number)) {
+    json["multiplier"] = joint.multiplier;
+    json["offset"] = joint.offset;
+  }
+  return json;
+}
+
+}  // namespace
+
+void print_robot(const BakedRobot& robot, const std::optional<std::size_t>& smaller) {
+  print_unguarded(robot.model, robot.unguarded);
+  print_links(robot);
+  print_joints(robot.model);
+  print_pairs(robot.model, robot.pairs);
+  std::cout << "\ncell " << shortest(robot.cell) << " m, vertices moved by up to "
+            << significant(deviation_of(robot), 3) << " m; "
+            << robot_flash_bytes(*robot.fixed, robot.links) << " bytes of flash, "
+            << robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count())
+            << " bytes of RAM for a guard\n";
+  if (smaller) {
+    std::cout << "--leaf-size " << kLargeLeaf << ": " << *smaller
+              << " bytes of flash; queries take up to three times the work\n";
+  }
+}
+
+void print_robot_json(const BakedRobot& robot, const std::optional<std::size_t>& smaller) {
+  const Model& model = robot.model;
+  Json json = {{"name", model.name},
+               {"not_guarded", unguarded_json(model, robot.unguarded)},
+               {"pairs", Json::array()},
+               {"links", Json::array()},
+               {"joints", Json::array()}};
+  for (const PairVerdict& pair : robot.pairs) {
+    json["pairs"].push_back(pair_json(model, pair));
+  }
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    json["links"].push_back(link_json(model, model.links[i], robot.links[i], robot.sizes[i]));
+  }
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    json["joints"].push_back(joint_json(model, i));
+  }
+  json["cell"] = robot.cell;
+  json["deviation"] = deviation_of(robot);
+  json["flash_bytes"] = robot_flash_bytes(*robot.fixed, robot.links);
+  if (smaller) {
+    json["flash_bytes_leaf_size_5"] = *smaller;
+  }
+  json["ram_bytes"] = robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count());
+  print_object(json);
+}
+
+void print_robot_file(const RobotFile& file) {
+  const Model model = file.model();
+  const Robot& robot = file.robot();
+  const RobotImageHeader& header = file.header();
+  std::cout << "robot " << model.name << ", format version " << header.version << ": "
+            << header.byte_count << " bytes of flash; "
+            << robot_ram_bytes(robot, header.pair_joint_count) << " bytes of RAM for a guard, "
+            << kMeshViewBytes * header.link_count << " for views of its meshes\ncell "
+            << shortest(file.cell()) << " m; slack "
+            << significant(unit_length(robot.slack, file.cell()), 4) << " m; variables "
+            << int{robot.variable_count} << "; hash " << hex(robot.hash, 8) << "\n\n";
+  print_unguarded(model, file.unguarded());
+  const int width = width_of(model.links, "link", [](const ModelLink& l) { return l.name; });
+  const int joints = width_of(model.joints, "joint", [](const ModelJoint& j) { return j.name; });
+  const std::vector<Size> sizes = link_sizes(model, robot.meshes, file.cell());
+  std::cout << std::left << std::setw(width) << "link" << std::setw(joints) << "joint"
+            << "triangles  size\n";
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    std::cout << std::left << std::setw(width) << model.links[i].name << std::setw(joints)
+              << joint_name(model, model.links[i].joint, "base") << std::right << std::setw(9)
+              << robot.meshes[i].triangle_count << "  " << size_text(sizes[i], "m") << "\n";
+  }
+  print_joints(model);
+  std::cout << (robot.pair_count == 0 ? "" : "\npairs that can collide: stop, warn in m\n");
+  for (std::size_t i = 0; i < robot.pair_count; ++i) {
+    const RobotPair& pair = robot.pairs[i];
+    std::cout << model.links[pair.a].name << " - " << model.links[pair.b].name << "  "
+              << significant(unit_length(pair.stop, file.cell()), 4) << ", "
+              << significant(unit_length(pair.warn, file.cell()), 4) << "\n";
+  }
+}
+
+void print_robot_file_json(const RobotFile& file) {
+  const Model model = file.model();
+  const Robot& robot = file.robot();
+  Json json = {{"name", model.name},
+               {"format_version", file.header().version},
+               {"bytes", file.header().byte_count},
+               {"ram_bytes", robot_ram_bytes(robot, file.header().pair_joint_count)},
+               {"cell", file.cell()},
+               {"slack", unit_length(robot.slack, file.cell())},
+               {"hash", robot.hash},
+               {"not_guarded", unguarded_json(model, file.unguarded())},
+               {"links", Json::array()},
+               {"joints", Json::array()},
+               {"pairs", Json::array()}};
+  const std::vector<Size> sizes = link_sizes(model, robot.meshes, file.cell());
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const std::size_t joint = model.links[i].joint;
+    json["links"].push_back({{"name", model.links[i].name},
+                             {"joint", joint == kNoJoint ? Json() : Json(model.joints[joint].name)},
+                             {"triangles", robot.meshes[i].triangle_count},
+                             {"size", sizes[i]}});
+  }
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    json["joints"].push_back(joint_json(model, i));
+  }
+  for (std::size_t i = 0; i < robot.pair_count; ++i) {
+    const RobotPair& pair = robot.pairs[i];
+    json["pairs"].push_back({{"a", model.links[pair.a].name},
+                             {"b", model.links[pair.b].name},
+                             {"stop", unit_length(pair.stop, file.cell())},
+                             {"warn", unit_length(pair.warn, file.cell())}});
+  }
+  print_object(json);
+}
+
+}  // namespace flashbvh::tool

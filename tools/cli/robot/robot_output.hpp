@@ -1,0 +1,25 @@
+// What `flashbvh robot` prints, and `flashbvh info` of a robot's image: links, joints and pairs, in
+// the order of the firmware's arrays.
+#ifndef FLASHBVH_TOOLS_CLI_ROBOT_OUTPUT_HPP
+#define FLASHBVH_TOOLS_CLI_ROBOT_OUTPUT_HPP
+
+#include "cli/robot/baked_robot.hpp"
+
+namespace flashbvh::tool {
+
+/// Beyond so many bytes of flash a robot says what leaves of kLargeLeaf triangles save.
+constexpr std::size_t kMuchFlash = 1 << 20;
+constexpr std::uint32_t kLargeLeaf = 5;
+
+/// Tables on standard output. `smaller`: flash with leaves of kLargeLeaf, if it is to be said.
+void print_robot(const BakedRobot& robot, const std::optional<std::size_t>& smaller);
+/// One object on one line.
+void print_robot_json(const BakedRobot& robot, const std::optional<std::size_t>& smaller);
+
+/// What is in a robot's image, likewise.
+void print_robot_file(const RobotFile& file);
+void print_robot_file_json(const RobotFile& file);
+
+}  // namespace flashbvh::tool
+
+#endif

@@ -1,0 +1,122 @@
+#include "cli/robot/robot_sizes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "robot/kinematics.hpp"
+#include "robot/xml_file.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// A link of fewer cells along its longest side is hardly itself.
+constexpr double kFewCellsOfLink = 20;
+
+/// In the link's own frame.
+Size size_in_link(const Model& model, const ModelLink& link, bake::SourceMesh mesh) {
+  const auto mount = std::find_if(model.mounts.begin(), model.mounts.end(),
+                                  [&](const ModelMount& of) { return of.name == link.name; });
+  if (mount != model.mounts.end()) {
+    const Transform to_link = inverse(mount->transform);
+    for (Vector3& vertex : mesh.vertices) {
+      vertex = placed(to_link, vertex);
+    }
+  }
+  return size_of(mesh);
+}
+
+double longest(const Size& size) {
+  return *std::max_element(size.begin(), size.end());
+}
+
+/// Between a joint and the one before it, and along those that slide, at most.
+double longest_joint(const Model& model) {
+  double most = 0;
+  for (const ModelJoint& joint : model.joints) {
+    const Vector3& t = joint.fixed.translation;
+    most = std::max({most, std::hypot(t[0], t[1], t[2]),
+                     joint.type == JointType::prismatic ? joint.upper - joint.lower : 0});
+  }
+  return most;
+}
+
+/// What makes the lattice's cell large: the largest link, or how far joints lie and slide.
+std::string cause_of(const Model& model, const std::vector<Size>& sizes) {
+  const auto largest =
+      std::max_element(sizes.begin(), sizes.end(),
+                       [](const Size& u, const Size& v) { return longest(u) < longest(v); });
+  const std::size_t link = static_cast<std::size_t>(largest - sizes.begin());
+  const double joint = longest_joint(model);
+  return joint > longest(*largest)
+             ? concat("a joint lies or slides ", significant(joint, 3), " m far")
+             : concat("link '", model.links[link].name, "' is ", size_text(*largest, "m"));
+}
+
+}  // namespace
+
+std::vector<Size> link_sizes(const Model& model) {
+  std::vector<Size> sizes;
+  for (const ModelLink& link : model.links) {
+    sizes.push_back(size_in_link(model, link, link.mesh));
+  }
+  return sizes;
+}
+
+std::vector<Size> link_sizes(const Model& model, const PostMesh* meshes, double cell) {
+  std::vector<Size> sizes;
+  for (const ModelLink& link : model.links) {
+    const PostMesh& mesh = meshes[sizes.size()];
+    bake::SourceMesh source;
+    for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
+      const Vertex& at = mesh.vertices[i];
+      source.vertices.push_back({(mesh.origin[0] + at.x) * cell, (mesh.origin[1] + at.y) * cell,
+                                 (mesh.origin[2] + at.z) * cell});
+    }
+    sizes.push_back(size_in_link(model, link, std::move(source)));
+  }
+  return sizes;
+}
+
+void warn_of_sizes(const Model& model, const std::vector<Size>& sizes, const std::string& path,
+                   Warnings& warnings) {
+  for (const OddSize& odd : odd_sizes(sizes)) {
+    warnings.add(at_element(path, "link", model.links[odd.which].name),
+                 concat("is ", size_text(sizes[odd.which], "m"), ", ", odd_size_text(odd, "links"),
+                        odd.times > 1
+                            ? "; URDF is in metres: if its mesh is in millimetres, give its <mesh> "
+                              "scale=\"0.001 0.001 0.001\""
+                            : "; if its mesh is in metres, leave out the scale of its <mesh>"));
+  }
+  std::vector<double> sides;
+  std::transform(sizes.begin(), sizes.end(), std::back_inserter(sides), longest);
+  const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
+  std::nth_element(sides.begin(), middle, sides.end());
+  const double joint = longest_joint(model);
+  if (joint > 0 && *middle >= kOddSize * joint) {
+    warnings.add(path, concat("has links of ", significant(*middle, 3), " m on joints at most ",
+                              significant(joint, 3),
+                              " m apart; URDF is in metres: if the meshes are in millimetres, give "
+                              "each <mesh> scale=\"0.001 0.001 0.001\""));
+  }
+}
+
+void warn_of_cell(const Model& model, const std::vector<Size>& sizes, double cell, double stop,
+                  const std::string& place, Warnings& warnings) {
+  if (stop > 0 && cell > stop / 10) {
+    warnings.add(place, concat("makes a cell of ", significant(cell, 3),
+                               " m, coarser than a tenth of the stop distance, ", shortest(stop),
+                               " m, since ", cause_of(model, sizes),
+                               "; narrow that, or a guard stops up to some cells too early"));
+  }
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (longest(sizes[i]) < kFewCellsOfLink * cell) {
+      warnings.add(place, concat("makes a cell of ", significant(cell, 3), " m for link '",
+                                 model.links[i].name, "' of ", size_text(sizes[i], "m"), ", since ",
+                                 cause_of(model, sizes), "; narrow that"));
+    }
+  }
+}
+
+}  // namespace flashbvh::tool
