@@ -1,0 +1,60 @@
+"""meshes.py FOLDER: the meshes that the tests of the command line work on."""
+import struct
+import sys
+from math import cos, inf, nan, pi, sin
+from pathlib import Path
+
+
+def on_torus(i, j, rings, sides):
+    u, v = 2 * pi * (i % rings) / rings, 2 * pi * (j % sides) / sides
+    r = 20 + 6 * cos(v)
+    return r * cos(u), r * sin(u), 6 * sin(v)
+
+
+def torus(rings, sides):
+    points = [[on_torus(i, j, rings, sides) for j in range(sides + 1)] for i in range(rings + 1)]
+    for here, there in zip(points, points[1:]):
+        for j in range(sides):
+            yield here[j], there[j], there[j + 1]
+            yield here[j], there[j + 1], here[j + 1]
+
+
+def loose(count):
+    """Triangles with three vertices each of their own."""
+    for i in range(count):
+        x, y = i % 200, i // 200
+        yield (x, y, 0), (x + 0.5, y, 0), (x, y + 0.5, 0)
+
+
+def write_stl(path, triangles):
+    records = [struct.pack("<12x9f2x", *(x for corner in triangle for x in corner)) for triangle in triangles]
+    header = b"solid".ljust(80, b"s")  # as some programs write it
+    Path(path).write_bytes(header + struct.pack("<I", len(records)) + b"".join(records))
+
+
+def tetrahedron(odd=10):
+    """With another x in one place."""
+    o, x, y, z = (0, 0, 0), (10, 0, 0), (0, 10, 0), (0, 0, 10)
+    return (o, y, x), (o, z, y), (o, (odd, 0, 0), z), (x, y, z)
+
+
+def write_meshes(folder):
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, triangles in (
+            ("ring", torus(20, 10)), ("coarse", torus(8, 5)), ("tetrahedron", tetrahedron()),
+            ("nan", tetrahedron(nan)), ("infinite", tetrahedron(inf)), ("no_triangles", ())):
+        write_stl(folder / f"{name}.stl", triangles)
+
+
+def write_large_meshes(folder):
+    """What takes more than 16-bit indices."""
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, triangles in (("many_nodes", torus(200, 100)), ("many_vertices", loose(22000)),
+                            ("many_triangles", torus(200, 165))):
+        write_stl(folder / f"{name}.stl", triangles)
+
+
+if __name__ == "__main__":
+    write_meshes(sys.argv[1])

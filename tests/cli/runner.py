@@ -1,0 +1,283 @@
+"""runner.py [--long] [WORD...]: runs the cases of cases/*.txt in parallel, each in a folder of its own; with words,
+those whose file or title holds one. Names each that fails, with its line.
+
+From the environment: FLASHBVH, the program; TOOLS, the folder of the tests' own programs; WORK; INCLUDE; CC, CXX and
+NM; FLASHBVH_THOROUGH, with which all is tested, however long it takes. A case is made of these lines:
+
+    == TITLE                    begins a case; (long): runs with --long; (thorough): with FLASHBVH_THOROUGH
+    fixture NAME                begins one that is run once; its folder is copied into each case that says `use NAME`
+    each NAME | NAME            a case for each of the rows below, with these names; a row that begins in
+                                `thorough: ` counts with FLASHBVH_THOROUGH
+    for NAME | NAME ... end     the lines up to `end` for each of the rows below
+    file NAME: TEXT             a file, with \\n and the like; without a text, of the indented lines below
+    run ARGUMENTS => EXIT       flashbvh, which must exit with 0 or with EXIT
+    refuse ARGUMENTS => TEXT    exits with 2, prints nothing but one line that holds TEXT, writes nothing named out*
+    save FILE                   what the command printed
+    out: TEXT                   what it printed holds this; `out~ ` a regular expression, `out= ` is all of it; `no `
+                                before it turns it round; `err` is standard error, any other word is a file
+    json PATH = VALUE           of what it printed, one value in JSON; `lines PATH = VALUE` of one a line, * is all
+    same FILE FILE              two files or folders of the same bytes
+    holds FOLDER = NAME NAME    the names in a folder
+    let NAME = EXPRESSION       Python, by all names of checks.py, and out, err, json, lines
+    check EXPRESSION            must be true
+    do EXPRESSION
+
+In all but expressions {NAME} stands for what `each`, `for` and `let` name.
+"""
+import ast
+import codecs
+import fcntl
+import filecmp
+import json
+import multiprocessing
+import os
+import re
+import shlex
+import shutil
+import sys
+import traceback
+from pathlib import Path
+
+import checks
+import meshes
+from checks import THOROUGH, Failed, flashbvh, hold
+
+HERE = Path(__file__).resolve().parent
+WORK = Path(os.environ["WORK"]).resolve()
+BLOCKS = "file", "each", "for"
+
+
+class Case:
+    def __init__(self, title, table, values=None, fixture=False):
+        self.title, self.table, self.steps, self.values, self.fixture = title, table, [], values or {}, fixture
+
+    def wanted(self, long, words):
+        return (long == ("(long)" in self.title) and (THOROUGH or "(thorough)" not in self.title)
+                and not self.fixture and (not words or any(word in f"{self.table}: {self.title}" for word in words)))
+
+
+def rows_of(names, lines):
+    """The rows below `each` or `for`, as values of the names."""
+    names = [name.strip() for name in names.split("|")]
+    for line in lines:
+        if line.startswith("thorough: ") and not THOROUGH or line.startswith("#") or not line:
+            continue
+        cells = [cell.strip() for cell in re.split(r" \|(?= |$)", line.removeprefix("thorough: "))]
+        hold(len(cells) == len(names), f"{len(names)} names, but: {line}")
+        yield dict(zip(names, cells))
+
+
+def steps_of(table):
+    """(line number, its text, the indented lines below if it takes any) of a table. A line that ends in \\ goes on in
+    the next one, but in files."""
+    taking, begun, word = None, "", ""
+    for number, line in enumerate(table.read_text().splitlines(), 1):
+        if begun:
+            line = begun + line.lstrip()
+            begun = ""
+        in_file = word == "file" and taking is not None and line.startswith("  ")
+        if line.endswith("\\") and not in_file:
+            begun = line[:-1]
+            continue
+        if taking is not None and (line.startswith("  ") or not line):
+            taking.append(line[2:])
+            continue
+        taking = None
+        text = line.strip()
+        if not text or text.startswith("#"):
+            continue
+        step = number, text, []
+        word = text.split()[0]
+        if word in BLOCKS and not (text.startswith("file ") and ": " in text):
+            taking = step[2]
+        yield step
+
+
+def read_cases(table):
+    cases, rows = [], None
+    for number, text, block in list(steps_of(table)):
+        while block and not block[-1]:
+            block.pop()
+        word, _, rest = text.partition(" ")
+        if word in ("==", "fixture"):
+            cases.append(Case(rest, table.stem, fixture=word == "fixture"))
+        elif word == "each":
+            cases[-1].rows = list(rows_of(rest, block))
+        else:
+            cases[-1].steps.append((number, text, block))
+    for case in cases:
+        for row in getattr(case, "rows", [{}]):
+            rows = Case(case.title, case.table, row, case.fixture)
+            rows.steps = case.steps
+            yield rows
+
+
+class Run:
+    """One case as it runs, in its folder."""
+
+    def __init__(self, case, fixtures):
+        self.case, self.fixtures, self.at = case, fixtures, ""
+        self.names = {**vars(checks), "meshes": meshes, **case.values, "out": "", "err": ""}
+
+    def all(self):
+        self.block(self.case.steps)
+
+    def block(self, steps):
+        steps = list(steps)
+        while steps:
+            number, text, lines = steps.pop(0)
+            word, _, rest = text.partition(" ")
+            if word == "for":
+                end = next(i for i, step in enumerate(steps) if step[1] == "end")
+                inner, steps = steps[:end], steps[end + 1:]
+                for row in rows_of(rest, lines):
+                    self.names.update((name, self.filled(cell)) for name, cell in row.items())
+                    self.block(inner)
+                continue
+            self.at = f"{self.case.table}.txt:{number}: {self.filled(text)}"
+            step = getattr(self, "do_" + word, None)
+            if not step:
+                self.compare(text)
+            elif word == "file":
+                step(rest, lines)
+            else:
+                step(rest)
+
+    def filled(self, text):
+        return re.sub(r"\{(\w+)\}", lambda name: str(self.names.get(name[1], name[0])), text)
+
+    def heard(self, said):
+        self.names.update(out=str(said), err=said.warnings, said=said)
+
+    def do_use(self, name):
+        for fixture in self.fixtures:
+            if fixture.title == name:
+                shutil.copytree(made_once(fixture, self.fixtures), ".", dirs_exist_ok=True, symlinks=True)
+                return
+        raise Failed("no such fixture")
+
+    def do_file(self, rest, lines):
+        name, of_line, text = self.filled(rest).partition(": ")
+        content = codecs.escape_decode(text)[0] if of_line else "".join(
+            self.filled(line) + "\n" for line in lines).encode()
+        name = name.rstrip(":")
+        Path(name).parent.mkdir(parents=True, exist_ok=True)
+        Path(name).write_bytes(content)
+
+    def do_run(self, rest):
+        arguments, _, code = self.filled(rest).partition(" => ")
+        self.heard(flashbvh(*shlex.split(arguments), code=int(code or 0)))
+
+    def do_refuse(self, rest):
+        arguments, _, text = self.filled(rest).partition(" => ")
+        self.heard(checks.refused(text, *shlex.split(arguments)))
+
+    def do_save(self, name):
+        Path(self.filled(name)).write_text(self.names["out"])
+
+    def do_json(self, rest):
+        self.find([json.loads(self.names["out"])], "0." + rest)
+
+    def do_lines(self, rest):
+        self.find(self.names["said"].json(), rest)
+
+    def find(self, value, rest):
+        path, _, wanted = self.filled(rest).partition(" = ")
+        found = checks.at(value, path)
+        hold(found == json.loads(wanted), f"it is {json.dumps(found)}")
+
+    def do_same(self, rest):
+        a, b = shlex.split(self.filled(rest))
+        if Path(a).is_dir():
+            hold(sorted(os.listdir(a)) == sorted(os.listdir(b)), f"{os.listdir(a)}, {os.listdir(b)}")
+            hold(not any(filecmp.cmpfiles(a, b, os.listdir(a), shallow=False)[1:]), "other bytes")
+        else:
+            checks.same(a, b)
+
+    def do_holds(self, rest):
+        folder, _, names = self.filled(rest).partition(" = ")
+        hold(sorted(os.listdir(folder)) == sorted(shlex.split(names)), f"it holds {sorted(os.listdir(folder))}")
+
+    def do_let(self, rest):
+        name, _, expression = rest.partition(" = ")
+        self.names[name] = self.value(expression)
+
+    def do_check(self, rest):
+        names = {node.id for node in ast.walk(ast.parse(rest)) if isinstance(node, ast.Name)}
+        hold(self.value(rest), {name: self.names[name] for name in names
+                                if name in self.names and not hasattr(checks, name)})
+
+    def do_do(self, rest):
+        said = self.value(rest)
+        if isinstance(said, checks.Said):
+            self.heard(said)
+
+    def value(self, expression):
+        return eval(expression, {**self.names, "json": self.parsed(), "lines": self.parsed(by_line=True)})
+
+    def parsed(self, by_line=False):
+        try:
+            return self.names["said"].json() if by_line else json.loads(self.names["out"])
+        except (KeyError, ValueError):
+            return None
+
+    def compare(self, text):
+        match = re.fullmatch(r"(no )?(\S+?)([:~=])(?: (.*))?", text)
+        hold(match, "no such step")
+        no, subject, how, wanted = match.groups()
+        wanted = self.filled(wanted or "")
+        subject = self.filled(subject)
+        found = self.names[subject] if subject in ("out", "err") else Path(subject).read_text(errors="replace")
+        good = (wanted in found if how == ":" else re.search(wanted, found, re.M) if how == "~" else
+                found.rstrip("\n") == codecs.escape_decode(wanted)[0].decode())
+        hold(bool(good) != bool(no), f"{subject} is: {found[:2000]}")
+
+
+def made_once(fixture, fixtures):
+    folder = WORK / "fixtures" / fixture.title
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with open(f"{folder}.lock", "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not folder.exists():
+            here, making = os.getcwd(), Path(f"{folder}.making")
+            making.mkdir()
+            os.chdir(making)
+            Run(fixture, fixtures).all()
+            os.chdir(here)
+            making.rename(folder)
+    return folder
+
+
+def failure_of(numbered):
+    """Runs a case; why it fails, or None."""
+    number, case, fixtures = numbered
+    folder = WORK / f"{case.table}-{number}"
+    folder.mkdir(parents=True)
+    os.chdir(folder)
+    run = Run(case, fixtures)
+    try:
+        run.all()
+    except Failed as failure:
+        return f"FAILED: {case.title} {case.values or ''}\n  {run.at}\n  {failure}\n  in {folder}"
+    except Exception:  # a step that Python can't run
+        return f"FAILED: {case.title} {case.values or ''}\n  {run.at}\n{traceback.format_exc()}"
+    os.chdir(WORK)
+    shutil.rmtree(folder)
+    return None
+
+
+def main():
+    words = [word for word in sys.argv[1:] if word != "--long"]
+    found = [case for table in sorted((HERE / "cases").glob("*.txt")) for case in read_cases(table)]
+    fixtures = [case for case in found if case.fixture]
+    cases = [case for case in found if case.wanted("--long" in sys.argv, words)]
+    shutil.rmtree(WORK, ignore_errors=True)
+    with multiprocessing.Pool(os.cpu_count(), maxtasksperchild=1) as pool:
+        numbered = [(number, case, fixtures) for number, case in enumerate(cases)]
+        failures = list(filter(None, pool.imap_unordered(failure_of, numbered)))
+    print("\n".join([*failures, f"{len(cases) - len(failures)} of {len(cases)} cases passed"]))
+    sys.exit(bool(failures) or not cases)
+
+
+if __name__ == "__main__":
+    main()
