@@ -1,4 +1,5 @@
 """What cases and longer tests of the command line share: they run the program and hold what it says."""
+import base64
 import json
 import os
 import random
@@ -188,3 +189,89 @@ def solids(*bodies):
 
 def cell_of(image):
     return flashbvh("info", image, "--json").json()[0]["cell"]
+
+
+def transformed_right(image, lattice, cell, slack, poses):
+    """Exported at each pose, a vertex lies where the pose's numbers put it, rounded, give or take `slack`."""
+    for pose in poses.splitlines():
+        flashbvh("export", "--cells", image, "-o", "rotated.obj", "--pose", pose)
+        p, found, before = list(map(float, pose.split())), vertices("rotated.obj"), vertices(lattice)
+        hold(found and len(found) == len(before), f"{len(found)} vertices")
+        for point, vertex in zip(found, before):
+            for i in range(3):
+                off = sum(p[3 * i + j] * vertex[j] for j in range(3)) + p[9 + i] / cell - point[i]
+                hold(abs(off) <= 0.5 + slack, f"misplaced by {off}: {vertex} at {pose}")
+
+
+def numbers(file):
+    """Of each line."""
+    return [list(map(int, line.split())) for line in text(file).splitlines()]
+
+
+def poses_of(lines):
+    return [list(map(float, line.split())) for line in (re.sub("#.*", "", line) for line in lines.splitlines())
+            if line.strip()]
+
+
+def inverse(poses):
+    return "\n".join(" ".join(f"{x:.17g}" for x in (
+        *(p[3 * i + j] for j in range(3) for i in range(3)),
+        *(-sum(p[3 * i + j] * p[9 + i] for i in range(3)) for j in range(3)))) for p in poses_of(poses))
+
+
+def brute_force(a, b, poses):
+    """All pairs of the exported meshes, by all triangles against all."""
+    flashbvh("export", "--cells", a, "-o", "a.obj")
+    found = ""
+    for number, pose in enumerate(poses_of(text(poses))):
+        flashbvh("export", "--cells", b, "-o", "b.obj", "--pose", " ".join(f"{x:.17g}" for x in pose))
+        found += run(TOOLS / "tool_test_brute_force", number, "a.obj", "b.obj")
+    write("brute_force", found)
+    return numbers("brute_force")
+
+
+def lattice(mesh, cell):
+    """The vertices that the image of a mesh has."""
+    flashbvh("bake", mesh, "-o", "lattice", "--cell", cell, "--format", "image")
+    flashbvh("export", "--cells", f"lattice/{Path(mesh).stem}.fbvh", "-o", "lattice.obj")
+    return vertices("lattice.obj")
+
+
+TRIANGLE = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)  # a buffer of glTF
+
+
+def gltf(x, buffer):
+    """Of the triangle, moved along x; its buffer's address may be empty."""
+    return (f'{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],\n'
+            f'"nodes":[{{"mesh":0,"name":"far","translation":[{x},0,0]}}],\n'
+            '"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],\n'
+            '"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],\n'
+            f'"bufferViews":[{{"buffer":0,"byteLength":36}}],"buffers":[{{"byteLength":36,"uri":"{buffer}"}}]}}\n')
+
+
+def other_version(folder):
+    """A copy of the library's headers that says to be of another version."""
+    shutil.copytree(f"{INCLUDE}/flashbvh", f"{folder}/flashbvh")
+    version = Path(folder, "flashbvh/version.hpp")
+    version.write_text(re.sub("(VERSION_(MINOR|MAJOR)) [0-9]*", r"\1 9999", version.read_text()))
+
+
+def program_in_c(words):
+    """A program that writes the images that were baked as C under these names, and prints what is known of the last."""
+    includes = [f"#include <{header}.h>" for header in ("stdlib", "math", "string", "stdio")]
+    includes += [f'#include "{file.name}"' for file in sorted(Path("baked").glob("*.h"))]
+    writes = [f'  write_image("{word}.written", {word}_image, {word}_IMAGE_BYTES);\n'
+              f"  if (sizeof {word}_image != {word}_IMAGE_BYTES) return 1;" for word in words]
+    last = ", ".join(f"(double){words[-1]}_{name}" for name in (
+        "NODE_COUNT", "LEAF_COUNT", "DEPTH", "STACK_NEED", "TRIANGLE_COUNT", "VERTEX_COUNT", "LEAF_SIZE", "ARITY",
+        "CELL"))
+    return "\n".join([*includes, """
+static void write_image(const char* path, const uint32_t* image, size_t size) {
+  FILE* file = fopen(path, "wb");
+  fwrite(image, 1, size, file);
+  fclose(file);
+}
+int main(void) {""", *writes, f"""
+  printf("%g %g %g %g %g %g %g %g %.17g\\n", {last});
+  return fabs({words[-1]}_CELL * (double){words[-1]}_CELLS_PER_UNIT - 1) < 1e-6 ? 0 : 1;
+}}"""])

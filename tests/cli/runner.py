@@ -8,7 +8,7 @@ NM; FLASHBVH_THOROUGH, with which all is tested, however long it takes. A case i
     fixture NAME                begins one that is run once; its folder is copied into each case that says `use NAME`
     each NAME | NAME            a case for each of the rows below, with these names; a row that begins in
                                 `thorough: ` counts with FLASHBVH_THOROUGH
-    for NAME | NAME ... end     the lines up to `end` for each of the rows below
+    for NAME | NAME ... end     the lines up to `end` for each of the rows below; - is an empty cell
     file NAME: TEXT             a file, with \\n and the like; without a text, of the indented lines below
     run ARGUMENTS => EXIT       flashbvh, which must exit with 0 or with EXIT
     refuse ARGUMENTS => TEXT    exits with 2, prints nothing but one line that holds TEXT, writes nothing named out*
@@ -40,6 +40,7 @@ from pathlib import Path
 
 import checks
 import meshes
+import outputs
 from checks import THOROUGH, Failed, flashbvh, hold
 
 HERE = Path(__file__).resolve().parent
@@ -64,7 +65,7 @@ def rows_of(names, lines):
             continue
         cells = [cell.strip() for cell in re.split(r" \|(?= |$)", line.removeprefix("thorough: "))]
         hold(len(cells) == len(names), f"{len(names)} names, but: {line}")
-        yield dict(zip(names, cells))
+        yield dict(zip(names, ("" if cell == "-" else cell for cell in cells)))
 
 
 def steps_of(table):
@@ -112,12 +113,22 @@ def read_cases(table):
             yield rows
 
 
+def inside(steps):
+    """The steps up to the `end` that belongs to the `for` before them, and those after it."""
+    depth = 1
+    for i, (_, text, _) in enumerate(steps):
+        depth += text.startswith("for ") - (text == "end")
+        if not depth:
+            return steps[:i], steps[i + 1:]
+    raise Failed("no end")
+
+
 class Run:
     """One case as it runs, in its folder."""
 
     def __init__(self, case, fixtures):
         self.case, self.fixtures, self.at = case, fixtures, ""
-        self.names = {**vars(checks), "meshes": meshes, **case.values, "out": "", "err": ""}
+        self.names = {**vars(checks), "meshes": meshes, "outputs": outputs, **case.values, "out": "", "err": ""}
 
     def all(self):
         self.block(self.case.steps)
@@ -128,8 +139,7 @@ class Run:
             number, text, lines = steps.pop(0)
             word, _, rest = text.partition(" ")
             if word == "for":
-                end = next(i for i, step in enumerate(steps) if step[1] == "end")
-                inner, steps = steps[:end], steps[end + 1:]
+                inner, steps = inside(steps)
                 for row in rows_of(rest, lines):
                     self.names.update((name, self.filled(cell)) for name, cell in row.items())
                     self.block(inner)
