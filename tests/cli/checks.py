@@ -275,3 +275,43 @@ int main(void) {""", *writes, f"""
   printf("%g %g %g %g %g %g %g %g %.17g\\n", {last});
   return fabs({words[-1]}_CELL * (double){words[-1]}_CELLS_PER_UNIT - 1) < 1e-6 ? 0 : 1;
 }}"""])
+
+
+def in_json(file):
+    return json.loads(text(file))
+
+
+# What URDFs are made of: a link's collision as one of its shapes, or several, and joints.
+def shape(geometry, place=""):
+    return f'<collision><origin xyz="{place or "0 0 0"}"/><geometry>{geometry}</geometry></collision>'
+
+
+def box_of(sides, place=""):
+    return shape(f'<box size="{sides}"/>', place)
+
+
+def link(name, *shapes):
+    return f'<link name="{name}">{"".join(shapes)}</link>\n'
+
+
+def joint(name, kind, parent, child, inside="", limits=None):
+    limit = '<limit lower="{}" upper="{}" effort="1" velocity="1"/>'.format(*limits) if limits else ""
+    return (f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>{inside}{limit}'
+            "</joint>\n")
+
+
+def robot(name, *parts):
+    """The file of a URDF."""
+    return write(f"{name}.urdf", f'<robot name="{name}">\n{"".join(parts)}</robot>\n')
+
+
+def disables(a, b):
+    """As an SRDF does."""
+    return f'<disable_collisions link1="{a}" link2="{b}" reason="Never"/>'
+
+
+def sized(first, second, third, reach):
+    """A robot of three boxes, whose last joint slides so far."""
+    return robot("sized", link("a", box_of(first)), link("b", box_of(second)), link("c", box_of(third)),
+                 joint("one", "revolute", "a", "b", '<origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>', (-1, 1)),
+                 joint("two", "prismatic", "b", "c", '<origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>', (0, reach)))

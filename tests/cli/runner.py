@@ -127,7 +127,7 @@ class Run:
     """One case as it runs, in its folder."""
 
     def __init__(self, case, fixtures):
-        self.case, self.fixtures, self.at = case, fixtures, ""
+        self.case, self.fixtures, self.at, self.said = case, fixtures, "", checks.Said()
         self.names = {**vars(checks), "meshes": meshes, "outputs": outputs, **case.values, "out": "", "err": ""}
 
     def all(self):
@@ -157,7 +157,8 @@ class Run:
         return re.sub(r"\{(\w+)\}", lambda name: str(self.names.get(name[1], name[0])), text)
 
     def heard(self, said):
-        self.names.update(out=str(said), err=said.warnings, said=said)
+        self.said = said
+        self.names.update(out=str(said), err=said.warnings)
 
     def do_use(self, name):
         for fixture in self.fixtures:
@@ -189,7 +190,7 @@ class Run:
         self.find([json.loads(self.names["out"])], "0." + rest)
 
     def do_lines(self, rest):
-        self.find(self.names["said"].json(), rest)
+        self.find(self.said.json(), rest)
 
     def find(self, value, rest):
         path, _, wanted = self.filled(rest).partition(" = ")
@@ -227,8 +228,8 @@ class Run:
 
     def parsed(self, by_line=False):
         try:
-            return self.names["said"].json() if by_line else json.loads(self.names["out"])
-        except (KeyError, ValueError):
+            return self.said.json() if by_line else json.loads(self.names["out"])
+        except ValueError:
             return None
 
     def compare(self, text):
