@@ -53,9 +53,9 @@ def flashbvh(*arguments, **options):
     return run(FLASHBVH, *arguments, **options)
 
 
-def elsewhere(*arguments, folder="elsewhere"):
+def elsewhere(*arguments, folder="elsewhere", **options):
     """The program in another folder, place and language."""
-    return flashbvh(*arguments, cwd=folder, env={**os.environ, "TZ": "Asia/Tokyo", "LC_ALL": "C.UTF-8"})
+    return flashbvh(*arguments, cwd=folder, env={**os.environ, "TZ": "Asia/Tokyo", "LC_ALL": "C.UTF-8"}, **options)
 
 
 def refused(what, *arguments):
@@ -315,3 +315,9 @@ def sized(first, second, third, reach):
     return robot("sized", link("a", box_of(first)), link("b", box_of(second)), link("c", box_of(third)),
                  joint("one", "revolute", "a", "b", '<origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>', (-1, 1)),
                  joint("two", "prismatic", "b", "c", '<origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>', (0, reach)))
+
+
+def line_up(file, names, first, last, steps):
+    """A trajectory on the straight way between, a line a step."""
+    write(file, "\n".join([names, *(", ".join(f"{a + (b - a) * i / steps:.6f}" for a, b in zip(first, last))
+                                    for i in range(steps + 1))]))
