@@ -51,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
       poses.push_back(pose);
     }
   }
-  const Verdict verdict = exercise_image(image.data(), image.size(), poses);
+  const test::Verdict verdict = exercise_image(image.data(), image.size(), poses);
   require(verdict.wrong == nullptr, verdict.wrong);
   return 0;
 }

@@ -34,7 +34,7 @@ constexpr std::size_t kMostExhaustive = 1000;
 TEST_CASE("golden images open, and queries on them are harmless") {
   for (std::size_t i = 0; i < kKeptImageCount; ++i) {
     CAPTURE(kKeptImages[i].name);
-    const Verdict verdict =
+    const test::Verdict verdict =
         exercise_image(kKeptImages[i].bytes, kKeptImages[i].size, telling_poses());
     CHECK(verdict.opened);
     CHECK(verdict.wrong == nullptr);
@@ -86,7 +86,7 @@ TEST_CASE("every flipped bit of a golden image with a checksum that matches is h
       CAPTURE(bit);
       flip(bytes, bit);
       repair_crc(bytes.data(), bytes.size());
-      const Verdict verdict = exercise_image(bytes.data(), bytes.size(), poses);
+      const test::Verdict verdict = exercise_image(bytes.data(), bytes.size(), poses);
       REQUIRE(verdict.wrong == nullptr);
       opened += verdict.opened ? 1 : 0;
       flip(bytes, bit);
