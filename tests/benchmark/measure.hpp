@@ -67,7 +67,7 @@ __attribute__((noinline)) Queried measure_query(const typename Traversal::Tree& 
   Queried result{};
   result.instructions = port::instructions_of([&] {
     Query query(a, b, pose, start<Traversal>());
-    result.status = query.run(UINT32_MAX, every_pair);
+    result.status = query.run(UINT32_MAX, every_pair).status;
   });
   // Its counts from another run: a user of the first would not copy them.
   Query query(a, b, pose, start<Traversal>());

@@ -49,8 +49,8 @@ bool clearance_agrees(Scene& s) {
   bool agree = same(flashbvh_clearance_start(&c, &s.a.c, &s.b.c, &s.c_pose, nullptr, tolerance),
                     query.status());
   for (Status status = Status::suspended; agree && status == Status::suspended;) {
-    std::uint32_t left = 1 + s.random.below(9);
-    std::uint32_t c_left = left;
+    const std::uint32_t work = 1 + s.random.below(9);
+    std::uint32_t c_left = work;
     const flashbvh_clearance_position position = flashbvh_clearance_position_of(&c);
     const auto wanted = query.position();
     wipe(c);
@@ -60,10 +60,11 @@ bool clearance_agrees(Scene& s) {
             position.has_witness == wanted.has_witness &&
             same(flashbvh_clearance_resume(&c, &position), again.resume(wanted));
     query = again;
-    status = query.spend(left);
+    const Step step = query.run(work);
+    status = step.status;
     flashbvh_clearance found;
-    agree = agree && same(flashbvh_clearance_spend(&c, &c_left), status) && left == c_left &&
-            same(flashbvh_clearance_counts(&c), query.counts());
+    agree = agree && same(flashbvh_clearance_spend(&c, &c_left), status) &&
+            work - c_left == step.work && same(flashbvh_clearance_counts(&c), query.counts());
     flashbvh_clearance_result(&c, &found);
     agree = agree && same(found, query.result());
   }

@@ -88,11 +88,10 @@ class Slices {
   bool visit(Step& step, std::uint32_t capacity) {
     Room wanted = {capacity, 0, {}};
     Room found = wanted;
-    std::uint32_t left = scene_.any_work();
+    const std::uint32_t left = scene_.any_work();
     std::uint32_t c_left = left;
-    step.status = query_.spend(left, [&](const flashbvh_pair& p) { return take(p, &wanted); });
-    step.count = wanted.count;
-    return same(C::visit(&c_, &c_left, take, &found), step.status) && c_left == left &&
+    step = query_.run(left, [&](const flashbvh_pair& p) { return take(p, &wanted); });
+    return same(C::visit(&c_, &c_left, take, &found), step.status) && left - c_left == step.work &&
            same(found, wanted);
   }
 

@@ -52,7 +52,7 @@ std::uint32_t visits_from(const Pairs& pairs, const Pose& pose, Witness<std::uin
   nearest.so_far = &so_far;
   pairs.test(witness.a, witness.b, nearest);
   Query<Ranked<PostMesh>, BoxNearest> query(pairs.a, pairs.b, pose, {}, nearest);
-  REQUIRE(query.run(UINT32_MAX, [](const auto&) { return true; }) == Status::done);
+  REQUIRE(query.run(UINT32_MAX, [](const auto&) { return true; }).status == Status::done);
   least = so_far.least;
   return query.counts().visits;
 }

@@ -251,7 +251,8 @@ TEST_CASE(
     REQUIRE(query.status() == Status::mesh_changed);
     const Step step = query.run(40, found);
     REQUIRE((step.status == Status::mesh_changed && step.count == 0 && step.work == 0));
-    REQUIRE(query.run(40, [](const PairQuery::Pair&) { return true; }) == Status::mesh_changed);
+    REQUIRE(query.run(40, [](const PairQuery::Pair&) { return true; }).status ==
+            Status::mesh_changed);
     REQUIRE(query.resume(position) == Status::mesh_changed);
     return position;
   };

@@ -109,10 +109,13 @@ template <class Traversal, bool with_contacts = false>
   }
   WithinQuery query(a, b, pose, {},
                     within(upper < kMaxDistance - 500 ? upper + 500 : kMaxDistance));
-  while (query.run(slice, [&](const TrianglePair<uint16_t>& pair) {
-    hash.add(pair.a | static_cast<uint32_t>(pair.b) << 16);
-    return true;
-  }) == Status::suspended) {
+  while (query
+             .run(slice,
+                  [&](const TrianglePair<uint16_t>& pair) {
+                    hash.add(pair.a | static_cast<uint32_t>(pair.b) << 16);
+                    return true;
+                  })
+             .status == Status::suspended) {
   }
   add_counts(query.counts(), hash);
 }

@@ -30,8 +30,9 @@ void crumple() {
 template <class Asked>
 void ask(const char* what, const char* how, Asked query) {
   Status status{};
-  const uint32_t instructions = port::instructions_of(
-      [&] { status = query.run(UINT32_MAX, [](const typename Asked::Pair&) { return true; }); });
+  const uint32_t instructions = port::instructions_of([&] {
+    status = query.run(UINT32_MAX, [](const typename Asked::Pair&) { return true; }).status;
+  });
   print_figure({{"bending", what, how}}, status == Status::done ? instructions : UINT32_MAX);
   print_count({{"bending_pairs", what, how}}, query.counts().triangle_pairs);
 }

@@ -98,7 +98,7 @@ Queried measure_query(const PostMesh& a, const PostMesh& b, const Pose& pose) {
   Queried queried{};
   queried.instructions = port::instructions_of([&] {
     PairQuery query(a, b, pose);
-    queried.status = query.run(UINT32_MAX, kEveryPair);
+    queried.status = query.run(UINT32_MAX, kEveryPair).status;
   });
   queried.until_first = port::instructions_of([&] {
     PairQuery query(a, b, pose);
@@ -111,9 +111,7 @@ Queried measure_query(const PostMesh& a, const PostMesh& b, const Pose& pose) {
   // Its counts from another run: a user of the first would not copy them.
   PairQuery query(a, b, pose);
   constexpr uint32_t kGranted = UINT32_MAX - 1;  // which is a limit
-  uint32_t work = kGranted;
-  (void)query.spend(work, kEveryPair);
-  queried.work = kGranted - work;
+  queried.work = query.run(kGranted, kEveryPair).work;
   queried.counts = query.counts();
   return queried;
 }

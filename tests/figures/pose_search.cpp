@@ -155,12 +155,11 @@ bool PoseSearch::is(Proximity proximity, Asked& asked) const {
   Query<Ranked<PostMesh>, detail::BoxIntersection> by_boxes(*searched_.a, *searched_.b, pose);
   PairQuery query(*asked_.a, *asked_.b, pose);
   constexpr std::uint32_t kGranted = UINT32_MAX - 1;  // which is a limit
-  std::uint32_t work = kGranted;
-  if (by_boxes.run(UINT32_MAX, every_pair) != Status::done ||
-      query.spend(work, every_pair) != Status::done) {
+  const Step step = query.run(kGranted, every_pair);
+  if (by_boxes.run(UINT32_MAX, every_pair).status != Status::done || step.status != Status::done) {
     return false;
   }
-  asked.work = kGranted - work;
+  asked.work = step.work;
   asked.visits = query.counts().visits;
   asked.leaf_pairs = query.counts().leaf_pairs;
   asked.triangle_pairs = query.counts().triangle_pairs;

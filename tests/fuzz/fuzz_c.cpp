@@ -79,10 +79,13 @@ void ask_pairs(const Meshes& meshes, const flashbvh_pose& pose, const Pose& same
   }
   PairQuery reference(meshes.a, meshes.b, same);
   std::uint32_t all = 0;
-  const Status ended = reference.run(UINT32_MAX, [&](const PairQuery::Pair&) {
-    ++all;
-    return true;
-  });
+  const Status ended = reference
+                           .run(UINT32_MAX,
+                                [&](const PairQuery::Pair&) {
+                                  ++all;
+                                  return true;
+                                })
+                           .status;
   require(!is_its_own || (static_cast<int>(ended) == status && all == found),
           "C gives another answer than C++");
 }

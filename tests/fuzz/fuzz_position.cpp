@@ -30,7 +30,7 @@ void resume_and_end(Query& query, const QueryPosition<Index>& position, std::uin
     return;
   }
   const auto sink = [](const TrianglePair<Index>&) { return true; };
-  const Status status = query.run(most_work, sink);
+  const Status status = query.run(most_work, sink).status;
   require(status == Status::done && query.counts().visits <= most_visits,
           "a resumed query does not end");
 }

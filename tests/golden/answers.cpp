@@ -44,10 +44,13 @@ constexpr const char* kTraversals[] = {"leaf",         "stackless",         "ran
 template <class Query>
 std::string answer_of(const char* traversal, Query& query, std::string& last_pairs) {
   Pairs pairs;
-  const Status status = query.run(UINT32_MAX, [&](const typename Query::Pair& pair) {
-    pairs.emplace_back(pair.a, pair.b);
-    return true;
-  });
+  const Status status = query
+                            .run(UINT32_MAX,
+                                 [&](const typename Query::Pair& pair) {
+                                   pairs.emplace_back(pair.a, pair.b);
+                                   return true;
+                                 })
+                            .status;
   std::sort(pairs.begin(), pairs.end());
   const std::string found = text_of(pairs);
   std::string text = found != last_pairs ? found : "";

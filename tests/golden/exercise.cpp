@@ -29,8 +29,8 @@ const char* exercise(const Tree& a, const Tree& b, const Pose& pose) {
       return true;
     };
     // Once with a stop on the way.
-    Status status = query.run(most / 512, sink);
-    status = status == Status::suspended ? query.run(most, sink) : status;
+    Status status = query.run(most / 512, sink).status;
+    status = status == Status::suspended ? query.run(most, sink).status : status;
     const Counts& counts = query.counts();
     if (status != Status::done || counts.visits > most_visits_of_nodes(a, b) ||
         counts.overlaps > counts.visits || counts.leaf_pairs > counts.overlaps ||

@@ -28,11 +28,14 @@ std::uint32_t check_counts(const typename Order::Tree& a, const typename Order::
   std::vector<Counts> counts;
   Asked<Order> whole(a, b, pose);
   auto& query = whole.query;
-  const Status status = query.run(kNoLimit, [&](const auto& pair) {
-    pairs.emplace_back(pair.a, pair.b);
-    counts.push_back(query.counts());
-    return true;
-  });
+  const Status status = query
+                            .run(kNoLimit,
+                                 [&](const auto& pair) {
+                                   pairs.emplace_back(pair.a, pair.b);
+                                   counts.push_back(query.counts());
+                                   return true;
+                                 })
+                            .status;
   REQUIRE(status == Status::done);
   for (std::size_t stop = 0; stop < pairs.size(); stop += 1 + stop / 8) {
     CAPTURE(stop);
@@ -42,7 +45,8 @@ std::uint32_t check_counts(const typename Order::Tree& a, const typename Order::
              counts[stop].leaf_pairs >= before.leaf_pairs));
     Asked<Order> cut(a, b, pose);
     std::size_t found = 0;
-    REQUIRE(cut.query.run(kNoLimit, [&](const auto&) { return found++ != stop; }) == Status::full);
+    REQUIRE(cut.query.run(kNoLimit, [&](const auto&) { return found++ != stop; }).status ==
+            Status::full);
     REQUIRE(same(cut.query.counts(), counts[stop]));
     const Pairs rest(pairs.begin() + static_cast<std::ptrdiff_t>(stop) + 1, pairs.end());
     if constexpr (Order::kStackless) {
@@ -184,18 +188,18 @@ TEST_CASE("a run tests no more triangles than it is granted, and a step beyond, 
       const Counts before = query.counts();
       const QueryPosition<std::uint16_t> was = query.position();
       tests = 0;
-      std::uint32_t left = work;
-      status = query.spend(left, [&](const auto& pair) {
+      const Step step = query.run(work, [&](const auto& pair) {
         pairs.emplace_back(pair.a, pair.b);
         return true;
       });
-      REQUIRE((status == Status::done || (status == Status::suspended && left == 0)));
+      status = step.status;
+      REQUIRE((status == Status::done || (status == Status::suspended && step.work == work)));
       REQUIRE(tests <= triangle_pairs_for(work));
       REQUIRE(query.counts().visits - before.visits <= work);
       const QueryPosition<std::uint16_t> is = query.position();
       REQUIRE(
           (is.a != was.a || is.b != was.b || is.state != was.state || is.untested != was.untested));
-      spent += work - left;
+      spent += step.work;
       inside_leaves += is.untested != 0 && was.untested != 0 ? 1 : 0;
     }
     REQUIRE(pairs == expected);

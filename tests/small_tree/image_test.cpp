@@ -201,7 +201,7 @@ TEST_CASE("small trees: a query ends on whatever opens after a flipped bit, chec
       ++opened;
       const uint32_t most = most_work_of_nodes(tree, tree);
       PairQuery query(tree, tree, pose);
-      REQUIRE(query.run(most, [](const Pair&) { return true; }) == Status::done);
+      REQUIRE(query.run(most, [](const Pair&) { return true; }).status == Status::done);
     }
     image.flip(bit);
   }

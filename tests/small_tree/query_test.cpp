@@ -23,10 +23,13 @@ template <class Traversal>
 Report report_of(const SmallScene<Traversal::Tree::kLayout>& scene, Counts& counts) {
   SmallQuery<Traversal> any(scene);
   Report report;
-  const Status status = any.query.run(kNoLimit, [&report](const Pair& pair) {
-    report.add(pair);
-    return true;
-  });
+  const Status status = any.query
+                            .run(kNoLimit,
+                                 [&report](const Pair& pair) {
+                                   report.add(pair);
+                                   return true;
+                                 })
+                            .status;
   REQUIRE(status == Status::done);
   counts = any.query.counts();
   return report;
@@ -56,10 +59,13 @@ void check_against_brute_force() {
     SmallQuery<Traversal> any(scene);
     PairSet found;
     bool twice = false;
-    const Status status = any.query.run(kNoLimit, [&](const Pair& pair) {
-      twice = !found.add(pair.a, pair.b) || twice;
-      return true;
-    });
+    const Status status = any.query
+                              .run(kNoLimit,
+                                   [&](const Pair& pair) {
+                                     twice = !found.add(pair.a, pair.b) || twice;
+                                     return true;
+                                   })
+                              .status;
     REQUIRE(status == Status::done);
     REQUIRE_FALSE(twice);
     const bool exact = found == brute_force(scene);
@@ -106,18 +112,22 @@ TEST_CASE("small trees: a reported pair lies where the pose's definition puts it
     const PostMesh& b = scene.b.view();
     PairQuery query(a, b, scene.pose);
     uint32_t wrong = 0;
-    const Status status = query.run(kNoLimit, [&](const Pair& pair) {
-      Triangle last[2];
-      Triangle again[2];
-      query.last_pair(last[0], last[1]);
-      const bool found = transform_pair(a, b, scene.pose, pair, again[0], again[1]);
-      const Triangle of_a = transformed(scene.mesh_a, pair.a, identity);
-      const Triangle of_b = transformed(scene.mesh_b, pair.b, scene.pose);
-      const bool right = found && same(last[0], of_a) && same(last[1], of_b) &&
-                         same(again[0], of_a) && same(again[1], of_b);
-      wrong += right ? 0u : 1u;
-      return true;
-    });
+    const Status status =
+        query
+            .run(kNoLimit,
+                 [&](const Pair& pair) {
+                   Triangle last[2];
+                   Triangle again[2];
+                   query.last_pair(last[0], last[1]);
+                   const bool found = transform_pair(a, b, scene.pose, pair, again[0], again[1]);
+                   const Triangle of_a = transformed(scene.mesh_a, pair.a, identity);
+                   const Triangle of_b = transformed(scene.mesh_b, pair.b, scene.pose);
+                   const bool right = found && same(last[0], of_a) && same(last[1], of_b) &&
+                                      same(again[0], of_a) && same(again[1], of_b);
+                   wrong += right ? 0u : 1u;
+                   return true;
+                 })
+            .status;
     REQUIRE(status == Status::done);
     REQUIRE(wrong == 0);
   }

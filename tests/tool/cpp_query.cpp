@@ -29,10 +29,13 @@ Pairs ask(const typename Traversal::Tree& a, const typename Traversal::Tree& b) 
   const flashbvh::Pose pose = flashbvh::Pose::translated(48, 16, 8);
   flashbvh::Query<Traversal> query(a, b, pose);
   Pairs pairs;
-  const auto status = query.run(0xFFFFFFFFu, [&](const typename decltype(query)::Pair& pair) {
-    pairs.push_back({pair.a, pair.b});
-    return true;
-  });
+  const auto status = query
+                          .run(0xFFFFFFFFu,
+                               [&](const typename decltype(query)::Pair& pair) {
+                                 pairs.push_back({pair.a, pair.b});
+                                 return true;
+                               })
+                          .status;
   std::sort(pairs.begin(), pairs.end());
   return status == flashbvh::Status::done ? pairs : Pairs();
 }

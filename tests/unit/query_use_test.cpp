@@ -48,10 +48,13 @@ TEST_CASE("inside a sink counts() says what was done so far, not what was grante
   const Pose pose = Pose::translated(1, 2, 3);
   std::vector<Counts> inside;
   PairQuery whole(a, b, pose);
-  REQUIRE(whole.run(1000000, [&](const PairQuery::Pair&) {
-    inside.push_back(whole.counts());
-    return true;
-  }) == Status::done);
+  REQUIRE(whole
+              .run(1000000,
+                   [&](const PairQuery::Pair&) {
+                     inside.push_back(whole.counts());
+                     return true;
+                   })
+              .status == Status::done);
   REQUIRE(inside.size() > 20);
   // The same as where a run ends with its array full.
   PairQuery cut(a, b, pose);

@@ -44,17 +44,21 @@ std::uint32_t check_pairs(const PostMesh& a, const PostMesh& b, const Pose& pose
   PairQuery query(a, b, pose);
   std::uint32_t pairs = 0;
   std::uint32_t wrong = 0;
-  const Status status = query.run(UINT32_MAX, [&](const Pair& pair) {
-    Triangle last[2];
-    Triangle again[2];
-    query.last_pair(last[0], last[1]);
-    const bool found = transform_pair(a, b, pose, pair, again[0], again[1]);
-    const bool equal = found && same(last[0], again[0]) && same(last[1], again[1]) &&
-                       same(contact_of_last(query), contact_of(again[0], again[1]));
-    wrong += equal ? 0u : 1u;
-    ++pairs;
-    return true;
-  });
+  const Status status =
+      query
+          .run(UINT32_MAX,
+               [&](const Pair& pair) {
+                 Triangle last[2];
+                 Triangle again[2];
+                 query.last_pair(last[0], last[1]);
+                 const bool found = transform_pair(a, b, pose, pair, again[0], again[1]);
+                 const bool equal = found && same(last[0], again[0]) && same(last[1], again[1]) &&
+                                    same(contact_of_last(query), contact_of(again[0], again[1]));
+                 wrong += equal ? 0u : 1u;
+                 ++pairs;
+                 return true;
+               })
+          .status;
   CHECK(status == Status::done);
   CHECK(wrong == 0);
   return pairs;

@@ -92,7 +92,7 @@ ClearanceAnswer within_of(const Mesh& a, const Mesh& b, const Pose& pose, std::u
     answer.nearest.push_back(nearest_pair({pair.a, pair.b}, of_a, of_b));
     return all;
   };
-  answer.status = query.run(UINT32_MAX, take);
+  answer.status = query.run(UINT32_MAX, take).status;
   answer.status = answer.status == Status::full ? Status::done : answer.status;
   count(query, answer);
   std::sort(

@@ -47,10 +47,13 @@ Counts count_query(const typename Traversal::Tree& a, const typename Traversal::
   using Asked = Query<Traversal, Question>;
   Asked query(a, b, pose, start.cursor());
   found = 0;
-  const Status status = query.run(UINT32_MAX, [&found](const typename Asked::Pair&) {
-    ++found;
-    return true;
-  });
+  const Status status = query
+                            .run(UINT32_MAX,
+                                 [&found](const typename Asked::Pair&) {
+                                   ++found;
+                                   return true;
+                                 })
+                            .status;
   return status == Status::done ? query.counts() : Counts{0, 0, 0, 0};
 }
 

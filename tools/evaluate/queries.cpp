@@ -28,15 +28,15 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
   answer.status = query.status();
   while (answer.status == Status::suspended) {
     const Counts before = query.counts();
-    std::uint32_t work = kWorkPerRun;
-    answer.status = query.spend(work, [&](const typename Query<Traversal>::Pair& pair) {
+    const Step step = query.run(kWorkPerRun, [&](const typename Query<Traversal>::Pair& pair) {
       answer.pairs.push_back({pair.a, pair.b});
       if (asked.contacts) {
         answer.contacts.push_back(contact_of_last(query));
       }
       return !asked.first;
     });
-    answer.work += kWorkPerRun - work;
+    answer.status = step.status;
+    answer.work += step.work;
     add(answer.counts, query.counts(), before);
   }
   if (answer.status == Status::full) {

@@ -146,9 +146,7 @@ class BasicClearanceQuery
   [[nodiscard]] uint32_t triangle_tests() const { return this->tested; }
 
   /// Does at most `work`; UINT32_MAX: all there is to do. As Query::run().
-  Status run(uint32_t work) { return spend(work); }
-  /// The same, and what is left of `work` stays there.
-  Status spend(uint32_t& work);
+  Step run(uint32_t work);
 
   /// What is known by now.
   Clearance<Index> result() const;

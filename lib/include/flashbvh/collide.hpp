@@ -54,7 +54,7 @@ FLASHBVH_INLINE inline Status for_each_pair(const Mesh<Index, Layout::post_index
                                             const Mesh<Index, Layout::post_indexed>& b,
                                             const Pose& pose, Visitor&& visit) {
   DefaultQuery<Index> query(a, b, pose);
-  return query.run(UINT32_MAX, visit);
+  return query.run(UINT32_MAX, visit).status;
 }
 
 /// How many pairs of triangles intersect.

@@ -138,10 +138,9 @@ class DeformableQuery {
   }
   /// As the query's own, in each of its forms.
   template <class... Arguments>
-  auto run(uint32_t work, Arguments&&... arguments)
-      -> decltype(static_cast<Query*>(nullptr)->run(work, arguments...)) {
+  Step run(uint32_t work, Arguments&&... arguments) {
     if (is_outdated()) {
-      return refusal(static_cast<decltype(query_.run(work, arguments...))*>(nullptr));
+      return {Status::mesh_changed, 0, 0};
     }
     return query_.run(work, arguments...);
   }
@@ -164,9 +163,6 @@ class DeformableQuery {
   }
 
  private:
-  static Status refusal(const Status*) { return Status::mesh_changed; }
-  static Step refusal(const Step*) { return {Status::mesh_changed, 0, 0}; }
-
   static bool is_being_refit(const Deformable* mesh) {
     return mesh != nullptr && mesh->refits() % 2 != 0;
   }

@@ -88,33 +88,28 @@ class Query : protected Question {
     return {status, count, work - left};
   }
 
-  /// The same into an array of known length.
+  /// Runs into an array of known length.
   template <uint32_t capacity>
   FLASHBVH_INLINE Step run(uint32_t work, Pair (&found)[capacity]) {
     return run(work, found, capacity);
   }
 
-  /// Hands each pair to `sink(pair)`; if that returns false, the run ends with `full` after it.
+  /// Hands each pair to `sink(pair)` and counts it; if that returns false, the run ends with `full`
+  /// after the pair.
   ///
   /// The walk takes along up to eight pairs of leaves before it comes back and their triangles are
   /// tested, so that its stack and that of the triangle test are never needed at once. Of those
   /// that a sink stops at the walk is done again by the next run; counts know them once.
   template <class Sink>
-  FLASHBVH_INLINE Status run(uint32_t work, Sink&& sink) {
-    return spend(work, sink);
-  }
-
-  /// The same, and what is left of `work` stays there.
-  template <class Sink>
-  FLASHBVH_INLINE Status spend(uint32_t& work, Sink&& sink) {
-    return run_with(work, sink, [] { return UINT32_MAX; });
-  }
-
-  /// The same; `room()` says for how many more pairs `sink` has room, which spares walking on after
-  /// the last of them.
-  template <class Sink, class Room>
-  FLASHBVH_INLINE Status spend(uint32_t& work, Sink&& sink, const Room& room) {
-    return run_with(work, sink, room);
+  FLASHBVH_INLINE Step run(uint32_t work, Sink&& sink) {
+    uint32_t count = 0;
+    const auto counting = [&](const Pair& pair) {
+      ++count;
+      return sink(pair);
+    };
+    uint32_t left = work;
+    const Status status = run_with(left, counting, [] { return UINT32_MAX; });
+    return {status, count, work - left};
   }
 
   /// Where the query stands. Between runs; not for orders with a stack.
@@ -170,6 +165,30 @@ class Query : protected Question {
   void refuse(Status error) { error_ = error; }
   /// A visit that was made beside the walk.
   void count_visit() { ++counts_.visits; }
+  /// Runs and leaves in `work` what is left of it. `room()`: for how many more pairs `sink` has
+  /// capacity, which spares walking on after the last of them.
+  template <class Sink, class Room>
+  FLASHBVH_INLINE Status run_with(uint32_t& work, Sink&& sink, const Room& room) {
+    if (error_ != Status::done || state_ == State::done) {
+      return status();
+    }
+    if (state_ == State::fresh) {
+      if (work == 0) {
+        return Status::suspended;
+      }
+      if (kEndsAtRoots && transform_.roots_disjoint()) {
+        work -= work == detail::kUnlimited ? 0 : 1;
+        counts_.visits = 1;
+        state_ = State::done;
+        return Status::done;
+      }
+      transform_.prepare(*b_);
+    }
+    uint32_t left = work;  // in memory from here on only
+    const Status status = go_on(left, sink, room);
+    work = left;
+    return status;
+  }
 
  private:
   /// Positions of the current pair of triangles: the leaves' pairs are taken from the last one on,
@@ -199,30 +218,6 @@ class Query : protected Question {
   using Shapes = typename Question::template Shapes<Mesh>;
   using Kept = detail::KeptShapes<Shapes, Question::kKeepsShapes>;
   using Test = detail::TriangleTest<Question, Mesh, Question::kIntersects>;
-
-  /// `room()`: for how many more pairs `sink` is known to have room. Leaves in `work` what is left.
-  template <class Sink, class Room>
-  FLASHBVH_INLINE Status run_with(uint32_t& work, Sink&& sink, const Room& room) {
-    if (error_ != Status::done || state_ == State::done) {
-      return status();
-    }
-    if (state_ == State::fresh) {
-      if (work == 0) {
-        return Status::suspended;
-      }
-      if (kEndsAtRoots && transform_.roots_disjoint()) {
-        work -= work == detail::kUnlimited ? 0 : 1;
-        counts_.visits = 1;
-        state_ = State::done;
-        return Status::done;
-      }
-      transform_.prepare(*b_);
-    }
-    uint32_t left = work;  // in memory from here on only
-    const Status status = go_on(left, sink, room);
-    work = left;
-    return status;
-  }
 
   template <class Sink, class Room>
   FLASHBVH_INLINE Status go_on(uint32_t& work, Sink& sink, const Room& room) {

@@ -36,7 +36,7 @@ using TrianglePair = typename detail::PairOf<Index>::Type;
 /// What a run gave.
 struct [[nodiscard]] Step {
   Status status;
-  uint32_t count;  ///< entries written to the caller's array
+  uint32_t count;  ///< entries written to the caller's array, or handed to its sink
   uint32_t work;   ///< spent, of what was granted; 0 if that was UINT32_MAX
 };
 

@@ -38,7 +38,9 @@ flashbvh_status flashbvh_clearance_start(flashbvh_clearance_query* query, const 
 }
 
 flashbvh_status flashbvh_clearance_spend(flashbvh_clearance_query* query, uint32_t* work) {
-  return c_status(object_in(query).spend(*work));
+  const Step step = object_in(query).run(*work);
+  *work -= step.work;
+  return c_status(step.status);
 }
 
 void flashbvh_clearance_result(const flashbvh_clearance_query* query, flashbvh_clearance* result) {
@@ -98,8 +100,10 @@ flashbvh_status flashbvh_within_spend(flashbvh_within_query* query, uint32_t* wo
 
 flashbvh_status flashbvh_within_visit(flashbvh_within_query* query, uint32_t* work,
                                       flashbvh_visitor* visit, void* context) {
-  return c_status(object_in(query).spend(
-      *work, [visit, context](const flashbvh_pair& pair) { return visit(pair, context); }));
+  const Step step = object_in(query).run(
+      *work, [visit, context](const flashbvh_pair& pair) { return visit(pair, context); });
+  *work -= step.work;
+  return c_status(step.status);
 }
 
 flashbvh_counts flashbvh_within_counts(const flashbvh_within_query* query) {
@@ -137,6 +141,7 @@ flashbvh_status flashbvh_for_each_within(const flashbvh_mesh* a, const flashbvh_
                                          const flashbvh_pose* pose, uint32_t distance,
                                          flashbvh_visitor* visit, void* context) {
   WithinQuery query(object_in(a), object_in(b), object_in(pose), {}, within(distance));
-  return c_status(query.run(
-      UINT32_MAX, [visit, context](const flashbvh_pair& pair) { return visit(pair, context); }));
+  const Step step = query.run(
+      UINT32_MAX, [visit, context](const flashbvh_pair& pair) { return visit(pair, context); });
+  return c_status(step.status);
 }

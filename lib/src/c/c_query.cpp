@@ -28,8 +28,10 @@ flashbvh_status flashbvh_query_spend(flashbvh_query* query, uint32_t* work, flas
 
 flashbvh_status flashbvh_query_visit(flashbvh_query* query, uint32_t* work, flashbvh_visitor* visit,
                                      void* context) {
-  return c_status(object_in(query).spend(
-      *work, [visit, context](const flashbvh_pair& pair) { return visit(pair, context); }));
+  const Step step = object_in(query).run(
+      *work, [visit, context](const flashbvh_pair& pair) { return visit(pair, context); });
+  *work -= step.work;
+  return c_status(step.status);
 }
 
 flashbvh_counts flashbvh_query_counts(const flashbvh_query* query) {

@@ -103,10 +103,11 @@ void BasicClearanceQuery<MeshType>::take_leaves(uint32_t& work) {
 }
 
 template <class MeshType>
-Status BasicClearanceQuery<MeshType>::spend(uint32_t& work) {
-  if (status() != Status::suspended || work == 0) {
-    return status();
+Step BasicClearanceQuery<MeshType>::run(uint32_t granted) {
+  if (status() != Status::suspended || granted == 0) {
+    return {status(), 0, 0};
   }
+  uint32_t work = granted;
   detail::NearestSoFar known;
   const uint32_t kept = this->beyond;
   this->so_far = &known;
@@ -119,10 +120,12 @@ Status BasicClearanceQuery<MeshType>::spend(uint32_t& work) {
     }
   }
   if (!this->intersect && work != 0) {
-    (void)Base::spend(work, [this](const TrianglePair<Index>&) { return !this->intersect; });
+    (void)this->run_with(
+        work, [this](const TrianglePair<Index>&) { return !this->intersect; },
+        [] { return UINT32_MAX; });
   }
   this->beyond = kept;
-  return status();
+  return {status(), 0, granted - work};
 }
 
 template <class MeshType>

@@ -180,7 +180,9 @@ Status Guard::walk(uint32_t& work) {
                     within(core_->asked));
   Status status = query.resume(core_->position);
   if (status == Status::suspended) {
-    status = query.spend(work, [](const TrianglePair<uint16_t>&) { return false; });
+    const Step step = query.run(work, [](const TrianglePair<uint16_t>&) { return false; });
+    status = step.status;
+    work -= step.work;
   }
   core_->position = query.position();
   if (status == Status::done) {

@@ -135,16 +135,17 @@ void MotionQuery::begin_interval() {
 /// Asks the pair the question of the phase: `full` if the answer is yes.
 template <class Asked>
 Status MotionQuery::ask(Asked&& query, uint32_t& work) {
-  Status status = query.resume(core_->position);
+  const Status status = query.resume(core_->position);
   if (status != Status::suspended) {
     return status;
   }
-  status = query.spend(work, [&](const TrianglePair<uint16_t>& pair) {
+  const Step step = query.run(work, [&](const TrianglePair<uint16_t>& pair) {
     core_->triangles = pair;
     return false;
   });
+  work -= step.work;
   core_->position = query.position();
-  return status;
+  return step.status;
 }
 
 Status MotionQuery::ask_phase(uint32_t& work) {
