@@ -43,7 +43,7 @@ class Guard {
  public:
   Known at(const Pose& gripper_in_bar) {
     ClearanceQuery query(bar::mesh, gripper::mesh, gripper_in_bar, nearest_);
-    while (query.run(kWork) == Status::suspended) {
+    while (query.run(kWork).status == Status::suspended) {
       // Not finished: a control loop comes back in the next period.
     }
     const Clearance<uint16_t> known = query.result();

@@ -61,7 +61,7 @@ void check_result(const std::vector<Pairwise>& all, const Clearance<std::uint16_
 void check_slices(Random& random, const PostMesh& a, const PostMesh& b, const Pose& pose,
                   const Witness<std::uint16_t>& seed) {
   ClearanceQuery whole(a, b, pose, seed);
-  REQUIRE(whole.run(kNoLimit) == Status::done);
+  REQUIRE(whole.run(kNoLimit).status == Status::done);
   const Clearance<std::uint16_t> truth = whole.result();
   const auto check = [&](const ClearanceQuery& query) {
     const Clearance<std::uint16_t> found = query.result();
@@ -73,7 +73,7 @@ void check_slices(Random& random, const PostMesh& a, const PostMesh& b, const Po
     CAPTURE(work);
     ClearanceQuery cut(a, b, pose, seed);
     std::uint32_t upper = UINT32_MAX;
-    for (std::uint32_t runs = 0; cut.run(work) == Status::suspended; ++runs) {
+    for (std::uint32_t runs = 0; cut.run(work).status == Status::suspended; ++runs) {
       REQUIRE(runs < 1000000);
       const Clearance<std::uint16_t> known = cut.result();
       REQUIRE(known.lower == 0);
@@ -96,7 +96,7 @@ void check_slices(Random& random, const PostMesh& a, const PostMesh& b, const Po
       break;
     }
     if (random.below(8) == 0) {
-      REQUIRE(resumed.run(kNoLimit) == Status::done);
+      REQUIRE(resumed.run(kNoLimit).status == Status::done);
       check(resumed);
       REQUIRE(visits + resumed.counts().visits == whole.counts().visits);
     }
@@ -273,12 +273,12 @@ TEST_CASE("seeds and positions that are none are refused") {
     ClearanceQuery query(a, b, pose);
     const Status status = query.resume(position);
     if (status == Status::position_invalid) {
-      REQUIRE(query.run(kNoLimit) == Status::done);  // as if nothing had been
+      REQUIRE(query.run(kNoLimit).status == Status::done);  // as if nothing had been
       REQUIRE(query.result().lower == truth.lower);
       continue;
     }
     ++taken;
-    REQUIRE(query.run(kNoLimit) == Status::done);
+    REQUIRE(query.run(kNoLimit).status == Status::done);
     REQUIRE(query.result().upper >= truth.upper);
   }
   CHECK(taken > 100);

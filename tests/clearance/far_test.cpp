@@ -108,7 +108,7 @@ TEST_CASE(
     check_bounds(distance(a, b, far, Witness<std::uint16_t>{any(), any()}), truth, rounded);
     // In slices as in one.
     ClearanceQuery cut(a, b, far);
-    while (cut.run(9) == Status::suspended) {
+    while (cut.run(9).status == Status::suspended) {
       const Found known = cut.result();
       REQUIRE((known.lower == 0 && known.witness.is_none()));
       REQUIRE((known.upper == UINT32_MAX || known.upper / 256.0 >= truth - rounded));

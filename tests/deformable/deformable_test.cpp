@@ -283,9 +283,9 @@ TEST_CASE(
   REQUIRE(same_box(bent.nodes[0].box, box_below(bent.mesh.mesh(), 0)));
 
   DeformableQuery<ClearanceQuery> near(bent.mesh, rigid, Pose::translated(200, 0, 0));
-  REQUIRE(near.run(UINT32_MAX) == Status::done);
+  REQUIRE(near.run(UINT32_MAX).status == Status::done);
   const auto nearest = near.position();
   whole();
-  REQUIRE(near.run(UINT32_MAX) == Status::mesh_changed);
+  REQUIRE(near.run(UINT32_MAX).status == Status::mesh_changed);
   REQUIRE(near.resume(nearest) == Status::mesh_changed);
 }

@@ -78,7 +78,7 @@ template <class Traversal, bool with_contacts = false>
     if (status == Status::full) {
       add_contact(contact_of_last(query), hash);
     }
-    status = query.run(slice, add_pair);
+    status = query.run(slice, add_pair).status;
   }
   hash.add(static_cast<uint32_t>(status));
   add_counts(query.counts(), hash);
@@ -92,7 +92,7 @@ template <class Traversal, bool with_contacts = false>
   uint32_t upper = 0;
   {
     ClearanceQuery query(a, b, pose, seed);
-    while (query.run(slice) == Status::suspended) {
+    while (query.run(slice).status == Status::suspended) {
     }
     add_counts(query.counts(), hash);
     const Clearance<uint16_t> found = query.result();

@@ -70,7 +70,7 @@ TEST_CASE("small trees: the distance is that of the nearest triangles, however i
     Witness<uint16_t> begin;
     for (const uint32_t work : {kNoLimit, uint32_t{1}, 1 + random.below(60)}) {
       ClearanceQuery query(scene.a.view(), scene.b.view(), scene.pose, begin);
-      while (query.run(work) == Status::suspended) {
+      while (query.run(work).status == Status::suspended) {
       }
       const Clearance<uint16_t> found = query.result();
       REQUIRE(found.status == Status::done);
@@ -111,7 +111,7 @@ TEST_CASE("small trees: within a distance are the pairs that brute force finds")
         return true;
       };
       const uint32_t work = 1 + random.below(100);
-      while (query.run(work, add) == Status::suspended) {
+      while (query.run(work, add).status == Status::suspended) {
       }
       REQUIRE(query.status() == Status::done);
       REQUIRE_FALSE(twice);
