@@ -68,7 +68,8 @@ run() {
   case $1 in
     formatting)
       sources | xargs clang-format --dry-run -Werror
-      tools/cores.py --check ;;
+      tools/cores.py --check
+      tools/rooms.py ;;
     configured)
       cmake --preset native-sanitize
       cp tools/bake_once.sh build/ ;;

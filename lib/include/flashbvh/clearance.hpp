@@ -18,18 +18,14 @@
 #include <stdint.h>
 
 #include "flashbvh/collide.hpp"
-#include "flashbvh/contact.hpp"
 #include "flashbvh/detail/query/nearness.hpp"
 #include "flashbvh/query.hpp"
+#include "flashbvh/triangle.hpp"
 
 namespace flashbvh {
 
 /// The largest distance that can be asked about, in 1/256 cell: 32,767 cells.
 constexpr uint32_t kMaxDistance = detail::Within::kMost;
-
-/// Of a UnitVector's coordinates: 1.
-constexpr int32_t kUnitOne = 1 << 30;
-using UnitVector = flashbvh_unit_vector;
 
 /// Two triangles by their positions in the meshes' arrays: what a later query begins with. Opaque;
 /// may be stored.
@@ -41,13 +37,6 @@ struct Witness {
   /// By default it is none.
   bool is_none() const { return a == static_cast<Index>(-1) && b == static_cast<Index>(-1); }
 };
-
-using NearestPoints = flashbvh_nearest_points;
-
-/// Of two triangles in A's frame, as Query::last_pair() and transform_pair() give them; differences
-/// of their corners are below 2^17 cells along each axis. A point of an intersection is one that
-/// both have.
-[[nodiscard]] NearestPoints nearest_points_of(const Triangle& a, const Triangle& b) noexcept;
 
 /// Every pair of triangles within a distance, in the order and the slices of a PairQuery: a Query
 /// (query.hpp) that is made of meshes, a pose and what is asked, `within(distance)`.

@@ -1,58 +1,16 @@
-// Where two triangles intersect: the common piece of a reported pair, and both normals.
-//
-// That a pair intersects is decided exactly (triangle.hpp); this says where, for those who draw it,
-// measure it or push the bodies apart. A query never pays for it: it is asked per pair.
+// The triangles of a reported pair: where they intersect, and where they lie at any later time.
 #ifndef FLASHBVH_CONTACT_HPP
 #define FLASHBVH_CONTACT_HPP
 
 #include <stdint.h>
 
 #include "flashbvh/detail/bounds/transform.hpp"
-#include "flashbvh/lattice.hpp"
 #include "flashbvh/query.hpp"
+#include "flashbvh/triangle.hpp"
 
 namespace flashbvh {
 
-/// Steps of a FinePoint in a cell.
-constexpr int32_t kFineOne = 256;
-
-/// Largest difference along one axis between two corners of one triangle, in cells. Meshes keep
-/// within it under any pose: 2 * 16,383 * sqrt(3) = 56,753, and a cell for rounding.
-constexpr int32_t kMaxContactSpan = 57000;
-/// The same between any two corners of two triangles: what transformed vertices keep to.
-constexpr int32_t kMaxContactDistance = 160000;
-/// Largest magnitude of a corner's coordinate, in cells: that of an origin, and a mesh's extent.
-constexpr int32_t kMaxContactCoordinate = (1 << 29) + kMaxContactDistance / 2;
-
-/// pose_float.hpp turns it into the mesh's unit.
-using FinePoint = flashbvh_fine_point;
-using Normal = flashbvh_normal;
-using Contact = flashbvh_contact;
-
-/// What the common part of two triangles may be.
-enum class ContactKind : uint8_t {
-  segment = FLASHBVH_CONTACT_SEGMENT,
-  coplanar = FLASHBVH_CONTACT_COPLANAR,
-  degenerate = FLASHBVH_CONTACT_DEGENERATE,
-};
-
-/// The common part of `a` and `b`, which intersect.
-///
-/// The order of corners and of arguments changes the normals, as their definition says, and nothing
-/// else; translating both triangles by whole cells translates the ends alike. Each triangle spans
-/// at most kMaxContactSpan along each axis, both at most kMaxContactDistance, and coordinates are
-/// within +-kMaxContactCoordinate, as those of every pair that a query reports are; this is not
-/// checked. Of triangles within these bounds that do not intersect, the answer is two meaningless
-/// points and correct normals.
-///
-/// Cost in instructions on a Cortex-M4 at -O2: 1,800 for two planes that cross, 5,000 on average
-/// and at most 8,500 for coplanar triangles (tests/budget/contact_cost_test.cpp prints them).
-/// Stack: 280 bytes on Cortex-M3 to M55 at -O2, the contact itself, 104 bytes, not counted.
-///
-/// Source: the common line as in Guigue and Devillers (triangle.hpp).
-[[nodiscard]] Contact contact_of(const Triangle& a, const Triangle& b) noexcept;
-
-/// The same of the pair that `query` reported last: where Query::last_pair() may be asked.
+/// contact_of() the pair that `query` reported last: where Query::last_pair() may be asked.
 template <class Query>
 [[nodiscard]] Contact contact_of_last(const Query& query) {
   Triangle a;

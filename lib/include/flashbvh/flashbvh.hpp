@@ -17,6 +17,7 @@
 #include "flashbvh/shape.hpp"
 #include "flashbvh/solid.hpp"
 #include "flashbvh/status.hpp"
+#include "flashbvh/triangle.hpp"
 #include "flashbvh/version.hpp"
 
 #endif

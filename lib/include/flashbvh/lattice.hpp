@@ -23,6 +23,21 @@ using Point = flashbvh_point;
 /// Inside the library: from A's origin on.
 using Triangle = flashbvh_triangle;
 
+/// pose_float.hpp turns it into the mesh's unit.
+using FinePoint = flashbvh_fine_point;
+/// Steps of a FinePoint in a cell.
+constexpr int32_t kFineOne = 256;
+
+using Segment = flashbvh_segment;
+/// Largest distance of a segment's ends from the mesh's origin along each axis, in cells: 32 times
+/// that of a vertex. Determinants stay below 2^57.
+constexpr int32_t kMaxRayCoordinate = (1 << 19) - 1;
+/// A share of a segment: above / below, from 0 to 1; `below` is positive. Both are below 2^53.
+struct SegmentShare {
+  int64_t above;
+  int64_t below;
+};
+
 static_assert(sizeof(Vertex) == 6, "vertices are packed three halfwords");
 
 }  // namespace flashbvh

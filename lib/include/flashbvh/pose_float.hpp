@@ -20,7 +20,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/contact.hpp"
+#include "flashbvh/lattice.hpp"
 #include "flashbvh/length.hpp"
 #include "flashbvh/pose.hpp"
 #include "flashbvh/status.hpp"

@@ -19,8 +19,8 @@
 
 #include <stdint.h>
 
-#include "flashbvh/contact.hpp"
 #include "flashbvh/detail/walk/segment_walk.hpp"
+#include "flashbvh/lattice.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/status.hpp"
 

@@ -1,7 +1,6 @@
 #include "flashbvh/detail/bounds/gap.hpp"
 
 #include "flashbvh/detail/arch/packed_multiply.hpp"
-#include "flashbvh/detail/walk/near_shape.hpp"
 
 #if defined(FLASHBVH_GAP_SIMD)
 #include "gap_sse2.hpp"

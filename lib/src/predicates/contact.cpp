@@ -11,7 +11,7 @@
 //
 // Invariant: only differences of corners are multiplied, so the place never matters, and each value
 // is exact up to fine_crossing.hpp.
-#include "flashbvh/contact.hpp"
+#include "flashbvh/triangle.hpp"
 
 #include "contact_flat.hpp"
 #include "fine_crossing.hpp"

@@ -1,7 +1,7 @@
 // Where two triangles are nearest, rounded to 1/256 cell.
-#include "flashbvh/clearance.hpp"
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
+#include "flashbvh/triangle.hpp"
 
 namespace flashbvh {
 namespace detail {

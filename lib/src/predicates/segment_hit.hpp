@@ -2,7 +2,7 @@
 #ifndef FLASHBVH_PREDICATES_SEGMENT_HIT_HPP
 #define FLASHBVH_PREDICATES_SEGMENT_HIT_HPP
 
-#include "flashbvh/detail/walk/segment_walk.hpp"
+#include "flashbvh/detail/predicates/segment_share.hpp"
 #include "flashbvh/lattice.hpp"
 #include "orientation.hpp"
 

@@ -24,6 +24,7 @@
 #include "flashbvh/detail/bounds/rotated_transform.hpp"
 #include "flashbvh/detail/bounds/transform.hpp"
 #include "flashbvh/detail/lattice/box_packed.hpp"
+#include "flashbvh/detail/lattice/packed_vector.hpp"
 
 #if defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_GAP_SIMD 1
@@ -347,6 +348,14 @@ class KeptGap {
   NearBox a_;
   NearBox b_;
 };
+
+/// In a unit of a direction so many cells, times 2^32, rounded down. `direction`: along which
+/// distances are true, in A's lattice; of 13 bits.
+uint32_t cells_in_unit(const PackedVector& direction) noexcept;
+
+/// Whether a leaf's own box and one of the other tree are within a limit, the long way (gap.hpp).
+bool is_within_far(const PackedBox& leaf, Side side, const PackedBox& box,
+                   const Transform& transform, const GapLimit& limit) noexcept;
 
 }  // namespace flashbvh::detail
 

@@ -8,11 +8,13 @@
 #include "flashbvh/detail/bounds/box.hpp"
 #include "flashbvh/detail/bounds/rotated_transform.hpp"
 #include "flashbvh/detail/predicates/triangle.hpp"
-#include "flashbvh/detail/walk/walk_run.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
 
 namespace flashbvh::detail {
+
+/// Which of a query's two trees.
+enum class Side : uint8_t { none, a, b };
 
 /// B translated by whole cells.
 struct TranslatedTransform {

@@ -16,14 +16,6 @@
 
 namespace flashbvh::detail {
 
-/// In a unit of a direction so many cells, times 2^32, rounded down. `direction`: along which
-/// distances are true, in A's lattice; of 13 bits.
-uint32_t cells_in_unit(const PackedVector& direction) noexcept;
-
-/// Whether a leaf's own box and one of the other tree are within a limit, the long way (gap.hpp).
-bool is_within_far(const PackedBox& leaf, Side side, const PackedBox& box,
-                   const Transform& transform, const GapLimit& limit) noexcept;
-
 template <class Mesh>
 class NearShapes : LeafShapes<Mesh> {
   using Base = LeafShapes<Mesh>;

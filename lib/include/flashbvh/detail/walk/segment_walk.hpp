@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/lattice/box_packed.hpp"
+#include "flashbvh/detail/predicates/segment_share.hpp"
 #include "flashbvh/detail/walk/subtree.hpp"
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/mesh.hpp"
@@ -12,25 +13,10 @@
 
 namespace flashbvh {
 
-/// Largest distance of a segment's ends from the mesh's origin along each axis, in cells: 32 times
-/// that of a vertex. Determinants stay below 2^57.
-constexpr int32_t kMaxRayCoordinate = (1 << 19) - 1;
-
-using Segment = flashbvh_segment;
-
-/// A share of a segment: above / below, from 0 to 1; `below` is positive. Both are below 2^53.
-struct SegmentShare {
-  int64_t above;
-  int64_t below;
-};
-
 template <class Index>
 struct RayHit;
 
 namespace detail {
-
-/// -1, 0 or 1 as x is before, at or behind y. Exact.
-int order_along(const SegmentShare& x, const SegmentShare& y) noexcept;
 
 /// A segment, and the part of it that still matters, against boxes.
 class SegmentInBoxes {

@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/arch/inline.hpp"
+#include "flashbvh/detail/bounds/transform.hpp"
 #include "flashbvh/plain/counts.h"
 
 namespace flashbvh {
@@ -29,9 +30,6 @@ enum class State : uint8_t {
   at_leaf_pair = 2,  ///< the cursor is at a pair of leaves that may matter, which was visited
   done = 3,          ///< every pair was visited
 };
-
-/// Which of a query's two trees.
-enum class Side : uint8_t { none, a, b };
 
 /// A position in a stackless walk: one node of each tree, and nothing else.
 template <class IndexType>

@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+"""rooms.py: fails if an #include in lib runs back up: each room takes only those before it, in this order."""
+import pathlib
+import re
+import sys
+
+LIB = pathlib.Path(__file__).resolve().parents[1] / "lib"
+ORDER = ["plain", "arch", "lattice", "predicates", "bounds", "walk", "query", "robot", "c"]
+# Public headers lie in one folder; all others are of the room query.
+PUBLIC = {"lattice": ["lattice", "mesh", "image", "pose", "pose_float", "length", "status", "version"],
+          "predicates": ["triangle"]}
+ROOM_OF = {f"{name}.hpp": room for room, names in PUBLIC.items() for name in names}
+
+
+def room_of(path):
+    folder = path.parent.name
+    if folder in ORDER:
+        return folder
+    if path.name == "status.h":
+        return "plain"
+    return "c" if path.suffix == ".h" else ROOM_OF.get(path.name, "query")
+
+
+def main():
+    wrong = []
+    for file in sorted(LIB.rglob("*.[hc]*")):
+        for name in re.findall(r'#include "([^"]+)"', file.read_text()):
+            taken = (LIB / "include" / name) if name.startswith("flashbvh/") else file.parent / name
+            taken = taken.resolve().relative_to(LIB)
+            if ORDER.index(room_of(taken)) > ORDER.index(room_of(file.relative_to(LIB))):
+                wrong.append(f"lib/{file.relative_to(LIB)} includes {taken}, of a room above it")
+    sys.exit("\n".join(wrong) or 0)
+
+
+if __name__ == "__main__":
+    main()
