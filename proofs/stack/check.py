@@ -1,4 +1,4 @@
-"""check.py TAGS BUDGETS OUTPUT FIGURES...
+"""check.py TAGS BUDGETS ENTRIES OUTPUT FIGURES...
 
 Whether the figures agree and keep their budgets; OUTPUT gets them, for other scripts, in lines
     code ENTRY Os|O2 BYTES
@@ -6,7 +6,8 @@ Whether the figures agree and keep their budgets; OUTPUT gets them, for other sc
     object NAME BYTES
 Other lines of FIGURES are not looked at. A stack's two figures must not differ by more than 16
 bytes, and what was painted never exceeds what the call graph allows. TAGS: what the board's core
-is, by commas; BUDGETS (budgets.txt) are checked where one of the tags is theirs.
+is, by commas; BUDGETS (budgets.txt) are checked where one of the tags is theirs, and on Thumb-2 those of
+ENTRIES (entries.inc).
 """
 from __future__ import annotations
 
@@ -16,6 +17,7 @@ from pathlib import Path
 from typing import Iterator
 
 MOST_APART = 16
+ENTRY = re.compile(r"^ENTRY\((\w+), \w+, (\d+),", re.M)
 FIGURE = re.compile(r"((?:code|stack) [a-z_]+ [A-Za-z0-9]+|object [A-Za-z]+) ([0-9]+)")
 
 
@@ -61,10 +63,11 @@ def read(lines: list[str]) -> dict[str, int]:
 
 
 def main() -> int:
-    tags, table, output, *paths = sys.argv[1:]
+    tags, table, entries, output, *paths = sys.argv[1:]
     Path(output).unlink(missing_ok=True)
     figures = read([line for path in paths for line in Path(path).read_text().splitlines()])
-    limits = budgets(tags.split(","), Path(table).read_text().splitlines())
+    stacks = [f"thumb2 stack {name} {most}" for name, most in ENTRY.findall(Path(entries).read_text())]
+    limits = budgets(tags.split(","), Path(table).read_text().splitlines() + stacks)
     for what, most in limits.items():
         for size in sizes_of(what, figures):
             print(f"budget: {what}: {size} bytes, at most {most}")

@@ -160,7 +160,7 @@ inline flashbvh_segment any_c_segment(const PostMesh& mesh, uint32_t i) {
 // Other entries are templates that nobody instantiates.
 #define SECOND(first, second, ...) second
 #define LINKAGE(...) SECOND(__VA_ARGS__, template <class Arguments> void, ~)
-#define ENTRY(name, kind, ...) \
+#define ENTRY(name, kind, most, ...) \
   LINKAGE(CHOSEN_##name) name(Arguments* in) { __VA_ARGS__; }
 #include "proofs/stack/entries.inc"
 #undef ENTRY

@@ -1,5 +1,5 @@
-// Everything public that is a template or inline, compiled once: check_symbols.cmake looks at what
-// it calls and keeps, whether somebody uses it or not.
+// Everything public that is a template or inline and that no entry has, compiled once:
+// check_symbols.cmake looks at what it calls and keeps, whether somebody uses it or not.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
@@ -80,17 +80,8 @@ uint32_t ask(const TreeType& a, const TreeType& b, const Pose& pose) {
 template uint32_t ask(const PostMesh&, const PostMesh&, const Pose&);
 template uint32_t ask(const LargePostMesh&, const LargePostMesh&, const Pose&);
 
-Pose pose_of_rows(const float (&matrix)[3][4], float cells_per_unit) {
-  return pose_of(matrix, cells_per_unit);
-}
 Pose pose_of_matrix(const float (&rotation)[3][3], const float (&translation)[3], float scale) {
   return pose_of(rotation, translation, scale);
-}
-Pose pose_of_quaternion(const UnitQuaternion& q, const float (&translation)[3], float scale) {
-  return pose_of(q, translation, scale);
-}
-Pose pose_between(const Pose& a, const Pose& b) {
-  return Pose::relative(a, b);
 }
 
 }  // namespace test

@@ -13,7 +13,7 @@ using namespace flashbvh;
 using namespace flashbvh::detail;
 
 extern "C" {
-#define ENTRY(name, kind, ...) EntryFunction name;
+#define ENTRY(name, kind, most, ...) EntryFunction name;
 #include "proofs/stack/entries.inc"
 #undef ENTRY
 }
@@ -29,7 +29,7 @@ struct Entry {
 };
 
 constexpr Entry kEntries[] = {
-#define ENTRY(name, kind, ...) {#name, name, Kind::kind},
+#define ENTRY(name, kind, most, ...) {#name, name, Kind::kind},
 #include "proofs/stack/entries.inc"
 #undef ENTRY
 };
