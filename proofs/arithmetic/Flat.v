@@ -1,7 +1,7 @@
 (* Two triangles in one plane, and two without area: flat_intersect() of lib/src/predicates/triangle.cpp.
    Whichever edge it finds in whichever projection, and where it says that segments are skew: there is
    no common point. And where it says yes there is one. *)
-From Coq Require Import ZArith Lia Psatz Bool.
+From Coq Require Import ZArith Lia Psatz Bool Nsatz.
 Require Import Triangle Segment Helly.
 Local Open Scope Z_scope.
 
@@ -122,13 +122,7 @@ Proof.
     set (w := i + j + k) in *. clearbody w. clear - W X Y Z0 X' Y' Z'.
     apply (Z.mul_reg_l _ _ w); [lia|]. rewrite Z.mul_0_r.
     unfold volume, cross, dot, origin_way, sub in *. cbn [x y z] in *.
-    transitivity ((x f - x b0) * ((y e - y a0) * (z c - w * z a0) - (z e - z a0) * (y c - w * y a0)) +
-      (y f - y b0) * ((z e - z a0) * (x c - w * x a0) - (x e - x a0) * (z c - w * z a0)) +
-      (z f - z b0) * ((x e - x a0) * (y c - w * y a0) - (y e - y a0) * (x c - w * x a0)) +
-      ((x e - x a0) * ((y f - y b0) * (z c - w * z b0) - (z f - z b0) * (y c - w * y b0)) +
-       (y e - y a0) * ((z f - z b0) * (x c - w * x b0) - (x f - x b0) * (z c - w * z b0)) +
-       (z e - z a0) * ((x f - x b0) * (y c - w * y b0) - (y f - y b0) * (x c - w * x b0))));
-      [ring | rewrite X, Y, Z0, X', Y', Z'; ring]. }
+    clear W. nsatz. }
   unfold coplanar. now rewrite !V by auto.
 Qed.
 
@@ -139,16 +133,7 @@ Proof.
   intros D E F V.
   assert (forall c, c * dot (cross d e) f = 0 -> c = 0) as G by (intros c; nia).
   unfold dot, cross in *. cbn [x y z] in *.
-  repeat split; apply G.
-  - transitivity ((y e * z f - z e * y f) * (x n * x d + y n * y d + z n * z d) +
-      (y f * z d - z f * y d) * (x n * x e + y n * y e + z n * z e) +
-      (y d * z e - z d * y e) * (x n * x f + y n * y f + z n * z f)); [ring | rewrite D, E, F; ring].
-  - transitivity ((z e * x f - x e * z f) * (x n * x d + y n * y d + z n * z d) +
-      (z f * x d - x f * z d) * (x n * x e + y n * y e + z n * z e) +
-      (z d * x e - x d * z e) * (x n * x f + y n * y f + z n * z f)); [ring | rewrite D, E, F; ring].
-  - transitivity ((x e * y f - y e * x f) * (x n * x d + y n * y d + z n * z d) +
-      (x f * y d - y f * x d) * (x n * x e + y n * y e + z n * z e) +
-      (x d * y e - y d * x e) * (x n * x f + y n * y f + z n * z f)); [ring | rewrite D, E, F; ring].
+  clear V. repeat split; apply G; nsatz.
 Qed.
 
 Lemma skew_no_area a0 a1 a2 b0 b1 b2 : on_plane_of b0 b1 b2 a0 a1 a2 -> coplanar a0 a1 a2 b0 b1 b2 = false ->
@@ -229,10 +214,7 @@ Proof.
   assert (x n * (i * x a0 + j * x a1 + k * x a2 - (l * x b0 + m * x b1 + n' * x b2)) +
     y n * (i * y a0 + j * y a1 + k * y a2 - (l * y b0 + m * y b1 + n' * y b2)) +
     z n * (i * z a0 + j * z a1 + k * z a2 - (l * z b0 + m * z b1 + n' * z b2)) = 0) as S.
-  { set (D := fun p => x n * (x p - x o) + y n * (y p - y o) + z n * (z p - z o)).
-    transitivity (i * D a0 + j * D a1 + k * D a2 - (l * D b0 + m * D b1 + n' * D b2) +
-      (i + j + k - (l + m + n')) * (x n * x o + y n * y o + z n * z o)); [unfold D; ring|].
-    unfold D. rewrite P0, P1, P2, Q0, Q1, Q2, E. ring. }
+  { clear - P0 P1 P2 Q0 Q1 Q2 E. nsatz. }
   assert (forall a b, a <> 0 -> a * b = 0 -> b = 0) as Cancel by (intros a b A B; apply Z.mul_eq_0 in B; tauto).
   exists i, j, k, l, m, n', {| x := l * x b0 + m * x b1 + n' * x b2; y := l * y b0 + m * y b1 + n' * y b2;
     z := l * z b0 + m * z b1 + n' * z b2 |}.

@@ -4,7 +4,7 @@
    A point of the plane is a ray of space: (x, y, z) with z > 0 stands for (x / z, y / z), and corners
    have z = 1. What is convex in the plane is a cone there, and three corners' determinant is twice
    their area. *)
-From Coq Require Import ZArith Lia Psatz Bool.
+From Coq Require Import ZArith Lia Psatz Bool Nsatz.
 Require Import Triangle.
 Local Open Scope Z_scope.
 
@@ -153,14 +153,10 @@ Proof.
   destruct (Z.eq_dec (x n) 0) as [X | X].
   - destruct (depend2 (x p) (z p) (x q) (z q) (x r) (z r)) as (i & j & k & M & E & F).
     exists i, j, k. repeat split; auto. apply (Cancel (y n)); [lia|].
-    transitivity (i * (x n * x p + y n * y p + z n * z p) + j * (x n * x q + y n * y q + z n * z q) +
-      k * (x n * x r + y n * y r + z n * z r) - x n * (i * x p + j * x q + k * x r) -
-      z n * (i * z p + j * z q + k * z r)); [ring | rewrite P, Q, R, E, F; ring].
+    clear - P Q R E F. nsatz.
   - destruct (depend2 (y p) (z p) (y q) (z q) (y r) (z r)) as (i & j & k & M & E & F).
     exists i, j, k. repeat split; auto. apply (Cancel (x n)); [exact X|].
-    transitivity (i * (x n * x p + y n * y p + z n * z p) + j * (x n * x q + y n * y q + z n * z q) +
-      k * (x n * x r + y n * y r + z n * z r) - y n * (i * y p + j * y q + k * y r) -
-      z n * (i * z p + j * z q + k * z r)); [ring | rewrite P, Q, R, E, F; ring].
+    clear - P Q R E F. nsatz.
 Qed.
 
 Theorem helly_on_line : Helly_on_line.
@@ -381,8 +377,7 @@ Proof.
   destruct (crossed_somewhere _ n b0 b1 b2 (cone_hull b0 b1 b2) B0 B1 B2 J0 J1 J2 XB) as (q & Zq & Nq & Hq).
   assert (forall l c0 c1 c2 r, dot l c0 = 0 -> dot l c1 = 0 -> dot l c2 = 0 -> hull c0 c1 c2 r -> dot l r = 0) as On.
   { intros l c0 c1 c2 r E0 E1 E2 (i & j & k & _ & _ & _ & ->).
-    transitivity (i * dot l c0 + j * dot l c1 + k * dot l c2);
-      [unfold dot, sum3, mix; cbn [x y z]; ring | rewrite E0, E1, E2; ring]. }
+    unfold dot, sum3, mix in *. cbn [x y z]. clear - E0 E1 E2. nsatz. }
   pose proof (On n _ _ _ p N0 N1 N2 Hp) as Np. pose proof (On m _ _ _ q M0 M1 M2 Hq) as Mq.
   pose proof (parallel n m p Np Mp) as (PX & PY & PZ). pose proof (parallel n m q Nq Mq) as (QX & QY & QZ).
   cbv zeta in *. set (d := cross n m) in *. set (P := dot p d) in *. set (Q := dot q d) in *.
@@ -390,11 +385,7 @@ Proof.
   assert (forall s t, dot d d * s = dot d d * t -> s = t) as Cancel by (intros; eapply Z.mul_reg_l; eauto).
   assert (mix (z q) p 0 p = mix (z p) q 0 q) as E.
   { apply point_eq; unfold mix; cbn [x y z]; rewrite !Z.mul_0_l, !Z.add_0_r; apply Cancel, Cancel.
-    - transitivity ((dot d d * z q) * (dot d d * x p)); [ring | rewrite QZ, PX].
-      transitivity ((dot d d * z p) * (dot d d * x q)); [rewrite PZ, QX; ring | ring].
-    - transitivity ((dot d d * z q) * (dot d d * y p)); [ring | rewrite QZ, PY].
-      transitivity ((dot d d * z p) * (dot d d * y q)); [rewrite PZ, QY; ring | ring].
-    - ring. }
+    all: clear - PX PY PZ QX QY QZ; nsatz. }
   apply hulls_meet; auto. exists (mix (z q) p 0 p).
   split; [unfold mix; cbn [z]; assert (0 < z q * z p) by (apply Z.mul_pos_pos; auto); lia|].
   split; [|rewrite E]; apply cone_hull; auto; lia.

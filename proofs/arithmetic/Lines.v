@@ -1,6 +1,6 @@
 (* Two triangles without area: where flat_intersect() finds no edge that separates in any projection, no
    skew lines and no gap between the boxes, there is a common point. *)
-From Coq Require Import ZArith Lia Bool.
+From Coq Require Import ZArith Lia Bool Nsatz.
 Require Import Triangle Segment Helly Flat.
 Local Open Scope Z_scope.
 
@@ -59,13 +59,11 @@ Lemma line_axis d o w r s t c : axis w -> axis c -> w d <> 0 -> on_line d o r ->
   (w s - w t) * c r + (w t - w r) * c s = (w s - w r) * c t.
 Proof.
   intros W C D R S T. apply (off_line d o _ c w) in R, S, T; auto. apply Zminus_eq, (cancel _ _ D).
-  transitivity ((w s - w t) * (w d * (c r - c o) - c d * (w r - w o)) + (w t - w r) * (w d * (c s - c o) - c d * (w s - w o)) -
-    (w s - w r) * (w d * (c t - c o) - c d * (w t - w o))); [ring | rewrite R, S, T; ring].
+  clear D. nsatz.
 Qed.
 Lemma line_point d o w r t c : axis w -> axis c -> w d <> 0 -> on_line d o r -> on_line d o t -> w r = w t -> c r = c t.
 Proof.
-  intros W C D R T E. apply (off_line d o _ c w) in R, T; auto. apply Zminus_eq, (cancel _ _ D). rewrite E in R.
-  transitivity ((w d * (c r - c o) - c d * (w t - w o)) - (w d * (c t - c o) - c d * (w t - w o))); [ring | rewrite R, T; ring].
+  intros W C D R T E. apply (off_line d o _ c w) in R, T; auto. apply Zminus_eq, (cancel _ _ D). clear D. nsatz.
 Qed.
 
 Definition corner_of (a0 a1 a2 r : Point) := r = a0 \/ r = a1 \/ r = a2.
@@ -163,7 +161,7 @@ Proof.
     forall b c, axis b -> axis c -> b e * c f - c e * b f = 0) as G.
   { intros w W V Along b c B C. destruct (Along b B) as [Be Bf], (Along c C) as [Ce Cf].
     apply (cancel _ _ V), (cancel _ _ V).
-    transitivity ((w d * b e) * (w d * c f) - (w d * c e) * (w d * b f)); [ring|]. rewrite Be, Bf, Ce, Cf. ring. }
+    clear V. nsatz. }
   assert (x d <> 0 \/ y d <> 0 \/ z d <> 0) as [V | [V | V]] by lia; repeat split;
     [apply (G x) | apply (G x) | apply (G x) | apply (G y) | apply (G y) | apply (G y) | apply (G z) | apply (G z) | apply (G z)];
     unfold axis; auto; intros c [-> | [-> | ->]]; lia.
@@ -193,14 +191,9 @@ Proof.
       assert (z n <> 0 \/ x n <> 0 \/ y n <> 0) as [M | [M | M]] by lia;
         [exists x, y | exists y, z | exists z, x]; auto 8. }
     assert (forall r, on_line (sub q p) p r -> in_plane (cross (sub q p) (sub t s)) p r) as PA.
-    { intros r (L1 & L2 & L3). unfold in_plane.
-      transitivity (- (x (sub t s) * x (cross (sub q p) (sub r p)) + y (sub t s) * y (cross (sub q p) (sub r p)) +
-        z (sub t s) * z (cross (sub q p) (sub r p)))); [unfold dot, cross; cbn [x y z]; ring | rewrite L1, L2, L3; ring]. }
+    { intros r (L1 & L2 & L3). unfold in_plane, dot, cross, sub in *. cbn [x y z] in *. clear - L1 L2 L3. nsatz. }
     assert (forall r, on_line (sub t s) s r -> in_plane (cross (sub q p) (sub t s)) p r) as PB.
-    { intros r (L1 & L2 & L3). unfold in_plane.
-      transitivity (dot (cross (sub q p) (sub t s)) (sub s p) + (x (sub q p) * x (cross (sub t s) (sub r s)) +
-        y (sub q p) * y (cross (sub t s) (sub r s)) + z (sub q p) * z (cross (sub t s) (sub r s))));
-        [unfold dot, cross, sub; cbn [x y z]; ring | rewrite V, L1, L2, L3; ring]. }
+    { intros r (L1 & L2 & L3). unfold in_plane, dot, cross, sub in *. cbn [x y z] in *. clear - V L1 L2 L3. nsatz. }
     assert (forall u v r, axes u v -> on_line (sub q p) p r -> dot (cross (onto u v p) (onto u v q)) (onto u v r) = 0) as OA.
     { intros u' v' r Y (L1 & L2 & L3). change (det (onto u' v' p) (onto u' v' q) (onto u' v' r) = 0). rewrite det_area.
       unfold area, cross, sub in *. cbn [x y z] in *. destruct Y as [[-> ->] | [[-> ->] | [-> ->]]]; lia. }

@@ -316,6 +316,17 @@ Qed.
 
 Lemma square_bound b e : - b <= e <= b -> e * e <= b * b.
 Proof. nia. Qed.
+(* What 14 bits of an entry have of the square of its 22. *)
+Lemma coarse_square k : 65536 * (coarse k * coarse k) * 16384 <= 16385 * (k * k) + 16385 * 16384 * (128 * 128).
+Proof.
+  assert (256 * coarse k = k - rest k) as C by (unfold rest, rest8; ring).
+  pose proof (rest_fits k) as F. assert (rest k * rest k <= 128 * 128) as R by (apply square_bound; lia).
+  pose proof (Z.square_nonneg (k + 16384 * rest k)) as N.
+  assert (65536 * (coarse k * coarse k) * 16384 = 16385 * (k * k) + 16385 * 16384 * (rest k * rest k) -
+    (k + 16384 * rest k) * (k + 16384 * rest k)) as ->.
+  { transitivity ((256 * coarse k) * (256 * coarse k) * 16384); [ring | rewrite C; ring]. }
+  clear - R N. lia.
+Qed.
 Lemma product_bound e u d mu : Z.abs e <= d -> Z.abs u <= mu -> Z.abs (e * u) <= d * mu.
 Proof.
   intros E U. rewrite Z.abs_mul. apply Z.mul_le_mono_nonneg; auto using Z.abs_nonneg.
@@ -414,14 +425,7 @@ Proof.
     transitivity (939524096 * 939524096 * (reach * reach)); [|apply Z.eq_le_incl; ring].
     rewrite Z.mul_assoc. apply Z.mul_le_mono_nonneg_r; [nia | assumption]. }
   (* vertices' rounding *)
-  assert (forall k, 256 * coarse k = k - rest k) as Coarse by (intros; unfold rest, rest8; ring).
-  assert (forall k, 65536 * (coarse k * coarse k) * 16384 <= 16385 * (k * k) + 16385 * 16384 * (128 * 128)) as Square.
-  { intros k. pose proof (Rest k) as R. pose proof (Z.square_nonneg (k + 16384 * rest k)) as N.
-    assert (65536 * (coarse k * coarse k) * 16384 = 16385 * (k * k) + 16385 * 16384 * (rest k * rest k) -
-      (k + 16384 * rest k) * (k + 16384 * rest k)) as ->.
-    { transitivity ((256 * coarse k) * (256 * coarse k) * 16384); [ring | rewrite Coarse; ring]. }
-    clear - R N. lia. }
-  pose proof (Square a1) as H2. pose proof (Square a2) as H3. pose proof (Square a3) as H4.
+  pose proof (coarse_square a1) as H2. pose proof (coarse_square a2) as H3. pose proof (coarse_square a3) as H4.
   assert (coarse a1 * coarse a1 + coarse a2 * coarse a2 + coarse a3 * coarse a3 <= 268600000) as Column.
   { apply Z.abs_le in aa. revert H2 H3 H4 aa. rewrite One. clear - DL. clearbody d. intros. lia. }
   assert (Z.abs (coarse a1 * e1 + coarse a2 * e2 + coarse a3 * e3) <= 60129542144) as T3.

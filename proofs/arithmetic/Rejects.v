@@ -195,15 +195,7 @@ Lemma coarse_column k1 k2 k3 d : 0 <= d <= 6442450944 ->
   dot {| x := coarse k1; y := coarse k2; z := coarse k3 |} {| x := coarse k1; y := coarse k2; z := coarse k3 |} <= 269000000.
 Proof.
   intros D K. unfold dot. cbn [x y z].
-  assert (forall k, 65536 * (coarse k * coarse k) * 16384 <= 16385 * (k * k) + 16385 * 16384 * (128 * 128)) as Square.
-  { intros k. assert (256 * coarse k = k - rest k) as C by (unfold rest, rest8; ring).
-    pose proof (rest_fits k) as F. assert (rest k * rest k <= 128 * 128) as R by (apply square_bound; lia).
-    pose proof (Z.square_nonneg (k + 16384 * rest k)) as N.
-    assert (65536 * (coarse k * coarse k) * 16384 = 16385 * (k * k) + 16385 * 16384 * (rest k * rest k) -
-      (k + 16384 * rest k) * (k + 16384 * rest k)) as ->.
-    { transitivity ((256 * coarse k) * (256 * coarse k) * 16384); [ring | rewrite C; ring]. }
-    clear - R N. lia. }
-  pose proof (Square k1). pose proof (Square k2). pose proof (Square k3). unfold one22 in *. lia.
+  pose proof (coarse_square k1). pose proof (coarse_square k2). pose proof (coarse_square k3). unfold one22 in *. lia.
 Qed.
 
 Section Turned.

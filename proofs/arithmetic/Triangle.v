@@ -4,7 +4,7 @@
 
    Points are whole numbers; a common point is a rational one. Not here: triangles in one plane or
    without area, which other functions decide; widths of integers, which determinant.g has. *)
-From Coq Require Import ZArith Lia Psatz Bool.
+From Coq Require Import ZArith Lia Psatz Bool Nsatz.
 Local Open Scope Z_scope.
 
 (* ============================================================== Definitions *)
@@ -151,23 +151,17 @@ Lemma parallel a b w : dot a w = 0 -> dot b w = 0 -> let d := cross a b in
   dot d d * x w = dot w d * x d /\ dot d d * y w = dot w d * y d /\ dot d d * z w = dot w d * z d.
 Proof.
   intros A B d.
-  assert (x (cross w d) = 0 /\ y (cross w d) = 0 /\ z (cross w d) = 0) as (X & Y & Z0).
-  { assert (x (cross w d) = x a * dot b w - x b * dot a w) as -> by (unfold d; expand; ring).
-    assert (y (cross w d) = y a * dot b w - y b * dot a w) as -> by (unfold d; expand; ring).
-    assert (z (cross w d) = z a * dot b w - z b * dot a w) as -> by (unfold d; expand; ring).
-    rewrite A, B. lia. }
-  clearbody d. unfold cross in X, Y, Z0. cbn [x y z] in X, Y, Z0.
-  repeat split; apply Zminus_eq; unfold dot.
-  - transitivity (y d * (x w * y d - y w * x d) - z d * (z w * x d - x w * z d)); [ring | rewrite Y, Z0; ring].
-  - transitivity (z d * (y w * z d - z w * y d) - x d * (x w * y d - y w * x d)); [ring | rewrite X, Z0; ring].
-  - transitivity (x d * (z w * x d - x w * z d) - y d * (y w * z d - z w * y d)); [ring | rewrite X, Y; ring].
+  assert (x (cross w d) = 0 /\ y (cross w d) = 0 /\ z (cross w d) = 0) as (X & Y & Z0)
+    by (unfold d; expand; clear d; repeat split; nsatz).
+  clearbody d. unfold cross in X, Y, Z0. cbn [x y z] in X, Y, Z0. clear A B.
+  repeat split; unfold dot; nsatz.
 Qed.
 
 (* Of two ways along one line, in turn c and e long along d: what is between them is a mean. *)
 Lemma between dd c e v w d : 0 < dd -> dd * v = c * d -> dd * w = e * d -> e * v = c * w.
 Proof. 
   intros P V W. apply (Z.mul_reg_l _ _ dd); [lia|].
-  transitivity (e * (dd * v)); [ring|]. rewrite V. transitivity (c * (dd * w)); [rewrite W; ring | ring].
+  clear P. nsatz.
 Qed.
 
 Section Sufficient.
@@ -214,9 +208,7 @@ Proof.
       (hs - he) * gp * dot n (sub u p)); [clearbody n; expand; ring | rewrite E1, E2; ring]. }
   assert (dot d d * dot n w = dot w d * dot n d) as K.
   { revert X Y Z0. set (dd := dot d d). set (dw := dot w d). clearbody dd dw n w d.
-    intros X Y Z0. unfold dot.
-    transitivity (x n * (dd * x w) + y n * (dd * y w) + z n * (dd * z w)); [ring|].
-    rewrite X, Y, Z0. ring. }
+    clear. intros X Y Z0. unfold dot. nsatz. }
   rewrite M, N in K.
   assert (dot d d * volume p u s e = dot w d) as L.
   { apply (Z.mul_reg_l _ _ ((gp - gu) * (hs - he))); [nia|].
