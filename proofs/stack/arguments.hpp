@@ -129,10 +129,11 @@ struct Arguments {
   /// All pairs of a query.
   template <class Asked>
   [[gnu::always_inline]] void counts(Asked& asked) {
-    ends(asked.run(UINT32_MAX, [this](const typename Asked::Pair&) {
+    const auto count = [this](const typename Asked::Pair&) {
       ++answer;
       return true;
-    }));
+    };
+    ends(asked.run(UINT32_MAX, count).status);
   }
 
   flashbvh_pair* c_found() { return reinterpret_cast<flashbvh_pair*>(found); }
