@@ -28,12 +28,6 @@ using State = GuardStateOf<6, 11, 41>;
 static_assert(sizeof(Memory) == FLASHBVH_WORKCELL_SIZE(6, 8, 11, 16), "as in C");
 static_assert(sizeof(State) == FLASHBVH_GUARD_STATE_SIZE(6, 11, 41), "as in C");
 
-/// One user at a time: small boards have no more.
-Memory memory;
-Memory c_memory;
-State state;
-State c_state;
-
 bool same(flashbvh_status c, Status status) {
   return c == static_cast<flashbvh_status>(status);
 }
@@ -158,7 +152,7 @@ uint32_t check_period(flashbvh_guard& c, Guard& guard, Values& at, Random& rando
 }  // namespace
 
 TEST_CASE("a robot's arrays of C and its image are those of C++") {
-  static flashbvh_mesh meshes[c_arm_LINK_COUNT];
+  flashbvh_mesh meshes[c_arm_LINK_COUNT];
   const auto size = static_cast<size_t>(robot_image_end - robot_image);
   flashbvh_robot robot;
   CHECK(flashbvh_open_robot(robot_image, size - 1, meshes, c_arm_LINK_COUNT, &robot) ==
@@ -235,6 +229,8 @@ TEST_CASE("a guard in C answers as in C++, also after its state was stored, or d
   Random random(test_seed() + 41);
   Values at;
   flashbvh_guard c;
+  State state;
+  State c_state;
   uint32_t verdicts = 0;
   at.move_on(random);
   REQUIRE(flashbvh_guard_init(&c, &c_arm_robot, &c_state, sizeof c_state) == FLASHBVH_STATUS_DONE);
@@ -264,6 +260,8 @@ TEST_CASE("certified motions in C are those of C++") {
   Values from;
   Values to;
   flashbvh_motion c;
+  State state;
+  State c_state;
   uint32_t outcomes = 0;
   REQUIRE(flashbvh_motion_init(&c, &c_arm_robot, &c_state, sizeof c_state) == FLASHBVH_STATUS_DONE);
   MotionQuery motion(cell_arm::robot, &state, sizeof state);
@@ -292,6 +290,10 @@ TEST_CASE("certified motions in C are those of C++") {
 }
 
 TEST_CASE("a workcell in C is that of C++, and so is its guard") {
+  Memory memory;
+  Memory c_memory;
+  State state;
+  State c_state;
   Random random(test_seed() + 43);
   for (int round = 0; round < 8; ++round) {
     flashbvh_workcell c;
@@ -307,8 +309,8 @@ TEST_CASE("a workcell in C is that of C++, and so is its guard") {
       uint8_t number = 77;
       uint8_t c_number = 77;
       const Status status = cell.add(cell_arm::robot.meshes[link], mount, number);
-      const auto* const meshes = reinterpret_cast<const flashbvh_mesh*>(c_arm_robot.meshes);
-      REQUIRE(same(flashbvh_workcell_add(&c, &meshes[link], &mount, &c_number), status));
+      const auto* const mesh = reinterpret_cast<const flashbvh_mesh*>(&c_arm_robot.meshes[link]);
+      REQUIRE(same(flashbvh_workcell_add(&c, mesh, &mount, &c_number), status));
       REQUIRE(c_number == number);
       for (uint8_t other = 0; other < 7; ++other) {
         const uint32_t warn = random.below(9) == 0 ? kMaxDistance + 1 : random.below(200000);
@@ -347,7 +349,8 @@ TEST_CASE("memory that is too small or not aligned is refused by init and by eve
                       {0, of_cell, {4, 6, 5, 10}},
                       {0, of_cell, {4, 6, 6, 9}},
                       {0, of_cell, {4, 6, 6, UINT32_MAX}}};
-  auto* const bytes = reinterpret_cast<char*>(&c_memory);
+  Memory memory;
+  auto* const bytes = reinterpret_cast<char*>(&memory);
   flashbvh_workcell cell;
   CHECK(flashbvh_workcell_init(&cell, &c_arm_robot, bytes, of_cell, &room) == FLASHBVH_STATUS_DONE);
   for (const Row& row : rows) {
@@ -360,8 +363,9 @@ TEST_CASE("memory that is too small or not aligned is refused by init and by eve
   }
   const JointCoordinate values[kVariables] = {};
   const Status invalid = Status::guard_state_invalid;
-  auto* const state_bytes = reinterpret_cast<char*>(&c_state);
-  memset(state_bytes, 0, sizeof c_state);
+  State state;
+  auto* const state_bytes = reinterpret_cast<char*>(&state);
+  memset(state_bytes, 0, sizeof state);
   for (uint32_t offset = 0; offset <= 2; offset += 2) {
     const uint32_t less = offset == 0 ? 1 : 0;
     flashbvh_guard guard;
@@ -378,7 +382,7 @@ TEST_CASE("memory that is too small or not aligned is refused by init and by eve
     CHECK(same(flashbvh_motion_start(&motion, values, values), invalid));
     CHECK(flashbvh_motion_run(&motion, 1).status == invalid);
   }
-  for (size_t i = 0; i < sizeof c_state; ++i) {
+  for (size_t i = 0; i < sizeof state; ++i) {
     REQUIRE(state_bytes[i] == 0);  // what is refused is not written
   }
 }

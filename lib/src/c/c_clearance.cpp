@@ -16,16 +16,24 @@ Seed seed_in(const flashbvh_witness* seed) {
   return seed == nullptr ? Seed() : Seed{seed->a, seed->b};
 }
 
-flashbvh_clearance c_clearance(const Clearance<uint16_t>& known) {
-  return {known.point_a,
-          known.point_b,
-          known.direction,
-          known.lower,
-          known.upper,
-          known.triangles,
-          {known.witness.a, known.witness.b},
-          c_status(known.status),
-          known.in_range};
+template <class Coordinates>
+void put(const Coordinates& from, Coordinates& to) {
+  to.x = from.x;
+  to.y = from.y;
+  to.z = from.z;
+}
+
+/// Number by number, which takes the least stack.
+void put(const Clearance<uint16_t>& known, flashbvh_clearance* result) {
+  put(known.point_a, result->point_a);
+  put(known.point_b, result->point_b);
+  put(known.direction, result->direction);
+  result->lower = known.lower;
+  result->upper = known.upper;
+  result->triangles = known.triangles;
+  result->witness = {known.witness.a, known.witness.b};
+  result->status = c_status(known.status);
+  result->in_range = known.in_range;
 }
 
 }  // namespace
@@ -44,7 +52,7 @@ flashbvh_status flashbvh_clearance_spend(flashbvh_clearance_query* query, uint32
 }
 
 void flashbvh_clearance_result(const flashbvh_clearance_query* query, flashbvh_clearance* result) {
-  *result = c_clearance(object_in(query).result());
+  put(object_in(query).result(), result);
 }
 
 flashbvh_counts flashbvh_clearance_counts(const flashbvh_clearance_query* query) {
@@ -65,7 +73,7 @@ flashbvh_status flashbvh_clearance_resume(flashbvh_clearance_query* query,
 flashbvh_status flashbvh_distance(const flashbvh_mesh* a, const flashbvh_mesh* b,
                                   const flashbvh_pose* pose, const flashbvh_witness* seed,
                                   flashbvh_clearance* result) {
-  *result = c_clearance(distance(object_in(a), object_in(b), object_in(pose), seed_in(seed)));
+  put(distance(object_in(a), object_in(b), object_in(pose), seed_in(seed)), result);
   return result->status;
 }
 
