@@ -25,12 +25,12 @@
 extern "C" {
 #endif
 
-/** A node of a tree: not the caller's to read. 16 bytes. */
+/** Node: of a tree, not the caller's to read. 16 bytes. */
 typedef struct flashbvh_node {
   uint32_t opaque[4];
 } flashbvh_node;
 
-/** A mesh that bends. It does not move while it is asked about. 104 bytes on a 32-bit core, 144 on
+/** DeformableMesh. It does not move while a query points at it. 104 bytes on a 32-bit core, 144 on
  * a 64-bit one. */
 typedef struct flashbvh_deformable {
   flashbvh_mesh mesh; /**< what queries take */
@@ -41,38 +41,26 @@ typedef struct flashbvh_deformable {
   } opaque;
 } flashbvh_deformable;
 
-/** How many nodes a mesh has. */
+/** Mesh::node_count. */
 FLASHBVH_NODISCARD uint32_t flashbvh_mesh_nodes(const flashbvh_mesh* mesh);
-/** How many vertices. */
+/** Mesh::vertex_count. */
 FLASHBVH_NODISCARD uint32_t flashbvh_mesh_vertices(const flashbvh_mesh* mesh);
 
-/** Makes it of a baked mesh, copying as many nodes and vertices as it has. They, and the arrays or
- * the image of `baked`, outlive it. */
+/** Copies as many nodes and vertices as `baked` has. They, and the arrays or the image of `baked`,
+ * outlive the mesh. */
 void flashbvh_deformable_make(flashbvh_deformable* deformable, const flashbvh_mesh* baked,
                               flashbvh_node* nodes, flashbvh_vertex* vertices);
 
-/**
- * Fits the boxes to the vertices as they are now; `work`: so many nodes, UINT32_MAX all.
- *
- * DONE: the mesh can be asked. SUSPENDED: call again; meanwhile vertices stay where they are, and
- * queries of the mesh and another one end with CELL_MISMATCH. VERTEX_OUT_OF_LATTICE: `vertex` is
- * the number of the first that is; mend it and refit. `vertex` is written only then.
- */
+/** DeformableMesh::refit(); `work`: so many nodes, UINT32_MAX all. DONE; SUSPENDED: call again;
+ * VERTEX_OUT_OF_LATTICE, and `vertex`, which is written only then: put it back and refit. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_deformable_refit(flashbvh_deformable* deformable,
                                                              uint32_t work, uint32_t* vertex);
 
-/** Odd while a refit is not done; another one after each. */
+/** DeformableMesh::refits(): odd while a refit is not done; another one after each. */
 FLASHBVH_NODISCARD uint32_t flashbvh_deformable_refits(const flashbvh_deformable* deformable);
 
-/** A query of a mesh against itself: each unordered pair of triangles that intersect and share no
- * vertex, once. 140 bytes on a 32-bit core, 176 on a 64-bit one. */
-typedef struct flashbvh_self_query {
-  union {
-    unsigned char bytes[9 * sizeof(void*) + 104];
-    uint32_t word;
-    void* pointer;
-  } opaque;
-} flashbvh_self_query;
+/** DeformableQuery<SelfQuery>. 140 bytes on a 32-bit core, 176 on a 64-bit one. */
+FLASHBVH_OPAQUE(flashbvh_self_query, 9, 104, uint32_t);
 
 /** Where it stands, between runs; refused once the mesh was refit. */
 typedef struct flashbvh_self_position {
@@ -89,28 +77,22 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_self_query_run(flashbvh_self_query* 
                                                            uint32_t work, flashbvh_pair* pairs,
                                                            uint32_t capacity, uint32_t* count);
 
-/** What the query did so far. */
+/** As flashbvh_query_counts(). */
 flashbvh_counts flashbvh_self_query_counts(const flashbvh_self_query* query);
 
-/** For flashbvh_self_query_resume(). */
+/** As flashbvh_query_position(). */
 flashbvh_self_position flashbvh_self_query_position(const flashbvh_self_query* query);
 
 /** As flashbvh_query_resume(); MESH_CHANGED if the position is from before a refit. */
 FLASHBVH_NODISCARD flashbvh_status
 flashbvh_self_query_resume(flashbvh_self_query* query, const flashbvh_self_position* position);
 
-/** The band: each unordered pair of triangles within a distance that share no vertex, once. 148
- * bytes on a 32-bit core, 184 on a 64-bit one. */
-typedef struct flashbvh_self_within_query {
-  union {
-    unsigned char bytes[9 * sizeof(void*) + 112];
-    uint32_t word;
-    void* pointer;
-  } opaque;
-} flashbvh_self_within_query;
+/** DeformableQuery<SelfWithinQuery>: pairs within a distance. 148 bytes on a 32-bit core, 184 on a
+ * 64-bit one. */
+FLASHBVH_OPAQUE(flashbvh_self_within_query, 9, 112, uint32_t);
 
-/** Starts it; `distance` in 1/256 cell. DISTANCE_OUT_OF_RANGE: it is more than
- * FLASHBVH_MAX_DISTANCE (clearance.h). Else as flashbvh_self_query_start(). */
+/** Starts it; `distance` in 1/256 cell. DISTANCE_OUT_OF_RANGE; else as
+ * flashbvh_self_query_start(). */
 flashbvh_status flashbvh_self_within_start(flashbvh_self_within_query* query,
                                            const flashbvh_deformable* deformable,
                                            uint32_t distance);
@@ -124,8 +106,7 @@ flashbvh_self_position flashbvh_self_within_position(const flashbvh_self_within_
 FLASHBVH_NODISCARD flashbvh_status flashbvh_self_within_resume(
     flashbvh_self_within_query* query, const flashbvh_self_position* position);
 
-/** The question of intersections of any mesh, ended by the first pair: in `yes`, true after an
- * error, too. */
+/** intersects_itself(), of any mesh. After an error `yes` is true. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects_itself(const flashbvh_mesh* mesh, bool* yes);
 
 #ifdef __cplusplus

@@ -19,7 +19,7 @@ extern "C" {
 /** No triangle to begin with. */
 #define FLASHBVH_NO_SEED ((uint16_t)0xFFFF)
 
-/** What a ray hits. */
+/** RayHit: what a ray hits. */
 typedef struct flashbvh_hit {
   int64_t above; /**< how far along: above / below of the segment, exactly, from 0 to 1 */
   int64_t below;
@@ -28,49 +28,40 @@ typedef struct flashbvh_hit {
   int8_t side;       /**< 1: the front is hit; -1: the back; 0: the edge of a plane */
 } flashbvh_hit;
 
-/**
- * The first hit along the ray; `*yes`: there is one. `seed`: the position of a triangle that may be
- * near it, which spares visits and changes nothing else, or FLASHBVH_NO_SEED.
- *
- * DONE; RAY_OUT_OF_RANGE, SEED_INVALID: then `*yes` is true and `*hit` is nothing.
- */
+/** nearest_hit(); `*yes`: there is one. `seed`: the position of a triangle that may be near it, or
+ * FLASHBVH_NO_SEED. RAY_OUT_OF_RANGE, SEED_INVALID: then `*yes` is true and `*hit` is nothing. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_nearest_hit(const flashbvh_mesh* mesh,
                                                         const flashbvh_segment* segment,
                                                         uint16_t seed, bool* yes,
                                                         flashbvh_hit* hit);
 
-/** Any hit: whether something is in the way. As above. */
+/** any_hit(); as above. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_any_hit(const flashbvh_mesh* mesh,
                                                     const flashbvh_segment* segment, bool* yes,
                                                     flashbvh_hit* hit);
 
-/** Is handed a hit; false: no more. */
+/** Takes a hit; false for no more. */
 typedef bool flashbvh_hit_visitor(const flashbvh_hit* hit, void* context);
 
-/** Hands each hit to `visit`, in the tree's order, until it returns false: FULL. */
+/** for_each_hit(), in the tree's order, until `visit` returns false: FULL. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_hit(const flashbvh_mesh* mesh,
                                                          const flashbvh_segment* segment,
                                                          flashbvh_hit_visitor* visit,
                                                          void* context);
 
-/** How often the ray goes out of a closed mesh, less how often it goes in. NOT_CLOSED,
- * RAY_OUT_OF_RANGE: 0. */
+/** signed_crossings(). NOT_CLOSED, RAY_OUT_OF_RANGE: 0. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_signed_crossings(const flashbvh_mesh* mesh,
                                                              const flashbvh_segment* segment,
                                                              int32_t* outwards);
 
-/** Where a hit is, in the mesh's frame: within 1/256 cell. */
+/** point_along(): where a hit is. */
 void flashbvh_point_along(const flashbvh_segment* segment, const flashbvh_hit* hit,
                           flashbvh_fine_point* point);
 
-/** How far that is from the ray's start, in 1/256 cell: within 2/256. flashbvh_length_in_unit()
- * makes a length of it. */
+/** distance_along(): how far that is from the ray's start, in 1/256 cell. */
 uint32_t flashbvh_distance_along(const flashbvh_segment* segment, const flashbvh_hit* hit);
 
-/**
- * The ray from `origin` along `direction`, of any length but 0, as far as `reach`, in the mesh's
- * frame and unit. RAY_OUT_OF_RANGE: what is no number or too far off; then `*segment` is as it was.
- */
+/** segment_of(), in the mesh's unit. RAY_OUT_OF_RANGE: then `*segment` is as it was. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_segment_of(const float origin[3],
                                                        const float direction[3], float reach,
                                                        float cells_per_unit,

@@ -69,71 +69,67 @@ typedef struct FLASHBVH_VIEW flashbvh_mesh_view {
 
 /* Images: robot/image.hpp ---------------------------------------------------------------------- */
 
-/** Opens `NAME.robot` in place: `image` starts at a multiple of 4 and outlives `robot`, and so do
- * `meshes`, views that may be written whatever the status; `robot` is on DONE alone. Statuses of
- * flashbvh_open(); IMAGE_CORRUPT as well if the hash is another one; IMAGE_TOO_LARGE if there are
- * more than `mesh_capacity` links, 64 at most; CELL_MISMATCH if a mesh has another cell. */
+/** open_robot(), of `NAME.robot`: `image` starts at a multiple of 4 and outlives `robot`, and so do
+ * `meshes`, which may be written whatever the status; `robot` is on DONE alone. Statuses of
+ * flashbvh_open(); IMAGE_TOO_LARGE: more than `mesh_capacity` links; CELL_MISMATCH. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_open_robot(const void* image, size_t size,
                                                        flashbvh_mesh* meshes,
                                                        uint32_t mesh_capacity,
                                                        flashbvh_robot* robot);
 
-/** For people, of an image that was opened: of the robot; of a joint or a link by its number. */
+/** robot_name(), joint_name(), link_name(): for people, of an image that was opened. */
 const char* flashbvh_robot_name(const void* image);
 const char* flashbvh_joint_name(const void* image, uint32_t joint);
 const char* flashbvh_link_name(const void* image, uint32_t link);
 
-/** Where tools are fastened: the frames of all links of the URDF, and these links' names. */
+/** mount_count(), mounts(), mount_name(): where tools are fastened. */
 uint32_t flashbvh_mount_count(const void* image);
 const flashbvh_mount* flashbvh_mounts(const void* image);
 const char* flashbvh_mount_name(const void* image, uint32_t mount);
 
-/** Pairs of links that a joint moves and that no guard looks at: a collision of the two is never
- * detected. */
+/** unguarded_count(), unguarded_pairs(): what no guard looks at. */
 uint32_t flashbvh_unguarded_count(const void* image);
 const flashbvh_robot_unguarded* flashbvh_unguarded_pairs(const void* image);
 
 /* Kinematics: robot/kinematics.hpp ------------------------------------------------------------- */
 
-/** Of all joints, joint_count, from the caller's values. NOT_A_COORDINATE for
- * FLASHBVH_NO_COORDINATE; JOINT_OUT_OF_LIMITS. */
+/** set_coordinates(): of all joints, joint_count, from the caller's values. NOT_A_COORDINATE;
+ * JOINT_OUT_OF_LIMITS. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_set_coordinates(const flashbvh_robot* robot,
                                                             const flashbvh_joint_coordinate* values,
                                                             flashbvh_joint_coordinate* coordinates);
 
-/** The frames of all joints in the base's frame: joint_count of them. */
+/** set_frames(): of all joints in the base's frame, joint_count of them. */
 void flashbvh_set_frames(const flashbvh_robot* robot, const flashbvh_joint_coordinate* coordinates,
                          flashbvh_frame* frames);
 
-/** First `inner`, then `outer`. `frame` may be one of them. */
+/** composed(). `frame` may be one of the two. */
 void flashbvh_frame_composed(const flashbvh_frame* outer, const flashbvh_frame* inner,
                              flashbvh_frame* frame);
 
-/** B in A's frame, from both in another one: as queries take it. */
+/** relative_pose(). */
 flashbvh_status flashbvh_relative_pose(const flashbvh_frame* a, const flashbvh_frame* b,
                                        flashbvh_pose* pose);
 
 /* From floats, without float arithmetic: robot/robot_float.hpp --------------------------------- */
 
-/** Of an angle in radians. FLASHBVH_NO_COORDINATE for what is no number, or 8 turns or more. */
+/** angle_coordinate(). FLASHBVH_NO_COORDINATE: no number, or 8 turns or more. */
 flashbvh_joint_coordinate flashbvh_angle_coordinate(float radians);
 
-/** Of a length in metres. FLASHBVH_NO_COORDINATE for what is no number, or 2^19 cells or more. */
+/** slide_coordinate(). FLASHBVH_NO_COORDINATE: no number, or 2^19 cells or more. */
 flashbvh_joint_coordinate flashbvh_slide_coordinate(float length, float cells_per_unit);
 
-/** All values of a robot: radians, and metres of joints that slide. What a float can't be shows as
- * NOT_A_COORDINATE where the values are used. */
+/** set_values(): radians, and metres of joints that slide. */
 void flashbvh_set_values(const flashbvh_robot* robot, const float* floats,
                          flashbvh_joint_coordinate* values);
 
-/** A frame from a matrix, row by row, and metres. TRANSLATION_OUT_OF_RANGE; whether the matrix is a
- * rotation is told where the frame is used. */
+/** set_frame(): a matrix, row by row, and metres. TRANSLATION_OUT_OF_RANGE. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_set_frame_of_matrix(const flashbvh_robot* robot,
                                                                 const float rotation[9],
                                                                 const float metres[3],
                                                                 flashbvh_frame* frame);
 
-/** The same from a unit quaternion: w, x, y, z. */
+/** set_frame(): w, x, y, z, and metres. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_set_frame_of_quaternion(const flashbvh_robot* robot,
                                                                     const float rotation[4],
                                                                     const float metres[3],
@@ -141,7 +137,7 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_set_frame_of_quaternion(const flashb
 
 /* The guard: robot/guard.hpp ------------------------------------------------------------------- */
 
-/** Where two links are near each other, and which way is out: PairDetail. */
+/** PairDetail: where two links are near each other, and which way is out. */
 typedef struct flashbvh_pair_detail {
   flashbvh_nearest_points nearest; /**< at the end of the period, in the base's frame */
   flashbvh_pair triangles;         /**< by their ids */
@@ -149,13 +145,8 @@ typedef struct flashbvh_pair_detail {
   uint8_t variable;                /**< that has most to do with it, or FLASHBVH_NO_VARIABLE */
 } flashbvh_pair_detail;
 
-/** Of one robot; what it knows lies in the state. */
-typedef struct flashbvh_guard {
-  union {
-    unsigned char bytes[10 * sizeof(void*)];
-    void* pointer;
-  } opaque;
-} flashbvh_guard;
+/** Guard, of one robot; what it knows lies in the state. */
+FLASHBVH_OPAQUE(flashbvh_guard, 10, 0, void*);
 
 /** Bytes of a guard's state: of a robot with so many joints and pairs, and joints between the links
  * of all pairs; or of one with fewer. A workcell's counts: those of its flashbvh_workcell_robot().
@@ -163,77 +154,64 @@ typedef struct flashbvh_guard {
 #define FLASHBVH_GUARD_STATE_SIZE(joints, pairs, pair_joints) \
   (104 + 64 * (joints) + 12 * (pairs) + 4 * (pair_joints))
 
-/** Knows nothing yet; the state is written. GUARD_STATE_INVALID, as of every later call, if `size`,
- * in bytes, is too small, or the state does not start at a multiple of 4. */
+/** Knows nothing yet; the state is written. GUARD_STATE_INVALID, as of every later call: `size`, in
+ * bytes, is too small, or the state does not start at a multiple of 4. */
 flashbvh_status flashbvh_guard_init(flashbvh_guard* guard, const flashbvh_robot* robot, void* state,
                                     size_t size);
 
-/** Forgets all certificates and where the robot was. */
+/** Guard::forget(). */
 void flashbvh_guard_forget(flashbvh_guard* guard);
 
-/** Takes the state as it was copied back into its place, after the guard was made, and goes on.
- * GUARD_STATE_INVALID, and all is forgotten, if it is not one of this robot's. */
+/** Guard::resume(), after the guard was made and the state copied back. GUARD_STATE_INVALID. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_resume(flashbvh_guard* guard);
 
-/** A period: from the last values to these, with so much work. Refused values change nothing:
- * NOT_A_COORDINATE, JOINT_OUT_OF_LIMITS, JOINT_JUMPED. */
+/** Guard::update(). NOT_A_COORDINATE, JOINT_OUT_OF_LIMITS, JOINT_JUMPED: the verdict is REFUSED,
+ * and nothing changes. */
 FLASHBVH_NODISCARD flashbvh_guard_answer flashbvh_guard_update(
     flashbvh_guard* guard, const flashbvh_joint_coordinate* values, uint32_t work);
 
-/** The same period, with more work. */
+/** Guard::go_on(): the period that it is in, with more work. */
 FLASHBVH_NODISCARD flashbvh_guard_answer flashbvh_guard_go_on(flashbvh_guard* guard, uint32_t work);
 
-/** All certificates, whatever they take: at start-up, before the first period. */
+/** Guard::prime(), at start-up. */
 FLASHBVH_NODISCARD flashbvh_guard_answer
 flashbvh_guard_prime(flashbvh_guard* guard, const flashbvh_joint_coordinate* values);
 
-/** Of a pair, at the end of the period. `changes`, variable_count: how the distance changes with a
- * unit of each variable, in 2^-FLASHBVH_REACH_BITS of 1/256 cell. GUARD_STATE_INVALID: there was no
- * period yet, or no such pair; or a query's error. Changes nothing. */
+/** Guard::explain(); `changes`: variable_count of them. GUARD_STATE_INVALID: there was no period
+ * yet, or no such pair. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_explain(flashbvh_guard* guard, uint16_t pair,
                                                           int32_t* changes,
                                                           flashbvh_pair_detail* detail);
 
 /* Certified motions: robot/motion.hpp ---------------------------------------------------------- */
 
-/** Of one motion at a time; where it stands lies in the state. */
-typedef struct flashbvh_motion {
-  union {
-    unsigned char bytes[8 * sizeof(void*)];
-    void* pointer;
-  } opaque;
-} flashbvh_motion;
+/** MotionQuery, of one motion at a time; where it stands lies in the state. */
+FLASHBVH_OPAQUE(flashbvh_motion, 8, 0, void*);
 
 /** Bytes of a motion's state: of a robot with so many variables and joints, or fewer. */
 #define FLASHBVH_MOTION_STATE_SIZE(variables, joints) (104 + 12 * (variables) + 52 * (joints))
 
-/** As flashbvh_guard_init(). The state is written by start and run; nothing runs before a start. */
+/** As flashbvh_guard_init(). The state is written by start and run. */
 flashbvh_status flashbvh_motion_init(flashbvh_motion* motion, const flashbvh_robot* robot,
                                      void* state, size_t size);
 
-/** A motion from these values to those. NOT_A_COORDINATE; JOINT_OUT_OF_LIMITS. */
+/** MotionQuery::start(). NOT_A_COORDINATE; JOINT_OUT_OF_LIMITS. */
 flashbvh_status flashbvh_motion_start(flashbvh_motion* motion,
                                       const flashbvh_joint_coordinate* from,
                                       const flashbvh_joint_coordinate* to);
 
-/** Does at most `work`, overdrawn by one step. UINT32_MAX: all there is to do. */
+/** MotionQuery::run(): at most `work`, overdrawn by one step; UINT32_MAX is all. */
 FLASHBVH_NODISCARD flashbvh_motion_answer flashbvh_motion_run(flashbvh_motion* motion,
                                                               uint32_t work);
 
-/** The joints' values at numerator / 2^level of the way; level to 30. */
+/** MotionQuery::set_values(): at numerator / 2^level of the way; level to 30. */
 void flashbvh_motion_set_values(const flashbvh_motion* motion, uint32_t numerator, uint8_t level,
                                 flashbvh_joint_coordinate* values);
 
 /* Workcells: robot/workcell.hpp ---------------------------------------------------------------- */
 
-/** A robot in RAM, to which tools, obstacles and pairs are added. Not copied. */
-typedef struct flashbvh_workcell {
-  union {
-    unsigned char bytes[11 * sizeof(void*) + 56];
-    uint64_t word;
-    void* pointer;
-  } opaque;
-} flashbvh_workcell;
+/** Workcell: a robot in RAM, to which tools, obstacles and pairs are added. Not copied. */
+FLASHBVH_OPAQUE(flashbvh_workcell, 11, 56, uint64_t);
 
 /** Bytes of a workcell's memory: an array of uint64_t, as it has pointers and no size for all
  * cores. */
@@ -249,27 +227,23 @@ flashbvh_status flashbvh_workcell_init(flashbvh_workcell* workcell, const flashb
                                        void* memory, size_t size,
                                        const flashbvh_workcell_room* room);
 
-/** With all that was added: guards and motions are made of it afterwards. */
+/** Workcell::robot(): guards and motions are made of it afterwards. */
 const flashbvh_robot* flashbvh_workcell_robot(const flashbvh_workcell* workcell);
 
-/** A tool that hangs on a joint, or an obstacle in the base's frame (FLASHBVH_BASE); `link` is its
- * number, written on DONE alone. WORKCELL_FULL; CELL_MISMATCH; LINK_INVALID: there is no such
- * joint; NOT_A_ROTATION; TRANSLATION_OUT_OF_RANGE. What `mesh` is a view of outlives the workcell.
- */
+/** Workcell::add(): `link` is written on DONE alone. WORKCELL_FULL; CELL_MISMATCH; LINK_INVALID;
+ * NOT_A_ROTATION; TRANSLATION_OUT_OF_RANGE. What `mesh` is a view of outlives the workcell. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_add(flashbvh_workcell* workcell,
                                                          const flashbvh_mesh* mesh,
                                                          const flashbvh_mount* mount,
                                                          uint8_t* link);
 
-/** That two links are to be kept apart: distances in 1/256 cell, `warn` at least `stop`.
- * WORKCELL_FULL; LINK_INVALID; DISTANCE_OUT_OF_RANGE. */
+/** Workcell::keep_apart(): distances in 1/256 cell. WORKCELL_FULL; LINK_INVALID;
+ * DISTANCE_OUT_OF_RANGE. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_keep_apart(flashbvh_workcell* workcell,
                                                                 uint8_t a, uint8_t b, uint32_t stop,
                                                                 uint32_t warn);
 
-/** The obstacle is in that frame from the next period on; no point of it goes farther than `moved`
- * on its way there, in 1/256 cell. Not between a guard's update and go_on, nor while a motion query
- * is under way. LINK_INVALID; DISTANCE_OUT_OF_RANGE; NOT_A_ROTATION;
+/** Workcell::move(): `moved` in 1/256 cell. LINK_INVALID; DISTANCE_OUT_OF_RANGE; NOT_A_ROTATION;
  * TRANSLATION_OUT_OF_RANGE: it then stays where it was. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_move(flashbvh_workcell* workcell, uint8_t link,
                                                           const flashbvh_frame* frame,

@@ -44,30 +44,24 @@ typedef struct flashbvh_box_shape {
   unsigned char opaque[168];
 } flashbvh_box_shape;
 
-/**
- * Makes the shape, or makes it anew, of a point. It has the cell and the unit of `like`, which may
- * be any mesh that it will meet and need not outlive it.
- *
- * SHAPE_TOO_LARGE: a coordinate is further than 16,383 cells from the middle of the shape, or the
- * middle further than 2^29 from the origin. Queries of the shape and a mesh then end with
- * CELL_MISMATCH.
- */
+/** Makes a PointShape, or makes it anew. It has the cell and the unit of `like`, which need not
+ * outlive it. SHAPE_TOO_LARGE: queries of the shape and a mesh then end with CELL_MISMATCH. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_point_shape_make(flashbvh_point_shape* shape,
                                                              const flashbvh_mesh* like,
                                                              const flashbvh_point* at);
 
-/** The same of the segment from `p` to `q`. */
+/** SegmentShape, from `p` to `q`. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_segment_shape_make(flashbvh_segment_shape* shape,
                                                                const flashbvh_mesh* like,
                                                                const flashbvh_point* p,
                                                                const flashbvh_point* q);
 
-/** The same of a triangle. */
+/** TriangleShape. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_triangle_shape_make(flashbvh_triangle_shape* shape,
                                                                 const flashbvh_mesh* like,
                                                                 const flashbvh_triangle* triangle);
 
-/** The same of the box between two corners, `lower` along each axis not above `upper`. */
+/** BoxShape: `lower` along each axis not above `upper`. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_box_shape_make(flashbvh_box_shape* shape,
                                                            const flashbvh_mesh* like,
                                                            const flashbvh_point* lower,

@@ -1,4 +1,4 @@
-/* What differs between the two languages that read plain data. */
+/* What differs between the two languages that read the headers of C. */
 #ifndef FLASHBVH_PLAIN_LANGUAGE_H
 #define FLASHBVH_PLAIN_LANGUAGE_H
 
@@ -11,11 +11,7 @@
 #ifdef __cplusplus
 namespace flashbvh {
 enum class ContactKind : uint8_t;
-enum class JointType : uint8_t;
-enum class WhyUnguarded : uint8_t;
 enum class [[nodiscard]] Status : uint8_t;
-enum class [[nodiscard]] Verdict : uint8_t;
-enum class [[nodiscard]] MotionOutcome : uint8_t;
 }  // namespace flashbvh
 #define FLASHBVH_BYTE(Name) flashbvh::Name
 #define FLASHBVH_KEEP [[nodiscard]]
@@ -23,5 +19,22 @@ enum class [[nodiscard]] MotionOutcome : uint8_t;
 #define FLASHBVH_BYTE(Name) uint8_t
 #define FLASHBVH_KEEP
 #endif
+
+/* A function whose result must not be dropped. */
+#if defined(__GNUC__)
+#define FLASHBVH_NODISCARD __attribute__((warn_unused_result))
+#else
+#define FLASHBVH_NODISCARD
+#endif
+
+/* Memory for an object of C++: so many pointers and other bytes, as aligned as a `Word`. */
+#define FLASHBVH_OPAQUE(name, pointers, others, Word)             \
+  typedef struct name {                                           \
+    union {                                                       \
+      unsigned char bytes[(pointers) * sizeof(void*) + (others)]; \
+      Word word;                                                  \
+      void* pointer;                                              \
+    } opaque;                                                     \
+  } name
 
 #endif

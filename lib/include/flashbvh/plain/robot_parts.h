@@ -62,6 +62,10 @@ typedef enum flashbvh_motion_outcome {
 
 #ifdef __cplusplus
 namespace flashbvh {
+enum class JointType : uint8_t;
+enum class WhyUnguarded : uint8_t;
+enum class [[nodiscard]] Verdict : uint8_t;
+enum class [[nodiscard]] MotionOutcome : uint8_t;
 enum class Layout : uint8_t;
 template <class Index, Layout layout>
 struct Mesh;
