@@ -23,7 +23,7 @@ sources() {
 
 tool() {
   cmake --build --preset native-sanitize --target flashbvh_tool write_poses \
-    tool_test_meshes tool_test_damage tool_test_brute_force
+    cli_brute_force cli_float_poses
   touch -r build/native-sanitize/bin/flashbvh build/bake_once.sh
   FLASHBVH_NATIVE=native-sanitize tools/figures.sh --prepare
   cmake --preset native-sanitize -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"

@@ -8,7 +8,7 @@ import shutil
 import struct
 import subprocess
 import zlib
-from math import ceil, cos, sin, sqrt
+from math import sqrt
 from pathlib import Path
 
 FLASHBVH, TOOLS, INCLUDE = os.environ["FLASHBVH"], Path(os.environ["TOOLS"]), os.environ["INCLUDE"]
@@ -225,7 +225,7 @@ def brute_force(a, b, poses):
     found = ""
     for number, pose in enumerate(poses_of(text(poses))):
         flashbvh("export", "--cells", b, "-o", "b.obj", "--pose", " ".join(f"{x:.17g}" for x in pose))
-        found += run(TOOLS / "tool_test_brute_force", number, "a.obj", "b.obj")
+        found += run(TOOLS / "cli_brute_force", number, "a.obj", "b.obj")
     write("brute_force", found)
     return numbers("brute_force")
 
@@ -238,6 +238,7 @@ def lattice(mesh, cell):
 
 
 TRIANGLE = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)  # a buffer of glTF
+INLINE = "data:application/octet-stream;base64," + base64.b64encode(TRIANGLE).decode()
 
 
 def gltf(x, buffer):

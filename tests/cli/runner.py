@@ -38,13 +38,20 @@ import sys
 import traceback
 from pathlib import Path
 
+import bakes
 import checks
+import evaluation
 import meshes
+import names
 import outputs
+import pages
+import queries
+import refusals
 from checks import THOROUGH, Failed, flashbvh, hold
 
 HERE = Path(__file__).resolve().parent
 WORK = Path(os.environ["WORK"]).resolve()
+MODULES = {module.__name__: module for module in (bakes, evaluation, meshes, names, outputs, pages, queries, refusals)}
 BLOCKS = "file", "each", "for"
 
 
@@ -128,7 +135,7 @@ class Run:
 
     def __init__(self, case, fixtures):
         self.case, self.fixtures, self.at, self.said = case, fixtures, "", checks.Said()
-        self.names = {**vars(checks), "meshes": meshes, "outputs": outputs, **case.values, "out": "", "err": ""}
+        self.names = {**vars(checks), **MODULES, **case.values, "out": "", "err": ""}
 
     def all(self):
         self.block(self.case.steps)

@@ -1,11 +1,10 @@
 """What the C++ output calls a mesh."""
-import os
 import re
 import shutil
 from collections import Counter
 from pathlib import Path
 
-from command_line import THOROUGH, flashbvh, hold, refused, run, write
+from checks import INCLUDE, THOROUGH, flashbvh, hold, refused, run, write
 
 HEADERS = ("assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg "
            "stdbool stddef stdint stdio stdlib string tgmath time wchar wctype unistd search strings sys/stat sys/types "
@@ -33,7 +32,7 @@ def names_of(compiler):
 
 
 def compiles(*command):
-    run(*command, f"-I{os.environ['INCLUDE']}", "-Ibaked", "-fsyntax-only", "both.cpp")
+    run(*command, f"-I{INCLUDE}", "-Ibaked", "-fsyntax-only", "both.cpp")
 
 
 def names():

@@ -3,7 +3,7 @@ import json
 import re
 from pathlib import Path
 
-from command_line import THOROUGH, flashbvh, hold, same
+from checks import THOROUGH, flashbvh, hold, same
 
 QUICK = "--repetitions-scale", "0.0001", "--rounds", "2"
 

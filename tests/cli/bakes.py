@@ -5,8 +5,9 @@ import resource
 import shutil
 from pathlib import Path
 
-from command_line import (HOME, THOROUGH, TOOLS, any_poses, box, edit_vertices, flashbvh, hold, refused, run, same,
-                          write)
+import meshes
+from checks import (HOME, THOROUGH, TOOLS, any_poses, box, compiled, damaged, edit_vertices, elsewhere, flashbvh,
+                    hold, other_version, refused, run, same, size, write)
 
 
 def large():
@@ -14,7 +15,8 @@ def large():
     not end."""
     mesh, count, seconds = "meshes/many_triangles", 66000, 30  # of computing, a process
     if THOROUGH:
-        run(TOOLS / "tool_test_meshes", "large", "large")
+        Path("large").mkdir()
+        meshes.write_stl("large/large.stl", meshes.torus(400, 250))
         mesh, count, seconds = "large/large", 200000, 90
     resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
     name = mesh.split("/")[1]
@@ -51,15 +53,14 @@ def scales():
 def cpp_output():
     """The C++ output answers like the image, links no levels that are not used, refuses another version of the
     library, and names its namespace after the mesh."""
-    compiler, include = os.environ["CXX"], os.environ["INCLUDE"]
     flashbvh("bake", "meshes/ring.stl", "-o", "images", "--format", "image", "--cell", 0.125)
     write("poses", f"{HOME} 6 2 1")
     flashbvh("collide", "images/ring.fbvh", "images/ring.fbvh", "--poses", "poses", "--pairs", "tool_pairs")
-    write("cpp_pairs", run(TOOLS / "tool_test_cpp_query"))
+    write("cpp_pairs", run(TOOLS / "cli_cpp_query"))
     same("tool_pairs", "cpp_pairs")
 
-    run(TOOLS / "tool_test_tree_alone")
-    symbols = run(os.environ["NM"], TOOLS / "tool_test_tree_alone")
+    run(TOOLS / "cli_tree_alone")
+    symbols = run(os.environ["NM"], TOOLS / "cli_tree_alone")
     symbols.holds("kNodes")
     hold(not re.search("kLevels|kRightChildLevels|levelled_tree", symbols), "levels linked without use")
 
@@ -70,25 +71,20 @@ def cpp_output():
     flashbvh("bake", *(f"names/{name}.stl" for name in names), "-o", "named")
     for name, space in names.items():
         hold(f"\nnamespace {space} {{\n" in Path(f"named/{name}.fbvh.hpp").read_text(), name)
-        run(compiler, "-std=c++17", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror", f"-I{include}", "-c",
-            f"named/{name}.fbvh.cpp", "-o", "object")
+        compiled("-std=c++17", "-c", f"named/{name}.fbvh.cpp", "-o", "object")
 
-    shutil.copytree(f"{include}/flashbvh", "other_library/flashbvh")
-    version = Path("other_library/flashbvh/version.hpp")
-    version.write_text(re.sub("(VERSION_(MINOR|MAJOR)) [0-9]*", r"\1 9999", version.read_text()))
-    said = run(compiler, "-std=c++17", "-Iother_library", "-c", "named/class.fbvh.cpp", "-o", "object", code=1)
+    other_version("other_library")
+    said = compiled("-std=c++17", "-c", "named/class.fbvh.cpp", "-o", "object", include="other_library", code=1)
     hold("bake it again" in said.warnings, said.warnings)
 
 
 def determinism():
     """The same input gives the same bytes, wherever it lies and whatever is baked beside it; a failed bake leaves
     older files as they were."""
-    Path("elsewhere").mkdir()
-    shutil.copy("meshes/ring.stl", "elsewhere/ring.stl")
+    shutil.copytree("meshes", "elsewhere/meshes")
     for options in "", "--layout pre", "--builder median", "--leaf-size 3 --arity 5", "--index-bits 32":
         flashbvh("bake", "meshes/ring.stl", "-o", "one", "--cell", 0.01, *options.split())
-        flashbvh("bake", "meshes/coarse.stl", "elsewhere/ring.stl", "-o", "two", "--cell", 0.01, *options.split(),
-                 env={**os.environ, "TZ": "Asia/Tokyo", "LC_ALL": "C"})
+        elsewhere("bake", "../meshes/coarse.stl", "meshes/ring.stl", "-o", "../two", "--cell", 0.01, *options.split())
         for file in "ring.fbvh", "ring.fbvh.hpp", "ring.fbvh.cpp":
             same(f"one/{file}", f"two/{file}", options)
         for file in "ring.fbvh.hpp", "ring.fbvh.cpp":
@@ -97,9 +93,9 @@ def determinism():
     hold(not re.search(f"{re.escape(os.getcwd())}|elsewhere|20[0-9][0-9]-", header), "a path or a date")
 
     # Without --cell, the finest that all fit; given back, it changes nothing.
-    meshes = "meshes/tetrahedron.stl", "meshes/ring.stl"
-    cell = re.search("^cell ([^;]*);", flashbvh("bake", *meshes, "-o", "one"), re.M)[1]
-    flashbvh("bake", *meshes, "-o", "two", "--cell", cell)
+    both = "meshes/tetrahedron.stl", "meshes/ring.stl"
+    cell = re.search("^cell ([^;]*);", flashbvh("bake", *both, "-o", "one"), re.M)[1]
+    flashbvh("bake", *both, "-o", "two", "--cell", cell)
     for file in "ring.fbvh", "tetrahedron.fbvh", "tetrahedron.fbvh.cpp":
         same(f"one/{file}", f"two/{file}")
 
@@ -119,7 +115,6 @@ def damaged_images():
     """An image is refused if any byte of it is missing, added or changed, and if it is well checksummed nonsense.
     Of the bytes every seventh, with FLASHBVH_THOROUGH each; damage_test has each of them and more for what opens
     images."""
-    damage = TOOLS / "tool_test_damage"
     flashbvh("bake", "meshes/tetrahedron.stl", "-o", "images", "--format", "image")
     image = Path("images/tetrahedron.fbvh")
     whole = image.read_bytes()
@@ -133,7 +128,7 @@ def damaged_images():
     refused("twice.fbvh", "check", "twice.fbvh")
 
     for offset in [*range(0, len(whole), step), len(whole) - 1]:
-        run(damage, image, "flip", offset, "flipped.fbvh")
+        damaged(image, offset, None, "flipped.fbvh")
         refused("flipped.fbvh: ", "check", "flipped.fbvh")
     write("poses", f"{HOME} 0 0 0")
     refused("flipped.fbvh: is corrupt", "info", "flipped.fbvh")
@@ -142,15 +137,15 @@ def damaged_images():
         refused("flipped.fbvh: is corrupt", "collide", *pair, "--poses", "poses", "--pairs", "out")
 
     # With a matching checksum it is the contents that count: the root's link.
-    run(damage, image, "set", "0x58", "0x00010001", "nonsense.fbvh")
+    damaged(image, 0x58, b"\1\0\1\0", "nonsense.fbvh", checksum=True)
     refused("nonsense.fbvh: is invalid", "check", "nonsense.fbvh")
     # Version 9.
-    run(damage, image, "set", 4, "0x10010009", "later.fbvh")
+    damaged(image, 4, b"\t\0\1\x10", "later.fbvh", checksum=True)
     refused("later.fbvh: is written in version 9", "check", "later.fbvh")
     # What the library leaves to `check`: of which shell a vertex is. The last words of the image are the vertices
     # (four of six bytes), the shell's first vertex with two zeros, and the name.
     flashbvh("bake", "meshes/tetrahedron.stl", "-o", "images", "--name", "t", "--format", "image")
-    run(damage, "images/t.fbvh", "set", Path("images/t.fbvh").stat().st_size - 8, 2, "shell.fbvh")
+    damaged("images/t.fbvh", size("images/t.fbvh") - 8, b"\2\0\0\0", "shell.fbvh", checksum=True)
     flashbvh("info", "shell.fbvh")
     refused("shell.fbvh: is invalid: its vertices of shells are not those that its triangles make; bake it again",
             "check", "shell.fbvh")
@@ -159,8 +154,8 @@ def damaged_images():
 def units():
     """Files of different units end up in one; every length given and printed is in it."""
     Path("parts").mkdir()
-    for name, size in ("mm", 254), ("m", 0.254), ("in", 10):
-        write(f"parts/{name}.obj", box(size=size))
+    for name, side in ("mm", 254), ("m", 0.254), ("in", 10):
+        write(f"parts/{name}.obj", box(size=side))
     parts = [f"parts/{name}.obj" for name in ("mm", "m", "in")]
     said = flashbvh("bake", *parts, "-o", "out", "--cell", 0.5, "--unit", "mm", "--unit", "m.obj=m", "--unit",
                     "parts/in.obj=in")

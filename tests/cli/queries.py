@@ -5,7 +5,7 @@ import shutil
 from math import cos, sin
 from pathlib import Path
 
-from command_line import (HERE, HOME, THOROUGH, TOOLS, any_poses, box, edit_vertices, flashbvh, hold, refused, run,
+from checks import (HERE, HOME, INCLUDE, THOROUGH, TOOLS, any_poses, box, edit_vertices, flashbvh, hold, refused, run,
                           same, vertices, write)
 
 RING_AND_COARSE = "meshes/ring.stl", "meshes/coarse.stl"
@@ -93,55 +93,6 @@ def ray():
         ("ray 0 ends too far off", "0 0 0 9000 0 0"), ("bad: is empty", "")))
 
 
-def poses():
-    """Poses and pairs of images that can't be answered are refused by line, before anything is written."""
-    bake("post", *RING_AND_COARSE, options="--cell 0.01")
-    bake("pre", *RING_AND_COARSE, options="--layout pre --cell 0.01")
-    bake("wide", "meshes/ring.stl", options="--index-bits 32 --cell 0.01")
-    bake("coarser", "meshes/ring.stl", options="--cell 0.02")
-    post, pre = ("post/ring.fbvh", "post/coarse.fbvh"), ("pre/ring.fbvh", "pre/coarse.fbvh")
-    no_rotation, mirrors, far = "the first 9 numbers are no rotation", "the matrix mirrors", "the pose translates B"
-    for what, line in (
-            ("has 11 numbers", f"{HOME} 0 0"), ("has 13 numbers", f"{HOME} 0 0 0 0"), ("has 1 numbers", "nonsense"),
-            ("'x'", f"{HOME} 0 0 x"), ("'nan'", f"{HOME} 0 0 nan"), ("'inf'", f"{HOME} 0 inf 0"),
-            ("'0x1'", f"{HOME} 0 0x1 0"), ("'1,5'", f"{HOME} 0 1,5 0"),
-            (no_rotation, "2 0 0 0 1 0 0 0 1 0 0 0"), (no_rotation, "1.001 0 0 0 1 0 0 0 1 0 0 0"),
-            (no_rotation, "1 0.001 0 0 1 0 0 0 1 0 0 0"),
-            (no_rotation, "0.67 -0.33 0.67 0.67 0.67 -0.33 -0.33 0.67 0.67 0 0 0"),
-            (no_rotation, "0 0 0 0 0 0 0 0 0 0 0 0"), (no_rotation, "1e300 0 0 0 1 0 0 0 1 0 0 0"),
-            (no_rotation, "1 0 0 5 0 1 0 6 0 0 1 7"),  # row by row with the translation
-            (mirrors, "1 0 0 0 1 0 0 0 -1 0 0 0"), (mirrors, "0 1 0 1 0 0 0 0 1 0 0 0"),
-            (far, "0 -1 0 1 0 0 0 0 1 0 0 5368709.13"), (far, f"{HOME} 1e9 0 0"), (far, f"{HOME} 0 -1e300 0")):
-        write("poses", f"# comment\n{HOME} 0 0 0 # comment\n\n{line}")
-        refused(f"poses:4: {what}", "collide", *post, "--poses", "poses", "--pairs", "out", "--json")
-
-    write("none", "# nothing")
-    refused("none: has no poses", "collide", *post, "--poses", "none")
-    write("empty", "")
-    refused("empty: is empty", "collide", *post, "--poses", "empty")
-    refused("missing: can't be opened", "collide", *post, "--poses", "missing")
-
-    write("poses", f"{HOME} 0 0 0")
-    with_poses = "--poses", "poses", "--pairs", "out"
-    refused("bake both", "collide", post[0], pre[1], *with_poses)
-    refused("bake both", "collide", "wide/ring.fbvh", post[1], *with_poses)
-    refused("cell of 0.01, but coarser/ring.fbvh one of 0.02", "collide", "coarser/ring.fbvh", post[1], *with_poses)
-    for algorithm in "ranked", "ranked-stack", "stackless-post":
-        refused(f"{algorithm} can't walk; bake it with --layout post", "collide", *pre, *with_poses, "--algorithm",
-                algorithm)
-    refused("stackless can't walk; bake it with --layout pre", "collide", *post, *with_poses, "--algorithm",
-            "stackless")
-    refused("--algorithm", "collide", *post, "--poses", "poses", "--algorithm", "magic")
-    refused("required", "collide", *post)
-    refused("required", "collide", post[0], "--poses", "poses")
-
-    # The last cell that a pose may reach, and Windows line ends.
-    last = "0 -1 0 1 0 0 0 0 1 0 0 -5368709.12\r"
-    Path("poses").write_bytes(f"{HOME} 5368709.12 0 0\r\n{last}\n".encode())
-    flashbvh("collide", *post, "--poses", "poses", "--json")
-    flashbvh("export", post[0], "-o", "far.obj", "--pose", last)
-
-
 def contacts():
     """Where triangles intersect, in the images' unit and A's frame; poses as firmware makes them of floats; and
     what poses needed, in work and in instructions."""
@@ -177,9 +128,9 @@ def contacts():
     text = "\n".join([*along_x, "0 -1 0 1 0 0 0 0 1  0.1 0.2 0.3\n"])
     write("poses", text)
     flashbvh("collide", "fine/blade.fbvh", "fine/blade.fbvh", "--poses", "poses", "--float", "--json")
-    # As firmware has them, tests/tool/float_poses.cpp.
+    # As firmware has them, tests/cli/float_poses.cpp.
     wanted = [float(line.split()[0]) for line in
-              run(TOOLS / "tool_test_float_poses", 0.01, input=text).splitlines()[:5]]
+              run(TOOLS / "cli_float_poses", 0.01, input=text).splitlines()[:5]]
 
     def found(*options):
         for pose in along_x:
@@ -202,7 +153,7 @@ def contacts():
     hold(number("work", "most") == bound["poses_most_work"] and number("work", "mean") == bound["poses_mean_work"],
          f"{said}{bound}")
     # With one triangle a leaf and two children a node little is added to the constants.
-    costs = Path(os.environ["INCLUDE"], "flashbvh/detail/walk/run_costs.hpp").read_text()
+    costs = Path(INCLUDE, "flashbvh/detail/walk/run_costs.hpp").read_text()
     least = int(re.search(r"^constexpr RunCosts kCortexM4F = .* (\d+)};", costs, re.M)[1])
     work = number("work", "most")
     hold(work * least < number("Cortex-M4F", "most") < work * (least + 12) + 20000, said)

@@ -1,4 +1,4 @@
-// tool_test_float_poses CELL: reads poses as `collide --poses` does, and prints where firmware's
+// cli_float_poses CELL: reads poses as `collide --poses` does, and prints where firmware's
 // pose_of() puts B: x, y and z in cells, a line a pose.
 #include <cmath>
 #include <cstdlib>

@@ -1,0 +1,46 @@
+"""What pages show: pictures' faces, and cards of work and instructions."""
+import re
+from math import ceil
+
+from checks import INCLUDE, flashbvh, hold, search, text
+
+
+def drawn(page, number):
+    """The classes of a picture's triangles, the furthest first; f27 is of those that intersect."""
+    picture = [line for line in text(page).splitlines() if line.startswith('<g class="faces">')][number - 1]
+    return [name for name, path in re.findall('<path class="([^"]*)" d="([^"]*)"', picture) for _ in range(
+        path.count("z"))]
+
+
+def marked(page, *paints):
+    """Triangles have these paints, and the page says which colours those are."""
+    for paint in paints:
+        hold(f"f{9 * paint}" in drawn(page, 1), f"nothing in {page} has the paint {paint}")
+        for part in f".paint{paint}{{background:rgb(", f".faces .f{9 * paint}{{":
+            hold(part in text(page), f"no {part}")
+
+
+def cards(*arguments):
+    """(work, instructions, verdict) of the eight cards."""
+    flashbvh("report", *arguments, "-o", "page.html")
+    found = re.findall(r"</h4><b>([^<]*)<.*<small>([0-9,]*) work<br>at most ([0-9.,]*)[a-z ]* instr", text("page.html"))
+    return [(int(work.replace(",", "")), instructions.replace(",", ""), verdict.replace(",", ""))
+            for verdict, work, instructions in found]
+
+
+def cards_agree(core, constants, hz, mhz, bound, arguments):
+    """The cards' instructions are those of bound.hpp, worked out here from `collide --bound`'s numbers."""
+    costs = text(f"{INCLUDE}/flashbvh/detail/walk/run_costs.hpp")
+    start, depth, sibling, leaf, unit = map(int, search(constants + " = {(.*)};", costs).split(", "))
+    period, siblings, size = int(mhz * 1000000 / hz), bound["later_siblings"], bound["leaf_size"]
+    start += bound["depths"] * depth + siblings * sibling + (size - 1) * leaf
+    unit += ceil(siblings * sibling / 32)
+    within = int((period - start - (max(size + 8, 32) - 1) * unit) / unit)
+    found = cards(*arguments, "--core", core, "--hz", hz, "--mhz", mhz)
+    for work, instructions, verdict in found:
+        most = start + work * unit
+        hold(instructions in (str(most), f"{most / 1e6:.3g}"), f"instructions: {instructions}, not {most}")
+        wanted = (f"needs at most {ceil(work / within)} slices of {within} work" if most > period else
+                  f"fits in {100 * most / period:.{int(most < period / 10)}f} % of the period")
+        hold(verdict == wanted, f"{verdict}, not {wanted}")
+    hold(len({verdict.split()[0] for _, _, verdict in found}) == 2, "all fit, or none")
