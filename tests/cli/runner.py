@@ -8,13 +8,16 @@ NM; FLASHBVH_THOROUGH, with which all is tested, however long it takes. A case i
     fixture NAME                begins one that is run once; its folder is copied into each case that says `use NAME`
     each NAME | NAME            a case for each of the rows below, with these names; a row that begins in
                                 `thorough: ` counts with FLASHBVH_THOROUGH
-    for NAME | NAME ... end     the lines up to `end` for each of the rows below; - is an empty cell
+    for NAME | NAME ... end     the lines up to `end` for each of the rows below; - is an empty cell. Of one name: also
+                                `for NAME: CELL | CELL`, `each NAME: CELL | CELL`
     file NAME: TEXT             a file, with \\n and the like; without a text, of the indented lines below
     run ARGUMENTS => EXIT       flashbvh, which must exit with 0 or with EXIT
-    refuse ARGUMENTS => TEXT    exits with 2, prints nothing but one line that holds TEXT, writes nothing named out*
+    refuse ARGUMENTS => TEXT    exits with 2, prints nothing but one line that holds TEXT, writes nothing named out*;
+                                with ... among the arguments, for each of the lines below: MORE ARGUMENTS => TEXT
     save FILE                   what the command printed
     out: TEXT                   what it printed holds this; `out~ ` a regular expression, `out= ` is all of it; `no `
-                                before it turns it round; `err` is standard error, any other word is a file
+                                before it turns it round; `err` is standard error, any other word is a file;
+                                without a text, each of the indented lines below
     json PATH = VALUE           of what it printed, one value in JSON; `lines PATH = VALUE` of one a line, * is all
     same FILE FILE              two files or folders of the same bytes
     holds FOLDER = NAME NAME    the names in a folder
@@ -52,7 +55,7 @@ from checks import THOROUGH, Failed, flashbvh, hold
 HERE = Path(__file__).resolve().parent
 WORK = Path(os.environ["WORK"]).resolve()
 MODULES = {module.__name__: module for module in (bakes, evaluation, meshes, names, outputs, pages, queries, refusals)}
-BLOCKS = "file", "each", "for"
+TAKES_BLOCK = re.compile(r"(file|each|for) (?!.*: )|refuse .*\.\.\.|(no )?\S+[:~]$")
 
 
 class Case:
@@ -65,7 +68,10 @@ class Case:
 
 
 def rows_of(names, lines):
-    """The rows below `each` or `for`, as values of the names."""
+    """The rows below `each` or `for`, or beside it, as values of the names."""
+    names, beside, cells = names.partition(": ")
+    if beside:
+        lines = cells.split(" | ")
     names = [name.strip() for name in names.split("|")]
     for line in lines:
         if line.startswith("thorough: ") and not THOROUGH or line.startswith("#") or not line:
@@ -96,7 +102,7 @@ def steps_of(table):
             continue
         step = number, text, []
         word = text.split()[0]
-        if word in BLOCKS and not (text.startswith("file ") and ": " in text):
+        if TAKES_BLOCK.match(text):
             taking = step[2]
         yield step
 
@@ -154,8 +160,9 @@ class Run:
             self.at = f"{self.case.table}.txt:{number}: {self.filled(text)}"
             step = getattr(self, "do_" + word, None)
             if not step:
-                self.compare(text)
-            elif word == "file":
+                for line in [f"{text} {line}" for line in lines if not line.startswith("#")] or [text]:
+                    self.compare(line)
+            elif word in ("file", "refuse"):
                 step(rest, lines)
             else:
                 step(rest)
@@ -186,7 +193,12 @@ class Run:
         arguments, _, code = self.filled(rest).partition(" => ")
         self.heard(flashbvh(*shlex.split(arguments), code=int(code or 0)))
 
-    def do_refuse(self, rest):
+    def do_refuse(self, rest, lines=()):
+        for line in lines:
+            if not line.startswith("#"):
+                self.do_refuse(rest.replace("...", line.removeprefix("- ")))
+        if lines:
+            return
         arguments, _, text = self.filled(rest).partition(" => ")
         self.heard(checks.refused(text, *shlex.split(arguments)))
 
