@@ -1,5 +1,5 @@
 // Any bytes as a robot's image: refused, or a guard and a motion of the robot read nothing else and
-// end (robot/exercise_robot.hpp).
+// end (support/arms/exercise_robot.hpp).
 //
 // The input is an image; what stands after its end makes the joints' values. What follows from the
 // rest is mended first, which no chance would bring about: magic, version, sizes, checksums, the
@@ -10,7 +10,7 @@
 #include "flashbvh/detail/robot/image_parts.hpp"
 #include "fuzz/fuzz.hpp"
 #include "golden/exercise.hpp"
-#include "robot/exercise_robot.hpp"
+#include "support/arms/exercise_robot.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;

@@ -1,0 +1,236 @@
+// Robots' images: what is written opens as it was; what is damaged, cut off or made up is refused,
+// or harmless.
+#include "flashbvh/robot/image.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include "support/arms/guarded_arm.hpp"
+#include "support/arms/image_in_parts.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+struct Opened {
+  explicit Opened(const Words& words, std::uint32_t capacity = kMaxLinks)
+      : meshes(kMaxLinks),
+        status(open_robot(words.data(), size_of(words), meshes.data(), capacity, robot)) {}
+  std::vector<PostMesh> meshes;
+  Robot robot{};
+  Status status;
+};
+
+template <class Element>
+bool are_same(const Element* u, const Element* v, std::size_t count) {
+  return count == 0 || std::memcmp(u, v, count * sizeof *u) == 0;
+}
+
+bool are_same(const PostMesh& u, const PostMesh& v) {
+  return u.node_count == v.node_count && u.triangle_count == v.triangle_count &&
+         u.vertex_count == v.vertex_count && u.cell_bits == v.cell_bits &&
+         are_same(u.nodes, v.nodes, u.node_count) &&
+         are_same(u.triangles, v.triangles, u.triangle_count) &&
+         are_same(u.triangle_ids, v.triangle_ids, u.triangle_count) &&
+         are_same(u.vertices, v.vertices, u.vertex_count) && are_same(u.origin, v.origin, 3);
+}
+
+bool are_same(const Robot& u, const Robot& v) {
+  bool same =
+      u.joint_count == v.joint_count && u.link_count == v.link_count &&
+      u.variable_count == v.variable_count && u.pair_count == v.pair_count &&
+      u.reach_count == v.reach_count && u.slack == v.slack && u.hash == v.hash &&
+      u.cell_bits == v.cell_bits && u.chart_bytes == v.chart_bytes &&
+      are_same(u.charts, v.charts, u.chart_bytes) && are_same(u.joints, v.joints, u.joint_count) &&
+      are_same(u.links, v.links, u.link_count) && are_same(u.pairs, v.pairs, u.pair_count) &&
+      are_same(u.reaches, v.reaches, u.reach_count);
+  for (std::size_t i = 0; same && i < u.link_count; ++i) {
+    same = are_same(u.meshes[i], v.meshes[i]);
+  }
+  return same;
+}
+
+}  // namespace
+
+TEST_CASE("an image opens as the robot that it was made of, and its guard answers the same") {
+  CAPTURE(test_seed());
+  Random random(test_seed());
+  for (int round = 0; round < 3; ++round) {
+    CAPTURE(round);
+    const FixedArm arm = any_guarded_arm(random, 3 + random.below(3), 1e-3);
+    const Words words = image_of(arm);
+    REQUIRE(words == image_of(arm));
+    const Opened opened(words);
+    REQUIRE(opened.status == Status::done);
+    REQUIRE(are_same(arm.robot(), opened.robot));
+    CHECK(std::string(robot_name(words.data())) == "arm");
+    for (std::size_t i = 0; i < arm.model.joints.size(); ++i) {
+      CHECK(joint_name(words.data(), static_cast<std::uint32_t>(i)) == arm.model.joints[i].name);
+    }
+    for (std::size_t i = 0; i < arm.model.links.size(); ++i) {
+      CHECK(link_name(words.data(), static_cast<std::uint32_t>(i)) == arm.model.links[i].name);
+    }
+    REQUIRE(mount_count(words.data()) == arm.model.mounts.size());
+    for (std::uint32_t i = 0; i < arm.model.mounts.size(); ++i) {
+      const Mount mount = tool::fixed_mount(arm.model.mounts[i], arm.arm.cell());
+      const Mount& kept = mounts(words.data())[i];
+      CHECK(mount_name(words.data(), i) == arm.model.mounts[i].name);
+      CHECK((kept.joint == mount.joint && are_same(&kept.frame, &mount.frame, 1)));
+    }
+    const auto states = std::make_unique<AnyGuardState[]>(2);
+    Guard of_arrays(arm.robot(), states[0]);
+    Guard of_image(opened.robot, states[1]);
+    Wandering wandering(arm, arm.any_values(random), 0.01);
+    for (int i = 0; i < 100; ++i) {
+      const Values values = wandering.step(random);
+      const GuardAnswer u = of_arrays.update(values.data(), i == 0 ? UINT32_MAX : 100);
+      const GuardAnswer v = of_image.update(values.data(), i == 0 ? UINT32_MAX : 100);
+      REQUIRE((u.status == v.status && u.verdict == v.verdict && u.pair == v.pair &&
+               u.distance == v.distance && u.work == v.work));
+    }
+  }
+}
+
+TEST_CASE("the images that are kept are baked to the byte, and harmless") {
+  for (const NamedImage& image : arm_images()) {
+    CAPTURE(image.name);
+    std::ifstream file(std::string(FLASHBVH_ROBOT_IMAGES "/") + image.name + ".robot",
+                       std::ios::binary);
+    const std::string kept{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    CHECK((kept.size() == size_of(image.words) &&
+           std::memcmp(kept.data(), image.words.data(), kept.size()) == 0));
+    const RobotVerdict verdict = exercise_any(image.words.data(), size_of(image.words));
+    CHECK(verdict.status == Status::done);
+    CHECK(verdict.wrong == nullptr);
+  }
+}
+
+TEST_CASE(
+    "an image that lost its end is refused, its size mended or not; one with more is itself") {
+  Words words = arm_images()[0].words;
+  for (std::size_t size = 0; size < size_of(words); ++size) {
+    REQUIRE(exercise_any(words.data(), size).status == Status::image_truncated);
+  }
+  for (std::size_t count = sizeof(RobotImageHeader) / 4; count < words.size(); ++count) {
+    Words cut(words.data(), words.data() + count);
+    Parts(cut).header.byte_count = static_cast<std::uint32_t>(size_of(cut));
+    repair_robot(cut.data(), size_of(cut));
+    const RobotVerdict verdict = exercise_any(cut.data(), size_of(cut));
+    REQUIRE(verdict.status != Status::done);
+    REQUIRE(verdict.wrong == nullptr);
+  }
+  words.push_back(0xFFFFFFFF);
+  CHECK(Opened(words).status == Status::done);
+}
+
+TEST_CASE("every flipped bit is refused") {
+  Words words = arm_images()[0].words;
+  const std::size_t meshes = detail::robot_meshes_offset(Parts(words).header);
+  for (std::size_t bit = 0; bit < 8 * size_of(words); bit += bit < 8 * meshes ? 1 : 13) {
+    CAPTURE(bit);
+    words[bit / 32] ^= 1u << bit % 32;
+    REQUIRE(Opened(words).status != Status::done);
+    words[bit / 32] ^= 1u << bit % 32;
+  }
+}
+
+TEST_CASE("every flipped bit before the meshes, with checksum and hash that match, is harmless") {
+  std::size_t opened = 0;
+  for (const NamedImage& image : arm_images()) {
+    Words words = image.words;
+    const std::size_t meshes = detail::robot_meshes_offset(Parts(words).header);
+    for (std::size_t bit = 0; bit < 8 * meshes; ++bit) {
+      CAPTURE(image.name, bit);
+      words = image.words;
+      words[bit / 32] ^= 1u << bit % 32;
+      repair_robot(words.data(), size_of(words));
+      const RobotVerdict verdict = exercise_any(words.data(), size_of(words));
+      REQUIRE(verdict.wrong == nullptr);
+      opened += verdict.status == Status::done ? 1 : 0;
+    }
+  }
+  CHECK(opened > 100);  // a limit, a distance, a translation may change
+}
+
+TEST_CASE("pairs that are not guarded are kept with the reason; one that no joint moves is none") {
+  Model model;
+  const std::size_t joint = add_joint(model, tool::kNoJoint, {}, JointType::revolute, -1, 1);
+  for (const std::size_t on : {tool::kNoJoint, joint, joint}) {
+    add_link(model, on, box({0, 0, 0}, {0.1, 0.1, 0.1}));
+  }
+  const FixedArm arm(model, 1e-3);
+  const Words words = image_of(arm, {tool::unguarded_pair(0, 1, WhyUnguarded::intersecting),
+                                     tool::unguarded_pair(0, 2, WhyUnguarded::believed)});
+  REQUIRE(unguarded_count(words.data()) == 2);
+  const RobotUnguarded* const kept = unguarded_pairs(words.data());
+  CHECK((kept[0].a == 0 && kept[0].b == 1 && kept[0].why == WhyUnguarded::intersecting));
+  CHECK((kept[1].a == 0 && kept[1].b == 2 && kept[1].why == WhyUnguarded::believed));
+  CHECK_THROWS_AS(image_of(arm, {tool::unguarded_pair(1, 2, WhyUnguarded::believed)}),
+                  std::logic_error);
+}
+
+TEST_CASE("an image at an address that is no multiple of 4, and with too little room for meshes") {
+  const Words words = arm_images()[0].words;
+  const std::uint32_t links = words[1] >> 24;
+  CHECK(Opened(words, links).status == Status::done);
+  CHECK(Opened(words, links - 1).status == Status::image_too_large);
+  std::vector<unsigned char> bytes(size_of(words) + 4);
+  for (std::size_t shift = 1; shift < 4; ++shift) {
+    std::memcpy(bytes.data() + shift, words.data(), size_of(words));
+    std::vector<PostMesh> meshes(kMaxLinks);
+    Robot robot{};
+    CHECK(open_robot(bytes.data() + shift, size_of(words), meshes.data(), kMaxLinks, robot) ==
+          Status::image_misaligned);
+  }
+}
+
+TEST_CASE("bytes after the last mesh that the image counts as its own") {
+  Words words = arm_images()[0].words;
+  words.push_back(0);
+  Parts(words).header.byte_count += 4;
+  repair_robot(words.data(), size_of(words));
+  CHECK(Opened(words).status == Status::image_invalid);
+}
+
+TEST_CASE("as many joints and links as there may be, and one more") {
+  const Words whole = arm_images()[1].words;  // one link
+  const auto opens_with = [&](std::uint8_t joints, std::uint8_t links) {
+    Words source = whole;
+    const Parts parts(source);
+    Words made(sizeof(RobotImageHeader) / 4);
+    const auto add = [&](const void* bytes, std::size_t count, std::size_t size) {
+      for (; count != 0; --count) {
+        const auto* const first = static_cast<const std::uint32_t*>(bytes);
+        made.insert(made.end(), first, first + size / 4);
+      }
+    };
+    RobotImageHeader header = parts.header;
+    header.joint_count = header.variable_count = joints;
+    header.link_count = links;
+    header.mount_count = 0;
+    header.names_size = static_cast<std::uint16_t>(1 + joints + links);
+    for (std::uint8_t i = 0; i < joints; ++i) {
+      const RobotJoint joint = {
+          kIdentityFrame,      0, 1, 1, 0, 0, i == 0 ? kBase : static_cast<std::uint8_t>(i - 1), i,
+          JointType::revolute, 0};
+      add(&joint, 1, sizeof joint);
+    }
+    add(parts.links, links, sizeof(RobotLink));
+    made.resize((detail::robot_meshes_offset(header)) / 4);
+    add(parts.meshes, links, parts.mesh().byte_count);
+    header.byte_count = static_cast<std::uint32_t>(size_of(made));
+    std::memcpy(made.data(), &header, sizeof header);
+    repair_robot(made.data(), size_of(made));
+    const RobotVerdict verdict = exercise_any(made.data(), size_of(made));
+    CHECK(verdict.wrong == nullptr);
+    return verdict.status;
+  };
+  CHECK(opens_with(0, 1) == Status::done);
+  CHECK(opens_with(kMaxJoints, kMaxLinks) == Status::done);
+  CHECK(opens_with(kMaxJoints + 1, 1) == Status::image_invalid);
+  CHECK(opens_with(0, kMaxLinks + 1) == Status::image_invalid);
+}

@@ -1,0 +1,228 @@
+// Kinematics in fixed point against long doubles, and against the doubles of the host's.
+#include "flashbvh/robot/kinematics.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "robot/sine.hpp"
+#include "support/arms/fixed_arm.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::tool;
+using namespace flashbvh::test;
+
+namespace {
+
+/// The larger of both errors, in 2^-30.
+long double sine_error(std::uint32_t turn) {
+  const detail::SineCosine at = detail::sine_cosine(turn);
+  const long double angle = std::ldexp(2 * std::acos(-1.0L) * turn, -32);
+  return std::max(std::fabs(at.sine - std::sin(angle) * kRotationOne),
+                  std::fabs(at.cosine - std::cos(angle) * kRotationOne));
+}
+
+double length(const Vector3& v) {
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+Vector3 moved(const Frame& frame, const Vector3& p) {
+  Vector3 at{};
+  for (int i = 0; i < 3; ++i) {
+    at[i] = 1.0 * frame.translation[i] / kFrameCell;
+    for (int j = 0; j < 3; ++j) {
+      at[i] += std::ldexp(frame.rotation[i][j] * p[j], -30);
+    }
+  }
+  return at;
+}
+
+Vector3 moved(const Pose& pose, const Vector3& p) {
+  Vector3 at{};
+  for (int i = 0; i < 3; ++i) {
+    at[i] = pose.translation(i) + pose.fraction(i) / 65536.0;
+    for (int j = 0; j < 3; ++j) {
+      at[i] += std::ldexp(pose.rotation(i, j) * p[j], -30);
+    }
+  }
+  return at;
+}
+
+/// In cells, of a point in cells.
+Vector3 moved(const Transform& transform, const Vector3& p, double cell) {
+  Vector3 at = placed(transform, {p[0] * cell, p[1] * cell, p[2] * cell});
+  for (double& coordinate : at) {
+    coordinate /= cell;
+  }
+  return at;
+}
+
+double apart(const Vector3& p, const Vector3& q) {
+  return length({p[0] - q[0], p[1] - q[1], p[2] - q[2]});
+}
+
+std::vector<Vector3> vertices_of(const PostMesh& mesh) {
+  std::vector<Vector3> points;
+  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
+    const Vertex& v = mesh.vertices[i];
+    points.push_back(
+        {1.0 * mesh.origin[0] + v.x, 1.0 * mesh.origin[1] + v.y, 1.0 * mesh.origin[2] + v.z});
+  }
+  return points;
+}
+
+/// The largest errors seen, as parts of what is allowed.
+struct Worst {
+  double frame = 0;
+  double pose = 0;
+};
+
+/// `kinematics`: of one link, in cells.
+void look(const FixedArm& arm, const Values& values, double kinematics, Worst& worst) {
+  const Robot& robot = arm.robot();
+  std::vector<JointCoordinate> coordinates(robot.joint_count);
+  REQUIRE(set_coordinates(robot, values.data(), coordinates.data()) == Status::done);
+  std::vector<Frame> frames(robot.joint_count);
+  set_frames(robot, coordinates.data(), frames.data());
+  const std::vector<double> variables = arm.variables(values);
+  const std::vector<Transform> exact = frames_of(arm.model, variables);
+  const auto frame = [&](std::size_t link) {
+    return robot.links[link].joint == kBase ? kIdentityFrame : frames[robot.links[link].joint];
+  };
+  for (std::size_t b = 0; b < robot.link_count; ++b) {
+    const std::vector<Vector3> points = vertices_of(robot.meshes[b]);
+    if (robot.links[b].joint != kBase) {
+      for (const Vector3& p : points) {
+        const double off =
+            apart(moved(frame(b), p), moved(exact[robot.links[b].joint], p, arm.arm.cell()));
+        worst.frame = std::max(worst.frame, off / kinematics);
+      }
+    }
+    for (std::size_t a = 0; a < b; ++a) {
+      const Pose pose = relative_pose(frame(a), frame(b));
+      REQUIRE(pose.status() == Status::done);
+      const Transform between =
+          frame_between(arm.model, joints_between(arm.model, a, b), variables);
+      for (const Vector3& p : points) {
+        // A pose's entries are rounded to 2^-22, which placing has.
+        const double rounding =
+            std::sqrt(3) * ((std::fabs(p[0]) + std::fabs(p[1]) + std::fabs(p[2])) * 0x1p-23);
+        const double off = apart(moved(pose, p), moved(between, p, arm.arm.cell()));
+        worst.pose = std::max(worst.pose, (off - rounding) / (2 * kinematics));
+      }
+    }
+  }
+}
+
+/// Rounding moves none of its vertices: the slack is that of placing and of kinematics.
+Model on_lattice(Model model, double cell) {
+  for (ModelLink& link : model.links) {
+    for (Vector3& vertex : link.mesh.vertices) {
+      for (double& coordinate : vertex) {
+        coordinate = std::round(coordinate / cell) * cell;
+      }
+    }
+  }
+  return model;
+}
+
+}  // namespace
+
+// FLASHBVH_SINES=1 tries all 2^32.
+TEST_CASE("sine and cosine are within 2^-29") {
+  const char* const text = std::getenv("FLASHBVH_SINES");
+  const std::uint64_t stride = text != nullptr ? std::strtoull(text, nullptr, 0) : 49'999;
+  long double worst = 0;
+  for (std::uint64_t turn = 0; turn < (std::uint64_t{1} << 32); turn += stride) {
+    worst = std::max(worst, sine_error(static_cast<std::uint32_t>(turn)));
+  }
+  for (std::uint32_t edge = 0; edge < 8; ++edge) {
+    for (std::uint32_t off = 0; off < 2000; ++off) {
+      worst = std::max(worst, sine_error((edge << 29) + off));
+      worst = std::max(worst, sine_error((edge << 29) - off));
+    }
+  }
+  CAPTURE(worst);
+  CHECK(worst <= 2);
+}
+
+TEST_CASE("sines of whole quarters are exact") {
+  const std::int32_t sines[] = {0, kRotationOne, 0, -kRotationOne};
+  for (std::uint32_t quarter = 0; quarter < 4; ++quarter) {
+    const detail::SineCosine at = detail::sine_cosine(quarter << 30);
+    CHECK(at.sine == sines[quarter]);
+    CHECK(at.cosine == sines[(quarter + 1) % 4]);
+  }
+}
+
+TEST_CASE("frames and relative poses are no further off than the slack has it") {
+  CAPTURE(test_seed());
+  Random random(test_seed());
+  Worst worst;
+  for (int round = 0; round < 12; ++round) {
+    CAPTURE(round);
+    const double cell = round % 2 == 0 ? 1.2e-5 : 1e-3;
+    const FixedArm arm(on_lattice(any_arm(random, 1 + random.below(8)), cell), cell);
+    const double kinematics = (arm.robot().slack / 256.0 - kPlacing) / 2;
+    for (int i = 0; i < 20; ++i) {
+      look(arm, arm.any_values(random), kinematics, worst);
+    }
+  }
+  CAPTURE(worst.frame, worst.pose);
+  CHECK(worst.frame <= 1);
+  CHECK(worst.pose <= 1);
+  CHECK(worst.pose > 0.02);  // the test sees something
+}
+
+TEST_CASE("limits are allowed, what lies beyond is not") {
+  CAPTURE(test_seed());
+  Random random(test_seed());
+  for (int round = 0; round < 12; ++round) {
+    const FixedArm arm(any_arm(random, 4), 1e-3);
+    const Values inside = arm.any_values(random);
+    std::vector<JointCoordinate> coordinates(arm.robot().joint_count);
+    const auto status_with = [&](std::size_t variable, JointCoordinate value) {
+      Values values = inside;
+      values[variable] = value;
+      return set_coordinates(arm.robot(), values.data(), coordinates.data());
+    };
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+      CHECK(status_with(i, kNoCoordinate) == Status::not_a_coordinate);
+      const RobotJoint& joint = arm.joint_of(i);
+      if (arm.is_free(i)) {
+        CHECK(status_with(i, INT32_MAX) == Status::done);
+        CHECK(status_with(i, -INT32_MAX) == Status::done);
+        continue;
+      }
+      CHECK(status_with(i, joint.lower) == Status::done);
+      CHECK(status_with(i, joint.upper) == Status::done);
+      CHECK(status_with(i, joint.lower - 1) == Status::joint_out_of_limits);
+      CHECK(status_with(i, joint.upper + 1) == Status::joint_out_of_limits);
+      CHECK(status_with(i, INT32_MAX) == Status::joint_out_of_limits);
+    }
+  }
+}
+
+TEST_CASE("turns make no difference to joints without limits, nor to what mimics them") {
+  Model model;
+  const std::size_t free = add_joint(model, kNoJoint, {}, JointType::continuous, -kPi, kPi);
+  add_mimic(model, free, shifted({0.1, 0, 0}), JointType::continuous, 0, 25, 0.5);
+  add_link(model, 1, box({0, 0, 0}, {0.1, 0.1, 0.1}));
+  const FixedArm arm(model, 1e-4);
+  for (const JointCoordinate at : {0, 1, -1, kFullTurn / 3, -kFullTurn / 2}) {
+    JointCoordinate wanted[2];
+    REQUIRE(set_coordinates(arm.robot(), &at, wanted) == Status::done);
+    CHECK(wanted[0] == at);
+    const double mimicked = 25.0 * at / kFullTurn + 0.5 / (2 * kPi) - 1.0 * wanted[1] / kFullTurn;
+    CHECK(std::fabs(mimicked - std::round(mimicked)) < 4.0 / kFullTurn);
+    for (const int turns : {-7, -1, 1, 7}) {
+      JointCoordinate coordinates[2];
+      const JointCoordinate value = at + turns * kFullTurn;
+      REQUIRE(set_coordinates(arm.robot(), &value, coordinates) == Status::done);
+      CHECK(coordinates[0] == wanted[0]);
+      CHECK(coordinates[1] == wanted[1]);
+    }
+  }
+}

@@ -1,0 +1,117 @@
+// Coordinates from floats against long doubles.
+#include "flashbvh/robot/robot_float.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "flashbvh/robot/kinematics.hpp"
+#include "support/arms/fixed_arm.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+float any_float(Random& random) {
+  const auto bits = static_cast<std::uint32_t>(random.next());
+  float value = 0;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+/// Of about this size.
+float any_near(Random& random, double size) {
+  return static_cast<float>(real_between(random, -size, size));
+}
+
+const long double kUnits = kFullTurn / (2 * std::acos(-1.0L));
+
+/// Nothing of what may be told differently: 8 turns are beyond 32 bits by a rounding.
+void check_angle(float radians) {
+  CAPTURE(radians);
+  const JointCoordinate coordinate = angle_coordinate(radians);
+  const long double units = static_cast<long double>(radians) * kUnits;
+  if (!(std::fabs(units) < 0x1p31L - 0.5L)) {
+    CHECK(coordinate == kNoCoordinate);
+  } else {
+    // The factor has 64 bits, an eighth turn's rounding below 2^-30 of a unit.
+    REQUIRE(coordinate != kNoCoordinate);
+    CHECK(std::fabs(coordinate - units) <= 0.5L + 0x1p-20L);
+  }
+}
+
+void check_slide(float length, float cells) {
+  CAPTURE(length, cells);
+  const JointCoordinate coordinate = slide_coordinate(length, cells);
+  const long double units =
+      static_cast<long double>(length) * static_cast<long double>(cells) * kFrameCell;
+  const bool is_scale = cells > 0 && std::isfinite(cells);
+  if (!is_scale || !(std::fabs(units) <= kMaxJointCoordinate + 0.5L)) {
+    CHECK(coordinate == kNoCoordinate);
+  } else if (std::fabs(units) < kMaxJointCoordinate - 1) {
+    REQUIRE(coordinate != kNoCoordinate);
+    CHECK(std::fabs(coordinate - units) <= 0.5L + 1.0L / 64);  // rounded twice
+  }
+}
+
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
+constexpr float kSubnormal = std::numeric_limits<float>::denorm_min();
+
+}  // namespace
+
+TEST_CASE("angles are rounded to the nearest") {
+  CAPTURE(test_seed());
+  Random random(test_seed());
+  for (int i = 0; i < 20'000; ++i) {
+    check_angle(any_float(random));
+    check_angle(any_near(random, 60));
+    check_angle(any_near(random, 1e-6));
+    check_angle(any_near(random, std::ldexp(1, -static_cast<int>(random.below(40)))));
+  }
+  for (const float edge : {50.2654F, 50.265488F, 50.26548F, 50.3F, 63.9F, 64.0F, 1e30F, kInfinite,
+                           kNotANumber, kSubnormal, 1e-38F, 0.0F, 1.2e-8F, 1.1e-8F}) {
+    check_angle(edge);
+    check_angle(-edge);
+  }
+  CHECK(angle_coordinate(-0.0F) == 0);
+}
+
+TEST_CASE("ways of joints that slide are rounded to the nearest") {
+  CAPTURE(test_seed());
+  Random random(test_seed());
+  for (int i = 0; i < 20'000; ++i) {
+    check_slide(any_float(random), any_float(random));
+    check_slide(any_near(random, 2), 10'000);
+    check_slide(any_near(random, 600'000), 1);
+    check_slide(any_near(random, 1e-4), any_near(random, 1000));
+  }
+  for (const float edge :
+       {kInfinite, kNotANumber, kSubnormal, 0.0F, 524'288.0F, 524'289.0F, 3e38F}) {
+    for (const float cells : {1.0F, 0.0F, -1.0F, kInfinite, kNotANumber, kSubnormal, 3e38F}) {
+      check_slide(edge, cells);
+      check_slide(-edge, cells);
+    }
+  }
+}
+
+TEST_CASE("values of a robot: each by its joint's type, mimics take none") {
+  Model model;
+  const std::size_t turns = add_joint(model, tool::kNoJoint, {}, JointType::revolute, -1, 1);
+  add_mimic(model, turns, {}, JointType::prismatic, 0, 0.01, 0);
+  const std::size_t slides = add_joint(model, turns, {}, JointType::prismatic, 0, 0.5);
+  add_joint(model, slides, {}, JointType::continuous, -kPi, kPi);
+  add_link(model, slides, box({0, 0, 0}, {0.1, 0.1, 0.1}));
+  const FixedArm arm(model, 1.0 / 1024);
+  const float floats[] = {0.5F, 0.25F, kNotANumber};
+  JointCoordinate values[3];
+  set_values(arm.robot(), floats, values);
+  CHECK(values[0] == angle_coordinate(0.5F));
+  CHECK(values[1] == 256 * kFrameCell);
+  CHECK(values[2] == kNoCoordinate);
+  JointCoordinate coordinates[4];
+  CHECK(set_coordinates(arm.robot(), values, coordinates) == Status::not_a_coordinate);
+}

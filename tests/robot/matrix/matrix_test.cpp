@@ -1,0 +1,291 @@
+// Verdicts where the truth is a formula, and against brute force on random arms.
+#include "robot/matrix.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "support/arms/arms.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::tool;
+using namespace flashbvh::test;
+
+namespace {
+
+constexpr double kCell = 1e-3;
+
+/// Decided, with what any verdict promises.
+PairVerdict decided(const Model& model, std::size_t a, std::size_t b,
+                    const MatrixOptions& options = {}) {
+  const BakedArm arm(model, kCell);
+  for (const PairVerdict& pair : arm.decide(options)) {
+    if (pair.verdict == MatrixVerdict::can) {
+      REQUIRE(arm.intersect(pair.a, pair.b, pair.witness));
+      for (std::size_t i = 0; i < pair.witness.size(); ++i) {
+        const Interval range = range_of_variable(model, i);
+        REQUIRE(pair.witness[i] >= range.lower);
+        REQUIRE(pair.witness[i] <= range.upper);
+      }
+    }
+    REQUIRE_FALSE(pair.reason.empty());
+    if (pair.a == a && pair.b == b) {
+      return pair;
+    }
+  }
+  FAIL("no such pair");
+  return {};
+}
+
+/// A rod of length 1 that turns about z from `lower` to `upper`, and a wall along x at y = `wall`.
+Model rod_and_wall(double lower, double upper, double wall, JointType type = JointType::revolute) {
+  Model model;
+  add_link(model, kNoJoint, box({-2, wall, -0.5}, {2, wall + 0.1, 0.5}));
+  const std::size_t joint = add_joint(model, kNoJoint, {}, type, lower, upper);
+  add_link(model, joint, box({0.2, -0.001, -0.1}, {1, 0.001, 0.1}));
+  return model;
+}
+
+/// Where the rod's corner (1, 0.001) is at y.
+double angle_at(double y) {
+  return std::asin(y / std::hypot(1, 0.001)) - std::atan2(0.001, 1);
+}
+
+}  // namespace
+
+TEST_CASE("limits that just allow contact, and that just forbid it") {
+  // The slack is 1.78 cells and the resolution half a cell: four cells aside is decided either way.
+  for (const double wall : {0.3, 0.7, 0.9}) {
+    CAPTURE(wall);
+    CHECK(decided(rod_and_wall(-1, angle_at(wall + kCell), wall), 0, 1).verdict ==
+          MatrixVerdict::can);
+    CHECK(decided(rod_and_wall(-1, angle_at(wall - 4 * kCell), wall), 0, 1).verdict ==
+          MatrixVerdict::never);
+    // Within the slack nothing is promised, and nothing is claimed.
+    CHECK(decided(rod_and_wall(-1, angle_at(wall - 1.2 * kCell), wall), 0, 1).verdict ==
+          MatrixVerdict::undecided);
+    // The other end of the interval.
+    CHECK(decided(rod_and_wall(angle_at(wall + kCell) - kPi, 0, -wall - 0.1), 0, 1).verdict ==
+          MatrixVerdict::can);
+  }
+}
+
+TEST_CASE("a witness lies well inside of where they intersect") {
+  const double wall = 0.5;
+  for (const double upper : {0.6, 1.0, 1.5}) {
+    CAPTURE(upper);
+    const double witness = decided(rod_and_wall(-1, upper, wall), 0, 1).witness[0];
+    const double first = angle_at(wall);
+    CHECK(witness > first + (upper - first) / 5);
+    CHECK(witness <= upper);
+  }
+}
+
+TEST_CASE("intervals are closed: contact at a limit alone is found") {
+  for (const bool upper : {true, false}) {
+    // Sliding along z until its face lies in the base's: they touch there and nowhere else.
+    Model model;
+    add_link(model, kNoJoint, box({0, 0, 0}, {0.1, 0.1, 0.1}));
+    const std::size_t joint =
+        upper ? add_joint(model, kNoJoint, shifted({0, 0, -0.5}), JointType::prismatic, 0, 0.25)
+              : add_joint(model, kNoJoint, shifted({0, 0, 0.5}), JointType::prismatic, -0.25, 0);
+    const double face = upper ? 0.25 : -0.15;
+    add_link(model, joint, box({0, 0, face}, {0.1, 0.1, face}));
+    // Flat boxes: both faces are the same.
+    const PairVerdict touching = decided(model, 0, 1);
+    CHECK(touching.verdict == MatrixVerdict::can);
+    model.joints[0].upper -= upper ? 4 * kCell : 0;
+    model.joints[0].lower += upper ? 0 : 4 * kCell;
+    CHECK(decided(model, 0, 1).verdict == MatrixVerdict::never);
+  }
+}
+
+TEST_CASE("a continuous joint covers the full turn") {
+  // A wall that the rod meets at the seam alone, where the angle is pi.
+  Model model;
+  add_link(model, kNoJoint, box({-1.2, -0.0005, -0.1}, {-0.9, 0.0005, 0.1}));
+  const std::size_t joint = add_joint(model, kNoJoint, {}, JointType::continuous, -kPi, kPi);
+  add_link(model, joint, box({0.2, -0.0005, -0.1}, {1, 0.0005, 0.1}));
+  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::can);
+  // A rod that ends before the wall.
+  model.links[1].mesh = box({0.2, -0.0005, -0.1}, {0.9 - 4 * kCell, 0.0005, 0.1});
+  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::never);
+  // A turn that lacks a little, on both sides of the seam.
+  model = rod_and_wall(-kPi + 0.02, kPi - 0.02, 0);
+  model.links[0].mesh = box({-1.2, -0.0005, -0.1}, {-0.9, 0.0005, 0.1});
+  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::never);
+}
+
+TEST_CASE("a planar arm folds until its law of cosines says so") {
+  // A post round the shoulder; the upper arm passes above it, a hand of the forearm's hangs beside
+  // it from 0.9 to 1 of the elbow, whose angle is `opening` at least.
+  const double opening = 0.5;
+  const double nearest = std::sqrt(1 + 0.81 - 2 * 0.9 * std::cos(opening));
+  for (const double beyond : {-6 * kCell, 4 * kCell}) {
+    CAPTURE(beyond);
+    Model model;
+    const double radius = nearest + beyond;
+    add_link(model, kNoJoint, prism(180, radius / std::cos(kPi / 180), 0, 0, -0.05, 0.05));
+    const std::size_t shoulder = add_joint(model, kNoJoint, {}, JointType::continuous, -kPi, kPi);
+    const std::size_t elbow = add_joint(model, shoulder, shifted({1, 0, 0.2}), JointType::revolute,
+                                        opening - kPi, kPi - opening);
+    const double thin = kCell / 4;
+    add_link(model, elbow, box({0.9, -thin, -0.4}, {1, thin, 0.2}));
+    CHECK(decided(model, 0, 1).verdict == (beyond < 0 ? MatrixVerdict::never : MatrixVerdict::can));
+  }
+}
+
+TEST_CASE("what never collides is guarded if it comes within the stop distance") {
+  constexpr double kGap = 0.05;
+  for (const double wall : {0.3, 0.7, 0.9}) {
+    CAPTURE(wall);
+    const Model model = rod_and_wall(-1, angle_at(wall - kGap), wall);
+    const auto stopping_at = [&](double stop) {
+      MatrixOptions options;
+      options.stop = stop / kCell;
+      const PairVerdict pair = decided(model, 0, 1, options);
+      CHECK(pair.verdict == MatrixVerdict::never);
+      return pair;
+    };
+    CHECK_FALSE(stopping_at(0).is_guarded);
+    CHECK_FALSE(stopping_at(kGap - 4 * kCell).is_guarded);
+    const PairVerdict guarded = stopping_at(kGap + 4 * kCell);
+    CHECK(guarded.is_guarded);
+    CHECK_FALSE(guarded.is_stopped);
+    CHECK(stopping_at(3).is_stopped);
+  }
+}
+
+TEST_CASE("prismatic joints: gaps by subtraction") {
+  for (const double gap : {4 * kCell, -kCell}) {
+    // Two fingers of a hand, which close from both sides.
+    Model model;
+    const double stroke = (0.2 - gap) / 2;
+    const std::size_t left =
+        add_joint(model, kNoJoint, turned(1, kPi / 2), JointType::prismatic, 0, stroke);
+    const std::size_t right =
+        add_joint(model, kNoJoint, turned(1, -kPi / 2), JointType::prismatic, 0, stroke);
+    add_link(model, left, box({-0.01, -0.01, -0.12}, {0.01, 0.01, -0.1}));
+    add_link(model, right, box({-0.01, -0.01, -0.12}, {0.01, 0.01, -0.1}));
+    CHECK(decided(model, 0, 1).verdict == (gap > 0 ? MatrixVerdict::never : MatrixVerdict::can));
+    // The same by one variable: the second mimics the first, geared or not.
+    for (const double gear : {1.0, 3.0}) {
+      Model mimic;
+      const Transform right_frame = model.joints[right].fixed;
+      add_joint(mimic, kNoJoint, model.joints[left].fixed, JointType::prismatic, 0,
+                2 * stroke / (1 + gear));
+      add_mimic(mimic, kNoJoint, right_frame, JointType::prismatic, 0, gear, 0);
+      mimic.links = model.links;
+      const PairVerdict closed = decided(mimic, 0, 1);
+      CHECK(closed.verdict == (gap > 0 ? MatrixVerdict::never : MatrixVerdict::can));
+      CHECK(closed.witness.size() == (gap > 0 ? 0 : 1));
+    }
+  }
+}
+
+TEST_CASE("mimics move with their master, not by themselves") {
+  // The forearm turns back by as much as the upper arm turns: it keeps its direction, and never
+  // meets what it would meet if both were free.
+  Model model;
+  add_link(model, kNoJoint, box({-0.1, 1.2, -0.5}, {0.1, 1.3, 0.5}));
+  const std::size_t shoulder = add_joint(model, kNoJoint, {}, JointType::revolute, -kPi, kPi);
+  const std::size_t elbow =
+      add_mimic(model, shoulder, shifted({1, 0, 0}), JointType::revolute, 0, -1, 0);
+  add_link(model, elbow, box({0.2, -0.01, -0.01}, {0.6, 0.01, 0.01}));
+  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::never);
+  model.joints[elbow].multiplier = 1;
+  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::can);
+  model.joints[elbow].multiplier = -1;
+  model.joints[elbow].offset = kPi / 2;
+  model.links[0].mesh = box({-0.1, 1.4, -0.5}, {0.1, 1.5, 0.5});
+  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::can);
+}
+
+TEST_CASE("what need not be asked says why") {
+  Model model = rod_and_wall(-3, 3, 0.5);
+  add_link(model, kNoJoint, box({0, 0, -0.2}, {0.1, 0.1, 0.2}));
+  const PairVerdict fixed = decided(model, 0, 2);
+  CHECK(fixed.verdict == MatrixVerdict::fixed);
+  CHECK(fixed.reason == "no joint moves them, apart");
+  // A hub and what turns on it.
+  model.neighbours = {{1, 2}, {0, 1}};
+  model.links[2].mesh = prism(12, 0.25, 0, 0, -0.2, 0.2);
+  const PairVerdict hub = decided(model, 1, 2);
+  CHECK(hub.verdict == MatrixVerdict::always);
+  CHECK(hub.reason ==
+        "neighbours that intersect at each of 256 configurations spread over the limits; sampled, "
+        "not proven");
+  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::can);  // neighbours, but not everywhere
+}
+
+TEST_CASE("neighbours that intersect wherever they are tried are decided if they get distances") {
+  Model model = rod_and_wall(-3, 3, 0.5);
+  add_link(model, kNoJoint, prism(12, 0.25, 0, 0, -0.2, 0.2));
+  model.neighbours = {{1, 2}};
+  MatrixOptions options;
+  options.stops = {{2, 1, 0, 0}};
+  const PairVerdict forced = decided(model, 1, 2, options);
+  CHECK(forced.verdict == MatrixVerdict::can);
+  CHECK(forced.is_guarded);
+}
+
+TEST_CASE("what an SRDF disables is decided as any pair") {
+  Model model = rod_and_wall(-1, 1, 0.5);
+  model.disabled = {{1, 0, "Never", 7}};
+  const PairVerdict can = decided(model, 0, 1);
+  CHECK(can.verdict == MatrixVerdict::can);
+  CHECK(can.is_guarded);
+  model.disabled[0].is_believed = true;
+  const PairVerdict believed = decided(model, 0, 1);
+  CHECK(believed.verdict == MatrixVerdict::believed);
+  CHECK(believed.reason == "intersect at the witness; disabled in the SRDF and believed");
+  CHECK_FALSE(believed.is_guarded);
+  // What is too near to tell is guarded, unless it is believed.
+  model.joints[0].upper = angle_at(0.5 - 1.2 * kCell);
+  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::believed);
+  model.disabled[0].is_believed = false;
+  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::undecided);
+  CHECK(decided(model, 0, 1).is_guarded);
+  // What never collides is no more than that, and not guarded for the stop distance.
+  model.joints[0].upper = angle_at(0.45);
+  MatrixOptions options;
+  options.stop = 0.1 / kCell;
+  CHECK(decided(model, 0, 1, options).verdict == MatrixVerdict::never);
+  CHECK_FALSE(decided(model, 0, 1, options).is_guarded);
+  options.stops = {{0, 1, options.stop, options.stop}};
+  CHECK(decided(model, 0, 1, options).is_guarded);
+}
+
+TEST_CASE("a proof and the proof for the stop distance are told apart") {
+  MatrixOptions options;
+  options.stop = 10;
+  const PairVerdict pair = decided(rod_and_wall(-1, angle_at(0.4), 0.5), 0, 1, options);
+  const PairVerdict alone = decided(rod_and_wall(-1, angle_at(0.4), 0.5), 0, 1);
+  CHECK(alone.reason ==
+        "proven for all values within the limits, " + std::to_string(alone.cells) + " cells");
+  CHECK(alone.cells > 1);
+  CHECK(pair.reason ==
+        alone.reason + "; " + std::to_string(pair.cells - alone.cells) + " more for --stop");
+}
+
+TEST_CASE("plates that slide beside each other end") {
+  const auto plates = [](double gap) {
+    Model model;
+    const std::size_t x =
+        add_joint(model, kNoJoint, turned(1, kPi / 2), JointType::prismatic, -0.5, 0.5);
+    const std::size_t y = add_joint(model, x, turned(0, kPi / 2), JointType::prismatic, -0.5, 0.5);
+    // Back to the base's axes.
+    Transform back = inverse(composed(turned(1, kPi / 2), turned(0, kPi / 2)));
+    const std::size_t spin = add_joint(model, y, back, JointType::continuous, -kPi, kPi);
+    add_link(model, kNoJoint, box({-1, -1, -0.1}, {1, 1, 0}));
+    add_link(model, spin, box({-0.5, -0.5, gap}, {0.5, 0.5, 0.1}));
+    return model;
+  };
+  MatrixOptions options;
+  options.most_cells = 3000;
+  CHECK(decided(plates(0.1 * kCell), 0, 1, options).verdict ==
+        MatrixVerdict::can);  // rounded: they touch
+  const PairVerdict close = decided(plates(5 * kCell), 0, 1, options);
+  CHECK(close.verdict == MatrixVerdict::undecided);
+  CHECK(close.cells <= 2 * options.most_cells);
+}

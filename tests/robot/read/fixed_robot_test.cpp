@@ -1,0 +1,253 @@
+// From a URDF to what firmware holds of it.
+#include "robot/fixed_robot.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <memory>
+
+#include "robot/bake_links.hpp"
+#include "robot/joint_axis.hpp"
+#include "support/arms/robot_files.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+constexpr double kTurn = kFullTurn / (2 * tool::kPi);
+
+struct Baked {
+  std::vector<tool::BakedLink> links;
+  std::unique_ptr<tool::FixedRobot> robot;
+};
+
+Baked bake_robot(const tool::Model& model, std::optional<double> cell = {},
+                 const std::vector<tool::GuardedPair>& pairs = {}) {
+  tool::check_counts(model, "arm.urdf");
+  const double chosen = tool::robot_cell(model, cell, "arm.urdf");
+  Baked baked;
+  std::vector<PostMesh> meshes;
+  for (const tool::ModelLink& link : model.links) {
+    baked.links.push_back(tool::bake_link(link, chosen, 2, "arm.urdf"));
+  }
+  for (const tool::BakedLink& link : baked.links) {
+    meshes.push_back(link.mesh());
+  }
+  baked.robot = std::make_unique<tool::FixedRobot>(model, meshes, chosen, pairs);
+  return baked;
+}
+
+std::string limits(const std::string& lower, const std::string& upper) {
+  return "<limit lower=\"" + lower + "\" upper=\"" + upper + "\"/>";
+}
+
+/// A chain of links a, b, c and so on with these joints between.
+std::string chain(const std::vector<std::pair<std::string, std::string>>& joints) {
+  std::string text = link_text("a");
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const std::string parent(1, static_cast<char>('a' + i));
+    const std::string child(1, static_cast<char>('b' + i));
+    text += link_text(child) +
+            joint_text("j" + std::to_string(i), joints[i].first, parent, child, joints[i].second);
+  }
+  return text;
+}
+
+template <class Act>
+std::string said(const Act& act) {
+  try {
+    act();
+    return {};
+  } catch (const tool::UserError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("frames are rounded to the nearest; turns by right angles are exact") {
+  RobotFiles files;
+  const tool::Model model = files.read(chain(
+      {{"revolute", "<origin xyz=\"0.5 -0.25 1\"/><axis xyz=\"0 -1 0\"/>" + limits("-1", "1")},
+       {"prismatic",
+        "<origin xyz=\"0.1 0 0\" rpy=\"0.3 0 0\"/><axis xyz=\"0 0 1\"/>" + limits("0", "0.3")}}));
+  const Baked baked = bake_robot(model, 1.0 / 1024);
+  const RobotJoint& first = baked.robot->joints()[0];
+  CHECK(first.fixed.translation[0] == 512 * kFrameCell);
+  CHECK(first.fixed.translation[1] == -256 * kFrameCell);
+  CHECK(first.fixed.translation[2] == 1024 * kFrameCell);
+  CHECK(first.fixed.rotation[0][0] == kRotationOne);
+  CHECK(first.fixed.rotation[1][2] == -kRotationOne);
+  CHECK(first.fixed.rotation[2][1] == kRotationOne);
+  CHECK(first.parent == kBase);
+  const RobotJoint& second = baked.robot->joints()[1];
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      CHECK(std::fabs(second.fixed.rotation[i][j] -
+                      model.joints[1].fixed.rotation[i][j] * kRotationOne) <= 0.5);
+    }
+  }
+  CHECK(second.parent == 0);
+  CHECK(second.variable == 1);
+  CHECK(second.type == JointType::prismatic);
+  CHECK(second.upper >= 0.3 * 1024 * kFrameCell);
+  CHECK(second.multiplier == 1);
+  CHECK(second.shift == 0);
+  CHECK(second.offset == 0);
+}
+
+TEST_CASE("limits are both allowed, and little more than them") {
+  RobotFiles files;
+  const tool::Model model = files.read(chain({{"revolute", limits("-6.283185307179586", "1.5")},
+                                              {"revolute", limits("-25.1", "25.1")},
+                                              {"continuous", ""}}));
+  const std::vector<RobotJoint> joints = bake_robot(model).robot->joints();
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(joints[i].lower <= model.joints[i].lower * kTurn);
+    CHECK(joints[i].upper >= model.joints[i].upper * kTurn);
+    CHECK(joints[i].upper <= model.joints[i].upper * kTurn * (1 + 0x1p-21) + 1);
+  }
+  CHECK(joints[2].lower == 0);
+  CHECK(joints[2].upper == 0);
+}
+
+TEST_CASE("mimics: firmware's multiplier, offset and limits") {
+  RobotFiles files;
+  const auto mimic = [](const std::string& multiplier, const std::string& offset) {
+    return kLimit + "<mimic joint=\"j0\" multiplier=\"" + multiplier + "\" offset=\"" + offset +
+           "\"/>";
+  };
+  const tool::Model model = files.read(chain({{"revolute", kLimit},
+                                              {"revolute", mimic("-1", "0")},
+                                              {"revolute", mimic("0.75", "0.5")},
+                                              {"prismatic", mimic("0.02", "0")},
+                                              {"revolute", mimic("0", "0")}}));
+  const Baked baked = bake_robot(model, 1e-4);
+  const std::vector<RobotJoint>& joints = baked.robot->joints();
+  CHECK(baked.robot->robot().variable_count == 1);
+  for (std::size_t i = 1; i < joints.size(); ++i) {
+    const RobotJoint& joint = joints[i];
+    const double units = joint.type == JointType::prismatic ? kFrameCell / 1e-4 : kTurn;
+    const double factor = model.joints[i].multiplier * units / kTurn;
+    for (const JointCoordinate value : {joints[0].lower, 0, 12345678, joints[0].upper}) {
+      const double q = std::ldexp(1.0 * value * joint.multiplier, -joint.shift) + joint.offset;
+      CHECK(q >= joint.lower - 0.5);
+      CHECK(q <= joint.upper + 0.5);
+      CHECK(std::fabs(q - (factor * value + model.joints[i].offset * units)) < 1.5);
+    }
+  }
+}
+
+TEST_CASE("links: a sphere round the mesh, where their reaches stand, what lies between two") {
+  RobotFiles files;
+  const tool::Model model =
+      files.read(link_text("a") + link_text("b") + link_text("c") + link_text("d") +
+                 joint_text("j", "revolute", "a", "b", kLimit) +
+                 joint_text("k", "revolute", "b", "c", kLimit) +
+                 joint_text("l", "revolute", "b", "d", kLimit));
+  const Baked baked = bake_robot(model, 0.001, {{2, 3, 0.01, 0.02}, {0, 2, 0.0100001, 0.0100001}});
+  const Robot robot = baked.robot->robot();
+  CHECK(robot.link_count == 4);
+  CHECK(robot.joint_count == 3);
+  CHECK(robot.links[0].joint == kBase);
+  CHECK(robot.links[2].joint == 1);
+  CHECK(robot.links[1].first_reach == 0);
+  CHECK(robot.links[2].first_reach == 1);
+  CHECK(robot.links[3].first_reach == 3);
+  CHECK(robot.reach_count == 5);
+  CHECK(robot.pairs[0].joints_a == 1);
+  CHECK(robot.pairs[0].joints_b == 1);
+  CHECK(robot.pairs[0].stop == 2560);
+  CHECK(robot.pairs[0].warn == 5120);
+  CHECK(robot.pairs[1].joints_a == 0);
+  CHECK(robot.pairs[1].joints_b == 2);
+  CHECK(robot.pairs[1].stop == 2561);
+  CHECK(robot.pairs[1].warn == 2561);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const PostMesh& mesh = robot.meshes[i];
+    for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
+      const Vertex& at = mesh.vertices[v];
+      CHECK(std::hypot((mesh.origin[0] + at.x) * kFrameCell - robot.links[i].centre[0],
+                       (mesh.origin[1] + at.y) * kFrameCell - robot.links[i].centre[1],
+                       (mesh.origin[2] + at.z) * kFrameCell - robot.links[i].centre[2]) <=
+            robot.links[i].radius);
+    }
+    CHECK(robot.links[i].radius < 0.105 * 1000 * kFrameCell);
+  }
+}
+
+TEST_CASE("the hash tells robots apart") {
+  RobotFiles files;
+  const auto hash = [&](const std::string& limit, double cell) {
+    return bake_robot(files.read(chain({{"revolute", limit}})), cell).robot->robot().hash;
+  };
+  CHECK(hash(kLimit, 1e-4) == hash(kLimit, 1e-4));
+  CHECK(hash(kLimit, 1e-4) != hash(limits("-1", "2.1"), 1e-4));
+  CHECK(hash(kLimit, 1e-4) != hash(kLimit, 2e-4));
+}
+
+TEST_CASE("the cell is the finest that all meshes and all frames fit") {
+  RobotFiles files;
+  const auto arm = [](const std::string& length) {
+    return chain({{"revolute", kLimit + "<origin xyz=\"" + length + " 0 0\"/>"}});
+  };
+  const tool::Model small = files.read(arm("0.1"));
+  const double for_meshes = tool::robot_cell(small, {}, "arm.urdf");
+  CHECK(for_meshes == Approx(2 * 0.1018 / 32767).epsilon(0.02));
+  const tool::Model large = files.read(arm("1000"));
+  const double for_frames = tool::robot_cell(large, {}, "arm.urdf");
+  CHECK(for_frames == Approx(1000.1 / (1 << 19)).epsilon(0.001));
+  CHECK(bake_robot(large).robot->joints()[0].fixed.translation[0] < kMaxFrameTranslation);
+  CHECK_THAT(said([&] { bake_robot(large, for_frames / 2); }),
+             Catch::Matchers::Contains("too far for frames in cells of"));
+  CHECK_THAT(said([&] { bake_robot(files.read(arm("3e307"))); }),
+             Catch::Matchers::Contains("reaches over 3.4e38 m far"));
+  CHECK_THAT(said([&] { bake_robot(small, for_meshes / 2); }),
+             Catch::Matchers::Contains("arm.urdf, link 'a': is too large for a cell of"));
+}
+
+TEST_CASE("robots that firmware can't hold") {
+  RobotFiles files;
+  std::string joints;
+  std::string bare = link_text("l0");
+  for (std::size_t i = 0; i <= kMaxJoints; ++i) {
+    bare += link_text("l" + std::to_string(i + 1), "");
+    joints += joint_text("j" + std::to_string(i), "continuous", "l" + std::to_string(i),
+                         "l" + std::to_string(i + 1));
+  }
+  CHECK(said([&] { bake_robot(files.read(bare + joints)); }) ==
+        "arm.urdf: has 65 moving joints, firmware holds 64; make those fixed that matter least, or "
+        "bake it in parts");
+  std::string links = link_text("l0");
+  for (std::size_t i = 1; i <= kMaxLinks; ++i) {
+    links += link_text("l" + std::to_string(i)) +
+             joint_text("j" + std::to_string(i), "fixed", "l0", "l" + std::to_string(i));
+  }
+  CHECK_THAT(said([&] { bake_robot(files.read(links)); }),
+             Catch::Matchers::Contains("has 65 links with a <collision>, firmware holds 64"));
+  files.write("many.obj", [] {
+    std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (int i = 0; i < 65536; ++i) {
+      text += "f 1 2 3\n";
+    }
+    return text;
+  }());
+  const tool::Model many = files.read(
+      link_text("a", "<collision><geometry><mesh filename=\"many.obj\"/></geometry></collision>"));
+  CHECK(said([&] { bake_robot(many); }) ==
+        "arm.urdf, link 'a': has 65536 triangles, 16-bit indices reach 65535; give it a coarser "
+        "mesh for collisions");
+}
+
+TEST_CASE("the slack grows by what the reader of a link's file rounded, along three axes, twice") {
+  RobotFiles files;
+  const double cell = 1e-4;
+  tool::Model model = files.read(chain({{"revolute", limits("-1", "1")}}));
+  const auto slack = [&] { return bake_robot(model, cell).robot->robot().slack; };
+  const double before = tool::link_deviation(model.links[1], cell);
+  const std::uint32_t least = slack();
+  model.links[1].precision = 10 * cell;
+  CHECK(tool::link_deviation(model.links[1], cell) == Approx(before + std::sqrt(3.0) * 10 * cell));
+  CHECK(slack() >= least + 2 * 17 * 256);
+  CHECK(slack() <= least + 2 * 18 * 256);
+}

@@ -1,0 +1,250 @@
+// What URDFs in the wild have, as it is meant.
+#include <catch2/catch.hpp>
+#include <clocale>
+#include <cmath>
+#include <locale>
+
+#include "support/arms/robot_files.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+const std::string kTriangle = "v 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 2 3\n";
+
+std::string mesh(const std::string& name, const std::string& scale = "") {
+  return "<collision><geometry><mesh filename=\"" + name + "\"" +
+         (scale.empty() ? "" : " scale=\"" + scale + "\"") + "/></geometry></collision>";
+}
+
+/// A unit square in inches, z up or y up, with a node moved by 1 along z.
+std::string collada(const std::string& up) {
+  return "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+         "version=\"1.4.1\"><asset><unit name=\"inch\" meter=\"0.0254\"/><up_axis>" +
+         up +
+         "</up_axis></asset><library_geometries><geometry id=\"g\"><mesh>"
+         "<source id=\"p\"><float_array id=\"f\" count=\"9\">0 0 0 1 0 0 0 1 0</float_array>"
+         "<technique_common><accessor source=\"#f\" count=\"3\" stride=\"3\"><param name=\"X\" "
+         "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/>"
+         "</accessor></technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" "
+         "source=\"#p\"/></vertices><triangles count=\"1\"><input semantic=\"VERTEX\" "
+         "source=\"#v\" offset=\"0\"/><p>0 1 2</p></triangles></mesh></geometry>"
+         "</library_geometries><library_visual_scenes><visual_scene id=\"s\"><node id=\"n\">"
+         "<translate>0 0 1</translate><instance_geometry url=\"#g\"/></node></visual_scene>"
+         "</library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
+}
+
+}  // namespace
+
+TEST_CASE("fixed joints are folded, whatever else they carry") {
+  RobotFiles files;
+  const std::string odd =
+      "<origin xyz=\"0 0 1\"/><axis xyz=\"0 0 0\"/><limit lower=\"5\"/>"
+      "<mimic joint=\"gone\"/>";
+  const tool::Model model = files.read(
+      link_text("a") + link_text("b") + link_text("c") + joint_text("j", "fixed", "a", "b", odd) +
+      joint_text("k", "revolute", "b", "c", "<origin xyz=\"0 2 0\"/>" + kLimit));
+  REQUIRE(model.joints.size() == 1);
+  CHECK(model.joints[0].name == "k");
+  CHECK(model.joints[0].fixed.translation == std::array<double, 3>{0, 2, 1});
+  REQUIRE(model.links.size() == 3);
+  CHECK(model.links[1].joint == tool::kNoJoint);
+  CHECK(model.links[2].joint == 0);
+  CHECK(model.neighbours ==
+        std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}, {0, 2}, {1, 2}});
+}
+
+TEST_CASE("links without geometry have no mesh but move what hangs on them") {
+  RobotFiles files;
+  const tool::Model model =
+      files.read(link_text("a") + link_text("b", "") + link_text("c") +
+                 joint_text("j", "revolute", "a", "b", kLimit) +
+                 joint_text("k", "prismatic", "b", "c", "<axis xyz=\"0 -1 0\"/>" + kLimit));
+  CHECK(model.joints.size() == 2);
+  REQUIRE(model.links.size() == 2);
+  CHECK(model.links[1].joint == 1);
+  CHECK(model.joints[1].parent == 0);
+  CHECK(model.neighbours.empty());
+  CHECK(model.joints[1].type == JointType::prismatic);
+  CHECK(model.joints[1].lower == -1);
+  CHECK(model.joints[1].upper == 2);
+}
+
+TEST_CASE("what nothing here needs is not read, broken or not") {
+  RobotFiles files;
+  const std::string visual =
+      "<visual><geometry><box size=\"x\"/></geometry><material "
+      "name=\"gone\"/></visual><inertial><mass value=\"?\"/></inertial>";
+  const tool::Model model = files.read(
+      "<material/><gazebo/><transmission/><!-- --><sensor/>" + link_text("a", visual + kBall) +
+      link_text("b") +
+      joint_text("j", "revolute", "a", "b",
+                 "<limit lower=\"0\" upper=\"1\" velocity=\"?\"/><dynamics damping=\"?\"/>"
+                 "<safety_controller/><calibration rising=\"?\"/>"));
+  CHECK(model.links.size() == 2);
+}
+
+TEST_CASE("blanks of any kind part and surround numbers, whatever the locale") {
+  const auto read = [] {
+    RobotFiles files;
+    return files
+        .read(link_text("a",
+                        "<collision><origin xyz=\" 1.5\t0\n\r 2.5 \"/><geometry><box "
+                        "size=\"1 1 1\"/></geometry></collision>"))
+        .links[0]
+        .mesh.vertices[7];
+  };
+  CHECK(read() == std::array<double, 3>{2, 0.5, 3});
+  struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+  };
+  const std::locale before = std::locale::global(std::locale(std::locale(), new Comma));
+  CHECK(read() == std::array<double, 3>{2, 0.5, 3});
+  std::locale::global(before);
+}
+
+TEST_CASE("continuous joints turn on, with limits or without") {
+  RobotFiles files;
+  for (const std::string limits : {"", kLimit.c_str()}) {
+    const tool::Model model = files.read(link_text("a") + link_text("b") +
+                                         joint_text("j", "continuous", "a", "b", limits));
+    CHECK(model.joints[0].type == JointType::continuous);
+    CHECK(model.joints[0].lower == -model.joints[0].upper);
+    CHECK(model.joints[0].upper == 3.14159265358979323846);
+  }
+}
+
+TEST_CASE("mimics in a chain follow the joint at its end") {
+  RobotFiles files;
+  const tool::Model model = files.read(
+      link_text("a") + link_text("b") + link_text("c") + link_text("d") + link_text("e") +
+      joint_text(
+          "j", "revolute", "a", "b",
+          "<limit lower=\"-9\" upper=\"9\"/><mimic joint=\"k\" multiplier=\"2\" offset=\"1\"/>") +
+      joint_text("k", "revolute", "b", "c", kLimit + "<mimic joint=\"l\" multiplier=\"-3\"/>") +
+      joint_text("l", "revolute", "c", "d", kLimit) +
+      joint_text("m", "continuous", "d", "e", "<mimic joint=\"l\"/>"));
+  REQUIRE(model.variables == std::vector<std::size_t>{2});
+  CHECK(model.joints[0].multiplier == -6);
+  CHECK(model.joints[0].offset == 1);
+  CHECK(model.joints[0].variable == 0);
+  CHECK(model.joints[0].lower == -11);
+  CHECK(model.joints[0].upper == 7);
+  CHECK(model.joints[3].multiplier == 1);
+  CHECK(model.joints[3].type == JointType::revolute);
+  CHECK(model.joints[3].upper == 2);
+}
+
+TEST_CASE("a mimic of a continuous joint turns on, too") {
+  RobotFiles files;
+  const tool::Model model = files.read(
+      link_text("a") + link_text("b") + link_text("c") + joint_text("j", "continuous", "a", "b") +
+      joint_text("k", "revolute", "b", "c", kLimit + "<mimic joint=\"j\" multiplier=\"-2\"/>"));
+  CHECK(model.joints[1].type == JointType::continuous);
+  CHECK(model.joints[1].multiplier == -2);
+}
+
+TEST_CASE("collision elements of a link are one mesh") {
+  RobotFiles files;
+  files.write("t.obj", kTriangle);
+  const tool::Model model = files.read(link_text(
+      "a", kBall +
+               "<collision><geometry><cylinder radius=\"1\" length=\"2\"/></geometry>"
+               "</collision><collision><geometry><box size=\"1 1 1\"/></geometry></collision>" +
+               mesh("t.obj", "1 -2 1")));
+  REQUIRE(model.links.size() == 1);
+  const tool::ModelLink& link = model.links[0];
+  CHECK(link.mesh.triangles.size() == 320 + 124 + 12 + 1);
+  REQUIRE(link.sources.size() == 4);
+  CHECK(link.sources[0] == "sphere of radius 0.1 m, up to 0.0018 m wider");
+  CHECK(link.sources[1] == "cylinder of radius 1 m, up to 0.0048 m wider");
+  CHECK(link.sources[2] == "box");
+  CHECK(link.sources[3] == "t.obj");
+  // A mirror image, turned right side out again.
+  const std::uint32_t first = 162 + 64 + 8;
+  CHECK(link.mesh.triangles.back() == bake::TriangleCorners{first, first + 2, first + 1});
+  CHECK(link.mesh.vertices[first + 1] == std::array<double, 3>{0, -4, 0});
+}
+
+TEST_CASE("meshes are found where the field keeps them") {
+  RobotFiles files;
+  files.write("arm_description/meshes/t.obj", kTriangle);
+  files.write("elsewhere/t.obj", kTriangle);
+  files.packages["known"] = files.path("elsewhere");
+  const auto reads = [&](const std::string& name) {
+    files.write("arm_description/urdf/arm.urdf",
+                "<robot name=\"arm\">" + link_text("a", mesh(name)) + "</robot>");
+    const tool::Model model = tool::read_urdf(files.path("arm_description/urdf/arm.urdf"),
+                                              files.packages, "", files.warnings);
+    CHECK(model.links[0].sources[0] == name);
+    return model.links[0].mesh.triangles.size() == 1;
+  };
+  CHECK(reads("package://arm_description/meshes/t.obj"));
+  CHECK(reads("model://arm_description/meshes/t.obj"));
+  CHECK(reads("package://meshes/t.obj"));  // no package, but a folder above the URDF's
+  CHECK(reads("package://known/t.obj"));
+  CHECK(reads("../meshes/t.obj"));
+  CHECK(reads("file://" + files.path("elsewhere/t.obj")));
+  CHECK(reads(files.path("elsewhere/t.obj")));
+}
+
+TEST_CASE("Collada: units and nodes count, the up axis does not") {
+  RobotFiles files;
+  for (const std::string up : {"Z_UP", "Y_UP", "X_UP"}) {
+    files.write("t.dae", collada(up));
+    const tool::Model model = files.read(link_text("a", mesh("t.dae", "2 2 2")));
+    const auto& vertices = model.links[0].mesh.vertices;
+    REQUIRE(vertices.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(std::fabs(vertices[i][0] - (i == 1 ? 0.0508 : 0)) < 1e-8);
+      CHECK(std::fabs(vertices[i][1] - (i == 2 ? 0.0508 : 0)) < 1e-8);
+      CHECK(std::fabs(vertices[i][2] - 0.0508) < 1e-8);
+    }
+    CHECK(model.links[0].precision > 0);
+  }
+}
+
+TEST_CASE("an SRDF's pairs, each once, with their reasons") {
+  RobotFiles files;
+  files.write("arm.srdf",
+              "<robot name=\"arm\"><disable_collisions link1=\"c\" link2=\"a\" reason=\"Never\"/>"
+              "<disable_collisions link1=\"a\" link2=\"c\" reason=\"again\"/>"
+              "<disable_collisions link1=\"a\" link2=\"bare\"/>"
+              "<disable_collisions link1=\"a\" link2=\"gone\"/><group name=\"g\"/></robot>");
+  const std::string robot = link_text("a") + link_text("b") + link_text("c") +
+                            link_text("bare", "") + joint_text("j", "fixed", "a", "b") +
+                            joint_text("k", "fixed", "a", "c") +
+                            joint_text("l", "fixed", "a", "bare");
+  const tool::Model model = files.read(robot, files.path("arm.srdf"));
+  REQUIRE(model.disabled.size() == 1);
+  CHECK(model.disabled[0].a == 0);
+  CHECK(model.disabled[0].b == 2);
+  CHECK(model.disabled[0].reason == "Never");
+  CHECK(model.disabled[0].line == 1);
+  files.write("bad.srdf", "<robot name=\"arm\">\n<disable_collisions link1=\"a\"/></robot>");
+  CHECK_THROWS_WITH(files.read(robot, files.path("bad.srdf")),
+                    Catch::Matchers::Contains("bad.srdf:2: has a <disable_collisions>"));
+}
+
+TEST_CASE("an SRDF's default is disabled for all pairs of a link but those that it enables") {
+  RobotFiles files;
+  files.write("arm.srdf",
+              "<robot name=\"arm\">\n<disable_default_collisions link=\"a\"/>\n"
+              "<enable_collisions link1=\"b\" link2=\"a\"/>\n"
+              "<enable_collisions link1=\"b\" link2=\"c\"/>\n"
+              "<disable_collisions link1=\"b\" link2=\"c\" reason=\"User\"/></robot>");
+  const std::string robot = link_text("a") + link_text("b") + link_text("c") + link_text("d") +
+                            joint_text("j", "fixed", "a", "b") +
+                            joint_text("k", "fixed", "a", "c") + joint_text("l", "fixed", "a", "d");
+  const tool::Model model = files.read(robot, files.path("arm.srdf"));
+  REQUIRE(model.disabled.size() == 3);
+  CHECK((model.disabled[0].a == 1 && model.disabled[0].b == 2 && model.disabled[0].line == 5));
+  CHECK((model.disabled[1].a == 0 && model.disabled[1].b == 2));
+  CHECK(model.disabled[1].reason == "disable_default_collisions");
+  CHECK((model.disabled[2].a == 0 && model.disabled[2].b == 3 && model.disabled[2].line == 2));
+  files.write("bad.srdf", "<robot name=\"arm\">\n<disable_default_collisions/></robot>");
+  CHECK_THROWS_WITH(files.read(robot, files.path("bad.srdf")),
+                    Catch::Matchers::Contains("bad.srdf:2: has a <disable_default_collisions> that "
+                                              "does not name a link; give it link"));
+}

@@ -1,0 +1,115 @@
+// Joint values from CSV files.
+#include "robot/trajectory.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "support/arms/robot_files.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+/// Variables "a" and "b"; "c" is -2 b + 0.5.
+tool::Model arm(RobotFiles& files) {
+  return files.read(link_text("base") + link_text("one") + link_text("two") + link_text("three") +
+                    joint_text("a", "revolute", "base", "one", kLimit) +
+                    joint_text("fixed", "fixed", "one", "two") +
+                    joint_text("b", "revolute", "two", "three", kLimit) + link_text("four") +
+                    joint_text("c", "revolute", "three", "four",
+                               kLimit + "<mimic joint=\"b\" multiplier=\"-2\" offset=\"0.5\"/>"));
+}
+
+struct Given {
+  RobotFiles files;
+  tool::Model model = arm(files);
+
+  tool::Trajectory read(const std::string& text) const {
+    tool::Warnings warnings;
+    files.write("way.csv", text);
+    return tool::read_trajectory(files.path("way.csv"), model, warnings);
+  }
+  /// From the file's name on.
+  std::string refusal(const std::string& text) const {
+    try {
+      (void)read(text);
+      return {};
+    } catch (const tool::UserError& error) {
+      const std::string what = error.what();
+      return what.substr(what.find("way.csv"));
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("columns in any order, comments, blanks and line ends") {
+  const Given given;
+  const tool::Trajectory way =
+      given.read("\xEF\xBB\xBF# to the left\r\n b ,a# names\r\n\r\n +1.5e-1,\t-2\r# nothing\n3,4");
+  REQUIRE(way.size() == 2);
+  CHECK(way.line(0) == 4);
+  CHECK(way.values(0)[0] == -2.0f);
+  CHECK(way.values(0)[1] == 0.15f);
+  CHECK(way.line(1) == 6);
+  CHECK(way.values(1)[0] == 4.0f);
+  CHECK(way.values(1)[1] == 3.0f);
+}
+
+TEST_CASE("semicolons and tabs; columns of times and of joints that mimic") {
+  const Given given;
+  const char* const text =
+      GENERATE("b;a;c\n 0.5; 2;-0.5\n", "b\ta\tc\n0.5 \t2\t-0.501\n", "a,b\n2,0.5\n",
+               "time,b,stamp_ns,a\n0,0.5,1700000000000000000,2\n0,0.5,1700000000000000000,2\n",
+               "T [ms];a;b\n5;2;0.5\n", "header.stamp,a,b\n2026-11-24 10:00,2,0.5\n",
+               "time_from_start\tc\tb\ta\n-1e300\t-0.5\t0.5\t2\n");
+  const tool::Trajectory way = given.read(text);
+  CHECK(way.values(0)[0] == 2.0f);
+  CHECK(way.values(0)[1] == 0.5f);
+}
+
+TEST_CASE("a joint named like a time is a joint") {
+  RobotFiles files;
+  const tool::Model model = files.read(link_text("base") + link_text("one") +
+                                       joint_text("t", "revolute", "base", "one", kLimit));
+  files.write("way.csv", "time,t\n0,2\n0.1,1\n");
+  tool::Warnings warnings;
+  CHECK(tool::read_trajectory(files.path("way.csv"), model, warnings).values(1)[0] == 1.0f);
+}
+
+TEST_CASE("limits are the guard's") {
+  CHECK(Given().read("a,b\n1e30,-0\n").values(0)[0] == 1e30f);
+}
+
+TEST_CASE("trajectories that are refused") {
+  const Given given;
+  const auto [text, said] = GENERATE(table<const char*, const char*>(
+      {{"a\n1\n", "way.csv:1: has no column 'b'; the first line names all joints that move: a,b"},
+       {"a,b,a\n", "way.csv:1: has two columns 'a'; leave one out"},
+       {"\na,b,fixed\n",
+        "way.csv:2: the column 'fixed' is no joint of the robot that moves; its joints are a,b"},
+       {"a,b,\n",
+        "way.csv:1: the column '' is no joint of the robot that moves; its joints are a,b"},
+       {"a b\n",
+        "way.csv:1: the column 'a b' is no joint of the robot that moves; its joints are a,b"},
+       {"a,c\n", "way.csv:1: has no column 'b'; the first line names all joints that move: a,b"},
+       {"time,a,b,time\n", "way.csv:1: has two columns 'time'; leave one out"},
+       {"a,b\n1,2\n1\n", "way.csv:3: has 1 value, the first line names 2 columns; give each one"},
+       {"a,b\n1,2,3\n", "way.csv:2: has 3 values, the first line names 2 columns; give each one"},
+       {"a;b\n1;2\n0;-2,5e-1\n",
+        "way.csv:3: '-2,5e-1' has a decimal comma; write a point: -2.5e-1"},
+       {"a;b\n1,5,2;0\n", "way.csv:2: '1,5,2' is no finite number; give radians, or metres"},
+       {"time,a,b\n0.1,0,0\n0.1,0,0\nx,0,0\n0.05,0,0\n",
+        "way.csv:5: 'time' goes back from 0.1 to 0.05; each line is one period after the line "
+        "before: sort them"},
+       {"c,a,b\n0.499,0,0\n-1.4,0,1\n",
+        "way.csv:3: 'c' is -1.4, but it follows 'b', which puts it at -1.5; leave the column out, "
+        "or mend the value"},
+       {"a,b\n1,x\n", "way.csv:2: 'x' is no finite number; give radians, or metres"},
+       {"a,b\n1,inf\n", "way.csv:2: 'inf' is no finite number; give radians, or metres"},
+       {"a,b\n1,-3.5e38\n", "way.csv:2: '-3.5e38' is no finite number; give radians, or metres"},
+       {"a,b\n", "way.csv: has no line of values; give one a period"},
+       {"#\n", "way.csv: has no line that names the joints: a,b"}}));
+  CHECK(given.refusal(text) == said);
+}

@@ -1,0 +1,265 @@
+// Tools and obstacles that were added to random arms, guarded and certified, against brute force.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "flashbvh/robot/motion.hpp"
+#include "flashbvh/robot/robot_float.hpp"
+#include "support/arms/any_workcell.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::tool;
+using namespace flashbvh::test;
+
+namespace {
+
+/// What the answer promises and brute force contradicts.
+bool is_contradicted(const CrowdedCell& cell, const GuardAnswer& answer, const Period& period,
+                     Random& random) {
+  if (answer.verdict > Verdict::warn) {
+    return false;
+  }
+  for (int moment = 0; moment < 4; ++moment) {
+    const double part = moment == 0 ? 0 : moment == 1 ? 1 : real_between(random, 0, 1);
+    const Values values = moment == 0   ? period.at_start()
+                          : moment == 1 ? period.at_end()
+                                        : period.between(random);
+    for (std::uint32_t i = 0; i < cell.robot().pair_count; ++i) {
+      const RobotPair& pair = cell.robot().pairs[i];
+      const std::uint32_t kept = answer.verdict == Verdict::free ? pair.warn : pair.stop;
+      if (kept > kPlacingFine && cell.is_closer(pair, values, part, kept - kPlacingFine)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("tools and obstacles are guarded as links are, whatever the budget") {
+  CAPTURE(test_seed());
+  Random random(test_seed());
+  long verdicts[4] = {};
+  for (int round = 0; round < rounds(5, 10); ++round) {
+    CAPTURE(round);
+    const auto cell = std::make_unique<CrowdedCell>(random);
+    const auto state = std::make_unique<WorkcellState>();
+    Guard guard(cell->robot(), *state);
+    constexpr std::uint32_t budgets[] = {1, 8, 100, UINT32_MAX};
+    const std::uint32_t work = budgets[random.below(4)];
+    const double speed = random.below(2) == 0 ? 1e-3 : 2e-2;
+    Values before = cell->arm.any_values(random);
+    GuardAnswer answer = guard.prime(before.data());
+    for (int tries = 0; answer.verdict == Verdict::stop && tries < 50; ++tries) {
+      before = cell->arm.any_values(random);
+      answer = guard.prime(before.data());
+    }
+    REQUIRE(answer.status == Status::done);
+    Wandering wandering(cell->arm, before, speed);
+    for (int i = 0; i < 60; ++i) {
+      CAPTURE(i, work);
+      const Values now = wandering.step(random);
+      if (i % 10 != 9) {
+        REQUIRE(cell->move(random, speed) == Status::done);
+      } else {  // it stands
+        cell->way = {cell->way.at(1), {}, 0, 0};
+      }
+      answer = guard.update(now.data(), work);
+      REQUIRE(answer.status == Status::done);
+      REQUIRE_FALSE(is_contradicted(*cell, answer, Period(cell->arm, before, now), random));
+      ++verdicts[static_cast<int>(answer.verdict)];
+      before = now;
+      if (random.below(8) == 0) {
+        REQUIRE(guard.resume() == Status::done);
+      }
+    }
+  }
+  CAPTURE(verdicts[0], verdicts[1], verdicts[2], verdicts[3]);
+  for (const long of : verdicts) {
+    CHECK(of > 0);
+  }
+}
+
+TEST_CASE("no joint moves a tool farther than its reach") {
+  CAPTURE(test_seed());
+  Random random(test_seed());
+  for (int round = 0; round < 4; ++round) {
+    const auto cell = std::make_unique<CrowdedCell>(random);
+    const Robot& robot = cell->robot();
+    const RobotLink& tool = robot.links[cell->links[0]];
+    const PostMesh& mesh = robot.meshes[cell->links[0]];
+    for (int i = 0; i < 200; ++i) {
+      const Values values = cell->arm.any_values(random);
+      const std::vector<Transform> frames = frames_of(cell->arm.model, cell->arm.variables(values));
+      const Transform tool_frame = composed(frames[cell->tool_joint], cell->tool_at);
+      const Vertex& v = mesh.vertices[random.below(mesh.vertex_count)];
+      const Vector3 at = placed(tool_frame, {(mesh.origin[0] + v.x) * kWorkcellCell,
+                                             (mesh.origin[1] + v.y) * kWorkcellCell,
+                                             (mesh.origin[2] + v.z) * kWorkcellCell});
+      const std::uint32_t* reach = robot.reaches + tool.first_reach + 1;
+      for (std::size_t j = cell->tool_joint; j != kNoJoint; j = cell->arm.model.joints[j].parent) {
+        const Vector3 seen = placed(inverse(frames[j]), at);
+        const bool slides = cell->arm.model.joints[j].type == JointType::prismatic;
+        const double lever = slides ? 1 : std::hypot(seen[0], seen[1]) / kWorkcellCell;
+        const double unit = slides ? 1.0 / kFrameCell : 2 * kPi / kFullTurn;
+        REQUIRE(std::ldexp(*reach++, -kReachBits) >= lever * unit * 256);
+      }
+    }
+  }
+}
+
+TEST_CASE("motions are certified with tools and obstacles in the way") {
+  CAPTURE(test_seed());
+  Random random(test_seed());
+  int outcomes[3] = {};
+  for (int round = 0; round < rounds(6, 16); ++round) {
+    CAPTURE(round);
+    const auto cell = std::make_unique<CrowdedCell>(random);
+    MotionStateOf<12, 12> state{};
+    MotionQuery query(cell->robot(), state);
+    const Values from = cell->arm.any_values(random);
+    Values to = cell->arm.any_values(random);
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      to[i] = from[i] + (to[i] - from[i]) / 16;
+    }
+    REQUIRE(query.start(from.data(), to.data()) == Status::done);
+    const MotionAnswer answer = query.run(UINT32_MAX);
+    REQUIRE(answer.status == Status::done);
+    ++outcomes[static_cast<int>(answer.outcome)];
+    for (int i = 0; answer.outcome == MotionOutcome::free && i < 40; ++i) {
+      Values values(from.size());
+      query.set_values(random.below((1 << 20) + 1), 20, values.data());
+      for (std::uint32_t k = 0; k < cell->robot().pair_count; ++k) {
+        REQUIRE_FALSE(cell->is_closer(cell->robot().pairs[k], values, 1, 0));
+      }
+    }
+  }
+  CHECK(outcomes[static_cast<int>(MotionOutcome::free)] > 0);
+  CHECK(outcomes[static_cast<int>(MotionOutcome::hit)] > 0);
+}
+
+TEST_CASE("what a workcell refuses changes nothing") {
+  Random random(test_seed());
+  const auto cell = std::make_unique<CrowdedCell>(random);
+  const Robot& robot = cell->robot();
+  const Robot before = robot;
+  const PostMesh& mesh = cell->tool.mesh();
+  std::uint8_t link = 77;
+  Frame frame = kIdentityFrame;
+  const auto carriers = static_cast<std::uint8_t>(robot.joint_count - 1);
+  CHECK(cell->workcell.add(mesh, {carriers, frame}, link) == Status::link_invalid);
+  PostMesh other = mesh;
+  other.cell_bits ^= 1;
+  CHECK(cell->workcell.add(other, {kBase, frame}, link) == Status::cell_mismatch);
+  frame.translation[1] = kMaxFrameTranslation;
+  CHECK(cell->workcell.add(mesh, {kBase, frame}, link) == Status::translation_out_of_range);
+  CHECK(cell->workcell.move(cell->links[2], frame, 0) == Status::translation_out_of_range);
+  frame = kIdentityFrame;
+  frame.rotation[2][2] = -kRotationOne;
+  CHECK(cell->workcell.add(mesh, {kBase, frame}, link) == Status::not_a_rotation);
+  CHECK(cell->workcell.move(cell->links[2], frame, 0) == Status::not_a_rotation);
+  other = mesh;
+  other.origin[0] = INT32_MAX;
+  other.cell_bits = mesh.cell_bits;
+  CHECK(cell->workcell.add(other, {kBase, kIdentityFrame}, link) ==
+        Status::translation_out_of_range);
+  CHECK(cell->workcell.move(cell->links[2], kIdentityFrame, 1u << 28) ==
+        Status::distance_out_of_range);
+  CHECK(cell->workcell.move(cell->links[0], kIdentityFrame, 0) == Status::link_invalid);
+  CHECK(cell->workcell.move(0, kIdentityFrame, 0) == Status::link_invalid);
+  CHECK(cell->workcell.move(robot.link_count, kIdentityFrame, 0) == Status::link_invalid);
+  CHECK(cell->workcell.keep_apart(0, robot.link_count, 0, 0) == Status::link_invalid);
+  CHECK(cell->workcell.keep_apart(1, 1, 0, 0) == Status::link_invalid);
+  CHECK(cell->workcell.keep_apart(0, cell->links[0], 9, 8) == Status::distance_out_of_range);
+  CHECK(cell->workcell.keep_apart(0, cell->links[0], 0, kMaxDistance + 1) ==
+        Status::distance_out_of_range);
+  CHECK(std::memcmp(&before, &robot, sizeof before) == 0);
+  CHECK(link == 77);
+
+  WorkcellOf<3, 3, 1, 4> small;
+  Workcell tiny(cell->arm.robot(), small);
+  CHECK(tiny.add(mesh, {kBase, kIdentityFrame}, link) == Status::workcell_full);
+  CHECK(tiny.robot().joints == cell->arm.robot().joints);  // nothing is guarded less
+  CHECK(tiny.robot().pair_count == cell->arm.robot().pair_count);
+}
+
+TEST_CASE("an obstacle that comes nearer is as near as it says, whatever is looked at") {
+  Random random(test_seed());
+  Model model;
+  add_joint(model, kNoJoint, Transform(), JointType::revolute, -1, 1);
+  add_link(model, kNoJoint, box({1, -1, -1}, {1.2, 1, 1}));
+  add_link(model, 0, box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
+  const FixedArm arm(model, kWorkcellCell);
+  const Body body(random);
+  for (const std::uint32_t work : {0u, 1u, 20u, 1000u}) {
+    CAPTURE(work);
+    AnyWorkcell memory;
+    Workcell workcell(arm.robot(), memory);
+    std::uint8_t link = 0;
+    REQUIRE(workcell.add(body.mesh(), {kBase, kIdentityFrame}, link) == Status::done);
+    REQUIRE(workcell.keep_apart(0, link, 500, 2000) == Status::done);
+    // A unit of its joint's coordinate, which counts 1/256 cell, moves it 1/256 cell.
+    REQUIRE(memory.reaches[memory.links[link].first_reach] == 1u << kReachBits);
+    WorkcellState state;
+    Guard guard(workcell.robot(), state);
+    const JointCoordinate value = 0;
+    Frame frame = kIdentityFrame;
+    GuardAnswer answer = guard.prime(&value);
+    double left = 1e9;
+    for (int i = 0; left > 0 && answer.verdict != Verdict::stop; ++i) {
+      const std::uint32_t moved = random.below(2000);
+      frame.translation[0] += static_cast<std::int32_t>(moved) * 8;
+      REQUIRE(workcell.move(link, frame, moved) == Status::done);
+      answer = guard.update(&value, work);
+      const double at = (body.low[0] + body.size[0]) / kWorkcellCell + 0.5;
+      left = (1 / kWorkcellCell - at) * 256 - frame.translation[0] / 8.0;
+      REQUIRE(answer.distance <= std::max(left + 256, 0.0));
+      REQUIRE((answer.verdict > Verdict::warn || left > 500 - 256));
+    }
+    CHECK(answer.verdict >= (work < 1000 ? Verdict::not_yet_known : Verdict::stop));
+  }
+}
+
+TEST_CASE("a floating obstacle is known anew however far it went") {
+  Random random(test_seed());
+  const auto cell = std::make_unique<CrowdedCell>(random);
+  const auto state = std::make_unique<WorkcellState>();
+  Guard guard(cell->robot(), *state);
+  const Values values = cell->arm.any_values(random);
+  (void)guard.prime(values.data());
+  // Where it stands, but said to have gone round: 2^32 in all, and one unit more.
+  const Frame frame = fixed_frame(cell->way.at(1));
+  for (int i = 0; i < 33; ++i) {
+    const std::uint32_t moved = i < 32 ? (1u << 27) : 1;
+    REQUIRE(cell->workcell.move(cell->links[2], frame, moved) == Status::done);
+    const GuardAnswer answer = guard.update(values.data(), 0);
+    REQUIRE(answer.verdict >= Verdict::not_yet_known);
+  }
+  REQUIRE(guard.go_on(UINT32_MAX).verdict != Verdict::not_yet_known);
+}
+
+TEST_CASE("a frame from floats is that of its matrix or quaternion") {
+  Random random(test_seed());
+  const auto cell = std::make_unique<CrowdedCell>(random);
+  const float half = 0.70710678f;
+  const float matrix[3][3] = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
+  const float metres[3] = {1, -0.5f, 0.001f};
+  Frame a;
+  Frame b;
+  REQUIRE(set_frame(cell->robot(), matrix, metres, a) == Status::done);
+  REQUIRE(set_frame(cell->robot(), UnitQuaternion{half, 0, 0, half}, metres, b) == Status::done);
+  CHECK(a.translation[0] == 500 * kFrameCell);
+  CHECK(a.translation[2] == kFrameCell / 2);
+  CHECK(a.rotation[1][0] == kRotationOne);
+  for (int i = 0; i < 3; ++i) {
+    CHECK(a.translation[i] == b.translation[i]);
+    for (int j = 0; j < 3; ++j) {
+      CHECK(std::abs(a.rotation[i][j] - b.rotation[i][j]) < 100);
+    }
+  }
+  const float far[3] = {1e9f, 0, 0};
+  CHECK(set_frame(cell->robot(), matrix, far, a) == Status::translation_out_of_range);
+}

@@ -1,0 +1,35 @@
+// Images of arms: small ones of all kinds of joints, which are kept in tests/fuzz/corpus/robot.
+#ifndef FLASHBVH_TESTS_SUPPORT_ARMS_ARM_IMAGES_HPP
+#define FLASHBVH_TESTS_SUPPORT_ARMS_ARM_IMAGES_HPP
+
+#include <string>
+#include <vector>
+
+#include "robot/robot_image.hpp"
+#include "support/arms/fixed_arm.hpp"
+
+namespace flashbvh::test {
+
+inline std::vector<std::uint32_t> image_of(const FixedArm& arm,
+                                           const std::vector<tool::UnguardedPair>& unguarded = {}) {
+  std::vector<std::vector<std::uint32_t>> meshes;
+  for (std::size_t i = 0; i < arm.model.links.size(); ++i) {
+    meshes.push_back(arm.arm.image(i));
+  }
+  return tool::robot_image(arm.model, arm.robot(), unguarded, meshes, "arm");
+}
+
+struct NamedImage {
+  std::string name;
+  std::vector<std::uint32_t> words;
+};
+
+/// Joints of every type, mimics of a limited joint and of one without limits, a branch, and links
+/// of few triangles: 2 joints of it, and so on.
+FixedArm every_joint_arm();
+/// All of them, the first is of every_joint_arm().
+const std::vector<NamedImage>& arm_images();
+
+}  // namespace flashbvh::test
+
+#endif

@@ -1,0 +1,76 @@
+// A folder of a test's own, with the files of a robot.
+#ifndef FLASHBVH_TESTS_SUPPORT_ARMS_ROBOT_FILES_HPP
+#define FLASHBVH_TESTS_SUPPORT_ARMS_ROBOT_FILES_HPP
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "robot/urdf.hpp"
+
+namespace flashbvh::test {
+
+class RobotFiles {
+ public:
+  RobotFiles() : folder_(std::filesystem::temp_directory_path() / std::to_string(getpid())) {
+    std::filesystem::create_directories(folder_);
+  }
+  RobotFiles(const RobotFiles&) = delete;
+  RobotFiles& operator=(const RobotFiles&) = delete;
+  ~RobotFiles() { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+
+  /// Of a robot whose <robot> holds `inside`.
+  tool::Model read(const std::string& inside, const std::string& srdf = "") {
+    write("arm.urdf", "<robot name=\"arm\">\n" + inside + "</robot>\n");
+    return tool::read_urdf(path("arm.urdf"), packages, srdf, warnings);
+  }
+
+  /// What is said of a robot that is refused, with the folder left out; empty if it is read.
+  std::string refusal(const std::string& inside) {
+    try {
+      (void)read(inside);
+      return {};
+    } catch (const tool::UserError& error) {
+      std::string text = error.what();
+      for (std::size_t at; (at = text.find(folder_.string() + "/")) != std::string::npos;) {
+        text.erase(at, folder_.string().size() + 1);
+      }
+      return text;
+    }
+  }
+
+  tool::Packages packages;
+  tool::Warnings warnings;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+inline const std::string kBall =
+    "<collision><geometry><sphere radius=\"0.1\"/></geometry></collision>";
+
+inline std::string link_text(const std::string& name, const std::string& inside = kBall) {
+  return "<link name=\"" + name + "\">" + inside + "</link>\n";
+}
+
+inline std::string joint_text(const std::string& name, const std::string& type,
+                              const std::string& parent, const std::string& child,
+                              const std::string& inside = "") {
+  return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + parent +
+         "\"/><child link=\"" + child + "\"/>" + inside + "</joint>\n";
+}
+
+inline const std::string kLimit = "<limit lower=\"-1\" upper=\"2\" effort=\"1\" velocity=\"1\"/>";
+
+}  // namespace flashbvh::test
+
+#endif
