@@ -51,10 +51,9 @@ struct Walk {
     answer = guard.update(now.data(), work);
     const Period period(arm, before, now);
     before = now;
-    double nearest =
-        std::min(true_distance(arm, period.at_start()), true_distance(arm, period.at_end()));
-    for (int i = 0; i < 6; ++i) {
-      nearest = std::min(nearest, true_distance(arm, period.between(random)));
+    double nearest = 1e9;
+    for (int moment = 0; moment < 8; ++moment) {
+      nearest = std::min(nearest, true_distance(arm, period.at(moment, random)));
     }
     const double wanted = answer.verdict == Verdict::free   ? arm.robot().pairs[0].warn
                           : answer.verdict == Verdict::warn ? arm.robot().pairs[0].stop

@@ -109,9 +109,7 @@ double distance_of(const FixedArm& arm, const Gantry& gantry, const RobotPair& p
 bool is_contradicted(const FixedArm& arm, const Gantry& gantry, const GuardAnswer& answer,
                      const Period& period, Random& random) {
   for (int moment = 0; moment < 6; ++moment) {
-    const Values values = moment == 0   ? period.at_start()
-                          : moment == 1 ? period.at_end()
-                                        : period.between(random);
+    const Values values = period.at(moment, random);
     for (std::uint16_t i = 0; i < arm.robot().pair_count; ++i) {
       const RobotPair& pair = arm.robot().pairs[i];
       const double apart = distance_of(arm, gantry, pair, values);

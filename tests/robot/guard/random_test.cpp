@@ -31,12 +31,8 @@ void walk(Random& random, const FixedArm& arm, const DrawnArm& drawn, long count
   const auto state = std::make_unique<AnyGuardState>();
   Guard guard(arm.robot(), *state);
   const std::uint32_t budget = kBudgets[random.below(6)];
-  Values before = arm.any_values(random);
-  GuardAnswer answer = guard.prime(before.data());
-  for (int tries = 0; answer.verdict == Verdict::stop && tries < 200; ++tries) {
-    before = arm.any_values(random);
-    answer = guard.prime(before.data());
-  }
+  Values before;
+  GuardAnswer answer = prime_apart(random, arm, guard, 200, before);
   REQUIRE(answer.verdict != Verdict::not_yet_known);
   const long most = answer.verdict == Verdict::stop ? 20 : count;  // hardly ever free
   Wandering wandering(arm, before, kSpeeds[random.below(4)]);

@@ -25,11 +25,6 @@ void copy(const AnyGuardState& from, AnyGuardState& to) {
   std::memcpy(static_cast<void*>(&to), &from, sizeof to);
 }
 
-bool are_same(const GuardAnswer& u, const GuardAnswer& v) {
-  return u.status == v.status && u.verdict == v.verdict && u.pair == v.pair &&
-         u.distance == v.distance && u.work == v.work;
-}
-
 /// But for scratch: frames, and the values that were to be next.
 bool are_same(const FixedArm& arm, const AnyGuardState& u, const AnyGuardState& v) {
   const Robot& robot = arm.robot();

@@ -23,9 +23,7 @@ bool is_contradicted(const CrowdedCell& cell, const GuardAnswer& answer, const P
   }
   for (int moment = 0; moment < 4; ++moment) {
     const double part = moment == 0 ? 0 : moment == 1 ? 1 : real_between(random, 0, 1);
-    const Values values = moment == 0   ? period.at_start()
-                          : moment == 1 ? period.at_end()
-                                        : period.between(random);
+    const Values values = period.at(moment, random);
     for (std::uint32_t i = 0; i < cell.robot().pair_count; ++i) {
       const RobotPair& pair = cell.robot().pairs[i];
       const std::uint32_t kept = answer.verdict == Verdict::free ? pair.warn : pair.stop;
@@ -51,12 +49,8 @@ TEST_CASE("tools and obstacles are guarded as links are, whatever the budget") {
     constexpr std::uint32_t budgets[] = {1, 8, 100, UINT32_MAX};
     const std::uint32_t work = budgets[random.below(4)];
     const double speed = random.below(2) == 0 ? 1e-3 : 2e-2;
-    Values before = cell->arm.any_values(random);
-    GuardAnswer answer = guard.prime(before.data());
-    for (int tries = 0; answer.verdict == Verdict::stop && tries < 50; ++tries) {
-      before = cell->arm.any_values(random);
-      answer = guard.prime(before.data());
-    }
+    Values before;
+    GuardAnswer answer = prime_apart(random, cell->arm, guard, 50, before);
     REQUIRE(answer.status == Status::done);
     Wandering wandering(cell->arm, before, speed);
     for (int i = 0; i < 60; ++i) {

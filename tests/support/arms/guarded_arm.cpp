@@ -127,6 +127,16 @@ bool DrawnArm::is_closer(const RobotPair& pair, const Values& values,
   return fine > rounded && answer.status == Status::done && answer.yes;
 }
 
+GuardAnswer prime_apart(Random& random, const FixedArm& arm, Guard& guard, int tries,
+                        Values& values) {
+  GuardAnswer answer{};
+  do {
+    values = arm.any_values(random);
+    answer = guard.prime(values.data());
+  } while (answer.verdict == Verdict::stop && tries-- > 0);
+  return answer;
+}
+
 const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const GuardAnswer& answer,
                           const Period& period, bool is_unlimited, Random& random) {
   const Robot& robot = arm.robot();
@@ -151,9 +161,7 @@ const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const Guar
     }
   }
   for (int moment = 0; moment < 4; ++moment) {
-    const Values values = moment == 0   ? period.at_start()
-                          : moment == 1 ? period.at_end()
-                                        : period.between(random);
+    const Values values = period.at(moment, random);
     if (drawn.is_closer(told, values, answer.distance)) {
       return "nearer than the distance told";
     }

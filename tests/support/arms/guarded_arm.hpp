@@ -22,6 +22,10 @@ class Period {
   Values at_start() const { return before_; }
   /// Each variable at its old value, at its new one, or between.
   Values between(Random& random) const;
+  /// Of the moments that are tried: the start, the end, and any others.
+  Values at(int moment, Random& random) const {
+    return moment == 0 ? before_ : moment == 1 ? now_ : between(random);
+  }
   /// How far the joints move the pair, in 1/256 cell.
   double travel(const FixedArm& arm, const RobotPair& pair) const;
 
@@ -63,6 +67,15 @@ class DrawnArm {
   const FixedArm& arm_;
   BakedArm drawn_;
 };
+
+inline bool are_same(const GuardAnswer& u, const GuardAnswer& v) {
+  return u.status == v.status && u.verdict == v.verdict && u.pair == v.pair &&
+         u.distance == v.distance && u.work == v.work;
+}
+
+/// Primes the guard at values where it does not stop, if so many tries find some.
+GuardAnswer prime_apart(Random& random, const FixedArm& arm, Guard& guard, int tries,
+                        Values& values);
 
 /// Empty, or what the answer promises and brute force contradicts.
 const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const GuardAnswer& answer,
