@@ -132,12 +132,6 @@ std::string places_note(const PosedArm& arm, const Faces& faces) {
 
 }  // namespace
 
-double cell_of(const Robot& robot) {
-  double cell = 0;
-  std::memcpy(&cell, &robot.cell_bits, sizeof cell);
-  return cell;
-}
-
 std::string pair_pictures(const PosedArm& arm, const LitPair& pair) {
   const Faces all = faces_of(arm, pair, true);
   return "<p class=keys>" + key(class_of(kFirstMesh), escaped(arm.model.links[pair.a].name)) +
@@ -172,12 +166,10 @@ std::string links_of(const Model& model, std::size_t a, std::size_t b) {
 }
 
 std::string joint_values(const Model& model, const std::vector<double>& values) {
-  std::string text;
-  for (std::size_t i = 0; i < model.variables.size(); ++i) {
-    text += concat(i == 0 ? "" : ", ", escaped(model.joints[model.variables[i]].name), " ",
-                   significant(values[i], 6));
-  }
-  return text;
+  return joined(model.variables, [&](std::size_t joint) {
+    const ModelJoint& of = model.joints[joint];
+    return escaped(of.name) + " " + significant(values[of.variable], 6);
+  });
 }
 
 std::string decision(const std::string& style, const std::string& what, const std::string& of) {

@@ -18,9 +18,6 @@ struct PosedArm {
   std::vector<Pose> poses;  ///< of each link in the base's frame
 };
 
-/// Of the robot's links, in metres.
-double cell_of(const Robot& robot);
-
 /// Two of its links, and a triangle of each by its id.
 struct LitPair {
   std::size_t a;

@@ -177,13 +177,9 @@ std::string parts_section(const DecidedRobot& decided) {
   std::vector<Cells> links;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const ModelLink& link = model.links[i];
-    std::string sources;
-    for (const std::string& source : link.sources) {
-      sources += (sources.empty() ? "" : ", ") + escaped(source);
-    }
     links.push_back({escaped(link.name), escaped(joint_name(model, link.joint, "base")),
                      grouped(decided.links[i].tree.triangles.size()),
-                     grouped(flash_bytes(decided.links[i].tree)), sources});
+                     grouped(flash_bytes(decided.links[i].tree)), joined(link.sources, escaped)});
   }
   std::vector<Cells> joints;
   for (std::size_t i = 0; i < model.joints.size(); ++i) {

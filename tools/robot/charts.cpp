@@ -235,13 +235,11 @@ void add_chart(const Model& model, const Robot& robot, const RobotPair& pair, do
 
 std::vector<std::uint8_t> charts_of(const Model& model, const Robot& robot,
                                     const std::function<void(std::size_t)>& begin) {
-  double cell = 0;
-  std::memcpy(&cell, &robot.cell_bits, sizeof cell);
   std::vector<std::uint8_t> charts;
   for (std::size_t i = 0; i < robot.pair_count; ++i) {
     begin(i);
     if (detail::chart_size(robot, robot.pairs[i]) != 0) {
-      add_chart(model, robot, robot.pairs[i], cell, charts);
+      add_chart(model, robot, robot.pairs[i], cell_of(robot), charts);
     }
   }
   return charts;

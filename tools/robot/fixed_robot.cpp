@@ -7,7 +7,6 @@
 
 #include "flashbvh/detail/robot/image_parts.hpp"
 #include "robot/bake_links.hpp"
-#include "robot/bounding_sphere.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/reaches.hpp"
 #include "robot/xml_file.hpp"
@@ -16,6 +15,46 @@
 
 namespace flashbvh::tool {
 namespace {
+
+/// A sphere that holds a mesh, in cells.
+struct BoundingSphere {
+  std::array<double, 3> centre;
+  double radius;
+};
+
+using Point = std::array<double, 3>;
+
+Point vertex_of(const PostMesh& mesh, std::uint32_t i) {
+  const Vertex& vertex = mesh.vertices[i];
+  return {static_cast<double>(mesh.origin[0]) + vertex.x,
+          static_cast<double>(mesh.origin[1]) + vertex.y,
+          static_cast<double>(mesh.origin[2]) + vertex.z};
+}
+
+double distance(const Point& p, const Point& q) {
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+/// Within 1 % of the smallest (Badoiu and Clarkson, "Smaller core-sets for balls", 2003).
+BoundingSphere bounding_sphere(const PostMesh& mesh) {
+  constexpr int steps = 200;
+  Point centre = vertex_of(mesh, 0);
+  for (int step = 1; step <= steps; ++step) {
+    Point farthest = centre;
+    for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
+      const Point point = vertex_of(mesh, i);
+      farthest = distance(centre, point) > distance(centre, farthest) ? point : farthest;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      centre[axis] += (farthest[axis] - centre[axis]) / (step + 1);
+    }
+  }
+  double radius = 0;
+  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
+    radius = std::fmax(radius, distance(centre, vertex_of(mesh, i)));
+  }
+  return {centre, radius};
+}
 
 double unit_of(const ModelJoint& joint, double cell) {
   return unit_of_coordinate(joint.type, cell);
@@ -60,10 +99,6 @@ void set_mimic(const Model& model, const ModelJoint& joint, double cell, RobotJo
   fixed.shift = static_cast<std::uint8_t>(std::clamp(30 - exponent, 1, 40));
   fixed.multiplier = rounded(std::ldexp(factor, fixed.shift));
   fixed.offset = rounded(offset);
-}
-
-bool is_mimic(const Model& model, std::size_t joint) {
-  return model.variables[model.joints[joint].variable] != joint;
 }
 
 }  // namespace

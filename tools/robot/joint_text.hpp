@@ -15,10 +15,6 @@ inline const char* type_name(JointType type) {
                                          : "revolute";
 }
 
-inline bool is_mimic(const Model& model, std::size_t joint) {
-  return model.variables[model.joints[joint].variable] != joint;
-}
-
 /// Of a joint that may be none: the base's is `base`.
 inline std::string joint_name(const Model& model, std::size_t joint, const char* base) {
   return joint == kNoJoint ? base : model.joints[joint].name;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "flashbvh/pose.hpp"
+#include "flashbvh/robot/robot.hpp"
 #include "robot/model.hpp"
 
 namespace flashbvh::tool {
@@ -60,6 +61,28 @@ Transform frame_between(const Model& model, const JointsBetween& joints,
 
 /// On the lattice. UserError if it is further off than poses reach.
 Pose pose_of(const Transform& transform, double cell);
+
+constexpr double kPi = 3.14159265358979323846;
+/// Limits of joints that turn are below it, in radians, to either side.
+constexpr double kMaxAngle = 2 * kPi * kMaxJointCoordinate / kFullTurn;
+
+/// A rotation that takes z to `axis`, a unit vector: the identity for z, signed permutations for
+/// the other five of the frame, so that frames at right angles stay exact.
+///
+/// The shortest one (Moller and Hughes 1999, Efficiently Building a Matrix to Rotate One Vector to
+/// Another); below the equator after half a turn about x, since the shortest to -z is none.
+inline Transform rotation_to(Vector3 axis) {
+  const double flip = axis[2] < 0 ? -1 : 1;
+  const double x = flip * axis[0];
+  const double y = flip * axis[1];
+  const double z = flip * axis[2];
+  const double h = 1 / (1 + z);
+  Transform turned;
+  turned.rotation = {{{1 - h * x * x, flip * (-h * x * y), flip * x},
+                      {-h * x * y, flip * (1 - h * y * y), flip * y},
+                      {-x, flip * -y, flip * z}}};
+  return turned;
+}
 
 }  // namespace flashbvh::tool
 

@@ -25,15 +25,6 @@ std::string proven(std::uint64_t cells) {
                 cells == 1 ? " cell" : " cells");
 }
 
-/// The one of these two links, in either order, or null.
-template <class Element>
-const Element* of_pair(const std::vector<Element>& elements, std::size_t a, std::size_t b) {
-  const auto found = std::find_if(elements.begin(), elements.end(), [&](const Element& of) {
-    return std::minmax(of.a, of.b) == std::minmax(a, b);
-  });
-  return found == elements.end() ? nullptr : &*found;
-}
-
 class Decider {
  public:
   Decider(const Model& model, const std::vector<PostMesh>& meshes, double cell,
@@ -67,7 +58,7 @@ class Decider {
  private:
   /// Null if the usual ones hold.
   const StopDistance* own_distances(std::size_t a, std::size_t b) const {
-    return of_pair(options_.stops, a, b);
+    return find_pair(options_.stops, a, b);
   }
 
   /// Empty if the pair has to be decided.
@@ -92,7 +83,7 @@ class Decider {
 
   /// Whether the SRDF keeps a pair that is decided from being guarded.
   bool is_left_out(PairVerdict& pair) const {
-    const DisabledPair* const disabled = of_pair(model_.disabled, pair.a, pair.b);
+    const DisabledPair* const disabled = find_pair(model_.disabled, pair.a, pair.b);
     if (disabled == nullptr) {
       return false;
     }

@@ -7,8 +7,10 @@
 #ifndef FLASHBVH_TOOLS_ROBOT_MODEL_HPP
 #define FLASHBVH_TOOLS_ROBOT_MODEL_HPP
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,6 +80,26 @@ struct Model {
   std::vector<std::pair<std::size_t, std::size_t>> neighbours;
   std::vector<DisabledPair> disabled;
 };
+
+/// Of the lattice of a robot's meshes, in metres.
+inline double cell_of(const Robot& robot) {
+  double cell = 0;
+  std::memcpy(&cell, &robot.cell_bits, sizeof cell);
+  return cell;
+}
+
+inline bool is_mimic(const Model& model, std::size_t joint) {
+  return model.variables[model.joints[joint].variable] != joint;
+}
+
+/// The element of links `a` and `b`, in either order, or null.
+template <class Elements>
+auto find_pair(Elements& elements, std::size_t a, std::size_t b) {
+  const auto found = std::find_if(elements.begin(), elements.end(), [&](const auto& of) {
+    return std::minmax(of.a, of.b) == std::minmax(a, b);
+  });
+  return found == elements.end() ? nullptr : &*found;
+}
 
 }  // namespace flashbvh::tool
 

@@ -4,7 +4,7 @@
 #define FLASHBVH_TOOLS_ROBOT_PRIMITIVES_HPP
 
 #include "bake/mesh.hpp"
-#include "robot/joint_axis.hpp"
+#include "robot/kinematics.hpp"
 
 namespace flashbvh::tool {
 

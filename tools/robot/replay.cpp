@@ -1,8 +1,10 @@
 #include "robot/replay.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <numeric>
 
 #include "robot/posed_pairs.hpp"
 
@@ -13,12 +15,6 @@ constexpr std::uint32_t kMostPairs = kMaxLinks * (kMaxLinks - 1) / 2;
 /// Too large for a stack.
 using AnyGuardState = GuardStateOf<kMaxJoints, kMostPairs, kMostPairs * kMaxJoints>;
 using AnyMotionState = MotionStateOf<kMaxJoints, kMaxJoints>;
-
-double cell_of(const Robot& robot) {
-  double cell = 0;
-  std::memcpy(&cell, &robot.cell_bits, sizeof cell);
-  return cell;
-}
 
 /// In radians and metres.
 std::vector<double> lengths_of(const Robot& robot, const std::vector<JointCoordinate>& values) {
@@ -73,6 +69,44 @@ void take_nearer(const Robot& robot, std::size_t period, std::uint16_t number, c
 }
 
 }  // namespace
+
+std::size_t kind_of(const GuardAnswer& answer) {
+  return answer.status == Status::done ? static_cast<std::size_t>(answer.verdict) : kRefusedKind;
+}
+
+const char* outcome_name(MotionOutcome outcome) {
+  constexpr const char* kNames[] = {"free", "hit", "close"};
+  return kNames[static_cast<std::size_t>(outcome)];
+}
+
+bool is_free(const CertifiedMotion& motion) {
+  return motion.answer.status == Status::done && motion.answer.outcome == MotionOutcome::free;
+}
+
+ReplaySummary summary_of(const std::vector<GuardAnswer>& answers) {
+  ReplaySummary summary;
+  std::vector<std::uint32_t> work;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const std::size_t kind = kind_of(answers[i]);
+    if (summary.periods[kind]++ == 0) {
+      summary.first[kind] = i;
+    }
+    if (summary.is_primed) {
+      work.push_back(answers[i].work);
+    } else if (kind != kRefusedKind) {
+      summary.is_primed = true;
+      summary.priming = answers[i].work;
+    }
+  }
+  if (!work.empty()) {
+    std::sort(work.begin(), work.end());
+    summary.mean =
+        std::accumulate(work.begin(), work.end(), 0.0) / static_cast<double>(work.size());
+    summary.percentile_999 = work[work.size() - 1 - work.size() / 1000];
+    summary.most = work.back();
+  }
+  return summary;
+}
 
 std::vector<GuardAnswer> replay(const Robot& robot, const Trajectory& trajectory,
                                 std::uint32_t work) {

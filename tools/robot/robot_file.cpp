@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "robot/fixed_robot.hpp"
-#include "robot/joint_axis.hpp"
+#include "robot/kinematics.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 
@@ -86,9 +86,7 @@ RobotFile::RobotFile(const std::string& path) : path_(path), meshes_(kMaxLinks) 
 }
 
 double RobotFile::cell() const {
-  double cell = 0;
-  std::memcpy(&cell, &robot_.cell_bits, sizeof cell);
-  return cell;
+  return cell_of(robot_);
 }
 
 std::string RobotFile::name() const {

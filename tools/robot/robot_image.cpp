@@ -110,9 +110,7 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
   }
   header.names_size = static_cast<std::uint16_t>(names.size());
   header.unguarded_count = static_cast<std::uint16_t>(unguarded.size());
-  double cell = 0;
-  std::memcpy(&cell, &robot.cell_bits, sizeof cell);
-  const std::vector<Mount> mounts = fixed_mounts(model, cell);
+  const std::vector<Mount> mounts = fixed_mounts(model, cell_of(robot));
   header.mount_count = static_cast<std::uint8_t>(mounts.size());
   Bytes bytes;
   bytes.add(&header, 1);

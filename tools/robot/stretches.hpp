@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "robot/replay.hpp"
-#include "robot/replay_summary.hpp"
 
 namespace flashbvh::tool {
 

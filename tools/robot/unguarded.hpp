@@ -8,6 +8,7 @@
 
 #include "flashbvh/robot/robot.hpp"
 #include "robot/matrix.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 
@@ -33,6 +34,16 @@ std::string names_of(const Model& model, const std::vector<UnguardedPair>& pairs
 /// For users: each reason with all its pairs by name, what it means and what they can do.
 std::vector<std::string> unguarded_warnings(const Model& model,
                                             const std::vector<UnguardedPair>& pairs);
+
+/// Marks the disabled pair of links `a` and `b` as believed. UserError, at `place`, if the SRDF
+/// does not disable it.
+void believe(std::size_t a, std::size_t b, const std::string& place, Model& model);
+
+/// UserError, with the line of `srdf`, the joints' values and the fix, if a pair that is disabled
+/// can collide and is not believed; names all such pairs. Warns of those that are undecided,
+/// and of those that are believed for nothing.
+void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
+                    const std::string& srdf, Warnings& warnings);
 
 }  // namespace flashbvh::tool
 

@@ -40,14 +40,6 @@ void add_links(const UrdfRobot& robot, const KinematicTree& tree, const std::str
   }
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
-
 std::vector<std::string> names_of(const std::vector<UrdfLink>& links) {
   std::vector<std::string> names;
   names.reserve(links.size());
@@ -67,7 +59,7 @@ Model read_urdf(const std::string& path, const Packages& packages, const std::st
     warnings.add(path,
                  concat("has a <safety_controller> whose soft limits do not count, the <limit> "
                         "does, of ",
-                        joined(robot.soft_limits),
+                        joined(robot.soft_limits, [](const std::string& name) { return name; }),
                         "; if the machine keeps the soft limits, make them the <limit>"));
   }
   Model model;

@@ -24,6 +24,18 @@ std::string concat(const Parts&... parts) {
   return text;
 }
 
+/// The texts of elements, with a separator between.
+template <class Elements, class TextOf>
+std::string joined(const Elements& elements, const TextOf& text_of, const char* separator = ", ") {
+  std::string text;
+  const char* between = "";
+  for (const auto& element : elements) {
+    text += concat(between, text_of(element));
+    between = separator;
+  }
+  return text;
+}
+
 /// The shortest text that reads back as the same number.
 std::string shortest(double value);
 

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "robot/bake_links.hpp"
-#include "robot/joint_axis.hpp"
+#include "robot/kinematics.hpp"
 #include "support/arms/robot_files.hpp"
 
 using namespace flashbvh;

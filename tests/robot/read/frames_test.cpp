@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <random>
 
-#include "robot/joint_axis.hpp"
+#include "robot/kinematics.hpp"
 #include "support/arms/robot_files.hpp"
 
 using namespace flashbvh;

@@ -167,16 +167,14 @@ InputMesh read_mesh_or_body(const CheckArguments& arguments, Warnings& warnings)
   } else {
     std::vector<InputMesh> bodies = read_bodies(arguments.mesh, units, warnings);
     const std::vector<OutputName> names = body_names(arguments.mesh, bodies);
-    std::string known;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (names[i].stem == arguments.body) {
         input = std::move(bodies[i]);
       }
-      known += (i == 0 ? "" : ", ") + names[i].stem;
     }
     if (input.mesh.triangles.empty()) {
       throw UserError("--body " + arguments.body, "is none of ", arguments.mesh, "; it has ",
-                      known);
+                      joined(names, [](const OutputName& name) { return name.stem; }));
     }
   }
   return input;

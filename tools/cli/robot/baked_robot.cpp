@@ -8,8 +8,8 @@
 #include "cli/progress.hpp"
 #include "cli/robot/robot_sizes.hpp"
 #include "flashbvh/clearance.hpp"
-#include "robot/believed.hpp"
 #include "robot/charts.hpp"
+#include "robot/unguarded.hpp"
 #include "robot/urdf.hpp"
 
 namespace flashbvh::tool {
@@ -105,11 +105,9 @@ std::size_t link_of(const Model& model, const std::string& place, const std::str
   const auto link = std::find_if(model.links.begin(), model.links.end(),
                                  [&](const ModelLink& of) { return of.name == name; });
   if (link == model.links.end()) {
-    std::string names;
-    for (const ModelLink& of : model.links) {
-      names += (names.empty() ? "" : ",") + of.name;
-    }
-    throw UserError(place, "names '", name, "', which is no link that collides; these are ", names);
+    throw UserError(place, "names '", name, "', which is no link that collides; these are ",
+                    joined(
+                        model.links, [](const ModelLink& of) { return of.name; }, ","));
   }
   return static_cast<std::size_t>(link - model.links.begin());
 }
@@ -148,25 +146,16 @@ GuardedPair own_distances(const Model& model, const std::string& given) {
   return {a, b, distances.stop, distances.warn};
 }
 
-const GuardedPair* own_of(const std::vector<GuardedPair>& own, std::size_t a, std::size_t b) {
-  const auto found = std::find_if(own.begin(), own.end(), [&](const GuardedPair& pair) {
-    return std::minmax(pair.a, pair.b) == std::minmax(a, b);
-  });
-  return found == own.end() ? nullptr : &*found;
-}
-
 AllDistances all_distances(const Model& model, const RobotArguments& arguments) {
   AllDistances all = {usual_distances(arguments), {}};
   for (const std::string& given : arguments.pairs) {
     const GuardedPair pair = own_distances(model, given);
-    if (own_of(all.own, pair.a, pair.b) != nullptr) {
+    if (find_pair(all.own, pair.a, pair.b) != nullptr) {
       throw UserError("--pair " + given, "says it of these links a second time; say it once");
     }
-    for (const DisabledPair& disabled : model.disabled) {
-      if (disabled.is_believed &&
-          std::minmax(disabled.a, disabled.b) == std::minmax(pair.a, pair.b)) {
-        throw UserError("--pair " + given, "guards what --believe leaves out; give one of the two");
-      }
+    const DisabledPair* const disabled = find_pair(model.disabled, pair.a, pair.b);
+    if (disabled != nullptr && disabled->is_believed) {
+      throw UserError("--pair " + given, "guards what --believe leaves out; give one of the two");
     }
     all.own.push_back(pair);
   }
@@ -218,7 +207,7 @@ std::vector<GuardedPair> guarded(const std::vector<PairVerdict>& pairs,
   std::vector<GuardedPair> guarded;
   for (const PairVerdict& pair : pairs) {
     if (pair.is_guarded) {
-      const GuardedPair* const own = own_of(distances.own, pair.a, pair.b);
+      const GuardedPair* const own = find_pair(distances.own, pair.a, pair.b);
       const Distances of = own != nullptr ? Distances{own->stop, own->warn} : distances.usual;
       guarded.push_back({pair.a, pair.b, of.stop, of.warn});
     }
@@ -229,7 +218,8 @@ std::vector<GuardedPair> guarded(const std::vector<PairVerdict>& pairs,
 void warn_of_fixed(const BakedRobot& robot, const AllDistances& distances, const std::string& path,
                    Warnings& warnings) {
   for (const PairVerdict& pair : robot.pairs) {
-    if (pair.verdict == MatrixVerdict::fixed && own_of(distances.own, pair.a, pair.b) != nullptr) {
+    if (pair.verdict == MatrixVerdict::fixed &&
+        find_pair(distances.own, pair.a, pair.b) != nullptr) {
       warnings.add(path, concat("links '", robot.model.links[pair.a].name, "' and '",
                                 robot.model.links[pair.b].name,
                                 "' have a --pair, but no joint moves them; leave it out"));
@@ -250,7 +240,7 @@ void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
     if (!pair.is_stopped && !pair.is_warned) {
       continue;
     }
-    const GuardedPair* const own = own_of(distances.own, pair.a, pair.b);
+    const GuardedPair* const own = find_pair(distances.own, pair.a, pair.b);
     const Distances of = own != nullptr ? Distances{own->stop, own->warn} : distances.usual;
     const double distance = pair.is_stopped ? of.stop : of.warn;
     const char* const word = pair.is_stopped ? "stop" : "warn";

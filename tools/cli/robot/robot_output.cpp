@@ -28,14 +28,6 @@ int width_of(const Rows& rows, const char* heading, const NameOf& name_of) {
   return static_cast<int>(widest) + 2;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
-}
-
 void print_links(const BakedRobot& robot) {
   const Model& model = robot.model;
   const std::vector<BakedLink>& links = robot.links;
@@ -51,7 +43,7 @@ void print_links(const BakedRobot& robot) {
               << joint_name(model, link.joint, "base") << std::right << std::setw(9)
               << links[i].tree.triangles.size() << std::setw(10) << flash_bytes(links[i].tree)
               << "  " << std::left << std::setw(sizes) << size_text(robot.sizes[i], "m")
-              << joined(link.sources) << "\n";
+              << joined(link.sources, [](const std::string& source) { return source; }) << "\n";
   }
 }
 
