@@ -31,8 +31,8 @@ lint() {
 
 lint lib "" lib/src/*/*.cpp
 # Rooms whose names do not clash, together: the headers of the standard library are half of the work.
-lint bakes "$dear" tools/text/*.cpp tools/mesh/*.cpp tools/bake/*.cpp tools/image/*.cpp tools/robot/*.cpp
-lint cli "$dear" tools/cli/*.cpp tools/evaluate/*.cpp
+lint bakes "$dear" tools/text/*.cpp tools/mesh/*.cpp tools/bake/*.cpp tools/image/*.cpp tools/robot/*.cpp tools/robot/*/*.cpp
+lint cli "$dear" tools/cli/*.cpp tools/cli/*/*.cpp tools/evaluate/*.cpp
 for room in tools/*/; do
   case $(basename "$room") in
     bake | cli | evaluate | image | mesh | robot | text) ;;

@@ -10,9 +10,9 @@
 
 #include "evaluate/poses.hpp"
 #include "fuzz/fuzz.hpp"
-#include "robot/srdf.hpp"
-#include "robot/trajectory.hpp"
-#include "robot/urdf.hpp"
+#include "robot/read/srdf.hpp"
+#include "robot/read/urdf.hpp"
+#include "robot/replay/trajectory.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::tool;

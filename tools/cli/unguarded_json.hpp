@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "robot/unguarded.hpp"
+#include "robot/matrix/unguarded.hpp"
 
 namespace flashbvh::tool {
 

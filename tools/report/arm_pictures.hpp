@@ -7,7 +7,7 @@
 
 #include "flashbvh/robot/robot.hpp"
 #include "flashbvh/step.hpp"
-#include "robot/unguarded.hpp"
+#include "robot/matrix/unguarded.hpp"
 
 namespace flashbvh::tool {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "report/html.hpp"
-#include "robot/replay.hpp"
+#include "robot/replay/replay.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -5,7 +5,7 @@
 #include "report/arm_pictures.hpp"
 #include "report/chart.hpp"
 #include "report/html.hpp"
-#include "robot/replay.hpp"
+#include "robot/replay/replay.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "robot/stretches.hpp"
-#include "robot/unguarded.hpp"
+#include "robot/matrix/unguarded.hpp"
+#include "robot/replay/stretches.hpp"
 
 namespace flashbvh::tool {
 

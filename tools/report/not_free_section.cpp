@@ -1,7 +1,7 @@
 #include "report/arm_pictures.hpp"
 #include "report/guard_page.hpp"
 #include "report/html.hpp"
-#include "robot/replay.hpp"
+#include "robot/replay/replay.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

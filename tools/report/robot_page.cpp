@@ -7,9 +7,9 @@
 #include "image/cpp_writer.hpp"
 #include "report/arm_pictures.hpp"
 #include "report/html.hpp"
+#include "robot/baked/robot_writer.hpp"
 #include "robot/joint_text.hpp"
-#include "robot/rarity.hpp"
-#include "robot/robot_writer.hpp"
+#include "robot/matrix/rarity.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "report/page.hpp"
-#include "robot/bake_links.hpp"
-#include "robot/fixed_robot.hpp"
-#include "robot/matrix.hpp"
-#include "robot/unguarded.hpp"
+#include "robot/baked/bake_links.hpp"
+#include "robot/baked/fixed_robot.hpp"
+#include "robot/matrix/matrix.hpp"
+#include "robot/matrix/unguarded.hpp"
 
 namespace flashbvh::tool {
 

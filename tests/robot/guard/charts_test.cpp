@@ -1,5 +1,5 @@
 // Charts of random arms against brute force: no place in a cell falls below what it says.
-#include "robot/charts.hpp"
+#include "robot/baked/charts.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Verdicts where the truth is a formula, and against brute force on random arms.
-#include "robot/matrix.hpp"
+#include "robot/matrix/matrix.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/pair_space.hpp"
-#include "robot/reaches.hpp"
+#include "robot/matrix/pair_space.hpp"
+#include "robot/matrix/reaches.hpp"
 #include "support/arms/arms.hpp"
 
 using namespace flashbvh;

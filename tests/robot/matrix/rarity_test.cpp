@@ -1,5 +1,5 @@
 // Shares of configurations that collide, where the truth is a quotient.
-#include "robot/rarity.hpp"
+#include "robot/matrix/rarity.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // How far links reach from joints, against settings that were tried.
-#include "robot/reaches.hpp"
+#include "robot/matrix/reaches.hpp"
 
 #include <catch2/catch.hpp>
 

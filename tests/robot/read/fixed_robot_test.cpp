@@ -1,11 +1,11 @@
 // From a URDF to what firmware holds of it.
-#include "robot/fixed_robot.hpp"
+#include "robot/baked/fixed_robot.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <memory>
 
-#include "robot/bake_links.hpp"
+#include "robot/baked/bake_links.hpp"
 #include "robot/kinematics.hpp"
 #include "support/arms/robot_files.hpp"
 

@@ -1,5 +1,5 @@
 // Joint values from CSV files.
-#include "robot/trajectory.hpp"
+#include "robot/replay/trajectory.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

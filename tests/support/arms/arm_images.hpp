@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/robot_image.hpp"
+#include "robot/baked/robot_image.hpp"
 #include "support/arms/fixed_arm.hpp"
 
 namespace flashbvh::test {

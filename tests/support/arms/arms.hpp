@@ -7,7 +7,7 @@
 
 #include "image/baking.hpp"
 #include "robot/kinematics.hpp"
-#include "robot/matrix.hpp"
+#include "robot/matrix/matrix.hpp"
 #include "support/random.hpp"
 
 namespace flashbvh::test {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "flashbvh/clearance.hpp"
-#include "robot/charts.hpp"
-#include "robot/fixed_robot.hpp"
+#include "robot/baked/charts.hpp"
+#include "robot/baked/fixed_robot.hpp"
 #include "support/arms/arms.hpp"
 
 namespace flashbvh::test {

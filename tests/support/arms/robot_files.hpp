@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "robot/urdf.hpp"
+#include "robot/read/urdf.hpp"
 
 namespace flashbvh::test {
 

@@ -17,7 +17,7 @@
 #include "mesh/defects.hpp"
 #include "mesh/import.hpp"
 #include "mesh/units.hpp"
-#include "robot/robot_file.hpp"
+#include "robot/baked/robot_file.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 

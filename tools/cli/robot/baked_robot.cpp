@@ -8,9 +8,9 @@
 #include "cli/progress.hpp"
 #include "cli/robot/robot_sizes.hpp"
 #include "flashbvh/clearance.hpp"
-#include "robot/charts.hpp"
-#include "robot/unguarded.hpp"
-#include "robot/urdf.hpp"
+#include "robot/baked/charts.hpp"
+#include "robot/matrix/unguarded.hpp"
+#include "robot/read/urdf.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "cli/mesh/sizes.hpp"
-#include "robot/bake_links.hpp"
-#include "robot/fixed_robot.hpp"
-#include "robot/matrix.hpp"
-#include "robot/robot_file.hpp"
-#include "robot/unguarded.hpp"
+#include "robot/baked/bake_links.hpp"
+#include "robot/baked/fixed_robot.hpp"
+#include "robot/baked/robot_file.hpp"
+#include "robot/matrix/matrix.hpp"
+#include "robot/matrix/unguarded.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {

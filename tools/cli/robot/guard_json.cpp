@@ -4,7 +4,7 @@
 #include "cli/json.hpp"
 #include "cli/robot/guard_output.hpp"
 #include "cli/unguarded_json.hpp"
-#include "robot/replay.hpp"
+#include "robot/replay/replay.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "cli/json.hpp"
-#include "robot/stretches.hpp"
+#include "robot/replay/stretches.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -7,7 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/robot/baked_robot.hpp"
-#include "robot/replay.hpp"
+#include "robot/replay/replay.hpp"
 
 namespace flashbvh::tool {
 

@@ -10,9 +10,9 @@
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/robot_output.hpp"
 #include "report/robot_page.hpp"
-#include "robot/robot_c_writer.hpp"
-#include "robot/robot_image.hpp"
-#include "robot/robot_writer.hpp"
+#include "robot/baked/robot_c_writer.hpp"
+#include "robot/baked/robot_image.hpp"
+#include "robot/baked/robot_writer.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {

@@ -8,9 +8,9 @@
 #include "cli/robot/robot_sizes.hpp"
 #include "cli/unguarded_json.hpp"
 #include "image/cpp_writer.hpp"
-#include "robot/bake_links.hpp"
+#include "robot/baked/bake_links.hpp"
+#include "robot/baked/robot_writer.hpp"
 #include "robot/joint_text.hpp"
-#include "robot/robot_writer.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "robot/kinematics.hpp"
-#include "robot/xml_file.hpp"
+#include "robot/read/xml_file.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -1,8 +1,8 @@
 // Charts: how far two links are apart at least, by where the one or two joints between them stand.
 //
 // What the joints can do is cut into cells, up to 32 along each; of each cell the tool worked out a
-// distance that no place in it falls below (tools/robot/charts.hpp). A byte a cell, those of all
-// pairs end to end; of a pair's two joints, the one nearer to its link A first, in rows.
+// distance that no place in it falls below (tools/robot/baked/charts.hpp). A byte a cell, those of
+// all pairs end to end; of a pair's two joints, the one nearer to its link A first, in rows.
 #ifndef FLASHBVH_DETAIL_ROBOT_CHART_HPP
 #define FLASHBVH_DETAIL_ROBOT_CHART_HPP
 

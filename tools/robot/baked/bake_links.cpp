@@ -1,0 +1,114 @@
+#include "robot/baked/bake_links.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bake/quantise.hpp"
+#include "robot/kinematics.hpp"
+#include "robot/read/xml_file.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// What frames reach, less what rounding adds up to over all joints.
+constexpr double kMostCells = 1.0 * kMaxFrameTranslation / kFrameCell - 4.0 * kMaxJoints;
+/// How far the far side of a link's sphere is, as a multiple of the furthest point of the link.
+constexpr double kSphereReach = 2.02;
+
+double norm(const Vector3& v) {
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+/// How far from the base any point of a link's sphere can get, at most.
+double reach_of(const Model& model) {
+  std::vector<double> joints;
+  double most = 0;
+  for (const ModelJoint& joint : model.joints) {
+    const double travel = joint.type == JointType::prismatic
+                              ? std::max(std::fabs(joint.lower), std::fabs(joint.upper))
+                              : 0;
+    const double before = joint.parent == kNoJoint ? 0 : joints[joint.parent];
+    joints.push_back(before + norm(joint.fixed.translation) + travel);
+    most = std::max(most, joints.back());
+  }
+  for (const ModelLink& link : model.links) {
+    double furthest = 0;
+    for (const Vector3& vertex : link.mesh.vertices) {
+      furthest = std::max(furthest, norm(vertex));
+    }
+    most =
+        std::max(most, kSphereReach * furthest + (link.joint == kNoJoint ? 0 : joints[link.joint]));
+  }
+  return most;
+}
+
+}  // namespace
+
+void check_counts(const Model& model, const std::string& path) {
+  if (model.joints.size() > kMaxJoints) {
+    throw UserError(path, "has ", model.joints.size(), " moving joints, firmware holds ",
+                    kMaxJoints, "; make those fixed that matter least, or bake it in parts");
+  }
+  if (model.links.size() > kMaxLinks) {
+    throw UserError(path, "has ", model.links.size(), " links with a <collision>, firmware holds ",
+                    kMaxLinks, "; put those that are fixed to each other into one link");
+  }
+}
+
+double robot_cell(const Model& model, const std::optional<double>& wanted,
+                  const std::string& path) {
+  const double reach = reach_of(model);
+  if (!is_coordinate(reach)) {
+    throw UserError(path, "reaches over 3.4e38 m far; mend its origins and limits");
+  }
+  const double finest_for_frames = reach / kMostCells;
+  if (wanted && *wanted < finest_for_frames) {
+    throw UserError(path, "reaches up to ", significant(reach, 4),
+                    " m far, too far for frames in cells of ", shortest(*wanted),
+                    " m; the finest that does is --cell ", shortest(finest_for_frames));
+  }
+  double finest = finest_for_frames;
+  for (const ModelLink& link : model.links) {
+    finest = std::max(finest, finest_cell(link_input(link, path)));
+  }
+  return wanted.value_or(finest);
+}
+
+InputMesh link_input(const ModelLink& link, const std::string& path) {
+  return {at_element(path, "link", link.name),
+          {},
+          link.mesh,
+          degenerate_triangles(link.mesh),
+          link.precision};
+}
+
+double link_deviation(const ModelLink& link, double cell) {
+  return bake::deviation(link.mesh, cell) + std::sqrt(3.0) * link.precision;
+}
+
+BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
+                    const std::string& path) {
+  constexpr std::size_t kMost = bake::IndexLimits<std::uint16_t>::kMost;
+  const InputMesh input = link_input(link, path);
+  if (link.mesh.triangles.size() > kMost) {
+    throw UserError(input.path, "has ", link.mesh.triangles.size(),
+                    " triangles, 16-bit indices reach ", kMost,
+                    "; give it a coarser mesh for collisions");
+  }
+  BakeOptions options;
+  options.unit = "m";
+  options.cell = cell;
+  options.leaf_size = leaf_size;
+  options.offers_wide_indices = false;
+  BakedMesh baked = bake(input, options);
+  BakedLink made;
+  made.tree = std::get<bake::BakedTree<std::uint16_t, Layout::post_indexed>>(std::move(baked.tree));
+  made.tree.unit = Unit::m;
+  made.tree.name = link.name.substr(0, bake::kMaxNameSize);
+  made.defects = std::move(baked.defects);
+  return made;
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,43 @@
+// The links of a robot baked, all with one cell.
+#ifndef FLASHBVH_TOOLS_ROBOT_BAKED_BAKE_LINKS_HPP
+#define FLASHBVH_TOOLS_ROBOT_BAKED_BAKE_LINKS_HPP
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "image/baking.hpp"
+#include "robot/model.hpp"
+
+namespace flashbvh::tool {
+
+struct BakedLink {
+  bake::BakedTree<std::uint16_t, Layout::post_indexed> tree;
+  MeshDefects defects;
+
+  /// A view of the tree, in the frame of the link's joint.
+  PostMesh mesh() const { return tree.view(); }
+};
+
+/// UserError if the robot has more joints or links than firmware holds. `path`: the URDF.
+void check_counts(const Model& model, const std::string& path);
+
+/// In metres: the finest with which all links fit the lattice, and all joints, wherever they stand,
+/// firmware's frames; or `wanted`. UserError if that is too fine for either.
+double robot_cell(const Model& model, const std::optional<double>& wanted, const std::string& path);
+
+/// As it is baked, in metres, for messages.
+InputMesh link_input(const ModelLink& link, const std::string& path);
+
+/// In metres: how far a point of the baked link may lie from where the URDF has it, by what
+/// rounding to the lattice moved its vertices and by what the reader rounded.
+double link_deviation(const ModelLink& link, double cell);
+
+/// UserError, with the link and the mend, if it has more triangles, vertices or nodes than 16-bit
+/// indices reach. `leaf_size`: most triangles in a leaf.
+BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
+                    const std::string& path);
+
+}  // namespace flashbvh::tool
+
+#endif

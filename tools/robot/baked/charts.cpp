@@ -1,0 +1,248 @@
+#include "robot/baked/charts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <queue>
+
+#include "flashbvh/detail/robot/chart.hpp"
+#include "robot/matrix/matrix.hpp"
+#include "robot/matrix/pair_space.hpp"
+#include "robot/matrix/reaches.hpp"
+#include "robot/matrix/swept_pair.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// Of the smaller link's radius: nothing is told of links that come nearer than this part of it.
+constexpr double kLeastPart = 1.0 / 32;
+/// Nor of what a byte can't say, in cells.
+constexpr double kLeastCells = 16;
+/// Of the least distance seen in a cell, what is told at least: more below so many times the least,
+/// where a guard looks again every few periods.
+constexpr double kNear = 6;
+struct Shares {
+  double near;
+  double far;
+};
+constexpr Shares kShares{0.7, 0.3};
+/// More, so that what is proven of a row is enough for its cells.
+constexpr Shares kRowShares{0.8, 0.4};
+
+/// The largest that is no more than `distance`, in cells.
+std::uint8_t byte_of(double distance) {
+  std::uint32_t byte = 0;
+  while (byte < 255 &&
+         detail::chart_distance(static_cast<std::uint8_t>(byte + 1)) / 256.0 <= distance) {
+    ++byte;
+  }
+  return static_cast<std::uint8_t>(byte);
+}
+
+/// A joint of the pair's, and its cells.
+struct Axis {
+  const RobotJoint& joint;
+  std::size_t dimension;
+  detail::ChartAxis cells;
+  double unit;
+};
+
+/// A box of values, and what is known of it.
+struct Part {
+  std::vector<Interval> box;
+  double least;  ///< nowhere in it are the links nearer
+  Motion motion;
+
+  bool operator<(const Part& other) const { return least > other.least; }  // the nearest first
+};
+
+class Chart {
+ public:
+  /// `radius`: the smaller link's; `deviation`: how far meshes may lie from where they should,
+  /// beside placing. In cells.
+  Chart(const PairSpace& space, double radius, double deviation, const Shares& shares)
+      : space_(space),
+        shares_(shares),
+        slack_(kPlacing + space.far_origin() + 0.1 + deviation),
+        least_(std::max(kLeastCells, radius * kLeastPart)) {}
+
+  /// No two places in the box are nearer, nor than what is known of it. The part that may be
+  /// nearest is halved, until it is nearly as far as the nearest middle.
+  double distance(const std::vector<Interval>& box, double known = 0) {
+    nearest_ = HUGE_VAL;
+    std::priority_queue<Part> parts;
+    parts.push(looked_at(box));
+    while (nearest_ > least_) {
+      const Part part = parts.top();
+      const double share = nearest_ < kNear * least_ ? shares_.near : shares_.far;
+      const double least = std::max(known, part.least);
+      if (least >= share * nearest_ || part.motion.sum <= least_ / 4) {
+        return least;
+      }
+      parts.pop();
+      const auto most = std::max_element(part.motion.parts.begin(), part.motion.parts.end());
+      const auto side = static_cast<std::size_t>(most - part.motion.parts.begin());
+      const auto [lower, upper] = part.box[side];
+      for (const bool is_upper : {false, true}) {
+        std::vector<Interval> half = part.box;
+        (is_upper ? half[side].lower : half[side].upper) = (lower + upper) / 2;
+        parts.push(looked_at(half));
+      }
+    }
+    return 0;
+  }
+
+ private:
+  Part looked_at(const std::vector<Interval>& box) {
+    std::vector<double> middle;
+    std::vector<double> halves;
+    for (const auto& [lower, upper] : box) {
+      middle.push_back((lower + upper) / 2);
+      halves.push_back((upper - lower) / 2);
+    }
+    const double apart = space_.distance(middle, seed_) - slack_;
+    nearest_ = std::min(nearest_, apart);
+    const Motion motion = space_.motion(middle, halves);
+    return {box, apart - motion.sum, motion};
+  }
+
+  const PairSpace& space_;
+  Shares shares_;
+  double slack_;
+  double least_;
+  double nearest_ = 0;
+  Witness<std::uint16_t> seed_{};
+};
+
+/// One of the links turned all the way about the joint next to it: what is far from all that it
+/// sweeps is proven for each of that joint's cells at once.
+class SweptChart {
+ public:
+  SweptChart(const Model& model, const RobotPair& pair, const SweptEnd& end, double radius,
+             double cell)
+      : pair_(swept_pair(model, pair.a, pair.b, cell, {end}, kFine)),
+        scale_(pair_.cell / cell),
+        mesh_a_(pair_.a.view()),
+        mesh_b_(pair_.b.view()),
+        joints_(joints_between(pair_.model, pair.a, pair.b)),
+        is_a_swept_(end.link == pair.a),
+        space_(pair_.model, {pair.a, &mesh_a_, nullptr}, {pair.b, &mesh_b_, nullptr}, pair_.cell),
+        chart_(space_, radius / scale_, 2 * kDeviation, kRowShares) {
+    while (space_.dimensions()[dimension_].variable != model.joints[end.joint].variable) {
+      ++dimension_;
+    }
+  }
+
+  /// In cells of the robot's. Kept for boxes that differ in the swept joint alone.
+  double distance(std::vector<Interval> box) {
+    const Interval held = space_.dimensions()[dimension_].range;
+    box[dimension_] = {held.lower, held.lower};
+    const Interval row = box[1 - dimension_];
+    const auto place = kept_.find(row.lower);
+    if (place != kept_.end()) {
+      return place->second;
+    }
+    const double found = is_inside({box[0].lower, box[1].lower}) ? 0 : chart_.distance(box);
+    return kept_[row.lower] = scale_ * found;
+  }
+
+ private:
+  bool is_inside(const std::vector<double>& point) const {
+    const Transform frame = frame_between(pair_.model, joints_, space_.variables_at(point));
+    return is_a_swept_ ? is_any_inside(mesh_a_, mesh_b_, frame, pair_.cell)
+                       : is_any_inside(mesh_b_, mesh_a_, inverse(frame), pair_.cell);
+  }
+
+  SweptPair pair_;
+  double scale_;
+  PostMesh mesh_a_;
+  PostMesh mesh_b_;
+  JointsBetween joints_;
+  bool is_a_swept_;
+  PairSpace space_;
+  Chart chart_;
+  std::size_t dimension_ = 0;
+  std::map<double, double> kept_;
+};
+
+/// Of a pair with two joints of its own.
+std::vector<std::unique_ptr<SweptChart>> swept_charts(const Model& model, const RobotPair& pair,
+                                                      double radius, double cell) {
+  std::vector<std::unique_ptr<SweptChart>> charts;
+  for (const auto& [link, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
+    if (const std::optional<SweptEnd> end = swept_end(model, link, other)) {
+      charts.push_back(std::make_unique<SweptChart>(model, pair, *end, radius, cell));
+    }
+  }
+  return charts;
+}
+
+/// A coordinate more either way, which values are rounded by.
+Interval side_of(const Axis& axis, std::uint32_t cell) {
+  const auto width = std::ldexp(1.0, static_cast<int>(axis.cells.shift));
+  const double lower = axis.cells.lower + cell * width;
+  const double upper = axis.joint.type == JointType::continuous
+                           ? lower + width
+                           : std::min(lower + width, static_cast<double>(axis.joint.upper));
+  return {(lower - 1) * axis.unit, (upper + 1) * axis.unit};
+}
+
+std::vector<Axis> axes_of(const Model& model, const Robot& robot, const RobotPair& pair,
+                          const PairSpace& space, double cell) {
+  const JointsBetween between = joints_between(model, pair.a, pair.b);
+  std::vector<std::size_t> joints = between.of_a;
+  joints.insert(joints.end(), between.of_b.begin(), between.of_b.end());
+  std::vector<Axis> axes;
+  for (const std::size_t joint : joints) {
+    std::size_t dimension = 0;
+    while (space.dimensions()[dimension].variable != model.joints[joint].variable) {
+      ++dimension;
+    }
+    const RobotJoint& fixed = robot.joints[joint];
+    axes.push_back(
+        {fixed, dimension, detail::chart_axis(fixed), unit_of_coordinate(fixed.type, cell)});
+  }
+  return axes;
+}
+
+void add_chart(const Model& model, const Robot& robot, const RobotPair& pair, double cell,
+               std::vector<std::uint8_t>& charts) {
+  const PairSpace space(model, {pair.a, &robot.meshes[pair.a], nullptr},
+                        {pair.b, &robot.meshes[pair.b], nullptr}, cell);
+  const std::vector<Axis> axes = axes_of(model, robot, pair, space, cell);
+  const std::uint32_t radius =
+      std::min(robot.links[pair.a].radius, robot.links[pair.b].radius) / kFrameCell;
+  Chart chart(space, radius, 0, kShares);
+  const auto swept = swept_charts(model, pair, radius, cell);
+  const std::uint32_t size = detail::chart_size(robot, pair);
+  for (std::uint32_t place = 0; place < size; ++place) {
+    std::vector<Interval> box(axes.size());
+    std::uint32_t rest = place;
+    for (std::size_t i = axes.size(); i-- != 0; rest /= axes[i].cells.cells) {
+      box[axes[i].dimension] = side_of(axes[i], rest % axes[i].cells.cells);
+    }
+    double known = 0;
+    for (const auto& all : swept) {
+      known = std::max(known, all->distance(box));
+    }
+    charts.push_back(byte_of(chart.distance(box, known)));
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> charts_of(const Model& model, const Robot& robot,
+                                    const std::function<void(std::size_t)>& begin) {
+  std::vector<std::uint8_t> charts;
+  for (std::size_t i = 0; i < robot.pair_count; ++i) {
+    begin(i);
+    if (detail::chart_size(robot, robot.pairs[i]) != 0) {
+      add_chart(model, robot, robot.pairs[i], cell_of(robot), charts);
+    }
+  }
+  return charts;
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,24 @@
+// Charts of the pairs that have one or two joints between their links: what a guard knows of them
+// without asking a mesh (lib/src/robot/chart.hpp has the layout).
+//
+// A cell's distance is proven as the matrix proves: at the middle of a part of it, the links are as
+// far apart as the exact query says; nothing in the part is nearer by more than the joints move the
+// links in it. Parts are halved until that is most of the least distance seen in the cell.
+#ifndef FLASHBVH_TOOLS_ROBOT_BAKED_CHARTS_HPP
+#define FLASHBVH_TOOLS_ROBOT_BAKED_CHARTS_HPP
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "robot/baked/fixed_robot.hpp"
+
+namespace flashbvh::tool {
+
+/// `robot`: of the model. `begin`: told each pair of RobotPair that is begun.
+std::vector<std::uint8_t> charts_of(const Model& model, const Robot& robot,
+                                    const std::function<void(std::size_t)>& begin);
+
+}  // namespace flashbvh::tool
+
+#endif

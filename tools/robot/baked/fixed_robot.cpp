@@ -1,0 +1,283 @@
+#include "robot/baked/fixed_robot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "flashbvh/detail/robot/image_parts.hpp"
+#include "robot/baked/bake_links.hpp"
+#include "robot/kinematics.hpp"
+#include "robot/matrix/reaches.hpp"
+#include "robot/read/xml_file.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// A sphere that holds a mesh, in cells.
+struct BoundingSphere {
+  std::array<double, 3> centre;
+  double radius;
+};
+
+using Point = std::array<double, 3>;
+
+Point vertex_of(const PostMesh& mesh, std::uint32_t i) {
+  const Vertex& vertex = mesh.vertices[i];
+  return {static_cast<double>(mesh.origin[0]) + vertex.x,
+          static_cast<double>(mesh.origin[1]) + vertex.y,
+          static_cast<double>(mesh.origin[2]) + vertex.z};
+}
+
+double distance(const Point& p, const Point& q) {
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+/// Within 1 % of the smallest (Badoiu and Clarkson, "Smaller core-sets for balls", 2003).
+BoundingSphere bounding_sphere(const PostMesh& mesh) {
+  constexpr int steps = 200;
+  Point centre = vertex_of(mesh, 0);
+  for (int step = 1; step <= steps; ++step) {
+    Point farthest = centre;
+    for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
+      const Point point = vertex_of(mesh, i);
+      farthest = distance(centre, point) > distance(centre, farthest) ? point : farthest;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      centre[axis] += (farthest[axis] - centre[axis]) / (step + 1);
+    }
+  }
+  double radius = 0;
+  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
+    radius = std::fmax(radius, distance(centre, vertex_of(mesh, i)));
+  }
+  return {centre, radius};
+}
+
+double unit_of(const ModelJoint& joint, double cell) {
+  return unit_of_coordinate(joint.type, cell);
+}
+
+std::int32_t rounded(double value) {
+  return static_cast<std::int32_t>(std::lround(value));
+}
+
+Frame frame_of(const Transform& transform, double cell) {
+  Frame frame{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      frame.rotation[i][j] = rounded(transform.rotation[i][j] * kRotationOne);
+    }
+    frame.translation[i] = rounded(transform.translation[i] / cell * kFrameCell);
+  }
+  return frame;
+}
+
+/// Of a joint.
+std::uint8_t number_of(std::size_t joint) {
+  return joint == kNoJoint ? kBase : static_cast<std::uint8_t>(joint);
+}
+
+double length_of(const Vector3& v) {
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+/// How a mimic's coordinate is made of that of its variable.
+void set_mimic(const Model& model, const ModelJoint& joint, double cell, RobotJoint& fixed) {
+  const ModelJoint& master = model.joints[model.variables[joint.variable]];
+  const double unit = unit_of(joint, cell);
+  const double factor = joint.multiplier * unit_of(master, cell) / unit;
+  const double offset = joint.offset / unit;
+  if (!(std::abs(factor) < 0x1p29 && std::abs(offset) < kMaxJointCoordinate)) {
+    throw UserError(at_element(model.path, "joint", joint.name),
+                    "the multiplier or the offset of its mimic tag is too large");
+  }
+  int exponent = 0;
+  std::frexp(factor, &exponent);
+  fixed.shift = static_cast<std::uint8_t>(std::clamp(30 - exponent, 1, 40));
+  fixed.multiplier = rounded(std::ldexp(factor, fixed.shift));
+  fixed.offset = rounded(offset);
+}
+
+}  // namespace
+
+double unit_of_coordinate(JointType type, double cell) {
+  constexpr double radians_in_turn = 6.283185307179586;
+  return type == JointType::prismatic ? cell / kFrameCell : radians_in_turn / kFullTurn;
+}
+
+Mount fixed_mount(const ModelMount& mount, double cell) {
+  return {number_of(mount.joint), frame_of(mount.transform, cell)};
+}
+
+FixedRobot::FixedRobot(const Model& model, const std::vector<PostMesh>& meshes, double cell,
+                       const std::vector<GuardedPair>& pairs)
+    : cell_(cell), meshes_(meshes) {
+  if (model.joints.size() > kMaxJoints || model.links.size() > kMaxLinks) {
+    throw UserError(model.path, "has ", model.joints.size(), " moving joints and ",
+                    model.links.size(), " links with collision geometry; at most ", kMaxJoints,
+                    " and ", kMaxLinks, " are taken");
+  }
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    add_joint(model, i);
+  }
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    add_link(model, i);
+  }
+  check_size(model);
+  for (const GuardedPair& pair : pairs) {
+    add_pair(model, pair);
+  }
+  robot_.joints = joints_.data();
+  robot_.links = links_.data();
+  robot_.meshes = meshes_.data();
+  robot_.pairs = pairs_.data();
+  robot_.reaches = reaches_.data();
+  robot_.joint_count = static_cast<std::uint8_t>(joints_.size());
+  robot_.link_count = static_cast<std::uint8_t>(links_.size());
+  robot_.variable_count = static_cast<std::uint8_t>(model.variables.size());
+  robot_.pair_count = static_cast<std::uint16_t>(pairs_.size());
+  robot_.reach_count = static_cast<std::uint16_t>(reaches_.size());
+  robot_.slack = slack(model);
+  std::memcpy(&robot_.cell_bits, &cell_, sizeof cell_);
+  robot_.hash = detail::robot_hash(robot_);
+}
+
+void FixedRobot::set_charts(std::vector<std::uint8_t> charts) {
+  charts_ = std::move(charts);
+  robot_.charts = charts_.data();
+  robot_.chart_bytes = static_cast<std::uint32_t>(charts_.size());
+  robot_.hash = detail::robot_hash(robot_);
+}
+
+void FixedRobot::add_joint(const Model& model, std::size_t number) {
+  const ModelJoint& joint = model.joints[number];
+  RobotJoint fixed{};
+  fixed.fixed = frame_of(joint.fixed, cell_);
+  fixed.parent = number_of(joint.parent);
+  fixed.variable = static_cast<std::uint8_t>(joint.variable);
+  fixed.type = joint.type;
+  fixed.multiplier = 1;
+  if (is_mimic(model, number)) {
+    set_mimic(model, joint, cell_, fixed);
+  }
+  if (joint.type != JointType::continuous) {
+    const Interval range = range_of_joint(model, number);
+    const double unit = unit_of(joint, cell_);
+    const double rounding = is_mimic(model, number) ? 3 : 0;
+    const double lower = std::ceil(range.lower / unit) - rounding;
+    const double upper = std::floor(range.upper / unit) + rounding;
+    if (lower < -kMaxJointCoordinate || upper > kMaxJointCoordinate) {
+      throw UserError(at_element(model.path, "joint", joint.name),
+                      "its limits are too far: at most ",
+                      significant(kMaxJointCoordinate * unit, 6), " either way");
+    }
+    fixed.lower = static_cast<JointCoordinate>(lower);
+    fixed.upper = static_cast<JointCoordinate>(upper);
+  }
+  joints_.push_back(fixed);
+}
+
+void FixedRobot::add_link(const Model& model, std::size_t number) {
+  const ModelLink& link = model.links[number];
+  const PostMesh& mesh = meshes_[number];
+  RobotLink fixed{};
+  const BoundingSphere sphere = bounding_sphere(mesh);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    fixed.centre[axis] = rounded(sphere.centre[axis] * kFrameCell);
+  }
+  fixed.radius = static_cast<std::uint32_t>(std::ceil(sphere.radius * kFrameCell)) + 2;
+  fixed.first_reach = static_cast<std::uint16_t>(reaches_.size());
+  fixed.joint = number_of(link.joint);
+  const std::vector<double> reaches = reaches_of(model, number, cell_);
+  for (std::size_t j = link.joint; j != kNoJoint; j = model.joints[j].parent) {
+    const double unit = unit_of(model.joints[j], cell_);
+    const double fine = reaches[j] * unit / cell_ * 256;
+    reaches_.push_back(static_cast<std::uint32_t>(std::ceil(std::ldexp(fine, kReachBits))));
+  }
+  links_.push_back(fixed);
+}
+
+void FixedRobot::add_pair(const Model& model, const GuardedPair& pair) {
+  const JointsBetween between = joints_between(model, pair.a, pair.b);
+  const auto fine = [&](double length) {
+    return static_cast<std::uint32_t>(std::ceil(length / cell_ * 256));
+  };
+  RobotPair fixed{};
+  fixed.a = static_cast<std::uint8_t>(pair.a);
+  fixed.b = static_cast<std::uint8_t>(pair.b);
+  fixed.joints_a = static_cast<std::uint8_t>(between.of_a.size());
+  fixed.joints_b = static_cast<std::uint8_t>(between.of_b.size());
+  fixed.stop = fine(pair.stop);
+  fixed.warn = fine(pair.warn);
+  fixed.reach = reach_of(fixed);
+  pair_joint_count_ += fixed.joints_a + fixed.joints_b;
+  pairs_.push_back(fixed);
+}
+
+/// Of all joints between. UserError if it is too large for the guard's sums.
+std::uint32_t FixedRobot::reach_of(const RobotPair& pair) const {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < pair.joints_a; ++i) {
+    sum += reaches_[links_[pair.a].first_reach + i];
+  }
+  for (std::size_t i = 0; i < pair.joints_b; ++i) {
+    sum += reaches_[links_[pair.b].first_reach + i];
+  }
+  if (sum > UINT32_MAX) {
+    throw UserError("robot", "its joints move links too far for so fine a lattice: give --cell ",
+                    significant(cell_ * static_cast<double>(sum) / UINT32_MAX * 1.01, 3),
+                    " or more");
+  }
+  return static_cast<std::uint32_t>(sum);
+}
+
+/// How far the farthest point of the link can be from the base's origin, in cells.
+double FixedRobot::extent_of(const Model& model, std::size_t number) const {
+  const RobotLink& link = links_[number];
+  double extent = link.radius + std::hypot(link.centre[0], link.centre[1], link.centre[2]);
+  for (std::size_t j = model.links[number].joint; j != kNoJoint; j = model.joints[j].parent) {
+    const RobotJoint& joint = joints_[j];
+    extent += length_of(model.joints[j].fixed.translation) / cell_ * kFrameCell;
+    extent += joint.type == JointType::prismatic
+                  ? std::max(std::abs(joint.lower), std::abs(joint.upper))
+                  : 0;
+  }
+  return extent / kFrameCell;
+}
+
+void FixedRobot::check_size(const Model& model) const {
+  constexpr double most = static_cast<double>(kMaxFrameTranslation - (1 << 16)) / kFrameCell;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const double extent = extent_of(model, i);
+    if (extent > most) {
+      throw UserError(at_element(model.path, "link", model.links[i].name), "lies up to ",
+                      significant(extent * cell_, 4), " m from the base, ", significant(extent, 6),
+                      " cells; at most ", significant(most, 6), ": give --cell ",
+                      significant(cell_ * extent / most * 1.01, 3), " or more");
+    }
+  }
+}
+
+/// Placing, and both links' rounding and kinematics (lib/docs/derivations.md, "Robots").
+std::uint32_t FixedRobot::slack(const Model& model) const {
+  constexpr double placing = 0.89;
+  double most = 0;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const double extent = extent_of(model, i);
+    double error = link_deviation(model.links[i], cell_) / cell_;
+    std::size_t reach = links_[i].first_reach;
+    for (std::size_t j = model.links[i].joint; j != kNoJoint; j = model.joints[j].parent) {
+      // Its rotation's norm; its translation, rounded twice; its coordinate.
+      const double coordinate = is_mimic(model, j) ? 3 : 1;
+      error += extent * 0x1p-27 + 2 * 1.7321 / 2 / kFrameCell +
+               coordinate * std::ldexp(reaches_[reach++], -kReachBits) / 256;
+    }
+    most = std::max(most, error + extent * 0x1p-29 + 1.0 / kFrameCell);
+  }
+  return static_cast<std::uint32_t>(std::ceil((placing + 2 * most) * 256));
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,73 @@
+// A model in fixed point: what firmware holds of it, in memory.
+#ifndef FLASHBVH_TOOLS_ROBOT_BAKED_FIXED_ROBOT_HPP
+#define FLASHBVH_TOOLS_ROBOT_BAKED_FIXED_ROBOT_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "flashbvh/robot/robot.hpp"
+#include "robot/model.hpp"
+
+namespace flashbvh::tool {
+
+/// Two links that are to be guarded. Distances in metres.
+struct GuardedPair {
+  std::size_t a;
+  std::size_t b;
+  double stop;
+  double warn;
+};
+
+/// A unit of a joint's coordinate, in radians or metres.
+double unit_of_coordinate(JointType type, double cell);
+
+Mount fixed_mount(const ModelMount& mount, double cell);
+
+class FixedRobot {
+ public:
+  /// `meshes`: the links', of the same number, baked with `cell`, in metres; they outlive it.
+  /// UserError if the robot has more joints or links than firmware takes, or is larger; says with
+  /// which cell it would do.
+  FixedRobot(const Model& model, const std::vector<PostMesh>& meshes, double cell,
+             const std::vector<GuardedPair>& pairs);
+
+  /// Adds charts_of() it.
+  void set_charts(std::vector<std::uint8_t> charts);
+
+  /// A view of it.
+  const Robot& robot() const { return robot_; }
+
+  FixedRobot(const FixedRobot&) = delete;
+  FixedRobot& operator=(const FixedRobot&) = delete;
+
+  const std::vector<RobotJoint>& joints() const { return joints_; }
+  const std::vector<RobotLink>& links() const { return links_; }
+  const std::vector<RobotPair>& pairs() const { return pairs_; }
+  const std::vector<std::uint32_t>& reaches() const { return reaches_; }
+  const std::vector<std::uint8_t>& charts() const { return charts_; }
+  /// Of all pairs together: how many joints are between their links.
+  std::uint32_t pair_joint_count() const { return pair_joint_count_; }
+
+ private:
+  void add_joint(const Model& model, std::size_t joint);
+  void add_link(const Model& model, std::size_t link);
+  void add_pair(const Model& model, const GuardedPair& pair);
+  std::uint32_t reach_of(const RobotPair& pair) const;
+  double extent_of(const Model& model, std::size_t link) const;
+  void check_size(const Model& model) const;
+  std::uint32_t slack(const Model& model) const;
+
+  double cell_;
+  std::vector<RobotJoint> joints_;
+  std::vector<RobotLink> links_;
+  std::vector<RobotPair> pairs_;
+  std::vector<std::uint32_t> reaches_;
+  std::vector<std::uint8_t> charts_;
+  std::vector<PostMesh> meshes_;
+  std::uint32_t pair_joint_count_ = 0;
+  Robot robot_{};
+};
+
+}  // namespace flashbvh::tool
+
+#endif

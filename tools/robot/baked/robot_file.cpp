@@ -1,0 +1,142 @@
+#include "robot/baked/robot_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "robot/baked/fixed_robot.hpp"
+#include "robot/kinematics.hpp"
+#include "text/files.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+std::string refusal(Status status, const RobotImageHeader& header, std::size_t size) {
+  switch (status) {
+    case Status::image_truncated:
+      return concat("is truncated: it has ", size, " bytes",
+                    size < sizeof header ? concat(" and needs a header of ", sizeof header)
+                                         : concat(" of ", header.byte_count),
+                    "; copy or bake it again");
+    case Status::image_not_flashbvh:
+      return "is no image of a robot; name one that `flashbvh robot --format image` wrote";
+    case Status::image_version:
+      return concat("is written in version ", header.version,
+                    " of the robots' image format or holds meshes of another version, this program "
+                    "reads version ",
+                    kRobotImageVersion, "; bake it again");
+    case Status::image_corrupt:
+      return "is corrupt: a checksum does not match; copy or bake it again";
+    default:
+      return "is invalid: its checksum matches, but its contents break a rule of the format; bake "
+             "it again";
+  }
+}
+
+std::size_t number_of_joint(std::uint8_t joint) {
+  return joint == kBase ? kNoJoint : joint;
+}
+
+Transform transform_of(const Frame& frame, double cell) {
+  Transform transform;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      transform.rotation[i][j] = static_cast<double>(frame.rotation[i][j]) / kRotationOne;
+    }
+    transform.translation[i] = frame.translation[i] * cell / kFrameCell;
+  }
+  return transform;
+}
+
+ModelJoint joint_of(const RobotJoint& fixed, double cell) {
+  const double unit = unit_of_coordinate(fixed.type, cell);
+  ModelJoint joint;
+  joint.parent = number_of_joint(fixed.parent);
+  joint.fixed = transform_of(fixed.fixed, cell);
+  joint.type = fixed.type;
+  joint.lower = fixed.type == JointType::continuous ? -kPi : fixed.lower * unit;
+  joint.upper = fixed.type == JointType::continuous ? kPi : fixed.upper * unit;
+  joint.variable = fixed.variable;
+  return joint;
+}
+
+}  // namespace
+
+bool is_robot_file_name(const std::string& path) {
+  const std::string extension = ".robot";
+  return path.size() > extension.size() &&
+         path.compare(path.size() - extension.size(), extension.size(), extension) == 0;
+}
+
+RobotFile::RobotFile(const std::string& path) : path_(path), meshes_(kMaxLinks) {
+  const std::string bytes = read_file(path);
+  words_.resize((bytes.size() + 3) / 4);
+  std::memcpy(words_.data(), bytes.data(), bytes.size());
+  // Only for what messages say: the library judges.
+  std::memcpy(&header_, bytes.data(), std::min(bytes.size(), sizeof header_));
+  const Status status = open_robot(words_.data(), bytes.size(), meshes_.data(), kMaxLinks, robot_);
+  if (status != Status::done) {
+    throw UserError(path, refusal(status, header_, bytes.size()));
+  }
+  if (bytes.size() != header_.byte_count) {
+    throw UserError(path, "has ", bytes.size() - header_.byte_count,
+                    " bytes after its end; copy or bake it again");
+  }
+}
+
+double RobotFile::cell() const {
+  return cell_of(robot_);
+}
+
+std::string RobotFile::name() const {
+  return robot_name(words_.data());
+}
+
+Model RobotFile::model() const {
+  Model model;
+  model.name = name();
+  model.path = path_;
+  model.variables.resize(robot_.variable_count);
+  for (std::uint32_t i = 0; i < robot_.joint_count; ++i) {
+    const RobotJoint& fixed = robot_.joints[i];
+    ModelJoint joint = joint_of(fixed, cell());
+    joint.name = joint_name(words_.data(), i);
+    if (fixed.shift == 0) {
+      model.variables[fixed.variable] = i;
+    }
+    model.joints.push_back(joint);
+  }
+  for (ModelJoint& joint : model.joints) {
+    const std::size_t number = static_cast<std::size_t>(&joint - model.joints.data());
+    const RobotJoint& fixed = robot_.joints[number];
+    const ModelJoint& master = model.joints[model.variables[joint.variable]];
+    const double unit = unit_of_coordinate(joint.type, cell());
+    joint.multiplier =
+        std::ldexp(fixed.multiplier, -fixed.shift) * unit / unit_of_coordinate(master.type, cell());
+    joint.offset = fixed.offset * unit;
+  }
+  for (std::uint32_t i = 0; i < robot_.link_count; ++i) {
+    ModelLink link;
+    link.name = link_name(words_.data(), i);
+    link.joint = number_of_joint(robot_.links[i].joint);
+    model.links.push_back(link);
+  }
+  for (std::uint32_t i = 0; i < mount_count(words_.data()); ++i) {
+    const Mount& mount = mounts(words_.data())[i];
+    model.mounts.push_back({mount_name(words_.data(), i), number_of_joint(mount.joint),
+                            transform_of(mount.frame, cell())});
+  }
+  return model;
+}
+
+std::vector<UnguardedPair> RobotFile::unguarded() const {
+  std::vector<UnguardedPair> unguarded;
+  const RobotUnguarded* const kept = flashbvh::unguarded_pairs(words_.data());
+  for (std::uint32_t i = 0; i < unguarded_count(words_.data()); ++i) {
+    unguarded.push_back(unguarded_pair(kept[i].a, kept[i].b, kept[i].why));
+  }
+  return unguarded;
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,45 @@
+// Reading robots' binary images.
+#ifndef FLASHBVH_TOOLS_ROBOT_BAKED_ROBOT_FILE_HPP
+#define FLASHBVH_TOOLS_ROBOT_BAKED_ROBOT_FILE_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "flashbvh/robot/image.hpp"
+#include "robot/matrix/unguarded.hpp"
+#include "robot/model.hpp"
+
+namespace flashbvh::tool {
+
+/// Whether a path ends like one of theirs: .robot.
+bool is_robot_file_name(const std::string& path);
+
+/// An image in memory, opened and found good by the library.
+class RobotFile {
+ public:
+  /// UserError if the file can't be read or is no good image of a robot.
+  explicit RobotFile(const std::string& path);
+  RobotFile(const RobotFile&) = delete;
+  RobotFile& operator=(const RobotFile&) = delete;
+
+  /// A view into the object.
+  const Robot& robot() const { return robot_; }
+  const RobotImageHeader& header() const { return header_; }
+  double cell() const;       ///< in metres
+  std::string name() const;  ///< of the robot
+  /// What is known of it without its URDF: names, joints, and what hangs on them, but no meshes.
+  Model model() const;
+  std::vector<UnguardedPair> unguarded() const;
+
+ private:
+  std::string path_;
+  std::vector<std::uint32_t> words_;  ///< the bytes, aligned
+  RobotImageHeader header_{};
+  std::vector<PostMesh> meshes_;
+  Robot robot_{};
+};
+
+}  // namespace flashbvh::tool
+
+#endif

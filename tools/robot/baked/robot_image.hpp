@@ -1,0 +1,24 @@
+// A robot as a binary image (flashbvh/robot/image.hpp, lib/docs/format.md).
+#ifndef FLASHBVH_TOOLS_ROBOT_BAKED_ROBOT_IMAGE_HPP
+#define FLASHBVH_TOOLS_ROBOT_BAKED_ROBOT_IMAGE_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "robot/baked/fixed_robot.hpp"
+#include "robot/matrix/unguarded.hpp"
+
+namespace flashbvh::tool {
+
+/// In words, so that it lies aligned. `meshes`: the links' images, post-indexed, with 16-bit
+/// indices, in metres. Names are cut after 255 bytes. UserError if the robot has limits that no
+/// value keeps, or would be 4 GiB or more.
+std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
+                                       const std::vector<UnguardedPair>& unguarded,
+                                       const std::vector<std::vector<std::uint32_t>>& meshes,
+                                       const std::string& name);
+
+}  // namespace flashbvh::tool
+
+#endif

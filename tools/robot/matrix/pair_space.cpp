@@ -1,0 +1,207 @@
+#include "robot/matrix/pair_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flashbvh/collide.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// From an axis, the z of a frame, to the point.
+double distance_from(const Transform& axis, const Vector3& point) {
+  double along = 0;
+  double squared = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double d = point[i] - axis.translation[i];
+    along += d * axis.rotation[i][2];
+    squared += d * d;
+  }
+  return std::sqrt(std::max(0.0, squared - along * along));
+}
+
+}  // namespace
+
+PairSpace::PairSpace(const Model& model, const PairLink& a, const PairLink& b, double cell)
+    : model_(model),
+      a_(*a.mesh),
+      b_(*b.mesh),
+      cell_(cell),
+      joints_(joints_between(model, a.link, b.link)),
+      bounds_a_(bounds_of(a_, cell)),
+      bounds_b_(bounds_of(b_, cell)) {
+  std::vector<std::size_t> path = joints_.of_a;
+  path.insert(path.end(), joints_.of_b.rbegin(), joints_.of_b.rend());
+  for (const std::size_t joint : path) {
+    const std::size_t dimension = dimension_of(model.joints[joint].variable);
+    const auto reach_of = [&](const PairLink& link) {
+      const bool slides = model.joints[joint].type == JointType::prismatic;
+      return link.reaches != nullptr ? (*link.reaches)[joint] : slides ? 1 : HUGE_VAL;
+    };
+    path_.push_back({joint, dimension, reach_of(a), reach_of(b)});
+  }
+  for (std::size_t i = 0; i < model.variables.size(); ++i) {
+    const Interval range = range_of_variable(model, i);
+    middle_.push_back(range.lower + (range.upper - range.lower) / 2);
+  }
+}
+
+std::size_t PairSpace::dimension_of(std::size_t variable) {
+  for (std::size_t i = 0; i < dimensions_.size(); ++i) {
+    if (dimensions_[i].variable == variable) {
+      return i;
+    }
+  }
+  dimensions_.push_back({variable, range_of_variable(model_, variable)});
+  return dimensions_.size() - 1;
+}
+
+PairSpace::Bounds PairSpace::bounds_of(const PostMesh& mesh, double cell) {
+  Vector3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  Vector3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
+    const Vertex& v = mesh.vertices[i];
+    const std::int32_t p[3] = {v.x, v.y, v.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], cell * (p[k] + mesh.origin[k]));
+      high[k] = std::max(high[k], cell * (p[k] + mesh.origin[k]));
+    }
+  }
+  Bounds bounds{};
+  for (std::size_t i = 0; i < 8; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      bounds.corners[i][k] = ((i >> k) & 1) != 0 ? high[k] : low[k];
+    }
+  }
+  double squared = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    bounds.centre[k] = (low[k] + high[k]) / 2;
+    squared += (high[k] - low[k]) * (high[k] - low[k]) / 4;
+  }
+  bounds.radius = std::sqrt(squared) + cell;
+  return bounds;
+}
+
+/// Of a link's points by each joint of the path, in metres. Let the joints move one after the
+/// other, the one furthest from the link first: each finds the link as far from its axis as it lies
+/// in the middle of the cell, for what is between them has not moved yet.
+std::vector<double> PairSpace::motions(const Bounds& bounds, const Transform& frame,
+                                       const std::vector<Transform>& joints,
+                                       const std::vector<double>& halves, bool of_a) const {
+  std::array<Vector3, 8> corners{};
+  std::transform(bounds.corners.begin(), bounds.corners.end(), corners.begin(),
+                 [&](const Vector3& corner) { return placed(frame, corner); });
+  std::vector<double> moved;
+  for (std::size_t i = 0; i < path_.size(); ++i) {
+    const ModelJoint& joint = model_.joints[path_[i].joint];
+    double reach = of_a ? path_[i].reach_a : path_[i].reach_b;
+    if (joint.type != JointType::prismatic) {
+      double near = 0;
+      for (const Vector3& corner : corners) {
+        near = std::max(near, distance_from(joints[i], corner));
+      }
+      reach = std::min(reach, near + cell_ / 256);
+    }
+    moved.push_back(reach * std::fabs(joint.multiplier) * halves[path_[i].dimension]);
+  }
+  return moved;
+}
+
+/// Seen from any of the bodies between them, a is moved by the joints on its side and b by the
+/// others; the body from which they move least is as good as any.
+Motion PairSpace::motion(const std::vector<double>& point,
+                         const std::vector<double>& halves) const {
+  const std::vector<double> variables = variables_at(point);
+  std::vector<Transform> joints = frames_inwards(model_, joints_.of_a, variables);
+  const std::vector<Transform> others = frames_inwards(model_, joints_.of_b, variables);
+  const Transform frame_a = joints.empty() ? Transform() : joints.front();
+  const Transform frame_b = others.empty() ? Transform() : others.front();
+  joints.insert(joints.end(), others.rbegin(), others.rend());
+  const std::vector<double> by_a = motions(bounds_a_, frame_a, joints, halves, true);
+  const std::vector<double> by_b = motions(bounds_b_, frame_b, joints, halves, false);
+  double sum = 0;
+  for (const double by : by_b) {
+    sum += by;
+  }
+  double least = sum;
+  std::size_t cut = 0;
+  for (std::size_t i = 0; i < path_.size(); ++i) {
+    sum += by_a[i] - by_b[i];
+    if (sum < least) {
+      least = sum;
+      cut = i + 1;
+    }
+  }
+  Motion motion;
+  motion.parts.resize(dimensions_.size());
+  for (std::size_t i = 0; i < path_.size(); ++i) {
+    const double by = (i < cut ? by_a : by_b)[i] / cell_;
+    motion.parts[path_[i].dimension] += by;
+    motion.sum += by;
+  }
+  return motion;
+}
+
+std::vector<double> PairSpace::variables_at(const std::vector<double>& point) const {
+  std::vector<double> variables = middle_;
+  for (std::size_t i = 0; i < dimensions_.size(); ++i) {
+    variables[dimensions_[i].variable] = point[i];
+  }
+  return variables;
+}
+
+Transform PairSpace::frame_at(const std::vector<double>& point) const {
+  return frame_between(model_, joints_, variables_at(point));
+}
+
+double PairSpace::least_gap(const Transform& frame) const {
+  const Vector3 centre = placed(frame, bounds_b_.centre);
+  double squared = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    squared += (centre[k] - bounds_a_.centre[k]) * (centre[k] - bounds_a_.centre[k]);
+  }
+  return (std::sqrt(squared) - bounds_a_.radius - bounds_b_.radius) / cell_;
+}
+
+bool PairSpace::are_apart(const std::vector<double>& point, double distance) const {
+  const Transform frame = frame_at(point);
+  if (least_gap(frame) > distance) {
+    return true;
+  }
+  const double steps = std::ceil(distance * 256);
+  if (steps > kMaxDistance) {
+    return false;
+  }
+  return !closer_than(a_, b_, pose_of(frame, cell_), static_cast<std::uint32_t>(steps)).yes;
+}
+
+bool PairSpace::intersect(const std::vector<double>& point) const {
+  const Transform frame = frame_at(point);
+  return least_gap(frame) <= 0 && intersects(a_, b_, pose_of(frame, cell_)).yes;
+}
+
+double PairSpace::distance(const std::vector<double>& point, Witness<std::uint16_t>& seed) const {
+  const Transform frame = frame_at(point);
+  const double gap = least_gap(frame);
+  if (gap > kMaxDistance / 256.0) {
+    return gap;
+  }
+  const auto found = flashbvh::distance(a_, b_, pose_of(frame, cell_), seed);
+  if (found.in_range) {
+    seed = found.witness;
+  }
+  return found.lower / 256.0;
+}
+
+double PairSpace::far_origin() const {
+  const auto of = [](const PostMesh& mesh) {
+    double sum = 0;
+    for (const std::int32_t coordinate : mesh.origin) {
+      sum += std::fabs(coordinate);
+    }
+    return std::sqrt(3.0) * sum / (1 << 23);
+  };
+  return std::max(of(a_), of(b_));
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,92 @@
+// Two links and the variables between them: where they lie, how far they can move, what they do.
+#ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_PAIR_SPACE_HPP
+#define FLASHBVH_TOOLS_ROBOT_MATRIX_PAIR_SPACE_HPP
+
+#include <vector>
+
+#include "flashbvh/clearance.hpp"
+#include "robot/kinematics.hpp"
+
+namespace flashbvh::tool {
+
+/// A link as a pair sees it.
+struct PairLink {
+  std::size_t link;
+  const PostMesh* mesh;
+  const std::vector<double>* reaches;  ///< reaches_of(), or null: the mesh's box tells
+};
+
+/// A variable that moves the links against each other.
+struct Dimension {
+  std::size_t variable;
+  Interval range;
+};
+
+/// How far a cell of values moves the links' points from where its middle puts them, in cells: seen
+/// from some body between the links, those of both together.
+struct Motion {
+  std::vector<double> parts;  ///< by each dimension
+  double sum = 0;
+};
+
+class PairSpace {
+ public:
+  /// Lasts as long as the model and the meshes.
+  PairSpace(const Model& model, const PairLink& a, const PairLink& b, double cell);
+
+  /// None: nothing moves them.
+  const std::vector<Dimension>& dimensions() const { return dimensions_; }
+  /// Of a point, a value for each dimension; all others in the middle of their ranges.
+  std::vector<double> variables_at(const std::vector<double>& point) const;
+
+  /// What values up to `halves` from `point` do.
+  Motion motion(const std::vector<double>& point, const std::vector<double>& halves) const;
+
+  /// Whether the links can be told to be more than `distance` cells apart.
+  bool are_apart(const std::vector<double>& point, double distance) const;
+  /// By the exact query, of B at pose_of() in A's frame.
+  bool intersect(const std::vector<double>& point) const;
+  /// In cells, at most the true one; exact where they are near, and 0 if they intersect. `seed`:
+  /// what was nearest before, and is now.
+  double distance(const std::vector<double>& point, Witness<std::uint16_t>& seed) const;
+  /// How far placing moves a vertex beside kPlacing, in cells: rotations are kept to 2^-23.
+  double far_origin() const;
+
+ private:
+  /// What holds a mesh, in its frame, in metres.
+  struct Bounds {
+    std::array<Vector3, 8> corners;
+    Vector3 centre;
+    double radius;
+  };
+  /// A joint on the way from a to b.
+  struct PathJoint {
+    std::size_t joint;
+    std::size_t dimension;
+    double reach_a;  ///< metres
+    double reach_b;
+  };
+  static Bounds bounds_of(const PostMesh& mesh, double cell);
+  std::size_t dimension_of(std::size_t variable);
+  std::vector<double> motions(const Bounds& bounds, const Transform& frame,
+                              const std::vector<Transform>& joints,
+                              const std::vector<double>& halves, bool of_a) const;
+  /// Between spheres round the links, in cells.
+  double least_gap(const Transform& frame) const;
+  Transform frame_at(const std::vector<double>& point) const;
+
+  const Model& model_;
+  const PostMesh& a_;
+  const PostMesh& b_;
+  double cell_;
+  JointsBetween joints_;
+  Bounds bounds_a_;
+  Bounds bounds_b_;
+  std::vector<PathJoint> path_;
+  std::vector<Dimension> dimensions_;
+  std::vector<double> middle_;
+};
+
+}  // namespace flashbvh::tool
+
+#endif

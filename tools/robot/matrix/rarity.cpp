@@ -1,0 +1,97 @@
+#include "robot/matrix/rarity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "evaluate/random.hpp"
+#include "flashbvh/collide.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// Fewer collisions tell too little.
+constexpr std::uint32_t kFew = 10;
+constexpr std::uint32_t kRareFold = 10;
+
+/// Each link's frame.
+std::vector<Transform> link_frames(const Model& model, const std::vector<double>& variables) {
+  const std::vector<Transform> joints = frames_of(model, variables);
+  std::vector<Transform> frames;
+  frames.reserve(model.links.size());
+  for (const ModelLink& link : model.links) {
+    frames.push_back(link.joint == kNoJoint ? Transform() : joints[link.joint]);
+  }
+  return frames;
+}
+
+std::vector<double> any_variables(const Model& model, Random& random) {
+  std::vector<double> variables;
+  variables.reserve(model.variables.size());
+  for (const std::size_t number : model.variables) {
+    const ModelJoint& joint = model.joints[number];
+    variables.push_back(joint.lower + random.part() * (joint.upper - joint.lower));
+  }
+  return variables;
+}
+
+}  // namespace
+
+std::vector<Pose> link_poses(const Model& model, double cell,
+                             const std::vector<double>& variables) {
+  std::vector<Pose> poses;
+  poses.reserve(model.links.size());
+  for (const Transform& frame : link_frames(model, variables)) {
+    poses.push_back(pose_of(frame, cell));
+  }
+  return poses;
+}
+
+TrianglePair<std::uint16_t> triangles_at(const Model& model, const PostMesh* meshes, double cell,
+                                         const PairVerdict& pair) {
+  TrianglePair<std::uint16_t> found{};
+  const Transform frame = frame_between(model, joints_between(model, pair.a, pair.b), pair.witness);
+  (void)first_pair(meshes[pair.a], meshes[pair.b], pose_of(frame, cell), found);
+  return found;
+}
+
+std::vector<Collisions> collisions_of(const Model& model, const PostMesh* meshes, double cell,
+                                      const std::vector<PairVerdict>& pairs,
+                                      std::uint32_t samples) {
+  std::vector<Collisions> collisions(pairs.size());
+  Random random;
+  std::vector<std::size_t> asked;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (pairs[i].verdict == MatrixVerdict::can) {
+      asked.push_back(i);
+    }
+  }
+  for (std::uint32_t sample = 0; !asked.empty() && sample < kRareFold * samples; ++sample) {
+    if (sample == samples) {
+      asked.erase(std::remove_if(asked.begin(), asked.end(),
+                                 [&](std::size_t i) { return collisions[i].count >= kFew; }),
+                  asked.end());
+    }
+    const std::vector<Transform> frames = link_frames(model, any_variables(model, random));
+    for (const std::size_t i : asked) {
+      const auto& [a, b] = std::pair(pairs[i].a, pairs[i].b);
+      const Pose pose = pose_of(composed(inverse(frames[a]), frames[b]), cell);
+      collisions[i].count += intersects(meshes[a], meshes[b], pose).yes ? 1 : 0;
+      ++collisions[i].of;
+    }
+  }
+  return collisions;
+}
+
+Share share_of(const Collisions& collisions) {
+  const double samples = collisions.of;
+  // None of n has a chance of 5 % where (1 - p)^n = 0.05.
+  return collisions.count == 0 ? Share{1 - std::pow(0.05, 1 / samples), true}
+                               : Share{collisions.count / samples, false};
+}
+
+double missed_by(std::uint32_t samples, const Share& share) {
+  return std::pow(1 - share.part, samples);
+}
+
+}  // namespace flashbvh::tool

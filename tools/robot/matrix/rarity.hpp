@@ -1,0 +1,46 @@
+// How rare collisions are among configurations drawn at random, as a collision matrix by sampling
+// would see them.
+#ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_RARITY_HPP
+#define FLASHBVH_TOOLS_ROBOT_MATRIX_RARITY_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "flashbvh/step.hpp"
+#include "robot/kinematics.hpp"
+#include "robot/matrix/matrix.hpp"
+
+namespace flashbvh::tool {
+
+/// Where the links lie in the base's frame. `variables`: a value each. UserError as pose_of().
+std::vector<Pose> link_poses(const Model& model, double cell, const std::vector<double>& variables);
+
+/// By their ids, two triangles that intersect at the witness of a pair that has one.
+TrianglePair<std::uint16_t> triangles_at(const Model& model, const PostMesh* meshes, double cell,
+                                         const PairVerdict& pair);
+
+/// Configurations at which a pair intersects.
+struct Collisions {
+  std::uint32_t count = 0;
+  std::uint32_t of = 0;  ///< so many, drawn at random
+};
+
+/// Of each pair, at configurations even within the limits and always the same: `samples`, and ten
+/// times as many where fewer than ten of them collide. Pairs that are not `can` are not asked.
+/// `meshes`: the links'.
+std::vector<Collisions> collisions_of(const Model& model, const PostMesh* meshes, double cell,
+                                      const std::vector<PairVerdict>& pairs, std::uint32_t samples);
+
+/// What part of all configurations collides, told from samples.
+struct Share {
+  double part;
+  bool is_bound;  ///< none of the samples does: the part is below this, with a confidence of 95 %
+};
+Share share_of(const Collisions& collisions);
+
+/// How likely so many samples find none.
+double missed_by(std::uint32_t samples, const Share& share);
+
+}  // namespace flashbvh::tool
+
+#endif

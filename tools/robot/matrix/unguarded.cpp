@@ -1,0 +1,141 @@
+#include "robot/matrix/unguarded.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "robot/kinematics.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+std::string pair_name(const Model& model, const PairVerdict& pair, const char* between) {
+  return model.links[pair.a].name + between + model.links[pair.b].name;
+}
+
+/// "elbow 1.2, wrist 0": of the joints between the two links.
+std::string values_of(const Model& model, const PairVerdict& pair) {
+  const JointsBetween joints = joints_between(model, pair.a, pair.b);
+  std::set<std::size_t> variables;
+  for (const auto& branch : {joints.of_a, joints.of_b}) {
+    for (const std::size_t joint : branch) {
+      variables.insert(model.joints[joint].variable);
+    }
+  }
+  return joined(variables, [&](std::size_t variable) {
+    return model.joints[model.variables[variable]].name + " " +
+           significant(pair.witness[variable], 5);
+  });
+}
+
+struct Why {
+  WhyUnguarded why;
+  const char* reason;
+  const char* advice;
+};
+
+constexpr Why kWhys[] = {
+    {WhyUnguarded::intersecting, "neighbours that intersect at all configurations tried",
+     "make a part that stands in the other link's way (a post on a table) a link of its own, on a "
+     "fixed joint"},
+    {WhyUnguarded::believed, "disabled in the SRDF and believed, though they may collide",
+     "to guard a pair, delete its line in the SRDF and its --believe"},
+};
+
+const Why& of(WhyUnguarded why) {
+  return kWhys[static_cast<std::size_t>(why)];
+}
+
+}  // namespace
+
+void believe(std::size_t a, std::size_t b, const std::string& place, Model& model) {
+  DisabledPair* const found = find_pair(model.disabled, a, b);
+  if (found == nullptr) {
+    throw UserError(place,
+                    "names a pair that no SRDF disables; leave it out, or give the SRDF that "
+                    "does by --srdf");
+  }
+  found->is_believed = true;
+}
+
+void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
+                    const std::string& srdf, Warnings& warnings) {
+  std::string place;
+  std::string first;
+  std::string more;
+  for (const DisabledPair& disabled : model.disabled) {
+    const PairVerdict& pair = *find_pair(pairs, disabled.a, disabled.b);
+    if (pair.verdict == MatrixVerdict::undecided) {
+      warnings.add(at_line(srdf, disabled.line),
+                   concat("disables ", pair_name(model, pair, " - "), ", which is ", pair.reason,
+                          "; --believe ", pair_name(model, pair, ","), " leaves it out"));
+    }
+    if (disabled.is_believed && pair.verdict != MatrixVerdict::believed) {
+      warnings.add(
+          at_line(srdf, disabled.line),
+          concat(pair_name(model, pair, " - "), " is ", name_of(pair.verdict),
+                 ", with or without --believe ", pair_name(model, pair, ","), "; leave that out"));
+    }
+    if (pair.verdict != MatrixVerdict::can) {
+      continue;
+    }
+    if (first.empty()) {
+      place = at_line(srdf, disabled.line);
+      first =
+          concat("disables ", pair_name(model, pair, " - "),
+                 disabled.reason.empty() ? "" : concat(" as \"", disabled.reason, "\""),
+                 ", but they intersect at ", values_of(model, pair),
+                 "; delete the line, or stand by it with --believe ", pair_name(model, pair, ","));
+    } else {
+      more += concat(more.empty() ? ". So can: " : ", ", pair_name(model, pair, " - "), " (line ",
+                     disabled.line, ")");
+    }
+  }
+  if (!first.empty()) {
+    throw UserError(place, first, more);
+  }
+}
+
+UnguardedPair unguarded_pair(std::size_t a, std::size_t b, WhyUnguarded why) {
+  return {a, b, of(why).reason, why};
+}
+
+std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs) {
+  std::vector<UnguardedPair> unguarded;
+  for (const PairVerdict& pair : pairs) {
+    if (pair.verdict == MatrixVerdict::always || pair.verdict == MatrixVerdict::believed) {
+      unguarded.push_back(unguarded_pair(pair.a, pair.b,
+                                         pair.verdict == MatrixVerdict::always
+                                             ? WhyUnguarded::intersecting
+                                             : WhyUnguarded::believed));
+    }
+  }
+  return unguarded;
+}
+
+RobotUnguarded fixed_unguarded(const UnguardedPair& pair) {
+  return {static_cast<std::uint8_t>(pair.a), static_cast<std::uint8_t>(pair.b), pair.why, 0};
+}
+
+std::string names_of(const Model& model, const std::vector<UnguardedPair>& pairs) {
+  return joined(pairs, [&](const UnguardedPair& pair) {
+    return model.links[pair.a].name + " - " + model.links[pair.b].name;
+  });
+}
+
+std::vector<std::string> unguarded_warnings(const Model& model,
+                                            const std::vector<UnguardedPair>& pairs) {
+  std::vector<std::string> warnings;
+  for (const Why& why : kWhys) {
+    std::vector<UnguardedPair> named;
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(named),
+                 [&](const UnguardedPair& pair) { return pair.why == why.why; });
+    if (!named.empty()) {
+      warnings.push_back(concat("not guarded: ", names_of(model, named), " (", why.reason,
+                                "): a collision of these is never detected; ", why.advice));
+    }
+  }
+  return warnings;
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,50 @@
+// Pairs of links that a joint moves and that no guard looks at.
+#ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_UNGUARDED_HPP
+#define FLASHBVH_TOOLS_ROBOT_MATRIX_UNGUARDED_HPP
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "flashbvh/robot/robot.hpp"
+#include "robot/matrix/matrix.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+
+/// A collision of the two is never detected.
+struct UnguardedPair {
+  std::size_t a;  ///< links, a below b
+  std::size_t b;
+  std::string reason;  ///< for people, by `why`
+  WhyUnguarded why;
+};
+
+UnguardedPair unguarded_pair(std::size_t a, std::size_t b, WhyUnguarded why);
+
+/// Of all pairs those that may collide, and that are not guarded all the same; in their order.
+std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs);
+
+/// As firmware holds it.
+RobotUnguarded fixed_unguarded(const UnguardedPair& pair);
+
+/// "base - arm, arm - hand": the pairs by the names of their links.
+std::string names_of(const Model& model, const std::vector<UnguardedPair>& pairs);
+
+/// For users: each reason with all its pairs by name, what it means and what they can do.
+std::vector<std::string> unguarded_warnings(const Model& model,
+                                            const std::vector<UnguardedPair>& pairs);
+
+/// Marks the disabled pair of links `a` and `b` as believed. UserError, at `place`, if the SRDF
+/// does not disable it.
+void believe(std::size_t a, std::size_t b, const std::string& place, Model& model);
+
+/// UserError, with the line of `srdf`, the joints' values and the fix, if a pair that is disabled
+/// can collide and is not believed; names all such pairs. Warns of those that are undecided,
+/// and of those that are believed for nothing.
+void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
+                    const std::string& srdf, Warnings& warnings);
+
+}  // namespace flashbvh::tool
+
+#endif

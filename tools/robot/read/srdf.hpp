@@ -1,0 +1,22 @@
+// What an SRDF says of pairs of links: that they need no guard, and why.
+#ifndef FLASHBVH_TOOLS_ROBOT_READ_SRDF_HPP
+#define FLASHBVH_TOOLS_ROBOT_READ_SRDF_HPP
+
+#include <string>
+#include <vector>
+
+#include "robot/model.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+
+/// The pairs of links that its <disable_collisions> name, each once, in its order; then those of
+/// links in <disable_default_collisions> but for pairs in <enable_collisions>. `all_links`: the
+/// names of the URDF's links, with or without geometry; warns of others, of a robot by another name
+/// and of a pair both enabled and disabled, which is disabled. UserError if the file is no SRDF.
+std::vector<DisabledPair> read_srdf(const std::string& path, const Model& model,
+                                    const std::vector<std::string>& all_links, Warnings& warnings);
+
+}  // namespace flashbvh::tool
+
+#endif

@@ -1,0 +1,79 @@
+#include "robot/read/xml_file.hpp"
+
+#include <string_view>
+
+#include "text/files.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// TinyXML calls itself once a level.
+constexpr int kMostLevels = 1000;
+/// And takes as many bytes for a character as its first one says, beyond the end, too.
+constexpr std::size_t kLongestCharacter = 4;
+
+/// At least how deep elements are nested, whatever else is wrong with them.
+bool is_too_deep(std::string_view text) {
+  int level = 0;
+  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+    if (text[i] == '<' && text[i + 1] != '!' && text[i + 1] != '?') {
+      level += text[i + 1] == '/' ? -1 : 1;
+    } else if (text[i] == '/' && text[i + 1] == '>') {
+      --level;
+    }
+    if (level > kMostLevels) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void read_xml(const std::string& path, const char* root, TiXmlDocument& document) {
+  std::string text = read_file(path);
+  if (is_too_deep(text)) {
+    throw UserError(path, "nests elements over ", kMostLevels, " deep; write it again");
+  }
+  if (text.find('\0') != std::string::npos) {
+    throw UserError(path, "is no text, so no XML; name the robot's file");
+  }
+  text.append(kLongestCharacter, '\0');
+  document.Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
+  if (document.Error()) {
+    const std::string what = one_line(document.ErrorDesc());
+    const auto line = static_cast<std::size_t>(document.ErrorRow());  // 0 at the end of the file
+    throw UserError(line == 0 ? path : at_line(path, line),
+                    "is no XML: ", what.substr(0, what.find_last_not_of('.') + 1),
+                    "; mend it there");
+  }
+  const TiXmlElement* const found = document.RootElement();
+  const std::string_view name = found == nullptr ? "" : found->Value();
+  if (name != root && name == "mujoco") {
+    throw UserError(path,
+                    "is a model of MuJoCo (MJCF), not a URDF; take the URDF that it was made from, "
+                    "or convert it, as by mjcf_urdf_simple_converter (Python)");
+  }
+  if (name != root && name == "sdf") {
+    throw UserError(path,
+                    "is a model of Gazebo (SDF: it begins with <sdf>, not with <robot>), not a "
+                    "URDF; take the URDF that it was made from, or convert it, as by sdformat_urdf "
+                    "(ROS)");
+  }
+  if (name != root) {
+    throw UserError(path, "begins with <", found == nullptr ? "nothing" : found->Value(),
+                    ">, not with <", root, ">; name another file");
+  }
+}
+
+std::string attribute(const TiXmlElement* element, const char* name) {
+  const char* const value = element == nullptr ? nullptr : element->Attribute(name);
+  return value == nullptr ? "" : value;
+}
+
+std::string at_element(const std::string& path, const char* kind, const std::string& name) {
+  return concat(path, ", ", kind, " ", tool::quoted(name));
+}
+
+}  // namespace flashbvh::tool

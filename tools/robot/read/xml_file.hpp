@@ -1,0 +1,23 @@
+// Files of XML, by TinyXML, which urdfdom reads with, too.
+#ifndef FLASHBVH_TOOLS_ROBOT_READ_XML_FILE_HPP
+#define FLASHBVH_TOOLS_ROBOT_READ_XML_FILE_HPP
+
+#include <tinyxml.h>
+
+#include <string>
+
+namespace flashbvh::tool {
+
+/// Reads a file whose outermost element is <`root`>. UserError if it is missing, malformed, nested
+/// deeper than any robot, or something else.
+void read_xml(const std::string& path, const char* root, TiXmlDocument& document);
+
+/// Empty if the element has no such attribute, or is null.
+std::string attribute(const TiXmlElement* element, const char* name);
+
+/// A place for UserError: "arm.urdf, joint 'elbow'".
+std::string at_element(const std::string& path, const char* kind, const std::string& name);
+
+}  // namespace flashbvh::tool
+
+#endif

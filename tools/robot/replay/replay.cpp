@@ -1,0 +1,185 @@
+#include "robot/replay/replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <numeric>
+
+#include "robot/replay/posed_pairs.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+constexpr std::uint32_t kMostPairs = kMaxLinks * (kMaxLinks - 1) / 2;
+/// Too large for a stack.
+using AnyGuardState = GuardStateOf<kMaxJoints, kMostPairs, kMostPairs * kMaxJoints>;
+using AnyMotionState = MotionStateOf<kMaxJoints, kMaxJoints>;
+
+/// In radians and metres.
+std::vector<double> lengths_of(const Robot& robot, const std::vector<JointCoordinate>& values) {
+  constexpr double kTwoPi = 6.283185307179586;
+  std::vector<double> lengths(values.size());
+  for (std::uint32_t i = 0; i < robot.joint_count; ++i) {
+    const RobotJoint& joint = robot.joints[i];
+    if (joint.shift == 0) {  // no mimic
+      lengths[joint.variable] =
+          values[joint.variable] *
+          (joint.type == JointType::prismatic ? cell_of(robot) / kFrameCell : kTwoPi / kFullTurn);
+    }
+  }
+  return lengths;
+}
+
+CertifiedMotion certified(const Robot& robot, AnyMotionState& state, const float* from,
+                          const float* to) {
+  MotionQuery query(robot, state);
+  const Status status =
+      query.start(coordinates_of(robot, from).data(), coordinates_of(robot, to).data());
+  if (status != Status::done) {
+    return {{status, MotionOutcome::close, 0, {}, 0, 0}, 0, {}};
+  }
+  CertifiedMotion motion = {query.run(UINT32_MAX), 0, {}};
+  while (motion.answer.status == Status::suspended) {
+    motion.answer = query.run(UINT32_MAX);
+  }
+  std::vector<JointCoordinate> values(robot.variable_count);
+  query.set_values(motion.answer.numerator, motion.answer.level, values.data());
+  motion.part = std::ldexp(motion.answer.numerator, -motion.answer.level);
+  motion.values = lengths_of(robot, values);
+  return motion;
+}
+
+/// The pair, if it is nearer than the closest one by now.
+void take_nearer(const Robot& robot, std::size_t period, std::uint16_t number, const Pose& pose,
+                 std::optional<ClosestMoment>& closest) {
+  const PostMesh& a = robot.meshes[robot.pairs[number].a];
+  const PostMesh& b = robot.meshes[robot.pairs[number].b];
+  if (closest) {
+    const std::uint32_t least = closest->clearance.lower;
+    if (least == 0 || !closer_than(a, b, pose, least - 1).yes) {
+      return;
+    }
+  }
+  const Clearance<std::uint16_t> found = distance(a, b, pose);
+  if (found.status == Status::done && found.in_range &&
+      (!closest || found.lower < closest->clearance.lower)) {
+    closest = ClosestMoment{period, number, pose, found};
+  }
+}
+
+}  // namespace
+
+std::size_t kind_of(const GuardAnswer& answer) {
+  return answer.status == Status::done ? static_cast<std::size_t>(answer.verdict) : kRefusedKind;
+}
+
+const char* outcome_name(MotionOutcome outcome) {
+  constexpr const char* kNames[] = {"free", "hit", "close"};
+  return kNames[static_cast<std::size_t>(outcome)];
+}
+
+bool is_free(const CertifiedMotion& motion) {
+  return motion.answer.status == Status::done && motion.answer.outcome == MotionOutcome::free;
+}
+
+ReplaySummary summary_of(const std::vector<GuardAnswer>& answers) {
+  ReplaySummary summary;
+  std::vector<std::uint32_t> work;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const std::size_t kind = kind_of(answers[i]);
+    if (summary.periods[kind]++ == 0) {
+      summary.first[kind] = i;
+    }
+    if (summary.is_primed) {
+      work.push_back(answers[i].work);
+    } else if (kind != kRefusedKind) {
+      summary.is_primed = true;
+      summary.priming = answers[i].work;
+    }
+  }
+  if (!work.empty()) {
+    std::sort(work.begin(), work.end());
+    summary.mean =
+        std::accumulate(work.begin(), work.end(), 0.0) / static_cast<double>(work.size());
+    summary.percentile_999 = work[work.size() - 1 - work.size() / 1000];
+    summary.most = work.back();
+  }
+  return summary;
+}
+
+std::vector<GuardAnswer> replay(const Robot& robot, const Trajectory& trajectory,
+                                std::uint32_t work) {
+  const auto state = std::make_unique<AnyGuardState>();
+  Guard guard(robot, *state);
+  std::vector<GuardAnswer> answers;
+  bool is_primed = false;
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    const std::vector<JointCoordinate> values = coordinates_of(robot, trajectory.values(i));
+    answers.push_back(guard.update(values.data(), is_primed ? work : kAllWork));
+    is_primed = is_primed || answers.back().status == Status::done;
+  }
+  return answers;
+}
+
+std::vector<CertifiedMotion> certify(const Robot& robot, const Trajectory& trajectory) {
+  const auto state = std::make_unique<AnyMotionState>();
+  std::vector<CertifiedMotion> motions;
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    motions.push_back(certified(robot, *state, trajectory.values(i - 1), trajectory.values(i)));
+  }
+  return motions;
+}
+
+std::optional<ClosestMoment> closest_moment(const Robot& robot, const Trajectory& trajectory) {
+  std::optional<ClosestMoment> closest;
+  PosedPairs posed(robot);
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    if (!posed.take(trajectory.values(i))) {
+      continue;
+    }
+    for (std::uint16_t pair = 0; pair < robot.pair_count; ++pair) {
+      take_nearer(robot, i, pair, posed.pose(robot.pairs[pair]), closest);
+    }
+  }
+  return closest;
+}
+
+std::vector<std::vector<std::optional<double>>> distances_over(const Robot& robot,
+                                                               const Trajectory& trajectory,
+                                                               std::size_t step) {
+  std::vector<std::vector<std::optional<double>>> distances(robot.pair_count);
+  PosedPairs posed(robot);
+  for (std::size_t i = 0; i < trajectory.size(); i += step) {
+    const bool is_accepted = posed.take(trajectory.values(i));
+    for (std::uint16_t pair = 0; pair < robot.pair_count; ++pair) {
+      const auto found = is_accepted ? posed.distance_of(pair) : std::nullopt;
+      distances[pair].push_back(found ? std::optional<double>(*found * cell_of(robot) / kFineOne)
+                                      : std::nullopt);
+    }
+  }
+  return distances;
+}
+
+std::vector<Pose> link_poses(const Robot& robot, const float* values) {
+  PosedPairs posed(robot);
+  (void)posed.take(values);
+  std::vector<Pose> poses;
+  for (std::uint8_t link = 0; link < robot.link_count; ++link) {
+    poses.push_back(posed.pose(link));
+  }
+  return poses;
+}
+
+std::size_t refused_joint(const Robot& robot, const float* values) {
+  const std::vector<JointCoordinate> coordinates = coordinates_of(robot, values);
+  std::vector<JointCoordinate> made(robot.joint_count);
+  Robot first_joints = robot;
+  first_joints.joint_count = 1;
+  while (set_coordinates(first_joints, coordinates.data(), made.data()) == Status::done) {
+    ++first_joints.joint_count;
+  }
+  return first_joints.joint_count - 1u;
+}
+
+}  // namespace flashbvh::tool

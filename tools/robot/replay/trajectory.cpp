@@ -1,0 +1,246 @@
+#include "robot/replay/trajectory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "mesh/mesh_builder.hpp"
+#include "text/files.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+#include "text/tokens.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// A column of a joint, or of the time.
+struct TrajectoryColumn {
+  std::string name;
+  bool is_time = false;
+  std::size_t joint = kNoJoint;  ///< of Model::joints; none: the time's
+};
+
+struct TrajectoryColumns {
+  char separator;  ///< of the fields in each line: a semicolon, a comma or a tab
+  std::vector<TrajectoryColumn> columns;
+};
+
+const std::string& name_of(const Model& model, std::size_t variable) {
+  return model.joints[model.variables[variable]].name;
+}
+
+/// "a,b": the joints that a trajectory must have.
+std::string variable_names(const Model& model) {
+  return joined(
+      model.variables, [&](std::size_t joint) { return model.joints[joint].name; }, ",");
+}
+
+/// The first of them that the line holds; of a file with one column, any.
+char separator_of(std::string_view line) {
+  for (const char separator : {';', ',', '\t'}) {
+    if (line.find(separator) != std::string_view::npos) {
+      return separator;
+    }
+  }
+  return ',';
+}
+
+/// "time", "t", "Time [s]", "time_from_start", "timestamp", "header.stamp", "secs".
+bool names_time(std::string_view name) {
+  std::string lower(name);
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  const std::string first = lower.substr(0, lower.find_first_of(" _[(/"));
+  constexpr std::string_view kNames[] = {"t", "sec", "secs", "seconds"};
+  return lower.compare(0, 4, "time") == 0 || lower.find("stamp") != std::string::npos ||
+         std::find(std::begin(kNames), std::end(kNames), first) != std::end(kNames);
+}
+
+TrajectoryColumn column_named(const Model& model, std::string_view name, const std::string& place) {
+  const auto joint = std::find_if(model.joints.begin(), model.joints.end(),
+                                  [&](const ModelJoint& j) { return j.name == name; });
+  if (joint != model.joints.end()) {
+    return {std::string(name), false, static_cast<std::size_t>(joint - model.joints.begin())};
+  }
+  if (names_time(name)) {
+    return {std::string(name), true, kNoJoint};
+  }
+  throw UserError(place, "the column ", quoted(name),
+                  " is no joint of the robot that moves; its joints are ", variable_names(model));
+}
+
+void check_complete(const Model& model, const std::vector<TrajectoryColumn>& columns,
+                    const std::string& place) {
+  for (std::size_t i = 0; i < model.variables.size(); ++i) {
+    if (std::none_of(columns.begin(), columns.end(), [&](const TrajectoryColumn& column) {
+          return column.joint == model.variables[i];
+        })) {
+      throw UserError(place, "has no column ", tool::quoted(name_of(model, i)),
+                      "; the first line names all joints that move: ", variable_names(model));
+    }
+  }
+}
+
+/// The fields of a line, without the blanks around them.
+std::vector<std::string_view> fields_of(std::string_view line, char separator) {
+  const std::string_view blanks = separator == '\t' ? " \v\f" : " \t\v\f";
+  std::vector<std::string_view> fields;
+  for (std::size_t begin = 0, end = 0; end != std::string_view::npos; begin = end + 1) {
+    end = line.find(separator, begin);
+    std::string_view field = line.substr(begin, end == std::string_view::npos ? end : end - begin);
+    field.remove_prefix(std::min(field.find_first_not_of(blanks), field.size()));
+    fields.push_back(field.substr(0, field.find_last_not_of(blanks) + 1));
+  }
+  return fields;
+}
+
+/// UserError, with `place`, unless each variable has one column and every other column is a time or
+/// a joint that mimics.
+TrajectoryColumns read_columns(const Model& model, std::string_view line,
+                               const std::string& place) {
+  TrajectoryColumns made = {separator_of(line), {}};
+  for (const std::string_view name : fields_of(line, made.separator)) {
+    if (std::any_of(made.columns.begin(), made.columns.end(),
+                    [&](const TrajectoryColumn& column) { return column.name == name; })) {
+      throw UserError(place, "has two columns ", quoted(name), "; leave one out");
+    }
+    made.columns.push_back(column_named(model, name, place));
+  }
+  check_complete(model, made.columns, place);
+  return made;
+}
+
+/// How far a mimic's value may be from what its joint gives: both have three decimals at least.
+constexpr double kMostRounding = 1e-3;
+
+double number_in(std::string_view field, const std::string& place) {
+  const auto value = parse_number(field);
+  if (value && is_coordinate(*value)) {
+    return *value;
+  }
+  std::string pointed(field);
+  std::replace(pointed.begin(), pointed.end(), ',', '.');
+  if (pointed != field && parse_number(pointed)) {
+    throw UserError(place, quoted(field), " has a decimal comma; write a point: ", pointed);
+  }
+  throw UserError(place, quoted(field), " is no finite number; give radians, or metres");
+}
+
+/// The numbers of a line, one a column; none for a time that is no number, as a date.
+std::vector<std::optional<double>> numbers_of(const TrajectoryColumns& header,
+                                              std::string_view line, const std::string& place) {
+  const std::vector<std::string_view> fields = fields_of(line, header.separator);
+  if (fields.size() != header.columns.size()) {
+    throw UserError(place, "has ", fields.size(), fields.size() == 1 ? " value" : " values",
+                    ", the first line names ", header.columns.size(), " columns; give each one");
+  }
+  std::vector<std::optional<double>> numbers;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    numbers.push_back(header.columns[i].is_time ? parse_number(fields[i])
+                                                : number_in(fields[i], place));
+  }
+  return numbers;
+}
+
+/// Of a line; `values`: of the variables.
+void check_mimic(const Model& model, const TrajectoryColumn& column, double told,
+                 const std::vector<double>& values, const std::string& place) {
+  const ModelJoint& joint = model.joints[column.joint];
+  const double wanted = joint.multiplier * values[joint.variable] + joint.offset;
+  if (std::fabs(told - wanted) > kMostRounding * std::max(1.0, std::fabs(joint.multiplier))) {
+    const ModelJoint& master = model.joints[model.variables[joint.variable]];
+    throw UserError(place, tool::quoted(joint.name), " is ", significant(told, 6),
+                    ", but it follows ", tool::quoted(master.name), ", which puts it at ",
+                    significant(wanted, 6), "; leave the column out, or mend the value");
+  }
+}
+
+/// Reads lines one after the other.
+class RowReader {
+ public:
+  RowReader(const Model& model, TrajectoryColumns columns)
+      : model_(model), header_(std::move(columns)), times_(header_.columns.size()) {}
+
+  /// Of the variables, in their order.
+  std::vector<float> read(std::string_view line, const std::string& place) {
+    const std::vector<std::optional<double>> numbers = numbers_of(header_, line, place);
+    check_times(numbers, place);
+    std::vector<double> values(model_.variables.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (is_variable(i)) {
+        values[model_.joints[header_.columns[i].joint].variable] = *numbers[i];
+      }
+    }
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (!header_.columns[i].is_time && !is_variable(i)) {
+        check_mimic(model_, header_.columns[i], *numbers[i], values, place);
+      }
+    }
+    return {values.begin(), values.end()};
+  }
+
+ private:
+  bool is_variable(std::size_t column) const {
+    const std::size_t joint = header_.columns[column].joint;
+    return joint != kNoJoint && model_.variables[model_.joints[joint].variable] == joint;
+  }
+
+  void check_times(const std::vector<std::optional<double>>& numbers, const std::string& place) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (!header_.columns[i].is_time || !numbers[i]) {
+        continue;
+      }
+      if (times_[i] && *numbers[i] < *times_[i]) {
+        throw UserError(place, tool::quoted(header_.columns[i].name), " goes back from ",
+                        shortest(*times_[i]), " to ", shortest(*numbers[i]),
+                        "; each line is one period after the line before: sort them");
+      }
+      times_[i] = numbers[i];
+    }
+  }
+
+  const Model& model_;
+  TrajectoryColumns header_;
+  std::vector<std::optional<double>> times_;  ///< the last ones, by column
+};
+
+void note_times(const TrajectoryColumns& header, const std::string& place, Warnings& warnings) {
+  for (const TrajectoryColumn& column : header.columns) {
+    if (column.is_time) {
+      warnings.add(place, concat("the column ", tool::quoted(column.name),
+                                 " is not used: each line is one period after the line before"));
+    }
+  }
+}
+
+}  // namespace
+
+Trajectory read_trajectory(const std::string& path, const Model& model, Warnings& warnings) {
+  if (model.variables.empty()) {
+    throw UserError(path, "the robot has no joint that moves, so it has no trajectory");
+  }
+  const std::string text = read_file(path);
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  const bool is_marked = text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0;
+  Lines lines(std::string_view(text).substr(is_marked ? kByteOrderMark.size() : 0));
+  if (!lines.next_content()) {
+    throw UserError(path, "has no line that names the joints: ", variable_names(model));
+  }
+  const std::string place = at_line(path, lines.number());
+  TrajectoryColumns columns = read_columns(model, lines.line(), place);
+  note_times(columns, place, warnings);
+  RowReader reader(model, std::move(columns));
+  Trajectory trajectory(model.variables.size());
+  while (lines.next_content()) {
+    trajectory.add(lines.number(), reader.read(lines.line(), at_line(path, lines.number())));
+  }
+  if (trajectory.size() == 0) {
+    throw UserError(path, "has no line of values; give one a period");
+  }
+  return trajectory;
+}
+
+}  // namespace flashbvh::tool
