@@ -1,4 +1,4 @@
-// flashbvh: bakes meshes, and inspects, checks and exports what it baked, and asks about it.
+// flashbvh: bakes meshes and robots; inspects, checks, exports and queries their images.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>

@@ -11,7 +11,7 @@ using flashbvh::PostMesh;
 namespace compare {
 namespace {
 
-/// Bullet tells each point of contact of two triangles; here each pair counts once.
+/// Bullet reports each point of contact of two triangles; here each pair counts once.
 class Contacts : public btManifoldResult {
  public:
   using btManifoldResult::btManifoldResult;

@@ -13,8 +13,8 @@ namespace flashbvh::tool {
 /// Numbers of triangles, ascending.
 using TriangleIds = std::vector<std::uint32_t>;
 
-/// Triangles without area, told by the coordinates as they are: corners that fall together or lie
-/// on a line.
+/// Triangles without area, detected by the coordinates as they are: corners that fall together or
+/// lie on a line.
 TriangleIds degenerate_triangles(const bake::SourceMesh& mesh);
 TriangleIds degenerate_triangles(const bake::LatticeMesh& mesh);
 

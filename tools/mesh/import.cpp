@@ -7,6 +7,7 @@
 
 #include "mesh/formats.hpp"
 #include "text/files.hpp"
+#include "text/tokens.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -47,9 +48,7 @@ constexpr std::array<std::string_view, 12> kUnread = {
     "blend", "fbx", "3ds", "wrl", "x3d", "amf", "usd", "usda", "usdc", "usdz", "dxf", "lwo"};
 
 std::string lower_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  const std::string extension = lower_case(std::filesystem::path(path).extension().string());
   return extension.empty() ? extension : extension.substr(1);
 }
 

@@ -1,4 +1,4 @@
-// Mesh files of all formats, told apart by their extensions.
+// Mesh files of all formats, distinguished by their extensions.
 #ifndef FLASHBVH_TOOLS_MESH_IMPORT_HPP
 #define FLASHBVH_TOOLS_MESH_IMPORT_HPP
 

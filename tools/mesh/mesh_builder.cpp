@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/formats.hpp"
 #include "mesh/polygon.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -110,6 +111,12 @@ double coordinate(std::string_view word, const std::string& file, std::size_t li
 
 bool is_coordinate(double value) {
   return std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max());
+}
+
+void warn_of_cut_line(std::string_view text, FileMesh& mesh) {
+  if (text.back() != '\n' && text.back() != '\r') {
+    mesh.warnings.emplace_back("the last line has no end: the file may be truncated");
+  }
 }
 
 }  // namespace flashbvh::tool

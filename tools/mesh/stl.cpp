@@ -26,19 +26,12 @@ bool is_binary(std::string_view bytes) {
   return bytes.size() >= kHeader && bytes.size() == kHeader + kPerTriangle * binary_count(bytes);
 }
 
-std::string lower(std::string_view word) {
-  std::string result(word);
-  for (char& c : result) {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return result;
-}
-
 /// Binary files may begin with "solid", too; then they hold bytes that text does not.
 bool looks_like_ascii(std::string_view bytes) {
   const std::vector<std::string_view> words = words_of(bytes.substr(0, bytes.find('\n')));
   constexpr std::string_view kNul("\0", 1);
-  return !words.empty() && lower(words[0]) == "solid" && bytes.find(kNul) == std::string_view::npos;
+  return !words.empty() && lower_case(words[0]) == "solid" &&
+         bytes.find(kNul) == std::string_view::npos;
 }
 
 [[noreturn]] void refuse_binary(std::string_view bytes, const std::string& file) {
@@ -58,12 +51,12 @@ class AsciiReader {
       : lines_(text), file_(file), builder_(file) {}
 
   FileMesh read() {
-    for (std::string word = lower(next()); !word.empty(); word = lower(next())) {
+    for (std::string word = lower_case(next()); !word.empty(); word = lower_case(next())) {
       if (word != "solid") {
         refuse("solid", word);
       }
       builder_.begin_body(rest_of_line());
-      for (word = lower(next()); word == "facet"; word = lower(next())) {
+      for (word = lower_case(next()); word == "facet"; word = lower_case(next())) {
         facet();
       }
       if (word != "endsolid") {
@@ -118,7 +111,7 @@ class AsciiReader {
 
   void expect(const char* wanted) {
     const std::string_view found = next();
-    if (lower(found) != wanted) {
+    if (lower_case(found) != wanted) {
       refuse(wanted, found);
     }
   }

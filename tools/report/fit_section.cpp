@@ -70,35 +70,34 @@ std::string milliseconds(const Need& need, const Budget& budget) {
          " ms";
 }
 
-/// What a question takes at most: at poses, and at any.
+/// Upper bounds of a query: at poses, and at any pose.
 enum Case : std::uint8_t { kMean, kPercentile99, kCostliest, kAnyPose, kCaseCount };
 constexpr std::array<const char*, kCaseCount> kCaseNames = {"mean of the poses", "99th percentile",
                                                             "costliest pose", "any pose, proven"};
 using Needs = std::array<Need, kCaseCount>;
 
-struct Question {
+struct Query {
   const char* name;
   NeededWork PairCosts::*needed;
 };
-constexpr Question kQuestions[] = {{"Do they touch?", &PairCosts::needed_to_first},
-                                   {"Which triangles?", &PairCosts::needed}};
+constexpr Query kQueries[] = {{"Do they touch?", &PairCosts::needed_to_first},
+                              {"Which triangles?", &PairCosts::needed}};
 
-Needs needs_of(const AskedPair& pair, const Question& question, const Budget& budget) {
+Needs needs_of(const QueriedPair& pair, const Query& query, const Budget& budget) {
   const auto need = [&](std::uint64_t work) {
     return need_of(work, tree_size(pair.a->image.header()), tree_size(pair.b->image.header()),
                    budget);
   };
-  const NeededWork& needed = pair.costs.*question.needed;
+  const NeededWork& needed = pair.costs.*query.needed;
   return {need(static_cast<std::uint64_t>(std::llround(needed.mean))), need(needed.percentile_99),
           need(needed.most), need(pair.costs.bound.work)};
 }
 
 /// Of all of them, one after the other.
-Needs needs_of(const std::vector<AskedPair>& pairs, const Question& question,
-               const Budget& budget) {
-  Needs all = needs_of(pairs[0], question, budget);
+Needs needs_of(const std::vector<QueriedPair>& pairs, const Query& query, const Budget& budget) {
+  Needs all = needs_of(pairs[0], query, budget);
   for (std::size_t i = 1; i < pairs.size(); ++i) {
-    const Needs next = needs_of(pairs[i], question, budget);
+    const Needs next = needs_of(pairs[i], query, budget);
     std::transform(all.begin(), all.end(), next.begin(), all.begin(), std::plus<>());
   }
   return all;
@@ -157,18 +156,18 @@ std::string cards(const std::string& title, const Needs& needs, bool has_poses,
 }
 
 /// The short of it.
-std::string answers(const std::vector<AskedPair>& pairs, bool has_poses, const Budget& budget) {
+std::string answers(const std::vector<QueriedPair>& pairs, bool has_poses, const Budget& budget) {
   const char* const when = pairs.size() > 1 ? " for all pairs, each at its costliest pose"
                                             : " at the costliest of the poses";
   std::string html = "<ul class=verdict>\n";
-  for (const Question& question : kQuestions) {
-    const Need need = needs_of(pairs, question, budget)[kCostliest];
+  for (const Query& query : kQueries) {
+    const Need need = needs_of(pairs, query, budget)[kCostliest];
     if (has_poses) {
-      html += verdict_line(need.share(budget) <= 1 ? " class=good" : " class=bad", question.name,
+      html += verdict_line(need.share(budget) <= 1 ? " class=good" : " class=bad", query.name,
                            " " + verdict(need, budget) + when);
     }
   }
-  const Need bound = needs_of(pairs, kQuestions[0], budget)[kAnyPose];
+  const Need bound = needs_of(pairs, kQueries[0], budget)[kAnyPose];
   const bool fits = bound.share(budget) <= 1;
   return html +
          verdict_line(
@@ -178,10 +177,10 @@ std::string answers(const std::vector<AskedPair>& pairs, bool has_poses, const B
          "</ul>\n";
 }
 
-std::string pose_note(const std::vector<AskedPair>& pairs, const ReportOptions& options) {
+std::string pose_note(const std::vector<QueriedPair>& pairs, const ReportOptions& options) {
   if (!options.poses.empty()) {
     std::size_t poses = 0;
-    for (const AskedPair& pair : pairs) {
+    for (const QueriedPair& pair : pairs) {
       poses += pair.costs.poses.size();
     }
     return counted(poses, "pose", "poses") + " as given.";
@@ -196,7 +195,7 @@ std::string pose_note(const std::vector<AskedPair>& pairs, const ReportOptions& 
          "give them with <code>--poses</code>.";
 }
 
-std::string notes(const std::vector<AskedPair>& pairs, const ReportOptions& options) {
+std::string notes(const std::vector<QueriedPair>& pairs, const ReportOptions& options) {
   return note("Poses: " + pose_note(pairs, options)) +
          note(concat(
              "Instructions are upper bounds: work times the most that a unit of work "
@@ -212,24 +211,24 @@ std::string notes(const std::vector<AskedPair>& pairs, const ReportOptions& opti
 
 }  // namespace
 
-std::string fit_section(const Subjects& subjects, const std::vector<AskedPair>& pairs,
+std::string fit_section(const Subjects& subjects, const std::vector<QueriedPair>& pairs,
                         const ReportOptions& options) {
   const Budget& budget = options.budget;
   if (pairs.empty()) {
     return section("fit", "", tiles(subjects, budget));
   }
-  const AskedPair& worst = costliest(pairs);
+  const QueriedPair& worst = costliest(pairs);
   const bool has_poses = !worst.costs.poses.empty();
   std::string html = answers(pairs, has_poses, budget) + tiles(subjects, budget);
-  for (const Question& question : kQuestions) {
-    html += cards(
-        title_of(worst) + (pairs.size() > 1 ? ", the costliest pair: " : ": ") + question.name,
-        needs_of(worst, question, budget), has_poses, budget);
+  for (const Query& query : kQueries) {
+    html +=
+        cards(title_of(worst) + (pairs.size() > 1 ? ", the costliest pair: " : ": ") + query.name,
+              needs_of(worst, query, budget), has_poses, budget);
   }
-  for (const Question& question : kQuestions) {
+  for (const Query& query : kQueries) {
     if (pairs.size() > 1) {
-      html += cards(concat("All ", pairs.size(), " pairs, each at its own: ", question.name),
-                    needs_of(pairs, question, budget), has_poses, budget);
+      html += cards(concat("All ", pairs.size(), " pairs, each at its own: ", query.name),
+                    needs_of(pairs, query, budget), has_poses, budget);
     }
   }
   return section("fit", "", html + notes(pairs, options));

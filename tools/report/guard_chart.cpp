@@ -11,7 +11,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Places along the chart: more can't be told apart.
+/// Places along the chart: more would be indistinguishable.
 constexpr std::size_t kMostPlaces = 1500;
 
 /// So many times the warn distance is shown.

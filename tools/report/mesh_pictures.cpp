@@ -13,7 +13,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Boxes of a level that are drawn: more can't be told apart.
+/// Most boxes of a level that are drawn: more would be indistinguishable.
 constexpr std::size_t kMostBoxes = 500;
 
 /// So many boxes are filled, too: more would hide the mesh.

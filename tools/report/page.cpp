@@ -15,11 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Pairs that are asked about at random poses: all of twelve meshes.
+/// Most pairs that are queried at random poses: all of twelve meshes.
 constexpr std::size_t kMostPairs = 66;
 
-std::vector<AskedPair> partners(const Subjects& subjects) {
-  std::vector<AskedPair> pairs;
+std::vector<QueriedPair> partners(const Subjects& subjects) {
+  std::vector<QueriedPair> pairs;
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     for (std::size_t j = i + 1; j < subjects.size(); ++j) {
       if (pairs.size() < kMostPairs && are_partners(subjects[i]->image, subjects[j]->image)) {
@@ -30,14 +30,14 @@ std::vector<AskedPair> partners(const Subjects& subjects) {
   return pairs;
 }
 
-AskedPair at_poses(const Subject& a, const Subject& b, const std::string& path) {
+QueriedPair at_poses(const Subject& a, const Subject& b, const std::string& path) {
   check_partners(a.image, b.image);
   return {&a, &b, costs_at(a.image, b.image, path)};
 }
 
-/// A file A-B for each pair that is asked about.
-std::vector<AskedPair> at_poses_of_folder(const Subjects& subjects, const std::string& folder) {
-  std::vector<AskedPair> pairs;
+/// A file A-B for each pair that is queried.
+std::vector<QueriedPair> at_poses_of_folder(const Subjects& subjects, const std::string& folder) {
+  std::vector<QueriedPair> pairs;
   for (const Subject* const a : subjects) {
     for (const Subject* const b : subjects) {
       const fs::path file = fs::path(folder) / (a->name + "-" + b->name);
@@ -70,8 +70,8 @@ std::size_t most_levels(const Subjects& subjects) {
 }
 
 /// All pairs that can be queried, or the first few. One mesh is queried against a second one.
-std::vector<AskedPair> asked_pairs(const Subjects& subjects, const ReportOptions& options,
-                                   const Step& step) {
+std::vector<QueriedPair> queried_pairs(const Subjects& subjects, const ReportOptions& options,
+                                       const Step& step) {
   if (!options.poses.empty()) {
     step("querying", static_cast<double>(subjects.size()));
     if (fs::is_directory(options.poses)) {
@@ -85,11 +85,11 @@ std::vector<AskedPair> asked_pairs(const Subjects& subjects, const ReportOptions
     }
     return {at_poses(*subjects.front(), *subjects.back(), options.poses)};
   }
-  std::vector<AskedPair> pairs = partners(subjects);
+  std::vector<QueriedPair> pairs = partners(subjects);
   if (subjects.size() == 1) {
     pairs.push_back({subjects[0], subjects[0], {}});
   }
-  for (AskedPair& pair : pairs) {
+  for (QueriedPair& pair : pairs) {
     step("querying " + pair.a->name + " and " + pair.b->name,
          static_cast<double>(subjects.size()) / static_cast<double>(pairs.size()));
     pair.costs = sampled_costs(pair.a->image, pair.b->image, options.samples);
@@ -99,16 +99,17 @@ std::vector<AskedPair> asked_pairs(const Subjects& subjects, const ReportOptions
 
 }  // namespace
 
-std::string title_of(const AskedPair& pair) {
+std::string title_of(const QueriedPair& pair) {
   const std::string a = escaped(pair.a->name);
   return a + (pair.a == pair.b ? " and a second " + a : " and " + escaped(pair.b->name));
 }
 
-const AskedPair& costliest(const std::vector<AskedPair>& pairs) {
-  return *std::max_element(pairs.begin(), pairs.end(), [](const AskedPair& p, const AskedPair& q) {
-    return std::pair(p.costs.needed.most, p.costs.bound.work) <
-           std::pair(q.costs.needed.most, q.costs.bound.work);
-  });
+const QueriedPair& costliest(const std::vector<QueriedPair>& pairs) {
+  return *std::max_element(pairs.begin(), pairs.end(),
+                           [](const QueriedPair& p, const QueriedPair& q) {
+                             return std::pair(p.costs.needed.most, p.costs.bound.work) <
+                                    std::pair(q.costs.needed.most, q.costs.bound.work);
+                           });
 }
 
 std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
@@ -123,7 +124,7 @@ std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
     owned.push_back(std::make_unique<Subject>(*images[i], i, names[i]));
     subjects.push_back(owned.back().get());
   }
-  const std::vector<AskedPair> pairs = asked_pairs(subjects, options, step);
+  const std::vector<QueriedPair> pairs = queried_pairs(subjects, options, step);
   std::string html = fit_section(subjects, pairs, options) +
                      pairs_section(subjects, pairs, options) + flash_table(subjects);
   for (const Subject* const subject : subjects) {

@@ -23,13 +23,13 @@ struct Budget {
 
 struct ReportOptions {
   /// Of B in A's frame, as `collide` takes them. A file for two images; a folder with a file A-B
-  /// for each pair that is asked about; empty: random poses.
+  /// for each queried pair; empty: random poses.
   std::string poses;
   std::size_t samples;  ///< random poses of each pair; 0: none
   Budget budget;
 };
 
-/// Told before each piece of work: what it is about, and which share of the whole it is.
+/// Called before each piece of work with its name and its share of the whole.
 using Step = std::function<void(const std::string& what, double share)>;
 
 /// One self-contained HTML file, the same bytes for the same images and poses whatever their

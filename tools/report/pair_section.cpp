@@ -24,7 +24,7 @@ void add_mesh(Faces& faces, const Subject& subject, const std::vector<LatticePoi
 }
 
 /// Both meshes in A's frame, and the triangles that intersect marked.
-Faces contact_of(const AskedPair& pair, const Pose& pose) {
+Faces contact_of(const QueriedPair& pair, const Pose& pose) {
   const AnyTree& a = pair.a->image.tree();
   const AnyTree& b = pair.b->image.tree();
   std::set<std::uint32_t> of_a;
@@ -52,7 +52,7 @@ std::string line_of(const Pose& pose, double cell) {
   return line;
 }
 
-std::string picture(const AskedPair& pair, const PoseCost& cost, const Faces& faces,
+std::string picture(const QueriedPair& pair, const PoseCost& cost, const Faces& faces,
                     const std::string& name) {
   const Frame frame(views()[0], points_of(faces));
   const std::string found = cost.triangle_pairs == 0
@@ -66,7 +66,7 @@ std::string picture(const AskedPair& pair, const PoseCost& cost, const Faces& fa
                        line_of(cost.pose, pair.a->image.cell()), "</code></details>"));
 }
 
-std::string pose_pictures(const AskedPair& pair) {
+std::string pose_pictures(const QueriedPair& pair) {
   const std::vector<PoseCost>& poses = pair.costs.poses;
   const auto most =
       std::max_element(poses.begin(), poses.end(),
@@ -86,15 +86,15 @@ std::string pose_pictures(const AskedPair& pair) {
          "</div>\n";
 }
 
-const AskedPair* find(const std::vector<AskedPair>& pairs, const Subject* a, const Subject* b) {
-  const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const AskedPair& pair) {
+const QueriedPair* find(const std::vector<QueriedPair>& pairs, const Subject* a, const Subject* b) {
+  const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const QueriedPair& pair) {
     return pair.a == a && pair.b == b;
   });
   return found == pairs.end() ? nullptr : &*found;
 }
 
 /// The darker, the more of the largest.
-std::string matrix_cell(const AskedPair* pair, std::uint64_t most) {
+std::string matrix_cell(const QueriedPair* pair, std::uint64_t most) {
   if (pair == nullptr) {
     return "<td class=n>&ndash;</td>";
   }
@@ -104,7 +104,7 @@ std::string matrix_cell(const AskedPair* pair, std::uint64_t most) {
          grouped(work) + "</td>";
 }
 
-std::string work_matrix(const Subjects& subjects, const std::vector<AskedPair>& pairs) {
+std::string work_matrix(const Subjects& subjects, const std::vector<QueriedPair>& pairs) {
   const std::uint64_t most = std::max<std::uint64_t>(costliest(pairs).costs.needed.most, 1);
   Cells names;
   for (const Subject* const subject : subjects) {
@@ -112,7 +112,7 @@ std::string work_matrix(const Subjects& subjects, const std::vector<AskedPair>& 
   }
   return matrix(
       "", "Most work of each pair at its poses", names, names, [&](std::size_t i, std::size_t j) {
-        const AskedPair* const pair = find(pairs, subjects[i], subjects[j]);
+        const QueriedPair* const pair = find(pairs, subjects[i], subjects[j]);
         return j <= i ? "<td></td>"
                       : matrix_cell(pair != nullptr ? pair : find(pairs, subjects[j], subjects[i]),
                                     most);
@@ -125,7 +125,7 @@ struct Row {
   std::vector<std::uint64_t> work;
 };
 
-std::array<Row, 5> rows_of(const AskedPair& pair) {
+std::array<Row, 5> rows_of(const QueriedPair& pair) {
   std::array<Row, 5> rows = {{{"boxes of the meshes disjoint", {}},
                               {"boxes overlap, none of two leaves", {}},
                               {"leaves overlap, no triangles intersect", {}},
@@ -155,7 +155,7 @@ Cells cells_of(const Row& row, std::uint64_t most) {
               "<span class=leaf style=\"width:" + width(work.mean) + "</div>"};
 }
 
-std::string closeness_table(const AskedPair& pair) {
+std::string closeness_table(const QueriedPair& pair) {
   std::vector<Cells> cells;
   for (const Row& row : rows_of(pair)) {
     cells.push_back(cells_of(row, std::max<std::uint64_t>(pair.costs.needed.most, 1)));
@@ -182,7 +182,7 @@ std::string shortfall(const PairCosts& costs) {
 
 }  // namespace
 
-std::string pairs_section(const Subjects& subjects, const std::vector<AskedPair>& pairs,
+std::string pairs_section(const Subjects& subjects, const std::vector<QueriedPair>& pairs,
                           const ReportOptions& options) {
   const std::size_t different = subjects.size() * (subjects.size() - 1) / 2;
   std::string html;
@@ -193,11 +193,11 @@ std::string pairs_section(const Subjects& subjects, const std::vector<AskedPair>
                                         : "no poses are given."));
   }
   if (!pairs.empty() && !costliest(pairs).costs.poses.empty()) {
-    const AskedPair& worst = costliest(pairs);
+    const QueriedPair& worst = costliest(pairs);
     html += (subjects.size() > 2 ? work_matrix(subjects, pairs) : "") + pose_pictures(worst) +
             closeness_table(worst);
   }
-  for (const AskedPair& pair : pairs) {
+  for (const QueriedPair& pair : pairs) {
     html += shortfall(pair.costs);
   }
   return html.empty() ? "" : section("poses", "Where the work is", html);

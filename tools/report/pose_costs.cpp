@@ -10,7 +10,7 @@
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
 #include "evaluate/random.hpp"
-#include "report/picture.hpp"
+#include "report/subject.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -53,19 +53,12 @@ void set_rotation(const std::array<std::int64_t, 4>& q, Matrix& matrix) {
 /// A root's box, in half cells of the mesh's frame.
 struct Place {
   explicit Place(const AnyTree& any) {
-    std::visit(
-        [this](const auto& tree) {
-          const detail::Box box = detail::unpack(tree.nodes[0].box);
-          const Vector lower = {box.lower.x, box.lower.y, box.lower.z};
-          const Vector upper = {box.upper.x, box.upper.y, box.upper.z};
-          Vector sides{};
-          for (std::size_t axis = 0; axis < 3; ++axis) {
-            middle[axis] = 2 * std::int64_t{tree.origin[axis]} + lower[axis] + upper[axis];
-            sides[axis] = upper[axis] - lower[axis];
-          }
-          diagonal = square_root(dot(sides, sides)) + 1;
-        },
-        any);
+    const NodeBox box = std::visit([](const auto& tree) { return node_box(tree, 0); }, any);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      middle[axis] = box.lower[axis] + box.upper[axis];
+    }
+    const Vector sides = difference(box.upper, box.lower);
+    diagonal = square_root(dot(sides, sides)) + 1;
   }
 
   Vector middle{};

@@ -13,7 +13,7 @@
 
 namespace flashbvh::tool {
 
-/// Told by the answer.
+/// By the answer of a query.
 enum Closeness : std::uint8_t {
   kSeparated,       ///< the boxes of the roots are disjoint
   kSmallProximity,  ///< no pair of leaves overlaps
@@ -32,7 +32,7 @@ struct PoseCost {
 
 struct PairCosts {
   VisitBound bound;                ///< of any pose
-  std::vector<PoseCost> poses;     ///< none if none was asked for
+  std::vector<PoseCost> poses;     ///< none with --samples 0
   NeededWork needed;               ///< at these, for every pair of triangles
   NeededWork needed_to_first;      ///< for the first pair
   std::uint64_t out_of_range = 0;  ///< poses that can't be: a mesh lies too far from its origin

@@ -13,26 +13,26 @@ namespace flashbvh::tool {
 
 using Subjects = std::vector<const Subject*>;
 
-/// Two subjects that are asked about each other, the second moving.
-struct AskedPair {
+/// Two subjects that are queried against each other, the second moving.
+struct QueriedPair {
   const Subject* a;
   const Subject* b;
   PairCosts costs;
 };
 
 /// "ring and peg", as HTML.
-std::string title_of(const AskedPair& pair);
+std::string title_of(const QueriedPair& pair);
 
 /// The pair whose costliest pose, or bound where there are no poses, takes most work.
-const AskedPair& costliest(const std::vector<AskedPair>& pairs);
+const QueriedPair& costliest(const std::vector<QueriedPair>& pairs);
 
 /// Flash, RAM and time, and whether they are enough. `pairs`: may be none.
-std::string fit_section(const Subjects& subjects, const std::vector<AskedPair>& pairs,
+std::string fit_section(const Subjects& subjects, const std::vector<QueriedPair>& pairs,
                         const ReportOptions& options);
 
 /// The worst of each pair as a matrix, for three meshes or more; the costliest pose and a first
 /// contact as pictures; work by how close the meshes come. Nothing without poses.
-std::string pairs_section(const Subjects& subjects, const std::vector<AskedPair>& pairs,
+std::string pairs_section(const Subjects& subjects, const std::vector<QueriedPair>& pairs,
                           const ReportOptions& options);
 
 /// Key figures, pictures and warnings.

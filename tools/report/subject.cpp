@@ -14,7 +14,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// `places`: in the image's order of sources. Told by their numbers in the source mesh.
+/// `places`: in the image's order of sources; the warning has their numbers in the source mesh.
 void mark_triangles(Subject& subject, TriangleIds places, Paint paint, const char* what) {
   if (places.empty()) {
     return;
@@ -62,14 +62,9 @@ std::vector<std::vector<NodeBox>> boxes_by_level(const AnyTree& any) {
   std::vector<std::vector<NodeBox>> levels;
   std::visit(
       [&](const auto& tree) {
-        const auto& o = tree.origin;
         for (std::uint32_t i = 0; i < tree.node_count; ++i) {
           levels.resize(std::max<std::size_t>(levels.size(), tree.level(i) + std::size_t{1}));
-          const detail::Box box = detail::unpack(tree.nodes[i].box);
-          levels[tree.level(i)].push_back(
-              {{o[0] + box.lower.x, o[1] + box.lower.y, o[2] + box.lower.z},
-               {o[0] + box.upper.x, o[1] + box.upper.y, o[2] + box.upper.z},
-               tree.nodes[i].is_leaf()});
+          levels[tree.level(i)].push_back(node_box(tree, i));
         }
       },
       any);

@@ -17,6 +17,18 @@ struct NodeBox {
   bool is_leaf;
 };
 
+/// Of a node of a tree.
+template <class Tree>
+NodeBox node_box(const Tree& tree, std::uint32_t node) {
+  const std::int64_t x = tree.origin[0];
+  const std::int64_t y = tree.origin[1];
+  const std::int64_t z = tree.origin[2];
+  const auto box = detail::unpack(tree.nodes[node].box);
+  return {{x + box.lower.x, y + box.lower.y, z + box.lower.z},
+          {x + box.upper.x, y + box.upper.y, z + box.upper.z},
+          tree.nodes[node].is_leaf()};
+}
+
 /// A triangle in cells of the mesh's frame.
 struct Triangle : Face {
   SourceTriangle source;
@@ -40,7 +52,7 @@ struct Subject {
   std::vector<Face> marked_edges;
   std::vector<std::vector<NodeBox>> levels;  ///< from the root on, which holds all
   std::vector<Warning> warnings;
-  std::size_t left_out;  ///< triangles that `bake` was told to drop, but for the last ones
+  std::size_t left_out;  ///< triangles that `bake --drop` left out, except the last ones
 };
 
 /// Names of the image files, numbered where they are the same.

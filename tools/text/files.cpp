@@ -30,7 +30,7 @@ fs::path temporary_name(const fs::path& path) {
   return name;
 }
 
-/// Takes back what was made, newest first, unless told to keep it.
+/// Takes back what was made, newest first, unless keep() was called.
 class Rollback {
  public:
   ~Rollback() {

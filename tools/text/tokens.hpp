@@ -3,10 +3,14 @@
 #define FLASHBVH_TOOLS_TEXT_TOKENS_HPP
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace flashbvh::tool {
+
+/// Letters of ASCII alone, in any locale.
+std::string lower_case(std::string_view text);
 
 /// The words between blanks.
 std::vector<std::string_view> words_of(std::string_view line);

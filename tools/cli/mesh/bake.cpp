@@ -179,7 +179,7 @@ void bake_all(const BakeOrder& order) {
   BakeOptions options = order.options;
   FileSet files;
   const std::vector<BakeRow> rows = bake_meshes(order, options, files, warnings);
-  // Files that nobody heard of are none: what prints fails before they are in place.
+  // Prints before renaming: if output fails, no file is left behind.
   files.write([&] {
     warnings.print();
     if (order.json) {

@@ -22,7 +22,7 @@ struct ExportArguments {
   bool floats = false;
 };
 
-/// A comment tells the number of a triangle before which others were left out.
+/// A comment has the number of a triangle before which others were left out.
 std::string faces_of(const std::vector<SourceTriangle>& triangles) {
   std::string text;
   std::uint32_t next = 0;

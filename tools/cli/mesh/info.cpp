@@ -12,29 +12,11 @@
 #include "image/image_file.hpp"
 #include "mesh/import.hpp"
 #include "mesh/units.hpp"
+#include "report/subject.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
-
-struct Bounds {
-  LatticePoint lower;
-  LatticePoint upper;
-};
-
-/// The root's box, in cells of the mesh's frame.
-Bounds bounds_of(const AnyTree& any) {
-  return std::visit(
-      [](const auto& tree) {
-        const detail::Box box = detail::unpack(tree.nodes[0].box);
-        const auto& origin = tree.origin;
-        return Bounds{{std::int64_t{origin[0]} + box.lower.x, std::int64_t{origin[1]} + box.lower.y,
-                       std::int64_t{origin[2]} + box.lower.z},
-                      {std::int64_t{origin[0]} + box.upper.x, std::int64_t{origin[1]} + box.upper.y,
-                       std::int64_t{origin[2]} + box.upper.z}};
-      },
-      any);
-}
 
 std::array<double, 3> in_unit(const LatticePoint& point, double cell) {
   return {static_cast<double>(point[0]) * cell, static_cast<double>(point[1]) * cell,
@@ -44,7 +26,8 @@ std::array<double, 3> in_unit(const LatticePoint& point, double cell) {
 /// Names and values, in the order in which both outputs show them.
 Json facts_of(const ImageFile& image) {
   const ImageHeader& header = image.header();
-  const Bounds bounds = bounds_of(image.tree());
+  const NodeBox bounds =
+      std::visit([](const auto& tree) { return node_box(tree, 0); }, image.tree());
   const double cell = image.cell();
   const bake::BendingCost bending =
       std::visit([](const auto& tree) { return bake::bending_cost(tree); }, image.tree());

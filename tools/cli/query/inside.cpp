@@ -31,7 +31,7 @@ void query_points(const InsideArguments& arguments) {
   std::vector<PointAnswer> answers;
   for (const Point& point : points) {
     const auto answer =
-        ask_post_mesh<PointAnswer>(image, [&](const auto& mesh) { return inside(mesh, point); });
+        query_post_mesh<PointAnswer>(image, [&](const auto& mesh) { return inside(mesh, point); });
     if (answer.status == Status::not_closed) {
       throw UserError(image.path(),
                       "is no closed surface and has no inside; `flashbvh check` says where it is "

@@ -1,4 +1,4 @@
-// What commands that ask about two images in poses are given.
+// Arguments of commands that query two images in poses.
 #ifndef FLASHBVH_TOOLS_CLI_POSED_IMAGES_HPP
 #define FLASHBVH_TOOLS_CLI_POSED_IMAGES_HPP
 

@@ -114,7 +114,7 @@ void query_rays(const RayArguments& arguments) {
   const ImageFile image(arguments.image);
   std::vector<Found> answers;
   for (const Segment& segment : read_lattice_rays(arguments.rays, image.cell())) {
-    answers.push_back(ask_post_mesh<Found>(
+    answers.push_back(query_post_mesh<Found>(
         image, [&](const auto& mesh) { return cast(mesh, segment, arguments.all); }));
     if (answers.back().status != Status::done) {
       throw UserError(arguments.rays, "ray ", answers.size() - 1,

@@ -21,7 +21,7 @@ struct Replayed {
   std::vector<CertifiedMotion> motions;  ///< the first: to the second line
 };
 
-/// Lines that are told one by one in tables and on standard error.
+/// Most lines that tables and standard error list one by one.
 constexpr std::size_t kShownLines = 10;
 
 /// "ok" of `done`.

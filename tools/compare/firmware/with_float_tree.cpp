@@ -1,6 +1,6 @@
 // The paper's tree and its algorithm 2, in binary32: boxes along the axes, split top-down along
 // the longest one until a triangle is left; a stack, the larger volume descended. Under
-// rotation boxes are told apart by the axes of both frames.
+// rotation boxes are tested along the axes of both frames.
 #include <algorithm>
 #include <vector>
 

@@ -16,12 +16,12 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Of the smaller link's radius: nothing is told of links that come nearer than this part of it.
+/// Of the smaller link's radius: nothing is stored of links that come nearer than this part of it.
 constexpr double kLeastPart = 1.0 / 32;
 /// Nor of what a byte can't say, in cells.
 constexpr double kLeastCells = 16;
-/// Of the least distance seen in a cell, what is told at least: more below so many times the least,
-/// where a guard looks again every few periods.
+/// Of the least distance seen in a cell, what is stored at least: more below so many times the
+/// least, where a guard looks again every few periods.
 constexpr double kNear = 6;
 struct Shares {
   double near;

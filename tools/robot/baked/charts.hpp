@@ -15,7 +15,7 @@
 
 namespace flashbvh::tool {
 
-/// `robot`: of the model. `begin`: told each pair of RobotPair that is begun.
+/// `robot`: of the model. `begin` is called with the number of each pair before its chart.
 std::vector<std::uint8_t> charts_of(const Model& model, const Robot& robot,
                                     const std::function<void(std::size_t)>& begin);
 

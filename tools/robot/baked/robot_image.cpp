@@ -32,7 +32,7 @@ std::string names_of(const Model& model, const std::string& name) {
   return names;
 }
 
-/// One who lays parts end to end.
+/// Lays parts end to end.
 class Bytes {
  public:
   template <class Element>

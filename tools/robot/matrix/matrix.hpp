@@ -17,7 +17,7 @@ enum class MatrixVerdict : std::uint8_t {
   never,      ///< proven for all values of the variables within closed limits
   can,        ///< with a witness
   always,     ///< neighbours that intersect wherever they were tried: not guarded
-  undecided,  ///< closer than can be told, or too many cells
+  undecided,  ///< closer than can be resolved, or too many cells
   fixed,      ///< no joint moves them against each other
   believed,  ///< they can, or may, but an SRDF disables them and the user stands by it: not guarded
 };

@@ -1,6 +1,6 @@
 // Whether two links can collide: branch and bound over cells of the variables' values.
 //
-// At the middle of a cell the links are asked whether they are within eps: how far anything moves
+// At the middle of a cell a query decides whether the links are within eps: how far anything moves
 // in the cell, and the slack. No: they collide nowhere in it. Yes: if they intersect there, they
 // can; else the cell is cut in two where it moves them most. Cells wait on a stack, so memory grows
 // with the depth alone.

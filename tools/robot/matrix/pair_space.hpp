@@ -13,7 +13,7 @@ namespace flashbvh::tool {
 struct PairLink {
   std::size_t link;
   const PostMesh* mesh;
-  const std::vector<double>* reaches;  ///< reaches_of(), or null: the mesh's box tells
+  const std::vector<double>* reaches;  ///< reaches_of(), or null: by the mesh's box
 };
 
 /// A variable that moves the links against each other.
@@ -42,7 +42,7 @@ class PairSpace {
   /// What values up to `halves` from `point` do.
   Motion motion(const std::vector<double>& point, const std::vector<double>& halves) const;
 
-  /// Whether the links can be told to be more than `distance` cells apart.
+  /// Whether the links are detected to be more than `distance` cells apart.
   bool are_apart(const std::vector<double>& point, double distance) const;
   /// By the exact query, of B at pose_of() in A's frame.
   bool intersect(const std::vector<double>& point) const;

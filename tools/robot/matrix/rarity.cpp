@@ -60,20 +60,20 @@ std::vector<Collisions> collisions_of(const Model& model, const PostMesh* meshes
                                       std::uint32_t samples) {
   std::vector<Collisions> collisions(pairs.size());
   Random random;
-  std::vector<std::size_t> asked;
+  std::vector<std::size_t> queried;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (pairs[i].verdict == MatrixVerdict::can) {
-      asked.push_back(i);
+      queried.push_back(i);
     }
   }
-  for (std::uint32_t sample = 0; !asked.empty() && sample < kRareFold * samples; ++sample) {
+  for (std::uint32_t sample = 0; !queried.empty() && sample < kRareFold * samples; ++sample) {
     if (sample == samples) {
-      asked.erase(std::remove_if(asked.begin(), asked.end(),
-                                 [&](std::size_t i) { return collisions[i].count >= kFew; }),
-                  asked.end());
+      queried.erase(std::remove_if(queried.begin(), queried.end(),
+                                   [&](std::size_t i) { return collisions[i].count >= kFew; }),
+                    queried.end());
     }
     const std::vector<Transform> frames = link_frames(model, any_variables(model, random));
-    for (const std::size_t i : asked) {
+    for (const std::size_t i : queried) {
       const auto& [a, b] = std::pair(pairs[i].a, pairs[i].b);
       const Pose pose = pose_of(composed(inverse(frames[a]), frames[b]), cell);
       collisions[i].count += intersects(meshes[a], meshes[b], pose).yes ? 1 : 0;

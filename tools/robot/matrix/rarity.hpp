@@ -26,12 +26,12 @@ struct Collisions {
 };
 
 /// Of each pair, at configurations even within the limits and always the same: `samples`, and ten
-/// times as many where fewer than ten of them collide. Pairs that are not `can` are not asked.
+/// times as many where fewer than ten of them collide. Pairs that are not `can` are not queried.
 /// `meshes`: the links'.
 std::vector<Collisions> collisions_of(const Model& model, const PostMesh* meshes, double cell,
                                       const std::vector<PairVerdict>& pairs, std::uint32_t samples);
 
-/// What part of all configurations collides, told from samples.
+/// What part of all configurations collides, estimated from samples.
 struct Share {
   double part;
   bool is_bound;  ///< none of the samples does: the part is below this, with a confidence of 95 %

@@ -1,5 +1,5 @@
 // From joints as a URDF has them to those of a Model: fixed ones folded, axes turned to z, mimics
-// told by the variable that moves them.
+// named by the variable that moves them.
 #ifndef FLASHBVH_TOOLS_ROBOT_READ_KINEMATIC_TREE_HPP
 #define FLASHBVH_TOOLS_ROBOT_READ_KINEMATIC_TREE_HPP
 

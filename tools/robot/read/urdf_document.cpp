@@ -18,6 +18,7 @@
 #include "mesh/mesh_builder.hpp"
 #include "robot/read/xml_file.hpp"
 #include "text/messages.hpp"
+#include "text/tokens.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -223,10 +224,7 @@ void check_tree(const TrimmedRobot& robot, const std::string& path) {
 
 /// Files of other kinds, that a user may take for a robot, by how their names end.
 void check_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
+  const std::string extension = lower_case(std::filesystem::path(path).extension().string());
   if (is_one_of(extension,
                 {".step", ".stp", ".iges", ".igs", ".brep", ".sldprt", ".sldasm", ".f3d", ".x_t",
                  ".stl", ".obj", ".ply", ".off", ".dae", ".gltf", ".glb", ".3mf", ".fbx"})) {

@@ -31,7 +31,7 @@ class PosedPairs {
   }
   Pose pose(std::uint8_t link) const { return relative_pose(kIdentityFrame, frame_of(link)); }
 
-  /// In 1/256 cell, rounded down; none if it is too far to be told. Seeded by the last one.
+  /// In 1/256 cell, rounded down; none if it is out of range. The last one is the hint.
   std::optional<std::uint32_t> distance_of(std::uint16_t pair);
   bool is_within(std::uint16_t pair, std::uint32_t distance) const;
 

@@ -42,11 +42,11 @@ struct ClosestMoment {
 };
 
 /// The first of the nearest; none if no pair is guarded, no values are accepted, or all are too far
-/// apart to be told.
+/// apart to be measured.
 std::optional<ClosestMoment> closest_moment(const Robot& robot, const Trajectory& trajectory);
 
 /// By pair, by every `step`th line: how far the links are apart, in metres; none where values are
-/// refused or it is too far to be told.
+/// refused or the distance is out of range.
 std::vector<std::vector<std::optional<double>>> distances_over(const Robot& robot,
                                                                const Trajectory& trajectory,
                                                                std::size_t step);
@@ -60,7 +60,7 @@ std::size_t refused_joint(const Robot& robot, const float* values);
 /// Those of Verdict, and values that are refused.
 constexpr std::size_t kPeriodKinds = 5;
 constexpr std::size_t kRefusedKind = 4;
-/// As they are told, from the best to the worst.
+/// In the order of tables, from the best to the worst.
 constexpr std::array<std::size_t, kPeriodKinds> kKindsInOrder = {0, 1, 3, 2, 4};
 constexpr std::array<const char*, kPeriodKinds> kKindNames = {"free", "warn", "not yet known",
                                                               "stop", "refused"};

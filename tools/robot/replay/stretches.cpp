@@ -8,7 +8,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Larger: shown sooner. Values that are refused are told elsewhere, too.
+/// Larger: shown sooner. Refused values are reported elsewhere, too.
 auto weight(const Stretch& stretch) {
   constexpr std::size_t kWeights[kPeriodKinds] = {0, 1, 3, 4, 2};
   return std::tuple(kWeights[stretch.kind], stretch.last - stretch.first);

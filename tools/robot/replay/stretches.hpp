@@ -36,7 +36,7 @@ struct NearPair {
   std::array<std::size_t, kPeriodKinds> named{};  ///< periods by verdict, but `free`
   std::size_t within_stop = 0;                    ///< lines
   std::size_t within_warn = 0;
-  std::optional<std::uint32_t> closest;  ///< at a line, in 1/256 cell; none: too far to be told
+  std::optional<std::uint32_t> closest;  ///< at a line, in 1/256 cell; none: out of range
   std::size_t closest_period = 0;
 };
 

@@ -49,10 +49,7 @@ char separator_of(std::string_view line) {
 
 /// "time", "t", "Time [s]", "time_from_start", "timestamp", "header.stamp", "secs".
 bool names_time(std::string_view name) {
-  std::string lower(name);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
+  const std::string lower = lower_case(name);
   const std::string first = lower.substr(0, lower.find_first_of(" _[(/"));
   constexpr std::string_view kNames[] = {"t", "sec", "secs", "seconds"};
   return lower.compare(0, 4, "time") == 0 || lower.find("stamp") != std::string::npos ||
@@ -146,13 +143,13 @@ std::vector<std::optional<double>> numbers_of(const TrajectoryColumns& header,
 }
 
 /// Of a line; `values`: of the variables.
-void check_mimic(const Model& model, const TrajectoryColumn& column, double told,
+void check_mimic(const Model& model, const TrajectoryColumn& column, double given,
                  const std::vector<double>& values, const std::string& place) {
   const ModelJoint& joint = model.joints[column.joint];
   const double wanted = joint.multiplier * values[joint.variable] + joint.offset;
-  if (std::fabs(told - wanted) > kMostRounding * std::max(1.0, std::fabs(joint.multiplier))) {
+  if (std::fabs(given - wanted) > kMostRounding * std::max(1.0, std::fabs(joint.multiplier))) {
     const ModelJoint& master = model.joints[model.variables[joint.variable]];
-    throw UserError(place, tool::quoted(joint.name), " is ", significant(told, 6),
+    throw UserError(place, tool::quoted(joint.name), " is ", significant(given, 6),
                     ", but it follows ", tool::quoted(master.name), ", which puts it at ",
                     significant(wanted, 6), "; leave the column out, or mend the value");
   }

@@ -23,7 +23,7 @@ class Trajectory {
   std::size_t size() const { return lines_.size(); }
   /// Of the file, from 1.
   std::size_t line(std::size_t period) const { return lines_[period]; }
-  /// A value a variable, in the order of the model's, as floats: what firmware is told.
+  /// A value a variable, in the order of the model's, as floats: the input of firmware.
   const float* values(std::size_t period) const { return &values_[period * variables_]; }
   std::size_t variables() const { return variables_; }
 
