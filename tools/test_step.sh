@@ -44,14 +44,9 @@ board() {
       cmake --build --preset "$1" -j 1 --target digest
       ctest --preset "$1" -R "the digest is every core's$"
       return ;;
-    *-quick-*)
-      cmake --build --preset "$1" -j 1 --target digest geometry_test
-      ctest --preset "$1" -R "the digest is every core's$|/geometry_test"
-      return ;;
-    arithmetic-OFF)
-      cmake --build --preset "$1" -j 1 --target digest geometry_test small_query_test \
-        small_clearance_test
-      ctest --preset "$1" -R "the digest is every core's$|/geometry_test|/small_(query|clearance)_test"
+    *-quick-* | arithmetic-OFF)
+      cmake --build --preset "$1" -j 1 --target digest board_tests
+      ctest --preset "$1" -R "the digest is every core's$|_board_test$"
       return ;;
   esac
   cmake --build --preset "$1" -j 1

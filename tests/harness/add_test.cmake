@@ -1,5 +1,5 @@
 # flashbvh_add_test(name source... [HEAP] [LIBRARIES library...] [TIMEOUT seconds] [ICOUNT] [LONG]
-#   [OPTIMISED] [WITHOUT_QUERIES])
+#   [OPTIMISED])
 #
 # An executable of Catch2 tests, for this machine or, when crossing, for the board. CTest runs it as
 # "<preset>/<name>". An own main() is not needed.
@@ -9,12 +9,11 @@
 # ICOUNT makes instruction counts on the board exact, and each test case a test of CTest's,
 # "<preset>/<test case>", whose figures -R and -V show. LONG is a label of what runs apart; what needs no
 # room of the host program but `bake` is labelled `library`, and all of it a target, library_tests:
-# tools/test.sh --quick. OPTIMISED: with the sanitizers, too. WITHOUT_QUERIES: it asks none of those that
-# are compiled once for all tests.
+# tools/test.sh --quick. OPTIMISED: with the sanitizers, too.
 set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
 
 function(flashbvh_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "HEAP;ICOUNT;LONG;OPTIMISED;WITHOUT_QUERIES" "TIMEOUT" "LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "HEAP;ICOUNT;LONG;OPTIMISED" "TIMEOUT" "LIBRARIES")
   if(arg_HEAP AND NOT FLASHBVH_TESTS_HAVE_HEAP)
     return()
   endif()
@@ -40,12 +39,8 @@ function(flashbvh_add_test name)
     add_dependencies(library_tests ${name})
   endif()
   target_sources(${name} PRIVATE $<TARGET_OBJECTS:flashbvh_harness>)
-  set(queries flashbvh_test_queries)
-  if(arg_WITHOUT_QUERIES)
-    set(queries "")
-  endif()
   target_link_libraries(${name} PRIVATE
-    ${arg_LIBRARIES} ${queries} flashbvh::flashbvh flashbvh_harness_options)
+    ${arg_LIBRARIES} flashbvh_test_queries flashbvh::flashbvh flashbvh_harness_options)
   flashbvh_warnings(${name})
   if(FLASHBVH_SANITIZE)
     set(headers flashbvh_test_headers)
@@ -56,7 +51,7 @@ function(flashbvh_add_test name)
     endif()
     target_compile_options(${name} PRIVATE -g1 ${level})
     # As for the host program (tools/cli): templates of what is optimised come first.
-    set(first ${queries} flashbvh)
+    set(first flashbvh_test_queries flashbvh)
     list(TRANSFORM first REPLACE "(.+)" "$<TARGET_FILE:\\1>")
     target_link_options(${name} PRIVATE -Wl,--whole-archive ${first} -Wl,--no-whole-archive)
     target_precompile_headers(${name} REUSE_FROM ${headers})
@@ -97,4 +92,49 @@ function(flashbvh_add_test name)
   set(test "${FLASHBVH_TEST_PREFIX}/${name}")
   add_test(NAME ${test} COMMAND ${name} ${each_named})
   set_tests_properties(${test} PROPERTIES FAIL_REGULAR_EXPRESSION "No tests ran" ${properties})
+endfunction()
+
+# flashbvh_add_tests(room [OPTIMISED]): the tests of the folder `room`. The end of a file's name says where it runs:
+#   *_board_test.cpp  everywhere, without a heap; a program a file, which fits 128 KB of flash; the
+#                     target board_tests builds them all
+#   *_cost_test.cpp   on boards of measured cores, counting instructions
+#   *_host_test.cpp   on this machine alone, optimised, with GMP for exact rationals
+#   *_long_test.cpp   on this machine alone, apart (LONG)
+#   *_test.cpp        on this machine and on boards with a heap; OPTIMISED is for these
+function(flashbvh_add_tests room)
+  file(GLOB all CONFIGURE_DEPENDS ${room}/*_test.cpp)
+  foreach(kind board cost host long)
+    set(${kind} ${all})
+    list(FILTER ${kind} INCLUDE REGEX "_${kind}_test.cpp$")
+  endforeach()
+  list(FILTER all EXCLUDE REGEX "_(board|cost|host|long)_test.cpp$")
+  set(programs "")
+  foreach(source IN LISTS board)
+    get_filename_component(name ${source} NAME_WE)
+    flashbvh_add_test(${room}_${name} ${source} LIBRARIES flashbvh_small_trees)
+    list(APPEND programs ${room}_${name})
+  endforeach()
+  if(programs)
+    add_dependencies(board_tests ${programs})
+  endif()
+  list(APPEND programs ${room}_test ${room}_cost_test ${room}_host_test ${room}_long_test)
+  set(support HEAP LIBRARIES flashbvh_test_support)
+  if(all)
+    flashbvh_add_test(${room}_test ${all} ${ARGN} TIMEOUT 600 ${support})
+  endif()
+  if(cost AND is_measured)
+    flashbvh_add_test(${room}_cost_test ${cost} ICOUNT ${support})
+  endif()
+  if(host AND NOT CMAKE_CROSSCOMPILING)
+    flashbvh_add_test(${room}_host_test ${host} OPTIMISED ${support} gmpxx gmp)
+  endif()
+  if(long AND NOT CMAKE_CROSSCOMPILING)
+    flashbvh_add_test(${room}_long_test ${long} LONG ${support})
+  endif()
+  # Forms of one definition that the library keeps to itself.
+  foreach(program IN LISTS programs)
+    if(TARGET ${program})
+      target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/lib/src)
+    endif()
+  endforeach()
 endfunction()

@@ -14,7 +14,7 @@ struct BendingCost {
   std::size_t refit_instructions;  ///< of all of it, on a Cortex-M4F at -O2, within 5 %
 };
 
-/// The instructions are those that tests/budget/refit_cost_test.cpp holds to.
+/// The instructions are those that tests/query/refit_cost_test.cpp holds to.
 template <class Mesh>
 BendingCost bending_cost(const Mesh& mesh) {
   std::size_t refit = 12 * std::size_t{mesh.node_count};

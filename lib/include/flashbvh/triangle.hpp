@@ -40,7 +40,7 @@ enum class ContactKind : uint8_t {
 /// points and correct normals.
 ///
 /// Cost in instructions on a Cortex-M4 at -O2: 1,800 for two planes that cross, 5,000 on average
-/// and at most 8,500 for coplanar triangles (tests/budget/contact_cost_test.cpp prints them).
+/// and at most 8,500 for coplanar triangles (tests/predicates/contact_cost_test.cpp prints them).
 /// Stack: 280 bytes on Cortex-M3 to M55 at -O2, the contact itself, 104 bytes, not counted.
 ///
 /// Source: the common line as in Guigue and Devillers (triangle.hpp).

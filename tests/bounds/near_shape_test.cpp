@@ -1,0 +1,257 @@
+// Bounds of distances reject nothing that is near enough: against exact distances, at the limit.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "flashbvh/clearance.hpp"
+#include "support/any_mesh.hpp"
+#include "support/rotations.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+using namespace flashbvh::test;
+
+namespace {
+
+/// A mesh of one triangle, in a leaf that is the root.
+AnyMesh mesh_of(const Vertex& p, const Vertex& q, const Vertex& r) {
+  bake::LatticeMesh mesh;
+  mesh.vertices = {p, q, r};
+  mesh.triangles = {{0, 1, 2}};
+  bake::BuildTree tree = chain(mesh, true);
+  return AnyMesh(tree, mesh);
+}
+
+Vertex any_vertex(Random& random, std::int32_t reach) {
+  const auto at = [&] { return static_cast<std::int16_t>(random.between(-reach, reach)); };
+  return {at(), at(), at()};
+}
+
+/// A point above the middle of a triangle, `height` off its plane, or beside its longest edge.
+Vertex above(const Vertex& p, const Vertex& q, const Vertex& r, double height) {
+  const double u[3] = {1.0 * q.x - p.x, 1.0 * q.y - p.y, 1.0 * q.z - p.z};
+  const double v[3] = {1.0 * r.x - p.x, 1.0 * r.y - p.y, 1.0 * r.z - p.z};
+  const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                       u[0] * v[1] - u[1] * v[0]};
+  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) + 1e-9;
+  const auto at = [&](int axis, double first) {
+    const double value = first + (u[axis] + v[axis]) / 3 + n[axis] / length * height;
+    return static_cast<std::int16_t>(std::max(-16383.0, std::min(16383.0, std::round(value))));
+  };
+  return {at(0, p.x), at(1, p.y), at(2, p.z)};
+}
+
+/// The squared distance, rounded up: a limit that the pair is within.
+std::int64_t limit_of(const PostMesh& a, const PostMesh& b, const Transform& transform) {
+  Triangle of_a;
+  Triangle of_b;
+  translate_triangle(a, 0, kNoOffset, of_a);
+  transform_triangle(b, 0, transform, of_b);
+  Fraction squared = kInfinite;
+  Features features{};
+  REQUIRE(is_nearer(of_a, of_b, squared, features));
+  return largest_below(squared, 0) + 1;
+}
+
+template <class Gap>
+void check_leaf(const PostMesh& a, const PostMesh& b, const Transform& transform, Gap gap,
+                std::uint32_t& rejected, Gap less) {
+  const PackedBox& box_a = a.nodes[0].box;
+  const PackedBox& box_b = b.nodes[0].box;
+  REQUIRE(gap(box_a, box_b));
+  for (const Side side : {Side::a, Side::b}) {
+    const PackedBox& other = side == Side::a ? box_b : box_a;
+    NearShapes<PostMesh> shapes(a, b, transform);
+    shapes.set_bound(gap);
+    REQUIRE(shapes.begin(side, 0, &other));
+    REQUIRE(shapes.may_touch(other));
+    shapes.set_bound(less);
+    rejected += shapes.may_touch(other) ? 0 : 1;
+  }
+}
+
+void check(const PostMesh& a, const PostMesh& b, const Pose& pose, std::uint32_t& rejected) {
+  Transform transform(pose, a, b, /*may_stop=*/false);
+  transform.bring_near();
+  transform.prepare(b);
+  const std::int64_t limit = limit_of(a, b, transform);
+  // A tenth of the distance less.
+  const std::int64_t less = limit / 5 * 4;
+  check_leaf(a, b, transform, KeptGap(transform, GapLimit(limit)), rejected,
+             KeptGap(transform, GapLimit(less)));
+  if (!KeptGap::is_for(transform, GapLimit(limit))) {
+    const Point& offset = transform.translated().offset;
+    std::uint32_t again = 0;
+    check_leaf(a, b, transform, TranslatedGap(offset, GapLimit(limit)), again,
+               TranslatedGap(offset, GapLimit(less)));
+  }
+}
+
+/// Of one box along one row, in whole cells.
+std::int32_t rotated_bound(const SplitRow& row, std::int64_t start, const std::uint32_t (&upper)[3],
+                           const std::uint32_t (&lower)[3]) {
+  const std::int32_t entry[3] = {row.x(), row.y(), row.z_entry()};
+  for (int i = 0; i < 3; ++i) {
+    start += std::int64_t{std::abs(entry[i])} * (entry[i] < 0 ? lower[i] : upper[i]);
+  }
+  return static_cast<std::int32_t>(start >> kSplitBits);
+}
+
+void check_seen(const SeenBox& seen, const SplitMatrix& matrix, const BoundStart* starts,
+                std::int32_t rounding, const PackedBox& box) {
+  const std::uint32_t upper[3] = {low_half(box.upper_xy), high_half(box.upper_xy), low_half(box.z)};
+  const std::uint32_t lower[3] = {low_half(box.lower_xy), high_half(box.lower_xy),
+                                  high_half(box.z)};
+  for (int i = 0; i < 3; ++i) {
+    const SplitRow& row = matrix.row[i];
+    REQUIRE(seen.upper[i] ==
+            rotated_bound(row, std::int64_t{starts[i].upper} + rounding, upper, lower));
+    REQUIRE(seen.lower[i] ==
+            rotated_bound(row, std::int64_t{starts[i].lower} + rounding, lower, upper));
+  }
+}
+
+Box any_box(Random& random) {
+  const Vertex p = any_vertex(random, kMaxCoordinate);
+  const Vertex q = any_vertex(random, 1 << random.below(15));
+  const auto most = [](std::int32_t u, std::int32_t v) {
+    return static_cast<std::int16_t>(std::min(std::max(u, u + v), kMaxCoordinate));
+  };
+  return {p, {most(p.x, q.x), most(p.y, q.y), most(p.z, q.z)}};
+}
+
+}  // namespace
+
+TEST_CASE("gaps of boxes are those along each axis, however many are worked out at once") {
+  Random random(test_seed());
+  std::uint32_t near = 0;
+  const auto tries = rounds(7000u, 20000u);
+  for (std::uint32_t round = 0; round < tries; ++round) {
+    CAPTURE(round);
+    const GapLimit limit(std::int64_t{1} << random.below(35));
+    const PackedBox a = pack(any_box(random));
+    const PackedBox b = pack(any_box(random));
+    const std::int32_t most = round % 2 == 0 ? kMaxOffset : 20'000;
+    const auto any = [&] { return random.between(-most, most); };
+    const Point offset = {any(), any(), any()};
+    const SeenBox seen = seen_translated(b, offset);
+    REQUIRE(squared_gap(seen, a, limit) == squared_gap_by_axis(seen, a, limit));
+    REQUIRE(WideGap(offset, limit).squared(a, b) == squared_gap_by_axis(seen, a, limit));
+    // At the very gap, and beside it.
+    const std::int64_t squared = WideGap(offset, GapLimit(0)).squared(a, b);
+    for (std::int64_t by = -1; by <= 1; ++by) {
+      const GapLimit beside(squared + by);
+      if (squared + by >= 0 && TranslatedGap::fit(offset, beside)) {
+        REQUIRE(TranslatedGap(offset, beside)(a, b) == WideGap(offset, beside)(a, b));
+        REQUIRE(TranslatedGap(offset, beside)(a, b) == (by >= 0));
+        ++near;
+      }
+    }
+  }
+  CHECK(near > tries / 2);
+}
+
+TEST_CASE("rotated boxes are the sums of products along each axis") {
+  Random random(test_seed());
+  for (int round = 0; round < rounds(1500, 5000); ++round) {
+    CAPTURE(round);
+    const AnyMesh a = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
+    const AnyMesh b = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
+    const PostMesh mesh_a = a.view<PostMesh>();
+    const PostMesh mesh_b = b.view<PostMesh>();
+    const Pose pose = any_rigid_pose(random, 40000);
+    Transform transform(pose, mesh_a, mesh_b, /*may_stop=*/false);
+    if (!transform.is_rotated()) {
+      continue;
+    }
+    const RotatedTransform& rotated = transform.rotated();
+    RotatedGap gap(rotated, GapLimit(1 << 20));
+    const PackedBox& box_a = mesh_a.nodes[0].box;
+    const PackedBox& box_b = mesh_b.nodes[0].box;
+    check_seen(gap.seen_of_b(box_b), rotated.matrix->rows, rotated.on_a, 0, box_b);
+    check_seen(gap.seen_of_a(box_a), rotated.columns, rotated.on_b, kSplitOne - 1, box_a);
+    const std::int64_t squared = RotatedGap(rotated, GapLimit(0)).squared(box_a, box_b);
+    for (std::int64_t by = -1; by <= 1; ++by) {
+      const GapLimit beside(std::max<std::int64_t>(squared + by, 0));
+      RotatedGap wide(rotated, beside);
+      KeptGap kept(transform, beside);
+      REQUIRE(kept(box_a, box_b) == wide(box_a, box_b));
+      REQUIRE(kept(box_a, box_b) == wide(box_a, box_b));  // what is at hand
+    }
+  }
+}
+
+TEST_CASE("a sum of squared gaps is within a limit if it is") {
+  Random random(test_seed());
+  for (int round = 0; round < rounds(40000, 200000); ++round) {
+    CAPTURE(round);
+    const std::int32_t most = 1 << random.below(17);
+    const std::int64_t gap[3] = {random.between(0, most), random.between(0, most),
+                                 random.between(0, most / 8)};
+    const std::int64_t sum = gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2];
+    const auto passes = [&](std::int64_t squared) {
+      const GapLimit limit(squared);
+      std::uint32_t all = 0;
+      for (const std::int64_t g : gap) {
+        all += limit.squared(static_cast<std::int32_t>(g));
+      }
+      return all <= limit.limit();
+    };
+    REQUIRE(passes(sum));
+    REQUIRE(passes(sum + random.between(0, 1 << 20)));
+    if (sum > 0 && sum < std::int64_t{1} << 30) {
+      REQUIRE_FALSE(passes(sum - 1));
+    } else if (sum > 0) {
+      // In quarters, rounded down: four cells along each axis.
+      REQUIRE_FALSE(passes(sum - 24 * (gap[0] + gap[1] + gap[2]) - 1000));
+    }
+    const GapLimit limit(sum);
+    REQUIRE(limit.longer_limit() >= limit.limit());
+    REQUIRE(limit.sum_limit() >= limit.limit());
+  }
+}
+
+TEST_CASE("leaves as shapes reject no box that is within the limit") {
+  Random random(test_seed());
+  std::uint32_t translated = 0;
+  std::uint32_t rotated = 0;
+  std::uint32_t stretched = 0;
+  const auto tries = rounds(2000u, 6000u);
+  for (std::uint32_t round = 0; round < tries; ++round) {
+    CAPTURE(round);
+    const std::int32_t reach = 1 << (3 + random.below(11));
+    const Vertex p = any_vertex(random, reach);
+    const Vertex q = any_vertex(random, reach);
+    const Vertex r = any_vertex(random, reach);
+    const std::int32_t height = random.between(0, 16000);
+    const Vertex point = above(p, q, r, height);
+    const AnyMesh triangle = mesh_of(p, q, r);
+    const AnyMesh other = random.below(3) == 0
+                              ? mesh_of(any_vertex(random, 16000), any_vertex(random, 16000),
+                                        any_vertex(random, 16000))
+                              : mesh_of(point, point, point);
+    const PostMesh a = (round % 2 == 0 ? triangle : other).view<PostMesh>();
+    const PostMesh b = (round % 2 == 0 ? other : triangle).view<PostMesh>();
+    const std::int32_t far = random.below(4) == 0 ? 20000 : 0;
+    const std::int32_t cells[3] = {random.between(-far, far), random.between(-far, far), 0};
+    check(a, b, Pose::translated(cells[0], cells[1], cells[2]), translated);
+    Rotation rotation = rotation_of(any_quaternion(random));
+    check(a, b, Pose::rigid(rotation.entry, cells), rotated);
+    // As far from a rotation as a pose takes.
+    for (auto& row : rotation.entry) {
+      for (std::int32_t& entry : row) {
+        entry += (random.below(8) == 0 ? -1 : 1) * (entry / 17000);
+      }
+    }
+    const Pose coarse = Pose::rigid(rotation.entry, cells);
+    if (coarse.status() == Status::done) {
+      check(a, b, coarse, rotated);
+      ++stretched;
+    }
+  }
+  CHECK(translated > tries / 4);
+  CHECK(rotated > tries / 4);
+  CHECK(stretched > tries / 8);
+}

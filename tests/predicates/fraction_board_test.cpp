@@ -1,0 +1,96 @@
+// Quotients of numbers of 128 bits, multiplied back by hand: the same on every core.
+#include <stdint.h>
+
+#include <catch2/catch.hpp>
+
+#include "flashbvh/detail/predicates/fraction.hpp"
+#include "predicates/long_division.hpp"
+#include "support/random.hpp"
+
+namespace flashbvh::test {
+namespace {
+
+using detail::Int128;
+
+constexpr int kHalves = 16;  // of words of 16 bits: 256 bits
+
+/// By columns of 16 bits.
+struct Columns {
+  uint32_t word[kHalves] = {};
+
+  explicit Columns(const Int128& u) {
+    for (int i = 0; i < 8; ++i) {
+      const uint64_t half = i < 4 ? u.low : static_cast<uint64_t>(u.high);
+      word[i] = static_cast<uint32_t>(half >> (16 * (i % 4)) & 0xFFFF);
+    }
+  }
+  Columns() = default;
+};
+
+/// u v + w.
+Columns multiplied(const Columns& u, const Columns& v, const Columns& w) {
+  Columns sum = w;
+  for (int i = 0; i < 8; ++i) {
+    uint32_t carry = 0;
+    for (int j = 0; i + j < kHalves; ++j) {
+      const uint32_t at = sum.word[i + j] + u.word[i] * v.word[j] + carry;
+      sum.word[i + j] = at & 0xFFFF;
+      carry = at >> 16;
+    }
+  }
+  return sum;
+}
+
+bool is_below(const Columns& u, const Columns& v) {
+  for (int i = kHalves - 1; i >= 0; --i) {
+    if (u.word[i] != v.word[i]) {
+      return u.word[i] < v.word[i];
+    }
+  }
+  return false;
+}
+
+/// Whether whole v <= u < whole v + v.
+bool is_quotient(const Int128& whole, const Int128& u, const Int128& v) {
+  const Columns product = multiplied(Columns(whole), Columns(v), Columns());
+  const Columns next = multiplied(Columns(whole), Columns(v), Columns(v));
+  return !is_below(Columns(u), product) && is_below(Columns(u), next);
+}
+
+/// Of so many bits at most, the leading ones or the last ones all set, or none of them.
+Int128 any_number(Random& random, uint32_t bits) {
+  const uint32_t kind = random.below(4);
+  const uint64_t set = kind == 0 ? UINT64_MAX : 0;
+  uint64_t high = kind <= 1 ? set : random.next();
+  uint64_t low = kind == 1 ? 1 : kind == 2 ? 0 : random.next() | set;
+  const uint32_t down = 128 - bits;  // 1 or more
+  low = down >= 64 ? high >> (down - 64) : low >> down | high << (63 - down) << 1;
+  high = down >= 64 ? 0 : high >> down;
+  return {static_cast<int64_t>(high), low};
+}
+
+}  // namespace
+
+TEST_CASE("quotients of 128 bits, multiplied back, are what was divided") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  constexpr Int128 most = {INT64_MAX, UINT64_MAX};
+  constexpr Int128 one = {0, 1};
+  for (int round = 0; round < 4000; ++round) {
+    Int128 u = round % 50 == 0 ? most : any_number(random, 64 + random.below(64));
+    Int128 v = round % 70 == 0 ? most : any_number(random, 64 + random.below(64));
+    if (round % 3 == 0) {
+      v = any_number(random, 64);
+    }
+    v = round % 90 == 0 || detail::is_zero(v) ? one : v;
+    u = round % 11 == 0 ? v : round % 13 == 0 ? v - one : u;  // 1, and just below it
+    CAPTURE(u.high, u.low, v.high, v.low);
+    const Int128 whole = detail::quotient(u, v);
+    REQUIRE(is_quotient(whole, u, v));
+    REQUIRE(detail::long_quotient(u, v) == whole);
+  }
+  REQUIRE(detail::is_zero(detail::long_quotient({0, 0}, most)));
+}
+
+}  // namespace flashbvh::test

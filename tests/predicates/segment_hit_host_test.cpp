@@ -1,0 +1,220 @@
+// A segment and a triangle against exact rationals: all kinds, at all sizes.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "predicates/segment_hit.hpp"
+#include "support/random.hpp"
+#include "support/segment_oracle.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+mpz_class number(std::int64_t value) {
+  return static_cast<long>(value);
+}
+
+mpq_class rational(const SegmentShare& share) {
+  mpq_class value(number(share.above), number(share.below));
+  value.canonicalize();
+  return value;
+}
+
+/// 1 if the segment comes from where the triangle's corners turn counter-clockwise, -1 if they turn
+/// clockwise, 0 if it lies in the plane or there is none.
+int side_met(const Segment& segment, const Triangle& t) {
+  const auto at = [](const Point& p, unsigned axis) {
+    return number(axis == 0 ? p.x : axis == 1 ? p.y : p.z);
+  };
+  const Point& o = t.corner[0];
+  mpz_class slope = 0;
+  for (unsigned i = 0; i < 3; ++i) {
+    const unsigned j = (i + 1) % 3;
+    const unsigned k = (i + 2) % 3;
+    const mpz_class normal = (at(t.corner[1], j) - at(o, j)) * (at(t.corner[2], k) - at(o, k)) -
+                             (at(t.corner[1], k) - at(o, k)) * (at(t.corner[2], j) - at(o, j));
+    slope += normal * (at(segment.to, i) - at(segment.from, i));
+  }
+  return -sgn(slope);
+}
+
+/// What was seen, to know that all of it was.
+struct Seen {
+  std::uint32_t hits = 0;
+  std::uint32_t misses = 0;
+  std::uint32_t in_plane = 0;
+};
+
+void check_segment(const Segment& segment, const Triangle& t, Seen& seen) {
+  CAPTURE(segment.from.x, segment.from.y, segment.from.z, segment.to.x, segment.to.y, segment.to.z);
+  CAPTURE(t.corner[0].x, t.corner[0].y, t.corner[0].z, t.corner[1].x, t.corner[1].y, t.corner[1].z,
+          t.corner[2].x, t.corner[2].y, t.corner[2].z);
+  const SegmentOracle truth(segment, t);
+  SegmentShare along = {0, 1};
+  std::int8_t side = 2;
+  const bool hit = detail::first_meeting(segment, t, along, side);
+  REQUIRE(hit == truth.meets());
+  if (!hit) {
+    ++seen.misses;
+    return;
+  }
+  ++seen.hits;
+  seen.in_plane += side == 0 ? 1 : 0;
+  REQUIRE(along.below > 0);
+  REQUIRE(rational(along) == truth.first());
+  REQUIRE(side == side_met(segment, t));
+  // Any order of corners, and a turned one.
+  for (unsigned i = 0; i < 3; ++i) {
+    const Triangle same = {{t.corner[i], t.corner[(i + 1) % 3], t.corner[(i + 2) % 3]}};
+    const Triangle turned = {{t.corner[i], t.corner[(i + 2) % 3], t.corner[(i + 1) % 3]}};
+    SegmentShare other = {0, 1};
+    std::int8_t other_side = 2;
+    REQUIRE(detail::first_meeting(segment, same, other, other_side));
+    REQUIRE((detail::order_along(along, other) == 0 && other_side == side));
+    REQUIRE(detail::first_meeting(segment, turned, other, other_side));
+    REQUIRE((detail::order_along(along, other) == 0 && other_side == -side));
+  }
+}
+
+Point any_point(Random& random, std::int32_t reach) {
+  const auto at = [&] { return random.between(-reach, reach); };
+  return {at(), at(), at()};
+}
+
+Point point_between(const Point& u, const Point& v, std::int32_t share) {
+  return {u.x + share * (v.x - u.x), u.y + share * (v.y - u.y), u.z + share * (v.z - u.z)};
+}
+
+/// Whether the part of a segment from its start to `end`, a share of it, has a point of a box.
+bool meets_box(const Segment& segment, const mpq_class& end, const detail::Box& box) {
+  const std::int32_t from[3] = {segment.from.x, segment.from.y, segment.from.z};
+  const std::int32_t to[3] = {segment.to.x, segment.to.y, segment.to.z};
+  const Vertex& lower = box.lower;
+  const Vertex& upper = box.upper;
+  const std::int32_t least[3] = {lower.x, lower.y, lower.z};
+  const std::int32_t most[3] = {upper.x, upper.y, upper.z};
+  mpq_class first = 0;
+  mpq_class last = end;
+  for (int i = 0; i < 3; ++i) {
+    if (from[i] == to[i]) {
+      if (from[i] < least[i] || from[i] > most[i]) {
+        return false;
+      }
+      continue;
+    }
+    const mpq_class way = to[i] - from[i];
+    const mpq_class at_least = (least[i] - from[i]) / way;
+    const mpq_class at_most = (most[i] - from[i]) / way;
+    first = std::max(first, std::min(at_least, at_most));
+    last = std::min(last, std::max(at_least, at_most));
+  }
+  return first <= last;
+}
+
+}  // namespace
+
+TEST_CASE("a segment meets exactly the boxes that it has a point of, and no part of it is lost") {
+  Random random(test_seed());
+  std::uint32_t met = 0;
+  std::uint32_t missed = 0;
+  std::uint32_t behind = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    const std::int32_t reach = round % 2 == 0 ? 4 : 40;
+    const Segment segment = {any_point(random, reach), any_point(random, reach)};
+    const Point near = any_point(random, 4);  // to the segment's middle
+    const Point p = {(segment.from.x + segment.to.x) / 2 + near.x,
+                     (segment.from.y + segment.to.y) / 2 + near.y,
+                     (segment.from.z + segment.to.z) / 2 + near.z};
+    const auto sized = [&](std::int32_t at) {
+      return static_cast<std::int16_t>(at + static_cast<std::int32_t>(random.below(6)));
+    };
+    const detail::Box box = {{static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y),
+                              static_cast<std::int16_t>(p.z)},
+                             {sized(p.x), sized(p.y), sized(p.z)}};
+    detail::SegmentInBoxes boxes(segment);
+    const bool meets = meets_box(segment, 1, box);
+    REQUIRE(boxes.may_meet(detail::pack(box)) == meets);
+    ++(meets ? met : missed);
+    // Shortened it may meet boxes that are a few cells behind its end.
+    const std::int64_t below = 1 + random.below(8);
+    const std::int64_t above = random.below(static_cast<std::uint32_t>(below) + 1);
+    boxes.shorten({above, below});
+    const bool in_part = meets_box(segment, rational({above, below}), box);
+    REQUIRE((boxes.may_meet(detail::pack(box)) || !in_part));
+    behind += meets && !boxes.may_meet(detail::pack(box)) ? 1 : 0;
+  }
+  CAPTURE(met, missed, behind);
+  CHECK((met > 2'000 && missed > 5'000 && behind > 500));
+}
+
+TEST_CASE("a segment first meets a triangle where exact rationals say") {
+  Random random(test_seed());
+  Seen seen;
+  // On few cells everything coincides.
+  const auto tries = rounds(8000u, 40'000u);
+  for (std::uint32_t round = 0; round < tries; ++round) {
+    const std::int32_t reach = 1 + static_cast<std::int32_t>(random.below(3));
+    const Triangle t = {
+        {any_point(random, reach), any_point(random, reach), any_point(random, reach)}};
+    check_segment({any_point(random, reach), any_point(random, reach)}, t, seen);
+  }
+  CHECK((seen.hits > tries / 8 && seen.misses > tries / 4 && seen.in_plane > tries / 40));
+}
+
+TEST_CASE("a segment meets corners and edges of large triangles, from far off") {
+  Random random(test_seed());
+  Seen seen;
+  const auto tries = rounds(1000u, 6'000u);
+  for (std::uint32_t round = 0; round < tries; ++round) {
+    const auto reach = static_cast<std::int32_t>(1 + random.below(kMaxCoordinate));
+    const Triangle t = {
+        {any_point(random, reach), any_point(random, reach), any_point(random, reach)}};
+    const Point from = any_point(random, round % 2 == 0 ? reach : kMaxRayCoordinate / 2 - 40'000);
+    // Through a corner, or the middle of an edge; twice as far, or just there, or just short of it.
+    const Point& u = t.corner[random.below(3)];
+    const Point& v = t.corner[random.below(3)];
+    const Point to = {u.x + v.x - from.x, u.y + v.y - from.y, u.z + v.z - from.z};
+    check_segment({from, to}, t, seen);
+    check_segment({to, from}, t, seen);
+    check_segment({from, u}, t, seen);
+    check_segment({u, point_between(u, v, 2)}, t, seen);
+    check_segment({from, from}, t, seen);
+    check_segment({from, {u.x, u.y, u.z + 1}}, t, seen);
+    // In the plane, from beside an edge.
+    check_segment({point_between(u, v, -1), t.corner[random.below(3)]}, t, seen);
+    check_segment({point_between(u, v, -1), point_between(v, t.corner[0], 2)}, t, seen);
+    // Without area.
+    check_segment({from, u}, {{u, v, u}}, seen);
+    check_segment({from, to}, {{u, point_between(u, v, -1), v}}, seen);
+    check_segment({point_between(u, v, -1), v}, {{u, v, v}}, seen);
+    check_segment({from, u}, {{u, u, u}}, seen);
+  }
+  CHECK(
+      (seen.hits > 10 * tries / 3 && seen.misses > 5 * tries / 6 && seen.in_plane > 5 * tries / 3));
+}
+
+TEST_CASE("at the ends of the range nothing overflows") {
+  Random random(test_seed());
+  Seen seen;
+  const auto far = [&] { return random.below(2) == 0 ? kMaxRayCoordinate : -kMaxRayCoordinate; };
+  const auto corner = [&] { return random.below(2) == 0 ? kMaxCoordinate : -kMaxCoordinate; };
+  for (int round = 0; round < rounds(1500, 5'000); ++round) {
+    const Triangle t = {{{corner(), corner(), corner()},
+                         {corner(), corner(), corner()},
+                         {corner(), corner(), corner()}}};
+    const Point from = {far(), far(), far()};
+    check_segment({from, {far(), far(), far()}}, t, seen);
+    check_segment({from, {-from.x, -from.y, -from.z + 1}}, t, seen);
+  }
+  CHECK((seen.hits > 300 && seen.misses > 300));
+}
+
+TEST_CASE("shares of segments are told apart by one part in 2^105") {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  CHECK(detail::order_along({most - 2, most - 1}, {most - 1, most}) < 0);
+  CHECK(detail::order_along({most - 1, most}, {most - 2, most - 1}) > 0);
+  CHECK(detail::order_along({most / 2, most}, {1, 2}) == 0);
+  CHECK(detail::order_along({0, 5}, {0, most}) == 0);
+}

@@ -1,0 +1,391 @@
+// The triangle test against known answers, against its own symmetries and, on the host, against an
+// oracle that proves each answer. FLASHBVH_SEED replays a run.
+#include "flashbvh/detail/predicates/triangle.hpp"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <catch2/catch.hpp>
+#include <initializer_list>
+
+#include "support/random.hpp"
+#include "support/triangle_oracle.hpp"
+
+namespace flashbvh::test {
+namespace {
+
+struct Pair {
+  Triangle a;
+  Triangle b;
+};
+
+Point plus(const Point& p, const Point& q) {
+  return {p.x + q.x, p.y + q.y, p.z + q.z};
+}
+Point times(int32_t n, const Point& p) {
+  return {n * p.x, n * p.y, n * p.z};
+}
+
+Triangle translated(const Triangle& t, const Point& by) {
+  return {{plus(t.corner[0], by), plus(t.corner[1], by), plus(t.corner[2], by)}};
+}
+
+/// Whether all 36 orders of corners, each in both orders of arguments, give the expected answer.
+bool all_orders_answer(bool expected, const Triangle& a, const Triangle& b) {
+  constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  for (const auto& i : kOrders) {
+    for (const auto& j : kOrders) {
+      const Triangle p = {{a.corner[i[0]], a.corner[i[1]], a.corner[i[2]]}};
+      const Triangle q = {{b.corner[j[0]], b.corner[j[1]], b.corner[j[2]]}};
+      if (detail::triangles_intersect(p, q) != expected ||
+          detail::triangles_intersect(q, p) != expected) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+Triangle rotated(const Triangle& t) {
+  const Point* const c = t.corner;
+  return {{{c[0].y, c[0].z, c[0].x}, {c[1].y, c[1].z, c[1].x}, {c[2].y, c[2].z, c[2].x}}};
+}
+
+struct Case {
+  const char* name;
+  bool intersect;
+  Triangle a;
+  Triangle b;
+};
+
+constexpr Triangle kFloor = {{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}};
+constexpr Triangle kSegment = {{{0, 0, 0}, {4, 4, 4}, {8, 8, 8}}};
+constexpr Triangle kPoint = {{{2, 2, 2}, {2, 2, 2}, {2, 2, 2}}};
+
+constexpr Case kCrossing[] = {
+    {"an edge pierces the face", true, kFloor, {{{2, 2, -3}, {2, 2, 3}, {9, 9, 3}}}},
+    {"each pierces the other", true, kFloor, {{{2, 2, 2}, {2, 2, -2}, {-9, 1, 0}}}},
+    {"planes cross, intervals disjoint", false, kFloor, {{{5, 5, -3}, {5, 5, 3}, {9, 9, 3}}}},
+    {"intervals one cell apart", false, kFloor, {{{-1, 2, -3}, {-1, 2, 3}, {-4, 3, 0}}}},
+    {"all above the plane", false, kFloor, {{{2, 2, 1}, {3, 2, 1}, {2, 3, 2}}}},
+    {"parallel planes one cell apart", false, kFloor, {{{0, 0, 1}, {8, 0, 1}, {0, 8, 1}}}},
+    {"boxes disjoint", false, kFloor, {{{9, 9, 9}, {10, 9, 9}, {9, 10, 9}}}},
+    {"ends of 32 bits apart",
+     false,
+     {{{INT32_MIN, 0, 0}, {INT32_MIN, 1, 0}, {INT32_MIN, 0, 1}}},
+     {{{INT32_MAX, 0, 0}, {INT32_MAX, 1, 0}, {INT32_MAX, 0, 1}}}},
+};
+
+constexpr Case kTouching[] = {
+    {"vertex on vertex", true, kFloor, {{{8, 0, 0}, {9, 0, 3}, {9, 1, 5}}}},
+    {"vertex on edge", true, kFloor, {{{4, 4, 0}, {5, 5, 3}, {5, 6, 5}}}},
+    {"vertex beside edge", false, kFloor, {{{4, 5, 0}, {5, 5, 3}, {5, 6, 5}}}},
+    {"vertex on face", true, kFloor, {{{2, 2, 0}, {2, 3, 3}, {3, 2, 5}}}},
+    {"vertex above face", false, kFloor, {{{2, 2, 1}, {2, 3, 3}, {3, 2, 5}}}},
+    {"edge crosses edge", true, kFloor, {{{4, 4, -1}, {4, 4, 1}, {7, 7, 0}}}},
+    {"edge beside edge", false, kFloor, {{{4, 5, -1}, {4, 5, 1}, {7, 7, 0}}}},
+    {"edge in the face", true, kFloor, {{{1, 1, 0}, {3, 3, 0}, {2, 2, 4}}}},
+    {"edge in the plane, disjoint", false, kFloor, {{{4, 5, 0}, {5, 4, 0}, {4, 4, 4}}}},
+    {"edge across the face, ends outside", true, kFloor, {{{-1, 1, 0}, {9, 1, 0}, {4, 1, 4}}}},
+    {"edge along an edge", true, kFloor, {{{2, 0, 0}, {12, 0, 0}, {4, -3, 4}}}},
+    {"edge continues an edge from its end", true, kFloor, {{{8, 0, 0}, {12, 0, 0}, {9, -3, 4}}}},
+    {"edge continues an edge after a gap", false, kFloor, {{{9, 0, 0}, {12, 0, 0}, {9, -3, 4}}}},
+    {"shared edge, folded", true, kFloor, {{{0, 0, 0}, {8, 0, 0}, {0, 0, 8}}}},
+    {"shared edge, folded flat", true, kFloor, {{{0, 0, 0}, {8, 0, 0}, {8, -8, 0}}}},
+    {"shared edge, folded over", true, kFloor, {{{0, 0, 0}, {8, 0, 0}, {1, 1, 0}}}},
+    {"shared vertex in one plane", true, kFloor, {{{0, 0, 0}, {-8, 0, 0}, {0, -8, 0}}}},
+    {"the same triangle", true, kFloor, kFloor},
+};
+
+constexpr Case kCoplanar[] = {
+    {"overlap", true, kFloor, {{{2, 2, 0}, {9, 2, 0}, {2, 9, 0}}}},
+    {"star of David",
+     true,
+     {{{0, 0, 0}, {8, 0, 0}, {4, 6, 0}}},
+     {{{0, 4, 0}, {8, 4, 0}, {4, -2, 0}}}},
+    {"inside", true, kFloor, {{{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}}},
+    {"vertex on edge", true, kFloor, {{{4, 4, 0}, {9, 4, 0}, {4, 9, 0}}}},
+    {"edge against edge, disjoint", false, kFloor, {{{4, 5, 0}, {9, 5, 0}, {5, 4, 0}}}},
+    {"edges touch along a part", true, kFloor, {{{2, 0, 0}, {3, 0, 0}, {2, -5, 0}}}},
+    {"boxes overlap, disjoint", false, kFloor, {{{7, 7, 0}, {7, 3, 0}, {3, 7, 0}}}},
+    {"on a slanted plane, touching",
+     true,
+     {{{4, 0, 0}, {0, 4, 0}, {0, 0, 4}}},
+     {{{2, 2, 0}, {4, 2, -2}, {2, 4, -2}}}},
+    {"on a slanted plane, disjoint",
+     false,
+     {{{4, 0, 0}, {0, 4, 0}, {0, 0, 4}}},
+     {{{3, 2, -1}, {4, 2, -2}, {2, 4, -2}}}},
+};
+
+constexpr Case kDegenerate[] = {
+    {"point on itself", true, kPoint, kPoint},
+    {"point beside point", false, kPoint, {{{2, 2, 3}, {2, 2, 3}, {2, 2, 3}}}},
+    {"point on segment", true, kPoint, kSegment},
+    {"point at the end of a segment", true, kPoint, {{{2, 2, 2}, {2, 2, 2}, {3, 5, 7}}}},
+    {"point on the line beyond a segment", false, kPoint, {{{3, 3, 3}, {8, 8, 8}, {5, 5, 5}}}},
+    {"point beside segment", false, {{{2, 2, 3}, {2, 2, 3}, {2, 2, 3}}}, kSegment},
+    {"point in face", true, kPoint, {{{0, 0, 2}, {8, 0, 2}, {0, 8, 2}}}},
+    {"point on edge", true, kPoint, {{{0, 2, 2}, {8, 2, 2}, {5, 5, 5}}}},
+    {"point beside face", false, kPoint, {{{0, 0, 1}, {8, 0, 1}, {0, 8, 4}}}},
+    {"point in the plane, outside", false, kPoint, {{{3, 2, 2}, {2, 3, 2}, {9, 9, 2}}}},
+    {"the same segment", true, kSegment, kSegment},
+    {"collinear segments overlap", true, kSegment, {{{7, 7, 7}, {9, 9, 9}, {12, 12, 12}}}},
+    {"collinear segments touch", true, kSegment, {{{8, 8, 8}, {9, 9, 9}, {12, 12, 12}}}},
+    {"collinear segments disjoint", false, kSegment, {{{9, 9, 9}, {11, 11, 11}, {12, 12, 12}}}},
+    {"parallel segments", false, kSegment, {{{0, 0, 1}, {4, 4, 5}, {8, 8, 9}}}},
+    {"segments cross", true, kSegment, {{{0, 8, 4}, {4, 4, 4}, {8, 0, 4}}}},
+    {"segments cross between their corners", true, kSegment, {{{1, 5, 3}, {5, 1, 3}, {1, 5, 3}}}},
+    {"segments touch in a T", true, kSegment, {{{4, 4, 4}, {5, 2, 9}, {6, 0, 14}}}},
+    {"segments in one plane, disjoint", false, kSegment, {{{4, 3, 3}, {8, 3, 3}, {6, 3, 3}}}},
+    {"skew segments with all projections crossing",
+     false,
+     kSegment,
+     {{{0, 8, 5}, {4, 4, 5}, {8, 0, 5}}}},
+    {"segment pierces face", true, kFloor, {{{2, 2, -4}, {2, 2, 4}, {2, 2, 2}}}},
+    {"segment through an edge", true, kFloor, {{{4, 4, -4}, {4, 4, 4}, {4, 4, 2}}}},
+    {"segment through a vertex", true, kFloor, {{{8, 0, -4}, {8, 0, 4}, {8, 0, 4}}}},
+    {"segment misses face", false, kFloor, {{{5, 4, -4}, {5, 4, 4}, {5, 4, 2}}}},
+    {"segment stands on face", true, kFloor, {{{2, 2, 0}, {2, 2, 4}, {2, 2, 2}}}},
+    {"segment ends above face", false, kFloor, {{{2, 2, 1}, {2, 2, 4}, {2, 2, 2}}}},
+    {"segment in face", true, kFloor, {{{1, 1, 0}, {2, 2, 0}, {3, 3, 0}}}},
+    {"segment across face in its plane", true, kFloor, {{{-1, 2, 0}, {9, 2, 0}, {3, 2, 0}}}},
+    {"segment touches a vertex in its plane", true, kFloor, {{{7, -1, 0}, {8, 0, 0}, {9, 1, 0}}}},
+    {"segment in the plane, disjoint", false, kFloor, {{{9, 0, 0}, {0, 9, 0}, {4, 5, 0}}}},
+    {"segment on the line of an edge, disjoint",
+     false,
+     kFloor,
+     {{{9, 0, 0}, {12, 0, 0}, {10, 0, 0}}}},
+};
+
+template <size_t kCount>
+void check_cases(const Case (&cases)[kCount]) {
+  for (const Case& c : cases) {
+    INFO(c.name);
+    CHECK(all_orders_answer(c.intersect, c.a, c.b));
+    CHECK(all_orders_answer(c.intersect, rotated(c.a), rotated(c.b)));
+    CHECK(all_orders_answer(c.intersect, rotated(rotated(c.a)), rotated(rotated(c.b))));
+  }
+}
+
+Point random_point(Random& random, int32_t size) {
+  // A third of the coordinates lies on the rim, for determinants as large as they can get.
+  const auto coordinate = [&] {
+    return random.below(3) != 0 ? random.between(0, size) : random.below(2) != 0 ? size : 0;
+  };
+  return {coordinate(), coordinate(), coordinate()};
+}
+
+/// A triangle, sometimes a segment or a point, within [0, size] along each axis.
+Triangle random_triangle(Random& random, int32_t size) {
+  Triangle t;
+  for (Point& corner : t.corner) {
+    corner = random_point(random, size);
+  }
+  const uint32_t shape = random.below(8);
+  if (shape == 0) {
+    t.corner[1] = t.corner[0];
+  } else if (shape == 1) {
+    t.corner[1] = t.corner[2] = t.corner[0];
+  }
+  return t;
+}
+
+/// Two triangles near or in one plane or line: lattice steps u and v from one origin.
+Pair random_coplanar(Random& random, int32_t size) {
+  const int32_t step = size / 8 > 0 ? size / 8 : 1;
+  const Point o = random_point(random, step);
+  const Point u = random_point(random, step);
+  const Point v = random_point(random, step);
+  const int32_t line = random.below(4) == 0 ? 0 : 3;
+  Pair pair;
+  for (Triangle* t : {&pair.a, &pair.b}) {
+    for (Point& corner : t->corner) {
+      corner = plus(o, plus(times(random.between(0, 3), u), times(random.between(0, line), v)));
+    }
+  }
+  return pair;
+}
+
+/// Two triangles with a common point by construction: b has it as corner or on an edge, a in its
+/// face, on an edge or as corner.
+Pair random_touching(Random& random, int32_t size) {
+  const int32_t step = size / 12 > 0 ? size / 12 : 1;
+  const Point o = plus(random_point(random, step), {4 * step, 4 * step, 4 * step});
+  const Point u = random_point(random, step);
+  const Point v = random_point(random, step);
+  const int32_t i = random.between(0, 4);
+  const Point common = plus(o, plus(times(i, u), times(random.between(0, 4 - i), v)));
+  const Point w = random_point(random, step);
+  const Point start = plus(common, times(-random.between(0, 2), w));
+  const Point end = plus(common, times(random.between(0, 2), w));
+  return {{{o, plus(o, times(4, u)), plus(o, times(4, v))}},
+          {{start, end, random_point(random, size)}}};
+}
+
+constexpr int32_t kSizes[] = {1, 2, 3, 5, 24, 1000, 32767, 32768, 65535, detail::kMaxDifference};
+
+/// Any kind of pair; `touching` tells whether it has a common point by construction.
+Pair random_pair(Random& random, bool& touching) {
+  const int32_t size = kSizes[random.below(sizeof kSizes / sizeof kSizes[0])];
+  const uint32_t kind = random.below(6);
+  Pair pair = {random_triangle(random, size), random_triangle(random, size)};
+  touching = kind >= 1 && kind <= 3;
+  if (kind == 0) {
+    return random_coplanar(random, size);
+  }
+  if (kind == 1 && size >= 24) {
+    return random_touching(random, size);
+  }
+  if (kind <= 3) {
+    pair.b.corner[0] = pair.a.corner[0];
+  }
+  if (kind == 3) {
+    pair.b.corner[1] = pair.a.corner[1];
+  }
+  return pair;
+}
+
+/// The pair with its lowest coordinates (highest where `up`) at the end of 32 bits.
+Pair at_the_end(const Pair& pair, bool up) {
+  Point end = pair.a.corner[0];
+  for (int32_t Point::*axis : {&Point::x, &Point::y, &Point::z}) {
+    for (const Triangle* t : {&pair.a, &pair.b}) {
+      for (const Point& corner : t->corner) {
+        end.*axis = (corner.*axis > end.*axis) == up ? corner.*axis : end.*axis;
+      }
+    }
+  }
+  const int32_t limit = up ? INT32_MAX : INT32_MIN;
+  const Point to_zero = times(-1, end);
+  const Point to_end = {limit, limit, limit};
+  return {translated(translated(pair.a, to_zero), to_end),
+          translated(translated(pair.b, to_zero), to_end)};
+}
+
+#if defined(__SIZEOF_INT128__)
+constexpr uint32_t kSymmetryPairs = 4000;
+#else
+constexpr uint32_t kSymmetryPairs = 400;
+#endif
+
+}  // namespace
+
+TEST_CASE("triangles that cross intersect, disjoint triangles don't", "[triangle]") {
+  check_cases(kCrossing);
+}
+TEST_CASE("triangles that touch intersect", "[triangle]") {
+  check_cases(kTouching);
+}
+TEST_CASE("coplanar triangles intersect where they overlap or touch", "[triangle]") {
+  check_cases(kCoplanar);
+}
+TEST_CASE("segments and points are tested as what they are", "[triangle]") {
+  check_cases(kDegenerate);
+}
+
+TEST_CASE("the order of corners and of arguments changes nothing", "[triangle]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  for (uint32_t run = 0; run < kSymmetryPairs; ++run) {
+    bool touching = false;
+    const Pair pair = random_pair(random, touching);
+    if (!all_orders_answer(detail::triangles_intersect(pair.a, pair.b), pair.a, pair.b)) {
+      CAPTURE(seed, run);
+      FAIL("an order changes the answer");
+    }
+  }
+}
+
+TEST_CASE("the place changes nothing, at either end of 32 bits", "[triangle]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  for (uint32_t run = 0; run < 4 * kSymmetryPairs; ++run) {
+    bool touching = false;
+    const Pair pair = random_pair(random, touching);
+    const bool here = detail::triangles_intersect(pair.a, pair.b);
+    for (const bool up : {false, true}) {
+      const Pair there = at_the_end(pair, up);
+      if (detail::triangles_intersect(there.a, there.b) != here) {
+        CAPTURE(seed, run, up);
+        FAIL("the place changes the answer");
+      }
+    }
+  }
+}
+
+TEST_CASE("triangles with a common point by construction intersect", "[triangle]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  for (uint32_t run = 0; run < 4 * kSymmetryPairs; ++run) {
+    bool touching = false;
+    const Pair pair = random_pair(random, touching);
+    if (touching && !detail::triangles_intersect(pair.a, pair.b)) {
+      CAPTURE(seed, run);
+      FAIL("a common point is missed");
+    }
+  }
+}
+
+#if defined(__SIZEOF_INT128__)
+
+namespace {
+
+/// Whether the library gives the answer that the oracle proves.
+bool agrees(const Triangle& a, const Triangle& b) {
+  const Verdict verdict = decide(a, b);
+  return is_proven(verdict, a, b) && detail::triangles_intersect(a, b) == verdict.intersects;
+}
+
+}  // namespace
+
+TEST_CASE("every pair of triangles in the unit cube agrees with the oracle", "[triangle][oracle]") {
+  uint32_t wrong = 0;
+  const auto triangle = [](uint32_t code) {
+    const auto corner = [](uint32_t bits) {
+      return Point{static_cast<int32_t>(bits & 1), static_cast<int32_t>(bits >> 1 & 1),
+                   static_cast<int32_t>(bits >> 2 & 1)};
+    };
+    return Triangle{{corner(code), corner(code >> 3), corner(code >> 6)}};
+  };
+  for (uint32_t i = 0; i < 512; ++i) {
+    for (uint32_t j = i; j < 512; ++j) {
+      wrong += agrees(triangle(i), triangle(j)) ? 0u : 1u;
+    }
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("small triangles agree with the oracle", "[triangle][oracle]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  for (uint32_t run = 0; run < rounds(60000u, 400000u); ++run) {
+    const int32_t size = random.between(2, 3);
+    const Pair pair = {random_triangle(random, size), random_triangle(random, size)};
+    if (!agrees(pair.a, pair.b)) {
+      CAPTURE(seed, run);
+      FAIL("the oracle disagrees");
+    }
+  }
+}
+
+TEST_CASE("triangles of every kind and size agree with the oracle", "[triangle][oracle]") {
+  const uint64_t seed = test_seed();
+  Random random(seed);
+  for (uint32_t run = 0; run < rounds(60000u, 400000u); ++run) {
+    bool touching = false;
+    Pair pair = random_pair(random, touching);
+    // Every other pair is shaken by one cell: from touching to nearly touching.
+    int32_t Point::*const axis = random.below(2) != 0 ? &Point::x : &Point::z;
+    Point& corner = pair.b.corner[random.below(3)];
+    corner.*axis -= random.below(2) != 0 && corner.*axis > 0 ? 1 : 0;
+    if (!agrees(pair.a, pair.b)) {
+      CAPTURE(seed, run);
+      FAIL("the oracle disagrees");
+    }
+  }
+}
+
+#endif  // __SIZEOF_INT128__
+
+}  // namespace flashbvh::test

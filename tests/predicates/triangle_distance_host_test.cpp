@@ -1,0 +1,336 @@
+// Distances of triangles against exact rationals.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+
+#include "flashbvh/detail/predicates/triangle.hpp"
+#include "flashbvh/detail/predicates/triangle_distance.hpp"
+#include "support/distance_oracle.hpp"
+#include "support/random.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+using namespace flashbvh::test;
+
+namespace {
+
+mpz_class number_of(const Int128& value) {
+  mpz_class high(static_cast<long>(value.high));
+  mpz_class low(static_cast<unsigned long>(value.low));
+  return (high << 64) + low;
+}
+mpq_class rational(const Int128& above, const Int128& below) {
+  mpq_class value(number_of(above), number_of(below));
+  value.canonicalize();
+  return value;
+}
+mpq_class rational_of(const Fraction& fraction) {
+  return rational(fraction.above, fraction.below);
+}
+
+mpq_class squared_distance(const Triangle& a, const Triangle& b, Features& features) {
+  Fraction squared = kInfinite;
+  REQUIRE(is_nearer(a, b, squared, features));
+  return rational_of(squared);
+}
+
+RationalVector point_at(const Triangle& t, const PlaceInTriangle& place) {
+  const Point& p = t.corner[place.origin];
+  const Point& q = t.corner[(place.origin + 1) % 3];
+  const Point& r = t.corner[(place.origin + 2) % 3];
+  const mpq_class s = rational(place.first, place.below);
+  const mpq_class u = rational(place.second, place.below);
+  CHECK((s >= 0 && u >= 0 && s + u <= 1));
+  const auto at = [&](int from, int to, int other) -> mpq_class {
+    return from + s * (to - from) + u * (other - from);
+  };
+  return {at(p.x, q.x, r.x), at(p.y, q.y, r.y), at(p.z, q.z, r.z)};
+}
+
+/// Squared, and one part in 2^40 beside it.
+Fraction fraction_of(const mpq_class& value) {
+  const auto wide = [](const mpz_class& number) -> Int128 {
+    const mpz_class high = number >> 64;
+    const mpz_class low = number - (high << 64);
+    return {static_cast<std::int64_t>(high.get_si()), low.get_ui()};
+  };
+  return {wide(value.get_num()), wide(value.get_den())};
+}
+
+/// What tells triangles apart says so of none that are nearer.
+struct Separations {
+  std::uint32_t directions = 0;
+  std::uint32_t planes = 0;
+  std::uint32_t axes = 0;
+  std::uint32_t others = 0;  ///< told apart by another pair's axis
+  Direction first;           ///< another pair's, as queries keep it
+  Axis axis = {0, 0, 0, 0};
+  mpq_class axis_distance = 0;  ///< squared: of its own pair
+
+  void check(const Triangle& a, const Triangle& b, const Features& features,
+             const mpq_class& truth) {
+    const mpz_class whole = truth.get_num() / truth.get_den();
+    const std::int64_t limit = whole.get_si();  // the truth is below one more
+    REQUIRE_FALSE(directions_separate(a, b, limit, first));
+    REQUIRE_FALSE(planes_separate(a, b, limit));
+    const std::int64_t less = limit - limit / 64 - 1;
+    directions += limit > 64 && directions_separate(a, b, less, first) ? 1 : 0;
+    planes += limit > 64 && planes_separate(a, b, less) ? 1 : 0;
+    if (axis.separates(a, b)) {
+      ++others;
+      REQUIRE(truth >= axis_distance);
+    }
+    if (truth != 0) {
+      const Axis own = axis_of(a, b, features);
+      if (own.gap != 0) {
+        ++axes;
+        REQUIRE(own.separates(a, b));
+        Axis longer = own;
+        ++longer.gap;
+        REQUIRE_FALSE(longer.separates(a, b));
+        axis = own;
+        axis_distance = truth;
+      }
+    }
+  }
+};
+
+/// At exactly the distance and beside it, if that can be asked; else as near to it as can be.
+void check_within(const Triangle& a, const Triangle& b, const mpq_class& truth) {
+  const mpz_class most_above = (mpz_class(1) << 46) - 1;
+  const mpz_class most_below = (mpz_class(1) << 17) - 1;
+  mpz_class below = truth.get_den();
+  if (below > most_below) {
+    below = most_below;
+  }
+  // The denominator is the largest that is a multiple, so that its steps are small.
+  below *= most_below / below;
+  mpz_class above = truth.get_num() * below / truth.get_den();  // rounded down
+  for (int beside = -1; beside <= 1; ++beside) {
+    const mpz_class at = above + beside;
+    if (at >= 0 && at <= most_above) {
+      const ShortFraction limit = {at.get_ui(), static_cast<std::uint32_t>(below.get_ui())};
+      REQUIRE(is_within(a, b, limit) == (mpq_class(at, below) >= truth));
+    }
+  }
+}
+
+void check(const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen,
+           Separations& separations) {
+  const mpq_class truth = Differences(a, b).squared_distance();
+  Features features{};
+  const mpq_class found = squared_distance(a, b, features);
+  REQUIRE(found == truth);
+  REQUIRE((truth == 0) == (features.kind == FeatureKind::intersection));
+  if (squared_box_gap(a, b) == 0) {
+    REQUIRE(triangles_intersect(a, b) == (truth == 0));
+  }
+  REQUIRE(mpq_class(squared_box_gap(a, b)) <= truth);
+  seen.insert(features.kind);
+  separations.check(a, b, features, truth);
+  Features other{};
+  REQUIRE(squared_distance(b, a, other) == truth);
+
+  if (truth != 0) {
+    PlaceInTriangle of_a{};
+    PlaceInTriangle of_b{};
+    nearest_places(a, b, features, of_a, of_b);
+    const RationalVector p = point_at(a, of_a);
+    const RationalVector q = point_at(b, of_b);
+    const RationalVector apart = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    REQUIRE(test::dot(apart, apart) == truth);
+    // At exactly the distance, and beside it.
+    const Fraction exact = fraction_of(truth);
+    Fraction same = exact;
+    REQUIRE_FALSE(is_nearer(a, b, same, other));
+    const mpq_class above(truth.get_num() + 1, truth.get_den());
+    Fraction more = fraction_of(above);
+    REQUIRE(is_nearer(a, b, more, other));
+    REQUIRE(rational_of(more) == truth);
+  } else {
+    REQUIRE(is_within(a, b, {0, 1}));
+  }
+  check_within(a, b, truth);
+}
+
+/// Orders of the corners.
+Triangle permuted(const Triangle& t, unsigned order) {
+  std::array<int, 3> at = {0, 1, 2};
+  for (unsigned i = 0; i < order; ++i) {
+    std::next_permutation(at.begin(), at.end());
+  }
+  return {{t.corner[at[0]], t.corner[at[1]], t.corner[at[2]]}};
+}
+
+Point any_point(Random& random, std::int32_t reach) {
+  return {random.between(-reach, reach), random.between(-reach, reach),
+          random.between(-reach, reach)};
+}
+Triangle any_triangle(Random& random, std::int32_t reach) {
+  return {{any_point(random, reach), any_point(random, reach), any_point(random, reach)}};
+}
+
+/// What is odd about a pair: flat in some way, sharing what it can share.
+void adapt(Random& random, unsigned kind, Triangle& a, Triangle& b) {
+  switch (kind) {
+    case 1:  // segments
+      b.corner[2] = b.corner[1];
+      break;
+    case 2:
+      a.corner[1] = a.corner[0];
+      b.corner[2] = b.corner[0];
+      break;
+    case 3:  // points
+      a.corner[2] = a.corner[1] = a.corner[0];
+      break;
+    case 4:  // one plane
+      for (int i = 0; i < 3; ++i) {
+        a.corner[i].z = a.corner[i].x + a.corner[i].y;
+        b.corner[i].z = b.corner[i].x + b.corner[i].y;
+      }
+      break;
+    case 5:  // parallel planes
+      for (int i = 0; i < 3; ++i) {
+        a.corner[i].z = a.corner[i].x;
+        b.corner[i].z = b.corner[i].x + 3;
+      }
+      break;
+    case 6:  // a common corner
+      b.corner[random.below(3)] = a.corner[random.below(3)];
+      break;
+    case 7:  // parallel edges
+      b.corner[1] = {b.corner[0].x + a.corner[1].x - a.corner[0].x,
+                     b.corner[0].y + a.corner[1].y - a.corner[0].y,
+                     b.corner[0].z + a.corner[1].z - a.corner[0].z};
+      break;
+    case 8:  // on one line
+      a.corner[2] = {2 * a.corner[1].x - a.corner[0].x, 2 * a.corner[1].y - a.corner[0].y,
+                     2 * a.corner[1].z - a.corner[0].z};
+      break;
+    default:
+      break;
+  }
+}
+
+void translate(Triangle& t, const Point& by) {
+  for (Point& corner : t.corner) {
+    corner = {corner.x + by.x, corner.y + by.y, corner.z + by.z};
+  }
+}
+
+}  // namespace
+
+TEST_CASE("distances of triangles are those of exact rationals") {
+  Random random(test_seed());
+  std::set<FeatureKind> seen;
+  Separations separations;
+  const std::int32_t reaches[] = {1, 3, 30, 1000, 4000, 16000, 30000};
+  const std::int32_t offsets[] = {0, 2, 50, 1500, 8000, 30000, 60000};
+  const auto tries = rounds(800u, 4000u);
+  for (std::uint32_t round = 0; round < tries; ++round) {
+    CAPTURE(round);
+    const std::int32_t reach = reaches[random.below(7)];
+    const std::int32_t offset = offsets[random.below(7)];
+    Triangle a = any_triangle(random, reach);
+    Triangle b = any_triangle(random, reach);
+    adapt(random, random.below(12), a, b);
+    translate(b, any_point(random, offset));
+    check(a, b, seen, separations);
+  }
+  CHECK(seen.size() == 7);
+  CHECK(separations.directions > tries / 4);
+  CHECK(separations.planes > 3 * tries / 40);
+  CHECK(separations.axes > tries / 4);
+  CHECK(separations.others > tries / 80);
+}
+
+TEST_CASE("no order of corners changes a distance") {
+  Random random(test_seed());
+  for (unsigned round = 0; round < 300; ++round) {
+    CAPTURE(round);
+    Triangle a = any_triangle(random, 40);
+    Triangle b = any_triangle(random, 40);
+    adapt(random, random.below(12), a, b);
+    translate(b, any_point(random, 60));
+    Features features{};
+    const mpq_class truth = squared_distance(a, b, features);
+    for (unsigned i = 0; i < 6; ++i) {
+      for (unsigned j = 0; j < 6; ++j) {
+        REQUIRE(squared_distance(permuted(a, i), permuted(b, j), features) == truth);
+        REQUIRE(squared_distance(permuted(b, j), permuted(a, i), features) == truth);
+      }
+    }
+  }
+}
+
+TEST_CASE("every small pair of triangles in a plane and beside it") {
+  // Corners in a box of 2 x 2 x 1 cells, all triples: what is tied, flat and touching.
+  std::vector<Triangle> all;
+  std::vector<Point> points;
+  for (int i = 0; i < 8; ++i) {
+    points.push_back({i & 1, i >> 1 & 1, i >> 2});
+  }
+  for (const Point& p : points) {
+    for (const Point& q : points) {
+      all.push_back({{points[0], p, q}});
+    }
+  }
+  std::set<FeatureKind> seen;
+  Separations separations;
+  for (const Triangle& a : all) {
+    for (std::size_t i = 0; i < all.size(); i += 3) {
+      Triangle b = all[i];
+      translate(b, {1, 1, static_cast<std::int32_t>(i % 3)});
+      check(a, b, seen, separations);
+    }
+  }
+  CHECK(seen.size() >= 4);
+}
+
+TEST_CASE("distances at the ends of their range") {
+  std::set<FeatureKind> seen;
+  Separations separations;
+  constexpr std::int32_t m = 28377;
+  constexpr std::int32_t far = 48000 + m;
+  const Triangle a = {{{-16383, -16383, -16383}, {16383, -16383, -16383}, {-16383, 16383, -16383}}};
+  for (int signs = 0; signs < 8; ++signs) {
+    const std::int32_t x = (signs & 1) != 0 ? far : -far;
+    const std::int32_t y = (signs & 2) != 0 ? far : -far;
+    const std::int32_t z = (signs & 4) != 0 ? far : -far;
+    check(a, {{{x, y, z}, {x - 2 * m, y, z}, {x, y - 2 * m, z}}}, seen, separations);
+    check(a, {{{x, y, z}, {x, y, z}, {-x, -y, -z}}}, seen, separations);
+    check(a, {{{x, y, z}, {x, y, -z}, {-x, y, z}}}, seen, separations);
+  }
+  CHECK(seen.size() >= 3);
+}
+
+TEST_CASE("fractions are compared exactly, however near they are") {
+  Random random(test_seed());
+  const auto any = [&random](unsigned bits) {
+    mpz_class value = 1;
+    for (unsigned i = 0; i < bits; ++i) {
+      value = value * 2 + static_cast<unsigned long>(random.below(2));
+    }
+    return value;
+  };
+  for (unsigned round = 0; round < 20000; ++round) {
+    CAPTURE(round);
+    const mpq_class x(any(random.below(107)), any(random.below(71)));
+    mpq_class y(any(random.below(107)), any(random.below(71)));
+    if (round % 2 == 0) {  // a neighbour
+      y = mpq_class(x.get_num() + (round % 3 == 0 ? 1 : 0), x.get_den() + (round % 5 == 0 ? 1 : 0));
+    }
+    const int order = cmp(x, y);
+    const Fraction of_x = {fraction_of(mpq_class(x.get_num())).above,
+                           fraction_of(mpq_class(x.get_den())).above};
+    const Fraction of_y = {fraction_of(mpq_class(y.get_num())).above,
+                           fraction_of(mpq_class(y.get_den())).above};
+    REQUIRE(compare(of_x, of_y) == (order > 0 ? 1 : order < 0 ? -1 : 0));
+    const Int128 whole = quotient(of_x.above, of_x.below);
+    REQUIRE(number_of(whole) == x.get_num() / x.get_den());
+    mpz_class root;
+    mpz_sqrt(root.get_mpz_t(), x.get_num().get_mpz_t());
+    REQUIRE(mpz_class(static_cast<unsigned long>(square_root(of_x.above))) == root);
+  }
+}

@@ -1,0 +1,122 @@
+// Distances against brute force, on trees that fit every board.
+#include <catch2/catch.hpp>
+#include <initializer_list>
+
+#include "flashbvh/clearance.hpp"
+#include "support/pairs_of_triangles.hpp"
+#include "support/small_scene.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+using namespace flashbvh::test;
+
+namespace {
+
+const int kRounds = rounds(100, 1000);
+
+using Scene = SmallScene<Layout::post_indexed>;
+
+template <class Visit>
+void for_all_pairs(const Scene& scene, const Visit& visit) {
+  const PostMesh& a = scene.a.view();
+  const PostMesh& b = scene.b.view();
+  test::for_all_pairs(a, b, Transform(scene.pose, a, b, /*may_stop=*/false), visit);
+}
+
+/// Others are told in clearance_test.cpp.
+bool is_in_range(const Scene& scene) {
+  return Transform(scene.pose, scene.a.view(), scene.b.view(), /*may_stop=*/false).is_in_range();
+}
+
+Fraction least_distance(const Scene& scene) {
+  Fraction least = kInfinite;
+  for_all_pairs(scene, [&](uint32_t, uint32_t, const Triangle& a, const Triangle& b) {
+    Features features;
+    (void)is_nearer(a, b, least, features);
+  });
+  return least;
+}
+
+/// 256 times the root, rounded down.
+uint32_t lower_of(const Fraction& squared) {
+  return static_cast<uint32_t>(square_root(quotient(shifted_up(squared.above, 16), squared.below)));
+}
+
+PairSet brute_force_within(const Scene& scene, uint32_t distance) {
+  PairSet pairs;
+  const ShortFraction limit = {uint64_t{distance} * distance, 1 << 16};
+  for_all_pairs(scene, [&](uint32_t i, uint32_t j, const Triangle& a, const Triangle& b) {
+    if (is_within(a, b, limit)) {
+      (void)pairs.add(scene.a.view().triangle_ids[i], scene.b.view().triangle_ids[j]);
+    }
+  });
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("small trees: the distance is that of the nearest triangles, however it is cut") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  int apart = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    const Scene scene(random);
+    if (!is_in_range(scene)) {
+      continue;
+    }
+    const Fraction least = least_distance(scene);
+    Witness<uint16_t> begin;
+    for (const uint32_t work : {kNoLimit, uint32_t{1}, 1 + random.below(60)}) {
+      ClearanceQuery query(scene.a.view(), scene.b.view(), scene.pose, begin);
+      while (query.run(work).status == Status::suspended) {
+      }
+      const Clearance<uint16_t> found = query.result();
+      REQUIRE(found.status == Status::done);
+      REQUIRE(found.in_range);
+      REQUIRE(found.lower == lower_of(least));
+      Triangle a;
+      Triangle b;
+      query.nearest_triangles(a, b);
+      Fraction squared = kInfinite;
+      Features features;
+      REQUIRE(is_nearer(a, b, squared, features));
+      REQUIRE(compare(squared, least) == 0);
+      begin = found.witness;
+    }
+    apart += is_zero(least.above) ? 0 : 1;
+  }
+  CHECK(apart > kRounds / 10);
+}
+
+TEST_CASE("small trees: within a distance are the pairs that brute force finds") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    const Scene scene(random);
+    if (!is_in_range(scene)) {
+      continue;
+    }
+    const uint32_t lower = lower_of(least_distance(scene));
+    for (const uint32_t more : {uint32_t{0}, uint32_t{1}, random.below(1 << 16)}) {
+      const uint32_t reach = lower + more < kMaxDistance ? lower + more : kMaxDistance;
+      WithinQuery query(scene.a.view(), scene.b.view(), scene.pose, {}, within(reach));
+      PairSet found;
+      bool twice = false;
+      const auto add = [&](const Pair& pair) {
+        twice = !found.add(pair.a, pair.b) || twice;
+        return true;
+      };
+      const uint32_t work = 1 + random.below(100);
+      while (query.run(work, add).status == Status::suspended) {
+      }
+      REQUIRE(query.status() == Status::done);
+      REQUIRE_FALSE(twice);
+      const bool exact = found == brute_force_within(scene, reach);
+      REQUIRE(exact);
+    }
+  }
+}

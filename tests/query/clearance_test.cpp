@@ -1,0 +1,285 @@
+// Distances of meshes against brute force over all pairs of triangles.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "flashbvh/clearance.hpp"
+#include "support/all_distances.hpp"
+#include "support/any_mesh.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+using namespace flashbvh::test;
+
+namespace {
+
+bool is_of(const std::vector<Pairwise>& all, const Fraction& squared,
+           const TrianglePair<std::uint16_t>& pair) {
+  return std::any_of(all.begin(), all.end(), [&](const Pairwise& p) {
+    return p.id_a == pair.a && p.id_b == pair.b && compare(p.squared, squared) == 0;
+  });
+}
+
+bool same(const FinePoint& p, const FinePoint& q) {
+  return p.x == q.x && p.y == q.y && p.z == q.z;
+}
+bool same(const Counts& u, const Counts& v) {
+  return u.visits == v.visits && u.overlaps == v.overlaps && u.leaf_pairs == v.leaf_pairs &&
+         u.triangle_pairs == v.triangle_pairs;
+}
+
+void check_result(const std::vector<Pairwise>& all, const Clearance<std::uint16_t>& found) {
+  const Fraction& least = least_of(all).squared;
+  REQUIRE(found.status == Status::done);
+  REQUIRE(is_of(all, least, found.triangles));
+  REQUIRE(found.lower == lower_of(least));
+  REQUIRE((found.upper == found.lower || found.upper == found.lower + 1));
+  // The points are that far apart, but for their rounding.
+  const double x = static_cast<double>(found.point_b.x - found.point_a.x);
+  const double y = static_cast<double>(found.point_b.y - found.point_a.y);
+  const double z = static_cast<double>(found.point_b.z - found.point_a.z);
+  const double apart = std::sqrt(x * x + y * y + z * z);
+  REQUIRE(apart <= found.upper + 1.8);
+  REQUIRE(apart >= found.lower - 1.8);
+  if (found.lower != 0) {
+    const double scale = 1.0 / kUnitOne;
+    const double length = std::sqrt(scale * found.direction.x * scale * found.direction.x +
+                                    scale * found.direction.y * scale * found.direction.y +
+                                    scale * found.direction.z * scale * found.direction.z);
+    REQUIRE(std::abs(length - 1) < 4e-9);
+    REQUIRE(std::abs(found.direction.x * scale * apart - x) <= 2);
+    REQUIRE(std::abs(found.direction.y * scale * apart - y) <= 2);
+    REQUIRE(std::abs(found.direction.z * scale * apart - z) <= 2);
+  } else {
+    REQUIRE((found.upper != 0 || (found.direction.x | found.direction.y | found.direction.z) == 0));
+  }
+}
+
+/// However a query is cut, and from every position, in another query.
+void check_slices(Random& random, const PostMesh& a, const PostMesh& b, const Pose& pose,
+                  const Witness<std::uint16_t>& seed) {
+  ClearanceQuery whole(a, b, pose, seed);
+  REQUIRE(whole.run(kNoLimit).status == Status::done);
+  const Clearance<std::uint16_t> truth = whole.result();
+  const auto check = [&](const ClearanceQuery& query) {
+    const Clearance<std::uint16_t> found = query.result();
+    REQUIRE((found.lower == truth.lower && found.upper == truth.upper));
+    REQUIRE((found.triangles.a == truth.triangles.a && found.triangles.b == truth.triangles.b));
+    REQUIRE((same(found.point_a, truth.point_a) && same(found.point_b, truth.point_b)));
+  };
+  for (const std::uint32_t work : {1u, 2u, 7u, 31u, 33u, 100u}) {
+    CAPTURE(work);
+    ClearanceQuery cut(a, b, pose, seed);
+    std::uint32_t upper = UINT32_MAX;
+    for (std::uint32_t runs = 0; cut.run(work).status == Status::suspended; ++runs) {
+      REQUIRE(runs < 1000000);
+      const Clearance<std::uint16_t> known = cut.result();
+      REQUIRE(known.lower == 0);
+      REQUIRE(known.upper <= upper);
+      REQUIRE(known.upper >= truth.lower);
+      upper = known.upper;
+    }
+    check(cut);
+    REQUIRE(same(cut.counts(), whole.counts()));
+  }
+  ClearanceQuery cut(a, b, pose, seed);
+  std::uint32_t visits = 0;
+  for (;;) {
+    ClearancePosition<std::uint16_t> position = cut.position();
+    ClearanceQuery resumed(a, b, pose);
+    const Status status = resumed.resume(position);
+    REQUIRE(status == cut.status());
+    if (status == Status::done) {
+      check(resumed);
+      break;
+    }
+    if (random.below(8) == 0) {
+      REQUIRE(resumed.run(kNoLimit).status == Status::done);
+      check(resumed);
+      REQUIRE(visits + resumed.counts().visits == whole.counts().visits);
+    }
+    (void)cut.run(1 + random.below(40));
+    visits = cut.counts().visits;
+  }
+}
+
+void check_band(const std::vector<Pairwise>& all, const PostMesh& a, const PostMesh& b,
+                const Pose& pose, std::uint32_t reach) {
+  const Fraction limit = {{0, std::uint64_t{reach} * reach}, {0, 1 << 16}};
+  Pairs truth;
+  for (const Pairwise& pair : all) {
+    if (compare(pair.squared, limit) <= 0) {
+      truth.emplace_back(pair.id_a, pair.id_b);
+    }
+  }
+  std::sort(truth.begin(), truth.end());
+  for (const std::uint32_t work : {std::uint32_t{1}, std::uint32_t{50}, kNoLimit}) {
+    WithinQuery query(a, b, pose, {}, within(reach));
+    Pairs pairs = run_to_end(query, work, 5);
+    std::sort(pairs.begin(), pairs.end());
+    REQUIRE(pairs == truth);
+  }
+  const Answer answer = closer_than(a, b, pose, reach);
+  REQUIRE(answer.status == Status::done);
+  REQUIRE(answer.yes == !truth.empty());
+}
+
+PostMesh view_of(const AnyMesh& mesh) {
+  return mesh.view<PostMesh>();
+}
+
+}  // namespace
+
+TEST_CASE("the distance of two meshes is that of their nearest triangles") {
+  Random random(test_seed());
+  for (int round = 0; round < rounds(80, 250); ++round) {
+    CAPTURE(round);
+    const std::int32_t spreads[] = {5, 60, 1000, 16000};
+    const std::int32_t spread = spreads[random.below(4)];
+    const auto mesh = [&] {
+      return any_mesh(random, random_mesh(random, 1 + random.below(20), spread, 1 + spread / 4));
+    };
+    const AnyMesh any_a = mesh();
+    const AnyMesh any_b = mesh();
+    const PostMesh a = view_of(any_a);
+    const PostMesh b = view_of(any_b);
+    const Pose pose = any_pose(random, spread > 6000 ? 23000 : spread * random.between(1, 4));
+    const std::vector<Pairwise> all = all_distances(a, b, pose);
+    check_result(all, distance(a, b, pose));
+    // Every seed gives the same distance, and a good one is kept.
+    for (int i = 0; i < 4; ++i) {
+      const Pairwise& pair =
+          i == 0 ? least_of(all) : all[random.below(static_cast<std::uint32_t>(all.size()))];
+      const Witness<std::uint16_t> seed = {static_cast<std::uint16_t>(pair.of_a),
+                                           static_cast<std::uint16_t>(pair.of_b)};
+      check_result(all, distance(a, b, pose, seed));
+    }
+    check_slices(random, a, b, pose, {});
+    const Pairwise& any = all[random.below(static_cast<std::uint32_t>(all.size()))];
+    check_slices(random, a, b, pose,
+                 {static_cast<std::uint16_t>(any.of_a), static_cast<std::uint16_t>(any.of_b)});
+    const std::uint32_t lower = lower_of(least_of(all).squared);
+    for (const std::uint32_t reach : {lower, lower + 1, lower == 0 ? 0 : lower - 1, 2 * lower,
+                                      lower + 256 * static_cast<std::uint32_t>(spread)}) {
+      if (reach <= kMaxDistance) {
+        check_band(all, a, b, pose, reach);
+      }
+    }
+    // Other arguments: the same points, if nothing is rotated.
+    if (pose.is_translation()) {
+      const std::int32_t back[3] = {-pose.translation(0), -pose.translation(1),
+                                    -pose.translation(2)};
+      const Pose other = Pose::translated(back[0], back[1], back[2]);
+      REQUIRE(distance(b, a, other).lower == lower);
+      REQUIRE(distance(b, a, other).upper == distance(a, b, pose).upper);
+    }
+  }
+}
+
+TEST_CASE("what is farther than 2^15 cells is measured as well, from any seed") {
+  Random random(test_seed());
+  for (int round = 0; round < rounds(20, 60); ++round) {
+    CAPTURE(round);
+    const auto mesh = [&] {
+      return any_mesh(random, random_mesh(random, 20 + random.below(20), 800, 400));
+    };
+    const AnyMesh any_a = mesh();
+    const AnyMesh any_b = mesh();
+    const PostMesh a = view_of(any_a);
+    const PostMesh b = view_of(any_b);
+    const auto far = [&] { return (random.below(2) == 0 ? 1 : -1) * random.between(20000, 23000); };
+    const std::int32_t x = far();
+    const std::int32_t y = far();
+    const std::int32_t cells[3] = {x, y, far()};
+    const Pose pose = round % 4 == 0
+                          ? Pose::translated(cells[0], cells[1], cells[2])
+                          : Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
+    const std::vector<Pairwise> all = all_distances(a, b, pose);
+    check_result(all, distance(a, b, pose));
+    for (int i = 0; i < 8; ++i) {
+      const Pairwise& pair = all[random.below(static_cast<std::uint32_t>(all.size()))];
+      check_result(all, distance(a, b, pose,
+                                 {static_cast<std::uint16_t>(pair.of_a),
+                                  static_cast<std::uint16_t>(pair.of_b)}));
+    }
+  }
+}
+
+TEST_CASE("what is beyond the range is told from what is not") {
+  Random random(test_seed());
+  const bake::LatticeMesh mesh = random_mesh(random, 12, 16000, 4000);
+  const AnyMesh any_a = any_mesh(random, mesh);
+  const AnyMesh any_b = any_mesh(random, mesh);
+  const PostMesh a = view_of(any_a);
+  const PostMesh b = view_of(any_b);
+  const auto rotated = [&](std::int32_t x) {
+    const std::int32_t cells[3] = {x, -x, x};
+    return Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
+  };
+  for (const std::int32_t x : {47999, -47999, 30000}) {
+    for (const Pose& pose : {Pose::translated(x, -x, x), rotated(x)}) {
+      const Clearance<std::uint16_t> found = distance(a, b, pose);
+      CHECK(found.in_range);
+      check_result(all_distances(a, b, pose), found);
+    }
+  }
+  for (const std::int32_t x : {48000, -48000, 70000, 1 << 20, -(1 << 29)}) {
+    CAPTURE(x);
+    for (const Pose& pose : {Pose::translated(x, -x, x), rotated(x)}) {
+      const Clearance<std::uint16_t> found = distance(a, b, pose);
+      CHECK(found.status == Status::done);
+      CHECK_FALSE(found.in_range);
+      // B's vertices are within 28,378 cells of its origin, A's within 16,384 of its own.
+      CHECK(found.lower / 256.0 <= std::abs(std::sqrt(3.0) * x) + 80000.0);
+      CHECK(found.lower > 0);
+      CHECK(closer_than(a, b, pose, 256 * 3000).status == Status::done);
+      CHECK_FALSE(closer_than(a, b, pose, 256 * 3000).yes);
+      const Answer wide = closer_than(a, b, pose, kMaxDistance);
+      CHECK((wide.status == Status::distance_out_of_range
+                 ? wide.yes
+                 : wide.status == Status::done && !wide.yes));
+    }
+  }
+  CHECK(closer_than(a, b, Pose::translated(0, 0, 0), kMaxDistance + 1).status ==
+        Status::distance_out_of_range);
+  CHECK(closer_than(a, b, Pose::translated(0, 0, 0), kMaxDistance).yes);
+}
+
+TEST_CASE("seeds and positions that are none are refused") {
+  Random random(test_seed());
+  const AnyMesh any_a = any_mesh(random, random_mesh(random, 20, 100, 20));
+  const AnyMesh any_b = any_mesh(random, random_mesh(random, 15, 100, 20));
+  const PostMesh a = view_of(any_a);
+  const PostMesh b = view_of(any_b);
+  const Pose pose = Pose::translated(500, 0, 0);
+  CHECK(distance(a, b, pose, Witness<std::uint16_t>{20, 0}).status == Status::seed_invalid);
+  CHECK(distance(a, b, pose, Witness<std::uint16_t>{0, 15}).status == Status::seed_invalid);
+  CHECK(distance(a, b, pose, Witness<std::uint16_t>{65535, 0}).status == Status::seed_invalid);
+  CHECK(distance(a, b, pose, Witness<std::uint16_t>{19, 14}).status == Status::done);
+
+  const Clearance<std::uint16_t> truth = distance(a, b, pose);
+  std::uint32_t taken = 0;
+  for (int round = 0; round < rounds(7000, 20000); ++round) {
+    const auto index = [&] { return static_cast<std::uint16_t>(random.below(80)); };
+    ClearancePosition<std::uint16_t> position;
+    position.walk.a = index();
+    position.walk.b = index();
+    position.walk.untested = random.below(5);
+    position.walk.state = static_cast<State>(random.below(5));
+    position.witness = {index(), index()};
+    position.has_witness = random.below(2) == 0;
+    ClearanceQuery query(a, b, pose);
+    const Status status = query.resume(position);
+    if (status == Status::position_invalid) {
+      REQUIRE(query.run(kNoLimit).status == Status::done);  // as if nothing had been
+      REQUIRE(query.result().lower == truth.lower);
+      continue;
+    }
+    ++taken;
+    REQUIRE(query.run(kNoLimit).status == Status::done);
+    REQUIRE(query.result().upper >= truth.upper);
+  }
+  CHECK(taken > 100);
+}

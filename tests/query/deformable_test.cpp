@@ -1,0 +1,291 @@
+// Meshes that bend: boxes against ones made from the triangles down, queries against brute force
+// and against meshes baked anew, and what is refused while a mesh changes.
+#include <catch2/catch.hpp>
+
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/ray.hpp"
+#include "flashbvh/self.hpp"
+#include "flashbvh/solid.hpp"
+#include "support/any_mesh.hpp"
+#include "support/bending.hpp"
+#include "support/torus.hpp"
+#include "support/transformed_mesh.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+#if defined(FLASHBVH_ON_BOARD)
+constexpr int kShare = 10;
+#else
+constexpr int kShare = 1;
+#endif
+
+using detail::PackedBox;
+
+bool same_box(const PackedBox& a, const PackedBox& b) {
+  return a.upper_xy == b.upper_xy && a.lower_xy == b.lower_xy && a.z == b.z;
+}
+
+/// Of all vertices below a node, gathered from the top.
+template <class Mesh>
+void add_vertices(const Mesh& mesh, std::uint32_t node, detail::Box& box) {
+  if (!mesh.nodes[node].is_leaf()) {
+    for (std::uint32_t child = mesh.first_child(node);; child = mesh.next_sibling(child)) {
+      add_vertices(mesh, child, box);
+      if (mesh.is_last_child(node, child)) {
+        return;
+      }
+    }
+  }
+  const std::uint32_t leaf = mesh.nodes[node].leaf();
+  for (std::uint32_t i = mesh.first_triangle(leaf); i < mesh.end_triangle(leaf); ++i) {
+    for (const std::uint32_t corner : mesh.triangles[i].corner) {
+      const Vertex& v = mesh.vertices[corner];
+      box.lower = {std::min(box.lower.x, v.x), std::min(box.lower.y, v.y),
+                   std::min(box.lower.z, v.z)};
+      box.upper = {std::max(box.upper.x, v.x), std::max(box.upper.y, v.y),
+                   std::max(box.upper.z, v.z)};
+    }
+  }
+}
+
+template <class Mesh>
+PackedBox box_below(const Mesh& mesh, std::uint32_t node) {
+  constexpr std::int16_t most = kMaxCoordinate;
+  constexpr std::int16_t least = -kMaxCoordinate;
+  detail::Box box = {{most, most, most}, {least, least, least}};
+  add_vertices(mesh, node, box);
+  return detail::pack(box);
+}
+
+/// In slices of up to `most` nodes.
+template <class Mesh>
+RefitStep refit_in_slices(Random& random, BasicDeformableMesh<Mesh>& mesh, std::uint32_t most) {
+  for (;;) {
+    const RefitStep step = mesh.refit(1 + random.below(most));
+    if (step.status != Status::suspended) {
+      return step;
+    }
+  }
+}
+
+template <class Mesh>
+void check_refits(Random& random, int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    CAPTURE(round);
+    const bake::LatticeMesh lattice = any_bendable(random);
+    Bending<Mesh> bent(any_tree(random, lattice), lattice, random.below(4) != 0);
+    const Mesh& mesh = bent.mesh.mesh();
+    for (int frame = 0; frame < 8; ++frame) {
+      CAPTURE(frame);
+      move_some(random, frame < 6 ? 20 : kMaxCoordinate, bent.vertices.data(),
+                bent.vertices.size());
+      const RefitStep step =
+          frame % 2 == 0 ? bent.mesh.refit() : refit_in_slices(random, bent.mesh, 9);
+      REQUIRE(step.status == Status::done);
+      std::int64_t longest = 0;
+      for (std::uint32_t node = 0; node < mesh.node_count; ++node) {
+        CAPTURE(node);
+        REQUIRE(same_box(mesh.nodes[node].box, box_below(mesh, node)));
+        REQUIRE(mesh.nodes[node].link == bent.baked.nodes[node].link);
+        REQUIRE(mesh.nodes[node].data == bent.baked.nodes[node].data);
+      }
+      for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
+        for (int side = 0; side < 3; ++side) {
+          const Vertex& u = mesh.vertices[mesh.triangles[i].corner[side]];
+          const Vertex& v = mesh.vertices[mesh.triangles[i].corner[(side + 1) % 3]];
+          const std::int64_t x = u.x - v.x;
+          const std::int64_t y = u.y - v.y;
+          const std::int64_t z = u.z - v.z;
+          longest = std::max(longest, x * x + y * y + z * z);
+        }
+      }
+      REQUIRE(std::int64_t{mesh.longest_edge} * mesh.longest_edge >= longest);
+      REQUIRE(mesh.is_closed == bent.baked.is_closed);
+      REQUIRE(mesh.cell_bits == bent.baked.view().cell_bits);
+    }
+  }
+}
+
+Pairs sorted(Pairs pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+/// By every traversal that walks these meshes.
+template <class Mesh>
+void check_pairs(const Mesh& a, const Mesh& b, const Pose& pose, const Pairs& expected) {
+  for_each_query(a, b, pose, [&](const char* name, auto& query) {
+    CAPTURE(name);
+    REQUIRE(sorted(run_to_end(query, kNoLimit, 5000)) == expected);
+  });
+}
+
+template <class Mesh>
+void check_queries(Random& random, int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    CAPTURE(round);
+    const bake::LatticeMesh lattice = any_bendable(random);
+    Bending<Mesh> bent(any_tree(random, lattice), lattice);
+    const bake::LatticeMesh other = any_bendable(random);
+    Bending<Mesh> rigid(any_tree(random, other), other);
+    for (int frame = 0; frame < 2; ++frame) {
+      move_some(random, 30, bent.vertices.data(), bent.vertices.size());
+      REQUIRE(refit_in_slices(random, bent.mesh, 30).status == Status::done);
+      const Pose pose = any_pose(random, 20);
+      const Mesh& mesh = bent.mesh.mesh();
+      const bake::LatticeMesh now = bent.now();
+      check_pairs(mesh, rigid.mesh.mesh(), pose, brute_force(now, other, pose));
+      check_pairs(rigid.mesh.mesh(), mesh, pose, brute_force(other, now, pose));
+      check_pairs(mesh, mesh, pose, brute_force(now, now, pose));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a refit's boxes are those of the triangles below, whatever moved and however it is cut") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  check_refits<LevelledPostMesh>(random, 60 / kShare);
+  check_refits<LevelledPreMesh>(random, 30 / kShare);
+  check_refits<LargePostMesh>(random, 20 / kShare);
+  check_refits<PostMesh>(random, 20 / kShare);
+}
+
+TEST_CASE("every traversal takes a mesh that bends, on either side and against itself") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 1);
+  check_queries<LevelledPostMesh>(random, 20 / kShare);
+  check_queries<LevelledPreMesh>(random, 20 / kShare);
+}
+
+TEST_CASE("distances, rays and insides are those of the same mesh baked as it is now") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 2);
+  const bake::LatticeMesh ring = torus(6, 4, 60, 20);
+  for (int round = 0; round < 40 / kShare; ++round) {
+    CAPTURE(round);
+    Bending<PostMesh> bent(any_tree(random, ring), ring);
+    move_some(random, 8, bent.vertices.data(), bent.vertices.size());
+    bent.mesh.set_origin({random.between(-50, 50), 7, -3});
+    REQUIRE(bent.mesh.refit().status == Status::done);
+    bake::LatticeMesh now = bent.now();
+    std::copy(bent.mesh.mesh().origin, bent.mesh.mesh().origin + 3, now.origin.begin());
+    const Bending<PostMesh> anew(bake::build_default(now), now);
+    const PostMesh& mesh = bent.mesh.mesh();
+    const PostMesh& same = anew.mesh.mesh();
+    REQUIRE((mesh.is_closed && same.is_closed));
+
+    const Pose pose = any_pose(random, 250);
+    const auto near = distance(mesh, mesh, pose);
+    const auto expected = distance(same, same, pose);
+    REQUIRE((near.status == Status::done && near.lower == expected.lower));
+    REQUIRE(solids_intersect(mesh, same, pose).yes == solids_intersect(same, mesh, pose).yes);
+    const Point p = {random.between(-90, 90), random.between(-90, 90), random.between(-30, 30)};
+    REQUIRE(inside(mesh, p).side == inside(same, p).side);
+    const Segment ray = {p, {random.between(-200, 200), random.between(-200, 200), 5}};
+    const auto hit = nearest_hit(mesh, ray);
+    const auto expected_hit = nearest_hit(same, ray);
+    REQUIRE(hit.yes == expected_hit.yes);
+    REQUIRE((!hit.yes || hit.hit.triangle == expected_hit.hit.triangle));
+  }
+}
+
+TEST_CASE(
+    "a vertex out of the lattice is refused by its number, and nothing is asked until it is back") {
+  Random random(test_seed());
+  const bake::LatticeMesh lattice = grid(3, 2, false);
+  Bending<PostMesh> bent(bake::build_default(lattice), lattice);
+  const auto coordinate = [&](std::size_t v, int axis) -> std::int16_t& {
+    Vertex& at = bent.vertices[v];
+    return axis == 0 ? at.x : axis == 1 ? at.y : at.z;
+  };
+  const PostMesh& mesh = bent.mesh.mesh();
+  const PostMesh rigid = bent.baked.view();
+  for (std::size_t v = 0; v < bent.vertices.size(); ++v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      CAPTURE(v, axis);
+      for (const int good : {-16383, 16383}) {
+        coordinate(v, axis) = static_cast<std::int16_t>(good);
+        REQUIRE(bent.mesh.refit().status == Status::done);
+      }
+      for (const int bad : {-16384, 16384, -32768, 32767}) {
+        coordinate(v, axis) = static_cast<std::int16_t>(bad);
+        const RefitStep step = refit_in_slices(random, bent.mesh, 5);
+        REQUIRE(step.status == Status::vertex_out_of_lattice);
+        REQUIRE(step.vertex == v);
+        REQUIRE(intersects(mesh, rigid, Pose::translated(0, 0, 0)).status == Status::cell_mismatch);
+        REQUIRE(DeformableQuery<SelfQuery>(bent.mesh).status() == Status::mesh_changed);
+      }
+      coordinate(v, axis) = 0;
+      REQUIRE(bent.mesh.refit().status == Status::done);
+      REQUIRE(intersects(mesh, rigid, Pose::translated(0, 0, 0)).status == Status::done);
+    }
+  }
+}
+
+TEST_CASE(
+    "a query and a position from before a refit are refused, a refit between slices included") {
+  Random random(test_seed() + 3);
+  const bake::LatticeMesh ring = torus(6, 4, 60, 20);
+  Bending<PostMesh> bent(bake::build_default(ring), ring);
+  Bending<PostMesh> other(bake::build_default(ring), ring);
+  const PostMesh rigid = bent.baked.view();
+  const Pose pose = Pose::translated(30, 5, 0);
+  using Dated = DeformableQuery<PairQuery>;
+
+  const auto refuses = [](Dated& query, auto& refit) {
+    PairQuery::Pair found[4];
+    REQUIRE(query.run(40, found).status != Status::done);
+    const auto position = query.position();
+    REQUIRE(query.resume(position) == Status::suspended);
+    refit();
+    REQUIRE(query.is_outdated());
+    REQUIRE(query.status() == Status::mesh_changed);
+    const Step step = query.run(40, found);
+    REQUIRE((step.status == Status::mesh_changed && step.count == 0 && step.work == 0));
+    REQUIRE(query.run(40, [](const PairQuery::Pair&) { return true; }).status ==
+            Status::mesh_changed);
+    REQUIRE(query.resume(position) == Status::mesh_changed);
+    return position;
+  };
+  auto whole = [&] { REQUIRE(bent.mesh.refit().status == Status::done); };
+  auto part = [&] { REQUIRE(bent.mesh.refit(2).status == Status::suspended); };
+
+  Dated both(bent.mesh, other.mesh, pose);
+  const auto position = refuses(both, whole);
+  Dated anew(bent.mesh, other.mesh, pose);
+  REQUIRE(anew.resume(position) == Status::mesh_changed);
+  REQUIRE(anew.status() == Status::suspended);
+
+  Dated first(bent.mesh, rigid, pose);
+  (void)refuses(first, part);
+  REQUIRE(!inside(bent.mesh.mesh(), {0, 0, 0}).visits);
+  REQUIRE(inside(bent.mesh.mesh(), {0, 0, 0}).status == Status::not_closed);
+  Dated begun(rigid, bent.mesh, pose);
+  REQUIRE(begun.status() == Status::mesh_changed);
+  whole();  // what the slice had begun
+  REQUIRE(begun.status() == Status::mesh_changed);
+  Dated second(rigid, bent.mesh, pose);
+  (void)refuses(second, part);
+
+  // What moved while a refit was on counts from the beginning.
+  bent.vertices[bent.baked.triangles.back().corner[0]].x += 3;
+  bent.mesh.start_again();
+  whole();
+  REQUIRE(same_box(bent.nodes[0].box, box_below(bent.mesh.mesh(), 0)));
+
+  DeformableQuery<ClearanceQuery> near(bent.mesh, rigid, Pose::translated(200, 0, 0));
+  REQUIRE(near.run(UINT32_MAX).status == Status::done);
+  const auto nearest = near.position();
+  whole();
+  REQUIRE(near.run(UINT32_MAX).status == Status::mesh_changed);
+  REQUIRE(near.resume(nearest) == Status::mesh_changed);
+}

@@ -1,0 +1,294 @@
+// Rays through meshes: against all triangles one by one, against winding numbers, and at the edges
+// and corners of closed meshes.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "flashbvh/ray.hpp"
+#include "flashbvh/solid.hpp"
+#include "support/aimed_rays.hpp"
+#include "support/any_mesh.hpp"
+#include "support/boxes.hpp"
+#include "support/torus.hpp"
+#include "support/winding.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+#if defined(FLASHBVH_ON_BOARD)
+constexpr int kShare = 20;
+#else
+constexpr int kShare = 1;
+#endif
+
+using Hit = RayHit<std::uint16_t>;
+
+Point any_point(Random& random, std::int32_t reach) {
+  const auto at = [&] { return random.between(-reach, reach); };
+  return {at(), at(), at()};
+}
+
+Point moved(const Point& p, const std::int32_t (&by)[3]) {
+  return {p.x + by[0], p.y + by[1], p.z + by[2]};
+}
+
+bool same(const Hit& x, const Hit& y) {
+  return x.triangle == y.triangle && x.position == y.position && x.side == y.side &&
+         x.along.above == y.along.above && x.along.below == y.along.below;
+}
+
+/// Each triangle by itself, by the same test of one, which segment_hit_host_test.cpp holds to
+/// rationals.
+std::vector<Hit> all_hits(const PostMesh& mesh, const Segment& segment) {
+  detail::SegmentWalk<PostMesh> walk(mesh, segment);
+  std::vector<Hit> hits;
+  for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
+    Hit hit;
+    if (walk.get_hit(i, hit)) {
+      hits.push_back(hit);
+    }
+  }
+  return hits;
+}
+
+/// All questions about one ray.
+void check_ray(Random& random, const PostMesh& mesh, const Segment& segment) {
+  const std::vector<Hit> hits = all_hits(mesh, segment);
+  std::vector<Hit> found;
+  const auto keep = [&](const Hit& hit) {
+    found.push_back(hit);
+    return true;
+  };
+  REQUIRE(for_each_hit(mesh, segment, keep) == Status::done);
+  REQUIRE(found.size() == hits.size());
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const auto is_it = [&](const Hit& hit) { return same(hit, hits[i]); };
+    REQUIRE(std::count_if(found.begin(), found.end(), is_it) == 1);
+    REQUIRE(mesh.triangle_ids[hits[i].position] == hits[i].triangle);
+  }
+  const auto any = any_hit(mesh, segment);
+  REQUIRE((any.status == Status::done && any.yes == !hits.empty()));
+  const auto nearest = nearest_hit(mesh, segment);
+  REQUIRE((nearest.status == Status::done && nearest.yes == !hits.empty()));
+  const auto seed = static_cast<std::uint16_t>(random.below(mesh.triangle_count));
+  const auto seeded = nearest_hit(mesh, segment, seed);
+  REQUIRE(seeded.yes == nearest.yes);
+  if (hits.empty()) {
+    return;
+  }
+  REQUIRE(same(any.hit, found.front()));
+  REQUIRE(same(seeded.hit, nearest.hit));
+  for (const Hit& hit : hits) {
+    const int order = detail::order_along(nearest.hit.along, hit.along);
+    REQUIRE((order < 0 || (order == 0 && nearest.hit.triangle <= hit.triangle)));
+  }
+  std::uint32_t visited = 0;
+  const auto stop = [&](const Hit&) {
+    ++visited;
+    return false;
+  };
+  REQUIRE(for_each_hit(mesh, segment, stop) == Status::full);
+  REQUIRE(visited == 1);
+}
+
+/// The winding number, and whether the point is on the surface.
+long truth_of(const PostMesh& mesh, const Point& p, bool& on_surface) {
+  double sum = 0;
+  on_surface = false;
+  for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
+    Triangle t;
+    detail::translate_triangle(mesh, i, detail::kNoOffset, t);
+    on_surface = on_surface || detail::triangles_intersect(t, {{p, p, p}});
+    sum += on_surface ? 0 : solid_angle(t, p);
+  }
+  return winding_of(sum);
+}
+
+}  // namespace
+
+TEST_CASE("a ray hits what it hits of each triangle") {
+  Random random(test_seed());
+  for (int round = 0; round < 400 / kShare; ++round) {
+    CAPTURE(round);
+    bake::LatticeMesh lattice = random_mesh(random, 1 + random.below(40), 12, 9);
+    for (std::int32_t& origin : lattice.origin) {
+      origin = random.between(-(1 << 29), 1 << 29);
+    }
+    const AnyMesh any = any_mesh(random, lattice);
+    const PostMesh mesh = any.view<PostMesh>();
+    for (int i = 0; i < 20; ++i) {
+      const Point from = moved(any_point(random, 25), mesh.origin);
+      const Point to = moved(any_point(random, i % 4 == 0 ? 100'000 : 25), mesh.origin);
+      check_ray(random, mesh, {from, to});
+    }
+  }
+}
+
+TEST_CASE("of several hits in one place that of the least triangle id is told") {
+  Random random(test_seed());
+  std::uint32_t shared = 0;
+  for (int round = 0; round < 200 / kShare; ++round) {
+    CAPTURE(round);
+    const AnyMesh any = any_mesh(random, boxes(random));
+    const PostMesh mesh = any.view<PostMesh>();
+    for (int i = 0; i < 30; ++i) {
+      // Through a corner, mostly of several triangles.
+      const Vertex& v = mesh.vertices[random.below(mesh.vertex_count)];
+      const Point corner = moved({v.x, v.y, v.z}, mesh.origin);
+      const Point from = moved(any_point(random, 25), mesh.origin);
+      const Segment segment = {
+          from, {2 * corner.x - from.x, 2 * corner.y - from.y, 2 * corner.z - from.z}};
+      check_ray(random, mesh, segment);
+      const auto nearest = nearest_hit(mesh, segment);
+      const std::vector<Hit> hits = all_hits(mesh, segment);
+      for (const Hit& hit : hits) {
+        shared += hit.triangle != nearest.hit.triangle &&
+                          detail::order_along(hit.along, nearest.hit.along) == 0
+                      ? 1
+                      : 0;
+      }
+    }
+  }
+  CHECK(shared > 5000 / kShare);
+}
+
+TEST_CASE("signed crossings are winding numbers' differences, through edges and corners too") {
+  Random random(test_seed());
+  std::uint32_t changes = 0;
+  for (int round = 0; round < 200 / kShare; ++round) {
+    CAPTURE(round);
+    bake::LatticeMesh lattice = boxes(random);
+    for (Vertex& v : lattice.vertices) {  // so that it has middles
+      v = {static_cast<std::int16_t>(2 * v.x), static_cast<std::int16_t>(2 * v.y),
+           static_cast<std::int16_t>(2 * v.z)};
+    }
+    const AnyMesh any = any_mesh(random, lattice);
+    const PostMesh mesh = any.view<PostMesh>();
+    for (int i = 0; i < 50; ++i) {
+      const Vertex& u = lattice.vertices[random.below(mesh.vertex_count)];
+      const Vertex& v = lattice.vertices[random.below(mesh.vertex_count)];
+      const Point middle = {(u.x + v.x) / 2, (u.y + v.y) / 2, (u.z + v.z) / 2};
+      const Segment segment = {middle, any_point(random, 20)};
+      bool on_surface[2];
+      const long from = truth_of(mesh, segment.from, on_surface[0]);
+      const long to = truth_of(mesh, segment.to, on_surface[1]);
+      const CrossingCount found = signed_crossings(mesh, segment);
+      REQUIRE(found.status == Status::done);
+      // Of the whole segment, not of the part before a hit.
+      const auto any_of_it = any_hit(mesh, segment);
+      REQUIRE((any_of_it.yes ? found.visits >= any_of_it.visits && found.visits <= mesh.node_count
+                             : found.visits == any_of_it.visits));
+      if (!on_surface[0] && !on_surface[1]) {
+        REQUIRE(found.outwards == from - to);
+        changes += from != to ? 1 : 0;
+      }
+      // Round a triangle, from anywhere: on the surface the same place counts each time.
+      const Point third = any_point(random, 20);
+      REQUIRE(found.outwards + signed_crossings(mesh, {segment.to, third}).outwards +
+                  signed_crossings(mesh, {third, segment.from}).outwards ==
+              0);
+      REQUIRE(signed_crossings(mesh, {segment.to, segment.from}).outwards == -found.outwards);
+    }
+  }
+  CHECK(changes > 1000 / kShare);
+}
+
+TEST_CASE("no ray is lost at an edge or a corner of a closed mesh") {
+  Random random(test_seed());
+  const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
+  const AnyMesh any(bake::build_default(lattice), lattice);
+  const AimedRays rays(any.view<PostMesh>());
+  for (int round = 0; round < 3000 / kShare; ++round) {
+    REQUIRE(rays.is_right(random));
+  }
+}
+
+TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") {
+  Random random(test_seed());
+  const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
+  const AnyMesh any(bake::build_default(lattice), lattice);
+  const PostMesh mesh = any.view<PostMesh>();
+  std::uint32_t all = 0;
+  std::uint32_t nearest = 0;
+  std::uint32_t seeded = 0;
+  for (int i = 0; i < 200; ++i) {
+    // Along the ring's middle: through both walls and what is between them.
+    const Segment segment = {{-12000, random.between(-2000, 2000), random.between(-2000, 2000)},
+                             {12000, random.between(-2000, 2000), random.between(-2000, 2000)}};
+    const auto found = nearest_hit(mesh, segment);
+    REQUIRE((found.yes && found.visits != 0));
+    all += signed_crossings(mesh, segment).visits;
+    nearest += found.visits;
+    seeded += nearest_hit(mesh, segment, found.hit.position).visits;
+  }
+  CAPTURE(all, nearest, seeded);
+  CHECK(nearest * 10 < all * 9);
+  CHECK(seeded * 10 < nearest * 9);
+}
+
+TEST_CASE("where a hit is, and how far off") {
+  Random random(test_seed());
+  for (int round = 0; round < 2000 / kShare; ++round) {
+    const Point from = any_point(random, round % 2 == 0 ? 500 : kMaxRayCoordinate);
+    const Point to = any_point(random, round % 3 == 0 ? 500 : kMaxRayCoordinate);
+    const std::int64_t below = 1 + random.below(1u << 30) * (std::int64_t{1} << random.below(23));
+    const std::int64_t above = below / (1 + random.below(9));
+    const double share = static_cast<double>(above) / static_cast<double>(below);
+    const FinePoint at = point_along({from, to}, {above, below});
+    const auto is_near = [share](std::int64_t fine, std::int32_t u, std::int32_t v) {
+      return std::fabs(static_cast<double>(fine) - 256 * (u + share * (v - u))) <= 1;
+    };
+    REQUIRE((is_near(at.x, from.x, to.x) && is_near(at.y, from.y, to.y) &&
+             is_near(at.z, from.z, to.z)));
+    const double way[3] = {1.0 * to.x - from.x, 1.0 * to.y - from.y, 1.0 * to.z - from.z};
+    const double wanted = 256 * share * length_of(way);
+    REQUIRE(std::fabs(distance_along({from, to}, {above, below}) - wanted) <= 3);
+  }
+  const Segment along_x = {{-100, 5, 7}, {100, 5, 7}};
+  CHECK(point_along(along_x, {1, 2}).x == 0);
+  CHECK(distance_along(along_x, {1, 2}) == 100 * 256);
+  CHECK(distance_along(along_x, {0, 1}) == 0);
+  CHECK(distance_along(along_x, {3, 3}) == 200 * 256);
+}
+
+TEST_CASE("what no ray can be is refused, and may hit") {
+  Random random(test_seed());
+  bake::LatticeMesh lattice = random_mesh(random, 5, 20, 20);
+  lattice.origin = {1000, -(1 << 29), 1 << 29};
+  const AnyMesh any = any_mesh(random, lattice);
+  PostMesh mesh = any.view<PostMesh>();
+  const auto at = [&](std::int32_t x, std::int32_t y, std::int32_t z) -> Point {
+    return {mesh.origin[0] + x, mesh.origin[1] + y, mesh.origin[2] + z};
+  };
+  const Point here = at(0, 0, 0);
+  constexpr std::int32_t most = kMaxRayCoordinate;
+  CHECK(nearest_hit(mesh, {here, at(most, -most, most)}).status == Status::done);
+  const Point far[] = {at(most + 1, 0, 0),
+                       at(0, -most - 1, 0),
+                       at(0, 0, most + 1),
+                       {INT32_MIN, INT32_MAX, INT32_MIN},
+                       {INT32_MAX, INT32_MIN, INT32_MAX}};
+  for (const Point& p : far) {
+    const Segment segments[] = {{here, p}, {p, here}};
+    for (const Segment& segment : segments) {
+      CHECK(nearest_hit(mesh, segment).status == Status::ray_out_of_range);
+      CHECK(nearest_hit(mesh, segment).yes);
+      CHECK(any_hit(mesh, segment).status == Status::ray_out_of_range);
+      CHECK(any_hit(mesh, segment).yes);
+      CHECK(for_each_hit(mesh, segment, [](const Hit&) { return true; }) ==
+            Status::ray_out_of_range);
+      mesh.is_closed = true;
+      CHECK(signed_crossings(mesh, segment).status == Status::ray_out_of_range);
+      mesh.is_closed = false;
+      CHECK(signed_crossings(mesh, segment).status == Status::not_closed);
+      CHECK(signed_crossings(mesh, segment).visits == 0);
+    }
+  }
+  const auto count = static_cast<std::uint16_t>(mesh.triangle_count);
+  CHECK(nearest_hit(mesh, {here, here}, count).status == Status::seed_invalid);
+  CHECK(nearest_hit(mesh, {here, here}, count).yes);
+}

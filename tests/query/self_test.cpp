@@ -1,0 +1,227 @@
+// A mesh against itself: each unordered pair once, by brute force; slices, positions, frames.
+#include <catch2/catch.hpp>
+
+#include <set>
+
+#include "flashbvh/self.hpp"
+#include "support/bending.hpp"
+#include "support/queries.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+#if defined(FLASHBVH_ON_BOARD)
+constexpr int kShare = 10;
+#else
+constexpr int kShare = 1;
+#endif
+
+/// By source numbers, the smaller first.
+Pairs unordered(Pairs pairs) {
+  for (auto& pair : pairs) {
+    pair = {std::min(pair.first, pair.second), std::max(pair.first, pair.second)};
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+/// Of triangles that share no vertex.
+template <class Test>
+Pairs brute_force(const bake::LatticeMesh& mesh, const Test& test) {
+  Pairs pairs;
+  const auto triangle = [&](std::uint32_t i) {
+    Triangle t;
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vertex& v = mesh.vertices[mesh.triangles[i][corner]];
+      t.corner[corner] = {v.x, v.y, v.z};
+    }
+    return t;
+  };
+  for (std::uint32_t j = 0; j < mesh.triangles.size(); ++j) {
+    const std::set<std::uint32_t> of_j(mesh.triangles[j].begin(), mesh.triangles[j].end());
+    for (std::uint32_t i = 0; i < j; ++i) {
+      const auto& of_i = mesh.triangles[i];
+      const bool shares = std::any_of(of_i.begin(), of_i.end(),
+                                      [&](std::uint32_t v) { return of_j.count(v) != 0; });
+      if (!shares && test(triangle(i), triangle(j))) {
+        pairs.emplace_back(i, j);
+      }
+    }
+  }
+  return unordered(std::move(pairs));
+}
+Pairs intersecting(const bake::LatticeMesh& mesh) {
+  return brute_force(
+      mesh, [](const Triangle& a, const Triangle& b) { return detail::triangles_intersect(a, b); });
+}
+Pairs near_pairs(const bake::LatticeMesh& mesh, std::uint32_t distance) {
+  return brute_force(mesh, [distance](const Triangle& a, const Triangle& b) {
+    return detail::is_within(a, b, {std::uint64_t{distance} * distance, Within::kStepsSquared});
+  });
+}
+
+/// In new objects, each resumed from where the one before was stopped.
+template <class Query, class Make>
+Pairs run_by_positions(Random& random, const Make& make, std::uint32_t& visits) {
+  QueryPosition<typename Query::Index> position;
+  Pairs pairs;
+  for (Status status = Status::suspended; status != Status::done;) {
+    Query query = make();
+    status = query.resume(position);
+    REQUIRE((status == Status::suspended || status == Status::done));
+    typename Query::Pair found[2];
+    const Step step = query.run(1 + random.below(90), found, 1 + random.below(2));
+    for (std::uint32_t i = 0; i < step.count; ++i) {
+      pairs.emplace_back(found[i].a, found[i].b);
+    }
+    status = step.status;
+    visits += query.counts().visits;
+    position = query.position();
+  }
+  return pairs;
+}
+
+template <class Query, class Make>
+void check(Random& random, const Make& make, const Pairs& expected) {
+  Query whole = make();
+  const Pairs in_order = run_to_end(whole, kNoLimit, 5000);
+  REQUIRE(unordered(in_order) == expected);
+  Query cut = make();
+  REQUIRE(run_to_end(cut, 1 + random.below(200), 1 + random.below(9)) == in_order);
+  REQUIRE(cut.counts().visits == whole.counts().visits);
+  REQUIRE(cut.counts().leaf_pairs == whole.counts().leaf_pairs);
+  std::uint32_t visits = 0;
+  REQUIRE(run_by_positions<Query>(random, make, visits) == in_order);
+  REQUIRE(visits == whole.counts().visits);
+}
+
+template <class Mesh>
+void check_frames(Random& random, int rounds, int frames, std::uint32_t& answers) {
+  for (int round = 0; round < rounds; ++round) {
+    CAPTURE(round);
+    const bake::LatticeMesh lattice = any_bendable(random);
+    Bending<Mesh> bent(any_tree(random, lattice), lattice);
+    for (int frame = 0; frame < frames; ++frame) {
+      CAPTURE(frame);
+      move_some(random, 12, bent.vertices.data(), bent.vertices.size());
+      REQUIRE(bent.mesh.refit().status == Status::done);
+      const Mesh& mesh = bent.mesh.mesh();
+      const bake::LatticeMesh now = bent.now();
+      const Pairs expected = intersecting(now);
+      answers += static_cast<std::uint32_t>(expected.size());
+      using Self = BasicSelfQuery<Mesh, detail::Intersection>;
+      check<Self>(
+          random, [&] { return Self(mesh); }, expected);
+      REQUIRE(intersects_itself(mesh).yes == !expected.empty());
+      if (frame % 4 == 0) {
+        const std::uint32_t d = random.below(6 * 256);
+        using Near = BasicSelfQuery<Mesh, Within>;
+        check<Near>(
+            random, [&] { return Near(mesh, within(d)); }, near_pairs(now, d));
+      }
+    }
+  }
+}
+
+std::uint32_t mixed(std::uint32_t sum, std::uint32_t value) {
+  return (sum ^ value) * 16777619u;
+}
+
+}  // namespace
+
+TEST_CASE("a soup's, a sheet's or a tube's triangles that intersect are found once each") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  std::uint32_t answers = 0;
+  check_frames<PostMesh>(random, 60 / kShare, 6, answers);
+  check_frames<LargePostMesh>(random, 20 / kShare, 3, answers);
+  CHECK(answers > 2000 / kShare);
+}
+
+TEST_CASE("over thousands of frames of one sheet the pairs are those of brute force") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 1);
+  const bake::LatticeMesh lattice = grid(4, 3, false);
+  Bending<PostMesh> bent(bake::build_default(lattice), lattice);
+  lay(random, 5, 20, 0, 0, bent.vertices.data(), bent.vertices.size());
+  for (int frame = 0; frame < rounds(1000, 3000) / kShare; ++frame) {
+    CAPTURE(frame);
+    move_some(random, 3, bent.vertices.data(), bent.vertices.size());
+    REQUIRE(bent.mesh.refit().status == Status::done);
+    SelfQuery query(bent.mesh.mesh());
+    REQUIRE(unordered(run_to_end(query, kNoLimit, 400)) == intersecting(bent.now()));
+  }
+}
+
+TEST_CASE("a position is taken if and only if a walk on which all boxes overlap comes by") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 2);
+  for (int round = 0; round < 60 / kShare; ++round) {
+    CAPTURE(round);
+    // All triangles have all boxes in common, and share a vertex: no answer ends a run.
+    bake::LatticeMesh lattice = random_mesh(random, 1 + random.below(10), 0, 0);
+    for (auto& triangle : lattice.triangles) {
+      triangle = {0, 0, 0};
+    }
+    const Bending<PostMesh> bent(any_tree(random, lattice), lattice);
+    const PostMesh& mesh = bent.mesh.mesh();
+    std::set<std::pair<std::uint32_t, std::uint32_t>> visited;
+    detail::SelfRanked<PostMesh> at(mesh, mesh, {});
+    do {
+      REQUIRE(visited.emplace(at.index_a(), at.index_b()).second);
+    } while (at.descend() || at.next());
+    for (std::uint32_t a = 0; a < mesh.node_count; ++a) {
+      for (std::uint32_t b = 0; b < mesh.node_count; ++b) {
+        CAPTURE(a, b);
+        SelfQuery other(mesh);
+        const Status status =
+            other.resume({static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b), 0,
+                          detail::State::at_pair});
+        REQUIRE(status ==
+                (visited.count({a, b}) != 0 ? Status::suspended : Status::position_invalid));
+        if (status == Status::suspended) {
+          (void)other.run(UINT32_MAX, [](const SelfQuery::Pair&) { return true; });
+          REQUIRE(other.status() == Status::done);
+          REQUIRE(other.counts().visits <= visited.size());
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a bending tube's digest is the same on every core") {
+  Random random(7);
+  const bake::LatticeMesh lattice = grid(12, 10, true);
+  Bending<PostMesh> bent(bake::build_default(lattice), lattice);
+  lay(random, 12, 60, 40, 25, bent.vertices.data(), bent.vertices.size());
+  std::uint32_t sum = 2166136261u;
+  for (int frame = 0; frame < 12; ++frame) {
+    move_some(random, 50, bent.vertices.data(), bent.vertices.size());
+    REQUIRE(bent.mesh.refit().status == Status::done);
+    for (const Node<std::uint16_t>& node : bent.nodes) {
+      sum = mixed(mixed(mixed(sum, node.box.upper_xy), node.box.lower_xy), node.box.z);
+    }
+    const auto add = [&sum](auto& query) {
+      const auto sink = [&sum](const SelfQuery::Pair& pair) {
+        sum = mixed(mixed(sum, pair.a), pair.b);
+        return true;
+      };
+      REQUIRE(query.run(UINT32_MAX, sink).status == Status::done);
+      const Counts& counts = query.counts();
+      sum = mixed(mixed(mixed(sum, counts.visits), counts.leaf_pairs), counts.triangle_pairs);
+    };
+    SelfQuery self(bent.mesh.mesh());
+    add(self);
+    SelfWithinQuery band(bent.mesh.mesh(), within(700));
+    add(band);
+    const Pose pose = Pose::translated(40, 7, -11);
+    PairQuery pair(bent.mesh.mesh(), bent.mesh.mesh(), pose);
+    add(pair);
+  }
+  CHECK(sum == 0x82C8C8AAu);
+}

@@ -1,0 +1,165 @@
+// Shapes made at run time are meshes like any other: against the same ones baked, and formulas.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/ray.hpp"
+#include "flashbvh/shape.hpp"
+#include "flashbvh/solid.hpp"
+#include "support/any_mesh.hpp"
+#include "support/boxes.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+/// The same triangles as bake lays them out.
+AnyMesh baked(const PostMesh& shape) {
+  bake::LatticeMesh mesh;
+  for (std::uint32_t i = 0; i < shape.vertex_count; ++i) {
+    mesh.vertices.push_back(shape.vertices[i]);
+  }
+  for (std::uint32_t i = 0; i < shape.triangle_count; ++i) {
+    const auto& corner = shape.triangles[i].corner;
+    mesh.triangles.push_back({corner[0], corner[1], corner[2]});
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    mesh.origin[i] = shape.origin[i];
+  }
+  return AnyMesh(bake::build_median(mesh, 1), mesh);
+}
+
+void compare(const PostMesh& mesh, const PostMesh& shape, const Pose& pose) {
+  const AnyMesh other = baked(shape);
+  const PostMesh same = other.view<PostMesh>();
+  CHECK(shape.longest_edge >= same.longest_edge);
+  CHECK((shape.is_closed == (shape.triangle_count > 1) && (!shape.is_closed || same.is_closed)));
+  CHECK(count_pairs(mesh, shape, pose).pairs == count_pairs(mesh, same, pose).pairs);
+  CHECK(count_pairs(shape, mesh, pose).pairs == count_pairs(same, mesh, pose).pairs);
+  const auto found = distance(mesh, shape, pose);
+  CHECK(found.status == Status::done);
+  CHECK(found.lower == distance(mesh, same, pose).lower);
+  CHECK(distance(shape, mesh, pose).lower == distance(same, mesh, pose).lower);
+  CHECK(closer_than(mesh, shape, pose, found.upper).yes);
+  CHECK((found.lower == 0 || !closer_than(mesh, shape, pose, found.lower - 1).yes));
+}
+
+Point any_point(Random& random, std::int32_t reach) {
+  const auto at = [&] { return random.between(-reach, reach); };
+  return {at(), at(), at()};
+}
+
+}  // namespace
+
+TEST_CASE("shapes are asked about like the same triangles, baked") {
+  Random random(test_seed());
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    const AnyMesh any = any_mesh(random, random_mesh(random, 1 + random.below(30), 200, 60));
+    const PostMesh mesh = any.view<PostMesh>();
+    const Pose pose = any_pose(random, 150);
+    const Point p = any_point(random, 300);
+    const Point q = any_point(random, 300);
+    const Point r = any_point(random, 300);
+    compare(mesh, PointShape(mesh, p).mesh(), pose);
+    compare(mesh, SegmentShape(mesh, p, q).mesh(), pose);
+    compare(mesh, TriangleShape(mesh, {{p, q, r}}).mesh(), pose);
+    const Point lower = {std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)};
+    const Point upper = {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)};
+    const BoxShape box(mesh, lower, upper);
+    compare(mesh, box.mesh(), pose);
+    // Closed, and facing outwards.
+    const Point middle = {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
+    CHECK(inside(box.mesh(), middle).side != PointSide::outside);
+    CHECK(inside(box.mesh(), {upper.x + 1, middle.y, middle.z}).side == PointSide::outside);
+    CHECK(inside(box.mesh(), lower).side == PointSide::on_surface);
+    if (inside(box.mesh(), middle).side == PointSide::inside) {
+      CHECK(signed_crossings(box.mesh(), {middle, {upper.x + 1, p.y, p.z}}).outwards == 1);
+    }
+  }
+}
+
+TEST_CASE("a sphere and a capsule are a point and a segment with a radius") {
+  Random random(test_seed());
+  const AnyMesh any = any_mesh(random, random_mesh(random, 1, 10, 10));
+  const PostMesh like = any.view<PostMesh>();
+  const PointShape origin(like, {0, 0, 0});
+  const Pose still = Pose::translated(0, 0, 0);
+  PointShape point(like, {0, 0, 0});
+  SegmentShape segment(like, {0, 0, 0}, {0, 0, 0});
+  for (int round = 0; round < 200; ++round) {
+    const Point p = any_point(random, 12000);
+    point.set(p);
+    const double apart = 256 * std::sqrt(1.0 * p.x * p.x + 1.0 * p.y * p.y + 1.0 * p.z * p.z);
+    CHECK(distance(origin.mesh(), point.mesh(), still).lower == static_cast<std::uint32_t>(apart));
+    // Along x, past the origin.
+    segment.set({-16000, p.y, p.z}, {16000, p.y, p.z});
+    const double beside = 256 * std::sqrt(1.0 * p.y * p.y + 1.0 * p.z * p.z);
+    CHECK(distance(origin.mesh(), segment.mesh(), still).lower ==
+          static_cast<std::uint32_t>(beside));
+  }
+}
+
+TEST_CASE("a shape that no mesh can be stays as it was, and says so") {
+  Random random(test_seed());
+  const AnyMesh any = any_mesh(random, random_mesh(random, 1, 10, 10));
+  const PostMesh like = any.view<PostMesh>();
+  SegmentShape segment(like, {1 << 29, 0, 0}, {(1 << 29) - 32766, 5, 5});
+  CHECK(segment.status() == Status::done);
+  CHECK(segment.mesh().origin[0] == (1 << 29) - 16383);
+  segment.set({0, 0, 0}, {32767, 0, 0});
+  CHECK(segment.status() == Status::shape_too_large);
+  CHECK(segment.mesh().origin[0] == (1 << 29) - 16383);
+  segment.set({INT32_MAX, 0, 0}, {INT32_MAX, 0, 0});
+  CHECK(segment.status() == Status::shape_too_large);
+  segment.set({0, INT32_MIN, 0}, {0, INT32_MIN, 1});
+  CHECK(segment.status() == Status::shape_too_large);
+  segment.set({0, 0, INT32_MIN}, {0, 0, INT32_MAX});
+  CHECK(segment.status() == Status::shape_too_large);
+  segment.set({1 << 29, 1 << 29, 1 << 29}, {1 << 29, 1 << 29, 1 << 29});
+  CHECK(segment.status() == Status::done);
+  segment.set({(1 << 29) + 1, 0, 0}, {(1 << 29) + 1, 0, 0});
+  CHECK(segment.status() == Status::shape_too_large);
+  segment.set({-(1 << 29), -(1 << 29), -(1 << 29)}, {-(1 << 29), -(1 << 29), -(1 << 29)});
+  CHECK(segment.status() == Status::done);
+  segment.set({0, -(1 << 29) - 1, 0}, {0, -(1 << 29) - 1, 0});
+  CHECK(segment.status() == Status::shape_too_large);
+  segment.set({0, 0, 0}, {0, 0, 1});
+  CHECK(segment.status() == Status::done);
+  CHECK(segment.mesh().longest_edge >= 1);
+}
+
+TEST_CASE("what is asked of a shape that never was any is refused, until it is one") {
+  Random random(test_seed());
+  bake::LatticeMesh box;
+  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
+  const AnyMesh any = any_mesh(random, box);
+  const PostMesh mesh = any.view<PostMesh>();
+  const Pose still = Pose::translated(0, 0, 0);
+  constexpr Point far = {INT32_MAX, INT32_MAX, INT32_MAX};
+  const auto is_refused = [&](const PostMesh& shape) {
+    PairQuery query(mesh, shape, still);
+    return query.status() == Status::cell_mismatch && intersects(shape, mesh, still).yes &&
+           distance(mesh, shape, still).status == Status::cell_mismatch &&
+           closer_than(mesh, shape, still, 0).yes &&
+           solids_intersect(mesh, shape, still).status == Status::cell_mismatch &&
+           one_is_inside(shape, mesh, still).yes &&
+           inside(shape, {100, 0, 0}).status == Status::not_closed;
+  };
+  CHECK(is_refused(PointShape(mesh, far).mesh()));
+  CHECK(is_refused(SegmentShape(mesh, {0, 0, 0}, {32768, 0, 0}).mesh()));
+  CHECK(is_refused(TriangleShape(mesh, {{far, far, far}}).mesh()));
+  BoxShape zone(mesh, {0, 0, 0}, far);
+  CHECK(zone.status() == Status::shape_too_large);
+  CHECK(is_refused(zone.mesh()));
+  zone.set({-1, -1, -1}, far);
+  CHECK(is_refused(zone.mesh()));
+  zone.set({-1, -1, -1}, {1, 1, 1});
+  CHECK_FALSE(is_refused(zone.mesh()));
+  CHECK(zone.mesh().cell_bits == mesh.cell_bits);
+  CHECK_FALSE(intersects(mesh, zone.mesh(), still).yes);
+  CHECK(solids_intersect(mesh, zone.mesh(), still).status == Status::done);
+  CHECK(solids_intersect(mesh, zone.mesh(), still).yes);
+}

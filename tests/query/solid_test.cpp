@@ -1,0 +1,219 @@
+// Inside and outside: winding numbers against solid angles, and bodies against both.
+#include <catch2/catch.hpp>
+
+#include "flashbvh/solid.hpp"
+#include "support/any_mesh.hpp"
+#include "support/boxes.hpp"
+#include "support/torus.hpp"
+#include "support/transformed_vertex.hpp"
+#include "support/winding.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+// Solid angles take boards long.
+#if defined(FLASHBVH_ON_BOARD)
+constexpr int kShare = 30;
+#else
+constexpr int kShare = 1;
+#endif
+
+/// By another way, in A's lattice.
+PointSide truth_of(const PostMesh& mesh, const detail::Transform* transform, const Point& p) {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
+    Triangle t;
+    if (transform == nullptr) {
+      detail::translate_triangle(mesh, i, detail::kNoOffset, t);
+    } else {
+      detail::transform_triangle(mesh, i, *transform, t);
+    }
+    if (detail::triangles_intersect(t, {{p, p, p}})) {
+      return PointSide::on_surface;
+    }
+    sum += solid_angle(t, p);
+  }
+  return winding_of(sum) != 0 ? PointSide::inside : PointSide::outside;
+}
+
+PostMesh closed(const AnyMesh& mesh) {
+  PostMesh view = mesh.view<PostMesh>();
+  REQUIRE(view.is_closed);
+  return view;
+}
+
+}  // namespace
+
+TEST_CASE("a point's side is told by its winding number, wherever edges and corners lie above it") {
+  Random random(test_seed());
+  std::uint32_t seen[3] = {0, 0, 0};
+  const std::uint32_t tries = kShare > 1 ? 2 : rounds(24u, 60u);
+  for (std::uint32_t round = 0; round < tries; ++round) {
+    CAPTURE(round);
+    bake::LatticeMesh lattice = boxes(random);
+    for (std::int32_t& origin : lattice.origin) {
+      origin = random.between(-1000, 1000);
+    }
+    const AnyMesh any = any_mesh(random, lattice);
+    const PostMesh mesh = closed(any);
+    for (std::int32_t x = -5; x <= 9; ++x) {
+      for (std::int32_t y = -5; y <= 9; ++y) {
+        for (std::int32_t z = -5; z <= 9; z += 1 + static_cast<std::int32_t>(random.below(2))) {
+          const Point p = {x, y, z};
+          const PointSide truth = truth_of(mesh, nullptr, p);
+          const PointAnswer found =
+              inside(mesh, {x + mesh.origin[0], y + mesh.origin[1], z + mesh.origin[2]});
+          CAPTURE(x, y, z);
+          REQUIRE(found.status == Status::done);
+          REQUIRE(found.side == truth);
+          REQUIRE(found.visits <= mesh.node_count);
+          ++seen[static_cast<int>(found.side)];
+        }
+      }
+    }
+  }
+  CHECK((seen[0] > 16 * tries && seen[1] > 16 * tries && seen[2] > 5 * tries));
+}
+
+TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
+  Random random(test_seed());
+  const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
+  const AnyMesh any(bake::build_default(lattice), lattice);
+  const PostMesh mesh = closed(any);
+  std::uint32_t within = 0;
+  for (int round = 0; round < 1500 / kShare; ++round) {
+    // Right below a corner, or the middle of an edge.
+    const auto& corner = mesh.triangles[random.below(mesh.triangle_count)].corner;
+    const Vertex& u = mesh.vertices[corner[0]];
+    const Vertex& v = mesh.vertices[corner[round % 2 == 0 ? 0 : 1]];
+    const Point p = {(u.x + v.x) / 2, (u.y + v.y) / 2, random.between(-4000, 4000)};
+    const PointAnswer found = inside(mesh, p);
+    REQUIRE(found.side == truth_of(mesh, nullptr, p));
+    within += found.side == PointSide::inside ? 1 : 0;
+  }
+  CHECK(within > 100 / kShare);
+  CHECK(inside(mesh, {0, 0, 0}).side == PointSide::outside);
+  CHECK(inside(mesh, {8000, 0, 0}).side == PointSide::inside);
+  CHECK(inside(mesh, {1 << 29, 0, -(1 << 29)}).side == PointSide::outside);
+  CHECK(inside(mesh, {8000, 0, 0}).visits < 200);
+  CHECK(inside(mesh, {8000, 0, 3001}).visits == 1);  // right above it, and beside it
+  CHECK(inside(mesh, {11001, 0, 0}).visits == 1);
+  CHECK(inside(mesh, {-11001, 0, 0}).visits == 1);
+  CHECK(inside(mesh, {0, 11001, 0}).visits == 1);
+  CHECK(inside(mesh, {0, -11001, 0}).visits == 1);
+}
+
+TEST_CASE("bodies have points in common if triangles intersect or one lies inside the other") {
+  Random random(test_seed());
+  std::uint32_t within = 0;
+  std::uint32_t apart = 0;
+  for (int round = 0; round < 400 / kShare; ++round) {
+    CAPTURE(round);
+    bake::LatticeMesh outer;
+    const std::int32_t wide = random.between(20, 60);
+    add_box(outer, {-wide, -wide, -wide}, {2 * wide, 2 * wide, 2 * wide}, false);
+    if (random.below(2) == 0) {  // hollow, with a body in the middle now and then
+      add_box(outer, {3 - wide, 3 - wide, 3 - wide}, {2 * wide - 6, 2 * wide - 6, 2 * wide - 6},
+              true);
+    }
+    bake::LatticeMesh inner;
+    add_box(inner, {-4, -5, -6}, {8, 9, 7}, random.below(2) == 0);
+    if (random.below(3) == 0) {
+      add_box(inner, {40, 0, 0}, {5, 5, 5}, false);
+    }
+    const AnyMesh any_a = any_mesh(random, outer);
+    const AnyMesh any_b = any_mesh(random, inner);
+    const PostMesh a = closed(any_a);
+    const PostMesh b = closed(any_b);
+    const Pose pose = any_pose(random, 90);
+    detail::Transform transform(pose, a, b, /*may_stop=*/false);
+    bool truth = intersects(a, b, pose).yes;
+    const bool touch = truth;
+    for (std::uint32_t i = 0; i < b.vertex_count && !truth; ++i) {
+      const Vertex& v = b.vertices[i];
+      const Point t = transform.is_rotated() ? Point{} : transform.translated().offset;
+      const Point p = transform.is_rotated() ? transform.rotated().transform(v)
+                                             : Point{v.x + t.x, v.y + t.y, v.z + t.z};
+      truth = truth_of(a, nullptr, p) != PointSide::outside;
+    }
+    for (std::uint32_t i = 0; i < a.vertex_count && !truth; ++i) {
+      const Vertex& v = a.vertices[i];
+      truth = truth_of(b, &transform, {v.x, v.y, v.z}) != PointSide::outside;
+    }
+    const Answer found = solids_intersect(a, b, pose);
+    REQUIRE(found.status == Status::done);
+    REQUIRE(found.yes == truth);
+    const Answer other_way = solids_intersect(b, a, pose.inverse());
+    REQUIRE(other_way.status == Status::done);
+    REQUIRE((!pose.is_translation() || other_way.yes == truth));
+    // A query that found no pair, and what it leaves to ask.
+    const Answer contained = one_is_inside(a, b, pose);
+    REQUIRE(contained.status == Status::done);
+    REQUIRE((touch || contained.yes == truth));
+    within += truth && !touch ? 1 : 0;
+    apart += truth ? 0 : 1;
+  }
+  CHECK((kShare > 1 || (within > 10 && apart > 20)));
+}
+
+TEST_CASE("bodies at the ends of the range have nothing in common") {
+  Random random(test_seed());
+  bake::LatticeMesh box;
+  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
+  box.origin = {1 << 29, -(1 << 29), 1 << 29};
+  const AnyMesh any_a = any_mesh(random, box);
+  box.origin = {-(1 << 29), 1 << 29, -(1 << 29)};
+  const AnyMesh any_b = any_mesh(random, box);
+  const PostMesh a = closed(any_a);
+  const PostMesh b = closed(any_b);
+  const std::int32_t most = kMaxTranslation;
+  const Pose poses[] = {Pose::translated(0, 0, 0), Pose::translated(-most, most, -most),
+                        any_pose(random, most), any_pose(random, 10)};
+  for (const Pose& pose : poses) {
+    CHECK(one_is_inside(a, b, pose).status == Status::done);
+    CHECK_FALSE(one_is_inside(a, b, pose).yes);
+    CHECK_FALSE(one_is_inside(b, a, pose).yes);
+    CHECK_FALSE(solids_intersect(a, b, pose).yes);
+  }
+}
+
+TEST_CASE("an open mesh has no inside") {
+  Random random(test_seed());
+  bake::LatticeMesh box;
+  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
+  const AnyMesh whole = any_mesh(random, box);
+  box.triangles.pop_back();
+  const AnyMesh open = any_mesh(random, box);
+  const PostMesh a = open.view<PostMesh>();
+  const PostMesh b = closed(whole);
+  CHECK(inside(a, {0, 0, 0}).status == Status::not_closed);
+  CHECK(inside(a, {0, 0, 0}).side == PointSide::inside);
+  const Pose apart = Pose::translated(100, 0, 0);
+  CHECK(solids_intersect(a, b, apart).status == Status::not_closed);
+  CHECK(solids_intersect(b, a, apart).yes);
+  CHECK_FALSE(solids_intersect(b, b, apart).yes);
+  CHECK(one_is_inside(a, b, apart).status == Status::not_closed);
+  CHECK(one_is_inside(b, a, apart).status == Status::not_closed);
+  CHECK(one_is_inside(b, a, apart).yes);
+  CHECK(one_is_inside(b, b, apart).status == Status::done);
+  CHECK_FALSE(one_is_inside(b, b, apart).yes);
+}
+
+TEST_CASE("what is asked after a query refuses what the query refuses") {
+  Random random(test_seed());
+  bake::LatticeMesh box;
+  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
+  const AnyMesh any = any_mesh(random, box);
+  const PostMesh a = closed(any);
+  PostMesh other_cell = a;
+  other_cell.cell_bits ^= 1;
+  const Pose apart = Pose::translated(100, 0, 0);
+  const Pose nowhere = Pose::translated(INT32_MAX, 0, 0);
+  CHECK(one_is_inside(a, other_cell, apart).status == Status::cell_mismatch);
+  CHECK(one_is_inside(a, other_cell, apart).yes);
+  CHECK(one_is_inside(a, a, nowhere).status == Status::translation_out_of_range);
+  CHECK(one_is_inside(a, a, nowhere).yes);
+  CHECK(solids_intersect(a, other_cell, apart).status == Status::cell_mismatch);
+}

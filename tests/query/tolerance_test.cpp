@@ -1,0 +1,96 @@
+// What a tolerance allows, against brute force over all pairs of triangles.
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+#include "flashbvh/clearance.hpp"
+#include "support/all_distances.hpp"
+#include "support/any_mesh.hpp"
+#include "support/boxes.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+using namespace flashbvh::test;
+
+namespace {
+
+constexpr double kExact = 1e-12;  // of doubles
+
+/// The distance told is at most so much larger than the true one, and than `lower`.
+void check_tolerance(const std::vector<Pairwise>& all, const Clearance<std::uint16_t>& found,
+                     std::uint16_t tolerance) {
+  const double truth = length_of(least_of(all).squared);
+  const double longer = (1 + tolerance / 65536.0) * (1 + kExact);
+  const auto told = std::find_if(all.begin(), all.end(), [&](const Pairwise& pair) {
+    return pair.of_a == found.witness.a && pair.of_b == found.witness.b;
+  });
+  REQUIRE(found.status == Status::done);
+  REQUIRE(told != all.end());
+  const double distance = length_of(told->squared);
+  CAPTURE(tolerance, truth, distance, found.lower, found.upper);
+  REQUIRE(distance <= truth * longer);
+  REQUIRE(found.lower <= 256 * truth * (1 + kExact));
+  REQUIRE((found.lower + 1) * longer >= 256 * distance);
+  REQUIRE(found.upper >= 256 * distance * (1 - kExact));
+  REQUIRE(found.upper < 256 * distance + 1);
+}
+
+}  // namespace
+
+TEST_CASE("a tolerance is kept to, and said to be, from any seed") {
+  const std::uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  for (int round = 0; round < rounds(120, 600); ++round) {
+    CAPTURE(round);
+    // Distances of a few cells and of many.
+    const std::int32_t spread = round % 3 == 0 ? 400 : 4 + round % 7;
+    const auto mesh = [&] {
+      return any_mesh(random, random_mesh(random, 1 + random.below(14), spread, 1 + spread / 4));
+    };
+    const AnyMesh any_a = mesh();
+    const AnyMesh any_b = mesh();
+    const PostMesh a = any_a.view<PostMesh>();
+    const PostMesh b = any_b.view<PostMesh>();
+    const Pose pose = any_pose(random, 3 * spread);
+    const std::vector<Pairwise> all = all_distances(a, b, pose);
+    for (const unsigned tolerance : {0u, 1u, 655u, 32768u, 65535u}) {
+      for (int i = 0; i < 4; ++i) {
+        const Pairwise& any = all[random.below(static_cast<std::uint32_t>(all.size()))];
+        Witness<std::uint16_t> begin;
+        if (i != 0) {
+          begin = {static_cast<std::uint16_t>(any.of_a), static_cast<std::uint16_t>(any.of_b)};
+        }
+        const auto allowed = static_cast<std::uint16_t>(tolerance);
+        ClearanceQuery query(a, b, pose, begin, allowed);
+        REQUIRE(query.run(UINT32_MAX).status == Status::done);
+        check_tolerance(all, query.result(), allowed);
+      }
+    }
+  }
+}
+
+TEST_CASE("a point one cell off a box's face is told of to the tolerance, seeded on any face") {
+  Random random(test_seed());
+  bake::LatticeMesh box;
+  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
+  bake::LatticeMesh point;
+  point.vertices.push_back({0, 0, 0});
+  point.triangles.push_back({0, 0, 0});
+  const AnyMesh any_a = any_mesh(random, box);
+  const AnyMesh any_b = any_mesh(random, point);
+  const PostMesh a = any_a.view<PostMesh>();
+  const PostMesh b = any_b.view<PostMesh>();
+  for (std::int32_t along = 0; along <= 11; ++along) {
+    const Pose pose = Pose::translated(11, along, 0);
+    const std::vector<Pairwise> all = all_distances(a, b, pose);
+    for (std::uint16_t face = 0; face < 12; ++face) {
+      CAPTURE(along, face);
+      for (const std::uint16_t tolerance : {std::uint16_t{1}, std::uint16_t{655}}) {
+        ClearanceQuery query(a, b, pose, {face, 0}, tolerance);
+        REQUIRE(query.run(UINT32_MAX).status == Status::done);
+        check_tolerance(all, query.result(), tolerance);
+      }
+    }
+  }
+}

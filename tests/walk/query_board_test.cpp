@@ -1,0 +1,227 @@
+// Every traversal against brute force, translated and rotated, on trees that fit every board.
+#include <catch2/catch.hpp>
+#include <initializer_list>
+
+#include "flashbvh/contact.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/image.hpp"
+#include "support/same_triangle.hpp"
+#include "support/small_scene.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+using namespace flashbvh::test;
+
+namespace {
+
+const int kRounds = rounds(300, 2000);
+
+template <class Traversal>
+using Scene = SmallScene<Traversal::Tree::kLayout>;
+
+template <class Traversal>
+Report report_of(const SmallScene<Traversal::Tree::kLayout>& scene, Counts& counts) {
+  SmallQuery<Traversal> any(scene);
+  Report report;
+  const Status status = any.query
+                            .run(kNoLimit,
+                                 [&report](const Pair& pair) {
+                                   report.add(pair);
+                                   return true;
+                                 })
+                            .status;
+  REQUIRE(status == Status::done);
+  counts = any.query.counts();
+  return report;
+}
+
+/// Whether two traversals report the same pairs in the same order, after as many visits.
+template <class One, class Other>
+void check_same_walk(const SmallScene<One::Tree::kLayout>& scene) {
+  Counts counts{};
+  Counts others{};
+  const Report report = report_of<One>(scene, counts);
+  const bool equal = report == report_of<Other>(scene, others) && same(counts, others);
+  CHECK(equal);
+}
+
+template <class Traversal>
+void check_against_brute_force() {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed);
+  uint32_t total = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    const Scene<Traversal> scene(random);
+    TreeShape shape;
+    REQUIRE(check_tree(scene.a.view(), shape) == Status::done);
+    SmallQuery<Traversal> any(scene);
+    PairSet found;
+    bool twice = false;
+    const Status status = any.query
+                              .run(kNoLimit,
+                                   [&](const Pair& pair) {
+                                     twice = !found.add(pair.a, pair.b) || twice;
+                                     return true;
+                                   })
+                              .status;
+    REQUIRE(status == Status::done);
+    REQUIRE_FALSE(twice);
+    const bool exact = found == brute_force(scene);
+    REQUIRE(exact);
+    total += any.query.counts().triangle_pairs;
+  }
+  CHECK(total > static_cast<uint32_t>(kRounds));
+}
+
+}  // namespace
+
+TEST_CASE("small trees: a query finds exactly the pairs that brute force finds") {
+  for_each_order<uint16_t>([](auto named) {
+    CAPTURE(named.name);
+    check_against_brute_force<typename decltype(named)::Order>();
+  });
+}
+
+TEST_CASE("small trees: a rule walks the same way with a stack and without") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 1);
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    {
+      const SmallScene<Layout::post_indexed> scene(random);
+      check_same_walk<Ranked<PostMesh>, RankedStack<PostMesh>>(scene);
+      check_same_walk<StacklessPost, AlternatingStack<LevelledPostMesh>>(scene);
+    }
+    const SmallScene<Layout::pre_indexed> scene(random);
+    check_same_walk<Stackless, AlternatingStack<LevelledPreMesh>>(scene);
+  }
+}
+
+TEST_CASE("small trees: a reported pair lies where the pose's definition puts it") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 2);
+  const Pose identity = Pose::translated(0, 0, 0);
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    const SmallScene<Layout::post_indexed> scene(random);
+    const PostMesh& a = scene.a.view();
+    const PostMesh& b = scene.b.view();
+    PairQuery query(a, b, scene.pose);
+    uint32_t wrong = 0;
+    const Status status =
+        query
+            .run(kNoLimit,
+                 [&](const Pair& pair) {
+                   Triangle last[2];
+                   Triangle again[2];
+                   query.last_pair(last[0], last[1]);
+                   const bool found = transform_pair(a, b, scene.pose, pair, again[0], again[1]);
+                   const Triangle of_a = transformed(scene.mesh_a, pair.a, identity);
+                   const Triangle of_b = transformed(scene.mesh_b, pair.b, scene.pose);
+                   const bool right = found && same(last[0], of_a) && same(last[1], of_b) &&
+                                      same(again[0], of_a) && same(again[1], of_b);
+                   wrong += right ? 0u : 1u;
+                   return true;
+                 })
+            .status;
+    REQUIRE(status == Status::done);
+    REQUIRE(wrong == 0);
+  }
+}
+
+TEST_CASE("small trees: every triangle of B lies where the pose's definition puts it") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  Random random(seed + 4);
+  int compared = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    CAPTURE(round);
+    const SmallScene<Layout::post_indexed> scene(random);
+    const PostMesh& a = scene.a.view();
+    const PostMesh& b = scene.b.view();
+    bool is_near = true;  // farther off, it is put where it intersects nothing
+    for (int axis = 0; axis < 3; ++axis) {
+      const int32_t middle = transformed_coordinate(b.origin, {0, 0, 0}, scene.pose, axis);
+      is_near =
+          is_near && middle - a.origin[axis] < kMaxOffset && middle - a.origin[axis] > -kMaxOffset;
+    }
+    for (uint16_t triangle = 0; is_near && triangle < b.triangle_count; ++triangle) {
+      Triangle of_a;
+      Triangle of_b;
+      REQUIRE(transform_pair(a, b, scene.pose, {0, triangle}, of_a, of_b));
+      const bool right = same(of_b, transformed(scene.mesh_b, triangle, scene.pose));
+      REQUIRE(right);
+      ++compared;
+    }
+  }
+  CHECK(compared > kRounds);
+}
+
+TEST_CASE("small trees: each way to ask wrongly has its own status") {
+  Random random(test_seed() + 3);
+  const SmallScene<Layout::post_indexed> scene(random);
+  const PostMesh& a = scene.a.view();
+  PostMesh b = scene.b.view();
+  const Pose here = Pose::translated(0, 0, 0);
+  Pair found[1];
+  SECTION("no room for a pair") {
+    PairQuery query(a, b, here);
+    CHECK(query.run(10, found, 0).status == Status::full);
+    CHECK(query.counts().visits == 0);
+  }
+  SECTION("no visit granted, or one") {
+    PairQuery query(a, b, here);
+    CHECK(query.run(0, found).status == Status::suspended);
+    CHECK(query.counts().visits == 0);
+    (void)query.run(1, found);
+    CHECK(query.counts().visits == 1);
+  }
+  SECTION("again after the end") {
+    PairQuery query(a, b, here);
+    while (query.status() == Status::suspended) {
+      (void)query.run(kNoLimit, found);
+    }
+    const Counts counts = query.counts();
+    const Step step = query.run(kNoLimit, found);
+    CHECK(step.status == Status::done);
+    CHECK(step.count == 0);
+    CHECK(same(query.counts(), counts));
+  }
+  SECTION("different cells") {
+    b.cell_bits ^= 1;
+    PairQuery query(a, b, here);
+    CHECK(query.status() == Status::cell_mismatch);
+    CHECK(query.run(kNoLimit, found).status == Status::cell_mismatch);
+    CHECK(query.counts().visits == 0);
+  }
+  SECTION("a translation out of range") {
+    for (const int32_t t : {kMaxTranslation + 1, -kMaxTranslation - 1, INT32_MAX, INT32_MIN}) {
+      for (const Pose& pose :
+           {Pose::translated(t, 0, 0), Pose::translated(0, t, 0), Pose::translated(0, 0, t)}) {
+        PairQuery query(a, b, pose);
+        CHECK(query.status() == Status::translation_out_of_range);
+        CHECK(query.run(kNoLimit, found).status == Status::translation_out_of_range);
+      }
+    }
+    for (const int32_t t : {kMaxTranslation, -kMaxTranslation}) {
+      const Pose pose = Pose::translated(t, t, t);
+      CHECK(PairQuery(a, b, pose).run(kNoLimit, found).status == Status::done);
+    }
+  }
+  SECTION("no rotation") {
+    const Pose pose = Pose::rigid({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0});
+    CHECK(PairQuery(a, b, pose).run(kNoLimit, found).status == Status::not_a_rotation);
+  }
+  SECTION("a stack that is too short") {
+    const uint32_t needed = stack_entries(a.stack_need, b.stack_need);
+    PairCursor<uint16_t> entries[2 * digest::kMostTriangles];
+    using VolumeQuery = Query<VolumeStack<PostMesh>>;
+    CHECK(VolumeQuery(a, b, here, {entries, needed}).status() == Status::suspended);
+    CHECK(VolumeQuery(a, b, here, {entries, needed - 1}).status() == Status::stack_too_small);
+    CHECK(VolumeQuery(a, b, here, {nullptr, 0}).status() == Status::stack_too_small);
+  }
+}

@@ -1,0 +1,159 @@
+// Queries cut into runs, and resumed in other objects, on trees that fit every board.
+#include <catch2/catch.hpp>
+#include <initializer_list>
+
+#include "support/most_work.hpp"
+#include "support/small_scene.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+using namespace flashbvh::test;
+
+namespace {
+
+const int kRounds = rounds(40, 400);
+
+using Position = QueryPosition<uint16_t>;
+
+template <class Traversal>
+using Scene = SmallScene<Traversal::Tree::kLayout>;
+
+/// Where a query stands, if it can tell.
+template <class Query>
+Position position_of(const Query& query) {
+  if constexpr (kIsStack<typename Query::Cursor>) {
+    return {};
+  } else {
+    return query.position();
+  }
+}
+
+/// Whether a query got on: it stands elsewhere, or has made visits, or does not tell.
+template <class Query>
+bool got_on(const Query& query, const Counts& before, const Position& was) {
+  const Position is = position_of(query);
+  return kIsStack<typename Query::Cursor> || query.counts().visits != before.visits ||
+         is.a != was.a || is.b != was.b || is.untested != was.untested || is.state != was.state;
+}
+
+/// In runs of `work` into an array of `capacity`, at most 4.
+template <class Traversal>
+Report cut(const SmallScene<Traversal::Tree::kLayout>& scene, uint32_t work, uint32_t capacity,
+           Counts& counts) {
+  SmallQuery<Traversal> any(scene);
+  Report report;
+  Status status = Status::suspended;
+  while (status != Status::done) {
+    Pair found[4];
+    const Counts before = any.query.counts();
+    const Position was = position_of(any.query);
+    const Step step = any.query.run(work, found, capacity);
+    for (uint32_t i = 0; i < step.count; ++i) {
+      report.add(found[i]);
+    }
+    status = step.status;
+    REQUIRE((status == Status::done || status == Status::suspended || status == Status::full));
+    REQUIRE((status != Status::full || step.count == capacity));
+    const uint32_t visits = any.query.counts().visits - before.visits;
+    REQUIRE((work == kNoLimit ? step.work == 0 : step.work <= work && visits <= step.work));
+    // It stops neither before its work is done, nor for ever.
+    REQUIRE((status != Status::suspended || step.work == work));
+    REQUIRE((status != Status::suspended || got_on(any.query, before, was)));
+  }
+  counts = any.query.counts();
+  return report;
+}
+
+}  // namespace
+
+TEST_CASE("small trees: however a query is cut into runs, it gives the same pairs") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  for_each_order<uint16_t>([seed](auto named) {
+    using Order = typename decltype(named)::Order;
+    CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
+    Random random(seed);
+    for (int round = 0; round < kRounds; ++round) {
+      const Scene<Order> scene(random);
+      Counts counts{};
+      const Report whole = cut<Order>(scene, kNoLimit, 4, counts);
+      for (const uint32_t work : {1u, 2u, 7u, 31u, 33u, 100u, 500u}) {
+        for (const uint32_t capacity : {1u, 3u}) {
+          CAPTURE(round, work, capacity);
+          Counts others{};
+          const bool equal = cut<Order>(scene, work, capacity, others) == whole;
+          REQUIRE(equal);
+          REQUIRE(same(counts, others));
+        }
+      }
+    }
+  });
+}
+
+TEST_CASE("small trees: a query resumed in a new object after any run goes on") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  for_each_stackless_order<uint16_t>([seed](auto named) {
+    using Order = typename decltype(named)::Order;
+    CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
+    Random random(seed + 1);
+    for (int round = 0; round < kRounds; ++round) {
+      CAPTURE(round);
+      const Scene<Order> scene(random);
+      Counts counts{};
+      const Report whole = cut<Order>(scene, kNoLimit, 4, counts);
+      Report report;
+      Position position;
+      uint32_t visits = 0;
+      for (Status status = Status::suspended; status != Status::done;) {
+        SmallQuery<Order> any(scene);
+        status = any.query.resume(position);
+        REQUIRE((status == Status::suspended || status == Status::done));
+        Pair found[1];
+        const Step step = any.query.run(1 + random.below(50), found);
+        status = step.status;
+        if (step.count != 0) {
+          report.add(found[0]);
+        }
+        visits += any.query.counts().visits;
+        position = any.query.position();
+      }
+      const bool equal = report == whole;
+      REQUIRE(equal);
+      REQUIRE(visits == counts.visits);
+    }
+  });
+}
+
+TEST_CASE("small trees: any numbers for a position are refused or lead to an end") {
+  const uint64_t seed = test_seed();
+  CAPTURE(seed);
+  for_each_stackless_order<uint16_t>([seed](auto named) {
+    using Order = typename decltype(named)::Order;
+    CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
+    Random random(seed + 2);
+    int refused = 0;
+    int taken = 0;
+    for (int round = 0; round < 100 * kRounds; ++round) {
+      CAPTURE(round);
+      const Scene<Order> scene(random);
+      Position position;
+      position.a = static_cast<uint16_t>(random.below(random.below(2) == 0 ? 40 : 65536));
+      position.b = static_cast<uint16_t>(random.below(random.below(2) == 0 ? 40 : 65536));
+      position.untested = random.below(4) == 0 ? random.below(UINT32_MAX) : random.below(6);
+      position.state = static_cast<Position::State>(random.below(6));
+      SmallQuery<Order> any(scene);
+      const Status before = any.query.status();
+      if (any.query.resume(position) == Status::position_invalid) {
+        REQUIRE(any.query.status() == before);
+        ++refused;
+        continue;
+      }
+      ++taken;
+      const uint32_t most = most_work_of_nodes(scene.a.view(), scene.b.view());
+      REQUIRE(any.query.run(most, [](const Pair&) { return true; }).status == Status::done);
+    }
+    CHECK(refused > 20 * kRounds);
+    CHECK(taken > kRounds);
+  });
+}
