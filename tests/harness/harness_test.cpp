@@ -18,11 +18,6 @@ TEST_CASE("a test name may have blanks, commas and <brackets>::of \"any\" kind")
   CHECK(1 + 1 == 2);
 }
 
-TEST_CASE("floats print") {
-  CHECK(Catch::Detail::stringify(1.5) == "1.5");
-  CHECK(Catch::Detail::stringify(0.25F) == "0.25f");
-}
-
 TEMPLATE_TEST_CASE("templates run", "", short, long) {
   CHECK(sizeof(TestType) <= sizeof(long));
 }

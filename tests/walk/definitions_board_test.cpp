@@ -50,18 +50,12 @@ TEST_CASE("small trees: escape indices and levels of the paper's figures 1 and 3
 }
 
 TEST_CASE("small trees: right child levels of the paper's figure 22") {
-  SECTION("pre-indexed") {
-    const FullTree<Layout::pre_indexed> full;
-    const LevelledPreMesh& tree = full.tree.view();
-    CHECK(has_values({0, 0, 0, 0, 1, 1, 0, 2, 1, 0, 0, 1, 2, 0, 3},
-                     [&tree](uint32_t node) { return tree.rcl(node); }));
-  }
-  SECTION("post-indexed") {
-    const FullTree<Layout::post_indexed> full;
-    const LevelledPostMesh& tree = full.tree.view();
-    CHECK(has_values({0, 1, 2, 3, 0, 0, 1, 0, 0, 1, 2, 0, 0, 1, 0},
-                     [&tree](uint32_t node) { return tree.rcl(node); }));
-  }
+  const FullTree<Layout::pre_indexed> pre;
+  CHECK(has_values({0, 0, 0, 0, 1, 1, 0, 2, 1, 0, 0, 1, 2, 0, 3},
+                   [&pre](uint32_t node) { return pre.tree.view().rcl(node); }));
+  const FullTree<Layout::post_indexed> post;
+  CHECK(has_values({0, 1, 2, 3, 0, 0, 1, 0, 0, 1, 2, 0, 0, 1, 0},
+                   [&post](uint32_t node) { return post.tree.view().rcl(node); }));
 }
 
 TEST_CASE("small trees: post-indexed, LevelUp subtracts, and escape indices of figure 26") {

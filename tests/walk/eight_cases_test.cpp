@@ -90,48 +90,41 @@ TEST_CASE("case 6: A a level above B, A left, B right: A escapes, B to its paren
 }
 
 TEST_CASE("case 7: same level, both right: up along right children to a left one") {
-  SECTION("A's left child is reached first, or both at once") {
-    check_next(5, 5, {8, 1});   // RCL 1 and 1
-    check_next(5, 12, {8, 8});  // 1 and 2
-    check_next(4, 14, {5, 12});
-    check_next(7, 14, {8, 8});  // 2 and 3
-  }
-  SECTION("B's left child is reached first") {
-    check_next(12, 5, {0, 8});  // 2 and 1
-    check_next(14, 4, {8, 5});  // 3 and 1
-    check_next(14, 11, {8, 12});
-    check_next(14, 7, {0, 8});  // 3 and 2
-  }
-  SECTION("neither: the walk is over") {
-    check_next(8, 8, {kEnd, 0});
-  }
+  // A's left child is reached first, or both at once.
+  check_next(5, 5, {8, 1});   // RCL 1 and 1
+  check_next(5, 12, {8, 8});  // 1 and 2
+  check_next(4, 14, {5, 12});
+  check_next(7, 14, {8, 8});  // 2 and 3
+  // B's left child is reached first.
+  check_next(12, 5, {0, 8});  // 2 and 1
+  check_next(14, 4, {8, 5});  // 3 and 1
+  check_next(14, 11, {8, 12});
+  check_next(14, 7, {0, 8});  // 3 and 2
+  // Neither: the walk is over.
+  check_next(8, 8, {kEnd, 0});
 }
 
 TEST_CASE("case 8: A a level above B, both right: as case 7 with B's parent") {
-  SECTION("A's left child is reached first, or both at once") {
-    check_next(5, 7, {8, 1});   // RCL 1 and 2
-    check_next(5, 14, {8, 8});  // 1 and 3
-  }
-  SECTION("B's left child is reached first") {
-    check_next(8, 5, {0, 8});   // 1 and 1
-    check_next(12, 7, {0, 8});  // 2 and 2
-    check_next(12, 4, {8, 5});  // 2 and 1
-  }
+  // A's left child is reached first, or both at once.
+  check_next(5, 7, {8, 1});   // RCL 1 and 2
+  check_next(5, 14, {8, 8});  // 1 and 3
+  // B's left child is reached first.
+  check_next(8, 5, {0, 8});   // 1 and 1
+  check_next(12, 7, {0, 8});  // 2 and 2
+  check_next(12, 4, {8, 5});  // 2 and 1
 }
 
 TEST_CASE("section 8.1: levels further apart go up to where the leaf was reached") {
-  SECTION("B is a leaf, A below its level: the leaf algorithm in A's subtree") {
-    check_next(3, 1, {4, 1});  // as if node 1 of B were a leaf
-    check_next(4, 1, {5, 1});
-    check_next(7, 1, {8, 1});   // the subtree of A's node 1 is done
-    check_next(14, 1, {0, 8});  // A's node 8 is done: case 5
-    check_next(14, 8, {kEnd, 0});
-  }
-  SECTION("A is a leaf, B below its level: the leaf algorithm in B's subtree") {
-    check_next(1, 3, {1, 4});
-    check_next(1, 4, {1, 5});
-    check_next(1, 7, {8, 1});  // the subtree of B's node 1 is done: case 1
-    check_next(8, 7, {0, 8});  // case 5
-    check_next(8, 14, {kEnd, 0});
-  }
+  // B is a leaf, A below its level: the leaf algorithm in A's subtree.
+  check_next(3, 1, {4, 1});  // as if node 1 of B were a leaf
+  check_next(4, 1, {5, 1});
+  check_next(7, 1, {8, 1});   // the subtree of A's node 1 is done
+  check_next(14, 1, {0, 8});  // A's node 8 is done: case 5
+  check_next(14, 8, {kEnd, 0});
+  // A is a leaf, B below its level: the leaf algorithm in B's subtree.
+  check_next(1, 3, {1, 4});
+  check_next(1, 4, {1, 5});
+  check_next(1, 7, {8, 1});  // the subtree of B's node 1 is done: case 1
+  check_next(8, 7, {0, 8});  // case 5
+  check_next(8, 14, {kEnd, 0});
 }

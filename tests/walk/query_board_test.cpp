@@ -165,63 +165,58 @@ TEST_CASE("small trees: each way to ask wrongly has its own status") {
   Random random(test_seed() + 3);
   const SmallScene<Layout::post_indexed> scene(random);
   const PostMesh& a = scene.a.view();
-  PostMesh b = scene.b.view();
+  const PostMesh& b = scene.b.view();
   const Pose here = Pose::translated(0, 0, 0);
   Pair found[1];
-  SECTION("no room for a pair") {
-    PairQuery query(a, b, here);
-    CHECK(query.run(10, found, 0).status == Status::full);
+
+  PairQuery query(a, b, here);
+  CHECK(query.run(10, found, 0).status == Status::full);  // no room for a pair
+  CHECK(query.run(0, found).status == Status::suspended);
+  CHECK(query.counts().visits == 0);
+  (void)query.run(1, found);
+  CHECK(query.counts().visits == 1);
+  while (query.status() == Status::suspended) {
+    (void)query.run(kNoLimit, found);
+  }
+  const Counts counts = query.counts();
+  const Step step = query.run(kNoLimit, found);  // again after the end
+  CHECK(step.status == Status::done);
+  CHECK(step.count == 0);
+  CHECK(same(query.counts(), counts));
+
+  const uint32_t needed = stack_entries(a.stack_need, b.stack_need);
+  PairCursor<uint16_t> entries[2 * digest::kMostTriangles];
+  using VolumeQuery = Query<VolumeStack<PostMesh>>;
+  CHECK(VolumeQuery(a, b, here, {entries, needed}).status() == Status::suspended);
+  CHECK(VolumeQuery(a, b, here, {entries, needed - 1}).status() == Status::stack_too_small);
+  CHECK(VolumeQuery(a, b, here, {nullptr, 0}).status() == Status::stack_too_small);
+}
+
+TEST_CASE("small trees: meshes and poses that no query takes each have their own status") {
+  Random random(test_seed() + 3);
+  const SmallScene<Layout::post_indexed> scene(random);
+  const PostMesh& a = scene.a.view();
+  const auto check_refused = [&a](const PostMesh& b, const Pose& pose, Status status) {
+    Pair found[1];
+    PairQuery query(a, b, pose);
+    CHECK(query.status() == status);
+    CHECK(query.run(kNoLimit, found).status == status);
     CHECK(query.counts().visits == 0);
-  }
-  SECTION("no visit granted, or one") {
-    PairQuery query(a, b, here);
-    CHECK(query.run(0, found).status == Status::suspended);
-    CHECK(query.counts().visits == 0);
-    (void)query.run(1, found);
-    CHECK(query.counts().visits == 1);
-  }
-  SECTION("again after the end") {
-    PairQuery query(a, b, here);
-    while (query.status() == Status::suspended) {
-      (void)query.run(kNoLimit, found);
-    }
-    const Counts counts = query.counts();
-    const Step step = query.run(kNoLimit, found);
-    CHECK(step.status == Status::done);
-    CHECK(step.count == 0);
-    CHECK(same(query.counts(), counts));
-  }
-  SECTION("different cells") {
-    b.cell_bits ^= 1;
-    PairQuery query(a, b, here);
-    CHECK(query.status() == Status::cell_mismatch);
-    CHECK(query.run(kNoLimit, found).status == Status::cell_mismatch);
-    CHECK(query.counts().visits == 0);
-  }
-  SECTION("a translation out of range") {
-    for (const int32_t t : {kMaxTranslation + 1, -kMaxTranslation - 1, INT32_MAX, INT32_MIN}) {
-      for (const Pose& pose :
-           {Pose::translated(t, 0, 0), Pose::translated(0, t, 0), Pose::translated(0, 0, t)}) {
-        PairQuery query(a, b, pose);
-        CHECK(query.status() == Status::translation_out_of_range);
-        CHECK(query.run(kNoLimit, found).status == Status::translation_out_of_range);
-      }
-    }
-    for (const int32_t t : {kMaxTranslation, -kMaxTranslation}) {
-      const Pose pose = Pose::translated(t, t, t);
-      CHECK(PairQuery(a, b, pose).run(kNoLimit, found).status == Status::done);
+  };
+  PostMesh b = scene.b.view();
+  for (const int32_t t : {kMaxTranslation + 1, -kMaxTranslation - 1, INT32_MAX, INT32_MIN}) {
+    for (const Pose& pose :
+         {Pose::translated(t, 0, 0), Pose::translated(0, t, 0), Pose::translated(0, 0, t)}) {
+      check_refused(b, pose, Status::translation_out_of_range);
     }
   }
-  SECTION("no rotation") {
-    const Pose pose = Pose::rigid({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0});
-    CHECK(PairQuery(a, b, pose).run(kNoLimit, found).status == Status::not_a_rotation);
+  for (const int32_t t : {kMaxTranslation, -kMaxTranslation}) {
+    Pair found[1];
+    const Pose farthest = Pose::translated(t, t, t);
+    CHECK(PairQuery(a, b, farthest).run(kNoLimit, found).status == Status::done);
   }
-  SECTION("a stack that is too short") {
-    const uint32_t needed = stack_entries(a.stack_need, b.stack_need);
-    PairCursor<uint16_t> entries[2 * digest::kMostTriangles];
-    using VolumeQuery = Query<VolumeStack<PostMesh>>;
-    CHECK(VolumeQuery(a, b, here, {entries, needed}).status() == Status::suspended);
-    CHECK(VolumeQuery(a, b, here, {entries, needed - 1}).status() == Status::stack_too_small);
-    CHECK(VolumeQuery(a, b, here, {nullptr, 0}).status() == Status::stack_too_small);
-  }
+  check_refused(b, Pose::rigid({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}),
+                Status::not_a_rotation);
+  b.cell_bits ^= 1;  // different cells
+  check_refused(b, Pose::translated(0, 0, 0), Status::cell_mismatch);
 }

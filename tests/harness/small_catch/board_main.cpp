@@ -1,8 +1,7 @@
 // main() of every test executable on a board.
-#include "assertion.hpp"
 #include "semihosting.hpp"
+#include "small_catch.hpp"
 #include "stack.hpp"
-#include "test_case.hpp"
 
 namespace small_catch {
 

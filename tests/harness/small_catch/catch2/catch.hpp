@@ -1,24 +1,16 @@
 // The part of Catch2 that our tests use, for boards: no heap, no C++ library, no stdio, and
 // compiled in a fraction of the time. The same test sources include it as <catch2/catch.hpp>.
 //
-// TEST_CASE, TEMPLATE_TEST_CASE, TEMPLATE_TEST_CASE_SIG, SECTION, GENERATE, CHECK, CHECK_FALSE,
-// REQUIRE, REQUIRE_FALSE, STATIC_REQUIRE, FAIL, INFO of a string, CAPTURE. What differs from
-// Catch2:
+// TEST_CASE, TEMPLATE_TEST_CASE, TEMPLATE_TEST_CASE_SIG, CHECK, CHECK_FALSE, REQUIRE,
+// REQUIRE_FALSE, STATIC_REQUIRE, FAIL, INFO of a string, CAPTURE. What differs from Catch2:
 // - a failed REQUIRE or FAIL ends the process: there are no exceptions
-// - values of classes print as {?}
-// - GENERATE takes its values one by one and comes before any SECTION of its scope
+// - values of classes print as {?}, floating-point numbers as a mantissa and an exponent
+// - there is no SECTION and no GENERATE: a test case that runs on boards has test cases or loops
+// instead
 #ifndef FLASHBVH_SMALL_CATCH_CATCH_HPP
 #define FLASHBVH_SMALL_CATCH_CATCH_HPP
 
-#include "../assertion.hpp"
-#include "../message.hpp"
-#include "../path.hpp"
-#include "../test_case.hpp"
-#include "../value.hpp"
-
-namespace Catch::Detail {
-using small_catch::stringify;
-}  // namespace Catch::Detail
+#include "../small_catch.hpp"
 
 // That `Decompose() <= a == b` has no parentheses is the point.
 #pragma GCC diagnostic ignored "-Wparentheses"
@@ -85,10 +77,6 @@ using small_catch::stringify;
   SMALL_CATCH_NAMED_TEMPLATE(SMALL_CATCH_UNIQUE(test), name, tags, \
                              SMALL_CATCH_DECLARATION(signature), __VA_ARGS__)
 
-// Paths through a test case.
-#define SECTION(name) if (const ::small_catch::Section SMALL_CATCH_UNIQUE(section){name})
-#define GENERATE(...) ::small_catch::generate(__VA_ARGS__)
-
 // Assertions.
 #define SMALL_CATCH_ASSERT(function, macro, text, ...)                                         \
   do {                                                                                         \
@@ -99,15 +87,17 @@ using small_catch::stringify;
   SMALL_CATCH_ASSERT(check, "CHECK", #__VA_ARGS__, ::small_catch::Decompose() <= __VA_ARGS__)
 #define REQUIRE(...) \
   SMALL_CATCH_ASSERT(require, "REQUIRE", #__VA_ARGS__, ::small_catch::Decompose() <= __VA_ARGS__)
-#define CHECK_FALSE(...) \
-  SMALL_CATCH_ASSERT(check, "CHECK_FALSE", #__VA_ARGS__, !static_cast<bool>(__VA_ARGS__))
-#define REQUIRE_FALSE(...) \
-  SMALL_CATCH_ASSERT(require, "REQUIRE_FALSE", #__VA_ARGS__, !static_cast<bool>(__VA_ARGS__))
+#define CHECK_FALSE(...)                                 \
+  SMALL_CATCH_ASSERT(check, "CHECK_FALSE", #__VA_ARGS__, \
+                     ::small_catch::Decompose() <= !static_cast<bool>(__VA_ARGS__))
+#define REQUIRE_FALSE(...)                                   \
+  SMALL_CATCH_ASSERT(require, "REQUIRE_FALSE", #__VA_ARGS__, \
+                     ::small_catch::Decompose() <= !static_cast<bool>(__VA_ARGS__))
 #define STATIC_REQUIRE(...) static_assert(__VA_ARGS__, #__VA_ARGS__)
-#define FAIL(text) SMALL_CATCH_ASSERT(require, "FAIL", text, false)
+#define FAIL(text) SMALL_CATCH_ASSERT(require, "FAIL", text, ::small_catch::Decompose() <= false)
 
 // What a failed assertion tells besides.
-#define INFO(text) const ::small_catch::Info SMALL_CATCH_UNIQUE(info)(text)
+#define INFO(text) SMALL_CATCH_CAPTURED(SMALL_CATCH_UNIQUE(info), 1, text)
 #define SMALL_CATCH_CAPTURED(stem, n, value) \
   const ::small_catch::Captured SMALL_CATCH_JOIN(stem, _##n)(#value, value);
 #define CAPTURE(...) \
