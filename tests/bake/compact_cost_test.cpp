@@ -31,7 +31,7 @@ struct Cost {
 };
 
 Cost cost_of(const PostMesh& a, const PostMesh& b, std::int32_t reach) {
-  test::Random random(test::test_seed());
+  test::Random random = test::test_random();
   Cost cost;
   for (int i = 0; i < 20; ++i) {
     const Pose pose =

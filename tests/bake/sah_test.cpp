@@ -131,9 +131,7 @@ std::multiset<std::uint64_t> surfaces(const BuildTree& tree) {
 }  // namespace
 
 TEST_CASE("surface area heuristic: whole trees with tight boxes, all leaf sizes and arities") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < 150; ++round) {
     const std::int32_t spread = round % 3 == 0 ? 3 : 300;
     const LatticeMesh mesh = random_mesh(random, 1 + random.below(120), spread, 30);
@@ -185,9 +183,7 @@ TEST_CASE("surface area heuristic: nested triangles, where trees become deep") {
 }
 
 TEST_CASE("reinsertion never makes a tree cost more, and keeps it whole") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 1);
+  Random random = test_random(1);
   int improved = 0;
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
@@ -221,9 +217,7 @@ TEST_CASE("surface area heuristic: it costs less than the median, and builds the
 }
 
 TEST_CASE("surface area heuristic: the order of the triangles decides only between equals") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 2);
+  Random random = test_random(2);
   for (int round = 0; round < 20; ++round) {
     CAPTURE(round);
     // Far apart and irregular: no two centres or costs are equal.

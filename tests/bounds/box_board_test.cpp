@@ -78,7 +78,7 @@ std::int32_t translation(Random& random) {
 }  // namespace
 
 TEST_CASE("packing a box loses nothing") {
-  Random random(test_seed());
+  Random random = test_random();
   for (int round = 0; round < 10000; ++round) {
     const Box original = box(random);
     const PackedBox packed = pack(original);
@@ -92,9 +92,7 @@ TEST_CASE("packing a box loses nothing") {
 }
 
 TEST_CASE("packed boxes overlap exactly when the boxes do, at every translation") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   int overlaps = 0;
   for (int round = 0; round < 100000; ++round) {
     const Box a = box(random);
@@ -131,9 +129,7 @@ TEST_CASE("boxes that touch overlap, and a cell further they do not") {
 }
 
 TEST_CASE("all forms of the packed comparison are one function") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   const auto half = [&] {
     constexpr std::uint32_t ends[] = {0, 1, 0x7FFF, 0x8000, 0x8001, 0xFFFE, 0xFFFF};
     return random.below(2) == 0 ? ends[random.below(7)] : random.below(0x10000);

@@ -130,9 +130,7 @@ struct AnyRotation {
 }  // namespace
 
 TEST_CASE("a box rotated without the products that are zero is the rotated box") {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < 2000; ++round) {
     const AnyRotation rotation(random);
     for (int i = 0; i < 10; ++i) {
@@ -155,9 +153,7 @@ bool reaches(const PackedBox& box, const PackedTriple& window) {
 }  // namespace
 
 TEST_CASE("boxes reach a window exactly when they overlap the rotated box that it is of") {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 2);
+  Random random = test_random(2);
   int overlaps = 0;
   int gaps = 0;
   for (int round = 0; round < 1000; ++round) {
@@ -188,9 +184,7 @@ TEST_CASE("boxes reach a window exactly when they overlap the rotated box that i
 }
 
 TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, whatever was kept") {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 1);
+  Random random = test_random(1);
   int overlaps = 0;
   int gaps = 0;
   for (int round = 0; round < 1000; ++round) {
@@ -224,9 +218,7 @@ TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, wh
 
 TEST_CASE("roots are far apart exactly when B's, rotated with the widest margin, is beside A's") {
   constexpr int32_t widest = 3 * kMost / 2 + 1 + kSplitOne / 2;
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 3);
+  Random random = test_random(3);
   int near = 0;
   int far = 0;
   for (int round = 0; round < 20000; ++round) {
@@ -255,9 +247,7 @@ TEST_CASE("roots are far apart exactly when B's, rotated with the widest margin,
 TEST_CASE("B's origin lies where a sum of 64 bits says, near or far") {
   constexpr int32_t reaches[] = {0, 20, 32768, 32769, 100000, 1 << 29};
   constexpr int64_t most = int64_t{kMaxOffset} * kSplitOne;
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 4);
+  Random random = test_random(4);
   const PackedBox all = pack({{-kMost, -kMost, -kMost}, {kMost, kMost, kMost}});
   int within = 0;
   int clamped = 0;

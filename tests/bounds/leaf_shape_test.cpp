@@ -33,8 +33,8 @@ struct Totals {
 template <class Order>
 void compare(const typename Order::Tree& a, const typename Order::Tree& b, const Pose& pose,
              Totals& totals) {
-  Asked<Order> shapes(a, b, pose);
-  Asked<Order, BoxIntersection> boxes(a, b, pose);
+  AnyQuery<Order> shapes(a, b, pose);
+  AnyQuery<Order, BoxIntersection> boxes(a, b, pose);
   const Pairs pairs = run_to_end(shapes.query, kNoLimit, 100);
   REQUIRE(pairs == run_to_end(boxes.query, kNoLimit, 100));
   const Counts& counts = shapes.query.counts();
@@ -237,9 +237,7 @@ void add_speck(Random& random, bake::LatticeMesh& mesh, const Vertex& at) {
 }  // namespace
 
 TEST_CASE("leaves as shapes give the pairs that boxes alone give, in the same order") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   Totals totals;
   const auto tries = rounds(30u, 150u);
   for (std::uint32_t round = 0; round < tries; ++round) {
@@ -254,9 +252,7 @@ TEST_CASE("leaves as shapes give the pairs that boxes alone give, in the same or
 }
 
 TEST_CASE("one mesh may be both: its leaves are shapes on either side") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 1);
+  Random random = test_random(1);
   Totals totals;
   const auto tries = rounds(50u, 250u);
   for (std::uint32_t round = 0; round < tries; ++round) {
@@ -269,9 +265,7 @@ TEST_CASE("one mesh may be both: its leaves are shapes on either side") {
 }
 
 TEST_CASE("triangles without area or in one plane are shapes, too") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 2);
+  Random random = test_random(2);
   Totals totals;
   const auto tries = rounds(50u, 200u);
   for (std::uint32_t round = 0; round < tries; ++round) {
@@ -291,9 +285,7 @@ TEST_CASE("triangles without area or in one plane are shapes, too") {
 }
 
 TEST_CASE("on the largest lattice, no slab of a leaf misses what lies in its triangle") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 3);
+  Random random = test_random(3);
   Totals totals;
   const auto tries = rounds(1200u, 6000u);
   for (std::uint32_t round = 0; round < tries; ++round) {
@@ -322,9 +314,7 @@ TEST_CASE("on the largest lattice, no slab of a leaf misses what lies in its tri
 }
 
 TEST_CASE("on the largest lattice, thin triangles that just touch are found") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 4);
+  Random random = test_random(4);
   Totals totals;
   const auto tries = rounds(150u, 600u);
   for (std::uint32_t round = 0; round < tries; ++round) {

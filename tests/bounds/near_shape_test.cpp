@@ -125,7 +125,7 @@ Box any_box(Random& random) {
 }  // namespace
 
 TEST_CASE("gaps of boxes are those along each axis, however many are worked out at once") {
-  Random random(test_seed());
+  Random random = test_random();
   std::uint32_t near = 0;
   const auto tries = rounds(7000u, 20000u);
   for (std::uint32_t round = 0; round < tries; ++round) {
@@ -154,7 +154,7 @@ TEST_CASE("gaps of boxes are those along each axis, however many are worked out 
 }
 
 TEST_CASE("rotated boxes are the sums of products along each axis") {
-  Random random(test_seed());
+  Random random = test_random();
   for (int round = 0; round < rounds(1500, 5000); ++round) {
     CAPTURE(round);
     const AnyMesh a = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
@@ -184,7 +184,7 @@ TEST_CASE("rotated boxes are the sums of products along each axis") {
 }
 
 TEST_CASE("a sum of squared gaps is within a limit if it is") {
-  Random random(test_seed());
+  Random random = test_random();
   for (int round = 0; round < rounds(40000, 200000); ++round) {
     CAPTURE(round);
     const std::int32_t most = 1 << random.below(17);
@@ -214,7 +214,7 @@ TEST_CASE("a sum of squared gaps is within a limit if it is") {
 }
 
 TEST_CASE("leaves as shapes reject no box that is within the limit") {
-  Random random(test_seed());
+  Random random = test_random();
   std::uint32_t translated = 0;
   std::uint32_t rotated = 0;
   std::uint32_t stretched = 0;

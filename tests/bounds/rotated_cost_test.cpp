@@ -73,7 +73,7 @@ TEST_CASE("instructions of a visit under rotation stay within their budget") {
   const auto b = thin.view();
   Cost all;
   for (const std::int32_t reach : {2000, 6000, 12000, 20000}) {
-    test::Random random(test::test_seed());
+    test::Random random = test::test_random();
     Cost cost;
     for (int i = 0; i < 30; ++i) {
       add_walk(a, b, test::any_rigid_pose(random, reach), cost);

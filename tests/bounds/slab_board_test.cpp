@@ -77,9 +77,7 @@ struct AnySlab {
 }  // namespace
 
 TEST_CASE("a box touches a slab exactly when their bounds along it meet, and two as each of them") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   std::uint32_t touching = 0;
   std::uint32_t missing = 0;
   for (int round = 0; round < 20000; ++round) {
@@ -102,9 +100,7 @@ TEST_CASE("a box touches a slab exactly when their bounds along it meet, and two
 }
 
 TEST_CASE("a scaled direction has 13 bits, those of the product, and its sign") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 1);
+  Random random = test_random(1);
   for (int round = 0; round < 20000; ++round) {
     CAPTURE(round);
     const std::int32_t most = random.below(3) == 0 ? 32766 : 1 << random.below(15);

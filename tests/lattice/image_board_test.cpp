@@ -126,9 +126,7 @@ bool same(const Tree& a, const Tree& b) {
 
 TEMPLATE_TEST_CASE("small trees: an image opens in place as the tree that was written", "",
                    LevelledPreMesh, LevelledPostMesh) {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
     const Baked<TestType> baked(random, digest::kMostTriangles);
@@ -142,7 +140,7 @@ TEMPLATE_TEST_CASE("small trees: an image opens in place as the tree that was wr
 }
 
 TEST_CASE("small trees: each way an image can be no image has its own status") {
-  Random random(test_seed() + 1);
+  Random random = test_random(1);
   const Baked<LevelledPostMesh> baked(random, 6);
   Image image;
   image.write(baked.tree.view());
@@ -163,7 +161,7 @@ TEST_CASE("small trees: each way an image can be no image has its own status") {
 
 TEMPLATE_TEST_CASE("small trees: every flipped bit of an image is refused", "", LevelledPreMesh,
                    LevelledPostMesh) {
-  Random random(test_seed() + 2);
+  Random random = test_random(2);
   const Baked<TestType> baked(random, 6);
   Image image;
   image.write(baked.tree.view());
@@ -177,7 +175,7 @@ TEMPLATE_TEST_CASE("small trees: every flipped bit of an image is refused", "", 
 }
 
 TEST_CASE("small trees: a query ends on whatever opens after a flipped bit, checksum repaired") {
-  Random random(test_seed() + 3);
+  Random random = test_random(3);
   const Baked<LevelledPostMesh> baked(random, 6);
   Image image;
   image.write(baked.tree.view());

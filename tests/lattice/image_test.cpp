@@ -120,7 +120,7 @@ Image with_more(std::uint32_t ImageHeader::*count) {
 }  // namespace
 
 TEST_CASE("an image opens in place as the tree that was baked") {
-  Random random(test_seed());
+  Random random = test_random();
   for (int round = 0; round < 100; ++round) {
     const auto baked = baked_shape<kPost>(random, 1 + random.below(30));
     const bool levels = round % 2 == 0;
@@ -147,7 +147,7 @@ TEST_CASE("an image opens in place as the tree that was baked") {
 }
 
 TEST_CASE("wide images open as wide trees") {
-  Random random(test_seed());
+  Random random = test_random();
   const auto mesh = random_mesh(random, 20, 100, 30);
   const auto tree = any_tree(random, mesh);
   Image pre{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))};
@@ -372,7 +372,7 @@ TEST_CASE("a byte other than zero in any gap is refused") {
 }
 
 TEST_CASE("bits between the ranks of a wide node are refused") {
-  Random random(test_seed());
+  Random random = test_random();
   const auto mesh = random_mesh(random, 4, 100, 30);
   auto baked = bake::lay_out<std::uint32_t, kPost>(bake::build_median(mesh, 1), mesh);
   REQUIRE(Image{image_of(baked)}.open<LargePostMesh>() == Status::done);
@@ -384,7 +384,7 @@ TEST_CASE("bits between the ranks of a wide node are refused") {
 }
 
 TEST_CASE("a leaf of 255 triangles is good, one of 256 is not") {
-  Random random(test_seed());
+  Random random = test_random();
   for (const std::uint32_t size : {255u, 256u}) {
     const auto mesh = random_mesh(random, size, 100, 30);
     const auto tree = bake::build_median(mesh, size);

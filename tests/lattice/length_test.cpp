@@ -38,9 +38,7 @@ std::int64_t any_fine(Random& random) {
 }  // namespace
 
 TEST_CASE("lengths: a product that a double holds is rounded to a float once, however small") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < 20000; ++round) {
     // 14 digits and 39.
     const double cell =
@@ -89,9 +87,7 @@ TEST_CASE("lengths: cells of powers of two have whole numbers of millionths, or 
 #if defined(__SIZEOF_INT128__)
 TEST_CASE("lengths: cells of 53 digits, against integers of 128 bits") {
   __extension__ using Wide = unsigned __int128;
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < 100000; ++round) {
     const std::uint64_t digits = std::uint64_t{1} << 52 |
                                  std::uint64_t{random.below(1u << 20)} << 32 |

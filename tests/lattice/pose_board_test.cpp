@@ -69,7 +69,7 @@ TEST_CASE("every rotation of a cube is exact, and the identity is a translation"
 }
 
 TEST_CASE("a pose keeps what it is given, to 2^-22") {
-  Random random(test_seed());
+  Random random = test_random();
   for (int round = 0; round < 1000; ++round) {
     const Rotation rotation = rotation_of(any_quaternion(random));
     const Pose pose = Pose::rigid(rotation.entry, {1, -2, 3}, {4, -5, 32767});
@@ -85,7 +85,7 @@ TEST_CASE("a pose keeps what it is given, to 2^-22") {
 }
 
 TEST_CASE("a matrix that is no rotation within the tolerance is refused, not mended") {
-  Random random(test_seed() + 1);
+  Random random = test_random(1);
   for (int round = 0; round < 300; ++round) {
     CAPTURE(round);
     const Rotation rotation = rotation_of(any_quaternion(random));
@@ -148,7 +148,7 @@ TEST_CASE("a bad pose stays bad in whatever is made of it") {
 }
 
 TEST_CASE("composed does first the one, then the other") {
-  Random random(test_seed() + 2);
+  Random random = test_random(2);
   for (int round = 0; round < 500; ++round) {
     CAPTURE(round);
     const Pose outer = any_rigid_pose(random, 10000);
@@ -170,7 +170,7 @@ TEST_CASE("composed does first the one, then the other") {
 }
 
 TEST_CASE("an inverse leads back, and to the relative pose of two objects in a world") {
-  Random random(test_seed() + 3);
+  Random random = test_random(3);
   for (int round = 0; round < 500; ++round) {
     CAPTURE(round);
     const Pose a = any_rigid_pose(random, 16383);
@@ -214,7 +214,7 @@ TEST_CASE("a long chain of joints stays a rotation, and where it belongs") {
 }
 
 TEST_CASE("a pose's defect bounds how far it is from a rotation, however it was made") {
-  Random random(test_seed() + 7);
+  Random random = test_random(7);
   const auto check = [&random](const Pose& pose) {
     double square[3][3];  // R^T R - 1
     for (int j = 0; j < 3; ++j) {
@@ -272,7 +272,7 @@ TEST_CASE("a pose's defect bounds how far it is from a rotation, however it was 
 }
 
 TEST_CASE("a chain of rotations is refused only if it is none, however long it is") {
-  Random random(test_seed() + 8);
+  Random random = test_random(8);
   Pose chain = Pose::translated(0, 0, 0);
   for (int joint = 0; joint < 3000; ++joint) {
     chain = Pose::composed(chain, Pose::rigid(rotation_of(any_quaternion(random)).entry, kNowhere));

@@ -92,9 +92,7 @@ constexpr double kRounding = 128 + 8;
 }  // namespace
 
 TEST_CASE("a matrix of floats is the pose of the same numbers in fixed point") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < 500; ++round) {
     CAPTURE(round);
     const FloatMatrix floats = floats_of(rotation_of(any_quaternion(random)));
@@ -140,9 +138,7 @@ TEST_CASE("quaternions of the rotations of a cube give their matrices to the las
 }
 
 TEST_CASE("a quaternion's rounding is normalised away, up to the tolerance") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < 500; ++round) {
     CAPTURE(round);
     const Quaternion q = any_quaternion(random);
@@ -162,9 +158,7 @@ TEST_CASE("a quaternion's rounding is normalised away, up to the tolerance") {
 }
 
 TEST_CASE("translations are multiplied and rounded once, to 1/65,536 of a cell") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < 2000; ++round) {
     // Any size, down to where the product is nothing.
     const float length = std::ldexp(static_cast<float>(random.between(-16777215, 16777215)),

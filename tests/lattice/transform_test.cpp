@@ -14,9 +14,7 @@ using namespace flashbvh::detail;
 using namespace flashbvh::test;
 
 TEST_CASE("no box test rejects boxes with a transformed vertex of one in the other") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 2);
+  Random random = test_random(2);
   for (int round = 0; round < rounds(600, 3000); ++round) {
     CAPTURE(round);
     const std::int32_t spread = round % 3 == 0 ? 16383 : round % 3 == 1 ? 400 : 12;
@@ -55,9 +53,7 @@ TEST_CASE("no box test rejects boxes with a transformed vertex of one in the oth
 }
 
 TEST_CASE("a transformed vertex is within 0.51 cells of where the pose's numbers put it") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 3);
+  Random random = test_random(3);
   for (int round = 0; round < 3000; ++round) {
     const bake::LatticeMesh mesh = random_mesh(random, 1, 16383, 16383);
     const Pose pose = any_rigid_pose(random, 16383);
@@ -78,9 +74,7 @@ TEST_CASE("a transformed vertex is within 0.51 cells of where the pose's numbers
 }
 
 TEST_CASE("a quarter turn of boxes is tested as exactly as no turn at all") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 4);
+  Random random = test_random(4);
   int overlapping = 0;
   for (int round = 0; round < 3000; ++round) {
     // About z: x goes to y, y to -x.

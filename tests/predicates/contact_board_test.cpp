@@ -1,4 +1,4 @@
-// Contacts against known answers and against their own symmetries. FLASHBVH_SEED replays a run.
+// Contacts against known answers and against their own symmetries.
 #include "flashbvh/contact.hpp"
 
 #include <stdint.h>
@@ -275,8 +275,7 @@ TEST_CASE("contact: normals are exact cross products", "[contact]") {
 }
 
 TEST_CASE("contact: the order of corners and of arguments moves no end", "[contact]") {
-  const uint64_t seed = test_seed();
-  Random random(seed);
+  Random random = test_random();
   uint32_t intersecting = 0;
   for (uint32_t run = 0; run < kPairs / 4; ++run) {
     const TransformedPair pair = any_pair(random);
@@ -285,7 +284,7 @@ TEST_CASE("contact: the order of corners and of arguments moves no end", "[conta
     }
     ++intersecting;
     if (!all_orders_give(contact_of(pair.a, pair.b), pair.a, pair.b)) {
-      CAPTURE(seed, run);
+      CAPTURE(run);
       FAIL("an order changes the contact");
     }
   }
@@ -293,8 +292,7 @@ TEST_CASE("contact: the order of corners and of arguments moves no end", "[conta
 }
 
 TEST_CASE("contact: the order of arguments moves no point where long edges cross", "[contact]") {
-  const uint64_t seed = test_seed();
-  Random random(seed);
+  Random random = test_random();
   uint32_t intersecting = 0;
   for (uint32_t run = 0; run < 4 * kPairs; ++run) {
     TransformedPair pair = {triangle_within(random, kMaxContactSpan),
@@ -310,7 +308,7 @@ TEST_CASE("contact: the order of arguments moves no point where long edges cross
     }
     ++intersecting;
     if (!same_place(contact_of(pair.a, pair.b), contact_of(pair.b, pair.a))) {
-      CAPTURE(seed, run);
+      CAPTURE(run);
       FAIL("the order changes the contact");
     }
   }
@@ -318,8 +316,7 @@ TEST_CASE("contact: the order of arguments moves no point where long edges cross
 }
 
 TEST_CASE("contact: translating both triangles translates the ends alike", "[contact]") {
-  const uint64_t seed = test_seed();
-  Random random(seed);
+  Random random = test_random();
   for (uint32_t run = 0; run < kPairs; ++run) {
     const TransformedPair pair = any_pair(random);
     if (!detail::triangles_intersect(pair.a, pair.b)) {
@@ -336,15 +333,14 @@ TEST_CASE("contact: translating both triangles translates the ends alike", "[con
     }
     if (!same_place(here, there) || !equal(here.normal_a, there.normal_a) ||
         !equal(here.normal_b, there.normal_b)) {
-      CAPTURE(seed, run);
+      CAPTURE(run);
       FAIL("the place changes the contact");
     }
   }
 }
 
 TEST_CASE("contact: disjoint triangles do no harm, and their normals are right", "[contact]") {
-  const uint64_t seed = test_seed();
-  Random random(seed);
+  Random random = test_random();
   for (uint32_t run = 0; run < kPairs; ++run) {
     TransformedPair pair = any_pair(random);
     const TransformedPair other = any_pair(random);
@@ -353,7 +349,7 @@ TEST_CASE("contact: disjoint triangles do no harm, and their normals are right",
     const Contact disjoint = contact_of(far_a.a, far_b.a);
     if (!equal(disjoint.normal_a, contact_of(pair.a, pair.a).normal_a) ||
         !equal(disjoint.normal_b, contact_of(other.b, other.b).normal_b)) {
-      CAPTURE(seed, run);
+      CAPTURE(run);
       FAIL("a normal is wrong");
     }
   }

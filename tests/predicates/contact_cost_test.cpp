@@ -35,7 +35,7 @@ struct Cost {
 /// The most over some hundred pairs of a kind that intersect; printed with the mean.
 template <class Make>
 Cost cost_of(const char* kind, Make make) {
-  test::Random random(test::test_seed());
+  test::Random random = test::test_random();
   Cost cost = {0, 0};
   std::uint32_t sum = 0;
   for (int i = 0; i < kPairs;) {

@@ -72,9 +72,7 @@ Int128 any_number(Random& random, uint32_t bits) {
 }  // namespace
 
 TEST_CASE("quotients of 128 bits, multiplied back, are what was divided") {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   constexpr Int128 most = {INT64_MAX, UINT64_MAX};
   constexpr Int128 one = {0, 1};
   for (int round = 0; round < 4000; ++round) {

@@ -116,7 +116,7 @@ bool meets_box(const Segment& segment, const mpq_class& end, const detail::Box& 
 }  // namespace
 
 TEST_CASE("a segment meets exactly the boxes that it has a point of, and no part of it is lost") {
-  Random random(test_seed());
+  Random random = test_random();
   std::uint32_t met = 0;
   std::uint32_t missed = 0;
   std::uint32_t behind = 0;
@@ -150,7 +150,7 @@ TEST_CASE("a segment meets exactly the boxes that it has a point of, and no part
 }
 
 TEST_CASE("a segment first meets a triangle where exact rationals say") {
-  Random random(test_seed());
+  Random random = test_random();
   Seen seen;
   // On few cells everything coincides.
   const auto tries = rounds(8000u, 40'000u);
@@ -164,7 +164,7 @@ TEST_CASE("a segment first meets a triangle where exact rationals say") {
 }
 
 TEST_CASE("a segment meets corners and edges of large triangles, from far off") {
-  Random random(test_seed());
+  Random random = test_random();
   Seen seen;
   const auto tries = rounds(1000u, 6'000u);
   for (std::uint32_t round = 0; round < tries; ++round) {
@@ -196,7 +196,7 @@ TEST_CASE("a segment meets corners and edges of large triangles, from far off") 
 }
 
 TEST_CASE("at the ends of the range nothing overflows") {
-  Random random(test_seed());
+  Random random = test_random();
   Seen seen;
   const auto far = [&] { return random.below(2) == 0 ? kMaxRayCoordinate : -kMaxRayCoordinate; };
   const auto corner = [&] { return random.below(2) == 0 ? kMaxCoordinate : -kMaxCoordinate; };

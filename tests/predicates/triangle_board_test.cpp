@@ -1,5 +1,5 @@
 // The triangle test against known answers, against its own symmetries and, on the host, against an
-// oracle that proves each answer. FLASHBVH_SEED replays a run.
+// oracle that proves each answer.
 #include "flashbvh/detail/predicates/triangle.hpp"
 
 #include <stddef.h>
@@ -285,21 +285,19 @@ TEST_CASE("segments and points are tested as what they are", "[triangle]") {
 }
 
 TEST_CASE("the order of corners and of arguments changes nothing", "[triangle]") {
-  const uint64_t seed = test_seed();
-  Random random(seed);
+  Random random = test_random();
   for (uint32_t run = 0; run < kSymmetryPairs; ++run) {
     bool touching = false;
     const Pair pair = random_pair(random, touching);
     if (!all_orders_answer(detail::triangles_intersect(pair.a, pair.b), pair.a, pair.b)) {
-      CAPTURE(seed, run);
+      CAPTURE(run);
       FAIL("an order changes the answer");
     }
   }
 }
 
 TEST_CASE("the place changes nothing, at either end of 32 bits", "[triangle]") {
-  const uint64_t seed = test_seed();
-  Random random(seed);
+  Random random = test_random();
   for (uint32_t run = 0; run < 4 * kSymmetryPairs; ++run) {
     bool touching = false;
     const Pair pair = random_pair(random, touching);
@@ -307,7 +305,7 @@ TEST_CASE("the place changes nothing, at either end of 32 bits", "[triangle]") {
     for (const bool up : {false, true}) {
       const Pair there = at_the_end(pair, up);
       if (detail::triangles_intersect(there.a, there.b) != here) {
-        CAPTURE(seed, run, up);
+        CAPTURE(run, up);
         FAIL("the place changes the answer");
       }
     }
@@ -315,13 +313,12 @@ TEST_CASE("the place changes nothing, at either end of 32 bits", "[triangle]") {
 }
 
 TEST_CASE("triangles with a common point by construction intersect", "[triangle]") {
-  const uint64_t seed = test_seed();
-  Random random(seed);
+  Random random = test_random();
   for (uint32_t run = 0; run < 4 * kSymmetryPairs; ++run) {
     bool touching = false;
     const Pair pair = random_pair(random, touching);
     if (touching && !detail::triangles_intersect(pair.a, pair.b)) {
-      CAPTURE(seed, run);
+      CAPTURE(run);
       FAIL("a common point is missed");
     }
   }
@@ -357,21 +354,19 @@ TEST_CASE("every pair of triangles in the unit cube agrees with the oracle", "[t
 }
 
 TEST_CASE("small triangles agree with the oracle", "[triangle][oracle]") {
-  const uint64_t seed = test_seed();
-  Random random(seed);
+  Random random = test_random();
   for (uint32_t run = 0; run < rounds(60000u, 400000u); ++run) {
     const int32_t size = random.between(2, 3);
     const Pair pair = {random_triangle(random, size), random_triangle(random, size)};
     if (!agrees(pair.a, pair.b)) {
-      CAPTURE(seed, run);
+      CAPTURE(run);
       FAIL("the oracle disagrees");
     }
   }
 }
 
 TEST_CASE("triangles of every kind and size agree with the oracle", "[triangle][oracle]") {
-  const uint64_t seed = test_seed();
-  Random random(seed);
+  Random random = test_random();
   for (uint32_t run = 0; run < rounds(60000u, 400000u); ++run) {
     bool touching = false;
     Pair pair = random_pair(random, touching);
@@ -380,7 +375,7 @@ TEST_CASE("triangles of every kind and size agree with the oracle", "[triangle][
     Point& corner = pair.b.corner[random.below(3)];
     corner.*axis -= random.below(2) != 0 && corner.*axis > 0 ? 1 : 0;
     if (!agrees(pair.a, pair.b)) {
-      CAPTURE(seed, run);
+      CAPTURE(run);
       FAIL("the oracle disagrees");
     }
   }

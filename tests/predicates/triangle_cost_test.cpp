@@ -23,7 +23,7 @@ constexpr std::uint32_t kMostGeneral = 550;
 
 /// The most over some hundred pairs of a kind; printed with the mean.
 std::uint32_t most_instructions(const test::TriangleKind& kind) {
-  test::Random random(test::test_seed());
+  test::Random random = test::test_random();
   std::uint32_t most = 0;
   std::uint32_t sum = 0;
   for (int i = 0; i < kPairs; ++i) {

@@ -222,7 +222,7 @@ void translate(Triangle& t, const Point& by) {
 }  // namespace
 
 TEST_CASE("distances of triangles are those of exact rationals") {
-  Random random(test_seed());
+  Random random = test_random();
   std::set<FeatureKind> seen;
   Separations separations;
   const std::int32_t reaches[] = {1, 3, 30, 1000, 4000, 16000, 30000};
@@ -246,7 +246,7 @@ TEST_CASE("distances of triangles are those of exact rationals") {
 }
 
 TEST_CASE("no order of corners changes a distance") {
-  Random random(test_seed());
+  Random random = test_random();
   for (unsigned round = 0; round < 300; ++round) {
     CAPTURE(round);
     Triangle a = any_triangle(random, 40);
@@ -306,7 +306,7 @@ TEST_CASE("distances at the ends of their range") {
 }
 
 TEST_CASE("fractions are compared exactly, however near they are") {
-  Random random(test_seed());
+  Random random = test_random();
   const auto any = [&random](unsigned bits) {
     mpz_class value = 1;
     for (unsigned i = 0; i < bits; ++i) {

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 100'000;
   const bake::LatticeMesh meshes[] = {torus(24, 16, 8000, 3000), torus(150, 60, 9000, 4000),
                                       torus(7, 5, 30, 11), torus(40, 20, 12'000, 4'000)};
-  Random random(test_seed());
+  Random random = test_random();
   std::uint64_t lost = 0;
   for (const bake::LatticeMesh& lattice : meshes) {
     const AnyMesh any(bake::build_default(lattice), lattice);

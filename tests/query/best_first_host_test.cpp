@@ -166,7 +166,7 @@ TEST_CASE("a seeded query visits what the best order visits, and a cold one litt
   };
   const auto a = bake_tree(mesh_a);
   const auto b = bake_tree(mesh_b);
-  Random random(test_seed());
+  Random random = test_random();
   Ratio seeded;
   Ratio cold;
   // The gap, from 30 % of their size to 0.1 %: B goes along a line that grazes A.

@@ -56,9 +56,7 @@ PairSet brute_force_within(const Scene& scene, uint32_t distance) {
 }  // namespace
 
 TEST_CASE("small trees: the distance is that of the nearest triangles, however it is cut") {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   int apart = 0;
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
@@ -91,9 +89,7 @@ TEST_CASE("small trees: the distance is that of the nearest triangles, however i
 }
 
 TEST_CASE("small trees: within a distance are the pairs that brute force finds") {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
     const Scene scene(random);

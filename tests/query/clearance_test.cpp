@@ -133,7 +133,7 @@ PostMesh view_of(const AnyMesh& mesh) {
 }  // namespace
 
 TEST_CASE("the distance of two meshes is that of their nearest triangles") {
-  Random random(test_seed());
+  Random random = test_random();
   for (int round = 0; round < rounds(80, 250); ++round) {
     CAPTURE(round);
     const std::int32_t spreads[] = {5, 60, 1000, 16000};
@@ -179,7 +179,7 @@ TEST_CASE("the distance of two meshes is that of their nearest triangles") {
 }
 
 TEST_CASE("what is farther than 2^15 cells is measured as well, from any seed") {
-  Random random(test_seed());
+  Random random = test_random();
   for (int round = 0; round < rounds(20, 60); ++round) {
     CAPTURE(round);
     const auto mesh = [&] {
@@ -208,7 +208,7 @@ TEST_CASE("what is farther than 2^15 cells is measured as well, from any seed") 
 }
 
 TEST_CASE("what is beyond the range is told from what is not") {
-  Random random(test_seed());
+  Random random = test_random();
   const bake::LatticeMesh mesh = random_mesh(random, 12, 16000, 4000);
   const AnyMesh any_a = any_mesh(random, mesh);
   const AnyMesh any_b = any_mesh(random, mesh);
@@ -248,7 +248,7 @@ TEST_CASE("what is beyond the range is told from what is not") {
 }
 
 TEST_CASE("seeds and positions that are none are refused") {
-  Random random(test_seed());
+  Random random = test_random();
   const AnyMesh any_a = any_mesh(random, random_mesh(random, 20, 100, 20));
   const AnyMesh any_b = any_mesh(random, random_mesh(random, 15, 100, 20));
   const PostMesh a = view_of(any_a);

@@ -148,9 +148,7 @@ void check_queries(Random& random, int rounds) {
 
 TEST_CASE(
     "a refit's boxes are those of the triangles below, whatever moved and however it is cut") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   check_refits<LevelledPostMesh>(random, 60 / kShare);
   check_refits<LevelledPreMesh>(random, 30 / kShare);
   check_refits<LargePostMesh>(random, 20 / kShare);
@@ -158,17 +156,13 @@ TEST_CASE(
 }
 
 TEST_CASE("every traversal takes a mesh that bends, on either side and against itself") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 1);
+  Random random = test_random(1);
   check_queries<LevelledPostMesh>(random, 20 / kShare);
   check_queries<LevelledPreMesh>(random, 20 / kShare);
 }
 
 TEST_CASE("distances, rays and insides are those of the same mesh baked as it is now") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 2);
+  Random random = test_random(2);
   const bake::LatticeMesh ring = torus(6, 4, 60, 20);
   for (int round = 0; round < 40 / kShare; ++round) {
     CAPTURE(round);
@@ -200,7 +194,7 @@ TEST_CASE("distances, rays and insides are those of the same mesh baked as it is
 
 TEST_CASE(
     "a vertex out of the lattice is refused by its number, and nothing is asked until it is back") {
-  Random random(test_seed());
+  Random random = test_random();
   const bake::LatticeMesh lattice = grid(3, 2, false);
   Bending<PostMesh> bent(bake::build_default(lattice), lattice);
   const auto coordinate = [&](std::size_t v, int axis) -> std::int16_t& {
@@ -233,7 +227,6 @@ TEST_CASE(
 
 TEST_CASE(
     "a query and a position from before a refit are refused, a refit between slices included") {
-  Random random(test_seed() + 3);
   const bake::LatticeMesh ring = torus(6, 4, 60, 20);
   Bending<PostMesh> bent(bake::build_default(ring), ring);
   Bending<PostMesh> other(bake::build_default(ring), ring);

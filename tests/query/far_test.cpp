@@ -52,7 +52,7 @@ void check_bounds(const Found& found, double truth, double rounded) {
 }  // namespace
 
 TEST_CASE("of two hollow boxes of the largest size, half their size apart, both bounds hold") {
-  Random random(test_seed());
+  Random random = test_random();
   const AnyMesh any = any_mesh(random, largest_box());
   const PostMesh mesh = any.view<PostMesh>();
   for (const std::int32_t x : {48000, 49151, 60000, 1 << 20}) {
@@ -73,9 +73,7 @@ TEST_CASE("of two hollow boxes of the largest size, half their size apart, both 
 
 TEST_CASE(
     "beyond the range bounds hold: of meshes twice as large, against brute force over halves") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < rounds(60, 300); ++round) {
     CAPTURE(round);
     const bake::LatticeMesh half_a = random_mesh(random, 12, 6000, 2000);
@@ -118,7 +116,7 @@ TEST_CASE(
 }
 
 TEST_CASE("beyond the range the meshes' own origins count") {
-  Random random(test_seed());
+  Random random = test_random();
   bake::LatticeMesh at_a = largest_box();
   bake::LatticeMesh at_b = at_a;
   at_a.origin = {100000, -200000, 300000};

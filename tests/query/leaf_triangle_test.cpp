@@ -34,9 +34,7 @@ bool is_narrow(const Triangle& t) {
 }  // namespace
 
 TEST_CASE("narrow triangles intersect where triangles do") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 8);
+  Random random = test_random(8);
   std::uint32_t tested = 0;
   std::uint32_t intersect = 0;
   const auto tries = rounds(12000u, 60000u);
@@ -58,9 +56,7 @@ TEST_CASE("narrow triangles intersect where triangles do") {
 }
 
 TEST_CASE("a box and a triangle overlap where their bounds do") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 9);
+  Random random = test_random(9);
   std::uint32_t overlapping = 0;
   const auto tries = rounds(12000u, 60000u);
   for (std::uint32_t round = 0; round < tries; ++round) {
@@ -139,9 +135,7 @@ TEST_CASE("triangles of two leaves tested at once intersect where triangles do")
   if (!has_avx2()) {
     return;
   }
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 10);
+  Random random = test_random(10);
   std::uint32_t intersect = 0;
   const auto tries = rounds(12000u, 200000u);
   for (std::uint32_t round = 0; round < tries; ++round) {
@@ -173,9 +167,7 @@ TEST_CASE("corners of a rotated leaf are where the transform puts them") {
   if (!has_avx2()) {
     return;
   }
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 11);
+  Random random = test_random(11);
   const PackedBox all = pack({{-kMaxCoordinate, -kMaxCoordinate, -kMaxCoordinate},
                               {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate}});
   for (int round = 0; round < rounds(3000, 100000); ++round) {

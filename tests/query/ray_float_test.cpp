@@ -21,7 +21,7 @@ float any_float(Random& random, float reach) {
 }  // namespace
 
 TEST_CASE("a ray of floats ends within half a cell of where it should") {
-  Random random(test_seed());
+  Random random = test_random();
   for (int round = 0; round < 3000; ++round) {
     const float scale = std::ldexp(1.0f, random.between(-120, 120));
     const float cells = 1 + any_float(random, 0.5f);

@@ -111,7 +111,7 @@ long truth_of(const PostMesh& mesh, const Point& p, bool& on_surface) {
 }  // namespace
 
 TEST_CASE("a ray hits what it hits of each triangle") {
-  Random random(test_seed());
+  Random random = test_random();
   for (int round = 0; round < 400 / kShare; ++round) {
     CAPTURE(round);
     bake::LatticeMesh lattice = random_mesh(random, 1 + random.below(40), 12, 9);
@@ -129,7 +129,7 @@ TEST_CASE("a ray hits what it hits of each triangle") {
 }
 
 TEST_CASE("of several hits in one place that of the least triangle id is told") {
-  Random random(test_seed());
+  Random random = test_random();
   std::uint32_t shared = 0;
   for (int round = 0; round < 200 / kShare; ++round) {
     CAPTURE(round);
@@ -157,7 +157,7 @@ TEST_CASE("of several hits in one place that of the least triangle id is told") 
 }
 
 TEST_CASE("signed crossings are winding numbers' differences, through edges and corners too") {
-  Random random(test_seed());
+  Random random = test_random();
   std::uint32_t changes = 0;
   for (int round = 0; round < 200 / kShare; ++round) {
     CAPTURE(round);
@@ -198,7 +198,7 @@ TEST_CASE("signed crossings are winding numbers' differences, through edges and 
 }
 
 TEST_CASE("no ray is lost at an edge or a corner of a closed mesh") {
-  Random random(test_seed());
+  Random random = test_random();
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
   const AnyMesh any(bake::build_default(lattice), lattice);
   const AimedRays rays(any.view<PostMesh>());
@@ -208,7 +208,7 @@ TEST_CASE("no ray is lost at an edge or a corner of a closed mesh") {
 }
 
 TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") {
-  Random random(test_seed());
+  Random random = test_random();
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
   const AnyMesh any(bake::build_default(lattice), lattice);
   const PostMesh mesh = any.view<PostMesh>();
@@ -231,7 +231,7 @@ TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") 
 }
 
 TEST_CASE("where a hit is, and how far off") {
-  Random random(test_seed());
+  Random random = test_random();
   for (int round = 0; round < 2000 / kShare; ++round) {
     const Point from = any_point(random, round % 2 == 0 ? 500 : kMaxRayCoordinate);
     const Point to = any_point(random, round % 3 == 0 ? 500 : kMaxRayCoordinate);
@@ -256,7 +256,7 @@ TEST_CASE("where a hit is, and how far off") {
 }
 
 TEST_CASE("what no ray can be is refused, and may hit") {
-  Random random(test_seed());
+  Random random = test_random();
   bake::LatticeMesh lattice = random_mesh(random, 5, 20, 20);
   lattice.origin = {1000, -(1 << 29), 1 << 29};
   const AnyMesh any = any_mesh(random, lattice);

@@ -132,9 +132,7 @@ std::uint32_t mixed(std::uint32_t sum, std::uint32_t value) {
 }  // namespace
 
 TEST_CASE("a soup's, a sheet's or a tube's triangles that intersect are found once each") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   std::uint32_t answers = 0;
   check_frames<PostMesh>(random, 60 / kShare, 6, answers);
   check_frames<LargePostMesh>(random, 20 / kShare, 3, answers);
@@ -142,9 +140,7 @@ TEST_CASE("a soup's, a sheet's or a tube's triangles that intersect are found on
 }
 
 TEST_CASE("over thousands of frames of one sheet the pairs are those of brute force") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 1);
+  Random random = test_random(1);
   const bake::LatticeMesh lattice = grid(4, 3, false);
   Bending<PostMesh> bent(bake::build_default(lattice), lattice);
   lay(random, 5, 20, 0, 0, bent.vertices.data(), bent.vertices.size());
@@ -158,9 +154,7 @@ TEST_CASE("over thousands of frames of one sheet the pairs are those of brute fo
 }
 
 TEST_CASE("a position is taken if and only if a walk on which all boxes overlap comes by") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 2);
+  Random random = test_random(2);
   for (int round = 0; round < 60 / kShare; ++round) {
     CAPTURE(round);
     // All triangles have all boxes in common, and share a vertex: no answer ends a run.

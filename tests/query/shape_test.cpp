@@ -54,7 +54,7 @@ Point any_point(Random& random, std::int32_t reach) {
 }  // namespace
 
 TEST_CASE("shapes are asked about like the same triangles, baked") {
-  Random random(test_seed());
+  Random random = test_random();
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
     const AnyMesh any = any_mesh(random, random_mesh(random, 1 + random.below(30), 200, 60));
@@ -82,7 +82,7 @@ TEST_CASE("shapes are asked about like the same triangles, baked") {
 }
 
 TEST_CASE("a sphere and a capsule are a point and a segment with a radius") {
-  Random random(test_seed());
+  Random random = test_random();
   const AnyMesh any = any_mesh(random, random_mesh(random, 1, 10, 10));
   const PostMesh like = any.view<PostMesh>();
   const PointShape origin(like, {0, 0, 0});
@@ -103,7 +103,7 @@ TEST_CASE("a sphere and a capsule are a point and a segment with a radius") {
 }
 
 TEST_CASE("a shape that no mesh can be stays as it was, and says so") {
-  Random random(test_seed());
+  Random random = test_random();
   const AnyMesh any = any_mesh(random, random_mesh(random, 1, 10, 10));
   const PostMesh like = any.view<PostMesh>();
   SegmentShape segment(like, {1 << 29, 0, 0}, {(1 << 29) - 32766, 5, 5});
@@ -132,7 +132,7 @@ TEST_CASE("a shape that no mesh can be stays as it was, and says so") {
 }
 
 TEST_CASE("what is asked of a shape that never was any is refused, until it is one") {
-  Random random(test_seed());
+  Random random = test_random();
   bake::LatticeMesh box;
   add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
   const AnyMesh any = any_mesh(random, box);

@@ -47,7 +47,7 @@ PostMesh closed(const AnyMesh& mesh) {
 }  // namespace
 
 TEST_CASE("a point's side is told by its winding number, wherever edges and corners lie above it") {
-  Random random(test_seed());
+  Random random = test_random();
   std::uint32_t seen[3] = {0, 0, 0};
   const std::uint32_t tries = kShare > 1 ? 2 : rounds(24u, 60u);
   for (std::uint32_t round = 0; round < tries; ++round) {
@@ -78,7 +78,7 @@ TEST_CASE("a point's side is told by its winding number, wherever edges and corn
 }
 
 TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
-  Random random(test_seed());
+  Random random = test_random();
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
   const AnyMesh any(bake::build_default(lattice), lattice);
   const PostMesh mesh = closed(any);
@@ -106,7 +106,7 @@ TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
 }
 
 TEST_CASE("bodies have points in common if triangles intersect or one lies inside the other") {
-  Random random(test_seed());
+  Random random = test_random();
   std::uint32_t within = 0;
   std::uint32_t apart = 0;
   for (int round = 0; round < 400 / kShare; ++round) {
@@ -159,7 +159,7 @@ TEST_CASE("bodies have points in common if triangles intersect or one lies insid
 }
 
 TEST_CASE("bodies at the ends of the range have nothing in common") {
-  Random random(test_seed());
+  Random random = test_random();
   bake::LatticeMesh box;
   add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
   box.origin = {1 << 29, -(1 << 29), 1 << 29};
@@ -180,7 +180,7 @@ TEST_CASE("bodies at the ends of the range have nothing in common") {
 }
 
 TEST_CASE("an open mesh has no inside") {
-  Random random(test_seed());
+  Random random = test_random();
   bake::LatticeMesh box;
   add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
   const AnyMesh whole = any_mesh(random, box);
@@ -202,7 +202,7 @@ TEST_CASE("an open mesh has no inside") {
 }
 
 TEST_CASE("what is asked after a query refuses what the query refuses") {
-  Random random(test_seed());
+  Random random = test_random();
   bake::LatticeMesh box;
   add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
   const AnyMesh any = any_mesh(random, box);

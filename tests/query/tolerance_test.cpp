@@ -38,9 +38,7 @@ void check_tolerance(const std::vector<Pairwise>& all, const Clearance<std::uint
 }  // namespace
 
 TEST_CASE("a tolerance is kept to, and said to be, from any seed") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < rounds(120, 600); ++round) {
     CAPTURE(round);
     // Distances of a few cells and of many.
@@ -71,7 +69,7 @@ TEST_CASE("a tolerance is kept to, and said to be, from any seed") {
 }
 
 TEST_CASE("a point one cell off a box's face is told of to the tolerance, seeded on any face") {
-  Random random(test_seed());
+  Random random = test_random();
   bake::LatticeMesh box;
   add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
   bake::LatticeMesh point;

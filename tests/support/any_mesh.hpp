@@ -13,19 +13,6 @@
 
 namespace flashbvh::test {
 
-/// A query at its start, with the array that its stack needs.
-template <class Order, class Question = detail::Intersection>
-struct Asked {
-  using Tree = typename Order::Tree;
-  std::vector<detail::PairCursor<typename Tree::Index>> entries;
-  Query<Order, Question> query;
-
-  Asked(const Tree& a, const Tree& b, const Pose& pose)
-      : entries(stack_entries(a.stack_need, b.stack_need)),
-        query(a, b, pose,
-              at_roots<Order>(entries.data(), static_cast<std::uint32_t>(entries.size()))) {}
-};
-
 /// A mesh in both layouts.
 struct AnyMesh {
   std::tuple<Baked<Layout::pre_indexed>, Baked<Layout::post_indexed>> baked;

@@ -11,12 +11,12 @@
 
 namespace flashbvh::test {
 
-template <class Order>
+template <class Order, class Question = detail::Intersection>
 struct AnyQuery {
   using Tree = typename Order::Tree;
   Tree a, b;
   std::vector<detail::PairCursor<typename Tree::Index>> entries;
-  Query<Order> query;
+  Query<Order, Question> query;
 
   AnyQuery(const Tree& tree_a, const Tree& tree_b, const Pose& pose)
       : a(tree_a),

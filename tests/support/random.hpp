@@ -57,10 +57,15 @@ Count rounds(Count few, Count many) {
 }
 
 /// The seed of this run: FLASHBVH_SEED, decimal or 0x hexadecimal, or a fixed one where unset.
-/// A test prints it (CAPTURE), so that a failure elsewhere can be replayed.
 inline uint64_t test_seed() {
   const char* const text = setting("FLASHBVH_SEED");
   return text != nullptr ? strtoull(text, nullptr, 0) : 20240607u;
+}
+
+/// The random numbers of a test case; those of a file differ in `stream`. A failure can be
+/// replayed: the seed is the fixed one, or was set.
+inline Random test_random(uint64_t stream = 0) {
+  return Random(test_seed() + stream);
 }
 
 }  // namespace flashbvh::test

@@ -98,9 +98,7 @@ TEST_CASE("figure 24: all but the last of many children are left children") {
 }
 
 TEST_CASE("the definitions hold on random trees of every shape") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < 300; ++round) {
     CAPTURE(round);
     const auto mesh = random_mesh(random, 1 + random.below(24), 100, 20);

@@ -47,9 +47,7 @@ void check_same_walk(const SmallScene<One::Tree::kLayout>& scene) {
 
 template <class Traversal>
 void check_against_brute_force() {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   uint32_t total = 0;
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
@@ -85,9 +83,7 @@ TEST_CASE("small trees: a query finds exactly the pairs that brute force finds")
 }
 
 TEST_CASE("small trees: a rule walks the same way with a stack and without") {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 1);
+  Random random = test_random(1);
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
     {
@@ -101,9 +97,7 @@ TEST_CASE("small trees: a rule walks the same way with a stack and without") {
 }
 
 TEST_CASE("small trees: a reported pair lies where the pose's definition puts it") {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 2);
+  Random random = test_random(2);
   const Pose identity = Pose::translated(0, 0, 0);
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
@@ -134,9 +128,7 @@ TEST_CASE("small trees: a reported pair lies where the pose's definition puts it
 }
 
 TEST_CASE("small trees: every triangle of B lies where the pose's definition puts it") {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 4);
+  Random random = test_random(4);
   int compared = 0;
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
@@ -162,7 +154,7 @@ TEST_CASE("small trees: every triangle of B lies where the pose's definition put
 }
 
 TEST_CASE("small trees: each way to ask wrongly has its own status") {
-  Random random(test_seed() + 3);
+  Random random = test_random(3);
   const SmallScene<Layout::post_indexed> scene(random);
   const PostMesh& a = scene.a.view();
   const PostMesh& b = scene.b.view();
@@ -193,7 +185,7 @@ TEST_CASE("small trees: each way to ask wrongly has its own status") {
 }
 
 TEST_CASE("small trees: meshes and poses that no query takes each have their own status") {
-  Random random(test_seed() + 3);
+  Random random = test_random(3);
   const SmallScene<Layout::post_indexed> scene(random);
   const PostMesh& a = scene.a.view();
   const auto check_refused = [&a](const PostMesh& b, const Pose& pose, Status status) {

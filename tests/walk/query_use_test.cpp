@@ -41,7 +41,7 @@ Scene overlapping_scene(Random& random) {
 }  // namespace
 
 TEST_CASE("inside a sink counts() says what was done so far, not what was granted") {
-  Random random(test_seed());
+  Random random = test_random();
   const Scene scene = overlapping_scene(random);
   const auto a = scene.a.view();
   const auto b = scene.b.view();
@@ -70,7 +70,7 @@ TEST_CASE("inside a sink counts() says what was done so far, not what was grante
 
 TEMPLATE_TEST_CASE("the position of a query that is done is taken, and stays done", "",
                    Ranked<PostMesh>, StacklessPost, Leaf<PostMesh>) {
-  Random random(test_seed());
+  Random random = test_random();
   const Scene scene = overlapping_scene(random);
   const auto a = scene.a.view();
   const auto b = scene.b.view();

@@ -127,7 +127,7 @@ void check(const Baked& baked_a, const Baked& baked_b, const Pose& pose, std::in
 }  // namespace
 
 TEST_CASE("another question, boxes within a distance, is a bound and a test and no other walk") {
-  Random random(test_seed());
+  Random random = test_random();
   std::uint32_t apart = 0;
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);

@@ -62,7 +62,10 @@ std::int32_t random_rank(Random& random, std::int32_t parent_rank) {
   return random.between(random.below(3) == 0 ? most : 1, most);
 }
 
-void check_against_stack(const Trees& trees) {
+template <class RanksOfA, class RanksOfB>
+void check_ranks(Trees& trees, RanksOfA ranks_of_a, RanksOfB ranks_of_b) {
+  set_ranks(trees.baked.a, ranks_of_a);
+  set_ranks(trees.baked.b, ranks_of_b);
   const Record ranked = record<Ranked<PostMesh>>(trees.baked, trees.overlap);
   const Record stack = record<RankedStack<PostMesh>>(trees.baked, trees.overlap);
   REQUIRE(ranked.ended);
@@ -76,24 +79,18 @@ const int kRounds = rounds(75, 300);
 }  // namespace
 
 TEST_CASE("ranked follows its stack when all ranks are equal") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
     Trees trees = any_trees(random, 30);
     const std::int32_t same = random.between(1, kMaxRank);
     const auto equal = [&](std::uint32_t, std::int32_t) { return same; };
-    set_ranks(trees.baked.a, equal);
-    set_ranks(trees.baked.b, equal);
-    check_against_stack(trees);
+    check_ranks(trees, equal, equal);
   }
 }
 
 TEST_CASE("ranked follows its stack when all ranks along each path are different") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 1);
+  Random random = test_random(1);
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
     Trees trees = any_trees(random, 30);
@@ -105,25 +102,19 @@ TEST_CASE("ranked follows its stack when all ranks along each path are different
                                       : parent_rank;
       };
     };
-    set_ranks(trees.baked.a, falling(0));
-    set_ranks(trees.baked.b, falling(1));
-    check_against_stack(trees);
+    check_ranks(trees, falling(0), falling(1));
   }
 }
 
 TEST_CASE("ranked follows its stack under random ranks, and through every pair of the walk") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 2);
+  Random random = test_random(2);
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
     Trees trees = any_trees(random, round % 10 == 0 ? 8 : 30);
     const auto any = [&](std::uint32_t, std::int32_t parent) {
       return random_rank(random, parent);
     };
-    set_ranks(trees.baked.a, any);
-    set_ranks(trees.baked.b, any);
-    check_against_stack(trees);
+    check_ranks(trees, any, any);
     if (round % 10 == 0) {
       PairCursor<std::uint16_t> cursor;
       NodePairs rest = record<Ranked<PostMesh>>(trees.baked, trees.overlap).visits;
@@ -137,9 +128,7 @@ TEST_CASE("ranked follows its stack under random ranks, and through every pair o
 }
 
 TEST_CASE("the alternating rule is the special case of ranks that fall with the level") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 3);
+  Random random = test_random(3);
   int compared = 0;
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);

@@ -67,12 +67,10 @@ Report cut(const SmallScene<Traversal::Tree::kLayout>& scene, uint32_t work, uin
 }  // namespace
 
 TEST_CASE("small trees: however a query is cut into runs, it gives the same pairs") {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  for_each_order<uint16_t>([seed](auto named) {
+  for_each_order<uint16_t>([](auto named) {
     using Order = typename decltype(named)::Order;
     CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
-    Random random(seed);
+    Random random = test_random();
     for (int round = 0; round < kRounds; ++round) {
       const Scene<Order> scene(random);
       Counts counts{};
@@ -91,12 +89,10 @@ TEST_CASE("small trees: however a query is cut into runs, it gives the same pair
 }
 
 TEST_CASE("small trees: a query resumed in a new object after any run goes on") {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  for_each_stackless_order<uint16_t>([seed](auto named) {
+  for_each_stackless_order<uint16_t>([](auto named) {
     using Order = typename decltype(named)::Order;
     CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
-    Random random(seed + 1);
+    Random random = test_random(1);
     for (int round = 0; round < kRounds; ++round) {
       CAPTURE(round);
       const Scene<Order> scene(random);
@@ -126,12 +122,10 @@ TEST_CASE("small trees: a query resumed in a new object after any run goes on") 
 }
 
 TEST_CASE("small trees: any numbers for a position are refused or lead to an end") {
-  const uint64_t seed = test_seed();
-  CAPTURE(seed);
-  for_each_stackless_order<uint16_t>([seed](auto named) {
+  for_each_stackless_order<uint16_t>([](auto named) {
     using Order = typename decltype(named)::Order;
     CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
-    Random random(seed + 2);
+    Random random = test_random(2);
     int refused = 0;
     int taken = 0;
     for (int round = 0; round < 100 * kRounds; ++round) {

@@ -83,12 +83,10 @@ void check_against_brute_force(Random& random, const Scale& scale, int tries) {
 }  // namespace
 
 TEST_CASE("under any pose a query finds exactly the pairs that brute force finds") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  for_each_order<std::uint16_t>([seed](auto named) {
+  for_each_order<std::uint16_t>([](auto named) {
     using Order = typename decltype(named)::Order;
     CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
-    Random random(seed);
+    Random random = test_random();
     check_against_brute_force<Order>(random, kTranslated, rounds(20, 100));
     check_against_brute_force<Order>(random, kSmall, rounds(15, 60));
     check_against_brute_force<Order>(random, kNear, rounds(15, 40));
@@ -97,34 +95,8 @@ TEST_CASE("under any pose a query finds exactly the pairs that brute force finds
   });
 }
 
-TEST_CASE("however a query is cut into runs, it gives the same pairs in order") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  for_each_order<std::uint16_t>([seed](auto named) {
-    using Order = typename decltype(named)::Order;
-    CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
-    Random random(seed + 1);
-    for (int round = 0; round < rounds(6, 30); ++round) {
-      const Scale& scale = round % 2 == 0 ? kSmall : kTranslated;
-      const auto scene = any_scene<Order::Tree::kLayout>(random, 14, scale);
-      AnyQuery<Order> whole(scene);
-      const Pairs expected = run_to_end(whole.query, kNoLimit, 10000);
-      for (const std::uint32_t work : {1u, 2u, 3u, 7u, 50u}) {
-        for (const std::uint32_t capacity : {1u, 2u, 5u}) {
-          CAPTURE(round, work, capacity);
-          AnyQuery<Order> cut(scene);
-          REQUIRE(run_to_end(cut.query, work, capacity) == expected);
-          REQUIRE(same(cut.query.counts(), whole.query.counts()));
-        }
-      }
-    }
-  });
-}
-
 TEST_CASE("the path of rotations, all but the identity, answers as the path of translations") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 5);
+  Random random = test_random(5);
   constexpr std::int32_t one = kRotationOne;
   for (int round = 0; round < 200; ++round) {
     CAPTURE(round);
@@ -144,9 +116,7 @@ TEST_CASE("the path of rotations, all but the identity, answers as the path of t
 }
 
 TEST_CASE("arguments swapped under an exact inverse give the same pairs") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 6);
+  Random random = test_random(6);
   std::size_t total = 0;
   for (int round = 0; round < 200; ++round) {
     CAPTURE(round);
@@ -174,9 +144,7 @@ TEST_CASE("arguments swapped under an exact inverse give the same pairs") {
 
 TEST_CASE(
     "a vertex transformed there and back by the inverse is at most 1.4 cells from where it was") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 7);
+  Random random = test_random(7);
   for (int round = 0; round < 2000; ++round) {
     const std::int32_t spread = round % 2 == 0 ? 9000 : 50;
     const bake::LatticeMesh mesh = random_mesh(random, 1, spread, 5);
@@ -197,9 +165,7 @@ TEST_CASE(
 }
 
 TEST_CASE("translated through contact a cell at a time, a rotated mesh is found at each step") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 8);
+  Random random = test_random(8);
   std::size_t most = 0;
   for (int round = 0; round < 6; ++round) {
     auto scene = any_scene<Layout::post_indexed>(random, 12, {8, 8, 0});
@@ -248,9 +214,7 @@ TEST_CASE("a mesh against itself, and one inside another without contact") {
 }
 
 TEST_CASE("a mesh that reaches another with its farthest tip alone is found") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 10);
+  Random random = test_random(10);
   const auto bake_it = [](const bake::LatticeMesh& mesh) {
     return bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh, 1), mesh);
   };
@@ -286,9 +250,7 @@ TEST_CASE("a mesh that reaches another with its farthest tip alone is found") {
 }
 
 TEST_CASE("offsets beyond all reach, and at its edge, under rotation") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 9);
+  Random random = test_random(9);
   const std::int32_t reaches[] = {16384, 40000, 44760,  48000,
                                   48001, 65536, 100000, kMaxTranslation};
   for (int round = 0; round < 400; ++round) {

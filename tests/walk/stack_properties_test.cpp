@@ -38,8 +38,7 @@ Stack copy_of(const PairStack<std::uint16_t>& stack) {
 }
 
 /// Runs the library's traversal one visit at a time and looks at its stack.
-Run run(std::uint64_t seed, std::uint32_t depth) {
-  Random random(seed);
+Run run(Random random, std::uint32_t depth) {
   const auto mesh_a = random_mesh(random, 1u << depth, 40, 20);
   const auto mesh_b = random_mesh(random, 1u << depth, 40, 20);
   Run run{bake_pair<Layout::pre_indexed>(full_tree(mesh_a, depth), mesh_a, full_tree(mesh_b, depth),
@@ -63,11 +62,9 @@ Run run(std::uint64_t seed, std::uint32_t depth) {
 
 template <class Check>
 void for_runs(Check check) {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
   for (std::uint32_t depth = 0; depth <= 5; ++depth) {
     for (std::uint64_t round = 0; round < 5; ++round) {
-      check(run(seed + round, depth));
+      check(run(test_random(round), depth));
     }
   }
 }
@@ -83,13 +80,23 @@ bool is_left(const Baked<Layout::pre_indexed>& tree, std::uint32_t node) {
   return tree.view().rcl(node) == 0;
 }
 
-/// The stack that was below each element when it was popped. An element is popped once.
-std::map<NodePair, Stack> stacks_below(const Run& run) {
-  std::map<NodePair, Stack> below;
-  for (const Iteration& iteration : run.iterations) {
-    below[iteration.popped] = iteration.below;
-  }
-  return below;
+/// Where B's level is `levels` below A's and `is_kind(A is a left child, B is one)`, popping a pair
+/// leaves the stack that was below the pair of their parents, of A, of B or of both.
+template <class IsKind>
+void check_stack_of_parent(std::uint32_t levels, IsKind is_kind, bool up_a, bool up_b) {
+  for_runs([&](const Run& run) {
+    std::map<NodePair, Stack> below;  // of each element when it was popped, which it is once
+    for (const Iteration& iteration : run.iterations) {
+      below[iteration.popped] = iteration.below;
+    }
+    for (const auto& [e, stack] : below) {
+      if (level_a(run, e) + levels == level_b(run, e) &&
+          is_kind(is_left(run.trees.a, e.first), is_left(run.trees.b, e.second))) {
+        REQUIRE(stack == below.at({up_a ? run.trees.a.climb[e.first] : e.first,
+                                   up_b ? run.trees.b.climb[e.second] : e.second}));
+      }
+    }
+  });
 }
 
 }  // namespace
@@ -172,36 +179,16 @@ TEST_CASE("property 6.4: between e and the element below it, only pairs below e 
 }
 
 TEST_CASE("property 6.5: popping (A, Br), A a level above Br, leaves the stack of (A, B)") {
-  for_runs([](const Run& run) {
-    const auto below = stacks_below(run);
-    for (const auto& [e, stack] : below) {
-      if (level_a(run, e) + 1 == level_b(run, e) && !is_left(run.trees.b, e.second)) {
-        REQUIRE(stack == below.at({e.first, run.trees.b.climb[e.second]}));
-      }
-    }
-  });
+  check_stack_of_parent(
+      1, [](bool, bool left_b) { return !left_b; }, false, true);
 }
 
 TEST_CASE("property 6.6: popping (Ar, Bl) of the same level leaves the stack of (A, Bl)") {
-  for_runs([](const Run& run) {
-    const auto below = stacks_below(run);
-    for (const auto& [e, stack] : below) {
-      if (level_a(run, e) == level_b(run, e) && !is_left(run.trees.a, e.first) &&
-          is_left(run.trees.b, e.second)) {
-        REQUIRE(stack == below.at({run.trees.a.climb[e.first], e.second}));
-      }
-    }
-  });
+  check_stack_of_parent(
+      0, [](bool left_a, bool left_b) { return !left_a && left_b; }, true, false);
 }
 
 TEST_CASE("property 6.7: popping (Ar, Br) of the same level leaves the stack of (A, B)") {
-  for_runs([](const Run& run) {
-    const auto below = stacks_below(run);
-    for (const auto& [e, stack] : below) {
-      if (level_a(run, e) == level_b(run, e) && !is_left(run.trees.a, e.first) &&
-          !is_left(run.trees.b, e.second)) {
-        REQUIRE(stack == below.at({run.trees.a.climb[e.first], run.trees.b.climb[e.second]}));
-      }
-    }
-  });
+  check_stack_of_parent(
+      0, [](bool left_a, bool left_b) { return !left_a && !left_b; }, true, true);
 }

@@ -69,9 +69,7 @@ void check_all(const Trees& trees) {
 }  // namespace
 
 TEST_CASE("all traversals agree on all pairs of sizes 1 to 8, over random shapes") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
+  Random random = test_random();
   for (std::uint32_t a = 1; a <= 8; ++a) {
     for (std::uint32_t b = 1; b <= 8; ++b) {
       for (int round = 0; round < rounds(8, 40); ++round) {
@@ -83,9 +81,7 @@ TEST_CASE("all traversals agree on all pairs of sizes 1 to 8, over random shapes
 }
 
 TEST_CASE("all traversals agree on random trees of every shape") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 1);
+  Random random = test_random(1);
   for (int round = 0; round < rounds(100, 600); ++round) {
     CAPTURE(round);
     check_all(any_trees(random, 1 + random.below(60), 1 + random.below(60)));
@@ -93,9 +89,7 @@ TEST_CASE("all traversals agree on random trees of every shape") {
 }
 
 TEST_CASE("all traversals agree on the trees of each builder, and find what brute force finds") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 5);
+  Random random = test_random(5);
   using Builder = bake::BuildTree (*)(const bake::LatticeMesh&);
   const Builder builders[] = {
       [](const bake::LatticeMesh& mesh) { return bake::build_default(mesh); },
@@ -117,9 +111,7 @@ TEST_CASE("all traversals agree on the trees of each builder, and find what brut
 }
 
 TEST_CASE("all traversals agree on chains as deep as their triangles, and on unequal heights") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 2);
+  Random random = test_random(2);
   for (int round = 0; round < 12; ++round) {
     CAPTURE(round);
     Trees trees = any_trees(random, 1 + random.below(120), 1 + random.below(120));
@@ -135,9 +127,7 @@ TEST_CASE("all traversals agree on chains as deep as their triangles, and on une
 }
 
 TEST_CASE("all traversals agree when everything overlaps, and when nothing does") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 3);
+  Random random = test_random(3);
   Trees trees = any_trees(random, 40, 40);
   trees.x = trees.y = trees.z = 0;
   for (bake::BuildNode& node : trees.a.nodes) {
@@ -150,9 +140,7 @@ TEST_CASE("all traversals agree when everything overlaps, and when nothing does"
 }
 
 TEST_CASE("the walk that starts at any pair goes on as the one that came there") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 4);
+  Random random = test_random(4);
   for (int round = 0; round < 40; ++round) {
     CAPTURE(round);
     const Trees trees = any_trees(random, 1 + random.below(12), 1 + random.below(12));

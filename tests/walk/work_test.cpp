@@ -26,7 +26,7 @@ std::uint32_t check_counts(const typename Order::Tree& a, const typename Order::
                            const Pose& pose) {
   Pairs pairs;
   std::vector<Counts> counts;
-  Asked<Order> whole(a, b, pose);
+  AnyQuery<Order> whole(a, b, pose);
   auto& query = whole.query;
   const Status status = query
                             .run(kNoLimit,
@@ -43,7 +43,7 @@ std::uint32_t check_counts(const typename Order::Tree& a, const typename Order::
     const Counts& before = counts[stop == 0 ? 0 : stop - 1];
     REQUIRE((counts[stop].visits >= before.visits && counts[stop].overlaps >= before.overlaps &&
              counts[stop].leaf_pairs >= before.leaf_pairs));
-    Asked<Order> cut(a, b, pose);
+    AnyQuery<Order> cut(a, b, pose);
     std::size_t found = 0;
     REQUIRE(cut.query.run(kNoLimit, [&](const auto&) { return found++ != stop; }).status ==
             Status::full);
@@ -66,9 +66,7 @@ std::uint32_t check_counts(const typename Order::Tree& a, const typename Order::
 }  // namespace
 
 TEST_CASE("counts inside a sink are those of a query that is stopped there") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 5);
+  Random random = test_random(5);
   std::uint32_t pairs = 0;
   for (int round = 0; round < 40; ++round) {
     CAPTURE(round);
@@ -83,25 +81,23 @@ TEST_CASE("counts inside a sink are those of a query that is stopped there") {
   CHECK(pairs > 1000);
 }
 
-TEST_CASE("wherever a batch of leaf pairs is cut, pairs and counts stay the same") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 6);
+TEST_CASE("however a query is cut into runs, its pairs, their order and counts stay the same") {
+  Random random = test_random(6);
   for (int round = 0; round < rounds(4, 20); ++round) {
     const Scene scene = any_scene(random);
-    for_each_stackless_order<std::uint16_t>([&](auto named) {
+    for_each_order<std::uint16_t>([&](auto named) {
       using Order = typename decltype(named)::Order;
       const auto a = scene.a.view<typename Order::Tree>();
       const auto b = scene.b.view<typename Order::Tree>();
-      Query<Order> whole(a, b, scene.pose);
-      const Pairs expected = run_to_end(whole, kNoLimit, 10000);
+      AnyQuery<Order> whole(a, b, scene.pose);
+      const Pairs expected = run_to_end(whole.query, kNoLimit, 10000);
       for (const std::uint32_t work :
            std::initializer_list<std::uint32_t>{1, 2, 7, 31, 33, 70, 300, kNoLimit}) {
         for (std::uint32_t capacity = 1; capacity < 10; ++capacity) {
           CAPTURE(round, named.name, static_cast<int>(Order::Tree::kLayout), work, capacity);
-          Query<Order> cut(a, b, scene.pose);
-          REQUIRE(run_to_end(cut, work, capacity) == expected);
-          REQUIRE(same(cut.counts(), whole.counts()));
+          AnyQuery<Order> cut(a, b, scene.pose);
+          REQUIRE(run_to_end(cut.query, work, capacity) == expected);
+          REQUIRE(same(cut.query.counts(), whole.query.counts()));
         }
       }
     });
@@ -109,7 +105,7 @@ TEST_CASE("wherever a batch of leaf pairs is cut, pairs and counts stay the same
 }
 
 TEST_CASE("counts stay right over more work than one batch may take") {
-  Random random(test_seed() + 7);
+  Random random = test_random(7);
   // Triangles in no order: nearly all boxes but the leaves' overlap.
   const auto mesh_a = random_mesh(random, 400, 3000, 40);
   const auto mesh_b = random_mesh(random, 400, 3000, 40);
@@ -166,9 +162,7 @@ bool is_work_of(const Counts& counts, std::uint32_t work, std::uint32_t most) {
 }  // namespace
 
 TEST_CASE("a run tests no more triangles than it is granted, and a step beyond, and gets on") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 8);
+  Random random = test_random(8);
   std::uint32_t inside_leaves = 0;
   for (int round = 0; round < rounds(40, 150); ++round) {
     CAPTURE(round);
@@ -213,9 +207,7 @@ TEST_CASE("a run tests no more triangles than it is granted, and a step beyond, 
 }
 
 TEST_CASE("work is visits, shapes and pairs of triangles") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed + 9);
+  Random random = test_random(9);
   for (int round = 0; round < 200; ++round) {
     CAPTURE(round);
     const Scene scene = any_scene(random);
@@ -244,7 +236,7 @@ TEST_CASE("work is visits, shapes and pairs of triangles") {
 }
 
 TEST_CASE("a pair of leaves may take more work than one walk may") {
-  Random random(test_seed() + 10);
+  Random random = test_random(10);
   const auto mesh_a = random_mesh(random, 255, 60, 60);
   const auto mesh_b = random_mesh(random, 510, 60, 60);
   const AnyMesh any_a(bake::build_median(mesh_a, kMaxLeafSize), mesh_a);
