@@ -6,6 +6,7 @@
 
 #include "bake/binary_tree.hpp"
 #include "bake/measure.hpp"
+#include "support/points.hpp"
 #include "support/shapes.hpp"
 #include "support/torus.hpp"
 
@@ -17,11 +18,6 @@ using bake::BuildTree;
 using bake::LatticeMesh;
 
 namespace {
-
-bool same(const Box& p, const Box& q) {
-  return p.lower.x == q.lower.x && p.lower.y == q.lower.y && p.lower.z == q.lower.z &&
-         p.upper.x == q.upper.x && p.upper.y == q.upper.y && p.upper.z == q.upper.z;
-}
 
 Box box_of_all(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles) {
   Box box = bake::box_of(mesh, triangles.at(0));
@@ -63,6 +59,8 @@ void check_whole(const BuildTree& tree, const LatticeMesh& mesh, std::uint32_t l
         static_cast<std::ptrdiff_t>(parents.size()) - 1);
   CHECK(std::count(leaves.begin(), leaves.end(), 1u) == static_cast<std::ptrdiff_t>(leaves.size()));
 }
+
+using flashbvh::test::same;
 
 bool same(const BuildTree& p, const BuildTree& q) {
   return std::equal(p.nodes.begin(), p.nodes.end(), q.nodes.begin(), q.nodes.end(),

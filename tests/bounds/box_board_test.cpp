@@ -6,7 +6,7 @@
 
 #include "flashbvh/detail/bounds/box.hpp"
 #include "support/box_in_node.hpp"
-#include "support/random.hpp"
+#include "support/points.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -15,10 +15,6 @@ using namespace flashbvh::test;
 namespace {
 
 constexpr std::int32_t kMost = kMaxCoordinate;
-
-bool same(const Vertex& a, const Vertex& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z;
-}
 
 bool overlap_1d(std::int32_t low_a, std::int32_t high_a, std::int32_t low_b, std::int32_t high_b,
                 std::int64_t t) {
@@ -83,8 +79,7 @@ TEST_CASE("packing a box loses nothing") {
     const Box original = box(random);
     const PackedBox packed = pack(original);
     const Box back = unpack(packed);
-    REQUIRE(same(back.lower, original.lower));
-    REQUIRE(same(back.upper, original.upper));
+    REQUIRE(same(back, original));
     REQUIRE(extent_x(packed) == static_cast<std::uint32_t>(original.upper.x - original.lower.x));
     REQUIRE(extent_y(packed) == static_cast<std::uint32_t>(original.upper.y - original.lower.y));
     REQUIRE(extent_z(packed) == static_cast<std::uint32_t>(original.upper.z - original.lower.z));

@@ -6,7 +6,7 @@
 #include "bounds/box_rotated_plain.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 #include "support/box_in_node.hpp"
-#include "support/random.hpp"
+#include "support/points.hpp"
 #include "support/rotations.hpp"
 
 using namespace flashbvh;
@@ -16,7 +16,6 @@ using namespace flashbvh::test;
 namespace {
 
 constexpr int32_t kMost = kMaxCoordinate;
-constexpr int16_t Vertex::*kAxes[] = {&Vertex::x, &Vertex::y, &Vertex::z};
 
 /// A biased bound, in kSplitOne a cell, cut to whole cells on the lattice.
 uint32_t whole_cells(int64_t bound) {
@@ -60,10 +59,6 @@ PackedBox rotated_without_zeros(const SplitMatrix& matrix, const BoundStart* sta
   return rotated;
 }
 
-bool same(const PackedBox& a, const PackedBox& b) {
-  return a.upper_xy == b.upper_xy && a.lower_xy == b.lower_xy && a.z == b.z;
-}
-
 bool overlap(const PackedBox& packed_a, const PackedBox& packed_b) {
   const Box a = unpack(packed_a);
   const Box b = unpack(packed_b);
@@ -85,7 +80,7 @@ PackedBox any_box(Random& random) {
     }
   };
   Box box{};
-  for (const auto axis : kAxes) {
+  for (const auto axis : kVertexAxes) {
     const int32_t u = coordinate();
     const int32_t v = coordinate();
     box.lower.*axis = static_cast<int16_t>(u < v ? u : v);
@@ -97,7 +92,7 @@ PackedBox any_box(Random& random) {
 /// The whole lattice but for what lies before a side of `box`, or that and a cell more: whether it
 /// overlaps `box` depends on that one bound.
 PackedBox box_beside(Random& random, const PackedBox& box) {
-  const auto axis = kAxes[random.below(3)];
+  const auto axis = kVertexAxes[random.below(3)];
   const Box side = unpack(box);
   Box beside = {{-kMost, -kMost, -kMost}, {kMost, kMost, kMost}};
   const int32_t above = side.upper.*axis + random.between(0, 1);

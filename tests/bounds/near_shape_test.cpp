@@ -7,6 +7,7 @@
 
 #include "flashbvh/clearance.hpp"
 #include "support/any_mesh.hpp"
+#include "support/points.hpp"
 #include "support/rotations.hpp"
 
 using namespace flashbvh;
@@ -22,11 +23,6 @@ AnyMesh mesh_of(const Vertex& p, const Vertex& q, const Vertex& r) {
   mesh.triangles = {{0, 1, 2}};
   bake::BuildTree tree = chain(mesh, true);
   return AnyMesh(tree, mesh);
-}
-
-Vertex any_vertex(Random& random, std::int32_t reach) {
-  const auto at = [&] { return static_cast<std::int16_t>(random.between(-reach, reach)); };
-  return {at(), at(), at()};
 }
 
 /// A point above the middle of a triangle, `height` off its plane, or beside its longest edge.

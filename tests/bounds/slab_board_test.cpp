@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "flashbvh/detail/bounds/slab_simd.hpp"
-#include "support/random.hpp"
+#include "support/points.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -23,11 +23,6 @@ PackedVector any_direction(Random& random) {
   const std::int32_t most = random.below(4) == 0 ? 8191 : 1 << random.below(13);
   const auto at = [&] { return random.between(-most, most); };
   return vector(at(), at(), at());
-}
-
-Vertex any_vertex(Random& random, std::int32_t most) {
-  const auto at = [&] { return static_cast<std::int16_t>(random.between(-most, most)); };
-  return {at(), at(), at()};
 }
 
 Box any_box(Random& random, std::int32_t most) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "predicates/segment_hit.hpp"
-#include "support/random.hpp"
+#include "support/points.hpp"
 #include "support/segment_oracle.hpp"
 
 using namespace flashbvh;
@@ -76,11 +76,6 @@ void check_segment(const Segment& segment, const Triangle& t, Seen& seen) {
     REQUIRE(detail::first_meeting(segment, turned, other, other_side));
     REQUIRE((detail::order_along(along, other) == 0 && other_side == -side));
   }
-}
-
-Point any_point(Random& random, std::int32_t reach) {
-  const auto at = [&] { return random.between(-reach, reach); };
-  return {at(), at(), at()};
 }
 
 Point point_between(const Point& u, const Point& v, std::int32_t share) {
@@ -156,8 +151,7 @@ TEST_CASE("a segment first meets a triangle where exact rationals say") {
   const auto tries = rounds(8000u, 40'000u);
   for (std::uint32_t round = 0; round < tries; ++round) {
     const std::int32_t reach = 1 + static_cast<std::int32_t>(random.below(3));
-    const Triangle t = {
-        {any_point(random, reach), any_point(random, reach), any_point(random, reach)}};
+    const Triangle t = any_triangle(random, reach);
     check_segment({any_point(random, reach), any_point(random, reach)}, t, seen);
   }
   CHECK((seen.hits > tries / 8 && seen.misses > tries / 4 && seen.in_plane > tries / 40));
@@ -169,8 +163,7 @@ TEST_CASE("a segment meets corners and edges of large triangles, from far off") 
   const auto tries = rounds(1000u, 6'000u);
   for (std::uint32_t round = 0; round < tries; ++round) {
     const auto reach = static_cast<std::int32_t>(1 + random.below(kMaxCoordinate));
-    const Triangle t = {
-        {any_point(random, reach), any_point(random, reach), any_point(random, reach)}};
+    const Triangle t = any_triangle(random, reach);
     const Point from = any_point(random, round % 2 == 0 ? reach : kMaxRayCoordinate / 2 - 40'000);
     // Through a corner, or the middle of an edge; twice as far, or just there, or just short of it.
     const Point& u = t.corner[random.below(3)];

@@ -8,35 +8,18 @@
 #include <catch2/catch.hpp>
 #include <initializer_list>
 
-#include "support/random.hpp"
 #include "support/triangle_oracle.hpp"
+#include "support/triangle_pairs.hpp"
 
 namespace flashbvh::test {
 namespace {
 
-struct Pair {
-  Triangle a;
-  Triangle b;
-};
-
-Point plus(const Point& p, const Point& q) {
-  return {p.x + q.x, p.y + q.y, p.z + q.z};
-}
-Point times(int32_t n, const Point& p) {
-  return {n * p.x, n * p.y, n * p.z};
-}
-
-Triangle translated(const Triangle& t, const Point& by) {
-  return {{plus(t.corner[0], by), plus(t.corner[1], by), plus(t.corner[2], by)}};
-}
-
 /// Whether all 36 orders of corners, each in both orders of arguments, give the expected answer.
 bool all_orders_answer(bool expected, const Triangle& a, const Triangle& b) {
-  constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-  for (const auto& i : kOrders) {
-    for (const auto& j : kOrders) {
-      const Triangle p = {{a.corner[i[0]], a.corner[i[1]], a.corner[i[2]]}};
-      const Triangle q = {{b.corner[j[0]], b.corner[j[1]], b.corner[j[2]]}};
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      const Triangle p = ordered(a, i);
+      const Triangle q = ordered(b, j);
       if (detail::triangles_intersect(p, q) != expected ||
           detail::triangles_intersect(q, p) != expected) {
         return false;
@@ -168,74 +151,19 @@ void check_cases(const Case (&cases)[kCount]) {
   }
 }
 
-Point random_point(Random& random, int32_t size) {
-  // A third of the coordinates lies on the rim, for determinants as large as they can get.
-  const auto coordinate = [&] {
-    return random.below(3) != 0 ? random.between(0, size) : random.below(2) != 0 ? size : 0;
-  };
-  return {coordinate(), coordinate(), coordinate()};
-}
-
-/// A triangle, sometimes a segment or a point, within [0, size] along each axis.
-Triangle random_triangle(Random& random, int32_t size) {
-  Triangle t;
-  for (Point& corner : t.corner) {
-    corner = random_point(random, size);
-  }
-  const uint32_t shape = random.below(8);
-  if (shape == 0) {
-    t.corner[1] = t.corner[0];
-  } else if (shape == 1) {
-    t.corner[1] = t.corner[2] = t.corner[0];
-  }
-  return t;
-}
-
-/// Two triangles near or in one plane or line: lattice steps u and v from one origin.
-Pair random_coplanar(Random& random, int32_t size) {
-  const int32_t step = size / 8 > 0 ? size / 8 : 1;
-  const Point o = random_point(random, step);
-  const Point u = random_point(random, step);
-  const Point v = random_point(random, step);
-  const int32_t line = random.below(4) == 0 ? 0 : 3;
-  Pair pair;
-  for (Triangle* t : {&pair.a, &pair.b}) {
-    for (Point& corner : t->corner) {
-      corner = plus(o, plus(times(random.between(0, 3), u), times(random.between(0, line), v)));
-    }
-  }
-  return pair;
-}
-
-/// Two triangles with a common point by construction: b has it as corner or on an edge, a in its
-/// face, on an edge or as corner.
-Pair random_touching(Random& random, int32_t size) {
-  const int32_t step = size / 12 > 0 ? size / 12 : 1;
-  const Point o = plus(random_point(random, step), {4 * step, 4 * step, 4 * step});
-  const Point u = random_point(random, step);
-  const Point v = random_point(random, step);
-  const int32_t i = random.between(0, 4);
-  const Point common = plus(o, plus(times(i, u), times(random.between(0, 4 - i), v)));
-  const Point w = random_point(random, step);
-  const Point start = plus(common, times(-random.between(0, 2), w));
-  const Point end = plus(common, times(random.between(0, 2), w));
-  return {{{o, plus(o, times(4, u)), plus(o, times(4, v))}},
-          {{start, end, random_point(random, size)}}};
-}
-
 constexpr int32_t kSizes[] = {1, 2, 3, 5, 24, 1000, 32767, 32768, 65535, detail::kMaxDifference};
 
 /// Any kind of pair; `touching` tells whether it has a common point by construction.
-Pair random_pair(Random& random, bool& touching) {
+TransformedPair random_pair(Random& random, bool& touching) {
   const int32_t size = kSizes[random.below(sizeof kSizes / sizeof kSizes[0])];
   const uint32_t kind = random.below(6);
-  Pair pair = {random_triangle(random, size), random_triangle(random, size)};
+  TransformedPair pair = {triangle_within(random, size), triangle_within(random, size)};
   touching = kind >= 1 && kind <= 3;
   if (kind == 0) {
-    return random_coplanar(random, size);
+    return coplanar_pair(random, size);
   }
   if (kind == 1 && size >= 24) {
-    return random_touching(random, size);
+    return touching_pair(random, size);
   }
   if (kind <= 3) {
     pair.b.corner[0] = pair.a.corner[0];
@@ -247,9 +175,9 @@ Pair random_pair(Random& random, bool& touching) {
 }
 
 /// The pair with its lowest coordinates (highest where `up`) at the end of 32 bits.
-Pair at_the_end(const Pair& pair, bool up) {
+TransformedPair at_the_end(const TransformedPair& pair, bool up) {
   Point end = pair.a.corner[0];
-  for (int32_t Point::*axis : {&Point::x, &Point::y, &Point::z}) {
+  for (int32_t Point::*axis : kPointAxes) {
     for (const Triangle* t : {&pair.a, &pair.b}) {
       for (const Point& corner : t->corner) {
         end.*axis = (corner.*axis > end.*axis) == up ? corner.*axis : end.*axis;
@@ -257,10 +185,9 @@ Pair at_the_end(const Pair& pair, bool up) {
     }
   }
   const int32_t limit = up ? INT32_MAX : INT32_MIN;
-  const Point to_zero = times(-1, end);
+  const Point to_zero = scaled(-1, end);
   const Point to_end = {limit, limit, limit};
-  return {translated(translated(pair.a, to_zero), to_end),
-          translated(translated(pair.b, to_zero), to_end)};
+  return {shifted(shifted(pair.a, to_zero), to_end), shifted(shifted(pair.b, to_zero), to_end)};
 }
 
 #if defined(__SIZEOF_INT128__)
@@ -288,11 +215,9 @@ TEST_CASE("the order of corners and of arguments changes nothing", "[triangle]")
   Random random = test_random();
   for (uint32_t run = 0; run < kSymmetryPairs; ++run) {
     bool touching = false;
-    const Pair pair = random_pair(random, touching);
-    if (!all_orders_answer(detail::triangles_intersect(pair.a, pair.b), pair.a, pair.b)) {
-      CAPTURE(run);
-      FAIL("an order changes the answer");
-    }
+    const TransformedPair pair = random_pair(random, touching);
+    CAPTURE(run);
+    REQUIRE(all_orders_answer(detail::triangles_intersect(pair.a, pair.b), pair.a, pair.b));
   }
 }
 
@@ -300,14 +225,12 @@ TEST_CASE("the place changes nothing, at either end of 32 bits", "[triangle]") {
   Random random = test_random();
   for (uint32_t run = 0; run < 4 * kSymmetryPairs; ++run) {
     bool touching = false;
-    const Pair pair = random_pair(random, touching);
+    const TransformedPair pair = random_pair(random, touching);
     const bool here = detail::triangles_intersect(pair.a, pair.b);
     for (const bool up : {false, true}) {
-      const Pair there = at_the_end(pair, up);
-      if (detail::triangles_intersect(there.a, there.b) != here) {
-        CAPTURE(run, up);
-        FAIL("the place changes the answer");
-      }
+      const TransformedPair there = at_the_end(pair, up);
+      CAPTURE(run, up);
+      REQUIRE(detail::triangles_intersect(there.a, there.b) == here);
     }
   }
 }
@@ -316,7 +239,7 @@ TEST_CASE("triangles with a common point by construction intersect", "[triangle]
   Random random = test_random();
   for (uint32_t run = 0; run < 4 * kSymmetryPairs; ++run) {
     bool touching = false;
-    const Pair pair = random_pair(random, touching);
+    const TransformedPair pair = random_pair(random, touching);
     if (touching && !detail::triangles_intersect(pair.a, pair.b)) {
       CAPTURE(run);
       FAIL("a common point is missed");
@@ -357,11 +280,9 @@ TEST_CASE("small triangles agree with the oracle", "[triangle][oracle]") {
   Random random = test_random();
   for (uint32_t run = 0; run < rounds(60000u, 400000u); ++run) {
     const int32_t size = random.between(2, 3);
-    const Pair pair = {random_triangle(random, size), random_triangle(random, size)};
-    if (!agrees(pair.a, pair.b)) {
-      CAPTURE(run);
-      FAIL("the oracle disagrees");
-    }
+    const TransformedPair pair = {triangle_within(random, size), triangle_within(random, size)};
+    CAPTURE(run);
+    REQUIRE(agrees(pair.a, pair.b));
   }
 }
 
@@ -369,15 +290,13 @@ TEST_CASE("triangles of every kind and size agree with the oracle", "[triangle][
   Random random = test_random();
   for (uint32_t run = 0; run < rounds(60000u, 400000u); ++run) {
     bool touching = false;
-    Pair pair = random_pair(random, touching);
+    TransformedPair pair = random_pair(random, touching);
     // Every other pair is shaken by one cell: from touching to nearly touching.
     int32_t Point::*const axis = random.below(2) != 0 ? &Point::x : &Point::z;
     Point& corner = pair.b.corner[random.below(3)];
     corner.*axis -= random.below(2) != 0 && corner.*axis > 0 ? 1 : 0;
-    if (!agrees(pair.a, pair.b)) {
-      CAPTURE(run);
-      FAIL("the oracle disagrees");
-    }
+    CAPTURE(run);
+    REQUIRE(agrees(pair.a, pair.b));
   }
 }
 

@@ -7,7 +7,7 @@
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "support/distance_oracle.hpp"
-#include "support/random.hpp"
+#include "support/points.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -154,23 +154,6 @@ void check(const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen,
   check_within(a, b, truth);
 }
 
-/// Orders of the corners.
-Triangle permuted(const Triangle& t, unsigned order) {
-  std::array<int, 3> at = {0, 1, 2};
-  for (unsigned i = 0; i < order; ++i) {
-    std::next_permutation(at.begin(), at.end());
-  }
-  return {{t.corner[at[0]], t.corner[at[1]], t.corner[at[2]]}};
-}
-
-Point any_point(Random& random, std::int32_t reach) {
-  return {random.between(-reach, reach), random.between(-reach, reach),
-          random.between(-reach, reach)};
-}
-Triangle any_triangle(Random& random, std::int32_t reach) {
-  return {{any_point(random, reach), any_point(random, reach), any_point(random, reach)}};
-}
-
 /// What is odd about a pair: flat in some way, sharing what it can share.
 void adapt(Random& random, unsigned kind, Triangle& a, Triangle& b) {
   switch (kind) {
@@ -213,12 +196,6 @@ void adapt(Random& random, unsigned kind, Triangle& a, Triangle& b) {
   }
 }
 
-void translate(Triangle& t, const Point& by) {
-  for (Point& corner : t.corner) {
-    corner = {corner.x + by.x, corner.y + by.y, corner.z + by.z};
-  }
-}
-
 }  // namespace
 
 TEST_CASE("distances of triangles are those of exact rationals") {
@@ -235,7 +212,7 @@ TEST_CASE("distances of triangles are those of exact rationals") {
     Triangle a = any_triangle(random, reach);
     Triangle b = any_triangle(random, reach);
     adapt(random, random.below(12), a, b);
-    translate(b, any_point(random, offset));
+    b = shifted(b, any_point(random, offset));
     check(a, b, seen, separations);
   }
   CHECK(seen.size() == 7);
@@ -252,13 +229,13 @@ TEST_CASE("no order of corners changes a distance") {
     Triangle a = any_triangle(random, 40);
     Triangle b = any_triangle(random, 40);
     adapt(random, random.below(12), a, b);
-    translate(b, any_point(random, 60));
+    b = shifted(b, any_point(random, 60));
     Features features{};
     const mpq_class truth = squared_distance(a, b, features);
-    for (unsigned i = 0; i < 6; ++i) {
-      for (unsigned j = 0; j < 6; ++j) {
-        REQUIRE(squared_distance(permuted(a, i), permuted(b, j), features) == truth);
-        REQUIRE(squared_distance(permuted(b, j), permuted(a, i), features) == truth);
+    for (int i = 0; i < 6; ++i) {
+      for (int j = 0; j < 6; ++j) {
+        REQUIRE(squared_distance(ordered(a, i), ordered(b, j), features) == truth);
+        REQUIRE(squared_distance(ordered(b, j), ordered(a, i), features) == truth);
       }
     }
   }
@@ -281,7 +258,7 @@ TEST_CASE("every small pair of triangles in a plane and beside it") {
   for (const Triangle& a : all) {
     for (std::size_t i = 0; i < all.size(); i += 3) {
       Triangle b = all[i];
-      translate(b, {1, 1, static_cast<std::int32_t>(i % 3)});
+      b = shifted(b, {1, 1, static_cast<std::int32_t>(i % 3)});
       check(a, b, seen, separations);
     }
   }

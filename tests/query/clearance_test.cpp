@@ -8,6 +8,7 @@
 #include "flashbvh/clearance.hpp"
 #include "support/all_distances.hpp"
 #include "support/any_mesh.hpp"
+#include "support/points.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -20,14 +21,6 @@ bool is_of(const std::vector<Pairwise>& all, const Fraction& squared,
   return std::any_of(all.begin(), all.end(), [&](const Pairwise& p) {
     return p.id_a == pair.a && p.id_b == pair.b && compare(p.squared, squared) == 0;
   });
-}
-
-bool same(const FinePoint& p, const FinePoint& q) {
-  return p.x == q.x && p.y == q.y && p.z == q.z;
-}
-bool same(const Counts& u, const Counts& v) {
-  return u.visits == v.visits && u.overlaps == v.overlaps && u.leaf_pairs == v.leaf_pairs &&
-         u.triangle_pairs == v.triangle_pairs;
 }
 
 void check_result(const std::vector<Pairwise>& all, const Clearance<std::uint16_t>& found) {

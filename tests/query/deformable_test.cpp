@@ -8,6 +8,7 @@
 #include "flashbvh/solid.hpp"
 #include "support/any_mesh.hpp"
 #include "support/bending.hpp"
+#include "support/points.hpp"
 #include "support/torus.hpp"
 #include "support/transformed_mesh.hpp"
 
@@ -16,17 +17,9 @@ using namespace flashbvh::test;
 
 namespace {
 
-#if defined(FLASHBVH_ON_BOARD)
-constexpr int kShare = 10;
-#else
-constexpr int kShare = 1;
-#endif
+constexpr int kShare = share_on_board(10);
 
 using detail::PackedBox;
-
-bool same_box(const PackedBox& a, const PackedBox& b) {
-  return a.upper_xy == b.upper_xy && a.lower_xy == b.lower_xy && a.z == b.z;
-}
 
 /// Of all vertices below a node, gathered from the top.
 template <class Mesh>
@@ -88,7 +81,7 @@ void check_refits(Random& random, int rounds) {
       std::int64_t longest = 0;
       for (std::uint32_t node = 0; node < mesh.node_count; ++node) {
         CAPTURE(node);
-        REQUIRE(same_box(mesh.nodes[node].box, box_below(mesh, node)));
+        REQUIRE(test::same(mesh.nodes[node].box, box_below(mesh, node)));
         REQUIRE(mesh.nodes[node].link == bent.baked.nodes[node].link);
         REQUIRE(mesh.nodes[node].data == bent.baked.nodes[node].data);
       }
@@ -273,7 +266,7 @@ TEST_CASE(
   bent.vertices[bent.baked.triangles.back().corner[0]].x += 3;
   bent.mesh.start_again();
   whole();
-  REQUIRE(same_box(bent.nodes[0].box, box_below(bent.mesh.mesh(), 0)));
+  REQUIRE(test::same(bent.nodes[0].box, box_below(bent.mesh.mesh(), 0)));
 
   DeformableQuery<ClearanceQuery> near(bent.mesh, rigid, Pose::translated(200, 0, 0));
   REQUIRE(near.run(UINT32_MAX).status == Status::done);

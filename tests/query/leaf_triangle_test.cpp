@@ -17,8 +17,6 @@ using namespace flashbvh::test;
 
 namespace {
 
-constexpr std::int16_t Vertex::*kVertexAxes[3] = {&Vertex::x, &Vertex::y, &Vertex::z};
-
 /// Whether no edge is longer than 2^15 - 1 cells along an axis.
 bool is_narrow(const Triangle& t) {
   for (const auto axis : kPointAxes) {

@@ -11,6 +11,7 @@
 #include "support/aimed_rays.hpp"
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
+#include "support/points.hpp"
 #include "support/torus.hpp"
 #include "support/winding.hpp"
 
@@ -19,18 +20,9 @@ using namespace flashbvh::test;
 
 namespace {
 
-#if defined(FLASHBVH_ON_BOARD)
-constexpr int kShare = 20;
-#else
-constexpr int kShare = 1;
-#endif
+constexpr int kShare = share_on_board(20);
 
 using Hit = RayHit<std::uint16_t>;
-
-Point any_point(Random& random, std::int32_t reach) {
-  const auto at = [&] { return random.between(-reach, reach); };
-  return {at(), at(), at()};
-}
 
 Point moved(const Point& p, const std::int32_t (&by)[3]) {
   return {p.x + by[0], p.y + by[1], p.z + by[2]};

@@ -12,11 +12,7 @@ using namespace flashbvh::test;
 
 namespace {
 
-#if defined(FLASHBVH_ON_BOARD)
-constexpr int kShare = 10;
-#else
-constexpr int kShare = 1;
-#endif
+constexpr int kShare = share_on_board(10);
 
 /// By source numbers, the smaller first.
 Pairs unordered(Pairs pairs) {

@@ -9,6 +9,7 @@
 #include "flashbvh/solid.hpp"
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
+#include "support/points.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;
@@ -44,11 +45,6 @@ void compare(const PostMesh& mesh, const PostMesh& shape, const Pose& pose) {
   CHECK(distance(shape, mesh, pose).lower == distance(same, mesh, pose).lower);
   CHECK(closer_than(mesh, shape, pose, found.upper).yes);
   CHECK((found.lower == 0 || !closer_than(mesh, shape, pose, found.lower - 1).yes));
-}
-
-Point any_point(Random& random, std::int32_t reach) {
-  const auto at = [&] { return random.between(-reach, reach); };
-  return {at(), at(), at()};
 }
 
 }  // namespace

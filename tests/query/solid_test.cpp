@@ -14,11 +14,7 @@ using namespace flashbvh::test;
 namespace {
 
 // Solid angles take boards long.
-#if defined(FLASHBVH_ON_BOARD)
-constexpr int kShare = 30;
-#else
-constexpr int kShare = 1;
-#endif
+constexpr int kShare = share_on_board(30);
 
 /// By another way, in A's lattice.
 PointSide truth_of(const PostMesh& mesh, const detail::Transform* transform, const Point& p) {

@@ -56,6 +56,15 @@ Count rounds(Count few, Count many) {
   return is_thorough() ? many : few;
 }
 
+/// On a board one in `share` of the tries.
+constexpr int share_on_board([[maybe_unused]] int share) {
+#if defined(FLASHBVH_ON_BOARD)
+  return share;
+#else
+  return 1;
+#endif
+}
+
 /// The seed of this run: FLASHBVH_SEED, decimal or 0x hexadecimal, or a fixed one where unset.
 inline uint64_t test_seed() {
   const char* const text = setting("FLASHBVH_SEED");

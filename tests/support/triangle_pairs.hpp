@@ -6,8 +6,7 @@
 
 #include <initializer_list>
 
-#include "flashbvh/contact.hpp"
-#include "support/random.hpp"
+#include "support/points.hpp"
 
 namespace flashbvh::test {
 
@@ -15,18 +14,6 @@ struct TransformedPair {
   Triangle a;
   Triangle b;
 };
-
-constexpr int32_t Point::*kPointAxes[3] = {&Point::x, &Point::y, &Point::z};
-
-inline Point sum(const Point& p, const Point& q) {
-  return {p.x + q.x, p.y + q.y, p.z + q.z};
-}
-inline Point scaled(int32_t n, const Point& p) {
-  return {n * p.x, n * p.y, n * p.z};
-}
-inline Triangle shifted(const Triangle& t, const Point& by) {
-  return {{sum(t.corner[0], by), sum(t.corner[1], by), sum(t.corner[2], by)}};
-}
 
 /// Within [0, size]; a third of the coordinates lies on the rim.
 inline Point point_within(Random& random, int32_t size) {

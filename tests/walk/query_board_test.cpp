@@ -5,7 +5,7 @@
 #include "flashbvh/contact.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
-#include "support/same_triangle.hpp"
+#include "support/points.hpp"
 #include "support/small_scene.hpp"
 
 using namespace flashbvh;
