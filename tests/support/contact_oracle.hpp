@@ -12,8 +12,6 @@
 
 #include "support/triangle_oracle.hpp"
 
-#if defined(__SIZEOF_INT128__)
-
 #include <array>
 #include <vector>
 
@@ -153,7 +151,5 @@ inline std::vector<Rational> common_corners(const Triangle& a, const Triangle& b
 }
 
 }  // namespace flashbvh::test
-
-#endif  // __SIZEOF_INT128__
 
 #endif

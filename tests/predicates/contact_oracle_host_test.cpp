@@ -9,8 +9,6 @@
 #include "support/random.hpp"
 #include "support/triangle_pairs.hpp"
 
-#if defined(__SIZEOF_INT128__)
-
 namespace flashbvh::test {
 namespace {
 
@@ -172,5 +170,3 @@ TEST_CASE("contact: triangles of every kind agree with exact rationals", "[conta
 }
 
 }  // namespace flashbvh::test
-
-#endif
