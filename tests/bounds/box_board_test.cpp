@@ -5,7 +5,6 @@
 #include <initializer_list>
 
 #include "flashbvh/detail/bounds/box.hpp"
-#include "support/box_in_node.hpp"
 #include "support/points.hpp"
 
 using namespace flashbvh;

@@ -5,7 +5,6 @@
 
 #include "bounds/box_rotated_plain.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
-#include "support/box_in_node.hpp"
 #include "support/points.hpp"
 #include "support/rotations.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "predicates/segment_hit.hpp"
 #include "support/points.hpp"
-#include "support/segment_oracle.hpp"
+#include "support/rational_oracles.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "support/aimed_rays.hpp"
+#include "query/aimed_rays.hpp"
 #include "support/any_mesh.hpp"
 #include "support/torus.hpp"
 

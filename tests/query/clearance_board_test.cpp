@@ -3,8 +3,8 @@
 #include <initializer_list>
 
 #include "flashbvh/clearance.hpp"
-#include "support/pairs_of_triangles.hpp"
 #include "support/small_scene.hpp"
+#include "support/transformed_vertex.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;

@@ -8,12 +8,11 @@
 
 #include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
-#include "support/aimed_rays.hpp"
+#include "query/aimed_rays.hpp"
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
 #include "support/points.hpp"
 #include "support/torus.hpp"
-#include "support/winding.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;

@@ -6,7 +6,6 @@
 #include "support/boxes.hpp"
 #include "support/torus.hpp"
 #include "support/transformed_vertex.hpp"
-#include "support/winding.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;

@@ -1,6 +1,6 @@
 // The distance of every pair of triangles of two meshes, by brute force.
-#ifndef FLASHBVH_TESTS_CLEARANCE_ALL_DISTANCES_HPP
-#define FLASHBVH_TESTS_CLEARANCE_ALL_DISTANCES_HPP
+#ifndef FLASHBVH_TESTS_SUPPORT_ALL_DISTANCES_HPP
+#define FLASHBVH_TESTS_SUPPORT_ALL_DISTANCES_HPP
 
 #include <catch2/catch.hpp>
 
@@ -12,7 +12,7 @@
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
-#include "support/pairs_of_triangles.hpp"
+#include "support/transformed_vertex.hpp"
 
 namespace flashbvh::test {
 

@@ -1,6 +1,6 @@
 // Meshes in both layouts, poses, and queries by any order.
-#ifndef FLASHBVH_TESTS_PROPERTY_ANY_MESH_HPP
-#define FLASHBVH_TESTS_PROPERTY_ANY_MESH_HPP
+#ifndef FLASHBVH_TESTS_SUPPORT_ANY_MESH_HPP
+#define FLASHBVH_TESTS_SUPPORT_ANY_MESH_HPP
 
 #include <cstdint>
 #include <tuple>

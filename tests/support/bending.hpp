@@ -1,6 +1,6 @@
 // Meshes that bend, for tests: soups, sheets and tubes, and ways to move their vertices.
-#ifndef FLASHBVH_TESTS_DEFORMABLE_BENDING_HPP
-#define FLASHBVH_TESTS_DEFORMABLE_BENDING_HPP
+#ifndef FLASHBVH_TESTS_SUPPORT_BENDING_HPP
+#define FLASHBVH_TESTS_SUPPORT_BENDING_HPP
 
 #include <algorithm>
 #include <cstdint>

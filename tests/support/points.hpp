@@ -73,6 +73,18 @@ inline bool same_place(const Contact& c, const Contact& d) {
   return c.kind == d.kind && same(c.ends[0], d.ends[0]) && same(c.ends[1], d.ends[1]);
 }
 
+/// A packed box with something after it, as in a node: some forms of the overlap tests read that,
+/// and none may mind it.
+struct BoxInNode {
+  detail::PackedBox box;
+  uint32_t rest;
+};
+
+inline BoxInNode in_node(Random& random, const detail::Box& box) {
+  constexpr uint32_t rests[] = {0, 0xFFFF, 0xFFFF0000, 0x80008000, 0x7FFF7FFF, 0xFFFFFFFF};
+  return {detail::pack(box), rests[random.below(6)]};
+}
+
 }  // namespace flashbvh::test
 
 #endif

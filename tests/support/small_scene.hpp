@@ -1,7 +1,7 @@
 // Two meshes, their trees and a pose in 4 KB of stack, and which of their triangles intersect: for
 // tests that run on every board.
-#ifndef FLASHBVH_TESTS_SMALL_TREE_SCENE_HPP
-#define FLASHBVH_TESTS_SMALL_TREE_SCENE_HPP
+#ifndef FLASHBVH_TESTS_SUPPORT_SMALL_SCENE_HPP
+#define FLASHBVH_TESTS_SUPPORT_SMALL_SCENE_HPP
 
 #include <stdint.h>
 

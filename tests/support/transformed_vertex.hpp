@@ -5,6 +5,7 @@
 
 #include <stdint.h>
 
+#include "flashbvh/detail/bounds/transform.hpp"
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
@@ -67,6 +68,22 @@ void brute_force(const Mesh& a, uint32_t count_a, const Mesh& b, uint32_t count_
       if (detail::triangles_intersect(of_a, transformed(b, j, pose))) {
         found(i, j);
       }
+    }
+  }
+}
+
+/// Every pair of triangles of two meshes, as a query has them: by the library's transform.
+/// `visit(i, j, of_a, of_b)`: by their positions, in A's lattice.
+template <class Mesh, class Visit>
+void for_all_pairs(const Mesh& a, const Mesh& b, const detail::Transform& transform,
+                   const Visit& visit) {
+  for (uint32_t i = 0; i < a.triangle_count; ++i) {
+    Triangle of_a;
+    detail::translate_triangle(a, i, detail::kNoOffset, of_a);
+    for (uint32_t j = 0; j < b.triangle_count; ++j) {
+      Triangle of_b;
+      detail::transform_triangle(b, j, transform, of_b);
+      visit(i, j, of_a, of_b);
     }
   }
 }

@@ -7,11 +7,11 @@
 #include "bake/baked_tree.hpp"
 #include "flashbvh/paper/stackless.hpp"
 #include "flashbvh/query.hpp"
-#include "support/pairs_of_triangles.hpp"
 #include "support/queries.hpp"
 #include "support/record.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
+#include "support/transformed_vertex.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
