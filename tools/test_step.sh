@@ -51,8 +51,7 @@ board() {
   esac
   cmake --build --preset "$1" -j 1
   ctest --preset "$1"
-  [ "$tests" != release ] || return 0 # not on the page
-  tools/figures.sh --compare "$1"
+  [ "$tests" != release ] || return 0 # not measured
   grep -aE "^budget: |, budget: (at most|below)" "build/$1/Testing/Temporary/LastTest.log"
   [ "$1" != cortex-m4f ] ||
     FLASHBVH_NATIVE=native-sanitize FLASHBVH_BAKE=$PWD/build/bake_once.sh \

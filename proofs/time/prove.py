@@ -24,8 +24,8 @@ def check_units(sources: str) -> None:
     header = (Path(sources) / "include/flashbvh/detail/walk/work.hpp").read_text()
     for name, units in (("GoOn", GO_ON), ("Shape", SHAPE), ("TrianglePair", TRIANGLE_PAIR)):
         if f"k{name}Work = {units};" not in header:
-            raise Refused(f"k{name}Work is not {units} in work.hpp: change formula.py, turns.py, "
-                          "tests/figures/page.py and the pages, too")
+            raise Refused(f"k{name}Work is not {units} in work.hpp: change formula.py, turns.py "
+                          "and the pages, too")
 
 
 

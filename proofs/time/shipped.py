@@ -1,5 +1,5 @@
 """shipped.py BOUND HEADER [--write]: fails unless the constants of HEADER, flashbvh/detail/walk/run_costs.hpp,
-are those that prove.py wrote to BOUND. BOUND may be tests/figures/figures.txt, which has all cores.
+are those that prove.py wrote to BOUND. BOUND may have several cores.
 
 --write: changes HEADER to the constants of all cores in BOUND, if it has others.
 """
@@ -20,8 +20,6 @@ def proven_in(bound):
             core = words[0]
         elif first == "bound":
             proven[core][words[0]] = words[1]
-        elif words[0].startswith("bound."):
-            proven[first][words[0].removeprefix("bound.")] = words[1]
     return proven
 
 

@@ -34,7 +34,8 @@ void ask(const char* what, const char* how, Asked query) {
     status = query.run(UINT32_MAX, [](const typename Asked::Pair&) { return true; }).status;
   });
   print_figure({{"bending", what, how}}, status == Status::done ? instructions : UINT32_MAX);
-  print_count({{"bending_pairs", what, how}}, query.counts().triangle_pairs);
+  print_count({{"bending", "pairs", what, how}}, query.counts().triangle_pairs);
+  counted.add(query.counts());
 }
 
 bool ask_all(DeformableMesh& bent, const char* how) {
@@ -52,8 +53,9 @@ bool ask_all(DeformableMesh& bent, const char* how) {
 int main() {
   figures::print_core();
   DeformableMesh bent(sheet::mesh, figures::nodes, figures::vertices);
-  figures::print_count({{"bending_pairs", "nodes"}}, sheet::kNodeCount);
   const bool flat = figures::ask_all(bent, "flat");
   figures::crumple();
-  return figures::ask_all(bent, "crumpled") && flat ? 0 : 1;
+  const bool crumpled = figures::ask_all(bent, "crumpled");
+  figures::print_count({{"bending", "digest"}}, figures::counted.value());
+  return flat && crumpled ? 0 : 1;
 }

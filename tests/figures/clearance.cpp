@@ -20,12 +20,10 @@ constexpr int32_t kStep = 10;  // cells
 struct OfClass {
   Spread instructions;
   Spread visits;
-  Spread leaf_pairs;
 
   void print(const char* how, const char* motion, const char* name) const {
-    print_figures({{"clearance", how, motion, name}}, instructions);
-    print_counts({{"clearance_visits", how, motion, name}}, visits);
-    print_counts({{"clearance_leaf_pairs", how, motion, name}}, leaf_pairs);
+    print_figures({{"distance", motion, name, how}}, instructions);
+    print_counts({{"distance", motion, name, how, "visits"}}, visits);
   }
 };
 
@@ -38,20 +36,16 @@ struct Walks {
 /// What a visit takes, and two triangles as queries come to them, under one kind of motion.
 struct Parts {
   Walks all;
-  Walks inner;         ///< outside the leaf phase, as measure.hpp has it of intersection
-  Walks intersection;  ///< inner ones of queries on intersection, as kr5.cpp prints them
+  Walks inner;  ///< outside the leaf phase, as measure.hpp has it of intersection
   Spread within;
   Spread nearest;
 
   void print(const char* motion) const {
-    print_quotient({{"clearance", "visit", motion, "mean"}}, inner.instructions, inner.visits);
-    print_quotient({{"clearance", "visit", motion, "ratio"}},
-                   inner.instructions * intersection.visits,
-                   inner.visits * intersection.instructions);
-    print_quotient({{"clearance", "leaf_visit", motion, "mean"}},
+    print_quotient({{"distance", "visit", motion, "mean"}}, inner.instructions, inner.visits);
+    print_quotient({{"distance", "leaf_visit", motion, "mean"}},
                    all.instructions - inner.instructions, all.visits - inner.visits);
-    print_figures({{"clearance", "test", "within", motion}}, within);
-    print_figures({{"clearance", "test", "nearest", motion}}, nearest);
+    print_figures({{"distance", "within", motion}}, within);
+    print_figures({{"distance", "nearest", motion}}, nearest);
   }
 };
 
@@ -129,23 +123,17 @@ void measure_walks(const AskedPair& pair, const Pose& pose, uint32_t distance, P
   add_walk<NothingBelow>(pair, transform, distance, parts.inner);
 }
 
-void measure_intersection(const AskedPair& pair, const Pose& pose, Walks& walks) {
-  const Walked walked = measure_walk(*pair.a, *pair.b, pose);
-  if (walked.visits > 1) {
-    walks.visits += walked.inner_visits;
-    walks.instructions += walked.inner_instructions;
-  }
-}
-
 Clearance<uint16_t> ask(const AskedPair& pair, const Pose& pose, const Witness<uint16_t>& seed,
                         OfClass& of_class) {
   ClearanceQuery query(*pair.a, *pair.b, pose, seed);
   (void)query.run(UINT32_MAX);
   of_class.visits.add(query.counts().visits);
-  of_class.leaf_pairs.add(query.counts().leaf_pairs);
+  counted.add(query.counts());
   Clearance<uint16_t> found{};
   of_class.instructions.add(
       port::instructions_of([&] { found = distance(*pair.a, *pair.b, pose, seed); }));
+  counted.add(found.lower);
+  counted.add(found.upper);
   return found;
 }
 
@@ -161,7 +149,6 @@ bool ask_both(const AskedPair& pair, const Asked& asked, OfClass& cold, OfClass&
     measure_tests(pair, pose, second, parts);
     measure_walks(pair, pose, second.lower, parts);
   }
-  measure_intersection(pair, pose, parts.intersection);
   return first.status == Status::done && first.lower == second.lower && first.upper == second.upper;
 }
 
@@ -192,5 +179,6 @@ int main() {
   figures::print_core();
   const bool translated = figures::ask_all("translated", &figures::AskedPair::translated);
   const bool rotated = figures::ask_all("rotated", &figures::AskedPair::rotated);
+  figures::print_count({{"distance", "digest"}}, figures::counted.value());
   return translated && rotated ? 0 : 1;
 }

@@ -1,63 +1,71 @@
-"""What `compare` lets pass and what it does not, `merge` and tables, on figures made up here."""
-import contextlib
-import io
-import tempfile
+"""What `hold` lets pass and what it does not, how budgets are rewritten, and tables; of figures made up here."""
 import unittest
 
-from figures import Refused, compare, figures_of, merged
-from page import Missing, page_of
+import pages
+from results import Budgets, Refused, measured_in
 
-DATA = {("all", "set.visits"): "1000", ("M4", "set.query"): "1000", ("M4", "set.visit"): "50.00",
-        ("M4", "stack.query"): "252"}
-PARTS = "cycles_per_instruction 1.5\npart M4 168 A part\n"
+BUDGETS = """figure,all,M4,M5
+set.visits,1000,,
+set.query,,1000,
+set.visit,,50.00,
+stack.query.graph,,252,260
+"""
+
+
+def measured(*lines):
+    return measured_in(["core M4\n" + "".join(f"{line}\n" for line in lines)])
 
 
 class FiguresTest(unittest.TestCase):
-    def expect(self, good, said, *lines):
-        """The lines, measured, compare so and print this."""
-        output = io.StringIO()
-        with tempfile.NamedTemporaryFile("w") as file, contextlib.redirect_stdout(output):
-            file.write("".join(f"{line}\n" for line in lines))
-            file.flush()
-            self.assertEqual(compare(DATA, [file.name]), good, lines)
-        self.assertIn(said, output.getvalue())
+    def expect(self, said, *lines):
+        """Of what is measured, the budgets complain so."""
+        self.assertEqual(list(Budgets(BUDGETS).complaints(measured(*lines))), said, lines)
 
-    def test_near_the_page(self):
-        self.expect(True, "3 compared, 0 differ", "all set.visits 1000", "M4 set.query 1000", "M4 set.visit 50.00")
-        self.expect(True, "0 differ", "all set.visits 1000", "M4 set.query 1020", "M4 set.visit 49.00")
-        self.expect(True, "0 differ", "M4 stack.query 252")
+    def test_near_the_budgets(self):
+        self.expect([], "count set.visits 1000", "figure set.query 1020", "figure set.visit 49.00")
+        self.expect([], "count set.visits 1000", "figure set.query 980", "quotient set.visit 153 3")
+        self.expect([], "stack query graph 252", "figure other.query 1")
 
     def test_differences(self):
-        self.expect(False, "M4 set.query: 1021, more than 2 %", "M4 set.query 1021", "M4 set.visit 50")
-        self.expect(False, "better than documented", "M4 set.query 979", "M4 set.visit 50")
-        self.expect(False, "M4 set.visit: 51.01", "M4 set.query 1000", "M4 set.visit 51.01")
-        self.expect(False, "every core has to count the same", "all set.visits 1001")
-        self.expect(False, "every core has to count the same", "all set.visits 1000", "all set.visits 1001")
-        self.expect(False, "M4 set.visit: on the page, and was not measured", "M4 set.query 1000")
-        self.expect(False, "not documented", "M4 set.query 1000", "M4 set.visit 50", "M4 set.other 1")
-        self.expect(False, "not documented", "M5 set.query 1000")
-        self.expect(False, "nothing was measured")
-        for line in "M4 set.query", "M4 set.query none", "":
-            with self.assertRaisesRegex(Refused, "not a figure"):
-                self.expect(False, "", line)
-
-    def test_merge(self):
-        new = {("M5", "set.query"): "7", ("M4", "set.query"): "900", ("M4", "new.one"): "1"}
-        self.assertEqual(list(merged(DATA, new).items()), [
-            (("all", "set.visits"), "1000"), (("M4", "set.query"), "900"), (("M4", "stack.query"), "252"),
-            (("M4", "new.one"), "1"), (("M5", "set.query"), "7")])
+        self.expect(["M4 set.query: 1021, more than 2 % above its budget, 1000"],
+                    "figure set.query 1021", "figure set.visit 50")
+        self.expect(["M4 set.query: 979, better than its budget, 1000: run tools/figures.sh"],
+                    "figure set.query 979", "figure set.visit 50")
+        self.expect(["set.visits: 1001, its budget is 1000: every core has to count the same"],
+                    "count set.visits 1001")
+        self.expect(["M4 set.visit: has a budget, and was not measured"], "figure set.query 1000")
+        self.expect(["M5 set.query: 7, and has no budget: run tools/figures.sh"], "core M5", "figure set.query 7")
 
     def test_programs(self):
-        self.assertEqual(list(figures_of("core M4\nhello\nfigure set.query 3\ncount set.visits 4\n")),
-                         [("M4", "set.query", "3"), ("all", "set.visits", "4")])
+        self.assertEqual(measured("hello", "figure a 3", "figure a 10", "figure a 9", "count b 4", "quotient c 1 2",
+                                  "quotient c 2 2", "code query Os 70", "code query O2 -",
+                                  "measured run-400 3 of 8, nearest 0.4"),
+                         {("M4", "a"): "10", ("all", "b"): "4", ("M4", "c"): "0.75", ("M4", "code.query.Os"): "70",
+                          ("M4", "runs.run-400.observed"): "3", ("M4", "runs.run-400.proven"): "8"})
+        with self.assertRaisesRegex(Refused, "every core has to count the same"):
+            measured("count a 1", "count a 2")
+        with self.assertRaisesRegex(Refused, "not a number: a none"):
+            measured("figure a none")
 
-    def test_page(self):
-        self.assertEqual(page_of(DATA, PARTS, "@table query | visits\n@row a | set.visits | set.query\n"
-                                              "@row none | set.visits | set.none\n@end none\n@{M4 set.visit}\n"),
-                         "| query | visits |   M4 |\n| ----- | -----: | ---: |\n| a     |   1000 | 1000 |\n\n50.00\n")
-        self.assertEqual(page_of(DATA, PARTS, "@table a\n@row a | set.none\n@end no rows\n"), "no rows\n\n")
-        with self.assertRaisesRegex(Missing, "no figure M4 set.none"):
-            page_of(DATA, PARTS, "so @{M4 set.none} instructions\n")
+    def test_update(self):
+        book = Budgets(BUDGETS)
+        book.update(measured("figure set.query 900", "figure set.more 3", "core M7", "figure set.visit 8"))
+        self.assertEqual(book.text(), "figure,all,M4,M5,M7\nset.visits,1000,,,\nset.query,,900,,\n"
+                                      "set.visit,,,,8\nstack.query.graph,,252,260,\n")
+
+    def test_pages(self):
+        def page(*cells):
+            return ("text\n<!-- figures set.{query,visit} set.visits -->\n" + pages.lines_of([
+                ["a table", "every core", "M4"], ["a", "-", cells[0]], ["b, c", "-", "50.00"],
+                ["d", cells[1], "-"]]) + "\n<!-- figures set: visits visits -->\n" + pages.lines_of(
+                    [["size", "mean", "most"], ["2", cells[1], cells[1]]]) + "\n| a | table |\n")
+
+        book = Budgets(BUDGETS.replace("visits,1000", "visits,10000"))
+        self.assertEqual(pages.rewritten(book, page("7", "8")), page("1000", "10,000"))
+        with self.assertRaisesRegex(Refused, "2 figures, 1 rows"):
+            pages.rewritten(book, "<!-- figures a.{b,c} -->\n| a |\n| - |\n| b |\n")
+        with self.assertRaisesRegex(Refused, "no figure a.b"):
+            pages.rewritten(book, "<!-- figures a.b -->\n| a | M4 |\n| - | - |\n| b | 1 |\n")
 
 
 if __name__ == "__main__":

@@ -65,13 +65,15 @@ bool guard_motions(const char* name, uint32_t percent) {
     GuardAnswer answer = {};
     periods.add(port::instructions_of([&] { answer = guard.update(motions.values(), kWork); }));
     work.add(answer.work);
+    counted.add(answer.work);
+    counted.add(static_cast<uint32_t>(answer.verdict));
     good = good && answer.status == Status::done && answer.verdict != Verdict::stop;
     unknown += answer.verdict == Verdict::not_yet_known ? 1 : 0;
   }
   print_figures({{"guard", name}}, periods.spread());
   print_figure({{"guard", name, "thousandth"}}, periods.thousandth());
-  print_counts({{"guard_work", name}}, work);
-  print_count({{"guard_unknown", name}}, unknown);
+  print_counts({{"guard", "work", name}}, work);
+  print_count({{"guard", "unknown", name}}, unknown);
   return good;
 }
 
@@ -102,7 +104,7 @@ bool certify_motions() {
     }
   }
   print_figures({{"motion", "free"}}, spread);
-  print_count({{"motion", "certified"}}, spread.count());
+  counted.add(spread.count());
   return spread.count() != 0;
 }
 
@@ -117,7 +119,9 @@ bool run() {
   print_figure({{"guard", "standing"}},
                port::instructions_of([&] { (void)guard.update(zeros, kWork); }));
   print_figure({{"guard", "state"}}, sizeof guard_memory);
-  return guard_motions("half", 50) && guard_motions("tenth", 10) && certify_motions();
+  const bool good = guard_motions("half", 50) && guard_motions("tenth", 10) && certify_motions();
+  print_count({{"guard", "digest"}}, counted.value());
+  return good;
 }
 
 }  // namespace

@@ -35,19 +35,21 @@ struct OfClass {
     leaf_pairs.add(queried.counts.leaf_pairs);
     triangle_pairs.add(queried.counts.triangle_pairs);
     work.add(queried.work);
+    counted.add(queried.counts);
+    counted.add(queried.work);
     queries.add(queried.instructions);
     until_first.add(queried.until_first);
   }
 
   void print(const char* motion, Proximity proximity) const {
     const char* const name = kProximityNames[static_cast<uint32_t>(proximity)];
-    print_counts({{kSet, "visits", motion, name}}, visits);
-    print_counts({{kSet, "leaf_pairs", motion, name}}, leaf_pairs);
-    print_counts({{kSet, "triangle_pairs", motion, name}}, triangle_pairs);
-    print_counts({{kSet, "work", motion, name}}, work);
-    print_figures({{kSet, "query", motion, name}}, queries);
+    print_counts({{kSet, motion, name, "visits"}}, visits);
+    print_counts({{kSet, motion, name, "leaf_pairs"}}, leaf_pairs);
+    print_counts({{kSet, motion, name, "triangle_pairs"}}, triangle_pairs);
+    print_counts({{kSet, motion, name, "work"}}, work);
+    print_figures({{kSet, motion, name, "query"}}, queries);
     if (proximity == Proximity::intersecting) {
-      print_figures({{kSet, "first", motion, name}}, until_first);
+      print_figures({{kSet, motion, name, "first"}}, until_first);
     }
   }
 };
@@ -116,6 +118,7 @@ bool run() {
   print_figures({{kSet, "triangle_test"}}, triangle_tests);
   print_count({{kSet, "triangle_tests"}}, triangle_tests.count());
   measure_poses();
+  print_count({{kSet, "digest"}}, counted.value());
   return translated && rotated;
 }
 

@@ -35,11 +35,12 @@ struct Question {
     decltype(ask()) answer = {};
     instructions.add(port::instructions_of([&] { answer = ask(); }));
     visits.add(answer.visits);
+    counted.add(answer.visits);
     return answer;
   }
   void print(const char* name, const char* set = nullptr) const {
     print_figures({{"ray", name, set}}, instructions);
-    print_counts({{"ray_visits", name, set}}, visits);
+    print_counts({{"ray", "visits", name, set}}, visits);
   }
 };
 
@@ -70,8 +71,8 @@ class Set {
   }
 
   void print(const char* name) const {
-    print_count({{"ray_visits", "rays", name}}, triangles_.count());
-    print_counts({{"ray_visits", "triangles", name}}, triangles_);
+    print_count({{"ray", "rays", name}}, triangles_.count());
+    print_counts({{"ray", "triangles", name}}, triangles_);
     cold_.print("cold", name);
     any_.print("any", name);
     print_figures({{"ray", "crossings", name}}, crossings_);
@@ -175,6 +176,7 @@ bool run() {
   }
   good = ask_points() && good;
   parts.print();
+  print_count({{"ray", "digest"}}, counted.value());
   return good;
 }
 

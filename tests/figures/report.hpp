@@ -8,11 +8,14 @@
 
 #include <stdint.h>
 
+#include "digest/digest.hpp"
+#include "flashbvh/query.hpp"
+
 namespace figures {
 
 /// Words that dots join; those after the last are null.
 struct Name {
-  const char* word[5];
+  const char* word[6];
 };
 
 /// Mean and maximum of something.
@@ -36,6 +39,22 @@ class Spread {
   uint32_t count_ = 0;
   uint32_t most_ = 0;
 };
+
+/// One number for all that a program counts.
+class Digest {
+ public:
+  void add(uint32_t count) { hash_.add(count); }
+  void add(const flashbvh::Counts& counts) {
+    add(counts.visits);
+    add(counts.leaf_pairs);
+    add(counts.triangle_pairs);
+  }
+  uint32_t value() const { return static_cast<uint32_t>(hash_.value() ^ hash_.value() >> 32); }
+
+ private:
+  digest::Hash hash_;
+};
+inline Digest counted;
 
 void print_core();
 void print_count(const Name& name, uint32_t value);

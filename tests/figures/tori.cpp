@@ -44,6 +44,7 @@ bool ask_all(const char* name, bool rotated) {
       visits.add(queried.counts.visits);
       leaf_pairs.add(queried.counts.leaf_pairs);
       triangle_pairs.add(queried.counts.triangle_pairs);
+      counted.add(queried.counts);
       good = good && queried.status == Status::done && walked.visits == queried.counts.visits;
     }
   }
@@ -67,8 +68,7 @@ void measure_kind(const test::TriangleKind& kind) {
     tests.add(port::instructions_of([&] { intersects = triangles_intersect(a, b); }));
     intersecting += intersects ? 1 : 0;
   }
-  print_count({{"triangles", kind.name, "n"}}, tests.count());
-  print_count({{"triangles", kind.name, "intersecting"}}, intersecting);
+  counted.add(intersecting);
   print_figures({{"triangles", kind.name}}, tests);
 }
 
@@ -79,6 +79,7 @@ bool run() {
   for (const test::TriangleKind& kind : test::kTriangleKinds) {
     measure_kind(kind);
   }
+  print_count({{kSet, "digest"}}, counted.value());
   return translated && rotated;
 }
 

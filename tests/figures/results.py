@@ -1,0 +1,132 @@
+"""What measuring programs print, and the budgets that hold some of it.
+
+Of a program's lines these count:
+    core CORE                      the core that the following figures are of
+    figure NAME VALUE              what depends on the core: instructions, bytes
+    count NAME VALUE               what every core and this machine must agree about
+    quotient NAME PART WHOLE       a figure: PART / WHOLE, each added up over all programs
+    code|stack|object|bound WORD... VALUE       of proofs/stack and proofs/time, as figures
+    measured NAME OBSERVED of PROVEN, ...       of proofs/time
+"""
+import csv
+import io
+from pathlib import Path
+
+BUDGETS = Path(__file__).resolve().with_name("budgets.csv")
+SLACK = 2  # percent
+ALL = "all"  # the column of counts
+
+
+class Refused(Exception):
+    pass
+
+
+def is_number(word):
+    return word.replace(".", "", 1).isdecimal()
+
+
+def lines_in(texts):
+    """Yields core, name and value of each figure; of a quotient the value is a pair."""
+    core = ""
+    for words in (line.split() for text in texts for line in text.splitlines()):
+        match words:
+            case ["core", core]:
+                pass
+            case ["count", name, value]:
+                yield ALL, name, value
+            case ["figure", name, value]:
+                yield core, name, value
+            case ["quotient", name, part, whole]:
+                yield core, name, (int(part), int(whole))
+            case ["code" | "stack" | "object" | "bound", *_, value] if is_number(value):
+                yield core, ".".join(words[:-1]), value
+            case ["measured", name, observed, "of", proven, *_]:
+                yield core, f"runs.{name}.observed", observed
+                yield core, f"runs.{name}.proven", proven.rstrip(",")
+
+
+def measured_in(texts):
+    """The figures by core and name, as text. Of a figure that several programs print the largest counts."""
+    values, quotients = {}, {}
+    for core, name, value in lines_in(texts):
+        figure = core, name
+        if isinstance(value, tuple):
+            quotients[figure] = tuple(map(sum, zip(value, quotients.get(figure, (0, 0)))))
+            continue
+        known = values.get(figure, value)
+        if not is_number(value):
+            raise Refused(f"not a number: {name} {value}")
+        if core == ALL and known != value:
+            raise Refused(f"{name}: {value}, elsewhere {known}: every core has to count the same")
+        values[figure] = max(known, value, key=float)
+    for figure, (part, whole) in quotients.items():
+        if whole:
+            values[figure] = f"{part / whole:.2f}"
+    return values
+
+
+def group_of(figure):
+    """The first word of a name (kr5, tori, stack, ...). Groups come from programs of their own, which not
+    every build has; of a group that was measured nothing may be missing."""
+    core, name = figure
+    return core, name.split(".")[0]
+
+
+class Budgets:
+    """budgets.csv: a row a figure, a column a core. The rows are chosen by hand."""
+
+    def __init__(self, text):
+        head, *rows = csv.reader(io.StringIO(text))
+        self.columns = head[1:]
+        self.rows = {name: dict(zip(self.columns, cells)) for name, *cells in rows}
+
+    def text(self):
+        output = io.StringIO()
+        writer = csv.writer(output, lineterminator="\n")
+        writer.writerow(["figure", *self.columns])
+        writer.writerows([name, *(cells.get(column, "") for column in self.columns)]
+                         for name, cells in self.rows.items())
+        return output.getvalue()
+
+    def value(self, core, name):
+        if name not in self.rows:
+            raise Refused(f"budgets.csv has no figure {name}")
+        return self.rows[name].get(core, "")
+
+    def missing_in(self, measured):
+        """The budgets whose group was measured, and they were not."""
+        groups = set(map(group_of, measured))
+        return [(core, name) for name, cells in self.rows.items() for core, value in cells.items()
+                if value and group_of((core, name)) in groups and (core, name) not in measured]
+
+    def held(self, measured):
+        """The measured figures that have a budget, by core and name."""
+        return {figure: value for figure, value in measured.items() if figure[1] in self.rows}
+
+    def complaints(self, measured):
+        """Yields a line for each budget that is not kept."""
+        for (core, name), now in self.held(measured).items():
+            was = self.value(core, name)
+            if not was:
+                yield f"{core} {name}: {now}, and has no budget: run tools/figures.sh"
+            elif core == ALL:
+                if float(now) != float(was):
+                    yield f"{name}: {now}, its budget is {was}: every core has to count the same"
+            elif float(now) * 100 > float(was) * (100 + SLACK):
+                yield f"{core} {name}: {now}, more than {SLACK} % above its budget, {was}"
+            elif float(now) * 100 < float(was) * (100 - SLACK):
+                yield f"{core} {name}: {now}, better than its budget, {was}: run tools/figures.sh"
+        for core, name in self.missing_in(measured):
+            yield f"{core} {name}: has a budget, and was not measured"
+
+    def update(self, measured):
+        for core, name in self.missing_in(measured):
+            self.rows[name][core] = ""
+        for (core, name), value in self.held(measured).items():
+            if core not in self.columns:
+                self.columns.append(core)
+            self.rows[name][core] = value
+
+
+def budgets():
+    return Budgets(BUDGETS.read_text())
