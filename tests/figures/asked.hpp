@@ -55,6 +55,25 @@ inline flashbvh::Pose pose_of(const Asked& asked) {
                                asked.cells);
 }
 
+/// Calls `ask(pair, pose, motion, proximity)` for each pose of each pair: MOTION is translated or
+/// rotated. Returns whether all calls do.
+template <class Ask>
+bool ask_all(const Ask& ask) {
+  bool right = true;
+  constexpr bool kRotated[] = {false, true};
+  for (const bool rotated : kRotated) {
+    for (uint32_t i = 0; i < kProximities; ++i) {
+      for (uint32_t p = 0; p < kAskedPairCount; ++p) {
+        const AskedPair& pair = kAskedPairs[p];
+        for (const Asked& asked : (rotated ? pair.rotated : pair.translated)[i]) {
+          right = ask(pair, asked, rotated ? "rotated" : "translated", kProximityNames[i]) && right;
+        }
+      }
+    }
+  }
+  return right;
+}
+
 }  // namespace figures
 
 #endif

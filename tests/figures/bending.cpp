@@ -2,7 +2,6 @@
 // crumpled.
 #include "flashbvh/deformable.hpp"
 #include "flashbvh/self.hpp"
-#include "insn.hpp"
 #include "report.hpp"
 #include "sheet.fbvh.hpp"
 #include "support/random.hpp"
@@ -28,34 +27,31 @@ void crumple() {
 }
 
 template <class Asked>
-void ask(const char* what, const char* how, Asked query) {
+bool ask(const char* what, const char* how, Asked query) {
   Status status{};
-  const uint32_t instructions = port::instructions_of([&] {
+  measure({{"bending", what, how}}, [&] {
     status = query.run(UINT32_MAX, [](const typename Asked::Pair&) { return true; }).status;
   });
-  print_figure({{"bending", what, how}}, status == Status::done ? instructions : UINT32_MAX);
-  print_count({{"bending", "pairs", what, how}}, query.counts().triangle_pairs);
-  counted.add(query.counts());
+  add_count({{"bending", "pairs", what, how}}, query.counts().triangle_pairs);
+  add_to_digest(query.counts());
+  return status == Status::done;
 }
 
 bool ask_all(DeformableMesh& bent, const char* how) {
   Status status{};
-  const uint32_t instructions = port::instructions_of([&] { status = bent.refit().status; });
-  print_figure({{"bending", "refit", how}}, instructions);
-  ask("itself", how, SelfQuery(bent.mesh()));
-  ask("band", how, SelfWithinQuery(bent.mesh(), within(20 * 256)));
-  return status == Status::done;
+  measure({{"bending", "refit", how}}, [&] { status = bent.refit().status; });
+  const bool itself = ask("itself", how, SelfQuery(bent.mesh()));
+  return ask("band", how, SelfWithinQuery(bent.mesh(), within(20 * 256))) && itself &&
+         status == Status::done;
 }
 
 }  // namespace
 }  // namespace figures
 
 int main() {
-  figures::print_core();
   DeformableMesh bent(sheet::mesh, figures::nodes, figures::vertices);
   const bool flat = figures::ask_all(bent, "flat");
   figures::crumple();
   const bool crumpled = figures::ask_all(bent, "crumpled");
-  figures::print_count({{"bending", "digest"}}, figures::counted.value());
-  return flat && crumpled ? 0 : 1;
+  return figures::print_all("bending", flat && crumpled);
 }

@@ -2,10 +2,10 @@
 // and motions certified. Ends with 1 if a period on a certified motion is told to stop.
 #include "flashbvh/robot/guard.hpp"
 
-#include "insn.hpp"
+#include "flashbvh/robot/motion.hpp"
 #include "kr5_arm.robot.hpp"
-#include "motions.hpp"
 #include "report.hpp"
+#include "support/random.hpp"
 
 using namespace flashbvh;
 
@@ -21,59 +21,108 @@ constexpr uint32_t kWork = 680;
 constexpr uint32_t kJoints = kr5_arm::kJointCount;
 using MotionState = MotionStateOf<kr5_arm::kVariableCount, kJoints>;
 
-// 375, 300, 375, 410, 410 and 660 degrees a second.
-constexpr TopSpeeds<kJoints> kTop = {279620, 223696, 279620, 305719, 305719, 492132};
+// Units of a joint's coordinate in a period at top speed: 375, 300, 375, 410, 410 and 660 degrees a
+// second.
+constexpr int32_t kTop[kJoints] = {279620, 223696, 279620, 305719, 305719, 492132};
 
 kr5_arm::GuardState guard_memory;
 MotionState motion_memory;
 
-/// Instructions of many periods: mean, most, and what 999 of 1,000 stay below.
-class Periods {
+/// Cubic motions of an arm between random places, on which no links intersect. In integers, so that
+/// every core and the host see the same.
+class Motions {
+ public:
+  /// `percent`: of the top speed of the joint that takes longest; the others take as long.
+  explicit Motions(uint32_t percent) : percent_(percent) {}
+
+  /// Where the arm begins, at 0.
+  const JointCoordinate* values() const { return values_; }
+
+  /// A period on.
+  void next() {
+    if (at_ == periods_) {
+      begin();
+    }
+    ++at_;
+    // 3x^2 - 2x^3, x with 15 fraction bits.
+    const int64_t x = (int64_t{at_} << 15) / periods_;
+    const int64_t share = (x * x >> 15) * (3 * 32768 - 2 * x);
+    for (uint32_t i = 0; i < kJoints; ++i) {
+      const int64_t way = static_cast<int64_t>(to_[i]) - from_[i];
+      values_[i] = static_cast<int32_t>(from_[i] + (way * share >> 30));
+    }
+  }
+
+ private:
+  void begin() {
+    do {
+      periods_ = 1;
+      at_ = 0;
+      for (uint32_t i = 0; i < kJoints; ++i) {
+        const RobotJoint& joint = kr5_arm::robot.joints[i];
+        from_[i] = values_[i];
+        to_[i] = random_.between(joint.lower, joint.upper);
+        // A cubic's top speed is 3/2 of its mean one.
+        const int64_t way = static_cast<int64_t>(to_[i]) - from_[i];
+        const auto periods =
+            static_cast<uint32_t>((way < 0 ? -way : way) * 150 / (int64_t{kTop[i]} * percent_)) + 1;
+        periods_ = periods > periods_ ? periods : periods_;
+      }
+    } while (query_.start(from_, to_) != Status::done ||
+             query_.run(UINT32_MAX).outcome != MotionOutcome::free);
+  }
+
+  MotionQuery query_{kr5_arm::robot, motion_memory};
+  uint32_t percent_;
+  test::Random random_{kSeed};
+  JointCoordinate from_[kJoints] = {};
+  JointCoordinate to_[kJoints] = {};
+  JointCoordinate values_[kJoints] = {};
+  uint32_t periods_ = 0;
+  uint32_t at_ = 0;
+};
+
+/// What 999 of 1,000 periods stay below.
+class Thousandth {
  public:
   void add(uint32_t instructions) {
-    spread_.add(instructions);
     const uint32_t bucket = instructions / kWidth;
     ++buckets_[bucket < kBuckets ? bucket : kBuckets - 1];
   }
-  uint32_t thousandth() const {
+  uint32_t value() const {
     uint32_t above = 0;
     uint32_t bucket = kBuckets;
-    while (bucket != 0 && above + buckets_[bucket - 1] <= spread_.count() / 1000) {
+    while (bucket != 0 && above + buckets_[bucket - 1] <= kPeriods / 1000) {
       above += buckets_[--bucket];
     }
     return bucket * kWidth;
   }
-  const Spread& spread() const { return spread_; }
 
  private:
   static constexpr uint32_t kWidth = 500;
   static constexpr uint32_t kBuckets = 600;
-  Spread spread_;
   uint16_t buckets_[kBuckets] = {};
 };
 
 /// Returns whether no period was told to stop.
 bool guard_motions(const char* name, uint32_t percent) {
-  Motions<MotionState, kJoints> motions(kr5_arm::robot, motion_memory, kTop, percent, kSeed);
+  Motions motions(percent);
   Guard guard(kr5_arm::robot, guard_memory);
   bool good = guard.prime(motions.values()).verdict == Verdict::free;
-  Periods periods;
-  Spread work;
+  Thousandth thousandth;
   uint32_t unknown = 0;
   for (uint32_t i = 0; i < kPeriods; ++i) {
     motions.next();
     GuardAnswer answer = {};
-    periods.add(port::instructions_of([&] { answer = guard.update(motions.values(), kWork); }));
-    work.add(answer.work);
-    counted.add(answer.work);
-    counted.add(static_cast<uint32_t>(answer.verdict));
+    thousandth.add(
+        measure({{"guard", name}}, [&] { answer = guard.update(motions.values(), kWork); }));
+    add_count({{"guard", "work", name}}, answer.work);
+    add_to_digest(static_cast<uint32_t>(answer.verdict));
     good = good && answer.status == Status::done && answer.verdict != Verdict::stop;
     unknown += answer.verdict == Verdict::not_yet_known ? 1 : 0;
   }
-  print_figures({{"guard", name}}, periods.spread());
-  print_figure({{"guard", name, "thousandth"}}, periods.thousandth());
-  print_counts({{"guard", "work", name}}, work);
-  print_count({{"guard", "unknown", name}}, unknown);
+  add_figure({{"guard", name, "thousandth"}}, thousandth.value());
+  add_count({{"guard", "unknown", name}}, unknown);
   return good;
 }
 
@@ -84,7 +133,7 @@ bool certify_motions() {
   MotionQuery query(kr5_arm::robot, motion_memory);
   JointCoordinate from[kJoints];
   JointCoordinate to[kJoints];
-  Spread spread;
+  uint32_t certified = 0;
   for (uint32_t i = 0; i < kMotions; ++i) {
     for (uint32_t j = 0; j < kJoints; ++j) {
       const RobotJoint& joint = kr5_arm::robot.joints[j];
@@ -100,33 +149,31 @@ bool certify_motions() {
       answer = query.run(UINT32_MAX);
     });
     if (answer.status == Status::done && answer.outcome == MotionOutcome::free) {
-      spread.add(instructions);
+      add_figure({{"motion", "free"}}, instructions);
+      ++certified;
     }
   }
-  print_figures({{"motion", "free"}}, spread);
-  counted.add(spread.count());
-  return spread.count() != 0;
+  add_count({{"motion", "certified"}}, certified);
+  return certified != 0;
 }
 
-bool run() {
-  print_core();
+void measure_standing() {
   Frame frames[kJoints];
   const JointCoordinate zeros[kJoints] = {};
-  print_figure({{"guard", "kinematics"}},
-               port::instructions_of([&] { set_frames(kr5_arm::robot, zeros, frames); }));
+  measure({{"guard", "kinematics"}}, [&] { set_frames(kr5_arm::robot, zeros, frames); });
   Guard guard(kr5_arm::robot, guard_memory);
   (void)guard.prime(zeros);
-  print_figure({{"guard", "standing"}},
-               port::instructions_of([&] { (void)guard.update(zeros, kWork); }));
-  print_figure({{"guard", "state"}}, sizeof guard_memory);
-  const bool good = guard_motions("half", 50) && guard_motions("tenth", 10) && certify_motions();
-  print_count({{"guard", "digest"}}, counted.value());
-  return good;
+  measure({{"guard", "standing"}}, [&] { (void)guard.update(zeros, kWork); });
+  add_figure({{"guard", "state"}}, sizeof guard_memory);
 }
 
 }  // namespace
 }  // namespace figures
 
 int main() {
-  return figures::run() ? 0 : 1;
+  figures::measure_standing();
+  const bool half = figures::guard_motions("half", 50);
+  const bool tenth = figures::guard_motions("tenth", 10);
+  const bool certified = figures::certify_motions();
+  return figures::print_all("guard", half && tenth && certified);
 }

@@ -1,5 +1,4 @@
-// Instructions of the parts of a query, counted on the target; on the host all counts of
-// instructions are 0.
+// Instructions of a query and its parts, counted on the target.
 #ifndef FLASHBVH_TESTS_FIGURES_MEASURE_HPP
 #define FLASHBVH_TESTS_FIGURES_MEASURE_HPP
 
@@ -37,61 +36,50 @@ struct Walked {
   uint32_t visits;
   uint32_t leaf_pairs;
   uint32_t instructions;
-  uint32_t inner_visits;  ///< outside the leaf phase: no leaf, or the first pair with one
-  uint32_t inner_instructions;
-  uint32_t slabs;  ///< made, their leaves taken
-  uint32_t slab_instructions;
 };
 
-/// The walk alone: from the first visit to the last, slabs made, the preparation left out and pairs
-/// of leaves counted; once more as if nothing below a leaf mattered, and once with slabs made
-/// twice.
-Walked measure_walk(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
-                    const flashbvh::Pose& pose);
+/// The walk alone, from the first visit to the last, slabs made, the preparation left out.
+/// `leaf_pair(i, j)` is called at each pair of leaves.
+template <class Shapes, class Bound, class LeafPair>
+Walked measure_walk(const Bound& bound, Shapes& shapes, const LeafPair& leaf_pair) {
+  using Cursor = flashbvh::detail::PairCursor<uint16_t>;
+  Walked walked{};
+  const auto go_on = [&](uint32_t i, uint32_t j, const flashbvh::detail::Progress&) {
+    ++walked.leaf_pairs;
+    leaf_pair(i, j);
+    return true;
+  };
+  Cursor cursor;
+  flashbvh::detail::WalkRun<Cursor, decltype(go_on)> run(cursor, go_on, UINT32_MAX);
+  walked.instructions = port::instructions_of([&] {
+    (void)flashbvh::detail::walk<flashbvh::Ranked<flashbvh::PostMesh>>(
+        bound, shapes, run, flashbvh::detail::State::fresh);
+  });
+  walked.visits = UINT32_MAX - run.progress.visits_down();
+  return walked;
+}
 
-struct Queried {
-  flashbvh::Status status;
-  flashbvh::Counts counts;
-  uint32_t work;
-  uint32_t instructions;  ///< made and run to its end, all pairs found
-  uint32_t until_first;   ///< made and run to the first pair, or to its end
-  uint32_t start;         ///< made and run for one visit
+/// What a set of figures is of: names are SET.MOTION.PROXIMITY.WHAT and SET.PART.MOTION.
+struct Asking {
+  const char* set;
+  const char* motion;
+  const char* proximity;  ///< null: none
+
+  Name whole(const char* what) const { return {{set, motion, proximity, what}}; }
+  Name part(const char* what) const { return {{set, what, motion}}; }
 };
 
-Queried measure_query(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
-                      const flashbvh::Pose& pose);
+/// Adds a whole query (`query`), one to its first pair (`first`), what they count, and its parts:
+/// `visit`, outside the leaf phase; `leaf_visit`, in it, slabs and all; `slab`: a slab, and taking
+/// the leaf; `start`: a query made and its first visit; `leaf_pair`: what a pair of leaves adds.
+/// Returns whether the query and the walks agree.
+bool add_query(const Asking& asking, const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
+               const flashbvh::Pose& pose, flashbvh::Counts& counts, uint32_t& work);
 
-/// Adds the exact test, without transforming, of each pair of triangles that the query comes to.
-void add_triangle_tests(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
-                        const flashbvh::Pose& pose, Spread& tests);
-
-/// What the walks and queries under one kind of motion took.
-class Motion {
- public:
-  /// A walk of fewer visits says little about one.
-  static constexpr uint32_t kFewVisits = 100;
-
-  /// Of the same pose.
-  void add(const Walked& walked, const Queried& queried);
-  /// SET.visit.MOTION: a visit outside the leaf phase, on average and in the worst walk observed;
-  /// SET.leaf_visit.MOTION: one in it, slabs and all; SET.slab.MOTION: a slab, and taking the leaf;
-  /// SET.bare_visit.MOTION: a visit in the leaf phase without; SET.start.MOTION: a query made and
-  /// its first visit; SET.leaf_pair.MOTION: what a pair of leaves adds to a query.
-  void print(const char* set, const char* motion) const;
-
- private:
-  uint64_t visits_ = 0;
-  uint64_t leaf_pairs_ = 0;
-  uint64_t walks_ = 0;  ///< instructions
-  uint64_t inner_visits_ = 0;
-  uint64_t inner_walks_ = 0;
-  uint64_t slabs_ = 0;
-  uint64_t making_ = 0;
-  uint64_t queries_ = 0;
-  uint64_t worst_walk_ = 0;
-  uint64_t worst_visits_ = 0;
-  Spread start_;
-};
+/// Adds SET.triangle_test: the exact test, without transforming, of each pair of triangles that the
+/// query comes to.
+void add_triangle_tests(const char* set, const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
+                        const flashbvh::Pose& pose);
 
 }  // namespace figures
 

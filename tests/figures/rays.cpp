@@ -1,12 +1,11 @@
 // Rays at the KR5's links: single ones that are aimed at a link's box from outside, and scans of
-// it, fans of rays from one place; and points in the box. Ends with 1 if a seed changes an answer,
+// it, fans of rays from one place; and points in the box. Ends with 1 if a hint changes an answer,
 // or any_hit() is of another opinion than nearest_hit().
 #include "flashbvh/ray.hpp"
 
 #include "bicep.fbvh.hpp"
 #include "flashbvh/solid.hpp"
 #include "forearm.fbvh.hpp"
-#include "insn.hpp"
 #include "palm.fbvh.hpp"
 #include "ray_sets.hpp"
 #include "report.hpp"
@@ -25,115 +24,69 @@ constexpr Fan kFans[] = {{"grid", 16, 16}, {"line", 1, 256}};
 
 const PostMesh* const kLinks[] = {&bicep::mesh, &forearm::mesh, &palm::mesh, &wrist::mesh};
 
-/// What one question took.
-struct Question {
-  Spread instructions;
-  Spread visits;
-
-  template <class Ask>
-  auto ask(const Ask& ask) {
-    decltype(ask()) answer = {};
-    instructions.add(port::instructions_of([&] { answer = ask(); }));
-    visits.add(answer.visits);
-    counted.add(answer.visits);
-    return answer;
-  }
-  void print(const char* name, const char* set = nullptr) const {
-    print_figures({{"ray", name, set}}, instructions);
-    print_counts({{"ray", "visits", name, set}}, visits);
-  }
-};
-
-/// What a visit takes, and a triangle that is met: fetched and tested.
-struct Parts {
-  uint64_t visits = 0;
-  uint64_t walks = 0;  ///< instructions
-  Spread triangles;
-
-  void print() const {
-    print_quotient({{"ray", "visit", "mean"}}, walks, visits);
-    print_figures({{"ray", "triangle"}}, triangles);
-  }
-};
-
-/// Rays of one kind.
-class Set {
- public:
-  /// Returns whether the answers agree.
-  bool ask(const PostMesh& mesh, const Segment& segment, uint16_t seed, Parts& parts) {
-    const auto cold = cold_.ask([&] { return nearest_hit(mesh, segment); });
-    const auto seeded = seeded_.ask([&] { return nearest_hit(mesh, segment, seed); });
-    const auto any = any_.ask([&] { return any_hit(mesh, segment); });
-    crossings_.add(port::instructions_of([&] { (void)signed_crossings(mesh, segment); }));
-    measure_parts(mesh, segment, parts);
-    return cold.status == Status::done && seeded.yes == cold.yes && any.yes == cold.yes &&
-           (!cold.yes || seeded.hit.triangle == cold.hit.triangle);
-  }
-
-  void print(const char* name) const {
-    print_count({{"ray", "rays", name}}, triangles_.count());
-    print_counts({{"ray", "triangles", name}}, triangles_);
-    cold_.print("cold", name);
-    any_.print("any", name);
-    print_figures({{"ray", "crossings", name}}, crossings_);
-  }
-  void print_seeded(const char* name) const { seeded_.print("seeded", name); }
-
- private:
-  /// The walk alone, with nothing cut off; and each triangle that nearest_hit() comes to.
-  void measure_parts(const PostMesh& mesh, const Segment& segment, Parts& parts) {
-    detail::SegmentWalk<PostMesh> all(mesh, segment);
-    uint32_t position = 0;
-    parts.walks += port::instructions_of([&] {
-      while (all.next_triangle(position)) {
-      }
-    });
-    parts.visits += all.visits();
-
-    detail::SegmentWalk<PostMesh> walk(mesh, segment);
-    RayHit<uint16_t> hit = {};
-    SegmentShare nearest = {1, 1};
-    uint32_t count = 0;
-    while (walk.next_triangle(position)) {
-      bool yes = false;
-      parts.triangles.add(port::instructions_of([&] { yes = walk.get_hit(position, hit); }));
-      ++count;
-      if (yes && detail::order_along(hit.along, nearest) < 0) {
-        nearest = hit.along;
-        walk.shorten(nearest);
-      }
+/// What a visit takes, with nothing cut off, and a triangle that nearest_hit() comes to: fetched
+/// and tested.
+void add_parts(const PostMesh& mesh, const Segment& segment, const char* set) {
+  detail::SegmentWalk<PostMesh> all(mesh, segment);
+  uint32_t position = 0;
+  const uint32_t instructions = port::instructions_of([&] {
+    while (all.next_triangle(position)) {
     }
-    triangles_.add(count);
+  });
+  add_quotient({{"ray", "visit"}}, instructions, all.visits());
+
+  detail::SegmentWalk<PostMesh> walk(mesh, segment);
+  RayHit<uint16_t> hit = {};
+  SegmentShare nearest = {1, 1};
+  uint32_t count = 0;
+  while (walk.next_triangle(position)) {
+    bool yes = false;
+    measure({{"ray", "triangle"}}, [&] { yes = walk.get_hit(position, hit); });
+    ++count;
+    if (yes && detail::order_along(hit.along, nearest) < 0) {
+      nearest = hit.along;
+      walk.shorten(nearest);
+    }
   }
+  add_count({{"ray", "triangles", set}}, count);
+}
 
-  Question cold_;
-  Question seeded_;
-  Question any_;
-  Spread crossings_;
-  Spread triangles_;
-};
+/// Adds a question of the set.
+template <class Ask>
+auto add(const char* what, const char* set, const Ask& ask) {
+  decltype(ask()) answer = {};
+  measure({{"ray", what, set}}, [&] { answer = ask(); });
+  add_count({{"ray", "visits", what, set}}, answer.visits);
+  return answer;
+}
 
-bool ask_aimed(Parts& parts) {
+/// Returns whether the answers agree.
+bool ask_all(const char* set, const PostMesh& mesh, const Segment& segment, uint16_t seed) {
+  const auto cold = add("cold", set, [&] { return nearest_hit(mesh, segment); });
+  const auto hint = add("hint", set, [&] { return nearest_hit(mesh, segment, seed); });
+  const auto any = add("any", set, [&] { return any_hit(mesh, segment); });
+  measure({{"ray", "crossings", set}}, [&] { (void)signed_crossings(mesh, segment); });
+  add_parts(mesh, segment, set);
+  return cold.status == Status::done && hint.yes == cold.yes && any.yes == cold.yes &&
+         (!cold.yes || hint.hit.triangle == cold.hit.triangle);
+}
+
+bool ask_aimed() {
   test::Random random(kSeed);
-  Set hit;
-  Set missed;
   bool good = true;
   for (const PostMesh* const link : kLinks) {
     const Box box(*link);
     for (uint32_t i = 0; i < kOfLink; ++i) {
       const Segment segment = any_aimed(random, box);
-      Set& set = any_hit(*link, segment).yes ? hit : missed;
-      good = set.ask(*link, segment, kNone, parts) && good;
+      const char* const set = any_hit(*link, segment).yes ? "aimed" : "missed";
+      good = ask_all(set, *link, segment, kNone) && good;
     }
   }
-  hit.print("aimed");
-  missed.print("missed");
   return good;
 }
 
-/// Each ray that hits is seeded by what was hit before; the others leave the seed as it is.
-bool ask_fan(const Fan& fan, Parts& parts) {
-  Set hit;
+/// Each ray that hits has what was hit before as a hint; the others leave the hint as it is.
+bool ask_fan(const Fan& fan) {
   bool good = true;
   for (const PostMesh* const link : kLinks) {
     const Box box(*link);
@@ -142,41 +95,25 @@ bool ask_fan(const Fan& fan, Parts& parts) {
       const Segment segment = of_fan(fan, box, i / fan.columns, i % fan.columns);
       const auto found = nearest_hit(*link, segment);
       if (found.yes) {
-        good = hit.ask(*link, segment, seed, parts) && good;
+        good = ask_all(fan.name, *link, segment, seed) && good;
         seed = found.hit.position;
       }
     }
   }
-  hit.print(fan.name);
-  hit.print_seeded(fan.name);
   return good;
 }
 
 bool ask_points() {
   test::Random random(kSeed);
-  Question points;
   bool good = true;
   for (const PostMesh* const link : kLinks) {
     const Box box(*link);
     for (uint32_t i = 0; i < kOfLink; ++i) {
       const Point point = any_point(random, box.lower, box.upper);
-      good = points.ask([&] { return inside(*link, point); }).status == Status::done && good;
+      good = add("inside", nullptr, [&] { return inside(*link, point); }).status == Status::done &&
+             good;
     }
   }
-  points.print("inside");
-  return good;
-}
-
-bool run() {
-  print_core();
-  Parts parts;
-  bool good = ask_aimed(parts);
-  for (const Fan& fan : kFans) {
-    good = ask_fan(fan, parts) && good;
-  }
-  good = ask_points() && good;
-  parts.print();
-  print_count({{"ray", "digest"}}, counted.value());
   return good;
 }
 
@@ -184,5 +121,10 @@ bool run() {
 }  // namespace figures
 
 int main() {
-  return figures::run() ? 0 : 1;
+  bool good = figures::ask_aimed();
+  for (const figures::Fan& fan : figures::kFans) {
+    good = figures::ask_fan(fan) && good;
+  }
+  good = figures::ask_points() && good;
+  return figures::print_all("ray", good);
 }

@@ -1,70 +1,57 @@
-// What the firmware prints, for tools/figures.sh to gather:
+// What a program measures, by name: gathered over all its queries, and printed for results.py.
 //     core Cortex-M4F
-//     figure kr5.visit.rotated.mean 87.25    instructions, which depend on the core
-//     count kr5.visits.close.rotated.max 888  what every core and this machine must agree about
+//     figure kr5.rotated.close.query.mean 52422    instructions, which depend on the core
+//     quotient kr5.visit.rotated.mean 873 10       the same, of which results.py makes 87.30
+//     count kr5.rotated.close.visits.max 708       what every core and this machine must agree
+//     about
 // Where no instructions are counted, on the host, there are counts alone.
 #ifndef FLASHBVH_TESTS_FIGURES_REPORT_HPP
 #define FLASHBVH_TESTS_FIGURES_REPORT_HPP
 
 #include <stdint.h>
 
-#include "digest/digest.hpp"
 #include "flashbvh/query.hpp"
+#include "insn.hpp"
 
 namespace figures {
 
-/// Words that dots join; those after the last are null.
+/// Words that dots join, blanks in them as underscores; those that are null are left out.
 struct Name {
-  const char* word[6];
+  const char* word[5];
 };
 
-/// Mean and maximum of something.
-class Spread {
- public:
-  void add(uint32_t value) {
-    sum_ += value;
-    ++count_;
-    most_ = value > most_ ? value : most_;
-  }
-  uint64_t sum() const { return sum_; }
-  uint32_t count() const { return count_; }
-  uint32_t most() const { return most_; }
-  /// Rounded.
-  uint32_t mean() const {
-    return count_ == 0 ? 0 : static_cast<uint32_t>((sum_ + count_ / 2) / count_);
-  }
+/// Its mean and maximum are printed; of one that is added once, the value alone.
+void add_figure(const Name& name, uint32_t value);
+/// Goes into the digest, too.
+void add_count(const Name& name, uint32_t value);
+/// The sums' quotient is the mean, the largest of one with a `whole` of at least kFewParts the
+/// maximum.
+void add_quotient(const Name& name, int64_t part, uint32_t whole);
+constexpr uint32_t kFewParts = 100;
 
- private:
-  uint64_t sum_ = 0;
-  uint32_t count_ = 0;
-  uint32_t most_ = 0;
-};
+/// Into one number for all that a program counts.
+void add_to_digest(uint32_t count);
+inline void add_to_digest(const flashbvh::Counts& counts) {
+  add_to_digest(counts.visits);
+  add_to_digest(counts.leaf_pairs);
+  add_to_digest(counts.triangle_pairs);
+}
 
-/// One number for all that a program counts.
-class Digest {
- public:
-  void add(uint32_t count) { hash_.add(count); }
-  void add(const flashbvh::Counts& counts) {
-    add(counts.visits);
-    add(counts.leaf_pairs);
-    add(counts.triangle_pairs);
-  }
-  uint32_t value() const { return static_cast<uint32_t>(hash_.value() ^ hash_.value() >> 32); }
+/// A figure: the instructions that `function()` takes, which are returned, too.
+template <class Function>
+uint32_t measure(const Name& name, const Function& function) {
+  const uint32_t instructions = port::instructions_of(function);
+  add_figure(name, instructions);
+  return instructions;
+}
 
- private:
-  digest::Hash hash_;
-};
-inline Digest counted;
-
-void print_core();
-void print_count(const Name& name, uint32_t value);
+/// At once, not gathered.
 void print_figure(const Name& name, uint32_t value);
-/// With two digits after the point, rounded; nothing if `whole` is 0.
-void print_quotient(const Name& name, uint64_t part, uint64_t whole);
+void print_count(const Name& name, uint32_t value);
 
-/// NAME.mean and NAME.max.
-void print_counts(Name name, const Spread& spread);
-void print_figures(Name name, const Spread& spread);
+/// All that was added, in the order in which it first was, and the digest as SET.digest, if any.
+/// Returns the status of a program whose answers were all `right`.
+int print_all(const char* set, bool right);
 
 }  // namespace figures
 

@@ -20,7 +20,7 @@ struct FirmwareOptions {
 /// Writes setups_1.cpp to setups_N.cpp, one for each image, and the trees that they include, each
 /// object in both layouts with levels. A setup goes to the first image that has room for it; the
 /// first image's table names those that found none. The same bytes on every machine.
-/// tests/benchmark/setups.hpp declares what the files define.
+/// tests/figures/setups.hpp declares what the files define.
 void write_firmware(const FirmwareOptions& options);
 
 }  // namespace flashbvh::tool

@@ -1,6 +1,6 @@
 // The setups of one firmware image, as `flashbvh bench --firmware` writes them.
-#ifndef FLASHBVH_TESTS_BENCHMARK_SETUPS_HPP
-#define FLASHBVH_TESTS_BENCHMARK_SETUPS_HPP
+#ifndef FLASHBVH_TESTS_FIGURES_SETUPS_HPP
+#define FLASHBVH_TESTS_FIGURES_SETUPS_HPP
 
 #include <stdint.h>
 

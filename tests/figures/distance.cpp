@@ -1,0 +1,121 @@
+// Distances of the KR5's links in the poses of kr5.cpp: cold, and with the witness of the pose
+// before, 10 cells away, as a hint. Ends with 1 if both differ.
+#include "flashbvh/clearance.hpp"
+
+#include "asked.hpp"
+#include "measure.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+
+namespace figures {
+namespace {
+
+constexpr int32_t kStep = 10;  // cells
+
+Name part(const char* what, const char* motion) {
+  return {{"distance", what, motion}};
+}
+
+/// A question whose tests are measured, but for those without a name.
+template <class Question>
+struct Timed : Question {
+  const Name* name = nullptr;
+
+  bool test(const Triangle& a, const Triangle& b, uint32_t i, uint32_t j) {
+    bool yes = false;
+    const auto ask = [&] { yes = Question::test(a, b, i, j); };
+    name == nullptr ? ask() : static_cast<void>(measure(*name, ask));
+    return yes;
+  }
+};
+
+template <class Question>
+void run_all(const AskedPair& pair, const Pose& pose, const Question& question) {
+  Query<Ranked<PostMesh>, Question> query(*pair.a, *pair.b, pose, {}, question);
+  (void)query.run(UINT32_MAX, [](const TrianglePair<uint16_t>&) { return true; });
+}
+
+/// Two triangles as queries come to them: within the distance, and nearer than the nearest.
+void add_tests(const AskedPair& pair, const Pose& pose, const Clearance<uint16_t>& known,
+               const char* motion) {
+  const Name of_within = part("within", motion);
+  Timed<Within> within;
+  static_cast<Within&>(within) = flashbvh::within(known.lower);
+  within.name = &of_within;
+  run_all(pair, pose, within);
+
+  Transform transform(pose, *pair.a, *pair.b, /*may_stop=*/false);
+  Triangle a;
+  Triangle b;
+  translate_triangle(*pair.a, known.witness.a, kNoOffset, a);
+  transform_triangle(*pair.b, known.witness.b, transform, b);
+  const Name of_nearest = part("nearest", motion);
+  NearestSoFar so_far;
+  Timed<Nearest<uint16_t>> nearest;
+  nearest.so_far = &so_far;
+  (void)nearest.test(a, b, known.witness.a, known.witness.b);
+  nearest.name = &of_nearest;
+  run_all(pair, pose, nearest);
+}
+
+template <class Shapes>
+Walked walk_within(const AskedPair& pair, const Transform& transform, const Within& question) {
+  const auto no_leaf_pair = [](uint32_t, uint32_t) {};
+  Shapes shapes(*pair.a, *pair.b, transform);
+  if (question.is_kept(transform)) {
+    KeptGap bound = question.kept(transform);
+    shapes.set_bound(bound);
+    return measure_walk(ByReference<KeptGap>{&bound}, shapes, no_leaf_pair);
+  }
+  const TranslatedGap bound = question.translated(transform.translated());
+  shapes.set_bound(bound);
+  return measure_walk(bound, shapes, no_leaf_pair);
+}
+
+/// Walks alone, of pairs within the distance.
+void add_walks(const AskedPair& pair, const Pose& pose, uint32_t distance, const char* motion) {
+  Transform transform(pose, *pair.a, *pair.b, /*may_stop=*/false);
+  transform.prepare(*pair.b);
+  const Within question = within(distance);
+  const Walked all = walk_within<NearShapes<PostMesh>>(pair, transform, question);
+  const Walked inner = walk_within<NothingBelow>(pair, transform, question);
+  add_quotient(part("visit", motion), inner.instructions, inner.visits);
+  add_quotient(part("leaf_visit", motion), int64_t{all.instructions} - inner.instructions,
+               all.visits - inner.visits);
+}
+
+Clearance<uint16_t> add_distance(const Asking& asking, const char* hint, const AskedPair& pair,
+                                 const Pose& pose, const Witness<uint16_t>& seed) {
+  ClearanceQuery query(*pair.a, *pair.b, pose, seed);
+  (void)query.run(UINT32_MAX);
+  add_to_digest(query.counts());
+  Clearance<uint16_t> found{};
+  measure({{asking.set, asking.motion, asking.proximity, hint}},
+          [&] { found = distance(*pair.a, *pair.b, pose, seed); });
+  add_to_digest(found.lower);
+  add_to_digest(found.upper);
+  return found;
+}
+
+bool ask(const AskedPair& pair, const Asked& asked, const char* motion, const char* proximity) {
+  const Pose pose = pose_of(asked);
+  Asked before = asked;
+  before.cells[0] += kStep;
+  const Clearance<uint16_t> near = distance(*pair.a, *pair.b, pose_of(before));
+  const Asking asking = {"distance", motion, proximity};
+  const Clearance<uint16_t> first = add_distance(asking, "cold", pair, pose, {});
+  const Clearance<uint16_t> second = add_distance(asking, "hint", pair, pose, near.witness);
+  if (second.lower != 0 && second.lower <= kMaxDistance) {
+    add_tests(pair, pose, second, motion);
+    add_walks(pair, pose, second.lower, motion);
+  }
+  return first.status == Status::done && first.lower == second.lower && first.upper == second.upper;
+}
+
+}  // namespace
+}  // namespace figures
+
+int main() {
+  return figures::print_all("distance", figures::ask_all(figures::ask));
+}

@@ -1,0 +1,179 @@
+// The paper's evaluation, section 9, on a microcontroller: instructions instead of seconds, of each
+// algorithm in each setup of this image, as paper.SETUP.ALGORITHM.WHAT.
+//
+// Ends with 1 if the algorithms disagree about a setup, a query does not finish, or `ranked` takes
+// 0.85 of the instructions of `volume-stack` in a setup, or 1.02 of those of `ranked-stack` in all.
+#include <string.h>
+
+#include "report.hpp"
+#include "setups.hpp"
+#include "support/at_roots.hpp"
+#include "support/walk.hpp"
+#include "text.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::detail;
+
+namespace benchmark {
+namespace {
+
+/// Setups of fewer visits say nothing about the loop.
+constexpr uint32_t kMostVisitsOfSeparated = 10;
+/// Room for the stack of every setup, which is checked: stack algorithms trust their array.
+constexpr uint32_t kStackEntries = 64;
+
+struct Counted {
+  Status status;
+  Counts counts;
+  uint32_t instructions;
+};
+
+template <class Order>
+typename Order::Cursor start() {
+  static PairCursor<uint16_t> entries[kStackEntries];
+  return test::at_roots<Order>(entries, kStackEntries);
+}
+
+/// Goes on at each pair of leaves. Holds the count itself: what a walk knows of it is one address.
+struct LeafCounter {
+  mutable uint32_t count = 0;
+  bool operator()(uint32_t /*node_a*/, uint32_t /*node_b*/, const Progress& /*progress*/) const {
+    ++count;
+    return true;
+  }
+};
+
+/// The boxes alone, from the start of the walk to its end, pairs of leaves counted.
+template <class Order>
+__attribute__((noinline)) Counted measure_walk(const typename Order::Tree& a,
+                                               const typename Order::Tree& b,
+                                               const TranslatedBound& overlap) {
+  Counted walked{};
+  const LeafCounter leaf_pairs;
+  walked.instructions = port::instructions_of([&] {
+    auto cursor = start<Order>();
+    walked.counts = test::walk_from<Order>(a, b, overlap, cursor, leaf_pairs).counts;
+  });
+  walked.counts.leaf_pairs = leaf_pairs.count;
+  return walked;
+}
+
+/// A query made, and run to its end, with the triangles of each pair of leaves tested.
+template <class Order>
+__attribute__((noinline)) Counted measure_query(const typename Order::Tree& a,
+                                                const typename Order::Tree& b, const Pose& pose) {
+  using Query = flashbvh::Query<Order, BoxIntersection>;
+  const auto every_pair = [](const typename Query::Pair&) { return true; };
+  Counted result{};
+  result.instructions = port::instructions_of([&] {
+    Query query(a, b, pose, start<Order>());
+    result.status = query.run(UINT32_MAX, every_pair);
+  });
+  // Its counts from another run: a user of the first would not copy them.
+  Query query(a, b, pose, start<Order>());
+  (void)query.run(UINT32_MAX, every_pair);
+  result.counts = query.counts();
+  return result;
+}
+
+template <Layout layout>
+const LevelledMesh<uint16_t, layout>& tree_of(const Object& object) {
+  if constexpr (layout == Layout::pre_indexed) {
+    return *object.pre;
+  } else {
+    return *object.post;
+  }
+}
+
+uint64_t sum_of_ranked;
+uint64_t sum_of_ranked_stack;
+
+/// Whether `a` is below `percent` of `b`.
+bool below(uint64_t a, uint32_t percent, uint64_t b) {
+  return a * 100 < b * percent;
+}
+
+/// Walks of each algorithm, on the layout that it has on the host, too. The first is volume-stack,
+/// which the others are compared with.
+bool ask_walks(const Setup& setup, uint32_t& leaf_pairs) {
+  int32_t t[3];
+  for (int i = 0; i < 3; ++i) {
+    t[i] = setup.translation[i] + setup.b.pre->origin[i] - setup.a.pre->origin[i];
+  }
+  const TranslatedBound overlap(t[0], t[1], t[2]);
+  bool right = true;
+  bool counts_for_loop = false;
+  uint32_t of_volume = 0;
+  for_each_traversal([&](auto traversal) {
+    using Order = typename decltype(traversal)::template On<uint16_t, decltype(traversal)::kLayout>;
+    constexpr Layout kLayout = Order::Tree::kLayout;
+    const Counted walked =
+        measure_walk<Order>(tree_of<kLayout>(setup.a), tree_of<kLayout>(setup.b), overlap);
+    const Counts& counts = walked.counts;
+    const char* const set = setup.head.name;
+    figures::print_count({{"paper", set, traversal.name, "visits"}}, counts.visits);
+    figures::print_count({{"paper", set, traversal.name, "overlaps"}}, counts.overlaps);
+    figures::print_count({{"paper", set, traversal.name, "leaf_overlaps"}}, counts.leaf_pairs);
+    figures::print_figure({{"paper", set, traversal.name, "walk"}}, walked.instructions);
+    if (of_volume == 0) {
+      of_volume = walked.instructions;
+      leaf_pairs = counts.leaf_pairs;
+      counts_for_loop = counts.visits > kMostVisitsOfSeparated;
+    }
+    right = right && counts.visits != 0 && counts.leaf_pairs == leaf_pairs;
+    if (counts_for_loop) {
+      figures::add_quotient({{"paper", "visit", traversal.name}}, walked.instructions,
+                            counts.visits);
+      const bool is_ranked = strcmp(traversal.name, "ranked") == 0;
+      right = right && (!is_ranked || below(walked.instructions, 85, of_volume));
+      sum_of_ranked += is_ranked ? walked.instructions : 0;
+      sum_of_ranked_stack += strcmp(traversal.name, "ranked-stack") == 0 ? walked.instructions : 0;
+    }
+  });
+  return right;
+}
+
+bool ask_queries(const Setup& setup, uint32_t leaf_pairs) {
+  const Pose pose =
+      Pose::translated(setup.translation[0], setup.translation[1], setup.translation[2]);
+  const Counted ranked = measure_query<Ranked<PostMesh>>(*setup.a.post, *setup.b.post, pose);
+  const Counted volume = measure_query<VolumeStack<PreMesh>>(*setup.a.pre, *setup.b.pre, pose);
+  const char* const set = setup.head.name;
+  figures::print_count({{"paper", set, "geometry_overlaps"}}, ranked.counts.triangle_pairs);
+  figures::print_figure({{"paper", set, "ranked", "query"}}, ranked.instructions);
+  figures::print_figure({{"paper", set, "volume-stack", "query"}}, volume.instructions);
+  if (ranked.counts.visits == 1) {
+    figures::add_figure({{"paper", "separated"}}, ranked.instructions);
+  }
+  return ranked.status == Status::done && volume.status == Status::done &&
+         ranked.counts.triangle_pairs == volume.counts.triangle_pairs &&
+         ranked.counts.leaf_pairs == leaf_pairs && volume.counts.leaf_pairs == leaf_pairs;
+}
+
+bool ask(const Setup& setup) {
+  port::print("Table ", setup.head.table, ": ", setup.head.title, ". ", setup.head.name, ": ",
+              setup.a.faces, " and ", setup.b.faces, " faces\n");
+  uint32_t leaf_pairs = 0;
+  const bool right =
+      stack_entries(setup.a.pre->stack_need, setup.b.pre->stack_need) <= kStackEntries &&
+      ask_walks(setup, leaf_pairs) && ask_queries(setup, leaf_pairs);
+  port::put(right ? "" : "That is wrong\n");
+  return right;
+}
+
+}  // namespace
+}  // namespace benchmark
+
+int main() {
+  using namespace benchmark;
+  bool right = true;
+  for (const Setup* setup = kSetups; setup->head.name != nullptr; ++setup) {
+    right = ask(*setup) && right;
+  }
+  right = right && (sum_of_ranked == 0 || below(sum_of_ranked, 102, sum_of_ranked_stack));
+  for (const Head* head = kLeftOut; head->name != nullptr; ++head) {
+    port::print("Too large for the flash of this board: table ", head->table, ", ", head->name,
+                "\n");
+  }
+  return figures::print_all(nullptr, right);
+}
