@@ -55,7 +55,7 @@ class FiguresTest(unittest.TestCase):
 
     def test_pages(self):
         def page(*cells):
-            return ("text\n<!-- figures set.{query,visit} set.visits -->\n" + pages.lines_of([
+            return ("text\n<!-- figures set.{query, visit} set.visits -->\n" + pages.lines_of([
                 ["a table", "every core", "M4"], ["a", "-", cells[0]], ["b, c", "-", "50.00"],
                 ["d", cells[1], "-"]]) + "\n<!-- figures set: visits visits -->\n" + pages.lines_of(
                     [["size", "mean", "most"], ["2", cells[1], cells[1]]]) + "\n| a | table |\n")

@@ -1,7 +1,7 @@
 """Tables of Markdown that show budgets.csv, rewritten in place.
 
-A comment above a table names the figure of each row, with braces as in a shell:
-    <!-- figures kr5.rotated.{small,close}.query.{mean,max} -->
+A comment above a table names the figure of each row, with braces as in a shell, but for blanks after commas:
+    <!-- figures kr5.rotated.{small, close}.query.{mean, max} -->
 The cells below a core's name are its figures, those below `every core` are counts. Names after a colon are
 those of the last columns, all of them counts:
     <!-- figures leaf.{1,2,4}: flash work.close.mean work.close.max -->
@@ -47,7 +47,7 @@ def cells_in(line):
 
 def table_of(budgets, found):
     comment, marked, table = found.groups()
-    rows, _, columns = marked.partition(":")
+    rows, _, columns = re.sub(r",\s+", ",", marked).partition(":")
     names = [name for word in rows.split() for name in expanded(word)]
     columns = columns.split()
     head, _, *rows = map(cells_in, table.splitlines())

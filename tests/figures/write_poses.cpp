@@ -5,6 +5,7 @@
 // at each of them counts from the former.
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -22,47 +23,25 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20240607;
 
-/// An image in memory, opened.
+/// An image in memory, opened. Ends the program, with a message, if it can't be.
 class Image {
  public:
-  explicit Image(const std::string& path) {
+  Image(const std::string& folder, const std::string& mesh) {
+    const std::string path = folder + "/" + mesh + ".fbvh";
     std::ifstream file(path, std::ios::binary);
     const std::string bytes((std::istreambuf_iterator<char>(file)), {});
     words_.resize((bytes.size() + 3) / 4);
     bytes.copy(reinterpret_cast<char*>(words_.data()), bytes.size());
-    is_open_ = open_image(words_.data(), bytes.size(), tree_) == Status::done;
+    if (open_image(words_.data(), bytes.size(), tree_) != Status::done) {
+      std::fprintf(stderr, "write_poses: no 16-bit post-indexed image: %s\n", path.c_str());
+      std::exit(1);
+    }
   }
-
-  bool is_open() const { return is_open_; }
-  const PostMesh& tree() const { return tree_; }
+  const PostMesh* tree() const { return &tree_; }
 
  private:
   std::vector<std::uint32_t> words_;
   PostMesh tree_{};
-  bool is_open_ = false;
-};
-
-class ImagePair {
- public:
-  ImagePair(const std::string& folder, const std::string& a, const std::string& b)
-      : a_(folder + "/" + a + ".fbvh"), b_(folder + "/" + b + ".fbvh") {
-    if (!is_open()) {
-      std::fprintf(stderr, "write_poses: no 16-bit post-indexed images of %s and %s in %s\n",
-                   a.c_str(), b.c_str(), folder.c_str());
-    }
-  }
-
-  bool is_open() const { return a_.is_open() && b_.is_open(); }
-  Meshes meshes() const { return {&a_.tree(), &b_.tree()}; }
-
- private:
-  Image a_;
-  Image b_;
-};
-
-struct Folders {
-  std::string asked;
-  std::string searched;
 };
 
 void write_asked(std::ostream& out, const Asked& asked) {
@@ -84,20 +63,18 @@ void write_motion(std::ostream& out, PoseSearch& search, bool rotated) {
   out << "     },\n";
 }
 
-/// False, with a message, if an image can't be opened.
-bool write_pair(std::ostream& out, const Folders& folders, const std::string& a,
+void write_pair(std::ostream& out, const char* const* folders, const std::string& a,
                 const std::string& b) {
-  const ImagePair asked(folders.asked, a, b);
-  const ImagePair searched(folders.searched, a, b);
-  if (!asked.is_open() || !searched.is_open()) {
-    return false;
-  }
-  PoseSearch search(searched.meshes(), asked.meshes(), kSeed);
+  const Image asked_a(folders[0], a);
+  const Image asked_b(folders[0], b);
+  const Image searched_a(folders[1], a);
+  const Image searched_b(folders[1], b);
+  PoseSearch search({searched_a.tree(), searched_b.tree()}, {asked_a.tree(), asked_b.tree()},
+                    kSeed);
   out << "    {\"" << a << "\", \"" << b << "\", &" << a << "::mesh, &" << b << "::mesh,\n";
   write_motion(out, search, false);
   write_motion(out, search, true);
   out << "    },\n";
-  return true;
 }
 
 }  // namespace
@@ -107,8 +84,7 @@ int main(int argc, char** argv) {
     std::fputs("usage: write_poses FOLDER SEARCHED PAIR...\n", stderr);
     return 2;
   }
-  const Folders folders = {argv[1], argv[2]};
-  std::ofstream out(folders.asked + "/poses.cpp");
+  std::ofstream out(std::string(argv[1]) + "/poses.cpp");
   out << "// Written by write_poses.\n#include \"asked.hpp\"\n";
   std::vector<std::pair<std::string, std::string>> pairs;
   std::set<std::string> meshes;
@@ -123,9 +99,7 @@ int main(int argc, char** argv) {
   }
   out << "\nnamespace figures {\n\nconst AskedPair kAskedPairs[] = {\n";
   for (const auto& [a, b] : pairs) {
-    if (!write_pair(out, folders, a, b)) {
-      return 1;
-    }
+    write_pair(out, argv + 1, a, b);
   }
   out << "};\nconst uint32_t kAskedPairCount = " << pairs.size()
       << ";\n\n}  // namespace figures\n";
