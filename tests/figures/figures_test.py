@@ -64,6 +64,8 @@ class FiguresTest(unittest.TestCase):
         self.assertEqual(pages.rewritten(book, page("7", "8")), page("1000", "10,000"))
         with self.assertRaisesRegex(Refused, "2 figures, 1 rows"):
             pages.rewritten(book, "<!-- figures a.{b,c} -->\n| a |\n| - |\n| b |\n")
+        with self.assertRaisesRegex(Refused, "without a table"):
+            pages.rewritten(book, "<!-- figures a.b -->\n\n| a |\n")
         with self.assertRaisesRegex(Refused, "no figure a.b"):
             pages.rewritten(book, "<!-- figures a.b -->\n| a | M4 |\n| - | - |\n| b | 1 |\n")
 

@@ -11,7 +11,8 @@ import re
 
 from results import ALL, Refused
 
-TABLE = re.compile(r"(<!-- figures ([^>]*) -->\n)((?:\|.*\n)+)")
+MARK = "<!-- figures"
+TABLE = re.compile(MARK + r"(\s[^>]*)-->\n((?:\|.*\n)+)")
 EVERY_CORE = "every core"
 
 
@@ -46,7 +47,7 @@ def cells_in(line):
 
 
 def table_of(budgets, found):
-    comment, marked, table = found.groups()
+    marked, table = found.groups()
     rows, _, columns = re.sub(r",\s+", ",", marked).partition(":")
     names = [name for word in rows.split() for name in expanded(word)]
     columns = columns.split()
@@ -60,9 +61,12 @@ def table_of(budgets, found):
         for i, column in enumerate(head):
             if column in budgets.columns or column == EVERY_CORE:
                 cells[i] = grouped(budgets.value(ALL if column == EVERY_CORE else column, name))
-    return comment + lines_of([head, *rows])
+    return f"{MARK}{marked}-->\n{lines_of([head, *rows])}"
 
 
 def rewritten(budgets, text):
     """The text of a page, its tables of figures made anew."""
-    return TABLE.sub(lambda found: table_of(budgets, found), text)
+    new, tables = TABLE.subn(lambda found: table_of(budgets, found), text)
+    if tables != text.count(MARK):
+        raise Refused(f"a comment `{MARK}` without a table")
+    return new
