@@ -2,8 +2,7 @@
 //     core Cortex-M4F
 //     figure kr5.rotated.close.query.mean 52422    instructions, which depend on the core
 //     quotient kr5.visit.rotated.mean 873 10       the same, of which results.py makes 87.30
-//     count kr5.rotated.close.visits.max 708       what every core and this machine must agree
-//     about
+//     count kr5.rotated.close.visits.max 708       equal on every core and on this machine
 // Where no instructions are counted, on the host, there are counts alone.
 #ifndef FLASHBVH_TESTS_FIGURES_REPORT_HPP
 #define FLASHBVH_TESTS_FIGURES_REPORT_HPP
