@@ -29,10 +29,9 @@ def quietly(*command, **environment):
 
 
 def boards():
-    """The presets that have one, and are measured (tests/CMakeLists.txt)."""
-    presets = json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]
-    return [preset["name"] for preset in presets if "FLASHBVH_BOARD" in preset.get("cacheVariables", {})
-            and preset["name"] not in ("lx106", "rv32im")]
+    """The presets that have one, and are measured."""
+    cores = json.loads((ROOT / "ports/cores.json").read_text())
+    return [core["preset"] for core in cores if core["tests"] != "release"]
 
 
 def leaves_of(link):
