@@ -263,7 +263,7 @@ def program_in_c(words):
     includes += [f'#include "{file.name}"' for file in sorted(Path("baked").glob("*.h"))]
     writes = [f'  write_image("{word}.written", {word}_image, {word}_IMAGE_BYTES);\n'
               f"  if (sizeof {word}_image != {word}_IMAGE_BYTES) return 1;" for word in words]
-    last = ", ".join(f"(double){words[-1]}_{name}" for name in (
+    last = ", ".join(f"{words[-1]}_{name}" for name in (
         "NODE_COUNT", "LEAF_COUNT", "DEPTH", "STACK_NEED", "TRIANGLE_COUNT", "VERTEX_COUNT", "LEAF_SIZE", "ARITY",
         "CELL"))
     return "\n".join([*includes, """
@@ -273,7 +273,7 @@ static void write_image(const char* path, const uint32_t* image, size_t size) {
   fclose(file);
 }
 int main(void) {""", *writes, f"""
-  printf("%g %g %g %g %g %g %g %g %.17g\\n", {last});
+  printf("%d %d %d %d %d %d %d %d %.17g\\n", {last});
   return fabs({words[-1]}_CELL * (double){words[-1]}_CELLS_PER_UNIT - 1) < 1e-6 ? 0 : 1;
 }}"""])
 

@@ -12,10 +12,10 @@ HEADERS = ("assert complex ctype errno fenv float inttypes iso646 limits locale 
 CPP_HEADERS = "algorithm atomic cmath cstdlib cstring ctime iostream string thread".split()
 C_HEADERS = ("assert complex ctype errno fenv inttypes limits locale math setjmp signal stdarg stddef stdint stdio "
              "stdlib string time wchar wctype").split()
-TAKEN = ("abs exit size_t uint32_t INT32_MAX UINT8_C typeof asm linux unix class and xor_eq co_yield char8_t nullptr std "
-         "flashbvh posix main __arm__ _Bool __x _Upper errno stdin NULL EOF SIGINT E2BIG link pipe socket stat timeval tm "
-         "div_t y0 sinf strtol I M_PI va_arg jmp_buf int8_t restrict _Alignas noreturn bool true complex index "
-         "select").split()
+TAKEN = ("abs exit size_t uint32_t INT32_MAX UINT8_C typeof asm linux unix class and xor_eq co_yield char8_t nullptr "
+         "std flashbvh posix main __arm__ _Bool __x _Upper errno stdin NULL EOF SIGINT E2BIG link pipe socket stat "
+         "timeval tm div_t y0 sinf strtol I M_PI va_arg jmp_buf int8_t restrict _Alignas noreturn bool true complex "
+         "index select").split()
 FREE = "arm base_link tool left torso leaf_2 Base island structure memory signals timeout".split()
 
 
