@@ -39,6 +39,7 @@ import shlex
 import shutil
 import sys
 import traceback
+import zipfile
 from pathlib import Path
 
 import bakes
@@ -49,12 +50,11 @@ import names
 import outputs
 import pages
 import queries
-import refusals
 from checks import THOROUGH, Failed, flashbvh, hold
 
 HERE = Path(__file__).resolve().parent
 WORK = Path(os.environ["WORK"]).resolve()
-MODULES = {module.__name__: module for module in (bakes, evaluation, meshes, names, outputs, pages, queries, refusals)}
+MODULES = {module.__name__: module for module in (bakes, evaluation, meshes, names, outputs, pages, queries, zipfile)}
 TAKES_BLOCK = re.compile(r"(file|each|for) (?!.*: )|refuse .*\.\.\.|(no )?\S+[:~]$")
 
 
