@@ -11,8 +11,14 @@ import zlib
 from math import sqrt
 from pathlib import Path
 
-FLASHBVH, TOOLS, INCLUDE = os.environ["FLASHBVH"], Path(os.environ["TOOLS"]), os.environ["INCLUDE"]
 HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+BUILD = ROOT / "build/native-sanitize"
+for variable, value in (("FLASHBVH", BUILD / "bin/flashbvh"), ("TOOLS", BUILD / "tests/cli"), ("NM", "nm"),
+                        ("WORK", BUILD / "tests/cli/by_hand"), ("INCLUDE", ROOT / "lib/include"), ("CC", "clang"),
+                        ("CXX", "clang++")):
+    os.environ.setdefault(variable, str(value))
+FLASHBVH, TOOLS, INCLUDE = os.environ["FLASHBVH"], Path(os.environ["TOOLS"]), os.environ["INCLUDE"]
 THOROUGH = bool(os.environ.get("FLASHBVH_THOROUGH"))
 HOME = "1 0 0 0 1 0 0 0 1"  # not rotated
 STRICTLY = "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"

@@ -1,8 +1,9 @@
 """runner.py [--long] [WORD...]: runs the cases of cases/*.txt in parallel, each in a folder of its own; with words,
 those whose file or title holds one. Names each that fails, with its line.
 
-From the environment: FLASHBVH, the program; TOOLS, the folder of the tests' own programs; WORK; INCLUDE; CC, CXX and
-NM; FLASHBVH_THOROUGH, with which all is tested, however long it takes. A case is made of these lines:
+From the environment, by default those of build/native-sanitize: FLASHBVH, the program; TOOLS, the folder of the
+tests' own programs; WORK; INCLUDE; CC, CXX and NM. With FLASHBVH_THOROUGH all is tested, however long it takes. A case
+is made of these lines:
 
     == TITLE                    begins a case; (long): runs with --long; (thorough): with FLASHBVH_THOROUGH
     fixture NAME                begins one that is run once; its folder is copied into each case that says `use NAME`
