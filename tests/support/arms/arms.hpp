@@ -16,7 +16,7 @@ using tool::Model;
 using tool::Transform;
 using tool::Vector3;
 
-constexpr double kPi = 3.14159265358979323846;
+using tool::kPi;
 
 /// In [low, high).
 double real_between(Random& random, double low, double high);
