@@ -15,12 +15,12 @@
 #include <string.h>
 
 #include <flashbvh/flashbvh.hpp>
-#include <flashbvh/paper/traversals.hpp>
 
 #include "arm.hpp"
 #include "configurations.hpp"
 #include "insn.hpp"
 #include "links.hpp"
+#include "reference/traversals.hpp"
 #include "stack.hpp"
 #include "text.hpp"
 

@@ -1,4 +1,5 @@
-// What an entry is given, under one signature for all of entries.inc, and what their sources include.
+// What an entry is given, under one signature for all of entries.inc, and what their sources
+// include.
 //
 // Linked alone an entry gives its query's code size; it is the root of the query's call graph; and
 // the firmware of painted.cpp calls it through a pointer, so that the painted depth is that of the
@@ -19,11 +20,6 @@
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/flashbvh.h"
 #include "flashbvh/image.hpp"
-#include "flashbvh/paper/alternating_stack.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/ranked_stack.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
 #include "flashbvh/pose_float.hpp"
 #include "flashbvh/ray.h"
 #include "flashbvh/ray_float.hpp"
@@ -35,6 +31,9 @@
 #include "flashbvh/shape.h"
 #include "flashbvh/solid.h"
 #include "flashbvh/solid.hpp"
+#include "reference/leaf.hpp"
+#include "reference/stack_orders.hpp"
+#include "reference/stackless.hpp"
 
 namespace stack_proof {
 

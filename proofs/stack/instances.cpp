@@ -5,16 +5,14 @@
 #include "flashbvh/contact.hpp"
 #include "flashbvh/deformable.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/paper/alternating_stack.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/ranked_stack.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
 #include "flashbvh/pose_float.hpp"
 #include "flashbvh/query.hpp"
 #include "flashbvh/ray_float.hpp"
 #include "flashbvh/self.hpp"
 #include "flashbvh/solid.hpp"
+#include "reference/leaf.hpp"
+#include "reference/stack_orders.hpp"
+#include "reference/stackless.hpp"
 
 namespace flashbvh {
 

@@ -1,4 +1,4 @@
-(* The paper's stackless algorithm on post-indexed trees, lib/include/flashbvh/paper/stackless.hpp: it
+(* The paper's stackless algorithm on post-indexed trees, tests/reference/stackless.hpp: it
    makes the visits of the recursion that steps into both trees in turn. Any number of children.
 
    That rule is one of ranks: -2 level, and less 1 in A. So Ranked.v has the order; what is proved here
@@ -53,8 +53,8 @@ Variable overlap : nat -> nat -> bool.  (* what is tested of a pair: any predica
 Record At := { at_a : nat; at_b : nat; lead : Z }.
 Inductive Turned := Goes (to : At) | Ends.
 
-(* code: include/flashbvh/paper/stackless.hpp | if ((lead_ < 0 || leaf_b) && !node_a().is_leaf()) { a_ = tree_a_.first_child(a_); ++lead_; return true; } *)
-(* code: include/flashbvh/paper/stackless.hpp | if (!leaf_b) { b_ = tree_b_.first_child(b_); --lead_; return true; } return false; *)
+(* code: ../tests/reference/stackless.hpp | if ((lead_ < 0 || leaf_b) && !node_a().is_leaf()) { a_ = tree_a_.first_child(a_); ++lead_; return true; } *)
+(* code: ../tests/reference/stackless.hpp | if (!leaf_b) { b_ = tree_b_.first_child(b_); --lead_; return true; } return false; *)
 Definition descend (s : At) : option (option At) :=
   let* leaf_a := leaf_at a_ (at_a s) in
   let* leaf_b := leaf_at b_ (at_b s) in
@@ -69,11 +69,11 @@ Definition descend (s : At) : option (option At) :=
 Definition goes (left_child a b : nat) (l : Z) : option Turned :=
   Some (if left_child =? 0 then Ends else Goes {| at_a := a; at_b := b; lead := l |}).
 
-(* code: include/flashbvh/paper/stackless.hpp | if (rcl_a <= lead) { *)
-(* code: include/flashbvh/paper/stackless.hpp | lead_ -= static_cast<int32_t>(rcl_a); return tree_a_.escape_from(a_, rcl_a); *)
-(* code: include/flashbvh/paper/stackless.hpp | if (rcl_a - lead <= rcl_b) { *)
-(* code: include/flashbvh/paper/stackless.hpp | b_ = tree_b_.level_up(b_, rcl_a - lead); lead_ = 0; return tree_a_.escape_from(a_, rcl_a); *)
-(* code: include/flashbvh/paper/stackless.hpp | a_ = tree_a_.level_up(a_, lead + rcl_b + 1); lead_ = -1; return tree_b_.escape_from(b_, rcl_b); *)
+(* code: ../tests/reference/stackless.hpp | if (rcl_a <= lead) { *)
+(* code: ../tests/reference/stackless.hpp | lead_ -= static_cast<int32_t>(rcl_a); return tree_a_.escape_from(a_, rcl_a); *)
+(* code: ../tests/reference/stackless.hpp | if (rcl_a - lead <= rcl_b) { *)
+(* code: ../tests/reference/stackless.hpp | b_ = tree_b_.level_up(b_, rcl_a - lead); lead_ = 0; return tree_a_.escape_from(a_, rcl_a); *)
+(* code: ../tests/reference/stackless.hpp | a_ = tree_a_.level_up(a_, lead + rcl_b + 1); lead_ = -1; return tree_b_.escape_from(b_, rcl_b); *)
 Definition next_of_a (s : At) : option Turned :=
   let l := Z.to_nat (lead s) in
   let* rcl_a := nth_error (rcls a_) (at_a s) in
@@ -89,11 +89,11 @@ Definition next_of_a (s : At) : option Turned :=
       let* a := level_up (at_a s) (l + rcl_b + 1) in
       let* (b, left_child) := escape_from b_ (at_b s) rcl_b in goes left_child a b (-1).
 
-(* code: include/flashbvh/paper/stackless.hpp | if (rcl_b < lag) { *)
-(* code: include/flashbvh/paper/stackless.hpp | lead_ += static_cast<int32_t>(rcl_b); return tree_b_.escape_from(b_, rcl_b); *)
-(* code: include/flashbvh/paper/stackless.hpp | if (rcl_a <= rcl_b - lag) { *)
-(* code: include/flashbvh/paper/stackless.hpp | b_ = tree_b_.level_up(b_, rcl_a + lag); lead_ = 0; return tree_a_.escape_from(a_, rcl_a); *)
-(* code: include/flashbvh/paper/stackless.hpp | a_ = tree_a_.level_up(a_, rcl_b - lag + 1); lead_ = -1; return tree_b_.escape_from(b_, rcl_b); *)
+(* code: ../tests/reference/stackless.hpp | if (rcl_b < lag) { *)
+(* code: ../tests/reference/stackless.hpp | lead_ += static_cast<int32_t>(rcl_b); return tree_b_.escape_from(b_, rcl_b); *)
+(* code: ../tests/reference/stackless.hpp | if (rcl_a <= rcl_b - lag) { *)
+(* code: ../tests/reference/stackless.hpp | b_ = tree_b_.level_up(b_, rcl_a + lag); lead_ = 0; return tree_a_.escape_from(a_, rcl_a); *)
+(* code: ../tests/reference/stackless.hpp | a_ = tree_a_.level_up(a_, rcl_b - lag + 1); lead_ = -1; return tree_b_.escape_from(b_, rcl_b); *)
 Definition next_of_b (s : At) : option Turned :=
   let lag := Z.to_nat (- lead s) in
   let* rcl_b := nth_error (rcls b_) (at_b s) in
@@ -109,7 +109,7 @@ Definition next_of_b (s : At) : option Turned :=
       let* a := level_up (at_a s) (rcl_b - lag + 1) in
       let* (b, left_child) := escape_from b_ (at_b s) rcl_b in goes left_child a b (-1).
 
-(* code: include/flashbvh/paper/stackless.hpp | bool next() { return (lead_ >= 0 ? next_of_a() : next_of_b()) != 0; } *)
+(* code: ../tests/reference/stackless.hpp | bool next() { return (lead_ >= 0 ? next_of_a() : next_of_b()) != 0; } *)
 Definition next_ (s : At) : option Turned :=
   if (0 <=? lead s)%Z then next_of_a s else next_of_b s.
 
@@ -119,7 +119,7 @@ Definition visit (s : At) : option Turned :=
     let* to := descend s in match to with Some s' => Some (Goes s') | None => next_ s end
   else next_ s.
 
-(* code: include/flashbvh/paper/stackless.hpp | lead_(static_cast<int32_t>(a.level(cursor.a)) - static_cast<int32_t>(b.level(cursor.b))) {} *)
+(* code: ../tests/reference/stackless.hpp | lead_(static_cast<int32_t>(a.level(cursor.a)) - static_cast<int32_t>(b.level(cursor.b))) {} *)
 Definition start (p : nat * nat) : At := {| at_a := fst p; at_b := snd p;
   lead := Z.of_nat (level a_ (fst p)) - Z.of_nat (level b_ (snd p)) |}.
 
@@ -145,7 +145,7 @@ Fixpoint search (depth : nat) (p : nat * nat) : list (nat * nat) :=
   end.
 Definition deep_enough depth := length (cells a_) + length (cells b_) < depth.
 
-(* code: include/flashbvh/paper/stackless.hpp | return level_a > level_b ? b.nodes[cursor.b].is_leaf() : level_b - level_a <= 1 || a.nodes[cursor.a].is_leaf(); *)
+(* code: ../tests/reference/stackless.hpp | return level_a > level_b ? b.nodes[cursor.b].is_leaf() : level_b - level_a <= 1 || a.nodes[cursor.a].is_leaf(); *)
 Definition can_visit (p : nat * nat) : bool :=
   let (a, b) := p in
   if level_b b <? level_a a then is_leaf (cells b_) b

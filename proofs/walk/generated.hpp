@@ -8,7 +8,7 @@
 
 #include "flashbvh/detail/walk/ranked.hpp"
 #include "flashbvh/detail/walk/walk.hpp"
-#include "flashbvh/paper/stackless.hpp"
+#include "reference/stackless.hpp"
 #include "support/random.hpp"
 
 namespace flashbvh::test {

@@ -7,9 +7,9 @@
 
 #include "_2nd_ring.fbvh.hpp"
 #include "early.fbvh.hpp"
-#include "flashbvh/paper/stackless.hpp"
 #include "flashbvh/query.hpp"
 #include "grouped.fbvh.hpp"
+#include "reference/stackless.hpp"
 #include "ring.fbvh.hpp"
 #include "wide.fbvh.hpp"
 

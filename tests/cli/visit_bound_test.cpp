@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "bake/baked_tree.hpp"
-#include "flashbvh/paper/traversals.hpp"
+#include "reference/traversals.hpp"
 #include "support/random.hpp"
 #include "support/shapes.hpp"
 #include "support/walk.hpp"

@@ -151,8 +151,7 @@ bool ask_queries(const Setup& setup, uint32_t leaf_pairs) {
 }
 
 bool ask(const Setup& setup) {
-  port::print("Table ", setup.head.table, ": ", setup.head.title, ". ", setup.head.name, ": ",
-              setup.a.faces, " and ", setup.b.faces, " faces\n");
+  port::print("Table ", setup.head.table, ": ", setup.head.name, "\n");
   uint32_t leaf_pairs = 0;
   const bool right =
       stack_entries(setup.a.pre->stack_need, setup.b.pre->stack_need) <= kStackEntries &&

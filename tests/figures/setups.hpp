@@ -9,15 +9,13 @@
 namespace benchmark {
 
 struct Head {
-  uint32_t number;    ///< in the order of the tables, from 0
-  uint32_t table;     ///< the paper's number
-  const char* title;  ///< of the table
-  const char* name;   ///< of the setup
+  uint32_t number;  ///< in the order of the tables, from 0
+  uint32_t table;   ///< the paper's number
+  const char* name;
 };
 
 /// One object in both layouts.
 struct Object {
-  uint32_t faces;
   const flashbvh::LevelledPreMesh* pre;
   const flashbvh::LevelledPostMesh* post;
 };

@@ -1,27 +1,31 @@
 // Figures that the tables print.
 #include <catch2/catch.hpp>
 
-#include "evaluate/figure.hpp"
-#include "evaluate/run.hpp"
 #include "evaluate/tables.hpp"
 
 using namespace flashbvh;
-using namespace flashbvh::detail;
+using tool::Leaves;
 
 namespace {
 
 tool::SetupResult result_of(std::uint32_t volume, std::uint32_t ranked) {
   const Counts first = {volume, 1, 2, 3};
   const Counts second = {ranked, 1, 2, 3};
+  const auto row = [](const char* name, const Counts& counts) {
+    return tool::Row{name, Leaves::boxes, counts, {5e-6, 2e-6}, {}};
+  };
   return {&scene::kSetups[0],
-          1,
-          1,
-          {{"volume-stack", first, {}},
-           {"stackless", first, {}},
-           {"leaf", first, {}},
-           {"ranked", second, {}}},
-          std::nullopt,
-          {{"ranked", second, {}}}};
+          2,
+          {row("volume-stack", first),
+           row("stackless", first),
+           row("leaf", first),
+           row("ranked", second),
+           row("ranked, default tree", second),
+           {"best rule, default tree", Leaves::none, first, {}, {}}}};
+}
+
+bool has_line(const std::string& text, const std::string& line) {
+  return text.find("\n" + line + "\n") != std::string::npos;
 }
 
 }  // namespace
@@ -45,12 +49,21 @@ TEST_CASE("rows that find different overlaps are noticed") {
   CHECK_FALSE(result_of(10, 0).rows_agree());  // the query was refused
 }
 
-TEST_CASE("the summary adds up, and finds the worst setup") {
-  const tool::Totals totals = tool::totals_of({result_of(100, 90), result_of(10, 12)});
-  CHECK(totals.volume == 110);
-  CHECK(totals.ranked == 102);
-  CHECK(totals.worst_ranked == 1.2);
-  CHECK(totals.best == 0);
+TEST_CASE("the summary adds up, finds the worst setup and divides by the repetitions") {
+  std::vector<tool::SetupResult> results = {result_of(100, 90), result_of(10, 12)};
+  results[1].rows.push_back({"best rule", Leaves::none, {8, 0, 0, 0}, {}, {}});
+  const std::string text = tool::summary_tables(results);
+  CAPTURE(text);
+  CHECK(has_line(text,
+                 "| total                              |          110 |       110 |  110 |    "
+                 "102 |         - |             1.0000 |          0.9273 |             - |"));
+  CHECK(has_line(text,
+                 "| total where the best rule is known |           10 |        10 |   10 |     "
+                 "12 |         8 |             1.0000 |          1.2000 |        0.8000 |"));
+  CHECK(has_line(text, "Largest ranked / volume of a setup: 1.2000"));
+  CHECK(has_line(text,
+                 "| Intersection test 1 |        1.000 |     1.000 | 1.000 |  1.000 |         "
+                 "       1.000 |"));
 }
 
 TEST_CASE("tables are aligned Markdown") {
@@ -59,23 +72,4 @@ TEST_CASE("tables are aligned Markdown") {
         "| --------- | -: |\n"
         "| a         | 10 |\n"
         "| long name |  5 |\n");
-}
-
-TEST_CASE("the figure has a line of every algorithm, by its name, and every number of faces") {
-  std::vector<tool::SetupResult> results;
-  for (const scene::Setup& setup : scene::kSetups) {
-    if (setup.table == tool::kScalabilityTable) {
-      results.push_back(result_of(100, 90));
-      results.back().setup = &setup;
-      for (tool::RowResult& row : results.back().rows) {
-        row.times = tool::times_of({0.5, 1.5});
-      }
-    }
-  }
-  const std::string figure = tool::figure_33(results);
-  for (const char* name : {"volume-stack", "ranked", "Iterations", "Time", "796", "203776"}) {
-    CAPTURE(name);
-    CHECK(figure.find(std::string(">") + name + "</text>") != std::string::npos);
-  }
-  CHECK(figure.find("</svg>") != std::string::npos);
 }

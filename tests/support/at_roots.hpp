@@ -1,12 +1,12 @@
-// The orders of paper/traversals.hpp for what runs each of them: on each layout, and at its start,
-// whether it has a stack or not. Nothing of C++'s library.
+// The orders of reference/traversals.hpp for what runs each of them: on each layout, and at its
+// start, whether it has a stack or not. Nothing of C++'s library.
 #ifndef FLASHBVH_TESTS_SUPPORT_AT_ROOTS_HPP
 #define FLASHBVH_TESTS_SUPPORT_AT_ROOTS_HPP
 
 #include <stdint.h>
 
-#include "flashbvh/paper/pair_stack.hpp"
-#include "flashbvh/paper/traversals.hpp"
+#include "reference/stack_orders.hpp"
+#include "reference/traversals.hpp"
 
 namespace flashbvh::test {
 

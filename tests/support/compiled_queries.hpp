@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-#include "flashbvh/paper/traversals.hpp"
 #include "flashbvh/query.hpp"
+#include "reference/traversals.hpp"
 
 #define FLASHBVH_COMPILED_QUERY(keyword, ...)                                      \
   keyword template bool __VA_ARGS__::next_answer(__VA_ARGS__::Batch&, uint32_t);   \

@@ -5,9 +5,9 @@
 #include <type_traits>
 
 #include "bake/baked_tree.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/stackless.hpp"
 #include "flashbvh/query.hpp"
+#include "reference/leaf.hpp"
+#include "reference/stackless.hpp"
 #include "support/queries.hpp"
 #include "support/record.hpp"
 #include "support/shapes.hpp"

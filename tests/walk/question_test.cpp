@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "bake/baked_tree.hpp"
-#include "flashbvh/paper/stackless.hpp"
 #include "flashbvh/query.hpp"
+#include "reference/stackless.hpp"
 #include "support/queries.hpp"
 #include "support/record.hpp"
 #include "support/rotations.hpp"

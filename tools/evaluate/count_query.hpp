@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "flashbvh/paper/pair_stack.hpp"
 #include "flashbvh/query.hpp"
+#include "reference/stack_orders.hpp"
 
 namespace flashbvh::scene {
 

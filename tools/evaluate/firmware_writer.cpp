@@ -1,11 +1,12 @@
 #include "evaluate/firmware_writer.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <vector>
 
-#include "evaluate/objects.hpp"
 #include "evaluate/setups.hpp"
 #include "image/cpp_writer.hpp"
 #include "text/files.hpp"
@@ -16,151 +17,131 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using SetupIndex = std::size_t;  ///< in scene::kSetups
+/// An object's tree in one layout.
+struct TreeFiles {
+  std::string name;
+  SourceFiles text;
+  std::uint64_t flash_bytes;
+};
+using ObjectFiles = std::array<TreeFiles, 2>;  ///< pre-indexed, post-indexed
+
+template <Layout layout>
+TreeFiles write_tree(const std::string& object, const bake::BuildTree& tree,
+                     const bake::LatticeMesh& mesh) {
+  const auto baked = bake::lay_out<std::uint16_t, layout>(tree, mesh);
+  const std::string name = object + (layout == Layout::pre_indexed ? "_pre" : "_post");
+  constexpr std::uint64_t kPointers = 8;
+  return {name, cpp_of(baked, {name, name, name}, ""),
+          flash_bytes(baked) + kPointers + 2 * (baked.levels.size() + baked.climb.size())};
+}
 
 /// What one firmware image holds.
 struct Image {
-  std::vector<SetupIndex> setups;
-  std::vector<scene::PaperObject> objects;
+  std::string setups;             ///< lines of its table
+  std::set<std::string> objects;  ///< by their names
   std::uint64_t bytes = 0;
-
-  bool has(const scene::PaperObject& object) const {
-    return std::find(objects.begin(), objects.end(), object) != objects.end();
-  }
 };
-
-std::string name_of(const scene::PaperObject& object, Layout layout) {
-  constexpr const char* kOrientations[] = {"upright", "lying", "upside_down"};
-  return concat(kOrientations[static_cast<std::size_t>(object.orientation)], "_", object.faces(),
-                "_radius_", object.radius, (layout == Layout::pre_indexed ? "_pre" : "_post"));
-}
-
-template <Layout layout>
-std::uint64_t levelled_bytes(const bake::BakedTree<std::uint16_t, layout>& baked) {
-  constexpr std::uint64_t kPointers = 8;
-  return flash_bytes(baked) + kPointers + 2 * (baked.levels.size() + baked.climb.size());
-}
 
 class Distribution {
  public:
   explicit Distribution(const FirmwareOptions& options)
-      : options_(options), images_(options.images) {
-    for (SetupIndex i = 0; i < scene::kSetups.size(); ++i) {
-      if (!place(i)) {
-        left_out_.push_back(i);
+      : max_bytes_(options.max_bytes), images_(options.images) {
+    for (std::size_t i = 0; i < scene::kSetups.size(); ++i) {
+      const scene::Setup& setup = scene::kSetups[i];
+      const std::string head = concat("{", i, ", ", setup.table, ", \"", setup.name, "\"}");
+      if (!has_16_bits(setup.a) || !has_16_bits(setup.b) || !place(setup, head)) {
+        left_out_ += "    " + head + ",\n";
       }
     }
   }
 
-  const std::vector<Image>& images() const { return images_; }
-  const std::vector<SetupIndex>& left_out() const { return left_out_; }
-  const BothLayouts<std::uint16_t>& baked(const scene::PaperObject& object) {
-    return objects_.get(object).baked<std::uint16_t>();
+  FileSet files(const fs::path& folder) const {
+    FileSet files;
+    std::set<std::string> written;
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+      files.add(folder / concat("setups_", i + 1, ".cpp"),
+                source(images_[i], i == 0 ? left_out_ : std::string()));
+      written.insert(images_[i].objects.begin(), images_[i].objects.end());
+    }
+    for (const std::string& object : written) {
+      for (const TreeFiles& tree : objects_.at(object)) {
+        files.add(folder / (tree.name + ".fbvh.hpp"), tree.text.header);
+        files.add(folder / (tree.name + ".fbvh.cpp"), tree.text.source);
+      }
+    }
+    return files;
   }
 
  private:
-  /// Into the first image with room; false if there is none.
-  bool place(SetupIndex i) {
-    const scene::Setup& setup = scene::kSetups[i];
-    if (std::max(setup.a.faces(), setup.b.faces()) >
-        std::min(options_.max_faces, kMostFirmwareFaces)) {
-      return false;
+  /// Twice as many nodes, less one.
+  static bool has_16_bits(const scene::PaperObject& object) { return object.faces() <= 32768; }
+
+  const ObjectFiles& files_of(const scene::PaperObject& object) {
+    const std::string name = name_of(object);
+    if (objects_.count(name) == 0) {
+      const bake::LatticeMesh mesh = make_mesh(object);
+      const bake::BuildTree tree = bake::build_median(mesh, 1);
+      objects_[name] = {write_tree<Layout::pre_indexed>(name, tree, mesh),
+                        write_tree<Layout::post_indexed>(name, tree, mesh)};
     }
+    return objects_[name];
+  }
+
+  /// Into the first image with capacity; false if there is none.
+  bool place(const scene::Setup& setup, const std::string& head) {
     for (Image& image : images_) {
-      std::vector<scene::PaperObject> added;
-      std::uint64_t bytes = image.bytes;
+      Image filled = image;
       for (const scene::PaperObject& object : {setup.a, setup.b}) {
-        if (!image.has(object) && std::find(added.begin(), added.end(), object) == added.end()) {
-          added.push_back(object);
-          bytes += levelled_bytes(baked(object).pre) + levelled_bytes(baked(object).post);
+        if (filled.objects.insert(name_of(object)).second) {
+          for (const TreeFiles& tree : files_of(object)) {
+            filled.bytes += tree.flash_bytes;
+          }
         }
       }
-      if (bytes <= options_.max_bytes) {
-        image.setups.push_back(i);
-        image.objects.insert(image.objects.end(), added.begin(), added.end());
-        image.bytes = bytes;
+      if (filled.bytes <= max_bytes_) {
+        filled.setups += line(setup, head);
+        image = filled;
         return true;
       }
     }
     return false;
   }
 
-  const FirmwareOptions& options_;
-  Objects objects_;
-  std::vector<Image> images_;
-  std::vector<SetupIndex> left_out_;
-};
-
-template <Layout layout>
-void add_tree(FileSet& files, const fs::path& folder, const scene::PaperObject& object,
-              const bake::BakedTree<std::uint16_t, layout>& baked) {
-  const std::string name = name_of(object, layout);
-  const SourceFiles text = cpp_of(baked, {name, name, name}, "");
-  files.add(folder / (name + ".fbvh.hpp"), text.header);
-  files.add(folder / (name + ".fbvh.cpp"), text.source);
-}
-
-std::string tree(const scene::PaperObject& object, Layout layout) {
-  return "&" + name_of(object, layout) + "::levelled_mesh";
-}
-
-std::string head(SetupIndex i) {
-  const scene::Setup& setup = scene::kSetups[i];
-  return concat("{", i, ", ", setup.table, ", \"", scene::table_title(setup.table), "\", \"",
-                setup.name, "\"}");
-}
-
-std::string line(SetupIndex i) {
-  const scene::Setup& setup = scene::kSetups[i];
-  const Point& t = setup.translation;
-  std::string text = "    {" + head(i) + ",\n";
-  for (const scene::PaperObject& object : {setup.a, setup.b}) {
-    text += concat("     {", object.faces(), ", ", tree(object, Layout::pre_indexed), ",\n      ",
-                   tree(object, Layout::post_indexed), "},\n");
-  }
-  return concat(text, "     {", t.x, ", ", t.y, ", ", t.z, "}},\n");
-}
-
-std::string source(const Image& image, const std::vector<SetupIndex>& left_out) {
-  std::string text =
-      "// Written by `flashbvh bench --firmware`; run it again instead of changing this.\n"
-      "#include \"setups.hpp\"\n\n";
-  for (const scene::PaperObject& object : image.objects) {
-    for (const Layout layout : {Layout::pre_indexed, Layout::post_indexed}) {
-      text += "#include \"" + name_of(object, layout) + ".fbvh.cpp\"\n";
+  static std::string line(const scene::Setup& setup, const std::string& head) {
+    std::string text = "    {" + head + ",\n";
+    for (const scene::PaperObject& object : {setup.a, setup.b}) {
+      const std::string name = name_of(object);
+      text += concat("     {&", name, "_pre::levelled_mesh,\n      &", name,
+                     "_post::levelled_mesh},\n");
     }
+    const Point& t = setup.translation;
+    return concat(text, "     {", t.x, ", ", t.y, ", ", t.z, "}},\n");
   }
-  text += "\nnamespace benchmark {\n\nconst Setup kSetups[] = {\n";
-  for (const SetupIndex i : image.setups) {
-    text += line(i);
+
+  std::string source(const Image& image, const std::string& left_out) const {
+    std::string text =
+        "// Written by `flashbvh bench --firmware`; run it again instead of changing this.\n"
+        "#include \"setups.hpp\"\n\n";
+    for (const std::string& object : image.objects) {
+      for (const TreeFiles& tree : objects_.at(object)) {
+        text += "#include \"" + tree.name + ".fbvh.cpp\"\n";
+      }
+    }
+    return text + "\nnamespace benchmark {\n\nconst Setup kSetups[] = {\n" + image.setups +
+           "    {}};\n\nconst Head kLeftOut[] = {\n" + left_out +
+           "    {}};\n\n}  // namespace benchmark\n";
   }
-  text += "    {}};\n\nconst Head kLeftOut[] = {\n";
-  for (const SetupIndex i : left_out) {
-    text += "    " + head(i) + ",\n";
-  }
-  return text + "    {}};\n\n}  // namespace benchmark\n";
-}
+
+  std::uint64_t max_bytes_;
+  std::map<std::string, ObjectFiles> objects_;
+  std::vector<Image> images_;
+  std::string left_out_;
+};
 
 }  // namespace
 
 void write_firmware(const FirmwareOptions& options) {
-  const fs::path folder = options.folder;
-  Distribution distribution(options);
-  FileSet files;
-  std::vector<scene::PaperObject> written;
-  for (std::size_t i = 0; i < distribution.images().size(); ++i) {
-    const Image& image = distribution.images()[i];
-    files.add(folder / (concat("setups_", i + 1, ".cpp")),
-              source(image, i == 0 ? distribution.left_out() : std::vector<SetupIndex>()));
-    for (const scene::PaperObject& object : image.objects) {
-      if (std::find(written.begin(), written.end(), object) == written.end()) {
-        written.push_back(object);
-        add_tree(files, folder, object, distribution.baked(object).pre);
-        add_tree(files, folder, object, distribution.baked(object).post);
-      }
-    }
-  }
-  files.write();
+  Distribution(options).files(options.folder).write();
 }
 
 }  // namespace flashbvh::tool

@@ -7,20 +7,16 @@
 
 namespace flashbvh::tool {
 
-/// The most faces whose tree has 16-bit indices: twice as many nodes, less one.
-constexpr std::uint32_t kMostFirmwareFaces = 32768;
-
 struct FirmwareOptions {
-  std::string folder;                            ///< empty: nothing is asked for
-  std::uint32_t images = 1;                      ///< that share the setups
-  std::uint32_t max_faces = kMostFirmwareFaces;  ///< of an object
-  std::uint64_t max_bytes = UINT32_MAX;          ///< of flash for the trees of an image
+  std::string folder;                    ///< empty: write nothing
+  std::uint32_t images = 1;              ///< that share the setups
+  std::uint64_t max_bytes = UINT32_MAX;  ///< of flash for the trees of an image
 };
 
-/// Writes setups_1.cpp to setups_N.cpp, one for each image, and the trees that they include, each
-/// object in both layouts with levels. A setup goes to the first image that has room for it; the
-/// first image's table names those that found none. The same bytes on every machine.
-/// tests/figures/setups.hpp declares what the files define.
+/// Writes setups_1.cpp to setups_N.cpp, one for each image, and the trees that they include: each
+/// object with 16-bit indices, in both layouts, with levels. A setup goes to the first image that
+/// has capacity for it; the first image's table names the setups that found none. The same bytes on
+/// every machine. tests/figures/setups.hpp declares what the files define.
 void write_firmware(const FirmwareOptions& options);
 
 }  // namespace flashbvh::tool

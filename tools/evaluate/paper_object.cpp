@@ -152,6 +152,12 @@ Vertex rotated(const Vertex& v, Orientation orientation) {
 
 }  // namespace
 
+std::string name_of(const PaperObject& object) {
+  constexpr const char* kOrientations[] = {"upright", "lying", "upside_down"};
+  return std::string(kOrientations[static_cast<std::size_t>(object.orientation)]) + "_" +
+         std::to_string(object.faces()) + "_radius_" + std::to_string(object.radius);
+}
+
 bake::LatticeMesh make_mesh(const PaperObject& object) {
   bake::LatticeMesh mesh;
   for (const ProfilePoint& ring : kRings) {

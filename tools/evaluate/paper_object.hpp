@@ -4,6 +4,7 @@
 #define FLASHBVH_TOOLS_EVALUATE_PAPER_OBJECT_HPP
 
 #include <cstdint>
+#include <string>
 
 #include "bake/mesh.hpp"
 
@@ -28,11 +29,10 @@ struct PaperObject {
   Orientation orientation;
 
   constexpr std::uint32_t faces() const { return kPaperFaces << (2 * subdivisions); }
-  constexpr bool operator==(const PaperObject& other) const {
-    return subdivisions == other.subdivisions && radius == other.radius &&
-           orientation == other.orientation;
-  }
 };
+
+/// As in "upright_796_radius_12000".
+std::string name_of(const PaperObject& object);
 
 /// The mesh, the same on every machine; triangles turn counterclockwise seen from outside. The
 /// vertices before the subdivision are multiples of 16 cells: all subdivisions are one surface.

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "flashbvh/contact.hpp"
-#include "flashbvh/paper/traversals.hpp"
 #include "flashbvh/pose.hpp"
 #include "image/image_file.hpp"
+#include "reference/traversals.hpp"
 
 namespace flashbvh::tool {
 

@@ -3,14 +3,65 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <iterator>
 #include <numeric>
+#include <optional>
 
+#include "bake/baked_tree.hpp"
 #include "evaluate/best_rule.hpp"
 #include "evaluate/count_query.hpp"
-#include "flashbvh/paper/traversals.hpp"
+#include "reference/traversals.hpp"
 
 namespace flashbvh::tool {
+
+/// One tree in both layouts.
+template <class Index>
+struct BothLayouts {
+  bake::BakedTree<Index, Layout::pre_indexed> pre;
+  bake::BakedTree<Index, Layout::post_indexed> post;
+
+  BothLayouts(const bake::BuildTree& tree, const bake::LatticeMesh& mesh)
+      : pre(bake::lay_out<Index, Layout::pre_indexed>(tree, mesh)),
+        post(bake::lay_out<Index, Layout::post_indexed>(tree, mesh)) {}
+
+  template <Layout layout>
+  auto view() const {
+    if constexpr (layout == Layout::pre_indexed) {
+      return pre.view();
+    } else {
+      return post.view();
+    }
+  }
+};
+
+/// The paper's tree over one object, split at the median, and the tree of `flashbvh bake`; both
+/// have one triangle a leaf.
+struct Trees {
+  bake::LatticeMesh mesh;
+  bake::BuildTree median = bake::build_median(mesh, 1);
+  bake::BuildTree by_default = bake::build_default(mesh, 1);
+  std::optional<BothLayouts<std::uint16_t>> narrow;  ///< absent if the tree needs 32 bits
+  BothLayouts<std::uint32_t> wide{median, mesh};
+  bake::BakedTree<std::uint32_t, Layout::post_indexed> baked_by_default =
+      bake::lay_out<std::uint32_t, Layout::post_indexed>(by_default, mesh);
+
+  explicit Trees(const scene::PaperObject& object) : mesh(make_mesh(object)) {
+    if (bake::fits_index<std::uint16_t>(median, mesh)) {
+      narrow.emplace(median, mesh);
+    }
+  }
+};
+
+Objects::Objects() = default;
+Objects::~Objects() = default;
+
+const Trees& Objects::get(const scene::PaperObject& object) {
+  std::unique_ptr<Trees>& trees = trees_[name_of(object)];
+  if (!trees) {
+    trees = std::make_unique<Trees>(object);
+  }
+  return *trees;
+}
+
 namespace {
 
 /// The pose is read anew each time, so that no repetition can be optimised away.
@@ -19,43 +70,67 @@ struct VolatilePose {
   Pose now() const { return Pose::translated(x, y, z); }
 };
 
-template <class Traversal, class Question>
-Row make_row(const char* algorithm, const typename Traversal::Tree& a,
-             const typename Traversal::Tree& b, const Point& translation) {
-  return {algorithm, [a, b, translation](std::uint32_t repetitions) {
+template <class Order, class Predicate>
+Row make_row(const std::string& name, Leaves leaves, const typename Order::Tree& a,
+             const typename Order::Tree& b, const Point& translation) {
+  return {name, leaves, {}, {}, [a, b, translation](std::uint32_t repetitions) {
             const VolatilePose pose = {translation.x, translation.y, translation.z};
-            scene::WalkStart<Traversal> start(a, b);
+            scene::WalkStart<Order> start(a, b);
             Counts counts = {0, 0, 0, 0};
             std::uint32_t found = 0;
             for (std::uint32_t i = 0; i < repetitions; ++i) {
-              counts = scene::count_query<Traversal, Question>(a, b, pose.now(), start, found);
+              counts = scene::count_query<Order, Predicate>(a, b, pose.now(), start, found);
             }
             return counts;
           }};
 }
 
-template <class Question, class Index>
-std::vector<Row> rows_of(const BothLayouts<Index>& a, const BothLayouts<Index>& b,
-                         const Point& translation) {
-  std::vector<Row> rows;
-  for_each_traversal([&](auto traversal) {
-    constexpr Layout layout = decltype(traversal)::kLayout;
-    using Traversal = typename decltype(traversal)::template On<Index, layout>;
-    rows.push_back(make_row<Traversal, Question>(traversal.name, a.template in<layout>().view(),
-                                                 b.template in<layout>().view(), translation));
+/// Adds a row for each order, on the layout that it has in the paper.
+template <class Predicate, class Index>
+void add_orders(std::vector<Row>& rows, Leaves leaves, const BothLayouts<Index>& a,
+                const BothLayouts<Index>& b, const Point& translation) {
+  for_each_traversal([&](auto named) {
+    constexpr Layout layout = decltype(named)::kLayout;
+    using Order = typename decltype(named)::template On<Index, layout>;
+    const char* const suffix = leaves == Leaves::shapes ? ", leaves as shapes" : "";
+    rows.push_back(make_row<Order, Predicate>(std::string(named.name) + suffix, leaves,
+                                              a.template view<layout>(), b.template view<layout>(),
+                                              translation));
   });
+}
+
+Row best_rule_row(const std::string& name, const bake::BuildTree& a, const bake::BuildTree& b,
+                  const Point& translation) {
+  return {name, Leaves::none, {}, {}, [&a, &b, translation](std::uint32_t /*repetitions*/) {
+            const std::uint64_t visits = best_rule_visits(a, b, translation);
+            return Counts{static_cast<std::uint32_t>(visits), 0, 0, 0};
+          }};
+}
+
+template <class Index>
+void add_paper_rows(std::vector<Row>& rows, const scene::Setup& setup, const Trees& trees_a,
+                    const Trees& trees_b, const BothLayouts<Index>& a,
+                    const BothLayouts<Index>& b) {
+  add_orders<detail::BoxIntersection>(rows, Leaves::boxes, a, b, setup.translation);
+  if (std::max(setup.a.faces(), setup.b.faces()) <= kBestRuleFaces) {
+    rows.push_back(best_rule_row("best rule", trees_a.median, trees_b.median, setup.translation));
+  }
+  add_orders<detail::Intersection>(rows, Leaves::shapes, a, b, setup.translation);
+}
+
+std::vector<Row> rows_of(const scene::Setup& setup, const Trees& a, const Trees& b) {
+  std::vector<Row> rows;
+  if (a.narrow && b.narrow) {
+    add_paper_rows(rows, setup, a, b, *a.narrow, *b.narrow);
+  } else {
+    add_paper_rows(rows, setup, a, b, a.wide, b.wide);
+  }
+  rows.push_back(make_row<Ranked<LargePostMesh>, detail::BoxIntersection>(
+      "ranked, default tree", Leaves::boxes, a.baked_by_default.view(), b.baked_by_default.view(),
+      setup.translation));
+  rows.push_back(
+      best_rule_row("best rule, default tree", a.by_default, b.by_default, setup.translation));
   return rows;
-}
-
-template <class Question>
-std::vector<Row> rows_of(BakedObject& a, BakedObject& b, const Point& translation) {
-  return a.fits_16_bits() && b.fits_16_bits()
-             ? rows_of<Question>(a.baked<std::uint16_t>(), b.baked<std::uint16_t>(), translation)
-             : rows_of<Question>(a.baked<std::uint32_t>(), b.baked<std::uint32_t>(), translation);
-}
-
-std::uint32_t scaled_repetitions(std::uint32_t paper, double scale) {
-  return static_cast<std::uint32_t>(std::max(1.0, std::round(paper * scale)));
 }
 
 /// Of this process alone, as the paper's timer: what else the machine does is left out.
@@ -65,27 +140,7 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-double seconds_of(const Row& row, std::uint32_t repetitions) {
-  const double start = processor_seconds();
-  row.run(repetitions);
-  return processor_seconds() - start;
-}
-
-std::optional<std::uint64_t> best_rule(const scene::Setup& setup, const BakedObject& a,
-                                       const BakedObject& b) {
-  if (std::max(setup.a.faces(), setup.b.faces()) > kBestRuleFaces) {
-    return std::nullopt;
-  }
-  return best_rule_visits(a.tree(), b.tree(), setup.translation);
-}
-
 }  // namespace
-
-std::vector<Row> make_rows(BakedObject& a, BakedObject& b, const Point& translation,
-                           Leaves leaves) {
-  return leaves == Leaves::boxes ? rows_of<detail::BoxIntersection>(a, b, translation)
-                                 : rows_of<detail::Intersection>(a, b, translation);
-}
 
 Times times_of(const std::vector<double>& samples) {
   const auto count = static_cast<double>(samples.size());
@@ -98,93 +153,39 @@ Times times_of(const std::vector<double>& samples) {
   return {*least, *most, mean, std::sqrt(squares / count)};
 }
 
-const RowResult& SetupResult::row(const std::string& algorithm) const {
-  return *std::find_if(rows.begin(), rows.end(), [&](const RowResult& candidate) {
-    return candidate.algorithm == algorithm;
-  });
+const Row* SetupResult::row(const std::string& name) const {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const Row& candidate) { return candidate.name == name; });
+  return found == rows.end() ? nullptr : &*found;
 }
 
 bool SetupResult::rows_agree() const {
-  const auto found = [this](const RowResult& row) {
-    return row.counts.visits != 0 && row.counts.triangle_pairs == rows[0].counts.triangle_pairs;
-  };
-  return std::all_of(shaped.begin(), shaped.end(), found) &&
-         std::all_of(rows.begin(), rows.end(), [&](const RowResult& row) {
-           return found(row) && row.counts.leaf_pairs == rows[0].counts.leaf_pairs;
-         });
+  const Counts& first = rows[0].counts;
+  return std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
+    const Counts& counts = row.counts;
+    return counts.visits != 0 &&
+           (row.leaves == Leaves::none || counts.triangle_pairs == first.triangle_pairs) &&
+           (row.leaves != Leaves::boxes || counts.leaf_pairs == first.leaf_pairs);
+  });
 }
 
 SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& objects) {
-  BakedObject& a = objects.get(setup.a);
-  BakedObject& b = objects.get(setup.b);
-  SetupResult result = {&setup,
-                        scaled_repetitions(setup.repetitions, effort.repetitions_scale),
-                        effort.rounds,
-                        {},
-                        best_rule(setup, a, b),
-                        {}};
-  std::vector<Row> rows = make_rows(a, b, setup.translation);
-  const std::size_t boxes = rows.size();
-  std::vector<Row> shapes = make_rows(a, b, setup.translation, Leaves::shapes);
-  rows.insert(rows.end(), std::make_move_iterator(shapes.begin()),
-              std::make_move_iterator(shapes.end()));
-  std::vector<RowResult> results;
-  results.reserve(rows.size());
-  for (const Row& row : rows) {
-    results.push_back({row.algorithm, row.run(1), {}});
+  const double repetitions = std::round(setup.repetitions * effort.repetitions_scale);
+  SetupResult result = {&setup, static_cast<std::uint32_t>(std::max(1.0, repetitions)),
+                        rows_of(setup, objects.get(setup.a), objects.get(setup.b))};
+  for (Row& row : result.rows) {
+    row.counts = row.query(1);
   }
-  std::vector<std::vector<double>> samples(rows.size());
   for (std::uint32_t round = 0; round < effort.rounds; ++round) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      samples[i].push_back(seconds_of(rows[i], result.repetitions));
+    for (Row& row : result.rows) {
+      if (row.leaves != Leaves::none) {
+        const double start = processor_seconds();
+        row.query(result.repetitions);
+        row.seconds.push_back(processor_seconds() - start);
+      }
     }
   }
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    results[i].times = times_of(samples[i]);
-  }
-  const auto shaped = results.begin() + static_cast<std::ptrdiff_t>(boxes);
-  result.shaped.assign(shaped, results.end());
-  results.erase(shaped, results.end());
-  result.rows = std::move(results);
   return result;
-}
-
-namespace {
-
-/// By boxes alone, as the best rule's.
-template <template <class> class Order, class Levelled>
-Counts visits_of(const Levelled& a, const Levelled& b, const Pose& pose) {
-  scene::WalkStart<Order<Levelled>> start(a, b);
-  std::uint32_t found = 0;
-  return scene::count_query<Order<Levelled>, detail::BoxIntersection>(a, b, pose, start, found);
-}
-
-}  // namespace
-
-DefaultTreeResult compare_default_tree(const scene::Setup& setup, Objects& objects) {
-  BakedObject& a = objects.get(setup.a);
-  BakedObject& b = objects.get(setup.b);
-  const Point& t = setup.translation;
-  const Pose pose = Pose::translated(t.x, t.y, t.z);
-  const Counts stackless = visits_of<AlternatingStackless>(
-      a.baked<std::uint32_t>().pre.view(), b.baked<std::uint32_t>().pre.view(), pose);
-  const Counts ranked = visits_of<Ranked>(a.baked_default().view(), b.baked_default().view(), pose);
-  return {&setup,
-          stackless.triangle_pairs != 0,
-          {stackless.visits, ranked.visits,
-           best_rule_visits(a.default_tree(), b.default_tree(), setup.translation)}};
-}
-
-DefaultTreeVisits sum_of(const std::vector<DefaultTreeResult>& results, bool only_intersecting) {
-  DefaultTreeVisits sum;
-  for (const DefaultTreeResult& result : results) {
-    if (result.intersecting || !only_intersecting) {
-      sum.stackless += result.visits.stackless;
-      sum.ranked += result.visits.ranked;
-      sum.best_rule += result.visits.best_rule;
-    }
-  }
-  return sum;
 }
 
 }  // namespace flashbvh::tool

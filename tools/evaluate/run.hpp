@@ -1,40 +1,47 @@
-// Runs setups of the paper's evaluation and keeps what they gave.
+// The paper's evaluation on this machine: every order on every setup, its counts and its times.
 #ifndef FLASHBVH_TOOLS_EVALUATE_RUN_HPP
 #define FLASHBVH_TOOLS_EVALUATE_RUN_HPP
 
 #include <cstdint>
 #include <functional>
-#include <optional>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "evaluate/objects.hpp"
 #include "evaluate/setups.hpp"
 #include "flashbvh/query.hpp"
 
 namespace flashbvh::tool {
 
-/// A traversal, ready to run on one setup.
+struct Trees;
+
+/// The trees of the setups' objects, each built once.
+class Objects {
+ public:
+  Objects();
+  ~Objects();
+  /// The reference stays good as long as this.
+  const Trees& get(const scene::PaperObject& object);
+
+ private:
+  std::map<std::string, std::unique_ptr<Trees>> trees_;
+};
+
+/// What is tested of a pair with a leaf: its box alone, as in the paper, or its planes too. A best
+/// rule counts visits and tests no leaf.
+enum class Leaves : std::uint8_t { boxes, shapes, none };
+
+/// An order on one setup: a row of the tables.
 struct Row {
-  const char* algorithm;  ///< by its name on the command line
-  /// Runs the whole query that many times, geometry tests and all; the counts of the last.
-  std::function<Counts(std::uint32_t repetitions)> run;
+  std::string name;
+  Leaves leaves;
+  Counts counts;                                           ///< of a best rule, visits alone
+  std::vector<double> seconds;                             ///< a sample each: all repetitions
+  std::function<Counts(std::uint32_t repetitions)> query;  ///< triangle tests included
 };
 
-/// What is tested of a pair with a leaf: its box alone, as the paper has it, or its slabs too.
-enum class Leaves : std::uint8_t { boxes, shapes };
-
-/// In the tables' order. 16-bit trees where both objects fit, else 32-bit ones. `a` and `b` outlive
-/// the rows. `translation`: of B in A's frame, in cells.
-std::vector<Row> make_rows(BakedObject& a, BakedObject& b, const Point& translation,
-                           Leaves leaves = Leaves::boxes);
-
-struct Effort {
-  double repetitions_scale = 0.01;  ///< of the paper's number; at least one repetition
-  std::uint32_t rounds = 10;        ///< samples; the paper's: 100
-};
-
-/// Of all samples of a row. A sample is the processor time of all repetitions together, in seconds.
+/// Of all samples of a row, in seconds.
 struct Times {
   double least = 0;
   double most = 0;
@@ -43,60 +50,29 @@ struct Times {
 };
 Times times_of(const std::vector<double>& samples);
 
-struct RowResult {
-  std::string algorithm;
-  Counts counts;
-  Times times;
+struct Effort {
+  double repetitions_scale = 0.01;  ///< of the paper's number; at least one repetition
+  std::uint32_t rounds = 10;        ///< samples; the paper's: 100. 0: counts alone
 };
 
 struct SetupResult {
   const scene::Setup* setup;
   std::uint32_t repetitions;
-  std::uint32_t rounds;
-  std::vector<RowResult> rows;             ///< the paper's: boxes alone
-  std::optional<std::uint64_t> best_rule;  ///< absent beyond kBestRuleFaces
-  std::vector<RowResult> shaped;           ///< leaves as shapes
+  std::vector<Row> rows;
 
-  const RowResult& row(const std::string& algorithm) const;
-  /// Whether all rows found the same pairs of triangles and, by boxes alone, of leaves, in number.
+  /// Null if the setup has no such row.
+  const Row* row(const std::string& name) const;
+  /// Whether all rows found equally many triangle pairs and, by boxes alone, leaf pairs.
   bool rows_agree() const;
 };
 
-/// Objects up to this size get a row for the best rule.
+/// A best rule on the paper's tree is known up to this size: its table of pairs grows.
 constexpr std::uint32_t kBestRuleFaces = 3184;
 
-/// In each round each row takes its turn, so that what slows the machine down for a while slows
-/// down all of them.
+/// The rows, in the tables' order: all orders on the paper's tree with boxes, `best rule`, all
+/// orders with leaf planes, and on the default tree `ranked` and the best rule. In each round each
+/// row takes its turn, so that what slows the machine down slows down all of them.
 SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& objects);
-
-// The default tree against the paper's, by visits: how much is won, and how much is left.
-
-/// 0 if the whole is.
-inline double ratio(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
-}
-
-/// The visits of one setup, or of several together.
-struct DefaultTreeVisits {
-  std::uint64_t stackless = 0;  ///< on the paper's tree
-  std::uint64_t ranked = 0;     ///< on the default tree
-  std::uint64_t best_rule = 0;  ///< on the default tree: the fewest that any rule needs
-
-  double ranked_to_stackless() const { return ratio(ranked, stackless); }
-  double ranked_to_best() const { return ratio(ranked, best_rule); }
-};
-
-struct DefaultTreeResult {
-  const scene::Setup* setup;
-  bool intersecting;  ///< whether triangles intersect
-  DefaultTreeVisits visits;
-};
-
-/// Geometry tests and all. Seconds for the largest setups: the best rule takes the most.
-DefaultTreeResult compare_default_tree(const scene::Setup& setup, Objects& objects);
-
-/// The sum over all setups, or over those whose triangles intersect.
-DefaultTreeVisits sum_of(const std::vector<DefaultTreeResult>& results, bool only_intersecting);
 
 }  // namespace flashbvh::tool
 

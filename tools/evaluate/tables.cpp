@@ -7,19 +7,36 @@
 namespace flashbvh::tool {
 namespace {
 
-constexpr int kSecondsDigits = 7;
+using Line = std::vector<std::string>;
+/// One setup, or those that a line sums up.
+using Results = std::vector<const SetupResult*>;
 
-std::string plural(std::uint32_t count, const char* noun) {
-  return concat(count, " ", noun, (count == 1 ? "" : "s"));
-}
+/// A column of a summary: a count of a row, its part of the same count of the row `of`, or, without
+/// a count, the row's time.
+struct Column {
+  std::string head;
+  std::string row;
+  std::string of = "";
+  std::uint32_t Counts::*count = &Counts::visits;
+};
+
+struct Summary {
+  std::string heading;
+  std::string first_head;
+  std::vector<Column> columns;
+};
+
+struct Sum {
+  std::string name;
+  Results results;
+};
 
 std::string padded(const std::string& text, std::size_t width, bool left) {
   const std::string space(width - text.size(), ' ');
   return left ? text + space : space + text;
 }
 
-std::string markdown_line(const std::vector<std::string>& cells,
-                          const std::vector<std::size_t>& widths) {
+std::string markdown_line(const Line& cells, const std::vector<std::size_t>& widths) {
   std::string line = "|";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     line += " " + padded(cells[i], widths[i], i == 0) + " |";
@@ -27,56 +44,124 @@ std::string markdown_line(const std::vector<std::string>& cells,
   return line + "\n";
 }
 
-std::vector<std::string> cells_of(const RowResult& row) {
-  return {row.algorithm,
-          fixed(row.times.least, kSecondsDigits),
-          fixed(row.times.most, kSecondsDigits),
-          fixed(row.times.mean, kSecondsDigits),
-          fixed(row.times.deviation, kSecondsDigits),
-          std::to_string(row.counts.visits),
-          std::to_string(row.counts.overlaps),
-          std::to_string(row.counts.leaf_pairs),
-          std::to_string(row.counts.triangle_pairs)};
+bool all_have(const Results& results, const std::string& row) {
+  return std::all_of(results.begin(), results.end(),
+                     [&](const SetupResult* result) { return result->row(row) != nullptr; });
 }
 
-std::string ratio_text(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? "-" : fixed(ratio(part, whole), 4);
+std::uint64_t sum_of(const Results& results, const std::string& row, std::uint32_t Counts::*count) {
+  std::uint64_t sum = 0;
+  for (const SetupResult* result : results) {
+    sum += result->row(row)->counts.*count;
+  }
+  return sum;
 }
 
-std::vector<std::string> line_of(const SetupResult& result) {
-  const std::uint64_t volume = result.row("volume-stack").counts.visits;
-  const std::uint64_t alternating = result.row("stackless").counts.visits;
-  const std::uint64_t ranked = result.row("ranked").counts.visits;
-  return {result.setup->name,
-          std::to_string(volume),
-          std::to_string(alternating),
-          std::to_string(result.row("leaf").counts.visits),
-          std::to_string(ranked),
-          result.best_rule ? std::to_string(*result.best_rule) : "-",
-          ratio_text(alternating, volume),
-          ratio_text(ranked, volume),
-          result.best_rule ? ratio_text(*result.best_rule, volume) : "-"};
+double ratio(const Results& results, const std::string& row, const std::string& of) {
+  return static_cast<double>(sum_of(results, row, &Counts::visits)) /
+         static_cast<double>(sum_of(results, of, &Counts::visits));
 }
 
-std::vector<std::string> line_of(const std::string& name, const DefaultTreeVisits& visits) {
-  return {name,
-          std::to_string(visits.stackless),
-          std::to_string(visits.ranked),
-          std::to_string(visits.best_rule),
-          fixed(visits.ranked_to_stackless(), 4),
-          fixed(visits.ranked_to_best(), 4)};
+/// Of the fastest sample.
+std::string microseconds(const SetupResult& result, const std::string& row) {
+  return fixed(1e6 * times_of(result.row(row)->seconds).least / result.repetitions, 3);
+}
+
+std::string cell(const Results& results, const Column& column) {
+  if (!all_have(results, column.row) || (!column.of.empty() && results.empty())) {
+    return "-";
+  }
+  if (column.count == nullptr) {
+    return microseconds(*results.front(), column.row);
+  }
+  return column.of.empty() ? std::to_string(sum_of(results, column.row, column.count))
+                           : fixed(ratio(results, column.row, column.of), 4);
+}
+
+std::string summary_table(const Summary& summary, const Results& results,
+                          const std::vector<Sum>& sums) {
+  std::vector<Line> lines = {{summary.first_head}};
+  for (const Column& column : summary.columns) {
+    lines[0].push_back(column.head);
+  }
+  const auto add = [&](const std::string& name, const Results& of) {
+    lines.push_back({name});
+    for (const Column& column : summary.columns) {
+      lines.back().push_back(cell(of, column));
+    }
+  };
+  for (const SetupResult* result : results) {
+    add(result->setup->name, {result});
+  }
+  for (const Sum& sum : sums) {
+    add(sum.name, sum.results);
+  }
+  return "### " + summary.heading + "\n\n" + markdown_table(lines);
+}
+
+const Summary kIterations = {"Summary",
+                             "iterations",
+                             {{"volume-stack", "volume-stack"},
+                              {"stackless", "stackless"},
+                              {"leaf", "leaf"},
+                              {"ranked", "ranked"},
+                              {"best rule", "best rule"},
+                              {"stackless / volume", "stackless", "volume-stack"},
+                              {"ranked / volume", "ranked", "volume-stack"},
+                              {"best / volume", "best rule", "volume-stack"}}};
+
+const Summary kOverlaps = {
+    "Overlaps",
+    "overlaps",
+    {{"volume-stack", "volume-stack", "", &Counts::overlaps},
+     {"stackless", "stackless", "", &Counts::overlaps},
+     {"leaf", "leaf", "", &Counts::overlaps},
+     {"ranked", "ranked", "", &Counts::overlaps},
+     {"leaf overlaps of all", "volume-stack", "", &Counts::leaf_pairs},
+     {"geometry overlaps of all", "volume-stack", "", &Counts::triangle_pairs}}};
+
+const Summary kDefaultTree = {
+    "The default tree",
+    "iterations",
+    {{"stackless, paper's tree", "stackless"},
+     {"ranked, default tree", "ranked, default tree"},
+     {"best rule, default tree", "best rule, default tree"},
+     {"ranked / stackless", "ranked, default tree", "stackless"},
+     {"ranked / best", "ranked, default tree", "best rule, default tree"}}};
+
+template <class Wanted>
+Results chosen(const Results& results, const Wanted& wanted) {
+  Results some;
+  std::copy_if(results.begin(), results.end(), std::back_inserter(some), wanted);
+  return some;
+}
+
+bool knows_best_rule(const SetupResult* result) {
+  return result->row("best rule") != nullptr;
+}
+
+bool intersects(const SetupResult* result) {
+  return result->rows[0].counts.triangle_pairs != 0;
+}
+
+std::string worst_ranked(const Results& results) {
+  double worst = 0;
+  for (const SetupResult* result : results) {
+    worst = std::max(worst, ratio({result}, "ranked", "volume-stack"));
+  }
+  return "\nLargest ranked / volume of a setup: " + fixed(worst, 4) + "\n";
 }
 
 }  // namespace
 
-std::string markdown_table(const std::vector<std::vector<std::string>>& lines) {
+std::string markdown_table(const std::vector<Line>& lines) {
   std::vector<std::size_t> widths(lines[0].size(), 0);
-  for (const auto& line : lines) {
+  for (const Line& line : lines) {
     for (std::size_t i = 0; i < line.size(); ++i) {
       widths[i] = std::max(widths[i], line[i].size());
     }
   }
-  std::vector<std::string> rule;
+  Line rule;
   for (std::size_t i = 0; i < widths.size(); ++i) {
     rule.push_back(i == 0 ? std::string(widths[i], '-') : std::string(widths[i] - 1, '-') + ":");
   }
@@ -92,86 +177,48 @@ std::string table_heading(std::uint32_t table) {
 }
 
 std::string setup_table(const SetupResult& result) {
-  std::vector<std::vector<std::string>> lines = {{"algorithm", "min.", "max.", "mean",
-                                                  "std. deviation", "iterations", "overlaps",
-                                                  "leaf overlaps", "geometry overlaps"}};
-  for (const RowResult& row : result.rows) {
-    lines.push_back(cells_of(row));
-  }
-  lines.push_back({"best rule", "", "", "", "",
-                   result.best_rule ? std::to_string(*result.best_rule) : "-", "", "", ""});
-  for (const RowResult& row : result.shaped) {
-    lines.push_back(cells_of(row));
-    lines.back()[0] += ", leaves as shapes";
-  }
-  return std::string("**") + result.setup->name + "** (" +
-         plural(result.repetitions, "repetition") + ", " + plural(result.rounds, "round") +
-         ", seconds)\n\n" + markdown_table(lines);
-}
-
-Totals totals_of(const std::vector<SetupResult>& results) {
-  Totals totals;
-  for (const SetupResult& result : results) {
-    const std::uint64_t volume = result.row("volume-stack").counts.visits;
-    const std::uint64_t ranked = result.row("ranked").counts.visits;
-    totals.volume += volume;
-    totals.alternating += result.row("stackless").counts.visits;
-    totals.leaf += result.row("leaf").counts.visits;
-    totals.ranked += ranked;
-    totals.worst_ranked = std::max(totals.worst_ranked, ratio(ranked, volume));
-    if (result.best_rule) {
-      totals.best += *result.best_rule;
-      totals.volume_by_best += volume;
-      totals.ranked_by_best += ranked;
+  std::vector<Line> lines = {{"algorithm", "min.", "max.", "mean", "std. deviation", "iterations",
+                              "overlaps", "leaf overlaps", "geometry overlaps"}};
+  for (const Row& row : result.rows) {
+    const Counts& counts = row.counts;
+    if (row.leaves == Leaves::none) {
+      lines.push_back({row.name, "", "", "", "", std::to_string(counts.visits), "", "", ""});
+      continue;
+    }
+    lines.push_back({row.name});
+    const Times times = times_of(row.seconds);
+    for (const double seconds : {times.least, times.most, times.mean, times.deviation}) {
+      lines.back().push_back(fixed(seconds, 7));
+    }
+    for (const std::uint32_t count :
+         {counts.visits, counts.overlaps, counts.leaf_pairs, counts.triangle_pairs}) {
+      lines.back().push_back(std::to_string(count));
     }
   }
-  return totals;
+  return concat("**", result.setup->name, "** (seconds; repetitions: ", result.repetitions,
+                ", rounds: ", result.rows[0].seconds.size(), ")\n\n", markdown_table(lines));
 }
 
-std::string summary_table(const std::vector<SetupResult>& results) {
-  std::vector<std::vector<std::string>> lines = {{"iterations", "volume-stack", "stackless", "leaf",
-                                                  "ranked", "best rule", "stackless / volume",
-                                                  "ranked / volume", "best / volume"}};
+std::string summary_tables(const std::vector<SetupResult>& results) {
+  Results all;
+  Summary times = {"Time of one query (fastest sample)", "microseconds", {}};
   for (const SetupResult& result : results) {
-    lines.push_back(line_of(result));
+    all.push_back(&result);
   }
-  const Totals totals = totals_of(results);
-  lines.push_back({"total", std::to_string(totals.volume), std::to_string(totals.alternating),
-                   std::to_string(totals.leaf), std::to_string(totals.ranked), "-",
-                   ratio_text(totals.alternating, totals.volume),
-                   ratio_text(totals.ranked, totals.volume), "-"});
-  lines.push_back({"total where the best rule is known", std::to_string(totals.volume_by_best), "",
-                   "", std::to_string(totals.ranked_by_best), std::to_string(totals.best), "",
-                   ratio_text(totals.ranked_by_best, totals.volume_by_best),
-                   ratio_text(totals.best, totals.volume_by_best)});
-  return "### Summary\n\n" + markdown_table(lines) +
-         "\nLargest ranked / volume of a setup: " + fixed(totals.worst_ranked, 4) + "\n";
-}
-
-std::string time_table(const std::vector<SetupResult>& results) {
-  std::vector<std::vector<std::string>> lines = {{"microseconds"}};
-  for (const RowResult& row : results.front().rows) {
-    lines[0].push_back(row.algorithm);
-  }
-  for (const SetupResult& result : results) {
-    lines.push_back({result.setup->name});
-    for (const RowResult& row : result.rows) {
-      lines.back().push_back(fixed(1e6 * row.times.least / result.repetitions, 3));
+  for (const Row& row : results.front().rows) {
+    if (row.leaves != Leaves::boxes) {
+      break;  // after the orders on the paper's tree
     }
+    times.columns.push_back({row.name, row.name, "", nullptr});
   }
-  return "### Time of one query (fastest sample)\n\n" + markdown_table(lines);
-}
-
-std::string default_tree_table(const std::vector<DefaultTreeResult>& results) {
-  std::vector<std::vector<std::string>> lines = {{"iterations", "stackless, paper's tree",
-                                                  "ranked, default tree", "best rule, default tree",
-                                                  "ranked / stackless", "ranked / best"}};
-  for (const DefaultTreeResult& result : results) {
-    lines.push_back(line_of(result.setup->name, result.visits));
-  }
-  lines.push_back(line_of("total of the intersecting", sum_of(results, true)));
-  lines.push_back(line_of("total", sum_of(results, false)));
-  return "### The default tree\n\n" + markdown_table(lines);
+  const Sum total = {"total", all};
+  return summary_table(
+             kIterations, all,
+             {total, {"total where the best rule is known", chosen(all, knows_best_rule)}}) +
+         worst_ranked(all) + "\n" + summary_table(kOverlaps, all, {}) + "\n" +
+         summary_table(kDefaultTree, all,
+                       {{"total of the intersecting", chosen(all, intersects)}, total}) +
+         "\n" + summary_table(times, all, {});
 }
 
 }  // namespace flashbvh::tool

@@ -30,8 +30,8 @@
 
 namespace flashbvh {
 
-/// `Order`: Ranked<PostMesh> or any other of paper/. The meshes and the pose outlive the query.
-/// 128 bytes on a 32-bit core with 16-bit indices.
+/// `Order`: Ranked<PostMesh>, or a class with the same members (detail/walk/walk.hpp). The meshes
+/// and the pose outlive the query. 128 bytes on a 32-bit core with 16-bit indices.
 template <class Order, class Question = detail::Intersection>
 class Query : protected Question {
   using State = detail::State;

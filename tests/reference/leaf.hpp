@@ -3,8 +3,8 @@
 // Invariant: the leaves of A before `a` are done; for leaf `a`, so is what lies before `b` in B's
 // order from left to right.
 // Either layout. The escape index of a post-indexed last child is found by climbing.
-#ifndef FLASHBVH_PAPER_LEAF_HPP
-#define FLASHBVH_PAPER_LEAF_HPP
+#ifndef FLASHBVH_REFERENCE_LEAF_HPP
+#define FLASHBVH_REFERENCE_LEAF_HPP
 
 #include <stdint.h>
 

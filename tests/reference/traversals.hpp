@@ -2,16 +2,14 @@
 // last.
 //
 // Nothing of C++'s library and no heap, so that firmware may use it.
-#ifndef FLASHBVH_PAPER_TRAVERSALS_HPP
-#define FLASHBVH_PAPER_TRAVERSALS_HPP
+#ifndef FLASHBVH_REFERENCE_TRAVERSALS_HPP
+#define FLASHBVH_REFERENCE_TRAVERSALS_HPP
 
 #include "flashbvh/detail/walk/ranked.hpp"
 #include "flashbvh/mesh.hpp"
-#include "flashbvh/paper/alternating_stack.hpp"
-#include "flashbvh/paper/leaf.hpp"
-#include "flashbvh/paper/ranked_stack.hpp"
-#include "flashbvh/paper/stackless.hpp"
-#include "flashbvh/paper/volume_stack.hpp"
+#include "reference/leaf.hpp"
+#include "reference/stack_orders.hpp"
+#include "reference/stackless.hpp"
 
 namespace flashbvh {
 

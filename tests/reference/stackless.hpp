@@ -13,8 +13,8 @@
 // LevelUp(i, x) = i - x; on pre-indexed ones it climbs from parent to parent (mesh.hpp).
 //
 // The walk is over when a node is the imaginary end node, the root's escape index.
-#ifndef FLASHBVH_PAPER_STACKLESS_HPP
-#define FLASHBVH_PAPER_STACKLESS_HPP
+#ifndef FLASHBVH_REFERENCE_STACKLESS_HPP
+#define FLASHBVH_REFERENCE_STACKLESS_HPP
 
 #include <stdint.h>
 
