@@ -65,14 +65,13 @@ static void print_contact(const check* c) {
  * own, whether the one body is wholly inside the other. */
 static verdict check_tick(check* c) {
   flashbvh_pair found[1];
-  uint32_t count = 0;
   bool inside = true;
   flashbvh_status status = flashbvh_query_status(&c->query);
   if (status == FLASHBVH_STATUS_DONE) { /* no triangles intersect */
     status = flashbvh_one_is_inside(&plate, &tool, &c->pose, &inside);
     return status == FLASHBVH_STATUS_DONE && !inside ? VERDICT_FREE : VERDICT_COLLIDES;
   }
-  status = flashbvh_query_run(&c->query, work_per_tick, found, 1, &count);
+  status = flashbvh_query_run(&c->query, work_per_tick, found, 1).status;
   /* FULL: a pair was found; all others: an error, which is no permission to move on. */
   return status == FLASHBVH_STATUS_SUSPENDED || status == FLASHBVH_STATUS_DONE ? VERDICT_PENDING
                                                                                : VERDICT_COLLIDES;

@@ -43,9 +43,9 @@ template <class Asked>
     in.ends(flashbvh_query_start(query, in.c_a, in.c_b, in.c_pose));
     return;
   }
-  uint32_t count = 0;
-  in.ends(flashbvh_query_run(query, in.work, in.c_found(), in.capacity, &count));
-  in.answer += count;
+  const Step step = flashbvh_query_run(query, in.work, in.c_found(), in.capacity);
+  in.ends(step.status);
+  in.answer += step.count;
 }
 
 /// A call in C that answers yes or no.
@@ -59,11 +59,12 @@ template <class Call>
 /// All runs in C of a started query.
 template <class Run, class Asked>
 [[gnu::always_inline]] inline void run_all(Arguments& in, const Run& run, Asked& query) {
-  uint32_t count = 0;
+  Step step;
   do {
-    in.ends(run(&query, UINT32_MAX, in.c_found(), in.capacity, &count));
-    in.answer += count;
-  } while (count == in.capacity);
+    step = run(&query, UINT32_MAX, in.c_found(), in.capacity);
+    in.ends(step.status);
+    in.answer += step.count;
+  } while (step.count == in.capacity);
 }
 
 /// A visitor that takes no stack.
@@ -160,8 +161,10 @@ inline flashbvh_segment any_c_segment(const PostMesh& mesh, uint32_t i) {
 // Other entries are templates that nobody instantiates.
 #define SECOND(first, second, ...) second
 #define LINKAGE(...) SECOND(__VA_ARGS__, template <class Arguments> void, ~)
-#define ENTRY(name, kind, most, ...) \
-  LINKAGE(CHOSEN_##name) name(Arguments* in) { __VA_ARGS__; }
+#define ENTRY(name, kind, most, ...)           \
+  LINKAGE(CHOSEN_##name) name(Arguments* in) { \
+    __VA_ARGS__;                               \
+  }
 #include "proofs/stack/entries.inc"
 #undef ENTRY
 

@@ -20,7 +20,6 @@ struct PairFunctions {
   static const Counts& counts_of(const PairQuery& query) { return query.counts(); }
   static constexpr auto status = flashbvh_query_status;
   static constexpr auto run = flashbvh_query_run;
-  static constexpr auto spend = flashbvh_query_spend;
   static constexpr auto visit = flashbvh_query_visit;
   static constexpr auto counts = flashbvh_query_counts;
   static constexpr auto position = flashbvh_query_position;
@@ -129,7 +128,6 @@ bool contacts_agree(Scene& s) {
   PairQuery query(s.a.mesh, s.b.mesh, s.pose);
   flashbvh_query c_query;
   flashbvh_pair pair[1];
-  std::uint32_t count = 0;
   (void)flashbvh_query_start(&c_query, &s.a.c, &s.b.c, &s.c_pose);
   Triangle none[2];
   bool agree = query.status() == Status::suspended ||
@@ -142,7 +140,7 @@ bool contacts_agree(Scene& s) {
     flashbvh_contact last;
     flashbvh_contact again;
     query.last_pair(a, b);
-    agree = flashbvh_query_run(&c_query, UINT32_MAX, pair, 1, &count) == FLASHBVH_STATUS_FULL &&
+    agree = flashbvh_query_run(&c_query, UINT32_MAX, pair, 1).status == Status::full &&
             flashbvh_transform_pair(&s.a.c, &s.b.c, &s.c_pose, pair[0], &c_a, &c_b);
     flashbvh_query_last_contact(&c_query, &last);
     flashbvh_contact_of(&c_a, &c_b, &again);

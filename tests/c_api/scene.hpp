@@ -61,6 +61,10 @@ inline bool same(flashbvh_status c, Status status) {
   seen_statuses |= std::uint64_t{1} << c;
   return c == static_cast<flashbvh_status>(status);
 }
+inline bool same(const Step& c, const Step& step) {
+  return same(static_cast<flashbvh_status>(c.status), step.status) && c.count == step.count &&
+         c.work == step.work;
+}
 /// Of types without padding.
 template <class Plain>
 bool same(const Plain& p, const Plain& q) {

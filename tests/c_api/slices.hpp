@@ -25,7 +25,7 @@ Walk& walk_of(DeformablePosition<Walk>& position) {
 ///     Struct, Position       of C
 ///     query(scene)           the query in C++
 ///     start, run, counts, position, resume
-///     kVisits                whether there are spend, visit, status and last_pair, too
+///     kVisits                whether there are visit, status and last_pair, too
 template <class C>
 class Slices {
  public:
@@ -59,19 +59,8 @@ class Slices {
     const std::uint32_t work = scene_.any_work();
     flashbvh_pair wanted[kMost];
     flashbvh_pair found[kMost];
-    std::uint32_t count = 99;
-    std::uint32_t left = work;
-    flashbvh_status status = FLASHBVH_STATUS_DONE;
     step = query_.run(work, wanted, capacity);
-    if constexpr (C::kVisits) {
-      if (scene_.random.below(2) == 0) {
-        status = C::spend(&c_, &left, found, capacity, &count);
-        return same(status, step.status) && count == step.count && work - left == step.work &&
-               same(found, wanted, count);
-      }
-    }
-    status = C::run(&c_, work, found, capacity, &count);
-    return same(status, step.status) && count == step.count && same(found, wanted, count);
+    return same(C::run(&c_, work, found, capacity), step) && same(found, wanted, step.count);
   }
 
   struct Room {
@@ -88,11 +77,9 @@ class Slices {
   bool visit(Step& step, std::uint32_t capacity) {
     Room wanted = {capacity, 0, {}};
     Room found = wanted;
-    const std::uint32_t left = scene_.any_work();
-    std::uint32_t c_left = left;
-    step = query_.run(left, [&](const flashbvh_pair& p) { return take(p, &wanted); });
-    return same(C::visit(&c_, &c_left, take, &found), step.status) && left - c_left == step.work &&
-           same(found, wanted);
+    const std::uint32_t work = scene_.any_work();
+    step = query_.run(work, [&](const flashbvh_pair& p) { return take(p, &wanted); });
+    return same(C::visit(&c_, work, take, &found), step) && same(found, wanted);
   }
 
   bool last_pair(const Step& step) {

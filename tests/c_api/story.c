@@ -78,13 +78,12 @@ static void place_blade(float height, flashbvh_pose* pose) {
 static void contacts(const flashbvh_pose* pose) {
   flashbvh_query query;
   flashbvh_pair found[1];
-  uint32_t count = 0;
   uint32_t pairs = 0;
   int64_t low = INT64_MAX;
   int64_t high = 0;
   CHECK(flashbvh_count_pairs(&block, &blade, pose, &pairs) == FLASHBVH_STATUS_DONE);
   CHECK(flashbvh_query_start(&query, &block, &blade, pose) == FLASHBVH_STATUS_SUSPENDED);
-  while (flashbvh_query_run(&query, UINT32_MAX, found, 1, &count) == FLASHBVH_STATUS_FULL) {
+  while (flashbvh_query_run(&query, UINT32_MAX, found, 1).status == FLASHBVH_STATUS_FULL) {
     flashbvh_contact contact;
     flashbvh_query_last_contact(&query, &contact);
     CHECK(contact.kind == FLASHBVH_CONTACT_SEGMENT && contact.normal_b.y == 0);
@@ -204,7 +203,7 @@ static void bending(void) {
   flashbvh_self_query query;
   flashbvh_pair pairs[32];
   uint32_t vertex = 0;
-  uint32_t count = 0;
+  flashbvh_step step;
   CHECK(flashbvh_mesh_nodes(&block) <= 16 && flashbvh_mesh_vertices(&block) == 8);
   flashbvh_deformable_make(&bent, &block, nodes, vertices);
   CHECK_YES(flashbvh_intersects_itself(&bent.mesh, &yes), false);
@@ -213,8 +212,8 @@ static void bending(void) {
   CHECK(flashbvh_deformable_refit(&bent, UINT32_MAX, &vertex) == FLASHBVH_STATUS_DONE);
   CHECK_YES(flashbvh_intersects_itself(&bent.mesh, &yes), true);
   CHECK(flashbvh_self_query_start(&query, &bent) == FLASHBVH_STATUS_SUSPENDED);
-  CHECK(flashbvh_self_query_run(&query, UINT32_MAX, pairs, 32, &count) == FLASHBVH_STATUS_DONE);
-  CHECK(count != 0 && count < 32);
+  step = flashbvh_self_query_run(&query, UINT32_MAX, pairs, 32);
+  CHECK(step.status == FLASHBVH_STATUS_DONE && step.count != 0 && step.count < 32);
   vertices[5].z = 16384;
   CHECK(flashbvh_deformable_refit(&bent, UINT32_MAX, &vertex) ==
         FLASHBVH_STATUS_VERTEX_OUT_OF_LATTICE);

@@ -39,8 +39,7 @@ static void check_start(check* c, const flashbvh_pose* plate_in_world, const flo
 
 static verdict check_tick(check* c) {
   flashbvh_pair found[1];
-  uint32_t count = 0;
-  c->status = flashbvh_query_run(&c->query, work, found, 1, &count);
+  c->status = flashbvh_query_run(&c->query, work, found, 1).status;
   switch (c->status) {
     case FLASHBVH_STATUS_SUSPENDED:
       return PENDING; /* the next period goes on */

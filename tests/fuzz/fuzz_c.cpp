@@ -63,8 +63,9 @@ void ask_pairs(const Meshes& meshes, const flashbvh_pose& pose, const Pose& same
     const std::uint32_t room = run < 20 ? work % (kRoom + 1) : kRoom;
     flashbvh_pair pairs[kRoom + 1];
     std::memset(pairs, 0xA5, sizeof pairs);
-    std::uint32_t count = 0;
-    status = flashbvh_query_run(&query, work, pairs, room, &count);
+    const flashbvh_step step = flashbvh_query_run(&query, work, pairs, room);
+    status = static_cast<flashbvh_status>(step.status);
+    const std::uint32_t count = step.count;
     require(count <= room && pairs[room].a == 0xA5A5, "pairs beyond the array");
     found += count;
     flashbvh_position position = flashbvh_query_position(&query);

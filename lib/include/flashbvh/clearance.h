@@ -58,10 +58,9 @@ flashbvh_status flashbvh_clearance_start(flashbvh_clearance_query* query, const 
                                          const flashbvh_mesh* b, const flashbvh_pose* pose,
                                          const flashbvh_witness* seed, uint16_t tolerance);
 
-/** ClearanceQuery::spend(): does at most `*work`, and takes what it did from it, which UINT32_MAX
- * stays. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_clearance_spend(flashbvh_clearance_query* query,
-                                                            uint32_t* work);
+/** ClearanceQuery::run(): does at most `work`, UINT32_MAX being all; its count is 0. */
+FLASHBVH_NODISCARD flashbvh_step flashbvh_clearance_run(flashbvh_clearance_query* query,
+                                                        uint32_t work);
 
 /** ClearanceQuery::result(). */
 void flashbvh_clearance_result(const flashbvh_clearance_query* query, flashbvh_clearance* result);
@@ -101,19 +100,12 @@ flashbvh_status flashbvh_within_start(flashbvh_within_query* query, const flashb
 FLASHBVH_NODISCARD flashbvh_status flashbvh_within_status(const flashbvh_within_query* query);
 
 /** As flashbvh_query_run(), in the same order; what a unit of work takes is not proven. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_within_run(flashbvh_within_query* query, uint32_t work,
-                                                       flashbvh_pair* pairs, uint32_t capacity,
-                                                       uint32_t* count);
-
-/** As flashbvh_query_spend(). */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_within_spend(flashbvh_within_query* query,
-                                                         uint32_t* work, flashbvh_pair* pairs,
-                                                         uint32_t capacity, uint32_t* count);
+FLASHBVH_NODISCARD flashbvh_step flashbvh_within_run(flashbvh_within_query* query, uint32_t work,
+                                                     flashbvh_pair* pairs, uint32_t capacity);
 
 /** As flashbvh_query_visit(). */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_within_visit(flashbvh_within_query* query,
-                                                         uint32_t* work, flashbvh_visitor* visit,
-                                                         void* context);
+FLASHBVH_NODISCARD flashbvh_step flashbvh_within_visit(flashbvh_within_query* query, uint32_t work,
+                                                       flashbvh_visitor* visit, void* context);
 
 /** As flashbvh_query_counts(). */
 flashbvh_counts flashbvh_within_counts(const flashbvh_within_query* query);

@@ -73,9 +73,8 @@ flashbvh_status flashbvh_self_query_start(flashbvh_self_query* query,
                                           const flashbvh_deformable* deformable);
 
 /** As flashbvh_query_run(); MESH_CHANGED once the mesh was refit. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_self_query_run(flashbvh_self_query* query,
-                                                           uint32_t work, flashbvh_pair* pairs,
-                                                           uint32_t capacity, uint32_t* count);
+FLASHBVH_NODISCARD flashbvh_step flashbvh_self_query_run(flashbvh_self_query* query, uint32_t work,
+                                                         flashbvh_pair* pairs, uint32_t capacity);
 
 /** As flashbvh_query_counts(). */
 flashbvh_counts flashbvh_self_query_counts(const flashbvh_self_query* query);
@@ -98,9 +97,9 @@ flashbvh_status flashbvh_self_within_start(flashbvh_self_within_query* query,
                                            uint32_t distance);
 
 /** As of a self query. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_self_within_run(flashbvh_self_within_query* query,
-                                                            uint32_t work, flashbvh_pair* pairs,
-                                                            uint32_t capacity, uint32_t* count);
+FLASHBVH_NODISCARD flashbvh_step flashbvh_self_within_run(flashbvh_self_within_query* query,
+                                                          uint32_t work, flashbvh_pair* pairs,
+                                                          uint32_t capacity);
 flashbvh_counts flashbvh_self_within_counts(const flashbvh_self_within_query* query);
 flashbvh_self_position flashbvh_self_within_position(const flashbvh_self_within_query* query);
 FLASHBVH_NODISCARD flashbvh_status flashbvh_self_within_resume(

@@ -151,24 +151,17 @@ flashbvh_status flashbvh_query_start(flashbvh_query* query, const flashbvh_mesh*
 /** Query::status(). */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_query_status(const flashbvh_query* query);
 
-/** Query::run(): does at most `work`, UINT32_MAX being all, and writes at most `capacity` pairs,
- * their number to `count`. DONE; SUSPENDED: the work is done; FULL: the array is; or the query's
- * error, and `count` is 0. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_query_run(flashbvh_query* query, uint32_t work,
-                                                      flashbvh_pair* pairs, uint32_t capacity,
-                                                      uint32_t* count);
-
-/** As flashbvh_query_run(), and takes what it did from `*work`, which UINT32_MAX stays. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_query_spend(flashbvh_query* query, uint32_t* work,
-                                                        flashbvh_pair* pairs, uint32_t capacity,
-                                                        uint32_t* count);
+/** Query::run(): does at most `work`, UINT32_MAX being all, and writes at most `capacity` pairs.
+ * DONE; SUSPENDED: the work is done; FULL: the array is; or the query's error. */
+FLASHBVH_NODISCARD flashbvh_step flashbvh_query_run(flashbvh_query* query, uint32_t work,
+                                                    flashbvh_pair* pairs, uint32_t capacity);
 
 /** Takes a pair of triangles that intersect; false for no more. `context` is the caller's. */
 typedef bool flashbvh_visitor(flashbvh_pair pair, void* context);
 
-/** Query::spend(): hands each pair to `visit`, until it returns false: FULL. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_query_visit(flashbvh_query* query, uint32_t* work,
-                                                        flashbvh_visitor* visit, void* context);
+/** Query::run(): hands each pair to `visit`, until it returns false: FULL. */
+FLASHBVH_NODISCARD flashbvh_step flashbvh_query_visit(flashbvh_query* query, uint32_t work,
+                                                      flashbvh_visitor* visit, void* context);
 
 /** Query::counts(). */
 flashbvh_counts flashbvh_query_counts(const flashbvh_query* query);

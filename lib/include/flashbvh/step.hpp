@@ -33,12 +33,7 @@ struct PairOf<uint16_t> {
 template <class Index>
 using TrianglePair = typename detail::PairOf<Index>::Type;
 
-/// What a run gave.
-struct [[nodiscard]] Step {
-  Status status;
-  uint32_t count;  ///< entries written to the caller's array, or handed to its sink
-  uint32_t work;   ///< spent, of what was granted; 0 if that was UINT32_MAX
-};
+using Step = flashbvh_step;
 
 /// Where a stackless query stands, between runs: all there is to keep beside what the query was
 /// made of, its meshes and its pose. May be stored for any time, as bytes too: 12 of them with

@@ -45,10 +45,8 @@ flashbvh_status flashbvh_clearance_start(flashbvh_clearance_query* query, const 
       make(query, object_in(a), object_in(b), object_in(pose), seed_in(seed), tolerance).status());
 }
 
-flashbvh_status flashbvh_clearance_spend(flashbvh_clearance_query* query, uint32_t* work) {
-  const Step step = object_in(query).run(*work);
-  *work -= step.work;
-  return c_status(step.status);
+flashbvh_step flashbvh_clearance_run(flashbvh_clearance_query* query, uint32_t work) {
+  return object_in(query).run(work);
 }
 
 void flashbvh_clearance_result(const flashbvh_clearance_query* query, flashbvh_clearance* result) {
@@ -94,24 +92,15 @@ flashbvh_status flashbvh_within_status(const flashbvh_within_query* query) {
   return c_status(object_in(query).status());
 }
 
-flashbvh_status flashbvh_within_run(flashbvh_within_query* query, uint32_t work,
-                                    flashbvh_pair* pairs, uint32_t capacity, uint32_t* count) {
-  return put_count(object_in(query).run(work, pairs, capacity), count);
+flashbvh_step flashbvh_within_run(flashbvh_within_query* query, uint32_t work, flashbvh_pair* pairs,
+                                  uint32_t capacity) {
+  return object_in(query).run(work, pairs, capacity);
 }
 
-flashbvh_status flashbvh_within_spend(flashbvh_within_query* query, uint32_t* work,
-                                      flashbvh_pair* pairs, uint32_t capacity, uint32_t* count) {
-  const Step step = object_in(query).run(*work, pairs, capacity);
-  *work -= step.work;
-  return put_count(step, count);
-}
-
-flashbvh_status flashbvh_within_visit(flashbvh_within_query* query, uint32_t* work,
-                                      flashbvh_visitor* visit, void* context) {
-  const Step step = object_in(query).run(
-      *work, [visit, context](const flashbvh_pair& pair) { return visit(pair, context); });
-  *work -= step.work;
-  return c_status(step.status);
+flashbvh_step flashbvh_within_visit(flashbvh_within_query* query, uint32_t work,
+                                    flashbvh_visitor* visit, void* context) {
+  return object_in(query).run(
+      work, [visit, context](const flashbvh_pair& pair) { return visit(pair, context); });
 }
 
 flashbvh_counts flashbvh_within_counts(const flashbvh_within_query* query) {

@@ -63,9 +63,9 @@ flashbvh_status flashbvh_self_query_start(flashbvh_self_query* query,
   return c_status(make(query, object_in(deformable)).status());
 }
 
-flashbvh_status flashbvh_self_query_run(flashbvh_self_query* query, uint32_t work,
-                                        flashbvh_pair* pairs, uint32_t capacity, uint32_t* count) {
-  return put_count(object_in(query).run(work, pairs, capacity), count);
+flashbvh_step flashbvh_self_query_run(flashbvh_self_query* query, uint32_t work,
+                                      flashbvh_pair* pairs, uint32_t capacity) {
+  return object_in(query).run(work, pairs, capacity);
 }
 
 flashbvh_counts flashbvh_self_query_counts(const flashbvh_self_query* query) {
@@ -87,9 +87,9 @@ flashbvh_status flashbvh_self_within_start(flashbvh_self_within_query* query,
   return c_status(make(query, object_in(deformable), within(distance)).status());
 }
 
-flashbvh_status flashbvh_self_within_run(flashbvh_self_within_query* query, uint32_t work,
-                                         flashbvh_pair* pairs, uint32_t capacity, uint32_t* count) {
-  return put_count(object_in(query).run(work, pairs, capacity), count);
+flashbvh_step flashbvh_self_within_run(flashbvh_self_within_query* query, uint32_t work,
+                                       flashbvh_pair* pairs, uint32_t capacity) {
+  return object_in(query).run(work, pairs, capacity);
 }
 
 flashbvh_counts flashbvh_self_within_counts(const flashbvh_self_within_query* query) {

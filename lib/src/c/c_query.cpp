@@ -14,24 +14,15 @@ flashbvh_status flashbvh_query_status(const flashbvh_query* query) {
   return c_status(object_in(query).status());
 }
 
-flashbvh_status flashbvh_query_run(flashbvh_query* query, uint32_t work, flashbvh_pair* pairs,
-                                   uint32_t capacity, uint32_t* count) {
-  return put_count(object_in(query).run(work, pairs, capacity), count);
+flashbvh_step flashbvh_query_run(flashbvh_query* query, uint32_t work, flashbvh_pair* pairs,
+                                 uint32_t capacity) {
+  return object_in(query).run(work, pairs, capacity);
 }
 
-flashbvh_status flashbvh_query_spend(flashbvh_query* query, uint32_t* work, flashbvh_pair* pairs,
-                                     uint32_t capacity, uint32_t* count) {
-  const Step step = object_in(query).run(*work, pairs, capacity);
-  *work -= step.work;
-  return put_count(step, count);
-}
-
-flashbvh_status flashbvh_query_visit(flashbvh_query* query, uint32_t* work, flashbvh_visitor* visit,
-                                     void* context) {
-  const Step step = object_in(query).run(
-      *work, [visit, context](const flashbvh_pair& pair) { return visit(pair, context); });
-  *work -= step.work;
-  return c_status(step.status);
+flashbvh_step flashbvh_query_visit(flashbvh_query* query, uint32_t work, flashbvh_visitor* visit,
+                                   void* context) {
+  return object_in(query).run(
+      work, [visit, context](const flashbvh_pair& pair) { return visit(pair, context); });
 }
 
 flashbvh_counts flashbvh_query_counts(const flashbvh_query* query) {

@@ -61,12 +61,6 @@ flashbvh_status put_answer(const Answer& answer, bool* yes) {
   return c_status(answer.status);
 }
 
-/// What a run found.
-inline flashbvh_status put_count(const Step& step, uint32_t* count) {
-  *count = step.count;
-  return c_status(step.status);
-}
-
 inline flashbvh_position c_position(const QueryPosition<uint16_t>& position) {
   return {
       position.a, position.b, position.untested, static_cast<uint8_t>(position.state), {0, 0, 0}};

@@ -10,6 +10,13 @@ typedef struct flashbvh_pair {
   uint16_t b;
 } flashbvh_pair;
 
+/** What a run of a query gave. */
+typedef struct FLASHBVH_KEEP flashbvh_step {
+  FLASHBVH_BYTE(Status) status; /**< a flashbvh_status */
+  uint32_t count; /**< pairs written to the caller's array, or handed to its visitor */
+  uint32_t work;  /**< spent, of what was granted; 0 if that was UINT32_MAX */
+} flashbvh_step;
+
 /** What a query did since it was started: the columns of the paper's tables. */
 typedef struct flashbvh_counts {
   uint32_t visits;         /**< pairs of boxes tested ("iterations") */
