@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "bake/baked_tree.hpp"
+#include "flashbvh/contact.hpp"
 #include "flashbvh/pose_float.hpp"
+#include "flashbvh/query.hpp"
 #include "support/random.hpp"
 #include "support/rotations.hpp"
 #include "support/torus.hpp"
