@@ -126,12 +126,12 @@ void flashbvh_within_last_nearest_points(const flashbvh_within_query* query,
   Triangle a;
   Triangle b;
   object_in(query).last_pair(a, b);
-  *nearest = nearest_points_of(a, b);
+  put(nearest, [&] { return nearest_points_of(a, b); });
 }
 
 void flashbvh_nearest_points_of(const flashbvh_triangle* a, const flashbvh_triangle* b,
                                 flashbvh_nearest_points* nearest) {
-  *nearest = nearest_points_of(*a, *b);
+  put(nearest, [&] { return nearest_points_of(*a, *b); });
 }
 
 flashbvh_status flashbvh_for_each_within(const flashbvh_mesh* a, const flashbvh_mesh* b,

@@ -24,9 +24,10 @@ flashbvh_status flashbvh_count_pairs(const flashbvh_mesh* a, const flashbvh_mesh
 flashbvh_status flashbvh_find_pairs(const flashbvh_mesh* a, const flashbvh_mesh* b,
                                     const flashbvh_pose* pose, flashbvh_pair* pairs,
                                     uint32_t capacity, uint32_t* count) {
-  const PairCount found = find_pairs(object_in(a), object_in(b), object_in(pose), pairs, capacity);
-  *count = found.pairs;
-  return c_status(found.status);
+  PairQuery query(object_in(a), object_in(b), object_in(pose));
+  const Step step = query.run(UINT32_MAX, pairs, capacity);
+  *count = step.count;
+  return c_status(step.status);
 }
 
 flashbvh_status flashbvh_for_each_pair(const flashbvh_mesh* a, const flashbvh_mesh* b,

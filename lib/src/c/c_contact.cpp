@@ -12,11 +12,11 @@ void flashbvh_query_last_pair(const flashbvh_query* query, flashbvh_triangle* a,
 
 void flashbvh_contact_of(const flashbvh_triangle* a, const flashbvh_triangle* b,
                          flashbvh_contact* contact) {
-  *contact = contact_of(*a, *b);
+  put(contact, [&] { return contact_of(*a, *b); });
 }
 
 void flashbvh_query_last_contact(const flashbvh_query* query, flashbvh_contact* contact) {
-  *contact = contact_of_last(object_in(query));
+  put(contact, [&] { return contact_of_last(object_in(query)); });
 }
 
 bool flashbvh_transform_pair(const flashbvh_mesh* a, const flashbvh_mesh* b,

@@ -99,6 +99,12 @@ FLASHBVH_INLINE inline Object<Struct>& make(Struct* object, const Arguments&... 
   return make_in_place(object, with...);
 }
 
+/// Plain data that `give()` returns, made in its place: neither copied nor twice on the stack.
+template <class Plain, class Give>
+FLASHBVH_INLINE inline void put(Plain* plain, Give&& give) {
+  new (Storage{reinterpret_cast<unsigned char*>(plain)}) Plain(give());
+}
+
 /// `made` is complete before the first byte of `pose` changes: they may be made of one another.
 inline flashbvh_status put_pose(const Pose& made, flashbvh_pose* pose) {
   return c_status(make(pose, made).status());
