@@ -71,7 +71,7 @@ std::size_t most_levels(const Subjects& subjects) {
 
 /// All pairs that can be queried, or the first few. One mesh is queried against a second one.
 std::vector<QueriedPair> queried_pairs(const Subjects& subjects, const ReportOptions& options,
-                                       const Step& step) {
+                                       const OnStep& step) {
   if (!options.poses.empty()) {
     step("querying", static_cast<double>(subjects.size()));
     if (fs::is_directory(options.poses)) {
@@ -113,7 +113,7 @@ const QueriedPair& costliest(const std::vector<QueriedPair>& pairs) {
 }
 
 std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
-                    const ReportOptions& options, const Step& step) {
+                    const ReportOptions& options, const OnStep& step) {
   std::vector<std::string> paths(images.size());
   std::transform(images.begin(), images.end(), paths.begin(),
                  [](const auto& image) { return image->path(); });

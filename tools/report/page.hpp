@@ -30,12 +30,12 @@ struct ReportOptions {
 };
 
 /// Called before each piece of work with its name and its share of the whole.
-using Step = std::function<void(const std::string& what, double share)>;
+using OnStep = std::function<void(const std::string& what, double share)>;
 
 /// One self-contained HTML file, the same bytes for the same images and poses whatever their
 /// folder. UserError as source_triangles() and read_lattice_poses(). At least one image.
 std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
-                    const ReportOptions& options, const Step& step);
+                    const ReportOptions& options, const OnStep& step);
 
 }  // namespace flashbvh::tool
 

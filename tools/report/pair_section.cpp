@@ -15,7 +15,7 @@ namespace {
 
 void add_mesh(Faces& faces, const Subject& subject, const std::vector<LatticePoint>& points,
               const std::set<std::uint32_t>& lit, Paint paint) {
-  for (const Triangle& triangle : subject.triangles) {
+  for (const PaintedTriangle& triangle : subject.triangles) {
     const auto& [p, q, r] = triangle.source.vertices;
     const bool intersects = lit.count(triangle.source.number) != 0;
     faces.push_back(

@@ -154,7 +154,7 @@ std::string witness(const DecidedRobot& decided, const PairVerdict& pair) {
 }
 
 std::string witness_section(const DecidedRobot& decided, const std::vector<std::size_t>& order,
-                            const std::vector<Collisions>& collisions, const Step& step) {
+                            const std::vector<Collisions>& collisions, const OnStep& step) {
   if (order.empty()) {
     return "";
   }
@@ -195,7 +195,7 @@ std::string parts_section(const DecidedRobot& decided) {
 
 }  // namespace
 
-std::string robot_page(const DecidedRobot& decided, const Step& step) {
+std::string robot_page(const DecidedRobot& decided, const OnStep& step) {
   step("drawing configurations at random", 1);
   const std::vector<Collisions> collisions =
       collisions_of(decided.model, decided.robot().meshes, cell_of(decided.robot()), decided.pairs,

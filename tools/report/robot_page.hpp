@@ -28,7 +28,7 @@ struct DecidedRobot {
 
 /// One self-contained HTML file, the same bytes for the same robot: what firmware holds, what can
 /// collide and why, how rare that is and how it looks. `step`: shares of two.
-std::string robot_page(const DecidedRobot& decided, const Step& step);
+std::string robot_page(const DecidedRobot& decided, const OnStep& step);
 
 /// Of the page: all pairs as a matrix and in words. `shares`: of configurations at which a pair
 /// collides, in the pairs' order, texts.

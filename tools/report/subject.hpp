@@ -30,7 +30,7 @@ NodeBox node_box(const Tree& tree, std::uint32_t node) {
 }
 
 /// A triangle in cells of the mesh's frame.
-struct Triangle : Face {
+struct PaintedTriangle : Face {
   SourceTriangle source;
 };
 
@@ -47,8 +47,8 @@ struct Subject {
   const ImageFile& image;
   std::size_t number;
   std::string name;
-  std::uint64_t flash;              ///< bytes that its C++ arrays link
-  std::vector<Triangle> triangles;  ///< painted by what is odd about them
+  std::uint64_t flash;                     ///< bytes that its C++ arrays link
+  std::vector<PaintedTriangle> triangles;  ///< painted by what is odd about them
   std::vector<Face> marked_edges;
   std::vector<std::vector<NodeBox>> levels;  ///< from the root on, which holds all
   std::vector<Warning> warnings;
