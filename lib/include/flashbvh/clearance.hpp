@@ -135,7 +135,11 @@ class BasicClearanceQuery
   [[nodiscard]] uint32_t triangle_tests() const { return this->tested; }
 
   /// Does at most `work`; UINT32_MAX: all there is to do. As Query::run().
-  Step run(uint32_t work);
+  FLASHBVH_INLINE Step run(uint32_t work) {
+    uint32_t left = work;
+    const Status status = run_within(left);
+    return {status, 0, work - left};
+  }
 
   /// What is known by now.
   Clearance<Index> result() const;
@@ -160,6 +164,8 @@ class BasicClearanceQuery
     made.allowance = tolerance;
     return made;
   }
+  /// Leaves in `work` what is left of it.
+  Status run_within(uint32_t& work);
   /// With no part in the caller's frame.
   void begin_at(const Pose& pose, const Seed& seed);
   /// From A's origin on.

@@ -103,11 +103,10 @@ void BasicClearanceQuery<MeshType>::take_leaves(uint32_t& work) {
 }
 
 template <class MeshType>
-Step BasicClearanceQuery<MeshType>::run(uint32_t granted) {
-  if (status() != Status::suspended || granted == 0) {
-    return {status(), 0, 0};
+Status BasicClearanceQuery<MeshType>::run_within(uint32_t& work) {
+  if (status() != Status::suspended || work == 0) {
+    return status();
   }
-  uint32_t work = granted;
   detail::NearestSoFar known;
   const uint32_t kept = this->beyond;
   this->so_far = &known;
@@ -125,7 +124,7 @@ Step BasicClearanceQuery<MeshType>::run(uint32_t granted) {
         [] { return UINT32_MAX; });
   }
   this->beyond = kept;
-  return {status(), 0, granted - work};
+  return status();
 }
 
 template <class MeshType>
