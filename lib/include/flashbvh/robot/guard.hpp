@@ -36,11 +36,11 @@ namespace flashbvh {
 
 /// From the best to the worst.
 enum class Verdict : uint8_t {
-    free = FLASHBVH_VERDICT_FREE,
-    warn = FLASHBVH_VERDICT_WARN,
-    not_yet_known = FLASHBVH_VERDICT_NOT_YET_KNOWN,
-    stop = FLASHBVH_VERDICT_STOP,
-    refused = FLASHBVH_VERDICT_REFUSED,
+  free = FLASHBVH_VERDICT_FREE,
+  warn = FLASHBVH_VERDICT_WARN,
+  not_yet_known = FLASHBVH_VERDICT_NOT_YET_KNOWN,
+  stop = FLASHBVH_VERDICT_STOP,
+  refused = FLASHBVH_VERDICT_REFUSED,
 };
 
 /// No pair: every one is free.

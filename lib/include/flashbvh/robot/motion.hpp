@@ -22,9 +22,9 @@ namespace flashbvh {
 
 /// Of a motion.
 enum class MotionOutcome : uint8_t {
-    free = FLASHBVH_MOTION_FREE,
-    hit = FLASHBVH_MOTION_HIT,
-    close = FLASHBVH_MOTION_CLOSE,
+  free = FLASHBVH_MOTION_FREE,
+  hit = FLASHBVH_MOTION_HIT,
+  close = FLASHBVH_MOTION_CLOSE,
 };
 
 using MotionAnswer = flashbvh_motion_answer;
