@@ -67,7 +67,7 @@ __attribute__((noinline)) Counted measure_query(const typename Order::Tree& a,
   Counted result{};
   result.instructions = port::instructions_of([&] {
     Query query(a, b, pose, start<Order>());
-    result.status = query.run(UINT32_MAX, every_pair);
+    result.status = query.run(UINT32_MAX, every_pair).status;
   });
   // Its counts from another run: a user of the first would not copy them.
   Query query(a, b, pose, start<Order>());
