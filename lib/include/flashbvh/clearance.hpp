@@ -136,9 +136,10 @@ class BasicClearanceQuery
 
   /// Does at most `work`; UINT32_MAX: all there is to do. As Query::run().
   FLASHBVH_INLINE Step run(uint32_t work) {
-    uint32_t left = work;
-    const Status status = run_within(left);
-    return {status, 0, work - left};
+    Step step = {Status::suspended, 0, work};
+    step.status = run_within(step.work);  // no memory but the result's own
+    step.work = work - step.work;
+    return step;
   }
 
   /// What is known by now.
@@ -158,14 +159,16 @@ class BasicClearanceQuery
   /// As Query::resume(); the distance is worked out of the witness again.
   Status resume(const ClearancePosition<Index>& position);
 
+ protected:
+  /// Leaves in `work` what is left of it.
+  Status run_within(uint32_t& work);
+
  private:
   static Question question(uint16_t tolerance) {
     Question made;
     made.allowance = tolerance;
     return made;
   }
-  /// Leaves in `work` what is left of it.
-  Status run_within(uint32_t& work);
   /// With no part in the caller's frame.
   void begin_at(const Pose& pose, const Seed& seed);
   /// From A's origin on.
@@ -193,8 +196,14 @@ template <class Index>
 Clearance<Index> distance(const Mesh<Index, Layout::post_indexed>& a,
                           const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
                           const Witness<Index>& seed = Witness<Index>()) {
-  BasicClearanceQuery<Mesh<Index, Layout::post_indexed>> query(a, b, pose, seed);
-  (void)query.run(UINT32_MAX);
+  using Query = BasicClearanceQuery<Mesh<Index, Layout::post_indexed>>;
+  struct Whole : Query {  // of which no step is wanted
+    using Query::Query;
+    using Query::run_within;
+  };
+  Whole query(a, b, pose, seed);
+  uint32_t work = UINT32_MAX;
+  (void)query.run_within(work);
   return query.result();
 }
 
