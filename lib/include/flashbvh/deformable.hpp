@@ -138,7 +138,7 @@ class DeformableQuery {
   }
   /// As the query's own, in each of its forms.
   template <class... Arguments>
-  Step run(uint32_t work, Arguments&&... arguments) {
+  FLASHBVH_INLINE Step run(uint32_t work, Arguments&&... arguments) {
     if (is_outdated()) {
       return {Status::mesh_changed, 0, 0};
     }
