@@ -49,6 +49,7 @@ bool clearance_agrees(Scene& s) {
                     query.status());
   for (Status status = Status::suspended; agree && status == Status::suspended;) {
     const std::uint32_t work = 1 + s.random.below(9);
+    std::uint32_t c_left = work;
     const flashbvh_clearance_position position = flashbvh_clearance_position_of(&c);
     const auto wanted = query.position();
     wipe(c);
@@ -61,8 +62,8 @@ bool clearance_agrees(Scene& s) {
     const Step step = query.run(work);
     status = step.status;
     flashbvh_clearance found;
-    agree = agree && same(flashbvh_clearance_run(&c, work), step) &&
-            same(flashbvh_clearance_counts(&c), query.counts());
+    agree = agree && same(flashbvh_clearance_run(&c, &c_left), status) &&
+            work - c_left == step.work && same(flashbvh_clearance_counts(&c), query.counts());
     flashbvh_clearance_result(&c, &found);
     agree = agree && same(found, query.result());
   }

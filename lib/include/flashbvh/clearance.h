@@ -58,9 +58,10 @@ flashbvh_status flashbvh_clearance_start(flashbvh_clearance_query* query, const 
                                          const flashbvh_mesh* b, const flashbvh_pose* pose,
                                          const flashbvh_witness* seed, uint16_t tolerance);
 
-/** ClearanceQuery::run(): does at most `work`, UINT32_MAX being all; its count is 0. */
-FLASHBVH_NODISCARD flashbvh_step flashbvh_clearance_run(flashbvh_clearance_query* query,
-                                                        uint32_t work);
+/** ClearanceQuery::run_within(): does at most `*work`, and leaves there what is left of it;
+ * UINT32_MAX stays. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_clearance_run(flashbvh_clearance_query* query,
+                                                          uint32_t* work);
 
 /** ClearanceQuery::result(). */
 void flashbvh_clearance_result(const flashbvh_clearance_query* query, flashbvh_clearance* result);

@@ -136,11 +136,12 @@ class BasicClearanceQuery
 
   /// Does at most `work`; UINT32_MAX: all there is to do. As Query::run().
   FLASHBVH_INLINE Step run(uint32_t work) {
-    Step step = {Status::suspended, 0, work};
-    step.status = run_within(step.work);  // no memory but the result's own
-    step.work = work - step.work;
-    return step;
+    uint32_t left = work;
+    const Status status = run_within(left);
+    return {status, 0, work - left};
   }
+  /// Does at most `work`, and leaves there what is left of it; UINT32_MAX stays.
+  Status run_within(uint32_t& work);
 
   /// What is known by now.
   Clearance<Index> result() const;
@@ -158,10 +159,6 @@ class BasicClearanceQuery
   }
   /// As Query::resume(); the distance is worked out of the witness again.
   Status resume(const ClearancePosition<Index>& position);
-
- protected:
-  /// Leaves in `work` what is left of it.
-  Status run_within(uint32_t& work);
 
  private:
   static Question question(uint16_t tolerance) {
@@ -196,12 +193,7 @@ template <class Index>
 Clearance<Index> distance(const Mesh<Index, Layout::post_indexed>& a,
                           const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
                           const Witness<Index>& seed = Witness<Index>()) {
-  using Query = BasicClearanceQuery<Mesh<Index, Layout::post_indexed>>;
-  struct Whole : Query {  // of which no step is wanted
-    using Query::Query;
-    using Query::run_within;
-  };
-  Whole query(a, b, pose, seed);
+  BasicClearanceQuery<Mesh<Index, Layout::post_indexed>> query(a, b, pose, seed);
   uint32_t work = UINT32_MAX;
   (void)query.run_within(work);
   return query.result();

@@ -45,8 +45,8 @@ flashbvh_status flashbvh_clearance_start(flashbvh_clearance_query* query, const 
       make(query, object_in(a), object_in(b), object_in(pose), seed_in(seed), tolerance).status());
 }
 
-flashbvh_step flashbvh_clearance_run(flashbvh_clearance_query* query, uint32_t work) {
-  return object_in(query).run(work);
+flashbvh_status flashbvh_clearance_run(flashbvh_clearance_query* query, uint32_t* work) {
+  return c_status(object_in(query).run_within(*work));
 }
 
 void flashbvh_clearance_result(const flashbvh_clearance_query* query, flashbvh_clearance* result) {
