@@ -24,7 +24,7 @@ lint() {
   cat "$@" >"$text"
   # shellcheck disable=SC2046
   clang-tidy --quiet --config-file=.clang-tidy --checks="$checks" "$text" -- -std=c++17 \
-    -Wno-unknown-warning-option -Xclang -analyzer-config -Xclang max-nodes=$steps -Ilib/include -Itools \
+    -Wno-unknown-warning-option -Xclang -analyzer-config -Xclang max-nodes=$steps -Ilib/include -Itools -Itests \
     $(printf '%s\n' "$@" | sed 's#/[^/]*$##; s/^/-I/' | sort -u) >"$text.found" || status=1
   python3 tools/lint_places.py "$text" "$@" <"$text.found"
 }

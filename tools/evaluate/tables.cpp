@@ -16,7 +16,7 @@ using Results = std::vector<const SetupResult*>;
 struct Column {
   std::string head;
   std::string row;
-  std::string of = "";
+  std::string of{};
   std::uint32_t Counts::*count = &Counts::visits;
 };
 
@@ -140,7 +140,7 @@ bool knows_best_rule(const SetupResult* result) {
   return result->row("best rule") != nullptr;
 }
 
-bool intersects(const SetupResult* result) {
+bool is_intersecting(const SetupResult* result) {
   return result->rows[0].counts.triangle_pairs != 0;
 }
 
@@ -217,7 +217,7 @@ std::string summary_tables(const std::vector<SetupResult>& results) {
              {total, {"total where the best rule is known", chosen(all, knows_best_rule)}}) +
          worst_ranked(all) + "\n" + summary_table(kOverlaps, all, {}) + "\n" +
          summary_table(kDefaultTree, all,
-                       {{"total of the intersecting", chosen(all, intersects)}, total}) +
+                       {{"total of the intersecting", chosen(all, is_intersecting)}, total}) +
          "\n" + summary_table(times, all, {});
 }
 

@@ -88,9 +88,10 @@ std::vector<std::uint16_t> chosen_pairs(const std::vector<NearPair>& near,
   std::transform(near.begin(), near.end(), std::back_inserter(pairs),
                  [](const NearPair& pair) { return pair.pair; });
   std::vector<std::pair<double, std::uint16_t>> others;
-  for (std::uint16_t pair = 0; pair < distances.size(); ++pair) {
+  for (const Values& values : distances) {
+    const auto pair = static_cast<std::uint16_t>(&values - distances.data());
     if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) {
-      others.emplace_back(least_of(distances[pair]), pair);
+      others.emplace_back(least_of(values), pair);
     }
   }
   std::sort(others.begin(), others.end());
