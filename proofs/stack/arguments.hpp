@@ -94,6 +94,7 @@ struct Arguments {
   // Written.
   uint32_t answer;  ///< pairs found, or 0 and 1
   uint8_t status;
+  flashbvh::Step step;  ///< of the last run
   flashbvh::PairQuery::Pair found[4];
   flashbvh::detail::PairCursor<uint16_t> stack[kStackEntries];
   Room<160> query;

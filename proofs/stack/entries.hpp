@@ -43,9 +43,9 @@ template <class Asked>
     in.ends(flashbvh_query_start(query, in.c_a, in.c_b, in.c_pose));
     return;
   }
-  const Step step = flashbvh_query_run(query, in.work, in.c_found(), in.capacity);
-  in.ends(step.status);
-  in.answer += step.count;
+  new (InPlace{&in.step}) Step(flashbvh_query_run(query, in.work, in.c_found(), in.capacity));
+  in.ends(in.step.status);
+  in.answer += in.step.count;
 }
 
 /// A call in C that answers yes or no.
