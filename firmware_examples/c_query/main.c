@@ -92,7 +92,7 @@ static verdict control_loop(const target* to) {
   port_put(answer == VERDICT_FREE ? ": free after " : ": collides after ");
   port_put_number(ticks);
   port_put(" ticks\n");
-  if (answer == VERDICT_COLLIDES && flashbvh_query_counts(&ahead.query).triangle_pairs != 0) {
+  if (answer == VERDICT_COLLIDES && flashbvh_query_stats(&ahead.query).triangle_pairs != 0) {
     print_contact(&ahead);
   }
   return answer;

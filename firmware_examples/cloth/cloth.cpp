@@ -30,7 +30,7 @@ Vector from(const Vertex& v, const Vector& offset) {
           static_cast<float>(v.z) + offset.z};
 }
 
-Cloth::Cloth(const PostMesh& rest, const Setting& setting, Vector* points, Vector* before)
+Cloth::Cloth(const Mesh& rest, const Setting& setting, Vector* points, Vector* before)
     : rest_(rest), setting_(setting), points_(points), before_(before) {
   for (uint32_t i = 0; i < rest.vertex_count; ++i) {
     before_[i] = points_[i] = from(rest.vertices[i], kHere);

@@ -47,7 +47,7 @@ struct Setting {
 /// `points` and `before`: memory for as many as the sheet has vertices.
 class Cloth {
  public:
-  Cloth(const flashbvh::PostMesh& rest, const Setting& setting, Vector* points, Vector* before);
+  Cloth(const flashbvh::Mesh& rest, const Setting& setting, Vector* points, Vector* before);
 
   void step();
   /// Triangle `position` off a plane of something rigid, in whose direction it was near.
@@ -62,7 +62,7 @@ class Cloth {
   Vector normal_of(uint32_t position) const;
   Vector middle_of(uint32_t position) const;
 
-  const flashbvh::PostMesh& rest_;
+  const flashbvh::Mesh& rest_;
   Setting setting_;
   Vector* points_;
   Vector* before_;

@@ -74,15 +74,15 @@ struct Costs {
 };
 
 /// Under the sheet's lower edge, 28 mm of it over the sheet's origin.
-PostMesh put_link() {
-  PostMesh link = arm_link::mesh;
+Mesh put_link() {
+  Mesh link = arm_link::mesh;
   const detail::Box box = detail::unpack(link.nodes[0].box);
   link.origin[0] = -(box.lower.x + box.upper.x) / 2;
   link.origin[1] = -(box.lower.y + box.upper.y) / 2;
   link.origin[2] = static_cast<int32_t>(28 * kPerMm) - box.upper.z;
   return link;
 }
-const PostMesh link = put_link();
+const Mesh link = put_link();
 
 /// The link's points as the cloth's: both count from their own origins.
 Vector of_link(uint16_t vertex) {
@@ -103,7 +103,7 @@ void push_off_link(Cloth& cloth, uint32_t of_a, uint32_t of_b) {
 }
 
 /// Everything that is asked of a frame. Not inlined: its frames are what the stack is.
-Costs ask(const PostMesh& mesh, Cloth& cloth, Frame& frame) {
+Costs ask(const Mesh& mesh, Cloth& cloth, Frame& frame) {
   Costs costs;
   costs.link = port::instructions_of([&] {
     PairQuery query(link, mesh, kInPlace);
@@ -122,7 +122,7 @@ Costs ask(const PostMesh& mesh, Cloth& cloth, Frame& frame) {
   WithinQuery near_link(link, mesh, kInPlace, {}, within(kNearLink));
   (void)near_link.run(UINT32_MAX, [&](const WithinQuery::Pair& pair) {
     frame.add(frame.near_link, pair);
-    const auto positions = near_link.last_positions();
+    const auto positions = near_link.last_slots();
     push_off_link(cloth, positions.a, positions.b);
     return true;
   });
@@ -130,7 +130,7 @@ Costs ask(const PostMesh& mesh, Cloth& cloth, Frame& frame) {
     SelfWithinQuery query(mesh, within(kNear));
     (void)query.run(UINT32_MAX, [&](const SelfWithinQuery::Pair& pair) {
       frame.add(frame.near_itself, pair);
-      const auto positions = query.last_positions();
+      const auto positions = query.last_slots();
       cloth.push_apart(positions.a, positions.b);
       return true;
     });
@@ -159,7 +159,7 @@ int main([[maybe_unused]] int argc, [[maybe_unused]] char** argv) {
 #endif
   for (int number = 0; number < kFrames; ++number) {
     cloth.put_into(mesh.vertices());
-    RefitStep step{};
+    RefitResult step{};
     const uint32_t refit = port::instructions_of([&] { step = mesh.refit(); });
     if (step.status != Status::done) {
       port::print("vertex ", step.vertex, " left the lattice\n");

@@ -24,7 +24,7 @@ bool touches(int32_t height) {
   flashbvh::PairQuery query(plate::mesh, peg::mesh, pose);  // a few words on the stack
   flashbvh::PairQuery::Pair found[8];
   for (;;) {
-    const flashbvh::Step step = query.run(kWork, found);  // then it comes back
+    const flashbvh::RunResult step = query.run(kWork, found);  // then it comes back
     if (step.count != 0) {
       return true;  // found[0].a and found[0].b are triangles of plate.obj and peg.obj
     }

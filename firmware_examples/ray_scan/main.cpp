@@ -7,9 +7,9 @@
 // Prints for each place the instructions of the whole scan, from floats to millimetres, and the
 // distance along the ray of each zone; "-" where nothing is within the reach. Instructions are
 // counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
-#include <flashbvh/length.hpp>
 #include <flashbvh/ray.hpp>
 #include <flashbvh/solid.hpp>
+#include <flashbvh/units.hpp>
 
 #include "insn.hpp"
 #include "measured.hpp"
@@ -50,7 +50,7 @@ uint16_t millimetres(uint32_t distance) {
 Scan scan_at(const Place& place) {
   const Sensor sensor(place, room::kCellsPerUnit);
   Scan scan = {};
-  uint16_t seed = kNoSeed<uint16_t>;
+  uint16_t seed = kNoHint<uint16_t>;
   for (int zone = 0; zone < kZones; ++zone) {
     const MadeSegment ray = sensor.ray(zone);
     // All start in one cell.

@@ -15,7 +15,7 @@
 
 struct Link {
   const char* name;
-  const flashbvh::LevelledPostMesh* post;
+  const flashbvh::MeshWithLevels* post;
   const unsigned char* image;  ///< pre-indexed
   const unsigned char* image_end;
 

@@ -102,9 +102,9 @@ void measure(const Case& what, const char* algorithm, const typename Traversal::
   const uint32_t instructions = port::instructions_of([&] {
     Query<Traversal> again(a, b, what.pose, start());
     run_to_end(again, [&](Pair(&found)[4]) { (void)again.run(100, found); });
-    failed = failed || again.counts().visits != query.counts().visits;
+    failed = failed || again.stats().visits != query.stats().visits;
   });
-  const Counts& counts = query.counts();
+  const QueryStats& counts = query.stats();
   port::print("result ", what.configuration, " ", what.a.name, " ", what.b.name, " ", algorithm);
   port::print(" ", counts.visits, " ", counts.overlaps, " ", counts.leaf_pairs, " ",
               counts.triangle_pairs, " ", stack, " ", instructions, "\n");
@@ -126,7 +126,7 @@ void measure_with_stack(const Case& what, const char* algorithm) {
 
 /// The pre-indexed trees are not compiled in: their images lie in flash and are opened in place.
 struct PreTrees {
-  LevelledPreMesh link[kLinkCount];
+  PreMeshWithLevels link[kLinkCount];
 
   bool open() {
     for (int i = 0; i < kLinkCount; ++i) {
@@ -162,14 +162,14 @@ void ask(const Configuration& configuration, const ArmPose& arm, const PreTrees&
   const Pose pose = made_of_numbers(Pose::relative(arm.link[a], arm.link[b]));
   const Case what = {configuration.name, robot::kLinks[a], robot::kLinks[b], pose};
   print_pose(what);
-  measure<Ranked<PostMesh>>(what, "ranked");
+  measure<Ranked<Mesh>>(what, "ranked");
   measure<StacklessPost>(what, "stackless-post");
   measure<Stackless>(what, "stackless", pre.link[a], pre.link[b],
                      [] { return Stackless::Cursor(); });
-  measure<Leaf<PostMesh>>(what, "leaf");
-  measure_with_stack<RankedStack<PostMesh>>(what, "ranked-stack");
-  measure_with_stack<VolumeStack<PostMesh>>(what, "volume-stack");
-  measure_with_stack<AlternatingStack<LevelledPostMesh>>(what, "alternating-stack");
+  measure<Leaf<Mesh>>(what, "leaf");
+  measure_with_stack<RankedStack<Mesh>>(what, "ranked-stack");
+  measure_with_stack<VolumeStack<Mesh>>(what, "volume-stack");
+  measure_with_stack<AlternatingStack<MeshWithLevels>>(what, "alternating-stack");
 }
 
 /// The question as a controller asks it.

@@ -8,8 +8,8 @@
 // Prints for each motion how it ended, and the instructions of a period, from floats to the
 // verdict. They are counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
 #include <flashbvh/clearance.hpp>
-#include <flashbvh/length.hpp>
 #include <flashbvh/robot/robot_float.hpp>
+#include <flashbvh/units.hpp>
 
 #include "arm.hpp"
 #include "text.hpp"

@@ -32,7 +32,7 @@
 #include "flashbvh/solid.h"
 #include "flashbvh/solid.hpp"
 #include "reference/leaf.hpp"
-#include "reference/stack_orders.hpp"
+#include "reference/stack_traversals.hpp"
 #include "reference/stackless.hpp"
 
 namespace stack_proof {
@@ -54,12 +54,12 @@ constexpr uint32_t kStackEntries = 64;
 constexpr uint32_t kRobotLinks = 6;
 
 struct Arguments {
-  const flashbvh::LevelledPostMesh* a;
-  const flashbvh::LevelledPostMesh* b;
-  const flashbvh::PostMesh* closed;  ///< the same mesh, said to be closed
+  const flashbvh::MeshWithLevels* a;
+  const flashbvh::MeshWithLevels* b;
+  const flashbvh::Mesh* closed;  ///< the same mesh, said to be closed
   flashbvh::DeformableMesh* bent;    ///< the same mesh, two of its triangles moved
-  const flashbvh::LevelledPreMesh* pre_a;
-  const flashbvh::LevelledPreMesh* pre_b;
+  const flashbvh::PreMeshWithLevels* pre_a;
+  const flashbvh::PreMeshWithLevels* pre_b;
   const flashbvh::Pose* pose;
   const flashbvh::Pose* other_pose;
   const flashbvh::Triangle* triangles;  ///< two
@@ -67,7 +67,7 @@ struct Arguments {
   uint32_t image_size;
   const void* robot_image;
   uint32_t robot_image_size;
-  flashbvh::PostMesh* robot_meshes;  ///< room for its views
+  flashbvh::Mesh* robot_meshes;  ///< room for its views
 
   const int32_t (*rotation)[3];  ///< three rows
   const int32_t* cells;
@@ -94,7 +94,7 @@ struct Arguments {
   // Written.
   uint32_t answer;  ///< pairs found, or 0 and 1
   uint8_t status;
-  flashbvh::Step step;  ///< of the last run
+  flashbvh::RunResult step;  ///< of the last run
   flashbvh::PairQuery::Pair found[4];
   flashbvh::detail::PairCursor<uint16_t> stack[kStackEntries];
   Room<160> query;
@@ -105,14 +105,14 @@ struct Arguments {
   flashbvh_contact c_contact;
   int64_t millionths;
   float lengths[3];
-  flashbvh::QueryPosition<uint16_t> position;
+  flashbvh::QueryCursor<uint16_t> position;
   flashbvh::Clearance<uint16_t> clearance;
-  flashbvh::ClearancePosition<uint16_t> clearance_position;
-  flashbvh_position c_position;
+  flashbvh::ClearanceCursor<uint16_t> clearance_cursor;
+  flashbvh_cursor c_cursor;
   flashbvh_clearance c_clearance;
   flashbvh_nearest_points c_nearest;
   flashbvh_box_shape c_box;
-  flashbvh_clearance_position c_clearance_position;
+  flashbvh_clearance_cursor c_clearance_cursor;
 
   template <class Status>
   void ends(Status with) {

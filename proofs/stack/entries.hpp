@@ -32,7 +32,7 @@ template <class Asked>
     make_query<Asked>(in, a, b);
     return;
   }
-  const Step step = as<Asked>(in.query).run(in.work, in.found, in.capacity);
+  const RunResult step = as<Asked>(in.query).run(in.work, in.found, in.capacity);
   in.answer += step.count;
   in.status = static_cast<uint8_t>(step.status);
 }
@@ -43,7 +43,7 @@ template <class Asked>
     in.ends(flashbvh_query_start(query, in.c_a, in.c_b, in.c_pose));
     return;
   }
-  new (InPlace{&in.step}) Step(flashbvh_query_run(query, in.work, in.c_found(), in.capacity));
+  new (InPlace{&in.step}) RunResult(flashbvh_query_run(query, in.work, in.c_found(), in.capacity));
   in.ends(in.step.status);
   in.answer += in.step.count;
 }
@@ -59,7 +59,7 @@ template <class Call>
 /// All runs in C of a started query.
 template <class Run, class Asked>
 [[gnu::always_inline]] inline void run_all(Arguments& in, const Run& run, Asked& query) {
-  Step step;
+  RunResult step;
   do {
     step = run(&query, UINT32_MAX, in.c_found(), in.capacity);
     in.ends(step.status);
@@ -105,8 +105,8 @@ W pair_of(uint16_t i) {
 }
 
 /// Of a mesh that bends, against itself.
-template <class Asked, class... Question>
-[[gnu::always_inline]] inline void ask_itself(Arguments& in, const Question&... question) {
+template <class Asked, class... Predicate>
+[[gnu::always_inline]] inline void ask_itself(Arguments& in, const Predicate&... question) {
   const auto make = [&]() __attribute__((noinline)) {
     make_in<Asked>(in.query, [&] { return Asked(*in.bent, question...); });
   };
@@ -138,7 +138,7 @@ P any_point(int32_t i) {
 }
 
 /// From nine places along nine directions, and in the planes of triangles.
-inline Segment any_segment(const PostMesh& mesh, uint32_t i) {
+inline Segment any_segment(const Mesh& mesh, uint32_t i) {
   if (i < 81) {
     const auto at = static_cast<int32_t>(i);
     return {{4000 * (at % 9) - 16000, 20000, 0}, {4000 * (at / 9) - 16000, -20000, 300}};
@@ -152,7 +152,7 @@ inline Segment any_segment(const PostMesh& mesh, uint32_t i) {
           {o[0] + 2 * w.x - u.x, o[1] + 2 * w.y - u.y, o[2] + 2 * w.z - u.z}};
 }
 
-inline flashbvh_segment any_c_segment(const PostMesh& mesh, uint32_t i) {
+inline flashbvh_segment any_c_segment(const Mesh& mesh, uint32_t i) {
   const Segment segment = any_segment(mesh, i);
   return {{segment.from.x, segment.from.y, segment.from.z},
           {segment.to.x, segment.to.y, segment.to.z}};

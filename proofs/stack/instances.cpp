@@ -11,32 +11,32 @@
 #include "flashbvh/self.hpp"
 #include "flashbvh/solid.hpp"
 #include "reference/leaf.hpp"
-#include "reference/stack_orders.hpp"
+#include "reference/stack_traversals.hpp"
 #include "reference/stackless.hpp"
 
 namespace flashbvh {
 
 // The stackless traversals, all their members; those over a stack have no positions.
-template class Query<Ranked<PostMesh>>;
-template class Query<Ranked<LargePostMesh>>;
-template class Query<Ranked<PostMesh>, Within>;
-template class BasicClearanceQuery<PostMesh>;
-template class BasicClearanceQuery<LargePostMesh>;
-template class BasicDeformableMesh<PostMesh>;
-template class BasicDeformableMesh<LevelledPreMesh>;
-template class BasicSelfQuery<PostMesh, detail::Intersection>;
-template class BasicSelfQuery<PostMesh, Within>;
+template class Query<Ranked<Mesh>>;
+template class Query<Ranked<Mesh32>>;
+template class Query<Ranked<Mesh>, Within>;
+template class BasicClearanceQuery<Mesh>;
+template class BasicClearanceQuery<Mesh32>;
+template class BasicDeformableMesh<Mesh>;
+template class BasicDeformableMesh<PreMeshWithLevels>;
+template class BasicSelfQuery<Mesh, detail::Intersection>;
+template class BasicSelfQuery<Mesh, Within>;
 template class DeformableQuery<PairQuery>;
 template class DeformableQuery<SelfQuery>;
 template class DeformableQuery<ClearanceQuery>;
 template class Query<Stackless>;
-template class Query<LargeStackless>;
+template class Query<Stackless32>;
 template class Query<StacklessPost>;
-template class Query<LargeStacklessPost>;
+template class Query<StacklessPost32>;
 template class Query<Leaf<PreMesh>>;
-template class Query<Leaf<LargePreMesh>>;
-template class Query<Leaf<PostMesh>>;
-template class Query<Leaf<LargePostMesh>>;
+template class Query<Leaf<PreMesh32>>;
+template class Query<Leaf<Mesh>>;
+template class Query<Leaf<Mesh32>>;
 
 namespace test {
 
@@ -56,12 +56,12 @@ Status run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
 #define FLASHBVH_TEST_RUN_STACK(traversal, Pre, Post) \
   FLASHBVH_TEST_RUN(traversal<Pre>);                  \
   FLASHBVH_TEST_RUN(traversal<Post>)
-FLASHBVH_TEST_RUN_STACK(VolumeStack, PreMesh, PostMesh);
-FLASHBVH_TEST_RUN_STACK(VolumeStack, LargePreMesh, LargePostMesh);
-FLASHBVH_TEST_RUN_STACK(AlternatingStack, LevelledPreMesh, LevelledPostMesh);
-FLASHBVH_TEST_RUN_STACK(AlternatingStack, LargeLevelledPreMesh, LargeLevelledPostMesh);
-FLASHBVH_TEST_RUN_STACK(RankedStack, PostMesh, LargePostMesh);
-FLASHBVH_TEST_RUN_STACK(Ranked, PostMesh, LargePostMesh);
+FLASHBVH_TEST_RUN_STACK(VolumeStack, PreMesh, Mesh);
+FLASHBVH_TEST_RUN_STACK(VolumeStack, PreMesh32, Mesh32);
+FLASHBVH_TEST_RUN_STACK(AlternatingStack, PreMeshWithLevels, MeshWithLevels);
+FLASHBVH_TEST_RUN_STACK(AlternatingStack, PreMeshWithLevels32, MeshWithLevels32);
+FLASHBVH_TEST_RUN_STACK(RankedStack, Mesh, Mesh32);
+FLASHBVH_TEST_RUN_STACK(Ranked, Mesh, Mesh32);
 
 /// The questions of collide.hpp and contact.hpp.
 template <class TreeType>
@@ -75,8 +75,8 @@ uint32_t ask(const TreeType& a, const TreeType& b, const Pose& pose) {
   (void)for_each_pair(a, b, pose, [&sum](const Pair& pair) { return (sum += pair.a) != 0; });
   return sum + (transform_pair(a, b, pose, found[0], transformed[0], transformed[1]) ? 1u : 0u);
 }
-template uint32_t ask(const PostMesh&, const PostMesh&, const Pose&);
-template uint32_t ask(const LargePostMesh&, const LargePostMesh&, const Pose&);
+template uint32_t ask(const Mesh&, const Mesh&, const Pose&);
+template uint32_t ask(const Mesh32&, const Mesh32&, const Pose&);
 
 Pose pose_of_matrix(const float (&rotation)[3][3], const float (&translation)[3], float scale) {
   return pose_of(rotation, translation, scale);

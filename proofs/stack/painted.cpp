@@ -111,10 +111,10 @@ constexpr uint32_t kDistances[] = {3000 * 256, kMaxDistance};
 
 // Static, since the smallest board has no such stack.
 stack_proof::Arguments in;
-LevelledPostMesh post;
-LevelledPreMesh pre;
+MeshWithLevels post;
+PreMeshWithLevels pre;
 flashbvh_mesh c_tree;
-PostMesh closed;
+Mesh closed;
 flashbvh_mesh c_closed;
 flashbvh_deformable bent;
 flashbvh_node bent_nodes[deep_post_NODE_COUNT];
@@ -125,12 +125,12 @@ MotionStateOf<1, 1> motion_state;
 WorkcellOf<3, 4, 2, 5> workcell_memory;
 RobotJoint joint;
 RobotPair pair;
-PostMesh meshes[2];
+Mesh meshes[2];
 Robot robot;
 alignas(4) constexpr unsigned char kRobotImage[] = {
 #include "robot_image.inc"
 };
-PostMesh robot_meshes[stack_proof::kRobotLinks];
+Mesh robot_meshes[stack_proof::kRobotLinks];
 uint32_t most[kEntryCount];
 uint32_t answers[kEntryCount];
 int failures = 0;
@@ -153,7 +153,7 @@ void open_trees() {
   closed.is_closed = true;
   in.closed = &closed;
   c_closed = c_tree;
-  reinterpret_cast<PostMesh*>(c_closed.opaque.bytes)->is_closed = true;
+  reinterpret_cast<Mesh*>(c_closed.opaque.bytes)->is_closed = true;
   in.c_closed = &c_closed;
   check(post.vertex_count <= length(bent_vertices), "vertices", "bent");
   flashbvh_deformable_make(&bent, &c_tree, bent_nodes, bent_vertices);
@@ -236,10 +236,10 @@ void prepare() {
   auto& query =
       stack_proof::make_in<PairQuery>(in.query, [] { return PairQuery(post, post, *in.pose); });
   (void)query.run(UINT32_MAX, in.found, 1);
-  in.position = query.position();
-  in.c_position = flashbvh_query_position(reinterpret_cast<const flashbvh_query*>(in.query.bytes));
-  stack_proof::make_in<TranslatedBound>(in.made_pose, [] {
-    return TranslatedBound(in.pose->translation(0), in.pose->translation(1),
+  in.position = query.cursor();
+  in.c_cursor = flashbvh_query_cursor(reinterpret_cast<const flashbvh_query*>(in.query.bytes));
+  stack_proof::make_in<TranslatedBoxTest>(in.made_pose, [] {
+    return TranslatedBoxTest(in.pose->translation(0), in.pose->translation(1),
                            in.pose->translation(2));
   });
   in.stack[0] = {};
@@ -291,8 +291,8 @@ void report() {
   }
   check(answers[0] != 0, "no pairs", kEntries[0].name);
   port::print("object PairQuery ", sizeof(PairQuery), "\nobject Pose ", sizeof(Pose),
-              "\nobject PostMesh ", sizeof(PostMesh), "\nobject QueryPosition ",
-              sizeof(QueryPosition<uint16_t>), "\nobject Contact ", sizeof(Contact),
+              "\nobject Mesh ", sizeof(Mesh), "\nobject QueryCursor ",
+              sizeof(QueryCursor<uint16_t>), "\nobject Contact ", sizeof(Contact),
               "\nobject ClearanceQuery ", sizeof(ClearanceQuery), "\nobject WithinQuery ",
               sizeof(WithinQuery), "\n");
   check(port::stack_used() < port::stack_size(), "stack", "overflow");

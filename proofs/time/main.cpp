@@ -61,14 +61,14 @@ Pose any_pose(Random& random, int32_t reach) {
 template <class Asked>
 void measure_run(const Asked& query, void (*run)(void*), const char* kind, const Side& a,
                  const Side& b) {
-  const Counts before = query.counts();
-  const bool pending = query.position().untested != 0;
+  const QueryStats before = query.stats();
+  const bool pending = query.cursor().untested != 0;
   const uint32_t instructions = port::instructions_of_call(run, &slice);
   bound_done();
   const bool full = slice.step.status == Status::full;
-  const uint32_t visits = full ? slice.work : query.counts().visits - before.visits;
+  const uint32_t visits = full ? slice.work : query.stats().visits - before.visits;
   const uint32_t leaf_pairs = full ? slice.work / kTrianglePairWork + 1
-                                   : query.counts().leaf_pairs - before.leaf_pairs + pending;
+                                   : query.stats().leaf_pairs - before.leaf_pairs + pending;
   port::print("run ", kind, " ", slice.work, " ", visits, " ", leaf_pairs, " ");
   port::print(a.depth + b.depth, " ", a.leaf_size > b.leaf_size ? a.leaf_size : b.leaf_size, " ",
               instructions, "\n");
@@ -84,8 +84,8 @@ void measure_itself(const Side& side, uint32_t granted) {
 }
 
 void measure_query(const Pose& pose, uint32_t granted) {
-  const PostMesh& a = side_a.tree.view();
-  const PostMesh& b = side_b.tree.view();
+  const Mesh& a = side_a.tree.view();
+  const Mesh& b = side_b.tree.view();
   PairQuery query(a, b, pose);
   slice.a = &a;
   slice.b = &b;

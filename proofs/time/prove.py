@@ -1,7 +1,7 @@
 """prove.py OUTPUT CUTS CORE PROGRAM SOURCES
 
 Finds what a run of a query can cost at worst in the machine code of PROGRAM, the firmware of this
-folder, and writes it to OUTPUT, "bound NAME VALUE" a line: flashbvh::RunCosts (bound.hpp), for
+folder, and writes it to OUTPUT, "bound NAME VALUE" a line: flashbvh::RunCosts (time_bound.hpp), for
 poses that translate and for those that rotate. Where loops were cut goes to CUTS: see turns.py.
 CORE: its name; SOURCES: the folder that loops.txt speaks of.
 """

@@ -12,14 +12,14 @@ namespace bound {
 constexpr uint32_t kCapacity = 16;
 
 struct Slice {
-  const flashbvh::PostMesh* a;
-  const flashbvh::PostMesh* b;
+  const flashbvh::Mesh* a;
+  const flashbvh::Mesh* b;
   const flashbvh::Pose* pose;
   flashbvh::PairQuery* query;
   flashbvh::SelfQuery* itself;
   uint32_t work;
   flashbvh::PairQuery::Pair found[kCapacity];
-  flashbvh::Step step;
+  flashbvh::RunResult step;
 };
 
 }  // namespace bound

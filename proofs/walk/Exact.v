@@ -46,7 +46,7 @@ Definition sound m : Prop :=
 
 (* Where points lie along a direction.
    code: include/flashbvh/detail/bounds/slab.hpp | Extent along = {at, at}; along.add(dot(direction, q)); along.add(dot(direction, r));
-   code: include/flashbvh/detail/walk/leaf_shape.hpp | extent.add(triangle(m, i).extent(direction)); *)
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | extent.add(triangle(m, i).extent(direction)); *)
 Definition extreme (choose : Z -> Z -> Z) e (those : list Point) : Z :=
   match those with [] => 0 | p :: r => fold_right (fun q => choose (dot e q)) (dot e p) r end.
 Definition least := extreme Z.min.
@@ -114,9 +114,9 @@ Variable pose : Pose.
 Let root_b := box B 0.
 
 (* Two boxes; the window of a leaf of one side, and its slabs.
-   code: include/flashbvh/detail/walk/leaf_shape.hpp | window = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | window = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
    code: include/flashbvh/detail/bounds/slab_dsp.hpp | return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, tests.window) && may_touch_both(tests.plane, tests.edge, box);
-   code: include/flashbvh/detail/walk/leaf_shape.hpp | return reached == nullptr || may_touch_one(edge, *reached); *)
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | return reached == nullptr || may_touch_one(edge, *reached); *)
 Definition boxes_overlap s t : bool :=
   match pose with
   | Moved o => negb (decide (moved_boxes_dec o s t))

@@ -103,7 +103,7 @@ bool library_accepts(const std::vector<ModelNode>& nodes, uint32_t leaves) {
   static const Vertex vertex = {0, 0, 0};
   static const uint16_t shell = 0;
   const std::vector<Corners<uint16_t>> triangles(leaves, {{0, 0, 0}});
-  LevelledPostMesh mesh = {};
+  MeshWithLevels mesh = {};
   mesh.nodes = nodes.data();
   mesh.node_count = static_cast<uint16_t>(nodes.size());
   mesh.leaf_count = mesh.triangle_count = static_cast<uint16_t>(leaves);

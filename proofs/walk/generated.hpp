@@ -13,7 +13,7 @@
 
 namespace flashbvh::test {
 
-using ModelTree = LevelledPostMesh;
+using ModelTree = MeshWithLevels;
 using ModelNode = Node<uint16_t>;
 using NodePair = std::pair<uint32_t, uint32_t>;
 
@@ -150,7 +150,7 @@ class TestedShapes {
 
 /// One run of a walk of the library's with `work` from a position, which it moves on. It stops
 /// after `batch` pairs of leaves, or, if it is `to_end`, goes on from there.
-template <class Order>
+template <class Traversal>
 void walk_on(const ModelTree& a, const ModelTree& b, const PairTests& tests, uint32_t work,
              uint32_t batch, detail::PairCursor<uint16_t>& cursor, detail::State& state,
              Walked& walked, bool to_end = false) {
@@ -167,7 +167,7 @@ void walk_on(const ModelTree& a, const ModelTree& b, const PairTests& tests, uin
   do {
     left = batch;
     detail::WalkRun<detail::PairCursor<uint16_t>, decltype(leaf_pair)> run(cursor, leaf_pair, work);
-    state = detail::walk<Order>(bound, shapes, run, state);
+    state = detail::walk<Traversal>(bound, shapes, run, state);
   } while (to_end && state != detail::State::done);
 }
 

@@ -30,7 +30,7 @@ struct Cost {
   std::uint32_t visits = 0;
 };
 
-Cost cost_of(const PostMesh& a, const PostMesh& b, std::int32_t reach) {
+Cost cost_of(const Mesh& a, const Mesh& b, std::int32_t reach) {
   test::Random random = test::test_random();
   Cost cost;
   for (int i = 0; i < 20; ++i) {
@@ -41,9 +41,9 @@ Cost cost_of(const PostMesh& a, const PostMesh& b, std::int32_t reach) {
     PairQuery query(a, b, pose);
     cost.instructions += port::instructions_of(
         [&] { (void)query.run(UINT32_MAX, [](const PairQuery::Pair&) { return true; }); });
-    cost.pairs += query.counts().triangle_pairs;
-    cost.visits += query.counts().visits;
-    cost.leaf_pairs += query.counts().leaf_pairs;
+    cost.pairs += query.stats().triangle_pairs;
+    cost.visits += query.stats().visits;
+    cost.leaf_pairs += query.stats().leaf_pairs;
   }
   return cost;
 }

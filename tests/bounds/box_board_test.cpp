@@ -96,7 +96,7 @@ TEST_CASE("packed boxes overlap exactly when the boxes do, at every translation"
     const std::int32_t z = random.below(2) == 0 ? 0 : translation(random);
     const bool expected = overlap(a, b, x, y, z);
     overlaps += expected ? 1 : 0;
-    const TranslatedBound test(x, y, z);
+    const TranslatedBoxTest test(x, y, z);
     const BoxInNode of_a = in_node(random, a);
     const BoxInNode of_b = in_node(random, b);
     const bool fast = test(of_a.box, of_b.box);
@@ -113,12 +113,12 @@ TEST_CASE("packed boxes overlap exactly when the boxes do, at every translation"
 TEST_CASE("boxes that touch overlap, and a cell further they do not") {
   const PackedBox unit = pack({{0, 0, 0}, {1, 1, 1}});
   for (const std::int32_t t : {-1, 1}) {
-    CHECK(TranslatedBound(t, 0, 0)(unit, unit));
-    CHECK(TranslatedBound(0, t, 0)(unit, unit));
-    CHECK(TranslatedBound(0, 0, t)(unit, unit));
-    CHECK_FALSE(TranslatedBound(2 * t, 0, 0)(unit, unit));
-    CHECK_FALSE(TranslatedBound(0, 2 * t, 0)(unit, unit));
-    CHECK_FALSE(TranslatedBound(0, 0, 2 * t)(unit, unit));
+    CHECK(TranslatedBoxTest(t, 0, 0)(unit, unit));
+    CHECK(TranslatedBoxTest(0, t, 0)(unit, unit));
+    CHECK(TranslatedBoxTest(0, 0, t)(unit, unit));
+    CHECK_FALSE(TranslatedBoxTest(2 * t, 0, 0)(unit, unit));
+    CHECK_FALSE(TranslatedBoxTest(0, 2 * t, 0)(unit, unit));
+    CHECK_FALSE(TranslatedBoxTest(0, 0, 2 * t)(unit, unit));
   }
 }
 

@@ -27,7 +27,7 @@ struct Bounds {
 };
 
 /// Each entry takes the upper bound where it is positive and the lower one where it is negative.
-Bounds bounds_on(const SplitRow& row, const BoundStart& start, const PackedBox& box) {
+Bounds bounds_on(const SplitRow& row, const BoxTestStart& start, const PackedBox& box) {
   const int64_t entries[] = {row.x(), row.y(), row.z_entry()};
   const Bounds of_box[] = {{low_half(box.upper_xy), low_half(box.lower_xy)},
                            {high_half(box.upper_xy), high_half(box.lower_xy)},
@@ -43,7 +43,7 @@ Bounds bounds_on(const SplitRow& row, const BoundStart& start, const PackedBox& 
   return {whole_cells(upper), whole_cells(lower)};
 }
 
-PackedBox rotated_box(const SplitMatrix& matrix, const BoundStart* starts, const PackedBox& box) {
+PackedBox rotated_box(const SplitMatrix& matrix, const BoxTestStart* starts, const PackedBox& box) {
   const Bounds x = bounds_on(matrix.row[0], starts[0], box);
   const Bounds y = bounds_on(matrix.row[1], starts[1], box);
   const Bounds z = bounds_on(matrix.row[2], starts[2], box);
@@ -51,7 +51,7 @@ PackedBox rotated_box(const SplitMatrix& matrix, const BoundStart* starts, const
           join_halves(z.upper, z.lower)};
 }
 
-PackedBox rotated_without_zeros(const SplitMatrix& matrix, const BoundStart* starts,
+PackedBox rotated_without_zeros(const SplitMatrix& matrix, const BoxTestStart* starts,
                                 const PackedBox& box) {
   PackedBox rotated{};
   rotate_plain(matrix, starts, box, rotated);
@@ -158,7 +158,7 @@ TEST_CASE("boxes reach a window exactly when they overlap the rotated box that i
     const PackedBox of_b = rotated_box(rotation.pose.matrix().rows, rotation.transform.on_a, any);
     const BoxInNode kept = in_node(random, unpack(any));
     const BoxInNode other = in_node(random, unpack(any_box(random)));
-    RotatedBound bound(rotation.transform);
+    RotatedBoxTest bound(rotation.transform);
     // Of a box that is not kept: all.
     CHECK(reaches(other.box, bound.window_of_a(kept.box)));
     CHECK(reaches(other.box, bound.window_of_b(kept.box)));
@@ -195,7 +195,7 @@ TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, wh
       a[i] = in_node(random, unpack(beside));
       b[i] = in_node(random, unpack(i == 0 ? box_beside(random, rotated) : any));
     }
-    RotatedBound test(rotation.transform);
+    RotatedBoxTest test(rotation.transform);
     for (int visit = 0; visit < 20; ++visit) {
       const PackedBox& of_a = a[random.below(3)].box;
       const PackedBox& of_b = b[random.below(3)].box;
@@ -219,7 +219,7 @@ TEST_CASE("roots are far apart exactly when B's, rotated with the widest margin,
     CAPTURE(round);
     const AnyRotation rotation(random);
     const RotationMatrix& matrix = rotation.pose.matrix();
-    BoundStart starts[3];
+    BoxTestStart starts[3];
     for (int i = 0; i < 3; ++i) {
       const int32_t offset = offset_of(rotation.transform.on_a[i]);
       const int32_t shared = (kSplitOne - matrix.rows.row[i].sum()) * kBoundBias + widest;

@@ -40,22 +40,22 @@ struct Cost {
 };
 
 /// The boxes alone, from the root on, the preparation of the pose included.
-void add_walk(const PostMesh& a, const PostMesh& b, const Pose& pose, Cost& cost) {
-  Counts counts = {1, 0, 0, 0};
+void add_walk(const Mesh& a, const Mesh& b, const Pose& pose, Cost& cost) {
+  QueryStats counts = {1, 0, 0, 0};
   std::uint32_t leaf_pairs = 0;
   const std::uint32_t instructions = port::instructions_of([&] {
     RotatedTransform transform;
     if (!transform.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box, true)) {
       return;
     }
-    RotatedBound overlap(transform);
+    RotatedBoxTest overlap(transform);
     PairCursor<std::uint16_t> cursor;
     const auto leaf_pair = [&leaf_pairs](std::uint32_t, std::uint32_t, const Progress&) {
       ++leaf_pairs;
       return true;
     };
-    counts = test::walk_from<Ranked<PostMesh>>(a, b, ByReference<RotatedBound>{&overlap}, cursor,
-                                               leaf_pair)
+    counts = test::walk_from<Ranked<Mesh>>(a, b, ByReference<RotatedBoxTest>{&overlap}, cursor,
+                                           leaf_pair)
                  .counts;
   });
   cost.visits += counts.visits;

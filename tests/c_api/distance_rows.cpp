@@ -18,12 +18,12 @@ struct WithinFunctions {
   static flashbvh_status start(Struct* c, Scene& s) {
     return flashbvh_within_start(c, &s.a.c, &s.b.c, &s.c_pose, s.distance);
   }
-  static const Counts& counts_of(const WithinQuery& query) { return query.counts(); }
+  static const QueryStats& counts_of(const WithinQuery& query) { return query.stats(); }
   static constexpr auto status = flashbvh_within_status;
   static constexpr auto run = flashbvh_within_run;
   static constexpr auto visit = flashbvh_within_visit;
-  static constexpr auto counts = flashbvh_within_counts;
-  static constexpr auto position = flashbvh_within_position;
+  static constexpr auto counts = flashbvh_within_stats;
+  static constexpr auto position = flashbvh_within_cursor;
   static constexpr auto resume = flashbvh_within_resume;
   static constexpr auto last_pair = flashbvh_within_last_pair;
 };
@@ -50,8 +50,8 @@ bool clearance_agrees(Scene& s) {
   for (Status status = Status::suspended; agree && status == Status::suspended;) {
     const std::uint32_t work = 1 + s.random.below(9);
     std::uint32_t c_left = work;
-    const flashbvh_clearance_position position = flashbvh_clearance_position_of(&c);
-    const auto wanted = query.position();
+    const flashbvh_clearance_cursor position = flashbvh_clearance_cursor_of(&c);
+    const auto wanted = query.cursor();
     wipe(c);
     (void)flashbvh_clearance_start(&c, &s.a.c, &s.b.c, &s.c_pose, nullptr, tolerance);
     ClearanceQuery again(s.a.mesh, s.b.mesh, s.pose, {}, tolerance);
@@ -59,11 +59,11 @@ bool clearance_agrees(Scene& s) {
             position.has_witness == wanted.has_witness &&
             same(flashbvh_clearance_resume(&c, &position), again.resume(wanted));
     query = again;
-    const Step step = query.run(work);
+    const RunResult step = query.run(work);
     status = step.status;
     flashbvh_clearance found;
     agree = agree && same(flashbvh_clearance_run(&c, &c_left), status) &&
-            work - c_left == step.work && same(flashbvh_clearance_counts(&c), query.counts());
+            work - c_left == step.work && same(flashbvh_clearance_stats(&c), query.stats());
     flashbvh_clearance_result(&c, &found);
     agree = agree && same(found, query.result());
   }
@@ -124,7 +124,7 @@ bool hits_agree(Scene& s, const Segment& ray) {
                (any.status != Status::done || !yes || same_hit(hit, any.hit));
   agree = agree && same(flashbvh_nearest_hit(&s.a.c, &ray, seed, &yes, &hit), seeded.status);
   agree = agree &&
-          same(flashbvh_nearest_hit(&s.a.c, &ray, FLASHBVH_NO_SEED, &yes, &hit), nearest.status) &&
+          same(flashbvh_nearest_hit(&s.a.c, &ray, FLASHBVH_NO_HINT, &yes, &hit), nearest.status) &&
           yes == nearest.yes;
   if (agree && nearest.status == Status::done && nearest.yes) {
     flashbvh_fine_point at;

@@ -1,11 +1,11 @@
 // Meshes, queries, contacts, time bounds.
 #include "c_api/slices.hpp"
-#include "flashbvh/bound.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/length.hpp"
 #include "flashbvh/pose_float.hpp"
+#include "flashbvh/time_bound.hpp"
+#include "flashbvh/units.hpp"
 
 namespace flashbvh::test {
 namespace {
@@ -17,12 +17,12 @@ struct PairFunctions {
   static flashbvh_status start(Struct* c, Scene& s) {
     return flashbvh_query_start(c, &s.a.c, &s.b.c, &s.c_pose);
   }
-  static const Counts& counts_of(const PairQuery& query) { return query.counts(); }
+  static const QueryStats& counts_of(const PairQuery& query) { return query.stats(); }
   static constexpr auto status = flashbvh_query_status;
   static constexpr auto run = flashbvh_query_run;
   static constexpr auto visit = flashbvh_query_visit;
-  static constexpr auto counts = flashbvh_query_counts;
-  static constexpr auto position = flashbvh_query_position;
+  static constexpr auto counts = flashbvh_query_stats;
+  static constexpr auto position = flashbvh_query_cursor;
   static constexpr auto resume = flashbvh_query_resume;
   static constexpr auto last_pair = flashbvh_query_last_pair;
 };
@@ -42,7 +42,7 @@ bool damage_agrees(Scene& s) {
     std::memmove(bytes + 2, bytes, s.a.size());
     bytes += 2;
   }
-  PostMesh wanted;
+  Mesh wanted;
   flashbvh_mesh found;
   flashbvh_mesh before;
   flashbvh_tree_size tree;
@@ -65,7 +65,7 @@ bool damages_agree(Scene& s) {
 }
 
 bool mesh_agrees(Scene& s) {
-  const PostMesh& mesh = s.a.mesh;
+  const Mesh& mesh = s.a.mesh;
   std::int32_t origin[3];
   flashbvh_mesh_origin(&s.a.c, origin);
   return same(origin, mesh.origin) && flashbvh_mesh_triangles(&s.a.c) == mesh.triangle_count &&
@@ -195,7 +195,7 @@ bool bounds_agree(Scene& s) {
 bool names_agree(Scene& s) {
   const auto status = static_cast<flashbvh_status>(s.random.below(64));
   return flashbvh_status_name(status) == status_name(static_cast<Status>(status)) &&
-         std::strcmp(flashbvh_status_name(FLASHBVH_STATUS_SEED_INVALID), "seed_invalid") == 0;
+         std::strcmp(flashbvh_status_name(FLASHBVH_STATUS_SEED_INVALID), "hint_invalid") == 0;
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ bool same(const flashbvh_pose& c, const Pose& pose) {
   return agree;
 }
 
-bool same_mesh(const PostMesh& p, const PostMesh& q) {
+bool same_mesh(const Mesh& p, const Mesh& q) {
   return p.node_count == q.node_count && p.leaf_count == q.leaf_count &&
          p.stack_need == q.stack_need && p.triangle_count == q.triangle_count &&
          p.vertex_count == q.vertex_count && p.shell_count == q.shell_count &&
@@ -77,11 +77,11 @@ bool same_robot(const Robot& c, const Robot& cpp) {
   bool is_same =
       c.joint_count == cpp.joint_count && c.link_count == cpp.link_count &&
       c.variable_count == cpp.variable_count && c.pair_count == cpp.pair_count &&
-      c.reach_count == cpp.reach_count && c.chart_bytes == cpp.chart_bytes &&
-      same(c.charts, cpp.charts, cpp.chart_bytes) && c.slack == cpp.slack && c.hash == cpp.hash &&
-      c.cell_bits == cpp.cell_bits && same(c.joints, cpp.joints, cpp.joint_count) &&
-      same(c.links, cpp.links, cpp.link_count) && same(c.pairs, cpp.pairs, cpp.pair_count) &&
-      same(c.reaches, cpp.reaches, cpp.reach_count);
+      c.reach_count == cpp.reach_count && c.distance_table_bytes == cpp.distance_table_bytes &&
+      same(c.charts, cpp.charts, cpp.distance_table_bytes) && c.slack == cpp.slack &&
+      c.hash == cpp.hash && c.cell_bits == cpp.cell_bits &&
+      same(c.joints, cpp.joints, cpp.joint_count) && same(c.links, cpp.links, cpp.link_count) &&
+      same(c.pairs, cpp.pairs, cpp.pair_count) && same(c.reaches, cpp.reaches, cpp.reach_count);
   for (uint32_t i = 0; i < cpp.link_count; ++i) {
     is_same = is_same && same_mesh(c.meshes[i], cpp.meshes[i]);
   }

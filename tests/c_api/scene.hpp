@@ -15,7 +15,7 @@ namespace flashbvh::test {
 /// A random mesh's image, opened in both languages.
 struct Object {
   std::vector<std::uint32_t> image;
-  PostMesh mesh{};
+  Mesh mesh{};
   flashbvh_mesh c{};
 
   /// Of a few random triangles, or closed: a torus.
@@ -61,7 +61,7 @@ inline bool same(flashbvh_status c, Status status) {
   seen_statuses |= std::uint64_t{1} << c;
   return c == static_cast<flashbvh_status>(status);
 }
-inline bool same(const Step& c, const Step& step) {
+inline bool same(const RunResult& c, const RunResult& step) {
   return same(static_cast<flashbvh_status>(c.status), step.status) && c.count == step.count &&
          c.work == step.work;
 }
@@ -86,7 +86,7 @@ inline bool same(const Contact& p, const Contact& q) {
 inline bool same(flashbvh_witness c, const Witness<std::uint16_t>& witness) {
   return c.a == witness.a && c.b == witness.b;
 }
-inline bool same(const flashbvh_position& c, const QueryPosition<std::uint16_t>& position) {
+inline bool same(const flashbvh_cursor& c, const QueryCursor<std::uint16_t>& position) {
   return c.a == position.a && c.b == position.b && c.untested == position.untested &&
          c.state == static_cast<std::uint8_t>(position.state);
 }

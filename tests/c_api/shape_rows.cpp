@@ -11,7 +11,7 @@ namespace {
 
 /// Made with a status, and as far off, whatever it is asked.
 bool shape_agrees(Scene& s, flashbvh_status made, const flashbvh_mesh& c, Status status,
-                  const PostMesh& mesh) {
+                  const Mesh& mesh) {
   flashbvh_clearance found;
   std::uint32_t pairs = 99;
   const auto wanted = distance(s.a.mesh, mesh, s.pose);
@@ -78,7 +78,7 @@ struct Bent {
     for (bool goes_on = true; goes_on;) {
       const std::uint32_t work = 1 + s.random.below(9);
       std::uint32_t vertex = 99999;
-      const RefitStep step = mesh.refit(work);
+      const RefitResult step = mesh.refit(work);
       const bool is_out = step.status == Status::vertex_out_of_lattice;
       if (!same(flashbvh_deformable_refit(&c, work, &vertex), step.status) ||
           vertex != (is_out ? step.vertex : 99999) ||
@@ -103,12 +103,12 @@ struct SelfFunctions {
     return flashbvh_self_query_start(c, &bent->c);
   }
   template <class Query>
-  static const Counts& counts_of(const Query& query) {
-    return query.query().counts();
+  static const QueryStats& counts_of(const Query& query) {
+    return query.query().stats();
   }
   static constexpr auto run = flashbvh_self_query_run;
-  static constexpr auto counts = flashbvh_self_query_counts;
-  static constexpr auto position = flashbvh_self_query_position;
+  static constexpr auto counts = flashbvh_self_query_stats;
+  static constexpr auto position = flashbvh_self_query_cursor;
   static constexpr auto resume = flashbvh_self_query_resume;
 };
 
@@ -121,8 +121,8 @@ struct BandFunctions : SelfFunctions {
     return flashbvh_self_within_start(c, &bent->c, s.distance);
   }
   static constexpr auto run = flashbvh_self_within_run;
-  static constexpr auto counts = flashbvh_self_within_counts;
-  static constexpr auto position = flashbvh_self_within_position;
+  static constexpr auto counts = flashbvh_self_within_stats;
+  static constexpr auto position = flashbvh_self_within_cursor;
   static constexpr auto resume = flashbvh_self_within_resume;
 };
 

@@ -13,11 +13,11 @@ template <class Walk>
 Walk& walk_of(Walk& position) {
   return position;
 }
-inline flashbvh_position& walk_of(flashbvh_self_position& position) {
+inline flashbvh_cursor& walk_of(flashbvh_self_cursor& position) {
   return position.position;
 }
 template <class Walk>
-Walk& walk_of(DeformablePosition<Walk>& position) {
+Walk& walk_of(DeformableCursor<Walk>& position) {
   return position.position;
 }
 
@@ -35,7 +35,7 @@ class Slices {
     bool agrees = same(C::start(&c_, scene_), query_.status());
     bool goes_on = true;
     while (agrees && goes_on) {
-      Step step = {};
+      RunResult step = {};
       agrees = run(step) && same(C::counts(&c_), C::counts_of(query_));
       goes_on = step.status == Status::suspended || step.status == Status::full;
       if constexpr (C::kVisits) {
@@ -49,7 +49,7 @@ class Slices {
  private:
   static constexpr std::uint32_t kMost = 8;
 
-  bool run(Step& step) {
+  bool run(RunResult& step) {
     const std::uint32_t capacity = scene_.random.below(kMost + 1);
     if constexpr (C::kVisits) {
       if (capacity != 0 && scene_.random.below(3) == 0) {
@@ -74,7 +74,7 @@ class Slices {
     return ++room.count < room.capacity;
   }
 
-  bool visit(Step& step, std::uint32_t capacity) {
+  bool visit(RunResult& step, std::uint32_t capacity) {
     Room wanted = {capacity, 0, {}};
     Room found = wanted;
     const std::uint32_t work = scene_.any_work();
@@ -82,7 +82,7 @@ class Slices {
     return same(C::visit(&c_, work, take, &found), step) && same(found, wanted);
   }
 
-  bool last_pair(const Step& step) {
+  bool last_pair(const RunResult& step) {
     Triangle wanted[2];
     flashbvh_triangle found[2];
     if (step.status != Status::full || step.count == 0) {
@@ -106,7 +106,7 @@ class Slices {
     }
     const auto position = C::position(&c_);
     auto again = C::query(scene_);
-    (void)again.resume(query_.position());
+    (void)again.resume(query_.cursor());
     query_ = again;
     wipe(c_);
     (void)C::start(&c_, scene_);
@@ -117,7 +117,7 @@ class Slices {
   bool refusals_agree() {
     auto copy = query_;
     typename C::Struct c_copy = c_;
-    auto wrong = query_.position();
+    auto wrong = query_.cursor();
     auto c_wrong = C::position(&c_);
     walk_of(c_wrong).untested += scene_.random.below(2);
     walk_of(c_wrong).a += static_cast<std::uint16_t>(scene_.random.below(3));

@@ -52,7 +52,7 @@ static void meshes(void) {
   CHECK(flashbvh_mesh_is_closed(&block) && !flashbvh_mesh_is_closed(&blade));
   flashbvh_mesh_origin(&block, origin);
   CHECK(origin[0] == 10050 && origin[1] == 10050 && origin[2] == 10050);
-  CHECK(sizeof(flashbvh_position) == 12 && sizeof(flashbvh_pose) == 68);
+  CHECK(sizeof(flashbvh_cursor) == 12 && sizeof(flashbvh_pose) == 68);
   CHECK(sizeof(flashbvh_mesh) == 64 + wider && sizeof(flashbvh_query) == 128 + wider);
   CHECK(sizeof(flashbvh_box_shape) == 232 + wider && sizeof(flashbvh_contact) == 104);
 }
@@ -154,7 +154,7 @@ static void rays(void) {
   int32_t outwards = 9;
   CHECK(flashbvh_segment_of(origin, down, 30, 10, &ray) == FLASHBVH_STATUS_DONE);
   CHECK(ray.from.x == 10030 && ray.from.z == 10150 && ray.to.y == 10020 && ray.to.z == 9850);
-  CHECK_YES(flashbvh_nearest_hit(&block, &ray, FLASHBVH_NO_SEED, &yes, &hit), true);
+  CHECK_YES(flashbvh_nearest_hit(&block, &ray, FLASHBVH_NO_HINT, &yes, &hit), true);
   flashbvh_point_along(&ray, &hit, &at);
   CHECK(hit.side == 1 && same_point(&at, 10030, 10020, 10100));
   CHECK(flashbvh_distance_along(&ray, &hit) == 50 * 256);
@@ -203,7 +203,7 @@ static void bending(void) {
   flashbvh_self_query query;
   flashbvh_pair pairs[32];
   uint32_t vertex = 0;
-  flashbvh_step step;
+  flashbvh_run_result step;
   CHECK(flashbvh_mesh_nodes(&block) <= 16 && flashbvh_mesh_vertices(&block) == 8);
   flashbvh_deformable_make(&bent, &block, nodes, vertices);
   CHECK_YES(flashbvh_intersects_itself(&bent.mesh, &yes), false);

@@ -44,12 +44,12 @@ Pairs ask(const typename Traversal::Tree& a, const typename Traversal::Tree& b) 
 
 int main() {
   using flashbvh::Ranked;
-  const Pairs pairs = ask<Ranked<flashbvh::PostMesh>>(ring::mesh, _2nd_ring::mesh);
+  const Pairs pairs = ask<Ranked<flashbvh::Mesh>>(ring::mesh, _2nd_ring::mesh);
   const bool equal =
-      pairs == ask<Ranked<flashbvh::PostMesh>>(grouped::mesh, ring::mesh) &&
+      pairs == ask<Ranked<flashbvh::Mesh>>(grouped::mesh, ring::mesh) &&
       pairs == ask<flashbvh::StacklessPost>(ring::levelled_mesh, grouped::levelled_mesh) &&
       pairs == ask<flashbvh::Stackless>(early::levelled_mesh, early::levelled_mesh) &&
-      pairs == ask<Ranked<flashbvh::LargePostMesh>>(wide::mesh, wide::mesh);
+      pairs == ask<Ranked<flashbvh::Mesh32>>(wide::mesh, wide::mesh);
   for (const auto& pair : pairs) {
     std::printf("0 %u %u\n", pair.first, pair.second);
   }

@@ -49,15 +49,15 @@ TEST_CASE("ranked visits exactly its bound when all boxes overlap") {
   for (int round = 0; round < rounds(600, 2000); ++round) {
     const Post baked_a = any_baked(random);
     const Post baked_b = any_baked(random);
-    const LevelledPostMesh a = baked_a.view();
-    const LevelledPostMesh b = baked_b.view();
-    const Visited ranked = walk_all<Ranked<PostMesh>, PostMesh>(a, b);
+    const MeshWithLevels a = baked_a.view();
+    const MeshWithLevels b = baked_b.view();
+    const Visited ranked = walk_all<Ranked<Mesh>, Mesh>(a, b);
     const tool::VisitBound bound = tool::visit_bound(a, b, "ranked");
     REQUIRE(ranked.visits == bound.visits);
     REQUIRE(ranked.leaf_pairs == bound.leaf_pairs);
     const tool::VisitBound of_any = tool::visit_bound(a, b, "leaf");
     REQUIRE(ranked.visits <= of_any.visits);
-    REQUIRE(walk_all<Leaf<PostMesh>, PostMesh>(a, b).visits <= of_any.visits);
-    REQUIRE(walk_all<StacklessPost, LevelledPostMesh>(a, b).visits <= of_any.visits);
+    REQUIRE(walk_all<Leaf<Mesh>, Mesh>(a, b).visits <= of_any.visits);
+    REQUIRE(walk_all<StacklessPost, MeshWithLevels>(a, b).visits <= of_any.visits);
   }
 }

@@ -55,7 +55,7 @@ void add_contact(const Contact& contact, Hash& hash) {
   add_point(contact.ends[1], hash);
 }
 
-void add_counts(const Counts& counts, Hash& hash) {
+void add_counts(const QueryStats& counts, Hash& hash) {
   hash.add(counts.visits);
   hash.add(counts.overlaps);
   hash.add(counts.leaf_pairs);
@@ -81,20 +81,20 @@ template <class Traversal, bool with_contacts = false>
     status = query.run(slice, add_pair).status;
   }
   hash.add(static_cast<uint32_t>(status));
-  add_counts(query.counts(), hash);
+  add_counts(query.stats(), hash);
   ++result.cases;
-  result.pairs += query.counts().triangle_pairs;
+  result.pairs += query.stats().triangle_pairs;
 }
 
 /// The distance, seeded by the last one, and the pairs within it and a little more.
-[[gnu::noinline]] void add_distance(const PostMesh& a, const PostMesh& b, const Pose& pose,
-                                    uint32_t slice, Witness<uint16_t>& seed, Hash& hash) {
+[[gnu::noinline]] void add_distance(const Mesh& a, const Mesh& b, const Pose& pose, uint32_t slice,
+                                    Witness<uint16_t>& seed, Hash& hash) {
   uint32_t upper = 0;
   {
     ClearanceQuery query(a, b, pose, seed);
     while (query.run(slice).status == Status::suspended) {
     }
-    add_counts(query.counts(), hash);
+    add_counts(query.stats(), hash);
     const Clearance<uint16_t> found = query.result();
     hash.add(found.lower);
     hash.add(found.upper);
@@ -117,7 +117,7 @@ template <class Traversal, bool with_contacts = false>
                   })
              .status == Status::suspended) {
   }
-  add_counts(query.counts(), hash);
+  add_counts(query.stats(), hash);
 }
 
 Point any_point(Random& random, int32_t reach) {
@@ -128,8 +128,8 @@ Point any_point(Random& random, int32_t reach) {
 
 /// Every hit of a ray and the nearest, its crossings, and where it starts: of a mesh that is said
 /// to be closed, which crossings need not be asked.
-[[gnu::noinline]] void add_ray(const PostMesh& mesh, Random& random, int32_t reach, Hash& hash) {
-  PostMesh closed = mesh;
+[[gnu::noinline]] void add_ray(const Mesh& mesh, Random& random, int32_t reach, Hash& hash) {
+  Mesh closed = mesh;
   closed.is_closed = true;
   const Segment segment = {any_point(random, reach), any_point(random, reach)};
   const auto add_hit = [&](const RayHit<uint16_t>& hit) {
@@ -152,14 +152,14 @@ Point any_point(Random& random, int32_t reach) {
 
 /// Every traversal, in an order that the value depends on.
 void add_pose(const Pose& pose, uint32_t slice, Hash& hash, Result& result) {
-  const LevelledPreMesh& pre_a = side_a.pre.view();
-  const LevelledPreMesh& pre_b = side_b.pre.view();
-  const LevelledPostMesh& post_a = side_a.post.view();
-  const LevelledPostMesh& post_b = side_b.post.view();
-  add_query<Ranked<PostMesh>, true>(post_a, post_b, pose, slice, hash, result);
-  add_query<RankedStack<PostMesh>>(post_a, post_b, pose, slice, hash, result);
+  const PreMeshWithLevels& pre_a = side_a.pre.view();
+  const PreMeshWithLevels& pre_b = side_b.pre.view();
+  const MeshWithLevels& post_a = side_a.post.view();
+  const MeshWithLevels& post_b = side_b.post.view();
+  add_query<Ranked<Mesh>, true>(post_a, post_b, pose, slice, hash, result);
+  add_query<RankedStack<Mesh>>(post_a, post_b, pose, slice, hash, result);
   add_query<VolumeStack<PreMesh>>(pre_a, pre_b, pose, slice, hash, result);
-  add_query<AlternatingStack<LevelledPostMesh>>(post_a, post_b, pose, slice, hash, result);
+  add_query<AlternatingStack<MeshWithLevels>>(post_a, post_b, pose, slice, hash, result);
   add_query<Stackless>(pre_a, pre_b, pose, slice, hash, result);
   add_query<StacklessPost>(post_a, post_b, pose, slice, hash, result);
   add_query<Leaf<PreMesh>>(pre_a, pre_b, pose, slice, hash, result);

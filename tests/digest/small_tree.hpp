@@ -31,7 +31,7 @@ enum class Shape : uint8_t { halves, thirds, first_alone, last_alone };
 template <flashbvh::Layout layout>
 class SmallTree {
  public:
-  using Tree = flashbvh::LevelledMesh<uint16_t, layout>;
+  using Tree = flashbvh::BasicMeshWithLevels<uint16_t, layout>;
 
   /// `leaf_size`: triangles in each leaf but the last.
   void make(const SmallMesh& mesh, Shape shape, uint32_t leaf_size);

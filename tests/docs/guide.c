@@ -89,7 +89,7 @@ static float height_seen(const float from[3], float reach) {
   flashbvh_hit hit;
   bool yes = false;
   if (flashbvh_segment_of(from, down, reach, plate_CELLS_PER_UNIT, &ray) != FLASHBVH_STATUS_DONE ||
-      flashbvh_nearest_hit(&plate, &ray, FLASHBVH_NO_SEED, &yes, &hit) != FLASHBVH_STATUS_DONE) {
+      flashbvh_nearest_hit(&plate, &ray, FLASHBVH_NO_HINT, &yes, &hit) != FLASHBVH_STATUS_DONE) {
     return 0;
   }
   return yes ? flashbvh_length_in_unit(flashbvh_distance_along(&ray, &hit), &plate) : reach;

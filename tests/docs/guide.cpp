@@ -179,7 +179,7 @@ uint8_t tool_link;
 uint8_t cart_link;
 
 /// Before the guard is made. Meshes are baked with the arm's cell.
-bool furnish(const flashbvh::PostMesh& tool, const flashbvh::PostMesh& cart,
+bool furnish(const flashbvh::Mesh& tool, const flashbvh::Mesh& cart,
              const flashbvh::Frame& cart_at) {
   using namespace cell_arm;
   constexpr auto done = flashbvh::Status::done;
@@ -258,7 +258,7 @@ int main() {
   if (!arm.start(upright) || !arm.tick(upright) || arm.start(folded)) {
     return 5;
   }
-  const flashbvh::PostMesh& body = cell_arm::robot.meshes[cell_arm::links::gripper];
+  const flashbvh::Mesh& body = cell_arm::robot.meshes[cell_arm::links::gripper];
   flashbvh::Frame cart_at = flashbvh::kIdentityFrame;
   if (!furnish(body, body, cart_at) || !drive(cart_at, 256)) {
     return 6;

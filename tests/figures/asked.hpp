@@ -39,8 +39,8 @@ struct Asked {
 struct AskedPair {
   const char* a_name;
   const char* b_name;
-  const flashbvh::PostMesh* a;
-  const flashbvh::PostMesh* b;
+  const flashbvh::Mesh* a;
+  const flashbvh::Mesh* b;
   Asked translated[kProximities][kPosesOfPair];
   Asked rotated[kProximities][kPosesOfPair];
 };

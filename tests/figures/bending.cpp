@@ -32,8 +32,8 @@ bool ask(const char* what, const char* how, Asked query) {
   measure({{"bending", what, how}}, [&] {
     status = query.run(UINT32_MAX, [](const typename Asked::Pair&) { return true; }).status;
   });
-  add_count({{"bending", "pairs", what, how}}, query.counts().triangle_pairs);
-  add_to_digest(query.counts());
+  add_count({{"bending", "pairs", what, how}}, query.stats().triangle_pairs);
+  add_to_digest(query.stats());
   return status == Status::done;
 }
 

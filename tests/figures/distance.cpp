@@ -18,21 +18,21 @@ Name part(const char* what, const char* motion) {
 }
 
 /// A question whose tests are measured, but for those without a name.
-template <class Question>
-struct Timed : Question {
+template <class Predicate>
+struct Timed : Predicate {
   const Name* name = nullptr;
 
   bool test(const Triangle& a, const Triangle& b, uint32_t i, uint32_t j) {
     bool yes = false;
-    const auto ask = [&] { yes = Question::test(a, b, i, j); };
+    const auto ask = [&] { yes = Predicate::test(a, b, i, j); };
     name == nullptr ? ask() : static_cast<void>(measure(*name, ask));
     return yes;
   }
 };
 
-template <class Question>
-void run_all(const AskedPair& pair, const Pose& pose, const Question& question) {
-  Query<Ranked<PostMesh>, Question> query(*pair.a, *pair.b, pose, {}, question);
+template <class Predicate>
+void run_all(const AskedPair& pair, const Pose& pose, const Predicate& question) {
+  Query<Ranked<Mesh>, Predicate> query(*pair.a, *pair.b, pose, {}, question);
   (void)query.run(UINT32_MAX, [](const TrianglePair<uint16_t>&) { return true; });
 }
 
@@ -65,11 +65,11 @@ Walked walk_within(const AskedPair& pair, const Transform& transform, const With
   Shapes shapes(*pair.a, *pair.b, transform);
   if (question.is_kept(transform)) {
     KeptGap bound = question.kept(transform);
-    shapes.set_bound(bound);
+    shapes.set_box_test(bound);
     return measure_walk(ByReference<KeptGap>{&bound}, shapes, no_leaf_pair);
   }
   const TranslatedGap bound = question.translated(transform.translated());
-  shapes.set_bound(bound);
+  shapes.set_box_test(bound);
   return measure_walk(bound, shapes, no_leaf_pair);
 }
 
@@ -78,7 +78,7 @@ void add_walks(const AskedPair& pair, const Pose& pose, uint32_t distance, const
   Transform transform(pose, *pair.a, *pair.b, /*may_stop=*/false);
   transform.prepare(*pair.b);
   const Within question = within(distance);
-  const Walked all = walk_within<NearShapes<PostMesh>>(pair, transform, question);
+  const Walked all = walk_within<ProximityPlanes<Mesh>>(pair, transform, question);
   const Walked inner = walk_within<NothingBelow>(pair, transform, question);
   add_quotient(part("visit", motion), inner.instructions, inner.visits);
   add_quotient(part("leaf_visit", motion), int64_t{all.instructions} - inner.instructions,
@@ -89,7 +89,7 @@ Clearance<uint16_t> add_distance(const Asking& asking, const char* hint, const A
                                  const Pose& pose, const Witness<uint16_t>& seed) {
   ClearanceQuery query(*pair.a, *pair.b, pose, seed);
   (void)query.run(UINT32_MAX);
-  add_to_digest(query.counts());
+  add_to_digest(query.stats());
   Clearance<uint16_t> found{};
   measure({{asking.set, asking.motion, asking.proximity, hint}},
           [&] { found = distance(*pair.a, *pair.b, pose, seed); });

@@ -10,7 +10,7 @@ namespace {
 
 bool ask(const AskedPair& pair, const Asked& asked, const char* motion, const char* proximity) {
   const Pose pose = pose_of(asked);
-  Counts counts{};
+  QueryStats counts{};
   uint32_t work = 0;
   const bool agrees = add_query({"kr5", motion, proximity}, *pair.a, *pair.b, pose, counts, work);
   add_triangle_tests("kr5", *pair.a, *pair.b, pose);

@@ -13,18 +13,17 @@ constexpr auto kNoLeafPair = [](uint32_t, uint32_t) {};
 
 /// One visit, if the roots alone tell that the meshes are disjoint.
 template <class Shapes, class LeafPair>
-Walked walk_pose(const PostMesh& a, const PostMesh& b, const Pose& pose,
-                 const LeafPair& leaf_pair) {
+Walked walk_pose(const Mesh& a, const Mesh& b, const Pose& pose, const LeafPair& leaf_pair) {
   Transform transform(pose, a, b, /*may_stop=*/true);
   if (transform.roots_disjoint()) {
     return {1, 0, 0};
   }
   transform.prepare(b);
   if (transform.is_rotated()) {
-    RotatedBound bound(transform.rotated());
+    RotatedBoxTest bound(transform.rotated());
     Shapes shapes(a, b, transform);
-    shapes.set_bound(bound);
-    return measure_walk(ByReference<RotatedBound>{&bound}, shapes, leaf_pair);
+    shapes.set_box_test(bound);
+    return measure_walk(ByReference<RotatedBoxTest>{&bound}, shapes, leaf_pair);
   }
   Shapes shapes(a, b, transform);
   return measure_walk(transform.translated().bound, shapes, leaf_pair);
@@ -32,29 +31,29 @@ Walked walk_pose(const PostMesh& a, const PostMesh& b, const Pose& pose,
 
 /// Leaves whose slabs are made twice, or counted: what that takes more is what they take.
 template <bool kCounted>
-class MadeTwice : public LeafShapes<PostMesh> {
+class MadeTwice : public LeafPlanes<Mesh> {
  public:
-  using LeafShapes::LeafShapes;
+  using LeafPlanes::LeafPlanes;
 
   static uint32_t slabs;
 
   bool begin(Side side, uint32_t node, const PackedBox* reached) {
     if (!is_taken(side, node)) {
-      (void)LeafShapes::begin(side, node, reached);
+      (void)LeafPlanes::begin(side, node, reached);
       if (kCounted) {
         slabs += made_;
       }
       node_ = nullptr;
     }
-    return LeafShapes::begin(side, node, reached);
+    return LeafPlanes::begin(side, node, reached);
   }
 };
 template <bool kCounted>
 uint32_t MadeTwice<kCounted>::slabs;
 
 /// Of a walk of more than one visit; returns it.
-Walked add_walks(const Asking& asking, const PostMesh& a, const PostMesh& b, const Pose& pose) {
-  const Walked all = walk_pose<LeafShapes<PostMesh>>(a, b, pose, kNoLeafPair);
+Walked add_walks(const Asking& asking, const Mesh& a, const Mesh& b, const Pose& pose) {
+  const Walked all = walk_pose<LeafPlanes<Mesh>>(a, b, pose, kNoLeafPair);
   if (all.visits > 1) {
     const Walked inner = walk_pose<NothingBelow>(a, b, pose, kNoLeafPair);
     const Walked twice = walk_pose<MadeTwice<false>>(a, b, pose, kNoLeafPair);
@@ -71,8 +70,8 @@ Walked add_walks(const Asking& asking, const PostMesh& a, const PostMesh& b, con
 
 }  // namespace
 
-bool add_query(const Asking& asking, const PostMesh& a, const PostMesh& b, const Pose& pose,
-               Counts& counts, uint32_t& work) {
+bool add_query(const Asking& asking, const Mesh& a, const Mesh& b, const Pose& pose,
+               QueryStats& counts, uint32_t& work) {
   Status status{};
   const uint32_t whole = measure(asking.whole("query"), [&] {
     PairQuery query(a, b, pose);
@@ -86,7 +85,7 @@ bool add_query(const Asking& asking, const PostMesh& a, const PostMesh& b, const
   PairQuery query(a, b, pose);
   constexpr uint32_t kGranted = UINT32_MAX - 1;  // which is a limit
   work = query.run(kGranted, kEveryPair).work;
-  counts = query.counts();
+  counts = query.stats();
   add_count(asking.whole("visits"), counts.visits);
   add_to_digest(counts);
   add_to_digest(work);
@@ -104,9 +103,9 @@ bool add_query(const Asking& asking, const PostMesh& a, const PostMesh& b, const
          walked.leaf_pairs == counts.leaf_pairs;
 }
 
-void add_triangle_tests(const char* set, const PostMesh& a, const PostMesh& b, const Pose& pose) {
+void add_triangle_tests(const char* set, const Mesh& a, const Mesh& b, const Pose& pose) {
   const Transform transform(pose, a, b, /*may_stop=*/false);
-  (void)walk_pose<LeafShapes<PostMesh>>(a, b, pose, [&](uint32_t i, uint32_t j) {
+  (void)walk_pose<LeafPlanes<Mesh>>(a, b, pose, [&](uint32_t i, uint32_t j) {
     const uint32_t leaf_a = a.nodes[i].leaf();
     const uint32_t leaf_b = b.nodes[j].leaf();
     for (uint32_t of_b = b.first_triangle(leaf_b); of_b < b.end_triangle(leaf_b); ++of_b) {

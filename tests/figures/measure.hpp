@@ -12,17 +12,17 @@ namespace figures {
 /// Leaves that reject all that is below them: what is left of a walk is its visits to pairs of
 /// nodes that are no leaves, and to the first pair with one.
 struct NothingBelow {
-  using Tree = flashbvh::PostMesh;
+  using Tree = flashbvh::Mesh;
   static constexpr bool kShapes = true;
   static constexpr bool kKnowsRoot = false;
-  const flashbvh::PostMesh& a;
-  const flashbvh::PostMesh& b;
+  const flashbvh::Mesh& a;
+  const flashbvh::Mesh& b;
 
-  NothingBelow(const flashbvh::PostMesh& mesh_a, const flashbvh::PostMesh& mesh_b,
+  NothingBelow(const flashbvh::Mesh& mesh_a, const flashbvh::Mesh& mesh_b,
                const flashbvh::detail::Transform&)
       : a(mesh_a), b(mesh_b) {}
-  template <class Bound>
-  static void set_bound(const Bound&) {}
+  template <class BoxTest>
+  static void set_box_test(const BoxTest&) {}
   static bool is_taken(flashbvh::detail::Side, uint32_t) { return false; }
   static void take_again(flashbvh::detail::Side, uint32_t) {}
   static uint32_t work_of(flashbvh::detail::Side, uint32_t) { return 0; }
@@ -40,8 +40,8 @@ struct Walked {
 
 /// The walk alone, from the first visit to the last, slabs made, the preparation left out.
 /// `leaf_pair(i, j)` is called at each pair of leaves.
-template <class Shapes, class Bound, class LeafPair>
-Walked measure_walk(const Bound& bound, Shapes& shapes, const LeafPair& leaf_pair) {
+template <class Shapes, class BoxTest, class LeafPair>
+Walked measure_walk(const BoxTest& bound, Shapes& shapes, const LeafPair& leaf_pair) {
   using Cursor = flashbvh::detail::PairCursor<uint16_t>;
   Walked walked{};
   const auto go_on = [&](uint32_t i, uint32_t j, const flashbvh::detail::Progress&) {
@@ -52,8 +52,8 @@ Walked measure_walk(const Bound& bound, Shapes& shapes, const LeafPair& leaf_pai
   Cursor cursor;
   flashbvh::detail::WalkRun<Cursor, decltype(go_on)> run(cursor, go_on, UINT32_MAX);
   walked.instructions = port::instructions_of([&] {
-    (void)flashbvh::detail::walk<flashbvh::Ranked<flashbvh::PostMesh>>(
-        bound, shapes, run, flashbvh::detail::State::fresh);
+    (void)flashbvh::detail::walk<flashbvh::Ranked<flashbvh::Mesh>>(bound, shapes, run,
+                                                                   flashbvh::detail::State::fresh);
   });
   walked.visits = UINT32_MAX - run.progress.visits_down();
   return walked;
@@ -73,12 +73,12 @@ struct Asking {
 /// `visit`, outside the leaf phase; `leaf_visit`, in it, slabs and all; `slab`: a slab, and taking
 /// the leaf; `start`: a query made and its first visit; `leaf_pair`: what a pair of leaves adds.
 /// Returns whether the query and the walks agree.
-bool add_query(const Asking& asking, const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
-               const flashbvh::Pose& pose, flashbvh::Counts& counts, uint32_t& work);
+bool add_query(const Asking& asking, const flashbvh::Mesh& a, const flashbvh::Mesh& b,
+               const flashbvh::Pose& pose, flashbvh::QueryStats& counts, uint32_t& work);
 
 /// Adds SET.triangle_test: the exact test, without transforming, of each pair of triangles that the
 /// query comes to.
-void add_triangle_tests(const char* set, const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
+void add_triangle_tests(const char* set, const flashbvh::Mesh& a, const flashbvh::Mesh& b,
                         const flashbvh::Pose& pose);
 
 }  // namespace figures

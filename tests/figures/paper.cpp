@@ -24,14 +24,14 @@ constexpr uint32_t kStackEntries = 64;
 
 struct Counted {
   Status status;
-  Counts counts;
+  QueryStats counts;
   uint32_t instructions;
 };
 
-template <class Order>
-typename Order::Cursor start() {
+template <class Traversal>
+typename Traversal::Cursor start() {
   static PairCursor<uint16_t> entries[kStackEntries];
-  return test::at_roots<Order>(entries, kStackEntries);
+  return test::at_roots<Traversal>(entries, kStackEntries);
 }
 
 /// Goes on at each pair of leaves. Holds the count itself: what a walk knows of it is one address.
@@ -44,40 +44,41 @@ struct LeafCounter {
 };
 
 /// The boxes alone, from the start of the walk to its end, pairs of leaves counted.
-template <class Order>
-__attribute__((noinline)) Counted measure_walk(const typename Order::Tree& a,
-                                               const typename Order::Tree& b,
-                                               const TranslatedBound& overlap) {
+template <class Traversal>
+__attribute__((noinline)) Counted measure_walk(const typename Traversal::Tree& a,
+                                               const typename Traversal::Tree& b,
+                                               const TranslatedBoxTest& overlap) {
   Counted walked{};
   const LeafCounter leaf_pairs;
   walked.instructions = port::instructions_of([&] {
-    auto cursor = start<Order>();
-    walked.counts = test::walk_from<Order>(a, b, overlap, cursor, leaf_pairs).counts;
+    auto cursor = start<Traversal>();
+    walked.counts = test::walk_from<Traversal>(a, b, overlap, cursor, leaf_pairs).counts;
   });
   walked.counts.leaf_pairs = leaf_pairs.count;
   return walked;
 }
 
 /// A query made, and run to its end, with the triangles of each pair of leaves tested.
-template <class Order>
-__attribute__((noinline)) Counted measure_query(const typename Order::Tree& a,
-                                                const typename Order::Tree& b, const Pose& pose) {
-  using Query = flashbvh::Query<Order, BoxIntersection>;
+template <class Traversal>
+__attribute__((noinline)) Counted measure_query(const typename Traversal::Tree& a,
+                                                const typename Traversal::Tree& b,
+                                                const Pose& pose) {
+  using Query = flashbvh::Query<Traversal, BoxIntersection>;
   const auto every_pair = [](const typename Query::Pair&) { return true; };
   Counted result{};
   result.instructions = port::instructions_of([&] {
-    Query query(a, b, pose, start<Order>());
+    Query query(a, b, pose, start<Traversal>());
     result.status = query.run(UINT32_MAX, every_pair).status;
   });
   // Its counts from another run: a user of the first would not copy them.
-  Query query(a, b, pose, start<Order>());
+  Query query(a, b, pose, start<Traversal>());
   (void)query.run(UINT32_MAX, every_pair);
-  result.counts = query.counts();
+  result.counts = query.stats();
   return result;
 }
 
 template <Layout layout>
-const LevelledMesh<uint16_t, layout>& tree_of(const Object& object) {
+const BasicMeshWithLevels<uint16_t, layout>& tree_of(const Object& object) {
   if constexpr (layout == Layout::pre_indexed) {
     return *object.pre;
   } else {
@@ -100,16 +101,17 @@ bool ask_walks(const Setup& setup, uint32_t& leaf_pairs) {
   for (int i = 0; i < 3; ++i) {
     t[i] = setup.translation[i] + setup.b.pre->origin[i] - setup.a.pre->origin[i];
   }
-  const TranslatedBound overlap(t[0], t[1], t[2]);
+  const TranslatedBoxTest overlap(t[0], t[1], t[2]);
   bool right = true;
   bool counts_for_loop = false;
   uint32_t of_volume = 0;
   for_each_traversal([&](auto traversal) {
-    using Order = typename decltype(traversal)::template On<uint16_t, decltype(traversal)::kLayout>;
-    constexpr Layout kLayout = Order::Tree::kLayout;
+    using Traversal =
+        typename decltype(traversal)::template On<uint16_t, decltype(traversal)::kLayout>;
+    constexpr Layout kLayout = Traversal::Tree::kLayout;
     const Counted walked =
-        measure_walk<Order>(tree_of<kLayout>(setup.a), tree_of<kLayout>(setup.b), overlap);
-    const Counts& counts = walked.counts;
+        measure_walk<Traversal>(tree_of<kLayout>(setup.a), tree_of<kLayout>(setup.b), overlap);
+    const QueryStats& counts = walked.counts;
     const char* const set = setup.head.name;
     figures::print_count({{"paper", set, traversal.name, "visits"}}, counts.visits);
     figures::print_count({{"paper", set, traversal.name, "overlaps"}}, counts.overlaps);
@@ -136,7 +138,7 @@ bool ask_walks(const Setup& setup, uint32_t& leaf_pairs) {
 bool ask_queries(const Setup& setup, uint32_t leaf_pairs) {
   const Pose pose =
       Pose::translated(setup.translation[0], setup.translation[1], setup.translation[2]);
-  const Counted ranked = measure_query<Ranked<PostMesh>>(*setup.a.post, *setup.b.post, pose);
+  const Counted ranked = measure_query<Ranked<Mesh>>(*setup.a.post, *setup.b.post, pose);
   const Counted volume = measure_query<VolumeStack<PreMesh>>(*setup.a.pre, *setup.b.pre, pose);
   const char* const set = setup.head.name;
   figures::print_count({{"paper", set, "geometry_overlaps"}}, ranked.counts.triangle_pairs);

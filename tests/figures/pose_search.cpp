@@ -38,7 +38,7 @@ void set_in_ball(test::Random& random, std::int64_t (&point)[dimensions]) {
 }
 
 /// The middle of the root's box in the mesh's frame, in half cells, and its sides.
-void measure_root(const PostMesh& tree, std::int64_t (&middle)[3], std::int64_t (&side)[3]) {
+void measure_root(const Mesh& tree, std::int64_t (&middle)[3], std::int64_t (&side)[3]) {
   const Box box = unpack(tree.nodes[0].box);
   const std::int64_t lower[3] = {box.lower.x, box.lower.y, box.lower.z};
   const std::int64_t upper[3] = {box.upper.x, box.upper.y, box.upper.z};
@@ -152,18 +152,18 @@ bool PoseSearch::is(Proximity proximity, Asked& asked) const {
   const Pose pose = pose_of(asked);
   constexpr auto every_pair = [](const PairQuery::Pair&) { return true; };
   // Classes are of boxes alone, so that poses stay the same whatever else rejects pairs.
-  Query<Ranked<PostMesh>, detail::BoxIntersection> by_boxes(*searched_.a, *searched_.b, pose);
+  Query<Ranked<Mesh>, detail::BoxIntersection> by_boxes(*searched_.a, *searched_.b, pose);
   PairQuery query(*asked_.a, *asked_.b, pose);
   constexpr std::uint32_t kGranted = UINT32_MAX - 1;  // which is a limit
-  const Step step = query.run(kGranted, every_pair);
+  const RunResult step = query.run(kGranted, every_pair);
   if (by_boxes.run(UINT32_MAX, every_pair).status != Status::done || step.status != Status::done) {
     return false;
   }
   asked.work = step.work;
-  asked.visits = query.counts().visits;
-  asked.leaf_pairs = query.counts().leaf_pairs;
-  asked.triangle_pairs = query.counts().triangle_pairs;
-  const Counts& counts = by_boxes.counts();
+  asked.visits = query.stats().visits;
+  asked.leaf_pairs = query.stats().leaf_pairs;
+  asked.triangle_pairs = query.stats().triangle_pairs;
+  const QueryStats& counts = by_boxes.stats();
   if (counts.triangle_pairs != 0) {
     return proximity == Proximity::intersecting;
   }

@@ -11,8 +11,8 @@ namespace figures {
 
 /// Two meshes that outlive what is given them.
 struct Meshes {
-  const flashbvh::PostMesh* a;
-  const flashbvh::PostMesh* b;
+  const flashbvh::Mesh* a;
+  const flashbvh::Mesh* b;
 };
 
 /// B is rotated at random, or not at all, and comes towards A from any direction, the middles of

@@ -16,7 +16,7 @@ struct Box {
   flashbvh::Point lower = {INT32_MAX, INT32_MAX, INT32_MAX};
   flashbvh::Point upper = {INT32_MIN, INT32_MIN, INT32_MIN};
 
-  explicit Box(const flashbvh::PostMesh& mesh) {
+  explicit Box(const flashbvh::Mesh& mesh) {
     for (uint32_t i = 0; i < mesh.vertex_count; ++i) {
       const flashbvh::Vertex& v = mesh.vertices[i];
       extend(v.x + mesh.origin[0], lower.x, upper.x);

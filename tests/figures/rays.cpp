@@ -18,16 +18,16 @@ namespace {
 
 constexpr uint64_t kSeed = 20240607;
 constexpr uint32_t kOfLink = 128;  ///< aimed rays, and points
-constexpr uint16_t kNone = kNoSeed<uint16_t>;
+constexpr uint16_t kNone = kNoHint<uint16_t>;
 
 constexpr Fan kFans[] = {{"grid", 16, 16}, {"line", 1, 256}};
 
-const PostMesh* const kLinks[] = {&bicep::mesh, &forearm::mesh, &palm::mesh, &wrist::mesh};
+const Mesh* const kLinks[] = {&bicep::mesh, &forearm::mesh, &palm::mesh, &wrist::mesh};
 
 /// What a visit takes, with nothing cut off, and a triangle that nearest_hit() comes to: fetched
 /// and tested.
-void add_parts(const PostMesh& mesh, const Segment& segment, const char* set) {
-  detail::SegmentWalk<PostMesh> all(mesh, segment);
+void add_parts(const Mesh& mesh, const Segment& segment, const char* set) {
+  detail::SegmentWalk<Mesh> all(mesh, segment);
   uint32_t position = 0;
   const uint32_t instructions = port::instructions_of([&] {
     while (all.next_triangle(position)) {
@@ -35,7 +35,7 @@ void add_parts(const PostMesh& mesh, const Segment& segment, const char* set) {
   });
   add_quotient({{"ray", "visit"}}, instructions, all.visits());
 
-  detail::SegmentWalk<PostMesh> walk(mesh, segment);
+  detail::SegmentWalk<Mesh> walk(mesh, segment);
   RayHit<uint16_t> hit = {};
   SegmentShare nearest = {1, 1};
   uint32_t count = 0;
@@ -61,7 +61,7 @@ auto add(const char* what, const char* set, const Ask& ask) {
 }
 
 /// Returns whether the answers agree.
-bool ask_all(const char* set, const PostMesh& mesh, const Segment& segment, uint16_t seed) {
+bool ask_all(const char* set, const Mesh& mesh, const Segment& segment, uint16_t seed) {
   const auto cold = add("cold", set, [&] { return nearest_hit(mesh, segment); });
   const auto hint = add("hint", set, [&] { return nearest_hit(mesh, segment, seed); });
   const auto any = add("any", set, [&] { return any_hit(mesh, segment); });
@@ -74,7 +74,7 @@ bool ask_all(const char* set, const PostMesh& mesh, const Segment& segment, uint
 bool ask_aimed() {
   test::Random random(kSeed);
   bool good = true;
-  for (const PostMesh* const link : kLinks) {
+  for (const Mesh* const link : kLinks) {
     const Box box(*link);
     for (uint32_t i = 0; i < kOfLink; ++i) {
       const Segment segment = any_aimed(random, box);
@@ -88,7 +88,7 @@ bool ask_aimed() {
 /// Each ray that hits has what was hit before as a hint; the others leave the hint as it is.
 bool ask_fan(const Fan& fan) {
   bool good = true;
-  for (const PostMesh* const link : kLinks) {
+  for (const Mesh* const link : kLinks) {
     const Box box(*link);
     uint16_t seed = kNone;
     for (int32_t i = 0; i < fan.rows * fan.columns; ++i) {
@@ -106,7 +106,7 @@ bool ask_fan(const Fan& fan) {
 bool ask_points() {
   test::Random random(kSeed);
   bool good = true;
-  for (const PostMesh* const link : kLinks) {
+  for (const Mesh* const link : kLinks) {
     const Box box(*link);
     for (uint32_t i = 0; i < kOfLink; ++i) {
       const Point point = any_point(random, box.lower, box.upper);

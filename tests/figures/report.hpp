@@ -30,7 +30,7 @@ constexpr uint32_t kFewParts = 100;
 
 /// Into one number for all that a program counts.
 void add_to_digest(uint32_t count);
-inline void add_to_digest(const flashbvh::Counts& counts) {
+inline void add_to_digest(const flashbvh::QueryStats& counts) {
   add_to_digest(counts.visits);
   add_to_digest(counts.leaf_pairs);
   add_to_digest(counts.triangle_pairs);

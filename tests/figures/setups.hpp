@@ -16,8 +16,8 @@ struct Head {
 
 /// One object in both layouts.
 struct Object {
-  const flashbvh::LevelledPreMesh* pre;
-  const flashbvh::LevelledPostMesh* post;
+  const flashbvh::PreMeshWithLevels* pre;
+  const flashbvh::MeshWithLevels* post;
 };
 
 struct Setup {

@@ -30,7 +30,7 @@ bool ask_all(bool rotated) {
   bool right = true;
   for (const int32_t reach : kReaches) {
     for (uint32_t i = 0; i < kPosesOfReach; ++i) {
-      Counts counts{};
+      QueryStats counts{};
       uint32_t work = 0;
       const Asking asking = {"tori", rotated ? "rotated" : "translated", nullptr};
       right = add_query(asking, thick::mesh, thin::mesh, any_pose(random, reach, rotated), counts,

@@ -37,11 +37,11 @@ class Image {
       std::exit(1);
     }
   }
-  const PostMesh* tree() const { return &tree_; }
+  const Mesh* tree() const { return &tree_; }
 
  private:
   std::vector<std::uint32_t> words_;
-  PostMesh tree_{};
+  Mesh tree_{};
 };
 
 void write_asked(std::ostream& out, const Asked& asked) {

@@ -17,8 +17,8 @@ using namespace flashbvh::test;
 namespace {
 
 struct Meshes {
-  PostMesh a;
-  PostMesh b;
+  Mesh a;
+  Mesh b;
   flashbvh_mesh c_a;
   flashbvh_mesh c_b;
 
@@ -63,12 +63,12 @@ void ask_pairs(const Meshes& meshes, const flashbvh_pose& pose, const Pose& same
     const std::uint32_t room = run < 20 ? work % (kRoom + 1) : kRoom;
     flashbvh_pair pairs[kRoom + 1];
     std::memset(pairs, 0xA5, sizeof pairs);
-    const flashbvh_step step = flashbvh_query_run(&query, work, pairs, room);
+    const flashbvh_run_result step = flashbvh_query_run(&query, work, pairs, room);
     status = static_cast<flashbvh_status>(step.status);
     const std::uint32_t count = step.count;
     require(count <= room && pairs[room].a == 0xA5A5, "pairs beyond the array");
     found += count;
-    flashbvh_position position = flashbvh_query_position(&query);
+    flashbvh_cursor position = flashbvh_query_cursor(&query);
     if (run < 20 && work % 16 == 15) {
       position.a = static_cast<std::uint16_t>(position.a ^ input.take<std::uint8_t>());
       position.b = static_cast<std::uint16_t>(position.b ^ input.take<std::uint8_t>());
@@ -93,8 +93,8 @@ void ask_pairs(const Meshes& meshes, const flashbvh_pose& pose, const Pose& same
 
 /// Any seed: refused, or the distance is the one without.
 void ask_distance(const Meshes& meshes, const Pose& pose, Input& input) {
-  const PostMesh& a = meshes.a;
-  const PostMesh& b = meshes.b;
+  const Mesh& a = meshes.a;
+  const Mesh& b = meshes.b;
   Witness<std::uint16_t> seed;
   seed.a = input.take<std::uint16_t>();
   seed.b = input.take<std::uint16_t>();
@@ -104,7 +104,7 @@ void ask_distance(const Meshes& meshes, const Pose& pose, Input& input) {
       input.take<std::uint8_t>() % 4 != 0 ? seed.b % b.triangle_count : seed.b);
   const auto blind = distance(a, b, pose);
   const auto seeded = distance(a, b, pose, seed);
-  if (seeded.status == Status::seed_invalid) {
+  if (seeded.status == Status::hint_invalid) {
     require(seed.a >= a.triangle_count || seed.b >= b.triangle_count, "a good seed is refused");
     return;
   }
@@ -114,7 +114,7 @@ void ask_distance(const Meshes& meshes, const Pose& pose, Input& input) {
 }
 
 void ask_ray(const Meshes& meshes, Input& input) {
-  const PostMesh& mesh = meshes.a;
+  const Mesh& mesh = meshes.a;
   const auto point = [&input] {
     return Point{input.take<std::int32_t>() >> 11, input.take<std::int16_t>(),
                  input.take<std::int16_t>()};
@@ -124,7 +124,7 @@ void ask_ray(const Meshes& meshes, Input& input) {
   const auto seed = input.take<std::uint16_t>();
   const auto blind = nearest_hit(mesh, segment);
   const auto seeded = nearest_hit(mesh, segment, seed);
-  if (seeded.status == Status::seed_invalid) {
+  if (seeded.status == Status::hint_invalid) {
     require(seed >= mesh.triangle_count, "a good seed of a ray is refused");
     return;
   }

@@ -19,11 +19,11 @@ using namespace flashbvh::test;
 namespace {
 
 template <class Query, class Index>
-void resume_and_end(Query& query, const QueryPosition<Index>& position, std::uint32_t most_visits,
+void resume_and_end(Query& query, const QueryCursor<Index>& position, std::uint32_t most_visits,
                     std::uint32_t most_work) {
   const Status resumed = query.resume(position);
-  if (resumed == Status::position_invalid) {
-    require(query.counts().visits == 0, "a refused position changed the query");
+  if (resumed == Status::cursor_invalid) {
+    require(query.stats().visits == 0, "a refused position changed the query");
     return;
   }
   if (resumed != Status::suspended) {
@@ -31,7 +31,7 @@ void resume_and_end(Query& query, const QueryPosition<Index>& position, std::uin
   }
   const auto sink = [](const TrianglePair<Index>&) { return true; };
   const Status status = query.run(most_work, sink).status;
-  require(status == Status::done && query.counts().visits <= most_visits,
+  require(status == Status::done && query.stats().visits <= most_visits,
           "a resumed query does not end");
 }
 
@@ -45,8 +45,8 @@ void fuzz(const KeptImage& image_a, const KeptImage& image_b, Input& input) {
   }
   const Tree& a = of_a.mesh;
   const Tree& b = of_b.mesh;
-  QueryPosition<Index> position;
-  position.state = static_cast<typename QueryPosition<Index>::State>(input.take<std::uint8_t>());
+  QueryCursor<Index> position;
+  position.state = static_cast<typename QueryCursor<Index>::State>(input.take<std::uint8_t>());
   position.a = input.take<Index>();
   position.b = input.take<Index>();
   position.untested = input.take<std::uint32_t>();
@@ -66,9 +66,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const KeptImage& a = kKeptImages[(chosen & 15u) % kKeptImageCount];
   const KeptImage& b = kKeptImages[(chosen >> 4u) % kKeptImageCount];
   const Input rest = input;
-  fuzz<LevelledPreMesh>(a, b, input = rest);
-  fuzz<LevelledPostMesh>(a, b, input = rest);
-  fuzz<LargeLevelledPreMesh>(a, b, input = rest);
-  fuzz<LargeLevelledPostMesh>(a, b, input = rest);
+  fuzz<PreMeshWithLevels>(a, b, input = rest);
+  fuzz<MeshWithLevels>(a, b, input = rest);
+  fuzz<PreMeshWithLevels32>(a, b, input = rest);
+  fuzz<MeshWithLevels32>(a, b, input = rest);
   return 0;
 }

@@ -55,7 +55,7 @@ std::string answer_of(const char* traversal, Query& query, std::string& last_pai
   const std::string found = text_of(pairs);
   std::string text = found != last_pairs ? found : "";
   last_pairs = found;
-  const Counts& counts = query.counts();
+  const QueryStats& counts = query.stats();
   text += std::string("  ") + traversal;
   for (const std::uint32_t count :
        {counts.visits, counts.overlaps, counts.leaf_pairs, counts.triangle_pairs}) {
@@ -101,10 +101,10 @@ std::string answers_of(const KeptImage* images, std::size_t count) {
       "# leaves, pairs of triangles. Written by write_golden.\n";
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {
-      text += answers_between<LevelledPostMesh>(images[i], images[j]);
-      text += answers_between<LevelledPreMesh>(images[i], images[j]);
-      text += answers_between<LargeLevelledPostMesh>(images[i], images[j]);
-      text += answers_between<LargeLevelledPreMesh>(images[i], images[j]);
+      text += answers_between<MeshWithLevels>(images[i], images[j]);
+      text += answers_between<PreMeshWithLevels>(images[i], images[j]);
+      text += answers_between<MeshWithLevels32>(images[i], images[j]);
+      text += answers_between<PreMeshWithLevels32>(images[i], images[j]);
     }
   }
   return text;

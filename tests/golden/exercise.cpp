@@ -31,7 +31,7 @@ const char* exercise(const Tree& a, const Tree& b, const Pose& pose) {
     // Once with a stop on the way.
     Status status = query.run(most / 512, sink).status;
     status = status == Status::suspended ? query.run(most, sink).status : status;
-    const Counts& counts = query.counts();
+    const QueryStats& counts = query.stats();
     if (status != Status::done || counts.visits > most_visits_of_nodes(a, b) ||
         counts.overlaps > counts.visits || counts.leaf_pairs > counts.overlaps ||
         reported != counts.triangle_pairs) {
@@ -91,10 +91,10 @@ Verdict exercise_image(const void* bytes, std::size_t size, const std::vector<Po
     std::memcpy(block.get(), bytes, size);
   }
   Verdict verdict;
-  open_and_exercise<LevelledPreMesh>(block.get(), size, poses, verdict);
-  open_and_exercise<LevelledPostMesh>(block.get(), size, poses, verdict);
-  open_and_exercise<LargeLevelledPreMesh>(block.get(), size, poses, verdict);
-  open_and_exercise<LargeLevelledPostMesh>(block.get(), size, poses, verdict);
+  open_and_exercise<PreMeshWithLevels>(block.get(), size, poses, verdict);
+  open_and_exercise<MeshWithLevels>(block.get(), size, poses, verdict);
+  open_and_exercise<PreMeshWithLevels32>(block.get(), size, poses, verdict);
+  open_and_exercise<MeshWithLevels32>(block.get(), size, poses, verdict);
   return verdict;
 }
 

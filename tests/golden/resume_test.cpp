@@ -111,7 +111,6 @@ std::uint32_t try_pairs() {
 }  // namespace
 
 TEMPLATE_TEST_CASE("a walk ends from every position that may be resumed, within all pairs of nodes",
-                   "", LevelledPreMesh, LevelledPostMesh, LargeLevelledPreMesh,
-                   LargeLevelledPostMesh) {
+                   "", PreMeshWithLevels, MeshWithLevels, PreMeshWithLevels32, MeshWithLevels32) {
   CHECK(try_pairs<TestType>() > 100);
 }

@@ -125,7 +125,7 @@ bool same(const Tree& a, const Tree& b) {
 }  // namespace
 
 TEMPLATE_TEST_CASE("small trees: an image opens in place as the tree that was written", "",
-                   LevelledPreMesh, LevelledPostMesh) {
+                   PreMeshWithLevels, MeshWithLevels) {
   Random random = test_random();
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
@@ -141,26 +141,26 @@ TEMPLATE_TEST_CASE("small trees: an image opens in place as the tree that was wr
 
 TEST_CASE("small trees: each way an image can be no image has its own status") {
   Random random = test_random(1);
-  const Baked<LevelledPostMesh> baked(random, 6);
+  const Baked<MeshWithLevels> baked(random, 6);
   Image image;
   image.write(baked.tree.view());
-  LevelledPostMesh tree;
+  MeshWithLevels tree;
   for (uint32_t size = 0; size < image.size(); ++size) {
     REQUIRE(open_image(image.bytes(), size, tree) == Status::image_truncated);
   }
-  CHECK(image.open<LevelledPreMesh>() == Status::image_kind);
+  CHECK(image.open<PreMeshWithLevels>() == Status::image_kind);
   image.flip(0);  // of the magic
-  CHECK(image.open<LevelledPostMesh>() == Status::image_not_flashbvh);
+  CHECK(image.open<MeshWithLevels>() == Status::image_not_flashbvh);
   image.flip(0);
   image.flip(8 * offsetof(ImageHeader, version));
-  CHECK(image.open<LevelledPostMesh>() == Status::image_version);
+  CHECK(image.open<MeshWithLevels>() == Status::image_version);
   image.flip(8 * offsetof(ImageHeader, version));
   memmove(image.bytes() + 2, image.bytes(), image.size());
   CHECK(open_image(image.bytes() + 2, image.size(), tree) == Status::image_misaligned);
 }
 
-TEMPLATE_TEST_CASE("small trees: every flipped bit of an image is refused", "", LevelledPreMesh,
-                   LevelledPostMesh) {
+TEMPLATE_TEST_CASE("small trees: every flipped bit of an image is refused", "", PreMeshWithLevels,
+                   MeshWithLevels) {
   Random random = test_random(2);
   const Baked<TestType> baked(random, 6);
   Image image;
@@ -176,7 +176,7 @@ TEMPLATE_TEST_CASE("small trees: every flipped bit of an image is refused", "", 
 
 TEST_CASE("small trees: a query ends on whatever opens after a flipped bit, checksum repaired") {
   Random random = test_random(3);
-  const Baked<LevelledPostMesh> baked(random, 6);
+  const Baked<MeshWithLevels> baked(random, 6);
   Image image;
   image.write(baked.tree.view());
   uint32_t opened = 0;
@@ -185,7 +185,7 @@ TEST_CASE("small trees: a query ends on whatever opens after a flipped bit, chec
     CAPTURE(bit);
     image.flip(bit);
     image.repair_crc();
-    LevelledPostMesh tree;
+    MeshWithLevels tree;
     if (open_image(image.bytes(), image.size(), tree) == Status::done) {
       ++opened;
       const uint32_t most = most_work_of_nodes(tree, tree);

@@ -51,14 +51,14 @@ struct Image {
 template <Layout layout, class Change>
 Status status_after(Baked<layout> baked, Change change) {
   change(baked);
-  return Image{image_of(baked, true)}.template open<LevelledMesh<std::uint16_t, layout>>();
+  return Image{image_of(baked, true)}.template open<BasicMeshWithLevels<std::uint16_t, layout>>();
 }
 
 /// The same of an image without levels.
 template <class Change>
 Status status_without_levels(Baked<kPost> baked, Change change) {
   change(baked);
-  return Image{image_of(baked)}.open<PostMesh>();
+  return Image{image_of(baked)}.open<Mesh>();
 }
 
 /// Three levels, one node with three children, leaves of one and two triangles.
@@ -126,8 +126,8 @@ TEST_CASE("an image opens in place as the tree that was baked") {
     const bool levels = round % 2 == 0;
     Image image{image_of(baked, levels)};
     REQUIRE(bake::image_size(baked, levels) == image.size());
-    REQUIRE(image.open<LevelledPostMesh>() == (levels ? Status::done : Status::image_kind));
-    PostMesh tree;
+    REQUIRE(image.open<MeshWithLevels>() == (levels ? Status::done : Status::image_kind));
+    Mesh tree;
     REQUIRE(open_image(image.bytes(), image.size(), tree) == Status::done);
     REQUIRE(tree.node_count == baked.nodes.size());
     REQUIRE(std::memcmp(tree.nodes, baked.nodes.data(),
@@ -142,7 +142,8 @@ TEST_CASE("an image opens in place as the tree that was baked") {
         std::equal(baked.shell_vertices.begin(), baked.shell_vertices.end(), tree.shell_vertices));
     REQUIRE(tree.longest_edge == baked.longest_edge);
     REQUIRE(tree.is_closed == baked.is_closed);
-    REQUIRE(Image{image_of(baked_shape<kPre>(random, 5))}.open<LevelledPreMesh>() == Status::done);
+    REQUIRE(Image{image_of(baked_shape<kPre>(random, 5))}.open<PreMeshWithLevels>() ==
+            Status::done);
   }
 }
 
@@ -152,12 +153,12 @@ TEST_CASE("wide images open as wide trees") {
   const auto tree = any_tree(random, mesh);
   Image pre{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))};
   Image post{image_of(bake::lay_out<std::uint32_t, kPost>(tree, mesh), true)};
-  CHECK(pre.open<LargeLevelledPreMesh>() == Status::done);
-  CHECK(post.open<LargeLevelledPostMesh>() == Status::done);
-  CHECK(post.open<LargePostMesh>() == Status::done);
-  CHECK(post.open<PostMesh>() == Status::image_kind);
-  CHECK(pre.open<LevelledPreMesh>() == Status::image_kind);
-  CHECK(pre.open<LargeLevelledPostMesh>() == Status::image_kind);
+  CHECK(pre.open<PreMeshWithLevels32>() == Status::done);
+  CHECK(post.open<MeshWithLevels32>() == Status::done);
+  CHECK(post.open<Mesh32>() == Status::done);
+  CHECK(post.open<Mesh>() == Status::image_kind);
+  CHECK(pre.open<PreMeshWithLevels>() == Status::image_kind);
+  CHECK(pre.open<MeshWithLevels32>() == Status::image_kind);
 }
 
 /// What breaks one rule of the arrays.
@@ -251,7 +252,7 @@ std::vector<std::function<void(Baked<layout>&)>> broken_headers() {
 }
 
 TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused", "",
-                   LevelledPreMesh, LevelledPostMesh) {
+                   PreMeshWithLevels, MeshWithLevels) {
   constexpr Layout layout = TestType::kLayout;
   const Baked<layout> good = small_tree<layout>();
   REQUIRE(status_after(good, [](auto&) {}) == Status::done);
@@ -297,7 +298,7 @@ TEST_CASE("a layout or an index width that is none is refused as such") {
     for (const int value : {2, 8, 24, 64, 255}) {
       image.bytes()[offset] = static_cast<unsigned char>(value);
       image.repair_crc();
-      CHECK(image.open<LevelledPostMesh>() == Status::image_invalid);
+      CHECK(image.open<MeshWithLevels>() == Status::image_invalid);
     }
     image.bytes()[offset] = right;
   }
@@ -306,13 +307,13 @@ TEST_CASE("a layout or an index width that is none is refused as such") {
 TEST_CASE("a flag that is none is refused, and a pre-indexed image without levels") {
   Image post{image_of(small_tree<kPost>())};
   Image pre{image_of(small_tree<kPre>())};
-  REQUIRE(post.open<PostMesh>() == Status::done);
+  REQUIRE(post.open<Mesh>() == Status::done);
   post.bytes()[offsetof(ImageHeader, flags)] |= 4;
   post.repair_crc();
-  CHECK(post.open<PostMesh>() == Status::image_invalid);
+  CHECK(post.open<Mesh>() == Status::image_invalid);
   pre.bytes()[offsetof(ImageHeader, flags)] &= static_cast<unsigned char>(~kImageHasLevels);
   pre.repair_crc();
-  CHECK(pre.open<LevelledPreMesh>() == Status::image_invalid);
+  CHECK(pre.open<PreMeshWithLevels>() == Status::image_invalid);
 }
 
 TEST_CASE("a last node with neither children nor triangles is refused") {
@@ -331,7 +332,7 @@ TEST_CASE("counts beyond the index type are refused, though what they are cut to
   for (std::uint32_t ImageHeader::*const count :
        {&ImageHeader::node_count, &ImageHeader::leaf_count, &ImageHeader::triangle_count,
         &ImageHeader::vertex_count, &ImageHeader::shell_count}) {
-    CHECK(with_more(count).open<LevelledPostMesh>() == Status::image_invalid);
+    CHECK(with_more(count).open<MeshWithLevels>() == Status::image_invalid);
   }
 }
 
@@ -344,9 +345,9 @@ TEST_CASE("a header alone, of an image without nodes, is refused before a root i
   Image image{std::vector<std::uint32_t>(sizeof header / 4)};
   std::memcpy(image.bytes(), &header, sizeof header);
   image.repair_crc();
-  CHECK(image.open<LevelledPostMesh>() == Status::image_invalid);
-  CHECK(image.open<PostMesh>() == Status::image_invalid);
-  CHECK(image.open<LevelledPreMesh>() == Status::image_kind);
+  CHECK(image.open<MeshWithLevels>() == Status::image_invalid);
+  CHECK(image.open<Mesh>() == Status::image_invalid);
+  CHECK(image.open<PreMeshWithLevels>() == Status::image_kind);
 }
 
 TEST_CASE("a byte other than zero in any gap is refused") {
@@ -365,7 +366,7 @@ TEST_CASE("a byte other than zero in any gap is refused") {
       REQUIRE(image.bytes()[offset] == 0);
       image.bytes()[offset] = 1;
       image.repair_crc();
-      CHECK(image.open<LevelledPostMesh>() == Status::image_invalid);
+      CHECK(image.open<MeshWithLevels>() == Status::image_invalid);
       image.bytes()[offset] = 0;
     }
   }
@@ -375,10 +376,10 @@ TEST_CASE("bits between the ranks of a wide node are refused") {
   Random random = test_random();
   const auto mesh = random_mesh(random, 4, 100, 30);
   auto baked = bake::lay_out<std::uint32_t, kPost>(bake::build_median(mesh, 1), mesh);
-  REQUIRE(Image{image_of(baked)}.open<LargePostMesh>() == Status::done);
+  REQUIRE(Image{image_of(baked)}.open<Mesh32>() == Status::done);
   for (const unsigned bit : {8u, 15u, 16u, 23u}) {
     baked.nodes[0].data ^= 1u << bit;
-    CHECK(Image{image_of(baked)}.open<LargePostMesh>() == Status::image_invalid);
+    CHECK(Image{image_of(baked)}.open<Mesh32>() == Status::image_invalid);
     baked.nodes[0].data ^= 1u << bit;
   }
 }
@@ -390,9 +391,8 @@ TEST_CASE("a leaf of 255 triangles is good, one of 256 is not") {
     const auto tree = bake::build_median(mesh, size);
     REQUIRE(tree.nodes.size() == 1);
     const Status wanted = size == 255 ? Status::done : Status::image_invalid;
-    CHECK(Image{image_of(bake::lay_out<std::uint16_t, kPost>(tree, mesh))}.open<PostMesh>() ==
-          wanted);
+    CHECK(Image{image_of(bake::lay_out<std::uint16_t, kPost>(tree, mesh))}.open<Mesh>() == wanted);
     CHECK(Image{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))}
-              .open<LargeLevelledPreMesh>() == wanted);
+              .open<PreMeshWithLevels32>() == wanted);
   }
 }

@@ -140,14 +140,14 @@ TEST_CASE("lengths: a contact a metre off both frames' origins, in millimetres")
         bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh_a, 1), mesh_a);
     const auto baked_b =
         bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh_b, 1), mesh_b);
-    const PostMesh a = baked_a.view();
-    const PostMesh b = baked_b.view();
-    const PostMesh at_origin_a = [&] {
-      PostMesh mesh = a;
+    const Mesh a = baked_a.view();
+    const Mesh b = baked_b.view();
+    const Mesh at_origin_a = [&] {
+      Mesh mesh = a;
       mesh.origin[0] = mesh.origin[1] = mesh.origin[2] = 0;
       return mesh;
     }();
-    PostMesh at_origin_b = b;
+    Mesh at_origin_b = b;
     std::memcpy(at_origin_b.origin, at_origin_a.origin, sizeof at_origin_b.origin);
     // The same place: B a ring's radius beside A.
     const Pose pose = Pose::translated(metre + metre + 1000, -2 * metre, metre);

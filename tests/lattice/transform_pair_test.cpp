@@ -31,11 +31,11 @@ bake::LatticeMesh ring() {
 }
 
 /// How many pairs the query reports; each is transformed again as the query has it, inside a sink.
-std::uint32_t check_pairs(const PostMesh& a, const PostMesh& b, const Pose& pose) {
+std::uint32_t check_pairs(const Mesh& a, const Mesh& b, const Pose& pose) {
   PairQuery query(a, b, pose);
   std::uint32_t pairs = 0;
   std::uint32_t wrong = 0;
-  const Step step = query.run(UINT32_MAX, [&](const Pair& pair) {
+  const RunResult step = query.run(UINT32_MAX, [&](const Pair& pair) {
     Triangle last[2];
     Triangle again[2];
     query.last_pair(last[0], last[1]);
@@ -56,8 +56,8 @@ std::uint32_t check_pairs(const PostMesh& a, const PostMesh& b, const Pose& pose
 TEST_CASE("contact: a reported pair is transformed again as the query had it", "[contact]") {
   const Baked mesh_a = baked(ring());
   const Baked mesh_b = baked(torus(7, 5, 500, 200));
-  const PostMesh a = mesh_a.view();
-  const PostMesh b = mesh_b.view();
+  const Mesh a = mesh_a.view();
+  const Mesh b = mesh_b.view();
   CHECK(check_pairs(a, b, Pose::translated(1300, 100, 200)) > 10);
   const Rotation rotation = rotation_of({3, 1, 2, -1});
   const std::int32_t cells[3] = {1400, 50, 100};
@@ -71,8 +71,8 @@ TEST_CASE(
   const bake::LatticeMesh mesh_b = torus(7, 5, 500, 200);
   const Baked baked_a = baked(mesh_a);
   const Baked baked_b = baked(mesh_b);
-  const PostMesh a = baked_a.view();
-  const PostMesh b = baked_b.view();
+  const Mesh a = baked_a.view();
+  const Mesh b = baked_b.view();
   const Rotation rotation = rotation_of({3, 1, 2, -1});
   const std::int32_t cells[3] = {9000, 50, 100};  // far from A
   const Pose pose = Pose::rigid(rotation.entry, cells);
@@ -86,8 +86,8 @@ TEST_CASE(
 
 TEST_CASE("contact: a pair that no query reports is refused", "[contact]") {
   const Baked baked_a = baked(ring());
-  const PostMesh a = baked_a.view();
-  PostMesh b = a;
+  const Mesh a = baked_a.view();
+  Mesh b = a;
   const Pose pose = Pose::translated(0, 0, 0);
   const auto count = a.triangle_count;
   const auto last = static_cast<std::uint16_t>(count - 1);

@@ -44,7 +44,7 @@ TEST_CASE("no box test rejects boxes with a transformed vertex of one in the oth
                            static_cast<std::int16_t>(transformed.y),
                            static_cast<std::int16_t>(transformed.z)};
         const PackedBox box_a = pack({at, at});
-        RotatedBound overlap(transform);
+        RotatedBoxTest overlap(transform);
         REQUIRE(overlap(box_a, box_b));
         REQUIRE(overlap(box_a, box_b));  // from what it kept
       }
@@ -94,7 +94,7 @@ TEST_CASE("a quarter turn of boxes is tested as exactly as no turn at all") {
         !boxes_disjoint(pack(a), pack(rotated), [&](int axis) { return cells[axis]; });
     const PackedBox packed_a = pack(a);
     const PackedBox packed_b = pack(b);
-    RotatedBound overlap(transform);
+    RotatedBoxTest overlap(transform);
     REQUIRE(overlap(packed_a, packed_b) == expected);
     overlapping += expected ? 1 : 0;
   }

@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   std::uint64_t lost = 0;
   for (const bake::LatticeMesh& lattice : meshes) {
     const AnyMesh any(bake::build_default(lattice), lattice);
-    const AimedRays rays(any.view<PostMesh>());
+    const AimedRays rays(any.view<Mesh>());
     for (std::uint64_t i = 0; i < count / 4; ++i) {
       lost += rays.is_right(random) ? 0 : 1;
     }

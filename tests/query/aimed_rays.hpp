@@ -13,7 +13,7 @@ namespace flashbvh::test {
 
 class AimedRays {
  public:
-  explicit AimedRays(const PostMesh& mesh) : mesh_(mesh) {}
+  explicit AimedRays(const Mesh& mesh) : mesh_(mesh) {}
 
   /// One more ray, through a corner or the middle of an edge, exactly: it hits there or before, and
   /// it goes out as often as in, but for the side of its ends.
@@ -51,7 +51,7 @@ class AimedRays {
     return crossings.outwards == winding(from) - winding(to);
   }
 
-  const PostMesh mesh_;
+  const Mesh mesh_;
 };
 
 }  // namespace flashbvh::test

@@ -24,11 +24,11 @@ struct BoxNearest : Nearest<std::uint16_t> {
 };
 
 struct Pairs {
-  PostMesh a;
-  PostMesh b;
+  Mesh a;
+  Mesh b;
   Transform transform;
 
-  Pairs(const PostMesh& mesh_a, const PostMesh& mesh_b, const Pose& pose)
+  Pairs(const Mesh& mesh_a, const Mesh& mesh_b, const Pose& pose)
       : a(mesh_a), b(mesh_b), transform(pose, mesh_a, mesh_b, /*may_stop=*/false) {
     transform.bring_near();
   }
@@ -51,10 +51,10 @@ std::uint32_t visits_from(const Pairs& pairs, const Pose& pose, Witness<std::uin
   BoxNearest nearest;
   nearest.so_far = &so_far;
   pairs.test(witness.a, witness.b, nearest);
-  Query<Ranked<PostMesh>, BoxNearest> query(pairs.a, pairs.b, pose, {}, nearest);
+  Query<Ranked<Mesh>, BoxNearest> query(pairs.a, pairs.b, pose, {}, nearest);
   REQUIRE(query.run(UINT32_MAX, [](const auto&) { return true; }).status == Status::done);
   least = so_far.least;
-  return query.counts().visits;
+  return query.stats().visits;
 }
 
 template <class Gap>
@@ -93,7 +93,7 @@ std::uint32_t best_first(const Pairs& pairs, const Gap& make_gap, Fraction& leas
       continue;
     }
     const bool into_a = node_a.rank() >= node_b.rank();
-    const PostMesh& mesh = into_a ? pairs.a : pairs.b;
+    const Mesh& mesh = into_a ? pairs.a : pairs.b;
     const std::uint16_t parent = into_a ? entry.a : entry.b;
     std::uint32_t child = mesh.first_child(parent);
     for (;; child = mesh.next_sibling(child)) {
@@ -147,7 +147,7 @@ std::uint32_t descend(const Pairs& pairs, const Pose& pose, Witness<std::uint16_
     (void)query.run(1);
   }
   witness = query.result().witness;
-  return query.counts().visits;
+  return query.stats().visits;
 }
 
 struct Ratio {

@@ -18,8 +18,8 @@ using Scene = SmallScene<Layout::post_indexed>;
 
 template <class Visit>
 void for_all_pairs(const Scene& scene, const Visit& visit) {
-  const PostMesh& a = scene.a.view();
-  const PostMesh& b = scene.b.view();
+  const Mesh& a = scene.a.view();
+  const Mesh& b = scene.b.view();
   test::for_all_pairs(a, b, Transform(scene.pose, a, b, /*may_stop=*/false), visit);
 }
 

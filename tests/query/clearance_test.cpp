@@ -51,7 +51,7 @@ void check_result(const std::vector<Pairwise>& all, const Clearance<std::uint16_
 }
 
 /// However a query is cut, and from every position, in another query.
-void check_slices(Random& random, const PostMesh& a, const PostMesh& b, const Pose& pose,
+void check_slices(Random& random, const Mesh& a, const Mesh& b, const Pose& pose,
                   const Witness<std::uint16_t>& seed) {
   ClearanceQuery whole(a, b, pose, seed);
   REQUIRE(whole.run(kNoLimit).status == Status::done);
@@ -75,12 +75,12 @@ void check_slices(Random& random, const PostMesh& a, const PostMesh& b, const Po
       upper = known.upper;
     }
     check(cut);
-    REQUIRE(same(cut.counts(), whole.counts()));
+    REQUIRE(same(cut.stats(), whole.stats()));
   }
   ClearanceQuery cut(a, b, pose, seed);
   std::uint32_t visits = 0;
   for (;;) {
-    ClearancePosition<std::uint16_t> position = cut.position();
+    ClearanceCursor<std::uint16_t> position = cut.cursor();
     ClearanceQuery resumed(a, b, pose);
     const Status status = resumed.resume(position);
     REQUIRE(status == cut.status());
@@ -91,15 +91,15 @@ void check_slices(Random& random, const PostMesh& a, const PostMesh& b, const Po
     if (random.below(8) == 0) {
       REQUIRE(resumed.run(kNoLimit).status == Status::done);
       check(resumed);
-      REQUIRE(visits + resumed.counts().visits == whole.counts().visits);
+      REQUIRE(visits + resumed.stats().visits == whole.stats().visits);
     }
     (void)cut.run(1 + random.below(40));
-    visits = cut.counts().visits;
+    visits = cut.stats().visits;
   }
 }
 
-void check_band(const std::vector<Pairwise>& all, const PostMesh& a, const PostMesh& b,
-                const Pose& pose, std::uint32_t reach) {
+void check_band(const std::vector<Pairwise>& all, const Mesh& a, const Mesh& b, const Pose& pose,
+                std::uint32_t reach) {
   const Fraction limit = {{0, std::uint64_t{reach} * reach}, {0, 1 << 16}};
   Pairs truth;
   for (const Pairwise& pair : all) {
@@ -119,8 +119,8 @@ void check_band(const std::vector<Pairwise>& all, const PostMesh& a, const PostM
   REQUIRE(answer.yes == !truth.empty());
 }
 
-PostMesh view_of(const AnyMesh& mesh) {
-  return mesh.view<PostMesh>();
+Mesh view_of(const AnyMesh& mesh) {
+  return mesh.view<Mesh>();
 }
 
 }  // namespace
@@ -136,8 +136,8 @@ TEST_CASE("the distance of two meshes is that of their nearest triangles") {
     };
     const AnyMesh any_a = mesh();
     const AnyMesh any_b = mesh();
-    const PostMesh a = view_of(any_a);
-    const PostMesh b = view_of(any_b);
+    const Mesh a = view_of(any_a);
+    const Mesh b = view_of(any_b);
     const Pose pose = any_pose(random, spread > 6000 ? 23000 : spread * random.between(1, 4));
     const std::vector<Pairwise> all = all_distances(a, b, pose);
     check_result(all, distance(a, b, pose));
@@ -180,8 +180,8 @@ TEST_CASE("what is farther than 2^15 cells is measured as well, from any seed") 
     };
     const AnyMesh any_a = mesh();
     const AnyMesh any_b = mesh();
-    const PostMesh a = view_of(any_a);
-    const PostMesh b = view_of(any_b);
+    const Mesh a = view_of(any_a);
+    const Mesh b = view_of(any_b);
     const auto far = [&] { return (random.below(2) == 0 ? 1 : -1) * random.between(20000, 23000); };
     const std::int32_t x = far();
     const std::int32_t y = far();
@@ -205,8 +205,8 @@ TEST_CASE("what is beyond the range is told from what is not") {
   const bake::LatticeMesh mesh = random_mesh(random, 12, 16000, 4000);
   const AnyMesh any_a = any_mesh(random, mesh);
   const AnyMesh any_b = any_mesh(random, mesh);
-  const PostMesh a = view_of(any_a);
-  const PostMesh b = view_of(any_b);
+  const Mesh a = view_of(any_a);
+  const Mesh b = view_of(any_b);
   const auto rotated = [&](std::int32_t x) {
     const std::int32_t cells[3] = {x, -x, x};
     return Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
@@ -244,19 +244,19 @@ TEST_CASE("seeds and positions that are none are refused") {
   Random random = test_random();
   const AnyMesh any_a = any_mesh(random, random_mesh(random, 20, 100, 20));
   const AnyMesh any_b = any_mesh(random, random_mesh(random, 15, 100, 20));
-  const PostMesh a = view_of(any_a);
-  const PostMesh b = view_of(any_b);
+  const Mesh a = view_of(any_a);
+  const Mesh b = view_of(any_b);
   const Pose pose = Pose::translated(500, 0, 0);
-  CHECK(distance(a, b, pose, Witness<std::uint16_t>{20, 0}).status == Status::seed_invalid);
-  CHECK(distance(a, b, pose, Witness<std::uint16_t>{0, 15}).status == Status::seed_invalid);
-  CHECK(distance(a, b, pose, Witness<std::uint16_t>{65535, 0}).status == Status::seed_invalid);
+  CHECK(distance(a, b, pose, Witness<std::uint16_t>{20, 0}).status == Status::hint_invalid);
+  CHECK(distance(a, b, pose, Witness<std::uint16_t>{0, 15}).status == Status::hint_invalid);
+  CHECK(distance(a, b, pose, Witness<std::uint16_t>{65535, 0}).status == Status::hint_invalid);
   CHECK(distance(a, b, pose, Witness<std::uint16_t>{19, 14}).status == Status::done);
 
   const Clearance<std::uint16_t> truth = distance(a, b, pose);
   std::uint32_t taken = 0;
   for (int round = 0; round < rounds(7000, 20000); ++round) {
     const auto index = [&] { return static_cast<std::uint16_t>(random.below(80)); };
-    ClearancePosition<std::uint16_t> position;
+    ClearanceCursor<std::uint16_t> position;
     position.walk.a = index();
     position.walk.b = index();
     position.walk.untested = random.below(5);
@@ -265,7 +265,7 @@ TEST_CASE("seeds and positions that are none are refused") {
     position.has_witness = random.below(2) == 0;
     ClearanceQuery query(a, b, pose);
     const Status status = query.resume(position);
-    if (status == Status::position_invalid) {
+    if (status == Status::cursor_invalid) {
       REQUIRE(query.run(kNoLimit).status == Status::done);  // as if nothing had been
       REQUIRE(query.result().lower == truth.lower);
       continue;

@@ -55,9 +55,9 @@ PackedBox box_below(const Mesh& mesh, std::uint32_t node) {
 
 /// In slices of up to `most` nodes.
 template <class Mesh>
-RefitStep refit_in_slices(Random& random, BasicDeformableMesh<Mesh>& mesh, std::uint32_t most) {
+RefitResult refit_in_slices(Random& random, BasicDeformableMesh<Mesh>& mesh, std::uint32_t most) {
   for (;;) {
-    const RefitStep step = mesh.refit(1 + random.below(most));
+    const RefitResult step = mesh.refit(1 + random.below(most));
     if (step.status != Status::suspended) {
       return step;
     }
@@ -75,7 +75,7 @@ void check_refits(Random& random, int rounds) {
       CAPTURE(frame);
       move_some(random, frame < 6 ? 20 : kMaxCoordinate, bent.vertices.data(),
                 bent.vertices.size());
-      const RefitStep step =
+      const RefitResult step =
           frame % 2 == 0 ? bent.mesh.refit() : refit_in_slices(random, bent.mesh, 9);
       REQUIRE(step.status == Status::done);
       std::int64_t longest = 0;
@@ -142,16 +142,16 @@ void check_queries(Random& random, int rounds) {
 TEST_CASE(
     "a refit's boxes are those of the triangles below, whatever moved and however it is cut") {
   Random random = test_random();
-  check_refits<LevelledPostMesh>(random, 60 / kShare);
-  check_refits<LevelledPreMesh>(random, 30 / kShare);
-  check_refits<LargePostMesh>(random, 20 / kShare);
-  check_refits<PostMesh>(random, 20 / kShare);
+  check_refits<MeshWithLevels>(random, 60 / kShare);
+  check_refits<PreMeshWithLevels>(random, 30 / kShare);
+  check_refits<Mesh32>(random, 20 / kShare);
+  check_refits<Mesh>(random, 20 / kShare);
 }
 
 TEST_CASE("every traversal takes a mesh that bends, on either side and against itself") {
   Random random = test_random(1);
-  check_queries<LevelledPostMesh>(random, 20 / kShare);
-  check_queries<LevelledPreMesh>(random, 20 / kShare);
+  check_queries<MeshWithLevels>(random, 20 / kShare);
+  check_queries<PreMeshWithLevels>(random, 20 / kShare);
 }
 
 TEST_CASE("distances, rays and insides are those of the same mesh baked as it is now") {
@@ -159,15 +159,15 @@ TEST_CASE("distances, rays and insides are those of the same mesh baked as it is
   const bake::LatticeMesh ring = torus(6, 4, 60, 20);
   for (int round = 0; round < 40 / kShare; ++round) {
     CAPTURE(round);
-    Bending<PostMesh> bent(any_tree(random, ring), ring);
+    Bending<Mesh> bent(any_tree(random, ring), ring);
     move_some(random, 8, bent.vertices.data(), bent.vertices.size());
     bent.mesh.set_origin({random.between(-50, 50), 7, -3});
     REQUIRE(bent.mesh.refit().status == Status::done);
     bake::LatticeMesh now = bent.now();
     std::copy(bent.mesh.mesh().origin, bent.mesh.mesh().origin + 3, now.origin.begin());
-    const Bending<PostMesh> anew(bake::build_default(now), now);
-    const PostMesh& mesh = bent.mesh.mesh();
-    const PostMesh& same = anew.mesh.mesh();
+    const Bending<Mesh> anew(bake::build_default(now), now);
+    const Mesh& mesh = bent.mesh.mesh();
+    const Mesh& same = anew.mesh.mesh();
     REQUIRE((mesh.is_closed && same.is_closed));
 
     const Pose pose = any_pose(random, 250);
@@ -189,13 +189,13 @@ TEST_CASE(
     "a vertex out of the lattice is refused by its number, and nothing is asked until it is back") {
   Random random = test_random();
   const bake::LatticeMesh lattice = grid(3, 2, false);
-  Bending<PostMesh> bent(bake::build_default(lattice), lattice);
+  Bending<Mesh> bent(bake::build_default(lattice), lattice);
   const auto coordinate = [&](std::size_t v, int axis) -> std::int16_t& {
     Vertex& at = bent.vertices[v];
     return axis == 0 ? at.x : axis == 1 ? at.y : at.z;
   };
-  const PostMesh& mesh = bent.mesh.mesh();
-  const PostMesh rigid = bent.baked.view();
+  const Mesh& mesh = bent.mesh.mesh();
+  const Mesh rigid = bent.baked.view();
   for (std::size_t v = 0; v < bent.vertices.size(); ++v) {
     for (int axis = 0; axis < 3; ++axis) {
       CAPTURE(v, axis);
@@ -205,7 +205,7 @@ TEST_CASE(
       }
       for (const int bad : {-16384, 16384, -32768, 32767}) {
         coordinate(v, axis) = static_cast<std::int16_t>(bad);
-        const RefitStep step = refit_in_slices(random, bent.mesh, 5);
+        const RefitResult step = refit_in_slices(random, bent.mesh, 5);
         REQUIRE(step.status == Status::vertex_out_of_lattice);
         REQUIRE(step.vertex == v);
         REQUIRE(intersects(mesh, rigid, Pose::translated(0, 0, 0)).status == Status::cell_mismatch);
@@ -221,21 +221,21 @@ TEST_CASE(
 TEST_CASE(
     "a query and a position from before a refit are refused, a refit between slices included") {
   const bake::LatticeMesh ring = torus(6, 4, 60, 20);
-  Bending<PostMesh> bent(bake::build_default(ring), ring);
-  Bending<PostMesh> other(bake::build_default(ring), ring);
-  const PostMesh rigid = bent.baked.view();
+  Bending<Mesh> bent(bake::build_default(ring), ring);
+  Bending<Mesh> other(bake::build_default(ring), ring);
+  const Mesh rigid = bent.baked.view();
   const Pose pose = Pose::translated(30, 5, 0);
   using Dated = DeformableQuery<PairQuery>;
 
   const auto refuses = [](Dated& query, auto& refit) {
     PairQuery::Pair found[4];
     REQUIRE(query.run(40, found).status != Status::done);
-    const auto position = query.position();
+    const auto position = query.cursor();
     REQUIRE(query.resume(position) == Status::suspended);
     refit();
     REQUIRE(query.is_outdated());
     REQUIRE(query.status() == Status::mesh_changed);
-    const Step step = query.run(40, found);
+    const RunResult step = query.run(40, found);
     REQUIRE((step.status == Status::mesh_changed && step.count == 0 && step.work == 0));
     REQUIRE(query.run(40, [](const PairQuery::Pair&) { return true; }).status ==
             Status::mesh_changed);
@@ -270,7 +270,7 @@ TEST_CASE(
 
   DeformableQuery<ClearanceQuery> near(bent.mesh, rigid, Pose::translated(200, 0, 0));
   REQUIRE(near.run(UINT32_MAX).status == Status::done);
-  const auto nearest = near.position();
+  const auto nearest = near.cursor();
   whole();
   REQUIRE(near.run(UINT32_MAX).status == Status::mesh_changed);
   REQUIRE(near.resume(nearest) == Status::mesh_changed);

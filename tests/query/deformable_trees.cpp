@@ -52,7 +52,7 @@ void bend(Random& random, int way, const std::vector<Vertex>& rest, std::vector<
 template <class Query>
 std::uint32_t visits_of(Query&& query) {
   (void)query.run(UINT32_MAX, [](const TrianglePair<std::uint16_t>&) { return true; });
-  return query.counts().visits;
+  return query.stats().visits;
 }
 
 /// Of the same tree with ranks of the boxes that it has now.
@@ -83,8 +83,8 @@ bake::BakedTree<std::uint16_t, Layout::post_indexed> ranked_anew(bake::BuildTree
 }
 
 void tell(const char* name, const bake::LatticeMesh& rest, const bake::BuildTree& tree) {
-  Bending<PostMesh> bent(tree, rest);
-  Bending<PostMesh> other(tree, rest);
+  Bending<Mesh> bent(tree, rest);
+  Bending<Mesh> other(tree, rest);
   std::printf("%-22s %6zu", name, bent.nodes.size());
   std::uint32_t anew = 0;
   std::uint32_t kept = 0;
@@ -96,7 +96,7 @@ void tell(const char* name, const bake::LatticeMesh& rest, const bake::BuildTree
     const std::uint32_t self = visits_of(SelfQuery(bent.mesh.mesh()));
     const std::uint32_t pair = visits_of(PairQuery(bent.mesh.mesh(), other.mesh.mesh(), pose));
     const auto reranked = ranked_anew(tree, bent.now());
-    const PostMesh view = reranked.view();
+    const Mesh view = reranked.view();
     kept += self + pair;
     anew += visits_of(SelfQuery(view)) + visits_of(PairQuery(view, other.mesh.mesh(), pose));
     std::printf(" %8u %8u", static_cast<unsigned>(self), static_cast<unsigned>(pair));

@@ -54,7 +54,7 @@ void check_bounds(const Found& found, double truth, double rounded) {
 TEST_CASE("of two hollow boxes of the largest size, half their size apart, both bounds hold") {
   Random random = test_random();
   const AnyMesh any = any_mesh(random, largest_box());
-  const PostMesh mesh = any.view<PostMesh>();
+  const Mesh mesh = any.view<Mesh>();
   for (const std::int32_t x : {48000, 49151, 60000, 1 << 20}) {
     // Face to face, edge to edge, corner to corner.
     for (const int axes : {1, 2, 3}) {
@@ -93,13 +93,13 @@ TEST_CASE(
       return rotated ? Pose::rigid(rotation.entry, at) : Pose::translated(at[0], at[1], at[2]);
     };
     const double truth =
-        2 * length_of(least_of(all_distances(small_a.view<PostMesh>(), small_b.view<PostMesh>(),
-                                             pose(cells)))
-                          .squared);
+        2 *
+        length_of(least_of(all_distances(small_a.view<Mesh>(), small_b.view<Mesh>(), pose(cells)))
+                      .squared);
     // Rotated vertices are rounded: those of the halves to two cells.
     const double rounded = rotated ? 3 : 1e-6;
-    const PostMesh a = large_a.view<PostMesh>();
-    const PostMesh b = large_b.view<PostMesh>();
+    const Mesh a = large_a.view<Mesh>();
+    const Mesh b = large_b.view<Mesh>();
     const Pose far = pose(twice);
     check_bounds(distance(a, b, far), truth, rounded);
     const auto any = [&] { return static_cast<std::uint16_t>(random.below(12)); };
@@ -123,8 +123,8 @@ TEST_CASE("beyond the range the meshes' own origins count") {
   at_b.origin = {-400000, 500000, 600000};
   const AnyMesh any_a = any_mesh(random, at_a);
   const AnyMesh any_b = any_mesh(random, at_b);
-  const PostMesh a = any_a.view<PostMesh>();
-  const PostMesh b = any_b.view<PostMesh>();
+  const Mesh a = any_a.view<Mesh>();
+  const Mesh b = any_b.view<Mesh>();
   // Turned by 90 degrees about z: B's origin goes to (-500,000, -400,000, 600,000).
   const std::int32_t one = kRotationOne;
   const std::int32_t turn[3][3] = {{0, -one, 0}, {one, 0, 0}, {0, 0, one}};

@@ -34,8 +34,8 @@ bool same(const Hit& x, const Hit& y) {
 
 /// Each triangle by itself, by the same test of one, which segment_hit_host_test.cpp holds to
 /// rationals.
-std::vector<Hit> all_hits(const PostMesh& mesh, const Segment& segment) {
-  detail::SegmentWalk<PostMesh> walk(mesh, segment);
+std::vector<Hit> all_hits(const Mesh& mesh, const Segment& segment) {
+  detail::SegmentWalk<Mesh> walk(mesh, segment);
   std::vector<Hit> hits;
   for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
     Hit hit;
@@ -47,7 +47,7 @@ std::vector<Hit> all_hits(const PostMesh& mesh, const Segment& segment) {
 }
 
 /// All questions about one ray.
-void check_ray(Random& random, const PostMesh& mesh, const Segment& segment) {
+void check_ray(Random& random, const Mesh& mesh, const Segment& segment) {
   const std::vector<Hit> hits = all_hits(mesh, segment);
   std::vector<Hit> found;
   const auto keep = [&](const Hit& hit) {
@@ -87,7 +87,7 @@ void check_ray(Random& random, const PostMesh& mesh, const Segment& segment) {
 }
 
 /// The winding number, and whether the point is on the surface.
-long truth_of(const PostMesh& mesh, const Point& p, bool& on_surface) {
+long truth_of(const Mesh& mesh, const Point& p, bool& on_surface) {
   double sum = 0;
   on_surface = false;
   for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
@@ -110,7 +110,7 @@ TEST_CASE("a ray hits what it hits of each triangle") {
       origin = random.between(-(1 << 29), 1 << 29);
     }
     const AnyMesh any = any_mesh(random, lattice);
-    const PostMesh mesh = any.view<PostMesh>();
+    const Mesh mesh = any.view<Mesh>();
     for (int i = 0; i < 20; ++i) {
       const Point from = moved(any_point(random, 25), mesh.origin);
       const Point to = moved(any_point(random, i % 4 == 0 ? 100'000 : 25), mesh.origin);
@@ -125,7 +125,7 @@ TEST_CASE("of several hits in one place that of the least triangle id is told") 
   for (int round = 0; round < 200 / kShare; ++round) {
     CAPTURE(round);
     const AnyMesh any = any_mesh(random, boxes(random));
-    const PostMesh mesh = any.view<PostMesh>();
+    const Mesh mesh = any.view<Mesh>();
     for (int i = 0; i < 30; ++i) {
       // Through a corner, mostly of several triangles.
       const Vertex& v = mesh.vertices[random.below(mesh.vertex_count)];
@@ -158,7 +158,7 @@ TEST_CASE("signed crossings are winding numbers' differences, through edges and 
            static_cast<std::int16_t>(2 * v.z)};
     }
     const AnyMesh any = any_mesh(random, lattice);
-    const PostMesh mesh = any.view<PostMesh>();
+    const Mesh mesh = any.view<Mesh>();
     for (int i = 0; i < 50; ++i) {
       const Vertex& u = lattice.vertices[random.below(mesh.vertex_count)];
       const Vertex& v = lattice.vertices[random.below(mesh.vertex_count)];
@@ -192,7 +192,7 @@ TEST_CASE("no ray is lost at an edge or a corner of a closed mesh") {
   Random random = test_random();
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
   const AnyMesh any(bake::build_default(lattice), lattice);
-  const AimedRays rays(any.view<PostMesh>());
+  const AimedRays rays(any.view<Mesh>());
   for (int round = 0; round < 3000 / kShare; ++round) {
     REQUIRE(rays.is_right(random));
   }
@@ -202,7 +202,7 @@ TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") 
   Random random = test_random();
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
   const AnyMesh any(bake::build_default(lattice), lattice);
-  const PostMesh mesh = any.view<PostMesh>();
+  const Mesh mesh = any.view<Mesh>();
   std::uint32_t all = 0;
   std::uint32_t nearest = 0;
   std::uint32_t seeded = 0;
@@ -251,7 +251,7 @@ TEST_CASE("what no ray can be is refused, and may hit") {
   bake::LatticeMesh lattice = random_mesh(random, 5, 20, 20);
   lattice.origin = {1000, -(1 << 29), 1 << 29};
   const AnyMesh any = any_mesh(random, lattice);
-  PostMesh mesh = any.view<PostMesh>();
+  Mesh mesh = any.view<Mesh>();
   const auto at = [&](std::int32_t x, std::int32_t y, std::int32_t z) -> Point {
     return {mesh.origin[0] + x, mesh.origin[1] + y, mesh.origin[2] + z};
   };
@@ -280,6 +280,6 @@ TEST_CASE("what no ray can be is refused, and may hit") {
     }
   }
   const auto count = static_cast<std::uint16_t>(mesh.triangle_count);
-  CHECK(nearest_hit(mesh, {here, here}, count).status == Status::seed_invalid);
+  CHECK(nearest_hit(mesh, {here, here}, count).status == Status::hint_invalid);
   CHECK(nearest_hit(mesh, {here, here}, count).yes);
 }

@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "bake/bending.hpp"
-#include "flashbvh/bound.hpp"
 #include "flashbvh/self.hpp"
+#include "flashbvh/time_bound.hpp"
 #include "insn.hpp"
 #include "support/bending.hpp"
 
@@ -18,23 +18,23 @@ namespace {
 
 /// Of a Cortex-M7 at 480 MHz and 100 Hz, at an instruction a cycle.
 [[maybe_unused]] constexpr std::uint32_t kHalfAFrame = 2'400'000;
-std::uint32_t cost_of_refit(BasicDeformableMesh<PostMesh>& mesh) {
-  RefitStep step{};
+std::uint32_t cost_of_refit(BasicDeformableMesh<Mesh>& mesh) {
+  RefitResult step{};
   const std::uint32_t cost = port::instructions_of([&] { step = mesh.refit(); });
   CHECK(step.status == Status::done);
   return cost;
 }
 
-std::uint32_t cost_of_self(const PostMesh& mesh, Counts& counts) {
+std::uint32_t cost_of_self(const Mesh& mesh, QueryStats& counts) {
   return port::instructions_of([&] {
     SelfQuery query(mesh);
     (void)query.run(UINT32_MAX, [](const SelfQuery::Pair&) { return true; });
-    counts = query.counts();
+    counts = query.stats();
   });
 }
 
 /// The most that a run of so much work takes.
-[[maybe_unused]] std::uint32_t worst_run(const PostMesh& mesh, std::uint32_t work) {
+[[maybe_unused]] std::uint32_t worst_run(const Mesh& mesh, std::uint32_t work) {
   SelfQuery query(mesh);
   std::uint32_t most = 0;
   SelfQuery::Pair found[8];
@@ -57,9 +57,9 @@ TEST_CASE("a refit keeps to what flashbvh info says of it, and a sheet is asked 
   };
   for (const Tree& tree : {Tree{1, 2}, Tree{1, 4}, Tree{bake::kDefaultLeafSize, 4}, Tree{4, 4},
                            Tree{bake::kDefaultLeafSize, 4, false}}) {
-    Bending<PostMesh> bent(bake::collapse(bake::build_sah(lattice, tree.leaf_size), tree.arity),
-                           lattice, tree.shows_quads);
-    Counts counts{};
+    Bending<Mesh> bent(bake::collapse(bake::build_sah(lattice, tree.leaf_size), tree.arity),
+                       lattice, tree.shows_quads);
+    QueryStats counts{};
     const std::uint32_t refit = cost_of_refit(bent.mesh);
     const std::uint32_t rest = cost_of_self(bent.mesh.mesh(), counts);
     lay(random, 23, 320, 300, 210, bent.vertices.data(), bent.vertices.size());

@@ -60,21 +60,21 @@ Pairs near_pairs(const bake::LatticeMesh& mesh, std::uint32_t distance) {
 
 /// In new objects, each resumed from where the one before was stopped.
 template <class Query, class Make>
-Pairs run_by_positions(Random& random, const Make& make, std::uint32_t& visits) {
-  QueryPosition<typename Query::Index> position;
+Pairs run_by_cursors(Random& random, const Make& make, std::uint32_t& visits) {
+  QueryCursor<typename Query::Index> position;
   Pairs pairs;
   for (Status status = Status::suspended; status != Status::done;) {
     Query query = make();
     status = query.resume(position);
     REQUIRE((status == Status::suspended || status == Status::done));
     typename Query::Pair found[2];
-    const Step step = query.run(1 + random.below(90), found, 1 + random.below(2));
+    const RunResult step = query.run(1 + random.below(90), found, 1 + random.below(2));
     for (std::uint32_t i = 0; i < step.count; ++i) {
       pairs.emplace_back(found[i].a, found[i].b);
     }
     status = step.status;
-    visits += query.counts().visits;
-    position = query.position();
+    visits += query.stats().visits;
+    position = query.cursor();
   }
   return pairs;
 }
@@ -86,11 +86,11 @@ void check(Random& random, const Make& make, const Pairs& expected) {
   REQUIRE(unordered(in_order) == expected);
   Query cut = make();
   REQUIRE(run_to_end(cut, 1 + random.below(200), 1 + random.below(9)) == in_order);
-  REQUIRE(cut.counts().visits == whole.counts().visits);
-  REQUIRE(cut.counts().leaf_pairs == whole.counts().leaf_pairs);
+  REQUIRE(cut.stats().visits == whole.stats().visits);
+  REQUIRE(cut.stats().leaf_pairs == whole.stats().leaf_pairs);
   std::uint32_t visits = 0;
-  REQUIRE(run_by_positions<Query>(random, make, visits) == in_order);
-  REQUIRE(visits == whole.counts().visits);
+  REQUIRE(run_by_cursors<Query>(random, make, visits) == in_order);
+  REQUIRE(visits == whole.stats().visits);
 }
 
 template <class Mesh>
@@ -130,15 +130,15 @@ std::uint32_t mixed(std::uint32_t sum, std::uint32_t value) {
 TEST_CASE("a soup's, a sheet's or a tube's triangles that intersect are found once each") {
   Random random = test_random();
   std::uint32_t answers = 0;
-  check_frames<PostMesh>(random, 60 / kShare, 6, answers);
-  check_frames<LargePostMesh>(random, 20 / kShare, 3, answers);
+  check_frames<Mesh>(random, 60 / kShare, 6, answers);
+  check_frames<Mesh32>(random, 20 / kShare, 3, answers);
   CHECK(answers > 2000 / kShare);
 }
 
 TEST_CASE("over thousands of frames of one sheet the pairs are those of brute force") {
   Random random = test_random(1);
   const bake::LatticeMesh lattice = grid(4, 3, false);
-  Bending<PostMesh> bent(bake::build_default(lattice), lattice);
+  Bending<Mesh> bent(bake::build_default(lattice), lattice);
   lay(random, 5, 20, 0, 0, bent.vertices.data(), bent.vertices.size());
   for (int frame = 0; frame < rounds(1000, 3000) / kShare; ++frame) {
     CAPTURE(frame);
@@ -158,10 +158,10 @@ TEST_CASE("a position is taken if and only if a walk on which all boxes overlap 
     for (auto& triangle : lattice.triangles) {
       triangle = {0, 0, 0};
     }
-    const Bending<PostMesh> bent(any_tree(random, lattice), lattice);
-    const PostMesh& mesh = bent.mesh.mesh();
+    const Bending<Mesh> bent(any_tree(random, lattice), lattice);
+    const Mesh& mesh = bent.mesh.mesh();
     std::set<std::pair<std::uint32_t, std::uint32_t>> visited;
-    detail::SelfRanked<PostMesh> at(mesh, mesh, {});
+    detail::SelfRanked<Mesh> at(mesh, mesh, {});
     do {
       REQUIRE(visited.emplace(at.index_a(), at.index_b()).second);
     } while (at.descend() || at.next());
@@ -173,11 +173,11 @@ TEST_CASE("a position is taken if and only if a walk on which all boxes overlap 
             other.resume({static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b), 0,
                           detail::State::at_pair});
         REQUIRE(status ==
-                (visited.count({a, b}) != 0 ? Status::suspended : Status::position_invalid));
+                (visited.count({a, b}) != 0 ? Status::suspended : Status::cursor_invalid));
         if (status == Status::suspended) {
           (void)other.run(UINT32_MAX, [](const SelfQuery::Pair&) { return true; });
           REQUIRE(other.status() == Status::done);
-          REQUIRE(other.counts().visits <= visited.size());
+          REQUIRE(other.stats().visits <= visited.size());
         }
       }
     }
@@ -187,7 +187,7 @@ TEST_CASE("a position is taken if and only if a walk on which all boxes overlap 
 TEST_CASE("a bending tube's digest is the same on every core") {
   Random random(7);
   const bake::LatticeMesh lattice = grid(12, 10, true);
-  Bending<PostMesh> bent(bake::build_default(lattice), lattice);
+  Bending<Mesh> bent(bake::build_default(lattice), lattice);
   lay(random, 12, 60, 40, 25, bent.vertices.data(), bent.vertices.size());
   std::uint32_t sum = 2166136261u;
   for (int frame = 0; frame < 12; ++frame) {
@@ -202,7 +202,7 @@ TEST_CASE("a bending tube's digest is the same on every core") {
         return true;
       };
       REQUIRE(query.run(UINT32_MAX, sink).status == Status::done);
-      const Counts& counts = query.counts();
+      const QueryStats& counts = query.stats();
       sum = mixed(mixed(mixed(sum, counts.visits), counts.leaf_pairs), counts.triangle_pairs);
     };
     SelfQuery self(bent.mesh.mesh());

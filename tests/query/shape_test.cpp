@@ -17,7 +17,7 @@ using namespace flashbvh::test;
 namespace {
 
 /// The same triangles as bake lays them out.
-AnyMesh baked(const PostMesh& shape) {
+AnyMesh baked(const Mesh& shape) {
   bake::LatticeMesh mesh;
   for (std::uint32_t i = 0; i < shape.vertex_count; ++i) {
     mesh.vertices.push_back(shape.vertices[i]);
@@ -32,9 +32,9 @@ AnyMesh baked(const PostMesh& shape) {
   return AnyMesh(bake::build_median(mesh, 1), mesh);
 }
 
-void compare(const PostMesh& mesh, const PostMesh& shape, const Pose& pose) {
+void compare(const Mesh& mesh, const Mesh& shape, const Pose& pose) {
   const AnyMesh other = baked(shape);
-  const PostMesh same = other.view<PostMesh>();
+  const Mesh same = other.view<Mesh>();
   CHECK(shape.longest_edge >= same.longest_edge);
   CHECK((shape.is_closed == (shape.triangle_count > 1) && (!shape.is_closed || same.is_closed)));
   CHECK(count_pairs(mesh, shape, pose).pairs == count_pairs(mesh, same, pose).pairs);
@@ -54,7 +54,7 @@ TEST_CASE("shapes are asked about like the same triangles, baked") {
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
     const AnyMesh any = any_mesh(random, random_mesh(random, 1 + random.below(30), 200, 60));
-    const PostMesh mesh = any.view<PostMesh>();
+    const Mesh mesh = any.view<Mesh>();
     const Pose pose = any_pose(random, 150);
     const Point p = any_point(random, 300);
     const Point q = any_point(random, 300);
@@ -80,7 +80,7 @@ TEST_CASE("shapes are asked about like the same triangles, baked") {
 TEST_CASE("a sphere and a capsule are a point and a segment with a radius") {
   Random random = test_random();
   const AnyMesh any = any_mesh(random, random_mesh(random, 1, 10, 10));
-  const PostMesh like = any.view<PostMesh>();
+  const Mesh like = any.view<Mesh>();
   const PointShape origin(like, {0, 0, 0});
   const Pose still = Pose::translated(0, 0, 0);
   PointShape point(like, {0, 0, 0});
@@ -101,7 +101,7 @@ TEST_CASE("a sphere and a capsule are a point and a segment with a radius") {
 TEST_CASE("a shape that no mesh can be stays as it was, and says so") {
   Random random = test_random();
   const AnyMesh any = any_mesh(random, random_mesh(random, 1, 10, 10));
-  const PostMesh like = any.view<PostMesh>();
+  const Mesh like = any.view<Mesh>();
   SegmentShape segment(like, {1 << 29, 0, 0}, {(1 << 29) - 32766, 5, 5});
   CHECK(segment.status() == Status::done);
   CHECK(segment.mesh().origin[0] == (1 << 29) - 16383);
@@ -132,10 +132,10 @@ TEST_CASE("what is asked of a shape that never was any is refused, until it is o
   bake::LatticeMesh box;
   add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
   const AnyMesh any = any_mesh(random, box);
-  const PostMesh mesh = any.view<PostMesh>();
+  const Mesh mesh = any.view<Mesh>();
   const Pose still = Pose::translated(0, 0, 0);
   constexpr Point far = {INT32_MAX, INT32_MAX, INT32_MAX};
-  const auto is_refused = [&](const PostMesh& shape) {
+  const auto is_refused = [&](const Mesh& shape) {
     PairQuery query(mesh, shape, still);
     return query.status() == Status::cell_mismatch && intersects(shape, mesh, still).yes &&
            distance(mesh, shape, still).status == Status::cell_mismatch &&

@@ -16,7 +16,7 @@ namespace {
 constexpr int kShare = share_on_board(30);
 
 /// By another way, in A's lattice.
-PointSide truth_of(const PostMesh& mesh, const detail::Transform* transform, const Point& p) {
+PointSide truth_of(const Mesh& mesh, const detail::Transform* transform, const Point& p) {
   double sum = 0;
   for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
     Triangle t;
@@ -33,8 +33,8 @@ PointSide truth_of(const PostMesh& mesh, const detail::Transform* transform, con
   return winding_of(sum) != 0 ? PointSide::inside : PointSide::outside;
 }
 
-PostMesh closed(const AnyMesh& mesh) {
-  PostMesh view = mesh.view<PostMesh>();
+Mesh closed(const AnyMesh& mesh) {
+  Mesh view = mesh.view<Mesh>();
   REQUIRE(view.is_closed);
   return view;
 }
@@ -52,7 +52,7 @@ TEST_CASE("a point's side is told by its winding number, wherever edges and corn
       origin = random.between(-1000, 1000);
     }
     const AnyMesh any = any_mesh(random, lattice);
-    const PostMesh mesh = closed(any);
+    const Mesh mesh = closed(any);
     for (std::int32_t x = -5; x <= 9; ++x) {
       for (std::int32_t y = -5; y <= 9; ++y) {
         for (std::int32_t z = -5; z <= 9; z += 1 + static_cast<std::int32_t>(random.below(2))) {
@@ -76,7 +76,7 @@ TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
   Random random = test_random();
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
   const AnyMesh any(bake::build_default(lattice), lattice);
-  const PostMesh mesh = closed(any);
+  const Mesh mesh = closed(any);
   std::uint32_t within = 0;
   for (int round = 0; round < 1500 / kShare; ++round) {
     // Right below a corner, or the middle of an edge.
@@ -120,8 +120,8 @@ TEST_CASE("bodies have points in common if triangles intersect or one lies insid
     }
     const AnyMesh any_a = any_mesh(random, outer);
     const AnyMesh any_b = any_mesh(random, inner);
-    const PostMesh a = closed(any_a);
-    const PostMesh b = closed(any_b);
+    const Mesh a = closed(any_a);
+    const Mesh b = closed(any_b);
     const Pose pose = any_pose(random, 90);
     detail::Transform transform(pose, a, b, /*may_stop=*/false);
     bool truth = intersects(a, b, pose).yes;
@@ -161,8 +161,8 @@ TEST_CASE("bodies at the ends of the range have nothing in common") {
   const AnyMesh any_a = any_mesh(random, box);
   box.origin = {-(1 << 29), 1 << 29, -(1 << 29)};
   const AnyMesh any_b = any_mesh(random, box);
-  const PostMesh a = closed(any_a);
-  const PostMesh b = closed(any_b);
+  const Mesh a = closed(any_a);
+  const Mesh b = closed(any_b);
   const std::int32_t most = kMaxTranslation;
   const Pose poses[] = {Pose::translated(0, 0, 0), Pose::translated(-most, most, -most),
                         any_pose(random, most), any_pose(random, 10)};
@@ -181,8 +181,8 @@ TEST_CASE("an open mesh has no inside") {
   const AnyMesh whole = any_mesh(random, box);
   box.triangles.pop_back();
   const AnyMesh open = any_mesh(random, box);
-  const PostMesh a = open.view<PostMesh>();
-  const PostMesh b = closed(whole);
+  const Mesh a = open.view<Mesh>();
+  const Mesh b = closed(whole);
   CHECK(inside(a, {0, 0, 0}).status == Status::not_closed);
   CHECK(inside(a, {0, 0, 0}).side == PointSide::inside);
   const Pose apart = Pose::translated(100, 0, 0);
@@ -201,8 +201,8 @@ TEST_CASE("what is asked after a query refuses what the query refuses") {
   bake::LatticeMesh box;
   add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
   const AnyMesh any = any_mesh(random, box);
-  const PostMesh a = closed(any);
-  PostMesh other_cell = a;
+  const Mesh a = closed(any);
+  Mesh other_cell = a;
   other_cell.cell_bits ^= 1;
   const Pose apart = Pose::translated(100, 0, 0);
   const Pose nowhere = Pose::translated(INT32_MAX, 0, 0);

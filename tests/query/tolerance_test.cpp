@@ -48,8 +48,8 @@ TEST_CASE("a tolerance is kept to, and said to be, from any seed") {
     };
     const AnyMesh any_a = mesh();
     const AnyMesh any_b = mesh();
-    const PostMesh a = any_a.view<PostMesh>();
-    const PostMesh b = any_b.view<PostMesh>();
+    const Mesh a = any_a.view<Mesh>();
+    const Mesh b = any_b.view<Mesh>();
     const Pose pose = any_pose(random, 3 * spread);
     const std::vector<Pairwise> all = all_distances(a, b, pose);
     for (const unsigned tolerance : {0u, 1u, 655u, 32768u, 65535u}) {
@@ -77,8 +77,8 @@ TEST_CASE("a point one cell off a box's face is told of to the tolerance, seeded
   point.triangles.push_back({0, 0, 0});
   const AnyMesh any_a = any_mesh(random, box);
   const AnyMesh any_b = any_mesh(random, point);
-  const PostMesh a = any_a.view<PostMesh>();
-  const PostMesh b = any_b.view<PostMesh>();
+  const Mesh a = any_a.view<Mesh>();
+  const Mesh b = any_b.view<Mesh>();
   for (std::int32_t along = 0; along <= 11; ++along) {
     const Pose pose = Pose::translated(11, along, 0);
     const std::vector<Pairwise> all = all_distances(a, b, pose);

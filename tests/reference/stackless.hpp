@@ -24,12 +24,12 @@
 namespace flashbvh {
 
 /// The order, for Query.
-template <class LevelledTree>
+template <class TreeWithLevels>
 class AlternatingStackless {
-  using Index = typename LevelledTree::Index;
+  using Index = typename TreeWithLevels::Index;
 
  public:
-  using Tree = LevelledTree;
+  using Tree = TreeWithLevels;
   using Cursor = detail::PairCursor<Index>;
   static constexpr bool kStartsAtRoots = true;
   static constexpr bool kStackless = true;
@@ -152,11 +152,11 @@ class AlternatingStackless {
 };
 
 /// On pre-indexed trees.
-using Stackless = AlternatingStackless<LevelledPreMesh>;
-using LargeStackless = AlternatingStackless<LargeLevelledPreMesh>;
+using Stackless = AlternatingStackless<PreMeshWithLevels>;
+using Stackless32 = AlternatingStackless<PreMeshWithLevels32>;
 /// On post-indexed trees.
-using StacklessPost = AlternatingStackless<LevelledPostMesh>;
-using LargeStacklessPost = AlternatingStackless<LargeLevelledPostMesh>;
+using StacklessPost = AlternatingStackless<MeshWithLevels>;
+using StacklessPost32 = AlternatingStackless<MeshWithLevels32>;
 
 }  // namespace flashbvh
 

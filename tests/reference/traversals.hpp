@@ -8,7 +8,7 @@
 #include "flashbvh/detail/walk/ranked.hpp"
 #include "flashbvh/mesh.hpp"
 #include "reference/leaf.hpp"
-#include "reference/stack_orders.hpp"
+#include "reference/stack_traversals.hpp"
 #include "reference/stackless.hpp"
 
 namespace flashbvh {
@@ -34,9 +34,9 @@ struct NamedTraversal {
 template <class Use>
 constexpr void for_each_traversal(Use&& use) {
   use(NamedTraversal<VolumeStack, Mesh, true, true>{"volume-stack"});
-  use(NamedTraversal<AlternatingStack, LevelledMesh, true, true>{"alternating-stack"});
-  use(NamedTraversal<AlternatingStackless, LevelledMesh, true, false>{"stackless"});
-  use(NamedTraversal<AlternatingStackless, LevelledMesh, false, true>{"stackless-post"});
+  use(NamedTraversal<AlternatingStack, BasicMeshWithLevels, true, true>{"alternating-stack"});
+  use(NamedTraversal<AlternatingStackless, BasicMeshWithLevels, true, false>{"stackless"});
+  use(NamedTraversal<AlternatingStackless, BasicMeshWithLevels, false, true>{"stackless-post"});
   use(NamedTraversal<Leaf, Mesh, true, true>{"leaf"});
   use(NamedTraversal<Ranked, Mesh, false, true>{"ranked"});
   use(NamedTraversal<RankedStack, Mesh, false, true>{"ranked-stack"});

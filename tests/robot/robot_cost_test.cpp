@@ -90,7 +90,7 @@ TEST_CASE("opening a robot is linear in its joints, links, pairs, vertices and b
   const bake::LatticeMesh torus = test::torus(20, 10, 6000, 2000);
   const auto baked =
       bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_default(torus, 1), torus);
-  const PostMesh mesh = baked.view();
+  const Mesh mesh = baked.view();
   Chain one(0, 1, 0);
   one.links[0].radius = 20000u << kFrameBits;
   one.robot.meshes = &mesh;

@@ -11,7 +11,7 @@ using namespace flashbvh;
 
 namespace {
 
-/// Counts alone. Building the trees is nearly all that these tests take.
+/// QueryStats alone. Building the trees is nearly all that these tests take.
 const std::vector<tool::SetupResult>& results() {
   static tool::Objects objects;
   static const std::vector<tool::SetupResult> all = [] {
@@ -27,7 +27,7 @@ const std::vector<tool::SetupResult>& results() {
   return all;
 }
 
-const Counts& counts_of(const tool::SetupResult& result, const char* row) {
+const QueryStats& counts_of(const tool::SetupResult& result, const char* row) {
   return result.row(row)->counts;
 }
 

@@ -9,9 +9,9 @@ using tool::Leaves;
 namespace {
 
 tool::SetupResult result_of(std::uint32_t volume, std::uint32_t ranked) {
-  const Counts first = {volume, 1, 2, 3};
-  const Counts second = {ranked, 1, 2, 3};
-  const auto row = [](const char* name, const Counts& counts) {
+  const QueryStats first = {volume, 1, 2, 3};
+  const QueryStats second = {ranked, 1, 2, 3};
+  const auto row = [](const char* name, const QueryStats& counts) {
     return tool::Row{name, Leaves::boxes, counts, {5e-6, 2e-6}, {}};
   };
   return {&scene::kSetups[0],

@@ -60,19 +60,19 @@ bake::BakedTree<Index, layout> bake_object(const scene::PaperObject& object, boo
 }
 
 /// By boxes alone, as the paper's figures; on the paper's tree or the default one.
-template <class Order>
+template <class Traversal>
 void check_counts(const Setup& setup, std::uint32_t visits, const Expected& expected,
                   bool by_default = false) {
-  using Index = typename Order::Tree::Index;
-  constexpr Layout layout = Order::Tree::kLayout;
+  using Index = typename Traversal::Tree::Index;
+  constexpr Layout layout = Traversal::Tree::kLayout;
   const auto a = bake_object<Index, layout>(setup.a, by_default);
   const auto b = bake_object<Index, layout>(setup.b, by_default);
   const auto view_a = a.view();
   const auto view_b = b.view();
-  scene::WalkStart<Order> start(view_a, view_b);
+  scene::WalkStart<Traversal> start(view_a, view_b);
   const Point& t = setup.translation;
   std::uint32_t found = 0;
-  const Counts counts = scene::count_query<Order, detail::BoxIntersection>(
+  const QueryStats counts = scene::count_query<Traversal, detail::BoxIntersection>(
       view_a, view_b, Pose::translated(t.x, t.y, t.z), start, found);
   CHECK(counts.visits == visits);
   CHECK(counts.leaf_pairs == expected.leaf_pairs);
@@ -135,10 +135,11 @@ TEST_CASE("every traversal makes the same visits and finds the same overlaps on 
     REQUIRE(expected->table == setup.table);
     for_each_traversal([&](auto named) {
       CAPTURE(named.name);
-      using Order = typename decltype(named)::template On<std::uint16_t, decltype(named)::kLayout>;
-      check_counts<Order>(setup, expected->visits_of(named.name), *expected);
+      using Traversal =
+          typename decltype(named)::template On<std::uint16_t, decltype(named)::kLayout>;
+      check_counts<Traversal>(setup, expected->visits_of(named.name), *expected);
     });
-    check_counts<Ranked<PostMesh>>(setup, expected->ranked_by_default, *expected, true);
+    check_counts<Ranked<Mesh>>(setup, expected->ranked_by_default, *expected, true);
     ++expected;
   }
   CHECK(expected == std::end(kExpected));

@@ -25,7 +25,7 @@ struct Pairwise {
 };
 
 /// Of every pair of triangles.
-inline std::vector<Pairwise> all_distances(const PostMesh& a, const PostMesh& b, const Pose& pose) {
+inline std::vector<Pairwise> all_distances(const Mesh& a, const Mesh& b, const Pose& pose) {
   detail::Transform transform(pose, a, b, /*may_stop=*/false);
   transform.bring_near();
   std::vector<Pairwise> all;

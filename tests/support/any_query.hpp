@@ -11,19 +11,19 @@
 
 namespace flashbvh::test {
 
-template <class Order, class Question = detail::Intersection>
+template <class Traversal, class Predicate = detail::Intersection>
 struct AnyQuery {
-  using Tree = typename Order::Tree;
+  using Tree = typename Traversal::Tree;
   Tree a, b;
   std::vector<detail::PairCursor<typename Tree::Index>> entries;
-  Query<Order, Question> query;
+  Query<Traversal, Predicate> query;
 
   AnyQuery(const Tree& tree_a, const Tree& tree_b, const Pose& pose)
       : a(tree_a),
         b(tree_b),
         entries(stack_entries(a.stack_need, b.stack_need)),
         query(a, b, pose,
-              at_roots<Order>(entries.data(), static_cast<std::uint32_t>(entries.size()))) {}
+              at_roots<Traversal>(entries.data(), static_cast<std::uint32_t>(entries.size()))) {}
   /// Scene: has trees a, b and a pose.
   template <class Scene>
   explicit AnyQuery(const Scene& scene) : AnyQuery(scene.a.view(), scene.b.view(), scene.pose) {}
@@ -33,9 +33,9 @@ struct AnyQuery {
 template <class Tree, class Use>
 void for_each_query(const Tree& a, const Tree& b, const Pose& pose, Use use) {
   for_each_order<typename Tree::Index>([&](auto named) {
-    using Order = typename decltype(named)::Order;
-    if constexpr (Order::Tree::kLayout == Tree::kLayout) {
-      AnyQuery<Order> any(a, b, pose);
+    using Traversal = typename decltype(named)::Traversal;
+    if constexpr (Traversal::Tree::kLayout == Tree::kLayout) {
+      AnyQuery<Traversal> any(a, b, pose);
       use(named.name, any.query);
     }
   });

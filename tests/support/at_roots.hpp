@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "reference/stack_orders.hpp"
+#include "reference/stack_traversals.hpp"
 #include "reference/traversals.hpp"
 
 namespace flashbvh::test {
@@ -16,25 +16,25 @@ template <class Index>
 constexpr bool kIsStack<PairStack<Index>> = true;
 
 /// Where a walk starts; if it needs a stack, on these entries.
-template <class Order>
-typename Order::Cursor at_roots(
-    [[maybe_unused]] detail::PairCursor<typename Order::Tree::Index>* entries,
+template <class Traversal>
+typename Traversal::Cursor at_roots(
+    [[maybe_unused]] detail::PairCursor<typename Traversal::Tree::Index>* entries,
     [[maybe_unused]] uint32_t count) {
-  if constexpr (kIsStack<typename Order::Cursor>) {
+  if constexpr (kIsStack<typename Traversal::Cursor>) {
     return {entries, count};
   } else {
     return {};
   }
 }
 
-inline bool same(const Counts& a, const Counts& b) {
+inline bool same(const QueryStats& a, const QueryStats& b) {
   return a.visits == b.visits && a.overlaps == b.overlaps && a.leaf_pairs == b.leaf_pairs &&
          a.triangle_pairs == b.triangle_pairs;
 }
 
 template <class OrderType>
 struct NamedOrder {
-  using Order = OrderType;
+  using Traversal = OrderType;
   const char* name;
 };
 
@@ -56,7 +56,7 @@ void for_each_order(Use&& use) {
 template <class Index, class Use>
 void for_each_stackless_order(Use&& use) {
   for_each_order<Index>([&use](auto named) {
-    if constexpr (!kIsStack<typename decltype(named)::Order::Cursor>) {
+    if constexpr (!kIsStack<typename decltype(named)::Traversal::Cursor>) {
       use(named);
     }
   });

@@ -12,16 +12,18 @@
   keyword template bool __VA_ARGS__::next_answer(__VA_ARGS__::Batch&, uint32_t);   \
   keyword template detail::State __VA_ARGS__::walk(uint32_t&, __VA_ARGS__::Batch&, \
                                                    typename __VA_ARGS__::Kept::Shapes&, uint32_t)
-#define FLASHBVH_COMPILED_LAYOUT(keyword, Index, layout)                                      \
-  FLASHBVH_COMPILED_QUERY(keyword, Query<VolumeStack<flashbvh::Mesh<Index, layout>>>);        \
-  FLASHBVH_COMPILED_QUERY(keyword, Query<AlternatingStack<LevelledMesh<Index, layout>>>);     \
-  FLASHBVH_COMPILED_QUERY(keyword, Query<AlternatingStackless<LevelledMesh<Index, layout>>>); \
-  FLASHBVH_COMPILED_QUERY(keyword, Query<Leaf<flashbvh::Mesh<Index, layout>>>)
+#define FLASHBVH_COMPILED_LAYOUT(keyword, Index, layout)                                         \
+  FLASHBVH_COMPILED_QUERY(keyword, Query<VolumeStack<flashbvh::BasicMesh<Index, layout>>>);      \
+  FLASHBVH_COMPILED_QUERY(keyword, Query<AlternatingStack<BasicMeshWithLevels<Index, layout>>>); \
+  FLASHBVH_COMPILED_QUERY(keyword,                                                               \
+                          Query<AlternatingStackless<BasicMeshWithLevels<Index, layout>>>);      \
+  FLASHBVH_COMPILED_QUERY(keyword, Query<Leaf<flashbvh::BasicMesh<Index, layout>>>)
 /// `keyword`: extern, or nothing.
 #define FLASHBVH_COMPILED_QUERIES(keyword, Index)                 \
   FLASHBVH_COMPILED_LAYOUT(keyword, Index, Layout::pre_indexed);  \
   FLASHBVH_COMPILED_LAYOUT(keyword, Index, Layout::post_indexed); \
-  FLASHBVH_COMPILED_QUERY(keyword, Query<RankedStack<flashbvh::Mesh<Index, Layout::post_indexed>>>)
+  FLASHBVH_COMPILED_QUERY(keyword,                                \
+                          Query<RankedStack<flashbvh::BasicMesh<Index, Layout::post_indexed>>>)
 
 namespace flashbvh {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "flashbvh/bound.hpp"
+#include "flashbvh/time_bound.hpp"
 
 namespace flashbvh::test {
 

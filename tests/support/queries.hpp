@@ -26,7 +26,7 @@ Pairs run_to_end(Query& query, std::uint32_t work, std::uint32_t capacity) {
   Pairs pairs;
   pairs.reserve(10000);
   for (;;) {
-    Step step{};
+    RunResult step{};
     {
       const HeapForbidden guard;
       step = query.run(work, found.data(), capacity);

@@ -56,7 +56,7 @@ BakedPair<Baked<layout>> bake_pair(const bake::BuildTree& a, const bake::Lattice
 template <class Baked>
 class RecordingOverlap {
  public:
-  RecordingOverlap(const BakedPair<Baked>& pair, const detail::TranslatedBound& test,
+  RecordingOverlap(const BakedPair<Baked>& pair, const detail::TranslatedBoxTest& test,
                    Record& record)
       : pair_(pair), test_(test), record_(record) {}
 
@@ -73,13 +73,13 @@ class RecordingOverlap {
   }
 
   const BakedPair<Baked>& pair_;
-  const detail::TranslatedBound& test_;
+  const detail::TranslatedBoxTest& test_;
   Record& record_;
 };
 
 /// From `cursor` to the end, or to `most_visits` if the walk does not end.
 template <class Traversal, class Baked>
-Record record_from(const BakedPair<Baked>& pair, const detail::TranslatedBound& test,
+Record record_from(const BakedPair<Baked>& pair, const detail::TranslatedBoxTest& test,
                    typename Traversal::Cursor& cursor, std::uint32_t most_visits = 1000000) {
   Record record;
   const auto a = pair.a.view();
@@ -97,7 +97,7 @@ Record record_from(const BakedPair<Baked>& pair, const detail::TranslatedBound& 
 
 /// The whole walk, its stack, if it has one, as long as stack_entries() promises to be enough.
 template <class Traversal, class Baked>
-Record record(const BakedPair<Baked>& pair, const detail::TranslatedBound& test) {
+Record record(const BakedPair<Baked>& pair, const detail::TranslatedBoxTest& test) {
   std::vector<detail::PairCursor<typename Baked::Index>> entries(
       stack_entries(pair.a.stack_need, pair.b.stack_need));
   auto cursor = at_roots<Traversal>(entries.data(), static_cast<std::uint32_t>(entries.size()));

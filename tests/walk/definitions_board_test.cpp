@@ -41,7 +41,7 @@ bool has_values(const uint16_t (&expected)[kNodes], Function function) {
 
 TEST_CASE("small trees: escape indices and levels of the paper's figures 1 and 3, pre-indexed") {
   const FullTree<Layout::pre_indexed> full;
-  const LevelledPreMesh& tree = full.tree.view();
+  const PreMeshWithLevels& tree = full.tree.view();
   REQUIRE(tree.node_count == kNodes);
   CHECK(has_values({15, 8, 5, 4, 5, 8, 7, 8, 15, 12, 11, 12, 15, 14, 15},
                    [&tree](uint32_t node) { return tree.escape(node); }));
@@ -60,7 +60,7 @@ TEST_CASE("small trees: right child levels of the paper's figure 22") {
 
 TEST_CASE("small trees: post-indexed, LevelUp subtracts, and escape indices of figure 26") {
   const FullTree<Layout::post_indexed> full;
-  const LevelledPostMesh& tree = full.tree.view();
+  const MeshWithLevels& tree = full.tree.view();
   CHECK(tree.level_up(3, 3) == 0);
   CHECK(tree.level_up(3, 2) == 1);
   CHECK(tree.level_up(2, 1) == 1);

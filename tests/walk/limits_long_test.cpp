@@ -72,7 +72,7 @@ TEST_CASE("index 65,534 of nodes, triangles and vertices is as good as any") {
   check_pairs(pre_a.view(), pre_b.view(), truth);
 
   const auto image = bake::image_of(post_a, true);
-  LevelledPostMesh opened;
+  MeshWithLevels opened;
   REQUIRE(open_image(image.data(), image.size() * sizeof image[0], opened) == Status::done);
   check_pairs(opened, post_b.view(), truth);
 }

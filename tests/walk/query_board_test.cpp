@@ -20,7 +20,7 @@ template <class Traversal>
 using Scene = SmallScene<Traversal::Tree::kLayout>;
 
 template <class Traversal>
-Report report_of(const SmallScene<Traversal::Tree::kLayout>& scene, Counts& counts) {
+Report report_of(const SmallScene<Traversal::Tree::kLayout>& scene, QueryStats& counts) {
   SmallQuery<Traversal> any(scene);
   Report report;
   const Status status = any.query
@@ -31,15 +31,15 @@ Report report_of(const SmallScene<Traversal::Tree::kLayout>& scene, Counts& coun
                                  })
                             .status;
   REQUIRE(status == Status::done);
-  counts = any.query.counts();
+  counts = any.query.stats();
   return report;
 }
 
 /// Whether two traversals report the same pairs in the same order, after as many visits.
 template <class One, class Other>
 void check_same_walk(const SmallScene<One::Tree::kLayout>& scene) {
-  Counts counts{};
-  Counts others{};
+  QueryStats counts{};
+  QueryStats others{};
   const Report report = report_of<One>(scene, counts);
   const bool equal = report == report_of<Other>(scene, others) && same(counts, others);
   CHECK(equal);
@@ -68,7 +68,7 @@ void check_against_brute_force() {
     REQUIRE_FALSE(twice);
     const bool exact = found == brute_force(scene);
     REQUIRE(exact);
-    total += any.query.counts().triangle_pairs;
+    total += any.query.stats().triangle_pairs;
   }
   CHECK(total > static_cast<uint32_t>(kRounds));
 }
@@ -88,11 +88,11 @@ TEST_CASE("small trees: a rule walks the same way with a stack and without") {
     CAPTURE(round);
     {
       const SmallScene<Layout::post_indexed> scene(random);
-      check_same_walk<Ranked<PostMesh>, RankedStack<PostMesh>>(scene);
-      check_same_walk<StacklessPost, AlternatingStack<LevelledPostMesh>>(scene);
+      check_same_walk<Ranked<Mesh>, RankedStack<Mesh>>(scene);
+      check_same_walk<StacklessPost, AlternatingStack<MeshWithLevels>>(scene);
     }
     const SmallScene<Layout::pre_indexed> scene(random);
-    check_same_walk<Stackless, AlternatingStack<LevelledPreMesh>>(scene);
+    check_same_walk<Stackless, AlternatingStack<PreMeshWithLevels>>(scene);
   }
 }
 
@@ -102,8 +102,8 @@ TEST_CASE("small trees: a reported pair lies where the pose's definition puts it
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
     const SmallScene<Layout::post_indexed> scene(random);
-    const PostMesh& a = scene.a.view();
-    const PostMesh& b = scene.b.view();
+    const Mesh& a = scene.a.view();
+    const Mesh& b = scene.b.view();
     PairQuery query(a, b, scene.pose);
     uint32_t wrong = 0;
     const Status status =
@@ -133,8 +133,8 @@ TEST_CASE("small trees: every triangle of B lies where the pose's definition put
   for (int round = 0; round < kRounds; ++round) {
     CAPTURE(round);
     const SmallScene<Layout::post_indexed> scene(random);
-    const PostMesh& a = scene.a.view();
-    const PostMesh& b = scene.b.view();
+    const Mesh& a = scene.a.view();
+    const Mesh& b = scene.b.view();
     bool is_near = true;  // farther off, it is put where it intersects nothing
     for (int axis = 0; axis < 3; ++axis) {
       const int32_t middle = transformed_coordinate(b.origin, {0, 0, 0}, scene.pose, axis);
@@ -156,29 +156,29 @@ TEST_CASE("small trees: every triangle of B lies where the pose's definition put
 TEST_CASE("small trees: each way to ask wrongly has its own status") {
   Random random = test_random(3);
   const SmallScene<Layout::post_indexed> scene(random);
-  const PostMesh& a = scene.a.view();
-  const PostMesh& b = scene.b.view();
+  const Mesh& a = scene.a.view();
+  const Mesh& b = scene.b.view();
   const Pose here = Pose::translated(0, 0, 0);
   Pair found[1];
 
   PairQuery query(a, b, here);
   CHECK(query.run(10, found, 0).status == Status::full);  // no room for a pair
   CHECK(query.run(0, found).status == Status::suspended);
-  CHECK(query.counts().visits == 0);
+  CHECK(query.stats().visits == 0);
   (void)query.run(1, found);
-  CHECK(query.counts().visits == 1);
+  CHECK(query.stats().visits == 1);
   while (query.status() == Status::suspended) {
     (void)query.run(kNoLimit, found);
   }
-  const Counts counts = query.counts();
-  const Step step = query.run(kNoLimit, found);  // again after the end
+  const QueryStats counts = query.stats();
+  const RunResult step = query.run(kNoLimit, found);  // again after the end
   CHECK(step.status == Status::done);
   CHECK(step.count == 0);
-  CHECK(same(query.counts(), counts));
+  CHECK(same(query.stats(), counts));
 
   const uint32_t needed = stack_entries(a.stack_need, b.stack_need);
   PairCursor<uint16_t> entries[2 * digest::kMostTriangles];
-  using VolumeQuery = Query<VolumeStack<PostMesh>>;
+  using VolumeQuery = Query<VolumeStack<Mesh>>;
   CHECK(VolumeQuery(a, b, here, {entries, needed}).status() == Status::suspended);
   CHECK(VolumeQuery(a, b, here, {entries, needed - 1}).status() == Status::stack_too_small);
   CHECK(VolumeQuery(a, b, here, {nullptr, 0}).status() == Status::stack_too_small);
@@ -187,15 +187,15 @@ TEST_CASE("small trees: each way to ask wrongly has its own status") {
 TEST_CASE("small trees: meshes and poses that no query takes each have their own status") {
   Random random = test_random(3);
   const SmallScene<Layout::post_indexed> scene(random);
-  const PostMesh& a = scene.a.view();
-  const auto check_refused = [&a](const PostMesh& b, const Pose& pose, Status status) {
+  const Mesh& a = scene.a.view();
+  const auto check_refused = [&a](const Mesh& b, const Pose& pose, Status status) {
     Pair found[1];
     PairQuery query(a, b, pose);
     CHECK(query.status() == status);
     CHECK(query.run(kNoLimit, found).status == status);
-    CHECK(query.counts().visits == 0);
+    CHECK(query.stats().visits == 0);
   };
-  PostMesh b = scene.b.view();
+  Mesh b = scene.b.view();
   for (const int32_t t : {kMaxTranslation + 1, -kMaxTranslation - 1, INT32_MAX, INT32_MIN}) {
     for (const Pose& pose :
          {Pose::translated(t, 0, 0), Pose::translated(0, t, 0), Pose::translated(0, 0, t)}) {

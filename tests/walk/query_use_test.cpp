@@ -19,13 +19,13 @@ namespace {
 
 template <class A, class B, class P>
 constexpr bool kTakes = std::is_constructible<PairQuery, A, B, P>::value;
-static_assert(kTakes<const PostMesh&, const PostMesh&, const Pose&>);
-static_assert(kTakes<const LevelledPostMesh&, const PostMesh&, Pose&>);
-static_assert(!kTakes<PostMesh, const PostMesh&, const Pose&>, "a mesh gone before the first run");
-static_assert(!kTakes<const PostMesh&, PostMesh, const Pose&>);
-static_assert(!kTakes<const PostMesh&, const PostMesh&, Pose>);
-static_assert(!kTakes<PostMesh, PostMesh, Pose>);
-static_assert(!kTakes<LevelledPostMesh, const PostMesh&, const Pose&>);
+static_assert(kTakes<const Mesh&, const Mesh&, const Pose&>);
+static_assert(kTakes<const MeshWithLevels&, const Mesh&, Pose&>);
+static_assert(!kTakes<Mesh, const Mesh&, const Pose&>, "a mesh gone before the first run");
+static_assert(!kTakes<const Mesh&, Mesh, const Pose&>);
+static_assert(!kTakes<const Mesh&, const Mesh&, Pose>);
+static_assert(!kTakes<Mesh, Mesh, Pose>);
+static_assert(!kTakes<MeshWithLevels, const Mesh&, const Pose&>);
 
 struct Scene {
   Baked<Layout::post_indexed> a, b;
@@ -40,18 +40,18 @@ Scene overlapping_scene(Random& random) {
 
 }  // namespace
 
-TEST_CASE("inside a sink counts() says what was done so far, not what was granted") {
+TEST_CASE("inside a sink stats() says what was done so far, not what was granted") {
   Random random = test_random();
   const Scene scene = overlapping_scene(random);
   const auto a = scene.a.view();
   const auto b = scene.b.view();
   const Pose pose = Pose::translated(1, 2, 3);
-  std::vector<Counts> inside;
+  std::vector<QueryStats> inside;
   PairQuery whole(a, b, pose);
   REQUIRE(whole
               .run(1000000,
                    [&](const PairQuery::Pair&) {
-                     inside.push_back(whole.counts());
+                     inside.push_back(whole.stats());
                      return true;
                    })
               .status == Status::done);
@@ -59,17 +59,17 @@ TEST_CASE("inside a sink counts() says what was done so far, not what was grante
   // The same as where a run ends with its array full.
   PairQuery cut(a, b, pose);
   PairQuery::Pair found[1];
-  for (const Counts& counts : inside) {
+  for (const QueryStats& counts : inside) {
     REQUIRE(cut.run(1000000, found).status == Status::full);
-    CHECK(counts.visits == cut.counts().visits);
-    CHECK(counts.overlaps == cut.counts().overlaps);
-    CHECK(counts.leaf_pairs == cut.counts().leaf_pairs);
-    CHECK(counts.triangle_pairs == cut.counts().triangle_pairs);
+    CHECK(counts.visits == cut.stats().visits);
+    CHECK(counts.overlaps == cut.stats().overlaps);
+    CHECK(counts.leaf_pairs == cut.stats().leaf_pairs);
+    CHECK(counts.triangle_pairs == cut.stats().triangle_pairs);
   }
 }
 
 TEMPLATE_TEST_CASE("the position of a query that is done is taken, and stays done", "",
-                   Ranked<PostMesh>, StacklessPost, Leaf<PostMesh>) {
+                   Ranked<Mesh>, StacklessPost, Leaf<Mesh>) {
   Random random = test_random();
   const Scene scene = overlapping_scene(random);
   const auto a = scene.a.view();
@@ -78,7 +78,7 @@ TEMPLATE_TEST_CASE("the position of a query that is done is taken, and stays don
   Query<TestType> query(a, b, pose);
   REQUIRE(!run_to_end(query, kNoLimit, 100).empty());
   Query<TestType> other(a, b, pose);
-  CHECK(other.resume(query.position()) == Status::done);
+  CHECK(other.resume(query.cursor()) == Status::done);
   CHECK(run_to_end(other, kNoLimit, 100).empty());
-  CHECK(other.counts().visits == 0);
+  CHECK(other.stats().visits == 0);
 }

@@ -16,7 +16,7 @@ using Pair = BakedPair<Post>;
 
 struct Trees {
   Pair baked;
-  TranslatedBound overlap;
+  TranslatedBoxTest overlap;
   NodePairs truth;
 };
 
@@ -27,7 +27,7 @@ Trees any_trees(Random& random, std::uint32_t most) {
   const auto b = any_tree(random, mesh_b);
   const std::int32_t x = random.between(-30, 30);
   const std::int32_t y = random.between(-30, 30);
-  return {bake_pair<Layout::post_indexed>(a, mesh_a, b, mesh_b), TranslatedBound(x, y, 0),
+  return {bake_pair<Layout::post_indexed>(a, mesh_a, b, mesh_b), TranslatedBoxTest(x, y, 0),
           brute_force(a, b, x, y, 0)};
 }
 
@@ -66,8 +66,8 @@ template <class RanksOfA, class RanksOfB>
 void check_ranks(Trees& trees, RanksOfA ranks_of_a, RanksOfB ranks_of_b) {
   set_ranks(trees.baked.a, ranks_of_a);
   set_ranks(trees.baked.b, ranks_of_b);
-  const Record ranked = record<Ranked<PostMesh>>(trees.baked, trees.overlap);
-  const Record stack = record<RankedStack<PostMesh>>(trees.baked, trees.overlap);
+  const Record ranked = record<Ranked<Mesh>>(trees.baked, trees.overlap);
+  const Record stack = record<RankedStack<Mesh>>(trees.baked, trees.overlap);
   REQUIRE(ranked.ended);
   REQUIRE(ranked.visits == stack.visits);
   REQUIRE(ranked.leaf_pairs == stack.leaf_pairs);
@@ -117,11 +117,11 @@ TEST_CASE("ranked follows its stack under random ranks, and through every pair o
     check_ranks(trees, any, any);
     if (round % 10 == 0) {
       PairCursor<std::uint16_t> cursor;
-      NodePairs rest = record<Ranked<PostMesh>>(trees.baked, trees.overlap).visits;
+      NodePairs rest = record<Ranked<Mesh>>(trees.baked, trees.overlap).visits;
       for (; !rest.empty(); rest.erase(rest.begin())) {
         PairCursor<std::uint16_t> here = cursor;
-        REQUIRE(record_from<Ranked<PostMesh>>(trees.baked, trees.overlap, here).visits == rest);
-        (void)record_from<Ranked<PostMesh>>(trees.baked, trees.overlap, cursor, 1);
+        REQUIRE(record_from<Ranked<Mesh>>(trees.baked, trees.overlap, here).visits == rest);
+        (void)record_from<Ranked<Mesh>>(trees.baked, trees.overlap, cursor, 1);
       }
     }
   }
@@ -144,9 +144,8 @@ TEST_CASE("the alternating rule is the special case of ranks that fall with the 
     };
     set_ranks(trees.baked.a, by_level(trees.baked.a, kMaxRank - 1));
     set_ranks(trees.baked.b, by_level(trees.baked.b, kMaxRank));
-    const Record ranked = record<Ranked<PostMesh>>(trees.baked, trees.overlap);
-    const Record alternating =
-        record<AlternatingStack<LevelledPostMesh>>(trees.baked, trees.overlap);
+    const Record ranked = record<Ranked<Mesh>>(trees.baked, trees.overlap);
+    const Record alternating = record<AlternatingStack<MeshWithLevels>>(trees.baked, trees.overlap);
     REQUIRE(ranked.visits == alternating.visits);
     ++compared;
   }

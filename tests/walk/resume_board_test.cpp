@@ -13,54 +13,54 @@ namespace {
 
 const int kRounds = rounds(40, 400);
 
-using Position = QueryPosition<uint16_t>;
+using Position = QueryCursor<uint16_t>;
 
 template <class Traversal>
 using Scene = SmallScene<Traversal::Tree::kLayout>;
 
 /// Where a query stands, if it can tell.
 template <class Query>
-Position position_of(const Query& query) {
+Position slot_of(const Query& query) {
   if constexpr (kIsStack<typename Query::Cursor>) {
     return {};
   } else {
-    return query.position();
+    return query.cursor();
   }
 }
 
 /// Whether a query got on: it stands elsewhere, or has made visits, or does not tell.
 template <class Query>
-bool got_on(const Query& query, const Counts& before, const Position& was) {
-  const Position is = position_of(query);
-  return kIsStack<typename Query::Cursor> || query.counts().visits != before.visits ||
+bool got_on(const Query& query, const QueryStats& before, const Position& was) {
+  const Position is = slot_of(query);
+  return kIsStack<typename Query::Cursor> || query.stats().visits != before.visits ||
          is.a != was.a || is.b != was.b || is.untested != was.untested || is.state != was.state;
 }
 
 /// In runs of `work` into an array of `capacity`, at most 4.
 template <class Traversal>
 Report cut(const SmallScene<Traversal::Tree::kLayout>& scene, uint32_t work, uint32_t capacity,
-           Counts& counts) {
+           QueryStats& counts) {
   SmallQuery<Traversal> any(scene);
   Report report;
   Status status = Status::suspended;
   while (status != Status::done) {
     Pair found[4];
-    const Counts before = any.query.counts();
-    const Position was = position_of(any.query);
-    const Step step = any.query.run(work, found, capacity);
+    const QueryStats before = any.query.stats();
+    const Position was = slot_of(any.query);
+    const RunResult step = any.query.run(work, found, capacity);
     for (uint32_t i = 0; i < step.count; ++i) {
       report.add(found[i]);
     }
     status = step.status;
     REQUIRE((status == Status::done || status == Status::suspended || status == Status::full));
     REQUIRE((status != Status::full || step.count == capacity));
-    const uint32_t visits = any.query.counts().visits - before.visits;
+    const uint32_t visits = any.query.stats().visits - before.visits;
     REQUIRE((work == kNoLimit ? step.work == 0 : step.work <= work && visits <= step.work));
     // It stops neither before its work is done, nor for ever.
     REQUIRE((status != Status::suspended || step.work == work));
     REQUIRE((status != Status::suspended || got_on(any.query, before, was)));
   }
-  counts = any.query.counts();
+  counts = any.query.stats();
   return report;
 }
 
@@ -73,12 +73,12 @@ TEST_CASE("small trees: however a query is cut into runs, it gives the same pair
     Random random = test_random();
     for (int round = 0; round < kRounds; ++round) {
       const Scene<Order> scene(random);
-      Counts counts{};
+      QueryStats counts{};
       const Report whole = cut<Order>(scene, kNoLimit, 4, counts);
       for (const uint32_t work : {1u, 2u, 7u, 31u, 33u, 100u, 500u}) {
         for (const uint32_t capacity : {1u, 3u}) {
           CAPTURE(round, work, capacity);
-          Counts others{};
+          QueryStats others{};
           const bool equal = cut<Order>(scene, work, capacity, others) == whole;
           REQUIRE(equal);
           REQUIRE(same(counts, others));
@@ -96,7 +96,7 @@ TEST_CASE("small trees: a query resumed in a new object after any run goes on") 
     for (int round = 0; round < kRounds; ++round) {
       CAPTURE(round);
       const Scene<Order> scene(random);
-      Counts counts{};
+      QueryStats counts{};
       const Report whole = cut<Order>(scene, kNoLimit, 4, counts);
       Report report;
       Position position;
@@ -106,13 +106,13 @@ TEST_CASE("small trees: a query resumed in a new object after any run goes on") 
         status = any.query.resume(position);
         REQUIRE((status == Status::suspended || status == Status::done));
         Pair found[1];
-        const Step step = any.query.run(1 + random.below(50), found);
+        const RunResult step = any.query.run(1 + random.below(50), found);
         status = step.status;
         if (step.count != 0) {
           report.add(found[0]);
         }
-        visits += any.query.counts().visits;
-        position = any.query.position();
+        visits += any.query.stats().visits;
+        position = any.query.cursor();
       }
       const bool equal = report == whole;
       REQUIRE(equal);
@@ -138,7 +138,7 @@ TEST_CASE("small trees: any numbers for a position are refused or lead to an end
       position.state = static_cast<Position::State>(random.below(6));
       SmallQuery<Order> any(scene);
       const Status before = any.query.status();
-      if (any.query.resume(position) == Status::position_invalid) {
+      if (any.query.resume(position) == Status::cursor_invalid) {
         REQUIRE(any.query.status() == before);
         ++refused;
         continue;

@@ -13,8 +13,8 @@ TEST_CASE("two queries on the same trees may take turns, one interrupting the ot
   for (int round = 0; round < 40; ++round) {
     CAPTURE(round);
     const Scene scene = any_scene(random);
-    const auto a = scene.a.view<PostMesh>();
-    const auto b = scene.b.view<PostMesh>();
+    const auto a = scene.a.view<Mesh>();
+    const auto b = scene.b.view<Mesh>();
     const Pose other = any_rigid_pose(random, 20);
     PairQuery first(a, b, scene.pose);
     const Pairs expected_first = run_to_end(first, kNoLimit, 10000);

@@ -72,7 +72,7 @@ void check_against_brute_force(Random& random, const Scale& scale, int tries) {
     AnyQuery<Traversal> any(scene);
     Pairs pairs = run_to_end(any.query, kNoLimit, 10000);
     REQUIRE(any.query.status() == Status::done);
-    REQUIRE(any.query.counts().triangle_pairs == pairs.size());
+    REQUIRE(any.query.stats().triangle_pairs == pairs.size());
     std::sort(pairs.begin(), pairs.end());
     REQUIRE(pairs == scene.brute_force());
     total += pairs.size();
@@ -104,13 +104,13 @@ TEST_CASE("the path of rotations, all but the identity, answers as the path of t
     const std::int32_t t[3] = {random.between(-20, 20), random.between(-20, 20),
                                random.between(-20, 20)};
     scene.pose = Pose::translated(t[0], t[1], t[2]);
-    AnyQuery<Ranked<PostMesh>> translated(scene);
+    AnyQuery<Ranked<Mesh>> translated(scene);
     const Pairs expected = run_to_end(translated.query, kNoLimit, 10000);
     // The smallest rotation that a pose keeps: far from what moves a vertex of so small a mesh.
     const std::int32_t almost[3][3] = {{one, 256, 0}, {-256, one, 0}, {0, 0, one}};
     scene.pose = Pose::rigid(almost, t);
     REQUIRE(!scene.pose.is_translation());
-    AnyQuery<Ranked<PostMesh>> rotated(scene);
+    AnyQuery<Ranked<Mesh>> rotated(scene);
     REQUIRE(run_to_end(rotated.query, kNoLimit, 10000) == expected);
   }
 }
@@ -125,11 +125,11 @@ TEST_CASE("arguments swapped under an exact inverse give the same pairs") {
         {1, 0, 0, 1}, {0, 1, 0, 0}, {1, 1, 1, 1}, {1, -1, 0, 0}, {0, 1, 1, 0}};
     scene.pose = Pose::rigid(rotation_of(rotations[round % 5]).entry,
                              {random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)});
-    AnyQuery<Ranked<PostMesh>> forward(scene);
+    AnyQuery<Ranked<Mesh>> forward(scene);
     Pairs expected = run_to_end(forward.query, kNoLimit, 10000);
     scene.pose = scene.pose.inverse();
     std::swap(scene.a, scene.b);
-    AnyQuery<Ranked<PostMesh>> backward(scene);
+    AnyQuery<Ranked<Mesh>> backward(scene);
     Pairs pairs = run_to_end(backward.query, kNoLimit, 10000);
     for (auto& pair : pairs) {
       std::swap(pair.first, pair.second);
@@ -173,7 +173,7 @@ TEST_CASE("translated through contact a cell at a time, a rotated mesh is found 
     for (std::int32_t x = -60; x <= 60; ++x) {
       CAPTURE(round, x);
       scene.pose = Pose::rigid(rotation.entry, {x, 1, -1});
-      AnyQuery<Ranked<PostMesh>> any(scene);
+      AnyQuery<Ranked<Mesh>> any(scene);
       Pairs pairs = run_to_end(any.query, kNoLimit, 1000);
       std::sort(pairs.begin(), pairs.end());
       REQUIRE(pairs == scene.brute_force());
@@ -197,7 +197,7 @@ TEST_CASE("a mesh against itself, and one inside another without contact") {
     scene.pose = Pose::rigid(rotation_of(q).entry, {0, 0, 0});
     scene.mesh_b = outer;
     scene.b = bake_it(outer);
-    AnyQuery<Ranked<PostMesh>> itself(scene);
+    AnyQuery<Ranked<Mesh>> itself(scene);
     Pairs pairs = run_to_end(itself.query, kNoLimit, 10000);
     std::sort(pairs.begin(), pairs.end());
     REQUIRE(!pairs.empty());
@@ -207,9 +207,9 @@ TEST_CASE("a mesh against itself, and one inside another without contact") {
     scene.mesh_b = inner;
     scene.b = bake_it(inner);
     scene.pose = Pose::rigid(rotation_of({100, 0, 0, degrees}).entry, {0, 0, 0});
-    AnyQuery<Ranked<PostMesh>> inside(scene);
+    AnyQuery<Ranked<Mesh>> inside(scene);
     REQUIRE(run_to_end(inside.query, kNoLimit, 10000).empty());
-    REQUIRE(inside.query.counts().visits > 1);
+    REQUIRE(inside.query.stats().visits > 1);
   }
 }
 
@@ -243,7 +243,7 @@ TEST_CASE("a mesh that reaches another with its farthest tip alone is found") {
     scene.mesh_a.triangles = {{0, 0, 0}};
     scene.a = bake_it(scene.mesh_a);
     scene.b = bake_it(scene.mesh_b);
-    AnyQuery<Ranked<PostMesh>> any(scene);
+    AnyQuery<Ranked<Mesh>> any(scene);
     REQUIRE(run_to_end(any.query, kNoLimit, 10) == Pairs{{0, 0}});
   }
   CHECK(reached > 30);
@@ -265,9 +265,9 @@ TEST_CASE("offsets beyond all reach, and at its edge, under rotation") {
     scene.mesh_a.origin = {0, 0, 0};
     scene.a.origin = scene.b.origin = {0, 0, 0};
     scene.pose = Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
-    AnyQuery<Ranked<PostMesh>> any(scene);
+    AnyQuery<Ranked<Mesh>> any(scene);
     Pairs pairs = run_to_end(any.query, kNoLimit, 1000);
-    AnyQuery<Leaf<PostMesh>> leaf(scene);
+    AnyQuery<Leaf<Mesh>> leaf(scene);
     Pairs by_leaf = run_to_end(leaf.query, kNoLimit, 1000);
     std::sort(pairs.begin(), pairs.end());
     std::sort(by_leaf.begin(), by_leaf.end());

@@ -50,8 +50,8 @@ Run run(Random random, std::uint32_t depth) {
   PairStack<std::uint16_t> stack(entries.data(), static_cast<std::uint32_t>(entries.size()));
   while (stack.size() != 0) {
     Stack before = copy_of(stack);
-    (void)walk_from<AlternatingStack<LevelledPreMesh>>(
-        a, b, TranslatedBound(3, -5, 8), stack,
+    (void)walk_from<AlternatingStack<PreMeshWithLevels>>(
+        a, b, TranslatedBoxTest(3, -5, 8), stack,
         [](std::uint32_t, std::uint32_t, const Progress&) { return true; }, 1);
     const NodePair popped = before.back();
     before.pop_back();
@@ -144,7 +144,7 @@ TEST_CASE("property 6.3: when the stack is empty, all collisions have been found
     }
     std::sort(visited.begin(), visited.end());
     REQUIRE(std::adjacent_find(visited.begin(), visited.end()) == visited.end());
-    const TranslatedBound overlap(3, -5, 8);
+    const TranslatedBoxTest overlap(3, -5, 8);
     for (std::uint32_t i = 0; i < run.trees.a.nodes.size(); ++i) {
       for (std::uint32_t j = 0; j < run.trees.b.nodes.size(); ++j) {
         const auto& a = run.trees.a.nodes[i];

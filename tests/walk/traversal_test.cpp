@@ -49,7 +49,7 @@ void check_all(const Trees& trees) {
   const std::tuple pairs{
       bake_pair<Layout::pre_indexed>(trees.a, trees.mesh_a, trees.b, trees.mesh_b),
       bake_pair<Layout::post_indexed>(trees.a, trees.mesh_a, trees.b, trees.mesh_b)};
-  const TranslatedBound bound(trees.x, trees.y, trees.z);
+  const TranslatedBoxTest bound(trees.x, trees.y, trees.z);
   const NodePairs truth = brute_force(trees.a, trees.b, trees.x, trees.y, trees.z);
   std::map<std::string, Record> of_rules;
   for_each_order<std::uint16_t>([&](auto named) {
@@ -145,13 +145,13 @@ TEST_CASE("the walk that starts at any pair goes on as the one that came there")
     CAPTURE(round);
     const Trees trees = any_trees(random, 1 + random.below(12), 1 + random.below(12));
     const auto post = bake_pair<Layout::post_indexed>(trees.a, trees.mesh_a, trees.b, trees.mesh_b);
-    const TranslatedBound overlap(trees.x, trees.y, trees.z);
+    const TranslatedBoxTest overlap(trees.x, trees.y, trees.z);
     PairCursor<std::uint16_t> cursor;
-    NodePairs rest = record<Ranked<PostMesh>>(post, overlap).visits;
+    NodePairs rest = record<Ranked<Mesh>>(post, overlap).visits;
     while (!rest.empty()) {
       PairCursor<std::uint16_t> here = cursor;
-      REQUIRE(record_from<Ranked<PostMesh>>(post, overlap, here).visits == rest);
-      (void)record_from<Ranked<PostMesh>>(post, overlap, cursor, 1);
+      REQUIRE(record_from<Ranked<Mesh>>(post, overlap, here).visits == rest);
+      (void)record_from<Ranked<Mesh>>(post, overlap, cursor, 1);
       rest.erase(rest.begin());
     }
   }

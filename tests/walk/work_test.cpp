@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <vector>
 
-#include "flashbvh/bound.hpp"
 #include "flashbvh/image.hpp"
+#include "flashbvh/time_bound.hpp"
 #include "support/any_mesh.hpp"
 #include "support/most_work.hpp"
 #include "support/queries.hpp"
@@ -21,18 +21,18 @@ using namespace flashbvh::test;
 namespace {
 
 /// Stops at each pair once and goes on, in the same query and from its position in another one.
-template <class Order>
-std::uint32_t check_counts(const typename Order::Tree& a, const typename Order::Tree& b,
+template <class Traversal>
+std::uint32_t check_counts(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
                            const Pose& pose) {
   Pairs pairs;
-  std::vector<Counts> counts;
-  AnyQuery<Order> whole(a, b, pose);
+  std::vector<QueryStats> counts;
+  AnyQuery<Traversal> whole(a, b, pose);
   auto& query = whole.query;
   const Status status = query
                             .run(kNoLimit,
                                  [&](const auto& pair) {
                                    pairs.emplace_back(pair.a, pair.b);
-                                   counts.push_back(query.counts());
+                                   counts.push_back(query.stats());
                                    return true;
                                  })
                             .status;
@@ -40,25 +40,25 @@ std::uint32_t check_counts(const typename Order::Tree& a, const typename Order::
   for (std::size_t stop = 0; stop < pairs.size(); stop += 1 + stop / 8) {
     CAPTURE(stop);
     REQUIRE(counts[stop].triangle_pairs == stop + 1);
-    const Counts& before = counts[stop == 0 ? 0 : stop - 1];
+    const QueryStats& before = counts[stop == 0 ? 0 : stop - 1];
     REQUIRE((counts[stop].visits >= before.visits && counts[stop].overlaps >= before.overlaps &&
              counts[stop].leaf_pairs >= before.leaf_pairs));
-    AnyQuery<Order> cut(a, b, pose);
+    AnyQuery<Traversal> cut(a, b, pose);
     std::size_t found = 0;
     REQUIRE(cut.query.run(kNoLimit, [&](const auto&) { return found++ != stop; }).status ==
             Status::full);
-    REQUIRE(same(cut.query.counts(), counts[stop]));
+    REQUIRE(same(cut.query.stats(), counts[stop]));
     const Pairs rest(pairs.begin() + static_cast<std::ptrdiff_t>(stop) + 1, pairs.end());
-    if constexpr (Order::kStackless) {
-      Query<Order> resumed(a, b, pose);
-      (void)resumed.resume(cut.query.position());
+    if constexpr (Traversal::kStackless) {
+      Query<Traversal> resumed(a, b, pose);
+      (void)resumed.resume(cut.query.cursor());
       REQUIRE(run_to_end(resumed, kNoLimit, 100) == rest);
-      REQUIRE(counts[stop].visits + resumed.counts().visits == query.counts().visits);
-      REQUIRE(counts[stop].overlaps + resumed.counts().overlaps == query.counts().overlaps);
-      REQUIRE(counts[stop].leaf_pairs + resumed.counts().leaf_pairs == query.counts().leaf_pairs);
+      REQUIRE(counts[stop].visits + resumed.stats().visits == query.stats().visits);
+      REQUIRE(counts[stop].overlaps + resumed.stats().overlaps == query.stats().overlaps);
+      REQUIRE(counts[stop].leaf_pairs + resumed.stats().leaf_pairs == query.stats().leaf_pairs);
     }
     REQUIRE(run_to_end(cut.query, kNoLimit, 100) == rest);
-    REQUIRE(same(cut.query.counts(), query.counts()));
+    REQUIRE(same(cut.query.stats(), query.stats()));
   }
   return static_cast<std::uint32_t>(pairs.size());
 }
@@ -72,10 +72,10 @@ TEST_CASE("counts inside a sink are those of a query that is stopped there") {
     CAPTURE(round);
     const Scene scene = any_scene(random);
     for_each_order<std::uint16_t>([&](auto named) {
-      using Order = typename decltype(named)::Order;
-      CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
-      using Tree = typename Order::Tree;
-      pairs += check_counts<Order>(scene.a.view<Tree>(), scene.b.view<Tree>(), scene.pose);
+      using Traversal = typename decltype(named)::Traversal;
+      CAPTURE(named.name, static_cast<int>(Traversal::Tree::kLayout));
+      using Tree = typename Traversal::Tree;
+      pairs += check_counts<Traversal>(scene.a.view<Tree>(), scene.b.view<Tree>(), scene.pose);
     });
   }
   CHECK(pairs > 1000);
@@ -86,18 +86,18 @@ TEST_CASE("however a query is cut into runs, its pairs, their order and counts s
   for (int round = 0; round < rounds(4, 20); ++round) {
     const Scene scene = any_scene(random);
     for_each_order<std::uint16_t>([&](auto named) {
-      using Order = typename decltype(named)::Order;
-      const auto a = scene.a.view<typename Order::Tree>();
-      const auto b = scene.b.view<typename Order::Tree>();
-      AnyQuery<Order> whole(a, b, scene.pose);
+      using Traversal = typename decltype(named)::Traversal;
+      const auto a = scene.a.view<typename Traversal::Tree>();
+      const auto b = scene.b.view<typename Traversal::Tree>();
+      AnyQuery<Traversal> whole(a, b, scene.pose);
       const Pairs expected = run_to_end(whole.query, kNoLimit, 10000);
       for (const std::uint32_t work :
            std::initializer_list<std::uint32_t>{1, 2, 7, 31, 33, 70, 300, kNoLimit}) {
         for (std::uint32_t capacity = 1; capacity < 10; ++capacity) {
-          CAPTURE(round, named.name, static_cast<int>(Order::Tree::kLayout), work, capacity);
-          AnyQuery<Order> cut(a, b, scene.pose);
+          CAPTURE(round, named.name, static_cast<int>(Traversal::Tree::kLayout), work, capacity);
+          AnyQuery<Traversal> cut(a, b, scene.pose);
           REQUIRE(run_to_end(cut.query, work, capacity) == expected);
-          REQUIRE(same(cut.query.counts(), whole.query.counts()));
+          REQUIRE(same(cut.query.stats(), whole.query.stats()));
         }
       }
     });
@@ -111,19 +111,19 @@ TEST_CASE("counts stay right over more work than one batch may take") {
   const auto mesh_b = random_mesh(random, 400, 3000, 40);
   const AnyMesh any_a(random_tree(random, mesh_a, {2, 1, false}), mesh_a);
   const AnyMesh any_b(random_tree(random, mesh_b, {2, 1, false}), mesh_b);
-  const auto a = any_a.view<PostMesh>();
-  const auto b = any_b.view<PostMesh>();
+  const auto a = any_a.view<Mesh>();
+  const auto b = any_b.view<Mesh>();
   const Pose pose = Pose::translated(20, 30, 0);
   PairQuery whole(a, b, pose);
   const Pairs expected = run_to_end(whole, kNoLimit, 100);
   for (const std::uint32_t work : {9999u, 65535u, 65536u, 131071u}) {
     PairQuery cut(a, b, pose);
     REQUIRE(run_to_end(cut, work, 100) == expected);
-    REQUIRE(same(cut.counts(), whole.counts()));
+    REQUIRE(same(cut.stats(), whole.stats()));
   }
-  CHECK(whole.counts().visits > 65536);
+  CHECK(whole.stats().visits > 65536);
   // Each pair that may matter, but those of leaves, has two below it.
-  CHECK(whole.counts().visits == 1 + 2 * (whole.counts().overlaps - whole.counts().leaf_pairs));
+  CHECK(whole.stats().visits == 1 + 2 * (whole.stats().overlaps - whole.stats().leaf_pairs));
 }
 
 namespace {
@@ -132,7 +132,7 @@ namespace {
 struct CountedTests {
   static constexpr bool kIntersects = false;
   template <class Mesh>
-  using Shapes = LeafShapes<Mesh>;
+  using Shapes = LeafPlanes<Mesh>;
   static constexpr std::uint32_t kBatch = 8;
   static constexpr std::uint32_t kPairWork = kTrianglePairWork;
   static constexpr std::uint32_t kDearWork = 0;
@@ -140,10 +140,12 @@ struct CountedTests {
   static constexpr bool kDisjointRootsEnd = true;
   std::uint32_t* tests = nullptr;
 
-  const TranslatedBound& translated(const TranslatedTransform& transform) const {
+  const TranslatedBoxTest& translated(const TranslatedTransform& transform) const {
     return transform.bound;
   }
-  RotatedBound rotated(const RotatedTransform& transform) const { return RotatedBound(transform); }
+  RotatedBoxTest rotated(const RotatedTransform& transform) const {
+    return RotatedBoxTest(transform);
+  }
   bool test(const Triangle& a, const Triangle& b, std::uint32_t, std::uint32_t) const {
     ++*tests;
     return triangles_intersect(a, b);
@@ -152,7 +154,7 @@ struct CountedTests {
 
 /// Whether a query in one run can have taken so much work, if its leaves have one to `most`
 /// triangles.
-bool is_work_of(const Counts& counts, std::uint32_t work, std::uint32_t most) {
+bool is_work_of(const QueryStats& counts, std::uint32_t work, std::uint32_t most) {
   const std::uint32_t least = counts.visits + kTrianglePairWork * counts.leaf_pairs;
   const std::uint32_t others = counts.overlaps * (kShapeWork + most) + kGoOnWork * counts.visits;
   return work >= least &&
@@ -167,37 +169,37 @@ TEST_CASE("a run tests no more triangles than it is granted, and a step beyond, 
   for (int round = 0; round < rounds(40, 150); ++round) {
     CAPTURE(round);
     const Scene scene = any_scene(random);
-    const auto a = scene.a.view<PostMesh>();
-    const auto b = scene.b.view<PostMesh>();
+    const auto a = scene.a.view<Mesh>();
+    const auto b = scene.b.view<Mesh>();
     PairQuery whole(a, b, scene.pose);
     const Pairs expected = run_to_end(whole, kNoLimit, 10000);
     std::uint32_t tests = 0;
-    Query<Ranked<PostMesh>, CountedTests> query(a, b, scene.pose, {}, {&tests});
+    Query<Ranked<Mesh>, CountedTests> query(a, b, scene.pose, {}, {&tests});
     Pairs pairs;
     std::uint64_t spent = 0;
     std::uint32_t runs = 0;
     for (Status status = Status::suspended; status != Status::done; ++runs) {
       const std::uint32_t work = 1 + random.below(random.below(2) == 0 ? 4 : 100);
       CAPTURE(work, runs);
-      const Counts before = query.counts();
-      const QueryPosition<std::uint16_t> was = query.position();
+      const QueryStats before = query.stats();
+      const QueryCursor<std::uint16_t> was = query.cursor();
       tests = 0;
-      const Step step = query.run(work, [&](const auto& pair) {
+      const RunResult step = query.run(work, [&](const auto& pair) {
         pairs.emplace_back(pair.a, pair.b);
         return true;
       });
       status = step.status;
       REQUIRE((status == Status::done || (status == Status::suspended && step.work == work)));
       REQUIRE(tests <= triangle_pairs_for(work));
-      REQUIRE(query.counts().visits - before.visits <= work);
-      const QueryPosition<std::uint16_t> is = query.position();
+      REQUIRE(query.stats().visits - before.visits <= work);
+      const QueryCursor<std::uint16_t> is = query.cursor();
       REQUIRE(
           (is.a != was.a || is.b != was.b || is.state != was.state || is.untested != was.untested));
       spent += step.work;
       inside_leaves += is.untested != 0 && was.untested != 0 ? 1 : 0;
     }
     REQUIRE(pairs == expected);
-    REQUIRE(same(query.counts(), whole.counts()));
+    REQUIRE(same(query.stats(), whole.stats()));
     // Each run may have overdrawn by a step, and saves no work.
     const TreeSize size_a = size_of(a);
     const TreeSize size_b = size_of(b);
@@ -211,27 +213,27 @@ TEST_CASE("work is visits, shapes and pairs of triangles") {
   for (int round = 0; round < 200; ++round) {
     CAPTURE(round);
     const Scene scene = any_scene(random);
-    const auto a = scene.a.view<PostMesh>();
-    const auto b = scene.b.view<PostMesh>();
+    const auto a = scene.a.view<Mesh>();
+    const auto b = scene.b.view<Mesh>();
     const std::uint32_t most = std::max(size_of(a).leaf_size, size_of(b).leaf_size);
     constexpr std::uint32_t kGranted = 60000;
     std::vector<PairQuery::Pair> found(1000);
     PairQuery query(a, b, scene.pose);
-    const Step step = query.run(kGranted, found.data(), 1000);
+    const RunResult step = query.run(kGranted, found.data(), 1000);
     REQUIRE(step.status == Status::done);
-    REQUIRE(is_work_of(query.counts(), step.work, most));
+    REQUIRE(is_work_of(query.stats(), step.work, most));
     if (most == 1) {  // and by boxes alone there are no shapes
-      Query<Ranked<PostMesh>, BoxIntersection> boxes(a, b, scene.pose);
+      Query<Ranked<Mesh>, BoxIntersection> boxes(a, b, scene.pose);
       const std::uint32_t work = boxes.run(kGranted, found.data(), 1000).work;
-      const Counts& counts = boxes.counts();
+      const QueryStats& counts = boxes.stats();
       REQUIRE(work == counts.visits + kTrianglePairWork * counts.leaf_pairs);
     }
     PairQuery unlimited(a, b, scene.pose);
     REQUIRE(unlimited.run(UINT32_MAX, found.data(), 1000).work == 0);
     PairQuery none(a, b, scene.pose);
-    const Step nothing = none.run(0, found.data(), 1000);
+    const RunResult nothing = none.run(0, found.data(), 1000);
     REQUIRE((nothing.status == Status::suspended && nothing.work == 0 && nothing.count == 0));
-    REQUIRE(none.position().state == State::fresh);
+    REQUIRE(none.cursor().state == State::fresh);
   }
 }
 
@@ -241,23 +243,23 @@ TEST_CASE("a pair of leaves may take more work than one walk may") {
   const auto mesh_b = random_mesh(random, 510, 60, 60);
   const AnyMesh any_a(bake::build_median(mesh_a, kMaxLeafSize), mesh_a);
   const AnyMesh any_b(bake::build_median(mesh_b, kMaxLeafSize), mesh_b);
-  const auto a = any_a.view<PostMesh>();
-  const auto b = any_b.view<PostMesh>();
+  const auto a = any_a.view<Mesh>();
+  const auto b = any_b.view<Mesh>();
   REQUIRE(a.triangles_in(0) * b.triangles_in(0) * kTrianglePairWork > 65535);
   const Pose pose = Pose::translated(3, 2, 1);
   PairQuery whole(a, b, pose);
   const Pairs expected = run_to_end(whole, kNoLimit, 100000);
-  CHECK(whole.counts().leaf_pairs > 1);
+  CHECK(whole.stats().leaf_pairs > 1);
   for (const std::uint32_t work : {33u, 1000u, 65535u, 65536u, 100000u, 5000000u, 4000000000u}) {
     CAPTURE(work);
     PairQuery cut(a, b, pose);
     REQUIRE(run_to_end(cut, work, 100000) == expected);
-    REQUIRE(same(cut.counts(), whole.counts()));
+    REQUIRE(same(cut.stats(), whole.stats()));
     PairQuery resumed(a, b, pose);
     std::vector<PairQuery::Pair> found(1000);
-    const Step step = resumed.run(work, found.data(), 1000);
+    const RunResult step = resumed.run(work, found.data(), 1000);
     PairQuery other(a, b, pose);
-    REQUIRE(other.resume(resumed.position()) != Status::position_invalid);
+    REQUIRE(other.resume(resumed.cursor()) != Status::cursor_invalid);
     const Pairs rest = run_to_end(other, work, 1000);
     REQUIRE(step.count + rest.size() == expected.size());
     REQUIRE(std::equal(rest.begin(), rest.end(), expected.begin() + step.count));

@@ -204,8 +204,8 @@ BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh)
 }
 
 template <class Index, Layout layout>
-LevelledMesh<Index, layout> BakedTree<Index, layout>::view() const {
-  LevelledMesh<Index, layout> tree{};
+BasicMeshWithLevels<Index, layout> BakedTree<Index, layout>::view() const {
+  BasicMeshWithLevels<Index, layout> tree{};
   tree.nodes = nodes.data();
   tree.triangles = triangles.data();
   tree.triangle_ids = triangle_ids.data();

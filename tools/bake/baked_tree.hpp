@@ -12,7 +12,7 @@
 
 namespace flashbvh::bake {
 
-/// The arrays of LevelledMesh<Index, layout>, and what is known about them.
+/// The arrays of BasicMeshWithLevels<Index, layout>, and what is known about them.
 template <class IndexType, Layout layout>
 struct BakedTree {
   using Index = IndexType;
@@ -44,7 +44,7 @@ struct BakedTree {
   std::vector<std::uint32_t> build_nodes;
 
   /// A view into these arrays.
-  LevelledMesh<Index, layout> view() const;
+  BasicMeshWithLevels<Index, layout> view() const;
 };
 
 /// What an index type can hold.

@@ -11,11 +11,11 @@ namespace flashbvh::bake {
 /// Opens an image as open_image() does, with or without levels. If it has none they are made in
 /// `made`, levels first, then right child levels, which then outlives the mesh.
 template <class Index, Layout layout>
-Status open_levelled(const void* bytes, std::size_t size, LevelledMesh<Index, layout>& mesh,
+Status open_levelled(const void* bytes, std::size_t size, BasicMeshWithLevels<Index, layout>& mesh,
                      std::vector<Index>& made) {
   const Status status = open_image(bytes, size, mesh);
   if constexpr (layout == Layout::post_indexed) {
-    Mesh<Index, layout>& tree = mesh;
+    BasicMesh<Index, layout>& tree = mesh;
     if (status != Status::image_kind || open_image(bytes, size, tree) != Status::done) {
       return status;
     }

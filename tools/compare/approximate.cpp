@@ -14,7 +14,7 @@
 #include "flashbvh/solid.hpp"
 
 using Eigen::Vector3d;
-using flashbvh::PostMesh;
+using flashbvh::Mesh;
 
 namespace compare {
 namespace {
@@ -36,7 +36,7 @@ Frame frame_of(const flashbvh::Pose& pose) {
   return frame;
 }
 
-std::vector<Vector3d> vertices_of(const PostMesh& mesh) {
+std::vector<Vector3d> vertices_of(const Mesh& mesh) {
   std::vector<Vector3d> all;
   for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
     double point[3];
@@ -72,7 +72,7 @@ double segments_apart(const Vector3d& p, const Vector3d& along_p, const Vector3d
 /// About the axis along which the vertices spread most, of the least radius there.
 class Capsules : public Approximation {
  public:
-  Capsules(const PostMesh& a, const PostMesh& b) : a_(around(a)), b_(around(b)) {}
+  Capsules(const Mesh& a, const Mesh& b) : a_(around(a)), b_(around(b)) {}
   bool collide(const flashbvh::Pose& pose) override {
     const Frame frame = frame_of(pose);
     return segments_apart(a_.from, a_.along, frame * b_.from, frame.rotation * b_.along) <=
@@ -86,7 +86,7 @@ class Capsules : public Approximation {
     Vector3d along;
     double radius;
   };
-  static Capsule around(const PostMesh& mesh) {
+  static Capsule around(const Mesh& mesh) {
     const std::vector<Vector3d> vertices = vertices_of(mesh);
     Vector3d middle = Vector3d::Zero();
     for (const Vector3d& v : vertices) {
@@ -121,7 +121,7 @@ class Capsules : public Approximation {
 class Spheres : public Approximation {
  public:
   static constexpr std::size_t kCount = 32;
-  Spheres(const PostMesh& a, const PostMesh& b) : a_(around(a)), b_(around(b)) {}
+  Spheres(const Mesh& a, const Mesh& b) : a_(around(a)), b_(around(b)) {}
   bool collide(const flashbvh::Pose& pose) override {
     const Frame frame = frame_of(pose);
     return std::any_of(b_.begin(), b_.end(), [&](const Sphere& of_b) {
@@ -139,7 +139,7 @@ class Spheres : public Approximation {
     double radius;
     std::vector<std::uint32_t> triangles;
   };
-  static Sphere about(const PostMesh& mesh, std::vector<std::uint32_t> triangles) {
+  static Sphere about(const Mesh& mesh, std::vector<std::uint32_t> triangles) {
     Eigen::AlignedBox3d box;
     std::vector<Vector3d> corners;
     for (const std::uint32_t triangle : triangles) {
@@ -157,7 +157,7 @@ class Spheres : public Approximation {
     return {box.center(), radius, std::move(triangles)};
   }
   /// The largest is cut across its longest side.
-  static std::vector<Sphere> around(const PostMesh& mesh) {
+  static std::vector<Sphere> around(const Mesh& mesh) {
     std::vector<std::uint32_t> all(mesh.triangle_count);
     for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
       all[i] = i;
@@ -202,7 +202,7 @@ class Spheres : public Approximation {
 /// Of all vertices; Bullet's GJK.
 class Hulls : public Approximation {
  public:
-  Hulls(const PostMesh& a, const PostMesh& b) {
+  Hulls(const Mesh& a, const Mesh& b) {
     fill(a, a_);
     fill(b, b_);
   }
@@ -219,7 +219,7 @@ class Hulls : public Approximation {
   std::size_t bytes() const override { return vertices_ * 3 * sizeof(float); }
 
  private:
-  void fill(const PostMesh& mesh, btConvexHullShape& hull) {
+  void fill(const Mesh& mesh, btConvexHullShape& hull) {
     for (const Vector3d& v : vertices_of(mesh)) {
       hull.addPoint({static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])},
                     false);
@@ -239,7 +239,7 @@ class Hulls : public Approximation {
 class Field : public Approximation {
  public:
   static constexpr int kSide = 24;
-  Field(const PostMesh& a, const PostMesh& b) : b_(vertices_of(b)) {
+  Field(const Mesh& a, const Mesh& b) : b_(vertices_of(b)) {
     for (const Vector3d& v : vertices_of(a)) {
       box_.extend(v);
     }
@@ -260,7 +260,7 @@ class Field : public Approximation {
   std::size_t bytes() const override { return distances_.size() * sizeof(std::int16_t); }
 
  private:
-  static double distance_from(const PostMesh& mesh, const Vector3d& units) {
+  static double distance_from(const Mesh& mesh, const Vector3d& units) {
     const Vector3d cells = (units * kCellsOfUnit).array().round();
     const flashbvh::Point point = {static_cast<std::int32_t>(cells[0]),
                                    static_cast<std::int32_t>(cells[1]),
@@ -273,7 +273,7 @@ class Field : public Approximation {
     return is_inside.side == flashbvh::PointSide::inside ? -distance : distance;
   }
   /// By all triangles: the nearest point of each (Ericson, 5.1.5).
-  static double distance_to(const PostMesh& mesh, const flashbvh::Point& point) {
+  static double distance_to(const Mesh& mesh, const flashbvh::Point& point) {
     const Vector3d p = Vector3d(point.x, point.y, point.z) / kCellsOfUnit;
     double least = 1e30;
     for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
@@ -338,8 +338,8 @@ class Field : public Approximation {
 }  // namespace
 
 void compare_approximations(const PairOfMeshes& meshes) {
-  const PostMesh& a = *meshes.asked.a;
-  const PostMesh& b = *meshes.asked.b;
+  const Mesh& a = *meshes.asked.a;
+  const Mesh& b = *meshes.asked.b;
   const std::pair<const char*, std::unique_ptr<Approximation>> all[] = {
       {"capsule", std::make_unique<Capsules>(a, b)},
       {"spheres", std::make_unique<Spheres>(a, b)},

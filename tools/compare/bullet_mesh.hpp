@@ -13,7 +13,7 @@ namespace compare {
 /// What Bullet's shapes look at, and do not copy.
 class BulletMesh {
  public:
-  explicit BulletMesh(const flashbvh::PostMesh& mesh) {
+  explicit BulletMesh(const flashbvh::Mesh& mesh) {
     for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
       float point[3];
       set_vertex(mesh, i, point);

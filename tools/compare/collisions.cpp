@@ -16,7 +16,7 @@ struct Named {
   Heap made{};  ///< what making it took
 };
 
-std::vector<Named> all_libraries(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b) {
+std::vector<Named> all_libraries(const flashbvh::Mesh& a, const flashbvh::Mesh& b) {
   std::vector<Named> all;
   const auto add = [&all](const char* name, const auto& make) {
     count_heap();

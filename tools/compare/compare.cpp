@@ -34,12 +34,12 @@ class Image {
       throw std::runtime_error(path + ": no 16-bit post-indexed image");
     }
   }
-  const flashbvh::PostMesh& mesh() const { return mesh_; }
+  const flashbvh::Mesh& mesh() const { return mesh_; }
   std::size_t size() const { return 4 * words_.size(); }
 
  private:
   std::vector<std::uint32_t> words_;
-  flashbvh::PostMesh mesh_{};
+  flashbvh::Mesh mesh_{};
 };
 
 /// More take minutes to fill a field of distances from.

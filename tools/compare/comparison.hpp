@@ -24,8 +24,8 @@ struct PairOfMeshes {
 void compare_collisions(const PairOfMeshes& meshes, bool rotated);
 void compare_distances(const PairOfMeshes& meshes, bool rotated);
 void compare_approximations(const PairOfMeshes& meshes);
-void query_known_answers(const std::string& names, const flashbvh::PostMesh& a,
-                         const flashbvh::PostMesh& b);
+void query_known_answers(const std::string& names, const flashbvh::Mesh& a,
+                         const flashbvh::Mesh& b);
 
 inline const char* name_of_motion(bool rotated) {
   return rotated ? "rotated" : "translated";

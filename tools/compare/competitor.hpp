@@ -61,30 +61,30 @@ class DistanceMeter : public Competitor {
 // The meshes outlive what is made of them.
 
 enum class PoseMade { before, in_the_query };
-std::unique_ptr<Collider> with_flashbvh(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
+std::unique_ptr<Collider> with_flashbvh(const flashbvh::Mesh& a, const flashbvh::Mesh& b,
                                         PoseMade pose_made);
 
 /// `both`: matrices for A, the identity, and B; `of_b`: null for A, which saves a product.
 enum class Matrices { both, of_b };
 /// Trees as ODE builds them.
-std::unique_ptr<Collider> with_opcode(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b,
+std::unique_ptr<Collider> with_opcode(const flashbvh::Mesh& a, const flashbvh::Mesh& b,
                                       Matrices matrices);
 
 /// Oriented boxes and spheres (OBBRSS), binary64.
-std::unique_ptr<Collider> with_fcl(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b);
+std::unique_ptr<Collider> with_fcl(const flashbvh::Mesh& a, const flashbvh::Mesh& b);
 
 enum class Hint { none, last_pose };
 /// `last_pose`: each distance begins with the witness of a pose near by.
-std::unique_ptr<DistanceMeter> distances_of_flashbvh(const flashbvh::PostMesh& a,
-                                                     const flashbvh::PostMesh& b, Hint hint);
+std::unique_ptr<DistanceMeter> distances_of_flashbvh(const flashbvh::Mesh& a,
+                                                     const flashbvh::Mesh& b, Hint hint);
 
 /// `spheres`: swept over rectangles (RSS), as PQP has them; `boxes_and_spheres`: OBBRSS.
 enum class Volumes { boxes_and_spheres, spheres };
-std::unique_ptr<DistanceMeter> distances_of_fcl(const flashbvh::PostMesh& a,
-                                                const flashbvh::PostMesh& b, Volumes volumes);
+std::unique_ptr<DistanceMeter> distances_of_fcl(const flashbvh::Mesh& a, const flashbvh::Mesh& b,
+                                                Volumes volumes);
 
 /// GImpact: quantized boxes, binary32, no margin.
-std::unique_ptr<Collider> with_bullet(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b);
+std::unique_ptr<Collider> with_bullet(const flashbvh::Mesh& a, const flashbvh::Mesh& b);
 
 /// Of one mesh, in cells.
 class RayCaster {
@@ -95,9 +95,9 @@ class RayCaster {
 };
 
 constexpr double kNoHit = 2;
-std::unique_ptr<RayCaster> ray_caster_of_flashbvh(const flashbvh::PostMesh& mesh);
-std::unique_ptr<RayCaster> ray_caster_of_opcode(const flashbvh::PostMesh& mesh);
-std::unique_ptr<RayCaster> ray_caster_of_bullet(const flashbvh::PostMesh& mesh);
+std::unique_ptr<RayCaster> ray_caster_of_flashbvh(const flashbvh::Mesh& mesh);
+std::unique_ptr<RayCaster> ray_caster_of_opcode(const flashbvh::Mesh& mesh);
+std::unique_ptr<RayCaster> ray_caster_of_bullet(const flashbvh::Mesh& mesh);
 
 }  // namespace compare
 

@@ -19,10 +19,10 @@ struct Named {
   std::unique_ptr<DistanceMeter> library;
 };
 
-std::vector<Named> all_libraries(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b) {
+std::vector<Named> all_libraries(const flashbvh::Mesh& a, const flashbvh::Mesh& b) {
   std::vector<Named> all;
   all.push_back({"distance", distances_of_flashbvh(a, b, Hint::none)});
-  all.push_back({"distance_seeded", distances_of_flashbvh(a, b, Hint::last_pose)});
+  all.push_back({"distance_hinted", distances_of_flashbvh(a, b, Hint::last_pose)});
   all.push_back({"distance_fcl", distances_of_fcl(a, b, Volumes::boxes_and_spheres)});
   all.push_back({"distance_rss", distances_of_fcl(a, b, Volumes::spheres)});
   return all;

@@ -8,8 +8,8 @@
 
 #include "comparison.hpp"
 
+using flashbvh::Mesh;
 using flashbvh::Point;
-using flashbvh::PostMesh;
 using flashbvh::test::Random;
 
 namespace compare {
@@ -25,13 +25,13 @@ std::int64_t product(const Cells& a, const Cells& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-Cells vertex_of(const PostMesh& mesh, std::uint32_t i) {
+Cells vertex_of(const Mesh& mesh, std::uint32_t i) {
   const flashbvh::Vertex& v = mesh.vertices[i];
   return {mesh.origin[0] + v.x, mesh.origin[1] + v.y, mesh.origin[2] + v.z};
 }
 
 /// The vertex that lies farthest along `way`.
-Cells farthest(const PostMesh& mesh, const Cells& way) {
+Cells farthest(const Mesh& mesh, const Cells& way) {
   Cells best = vertex_of(mesh, 0);
   for (std::uint32_t i = 1; i < mesh.vertex_count; ++i) {
     const Cells vertex = vertex_of(mesh, i);
@@ -97,7 +97,7 @@ Cells any_way(Random& random, bool along_axis) {
 
 /// B where its foremost vertex against `way` is A's foremost along it: a plane between them has
 /// nothing else of one side. With `gap`, one cell farther off.
-Placed any_touching(const PostMesh& a, const PostMesh& b, bool gap, Random& random) {
+Placed any_touching(const Mesh& a, const Mesh& b, bool gap, Random& random) {
   const flashbvh::test::Rotation turn = any_turn(random);
   const Cells way = any_way(random, random.below(2) == 0);
   // The way in B's frame: the transpose.
@@ -119,7 +119,7 @@ Placed any_touching(const PostMesh& a, const PostMesh& b, bool gap, Random& rand
   return placed(turn, at);
 }
 
-void query_touching(const std::string& names, const PostMesh& a, const PostMesh& b) {
+void query_touching(const std::string& names, const Mesh& a, const Mesh& b) {
   const std::pair<const char*, std::unique_ptr<Collider>> libraries[] = {
       {"flashbvh", with_flashbvh(a, b, PoseMade::before)},
       {"opcode", with_opcode(a, b, Matrices::both)},
@@ -144,7 +144,7 @@ void query_touching(const std::string& names, const PostMesh& a, const PostMesh&
 }
 
 /// Of boxes along the axes, `at` apart.
-double distance_of_boxes(const PostMesh& a, const PostMesh& b, const Cells& at) {
+double distance_of_boxes(const Mesh& a, const Mesh& b, const Cells& at) {
   double square = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Cells way{};
@@ -159,7 +159,7 @@ double distance_of_boxes(const PostMesh& a, const PostMesh& b, const Cells& at) 
   return std::sqrt(square);
 }
 
-void query_distances(const std::string& names, const PostMesh& a, const PostMesh& b) {
+void query_distances(const std::string& names, const Mesh& a, const Mesh& b) {
   const flashbvh::test::Rotation none = flashbvh::test::rotation_of({1, 0, 0, 0});
   Random random(kSeed);
   std::vector<Placed> poses;
@@ -202,7 +202,7 @@ flashbvh::Segment any_segment(const Cells& twice, Random& random) {
 }
 
 /// In a plane that the foremost vertex along `way` is a cell away from, or less: nothing is hit.
-flashbvh::Segment any_beside(const PostMesh& mesh, Random& random) {
+flashbvh::Segment any_beside(const Mesh& mesh, Random& random) {
   const Cells way = any_way(random, /*along_axis=*/false);
   const Cells other = {random.between(-200, 200), random.between(-200, 200),
                        random.between(1, 200)};
@@ -231,7 +231,7 @@ flashbvh::Segment any_beside(const PostMesh& mesh, Random& random) {
 enum class Aim { vertex, edge, beside };
 constexpr const char* kAims[] = {"vertex", "edge", "beside"};
 
-flashbvh::Segment any_ray(const PostMesh& mesh, Aim aim, Random& random) {
+flashbvh::Segment any_ray(const Mesh& mesh, Aim aim, Random& random) {
   if (aim == Aim::beside) {
     return any_beside(mesh, random);
   }
@@ -242,7 +242,7 @@ flashbvh::Segment any_ray(const PostMesh& mesh, Aim aim, Random& random) {
 }
 
 /// Wrong: a ray misses what it goes through, says that it is behind it, or hits what it passes by.
-void query_rays(const std::string& name_of_mesh, const PostMesh& mesh) {
+void query_rays(const std::string& name_of_mesh, const Mesh& mesh) {
   const std::pair<const char*, std::unique_ptr<RayCaster>> libraries[] = {
       {"flashbvh", ray_caster_of_flashbvh(mesh)},
       {"opcode", ray_caster_of_opcode(mesh)},
@@ -266,7 +266,7 @@ void query_rays(const std::string& name_of_mesh, const PostMesh& mesh) {
 
 }  // namespace
 
-void query_known_answers(const std::string& names, const PostMesh& a, const PostMesh& b) {
+void query_known_answers(const std::string& names, const Mesh& a, const Mesh& b) {
   query_touching(names, a, b);
   if (a.triangle_count == 12 && b.triangle_count == 12) {
     query_distances(names, a, b);

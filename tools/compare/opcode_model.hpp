@@ -20,7 +20,7 @@ namespace compare {
 /// Its triangles in the order of the baked mesh.
 class OpcodeModel {
  public:
-  explicit OpcodeModel(const flashbvh::PostMesh& mesh) {
+  explicit OpcodeModel(const flashbvh::Mesh& mesh) {
     for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
       float point[3];
       set_vertex(mesh, i, point);

@@ -67,7 +67,7 @@ class Times:
     def distances(self):
         for motion in MOTIONS:
             for kind in NEAR:
-                ours, hinted = (motion, kind, "distance"), (motion, kind, "distance_seeded")
+                ours, hinted = (motion, kind, "distance"), (motion, kind, "distance_hinted")
                 yield "%-10s  %-9s  %6.2f  %12s  %6.2f  %6.2f  %12s" % (
                     motion, kind, self.mean(*ours, "distance_fcl"), self.range(*ours, "distance_fcl"),
                     self.mean(*ours, "distance_rss"), self.mean(*hinted, "distance_fcl"),
@@ -110,7 +110,7 @@ def times(file):
         "",
         "B           library          poses  differing      most")
     for motion in MOTIONS:
-        for library, title in (("distance_seeded", "flashbvh seeded"), ("distance_fcl", "FCL, OBBRSS"),
+        for library, title in (("distance_hinted", "flashbvh seeded"), ("distance_fcl", "FCL, OBBRSS"),
                                ("distance_rss", "FCL, RSS")):
             at = motion, library
             yield "%-10s  %-15s  %5d  %9d  %8.2g" % (motion, title, *lengths[at], farthest[at])

@@ -15,7 +15,7 @@ inline constexpr double kCellsOfUnit = 1024;
 
 /// A vertex in the mesh's frame, in units.
 template <class Number>
-void set_vertex(const flashbvh::PostMesh& mesh, std::uint32_t vertex, Number (&point)[3]) {
+void set_vertex(const flashbvh::Mesh& mesh, std::uint32_t vertex, Number (&point)[3]) {
   const flashbvh::Vertex& v = mesh.vertices[vertex];
   const std::int32_t cells[3] = {v.x, v.y, v.z};
   for (int axis = 0; axis < 3; ++axis) {

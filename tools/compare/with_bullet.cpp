@@ -6,7 +6,7 @@
 #include "bullet_mesh.hpp"
 #include "competitor.hpp"
 
-using flashbvh::PostMesh;
+using flashbvh::Mesh;
 
 namespace compare {
 namespace {
@@ -30,7 +30,7 @@ class Contacts : public btManifoldResult {
 /// A shape over a mesh, as a body of a world.
 class Body {
  public:
-  explicit Body(const PostMesh& mesh) : mesh_(mesh), shape_(&mesh_.array()) {
+  explicit Body(const Mesh& mesh) : mesh_(mesh), shape_(&mesh_.array()) {
     shape_.setMargin(0);
     shape_.updateBound();
     object_.setCollisionShape(&shape_);
@@ -49,7 +49,7 @@ class Body {
 
 class Bullet : public Collider {
  public:
-  Bullet(const PostMesh& a, const PostMesh& b)
+  Bullet(const Mesh& a, const Mesh& b)
       : mesh_a_(&a),
         mesh_b_(&b),
         configuration_(few()),
@@ -107,8 +107,8 @@ class Bullet : public Collider {
     algorithm_->processCollision(&wrapped_a, &wrapped_b, btDispatcherInfo(), &contacts_);
   }
 
-  const PostMesh* mesh_a_;
-  const PostMesh* mesh_b_;
+  const Mesh* mesh_a_;
+  const Mesh* mesh_b_;
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   Body a_;
@@ -120,7 +120,7 @@ class Bullet : public Collider {
 
 class BulletRayCaster : public RayCaster {
  public:
-  explicit BulletRayCaster(const PostMesh& mesh)
+  explicit BulletRayCaster(const Mesh& mesh)
       : mesh_(mesh), shape_(&mesh_.array(), /*useQuantizedAabbCompression=*/true) {}
 
   double nearest(const flashbvh::Segment& segment) override {
@@ -153,11 +153,11 @@ class BulletRayCaster : public RayCaster {
 
 }  // namespace
 
-std::unique_ptr<Collider> with_bullet(const PostMesh& a, const PostMesh& b) {
+std::unique_ptr<Collider> with_bullet(const Mesh& a, const Mesh& b) {
   return std::make_unique<Bullet>(a, b);
 }
 
-std::unique_ptr<RayCaster> ray_caster_of_bullet(const PostMesh& mesh) {
+std::unique_ptr<RayCaster> ray_caster_of_bullet(const Mesh& mesh) {
   return std::make_unique<BulletRayCaster>(mesh);
 }
 

@@ -7,14 +7,14 @@
 #include "competitor.hpp"
 #include "units.hpp"
 
-using flashbvh::PostMesh;
+using flashbvh::Mesh;
 
 namespace compare {
 namespace {
 
 /// The model has its triangles in the order of the baked mesh.
 template <class Volume>
-std::shared_ptr<fcl::BVHModel<Volume>> model_of(const flashbvh::PostMesh& mesh) {
+std::shared_ptr<fcl::BVHModel<Volume>> model_of(const flashbvh::Mesh& mesh) {
   std::vector<fcl::Vector3d> vertices;
   for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
     double point[3];
@@ -52,7 +52,7 @@ Transforms transforms_of(const std::vector<Placed>& poses) {
 
 class Fcl : public Collider {
  public:
-  Fcl(const PostMesh& a, const PostMesh& b)
+  Fcl(const Mesh& a, const Mesh& b)
       : mesh_a_(&a), mesh_b_(&b), a_(model_of<fcl::OBBRSSd>(a)), b_(model_of<fcl::OBBRSSd>(b)) {}
 
   void set_poses(const std::vector<Placed>& poses) override { poses_ = transforms_of(poses); }
@@ -83,8 +83,8 @@ class Fcl : public Collider {
     return result_.numContacts();
   }
 
-  const PostMesh* mesh_a_;
-  const PostMesh* mesh_b_;
+  const Mesh* mesh_a_;
+  const Mesh* mesh_b_;
   std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> a_;
   std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> b_;
   Transforms poses_;
@@ -94,8 +94,7 @@ class Fcl : public Collider {
 template <class Volume>
 class FclDistances : public DistanceMeter {
  public:
-  FclDistances(const PostMesh& a, const PostMesh& b)
-      : a_(model_of<Volume>(a)), b_(model_of<Volume>(b)) {}
+  FclDistances(const Mesh& a, const Mesh& b) : a_(model_of<Volume>(a)), b_(model_of<Volume>(b)) {}
 
   void set_poses(const std::vector<Placed>& poses) override { poses_ = transforms_of(poses); }
 
@@ -128,12 +127,11 @@ class FclDistances : public DistanceMeter {
 
 }  // namespace
 
-std::unique_ptr<Collider> with_fcl(const PostMesh& a, const PostMesh& b) {
+std::unique_ptr<Collider> with_fcl(const Mesh& a, const Mesh& b) {
   return std::make_unique<Fcl>(a, b);
 }
 
-std::unique_ptr<DistanceMeter> distances_of_fcl(const PostMesh& a, const PostMesh& b,
-                                                Volumes volumes) {
+std::unique_ptr<DistanceMeter> distances_of_fcl(const Mesh& a, const Mesh& b, Volumes volumes) {
   if (volumes == Volumes::spheres) {
     return std::make_unique<FclDistances<fcl::RSSd>>(a, b);
   }

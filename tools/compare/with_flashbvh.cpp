@@ -20,7 +20,7 @@ Pose pose_of(const Placed& placed, const std::int32_t (&cells)[3]) {
 
 class Flashbvh : public Collider {
  public:
-  Flashbvh(const PostMesh& a, const PostMesh& b, PoseMade pose_made)
+  Flashbvh(const Mesh& a, const Mesh& b, PoseMade pose_made)
       : a_(&a), b_(&b), pose_made_(pose_made) {}
 
   void set_poses(const std::vector<Placed>& poses) override { poses_ = poses; }
@@ -53,8 +53,8 @@ class Flashbvh : public Collider {
     return query.run(UINT32_MAX, found, capacity).count;
   }
 
-  const PostMesh* a_;
-  const PostMesh* b_;
+  const Mesh* a_;
+  const Mesh* b_;
   PoseMade pose_made_;
   std::vector<Placed> poses_;
 };
@@ -70,8 +70,7 @@ Pose last_pose(const Placed& placed) {
 
 class FlashbvhDistances : public DistanceMeter {
  public:
-  FlashbvhDistances(const PostMesh& a, const PostMesh& b, Hint hint)
-      : a_(&a), b_(&b), hint_(hint) {}
+  FlashbvhDistances(const Mesh& a, const Mesh& b, Hint hint) : a_(&a), b_(&b), hint_(hint) {}
 
   void set_poses(const std::vector<Placed>& poses) override {
     queries_.clear();
@@ -104,15 +103,15 @@ class FlashbvhDistances : public DistanceMeter {
     Witness<std::uint16_t> hint;
   };
 
-  const PostMesh* a_;
-  const PostMesh* b_;
+  const Mesh* a_;
+  const Mesh* b_;
   Hint hint_;
   std::vector<PoseAndHint> queries_;
 };
 
 class FlashbvhRayCaster : public RayCaster {
  public:
-  explicit FlashbvhRayCaster(const PostMesh& mesh) : mesh_(&mesh) {}
+  explicit FlashbvhRayCaster(const Mesh& mesh) : mesh_(&mesh) {}
 
   double nearest(const Segment& segment) override {
     const auto answer = nearest_hit(*mesh_, segment);
@@ -125,21 +124,20 @@ class FlashbvhRayCaster : public RayCaster {
   }
 
  private:
-  const PostMesh* mesh_;
+  const Mesh* mesh_;
 };
 
 }  // namespace
 
-std::unique_ptr<Collider> with_flashbvh(const PostMesh& a, const PostMesh& b, PoseMade pose_made) {
+std::unique_ptr<Collider> with_flashbvh(const Mesh& a, const Mesh& b, PoseMade pose_made) {
   return std::make_unique<Flashbvh>(a, b, pose_made);
 }
 
-std::unique_ptr<DistanceMeter> distances_of_flashbvh(const PostMesh& a, const PostMesh& b,
-                                                     Hint hint) {
+std::unique_ptr<DistanceMeter> distances_of_flashbvh(const Mesh& a, const Mesh& b, Hint hint) {
   return std::make_unique<FlashbvhDistances>(a, b, hint);
 }
 
-std::unique_ptr<RayCaster> ray_caster_of_flashbvh(const PostMesh& mesh) {
+std::unique_ptr<RayCaster> ray_caster_of_flashbvh(const Mesh& mesh) {
   return std::make_unique<FlashbvhRayCaster>(mesh);
 }
 

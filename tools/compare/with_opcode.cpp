@@ -5,14 +5,14 @@
 #include <cmath>
 #include <stdexcept>
 
-using flashbvh::PostMesh;
+using flashbvh::Mesh;
 
 namespace compare {
 namespace {
 
 class WithOpcode : public Collider {
  public:
-  WithOpcode(const PostMesh& a, const PostMesh& b, Matrices matrices)
+  WithOpcode(const Mesh& a, const Mesh& b, Matrices matrices)
       : mesh_a_(&a), mesh_b_(&b), a_(a), b_(b) {
     cache_.Model0 = &a_.model();
     cache_.Model1 = &b_.model();
@@ -52,8 +52,8 @@ class WithOpcode : public Collider {
   }
 
  private:
-  const PostMesh* mesh_a_;
-  const PostMesh* mesh_b_;
+  const Mesh* mesh_a_;
+  const Mesh* mesh_b_;
   OpcodeModel a_;
   OpcodeModel b_;
   Opcode::BVTCache cache_;
@@ -65,7 +65,7 @@ class WithOpcode : public Collider {
 
 class OpcodeRayCaster : public RayCaster {
  public:
-  explicit OpcodeRayCaster(const PostMesh& mesh) : model_(mesh) {
+  explicit OpcodeRayCaster(const Mesh& mesh) : model_(mesh) {
     collider_.SetClosestHit(true);
     collider_.SetCulling(false);
     collider_.SetTemporalCoherence(false);
@@ -102,11 +102,11 @@ class OpcodeRayCaster : public RayCaster {
 
 }  // namespace
 
-std::unique_ptr<Collider> with_opcode(const PostMesh& a, const PostMesh& b, Matrices matrices) {
+std::unique_ptr<Collider> with_opcode(const Mesh& a, const Mesh& b, Matrices matrices) {
   return std::make_unique<WithOpcode>(a, b, matrices);
 }
 
-std::unique_ptr<RayCaster> ray_caster_of_opcode(const PostMesh& mesh) {
+std::unique_ptr<RayCaster> ray_caster_of_opcode(const Mesh& mesh) {
   return std::make_unique<OpcodeRayCaster>(mesh);
 }
 

@@ -58,7 +58,7 @@ class BestRule {
   const bake::BuildTree& b_;
   std::vector<detail::PackedBox> boxes_a_;
   std::vector<detail::PackedBox> boxes_b_;
-  detail::TranslatedBound overlap_;
+  detail::TranslatedBoxTest overlap_;
   std::unordered_map<std::uint64_t, std::uint64_t> known_;
 };
 

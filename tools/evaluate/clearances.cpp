@@ -44,7 +44,7 @@ struct CountedWithin : Query<Ranked<Mesh>, CountingWithin> {
 
 template <class Query>
 void count(const Query& query, ClearanceAnswer& answer) {
-  answer.visits = query.counts().visits;
+  answer.visits = query.stats().visits;
   answer.triangle_pairs = query.triangle_tests();
 }
 
@@ -109,7 +109,7 @@ ClearanceAnswer ask_post(const AnyTree& any_a, const AnyTree& any_b, const Ask& 
       [&](const auto& a) -> ClearanceAnswer {
         using Tree = std::decay_t<decltype(a)>;
         if constexpr (Tree::kLayout == Layout::post_indexed) {
-          using Plain = Mesh<typename Tree::Index, Layout::post_indexed>;
+          using Plain = BasicMesh<typename Tree::Index, Layout::post_indexed>;
           return ask(static_cast<const Plain&>(a),
                      static_cast<const Plain&>(std::get<Tree>(any_b)));
         } else {

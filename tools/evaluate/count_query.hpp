@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "flashbvh/query.hpp"
-#include "reference/stack_orders.hpp"
+#include "reference/stack_traversals.hpp"
 
 namespace flashbvh::scene {
 
@@ -41,10 +41,10 @@ class WalkStart {
 /// Geometry tests and all, leaves as shapes unless the question is `BoxIntersection`; zeros if the
 /// query is refused. The pairs found are counted by the sink too: they must be
 /// counts.triangle_pairs.
-template <class Traversal, class Question = detail::Intersection>
-Counts count_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
-                   const Pose& pose, WalkStart<Traversal>& start, std::uint32_t& found) {
-  using Asked = Query<Traversal, Question>;
+template <class Traversal, class Predicate = detail::Intersection>
+QueryStats count_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
+                       const Pose& pose, WalkStart<Traversal>& start, std::uint32_t& found) {
+  using Asked = Query<Traversal, Predicate>;
   Asked query(a, b, pose, start.cursor());
   found = 0;
   const Status status = query
@@ -54,7 +54,7 @@ Counts count_query(const typename Traversal::Tree& a, const typename Traversal::
                                    return true;
                                  })
                             .status;
-  return status == Status::done ? query.counts() : Counts{0, 0, 0, 0};
+  return status == Status::done ? query.stats() : QueryStats{0, 0, 0, 0};
 }
 
 }  // namespace flashbvh::scene

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "flashbvh/bound.hpp"
 #include "flashbvh/image.hpp"
+#include "flashbvh/time_bound.hpp"
 
 namespace flashbvh::tool {
 

@@ -12,7 +12,7 @@ namespace {
 /// Few enough that no count of one run wraps.
 constexpr std::uint32_t kWorkPerRun = 1u << 30;
 
-void add(WideCounts& sum, const Counts& now, const Counts& before) {
+void add(WideCounts& sum, const QueryStats& now, const QueryStats& before) {
   sum.visits += now.visits - before.visits;
   sum.overlaps += now.overlaps - before.overlaps;
   sum.leaf_pairs += now.leaf_pairs - before.leaf_pairs;
@@ -27,8 +27,8 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
   Answer answer;
   answer.status = query.status();
   while (answer.status == Status::suspended) {
-    const Counts before = query.counts();
-    const Step step = query.run(kWorkPerRun, [&](const typename Query<Traversal>::Pair& pair) {
+    const QueryStats before = query.stats();
+    const RunResult step = query.run(kWorkPerRun, [&](const typename Query<Traversal>::Pair& pair) {
       answer.pairs.push_back({pair.a, pair.b});
       if (asked.contacts) {
         answer.contacts.push_back(contact_of_last(query));
@@ -37,7 +37,7 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
     });
     answer.status = step.status;
     answer.work += step.work;
-    add(answer.counts, query.counts(), before);
+    add(answer.counts, query.stats(), before);
   }
   if (answer.status == Status::full) {
     answer.status = Status::done;  // the first pair is all that was asked for
@@ -45,15 +45,16 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
   return answer;
 }
 
-template <class Levelled>
-Answer run_named(const std::string& name, const Levelled& a, const Levelled& b, const Pose& pose,
-                 const Asked& asked) {
+template <class WithLevels>
+Answer run_named(const std::string& name, const WithLevels& a, const WithLevels& b,
+                 const Pose& pose, const Asked& asked) {
   Answer answer;
   for_each_traversal([&](auto traversal) {
     using Named = decltype(traversal);
-    if constexpr (Named::walks(Levelled::kLayout)) {
+    if constexpr (Named::walks(WithLevels::kLayout)) {
       if (name == traversal.name) {
-        using Traversal = typename Named::template On<typename Levelled::Index, Levelled::kLayout>;
+        using Traversal =
+            typename Named::template On<typename WithLevels::Index, WithLevels::kLayout>;
         answer = run<Traversal>(a, b, pose, asked);
       }
     }
@@ -103,8 +104,8 @@ Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::
                const Asked& asked) {
   return std::visit(
       [&](const auto& tree_a) {
-        using Levelled = std::decay_t<decltype(tree_a)>;
-        return run_named(traversal, tree_a, std::get<Levelled>(b), pose, asked);
+        using WithLevels = std::decay_t<decltype(tree_a)>;
+        return run_named(traversal, tree_a, std::get<WithLevels>(b), pose, asked);
       },
       a);
 }

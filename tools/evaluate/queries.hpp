@@ -32,7 +32,7 @@ struct FoundPair {
   std::uint32_t b;
 };
 
-/// As flashbvh::Counts, but wide enough for any two meshes.
+/// As flashbvh::QueryStats, but wide enough for any two meshes.
 struct WideCounts {
   std::uint64_t visits = 0;
   std::uint64_t overlaps = 0;

@@ -70,16 +70,16 @@ struct VolatilePose {
   Pose now() const { return Pose::translated(x, y, z); }
 };
 
-template <class Order, class Predicate>
-Row make_row(const std::string& name, Leaves leaves, const typename Order::Tree& a,
-             const typename Order::Tree& b, const Point& translation) {
+template <class Traversal, class Predicate>
+Row make_row(const std::string& name, Leaves leaves, const typename Traversal::Tree& a,
+             const typename Traversal::Tree& b, const Point& translation) {
   return {name, leaves, {}, {}, [a, b, translation](std::uint32_t repetitions) {
             const VolatilePose pose = {translation.x, translation.y, translation.z};
-            scene::WalkStart<Order> start(a, b);
-            Counts counts = {0, 0, 0, 0};
+            scene::WalkStart<Traversal> start(a, b);
+            QueryStats counts = {0, 0, 0, 0};
             std::uint32_t found = 0;
             for (std::uint32_t i = 0; i < repetitions; ++i) {
-              counts = scene::count_query<Order, Predicate>(a, b, pose.now(), start, found);
+              counts = scene::count_query<Traversal, Predicate>(a, b, pose.now(), start, found);
             }
             return counts;
           }};
@@ -91,11 +91,11 @@ void add_orders(std::vector<Row>& rows, Leaves leaves, const BothLayouts<Index>&
                 const BothLayouts<Index>& b, const Point& translation) {
   for_each_traversal([&](auto named) {
     constexpr Layout layout = decltype(named)::kLayout;
-    using Order = typename decltype(named)::template On<Index, layout>;
+    using Traversal = typename decltype(named)::template On<Index, layout>;
     const char* const suffix = leaves == Leaves::shapes ? ", leaves as shapes" : "";
-    rows.push_back(make_row<Order, Predicate>(std::string(named.name) + suffix, leaves,
-                                              a.template view<layout>(), b.template view<layout>(),
-                                              translation));
+    rows.push_back(make_row<Traversal, Predicate>(std::string(named.name) + suffix, leaves,
+                                                  a.template view<layout>(),
+                                                  b.template view<layout>(), translation));
   });
 }
 
@@ -103,7 +103,7 @@ Row best_rule_row(const std::string& name, const bake::BuildTree& a, const bake:
                   const Point& translation) {
   return {name, Leaves::none, {}, {}, [&a, &b, translation](std::uint32_t /*repetitions*/) {
             const std::uint64_t visits = best_rule_visits(a, b, translation);
-            return Counts{static_cast<std::uint32_t>(visits), 0, 0, 0};
+            return QueryStats{static_cast<std::uint32_t>(visits), 0, 0, 0};
           }};
 }
 
@@ -125,7 +125,7 @@ std::vector<Row> rows_of(const scene::Setup& setup, const Trees& a, const Trees&
   } else {
     add_paper_rows(rows, setup, a, b, a.wide, b.wide);
   }
-  rows.push_back(make_row<Ranked<LargePostMesh>, detail::BoxIntersection>(
+  rows.push_back(make_row<Ranked<Mesh32>, detail::BoxIntersection>(
       "ranked, default tree", Leaves::boxes, a.baked_by_default.view(), b.baked_by_default.view(),
       setup.translation));
   rows.push_back(
@@ -160,9 +160,9 @@ const Row* SetupResult::row(const std::string& name) const {
 }
 
 bool SetupResult::rows_agree() const {
-  const Counts& first = rows[0].counts;
+  const QueryStats& first = rows[0].counts;
   return std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
-    const Counts& counts = row.counts;
+    const QueryStats& counts = row.counts;
     return counts.visits != 0 &&
            (row.leaves == Leaves::none || counts.triangle_pairs == first.triangle_pairs) &&
            (row.leaves != Leaves::boxes || counts.leaf_pairs == first.leaf_pairs);

@@ -36,9 +36,9 @@ enum class Leaves : std::uint8_t { boxes, shapes, none };
 struct Row {
   std::string name;
   Leaves leaves;
-  Counts counts;                                           ///< of a best rule, visits alone
-  std::vector<double> seconds;                             ///< a sample each: all repetitions
-  std::function<Counts(std::uint32_t repetitions)> query;  ///< triangle tests included
+  QueryStats counts;                                           ///< of a best rule, visits alone
+  std::vector<double> seconds;                                 ///< a sample each: all repetitions
+  std::function<QueryStats(std::uint32_t repetitions)> query;  ///< triangle tests included
 };
 
 /// Of all samples of a row, in seconds.

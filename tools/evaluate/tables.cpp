@@ -17,7 +17,7 @@ struct Column {
   std::string head;
   std::string row;
   std::string of{};
-  std::uint32_t Counts::*count = &Counts::visits;
+  std::uint32_t QueryStats::*count = &QueryStats::visits;
 };
 
 struct Summary {
@@ -49,7 +49,8 @@ bool all_have(const Results& results, const std::string& row) {
                      [&](const SetupResult* result) { return result->row(row) != nullptr; });
 }
 
-std::uint64_t sum_of(const Results& results, const std::string& row, std::uint32_t Counts::*count) {
+std::uint64_t sum_of(const Results& results, const std::string& row,
+                     std::uint32_t QueryStats::*count) {
   std::uint64_t sum = 0;
   for (const SetupResult* result : results) {
     sum += result->row(row)->counts.*count;
@@ -58,8 +59,8 @@ std::uint64_t sum_of(const Results& results, const std::string& row, std::uint32
 }
 
 double ratio(const Results& results, const std::string& row, const std::string& of) {
-  return static_cast<double>(sum_of(results, row, &Counts::visits)) /
-         static_cast<double>(sum_of(results, of, &Counts::visits));
+  return static_cast<double>(sum_of(results, row, &QueryStats::visits)) /
+         static_cast<double>(sum_of(results, of, &QueryStats::visits));
 }
 
 /// Of the fastest sample.
@@ -113,12 +114,12 @@ const Summary kIterations = {"Summary",
 const Summary kOverlaps = {
     "Overlaps",
     "overlaps",
-    {{"volume-stack", "volume-stack", "", &Counts::overlaps},
-     {"stackless", "stackless", "", &Counts::overlaps},
-     {"leaf", "leaf", "", &Counts::overlaps},
-     {"ranked", "ranked", "", &Counts::overlaps},
-     {"leaf overlaps of all", "volume-stack", "", &Counts::leaf_pairs},
-     {"geometry overlaps of all", "volume-stack", "", &Counts::triangle_pairs}}};
+    {{"volume-stack", "volume-stack", "", &QueryStats::overlaps},
+     {"stackless", "stackless", "", &QueryStats::overlaps},
+     {"leaf", "leaf", "", &QueryStats::overlaps},
+     {"ranked", "ranked", "", &QueryStats::overlaps},
+     {"leaf overlaps of all", "volume-stack", "", &QueryStats::leaf_pairs},
+     {"geometry overlaps of all", "volume-stack", "", &QueryStats::triangle_pairs}}};
 
 const Summary kDefaultTree = {
     "The default tree",
@@ -180,7 +181,7 @@ std::string setup_table(const SetupResult& result) {
   std::vector<Line> lines = {{"algorithm", "min.", "max.", "mean", "std. deviation", "iterations",
                               "overlaps", "leaf overlaps", "geometry overlaps"}};
   for (const Row& row : result.rows) {
-    const Counts& counts = row.counts;
+    const QueryStats& counts = row.counts;
     if (row.leaves == Leaves::none) {
       lines.push_back({row.name, "", "", "", "", std::to_string(counts.visits), "", "", ""});
       continue;

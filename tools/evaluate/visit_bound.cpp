@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <array>
 
-#include "flashbvh/bound.hpp"
+#include "flashbvh/time_bound.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -45,7 +45,7 @@ struct Kind {
   static constexpr const char* kIndex = kLarge ? "uint32_t" : "uint16_t";
 
   static std::string mesh() { return name(""); }
-  static std::string levelled() { return name("Levelled"); }
+  static std::string levelled() { return name("WithLevels"); }
 
   /// Bytes of the two structs on a 32-bit core.
   static constexpr std::size_t kMeshBytes = kLarge ? 80 : 64;
@@ -90,7 +90,7 @@ std::string constants(const bake::BakedTree<Index, layout>& baked, const std::st
     text += text_of(number);
   }
   return text +
-         "/// For flashbvh/bound.hpp.\n"
+         "/// For flashbvh/time_bound.hpp.\n"
          "constexpr flashbvh::TreeSize kTreeSize = {kDepth, kArity, kLeafSize, kLeafCount, "
          "kTriangleCount};\n"
          "constexpr double kCell = " +

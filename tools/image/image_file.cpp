@@ -41,7 +41,7 @@ std::string refusal(Status status, const ImageHeader& header, std::size_t size) 
 
 template <class Index, Layout layout>
 Status open_as(const void* bytes, std::size_t size, AnyTree& any, LevelArrays& levels) {
-  return bake::open_levelled(bytes, size, any.emplace<LevelledMesh<Index, layout>>(),
+  return bake::open_levelled(bytes, size, any.emplace<BasicMeshWithLevels<Index, layout>>(),
                              levels.emplace<std::vector<Index>>());
 }
 

@@ -15,7 +15,7 @@ namespace flashbvh::tool {
 
 /// Whatever the layout and the width of the indices.
 using AnyTree =
-    std::variant<LevelledPreMesh, LevelledPostMesh, LargeLevelledPreMesh, LargeLevelledPostMesh>;
+    std::variant<PreMeshWithLevels, MeshWithLevels, PreMeshWithLevels32, MeshWithLevels32>;
 
 /// Of bake::open_levelled().
 using LevelArrays = std::variant<std::vector<std::uint16_t>, std::vector<std::uint32_t>>;

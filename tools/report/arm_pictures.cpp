@@ -18,7 +18,7 @@ namespace {
 /// Differences of corners that nearest_points_of() takes are below it.
 constexpr std::int64_t kMostSpan = 1 << 17;
 
-bool is_link_solid(const PostMesh& mesh) {
+bool is_link_solid(const Mesh& mesh) {
   bake::LatticeMesh lattice;
   lattice.vertices.assign(mesh.vertices, mesh.vertices + mesh.vertex_count);
   for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
@@ -30,9 +30,9 @@ bool is_link_solid(const PostMesh& mesh) {
 
 void add_link(const PosedArm& arm, std::size_t link, Paint paint, const std::uint16_t* lit,
               Faces& faces) {
-  const PostMesh& mesh = arm.robot.meshes[link];
+  const Mesh& mesh = arm.robot.meshes[link];
   const std::vector<LatticePoint> points =
-      transformed_vertices(AnyTree(LevelledPostMesh{mesh, nullptr, nullptr}), arm.poses[link]);
+      transformed_vertices(AnyTree(MeshWithLevels{mesh, nullptr, nullptr}), arm.poses[link]);
   const bool solid = is_link_solid(mesh);
   for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
     const auto& corner = mesh.triangles[i].corner;

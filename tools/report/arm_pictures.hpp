@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "flashbvh/robot/robot.hpp"
-#include "flashbvh/step.hpp"
+#include "flashbvh/run_result.hpp"
 #include "robot/matrix/unguarded.hpp"
 
 namespace flashbvh::tool {

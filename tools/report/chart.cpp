@@ -1,4 +1,4 @@
-#include "report/chart.hpp"
+#include "report/distance_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,13 +35,13 @@ double round_number(double value) {
 /// What the chart's height is.
 double top_of(const Chart& chart) {
   double shown = 0;
-  for (const ChartLine& line : chart.lines) {
+  for (const DistanceTableLine& line : chart.lines) {
     for (const std::optional<double>& value : line.values) {
       shown = std::max(shown, value.value_or(0));
     }
   }
   shown = chart.most > 0 ? std::min(shown, chart.most) : shown;
-  for (const ChartLevel& level : chart.levels) {
+  for (const DistanceTableLevel& level : chart.levels) {
     shown = std::max(shown, level.value);
   }
   return shown > 0 ? round_number(shown) : 1;
@@ -61,12 +61,12 @@ double x_of(double part) {
 }
 
 /// Of a line's value.
-double x_of(const ChartLine& line, std::size_t place) {
+double x_of(const DistanceTableLine& line, std::size_t place) {
   return x_of(static_cast<double>(place) /
               std::max<double>(static_cast<double>(line.values.size()) - 1, 1));
 }
 
-std::string path_of(const ChartLine& line, double top) {
+std::string path_of(const DistanceTableLine& line, double top) {
   std::string path;
   bool is_drawing = false;
   for (std::size_t i = 0; i < line.values.size(); ++i) {
@@ -85,7 +85,7 @@ std::string text(double x, double y, const char* anchor, const std::string& cont
 }
 
 /// `order`: of the levels, whose names stand beside each other.
-std::string level_line(const ChartLevel& level, double top, std::size_t order) {
+std::string level_line(const DistanceTableLevel& level, double top, std::size_t order) {
   const double y = height_of(level.value, top);
   return concat("<path class=", level.style, " d=\"M", at(kPlotLeft, y), "H", fixed(kPlotRight, 1),
                 "\"/>\n") +
@@ -93,7 +93,7 @@ std::string level_line(const ChartLevel& level, double top, std::size_t order) {
 }
 
 /// The line's number, on the line; lines have theirs beside each other.
-std::string number_on(const ChartLine& line, std::size_t lines, double top) {
+std::string number_on(const DistanceTableLine& line, std::size_t lines, double top) {
   const std::size_t count = line.values.size();
   std::size_t place = std::min((2 * line.style + 1) * count / (2 * lines), count - 1);
   while (place < count && !line.values[place]) {
@@ -124,7 +124,7 @@ std::string lane(const Chart& chart, std::size_t kind, double y) {
   return svg.empty() ? "" : text(kPlotLeft - 8, y + kBar / 2, "end", kLetters[kind]) + svg;
 }
 
-std::string line_key(const ChartLine& line, bool is_numbered) {
+std::string line_key(const DistanceTableLine& line, bool is_numbered) {
   return concat("<span><svg class=sample viewBox=\"0 0 40 8\"><path class=l", line.style,
                 " d=\"M0 4H40\"/></svg>",
                 is_numbered && line.style < kNumbered ? concat(line.style + 1, " ") : "", line.name,
@@ -133,7 +133,7 @@ std::string line_key(const ChartLine& line, bool is_numbered) {
 
 std::string keys_of(const Chart& chart) {
   std::string html = "<p class=keys>";
-  for (const ChartLine& line : chart.lines) {
+  for (const DistanceTableLine& line : chart.lines) {
     html += line_key(line, has_numbers(chart));
   }
   if (!chart.runs.empty()) {
@@ -155,10 +155,10 @@ std::string drawn(const Chart& chart) {
   for (std::size_t i = 0; i < chart.levels.size(); ++i) {
     plot += level_line(chart.levels[i], top, i);
   }
-  for (const ChartLine& line : chart.lines) {
+  for (const DistanceTableLine& line : chart.lines) {
     plot += concat("<path class=l", line.style, " d=\"", path_of(line, top), "\"/>\n");
   }
-  for (const ChartLine& line : chart.lines) {
+  for (const DistanceTableLine& line : chart.lines) {
     plot += has_numbers(chart) && line.style < kNumbered
                 ? number_on(line, chart.lines.size() - 1, top)
                 : "";

@@ -8,14 +8,14 @@
 
 namespace flashbvh::tool {
 
-struct ChartLine {
+struct DistanceTableLine {
   std::string name;                           ///< HTML
   std::vector<std::optional<double>> values;  ///< one a place along the chart; none: not known
   std::size_t style = 0;                      ///< 0 to 5: a colour, dashes, a number; 6 is dotted
 };
 
 /// A dashed line across; `style`: "stop", "warn".
-struct ChartLevel {
+struct DistanceTableLevel {
   double value;
   const char* style;
   const char* name;
@@ -32,8 +32,8 @@ struct KindRun {
 struct Chart {
   std::string label;  ///< for who can't see it
   std::string unit;   ///< " m"
-  std::vector<ChartLine> lines;
-  std::vector<ChartLevel> levels;
+  std::vector<DistanceTableLine> lines;
+  std::vector<DistanceTableLevel> levels;
   double most;                ///< what is above may be cut off; 0: nothing
   std::vector<KindRun> runs;  ///< below the plot; may be none
   std::string first;          ///< below the left and the right end

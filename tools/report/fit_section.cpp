@@ -201,7 +201,7 @@ std::string notes(const std::vector<QueriedPair>& pairs, const ReportOptions& op
              "Instructions are upper bounds: work times the most that a unit of work "
              "can take on a ",
              options.budget.core.name,
-             ", proven for GCC 12 at -O2 (<code>flashbvh/bound.hpp</code>). Queries on a "
+             ", proven for GCC 12 at -O2 (<code>flashbvh/time_bound.hpp</code>). Queries on a "
              "robot&#39;s links were measured to take about a tenth of that "
              "(<code>lib/docs/figures.md</code>). Milliseconds assume an instruction a "
              "cycle; wait states of the flash come on top, and so does making the query, once a "

@@ -3,7 +3,7 @@
 #include <iterator>
 #include <utility>
 
-#include "report/chart.hpp"
+#include "report/distance_table.hpp"
 #include "report/guard_page.hpp"
 #include "report/html.hpp"
 #include "text/numbers.hpp"
@@ -113,8 +113,8 @@ std::uint32_t farthest_warn(const Robot& robot) {
 }
 
 /// Unless it is there.
-void add_level(double metres, const char* name, std::vector<ChartLevel>& levels) {
-  if (std::none_of(levels.begin(), levels.end(), [&](const ChartLevel& level) {
+void add_level(double metres, const char* name, std::vector<DistanceTableLevel>& levels) {
+  if (std::none_of(levels.begin(), levels.end(), [&](const DistanceTableLevel& level) {
         return level.value == metres && level.name == std::string(name);
       })) {
     levels.push_back({metres, name, name});
@@ -123,8 +123,8 @@ void add_level(double metres, const char* name, std::vector<ChartLevel>& levels)
 
 /// The pairs that are drawn, and the distances at which they are stopped and warned of.
 void add_pairs(const GuardedTrajectory& guarded, const std::vector<NearPair>& near,
-               std::size_t step, double most, std::vector<ChartLine>& lines,
-               std::vector<ChartLevel>& levels) {
+               std::size_t step, double most, std::vector<DistanceTableLine>& lines,
+               std::vector<DistanceTableLevel>& levels) {
   const std::vector<Values> distances = distances_over(guarded.robot, guarded.trajectory, step);
   for (const std::uint16_t pair : chosen_pairs(near, distances, most)) {
     lines.push_back({pair_name(guarded, pair), distances[pair], lines.size()});
@@ -141,8 +141,8 @@ std::string chart_section(const GuardedTrajectory& guarded, const std::vector<Ne
   const std::string first = concat("line ", way.line(0));
   const std::string last = concat("line ", way.line(way.size() - 1));
   const double most_shown = kShownFold * metres_of(guarded, farthest_warn(guarded.robot));
-  std::vector<ChartLine> lines;
-  std::vector<ChartLevel> levels;
+  std::vector<DistanceTableLine> lines;
+  std::vector<DistanceTableLevel> levels;
   add_pairs(guarded, near, step, most_shown, lines, levels);
   const auto least = [](const auto& p, const auto& q) { return std::min(p, q); };
   const auto most = [](const auto& p, const auto& q) { return std::max(p, q); };

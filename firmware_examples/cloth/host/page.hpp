@@ -27,7 +27,7 @@ class Page {
     }
   }
 
-  void add(int number, const flashbvh::PostMesh& sheet, const flashbvh::PostMesh& link) {
+  void add(int number, const flashbvh::Mesh& sheet, const flashbvh::Mesh& link) {
     if (!file_.is_open() || number % 10 != 0) {
       return;
     }
@@ -58,24 +58,23 @@ class Page {
   };
 
   /// By their positions.
-  static std::set<std::uint32_t> hits(const flashbvh::PostMesh& sheet,
-                                      const flashbvh::PostMesh& link) {
+  static std::set<std::uint32_t> hits(const flashbvh::Mesh& sheet, const flashbvh::Mesh& link) {
     std::set<std::uint32_t> found;
     flashbvh::SelfQuery itself(sheet);
     (void)itself.run(UINT32_MAX, [&](const flashbvh::SelfQuery::Pair&) {
-      found.insert({itself.last_positions().a, itself.last_positions().b});
+      found.insert({itself.last_slots().a, itself.last_slots().b});
       return true;
     });
     const flashbvh::Pose pose = flashbvh::Pose::translated(0, 0, 0);
     flashbvh::PairQuery both(link, sheet, pose);
     (void)both.run(UINT32_MAX, [&](const flashbvh::PairQuery::Pair&) {
-      found.insert(both.last_positions().b);
+      found.insert(both.last_slots().b);
       return true;
     });
     return found;
   }
 
-  void add_mesh(const flashbvh::PostMesh& mesh, const std::set<std::uint32_t>& red,
+  void add_mesh(const flashbvh::Mesh& mesh, const std::set<std::uint32_t>& red,
                 const std::array<int, 3>& color) {
     double cell = 0;
     static_assert(sizeof cell == sizeof mesh.cell_bits);

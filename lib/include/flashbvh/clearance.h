@@ -5,7 +5,7 @@
  * from and into lengths.
  *
  * Stack on Cortex-M3 to M55 at -O2, in bytes (proofs/stack proves it): a run 880, a result
- * 1,040, nearest points 928, a question in one call 1,216.
+ * 1,040, nearest points 928, a predicate in one call 1,216.
  */
 #ifndef FLASHBVH_CLEARANCE_H
 #define FLASHBVH_CLEARANCE_H
@@ -36,27 +36,27 @@ typedef struct flashbvh_clearance {
   uint32_t lower;                 /**< the distance is at least this; 0 while SUSPENDED */
   uint32_t upper;                 /**< at most this; UINT32_MAX if none is known yet */
   flashbvh_pair triangles;        /**< by their ids */
-  flashbvh_witness witness;       /**< the same, as a seed for the next query */
+  flashbvh_witness witness;       /**< the same, as a hint for the next query */
   flashbvh_status status;         /**< DONE; SUSPENDED: not all was looked at; or an error */
   bool in_range;                  /**< false: `lower` and `upper` hold, nothing else */
 } flashbvh_clearance;
 
-/** ClearancePosition: where a query stands between runs. */
-typedef struct flashbvh_clearance_position {
-  flashbvh_position walk;
+/** ClearanceCursor: where a query stands between runs. */
+typedef struct flashbvh_clearance_cursor {
+  flashbvh_cursor walk;
   flashbvh_witness witness;
   bool has_witness;
-} flashbvh_clearance_position;
+} flashbvh_clearance_cursor;
 
 /** ClearanceQuery, and all its memory. 144 bytes on a 32-bit core, 176 on a 64-bit one. */
 FLASHBVH_OPAQUE(flashbvh_clearance_query, 8, 112, uint32_t);
 
-/** Starts a query of the distance of A and B, which lies at `pose` in A's frame. `seed` may be
+/** Starts a query of the distance of A and B, which lies at `pose` in A's frame. `hint` may be
  * null; `tolerance` in 2^-16, as of ClearanceQuery. SUSPENDED if there is something to run; DONE if
- * the seed's triangles intersect; SEED_INVALID; else as flashbvh_query_start(). */
+ * the hint's triangles intersect; HINT_INVALID; else as flashbvh_query_start(). */
 flashbvh_status flashbvh_clearance_start(flashbvh_clearance_query* query, const flashbvh_mesh* a,
                                          const flashbvh_mesh* b, const flashbvh_pose* pose,
-                                         const flashbvh_witness* seed, uint16_t tolerance);
+                                         const flashbvh_witness* hint, uint16_t tolerance);
 
 /** ClearanceQuery::run_within(): does at most `*work`, and leaves there what is left of it;
  * UINT32_MAX stays. */
@@ -66,20 +66,20 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_clearance_run(flashbvh_clearance_que
 /** ClearanceQuery::result(). */
 void flashbvh_clearance_result(const flashbvh_clearance_query* query, flashbvh_clearance* result);
 
-/** ClearanceQuery::counts(). */
-flashbvh_counts flashbvh_clearance_counts(const flashbvh_clearance_query* query);
+/** ClearanceQuery::stats(). */
+flashbvh_stats flashbvh_clearance_stats(const flashbvh_clearance_query* query);
 
-/** ClearanceQuery::position(), between runs. */
-flashbvh_clearance_position flashbvh_clearance_position_of(const flashbvh_clearance_query* query);
+/** ClearanceQuery::cursor(), between runs. */
+flashbvh_clearance_cursor flashbvh_clearance_cursor_of(const flashbvh_clearance_query* query);
 
 /** ClearanceQuery::resume(). */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_clearance_resume(
-    flashbvh_clearance_query* query, const flashbvh_clearance_position* position);
+    flashbvh_clearance_query* query, const flashbvh_clearance_cursor* position);
 
-/** distance(); `seed` may be null. */
+/** distance(); `hint` may be null. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_distance(const flashbvh_mesh* a, const flashbvh_mesh* b,
                                                      const flashbvh_pose* pose,
-                                                     const flashbvh_witness* seed,
+                                                     const flashbvh_witness* hint,
                                                      flashbvh_clearance* result);
 
 /** closer_than(). DISTANCE_OUT_OF_RANGE; after an error `yes` is true. */
@@ -101,22 +101,24 @@ flashbvh_status flashbvh_within_start(flashbvh_within_query* query, const flashb
 FLASHBVH_NODISCARD flashbvh_status flashbvh_within_status(const flashbvh_within_query* query);
 
 /** As flashbvh_query_run(), in the same order; what a unit of work takes is not proven. */
-FLASHBVH_NODISCARD flashbvh_step flashbvh_within_run(flashbvh_within_query* query, uint32_t work,
-                                                     flashbvh_pair* pairs, uint32_t capacity);
+FLASHBVH_NODISCARD flashbvh_run_result flashbvh_within_run(flashbvh_within_query* query,
+                                                           uint32_t work, flashbvh_pair* pairs,
+                                                           uint32_t capacity);
 
 /** As flashbvh_query_visit(). */
-FLASHBVH_NODISCARD flashbvh_step flashbvh_within_visit(flashbvh_within_query* query, uint32_t work,
-                                                       flashbvh_visitor* visit, void* context);
+FLASHBVH_NODISCARD flashbvh_run_result flashbvh_within_visit(flashbvh_within_query* query,
+                                                             uint32_t work, flashbvh_visitor* visit,
+                                                             void* context);
 
-/** As flashbvh_query_counts(). */
-flashbvh_counts flashbvh_within_counts(const flashbvh_within_query* query);
+/** As flashbvh_query_stats(). */
+flashbvh_stats flashbvh_within_stats(const flashbvh_within_query* query);
 
-/** As flashbvh_query_position(). */
-flashbvh_position flashbvh_within_position(const flashbvh_within_query* query);
+/** As flashbvh_query_cursor(). */
+flashbvh_cursor flashbvh_within_cursor(const flashbvh_within_query* query);
 
 /** As flashbvh_query_resume(). */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_within_resume(flashbvh_within_query* query,
-                                                          const flashbvh_position* position);
+                                                          const flashbvh_cursor* position);
 
 /** As flashbvh_query_last_pair(). */
 void flashbvh_within_last_pair(const flashbvh_within_query* query, flashbvh_triangle* a,

@@ -9,16 +9,16 @@
 //
 // Stack on Cortex-M3 to M55 at -O2, in bytes: a run 880, a result 944, distance() 1,120,
 // closer_than() 880 (proofs/stack). Budgets of work cut these queries as any other, but what a
-// unit of it takes is proven of PairQuery alone (bound.hpp): two triangles take more here.
+// unit of it takes is proven of PairQuery alone (time_bound.hpp): two triangles take more here.
 //
-// Distances are in cells and 1/256 of them; pose_float.hpp and length.hpp turn them into lengths.
+// Distances are in cells and 1/256 of them; pose_float.hpp and units.hpp turn them into lengths.
 #ifndef FLASHBVH_CLEARANCE_HPP
 #define FLASHBVH_CLEARANCE_HPP
 
 #include <stdint.h>
 
 #include "flashbvh/collide.hpp"
-#include "flashbvh/detail/query/nearness.hpp"
+#include "flashbvh/detail/query/proximity.hpp"
 #include "flashbvh/query.hpp"
 #include "flashbvh/triangle.hpp"
 
@@ -41,16 +41,16 @@ struct Witness {
 /// Every pair of triangles within a distance, in the order and the slices of a PairQuery: a Query
 /// (query.hpp) that is made of meshes, a pose and what is asked, `within(distance)`.
 using Within = detail::Within;
-using WithinQuery = Query<Ranked<PostMesh>, Within>;
-using LargeWithinQuery = Query<Ranked<LargePostMesh>, Within>;
+using WithinQuery = Query<Ranked<Mesh>, Within>;
+using WithinQuery32 = Query<Ranked<Mesh32>, Within>;
 
 /// `distance`: in 1/256 cell, at most kMaxDistance; a query beyond it ends with
 /// `distance_out_of_range`.
 inline Within within(uint32_t distance) {
-  Within question;
+  Within predicate;
   constexpr uint32_t beyond = kMaxDistance + 1;
-  question.distance = (distance < beyond ? distance : beyond) & 0xFFFFFF;
-  return question;
+  predicate.distance = (distance < beyond ? distance : beyond) & 0xFFFFFF;
+  return predicate;
 }
 
 /// Whether any points of the two meshes are at most `distance` apart, in 1/256 cell; ends at the
@@ -58,10 +58,11 @@ inline Within within(uint32_t distance) {
 /// `distance_out_of_range`: it is more than kMaxDistance, or B's lattice lies 48,000 cells or more
 /// along an axis from A's, and whether it is within so large a distance can't be told; `yes` then.
 template <class Index>
-Answer closer_than(const Mesh<Index, Layout::post_indexed>& a,
-                   const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
+Answer closer_than(const BasicMesh<Index, Layout::post_indexed>& a,
+                   const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,
                    uint32_t distance) {
-  Query<Ranked<Mesh<Index, Layout::post_indexed>>, Within> query(a, b, pose, {}, within(distance));
+  Query<Ranked<BasicMesh<Index, Layout::post_indexed>>, Within> query(a, b, pose, {},
+                                                                      within(distance));
   TrianglePair<Index> found;
   const Status status = query.run(UINT32_MAX, &found, 1).status;
   const bool yes = status == Status::full;
@@ -82,7 +83,7 @@ struct [[nodiscard]] Clearance {
   /// is known yet, or if it may be so much or more.
   uint32_t upper;
   TrianglePair<Index> triangles;  ///< by their ids
-  Witness<Index> witness;         ///< the same, as a seed for the next query
+  Witness<Index> witness;         ///< the same, as a hint for the next query
   FinePoint point_a;              ///< where they are nearest
   FinePoint point_b;
   UnitVector direction;  ///< from point_a to point_b
@@ -90,52 +91,52 @@ struct [[nodiscard]] Clearance {
 
 /// Where a ClearanceQuery stands, between runs.
 template <class IndexType>
-struct ClearancePosition {
-  QueryPosition<IndexType> walk;
+struct ClearanceCursor {
+  QueryCursor<IndexType> walk;
   Witness<IndexType> witness;
   bool has_witness = false;
 };
 
-/// The distance of two meshes, in slices. With the last nearest pair as `seed` it visits hardly
+/// The distance of two meshes, in slices. With the last nearest pair as `hint` it visits hardly
 /// more than the boxes that are nearer than the answer; without one it first goes down both trees
 /// to where they seem nearest. Instructions on each core: lib/docs/figures.md, Distances. The
-/// distance never depends on the seed; where several pairs are nearest, which of them is told does.
+/// distance never depends on the hint; where several pairs are nearest, which of them is told does.
 template <class MeshType>
 class BasicClearanceQuery
     : protected Query<Ranked<MeshType>, detail::Nearest<typename MeshType::Index>> {
-  using Question = detail::Nearest<typename MeshType::Index>;
-  using Base = Query<Ranked<MeshType>, Question>;
+  using Predicate = detail::Nearest<typename MeshType::Index>;
+  using Base = Query<Ranked<MeshType>, Predicate>;
 
  public:
   using Mesh = MeshType;
   using Index = typename Mesh::Index;
-  using Seed = Witness<Index>;
+  using Hint = Witness<Index>;
 
   /// `tolerance`, in 2^-16: the distance told may be larger than the true one by so much of that,
-  /// and as much larger than `lower`, but for what both are rounded by. `seed_invalid`: it is no
+  /// and as much larger than `lower`, but for what both are rounded by. `hint_invalid`: it is no
   /// pair of these meshes' triangles.
-  BasicClearanceQuery(const Mesh& a, const Mesh& b, const Pose& pose, const Seed& seed = Seed(),
+  BasicClearanceQuery(const Mesh& a, const Mesh& b, const Pose& pose, const Hint& hint = Hint(),
                       uint16_t tolerance = 0)
-      : Base(a, b, pose, {}, question(tolerance)) {
-    begin_at(pose, seed);
+      : Base(a, b, pose, {}, predicate(tolerance)) {
+    begin_at(pose, hint);
   }
-  BasicClearanceQuery(const Mesh&&, const Mesh&, const Pose&, const Seed& = Seed(),
+  BasicClearanceQuery(const Mesh&&, const Mesh&, const Pose&, const Hint& = Hint(),
                       uint16_t = 0) = delete;
-  BasicClearanceQuery(const Mesh&, const Mesh&&, const Pose&, const Seed& = Seed(),
+  BasicClearanceQuery(const Mesh&, const Mesh&&, const Pose&, const Hint& = Hint(),
                       uint16_t = 0) = delete;
-  BasicClearanceQuery(const Mesh&, const Mesh&, const Pose&&, const Seed& = Seed(),
+  BasicClearanceQuery(const Mesh&, const Mesh&, const Pose&&, const Hint& = Hint(),
                       uint16_t = 0) = delete;
 
   /// `suspended` while there is something left to do.
   Status status() const {
     return this->error() == Status::done && this->intersect ? Status::done : Base::status();
   }
-  using Base::counts;
-  /// How many pairs of triangles were tested; counts() has those that were the nearest for a while.
+  using Base::stats;
+  /// How many pairs of triangles were tested; stats() has those that were the nearest for a while.
   [[nodiscard]] uint32_t triangle_tests() const { return this->tested; }
 
   /// Does at most `work`; UINT32_MAX: all there is to do. As Query::run().
-  FLASHBVH_INLINE Step run(uint32_t work) {
+  FLASHBVH_INLINE RunResult run(uint32_t work) {
     uint32_t left = work;
     const Status status = run_within(left);
     return {status, 0, work - left};
@@ -154,24 +155,24 @@ class BasicClearanceQuery
   }
 
   /// Between runs.
-  [[nodiscard]] ClearancePosition<Index> position() const {
-    return {Base::position(), {this->nearest_a, this->nearest_b}, this->has_nearest};
+  [[nodiscard]] ClearanceCursor<Index> cursor() const {
+    return {Base::cursor(), {this->nearest_a, this->nearest_b}, this->has_nearest};
   }
   /// As Query::resume(); the distance is worked out of the witness again.
-  Status resume(const ClearancePosition<Index>& position);
+  Status resume(const ClearanceCursor<Index>& position);
 
  private:
-  static Question question(uint16_t tolerance) {
-    Question made;
+  static Predicate predicate(uint16_t tolerance) {
+    Predicate made;
     made.allowance = tolerance;
     return made;
   }
   /// With no part in the caller's frame.
-  void begin_at(const Pose& pose, const Seed& seed);
+  void begin_at(const Pose& pose, const Hint& hint);
   /// From A's origin on.
   void get_pair(uint32_t i, uint32_t j, Triangle& a, Triangle& b) const;
   /// With a pair of triangles, which may be the nearest.
-  void begin_with(const Seed& pair);
+  void begin_with(const Hint& pair);
   /// Of two triangles by their positions: they are nearest, if they are.
   FLASHBVH_NOINLINE void take(uint32_t i, uint32_t j);
   /// Where the descent ended: of the triangles there.
@@ -184,26 +185,26 @@ class BasicClearanceQuery
   void go_down(Gap&& gap, bool into_a, uint32_t& work);
 };
 
-using ClearanceQuery = BasicClearanceQuery<PostMesh>;
-using LargeClearanceQuery = BasicClearanceQuery<LargePostMesh>;
+using ClearanceQuery = BasicClearanceQuery<Mesh>;
+using ClearanceQuery32 = BasicClearanceQuery<Mesh32>;
 
 /// The distance in one call, which takes as long as the answer takes. For slices, ClearanceQuery;
 /// errors are its own.
 template <class Index>
-Clearance<Index> distance(const Mesh<Index, Layout::post_indexed>& a,
-                          const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
-                          const Witness<Index>& seed = Witness<Index>()) {
-  BasicClearanceQuery<Mesh<Index, Layout::post_indexed>> query(a, b, pose, seed);
+Clearance<Index> distance(const BasicMesh<Index, Layout::post_indexed>& a,
+                          const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,
+                          const Witness<Index>& hint = Witness<Index>()) {
+  BasicClearanceQuery<BasicMesh<Index, Layout::post_indexed>> query(a, b, pose, hint);
   uint32_t work = UINT32_MAX;
   (void)query.run_within(work);
   return query.result();
 }
 
 // Compiled once, in the library.
-extern template class Query<Ranked<PostMesh>, Within>;
-extern template class Query<Ranked<LargePostMesh>, Within>;
-extern template class BasicClearanceQuery<PostMesh>;
-extern template class BasicClearanceQuery<LargePostMesh>;
+extern template class Query<Ranked<Mesh>, Within>;
+extern template class Query<Ranked<Mesh32>, Within>;
+extern template class BasicClearanceQuery<Mesh>;
+extern template class BasicClearanceQuery<Mesh32>;
 
 }  // namespace flashbvh
 

@@ -26,12 +26,12 @@ struct [[nodiscard]] PairCount {
 
 /// The query that a kind of mesh has by default.
 template <class Index>
-using DefaultQuery = Query<Ranked<Mesh<Index, Layout::post_indexed>>>;
+using DefaultQuery = Query<Ranked<BasicMesh<Index, Layout::post_indexed>>>;
 
 /// The first pair that the query finds, in `found`, which is written only if there is one.
 template <class Index>
-Answer first_pair(const Mesh<Index, Layout::post_indexed>& a,
-                  const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
+Answer first_pair(const BasicMesh<Index, Layout::post_indexed>& a,
+                  const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,
                   TrianglePair<Index>& found) {
   DefaultQuery<Index> query(a, b, pose);
   const Status status = query.run(UINT32_MAX, &found, 1).status;
@@ -41,8 +41,8 @@ Answer first_pair(const Mesh<Index, Layout::post_indexed>& a,
 
 /// Whether any two triangles intersect; ends at the first pair that does.
 template <class Index>
-Answer intersects(const Mesh<Index, Layout::post_indexed>& a,
-                  const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) {
+Answer intersects(const BasicMesh<Index, Layout::post_indexed>& a,
+                  const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) {
   TrianglePair<Index> found;
   return first_pair(a, b, pose, found);
 }
@@ -50,8 +50,8 @@ Answer intersects(const Mesh<Index, Layout::post_indexed>& a,
 /// Hands each intersecting pair to `visit(pair)`, in the query's order, until it returns false.
 /// `done` at the end, `full` if `visit` said no more.
 template <class Index, class Visitor>
-FLASHBVH_INLINE inline Status for_each_pair(const Mesh<Index, Layout::post_indexed>& a,
-                                            const Mesh<Index, Layout::post_indexed>& b,
+FLASHBVH_INLINE inline Status for_each_pair(const BasicMesh<Index, Layout::post_indexed>& a,
+                                            const BasicMesh<Index, Layout::post_indexed>& b,
                                             const Pose& pose, Visitor&& visit) {
   DefaultQuery<Index> query(a, b, pose);
   return query.run(UINT32_MAX, visit).status;
@@ -59,8 +59,8 @@ FLASHBVH_INLINE inline Status for_each_pair(const Mesh<Index, Layout::post_index
 
 /// How many pairs of triangles intersect.
 template <class Index>
-PairCount count_pairs(const Mesh<Index, Layout::post_indexed>& a,
-                      const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) {
+PairCount count_pairs(const BasicMesh<Index, Layout::post_indexed>& a,
+                      const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) {
   uint32_t pairs = 0;
   const Status status = for_each_pair(a, b, pose, [&pairs](const TrianglePair<Index>&) {
     ++pairs;
@@ -71,11 +71,11 @@ PairCount count_pairs(const Mesh<Index, Layout::post_indexed>& a,
 
 /// The first `capacity` pairs that intersect. `done`: these are all; `full`: there may be more.
 template <class Index>
-PairCount find_pairs(const Mesh<Index, Layout::post_indexed>& a,
-                     const Mesh<Index, Layout::post_indexed>& b, const Pose& pose,
+PairCount find_pairs(const BasicMesh<Index, Layout::post_indexed>& a,
+                     const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,
                      TrianglePair<Index>* found, uint32_t capacity) {
   DefaultQuery<Index> query(a, b, pose);
-  const Step step = query.run(UINT32_MAX, found, capacity);
+  const RunResult step = query.run(UINT32_MAX, found, capacity);
   return {step.status, step.count};
 }
 

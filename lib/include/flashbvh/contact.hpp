@@ -21,7 +21,7 @@ template <class Query>
 
 /// The position in the mesh of a triangle, by its id; triangle_count if there is none.
 template <class Mesh>
-uint32_t position_of(const Mesh& mesh, uint32_t id) {
+uint32_t slot_of(const Mesh& mesh, uint32_t id) {
   uint32_t position = 0;
   while (position < mesh.triangle_count && mesh.triangle_ids[position] != id) {
     ++position;
@@ -41,8 +41,8 @@ template <class Mesh>
 [[nodiscard]] bool transform_pair(const Mesh& a, const Mesh& b, const Pose& pose,
                                   const TrianglePair<typename Mesh::Index>& pair,
                                   Triangle& triangle_a, Triangle& triangle_b) {
-  const uint32_t of_a = position_of(a, pair.a);
-  const uint32_t of_b = position_of(b, pair.b);
+  const uint32_t of_a = slot_of(a, pair.a);
+  const uint32_t of_b = slot_of(b, pair.b);
   if (pose.status() != Status::done || a.cell_bits != b.cell_bits || of_a == a.triangle_count ||
       of_b == b.triangle_count) {
     return false;

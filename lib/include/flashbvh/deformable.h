@@ -63,28 +63,29 @@ FLASHBVH_NODISCARD uint32_t flashbvh_deformable_refits(const flashbvh_deformable
 FLASHBVH_OPAQUE(flashbvh_self_query, 9, 104, uint32_t);
 
 /** Where it stands, between runs; refused once the mesh was refit. */
-typedef struct flashbvh_self_position {
-  flashbvh_position position;
+typedef struct flashbvh_self_cursor {
+  flashbvh_cursor position;
   uint32_t refits;
-} flashbvh_self_position;
+} flashbvh_self_cursor;
 
 /** Starts it; the mesh outlives it. SUSPENDED, or MESH_CHANGED while a refit is not done. */
 flashbvh_status flashbvh_self_query_start(flashbvh_self_query* query,
                                           const flashbvh_deformable* deformable);
 
 /** As flashbvh_query_run(); MESH_CHANGED once the mesh was refit. */
-FLASHBVH_NODISCARD flashbvh_step flashbvh_self_query_run(flashbvh_self_query* query, uint32_t work,
-                                                         flashbvh_pair* pairs, uint32_t capacity);
+FLASHBVH_NODISCARD flashbvh_run_result flashbvh_self_query_run(flashbvh_self_query* query,
+                                                               uint32_t work, flashbvh_pair* pairs,
+                                                               uint32_t capacity);
 
-/** As flashbvh_query_counts(). */
-flashbvh_counts flashbvh_self_query_counts(const flashbvh_self_query* query);
+/** As flashbvh_query_stats(). */
+flashbvh_stats flashbvh_self_query_stats(const flashbvh_self_query* query);
 
-/** As flashbvh_query_position(). */
-flashbvh_self_position flashbvh_self_query_position(const flashbvh_self_query* query);
+/** As flashbvh_query_cursor(). */
+flashbvh_self_cursor flashbvh_self_query_cursor(const flashbvh_self_query* query);
 
 /** As flashbvh_query_resume(); MESH_CHANGED if the position is from before a refit. */
-FLASHBVH_NODISCARD flashbvh_status
-flashbvh_self_query_resume(flashbvh_self_query* query, const flashbvh_self_position* position);
+FLASHBVH_NODISCARD flashbvh_status flashbvh_self_query_resume(flashbvh_self_query* query,
+                                                              const flashbvh_self_cursor* position);
 
 /** DeformableQuery<SelfWithinQuery>: pairs within a distance. 148 bytes on a 32-bit core, 184 on a
  * 64-bit one. */
@@ -97,13 +98,13 @@ flashbvh_status flashbvh_self_within_start(flashbvh_self_within_query* query,
                                            uint32_t distance);
 
 /** As of a self query. */
-FLASHBVH_NODISCARD flashbvh_step flashbvh_self_within_run(flashbvh_self_within_query* query,
-                                                          uint32_t work, flashbvh_pair* pairs,
-                                                          uint32_t capacity);
-flashbvh_counts flashbvh_self_within_counts(const flashbvh_self_within_query* query);
-flashbvh_self_position flashbvh_self_within_position(const flashbvh_self_within_query* query);
+FLASHBVH_NODISCARD flashbvh_run_result flashbvh_self_within_run(flashbvh_self_within_query* query,
+                                                                uint32_t work, flashbvh_pair* pairs,
+                                                                uint32_t capacity);
+flashbvh_stats flashbvh_self_within_stats(const flashbvh_self_within_query* query);
+flashbvh_self_cursor flashbvh_self_within_cursor(const flashbvh_self_within_query* query);
 FLASHBVH_NODISCARD flashbvh_status flashbvh_self_within_resume(
-    flashbvh_self_within_query* query, const flashbvh_self_position* position);
+    flashbvh_self_within_query* query, const flashbvh_self_cursor* position);
 
 /** intersects_itself(), of any mesh. After an error `yes` is true. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects_itself(const flashbvh_mesh* mesh, bool* yes);

@@ -19,13 +19,13 @@
 
 #include "flashbvh/detail/query/refit.hpp"
 #include "flashbvh/mesh.hpp"
+#include "flashbvh/run_result.hpp"
 #include "flashbvh/status.hpp"
-#include "flashbvh/step.hpp"
 
 namespace flashbvh {
 
 /// What a run of a refit gave.
-struct [[nodiscard]] RefitStep {
+struct [[nodiscard]] RefitResult {
   /// `done`; `suspended`: go on; `vertex_out_of_lattice`: put that vertex where a coordinate is
   /// within +-kMaxCoordinate, and refit again; until then the mesh can't be asked.
   Status status;
@@ -33,7 +33,7 @@ struct [[nodiscard]] RefitStep {
   uint32_t work;    ///< spent, of what was granted
 };
 
-/// `MeshType`: PostMesh, or any other kind. The baked mesh's arrays and the caller's outlive it.
+/// `MeshType`: Mesh, or any other kind. The baked mesh's arrays and the caller's outlive it.
 /// Not to be copied while queries point to it.
 template <class MeshType>
 class BasicDeformableMesh {
@@ -67,7 +67,7 @@ class BasicDeformableMesh {
 
   /// Fits the boxes to the vertices, as they are now. `work`: nodes; UINT32_MAX: all there are.
   /// After `suspended` the next one goes on; vertices must not move meanwhile: start_again().
-  RefitStep refit(uint32_t work = UINT32_MAX);
+  RefitResult refit(uint32_t work = UINT32_MAX);
   /// Gives up the current refit; the next one starts at the beginning.
   void start_again() { node_ = 0; }
 
@@ -78,7 +78,7 @@ class BasicDeformableMesh {
   static constexpr uint64_t kNegative = uint64_t{1} << 63;  // no baked mesh's cell has this sign
 
   void begin();
-  RefitStep end(uint32_t work);
+  RefitResult end(uint32_t work);
 
   Mesh mesh_;
   Node<Index>* nodes_;
@@ -89,12 +89,12 @@ class BasicDeformableMesh {
   bool is_closed_ = false;
 };
 
-using DeformableMesh = BasicDeformableMesh<PostMesh>;
-using LargeDeformableMesh = BasicDeformableMesh<LargePostMesh>;
+using DeformableMesh = BasicDeformableMesh<Mesh>;
+using DeformableMesh32 = BasicDeformableMesh<Mesh32>;
 
 /// Where a DeformableQuery stands, between runs; refused once one of its meshes was refit.
 template <class Position>
-struct DeformablePosition {
+struct DeformableCursor {
   Position position;
   uint32_t refits;  ///< of both meshes
 };
@@ -138,7 +138,7 @@ class DeformableQuery {
   }
   /// As the query's own, in each of its forms.
   template <class... Arguments>
-  FLASHBVH_INLINE Step run(uint32_t work, Arguments&&... arguments) {
+  FLASHBVH_INLINE RunResult run(uint32_t work, Arguments&&... arguments) {
     if (is_outdated()) {
       return {Status::mesh_changed, 0, 0};
     }
@@ -150,12 +150,12 @@ class DeformableQuery {
   [[nodiscard]] const Query& query() const { return query_; }
 
   /// Where the query stands, between runs.
-  [[nodiscard]] auto position() const {
-    return DeformablePosition<decltype(query_.position())>{query_.position(), refits_};
+  [[nodiscard]] auto cursor() const {
+    return DeformableCursor<decltype(query_.cursor())>{query_.cursor(), refits_};
   }
   /// `mesh_changed`: it is from before a refit. Else as Query::resume().
   template <class Position>
-  Status resume(const DeformablePosition<Position>& position) {
+  Status resume(const DeformableCursor<Position>& position) {
     if (is_outdated() || position.refits != refits_) {
       return Status::mesh_changed;
     }
@@ -189,7 +189,7 @@ void BasicDeformableMesh<MeshType>::begin() {
 }
 
 template <class MeshType>
-RefitStep BasicDeformableMesh<MeshType>::refit(uint32_t work) {
+RefitResult BasicDeformableMesh<MeshType>::refit(uint32_t work) {
   if (node_ == 0) {
     begin();
   }
@@ -203,11 +203,11 @@ RefitStep BasicDeformableMesh<MeshType>::refit(uint32_t work) {
     }
     node_ = last;
   }
-  return node_ != 0 ? RefitStep{Status::suspended, 0, spent} : end(spent);
+  return node_ != 0 ? RefitResult{Status::suspended, 0, spent} : end(spent);
 }
 
 template <class MeshType>
-RefitStep BasicDeformableMesh<MeshType>::end(uint32_t work) {
+RefitResult BasicDeformableMesh<MeshType>::end(uint32_t work) {
   const detail::PackedBox& root = nodes_[0].box;
   if (!detail::is_in_lattice(root)) {
     uint32_t vertex = 0;
@@ -224,8 +224,8 @@ RefitStep BasicDeformableMesh<MeshType>::end(uint32_t work) {
 }
 
 // Compiled once, in the library.
-extern template class BasicDeformableMesh<PostMesh>;
-extern template class BasicDeformableMesh<LargePostMesh>;
+extern template class BasicDeformableMesh<Mesh>;
+extern template class BasicDeformableMesh<Mesh32>;
 
 }  // namespace flashbvh
 

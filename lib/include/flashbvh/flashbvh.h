@@ -16,7 +16,7 @@
  * on by itself.
  *
  * Stack on Cortex-M3 and M4 at -O2, in bytes (proofs/stack proves it): to open an image at
- * most 480, a run 592, a question in one call 736, a contact 496, the triangles of a pair 416, a
+ * most 480, a run 592, a predicate in one call 736, a contact 496, the triangles of a pair 416, a
  * pose 416, a point in the unit 112.
  */
 #ifndef FLASHBVH_FLASHBVH_H
@@ -26,9 +26,9 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/arch/byte_order.h"
-#include "flashbvh/plain/counts.h"
 #include "flashbvh/plain/language.h"
 #include "flashbvh/plain/points.h"
+#include "flashbvh/plain/results.h"
 #include "flashbvh/status.h"
 #include "flashbvh/version.hpp" /* macros alone: C as well as C++ */
 
@@ -131,14 +131,14 @@ void flashbvh_pose_values(const flashbvh_pose* pose, int32_t rotation[9], int32_
 
 /* Queries: query.hpp --------------------------------------------------------------------------- */
 
-/** QueryPosition: where a query stands between runs. 12 bytes, which may be stored for any time. */
-typedef struct flashbvh_position {
+/** QueryCursor: where a query stands between runs. 12 bytes, which may be stored for any time. */
+typedef struct flashbvh_cursor {
   uint16_t a;
   uint16_t b;
   uint32_t untested;
   uint8_t state;
   uint8_t reserved[3]; /**< written as 0, not read */
-} flashbvh_position;
+} flashbvh_cursor;
 
 /** PairQuery, and all its memory. 128 bytes on a 32-bit core, 152 on a 64-bit one. */
 FLASHBVH_OPAQUE(flashbvh_query, 6, 104, uint32_t);
@@ -153,30 +153,30 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_query_status(const flashbvh_query* q
 
 /** Query::run(): does at most `work`, UINT32_MAX being all, and writes at most `capacity` pairs.
  * DONE; SUSPENDED: the work is done; FULL: the array is; or the query's error. */
-FLASHBVH_NODISCARD flashbvh_step flashbvh_query_run(flashbvh_query* query, uint32_t work,
-                                                    flashbvh_pair* pairs, uint32_t capacity);
+FLASHBVH_NODISCARD flashbvh_run_result flashbvh_query_run(flashbvh_query* query, uint32_t work,
+                                                          flashbvh_pair* pairs, uint32_t capacity);
 
 /** Takes a pair of triangles that intersect; false for no more. `context` is the caller's. */
 typedef bool flashbvh_visitor(flashbvh_pair pair, void* context);
 
 /** Query::run(): hands each pair to `visit`, until it returns false: FULL. */
-FLASHBVH_NODISCARD flashbvh_step flashbvh_query_visit(flashbvh_query* query, uint32_t work,
-                                                      flashbvh_visitor* visit, void* context);
+FLASHBVH_NODISCARD flashbvh_run_result flashbvh_query_visit(flashbvh_query* query, uint32_t work,
+                                                            flashbvh_visitor* visit, void* context);
 
-/** Query::counts(). */
-flashbvh_counts flashbvh_query_counts(const flashbvh_query* query);
+/** Query::stats(). */
+flashbvh_stats flashbvh_query_stats(const flashbvh_query* query);
 
 /** Query::last_pair(): after a run that wrote a pair and returned FULL, and inside a visitor. */
 void flashbvh_query_last_pair(const flashbvh_query* query, flashbvh_triangle* a,
                               flashbvh_triangle* b);
 
-/** Query::position(), between runs. */
-flashbvh_position flashbvh_query_position(const flashbvh_query* query);
+/** Query::cursor(), between runs. */
+flashbvh_cursor flashbvh_query_cursor(const flashbvh_query* query);
 
 /** Query::resume(), of a started query. SUSPENDED or DONE, as the other query was;
- * POSITION_INVALID, and nothing changes; or the query's own error. */
+ * CURSOR_INVALID, and nothing changes; or the query's own error. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_query_resume(flashbvh_query* query,
-                                                         const flashbvh_position* position);
+                                                         const flashbvh_cursor* position);
 
 /* Contacts: contact.hpp ------------------------------------------------------------------------ */
 
@@ -200,7 +200,8 @@ void flashbvh_in_unit(const flashbvh_fine_point* point, const flashbvh_mesh* mes
 void flashbvh_in_millionths(const flashbvh_fine_point* point, const flashbvh_mesh* mesh,
                             int64_t at[3]);
 
-/* Time: bound.hpp; lib/docs/bounded_time.md has the proof -------------------------------------- */
+/* Time: time_bound.hpp; lib/docs/bounded_time.md has the proof
+ * -------------------------------------- */
 
 /** tree_size_of(), of an image that flashbvh_open() has opened; else why it is no image. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_image_tree_size(const void* image, size_t size,
@@ -230,7 +231,7 @@ uint64_t flashbvh_most_work(const flashbvh_tree_size* a, const flashbvh_tree_siz
 /** largest_step(): a run may overdraw by it, less 1. */
 uint64_t flashbvh_largest_step(const flashbvh_tree_size* a, const flashbvh_tree_size* b);
 
-/* One question, one call: collide.hpp ----------------------------------------------------------
+/* One predicate, one call: collide.hpp ----------------------------------------------------------
  *
  * Each runs a query of its own, on the stack, to its end and returns DONE or the query's error,
  * FULL where said. After an error `yes` is true, since what can't be decided may collide, and

@@ -2,7 +2,6 @@
 #ifndef FLASHBVH_FLASHBVH_HPP
 #define FLASHBVH_FLASHBVH_HPP
 
-#include "flashbvh/bound.hpp"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
@@ -17,6 +16,7 @@
 #include "flashbvh/shape.hpp"
 #include "flashbvh/solid.hpp"
 #include "flashbvh/status.hpp"
+#include "flashbvh/time_bound.hpp"
 #include "flashbvh/triangle.hpp"
 #include "flashbvh/version.hpp"
 

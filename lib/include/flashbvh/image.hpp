@@ -72,7 +72,7 @@ static_assert(sizeof(ImageHeader) == 80, "the figure in the format's description
 /// whether its contents can be trusted.
 Status read_image_header(const void* bytes, size_t size, ImageHeader& header);
 
-/// For bounds (bound.hpp) on an image that was opened.
+/// For bounds (time_bound.hpp) on an image that was opened.
 inline TreeSize tree_size_of(const ImageHeader& header) {
   return {header.depth, header.arity, header.leaf_size, header.leaf_count, header.triangle_count};
 }
@@ -89,7 +89,7 @@ inline TreeSize tree_size_of(const ImageHeader& header) {
 /// bytes on Cortex-M3 to M55 at -O2.
 ///
 /// Bytes after the image, if `size` has more than the header says, are not looked at. MeshType:
-/// PostMesh, LevelledPostMesh, LevelledPreMesh or their Large kin; another kind of image gives
+/// Mesh, MeshWithLevels, PreMeshWithLevels or their Large kin; another kind of image gives
 /// `image_kind`, so does one without levels where they are asked for.
 template <class MeshType>
 Status open_image(const void* bytes, size_t size, MeshType& mesh);

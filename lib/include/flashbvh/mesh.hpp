@@ -23,7 +23,7 @@
 
 #include "flashbvh/detail/lattice/box_packed.hpp"
 #include "flashbvh/lattice.hpp"
-#include "flashbvh/plain/counts.h"
+#include "flashbvh/plain/results.h"
 
 namespace flashbvh {
 
@@ -87,7 +87,7 @@ struct Tree {
   }
 };
 
-/// Baked as kTreeSize, for bound.hpp.
+/// Baked as kTreeSize, for time_bound.hpp.
 using TreeSize = flashbvh_tree_size;
 
 /// Of lengths: what the numbers of a mesh's file mean. Images hold the values.
@@ -97,7 +97,7 @@ constexpr uint8_t kUnitCount = 9;
 /// A baked mesh: its tree and its triangles, a view of arrays that outlive it. 64 bytes with 16-bit
 /// indices on a 32-bit core.
 template <class IndexType, Layout layout>
-struct Mesh : Tree<IndexType, layout> {
+struct BasicMesh : Tree<IndexType, layout> {
   using Index = IndexType;
 
   const Corners<Index>* triangles;  ///< triangle_count, in order of their leaves
@@ -135,10 +135,10 @@ struct Mesh : Tree<IndexType, layout> {
 using PreTree = Tree<uint16_t, Layout::pre_indexed>;
 using PostTree = Tree<uint16_t, Layout::post_indexed>;
 
-using PreMesh = Mesh<uint16_t, Layout::pre_indexed>;
-using PostMesh = Mesh<uint16_t, Layout::post_indexed>;
-using LargePreMesh = Mesh<uint32_t, Layout::pre_indexed>;
-using LargePostMesh = Mesh<uint32_t, Layout::post_indexed>;
+using PreMesh = BasicMesh<uint16_t, Layout::pre_indexed>;
+using Mesh = BasicMesh<uint16_t, Layout::post_indexed>;
+using PreMesh32 = BasicMesh<uint32_t, Layout::pre_indexed>;
+using Mesh32 = BasicMesh<uint32_t, Layout::post_indexed>;
 
 // What the alternating rule needs beside the tree: levels, and the way up a chain of last children.
 //
@@ -150,11 +150,12 @@ using LargePostMesh = Mesh<uint32_t, Layout::post_indexed>;
 // orders does not link them.
 
 template <class Index, Layout layout>
-struct LevelledMesh;
+struct BasicMeshWithLevels;
 
 /// Pre-indexed (section 7): LevelUp goes from parent to parent.
 template <class IndexType>
-struct LevelledMesh<IndexType, Layout::pre_indexed> : Mesh<IndexType, Layout::pre_indexed> {
+struct BasicMeshWithLevels<IndexType, Layout::pre_indexed>
+    : BasicMesh<IndexType, Layout::pre_indexed> {
   const IndexType* levels;   ///< node_count: the depth of the node, 0 at the root
   const IndexType* parents;  ///< node_count: the index of the parent; 0 at the root
 
@@ -184,7 +185,8 @@ struct LevelledMesh<IndexType, Layout::pre_indexed> : Mesh<IndexType, Layout::pr
 
 /// Post-indexed (section 8.3): LevelUp(i, x) = i - x.
 template <class IndexType>
-struct LevelledMesh<IndexType, Layout::post_indexed> : Mesh<IndexType, Layout::post_indexed> {
+struct BasicMeshWithLevels<IndexType, Layout::post_indexed>
+    : BasicMesh<IndexType, Layout::post_indexed> {
   const IndexType* levels;              ///< node_count: the depth of the node, 0 at the root
   const IndexType* right_child_levels;  ///< node_count: RCL
 
@@ -204,10 +206,10 @@ struct LevelledMesh<IndexType, Layout::post_indexed> : Mesh<IndexType, Layout::p
   }
 };
 
-using LevelledPreMesh = LevelledMesh<uint16_t, Layout::pre_indexed>;
-using LevelledPostMesh = LevelledMesh<uint16_t, Layout::post_indexed>;
-using LargeLevelledPreMesh = LevelledMesh<uint32_t, Layout::pre_indexed>;
-using LargeLevelledPostMesh = LevelledMesh<uint32_t, Layout::post_indexed>;
+using PreMeshWithLevels = BasicMeshWithLevels<uint16_t, Layout::pre_indexed>;
+using MeshWithLevels = BasicMeshWithLevels<uint16_t, Layout::post_indexed>;
+using PreMeshWithLevels32 = BasicMeshWithLevels<uint32_t, Layout::pre_indexed>;
+using MeshWithLevels32 = BasicMeshWithLevels<uint32_t, Layout::post_indexed>;
 
 static_assert(sizeof(Node<uint16_t>) == 16, "the figure in the documents");
 static_assert(sizeof(Node<uint32_t>) == 20, "the figure in the documents");

@@ -21,9 +21,9 @@
 #include <stdint.h>
 
 #include "flashbvh/lattice.hpp"
-#include "flashbvh/length.hpp"
 #include "flashbvh/pose.hpp"
 #include "flashbvh/status.hpp"
+#include "flashbvh/units.hpp"
 
 namespace flashbvh {
 
@@ -232,7 +232,7 @@ struct UnitPoint {
 
 /// A contact's point in the unit of mesh A, which it is reported of; each coordinate rounded once,
 /// to the nearest float. A float has 24 bits, which a point 65,536 cells off takes up: past that,
-/// millionths_of() (length.hpp) keeps the rest.
+/// millionths_of() (units.hpp) keeps the rest.
 inline UnitPoint in_unit(const FinePoint& point, uint64_t cell_bits) {
   return {detail::float_of(detail::length_bits(point.x, cell_bits)),
           detail::float_of(detail::length_bits(point.y, cell_bits)),

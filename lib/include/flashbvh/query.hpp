@@ -5,7 +5,7 @@
 //
 // Work: a visit to a pair of boxes is 1; a leaf taken as a shape 8, and 1 for each triangle beside
 // its first; two triangles tested against each other 32, or 8 where they are asked whether they are
-// within a distance. The work of a run bounds its time (bound.hpp, lib/docs/bounded_time.md).
+// within a distance. The work of a run bounds its time (time_bound.hpp, lib/docs/bounded_time.md).
 //
 // A query writes nothing but itself and the caller's array, so any number of queries, in tasks and
 // in interrupts, may share meshes and poses. One query is one caller's at a time: what interrupts a
@@ -20,26 +20,26 @@
 #include "flashbvh/detail/query/leaf_triangles.hpp"
 #include "flashbvh/detail/query/triangle_test.hpp"
 #include "flashbvh/detail/walk/leaf_pairs.hpp"
-#include "flashbvh/detail/walk/leaf_shape.hpp"
+#include "flashbvh/detail/walk/leaf_planes.hpp"
 #include "flashbvh/detail/walk/ranked.hpp"
 #include "flashbvh/detail/walk/walk.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
+#include "flashbvh/run_result.hpp"
 #include "flashbvh/status.hpp"
-#include "flashbvh/step.hpp"
 
 namespace flashbvh {
 
-/// `Order`: Ranked<PostMesh>, or a class with the same members (detail/walk/walk.hpp). The meshes
+/// `Traversal`: Ranked<Mesh>, or a class with the same members (detail/walk/walk.hpp). The meshes
 /// and the pose outlive the query. 128 bytes on a 32-bit core with 16-bit indices.
-template <class Order, class Question = detail::Intersection>
-class Query : protected Question {
+template <class Traversal, class Predicate = detail::Intersection>
+class Query : protected Predicate {
   using State = detail::State;
 
  public:
-  using Mesh = typename Order::Tree;
+  using Mesh = typename Traversal::Tree;
   using Index = typename Mesh::Index;
-  using Cursor = typename Order::Cursor;
+  using Cursor = typename Traversal::Cursor;
   using Pair = TrianglePair<Index>;
 
   /// B lies at `pose` in A's frame. Orders with a stack take their array as `start`; the stackless
@@ -50,8 +50,8 @@ class Query : protected Question {
   /// has what the first run adds).
   FLASHBVH_INLINE_TO_RUN Query(const Mesh& a, const Mesh& b, const Pose& pose,
                                const Cursor& start = Cursor(),
-                               const Question& question = Question())
-      : Query(EndsAtRoots<kEndsAtRoots>(), a, b, pose, start, question) {}
+                               const Predicate& predicate = Predicate())
+      : Query(EndsAtRoots<kEndsAtRoots>(), a, b, pose, start, predicate) {}
 
   /// Meshes and poses that would be gone before the first run.
   Query(const Mesh&&, const Mesh&, const Pose&, const Cursor& = Cursor()) = delete;
@@ -65,7 +65,7 @@ class Query : protected Question {
                                    : Status::suspended;
   }
   /// What was done so far, inside a sink too.
-  [[nodiscard]] const Counts& counts() const { return counts_; }
+  [[nodiscard]] const QueryStats& stats() const { return stats_; }
 
   /// Does at most `work`, and writes at most `capacity` pairs to `found`.
   /// Returns `done`; `suspended` when the work is done; `full` as soon as the array is; or an
@@ -73,8 +73,8 @@ class Query : protected Question {
   /// or more it always gets on: the step that it can't quite pay for is done, and is the last.
   /// UINT32_MAX: all there is to do.
   ///
-  /// Stack on Cortex-M3 to M55 at -O2: 544 bytes. Instructions: bound.hpp.
-  FLASHBVH_INLINE Step run(uint32_t work, Pair* found, uint32_t capacity) {
+  /// Stack on Cortex-M3 to M55 at -O2: 544 bytes. Instructions: time_bound.hpp.
+  FLASHBVH_INLINE RunResult run(uint32_t work, Pair* found, uint32_t capacity) {
     uint32_t count = 0;
     if (capacity == 0 && status() == Status::suspended) {
       return {Status::full, 0, 0};
@@ -90,7 +90,7 @@ class Query : protected Question {
 
   /// Runs into an array of known length.
   template <uint32_t capacity>
-  FLASHBVH_INLINE Step run(uint32_t work, Pair (&found)[capacity]) {
+  FLASHBVH_INLINE RunResult run(uint32_t work, Pair (&found)[capacity]) {
     return run(work, found, capacity);
   }
 
@@ -101,7 +101,7 @@ class Query : protected Question {
   /// tested, so that its stack and that of the triangle test are never needed at once. Of those
   /// that a sink stops at the walk is done again by the next run; counts know them once.
   template <class Sink>
-  FLASHBVH_INLINE Step run(uint32_t work, Sink&& sink) {
+  FLASHBVH_INLINE RunResult run(uint32_t work, Sink&& sink) {
     uint32_t count = 0;
     const auto counting = [&](const Pair& pair) {
       ++count;
@@ -113,20 +113,20 @@ class Query : protected Question {
   }
 
   /// Where the query stands. Between runs; not for orders with a stack.
-  [[nodiscard]] QueryPosition<Index> position() const {
+  [[nodiscard]] QueryCursor<Index> cursor() const {
     return {cursor_.a, cursor_.b, untested_, state_};
   }
 
   /// Goes on from a position of a query on the same meshes and pose; counts go on from what they
-  /// are. `position_invalid`, and nothing changes, if no query on these meshes has such a position.
+  /// are. `cursor_invalid`, and nothing changes, if no query on these meshes has such a position.
   /// That it is one of another pose, or of other meshes, is not told where it could be one of this
   /// query; the run then gives the pairs after it.
-  Status resume(const QueryPosition<Index>& position) {
+  Status resume(const QueryCursor<Index>& position) {
     if (error_ != Status::done) {
       return error_;
     }
     if (!is_possible(position)) {
-      return Status::position_invalid;
+      return Status::cursor_invalid;
     }
     cursor_ = {position.a, position.b};
     state_ = position.state;
@@ -145,10 +145,10 @@ class Query : protected Question {
   void last_pair(Triangle& a, Triangle& b) const {
     detail::place_pair(*a_, of_a(untested_), *b_, of_b(untested_), transform_, a, b);
   }
-  /// Their positions in the meshes' arrays, not their ids: as seeds are (clearance.hpp). Likewise.
+  /// Their positions in the meshes' arrays, not their ids: as hints are (clearance.hpp). Likewise.
   /// A template, so that what is compiled once has it where it is asked for alone.
   template <class Positions = Pair>
-  [[nodiscard]] Positions last_positions() const {
+  [[nodiscard]] Positions last_slots() const {
     return {static_cast<Index>(of_a(untested_)), static_cast<Index>(of_b(untested_))};
   }
 
@@ -164,7 +164,7 @@ class Query : protected Question {
   /// Of what is wrong beside them.
   void refuse(Status error) { error_ = error; }
   /// A visit that was made beside the walk.
-  void count_visit() { ++counts_.visits; }
+  void count_visit() { ++stats_.visits; }
   /// Runs and leaves in `work` what is left of it. `room()`: for how many more pairs `sink` has
   /// capacity, which spares walking on after the last of them.
   template <class Sink, class Room>
@@ -178,7 +178,7 @@ class Query : protected Question {
       }
       if (kEndsAtRoots && transform_.roots_disjoint()) {
         work -= work == detail::kUnlimited ? 0 : 1;
-        counts_.visits = 1;
+        stats_.visits = 1;
         state_ = State::done;
         return Status::done;
       }
@@ -205,19 +205,19 @@ class Query : protected Question {
   }
 
   void set_leaves() {
-    const detail::PairCursor<Index> nodes = Order::nodes(*a_, *b_, cursor_);
+    const detail::PairCursor<Index> nodes = Traversal::nodes(*a_, *b_, cursor_);
     leaf_a_ = a_->nodes[nodes.a].leaf();
     leaf_b_ = b_->nodes[nodes.b].leaf();
   }
 
   /// Orders with a stack can't go back to a pair, so they take along but one.
   using Batches = detail::Batches<
-      detail::LeafPairs<Mesh, Order::kStackless ? Question::kBatch : 1, Question::kPairWork>, Mesh,
-      detail::kAsksAllAlike<Question>>;
+      detail::LeafPairs<Mesh, Traversal::kStackless ? Predicate::kBatch : 1, Predicate::kPairWork>,
+      Mesh, detail::kAsksAllAlike<Predicate>>;
   using Batch = typename Batches::Batch;
-  using Shapes = typename Question::template Shapes<Mesh>;
-  using Kept = detail::KeptShapes<Shapes, Question::kKeepsShapes>;
-  using Test = detail::TriangleTest<Question, Mesh, Question::kIntersects>;
+  using Shapes = typename Predicate::template Shapes<Mesh>;
+  using Kept = detail::KeptShapes<Shapes, Predicate::kKeepsShapes>;
+  using Test = detail::TriangleTest<Predicate, Mesh, Predicate::kIntersects>;
 
   template <class Sink, class Room>
   FLASHBVH_INLINE Status go_on(uint32_t& work, Sink& sink, const Room& room) {
@@ -247,42 +247,42 @@ class Query : protected Question {
   /// Pays for pairs of triangles, all of them or as many as work allows; how many are kept for
   /// another run.
   static uint32_t pay(uint32_t pairs, uint32_t& work) {
-    const uint32_t paid = detail::triangle_pairs_for<Question::kPairWork>(work);
-    detail::take_work(work, pairs * Question::kPairWork);
+    const uint32_t paid = detail::triangle_pairs_for<Predicate::kPairWork>(work);
+    detail::take_work(work, pairs * Predicate::kPairWork);
     return paid < pairs ? pairs - paid : 0;
   }
 
   /// For what tests took that kPairWork is not for.
   void pay_dear(uint32_t& work) {
-    if constexpr (Question::kDearWork != 0) {
-      detail::take_work(work, this->dear_tests * Question::kDearWork);
+    if constexpr (Predicate::kDearWork != 0) {
+      detail::take_work(work, this->dear_tests * Predicate::kDearWork);
       this->dear_tests = 0;
     }
   }
 
   /// What the walk found after the pair at hand, it will find again.
   void stop_at_current(const Batch& batch) {
-    if constexpr (Order::kStackless) {
+    if constexpr (Traversal::kStackless) {
       if (batch.has_current()) {
-        cursor_ = Order::cursor_at(*a_, *b_, batch.current().a, batch.current().b);
+        cursor_ = Traversal::cursor_at(*a_, *b_, batch.current().a, batch.current().b);
       }
     }
     state_ = State::at_leaf_pair;
   }
 
-  bool is_possible(const QueryPosition<Index>& position) const {
+  bool is_possible(const QueryCursor<Index>& position) const {
     if (position.state != State::at_pair && position.state != State::at_leaf_pair) {
       return position.state == State::fresh || position.state == State::done;
     }
     const Cursor cursor = {position.a, position.b};
     if (transform_.is_far_apart() || position.a >= a_->node_count || position.b >= b_->node_count ||
-        !Order::can_visit(*a_, *b_, cursor)) {
+        !Traversal::can_visit(*a_, *b_, cursor)) {
       return false;
     }
     if (position.state == State::at_pair) {
       return true;
     }
-    const detail::PairCursor<Index> nodes = Order::nodes(*a_, *b_, cursor);
+    const detail::PairCursor<Index> nodes = Traversal::nodes(*a_, *b_, cursor);
     return a_->nodes[nodes.a].is_leaf() && b_->nodes[nodes.b].is_leaf() &&
            position.untested <= a_->triangles_in(a_->nodes[nodes.a].leaf()) *
                                     b_->triangles_in(b_->nodes[nodes.b].leaf());
@@ -299,12 +299,12 @@ class Query : protected Question {
   }
 
   /// Whether roots that are disjoint end the query with its first visit.
-  static constexpr bool kEndsAtRoots = Order::kStartsAtRoots && Question::kDisjointRootsEnd;
+  static constexpr bool kEndsAtRoots = Traversal::kStartsAtRoots && Predicate::kDisjointRootsEnd;
   template <bool>
   struct EndsAtRoots {};
   FLASHBVH_INLINE_TO_RUN Query(EndsAtRoots<true>, const Mesh& a, const Mesh& b, const Pose& pose,
-                               const Cursor& start, const Question& question)
-      : Question(question), cursor_(start) {
+                               const Cursor& start, const Predicate& predicate)
+      : Predicate(predicate), cursor_(start) {
     const Status wrong = error_of(a, b, pose, start);
     if (__builtin_expect(wrong == Status::done, 1)) {
       transform_.place(pose, a, b, true, [&] { begin(a, b, Status::done); });
@@ -314,8 +314,8 @@ class Query : protected Question {
     }
   }
   FLASHBVH_INLINE_TO_RUN Query(EndsAtRoots<false>, const Mesh& a, const Mesh& b, const Pose& pose,
-                               const Cursor& start, const Question& question)
-      : Question(question), a_(&a), b_(&b), cursor_(start) {
+                               const Cursor& start, const Predicate& predicate)
+      : Predicate(predicate), a_(&a), b_(&b), cursor_(start) {
     place_and_begin(pose);
   }
   /// With no part in the caller's frame.
@@ -326,17 +326,17 @@ class Query : protected Question {
     } else {
       transform_.place_nowhere();
     }
-    if constexpr (!Question::kDisjointRootsEnd) {
+    if constexpr (!Predicate::kDisjointRootsEnd) {
       transform_.bring_near();
-      const Question& question = *this;
-      error_ = error_ != Status::done ? error_ : question.error_of(transform_, *a_, *b_);
+      const Predicate& predicate = *this;
+      error_ = error_ != Status::done ? error_ : predicate.error_of(transform_, *a_, *b_);
     }
   }
   /// Sets all but the transform and the cursor.
   void begin(const Mesh& a, const Mesh& b, Status error) {
     a_ = &a;
     b_ = &b;
-    counts_ = detail::no_counts();
+    stats_ = detail::no_counts();
     leaf_a_ = 0;
     leaf_b_ = 0;
     untested_ = 0;
@@ -349,29 +349,30 @@ class Query : protected Question {
     typename Kept::AtHand shapes = Kept::at_hand(kept, *a_, *b_, transform_);
     const uint32_t granted = work < Batch::kMostWork ? work : Batch::kMostWork;
     detail::WalkRun<Cursor, Batch> run(cursor_, batch, granted);
-    batch.clear(run.progress, room, Question::kIntersects && state_ == State::fresh);
-    const State end = detail::StatefulBound<Question>::is_for(*this, transform_)
+    batch.clear(run.progress, room, Predicate::kIntersects && state_ == State::fresh);
+    const State end = detail::StatefulBoxTest<Predicate>::is_for(*this, transform_)
                           ? walk_rotated(shapes, run)
                           : walk_translated(shapes, run);
     batch.end(run.progress);
     uint32_t spent = granted - run.progress.work_left;
     if (granted == Batch::kMostWork && (end == State::at_pair || batch.has_unpaid())) {
-      spent += Question::kPairWork;  // for another walk
+      spent += Predicate::kPairWork;  // for another walk
     }
     detail::take_work(work, spent);
     return end;
   }
   FLASHBVH_NOINLINE State walk_translated(Shapes& shapes, detail::WalkRun<Cursor, Batch>& run) {
-    const auto& bound = Question::translated(transform_.translated());
-    if constexpr (Shapes::kAsksBound) {
-      shapes.set_bound(bound);
+    const auto& bound = Predicate::translated(transform_.translated());
+    if constexpr (Shapes::kReadsBoxTest) {
+      shapes.set_box_test(bound);
     }
-    return detail::walk<Order>(bound, shapes, run, state_);
+    return detail::walk<Traversal>(bound, shapes, run, state_);
   }
   FLASHBVH_NOINLINE State walk_rotated(Shapes& shapes, detail::WalkRun<Cursor, Batch>& run) {
-    auto bound = detail::StatefulBound<Question>::of(*this, transform_);
-    shapes.set_bound(bound);
-    return detail::walk<Order>(detail::ByReference<decltype(bound)>{&bound}, shapes, run, state_);
+    auto bound = detail::StatefulBoxTest<Predicate>::of(*this, transform_);
+    shapes.set_box_test(bound);
+    return detail::walk<Traversal>(detail::ByReference<decltype(bound)>{&bound}, shapes, run,
+                                   state_);
   }
 
   /// Tests pairs of triangles until one is an answer; false if none is left of the batch.
@@ -379,11 +380,11 @@ class Query : protected Question {
   /// `kept`: how many of those at hand are not paid for. Nothing but `this` outlives the call,
   /// which keeps the stack flat where it is deepest.
   FLASHBVH_NOINLINE bool next_answer(Batch& batch, uint32_t kept) {
-    if (Question::kIntersects && untested_ == 0 && !batch.is_walked()) {
+    if (Predicate::kIntersects && untested_ == 0 && !batch.is_walked()) {
       return false;  // before a run's first walk: with no registers saved
     }
-    Question& question = *this;
-    Test test(question, *a_, *b_, transform_);
+    Predicate& predicate = *this;
+    Test test(predicate, *a_, *b_, transform_);
     for (;;) {
       const uint32_t untested = untested_ > kept ? untested_ : take_next(batch);
       if (untested == 0) {
@@ -405,7 +406,7 @@ class Query : protected Question {
         if (batch.has_current()) {
           count(batch.walked_to_current());
         }
-        ++counts_.triangle_pairs;
+        ++stats_.triangle_pairs;
         return true;
       }
     }
@@ -446,8 +447,8 @@ class Query : protected Question {
   }
 
   void count(const typename Batch::Walked& walked) {
-    counts_.visits += walked.visits;
-    counts_.overlaps += walked.overlaps;
+    stats_.visits += walked.visits;
+    stats_.overlaps += walked.overlaps;
   }
 
   /// The next pair of leaves, and how many pairs of triangles it has; 0 if there is none, or it is
@@ -459,7 +460,7 @@ class Query : protected Question {
       return 0;
     }
     const auto& pair = batch.next();
-    ++counts_.leaf_pairs;
+    ++stats_.leaf_pairs;
     leaf_a_ = a_->nodes[pair.a].leaf();
     leaf_b_ = b_->nodes[pair.b].leaf();
     const uint32_t pairs = a_->triangles_in(leaf_a_) * b_->triangles_in(leaf_b_);
@@ -474,7 +475,7 @@ class Query : protected Question {
   // What is read most comes first, where short instructions reach it.
   const Mesh* a_;
   const Mesh* b_;
-  Counts counts_;
+  QueryStats stats_;
   Cursor cursor_;
   Index leaf_a_;  ///< the cursor's pair of leaves, by number, once it is at one
   Index leaf_b_;
@@ -485,12 +486,12 @@ class Query : protected Question {
 };
 
 /// The default query, and the same for meshes with 32-bit indices.
-using PairQuery = Query<Ranked<PostMesh>>;
-using LargePairQuery = Query<Ranked<LargePostMesh>>;
+using PairQuery = Query<Ranked<Mesh>>;
+using PairQuery32 = Query<Ranked<Mesh32>>;
 
 // Compiled once, in the library.
-extern template class Query<Ranked<PostMesh>>;
-extern template class Query<Ranked<LargePostMesh>>;
+extern template class Query<Ranked<Mesh>>;
+extern template class Query<Ranked<Mesh32>>;
 
 }  // namespace flashbvh
 

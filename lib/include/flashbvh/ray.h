@@ -17,22 +17,22 @@ extern "C" {
 #define FLASHBVH_MAX_RAY_COORDINATE (((int32_t)1 << 19) - 1)
 
 /** No triangle to begin with. */
-#define FLASHBVH_NO_SEED ((uint16_t)0xFFFF)
+#define FLASHBVH_NO_HINT ((uint16_t)0xFFFF)
 
 /** RayHit: what a ray hits. */
 typedef struct flashbvh_hit {
   int64_t above; /**< how far along: above / below of the segment, exactly, from 0 to 1 */
   int64_t below;
   uint16_t triangle; /**< its id */
-  uint16_t position; /**< in the mesh's array: a seed for the next ray */
+  uint16_t position; /**< in the mesh's array: a hint for the next ray */
   int8_t side;       /**< 1: the front is hit; -1: the back; 0: the edge of a plane */
 } flashbvh_hit;
 
-/** nearest_hit(); `*yes`: there is one. `seed`: the position of a triangle that may be near it, or
- * FLASHBVH_NO_SEED. RAY_OUT_OF_RANGE, SEED_INVALID: then `*yes` is true and `*hit` is nothing. */
+/** nearest_hit(); `*yes`: there is one. `hint`: the position of a triangle that may be near it, or
+ * FLASHBVH_NO_HINT. RAY_OUT_OF_RANGE, HINT_INVALID: then `*yes` is true and `*hit` is nothing. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_nearest_hit(const flashbvh_mesh* mesh,
                                                         const flashbvh_segment* segment,
-                                                        uint16_t seed, bool* yes,
+                                                        uint16_t hint, bool* yes,
                                                         flashbvh_hit* hit);
 
 /** any_hit(); as above. */

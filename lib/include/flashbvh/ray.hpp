@@ -39,36 +39,36 @@ struct RayHit {
 
 /// No triangle to begin with.
 template <class Index>
-constexpr Index kNoSeed = static_cast<Index>(-1);
+constexpr Index kNoHint = static_cast<Index>(-1);
 
 /// After an error `yes` is true, and nothing else holds: what can't be told may be hit.
 template <class Index>
 struct [[nodiscard]] RayAnswer {
-  /// `done`; `ray_out_of_range`: an end lies too far off; `seed_invalid`.
+  /// `done`; `ray_out_of_range`: an end lies too far off; `hint_invalid`.
   Status status;
   bool yes;
   RayHit<Index> hit;
   uint32_t visits;  ///< boxes tested
 };
 
-/// The first hit along the segment; of several in one place that of the least triangle id. `seed`:
+/// The first hit along the segment; of several in one place that of the least triangle id. `hint`:
 /// the position of a triangle that may be near it, as the ray before has hit, which spares visits;
 /// the hit never depends on it. Stack: 704 bytes on Cortex-M3 to M55 at -O2.
 template <class Index>
-RayAnswer<Index> nearest_hit(const Mesh<Index, Layout::post_indexed>& mesh, const Segment& segment,
-                             Index seed = kNoSeed<Index>) noexcept;
+RayAnswer<Index> nearest_hit(const BasicMesh<Index, Layout::post_indexed>& mesh,
+                             const Segment& segment, Index hint = kNoHint<Index>) noexcept;
 
 /// Any hit, the first that the walk comes to: whether something is in the way.
 template <class Index>
-RayAnswer<Index> any_hit(const Mesh<Index, Layout::post_indexed>& mesh,
+RayAnswer<Index> any_hit(const BasicMesh<Index, Layout::post_indexed>& mesh,
                          const Segment& segment) noexcept;
 
 /// Hands each hit to `visit(hit)`, in the tree's order, until it returns false. `done` at the end,
 /// `full` if `visit` said no more, `ray_out_of_range`.
 template <class Index, class Visitor>
-Status for_each_hit(const Mesh<Index, Layout::post_indexed>& mesh, const Segment& segment,
+Status for_each_hit(const BasicMesh<Index, Layout::post_indexed>& mesh, const Segment& segment,
                     Visitor&& visit) {
-  detail::SegmentWalk<Mesh<Index, Layout::post_indexed>> walk(mesh, segment);
+  detail::SegmentWalk<BasicMesh<Index, Layout::post_indexed>> walk(mesh, segment);
   RayHit<Index> hit;
   while (walk.next(hit)) {
     if (!visit(static_cast<const RayHit<Index>&>(hit))) {
@@ -88,7 +88,7 @@ struct [[nodiscard]] CrossingCount {
 /// How often the segment goes out of a closed mesh, less how often it goes in: the winding number
 /// of its start less that of its end, both moved by less than any number.
 template <class Index>
-CrossingCount signed_crossings(const Mesh<Index, Layout::post_indexed>& mesh,
+CrossingCount signed_crossings(const BasicMesh<Index, Layout::post_indexed>& mesh,
                                const Segment& segment) noexcept;
 
 /// Where a hit is, in the mesh's frame: each coordinate within 1/256 cell of the exact one.

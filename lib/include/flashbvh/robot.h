@@ -141,7 +141,7 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_set_frame_of_quaternion(const flashb
 typedef struct flashbvh_pair_detail {
   flashbvh_nearest_points nearest; /**< at the end of the period, in the base's frame */
   flashbvh_pair triangles;         /**< by their ids */
-  flashbvh_witness witness;        /**< the same, as a seed of flashbvh_distance() */
+  flashbvh_witness witness;        /**< the same, as a hint of flashbvh_distance() */
   uint8_t variable;                /**< that has most to do with it, or FLASHBVH_NO_VARIABLE */
 } flashbvh_pair_detail;
 

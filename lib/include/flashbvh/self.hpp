@@ -15,7 +15,7 @@
 
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
-#include "flashbvh/detail/query/self_question.hpp"
+#include "flashbvh/detail/query/self_predicate.hpp"
 #include "flashbvh/detail/walk/self_ranked.hpp"
 #include "flashbvh/query.hpp"
 
@@ -25,42 +25,40 @@ namespace flashbvh {
 template <class MeshType, class QuestionBase>
 class BasicSelfQuery
     : public Query<detail::SelfRanked<MeshType>, detail::SelfQuestion<QuestionBase>> {
-  using Question = detail::SelfQuestion<QuestionBase>;
-  using Base = Query<detail::SelfRanked<MeshType>, Question>;
+  using Predicate = detail::SelfQuestion<QuestionBase>;
+  using Base = Query<detail::SelfRanked<MeshType>, Predicate>;
 
  public:
   /// With `within(distance)` (clearance.hpp) as the question of a SelfWithinQuery.
-  explicit BasicSelfQuery(const MeshType& mesh, const QuestionBase& question = QuestionBase())
-      : BasicSelfQuery(mesh, question, Pose::translated(0, 0, 0)) {}
+  explicit BasicSelfQuery(const MeshType& mesh, const QuestionBase& predicate = QuestionBase())
+      : BasicSelfQuery(mesh, predicate, Pose::translated(0, 0, 0)) {}
   explicit BasicSelfQuery(const MeshType&&, const QuestionBase& = QuestionBase()) = delete;
 
  private:
   /// A translation is not looked at again.
-  BasicSelfQuery(const MeshType& mesh, const QuestionBase& question, const Pose& identity)
-      : Base(mesh, mesh, identity, {}, Question(question)) {}
+  BasicSelfQuery(const MeshType& mesh, const QuestionBase& predicate, const Pose& identity)
+      : Base(mesh, mesh, identity, {}, Predicate(predicate)) {}
 };
 
-using SelfQuery = BasicSelfQuery<PostMesh, detail::Intersection>;
-using LargeSelfQuery = BasicSelfQuery<LargePostMesh, detail::Intersection>;
-using SelfWithinQuery = BasicSelfQuery<PostMesh, Within>;
-using LargeSelfWithinQuery = BasicSelfQuery<LargePostMesh, Within>;
+using SelfQuery = BasicSelfQuery<Mesh, detail::Intersection>;
+using SelfQuery32 = BasicSelfQuery<Mesh32, detail::Intersection>;
+using SelfWithinQuery = BasicSelfQuery<Mesh, Within>;
+using SelfWithinQuery32 = BasicSelfQuery<Mesh32, Within>;
 
 /// Whether any two triangles of a mesh that share no vertex intersect; ends at the first pair.
 template <class Index>
-Answer intersects_itself(const Mesh<Index, Layout::post_indexed>& mesh) {
-  BasicSelfQuery<Mesh<Index, Layout::post_indexed>, detail::Intersection> query(mesh);
+Answer intersects_itself(const BasicMesh<Index, Layout::post_indexed>& mesh) {
+  BasicSelfQuery<BasicMesh<Index, Layout::post_indexed>, detail::Intersection> query(mesh);
   TrianglePair<Index> found;
   const Status status = query.run(UINT32_MAX, &found, 1).status;
   return {status == Status::full ? Status::done : status, status != Status::done};
 }
 
 // Compiled once, in the library.
-extern template class Query<detail::SelfRanked<PostMesh>,
-                            detail::SelfQuestion<detail::Intersection>>;
-extern template class Query<detail::SelfRanked<LargePostMesh>,
-                            detail::SelfQuestion<detail::Intersection>>;
-extern template class Query<detail::SelfRanked<PostMesh>, detail::SelfQuestion<Within>>;
-extern template class Query<detail::SelfRanked<LargePostMesh>, detail::SelfQuestion<Within>>;
+extern template class Query<detail::SelfRanked<Mesh>, detail::SelfQuestion<detail::Intersection>>;
+extern template class Query<detail::SelfRanked<Mesh32>, detail::SelfQuestion<detail::Intersection>>;
+extern template class Query<detail::SelfRanked<Mesh>, detail::SelfQuestion<Within>>;
+extern template class Query<detail::SelfRanked<Mesh32>, detail::SelfQuestion<Within>>;
 
 }  // namespace flashbvh
 

@@ -30,7 +30,7 @@ class Shape {
   Shape& operator=(const Shape&) = delete;
 
   /// What queries take.
-  [[nodiscard]] const PostMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
 
   /// `shape_too_large` where a coordinate is further than 16,383 cells from the middle, or beyond
   /// 2^29: then the shape is as it was. One that never was any has no cell of a mesh and no inside:
@@ -40,7 +40,7 @@ class Shape {
 
  protected:
   /// Has the cell of `like` from when its points are set; no mesh has a negative one.
-  FLASHBVH_NOINLINE explicit Shape(const PostMesh& like, const uint8_t (&corners)[triangles][3]) {
+  FLASHBVH_NOINLINE explicit Shape(const Mesh& like, const uint8_t (&corners)[triangles][3]) {
     for (uint16_t i = 0; i < triangles; ++i) {
       corners_[i] = {{corners[i][0], corners[i][1], corners[i][2]}};
       ids_[i] = i;
@@ -112,7 +112,7 @@ class Shape {
             static_cast<int16_t>(p.z - middle.z)};
   }
 
-  PostMesh mesh_{};
+  Mesh mesh_{};
   Node<uint16_t> node_{{0, 0, 0}, 1, Node<uint16_t>::kLeafFlag};
   Corners<uint16_t> corners_[triangles];
   uint16_t ids_[triangles];
@@ -128,7 +128,7 @@ class Shape {
 class PointShape : public Shape<1, 1> {
  public:
   /// With the cell of `like`; see status().
-  PointShape(const PostMesh& like, const Point& at) : Shape(like, {{0, 0, 0}}) { set(at); }
+  PointShape(const Mesh& like, const Point& at) : Shape(like, {{0, 0, 0}}) { set(at); }
   /// Sets it anew; see status().
   FLASHBVH_NOINLINE void set(const Point& at) { set_points({at}); }
 };
@@ -137,7 +137,7 @@ class PointShape : public Shape<1, 1> {
 class SegmentShape : public Shape<1, 2> {
  public:
   /// With the cell of `like`; see status().
-  SegmentShape(const PostMesh& like, const Point& p, const Point& q) : Shape(like, {{0, 1, 1}}) {
+  SegmentShape(const Mesh& like, const Point& p, const Point& q) : Shape(like, {{0, 1, 1}}) {
     set(p, q);
   }
   /// Sets it anew; see status().
@@ -148,7 +148,7 @@ class SegmentShape : public Shape<1, 2> {
 class TriangleShape : public Shape<1, 3> {
  public:
   /// With the cell of `like`; see status().
-  TriangleShape(const PostMesh& like, const Triangle& t) : Shape(like, {{0, 1, 2}}) { set(t); }
+  TriangleShape(const Mesh& like, const Triangle& t) : Shape(like, {{0, 1, 2}}) { set(t); }
   /// Sets it anew; see status().
   FLASHBVH_NOINLINE void set(const Triangle& t) { set_points(t.corner); }
 };
@@ -166,7 +166,7 @@ inline constexpr uint8_t kBoxTriangles[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}
 class BoxShape : public Shape<12, 8> {
  public:
   /// With the cell of `like`; see status().
-  BoxShape(const PostMesh& like, const Point& lower, const Point& upper)
+  BoxShape(const Mesh& like, const Point& lower, const Point& upper)
       : Shape(like, detail::kBoxTriangles) {
     set(lower, upper);
   }

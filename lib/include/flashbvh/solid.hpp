@@ -41,7 +41,7 @@ struct [[nodiscard]] PointAnswer {
 /// Visits the boxes above and below the point along z, some tens. Stack: 384 bytes on Cortex-M3 to
 /// M55 at -O2.
 template <class Index>
-PointAnswer inside(const Mesh<Index, Layout::post_indexed>& mesh, const Point& point) noexcept;
+PointAnswer inside(const BasicMesh<Index, Layout::post_indexed>& mesh, const Point& point) noexcept;
 
 /// Whether a shell of A or B, which lies at `pose` in A's frame, has its first vertex inside the
 /// other: of bodies whose triangles don't intersect, whether one is in the other, wholly or by a
@@ -51,15 +51,15 @@ PointAnswer inside(const Mesh<Index, Layout::post_indexed>& mesh, const Point& p
 ///
 /// Visits some tens of boxes a shell, as inside(); it is not cut into slices. Stack: 704 bytes.
 template <class Index>
-Answer one_is_inside(const Mesh<Index, Layout::post_indexed>& a,
-                     const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept;
+Answer one_is_inside(const BasicMesh<Index, Layout::post_indexed>& a,
+                     const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept;
 
 /// Whether A and B, which lies at `pose` in A's frame, have any point in common, surfaces and
 /// insides: triangles that intersect, or a shell of one of them inside the other. Both are closed:
 /// else `not_closed`, and `yes` as after any error. Stack: 752 bytes.
 template <class Index>
-Answer solids_intersect(const Mesh<Index, Layout::post_indexed>& a,
-                        const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept;
+Answer solids_intersect(const BasicMesh<Index, Layout::post_indexed>& a,
+                        const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept;
 
 }  // namespace flashbvh
 

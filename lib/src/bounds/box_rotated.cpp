@@ -26,7 +26,7 @@
 #include "box_rotated_plain.hpp"
 #endif
 
-// Rotating both boxes is for most visits the exception, and the only path of RotatedBound::gap()
+// Rotating both boxes is for most visits the exception, and the only path of RotatedBoxTest::gap()
 // that needs registers saved. On cores that save them one by one it is a function of its own.
 #if defined(FLASHBVH_ROTATE_PLAIN)
 #define FLASHBVH_ROTATE_BOTH FLASHBVH_NOINLINE
@@ -61,7 +61,7 @@ inline uint32_t lower_bound(const SplitRow& row, int32_t start, const PackedBox&
 }
 
 /// The bounds of a rotated box on the other lattice.
-inline PackedBox rotated(const SplitMatrix& matrix, const BoundStart* starts,
+inline PackedBox rotated(const SplitMatrix& matrix, const BoxTestStart* starts,
                          const PackedBox& box) {
   const auto upper = [&](int i) { return upper_bound(matrix.row[i], starts[i].upper, box); };
   const auto lower = [&](int i) { return lower_bound(matrix.row[i], starts[i].lower, box); };
@@ -96,7 +96,7 @@ FLASHBVH_ROTATE_BOTH uint32_t rotate_both(RotatedBox& kept_a, RotatedBox& kept_b
 
 }  // namespace
 
-uint32_t RotatedBound::gap(const PackedBox& a, const PackedBox& b) {
+uint32_t RotatedBoxTest::gap(const PackedBox& a, const PackedBox& b) {
   if (b_.source == &b) {
     const uint32_t gap = compare(b_.bounds, a);
     return gap != 0 ? gap : rotate_and_compare(a_, a, b);
@@ -115,13 +115,13 @@ uint32_t RotatedBound::gap(const PackedBox& a, const PackedBox& b) {
 
 namespace flashbvh::detail {
 
-void RotatedBound::keep(RotatedBox& kept, const PackedBox& box) {
+void RotatedBoxTest::keep(RotatedBox& kept, const PackedBox& box) {
   if (kept.source != &box) {
     (void)FLASHBVH_ROTATE_BOX(kept, box, box);
   }
 }
 
-PackedTriple RotatedBound::window(const RotatedBox& kept, const PackedBox& box) {
+PackedTriple RotatedBoxTest::window(const RotatedBox& kept, const PackedBox& box) {
   if (kept.source != &box) {
     return {{0, 0, 0}};
   }

@@ -19,8 +19,8 @@ namespace flashbvh::detail {
 
 static_assert(offsetof(RotatedBox, bounds) == 0 && offsetof(RotatedBox, source) == 12 &&
               offsetof(RotatedBox, by.matrix) == 16 && offsetof(RotatedBox, by.starts) == 20 &&
-              sizeof(RotatedBox) == 24 && sizeof(RotatedBound) == 48);
-static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits == 14);
+              sizeof(RotatedBox) == 24 && sizeof(RotatedBoxTest) == 48);
+static_assert(sizeof(SplitRow) == 12 && sizeof(BoxTestStart) == 8 && kSplitBits == 14);
 
 }  // namespace flashbvh::detail
 

@@ -66,7 +66,7 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] uint32_t flashbvh_rotate_and_compare(
 }
 
 /// 12 instructions where a current box separates the two, 50 or more where one is rotated.
-[[gnu::naked]] uint32_t RotatedBound::gap(const PackedBox& /*a*/, const PackedBox& /*b*/) {
+[[gnu::naked]] uint32_t RotatedBoxTest::gap(const PackedBox& /*a*/, const PackedBox& /*b*/) {
 #define FLASHBVH_EXCHANGE_BOXES \
   "mov r3, r1\n\t"              \
   "mov r1, r2\n\t"              \

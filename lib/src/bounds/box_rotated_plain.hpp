@@ -60,7 +60,7 @@ inline AxisBounds whole_bounds(AxisSums sums) {
 }
 
 /// The sums along the axis of `row` of a box with bounds `x`, `y` and `z`.
-[[gnu::always_inline]] inline AxisSums rotated_sums(const SplitRow& row, const BoundStart& start,
+[[gnu::always_inline]] inline AxisSums rotated_sums(const SplitRow& row, const BoxTestStart& start,
                                                     const AxisBounds& x, const AxisBounds& y,
                                                     const AxisBounds& z) {
   AxisSums sums = {static_cast<uint32_t>(start.upper), static_cast<uint32_t>(start.lower)};
@@ -81,8 +81,9 @@ inline AxisBounds whole_bounds(AxisSums sums) {
 
 /// Sets `bounds` to those of `box` rotated by `matrix`, its sums beginning at `starts`. They are
 /// stored at once, by halves: then RISC-V has registers for everything else.
-[[gnu::always_inline]] inline void rotate_plain(const SplitMatrix& matrix, const BoundStart* starts,
-                                                const PackedBox& box, PackedBox& bounds) {
+[[gnu::always_inline]] inline void rotate_plain(const SplitMatrix& matrix,
+                                                const BoxTestStart* starts, const PackedBox& box,
+                                                PackedBox& bounds) {
   const AxisBounds x = {loaded_half(box.upper_xy, 0), loaded_half(box.lower_xy, 0)};
   const AxisBounds y = {loaded_half(box.upper_xy, 1), loaded_half(box.lower_xy, 1)};
   const AxisBounds z = {loaded_half(box.z, 0), loaded_half(box.z, 1)};

@@ -23,7 +23,7 @@ struct Sums {
   int32_t upper;
   int32_t lower;
 };
-inline Sums sums_of(const SplitRow& row, const BoundStart& start, const PackedBox& box) {
+inline Sums sums_of(const SplitRow& row, const BoxTestStart& start, const PackedBox& box) {
   return {
       add_products(add_products(add_products(start.upper, row.positive_xy, box.upper_xy),
                                 row.negative_xy, box.lower_xy),
@@ -35,8 +35,8 @@ inline Sums sums_of(const SplitRow& row, const BoundStart& start, const PackedBo
 #endif
 
 /// `rounding`: added to sums before they become whole cells.
-FLASHBVH_NOINLINE void rotate(const SplitMatrix& matrix, const BoundStart* starts, int32_t rounding,
-                              const PackedBox& box, SeenBox& seen) {
+FLASHBVH_NOINLINE void rotate(const SplitMatrix& matrix, const BoxTestStart* starts,
+                              int32_t rounding, const PackedBox& box, SeenBox& seen) {
 #if defined(FLASHBVH_GAP_SIMD)
   rotate_lanes(matrix, starts, rounding, box, seen);
 #else

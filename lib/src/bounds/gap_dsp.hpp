@@ -13,7 +13,7 @@ namespace flashbvh::detail {
 static_assert(offsetof(NearBox, window) == 0 && offsetof(NearBox, source) == 12 &&
               offsetof(NearBox, matrix) == 16 && offsetof(NearBox, starts) == 20 &&
               offsetof(NearBox, zero) == 24 && offsetof(NearBox, limit) == 28);
-static_assert(sizeof(SplitRow) == 12 && sizeof(BoundStart) == 8 && kSplitBits == 14);
+static_assert(sizeof(SplitRow) == 12 && sizeof(BoxTestStart) == 8 && kSplitBits == 14);
 
 /// Whether `box` is within the limit of the current box, if that is not null; if so, rotates it and
 /// keeps it: whether `other` is within the limit of that. 11 and 61 instructions.

@@ -30,8 +30,8 @@ inline RowLanes row_lanes(const SplitMatrix& matrix) {
           _mm_unpacklo_epi64(_mm_unpackhi_epi32(first, second), _mm_srli_si128(third, 12))};
 }
 
-inline BoundLanes start_lanes(const BoundStart* starts) {
-  static_assert(sizeof(BoundStart) == 2 * sizeof(int32_t), "words without gaps");
+inline BoxTestLanes start_lanes(const BoxTestStart* starts) {
+  static_assert(sizeof(BoxTestStart) == 2 * sizeof(int32_t), "words without gaps");
   const __m128i two =
       _mm_shuffle_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(starts)), 0xD8);
   const __m128i third = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(starts + 2));
@@ -39,8 +39,8 @@ inline BoundLanes start_lanes(const BoundStart* starts) {
 }
 
 /// Of a rotated box's bounds, with kSplitBits of fraction.
-inline BoundLanes rotated_lanes(const RowLanes& rows, const BoundLanes& start,
-                                const PackedBox& box) {
+inline BoxTestLanes rotated_lanes(const RowLanes& rows, const BoxTestLanes& start,
+                                  const PackedBox& box) {
   const auto all = [](uint32_t word) { return _mm_set1_epi32(static_cast<int>(word)); };
   const __m128i box_upper = all(box.upper_xy);
   const __m128i box_lower = all(box.lower_xy);
@@ -54,9 +54,9 @@ inline BoundLanes rotated_lanes(const RowLanes& rows, const BoundLanes& start,
 }
 
 /// As rotate() in gap.cpp.
-inline void rotate_lanes(const SplitMatrix& matrix, const BoundStart* starts, int32_t rounding,
+inline void rotate_lanes(const SplitMatrix& matrix, const BoxTestStart* starts, int32_t rounding,
                          const PackedBox& box, SeenBox& seen) {
-  const BoundLanes sums = rotated_lanes(row_lanes(matrix), start_lanes(starts), box);
+  const BoxTestLanes sums = rotated_lanes(row_lanes(matrix), start_lanes(starts), box);
   const auto set = [rounding](int32_t(&bounds)[4], __m128i sum) {
     _mm_store_si128(reinterpret_cast<__m128i*>(bounds),
                     _mm_srai_epi32(_mm_add_epi32(sum, _mm_set1_epi32(rounding)), kSplitBits));
@@ -66,7 +66,7 @@ inline void rotate_lanes(const SplitMatrix& matrix, const BoundStart* starts, in
 }
 
 /// What words of a box have to reach: sums from `zero` on, as halves, cut to 16 bits.
-inline PackedTriple window_lanes(const BoundLanes& sums, int32_t zero) {
+inline PackedTriple window_lanes(const BoxTestLanes& sums, int32_t zero) {
   const __m128i half = _mm_set1_epi32(1 << 15);  // so that a signed half saturates
   const auto cells = [&](__m128i sum) {
     return _mm_sub_epi32(_mm_srai_epi32(_mm_sub_epi32(_mm_set1_epi32(zero), sum), kSplitBits),

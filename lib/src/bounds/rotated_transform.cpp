@@ -121,7 +121,7 @@ int32_t axis_margin(const RotationMatrix& matrix, int32_t reach_b) {
 }
 
 /// Products are of biased bounds and make a biased bound.
-BoundStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
+BoxTestStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
   const int32_t bias = (kSplitOne - row.sum()) * kBoundBias;
   return {bias + margin + offset, bias + margin - offset};
 }
@@ -133,7 +133,7 @@ constexpr int32_t kWidestMargin = 3 * kMaxCoordinate / 2 + 1 + kHalf;
 
 /// Whether the box of all of B, rotated, ends along an axis before A's root box begins, or begins
 /// after it. `upper`, `lower`: the biased bound of A's box, and the negated one.
-bool far_apart(const SplitRow& row, const BoundStart& start, const PackedBox& root_b,
+bool far_apart(const SplitRow& row, const BoxTestStart& start, const PackedBox& root_b,
                uint32_t upper, uint32_t lower) {
 #if defined(FLASHBVH_NARROW_SUMS)
   const AxisBounds x = {loaded_half(root_b.upper_xy, 0), loaded_half(root_b.lower_xy, 0)};
@@ -234,7 +234,7 @@ bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
   const RowLanes rows = row_lanes(matrix->rows);
   const auto along = [&](int axis) { return offset_along_axis(pose, origin_a, origin_b, axis); };
   const int32_t offset[3] = {along(0), along(1), along(2)};
-  const BoundLanes starts = start_all(rows, offset, kWidestMargin);
+  const BoxTestLanes starts = start_all(rows, offset, kWidestMargin);
   if (may_stop && far_apart(rows, starts, root_a, root_b)) {
     return false;
   }

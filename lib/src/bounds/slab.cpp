@@ -39,7 +39,7 @@ inline PackedVector rotated(const SplitMatrix& matrix, const PackedVector& d) {
 /// Where B's origin lies along a direction in A's lattice, to whole cells along each axis.
 inline int32_t origin_along(const PackedVector& d, const RotatedTransform& transform) {
   const auto cells = [&](int i) {
-    const BoundStart& start = transform.on_a[i];
+    const BoxTestStart& start = transform.on_a[i];
     return (start.upper - start.lower + kSplitOne) >> (kSplitBits + 1);
   };
   return d.x() * cells(0) + d.y() * cells(1) + d.z * cells(2);

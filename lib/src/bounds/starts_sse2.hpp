@@ -9,7 +9,7 @@
 namespace flashbvh::detail {
 
 /// start_of() for all axes.
-inline BoundLanes start_all(const RowLanes& rows, const int32_t (&offset)[3], int32_t margin) {
+inline BoxTestLanes start_all(const RowLanes& rows, const int32_t (&offset)[3], int32_t margin) {
   constexpr int bias_bits = 14;
   static_assert(kBoundBias == 1 << bias_bits);
   const __m128i ones = _mm_set1_epi16(1);
@@ -23,7 +23,7 @@ inline BoundLanes start_all(const RowLanes& rows, const int32_t (&offset)[3], in
   return {_mm_add_epi32(shared, offsets), _mm_sub_epi32(shared, offsets)};
 }
 
-inline void store_all(const BoundLanes& from, BoundStart (&starts)[3]) {
+inline void store_all(const BoxTestLanes& from, BoxTestStart (&starts)[3]) {
   _mm_storeu_si128(reinterpret_cast<__m128i*>(&starts[0]),
                    _mm_unpacklo_epi32(from.upper, from.lower));
   _mm_storel_epi64(reinterpret_cast<__m128i*>(&starts[2]),
@@ -31,9 +31,9 @@ inline void store_all(const BoundLanes& from, BoundStart (&starts)[3]) {
 }
 
 /// Whether along one of the axes all of B is beyond A's root box.
-inline bool far_apart(const RowLanes& rows, const BoundLanes& starts, const PackedBox& root_a,
+inline bool far_apart(const RowLanes& rows, const BoxTestLanes& starts, const PackedBox& root_a,
                       const PackedBox& root_b) {
-  const BoundLanes sums = rotated_lanes(rows, starts, root_b);
+  const BoxTestLanes sums = rotated_lanes(rows, starts, root_b);
   return compare(root_a, box_of_sums(sums.upper, sums.lower)) != 0;
 }
 

@@ -1,6 +1,6 @@
 // The C interface to time bounds.
-#include "flashbvh/bound.hpp"
 #include "flashbvh/image.hpp"
+#include "flashbvh/time_bound.hpp"
 #include "objects.hpp"
 
 using namespace flashbvh;

@@ -10,10 +10,10 @@ FLASHBVH_HOLDS(flashbvh_within_query, WithinQuery);
 
 namespace {
 
-using Seed = ClearanceQuery::Seed;
+using Hint = ClearanceQuery::Hint;
 
-Seed seed_in(const flashbvh_witness* seed) {
-  return seed == nullptr ? Seed() : Seed{seed->a, seed->b};
+Hint hint_in(const flashbvh_witness* hint) {
+  return hint == nullptr ? Hint() : Hint{hint->a, hint->b};
 }
 
 template <class Coordinates>
@@ -40,9 +40,9 @@ void put(const Clearance<uint16_t>& known, flashbvh_clearance* result) {
 
 flashbvh_status flashbvh_clearance_start(flashbvh_clearance_query* query, const flashbvh_mesh* a,
                                          const flashbvh_mesh* b, const flashbvh_pose* pose,
-                                         const flashbvh_witness* seed, uint16_t tolerance) {
+                                         const flashbvh_witness* hint, uint16_t tolerance) {
   return c_status(
-      make(query, object_in(a), object_in(b), object_in(pose), seed_in(seed), tolerance).status());
+      make(query, object_in(a), object_in(b), object_in(pose), hint_in(hint), tolerance).status());
 }
 
 flashbvh_status flashbvh_clearance_run(flashbvh_clearance_query* query, uint32_t* work) {
@@ -53,25 +53,25 @@ void flashbvh_clearance_result(const flashbvh_clearance_query* query, flashbvh_c
   put(object_in(query).result(), result);
 }
 
-flashbvh_counts flashbvh_clearance_counts(const flashbvh_clearance_query* query) {
-  return object_in(query).counts();
+flashbvh_stats flashbvh_clearance_stats(const flashbvh_clearance_query* query) {
+  return object_in(query).stats();
 }
 
-flashbvh_clearance_position flashbvh_clearance_position_of(const flashbvh_clearance_query* query) {
-  const ClearancePosition<uint16_t> at = object_in(query).position();
-  return {c_position(at.walk), {at.witness.a, at.witness.b}, at.has_witness};
+flashbvh_clearance_cursor flashbvh_clearance_cursor_of(const flashbvh_clearance_query* query) {
+  const ClearanceCursor<uint16_t> at = object_in(query).cursor();
+  return {c_cursor(at.walk), {at.witness.a, at.witness.b}, at.has_witness};
 }
 
 flashbvh_status flashbvh_clearance_resume(flashbvh_clearance_query* query,
-                                          const flashbvh_clearance_position* position) {
+                                          const flashbvh_clearance_cursor* position) {
   return c_status(object_in(query).resume(
-      {position_in(position->walk), seed_in(&position->witness), position->has_witness}));
+      {slot_in(position->walk), hint_in(&position->witness), position->has_witness}));
 }
 
 flashbvh_status flashbvh_distance(const flashbvh_mesh* a, const flashbvh_mesh* b,
-                                  const flashbvh_pose* pose, const flashbvh_witness* seed,
+                                  const flashbvh_pose* pose, const flashbvh_witness* hint,
                                   flashbvh_clearance* result) {
-  put(distance(object_in(a), object_in(b), object_in(pose), seed_in(seed)), result);
+  put(distance(object_in(a), object_in(b), object_in(pose), hint_in(hint)), result);
   return result->status;
 }
 
@@ -92,28 +92,28 @@ flashbvh_status flashbvh_within_status(const flashbvh_within_query* query) {
   return c_status(object_in(query).status());
 }
 
-flashbvh_step flashbvh_within_run(flashbvh_within_query* query, uint32_t work, flashbvh_pair* pairs,
-                                  uint32_t capacity) {
+flashbvh_run_result flashbvh_within_run(flashbvh_within_query* query, uint32_t work,
+                                        flashbvh_pair* pairs, uint32_t capacity) {
   return object_in(query).run(work, pairs, capacity);
 }
 
-flashbvh_step flashbvh_within_visit(flashbvh_within_query* query, uint32_t work,
-                                    flashbvh_visitor* visit, void* context) {
+flashbvh_run_result flashbvh_within_visit(flashbvh_within_query* query, uint32_t work,
+                                          flashbvh_visitor* visit, void* context) {
   return object_in(query).run(
       work, [visit, context](const flashbvh_pair& pair) { return visit(pair, context); });
 }
 
-flashbvh_counts flashbvh_within_counts(const flashbvh_within_query* query) {
-  return object_in(query).counts();
+flashbvh_stats flashbvh_within_stats(const flashbvh_within_query* query) {
+  return object_in(query).stats();
 }
 
-flashbvh_position flashbvh_within_position(const flashbvh_within_query* query) {
-  return c_position(object_in(query).position());
+flashbvh_cursor flashbvh_within_cursor(const flashbvh_within_query* query) {
+  return c_cursor(object_in(query).cursor());
 }
 
 flashbvh_status flashbvh_within_resume(flashbvh_within_query* query,
-                                       const flashbvh_position* position) {
-  return c_status(object_in(query).resume(position_in(*position)));
+                                       const flashbvh_cursor* position) {
+  return c_status(object_in(query).resume(slot_in(*position)));
 }
 
 void flashbvh_within_last_pair(const flashbvh_within_query* query, flashbvh_triangle* a,
@@ -138,7 +138,7 @@ flashbvh_status flashbvh_for_each_within(const flashbvh_mesh* a, const flashbvh_
                                          const flashbvh_pose* pose, uint32_t distance,
                                          flashbvh_visitor* visit, void* context) {
   WithinQuery query(object_in(a), object_in(b), object_in(pose), {}, within(distance));
-  const Step step = query.run(
+  const RunResult step = query.run(
       UINT32_MAX, [visit, context](const flashbvh_pair& pair) { return visit(pair, context); });
   return c_status(step.status);
 }

@@ -25,7 +25,7 @@ flashbvh_status flashbvh_find_pairs(const flashbvh_mesh* a, const flashbvh_mesh*
                                     const flashbvh_pose* pose, flashbvh_pair* pairs,
                                     uint32_t capacity, uint32_t* count) {
   PairQuery query(object_in(a), object_in(b), object_in(pose));
-  const Step step = query.run(UINT32_MAX, pairs, capacity);
+  const RunResult step = query.run(UINT32_MAX, pairs, capacity);
   *count = step.count;
   return c_status(step.status);
 }

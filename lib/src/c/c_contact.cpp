@@ -1,6 +1,6 @@
 // The C interface to contacts.
 #include "flashbvh/contact.hpp"
-#include "flashbvh/length.hpp"
+#include "flashbvh/units.hpp"
 #include "objects.hpp"
 
 using namespace flashbvh;

@@ -19,15 +19,15 @@ static_assert(__is_standard_layout(flashbvh_deformable), "its mesh is at its add
 namespace {
 
 template <class Query>
-flashbvh_self_position position_of(const Query& query) {
-  const auto at = query.position();
-  return {c_position(at.position), at.refits};
+flashbvh_self_cursor slot_of(const Query& query) {
+  const auto at = query.cursor();
+  return {c_cursor(at.position), at.refits};
 }
 
 template <class Query>
-flashbvh_status resume(Query& query, const flashbvh_self_position& position) {
-  return c_status(query.resume(DeformablePosition<QueryPosition<uint16_t>>{
-      position_in(position.position), position.refits}));
+flashbvh_status resume(Query& query, const flashbvh_self_cursor& position) {
+  return c_status(query.resume(
+      DeformableCursor<QueryCursor<uint16_t>>{slot_in(position.position), position.refits}));
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ void flashbvh_deformable_make(flashbvh_deformable* deformable, const flashbvh_me
 
 flashbvh_status flashbvh_deformable_refit(flashbvh_deformable* deformable, uint32_t work,
                                           uint32_t* vertex) {
-  const RefitStep step = object_in(deformable).refit(work);
+  const RefitResult step = object_in(deformable).refit(work);
   if (step.status == Status::vertex_out_of_lattice) {
     *vertex = step.vertex;
   }
@@ -63,21 +63,21 @@ flashbvh_status flashbvh_self_query_start(flashbvh_self_query* query,
   return c_status(make(query, object_in(deformable)).status());
 }
 
-flashbvh_step flashbvh_self_query_run(flashbvh_self_query* query, uint32_t work,
-                                      flashbvh_pair* pairs, uint32_t capacity) {
+flashbvh_run_result flashbvh_self_query_run(flashbvh_self_query* query, uint32_t work,
+                                            flashbvh_pair* pairs, uint32_t capacity) {
   return object_in(query).run(work, pairs, capacity);
 }
 
-flashbvh_counts flashbvh_self_query_counts(const flashbvh_self_query* query) {
-  return object_in(query).query().counts();
+flashbvh_stats flashbvh_self_query_stats(const flashbvh_self_query* query) {
+  return object_in(query).query().stats();
 }
 
-flashbvh_self_position flashbvh_self_query_position(const flashbvh_self_query* query) {
-  return position_of(object_in(query));
+flashbvh_self_cursor flashbvh_self_query_cursor(const flashbvh_self_query* query) {
+  return slot_of(object_in(query));
 }
 
 flashbvh_status flashbvh_self_query_resume(flashbvh_self_query* query,
-                                           const flashbvh_self_position* position) {
+                                           const flashbvh_self_cursor* position) {
   return resume(object_in(query), *position);
 }
 
@@ -87,21 +87,21 @@ flashbvh_status flashbvh_self_within_start(flashbvh_self_within_query* query,
   return c_status(make(query, object_in(deformable), within(distance)).status());
 }
 
-flashbvh_step flashbvh_self_within_run(flashbvh_self_within_query* query, uint32_t work,
-                                       flashbvh_pair* pairs, uint32_t capacity) {
+flashbvh_run_result flashbvh_self_within_run(flashbvh_self_within_query* query, uint32_t work,
+                                             flashbvh_pair* pairs, uint32_t capacity) {
   return object_in(query).run(work, pairs, capacity);
 }
 
-flashbvh_counts flashbvh_self_within_counts(const flashbvh_self_within_query* query) {
-  return object_in(query).query().counts();
+flashbvh_stats flashbvh_self_within_stats(const flashbvh_self_within_query* query) {
+  return object_in(query).query().stats();
 }
 
-flashbvh_self_position flashbvh_self_within_position(const flashbvh_self_within_query* query) {
-  return position_of(object_in(query));
+flashbvh_self_cursor flashbvh_self_within_cursor(const flashbvh_self_within_query* query) {
+  return slot_of(object_in(query));
 }
 
 flashbvh_status flashbvh_self_within_resume(flashbvh_self_within_query* query,
-                                            const flashbvh_self_position* position) {
+                                            const flashbvh_self_cursor* position) {
   return resume(object_in(query), *position);
 }
 

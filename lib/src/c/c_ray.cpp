@@ -21,8 +21,8 @@ flashbvh_status put_hit(const RayAnswer<uint16_t>& answer, bool* yes, flashbvh_h
 }  // namespace
 
 flashbvh_status flashbvh_nearest_hit(const flashbvh_mesh* mesh, const flashbvh_segment* segment,
-                                     uint16_t seed, bool* yes, flashbvh_hit* hit) {
-  return put_hit(nearest_hit(object_in(mesh), *segment, seed), yes, hit);
+                                     uint16_t hint, bool* yes, flashbvh_hit* hit) {
+  return put_hit(nearest_hit(object_in(mesh), *segment, hint), yes, hit);
 }
 
 flashbvh_status flashbvh_any_hit(const flashbvh_mesh* mesh, const flashbvh_segment* segment,

@@ -7,10 +7,9 @@ using namespace flashbvh;
 
 // Proofs that a flashbvh_mesh and a flashbvh_mesh_view are meshes: an array of one is read as the
 // other. tests/c_api compares the fields, since offsetof() does not know those of a base class.
-static_assert(sizeof(PostMesh) == sizeof(flashbvh_mesh) &&
-                  sizeof(PostMesh) == sizeof(flashbvh_mesh_view) &&
-                  alignof(PostMesh) == alignof(flashbvh_mesh) &&
-                  alignof(PostMesh) == alignof(flashbvh_mesh_view),
+static_assert(sizeof(Mesh) == sizeof(flashbvh_mesh) && sizeof(Mesh) == sizeof(flashbvh_mesh_view) &&
+                  alignof(Mesh) == alignof(flashbvh_mesh) &&
+                  alignof(Mesh) == alignof(flashbvh_mesh_view),
               "robot.h has another layout");
 
 flashbvh_status flashbvh_open_robot(const void* image, size_t size, flashbvh_mesh* meshes,

@@ -17,8 +17,8 @@ const char* flashbvh_status_name(flashbvh_status status) {
     FLASHBVH_CASE(stack_too_small);
     FLASHBVH_CASE(translation_out_of_range);
     FLASHBVH_CASE(not_a_rotation);
-    FLASHBVH_CASE(position_invalid);
-    FLASHBVH_CASE(seed_invalid);
+    FLASHBVH_CASE(cursor_invalid);
+    FLASHBVH_CASE(hint_invalid);
     FLASHBVH_CASE(distance_out_of_range);
     FLASHBVH_CASE(not_closed);
     FLASHBVH_CASE(shape_too_large);

@@ -28,7 +28,7 @@ template <class Struct>
 struct ObjectIn;
 template <>
 struct ObjectIn<flashbvh_mesh> {
-  using Type = PostMesh;
+  using Type = Mesh;
 };
 template <>
 struct ObjectIn<flashbvh_pose> {
@@ -61,13 +61,13 @@ flashbvh_status put_answer(const Answer& answer, bool* yes) {
   return c_status(answer.status);
 }
 
-inline flashbvh_position c_position(const QueryPosition<uint16_t>& position) {
+inline flashbvh_cursor c_cursor(const QueryCursor<uint16_t>& position) {
   return {
       position.a, position.b, position.untested, static_cast<uint8_t>(position.state), {0, 0, 0}};
 }
-inline QueryPosition<uint16_t> position_in(const flashbvh_position& position) {
+inline QueryCursor<uint16_t> slot_in(const flashbvh_cursor& position) {
   return {position.a, position.b, position.untested,
-          static_cast<QueryPosition<uint16_t>::State>(position.state)};
+          static_cast<QueryCursor<uint16_t>::State>(position.state)};
 }
 
 /// The caller's numbers, row by row, as an array of C++.

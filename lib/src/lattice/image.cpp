@@ -115,17 +115,17 @@ bool has_shape(const ImageHeader& header, const TreeShape& shape) {
 }
 
 template <class Index>
-void set_climb(LevelledMesh<Index, Layout::pre_indexed>& mesh, const Index* climb) {
+void set_climb(BasicMeshWithLevels<Index, Layout::pre_indexed>& mesh, const Index* climb) {
   mesh.parents = climb;
 }
 template <class Index>
-void set_climb(LevelledMesh<Index, Layout::post_indexed>& mesh, const Index* climb) {
+void set_climb(BasicMeshWithLevels<Index, Layout::post_indexed>& mesh, const Index* climb) {
   mesh.right_child_levels = climb;
 }
 
 template <class Index, Layout layout>
 [[gnu::noinline]] void view(const void* bytes, const ImageHeader& header,
-                            LevelledMesh<Index, layout>& mesh) {
+                            BasicMeshWithLevels<Index, layout>& mesh) {
   const ImageOffsets offsets = image_offsets(header);
   mesh.nodes = image_part<Node<Index>>(bytes, offsets.nodes);
   mesh.triangles = image_part<Corners<Index>>(bytes, offsets.triangles);
@@ -159,7 +159,7 @@ template <class Index, Layout layout>
 
 /// Levels may be missing.
 template <class Index, Layout layout>
-Status open_any(const void* bytes, size_t size, LevelledMesh<Index, layout>& mesh) {
+Status open_any(const void* bytes, size_t size, BasicMeshWithLevels<Index, layout>& mesh) {
   const Status read = check_readable(bytes, size);
   if (read != Status::done) {
     return read;
@@ -187,11 +187,11 @@ Status open_any(const void* bytes, size_t size, LevelledMesh<Index, layout>& mes
 }
 
 template <class Index, Layout layout>
-constexpr bool needs_levels(const LevelledMesh<Index, layout>&) {
+constexpr bool needs_levels(const BasicMeshWithLevels<Index, layout>&) {
   return true;
 }
 template <class Index, Layout layout>
-constexpr bool needs_levels(const Mesh<Index, layout>&) {
+constexpr bool needs_levels(const BasicMesh<Index, layout>&) {
   return false;
 }
 
@@ -256,7 +256,7 @@ Status read_image_header(const void* bytes, size_t size, ImageHeader& header) {
 
 template <class MeshType>
 Status open_image(const void* bytes, size_t size, MeshType& mesh) {
-  LevelledMesh<typename MeshType::Index, MeshType::kLayout> opened;
+  BasicMeshWithLevels<typename MeshType::Index, MeshType::kLayout> opened;
   const Status status = open_any(bytes, size, opened);
   if (status != Status::done) {
     return status;
@@ -268,11 +268,11 @@ Status open_image(const void* bytes, size_t size, MeshType& mesh) {
   return Status::done;
 }
 
-template Status open_image(const void*, size_t, PostMesh&);
-template Status open_image(const void*, size_t, LargePostMesh&);
-template Status open_image(const void*, size_t, LevelledPreMesh&);
-template Status open_image(const void*, size_t, LevelledPostMesh&);
-template Status open_image(const void*, size_t, LargeLevelledPreMesh&);
-template Status open_image(const void*, size_t, LargeLevelledPostMesh&);
+template Status open_image(const void*, size_t, Mesh&);
+template Status open_image(const void*, size_t, Mesh32&);
+template Status open_image(const void*, size_t, PreMeshWithLevels&);
+template Status open_image(const void*, size_t, MeshWithLevels&);
+template Status open_image(const void*, size_t, PreMeshWithLevels32&);
+template Status open_image(const void*, size_t, MeshWithLevels32&);
 
 }  // namespace flashbvh

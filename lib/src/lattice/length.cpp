@@ -1,5 +1,5 @@
 // Products of a number of cells and the cell's length, exact in 128 bits, rounded once.
-#include "flashbvh/length.hpp"
+#include "flashbvh/units.hpp"
 
 namespace flashbvh {
 namespace {

@@ -36,7 +36,7 @@ class Checker {
 
  public:
   /// `shape` is written as the check goes on.
-  Checker(const LevelledMesh<Index, layout>& tree, TreeShape& shape)
+  Checker(const BasicMeshWithLevels<Index, layout>& tree, TreeShape& shape)
       : tree_(tree), leaves_(0), shape_(shape) {
     shape = {0, 0, 0, 0, 0, false};
   }
@@ -281,7 +281,7 @@ class Checker {
     }
   }
 
-  const LevelledMesh<Index, layout>& tree_;
+  const BasicMeshWithLevels<Index, layout>& tree_;
   uint32_t leaves_;  ///< passed so far
   Surface surface_;  ///< of their triangles
   TreeShape& shape_;
@@ -290,13 +290,13 @@ class Checker {
 }  // namespace
 
 template <class Index, Layout layout>
-Status check_tree(const LevelledMesh<Index, layout>& mesh, TreeShape& shape) {
+Status check_tree(const BasicMeshWithLevels<Index, layout>& mesh, TreeShape& shape) {
   return Checker<Index, layout>(mesh, shape).check() ? Status::done : Status::image_invalid;
 }
 
-template Status check_tree(const LevelledPreMesh&, TreeShape&);
-template Status check_tree(const LevelledPostMesh&, TreeShape&);
-template Status check_tree(const LargeLevelledPreMesh&, TreeShape&);
-template Status check_tree(const LargeLevelledPostMesh&, TreeShape&);
+template Status check_tree(const PreMeshWithLevels&, TreeShape&);
+template Status check_tree(const MeshWithLevels&, TreeShape&);
+template Status check_tree(const PreMeshWithLevels32&, TreeShape&);
+template Status check_tree(const MeshWithLevels32&, TreeShape&);
 
 }  // namespace flashbvh::detail

@@ -38,7 +38,7 @@ uint32_t brought_near(const Pose& pose, const int32_t (&origin_a)[3],
 }  // namespace
 
 template <class MeshType>
-void BasicClearanceQuery<MeshType>::begin_at(const Pose& pose, const Seed& seed) {
+void BasicClearanceQuery<MeshType>::begin_at(const Pose& pose, const Hint& hint) {
   const Mesh& a = this->mesh_a();
   const Mesh& b = this->mesh_b();
   if (this->error() != Status::done) {
@@ -47,14 +47,14 @@ void BasicClearanceQuery<MeshType>::begin_at(const Pose& pose, const Seed& seed)
   if (!this->transform().is_in_range()) {
     this->beyond = brought_near(pose, a.origin, b.origin);
   }
-  if (seed.is_none()) {
+  if (hint.is_none()) {
     return;
   }
-  if (seed.a >= a.triangle_count || seed.b >= b.triangle_count) {
-    this->refuse(Status::seed_invalid);
+  if (hint.a >= a.triangle_count || hint.b >= b.triangle_count) {
+    this->refuse(Status::hint_invalid);
     return;
   }
-  begin_with(seed);
+  begin_with(hint);
 }
 
 template <class MeshType>
@@ -65,7 +65,7 @@ void BasicClearanceQuery<MeshType>::get_pair(uint32_t i, uint32_t j, Triangle& a
 }
 
 template <class MeshType>
-void BasicClearanceQuery<MeshType>::begin_with(const Seed& pair) {
+void BasicClearanceQuery<MeshType>::begin_with(const Hint& pair) {
   Triangle a;
   Triangle b;
   get_pair(pair.a, pair.b, a, b);
@@ -171,20 +171,20 @@ bool BasicClearanceQuery<MeshType>::descend(uint32_t& work) {
 }
 
 template <class MeshType>
-Status BasicClearanceQuery<MeshType>::resume(const ClearancePosition<Index>& position) {
+Status BasicClearanceQuery<MeshType>::resume(const ClearanceCursor<Index>& position) {
   if (this->error() != Status::done) {
     return this->error();
   }
-  const Seed& pair = position.witness;
+  const Hint& pair = position.witness;
   const bool found = position.has_witness;
   const uint32_t most_a = found ? this->mesh_a().triangle_count : this->mesh_a().node_count;
   const uint32_t most_b = found ? this->mesh_b().triangle_count : this->mesh_b().node_count;
   if (pair.a >= most_a || pair.b >= most_b ||
       (!found && position.walk.state != detail::State::fresh)) {
-    return Status::position_invalid;
+    return Status::cursor_invalid;
   }
   const Status resumed = Base::resume(position.walk);
-  if (resumed == Status::position_invalid) {
+  if (resumed == Status::cursor_invalid) {
     return resumed;
   }
   this->has_nearest = false;
@@ -234,9 +234,9 @@ Clearance<typename MeshType::Index> BasicClearanceQuery<MeshType>::result() cons
   return known;
 }
 
-template class Query<Ranked<PostMesh>, Within>;
-template class Query<Ranked<LargePostMesh>, Within>;
-template class BasicClearanceQuery<PostMesh>;
-template class BasicClearanceQuery<LargePostMesh>;
+template class Query<Ranked<Mesh>, Within>;
+template class Query<Ranked<Mesh32>, Within>;
+template class BasicClearanceQuery<Mesh>;
+template class BasicClearanceQuery<Mesh32>;
 
 }  // namespace flashbvh

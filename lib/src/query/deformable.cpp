@@ -3,7 +3,7 @@
 
 namespace flashbvh {
 
-template class BasicDeformableMesh<PostMesh>;
-template class BasicDeformableMesh<LargePostMesh>;
+template class BasicDeformableMesh<Mesh>;
+template class BasicDeformableMesh<Mesh32>;
 
 }  // namespace flashbvh

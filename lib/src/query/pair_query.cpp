@@ -3,7 +3,7 @@
 
 namespace flashbvh {
 
-template class Query<Ranked<PostMesh>>;
-template class Query<Ranked<LargePostMesh>>;
+template class Query<Ranked<Mesh>>;
+template class Query<Ranked<Mesh32>>;
 
 }  // namespace flashbvh

@@ -94,24 +94,24 @@ bool SegmentWalk<MeshType>::get_hit(uint32_t position, RayHit<Index>& hit) const
   return true;
 }
 
-template class SegmentWalk<PostMesh>;
-template class SegmentWalk<LargePostMesh>;
+template class SegmentWalk<Mesh>;
+template class SegmentWalk<Mesh32>;
 
 }  // namespace detail
 
 template <class Index>
-RayAnswer<Index> nearest_hit(const Mesh<Index, Layout::post_indexed>& mesh, const Segment& segment,
-                             Index seed) noexcept {
-  detail::SegmentWalk<Mesh<Index, Layout::post_indexed>> walk(mesh, segment);
+RayAnswer<Index> nearest_hit(const BasicMesh<Index, Layout::post_indexed>& mesh,
+                             const Segment& segment, Index hint) noexcept {
+  detail::SegmentWalk<BasicMesh<Index, Layout::post_indexed>> walk(mesh, segment);
   RayAnswer<Index> answer = {walk.status(), walk.status() != Status::done, {}, 0};
-  if (seed != kNoSeed<Index> && seed >= mesh.triangle_count) {
-    answer.status = Status::seed_invalid;
+  if (hint != kNoHint<Index> && hint >= mesh.triangle_count) {
+    answer.status = Status::hint_invalid;
     answer.yes = true;
   }
   if (answer.status != Status::done) {
     return answer;
   }
-  if (seed != kNoSeed<Index> && walk.get_hit(seed, answer.hit)) {
+  if (hint != kNoHint<Index> && walk.get_hit(hint, answer.hit)) {
     answer.yes = true;
     walk.shorten(answer.hit.along);
   }
@@ -128,9 +128,9 @@ RayAnswer<Index> nearest_hit(const Mesh<Index, Layout::post_indexed>& mesh, cons
 }
 
 template <class Index>
-RayAnswer<Index> any_hit(const Mesh<Index, Layout::post_indexed>& mesh,
+RayAnswer<Index> any_hit(const BasicMesh<Index, Layout::post_indexed>& mesh,
                          const Segment& segment) noexcept {
-  detail::SegmentWalk<Mesh<Index, Layout::post_indexed>> walk(mesh, segment);
+  detail::SegmentWalk<BasicMesh<Index, Layout::post_indexed>> walk(mesh, segment);
   RayAnswer<Index> answer = {walk.status(), true, {}, 0};
   if (answer.status == Status::done) {
     answer.yes = walk.next(answer.hit);
@@ -140,12 +140,12 @@ RayAnswer<Index> any_hit(const Mesh<Index, Layout::post_indexed>& mesh,
 }
 
 template <class Index>
-CrossingCount signed_crossings(const Mesh<Index, Layout::post_indexed>& mesh,
+CrossingCount signed_crossings(const BasicMesh<Index, Layout::post_indexed>& mesh,
                                const Segment& segment) noexcept {
   if (!mesh.is_closed) {
     return {Status::not_closed, 0, 0};
   }
-  detail::SegmentWalk<Mesh<Index, Layout::post_indexed>> walk(mesh, segment);
+  detail::SegmentWalk<BasicMesh<Index, Layout::post_indexed>> walk(mesh, segment);
   const Point& from = walk.segment().from;
   const Point& to = walk.segment().to;
   const detail::Vector way = detail::difference(to, from);
@@ -176,11 +176,11 @@ uint32_t distance_along(const Segment& segment, const SegmentShare& along) noexc
   return static_cast<uint32_t>(detail::square_root(detail::widened(x * x + y * y + z * z)));
 }
 
-template RayAnswer<uint16_t> nearest_hit(const PostMesh&, const Segment&, uint16_t) noexcept;
-template RayAnswer<uint32_t> nearest_hit(const LargePostMesh&, const Segment&, uint32_t) noexcept;
-template RayAnswer<uint16_t> any_hit(const PostMesh&, const Segment&) noexcept;
-template RayAnswer<uint32_t> any_hit(const LargePostMesh&, const Segment&) noexcept;
-template CrossingCount signed_crossings(const PostMesh&, const Segment&) noexcept;
-template CrossingCount signed_crossings(const LargePostMesh&, const Segment&) noexcept;
+template RayAnswer<uint16_t> nearest_hit(const Mesh&, const Segment&, uint16_t) noexcept;
+template RayAnswer<uint32_t> nearest_hit(const Mesh32&, const Segment&, uint32_t) noexcept;
+template RayAnswer<uint16_t> any_hit(const Mesh&, const Segment&) noexcept;
+template RayAnswer<uint32_t> any_hit(const Mesh32&, const Segment&) noexcept;
+template CrossingCount signed_crossings(const Mesh&, const Segment&) noexcept;
+template CrossingCount signed_crossings(const Mesh32&, const Segment&) noexcept;
 
 }  // namespace flashbvh

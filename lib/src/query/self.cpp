@@ -3,9 +3,9 @@
 
 namespace flashbvh {
 
-template class Query<detail::SelfRanked<PostMesh>, detail::SelfQuestion<detail::Intersection>>;
-template class Query<detail::SelfRanked<LargePostMesh>, detail::SelfQuestion<detail::Intersection>>;
-template class Query<detail::SelfRanked<PostMesh>, detail::SelfQuestion<Within>>;
-template class Query<detail::SelfRanked<LargePostMesh>, detail::SelfQuestion<Within>>;
+template class Query<detail::SelfRanked<Mesh>, detail::SelfQuestion<detail::Intersection>>;
+template class Query<detail::SelfRanked<Mesh32>, detail::SelfQuestion<detail::Intersection>>;
+template class Query<detail::SelfRanked<Mesh>, detail::SelfQuestion<Within>>;
+template class Query<detail::SelfRanked<Mesh32>, detail::SelfQuestion<Within>>;
 
 }  // namespace flashbvh

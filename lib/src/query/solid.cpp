@@ -106,7 +106,8 @@ bool has_shell_inside(const Mesh& mesh, const ToPoint& to_point, const Other& ot
 }  // namespace detail
 
 template <class Index>
-PointAnswer inside(const Mesh<Index, Layout::post_indexed>& mesh, const Point& point) noexcept {
+PointAnswer inside(const BasicMesh<Index, Layout::post_indexed>& mesh,
+                   const Point& point) noexcept {
   if (!mesh.is_closed) {
     return {Status::not_closed, PointSide::inside, 0};
   }
@@ -115,7 +116,7 @@ PointAnswer inside(const Mesh<Index, Layout::post_indexed>& mesh, const Point& p
   if (!detail::get_from_origin(mesh.origin, point, kMaxCoordinate, p)) {
     return answer;
   }
-  using MeshType = Mesh<Index, Layout::post_indexed>;
+  using MeshType = BasicMesh<Index, Layout::post_indexed>;
   answer.side = detail::find_side(mesh, detail::Unmoved<MeshType>(mesh), p, answer.visits);
   return answer;
 }
@@ -160,8 +161,8 @@ template <class MeshType>
 }  // namespace
 
 template <class Index>
-Answer one_is_inside(const Mesh<Index, Layout::post_indexed>& a,
-                     const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept {
+Answer one_is_inside(const BasicMesh<Index, Layout::post_indexed>& a,
+                     const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept {
   const Status error = solids_error(a, b, pose);
   if (error != Status::done) {
     return {error, true};
@@ -170,17 +171,18 @@ Answer one_is_inside(const Mesh<Index, Layout::post_indexed>& a,
 }
 
 template <class Index>
-Answer solids_intersect(const Mesh<Index, Layout::post_indexed>& a,
-                        const Mesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept {
+Answer solids_intersect(const BasicMesh<Index, Layout::post_indexed>& a,
+                        const BasicMesh<Index, Layout::post_indexed>& b,
+                        const Pose& pose) noexcept {
   const Answer surfaces = surfaces_intersect(a, b, pose);
   return surfaces.yes ? surfaces : one_is_inside(a, b, pose);
 }
 
-template PointAnswer inside(const PostMesh&, const Point&) noexcept;
-template PointAnswer inside(const LargePostMesh&, const Point&) noexcept;
-template Answer one_is_inside(const PostMesh&, const PostMesh&, const Pose&) noexcept;
-template Answer one_is_inside(const LargePostMesh&, const LargePostMesh&, const Pose&) noexcept;
-template Answer solids_intersect(const PostMesh&, const PostMesh&, const Pose&) noexcept;
-template Answer solids_intersect(const LargePostMesh&, const LargePostMesh&, const Pose&) noexcept;
+template PointAnswer inside(const Mesh&, const Point&) noexcept;
+template PointAnswer inside(const Mesh32&, const Point&) noexcept;
+template Answer one_is_inside(const Mesh&, const Mesh&, const Pose&) noexcept;
+template Answer one_is_inside(const Mesh32&, const Mesh32&, const Pose&) noexcept;
+template Answer solids_intersect(const Mesh&, const Mesh&, const Pose&) noexcept;
+template Answer solids_intersect(const Mesh32&, const Mesh32&, const Pose&) noexcept;
 
 }  // namespace flashbvh

@@ -162,7 +162,7 @@ Guard::Found Guard::look() {
     if (now.is_vague || (!now.is_settled && is_near(now.left, pair, longest))) {
       const uint32_t rate = rate_of(pair);
       const bool is_due = now.left <= uint64_t{rate} * kPeriodsAhead;
-      if ((is_due || now.is_vague) && certify_by_chart(i, rate)) {
+      if ((is_due || now.is_vague) && certify_by_table(i, rate)) {
         now = left_of(i, certified);
       } else if (is_due) {
         found.take_due(i, now.left, sum_of(rate, 1));

@@ -1,7 +1,7 @@
 // The guard: measuring pairs whose certificates are about to run out.
 #include "branch.hpp"
 #include "coordinate.hpp"
-#include "flashbvh/detail/robot/chart.hpp"
+#include "flashbvh/detail/robot/distance_table.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "guard_parts.hpp"
 #include "spheres.hpp"
@@ -40,8 +40,8 @@ constexpr uint32_t kPeriodsAsked = 16;
 /// Its triangles in A's frame, in cells. False if B lies so far off that it was put nearer.
 bool Guard::place_witness(uint16_t i, const Witness<uint16_t>& witness, const Pose& pose,
                           Triangle& a, Triangle& b) const {
-  const PostMesh& mesh_a = robot_->meshes[robot_->pairs[i].a];
-  const PostMesh& mesh_b = robot_->meshes[robot_->pairs[i].b];
+  const Mesh& mesh_a = robot_->meshes[robot_->pairs[i].a];
+  const Mesh& mesh_b = robot_->meshes[robot_->pairs[i].b];
   const detail::Transform transform(pose, mesh_a, mesh_b, /*may_stop=*/false);
   detail::place_pair(mesh_a, witness.a, mesh_b, witness.b, transform, a, b);
   return transform.is_in_range();
@@ -104,16 +104,16 @@ bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
 }
 
 /// By what is known of where the joints stand, if that lasts: no pose, and no triangles.
-bool Guard::certify_by_chart(uint16_t i, uint32_t rate) {
+bool Guard::certify_by_table(uint16_t i, uint32_t rate) {
   set_next();
   const RobotPair& pair = robot_->pairs[i];
-  const uint32_t charted = detail::chart_distance_at(*robot_, i, next_);
-  const uint32_t known = difference_of(charted, robot_->slack);
+  const uint32_t tabulated = detail::chart_distance_at(*robot_, i, next_);
+  const uint32_t known = difference_of(tabulated, robot_->slack);
   if (difference_of(known, rate) <= pair.warn ||
       known - pair.stop <= uint64_t{rate} * (kPeriodsAhead + 1)) {
     return false;
   }
-  certify(i, next_, {charted, UINT32_MAX, pairs_[i].witness});
+  certify(i, next_, {tabulated, UINT32_MAX, pairs_[i].witness});
   return true;
 }
 
@@ -180,16 +180,16 @@ Status Guard::walk(uint32_t& work) {
                     within(core_->asked));
   Status status = query.resume(core_->position);
   if (status == Status::suspended) {
-    const Step step = query.run(work, [](const TrianglePair<uint16_t>&) { return false; });
+    const RunResult step = query.run(work, [](const TrianglePair<uint16_t>&) { return false; });
     status = step.status;
     work -= step.work;
   }
-  core_->position = query.position();
+  core_->position = query.cursor();
   if (status == Status::done) {
     return finish({core_->asked, core_->nearest, core_->witness});
   }
   if (status == Status::full) {
-    const TrianglePair<uint16_t> nearer = query.last_positions();
+    const TrianglePair<uint16_t> nearer = query.last_slots();
     core_->witness = {nearer.a, nearer.b};
     return Status::full;
   }
@@ -198,7 +198,7 @@ Status Guard::walk(uint32_t& work) {
     core_->nearest = core_->asked;  // too near is said at worst, and not asked again
     return Status::suspended;
   }
-  if (status == Status::position_invalid) {  // of a state that was taken up
+  if (status == Status::cursor_invalid) {  // of a state that was taken up
     core_->position = {};
     return Status::suspended;
   }

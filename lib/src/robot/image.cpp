@@ -38,14 +38,15 @@ uint32_t unguarded_offset(const RobotImageHeader& header) {
   return mounts_offset(header) + static_cast<uint32_t>(header.mount_count * sizeof(Mount));
 }
 
-uint32_t charts_offset(const RobotImageHeader& header) {
+uint32_t distance_tables_offset(const RobotImageHeader& header) {
   return unguarded_offset(header) +
          static_cast<uint32_t>(header.unguarded_count * sizeof(RobotUnguarded));
 }
 
 uint32_t names_offset(const RobotImageHeader& header) {
-  return charts_offset(header) +
-         (header.chart_bytes < kMostChartBytes ? header.chart_bytes : kMostChartBytes);
+  return distance_tables_offset(header) + (header.distance_table_bytes < kMostChartBytes
+                                               ? header.distance_table_bytes
+                                               : kMostChartBytes);
 }
 
 bool counts_fit(const RobotImageHeader& header) {
@@ -116,14 +117,14 @@ uint32_t links_of(uint32_t a, uint32_t b) {
   return true;
 }
 
-[[gnu::noinline]] void view(const void* bytes, const PostMesh* meshes, Robot& robot) {
+[[gnu::noinline]] void view(const void* bytes, const Mesh* meshes, Robot& robot) {
   const RobotImageHeader& header = header_of(bytes);
   robot.joints = image_part<RobotJoint>(bytes, sizeof header);
   robot.links = reinterpret_cast<const RobotLink*>(robot.joints + header.joint_count);
   robot.meshes = meshes;
   robot.pairs = reinterpret_cast<const RobotPair*>(robot.links + header.link_count);
   robot.reaches = reinterpret_cast<const uint32_t*>(robot.pairs + header.pair_count);
-  robot.charts = image_part<uint8_t>(bytes, charts_offset(header));
+  robot.distance_tables = image_part<uint8_t>(bytes, distance_tables_offset(header));
   robot.joint_count = header.joint_count;
   robot.link_count = header.link_count;
   robot.variable_count = header.variable_count;
@@ -131,7 +132,7 @@ uint32_t links_of(uint32_t a, uint32_t b) {
   robot.pair_count = header.pair_count;
   robot.reach_count = header.reach_count;
   robot.slack = header.slack;
-  robot.chart_bytes = header.chart_bytes;
+  robot.distance_table_bytes = header.distance_table_bytes;
   robot.hash = header.hash;
   robot.cell_bits = (uint64_t{header.cell[1]} << 32) | header.cell[0];
 }
@@ -144,7 +145,7 @@ uint32_t links_of(uint32_t a, uint32_t b) {
 }
 
 /// One after the other, to the end of the image.
-[[gnu::noinline]] Status open_meshes(const void* bytes, PostMesh* meshes, uint64_t cell_bits) {
+[[gnu::noinline]] Status open_meshes(const void* bytes, Mesh* meshes, uint64_t cell_bits) {
   const RobotImageHeader& header = header_of(bytes);
   uint32_t offset = robot_meshes_offset(header);
   for (uint32_t i = 0; i < header.link_count; ++i) {
@@ -185,11 +186,11 @@ uint32_t robot_hash(const Robot& robot) {
   hash = hash_of(robot.links, robot.link_count, hash);
   hash = hash_of(robot.pairs, robot.pair_count, hash);
   hash = hash_of(robot.reaches, robot.reach_count, hash);
-  hash = hash_of(robot.charts, robot.chart_bytes, hash);
+  hash = hash_of(robot.distance_tables, robot.distance_table_bytes, hash);
   hash = hash_of(&robot.slack, 1, hash);
   hash = hash_of(&robot.cell_bits, 1, hash);
   for (uint32_t i = 0; i < robot.link_count; ++i) {
-    const PostMesh& mesh = robot.meshes[i];
+    const Mesh& mesh = robot.meshes[i];
     hash = hash_of(mesh.nodes, mesh.node_count, hash);
     hash = hash_of(mesh.triangles, mesh.triangle_count, hash);
     hash = hash_of(mesh.vertices, mesh.vertex_count, hash);
@@ -198,7 +199,7 @@ uint32_t robot_hash(const Robot& robot) {
   return hash;
 }
 
-Status open_robot_unhashed(const void* bytes, size_t size, PostMesh* meshes, uint32_t mesh_capacity,
+Status open_robot_unhashed(const void* bytes, size_t size, Mesh* meshes, uint32_t mesh_capacity,
                            Robot& robot) {
   const Status read = check_robot_readable(bytes, size);
   if (read != Status::done) {
@@ -244,7 +245,7 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
   return header.byte_count > size ? Status::image_truncated : Status::done;
 }
 
-Status open_robot(const void* bytes, size_t size, PostMesh* meshes, uint32_t mesh_capacity,
+Status open_robot(const void* bytes, size_t size, Mesh* meshes, uint32_t mesh_capacity,
                   Robot& robot) {
   Robot opened;
   const Status status = open_robot_unhashed(bytes, size, meshes, mesh_capacity, opened);

@@ -139,19 +139,19 @@ Status MotionQuery::ask(Asked&& query, uint32_t& work) {
   if (status != Status::suspended) {
     return status;
   }
-  const Step step = query.run(work, [&](const TrianglePair<uint16_t>& pair) {
+  const RunResult step = query.run(work, [&](const TrianglePair<uint16_t>& pair) {
     core_->triangles = pair;
     return false;
   });
   work -= step.work;
-  core_->position = query.position();
+  core_->position = query.cursor();
   return step.status;
 }
 
 Status MotionQuery::ask_phase(uint32_t& work) {
   const RobotPair& pair = robot_->pairs[core_->pair];
-  const PostMesh& a = robot_->meshes[pair.a];
-  const PostMesh& b = robot_->meshes[pair.b];
+  const Mesh& a = robot_->meshes[pair.a];
+  const Mesh& b = robot_->meshes[pair.b];
   return core_->phase == kWithin
              ? ask(WithinQuery(a, b, core_->pose, {}, within(core_->within)), work)
              : ask(PairQuery(a, b, core_->pose), work);

@@ -4,7 +4,7 @@
 #include "branch.hpp"
 #include "coordinate.hpp"
 #include "flashbvh/clearance.hpp"
-#include "flashbvh/detail/robot/chart.hpp"
+#include "flashbvh/detail/robot/distance_table.hpp"
 #include "flashbvh/detail/robot/image_parts.hpp"
 #include "spheres.hpp"
 
@@ -221,9 +221,9 @@ bool check_between(const Robot& robot, const RobotPair& pair) {
 bool check_charts(const Robot& robot) {
   uint32_t bytes = 0;
   for (uint32_t i = 0; i < robot.pair_count; ++i) {
-    bytes += chart_size(robot, robot.pairs[i]);
+    bytes += distance_table_size(robot, robot.pairs[i]);
   }
-  return robot.chart_bytes == 0 || robot.chart_bytes == bytes;
+  return robot.distance_table_bytes == 0 || robot.distance_table_bytes == bytes;
 }
 
 [[gnu::noinline]] bool check_tree(const Robot& robot) {
@@ -255,7 +255,7 @@ bool check_robot(const Robot& robot, uint32_t& pair_joint_count) {
 
 bool check_spheres(const Robot& robot) {
   for (uint32_t i = 0; i < robot.link_count; ++i) {
-    const PostMesh& mesh = robot.meshes[i];
+    const Mesh& mesh = robot.meshes[i];
     for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
       if (!holds(robot.links[i], mesh.origin, mesh.vertices[v])) {
         return false;

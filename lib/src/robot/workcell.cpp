@@ -54,7 +54,7 @@ bool set_sphere(const int64_t (&centre)[3], uint64_t radius, RobotLink& link) {
 
 /// The sphere round the mesh, a little more than as large, since a frame's matrix may be
 /// kRotationTolerance from a rotation. As set_sphere().
-bool set_sphere_round(const PostMesh& mesh, RobotLink& link) {
+bool set_sphere_round(const Mesh& mesh, RobotLink& link) {
   int32_t low[3] = {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate};
   int32_t high[3] = {-kMaxCoordinate, -kMaxCoordinate, -kMaxCoordinate};
   const auto each_vertex = [&](auto&& visit) {
@@ -172,7 +172,7 @@ uint32_t Workcell::joints_on_branch(uint8_t joint) const {
   return count;
 }
 
-Status Workcell::add(const PostMesh& mesh, const Mount& mount, uint8_t& link) {
+Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
   const uint32_t joint = robot_.joint_count;
   if (mount.joint != kBase && mount.joint >= own_joints_) {
     return Status::link_invalid;

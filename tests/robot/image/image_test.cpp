@@ -20,7 +20,7 @@ struct Opened {
   explicit Opened(const Words& words, std::uint32_t capacity = kMaxLinks)
       : meshes(kMaxLinks),
         status(open_robot(words.data(), size_of(words), meshes.data(), capacity, robot)) {}
-  std::vector<PostMesh> meshes;
+  std::vector<Mesh> meshes;
   Robot robot{};
   Status status;
 };
@@ -30,7 +30,7 @@ bool are_same(const Element* u, const Element* v, std::size_t count) {
   return count == 0 || std::memcmp(u, v, count * sizeof *u) == 0;
 }
 
-bool are_same(const PostMesh& u, const PostMesh& v) {
+bool are_same(const Mesh& u, const Mesh& v) {
   return u.node_count == v.node_count && u.triangle_count == v.triangle_count &&
          u.vertex_count == v.vertex_count && u.cell_bits == v.cell_bits &&
          are_same(u.nodes, v.nodes, u.node_count) &&
@@ -44,10 +44,10 @@ bool are_same(const Robot& u, const Robot& v) {
       u.joint_count == v.joint_count && u.link_count == v.link_count &&
       u.variable_count == v.variable_count && u.pair_count == v.pair_count &&
       u.reach_count == v.reach_count && u.slack == v.slack && u.hash == v.hash &&
-      u.cell_bits == v.cell_bits && u.chart_bytes == v.chart_bytes &&
-      are_same(u.charts, v.charts, u.chart_bytes) && are_same(u.joints, v.joints, u.joint_count) &&
-      are_same(u.links, v.links, u.link_count) && are_same(u.pairs, v.pairs, u.pair_count) &&
-      are_same(u.reaches, v.reaches, u.reach_count);
+      u.cell_bits == v.cell_bits && u.distance_table_bytes == v.distance_table_bytes &&
+      are_same(u.distance_tables, v.distance_tables, u.distance_table_bytes) &&
+      are_same(u.joints, v.joints, u.joint_count) && are_same(u.links, v.links, u.link_count) &&
+      are_same(u.pairs, v.pairs, u.pair_count) && are_same(u.reaches, v.reaches, u.reach_count);
   for (std::size_t i = 0; same && i < u.link_count; ++i) {
     same = are_same(u.meshes[i], v.meshes[i]);
   }
@@ -180,7 +180,7 @@ TEST_CASE("an image at an address that is no multiple of 4, and with too little 
   std::vector<unsigned char> bytes(size_of(words) + 4);
   for (std::size_t shift = 1; shift < 4; ++shift) {
     std::memcpy(bytes.data() + shift, words.data(), size_of(words));
-    std::vector<PostMesh> meshes(kMaxLinks);
+    std::vector<Mesh> meshes(kMaxLinks);
     Robot robot{};
     CHECK(open_robot(bytes.data() + shift, size_of(words), meshes.data(), kMaxLinks, robot) ==
           Status::image_misaligned);

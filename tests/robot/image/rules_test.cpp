@@ -58,8 +58,8 @@ const Crafted kCrafted[] = {
      [](const Parts& p) {
        p.unguarded[1] = {2, 4, WhyUnguarded::believed, 0};
      }},
-    {"charts beyond 32 bits", [](const Parts& p) { p.header.chart_bytes = UINT32_MAX; },
-     Status::image_corrupt},
+    {"distance tables beyond 32 bits",
+     [](const Parts& p) { p.header.distance_table_bytes = UINT32_MAX; }, Status::image_corrupt},
     {"an empty name more", [](const Parts& p) { p.names[0] = 0; }},
     {"a name without an end", [](const Parts& p) { p.names[p.header.names_size - 1] = 'x'; }},
     {"a gap that is no zero", [](const Parts& p) { p.meshes[-1] = 1; }},
@@ -180,11 +180,11 @@ TEST_CASE("an image that breaks a rule is refused with its status") {
     CHECK(verdict.wrong == nullptr);
   }
   // Charts of other cells than the joints have.
-  Words charted = arm_images()[2].words;
-  REQUIRE(Parts(charted).header.chart_bytes != 0);
-  Parts(charted).joints[0].upper = Parts(charted).joints[0].lower;
-  repair_robot(charted.data(), size_of(charted));
-  CHECK(exercise_any(charted.data(), size_of(charted)).status == Status::image_invalid);
+  Words tabulated = arm_images()[2].words;
+  REQUIRE(Parts(tabulated).header.distance_table_bytes != 0);
+  Parts(tabulated).joints[0].upper = Parts(tabulated).joints[0].lower;
+  repair_robot(tabulated.data(), size_of(tabulated));
+  CHECK(exercise_any(tabulated.data(), size_of(tabulated)).status == Status::image_invalid);
   // Without the mend of the hash.
   Words words = whole;
   ++Parts(words).header.hash;

@@ -63,7 +63,7 @@ double apart(const Vector3& p, const Vector3& q) {
   return length({p[0] - q[0], p[1] - q[1], p[2] - q[2]});
 }
 
-std::vector<Vector3> vertices_of(const PostMesh& mesh) {
+std::vector<Vector3> vertices_of(const Mesh& mesh) {
   std::vector<Vector3> points;
   for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
     const Vertex& v = mesh.vertices[i];

@@ -26,7 +26,7 @@ Baked bake_robot(const tool::Model& model, std::optional<double> cell = {},
   tool::check_counts(model, "arm.urdf");
   const double chosen = tool::robot_cell(model, cell, "arm.urdf");
   Baked baked;
-  std::vector<PostMesh> meshes;
+  std::vector<Mesh> meshes;
   for (const tool::ModelLink& link : model.links) {
     baked.links.push_back(tool::bake_link(link, chosen, 2, "arm.urdf"));
   }
@@ -164,7 +164,7 @@ TEST_CASE("links: a sphere round the mesh, where their reaches stand, what lies 
   CHECK(robot.pairs[1].stop == 2561);
   CHECK(robot.pairs[1].warn == 2561);
   for (std::size_t i = 0; i < 4; ++i) {
-    const PostMesh& mesh = robot.meshes[i];
+    const Mesh& mesh = robot.meshes[i];
     for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
       const Vertex& at = mesh.vertices[v];
       CHECK(std::hypot((mesh.origin[0] + at.x) * kFrameCell - robot.links[i].centre[0],

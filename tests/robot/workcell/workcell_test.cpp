@@ -84,7 +84,7 @@ TEST_CASE("no joint moves a tool farther than its reach") {
     const auto cell = std::make_unique<CrowdedCell>(random);
     const Robot& robot = cell->robot();
     const RobotLink& tool = robot.links[cell->links[0]];
-    const PostMesh& mesh = robot.meshes[cell->links[0]];
+    const Mesh& mesh = robot.meshes[cell->links[0]];
     for (int i = 0; i < 200; ++i) {
       const Values values = cell->arm.any_values(random);
       const std::vector<Transform> frames = frames_of(cell->arm.model, cell->arm.variables(values));
@@ -140,12 +140,12 @@ TEST_CASE("what a workcell refuses changes nothing") {
   const auto cell = std::make_unique<CrowdedCell>(random);
   const Robot& robot = cell->robot();
   const Robot before = robot;
-  const PostMesh& mesh = cell->tool.mesh();
+  const Mesh& mesh = cell->tool.mesh();
   std::uint8_t link = 77;
   Frame frame = kIdentityFrame;
   const auto carriers = static_cast<std::uint8_t>(robot.joint_count - 1);
   CHECK(cell->workcell.add(mesh, {carriers, frame}, link) == Status::link_invalid);
-  PostMesh other = mesh;
+  Mesh other = mesh;
   other.cell_bits ^= 1;
   CHECK(cell->workcell.add(other, {kBase, frame}, link) == Status::cell_mismatch);
   frame.translation[1] = kMaxFrameTranslation;

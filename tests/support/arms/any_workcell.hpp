@@ -68,7 +68,7 @@ struct Body {
              box(low, {low[0] + size[0], low[1] + size[1], low[2] + size[2]}));
     baked = std::make_unique<BakedArm>(model, kWorkcellCell);
   }
-  const PostMesh& mesh() const { return baked->meshes()[0]; }
+  const Mesh& mesh() const { return baked->meshes()[0]; }
   double radius() const { return 0.4; }
 
   Vector3 size;

@@ -48,7 +48,7 @@ class BakedArm {
  public:
   BakedArm(const Model& model, double cell);
 
-  const std::vector<PostMesh>& meshes() const { return meshes_; }
+  const std::vector<Mesh>& meshes() const { return meshes_; }
   double cell() const { return cell_; }
   /// Of a link, in metres.
   std::vector<std::uint32_t> image(std::size_t link) const;
@@ -63,7 +63,7 @@ class BakedArm {
   const Model& model_;
   double cell_;
   std::deque<tool::BakedMesh> baked_;
-  std::vector<PostMesh> meshes_;
+  std::vector<Mesh> meshes_;
 };
 
 /// A value each, within the limits.

@@ -96,7 +96,7 @@ RobotVerdict exercise_robot(const void* bytes, std::size_t size, const Number& n
   }
   RobotImageHeader header{};
   std::memcpy(&header, exact.get(), size < sizeof header ? size : sizeof header);
-  std::vector<PostMesh> meshes(header.link_count);  // no more than there are links
+  std::vector<Mesh> meshes(header.link_count);  // no more than there are links
   Robot robot{};
   RobotVerdict verdict;
   verdict.status = open_robot(exact.get(), size, meshes.data(), header.link_count, robot);
@@ -130,7 +130,7 @@ void repair_robot(void* bytes, std::size_t size) {
   }
   header.crc = detail::image_crc(bytes, own);
   std::memcpy(bytes, &header, sizeof header);
-  std::vector<PostMesh> meshes(kMaxLinks);
+  std::vector<Mesh> meshes(kMaxLinks);
   Robot robot{};
   if (detail::open_robot_unhashed(bytes, size, meshes.data(), kMaxLinks, robot) == Status::done) {
     header.hash = detail::robot_hash(robot);

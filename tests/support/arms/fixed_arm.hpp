@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "flashbvh/clearance.hpp"
-#include "robot/baked/charts.hpp"
+#include "robot/baked/distance_tables.hpp"
 #include "robot/baked/fixed_robot.hpp"
 #include "support/arms/arms.hpp"
 
@@ -30,7 +30,7 @@ struct FixedArm {
            bool has_charts = false)
       : model(as_read(made)), arm(model, cell), fixed(model, arm.meshes(), cell, pairs) {
     if (has_charts) {
-      fixed.set_charts(charts_of(model, robot(), [](std::size_t) {}));
+      fixed.set_distance_tables(distance_tables_of(model, robot(), [](std::size_t) {}));
     }
   }
 

@@ -27,7 +27,7 @@ struct Parts {
         mounts(reinterpret_cast<Mount*>(reaches + header.reach_count)),
         unguarded(reinterpret_cast<RobotUnguarded*>(mounts + header.mount_count)),
         charts(reinterpret_cast<std::uint8_t*>(unguarded + header.unguarded_count)),
-        names(reinterpret_cast<char*>(charts + header.chart_bytes)),
+        names(reinterpret_cast<char*>(charts + header.distance_table_bytes)),
         meshes(reinterpret_cast<unsigned char*>(words.data()) +
                detail::robot_meshes_offset(header)) {}
 

@@ -231,7 +231,7 @@ CheckResult check_mesh(const CheckArguments& arguments, Json& facts, Warnings& w
 }
 
 /// What check_surface() takes: the triangles in any order.
-bake::LatticeMesh mesh_of(const PostMesh& link) {
+bake::LatticeMesh mesh_of(const Mesh& link) {
   bake::LatticeMesh mesh;
   mesh.vertices.assign(link.vertices, link.vertices + link.vertex_count);
   for (std::uint32_t i = 0; i < link.triangle_count; ++i) {
@@ -251,7 +251,7 @@ CheckResult check_robot(const CheckArguments& arguments, Json& facts) {
   const Robot& robot = file.robot();
   std::size_t triangles = 0;
   for (std::uint32_t i = 0; i < robot.link_count; ++i) {
-    const PostMesh& link = robot.meshes[i];
+    const Mesh& link = robot.meshes[i];
     check_surface(link, mesh_of(link), arguments.image, concat("of link ", i, ": "));
     triangles += link.triangle_count;
   }

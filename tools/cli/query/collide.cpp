@@ -55,7 +55,7 @@ std::optional<bool> one_is_inside(const ImageFile& a, const ImageFile& b, const 
       [&](const auto& tree) -> std::optional<bool> {
         using Tree = std::decay_t<decltype(tree)>;
         if constexpr (Tree::kLayout == Layout::post_indexed) {
-          using Plain = Mesh<typename Tree::Index, Layout::post_indexed>;
+          using Plain = BasicMesh<typename Tree::Index, Layout::post_indexed>;
           const auto answer =
               flashbvh::one_is_inside(static_cast<const Plain&>(tree),
                                       static_cast<const Plain&>(std::get<Tree>(b.tree())), pose);

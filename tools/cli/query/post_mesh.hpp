@@ -17,7 +17,7 @@ Answer query_post_mesh(const ImageFile& image, const Query& query) {
       [&](const auto& tree) -> Answer {
         using Tree = std::decay_t<decltype(tree)>;
         if constexpr (Tree::kLayout == Layout::post_indexed) {
-          using Plain = Mesh<typename Tree::Index, Layout::post_indexed>;
+          using Plain = BasicMesh<typename Tree::Index, Layout::post_indexed>;
           return query(static_cast<const Plain&>(tree));
         } else {
           throw UserError(image.path(),

@@ -8,7 +8,7 @@
 #include "cli/progress.hpp"
 #include "cli/robot/robot_sizes.hpp"
 #include "flashbvh/clearance.hpp"
-#include "robot/baked/charts.hpp"
+#include "robot/baked/distance_tables.hpp"
 #include "robot/matrix/unguarded.hpp"
 #include "robot/read/urdf.hpp"
 
@@ -66,8 +66,8 @@ std::vector<BakedLink> bake_links(const Model& model, double cell, const RobotAr
   return links;
 }
 
-std::vector<PostMesh> meshes_of(const std::vector<BakedLink>& links) {
-  std::vector<PostMesh> meshes;
+std::vector<Mesh> meshes_of(const std::vector<BakedLink>& links) {
+  std::vector<Mesh> meshes;
   meshes.reserve(links.size());
   for (const BakedLink& link : links) {
     meshes.push_back(link.mesh());
@@ -172,8 +172,8 @@ double least_stop(const AllDistances& distances) {
 }
 
 /// Proofs hold for firmware's own kinematics.
-std::vector<PairVerdict> decide(const Model& model, const std::vector<PostMesh>& meshes,
-                                double cell, const AllDistances& distances, Progress& progress) {
+std::vector<PairVerdict> decide(const Model& model, const std::vector<Mesh>& meshes, double cell,
+                                const AllDistances& distances, Progress& progress) {
   MatrixOptions options;
   options.stop = distances.usual.stop / cell;
   options.warn = distances.usual.warn / cell;
@@ -330,7 +330,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   const auto count = static_cast<double>(made.model.links.size());
   Progress progress(kBakingWeight * count + count * (count - 1) / 2, arguments.progress);
   made.links = bake_links(made.model, made.cell, arguments, progress, warnings);
-  const std::vector<PostMesh> meshes = meshes_of(made.links);
+  const std::vector<Mesh> meshes = meshes_of(made.links);
   made.pairs = decide(made.model, meshes, made.cell, distances, progress);
   check_disabled(made.model, made.pairs, arguments.srdf, warnings);
   made.unguarded = unguarded_pairs(made.pairs);
@@ -339,9 +339,9 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   warn_of_near(made, distances, arguments, warnings);
   made.fixed =
       std::make_unique<FixedRobot>(made.model, meshes, made.cell, guarded(made.pairs, distances));
-  made.fixed->set_charts(charts_of(made.model, made.robot(), [&](std::size_t pair) {
-    progress.begin(concat("chart of pair ", pair + 1), 0);
-  }));
+  made.fixed->set_distance_tables(distance_tables_of(
+      made.model, made.robot(),
+      [&](std::size_t pair) { progress.begin(concat("distance table of pair ", pair + 1), 0); }));
   return made;
 }
 

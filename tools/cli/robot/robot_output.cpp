@@ -16,7 +16,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Of a PostMesh on a 32-bit core.
+/// Of a Mesh on a 32-bit core.
 constexpr std::size_t kMeshViewBytes = 64;
 
 template <class Rows, class NameOf>

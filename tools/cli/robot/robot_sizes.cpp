@@ -64,10 +64,10 @@ std::vector<Size> link_sizes(const Model& model) {
   return sizes;
 }
 
-std::vector<Size> link_sizes(const Model& model, const PostMesh* meshes, double cell) {
+std::vector<Size> link_sizes(const Model& model, const Mesh* meshes, double cell) {
   std::vector<Size> sizes;
   for (const ModelLink& link : model.links) {
-    const PostMesh& mesh = meshes[sizes.size()];
+    const Mesh& mesh = meshes[sizes.size()];
     bake::SourceMesh source;
     for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
       const Vertex& at = mesh.vertices[i];

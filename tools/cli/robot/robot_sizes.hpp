@@ -15,7 +15,7 @@ namespace flashbvh::tool {
 /// In metres, in the links' own frames.
 std::vector<Size> link_sizes(const Model& model);
 /// Of a model without meshes, by the baked ones. `cell`: theirs.
-std::vector<Size> link_sizes(const Model& model, const PostMesh* meshes, double cell);
+std::vector<Size> link_sizes(const Model& model, const Mesh* meshes, double cell);
 
 /// Of links whose size is odd among the others, and of meshes that are all far larger than where
 /// the joints lie. `path`: the URDF.

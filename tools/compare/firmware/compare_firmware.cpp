@@ -16,7 +16,7 @@ namespace {
 
 class WithFlashbvh : public Library {
  public:
-  void set_meshes(const PostMesh& a, const PostMesh& b) override {
+  void set_meshes(const Mesh& a, const Mesh& b) override {
     a_ = &a;
     b_ = &b;
   }
@@ -32,8 +32,8 @@ class WithFlashbvh : public Library {
   }
 
  private:
-  const PostMesh* a_ = nullptr;
-  const PostMesh* b_ = nullptr;
+  const Mesh* a_ = nullptr;
+  const Mesh* b_ = nullptr;
   Pose pose_ = Pose::translated(0, 0, 0);
 };
 

@@ -12,7 +12,7 @@ class Library {
  public:
   virtual ~Library() = default;
   /// Not counted: trees are built here, of floats, and what was built before is freed.
-  virtual void set_meshes(const flashbvh::PostMesh& a, const flashbvh::PostMesh& b) = 0;
+  virtual void set_meshes(const flashbvh::Mesh& a, const flashbvh::Mesh& b) = 0;
   /// Not counted: makes the caller's form of the pose, integers or a matrix of floats. What a query
   /// makes of it is counted.
   virtual void set_pose(const flashbvh::Pose& pose) = 0;

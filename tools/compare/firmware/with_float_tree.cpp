@@ -7,8 +7,8 @@
 #include "float_triangles.hpp"
 #include "library.hpp"
 
+using flashbvh::Mesh;
 using flashbvh::Pose;
-using flashbvh::PostMesh;
 
 namespace compare {
 namespace {
@@ -47,7 +47,7 @@ Matrix matrix_of(const Pose& pose) {
 
 class Tree {
  public:
-  void build(const PostMesh& mesh) {
+  void build(const Mesh& mesh) {
     triangles_.clear();
     for (uint32_t i = 0; i < mesh.triangle_count; ++i) {
       Flat flat;
@@ -209,7 +209,7 @@ struct Turned {
 
 class FloatTree : public Library {
  public:
-  void set_meshes(const PostMesh& a, const PostMesh& b) override {
+  void set_meshes(const Mesh& a, const Mesh& b) override {
     a_.build(a);
     b_.build(b);
   }

@@ -5,8 +5,8 @@
 //
 #include "opcode_model.hpp"
 
+using flashbvh::Mesh;
 using flashbvh::Pose;
-using flashbvh::PostMesh;
 
 namespace compare {
 namespace {
@@ -18,7 +18,7 @@ class WithOpcode : public Library {
     collider_.SetTemporalCoherence(false);
   }
 
-  void set_meshes(const PostMesh& a, const PostMesh& b) override {
+  void set_meshes(const Mesh& a, const Mesh& b) override {
     a_ = std::make_unique<OpcodeModel>(a);
     b_ = std::make_unique<OpcodeModel>(b);
     cache_.Model0 = &a_->model();

@@ -16,7 +16,7 @@ struct BakedLink {
   MeshDefects defects;
 
   /// A view of the tree, in the frame of the link's joint.
-  PostMesh mesh() const { return tree.view(); }
+  Mesh mesh() const { return tree.view(); }
 };
 
 /// UserError if the robot has more joints or links than firmware holds. `path`: the URDF.

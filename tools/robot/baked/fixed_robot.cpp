@@ -24,7 +24,7 @@ struct BoundingSphere {
 
 using Point = std::array<double, 3>;
 
-Point vertex_of(const PostMesh& mesh, std::uint32_t i) {
+Point vertex_of(const Mesh& mesh, std::uint32_t i) {
   const Vertex& vertex = mesh.vertices[i];
   return {static_cast<double>(mesh.origin[0]) + vertex.x,
           static_cast<double>(mesh.origin[1]) + vertex.y,
@@ -36,7 +36,7 @@ double distance(const Point& p, const Point& q) {
 }
 
 /// Within 1 % of the smallest (Badoiu and Clarkson, "Smaller core-sets for balls", 2003).
-BoundingSphere bounding_sphere(const PostMesh& mesh) {
+BoundingSphere bounding_sphere(const Mesh& mesh) {
   constexpr int steps = 200;
   Point centre = vertex_of(mesh, 0);
   for (int step = 1; step <= steps; ++step) {
@@ -112,7 +112,7 @@ Mount fixed_mount(const ModelMount& mount, double cell) {
   return {number_of(mount.joint), frame_of(mount.transform, cell)};
 }
 
-FixedRobot::FixedRobot(const Model& model, const std::vector<PostMesh>& meshes, double cell,
+FixedRobot::FixedRobot(const Model& model, const std::vector<Mesh>& meshes, double cell,
                        const std::vector<GuardedPair>& pairs)
     : cell_(cell), meshes_(meshes) {
   if (model.joints.size() > kMaxJoints || model.links.size() > kMaxLinks) {
@@ -145,10 +145,10 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<PostMesh>& meshes, 
   robot_.hash = detail::robot_hash(robot_);
 }
 
-void FixedRobot::set_charts(std::vector<std::uint8_t> charts) {
-  charts_ = std::move(charts);
-  robot_.charts = charts_.data();
-  robot_.chart_bytes = static_cast<std::uint32_t>(charts_.size());
+void FixedRobot::set_distance_tables(std::vector<std::uint8_t> distance_tables) {
+  distance_tables_ = std::move(distance_tables);
+  robot_.distance_tables = distance_tables_.data();
+  robot_.distance_table_bytes = static_cast<std::uint32_t>(distance_tables_.size());
   robot_.hash = detail::robot_hash(robot_);
 }
 
@@ -182,7 +182,7 @@ void FixedRobot::add_joint(const Model& model, std::size_t number) {
 
 void FixedRobot::add_link(const Model& model, std::size_t number) {
   const ModelLink& link = model.links[number];
-  const PostMesh& mesh = meshes_[number];
+  const Mesh& mesh = meshes_[number];
   RobotLink fixed{};
   const BoundingSphere sphere = bounding_sphere(mesh);
   for (std::size_t axis = 0; axis < 3; ++axis) {

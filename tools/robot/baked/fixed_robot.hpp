@@ -28,11 +28,11 @@ class FixedRobot {
   /// `meshes`: the links', of the same number, baked with `cell`, in metres; they outlive it.
   /// UserError if the robot has more joints or links than firmware takes, or is larger; says with
   /// which cell it would do.
-  FixedRobot(const Model& model, const std::vector<PostMesh>& meshes, double cell,
+  FixedRobot(const Model& model, const std::vector<Mesh>& meshes, double cell,
              const std::vector<GuardedPair>& pairs);
 
-  /// Adds charts_of() it.
-  void set_charts(std::vector<std::uint8_t> charts);
+  /// Adds distance_tables_of() it.
+  void set_distance_tables(std::vector<std::uint8_t> distance_tables);
 
   /// A view of it.
   const Robot& robot() const { return robot_; }
@@ -44,7 +44,7 @@ class FixedRobot {
   const std::vector<RobotLink>& links() const { return links_; }
   const std::vector<RobotPair>& pairs() const { return pairs_; }
   const std::vector<std::uint32_t>& reaches() const { return reaches_; }
-  const std::vector<std::uint8_t>& charts() const { return charts_; }
+  const std::vector<std::uint8_t>& distance_tables() const { return distance_tables_; }
   /// Of all pairs together: how many joints are between their links.
   std::uint32_t pair_joint_count() const { return pair_joint_count_; }
 
@@ -62,8 +62,8 @@ class FixedRobot {
   std::vector<RobotLink> links_;
   std::vector<RobotPair> pairs_;
   std::vector<std::uint32_t> reaches_;
-  std::vector<std::uint8_t> charts_;
-  std::vector<PostMesh> meshes_;
+  std::vector<std::uint8_t> distance_tables_;
+  std::vector<Mesh> meshes_;
   std::uint32_t pair_joint_count_ = 0;
   Robot robot_{};
 };

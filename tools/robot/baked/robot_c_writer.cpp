@@ -31,7 +31,7 @@ std::string place_of(const void* part, const std::vector<std::uint32_t>& image,
 
 /// A flashbvh_mesh_view of the image.
 std::string view_of(const std::vector<std::uint32_t>& image, const std::string& name) {
-  PostMesh m;
+  Mesh m;
   if (open_image(image.data(), image.size() * sizeof image[0], m) != Status::done) {
     throw std::logic_error("an image that does not open");
   }
@@ -180,13 +180,13 @@ std::string c_source_of(const Model& model, const FixedRobot& robot,
          constants("flashbvh_robot_link links", robot.links()) +
          constants("flashbvh_robot_pair pairs", robot.pairs()) +
          constants("uint32_t reaches", robot.reaches()) +
-         constants("uint8_t charts", robot.charts()) +
+         constants("uint8_t distance tables", robot.distance tables()) +
          mount_names(model, links[0].tree.cell, name, false) +
          unguarded_defined(model, unguarded, name.word) +
          concat("\nconst flashbvh_robot ", name.word, "_robot = ",
                 text_of(robot,
                         {"joints", "links", "(const flashbvh_mesh*)meshes", "pairs", "reaches",
-                         "charts"},
+                         "distance tables"},
                         kRobotInC),
                 ";\n");
 }

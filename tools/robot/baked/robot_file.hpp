@@ -36,7 +36,7 @@ class RobotFile {
   std::string path_;
   std::vector<std::uint32_t> words_;  ///< the bytes, aligned
   RobotImageHeader header_{};
-  std::vector<PostMesh> meshes_;
+  std::vector<Mesh> meshes_;
   Robot robot_{};
 };
 

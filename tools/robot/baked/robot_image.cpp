@@ -64,7 +64,7 @@ RobotImageHeader header_of(const Robot& robot) {
   header.pair_count = robot.pair_count;
   header.reach_count = robot.reach_count;
   header.variable_count = robot.variable_count;
-  header.chart_bytes = robot.chart_bytes;
+  header.distance_table_bytes = robot.distance_table_bytes;
   for (std::size_t i = 0; i < robot.pair_count; ++i) {
     header.pair_joint_count += robot.pairs[i].joints_a + robot.pairs[i].joints_b;
   }
@@ -123,7 +123,7 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
     const RobotUnguarded kept = fixed_unguarded(pair);
     bytes.add(&kept, 1);
   }
-  bytes.add(robot.charts, robot.chart_bytes);
+  bytes.add(robot.distance_tables, robot.distance_table_bytes);
   bytes.add(names.data(), names.size());
   bytes.fill();
   const std::size_t own = bytes.size();
@@ -138,7 +138,7 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
   std::memcpy(image.data(), &header, sizeof header);
   header.crc = detail::image_crc(image.data(), own);
   std::memcpy(image.data(), &header, sizeof header);
-  std::vector<PostMesh> opened(kMaxLinks);
+  std::vector<Mesh> opened(kMaxLinks);
   Robot again{};
   if (open_robot(image.data(), bytes.size(), opened.data(), kMaxLinks, again) != Status::done) {
     throw std::logic_error("a robot's image that does not open");

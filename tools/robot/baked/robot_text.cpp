@@ -85,11 +85,11 @@ std::string text_of(const FixedRobot& robot, const RobotArrays& arrays,
   return concat("{\n    ", name_if_any(arrays.joints, robot.joints(), language), ", ", arrays.links,
                 ", ", arrays.meshes, ", ", name_if_any(arrays.pairs, robot.pairs(), language), ", ",
                 name_if_any(arrays.reaches, robot.reaches(), language), ", ",
-                name_if_any(arrays.charts, robot.charts(), language), ",\n    ",
+                name_if_any(arrays.distance tables, robot.distance tables(), language), ",\n    ",
                 robot.joints().size(), ", ", robot.links().size(), ", ", view.variable_count,
                 ", 0, ", robot.pairs().size(), ", ", robot.reaches().size(), ",\n    ", view.slack,
-                "u, ", view.chart_bytes, "u, ", hex(view.hash, 8), ", ", hex(view.cell_bits, 16),
-                "}");
+                "u, ", view.distance_table_bytes, "u, ", hex(view.hash, 8), ", ",
+                hex(view.cell_bits, 16), "}");
 }
 
 std::vector<std::string> names_of_variables(const Model& model) {

@@ -58,7 +58,7 @@ struct RobotArrays {
   const char* meshes;
   const char* pairs;
   const char* reaches;
-  const char* charts;
+  const char* distance_tables;
 };
 std::string text_of(const FixedRobot& robot, const RobotArrays& arrays,
                     const RobotLanguage& language);

@@ -110,7 +110,7 @@ std::string header_of(const Model& model, const FixedRobot& robot,
 
 std::string meshes_of(const std::vector<BakedLink>& links, const std::vector<OutputName>& names) {
   std::string text;
-  std::string views = "const flashbvh::PostMesh kMeshes[] = {\n";
+  std::string views = "const flashbvh::Mesh kMeshes[] = {\n";
   for (std::size_t i = 0; i < links.size(); ++i) {
     const std::string scope = concat("mesh_", i);
     text += concat("namespace ", scope, " {  // ", names[i].word, "\n\n",
@@ -133,7 +133,7 @@ std::string source_of(const Model& model, const FixedRobot& robot,
          constants("flashbvh::RobotLink kLinks", robot.links()) +
          constants("flashbvh::RobotPair kPairs", robot.pairs()) +
          constants("uint32_t kReaches", robot.reaches()) +
-         constants("uint8_t kCharts", robot.charts()) +
+         constants("uint8_t kCharts", robot.distance tables()) +
          concat("}  // namespace\n\nconst flashbvh::Robot robot = ",
                 text_of(robot, {"kJoints", "kLinks", "kMeshes", "kPairs", "kReaches", "kCharts"},
                         kRobotInCpp),
@@ -146,7 +146,7 @@ std::size_t robot_array_bytes(const FixedRobot& robot) {
   constexpr std::size_t kRobotBytes = 56;  // with pointers of four bytes
   return kRobotBytes + robot.joints().size() * sizeof(RobotJoint) +
          robot.links().size() * sizeof(RobotLink) + robot.pairs().size() * sizeof(RobotPair) +
-         robot.reaches().size() * 4 + robot.charts().size();
+         robot.reaches().size() * 4 + robot.distance_tables().size();
 }
 
 std::size_t robot_flash_bytes(const FixedRobot& robot, const std::vector<BakedLink>& links) {

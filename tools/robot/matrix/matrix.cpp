@@ -27,7 +27,7 @@ std::string proven(std::uint64_t cells) {
 
 class Decider {
  public:
-  Decider(const Model& model, const std::vector<PostMesh>& meshes, double cell,
+  Decider(const Model& model, const std::vector<Mesh>& meshes, double cell,
           const MatrixOptions& options)
       : model_(model), meshes_(meshes), cell_(cell), options_(options) {
     for (std::size_t link = 0; link < model.links.size(); ++link) {
@@ -198,7 +198,7 @@ class Decider {
   }
 
   const Model& model_;
-  const std::vector<PostMesh>& meshes_;
+  const std::vector<Mesh>& meshes_;
   double cell_;
   const MatrixOptions& options_;
   std::vector<std::vector<double>> reaches_;
@@ -211,7 +211,7 @@ const char* name_of(MatrixVerdict verdict) {
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
-std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<PostMesh>& meshes,
+std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh>& meshes,
                                       double cell, const MatrixOptions& options,
                                       const MatrixProgress& progress) {
   const Decider decider(model, meshes, cell, options);

@@ -72,7 +72,7 @@ using MatrixProgress = std::function<void(std::size_t pair, std::size_t pairs, d
 /// All pairs of the model's links, also those that the SRDF disables, (0, 1), (0, 2), ... `meshes`:
 /// theirs, of the same number, baked with `cell`, in metres. `progress` may be empty.
 /// Deterministic.
-std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<PostMesh>& meshes,
+std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh>& meshes,
                                       double cell, const MatrixOptions& options,
                                       const MatrixProgress& progress);
 

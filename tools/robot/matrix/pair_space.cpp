@@ -56,7 +56,7 @@ std::size_t PairSpace::dimension_of(std::size_t variable) {
   return dimensions_.size() - 1;
 }
 
-PairSpace::Bounds PairSpace::bounds_of(const PostMesh& mesh, double cell) {
+PairSpace::Bounds PairSpace::bounds_of(const Mesh& mesh, double cell) {
   Vector3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   Vector3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
@@ -194,7 +194,7 @@ double PairSpace::distance(const std::vector<double>& point, Witness<std::uint16
 }
 
 double PairSpace::far_origin() const {
-  const auto of = [](const PostMesh& mesh) {
+  const auto of = [](const Mesh& mesh) {
     double sum = 0;
     for (const std::int32_t coordinate : mesh.origin) {
       sum += std::fabs(coordinate);

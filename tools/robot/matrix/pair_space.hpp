@@ -12,7 +12,7 @@ namespace flashbvh::tool {
 /// A link as a pair sees it.
 struct PairLink {
   std::size_t link;
-  const PostMesh* mesh;
+  const Mesh* mesh;
   const std::vector<double>* reaches;  ///< reaches_of(), or null: by the mesh's box
 };
 
@@ -66,7 +66,7 @@ class PairSpace {
     double reach_a;  ///< metres
     double reach_b;
   };
-  static Bounds bounds_of(const PostMesh& mesh, double cell);
+  static Bounds bounds_of(const Mesh& mesh, double cell);
   std::size_t dimension_of(std::size_t variable);
   std::vector<double> motions(const Bounds& bounds, const Transform& frame,
                               const std::vector<Transform>& joints,
@@ -76,8 +76,8 @@ class PairSpace {
   Transform frame_at(const std::vector<double>& point) const;
 
   const Model& model_;
-  const PostMesh& a_;
-  const PostMesh& b_;
+  const Mesh& a_;
+  const Mesh& b_;
   double cell_;
   JointsBetween joints_;
   Bounds bounds_a_;

@@ -47,7 +47,7 @@ std::vector<Pose> link_poses(const Model& model, double cell,
   return poses;
 }
 
-TrianglePair<std::uint16_t> triangles_at(const Model& model, const PostMesh* meshes, double cell,
+TrianglePair<std::uint16_t> triangles_at(const Model& model, const Mesh* meshes, double cell,
                                          const PairVerdict& pair) {
   TrianglePair<std::uint16_t> found{};
   const Transform frame = frame_between(model, joints_between(model, pair.a, pair.b), pair.witness);
@@ -55,7 +55,7 @@ TrianglePair<std::uint16_t> triangles_at(const Model& model, const PostMesh* mes
   return found;
 }
 
-std::vector<Collisions> collisions_of(const Model& model, const PostMesh* meshes, double cell,
+std::vector<Collisions> collisions_of(const Model& model, const Mesh* meshes, double cell,
                                       const std::vector<PairVerdict>& pairs,
                                       std::uint32_t samples) {
   std::vector<Collisions> collisions(pairs.size());

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "flashbvh/step.hpp"
+#include "flashbvh/run_result.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/matrix/matrix.hpp"
 
@@ -16,7 +16,7 @@ namespace flashbvh::tool {
 std::vector<Pose> link_poses(const Model& model, double cell, const std::vector<double>& variables);
 
 /// By their ids, two triangles that intersect at the witness of a pair that has one.
-TrianglePair<std::uint16_t> triangles_at(const Model& model, const PostMesh* meshes, double cell,
+TrianglePair<std::uint16_t> triangles_at(const Model& model, const Mesh* meshes, double cell,
                                          const PairVerdict& pair);
 
 /// Configurations at which a pair intersects.
@@ -28,7 +28,7 @@ struct Collisions {
 /// Of each pair, at configurations even within the limits and always the same: `samples`, and ten
 /// times as many where fewer than ten of them collide. Pairs that are not `can` are not queried.
 /// `meshes`: the links'.
-std::vector<Collisions> collisions_of(const Model& model, const PostMesh* meshes, double cell,
+std::vector<Collisions> collisions_of(const Model& model, const Mesh* meshes, double cell,
                                       const std::vector<PairVerdict>& pairs, std::uint32_t samples);
 
 /// What part of all configurations collides, estimated from samples.

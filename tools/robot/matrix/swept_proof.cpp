@@ -18,8 +18,8 @@ constexpr std::uint64_t kShare = 4;
 bool is_proven(const SweptPair& pair, std::size_t a, std::size_t b,
                const std::vector<SweptEnd>& ends, const MatrixOptions& options,
                const std::function<void(double)>& progress, std::uint64_t& cells, double distance) {
-  const PostMesh mesh_a = pair.a.view();
-  const PostMesh mesh_b = pair.b.view();
+  const Mesh mesh_a = pair.a.view();
+  const Mesh mesh_b = pair.b.view();
   const std::vector<double> reaches_a = reaches_of(pair.model, a, pair.cell);
   const std::vector<double> reaches_b = reaches_of(pair.model, b, pair.cell);
   const PairSpace space(pair.model, {a, &mesh_a, &reaches_a}, {b, &mesh_b, &reaches_b}, pair.cell);

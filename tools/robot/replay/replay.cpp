@@ -53,8 +53,8 @@ CertifiedMotion certified(const Robot& robot, AnyMotionState& state, const float
 /// The pair, if it is nearer than the closest one by now.
 void take_nearer(const Robot& robot, std::size_t period, std::uint16_t number, const Pose& pose,
                  std::optional<ClosestMoment>& closest) {
-  const PostMesh& a = robot.meshes[robot.pairs[number].a];
-  const PostMesh& b = robot.meshes[robot.pairs[number].b];
+  const Mesh& a = robot.meshes[robot.pairs[number].a];
+  const Mesh& b = robot.meshes[robot.pairs[number].b];
   if (closest) {
     const std::uint32_t least = closest->clearance.lower;
     if (least == 0 || !closer_than(a, b, pose, least - 1).yes) {

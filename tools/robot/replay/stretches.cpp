@@ -20,13 +20,13 @@ void take_least(std::optional<std::uint32_t> found, std::optional<std::uint32_t>
   }
 }
 
-/// The robot with one of its pairs, without a chart.
+/// The robot with one of its pairs, without a distance table.
 Robot with_one_pair(const Robot& robot, std::uint16_t pair) {
   Robot one = robot;
   one.pairs += pair;
   one.pair_count = 1;
-  one.charts = nullptr;
-  one.chart_bytes = 0;
+  one.distance_tables = nullptr;
+  one.distance_table_bytes = 0;
   return one;
 }
 

@@ -3,8 +3,8 @@
 #ifndef FLASHBVH_PLAIN_ROBOT_PARTS_H
 #define FLASHBVH_PLAIN_ROBOT_PARTS_H
 
-#include "flashbvh/plain/counts.h"
 #include "flashbvh/plain/language.h"
+#include "flashbvh/plain/results.h"
 
 /** Where a joint stands: of one that turns, in 2^-28 of a turn; of one that slides, in 1/2,048
  * cell. */
@@ -68,10 +68,10 @@ enum class [[nodiscard]] Verdict : uint8_t;
 enum class [[nodiscard]] MotionOutcome : uint8_t;
 enum class Layout : uint8_t;
 template <class Index, Layout layout>
-struct Mesh;
+struct BasicMesh;
 }  // namespace flashbvh
-/** A PostMesh, which C has as a flashbvh_mesh. */
-typedef flashbvh::Mesh<uint16_t, flashbvh::Layout{1}> flashbvh_link_mesh;
+/** A Mesh, which C has as a flashbvh_mesh. */
+typedef flashbvh::BasicMesh<uint16_t, flashbvh::Layout{1}> flashbvh_link_mesh;
 #else
 typedef struct flashbvh_mesh flashbvh_link_mesh;
 #endif
@@ -138,7 +138,7 @@ typedef struct flashbvh_robot {
   const uint32_t* reaches;
   /** Of pairs with one or two joints between: how far apart at least, by where these stand; bytes.
    */
-  const uint8_t* charts;
+  const uint8_t* distance_tables;
   uint8_t joint_count;
   uint8_t link_count;
   uint8_t variable_count; /**< how many values the caller gives */
@@ -149,9 +149,9 @@ typedef struct flashbvh_robot {
    * meshes, in 1/256 cell: what rounding vertices to the lattice, when they are baked and when
    * they are placed, and kinematics in fixed point add up to. */
   uint32_t slack;
-  uint32_t chart_bytes; /**< 0: a guard does without */
-  uint32_t hash;        /**< of all of it: distinguishes robots */
-  uint64_t cell_bits;   /**< the cell in metres, as the bits of an IEEE binary64 */
+  uint32_t distance_table_bytes; /**< 0: a guard does without */
+  uint32_t hash;                 /**< of all of it: distinguishes robots */
+  uint64_t cell_bits;            /**< the cell in metres, as the bits of an IEEE binary64 */
 } flashbvh_robot;
 
 /** What is known of a period. */

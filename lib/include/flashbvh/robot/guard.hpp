@@ -65,7 +65,7 @@ struct GuardCore {
   uint32_t asked;    ///< of the pair: whether it is within this, in 1/256 cell
   uint32_t nearest;  ///< the distance of its witness there, rounded up
   Witness<uint16_t> witness;
-  QueryPosition<uint16_t> position;
+  QueryCursor<uint16_t> position;
   Pose pose = Pose::translated(0, 0, 0);
 };
 
@@ -78,7 +78,7 @@ struct [[nodiscard]] PairDetail {
   Status status;
   /// Of the two triangles that were nearest when they were last looked at, where they are at the
   /// end of the period, in the base's frame. The links may be nearer elsewhere: distance(), with
-  /// `witness` as its seed, tells.
+  /// `witness` as its hint, tells.
   NearestPoints nearest;
   TrianglePair<uint16_t> triangles;  ///< by their ids
   Witness<uint16_t> witness;
@@ -186,7 +186,7 @@ class Guard {
   JointCoordinate* certified_of(uint16_t pair);
   void begin_walk(uint16_t pair, uint32_t& work);
   bool certify_by_spheres(uint16_t pair, uint32_t rate);
-  bool certify_by_chart(uint16_t pair, uint32_t rate);
+  bool certify_by_table(uint16_t pair, uint32_t rate);
   FLASHBVH_NOINLINE uint32_t witness_distance(uint32_t& work) const;
   void aim(uint32_t nearest);
   Status walk(uint32_t& work);

@@ -9,7 +9,7 @@
 //     reaches  reach_count  x  4 bytes
 //     mounts   mount_count  x 52 bytes, Mount
 //     unguarded  unguarded_count x 4 bytes, RobotUnguarded
-//     charts   chart_bytes  bytes
+//     distance tables   distance_table_bytes  bytes
 //     names    names_size   bytes: the robot's, the joints', the links', the mounts', each
 //                           ended by a zero
 //     meshes   link_count   images (image.hpp), post-indexed, with 16-bit indices
@@ -38,13 +38,13 @@ struct RobotImageHeader {
   uint16_t version;
   uint8_t joint_count;
   uint8_t link_count;
-  uint32_t byte_count;        ///< of the whole image
-  uint32_t crc;               ///< CRC-32 of all bytes before the meshes but these four
-  uint32_t hash;              ///< Robot::hash
-  uint32_t slack;             ///< Robot::slack
-  uint32_t cell[2];           ///< in metres: IEEE binary64, low word first
-  uint32_t pair_joint_count;  ///< between the links of all pairs: what a GuardState holds
-  uint32_t chart_bytes;       ///< Robot::chart_bytes
+  uint32_t byte_count;            ///< of the whole image
+  uint32_t crc;                   ///< CRC-32 of all bytes before the meshes but these four
+  uint32_t hash;                  ///< Robot::hash
+  uint32_t slack;                 ///< Robot::slack
+  uint32_t cell[2];               ///< in metres: IEEE binary64, low word first
+  uint32_t pair_joint_count;      ///< between the links of all pairs: what a GuardState holds
+  uint32_t distance_table_bytes;  ///< Robot::distance_table_bytes
   uint16_t pair_count;
   uint16_t reach_count;
   uint16_t names_size;
@@ -68,12 +68,13 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
 /// Proven are the joints' tree, types, limits, mimics and frames; where each link's reaches stand,
 /// that its sphere holds its mesh, and that nothing gets farther from the base than frames can say;
 /// of each pair the joints between, the sum of their reaches and its distances, and how many
-/// bytes its chart has; each mount's joint; that the pairs that are not guarded
+/// bytes its distance table has; each mount's joint; that the pairs that are not guarded
 /// are none of the guarded ones; each mesh, by open_image(); that all have one cell; the hash.
 ///
 /// Trusted is what can't be worked out from the rest, and bounds what a guard's word is worth: how
-/// far turning joints move links (the reaches), what the charts say, that the other pairs never
-/// collide, and of the slack all but what rounding vertices takes. `flashbvh robot` works them out.
+/// far turning joints move links (the reaches), what the distance tables say, that the other pairs
+/// never collide, and of the slack all but what rounding vertices takes. `flashbvh robot` works
+/// them out.
 ///
 /// Statuses: those of open_image(); image_corrupt as well if the hash is another one;
 /// image_too_large if the robot has more than `mesh_capacity` links; cell_mismatch if a mesh has
@@ -82,7 +83,7 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
 /// Instructions on a Cortex-M4, at most: 1,000 a joint, 500 a link and 12 a joint on its branch, 30
 /// a joint between the links of a pair, 110 a vertex, 6 a byte of the meshes' trees and triangles,
 /// and of each mesh what open_image() takes. Stack: 600 bytes on Cortex-M3 to M55 at -O2.
-Status open_robot(const void* bytes, size_t size, PostMesh* meshes, uint32_t mesh_capacity,
+Status open_robot(const void* bytes, size_t size, Mesh* meshes, uint32_t mesh_capacity,
                   Robot& robot);
 
 /// Its name, for people, of an image that was opened; ends with a zero.

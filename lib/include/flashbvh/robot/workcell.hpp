@@ -31,7 +31,7 @@ template <uint32_t joint_count, uint32_t link_count, uint32_t pair_count, uint32
 struct alignas(8) WorkcellOf {
   RobotJoint joints[joint_count];
   RobotLink links[link_count];
-  PostMesh meshes[link_count];
+  Mesh meshes[link_count];
   RobotPair pairs[pair_count];
   uint32_t reaches[reach_count];
 };
@@ -59,16 +59,16 @@ class Workcell {
       : robot_(robot),
         joints_(static_cast<RobotJoint*>(memory)),
         links_(reinterpret_cast<RobotLink*>(joints_ + room.joints)),
-        meshes_(reinterpret_cast<PostMesh*>(links_ + room.links)),
+        meshes_(reinterpret_cast<Mesh*>(links_ + room.links)),
         pairs_(reinterpret_cast<RobotPair*>(meshes_ + room.links)),
         reaches_(reinterpret_cast<uint32_t*>(pairs_ + room.pairs)),
         room_(room),
         own_joints_(robot.joint_count) {
     const uint64_t needed = uint64_t{room.joints} * sizeof(RobotJoint) +
-                            uint64_t{room.links} * (sizeof(RobotLink) + sizeof(PostMesh)) +
+                            uint64_t{room.links} * (sizeof(RobotLink) + sizeof(Mesh)) +
                             uint64_t{room.pairs} * sizeof(RobotPair) +
                             uint64_t{room.reaches} * sizeof(uint32_t);
-    if (reinterpret_cast<uintptr_t>(memory) % alignof(PostMesh) != 0 || needed > size) {
+    if (reinterpret_cast<uintptr_t>(memory) % alignof(Mesh) != 0 || needed > size) {
       room_ = {0, 0, 0, 0};
     }
     copy();
@@ -88,7 +88,7 @@ class Workcell {
   /// `link_invalid`: there is no such joint; `not_a_rotation`; `translation_out_of_range`: it may
   /// come 2^19 cells from a joint of its branch or more.
   /// Takes time linear in vertices and triangles: all are looked at, for the sphere and the hash.
-  Status add(const PostMesh& mesh, const Mount& mount, uint8_t& link);
+  Status add(const Mesh& mesh, const Mount& mount, uint8_t& link);
 
   /// That two links are to be kept apart: distances in 1/256 cell, `warn` at least `stop`.
   /// `workcell_full`; `link_invalid`: there are no two such links, or no joint between them;
@@ -115,7 +115,7 @@ class Workcell {
   Robot robot_;
   RobotJoint* joints_;
   RobotLink* links_;
-  PostMesh* meshes_;
+  Mesh* meshes_;
   RobotPair* pairs_;
   uint32_t* reaches_;
   Room room_;

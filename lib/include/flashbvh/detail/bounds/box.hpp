@@ -19,7 +19,7 @@
 namespace flashbvh::detail {
 
 /// Whether two boxes, the second under a translation, are disjoint; for a single test, which the
-/// thresholds of TranslatedBound would not pay. `along(axis)`: the translation in cells, within
+/// thresholds of TranslatedBoxTest would not pay. `along(axis)`: the translation in cells, within
 /// +-2^30; the first axis with a gap is the last that is asked for.
 template <class Along>
 FLASHBVH_INLINE constexpr bool boxes_disjoint(const PackedBox& a, const PackedBox& b,
@@ -45,12 +45,12 @@ FLASHBVH_INLINE constexpr bool boxes_disjoint(const PackedBox& a, const PackedBo
 }
 
 /// Tests boxes of A against boxes of B under a translation. 12 bytes; made once a query.
-class TranslatedBound {
+class TranslatedBoxTest {
  public:
   /// To be assigned to before it is asked.
-  TranslatedBound() = default;
+  TranslatedBoxTest() = default;
   /// `x, y, z`: the translation of B in cells; any 32-bit value.
-  constexpr TranslatedBound(int32_t x, int32_t y, int32_t z)
+  constexpr TranslatedBoxTest(int32_t x, int32_t y, int32_t z)
       : least_{{join_halves(threshold(x), threshold(y)),
                 join_halves(threshold_negated(x), threshold_negated(y)),
                 join_halves(threshold(z), threshold_negated(z))}} {}

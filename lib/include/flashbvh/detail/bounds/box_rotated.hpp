@@ -37,7 +37,7 @@ struct alignas(16) BoxRotation {
   int32_t upper[4];
   int32_t lower[4];
 
-  BoxRotation(const SplitMatrix& matrix, const BoundStart* starts)
+  BoxRotation(const SplitMatrix& matrix, const BoxTestStart* starts)
       : positive_xy(), negative_xy(), z(), upper(), lower() {
     for (int i = 0; i < 3; ++i) {
       positive_xy[i] = matrix.row[i].positive_xy;
@@ -54,9 +54,9 @@ struct alignas(16) BoxRotation {
 /// What rotates a box: a matrix, and where the sums of its three axes begin.
 struct BoxRotation {
   const SplitMatrix* matrix;
-  const BoundStart* starts;
+  const BoxTestStart* starts;
 
-  BoxRotation(const SplitMatrix& by, const BoundStart* from) : matrix(&by), starts(from) {}
+  BoxRotation(const SplitMatrix& by, const BoxTestStart* from) : matrix(&by), starts(from) {}
 };
 
 #endif
@@ -70,10 +70,10 @@ struct RotatedBox {
 
 /// Tests boxes of A against boxes of B under a rotation; lives as long as a run of a walk. 48 bytes
 /// on a 32-bit core.
-class RotatedBound {
+class RotatedBoxTest {
  public:
   /// `transform` and its pose outlive this, as they are: some of it may be copied here.
-  explicit RotatedBound(const RotatedTransform& transform)
+  explicit RotatedBoxTest(const RotatedTransform& transform)
       : a_{{0, 0, 0}, nullptr, {transform.columns, transform.on_b}},
         b_{{0, 0, 0}, nullptr, {transform.matrix->rows, transform.on_a}} {}
 

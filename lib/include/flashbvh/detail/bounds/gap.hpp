@@ -46,7 +46,7 @@ class GapLimit {
   /// For vectors that may be longer by one part in 2^11 than what they stand for.
   constexpr uint32_t longer_limit() const { return clamped(int64_t{limit_} + (limit_ >> 10) + 1); }
 
-  /// For sums of squared gaps along directions that are nearly orthogonal (near_shape.hpp).
+  /// For sums of squared gaps along directions that are nearly orthogonal (proximity_planes.hpp).
   constexpr uint32_t sum_limit() const { return clamped(int64_t{limit_} + (limit_ >> 9) + 1); }
 
   /// Whether a gap of 2^15 cells is beyond all of these but the sums' one.
@@ -122,7 +122,7 @@ FLASHBVH_INLINE inline uint32_t squared_gap(const SeenBox& seen, const PackedBox
   const auto lanes = [](const int32_t(&bounds)[4]) {
     return _mm_load_si128(reinterpret_cast<const __m128i*>(bounds));
   };
-  const BoundLanes bounds = bound_lanes(box);
+  const BoxTestLanes bounds = bound_lanes(box);
   return squared_gap_lanes(_mm_add_epi32(lanes(seen.upper), bounds.lower),
                            _mm_add_epi32(lanes(seen.lower), bounds.upper), 2 * kBoundBias,
                            limit.shift(), GapLimit::kMost);
@@ -214,8 +214,8 @@ class WideGap {
   /// At most the square of the distance, as GapLimit has it.
   FLASHBVH_INLINE uint32_t squared(const PackedBox& a, const PackedBox& b) const {
 #if defined(FLASHBVH_GAP_SIMD)
-    const BoundLanes of_a = bound_lanes(a);
-    const BoundLanes of_b = bound_lanes(b);
+    const BoxTestLanes of_a = bound_lanes(a);
+    const BoxTestLanes of_b = bound_lanes(b);
     const __m128i offset = _mm_set_epi32(0, offset_->z, offset_->y, offset_->x);
     return squared_gap_lanes(_mm_sub_epi32(_mm_add_epi32(of_a.upper, of_b.lower), offset),
                              _mm_add_epi32(_mm_add_epi32(of_a.lower, of_b.upper), offset),
@@ -313,7 +313,7 @@ struct NearBox {
   PackedTriple window;
   const PackedBox* source = nullptr;
   const SplitMatrix* matrix;
-  const BoundStart* starts;
+  const BoxTestStart* starts;
   int32_t zero;    ///< from which sums are subtracted for the window, rounding included
   uint32_t limit;  ///< of squared gaps
 };

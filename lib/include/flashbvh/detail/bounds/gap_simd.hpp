@@ -10,12 +10,12 @@
 namespace flashbvh::detail {
 
 /// Biased bounds, upper and negated lower.
-struct BoundLanes {
+struct BoxTestLanes {
   __m128i upper;
   __m128i lower;
 };
 
-inline BoundLanes bound_lanes(const PackedBox& box) {
+inline BoxTestLanes bound_lanes(const PackedBox& box) {
   const __m128i zero = _mm_setzero_si128();
   const __m128i xy =
       _mm_unpacklo_epi16(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&box)), zero);

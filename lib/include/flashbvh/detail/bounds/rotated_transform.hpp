@@ -26,14 +26,14 @@ constexpr int32_t kMaxOffset = 48000;
 
 /// Where the sums of products begin that make the bounds of a rotated box along an axis: the upper
 /// and the negated lower one. kSplitOne is a cell; biases, rounding and margin included.
-struct BoundStart {
+struct BoxTestStart {
   int32_t upper;
   int32_t lower;
 };
 
 /// Where the other lattice's origin lies along the axis: both begin with it, one negated, beside
 /// what they share.
-inline int32_t offset_of(const BoundStart& start) {
+inline int32_t offset_of(const BoxTestStart& start) {
   return (start.upper - start.lower) >> 1;
 }
 
@@ -41,8 +41,8 @@ inline int32_t offset_of(const BoundStart& start) {
 struct RotatedTransform {
   const RotationMatrix* matrix;  ///< the pose's: its rows rotate boxes of B
   SplitMatrix columns;           ///< rotate boxes of A
-  BoundStart on_a[3];            ///< boxes of B on A's axes
-  BoundStart on_b[3];            ///< boxes of A on B's axes
+  BoxTestStart on_a[3];          ///< boxes of B on A's axes
+  BoxTestStart on_b[3];          ///< boxes of A on B's axes
 
   /// Sets all members. The origins are the meshes', within +-2^29 cells; `root_b` contains all that
   /// will be transformed. False, and no use, if `may_stop` and two meshes with these root boxes are

@@ -18,8 +18,8 @@ enum class Side : uint8_t { none, a, b };
 
 /// B translated by whole cells.
 struct TranslatedTransform {
-  Point offset;           ///< from B's lattice to A's; both count from their own origins
-  TranslatedBound bound;  ///< set by Transform::prepare()
+  Point offset;             ///< from B's lattice to A's; both count from their own origins
+  TranslatedBoxTest bound;  ///< set by Transform::prepare()
 };
 
 /// 92 bytes on a 32-bit core.
@@ -83,7 +83,7 @@ class Transform {
       return within(t.x, kMaxOffset) && within(t.y, kMaxOffset) && within(t.z, kMaxOffset);
     }
     constexpr int32_t most = kMaxOffset * kSplitOne;
-    const BoundStart* const on_a = rotated_.on_a;
+    const BoxTestStart* const on_a = rotated_.on_a;
     return within(offset_of(on_a[0]), most) && within(offset_of(on_a[1]), most) &&
            within(offset_of(on_a[2]), most);
   }
@@ -107,7 +107,7 @@ class Transform {
   void prepare(const Mesh& b) {
     if (!is_rotated_) {
       const Point& t = translated_.offset;
-      translated_.bound = TranslatedBound(t.x, t.y, t.z);
+      translated_.bound = TranslatedBoxTest(t.x, t.y, t.z);
       narrow_ = true;
     } else {
       slab_margin_ = margin_of_slabs(reach(b.nodes[0].box));

@@ -45,7 +45,7 @@ struct TreeShape {
 /// `image_invalid`. Its counts and arrays are there, of a post-indexed tree with or without the
 /// levels (null then, both); nothing else needs to be right.
 template <class Index, Layout layout>
-Status check_tree(const LevelledMesh<Index, layout>& mesh, TreeShape& shape);
+Status check_tree(const BasicMeshWithLevels<Index, layout>& mesh, TreeShape& shape);
 
 }  // namespace flashbvh::detail
 

@@ -3,7 +3,7 @@
 // A question is the test that a query makes of a walk's pairs. It is a small class with
 //     kIntersects             whether only triangles that intersect are an answer: then whatever
 //                             tells them disjoint may reject pairs, and the exact test is known
-//     Shapes<Mesh>            how leaves are taken as shapes (leaf_shape.hpp), or NoShapes
+//     Shapes<Mesh>            how leaves are taken as shapes (leaf_planes.hpp), or NoShapes
 //     kBatch                  how many pairs of leaves may be found before they are tested: one if
 //                             an answer changes the bound
 //     kPairWork               what two triangles' test is in work (work.hpp)
@@ -25,30 +25,30 @@
 #include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 #include "flashbvh/detail/bounds/transform.hpp"
-#include "flashbvh/detail/walk/leaf_shape.hpp"
+#include "flashbvh/detail/walk/leaf_planes.hpp"
 #include "flashbvh/detail/walk/walk.hpp"
 #include "flashbvh/detail/walk/work.hpp"
 
 namespace flashbvh::detail {
 
 /// The bound with a state, of a question and where B lies.
-template <class Question, class = void>
-struct StatefulBound {
+template <class Predicate, class = void>
+struct StatefulBoxTest {
   /// Whether a walk takes it.
-  FLASHBVH_INLINE static bool is_for(const Question& /*question*/, const Transform& transform) {
+  FLASHBVH_INLINE static bool is_for(const Predicate& /*predicate*/, const Transform& transform) {
     return transform.is_rotated();
   }
-  FLASHBVH_INLINE static auto of(const Question& question, const Transform& transform) {
-    return question.rotated(transform.rotated());
+  FLASHBVH_INLINE static auto of(const Predicate& predicate, const Transform& transform) {
+    return predicate.rotated(transform.rotated());
   }
 };
-template <class Question>
-struct StatefulBound<Question, typename Question::KeepsBound> {
-  FLASHBVH_INLINE static bool is_for(const Question& question, const Transform& transform) {
-    return question.is_kept(transform);
+template <class Predicate>
+struct StatefulBoxTest<Predicate, typename Predicate::KeepsBound> {
+  FLASHBVH_INLINE static bool is_for(const Predicate& predicate, const Transform& transform) {
+    return predicate.is_kept(transform);
   }
-  FLASHBVH_INLINE static auto of(const Question& question, const Transform& transform) {
-    return question.kept(transform);
+  FLASHBVH_INLINE static auto of(const Predicate& predicate, const Transform& transform) {
+    return predicate.kept(transform);
   }
 };
 
@@ -78,17 +78,19 @@ struct KeptShapes<ShapesType, false> {
 struct Intersection {
   static constexpr bool kIntersects = true;
   template <class Mesh>
-  using Shapes = LeafShapes<Mesh>;
+  using Shapes = LeafPlanes<Mesh>;
   static constexpr uint32_t kBatch = 8;
   static constexpr uint32_t kPairWork = kTrianglePairWork;
   static constexpr uint32_t kDearWork = 0;
   static constexpr bool kKeepsShapes = true;
   static constexpr bool kDisjointRootsEnd = true;
 
-  const TranslatedBound& translated(const TranslatedTransform& transform) const {
+  const TranslatedBoxTest& translated(const TranslatedTransform& transform) const {
     return transform.bound;
   }
-  RotatedBound rotated(const RotatedTransform& transform) const { return RotatedBound(transform); }
+  RotatedBoxTest rotated(const RotatedTransform& transform) const {
+    return RotatedBoxTest(transform);
+  }
 };
 
 /// The same with boxes alone: the paper's, and what leaves as shapes are measured against.

@@ -20,8 +20,8 @@
 namespace flashbvh::detail {
 
 /// Whether any two triangles of two leaves are asked, and whether they intersect, no more.
-template <class Question>
-inline constexpr bool kAsksAllAlike = Question::kIntersects;
+template <class Predicate>
+inline constexpr bool kAsksAllAlike = Predicate::kIntersects;
 
 /// A batch of pairs of leaves. Elsewhere, and where triangles are not asked alike, they are tested
 /// one pair after the other.

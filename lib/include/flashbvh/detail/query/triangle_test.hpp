@@ -11,11 +11,11 @@
 namespace flashbvh::detail {
 
 /// Any question's. Rotating a triangle of B costs most, so it is kept.
-template <class Question, class Mesh, bool kIntersects>
+template <class Predicate, class Mesh, bool kIntersects>
 class TriangleTest {
  public:
-  TriangleTest(Question& question, const Mesh& a, const Mesh& b, const Transform& transform)
-      : question_(question), a_(a), b_(b), transform_(transform) {}
+  TriangleTest(Predicate& predicate, const Mesh& a, const Mesh& b, const Transform& transform)
+      : predicate_(predicate), a_(a), b_(b), transform_(transform) {}
 
   /// A triangle of B, by its position; false if it intersects nothing in a box of A's, unless that
   /// is null.
@@ -30,11 +30,11 @@ class TriangleTest {
   bool operator()(uint32_t of_a) const {
     Triangle a;
     translate_triangle(a_, of_a, kNoOffset, a);
-    return question_.test(a, kept_b_, of_a, kept_);
+    return predicate_.test(a, kept_b_, of_a, kept_);
   }
 
  private:
-  Question& question_;
+  Predicate& predicate_;
   const Mesh& a_;
   const Mesh& b_;
   const Transform& transform_;
@@ -43,10 +43,10 @@ class TriangleTest {
 };
 
 /// Of intersection: the normal of B's triangle is kept, too.
-template <class Question, class Mesh>
-class TriangleTest<Question, Mesh, true> {
+template <class Predicate, class Mesh>
+class TriangleTest<Predicate, Mesh, true> {
  public:
-  TriangleTest(Question&, const Mesh& a, const Mesh& b, const Transform& transform)
+  TriangleTest(Predicate&, const Mesh& a, const Mesh& b, const Transform& transform)
       : a_(a),
         b_(b),
         transform_(transform),

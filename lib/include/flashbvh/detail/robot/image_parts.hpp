@@ -12,8 +12,8 @@ namespace flashbvh::detail {
 /// Where the first mesh lies, in bytes from the start of the image.
 uint32_t robot_meshes_offset(const RobotImageHeader& header);
 
-/// FNV-1a of the joints, links, pairs, reaches, charts, slack and cell, and of each mesh's nodes,
-/// triangles, vertices and origin: Robot::hash.
+/// FNV-1a of the joints, links, pairs, reaches, distance tables, slack and cell, and of each mesh's
+/// nodes, triangles, vertices and origin: Robot::hash.
 uint32_t robot_hash(const Robot& robot);
 
 /// Whether a robot's arrays keep the rules, all but its meshes, which are not looked at. Its counts
@@ -24,7 +24,7 @@ bool check_robot(const Robot& robot, uint32_t& pair_joint_count);
 bool check_spheres(const Robot& robot);
 
 /// open_robot() but for the hash.
-Status open_robot_unhashed(const void* bytes, size_t size, PostMesh* meshes, uint32_t mesh_capacity,
+Status open_robot_unhashed(const void* bytes, size_t size, Mesh* meshes, uint32_t mesh_capacity,
                            Robot& robot);
 
 }  // namespace flashbvh::detail

@@ -2,7 +2,7 @@
 #ifndef FLASHBVH_DETAIL_WALK_RUN_COSTS_HPP
 #define FLASHBVH_DETAIL_WALK_RUN_COSTS_HPP
 
-#include "flashbvh/plain/counts.h"
+#include "flashbvh/plain/results.h"
 
 namespace flashbvh {
 

@@ -42,21 +42,21 @@ template <class TreeType>
 struct NoShapes {
   using Tree = TreeType;
   static constexpr bool kShapes = false;
-  static constexpr bool kAsksBound = false;
+  static constexpr bool kReadsBoxTest = false;
   static constexpr bool kKnowsRoot = false;
   const Tree& a;
   const Tree& b;
 
   template <class... Whatever>
   NoShapes(const Tree& tree_a, const Tree& tree_b, const Whatever&...) : a(tree_a), b(tree_b) {}
-  template <class Bound>
-  static void set_bound(Bound&) {}
+  template <class BoxTest>
+  static void set_box_test(BoxTest&) {}
 };
 
 /// A bound that has a state, as a walk takes it: by a handle.
-template <class StatefulBound>
+template <class StatefulBoxTest>
 struct ByReference {
-  StatefulBound* bound;
+  StatefulBoxTest* bound;
   bool operator()(const PackedBox& a, const PackedBox& b) const { return (*bound)(a, b); }
 };
 
@@ -71,16 +71,16 @@ inline void keep_in_memory(Object& object) {
 }
 
 /// A bound of its own has its registers in a walk's loop; a handle is seldom read, and leaves them.
-template <class Bound>
-inline void put_in_place(Bound& /*bound*/) {}
-template <class StatefulBound>
-inline void put_in_place(ByReference<StatefulBound>& bound) {
+template <class BoxTest>
+inline void put_in_place(BoxTest& /*bound*/) {}
+template <class StatefulBoxTest>
+inline void put_in_place(ByReference<StatefulBoxTest>& bound) {
   keep_in_memory(bound);
 }
 
 /// Of a walk at a pair below which it stopped, in the subtree of the node that is no leaf.
-template <class Shapes, class Order>
-FLASHBVH_INLINE inline void keep_root(Shapes& shapes, Side leaf, const Order& at) {
+template <class Shapes, class Traversal>
+FLASHBVH_INLINE inline void keep_root(Shapes& shapes, Side leaf, const Traversal& at) {
   if constexpr (Shapes::kKnowsRoot) {
     shapes.keep_root(leaf == Side::a ? at.index_b() : at.index_a());
   }
@@ -93,14 +93,14 @@ FLASHBVH_INLINE inline bool are_inner(const Node& a, const Node& b) {
 }
 
 /// From the cursor's pair, which is below no leaf that is a shape.
-template <class Order, class Bound, class Shapes, class LeafPair>
-FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
-                                   WalkRun<typename Order::Cursor, LeafPair>& run, bool after) {
+template <class Traversal, class BoxTest, class Shapes, class LeafPair>
+FLASHBVH_NOINLINE State walk_pairs(const BoxTest& bound, Shapes& shapes,
+                                   WalkRun<typename Traversal::Cursor, LeafPair>& run, bool after) {
   auto* kept = &run;
   keep_in_memory(kept);
-  Bound may_matter = bound;
+  BoxTest may_matter = bound;
   put_in_place(may_matter);
-  Order at(shapes.a, shapes.b, *run.cursor);
+  Traversal at(shapes.a, shapes.b, *run.cursor);
   uint32_t work_left = run.progress.work_left;
   uint32_t overlaps = run.progress.overlaps;
   State end = State::done;
@@ -158,21 +158,21 @@ FLASHBVH_NOINLINE State walk_pairs(const Bound& bound, Shapes& shapes,
 
 /// From the cursor, `from` a state that is not done, with some work granted, to where `leaf_pair`
 /// says stop, the end, or the last of the work: where it stands then.
-template <class Order, class Bound, class Shapes, class LeafPair>
-FLASHBVH_INLINE inline State walk(const Bound& bound, Shapes& shapes,
-                                  WalkRun<typename Order::Cursor, LeafPair>& run, State from) {
-  if constexpr (Shapes::kShapes && Order::kBelowLeaves) {
-    return walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
+template <class Traversal, class BoxTest, class Shapes, class LeafPair>
+FLASHBVH_INLINE inline State walk(const BoxTest& bound, Shapes& shapes,
+                                  WalkRun<typename Traversal::Cursor, LeafPair>& run, State from) {
+  if constexpr (Shapes::kShapes && Traversal::kBelowLeaves) {
+    return walk_on_below<Traversal>(shapes, run, from == State::at_leaf_pair);
   } else {
     if constexpr (Shapes::kShapes) {
       if (from != State::fresh) {
-        from = walk_on_below<Order>(shapes, run, from == State::at_leaf_pair);
+        from = walk_on_below<Traversal>(shapes, run, from == State::at_leaf_pair);
         if (from == State::done || run.side != Side::none) {
           return from;
         }
       }
     }
-    return walk_pairs<Order>(bound, shapes, run, from == State::at_leaf_pair);
+    return walk_pairs<Traversal>(bound, shapes, run, from == State::at_leaf_pair);
   }
 }
 

@@ -1,7 +1,7 @@
 // What is left of a walk below a pair of which one node is a leaf.
 //
 // Once one node is a leaf, all that is left below the pair is that leaf against a subtree, whatever
-// the order. If leaves are taken as shapes (leaf_shape.hpp), that has a loop of its own, in which
+// the order. If leaves are taken as shapes (leaf_planes.hpp), that has a loop of its own, in which
 // shapes.begin(side, node, box) takes the leaf, after shapes.take_again(side, node) if a run goes
 // on below it; it is shapes.work_of(side, node). And shapes.may_touch(box) tests the other tree's
 // boxes; where a walk is in it follows from the pair. An order with a stack leaves it alone
@@ -123,14 +123,14 @@ FLASHBVH_INLINE inline State walk_to_root(Shapes& shapes, Run& run, bool after) 
 /// To the end of the leaf's walk of a subtree that a walk was in, and of those that follow. Then
 /// run.side is none. The first leaf is taken as a shape for nothing: a run with work always gets
 /// on.
-template <class Order, class Shapes, class Run>
+template <class Traversal, class Shapes, class Run>
 FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
-  if constexpr (Shapes::kKnowsRoot && Order::kStackless && !Order::kBelowLeaves) {
+  if constexpr (Shapes::kKnowsRoot && Traversal::kStackless && !Traversal::kBelowLeaves) {
     if (shapes.kept_root() != 0) {
       return walk_to_root(shapes, run, after);
     }
   }
-  Order at(shapes.a, shapes.b, *run.cursor);
+  Traversal at(shapes.a, shapes.b, *run.cursor);
   for (;;) {
     const bool first = run.side == Side::none;
     run.side = at.leaf();
@@ -157,7 +157,7 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
       at.store(*run.cursor, true);
       return State::done;
     }
-    if (!Order::kStackless) {  // what comes next was on the stack
+    if (!Traversal::kStackless) {  // what comes next was on the stack
       run.side = Side::none;
       break;
     }

@@ -6,16 +6,16 @@
 
 #include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/detail/bounds/transform.hpp"
-#include "flashbvh/plain/counts.h"
+#include "flashbvh/plain/results.h"
 
 namespace flashbvh {
 
-using Counts = flashbvh_counts;
+using QueryStats = flashbvh_stats;
 
 namespace detail {
 
 /// Zeros, for -Os by four stores: memset() would take 160 bytes along.
-FLASHBVH_INLINE inline Counts no_counts() {
+FLASHBVH_INLINE inline QueryStats no_counts() {
   uint32_t none = 0;
 #if defined(__OPTIMIZE_SIZE__) && defined(__GNUC__)
   __asm__("" : "+r"(none));
@@ -61,7 +61,7 @@ struct Progress {
     work_left -= spent;
     besides += spent;
   }
-  /// Counts down by one a visit, whatever else is done.
+  /// QueryStats down by one a visit, whatever else is done.
   uint32_t visits_down() const { return work_left + besides; }
 };
 

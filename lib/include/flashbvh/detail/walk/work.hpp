@@ -1,6 +1,6 @@
 // The unit that runs are granted: work. How much of it a step takes is the same on every core, so
 // that a query cut by work is cut in the same places; what one of it takes at most is not
-// (bound.hpp).
+// (time_bound.hpp).
 //
 // A visit is 1. The others were chosen from what they take at most in instructions, beside a visit
 // under a rotation, on the cores that the tests run on (lib/docs/bounded_time.md).

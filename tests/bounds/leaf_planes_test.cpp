@@ -30,15 +30,15 @@ struct Totals {
   std::uint32_t with_boxes = 0;
 };
 
-template <class Order>
-void compare(const typename Order::Tree& a, const typename Order::Tree& b, const Pose& pose,
+template <class Traversal>
+void compare(const typename Traversal::Tree& a, const typename Traversal::Tree& b, const Pose& pose,
              Totals& totals) {
-  AnyQuery<Order> shapes(a, b, pose);
-  AnyQuery<Order, BoxIntersection> boxes(a, b, pose);
+  AnyQuery<Traversal> shapes(a, b, pose);
+  AnyQuery<Traversal, BoxIntersection> boxes(a, b, pose);
   const Pairs pairs = run_to_end(shapes.query, kNoLimit, 100);
   REQUIRE(pairs == run_to_end(boxes.query, kNoLimit, 100));
-  const Counts& counts = shapes.query.counts();
-  const Counts& of_boxes = boxes.query.counts();
+  const QueryStats& counts = shapes.query.stats();
+  const QueryStats& of_boxes = boxes.query.stats();
   REQUIRE(counts.triangle_pairs == pairs.size());
   if (pose.is_translation()) {  // a window is as good as the boxes
     REQUIRE(counts.visits <= of_boxes.visits);
@@ -53,13 +53,13 @@ void compare(const typename Order::Tree& a, const typename Order::Tree& b, const
 /// Under all orders. `a` and `b` may be one.
 void compare_all(const AnyMesh& a, const AnyMesh& b, const Pose& pose, Totals& totals) {
   for_each_order<std::uint16_t>([&](auto named) {
-    using Order = typename decltype(named)::Order;
-    CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
-    const auto tree_a = a.view<typename Order::Tree>();
+    using Traversal = typename decltype(named)::Traversal;
+    CAPTURE(named.name, static_cast<int>(Traversal::Tree::kLayout));
+    const auto tree_a = a.view<typename Traversal::Tree>();
     if (&a == &b) {
-      compare<Order>(tree_a, tree_a, pose, totals);
+      compare<Traversal>(tree_a, tree_a, pose, totals);
     } else {
-      compare<Order>(tree_a, b.view<typename Order::Tree>(), pose, totals);
+      compare<Traversal>(tree_a, b.view<typename Traversal::Tree>(), pose, totals);
     }
   });
 }
@@ -308,7 +308,7 @@ TEST_CASE("on the largest lattice, no slab of a leaf misses what lies in its tri
     constexpr auto layout = Layout::post_indexed;
     const auto a = bake::lay_out<std::uint16_t, layout>(bake::build_median(leaf, 2), leaf);
     const auto b = bake::lay_out<std::uint16_t, layout>(bake::build_median(specks, 1), specks);
-    compare<Ranked<PostMesh>>((leaf_of_a ? a : b).view(), (leaf_of_a ? b : a).view(), pose, totals);
+    compare<Ranked<Mesh>>((leaf_of_a ? a : b).view(), (leaf_of_a ? b : a).view(), pose, totals);
   }
   CHECK(totals.pairs > 2 * tries / 3);
 }

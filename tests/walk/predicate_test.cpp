@@ -49,14 +49,14 @@ struct NearBound {
 
 /// The same under a rotation: the sums begin further out, along B's axes by more than sqrt(3) times
 /// as much.
-class GrownBound {
+class GrownBoxTest {
  public:
-  GrownBound(const RotatedTransform& transform, std::int32_t distance)
+  GrownBoxTest(const RotatedTransform& transform, std::int32_t distance)
       : grown_(grown(transform, distance)), bound_(grown_) {}
   bool operator()(const PackedBox& a, const PackedBox& b) { return bound_(a, b); }
 
  private:
-  static void grow(BoundStart& start, std::int32_t cells) {
+  static void grow(BoxTestStart& start, std::int32_t cells) {
     start.upper += cells * kSplitOne;
     start.lower += cells * kSplitOne;
   }
@@ -69,7 +69,7 @@ class GrownBound {
   }
 
   RotatedTransform grown_;
-  RotatedBound bound_;
+  RotatedBoxTest bound_;
 };
 
 struct WithinBoxDistance {
@@ -90,7 +90,7 @@ struct WithinBoxDistance {
   NearBound translated(const TranslatedTransform& transform) const {
     return {transform.offset, distance};
   }
-  GrownBound rotated(const RotatedTransform& transform) const { return {transform, distance}; }
+  GrownBoxTest rotated(const RotatedTransform& transform) const { return {transform, distance}; }
   bool test(const Triangle& a, const Triangle& b, std::uint32_t, std::uint32_t) const {
     return box_gap(a, b) <= distance;
   }
@@ -111,13 +111,13 @@ Pairs brute_force(const Mesh& a, const Mesh& b, const Pose& pose, std::int32_t d
   return pairs;
 }
 
-template <class Order, class Baked>
+template <class Traversal, class Baked>
 void check(const Baked& baked_a, const Baked& baked_b, const Pose& pose, std::int32_t distance) {
   const auto a = baked_a.view();
   const auto b = baked_b.view();
   const Pairs truth = brute_force(a, b, pose, distance);
   for (const std::uint32_t work : {std::uint32_t{1}, std::uint32_t{7}, kNoLimit}) {
-    Query<Order, WithinBoxDistance> query(a, b, pose, {}, {distance});
+    Query<Traversal, WithinBoxDistance> query(a, b, pose, {}, {distance});
     Pairs pairs = run_to_end(query, work, 5);
     std::sort(pairs.begin(), pairs.end());
     REQUIRE(pairs == truth);
@@ -145,7 +145,7 @@ TEST_CASE("another question, boxes within a distance, is a bound and a test and 
                           ? Pose::translated(cells[0], cells[1], cells[2])
                           : Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
     for (const std::int32_t distance : {0, 1, 40, 300, 1200}) {
-      check<Ranked<PostMesh>>(a, b, pose, distance);
+      check<Ranked<Mesh>>(a, b, pose, distance);
       check<StacklessPost>(a, b, pose, distance);
       apart += brute_force(a.view(), b.view(), pose, distance).empty() ? 0 : 1;
     }

@@ -8,8 +8,8 @@
 //
 // What is tested of a pair follows from the pair alone, however a query was cut: only whether a
 // slab is made or current does not.
-#ifndef FLASHBVH_DETAIL_WALK_LEAF_SHAPE_HPP
-#define FLASHBVH_DETAIL_WALK_LEAF_SHAPE_HPP
+#ifndef FLASHBVH_DETAIL_WALK_LEAF_PLANES_HPP
+#define FLASHBVH_DETAIL_WALK_LEAF_PLANES_HPP
 
 #include <stdint.h>
 
@@ -23,18 +23,18 @@
 namespace flashbvh::detail {
 
 template <class Mesh>
-class LeafShapes : protected BoxTests {
+class LeafPlanes : protected BoxTests {
  public:
   using Tree = Mesh;
   static constexpr bool kShapes = true;
-  static constexpr bool kAsksBound = false;                              ///< of a translation
+  static constexpr bool kReadsBoxTest = false;                           ///< of a translation
   static constexpr bool kKnowsRoot = sizeof(typename Mesh::Index) == 2;  ///< there is room
 
-  LeafShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
+  LeafPlanes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
       : a(mesh_a), b(mesh_b), transform_(transform) {}
 
   /// The bound of a walk under a rotation, while it lasts; it keeps its rotated boxes.
-  void set_bound(RotatedBound& bound) { rotated_ = &bound; }
+  void set_box_test(RotatedBoxTest& bound) { rotated_ = &bound; }
 
   /// What it is in work to take a leaf, by its node, and to begin below it.
   FLASHBVH_INLINE uint32_t work_of(Side side, uint32_t node) const {
@@ -111,7 +111,7 @@ class LeafShapes : protected BoxTests {
     if (rotated_ != nullptr) {
       window = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
     } else {
-      const TranslatedBound& bound = transform_.translated().bound;
+      const TranslatedBoxTest& bound = transform_.translated().bound;
       window = side == Side::a ? bound.window_of_a(box) : bound.window_of_b(box);
     }
   }
@@ -182,7 +182,7 @@ class LeafShapes : protected BoxTests {
   }
 
   const Transform& transform_;
-  RotatedBound* rotated_ = nullptr;
+  RotatedBoxTest* rotated_ = nullptr;
   const Node<typename Mesh::Index>* node_ = nullptr;  ///< the leaf
   Side side_ = Side::none;
   uint8_t made_ = 0;  ///< slabs

@@ -1,13 +1,13 @@
 // The questions about distance: which triangles are within d of each other, and which are nearest.
-#ifndef FLASHBVH_DETAIL_QUERY_NEARNESS_HPP
-#define FLASHBVH_DETAIL_QUERY_NEARNESS_HPP
+#ifndef FLASHBVH_DETAIL_QUERY_PROXIMITY_HPP
+#define FLASHBVH_DETAIL_QUERY_PROXIMITY_HPP
 
 #include <stdint.h>
 
 #include "flashbvh/detail/bounds/gap.hpp"
 #include "flashbvh/detail/bounds/transform.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
-#include "flashbvh/detail/walk/near_shape.hpp"
+#include "flashbvh/detail/walk/proximity_planes.hpp"
 #include "flashbvh/status.hpp"
 
 namespace flashbvh::detail {
@@ -18,7 +18,7 @@ struct Nearness {
   using KeepsBound = void;
   static constexpr bool kIntersects = false;
   template <class Mesh>
-  using Shapes = NearShapes<Mesh>;
+  using Shapes = ProximityPlanes<Mesh>;
   static constexpr bool kDisjointRootsEnd = false;
 };
 

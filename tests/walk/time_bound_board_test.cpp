@@ -1,5 +1,5 @@
-// The formulas of flashbvh/bound.hpp.
-#include "flashbvh/bound.hpp"
+// The formulas of flashbvh/time_bound.hpp.
+#include "flashbvh/time_bound.hpp"
 
 #include <catch2/catch.hpp>
 #include <initializer_list>

@@ -1,7 +1,7 @@
 // Lengths that queries report in cells, in a mesh's unit. In integers; lengths as floats are in
 // pose_float.hpp.
-#ifndef FLASHBVH_LENGTH_HPP
-#define FLASHBVH_LENGTH_HPP
+#ifndef FLASHBVH_UNITS_HPP
+#define FLASHBVH_UNITS_HPP
 
 #include <stdint.h>
 

@@ -1,4 +1,4 @@
-#include "robot/baked/charts.hpp"
+#include "robot/baked/distance_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <memory>
 #include <queue>
 
-#include "flashbvh/detail/robot/chart.hpp"
+#include "flashbvh/detail/robot/distance_table.hpp"
 #include "robot/matrix/matrix.hpp"
 #include "robot/matrix/pair_space.hpp"
 #include "robot/matrix/reaches.hpp"
@@ -35,7 +35,7 @@ constexpr Shares kRowShares{0.8, 0.4};
 std::uint8_t byte_of(double distance) {
   std::uint32_t byte = 0;
   while (byte < 255 &&
-         detail::chart_distance(static_cast<std::uint8_t>(byte + 1)) / 256.0 <= distance) {
+         detail::table_distance(static_cast<std::uint8_t>(byte + 1)) / 256.0 <= distance) {
     ++byte;
   }
   return static_cast<std::uint8_t>(byte);
@@ -58,11 +58,11 @@ struct Part {
   bool operator<(const Part& other) const { return least > other.least; }  // the nearest first
 };
 
-class Chart {
+class DistanceTable {
  public:
   /// `radius`: the smaller link's; `deviation`: how far meshes may lie from where they should,
   /// beside placing. In cells.
-  Chart(const PairSpace& space, double radius, double deviation, const Shares& shares)
+  DistanceTable(const PairSpace& space, double radius, double deviation, const Shares& shares)
       : space_(space),
         shares_(shares),
         slack_(kPlacing + space.far_origin() + 0.1 + deviation),
@@ -118,10 +118,10 @@ class Chart {
 
 /// One of the links turned all the way about the joint next to it: what is far from all that it
 /// sweeps is proven for each of that joint's cells at once.
-class SweptChart {
+class SweptDistanceTable {
  public:
-  SweptChart(const Model& model, const RobotPair& pair, const SweptEnd& end, double radius,
-             double cell)
+  SweptDistanceTable(const Model& model, const RobotPair& pair, const SweptEnd& end, double radius,
+                     double cell)
       : pair_(swept_pair(model, pair.a, pair.b, cell, {end}, kFine)),
         scale_(pair_.cell / cell),
         mesh_a_(pair_.a.view()),
@@ -157,26 +157,28 @@ class SweptChart {
 
   SweptPair pair_;
   double scale_;
-  PostMesh mesh_a_;
-  PostMesh mesh_b_;
+  Mesh mesh_a_;
+  Mesh mesh_b_;
   JointsBetween joints_;
   bool is_a_swept_;
   PairSpace space_;
-  Chart chart_;
+  DistanceTable chart_;
   std::size_t dimension_ = 0;
   std::map<double, double> kept_;
 };
 
 /// Of a pair with two joints of its own.
-std::vector<std::unique_ptr<SweptChart>> swept_charts(const Model& model, const RobotPair& pair,
-                                                      double radius, double cell) {
-  std::vector<std::unique_ptr<SweptChart>> charts;
+std::vector<std::unique_ptr<SweptDistanceTable>> swept_charts(const Model& model,
+                                                              const RobotPair& pair, double radius,
+                                                              double cell) {
+  std::vector<std::unique_ptr<SweptDistanceTable>> distance_tables;
   for (const auto& [link, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
     if (const std::optional<SweptEnd> end = swept_end(model, link, other)) {
-      charts.push_back(std::make_unique<SweptChart>(model, pair, *end, radius, cell));
+      distance_tables.push_back(
+          std::make_unique<SweptDistanceTable>(model, pair, *end, radius, cell));
     }
   }
-  return charts;
+  return distance_tables;
 }
 
 /// A coordinate more either way, which values are rounded by.
@@ -201,22 +203,22 @@ std::vector<Axis> axes_of(const Model& model, const Robot& robot, const RobotPai
       ++dimension;
     }
     const RobotJoint& fixed = robot.joints[joint];
-    axes.push_back(
-        {fixed, dimension, detail::chart_axis(fixed), unit_of_coordinate(fixed.type, cell)});
+    axes.push_back({fixed, dimension, detail::distance_table_axis(fixed),
+                    unit_of_coordinate(fixed.type, cell)});
   }
   return axes;
 }
 
 void add_chart(const Model& model, const Robot& robot, const RobotPair& pair, double cell,
-               std::vector<std::uint8_t>& charts) {
+               std::vector<std::uint8_t>& distance_tables) {
   const PairSpace space(model, {pair.a, &robot.meshes[pair.a], nullptr},
                         {pair.b, &robot.meshes[pair.b], nullptr}, cell);
   const std::vector<Axis> axes = axes_of(model, robot, pair, space, cell);
   const std::uint32_t radius =
       std::min(robot.links[pair.a].radius, robot.links[pair.b].radius) / kFrameCell;
-  Chart chart(space, radius, 0, kShares);
+  DistanceTable distance_table(space, radius, 0, kShares);
   const auto swept = swept_charts(model, pair, radius, cell);
-  const std::uint32_t size = detail::chart_size(robot, pair);
+  const std::uint32_t size = detail::distance_table_size(robot, pair);
   for (std::uint32_t place = 0; place < size; ++place) {
     std::vector<Interval> box(axes.size());
     std::uint32_t rest = place;
@@ -227,22 +229,22 @@ void add_chart(const Model& model, const Robot& robot, const RobotPair& pair, do
     for (const auto& all : swept) {
       known = std::max(known, all->distance(box));
     }
-    charts.push_back(byte_of(chart.distance(box, known)));
+    distance_tables.push_back(byte_of(distance_table.distance(box, known)));
   }
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> charts_of(const Model& model, const Robot& robot,
-                                    const std::function<void(std::size_t)>& begin) {
-  std::vector<std::uint8_t> charts;
+std::vector<std::uint8_t> distance_tables_of(const Model& model, const Robot& robot,
+                                             const std::function<void(std::size_t)>& begin) {
+  std::vector<std::uint8_t> distance_tables;
   for (std::size_t i = 0; i < robot.pair_count; ++i) {
     begin(i);
-    if (detail::chart_size(robot, robot.pairs[i]) != 0) {
-      add_chart(model, robot, robot.pairs[i], cell_of(robot), charts);
+    if (detail::distance_table_size(robot, robot.pairs[i]) != 0) {
+      add_chart(model, robot, robot.pairs[i], cell_of(robot), distance_tables);
     }
   }
-  return charts;
+  return distance_tables;
 }
 
 }  // namespace flashbvh::tool

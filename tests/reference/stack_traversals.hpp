@@ -12,8 +12,8 @@
 //
 // Tuned as ranked.hpp is: node addresses in registers, pairs of indices on the stack, and the one
 // later sibling that a binary node has is pushed without a loop.
-#ifndef FLASHBVH_REFERENCE_STACK_ORDERS_HPP
-#define FLASHBVH_REFERENCE_STACK_ORDERS_HPP
+#ifndef FLASHBVH_REFERENCE_STACK_TRAVERSALS_HPP
+#define FLASHBVH_REFERENCE_STACK_TRAVERSALS_HPP
 
 #include <stddef.h>
 #include <stdint.h>
@@ -236,9 +236,9 @@ struct VolumeRule {
 /// 8.1). Invariant (property 6.1): while both nodes are internal, level(a) = level(b) or level(a) =
 /// level(b) - 1.
 struct AlternatingRule {
-  template <class LevelledTree, class Node>
-  static detail::Side into(const LevelledTree& tree_a, const Node* a, const LevelledTree& tree_b,
-                           const Node* b) {
+  template <class TreeWithLevels, class Node>
+  static detail::Side into(const TreeWithLevels& tree_a, const Node* a,
+                           const TreeWithLevels& tree_b, const Node* b) {
     return side_of(a, b, [&] {
       return tree_a.level(static_cast<uint32_t>(a - tree_a.nodes)) <
              tree_b.level(static_cast<uint32_t>(b - tree_b.nodes));
@@ -262,8 +262,8 @@ struct RankRule {
 
 template <class Tree>
 using VolumeStack = StackOrder<Tree, VolumeRule>;
-template <class LevelledTree>
-using AlternatingStack = StackOrder<LevelledTree, AlternatingRule>;
+template <class TreeWithLevels>
+using AlternatingStack = StackOrder<TreeWithLevels, AlternatingRule>;
 template <class Tree>
 using RankedStack = StackOrder<Tree, RankRule>;
 

@@ -1,6 +1,6 @@
 /* What queries find and do, and how large a tree is. */
-#ifndef FLASHBVH_PLAIN_COUNTS_H
-#define FLASHBVH_PLAIN_COUNTS_H
+#ifndef FLASHBVH_PLAIN_RESULTS_H
+#define FLASHBVH_PLAIN_RESULTS_H
 
 #include "flashbvh/plain/language.h"
 
@@ -11,19 +11,19 @@ typedef struct flashbvh_pair {
 } flashbvh_pair;
 
 /** What a run of a query gave. */
-typedef struct FLASHBVH_KEEP flashbvh_step {
+typedef struct FLASHBVH_KEEP flashbvh_run_result {
   FLASHBVH_BYTE(Status) status; /**< a flashbvh_status */
   uint32_t count; /**< pairs written to the caller's array, or handed to its visitor */
   uint32_t work;  /**< spent, of what was granted; 0 if that was UINT32_MAX */
-} flashbvh_step;
+} flashbvh_run_result;
 
 /** What a query did since it was started: the columns of the paper's tables. */
-typedef struct flashbvh_counts {
+typedef struct flashbvh_stats {
   uint32_t visits;         /**< pairs of boxes tested ("iterations") */
   uint32_t overlaps;       /**< of these, pairs that may matter */
   uint32_t leaf_pairs;     /**< of these, pairs of leaves ("leaf overlaps") */
   uint32_t triangle_pairs; /**< pairs of triangles that intersect ("geometry overlaps") */
-} flashbvh_counts;
+} flashbvh_stats;
 
 /** How large a baked mesh's tree is: what time bounds are made of. */
 typedef struct flashbvh_tree_size {

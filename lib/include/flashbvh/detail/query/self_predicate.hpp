@@ -1,7 +1,7 @@
 // What a mesh is asked about itself: a question of two meshes, of each unordered pair of triangles
 // that share no vertex.
-#ifndef FLASHBVH_DETAIL_QUERY_SELF_QUESTION_HPP
-#define FLASHBVH_DETAIL_QUERY_SELF_QUESTION_HPP
+#ifndef FLASHBVH_DETAIL_QUERY_SELF_PREDICATE_HPP
+#define FLASHBVH_DETAIL_QUERY_SELF_PREDICATE_HPP
 
 #include <stdint.h>
 
@@ -110,8 +110,8 @@ class TriangleTest<SelfQuestion<Base>, Mesh, true> {
 template <class Base, class Mesh>
 class TriangleTest<SelfQuestion<Base>, Mesh, false> {
  public:
-  TriangleTest(SelfQuestion<Base>& question, const Mesh& mesh, const Mesh&, const Transform&)
-      : question_(question), pairs_(mesh) {}
+  TriangleTest(SelfQuestion<Base>& predicate, const Mesh& mesh, const Mesh&, const Transform&)
+      : predicate_(predicate), pairs_(mesh) {}
 
   bool take_b(uint32_t of_b, const PackedBox* /*box_a*/) {
     pairs_.take_b(of_b);
@@ -124,11 +124,11 @@ class TriangleTest<SelfQuestion<Base>, Mesh, false> {
     (void)pairs_.place_b(b_);
     Triangle a;
     pairs_.place(of_a, a);
-    return question_.test(a, b_, of_a, pairs_.of_b());
+    return predicate_.test(a, b_, of_a, pairs_.of_b());
   }
 
  private:
-  SelfQuestion<Base>& question_;
+  SelfQuestion<Base>& predicate_;
   SelfPairs<Mesh> pairs_;
   Triangle b_;
 };

@@ -1,4 +1,4 @@
-#include "flashbvh/detail/robot/chart.hpp"
+#include "flashbvh/detail/robot/distance_table.hpp"
 
 #include "branch.hpp"
 #include "coordinate.hpp"
@@ -10,7 +10,7 @@ constexpr int kChartCellBits = 5;
 
 }  // namespace
 
-ChartAxis chart_axis(const RobotJoint& joint) {
+ChartAxis distance_table_axis(const RobotJoint& joint) {
   const bool is_free = joint.type == JointType::continuous;
   const bool is_empty = joint.lower > joint.upper;
   const uint32_t range = is_free ? kFullTurn - 1 : is_empty ? 0 : apart(joint.lower, joint.upper);
@@ -21,7 +21,7 @@ ChartAxis chart_axis(const RobotJoint& joint) {
   return {is_free ? -kFullTurn / 2 : joint.lower, shift, (range >> shift) + 1};
 }
 
-uint32_t chart_size(const Robot& robot, const RobotPair& pair) {
+uint32_t distance_table_size(const Robot& robot, const RobotPair& pair) {
   const uint32_t between = pair.joints_a + pair.joints_b;
   if (between == 0 || between > 2) {
     return 0;
@@ -30,7 +30,7 @@ uint32_t chart_size(const Robot& robot, const RobotPair& pair) {
   for_each_between(robot, pair, [&](uint32_t number, uint32_t) {
     const RobotJoint& joint = robot.joints[number];
     const bool is_own = joint.shift == 0 && joint.type != JointType::fixed;
-    size *= is_own ? chart_axis(joint).cells : 0;
+    size *= is_own ? distance_table_axis(joint).cells : 0;
   });
   return size;
 }
@@ -38,23 +38,23 @@ uint32_t chart_size(const Robot& robot, const RobotPair& pair) {
 uint32_t chart_distance_at(const Robot& robot, uint16_t i, const JointCoordinate* coordinates) {
   uint32_t place = 0;
   for (uint16_t before = 0; before < i; ++before) {
-    place += chart_size(robot, robot.pairs[before]);
+    place += distance_table_size(robot, robot.pairs[before]);
   }
   const RobotPair& pair = robot.pairs[i];
-  const uint32_t size = chart_size(robot, pair);
-  if (size == 0 || place + size > robot.chart_bytes) {
+  const uint32_t size = distance_table_size(robot, pair);
+  if (size == 0 || place + size > robot.distance_table_bytes) {
     return 0;
   }
   uint32_t cell = 0;
   for_each_between(robot, pair, [&](uint32_t number, uint32_t) {
     const RobotJoint& joint = robot.joints[number];
-    const ChartAxis axis = chart_axis(joint);
+    const ChartAxis axis = distance_table_axis(joint);
     const bool is_free = joint.type == JointType::continuous;
     const JointCoordinate at = is_free ? wrapped(coordinates[number]) : coordinates[number];
     const uint32_t along = apart(axis.lower, at) >> axis.shift;
     cell = cell * axis.cells + (at < axis.lower || along >= axis.cells ? size : along);
   });
-  return cell < size ? chart_distance(robot.charts[place + cell]) : 0;
+  return cell < size ? table_distance(robot.distance_tables[place + cell]) : 0;
 }
 
 }  // namespace flashbvh::detail

@@ -1,11 +1,11 @@
 // What a run of a query gives, and where a query stands between runs.
-#ifndef FLASHBVH_STEP_HPP
-#define FLASHBVH_STEP_HPP
+#ifndef FLASHBVH_RUN_RESULT_HPP
+#define FLASHBVH_RUN_RESULT_HPP
 
 #include <stdint.h>
 
 #include "flashbvh/detail/walk/walk_run.hpp"
-#include "flashbvh/plain/counts.h"
+#include "flashbvh/plain/results.h"
 #include "flashbvh/status.hpp"
 
 namespace flashbvh {
@@ -33,13 +33,13 @@ struct PairOf<uint16_t> {
 template <class Index>
 using TrianglePair = typename detail::PairOf<Index>::Type;
 
-using Step = flashbvh_step;
+using RunResult = flashbvh_run_result;
 
 /// Where a stackless query stands, between runs: all there is to keep beside what the query was
 /// made of, its meshes and its pose. May be stored for any time, as bytes too: 12 of them with
 /// 16-bit indices.
 template <class IndexType>
-struct QueryPosition {
+struct QueryCursor {
   using State = detail::State;
 
   IndexType a = 0;

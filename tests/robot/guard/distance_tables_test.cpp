@@ -1,9 +1,9 @@
 // Charts of random arms against brute force: no place in a cell falls below what it says.
-#include "robot/baked/charts.hpp"
+#include "robot/baked/distance_tables.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "flashbvh/detail/robot/chart.hpp"
+#include "flashbvh/detail/robot/distance_table.hpp"
 #include "support/arms/guarded_arm.hpp"
 
 using namespace flashbvh;
@@ -16,7 +16,7 @@ struct Told {
   std::uint32_t all;
 };
 
-/// Of random values: exact queries find the links no nearer than their chart says.
+/// Of random values: exact queries find the links no nearer than their distance table says.
 Told told_of(const FixedArm& arm, Random& random) {
   Told told{};
   std::vector<JointCoordinate> coordinates(arm.robot().joint_count);
@@ -32,7 +32,7 @@ Told told_of(const FixedArm& arm, Random& random) {
         FAIL();
       }
       told.places += distance != 0 ? 1 : 0;
-      told.all += detail::chart_size(arm.robot(), of) != 0 ? 1 : 0;
+      told.all += detail::distance_table_size(arm.robot(), of) != 0 ? 1 : 0;
     }
   }
   return told;
@@ -40,7 +40,7 @@ Told told_of(const FixedArm& arm, Random& random) {
 
 }  // namespace
 
-TEST_CASE("nowhere are two links nearer than their chart says") {
+TEST_CASE("nowhere are two links nearer than their distance table says") {
   CAPTURE(test_seed());
   Random random(test_seed());
   std::uint32_t all = 0;
@@ -52,7 +52,8 @@ TEST_CASE("nowhere are two links nearer than their chart says") {
 }
 
 TEST_CASE(
-    "what lies in the sweep of a link, or beside it, is as near as it is, and a chart says so") {
+    "what lies in the sweep of a link, or beside it, is as near as it is, and a distance table "
+    "says so") {
   CAPTURE(test_seed());
   Random random(test_seed());
   const bake::SourceMesh pin = box({-0.01, 0.03, 0.1}, {0.01, 0.05, 0.15});
@@ -68,10 +69,10 @@ TEST_CASE(
 }
 
 TEST_CASE("a byte's distance grows with it by a sixteenth at most") {
-  CHECK(detail::chart_distance(0) == 0);
+  CHECK(detail::table_distance(0) == 0);
   for (std::uint32_t byte = 1; byte < 255; ++byte) {
-    const double now = detail::chart_distance(static_cast<std::uint8_t>(byte));
-    const double next = detail::chart_distance(static_cast<std::uint8_t>(byte + 1));
+    const double now = detail::table_distance(static_cast<std::uint8_t>(byte));
+    const double next = detail::table_distance(static_cast<std::uint8_t>(byte + 1));
     CHECK((next > now && next <= now * 17 / 16));
   }
 }

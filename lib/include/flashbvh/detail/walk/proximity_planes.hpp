@@ -1,31 +1,31 @@
 // A leaf as a shape in questions about distance: how far its triangles are from the other tree's
-// boxes at least (leaf_shape.hpp has the same of intersection).
+// boxes at least (leaf_planes.hpp has the same of intersection).
 //
 // The leaf's own box, seen from the other tree, bounds the distance along that tree's axes; its
 // plane and, in it, the normal of its longest edge bound it along two more directions, which are
 // nearly orthogonal: squared gaps along both add up, but for one part in 2^9. That holds what is
 // between two rounded directions: each is off by less than sqrt(3) of 2^12, and by as much again
 // once rotated.
-#ifndef FLASHBVH_DETAIL_WALK_NEAR_SHAPE_HPP
-#define FLASHBVH_DETAIL_WALK_NEAR_SHAPE_HPP
+#ifndef FLASHBVH_DETAIL_WALK_PROXIMITY_PLANES_HPP
+#define FLASHBVH_DETAIL_WALK_PROXIMITY_PLANES_HPP
 
 #include <stdint.h>
 
 #include "flashbvh/detail/bounds/gap.hpp"
-#include "flashbvh/detail/walk/leaf_shape.hpp"
+#include "flashbvh/detail/walk/leaf_planes.hpp"
 
 namespace flashbvh::detail {
 
 template <class Mesh>
-class NearShapes : LeafShapes<Mesh> {
-  using Base = LeafShapes<Mesh>;
+class ProximityPlanes : LeafPlanes<Mesh> {
+  using Base = LeafPlanes<Mesh>;
 
  public:
   using Tree = Mesh;
   static constexpr bool kShapes = true;
-  static constexpr bool kAsksBound = true;
+  static constexpr bool kReadsBoxTest = true;
 
-  NearShapes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
+  ProximityPlanes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
       : Base(mesh_a, mesh_b, transform) {}
 
   using Base::a;
@@ -38,13 +38,13 @@ class NearShapes : LeafShapes<Mesh> {
   using Base::work_of;
 
   /// The bound of a walk, while it lasts: its limit is asked for, and its rotated boxes.
-  void set_bound(const TranslatedGap& bound) { set_limit(bound.limit()); }
-  void set_bound(KeptGap& bound) {
+  void set_box_test(const TranslatedGap& bound) { set_limit(bound.limit()); }
+  void set_box_test(KeptGap& bound) {
     kept_gap_ = &bound;
     set_limit(bound.limit());
   }
 
-  /// As LeafShapes::begin().
+  /// As LeafPlanes::begin().
   FLASHBVH_NOINLINE bool begin(Side side, uint32_t node, const PackedBox* reached) {
     take(side, node);
     if (this->made_ == 0) {

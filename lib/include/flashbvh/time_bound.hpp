@@ -3,8 +3,8 @@
 //     constexpr uint32_t kWork =
 //         flashbvh::work_within(56000, flashbvh::kCortexM4F, arm::kTreeSize, cell::kTreeSize);
 //     step = query.run(kWork, found);  // 56,000 instructions at most
-#ifndef FLASHBVH_BOUND_HPP
-#define FLASHBVH_BOUND_HPP
+#ifndef FLASHBVH_TIME_BOUND_HPP
+#define FLASHBVH_TIME_BOUND_HPP
 
 #include <stdint.h>
 

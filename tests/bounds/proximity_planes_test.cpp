@@ -40,7 +40,7 @@ Vertex above(const Vertex& p, const Vertex& q, const Vertex& r, double height) {
 }
 
 /// The squared distance, rounded up: a limit that the pair is within.
-std::int64_t limit_of(const PostMesh& a, const PostMesh& b, const Transform& transform) {
+std::int64_t limit_of(const Mesh& a, const Mesh& b, const Transform& transform) {
   Triangle of_a;
   Triangle of_b;
   translate_triangle(a, 0, kNoOffset, of_a);
@@ -52,23 +52,23 @@ std::int64_t limit_of(const PostMesh& a, const PostMesh& b, const Transform& tra
 }
 
 template <class Gap>
-void check_leaf(const PostMesh& a, const PostMesh& b, const Transform& transform, Gap gap,
+void check_leaf(const Mesh& a, const Mesh& b, const Transform& transform, Gap gap,
                 std::uint32_t& rejected, Gap less) {
   const PackedBox& box_a = a.nodes[0].box;
   const PackedBox& box_b = b.nodes[0].box;
   REQUIRE(gap(box_a, box_b));
   for (const Side side : {Side::a, Side::b}) {
     const PackedBox& other = side == Side::a ? box_b : box_a;
-    NearShapes<PostMesh> shapes(a, b, transform);
-    shapes.set_bound(gap);
+    ProximityPlanes<Mesh> shapes(a, b, transform);
+    shapes.set_box_test(gap);
     REQUIRE(shapes.begin(side, 0, &other));
     REQUIRE(shapes.may_touch(other));
-    shapes.set_bound(less);
+    shapes.set_box_test(less);
     rejected += shapes.may_touch(other) ? 0 : 1;
   }
 }
 
-void check(const PostMesh& a, const PostMesh& b, const Pose& pose, std::uint32_t& rejected) {
+void check(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t& rejected) {
   Transform transform(pose, a, b, /*may_stop=*/false);
   transform.bring_near();
   transform.prepare(b);
@@ -95,7 +95,7 @@ std::int32_t rotated_bound(const SplitRow& row, std::int64_t start, const std::u
   return static_cast<std::int32_t>(start >> kSplitBits);
 }
 
-void check_seen(const SeenBox& seen, const SplitMatrix& matrix, const BoundStart* starts,
+void check_seen(const SeenBox& seen, const SplitMatrix& matrix, const BoxTestStart* starts,
                 std::int32_t rounding, const PackedBox& box) {
   const std::uint32_t upper[3] = {low_half(box.upper_xy), high_half(box.upper_xy), low_half(box.z)};
   const std::uint32_t lower[3] = {low_half(box.lower_xy), high_half(box.lower_xy),
@@ -155,8 +155,8 @@ TEST_CASE("rotated boxes are the sums of products along each axis") {
     CAPTURE(round);
     const AnyMesh a = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
     const AnyMesh b = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
-    const PostMesh mesh_a = a.view<PostMesh>();
-    const PostMesh mesh_b = b.view<PostMesh>();
+    const Mesh mesh_a = a.view<Mesh>();
+    const Mesh mesh_b = b.view<Mesh>();
     const Pose pose = any_rigid_pose(random, 40000);
     Transform transform(pose, mesh_a, mesh_b, /*may_stop=*/false);
     if (!transform.is_rotated()) {
@@ -228,8 +228,8 @@ TEST_CASE("leaves as shapes reject no box that is within the limit") {
                               ? mesh_of(any_vertex(random, 16000), any_vertex(random, 16000),
                                         any_vertex(random, 16000))
                               : mesh_of(point, point, point);
-    const PostMesh a = (round % 2 == 0 ? triangle : other).view<PostMesh>();
-    const PostMesh b = (round % 2 == 0 ? other : triangle).view<PostMesh>();
+    const Mesh a = (round % 2 == 0 ? triangle : other).view<Mesh>();
+    const Mesh b = (round % 2 == 0 ? other : triangle).view<Mesh>();
     const std::int32_t far = random.below(4) == 0 ? 20000 : 0;
     const std::int32_t cells[3] = {random.between(-far, far), random.between(-far, far), 0};
     check(a, b, Pose::translated(cells[0], cells[1], cells[2]), translated);
