@@ -78,8 +78,8 @@ bool same_robot(const Robot& c, const Robot& cpp) {
       c.joint_count == cpp.joint_count && c.link_count == cpp.link_count &&
       c.variable_count == cpp.variable_count && c.pair_count == cpp.pair_count &&
       c.reach_count == cpp.reach_count && c.distance_table_bytes == cpp.distance_table_bytes &&
-      same(c.charts, cpp.charts, cpp.distance_table_bytes) && c.slack == cpp.slack &&
-      c.hash == cpp.hash && c.cell_bits == cpp.cell_bits &&
+      same(c.distance_tables, cpp.distance_tables, cpp.distance_table_bytes) &&
+      c.slack == cpp.slack && c.hash == cpp.hash && c.cell_bits == cpp.cell_bits &&
       same(c.joints, cpp.joints, cpp.joint_count) && same(c.links, cpp.links, cpp.link_count) &&
       same(c.pairs, cpp.pairs, cpp.pair_count) && same(c.reaches, cpp.reaches, cpp.reach_count);
   for (uint32_t i = 0; i < cpp.link_count; ++i) {

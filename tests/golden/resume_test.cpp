@@ -97,10 +97,10 @@ std::uint32_t try_pairs() {
       }
       CAPTURE(kKeptImages[i].name, kKeptImages[j].name);
       for_each_stackless_order<typename Tree::Index>([&](auto named) {
-        using Order = typename decltype(named)::Order;
-        if constexpr (Order::Tree::kLayout == Tree::kLayout) {
-          tried += try_positions<Order>(a, b);
-          REQUIRE(accepts_positions_of_walk<Order>(a, b));
+        using Traversal = typename decltype(named)::Traversal;
+        if constexpr (Traversal::Tree::kLayout == Tree::kLayout) {
+          tried += try_positions<Traversal>(a, b);
+          REQUIRE(accepts_positions_of_walk<Traversal>(a, b));
         }
       });
     }

@@ -33,13 +33,13 @@ struct NamedTraversal {
 /// Calls use(NamedTraversal<...>) for each.
 template <class Use>
 constexpr void for_each_traversal(Use&& use) {
-  use(NamedTraversal<VolumeStack, Mesh, true, true>{"volume-stack"});
+  use(NamedTraversal<VolumeStack, BasicMesh, true, true>{"volume-stack"});
   use(NamedTraversal<AlternatingStack, BasicMeshWithLevels, true, true>{"alternating-stack"});
   use(NamedTraversal<AlternatingStackless, BasicMeshWithLevels, true, false>{"stackless"});
   use(NamedTraversal<AlternatingStackless, BasicMeshWithLevels, false, true>{"stackless-post"});
-  use(NamedTraversal<Leaf, Mesh, true, true>{"leaf"});
-  use(NamedTraversal<Ranked, Mesh, false, true>{"ranked"});
-  use(NamedTraversal<RankedStack, Mesh, false, true>{"ranked-stack"});
+  use(NamedTraversal<Leaf, BasicMesh, true, true>{"leaf"});
+  use(NamedTraversal<Ranked, BasicMesh, false, true>{"ranked"});
+  use(NamedTraversal<RankedStack, BasicMesh, false, true>{"ranked-stack"});
 }
 
 /// Of two meshes in this layout.

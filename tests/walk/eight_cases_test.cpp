@@ -39,9 +39,10 @@ NodePair test_next(std::uint32_t a, std::uint32_t b) {
     return i == kEnd ? kEnd : position(numbers, baked.build_nodes[i]);
   };
   const auto tree = baked.view();
-  using Order = AlternatingStackless<BasicMeshWithLevels<std::uint16_t, layout>>;
-  Order order(tree, tree,
-              {static_cast<std::uint16_t>(to_layout(a)), static_cast<std::uint16_t>(to_layout(b))});
+  using Traversal = AlternatingStackless<BasicMeshWithLevels<std::uint16_t, layout>>;
+  Traversal order(
+      tree, tree,
+      {static_cast<std::uint16_t>(to_layout(a)), static_cast<std::uint16_t>(to_layout(b))});
   const bool goes_on = order.next();
   CHECK(goes_on == (order.index_a() != kEnd && order.index_b() != kEnd));
   return {to_number(order.index_a()), to_number(order.index_b())};

@@ -78,7 +78,7 @@ void check_against_brute_force() {
 TEST_CASE("small trees: a query finds exactly the pairs that brute force finds") {
   for_each_order<uint16_t>([](auto named) {
     CAPTURE(named.name);
-    check_against_brute_force<typename decltype(named)::Order>();
+    check_against_brute_force<typename decltype(named)::Traversal>();
   });
 }
 

@@ -68,18 +68,18 @@ Report cut(const SmallScene<Traversal::Tree::kLayout>& scene, uint32_t work, uin
 
 TEST_CASE("small trees: however a query is cut into runs, it gives the same pairs") {
   for_each_order<uint16_t>([](auto named) {
-    using Order = typename decltype(named)::Order;
-    CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
+    using Traversal = typename decltype(named)::Traversal;
+    CAPTURE(named.name, static_cast<int>(Traversal::Tree::kLayout));
     Random random = test_random();
     for (int round = 0; round < kRounds; ++round) {
-      const Scene<Order> scene(random);
+      const Scene<Traversal> scene(random);
       QueryStats counts{};
-      const Report whole = cut<Order>(scene, kNoLimit, 4, counts);
+      const Report whole = cut<Traversal>(scene, kNoLimit, 4, counts);
       for (const uint32_t work : {1u, 2u, 7u, 31u, 33u, 100u, 500u}) {
         for (const uint32_t capacity : {1u, 3u}) {
           CAPTURE(round, work, capacity);
           QueryStats others{};
-          const bool equal = cut<Order>(scene, work, capacity, others) == whole;
+          const bool equal = cut<Traversal>(scene, work, capacity, others) == whole;
           REQUIRE(equal);
           REQUIRE(same(counts, others));
         }
@@ -90,19 +90,19 @@ TEST_CASE("small trees: however a query is cut into runs, it gives the same pair
 
 TEST_CASE("small trees: a query resumed in a new object after any run goes on") {
   for_each_stackless_order<uint16_t>([](auto named) {
-    using Order = typename decltype(named)::Order;
-    CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
+    using Traversal = typename decltype(named)::Traversal;
+    CAPTURE(named.name, static_cast<int>(Traversal::Tree::kLayout));
     Random random = test_random(1);
     for (int round = 0; round < kRounds; ++round) {
       CAPTURE(round);
-      const Scene<Order> scene(random);
+      const Scene<Traversal> scene(random);
       QueryStats counts{};
-      const Report whole = cut<Order>(scene, kNoLimit, 4, counts);
+      const Report whole = cut<Traversal>(scene, kNoLimit, 4, counts);
       Report report;
       Position position;
       uint32_t visits = 0;
       for (Status status = Status::suspended; status != Status::done;) {
-        SmallQuery<Order> any(scene);
+        SmallQuery<Traversal> any(scene);
         status = any.query.resume(position);
         REQUIRE((status == Status::suspended || status == Status::done));
         Pair found[1];
@@ -123,20 +123,20 @@ TEST_CASE("small trees: a query resumed in a new object after any run goes on") 
 
 TEST_CASE("small trees: any numbers for a position are refused or lead to an end") {
   for_each_stackless_order<uint16_t>([](auto named) {
-    using Order = typename decltype(named)::Order;
-    CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
+    using Traversal = typename decltype(named)::Traversal;
+    CAPTURE(named.name, static_cast<int>(Traversal::Tree::kLayout));
     Random random = test_random(2);
     int refused = 0;
     int taken = 0;
     for (int round = 0; round < 100 * kRounds; ++round) {
       CAPTURE(round);
-      const Scene<Order> scene(random);
+      const Scene<Traversal> scene(random);
       Position position;
       position.a = static_cast<uint16_t>(random.below(random.below(2) == 0 ? 40 : 65536));
       position.b = static_cast<uint16_t>(random.below(random.below(2) == 0 ? 40 : 65536));
       position.untested = random.below(4) == 0 ? random.below(UINT32_MAX) : random.below(6);
       position.state = static_cast<Position::State>(random.below(6));
-      SmallQuery<Order> any(scene);
+      SmallQuery<Traversal> any(scene);
       const Status before = any.query.status();
       if (any.query.resume(position) == Status::cursor_invalid) {
         REQUIRE(any.query.status() == before);

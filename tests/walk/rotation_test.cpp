@@ -84,14 +84,14 @@ void check_against_brute_force(Random& random, const Scale& scale, int tries) {
 
 TEST_CASE("under any pose a query finds exactly the pairs that brute force finds") {
   for_each_order<std::uint16_t>([](auto named) {
-    using Order = typename decltype(named)::Order;
-    CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
+    using Traversal = typename decltype(named)::Traversal;
+    CAPTURE(named.name, static_cast<int>(Traversal::Tree::kLayout));
     Random random = test_random();
-    check_against_brute_force<Order>(random, kTranslated, rounds(20, 100));
-    check_against_brute_force<Order>(random, kSmall, rounds(15, 60));
-    check_against_brute_force<Order>(random, kNear, rounds(15, 40));
-    check_against_brute_force<Order>(random, kLargest, rounds(15, 40));
-    check_against_brute_force<Order>(random, kTouching, rounds(15, 40));
+    check_against_brute_force<Traversal>(random, kTranslated, rounds(20, 100));
+    check_against_brute_force<Traversal>(random, kSmall, rounds(15, 60));
+    check_against_brute_force<Traversal>(random, kNear, rounds(15, 40));
+    check_against_brute_force<Traversal>(random, kLargest, rounds(15, 40));
+    check_against_brute_force<Traversal>(random, kTouching, rounds(15, 40));
   });
 }
 

@@ -53,10 +53,10 @@ void check_all(const Trees& trees) {
   const NodePairs truth = brute_force(trees.a, trees.b, trees.x, trees.y, trees.z);
   std::map<std::string, Record> of_rules;
   for_each_order<std::uint16_t>([&](auto named) {
-    using Order = typename decltype(named)::Order;
-    CAPTURE(named.name, static_cast<int>(Order::Tree::kLayout));
-    const auto& pair = std::get<static_cast<std::size_t>(Order::Tree::kLayout)>(pairs);
-    const Record walk = record<Order>(pair, bound);
+    using Traversal = typename decltype(named)::Traversal;
+    CAPTURE(named.name, static_cast<int>(Traversal::Tree::kLayout));
+    const auto& pair = std::get<static_cast<std::size_t>(Traversal::Tree::kLayout)>(pairs);
+    const Record walk = record<Traversal>(pair, bound);
     REQUIRE(walk.ended);
     REQUIRE(walk.sorted_leaf_pairs() == truth);
     const Record& first = of_rules.emplace(rule_of(named.name), walk).first->second;

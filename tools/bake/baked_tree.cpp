@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
 /// The shape of the tree in array order; all indices are array positions.
-struct Order {
+struct Traversal {
   std::vector<std::uint32_t> build_nodes;  ///< by array position
   std::vector<std::uint32_t> parents;      ///< kNone at the root
   std::vector<std::uint32_t> levels;
@@ -23,11 +23,11 @@ struct Order {
 };
 
 /// Nodes before their subtrees; the first subtree follows first, or the last one (`post`).
-Order array_order(const BuildTree& tree, bool post) {
+Traversal array_order(const BuildTree& tree, bool post) {
   const std::size_t count = tree.nodes.size();
   std::vector<std::uint32_t> position(count);
   std::vector<std::uint32_t> pending = {0};
-  Order order;
+  Traversal order;
   while (!pending.empty()) {
     const std::uint32_t node = pending.back();
     pending.pop_back();
@@ -61,7 +61,7 @@ Order array_order(const BuildTree& tree, bool post) {
 }
 
 /// Definitions 3.1 to 3.3 and 8.1, on array positions. A parent lies before its children.
-std::vector<std::uint32_t> escape_indices(const Order& order) {
+std::vector<std::uint32_t> escape_indices(const Traversal& order) {
   const std::size_t count = order.build_nodes.size();
   std::vector<std::uint32_t> escapes(count, static_cast<std::uint32_t>(count));
   for (std::size_t at = 1; at < count; ++at) {
@@ -71,7 +71,7 @@ std::vector<std::uint32_t> escape_indices(const Order& order) {
   return escapes;
 }
 
-std::vector<std::uint32_t> right_child_levels(const Order& order) {
+std::vector<std::uint32_t> right_child_levels(const Traversal& order) {
   std::vector<std::uint32_t> levels(order.build_nodes.size(), 0);
   for (std::size_t at = 1; at < levels.size(); ++at) {
     levels[at] = order.next_sibling[at] != kNone ? 0 : levels[order.parents[at]] + 1;
@@ -80,7 +80,7 @@ std::vector<std::uint32_t> right_child_levels(const Order& order) {
 }
 
 /// By array position, clamped to the parent's.
-std::vector<std::uint32_t> ranks(const Order& order, const BuildTree& tree) {
+std::vector<std::uint32_t> ranks(const Traversal& order, const BuildTree& tree) {
   std::vector<std::uint32_t> ranks(order.build_nodes.size(), 0);
   for (std::size_t at = 0; at < ranks.size(); ++at) {
     const BuildNode& node = tree.nodes[order.build_nodes[at]];
@@ -92,7 +92,7 @@ std::vector<std::uint32_t> ranks(const Order& order, const BuildTree& tree) {
   return ranks;
 }
 
-std::vector<std::uint32_t> links(const Order& order, Layout layout) {
+std::vector<std::uint32_t> links(const Traversal& order, Layout layout) {
   if (layout == Layout::pre_indexed) {
     return escape_indices(order);
   }
@@ -105,7 +105,7 @@ std::vector<std::uint32_t> links(const Order& order, Layout layout) {
 }
 
 template <class Index, Layout layout>
-void lay_out_nodes(const Order& order, const BuildTree& tree, BakedTree<Index, layout>& baked) {
+void lay_out_nodes(const Traversal& order, const BuildTree& tree, BakedTree<Index, layout>& baked) {
   const std::vector<std::uint32_t> rank = ranks(order, tree);
   const std::vector<std::uint32_t> link = links(order, layout);
   constexpr unsigned rank_shift = Node<Index>::kBits - 8;
@@ -124,7 +124,7 @@ void lay_out_nodes(const Order& order, const BuildTree& tree, BakedTree<Index, l
 }
 
 template <class Index, Layout layout>
-void lay_out_triangles(const Order& order, const BuildTree& tree, const LatticeMesh& mesh,
+void lay_out_triangles(const Traversal& order, const BuildTree& tree, const LatticeMesh& mesh,
                        BakedTree<Index, layout>& baked) {
   for (const std::uint32_t node : order.build_nodes) {
     const auto& triangles = tree.nodes[node].triangles;
@@ -182,7 +182,7 @@ void show_quads(BakedTree<Index, layout>& baked) {
 template <class Index, Layout layout>
 BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh) {
   BakedTree<Index, layout> baked;
-  Order order = array_order(tree, layout == Layout::post_indexed);
+  Traversal order = array_order(tree, layout == Layout::post_indexed);
   lay_out_nodes(order, tree, baked);
   lay_out_triangles(order, tree, mesh, baked);
   baked.levels = narrowed<Index>(order.levels);

@@ -52,9 +52,8 @@ struct Kind {
   static constexpr std::size_t kLevelledBytes = kMeshBytes + 8;
 
  private:
-  static std::string name(const char* prefix) {
-    return std::string("flashbvh::") + (kLarge ? "Large" : "") + prefix + (kPre ? "Pre" : "Post") +
-           "Mesh";
+  static std::string name(const char* suffix) {
+    return std::string("flashbvh::") + (kPre ? "Pre" : "") + "Mesh" + suffix + (kLarge ? "32" : "");
   }
 };
 

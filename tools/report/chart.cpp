@@ -1,4 +1,4 @@
-#include "report/distance_table.hpp"
+#include "report/chart.hpp"
 
 #include <algorithm>
 #include <cmath>

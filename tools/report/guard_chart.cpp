@@ -3,7 +3,7 @@
 #include <iterator>
 #include <utility>
 
-#include "report/distance_table.hpp"
+#include "report/chart.hpp"
 #include "report/guard_page.hpp"
 #include "report/html.hpp"
 #include "text/numbers.hpp"

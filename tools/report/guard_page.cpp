@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "report/arm_pictures.hpp"
-#include "report/distance_table.hpp"
+#include "report/chart.hpp"
 #include "report/html.hpp"
 #include "robot/replay/replay.hpp"
 #include "text/numbers.hpp"

@@ -24,8 +24,8 @@ namespace flashbvh {
 /// `QuestionBase`: detail::Intersection or Within. The mesh outlives the query.
 template <class MeshType, class QuestionBase>
 class BasicSelfQuery
-    : public Query<detail::SelfRanked<MeshType>, detail::SelfQuestion<QuestionBase>> {
-  using Predicate = detail::SelfQuestion<QuestionBase>;
+    : public Query<detail::SelfRanked<MeshType>, detail::SelfPredicate<QuestionBase>> {
+  using Predicate = detail::SelfPredicate<QuestionBase>;
   using Base = Query<detail::SelfRanked<MeshType>, Predicate>;
 
  public:
@@ -55,10 +55,11 @@ Answer intersects_itself(const BasicMesh<Index, Layout::post_indexed>& mesh) {
 }
 
 // Compiled once, in the library.
-extern template class Query<detail::SelfRanked<Mesh>, detail::SelfQuestion<detail::Intersection>>;
-extern template class Query<detail::SelfRanked<Mesh32>, detail::SelfQuestion<detail::Intersection>>;
-extern template class Query<detail::SelfRanked<Mesh>, detail::SelfQuestion<Within>>;
-extern template class Query<detail::SelfRanked<Mesh32>, detail::SelfQuestion<Within>>;
+extern template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<detail::Intersection>>;
+extern template class Query<detail::SelfRanked<Mesh32>,
+                            detail::SelfPredicate<detail::Intersection>>;
+extern template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>>;
+extern template class Query<detail::SelfRanked<Mesh32>, detail::SelfPredicate<Within>>;
 
 }  // namespace flashbvh
 

@@ -3,9 +3,9 @@
 
 namespace flashbvh {
 
-template class Query<detail::SelfRanked<Mesh>, detail::SelfQuestion<detail::Intersection>>;
-template class Query<detail::SelfRanked<Mesh32>, detail::SelfQuestion<detail::Intersection>>;
-template class Query<detail::SelfRanked<Mesh>, detail::SelfQuestion<Within>>;
-template class Query<detail::SelfRanked<Mesh32>, detail::SelfQuestion<Within>>;
+template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<detail::Intersection>>;
+template class Query<detail::SelfRanked<Mesh32>, detail::SelfPredicate<detail::Intersection>>;
+template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>>;
+template class Query<detail::SelfRanked<Mesh32>, detail::SelfPredicate<Within>>;
 
 }  // namespace flashbvh

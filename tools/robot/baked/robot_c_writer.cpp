@@ -180,13 +180,13 @@ std::string c_source_of(const Model& model, const FixedRobot& robot,
          constants("flashbvh_robot_link links", robot.links()) +
          constants("flashbvh_robot_pair pairs", robot.pairs()) +
          constants("uint32_t reaches", robot.reaches()) +
-         constants("uint8_t distance tables", robot.distance tables()) +
+         constants("uint8_t distance_tables", robot.distance_tables()) +
          mount_names(model, links[0].tree.cell, name, false) +
          unguarded_defined(model, unguarded, name.word) +
          concat("\nconst flashbvh_robot ", name.word, "_robot = ",
                 text_of(robot,
                         {"joints", "links", "(const flashbvh_mesh*)meshes", "pairs", "reaches",
-                         "distance tables"},
+                         "distance_tables"},
                         kRobotInC),
                 ";\n");
 }

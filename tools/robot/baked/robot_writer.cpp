@@ -133,7 +133,7 @@ std::string source_of(const Model& model, const FixedRobot& robot,
          constants("flashbvh::RobotLink kLinks", robot.links()) +
          constants("flashbvh::RobotPair kPairs", robot.pairs()) +
          constants("uint32_t kReaches", robot.reaches()) +
-         constants("uint8_t kCharts", robot.distance tables()) +
+         constants("uint8_t kCharts", robot.distance_tables()) +
          concat("}  // namespace\n\nconst flashbvh::Robot robot = ",
                 text_of(robot, {"kJoints", "kLinks", "kMeshes", "kPairs", "kReaches", "kCharts"},
                         kRobotInCpp),

@@ -16,17 +16,17 @@ namespace flashbvh::detail {
 
 /// Leaves are no shapes: neighbours always overlap, and a slab never tells them apart.
 template <class Base>
-struct SelfQuestion : Base {
+struct SelfPredicate : Base {
   template <class Mesh>
   using Shapes = NoShapes<Mesh>;
 
-  SelfQuestion() = default;
-  explicit SelfQuestion(const Base& base) : Base(base) {}
+  SelfPredicate() = default;
+  explicit SelfPredicate(const Base& base) : Base(base) {}
 };
 
 /// Not of triangles that share a vertex.
 template <class Base>
-inline constexpr bool kAsksAllAlike<SelfQuestion<Base>> = false;
+inline constexpr bool kAsksAllAlike<SelfPredicate<Base>> = false;
 
 /// Which pairs count, by the positions of their triangles.
 template <class Mesh>
@@ -72,9 +72,9 @@ class SelfPairs {
 
 /// Leaves of neighbours always overlap, their triangles seldom do: so what is cheap comes first.
 template <class Base, class Mesh>
-class TriangleTest<SelfQuestion<Base>, Mesh, true> {
+class TriangleTest<SelfPredicate<Base>, Mesh, true> {
  public:
-  TriangleTest(SelfQuestion<Base>&, const Mesh& mesh, const Mesh&, const Transform&)
+  TriangleTest(SelfPredicate<Base>&, const Mesh& mesh, const Mesh&, const Transform&)
       : pairs_(mesh) {}
 
   FLASHBVH_INLINE bool take_b(uint32_t of_b, const PackedBox* /*box_a*/) {
@@ -108,9 +108,9 @@ class TriangleTest<SelfQuestion<Base>, Mesh, true> {
 };
 
 template <class Base, class Mesh>
-class TriangleTest<SelfQuestion<Base>, Mesh, false> {
+class TriangleTest<SelfPredicate<Base>, Mesh, false> {
  public:
-  TriangleTest(SelfQuestion<Base>& predicate, const Mesh& mesh, const Mesh&, const Transform&)
+  TriangleTest(SelfPredicate<Base>& predicate, const Mesh& mesh, const Mesh&, const Transform&)
       : predicate_(predicate), pairs_(mesh) {}
 
   bool take_b(uint32_t of_b, const PackedBox* /*box_a*/) {
@@ -128,7 +128,7 @@ class TriangleTest<SelfQuestion<Base>, Mesh, false> {
   }
 
  private:
-  SelfQuestion<Base>& predicate_;
+  SelfPredicate<Base>& predicate_;
   SelfPairs<Mesh> pairs_;
   Triangle b_;
 };
