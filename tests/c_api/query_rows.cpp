@@ -195,7 +195,7 @@ bool bounds_agree(Scene& s) {
 bool names_agree(Scene& s) {
   const auto status = static_cast<flashbvh_status>(s.random.below(64));
   return flashbvh_status_name(status) == status_name(static_cast<Status>(status)) &&
-         std::strcmp(flashbvh_status_name(FLASHBVH_STATUS_SEED_INVALID), "hint_invalid") == 0;
+         std::strcmp(flashbvh_status_name(FLASHBVH_STATUS_HINT_INVALID), "hint_invalid") == 0;
 }
 
 }  // namespace

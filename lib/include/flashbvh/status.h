@@ -20,9 +20,9 @@ typedef enum flashbvh_status {
   /** A matrix or quaternion that does more than rotate. */
   FLASHBVH_STATUS_NOT_A_ROTATION = 19,
   /** A saved position that is not one of this query's. */
-  FLASHBVH_STATUS_POSITION_INVALID = 20,
+  FLASHBVH_STATUS_CURSOR_INVALID = 20,
   /** A hint that is no pair of the meshes' triangles. */
-  FLASHBVH_STATUS_SEED_INVALID = 21,
+  FLASHBVH_STATUS_HINT_INVALID = 21,
   /** A distance beyond 32,767 cells, or one that can't be told of meshes so far apart. */
   FLASHBVH_STATUS_DISTANCE_OUT_OF_RANGE = 22,
   /** A mesh that is no closed surface has no inside. */
