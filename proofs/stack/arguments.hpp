@@ -107,12 +107,11 @@ struct Arguments {
   float lengths[3];
   flashbvh::QueryCursor<uint16_t> position;
   flashbvh::Clearance<uint16_t> clearance;
-  flashbvh::ClearanceCursor<uint16_t> clearance_cursor;
   flashbvh_cursor c_cursor;
+  flashbvh_witness c_witness;
   flashbvh_clearance c_clearance;
   flashbvh_nearest_points c_nearest;
   flashbvh_box_shape c_box;
-  flashbvh_clearance_cursor c_clearance_cursor;
 
   template <class Status>
   void ends(Status with) {

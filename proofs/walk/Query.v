@@ -35,8 +35,8 @@ Definition answers (p : nat * nat) : list Triangles := filter intersect (pairs_o
 Definition last_of (u : nat) (p : nat * nat) := skipn (length (pairs_of p) - u) (pairs_of p).
 
 (* The walk that a run begins with. *)
-(* code: include/flashbvh/query.hpp | return detail::walk<Order>(bound, shapes, run, state_); *)
-(* code: include/flashbvh/detail/walk/walk.hpp | from = walk_on_below<Order>(shapes, run, from == State::at_leaf_pair); *)
+(* code: include/flashbvh/query.hpp | return detail::walk<Traversal>(bound, shapes, run, state_); *)
+(* code: include/flashbvh/detail/walk/walk.hpp | from = walk_on_below<Traversal>(shapes, run, from == State::at_leaf_pair); *)
 Definition load (at_ : Position) : Code :=
   match at_ with
   | Fresh => begin_walk cells_a cells_b

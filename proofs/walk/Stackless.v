@@ -12,7 +12,7 @@ Local Open Scope nat_scope.
 
 (* ============================================================== Part 1: definitions *)
 
-(* Levels and right child levels, as LevelledMesh has them. *)
+(* Levels and right child levels, as BasicMeshWithLevels has them. *)
 Record Levelled (children : nat -> list nat) (count : nat) (levels rcls : list nat) : Prop := {
   level_count : length levels = count;
   rcl_count : length rcls = count;

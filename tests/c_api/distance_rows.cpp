@@ -50,13 +50,12 @@ bool clearance_agrees(Scene& s) {
   for (Status status = Status::suspended; agree && status == Status::suspended;) {
     const std::uint32_t work = 1 + s.random.below(9);
     std::uint32_t c_left = work;
-    const flashbvh_clearance_cursor position = flashbvh_clearance_cursor_of(&c);
+    const flashbvh_cursor position = flashbvh_clearance_cursor(&c);
     const auto wanted = query.cursor();
     wipe(c);
     (void)flashbvh_clearance_start(&c, &s.a.c, &s.b.c, &s.c_pose, nullptr, tolerance);
     ClearanceQuery again(s.a.mesh, s.b.mesh, s.pose, {}, tolerance);
-    agree = same(position.walk, wanted.walk) && same(position.witness, wanted.witness) &&
-            position.has_witness == wanted.has_witness &&
+    agree = same(position, wanted) &&
             same(flashbvh_clearance_resume(&c, &position), again.resume(wanted));
     query = again;
     const RunResult step = query.run(work);

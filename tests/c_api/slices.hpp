@@ -14,11 +14,11 @@ Walk& walk_of(Walk& position) {
   return position;
 }
 inline flashbvh_cursor& walk_of(flashbvh_self_cursor& position) {
-  return position.position;
+  return position.at;
 }
-template <class Walk>
-Walk& walk_of(DeformableCursor<Walk>& position) {
-  return position.position;
+template <class Index>
+QueryCursor<Index>& walk_of(DeformableCursor<Index>& position) {
+  return position.at;
 }
 
 /// What is common to queries that hand out pairs. `C` names the functions:

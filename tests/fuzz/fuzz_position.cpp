@@ -18,8 +18,8 @@ using namespace flashbvh::test;
 
 namespace {
 
-template <class Query, class Index>
-void resume_and_end(Query& query, const QueryCursor<Index>& position, std::uint32_t most_visits,
+template <class Query, class Cursor>
+void resume_and_end(Query& query, const Cursor& position, std::uint32_t most_visits,
                     std::uint32_t most_work) {
   const Status resumed = query.resume(position);
   if (resumed == Status::cursor_invalid) {
@@ -29,7 +29,7 @@ void resume_and_end(Query& query, const QueryCursor<Index>& position, std::uint3
   if (resumed != Status::suspended) {
     return;
   }
-  const auto sink = [](const TrianglePair<Index>&) { return true; };
+  const auto sink = [](const typename Query::Pair&) { return true; };
   const Status status = query.run(most_work, sink).status;
   require(status == Status::done && query.stats().visits <= most_visits,
           "a resumed query does not end");
@@ -45,11 +45,11 @@ void fuzz(const KeptImage& image_a, const KeptImage& image_b, Input& input) {
   }
   const Tree& a = of_a.mesh;
   const Tree& b = of_b.mesh;
-  QueryCursor<Index> position;
-  position.state = static_cast<typename QueryCursor<Index>::State>(input.take<std::uint8_t>());
+  QueryCursor<Index> position{};
+  position.state = static_cast<QueryState>(input.take<std::uint8_t>());
   position.a = input.take<Index>();
   position.b = input.take<Index>();
-  position.untested = input.take<std::uint32_t>();
+  position.untested = static_cast<std::uint16_t>(input.take<std::uint32_t>());
   const Pose pose = any_pose(input);
   for_each_query(a, b, pose, [&](const char*, auto& query) {
     if constexpr (!kIsStack<typename std::decay_t<decltype(query)>::Cursor>) {

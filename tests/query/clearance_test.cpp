@@ -80,7 +80,7 @@ void check_slices(Random& random, const Mesh& a, const Mesh& b, const Pose& pose
   ClearanceQuery cut(a, b, pose, seed);
   std::uint32_t visits = 0;
   for (;;) {
-    ClearanceCursor<std::uint16_t> position = cut.cursor();
+    QueryCursor<std::uint16_t> position = cut.cursor();
     ClearanceQuery resumed(a, b, pose);
     const Status status = resumed.resume(position);
     REQUIRE(status == cut.status());
@@ -256,13 +256,14 @@ TEST_CASE("seeds and positions that are none are refused") {
   std::uint32_t taken = 0;
   for (int round = 0; round < rounds(7000, 20000); ++round) {
     const auto index = [&] { return static_cast<std::uint16_t>(random.below(80)); };
-    ClearanceCursor<std::uint16_t> position;
-    position.walk.a = index();
-    position.walk.b = index();
-    position.walk.untested = random.below(5);
-    position.walk.state = static_cast<State>(random.below(5));
-    position.witness = {index(), index()};
-    position.has_witness = random.below(2) == 0;
+    QueryCursor<std::uint16_t> position;
+    position.a = index();
+    position.b = index();
+    position.untested = static_cast<std::uint16_t>(random.below(5));
+    position.state = static_cast<State>(random.below(5));
+    position.witness_a = index();
+    position.witness_b = index();
+    position.has_witness = static_cast<std::uint8_t>(random.below(3));
     ClearanceQuery query(a, b, pose);
     const Status status = query.resume(position);
     if (status == Status::cursor_invalid) {

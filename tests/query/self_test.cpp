@@ -61,7 +61,7 @@ Pairs near_pairs(const bake::LatticeMesh& mesh, std::uint32_t distance) {
 /// In new objects, each resumed from where the one before was stopped.
 template <class Query, class Make>
 Pairs run_by_cursors(Random& random, const Make& make, std::uint32_t& visits) {
-  QueryCursor<typename Query::Index> position;
+  QueryCursor<typename Query::Index> position{};
   Pairs pairs;
   for (Status status = Status::suspended; status != Status::done;) {
     Query query = make();
@@ -171,7 +171,7 @@ TEST_CASE("a position is taken if and only if a walk on which all boxes overlap 
         SelfQuery other(mesh);
         const Status status =
             other.resume({static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b), 0,
-                          detail::State::at_pair});
+                          QueryState::at_pair, 0, 0, 0});
         REQUIRE(status ==
                 (visited.count({a, b}) != 0 ? Status::suspended : Status::cursor_invalid));
         if (status == Status::suspended) {

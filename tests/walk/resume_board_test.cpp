@@ -99,7 +99,7 @@ TEST_CASE("small trees: a query resumed in a new object after any run goes on") 
       QueryStats counts{};
       const Report whole = cut<Traversal>(scene, kNoLimit, 4, counts);
       Report report;
-      Position position;
+      Position position{};
       uint32_t visits = 0;
       for (Status status = Status::suspended; status != Status::done;) {
         SmallQuery<Traversal> any(scene);
@@ -131,11 +131,11 @@ TEST_CASE("small trees: any numbers for a position are refused or lead to an end
     for (int round = 0; round < 100 * kRounds; ++round) {
       CAPTURE(round);
       const Scene<Traversal> scene(random);
-      Position position;
+      Position position{};
       position.a = static_cast<uint16_t>(random.below(random.below(2) == 0 ? 40 : 65536));
       position.b = static_cast<uint16_t>(random.below(random.below(2) == 0 ? 40 : 65536));
-      position.untested = random.below(4) == 0 ? random.below(UINT32_MAX) : random.below(6);
-      position.state = static_cast<Position::State>(random.below(6));
+      position.untested = static_cast<uint16_t>(random.below(random.below(4) == 0 ? 65536 : 6));
+      position.state = static_cast<QueryState>(random.below(6));
       SmallQuery<Traversal> any(scene);
       const Status before = any.query.status();
       if (any.query.resume(position) == Status::cursor_invalid) {

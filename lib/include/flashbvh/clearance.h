@@ -5,7 +5,7 @@
  * from and into lengths.
  *
  * Stack on Cortex-M3 to M55 at -O2, in bytes (proofs/stack proves it): a run 880, a result
- * 1,040, nearest points 928, a predicate in one call 1,216.
+ * 1,040, nearest points 928, a question in one call 1,216.
  */
 #ifndef FLASHBVH_CLEARANCE_H
 #define FLASHBVH_CLEARANCE_H
@@ -41,13 +41,6 @@ typedef struct flashbvh_clearance {
   bool in_range;                  /**< false: `lower` and `upper` hold, nothing else */
 } flashbvh_clearance;
 
-/** ClearanceCursor: where a query stands between runs. */
-typedef struct flashbvh_clearance_cursor {
-  flashbvh_cursor walk;
-  flashbvh_witness witness;
-  bool has_witness;
-} flashbvh_clearance_cursor;
-
 /** ClearanceQuery, and all its memory. 144 bytes on a 32-bit core, 176 on a 64-bit one. */
 FLASHBVH_OPAQUE(flashbvh_clearance_query, 8, 112, uint32_t);
 
@@ -70,11 +63,11 @@ void flashbvh_clearance_result(const flashbvh_clearance_query* query, flashbvh_c
 flashbvh_stats flashbvh_clearance_stats(const flashbvh_clearance_query* query);
 
 /** ClearanceQuery::cursor(), between runs. */
-flashbvh_clearance_cursor flashbvh_clearance_cursor_of(const flashbvh_clearance_query* query);
+flashbvh_cursor flashbvh_clearance_cursor(const flashbvh_clearance_query* query);
 
 /** ClearanceQuery::resume(). */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_clearance_resume(
-    flashbvh_clearance_query* query, const flashbvh_clearance_cursor* position);
+FLASHBVH_NODISCARD flashbvh_status flashbvh_clearance_resume(flashbvh_clearance_query* query,
+                                                             const flashbvh_cursor* cursor);
 
 /** distance(); `hint` may be null. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_distance(const flashbvh_mesh* a, const flashbvh_mesh* b,
@@ -118,7 +111,7 @@ flashbvh_cursor flashbvh_within_cursor(const flashbvh_within_query* query);
 
 /** As flashbvh_query_resume(). */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_within_resume(flashbvh_within_query* query,
-                                                          const flashbvh_cursor* position);
+                                                          const flashbvh_cursor* cursor);
 
 /** As flashbvh_query_last_pair(). */
 void flashbvh_within_last_pair(const flashbvh_within_query* query, flashbvh_triangle* a,

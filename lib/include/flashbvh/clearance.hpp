@@ -89,14 +89,6 @@ struct [[nodiscard]] Clearance {
   UnitVector direction;  ///< from point_a to point_b
 };
 
-/// Where a ClearanceQuery stands, between runs.
-template <class IndexType>
-struct ClearanceCursor {
-  QueryCursor<IndexType> walk;
-  Witness<IndexType> witness;
-  bool has_witness = false;
-};
-
 /// The distance of two meshes, in slices. With the last nearest pair as `hint` it visits hardly
 /// more than the boxes that are nearer than the answer; without one it first goes down both trees
 /// to where they seem nearest. Instructions on each core: lib/docs/figures.md, Distances. The
@@ -155,11 +147,15 @@ class BasicClearanceQuery
   }
 
   /// Between runs.
-  [[nodiscard]] ClearanceCursor<Index> cursor() const {
-    return {Base::cursor(), {this->nearest_a, this->nearest_b}, this->has_nearest};
+  [[nodiscard]] QueryCursor<Index> cursor() const {
+    QueryCursor<Index> at = Base::cursor();
+    at.has_witness = this->has_nearest ? 1 : 0;
+    at.witness_a = this->nearest_a;
+    at.witness_b = this->nearest_b;
+    return at;
   }
   /// As Query::resume(); the distance is worked out of the witness again.
-  Status resume(const ClearanceCursor<Index>& position);
+  Status resume(const QueryCursor<Index>& at);
 
  private:
   static Predicate predicate(uint16_t tolerance) {

@@ -10,7 +10,7 @@
  *     vertices[7].z -= 12;
  *     status = flashbvh_deformable_refit(&cloth, UINT32_MAX, &vertex);
  *
- * A query that was begun before a refit must not go on after it, nor a position be resumed: keep
+ * A query that was begun before a refit must not go on after it, nor a cursor be resumed: keep
  * flashbvh_deformable_refits() beside them and compare. A self query knows by itself.
  *
  * Stack on a Cortex-M4 at -O2 (proofs/stack): a refit 176 bytes, a self query's run 504, of
@@ -64,7 +64,7 @@ FLASHBVH_OPAQUE(flashbvh_self_query, 9, 104, uint32_t);
 
 /** Where it stands, between runs; refused once the mesh was refit. */
 typedef struct flashbvh_self_cursor {
-  flashbvh_cursor position;
+  flashbvh_cursor at;
   uint32_t refits;
 } flashbvh_self_cursor;
 
@@ -83,9 +83,9 @@ flashbvh_stats flashbvh_self_query_stats(const flashbvh_self_query* query);
 /** As flashbvh_query_cursor(). */
 flashbvh_self_cursor flashbvh_self_query_cursor(const flashbvh_self_query* query);
 
-/** As flashbvh_query_resume(); MESH_CHANGED if the position is from before a refit. */
+/** As flashbvh_query_resume(); MESH_CHANGED if the cursor is from before a refit. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_self_query_resume(flashbvh_self_query* query,
-                                                              const flashbvh_self_cursor* position);
+                                                              const flashbvh_self_cursor* cursor);
 
 /** DeformableQuery<SelfWithinQuery>: pairs within a distance. 148 bytes on a 32-bit core, 184 on a
  * 64-bit one. */
@@ -103,8 +103,8 @@ FLASHBVH_NODISCARD flashbvh_run_result flashbvh_self_within_run(flashbvh_self_wi
                                                                 uint32_t capacity);
 flashbvh_stats flashbvh_self_within_stats(const flashbvh_self_within_query* query);
 flashbvh_self_cursor flashbvh_self_within_cursor(const flashbvh_self_within_query* query);
-FLASHBVH_NODISCARD flashbvh_status flashbvh_self_within_resume(
-    flashbvh_self_within_query* query, const flashbvh_self_cursor* position);
+FLASHBVH_NODISCARD flashbvh_status flashbvh_self_within_resume(flashbvh_self_within_query* query,
+                                                               const flashbvh_self_cursor* cursor);
 
 /** intersects_itself(), of any mesh. After an error `yes` is true. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects_itself(const flashbvh_mesh* mesh, bool* yes);

@@ -93,9 +93,9 @@ using DeformableMesh = BasicDeformableMesh<Mesh>;
 using DeformableMesh32 = BasicDeformableMesh<Mesh32>;
 
 /// Where a DeformableQuery stands, between runs; refused once one of its meshes was refit.
-template <class Position>
+template <class Index>
 struct DeformableCursor {
-  Position position;
+  QueryCursor<Index> at;
   uint32_t refits;  ///< of both meshes
 };
 
@@ -106,6 +106,7 @@ struct DeformableCursor {
 template <class Query>
 class DeformableQuery {
   using Mesh = typename Query::Mesh;
+  using Index = typename Mesh::Index;
   using Deformable = BasicDeformableMesh<Mesh>;
 
  public:
@@ -150,16 +151,13 @@ class DeformableQuery {
   [[nodiscard]] const Query& query() const { return query_; }
 
   /// Where the query stands, between runs.
-  [[nodiscard]] auto cursor() const {
-    return DeformableCursor<decltype(query_.cursor())>{query_.cursor(), refits_};
-  }
+  [[nodiscard]] DeformableCursor<Index> cursor() const { return {query_.cursor(), refits_}; }
   /// `mesh_changed`: it is from before a refit. Else as Query::resume().
-  template <class Position>
-  Status resume(const DeformableCursor<Position>& position) {
-    if (is_outdated() || position.refits != refits_) {
+  Status resume(const DeformableCursor<Index>& cursor) {
+    if (is_outdated() || cursor.refits != refits_) {
       return Status::mesh_changed;
     }
-    return query_.resume(position.position);
+    return query_.resume(cursor.at);
   }
 
  private:

@@ -131,15 +131,6 @@ void flashbvh_pose_values(const flashbvh_pose* pose, int32_t rotation[9], int32_
 
 /* Queries: query.hpp --------------------------------------------------------------------------- */
 
-/** QueryCursor: where a query stands between runs. 12 bytes, which may be stored for any time. */
-typedef struct flashbvh_cursor {
-  uint16_t a;
-  uint16_t b;
-  uint32_t untested;
-  uint8_t state;
-  uint8_t reserved[3]; /**< written as 0, not read */
-} flashbvh_cursor;
-
 /** PairQuery, and all its memory. 128 bytes on a 32-bit core, 152 on a 64-bit one. */
 FLASHBVH_OPAQUE(flashbvh_query, 6, 104, uint32_t);
 
@@ -176,7 +167,7 @@ flashbvh_cursor flashbvh_query_cursor(const flashbvh_query* query);
 /** Query::resume(), of a started query. SUSPENDED or DONE, as the other query was;
  * CURSOR_INVALID, and nothing changes; or the query's own error. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_query_resume(flashbvh_query* query,
-                                                         const flashbvh_cursor* position);
+                                                         const flashbvh_cursor* cursor);
 
 /* Contacts: contact.hpp ------------------------------------------------------------------------ */
 

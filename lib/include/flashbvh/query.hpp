@@ -114,23 +114,23 @@ class Query : protected Predicate {
 
   /// Where the query stands. Between runs; not for orders with a stack.
   [[nodiscard]] QueryCursor<Index> cursor() const {
-    return {cursor_.a, cursor_.b, untested_, state_};
+    return {cursor_.a, cursor_.b, untested_, state_, 0, 0, 0};
   }
 
-  /// Goes on from a position of a query on the same meshes and pose; counts go on from what they
-  /// are. `cursor_invalid`, and nothing changes, if no query on these meshes has such a position.
+  /// Goes on from a cursor of a query on the same meshes and pose; counts go on from what they
+  /// are. `cursor_invalid`, and nothing changes, if no query on these meshes has such a cursor.
   /// That it is one of another pose, or of other meshes, is not told where it could be one of this
   /// query; the run then gives the pairs after it.
-  Status resume(const QueryCursor<Index>& position) {
+  Status resume(const QueryCursor<Index>& at) {
     if (error_ != Status::done) {
       return error_;
     }
-    if (!is_possible(position)) {
+    if (!is_possible(at)) {
       return Status::cursor_invalid;
     }
-    cursor_ = {position.a, position.b};
-    state_ = position.state;
-    untested_ = state_ == State::at_leaf_pair ? static_cast<uint16_t>(position.untested) : 0;
+    cursor_ = {at.a, at.b};
+    state_ = at.state;
+    untested_ = state_ == State::at_leaf_pair ? at.untested : 0;
     if (state_ == State::fresh) {
       cursor_ = Cursor();
     } else if (state_ != State::done) {
@@ -270,22 +270,22 @@ class Query : protected Predicate {
     state_ = State::at_leaf_pair;
   }
 
-  bool is_possible(const QueryCursor<Index>& position) const {
-    if (position.state != State::at_pair && position.state != State::at_leaf_pair) {
-      return position.state == State::fresh || position.state == State::done;
+  bool is_possible(const QueryCursor<Index>& at) const {
+    if (at.state != State::at_pair && at.state != State::at_leaf_pair) {
+      return at.state == State::fresh || at.state == State::done;
     }
-    const Cursor cursor = {position.a, position.b};
-    if (transform_.is_far_apart() || position.a >= a_->node_count || position.b >= b_->node_count ||
+    const Cursor cursor = {at.a, at.b};
+    if (transform_.is_far_apart() || at.a >= a_->node_count || at.b >= b_->node_count ||
         !Traversal::can_visit(*a_, *b_, cursor)) {
       return false;
     }
-    if (position.state == State::at_pair) {
+    if (at.state == State::at_pair) {
       return true;
     }
     const detail::PairCursor<Index> nodes = Traversal::nodes(*a_, *b_, cursor);
     return a_->nodes[nodes.a].is_leaf() && b_->nodes[nodes.b].is_leaf() &&
-           position.untested <= a_->triangles_in(a_->nodes[nodes.a].leaf()) *
-                                    b_->triangles_in(b_->nodes[nodes.b].leaf());
+           at.untested <= a_->triangles_in(a_->nodes[nodes.a].leaf()) *
+                              b_->triangles_in(b_->nodes[nodes.b].leaf());
   }
 
   static Status error_of(const Mesh& a, const Mesh& b, const Pose& pose, const Cursor& start) {

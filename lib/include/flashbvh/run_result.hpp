@@ -27,6 +27,26 @@ struct PairOf<uint16_t> {
   using Type = flashbvh_pair;
 };
 
+/// Which type a cursor has.
+template <class Index>
+struct CursorOf {
+  /// With wider indices.
+  struct Type {
+    Index a;
+    Index b;
+    uint16_t untested;
+    QueryState state;
+    uint8_t has_witness;
+    Index witness_a;
+    Index witness_b;
+  };
+};
+/// With those of C.
+template <>
+struct CursorOf<uint16_t> {
+  using Type = flashbvh_cursor;
+};
+
 }  // namespace detail
 
 /// A flashbvh_pair, or the same with wider indices.
@@ -35,18 +55,10 @@ using TrianglePair = typename detail::PairOf<Index>::Type;
 
 using RunResult = flashbvh_run_result;
 
-/// Where a stackless query stands, between runs: all there is to keep beside what the query was
-/// made of, its meshes and its pose. May be stored for any time, as bytes too: 12 of them with
-/// 16-bit indices.
-template <class IndexType>
-struct QueryCursor {
-  using State = detail::State;
-
-  IndexType a = 0;
-  IndexType b = 0;
-  uint32_t untested = 0;  ///< pairs of triangles that the pair of leaves still has
-  State state = State::fresh;
-};
+/// A flashbvh_cursor, 12 bytes, or the same with wider indices, 20 bytes: where a stackless query
+/// stands between runs.
+template <class Index>
+using QueryCursor = typename detail::CursorOf<Index>::Type;
 
 }  // namespace flashbvh
 

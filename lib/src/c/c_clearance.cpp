@@ -57,15 +57,13 @@ flashbvh_stats flashbvh_clearance_stats(const flashbvh_clearance_query* query) {
   return object_in(query).stats();
 }
 
-flashbvh_clearance_cursor flashbvh_clearance_cursor_of(const flashbvh_clearance_query* query) {
-  const ClearanceCursor<uint16_t> at = object_in(query).cursor();
-  return {c_cursor(at.walk), {at.witness.a, at.witness.b}, at.has_witness};
+flashbvh_cursor flashbvh_clearance_cursor(const flashbvh_clearance_query* query) {
+  return object_in(query).cursor();
 }
 
 flashbvh_status flashbvh_clearance_resume(flashbvh_clearance_query* query,
-                                          const flashbvh_clearance_cursor* position) {
-  return c_status(object_in(query).resume(
-      {slot_in(position->walk), hint_in(&position->witness), position->has_witness}));
+                                          const flashbvh_cursor* cursor) {
+  return c_status(object_in(query).resume(*cursor));
 }
 
 flashbvh_status flashbvh_distance(const flashbvh_mesh* a, const flashbvh_mesh* b,
@@ -108,12 +106,12 @@ flashbvh_stats flashbvh_within_stats(const flashbvh_within_query* query) {
 }
 
 flashbvh_cursor flashbvh_within_cursor(const flashbvh_within_query* query) {
-  return c_cursor(object_in(query).cursor());
+  return object_in(query).cursor();
 }
 
 flashbvh_status flashbvh_within_resume(flashbvh_within_query* query,
-                                       const flashbvh_cursor* position) {
-  return c_status(object_in(query).resume(slot_in(*position)));
+                                       const flashbvh_cursor* cursor) {
+  return c_status(object_in(query).resume(*cursor));
 }
 
 void flashbvh_within_last_pair(const flashbvh_within_query* query, flashbvh_triangle* a,

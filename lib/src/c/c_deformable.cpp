@@ -19,15 +19,14 @@ static_assert(__is_standard_layout(flashbvh_deformable), "its mesh is at its add
 namespace {
 
 template <class Query>
-flashbvh_self_cursor slot_of(const Query& query) {
-  const auto at = query.cursor();
-  return {c_cursor(at.position), at.refits};
+flashbvh_self_cursor cursor_of(const Query& query) {
+  const auto cursor = query.cursor();
+  return {cursor.at, cursor.refits};
 }
 
 template <class Query>
-flashbvh_status resume(Query& query, const flashbvh_self_cursor& position) {
-  return c_status(query.resume(
-      DeformableCursor<QueryCursor<uint16_t>>{slot_in(position.position), position.refits}));
+flashbvh_status resume(Query& query, const flashbvh_self_cursor& cursor) {
+  return c_status(query.resume({cursor.at, cursor.refits}));
 }
 
 }  // namespace
@@ -73,12 +72,12 @@ flashbvh_stats flashbvh_self_query_stats(const flashbvh_self_query* query) {
 }
 
 flashbvh_self_cursor flashbvh_self_query_cursor(const flashbvh_self_query* query) {
-  return slot_of(object_in(query));
+  return cursor_of(object_in(query));
 }
 
 flashbvh_status flashbvh_self_query_resume(flashbvh_self_query* query,
-                                           const flashbvh_self_cursor* position) {
-  return resume(object_in(query), *position);
+                                           const flashbvh_self_cursor* cursor) {
+  return resume(object_in(query), *cursor);
 }
 
 flashbvh_status flashbvh_self_within_start(flashbvh_self_within_query* query,
@@ -97,12 +96,12 @@ flashbvh_stats flashbvh_self_within_stats(const flashbvh_self_within_query* quer
 }
 
 flashbvh_self_cursor flashbvh_self_within_cursor(const flashbvh_self_within_query* query) {
-  return slot_of(object_in(query));
+  return cursor_of(object_in(query));
 }
 
 flashbvh_status flashbvh_self_within_resume(flashbvh_self_within_query* query,
-                                            const flashbvh_self_cursor* position) {
-  return resume(object_in(query), *position);
+                                            const flashbvh_self_cursor* cursor) {
+  return resume(object_in(query), *cursor);
 }
 
 flashbvh_status flashbvh_intersects_itself(const flashbvh_mesh* mesh, bool* yes) {

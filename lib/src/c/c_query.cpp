@@ -30,9 +30,9 @@ flashbvh_stats flashbvh_query_stats(const flashbvh_query* query) {
 }
 
 flashbvh_cursor flashbvh_query_cursor(const flashbvh_query* query) {
-  return c_cursor(object_in(query).cursor());
+  return object_in(query).cursor();
 }
 
-flashbvh_status flashbvh_query_resume(flashbvh_query* query, const flashbvh_cursor* position) {
-  return c_status(object_in(query).resume(slot_in(*position)));
+flashbvh_status flashbvh_query_resume(flashbvh_query* query, const flashbvh_cursor* cursor) {
+  return c_status(object_in(query).resume(*cursor));
 }

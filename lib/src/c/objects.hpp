@@ -61,15 +61,6 @@ flashbvh_status put_answer(const Answer& answer, bool* yes) {
   return c_status(answer.status);
 }
 
-inline flashbvh_cursor c_cursor(const QueryCursor<uint16_t>& position) {
-  return {
-      position.a, position.b, position.untested, static_cast<uint8_t>(position.state), {0, 0, 0}};
-}
-inline QueryCursor<uint16_t> slot_in(const flashbvh_cursor& position) {
-  return {position.a, position.b, position.untested,
-          static_cast<QueryCursor<uint16_t>::State>(position.state)};
-}
-
 /// The caller's numbers, row by row, as an array of C++.
 template <class Array, class Number>
 const Array& array_in(const Number* numbers) {

@@ -171,19 +171,18 @@ bool BasicClearanceQuery<MeshType>::descend(uint32_t& work) {
 }
 
 template <class MeshType>
-Status BasicClearanceQuery<MeshType>::resume(const ClearanceCursor<Index>& position) {
+Status BasicClearanceQuery<MeshType>::resume(const QueryCursor<Index>& at) {
   if (this->error() != Status::done) {
     return this->error();
   }
-  const Hint& pair = position.witness;
-  const bool found = position.has_witness;
+  const Hint pair = {at.witness_a, at.witness_b};
+  const bool found = at.has_witness != 0;
   const uint32_t most_a = found ? this->mesh_a().triangle_count : this->mesh_a().node_count;
   const uint32_t most_b = found ? this->mesh_b().triangle_count : this->mesh_b().node_count;
-  if (pair.a >= most_a || pair.b >= most_b ||
-      (!found && position.walk.state != detail::State::fresh)) {
+  if (pair.a >= most_a || pair.b >= most_b || (!found && at.state != detail::State::fresh)) {
     return Status::cursor_invalid;
   }
-  const Status resumed = Base::resume(position.walk);
+  const Status resumed = Base::resume(at);
   if (resumed == Status::cursor_invalid) {
     return resumed;
   }

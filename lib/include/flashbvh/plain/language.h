@@ -11,6 +11,7 @@
 #ifdef __cplusplus
 namespace flashbvh {
 enum class ContactKind : uint8_t;
+enum class QueryState : uint8_t;
 enum class [[nodiscard]] Status : uint8_t;
 }  // namespace flashbvh
 #define FLASHBVH_BYTE(Name) flashbvh::Name

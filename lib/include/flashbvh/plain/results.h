@@ -17,6 +17,18 @@ typedef struct FLASHBVH_KEEP flashbvh_run_result {
   uint32_t work;  /**< spent, of what was granted; 0 if that was UINT32_MAX */
 } flashbvh_run_result;
 
+/** Where a query of any kind stands between runs: all there is to keep besides its meshes and its
+ * pose. May be stored for any time, as bytes too. */
+typedef struct flashbvh_cursor {
+  uint16_t a; /**< a node of A */
+  uint16_t b;
+  uint16_t untested;               /**< pairs of triangles that the pair of leaves still has */
+  FLASHBVH_BYTE(QueryState) state; /**< not the caller's to read */
+  uint8_t has_witness; /**< of a distance: not 0 where `witness_a` and `witness_b` are triangles */
+  uint16_t witness_a;  /**< the nearest triangle so far, by its slot; before, a node */
+  uint16_t witness_b;
+} flashbvh_cursor;
+
 /** What a query did since it was started: the columns of the paper's tables. */
 typedef struct flashbvh_stats {
   uint32_t visits;         /**< pairs of boxes tested ("iterations") */

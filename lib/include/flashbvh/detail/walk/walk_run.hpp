@@ -12,7 +12,17 @@ namespace flashbvh {
 
 using QueryStats = flashbvh_stats;
 
+/// Where a walk stands.
+enum class QueryState : uint8_t {
+  fresh = 0,         ///< no visit was made
+  at_pair = 1,       ///< the cursor's pair is to be visited next
+  at_leaf_pair = 2,  ///< the cursor is at a pair of leaves that may matter, which was visited
+  done = 3,          ///< every pair was visited
+};
+
 namespace detail {
+
+using State = QueryState;
 
 /// Zeros, for -Os by four stores: memset() would take 160 bytes along.
 FLASHBVH_INLINE inline QueryStats no_counts() {
@@ -22,14 +32,6 @@ FLASHBVH_INLINE inline QueryStats no_counts() {
 #endif
   return {none, none, none, none};
 }
-
-/// Where a walk stands.
-enum class State : uint8_t {
-  fresh = 0,         ///< no visit was made
-  at_pair = 1,       ///< the cursor's pair is to be visited next
-  at_leaf_pair = 2,  ///< the cursor is at a pair of leaves that may matter, which was visited
-  done = 3,          ///< every pair was visited
-};
 
 /// A position in a stackless walk: one node of each tree, and nothing else.
 template <class IndexType>
