@@ -7,7 +7,7 @@ import sys
 LIB = pathlib.Path(__file__).resolve().parents[1] / "lib"
 ORDER = ["plain", "arch", "lattice", "predicates", "bounds", "walk", "query", "robot", "c"]
 # Public headers lie in one folder; all others are of the room query.
-PUBLIC = {"lattice": ["lattice", "mesh", "image", "pose", "pose_float", "length", "status", "version"],
+PUBLIC = {"lattice": ["lattice", "mesh", "image", "pose", "units", "status", "version"],
           "predicates": ["triangle"]}
 ROOM_OF = {f"{name}.hpp": room for room, names in PUBLIC.items() for name in names}
 

@@ -7,7 +7,7 @@
 // check, pose included. They are counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
 #include <flashbvh/clearance.hpp>
 #include <flashbvh/flashbvh.hpp>
-#include <flashbvh/pose_float.hpp>
+#include <flashbvh/float.hpp>
 #include <flashbvh/solid.hpp>
 
 #include "bar.fbvh.hpp"

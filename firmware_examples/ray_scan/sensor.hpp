@@ -2,7 +2,7 @@
 #ifndef FLASHBVH_RAY_SCAN_SENSOR_HPP
 #define FLASHBVH_RAY_SCAN_SENSOR_HPP
 
-#include <flashbvh/ray_float.hpp>
+#include <flashbvh/float.hpp>
 
 constexpr int kSide = 8;
 constexpr int kZones = kSide * kSide;

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include <flashbvh/pose_float.hpp>
+#include <flashbvh/float.hpp>
 
 #include "joints.hpp"
 #include "palm.fbvh.hpp"

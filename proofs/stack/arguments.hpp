@@ -20,9 +20,8 @@
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/flashbvh.h"
 #include "flashbvh/image.hpp"
-#include "flashbvh/pose_float.hpp"
+#include "flashbvh/float.hpp"
 #include "flashbvh/ray.h"
-#include "flashbvh/ray_float.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/image.hpp"
 #include "flashbvh/robot/motion.hpp"
@@ -121,8 +120,8 @@ struct Arguments {
     answer = answered.yes ? 1 : 0;
     ends(answered.status);
   }
-  void takes(const flashbvh::PairCount& counted) {
-    answer = counted.pairs;
+  void takes(const flashbvh::RunResult& counted) {
+    answer = counted.count;
     ends(counted.status);
   }
   /// All pairs of a query.

@@ -96,8 +96,9 @@ W pair_of(uint16_t i) {
       in.query, [&] { return WithinQuery(*in.a, *in.b, *in.pose, {}, within(in.distance)); });
 }
 [[gnu::noinline]] inline void start_clearance(Arguments& in, const flashbvh_witness* seed) {
+  const flashbvh_clearance_options options = {seed, 0};
   in.ends(flashbvh_clearance_start(&as<flashbvh_clearance_query>(in.query), in.c_a, in.c_b,
-                                   in.c_pose, seed, 0));
+                                   in.c_pose, &options));
 }
 [[gnu::noinline]] inline void start_within(Arguments& in) {
   in.ends(flashbvh_within_start(&as<flashbvh_within_query>(in.query), in.c_a, in.c_b, in.c_pose,

@@ -5,9 +5,8 @@
 #include "flashbvh/contact.hpp"
 #include "flashbvh/deformable.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/pose_float.hpp"
+#include "flashbvh/float.hpp"
 #include "flashbvh/query.hpp"
-#include "flashbvh/ray_float.hpp"
 #include "flashbvh/self.hpp"
 #include "flashbvh/solid.hpp"
 #include "reference/leaf.hpp"
@@ -71,7 +70,7 @@ uint32_t ask(const TreeType& a, const TreeType& b, const Pose& pose) {
   Triangle transformed[2];
   uint32_t sum = intersects(a, b, pose).yes ? 1u : 0u;
   sum += first_pair(a, b, pose, found[0]).yes ? 1u : 0u;
-  sum += count_pairs(a, b, pose).pairs + find_pairs(a, b, pose, found, 2).pairs;
+  sum += count_pairs(a, b, pose).count + find_pairs(a, b, pose, found, 2).count;
   (void)for_each_pair(a, b, pose, [&sum](const Pair& pair) { return (sum += pair.a) != 0; });
   return sum + (transform_pair(a, b, pose, found[0], transformed[0], transformed[1]) ? 1u : 0u);
 }

@@ -118,7 +118,7 @@ TEST_CASE("each function of C answers as its counterpart in C++") {
   for (int round = 0; round < 150; ++round) {
     CAPTURE(round);
     Scene scene(random);
-    pairs += count_pairs(scene.a.mesh, scene.b.mesh, scene.pose).pairs;
+    pairs += count_pairs(scene.a.mesh, scene.b.mesh, scene.pose).count;
     for (const auto& rows : {query_rows(), pose_rows(), distance_rows(), shape_rows()}) {
       for (const Row& row : rows) {
         bool agrees = false;

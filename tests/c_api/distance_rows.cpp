@@ -1,8 +1,8 @@
 // Distances, what is within one, rays and solids.
 #include "c_api/slices.hpp"
+#include "flashbvh/float.hpp"
 #include "flashbvh/ray.h"
 #include "flashbvh/ray.hpp"
-#include "flashbvh/ray_float.hpp"
 #include "flashbvh/solid.h"
 #include "flashbvh/solid.hpp"
 
@@ -43,18 +43,19 @@ bool distance_agrees(Scene& s) {
 /// In slices, each in a new object.
 bool clearance_agrees(Scene& s) {
   const auto tolerance = static_cast<std::uint16_t>(s.random.below(2000));
-  ClearanceQuery query(s.a.mesh, s.b.mesh, s.pose, {}, tolerance);
+  const flashbvh_clearance_options options = {nullptr, tolerance};
+  ClearanceQuery query(s.a.mesh, s.b.mesh, s.pose, ClearanceQuery::Options{{}, tolerance});
   flashbvh_clearance_query c;
-  bool agree = same(flashbvh_clearance_start(&c, &s.a.c, &s.b.c, &s.c_pose, nullptr, tolerance),
-                    query.status());
+  bool agree =
+      same(flashbvh_clearance_start(&c, &s.a.c, &s.b.c, &s.c_pose, &options), query.status());
   for (Status status = Status::suspended; agree && status == Status::suspended;) {
     const std::uint32_t work = 1 + s.random.below(9);
     std::uint32_t c_left = work;
     const flashbvh_cursor position = flashbvh_clearance_cursor(&c);
     const auto wanted = query.cursor();
     wipe(c);
-    (void)flashbvh_clearance_start(&c, &s.a.c, &s.b.c, &s.c_pose, nullptr, tolerance);
-    ClearanceQuery again(s.a.mesh, s.b.mesh, s.pose, {}, tolerance);
+    (void)flashbvh_clearance_start(&c, &s.a.c, &s.b.c, &s.c_pose, &options);
+    ClearanceQuery again(s.a.mesh, s.b.mesh, s.pose, ClearanceQuery::Options{{}, tolerance});
     agree = same(position, wanted) &&
             same(flashbvh_clearance_resume(&c, &position), again.resume(wanted));
     query = again;

@@ -1,6 +1,6 @@
 // Poses: whole and of floats, and in place.
 #include "c_api/scene.hpp"
-#include "flashbvh/pose_float.hpp"
+#include "flashbvh/float.hpp"
 #include "support/rotations.hpp"
 
 namespace flashbvh::test {

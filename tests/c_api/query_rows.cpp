@@ -2,8 +2,8 @@
 #include "c_api/slices.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/float.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/pose_float.hpp"
 #include "flashbvh/time_bound.hpp"
 #include "flashbvh/units.hpp"
 
@@ -114,13 +114,11 @@ bool intersects_agrees(Scene& s) {
 bool pairs_agree(Scene& s) {
   flashbvh_pair wanted[3];
   flashbvh_pair found[3];
-  std::uint32_t count = 99;
-  std::uint32_t pairs = 99;
-  const PairCount all = count_pairs(s.a.mesh, s.b.mesh, s.pose);
-  const PairCount some = find_pairs(s.a.mesh, s.b.mesh, s.pose, wanted, 3);
-  return same(flashbvh_count_pairs(&s.a.c, &s.b.c, &s.c_pose, &pairs), all.status) &&
-         same(flashbvh_find_pairs(&s.a.c, &s.b.c, &s.c_pose, found, 3, &count), some.status) &&
-         pairs == all.pairs && count == some.pairs && same(found, wanted, count);
+  const RunResult some = find_pairs(s.a.mesh, s.b.mesh, s.pose, wanted, 3);
+  return same(flashbvh_count_pairs(&s.a.c, &s.b.c, &s.c_pose),
+              count_pairs(s.a.mesh, s.b.mesh, s.pose)) &&
+         same(flashbvh_find_pairs(&s.a.c, &s.b.c, &s.c_pose, found, 3), some) &&
+         same(found, wanted, some.count);
 }
 
 /// Of each pair: asked of the query, and at any later time.
@@ -148,6 +146,30 @@ bool contacts_agree(Scene& s) {
             same(again, contact_of(a, b));
   }
   return agree;
+}
+
+/// With a query and a contact, and in C.
+bool first_contact_agrees(Scene& s) {
+  flashbvh_pair pair[1] = {};
+  PairQuery query(s.a.mesh, s.b.mesh, s.pose);
+  const Status status = query.run(UINT32_MAX, pair).status;
+  const UnitContact<std::uint16_t> found = first_contact(s.a.mesh, s.b.mesh, s.pose);
+  flashbvh_unit_contact c;
+  if (found.yes != (status != Status::done) ||
+      !same(flashbvh_first_contact(&s.a.c, &s.b.c, &s.c_pose, &c), found.status) ||
+      c.yes != found.yes) {
+    return false;
+  }
+  if (status != Status::full) {
+    return found.status == status;
+  }
+  const Contact wanted = contact_of_last(query);
+  const UnitPoint end = in_unit(wanted.ends[1], s.a.mesh.cell_bits);
+  return found.status == Status::done && same(found.contact, wanted) && same(c.contact, wanted) &&
+         found.triangles.a == pair[0].a && found.triangles.b == pair[0].b &&
+         c.triangles.a == pair[0].a && c.triangles.b == pair[0].b && found.ends[1].x == end.x &&
+         found.ends[1].y == end.y && found.ends[1].z == end.z && c.ends[1].x == end.x &&
+         c.ends[0].z == found.ends[0].z;
 }
 
 bool lengths_agree(Scene& s) {
@@ -209,6 +231,7 @@ std::vector<Row> query_rows() {
           {"whether there is one", intersects_agrees},
           {"how many pairs", pairs_agree},
           {"contacts", contacts_agree},
+          {"first contact", first_contact_agrees},
           {"lengths", lengths_agree},
           {"time bounds", bounds_agree},
           {"names of statuses", names_agree}};

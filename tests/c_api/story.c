@@ -78,10 +78,11 @@ static void place_blade(float height, flashbvh_pose* pose) {
 static void contacts(const flashbvh_pose* pose) {
   flashbvh_query query;
   flashbvh_pair found[1];
-  uint32_t pairs = 0;
+  flashbvh_run_result all;
   int64_t low = INT64_MAX;
   int64_t high = 0;
-  CHECK(flashbvh_count_pairs(&block, &blade, pose, &pairs) == FLASHBVH_STATUS_DONE);
+  all = flashbvh_count_pairs(&block, &blade, pose);
+  CHECK(all.status == FLASHBVH_STATUS_DONE);
   CHECK(flashbvh_query_start(&query, &block, &blade, pose) == FLASHBVH_STATUS_SUSPENDED);
   while (flashbvh_query_run(&query, UINT32_MAX, found, 1).status == FLASHBVH_STATUS_FULL) {
     flashbvh_contact contact;
@@ -97,9 +98,9 @@ static void contacts(const flashbvh_pose* pose) {
       low = nm[1] < low ? nm[1] : low;
       high = nm[1] > high ? nm[1] : high;
     }
-    --pairs;
+    --all.count;
   }
-  CHECK(pairs == 0 && low > 1002990000 && low < 1003010000 && high > 1004990000 &&
+  CHECK(all.count == 0 && low > 1002990000 && low < 1003010000 && high > 1004990000 &&
         high < 1005010000);
 }
 
@@ -127,7 +128,7 @@ static void distances(const flashbvh_pose* pose) {
   const float scale = flashbvh_mesh_cells_per_unit(&block);
   flashbvh_clearance found;
   flashbvh_pose far;
-  uint32_t pairs = 0;
+  flashbvh_run_result all;
   CHECK(flashbvh_distance(&block, &blade, pose, NULL, &found) == FLASHBVH_STATUS_DONE);
   CHECK(found.in_range && found.lower == 25 * 256 && found.upper == 25 * 256);
   CHECK(near(flashbvh_length_in_unit(found.lower, &block), 2.5f));

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "flashbvh/pose_float.hpp"
+#include "flashbvh/float.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) {

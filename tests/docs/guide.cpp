@@ -1,7 +1,6 @@
 // The guide's C++, and the README's: a peg that is about to be moved above a plate.
 #include <flashbvh/flashbvh.hpp>
-#include <flashbvh/pose_float.hpp>
-#include <flashbvh/ray_float.hpp>
+#include <flashbvh/float.hpp>
 #include <flashbvh/robot/robot_float.hpp>
 #include <flashbvh/robot/workcell.hpp>
 #include <initializer_list>

@@ -7,7 +7,7 @@
 
 #include "bake/baked_tree.hpp"
 #include "flashbvh/contact.hpp"
-#include "flashbvh/pose_float.hpp"
+#include "flashbvh/float.hpp"
 #include "flashbvh/query.hpp"
 #include "support/random.hpp"
 #include "support/rotations.hpp"

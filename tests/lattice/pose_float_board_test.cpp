@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <limits>
 
-#include "flashbvh/pose_float.hpp"
+#include "flashbvh/float.hpp"
 #include "support/rotations.hpp"
 
 using namespace flashbvh;

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <limits>
 
-#include "flashbvh/ray_float.hpp"
+#include "flashbvh/float.hpp"
 #include "support/random.hpp"
 
 using namespace flashbvh;

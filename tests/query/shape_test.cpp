@@ -37,8 +37,8 @@ void compare(const Mesh& mesh, const Mesh& shape, const Pose& pose) {
   const Mesh same = other.view<Mesh>();
   CHECK(shape.longest_edge >= same.longest_edge);
   CHECK((shape.is_closed == (shape.triangle_count > 1) && (!shape.is_closed || same.is_closed)));
-  CHECK(count_pairs(mesh, shape, pose).pairs == count_pairs(mesh, same, pose).pairs);
-  CHECK(count_pairs(shape, mesh, pose).pairs == count_pairs(same, mesh, pose).pairs);
+  CHECK(count_pairs(mesh, shape, pose).count == count_pairs(mesh, same, pose).count);
+  CHECK(count_pairs(shape, mesh, pose).count == count_pairs(same, mesh, pose).count);
   const auto found = distance(mesh, shape, pose);
   CHECK(found.status == Status::done);
   CHECK(found.lower == distance(mesh, same, pose).lower);

@@ -60,7 +60,7 @@ TEST_CASE("a tolerance is kept to, and said to be, from any seed") {
           begin = {static_cast<std::uint16_t>(any.of_a), static_cast<std::uint16_t>(any.of_b)};
         }
         const auto allowed = static_cast<std::uint16_t>(tolerance);
-        ClearanceQuery query(a, b, pose, begin, allowed);
+        ClearanceQuery query(a, b, pose, {begin, allowed});
         REQUIRE(query.run(UINT32_MAX).status == Status::done);
         check_tolerance(all, query.result(), allowed);
       }
@@ -85,7 +85,7 @@ TEST_CASE("a point one cell off a box's face is told of to the tolerance, seeded
     for (std::uint16_t face = 0; face < 12; ++face) {
       CAPTURE(along, face);
       for (const std::uint16_t tolerance : {std::uint16_t{1}, std::uint16_t{655}}) {
-        ClearanceQuery query(a, b, pose, {face, 0}, tolerance);
+        ClearanceQuery query(a, b, pose, {{face, 0}, tolerance});
         REQUIRE(query.run(UINT32_MAX).status == Status::done);
         check_tolerance(all, query.result(), tolerance);
       }

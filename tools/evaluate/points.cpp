@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "flashbvh/ray_float.hpp"
+#include "flashbvh/float.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"

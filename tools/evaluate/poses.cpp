@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "flashbvh/detail/bounds/rotated_transform.hpp"
-#include "flashbvh/pose_float.hpp"
+#include "flashbvh/float.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"

@@ -36,7 +36,7 @@ std::vector<PoseAtLine> read_poses(const std::string& path);
 /// no rotation within kRotationTolerance or translates B beyond kMaxTranslation.
 Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place);
 
-/// The same by firmware's own pose_of() (flashbvh/pose_float.hpp): the numbers as 32-bit floats,
+/// The same by firmware's own pose_of() (flashbvh/float.hpp): the numbers as 32-bit floats,
 /// the translation multiplied by the cells in a unit.
 Pose pose_of_floats(const RigidPose& pose, double cell, const std::string& place);
 

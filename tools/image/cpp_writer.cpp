@@ -95,7 +95,7 @@ std::string constants(const bake::BakedTree<Index, layout>& baked, const std::st
          "constexpr double kCell = " +
          floating_literal(baked.cell) + ";  ///< in " + (unit.empty() ? "the mesh's unit" : unit) +
          "\n" + "constexpr float kCellsPerUnit = " + cells_per_unit_literal(baked.cell) +
-         ";  ///< for flashbvh/pose_float.hpp\n";
+         ";  ///< for flashbvh/float.hpp\n";
 }
 
 /// Of flashbvh::Unit.

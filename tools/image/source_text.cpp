@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "flashbvh/pose_float.hpp"
+#include "flashbvh/float.hpp"
 #include "flashbvh/version.hpp"
 #include "text/numbers.hpp"
 

@@ -44,12 +44,18 @@ typedef struct flashbvh_clearance {
 /** ClearanceQuery, and all its memory. 144 bytes on a 32-bit core, 176 on a 64-bit one. */
 FLASHBVH_OPAQUE(flashbvh_clearance_query, 8, 112, uint32_t);
 
-/** Starts a query of the distance of A and B, which lies at `pose` in A's frame. `hint` may be
- * null; `tolerance` in 2^-16, as of ClearanceQuery. SUSPENDED if there is something to run; DONE if
- * the hint's triangles intersect; HINT_INVALID; else as flashbvh_query_start(). */
+/** ClearanceOptions: what a query may begin with. */
+typedef struct flashbvh_clearance_options {
+  const flashbvh_witness* hint; /**< a pair that may be near; may be null */
+  uint16_t tolerance;           /**< in 2^-16 of the distance */
+} flashbvh_clearance_options;
+
+/** Starts a query of the distance of A and B, which lies at `pose` in A's frame. `options` may be
+ * null: no hint, no tolerance. SUSPENDED if there is something to run; DONE if the hint's triangles
+ * intersect; HINT_INVALID; else as flashbvh_query_start(). */
 flashbvh_status flashbvh_clearance_start(flashbvh_clearance_query* query, const flashbvh_mesh* a,
                                          const flashbvh_mesh* b, const flashbvh_pose* pose,
-                                         const flashbvh_witness* hint, uint16_t tolerance);
+                                         const flashbvh_clearance_options* options);
 
 /** ClearanceQuery::run_within(): does at most `*work`, and leaves there what is left of it;
  * UINT32_MAX stays. */

@@ -11,7 +11,7 @@
 // closer_than() 880 (proofs/stack). Budgets of work cut these queries as any other, but what a
 // unit of it takes is proven of PairQuery alone (time_bound.hpp): two triangles take more here.
 //
-// Distances are in cells and 1/256 of them; pose_float.hpp and units.hpp turn them into lengths.
+// Distances are in cells and 1/256 of them; float.hpp and units.hpp turn them into lengths.
 #ifndef FLASHBVH_CLEARANCE_HPP
 #define FLASHBVH_CLEARANCE_HPP
 
@@ -89,6 +89,15 @@ struct [[nodiscard]] Clearance {
   UnitVector direction;  ///< from point_a to point_b
 };
 
+/// What a query of a distance may begin with.
+template <class Index>
+struct ClearanceOptions {
+  Witness<Index> hint = {};  ///< a pair that may be near: the nearest of the pose before
+  /// In 2^-16: the distance reported may be larger than the true one by so much of that, and as
+  /// much larger than `lower`, but for what both are rounded by.
+  uint16_t tolerance = 0;
+};
+
 /// The distance of two meshes, in slices. With the last nearest pair as `hint` it visits hardly
 /// more than the boxes that are nearer than the answer; without one it first goes down both trees
 /// to where they seem nearest. Instructions on each core: lib/docs/figures.md, Distances. The
@@ -103,21 +112,22 @@ class BasicClearanceQuery
   using Mesh = MeshType;
   using Index = typename Mesh::Index;
   using Hint = Witness<Index>;
+  using Options = ClearanceOptions<Index>;
 
-  /// `tolerance`, in 2^-16: the distance told may be larger than the true one by so much of that,
-  /// and as much larger than `lower`, but for what both are rounded by. `hint_invalid`: it is no
-  /// pair of these meshes' triangles.
-  BasicClearanceQuery(const Mesh& a, const Mesh& b, const Pose& pose, const Hint& hint = Hint(),
-                      uint16_t tolerance = 0)
-      : Base(a, b, pose, {}, predicate(tolerance)) {
-    begin_at(pose, hint);
+  /// `hint_invalid`: it is no pair of these meshes' triangles.
+  BasicClearanceQuery(const Mesh& a, const Mesh& b, const Pose& pose,
+                      const Options& options = Options())
+      : Base(a, b, pose, {}, predicate(options.tolerance)) {
+    begin_at(pose, options.hint);
   }
-  BasicClearanceQuery(const Mesh&&, const Mesh&, const Pose&, const Hint& = Hint(),
-                      uint16_t = 0) = delete;
-  BasicClearanceQuery(const Mesh&, const Mesh&&, const Pose&, const Hint& = Hint(),
-                      uint16_t = 0) = delete;
-  BasicClearanceQuery(const Mesh&, const Mesh&, const Pose&&, const Hint& = Hint(),
-                      uint16_t = 0) = delete;
+  BasicClearanceQuery(const Mesh& a, const Mesh& b, const Pose& pose, const Hint& hint)
+      : BasicClearanceQuery(a, b, pose, Options{hint, 0}) {}
+  template <class... With>
+  BasicClearanceQuery(const Mesh&&, const Mesh&, const Pose&, const With&...) = delete;
+  template <class... With>
+  BasicClearanceQuery(const Mesh&, const Mesh&&, const Pose&, const With&...) = delete;
+  template <class... With>
+  BasicClearanceQuery(const Mesh&, const Mesh&, const Pose&&, const With&...) = delete;
 
   /// `suspended` while there is something left to do.
   Status status() const {

@@ -18,12 +18,6 @@ struct [[nodiscard]] Answer {
   bool yes;
 };
 
-/// A number of pairs; 0 after an error.
-struct [[nodiscard]] PairCount {
-  Status status;
-  uint32_t pairs;
-};
-
 /// The query that a kind of mesh has by default.
 template <class Index>
 using DefaultQuery = Query<Ranked<BasicMesh<Index, Layout::post_indexed>>>;
@@ -57,26 +51,21 @@ FLASHBVH_INLINE inline Status for_each_pair(const BasicMesh<Index, Layout::post_
   return query.run(UINT32_MAX, visit).status;
 }
 
-/// How many pairs of triangles intersect.
+/// How many pairs of triangles intersect: the result's `count`, 0 after an error.
 template <class Index>
-PairCount count_pairs(const BasicMesh<Index, Layout::post_indexed>& a,
+RunResult count_pairs(const BasicMesh<Index, Layout::post_indexed>& a,
                       const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) {
-  uint32_t pairs = 0;
-  const Status status = for_each_pair(a, b, pose, [&pairs](const TrianglePair<Index>&) {
-    ++pairs;
-    return true;
-  });
-  return {status, pairs};
+  DefaultQuery<Index> query(a, b, pose);
+  return query.run(UINT32_MAX, [](const TrianglePair<Index>&) { return true; });
 }
 
 /// The first `capacity` pairs that intersect. `done`: these are all; `full`: there may be more.
 template <class Index>
-PairCount find_pairs(const BasicMesh<Index, Layout::post_indexed>& a,
+RunResult find_pairs(const BasicMesh<Index, Layout::post_indexed>& a,
                      const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,
                      TrianglePair<Index>* found, uint32_t capacity) {
   DefaultQuery<Index> query(a, b, pose);
-  const RunResult step = query.run(UINT32_MAX, found, capacity);
-  return {step.status, step.count};
+  return query.run(UINT32_MAX, found, capacity);
 }
 
 }  // namespace flashbvh

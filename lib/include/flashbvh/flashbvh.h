@@ -77,7 +77,7 @@ void flashbvh_mesh_origin(const flashbvh_mesh* mesh, int32_t origin[3]);
 /** Mesh::is_closed. */
 bool flashbvh_mesh_is_closed(const flashbvh_mesh* mesh);
 
-/* Poses: pose.hpp and pose_float.hpp ----------------------------------------------------------- */
+/* Poses: pose.hpp and float.hpp ----------------------------------------------------------- */
 
 /** One in the fixed point of a rotation: 30 fraction bits. */
 #define FLASHBVH_ROTATION_ONE ((int32_t)1 << 30)
@@ -239,17 +239,30 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_first_pair(const flashbvh_mesh* a,
                                                        const flashbvh_pose* pose, bool* yes,
                                                        flashbvh_pair* found);
 
-/** count_pairs(). */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_count_pairs(const flashbvh_mesh* a,
-                                                        const flashbvh_mesh* b,
-                                                        const flashbvh_pose* pose, uint32_t* pairs);
+/** count_pairs(): `count` of the result. */
+FLASHBVH_NODISCARD flashbvh_run_result flashbvh_count_pairs(const flashbvh_mesh* a,
+                                                            const flashbvh_mesh* b,
+                                                            const flashbvh_pose* pose);
 
 /** find_pairs(). DONE: these are all; FULL: there may be more. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_find_pairs(const flashbvh_mesh* a,
-                                                       const flashbvh_mesh* b,
-                                                       const flashbvh_pose* pose,
-                                                       flashbvh_pair* pairs, uint32_t capacity,
-                                                       uint32_t* count);
+FLASHBVH_NODISCARD flashbvh_run_result flashbvh_find_pairs(const flashbvh_mesh* a,
+                                                           const flashbvh_mesh* b,
+                                                           const flashbvh_pose* pose,
+                                                           flashbvh_pair* pairs, uint32_t capacity);
+
+/** UnitContact: the first pair of triangles that intersect, and where. */
+typedef struct flashbvh_unit_contact {
+  flashbvh_contact contact;    /**< in 1/256 cell, and the normals of both triangles */
+  flashbvh_unit_point ends[2]; /**< of the common part, in A's frame and unit */
+  flashbvh_pair triangles;
+  bool yes; /**< false: no triangles intersect, and nothing else holds */
+} flashbvh_unit_contact;
+
+/** first_contact(). After an error `yes` is true and nothing else holds. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_first_contact(const flashbvh_mesh* a,
+                                                          const flashbvh_mesh* b,
+                                                          const flashbvh_pose* pose,
+                                                          flashbvh_unit_contact* contact);
 
 /** for_each_pair(), until `visit` returns false: FULL. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_pair(const flashbvh_mesh* a,

@@ -23,7 +23,7 @@ using Point = flashbvh_point;
 /// Inside the library: from A's origin on.
 using Triangle = flashbvh_triangle;
 
-/// pose_float.hpp turns it into the mesh's unit.
+/// float.hpp turns it into the mesh's unit.
 using FinePoint = flashbvh_fine_point;
 /// Steps of a FinePoint in a cell.
 constexpr int32_t kFineOne = 256;

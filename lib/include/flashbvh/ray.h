@@ -1,4 +1,4 @@
-/* flashbvh for C: what a ray hits. ray.hpp says what a hit is and what a crossing, ray_float.hpp
+/* flashbvh for C: what a ray hits. ray.hpp says what a hit is and what a crossing, float.hpp
  * how flashbvh_segment_of() rounds.
  *
  * Stack on Cortex-M3 to M55 at -O2, in bytes (proofs/stack proves it): a hit 832, crossings

@@ -12,7 +12,7 @@
 // if it is grazed.
 //
 // Points are cells of the mesh's frame, as it was drawn, within kMaxRayCoordinate of the mesh's
-// origin; ray_float.hpp makes them of lengths. One call answers one question; a ray through a mesh
+// origin; float.hpp makes them of lengths. One call answers one question; a ray through a mesh
 // of a thousand triangles visits some 30 boxes, and 100 at worst (lib/docs/figures.md, Rays).
 #ifndef FLASHBVH_RAY_HPP
 #define FLASHBVH_RAY_HPP

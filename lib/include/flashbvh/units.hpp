@@ -1,5 +1,5 @@
 // Lengths that queries report in cells, in a mesh's unit. In integers; lengths as floats are in
-// pose_float.hpp.
+// float.hpp.
 #ifndef FLASHBVH_UNITS_HPP
 #define FLASHBVH_UNITS_HPP
 

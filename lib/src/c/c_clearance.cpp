@@ -40,9 +40,12 @@ void put(const Clearance<uint16_t>& known, flashbvh_clearance* result) {
 
 flashbvh_status flashbvh_clearance_start(flashbvh_clearance_query* query, const flashbvh_mesh* a,
                                          const flashbvh_mesh* b, const flashbvh_pose* pose,
-                                         const flashbvh_witness* hint, uint16_t tolerance) {
-  return c_status(
-      make(query, object_in(a), object_in(b), object_in(pose), hint_in(hint), tolerance).status());
+                                         const flashbvh_clearance_options* options) {
+  ClearanceQuery::Options with;
+  if (options != nullptr) {
+    with = {hint_in(options->hint), options->tolerance};
+  }
+  return c_status(make(query, object_in(a), object_in(b), object_in(pose), with).status());
 }
 
 flashbvh_status flashbvh_clearance_run(flashbvh_clearance_query* query, uint32_t* work) {

@@ -14,20 +14,15 @@ flashbvh_status flashbvh_first_pair(const flashbvh_mesh* a, const flashbvh_mesh*
   return put_answer(first_pair(object_in(a), object_in(b), object_in(pose), *found), yes);
 }
 
-flashbvh_status flashbvh_count_pairs(const flashbvh_mesh* a, const flashbvh_mesh* b,
-                                     const flashbvh_pose* pose, uint32_t* pairs) {
-  const PairCount count = count_pairs(object_in(a), object_in(b), object_in(pose));
-  *pairs = count.pairs;
-  return c_status(count.status);
+flashbvh_run_result flashbvh_count_pairs(const flashbvh_mesh* a, const flashbvh_mesh* b,
+                                         const flashbvh_pose* pose) {
+  return count_pairs(object_in(a), object_in(b), object_in(pose));
 }
 
-flashbvh_status flashbvh_find_pairs(const flashbvh_mesh* a, const flashbvh_mesh* b,
-                                    const flashbvh_pose* pose, flashbvh_pair* pairs,
-                                    uint32_t capacity, uint32_t* count) {
-  PairQuery query(object_in(a), object_in(b), object_in(pose));
-  const RunResult step = query.run(UINT32_MAX, pairs, capacity);
-  *count = step.count;
-  return c_status(step.status);
+flashbvh_run_result flashbvh_find_pairs(const flashbvh_mesh* a, const flashbvh_mesh* b,
+                                        const flashbvh_pose* pose, flashbvh_pair* pairs,
+                                        uint32_t capacity) {
+  return find_pairs(object_in(a), object_in(b), object_in(pose), pairs, capacity);
 }
 
 flashbvh_status flashbvh_for_each_pair(const flashbvh_mesh* a, const flashbvh_mesh* b,

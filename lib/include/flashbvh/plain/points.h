@@ -37,6 +37,13 @@ typedef struct flashbvh_fine_point {
   int64_t z;
 } flashbvh_fine_point;
 
+/** A point in a mesh's unit, in A's frame as it was drawn. */
+typedef struct flashbvh_unit_point {
+  float x;
+  float y;
+  float z;
+} flashbvh_unit_point;
+
 /** A direction, in 2^-30; of length 1 to four parts in 2^30. */
 typedef struct flashbvh_unit_vector {
   int32_t x;

@@ -1,13 +1,13 @@
 // Joints' coordinates from floats, as encoders' drivers and trajectories give them, and frames.
 //
-// Optional, as pose_float.hpp, and like it without float arithmetic: a coordinate is the same on
+// Optional, as float.hpp, and like it without float arithmetic: a coordinate is the same on
 // every core.
 #ifndef FLASHBVH_ROBOT_ROBOT_FLOAT_HPP
 #define FLASHBVH_ROBOT_ROBOT_FLOAT_HPP
 
 #include <stdint.h>
 
-#include "flashbvh/pose_float.hpp"
+#include "flashbvh/float.hpp"
 #include "flashbvh/robot/robot.hpp"
 
 namespace flashbvh {
@@ -69,7 +69,7 @@ inline Status set_frame(const Robot& robot, const float (&rotation)[3][3], const
   return detail::set_translation(robot, metres, frame);
 }
 
-/// The same from a unit quaternion (pose_float.hpp).
+/// The same from a unit quaternion (float.hpp).
 inline Status set_frame(const Robot& robot, const UnitQuaternion& rotation,
                         const float (&metres)[3], Frame& frame) {
   detail::set_rotation(rotation, frame.rotation);

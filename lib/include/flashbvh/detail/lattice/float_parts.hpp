@@ -1,29 +1,10 @@
-// Poses from floating point, as kinematics and sensors give them: a matrix or a unit quaternion;
-// and contacts' points as floats.
-//
-// Optional, and the only float in the library: firmware that does not include this header links no
-// float code. It calculates with none, either: a float is taken apart by its bits and the rest is
-// integers. So no conversion is out of range, NaN and infinity are known by their bits (whatever
-// -ffast-math assumes), and the pose is the same on every core: without an FPU, with fused
-// multiplication, with subnormals flushed to zero.
-//
-// Where an input is no number or too large, the pose's status says so: `not_a_rotation` for a
-// rotation, `translation_out_of_range` for a translation or for a `cells_per_unit` that is not
-// positive and finite; the latter if both are wrong.
-//
-// Stack on Cortex-M3 to M55 at -O2: 352 bytes.
-//
-// Translations are in the mesh's unit: `cells_per_unit` is kCellsPerUnit of the baked header, or 1
-// where they are in cells. Their product is rounded once, to 1/65,536 of a cell.
-#ifndef FLASHBVH_POSE_FLOAT_HPP
-#define FLASHBVH_POSE_FLOAT_HPP
+// Floats taken apart by their bits: for float.hpp, which calculates in integers alone.
+#ifndef FLASHBVH_DETAIL_LATTICE_FLOAT_PARTS_HPP
+#define FLASHBVH_DETAIL_LATTICE_FLOAT_PARTS_HPP
 
 #include <stdint.h>
 
-#include "flashbvh/lattice.hpp"
 #include "flashbvh/pose.hpp"
-#include "flashbvh/status.hpp"
-#include "flashbvh/units.hpp"
 
 namespace flashbvh {
 
@@ -165,80 +146,6 @@ inline void set_rotation(const UnitQuaternion& q, int32_t (&rotation)[3][3]) {
 }
 
 }  // namespace detail
-
-/// B rotated and translated: its point p lies at rotation * p + translation in A's frame.
-/// `rotation`: row by row, each entry rounded to 2^-30, halves away from zero; then as
-/// Pose::rigid() has it, with its tolerance and its rounding to 2^-22.
-inline Pose pose_of(const float (&rotation)[3][3], const float (&translation)[3],
-                    float cells_per_unit) {
-  int32_t entries[3][3];
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      entries[i][j] = detail::rotation_entry(rotation[i][j]);
-    }
-  }
-  return detail::rigid(entries, translation, cells_per_unit);
-}
-
-/// The same from 12 numbers row by row: three of the rotation and one of the translation a row.
-inline Pose pose_of(const float (&matrix)[3][4], float cells_per_unit) {
-  int32_t entries[3][3];
-  float translation[3];
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      entries[i][j] = detail::rotation_entry(matrix[i][j]);
-    }
-    translation[i] = matrix[i][3];
-  }
-  return detail::rigid(entries, translation, cells_per_unit);
-}
-
-/// The same from a unit quaternion. A squared length further than kQuaternionTolerance from 1 gives
-/// `not_a_rotation`; within it, the quaternion is taken as one of length 1 that was rounded, and
-/// made so.
-inline Pose pose_of(const UnitQuaternion& rotation, const float (&translation)[3],
-                    float cells_per_unit) {
-  int32_t entries[3][3] = {};
-  detail::set_rotation(rotation, entries);
-  return detail::rigid(entries, translation, cells_per_unit);
-}
-
-/// kCellsPerUnit of a mesh whose header is not there, as of an image. `cell_bits`:
-/// Mesh::cell_bits.
-inline float cells_per_unit(uint64_t cell_bits) {
-  return detail::float_of(detail::cells_per_unit_bits(cell_bits));
-}
-
-/// A length in the mesh's unit as a distance in 1/256 cell (clearance.hpp): rounded down, but for a
-/// rounding of the product to 1/65,536 cell. UINT32_MAX, which every query refuses, if it is
-/// negative, no number or too large.
-inline uint32_t fine_distance(float length, float cells_per_unit) {
-  const int64_t fine = detail::cell_fractions(length, cells_per_unit) >> 8;
-  return detail::is_below_zero(length) || fine >= UINT32_MAX ? UINT32_MAX
-                                                             : static_cast<uint32_t>(fine);
-}
-
-/// The length of so many 1/256 cells in the mesh's unit, to the nearest float.
-inline float length_in_unit(int64_t fine, uint64_t cell_bits) {
-  return detail::float_of(detail::length_bits(fine, cell_bits));
-}
-
-/// In the mesh's unit.
-struct UnitPoint {
-  float x;
-  float y;
-  float z;
-};
-
-/// A contact's point in the unit of mesh A, which it is reported of; each coordinate rounded once,
-/// to the nearest float. A float has 24 bits, which a point 65,536 cells off takes up: past that,
-/// millionths_of() (units.hpp) keeps the rest.
-inline UnitPoint in_unit(const FinePoint& point, uint64_t cell_bits) {
-  return {detail::float_of(detail::length_bits(point.x, cell_bits)),
-          detail::float_of(detail::length_bits(point.y, cell_bits)),
-          detail::float_of(detail::length_bits(point.z, cell_bits))};
-}
-
 }  // namespace flashbvh
 
 #endif
