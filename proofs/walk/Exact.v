@@ -158,8 +158,8 @@ Definition touch (side : Side) n k : bool :=
   end.
 
 (* All of A's triangles with each of B's, from the last ones on.
-   code: include/flashbvh/query.hpp | return a_->first_triangle(leaf_a_) + i % a_->triangles_in(leaf_a_);
-   code: include/flashbvh/query.hpp | return b_->first_triangle(leaf_b_) + i / a_->triangles_in(leaf_a_); *)
+   code: include/flashbvh/detail/query/query_run.hpp | return a_->first_triangle(leaf_a_) + i % a_->triangles_in(leaf_a_);
+   code: include/flashbvh/detail/query/query_run.hpp | return b_->first_triangle(leaf_b_) + i / a_->triangles_in(leaf_a_); *)
 Definition pairs_of (p : nat * nat) : list (nat * nat) :=
   flat_map (fun j => map (fun i => (i, j)) (rev (triangles A (fst p)))) (rev (triangles B (snd p))).
 

@@ -1,4 +1,4 @@
-(* A query cut into runs (lib/include/flashbvh/query.hpp): batches of pairs of leaves, positions, and
+(* A query cut into runs (lib/include/flashbvh/detail/query/query_run.hpp): batches of pairs of leaves, positions, and
    what is left of a pair of leaves. Wherever runs end, the answers are the same: all pairs of
    triangles that the exact test says yes of, each once.
 
@@ -35,7 +35,7 @@ Definition answers (p : nat * nat) : list Triangles := filter intersect (pairs_o
 Definition last_of (u : nat) (p : nat * nat) := skipn (length (pairs_of p) - u) (pairs_of p).
 
 (* The walk that a run begins with. *)
-(* code: include/flashbvh/query.hpp | return detail::walk<Traversal>(bound, shapes, run, state_); *)
+(* code: include/flashbvh/detail/query/query_run.hpp | return detail::walk<Traversal>(bound, shapes, run, state_); *)
 (* code: include/flashbvh/detail/walk/walk.hpp | from = walk_on_below<Traversal>(shapes, run, from == State::at_leaf_pair); *)
 Definition load (at_ : Position) : Code :=
   match at_ with
@@ -72,9 +72,9 @@ Definition nothing_untested (at_ : Position) : Prop :=
 (* code: include/flashbvh/detail/walk/walk_below.hpp | run.node = root; run.side = Side::none; shapes.keep_root(0); end = State::at_leaf_pair; *)
 (* What a query does in one go, as far as it gets: for want of work, because the batch is full, or
    because the caller's array is. `Round at answers at'`. *)
-(* code: include/flashbvh/query.hpp | const uint32_t kept = untested_ == 0 ? 0 : pay(untested_, work); *)
-(* code: include/flashbvh/query.hpp | batch.current().a, batch.current().b); *)
-(* code: include/flashbvh/query.hpp | if (untested_ == 0) { end = walk(work, batch, shapes, room()); } *)
+(* code: include/flashbvh/detail/query/query_run.hpp | const uint32_t kept = untested_ == 0 ? 0 : pay(untested_, work); *)
+(* code: include/flashbvh/detail/query/query_run.hpp | batch.current().a, batch.current().b); *)
+(* code: include/flashbvh/detail/query/query_run.hpp | if (untested_ == 0) { end = walk(work, batch, shapes, room()); } *)
 (* code: include/flashbvh/detail/walk/leaf_pairs.hpp | if (progress.work_left < work) { unpaid_ = true; return false; } *)
 Inductive Round : Position -> list Triangles -> Position -> Prop :=
 | Tests p u v : v <= u <= length (pairs_of p) ->     (* v of the pairs of triangles left *)

@@ -11,7 +11,7 @@ Definition take (left spent : Z) : Z := if spent <? left then left - spent else 
 (* The steps that are done of those to come, each with what it takes.
    code: include/flashbvh/detail/walk/walk_below.hpp | if (work_left == 0) { end = State::at_pair; break; } --work_left;
    code: include/flashbvh/detail/walk/walk.hpp | if (work_left == 0) { end = State::at_pair; break; } --work_left;
-   code: include/flashbvh/query.hpp | if (end == State::done || work == 0) { return status(); } *)
+   code: include/flashbvh/detail/query/query_run.hpp | if (end == State::done || work == 0) { return status(); } *)
 Fixpoint done (left : Z) (steps : list Z) : list Z :=
   match steps with
   | s :: r => if left =? 0 then [] else s :: done (take left s) r

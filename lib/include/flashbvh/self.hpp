@@ -55,6 +55,12 @@ Answer intersects_itself(const BasicMesh<Index, Layout::post_indexed>& mesh) {
 }
 
 // Compiled once, in the library.
+extern template class detail::QueryRun<detail::SelfRanked<Mesh>,
+                                       detail::SelfPredicate<detail::Intersection>>;
+extern template class detail::QueryRun<detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>>;
+extern template class detail::QueryRun<detail::SelfRanked<Mesh32>,
+                                       detail::SelfPredicate<detail::Intersection>>;
+extern template class detail::QueryRun<detail::SelfRanked<Mesh32>, detail::SelfPredicate<Within>>;
 extern template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<detail::Intersection>>;
 extern template class Query<detail::SelfRanked<Mesh32>,
                             detail::SelfPredicate<detail::Intersection>>;

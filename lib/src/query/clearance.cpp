@@ -233,6 +233,8 @@ Clearance<typename MeshType::Index> BasicClearanceQuery<MeshType>::result() cons
   return known;
 }
 
+template class detail::QueryRun<Ranked<Mesh>, Within>;
+template class detail::QueryRun<Ranked<Mesh32>, Within>;
 template class Query<Ranked<Mesh>, Within>;
 template class Query<Ranked<Mesh32>, Within>;
 template class BasicClearanceQuery<Mesh>;
