@@ -26,10 +26,16 @@ HOST = [
     ("native-sanitize", "As native, with Clang's address and undefined-behaviour sanitizers",
      {**CLANG, "CMAKE_C_FLAGS_DEBUG": "-O1 -g1", "CMAKE_CXX_FLAGS_DEBUG": "-O1 -g1",
       "CMAKE_EXE_LINKER_FLAGS": "-fuse-ld=lld -no-pie"}),
+    ("dev", "Edit, build, test: what an edit of the library breaks, in a minute",
+     {**CLANG, "FLASHBVH_SANITIZE": "OFF", "FLASHBVH_FAST_BUILD": "ON", "FLASHBVH_CCACHE": "ON",
+      "CMAKE_C_FLAGS_DEBUG": "-O1 -g1", "CMAKE_CXX_FLAGS_DEBUG": "-O1 -g1", "CMAKE_EXE_LINKER_FLAGS": "-fuse-ld=lld"}),
     ("fuzz", "The fuzzed programs alone, with Clang's libFuzzer (tests/fuzz/run.sh)",
      {**CLANG, "CMAKE_C_FLAGS_DEBUG": "-O1 -g", "CMAKE_CXX_FLAGS_DEBUG": "-O1 -g", "FLASHBVH_FUZZ": "ON",
       "FLASHBVH_BUILD_TOOL": "OFF", "FLASHBVH_BUILD_TESTS": "OFF"}),
 ]
+# What an edit of the library breaks first: the tests of the label `library`.
+DEV_BUILD = {"dev": {"targets": ["library_tests"]}}
+DEV_TEST = {"dev": {"filter": {"include": {"label": "library"}}, "execution": {"noTestsAction": "error", "jobs": 2}}}
 
 
 def configure_presets():
@@ -49,8 +55,9 @@ def presets():
             "execution": {"noTestsAction": "error"}}
     lists = {
         "configurePresets": [BASE, *configure],
-        "buildPresets": [{"name": name, "configurePreset": name} for name in names],
-        "testPresets": [test, *({"name": name, "inherits": "base", "configurePreset": name} for name in names)],
+        "buildPresets": [{"name": name, "configurePreset": name, **DEV_BUILD.get(name, {})} for name in names],
+        "testPresets": [test, *({"name": name, "inherits": "base", "configurePreset": name, **DEV_TEST.get(name, {})}
+                                for name in names)],
         "workflowPresets": [{"name": name, "steps": [{"type": step, "name": name}
                                                      for step in ("configure", "build", "test")]}
                             for name in names if name != "fuzz"],

@@ -11,7 +11,7 @@ function(flashbvh_as_one_source target)
 endfunction()
 
 # flashbvh_room(SOURCES source... [USES room...] [OPTIMISED]): flashbvh_FOLDER, of the folder that calls.
-# With the sanitizers only what says so is OPTIMISED: it takes three times as long to compile.
+# In a fast build only what says so is OPTIMISED: it takes three times as long to compile.
 function(flashbvh_room)
   cmake_parse_arguments(arg "OPTIMISED" "" "SOURCES;USES" ${ARGN})
   get_filename_component(room ${CMAKE_CURRENT_SOURCE_DIR} NAME)
@@ -25,7 +25,7 @@ function(flashbvh_room)
     target_link_libraries(flashbvh_${room} PUBLIC flashbvh_${used})
   endforeach()
   flashbvh_warnings(flashbvh_${room})
-  if(FLASHBVH_SANITIZE AND NOT arg_OPTIMISED)
+  if(FLASHBVH_FAST_BUILD AND NOT arg_OPTIMISED)
     target_compile_options(flashbvh_${room} PRIVATE -O0)
   endif()
 endfunction()

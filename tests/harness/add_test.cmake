@@ -9,7 +9,7 @@
 # ICOUNT makes instruction counts on the board exact, and each test case a test of CTest's,
 # "<preset>/<test case>", whose figures -R and -V show. LONG is a label of what runs apart; what needs no
 # room of the host program but `bake` is labelled `library`, and all of it a target, library_tests:
-# tools/test.sh --quick. OPTIMISED: with the sanitizers, too.
+# tools/test.sh --quick. OPTIMISED: in a fast build, too.
 set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
 
 function(flashbvh_add_test name)
@@ -31,7 +31,7 @@ function(flashbvh_add_test name)
   set(labels "")
   if(arg_LONG)
     set(labels LABELS long)
-  elseif(NOT "${arg_LIBRARIES}" MATCHES "flashbvh_(evaluate|mesh|robot|test_arm)")
+  elseif(NOT "${arg_LIBRARIES}" MATCHES "flashbvh_(evaluate|mesh|robot|test_arm)|_arm;")
     set(labels LABELS library)
   endif()
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
@@ -42,7 +42,7 @@ function(flashbvh_add_test name)
   target_link_libraries(${name} PRIVATE
     ${arg_LIBRARIES} flashbvh_test_queries flashbvh::flashbvh flashbvh_harness_options)
   flashbvh_warnings(${name})
-  if(FLASHBVH_SANITIZE)
+  if(FLASHBVH_FAST_BUILD)
     set(headers flashbvh_test_headers)
     set(level -O0)
     if(arg_OPTIMISED)

@@ -5,6 +5,6 @@ add_library(flashbvh_test_queries STATIC EXCLUDE_FROM_ALL ${CMAKE_CURRENT_LIST_D
 target_include_directories(flashbvh_test_queries PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 target_link_libraries(flashbvh_test_queries PUBLIC flashbvh::flashbvh)
 flashbvh_warnings(flashbvh_test_queries)
-if(FLASHBVH_SANITIZE)
+if(FLASHBVH_FAST_BUILD)
   target_compile_options(flashbvh_test_queries PRIVATE -O1)
 endif()
