@@ -5,8 +5,8 @@
     hold OUTPUT...            holds what programs printed, those OUTPUTs that exist, against budgets.csv; lists
                               figures that differ by more than 2 %, either way, and counts that differ at all,
                               and fails
-    pages [--check]           writes the tables of lib/docs/*.md that show budgets.csv (pages.py); --check fails
-                              if that would change them
+    pages [--check]           writes the tables of README.md and lib/docs/*.md that show budgets.csv (pages.py);
+                              --check fails if that would change them
     measure MODE URDF NATIVE [PRESET...]    see tools/figures.sh
 """
 import difflib
@@ -59,15 +59,15 @@ def hold(*files):
 def write_pages(check):
     """Writes the pages, or prints how they differ; whether none does."""
     book, good = budgets(), True
-    for page in sorted(DOCS.glob("*.md")):
+    for page in [ROOT / "README.md", *sorted(DOCS.glob("*.md"))]:
         old = page.read_text()
         new = pages.rewritten(book, old)
         if not check:
             page.write_text(new)
         elif new != old:
             sys.stdout.writelines(difflib.unified_diff(
-                old.splitlines(True), new.splitlines(True), f"lib/docs/{page.name}", "of budgets.csv", n=0))
-            print(f"figures.py: lib/docs/{page.name} does not show budgets.csv: run figures.py pages",
+                old.splitlines(True), new.splitlines(True), str(page.relative_to(ROOT)), "of budgets.csv", n=0))
+            print(f"figures.py: {page.relative_to(ROOT)} does not show budgets.csv: run figures.py pages",
                   file=sys.stderr)
             good = False
     return good
