@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "support/contact_oracle.hpp"
+#include "support/oracles/contact.hpp"
 #include "support/random.hpp"
 #include "support/triangle_pairs.hpp"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "predicates/segment_hit.hpp"
+#include "support/oracles/rational.hpp"
 #include "support/points.hpp"
-#include "support/rational_oracles.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;

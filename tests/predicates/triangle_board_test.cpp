@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 #include <initializer_list>
 
-#include "support/triangle_oracle.hpp"
+#include "support/oracles/triangle.hpp"
 #include "support/triangle_pairs.hpp"
 
 namespace flashbvh::test {

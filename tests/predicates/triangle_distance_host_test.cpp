@@ -6,8 +6,8 @@
 
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
+#include "support/oracles/rational.hpp"
 #include "support/points.hpp"
-#include "support/rational_oracles.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;

@@ -36,6 +36,7 @@ TEMPLATE_TEST_CASE_SIG("numbers", "", ((int number), number), 7, 9) {
 
 TEST_CASE("a name with blanks, commas, [brackets] and \"quotes\"::of <any> kind") {
   trace("here");
+  CHECK(answer() == 42);
 }
 
 TEST_CASE("what holds passes") {

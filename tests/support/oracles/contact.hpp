@@ -7,10 +7,10 @@
 //
 // Range: corners within 114,000 < 2^17 of the first one, as those of triangles that intersect are.
 // A point has numerators below 2^71 over a denominator below 2^53; a normal is below 2^33.
-#ifndef FLASHBVH_TESTS_SUPPORT_CONTACT_ORACLE_HPP
-#define FLASHBVH_TESTS_SUPPORT_CONTACT_ORACLE_HPP
+#ifndef FLASHBVH_TESTS_SUPPORT_ORACLES_CONTACT_HPP
+#define FLASHBVH_TESTS_SUPPORT_ORACLES_CONTACT_HPP
 
-#include "support/triangle_oracle.hpp"
+#include "support/oracles/triangle.hpp"
 
 #include <array>
 #include <vector>

@@ -1,6 +1,6 @@
 // Distances and meeting points in exact rationals, by other ways than the library's.
-#ifndef FLASHBVH_TESTS_SUPPORT_RATIONAL_ORACLES_HPP
-#define FLASHBVH_TESTS_SUPPORT_RATIONAL_ORACLES_HPP
+#ifndef FLASHBVH_TESTS_SUPPORT_ORACLES_RATIONAL_HPP
+#define FLASHBVH_TESTS_SUPPORT_ORACLES_RATIONAL_HPP
 
 #include <gmpxx.h>
 
