@@ -76,7 +76,7 @@ struct Costs {
 /// Under the sheet's lower edge, 28 mm of it over the sheet's origin.
 Mesh put_link() {
   Mesh link = arm_link::mesh;
-  const detail::Box box = detail::unpack(link.nodes[0].box);
+  const Box box = unpack(link.nodes[0].box);
   link.origin[0] = -(box.lower.x + box.upper.x) / 2;
   link.origin[1] = -(box.lower.y + box.upper.y) / 2;
   link.origin[2] = static_cast<int32_t>(28 * kPerMm) - box.upper.z;

@@ -120,7 +120,7 @@ bool write_check(Random& random) {
   const auto count = static_cast<uint32_t>(nodes.size());
   uint32_t leaves = 0;
   for (ModelNode& node : nodes) {
-    node.box = detail::pack({{0, 0, 0}, {0, 0, 0}});
+    node.box = pack({{0, 0, 0}, {0, 0, 0}});
     if (node.is_leaf()) {
       node.data = static_cast<uint16_t>(ModelNode::kLeafFlag | leaves++);
     }

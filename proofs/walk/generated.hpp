@@ -122,12 +122,12 @@ class TestedShapes {
     side_ = side;
     node_ = node;
   }
-  bool begin(detail::Side side, uint32_t node, const detail::PackedBox* reached) {
+  bool begin(detail::Side side, uint32_t node, const PackedBox* reached) {
     take_again(side, node);
     return reached == nullptr || (side == detail::Side::a ? tests_.begin(node, reached->z)
                                                           : tests_.begin(reached->z, node));
   }
-  bool may_touch(const detail::PackedBox& box) const {
+  bool may_touch(const PackedBox& box) const {
     const NodePair pair =
         side_ == detail::Side::a ? NodePair{node_, box.z} : NodePair{box.z, node_};
     walked_.visits.push_back(pair);
@@ -154,7 +154,7 @@ template <class Traversal>
 void walk_on(const ModelTree& a, const ModelTree& b, const PairTests& tests, uint32_t work,
              uint32_t batch, detail::PairCursor<uint16_t>& cursor, detail::State& state,
              Walked& walked, bool to_end = false) {
-  const auto bound = [&](const detail::PackedBox& box_a, const detail::PackedBox& box_b) {
+  const auto bound = [&](const PackedBox& box_a, const PackedBox& box_b) {
     walked.visits.emplace_back(box_a.z, box_b.z);
     return tests.bound(box_a.z, box_b.z);
   };

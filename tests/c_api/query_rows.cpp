@@ -1,7 +1,6 @@
 // Meshes, queries, contacts, time bounds.
 #include "c_api/slices.hpp"
 #include "flashbvh/contact.hpp"
-#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/float.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/time_bound.hpp"
@@ -35,7 +34,7 @@ bool damage_agrees(Scene& s) {
   const std::size_t of_header = s.random.below(2) == 0 ? 3 : count;
   s.damaged[s.random.below(static_cast<std::uint32_t>(of_header))] ^= 1u << s.random.below(32);
   if (s.random.below(2) == 0) {
-    s.damaged[offsetof(ImageHeader, crc) / 4] = detail::image_crc(s.damaged.data(), 4 * count);
+    s.damaged[offsetof(ImageHeader, crc) / 4] = image_crc(s.damaged.data(), 4 * count);
   }
   const std::size_t size = s.random.below(6) == 0 ? s.random.below(999) % s.a.size() : s.a.size();
   if (s.random.below(6) == 0) {

@@ -1,5 +1,7 @@
 #include "small_tree.hpp"
 
+#include "flashbvh/detail/lattice/box_packed.hpp"
+
 namespace digest {
 
 using namespace flashbvh;

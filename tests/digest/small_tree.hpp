@@ -47,7 +47,7 @@ class SmallTree {
   };
 
   void set_node(const SmallMesh& mesh, const Range& range, uint16_t sibling);
-  flashbvh::detail::PackedBox box_of(const SmallMesh& mesh, uint32_t first, uint32_t end) const;
+  flashbvh::PackedBox box_of(const SmallMesh& mesh, uint32_t first, uint32_t end) const;
 
   static constexpr bool kPost = layout == flashbvh::Layout::post_indexed;
 

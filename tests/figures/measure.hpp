@@ -26,10 +26,8 @@ struct NothingBelow {
   static bool is_taken(flashbvh::detail::Side, uint32_t) { return false; }
   static void take_again(flashbvh::detail::Side, uint32_t) {}
   static uint32_t work_of(flashbvh::detail::Side, uint32_t) { return 0; }
-  static bool begin(flashbvh::detail::Side, uint32_t, const flashbvh::detail::PackedBox*) {
-    return false;
-  }
-  static bool may_touch(const flashbvh::detail::PackedBox&) { return false; }
+  static bool begin(flashbvh::detail::Side, uint32_t, const flashbvh::PackedBox*) { return false; }
+  static bool may_touch(const flashbvh::PackedBox&) { return false; }
 };
 
 struct Walked {

@@ -43,7 +43,7 @@ void add_parts(const Mesh& mesh, const Segment& segment, const char* set) {
     bool yes = false;
     measure({{"ray", "triangle"}}, [&] { yes = walk.get_hit(position, hit); });
     ++count;
-    if (yes && detail::order_along(hit.along, nearest) < 0) {
+    if (yes && order_along(hit.along, nearest) < 0) {
       nearest = hit.along;
       walk.shorten(nearest);
     }

@@ -3,7 +3,6 @@
 #include <cstring>
 #include <memory>
 
-#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "golden/golden.hpp"
 #include "support/any_query.hpp"
@@ -100,7 +99,7 @@ Verdict exercise_image(const void* bytes, std::size_t size, const std::vector<Po
 
 void repair_crc(void* bytes, std::size_t size) {
   if (size >= sizeof(ImageHeader)) {
-    const std::uint32_t crc = detail::image_crc(bytes, size);
+    const std::uint32_t crc = image_crc(bytes, size);
     std::memcpy(static_cast<unsigned char*>(bytes) + offsetof(ImageHeader, crc), &crc, sizeof crc);
   }
 }

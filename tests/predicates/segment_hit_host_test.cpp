@@ -72,9 +72,9 @@ void check_segment(const Segment& segment, const Triangle& t, Seen& seen) {
     SegmentShare other = {0, 1};
     std::int8_t other_side = 2;
     REQUIRE(detail::first_meeting(segment, same, other, other_side));
-    REQUIRE((detail::order_along(along, other) == 0 && other_side == side));
+    REQUIRE((order_along(along, other) == 0 && other_side == side));
     REQUIRE(detail::first_meeting(segment, turned, other, other_side));
-    REQUIRE((detail::order_along(along, other) == 0 && other_side == -side));
+    REQUIRE((order_along(along, other) == 0 && other_side == -side));
   }
 }
 
@@ -83,7 +83,7 @@ Point point_between(const Point& u, const Point& v, std::int32_t share) {
 }
 
 /// Whether the part of a segment from its start to `end`, a share of it, has a point of a box.
-bool meets_box(const Segment& segment, const mpq_class& end, const detail::Box& box) {
+bool meets_box(const Segment& segment, const mpq_class& end, const Box& box) {
   const std::int32_t from[3] = {segment.from.x, segment.from.y, segment.from.z};
   const std::int32_t to[3] = {segment.to.x, segment.to.y, segment.to.z};
   const Vertex& lower = box.lower;
@@ -125,20 +125,20 @@ TEST_CASE("a segment meets exactly the boxes that it has a point of, and no part
     const auto sized = [&](std::int32_t at) {
       return static_cast<std::int16_t>(at + static_cast<std::int32_t>(random.below(6)));
     };
-    const detail::Box box = {{static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y),
-                              static_cast<std::int16_t>(p.z)},
-                             {sized(p.x), sized(p.y), sized(p.z)}};
+    const Box box = {{static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y),
+                      static_cast<std::int16_t>(p.z)},
+                     {sized(p.x), sized(p.y), sized(p.z)}};
     detail::SegmentInBoxes boxes(segment);
     const bool meets = meets_box(segment, 1, box);
-    REQUIRE(boxes.may_meet(detail::pack(box)) == meets);
+    REQUIRE(boxes.may_meet(pack(box)) == meets);
     ++(meets ? met : missed);
     // Shortened it may meet boxes that are a few cells behind its end.
     const std::int64_t below = 1 + random.below(8);
     const std::int64_t above = random.below(static_cast<std::uint32_t>(below) + 1);
     boxes.shorten({above, below});
     const bool in_part = meets_box(segment, rational({above, below}), box);
-    REQUIRE((boxes.may_meet(detail::pack(box)) || !in_part));
-    behind += meets && !boxes.may_meet(detail::pack(box)) ? 1 : 0;
+    REQUIRE((boxes.may_meet(pack(box)) || !in_part));
+    behind += meets && !boxes.may_meet(pack(box)) ? 1 : 0;
   }
   CAPTURE(met, missed, behind);
   CHECK((met > 2'000 && missed > 5'000 && behind > 500));
@@ -206,8 +206,8 @@ TEST_CASE("at the ends of the range nothing overflows") {
 
 TEST_CASE("shares of segments are told apart by one part in 2^105") {
   constexpr std::int64_t most = std::int64_t{1} << 53;
-  CHECK(detail::order_along({most - 2, most - 1}, {most - 1, most}) < 0);
-  CHECK(detail::order_along({most - 1, most}, {most - 2, most - 1}) > 0);
-  CHECK(detail::order_along({most / 2, most}, {1, 2}) == 0);
-  CHECK(detail::order_along({0, 5}, {0, most}) == 0);
+  CHECK(order_along({most - 2, most - 1}, {most - 1, most}) < 0);
+  CHECK(order_along({most - 1, most}, {most - 2, most - 1}) > 0);
+  CHECK(order_along({most / 2, most}, {1, 2}) == 0);
+  CHECK(order_along({0, 5}, {0, most}) == 0);
 }

@@ -19,11 +19,9 @@ namespace {
 
 constexpr int kShare = share_on_board(10);
 
-using detail::PackedBox;
-
 /// Of all vertices below a node, gathered from the top.
 template <class Mesh>
-void add_vertices(const Mesh& mesh, std::uint32_t node, detail::Box& box) {
+void add_vertices(const Mesh& mesh, std::uint32_t node, Box& box) {
   if (!mesh.nodes[node].is_leaf()) {
     for (std::uint32_t child = mesh.first_child(node);; child = mesh.next_sibling(child)) {
       add_vertices(mesh, child, box);
@@ -48,9 +46,9 @@ template <class Mesh>
 PackedBox box_below(const Mesh& mesh, std::uint32_t node) {
   constexpr std::int16_t most = kMaxCoordinate;
   constexpr std::int16_t least = -kMaxCoordinate;
-  detail::Box box = {{most, most, most}, {least, least, least}};
+  Box box = {{most, most, most}, {least, least, least}};
   add_vertices(mesh, node, box);
-  return detail::pack(box);
+  return pack(box);
 }
 
 /// In slices of up to `most` nodes.

@@ -67,7 +67,7 @@ bake::BakedTree<std::uint16_t, Layout::post_indexed> ranked_anew(bake::BuildTree
       below.insert(below.end(), at.triangles.begin(), at.triangles.end());
       pending.insert(pending.end(), at.children.begin(), at.children.end());
     }
-    detail::Box& box = tree.nodes[node].box;
+    Box& box = tree.nodes[node].box;
     box.lower = box.upper = now.vertices[now.triangles[below[0]][0]];
     for (const std::uint32_t triangle : below) {
       for (const std::uint32_t corner : now.triangles[triangle]) {

@@ -74,7 +74,7 @@ void check_ray(Random& random, const Mesh& mesh, const Segment& segment) {
   REQUIRE(same(any.hit, found.front()));
   REQUIRE(same(seeded.hit, nearest.hit));
   for (const Hit& hit : hits) {
-    const int order = detail::order_along(nearest.hit.along, hit.along);
+    const int order = order_along(nearest.hit.along, hit.along);
     REQUIRE((order < 0 || (order == 0 && nearest.hit.triangle <= hit.triangle)));
   }
   std::uint32_t visited = 0;
@@ -137,10 +137,10 @@ TEST_CASE("of several hits in one place that of the least triangle id is told") 
       const auto nearest = nearest_hit(mesh, segment);
       const std::vector<Hit> hits = all_hits(mesh, segment);
       for (const Hit& hit : hits) {
-        shared += hit.triangle != nearest.hit.triangle &&
-                          detail::order_along(hit.along, nearest.hit.along) == 0
-                      ? 1
-                      : 0;
+        shared +=
+            hit.triangle != nearest.hit.triangle && order_along(hit.along, nearest.hit.along) == 0
+                ? 1
+                : 0;
       }
     }
   }

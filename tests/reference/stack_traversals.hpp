@@ -23,6 +23,10 @@
 
 namespace flashbvh {
 
+/// An element of a stack's array.
+template <class Index>
+using StackEntry = detail::PairCursor<Index>;
+
 /// The entries that a stack order on two meshes with these stack needs can fill.
 constexpr uint32_t stack_entries(uint32_t stack_need_a, uint32_t stack_need_b) {
   return stack_need_a + stack_need_b + 1;
@@ -220,7 +224,7 @@ detail::Side side_of(const Node* a, const Node* b, const PrefersA& prefers_a) {
 }
 
 /// In cells cubed, below 2^45.
-constexpr uint64_t volume(const detail::PackedBox& box) {
+constexpr uint64_t volume(const PackedBox& box) {
   return uint64_t{detail::extent_x(box)} * detail::extent_y(box) * detail::extent_z(box);
 }
 

@@ -5,6 +5,7 @@
 #ifndef FLASHBVH_REFERENCE_TRAVERSALS_HPP
 #define FLASHBVH_REFERENCE_TRAVERSALS_HPP
 
+#include "flashbvh/detail/query/intersection.hpp"
 #include "flashbvh/detail/walk/ranked.hpp"
 #include "flashbvh/mesh.hpp"
 #include "reference/leaf.hpp"
@@ -12,6 +13,10 @@
 #include "reference/stackless.hpp"
 
 namespace flashbvh {
+
+/// The predicates of the paper's counts: leaves as shapes, and boxes alone.
+using Intersection = detail::Intersection;
+using BoxIntersection = detail::BoxIntersection;
 
 /// `Traversal`: of a type of meshes, which are `Meshes`; it walks them in the layouts that are
 /// true.

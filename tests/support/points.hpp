@@ -62,10 +62,10 @@ inline bool same(const Triangle& t, const Triangle& u) {
   return same(t.corner[0], u.corner[0]) && same(t.corner[1], u.corner[1]) &&
          same(t.corner[2], u.corner[2]);
 }
-inline bool same(const detail::Box& p, const detail::Box& q) {
+inline bool same(const Box& p, const Box& q) {
   return same_numbers(p.lower, q.lower) && same_numbers(p.upper, q.upper);
 }
-inline bool same(const detail::PackedBox& a, const detail::PackedBox& b) {
+inline bool same(const PackedBox& a, const PackedBox& b) {
   return a.upper_xy == b.upper_xy && a.lower_xy == b.lower_xy && a.z == b.z;
 }
 /// Kind and ends.
@@ -76,13 +76,13 @@ inline bool same_place(const Contact& c, const Contact& d) {
 /// A packed box with something after it, as in a node: some forms of the overlap tests read that,
 /// and none may mind it.
 struct BoxInNode {
-  detail::PackedBox box;
+  PackedBox box;
   uint32_t rest;
 };
 
-inline BoxInNode in_node(Random& random, const detail::Box& box) {
+inline BoxInNode in_node(Random& random, const Box& box) {
   constexpr uint32_t rests[] = {0, 0xFFFF, 0xFFFF0000, 0x80008000, 0x7FFF7FFF, 0xFFFFFFFF};
-  return {detail::pack(box), rests[random.below(6)]};
+  return {pack(box), rests[random.below(6)]};
 }
 
 }  // namespace flashbvh::test

@@ -60,13 +60,13 @@ class RecordingOverlap {
                    Record& record)
       : pair_(pair), test_(test), record_(record) {}
 
-  bool operator()(const detail::PackedBox& box_a, const detail::PackedBox& box_b) const {
+  bool operator()(const PackedBox& box_a, const PackedBox& box_b) const {
     record_.visits.push_back(pair_.build_pair(index_in(pair_.a, box_a), index_in(pair_.b, box_b)));
     return test_(box_a, box_b);
   }
 
  private:
-  static std::uint32_t index_in(const Baked& baked, const detail::PackedBox& box) {
+  static std::uint32_t index_in(const Baked& baked, const PackedBox& box) {
     using NodeType = Node<typename Baked::Index>;
     const auto* const node = reinterpret_cast<const NodeType*>(&box);
     return static_cast<std::uint32_t>(node - baked.nodes.data());
@@ -113,8 +113,8 @@ inline NodePairs brute_force(const bake::BuildTree& a, const bake::BuildTree& b,
   NodePairs pairs;
   for (std::uint32_t i = 0; i < a.nodes.size(); ++i) {
     for (std::uint32_t j = 0; j < b.nodes.size(); ++j) {
-      const detail::Box& p = a.nodes[i].box;
-      const detail::Box& q = b.nodes[j].box;
+      const Box& p = a.nodes[i].box;
+      const Box& q = b.nodes[j].box;
       if (a.nodes[i].is_leaf() && b.nodes[j].is_leaf() &&
           !disjoint(p.lower.x, p.upper.x, q.lower.x, q.upper.x, x) &&
           !disjoint(p.lower.y, p.upper.y, q.lower.y, q.upper.y, y) &&

@@ -17,8 +17,8 @@ Vertex random_vertex(Random& random, const Vertex& centre, std::int32_t reach) {
           clamped(centre.z + random.between(-reach, reach))};
 }
 
-detail::Box box_of_all(const bake::LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles) {
-  detail::Box box = bake::box_of(mesh, triangles.front());
+Box box_of_all(const bake::LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+  Box box = bake::box_of(mesh, triangles.front());
   for (const std::uint32_t triangle : triangles) {
     box = bake::join(box, bake::box_of(mesh, triangle));
   }

@@ -5,7 +5,7 @@
 
 #include "bake/leaf_order.hpp"
 #include "bake/rank.hpp"
-#include "flashbvh/detail/query/refit.hpp"
+#include "flashbvh/mesh.hpp"
 
 namespace flashbvh::bake {
 namespace {
@@ -116,7 +116,7 @@ void lay_out_nodes(const Traversal& order, const BuildTree& tree, BakedTree<Inde
     const std::uint32_t data = build.is_leaf() ? Node<Index>::kLeafFlag | baked.leaf_count++
                                                : (rank[at] << rank_shift) | parent_rank;
     baked.nodes.push_back(
-        {detail::pack(build.box), static_cast<Index>(link[at]), static_cast<Index>(data)});
+        {pack(build.box), static_cast<Index>(link[at]), static_cast<Index>(data)});
     baked.depth = std::max(baked.depth, order.levels[at]);
     baked.stack_need = std::max(baked.stack_need, order.stack_need[at]);
     baked.arity = std::max(baked.arity, static_cast<std::uint32_t>(build.children.size()));
@@ -156,7 +156,7 @@ std::vector<Index> narrowed(const std::vector<std::uint32_t>& wide) {
 template <class Index>
 bool turn_to_quad(Corners<Index>& u, Corners<Index>& v) {
   for (int turns = 0; turns < 9; ++turns) {
-    if (detail::is_quad(u, v)) {
+    if (is_quad(u, v)) {
       return true;
     }
     std::rotate(u.corner, u.corner + 1, u.corner + 3);

@@ -72,7 +72,7 @@ template <class Index, Layout layout>
 BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh);
 
 /// Turns the corners of a leaf's triangles so that shared edges show: refits then take two
-/// triangles for the price of four vertices (flashbvh/detail/query/refit.hpp).
+/// triangles for the price of four vertices (is_quad).
 template <class Index, Layout layout>
 void show_quads(BakedTree<Index, layout>& baked);
 

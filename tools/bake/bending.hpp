@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "flashbvh/detail/query/refit.hpp"
+#include "flashbvh/mesh.hpp"
 
 namespace flashbvh::bake {
 
@@ -25,7 +25,7 @@ BendingCost bending_cost(const Mesh& mesh) {
     refit += is_many ? 49 : 0;
     while (end != first) {
       const auto* const last = mesh.triangles + end - 1;
-      const bool is_quad = end - first > 1 && detail::is_quad(last[-1], last[0]);
+      const bool is_quad = end - first > 1 && flashbvh::is_quad(last[-1], last[0]);
       refit += is_quad || is_many ? 60 : end - first == 2 ? 45 : 38;
       end -= is_quad ? 2 : 1;
     }

@@ -14,7 +14,7 @@ namespace flashbvh::bake {
 constexpr std::uint32_t kNoNode = 0xFFFFFFFFu;
 
 struct BinaryNode {
-  detail::Box box{};
+  Box box{};
   std::uint64_t surface = 0;  ///< half_surface(box)
   std::uint32_t parent = kNoNode;
   std::array<std::uint32_t, 2> children = {kNoNode, kNoNode};

@@ -7,11 +7,11 @@
 namespace flashbvh::bake {
 namespace {
 
-std::array<std::int32_t, 3> extents(const detail::Box& box) {
+std::array<std::int32_t, 3> extents(const Box& box) {
   return {box.upper.x - box.lower.x, box.upper.y - box.lower.y, box.upper.z - box.lower.z};
 }
 
-std::size_t longest_axis(const detail::Box& box) {
+std::size_t longest_axis(const Box& box) {
   const auto extent = extents(box);
   return static_cast<std::size_t>(std::max_element(extent.begin(), extent.end()) - extent.begin());
 }
@@ -29,8 +29,8 @@ std::int32_t centre(const LatticeMesh& mesh, std::uint32_t triangle, std::size_t
   return sum;
 }
 
-detail::Box box_of_all(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles) {
-  detail::Box box = box_of(mesh, triangles.front());
+Box box_of_all(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+  Box box = box_of(mesh, triangles.front());
   for (const std::uint32_t triangle : triangles) {
     box = join(box, box_of(mesh, triangle));
   }
@@ -58,16 +58,16 @@ void split(BuildTree& tree, std::uint32_t node, const LatticeMesh& mesh) {
 
 }  // namespace
 
-detail::Box join(const detail::Box& a, const detail::Box& b) {
+Box join(const Box& a, const Box& b) {
   return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y),
            std::min(a.lower.z, b.lower.z)},
           {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y),
            std::max(a.upper.z, b.upper.z)}};
 }
 
-detail::Box box_of(const LatticeMesh& mesh, std::uint32_t triangle) {
+Box box_of(const LatticeMesh& mesh, std::uint32_t triangle) {
   const TriangleCorners& corners = mesh.triangles[triangle];
-  detail::Box box = {mesh.vertices[corners[0]], mesh.vertices[corners[0]]};
+  Box box = {mesh.vertices[corners[0]], mesh.vertices[corners[0]]};
   for (const std::uint32_t corner : corners) {
     box = join(box, {mesh.vertices[corner], mesh.vertices[corner]});
   }

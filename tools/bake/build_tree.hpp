@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "bake/mesh.hpp"
-#include "flashbvh/detail/bounds/box.hpp"
+#include "flashbvh/lattice.hpp"
 
 namespace flashbvh::bake {
 
 /// A leaf has no children and at least one triangle, an internal node the reverse.
 struct BuildNode {
-  detail::Box box{};
+  Box box{};
   std::vector<std::uint32_t> children;   ///< indices into BuildTree::nodes, first to last
   std::vector<std::uint32_t> triangles;  ///< numbers in the source mesh
 
@@ -25,8 +25,8 @@ struct BuildTree {
 };
 
 /// The box of one triangle, and the smallest box round two.
-detail::Box box_of(const LatticeMesh& mesh, std::uint32_t triangle);
-detail::Box join(const detail::Box& a, const detail::Box& b);
+Box box_of(const LatticeMesh& mesh, std::uint32_t triangle);
+Box join(const Box& a, const Box& b);
 
 /// The paper's builder (section 9): top-down, half the triangles each side of the middle along the
 /// longest axis of the node's box, down to `leaf_size` triangles. Ordered by the sum of the

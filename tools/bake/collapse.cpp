@@ -16,7 +16,7 @@ constexpr std::uint64_t kWorthTesting = kSurely * 58 / 100;
 
 /// The position of the internal child that is likeliest to overlap, if its children fit and it is
 /// not worth its test; -1 if there is none. The first of equals.
-std::ptrdiff_t child_to_take_in(const BuildTree& tree, const detail::Box& parent,
+std::ptrdiff_t child_to_take_in(const BuildTree& tree, const Box& parent,
                                 const std::vector<std::uint32_t>& children, std::uint32_t arity) {
   std::ptrdiff_t best = -1;
   std::uint64_t likeliest = kWorthTesting;

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstring>
 
-#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 
 namespace flashbvh::bake {
@@ -51,13 +50,13 @@ void put(unsigned char* bytes, std::uint64_t offset, const std::vector<Element>&
 
 template <class Index, Layout layout>
 std::uint64_t image_size(const BakedTree<Index, layout>& baked, bool levels) {
-  return detail::image_offsets(header_of(baked, levels)).end;
+  return image_offsets(header_of(baked, levels)).end;
 }
 
 template <class Index, Layout layout>
 std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>& baked, bool levels) {
   ImageHeader header = header_of(baked, levels);
-  const detail::ImageOffsets at = detail::image_offsets(header);
+  const ImageOffsets at = image_offsets(header);
   header.byte_count = static_cast<std::uint32_t>(at.end);
   const auto size = static_cast<std::size_t>(at.end);
   std::vector<std::uint32_t> words(size / sizeof(std::uint32_t));
@@ -74,7 +73,7 @@ std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>& baked, bool 
   put(bytes, at.vertices, baked.vertices);
   put(bytes, at.shell_vertices, baked.shell_vertices);
   std::copy(baked.name.begin(), baked.name.end(), bytes + at.name);
-  header.crc = detail::image_crc(bytes, size);
+  header.crc = image_crc(bytes, size);
   std::memcpy(bytes + offsetof(ImageHeader, crc), &header.crc, sizeof header.crc);
   return words;
 }

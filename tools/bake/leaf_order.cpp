@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "flashbvh/detail/bounds/slab.hpp"
+#include "flashbvh/triangle.hpp"
 
 namespace flashbvh::bake {
 namespace {
 
-using detail::Extent;
-using detail::PackedVector;
-
-PackedVector corner(const LatticeMesh& mesh, std::uint32_t vertex) {
-  return PackedVector::of(mesh.vertices[vertex]);
+std::int64_t dot(const Point& u, const Point& v) {
+  return std::int64_t{u.x} * v.x + std::int64_t{u.y} * v.y + std::int64_t{u.z} * v.z;
 }
 
 std::uint64_t square_root(std::uint64_t square) {
@@ -27,17 +24,19 @@ std::uint64_t square_root(std::uint64_t square) {
 
 /// Of the leaf's triangles along a direction, in 1/256 of a cell; one cell at least.
 std::uint64_t thickness(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles,
-                        const PackedVector& direction) {
-  const std::int32_t first = dot(direction, corner(mesh, mesh.triangles[triangles[0]][0]));
-  Extent extent = {first, first};
+                        const Point& direction) {
+  std::int64_t least = INT64_MAX;
+  std::int64_t most = INT64_MIN;
   for (const std::uint32_t triangle : triangles) {
     for (const std::uint32_t vertex : mesh.triangles[triangle]) {
-      extent.add(dot(direction, corner(mesh, vertex)));
+      const auto [x, y, z] = mesh.vertices[vertex];
+      const std::int64_t along = dot(direction, {x, y, z});
+      least = std::min(least, along);
+      most = std::max(most, along);
     }
   }
   const auto length = static_cast<std::uint64_t>(dot(direction, direction));
-  const auto between = static_cast<std::uint64_t>(std::int64_t{extent.most} - extent.least);
-  return 256 + (between << 16) / square_root(length << 16);
+  return 256 + (static_cast<std::uint64_t>(most - least) << 16) / square_root(length << 16);
 }
 
 /// How much the slabs of this triangle let through: their thicknesses multiplied. One without area
@@ -45,14 +44,14 @@ std::uint64_t thickness(const LatticeMesh& mesh, const std::vector<std::uint32_t
 std::uint64_t measure(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles,
                       std::uint32_t first) {
   const TriangleCorners& corners = mesh.triangles[first];
-  const detail::PackedTriangle triangle = {corner(mesh, corners[0]), corner(mesh, corners[1]),
-                                           corner(mesh, corners[2])};
-  PackedVector normal{};
-  PackedVector across{};
-  if (!triangle.plane_direction(normal) || !triangle.edge_direction(normal, across)) {
+  LeafDirections directions{};
+  if (!get_leaf_directions(
+          {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]},
+          directions)) {
     return UINT64_MAX;
   }
-  return thickness(mesh, triangles, normal) * thickness(mesh, triangles, across);
+  return thickness(mesh, triangles, directions.normal) *
+         thickness(mesh, triangles, directions.across);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Which triangle of a leaf comes first: the one whose slabs reject most
-// (flashbvh/detail/walk/leaf_planes.hpp).
+// (lib/docs/design.md, section 6).
 #ifndef FLASHBVH_TOOLS_BAKE_LEAF_ORDER_HPP
 #define FLASHBVH_TOOLS_BAKE_LEAF_ORDER_HPP
 

@@ -19,7 +19,7 @@
 namespace flashbvh::bake {
 namespace {
 
-bool same(const detail::Box& p, const detail::Box& q) {
+bool same(const Box& p, const Box& q) {
   return p.lower.x == q.lower.x && p.lower.y == q.lower.y && p.lower.z == q.lower.z &&
          p.upper.x == q.upper.x && p.upper.y == q.upper.y && p.upper.z == q.upper.z;
 }
@@ -79,7 +79,7 @@ class Reinsertion {
   /// False if the box was tight.
   bool tighten(std::uint32_t node) {
     BinaryNode& at = nodes_[node];
-    const detail::Box box = join(nodes_[at.children[0]].box, nodes_[at.children[1]].box);
+    const Box box = join(nodes_[at.children[0]].box, nodes_[at.children[1]].box);
     if (same(box, at.box)) {
       return false;
     }

@@ -16,7 +16,7 @@ namespace flashbvh::bake {
 namespace {
 
 /// Twice the coordinate of the box's centre.
-std::int32_t centre(const detail::Box& box, std::size_t axis) {
+std::int32_t centre(const Box& box, std::size_t axis) {
   return axis == 0   ? box.lower.x + box.upper.x
          : axis == 1 ? box.lower.y + box.upper.y
                      : box.lower.z + box.upper.z;
@@ -108,7 +108,7 @@ class Sweep {
 
   Split best_split_along(const NodeRange& range, std::size_t axis) {
     const std::vector<std::uint32_t>& list = lists_[axis];
-    detail::Box box = boxes_[list[range.end - 1]];
+    Box box = boxes_[list[range.end - 1]];
     for (std::uint32_t at = range.end - 1; at > range.first; --at) {
       box = join(box, boxes_[list[at]]);
       after_[at] = half_surface(box) * (range.end - at);
@@ -147,7 +147,7 @@ class Sweep {
   }
 
   BinaryTree tree_;
-  std::vector<detail::Box> boxes_;                   ///< of the triangles
+  std::vector<Box> boxes_;                           ///< of the triangles
   std::array<std::vector<std::uint32_t>, 3> lists_;  ///< triangles, by axis
   std::vector<std::uint64_t> after_;  ///< by position: the cost of it and all after it
   std::vector<char> is_right_;        ///< by triangle

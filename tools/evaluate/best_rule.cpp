@@ -8,33 +8,26 @@
 #include <unordered_map>
 #include <vector>
 
-#include "flashbvh/detail/bounds/box.hpp"
+#include "flashbvh/lattice.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-std::vector<detail::PackedBox> packed_boxes(const bake::BuildTree& tree) {
-  std::vector<detail::PackedBox> boxes;
-  for (const bake::BuildNode& node : tree.nodes) {
-    boxes.push_back(detail::pack(node.box));
-  }
-  return boxes;
+bool overlap(std::int32_t lower_a, std::int32_t upper_a, std::int32_t lower_b, std::int32_t upper_b,
+             std::int32_t along) {
+  return upper_a - lower_b >= along && upper_b - lower_a >= -along;
 }
 
 class BestRule {
  public:
   BestRule(const bake::BuildTree& a, const bake::BuildTree& b, const Point& translation)
-      : a_(a),
-        b_(b),
-        boxes_a_(packed_boxes(a)),
-        boxes_b_(packed_boxes(b)),
-        overlap_(translation.x, translation.y, translation.z) {}
+      : a_(a), b_(b), translation_(translation) {}
 
   /// Recursive: at most as deep as the two trees together.
   std::uint64_t best(std::uint32_t i, std::uint32_t j) {
     const bake::BuildNode& node_a = a_.nodes[i];
     const bake::BuildNode& node_b = b_.nodes[j];
-    if (!overlap_(boxes_a_[i], boxes_b_[j]) || (node_a.is_leaf() && node_b.is_leaf())) {
+    if (!boxes_overlap(node_a.box, node_b.box) || (node_a.is_leaf() && node_b.is_leaf())) {
       return 1;
     }
     const std::uint64_t key = std::uint64_t{i} << 32 | j;
@@ -54,11 +47,15 @@ class BestRule {
   }
 
  private:
+  bool boxes_overlap(const Box& a, const Box& b) const {
+    return overlap(a.lower.x, a.upper.x, b.lower.x, b.upper.x, translation_.x) &&
+           overlap(a.lower.y, a.upper.y, b.lower.y, b.upper.y, translation_.y) &&
+           overlap(a.lower.z, a.upper.z, b.lower.z, b.upper.z, translation_.z);
+  }
+
   const bake::BuildTree& a_;
   const bake::BuildTree& b_;
-  std::vector<detail::PackedBox> boxes_a_;
-  std::vector<detail::PackedBox> boxes_b_;
-  detail::TranslatedBoxTest overlap_;
+  Point translation_;
   std::unordered_map<std::uint64_t, std::uint64_t> known_;
 };
 

@@ -6,20 +6,18 @@
 #include <type_traits>
 #include <variant>
 
-#include "flashbvh/detail/predicates/triangle_distance.hpp"
+#include "flashbvh/triangle.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-double number_of(const detail::Int128& value) {
-  return std::ldexp(static_cast<double>(value.high), 64) + static_cast<double>(value.low);
+double number_of(const std::uint64_t (&words)[2]) {
+  return std::ldexp(static_cast<double>(words[0]), 64) + static_cast<double>(words[1]);
 }
 
 NearestPair nearest_pair(const FoundPair& ids, const Triangle& a, const Triangle& b) {
-  detail::Fraction squared = detail::kInfinite;
-  detail::Features features{};
-  (void)detail::is_nearer(a, b, squared, features);
+  const SquaredDistance squared = squared_distance(a, b);
   return {ids, std::sqrt(number_of(squared.above) / number_of(squared.below)),
           nearest_points_of(a, b)};
 }

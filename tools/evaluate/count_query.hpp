@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "flashbvh/query.hpp"
-#include "reference/stack_traversals.hpp"
+#include "reference/traversals.hpp"
 
 namespace flashbvh::scene {
 
@@ -15,7 +15,7 @@ namespace flashbvh::scene {
 template <class Traversal>
 class WalkStart {
   using Cursor = typename Traversal::Cursor;
-  using Entry = detail::PairCursor<typename Traversal::Tree::Index>;
+  using Entry = StackEntry<typename Traversal::Tree::Index>;
 
  public:
   WalkStart(const typename Traversal::Tree& a, const typename Traversal::Tree& b) {
@@ -41,7 +41,7 @@ class WalkStart {
 /// Geometry tests and all, leaves as shapes unless the question is `BoxIntersection`; zeros if the
 /// query is refused. The pairs found are counted by the sink too: they must be
 /// counts.triangle_pairs.
-template <class Traversal, class Predicate = detail::Intersection>
+template <class Traversal, class Predicate = Intersection>
 QueryStats count_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
                        const Pose& pose, WalkStart<Traversal>& start, std::uint32_t& found) {
   using Asked = Query<Traversal, Predicate>;

@@ -29,7 +29,7 @@ struct Core {
   RunCosts costs;
 };
 
-/// Those of flashbvh/detail/walk/run_costs.hpp.
+/// Those of time_bound.hpp.
 inline constexpr Core kCores[] = {
     {"Cortex-M0", kCortexM0}, {"Cortex-M3", kCortexM3},   {"Cortex-M4F", kCortexM4F},
     {"Cortex-M7", kCortexM7}, {"Cortex-M33", kCortexM33}, {"Cortex-M55", kCortexM55},

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "flashbvh/detail/bounds/rotated_transform.hpp"
 #include "flashbvh/float.hpp"
+#include "reference/transformed_coordinate.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -78,32 +78,14 @@ AxisTranslation axis_translation(double length, double cell, const std::string& 
   return {static_cast<std::int32_t>(cells), static_cast<std::int16_t>(fractions - cells * 65536)};
 }
 
-/// A lattice point within two cells of where the pose puts B's origin.
-std::array<std::int32_t, 3> lattice_point_near(const Pose& pose, const std::int32_t (&origin)[3]) {
-  std::array<std::int32_t, 3> point{};
-  for (int i = 0; i < 3; ++i) {
-    double sum = pose.translation(i);
-    for (int j = 0; j < 3; ++j) {
-      sum += static_cast<double>(pose.rotation(i, j)) / kRotationOne * origin[j];
-    }
-    point[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(std::round(sum));
-  }
-  return point;
-}
-
-/// By the library's own arithmetic, with a lattice point near B for A's origin: that changes whole
-/// cells and nothing else, and no offset from it is out of the library's range.
 template <class Tree>
 std::vector<LatticePoint> rotated_vertices(const Tree& b, const Pose& pose) {
-  const std::array<std::int32_t, 3> near = lattice_point_near(pose, b.origin);
-  const std::int32_t origin[3] = {near[0], near[1], near[2]};
-  detail::RotatedTransform transform{};
-  transform.prepare(pose, origin, b.nodes[0].box, b.origin, b.nodes[0].box, false);
   std::vector<LatticePoint> vertices;
   for (std::uint32_t i = 0; i < b.vertex_count; ++i) {
-    const Point p = transform.transform(b.vertices[i]);
-    vertices.push_back(
-        {std::int64_t{p.x} + near[0], std::int64_t{p.y} + near[1], std::int64_t{p.z} + near[2]});
+    const auto along = [&](int axis) {
+      return std::int64_t{transformed_coordinate(b.origin, b.vertices[i], pose, axis)};
+    };
+    vertices.push_back({along(0), along(1), along(2)});
   }
   return vertices;
 }

@@ -111,11 +111,11 @@ template <class Index>
 void add_paper_rows(std::vector<Row>& rows, const scene::Setup& setup, const Trees& trees_a,
                     const Trees& trees_b, const BothLayouts<Index>& a,
                     const BothLayouts<Index>& b) {
-  add_orders<detail::BoxIntersection>(rows, Leaves::boxes, a, b, setup.translation);
+  add_orders<BoxIntersection>(rows, Leaves::boxes, a, b, setup.translation);
   if (std::max(setup.a.faces(), setup.b.faces()) <= kBestRuleFaces) {
     rows.push_back(best_rule_row("best rule", trees_a.median, trees_b.median, setup.translation));
   }
-  add_orders<detail::Intersection>(rows, Leaves::shapes, a, b, setup.translation);
+  add_orders<Intersection>(rows, Leaves::shapes, a, b, setup.translation);
 }
 
 std::vector<Row> rows_of(const scene::Setup& setup, const Trees& a, const Trees& b) {
@@ -125,7 +125,7 @@ std::vector<Row> rows_of(const scene::Setup& setup, const Trees& a, const Trees&
   } else {
     add_paper_rows(rows, setup, a, b, a.wide, b.wide);
   }
-  rows.push_back(make_row<Ranked<Mesh32>, detail::BoxIntersection>(
+  rows.push_back(make_row<Ranked<Mesh32>, BoxIntersection>(
       "ranked, default tree", Leaves::boxes, a.baked_by_default.view(), b.baked_by_default.view(),
       setup.translation));
   rows.push_back(

@@ -55,7 +55,7 @@ SourceFiles c_of(const bake::BakedTree<Index, layout>& baked,
   const std::string declaration = array_name(name, image.size());
   SourceFiles files;
   files.header = kWritten + ("#ifndef " + guard) + "\n#define " + guard +
-                 "\n\n#include <stdint.h>\n\n#include \"flashbvh/detail/arch/byte_order.h\"\n"
+                 "\n\n#include <stdint.h>\n\n#include \"flashbvh/plain/byte_order.h\"\n"
                  "#include \"flashbvh/version.hpp\"\n\n" +
                  version_guard(name) + "\n" + enumerators(constants, name) + tree_size(name.word) +
                  "#define " + name.word + "_CELL " + floating_literal(baked.cell) + " /* in " +

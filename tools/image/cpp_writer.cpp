@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/image.hpp"
 #include "image/source_text.hpp"
 #include "text/numbers.hpp"
 
@@ -159,7 +159,7 @@ std::size_t flash_bytes(const bake::BakedTree<Index, layout>& baked) {
 }
 
 std::uint64_t flash_bytes(const ImageHeader& header) {
-  const detail::ImageOffsets at = detail::image_offsets(header);
+  const ImageOffsets at = image_offsets(header);
   const std::size_t mesh = header.index_bits == 32
                                ? Kind<std::uint32_t, Layout::post_indexed>::kMeshBytes
                                : Kind<std::uint16_t, Layout::post_indexed>::kMeshBytes;

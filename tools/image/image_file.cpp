@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "bake/levels.hpp"
-#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/image.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -92,7 +92,7 @@ std::string ImageFile::name() const {
 }
 std::string ImageFile::source() const {
   const auto* const bytes = reinterpret_cast<const char*>(words_.data());
-  return {bytes + detail::image_offsets(header_).name, header_.name_size};
+  return {bytes + image_offsets(header_).name, header_.name_size};
 }
 double ImageFile::cell() const {
   return double_of(header_.cell);

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/image.hpp"
 #include "report/html.hpp"
 #include "report/picture.hpp"
 #include "report/sections.hpp"
@@ -16,7 +16,7 @@ struct Part {
 };
 
 std::array<Part, 5> parts_of(const Subject& subject) {
-  const detail::ImageOffsets at = detail::image_offsets(subject.image.header());
+  const ImageOffsets at = image_offsets(subject.image.header());
   const std::uint64_t nodes = at.levels - at.nodes;
   const std::uint64_t corners = at.triangle_ids - at.triangles;
   const std::uint64_t vertices = at.shell_vertices - at.vertices;

@@ -23,7 +23,7 @@ NodeBox node_box(const Tree& tree, std::uint32_t node) {
   const std::int64_t x = tree.origin[0];
   const std::int64_t y = tree.origin[1];
   const std::int64_t z = tree.origin[2];
-  const auto box = detail::unpack(tree.nodes[node].box);
+  const auto box = unpack(tree.nodes[node].box);
   return {{x + box.lower.x, y + box.lower.y, z + box.lower.z},
           {x + box.upper.x, y + box.upper.y, z + box.upper.z},
           tree.nodes[node].is_leaf()};

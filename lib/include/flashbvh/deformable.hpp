@@ -206,7 +206,7 @@ RefitResult BasicDeformableMesh<MeshType>::refit(uint32_t work) {
 
 template <class MeshType>
 RefitResult BasicDeformableMesh<MeshType>::end(uint32_t work) {
-  const detail::PackedBox& root = nodes_[0].box;
+  const PackedBox& root = nodes_[0].box;
   if (!detail::is_in_lattice(root)) {
     uint32_t vertex = 0;
     while (detail::is_in_lattice(vertices_[vertex])) {

@@ -25,7 +25,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "flashbvh/detail/arch/byte_order.h"
+#include "flashbvh/plain/byte_order.h"
 #include "flashbvh/plain/language.h"
 #include "flashbvh/plain/points.h"
 #include "flashbvh/plain/results.h"

@@ -94,6 +94,21 @@ inline TreeSize tree_size_of(const ImageHeader& header) {
 template <class MeshType>
 Status open_image(const void* bytes, size_t size, MeshType& mesh);
 
+// For programs that write images or show what is in them.
+
+/// Where the arrays of an image lie, in bytes from its start; `end` is its size. 64 bits, so that
+/// no header makes a sum wrap.
+struct ImageOffsets {
+  uint64_t nodes, levels, climb, triangles, triangle_ids, leaf_offsets, vertices, shell_vertices,
+      name, end;
+};
+/// The header may hold anything.
+ImageOffsets image_offsets(const ImageHeader& header);
+
+/// The checksum that the header of an image of `size` bytes must hold; at least 16 bytes. 45
+/// instructions a byte.
+uint32_t image_crc(const void* bytes, size_t size);
+
 }  // namespace flashbvh
 
 #endif

@@ -7,6 +7,7 @@
 
 #include <stdint.h>
 
+#include "flashbvh/detail/arch/packed.hpp"
 #include "flashbvh/plain/points.h"
 
 namespace flashbvh {
@@ -37,6 +38,59 @@ struct SegmentShare {
   int64_t above;
   int64_t below;
 };
+/// -1, 0 or 1 as the point at `x` is before, at or behind the point at `y`. Exact.
+int order_along(const SegmentShare& x, const SegmentShare& y) noexcept;
+
+/// A closed box: all points with lower <= coordinate <= upper, in cells.
+struct Box {
+  Vertex lower;
+  Vertex upper;
+};
+
+/// A box as it lies in flash: 12 bytes, low half first. Each half is a bound, or a negated one, and
+/// kMaxCoordinate + 1: 1 to 32,767.
+struct PackedBox {
+  uint32_t upper_xy;  ///< upper x, upper y
+  uint32_t lower_xy;  ///< negated lower x, negated lower y
+  uint32_t z;         ///< upper z, negated lower z
+};
+
+namespace detail {
+
+/// Raises a bound (or a negated one) to a positive number of 15 bits.
+constexpr int32_t kBoundBias = kMaxCoordinate + 1;
+
+static_assert(2 * (kMaxCoordinate + kBoundBias) <= 0xFFFF, "sums of two bounds fit 16 bits");
+
+constexpr uint32_t pack_bound(int32_t bound) {
+  return static_cast<uint32_t>(bound + kBoundBias);
+}
+constexpr int16_t unpack_bound(uint32_t half) {
+  return static_cast<int16_t>(static_cast<int32_t>(half) - kBoundBias);
+}
+constexpr int16_t unpack_negated(uint32_t half) {
+  return static_cast<int16_t>(kBoundBias - static_cast<int32_t>(half));
+}
+
+}  // namespace detail
+
+/// A box of vertices as nodes keep it.
+constexpr PackedBox pack(const Box& box) {
+  using detail::join_halves;
+  using detail::pack_bound;
+  return {join_halves(pack_bound(box.upper.x), pack_bound(box.upper.y)),
+          join_halves(pack_bound(-box.lower.x), pack_bound(-box.lower.y)),
+          join_halves(pack_bound(box.upper.z), pack_bound(-box.lower.z))};
+}
+
+/// The box that a node keeps, in cells from the mesh's origin.
+constexpr Box unpack(const PackedBox& box) {
+  using namespace detail;
+  return {{unpack_negated(low_half(box.lower_xy)), unpack_negated(high_half(box.lower_xy)),
+           unpack_negated(high_half(box.z))},
+          {unpack_bound(low_half(box.upper_xy)), unpack_bound(high_half(box.upper_xy)),
+           unpack_bound(low_half(box.z))}};
+}
 
 static_assert(sizeof(Vertex) == 6, "vertices are packed three halfwords");
 

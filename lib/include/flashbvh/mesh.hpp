@@ -21,7 +21,8 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/lattice/box_packed.hpp"
+#include "flashbvh/detail/arch/inline.hpp"
+#include "flashbvh/detail/arch/packed.hpp"
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/plain/results.h"
 
@@ -42,7 +43,7 @@ struct Node {
   static constexpr unsigned kBits = 8 * sizeof(Index);
   static constexpr Index kLeafFlag = static_cast<Index>(Index{1} << (kBits - 1));
 
-  detail::PackedBox box;
+  PackedBox box;
   Index link;
   Index data;
 
@@ -61,6 +62,22 @@ template <class Index>
 struct Corners {
   Index corner[3];
 };
+
+/// Whether `u` and `v`, in this order, share an edge: the last two corners of `u` are those of `v`
+/// in the other order. The box of such a quad needs four vertices, so `flashbvh bake --deformable`
+/// turns the triangles of a leaf this way.
+template <class Index>
+FLASHBVH_INLINE inline bool is_quad(const Corners<Index>& u, const Corners<Index>& v) {
+  if constexpr (sizeof(Index) == sizeof(uint16_t)) {
+    uint32_t edge_of_u;
+    uint32_t edge_of_v;
+    __builtin_memcpy(&edge_of_u, &u.corner[1], sizeof edge_of_u);
+    __builtin_memcpy(&edge_of_v, &v.corner[1], sizeof edge_of_v);
+    return edge_of_u == detail::swap_halves(edge_of_v);
+  } else {
+    return u.corner[1] == v.corner[2] && u.corner[2] == v.corner[1];
+  }
+}
 
 /// A tree: a view of nodes that outlive it. Everything is constant, so any number of queries, tasks
 /// and interrupts may share it.

@@ -83,7 +83,7 @@ class Shape {
     for (uint16_t i = 0; i < vertices; ++i) {
       vertices_[i] = from(points[i], middle);
     }
-    node_ = {detail::pack({from(least, middle), from(most, middle)}), 1, Node<uint16_t>::kLeafFlag};
+    node_ = {pack({from(least, middle), from(most, middle)}), 1, Node<uint16_t>::kLeafFlag};
     // The diagonal is no shorter than any edge.
     const int64_t x = int64_t{most.x} - least.x;
     const int64_t y = int64_t{most.y} - least.y;

@@ -56,6 +56,26 @@ using NearestPoints = flashbvh_nearest_points;
 /// both have.
 [[nodiscard]] NearestPoints nearest_points_of(const Triangle& a, const Triangle& b) noexcept;
 
+/// A squared distance, exactly: above / below square cells. Each has 128 bits, the high word first;
+/// `below` is positive.
+struct SquaredDistance {
+  uint64_t above[2];
+  uint64_t below[2];
+};
+/// The squared distance of two triangles, as nearest_points_of() takes them; 0 if they intersect.
+[[nodiscard]] SquaredDistance squared_distance(const Triangle& a, const Triangle& b) noexcept;
+
+/// The directions along which a query bounds the triangles of a leaf, rounded to 13 bits a
+/// component.
+struct LeafDirections {
+  Point normal;  ///< of the plane of the leaf's first triangle
+  Point across;  ///< in that plane, the normal of the triangle's longest edge
+};
+/// Of a leaf whose first triangle has these corners; false if the triangle has no area. For tools
+/// that choose the first triangle.
+[[nodiscard]] bool get_leaf_directions(const Vertex (&corners)[3],
+                                       LeafDirections& directions) noexcept;
+
 }  // namespace flashbvh
 
 #endif

@@ -199,6 +199,20 @@ constexpr bool needs_levels(const BasicMesh<Index, layout>&) {
 
 namespace detail {
 
+uint32_t crc32(const void* bytes, size_t size, uint32_t crc) {
+  const unsigned char* byte = static_cast<const unsigned char*>(bytes);
+  crc = ~crc;
+  for (size_t i = 0; i < size; ++i) {
+    crc ^= byte[i];
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = (crc >> 1) ^ (0xEDB88320u & (0u - (crc & 1u)));
+    }
+  }
+  return ~crc;
+}
+
+}  // namespace detail
+
 ImageOffsets image_offsets(const ImageHeader& header) {
   const uint64_t index = header.index_bits / 8u;
   const uint64_t triangles = header.triangle_count;
@@ -216,24 +230,10 @@ ImageOffsets image_offsets(const ImageHeader& header) {
   return at;
 }
 
-uint32_t crc32(const void* bytes, size_t size, uint32_t crc) {
-  const unsigned char* byte = static_cast<const unsigned char*>(bytes);
-  crc = ~crc;
-  for (size_t i = 0; i < size; ++i) {
-    crc ^= byte[i];
-    for (int bit = 0; bit < 8; ++bit) {
-      crc = (crc >> 1) ^ (0xEDB88320u & (0u - (crc & 1u)));
-    }
-  }
-  return ~crc;
-}
-
 uint32_t image_crc(const void* bytes, size_t size) {
   const unsigned char* byte = static_cast<const unsigned char*>(bytes);
-  return crc32(byte + kCrcEnd, size - kCrcEnd, crc32(byte, kCrcOffset));
+  return detail::crc32(byte + kCrcEnd, size - kCrcEnd, detail::crc32(byte, kCrcOffset));
 }
-
-}  // namespace detail
 
 Status read_image_header(const void* bytes, size_t size, ImageHeader& header) {
   uint32_t magic = 0;

@@ -119,4 +119,12 @@ NearestPoints nearest_points_of(const Triangle& a, const Triangle& b) noexcept {
   return nearest;
 }
 
+SquaredDistance squared_distance(const Triangle& a, const Triangle& b) noexcept {
+  detail::Fraction squared = detail::kInfinite;
+  detail::Features features{};
+  (void)detail::is_nearer(a, b, squared, features);
+  return {{static_cast<uint64_t>(squared.above.high), squared.above.low},
+          {static_cast<uint64_t>(squared.below.high), squared.below.low}};
+}
+
 }  // namespace flashbvh

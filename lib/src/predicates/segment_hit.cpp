@@ -104,10 +104,6 @@ bool get_share_of_edge(const Point& from, const Vector& way, const Point& u, con
 
 }  // namespace
 
-int order_along(const SegmentShare& x, const SegmentShare& y) noexcept {
-  return sign_of(full_product(x.above, y.below) - full_product(y.above, x.below));
-}
-
 bool first_meeting(const Segment& segment, const Triangle& t, SegmentShare& along,
                    int8_t& side) noexcept {
   const Vector way = difference(segment.to, segment.from);
@@ -146,3 +142,12 @@ int side_of_plane(const Triangle& t, const Point& p) noexcept {
 }
 
 }  // namespace flashbvh::detail
+
+namespace flashbvh {
+
+int order_along(const SegmentShare& x, const SegmentShare& y) noexcept {
+  using detail::full_product;
+  return detail::sign_of(full_product(x.above, y.below) - full_product(y.above, x.below));
+}
+
+}  // namespace flashbvh

@@ -2,7 +2,6 @@
 #ifndef FLASHBVH_PREDICATES_SEGMENT_HIT_HPP
 #define FLASHBVH_PREDICATES_SEGMENT_HIT_HPP
 
-#include "flashbvh/detail/predicates/segment_share.hpp"
 #include "flashbvh/lattice.hpp"
 #include "orientation.hpp"
 

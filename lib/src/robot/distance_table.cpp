@@ -3,17 +3,19 @@
 #include "branch.hpp"
 #include "coordinate.hpp"
 
-namespace flashbvh::detail {
+namespace flashbvh {
 namespace {
 
 constexpr int kChartCellBits = 5;
 
 }  // namespace
 
-ChartAxis distance_table_axis(const RobotJoint& joint) {
+DistanceTableAxis distance_table_axis(const RobotJoint& joint) {
   const bool is_free = joint.type == JointType::continuous;
   const bool is_empty = joint.lower > joint.upper;
-  const uint32_t range = is_free ? kFullTurn - 1 : is_empty ? 0 : apart(joint.lower, joint.upper);
+  const uint32_t range = is_free    ? kFullTurn - 1
+                         : is_empty ? 0
+                                    : detail::apart(joint.lower, joint.upper);
   uint32_t shift = 0;
   while (range >> shift >> kChartCellBits != 0) {
     ++shift;
@@ -27,13 +29,15 @@ uint32_t distance_table_size(const Robot& robot, const RobotPair& pair) {
     return 0;
   }
   uint32_t size = 1;
-  for_each_between(robot, pair, [&](uint32_t number, uint32_t) {
+  detail::for_each_between(robot, pair, [&](uint32_t number, uint32_t) {
     const RobotJoint& joint = robot.joints[number];
     const bool is_own = joint.shift == 0 && joint.type != JointType::fixed;
     size *= is_own ? distance_table_axis(joint).cells : 0;
   });
   return size;
 }
+
+namespace detail {
 
 uint32_t chart_distance_at(const Robot& robot, uint16_t i, const JointCoordinate* coordinates) {
   uint32_t place = 0;
@@ -48,7 +52,7 @@ uint32_t chart_distance_at(const Robot& robot, uint16_t i, const JointCoordinate
   uint32_t cell = 0;
   for_each_between(robot, pair, [&](uint32_t number, uint32_t) {
     const RobotJoint& joint = robot.joints[number];
-    const ChartAxis axis = distance_table_axis(joint);
+    const DistanceTableAxis axis = distance_table_axis(joint);
     const bool is_free = joint.type == JointType::continuous;
     const JointCoordinate at = is_free ? wrapped(coordinates[number]) : coordinates[number];
     const uint32_t along = apart(axis.lower, at) >> axis.shift;
@@ -57,4 +61,5 @@ uint32_t chart_distance_at(const Robot& robot, uint16_t i, const JointCoordinate
   return cell < size ? table_distance(robot.distance_tables[place + cell]) : 0;
 }
 
-}  // namespace flashbvh::detail
+}  // namespace detail
+}  // namespace flashbvh

@@ -181,24 +181,6 @@ uint32_t robot_meshes_offset(const RobotImageHeader& header) {
   return (names_offset(header) + header.names_size + 3) & ~3u;
 }
 
-uint32_t robot_hash(const Robot& robot) {
-  uint32_t hash = hash_of(robot.joints, robot.joint_count, kNoHash);
-  hash = hash_of(robot.links, robot.link_count, hash);
-  hash = hash_of(robot.pairs, robot.pair_count, hash);
-  hash = hash_of(robot.reaches, robot.reach_count, hash);
-  hash = hash_of(robot.distance_tables, robot.distance_table_bytes, hash);
-  hash = hash_of(&robot.slack, 1, hash);
-  hash = hash_of(&robot.cell_bits, 1, hash);
-  for (uint32_t i = 0; i < robot.link_count; ++i) {
-    const Mesh& mesh = robot.meshes[i];
-    hash = hash_of(mesh.nodes, mesh.node_count, hash);
-    hash = hash_of(mesh.triangles, mesh.triangle_count, hash);
-    hash = hash_of(mesh.vertices, mesh.vertex_count, hash);
-    hash = hash_of(mesh.origin, 3, hash);
-  }
-  return hash;
-}
-
 Status open_robot_unhashed(const void* bytes, size_t size, Mesh* meshes, uint32_t mesh_capacity,
                            Robot& robot) {
   const Status read = check_robot_readable(bytes, size);
@@ -225,6 +207,24 @@ Status open_robot_unhashed(const void* bytes, size_t size, Mesh* meshes, uint32_
 }
 
 }  // namespace detail
+
+uint32_t robot_hash(const Robot& robot) {
+  uint32_t hash = hash_of(robot.joints, robot.joint_count, kNoHash);
+  hash = hash_of(robot.links, robot.link_count, hash);
+  hash = hash_of(robot.pairs, robot.pair_count, hash);
+  hash = hash_of(robot.reaches, robot.reach_count, hash);
+  hash = hash_of(robot.distance_tables, robot.distance_table_bytes, hash);
+  hash = hash_of(&robot.slack, 1, hash);
+  hash = hash_of(&robot.cell_bits, 1, hash);
+  for (uint32_t i = 0; i < robot.link_count; ++i) {
+    const Mesh& mesh = robot.meshes[i];
+    hash = hash_of(mesh.nodes, mesh.node_count, hash);
+    hash = hash_of(mesh.triangles, mesh.triangle_count, hash);
+    hash = hash_of(mesh.vertices, mesh.vertex_count, hash);
+    hash = hash_of(mesh.origin, 3, hash);
+  }
+  return hash;
+}
 
 Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader& header) {
   uint32_t magic = 0;

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "flashbvh/detail/robot/distance_table.hpp"
+#include "flashbvh/robot/distance_table.hpp"
 #include "support/arms/guarded_arm.hpp"
 
 using namespace flashbvh;
@@ -32,7 +33,7 @@ Told told_of(const FixedArm& arm, Random& random) {
         FAIL();
       }
       told.places += distance != 0 ? 1 : 0;
-      told.all += detail::distance_table_size(arm.robot(), of) != 0 ? 1 : 0;
+      told.all += distance_table_size(arm.robot(), of) != 0 ? 1 : 0;
     }
   }
   return told;
@@ -69,10 +70,10 @@ TEST_CASE(
 }
 
 TEST_CASE("a byte's distance grows with it by a sixteenth at most") {
-  CHECK(detail::table_distance(0) == 0);
+  CHECK(table_distance(0) == 0);
   for (std::uint32_t byte = 1; byte < 255; ++byte) {
-    const double now = detail::table_distance(static_cast<std::uint8_t>(byte));
-    const double next = detail::table_distance(static_cast<std::uint8_t>(byte + 1));
+    const double now = table_distance(static_cast<std::uint8_t>(byte));
+    const double next = table_distance(static_cast<std::uint8_t>(byte + 1));
     CHECK((next > now && next <= now * 17 / 16));
   }
 }

@@ -4,9 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/detail/robot/image_parts.hpp"
+#include "flashbvh/image.hpp"
 #include "flashbvh/robot/guard.hpp"
+#include "flashbvh/robot/image.hpp"
 #include "flashbvh/robot/motion.hpp"
 
 namespace flashbvh::test {
@@ -128,14 +129,14 @@ void repair_robot(void* bytes, std::size_t size) {
   if (own > size) {
     return;
   }
-  header.crc = detail::image_crc(bytes, own);
+  header.crc = image_crc(bytes, own);
   std::memcpy(bytes, &header, sizeof header);
   std::vector<Mesh> meshes(kMaxLinks);
   Robot robot{};
   if (detail::open_robot_unhashed(bytes, size, meshes.data(), kMaxLinks, robot) == Status::done) {
-    header.hash = detail::robot_hash(robot);
+    header.hash = robot_hash(robot);
     std::memcpy(bytes, &header, sizeof header);
-    header.crc = detail::image_crc(bytes, own);
+    header.crc = image_crc(bytes, own);
     std::memcpy(bytes, &header, sizeof header);
   }
 }

@@ -4,6 +4,7 @@
 
 #include "flashbvh/detail/robot/image_parts.hpp"
 #include "flashbvh/image.hpp"
+#include "flashbvh/robot/image.hpp"
 #include "golden/exercise.hpp"
 #include "support/arms/arm_images.hpp"
 #include "support/arms/exercise_robot.hpp"

@@ -44,7 +44,7 @@ Hit widened(const RayHit<Index>& hit) {
 }
 
 bool is_before(const Hit& x, const Hit& y) {
-  const int order = detail::order_along(x.along, y.along);
+  const int order = order_along(x.along, y.along);
   return order < 0 || (order == 0 && x.triangle < y.triangle);
 }
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <queue>
 
-#include "flashbvh/detail/robot/distance_table.hpp"
+#include "flashbvh/robot/distance_table.hpp"
 #include "robot/matrix/matrix.hpp"
 #include "robot/matrix/pair_space.hpp"
 #include "robot/matrix/reaches.hpp"
@@ -34,8 +34,7 @@ constexpr Shares kRowShares{0.8, 0.4};
 /// The largest that is no more than `distance`, in cells.
 std::uint8_t byte_of(double distance) {
   std::uint32_t byte = 0;
-  while (byte < 255 &&
-         detail::table_distance(static_cast<std::uint8_t>(byte + 1)) / 256.0 <= distance) {
+  while (byte < 255 && table_distance(static_cast<std::uint8_t>(byte + 1)) / 256.0 <= distance) {
     ++byte;
   }
   return static_cast<std::uint8_t>(byte);
@@ -45,7 +44,7 @@ std::uint8_t byte_of(double distance) {
 struct Axis {
   const RobotJoint& joint;
   std::size_t dimension;
-  detail::ChartAxis cells;
+  DistanceTableAxis cells;
   double unit;
 };
 
@@ -203,8 +202,8 @@ std::vector<Axis> axes_of(const Model& model, const Robot& robot, const RobotPai
       ++dimension;
     }
     const RobotJoint& fixed = robot.joints[joint];
-    axes.push_back({fixed, dimension, detail::distance_table_axis(fixed),
-                    unit_of_coordinate(fixed.type, cell)});
+    axes.push_back(
+        {fixed, dimension, distance_table_axis(fixed), unit_of_coordinate(fixed.type, cell)});
   }
   return axes;
 }
@@ -218,7 +217,7 @@ void add_chart(const Model& model, const Robot& robot, const RobotPair& pair, do
       std::min(robot.links[pair.a].radius, robot.links[pair.b].radius) / kFrameCell;
   DistanceTable distance_table(space, radius, 0, kShares);
   const auto swept = swept_charts(model, pair, radius, cell);
-  const std::uint32_t size = detail::distance_table_size(robot, pair);
+  const std::uint32_t size = distance_table_size(robot, pair);
   for (std::uint32_t place = 0; place < size; ++place) {
     std::vector<Interval> box(axes.size());
     std::uint32_t rest = place;
@@ -240,7 +239,7 @@ std::vector<std::uint8_t> distance_tables_of(const Model& model, const Robot& ro
   std::vector<std::uint8_t> distance_tables;
   for (std::size_t i = 0; i < robot.pair_count; ++i) {
     begin(i);
-    if (detail::distance_table_size(robot, robot.pairs[i]) != 0) {
+    if (distance_table_size(robot, robot.pairs[i]) != 0) {
       add_chart(model, robot, robot.pairs[i], cell_of(robot), distance_tables);
     }
   }

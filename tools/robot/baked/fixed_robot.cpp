@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string>
 
-#include "flashbvh/detail/robot/image_parts.hpp"
+#include "flashbvh/robot/image.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/matrix/reaches.hpp"
@@ -142,14 +142,14 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<Mesh>& meshes, doub
   robot_.reach_count = static_cast<std::uint16_t>(reaches_.size());
   robot_.slack = slack(model);
   std::memcpy(&robot_.cell_bits, &cell_, sizeof cell_);
-  robot_.hash = detail::robot_hash(robot_);
+  robot_.hash = robot_hash(robot_);
 }
 
 void FixedRobot::set_distance_tables(std::vector<std::uint8_t> distance_tables) {
   distance_tables_ = std::move(distance_tables);
   robot_.distance_tables = distance_tables_.data();
   robot_.distance_table_bytes = static_cast<std::uint32_t>(distance_tables_.size());
-  robot_.hash = detail::robot_hash(robot_);
+  robot_.hash = robot_hash(robot_);
 }
 
 void FixedRobot::add_joint(const Model& model, std::size_t number) {

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "flashbvh/detail/lattice/image_parts.hpp"
-#include "flashbvh/detail/robot/image_parts.hpp"
+#include "flashbvh/image.hpp"
+#include "flashbvh/robot/image.hpp"
 #include "robot/read/xml_file.hpp"
 #include "text/messages.hpp"
 
@@ -136,7 +136,7 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
   std::vector<std::uint32_t> image = bytes.words();
   header.byte_count = static_cast<std::uint32_t>(bytes.size());
   std::memcpy(image.data(), &header, sizeof header);
-  header.crc = detail::image_crc(image.data(), own);
+  header.crc = image_crc(image.data(), own);
   std::memcpy(image.data(), &header, sizeof header);
   std::vector<Mesh> opened(kMaxLinks);
   Robot again{};

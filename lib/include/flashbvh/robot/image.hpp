@@ -105,6 +105,10 @@ uint32_t unguarded_count(const void* image);
 /// So many of them, in the image; ascending by a, then b.
 const RobotUnguarded* unguarded_pairs(const void* image);
 
+/// FNV-1a of the joints, links, pairs, reaches, distance tables, slack and cell, and of each mesh's
+/// nodes, triangles, vertices and origin: what Robot::hash must be. For programs that write robots.
+uint32_t robot_hash(const Robot& robot);
+
 }  // namespace flashbvh
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/arch/byte_order.h"
+#include "flashbvh/plain/byte_order.h"
 
 #if (defined(__ARM_FEATURE_SIMD32) || defined(__ARM_FEATURE_SAT)) && !defined(FLASHBVH_PORTABLE)
 #include <arm_acle.h>

@@ -1,8 +1,7 @@
-// Axis-aligned boxes on the lattice as they lie in flash.
+// Arithmetic of packed boxes.
 //
-// A packed box keeps, per axis, the upper bound and the negated lower bound, each raised by
-// kBoundBias so that it is a number from 1 to 32,767. The sum of two bounds is then at most 65,534:
-// two of them fit in a 32-bit addition without carry from one to the other.
+// Each bound is a number from 1 to 32,767. The sum of two bounds is then at most 65,534: two of
+// them fit in a 32-bit addition without carry from one to the other.
 #ifndef FLASHBVH_DETAIL_LATTICE_BOX_PACKED_HPP
 #define FLASHBVH_DETAIL_LATTICE_BOX_PACKED_HPP
 
@@ -12,49 +11,6 @@
 #include "flashbvh/lattice.hpp"
 
 namespace flashbvh::detail {
-
-/// Raises a bound (or a negated one) to a positive number of 15 bits.
-constexpr int32_t kBoundBias = kMaxCoordinate + 1;
-
-static_assert(2 * (kMaxCoordinate + kBoundBias) <= 0xFFFF, "sums of two bounds fit 16 bits");
-
-/// A closed box: all points with lower <= coordinate <= upper, in cells.
-struct Box {
-  Vertex lower;
-  Vertex upper;
-};
-
-/// A box as it lies in flash: 12 bytes, low half first.
-struct PackedBox {
-  uint32_t upper_xy;  ///< upper x, upper y
-  uint32_t lower_xy;  ///< negated lower x, negated lower y
-  uint32_t z;         ///< upper z, negated lower z
-};
-
-constexpr uint32_t pack_bound(int32_t bound) {
-  return static_cast<uint32_t>(bound + kBoundBias);
-}
-
-constexpr PackedBox pack(const Box& box) {
-  return {join_halves(pack_bound(box.upper.x), pack_bound(box.upper.y)),
-          join_halves(pack_bound(-box.lower.x), pack_bound(-box.lower.y)),
-          join_halves(pack_bound(box.upper.z), pack_bound(-box.lower.z))};
-}
-
-constexpr int16_t unpack_bound(uint32_t half) {
-  return static_cast<int16_t>(static_cast<int32_t>(half) - kBoundBias);
-}
-
-constexpr Box unpack(const PackedBox& packed) {
-  const Vertex upper = {unpack_bound(low_half(packed.upper_xy)),
-                        unpack_bound(high_half(packed.upper_xy)), unpack_bound(low_half(packed.z))};
-  const auto lower = [](uint32_t half) {
-    return static_cast<int16_t>(kBoundBias - static_cast<int32_t>(half));
-  };
-  return {{lower(low_half(packed.lower_xy)), lower(high_half(packed.lower_xy)),
-           lower(high_half(packed.z))},
-          upper};
-}
 
 /// What the words upper_xy, lower_xy and z of a box have to reach, half by half, so that its sums
 /// with `other`, as box.hpp has them, reach `least`. Not more than a half holds: where `least` is

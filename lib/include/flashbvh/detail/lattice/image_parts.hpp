@@ -1,5 +1,4 @@
-// What an image consists of, and the parts of its check: for open_image(), the tool that writes
-// images and the tests.
+// The parts of an image's check: for open_image() and the tests.
 #ifndef FLASHBVH_DETAIL_LATTICE_IMAGE_PARTS_HPP
 #define FLASHBVH_DETAIL_LATTICE_IMAGE_PARTS_HPP
 
@@ -10,14 +9,6 @@
 
 namespace flashbvh::detail {
 
-/// Where the arrays lie, in bytes from the start of the image; what an image of this header needs.
-/// 64 bits, so that no header makes a sum wrap.
-struct ImageOffsets {
-  uint64_t nodes, levels, climb, triangles, triangle_ids, leaf_offsets, vertices, shell_vertices,
-      name, end;
-};
-ImageOffsets image_offsets(const ImageHeader& header);
-
 /// The element `offset` bytes from the start of an image.
 template <class Element>
 const Element* image_part(const void* bytes, uint64_t offset) {
@@ -27,9 +18,6 @@ const Element* image_part(const void* bytes, uint64_t offset) {
 /// CRC-32 (IEEE 802.3, reflected, as in zlib) of `size` bytes, going on from `crc` (0 at first).
 /// No table: about 50 instructions a byte.
 uint32_t crc32(const void* bytes, size_t size, uint32_t crc = 0);
-
-/// The checksum that an image's header must hold.
-uint32_t image_crc(const void* bytes, size_t size);
 
 /// What follows from a mesh's contents; the header repeats it.
 struct TreeShape {

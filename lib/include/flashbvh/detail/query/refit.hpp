@@ -178,21 +178,6 @@ class VertexBoxes {
 
 #endif
 
-/// Whether the last two corners of `u` are those of `v` in the other order: a shared edge, as
-/// `flashbvh bake --deformable` turns the triangles of a leaf.
-template <class Index>
-FLASHBVH_INLINE inline bool is_quad(const Corners<Index>& u, const Corners<Index>& v) {
-  if constexpr (sizeof(Index) == sizeof(uint16_t)) {
-    uint32_t edge_of_u;
-    uint32_t edge_of_v;
-    __builtin_memcpy(&edge_of_u, &u.corner[1], sizeof edge_of_u);
-    __builtin_memcpy(&edge_of_v, &v.corner[1], sizeof edge_of_v);
-    return edge_of_u == swap_halves(edge_of_v);
-  } else {
-    return u.corner[1] == v.corner[2] && u.corner[2] == v.corner[1];
-  }
-}
-
 /// No shorter than any edge in the box: its diagonal.
 inline uint16_t longest_edge_in(const PackedBox& box) {
   const int64_t x = extent_x(box);

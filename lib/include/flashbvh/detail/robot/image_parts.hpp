@@ -1,4 +1,4 @@
-// Parts of a robot's image: for open_robot(), the tool that writes images and the tests.
+// Parts of a robot's image: for open_robot() and the tests.
 #ifndef FLASHBVH_DETAIL_ROBOT_IMAGE_PARTS_HPP
 #define FLASHBVH_DETAIL_ROBOT_IMAGE_PARTS_HPP
 
@@ -11,10 +11,6 @@ namespace flashbvh::detail {
 
 /// Where the first mesh lies, in bytes from the start of the image.
 uint32_t robot_meshes_offset(const RobotImageHeader& header);
-
-/// FNV-1a of the joints, links, pairs, reaches, distance tables, slack and cell, and of each mesh's
-/// nodes, triangles, vertices and origin: Robot::hash.
-uint32_t robot_hash(const Robot& robot);
 
 /// Whether a robot's arrays keep the rules, all but its meshes, which are not looked at. Its counts
 /// are within their bounds and the arrays are there; nothing else needs to be right.

@@ -5,7 +5,6 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/lattice/box_packed.hpp"
-#include "flashbvh/detail/predicates/segment_share.hpp"
 #include "flashbvh/detail/walk/subtree.hpp"
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/mesh.hpp"
