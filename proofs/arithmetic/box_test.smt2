@@ -2,10 +2,10 @@
 ;
 ; Bounds are within +-kMaxCoordinate. Packing, packed sums and thresholds, as box.hpp has them, against
 ; max(lower) <= min(upper) in 64 bits. The other forms of the comparison: box_forms.smt2.
-; code: include/flashbvh/detail/lattice/box_packed.hpp | return static_cast<uint32_t>(bound + kBoundBias);
-; code: include/flashbvh/detail/lattice/box_packed.hpp | return {join_halves(pack_bound(box.upper.x), pack_bound(box.upper.y)),
-; code: include/flashbvh/detail/lattice/box_packed.hpp | join_halves(pack_bound(-box.lower.x), pack_bound(-box.lower.y)),
-; code: include/flashbvh/detail/lattice/box_packed.hpp | join_halves(pack_bound(box.upper.z), pack_bound(-box.lower.z))};
+; code: include/flashbvh/lattice.hpp | return static_cast<uint32_t>(bound + kBoundBias);
+; code: include/flashbvh/lattice.hpp | return {join_halves(pack_bound(box.upper.x), pack_bound(box.upper.y)),
+; code: include/flashbvh/lattice.hpp | join_halves(pack_bound(-box.lower.x), pack_bound(-box.lower.y)),
+; code: include/flashbvh/lattice.hpp | join_halves(pack_bound(box.upper.z), pack_bound(-box.lower.z))};
 ; code: include/flashbvh/detail/bounds/box.hpp | return {{a.upper_xy + b.lower_xy, a.lower_xy + b.upper_xy, a.z + swap_halves(b.z)}};
 ; code: include/flashbvh/detail/bounds/box.hpp | return static_cast<uint32_t>(kZero + clamp(t, -kZero, kZero - 1));
 ; code: include/flashbvh/detail/bounds/box.hpp | return static_cast<uint32_t>(kZero - clamp(t, 1 - kZero, kZero));
