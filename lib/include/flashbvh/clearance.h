@@ -1,5 +1,5 @@
 /* flashbvh for C: how far two meshes are apart, and what is within a distance. clearance.hpp says
- * what is asked, and what is not: surfaces, not solids.
+ * what a distance is: between surfaces, not solids.
  *
  * Distances are in 1/256 cell; flashbvh_fine_distance() and flashbvh_length_in_unit() turn them
  * from and into lengths.
@@ -16,7 +16,7 @@
 extern "C" {
 #endif
 
-/** The largest distance that can be asked about: 32,767 cells. */
+/** The largest distance of a query: 32,767 cells. */
 #define FLASHBVH_MAX_DISTANCE ((uint32_t)32767 * 256)
 
 /** One in the fixed point of a direction. */
@@ -138,8 +138,8 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_within(const flashbvh_mesh*
                                                             uint32_t distance,
                                                             flashbvh_visitor* visit, void* context);
 
-/** fine_distance(): in 1/256 cell; UINT32_MAX, which every query refuses, of what is negative, no
- * number or too large. */
+/** fine_distance(): in 1/256 cell; UINT32_MAX, which every query refuses, if the length is
+ * negative, no number or too large. */
 uint32_t flashbvh_fine_distance(float length, float cells_per_unit);
 
 /** length_in_unit(): of 1/256 cells in the mesh's unit, to the nearest float. */

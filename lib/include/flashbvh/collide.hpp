@@ -12,7 +12,7 @@
 
 namespace flashbvh {
 
-/// The answer to yes or no. After an error `yes` is true: what can't be told may collide.
+/// The answer to yes or no. After an error `yes` is true: what cannot be decided may collide.
 struct [[nodiscard]] Answer {
   Status status;
   bool yes;

@@ -10,7 +10,7 @@
 
 namespace flashbvh {
 
-/// contact_of() the pair that `query` reported last: where Query::last_pair() may be asked.
+/// contact_of() the pair that `query` reported last: where Query::last_pair() may be called.
 template <class Query>
 [[nodiscard]] Contact contact_of_last(const Query& query) {
   Triangle a;
@@ -31,9 +31,9 @@ uint32_t slot_of(const Mesh& mesh, uint32_t id) {
 
 /// The triangles of a reported pair at any later time, where a query on `a` and `b` under `pose`
 /// has them: in A's frame, in cells, for contact_of(). False, and nothing is written, if the pose
-/// is in error, the cells differ or an id isn't in its mesh; whether the triangles intersect is not
-/// asked. A rotated B that is farther off than 48,000 cells is put at that distance, where it
-/// intersects nothing.
+/// is in error, the cells differ or an id isn't in its mesh; the call does not test whether the
+/// triangles intersect. A rotated B that is farther off than 48,000 cells is put at that distance,
+/// where it intersects nothing.
 ///
 /// Cost: looks through the ids of both meshes, in flash, one by one; then prepares the pose as a
 /// query does. Query::last_pair() has neither to do.

@@ -2,8 +2,8 @@
  * say more.
  *
  * A deformable mesh is a baked one whose nodes and vertices were copied into the caller's memory.
- * Move any vertices, refit, and ask: its `mesh` is a mesh that every call takes, on either side and
- * under any pose.
+ * Move any vertices, refit, and query: its `mesh` is a mesh that every call takes, on either side
+ * and under any pose.
  *
  *     flashbvh_deformable cloth;
  *     flashbvh_deformable_make(&cloth, &baked, nodes, vertices);
@@ -11,7 +11,7 @@
  *     status = flashbvh_deformable_refit(&cloth, UINT32_MAX, &vertex);
  *
  * A query that was begun before a refit must not go on after it, nor a cursor be resumed: keep
- * flashbvh_deformable_refits() beside them and compare. A self query knows by itself.
+ * flashbvh_deformable_refits() with them and compare. A self query knows by itself.
  *
  * Stack on a Cortex-M4 at -O2 (proofs/stack): a refit 176 bytes, a self query's run 504, of
  * the band 720.

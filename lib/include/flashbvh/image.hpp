@@ -68,7 +68,7 @@ struct ImageHeader {
 
 static_assert(sizeof(ImageHeader) == 80, "the figure in the format's description");
 
-/// Checks magic, version and size, and copies the header: tells what kind of image it is, not
+/// Checks magic, version and size, and copies the header, which says what kind of image it is, not
 /// whether its contents can be trusted.
 Status read_image_header(const void* bytes, size_t size, ImageHeader& header);
 
@@ -90,7 +90,7 @@ inline TreeSize tree_size_of(const ImageHeader& header) {
 ///
 /// Bytes after the image, if `size` has more than the header says, are not looked at. MeshType:
 /// Mesh, MeshWithLevels, PreMeshWithLevels or their Large kin; another kind of image gives
-/// `image_kind`, so does one without levels where they are asked for.
+/// `image_kind`, so does one without levels if MeshType has them.
 template <class MeshType>
 Status open_image(const void* bytes, size_t size, MeshType& mesh);
 

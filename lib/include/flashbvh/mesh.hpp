@@ -157,7 +157,8 @@ using Mesh = BasicMesh<uint16_t, Layout::post_indexed>;
 using PreMesh32 = BasicMesh<uint32_t, Layout::pre_indexed>;
 using Mesh32 = BasicMesh<uint32_t, Layout::post_indexed>;
 
-// What the alternating rule needs beside the tree: levels, and the way up a chain of last children.
+// What the alternating rule needs in addition to the tree: levels, and the way up a chain of last
+// children.
 //
 // The paper's functions of a node (sections 3, 7 and 8): Level, RCL (right child level: how many
 // last children lie straight above a node, itself included; the root counts as a left child),

@@ -105,7 +105,7 @@ class Pose {
   void get_rotation(Entries& entries) const;
   void get_transposed(Entries& entries) const;
   void set_rotation(const Entries& entries, uint32_t defect);
-  /// The product of rotations with these defects, `right` transposed: proven anew only where their
+  /// The product of rotations with these defects, `right` transposed: proven again only where their
   /// sum is much.
   void set_product(const Entries& left, const Entries& right, uint32_t defects);
   void refuse(Status status) { status_ = status_ == Status::done ? status : status_; }

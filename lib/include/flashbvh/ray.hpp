@@ -41,7 +41,7 @@ struct RayHit {
 template <class Index>
 constexpr Index kNoHint = static_cast<Index>(-1);
 
-/// After an error `yes` is true, and nothing else holds: what can't be told may be hit.
+/// After an error `yes` is true, and nothing else holds: what cannot be decided may be hit.
 template <class Index>
 struct [[nodiscard]] RayAnswer {
   /// `done`; `ray_out_of_range`: an end lies too far off; `hint_invalid`.

@@ -3,8 +3,8 @@
  *
  * A robot comes as constant arrays, by `flashbvh robot --format c`. A guard, a motion and a
  * workcell each are a small object and memory of the caller's, both of which stay where they are,
- * and outlive all that is made of them. Memory is an array of words of the size that a macro tells;
- * a guard's and a motion's is plain data without pointers:
+ * and outlive all that is made of them. Memory is an array of words of the size that a macro
+ * returns; a guard's and a motion's is plain data without pointers:
  *
  *     static uint32_t state[FLASHBVH_GUARD_STATE_SIZE(JOINTS, PAIRS, PAIR_JOINTS) / 4];
  *     flashbvh_guard_init(&guard, &robot, state, sizeof state);

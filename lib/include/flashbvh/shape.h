@@ -5,7 +5,7 @@
  *     flashbvh_closer_than(&part, &capsule.mesh, &pose, radius, &yes)
  *
  * A shape points into itself. It is not copied, by assignment neither, and stays where it was made
- * for as long as it is asked about. It is moved by a pose, or made again in place, which no query
+ * while queries use it. It is moved by a pose, or made again in place, which no query
  * on it outlives.
  *
  * Coordinates are cells of the shape's own frame. Stack on Cortex-M3 to M55 at -O2: 352 bytes
@@ -44,7 +44,7 @@ typedef struct flashbvh_box_shape {
   unsigned char opaque[168];
 } flashbvh_box_shape;
 
-/** Makes a PointShape, or makes it anew. It has the cell and the unit of `like`, which need not
+/** Makes a PointShape, again if need be. It has the cell and the unit of `like`, which need not
  * outlive it. SHAPE_TOO_LARGE: queries of the shape and a mesh then end with CELL_MISMATCH. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_point_shape_make(flashbvh_point_shape* shape,
                                                              const flashbvh_mesh* like,

@@ -5,7 +5,7 @@
 //     a capsule    closer_than(mesh, SegmentShape, pose, radius)
 //     a thick plate  closer_than(mesh, TriangleShape, pose, half of its thickness)
 //     a box        intersects(mesh, BoxShape, pose)
-// and distance() tells how far they are, less the radius. There is no other mechanism.
+// and distance() measures how far they are, less the radius. There is no other mechanism.
 //
 // Coordinates are cells of the shape's frame; it has the cell of the mesh that it will meet.
 #ifndef FLASHBVH_SHAPE_HPP
@@ -21,7 +21,7 @@
 
 namespace flashbvh {
 
-/// A mesh of one leaf and what it is a view of. Points into itself: it is not copied, and set anew
+/// A mesh of one leaf and what it is a view of. Points into itself: it is not copied, and set again
 /// in place. 64 bytes and 26 + 8 * triangles + 6 * vertices.
 template <uint16_t triangles, uint16_t vertices>
 class Shape {
@@ -122,14 +122,14 @@ class Shape {
   Status status_ = Status::done;
 };
 
-// Setting the smaller ones is not inlined: its frame is gone while they are asked about.
+// Setting the smaller ones is not inlined: its frame is gone before queries use them.
 
 /// A point.
 class PointShape : public Shape<1, 1> {
  public:
   /// With the cell of `like`; see status().
   PointShape(const Mesh& like, const Point& at) : Shape(like, {{0, 0, 0}}) { set(at); }
-  /// Sets it anew; see status().
+  /// Sets it again; see status().
   FLASHBVH_NOINLINE void set(const Point& at) { set_points({at}); }
 };
 
@@ -140,7 +140,7 @@ class SegmentShape : public Shape<1, 2> {
   SegmentShape(const Mesh& like, const Point& p, const Point& q) : Shape(like, {{0, 1, 1}}) {
     set(p, q);
   }
-  /// Sets it anew; see status().
+  /// Sets it again; see status().
   FLASHBVH_NOINLINE void set(const Point& p, const Point& q) { set_points({p, q}); }
 };
 
@@ -149,7 +149,7 @@ class TriangleShape : public Shape<1, 3> {
  public:
   /// With the cell of `like`; see status().
   TriangleShape(const Mesh& like, const Triangle& t) : Shape(like, {{0, 1, 2}}) { set(t); }
-  /// Sets it anew; see status().
+  /// Sets it again; see status().
   FLASHBVH_NOINLINE void set(const Triangle& t) { set_points(t.corner); }
 };
 
@@ -170,7 +170,7 @@ class BoxShape : public Shape<12, 8> {
       : Shape(like, detail::kBoxTriangles) {
     set(lower, upper);
   }
-  /// Sets it anew; see status().
+  /// Sets it again; see status().
   void set(const Point& lower, const Point& upper) {
     Point points[8];
     for (int i = 0; i < 8; ++i) {

@@ -1,5 +1,5 @@
 /* flashbvh for C: whether a point lies inside a closed mesh, and whether two bodies have a point in
- * common. solid.hpp says how that is told. Stack on Cortex-M3 to M55 at -O2: 416, 720
+ * common. solid.hpp says how that is decided. Stack on Cortex-M3 to M55 at -O2: 416, 720
  * and 768 bytes. */
 #ifndef FLASHBVH_SOLID_H
 #define FLASHBVH_SOLID_H

@@ -27,8 +27,8 @@ enum class PointSide : uint8_t {
   inside = 2,
 };
 
-/// After an error `side` is `inside`, what can't be told may be: where inside is the good answer,
-/// as of a place in a room, look at the status, too.
+/// After an error `side` is `inside`, what cannot be decided may be inside: where inside is the
+/// good answer, as of a place in a room, look at the status, too.
 struct [[nodiscard]] PointAnswer {
   Status status;  ///< `done`, or `not_closed`
   PointSide side;

@@ -23,7 +23,7 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_CURSOR_INVALID = 20,
   /** A hint that is no pair of the meshes' triangles. */
   FLASHBVH_STATUS_HINT_INVALID = 21,
-  /** A distance beyond 32,767 cells, or one that can't be told of meshes so far apart. */
+  /** A distance beyond 32,767 cells, or one that is not decidable for meshes so far apart. */
   FLASHBVH_STATUS_DISTANCE_OUT_OF_RANGE = 22,
   /** A mesh that is no closed surface has no inside. */
   FLASHBVH_STATUS_NOT_CLOSED = 23,
@@ -41,7 +41,7 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_GUARD_STATE_INVALID = 29,
   /** A workcell's memory has no room for another body or pair. */
   FLASHBVH_STATUS_WORKCELL_FULL = 30,
-  /** The number of a link or a joint that is none, or not one of the kind asked for. */
+  /** The number of a link or a joint that is none, or not one of the kind that the call needs. */
   FLASHBVH_STATUS_LINK_INVALID = 31,
 
   /** Fewer bytes than the image says it has. */
@@ -52,7 +52,7 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_IMAGE_NOT_FLASHBVH = 34,
   /** Written in another version of the format; bake again. */
   FLASHBVH_STATUS_IMAGE_VERSION = 35,
-  /** Another layout or index width than the mesh asked for. */
+  /** Another layout or index width than the mesh that the caller wants. */
   FLASHBVH_STATUS_IMAGE_KIND = 36,
   /** The checksum does not match: the bytes were damaged. */
   FLASHBVH_STATUS_IMAGE_CORRUPT = 37,
@@ -61,7 +61,7 @@ typedef enum flashbvh_status {
   /** A robot's image with more links than the caller has room for meshes. C++ alone. */
   FLASHBVH_STATUS_IMAGE_TOO_LARGE = 39,
 
-  /** A vertex of a deformable mesh that lies outside the lattice; the mesh is not to be asked. */
+  /** A vertex of a deformable mesh that lies outside the lattice; no query may use the mesh. */
   FLASHBVH_STATUS_VERTEX_OUT_OF_LATTICE = 40,
   /** A mesh that was refit since, or whose refit is not done. */
   FLASHBVH_STATUS_MESH_CHANGED = 41
@@ -71,7 +71,7 @@ typedef enum flashbvh_status {
 extern "C" {
 #endif
 
-/** "cell_mismatch" of FLASHBVH_STATUS_CELL_MISMATCH, for people; "unknown" of what is no status.
+/** "cell_mismatch" of FLASHBVH_STATUS_CELL_MISMATCH, for people; "unknown" of other numbers.
  * Firmware that does not call this does not link the names. */
 const char* flashbvh_status_name(flashbvh_status status);
 

@@ -62,12 +62,12 @@ constexpr uint64_t largest_step(const TreeSize& a, const TreeSize& b) {
 /// The most instructions that a unit of work takes.
 constexpr uint64_t instructions_of_work(const RunCosts& costs, const TreeSize& a,
                                         const TreeSize& b) {
-  // A walk begins anew for each pair of triangles at worst.
+  // A walk begins again for each pair of triangles at worst.
   const uint64_t siblings = detail::later_siblings(a, b) * costs.later_sibling;
   return costs.work + (siblings + detail::kTrianglePairWork - 1) / detail::kTrianglePairWork;
 }
 
-/// The most instructions that a run takes beside its work.
+/// The most instructions that a run takes in addition to its work.
 constexpr uint64_t instructions_of_start(const RunCosts& costs, const TreeSize& a,
                                          const TreeSize& b) {
   return costs.start + (uint64_t{a.depth} + b.depth) * costs.ascent +

@@ -3,7 +3,7 @@
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 #include "flashbvh/detail/lattice/packed_vector.hpp"
 
-// One axis after the other, to the first that tells; with vectors all three at once.
+// One axis after the other, to the first that separates; with vectors all three at once.
 #if defined(FLASHBVH_ROTATE_SSE2)
 #include "starts_sse2.hpp"
 #define FLASHBVH_ONE_AXIS inline
@@ -57,7 +57,7 @@ FLASHBVH_ONE_AXIS int32_t offset_along_axis(const Pose& pose, const int32_t (&or
   const int64_t sum = fraction + (1 << (kRestBits - 1)) + product(x, origin_b[0]) +
                       product(y, origin_b[1]) + product(z, origin_b[2]) +
                       product(cells, 1 << kRotationBits);
-  // The high word mostly tells that nothing is to be clamped.
+  // The high word mostly shows that nothing is to be clamped.
   constexpr int32_t most = kMaxOffset * kSplitOne >> (32 - kRestBits);
   const auto high = static_cast<int32_t>(sum >> 32);
   if (static_cast<uint32_t>(high + most) < 2u * most) {
@@ -76,7 +76,7 @@ inline bool is_near(const int32_t (&origin)[3]) {
 }
 
 /// The same as offset_along_axis() if B's origin is near. Coarse entries and the rest are summed
-/// apart, and whole cells tell what is to be clamped.
+/// apart, and whole cells show what is to be clamped.
 inline int32_t near_offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
                                       const int32_t (&origin_b)[3], int axis) {
   const int32_t cells = cells_along_axis(pose, origin_a, axis);

@@ -107,7 +107,8 @@ uint32_t length_bits(int64_t fine, uint64_t cell_bits) {
   return float_bits(wide_product(fine, cell_bits)) | (fine < 0 ? 0x80000000u : 0u);
 }
 
-/// By restoring division: 2^84 / digits has 32 or 33 bits, and what is left tells no tie.
+/// By restoring division: 2^84 / digits has 32 or 33 bits, and the remainder shows that there is no
+/// tie.
 uint32_t cells_per_unit_bits(uint64_t cell_bits) {
   constexpr unsigned kQuotientBits = 32;
   const Cell cell = cell_of(cell_bits);

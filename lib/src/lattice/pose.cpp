@@ -57,7 +57,7 @@ constexpr int64_t long_product(int32_t u, int32_t v) {
 }
 
 /// Whether the determinant of an orthogonal matrix is -1 rather than 1: each cofactor is then minus
-/// its entry. Of a row's entries one is at least 0.57 large, so signs tell.
+/// its entry. Of a row's entries one is at least 0.57 large, so signs decide.
 inline bool mirrors(const Entries& r) {
   const int32_t sizes[2] = {r[0][0] < 0 ? -r[0][0] : r[0][0], r[0][1] < 0 ? -r[0][1] : r[0][1]};
   constexpr int32_t half = kOne / 2;

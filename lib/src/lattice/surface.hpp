@@ -10,7 +10,7 @@
 namespace flashbvh::detail {
 
 /// A surface is closed if each edge is run through as often one way as the other: then a point's
-/// winding number is the same along every ray. Told by a sum over all edges (u, v) of
+/// winding number is the same along every ray. Decided by a sum over all edges (u, v) of
 /// g(u) h(v) - g(v) h(u), where g and h make numbers of vertices that look random: 0 if it is
 /// closed, and otherwise, short of bad intent, by a chance below 2^-26: of numbers that are random
 /// the sum is linear in one vertex's g, whose factor is a multiple of 2^k by a chance of 2^-k.

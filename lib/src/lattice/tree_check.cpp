@@ -105,7 +105,7 @@ class Checker {
 
   bool has_levels() const { return kPre || tree_.levels != nullptr; }
 
-  /// What can be told of a node by itself.
+  /// What can be checked of a node by itself.
   bool node(uint32_t i) {
     const Node<Index>& node = tree_.nodes[i];
     return is_on_lattice(node.box) && (node.is_leaf() ? leaf(node) : has_ranks(node));

@@ -3,7 +3,7 @@
 // General case: each triangle intersects the plane of the other one, and so the line common to both
 // planes, in an interval that ends on two of its edges (triangle.cpp). The common part runs from
 // the later one of the two lower ends to the earlier one of the two upper ends. Which these are is
-// told by the signs of determinants; only their coordinates are rounded.
+// decided by the signs of determinants; only their coordinates are rounded.
 //
 // The rest, as in triangle.cpp, is decided by the sides of the planes alone: a segment that
 // crosses the plane of a triangle does so in one point; all else lies in one plane

@@ -37,7 +37,7 @@ struct Flat {
     left |= side > 0;
     right |= side < 0;
   }
-  // Beside a segment, which is an edge there and one back, a point is both left and right.
+  // Next to a segment, which is an edge there and one back, a point is both left and right.
   return !(left && right) && (!outline.is_segment() || (!comes_before(p, *outline.corner[0]) &&
                                                         !comes_before(*outline.corner[1], p)));
 }
@@ -53,7 +53,7 @@ inline bool opposite(int64_t u, int64_t v) {
   const Point* q = flat.a.corner[next(edge_a)];
   const Point* r = flat.b.corner[edge_b];
   const Point* s = flat.b.corner[next(edge_b)];
-  // Either edge gives the point, and rounding may tell which: not the order of arguments.
+  // Either edge gives the point, and rounding may decide which: not the order of arguments.
   if (edge_before(*r, *s, *p, *q)) {
     const Point* const start = p;
     const Point* const end = q;

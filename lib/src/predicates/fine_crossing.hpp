@@ -8,7 +8,7 @@
 
 namespace flashbvh::detail {
 
-/// Of two coordinates of one contact, whose low words tell: they are within 2^26 steps.
+/// Of two coordinates of one contact, whose low words decide: they are within 2^26 steps.
 template <class Fine>
 inline int32_t fine_difference(Fine u, Fine v) {
   return static_cast<int32_t>(static_cast<uint32_t>(u) - static_cast<uint32_t>(v));
@@ -24,8 +24,8 @@ inline bool comes_before(const FinePoint& p, const FinePoint& q) {
   return x != 0 ? x < 0 : y != 0 ? y < 0 : fine_difference(p.z, q.z) < 0;
 }
 
-/// An order of edges that doesn't ask in which direction they are given. Edges that start in the
-/// same corner are equal.
+/// An order of edges that does not depend on the direction in which they are given. Edges that
+/// start in the same corner are equal.
 inline bool edge_before(const Point& p, const Point& q, const Point& r, const Point& s) {
   return comes_before(comes_before(p, q) ? p : q, comes_before(r, s) ? r : s);
 }

@@ -1,9 +1,10 @@
 // Triangle against triangle, decided by the signs of integer determinants.
 //
 // General case: Guigue and Devillers 2003. Two triangles that cross each other's plane intersect
-// the line common to both planes in one interval each; two determinants tell whether these overlap.
+// the line common to both planes in one interval each; two determinants decide whether these
+// overlap.
 //
-// Everything else is one of three degenerate cases, told apart by the sides of the planes alone,
+// Everything else is one of three degenerate cases, distinguished by the sides of the planes alone,
 // since a triangle without area has no plane and leaves every point on side zero:
 // - all six corners in one plane, or both triangles without area: separating axes in projections
 // - a segment that crosses the plane of a triangle: the signs of its line about the three edges

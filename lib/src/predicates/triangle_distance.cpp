@@ -1,8 +1,8 @@
 // Distances between the features of two triangles.
 //
-// Both a corner r above a face with edges e and f and two edges e, f whose starts are r apart ask
-// the same: where is the point of the plane of e and f nearest to r? With a = e.e, b = e.f, c = f.f
-// it is s e + t f with
+// Both a corner r above a face with edges e and f and two edges e, f whose starts are r apart lead
+// to one problem: where is the point of the plane of e and f nearest to r? With a = e.e, b = e.f, c
+// = f.f it is s e + t f with
 //     area = a c - b^2,    s area = c (r.e) - b (r.f),    t area = a (r.f) - b (r.e),
 // and its squared distance from r is (r . (e x f))^2 / area.
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
@@ -167,7 +167,7 @@ template <class Width>
   return true;
 }
 
-/// Corners of `of` beside edges of `other`.
+/// Corners of `of` and edges of `other`.
 template <class Width>
 [[gnu::noinline]] void search_beside_edges(const Triangle& of, const Triangle& other, bool swapped,
                                            Search& search) {

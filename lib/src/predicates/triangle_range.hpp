@@ -1,4 +1,4 @@
-// What distances of triangles and what tells that they are large have in common.
+// What distances of triangles and the tests for large ones have in common.
 #ifndef FLASHBVH_PREDICATES_TRIANGLE_RANGE_HPP
 #define FLASHBVH_PREDICATES_TRIANGLE_RANGE_HPP
 

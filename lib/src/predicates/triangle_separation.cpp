@@ -1,4 +1,4 @@
-// What tells that two triangles are no nearer than a limit, without their distance.
+// Tests whether two triangles are no nearer than a limit, without their distance.
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "triangle_range.hpp"

@@ -1,4 +1,4 @@
-// Rays: the walk of a segment, and the questions that are asked on its way.
+// Rays: the walk of a segment, and the queries on it.
 #include "flashbvh/ray.hpp"
 
 #include "../lattice/mesh_frame.hpp"

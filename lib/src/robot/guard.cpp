@@ -90,7 +90,7 @@ Status Guard::resume() {
     forget();
     return Status::guard_state_invalid;
   }
-  if (core_->walked_pair != kNoPair) {  // a pose can't be told from another one: made again
+  if (core_->walked_pair != kNoPair) {  // poses are not compared: made again
     set_frames(*robot_, walked_, frames_);
     core_->pose = pose_of(robot_->pairs[core_->walked_pair]);
     // Where an obstacle stands now, it is as near as it was then, less all that it has moved since.
@@ -122,8 +122,9 @@ Guard::Left Guard::left_of(uint16_t i, const JointCoordinate* certified) const {
   now.lost = sum_of(motion_of(pair, certified, now.is_current), robot_->slack);
   now.distance = difference_of(known.lower, now.lost);
   now.left = difference_of(now.distance, pair.stop);
-  // Who comes back to where little was asked, and faster, may ask for more, if there is more to
-  // ask. Whatever has been measured where the period ends is settled: aim() in guard_measure.cpp.
+  // A joint that returns faster to a pose with a small certificate may need a larger one, if
+  // there is one. What has been measured where the period ends is settled: aim() in
+  // guard_measure.cpp.
   const uint32_t sought = now.left != 0 ? pair.warn : pair.stop;
   now.is_settled = now.is_current && !is_unknown(known) &&
                    (now.distance > pair.warn || known.lower >= kMaxDistance ||
@@ -221,7 +222,7 @@ Status Guard::move_to(const JointCoordinate* values) {
   if (!fits_) {
     return Status::guard_state_invalid;
   }
-  // Refused values change nothing, so the coordinates are made beside those that count.
+  // Refused values change nothing, so the coordinates are made apart from those that count.
   core_->has_frames = 0;
   const Status status = set_coordinates(*robot_, values, next_);
   if (status != Status::done) {

@@ -21,13 +21,13 @@ constexpr uint64_t kWorthwhile = 4;
 /// Spheres, and the pose of a pair that is going to be measured, in work (detail/walk/work.hpp).
 constexpr uint32_t kPoseWork = 16;
 
-/// The distance of two triangles, and what it gives to ask.
+/// The distance of two triangles, and the next limit that follows from it.
 constexpr uint32_t kAimWork = 48;
 
-/// A witness's distance is worked out anew once the links have moved by so much of it.
+/// A witness's distance is computed again once the links have moved by so much of it.
 constexpr uint32_t kStaleShare = 8;
 
-/// A pair is asked whether it is within a share of its witness's distance over the one to keep, in
+/// A pair is tested whether it is within a share of its witness's distance over the one to keep, in
 /// 1/16: no triangles are tested for half of it, many for all.
 constexpr uint32_t kShare = 6;
 
@@ -96,7 +96,7 @@ bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
   const uint32_t worth = (a.radius >> 7) + (b.radius >> 7);  // a sixteenth of the radii, 1/256 cell
   const bool is_worthwhile = difference_of(known, rate) > pair.warn && left >= worth &&
                              left > uint64_t{rate} * (kPeriodsAhead * kWorthwhile);
-  if (!is_worthwhile && apart < kMaxDistance) {  // farther, triangles tell no more
+  if (!is_worthwhile && apart < kMaxDistance) {  // farther, triangles show no more
     return false;
   }
   certify(i, next_, {apart, UINT32_MAX, pairs_[i].witness});
@@ -145,7 +145,7 @@ uint32_t Guard::witness_distance(uint32_t& work) const {
 
 /// The distance to test: a share of the witness's distance over the one to keep. `nearest`: it
 /// is no farther. Less than `nearest`, so each witness that is found is nearer than the last. A
-/// "no" settles the pair (Left::is_settled): what is asked is as far as can be, or beyond what
+/// "no" settles the pair (Left::is_settled): the limit is as far as can be, or beyond what
 /// lasts the period and the warn distance, or the stop distance; else the witness is no farther
 /// than that.
 void Guard::aim(uint32_t nearest) {
@@ -159,7 +159,7 @@ void Guard::aim(uint32_t nearest) {
   const uint32_t moved = sum_of(rate_of(pair), kRateMargin);
   const uint32_t least = most / kPeriodsAsked;
   const uint32_t share = moved >= least ? most : detail::greater(moved * kPeriodsAsked, least);
-  // What is asked is to last back to where the period began, if the witness has so much.
+  // The limit is to last back to where the period began, if the witness has so much.
   const uint32_t share_asked = sum_of(kept, moved < over ? detail::greater(share, moved) : share);
   const uint32_t lasting = sum_of(stop, moved);
   const uint32_t asked = nearest > lasting ? detail::greater(share_asked, lasting) : share_asked;
@@ -169,7 +169,7 @@ void Guard::aim(uint32_t nearest) {
 }
 
 /// One run of the question. `done`: the pair has its certificate; `full`: the witness is nearer
-/// than what was asked.
+/// than the limit.
 Status Guard::walk(uint32_t& work) {
   const uint16_t i = core_->walked_pair;
   const RobotPair& pair = robot_->pairs[i];
@@ -195,7 +195,7 @@ Status Guard::walk(uint32_t& work) {
   }
   if (status == Status::distance_out_of_range && core_->asked > 1) {
     core_->asked /= 2;
-    core_->nearest = core_->asked;  // too near is said at worst, and not asked again
+    core_->nearest = core_->asked;  // too near is reported at worst, and not tested again
     return Status::suspended;
   }
   if (status == Status::cursor_invalid) {  // of a state that was taken up
@@ -211,8 +211,8 @@ Status Guard::finish(const GuardPair& certificate) {
 }
 
 /// Goes on with what is being measured, unless another pair can't wait for it. With unlimited work
-/// it ends: each turn of the loop ends the walk, takes a nearer witness, halves what is asked, or
-/// begins a walk of a damaged state anew, once.
+/// it ends: each turn of the loop ends the walk, takes a nearer witness, halves the limit, or
+/// begins a walk of a damaged state again, once.
 Status Guard::measure(const Found& found, uint32_t& work) {
   const bool is_overtaken = found.due != core_->walked_pair && found.due != kNoPair &&
                             found.due_left == 0 && found.walked_left != 0;

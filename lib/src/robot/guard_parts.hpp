@@ -7,11 +7,11 @@
 namespace flashbvh {
 namespace detail {
 
-/// A certificate is measured anew when it would run out within so many periods like the last one:
+/// A certificate is measured again when it would run out within so many periods like the last one:
 /// a measurement takes several of them.
 constexpr uint32_t kPeriodsAhead = 8;
 
-/// 1/256 cell that a certificate is asked to last beyond the period's motion.
+/// 1/256 cell that a certificate has to last beyond the period's motion.
 constexpr uint32_t kRateMargin = 2;
 
 }  // namespace detail
@@ -22,7 +22,7 @@ struct Guard::Left {
   uint32_t distance;  ///< they are farther apart than that
   uint32_t left;      ///< of it, over the stop distance
   bool is_current;    ///< the certificate is of where the period ends
-  bool is_settled;    ///< and to measure the pair again would tell no more of the period
+  bool is_settled;    ///< and to measure the pair again would show no more of the period
   bool is_vague;      ///< whether it is free or warned of is not known
 };
 

@@ -1,4 +1,4 @@
-// What tells robots apart.
+// The hash that distinguishes robots.
 #ifndef FLASHBVH_ROBOT_HASH_HPP
 #define FLASHBVH_ROBOT_HASH_HPP
 

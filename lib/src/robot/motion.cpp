@@ -132,7 +132,7 @@ void MotionQuery::begin_interval() {
   }
 }
 
-/// Asks the pair the question of the phase: `full` if the answer is yes.
+/// Tests the pair by the predicate of the phase: `full` if the answer is yes.
 template <class Asked>
 Status MotionQuery::ask(Asked&& query, uint32_t& work) {
   const Status status = query.resume(core_->position);

@@ -41,7 +41,7 @@ int64_t dot(const int32_t (&u)[3], const int32_t (&v)[3]) {
   return int64_t{u[0]} * v[0] + int64_t{u[1]} * v[1] + int64_t{u[2]} * v[2];
 }
 
-/// A sign that tells an orthogonal matrix that mirrors.
+/// Its sign shows whether an orthogonal matrix mirrors.
 int64_t determinant(const int32_t (&r)[3][3]) {
   int64_t sum = 0;
   for (int i = 0; i < 3; ++i) {

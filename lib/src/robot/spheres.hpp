@@ -1,4 +1,4 @@
-// Spheres round links: what tells far links apart before any pose is made.
+// Spheres round links: they separate far links before any pose is made.
 #ifndef FLASHBVH_ROBOT_SPHERES_HPP
 #define FLASHBVH_ROBOT_SPHERES_HPP
 

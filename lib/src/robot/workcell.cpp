@@ -143,7 +143,7 @@ void Workcell::copy() {
 }
 
 /// Goes inwards with the sphere round what the link sweeps: a reach for each joint, if they are
-/// asked for, and what arithmetic can be wrong by (lib/docs/derivations.md, "Robots"), in 1/65,536
+/// requested, and what arithmetic can be wrong by (lib/docs/derivations.md, "Robots"), in 1/65,536
 /// cell. False if it may come too far from a joint.
 bool Workcell::sweep(const RobotLink& body, uint32_t* reaches, uint32_t& error) const {
   RobotLink link = body;

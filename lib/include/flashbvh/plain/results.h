@@ -14,7 +14,7 @@ typedef struct flashbvh_pair {
 typedef struct FLASHBVH_KEEP flashbvh_run_result {
   FLASHBVH_BYTE(Status) status; /**< a flashbvh_status */
   uint32_t count; /**< pairs written to the caller's array, or handed to its visitor */
-  uint32_t work;  /**< spent, of what was granted; 0 if that was UINT32_MAX */
+  uint32_t work;  /**< spent of the granted work; 0 if UINT32_MAX was granted */
 } flashbvh_run_result;
 
 /** Where a query of any kind stands between runs: all there is to keep besides its meshes and its
@@ -51,7 +51,7 @@ typedef struct flashbvh_run_costs {
   uint32_t start;         /**< once */
   uint32_t ascent;        /**< once for each level of both trees */
   uint32_t later_sibling; /**< each sibling after the node where a walk goes on */
-  uint32_t leaf_triangle; /**< once for each triangle that a leaf has beside the first */
+  uint32_t leaf_triangle; /**< once for each triangle of a leaf after the first */
   uint32_t work;          /**< each unit of work */
 } flashbvh_run_costs;
 

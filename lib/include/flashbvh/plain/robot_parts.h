@@ -10,7 +10,8 @@
  * cell. */
 typedef int32_t flashbvh_joint_coordinate;
 
-/** Point p of this frame lies at rotation * p + translation in the frame it is told in. 48 bytes.
+/** Point p of this frame lies at rotation * p + translation in the frame that this one is given in.
+ * 48 bytes.
  */
 typedef struct flashbvh_frame {
   int32_t rotation[3][3]; /**< row by row, FLASHBVH_ROTATION_ONE is 1 */
@@ -47,7 +48,7 @@ typedef enum flashbvh_verdict {
   FLASHBVH_VERDICT_WARN = 1, /**< farther apart than the stop distance; maybe not than the warn
                                 distance */
   FLASHBVH_VERDICT_NOT_YET_KNOWN = 2, /**< the work budget was too small */
-  FLASHBVH_VERDICT_STOP = 3,   /**< not farther apart than the stop distance, or it can't be told */
+  FLASHBVH_VERDICT_STOP = 3,   /**< not farther apart than the stop distance, or not decidable */
   FLASHBVH_VERDICT_REFUSED = 4 /**< the values were refused and nothing changed: the status says
                                   why */
 } flashbvh_verdict;

@@ -1,4 +1,4 @@
-// The guard: told a robot's joint values each period, it answers whether any two of its links are,
+// The guard takes a robot's joint values each period and reports whether any two of its links are,
 // or may have been on the way, too near to each other.
 //
 // What is promised. A period runs from the last values to these. If the verdict is `free` or
@@ -13,7 +13,7 @@
 // as the joints between the two links have not moved them nearer by more than what the distance has
 // over the stop distance (a joint moves a point by at most its reach times its angle), the pair is
 // free and nothing is looked at; not even a pose is made. Certificates that are about to run out
-// are measured anew, those that run out first before the others, in slices of work: a budget too
+// are measured again, those that run out first before the others, in slices of work: a budget too
 // small shows as `not_yet_known`, which a caller treats as `stop`. It never shows as `free`. The
 // sum over joints is that of Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking"
 // (2005), with the farther of the two values of each joint.
@@ -55,7 +55,7 @@ struct GuardPair {
   Witness<uint16_t> witness;  ///< where they were nearest
 };
 
-/// What a guard knows beside its arrays.
+/// The state of a guard in addition to its arrays.
 struct GuardCore {
   uint32_t version;
   uint32_t robot_hash;
@@ -78,7 +78,7 @@ struct [[nodiscard]] PairDetail {
   Status status;
   /// Of the two triangles that were nearest when they were last looked at, where they are at the
   /// end of the period, in the base's frame. The links may be nearer elsewhere: distance(), with
-  /// `witness` as its hint, tells.
+  /// `witness` as its hint, measures them.
   NearestPoints nearest;
   TrianglePair<uint16_t> triangles;  ///< by their ids
   Witness<uint16_t> witness;

@@ -56,8 +56,8 @@ struct RobotImageHeader {
 
 static_assert(sizeof(RobotImageHeader) == 52, "the figure in the format's description");
 
-/// Checks magic, version and size, and copies the header: tells what it may be of, not whether its
-/// contents can be trusted.
+/// Checks magic, version and size, and copies the header, which says what the robot may be, not
+/// whether its contents can be trusted.
 Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader& header);
 
 /// Opens an image in place: `bytes` must start at a multiple of 4 and outlive `robot`, and so must

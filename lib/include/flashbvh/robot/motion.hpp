@@ -1,7 +1,7 @@
 // Certified motions: whether a robot that goes straight from one set of joint values to another
 // one, all joints in proportion, is free at every moment.
 //
-// The motion is bisected. In the middle of an interval each pair of links is asked whether it is
+// The motion is bisected. In the middle of an interval each pair of links is tested whether it is
 // within what the joints move it until the ends of the interval, and Robot::slack; if not, it is
 // free in all of the interval. If it is, and does not intersect there, the interval is cut in two.
 // Source: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking" (2005).
@@ -29,7 +29,7 @@ enum class MotionOutcome : uint8_t {
 
 using MotionAnswer = flashbvh_motion_answer;
 
-/// What a query knows beside its arrays.
+/// The state of a query in addition to its arrays.
 struct MotionCore {
   uint32_t robot_hash;
   Status status;

@@ -58,7 +58,7 @@ inline Status set_translation(const Robot& robot, const float (&metres)[3], Fram
 }  // namespace detail
 
 /// A frame from a matrix, row by row, and metres. `translation_out_of_range`; whether the matrix is
-/// a rotation is told where the frame is used.
+/// a rotation is tested where the frame is used.
 inline Status set_frame(const Robot& robot, const float (&rotation)[3][3], const float (&metres)[3],
                         Frame& frame) {
   for (int i = 0; i < 3; ++i) {

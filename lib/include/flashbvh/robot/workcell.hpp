@@ -1,9 +1,9 @@
-// What is beside a robot at run time: tools mounted on it, obstacles that stand in the base's frame
-// or that the caller moves.
+// What is added to a robot at run time: tools mounted on it, obstacles that stand in the base's
+// frame or that the caller moves.
 //
 // A workcell is a robot in RAM: a copy of the baked one's arrays, to which bodies and pairs are
 // added. Guards and motion queries take it as they take the baked one; what is mounted is one of
-// its links. Changing tools is making the workcell anew, and priming the guard.
+// its links. To change tools, make the workcell again and prime the guard.
 //
 // What is promised of a tool is what is promised of a link: how far each joint moves it is bounded
 // by the sphere round it, swept over all settings of the joints, so a long thin tool is measured

@@ -20,7 +20,7 @@ namespace flashbvh::detail {
 
 /// Whether two boxes, the second under a translation, are disjoint; for a single test, which the
 /// thresholds of TranslatedBoxTest would not pay. `along(axis)`: the translation in cells, within
-/// +-2^30; the first axis with a gap is the last that is asked for.
+/// +-2^30; the first axis with a gap is the last that is computed.
 template <class Along>
 FLASHBVH_INLINE constexpr bool boxes_disjoint(const PackedBox& a, const PackedBox& b,
                                               const Along& along) {
@@ -47,7 +47,7 @@ FLASHBVH_INLINE constexpr bool boxes_disjoint(const PackedBox& a, const PackedBo
 /// Tests boxes of A against boxes of B under a translation. 12 bytes; made once a query.
 class TranslatedBoxTest {
  public:
-  /// To be assigned to before it is asked.
+  /// To be assigned to before it is called.
   TranslatedBoxTest() = default;
   /// `x, y, z`: the translation of B in cells; any 32-bit value.
   constexpr TranslatedBoxTest(int32_t x, int32_t y, int32_t z)

@@ -6,7 +6,7 @@
 // B's words are exchanged in registers. Gathering its halves in the order wanted takes four
 // instructions fewer, but eight accesses to memory, which may cost more than they save
 // (lib/docs/decisions/0008-helium.md). In assembly, since GCC extends the predicates' sign before
-// it compares them, and makes the vector of thresholds anew in each visit.
+// it compares them, and makes the vector of thresholds again in each visit.
 #ifndef FLASHBVH_DETAIL_BOUNDS_BOX_MVE_HPP
 #define FLASHBVH_DETAIL_BOUNDS_BOX_MVE_HPP
 

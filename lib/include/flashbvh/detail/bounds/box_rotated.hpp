@@ -6,9 +6,9 @@
 // vertices' 22, and rounded to whole cells, these bounds are an axis-aligned box on A's lattice.
 // Rotated the other way, a box of A makes one on B's lattice, widened by what rounded vertices and
 // columns that are not quite orthogonal can add. The boxes are disjoint if either rotated box is
-// disjoint from the other box, which three packed sums of bounds tell. The bounds rounding to whole
-// cells loses nothing, since they are compared with whole cells. lib/docs/derivations.md, "Rotated
-// boxes", derives the margins.
+// disjoint from the other box, which three packed sums of bounds decide. The bounds rounding to
+// whole cells loses nothing, since they are compared with whole cells. lib/docs/derivations.md,
+// "Rotated boxes", derives the margins.
 //
 // A rotated box is kept until another one of its tree is: a walk goes on in one tree at a time. The
 // axes whose rotated box is current go first, and what that rejects costs no rotation at all.
@@ -78,7 +78,7 @@ class RotatedBoxTest {
         b_{{0, 0, 0}, nullptr, {transform.matrix->rows, transform.on_a}} {}
 
   /// False only if no transformed triangle of a subtree with box `b` intersects one of a subtree
-  /// with box `a`. Answers depend on the boxes alone, not on what was asked before; but boxes are
+  /// with box `a`. Answers depend on the boxes alone, not on earlier calls; but boxes are
   /// known by their addresses, and what lies there must not change while this lives. Of boxes in
   /// nodes: with Helium the four bytes after a box are read, too.
   bool operator()(const PackedBox& a, const PackedBox& b) { return gap(a, b) == 0; }

@@ -207,7 +207,7 @@ class WideGap {
   FLASHBVH_INLINE bool operator()(const PackedBox& a, const PackedBox& b) const {
     return squared(a, b) <= limit_.limit();
   }
-  /// Which boxes seem nearest, where gaps alone don't tell: as many boxes overlap.
+  /// Which boxes seem nearest, where gaps alone do not decide: as many boxes overlap.
   uint32_t guess(const PackedBox& a, const PackedBox& b) const {
     return squared_middles(seen_translated(b, *offset_), a) + squared(a, b);
   }
@@ -287,7 +287,7 @@ class RotatedGap {
   bool operator()(const PackedBox& a, const PackedBox& b);
   /// At most the square of the distance, as GapLimit has it: on A's axes alone.
   uint32_t squared(const PackedBox& a, const PackedBox& b);
-  /// Which boxes seem nearest, where gaps alone don't tell.
+  /// Which boxes seem nearest, where gaps alone do not decide.
   uint32_t guess(const PackedBox& a, const PackedBox& b) {
     return squared_middles(seen_of_b(b), a) + squared(a, b);
   }

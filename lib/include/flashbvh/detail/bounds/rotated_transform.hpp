@@ -31,7 +31,7 @@ struct BoxTestStart {
   int32_t lower;
 };
 
-/// Where the other lattice's origin lies along the axis: both begin with it, one negated, beside
+/// Where the other lattice's origin lies along the axis: both begin with it, one negated, and with
 /// what they share.
 inline int32_t offset_of(const BoxTestStart& start) {
   return (start.upper - start.lower) >> 1;

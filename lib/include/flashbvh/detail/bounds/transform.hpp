@@ -32,7 +32,7 @@ class Transform {
     place(pose, a, b, may_stop, [] {});
   }
 
-  /// Sets all that follows from a pose without an error, unless `may_stop` and the root boxes tell
+  /// Sets all that follows from a pose without an error, unless `may_stop` and the root boxes show
   /// already that nothing can intersect. Ends with `rest()`, which sets what else there is to set.
   /// Each way has its own copy of the same end: where the query ends at once, in the function that
   /// made it, compilers leave out what is never read; merged, they keep it all.

@@ -1,7 +1,7 @@
 // How far two triangles are apart: exactly, as a fraction of squared cells.
 //
 // Triangles that do not intersect are nearest between two of their features: a corner above a face,
-// two edges, a corner beside an edge, or two corners. Each of the 42 pairs counts where the nearest
+// two edges, a corner and an edge, or two corners. Each of the 42 pairs counts where the nearest
 // points of the planes, lines or points lie inside both features; what counts is never below the
 // distance, and the least of it is the distance. So "within" is a disjunction of comparisons, and
 // no order of them matters.
@@ -82,12 +82,12 @@ bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
                          Direction& first) noexcept;
 
 /// Whether the direction between the triangles' middles has them apart: with a gap, exactly, so
-/// that it is false of triangles that touch. Tells most neighbours of a surface, which planes do
+/// that it is false of triangles that touch. Detects most neighbours of a surface, which planes do
 /// not.
 bool middles_separate(const Triangle& a, const Triangle& b) noexcept;
 
 /// Whether the plane of either triangle has the other one on one side, so far off that the square
-/// is `limit` + 1 or more; the limit is below 2^35. Seldom false where the planes tell.
+/// is `limit` + 1 or more; the limit is below 2^35. Rarely false where the planes separate.
 bool planes_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept;
 
 /// A point of a triangle: corner `origin` and so much of the vectors from there to two others, in

@@ -1,8 +1,9 @@
 // The question of PairQuery: which triangles intersect.
 //
 // A question is the test that a query makes of a walk's pairs. It is a small class with
-//     kIntersects             whether only triangles that intersect are an answer: then whatever
-//                             tells them disjoint may reject pairs, and the exact test is known
+//     kIntersects             whether only triangles that intersect are an answer: then any test
+//                             that finds them disjoint may reject pairs, and the exact test is
+//                             known
 //     Shapes<Mesh>            how leaves are taken as shapes (leaf_planes.hpp), or NoShapes
 //     kBatch                  how many pairs of leaves may be found before they are tested: one if
 //                             an answer changes the bound
@@ -14,9 +15,10 @@
 //     translated(transform)   a bound for the walk under a translation
 //     rotated(transform)      one under a rotation, which may have a state: a run's own
 //     test(a, b, i, j)        unless kIntersects: whether two triangles in A's frame are an answer,
-//                             A's i-th and B's j-th; may change what the question asks
+//                             A's i-th and B's j-th; may change the predicate
 //     KeepsBound              a type, void, if not only a rotated B has a bound with a state: then
-//                             is_kept(transform) tells, and kept(transform) makes it, not rotated()
+//                             is_kept(transform) decides, and kept(transform) makes it, not
+//                             rotated()
 //     error_of(transform, a, b)   unless kDisjointRootsEnd: what is wrong with the question
 // Bounds are the question's to widen; a test may only say yes where they do not say no.
 #ifndef FLASHBVH_DETAIL_QUERY_INTERSECTION_HPP

@@ -1,5 +1,5 @@
-// The triangles of two leaves tested at once, with AVX2: where a processor has it, which is asked
-// when a query runs. Answers are those of triangles_intersect(), bit for bit.
+// The triangles of two leaves tested at once, with AVX2: where a processor has it, which is
+// detected when a query runs. Answers are those of triangles_intersect(), bit for bit.
 //
 // A vector holds a corner in each lane: a triangle's heights over a plane are three products, and
 // whether it is on one side of it two masks. What separates no pair goes to the determinants of
@@ -19,12 +19,12 @@
 
 namespace flashbvh::detail {
 
-/// Whether any two triangles of two leaves are asked, and whether they intersect, no more.
+/// Whether the predicate tests any two triangles of two leaves, and only for intersection.
 template <class Predicate>
 inline constexpr bool kAsksAllAlike = Predicate::kIntersects;
 
-/// A batch of pairs of leaves. Elsewhere, and where triangles are not asked alike, they are tested
-/// one pair after the other.
+/// A batch of pairs of leaves. Elsewhere, and where the predicate differs by triangle, they are
+/// tested one pair after the other.
 template <class LeafPairs, class Mesh, bool asks_all_alike>
 struct Batches {
   using Batch = LeafPairs;
@@ -65,7 +65,7 @@ void take_rotated(const VertexTransform& by, const Vertex* const (&corner)[3], T
 uint32_t intersecting_pairs(const TriangleLanes* a, uint32_t in_a, const TriangleLanes* b,
                             uint32_t in_b);
 
-/// Of the pair of leaves asked for last all answers are kept, and the triangles of both.
+/// Keeps all answers for the latest pair of leaves, and the triangles of both.
 template <class Mesh>
 class LeavesAtOnce {
  public:

@@ -63,7 +63,7 @@ constexpr bool is_in_lattice(const Vertex& v) {
 
 /// Halves are compared with their signs, and raised once a box; one beyond the lattice wraps to
 /// 2^15 or more. What is the same for all is kept out of the compiler's sight, which would make it
-/// anew for each.
+/// again for each.
 class VertexBoxes {
  public:
   explicit VertexBoxes(const Vertex* vertices)

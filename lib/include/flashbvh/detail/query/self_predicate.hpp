@@ -1,4 +1,4 @@
-// What a mesh is asked about itself: a question of two meshes, of each unordered pair of triangles
+// A query of a mesh and itself: a predicate of two meshes, on each unordered pair of triangles
 // that share no vertex.
 #ifndef FLASHBVH_DETAIL_QUERY_SELF_PREDICATE_HPP
 #define FLASHBVH_DETAIL_QUERY_SELF_PREDICATE_HPP
@@ -14,7 +14,7 @@
 
 namespace flashbvh::detail {
 
-/// Leaves are no shapes: neighbours always overlap, and a slab never tells them apart.
+/// Leaves are no shapes: neighbours always overlap, and a slab never separates them.
 template <class Base>
 struct SelfPredicate : Base {
   template <class Mesh>

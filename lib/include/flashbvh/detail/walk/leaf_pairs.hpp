@@ -1,5 +1,5 @@
 // Pairs of leaves that a walk found and whose triangles are still to be tested: as many as a run
-// takes along before it leaves the walk.
+// batches before it leaves the walk.
 #ifndef FLASHBVH_DETAIL_WALK_LEAF_PAIRS_HPP
 #define FLASHBVH_DETAIL_WALK_LEAF_PAIRS_HPP
 
@@ -94,7 +94,7 @@ class LeafPairs {
   bool has_current() const { return next_ != 0; }
   const Entry& current() const { return entry_[next_ - 1]; }
 
-  /// What the walk did since this was asked before, up to the current pair; or up to its end.
+  /// What the walk did since the call before, up to the current pair; or up to its end.
   Walked walked_to_current() { return since(current().counts); }
   Walked walked_to_end() { return since(entry_[count_ < size ? count_ : size - 1].counts); }
 

@@ -37,7 +37,7 @@ class ProximityPlanes : LeafPlanes<Mesh> {
   using Base::leaf_side;
   using Base::work_of;
 
-  /// The bound of a walk, while it lasts: its limit is asked for, and its rotated boxes.
+  /// The bound of a walk, while it lasts: its limit and its rotated boxes are read.
   void set_box_test(const TranslatedGap& bound) { set_limit(bound.limit()); }
   void set_box_test(KeptGap& bound) {
     kept_gap_ = &bound;

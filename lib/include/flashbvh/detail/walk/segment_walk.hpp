@@ -46,7 +46,8 @@ class SegmentWalk {
   /// `segment`: in the mesh's frame.
   SegmentWalk(const MeshType& mesh, const Segment& segment) noexcept;
 
-  /// To the next triangle that is hit; false at the end, and after an error, which status() tells.
+  /// To the next triangle that is hit; false at the end, and after an error, which status()
+  /// returns.
   bool next(RayHit<Index>& hit) noexcept;
   /// To the next one whose leaf's box the segment meets.
   bool next_triangle(uint32_t& position) noexcept;
@@ -65,7 +66,7 @@ class SegmentWalk {
   /// To the first triangle of the next leaf.
   bool next_leaf() noexcept;
 
-  Status status_ = Status::done;  // told by the segment: before it
+  Status status_ = Status::done;  // set by the segment: before it
   const MeshType* mesh_;
   Segment segment_;  ///< from the mesh's origin on
   SegmentInBoxes boxes_;

@@ -60,7 +60,8 @@ struct ByReference {
   bool operator()(const PackedBox& a, const PackedBox& b) const { return (*bound)(a, b); }
 };
 
-/// Tells the compiler that `object` may have changed: it can't live in registers across this call.
+/// Makes the compiler assume that `object` may have changed: it can't live in registers across this
+/// call.
 template <class Object>
 inline void keep_in_memory(Object& object) {
 #if defined(__GNUC__)

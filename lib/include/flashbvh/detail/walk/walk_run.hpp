@@ -67,7 +67,7 @@ struct Progress {
   uint32_t visits_down() const { return work_left + besides; }
 };
 
-/// Whether what is asked at pairs of leaves spends work.
+/// Whether the tests at pairs of leaves spend work.
 template <class LeafPair, class = void>
 struct SpendsWork {
   static constexpr bool kValue = false;

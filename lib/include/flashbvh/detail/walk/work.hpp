@@ -2,8 +2,8 @@
 // that a query cut by work is cut in the same places; what one of it takes at most is not
 // (time_bound.hpp).
 //
-// A visit is 1. The others were chosen from what they take at most in instructions, beside a visit
-// under a rotation, on the cores that the tests run on (lib/docs/bounded_time.md).
+// A visit is 1. The others were chosen from what they take at most in instructions, relative to a
+// visit under a rotation, on the cores that the tests run on (lib/docs/bounded_time.md).
 #ifndef FLASHBVH_DETAIL_WALK_WORK_HPP
 #define FLASHBVH_DETAIL_WALK_WORK_HPP
 
@@ -31,8 +31,8 @@ constexpr uint32_t kGoOnWork = 2;
 /// divide by it.
 constexpr uint32_t kTrianglePairWork = 32;
 
-/// Two triangles asked whether they are within a distance: a walk at a distance tests hundreds that
-/// boxes don't tell apart, and nearly all end at once.
+/// Two triangles tested for a distance: a walk at a distance tests hundreds that
+/// boxes do not separate, and nearly all end at once.
 constexpr uint32_t kNearPairWork = 8;
 /// On top, those that don't; paid when a batch of them is done.
 constexpr uint32_t kDearPairWork = 32;
