@@ -6,11 +6,11 @@
 #
 # A library `name`, also called name::name, with the baked trees of some meshes, which share one
 # cell. A target that links it includes a mesh's tree as "<stem>.fbvh.hpp". The options are those of
-# `flashbvh bake`. The meshes are baked anew when one of them, an option or the tool changes.
+# `flashbvh bake`. The meshes are baked again when one of them, an option or the tool changes.
 #
 # FORMAT c makes C of the images: "<stem>.fbvh.h" declares the array <stem>_image, for
 # flashbvh_open(). FORMAT image makes no code: the folder of the images <stem>.fbvh is an include
-# folder of whoever links the library, for .incbin; the target's property FLASHBVH_IMAGES lists
+# folder of each target that links the library, for .incbin; the target's property FLASHBVH_IMAGES lists
 # them. FORMAT both makes C++ and images.
 #
 # A target that links two such libraries does not configure unless they have the same CELL: a query

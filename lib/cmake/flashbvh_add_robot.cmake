@@ -5,13 +5,13 @@
 # A library `name`, also called name::name, with the baked robot name::robot. A target that links it
 # includes "<name>.robot.hpp", and has flashbvh::robot. With FORMAT c it is name_robot, and the header
 # "<name>.robot.h". FORMAT image makes no code: the folder of <name>.robot, for open_robot(), is an include
-# folder of whoever links the library, for .incbin. The options are those of `flashbvh robot`;
-# lengths are in metres. The robot is baked anew when the URDF, the SRDF, one of the meshes, an option
+# folder of each target that links the library, for .incbin. The options are those of `flashbvh robot`;
+# lengths are in metres. The robot is baked again when the URDF, the SRDF, one of the meshes, an option
 # or the tool changes; which meshes, the tool says in a depfile.
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 
 function(flashbvh_add_robot name)
-  # Depfiles as Ninja wants them, however old the CMake is that the caller asks for.
+  # Depfiles as Ninja wants them, even if the caller requires an older CMake.
   cmake_policy(SET CMP0116 NEW)
   set(files URDF SRDF)
   set(single CELL LEAF_SIZE STOP WARN FORMAT)

@@ -1,6 +1,6 @@
 # cmake [-DSTATUS=n] [-DOUTPUT=regex] -P expect.cmake -- COMMAND ARGUMENT...
 #
-# Runs the command and fails unless it ends with that status (0 unless told; "failure" is any but
+# Runs the command and fails unless it ends with that status (0 by default; "failure" is any but
 # 0) and writes what the expression matches. CTest alone knows one of the two at a time.
 if(NOT DEFINED STATUS)
   set(STATUS 0)

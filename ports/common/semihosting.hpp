@@ -1,4 +1,4 @@
-// Semihosting: how a program without an operating system asks the host behind the emulator (or the
+// Semihosting: how a program without an operating system calls the host behind the emulator (or the
 // debug probe) for output and for an end. Sources: Arm, "Semihosting for AArch32 and
 // AArch64"; RISC-V International, "RISC-V Semihosting".
 #ifndef FLASHBVH_PORT_SEMIHOSTING_HPP

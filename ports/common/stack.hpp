@@ -14,7 +14,7 @@ namespace port {
 uint32_t stack_size();
 
 /// Bytes of stack that the program has used at most since its start, or, once stack_of() has
-/// painted anew, since then.
+/// painted again, since then.
 uint32_t stack_used();
 
 /// Bytes of stack that `function(context)` uses, with all that it calls. An empty function uses 0.

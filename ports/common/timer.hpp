@@ -1,7 +1,7 @@
 // A control task: a function that a timer's interrupt calls at a fixed rate.
 //
 // Time is QEMU's under `-icount shift=8` (insn.hpp), where an instruction takes 256 ns: a rate is
-// told as the instructions between two interrupts, 168,000 for 1 kHz on a core of 168 MHz that
+// given as the instructions between two interrupts, 168,000 for 1 kHz on a core of 168 MHz that
 // executes one a cycle. On Cortex-M the interrupt is SysTick's, so a program has this or insn.hpp.
 // Elsewhere, where start-up code takes no interrupts, a loop stands for the timer.
 #ifndef FLASHBVH_PORT_TIMER_HPP

@@ -16,7 +16,7 @@ include(${board_file})
 
 set(CMAKE_CROSSCOMPILING_EMULATOR ${flashbvh_ports}/run ${FLASHBVH_MACHINE})
 
-# flashbvh_use_compiler(prefix packages flags): the flags are those beside the core's own.
+# flashbvh_use_compiler(prefix packages flags): the flags are those in addition to the core's own.
 macro(flashbvh_use_compiler prefix packages flags)
   find_program(FLASHBVH_CROSS_GXX ${prefix}-g++)
   if(NOT FLASHBVH_CROSS_GXX)

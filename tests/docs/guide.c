@@ -57,7 +57,7 @@ static void check_contact(const check* c, float mm[3]) {
   flashbvh_in_unit(&contact.ends[0], &plate, mm);
 }
 
-/** How far the peg is from the plate, in mm; negative if it can't be told. */
+/** How far the peg is from the plate, in mm; negative if unknown. */
 static float distance_mm(const flashbvh_pose* pose, flashbvh_witness* nearest) {
   flashbvh_clearance known;
   if (flashbvh_distance(&plate, &peg, pose, nearest, &known) != FLASHBVH_STATUS_DONE) {
@@ -74,7 +74,7 @@ static bool cable_start(flashbvh_segment_shape* axis) {
   return flashbvh_segment_shape_make(axis, &plate, &p, &q) == FLASHBVH_STATUS_DONE;
 }
 
-/** What can't be told may touch. */
+/** What cannot be decided may touch. */
 static bool cable_touches_plate(const flashbvh_segment_shape* axis, const flashbvh_pose* pose) {
   const uint32_t radius = flashbvh_fine_distance(2, plate_CELLS_PER_UNIT);
   bool yes = true;

@@ -102,7 +102,7 @@ class Cable {
  public:
   Cable() : axis_(plate::mesh, {0, 0, 0}, {0, 0, kLength}) {}
 
-  /// What can't be told may touch.
+  /// What cannot be decided may touch.
   bool touches_plate(const flashbvh::Pose& pose) const {
     const uint32_t radius = flashbvh::fine_distance(2, plate::kCellsPerUnit);
     return axis_.status() != flashbvh::Status::done ||
@@ -115,7 +115,7 @@ class Cable {
   flashbvh::SegmentShape axis_;
 };
 
-/// How high a sensor is above the plate, in mm: `reach` if it sees nothing, 0 if it can't be told.
+/// How high a sensor is above the plate, in mm: `reach` if it sees nothing, 0 if unknown.
 float height_seen(const float (&from)[3], float reach) {
   const float down[3] = {0, 0, -1};
   const auto ray = flashbvh::segment_of(from, down, reach, plate::kCellsPerUnit);
@@ -136,7 +136,7 @@ class SoftPeg {
 
   flashbvh::Vertex* vertices() { return vertices_; }
 
-  /// Once they moved. What can't be told may touch.
+  /// Once they moved. What cannot be decided may touch.
   bool touches_plate_or_itself(const flashbvh::Pose& pose) {
     return mesh_.refit().status != flashbvh::Status::done ||
            intersects(plate::mesh, mesh_.mesh(), pose).yes || intersects_itself(mesh_.mesh()).yes;

@@ -15,7 +15,7 @@ inline void leave_stack() {
       "udf #0\n");
 }
 
-/// An even address asks for the Arm instruction set, which the core does not have.
+/// An even address selects the Arm instruction set, which the core does not have.
 inline void branch_to(const volatile void* data) {
   __asm__ volatile("bx %0" ::"r"(data));
 }
