@@ -1,4 +1,4 @@
-# flashbvh_write_shape(output shape size...): `output` is what meshes.py prints. Made anew for each build: small.
+# flashbvh_write_shape(output shape size...): `output` is what meshes.py prints. Made again for each build: small.
 include_guard()
 find_program(python python3 REQUIRED)
 set(FLASHBVH_SHAPES ${CMAKE_CURRENT_LIST_DIR}/meshes.py)

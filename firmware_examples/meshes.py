@@ -102,7 +102,7 @@ def link(mesh, around, rings, parts, radius, tube):
 
 
 def room(mesh):
-    """The walls are a box inside out: their triangles face inwards, those of what stands in the room
+    """The walls are a box inside out: their triangles face inwards, those of objects in the room
     outwards, so all that a sensor in the room may see is a front. Winding numbers add up: the room's is
     -1, and in the pillar 0 again. What inside() finds is the air. So no two parts overlap."""
     def block(x0, y0, z0, x1, y1, z1, inwards=False):

@@ -2,7 +2,7 @@
 # check.sh LIB OUT [NAME...]   Checks the proofs, or those of these names, of the code in LIB, in OUT.
 #
 # A file of Coq says with `Print Assumptions` what it proves. A file of gappa proves one claim, which
-# its first line says. One of cvc5 has after each check-sat a comment with what is expected, and of what:
+# its first line says. One of cvc5 has after each check-sat a comment with the expected result, and its meaning:
 #   (check-sat) ; unsat: no box ...
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -47,7 +47,7 @@ solvers() {
     printf '%-22s %s\n' "$file" "$(sed -n '1s/^; *//p' "$file")"
   done
 }
-wanted() {  # of the files of these names, those that were asked for
+wanted() {  # of the files of these names, those that were requested
   for file; do
     [ -e "$file" ] || continue
     case " $names " in "  " | *" $file "*) echo "$file" ;; esac

@@ -63,7 +63,7 @@ def main():
                     squeezed[file] = re.sub(r"\s+", "", (lib / file).read_text())
                 if re.sub(r"\s+", "", quoted[2]) not in squeezed[file]:
                     print(f"{name}:{number}: lib/{file} no longer has: {quoted[2]}\n"
-                          "  Is the proof still of what the code does? Then quote it as it is.",
+                          "  Does the proof still describe the code? Then quote the code as it is.",
                           file=sys.stderr)
                     status = 1
         try:

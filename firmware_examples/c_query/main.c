@@ -1,4 +1,4 @@
-/* A machine whose tool tilts above a plate, in C99. Before each move the control loop asks whether
+/* A machine whose tool tilts above a plate, in C99. Before each move the control loop tests whether
  * the tool would hit the plate where it is about to go: a slice of the answer in each tick, so that
  * the tick stays short, whatever the meshes. */
 #include <flashbvh/flashbvh.h>
@@ -22,7 +22,7 @@ typedef struct target {
 
 static const target targets[] = {
     {"4 mm up, upright", 4, false}, {"4 mm up, tilted", 4, true}, {"2 mm up, tilted", 2, true}};
-/* As a wrong sensor may tell at reset: the tool, 30 mm long, in the plate, 40 mm thick. */
+/* As a wrong sensor may report at reset: the tool, 30 mm long, in the plate, 40 mm thick. */
 static const target wholly_inside = {"35 mm down", -35, false};
 
 /** A question on its way. */

@@ -1,7 +1,7 @@
 // A gripper comes down on a bar and turns as it does: how far are they apart, and may it go on?
 //
 // Distances are of surfaces: a bar wholly inside the palm is far from its walls. So "free" is said
-// only after the solids were asked, too. The last line is such a case.
+// only after a query of the solids, too. The last line is such a case.
 //
 // Prints a line a step: the distance in millimetres, the verdict, and the instructions of the whole
 // check, pose included. They are counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
@@ -123,7 +123,7 @@ int main() {
     last = tell(guard, [&] { return approach.pose(); });
     approach.step();
   }
-  // As sensors may tell at reset. By the distance alone the gripper would be free.
+  // As sensors may report at reset. By the distance alone the gripper would be free.
   port::print("bar in the palm: ");
   const Verdict inside = tell(guard, [] {
     return pose_of(UnitQuaternion{1, 0, 0, 0}, {0, 0, -36.0f}, bar::kCellsPerUnit);

@@ -7,9 +7,9 @@ namespace {
 
 constexpr int kStretches = 8;
 constexpr float kAir = 0.98f;
-constexpr float kFriction = 0.6f;  ///< of what it moved before, on what it touches
+constexpr float kFriction = 0.6f;  ///< of its last movement, on what it touches
 constexpr float kFirm = 0.7f;
-constexpr float kGentle = 0.4f;  ///< of what is missing: many pairs push one point
+constexpr float kGentle = 0.4f;  ///< of the missing distance: many pairs push one point
 
 constexpr Vector kHere = {0, 0, 0};
 

@@ -1,4 +1,4 @@
-// A cloth's motion: points and stretched edges, in float. What it touches is not asked here.
+// A cloth's motion: points and stretched edges, in float. It makes no queries.
 //
 // Each step moves the points by what they moved before, less the air, and by their weight; then
 // edges are drawn to the length that they have in the baked sheet, some times over. Only sums,

@@ -2,7 +2,7 @@
 // which, each frame, exactly.
 //
 // A frame is 10 ms. The sheet is a mesh that bends: each frame its vertices are put where the
-// cloth's points are, the boxes are fitted to them, and four questions are asked: which triangles
+// cloth's points are, the boxes are fitted to them, and four queries run: which triangles
 // of link and sheet intersect, which of the sheet intersect each other, and which of both kinds are
 // nearer than the cloth is thick. The last two push. The same numbers come on every core and on the
 // host, where an argument names a page of pictures to write.
@@ -45,7 +45,7 @@ const Pose kInPlace = Pose::translated(0, 0, 0);
 
 struct Frame {
   uint32_t of_link = 0;    ///< pairs that intersect
-  uint32_t of_itself = 0;  ///< likewise
+  uint32_t of_itself = 0;  ///< of the cloth with itself
   uint32_t near_link = 0;
   uint32_t near_itself = 0;
   uint32_t digest = 2166136261u;  ///< of this frame and all before
@@ -102,7 +102,7 @@ void push_off_link(Cloth& cloth, uint32_t of_a, uint32_t of_b) {
   }
 }
 
-/// Everything that is asked of a frame. Not inlined: its frames are what the stack is.
+/// All queries of a frame. Not inlined: its frames are what the stack is.
 Costs ask(const Mesh& mesh, Cloth& cloth, Frame& frame) {
   Costs costs;
   costs.link = port::instructions_of([&] {

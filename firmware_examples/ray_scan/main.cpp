@@ -1,8 +1,8 @@
 // What a time-of-flight sensor would measure in a room that is known, zone by zone; and what it
 // measures that is not in the map.
 //
-// The map says nothing of use where the sensor isn't: so a place is first asked to be in the room's
-// air. The last place is a wrong one, as odometry gives after a wheel has slipped.
+// The map says nothing of use where the sensor isn't: so a place is first tested to be in the
+// room's air. The last place is a wrong one, as odometry gives after a wheel has slipped.
 //
 // Prints for each place the instructions of the whole scan, from floats to millimetres, and the
 // distance along the ray of each zone; "-" where nothing is within the reach. Instructions are
@@ -102,7 +102,7 @@ bool agree(uint16_t measured, uint16_t expected) {
   return difference <= expected / 16 + 20;
 }
 
-/// Tells the zones that measure something else than the map has; returns how many.
+/// Prints the zones that measure something else than the map has; returns how many.
 int tell_differences(const Scan& scan, const uint16_t (&measured)[kZones]) {
   int count = 0;
   for (int zone = 0; zone < kZones; ++zone) {

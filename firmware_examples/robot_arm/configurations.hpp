@@ -1,4 +1,4 @@
-// The configurations that are asked about.
+// The configurations that the example tests.
 #ifndef ROBOT_ARM_CONFIGURATIONS_HPP
 #define ROBOT_ARM_CONFIGURATIONS_HPP
 

@@ -40,7 +40,8 @@ ArmPose arm_pose(const Configuration& configuration) {
   return ::arm_pose(angles);
 }
 
-/// Whether links that are not neighbours touch: neighbours share a bearing. What can't be told may.
+/// Whether links that are not neighbours touch: neighbours share a bearing. What cannot be decided
+/// may.
 bool hits_itself(const ArmPose& arm) {
   for (int a = 0; a < kLinkCount; ++a) {
     for (int b = a + 2; b < kLinkCount; ++b) {
@@ -172,7 +173,7 @@ void ask(const Configuration& configuration, const ArmPose& arm, const PreTrees&
   measure_with_stack<AlternatingStack<MeshWithLevels>>(what, "alternating-stack");
 }
 
-/// The question as a controller asks it.
+/// The query as a controller makes it.
 void check(const Configuration& configuration) {
   bool yes = true;
   const uint32_t whole = port::instructions_of([&] { yes = hits_itself(arm_pose(configuration)); });

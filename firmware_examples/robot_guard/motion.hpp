@@ -1,4 +1,4 @@
-// What an arm is told to do: from rest to rest, all joints in proportion.
+// An arm's commands: from rest to rest, all joints in proportion.
 #ifndef FLASHBVH_ROBOT_GUARD_MOTION_HPP
 #define FLASHBVH_ROBOT_GUARD_MOTION_HPP
 

@@ -1,7 +1,7 @@
 // How much RAM do a ball and a capsule take that move among 2,048 triangles, on a BBC micro:bit?
 //
-// The mesh lies in flash, as it was baked. What moves is a point or a segment, made anew for each
-// question, and its radius is the distance that is asked about.
+// The mesh lies in flash, as it was baked. What moves is a point or a segment, made again for each
+// query, and its radius is the distance of the query.
 #include <stdint.h>
 
 #include <flashbvh/flashbvh.hpp>

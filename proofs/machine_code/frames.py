@@ -27,7 +27,7 @@ def frame_of(graph: Graph) -> Frame:
             raise graph.refuse(address, "not understood")
         if found.grows is None:
             raise graph.refuse(address, f"{graph.function} has a frame of no fixed size")
-        # Whoever goes on after a return has not executed it.
+        # Code that goes on after a return has not executed it.
         depth = before[address] + (0 if found.flow is Flow.LEAVE else found.grows)
         if depth > DEEPEST:
             raise graph.refuse(address, "the stack's depth has no end")

@@ -29,7 +29,7 @@ class Instruction:
 
     @property
     def is_padding(self) -> bool:
-        """What may stand between functions; a bare return harms nobody who gets there."""
+        """What may stand between functions; a bare return is harmless."""
         return self.name == "nop" or (self.flow is Flow.LEAVE and self.grows == 0)
 
 

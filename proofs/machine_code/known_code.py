@@ -125,7 +125,7 @@ LOOP_CASES = [
          "cut ^f$ turn 3 source.c while (i)"),
     Case("a line outside the loop", "refused", TURNS, "a loop without a bound",
          "cut ^f$ turn 3 source.c (void)"),
-    Case("a table that nobody understands", "refused", TURNS, "not understood", "cat ^f$ turn 3"),
+    Case("a table of an unknown form", "refused", TURNS, "not understood", "cat ^f$ turn 3"),
     Case("a loop in a loop", "path", NESTED, "47 = fixed 7 inner 8*5",
          "cut ^f$ outer 3 source.c for (i)\ncut ^f$ inner 9 source.c for (j)"),
     Case("two kinds of turns in one loop", "path", WALK, "11 = fixed 11 visit 5 ascent 6",

@@ -1,6 +1,6 @@
 """known_code_test.py arm|riscv COMPILER FLAG...
 
-The longest paths and the frames of code that is known, and refusals of what has none. COMPILER,
+The longest paths and the frames of code that is known, and refusals of code that has none. COMPILER,
 with its flags, assembles and links: all cases at once.
 """
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""The table of what bounds loops, and of the functions that a proof is about.
+"""The table of the bounds of loops, and of the functions that a proof is about.
 
     cut FUNCTION KIND COUNT FILE TEXT   In functions that match, an instruction of a line of FILE
                                         that has TEXT is executed at most COUNT times a call ("-":
                                         the proof leaves it open). With "-" for FILE, TEXT is a
                                         branch's condition: for code without lines.
     apart FUNCTION                      Calls of it count as the call alone.
-    special FUNCTION                    The same, where only the general case is asked for.
+    special FUNCTION                    The same, where only the general case is proven.
     root NAME FUNCTION                  What to prove, under a name.
 
 FUNCTION: a regular expression of names as in the source, with arguments. FILE: its name, wherever

@@ -55,8 +55,8 @@ constexpr uint32_t kRobotLinks = 6;
 struct Arguments {
   const flashbvh::MeshWithLevels* a;
   const flashbvh::MeshWithLevels* b;
-  const flashbvh::Mesh* closed;  ///< the same mesh, said to be closed
-  flashbvh::DeformableMesh* bent;    ///< the same mesh, two of its triangles moved
+  const flashbvh::Mesh* closed;    ///< the same mesh, said to be closed
+  flashbvh::DeformableMesh* bent;  ///< the same mesh, two of its triangles moved
   const flashbvh::PreMeshWithLevels* pre_a;
   const flashbvh::PreMeshWithLevels* pre_b;
   const flashbvh::Pose* pose;
@@ -86,7 +86,7 @@ struct Arguments {
   flashbvh::MotionStateOf<1, 1>* motion_state;
   flashbvh::WorkcellOf<3, 4, 2, 5>* workcell_memory;
 
-  uint32_t distance;  ///< that is asked about
+  uint32_t distance;  ///< of the query
   uint32_t work;      ///< of a run
   uint32_t capacity;  ///< of the array of pairs, in a run
 

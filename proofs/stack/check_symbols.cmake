@@ -2,7 +2,7 @@
 #
 # The library's symbols: no writable data, and nothing called from outside but what calls.txt has,
 # memory functions and the compiler's own arithmetic with integers. A heap, exceptions, RTTI or
-# floats would show here even if nobody called.
+# floats would show here even without a call.
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/calls.txt allowed REGEX "^outside ")
 list(TRANSFORM allowed REPLACE "^outside " "")
 list(JOIN allowed "|" allowed)

@@ -159,7 +159,7 @@ inline flashbvh_segment any_c_segment(const Mesh& mesh, uint32_t i) {
           {segment.to.x, segment.to.y, segment.to.z}};
 }
 
-// Other entries are templates that nobody instantiates.
+// Other entries are templates without an instance.
 #define SECOND(first, second, ...) second
 #define LINKAGE(...) SECOND(__VA_ARGS__, template <class Arguments> void, ~)
 #define ENTRY(name, kind, most, ...)           \

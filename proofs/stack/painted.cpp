@@ -59,7 +59,7 @@ constexpr TestPose kTestPoses[] = {
     {{7, 3, -2, 5}, {kFarCells, 1000, 500}},
     {{1, 0, 0, 0}, {0, 0, 2500}},        // above itself
     {{1, 0, 0, 0}, {16000, 500, 2500}},  // the same, and along an edge
-    {{7, 3, -2, 5}, {0, 15000, 20000}},  // beside itself, rotated
+    {{7, 3, -2, 5}, {0, 15000, 20000}},  // next to itself, rotated
     {{7, 3, -2, 5}, {0, 0, 20000}},      // a corner above a face
     {{7, 3, -2, 5}, {3000, -2000, -20000}},
     {{3, 1, 1, 0}, {3636, -636, 18409}},
@@ -106,7 +106,7 @@ constexpr uint32_t length(const Element (&)[count]) {
   return count;
 }
 
-/// One that can be told of a pose as far apart, and the farthest.
+/// One that is decidable at a pose as far apart, and the farthest.
 constexpr uint32_t kDistances[] = {3000 * 256, kMaxDistance};
 
 // Static, since the smallest board has no such stack.
@@ -183,7 +183,7 @@ void bend(const Triangle* two) {
 /// In 1/2,048 cell: as far as a mesh reaches.
 constexpr uint32_t kRadius = 30000u << kFrameBits;
 constexpr RobotLink kLinks[] = {{{0, 0, 0}, kRadius, 0, kBase, {}}, {{0, 0, 0}, kRadius, 0, 0, {}}};
-/// So that motion_run's asks for little less than kMaxDistance.
+/// So that motion_run tests little less than kMaxDistance.
 constexpr uint32_t kReaches[] = {32760u << 14};
 
 /// Two links, posed as B in A's frame.
@@ -217,7 +217,7 @@ void set_pose(const TestPose& where, test::Rotation& matrix) {
   matrix = test::rotation_of(where.rotation);
   for (auto& row : matrix.entry) {
     for (int32_t& entry : row) {
-      entry &= ~0x3FFF;  // so coarse that a product is proven anew
+      entry &= ~0x3FFF;  // so coarse that a product is proven again
     }
   }
   in.rotation = matrix.entry;
@@ -240,7 +240,7 @@ void prepare() {
   in.c_cursor = flashbvh_query_cursor(reinterpret_cast<const flashbvh_query*>(in.query.bytes));
   stack_proof::make_in<TranslatedBoxTest>(in.made_pose, [] {
     return TranslatedBoxTest(in.pose->translation(0), in.pose->translation(1),
-                           in.pose->translation(2));
+                             in.pose->translation(2));
   });
   in.stack[0] = {};
 }

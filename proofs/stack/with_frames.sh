@@ -2,7 +2,7 @@
 # with_frames.sh COMPILER ARGUMENT...
 #
 # Compiles, with or without ccache before the compiler. It brings back the object of another build,
-# but not the .ci file that the compiler writes beside it: then all is compiled again.
+# but not the .ci file that the compiler writes next to it: then all is compiled again.
 frames= previous=
 for argument; do
   [ "$previous" != -o ] || frames=${argument%.*}.ci

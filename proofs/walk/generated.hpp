@@ -1,5 +1,5 @@
 // Random post-indexed trees, and what the library's walks do on them: pairs are tested by
-// functions of their indices, so that a model is asked the same without a box.
+// functions of their indices, so that a model answers the same without a box.
 #ifndef FLASHBVH_TEST_PROOF_GENERATED_HPP
 #define FLASHBVH_TEST_PROOF_GENERATED_HPP
 
@@ -106,7 +106,7 @@ struct Walked {
   }
 };
 
-/// Leaves as shapes, which ask PairTests.
+/// Leaves as shapes, which call PairTests.
 class TestedShapes {
  public:
   using Tree = ModelTree;

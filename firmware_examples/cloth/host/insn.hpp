@@ -1,4 +1,4 @@
-// The board's insn.hpp, on the host, where nobody counts.
+// The board's insn.hpp, on the host, where nothing is counted.
 #ifndef FLASHBVH_CLOTH_INSN_HPP
 #define FLASHBVH_CLOTH_INSN_HPP
 

@@ -1,4 +1,4 @@
-// A small arm on a pedestal, with a gripper, behind a fence: what it is told to do.
+// A small arm on a pedestal, with a gripper, behind a fence: its commands.
 #ifndef FLASHBVH_ROBOT_GUARD_ARM_HPP
 #define FLASHBVH_ROBOT_GUARD_ARM_HPP
 

@@ -1,4 +1,4 @@
-// The board's timer.hpp, on the host, where a loop stands for the timer and nobody counts.
+// The board's timer.hpp, on the host, where a loop stands for the timer and nothing is counted.
 #ifndef FLASHBVH_ROBOT_GUARD_TIMER_HPP
 #define FLASHBVH_ROBOT_GUARD_TIMER_HPP
 

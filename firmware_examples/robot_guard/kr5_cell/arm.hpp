@@ -1,4 +1,4 @@
-// A KUKA KR5 on a pedestal, behind a fence: what it is told to do.
+// A KUKA KR5 on a pedestal, behind a fence: its commands.
 #ifndef FLASHBVH_ROBOT_GUARD_ARM_HPP
 #define FLASHBVH_ROBOT_GUARD_ARM_HPP
 
