@@ -1,11 +1,12 @@
 // How far two meshes are apart: between which points, and whether by more than a distance.
 //
 // Exact on the lattice, as everything here: the distance is that of the two transformed meshes. It
-// is told as an exact fraction of square cells, and rounded down and up to 1/256 cell. Surfaces are
-// asked, not solids: a mesh wholly inside another one is as far from it as from its wall. Meshes
-// that intersect have distance 0, and no depth: the least movement that parts two meshes is not a
-// property of the place where they touch (two combs that interlock have none of that size at all).
-// What pushes bodies apart is a band: all pairs within d (WithinQuery), each with its distance.
+// is decided as an exact fraction of square cells, and rounded down and up to 1/256 cell. It is a
+// distance of surfaces, not of solids: a mesh wholly inside another one is as far from it as from
+// its wall. Meshes that intersect have distance 0, and no depth: the least movement that parts two
+// meshes is not a property of the place where they touch (two combs that interlock have none of
+// that size at all). What pushes bodies apart is a band: all pairs within d (WithinQuery), each
+// with its distance.
 //
 // Stack on Cortex-M3 to M55 at -O2, in bytes: a run 880, a result 944, distance() 1,120,
 // closer_than() 880 (proofs/stack). Budgets of work cut these queries as any other, but what a
@@ -24,7 +25,7 @@
 
 namespace flashbvh {
 
-/// The largest distance that can be asked about, in 1/256 cell: 32,767 cells.
+/// The largest distance of a query, in 1/256 cell: 32,767 cells.
 constexpr uint32_t kMaxDistance = detail::Within::kMost;
 
 /// Two triangles by their positions in the meshes' arrays: what a later query begins with. Opaque;
@@ -39,7 +40,7 @@ struct Witness {
 };
 
 /// Every pair of triangles within a distance, in the order and the slices of a PairQuery: a Query
-/// (query.hpp) that is made of meshes, a pose and what is asked, `within(distance)`.
+/// (query.hpp) that is made of meshes, a pose and the predicate `within(distance)`.
 using Within = detail::Within;
 using WithinQuery = Query<Ranked<Mesh>, Within>;
 using WithinQuery32 = Query<Ranked<Mesh32>, Within>;
@@ -56,7 +57,8 @@ inline Within within(uint32_t distance) {
 /// Whether any points of the two meshes are at most `distance` apart, in 1/256 cell; ends at the
 /// first pair of triangles that are.
 /// `distance_out_of_range`: it is more than kMaxDistance, or B's lattice lies 48,000 cells or more
-/// along an axis from A's, and whether it is within so large a distance can't be told; `yes` then.
+/// along an axis from A's, and whether it is within so large a distance is not decidable; `yes`
+/// then.
 template <class Index>
 Answer closer_than(const BasicMesh<Index, Layout::post_indexed>& a,
                    const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,
@@ -75,7 +77,7 @@ struct [[nodiscard]] Clearance {
   /// `done`; `suspended`: not all was looked at; or an error, and nothing else holds.
   Status status;
   /// False: B lies 48,000 cells or more along an axis from A, lattice from lattice. `lower` and
-  /// `upper` hold; no triangles, no witness and no points are told.
+  /// `upper` hold; no triangles, no witness and no points are reported.
   bool in_range;
   /// In 1/256 cell: the distance is at least this, rounded down; 0 while suspended.
   uint32_t lower;
@@ -101,7 +103,7 @@ struct ClearanceOptions {
 /// The distance of two meshes, in slices. With the last nearest pair as `hint` it visits hardly
 /// more than the boxes that are nearer than the answer; without one it first goes down both trees
 /// to where they seem nearest. Instructions on each core: lib/docs/figures.md, Distances. The
-/// distance never depends on the hint; where several pairs are nearest, which of them is told does.
+/// distance never depends on the hint; where several pairs are nearest, the reported one may.
 template <class MeshType>
 class BasicClearanceQuery
     : protected Query<Ranked<MeshType>, detail::Nearest<typename MeshType::Index>> {

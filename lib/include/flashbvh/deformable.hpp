@@ -1,12 +1,12 @@
 // Meshes that bend: vertices and boxes in the caller's RAM, the rest where it was baked.
 //
-// Move any of the vertices, refit(), and ask: mesh() is a baked mesh like any other, so every
+// Move any of the vertices, refit(), and query: mesh() is a baked mesh like any other, so every
 // query, order and shape takes it, on either side and under any pose. Which triangles lie in which
 // leaf, and the ranks, stay as they were baked; any are right. A refit works one pass backwards
 // over the nodes, without a stack, and can be cut into slices as queries can.
 //
 // From when vertices begin to move until a refit ends `done`, boxes and vertices do not agree and
-// the mesh must not be asked. While a refit is on, queries of it and another mesh end with
+// no query may use the mesh. While a refit is on, queries of it and another mesh end with
 // `cell_mismatch`, and inside() with `not_closed`. What was begun before a refit must not go on
 // after it: a DeformableQuery knows, and so does its position.
 //
@@ -27,10 +27,10 @@ namespace flashbvh {
 /// What a run of a refit gave.
 struct [[nodiscard]] RefitResult {
   /// `done`; `suspended`: go on; `vertex_out_of_lattice`: put that vertex where a coordinate is
-  /// within +-kMaxCoordinate, and refit again; until then the mesh can't be asked.
+  /// within +-kMaxCoordinate, and refit again; until then queries refuse the mesh.
   Status status;
   uint32_t vertex;  ///< the first that is out of the lattice
-  uint32_t work;    ///< spent, of what was granted
+  uint32_t work;    ///< spent of the granted work
 };
 
 /// `MeshType`: Mesh, or any other kind. The baked mesh's arrays and the caller's outlive it.
@@ -146,7 +146,7 @@ class DeformableQuery {
     return query_.run(work, arguments...);
   }
 
-  /// What was found and done: nothing that is told of it holds for the mesh as it is now, once it
+  /// What was found and done. It no longer holds for the mesh as it is now, once it
   /// is_outdated().
   [[nodiscard]] const Query& query() const { return query_; }
 

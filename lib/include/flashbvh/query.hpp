@@ -3,9 +3,10 @@
 // The query object is all the memory there is. It may be stopped after any amount of work and gives
 // the same pairs in the same order however it is cut into runs.
 //
-// Work: a visit to a pair of boxes is 1; a leaf taken as a shape 8, and 1 for each triangle beside
-// its first; two triangles tested against each other 32, or 8 where they are asked whether they are
-// within a distance. The work of a run bounds its time (time_bound.hpp, lib/docs/bounded_time.md).
+// Work: a visit to a pair of boxes is 1; a leaf taken as a shape 8, and 1 for each triangle after
+// its first; two triangles tested against each other 32, or 8 where they are tested whether they
+// are within a distance. The work of a run bounds its time (time_bound.hpp,
+// lib/docs/bounded_time.md).
 //
 // A query writes nothing but itself and the caller's array, so any number of queries, in tasks and
 // in interrupts, may share meshes and poses. One query is one caller's at a time: what interrupts a
@@ -42,8 +43,8 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
   /// ones need nothing. Errors show in status() and in every run.
   ///
   /// Instructions on a Cortex-M4 at -O2: about 60 under a translation; under a rotation about 190
-  /// if the objects are far apart, which it tells, and at most 720 (lib/docs/figures.md, "start",
-  /// has what the first run adds).
+  /// if the objects are far apart, which the query detects, and at most 720 (lib/docs/figures.md,
+  /// "start", has what the first run adds).
   FLASHBVH_INLINE_TO_RUN Query(const Mesh& a, const Mesh& b, const Pose& pose,
                                const Cursor& start = Cursor(),
                                const Predicate& predicate = Predicate())
@@ -109,7 +110,7 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
 
   /// Goes on from a cursor of a query on the same meshes and pose; counts go on from what they
   /// are. `cursor_invalid`, and nothing changes, if no query on these meshes has such a cursor.
-  /// That it is one of another pose, or of other meshes, is not told where it could be one of this
+  /// A cursor of another pose or of other meshes is not detected if it could be one of this
   /// query; the run then gives the pairs after it.
   Status resume(const QueryCursor<Index>& at) {
     if (error_ != Status::done) {
@@ -135,8 +136,8 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
   void last_pair(Triangle& a, Triangle& b) const {
     detail::place_pair(*a_, of_a(untested_), *b_, of_b(untested_), transform_, a, b);
   }
-  /// Their positions in the meshes' arrays, not their ids: as hints are (clearance.hpp). Likewise.
-  /// A template, so that what is compiled once has it where it is asked for alone.
+  /// Their positions in the meshes' arrays, not their ids: as hints are (clearance.hpp). Valid when
+  /// last_pair() is. A template, so that what is compiled once has it only where it is called.
   template <class Positions = Pair>
   [[nodiscard]] Positions last_slots() const {
     return {static_cast<Index>(of_a(untested_)), static_cast<Index>(of_b(untested_))};

@@ -39,17 +39,17 @@ class QueryRun : protected Predicate {
            : state_ == State::done ? Status::done
                                    : Status::suspended;
   }
-  /// For queries that are made of this one: what it is asked of.
+  /// For derived queries: A.
   [[nodiscard]] const Mesh& mesh_a() const { return *a_; }
-  /// Likewise.
+  /// For derived queries: B.
   [[nodiscard]] const Mesh& mesh_b() const { return *b_; }
   /// Where B lies.
   [[nodiscard]] const Transform& transform() const { return transform_; }
-  /// What is wrong with meshes, pose and question; `done`: nothing.
+  /// What is wrong with meshes, pose and predicate; `done`: nothing.
   [[nodiscard]] Status error() const { return error_; }
-  /// Of what is wrong beside them.
+  /// Records an error found by a derived query.
   void refuse(Status error) { error_ = error; }
-  /// A visit that was made beside the walk.
+  /// Counts a visit outside the walk.
   void count_visit() { ++stats_.visits; }
   /// Runs and leaves in `work` what is left of it. `room()`: for how many more pairs `sink` has
   /// capacity, which spares walking on after the last of them.
@@ -95,7 +95,7 @@ class QueryRun : protected Predicate {
     leaf_b_ = b_->nodes[nodes.b].leaf();
   }
 
-  /// Orders with a stack can't go back to a pair, so they take along but one.
+  /// Orders with a stack can't go back to a pair, so they batch but one.
   using BatchTypes =
       Batches<LeafPairs<Mesh, Traversal::kStackless ? Predicate::kBatch : 1, Predicate::kPairWork>,
               Mesh, kAsksAllAlike<Predicate>>;
@@ -145,7 +145,7 @@ class QueryRun : protected Predicate {
     }
   }
 
-  /// What the walk found after the pair at hand, it will find again.
+  /// What the walk found after the current pair, it will find again.
   void stop_at_current(const Batch& batch) {
     if constexpr (Traversal::kStackless) {
       if (batch.has_current()) {
@@ -203,7 +203,7 @@ class QueryRun : protected Predicate {
       : Predicate(predicate), a_(&a), b_(&b), cursor_(start) {
     place_and_begin(pose);
   }
-  /// With no part in the caller's frame.
+  /// Kept out of line so that its frame is gone before `run()`.
   FLASHBVH_NOINLINE void place_and_begin(const Pose& pose) {
     begin(*a_, *b_, error_of(*a_, *b_, pose, cursor_));
     if (error_ == Status::done) {
@@ -261,7 +261,7 @@ class QueryRun : protected Predicate {
 
   /// Tests pairs of triangles until one is an answer; false if none is left of the batch.
   /// Transforming triangles, B's above all, is not done again while pairs share them.
-  /// `kept`: how many of those at hand are not paid for. Nothing but `this` outlives the call,
+  /// `kept`: how many of the current pairs are not paid for. Nothing but `this` outlives the call,
   /// which keeps the stack flat where it is deepest.
   FLASHBVH_NOINLINE bool next_answer(Batch& batch, uint32_t kept) {
     if (Predicate::kIntersects && untested_ == 0 && !batch.is_walked()) {
