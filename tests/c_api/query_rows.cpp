@@ -164,9 +164,9 @@ bool first_contact_agrees(Scene& s) {
   }
   const Contact wanted = contact_of_last(query);
   const UnitPoint end = in_unit(wanted.ends[1], s.a.mesh.cell_bits);
-  return found.status == Status::done && same(found.contact, wanted) && same(c.contact, wanted) &&
-         found.triangles.a == pair[0].a && found.triangles.b == pair[0].b &&
-         c.triangles.a == pair[0].a && c.triangles.b == pair[0].b && found.ends[1].x == end.x &&
+  return found.status == Status::done && same(found.normal_a, wanted.normal_a) &&
+         same(found.normal_b, wanted.normal_b) && same(c.normal_b, wanted.normal_b) &&
+         same(found.triangles, pair[0]) && same(c.triangles, pair[0]) && found.ends[1].x == end.x &&
          found.ends[1].y == end.y && found.ends[1].z == end.z && c.ends[1].x == end.x &&
          c.ends[0].z == found.ends[0].z;
 }

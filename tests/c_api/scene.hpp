@@ -86,11 +86,6 @@ inline bool same(const Contact& p, const Contact& q) {
 inline bool same(flashbvh_witness c, const Witness<std::uint16_t>& witness) {
   return c.a == witness.a && c.b == witness.b;
 }
-inline bool same(const flashbvh_cursor& c, const flashbvh_cursor& cursor) {
-  return c.a == cursor.a && c.b == cursor.b && c.untested == cursor.untested &&
-         c.state == cursor.state && c.has_witness == cursor.has_witness &&
-         c.witness_a == cursor.witness_a && c.witness_b == cursor.witness_b;
-}
 bool same(const flashbvh_clearance& c, const Clearance<std::uint16_t>& known);
 bool same(const flashbvh_pose& c, const Pose& pose);
 

@@ -119,7 +119,7 @@ class Slices {
     typename C::Struct c_copy = c_;
     auto wrong = query_.cursor();
     auto c_wrong = C::position(&c_);
-    walk_of(c_wrong).untested += scene_.random.below(2);
+    walk_of(c_wrong).untested ^= static_cast<std::uint16_t>(scene_.random.below(2));
     walk_of(c_wrong).a += static_cast<std::uint16_t>(scene_.random.below(3));
     walk_of(wrong).untested = walk_of(c_wrong).untested;
     walk_of(wrong).a = walk_of(c_wrong).a;

@@ -8,22 +8,22 @@
 #include "flashbvh/query.hpp"
 #include "reference/traversals.hpp"
 
-#define FLASHBVH_COMPILED_QUERY(keyword, ...)                                      \
+#define FLASHBVH_COMPILED_RUN(keyword, ...)                                        \
   keyword template bool __VA_ARGS__::next_answer(__VA_ARGS__::Batch&, uint32_t);   \
   keyword template detail::State __VA_ARGS__::walk(uint32_t&, __VA_ARGS__::Batch&, \
                                                    typename __VA_ARGS__::Kept::Shapes&, uint32_t)
-#define FLASHBVH_COMPILED_LAYOUT(keyword, Index, layout)                                         \
-  FLASHBVH_COMPILED_QUERY(keyword, Query<VolumeStack<flashbvh::BasicMesh<Index, layout>>>);      \
-  FLASHBVH_COMPILED_QUERY(keyword, Query<AlternatingStack<BasicMeshWithLevels<Index, layout>>>); \
-  FLASHBVH_COMPILED_QUERY(keyword,                                                               \
-                          Query<AlternatingStackless<BasicMeshWithLevels<Index, layout>>>);      \
-  FLASHBVH_COMPILED_QUERY(keyword, Query<Leaf<flashbvh::BasicMesh<Index, layout>>>)
+#define FLASHBVH_COMPILED_QUERY(keyword, ...) \
+  FLASHBVH_COMPILED_RUN(keyword, detail::QueryRun<__VA_ARGS__, detail::Intersection>)
+#define FLASHBVH_COMPILED_LAYOUT(keyword, Index, layout)                                      \
+  FLASHBVH_COMPILED_QUERY(keyword, VolumeStack<flashbvh::BasicMesh<Index, layout>>);          \
+  FLASHBVH_COMPILED_QUERY(keyword, AlternatingStack<BasicMeshWithLevels<Index, layout>>);     \
+  FLASHBVH_COMPILED_QUERY(keyword, AlternatingStackless<BasicMeshWithLevels<Index, layout>>); \
+  FLASHBVH_COMPILED_QUERY(keyword, Leaf<flashbvh::BasicMesh<Index, layout>>)
 /// `keyword`: extern, or nothing.
 #define FLASHBVH_COMPILED_QUERIES(keyword, Index)                 \
   FLASHBVH_COMPILED_LAYOUT(keyword, Index, Layout::pre_indexed);  \
   FLASHBVH_COMPILED_LAYOUT(keyword, Index, Layout::post_indexed); \
-  FLASHBVH_COMPILED_QUERY(keyword,                                \
-                          Query<RankedStack<flashbvh::BasicMesh<Index, Layout::post_indexed>>>)
+  FLASHBVH_COMPILED_QUERY(keyword, RankedStack<flashbvh::BasicMesh<Index, Layout::post_indexed>>)
 
 namespace flashbvh {
 

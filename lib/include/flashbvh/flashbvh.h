@@ -252,7 +252,8 @@ FLASHBVH_NODISCARD flashbvh_run_result flashbvh_find_pairs(const flashbvh_mesh* 
 
 /** UnitContact: the first pair of triangles that intersect, and where. */
 typedef struct flashbvh_unit_contact {
-  flashbvh_contact contact;    /**< in 1/256 cell, and the normals of both triangles */
+  flashbvh_normal normal_a;
+  flashbvh_normal normal_b;
   flashbvh_unit_point ends[2]; /**< of the common part, in A's frame and unit */
   flashbvh_pair triangles;
   bool yes; /**< false: no triangles intersect, and nothing else holds */

@@ -150,11 +150,28 @@ struct [[nodiscard]] UnitContact {
   bool yes;       ///< false: no triangles intersect, and nothing else holds
   TrianglePair<Index> triangles;
   UnitPoint ends[2];  ///< of the common part (contact_of()), in A's frame and unit
-  Contact contact;    ///< the same in 1/256 cell, and the normals of both triangles
+  Normal normal_a;
+  Normal normal_b;
 };
 
+namespace detail {
+
+/// Kept out of line so that its frame is gone while the query runs.
+template <class Index>
+FLASHBVH_NOINLINE void put_contact(const DefaultQuery<Index>& query, uint64_t cell_bits,
+                                   UnitContact<Index>& found) {
+  const Contact contact = contact_of_last(query);
+  found.status = Status::done;
+  found.ends[0] = in_unit(contact.ends[0], cell_bits);
+  found.ends[1] = in_unit(contact.ends[1], cell_bits);
+  found.normal_a = contact.normal_a;
+  found.normal_b = contact.normal_b;
+}
+
+}  // namespace detail
+
 /// The first pair of triangles that a query finds, and where they intersect. Stack on Cortex-M3 to
-/// M55 at -O2: as first_pair() and the result, 160 bytes.
+/// M55 at -O2: as first_pair(), and 104 bytes.
 template <class Index>
 UnitContact<Index> first_contact(const BasicMesh<Index, Layout::post_indexed>& a,
                                  const BasicMesh<Index, Layout::post_indexed>& b,
@@ -164,11 +181,7 @@ UnitContact<Index> first_contact(const BasicMesh<Index, Layout::post_indexed>& a
   found.status = query.run(UINT32_MAX, &found.triangles, 1).status;
   found.yes = found.status != Status::done;
   if (found.status == Status::full) {
-    found.status = Status::done;
-    found.contact = contact_of_last(query);
-    for (int end = 0; end < 2; ++end) {
-      found.ends[end] = in_unit(found.contact.ends[end], a.cell_bits);
-    }
+    detail::put_contact(query, a.cell_bits, found);
   }
   return found;
 }

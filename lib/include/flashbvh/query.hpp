@@ -77,8 +77,8 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
       return count < capacity;
     };
     uint32_t left = work;
-    const Status status = this->run_with(left, sink, [&] { return capacity - count; });
-    return {status, count, work - left};
+    const Status end = this->run_with(left, sink, [&] { return capacity - count; });
+    return {end, count, work - left};
   }
 
   /// Runs into an array of known length.
@@ -99,8 +99,8 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
       return sink(pair);
     };
     uint32_t left = work;
-    const Status status = this->run_with(left, counting, [] { return UINT32_MAX; });
-    return {status, count, work - left};
+    const Status end = this->run_with(left, counting, [] { return UINT32_MAX; });
+    return {end, count, work - left};
   }
 
   /// Where the query stands. Between runs; not for orders with a stack.

@@ -51,6 +51,7 @@ flashbvh_status flashbvh_segment_of(const float origin[3], const float direction
 flashbvh_status flashbvh_first_contact(const flashbvh_mesh* a, const flashbvh_mesh* b,
                                        const flashbvh_pose* pose, flashbvh_unit_contact* contact) {
   const UnitContact<uint16_t> found = first_contact(object_in(a), object_in(b), object_in(pose));
-  *contact = {found.contact, {found.ends[0], found.ends[1]}, found.triangles, found.yes};
+  *contact = {
+      found.normal_a, found.normal_b, {found.ends[0], found.ends[1]}, found.triangles, found.yes};
   return c_status(found.status);
 }
