@@ -185,7 +185,7 @@ TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, wh
     const AnyRotation rotation(random);
     const SplitMatrix& rows = rotation.pose.matrix().rows;
     const SplitMatrix& columns = rotation.transform.columns;
-    // Each box beside the other rotated; kept ones are known by their addresses.
+    // Each box next to the other rotated; kept ones are known by their addresses.
     BoxInNode a[3];
     BoxInNode b[3];
     for (int i = 0; i < 3; ++i) {
@@ -210,7 +210,7 @@ TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, wh
   CHECK(gaps > 1000);
 }
 
-TEST_CASE("roots are far apart exactly when B's, rotated with the widest margin, is beside A's") {
+TEST_CASE("roots are far apart exactly when B's, rotated with the widest margin, is next to A's") {
   constexpr int32_t widest = 3 * kMost / 2 + 1 + kSplitOne / 2;
   Random random = test_random(3);
   int near = 0;

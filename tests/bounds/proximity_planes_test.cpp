@@ -25,7 +25,7 @@ AnyMesh mesh_of(const Vertex& p, const Vertex& q, const Vertex& r) {
   return AnyMesh(tree, mesh);
 }
 
-/// A point above the middle of a triangle, `height` off its plane, or beside its longest edge.
+/// A point above the middle of a triangle, `height` off its plane, or next to its longest edge.
 Vertex above(const Vertex& p, const Vertex& q, const Vertex& r, double height) {
   const double u[3] = {1.0 * q.x - p.x, 1.0 * q.y - p.y, 1.0 * q.z - p.z};
   const double v[3] = {1.0 * r.x - p.x, 1.0 * r.y - p.y, 1.0 * r.z - p.z};
@@ -135,7 +135,7 @@ TEST_CASE("gaps of boxes are those along each axis, however many are worked out 
     const SeenBox seen = seen_translated(b, offset);
     REQUIRE(squared_gap(seen, a, limit) == squared_gap_by_axis(seen, a, limit));
     REQUIRE(WideGap(offset, limit).squared(a, b) == squared_gap_by_axis(seen, a, limit));
-    // At the very gap, and beside it.
+    // At the very gap, and next to it.
     const std::int64_t squared = WideGap(offset, GapLimit(0)).squared(a, b);
     for (std::int64_t by = -1; by <= 1; ++by) {
       const GapLimit beside(squared + by);
@@ -174,7 +174,7 @@ TEST_CASE("rotated boxes are the sums of products along each axis") {
       RotatedGap wide(rotated, beside);
       KeptGap kept(transform, beside);
       REQUIRE(kept(box_a, box_b) == wide(box_a, box_b));
-      REQUIRE(kept(box_a, box_b) == wide(box_a, box_b));  // what is at hand
+      REQUIRE(kept(box_a, box_b) == wide(box_a, box_b));  // the current one
     }
   }
 }

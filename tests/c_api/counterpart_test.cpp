@@ -1,4 +1,4 @@
-// Each C function beside its C++ counterpart, on random meshes and poses.
+// Each C function against its C++ counterpart, on random meshes and poses.
 #include <catch2/catch.hpp>
 
 #include "bake/image_bytes.hpp"

@@ -135,7 +135,7 @@ bool hits_agree(Scene& s, const Segment& ray) {
   return agree;
 }
 
-/// The sum of what a visitor is handed.
+/// The sum of a visitor's arguments.
 bool add_hit(const flashbvh_hit* hit, void* context) {
   return (*static_cast<std::uint32_t*>(context) += hit->triangle + 1u) < 40;
 }

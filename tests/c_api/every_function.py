@@ -1,5 +1,5 @@
 """every_function.py NM LIBRARY... -- OBJECT...: each C function that the libraries define is called by
-these objects, those of the tests beside C++."""
+these objects, those of the tests against C++."""
 import subprocess
 import sys
 

@@ -45,7 +45,7 @@ bool translations_agree(Scene& s) {
   return same(flashbvh_pose_translated(x, 2, -x - 9, &made), wanted.status()) && same(made, wanted);
 }
 
-/// Now and then of what is no number, or scaled.
+/// Now and then of a float that is no number, or scaled.
 bool floats_agree(Scene& s) {
   float rows[3][3];
   for (int i = 0; i < 9; ++i) {

@@ -120,7 +120,7 @@ bool pairs_agree(Scene& s) {
          same(found, wanted, some.count);
 }
 
-/// Of each pair: asked of the query, and at any later time.
+/// Of each pair: from the query, and at any later time.
 bool contacts_agree(Scene& s) {
   PairQuery query(s.a.mesh, s.b.mesh, s.pose);
   flashbvh_query c_query;

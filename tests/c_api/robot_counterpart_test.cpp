@@ -1,4 +1,4 @@
-// Each C function of robots beside its C++ counterpart, on the arm of
+// Each C function of robots against its C++ counterpart, on the arm of
 // firmware_examples/robot_guard: baked as arrays of C++, of C, and as an image.
 #include <catch2/catch.hpp>
 

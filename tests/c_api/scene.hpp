@@ -1,4 +1,4 @@
-// Random meshes and poses in both languages, and rows that ask both the same.
+// Random meshes and poses in both languages, and rows that call both alike.
 #ifndef FLASHBVH_TESTS_C_API_SCENE_HPP
 #define FLASHBVH_TESTS_C_API_SCENE_HPP
 

@@ -9,7 +9,7 @@
 namespace flashbvh::test {
 namespace {
 
-/// Made with a status, and as far off, whatever it is asked.
+/// Made with a status, and as far off, in every query.
 bool shape_agrees(Scene& s, flashbvh_status made, const flashbvh_mesh& c, Status status,
                   const Mesh& mesh) {
   flashbvh_clearance found;

@@ -1,4 +1,4 @@
-// A query in C beside the same in C++, cut into random runs, saved, copied and resumed.
+// A query in C against the same in C++, cut into random runs, saved, copied and resumed.
 #ifndef FLASHBVH_TESTS_C_API_SLICES_HPP
 #define FLASHBVH_TESTS_C_API_SLICES_HPP
 

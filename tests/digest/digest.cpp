@@ -71,7 +71,7 @@ template <class Traversal, bool with_contacts = false>
   Query<Traversal> query(a, b, pose, test::at_roots<Traversal>(stack, 2 * kMostTriangles));
   const auto add_pair = [&](const TrianglePair<uint16_t>& pair) {
     hash.add(pair.a | static_cast<uint32_t>(pair.b) << 16);
-    return !with_contacts;  // a contact is asked for between runs: the smallest board's stack
+    return !with_contacts;  // a contact is requested between runs: the smallest board's stack
   };
   Status status = Status::suspended;
   while (status == Status::suspended || status == Status::full) {
@@ -127,7 +127,7 @@ Point any_point(Random& random, int32_t reach) {
 }
 
 /// Every hit of a ray and the nearest, its crossings, and where it starts: of a mesh that is said
-/// to be closed, which crossings need not be asked.
+/// to be closed, which crossings need not be.
 [[gnu::noinline]] void add_ray(const Mesh& mesh, Random& random, int32_t reach, Hash& hash) {
   Mesh closed = mesh;
   closed.is_closed = true;

@@ -25,7 +25,7 @@ class Hash {
 struct Result {
   uint64_t value;
   uint64_t distances;  ///< another value: of queries about distance
-  uint64_t rays;       ///< likewise of rays, and of points inside
+  uint64_t rays;       ///< the same of rays, and of points inside
   uint32_t cases;      ///< (mesh pair, pose, rule)
   uint32_t pairs;      ///< of triangles that intersect, over all cases
   uint32_t refused;    ///< trees that check_tree() does not accept: 0

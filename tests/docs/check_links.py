@@ -34,7 +34,7 @@ def anchor_of(title: str) -> str:
 
 
 def find(root: Path, document: Path, name: str) -> Path | None:
-    """Beside the document, at the root, or among the documents, as `guide.md` is from `design.md`."""
+    """Next to the document, at the root, or among the documents, as `guide.md` is from `design.md`."""
     candidates = (document.parent / name, root / name, root / "lib/docs" / name)
     return next((path for path in candidates if path.exists()), None)
 

@@ -128,7 +128,7 @@ static bool cable_is_right(void) {
   return touches && !cable_touches_plate(&axis, &pose);
 }
 
-/** 12 mm above the plate, and beside it. */
+/** 12 mm above the plate, and next to it. */
 static bool ray_is_right(void) {
   const float above[3] = {30, 20, 12};
   const float beside[3] = {300, 20, 12};

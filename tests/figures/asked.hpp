@@ -11,7 +11,7 @@ namespace figures {
 
 /// How near two meshes are, in the words of the paper's section 9.1.
 enum class Proximity : uint8_t {
-  separated,     ///< the boxes of the roots are disjoint: one visit tells
+  separated,     ///< the boxes of the roots are disjoint: one visit decides
   small,         ///< they overlap, at most kFewLeafPairs pairs of leaves do, no triangles intersect
   close,         ///< more pairs of leaves overlap, no triangles intersect
   intersecting,  ///< triangles intersect

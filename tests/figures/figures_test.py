@@ -18,7 +18,7 @@ def measured(*lines):
 
 class FiguresTest(unittest.TestCase):
     def expect(self, said, *lines):
-        """Of what is measured, the budgets complain so."""
+        """What the budgets report about these measurements."""
         self.assertEqual(list(Budgets(BUDGETS).complaints(measured(*lines))), said, lines)
 
     def test_near_the_budgets(self):

@@ -1,5 +1,5 @@
 // The guard of the KR5 at 1 kHz: 20 s of motion at half of the joints' top speed and at a tenth,
-// and motions certified. Ends with 1 if a period on a certified motion is told to stop.
+// and motions certified. Ends with 1 if the guard stops a period on a certified motion.
 #include "flashbvh/robot/guard.hpp"
 
 #include "flashbvh/robot/motion.hpp"
@@ -104,7 +104,7 @@ class Thousandth {
   uint16_t buckets_[kBuckets] = {};
 };
 
-/// Returns whether no period was told to stop.
+/// Returns whether the guard stopped no period.
 bool guard_motions(const char* name, uint32_t percent) {
   Motions motions(percent);
   Guard guard(kr5_arm::robot, guard_memory);

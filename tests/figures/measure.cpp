@@ -11,7 +11,7 @@ namespace {
 constexpr auto kEveryPair = [](const PairQuery::Pair&) { return true; };
 constexpr auto kNoLeafPair = [](uint32_t, uint32_t) {};
 
-/// One visit, if the roots alone tell that the meshes are disjoint.
+/// One visit, if the roots alone show that the meshes are disjoint.
 template <class Shapes, class LeafPair>
 Walked walk_pose(const Mesh& a, const Mesh& b, const Pose& pose, const LeafPair& leaf_pair) {
   Transform transform(pose, a, b, /*may_stop=*/true);

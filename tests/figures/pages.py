@@ -65,7 +65,7 @@ def table_of(budgets, found):
 
 
 def rewritten(budgets, text):
-    """The text of a page, its tables of figures made anew."""
+    """The text of a page, its tables of figures made again."""
     new, tables = TABLE.subn(lambda found: table_of(budgets, found), text)
     if tables != text.count(MARK):
         raise Refused(f"a comment `{MARK}` without a table")

@@ -1,7 +1,7 @@
 // Any bytes as an image: refused, or queries on it read nothing else and end (golden/exercise.hpp).
 //
 // The input is an image; what stands after the image's end makes one more pose. Magic, version,
-// size and checksum are mended first, which no chance would bring about.
+// size and checksum are repaired first, which chance would not do.
 #include <vector>
 
 #include "flashbvh/detail/lattice/image_parts.hpp"
@@ -15,7 +15,7 @@ using namespace flashbvh::test;
 
 namespace {
 
-/// The image's part of the input, mended where its header allows.
+/// The image's part of the input, repaired where its header allows.
 std::vector<std::uint8_t> mended(const std::uint8_t* bytes, std::size_t size) {
   ImageHeader header;
   std::memcpy(&header, bytes, sizeof header);

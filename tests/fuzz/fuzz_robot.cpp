@@ -2,7 +2,7 @@
 // end (support/arms/exercise_robot.hpp).
 //
 // The input is an image; what stands after its end makes the joints' values. What follows from the
-// rest is mended first, which no chance would bring about: magic, version, sizes, checksums, the
+// rest is repaired first, which chance would not do: magic, version, sizes, checksums, the
 // hash, cells, and what pairs say of the joints between their links.
 #include <vector>
 
@@ -68,7 +68,7 @@ void mend_pair(const Robot& robot, RobotPair& pair) {
   pair.reach = reach;
 }
 
-/// The header's counts are kept; a robot that they leave no room for is not mended.
+/// The header's counts are kept; a robot that they leave no room for is not repaired.
 void mend_pairs(Bytes& bytes, RobotImageHeader& header) {
   Robot robot{};
   robot.joints = reinterpret_cast<const RobotJoint*>(&bytes[sizeof header]);
@@ -87,7 +87,7 @@ void mend_pairs(Bytes& bytes, RobotImageHeader& header) {
   }
 }
 
-/// The image's part of the input, mended where its header allows.
+/// The image's part of the input, repaired where its header allows.
 Bytes mended(const std::uint8_t* input, std::size_t size) {
   Bytes bytes(input, input + size);
   RobotImageHeader header;

@@ -1,5 +1,5 @@
-// Any bytes as a text that the tool reads beside meshes: read, or refused with a message that says
-// where.
+// Any bytes as a text that the tool reads in addition to meshes: read, or refused with a message
+// that says where.
 //
 // The input is a line that names the kind (urdf, srdf, poses, values: a trajectory), then the file.
 #include <sys/mman.h>

@@ -7,7 +7,7 @@
 #     tests/fuzz/run.sh short                      each for a fixed number of inputs, always the same ones;
 #                                                  with FLASHBVH_THOROUGH alone: it is building that takes long
 # PROGRAMS="mesh text" has these alone. Needs clang and libclang-rt-14-dev. What it finds lies in
-# build/fuzz/found; put it into corpus/ beside the mend. Exits with 77 if there is no libFuzzer, or where
+# build/fuzz/found; put it into corpus/ with the fix. Exits with 77 if there is no libFuzzer, or where
 # it is left out.
 set -eu
 cd "$(dirname "$0")/../.."
@@ -40,7 +40,7 @@ for program in $programs; do
   rm -rf "$seeds"
   mkdir -p "$seeds"
   cp tests/fuzz/corpus/$program/* "$seeds"
-  # `share`: of 1,000 inputs; the dearer an input, the fewer. `most`: bytes, where inputs are many.
+  # `share`: of 1,000 inputs; the more expensive an input, the fewer. `most`: bytes, where inputs are many.
   most=3000
   case $program in
     image) runs=2500 share=10 && cp tests/golden/*.fbvh "$seeds" ;;

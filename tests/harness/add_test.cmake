@@ -7,8 +7,8 @@
 # Cortex-M4F do so unless FLASHBVH_ALL_TESTS, or ICOUNT. All others run on every board, down to 8 KB of
 # RAM, over tests/harness/small_catch, and do not link with a heap.
 # ICOUNT makes instruction counts on the board exact, and each test case a test of CTest's,
-# "<preset>/<test case>", whose figures -R and -V show. LONG is a label of what runs apart; what needs no
-# room of the host program but `bake` is labelled `library`, and all of it a target, library_tests:
+# "<preset>/<test case>", whose figures -R and -V show. LONG is a label of tests that run apart; a test that needs no
+# room of the host program but `bake` is labelled `library`; library_tests builds them:
 # tools/test.sh --quick. OPTIMISED: in a fast build, too.
 set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
 
@@ -17,7 +17,7 @@ function(flashbvh_add_test name)
   if(arg_HEAP AND NOT FLASHBVH_TESTS_HAVE_HEAP)
     return()
   endif()
-  # What a core has of its own is asked by the tests without a heap and by the digest.
+  # The tests without a heap and the digest cover what a core has of its own.
   if(arg_HEAP AND NOT arg_ICOUNT AND NOT FLASHBVH_ALL_TESTS AND FLASHBVH_BOARD
       AND NOT FLASHBVH_BOARD STREQUAL "mps2-an386")
     return()
@@ -50,7 +50,7 @@ function(flashbvh_add_test name)
       set(level -O1)
     endif()
     target_compile_options(${name} PRIVATE -g1 ${level})
-    # As for the host program (tools/cli): templates of what is optimised come first.
+    # As for the host program (tools/cli): optimised templates come first.
     set(first flashbvh_test_queries flashbvh)
     list(TRANSFORM first REPLACE "(.+)" "$<TARGET_FILE:\\1>")
     target_link_options(${name} PRIVATE -Wl,--whole-archive ${first} -Wl,--no-whole-archive)
@@ -64,7 +64,7 @@ function(flashbvh_add_test name)
     set_target_properties(${name} PROPERTIES SUFFIX .elf)
     # Not by the test property ENVIRONMENT: catch_discover_tests() takes one variable at most.
     if(arg_ICOUNT)
-      # What is measured is printed with fractions, which newlib's small printf() does when asked.
+      # Figures are printed with fractions, which newlib's small printf() does on request.
       if(CMAKE_CXX_FLAGS MATCHES "nano.specs")
         target_link_options(${name} PRIVATE -Wl,-u,_printf_float)
       endif()

@@ -7,7 +7,7 @@
 
 namespace {
 
-// Without it the compiler removes an allocation that nobody uses.
+// Without it the compiler removes an unused allocation.
 void keep(void* block) {
   __asm__ volatile("" ::"r"(block) : "memory");
 }

@@ -202,7 +202,7 @@ std::vector<std::function<void(Baked<layout>&)>> broken_arrays(std::size_t last)
       [](auto& t) { t.shell_vertices[0] = static_cast<std::uint16_t>(t.vertices.size()); },
       [](auto& t) { t.shell_vertices.push_back(t.shell_vertices.back()); },
       [](auto& t) { t.shell_vertices[1] = 0; },
-      // Vertices that no triangle has: no box tells.
+      // Vertices that no triangle has: no box shows them.
       stray({16384, 0, 0}),
       stray({0, -16384, 0}),
       stray({0, 0, INT16_MIN}),

@@ -116,7 +116,7 @@ TEST_CASE("lengths: cells of 53 digits, against integers of 128 bits") {
     REQUIRE(millionths_of(fine, bits_of(std::ldexp(one_to_two, power))) ==
             (fine < 0 ? -most : most));
 
-    // The floats beside it are on either side of half way.
+    // The floats next to it are on either side of half way.
     const float per_unit = cells_per_unit(bits_of(one_to_two));
     const auto tens = static_cast<std::uint64_t>(std::ldexp(per_unit, 24));  // 24 digits, of 25
     const Wide inverse = Wide{1} << (52 + 25);
@@ -149,7 +149,7 @@ TEST_CASE("lengths: a contact a metre off both frames' origins, in millimetres")
     }();
     Mesh at_origin_b = b;
     std::memcpy(at_origin_b.origin, at_origin_a.origin, sizeof at_origin_b.origin);
-    // The same place: B a ring's radius beside A.
+    // The same place: B a ring's radius from A.
     const Pose pose = Pose::translated(metre + metre + 1000, -2 * metre, metre);
     const Pose near_pose = Pose::translated(1000, 0, 0);
     PairQuery query(a, b, pose);

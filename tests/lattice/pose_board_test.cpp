@@ -84,7 +84,7 @@ TEST_CASE("a pose keeps what it is given, to 2^-22") {
   }
 }
 
-TEST_CASE("a matrix that is no rotation within the tolerance is refused, not mended") {
+TEST_CASE("a matrix that is no rotation within the tolerance is refused, not repaired") {
   Random random = test_random(1);
   for (int round = 0; round < 300; ++round) {
     CAPTURE(round);

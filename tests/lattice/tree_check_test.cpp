@@ -1,6 +1,6 @@
 // The check of a tree's contents against the trees themselves: of all arrays that differ from a
 // tree's in up to four places, exactly those that are a tree's pass. Arrays lie in heap blocks of
-// their size, so the address sanitizer sees whatever the check reads besides.
+// their size, so the address sanitizer sees any other read of the check.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -124,7 +124,7 @@ bool is_of_levels(std::size_t field) {
 }
 
 /// Gives `depth` of the fields from `first` on every other value there could be; leaves the levels
-/// alone unless told.
+/// alone by default.
 template <class Use>
 void for_each_change(Fields& fields, std::size_t first, int depth, bool levels, const Use& use) {
   use(fields);

@@ -1,4 +1,4 @@
-// Polygons cut into triangles: the same ones as by the rule itself, asked of every corner each
+// Polygons cut into triangles: the same ones as by the rule itself, applied to every corner each
 // time.
 #include "mesh/polygon.hpp"
 
@@ -70,7 +70,7 @@ double twice_area(const std::vector<Corner3>& corners) {
 
 }  // namespace
 
-TEST_CASE("polygons, simple or crossing, are cut as by asking every corner each time") {
+TEST_CASE("polygons, simple or crossing, are cut as by testing every corner each time") {
   Random random(test_seed());
   for (int i = 0; i < 4000; ++i) {
     const std::uint32_t count = 3 + random.below(i % 40 == 0 ? 60 : 12);

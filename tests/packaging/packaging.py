@@ -13,7 +13,7 @@ from pathlib import Path
 ROOT, FOLDER, FLASHBVH, CMAKE = (os.environ[name] for name in ("ROOT", "FOLDER", "FLASHBVH", "CMAKE"))
 HERE = Path(__file__).resolve().parent
 GENERATORS = "Ninja", "Unix Makefiles"
-# No package but the compiler's: what these options forbid is looked for by nobody.
+# No package but the compiler's: nothing looks for what these options forbid.
 BARE = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=TRUE" for name in
         ("assimp", "CLI11", "nlohmann_json", "Catch2", "urdfdom")]
 IN_SOURCES = ["-DWAY=add_subdirectory", f"-DFLASHBVH_ROOT={ROOT}"]
@@ -127,7 +127,7 @@ def add_subdirectory():
         answers("built/consumer")
         rests("built")
         configure("built", "-DOPTIONS=CELL;0.01", generator=generator)
-        rests("built", "configured anew")
+        rests("built", "configured again")
         Path("firmware/main.cpp").touch()
         rests("built", "another source changed")
         Path("firmware/peg.obj").touch()
@@ -140,7 +140,7 @@ def add_subdirectory():
         Path(tool).touch()
         bakes("built", "the tool changed")
         answers("built/consumer")
-        hold(not Path("built/parts/peg.fbvh").exists(), "an image that nobody asked for")
+        hold(not Path("built/parts/peg.fbvh").exists(), "an image that was not requested")
         shutil.rmtree("built")
     # What is wrong is said by its name.
     refuses(r"flashbvh_add_mesh\(parts\): give SOURCES mesh... and options with their values; not understood: CEL;1",
@@ -214,11 +214,11 @@ def cells():
     configure("built", *of("CELL;0.01", "CELL;0.01;FORMAT;c"))
     build("built")
     hold(Path("built/flashbvh/more/tool.fbvh.c").exists(), "no C")
-    hold(not Path("built/flashbvh/more/tool.fbvh").exists(), "an image that nobody asked for")
+    hold(not Path("built/flashbvh/more/tool.fbvh").exists(), "an image that was not requested")
 
 
 def fetch_content():
-    """FetchContent from a local folder, with images beside the code."""
+    """FetchContent from a local folder, with images next to the code."""
     configure("built", "-DWAY=fetch_content", f"-DFLASHBVH_ROOT={ROOT}", f"-DFLASHBVH_HOST_TOOL={FLASHBVH}",
               "-DOPTIONS=FORMAT;both;UNIT;mm", *BARE)
     bakes("built", "the first time")
@@ -229,7 +229,7 @@ def fetch_content():
 
 def cross():
     """A cross build with its compiler, flags and toolchain file in the environment: they reach the library and
-    the baked code, not the tool, which is built for this machine beside it."""
+    the baked code, not the tool, which is built for this machine in the same project."""
     enter_cross_environment()
     configure("built", *IN_SOURCES, "-DOPTIONS=CELL;0.01")
     bakes("built", "the first time")

@@ -42,7 +42,7 @@ struct Case {
   const char* name;
   Triangle a;
   Triangle b;
-  FinePoint ends[2];  ///< of what they share, in cells; between cells in their 256ths
+  FinePoint ends[2];  ///< of the common part, in cells; between cells in their 256ths
 };
 
 constexpr Triangle kFloor = {{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}};

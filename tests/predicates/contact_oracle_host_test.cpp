@@ -17,7 +17,7 @@ const uint32_t kPairs = rounds(4000u, 20000u);
 /// The stated bound, in hundredths of 1/256 cell.
 constexpr Wide kBound = 53;
 
-/// A contact beside the exact common part; all in one frame.
+/// A contact and the exact common part; all in one frame.
 struct Judge {
   Triangle a;
   Triangle b;

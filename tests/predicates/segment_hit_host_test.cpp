@@ -175,7 +175,7 @@ TEST_CASE("a segment meets corners and edges of large triangles, from far off") 
     check_segment({u, point_between(u, v, 2)}, t, seen);
     check_segment({from, from}, t, seen);
     check_segment({from, {u.x, u.y, u.z + 1}}, t, seen);
-    // In the plane, from beside an edge.
+    // In the plane, from next to an edge.
     check_segment({point_between(u, v, -1), t.corner[random.below(3)]}, t, seen);
     check_segment({point_between(u, v, -1), point_between(v, t.corner[0], 2)}, t, seen);
     // Without area.
@@ -204,7 +204,7 @@ TEST_CASE("at the ends of the range nothing overflows") {
   CHECK((seen.hits > 300 && seen.misses > 300));
 }
 
-TEST_CASE("shares of segments are told apart by one part in 2^105") {
+TEST_CASE("shares of segments are distinguished by one part in 2^105") {
   constexpr std::int64_t most = std::int64_t{1} << 53;
   CHECK(order_along({most - 2, most - 1}, {most - 1, most}) < 0);
   CHECK(order_along({most - 1, most}, {most - 2, most - 1}) > 0);

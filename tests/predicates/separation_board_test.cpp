@@ -1,5 +1,5 @@
-// What tells triangles apart in 32 bits, against the same in 64: the same on every core, and at the
-// farthest that a query may ask about.
+// The tests that separate triangles in 32 bits, against the same in 64: the same on every core, and
+// at the farthest that a query may have.
 #include <stdint.h>
 
 #include <catch2/catch.hpp>
@@ -42,7 +42,7 @@ bool middles_separate_in_64_bits(const Triangle& a, const Triangle& b) {
 
 }  // namespace
 
-TEST_CASE("what tells triangles apart does so in 32 bits as in 64, on every core") {
+TEST_CASE("triangles are separated in 32 bits as in 64, on every core") {
   Random random(5);
   uint32_t sum = 2166136261u;
   uint32_t told = 0;

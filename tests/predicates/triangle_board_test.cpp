@@ -62,11 +62,11 @@ constexpr Case kCrossing[] = {
 constexpr Case kTouching[] = {
     {"vertex on vertex", true, kFloor, {{{8, 0, 0}, {9, 0, 3}, {9, 1, 5}}}},
     {"vertex on edge", true, kFloor, {{{4, 4, 0}, {5, 5, 3}, {5, 6, 5}}}},
-    {"vertex beside edge", false, kFloor, {{{4, 5, 0}, {5, 5, 3}, {5, 6, 5}}}},
+    {"vertex next to edge", false, kFloor, {{{4, 5, 0}, {5, 5, 3}, {5, 6, 5}}}},
     {"vertex on face", true, kFloor, {{{2, 2, 0}, {2, 3, 3}, {3, 2, 5}}}},
     {"vertex above face", false, kFloor, {{{2, 2, 1}, {2, 3, 3}, {3, 2, 5}}}},
     {"edge crosses edge", true, kFloor, {{{4, 4, -1}, {4, 4, 1}, {7, 7, 0}}}},
-    {"edge beside edge", false, kFloor, {{{4, 5, -1}, {4, 5, 1}, {7, 7, 0}}}},
+    {"edge next to edge", false, kFloor, {{{4, 5, -1}, {4, 5, 1}, {7, 7, 0}}}},
     {"edge in the face", true, kFloor, {{{1, 1, 0}, {3, 3, 0}, {2, 2, 4}}}},
     {"edge in the plane, disjoint", false, kFloor, {{{4, 5, 0}, {5, 4, 0}, {4, 4, 4}}}},
     {"edge across the face, ends outside", true, kFloor, {{{-1, 1, 0}, {9, 1, 0}, {4, 1, 4}}}},
@@ -103,14 +103,14 @@ constexpr Case kCoplanar[] = {
 
 constexpr Case kDegenerate[] = {
     {"point on itself", true, kPoint, kPoint},
-    {"point beside point", false, kPoint, {{{2, 2, 3}, {2, 2, 3}, {2, 2, 3}}}},
+    {"point next to point", false, kPoint, {{{2, 2, 3}, {2, 2, 3}, {2, 2, 3}}}},
     {"point on segment", true, kPoint, kSegment},
     {"point at the end of a segment", true, kPoint, {{{2, 2, 2}, {2, 2, 2}, {3, 5, 7}}}},
     {"point on the line beyond a segment", false, kPoint, {{{3, 3, 3}, {8, 8, 8}, {5, 5, 5}}}},
-    {"point beside segment", false, {{{2, 2, 3}, {2, 2, 3}, {2, 2, 3}}}, kSegment},
+    {"point next to segment", false, {{{2, 2, 3}, {2, 2, 3}, {2, 2, 3}}}, kSegment},
     {"point in face", true, kPoint, {{{0, 0, 2}, {8, 0, 2}, {0, 8, 2}}}},
     {"point on edge", true, kPoint, {{{0, 2, 2}, {8, 2, 2}, {5, 5, 5}}}},
-    {"point beside face", false, kPoint, {{{0, 0, 1}, {8, 0, 1}, {0, 8, 4}}}},
+    {"point next to face", false, kPoint, {{{0, 0, 1}, {8, 0, 1}, {0, 8, 4}}}},
     {"point in the plane, outside", false, kPoint, {{{3, 2, 2}, {2, 3, 2}, {9, 9, 2}}}},
     {"the same segment", true, kSegment, kSegment},
     {"collinear segments overlap", true, kSegment, {{{7, 7, 7}, {9, 9, 9}, {12, 12, 12}}}},
@@ -153,7 +153,7 @@ void check_cases(const Case (&cases)[kCount]) {
 
 constexpr int32_t kSizes[] = {1, 2, 3, 5, 24, 1000, 32767, 32768, 65535, detail::kMaxDifference};
 
-/// Any kind of pair; `touching` tells whether it has a common point by construction.
+/// Any kind of pair; `touching` says whether it has a common point by construction.
 TransformedPair random_pair(Random& random, bool& touching) {
   const int32_t size = kSizes[random.below(sizeof kSizes / sizeof kSizes[0])];
   const uint32_t kind = random.below(6);

@@ -48,7 +48,7 @@ RationalVector point_at(const Triangle& t, const PlaceInTriangle& place) {
   return {at(p.x, q.x, r.x), at(p.y, q.y, r.y), at(p.z, q.z, r.z)};
 }
 
-/// Squared, and one part in 2^40 beside it.
+/// Squared, and one part in 2^40 from it.
 Fraction fraction_of(const mpq_class& value) {
   const auto wide = [](const mpz_class& number) -> Int128 {
     const mpz_class high = number >> 64;
@@ -58,12 +58,12 @@ Fraction fraction_of(const mpq_class& value) {
   return {wide(value.get_num()), wide(value.get_den())};
 }
 
-/// What tells triangles apart says so of none that are nearer.
+/// The tests that separate triangles never separate nearer ones.
 struct Separations {
   std::uint32_t directions = 0;
   std::uint32_t planes = 0;
   std::uint32_t axes = 0;
-  std::uint32_t others = 0;  ///< told apart by another pair's axis
+  std::uint32_t others = 0;  ///< separated by another pair's axis
   Direction first;           ///< another pair's, as queries keep it
   Axis axis = {0, 0, 0, 0};
   mpq_class axis_distance = 0;  ///< squared: of its own pair
@@ -96,7 +96,7 @@ struct Separations {
   }
 };
 
-/// At exactly the distance and beside it, if that can be asked; else as near to it as can be.
+/// At exactly the distance and next to it, if a query can have it; else as near to it as can be.
 void check_within(const Triangle& a, const Triangle& b, const mpq_class& truth) {
   const mpz_class most_above = (mpz_class(1) << 46) - 1;
   const mpz_class most_below = (mpz_class(1) << 17) - 1;
@@ -140,7 +140,7 @@ void check(const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen,
     const RationalVector q = point_at(b, of_b);
     const RationalVector apart = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
     REQUIRE(test::dot(apart, apart) == truth);
-    // At exactly the distance, and beside it.
+    // At exactly the distance, and next to it.
     const Fraction exact = fraction_of(truth);
     Fraction same = exact;
     REQUIRE_FALSE(is_nearer(a, b, same, other));
@@ -241,7 +241,7 @@ TEST_CASE("no order of corners changes a distance") {
   }
 }
 
-TEST_CASE("every small pair of triangles in a plane and beside it") {
+TEST_CASE("every small pair of triangles in a plane and next to it") {
   // Corners in a box of 2 x 2 x 1 cells, all triples: what is tied, flat and touching.
   std::vector<Triangle> all;
   std::vector<Point> points;

@@ -23,7 +23,7 @@ void for_all_pairs(const Scene& scene, const Visit& visit) {
   test::for_all_pairs(a, b, Transform(scene.pose, a, b, /*may_stop=*/false), visit);
 }
 
-/// Others are told in clearance_test.cpp.
+/// Others are tested in clearance_test.cpp.
 bool is_in_range(const Scene& scene) {
   return Transform(scene.pose, scene.a.view(), scene.b.view(), /*may_stop=*/false).is_in_range();
 }

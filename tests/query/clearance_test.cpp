@@ -200,7 +200,7 @@ TEST_CASE("what is farther than 2^15 cells is measured as well, from any seed") 
   }
 }
 
-TEST_CASE("what is beyond the range is told from what is not") {
+TEST_CASE("distances beyond the range are reported as such") {
   Random random = test_random();
   const bake::LatticeMesh mesh = random_mesh(random, 12, 16000, 4000);
   const AnyMesh any_a = any_mesh(random, mesh);

@@ -1,5 +1,5 @@
 // Meshes that bend: boxes against ones made from the triangles down, queries against brute force
-// and against meshes baked anew, and what is refused while a mesh changes.
+// and against meshes baked again, and what is refused while a mesh changes.
 #include <catch2/catch.hpp>
 
 #include "flashbvh/clearance.hpp"
@@ -184,7 +184,7 @@ TEST_CASE("distances, rays and insides are those of the same mesh baked as it is
 }
 
 TEST_CASE(
-    "a vertex out of the lattice is refused by its number, and nothing is asked until it is back") {
+    "a vertex out of the lattice is refused by its number, and no query runs until it is back") {
   Random random = test_random();
   const bake::LatticeMesh lattice = grid(3, 2, false);
   Bending<Mesh> bent(bake::build_default(lattice), lattice);

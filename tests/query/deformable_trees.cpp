@@ -1,4 +1,4 @@
-// Which tree stays good under bending, and whether ranks are worth making anew: visits of self
+// Which tree stays good under bending, and whether ranks are worth making again: visits of self
 // queries and of a bent mesh against another one, of trees made of the mesh at rest.
 #include <cmath>
 #include <cstdio>
@@ -111,7 +111,7 @@ int main() {
   bake::LatticeMesh sheet = grid(20, 24, false);
   lay(random, 21, 300, 0, 0, sheet.vertices.data(), sheet.vertices.size());
   const bake::LatticeMesh two = bag(random);
-  std::printf("%-22s %6s %17s %17s %17s %17s   ranks anew\n", "visits: itself, other", "nodes",
+  std::printf("%-22s %6s %17s %17s %17s %17s  new ranks\n", "visits: itself, other", "nodes",
               "rolled", "blown up", "folded", "crumpled");
   for (const bake::LatticeMesh* const mesh : {&std::as_const(sheet), &two}) {
     std::printf(mesh == &sheet ? "sheet\n" : "bag\n");

@@ -1,4 +1,4 @@
-// Meshes that are farther apart than distances are worked out: what is told of them holds.
+// Meshes that are farther apart than distances are computed: what queries report of them holds.
 #include <catch2/catch.hpp>
 
 #include <cmath>

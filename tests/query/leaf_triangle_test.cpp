@@ -1,4 +1,4 @@
-// The exact test as queries ask it, of triangles that a walk brought together.
+// The exact test as queries call it, on triangles that a walk brought together.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

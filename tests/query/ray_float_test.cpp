@@ -67,7 +67,7 @@ TEST_CASE("axes and lengths are exact, whatever the direction's length") {
   CHECK((none.status == Status::done && none.segment.to.x == 1 && none.segment.to.z == 3));
 }
 
-TEST_CASE("what is no ray is told") {
+TEST_CASE("what is no ray is refused") {
   const float infinite = std::numeric_limits<float>::infinity();
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const auto status = [](float x, float direction, float reach, float cells) {

@@ -119,7 +119,7 @@ TEST_CASE("a ray hits what it hits of each triangle") {
   }
 }
 
-TEST_CASE("of several hits in one place that of the least triangle id is told") {
+TEST_CASE("of several hits in one place that of the least triangle id is reported") {
   Random random = test_random();
   std::uint32_t shared = 0;
   for (int round = 0; round < 200 / kShare; ++round) {

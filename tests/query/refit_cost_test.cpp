@@ -1,5 +1,5 @@
-// What it takes to refit a sheet, and to ask it about itself at rest and crumpled, counted on the
-// target.
+// What it takes to refit a sheet, and to query it against itself at rest and crumpled, counted on
+// the target.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -46,7 +46,8 @@ std::uint32_t cost_of_self(const Mesh& mesh, QueryStats& counts) {
 
 }  // namespace
 
-TEST_CASE("a refit keeps to what flashbvh info says of it, and a sheet is asked in half a frame") {
+TEST_CASE(
+    "a refit keeps to what flashbvh info says of it, and queries of a sheet take half a frame") {
   Random random(3);
   bake::LatticeMesh lattice = grid(22, 23, false);
   lay(random, 23, 500, 0, 0, lattice.vertices.data(), lattice.vertices.size());
@@ -84,7 +85,8 @@ TEST_CASE("a refit keeps to what flashbvh info says of it, and a sheet is asked 
     const auto nodes = static_cast<std::uint32_t>(bent.nodes.size());
     const std::size_t told = bake::bending_cost(bent.mesh.mesh()).refit_instructions;
     std::printf(
-        "budget: leaf size %u, arity %u: %u nodes, %u bytes of RAM; refit %u instructions (told "
+        "budget: leaf size %u, arity %u: %u nodes, %u bytes of RAM; refit %u instructions "
+        "(promised "
         "%u), "
         "%.1f a node; itself at rest %u, crumpled %u (%u pairs)\n",
         static_cast<unsigned>(tree.leaf_size), static_cast<unsigned>(tree.arity),

@@ -49,7 +49,7 @@ void compare(const Mesh& mesh, const Mesh& shape, const Pose& pose) {
 
 }  // namespace
 
-TEST_CASE("shapes are asked about like the same triangles, baked") {
+TEST_CASE("queries take shapes like the same triangles, baked") {
   Random random = test_random();
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
@@ -127,7 +127,7 @@ TEST_CASE("a shape that no mesh can be stays as it was, and says so") {
   CHECK(segment.mesh().longest_edge >= 1);
 }
 
-TEST_CASE("what is asked of a shape that never was any is refused, until it is one") {
+TEST_CASE("queries of a shape that was never set are refused, until it is") {
   Random random = test_random();
   bake::LatticeMesh box;
   add_box(box, {-10, -10, -10}, {20, 20, 20}, false);

@@ -41,7 +41,8 @@ Mesh closed(const AnyMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("a point's side is told by its winding number, wherever edges and corners lie above it") {
+TEST_CASE(
+    "a point's side is decided by its winding number, wherever edges and corners lie above it") {
   Random random = test_random();
   std::uint32_t seen[3] = {0, 0, 0};
   const std::uint32_t tries = kShare > 1 ? 2 : rounds(24u, 60u);
@@ -93,7 +94,7 @@ TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
   CHECK(inside(mesh, {8000, 0, 0}).side == PointSide::inside);
   CHECK(inside(mesh, {1 << 29, 0, -(1 << 29)}).side == PointSide::outside);
   CHECK(inside(mesh, {8000, 0, 0}).visits < 200);
-  CHECK(inside(mesh, {8000, 0, 3001}).visits == 1);  // right above it, and beside it
+  CHECK(inside(mesh, {8000, 0, 3001}).visits == 1);  // right above it, and next to it
   CHECK(inside(mesh, {11001, 0, 0}).visits == 1);
   CHECK(inside(mesh, {-11001, 0, 0}).visits == 1);
   CHECK(inside(mesh, {0, 11001, 0}).visits == 1);
@@ -143,7 +144,7 @@ TEST_CASE("bodies have points in common if triangles intersect or one lies insid
     const Answer other_way = solids_intersect(b, a, pose.inverse());
     REQUIRE(other_way.status == Status::done);
     REQUIRE((!pose.is_translation() || other_way.yes == truth));
-    // A query that found no pair, and what it leaves to ask.
+    // A query that found no pair, and what it leaves open.
     const Answer contained = one_is_inside(a, b, pose);
     REQUIRE(contained.status == Status::done);
     REQUIRE((touch || contained.yes == truth));
@@ -196,7 +197,7 @@ TEST_CASE("an open mesh has no inside") {
   CHECK_FALSE(one_is_inside(b, b, apart).yes);
 }
 
-TEST_CASE("what is asked after a query refuses what the query refuses") {
+TEST_CASE("calls after a query refuse what the query refuses") {
   Random random = test_random();
   bake::LatticeMesh box;
   add_box(box, {-10, -10, -10}, {20, 20, 20}, false);

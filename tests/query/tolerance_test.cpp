@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kExact = 1e-12;  // of doubles
 
-/// The distance told is at most so much larger than the true one, and than `lower`.
+/// The reported distance is at most so much larger than the true one, and than `lower`.
 void check_tolerance(const std::vector<Pairwise>& all, const Clearance<std::uint16_t>& found,
                      std::uint16_t tolerance) {
   const double truth = length_of(least_of(all).squared);
@@ -68,7 +68,8 @@ TEST_CASE("a tolerance is kept to, and said to be, from any seed") {
   }
 }
 
-TEST_CASE("a point one cell off a box's face is told of to the tolerance, seeded on any face") {
+TEST_CASE(
+    "a point one cell off a box's face is reported to the tolerance, with a hint on any face") {
   Random random = test_random();
   bake::LatticeMesh box;
   add_box(box, {-10, -10, -10}, {20, 20, 20}, false);

@@ -49,8 +49,8 @@ version=$(sed -n 's/^version=//p' libraries/flashbvh/library.properties)
 python3 -m zipfile -e "$PACKAGES"/arduino/flashbvh-*.zip unpacked
 diff -r unpacked/flashbvh "$PACKAGES/arduino/flashbvh" >log || fail "the archive holds something else"
 
-# From C it is C's interface; a core of older C++ is told what it lacks.
+# From C it is C's interface; a core of older C++ fails with a message that says what it lacks.
 echo '#include <flashbvh.h>' >include.c
 quietly cc -std=c99 -Ilibraries/flashbvh/src -c include.c
 ! c++ -std=c++14 -x c++ -Ilibraries/flashbvh/src -c include.c >log 2>&1 && grep -q "flashbvh is C++17" log ||
-  fail "C++14 is not told"
+  fail "no message for C++14"

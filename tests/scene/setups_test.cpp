@@ -83,7 +83,7 @@ void check_counts(const Setup& setup, std::uint32_t visits, const Expected& expe
 /// Whether the counts are those that the table is about.
 bool suits_table(const Expected& counts) {
   switch (counts.table) {
-    case 3:  // separation: one visit tells
+    case 3:  // separation: one visit decides
       return counts.volume == 1;
     case 4:  // close proximity: hundreds of leaf overlaps, none of geometry
       return counts.leaf_pairs >= 200 && counts.triangle_pairs == 0;

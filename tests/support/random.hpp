@@ -45,7 +45,7 @@ inline const char* setting(const char* name) {
 #endif
 }
 
-/// Whether FLASHBVH_THOROUGH is set: all is asked for, however long it takes.
+/// Whether FLASHBVH_THOROUGH is set: all tries run, however long they take.
 inline bool is_thorough() {
   return setting("FLASHBVH_THOROUGH") != nullptr;
 }

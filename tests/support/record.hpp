@@ -52,7 +52,7 @@ BakedPair<Baked<layout>> bake_pair(const bake::BuildTree& a, const bake::Lattice
           bake::lay_out<std::uint16_t, layout>(b, mesh_b)};
 }
 
-/// An overlap test that knows from the boxes' addresses which nodes it is asked about.
+/// An overlap test that knows from the boxes' addresses which nodes it tests.
 template <class Baked>
 class RecordingOverlap {
  public:

@@ -14,7 +14,7 @@ struct Walked {
 };
 
 /// At most `visits` visits from `cursor` on, or after its pair. `leaf_pair(i, j, progress)` is
-/// asked at each pair of leaves whether to go on.
+/// called at each pair of leaves whether to go on.
 template <class Traversal, class BoxTest, class LeafPair>
 Walked walk_from(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
                  const BoxTest& bound, typename Traversal::Cursor& cursor,

@@ -77,7 +77,7 @@ TEST_CASE("index 65,534 of nodes, triangles and vertices is as good as any") {
   check_pairs(opened, post_b.view(), truth);
 }
 
-TEST_CASE("a tree too large for its indices is told before it is laid out") {
+TEST_CASE("a tree too large for its indices is refused before it is laid out") {
   bake::LatticeMesh mesh = largest_mesh();
   CHECK_FALSE(bake::fits_index<std::uint16_t>(bake::build_median(mesh, 1), mesh));
   mesh.vertices.push_back({0, 0, 999});

@@ -153,7 +153,7 @@ TEST_CASE("small trees: every triangle of B lies where the pose's definition put
   CHECK(compared > kRounds);
 }
 
-TEST_CASE("small trees: each way to ask wrongly has its own status") {
+TEST_CASE("small trees: each kind of misuse has its own status") {
   Random random = test_random(3);
   const SmallScene<Layout::post_indexed> scene(random);
   const Mesh& a = scene.a.view();

@@ -1,4 +1,4 @@
-// What a caller may do with a query beside running it: ask for counts inside a sink, keep the
+// What a caller may do with a query in addition to running it: read counts inside a sink, keep the
 // position of one that is done, and not give it what is gone before the first run.
 #include <catch2/catch.hpp>
 

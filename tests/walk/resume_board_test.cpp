@@ -18,7 +18,7 @@ using Position = QueryCursor<uint16_t>;
 template <class Traversal>
 using Scene = SmallScene<Traversal::Tree::kLayout>;
 
-/// Where a query stands, if it can tell.
+/// Where a query stands, if it has a cursor.
 template <class Query>
 Position slot_of(const Query& query) {
   if constexpr (kIsStack<typename Query::Cursor>) {
@@ -28,7 +28,7 @@ Position slot_of(const Query& query) {
   }
 }
 
-/// Whether a query got on: it stands elsewhere, or has made visits, or does not tell.
+/// Whether a query got on: it stands elsewhere, or has made visits, or has no cursor.
 template <class Query>
 bool got_on(const Query& query, const QueryStats& before, const Position& was) {
   const Position is = slot_of(query);

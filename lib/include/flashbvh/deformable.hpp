@@ -27,7 +27,7 @@ namespace flashbvh {
 /// What a run of a refit gave.
 struct [[nodiscard]] RefitResult {
   /// `done`; `suspended`: go on; `vertex_out_of_lattice`: put that vertex where a coordinate is
-  /// within +-kMaxCoordinate, and refit again; until then queries refuse the mesh.
+  /// within +-kMaxCoordinate, and refit again; until then no query may use the mesh.
   Status status;
   uint32_t vertex;  ///< the first that is out of the lattice
   uint32_t work;    ///< spent of the granted work

@@ -89,8 +89,8 @@ inline TreeSize tree_size_of(const ImageHeader& header) {
 /// bytes on Cortex-M3 to M55 at -O2.
 ///
 /// Bytes after the image, if `size` has more than the header says, are not looked at. MeshType:
-/// Mesh, MeshWithLevels, PreMeshWithLevels or their Large kin; another kind of image gives
-/// `image_kind`, so does one without levels if MeshType has them.
+/// Mesh, MeshWithLevels, PreMeshWithLevels or one of these with 32-bit indices; another kind of
+/// image gives `image_kind`, so does one without levels if MeshType has them.
 template <class MeshType>
 Status open_image(const void* bytes, size_t size, MeshType& mesh);
 

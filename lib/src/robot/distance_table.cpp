@@ -6,7 +6,7 @@
 namespace flashbvh {
 namespace {
 
-constexpr int kChartCellBits = 5;
+constexpr int kAxisCellBits = 5;
 
 }  // namespace
 
@@ -17,7 +17,7 @@ DistanceTableAxis distance_table_axis(const RobotJoint& joint) {
                          : is_empty ? 0
                                     : detail::apart(joint.lower, joint.upper);
   uint32_t shift = 0;
-  while (range >> shift >> kChartCellBits != 0) {
+  while (range >> shift >> kAxisCellBits != 0) {
     ++shift;
   }
   return {is_free ? -kFullTurn / 2 : joint.lower, shift, (range >> shift) + 1};
@@ -39,7 +39,7 @@ uint32_t distance_table_size(const Robot& robot, const RobotPair& pair) {
 
 namespace detail {
 
-uint32_t chart_distance_at(const Robot& robot, uint16_t i, const JointCoordinate* coordinates) {
+uint32_t table_distance_at(const Robot& robot, uint16_t i, const JointCoordinate* coordinates) {
   uint32_t place = 0;
   for (uint16_t before = 0; before < i; ++before) {
     place += distance_table_size(robot, robot.pairs[before]);

@@ -107,7 +107,7 @@ bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
 bool Guard::certify_by_table(uint16_t i, uint32_t rate) {
   set_next();
   const RobotPair& pair = robot_->pairs[i];
-  const uint32_t tabulated = detail::chart_distance_at(*robot_, i, next_);
+  const uint32_t tabulated = detail::table_distance_at(*robot_, i, next_);
   const uint32_t known = difference_of(tabulated, robot_->slack);
   if (difference_of(known, rate) <= pair.warn ||
       known - pair.stop <= uint64_t{rate} * (kPeriodsAhead + 1)) {

@@ -25,7 +25,7 @@ const RobotImageHeader& header_of(const void* image) {
 }
 
 /// More than any robot's: what a header says of more does not lead past 32 bits.
-constexpr uint32_t kMostChartBytes = 1u << 28;
+constexpr uint32_t kMostTableBytes = 1u << 28;
 
 uint32_t mounts_offset(const RobotImageHeader& header) {
   return static_cast<uint32_t>(sizeof header + header.joint_count * sizeof(RobotJoint) +
@@ -44,9 +44,9 @@ uint32_t distance_tables_offset(const RobotImageHeader& header) {
 }
 
 uint32_t names_offset(const RobotImageHeader& header) {
-  return distance_tables_offset(header) + (header.distance_table_bytes < kMostChartBytes
+  return distance_tables_offset(header) + (header.distance_table_bytes < kMostTableBytes
                                                ? header.distance_table_bytes
-                                               : kMostChartBytes);
+                                               : kMostTableBytes);
 }
 
 bool counts_fit(const RobotImageHeader& header) {

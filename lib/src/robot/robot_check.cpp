@@ -218,7 +218,7 @@ bool check_between(const Robot& robot, const RobotPair& pair) {
 }
 
 /// Of all pairs, or of none.
-bool check_charts(const Robot& robot) {
+bool check_distance_tables(const Robot& robot) {
   uint32_t bytes = 0;
   for (uint32_t i = 0; i < robot.pair_count; ++i) {
     bytes += distance_table_size(robot, robot.pairs[i]);
@@ -250,7 +250,7 @@ bool holds(const RobotLink& link, const int32_t (&origin)[3], const Vertex& vert
 
 bool check_robot(const Robot& robot, uint32_t& pair_joint_count) {
   pair_joint_count = 0;
-  return check_tree(robot) && check_pairs(robot, pair_joint_count) && check_charts(robot);
+  return check_tree(robot) && check_pairs(robot, pair_joint_count) && check_distance_tables(robot);
 }
 
 bool check_spheres(const Robot& robot) {

@@ -1,4 +1,4 @@
-// Charts of random arms against brute force: no place in a cell falls below what it says.
+// Distance tables of random arms against brute force: no place in a cell falls below what it says.
 #include "robot/baked/distance_tables.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,7 +13,7 @@ using namespace flashbvh::test;
 namespace {
 
 struct Told {
-  std::uint32_t places;  ///< of which something is told
+  std::uint32_t places;  ///< with a bound
   std::uint32_t all;
 };
 
@@ -27,7 +27,7 @@ Told told_of(const FixedArm& arm, Random& random) {
     for (std::uint16_t pair = 0; pair < arm.robot().pair_count; ++pair) {
       const RobotPair& of = arm.robot().pairs[pair];
       const std::uint32_t distance =
-          detail::chart_distance_at(arm.robot(), pair, coordinates.data());
+          detail::table_distance_at(arm.robot(), pair, coordinates.data());
       if (distance > kPlacingFine && arm.is_closer(of, values, distance - kPlacingFine)) {
         CAPTURE(i, pair, distance);
         FAIL();
@@ -53,7 +53,7 @@ TEST_CASE("nowhere are two links nearer than their distance table says") {
 }
 
 TEST_CASE(
-    "what lies in the sweep of a link, or beside it, is as near as it is, and a distance table "
+    "what lies in the sweep of a link, or next to it, is as near as it is, and a distance table "
     "says so") {
   CAPTURE(test_seed());
   Random random(test_seed());

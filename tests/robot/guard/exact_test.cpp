@@ -46,7 +46,7 @@ struct Walk {
   explicit Walk(const FixedArm& of)
       : arm(of), state(std::make_unique<AnyGuardState>()), guard(of.robot(), *state) {}
 
-  /// True if what was told holds all the way.
+  /// True if each verdict holds all the way.
   bool holds(const Values& now, std::uint32_t work, Random& random) {
     answer = guard.update(now.data(), work);
     const Period period(arm, before, now);
@@ -135,7 +135,7 @@ void check_walks(Random& random, const FixedArm& arm, double speed, std::uint32_
 
 }  // namespace
 
-TEST_CASE("to less than a cell: nothing told is better than the truth") {
+TEST_CASE("to less than a cell: no verdict is better than the truth") {
   CAPTURE(test_seed());
   Random random(test_seed());
   const auto arms = all_arms(random);
@@ -203,7 +203,8 @@ TEST_CASE("at the stop and the warn distance itself, not beyond them") {
     Values values = {30 * kFrameCell};
     walk.answer = walk.guard.prime(values.data());
     REQUIRE(walk.answer.verdict == Verdict::free);
-    // By 1/256 cell a period, which nothing is measured in: what is told goes down one by one.
+    // By 1/256 cell a period, which nothing is measured in: the reported distance goes down one by
+    // one.
     while (walk.answer.distance >= pair.warn) {
       values[0] += kFrameCell / 256;
       walk.answer = walk.guard.update(values.data(), 0);

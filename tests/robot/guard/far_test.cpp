@@ -1,4 +1,4 @@
-// Guards and motions of gantries, whose slides are far longer than any distance that can be asked
+// Guards and motions of gantries, whose slides are far longer than any distance of a query
 // about. All is parallel to the axes, so the truth is a formula.
 #include <catch2/catch.hpp>
 
@@ -105,7 +105,7 @@ double distance_of(const FixedArm& arm, const Gantry& gantry, const RobotPair& p
   return std::hypot(gap[0], gap[1], gap[2]) * kFine;
 }
 
-/// What is told of the period that the truth contradicts.
+/// The verdicts of the period that the truth contradicts.
 bool is_contradicted(const FixedArm& arm, const Gantry& gantry, const GuardAnswer& answer,
                      const Period& period, Random& random) {
   for (int moment = 0; moment < 6; ++moment) {
@@ -123,7 +123,7 @@ bool is_contradicted(const FixedArm& arm, const Gantry& gantry, const GuardAnswe
   return false;
 }
 
-/// Whether the spheres alone prove the pair free, farther apart than can be asked about.
+/// Whether the spheres alone prove the pair free, farther apart than any query's distance.
 bool is_far(const FixedArm& arm, const Gantry& gantry, const RobotPair& pair,
             const Period& period) {
   const double radius = std::sqrt(3.0) * gantry.half * kFine + 512;  // rounded up, and both placed
@@ -135,7 +135,8 @@ constexpr std::uint32_t kBudgets[] = {1, 17, 100, UINT32_MAX, UINT32_MAX, UINT32
 
 }  // namespace
 
-TEST_CASE("two pairs that go farther in a period than can be asked about, metres apart, are free") {
+TEST_CASE(
+    "two pairs that go farther in a period than any query's distance, metres apart, are free") {
   Gantry gantry;
   gantry.half = 0.05;
   add_link(gantry.model, kNoJoint, cube(gantry.half));
@@ -182,7 +183,7 @@ TEST_CASE("what was measured where a period ends is known in the next, however f
   const GuardAnswer standing = guard.update(&right, 0);
   CHECK(standing.verdict == Verdict::free);
   CHECK(standing.distance > 0.09 * kFine);
-  // What is left of it is told where it is too little, and there is no work to know more.
+  // The rest is reported where it is too little, and there is no work to know more.
   const JointCoordinate nearer = right - at((standing.distance / kFine) - 0.004);
   const GuardAnswer unknown = guard.update(&nearer, 0);
   CHECK(unknown.verdict == Verdict::not_yet_known);

@@ -154,7 +154,7 @@ TEST_CASE("what is no state of this guard") {
   CHECK(none.resume() == Status::guard_state_invalid);
 }
 
-TEST_CASE("half a turn of a joint, or of what mimics it, is no way to tell") {
+TEST_CASE("half a turn of a joint, or of its mimic, is ambiguous") {
   Model model;
   const std::size_t master = add_joint(model, tool::kNoJoint, {}, JointType::continuous, -kPi, kPi);
   add_mimic(model, master, shifted({0.5, 0, 0}), JointType::continuous, 0, -3, 0);

@@ -1,4 +1,4 @@
-// `warn` is said of what is that near, or of what the granted work did not do for.
+// `warn` is said of pairs that are that near, or for which the work budget was too small.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -109,7 +109,7 @@ TEST_CASE("the images that are kept are baked to the byte, and harmless") {
 }
 
 TEST_CASE(
-    "an image that lost its end is refused, its size mended or not; one with more is itself") {
+    "an image that lost its end is refused, its size repaired or not; one with more is itself") {
   Words words = arm_images()[0].words;
   for (std::size_t size = 0; size < size_of(words); ++size) {
     REQUIRE(exercise_any(words.data(), size).status == Status::image_truncated);

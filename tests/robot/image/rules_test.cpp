@@ -10,7 +10,8 @@ using namespace flashbvh::test;
 
 namespace {
 
-/// A change to every_joint_arm()'s image, whose checksum and hash are mended, and what comes of it.
+/// A change to every_joint_arm()'s image, whose checksum and hash are repaired, and what comes of
+/// it.
 struct Crafted {
   const char* what;
   void (*change)(const Parts& parts);
@@ -179,13 +180,13 @@ TEST_CASE("an image that breaks a rule is refused with its status") {
     CHECK(verdict.status == crafted.status);
     CHECK(verdict.wrong == nullptr);
   }
-  // Charts of other cells than the joints have.
+  // Distance tables of other cells than the joints have.
   Words tabulated = arm_images()[2].words;
   REQUIRE(Parts(tabulated).header.distance_table_bytes != 0);
   Parts(tabulated).joints[0].upper = Parts(tabulated).joints[0].lower;
   repair_robot(tabulated.data(), size_of(tabulated));
   CHECK(exercise_any(tabulated.data(), size_of(tabulated)).status == Status::image_invalid);
-  // Without the mend of the hash.
+  // Without the repair of the hash.
   Words words = whole;
   ++Parts(words).header.hash;
   CHECK(exercise_any(words.data(), size_of(words)).status == Status::image_corrupt);

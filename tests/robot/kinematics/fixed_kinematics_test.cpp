@@ -73,7 +73,7 @@ std::vector<Vector3> vertices_of(const Mesh& mesh) {
   return points;
 }
 
-/// The largest errors seen, as parts of what is allowed.
+/// The largest errors seen, as parts of the allowed ones.
 struct Worst {
   double frame = 0;
   double pose = 0;

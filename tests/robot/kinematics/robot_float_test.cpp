@@ -29,7 +29,7 @@ float any_near(Random& random, double size) {
 
 const long double kUnits = kFullTurn / (2 * std::acos(-1.0L));
 
-/// Nothing of what may be told differently: 8 turns are beyond 32 bits by a rounding.
+/// No value on which the two may differ: 8 turns are beyond 32 bits by a rounding.
 void check_angle(float radians) {
   CAPTURE(radians);
   const JointCoordinate coordinate = angle_coordinate(radians);

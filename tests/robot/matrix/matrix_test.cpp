@@ -117,7 +117,7 @@ TEST_CASE("a continuous joint covers the full turn") {
 }
 
 TEST_CASE("a planar arm folds until its law of cosines says so") {
-  // A post round the shoulder; the upper arm passes above it, a hand of the forearm's hangs beside
+  // A post round the shoulder; the upper arm passes above it, a hand of the forearm's hangs next to
   // it from 0.9 to 1 of the elbow, whose angle is `opening` at least.
   const double opening = 0.5;
   const double nearest = std::sqrt(1 + 0.81 - 2 * 0.9 * std::cos(opening));
@@ -201,7 +201,7 @@ TEST_CASE("mimics move with their master, not by themselves") {
   CHECK(decided(model, 0, 1).verdict == MatrixVerdict::can);
 }
 
-TEST_CASE("what need not be asked says why") {
+TEST_CASE("pairs that need no test say why") {
   Model model = rod_and_wall(-3, 3, 0.5);
   add_link(model, kNoJoint, box({0, 0, -0.2}, {0.1, 0.1, 0.2}));
   const PairVerdict fixed = decided(model, 0, 2);
@@ -240,7 +240,7 @@ TEST_CASE("what an SRDF disables is decided as any pair") {
   CHECK(believed.verdict == MatrixVerdict::believed);
   CHECK(believed.reason == "intersect at the witness; disabled in the SRDF and believed");
   CHECK_FALSE(believed.is_guarded);
-  // What is too near to tell is guarded, unless it is believed.
+  // What is too near to decide is guarded, unless it is believed.
   model.joints[0].upper = angle_at(0.5 - 1.2 * kCell);
   CHECK(decided(model, 0, 1).verdict == MatrixVerdict::believed);
   model.disabled[0].is_believed = false;
@@ -256,7 +256,7 @@ TEST_CASE("what an SRDF disables is decided as any pair") {
   CHECK(decided(model, 0, 1, options).is_guarded);
 }
 
-TEST_CASE("a proof and the proof for the stop distance are told apart") {
+TEST_CASE("a proof and the proof for the stop distance are distinguished") {
   MatrixOptions options;
   options.stop = 10;
   const PairVerdict pair = decided(rod_and_wall(-1, angle_at(0.4), 0.5), 0, 1, options);
@@ -268,7 +268,7 @@ TEST_CASE("a proof and the proof for the stop distance are told apart") {
         alone.reason + "; " + std::to_string(pair.cells - alone.cells) + " more for --stop");
 }
 
-TEST_CASE("plates that slide beside each other end") {
+TEST_CASE("plates that slide side by side end") {
   const auto plates = [](double gap) {
     Model model;
     const std::size_t x =

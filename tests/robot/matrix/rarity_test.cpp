@@ -36,7 +36,7 @@ const std::vector<PairVerdict> kCan = {{0, 1, MatrixVerdict::can, "", {0}, 0}};
 
 }  // namespace
 
-TEST_CASE("the share of configurations that collide is told, of rare ones from more") {
+TEST_CASE("the share of configurations that collide is reported, of rare ones from more") {
   struct Case {
     double reach;
     std::uint32_t of;
@@ -50,11 +50,11 @@ TEST_CASE("the share of configurations that collide is told, of rare ones from m
     CHECK_FALSE(share_of(found).is_bound);
     CHECK(share_of(found).part * of == Approx(found.count));
   }
-  // Others are not asked.
+  // Others are not sampled.
   CHECK(collisions(sliding(0.5), {{0, 1, MatrixVerdict::always, "", {}, 0}}).of == 0);
 }
 
-TEST_CASE("what no sample finds is bounded, and told how likely it is missed") {
+TEST_CASE("what no sample finds is bounded, and it is reported how likely it is missed") {
   const Share none = share_of({0, 20000});
   CHECK(none.is_bound);
   CHECK(std::pow(1 - none.part, 20000) == Approx(0.05));

@@ -74,7 +74,7 @@ TEST_CASE("what a turning link sweeps proves, but not by what lies inside it") {
   }
 }
 
-TEST_CASE("a link that turns by several turns beside a wall is proven quickly") {
+TEST_CASE("a link that turns by several turns next to a wall is proven quickly") {
   // Twelve corners, whose circle passes a plate by a hundred cells.
   Model model;
   const double cell = 1e-4;

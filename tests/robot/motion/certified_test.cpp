@@ -32,7 +32,7 @@ MotionAnswer in_slices(MotionQuery& query, std::uint32_t work) {
   return answer;
 }
 
-/// At the moment told, as the query places it.
+/// At the reported moment, as the query places it.
 bool is_hit(const FixedArm& arm, const MotionAnswer& answer, const Values& values) {
   const RobotPair& pair = arm.robot().pairs[answer.pair];
   JointCoordinate coordinates[8];
@@ -80,7 +80,7 @@ void check_told(const FixedArm& arm, const MotionQuery& query, const MotionAnswe
 
 }  // namespace
 
-TEST_CASE("motions: free all the way, hit where it is told, the same in any slices") {
+TEST_CASE("motions: free all the way, hit where it is reported, the same in any slices") {
   CAPTURE(test_seed());
   Random random(test_seed());
   long outcomes[3] = {};
@@ -155,8 +155,7 @@ TEST_CASE("a geared mimic of a joint without limits hits what its master never c
   }
 }
 
-TEST_CASE(
-    "a motion of links so far apart that a question about half of it can't be told is halved") {
+TEST_CASE("a motion of links so far apart that a query of half of it is undecidable is halved") {
   Model model;
   const Transform forwards = composed(shifted({0.48, 0, 0}), turned(1, kPi / 2));
   const std::size_t slide =
@@ -174,7 +173,7 @@ TEST_CASE(
   const MotionAnswer answer = query.run(UINT32_MAX);
   CHECK(answer.status == Status::done);
   CHECK(answer.outcome == MotionOutcome::free);
-  // There the witness can't be placed: nothing is told of it.
+  // There the witness can't be placed: nothing is reported of it.
   AnyGuardState memory;
   Guard guard(arm.robot(), memory);
   CHECK(guard.prime(to).verdict == Verdict::free);

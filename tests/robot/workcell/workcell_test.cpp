@@ -217,7 +217,7 @@ TEST_CASE("an obstacle that comes nearer is as near as it says, whatever is look
   }
 }
 
-TEST_CASE("a floating obstacle is known anew however far it went") {
+TEST_CASE("a floating obstacle is known again however far it went") {
   Random random(test_seed());
   const auto cell = std::make_unique<CrowdedCell>(random);
   const auto state = std::make_unique<WorkcellState>();

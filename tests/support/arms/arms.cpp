@@ -174,7 +174,7 @@ Model any_arm(Random& random, std::size_t joints) {
     add_link(model, parent, any_body(random, length));
     model.neighbours.emplace_back(model.links.size() - 2, model.links.size() - 1);
     if (random.below(10) == 0) {
-      parent = before == kNoJoint ? parent : before;  // a branch; what lies beside may collide
+      parent = before == kNoJoint ? parent : before;  // a branch; neighbours may collide
     }
   }
   return model;

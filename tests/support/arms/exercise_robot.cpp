@@ -16,7 +16,7 @@ namespace {
 using Number = std::function<std::uint32_t()>;
 using Values = std::vector<JointCoordinate>;
 
-/// What values may be refused with, and what links so far apart give that queries can't tell.
+/// What values may be refused with, and the status of links too far apart for queries.
 bool may_be(Status status) {
   return status == Status::done || status == Status::suspended ||
          status == Status::not_a_coordinate || status == Status::joint_out_of_limits ||

@@ -20,7 +20,7 @@ struct RobotVerdict {
   const char* wrong = nullptr;
 };
 
-/// Opens `size` bytes; of a robot that opens, a guard is told some values and a motion certified,
+/// Opens `size` bytes; of a robot that opens, a guard gets some values and a motion certified,
 /// made of `number`: any numbers.
 RobotVerdict exercise_robot(const void* bytes, std::size_t size,
                             const std::function<std::uint32_t()>& number);

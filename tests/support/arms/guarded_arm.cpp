@@ -150,10 +150,10 @@ const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const Guar
   const bool is_apart = answer.verdict <= Verdict::warn;
   if ((is_apart && answer.distance <= told.stop) ||
       (answer.verdict == Verdict::free && answer.distance <= told.warn)) {
-    return "a verdict better than the distance told";
+    return "a verdict better than the reported distance";
   }
   if (is_unlimited && answer.verdict == Verdict::stop) {
-    // What is asked is half of what is over, at the least 1/16 cell less.
+    // The limit is half of the excess, at the least 1/16 cell less.
     const double most = told.stop + 2.0 * robot.slack + 2 * period.travel(arm, told) + 40;
     if (most < kMaxDistance &&
         !arm.is_closer(told, period.at_end(), static_cast<std::uint32_t>(most) + kPlacingFine)) {
@@ -163,7 +163,7 @@ const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const Guar
   for (int moment = 0; moment < 4; ++moment) {
     const Values values = period.at(moment, random);
     if (drawn.is_closer(told, values, answer.distance)) {
-      return "nearer than the distance told";
+      return "nearer than the reported distance";
     }
     for (std::uint32_t i = 0; is_apart && i < robot.pair_count; ++i) {
       const RobotPair& pair = robot.pairs[i];

@@ -1,4 +1,4 @@
-// Arms with a guard, and brute force beside it.
+// Arms with a guard, and brute force against it.
 #ifndef FLASHBVH_TESTS_SUPPORT_ARMS_GUARDED_ARM_HPP
 #define FLASHBVH_TESTS_SUPPORT_ARMS_GUARDED_ARM_HPP
 
@@ -58,7 +58,7 @@ class DrawnArm {
  public:
   explicit DrawnArm(const FixedArm& arm) : arm_(arm), drawn_(arm.model, arm.arm.cell() / kFiner) {}
 
-  /// In 1/256 of the arm's cell. False where it can't be told.
+  /// In 1/256 of the arm's cell. False where it is unknown.
   bool is_closer(const RobotPair& pair, const Values& values, std::uint32_t distance) const;
 
  private:

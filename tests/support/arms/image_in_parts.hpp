@@ -27,12 +27,12 @@ struct Parts {
         reaches(reinterpret_cast<std::uint32_t*>(pairs + header.pair_count)),
         mounts(reinterpret_cast<Mount*>(reaches + header.reach_count)),
         unguarded(reinterpret_cast<RobotUnguarded*>(mounts + header.mount_count)),
-        charts(reinterpret_cast<std::uint8_t*>(unguarded + header.unguarded_count)),
-        names(reinterpret_cast<char*>(charts + header.distance_table_bytes)),
+        distance_tables(reinterpret_cast<std::uint8_t*>(unguarded + header.unguarded_count)),
+        names(reinterpret_cast<char*>(distance_tables + header.distance_table_bytes)),
         meshes(reinterpret_cast<unsigned char*>(words.data()) +
                detail::robot_meshes_offset(header)) {}
 
-  /// Of the first mesh, its checksum mended by mend_mesh().
+  /// Of the first mesh, its checksum repaired by mend_mesh().
   ImageHeader& mesh() const { return *reinterpret_cast<ImageHeader*>(meshes); }
   void mend_mesh() const { repair_crc(meshes, mesh().byte_count); }
 
@@ -43,7 +43,7 @@ struct Parts {
   std::uint32_t* reaches;
   Mount* mounts;
   RobotUnguarded* unguarded;
-  std::uint8_t* charts;
+  std::uint8_t* distance_tables;
   char* names;
   unsigned char* meshes;
 };

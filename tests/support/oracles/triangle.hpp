@@ -5,7 +5,7 @@
 // has a solution. Phase one of the simplex method decides that in exact integers (Edmonds' integer
 // pivoting: the tableau times the determinant of its basis) and, with Bland's rule, ends always.
 //
-// Nobody needs to trust the simplex: each answer comes with a certificate, checked on its own.
+// There is no need to trust the simplex: each answer comes with a certificate, checked on its own.
 // - intersects: weights l and m, that is, a common point
 // - disjoint: a direction n with n.a_i < n.b_j for all i, j, that is, a plane strictly in between
 // One of both exists (Farkas' lemma), never both. No determinant of the library's, no case for

@@ -96,7 +96,7 @@
 #define STATIC_REQUIRE(...) static_assert(__VA_ARGS__, #__VA_ARGS__)
 #define FAIL(text) SMALL_CATCH_ASSERT(require, "FAIL", text, ::small_catch::Decompose() <= false)
 
-// What a failed assertion tells besides.
+// What a failed assertion prints in addition.
 #define INFO(text) SMALL_CATCH_CAPTURED(SMALL_CATCH_UNIQUE(info), 1, text)
 #define SMALL_CATCH_CAPTURED(stem, n, value) \
   const ::small_catch::Captured SMALL_CATCH_JOIN(stem, _##n)(#value, value);

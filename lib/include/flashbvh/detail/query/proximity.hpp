@@ -13,7 +13,7 @@
 namespace flashbvh::detail {
 
 /// What questions about distance have in common: bounds of gaps, widened to nothing.
-struct Nearness {
+struct ProximityPredicate {
   static constexpr int64_t kMostLimit = int64_t{1} << 35;
   using KeepsBound = void;
   static constexpr bool kIntersects = false;
@@ -23,7 +23,7 @@ struct Nearness {
 };
 
 /// Which triangles have points within a distance: closed, so equal is within.
-struct Within : Nearness {
+struct Within : ProximityPredicate {
   static constexpr uint32_t kBatch = 4;
   static constexpr uint32_t kPairWork = kNearPairWork;
   static constexpr uint32_t kDearWork = kDearPairWork;
@@ -92,7 +92,7 @@ struct NearestSoFar {
 /// `allowance`, in 2^-16: the nearest that is found may be farther than the nearest by so much of
 /// its distance.
 template <class Index>
-struct Nearest : Nearness {
+struct Nearest : ProximityPredicate {
   static constexpr uint32_t kBatch = 1;
   static constexpr uint32_t kPairWork = kTrianglePairWork;
   static constexpr uint32_t kDearWork = 0;

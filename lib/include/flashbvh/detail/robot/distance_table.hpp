@@ -9,7 +9,7 @@
 namespace flashbvh::detail {
 
 /// What the pair's distance table says of where the joints stand; 0 if there is none.
-uint32_t chart_distance_at(const Robot& robot, uint16_t pair, const JointCoordinate* coordinates);
+uint32_t table_distance_at(const Robot& robot, uint16_t pair, const JointCoordinate* coordinates);
 
 }  // namespace flashbvh::detail
 
