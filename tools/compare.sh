@@ -1,8 +1,8 @@
 #!/bin/sh
-# compare.sh           Beside OPCODE, FCL and Bullet: times as ratios, answers, allocations, on the same
+# compare.sh           Compares with OPCODE, FCL and Bullet: times as ratios, answers, allocations, on the same
 #                      meshes in the same poses, in one run; instructions on two boards under QEMU;
 #                      capsules, spheres, hulls and distance fields. Writes lib/docs/comparison.md.
-# compare.sh --page    writes the page of what the last run left in build/compare
+# compare.sh --page    writes the page from the last run's files in build/compare
 #
 # A report, not a test. Installs what is missing; works in build/compare.
 set -eu

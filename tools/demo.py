@@ -1,7 +1,7 @@
 """demo.py COMMAND: parts of tools/demo.sh, on the files of build/demo.
 
     host FLASHBVH   writes the poses that the firmware printed in `target`, a file for each pair of links,
-                    to poses/; asks `FLASHBVH collide` and writes its results to `host`, as lines of the
+                    to poses/; runs `FLASHBVH collide` and writes its results to `host`, as lines of the
                     firmware (firmware_examples/robot_arm/main.cpp) up to the counts
     table           prints `target` as tables: a configuration each, then the traversals; compares each result
                     with `host`. Status 1 if one differs, if one side has another number of them, or if two
@@ -112,14 +112,14 @@ class Configuration:
         if disjoint:
             print(f"  {disjoint} pairs of links disjoint after one visit, on both")
         if NEIGHBOURS & self.pairs.keys():
-            print("  * neighbours, which share a bearing: not asked about")
+            print("  * neighbours, which share a bearing: not tested")
         print(f"  Does it hit itself? {'YES' if self.answer == 'yes' else 'no'}: {self.check} instructions "
               f"for the answer, {milliseconds(self.check):.2f} ms, of these {self.kinematics} for the kinematics")
 
 
 def table():
     print("\nLinks next to each other share a bearing: there they intersect in every configuration. Whether the\n"
-          "arm hits itself is asked of the other pairs. Neighbours are shown once, at home, for what they cost.\n"
+          "arm hits itself is tested on the other pairs. Neighbours are shown once, at home, for what they cost.\n"
           "ms: at 168 MHz and one instruction a cycle; wait states of the flash come on top.")
     on_host = [tuple(words) for words in lines("host")]
     wanted = set(on_host)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The main job, end to end: a robot's meshes and joints go in, a microcontroller tells whether the
+# The main job, end to end: a robot's meshes and joints go in, a microcontroller decides whether the
 # arm hits itself, and all its answers are compared with the host's. Installs what is missing; works
 # in build/demo.
 set -eu
@@ -94,7 +94,7 @@ run_arm $demo/target_compact ranked
 python3 tools/demo.py compact || status=1
 
 step "7. A page about the arm: flash, RAM, time, pictures"
-# Without neighbours, which the arm does not ask about.
+# Without neighbours, which the arm does not test.
 rm -rf $demo/asked
 cp -r $demo/poses $demo/asked
 for link in $links; do
@@ -120,7 +120,7 @@ build $board robot_guard_kr5 -DFLASHBVH_KR5="$PWD/${kr5%/*}"
 arm-none-eabi-size build/$board/bin/robot_guard_kr5.elf
 FLASHBVH_TIMEOUT=300 FLASHBVH_ICOUNT=8 ports/run mps2-an386 build/$board/bin/robot_guard_kr5.elf |
   tee $demo/guarded
-# But for what took how long, which nobody counts here.
+# Except for durations, which do not count here.
 told() { grep -v "^  a period" "$1"; }
 build/$native/bin/robot_guard_kr5 >$demo/guarded_here
 told $demo/guarded >$demo/guarded_there

@@ -8,7 +8,7 @@
 # figures.sh --prepare               makes build/figures, which builds are given to measure a robot:
 #                                    cmake --preset cortex-m4f -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
 #
-# PRESET: of CMakePresets.json; all boards unless told. budgets.csv holds the figures that it names; to hold
+# PRESET: of CMakePresets.json; all boards by default. budgets.csv holds the figures that it names; to hold
 # another one, add a row with its name. Installs what is missing.
 set -eu
 cd "$(dirname "$0")/.."

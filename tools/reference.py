@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes what lib/docs/reference.md can take from its sources, and the API index.
 
-reference.py FLASHBVH            writes the page's generated parts anew; FLASHBVH is the host program
+reference.py FLASHBVH            writes the page's generated parts again; FLASHBVH is the host program
 reference.py --check FLASHBVH    fails if the page is not what the first form writes
 reference.py --api FOLDER        makes doxygen's pages of all public headers in FOLDER
 
@@ -33,7 +33,7 @@ def run_doxygen(folder, *options):
 
 
 def json_fields(command):
-    """The names of what a command prints with --json, from the sources that print it."""
+    """The names of the fields that a command prints with --json, from the sources that print it."""
     sources = [path for path in sorted((ROOT / "tools/cli").rglob("*.cpp"))
                if path.stem == command or path.stem.startswith(command + "_")]
     text = "".join(path.read_text() for path in sources)
@@ -66,7 +66,7 @@ def cmake_functions():
 
 
 def public_functions(tree):
-    """Of one of doxygen's files: (header, name) of what a caller can call."""
+    """From one of doxygen's files: (header, name) of each function that a caller can call."""
     for member in tree.iter("memberdef"):
         if member.get("kind") == "function" and member.get("prot") == "public":
             yield member.find("location").get("file"), member.findtext("name")

@@ -38,7 +38,7 @@ build_debs() (
   dpkg-buildpackage --unsigned-source --unsigned-changes --build=binary
 )
 quietly build_debs
-# What tells of one build on one machine.
+# What is specific to one build on one machine.
 rm -rf "$tree" "$release"/debian/*.buildinfo "$release"/debian/*.changes
 echo "packages: ${release#"$PWD/"}"
 [ -n "${FLASHBVH_URL:-}" ] && [ -n "${FLASHBVH_EMAIL:-}" ] ||

@@ -1,6 +1,6 @@
 #!/bin/sh
 # test_step.sh STEP    One step of tools/test.sh:
-#   formatting   clang-format has nothing to mend
+#   formatting   clang-format and the checks of style report nothing
 #   configured   a build folder of this machine, with the address and undefined-behaviour sanitizers
 #   tool         the host program, which bakes for all that follows, what tests it, and what figures
 #                are measured on
@@ -63,7 +63,8 @@ run() {
     formatting)
       sources | xargs clang-format --dry-run -Werror
       tools/cores.py --check
-      tools/rooms.py ;;
+      tools/rooms.py
+      python3 -B tools/words.py ;;
     configured)
       cmake --preset native-sanitize
       cp tools/bake_once.sh build/ ;;

@@ -79,7 +79,7 @@ def cpp_output():
 
 
 def determinism():
-    """The same input gives the same bytes, wherever it lies and whatever is baked beside it; a failed bake leaves
+    """The same input gives the same bytes, wherever it lies and whatever is baked with it; a failed bake leaves
     older files as they were."""
     shutil.copytree("meshes", "elsewhere/meshes")
     for options in "", "--layout pre", "--builder median", "--leaf-size 3 --arity 5", "--index-bits 32":
@@ -105,7 +105,7 @@ def determinism():
     same("before", "one/ring.fbvh")
     hold(not any(Path("one").rglob("*.tmp*")), "temporary files left")
 
-    # Only what is asked for.
+    # Only what is requested.
     for form, files in ("image", ["ring.fbvh"]), ("cpp", ["ring.fbvh.cpp", "ring.fbvh.hpp"]):
         flashbvh("bake", "meshes/ring.stl", "-o", form, "--format", form)
         hold(sorted(os.listdir(form)) == files, f"{form}: {os.listdir(form)}")

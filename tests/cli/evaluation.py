@@ -21,7 +21,7 @@ def bench():
                r"^\| total of the intersecting  *\| *0 \|",
                r"^\| total  *\| *96 \| *7410 \| *34886 \| *96 \| *96 \|",
                r"^\| total  *\| *7410 \| *22 \| *22 \|")
-    hold("### Table 2" not in said, "table 2 was not asked for")
+    hold("### Table 2" not in said, "table 2 was not requested")
     for row in ("volume-stack", "alternating-stack", "stackless", "stackless-post", "leaf", "ranked", "ranked-stack",
                 "best rule", "ranked, default tree", "best rule, default tree"):
         hold(len(re.findall(rf"^\| {row}  *\|", said, re.M)) == 4, f"not four rows of {row}")

@@ -213,7 +213,7 @@ def kept_inputs():
 
 
 def clearance():
-    """Distances in the unit, with points, within a length, in every layout of options; and what can't be asked is
+    """Distances in the unit, with points, within a length, in every layout of options; and what is no query is
     refused."""
     # Two boxes of 8 mm, the second one's lower corner at (0, 0, 0) of its own frame, a metre off the first one's.
     write("there.obj", box(1000, 1000, 1000, 8))
@@ -259,14 +259,14 @@ def clearance():
     hold(sum(float(d) > 1 for d in first) > 5 and sum(float(d) == 0 for d in first) > 2, first)
     flashbvh("clearance", "post/ring.fbvh", "post/coarse.fbvh", "--poses", "any", "--float", "--json")
 
-    # So far off that only "at least" can be told. The truth is 4231, of 3992, 992 and 992; nothing is told but what
+    # So far off that the answer is only "at least". The truth is 4231, of 3992, 992 and 992; nothing is reported but what
     # holds.
     write("far", f"{HOME}  5000 0 0")
     answer = flashbvh(*ask, "far", "--json").json()[0]
     hold(answer["status"] == "out_of_range" and 0 < answer["lower"] <= 4231 and 4232 <= answer["upper"] < 4500, answer)
     hold([answer[name] for name in ("distance", "triangles", "point_a", "point_b")] == [None] * 4, answer)
     flashbvh(*ask, "far").holds(">= .* out of range")
-    # Farther than 1/256 cells are counted; and a pose that follows begins anew.
+    # Farther than 1/256 cells are counted; and a pose that follows begins without a hint.
     write("farther", f"{HOME}  5000000 0 0\n{HOME}  1020.5 1001 1002")
     answers = flashbvh(*ask, "farther", "--json").json()
     hold(answers[0]["upper"] is None and answers[-1]["distance"] == 12.5, answers)
@@ -279,7 +279,7 @@ def clearance():
     refused("excludes", *ask, "poses", "--within", 1, "--cold")
     refused("poses", *ask, "poses", "--within", 1, "--pairs", "poses")
     bake("pre", "there.obj", "here.obj", options="--cell 0.01 --layout pre")
-    refused("pre-indexed, on which distances can't be asked", "clearance", "pre/there.fbvh", "pre/here.fbvh",
+    refused("pre-indexed, which has no distances", "clearance", "pre/there.fbvh", "pre/here.fbvh",
             "--poses", "poses")
 
 

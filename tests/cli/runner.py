@@ -19,7 +19,7 @@ is made of these lines:
     out: TEXT                   what it printed holds this; `out~ ` a regular expression, `out= ` is all of it; `no `
                                 before it turns it round; `err` is standard error, any other word is a file;
                                 without a text, each of the indented lines below
-    json PATH = VALUE           of what it printed, one value in JSON; `lines PATH = VALUE` of one a line, * is all
+    json PATH = VALUE           one value of the printed JSON; `lines PATH = VALUE` of one a line, * is all
     same FILE FILE              two files or folders of the same bytes
     holds FOLDER = NAME NAME    the names in a folder
     let NAME = EXPRESSION       Python, by all names of checks.py, and out, err, json, lines
@@ -69,7 +69,7 @@ class Case:
 
 
 def rows_of(names, lines):
-    """The rows below `each` or `for`, or beside it, as values of the names."""
+    """The rows below `each` or `for`, or on its line, as values of the names."""
     names, beside, cells = names.partition(": ")
     if beside:
         lines = cells.split(" | ")

@@ -1,4 +1,4 @@
-// Collapsing: a node whose test seldom tells anything gives its place to its children (Gu, He and
+// Collapsing: a node whose test rarely rejects anything gives its place to its children (Gu, He and
 // Blelloch 2015, "Ray specialized contraction on bounding volume hierarchies", for boxes).
 //
 // With a chance p that the child overlaps what the parent overlaps, testing the child costs 1 visit

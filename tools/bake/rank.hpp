@@ -19,7 +19,7 @@
 namespace flashbvh::bake {
 
 /// What descending into an internal node gains, in cells, at most 1.5 * 2^17: its
-/// extents times (1 - p + 1/2k). Half of what the second term would be in theory measures better.
+/// extents times (1 - p + 1/2k). Half of the theoretical second term measures better.
 inline std::uint32_t rank_measure(const BuildTree& tree, const BuildNode& node) {
   std::uint64_t chances = 0;
   for (const std::uint32_t child : node.children) {

@@ -99,7 +99,7 @@ class Reinsertion {
     return half_surface(join(nodes_[place].box, subtree.box));
   }
 
-  /// What putting the subtree beside `place` costs, from the place up.
+  /// What putting the subtree next to `place` costs, from the place up.
   std::uint64_t cost_at(std::uint32_t place, const BinaryNode& subtree) const {
     std::uint64_t cost = surface_with(place, subtree);
     for (std::uint32_t at = nodes_[place].parent; at != kNoNode; at = nodes_[at].parent) {

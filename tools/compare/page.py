@@ -1,6 +1,6 @@
 """page.py PAGE FOLDER BOARD...: prints the tables of PAGE, lib/docs/comparison.md, and rewrites them in place.
 
-A block of the page below a comment, `<!-- part -->`, is made of what was measured, in FOLDER: lines.txt,
+A block of the page below a comment, `<!-- part -->`, is made of the measurements, in FOLDER: lines.txt,
 which `compare` printed, BOARD.txt, which compare_firmware printed, and the file `with`, the libraries'
 versions. Status 1, and the old page, if a twentieth of the pairs of triangles differs, or a distance by
 more than a cell: then something is set up wrong.
@@ -106,7 +106,7 @@ def times(file):
         "B           class        mean   of one pair    mean    mean   of one pair",
         *measured.distances(),
         "",
-        "Distances, beside flashbvh's; differing: by more than 1e-6 of it; the most, in cells:",
+        "Distances, against flashbvh's; differing: by more than 1e-6 of it; the most, in cells:",
         "",
         "B           library          poses  differing      most")
     for motion in MOTIONS:
@@ -116,7 +116,7 @@ def times(file):
             yield "%-10s  %-15s  %5d  %9d  %8.2g" % (motion, title, *lengths[at], farthest[at])
             wrong |= farthest[at] > 1
     if wrong:
-        yield "The libraries were not asked the same: DIFFERS"
+        yield "The libraries did not run the same queries: DIFFERS"
 
 
 def known(file):

@@ -32,7 +32,7 @@ struct CountingWithin : Within {
   }
 };
 
-/// What a query knows beside its answers.
+/// The counts of a query.
 template <class Mesh>
 struct CountedWithin : Query<Ranked<Mesh>, CountingWithin> {
   CountedWithin(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t reach)
@@ -48,11 +48,11 @@ void count(const Query& query, ClearanceAnswer& answer) {
 
 template <class Mesh>
 ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
-                             Witness<std::uint32_t>& seed) {
+                             Witness<std::uint32_t>& hint) {
   using Index = typename Mesh::Index;
   Witness<Index> begin;
-  if (!seed.is_none()) {
-    begin = {static_cast<Index>(seed.a), static_cast<Index>(seed.b)};
+  if (!hint.is_none()) {
+    begin = {static_cast<Index>(hint.a), static_cast<Index>(hint.b)};
   }
   BasicClearanceQuery<Mesh> query(a, b, pose, begin);
   ClearanceAnswer answer;
@@ -67,10 +67,10 @@ ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
   answer.lower = found.lower;
   answer.upper = found.upper;
   if (!found.in_range) {
-    seed = {};
+    hint = {};
     return answer;
   }
-  seed = {found.witness.a, found.witness.b};
+  hint = {found.witness.a, found.witness.b};
   Triangle of_a;
   Triangle of_b;
   query.nearest_triangles(of_a, of_b);
@@ -121,16 +121,15 @@ ClearanceAnswer ask_post(const AnyTree& any_a, const AnyTree& any_b, const Ask& 
 
 void check_has_clearance(const ImageFile& image) {
   if (image.layout() != Layout::post_indexed) {
-    throw UserError(
-        image.path(),
-        "is pre-indexed, on which distances can't be asked; bake it with --layout post");
+    throw UserError(image.path(),
+                    "is pre-indexed, which has no distances; bake it with --layout post");
   }
 }
 
 ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
-                          Witness<std::uint32_t>& seed) {
+                          Witness<std::uint32_t>& hint) {
   return ask_post(a, b, [&](const auto& mesh_a, const auto& mesh_b) {
-    return clearance_of(mesh_a, mesh_b, pose, seed);
+    return clearance_of(mesh_a, mesh_b, pose, hint);
   });
 }
 

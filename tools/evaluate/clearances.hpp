@@ -29,13 +29,13 @@ struct ClearanceAnswer {
   std::uint64_t triangle_pairs = 0;  ///< tested
 };
 
-/// UserError, with the mend, if `image` is pre-indexed: distances walk post-indexed trees.
+/// UserError, with the remedy, if `image` is pre-indexed: distances walk post-indexed trees.
 void check_has_clearance(const ImageFile& image);
 
-/// The distance, for each pose seeded by what was nearest before: `seed` is changed. Both trees are
-/// of one kind, post-indexed.
+/// The distance, for each pose with the nearest pair before as its hint: `hint` is changed. Both
+/// trees are of one kind, post-indexed.
 ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
-                          Witness<std::uint32_t>& seed);
+                          Witness<std::uint32_t>& hint);
 
 /// Pairs within a distance, in 1/256 cell; only the first if not `all`.
 ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& pose,

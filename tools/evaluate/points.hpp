@@ -14,8 +14,8 @@ namespace flashbvh::tool {
 /// beyond 2^29 cells.
 std::vector<Point> read_lattice_points(const std::string& path, double cell);
 
-/// One ray a line, likewise: two points, from one to the other; or an origin, a direction and a
-/// reach, as segment_of() takes them as floats.
+/// One ray a line, in the same form: two points, from one to the other; or an origin, a direction
+/// and a reach, as segment_of() takes them as floats.
 std::vector<Segment> read_lattice_rays(const std::string& path, double cell);
 
 }  // namespace flashbvh::tool

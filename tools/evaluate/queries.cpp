@@ -40,7 +40,7 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
     add(answer.counts, query.stats(), before);
   }
   if (answer.status == Status::full) {
-    answer.status = Status::done;  // the first pair is all that was asked for
+    answer.status = Status::done;  // the first pair is all that was requested
   }
   return answer;
 }

@@ -20,10 +20,10 @@ std::vector<std::string> traversal_names();
 /// Whether the traversal walks trees of this layout.
 bool walks(const std::string& traversal, Layout layout);
 
-/// Whether the two can be asked about each other: trees of one kind, lattices of one cell.
+/// Whether a query can take the two: trees of one kind, lattices of one cell.
 bool are_partners(const ImageFile& a, const ImageFile& b);
 
-/// UserError, with the mend, unless they are partners.
+/// UserError, with the remedy, unless they are partners.
 void check_partners(const ImageFile& a, const ImageFile& b);
 
 /// Triangles by their numbers in the source files.
@@ -45,11 +45,11 @@ struct Answer {
   WideCounts counts;
   std::uint64_t work = 0;
   std::vector<FoundPair> pairs;   ///< in the order in which the query reports them
-  std::vector<Contact> contacts;  ///< of each pair, if asked for
+  std::vector<Contact> contacts;  ///< of each pair, if requested
   std::optional<bool> inside;     ///< without pairs: whether one mesh is inside the other, if known
 };
 
-/// What a query is asked for beside counts and pairs.
+/// What a query returns in addition to counts and pairs.
 struct Asked {
   bool first = false;  ///< to end at the first pair
   bool contacts = false;

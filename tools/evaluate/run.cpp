@@ -64,7 +64,7 @@ const Trees& Objects::get(const scene::PaperObject& object) {
 
 namespace {
 
-/// The pose is read anew each time, so that no repetition can be optimised away.
+/// The pose is read again each time, so that no repetition can be optimised away.
 struct VolatilePose {
   volatile std::int32_t x, y, z;
   Pose now() const { return Pose::translated(x, y, z); }

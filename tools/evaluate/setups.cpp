@@ -28,7 +28,7 @@ const std::array<Setup, 20> kSetups = {{
     {3, "Separation test 2", kUpright, kUpsideDown, {-3000, 27000, -5000}, 100000},
     {3, "Separation test 3", kUpright, kLying, {6000, -2000, 24000}, 100000},
 
-    // One tumbler stacked into the other, half way and all the way; one beside the other.
+    // One tumbler stacked into the other, half way and all the way; one next to the other.
     {4, "Close proximity test 1", kUpright, kUpright, {400, -300, 11000}, 1000},
     {4, "Close proximity test 2", kUpright, kUpright, {0, 0, 9000}, 1000},
     {4, "Close proximity test 3", kUpright, kUpsideDown, {-900, 16300, -3600}, 10000},

@@ -30,7 +30,7 @@ struct BakeOptions {
   std::uint32_t arity = bake::kDefaultArity;         ///< most children of a node
   std::optional<double> cell;                        ///< by default the finest that the mesh fits
   std::optional<double> max_deviation;               ///< how far rounding may move a vertex
-  bool offers_wide_indices = true;                   ///< the user can ask for them, in messages
+  bool offers_wide_indices = true;                   ///< messages may offer them to the user
   bool drop_degenerate = false;                      ///< before or after rounding
   bool drop_duplicate = false;                       ///< on the lattice; the first of them stays
 };

@@ -123,7 +123,7 @@ std::string header(const bake::BakedTree<Index, layout>& baked, const OutputName
          "extern const " +
          MeshKind::mesh() +
          " mesh;\n"
-         "/// The same with what alternating-stack and stackless need beside it.\n"
+         "/// The same with the levels that alternating-stack and stackless need.\n"
          "extern const " +
          MeshKind::levelled() +
          " levelled_mesh;\n\n"

@@ -37,7 +37,7 @@ class ImageFile {
 
   Layout layout() const { return static_cast<Layout>(header_.layout); }
   double cell() const;       ///< in the unit
-  double deviation() const;  ///< likewise
+  double deviation() const;  ///< in the mesh's unit
   Unit unit() const { return static_cast<Unit>(header_.unit); }
   /// Of the mesh, as it was baked.
   std::string source() const;
@@ -60,7 +60,7 @@ struct SourceTriangle {
 };
 
 /// In the order of the source mesh; numbers are missing if `bake` left triangles out. UserError,
-/// naming the image, if a number occurs twice: the library can't tell that in constant memory.
+/// naming the image, if a number occurs twice: the library cannot check that in constant memory.
 std::vector<SourceTriangle> source_triangles(const ImageFile& image);
 
 /// The image's vertices and these triangles of it, in cells from its own origin.

@@ -7,7 +7,7 @@
 namespace flashbvh::tool {
 
 /// Whether C or C++ takes `name`, an identifier, for itself in some way: keywords, macros, and what
-/// headers of C and POSIX declare beside the namespace std.
+/// headers of C and POSIX declare outside the namespace std.
 bool is_taken(const std::string& name);
 
 }  // namespace flashbvh::tool

@@ -1,8 +1,8 @@
 // The readers of mesh files.
 //
 // STL, OBJ, PLY and OFF are read here: strictly, in double precision, each number of a text as the
-// double nearest to it, each number of a binary as it is. assimp reads the others. It mends what it
-// can't read and tells nobody but its log, and its coordinates are 32-bit floats.
+// double nearest to it, each number of a binary as it is. assimp reads the others. It repairs what
+// it cannot read and reports that in its log alone, and its coordinates are 32-bit floats.
 #ifndef FLASHBVH_TOOLS_MESH_FORMATS_HPP
 #define FLASHBVH_TOOLS_MESH_FORMATS_HPP
 
@@ -29,7 +29,7 @@ FileMesh read_ply(std::string_view bytes, const std::string& file);
 FileMesh read_with_assimp(std::string_view bytes, const std::string& file);
 
 /// Warns if a text file does not end with a line end: its last number may have lost digits, which
-/// nothing else tells.
+/// nothing else shows.
 void warn_of_cut_line(std::string_view text, FileMesh& mesh);
 
 }  // namespace flashbvh::tool

@@ -48,10 +48,10 @@ std::vector<Corner2> projected(const std::vector<Corner3>& corners) {
 }
 
 /// The polygon that is left while ears are cut off. The next ear is the first corner in order that
-/// is one, the polygon's first corner being the last to be asked.
+/// is one, the polygon's first corner being the last to be tested.
 ///
-/// A corner that is none is asked again only when its triangle has changed, or when the corner that
-/// lay in it is gone: corners go and never come.
+/// A corner that is none is tested again only when its triangle has changed, or when the corner
+/// that lay in it is gone: corners go and never come.
 class EarCutter {
  public:
   explicit EarCutter(const std::vector<Corner2>& flat)

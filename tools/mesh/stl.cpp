@@ -92,7 +92,7 @@ class AsciiReader {
   void facet() {
     expect("normal");
     for (int i = 0; i < 3; ++i) {
-      next();  // recomputed by nobody: the tree needs none
+      next();  // not recomputed: the tree needs none
     }
     expect("outer");
     expect("loop");

@@ -123,7 +123,7 @@ class SceneReader {
   const aiScene& scene_;
   const std::string& file_;
   MeshBuilder builder_;
-  double largest_ = 0;  ///< of the sizes of what was added up to a coordinate
+  double largest_ = 0;  ///< of the sizes of a coordinate's summands
   std::size_t left_out_ = 0;
 };
 

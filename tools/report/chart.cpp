@@ -84,7 +84,7 @@ std::string text(double x, double y, const char* anchor, const std::string& cont
                 content, "</text>\n");
 }
 
-/// `order`: of the levels, whose names stand beside each other.
+/// `order`: of the levels, whose names stand side by side.
 std::string level_line(const DistanceTableLevel& level, double top, std::size_t order) {
   const double y = height_of(level.value, top);
   return concat("<path class=", level.style, " d=\"M", at(kPlotLeft, y), "H", fixed(kPlotRight, 1),
@@ -92,7 +92,7 @@ std::string level_line(const DistanceTableLevel& level, double top, std::size_t 
          text(kPlotRight - 110 * static_cast<double>(order), y - 12, "end", level.name);
 }
 
-/// The line's number, on the line; lines have theirs beside each other.
+/// The line's number, on the line; lines have theirs side by side.
 std::string number_on(const DistanceTableLine& line, std::size_t lines, double top) {
   const std::size_t count = line.values.size();
   std::size_t place = std::min((2 * line.style + 1) * count / (2 * lines), count - 1);

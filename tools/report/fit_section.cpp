@@ -186,7 +186,7 @@ std::string pose_note(const std::vector<QueriedPair>& pairs, const ReportOptions
     return counted(poses, "pose", "poses") + " as given.";
   }
   if (options.samples == 0) {
-    return "No poses were asked about.";
+    return "No poses were given.";
   }
   return grouped(options.samples) +
          (pairs.size() == 1 ? " random poses" : " random poses of each pair") +

@@ -187,7 +187,7 @@ std::string pairs_section(const Subjects& subjects, const std::vector<QueriedPai
   const std::size_t different = subjects.size() * (subjects.size() - 1) / 2;
   std::string html;
   if (pairs.size() < different) {
-    html += note(counted(different - pairs.size(), "pair is", "pairs are") + " not asked about: " +
+    html += note(counted(different - pairs.size(), "pair is", "pairs are") + " not tested: " +
                  (options.poses.empty() ? "baked with another cell, layout or index width, or "
                                           "beyond the first few."
                                         : "no poses are given."));

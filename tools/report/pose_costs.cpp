@@ -1,6 +1,6 @@
 // Rotations from quaternions of four integers in a ball, which makes them even over all rotations
-// (Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992); directions likewise from three.
-// Integers alone, rounded the same everywhere.
+// (Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992); directions from three in the
+// same way. Integers alone, rounded the same everywhere.
 #include "report/pose_costs.hpp"
 
 #include <algorithm>
@@ -97,7 +97,7 @@ Closeness closeness_of(const WideCounts& counts) {
   return counts.overlaps != 0 ? kSmallProximity : kSeparated;
 }
 
-/// Adds what a query at the pose costs. The visits that it took to tell.
+/// Adds what a query at the pose costs. The visits that the answer took.
 std::uint64_t add(PairCosts& costs, const ImageFile& a, const ImageFile& b, const Pose& pose,
                   const std::string& place) {
   const char* const algorithm = default_traversal(a.layout());

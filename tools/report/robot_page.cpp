@@ -140,7 +140,7 @@ std::string rarity_table(const DecidedRobot& decided, const std::vector<std::siz
          note("Missed: how likely " + grouped(kUsualSamples) +
               " random configurations, usual for such a matrix, find none that collides. Where "
               "none of "
-              "those here does, the share is below what is told with a confidence of 95 %.");
+              "those here does, the share is below that bound with a confidence of 95 %.");
 }
 
 std::string witness(const DecidedRobot& decided, const PairVerdict& pair) {

@@ -6,7 +6,7 @@ namespace flashbvh::tool {
 
 /// Text has a contrast of 4.5 to 1 at least against what it stands on, lines and bars of 3 to 1. p0
 /// to p4: parts of flash; k0 to k3: boxes; v0 to v4: verdicts, lighter and darker than each other,
-/// too, for readers who can't tell them apart by colour; l0 to l5: lines of a chart.
+/// too, for readers who cannot distinguish them by colour; l0 to l5: lines of a chart.
 inline constexpr const char* kColours = R"(:root{color-scheme:light dark;
 --ground:#f6f7f9;--paper:#fff;--text:#1c2128;--soft:#57606a;--line:#d5dae1;--accent:#0b5cad;
 --good:#12692f;--bad:#9a4a00;--leaf:#0b6bcb;--inner:#8296ad;--hot:214,90,30;

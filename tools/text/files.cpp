@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostBytes = 0xFFFFFFFF;  // of a file that is read
 
-/// Beside the file itself, so that renaming stays within a file system.
+/// Next to the file itself, so that renaming stays within a file system.
 fs::path temporary_name(const fs::path& path) {
   fs::path name = path;
   name += concat(".tmp", getpid());

@@ -21,7 +21,7 @@ class FileSet {
   /// Adds a file; nothing is written yet. UserError if there is one of that path.
   void add(std::filesystem::path path, std::string bytes);
 
-  /// Writes every file under a temporary name beside its own, calls `report`, then renames them
+  /// Writes every file under a temporary name next to its own, calls `report`, then renames them
   /// all; makes their folder if there is none. UserError if that fails; then, or if `report`
   /// throws, what it made is gone again, unless a rename failed behind another that replaced an
   /// older file. Signals that end the program wait for that, too. What is no regular file gets its

@@ -1,5 +1,5 @@
-// What the program says on standard error: one line of what the user must mend, with exit code 2,
-// and warnings.
+// What the program says on standard error: one line that says what the user must fix, with exit
+// code 2, and warnings.
 #ifndef FLASHBVH_TOOLS_TEXT_MESSAGES_HPP
 #define FLASHBVH_TOOLS_TEXT_MESSAGES_HPP
 
@@ -17,7 +17,7 @@ namespace flashbvh::tool {
 /// Thrown wherever an input can't be used; main() prints it and exits with 2.
 class UserError : public std::runtime_error {
  public:
-  /// `place`: a file, or an option. `what`: what is wrong there, and the mend, on one line.
+  /// `place`: a file, or an option. `what`: what is wrong there, and the remedy, on one line.
   template <class... Parts>
   explicit UserError(const std::string& place, const Parts&... what)
       : std::runtime_error(concat(place, ": ", what...)) {}

@@ -176,7 +176,7 @@ TEST_CASE("links: a sphere round the mesh, where their reaches stand, what lies 
   }
 }
 
-TEST_CASE("the hash tells robots apart") {
+TEST_CASE("the hash distinguishes robots") {
   RobotFiles files;
   const auto hash = [&](const std::string& limit, double cell) {
     return bake_robot(files.read(chain({{"revolute", limit}})), cell).robot->robot().hash;

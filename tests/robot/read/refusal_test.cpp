@@ -1,4 +1,4 @@
-// What can't be read is refused with the file, the element and the mend.
+// What can't be read is refused with the file, the element and the remedy.
 #include <catch2/catch.hpp>
 
 #include "support/arms/robot_files.hpp"
@@ -50,7 +50,7 @@ void check_said(const std::string& said, const std::string& wanted) {
 TEST_CASE("files that are no URDF") {
   tool::Warnings warnings;
   CHECK(said_of_file("<robot name=\"r\"><link name=\"a\">") ==
-        "x.urdf: is no XML: Error reading Element value; mend it there");
+        "x.urdf: is no XML: Error reading Element value; correct it there");
   CHECK_THAT(said_of_file("hello"), Contains("x.urdf: is no XML"));
   CHECK_THAT(said_of_file("<robot name=\"r\">\n<link name=\"a\"></lin></robot>"),
              Contains("x.urdf:2: is no XML"));
@@ -108,7 +108,7 @@ TEST_CASE("joints that firmware can't hold, and what is missing of them") {
   check_said(said_of_joint(type, inside), wanted);
 }
 
-TEST_CASE("mimics of nothing, of each other, and of what they can't follow") {
+TEST_CASE("mimics of nothing, of each other, and of joints that they can't follow") {
   const auto [first, first_mimics, second, second_mimics, wanted] =
       GENERATE(table<const char*, const char*, const char*, const char*, const char*>({
           {"revolute", "", "revolute", R"(joint="j" multiplier="0.5")", ""},
@@ -204,7 +204,7 @@ TEST_CASE("meshes that are not there or no meshes") {
         "arm.urdf, link 'a': the mesh 'gone.stl' is not there: no gone.stl; give its path from the "
         "URDF's folder");
   CHECK(said("filename=\"package://arm_meshes/a.stl\"") ==
-        "arm.urdf, link 'a': the mesh 'package://arm_meshes/a.stl' is not beside the URDF nor "
+        "arm.urdf, link 'a': the mesh 'package://arm_meshes/a.stl' is not next to the URDF nor "
         "above it; say where the package is by --package arm_meshes=DIR");
   files.packages["arm_meshes"] = files.path("there");
   CHECK_THAT(said("filename=\"package://arm_meshes/a.stl\""),

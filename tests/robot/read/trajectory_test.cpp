@@ -105,7 +105,7 @@ TEST_CASE("trajectories that are refused") {
         "before: sort them"},
        {"c,a,b\n0.499,0,0\n-1.4,0,1\n",
         "way.csv:3: 'c' is -1.4, but it follows 'b', which puts it at -1.5; leave the column out, "
-        "or mend the value"},
+        "or correct the value"},
        {"a,b\n1,x\n", "way.csv:2: 'x' is no finite number; give radians, or metres"},
        {"a,b\n1,inf\n", "way.csv:2: 'inf' is no finite number; give radians, or metres"},
        {"a,b\n1,-3.5e38\n", "way.csv:2: '-3.5e38' is no finite number; give radians, or metres"},

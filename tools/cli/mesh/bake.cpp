@@ -27,9 +27,9 @@ void check_size(const BakeOrder& order, const std::string& mesh, std::uint64_t b
     throw UserError(mesh, "the C array would be over 2 GiB; use --format image or fewer triangles");
   }
   if (order.max_bytes && static_cast<std::int64_t>(bytes) > *order.max_bytes) {
-    throw UserError(
-        mesh, "takes ", bytes, " bytes, --max-bytes allows ", *order.max_bytes,
-        "; use fewer triangles, or a larger --leaf-size, which makes the worst pose dearer");
+    throw UserError(mesh, "takes ", bytes, " bytes, --max-bytes allows ", *order.max_bytes,
+                    "; use fewer triangles, or a larger --leaf-size, which makes the worst pose "
+                    "more expensive");
   }
 }
 

@@ -83,7 +83,7 @@ BakeOptions options_of(const Arguments& arguments) {
   options.layout = arguments.layout == "pre" ? Layout::pre_indexed : Layout::post_indexed;
   options.index_width = arguments.index_bits == "16" ? IndexWidth::bits_16 : IndexWidth::bits_32;
   options.builder = median ? Builder::median : Builder::sah;
-  // One triangle a leaf and two children a node are part of what makes the median tree the paper's.
+  // One triangle a leaf and two children a node belong to the paper's median tree.
   options.leaf_size = arguments.leaf_size.value_or(median ? 1 : bake::kDefaultLeafSize);
   options.arity = arguments.arity.value_or(median ? 2 : bake::kDefaultArity);
   if (arguments.cell) {
@@ -189,7 +189,7 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
              "Width of indices; 16 reach 65535 nodes");
   command.add_option(
       "--name", a.name,
-      "Name of the files and of what is in them, for one mesh; default: that of the mesh file");
+      "Name of the files and of their contents, for one mesh; default: that of the mesh file");
   command.add_flag("--split", a.order.split,
                    "Bake each body apart, named after it: ASCII STL's solids, what OBJ's o and g\n"
                    "name, the nodes of DAE, glTF and 3MF. Triangles are counted in each body");

@@ -118,7 +118,7 @@ class Comparison {
 };
 
 /// UserError unless the image at `path` says of its shells, and whether they are closed, what its
-/// triangles say: the library doesn't look for the one, and tells the other by a sum. `of`: which
+/// triangles say: the library doesn't look for the one, and detects the other by a sum. `of`: which
 /// mesh of the image, for the message.
 template <class Tree>
 void check_surface(const Tree& tree, const bake::LatticeMesh& mesh, const std::string& path,

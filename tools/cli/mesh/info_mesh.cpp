@@ -110,7 +110,9 @@ void print(const Json& facts) {
                 fixed(flash["bytes_per_triangle"].get<double>(), 1), " a triangle, with ",
                 flash["index_bits"].dump(), "-bit indices"));
   }
-  line("", "larger leaves make the worst pose dearer: `collide --bound` on what is baked tells");
+  line(
+      "",
+      "larger leaves make the worst pose more expensive: see `collide --bound` on the baked image");
 }
 
 }  // namespace

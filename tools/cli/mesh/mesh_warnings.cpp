@@ -32,7 +32,7 @@ void warn_of_surface(const MeshDefects& defects, const std::string& path, Warnin
   if (!defects.edges.none()) {
     warnings.add(path, std::string(defects.closed_before ? "once rounded " : "") +
                            "no closed surface (" + edge_text(defects.edges) +
-                           "): what lies inside the solid can't be told" +
+                           "): what lies inside the solid is unknown" +
                            (defects.edges.twisted != 0 ? ", nor which way normals face" : "") +
                            (defects.closed_before ? "; a finer --cell keeps it closed" : ""));
   }

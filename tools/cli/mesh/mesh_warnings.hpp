@@ -7,11 +7,11 @@
 namespace flashbvh::tool {
 
 /// A line for each kind of defect, and one if the mesh is known less exactly than the lattice of
-/// `options.cell` can tell.
+/// `options.cell` can represent.
 void warn_of_mesh(const InputMesh& mesh, const MeshDefects& defects, const BakeOptions& options,
                   Warnings& warnings);
 
-/// If the mesh is known less exactly than the lattice of `cell` can tell.
+/// If the mesh is known less exactly than the lattice of `cell` can represent.
 void warn_of_precision(const InputMesh& mesh, double cell, Warnings& warnings);
 
 /// Of a surface that is not closed, or not oriented, or inside out. `path`: the mesh or image.

@@ -35,7 +35,7 @@ std::uint32_t fine_length(double length, double cell) {
   if (!(steps >= 0 && steps <= kMaxDistance)) {
     throw UserError("--within " + shortest(length), "is out of range: 0 to ",
                     significant(kMaxDistance * cell / kFineOne, 6),
-                    ", 32,767 cells; bake with a larger --cell to ask further");
+                    ", 32,767 cells; bake with a larger --cell to reach further");
   }
   return static_cast<std::uint32_t>(steps);
 }
@@ -96,18 +96,18 @@ void print_row(std::size_t pose, const ClearanceArguments& arguments, const Clea
 std::vector<ClearanceAnswer> answers(const ClearanceArguments& arguments, const ImageFile& a,
                                      const ImageFile& b) {
   std::vector<ClearanceAnswer> found;
-  Witness<std::uint32_t> seed;
+  Witness<std::uint32_t> hint;
   const std::uint32_t reach = arguments.within ? fine_length(*arguments.within, a.cell()) : 0;
   for (const Pose& pose : read_lattice_poses(arguments.poses, a.cell(), arguments.floats)) {
     if (arguments.cold) {
-      seed = {};
+      hint = {};
     }
     found.push_back(arguments.within
                         ? within_distance(a.tree(), b.tree(), pose, reach, !arguments.pairs.empty())
-                        : clearance(a.tree(), b.tree(), pose, seed));
+                        : clearance(a.tree(), b.tree(), pose, hint));
     if (found.back().status == Status::distance_out_of_range) {
       throw UserError(arguments.poses, "pose ", found.size() - 1,
-                      " puts B so far off that --within can't be told; ask for less than ",
+                      " puts B so far off that --within is not decidable; use less than ",
                       significant(3000 * a.cell(), 4));
     }
     if (found.back().status != Status::done) {
@@ -155,19 +155,21 @@ void query_distances(const ClearanceArguments& arguments) {
 void add_clearance(CLI::App& app) {
   auto [command, a] = add_command<ClearanceArguments>(
       app, "clearance",
-      "Tell how far A and B are apart, or whether they are within a distance, by the firmware's "
-      "own\ncode. Surfaces are asked: a mesh inside another one is as far as its wall.",
+      "Print how far A and B are apart, or whether they are within a distance, by the firmware's "
+      "own\ncode. Distances are between surfaces: a mesh inside another one is as far as its wall.",
       query_distances);
   add_posed_images(command, a)->required();
   CLI::Option* const within =
       add_option(command, "--within", a.within, "LENGTH",
-                 "Tell whether any points are at most this far apart, in the images' unit, "
+                 "Print whether any points are at most this far apart, in the images' unit, "
                  "and of which triangles");
   CLI::Option* const pairs =
       add_option(command, "--pairs", a.pairs, "OUT",
                  "Write `pose a b` for each pair of triangles within that distance, sorted");
   pairs->needs(within);
-  command.add_flag("--cold", a.cold, "Begin each pose anew, not with what was nearest before")
+  command
+      .add_flag("--cold", a.cold,
+                "Begin each pose without a hint, not with what was nearest before")
       ->excludes(within);
   add_float_flag(command, a);
   add_json(command, a.json, "One JSON object a pose");

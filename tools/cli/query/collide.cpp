@@ -117,7 +117,7 @@ void append_pairs(std::string& text, std::size_t pose, const Answer& answer,
   }
 }
 
-/// The same with both ends of what they have in common, in the images' unit.
+/// The same with both ends of the common part, in the images' unit.
 void append_contacts(std::string& text, std::size_t pose, const Answer& answer,
                      const std::vector<std::size_t>& order, double cell) {
   for (const std::size_t i : order) {
@@ -292,7 +292,7 @@ void add_collide(CLI::App& app) {
       add_option(command, "--pairs", a.pairs, "OUT", "Write `pose a b` for each pair, sorted");
   CLI::Option* const contacts =
       add_option(command, "--contacts", a.contacts, "OUT",
-                 "Write `pose a b x y z x y z` for each pair, sorted: the two ends of what "
+                 "Write `pose a b x y z x y z` for each pair, sorted: both ends of the part that "
                  "the triangles\nhave in common, in the images' unit, in A's frame");
   add_float_flag(command, a);
   add_json(command, a.json, "One JSON object a pose");

@@ -64,7 +64,7 @@ void query_points(const InsideArguments& arguments) {
 void add_inside(CLI::App& app) {
   auto [command, a] = add_command<InsideArguments>(
       app, "inside",
-      "Tell which points lie inside a closed mesh, outside, or on its surface, by the firmware's "
+      "Print which points lie inside a closed mesh, outside, or on its surface, by the firmware's "
       "own code.",
       query_points);
   add_image(command, a.image);

@@ -143,7 +143,7 @@ void query_rays(const RayArguments& arguments) {
 void add_ray(CLI::App& app) {
   auto [command, a] = add_command<RayArguments>(
       app, "ray",
-      "Tell what rays hit first, how far off, and how often they go out of a closed mesh and in, "
+      "Print what rays hit first, how far off, and how often they go out of a closed mesh and in, "
       "by the\nfirmware's own code.",
       query_rays);
   add_image(command, a.image);

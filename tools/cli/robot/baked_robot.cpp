@@ -191,7 +191,7 @@ std::vector<PairVerdict> decide(const Model& model, const std::vector<Mesh>& mes
                       });
 }
 
-/// UserError if firmware can't tell distances so large.
+/// UserError if firmware cannot hold distances so large.
 void check_range(const Distances& distances, double cell) {
   const double most = kMaxDistance * cell / kFineOne;
   if (distances.warn > most) {
@@ -268,7 +268,7 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
   repeated(
       add_option(command, "--package", arguments.packages, "NAME=DIR",
                  "Folder of the package NAME, for meshes at package://NAME/...; may be repeated. "
-                 "\nDefault: the first folder of that name beside the URDF or above it"));
+                 "\nDefault: the first folder of that name next to the URDF or above it"));
   add_option(command, "--srdf", arguments.srdf, "FILE",
              "Pairs of links that need no guard; those that can collide are an error");
   repeated(

@@ -71,7 +71,7 @@ void add_guard(CLI::App& app, ExitCode& exit_code) {
   GuardArguments& a = *arguments;
   CLI::App* const command = app.add_subcommand(
       "guard",
-      "Tell what a robot's guard answers along a trajectory, by the firmware's own code.\n"
+      "Print what a robot's guard answers along a trajectory, by the firmware's own code.\n"
       "Exit code 0: all periods are free or warned of; 1: in some the guard says stop, or what "
       "was\n"
       "granted did not do, or a motion is not free; 3: firmware refuses some values.");

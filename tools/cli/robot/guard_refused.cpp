@@ -1,4 +1,4 @@
-// Values that firmware refuses, and the mend.
+// Values that firmware refuses, and how to fix them.
 #include <cmath>
 #include <iostream>
 
@@ -52,10 +52,10 @@ std::string beyond_limits(const ModelJoint& joint, const ModelJoint& moved, doub
   return concat(
       "its limits are ", significant(joint.lower, 6), " and ", significant(joint.upper, 6),
       has_other_unit(moved, value) ? (slides(moved) ? " m" : " radians") + other_unit(moved, value)
-                                   : "; mend the value, or the URDF");
+                                   : "; correct the value, or the URDF");
 }
 
-/// What is wrong with the values of a period, and the mend.
+/// What is wrong with the values of a period, and how to fix it.
 std::string why_refused(const Replayed& replayed, std::size_t period) {
   const Status status = replayed.answers[period].status;
   if (status == Status::joint_jumped) {

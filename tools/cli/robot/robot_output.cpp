@@ -85,7 +85,7 @@ void print_pairs(const Model& model, const std::vector<PairVerdict>& pairs) {
   }
 }
 
-/// A line at the top for those that nobody looks at.
+/// A line at the top for those that no guard looks at.
 void print_unguarded(const Model& model, const std::vector<UnguardedPair>& unguarded) {
   if (!unguarded.empty()) {
     std::cout << "not guarded: " << names_of(model, unguarded) << "\n\n";

@@ -16,7 +16,7 @@ void print_robot(const BakedRobot& robot, const std::optional<std::size_t>& smal
 /// One object on one line.
 void print_robot_json(const BakedRobot& robot, const std::optional<std::size_t>& smaller);
 
-/// What is in a robot's image, likewise.
+/// What is in a robot's image, in the same form.
 void print_robot_file(const RobotFile& file);
 void print_robot_file_json(const RobotFile& file);
 

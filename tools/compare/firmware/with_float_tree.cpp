@@ -68,7 +68,7 @@ class Tree {
   const Flat* triangles() const { return triangles_.data(); }
 
  private:
-  /// For what turning rounds off; a tenth of what vertices are apart.
+  /// For what turning rounds off; a tenth of the distance between vertices.
   static constexpr float kSlack = 1e-5f;
 
   void fill(uint32_t at, uint32_t begin, uint32_t end) {

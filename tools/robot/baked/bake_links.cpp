@@ -61,7 +61,7 @@ double robot_cell(const Model& model, const std::optional<double>& wanted,
                   const std::string& path) {
   const double reach = reach_of(model);
   if (!is_coordinate(reach)) {
-    throw UserError(path, "reaches over 3.4e38 m far; mend its origins and limits");
+    throw UserError(path, "reaches over 3.4e38 m far; correct its origins and limits");
   }
   const double finest_for_frames = reach / kMostCells;
   if (wanted && *wanted < finest_for_frames) {

@@ -33,7 +33,7 @@ InputMesh link_input(const ModelLink& link, const std::string& path);
 /// rounding to the lattice moved its vertices and by what the reader rounded.
 double link_deviation(const ModelLink& link, double cell);
 
-/// UserError, with the link and the mend, if it has more triangles, vertices or nodes than 16-bit
+/// UserError, with the link and the remedy, if it has more triangles, vertices or nodes than 16-bit
 /// indices reach. `leaf_size`: most triangles in a leaf.
 BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
                     const std::string& path);

@@ -18,7 +18,7 @@ namespace {
 
 /// Of the smaller link's radius: nothing is stored of links that come nearer than this part of it.
 constexpr double kLeastPart = 1.0 / 32;
-/// Nor of what a byte can't say, in cells.
+/// Nor of distances below a byte's least, in cells.
 constexpr double kLeastCells = 16;
 /// Of the least distance seen in a cell, what is stored at least: more below so many times the
 /// least, where a guard looks again every few periods.
@@ -60,7 +60,7 @@ struct Part {
 class DistanceTable {
  public:
   /// `radius`: the smaller link's; `deviation`: how far meshes may lie from where they should,
-  /// beside placing. In cells.
+  /// in addition to placing. In cells.
   DistanceTable(const PairSpace& space, double radius, double deviation, const Shares& shares)
       : space_(space),
         shares_(shares),
@@ -101,7 +101,7 @@ class DistanceTable {
       middle.push_back((lower + upper) / 2);
       halves.push_back((upper - lower) / 2);
     }
-    const double apart = space_.distance(middle, seed_) - slack_;
+    const double apart = space_.distance(middle, hint_) - slack_;
     nearest_ = std::min(nearest_, apart);
     const Motion motion = space_.motion(middle, halves);
     return {box, apart - motion.sum, motion};
@@ -112,7 +112,7 @@ class DistanceTable {
   double slack_;
   double least_;
   double nearest_ = 0;
-  Witness<std::uint16_t> seed_{};
+  Witness<std::uint16_t> hint_{};
 };
 
 /// One of the links turned all the way about the joint next to it: what is far from all that it
@@ -128,7 +128,7 @@ class SweptDistanceTable {
         joints_(joints_between(pair_.model, pair.a, pair.b)),
         is_a_swept_(end.link == pair.a),
         space_(pair_.model, {pair.a, &mesh_a_, nullptr}, {pair.b, &mesh_b_, nullptr}, pair_.cell),
-        chart_(space_, radius / scale_, 2 * kDeviation, kRowShares) {
+        table_(space_, radius / scale_, 2 * kDeviation, kRowShares) {
     while (space_.dimensions()[dimension_].variable != model.joints[end.joint].variable) {
       ++dimension_;
     }
@@ -143,7 +143,7 @@ class SweptDistanceTable {
     if (place != kept_.end()) {
       return place->second;
     }
-    const double found = is_inside({box[0].lower, box[1].lower}) ? 0 : chart_.distance(box);
+    const double found = is_inside({box[0].lower, box[1].lower}) ? 0 : table_.distance(box);
     return kept_[row.lower] = scale_ * found;
   }
 
@@ -161,13 +161,13 @@ class SweptDistanceTable {
   JointsBetween joints_;
   bool is_a_swept_;
   PairSpace space_;
-  DistanceTable chart_;
+  DistanceTable table_;
   std::size_t dimension_ = 0;
   std::map<double, double> kept_;
 };
 
 /// Of a pair with two joints of its own.
-std::vector<std::unique_ptr<SweptDistanceTable>> swept_charts(const Model& model,
+std::vector<std::unique_ptr<SweptDistanceTable>> swept_tables(const Model& model,
                                                               const RobotPair& pair, double radius,
                                                               double cell) {
   std::vector<std::unique_ptr<SweptDistanceTable>> distance_tables;
@@ -208,15 +208,15 @@ std::vector<Axis> axes_of(const Model& model, const Robot& robot, const RobotPai
   return axes;
 }
 
-void add_chart(const Model& model, const Robot& robot, const RobotPair& pair, double cell,
-               std::vector<std::uint8_t>& distance_tables) {
+void add_distance_table(const Model& model, const Robot& robot, const RobotPair& pair, double cell,
+                        std::vector<std::uint8_t>& distance_tables) {
   const PairSpace space(model, {pair.a, &robot.meshes[pair.a], nullptr},
                         {pair.b, &robot.meshes[pair.b], nullptr}, cell);
   const std::vector<Axis> axes = axes_of(model, robot, pair, space, cell);
   const std::uint32_t radius =
       std::min(robot.links[pair.a].radius, robot.links[pair.b].radius) / kFrameCell;
   DistanceTable distance_table(space, radius, 0, kShares);
-  const auto swept = swept_charts(model, pair, radius, cell);
+  const auto swept = swept_tables(model, pair, radius, cell);
   const std::uint32_t size = distance_table_size(robot, pair);
   for (std::uint32_t place = 0; place < size; ++place) {
     std::vector<Interval> box(axes.size());
@@ -240,7 +240,7 @@ std::vector<std::uint8_t> distance_tables_of(const Model& model, const Robot& ro
   for (std::size_t i = 0; i < robot.pair_count; ++i) {
     begin(i);
     if (distance_table_size(robot, robot.pairs[i]) != 0) {
-      add_chart(model, robot, robot.pairs[i], cell_of(robot), distance_tables);
+      add_distance_table(model, robot, robot.pairs[i], cell_of(robot), distance_tables);
     }
   }
   return distance_tables;

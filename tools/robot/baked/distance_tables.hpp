@@ -1,5 +1,5 @@
-// Charts of the pairs that have one or two joints between their links: what a guard knows of them
-// without asking a mesh (lib/src/robot/distance_table.hpp has the layout).
+// Distance tables of the pairs that have one or two joints between their links: what a guard knows
+// of them without testing a mesh (lib/src/robot/distance_table.hpp has the layout).
 //
 // A cell's distance is proven as the matrix proves: at the middle of a part of it, the links are as
 // far apart as the exact query says; nothing in the part is nearer by more than the joints move the

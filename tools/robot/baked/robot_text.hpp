@@ -34,7 +34,7 @@ std::string text_of(const RobotPair& pair, const RobotLanguage& language);
 std::string text_of(std::uint32_t reach, const RobotLanguage& language);
 std::string text_of(std::uint8_t distance, const RobotLanguage& language);
 
-/// Of what no guard looks at, in both languages.
+/// The pairs that no guard looks at, in both languages.
 constexpr const char* kUnguardedComment =
     "Pairs of links that a joint moves and no guard looks at: their collisions are never detected.";
 /// "{table, bridge, why, 0}"; `links`: the names of the links' numbers.

@@ -180,15 +180,15 @@ bool PairSpace::intersect(const std::vector<double>& point) const {
   return least_gap(frame) <= 0 && intersects(a_, b_, pose_of(frame, cell_)).yes;
 }
 
-double PairSpace::distance(const std::vector<double>& point, Witness<std::uint16_t>& seed) const {
+double PairSpace::distance(const std::vector<double>& point, Witness<std::uint16_t>& hint) const {
   const Transform frame = frame_at(point);
   const double gap = least_gap(frame);
   if (gap > kMaxDistance / 256.0) {
     return gap;
   }
-  const auto found = flashbvh::distance(a_, b_, pose_of(frame, cell_), seed);
+  const auto found = flashbvh::distance(a_, b_, pose_of(frame, cell_), hint);
   if (found.in_range) {
-    seed = found.witness;
+    hint = found.witness;
   }
   return found.lower / 256.0;
 }

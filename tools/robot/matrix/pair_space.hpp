@@ -46,10 +46,10 @@ class PairSpace {
   bool are_apart(const std::vector<double>& point, double distance) const;
   /// By the exact query, of B at pose_of() in A's frame.
   bool intersect(const std::vector<double>& point) const;
-  /// In cells, at most the true one; exact where they are near, and 0 if they intersect. `seed`:
+  /// In cells, at most the true one; exact where they are near, and 0 if they intersect. `hint`:
   /// what was nearest before, and is now.
-  double distance(const std::vector<double>& point, Witness<std::uint16_t>& seed) const;
-  /// How far placing moves a vertex beside kPlacing, in cells: rotations are kept to 2^-23.
+  double distance(const std::vector<double>& point, Witness<std::uint16_t>& hint) const;
+  /// How far placing moves a vertex in addition to kPlacing, in cells: rotations are kept to 2^-23.
   double far_origin() const;
 
  private:

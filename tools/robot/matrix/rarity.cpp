@@ -10,7 +10,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Fewer collisions tell too little.
+/// Fewer collisions say too little.
 constexpr std::uint32_t kFew = 10;
 constexpr std::uint32_t kRareFold = 10;
 

@@ -7,7 +7,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// How far beside a height a cut is, in margins; more than what both are rounded.
+/// How far from a height a cut is, in margins; more than what both are rounded.
 constexpr double kBeside = 1.6;
 /// Times as many slabs as there may be, are looked at.
 constexpr std::uint32_t kTries = 8;
@@ -55,7 +55,7 @@ struct Slab {
   double radius;
 };
 
-/// Beside the mesh's heights, from which a solid's width may jump: the margin away, so that a slab
+/// Near the mesh's heights, from which a solid's width may jump: the margin away, so that a slab
 /// between two such has nothing of theirs. Few, or none: the mesh has more than are worth it.
 std::vector<double> cuts_by_heights(const bake::SourceMesh& mesh, double margin, std::size_t most) {
   std::set<double> heights;

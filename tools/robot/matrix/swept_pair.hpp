@@ -1,5 +1,5 @@
-// Two links, one or both of which are solids of what they sweep in a full turn about the joint next
-// to them: that joint's angle does not matter then.
+// Two links, one or both of which are the solids that they sweep in a full turn about the joint
+// next to them: that joint's angle does not matter then.
 #ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_SWEPT_PAIR_HPP
 #define FLASHBVH_TOOLS_ROBOT_MATRIX_SWEPT_PAIR_HPP
 
@@ -35,7 +35,7 @@ struct SweptPair {
 
 /// With the finest cell, of those twice and twice as large, that takes the solids. A solid holds
 /// the link as it is rounded to the lattice, wherever it is rounded to itself; a link that is none
-/// is rounded anew, up to kDeviation from where it is.
+/// is rounded again, up to kDeviation from where it is.
 SweptPair swept_pair(const Model& model, std::size_t a, std::size_t b, double cell,
                      const std::vector<SweptEnd>& ends, const Fineness& fineness);
 

@@ -18,7 +18,7 @@ constexpr double kFirstStep = 1.0 / (1 << 16);
 struct Place {
   double distance;
   std::vector<double> point;
-  Witness<std::uint16_t> seed;
+  Witness<std::uint16_t> hint;
 };
 
 /// Of `number` in base `base`, its digits mirrored at the point: in (0, 1).
@@ -58,7 +58,7 @@ bool step_down(const PairSpace& space, double scale, Place& place) {
       if (value == place.point[i]) {
         continue;
       }
-      next.distance = space.distance(next.point, next.seed);
+      next.distance = space.distance(next.point, next.hint);
       if (next.distance < place.distance) {
         place = next;
         moved = true;
@@ -125,7 +125,7 @@ std::optional<std::vector<double>> find_intersection(const PairSpace& space, std
   std::vector<Place> places;
   for (std::uint32_t i = 0; i < starts; ++i) {
     Place place = {0, spread_point(space, i), {}};
-    place.distance = space.distance(place.point, place.seed);
+    place.distance = space.distance(place.point, place.hint);
     if (place.distance == 0 && space.intersect(place.point)) {
       return place.point;
     }

@@ -19,7 +19,7 @@ std::vector<double> spread_point(const PairSpace& space, std::uint32_t number);
 std::optional<std::vector<double>> find_intersection(const PairSpace& space, std::uint32_t starts);
 
 /// From a place where they intersect to one deeper among such: one variable after the other to the
-/// middle of where it may be, as far as doubling steps tell. So that a witness is still one where
+/// middle of where it may be, as far as doubling steps show. So that a witness is still one where
 /// poses are rounded otherwise.
 std::vector<double> deepened(const PairSpace& space, std::vector<double> point);
 

@@ -24,7 +24,7 @@ struct KinematicTree {
   std::vector<Place> links;            ///< of each link of the URDF
 };
 
-/// `path`: for messages. UserError, naming the joint and the mend, for axes of no length, limits
+/// `path`: for messages. UserError, naming the joint and the remedy, for axes of no length, limits
 /// out of order or of four turns or more, and mimics of nothing, of each other, or that could
 /// not turn on where their joint does.
 KinematicTree kinematic_tree(const UrdfRobot& robot, const std::string& path, Warnings& warnings);

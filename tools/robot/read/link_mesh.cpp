@@ -92,7 +92,7 @@ void append(const Element& element, const Transform& placement, const std::strin
     made.mesh.vertices.push_back(placed(placement, vertex));
     for (const double coordinate : made.mesh.vertices.back()) {
       if (!is_coordinate(coordinate)) {
-        throw UserError(place, "reaches over 3.4e38 m far; mend its origins and scales");
+        throw UserError(place, "reaches over 3.4e38 m far; correct its origins and scales");
       }
     }
   }

@@ -46,7 +46,7 @@ std::string find_in_package(const std::string& mesh, const std::string& name_and
       return found->string();
     }
     throw UserError(place, "the mesh '", one_line(mesh),
-                    "' is not beside the URDF nor above it; say "
+                    "' is not next to the URDF nor above it; say "
                     "where the package is by --package ",
                     name, "=DIR");
   }
@@ -72,7 +72,7 @@ std::string find_mesh(const std::string& mesh, const std::string& urdf, const Pa
   }
   if (!kind.empty() && kind != "file") {
     throw UserError(place, "the mesh '", one_line(mesh),
-                    "' is not on this machine; store it beside "
+                    "' is not on this machine; store it next to "
                     "the URDF and give its path");
   }
   const fs::path file = beside / rest;  // rest alone if it is absolute

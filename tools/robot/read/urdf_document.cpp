@@ -317,7 +317,7 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& text, const std::string& 
   }
   if (model == nullptr || !errors.text().empty()) {
     throw UserError(path, "is no sound URDF: ", errors.text().empty() ? thrown : errors.text(),
-                    "; mend what it names");
+                    "; correct what it names");
   }
   return model;
 }

@@ -63,7 +63,7 @@ struct UrdfRobot {
   std::vector<std::string> soft_limits;
 };
 
-/// UserError, with the element and the mend, if the file is no URDF, or has what firmware can't
+/// UserError, with the element and the remedy, if the file is no URDF, or has what firmware can't
 /// hold: joints that float or slide in a plane, shapes that are none of UrdfGeometry::Shape, loops.
 UrdfRobot read_urdf_document(const std::string& path);
 

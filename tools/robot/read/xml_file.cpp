@@ -46,7 +46,7 @@ void read_xml(const std::string& path, const char* root, TiXmlDocument& document
     const auto line = static_cast<std::size_t>(document.ErrorRow());  // 0 at the end of the file
     throw UserError(line == 0 ? path : at_line(path, line),
                     "is no XML: ", what.substr(0, what.find_last_not_of('.') + 1),
-                    "; mend it there");
+                    "; correct it there");
   }
   const TiXmlElement* const found = document.RootElement();
   const std::string_view name = found == nullptr ? "" : found->Value();

@@ -14,7 +14,7 @@
 
 namespace flashbvh::tool {
 
-/// Whatever a period takes; of UINT32_MAX the guard does not tell what was spent.
+/// Whatever a period takes; of UINT32_MAX the guard does not report what was spent.
 constexpr std::uint32_t kAllWork = UINT32_MAX - 1;
 
 /// What the guard answers in each period, with so much work each; all that the first one takes

@@ -151,7 +151,7 @@ void check_mimic(const Model& model, const TrajectoryColumn& column, double give
     const ModelJoint& master = model.joints[model.variables[joint.variable]];
     throw UserError(place, tool::quoted(joint.name), " is ", significant(given, 6),
                     ", but it follows ", tool::quoted(master.name), ", which puts it at ",
-                    significant(wanted, 6), "; leave the column out, or mend the value");
+                    significant(wanted, 6), "; leave the column out, or correct the value");
   }
 }
 

@@ -38,7 +38,7 @@ class Trajectory {
   std::vector<float> values_;
 };
 
-/// UserError, with the line and the mend, unless each variable has one column, all values are
+/// UserError, with the line and the remedy, unless each variable has one column, all values are
 /// numbers, times don't go back, and mimics are where their joints put them. Limits are not looked
 /// at. Warns of a column of times, which sets none.
 Trajectory read_trajectory(const std::string& path, const Model& model, Warnings& warnings);
