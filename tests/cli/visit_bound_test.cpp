@@ -1,5 +1,5 @@
 // The bound on visits against walks that find all boxes overlapping, on trees of every shape.
-#include "evaluate/visit_bound.hpp"
+#include "evaluate/needed_work.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "mesh/any_format.hpp"
-#include "mesh/mesh_bytes.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/corner_tree.hpp"
 #include "support/random.hpp"
 
 using namespace flashbvh;

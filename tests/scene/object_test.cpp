@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "evaluate/paper_object.hpp"
+#include "evaluate/setups.hpp"
 #include "support/random.hpp"
 
 using namespace flashbvh;

@@ -1,7 +1,7 @@
 // Figures that the tables print.
 #include <catch2/catch.hpp>
 
-#include "evaluate/tables.hpp"
+#include "evaluate/run.hpp"
 
 using namespace flashbvh;
 using tool::Leaves;

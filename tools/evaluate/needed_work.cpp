@@ -1,9 +1,129 @@
+// Pairs are counted, not walked.
+//
+// `ranked` comes to a pair (a, b) through the proper ancestors of both nodes, in merged order of
+// rank, A's first on ties. If all boxes overlap it does so exactly if each ancestor of a is
+// descended into before b would be, and each of b before a would be. The last of them, the parents,
+// have the smallest ranks: (a, b) is visited exactly if
+//     rank(parent(a)) >= rank(b)   and   rank(parent(b)) > rank(a),
+// where a leaf's rank is 0 and a root's parent is above all. Ranks are few: nodes are counted by
+// their own and their parent's.
+//
+// Any other traversal visits a pair once at most; and if every node that is no leaf has two
+// children or more, its visits form a tree whose inner nodes have two children or more and whose
+// leaves are at most the pairs of leaves.
 #include "evaluate/needed_work.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
+#include "flashbvh/time_bound.hpp"
+
 namespace flashbvh::tool {
+namespace {
+
+constexpr std::size_t kRanks = std::size_t{kRootParentRank} + 1;
+
+/// Nodes by the rank of their parent and their own.
+using RankCounts = std::array<std::array<std::uint64_t, kRanks>, kRanks>;
+
+/// `visit(child, parent)` for each node but the root.
+template <class Tree, class Visit>
+void for_each_child(const Tree& tree, const Visit& visit) {
+  for (std::uint32_t parent = 0; parent < tree.node_count; ++parent) {
+    if (tree.nodes[parent].is_leaf()) {
+      continue;
+    }
+    for (std::uint32_t child = tree.first_child(parent);; child = tree.next_sibling(child)) {
+      visit(child, parent);
+      if (tree.is_last_child(parent, child)) {
+        break;
+      }
+    }
+  }
+}
+
+template <class Tree>
+RankCounts count_ranks(const Tree& tree) {
+  RankCounts counts{};
+  const auto rank = [&](std::uint32_t node) {
+    return static_cast<std::size_t>(std::max<std::int32_t>(tree.nodes[node].rank(), 0));
+  };
+  ++counts[kRootParentRank][rank(0)];
+  for_each_child(tree, [&](std::uint32_t child, std::uint32_t parent) {
+    ++counts[rank(parent)][rank(child)];
+  });
+  return counts;
+}
+
+/// at_least[p][r]: nodes whose parent's rank is p or more and whose own is r or less.
+RankCounts accumulate(RankCounts counts) {
+  for (std::size_t parent = kRanks; parent-- != 0;) {
+    for (std::size_t own = 0; own < kRanks; ++own) {
+      counts[parent][own] += (parent + 1 < kRanks ? counts[parent + 1][own] : 0) +
+                             (own > 0 ? counts[parent][own - 1] : 0) -
+                             (parent + 1 < kRanks && own > 0 ? counts[parent + 1][own - 1] : 0);
+    }
+  }
+  return counts;
+}
+
+template <class Tree>
+std::uint64_t ranked_visits(const Tree& a, const Tree& b) {
+  const RankCounts of_a = count_ranks(a);
+  const RankCounts of_b = accumulate(count_ranks(b));
+  std::uint64_t visits = 0;
+  for (std::size_t parent = 0; parent < kRanks; ++parent) {
+    for (std::size_t own = 0; own + 1 < kRanks; ++own) {
+      visits += of_a[parent][own] * of_b[own + 1][parent];
+    }
+  }
+  return visits;
+}
+
+template <class Tree>
+bool has_single_child(const Tree& tree) {
+  bool found = false;
+  for_each_child(tree, [&](std::uint32_t child, std::uint32_t parent) {
+    found = found || (tree.first_child(parent) == child && tree.is_last_child(parent, child));
+  });
+  return found;
+}
+
+template <class Tree>
+std::uint64_t visits_of_any(const Tree& a, const Tree& b) {
+  const std::uint64_t pairs = std::uint64_t{a.node_count} * b.node_count;
+  if (has_single_child(a) || has_single_child(b)) {
+    return pairs;
+  }
+  return std::min(pairs, 2 * std::uint64_t{a.leaf_count} * b.leaf_count - 1);
+}
+
+/// As far as work depends on it.
+template <class Tree>
+TreeSize size_of(const Tree& tree) {
+  std::uint32_t leaf_size = 1;
+  for (std::uint32_t leaf = 0; leaf < tree.leaf_count; ++leaf) {
+    leaf_size = std::max(leaf_size, tree.triangles_in(leaf));
+  }
+  return {0, 0, leaf_size, tree.leaf_count, tree.triangle_count};
+}
+
+template <class Tree>
+VisitBound bound_of(const Tree& a, const Tree& b, const std::string& algorithm) {
+  const bool ranked = algorithm == "ranked" || algorithm == "ranked-stack";
+  const std::uint64_t visits = ranked ? ranked_visits(a, b) : visits_of_any(a, b);
+  // Each takes a visit, and has as many below it as a node has children at least; but `leaf` begins
+  // with one for each leaf of A.
+  const std::uint64_t shapes = algorithm == "leaf"                          ? a.leaf_count
+                               : has_single_child(a) || has_single_child(b) ? visits / 2
+                                                                            : visits / 3;
+  return {visits, std::uint64_t{a.leaf_count} * b.leaf_count,
+          std::uint64_t{a.triangle_count} * b.triangle_count,
+          most_work(size_of(a), size_of(b), visits, shapes)};
+}
+
+}  // namespace
 
 NeededWork needed_work(std::vector<std::uint64_t> work) {
   std::sort(work.begin(), work.end());
@@ -14,6 +134,14 @@ NeededWork needed_work(std::vector<std::uint64_t> work) {
 
 TreeSize tree_size(const ImageHeader& header) {
   return {header.depth, header.arity, header.leaf_size, header.leaf_count, header.triangle_count};
+}
+
+VisitBound visit_bound(const AnyTree& a, const AnyTree& b, const std::string& algorithm) {
+  return std::visit(
+      [&](const auto& tree_a) {
+        return bound_of(tree_a, std::get<std::decay_t<decltype(tree_a)>>(b), algorithm);
+      },
+      a);
 }
 
 }  // namespace flashbvh::tool

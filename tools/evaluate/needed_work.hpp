@@ -1,12 +1,17 @@
 // What queries at some poses needed, and what a core can take for it at most.
+//
+// The most that a query on two trees can visit, and the most work that it can take, whatever the
+// pose: if all boxes overlap.
 #ifndef FLASHBVH_TOOLS_EVALUATE_NEEDED_WORK_HPP
 #define FLASHBVH_TOOLS_EVALUATE_NEEDED_WORK_HPP
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "flashbvh/image.hpp"
 #include "flashbvh/time_bound.hpp"
+#include "image/image_file.hpp"
 
 namespace flashbvh::tool {
 
@@ -35,6 +40,18 @@ inline constexpr Core kCores[] = {
     {"Cortex-M7", kCortexM7}, {"Cortex-M33", kCortexM33}, {"Cortex-M55", kCortexM55},
     {"RV32IMAC", kRV32IMAC},
 };
+
+struct VisitBound {
+  std::uint64_t visits = 0;
+  std::uint64_t leaf_pairs = 0;      ///< of the visits
+  std::uint64_t triangle_pairs = 0;  ///< that are tested at these
+  std::uint64_t work = 0;
+};
+
+/// Attained where all boxes overlap: exact for `ranked` and `ranked-stack`; for the others, which
+/// follow other orders, at most twice what they visit then if no node has a single child.
+/// Precondition: both trees are of one kind, and walks(algorithm, their layout). O(nodes).
+VisitBound visit_bound(const AnyTree& a, const AnyTree& b, const std::string& algorithm);
 
 }  // namespace flashbvh::tool
 

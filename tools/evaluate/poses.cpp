@@ -90,66 +90,78 @@ std::vector<LatticePoint> rotated_vertices(const Tree& b, const Pose& pose) {
   return vertices;
 }
 
-}  // namespace
+using Words = std::vector<std::string_view>;
+
+double number_of(std::string_view word, const std::string& place, const char* more = "") {
+  const auto number = parse_number(word);
+  if (!number) {
+    throw UserError(place, quoted(word), " is no finite number", more);
+  }
+  return *number;
+}
+
+std::int32_t cells_of(std::string_view word, double cell, const std::string& place) {
+  const double number = number_of(word, place);
+  const double cells = std::round(number / cell);
+  if (!(std::fabs(cells) <= kMaxTranslation)) {
+    throw UserError(place, "the point lies at ", shortest(number), ", the most is ",
+                    shortest(kMaxTranslation * cell), " (", kMaxTranslation, " cells)");
+  }
+  return static_cast<std::int32_t>(cells);
+}
+
+/// From three words on.
+Point point_of(const Words& words, std::size_t first, double cell, const std::string& place) {
+  return {cells_of(words[first], cell, place), cells_of(words[first + 1], cell, place),
+          cells_of(words[first + 2], cell, place)};
+}
+
+Segment ray_of(const Words& words, double cell, const std::string& place) {
+  std::uint64_t cell_bits = 0;
+  std::memcpy(&cell_bits, &cell, sizeof cell_bits);
+  float number[7];
+  for (std::size_t i = 0; i < 7; ++i) {
+    number[i] = static_cast<float>(number_of(words[i], place));
+  }
+  if (number_of(words[6], place) < 0) {  // which may round to 0
+    throw UserError(place, "is no ray: the reach is negative; give one from 0");
+  }
+  const MadeSegment made =
+      segment_of({number[0], number[1], number[2]}, {number[3], number[4], number[5]}, number[6],
+                 cells_per_unit(cell_bits));
+  if (made.status != Status::done) {
+    throw UserError(place,
+                    "is no ray: the direction is 0, the reach negative, or its end too far off");
+  }
+  return made.segment;
+}
+
+/// read(line, place) of each line that has something in it.
+template <class Thing, class Read>
+std::vector<Thing> read_lines(const std::string& path, const std::string& empty, const Read& read) {
+  const std::string text = read_file(path);
+  std::vector<Thing> things;
+  for (Lines lines(text); lines.next_content();) {
+    things.push_back(read(lines.line(), concat(path, ":", lines.number())));
+  }
+  if (things.empty()) {
+    throw UserError(path, empty, " a line");
+  }
+  return things;
+}
 
 RigidPose parse_pose(std::string_view text, const std::string& place) {
-  const std::vector<std::string_view> words = words_of(text);
+  const Words words = words_of(text);
   if (words.size() != 12) {
     throw UserError(place, "has ", words.size(),
                     " numbers; a pose has 12: the rotation row by row, then the translation");
   }
-  std::array<double, 12> numbers{};
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto number = parse_number(words[i]);
-    if (!number) {
-      throw UserError(place, quoted(words[i]), " is no finite number; a pose has 12 of them");
-    }
-    numbers[i] = *number;
-  }
   RigidPose pose{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column) {
-      pose.rotation[row][column] = numbers[3 * row + column];
-    }
-    pose.translation[row] = numbers[9 + row];
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    (i < 9 ? pose.rotation[i / 3][i % 3] : pose.translation[i - 9]) =
+        number_of(words[i], place, "; a pose has 12 of them");
   }
   return pose;
-}
-
-std::vector<PoseAtLine> read_poses(const std::string& path) {
-  const std::string text = read_file(path);
-  std::vector<PoseAtLine> poses;
-  for (Lines lines(text); lines.next_content();) {
-    const std::string place = concat(path, ":", lines.number());
-    poses.push_back({parse_pose(lines.line(), place), place});
-  }
-  if (poses.empty()) {
-    throw UserError(path, "has no poses; write 12 numbers a line");
-  }
-  return poses;
-}
-
-Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) {
-  std::int32_t rotation[3][3] = {};
-  std::int32_t cells[3] = {};
-  std::int16_t fraction[3] = {};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double entry = pose.rotation[i][j];
-      if (!(std::fabs(entry) < 1.5)) {
-        refuse_rotation(pose.rotation, place);
-      }
-      rotation[i][j] = static_cast<std::int32_t>(std::round(entry * kRotationOne));
-    }
-    const AxisTranslation along = axis_translation(pose.translation[i], cell, place);
-    cells[i] = along.cells;
-    fraction[i] = along.fraction;
-  }
-  const Pose on_lattice = Pose::rigid(rotation, cells, fraction);
-  if (on_lattice.status() != Status::done) {
-    refuse_rotation(pose.rotation, place);
-  }
-  return on_lattice;
 }
 
 Pose pose_of_floats(const RigidPose& pose, double cell, const std::string& place) {
@@ -177,13 +189,41 @@ Pose pose_of_floats(const RigidPose& pose, double cell, const std::string& place
   return made;
 }
 
-std::vector<Pose> read_lattice_poses(const std::string& path, double cell, bool as_floats) {
-  std::vector<Pose> poses;
-  for (const PoseAtLine& pose : read_poses(path)) {
-    poses.push_back(as_floats ? pose_of_floats(pose.pose, cell, pose.place)
-                              : lattice_pose(pose.pose, cell, pose.place));
+}  // namespace
+
+Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) {
+  std::int32_t rotation[3][3] = {};
+  std::int32_t cells[3] = {};
+  std::int16_t fraction[3] = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double entry = pose.rotation[i][j];
+      if (!(std::fabs(entry) < 1.5)) {
+        refuse_rotation(pose.rotation, place);
+      }
+      rotation[i][j] = static_cast<std::int32_t>(std::round(entry * kRotationOne));
+    }
+    const AxisTranslation along = axis_translation(pose.translation[i], cell, place);
+    cells[i] = along.cells;
+    fraction[i] = along.fraction;
   }
-  return poses;
+  const Pose on_lattice = Pose::rigid(rotation, cells, fraction);
+  if (on_lattice.status() != Status::done) {
+    refuse_rotation(pose.rotation, place);
+  }
+  return on_lattice;
+}
+
+Pose read_lattice_pose(std::string_view text, double cell, const std::string& place,
+                       bool as_floats) {
+  return (as_floats ? pose_of_floats : lattice_pose)(parse_pose(text, place), cell, place);
+}
+
+std::vector<Pose> read_lattice_poses(const std::string& path, double cell, bool as_floats) {
+  return read_lines<Pose>(path, "has no poses; write 12 numbers",
+                          [&](std::string_view line, const std::string& place) {
+                            return read_lattice_pose(line, cell, place, as_floats);
+                          });
 }
 
 std::vector<LatticePoint> transformed_vertices(const AnyTree& b, const Pose& pose) {
@@ -197,6 +237,33 @@ std::vector<LatticePoint> transformed_vertices(const AnyTree& b, const Pose& pos
     }
   }
   return vertices;
+}
+
+std::vector<Point> read_lattice_points(const std::string& path, double cell) {
+  return read_lines<Point>(
+      path, "is empty; write 3 numbers", [&](std::string_view line, const std::string& place) {
+        const Words words = words_of(line);
+        if (words.size() != 3) {
+          throw UserError(place, "has ", words.size(), " numbers; a point has 3");
+        }
+        return point_of(words, 0, cell, place);
+      });
+}
+
+std::vector<Segment> read_lattice_rays(const std::string& path, double cell) {
+  return read_lines<Segment>(
+      path, "is empty; write 6 or 7 numbers",
+      [&](std::string_view line, const std::string& place) -> Segment {
+        const Words words = words_of(line);
+        if (words.size() == 7) {
+          return ray_of(words, cell, place);
+        }
+        if (words.size() != 6) {
+          throw UserError(place, "has ", words.size(),
+                          " numbers; a ray has 6, from and to, or 7: origin, direction, reach");
+        }
+        return {point_of(words, 0, cell, place), point_of(words, 3, cell, place)};
+      });
 }
 
 }  // namespace flashbvh::tool

@@ -1,4 +1,6 @@
 // The paper's evaluation on this machine: every order on every setup, its counts and its times.
+//
+// Results as Markdown, aligned so that it reads as it stands.
 #ifndef FLASHBVH_TOOLS_EVALUATE_RUN_HPP
 #define FLASHBVH_TOOLS_EVALUATE_RUN_HPP
 
@@ -73,6 +75,19 @@ constexpr std::uint32_t kBestRuleFaces = 3184;
 /// orders with leaf planes, and on the default tree `ranked` and the best rule. In each round each
 /// row takes its turn, so that what slows the machine down slows down all of them.
 SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& objects);
+
+/// Lines of cells; the first line is the head. The first column is set left, the others right.
+std::string markdown_table(const std::vector<std::vector<std::string>>& lines);
+
+/// The heading of one of the paper's tables.
+std::string table_heading(std::uint32_t table);
+
+/// A setup's rows, in the paper's columns.
+std::string setup_table(const SetupResult& result);
+
+/// All setups side by side: iterations, on the default tree too, overlaps and times. Figure 33
+/// plots the lines of table 6.
+std::string summary_tables(const std::vector<SetupResult>& results);
 
 }  // namespace flashbvh::tool
 

@@ -1,4 +1,4 @@
-#include "evaluate/tables.hpp"
+#include "evaluate/run.hpp"
 
 #include <algorithm>
 

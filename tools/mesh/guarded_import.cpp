@@ -8,18 +8,18 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <exception>
 #include <fstream>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 
-#include "mesh/mesh_bytes.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 
@@ -169,6 +169,82 @@ class Child {
   pid_t process_ = -1;
 };
 
+template <class Value>
+void append(std::string& bytes, const Value* values, std::size_t count) {
+  static_assert(std::is_trivially_copyable_v<Value>);
+  const std::uint64_t size = count;
+  bytes.append(reinterpret_cast<const char*>(&size), sizeof size);
+  bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
+}
+
+void append(std::string& bytes, const std::vector<std::string>& texts) {
+  const std::uint64_t count = texts.size();
+  append(bytes, &count, 1);
+  for (const std::string& text : texts) {
+    append(bytes, text.data(), text.size());
+  }
+}
+
+/// Takes what append() put there, front to back.
+class Unpacker {
+ public:
+  explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
+
+  /// A std::vector or std::string. False if the bytes do not hold it.
+  template <class Container>
+  bool take(Container& values) {
+    using Value = typename Container::value_type;
+    std::uint64_t count = 0;
+    if (rest_.size() < sizeof count) {
+      return false;
+    }
+    std::memcpy(&count, rest_.data(), sizeof count);
+    rest_.remove_prefix(sizeof count);
+    if (count > rest_.size() / sizeof(Value)) {
+      return false;
+    }
+    values.resize(static_cast<std::size_t>(count));
+    const std::size_t size = values.size() * sizeof(Value);
+    if (size != 0) {
+      std::memcpy(static_cast<void*>(values.data()), rest_.data(), size);
+    }
+    rest_.remove_prefix(size);
+    return true;
+  }
+
+  bool take(std::vector<std::string>& texts) {
+    std::vector<std::uint64_t> count;
+    if (!take(count) || count.size() != 1 || count[0] > rest_.size() / sizeof count[0]) {
+      return false;
+    }
+    texts.resize(static_cast<std::size_t>(count[0]));
+    return std::all_of(texts.begin(), texts.end(),
+                       [this](std::string& text) { return take(text); });
+  }
+
+  bool is_empty() const { return rest_.empty(); }
+
+ private:
+  std::string_view rest_;
+};
+
+bool is_sound(const FileMesh& mesh) {
+  const auto below = [](std::size_t limit) {
+    return [limit](std::uint32_t index) { return index < limit; };
+  };
+  const auto corners_exist = [&](const bake::TriangleCorners& triangle) {
+    return std::all_of(triangle.begin(), triangle.end(), below(mesh.mesh.vertices.size()));
+  };
+  const auto is_point = [](const Position& point) {
+    return std::all_of(point.begin(), point.end(), is_coordinate);
+  };
+  return !mesh.mesh.triangles.empty() && mesh.body_of.size() == mesh.mesh.triangles.size() &&
+         std::isfinite(mesh.precision) &&
+         std::all_of(mesh.mesh.vertices.begin(), mesh.mesh.vertices.end(), is_point) &&
+         std::all_of(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end(), corners_exist) &&
+         std::all_of(mesh.body_of.begin(), mesh.body_of.end(), below(mesh.bodies.size()));
+}
+
 }  // namespace
 
 FileMesh guarded_import(const std::function<FileMesh()>& read, const std::string& file,
@@ -185,6 +261,32 @@ FileMesh guarded_import(const std::function<FileMesh()>& read, const std::string
     child.refuse("its reader gave no mesh");
   }
   return std::move(*mesh);
+}
+
+std::string bytes_of(const FileMesh& mesh) {
+  std::string bytes;
+  append(bytes, mesh.mesh.vertices.data(), mesh.mesh.vertices.size());
+  append(bytes, mesh.mesh.triangles.data(), mesh.mesh.triangles.size());
+  append(bytes, mesh.bodies);
+  append(bytes, mesh.body_of.data(), mesh.body_of.size());
+  append(bytes, &mesh.precision, 1);
+  append(bytes, mesh.warnings);
+  return bytes;
+}
+
+std::optional<FileMesh> mesh_of_bytes(std::string_view bytes) {
+  Unpacker unpacker(bytes);
+  FileMesh mesh;
+  std::vector<double> precision;
+  const bool is_whole = unpacker.take(mesh.mesh.vertices) && unpacker.take(mesh.mesh.triangles) &&
+                        unpacker.take(mesh.bodies) && unpacker.take(mesh.body_of) &&
+                        unpacker.take(precision) && precision.size() == 1 &&
+                        unpacker.take(mesh.warnings) && unpacker.is_empty();
+  if (!is_whole) {
+    return std::nullopt;
+  }
+  mesh.precision = precision[0];
+  return is_sound(mesh) ? std::optional<FileMesh>(std::move(mesh)) : std::nullopt;
 }
 
 }  // namespace flashbvh::tool

@@ -1,10 +1,14 @@
 // A reader that may crash, grow or never end, run apart from the program.
+//
+// A mesh of a file as bytes, to pass it from one process of this program to another.
 #ifndef FLASHBVH_TOOLS_MESH_GUARDED_IMPORT_HPP
 #define FLASHBVH_TOOLS_MESH_GUARDED_IMPORT_HPP
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "mesh/mesh_builder.hpp"
 
@@ -26,6 +30,11 @@ constexpr ImportLimits limits_of_file(std::uint64_t file_bytes) {
 /// throws one, crashes, ends the process, or exceeds a limit. The child's output is discarded.
 FileMesh guarded_import(const std::function<FileMesh()>& read, const std::string& file,
                         const ImportLimits& limits);
+
+std::string bytes_of(const FileMesh& mesh);
+
+/// Nothing if the bytes are not those of a mesh: a size, an index or a coordinate is wrong.
+std::optional<FileMesh> mesh_of_bytes(std::string_view bytes);
 
 }  // namespace flashbvh::tool
 

@@ -1,8 +1,13 @@
 // From polygons to triangles.
+//
+// Which corners of a polygon lie in a triangle: boxes over corners that are near in the plane, in a
+// complete binary tree. Runs of the polygon's order would not do: the boxes of a star's rays
+// overlap.
 #ifndef FLASHBVH_TOOLS_MESH_POLYGON_HPP
 #define FLASHBVH_TOOLS_MESH_POLYGON_HPP
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +21,47 @@ namespace flashbvh::tool {
 /// assimp's own way leaves out triangles of less than 1e-5 square units.
 std::vector<std::array<std::uint32_t, 3>> triangulate(
     const std::vector<std::array<double, 3>>& corners);
+
+using Corner2 = std::array<double, 2>;
+using Triangle2 = std::array<Corner2, 3>;
+
+/// Twice the area of a triangle, positive if it runs counter-clockwise. Each step of it is monotone
+/// in r's coordinates, after rounding too: over a box it is largest in a corner of the box.
+inline double turn(const Corner2& p, const Corner2& q, const Corner2& r) {
+  return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
+class CornerTree {
+ public:
+  explicit CornerTree(const std::vector<Corner2>& corners);
+
+  void remove(std::uint32_t corner);
+
+  /// A corner that is still there and lies in the triangle or on its rim, but not where one of the
+  /// triangle's own corners lies; the number of corners if there is none. Exactly the corners that
+  /// turn() places so: no box is passed over that holds one.
+  std::uint32_t any_inside(const Triangle2& triangle);
+
+  /// Nodes that any_inside() looked at so far.
+  std::size_t visits() const { return visits_; }
+
+ private:
+  struct Box {
+    Corner2 low;
+    Corner2 high;
+  };
+
+  void split(const std::vector<Corner2>& corners, std::uint32_t first, std::uint32_t width);
+  std::uint32_t search(const Triangle2& triangle, std::size_t node);
+  void join_children(std::size_t node);
+
+  std::uint32_t count_;
+  std::uint32_t leaves_ = 1;           ///< a power of two; leaf i is node leaves_ + i
+  std::vector<std::uint32_t> corner_;  ///< of each leaf that has one
+  std::vector<std::uint32_t> leaf_;    ///< of each corner
+  std::vector<Box> boxes_;             ///< of node i; its children are 2i and 2i + 1
+  std::size_t visits_ = 0;
+};
 
 }  // namespace flashbvh::tool
 

@@ -30,12 +30,7 @@ std::string guard_page(const GuardedTrajectory& guarded);
 constexpr std::size_t kMostLines = 6;
 /// Of the page: distances and work over time.
 std::string chart_section(const GuardedTrajectory& guarded, const std::vector<NearPair>& near);
-/// Of the page: all near pairs, and the stretches that are not free. Nothing if there are none.
-std::string near_section(const GuardedTrajectory& guarded, const std::vector<NearPair>& near);
 
-/// Of the page: motions from line to line, those that are free one after the other in one row.
-/// Nothing if there are none.
-std::string motion_section(const GuardedTrajectory& guarded);
 std::string pair_name(const GuardedTrajectory& guarded, std::size_t pair);
 double metres_of(const GuardedTrajectory& guarded, std::uint32_t fine);
 

@@ -30,10 +30,6 @@ struct DecidedRobot {
 /// collide and why, how rare that is and how it looks. `step`: shares of two.
 std::string robot_page(const DecidedRobot& decided, const OnStep& step);
 
-/// Of the page: all pairs as a matrix and in words. `shares`: of configurations at which a pair
-/// collides, in the pairs' order, texts.
-std::string matrix_section(const DecidedRobot& decided, const std::vector<std::string>& shares);
-
 }  // namespace flashbvh::tool
 
 #endif

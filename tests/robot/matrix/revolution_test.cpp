@@ -1,5 +1,5 @@
 // Solids of revolution, and proofs by them.
-#include "robot/matrix/revolution.hpp"
+#include "robot/matrix/swept_pair.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "flashbvh/solid.hpp"
-#include "robot/matrix/swept_proof.hpp"
+#include "robot/matrix/pair_search.hpp"
 #include "support/arms/arms.hpp"
 
 using namespace flashbvh;

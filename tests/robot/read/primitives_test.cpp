@@ -1,5 +1,5 @@
 // Primitives as meshes: closed, facing outwards, and nothing of the shape outside.
-#include "robot/read/primitives.hpp"
+#include "robot/read/link_mesh.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -46,10 +46,8 @@ void write_obj(const ExportArguments& arguments) {
   const std::vector<SourceTriangle> triangles = source_triangles(image);
   std::vector<LatticePoint> vertices = vertices_of(image.tree());
   if (arguments.pose) {
-    const RigidPose pose = parse_pose(*arguments.pose, "--pose");
-    vertices = transformed_vertices(image.tree(), arguments.floats
-                                                      ? pose_of_floats(pose, image.cell(), "--pose")
-                                                      : lattice_pose(pose, image.cell(), "--pose"));
+    vertices = transformed_vertices(
+        image.tree(), read_lattice_pose(*arguments.pose, image.cell(), "--pose", arguments.floats));
   }
   const std::string unit = unit_name(image.unit());
   std::string text = arguments.cells ? "# in cells\n"

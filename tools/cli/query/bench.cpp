@@ -8,7 +8,6 @@
 #include "cli/options.hpp"
 #include "evaluate/firmware_writer.hpp"
 #include "evaluate/run.hpp"
-#include "evaluate/tables.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {

@@ -6,7 +6,7 @@
 #include "cli/json.hpp"
 #include "cli/options.hpp"
 #include "cli/query/post_mesh.hpp"
-#include "evaluate/points.hpp"
+#include "evaluate/poses.hpp"
 #include "flashbvh/solid.hpp"
 #include "image/image_file.hpp"
 #include "text/files.hpp"

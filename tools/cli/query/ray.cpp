@@ -9,7 +9,7 @@
 #include "cli/json.hpp"
 #include "cli/options.hpp"
 #include "cli/query/post_mesh.hpp"
-#include "evaluate/points.hpp"
+#include "evaluate/poses.hpp"
 #include "flashbvh/ray.hpp"
 #include "image/image_file.hpp"
 #include "mesh/units.hpp"

@@ -6,8 +6,6 @@
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/pair_space.hpp"
 #include "robot/matrix/reaches.hpp"
-#include "robot/matrix/swept_proof.hpp"
-#include "robot/matrix/witness_search.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/matrix/pair_space.hpp"
+#include "robot/matrix/reaches.hpp"
+#include "robot/matrix/swept_pair.hpp"
+
 namespace flashbvh::tool {
 namespace {
 
@@ -100,11 +104,200 @@ class Search {
   std::vector<Cell> stack_;
 };
 
+/// A part of Options::most_cells is all that a proof may take that may not work.
+constexpr std::uint64_t kShare = 4;
+
+/// Surfaces that meet nowhere in a box of values keep the side of each other that they have at any
+/// place of it.
+bool is_proven(const SweptPair& pair, std::size_t a, std::size_t b,
+               const std::vector<SweptEnd>& ends, const MatrixOptions& options,
+               const std::function<void(double)>& progress, std::uint64_t& cells, double distance) {
+  const Mesh mesh_a = pair.a.view();
+  const Mesh mesh_b = pair.b.view();
+  const std::vector<double> reaches_a = reaches_of(pair.model, a, pair.cell);
+  const std::vector<double> reaches_b = reaches_of(pair.model, b, pair.cell);
+  const PairSpace space(pair.model, {a, &mesh_a, &reaches_a}, {b, &mesh_b, &reaches_b}, pair.cell);
+  const SearchResult found = search_pair(space, options, progress, distance);
+  cells += found.cells;
+  if (found.end != SearchEnd::apart) {
+    return false;
+  }
+  std::vector<double> middle;
+  for (const Dimension& dimension : space.dimensions()) {
+    middle.push_back(dimension.range.lower);
+  }
+  const Transform frame =
+      frame_between(pair.model, joints_between(pair.model, a, b), space.variables_at(middle));
+  return std::none_of(ends.begin(), ends.end(), [&](const SweptEnd& end) {
+    return end.link == a ? is_any_inside(mesh_a, mesh_b, frame, pair.cell)
+                         : is_any_inside(mesh_b, mesh_a, inverse(frame), pair.cell);
+  });
+}
+
+/// From how many places it goes downhill.
+constexpr std::size_t kDescents = 16;
+/// Steps begin at a quarter of the ranges and are halved so often.
+constexpr int kHalvings = 14;
+/// Of a descent, so that one along a valley ends.
+constexpr int kMostSteps = 300;
+/// Of deepened(), a part of the range.
+constexpr double kFirstStep = 1.0 / (1 << 16);
+
+struct Place {
+  double distance;
+  std::vector<double> point;
+  Witness<std::uint16_t> hint;
+};
+
+/// Of `number` in base `base`, its digits mirrored at the point: in (0, 1).
+double mirrored(std::uint32_t number, std::uint32_t base) {
+  double sum = 0;
+  double digit = 1.0 / base;
+  for (; number != 0; number /= base) {
+    sum += digit * (number % base);
+    digit /= base;
+  }
+  return sum;
+}
+
+/// The n-th prime from 2 on.
+std::uint32_t prime(std::size_t n) {
+  std::uint32_t candidate = 2;
+  for (;; ++candidate) {
+    bool is_prime = true;
+    for (std::uint32_t i = 2; i * i <= candidate; ++i) {
+      is_prime = is_prime && candidate % i != 0;
+    }
+    if (is_prime && n-- == 0) {
+      return candidate;
+    }
+  }
+}
+
+/// Moves one variable by a step up or down if that brings the links nearer. False if none does.
+bool step_down(const PairSpace& space, double scale, Place& place) {
+  bool moved = false;
+  for (std::size_t i = 0; i < place.point.size(); ++i) {
+    const Interval& range = space.dimensions()[i].range;
+    for (const double direction : {scale, -scale}) {
+      Place next = place;
+      double& value = next.point[i];
+      value = std::clamp(value + direction * (range.upper - range.lower), range.lower, range.upper);
+      if (value == place.point[i]) {
+        continue;
+      }
+      next.distance = space.distance(next.point, next.hint);
+      if (next.distance < place.distance) {
+        place = next;
+        moved = true;
+        break;
+      }
+    }
+  }
+  return moved;
+}
+
+/// To where it is 0, or no step of the smallest size leads down.
+void go_down(const PairSpace& space, Place& place) {
+  int halvings = 0;
+  for (int step = 0; step < kMostSteps && halvings < kHalvings && place.distance > 0; ++step) {
+    if (!step_down(space, std::ldexp(0.25, -halvings), place)) {
+      ++halvings;
+    }
+  }
+}
+
+/// How far a variable can go from `point`, up or down, until they don't intersect any more.
+double last_intersecting(const PairSpace& space, const std::vector<double>& point, std::size_t i,
+                         double direction) {
+  const Interval& range = space.dimensions()[i].range;
+  std::vector<double> next = point;
+  double last = point[i];
+  double step = kFirstStep;
+  while (step < 1) {
+    const double to = point[i] + direction * step * (range.upper - range.lower);
+    next[i] = std::clamp(to, range.lower, range.upper);
+    if (next[i] == last || !space.intersect(next)) {
+      break;
+    }
+    last = next[i];
+    step *= 2;
+  }
+  return last;
+}
+
 }  // namespace
 
 SearchResult search_pair(const PairSpace& space, const MatrixOptions& options,
                          const std::function<void(double)>& progress, double distance) {
   return Search(space, options, progress, distance).run();
+}
+
+bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double cell,
+                     const MatrixOptions& options, const std::function<void(double)>& progress,
+                     std::uint64_t& cells, double distance) {
+  const std::optional<SweptEnd> end_a = swept_end(model, a, b);
+  const std::optional<SweptEnd> end_b = swept_end(model, b, a);
+  std::vector<std::vector<SweptEnd>> choices;
+  if (end_a && end_b && end_a->joint != end_b->joint) {
+    choices.push_back({*end_a, *end_b});
+  }
+  for (const std::optional<SweptEnd>& end : {end_b, end_a}) {
+    if (end) {
+      choices.push_back({*end});
+    }
+  }
+  MatrixOptions share = options;
+  share.most_cells = options.most_cells / kShare;
+  // The other link is rounded to the new lattice, and was to the old one.
+  share.slack += 2 * kDeviation;
+  return std::any_of(choices.begin(), choices.end(), [&](const std::vector<SweptEnd>& ends) {
+    const SweptPair pair = swept_pair(model, a, b, cell, ends, kCoarse);
+    return is_proven(pair, a, b, ends, share, progress, cells, distance);
+  });
+}
+
+std::vector<double> deepened(const PairSpace& space, std::vector<double> point) {
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    std::vector<double> next = point;
+    const double low = last_intersecting(space, point, i, -1);
+    next[i] = low + (last_intersecting(space, point, i, 1) - low) / 2;
+    if (space.intersect(next)) {
+      point = next;
+    }
+  }
+  return point;
+}
+
+std::vector<double> spread_point(const PairSpace& space, std::uint32_t number) {
+  std::vector<double> point;
+  for (std::size_t i = 0; i < space.dimensions().size(); ++i) {
+    const auto [lower, upper] = space.dimensions()[i].range;
+    point.push_back(lower + mirrored(number + 1, prime(i)) * (upper - lower));
+  }
+  return point;
+}
+
+std::optional<std::vector<double>> find_intersection(const PairSpace& space, std::uint32_t starts) {
+  std::vector<Place> places;
+  for (std::uint32_t i = 0; i < starts; ++i) {
+    Place place = {0, spread_point(space, i), {}};
+    place.distance = space.distance(place.point, place.hint);
+    if (place.distance == 0 && space.intersect(place.point)) {
+      return place.point;
+    }
+    places.push_back(std::move(place));
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.distance < b.distance; });
+  places.resize(std::min(places.size(), kDescents));
+  for (Place& place : places) {
+    go_down(space, place);
+    if (place.distance == 0 && space.intersect(place.point)) {
+      return place.point;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace flashbvh::tool

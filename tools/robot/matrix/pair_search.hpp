@@ -4,11 +4,21 @@
 // in the cell, and the slack. No: they collide nowhere in it. Yes: if they intersect there, they
 // can; else the cell is cut in two where it moves them most. Cells wait on a stack, so memory grows
 // with the depth alone.
+//
+// A proof that spares the joints next to the two links: where what a link sweeps in a full turn
+// about such a joint meets nothing, the joint's angle does not matter.
+//
+// A link that turns about its own axis by a large range makes many cells and hardly moves. Its
+// solid of revolution is as near to all else whatever the angle, so a dimension is gone.
+//
+// Values at which two links intersect, if they are easily found: from where the links are nearest
+// of many places spread over the ranges, downhill in their distance.
 #ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_PAIR_SEARCH_HPP
 #define FLASHBVH_TOOLS_ROBOT_MATRIX_PAIR_SEARCH_HPP
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "robot/matrix/matrix.hpp"
@@ -33,6 +43,26 @@ struct SearchResult {
 /// `progress`: what part is decided, now and then.
 SearchResult search_pair(const PairSpace& space, const MatrixOptions& options,
                          const std::function<void(double)>& progress, double distance = 0);
+
+/// Whether the links are proven never to come within `distance` cells, or to meet, by their solids
+/// of revolution or that of one of them. False says nothing. `cells` is increased by those looked
+/// at. `cell`: with which their meshes are baked.
+bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double cell,
+                     const MatrixOptions& options, const std::function<void(double)>& progress,
+                     std::uint64_t& cells, double distance = 0);
+
+/// Place `number` of a sequence that fills the ranges evenly, ends left out: Halton, "On the
+/// efficiency of certain quasi-random sequences of points in evaluating multi-dimensional
+/// integrals", Numerische Mathematik 2, 1960.
+std::vector<double> spread_point(const PairSpace& space, std::uint32_t number);
+
+/// Looks at `starts` places and goes downhill from the nearest few. None says nothing.
+std::optional<std::vector<double>> find_intersection(const PairSpace& space, std::uint32_t starts);
+
+/// From a place where they intersect to one deeper among such: one variable after the other to the
+/// middle of where it may be, as far as doubling steps show. So that a witness is still one where
+/// poses are rounded otherwise.
+std::vector<double> deepened(const PairSpace& space, std::vector<double> point);
 
 }  // namespace flashbvh::tool
 

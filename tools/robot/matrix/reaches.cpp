@@ -1,9 +1,191 @@
 #include "robot/matrix/reaches.hpp"
 
-#include "robot/matrix/support.hpp"
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "robot/kinematics.hpp"
 
 namespace flashbvh::tool {
 namespace {
+
+// How far a body reaches in each direction: an upper bound of its support function
+// h(u) = max over its points p of u . p, which says all of the body's convex hull.
+//
+// h is convex and of degree 1, so it is kept at the points of a grid on the surface of a cube, and
+// what is between them is interpolated: a convex combination of values is never below that of h
+// there. The error is of second order in the grid's step; nothing is ever understated.
+
+class Support {
+ public:
+  /// Of points, each of which may lie up to `deviation` elsewhere.
+  Support(const std::vector<Vector3>& points, double deviation);
+
+  /// At least h(direction), of a vector of any length.
+  double operator()(const Vector3& direction) const;
+  /// Of the body seen from another frame, which it lies in by `transform`.
+  Support moved(const Transform& transform) const;
+  /// Of all that the body sweeps as it turns about z over an interval, in radians.
+  Support turned(const Interval& angles) const;
+  /// The same, sliding along z.
+  Support slid(const Interval& distances) const;
+  /// How far from the z axis any of its points lies, at most.
+  double reach() const;
+
+ private:
+  Support() = default;
+  /// With h(direction) of each of the grid's points.
+  template <class Function>
+  static Support made(Function&& h);
+
+  /// Over all that the turns make of a direction.
+  template <class Turns>
+  double most_of(const Vector3& direction, const Turns& turns) const;
+
+  std::vector<double> values_;
+};
+
+/// Of an edge of the cube from -1 to 1. Relative error of an interpolated value: about 1/(2 n^2).
+constexpr std::size_t kSteps = 24;
+constexpr std::size_t kPoints = kSteps + 1;
+/// Of a full turn: arcs are replaced by polygons round them, 1/cos(half a part) as far out.
+constexpr double kParts = 72;
+constexpr double kTurn = 6.283185307179587;
+/// For what doubles round: a few units in 2^52 each, a few hundred operations.
+constexpr double kRoundUp = 1 + 1e-12;
+
+double at_point(std::size_t i) {
+  return 2.0 * static_cast<double>(i) / kSteps - 1;
+}
+
+/// Face 2 k has the coordinate k at -1, face 2 k + 1 at 1; rows and columns are the next two.
+Vector3 grid_direction(std::size_t face, std::size_t row, std::size_t column) {
+  const std::size_t axis = face / 2;
+  Vector3 direction{};
+  direction[axis] = face % 2 == 0 ? -1 : 1;
+  direction[(axis + 1) % 3] = at_point(row);
+  direction[(axis + 2) % 3] = at_point(column);
+  return direction;
+}
+
+/// A coordinate in steps: the point before it and how far it lies towards the next one.
+struct Step {
+  std::size_t point;
+  double part;
+};
+
+/// Of a coordinate from -1 to 1, which no rounding brings below no step or beyond the last.
+Step step_at(double coordinate) {
+  const double steps = (coordinate + 1) / 2 * kSteps;
+  const auto before = static_cast<std::size_t>(steps);
+  const std::size_t point = before < kSteps ? before : kSteps - 1;
+  return {point, steps - static_cast<double>(point)};
+}
+
+/// What turns a vector about z, and stretches it.
+struct Turn {
+  double c;
+  double s;
+
+  Vector3 operator()(const Vector3& vector) const {
+    const double* const v = vector.data();
+    return {c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
+  }
+};
+
+/// To the corners of a polygon round the arc that a vector describes as it turns about z.
+std::vector<Turn> turns_to_corners(const Interval& angles) {
+  const double width = std::min(angles.upper - angles.lower, kTurn);
+  const int parts = std::max(1, static_cast<int>(std::ceil(width / kTurn * kParts)));
+  const double stretch = 1 / std::cos(width / parts / 2);
+  std::vector<Turn> turns;
+  const auto add = [&](double angle, double scale) {
+    turns.push_back({std::cos(angle) * scale, std::sin(angle) * scale});
+  };
+  add(angles.lower, 1);
+  for (int part = 0; part < parts; ++part) {
+    add(angles.lower + (part + 0.5) * width / parts, stretch);
+  }
+  add(angles.lower + width, 1);
+  return turns;
+}
+
+template <class Function>
+Support Support::made(Function&& h) {
+  Support support;
+  support.values_.reserve(6 * kPoints * kPoints);
+  for (std::size_t face = 0; face < 6; ++face) {
+    for (std::size_t row = 0; row < kPoints; ++row) {
+      for (std::size_t column = 0; column < kPoints; ++column) {
+        support.values_.push_back(h(grid_direction(face, row, column)));
+      }
+    }
+  }
+  return support;
+}
+
+Support::Support(const std::vector<Vector3>& points, double deviation) {
+  *this = made([&](const Vector3& u) {
+    double most = -HUGE_VAL;
+    for (const Vector3& p : points) {
+      most = std::max(most, u[0] * p[0] + u[1] * p[1] + u[2] * p[2]);
+    }
+    return most + deviation * std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  });
+}
+
+template <class Turns>
+double Support::most_of(const Vector3& direction, const Turns& turns) const {
+  double most = -HUGE_VAL;
+  for (const auto& turn : turns) {
+    most = std::max(most, (*this)(turn(direction)));
+  }
+  return most;
+}
+
+double Support::operator()(const Vector3& direction) const {
+  const double* const u = direction.data();
+  std::size_t axis = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    axis = std::fabs(u[i]) > std::fabs(u[axis]) ? i : axis;
+  }
+  const double scale = std::fabs(u[axis]);
+  if (scale == 0) {
+    return 0;
+  }
+  const Step row = step_at(u[(axis + 1) % 3] / scale);
+  const Step column = step_at(u[(axis + 2) % 3] / scale);
+  const std::size_t face = 2 * axis + (u[axis] > 0 ? 1 : 0);
+  const double* const at = &values_[(face * kPoints + row.point) * kPoints + column.point];
+  const auto between = [&](const double* pair) {
+    return pair[0] + column.part * (pair[1] - pair[0]);
+  };
+  const double low = between(at);
+  return scale * (low + row.part * (between(at + kPoints) - low));
+}
+
+Support Support::moved(const Transform& transform) const {
+  return made([&](const Vector3& u) {
+    const Vector3& t = transform.translation;
+    return (*this)(rotated_back(transform, u)) + u[0] * t[0] + u[1] * t[1] + u[2] * t[2];
+  });
+}
+
+Support Support::turned(const Interval& angles) const {
+  // R p . u = p . R^-1 u
+  const std::vector<Turn> turns = turns_to_corners({-angles.upper, -angles.lower});
+  return made([&](const Vector3& u) { return most_of(u, turns); });
+}
+
+Support Support::slid(const Interval& distances) const {
+  return made([&](const Vector3& u) {
+    return (*this)(u) + std::max(distances.lower * u[2], distances.upper * u[2]);
+  });
+}
+
+double Support::reach() const {
+  return most_of({1, 0, 0}, turns_to_corners({0, kTurn})) * kRoundUp;
+}
 
 /// From body to body over the joints, with what the link sweeps on the way. A body is what hangs on
 /// a joint, in the joint's frame, or the base.

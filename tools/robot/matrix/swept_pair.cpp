@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "bake/quantise.hpp"
 #include "flashbvh/solid.hpp"
@@ -10,6 +11,143 @@
 
 namespace flashbvh::tool {
 namespace {
+
+/// How far from a height a cut is, in margins; more than what both are rounded.
+constexpr double kBeside = 1.6;
+/// Times as many slabs as there may be, are looked at.
+constexpr std::uint32_t kTries = 8;
+constexpr double kHalfTurn = 3.141592653589793;
+
+/// The largest distance from z of a segment's part between two heights; 0 if there is none.
+/// Distance from a line is convex: it is largest at an end.
+double widest(const Vector3& p, const Vector3& q, double low, double high) {
+  const double rise = q[2] - p[2];
+  double from = 0;
+  double to = 1;
+  if (rise != 0) {
+    const double one = (low - p[2]) / rise;
+    const double other = (high - p[2]) / rise;
+    from = std::max(0.0, std::min(one, other));
+    to = std::min(1.0, std::max(one, other));
+  } else if (p[2] < low || p[2] > high) {
+    return 0;
+  }
+  if (from > to) {
+    return 0;
+  }
+  const auto at = [&](double part) {
+    return std::hypot(p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1]));
+  };
+  return std::max(at(from), at(to));
+}
+
+/// Of all triangles: what of one lies between two heights has its corners on its edges.
+double widest(const bake::SourceMesh& mesh, double low, double high) {
+  double most = 0;
+  for (const bake::TriangleCorners& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      most = std::max(most, widest(mesh.vertices[triangle[i]], mesh.vertices[triangle[(i + 1) % 3]],
+                                   low, high));
+    }
+  }
+  return most;
+}
+
+/// A part of the axis and how wide the body is there.
+struct Slab {
+  double low;
+  double high;
+  double radius;
+};
+
+/// Near the mesh's heights, from which a solid's width may jump: the margin away, so that a slab
+/// between two such has nothing of theirs. Few, or none: the mesh has more than are worth it.
+std::vector<double> cuts_by_heights(const bake::SourceMesh& mesh, double margin, std::size_t most) {
+  std::set<double> heights;
+  for (const Vector3& vertex : mesh.vertices) {
+    heights.insert(margin * std::round(vertex[2] / margin));
+  }
+  std::vector<double> cuts;
+  if (2 * heights.size() <= most) {
+    for (const double height : heights) {
+      cuts.insert(cuts.end(), {height - kBeside * margin, height + kBeside * margin});
+    }
+  }
+  return cuts;
+}
+
+std::vector<double> cuts_of(const bake::SourceMesh& mesh, double low, double high, double margin,
+                            const Fineness& fineness) {
+  std::vector<double> cuts;
+  if (fineness.by_heights) {
+    cuts = cuts_by_heights(mesh, margin, std::size_t{kTries} * fineness.slabs);
+  }
+  cuts.insert(cuts.end(), {low, high});
+  for (std::uint32_t i = 1; i < fineness.slabs; ++i) {
+    cuts.push_back(low + (high - low) * i / fineness.slabs);
+  }
+  for (double& cut : cuts) {
+    cut = std::clamp(cut, low, high);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  return cuts;
+}
+
+std::vector<Slab> slabs_of(const bake::SourceMesh& mesh, const std::vector<double>& cuts,
+                           double margin) {
+  std::vector<Slab> slabs;
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    slabs.push_back(
+        {cuts[i - 1], cuts[i], widest(mesh, cuts[i - 1] - margin, cuts[i] + margin) + margin});
+  }
+  return slabs;
+}
+
+/// Neighbours of nearly the same width as one: fewer triangles.
+std::vector<Slab> merged(const std::vector<Slab>& slabs, double alike) {
+  std::vector<Slab> kept;
+  for (const Slab& slab : slabs) {
+    if (!kept.empty() && std::fabs(kept.back().radius - slab.radius) < alike * slab.radius) {
+      kept.back() = {kept.back().low, slab.high, std::max(kept.back().radius, slab.radius)};
+    } else {
+      kept.push_back(slab);
+    }
+  }
+  return kept;
+}
+
+/// As few as the fineness allows.
+std::vector<Slab> few(const std::vector<Slab>& slabs, const Fineness& fineness) {
+  std::vector<Slab> kept = merged(slabs, fineness.alike);
+  for (double alike = 2 * fineness.alike; kept.size() > fineness.slabs; alike *= 2) {
+    kept = merged(slabs, alike);
+  }
+  return kept;
+}
+
+void add_ring(bake::SourceMesh& mesh, double radius, double z, std::uint32_t sides) {
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const double angle = 2 * kHalfTurn * i / sides;
+    mesh.vertices.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+  }
+}
+
+/// Sides between one ring and the next, and the lids; the vertices are all there, the middles of
+/// the lids last.
+void add_triangles(bake::SourceMesh& mesh, std::uint32_t sides) {
+  const auto bottom = static_cast<std::uint32_t>(mesh.vertices.size() - 2);
+  const std::uint32_t last = bottom - sides;
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t next = (i + 1) % sides;
+    mesh.triangles.push_back({bottom, next, i});
+    mesh.triangles.push_back({bottom + 1, last + i, last + next});
+    for (std::uint32_t ring = 0; ring < last; ring += sides) {
+      mesh.triangles.push_back({ring + i, ring + next, ring + sides + next});
+      mesh.triangles.push_back({ring + i, ring + sides + next, ring + sides + i});
+    }
+  }
+}
 
 /// Angles below this are not worth it, in radians.
 constexpr double kSmallTurn = 0.5;
@@ -23,6 +161,34 @@ SweptPair::Baked baked(const bake::SourceMesh& mesh, double cell) {
 }
 
 }  // namespace
+
+bake::SourceMesh revolved(const bake::SourceMesh& mesh, const Transform& axis, double margin,
+                          const Fineness& fineness) {
+  bake::SourceMesh seen = mesh;
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  for (Vector3& vertex : seen.vertices) {
+    vertex = placed(inverse(axis), vertex);
+    low = std::min(low, vertex[2]);
+    high = std::max(high, vertex[2]);
+  }
+  low -= margin;
+  high += margin;
+  bake::SourceMesh body;
+  const double wider = 1 / std::cos(kHalfTurn / fineness.sides);
+  const std::vector<double> cuts = cuts_of(seen, low, high, margin, fineness);
+  for (const Slab& slab : few(slabs_of(seen, cuts, margin), fineness)) {
+    add_ring(body, slab.radius * wider, slab.low, fineness.sides);
+    add_ring(body, slab.radius * wider, slab.high, fineness.sides);
+  }
+  body.vertices.push_back({0, 0, low});
+  body.vertices.push_back({0, 0, high});
+  add_triangles(body, fineness.sides);
+  for (Vector3& vertex : body.vertices) {
+    vertex = placed(axis, vertex);
+  }
+  return body;
+}
 
 std::optional<SweptEnd> swept_end(const Model& model, std::size_t link, std::size_t other) {
   const JointsBetween joints = joints_between(model, link, other);

@@ -1,13 +1,259 @@
 #include "robot/read/urdf.hpp"
 
-#include "robot/read/kinematic_tree.hpp"
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh_builder.hpp"
+#include "robot/kinematics.hpp"
+#include "robot/model.hpp"
 #include "robot/read/link_mesh.hpp"
 #include "robot/read/srdf.hpp"
 #include "robot/read/urdf_document.hpp"
 #include "robot/read/xml_file.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
+
+// From joints as a URDF has them to those of a Model: fixed ones folded, axes turned to z, mimics
+// named by the variable that moves them.
+
+struct KinematicTree {
+  /// Where a link lies: in the frame of the moving joint that it hangs on, or of the base.
+  struct Place {
+    std::size_t joint = kNoJoint;
+    Transform transform;
+  };
+
+  std::vector<ModelJoint> joints;      ///< parents before children, each branch in one run
+  std::vector<std::size_t> variables;  ///< as in Model
+  std::vector<Place> links;            ///< of each link of the URDF
+};
+
+/// A coordinate as multiplier * (that of `joint`) + offset.
+struct Follows {
+  std::size_t joint;  ///< of the URDF
+  double multiplier;
+  double offset;
+};
+
+/// Of a mimic: the joint at the chain's end, which is none.
+Follows follow(const UrdfRobot& robot, const std::map<std::string, std::size_t>& numbers,
+               std::size_t mimic, const std::string& path) {
+  Follows found = {mimic, 1, 0};
+  for (std::size_t steps = 0; robot.joints[found.joint].mimic; ++steps) {
+    const UrdfJoint& joint = robot.joints[found.joint];
+    const std::string place = at_element(path, "joint", joint.name);
+    const auto next = numbers.find(joint.mimic->joint);
+    if (next == numbers.end()) {
+      throw UserError(place, "mimics ", tool::quoted(joint.mimic->joint),
+                      ", which is no joint of the robot; name one that is");
+    }
+    if (robot.joints[next->second].type == UrdfJoint::Type::fixed) {
+      throw UserError(place, "mimics ", tool::quoted(joint.mimic->joint),
+                      ", which is fixed; make it fixed, too");
+    }
+    if (steps == robot.joints.size()) {
+      throw UserError(place, "mimics itself by way of others; leave out one <mimic> of the circle");
+    }
+    found = {next->second, found.multiplier * joint.mimic->multiplier,
+             found.multiplier * joint.mimic->offset + found.offset};
+  }
+  if (!is_coordinate(found.multiplier) || !is_coordinate(found.offset)) {
+    throw UserError(at_element(path, "joint", robot.joints[mimic].name),
+                    "has a <mimic> whose numbers are out of range; give smaller ones");
+  }
+  return found;
+}
+
+/// A mimic of a joint without ends: it turns on, too, and a whole number of times.
+void follow_continuous(ModelJoint& joint, const std::string& master, const std::string& place) {
+  if (joint.type == JointType::prismatic) {
+    throw UserError(place, "slides with ", tool::quoted(master),
+                    ", which turns without end; make that revolute, with limits");
+  }
+  if (std::nearbyint(joint.multiplier) != joint.multiplier) {
+    throw UserError(place, "mimics ", tool::quoted(master),
+                    ", which is continuous, by a multiplier of ", shortest(joint.multiplier),
+                    ": after a turn it would stand elsewhere; make that joint revolute, with "
+                    "limits");
+  }
+  joint.type = JointType::continuous;
+}
+
+/// What the variable's limits give.
+void follow_limited(ModelJoint& joint, const ModelJoint& master, const std::string& place,
+                    Warnings& warnings) {
+  const double one = joint.multiplier * master.lower + joint.offset;
+  const double other = joint.multiplier * master.upper + joint.offset;
+  const double lower = std::min(one, other);
+  const double upper = std::max(one, other);
+  const bool is_continuous = joint.type == JointType::continuous;
+  const double tolerance = 1e-9 * std::max(std::fabs(lower), std::fabs(upper));
+  if (!is_continuous && (lower < joint.lower - tolerance || upper > joint.upper + tolerance)) {
+    warnings.add(place, concat("mimics ", tool::quoted(master.name), ", which takes it from ",
+                               shortest(lower), " to ", shortest(upper),
+                               ", past its own limits; they do not count"));
+  }
+  joint.lower = lower;
+  joint.upper = upper;
+  joint.type = is_continuous ? JointType::revolute : joint.type;
+  if (joint.type == JointType::revolute && (lower <= -kMaxAngle || upper >= kMaxAngle)) {
+    throw UserError(place, "is turned four times or more by ", tool::quoted(master.name),
+                    "; give that narrower limits");
+  }
+}
+
+/// Numbers the variables and says for each joint which one moves it and how, through chains of
+/// mimics. A mimic's limits become what its variable's give it: the field ignores its own.
+/// `urdf_joints`: of each joint of the Model, its number in the URDF.
+void resolve_mimics(const UrdfRobot& robot, const std::vector<std::size_t>& urdf_joints,
+                    const std::string& path, std::vector<ModelJoint>& joints,
+                    std::vector<std::size_t>& variables, Warnings& warnings) {
+  std::map<std::string, std::size_t> numbers;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    numbers[robot.joints[i].name] = i;
+  }
+  std::map<std::size_t, std::size_t> made_of;  // by number in the URDF
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    made_of[urdf_joints[i]] = i;
+    if (!robot.joints[urdf_joints[i]].mimic) {
+      joints[i].variable = variables.size();
+      variables.push_back(i);
+    }
+  }
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (!robot.joints[urdf_joints[i]].mimic) {
+      continue;
+    }
+    const std::string place = at_element(path, "joint", joints[i].name);
+    const Follows follows = follow(robot, numbers, urdf_joints[i], path);
+    const ModelJoint& master = joints[made_of.at(follows.joint)];
+    joints[i].variable = master.variable;
+    joints[i].multiplier = follows.multiplier;
+    joints[i].offset = follows.offset;
+    if (master.type == JointType::continuous) {
+      follow_continuous(joints[i], master.name, place);
+    } else {
+      follow_limited(joints[i], master, place, warnings);
+    }
+  }
+}
+
+/// Of a joint that few machines have, in radians: who writes as much may mean degrees.
+constexpr double kManyTurns = 4 * kPi;
+
+std::string in_radians(double degrees) {
+  return significant(degrees * kPi / 180, 6);
+}
+
+/// To unit length. `place`: of the joint.
+Vector3 unit_axis(const Vector3& axis, const std::string& place, Warnings& warnings) {
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  if (!(length > 1e-6 && length < 1e6)) {
+    throw UserError(place, "moves along an axis of length ", significant(length, 3),
+                    ", which has no direction; give its <axis> as in xyz=\"0 0 1\"");
+  }
+  if (std::fabs(length - 1) > 0.01) {
+    warnings.add(place, concat("has an axis of length ", significant(length, 3), "; taken as 1"));
+  }
+  return length == 1 ? axis : Vector3{axis[0] / length, axis[1] / length, axis[2] / length};
+}
+
+void set_limits(const UrdfJoint& joint, const std::string& place, ModelJoint& made,
+                Warnings& warnings) {
+  if (joint.lower > joint.upper) {
+    throw UserError(place, "has a lower limit of ", shortest(joint.lower), " above its upper of ",
+                    shortest(joint.upper), "; exchange them");
+  }
+  if (made.type == JointType::continuous) {
+    if (joint.lower != 0 || joint.upper != 0) {
+      warnings.add(place,
+                   concat("is continuous, so its limits of ", shortest(joint.lower), " and ",
+                          shortest(joint.upper), " do not count; make it revolute if they should"));
+    }
+    made.lower = -kPi;
+    made.upper = kPi;
+    return;
+  }
+  if (made.type == JointType::revolute && (joint.lower <= -kMaxAngle || joint.upper >= kMaxAngle)) {
+    throw UserError(place, "has limits of four turns or more, ", shortest(joint.lower), " to ",
+                    shortest(joint.upper), " rad; if these are degrees, write ",
+                    in_radians(joint.lower), " and ", in_radians(joint.upper),
+                    "; if it turns without end, make it continuous");
+  }
+  if (made.type == JointType::revolute && std::max(-joint.lower, joint.upper) > kManyTurns) {
+    warnings.add(place, concat("turns from ", shortest(joint.lower), " to ", shortest(joint.upper),
+                               " rad, over two turns one way; if these are degrees, write ",
+                               in_radians(joint.lower), " and ", in_radians(joint.upper)));
+  }
+  made.lower = joint.lower;
+  made.upper = joint.upper;
+}
+
+class TreeBuilder {
+ public:
+  TreeBuilder(const UrdfRobot& robot, const std::string& path, Warnings& warnings)
+      : robot_(robot), path_(path), warnings_(warnings), below_(robot.links.size()) {
+    for (std::size_t i = robot.joints.size(); i-- != 0;) {
+      below_[robot.joints[i].parent].push_back(i);  // the last first, as a stack takes them
+    }
+  }
+
+  KinematicTree build() {
+    tree_.links.resize(robot_.links.size());
+    std::vector<std::size_t> open = below_[robot_.root];
+    while (!open.empty()) {
+      const UrdfJoint& joint = robot_.joints[open.back()];
+      const std::size_t number = open.back();
+      open.pop_back();
+      tree_.links[joint.child] = place_child(joint, number);
+      open.insert(open.end(), below_[joint.child].begin(), below_[joint.child].end());
+    }
+    resolve_mimics(robot_, urdf_joints_, path_, tree_.joints, tree_.variables, warnings_);
+    return std::move(tree_);
+  }
+
+ private:
+  KinematicTree::Place place_child(const UrdfJoint& joint, std::size_t number) {
+    const KinematicTree::Place& parent = tree_.links[joint.parent];
+    const Transform origin = composed(parent.transform, joint.origin);
+    if (joint.type == UrdfJoint::Type::fixed) {
+      return {parent.joint, origin};
+    }
+    const std::string place = at_element(path_, "joint", joint.name);
+    const Transform turned = rotation_to(unit_axis(joint.axis, place, warnings_));
+    ModelJoint made;
+    made.name = joint.name;
+    made.parent = parent.joint;
+    made.fixed = composed(origin, turned);
+    made.type = joint.type == UrdfJoint::Type::prismatic    ? JointType::prismatic
+                : joint.type == UrdfJoint::Type::continuous ? JointType::continuous
+                                                            : JointType::revolute;
+    set_limits(joint, place, made, warnings_);
+    tree_.joints.push_back(std::move(made));
+    urdf_joints_.push_back(number);
+    return {tree_.joints.size() - 1, inverse(turned)};
+  }
+
+  const UrdfRobot& robot_;
+  const std::string& path_;
+  Warnings& warnings_;
+  std::vector<std::vector<std::size_t>> below_;  ///< of each link, its joints
+  std::vector<std::size_t> urdf_joints_;
+  KinematicTree tree_;
+};
+
+/// `path`: for messages. UserError, naming the joint and the remedy, for axes of no length, limits
+/// out of order or of four turns or more, and mimics of nothing, of each other, or that could
+/// not turn on where their joint does.
+KinematicTree kinematic_tree(const UrdfRobot& robot, const std::string& path, Warnings& warnings) {
+  return TreeBuilder(robot, path, warnings).build();
+}
 
 bool are_neighbours(const Model& model, std::size_t a, std::size_t b) {
   const std::size_t joint_a = model.links[a].joint;

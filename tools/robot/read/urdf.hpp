@@ -5,7 +5,7 @@
 #include <string>
 
 #include "robot/model.hpp"
-#include "robot/read/mesh_paths.hpp"
+#include "robot/read/link_mesh.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {

@@ -1,14 +1,18 @@
 // A trajectory through the code that firmware runs: the same robot, the same values, the same bits.
+//
+// The poses and distances of a robot's pairs of links at the values of a period.
 #ifndef FLASHBVH_TOOLS_ROBOT_REPLAY_REPLAY_HPP
 #define FLASHBVH_TOOLS_ROBOT_REPLAY_REPLAY_HPP
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include <array>
-#include <cstddef>
+#include "flashbvh/clearance.hpp"
 #include "flashbvh/robot/guard.hpp"
+#include "flashbvh/robot/kinematics.hpp"
 #include "flashbvh/robot/motion.hpp"
 #include "robot/replay/trajectory.hpp"
 
@@ -80,6 +84,39 @@ struct ReplaySummary {
 };
 
 ReplaySummary summary_of(const std::vector<GuardAnswer>& answers);
+
+class PosedPairs {
+ public:
+  /// `robot` outlives it.
+  explicit PosedPairs(const Robot& robot)
+      : robot_(robot),
+        coordinates_(robot.joint_count),
+        frames_(robot.joint_count),
+        nearest_(robot.pair_count) {}
+
+  /// False if firmware refuses the values.
+  bool take(const float* floats);
+
+  Pose pose(const RobotPair& pair) const {
+    return relative_pose(frame_of(pair.a), frame_of(pair.b));
+  }
+  Pose pose(std::uint8_t link) const { return relative_pose(kIdentityFrame, frame_of(link)); }
+
+  /// In 1/256 cell, rounded down; none if it is out of range. The last one is the hint.
+  std::optional<std::uint32_t> distance_of(std::uint16_t pair);
+  bool is_within(std::uint16_t pair, std::uint32_t distance) const;
+
+ private:
+  const flashbvh::Frame& frame_of(std::uint8_t link) const {
+    const std::uint8_t joint = robot_.links[link].joint;
+    return joint == kBase ? kIdentityFrame : frames_[joint];
+  }
+
+  const Robot& robot_;
+  std::vector<JointCoordinate> coordinates_;
+  std::vector<flashbvh::Frame> frames_;
+  std::vector<Witness<std::uint16_t>> nearest_;  ///< of each pair
+};
 
 }  // namespace flashbvh::tool
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "robot/replay/posed_pairs.hpp"
+#include "robot/replay/replay.hpp"
 
 namespace flashbvh::tool {
 namespace {
