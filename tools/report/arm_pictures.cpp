@@ -107,7 +107,7 @@ std::string marks(const Faces& faces, const Frame& frame) {
 }
 
 std::string picture(const PosedArm& arm, const Faces& faces, const char* caption) {
-  const Frame frame = Frame(views()[0], points_of(faces));
+  const Frame frame(points_of(faces));
   return figure(faces, frame, {cell_of(arm.robot), " m"}, caption, marks(faces, frame), caption);
 }
 
@@ -152,7 +152,7 @@ std::string arm_pictures(const std::vector<PosedArm>& arms,
     }
     all.insert(all.end(), drawings[i].begin(), drawings[i].end());
   }
-  const Frame frame(views()[0], points_of(all));
+  const Frame frame(points_of(all));
   std::string html = "<div class=views>\n";
   for (std::size_t i = 0; i < arms.size(); ++i) {
     html +=

@@ -118,14 +118,14 @@ std::string section(const std::string& id, const std::string& title, const std::
 }
 
 std::string page(const std::string& title, const char* command, const char* lead,
-                 const std::string& style, const std::string& body) {
+                 const std::string& body) {
   return concat(
       "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n"
       "<meta name=viewport content=\"width=device-width,initial-scale=1\">\n<title>",
       title, " &middot; flashbvh ", command, "</title>\n<style>\n", kColours, kText, kTables,
-      kPictures, paint_style(), style,
-      "</style>\n</head>\n<body>\n<header>\n<p class=lead>flashbvh ", command, ": ", lead,
-      "</p>\n<h1>", title, "</h1>\n</header>\n<main>\n", body, "</main>\n</body>\n</html>\n");
+      kPictures, paint_style(), "</style>\n</head>\n<body>\n<header>\n<p class=lead>flashbvh ",
+      command, ": ", lead, "</p>\n<h1>", title, "</h1>\n</header>\n<main>\n", body,
+      "</main>\n</body>\n</html>\n");
 }
 
 std::string version_text() {

@@ -37,10 +37,9 @@ std::string verdict_line(const std::string& style, const std::string& what, cons
 /// `id` may be empty.
 std::string section(const std::string& id, const std::string& title, const std::string& body);
 
-/// A whole page. `command`: the command that writes it; `style`: CSS in addition to that of all
-/// pages.
+/// A whole page. `command`: the command that writes it.
 std::string page(const std::string& title, const char* command, const char* lead,
-                 const std::string& style, const std::string& body);
+                 const std::string& body);
 
 /// "flashbvh 0.1.0".
 std::string version_text();

@@ -61,14 +61,6 @@ std::string title_of(const Subjects& subjects) {
          (subjects.size() == 1 ? "" : " and " + escaped(subjects[1]->name));
 }
 
-std::size_t most_levels(const Subjects& subjects) {
-  std::size_t levels = 0;
-  for (const Subject* const subject : subjects) {
-    levels = std::max(levels, subject->levels.size());
-  }
-  return levels;
-}
-
 /// All pairs that can be queried, or the first few. One mesh is queried against a second one.
 std::vector<QueriedPair> queried_pairs(const Subjects& subjects, const ReportOptions& options,
                                        const OnStep& step) {
@@ -131,8 +123,7 @@ std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
     step("drawing " + subject->name, 1);
     html += image_section(*subject);
   }
-  return page(title_of(subjects), "report", "flash, RAM and time",
-              level_style(most_levels(subjects)), html + foot(subjects));
+  return page(title_of(subjects), "report", "flash, RAM and time", html + foot(subjects));
 }
 
 }  // namespace flashbvh::tool

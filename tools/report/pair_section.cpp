@@ -54,7 +54,7 @@ std::string line_of(const Pose& pose, double cell) {
 
 std::string picture(const QueriedPair& pair, const PoseCost& cost, const Faces& faces,
                     const std::string& name) {
-  const Frame frame(views()[0], points_of(faces));
+  const Frame frame(points_of(faces));
   const std::string found = cost.triangle_pairs == 0
                                 ? "no triangles intersect"
                                 : counted(cost.triangle_pairs, "pair of triangles intersects",

@@ -83,7 +83,7 @@ Faces merged(Faces faces, std::int64_t cell) {
 
 /// How bright a face looks, 0 to kShades - 1: Lambert's law under one lamp, above and to the left
 /// of the viewer. Both sides look alike.
-std::int64_t shade_of(const Face& face, const View& view) {
+std::int64_t shade_of(const Face& face) {
   const Vector u = difference(face.corner[1], face.corner[0]);
   const Vector v = difference(face.corner[2], face.corner[0]);
   Vector normal = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
@@ -94,11 +94,11 @@ std::int64_t shade_of(const Face& face, const View& view) {
   if (length == 0 || is_mark(face)) {
     return 0;
   }
-  const std::int64_t side = dot(normal, view.towards) < 0 ? -1 : 1;
+  const std::int64_t side = dot(normal, Frame::kTowards) < 0 ? -1 : 1;
   // The lamp in the picture's directions, a thousand long.
-  const std::int64_t lit =
-      -384 * dot(normal, view.right) + 512 * dot(normal, view.up) + 768 * dot(normal, view.towards);
-  return std::clamp<std::int64_t>(side * lit * kShades / (1000 * View::kUnit * length), 0,
+  const std::int64_t lit = -384 * dot(normal, Frame::kRight) + 512 * dot(normal, Frame::kUp) +
+                           768 * dot(normal, Frame::kTowards);
+  return std::clamp<std::int64_t>(side * lit * kShades / (1000 * Frame::kUnit * length), 0,
                                   kShades - 1);
 }
 
@@ -121,10 +121,15 @@ std::vector<Flat> flattened(const Faces& faces, const Frame& frame) {
     if (!face.is_solid || area < 0 || is_mark(face)) {
       seen.push_back({is_mark(face) ? INT64_MAX : -(p[2] + q[2] + r[2]),
                       {p, q, r},
-                      face.paint * kShades + shade_of(face, frame.view)});
+                      face.paint * kShades + shade_of(face)});
     }
   }
   return seen;
+}
+
+/// A relative step of an SVG path: "12-3", as a minus sign separates, too.
+std::string step(const Vector& from, const Vector& to) {
+  return concat(to[0] - from[0], (to[1] < from[1] ? "" : " "), to[1] - from[1]);
 }
 
 std::string drawing(Faces faces, const Frame& frame) {
@@ -145,20 +150,18 @@ std::string drawing(Faces faces, const Frame& frame) {
   return svg + "</g>\n";
 }
 
-/// The axes as arrows; none for the one along which one looks.
-std::string axes(const View& view) {
+/// The axes as arrows.
+std::string axes() {
   constexpr std::int64_t x = 80;
   constexpr std::int64_t y = Frame::kSide + 60;
   constexpr std::int64_t arrow = 55;
   std::string svg;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::int64_t to_x = view.right[axis] * arrow / View::kUnit;
-    const std::int64_t to_y = -view.up[axis] * arrow / View::kUnit;
-    if (to_x != 0 || to_y != 0) {
-      svg += concat("<path class=axis d=\"M", x, " ", y, "l", to_x, " ", to_y,
-                    "\"/><text x=", x + to_x * 135 / 100, " y=", y + to_y * 135 / 100, ">",
-                    std::string(1, "xyz"[axis]), "</text>\n");
-    }
+    const std::int64_t to_x = Frame::kRight[axis] * arrow / Frame::kUnit;
+    const std::int64_t to_y = -Frame::kUp[axis] * arrow / Frame::kUnit;
+    svg += concat("<path class=axis d=\"M", x, " ", y, "l", to_x, " ", to_y,
+                  "\"/><text x=", x + to_x * 135 / 100, " y=", y + to_y * 135 / 100, ">",
+                  std::string(1, "xyz"[axis]), "</text>\n");
   }
   return svg;
 }
@@ -238,43 +241,28 @@ std::vector<LatticePoint> marked_corners(const Faces& faces) {
   return points_of(marked);
 }
 
-const std::array<View, 4>& views() {
-  // 1,024 times 1 / sqrt(2), 1 / sqrt(6), 2 / sqrt(6) and 1 / sqrt(3).
-  static const std::array<View, 4> all = {
-      {{"From a corner", {724, 724, 0}, {-418, 418, 836}, {591, -591, 591}},
-       {"From above", {1024, 0, 0}, {0, 1024, 0}, {0, 0, 1024}},
-       {"From the front", {1024, 0, 0}, {0, 0, 1024}, {0, -1024, 0}},
-       {"From the right", {0, 1024, 0}, {0, 0, 1024}, {1024, 0, 0}}}};
-  return all;
-}
-
-Frame::Frame(const View& seen_from, const std::vector<LatticePoint>& points)
-    : view(seen_from), middle(), across(1) {
-  const std::array<const Vector*, 3> directions = {&view.right, &view.up, &view.towards};
+Frame::Frame(const std::vector<LatticePoint>& points) {
+  const std::array<Vector, 3> directions = {kRight, kUp, kTowards};
   for (std::size_t i = 0; i < 3; ++i) {
     std::int64_t low = INT64_MAX;
     std::int64_t high = INT64_MIN;
     for (const LatticePoint& point : points) {
-      const std::int64_t along = dot(*directions[i], point);
+      const std::int64_t along = dot(directions[i], point);
       low = std::min(low, along);
       high = std::max(high, along);
     }
     middle[i] = low + (high - low) / 2;
     if (i < 2) {
-      across = std::max(across, (high - low) * 33 / 32 / View::kUnit + 1);  // a margin for lines
+      across = std::max(across, (high - low) * 33 / 32 / kUnit + 1);  // a margin for lines
     }
   }
 }
 
 Vector Frame::project(const LatticePoint& point) const {
   const auto along = [&](const Vector& direction, std::size_t i) {
-    return (dot(direction, point) - middle[i]) * kSide / (across * View::kUnit);
+    return (dot(direction, point) - middle[i]) * kSide / (across * kUnit);
   };
-  return {kSide / 2 + along(view.right, 0), kSide / 2 - along(view.up, 1), -along(view.towards, 2)};
-}
-
-std::string step(const Vector& from, const Vector& to) {
-  return concat(to[0] - from[0], (to[1] < from[1] ? "" : " "), to[1] - from[1]);
+  return {kSide / 2 + along(kRight, 0), kSide / 2 - along(kUp, 1), -along(kTowards, 2)};
 }
 
 std::string circle(const Faces& faces, const Frame& frame) {
@@ -307,8 +295,8 @@ std::string figure(const Faces& faces, const Frame& frame, const Measure& measur
                    const std::string& label, const std::string& overlay,
                    const std::string& caption) {
   return concat("<figure><svg viewBox=\"0 0 ", Frame::kSide, " ", Frame::kSide + kStrip,
-                "\" role=img aria-label=\"", label, "\">\n", drawing(faces, frame), overlay,
-                axes(frame.view), scale_bar(frame, measure), "</svg><figcaption>", caption,
+                "\" role=img aria-label=\"", label, "\">\n", drawing(faces, frame), overlay, axes(),
+                scale_bar(frame, measure), "</svg><figcaption>", caption,
                 "</figcaption></figure>\n");
 }
 

@@ -51,36 +51,25 @@ std::vector<LatticePoint> marked_corners(const Faces& faces);
 /// Whether the surface is closed and its triangles run counter-clockwise, seen from outside.
 bool is_solid(const bake::LatticeMesh& mesh);
 
-/// A parallel projection. The three directions are at right angles, each kUnit long.
-struct View {
-  static constexpr std::int64_t kUnit = 1024;
-
-  const char* name;  ///< "From above"
-  Vector right;
-  Vector up;
-  Vector towards;  ///< from the mesh to the viewer
-};
-
-/// From a corner, from above, from the front and from the right.
-const std::array<View, 4>& views();
-
-/// A view of points in the middle of a square picture.
+/// A parallel projection from a corner, of points in the middle of a square picture. The three
+/// directions are at right angles, each kUnit long.
 struct Frame {
   static constexpr std::int64_t kSide = 1000;  ///< of the picture, in its units
+  static constexpr std::int64_t kUnit = 1024;
+  // 1,024 times 1 / sqrt(2), 1 / sqrt(6), 2 / sqrt(6) and 1 / sqrt(3).
+  static constexpr Vector kRight = {724, 724, 0};
+  static constexpr Vector kUp = {-418, 418, 836};
+  static constexpr Vector kTowards = {591, -591, 591};  ///< from the mesh to the viewer
 
   /// Precondition: `points` is not empty.
-  Frame(const View& seen_from, const std::vector<LatticePoint>& points);
+  explicit Frame(const std::vector<LatticePoint>& points);
 
   /// To the right, downwards and away from the viewer, in units of the picture.
   Vector project(const LatticePoint& point) const;
 
-  View view;
-  Vector middle;        ///< along the three directions
-  std::int64_t across;  ///< cells along the picture's side; frames of one `across` have one scale
+  Vector middle{};          ///< along the three directions
+  std::int64_t across = 1;  ///< cells along the picture's side
 };
-
-/// A relative step of an SVG path: "12-3", as a minus sign separates, too.
-std::string step(const Vector& from, const Vector& to);
 
 /// A circle round the faces that intersect; nothing where it would hold most of the picture.
 std::string circle(const Faces& faces, const Frame& frame);

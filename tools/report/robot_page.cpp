@@ -276,7 +276,7 @@ std::string robot_page(const DecidedRobot& decided, const OnStep& step) {
   for (const Collisions& found : collisions) {
     shares.push_back(share_text(share_of(found)));
   }
-  return page(escaped(decided.model.name), "robot", "what of a robot can collide", "",
+  return page(escaped(decided.model.name), "robot", "what of a robot can collide",
               guarded_decision(decided) + facts_section(decided) + arm_section(decided) +
                   matrix_section(decided, shares) +
                   witness_section(decided, rarest(decided, collisions), collisions, step) +

@@ -78,13 +78,8 @@ std::string fit_section(const Subjects& subjects, const std::vector<QueriedPair>
 std::string pairs_section(const Subjects& subjects, const std::vector<QueriedPair>& pairs,
                           const ReportOptions& options);
 
-/// Key figures, pictures and warnings.
+/// Key figures, warnings and a picture.
 std::string image_section(const Subject& subject);
-
-/// Four views and a choice of levels, which works by style alone.
-std::string pictures(const Subject& subject);
-/// What the style needs for the choice among so many levels.
-std::string level_style(std::size_t levels);
 
 /// Flash by mesh and part, on one scale.
 std::string flash_table(const Subjects& subjects);

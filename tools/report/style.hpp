@@ -5,20 +5,18 @@
 namespace flashbvh::tool {
 
 /// Text has a contrast of 4.5 to 1 at least against what it stands on, lines and bars of 3 to 1. p0
-/// to p4: parts of flash; k0 to k3: boxes; v0 to v4: verdicts, lighter and darker than each other,
+/// to p4: parts of flash; v0 to v4: verdicts, lighter and darker than each other,
 /// too, for readers who cannot distinguish them by colour; l0 to l5: lines of a chart.
 inline constexpr const char* kColours = R"(:root{color-scheme:light dark;
 --ground:#f6f7f9;--paper:#fff;--text:#1c2128;--soft:#57606a;--line:#d5dae1;--accent:#0b5cad;
 --good:#12692f;--bad:#9a4a00;--leaf:#0b6bcb;--inner:#8296ad;--hot:214,90,30;
 --p0:#0b5cad;--p1:#b4540a;--p2:#12805c;--p3:#8b3fb5;--p4:#5b6776;
---k0:#0b5cad;--k1:#b4400a;--k2:#0a7a4a;--k3:#9a26a0;
 --v0:#8a97a6;--v1:#c07f00;--v2:#6a45d6;--v3:#a8071a;--v4:#1c2128;
 --l0:#0b5cad;--l1:#00795c;--l2:#7a4b1e;--l3:#007c9e;--l4:#5b6776;--l5:#3b3f9e}
 @media (prefers-color-scheme:dark){:root{
 --ground:#0d1117;--paper:#161b22;--text:#e6edf3;--soft:#a3adb8;--line:#30363d;--accent:#79b8ff;
 --good:#6fd08c;--bad:#f0a45d;--leaf:#58a6ff;--inner:#66788c;--hot:240,120,50;
 --p0:#58a6ff;--p1:#f0883e;--p2:#4ac78a;--p3:#c89bf0;--p4:#9da5b0;
---k0:#58a6ff;--k1:#ff9d5c;--k2:#4ade93;--k3:#e29bff;
 --v0:#66788c;--v1:#ffc53d;--v2:#a78bfa;--v3:#ff4d4f;--v4:#e6edf3;
 --l0:#58a6ff;--l1:#4ade93;--l2:#d9b38c;--l3:#4dd0e1;--l4:#a3adb8;--l5:#b4bcff}}
 )";
@@ -88,13 +86,8 @@ grid-template-columns:1fr 4em 4.6em 4.6em}
 td,.key{print-color-adjust:exact;-webkit-print-color-adjust:exact}figure,tr{break-inside:avoid}}
 )";
 
-inline constexpr const char* kPictures = R"(.look{border:0;margin:0;padding:0;min-width:0}
-.R{position:absolute;opacity:0}
-.R+label{display:inline-block;padding:3px 10px;margin:0 3px 5px 0;border:1px solid var(--soft);
-border-radius:7px;cursor:pointer}
-.R:checked+label{background:var(--accent);color:var(--paper)}
-.R:focus-visible+label{outline:3px solid var(--accent)}
-.views,.contacts{display:grid;gap:14px;margin:.8em 0 1em}
+inline constexpr const char* kPictures =
+    R"(.views,.contacts{display:grid;gap:14px;margin:.8em 0 1em}
 @media (min-width:540px){.views{grid-template-columns:1fr 1fr}}
 @media (min-width:760px){.contacts{grid-template-columns:1fr 1fr}}
 @media (min-width:1060px){.views{grid-template-columns:repeat(4,1fr)}}
@@ -105,9 +98,6 @@ svg text{font-size:32px;fill:var(--soft);text-anchor:middle;dominant-baseline:ce
 path,circle{fill:none;stroke-width:1.3px;stroke-linejoin:round;vector-effect:non-scaling-stroke}
 .faces path{stroke-width:.8px}
 .axis{stroke:var(--soft)}circle{stroke:var(--accent);stroke-width:2px;stroke-dasharray:6 4}
-.k0{stroke:var(--k0)}.k1{stroke:var(--k1)}.k2{stroke:var(--k2)}.k3{stroke:var(--k3)}
-.F path{fill-opacity:.09;stroke-width:1.7px}
-.F .k0{fill:var(--k0)}.F .k1{fill:var(--k1)}.F .k2{fill:var(--k2)}.F .k3{fill:var(--k3)}
 .way{stroke:var(--text);stroke-width:2px}.ends{stroke:var(--text);stroke-width:7px;stroke-linecap:round}
 .v0{background:var(--v0);fill:var(--v0)}.v1{background:var(--v1);fill:var(--v1)}
 .v2{background:var(--v2);fill:var(--v2)}.v3{background:var(--v3);fill:var(--v3)}

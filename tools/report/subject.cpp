@@ -58,19 +58,6 @@ void mark_defects(Subject& subject, const bake::LatticeMesh& mesh) {
              "edges of two triangles that face opposite ways.");
 }
 
-std::vector<std::vector<NodeBox>> boxes_by_level(const AnyTree& any) {
-  std::vector<std::vector<NodeBox>> levels;
-  std::visit(
-      [&](const auto& tree) {
-        for (std::uint32_t i = 0; i < tree.node_count; ++i) {
-          levels.resize(std::max<std::size_t>(levels.size(), tree.level(i) + std::size_t{1}));
-          levels[tree.level(i)].push_back(node_box(tree, i));
-        }
-      },
-      any);
-  return levels;
-}
-
 }  // namespace
 
 Subject::Subject(const ImageFile& file, std::size_t place, std::string unique_name)
@@ -78,7 +65,7 @@ Subject::Subject(const ImageFile& file, std::size_t place, std::string unique_na
       number(place),
       name(std::move(unique_name)),
       flash(flash_bytes(file.header())),
-      levels(boxes_by_level(file.tree())) {
+      box(std::visit([](const auto& tree) { return node_box(tree, 0); }, file.tree())) {
   const std::vector<LatticePoint> points = vertices_of(file.tree());
   const std::vector<SourceTriangle> sources = source_triangles(file);
   const bake::LatticeMesh mesh = mesh_of(file, sources);

@@ -10,11 +10,10 @@
 
 namespace flashbvh::tool {
 
-/// A box of the tree in cells of the mesh's frame, and whether it is a leaf's.
+/// A box of the tree in cells of the mesh's frame.
 struct NodeBox {
   LatticePoint lower;
   LatticePoint upper;
-  bool is_leaf;
 };
 
 /// Of a node of a tree.
@@ -25,8 +24,7 @@ NodeBox node_box(const Tree& tree, std::uint32_t node) {
   const std::int64_t z = tree.origin[2];
   const auto box = unpack(tree.nodes[node].box);
   return {{x + box.lower.x, y + box.lower.y, z + box.lower.z},
-          {x + box.upper.x, y + box.upper.y, z + box.upper.z},
-          tree.nodes[node].is_leaf()};
+          {x + box.upper.x, y + box.upper.y, z + box.upper.z}};
 }
 
 /// A triangle in cells of the mesh's frame.
@@ -50,7 +48,7 @@ struct Subject {
   std::uint64_t flash;                     ///< bytes that its C++ arrays link
   std::vector<PaintedTriangle> triangles;  ///< painted by what is odd about them
   std::vector<Face> marked_edges;
-  std::vector<std::vector<NodeBox>> levels;  ///< from the root on, which holds all
+  NodeBox box;  ///< that holds all
   std::vector<Warning> warnings;
   std::size_t left_out;  ///< triangles that `bake --drop` left out, except the last ones
 };
