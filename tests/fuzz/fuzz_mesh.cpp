@@ -4,7 +4,7 @@
 #include <string>
 
 #include "fuzz/fuzz.hpp"
-#include "mesh/formats.hpp"
+#include "mesh/mesh_builder.hpp"
 #include "text/messages.hpp"
 
 using namespace flashbvh;

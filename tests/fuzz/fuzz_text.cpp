@@ -10,9 +10,8 @@
 
 #include "evaluate/poses.hpp"
 #include "fuzz/fuzz.hpp"
-#include "robot/read/srdf.hpp"
 #include "robot/read/urdf.hpp"
-#include "robot/replay/trajectory.hpp"
+#include "robot/replay/replay.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::tool;

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "mesh/formats.hpp"
+#include "mesh/mesh_builder.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::test {

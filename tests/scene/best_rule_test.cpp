@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "evaluate/best_rule.hpp"
+#include "evaluate/run.hpp"
 #include "support/shapes.hpp"
 
 using namespace flashbvh;

@@ -1,4 +1,4 @@
-// The subcommands. Each function declares one: its options, and what runs when it is given.
+// The subcommands, and what they share: options, and what a slip of the command line must not cost.
 #ifndef FLASHBVH_TOOLS_CLI_COMMANDS_HPP
 #define FLASHBVH_TOOLS_CLI_COMMANDS_HPP
 
@@ -9,6 +9,60 @@
 #include <vector>
 
 namespace flashbvh::tool {
+
+/// UserError if the file `output` is one of `inputs`, by whatever name.
+void refuse_to_replace_inputs(const std::string& output, const std::vector<std::string>& inputs);
+
+/// For commands that write no image: UserError as above, or if the file `output` is an image. It
+/// may be empty: no file.
+void check_output(const std::string& output, const std::vector<std::string>& inputs);
+
+struct PosedImages {
+  std::string a;
+  std::string b;
+  std::string poses;
+  bool floats = false;
+};
+
+/// Declares A, B and --poses, which it returns.
+CLI::Option* add_posed_images(CLI::App& command, PosedImages& to);
+
+/// Declares --float.
+void add_float_flag(CLI::App& command, PosedImages& to);
+
+/// `type`: the value's name in the help, as "FILE".
+template <class Value>
+CLI::Option* add_option(CLI::App& command, const char* name, Value& to, const char* type,
+                        const std::string& what) {
+  return command.add_option(name, to, what)->type_name(type);
+}
+
+/// One of `words`; the help shows the default.
+inline CLI::Option* add_choice(CLI::App& command, const char* name, std::string& to,
+                               const std::vector<std::string>& words, const std::string& what) {
+  return command.add_option(name, to, what)->check(CLI::IsMember(words))->capture_default_str();
+}
+
+/// Makes an option of a vector one that is given once for each element.
+inline CLI::Option* repeated(CLI::Option* option) {
+  return option->type_size(1)->expected(1)->allow_extra_args(false)->multi_option_policy(
+      CLI::MultiOptionPolicy::TakeAll);
+}
+
+/// Declares IMAGE; `to`: a path, or several.
+template <class Paths>
+void add_image(CLI::App& command, Paths& to, const char* what = "Image (.fbvh)") {
+  command.add_option("IMAGE", to, what)->required();
+}
+
+inline void add_json(CLI::App& command, bool& to, const char* what) {
+  command.add_flag("--json", to, what);
+}
+
+inline void add_progress(CLI::App& command, bool& to) {
+  command.add_flag("--progress", to,
+                   "Show a progress bar at once; default: on a terminal, after a second");
+}
 
 /// What the program returns; 2 is for UserError.
 enum ExitCode : int { kSuccess = 0, kCheckFailed = 1, kBadInput = 2, kRefusedValues = 3 };

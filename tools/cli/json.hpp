@@ -4,8 +4,10 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "flashbvh/contact.hpp"
+#include "robot/matrix/unguarded.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
@@ -32,6 +34,16 @@ inline double unit_length(std::int64_t fine, double cell) {
 
 inline Json point_json(const FinePoint& point, double cell) {
   return {unit_length(point.x, cell), unit_length(point.y, cell), unit_length(point.z, cell)};
+}
+
+inline Json unguarded_json(const Model& model, const std::vector<UnguardedPair>& unguarded) {
+  auto json = Json::array();
+  for (const UnguardedPair& pair : unguarded) {
+    json.push_back({{"a", model.links[pair.a].name},
+                    {"b", model.links[pair.b].name},
+                    {"reason", pair.reason}});
+  }
+  return json;
 }
 
 }  // namespace flashbvh::tool

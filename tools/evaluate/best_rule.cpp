@@ -1,7 +1,7 @@
 // Dynamic programming over pairs of nodes. best(a, b) is 1 if the boxes are disjoint or both nodes
 // are leaves; else 1 and the smaller of two sums: of best(child of a, b) over a's children, and of
 // best(a, child of b) over b's. What lies below a pair does not depend on how it was reached.
-#include "evaluate/best_rule.hpp"
+#include "evaluate/run.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "evaluate/clearances.hpp"
+#include "evaluate/queries.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -100,23 +100,6 @@ ClearanceAnswer within_of(const Mesh& a, const Mesh& b, const Pose& pose, std::u
   return answer;
 }
 
-/// `ask(a, b)` of two post-indexed meshes.
-template <class Ask>
-ClearanceAnswer ask_post(const AnyTree& any_a, const AnyTree& any_b, const Ask& ask) {
-  return std::visit(
-      [&](const auto& a) -> ClearanceAnswer {
-        using Tree = std::decay_t<decltype(a)>;
-        if constexpr (Tree::kLayout == Layout::post_indexed) {
-          using Plain = BasicMesh<typename Tree::Index, Layout::post_indexed>;
-          return ask(static_cast<const Plain&>(a),
-                     static_cast<const Plain&>(std::get<Tree>(any_b)));
-        } else {
-          return {};
-        }
-      },
-      any_a);
-}
-
 }  // namespace
 
 void check_has_clearance(const ImageFile& image) {
@@ -128,16 +111,18 @@ void check_has_clearance(const ImageFile& image) {
 
 ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
                           Witness<std::uint32_t>& hint) {
-  return ask_post(a, b, [&](const auto& mesh_a, const auto& mesh_b) {
+  const auto ask = [&](const auto& mesh_a, const auto& mesh_b) {
     return clearance_of(mesh_a, mesh_b, pose, hint);
-  });
+  };
+  return ask_post<ClearanceAnswer>(ask, a, b).value();
 }
 
 ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& pose,
                                 std::uint32_t distance, bool all) {
-  return ask_post(a, b, [&](const auto& mesh_a, const auto& mesh_b) {
+  const auto ask = [&](const auto& mesh_a, const auto& mesh_b) {
     return within_of(mesh_a, mesh_b, pose, distance, all);
-  });
+  };
+  return ask_post<ClearanceAnswer>(ask, a, b).value();
 }
 
 }  // namespace flashbvh::tool

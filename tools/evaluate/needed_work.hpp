@@ -1,7 +1,5 @@
-// What queries at some poses needed, and what a core can take for it at most.
-//
-// The most that a query on two trees can visit, and the most work that it can take, whatever the
-// pose: if all boxes overlap.
+// What queries at some poses needed, what a core can take for it at most, and the most that any
+// pose can take: if all boxes overlap.
 #ifndef FLASHBVH_TOOLS_EVALUATE_NEEDED_WORK_HPP
 #define FLASHBVH_TOOLS_EVALUATE_NEEDED_WORK_HPP
 

@@ -9,7 +9,6 @@
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
-#include "text/tokens.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -1,16 +1,21 @@
-// Queries on images by the name of their traversal.
+// Queries on images: pairs by the name of a traversal, and distances.
 #ifndef FLASHBVH_TOOLS_EVALUATE_QUERIES_HPP
 #define FLASHBVH_TOOLS_EVALUATE_QUERIES_HPP
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
+#include "flashbvh/clearance.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/pose.hpp"
 #include "image/image_file.hpp"
 #include "reference/traversals.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 
@@ -62,6 +67,64 @@ Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::
 
 /// UserError, naming `place` and the pose by its number, if the query ended with an error.
 void check_answered(const Answer& answer, const std::string& place, std::size_t pose);
+
+/// Of two triangles, in cells of A's frame as it was drawn.
+struct NearestPair {
+  FoundPair triangles;
+  double distance;  ///< to the nearest double
+  NearestPoints points;
+};
+
+struct ClearanceAnswer {
+  Status status = Status::done;
+  bool in_range = true;              ///< false: of the distance only both bounds are known
+  std::uint32_t lower = 0;           ///< of a distance, in 1/256 cell
+  std::uint32_t upper = UINT32_MAX;  ///< UINT32_MAX: so much or more
+  std::vector<NearestPair> nearest;  ///< one, or none; within a distance: all, sorted
+  std::uint64_t visits = 0;
+  std::uint64_t triangle_pairs = 0;  ///< tested
+};
+
+/// UserError, with the remedy, if `image` is pre-indexed: distances walk post-indexed trees.
+void check_has_clearance(const ImageFile& image);
+
+/// The distance, for each pose with the nearest pair before as its hint: `hint` is changed. Both
+/// trees are of one kind, post-indexed.
+ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
+                          Witness<std::uint32_t>& hint);
+
+/// Pairs within a distance, in 1/256 cell; only the first if not `all`.
+ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& pose,
+                                std::uint32_t distance, bool all);
+
+/// `ask(meshes...)` as firmware's queries take them, of post-indexed trees of one kind; else nothing.
+template <class Found, class Ask, class... Others>
+std::optional<Found> ask_post(const Ask& ask, const AnyTree& any, const Others&... others) {
+  return std::visit(
+      [&](const auto& tree) -> std::optional<Found> {
+        using Tree = std::decay_t<decltype(tree)>;
+        if constexpr (Tree::kLayout == Layout::post_indexed) {
+          using Plain = BasicMesh<typename Tree::Index, Layout::post_indexed>;
+          return ask(static_cast<const Plain&>(tree),
+                     static_cast<const Plain&>(std::get<Tree>(others))...);
+        } else {
+          return std::nullopt;
+        }
+      },
+      any);
+}
+
+/// query(mesh); UserError if the image is pre-indexed.
+template <class Found, class Query>
+Found query_post_mesh(const ImageFile& image, const Query& query) {
+  std::optional<Found> found = ask_post<Found>(query, image.tree());
+  if (!found) {
+    throw UserError(
+        image.path(),
+        "is pre-indexed, which this question does not take; bake it with --layout post");
+  }
+  return *std::move(found);
+}
 
 }  // namespace flashbvh::tool
 

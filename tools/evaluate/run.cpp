@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "bake/baked_tree.hpp"
-#include "evaluate/best_rule.hpp"
 #include "evaluate/count_query.hpp"
 #include "reference/traversals.hpp"
 

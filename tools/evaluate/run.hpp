@@ -1,6 +1,5 @@
-// The paper's evaluation on this machine: every order on every setup, its counts and its times.
-//
-// Results as Markdown, aligned so that it reads as it stands.
+// The paper's evaluation on this machine: every order on every setup, its counts, its times, and
+// the tables of them as Markdown.
 #ifndef FLASHBVH_TOOLS_EVALUATE_RUN_HPP
 #define FLASHBVH_TOOLS_EVALUATE_RUN_HPP
 
@@ -11,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "bake/build_tree.hpp"
 #include "evaluate/setups.hpp"
+#include "flashbvh/lattice.hpp"
 #include "flashbvh/query.hpp"
 
 namespace flashbvh::tool {
@@ -88,6 +89,12 @@ std::string setup_table(const SetupResult& result);
 /// All setups side by side: iterations, on the default tree too, overlaps and times. Figure 33
 /// plots the lines of table 6.
 std::string summary_tables(const std::vector<SetupResult>& results);
+
+/// `translation`: of B in A's frame, in cells. A rule says for each pair of overlapping internal
+/// nodes into which tree to descend; at a leaf there is no choice.
+/// Time and memory: one table entry for each pair of overlapping nodes of which one is internal.
+std::uint64_t best_rule_visits(const bake::BuildTree& a, const bake::BuildTree& b,
+                               const Point& translation);
 
 }  // namespace flashbvh::tool
 

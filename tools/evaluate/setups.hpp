@@ -1,10 +1,9 @@
-// The setups of the paper's section 9, tables 2 to 8, with our object in place of theirs.
+// The setups of the paper's section 9, tables 2 to 8. Translation only. Each pose was chosen for
+// what its table is about, by the counts of `volume-stack` and of the geometry; tests/scene holds
+// each setup to it.
 //
-// Translation only. Each pose was chosen for what its table is about, by the counts of
-// `volume-stack` and of the geometry; tests/scene holds each setup to it.
-//
-// The object of the evaluation, in place of the paper's, which is not public: a tumbler with a
-// thick bottom, three-lobed, closed, with an outer and an inner wall, of 796 triangles as there.
+// The object in place of the paper's, which is not public, is a tumbler with a thick bottom,
+// three-lobed, closed, with an outer and an inner wall, of 796 triangles as there.
 #ifndef FLASHBVH_TOOLS_EVALUATE_SETUPS_HPP
 #define FLASHBVH_TOOLS_EVALUATE_SETUPS_HPP
 

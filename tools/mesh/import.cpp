@@ -5,9 +5,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "mesh/formats.hpp"
+#include "mesh/mesh_builder.hpp"
 #include "text/files.hpp"
-#include "text/tokens.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "mesh/formats.hpp"
 #include "mesh/polygon.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"

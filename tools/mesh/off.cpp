@@ -3,10 +3,10 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/formats.hpp"
+#include "mesh/mesh_builder.hpp"
+#include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
-#include "text/tokens.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/formats.hpp"
+#include "mesh/mesh_builder.hpp"
+#include "text/files.hpp"
 #include "text/messages.hpp"
-#include "text/tokens.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -11,8 +11,8 @@
 #include <limits>
 #include <vector>
 
-#include "mesh/formats.hpp"
 #include "mesh/guarded_import.hpp"
+#include "mesh/mesh_builder.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 

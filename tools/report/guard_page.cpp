@@ -216,7 +216,7 @@ std::string guard_page(const GuardedTrajectory& guarded) {
     html += chart_section(guarded, near) + near_section(guarded, near) + closest_section(guarded);
   }
   return page(escaped(guarded.model.name), "guard", "a trajectory, as firmware&#39;s guard sees it",
-              "", html + motion_section(guarded) + footer());
+              html + motion_section(guarded) + footer());
 }
 
 }  // namespace flashbvh::tool

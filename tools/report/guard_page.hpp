@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "robot/matrix/unguarded.hpp"
-#include "robot/replay/stretches.hpp"
+#include "robot/replay/replay.hpp"
 
 namespace flashbvh::tool {
 

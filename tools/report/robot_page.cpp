@@ -8,8 +8,8 @@
 #include "report/arm_pictures.hpp"
 #include "report/html.hpp"
 #include "robot/baked/robot_writer.hpp"
-#include "robot/joint_text.hpp"
 #include "robot/matrix/rarity.hpp"
+#include "robot/model.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -17,6 +17,7 @@
 
 #include "bake/mesh.hpp"
 #include "flashbvh/robot/robot.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 
@@ -99,6 +100,31 @@ auto find_pair(Elements& elements, std::size_t a, std::size_t b) {
     return std::minmax(of.a, of.b) == std::minmax(a, b);
   });
   return found == elements.end() ? nullptr : &*found;
+}
+
+inline const char* type_name(JointType type) {
+  return type == JointType::prismatic    ? "prismatic"
+         : type == JointType::continuous ? "continuous"
+                                         : "revolute";
+}
+
+/// Of a joint that may be none: the base's is `base`.
+inline std::string joint_name(const Model& model, std::size_t joint, const char* base) {
+  return joint == kNoJoint ? base : model.joints[joint].name;
+}
+
+/// "-1 to 1.5 rad, as left by -0.5".
+inline std::string moves_of(const Model& model, std::size_t number) {
+  const ModelJoint& joint = model.joints[number];
+  std::string text = joint.type == JointType::continuous
+                         ? "on and on"
+                         : significant(joint.lower, 6) + " to " + significant(joint.upper, 6) +
+                               (joint.type == JointType::prismatic ? " m" : " rad");
+  if (is_mimic(model, number)) {
+    text += ", as " + model.joints[model.variables[joint.variable]].name + " by " +
+            significant(joint.multiplier, 6);
+  }
+  return text;
 }
 
 }  // namespace flashbvh::tool

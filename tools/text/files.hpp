@@ -1,11 +1,13 @@
-// Files: read whole, written whole or not at all.
+// Files: read whole, written whole or not at all; text as lines of words.
 #ifndef FLASHBVH_TOOLS_TEXT_FILES_HPP
 #define FLASHBVH_TOOLS_TEXT_FILES_HPP
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,33 @@ class FileSet {
 /// One file alone.
 void write_file(
     const std::string& path, std::string bytes, const std::function<void()>& report = [] {});
+
+/// Letters of ASCII alone, in any locale.
+std::string lower_case(std::string_view text);
+
+/// The words between blanks.
+std::vector<std::string_view> words_of(std::string_view line);
+
+/// Goes through a text line by line. LF, CR LF and CR end a line.
+class Lines {
+ public:
+  /// `text` must outlive the object.
+  explicit Lines(std::string_view text) : rest_(text) {}
+
+  /// Moves to the next line; false after the last.
+  bool next();
+  /// The same past lines that are empty or hold only a comment; a '#' ends a line.
+  bool next_content();
+
+  std::string_view line() const { return line_; }
+  std::size_t number() const { return number_; }   ///< from 1
+  std::string_view rest() const { return rest_; }  ///< what lies after the line
+
+ private:
+  std::string_view rest_;
+  std::string_view line_;
+  std::size_t number_ = 0;
+};
 
 }  // namespace flashbvh::tool
 

@@ -1,5 +1,5 @@
 // Distance tables of random arms against brute force: no place in a cell falls below what it says.
-#include "robot/baked/distance_tables.hpp"
+#include "robot/baked/fixed_robot.hpp"
 
 #include <catch2/catch.hpp>
 

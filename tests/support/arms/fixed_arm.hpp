@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "flashbvh/clearance.hpp"
-#include "robot/baked/distance_tables.hpp"
 #include "robot/baked/fixed_robot.hpp"
 #include "support/arms/arms.hpp"
 

@@ -9,8 +9,6 @@
 #include "cli/mesh/bake_options.hpp"
 #include "cli/mesh/bake_table.hpp"
 #include "cli/mesh/mesh_warnings.hpp"
-#include "cli/mesh/sizes.hpp"
-#include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "image/c_writer.hpp"
 #include "image/cpp_writer.hpp"

@@ -1,11 +1,10 @@
 #include "cli/mesh/bake_options.hpp"
-#include "cli/options.hpp"
+#include "cli/commands.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <memory>
 
-#include "cli/commands.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bake/bending.hpp"
-#include "cli/mesh/sizes.hpp"
+#include "cli/mesh/mesh_warnings.hpp"
 #include "mesh/units.hpp"
 #include "text/messages.hpp"
 

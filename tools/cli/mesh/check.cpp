@@ -11,7 +11,6 @@
 #include "cli/commands.hpp"
 #include "cli/json.hpp"
 #include "cli/mesh/mesh_warnings.hpp"
-#include "cli/options.hpp"
 #include "image/image_file.hpp"
 #include "image/output_name.hpp"
 #include "mesh/defects.hpp"

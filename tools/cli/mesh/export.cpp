@@ -2,8 +2,6 @@
 #include <optional>
 
 #include "cli/commands.hpp"
-#include "cli/options.hpp"
-#include "cli/outputs.hpp"
 #include "evaluate/poses.hpp"
 #include "image/image_file.hpp"
 #include "mesh/units.hpp"

@@ -7,7 +7,6 @@
 #include <iostream>
 
 #include "cli/mesh/mesh_warnings.hpp"
-#include "cli/mesh/sizes.hpp"
 #include "image/baking.hpp"
 #include "image/cpp_writer.hpp"
 #include "text/numbers.hpp"

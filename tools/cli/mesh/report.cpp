@@ -3,8 +3,6 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/options.hpp"
-#include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "image/image_file.hpp"
 #include "report/page.hpp"

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/options.hpp"
 #include "evaluate/firmware_writer.hpp"
 #include "evaluate/run.hpp"
 #include "text/messages.hpp"

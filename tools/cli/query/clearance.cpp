@@ -7,10 +7,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/json.hpp"
-#include "cli/options.hpp"
-#include "cli/outputs.hpp"
-#include "cli/query/posed_images.hpp"
-#include "evaluate/clearances.hpp"
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
 #include "image/image_file.hpp"

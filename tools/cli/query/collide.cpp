@@ -13,9 +13,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/json.hpp"
-#include "cli/options.hpp"
-#include "cli/outputs.hpp"
-#include "cli/query/posed_images.hpp"
 #include "evaluate/needed_work.hpp"
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
@@ -114,20 +111,11 @@ std::string chosen_algorithm(const CollideArguments& arguments, const ImageFile&
 
 /// Of two meshes whose triangles do not intersect; nothing if one is not closed, or pre-indexed.
 std::optional<bool> one_is_inside(const ImageFile& a, const ImageFile& b, const Pose& pose) {
-  return std::visit(
-      [&](const auto& tree) -> std::optional<bool> {
-        using Tree = std::decay_t<decltype(tree)>;
-        if constexpr (Tree::kLayout == Layout::post_indexed) {
-          using Plain = BasicMesh<typename Tree::Index, Layout::post_indexed>;
-          const auto answer =
-              flashbvh::one_is_inside(static_cast<const Plain&>(tree),
-                                      static_cast<const Plain&>(std::get<Tree>(b.tree())), pose);
-          return answer.status == Status::done ? std::optional(answer.yes) : std::nullopt;
-        } else {
-          return std::nullopt;
-        }
-      },
-      a.tree());
+  const auto ask = [&](const auto& mesh_a, const auto& mesh_b) {
+    const auto answer = flashbvh::one_is_inside(mesh_a, mesh_b, pose);
+    return answer.status == Status::done ? std::optional(answer.yes) : std::nullopt;
+  };
+  return ask_post<std::optional<bool>>(ask, a.tree(), b.tree()).value_or(std::nullopt);
 }
 
 bool intersects(const Answer& answer) {

@@ -7,9 +7,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/json.hpp"
-#include "cli/options.hpp"
-#include "cli/query/post_mesh.hpp"
 #include "evaluate/poses.hpp"
+#include "evaluate/queries.hpp"
 #include "flashbvh/ray.hpp"
 #include "image/image_file.hpp"
 #include "mesh/units.hpp"

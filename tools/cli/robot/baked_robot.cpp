@@ -1,5 +1,5 @@
 #include "cli/robot/baked_robot.hpp"
-#include "cli/options.hpp"
+#include "cli/commands.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -8,7 +8,7 @@
 #include "cli/progress.hpp"
 #include "cli/robot/robot_sizes.hpp"
 #include "flashbvh/clearance.hpp"
-#include "robot/baked/distance_tables.hpp"
+#include "robot/baked/fixed_robot.hpp"
 #include "robot/matrix/unguarded.hpp"
 #include "robot/read/urdf.hpp"
 

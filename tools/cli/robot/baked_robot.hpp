@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/mesh/sizes.hpp"
+#include "cli/mesh/mesh_warnings.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/baked/fixed_robot.hpp"
 #include "robot/baked/robot_file.hpp"

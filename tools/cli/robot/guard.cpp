@@ -2,8 +2,6 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/options.hpp"
-#include "cli/outputs.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/guard_output.hpp"
 #include "report/guard_page.hpp"

@@ -4,8 +4,6 @@
 
 #include "bake/image_bytes.hpp"
 #include "cli/commands.hpp"
-#include "cli/options.hpp"
-#include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/robot_output.hpp"

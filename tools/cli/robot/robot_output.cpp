@@ -6,11 +6,10 @@
 
 #include "cli/json.hpp"
 #include "cli/robot/robot_sizes.hpp"
-#include "cli/unguarded_json.hpp"
 #include "image/cpp_writer.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/baked/robot_writer.hpp"
-#include "robot/joint_text.hpp"
+#include "robot/model.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

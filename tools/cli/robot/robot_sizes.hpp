@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/mesh/sizes.hpp"
+#include "cli/mesh/mesh_warnings.hpp"
 #include "flashbvh/mesh.hpp"
 #include "robot/model.hpp"
 #include "text/messages.hpp"

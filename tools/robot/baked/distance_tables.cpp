@@ -1,4 +1,4 @@
-#include "robot/baked/distance_tables.hpp"
+#include "robot/baked/fixed_robot.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -101,7 +101,7 @@ Model RobotFile::model() const {
   for (std::uint32_t i = 0; i < robot_.joint_count; ++i) {
     const RobotJoint& fixed = robot_.joints[i];
     ModelJoint joint = joint_of(fixed, cell());
-    joint.name = joint_name(words_.data(), i);
+    joint.name = flashbvh::joint_name(words_.data(), i);
     if (fixed.shift == 0) {
       model.variables[fixed.variable] = i;
     }

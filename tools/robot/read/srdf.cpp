@@ -1,4 +1,4 @@
-#include "robot/read/srdf.hpp"
+#include "robot/read/urdf.hpp"
 
 #include <algorithm>
 #include <optional>

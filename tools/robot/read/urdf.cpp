@@ -10,7 +10,6 @@
 #include "robot/kinematics.hpp"
 #include "robot/model.hpp"
 #include "robot/read/link_mesh.hpp"
-#include "robot/read/srdf.hpp"
 #include "robot/read/urdf_document.hpp"
 #include "robot/read/xml_file.hpp"
 #include "text/messages.hpp"

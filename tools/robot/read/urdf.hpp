@@ -3,6 +3,7 @@
 #define FLASHBVH_TOOLS_ROBOT_READ_URDF_HPP
 
 #include <string>
+#include <vector>
 
 #include "robot/model.hpp"
 #include "robot/read/link_mesh.hpp"
@@ -14,6 +15,13 @@ namespace flashbvh::tool {
 /// or that firmware can't hold; warnings of elements that do not count.
 Model read_urdf(const std::string& path, const Packages& packages, const std::string& srdf,
                 Warnings& warnings);
+
+/// The pairs of links that its <disable_collisions> name, each once, in its order; then those of
+/// links in <disable_default_collisions> but for pairs in <enable_collisions>. `all_links`: the
+/// names of the URDF's links, with or without geometry; warns of others, of a robot by another name
+/// and of a pair both enabled and disabled, which is disabled. UserError if the file is no SRDF.
+std::vector<DisabledPair> read_srdf(const std::string& path, const Model& model,
+                                    const std::vector<std::string>& all_links, Warnings& warnings);
 
 }  // namespace flashbvh::tool
 

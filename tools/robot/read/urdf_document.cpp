@@ -17,8 +17,8 @@
 
 #include "mesh/mesh_builder.hpp"
 #include "robot/read/xml_file.hpp"
+#include "text/files.hpp"
 #include "text/messages.hpp"
-#include "text/tokens.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -1,6 +1,5 @@
-// A trajectory through the code that firmware runs: the same robot, the same values, the same bits.
-//
-// The poses and distances of a robot's pairs of links at the values of a period.
+// A trajectory through the code that firmware runs: the same robot, the same values, the same bits;
+// and where along it the guard does not say `free`, and of which pairs.
 #ifndef FLASHBVH_TOOLS_ROBOT_REPLAY_REPLAY_HPP
 #define FLASHBVH_TOOLS_ROBOT_REPLAY_REPLAY_HPP
 
@@ -8,15 +7,50 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/kinematics.hpp"
 #include "flashbvh/robot/motion.hpp"
-#include "robot/replay/trajectory.hpp"
+#include "robot/model.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
+
+/// Joint values over time, as a CSV file has them.
+///
+/// The first line names a variable in each column, in any order; each other line has their values
+/// one period after the line before: radians, metres of joints that slide. '#' begins a comment.
+/// Fields lie between semicolons, commas or tabs. Columns of a time and of joints that mimic are
+/// checked and not used.
+class Trajectory {
+ public:
+  explicit Trajectory(std::size_t variables) : variables_(variables) {}
+
+  std::size_t size() const { return lines_.size(); }
+  /// Of the file, from 1.
+  std::size_t line(std::size_t period) const { return lines_[period]; }
+  /// A value a variable, in the order of the model's, as floats: the input of firmware.
+  const float* values(std::size_t period) const { return &values_[period * variables_]; }
+  std::size_t variables() const { return variables_; }
+
+  void add(std::size_t line, const std::vector<float>& values) {
+    lines_.push_back(line);
+    values_.insert(values_.end(), values.begin(), values.end());
+  }
+
+ private:
+  std::size_t variables_;
+  std::vector<std::size_t> lines_;
+  std::vector<float> values_;
+};
+
+/// UserError, with the line and the remedy, unless each variable has one column, all values are
+/// numbers, times don't go back, and mimics are where their joints put them. Limits are not looked
+/// at. Warns of a column of times, which sets none.
+Trajectory read_trajectory(const std::string& path, const Model& model, Warnings& warnings);
 
 /// Whatever a period takes; of UINT32_MAX the guard does not report what was spent.
 constexpr std::uint32_t kAllWork = UINT32_MAX - 1;
@@ -85,6 +119,7 @@ struct ReplaySummary {
 
 ReplaySummary summary_of(const std::vector<GuardAnswer>& answers);
 
+/// The poses and distances of a robot's pairs of links at the values of a period.
 class PosedPairs {
  public:
   /// `robot` outlives it.
@@ -117,6 +152,39 @@ class PosedPairs {
   std::vector<flashbvh::Frame> frames_;
   std::vector<Witness<std::uint16_t>> nearest_;  ///< of each pair
 };
+
+/// Periods one after the other with one verdict, other than `free`, of one pair.
+struct Stretch {
+  std::size_t first;  ///< periods
+  std::size_t last;
+  std::size_t kind;    ///< of replay_summary.hpp
+  std::uint16_t pair;  ///< of Robot::pairs; kNoPair of values that are refused
+  std::uint32_t kept;  ///< what the guard knows of the pair's distance, in 1/256 cell
+  std::optional<std::uint32_t> closest;  ///< of the pair at these lines; none: not measured
+};
+
+/// All of them, in order.
+std::vector<Stretch> stretches_of(const Robot& robot, const Trajectory& trajectory,
+                                  const std::vector<GuardAnswer>& answers);
+
+/// At most `most` of them, in order: those that stop before the others, the longest first.
+std::vector<Stretch> worst_of(std::vector<Stretch> stretches, std::size_t most);
+
+/// A pair that is not free in some period, by a guard of its own with all the work it takes, or
+/// that the robot's guard names as not yet known, or that comes within its warn distance at a line.
+struct NearPair {
+  std::uint16_t pair;
+  std::array<std::size_t, kPeriodKinds> named{};  ///< periods by verdict, but `free`
+  std::size_t within_stop = 0;                    ///< lines
+  std::size_t within_warn = 0;
+  std::optional<std::uint32_t> closest;  ///< at a line, in 1/256 cell; none: out of range
+  std::size_t closest_period = 0;
+};
+
+/// All of them: those that stop for the most periods or lines first, then those that are not yet
+/// known, then those that are warned of.
+std::vector<NearPair> near_pairs(const Robot& robot, const Trajectory& trajectory,
+                                 const std::vector<GuardAnswer>& answers);
 
 }  // namespace flashbvh::tool
 

@@ -1,4 +1,3 @@
-#include "robot/replay/stretches.hpp"
 
 #include <algorithm>
 #include <tuple>

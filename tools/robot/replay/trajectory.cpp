@@ -1,4 +1,4 @@
-#include "robot/replay/trajectory.hpp"
+#include "robot/replay/replay.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
-#include "text/tokens.hpp"
 
 namespace flashbvh::tool {
 namespace {
