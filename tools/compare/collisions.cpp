@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include "comparison.hpp"
-#include "heap.hpp"
 
 using namespace figures;
 

@@ -1,13 +1,116 @@
-// The comparisons: their poses, and how times are taken.
+// The comparisons: their poses, how times are taken, what is allocated, and the libraries.
+//
+// A library has two meshes and a set of poses, which it visits in turn: a Collider finds pairs of
+// triangles, a DistanceMeter distances, a RayCaster hits of rays.
 #ifndef FLASHBVH_TOOLS_COMPARE_COMPARISON_HPP
 #define FLASHBVH_TOOLS_COMPARE_COMPARISON_HPP
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "competitor.hpp"
+#include "flashbvh/mesh.hpp"
+#include "flashbvh/pose.hpp"
+#include "flashbvh/ray.hpp"
 #include "pose_search.hpp"
+#include "support/rotations.hpp"
 
 namespace compare {
+
+/// Where B lies in A's frame.
+struct Placed {
+  flashbvh::test::Rotation rotation;
+  std::int32_t cells[3];
+  flashbvh::Pose pose;  ///< made of these
+};
+
+/// All pairs, the first that is found, or the distance.
+enum class Wanted { all, first, distance };
+
+/// Two triangles, by their numbers in the source meshes.
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// A loop over all poses is one virtual call: nothing of it counts as the query's.
+class Competitor {
+ public:
+  virtual ~Competitor() = default;
+
+  /// Not timed: makes the library's own form of each pose.
+  virtual void set_poses(const std::vector<Placed>& poses) = 0;
+  /// Queries each pose in turn; returns a number that depends on all answers.
+  virtual std::size_t query_all(Wanted wanted) = 0;
+};
+
+class Collider : public Competitor {
+ public:
+  /// All pairs under one of the poses, in any order.
+  virtual std::vector<Pair> pairs(std::size_t pose) = 0;
+};
+
+/// A distance in cells: between these two.
+struct Length {
+  double lower;
+  double upper;
+};
+
+class DistanceMeter : public Competitor {
+ public:
+  /// The distance under one of the poses.
+  virtual Length length(std::size_t pose) = 0;
+};
+
+// The meshes outlive what is made of them.
+
+enum class PoseMade { before, in_the_query };
+std::unique_ptr<Collider> with_flashbvh(const flashbvh::Mesh& a, const flashbvh::Mesh& b,
+                                        PoseMade pose_made);
+
+/// `both`: matrices for A, the identity, and B; `of_b`: null for A, which saves a product.
+enum class Matrices { both, of_b };
+/// Trees as ODE builds them.
+std::unique_ptr<Collider> with_opcode(const flashbvh::Mesh& a, const flashbvh::Mesh& b,
+                                      Matrices matrices);
+
+/// Oriented boxes and spheres (OBBRSS), binary64.
+std::unique_ptr<Collider> with_fcl(const flashbvh::Mesh& a, const flashbvh::Mesh& b);
+
+enum class Hint { none, last_pose };
+/// `last_pose`: each distance begins with the witness of a pose near by.
+std::unique_ptr<DistanceMeter> distances_of_flashbvh(const flashbvh::Mesh& a,
+                                                     const flashbvh::Mesh& b, Hint hint);
+
+/// `spheres`: swept over rectangles (RSS), as PQP has them; `boxes_and_spheres`: OBBRSS.
+enum class Volumes { boxes_and_spheres, spheres };
+std::unique_ptr<DistanceMeter> distances_of_fcl(const flashbvh::Mesh& a, const flashbvh::Mesh& b,
+                                                Volumes volumes);
+
+/// GImpact: quantized boxes, binary32, no margin.
+std::unique_ptr<Collider> with_bullet(const flashbvh::Mesh& a, const flashbvh::Mesh& b);
+
+/// Of one mesh, in cells.
+class RayCaster {
+ public:
+  virtual ~RayCaster() = default;
+  /// How much of the way to the nearest hit, 0 to 1; more than 1 if nothing is hit.
+  virtual double nearest(const flashbvh::Segment& segment) = 0;
+};
+
+constexpr double kNoHit = 2;
+std::unique_ptr<RayCaster> ray_caster_of_flashbvh(const flashbvh::Mesh& mesh);
+std::unique_ptr<RayCaster> ray_caster_of_opcode(const flashbvh::Mesh& mesh);
+std::unique_ptr<RayCaster> ray_caster_of_bullet(const flashbvh::Mesh& mesh);
+
+struct Heap {
+  std::size_t allocations;
+  std::size_t bytes;  ///< still held
+};
+
+/// From here on. Between, and in what is timed, nothing is counted.
+void count_heap();
+Heap counted_heap();
 
 constexpr std::uint64_t kSeed = 20240607;
 /// Poses of a class, visited in turn, so that no branch predictor knows them by heart.

@@ -1,5 +1,5 @@
 // malloc() and its kin, in front of glibc's own: operator new and the libraries come through here.
-#include "heap.hpp"
+#include "comparison.hpp"
 
 #include <malloc.h>
 

@@ -4,7 +4,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 
 #include "bullet_mesh.hpp"
-#include "competitor.hpp"
+#include "comparison.hpp"
 
 using flashbvh::Mesh;
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "competitor.hpp"
+#include "comparison.hpp"
 #include "units.hpp"
 
 using flashbvh::Mesh;

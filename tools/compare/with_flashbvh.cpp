@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "competitor.hpp"
+#include "comparison.hpp"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/query.hpp"
 

@@ -1,4 +1,4 @@
-#include "competitor.hpp"
+#include "comparison.hpp"
 //
 #include "opcode_model.hpp"
 //
