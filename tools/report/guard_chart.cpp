@@ -16,21 +16,21 @@ namespace {
 
 // Numbers over time, as a drawing.
 
-struct DistanceTableLine {
+struct ChartLine {
   std::string name;                           ///< HTML
   std::vector<std::optional<double>> values;  ///< one a place along the chart; none: not known
   std::size_t style = 0;                      ///< 0 to 5: a colour, dashes, a number; 6 is dotted
 };
 
 /// A dashed line across; `style`: "stop", "warn".
-struct DistanceTableLevel {
+struct ChartLevel {
   double value;
   const char* style;
   const char* name;
 };
 
 /// A run of periods of one kind, from `begin` on, as parts of the chart's width; `kind`: of
-/// replay_summary.hpp.
+/// replay.hpp.
 struct KindRun {
   double begin;
   double end;
@@ -40,8 +40,8 @@ struct KindRun {
 struct Chart {
   std::string label;  ///< for who can't see it
   std::string unit;   ///< " m"
-  std::vector<DistanceTableLine> lines;
-  std::vector<DistanceTableLevel> levels;
+  std::vector<ChartLine> lines;
+  std::vector<ChartLevel> levels;
   double most;                ///< what is above may be cut off; 0: nothing
   std::vector<KindRun> runs;  ///< below the plot; may be none
   std::string first;          ///< below the left and the right end
@@ -74,13 +74,13 @@ double round_number(double value) {
 /// What the chart's height is.
 double top_of(const Chart& chart) {
   double shown = 0;
-  for (const DistanceTableLine& line : chart.lines) {
+  for (const ChartLine& line : chart.lines) {
     for (const std::optional<double>& value : line.values) {
       shown = std::max(shown, value.value_or(0));
     }
   }
   shown = chart.most > 0 ? std::min(shown, chart.most) : shown;
-  for (const DistanceTableLevel& level : chart.levels) {
+  for (const ChartLevel& level : chart.levels) {
     shown = std::max(shown, level.value);
   }
   return shown > 0 ? round_number(shown) : 1;
@@ -100,12 +100,12 @@ double x_of(double part) {
 }
 
 /// Of a line's value.
-double x_of(const DistanceTableLine& line, std::size_t place) {
+double x_of(const ChartLine& line, std::size_t place) {
   return x_of(static_cast<double>(place) /
               std::max<double>(static_cast<double>(line.values.size()) - 1, 1));
 }
 
-std::string path_of(const DistanceTableLine& line, double top) {
+std::string path_of(const ChartLine& line, double top) {
   std::string path;
   bool is_drawing = false;
   for (std::size_t i = 0; i < line.values.size(); ++i) {
@@ -124,7 +124,7 @@ std::string text(double x, double y, const char* anchor, const std::string& cont
 }
 
 /// `order`: of the levels, whose names stand side by side.
-std::string level_line(const DistanceTableLevel& level, double top, std::size_t order) {
+std::string level_line(const ChartLevel& level, double top, std::size_t order) {
   const double y = height_of(level.value, top);
   return concat("<path class=", level.style, " d=\"M", at(kPlotLeft, y), "H", fixed(kPlotRight, 1),
                 "\"/>\n") +
@@ -132,7 +132,7 @@ std::string level_line(const DistanceTableLevel& level, double top, std::size_t 
 }
 
 /// The line's number, on the line; lines have theirs side by side.
-std::string number_on(const DistanceTableLine& line, std::size_t lines, double top) {
+std::string number_on(const ChartLine& line, std::size_t lines, double top) {
   const std::size_t count = line.values.size();
   std::size_t place = std::min((2 * line.style + 1) * count / (2 * lines), count - 1);
   while (place < count && !line.values[place]) {
@@ -163,7 +163,7 @@ std::string lane(const Chart& chart, std::size_t kind, double y) {
   return svg.empty() ? "" : text(kPlotLeft - 8, y + kBar / 2, "end", kLetters[kind]) + svg;
 }
 
-std::string line_key(const DistanceTableLine& line, bool is_numbered) {
+std::string line_key(const ChartLine& line, bool is_numbered) {
   return concat("<span><svg class=sample viewBox=\"0 0 40 8\"><path class=l", line.style,
                 " d=\"M0 4H40\"/></svg>",
                 is_numbered && line.style < kNumbered ? concat(line.style + 1, " ") : "", line.name,
@@ -172,7 +172,7 @@ std::string line_key(const DistanceTableLine& line, bool is_numbered) {
 
 std::string keys_of(const Chart& chart) {
   std::string html = "<p class=keys>";
-  for (const DistanceTableLine& line : chart.lines) {
+  for (const ChartLine& line : chart.lines) {
     html += line_key(line, has_numbers(chart));
   }
   if (!chart.runs.empty()) {
@@ -193,10 +193,10 @@ std::string drawn(const Chart& chart) {
   for (std::size_t i = 0; i < chart.levels.size(); ++i) {
     plot += level_line(chart.levels[i], top, i);
   }
-  for (const DistanceTableLine& line : chart.lines) {
+  for (const ChartLine& line : chart.lines) {
     plot += concat("<path class=l", line.style, " d=\"", path_of(line, top), "\"/>\n");
   }
-  for (const DistanceTableLine& line : chart.lines) {
+  for (const ChartLine& line : chart.lines) {
     plot += has_numbers(chart) && line.style < kNumbered
                 ? number_on(line, chart.lines.size() - 1, top)
                 : "";
@@ -319,8 +319,8 @@ std::uint32_t farthest_warn(const Robot& robot) {
 }
 
 /// Unless it is there.
-void add_level(double metres, const char* name, std::vector<DistanceTableLevel>& levels) {
-  if (std::none_of(levels.begin(), levels.end(), [&](const DistanceTableLevel& level) {
+void add_level(double metres, const char* name, std::vector<ChartLevel>& levels) {
+  if (std::none_of(levels.begin(), levels.end(), [&](const ChartLevel& level) {
         return level.value == metres && level.name == std::string(name);
       })) {
     levels.push_back({metres, name, name});
@@ -329,8 +329,8 @@ void add_level(double metres, const char* name, std::vector<DistanceTableLevel>&
 
 /// The pairs that are drawn, and the distances at which they are stopped and warned of.
 void add_pairs(const GuardedTrajectory& guarded, const std::vector<NearPair>& near,
-               std::size_t step, double most, std::vector<DistanceTableLine>& lines,
-               std::vector<DistanceTableLevel>& levels) {
+               std::size_t step, double most, std::vector<ChartLine>& lines,
+               std::vector<ChartLevel>& levels) {
   const std::vector<Values> distances = distances_over(guarded.robot, guarded.trajectory, step);
   for (const std::uint16_t pair : chosen_pairs(near, distances, most)) {
     lines.push_back({pair_name(guarded, pair), distances[pair], lines.size()});
@@ -347,8 +347,8 @@ std::string chart_section(const GuardedTrajectory& guarded, const std::vector<Ne
   const std::string first = concat("line ", way.line(0));
   const std::string last = concat("line ", way.line(way.size() - 1));
   const double most_shown = kShownFold * metres_of(guarded, farthest_warn(guarded.robot));
-  std::vector<DistanceTableLine> lines;
-  std::vector<DistanceTableLevel> levels;
+  std::vector<ChartLine> lines;
+  std::vector<ChartLevel> levels;
   add_pairs(guarded, near, step, most_shown, lines, levels);
   const auto least = [](const auto& p, const auto& q) { return std::min(p, q); };
   const auto most = [](const auto& p, const auto& q) { return std::max(p, q); };

@@ -4,7 +4,6 @@
 
 #include "report/arm_pictures.hpp"
 #include "report/html.hpp"
-#include "robot/replay/replay.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -14,9 +14,11 @@ namespace flashbvh::tool {
 struct GuardedTrajectory {
   const Model& model;
   const Robot& robot;
+  const std::string& path;  ///< of the trajectory
   const Trajectory& trajectory;
   const std::vector<GuardAnswer>& answers;
   std::uint32_t work;  ///< what a period may spend; kAllWork: what it takes
+  bool has_motions;
   const std::vector<CertifiedMotion>& motions;  ///< from line to line; may be none
   const std::vector<UnguardedPair>& unguarded;
 };

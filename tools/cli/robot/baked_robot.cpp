@@ -4,12 +4,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "cli/mesh/mesh_warnings.hpp"
 #include "cli/progress.hpp"
 #include "cli/robot/robot_sizes.hpp"
 #include "flashbvh/clearance.hpp"
-#include "robot/baked/fixed_robot.hpp"
-#include "robot/matrix/unguarded.hpp"
 #include "robot/read/urdf.hpp"
 
 namespace flashbvh::tool {
@@ -26,7 +23,7 @@ double metres(const std::string& option, const std::string& text) {
   return *length;
 }
 
-std::optional<double> cell_of(const RobotArguments& arguments) {
+std::optional<double> given_cell(const RobotArguments& arguments) {
   if (!arguments.cell) {
     return std::nullopt;
   }
@@ -318,7 +315,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   const AllDistances distances = all_distances(model, arguments);
   BakedRobot made;
   made.model = std::move(model);
-  made.cell = robot_cell(made.model, cell_of(arguments), arguments.urdf);
+  made.cell = robot_cell(made.model, given_cell(arguments), arguments.urdf);
   check_range(distances.usual, made.cell);
   for (const GuardedPair& pair : distances.own) {
     check_range({pair.stop, pair.warn}, made.cell);

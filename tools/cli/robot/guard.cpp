@@ -1,14 +1,337 @@
 // flashbvh guard: a trajectory through the guard that firmware runs, on the desktop.
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/json.hpp"
 #include "cli/robot/baked_robot.hpp"
-#include "cli/robot/guard_output.hpp"
 #include "report/guard_page.hpp"
 #include "text/files.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
+
+/// Most lines that tables and standard error list one by one.
+constexpr std::size_t kShownLines = 10;
+
+/// "ok" of `done`.
+std::string name_of(Status status) {
+  switch (status) {
+    case Status::done:
+      return "ok";
+    case Status::not_a_coordinate:
+      return "not_a_coordinate";
+    case Status::joint_out_of_limits:
+      return "joint_out_of_limits";
+    case Status::joint_jumped:
+      return "joint_jumped";
+    default:
+      return concat("status ", static_cast<int>(status));
+  }
+}
+
+const std::string& link_name(const GuardedTrajectory& guarded, std::uint8_t link) {
+  return guarded.model.links[link].name;
+}
+
+const std::string& variable_name(const GuardedTrajectory& guarded, std::size_t variable) {
+  return guarded.model.joints[guarded.model.variables[variable]].name;
+}
+
+constexpr double kTurn = 6.283185307179586;
+/// A value of a slide that is so many times its limits is taken for millimetres.
+constexpr double kOtherUnit = 10;
+
+bool slides(const ModelJoint& joint) {
+  return joint.type == JointType::prismatic;
+}
+
+/// Whether the value is so far off that it may be in degrees, or in millimetres.
+bool has_other_unit(const ModelJoint& joint, double value) {
+  const double most = std::fmax(std::fabs(joint.lower), std::fabs(joint.upper));
+  return std::fabs(value) > (slides(joint) ? kOtherUnit * most : kTurn);
+}
+
+/// "; in degrees? give radians: 1.5708".
+std::string other_unit(const ModelJoint& joint, double value) {
+  return slides(joint) ? "; in millimetres? give metres: " + significant(value / 1000, 6)
+                       : "; in degrees? give radians: " + significant(value * kTurn / 360, 6);
+}
+
+/// "joint 'fold' can't be at 3.5", "joint 'other' can't follow 'grip' to 3.5".
+std::string refused_place(const GuardedTrajectory& guarded, const ModelJoint& joint, double value) {
+  const std::string& master = variable_name(guarded, joint.variable);
+  return concat("joint '", joint.name,
+                joint.name == master ? "' can't be at " : "' can't follow '" + master + "' to ",
+                significant(value, 6), ": ");
+}
+
+/// Beyond what a coordinate can be.
+std::string beyond_range(const GuardedTrajectory& guarded, const ModelJoint& moved, double value) {
+  if (!slides(moved)) {
+    return "firmware takes less than 8 turns, 50.27 radians; leave full turns out" +
+           other_unit(moved, value);
+  }
+  const double most = kMaxJointCoordinate * cell_of(guarded.robot) / kFrameCell;
+  return concat("firmware takes less than ", significant(most, 4), " m of this robot",
+                other_unit(moved, value));
+}
+
+/// `moved`: the joint that the value is of, which `joint` may follow.
+std::string beyond_limits(const ModelJoint& joint, const ModelJoint& moved, double value) {
+  return concat(
+      "its limits are ", significant(joint.lower, 6), " and ", significant(joint.upper, 6),
+      has_other_unit(moved, value) ? (slides(moved) ? " m" : " radians") + other_unit(moved, value)
+                                   : "; correct the value, or the URDF");
+}
+
+/// What is wrong with the values of a period, and how to fix it.
+std::string why_refused(const GuardedTrajectory& guarded, std::size_t period) {
+  const Status status = guarded.answers[period].status;
+  if (status == Status::joint_jumped) {
+    return "a joint without limits turns by half a turn, which may be either way; give values in "
+           "between";
+  }
+  if (status != Status::joint_out_of_limits && status != Status::not_a_coordinate) {
+    return concat("the guard can't go on: ", name_of(status));
+  }
+  const float* const values = guarded.trajectory.values(period);
+  const Model& model = guarded.model;
+  const ModelJoint& joint = model.joints[refused_joint(guarded.robot, values)];
+  const ModelJoint& moved = model.joints[model.variables[joint.variable]];
+  const auto value = static_cast<double>(values[joint.variable]);
+  return refused_place(guarded, joint, value) + (status == Status::not_a_coordinate
+                                                     ? beyond_range(guarded, moved, value)
+                                                     : beyond_limits(joint, moved, value));
+}
+
+const char* verdict_name(const GuardAnswer& answer) {
+  constexpr const char* kNames[kPeriodKinds] = {"free", "warn", "not_yet_known", "stop", "refused"};
+  return kNames[kind_of(answer)];
+}
+
+void add_pair(const GuardedTrajectory& guarded, std::uint16_t pair, Json& json) {
+  const bool is_none = pair == kNoPair;
+  const RobotPair links = is_none ? RobotPair{} : guarded.robot.pairs[pair];
+  json["a"] = is_none ? Json() : Json(link_name(guarded, links.a));
+  json["b"] = is_none ? Json() : Json(link_name(guarded, links.b));
+}
+
+Json motion_json(const GuardedTrajectory& guarded, const CertifiedMotion& motion) {
+  const MotionAnswer& answer = motion.answer;
+  if (answer.status != Status::done) {
+    return {{"outcome", "refused"}};
+  }
+  Json json = {{"outcome", outcome_name(answer.outcome)}};
+  if (answer.outcome == MotionOutcome::free) {
+    return json;
+  }
+  json["part"] = motion.part;
+  add_pair(guarded, answer.pair, json);
+  if (answer.outcome == MotionOutcome::hit) {
+    json["triangles"] = {answer.triangles.a, answer.triangles.b};
+  }
+  for (std::size_t i = 0; i < motion.values.size(); ++i) {
+    json["values"][variable_name(guarded, i)] = motion.values[i];
+  }
+  return json;
+}
+
+Json period_json(const GuardedTrajectory& guarded, std::size_t i) {
+  const GuardAnswer& answer = guarded.answers[i];
+  Json json = {{"line", guarded.trajectory.line(i)}, {"verdict", verdict_name(answer)}};
+  add_pair(guarded, answer.pair, json);
+  json["distance"] =
+      answer.pair == kNoPair ? Json() : Json(unit_length(answer.distance, cell_of(guarded.robot)));
+  json["work"] = answer.work;
+  json["status"] = name_of(answer.status);
+  if (i != 0 && guarded.has_motions) {
+    json["motion"] = motion_json(guarded, guarded.motions[i - 1]);
+  }
+  return json;
+}
+
+std::string links_of(const GuardedTrajectory& guarded, std::uint16_t pair) {
+  const RobotPair& links = guarded.robot.pairs[pair];
+  return link_name(guarded, links.a) + " - " + link_name(guarded, links.b);
+}
+
+std::string metres_text(const GuardedTrajectory& guarded, std::uint32_t fine) {
+  return significant(unit_length(fine, cell_of(guarded.robot)), 4);
+}
+
+/// "  first at line 3, upper - fore".
+std::string first_of(const GuardedTrajectory& guarded, std::size_t kind, std::size_t first) {
+  const GuardAnswer& answer = guarded.answers[first];
+  std::string text = concat("  first at line ", guarded.trajectory.line(first));
+  if (kind == kRefusedKind || answer.pair == kNoPair) {
+    return text;
+  }
+  text += ", " + links_of(guarded, answer.pair);
+  if (kind != static_cast<std::size_t>(Verdict::not_yet_known)) {
+    return text;
+  }
+  return text + (answer.distance == 0
+                     ? ", of which nothing is known"
+                     : ", at least " + metres_text(guarded, answer.distance) + " m apart");
+}
+
+void print_counts(const GuardedTrajectory& guarded) {
+  const ReplaySummary counts = summary_of(guarded.answers);
+  for (const std::size_t kind : kKindsInOrder) {
+    std::cout << std::left << std::setw(15) << kKindNames[kind] << std::right << std::setw(9)
+              << counts.periods[kind]
+              << (kind == 0 || counts.periods[kind] == 0
+                      ? ""
+                      : first_of(guarded, kind, counts.first[kind]))
+              << "\n";
+  }
+}
+
+void print_stretch(const GuardedTrajectory& guarded, const Stretch& stretch) {
+  const bool is_refused = stretch.pair == kNoPair;
+  std::cout << std::left << std::setw(9) << guarded.trajectory.line(stretch.first) << std::setw(9)
+            << guarded.trajectory.line(stretch.last) << std::setw(15) << kKindNames[stretch.kind]
+            << std::setw(12) << (is_refused ? "-" : metres_text(guarded, stretch.kept))
+            << std::setw(12) << (stretch.closest ? metres_text(guarded, *stretch.closest) : "-")
+            << (is_refused ? "-" : links_of(guarded, stretch.pair)) << "\n";
+}
+
+/// What is not free.
+void print_stretches(const GuardedTrajectory& guarded) {
+  const std::vector<Stretch> stretches =
+      stretches_of(guarded.robot, guarded.trajectory, guarded.answers);
+  if (stretches.empty()) {
+    return;
+  }
+  std::cout << "\nfrom     to       verdict        known m     closest m   links\n";
+  for (const Stretch& stretch : worst_of(stretches, kShownLines)) {
+    print_stretch(guarded, stretch);
+  }
+  if (stretches.size() > kShownLines) {
+    std::cout << "and " << stretches.size() - kShownLines << " more: --report has a table\n";
+  }
+}
+
+void print_closest(const GuardedTrajectory& guarded) {
+  const auto closest = closest_moment(guarded.robot, guarded.trajectory);
+  if (!closest) {
+    return;
+  }
+  const double distance = unit_length(closest->clearance.lower, cell_of(guarded.robot));
+  std::cout << "\nclosest: line " << guarded.trajectory.line(closest->period) << ", "
+            << links_of(guarded, closest->pair)
+            << (distance == 0 ? " intersect" : ", " + significant(distance, 4) + " m") << "\n";
+}
+
+void print_work(const GuardedTrajectory& guarded) {
+  const ReplaySummary summary = summary_of(guarded.answers);
+  if (summary.is_primed) {
+    std::cout << "work: " << summary.priming << " to prime; a period " << fixed(summary.mean, 1)
+              << " on average, " << summary.percentile_999 << " at the 99.9th percentile, at most "
+              << summary.most << "\n";
+  }
+}
+
+void print_motion(const GuardedTrajectory& guarded, std::size_t i) {
+  const CertifiedMotion& motion = guarded.motions[i];
+  std::cout << "  to line " << guarded.trajectory.line(i + 1) << ": ";
+  if (motion.answer.status != Status::done) {
+    std::cout << "refused\n";
+    return;
+  }
+  std::cout << links_of(guarded, motion.answer.pair)
+            << (motion.answer.outcome == MotionOutcome::hit ? " hit " : " close ")
+            << significant(motion.part, 4) << " of the way on, at ";
+  for (std::size_t v = 0; v < motion.values.size(); ++v) {
+    std::cout << (v == 0 ? "" : ", ") << variable_name(guarded, v) << " "
+              << significant(motion.values[v], 6);
+  }
+  std::cout << "\n";
+}
+
+void print_motions(const GuardedTrajectory& guarded) {
+  const auto& motions = guarded.motions;
+  const auto free = std::count_if(motions.begin(), motions.end(), is_free);
+  const std::size_t others = motions.size() - static_cast<std::size_t>(free);
+  std::cout << "\nmotions from line to line: " << free << " free, " << others << " not\n";
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < motions.size() && shown < kShownLines; ++i) {
+    if (!is_free(motions[i])) {
+      print_motion(guarded, i);
+      ++shown;
+    }
+  }
+  if (shown < others) {
+    std::cout << "  and " << others - shown << " more: --json has all\n";
+  }
+}
+
+/// Values that firmware refuses, on standard error.
+void print_refused(const GuardedTrajectory& guarded) {
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < guarded.answers.size(); ++i) {
+    if (guarded.answers[i].status != Status::done && ++refused <= kShownLines) {
+      std::cerr << "flashbvh: "
+                << one_line(at_line(guarded.path, guarded.trajectory.line(i)) + ": " +
+                            why_refused(guarded, i))
+                << "\n";
+    }
+  }
+  if (refused > kShownLines) {
+    std::cerr << "flashbvh: " << one_line(guarded.path) << ": and " << refused - kShownLines
+              << " more lines with values that are refused\n";
+  }
+}
+
+/// One object a line of the trajectory; the first has the pairs that are not guarded, too.
+void print_guarded_json(const GuardedTrajectory& guarded) {
+  for (std::size_t i = 0; i < guarded.answers.size(); ++i) {
+    Json json = period_json(guarded, i);
+    if (i == 0) {
+      json["not_guarded"] = unguarded_json(guarded.model, guarded.unguarded);
+    }
+    print_object(json);
+  }
+}
+
+/// Pairs that are not guarded, counts, stretches that are not free, the closest moment, work, and
+/// motions that are not free.
+void print_guarded(const GuardedTrajectory& guarded) {
+  const std::uint16_t pairs = guarded.robot.pair_count;
+  for (const UnguardedPair& pair : guarded.unguarded) {
+    std::cout << "not guarded: " << names_of(guarded.model, {pair}) << " (" << pair.reason << ")\n";
+  }
+  std::cout << guarded.answers.size() << (guarded.answers.size() == 1 ? " period, " : " periods, ")
+            << pairs << (pairs == 1 ? " pair" : " pairs") << " of links guarded, "
+            << guarded.unguarded.size() << " not looked at\n\n";
+  print_counts(guarded);
+  print_stretches(guarded);
+  print_closest(guarded);
+  print_work(guarded);
+  if (guarded.has_motions) {
+    print_motions(guarded);
+  }
+}
+
+/// kCheckFailed if any period is `stop` or `not_yet_known`, or a motion not free; kRefusedValues
+/// if firmware refuses any values.
+ExitCode exit_code_of(const GuardedTrajectory& guarded) {
+  const auto& answers = guarded.answers;
+  if (std::any_of(answers.begin(), answers.end(),
+                  [](const GuardAnswer& answer) { return answer.status != Status::done; })) {
+    return kRefusedValues;
+  }
+  const bool is_free_all =
+      std::all_of(answers.begin(), answers.end(),
+                  [](const GuardAnswer& answer) { return answer.verdict <= Verdict::warn; }) &&
+      std::all_of(guarded.motions.begin(), guarded.motions.end(), is_free);
+  return is_free_all ? kSuccess : kCheckFailed;
+}
 
 struct GuardArguments : RobotArguments {
   std::string trajectory;
@@ -38,28 +361,26 @@ Guarded read_guarded(const GuardArguments& arguments, const CLI::App& command, W
 ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& command) {
   Warnings warnings;
   const auto& [robot, trajectory] = read_guarded(arguments, command, warnings);
-  const Replayed replayed = {
-      robot,
-      arguments.trajectory,
-      trajectory,
-      replay(robot.robot(), trajectory, arguments.work),
-      arguments.motion,
-      arguments.motion ? certify(robot.robot(), trajectory) : std::vector<CertifiedMotion>()};
+  const std::vector<GuardAnswer> answers = replay(robot.robot(), trajectory, arguments.work);
+  const auto motions =
+      arguments.motion ? certify(robot.robot(), trajectory) : std::vector<CertifiedMotion>();
+  const GuardedTrajectory guarded = {robot.model,      robot.robot(), arguments.trajectory,
+                                     trajectory,       answers,       arguments.work,
+                                     arguments.motion, motions,       robot.unguarded};
   FileSet files;
   if (!arguments.page.empty()) {
     std::set<std::string> read = files_read(arguments, robot.model);
     read.insert(arguments.trajectory);
     refuse_to_replace_inputs(arguments.page, {read.begin(), read.end()});
-    files.add(arguments.page, guard_page({robot.model, robot.robot(), trajectory, replayed.answers,
-                                          arguments.work, replayed.motions, robot.unguarded}));
+    files.add(arguments.page, guard_page(guarded));
   }
   files.write([&] {
     warnings.print();
-    print_refused(replayed);
-    (arguments.json ? print_replayed_json : print_replayed)(replayed);
+    print_refused(guarded);
+    (arguments.json ? print_guarded_json : print_guarded)(guarded);
     flush_output();
   });
-  return exit_code_of(replayed);
+  return exit_code_of(guarded);
 }
 
 }  // namespace

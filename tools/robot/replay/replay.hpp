@@ -157,7 +157,7 @@ class PosedPairs {
 struct Stretch {
   std::size_t first;  ///< periods
   std::size_t last;
-  std::size_t kind;    ///< of replay_summary.hpp
+  std::size_t kind;    ///< of a period
   std::uint16_t pair;  ///< of Robot::pairs; kNoPair of values that are refused
   std::uint32_t kept;  ///< what the guard knows of the pair's distance, in 1/256 cell
   std::optional<std::uint32_t> closest;  ///< of the pair at these lines; none: not measured
