@@ -34,8 +34,6 @@ Proof. destruct p, q. cbn. now intros -> -> ->. Qed.
 Lemma cone_both C D : cone C -> cone D -> cone (both C D).
 Proof. intros K L i j p q I J [] []. split; [apply K | apply L]; auto. Qed.
 Definition sum3 i p j q k r := mix 1 (mix i p j q) k r.
-Lemma cone_sum C i p j q k r : cone C -> 0 <= i -> 0 <= j -> 0 <= k -> C p -> C q -> C r -> C (sum3 i p j q k r).
-Proof. intros K I J L P Q R. apply K; auto; lia. Qed.
 
 (* ---- More vectors than dimensions depend on each other. *)
 Lemma depend1 a b : exists s t, (s <> 0 \/ t <> 0) /\ s * a + t * b = 0.

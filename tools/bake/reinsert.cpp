@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
-#include <utility>
 
 #include "bake/binary_tree.hpp"
 #include "bake/measure.hpp"

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
-#include <type_traits>
-#include <variant>
 
 #include "flashbvh/triangle.hpp"
 #include "text/messages.hpp"

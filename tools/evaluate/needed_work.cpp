@@ -17,8 +17,6 @@
 #include <array>
 #include <numeric>
 
-#include "flashbvh/time_bound.hpp"
-
 namespace flashbvh::tool {
 namespace {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "evaluate/count_query.hpp"
-#include "text/messages.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -16,8 +16,6 @@
 #include <cstring>
 #include <exception>
 #include <fstream>
-#include <optional>
-#include <string_view>
 #include <type_traits>
 
 #include "text/messages.hpp"

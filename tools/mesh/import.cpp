@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <string_view>
 
-#include "mesh/mesh_builder.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "mesh/polygon.hpp"
 #include "text/messages.hpp"

@@ -4,11 +4,121 @@
 
 #include "flashbvh/version.hpp"
 #include "report/picture.hpp"
-#include "report/style.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
+
+// How all pages look: CSS, light and dark, for any width, and on paper.
+
+/// Text has a contrast of 4.5 to 1 at least against what it stands on, lines and bars of 3 to 1. p0
+/// to p4: parts of flash; v0 to v4: verdicts, lighter and darker than each other,
+/// too, for readers who cannot distinguish them by colour; l0 to l5: lines of a chart.
+inline constexpr const char* kColours = R"(:root{color-scheme:light dark;
+--ground:#f6f7f9;--paper:#fff;--text:#1c2128;--soft:#57606a;--line:#d5dae1;--accent:#0b5cad;
+--good:#12692f;--bad:#9a4a00;--leaf:#0b6bcb;--inner:#8296ad;--hot:214,90,30;
+--p0:#0b5cad;--p1:#b4540a;--p2:#12805c;--p3:#8b3fb5;--p4:#5b6776;
+--v0:#8a97a6;--v1:#c07f00;--v2:#6a45d6;--v3:#a8071a;--v4:#1c2128;
+--l0:#0b5cad;--l1:#00795c;--l2:#7a4b1e;--l3:#007c9e;--l4:#5b6776;--l5:#3b3f9e}
+@media (prefers-color-scheme:dark){:root{
+--ground:#0d1117;--paper:#161b22;--text:#e6edf3;--soft:#a3adb8;--line:#30363d;--accent:#79b8ff;
+--good:#6fd08c;--bad:#f0a45d;--leaf:#58a6ff;--inner:#66788c;--hot:240,120,50;
+--p0:#58a6ff;--p1:#f0883e;--p2:#4ac78a;--p3:#c89bf0;--p4:#9da5b0;
+--v0:#66788c;--v1:#ffc53d;--v2:#a78bfa;--v3:#ff4d4f;--v4:#e6edf3;
+--l0:#58a6ff;--l1:#4ade93;--l2:#d9b38c;--l3:#4dd0e1;--l4:#a3adb8;--l5:#b4bcff}}
+)";
+
+inline constexpr const char* kText = R"(*{box-sizing:border-box}
+body{margin:0;background:var(--ground);color:var(--text);font:16px/1.5 system-ui,sans-serif}
+main,header{max-width:1400px;margin:0 auto;padding:20px clamp(12px,3vw,32px) 0}
+h1,h2,h3,code,dd,.verdict li{overflow-wrap:anywhere}
+h1{margin:0}h2{margin:0 0 .7em}h3{margin:1.5em 0 .6em}h4{margin:0;font-weight:400}
+p{max-width:80ch;margin:.6em 0}
+.lead,.note,small,footer,h4,dt,.soft{color:var(--soft)}
+.note,small,.keys,h4,dt,footer table{font-size:.875rem}
+.keys span{display:inline-block;margin-right:1.2em}
+.key{display:inline-block;width:.75em;height:.75em;margin-right:.5em;border-radius:2px}
+a{color:var(--accent)}
+section{background:var(--paper);border:1px solid var(--line);border-radius:12px;
+padding:clamp(14px,2.5vw,28px);margin:22px 0}
+.good{color:var(--good)}.bad{color:var(--bad)}.verdict b{color:var(--text)}
+.warnings,.verdict{list-style:none;padding:0;margin:.6em 0}.verdict{font-size:1.15rem}
+.hide{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%);white-space:nowrap}
+.facts,.cards{display:grid;gap:14px 20px;margin:0 0 1em;
+grid-template-columns:repeat(auto-fit,minmax(min(100%,200px),1fr))}
+.facts div{border-left:3px solid var(--line);padding-left:12px;min-width:0}
+dd{margin:0;font-size:1.15rem;font-weight:600}
+dd small{display:block;font-weight:400}
+.card{border:1px solid var(--line);border-radius:8px;padding:10px 14px;min-width:0}
+.card b{color:var(--good)}.card.beyond b{color:var(--bad)}
+.gauge{height:9px;background:var(--line);overflow:hidden;margin:.5em 0}
+.gauge span{display:block;height:100%;min-width:2px;background:var(--good)}
+.beyond .gauge span{background:var(--bad)}
+)";
+
+inline constexpr const char* kTables = R"(.scroll{overflow-x:auto;margin:0 0 1em}
+table{border-collapse:collapse;width:100%;font-size:.925rem;font-variant-numeric:tabular-nums}
+caption{text-align:left;font-weight:600;padding:.3em 0 .4em}
+th,td{padding:5px 14px 5px 0;text-align:left;font-weight:400;border-bottom:1px solid var(--line);
+vertical-align:baseline}
+th small,td small{display:block}
+thead th{color:var(--soft);vertical-align:bottom}
+.n{text-align:right}td.n{white-space:nowrap}
+.hist td,.hist th{width:1%}.hist :is(th,td):last-child{width:auto}
+.heat{background:rgba(var(--hot),calc(var(--heat)*.5))}
+.row{display:flex;min-width:96px;height:11px}
+.over{position:relative;display:block}.over span{position:absolute;left:0;bottom:0;height:100%}
+.over .leaf{height:5px;bottom:3px}
+.inner{background:var(--inner)}.leaf{background:var(--leaf)}
+.bar{display:flex;height:14px;overflow:hidden;gap:1px}
+.bar span{flex:1 1 0;min-width:1px}
+.p0{background:var(--p0)}.p1{background:var(--p1)}.p2{background:var(--p2)}.p3{background:var(--p3)}
+.p4{background:var(--p4)}
+.matrix{width:auto}.matrix td,.matrix thead th{padding:6px 10px;text-align:center}
+.pairs td{border:2px solid var(--paper);line-height:1.25}
+.pairs td small{color:var(--text);white-space:nowrap}
+.pairs tbody th{white-space:nowrap;padding-right:10px;position:sticky;left:0;background:var(--paper)}
+.is-never{background:rgba(40,160,90,.2)}.is-can{background:rgba(var(--hot),.34)}
+.is-always,.is-believed{background:rgba(220,160,20,.3)}.is-fixed{background:rgba(130,145,165,.22)}
+.is-undecided{background:rgba(160,80,200,.28)}
+@media (min-width:540px){.hist th{white-space:nowrap}}
+@media (max-width:539px){th,td{padding-right:10px}
+.pairs tbody th,.pairs thead th{white-space:normal;overflow-wrap:anywhere;min-width:5.5em;max-width:7em}
+.hist tr,.words tr{display:grid;border-bottom:1px solid var(--line);padding:4px 0;
+grid-template-columns:1fr 4em 4.6em 4.6em}
+:is(.hist,.words) :is(td,th){width:auto;border:0;padding:1px 0}
+:is(.hist,.words) thead th:last-child{display:none}
+:is(.hist,.words) td:last-child{grid-column:1/-1;padding:3px 0}}
+@media print{section{border:0;padding:0}.scroll{overflow:visible}
+td,.key{print-color-adjust:exact;-webkit-print-color-adjust:exact}figure,tr{break-inside:avoid}}
+)";
+
+inline constexpr const char* kPictures =
+    R"(.views,.contacts{display:grid;gap:14px;margin:.8em 0 1em}
+@media (min-width:540px){.views{grid-template-columns:1fr 1fr}}
+@media (min-width:760px){.contacts{grid-template-columns:1fr 1fr}}
+@media (min-width:1060px){.views{grid-template-columns:repeat(4,1fr)}}
+figure{margin:0;min-width:0}
+figure svg{display:block;width:100%;height:auto;border:1px solid var(--line);background:var(--ground)}
+figcaption{color:var(--soft);font-size:.875rem}figcaption b{color:var(--text)}
+svg text{font-size:32px;fill:var(--soft);text-anchor:middle;dominant-baseline:central}
+path,circle{fill:none;stroke-width:1.3px;stroke-linejoin:round;vector-effect:non-scaling-stroke}
+.faces path{stroke-width:.8px}
+.axis{stroke:var(--soft)}circle{stroke:var(--accent);stroke-width:2px;stroke-dasharray:6 4}
+.way{stroke:var(--text);stroke-width:2px}.ends{stroke:var(--text);stroke-width:7px;stroke-linecap:round}
+.v0{background:var(--v0);fill:var(--v0)}.v1{background:var(--v1);fill:var(--v1)}
+.v2{background:var(--v2);fill:var(--v2)}.v3{background:var(--v3);fill:var(--v3)}
+.v4{background:var(--v4);fill:var(--v4)}
+@media (min-width:760px){.chart text{font-size:15px}}
+.chart path,.sample path{stroke-width:1.8px}
+.chart .stop{stroke:var(--v3);stroke-dasharray:7 5}.chart .warn{stroke:var(--v1);stroke-dasharray:7 5}
+.chart .number{font-weight:600;fill:var(--text);paint-order:stroke;stroke:var(--ground);stroke-width:6px}
+.sample{width:40px;height:8px;margin-right:.4em}
+.l0{stroke:var(--l0)}.l1{stroke:var(--l1);stroke-dasharray:12 4}
+.l2{stroke:var(--l2);stroke-dasharray:6 3}.l3{stroke:var(--l3);stroke-dasharray:12 3 2 3}
+.l4{stroke:var(--l4);stroke-dasharray:18 5}.l5{stroke:var(--l5);stroke-dasharray:12 3 2 3 2 3}
+.chart .l6,.sample .l6{stroke:var(--text);stroke-width:1px;stroke-dasharray:2 2}
+)";
 
 constexpr const char* kReplacement = "\xEF\xBF\xBD";
 

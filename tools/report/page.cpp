@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
 #include "report/html.hpp"
 #include "report/sections.hpp"

@@ -3,7 +3,6 @@
 // same way. Integers alone, rounded the same everywhere.
 #include "report/sections.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 

@@ -1,6 +1,5 @@
 #include "report/subject.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <utility>

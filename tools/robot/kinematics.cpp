@@ -17,6 +17,24 @@ std::vector<std::size_t> branch_of(const Model& model, std::size_t joint) {
   return branch;
 }
 
+/// Of a joint, in radians or metres. `variables`: a value each.
+double coordinate_of(const ModelJoint& joint, const std::vector<double>& variables) {
+  return joint.multiplier * variables[joint.variable] + joint.offset;
+}
+
+/// How the joint at `coordinate` moves what hangs on it, in the joint's frame at 0.
+Transform motion_of(const ModelJoint& joint, double coordinate) {
+  Transform motion;
+  if (joint.type == JointType::prismatic) {
+    motion.translation[2] = coordinate;
+    return motion;
+  }
+  const double c = std::cos(coordinate);
+  const double s = std::sin(coordinate);
+  motion.rotation = {{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
+  return motion;
+}
+
 }  // namespace
 
 Vector3 rotated(const Transform& transform, const Vector3& vector) {
@@ -70,10 +88,6 @@ Transform inverse(const Transform& transform) {
   return made;
 }
 
-double coordinate_of(const ModelJoint& joint, const std::vector<double>& variables) {
-  return joint.multiplier * variables[joint.variable] + joint.offset;
-}
-
 Interval range_of_variable(const Model& model, std::size_t variable) {
   const ModelJoint& joint = model.joints[model.variables[variable]];
   const auto margin = [](double limit) { return 0x1p-22 * std::max(1.0, std::abs(limit)); };
@@ -88,18 +102,6 @@ Interval range_of_joint(const Model& model, std::size_t number) {
   const double one = joint.multiplier * range.lower + joint.offset;
   const double other = joint.multiplier * range.upper + joint.offset;
   return {std::min(one, other), std::max(one, other)};
-}
-
-Transform motion_of(const ModelJoint& joint, double coordinate) {
-  Transform motion;
-  if (joint.type == JointType::prismatic) {
-    motion.translation[2] = coordinate;
-    return motion;
-  }
-  const double c = std::cos(coordinate);
-  const double s = std::sin(coordinate);
-  motion.rotation = {{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
-  return motion;
 }
 
 std::vector<Transform> frames_of(const Model& model, const std::vector<double>& variables) {

@@ -30,8 +30,6 @@ Vector3 rotated(const Transform& transform, const Vector3& vector);
 Vector3 rotated_back(const Transform& transform, const Vector3& vector);
 Vector3 placed(const Transform& transform, const Vector3& point);
 
-/// Of a joint, in radians or metres. `variables`: a value each.
-double coordinate_of(const ModelJoint& joint, const std::vector<double>& variables);
 /// What the variable can be: the limits of the joint that is no mimic, and 2^-22 of them or of 1
 /// more, whichever is larger, so that a limit that was rounded to a float is within them. A mimic's
 /// own ones are not looked at, here nor in firmware.
@@ -39,8 +37,6 @@ Interval range_of_variable(const Model& model, std::size_t variable);
 /// What its coordinate can be.
 Interval range_of_joint(const Model& model, std::size_t joint);
 
-/// How the joint at `coordinate` moves what hangs on it, in the joint's frame at 0.
-Transform motion_of(const ModelJoint& joint, double coordinate);
 /// Of all joints, in the base's frame.
 std::vector<Transform> frames_of(const Model& model, const std::vector<double>& variables);
 

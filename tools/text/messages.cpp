@@ -1,9 +1,7 @@
 #include "text/messages.hpp"
-#include "text/numbers.hpp"
 
 #include <algorithm>
 #include <iostream>
-#include <stdexcept>
 
 namespace flashbvh::tool {
 namespace {

@@ -1,5 +1,4 @@
 // flashbvh clearance: the firmware's queries about distance, on the desktop.
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>

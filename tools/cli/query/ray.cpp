@@ -1,6 +1,5 @@
 // flashbvh ray: the firmware's rays, on the desktop.
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <optional>

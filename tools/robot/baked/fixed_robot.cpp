@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <string>
 
 #include "flashbvh/robot/image.hpp"
 #include "robot/baked/bake_links.hpp"

@@ -1,7 +1,6 @@
 #include "robot/matrix/matrix.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/pair_space.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/matrix/pair_space.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "robot/matrix/swept_pair.hpp"
 

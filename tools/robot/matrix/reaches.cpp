@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
-
-#include "robot/kinematics.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include "mesh/import.hpp"
-#include "robot/kinematics.hpp"
 #include "robot/read/xml_file.hpp"
-#include "text/messages.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string>
-#include <vector>
 
 #include "mesh/mesh_builder.hpp"
 #include "robot/kinematics.hpp"
-#include "robot/model.hpp"
-#include "robot/read/link_mesh.hpp"
 #include "robot/read/urdf_document.hpp"
 #include "robot/read/xml_file.hpp"
-#include "text/messages.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
