@@ -3,10 +3,10 @@
 //   make INSTRUCTIONS
 // Where a full array stopped a run, its walk may have been further, and these are what its work
 // allows. KIND: `translated`, `rotated`, or `itself`. LEAF_SIZE: the larger one.
+#include "digest/small_tree.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "insn.hpp"
-#include "meshes.hpp"
 #include "slice.hpp"
 #include "support/rotations.hpp"
 #include "text.hpp"
@@ -17,6 +17,59 @@ using flashbvh::test::Random;
 
 namespace bound {
 namespace {
+
+/// Small meshes that cost a query as much as can be: boxes that all overlap, triangles that fall
+/// through to the rare branches of the exact test, trees as deep as they get.
+enum class Kind : uint8_t {
+  scattered,  ///< small triangles anywhere
+  crowded,    ///< large ones through one region: all boxes overlap
+  flat,       ///< all in one plane
+  segments,   ///< without area, on one line or not
+  points,     ///< all corners of a triangle in one place
+};
+constexpr uint32_t kKinds = 5;
+
+int16_t coordinate(Random& random, int32_t centre, int32_t reach) {
+  const int32_t value = centre + random.between(-reach, reach);
+  return static_cast<int16_t>(value > kMaxCoordinate    ? kMaxCoordinate
+                              : value < -kMaxCoordinate ? -kMaxCoordinate
+                                                        : value);
+}
+
+Vertex corner(Random& random, Kind kind, const Vertex& centre, const Vertex& first, int32_t reach) {
+  switch (kind) {
+    case Kind::scattered:
+      return {coordinate(random, centre.x, reach / 8), coordinate(random, centre.y, reach / 8),
+              coordinate(random, centre.z, reach / 8)};
+    case Kind::flat:
+      return {coordinate(random, 0, reach), coordinate(random, 0, reach), 0};
+    case Kind::points:
+      return first;
+    default:
+      return {coordinate(random, 0, reach), coordinate(random, 0, reach),
+              coordinate(random, 0, reach)};
+  }
+}
+
+/// `reach`: of the coordinates, at most kMaxCoordinate.
+void make_mesh(Random& random, Kind kind, int32_t reach, digest::SmallMesh& mesh) {
+  mesh.triangle_count = static_cast<uint16_t>(1 + random.below(digest::kMostTriangles));
+  mesh.vertex_count = 0;
+  for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
+    const Vertex centre = {coordinate(random, 0, reach), coordinate(random, 0, reach),
+                           coordinate(random, 0, reach)};
+    for (uint32_t i = 0; i < 3; ++i) {
+      const Vertex& first = i == 0 ? centre : mesh.vertices[mesh.vertex_count - 1];
+      const bool doubled = kind == Kind::segments && i == 2;
+      mesh.vertices[mesh.vertex_count] =
+          doubled ? first : corner(random, kind, centre, first, reach);
+      mesh.triangles[t].corner[i] = mesh.vertex_count++;
+    }
+  }
+  for (int32_t& axis : mesh.origin) {
+    axis = 0;
+  }
+}
 
 constexpr uint32_t kScenes = 40;
 constexpr uint32_t kPoses = 4;

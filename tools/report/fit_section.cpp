@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "report/html.hpp"
-#include "report/sections.hpp"
+#include "report/page.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

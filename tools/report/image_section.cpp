@@ -5,8 +5,8 @@
 
 #include "flashbvh/image.hpp"
 #include "report/html.hpp"
+#include "report/page.hpp"
 #include "report/picture.hpp"
-#include "report/sections.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -5,7 +5,6 @@
 
 #include "evaluate/queries.hpp"
 #include "report/html.hpp"
-#include "report/sections.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 

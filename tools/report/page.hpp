@@ -1,14 +1,18 @@
-// A page about images: what `flashbvh report` writes.
+// A page about images, what `flashbvh report` writes: its parts, and what queries about two images
+// cost, at given poses or at random ones.
 #ifndef FLASHBVH_TOOLS_REPORT_PAGE_HPP
 #define FLASHBVH_TOOLS_REPORT_PAGE_HPP
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "evaluate/needed_work.hpp"
+#include "flashbvh/pose.hpp"
 #include "image/image_file.hpp"
+#include "report/subject.hpp"
 
 namespace flashbvh::tool {
 
@@ -36,6 +40,77 @@ using OnStep = std::function<void(const std::string& what, double share)>;
 /// folder. UserError as source_triangles() and read_lattice_poses(). At least one image.
 std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
                     const ReportOptions& options, const OnStep& step);
+
+/// By the answer of a query.
+enum Closeness : std::uint8_t {
+  kSeparated,       ///< the boxes of the roots are disjoint
+  kSmallProximity,  ///< no pair of leaves overlaps
+  kCloseProximity,  ///< no pair of triangles intersects
+  kIntersecting,    ///< some pair does
+  kClosenessCount,
+};
+
+struct PoseCost {
+  Pose pose;
+  Closeness closeness;
+  std::uint64_t work;            ///< of a query that finds every pair
+  std::uint64_t work_to_first;   ///< of one that stops at the first pair
+  std::uint64_t triangle_pairs;  ///< that intersect
+};
+
+struct PairCosts {
+  VisitBound bound;                ///< of any pose
+  std::vector<PoseCost> poses;     ///< none with --samples 0
+  NeededWork needed;               ///< at these, for every pair of triangles
+  NeededWork needed_to_first;      ///< for the first pair
+  std::uint64_t out_of_range = 0;  ///< poses that can't be: a mesh lies too far from its origin
+  bool costly = false;             ///< kMostVisits were reached
+};
+
+/// Visits at which one sample stops.
+constexpr std::uint64_t kMostVisits = 50'000'000;
+
+/// By the default algorithm of the images' layout, at the poses of a file as `collide` takes them.
+/// UserError as read_lattice_poses(), or if a query is refused. Precondition: are_partners(a, b).
+PairCosts costs_at(const ImageFile& a, const ImageFile& b, const std::string& path);
+
+/// At so many random poses, always the same for the same images: B rotated by any rotation, each as
+/// likely as the other, the middle of its box in any direction from the middle of A's, at any
+/// distance up to the sum of half their diagonals.
+PairCosts sampled_costs(const ImageFile& a, const ImageFile& b, std::size_t count);
+
+using Subjects = std::vector<const Subject*>;
+
+/// Two subjects that are queried against each other, the second moving.
+struct QueriedPair {
+  const Subject* a;
+  const Subject* b;
+  PairCosts costs;
+};
+
+/// "ring and peg", as HTML.
+std::string title_of(const QueriedPair& pair);
+
+/// The pair whose costliest pose, or bound where there are no poses, takes most work.
+const QueriedPair& costliest(const std::vector<QueriedPair>& pairs);
+
+/// Flash, RAM and time, and whether they are enough. `pairs`: may be none.
+std::string fit_section(const Subjects& subjects, const std::vector<QueriedPair>& pairs,
+                        const ReportOptions& options);
+
+/// The worst of each pair as a matrix, for three meshes or more; the costliest pose and a first
+/// contact as pictures; work by how close the meshes come. Nothing without poses.
+std::string pairs_section(const Subjects& subjects, const std::vector<QueriedPair>& pairs,
+                          const ReportOptions& options);
+
+/// Key figures, warnings and a picture.
+std::string image_section(const Subject& subject);
+
+/// Flash by mesh and part, on one scale.
+std::string flash_table(const Subjects& subjects);
+
+/// The version, and how each image was baked.
+std::string foot(const Subjects& subjects);
 
 }  // namespace flashbvh::tool
 

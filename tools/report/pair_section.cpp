@@ -6,8 +6,8 @@
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
 #include "report/html.hpp"
+#include "report/page.hpp"
 #include "report/picture.hpp"
-#include "report/sections.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

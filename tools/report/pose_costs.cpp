@@ -1,7 +1,7 @@
 // Rotations from quaternions of four integers in a ball, which makes them even over all rotations
 // (Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992); directions from three in the
 // same way. Integers alone, rounded the same everywhere.
-#include "report/sections.hpp"
+#include "report/page.hpp"
 
 #include <array>
 #include <cstdint>

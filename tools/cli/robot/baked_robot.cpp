@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "cli/progress.hpp"
-#include "cli/robot/robot_sizes.hpp"
 #include "flashbvh/clearance.hpp"
 #include "robot/read/urdf.hpp"
 

@@ -1,4 +1,5 @@
-// A robot for commands that need all of it: baked, its pairs decided, in fixed point.
+// A robot for commands that need all of it: baked, its pairs decided, in fixed point; how large its
+// links are, and what looks like another unit, or is too coarse.
 #ifndef FLASHBVH_TOOLS_CLI_BAKED_ROBOT_HPP
 #define FLASHBVH_TOOLS_CLI_BAKED_ROBOT_HPP
 
@@ -10,11 +11,13 @@
 #include <vector>
 
 #include "cli/mesh/mesh_warnings.hpp"
+#include "flashbvh/mesh.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/baked/fixed_robot.hpp"
 #include "robot/baked/robot_file.hpp"
 #include "robot/matrix/matrix.hpp"
 #include "robot/matrix/unguarded.hpp"
+#include "robot/model.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
@@ -61,6 +64,21 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
 /// Of an image, as it was baked. UserError if it is none, or if `command` was given options of
 /// add_robot_options(): they are for baking.
 BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings);
+
+/// In metres, in the links' own frames.
+std::vector<Size> link_sizes(const Model& model);
+/// Of a model without meshes, by the baked ones. `cell`: theirs.
+std::vector<Size> link_sizes(const Model& model, const Mesh* meshes, double cell);
+
+/// Of links whose size is odd among the others, and of meshes that are all far larger than where
+/// the joints lie. `path`: the URDF.
+void warn_of_sizes(const Model& model, const std::vector<Size>& sizes, const std::string& path,
+                   Warnings& warnings);
+
+/// If the cell is coarser than a tenth of the stop distance, or a link has few cells. `place`: what
+/// the cell follows from. Lengths are in metres.
+void warn_of_cell(const Model& model, const std::vector<Size>& sizes, double cell, double stop,
+                  const std::string& place, Warnings& warnings);
 
 }  // namespace flashbvh::tool
 

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "cli/json.hpp"
-#include "cli/robot/robot_sizes.hpp"
+#include "cli/robot/baked_robot.hpp"
 #include "image/cpp_writer.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/baked/robot_writer.hpp"

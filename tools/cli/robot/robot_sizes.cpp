@@ -1,4 +1,4 @@
-#include "cli/robot/robot_sizes.hpp"
+#include "cli/robot/baked_robot.hpp"
 
 #include <algorithm>
 #include <cmath>
