@@ -1,23 +1,14 @@
 // Leaves as shapes: they save visits and change nothing else. The same query with boxes alone is
 // what each answer is compared with.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cstdlib>
-#include <initializer_list>
-#include <utility>
-#include <vector>
-
 #include "support/any_mesh.hpp"
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
+#include "support/test.hpp"
 #include "support/transformed_mesh.hpp"
 #include "support/triangle_pairs.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -237,39 +228,33 @@ void add_speck(Random& random, bake::LatticeMesh& mesh, const Vertex& at) {
 }  // namespace
 
 TEST_CASE("leaves as shapes give the pairs that boxes alone give, in the same order") {
-  Random random = test_random();
   Totals totals;
   const auto tries = rounds(30u, 150u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
-    CAPTURE(round);
+  for_rounds(tries, [&](Random& random, std::uint32_t round) {
     const std::int32_t spread = round % 3 == 0 ? 300 : round % 3 == 1 ? 40 : 3;
     const AnyMesh a = any_mesh(random, random_mesh(random, 1 + random.below(40), spread, 25));
     const AnyMesh b = any_mesh(random, random_mesh(random, 1 + random.below(40), spread, 25));
     compare_all(a, b, any_pose(random, spread), totals);
-  }
+  });
   CHECK(totals.pairs > 200 * tries / 3);
   CHECK(totals.with_shapes < totals.with_boxes);
 }
 
 TEST_CASE("one mesh may be both: its leaves are shapes on either side") {
-  Random random = test_random(1);
   Totals totals;
   const auto tries = rounds(50u, 250u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
-    CAPTURE(round);
+  for_rounds(tries, 1, [&](Random& random, std::uint32_t round) {
     const std::int32_t size = round % 2 == 0 ? 25 : 8;
     const AnyMesh mesh = any_mesh(random, random_mesh(random, 1 + random.below(20), 40, size));
     compare_all(mesh, mesh, any_pose(random, 40), totals);
-  }
+  });
   CHECK(totals.pairs > 4 * tries);
 }
 
 TEST_CASE("triangles without area or in one plane are shapes, too") {
-  Random random = test_random(2);
   Totals totals;
   const auto tries = rounds(50u, 200u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
-    CAPTURE(round);
+  for_rounds(tries, 2, [&](Random& random, std::uint32_t round) {
     bake::LatticeMesh meshes[2] = {random_mesh(random, 1 + random.below(24), 15, 12),
                                    random_mesh(random, 1 + random.below(24), 15, 12)};
     for (bake::LatticeMesh& mesh : meshes) {
@@ -280,16 +265,14 @@ TEST_CASE("triangles without area or in one plane are shapes, too") {
     compare_all(
         a, b, round % 3 == 0 ? Pose::translated(random.between(-5, 5), 2, 0) : any_pose(random, 10),
         totals);
-  }
+  });
   CHECK(totals.pairs > 5 * tries);
 }
 
 TEST_CASE("on the largest lattice, no slab of a leaf misses what lies in its triangle") {
-  Random random = test_random(3);
   Totals totals;
   const auto tries = rounds(1200u, 6000u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
-    CAPTURE(round);
+  for_rounds(tries, 3, [&](Random& random, std::uint32_t round) {
     const bool leaf_of_a = round % 2 == 0;
     const bool stretched = round % 8 == 1;
     const std::uint32_t count = stretched ? 1 : 1 + random.below(2);
@@ -309,16 +292,14 @@ TEST_CASE("on the largest lattice, no slab of a leaf misses what lies in its tri
     const auto a = bake::lay_out<std::uint16_t, layout>(bake::build_median(leaf, 2), leaf);
     const auto b = bake::lay_out<std::uint16_t, layout>(bake::build_median(specks, 1), specks);
     compare<Ranked<Mesh>>((leaf_of_a ? a : b).view(), (leaf_of_a ? b : a).view(), pose, totals);
-  }
+  });
   CHECK(totals.pairs > 2 * tries / 3);
 }
 
 TEST_CASE("on the largest lattice, thin triangles that just touch are found") {
-  Random random = test_random(4);
   Totals totals;
   const auto tries = rounds(150u, 600u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
-    CAPTURE(round);
+  for_rounds(tries, 4, [&](Random& random, std::uint32_t round) {
     const bake::LatticeMesh mesh_a = extreme_mesh(random, 2 + random.below(5));
     const bake::LatticeMesh mesh_b = extreme_mesh(random, 2 + random.below(5));
     const Vertex& corner = mesh_b.vertices[random.below(3)];
@@ -329,6 +310,6 @@ TEST_CASE("on the largest lattice, thin triangles that just touch are found") {
     const AnyMesh a(bake::build_median(mesh_a, 1), mesh_a);
     const AnyMesh b(bake::build_median(mesh_b, 1), mesh_b);
     compare_all(a, b, pose, totals);
-  }
+  });
   CHECK(totals.pairs > 5 * tries);
 }

@@ -1,18 +1,11 @@
 // Bounds of distances reject nothing that is near enough: against exact distances, at the limit.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-
 #include "flashbvh/clearance.hpp"
 #include "support/any_mesh.hpp"
 #include "support/points.hpp"
 #include "support/rotations.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -121,11 +114,9 @@ Box any_box(Random& random) {
 }  // namespace
 
 TEST_CASE("gaps of boxes are those along each axis, however many are worked out at once") {
-  Random random = test_random();
   std::uint32_t near = 0;
   const auto tries = rounds(7000u, 20000u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
-    CAPTURE(round);
+  for_rounds(tries, [&](Random& random, std::uint32_t round) {
     const GapLimit limit(std::int64_t{1} << random.below(35));
     const PackedBox a = pack(any_box(random));
     const PackedBox b = pack(any_box(random));
@@ -145,14 +136,12 @@ TEST_CASE("gaps of boxes are those along each axis, however many are worked out 
         ++near;
       }
     }
-  }
+  });
   CHECK(near > tries / 2);
 }
 
 TEST_CASE("rotated boxes are the sums of products along each axis") {
-  Random random = test_random();
-  for (int round = 0; round < rounds(1500, 5000); ++round) {
-    CAPTURE(round);
+  for_rounds(rounds(1500, 5000), [&](Random& random, int) {
     const AnyMesh a = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
     const AnyMesh b = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
     const Mesh mesh_a = a.view<Mesh>();
@@ -160,7 +149,7 @@ TEST_CASE("rotated boxes are the sums of products along each axis") {
     const Pose pose = any_rigid_pose(random, 40000);
     Transform transform(pose, mesh_a, mesh_b, /*may_stop=*/false);
     if (!transform.is_rotated()) {
-      continue;
+      return;
     }
     const RotatedTransform& rotated = transform.rotated();
     RotatedGap gap(rotated, GapLimit(1 << 20));
@@ -176,13 +165,11 @@ TEST_CASE("rotated boxes are the sums of products along each axis") {
       REQUIRE(kept(box_a, box_b) == wide(box_a, box_b));
       REQUIRE(kept(box_a, box_b) == wide(box_a, box_b));  // the current one
     }
-  }
+  });
 }
 
 TEST_CASE("a sum of squared gaps is within a limit if it is") {
-  Random random = test_random();
-  for (int round = 0; round < rounds(40000, 200000); ++round) {
-    CAPTURE(round);
+  for_rounds(rounds(40000, 200000), [&](Random& random, int) {
     const std::int32_t most = 1 << random.below(17);
     const std::int64_t gap[3] = {random.between(0, most), random.between(0, most),
                                  random.between(0, most / 8)};
@@ -206,17 +193,15 @@ TEST_CASE("a sum of squared gaps is within a limit if it is") {
     const GapLimit limit(sum);
     REQUIRE(limit.longer_limit() >= limit.limit());
     REQUIRE(limit.sum_limit() >= limit.limit());
-  }
+  });
 }
 
 TEST_CASE("leaves as shapes reject no box that is within the limit") {
-  Random random = test_random();
   std::uint32_t translated = 0;
   std::uint32_t rotated = 0;
   std::uint32_t stretched = 0;
   const auto tries = rounds(2000u, 6000u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
-    CAPTURE(round);
+  for_rounds(tries, [&](Random& random, std::uint32_t round) {
     const std::int32_t reach = 1 << (3 + random.below(11));
     const Vertex p = any_vertex(random, reach);
     const Vertex q = any_vertex(random, reach);
@@ -246,7 +231,7 @@ TEST_CASE("leaves as shapes reject no box that is within the limit") {
       check(a, b, coarse, rotated);
       ++stretched;
     }
-  }
+  });
   CHECK(translated > tries / 4);
   CHECK(rotated > tries / 4);
   CHECK(stretched > tries / 8);

@@ -1,13 +1,27 @@
-"""What the host program bakes: images and code."""
+"""What the host program bakes: images and code, under any name; and `bench`."""
 import os
 import re
 import resource
 import shutil
+from collections import Counter
 from pathlib import Path
 
 import meshes
-from checks import (HOME, THOROUGH, TOOLS, any_poses, box, compiled, damaged, edit_vertices, elsewhere, flashbvh,
-                    hold, other_version, refused, run, same, size, write)
+from checks import (HOME, INCLUDE, THOROUGH, TOOLS, any_poses, box, compiled, edit_vertices, elsewhere, flashbvh, hold,
+                    other_version, refused, run, same, write)
+
+HEADERS = ("assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg "
+           "stdbool stddef stdint stdio stdlib string tgmath time wchar wctype unistd search strings sys/stat sys/types "
+           "sys/socket pthread fcntl sched").split()
+CPP_HEADERS = "algorithm atomic cmath cstdlib cstring ctime iostream string thread".split()
+C_HEADERS = ("assert complex ctype errno fenv inttypes limits locale math setjmp signal stdarg stddef stdint stdio "
+             "stdlib string time wchar wctype").split()
+TAKEN = ("abs exit size_t uint32_t INT32_MAX UINT8_C typeof asm linux unix class and xor_eq co_yield char8_t nullptr "
+         "std flashbvh posix main __arm__ _Bool __x _Upper errno stdin NULL EOF SIGINT E2BIG link pipe socket stat "
+         "timeval tm div_t y0 sinf strtol I M_PI va_arg jmp_buf int8_t restrict _Alignas noreturn bool true complex "
+         "index select").split()
+FREE = "arm base_link tool left torso leaf_2 Base island structure memory signals timeout".split()
+QUICK = "--repetitions-scale", "0.0001", "--rounds", "2"
 
 
 def large():
@@ -111,46 +125,6 @@ def determinism():
         hold(sorted(os.listdir(form)) == files, f"{form}: {os.listdir(form)}")
 
 
-def damaged_images():
-    """An image is refused if any byte of it is missing, added or changed, and if it is well checksummed nonsense.
-    Of the bytes every seventh, with FLASHBVH_THOROUGH each; damage_test has each of them and more for what opens
-    images."""
-    flashbvh("bake", "meshes/tetrahedron.stl", "-o", "images", "--format", "image")
-    image = Path("images/tetrahedron.fbvh")
-    whole = image.read_bytes()
-    flashbvh("check", image)
-    step = 1 if THOROUGH else 7
-    for length in [*range(1, len(whole), step), len(whole) - 1]:
-        Path("cut.fbvh").write_bytes(whole[:length])
-        refused("cut.fbvh: is", "check", "cut.fbvh")
-    refused("truncated", "info", "cut.fbvh")
-    Path("twice.fbvh").write_bytes(whole + whole)
-    refused("twice.fbvh", "check", "twice.fbvh")
-
-    for offset in [*range(0, len(whole), step), len(whole) - 1]:
-        damaged(image, offset, None, "flipped.fbvh")
-        refused("flipped.fbvh: ", "check", "flipped.fbvh")
-    write("poses", f"{HOME} 0 0 0")
-    refused("flipped.fbvh: is corrupt", "info", "flipped.fbvh")
-    refused("flipped.fbvh: is corrupt", "export", "flipped.fbvh", "-o", "out.obj")
-    for pair in ("flipped.fbvh", image), (image, "flipped.fbvh"):
-        refused("flipped.fbvh: is corrupt", "collide", *pair, "--poses", "poses", "--pairs", "out")
-
-    # With a matching checksum it is the contents that count: the root's link.
-    damaged(image, 0x58, b"\1\0\1\0", "nonsense.fbvh", checksum=True)
-    refused("nonsense.fbvh: is invalid", "check", "nonsense.fbvh")
-    # Version 9.
-    damaged(image, 4, b"\t\0\1\x10", "later.fbvh", checksum=True)
-    refused("later.fbvh: is written in version 9", "check", "later.fbvh")
-    # What the library leaves to `check`: of which shell a vertex is. The last words of the image are the vertices
-    # (four of six bytes), the shell's first vertex with two zeros, and the name.
-    flashbvh("bake", "meshes/tetrahedron.stl", "-o", "images", "--name", "t", "--format", "image")
-    damaged("images/t.fbvh", size("images/t.fbvh") - 8, b"\2\0\0\0", "shell.fbvh", checksum=True)
-    flashbvh("info", "shell.fbvh")
-    refused("shell.fbvh: is invalid: its vertices of shells are not those that its triangles make; bake it again",
-            "check", "shell.fbvh")
-
-
 def units():
     """Files of different units end up in one; every length given and printed is in it."""
     Path("parts").mkdir()
@@ -203,3 +177,138 @@ def units():
             ("--unit mm.obj=mm: says nothing of the unit of the results; add it", "mm.obj=mm"),
             ("--unit", "")):
         refused(what, "bake", "parts/mm.obj", "-o", "out", "--unit", *options.split())
+
+
+def names_of(compiler):
+    """Names that are taken: keywords; macros; tags, and what stands before a bracket or a semicolon in the headers
+    of C, which is more than they declare."""
+    write("c_headers.c", "\n".join(f"#include <{header}.h>" for header in C_HEADERS))
+    macros, text = (run(compiler, "-std=gnu11", "-D_GNU_SOURCE", "-E", option, "c_headers.c")
+                    for option in ("-dM", "-P"))
+    found = {*TAKEN, *re.findall(r"^#define ([A-Za-z]\w*)", macros, re.M)}
+    for name, tag in re.findall(r"\b([A-Za-z]\w*) *[(;]|\b(?:enum|struct|union) (\w+)", text, re.A):
+        found.add(name or tag)
+    return sorted(found)
+
+
+def compiles(*command):
+    run(*command, f"-I{INCLUDE}", "-Ibaked", "-fsyntax-only", "both.cpp")
+
+
+def names():
+    """The C++ output compiles whatever the mesh is called, before and after all headers of C and C++: by names that
+    those headers declare or define, taken from what the compilers say, and by keywords. By one standard, with
+    FLASHBVH_THOROUGH by others, too."""
+    headers = [f"{header}.h" for header in HEADERS] + CPP_HEADERS
+    write("headers.hpp", "\n".join(f"#if __has_include(<{header}>)\n#include <{header}>\n#endif"
+                                   for header in headers))
+    standards = ("c++17", "gnu++17", "gnu++20") if THOROUGH else ("gnu++20",)
+    for prefix in "", "arm-none-eabi-":
+        if not shutil.which(f"{prefix}gcc"):
+            continue
+        for folder in "named", "baked":
+            shutil.rmtree(folder, ignore_errors=True)
+        spellings, folders, taken = Counter(), {}, names_of(f"{prefix}gcc")
+        hold(len(taken) > 500, "few names")
+        for name in taken:
+            spellings[name.lower()] += 1  # one call takes one of those that differ in case alone
+            folder = Path("named", str(spellings[name.lower()]))
+            folder.mkdir(parents=True, exist_ok=True)
+            folders.setdefault(folder, []).append(
+                write(folder / f"{name}.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"))
+        for meshes in folders.values():
+            flashbvh("bake", *meshes, "-o", "baked", "--format", "cpp", "--cell", 1)
+        write("meshes.hpp", "\n".join(f'#include "{file.name}"' for file in sorted(Path("baked").glob("*.hpp"))))
+        write("both.cpp", '#include "headers.hpp"\n#include "meshes.hpp"\n#include "headers.hpp"')
+        for standard in standards:
+            compiles(f"{prefix}g++", f"-std={standard}", "-I.")
+            if not prefix and shutil.which("clang++"):
+                compiles("clang++", f"-std={standard}", "-I.")
+        write("both.cpp", '#include "meshes.hpp"\n#include "headers.hpp"')
+        compiles(f"{prefix}g++", "-std=gnu++17", "-I.")
+
+    # Other names stay as they are, and a name that is taken is not accepted.
+    Path("free").mkdir()
+    for name in FREE:
+        shutil.copy("meshes/tetrahedron.stl", f"free/{name}.stl")
+    flashbvh("bake", *(f"free/{name}.stl" for name in FREE), "-o", "freely", "--format", "cpp")
+    for name in FREE:
+        hold(f"\nnamespace {name} {{" in Path(f"freely/{name}.fbvh.hpp").read_text(), f"{name} is called otherwise")
+    refused("--name abs: is a name that C or C++ takes; use another, such as abs_", "bake", "meshes/ring.stl", "-o",
+            "out", "--name", "abs")
+    flashbvh("bake", "meshes/ring.stl", "-o", "images", "--name", "abs_")
+
+
+def bench_refused(what, *arguments):
+    """As bench_refused(), but that tables may have been printed."""
+    warnings = flashbvh("bench", *arguments, code=2).warnings
+    hold(warnings.count("\n") == 1, f"not one line: {warnings}")
+    hold(what in warnings, f"no '{what}' in: {warnings}")
+
+
+def bench():
+    """Its tables, and the iterations that it adds up."""
+    said = flashbvh("bench", "--table", 3, "--table", 7, *QUICK)
+    said.holds("^### Table 3: Separation$", "^### Table 7", "^### The default tree$", "^### Time of one query",
+               r"^\| total of the intersecting  *\| *0 \|",
+               r"^\| total  *\| *96 \| *7410 \| *34886 \| *96 \| *96 \|",
+               r"^\| total  *\| *7410 \| *22 \| *22 \|")
+    hold("### Table 2" not in said, "table 2 was not requested")
+    for row in ("volume-stack", "alternating-stack", "stackless", "stackless-post", "leaf", "ranked", "ranked-stack",
+                "best rule", "ranked, default tree", "best rule, default tree"):
+        hold(len(re.findall(rf"^\| {row}  *\|", said, re.M)) == 4, f"not four rows of {row}")
+    hold(len(re.findall("^table", said.warnings, re.M)) == 4, f"progress: {said.warnings}")
+
+    if THOROUGH:  # the paper's 20 setups: lib/docs/evaluation.md
+        flashbvh("bench", "--repetitions-scale", "1e-9", "--rounds", 1).holds(
+            r"^\| total  *\| *553230 \| *625382 \| *4108174 \| *544790 \| *- \|",
+            r"^\| total where the best rule is known  *\| *83495 \| *98747 \| *171164 \| *80525 \| *65979 \|",
+            r"^\| total of the intersecting  *\| *588360 \| *315471 \| *291658 \|",
+            r"^\| total  *\| *625382 \| *329182 \| *303831 \|")
+
+    bench_refused("--table", "--table", 1)
+    bench_refused("--table", "--table", 9)
+    for option, value in (("--rounds", 0), ("--repetitions-scale", 0), ("--repetitions-scale", "nan")):
+        bench_refused(option, "--table", 3, option, value)
+    flashbvh("bench", "--help").holds("Usage")
+
+
+def setups_in(file, table, first):
+    """How many rows of a table of C++ begin so."""
+    found = re.findall(rf"{table}.*?^    \{{\}}\}}", Path(file).read_text(), re.M | re.S)
+    return sum(len(re.findall(rf"^    {first}", text, re.M)) for text in found)
+
+
+def bench_firmware():
+    """`bench --firmware`: the same files each time."""
+    def writes(folder, setups, left_out, *options):
+        """So many setups in all images, and so many left out, listed in the first."""
+        flashbvh("bench", "--firmware", folder, *options)
+        images = sorted(Path(folder).glob("setups_*.cpp"))
+        found = sum(setups_in(image, "kSetups", r"\{\{") for image in images)
+        hold(found == setups, f"{found} setups, not {setups}, in {folder}")
+        found = [setups_in(image, "kLeftOut", r"\{[0-9]") for image in images]
+        hold(found == [left_out] + [0] * (len(images) - 1), f"{found} setups left out, not {left_out}, of {folder}")
+        # Every tree is there that a table includes.
+        for image in images:
+            for tree in re.findall(r'^#include "(.*fbvh)\.cpp"$', image.read_text(), re.M):
+                for file in Path(folder, f"{tree}.cpp"), Path(folder, f"{tree}.hpp"):
+                    hold(file.exists() and file.stat().st_size, f"{image}: no {file}")
+        return len(images)
+
+    writes("all", 16, 4)  # all but subdivisions 3 and 4, which take 32-bit trees
+    writes("again", 16, 4)
+    hold({file.name for file in Path("all").iterdir()} == {file.name for file in Path("again").iterdir()},
+         "other files the second time")
+    for file in Path("all").iterdir():
+        same(file, Path("again", file.name))
+    hold(writes("small", 14, 6, "--images", 3, "--max-bytes", 200000) == 3, "not three images")
+    hold(writes("one", 10, 10, "--max-bytes", 200000) == 1, "two images, not one")
+    writes("none", 0, 20, "--max-bytes", 80000)  # the smallest object takes 81 KB
+
+    bench_refused("--max-bytes", "--max-bytes", 80000)
+    for option, value in ("--images", 0), ("--max-bytes", 0), ("--table", 2):
+        bench_refused(option, "--firmware", "refused", option, value)
+    Path("file").touch()
+    bench_refused("file", "--firmware", "file")
+    hold(not Path("refused").exists(), "something written")

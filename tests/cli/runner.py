@@ -6,7 +6,8 @@ tests' own programs; WORK; INCLUDE; CC, CXX and NM. With FLASHBVH_THOROUGH all i
 is made of these lines:
 
     == TITLE                    begins a case; (long): runs with --long; (thorough): with FLASHBVH_THOROUGH
-    fixture NAME                begins one that is run once; its folder is copied into each case that says `use NAME`
+    fixture NAME                begins one that is run once; its folder is copied into each case that says `use NAME`;
+                                said before a table's first case, into all of them
     each NAME | NAME            a case for each of the rows below, with these names; a row that begins in
                                 `thorough: ` counts with FLASHBVH_THOROUGH
     for NAME | NAME ... end     the lines up to `end` for each of the rows below; - is an empty cell. Of one name: also
@@ -45,17 +46,14 @@ from pathlib import Path
 
 import bakes
 import checks
-import evaluation
 import meshes
-import names
-import outputs
 import pages
 import queries
 from checks import THOROUGH, Failed, flashbvh, hold
 
 HERE = Path(__file__).resolve().parent
 WORK = Path(os.environ["WORK"]).resolve()
-MODULES = {module.__name__: module for module in (bakes, evaluation, meshes, names, outputs, pages, queries, zipfile)}
+MODULES = {module.__name__: module for module in (bakes, meshes, pages, queries, zipfile)}
 TAKES_BLOCK = re.compile(r"(file|each|for) (?!.*: )|refuse .*\.\.\.|(no )?\S+[:~]$")
 
 
@@ -109,7 +107,7 @@ def steps_of(table):
 
 
 def read_cases(table):
-    cases, rows = [], None
+    cases, rows, first = [], None, []
     for number, text, block in list(steps_of(table)):
         while block and not block[-1]:
             block.pop()
@@ -119,11 +117,11 @@ def read_cases(table):
         elif word == "each":
             cases[-1].rows = list(rows_of(rest, block))
         else:
-            cases[-1].steps.append((number, text, block))
+            (cases[-1].steps if cases else first).append((number, text, block))
     for case in cases:
         for row in getattr(case, "rows", [{}]):
             rows = Case(case.title, case.table, row, case.fixture)
-            rows.steps = case.steps
+            rows.steps = case.steps if case.fixture else first + case.steps
             yield rows
 
 

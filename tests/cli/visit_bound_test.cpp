@@ -1,17 +1,12 @@
 // The bound on visits against walks that find all boxes overlapping, on trees of every shape.
-#include "evaluate/needed_work.hpp"
-
-#include <catch2/catch.hpp>
-
+#include "evaluate/visit_bound.hpp"
 #include "bake/baked_tree.hpp"
 #include "reference/traversals.hpp"
-#include "support/random.hpp"
 #include "support/shapes.hpp"
+#include "support/test.hpp"
 #include "support/walk.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -43,10 +38,7 @@ Visited walk_all(const Tree& a, const Tree& b) {
 }  // namespace
 
 TEST_CASE("ranked visits exactly its bound when all boxes overlap") {
-  const std::uint64_t seed = test_seed();
-  CAPTURE(seed);
-  Random random(seed);
-  for (int round = 0; round < rounds(600, 2000); ++round) {
+  for_rounds(rounds(600, 2000), [&](Random& random, int) {
     const Post baked_a = any_baked(random);
     const Post baked_b = any_baked(random);
     const MeshWithLevels a = baked_a.view();
@@ -59,5 +51,5 @@ TEST_CASE("ranked visits exactly its bound when all boxes overlap") {
     REQUIRE(ranked.visits <= of_any.visits);
     REQUIRE(walk_all<Leaf<Mesh>, Mesh>(a, b).visits <= of_any.visits);
     REQUIRE(walk_all<StacklessPost, MeshWithLevels>(a, b).visits <= of_any.visits);
-  }
+  });
 }

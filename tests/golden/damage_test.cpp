@@ -1,16 +1,9 @@
 // Every damage that one bit or a lost end can do to golden images: refused; and if the checksum is
 // made to match, refused or harmless.
-#include <catch2/catch.hpp>
-
-#include <cstring>
-#include <vector>
-
 #include "flashbvh/image.hpp"
 #include "golden/exercise.hpp"
 #include "golden/golden.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 namespace {
 

@@ -1,15 +1,8 @@
 // Golden images: what was baked once is baked again to the byte, opens, and answers as it did, on
 // the host and on every core.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cstring>
-
-#include "flashbvh/image.hpp"
 #include "golden/golden.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "flashbvh/image.hpp"
+#include "support/test.hpp"
 
 namespace {
 

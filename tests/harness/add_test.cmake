@@ -79,8 +79,8 @@ function(flashbvh_add_test name)
   if(CMAKE_CROSSCOMPILING AND arg_ICOUNT)
     # Catch2 takes an executable that crashes for one without tests.
     add_custom_command(TARGET ${name} POST_BUILD VERBATIM
-      COMMAND ${CMAKE_COMMAND} -P ${FLASHBVH_CHECK_TEST_LIST} --
-        ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${name}>)
+      COMMAND ${CMAKE_COMMAND} "-DCOMMAND=${CMAKE_CROSSCOMPILING_EMULATOR};$<TARGET_FILE:${name}>"
+        -P ${FLASHBVH_CHECK_TEST_LIST})
     catch_discover_tests(${name} TEST_PREFIX "${FLASHBVH_TEST_PREFIX}/" PROPERTIES ${properties})
     return()
   endif()

@@ -44,27 +44,21 @@ void operator delete[](void* block, std::size_t) noexcept {
 
 namespace std {
 
-void __throw_bad_alloc() {
-  end_with("bad_alloc");
-}
-void __throw_bad_array_new_length() {
-  end_with("bad_array_new_length");
-}
-void __throw_bad_function_call() {
-  end_with("bad_function_call");
-}
-void __throw_length_error(const char* what) {
-  end_with(what);
-}
-void __throw_logic_error(const char* what) {
-  end_with(what);
-}
-void __throw_out_of_range(const char* what) {
-  end_with(what);
-}
-void __throw_out_of_range_fmt(const char* what, ...) {
-  end_with(what);
-}
+#define FLASHBVH_THROWS(name) \
+  void __throw_##name() {     \
+    end_with(#name);          \
+  }
+#define FLASHBVH_THROWS_WHAT(name, ...)                  \
+  void __throw_##name(const char* what, ##__VA_ARGS__) { \
+    end_with(what);                                      \
+  }
+FLASHBVH_THROWS(bad_alloc)
+FLASHBVH_THROWS(bad_array_new_length)
+FLASHBVH_THROWS(bad_function_call)
+FLASHBVH_THROWS_WHAT(length_error)
+FLASHBVH_THROWS_WHAT(logic_error)
+FLASHBVH_THROWS_WHAT(out_of_range)
+FLASHBVH_THROWS_WHAT(out_of_range_fmt, ...)
 
 // The header declares it to be elsewhere.
 template class basic_string<char>;

@@ -1,19 +1,14 @@
 // Images: what is written opens, and whatever breaks a rule of the format is refused.
-#include <catch2/catch.hpp>
-
-#include <cstring>
 #include <functional>
-#include <limits>
 
 #include "bake/image_bytes.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "heap_guard.hpp"
 #include "support/shapes.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -120,8 +115,7 @@ Image with_more(std::uint32_t ImageHeader::*count) {
 }  // namespace
 
 TEST_CASE("an image opens in place as the tree that was baked") {
-  Random random = test_random();
-  for (int round = 0; round < 100; ++round) {
+  for_rounds(100, [&](Random& random, int round) {
     const auto baked = baked_shape<kPost>(random, 1 + random.below(30));
     const bool levels = round % 2 == 0;
     Image image{image_of(baked, levels)};
@@ -144,7 +138,7 @@ TEST_CASE("an image opens in place as the tree that was baked") {
     REQUIRE(tree.is_closed == baked.is_closed);
     REQUIRE(Image{image_of(baked_shape<kPre>(random, 5))}.open<PreMeshWithLevels>() ==
             Status::done);
-  }
+  });
 }
 
 TEST_CASE("wide images open as wide trees") {

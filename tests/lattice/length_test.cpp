@@ -1,21 +1,13 @@
 // Lengths in the mesh's unit: exact products, rounded once.
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <cstring>
-#include <limits>
-
 #include "bake/baked_tree.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/float.hpp"
 #include "flashbvh/query.hpp"
-#include "support/random.hpp"
 #include "support/rotations.hpp"
+#include "support/test.hpp"
 #include "support/torus.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -40,15 +32,14 @@ std::int64_t any_fine(Random& random) {
 }  // namespace
 
 TEST_CASE("lengths: a product that a double holds is rounded to a float once, however small") {
-  Random random = test_random();
-  for (int round = 0; round < 20000; ++round) {
+  for_rounds(20000, [&](Random& random, int) {
     // 14 digits and 39.
     const double cell =
         std::ldexp(random.between(1 << 13, (1 << 14) - 1), random.between(-190, 80));
     const std::int64_t fine = any_fine(random);
     const double exact = static_cast<double>(fine) * cell / 256;
     REQUIRE(length_of(fine, cell) == static_cast<float>(exact));
-  }
+  });
 }
 
 TEST_CASE("lengths: the ends of the range") {
@@ -89,8 +80,7 @@ TEST_CASE("lengths: cells of powers of two have whole numbers of millionths, or 
 #if defined(__SIZEOF_INT128__)
 TEST_CASE("lengths: cells of 53 digits, against integers of 128 bits") {
   __extension__ using Wide = unsigned __int128;
-  Random random = test_random();
-  for (int round = 0; round < 100000; ++round) {
+  for_rounds(100000, [&](Random& random, int) {
     const std::uint64_t digits = std::uint64_t{1} << 52 |
                                  std::uint64_t{random.below(1u << 20)} << 32 |
                                  random.below(UINT32_MAX);
@@ -122,7 +112,7 @@ TEST_CASE("lengths: cells of 53 digits, against integers of 128 bits") {
     const Wide inverse = Wide{1} << (52 + 25);
     REQUIRE(Wide{2 * tens - 1} * digits <= inverse);
     REQUIRE(Wide{2 * tens + 1} * digits >= inverse);
-  }
+  });
 }
 #endif
 

@@ -1,16 +1,13 @@
 // The check of a tree's contents against the trees themselves: of all arrays that differ from a
 // tree's in up to four places, exactly those that are a tree's pass. Arrays lie in heap blocks of
 // their size, so the address sanitizer sees any other read of the check.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
 #include <set>
 
 #include "bake/baked_tree.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
 
 namespace {

@@ -1,19 +1,10 @@
 // Binary files: their numbers as they are, of each type and in both orders of bytes.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <limits>
-#include <vector>
 
 #include "mesh/any_format.hpp"
-#include "support/random.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
-using namespace flashbvh::test;
 using tool::FileMesh;
 using tool::Position;
 

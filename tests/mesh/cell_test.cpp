@@ -1,12 +1,7 @@
 // The finest cell: the mesh fits it, and no more than rounding takes is left of the lattice.
-#include <catch2/catch.hpp>
-
 #include "bake/quantise.hpp"
 #include "flashbvh/image.hpp"
-#include "support/random.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 namespace {
 

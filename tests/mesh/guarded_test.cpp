@@ -1,18 +1,13 @@
 // A reader in a process of its own: whatever it does, the caller gets a mesh or a message.
-#include "mesh/guarded_import.hpp"
-
-#include <catch2/catch.hpp>
-
 #include <unistd.h>
-
 #include <csignal>
 #include <stdexcept>
-#include <vector>
 
 #include "mesh/any_format.hpp"
+#include "mesh/guarded_import.hpp"
+#include "mesh/mesh_bytes.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
-using namespace flashbvh::test;
 using tool::FileMesh;
 
 namespace {

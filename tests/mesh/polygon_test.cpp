@@ -1,16 +1,9 @@
 // Polygons cut into triangles: the same ones as by the rule itself, applied to every corner each
 // time.
 #include "mesh/polygon.hpp"
+#include "mesh/corner_tree.hpp"
+#include "support/test.hpp"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
-
-#include "support/random.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
 using tool::Corner2;
 using Corner3 = std::array<double, 3>;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;

@@ -1,12 +1,7 @@
 // Contacts against exact rationals, on the host.
 #include "flashbvh/contact.hpp"
-
-#include <stdint.h>
-
-#include <catch2/catch.hpp>
-
-#include "support/oracles/contact.hpp"
-#include "support/random.hpp"
+#include "support/contact_oracle.hpp"
+#include "support/test.hpp"
 #include "support/triangle_pairs.hpp"
 
 namespace flashbvh::test {

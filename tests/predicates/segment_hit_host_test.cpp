@@ -1,14 +1,9 @@
 // A segment and a triangle against exact rationals: all kinds, at all sizes.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-
 #include "predicates/segment_hit.hpp"
 #include "support/oracles/rational.hpp"
 #include "support/points.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/rational_oracles.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -111,11 +106,10 @@ bool meets_box(const Segment& segment, const mpq_class& end, const Box& box) {
 }  // namespace
 
 TEST_CASE("a segment meets exactly the boxes that it has a point of, and no part of it is lost") {
-  Random random = test_random();
   std::uint32_t met = 0;
   std::uint32_t missed = 0;
   std::uint32_t behind = 0;
-  for (int round = 0; round < 20'000; ++round) {
+  for_rounds(20'000, [&](Random& random, int round) {
     const std::int32_t reach = round % 2 == 0 ? 4 : 40;
     const Segment segment = {any_point(random, reach), any_point(random, reach)};
     const Point near = any_point(random, 4);  // to the segment's middle
@@ -138,30 +132,28 @@ TEST_CASE("a segment meets exactly the boxes that it has a point of, and no part
     boxes.shorten({above, below});
     const bool in_part = meets_box(segment, rational({above, below}), box);
     REQUIRE((boxes.may_meet(pack(box)) || !in_part));
-    behind += meets && !boxes.may_meet(pack(box)) ? 1 : 0;
-  }
+    behind += meets && !boxes.may_meet(detail::pack(box)) ? 1 : 0;
+  });
   CAPTURE(met, missed, behind);
   CHECK((met > 2'000 && missed > 5'000 && behind > 500));
 }
 
 TEST_CASE("a segment first meets a triangle where exact rationals say") {
-  Random random = test_random();
   Seen seen;
   // On few cells everything coincides.
   const auto tries = rounds(8000u, 40'000u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
+  for_rounds(tries, [&](Random& random, std::uint32_t) {
     const std::int32_t reach = 1 + static_cast<std::int32_t>(random.below(3));
     const Triangle t = any_triangle(random, reach);
     check_segment({any_point(random, reach), any_point(random, reach)}, t, seen);
-  }
+  });
   CHECK((seen.hits > tries / 8 && seen.misses > tries / 4 && seen.in_plane > tries / 40));
 }
 
 TEST_CASE("a segment meets corners and edges of large triangles, from far off") {
-  Random random = test_random();
   Seen seen;
   const auto tries = rounds(1000u, 6'000u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
+  for_rounds(tries, [&](Random& random, std::uint32_t round) {
     const auto reach = static_cast<std::int32_t>(1 + random.below(kMaxCoordinate));
     const Triangle t = any_triangle(random, reach);
     const Point from = any_point(random, round % 2 == 0 ? reach : kMaxRayCoordinate / 2 - 40'000);
@@ -183,7 +175,7 @@ TEST_CASE("a segment meets corners and edges of large triangles, from far off") 
     check_segment({from, to}, {{u, point_between(u, v, -1), v}}, seen);
     check_segment({point_between(u, v, -1), v}, {{u, v, v}}, seen);
     check_segment({from, u}, {{u, u, u}}, seen);
-  }
+  });
   CHECK(
       (seen.hits > 10 * tries / 3 && seen.misses > 5 * tries / 6 && seen.in_plane > 5 * tries / 3));
 }

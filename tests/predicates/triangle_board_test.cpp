@@ -121,10 +121,7 @@ constexpr Case kDegenerate[] = {
     {"segments cross between their corners", true, kSegment, {{{1, 5, 3}, {5, 1, 3}, {1, 5, 3}}}},
     {"segments touch in a T", true, kSegment, {{{4, 4, 4}, {5, 2, 9}, {6, 0, 14}}}},
     {"segments in one plane, disjoint", false, kSegment, {{{4, 3, 3}, {8, 3, 3}, {6, 3, 3}}}},
-    {"skew segments with all projections crossing",
-     false,
-     kSegment,
-     {{{0, 8, 5}, {4, 4, 5}, {8, 0, 5}}}},
+    {"skew, all projections cross", false, kSegment, {{{0, 8, 5}, {4, 4, 5}, {8, 0, 5}}}},
     {"segment pierces face", true, kFloor, {{{2, 2, -4}, {2, 2, 4}, {2, 2, 2}}}},
     {"segment through an edge", true, kFloor, {{{4, 4, -4}, {4, 4, 4}, {4, 4, 2}}}},
     {"segment through a vertex", true, kFloor, {{{8, 0, -4}, {8, 0, 4}, {8, 0, 4}}}},
@@ -135,10 +132,7 @@ constexpr Case kDegenerate[] = {
     {"segment across face in its plane", true, kFloor, {{{-1, 2, 0}, {9, 2, 0}, {3, 2, 0}}}},
     {"segment touches a vertex in its plane", true, kFloor, {{{7, -1, 0}, {8, 0, 0}, {9, 1, 0}}}},
     {"segment in the plane, disjoint", false, kFloor, {{{9, 0, 0}, {0, 9, 0}, {4, 5, 0}}}},
-    {"segment on the line of an edge, disjoint",
-     false,
-     kFloor,
-     {{{9, 0, 0}, {12, 0, 0}, {10, 0, 0}}}},
+    {"on the line of an edge, disjoint", false, kFloor, {{{9, 0, 0}, {12, 0, 0}, {10, 0, 0}}}},
 };
 
 template <size_t kCount>

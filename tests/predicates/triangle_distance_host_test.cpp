@@ -1,17 +1,14 @@
 // Distances of triangles against exact rationals.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
 #include <set>
 
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "support/oracles/rational.hpp"
 #include "support/points.hpp"
+#include "support/rational_oracles.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -199,14 +196,12 @@ void adapt(Random& random, unsigned kind, Triangle& a, Triangle& b) {
 }  // namespace
 
 TEST_CASE("distances of triangles are those of exact rationals") {
-  Random random = test_random();
   std::set<FeatureKind> seen;
   Separations separations;
   const std::int32_t reaches[] = {1, 3, 30, 1000, 4000, 16000, 30000};
   const std::int32_t offsets[] = {0, 2, 50, 1500, 8000, 30000, 60000};
   const auto tries = rounds(800u, 4000u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
-    CAPTURE(round);
+  for_rounds(tries, [&](Random& random, std::uint32_t) {
     const std::int32_t reach = reaches[random.below(7)];
     const std::int32_t offset = offsets[random.below(7)];
     Triangle a = any_triangle(random, reach);
@@ -214,7 +209,7 @@ TEST_CASE("distances of triangles are those of exact rationals") {
     adapt(random, random.below(12), a, b);
     b = shifted(b, any_point(random, offset));
     check(a, b, seen, separations);
-  }
+  });
   CHECK(seen.size() == 7);
   CHECK(separations.directions > tries / 4);
   CHECK(separations.planes > 3 * tries / 40);

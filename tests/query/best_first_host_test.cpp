@@ -1,19 +1,15 @@
 // The fixed order against the best one: a search with a heap that visits pairs of boxes nearest
 // first, by the same bounds. It visits nothing that is farther than the answer.
-#include <catch2/catch.hpp>
-
 #include <queue>
-#include <vector>
 
 #include "bake/build_tree.hpp"
 #include "flashbvh/clearance.hpp"
 #include "support/record.hpp"
 #include "support/rotations.hpp"
+#include "support/test.hpp"
 #include "support/torus.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 

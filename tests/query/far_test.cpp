@@ -1,16 +1,9 @@
 // Meshes that are farther apart than distances are computed: what queries report of them holds.
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <vector>
-
 #include "flashbvh/clearance.hpp"
 #include "support/all_distances.hpp"
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 namespace {
 
@@ -73,9 +66,7 @@ TEST_CASE("of two hollow boxes of the largest size, half their size apart, both 
 
 TEST_CASE(
     "beyond the range bounds hold: of meshes twice as large, against brute force over halves") {
-  Random random = test_random();
-  for (int round = 0; round < rounds(60, 300); ++round) {
-    CAPTURE(round);
+  for_rounds(rounds(60, 300), [&](Random& random, int round) {
     const bake::LatticeMesh half_a = random_mesh(random, 12, 6000, 2000);
     const bake::LatticeMesh half_b = random_mesh(random, 12, 6000, 2000);
     AnyMesh small_a = any_mesh(random, half_a);
@@ -112,7 +103,7 @@ TEST_CASE(
       REQUIRE((known.upper == UINT32_MAX || known.upper / 256.0 >= truth - rounded));
     }
     check_bounds(cut.result(), truth, rounded);
-  }
+  });
 }
 
 TEST_CASE("beyond the range the meshes' own origins count") {

@@ -1,19 +1,11 @@
-// The exact test as queries call it, on triangles that a walk brought together.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cstdint>
-#include <cstdlib>
-
+// The exact test as queries call it, of triangles that a walk brought together.
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/query/leaf_triangles.hpp"
-#include "support/random.hpp"
 #include "support/rotations.hpp"
+#include "support/test.hpp"
 #include "support/triangle_pairs.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -32,12 +24,10 @@ bool is_narrow(const Triangle& t) {
 }  // namespace
 
 TEST_CASE("narrow triangles intersect where triangles do") {
-  Random random = test_random(8);
   std::uint32_t tested = 0;
   std::uint32_t intersect = 0;
   const auto tries = rounds(12000u, 60000u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
-    CAPTURE(round);
+  for_rounds(tries, 8, [&](Random& random, std::uint32_t) {
     const TransformedPair pair = any_pair(random);
     const bool expected = triangles_intersect(pair.a, pair.b);
     REQUIRE(wide_triangles_intersect(pair.a, pair.b) == expected);
@@ -48,17 +38,15 @@ TEST_CASE("narrow triangles intersect where triangles do") {
       ++tested;
       intersect += expected ? 1 : 0;
     }
-  }
+  });
   CHECK(tested > tries / 3);
   CHECK(intersect > tries / 12);
 }
 
 TEST_CASE("a box and a triangle overlap where their bounds do") {
-  Random random = test_random(9);
   std::uint32_t overlapping = 0;
   const auto tries = rounds(12000u, 60000u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
-    CAPTURE(round);
+  for_rounds(tries, 9, [&](Random& random, std::uint32_t round) {
     const int size = round % 3 == 0 ? 3 : round % 3 == 1 ? 300 : kMaxCoordinate;
     const auto at = [&] { return static_cast<std::int16_t>(random.between(-size, size)); };
     Box box;
@@ -82,7 +70,7 @@ TEST_CASE("a box and a triangle overlap where their bounds do") {
     }
     REQUIRE(box_overlaps(pack(box), t) == expected);
     overlapping += expected ? 1 : 0;
-  }
+  });
   CHECK(overlapping > tries / 12);
   CHECK(overlapping < tries - tries / 12);
 }
@@ -133,11 +121,9 @@ TEST_CASE("triangles of two leaves tested at once intersect where triangles do")
   if (!has_avx2()) {
     return;
   }
-  Random random = test_random(10);
   std::uint32_t intersect = 0;
   const auto tries = rounds(12000u, 200000u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
-    CAPTURE(round);
+  for_rounds(tries, 10, [&](Random& random, std::uint32_t) {
     const TransformedPair first = narrow_pair(random);
     const TransformedPair second = random.below(2) == 0 ? first : narrow_pair(random);
     const Triangle a[2] = {first.a, second.b};
@@ -157,7 +143,7 @@ TEST_CASE("triangles of two leaves tested at once intersect where triangles do")
         REQUIRE(intersecting_pairs(lanes_a, in_a, lanes_b, in_b) == expected);
       }
     }
-  }
+  });
   CHECK(intersect > tries);
 }
 
@@ -165,14 +151,12 @@ TEST_CASE("corners of a rotated leaf are where the transform puts them") {
   if (!has_avx2()) {
     return;
   }
-  Random random = test_random(11);
   const PackedBox all = pack({{-kMaxCoordinate, -kMaxCoordinate, -kMaxCoordinate},
                               {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate}});
-  for (int round = 0; round < rounds(3000, 100000); ++round) {
-    CAPTURE(round);
+  for_rounds(rounds(3000, 100000), 11, [&](Random& random, int round) {
     const Pose pose = any_rigid_pose(random, round % 2 == 0 ? 40000 : kMaxTranslation);
     if (pose.is_translation()) {
-      continue;
+      return;
     }
     const std::int32_t origin[3] = {0, 0, 0};
     RotatedTransform transform{};
@@ -199,7 +183,7 @@ TEST_CASE("corners of a rotated leaf are where the transform puts them") {
       REQUIRE(made.y[i] == expected.y);
       REQUIRE(made.z[i] == expected.z);
     }
-  }
+  });
 }
 
 #endif

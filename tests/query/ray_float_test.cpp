@@ -1,16 +1,6 @@
 // Rays of floats: where their ends are, in double precision, and what is no ray.
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <cstdint>
-#include <initializer_list>
-#include <limits>
-
 #include "flashbvh/float.hpp"
-#include "support/random.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 namespace {
 
@@ -21,8 +11,7 @@ float any_float(Random& random, float reach) {
 }  // namespace
 
 TEST_CASE("a ray of floats ends within half a cell of where it should") {
-  Random random = test_random();
-  for (int round = 0; round < 3000; ++round) {
+  for_rounds(3000, [&](Random& random, int round) {
     const float scale = std::ldexp(1.0f, random.between(-120, 120));
     const float cells = 1 + any_float(random, 0.5f);
     const float origin[3] = {any_float(random, 1e5f), any_float(random, 1e5f),
@@ -37,7 +26,7 @@ TEST_CASE("a ray of floats ends within half a cell of where it should") {
     const double length = std::sqrt(x * x + y * y + z * z);
     if (length == 0) {
       REQUIRE(made.status == Status::ray_out_of_range);
-      continue;
+      return;
     }
     CAPTURE(origin[0], origin[1], origin[2], x, y, z, reach, cells);
     REQUIRE(made.status == Status::done);
@@ -50,7 +39,7 @@ TEST_CASE("a ray of floats ends within half a cell of where it should") {
       REQUIRE(std::fabs(from[i] - start) <= 0.50001);
       REQUIRE(std::fabs(to[i] - (start + static_cast<double>(reach) * scaling * way[i])) <= 0.51);
     }
-  }
+  });
 }
 
 TEST_CASE("axes and lengths are exact, whatever the direction's length") {

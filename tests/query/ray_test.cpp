@@ -1,21 +1,13 @@
 // Rays through meshes: against all triangles one by one, against winding numbers, and at the edges
 // and corners of closed meshes.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
 #include "query/aimed_rays.hpp"
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
 #include "support/points.hpp"
+#include "support/test.hpp"
 #include "support/torus.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -102,9 +94,7 @@ long truth_of(const Mesh& mesh, const Point& p, bool& on_surface) {
 }  // namespace
 
 TEST_CASE("a ray hits what it hits of each triangle") {
-  Random random = test_random();
-  for (int round = 0; round < 400 / kShare; ++round) {
-    CAPTURE(round);
+  for_rounds(400 / kShare, [&](Random& random, int) {
     bake::LatticeMesh lattice = random_mesh(random, 1 + random.below(40), 12, 9);
     for (std::int32_t& origin : lattice.origin) {
       origin = random.between(-(1 << 29), 1 << 29);
@@ -116,14 +106,12 @@ TEST_CASE("a ray hits what it hits of each triangle") {
       const Point to = moved(any_point(random, i % 4 == 0 ? 100'000 : 25), mesh.origin);
       check_ray(random, mesh, {from, to});
     }
-  }
+  });
 }
 
 TEST_CASE("of several hits in one place that of the least triangle id is reported") {
-  Random random = test_random();
   std::uint32_t shared = 0;
-  for (int round = 0; round < 200 / kShare; ++round) {
-    CAPTURE(round);
+  for_rounds(200 / kShare, [&](Random& random, int) {
     const AnyMesh any = any_mesh(random, boxes(random));
     const Mesh mesh = any.view<Mesh>();
     for (int i = 0; i < 30; ++i) {
@@ -143,15 +131,13 @@ TEST_CASE("of several hits in one place that of the least triangle id is reporte
                 : 0;
       }
     }
-  }
+  });
   CHECK(shared > 5000 / kShare);
 }
 
 TEST_CASE("signed crossings are winding numbers' differences, through edges and corners too") {
-  Random random = test_random();
   std::uint32_t changes = 0;
-  for (int round = 0; round < 200 / kShare; ++round) {
-    CAPTURE(round);
+  for_rounds(200 / kShare, [&](Random& random, int) {
     bake::LatticeMesh lattice = boxes(random);
     for (Vertex& v : lattice.vertices) {  // so that it has middles
       v = {static_cast<std::int16_t>(2 * v.x), static_cast<std::int16_t>(2 * v.y),
@@ -184,18 +170,15 @@ TEST_CASE("signed crossings are winding numbers' differences, through edges and 
               0);
       REQUIRE(signed_crossings(mesh, {segment.to, segment.from}).outwards == -found.outwards);
     }
-  }
+  });
   CHECK(changes > 1000 / kShare);
 }
 
 TEST_CASE("no ray is lost at an edge or a corner of a closed mesh") {
-  Random random = test_random();
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
   const AnyMesh any(bake::build_default(lattice), lattice);
   const AimedRays rays(any.view<Mesh>());
-  for (int round = 0; round < 3000 / kShare; ++round) {
-    REQUIRE(rays.is_right(random));
-  }
+  for_rounds(3000 / kShare, [&](Random& random, int) { REQUIRE(rays.is_right(random)); });
 }
 
 TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") {
@@ -222,8 +205,7 @@ TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") 
 }
 
 TEST_CASE("where a hit is, and how far off") {
-  Random random = test_random();
-  for (int round = 0; round < 2000 / kShare; ++round) {
+  for_rounds(2000 / kShare, [&](Random& random, int round) {
     const Point from = any_point(random, round % 2 == 0 ? 500 : kMaxRayCoordinate);
     const Point to = any_point(random, round % 3 == 0 ? 500 : kMaxRayCoordinate);
     const std::int64_t below = 1 + random.below(1u << 30) * (std::int64_t{1} << random.below(23));
@@ -238,7 +220,7 @@ TEST_CASE("where a hit is, and how far off") {
     const double way[3] = {1.0 * to.x - from.x, 1.0 * to.y - from.y, 1.0 * to.z - from.z};
     const double wanted = 256 * share * length_of(way);
     REQUIRE(std::fabs(distance_along({from, to}, {above, below}) - wanted) <= 3);
-  }
+  });
   const Segment along_x = {{-100, 5, 7}, {100, 5, 7}};
   CHECK(point_along(along_x, {1, 2}).x == 0);
   CHECK(distance_along(along_x, {1, 2}) == 100 * 256);

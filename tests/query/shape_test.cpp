@@ -1,18 +1,12 @@
 // Shapes made at run time are meshes like any other: against the same ones baked, and formulas.
-#include <catch2/catch.hpp>
-
-#include <cmath>
-
+#include "flashbvh/shape.hpp"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/ray.hpp"
-#include "flashbvh/shape.hpp"
 #include "flashbvh/solid.hpp"
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
 #include "support/points.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 namespace {
 
@@ -49,10 +43,8 @@ void compare(const Mesh& mesh, const Mesh& shape, const Pose& pose) {
 
 }  // namespace
 
-TEST_CASE("queries take shapes like the same triangles, baked") {
-  Random random = test_random();
-  for (int round = 0; round < 60; ++round) {
-    CAPTURE(round);
+TEST_CASE("shapes are queried like the same triangles, baked") {
+  for_rounds(60, [&](Random& random, int) {
     const AnyMesh any = any_mesh(random, random_mesh(random, 1 + random.below(30), 200, 60));
     const Mesh mesh = any.view<Mesh>();
     const Pose pose = any_pose(random, 150);
@@ -74,7 +66,7 @@ TEST_CASE("queries take shapes like the same triangles, baked") {
     if (inside(box.mesh(), middle).side == PointSide::inside) {
       CHECK(signed_crossings(box.mesh(), {middle, {upper.x + 1, p.y, p.z}}).outwards == 1);
     }
-  }
+  });
 }
 
 TEST_CASE("a sphere and a capsule are a point and a segment with a radius") {

@@ -1,14 +1,10 @@
 // Inside and outside: winding numbers against solid angles, and bodies against both.
-#include <catch2/catch.hpp>
-
 #include "flashbvh/solid.hpp"
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
+#include "support/test.hpp"
 #include "support/torus.hpp"
 #include "support/transformed_vertex.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -43,11 +39,9 @@ Mesh closed(const AnyMesh& mesh) {
 
 TEST_CASE(
     "a point's side is decided by its winding number, wherever edges and corners lie above it") {
-  Random random = test_random();
   std::uint32_t seen[3] = {0, 0, 0};
   const std::uint32_t tries = kShare > 1 ? 2 : rounds(24u, 60u);
-  for (std::uint32_t round = 0; round < tries; ++round) {
-    CAPTURE(round);
+  for_rounds(tries, [&](Random& random, std::uint32_t) {
     bake::LatticeMesh lattice = boxes(random);
     for (std::int32_t& origin : lattice.origin) {
       origin = random.between(-1000, 1000);
@@ -69,17 +63,16 @@ TEST_CASE(
         }
       }
     }
-  }
+  });
   CHECK((seen[0] > 16 * tries && seen[1] > 16 * tries && seen[2] > 5 * tries));
 }
 
 TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
-  Random random = test_random();
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
   const AnyMesh any(bake::build_default(lattice), lattice);
   const Mesh mesh = closed(any);
   std::uint32_t within = 0;
-  for (int round = 0; round < 1500 / kShare; ++round) {
+  for_rounds(1500 / kShare, [&](Random& random, int round) {
     // Right below a corner, or the middle of an edge.
     const auto& corner = mesh.triangles[random.below(mesh.triangle_count)].corner;
     const Vertex& u = mesh.vertices[corner[0]];
@@ -88,7 +81,7 @@ TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
     const PointAnswer found = inside(mesh, p);
     REQUIRE(found.side == truth_of(mesh, nullptr, p));
     within += found.side == PointSide::inside ? 1 : 0;
-  }
+  });
   CHECK(within > 100 / kShare);
   CHECK(inside(mesh, {0, 0, 0}).side == PointSide::outside);
   CHECK(inside(mesh, {8000, 0, 0}).side == PointSide::inside);
@@ -102,11 +95,9 @@ TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
 }
 
 TEST_CASE("bodies have points in common if triangles intersect or one lies inside the other") {
-  Random random = test_random();
   std::uint32_t within = 0;
   std::uint32_t apart = 0;
-  for (int round = 0; round < 400 / kShare; ++round) {
-    CAPTURE(round);
+  for_rounds(400 / kShare, [&](Random& random, int) {
     bake::LatticeMesh outer;
     const std::int32_t wide = random.between(20, 60);
     add_box(outer, {-wide, -wide, -wide}, {2 * wide, 2 * wide, 2 * wide}, false);
@@ -150,7 +141,7 @@ TEST_CASE("bodies have points in common if triangles intersect or one lies insid
     REQUIRE((touch || contained.yes == truth));
     within += truth && !touch ? 1 : 0;
     apart += truth ? 0 : 1;
-  }
+  });
   CHECK((kShare > 1 || (within > 10 && apart > 20)));
 }
 

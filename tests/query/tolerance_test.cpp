@@ -1,16 +1,11 @@
 // What a tolerance allows, against brute force over all pairs of triangles.
-#include <catch2/catch.hpp>
-
-#include <vector>
-
 #include "flashbvh/clearance.hpp"
 #include "support/all_distances.hpp"
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -38,9 +33,7 @@ void check_tolerance(const std::vector<Pairwise>& all, const Clearance<std::uint
 }  // namespace
 
 TEST_CASE("a tolerance is kept to, and said to be, from any seed") {
-  Random random = test_random();
-  for (int round = 0; round < rounds(120, 600); ++round) {
-    CAPTURE(round);
+  for_rounds(rounds(120, 600), [&](Random& random, int round) {
     // Distances of a few cells and of many.
     const std::int32_t spread = round % 3 == 0 ? 400 : 4 + round % 7;
     const auto mesh = [&] {
@@ -65,7 +58,7 @@ TEST_CASE("a tolerance is kept to, and said to be, from any seed") {
         check_tolerance(all, query.result(), allowed);
       }
     }
-  }
+  });
 }
 
 TEST_CASE(

@@ -1,15 +1,10 @@
 // The object of the evaluation: its size, its walls, its subdivisions.
-#include <catch2/catch.hpp>
-
-#include <cstdlib>
 #include <map>
 #include <set>
-#include <utility>
 
-#include "evaluate/setups.hpp"
-#include "support/random.hpp"
+#include "evaluate/paper_object.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using scene::kFullRadius;
 using scene::make_mesh;
 using scene::Orientation;

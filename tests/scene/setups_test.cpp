@@ -1,16 +1,13 @@
 // The paper's setups of up to 796 faces: each shows what its table is about, and every traversal
 // makes the same visits on every core.
-#include <catch2/catch.hpp>
-
 #include <string>
-#include <vector>
 
 #include "bake/baked_tree.hpp"
 #include "evaluate/count_query.hpp"
 #include "evaluate/setups.hpp"
 #include "reference/traversals.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using scene::Setup;
 
 namespace {

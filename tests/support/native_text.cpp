@@ -1,40 +1,20 @@
 // The boards' text output (ports/common/text.hpp and text.h) on this machine.
-#include <cstdio>
+#include <iostream>
 
 #include "text.h"
 #include "text.hpp"
 
-namespace port {
-
-void put(const char* text) {
-  std::fputs(text, stdout);
-}
-
-void put(int value) {
-  std::printf("%d", value);
-}
-
-void put(unsigned value) {
-  std::printf("%u", value);
-}
-
-void put(long value) {
-  std::printf("%ld", value);
-}
-
-void put(unsigned long value) {
-  std::printf("%lu", value);
-}
-
-void put(long long value) {
-  std::printf("%lld", value);
-}
-
-void put(unsigned long long value) {
-  std::printf("%llu", value);
-}
-
-}  // namespace port
+#define FLASHBVH_PUT(Type)     \
+  void port::put(Type value) { \
+    std::cout << value;        \
+  }
+FLASHBVH_PUT(const char*)
+FLASHBVH_PUT(int)
+FLASHBVH_PUT(unsigned)
+FLASHBVH_PUT(long)
+FLASHBVH_PUT(unsigned long)
+FLASHBVH_PUT(long long)
+FLASHBVH_PUT(unsigned long long)
 
 void port_put(const char* text) {
   port::put(text);

@@ -1,17 +1,12 @@
 // The largest 16-bit tree there is: 65,535 nodes, triangles and vertices, so index 65,534 of each.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-
 #include "bake/image_bytes.hpp"
 #include "flashbvh/image.hpp"
 #include "support/queries.hpp"
 #include "support/shapes.hpp"
+#include "support/test.hpp"
 #include "support/transformed_mesh.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 

@@ -1,9 +1,5 @@
 // The walk takes other questions. Here: which pairs of triangles have boxes within a distance, as
 // a bound and a test of a few lines; orders, walk and query are the library's.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-
 #include "bake/baked_tree.hpp"
 #include "flashbvh/query.hpp"
 #include "reference/stackless.hpp"
@@ -11,11 +7,10 @@
 #include "support/record.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
+#include "support/test.hpp"
 #include "support/transformed_vertex.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -127,10 +122,8 @@ void check(const Baked& baked_a, const Baked& baked_b, const Pose& pose, std::in
 }  // namespace
 
 TEST_CASE("another question, boxes within a distance, is a bound and a test and no other walk") {
-  Random random = test_random();
   std::uint32_t apart = 0;
-  for (int round = 0; round < 60; ++round) {
-    CAPTURE(round);
+  for_rounds(60, [&](Random& random, int round) {
     const auto mesh_a = random_mesh(random, 1 + random.below(30), 300, 25);
     const auto mesh_b = random_mesh(random, 1 + random.below(30), 300, 25);
     const auto a =
@@ -149,6 +142,6 @@ TEST_CASE("another question, boxes within a distance, is a bound and a test and 
       check<StacklessPost>(a, b, pose, distance);
       apart += brute_force(a.view(), b.view(), pose, distance).empty() ? 0 : 1;
     }
-  }
+  });
   CHECK(apart > 60);
 }

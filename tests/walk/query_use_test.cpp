@@ -1,7 +1,5 @@
 // What a caller may do with a query in addition to running it: read counts inside a sink, keep the
 // position of one that is done, and not give it what is gone before the first run.
-#include <catch2/catch.hpp>
-
 #include <type_traits>
 
 #include "bake/baked_tree.hpp"
@@ -11,9 +9,7 @@
 #include "support/queries.hpp"
 #include "support/record.hpp"
 #include "support/shapes.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 namespace {
 

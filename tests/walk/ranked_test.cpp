@@ -1,13 +1,10 @@
 // `ranked` under ranks of every kind, not only those that baking gives: the walk must not depend on
 // what the ranks mean, only on their never growing from a parent to its child.
-#include <catch2/catch.hpp>
-
 #include "support/record.hpp"
 #include "support/shapes.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -79,20 +76,16 @@ const int kRounds = rounds(75, 300);
 }  // namespace
 
 TEST_CASE("ranked follows its stack when all ranks are equal") {
-  Random random = test_random();
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
+  for_rounds(kRounds, [&](Random& random, int) {
     Trees trees = any_trees(random, 30);
     const std::int32_t same = random.between(1, kMaxRank);
     const auto equal = [&](std::uint32_t, std::int32_t) { return same; };
     check_ranks(trees, equal, equal);
-  }
+  });
 }
 
 TEST_CASE("ranked follows its stack when all ranks along each path are different") {
-  Random random = test_random(1);
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
+  for_rounds(kRounds, 1, [&](Random& random, int) {
     Trees trees = any_trees(random, 30);
     // A's ranks are even, B's odd: no rank of one tree occurs in the other.
     const auto falling = [&](std::int32_t odd) {
@@ -103,19 +96,17 @@ TEST_CASE("ranked follows its stack when all ranks along each path are different
       };
     };
     check_ranks(trees, falling(0), falling(1));
-  }
+  });
 }
 
 TEST_CASE("ranked follows its stack under random ranks, and through every pair of the walk") {
-  Random random = test_random(2);
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
-    Trees trees = any_trees(random, round % 10 == 0 ? 8 : 30);
+  for_rounds(kRounds, 2, [&](Random& random, int round) {
+    Trees trees = any_trees(random, round % 3 == 0 ? 12 : 30);
     const auto any = [&](std::uint32_t, std::int32_t parent) {
       return random_rank(random, parent);
     };
     check_ranks(trees, any, any);
-    if (round % 10 == 0) {
+    if (round % 3 == 0) {
       PairCursor<std::uint16_t> cursor;
       NodePairs rest = record<Ranked<Mesh>>(trees.baked, trees.overlap).visits;
       for (; !rest.empty(); rest.erase(rest.begin())) {
@@ -124,17 +115,15 @@ TEST_CASE("ranked follows its stack under random ranks, and through every pair o
         (void)record_from<Ranked<Mesh>>(trees.baked, trees.overlap, cursor, 1);
       }
     }
-  }
+  });
 }
 
 TEST_CASE("the alternating rule is the special case of ranks that fall with the level") {
-  Random random = test_random(3);
   int compared = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
+  for_rounds(kRounds, 3, [&](Random& random, int) {
     Trees trees = any_trees(random, 30);
     if (trees.baked.a.depth > 60 || trees.baked.b.depth > 60) {
-      continue;
+      return;
     }
     // On one level B comes first: its rank lies above A's, and A's above that of B's next level.
     const auto by_level = [](const Post& baked, std::int32_t top) {
@@ -148,6 +137,6 @@ TEST_CASE("the alternating rule is the special case of ranks that fall with the 
     const Record alternating = record<AlternatingStack<MeshWithLevels>>(trees.baked, trees.overlap);
     REQUIRE(ranked.visits == alternating.visits);
     ++compared;
-  }
+  });
   CHECK(compared > kRounds / 2);
 }

@@ -1,19 +1,13 @@
 // Queries under any pose: every traversal and layout against brute force over transformed
 // triangles.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cstdlib>
-
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
+#include "support/test.hpp"
 #include "support/torus.hpp"
 #include "support/transformed_mesh.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -96,10 +90,8 @@ TEST_CASE("under any pose a query finds exactly the pairs that brute force finds
 }
 
 TEST_CASE("the path of rotations, all but the identity, answers as the path of translations") {
-  Random random = test_random(5);
   constexpr std::int32_t one = kRotationOne;
-  for (int round = 0; round < 200; ++round) {
-    CAPTURE(round);
+  for_rounds(200, 5, [&](Random& random, int) {
     auto scene = any_scene<Layout::post_indexed>(random, 20, kSmall);
     const std::int32_t t[3] = {random.between(-20, 20), random.between(-20, 20),
                                random.between(-20, 20)};
@@ -112,14 +104,12 @@ TEST_CASE("the path of rotations, all but the identity, answers as the path of t
     REQUIRE(!scene.pose.is_translation());
     AnyQuery<Ranked<Mesh>> rotated(scene);
     REQUIRE(run_to_end(rotated.query, kNoLimit, 10000) == expected);
-  }
+  });
 }
 
 TEST_CASE("arguments swapped under an exact inverse give the same pairs") {
-  Random random = test_random(6);
   std::size_t total = 0;
-  for (int round = 0; round < 200; ++round) {
-    CAPTURE(round);
+  for_rounds(200, 6, [&](Random& random, int round) {
     auto scene = any_scene<Layout::post_indexed>(random, 20, round % 2 == 0 ? kSmall : kTouching);
     const Quaternion rotations[] = {
         {1, 0, 0, 1}, {0, 1, 0, 0}, {1, 1, 1, 1}, {1, -1, 0, 0}, {0, 1, 1, 0}};
@@ -138,14 +128,13 @@ TEST_CASE("arguments swapped under an exact inverse give the same pairs") {
     std::sort(expected.begin(), expected.end());
     REQUIRE(pairs == expected);
     total += pairs.size();
-  }
+  });
   CHECK(total > 100);
 }
 
 TEST_CASE(
     "a vertex transformed there and back by the inverse is at most 1.4 cells from where it was") {
-  Random random = test_random(7);
-  for (int round = 0; round < 2000; ++round) {
+  for_rounds(2000, 7, [&](Random& random, int round) {
     const std::int32_t spread = round % 2 == 0 ? 9000 : 50;
     const bake::LatticeMesh mesh = random_mesh(random, 1, spread, 5);
     const Pose pose = any_rigid_pose(random, 100);
@@ -161,13 +150,12 @@ TEST_CASE(
       CHECK(std::abs(transformed_coordinate(there, transformed, inverse, 1) - v.y) <= 1);
       CHECK(std::abs(transformed_coordinate(there, transformed, inverse, 2) - v.z) <= 1);
     }
-  }
+  });
 }
 
 TEST_CASE("translated through contact a cell at a time, a rotated mesh is found at each step") {
-  Random random = test_random(8);
   std::size_t most = 0;
-  for (int round = 0; round < 6; ++round) {
+  for_rounds(6, 8, [&](Random& random, int round) {
     auto scene = any_scene<Layout::post_indexed>(random, 12, {8, 8, 0});
     const Rotation rotation = rotation_of(any_quaternion(random));
     for (std::int32_t x = -60; x <= 60; ++x) {
@@ -180,7 +168,7 @@ TEST_CASE("translated through contact a cell at a time, a rotated mesh is found 
       REQUIRE((pairs.empty() || std::abs(x) < 60));
       most = std::max(most, pairs.size());
     }
-  }
+  });
   CHECK(most > 3);
 }
 
@@ -214,13 +202,11 @@ TEST_CASE("a mesh against itself, and one inside another without contact") {
 }
 
 TEST_CASE("a mesh that reaches another with its farthest tip alone is found") {
-  Random random = test_random(10);
   const auto bake_it = [](const bake::LatticeMesh& mesh) {
     return bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh, 1), mesh);
   };
   int reached = 0;
-  for (int round = 0; round < 2000; ++round) {
-    CAPTURE(round);
+  for_rounds(2000, 10, [&](Random& random, int) {
     // A needle along an axis or a diagonal, its tip at the end of the lattice.
     const auto end = [&random] { return static_cast<std::int16_t>(random.below(2) * 16383); };
     const Vertex tip = {16383, end(), end()};
@@ -235,7 +221,7 @@ TEST_CASE("a mesh that reaches another with its farthest tip alone is found") {
       on_lattice = on_lattice && std::abs(at[axis]) <= 16383;
     }
     if (!on_lattice) {
-      continue;
+      return;
     }
     ++reached;
     scene.mesh_a.vertices = {{static_cast<std::int16_t>(at[0]), static_cast<std::int16_t>(at[1]),
@@ -245,16 +231,14 @@ TEST_CASE("a mesh that reaches another with its farthest tip alone is found") {
     scene.b = bake_it(scene.mesh_b);
     AnyQuery<Ranked<Mesh>> any(scene);
     REQUIRE(run_to_end(any.query, kNoLimit, 10) == Pairs{{0, 0}});
-  }
+  });
   CHECK(reached > 30);
 }
 
 TEST_CASE("offsets beyond all reach, and at its edge, under rotation") {
-  Random random = test_random(9);
   const std::int32_t reaches[] = {16384, 40000, 44760,  48000,
                                   48001, 65536, 100000, kMaxTranslation};
-  for (int round = 0; round < 400; ++round) {
-    CAPTURE(round);
+  for_rounds(400, 9, [&](Random& random, int) {
     auto scene = any_scene<Layout::post_indexed>(random, 8, kLargest);
     std::int32_t cells[3];
     for (std::int32_t& axis : cells) {
@@ -276,5 +260,5 @@ TEST_CASE("offsets beyond all reach, and at its edge, under rotation") {
         std::abs(cells[0]) > 60000 || std::abs(cells[1]) > 60000 || std::abs(cells[2]) > 60000;
     REQUIRE((!far || pairs.empty()));
     REQUIRE((far || pairs == scene.brute_force()));
-  }
+  });
 }

@@ -1,17 +1,13 @@
 // Properties 6.1 to 6.7 of algorithm 3, on stacks recorded before and after each iteration.
 //
 // The properties speak of full binary trees of equal height.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
 #include <map>
 
 #include "support/record.hpp"
 #include "support/shapes.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 

@@ -1,16 +1,13 @@
 // Every traversal against every other and against brute force, on thousands of random trees.
-#include <catch2/catch.hpp>
-
 #include <map>
 #include <string>
 #include <tuple>
 
 #include "support/record.hpp"
 #include "support/shapes.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -81,11 +78,9 @@ TEST_CASE("all traversals agree on all pairs of sizes 1 to 8, over random shapes
 }
 
 TEST_CASE("all traversals agree on random trees of every shape") {
-  Random random = test_random(1);
-  for (int round = 0; round < rounds(100, 600); ++round) {
-    CAPTURE(round);
+  for_rounds(rounds(100, 600), 1, [&](Random& random, int) {
     check_all(any_trees(random, 1 + random.below(60), 1 + random.below(60)));
-  }
+  });
 }
 
 TEST_CASE("all traversals agree on the trees of each builder, and find what brute force finds") {
@@ -111,9 +106,7 @@ TEST_CASE("all traversals agree on the trees of each builder, and find what brut
 }
 
 TEST_CASE("all traversals agree on chains as deep as their triangles, and on unequal heights") {
-  Random random = test_random(2);
-  for (int round = 0; round < 12; ++round) {
-    CAPTURE(round);
+  for_rounds(12, 2, [&](Random& random, int round) {
     Trees trees = any_trees(random, 1 + random.below(120), 1 + random.below(120));
     trees.a = chain(trees.mesh_a, (round & 1) != 0);
     if ((round & 2) != 0) {
@@ -123,7 +116,7 @@ TEST_CASE("all traversals agree on chains as deep as their triangles, and on une
     std::swap(trees.a, trees.b);
     std::swap(trees.mesh_a, trees.mesh_b);
     check_all(trees);
-  }
+  });
 }
 
 TEST_CASE("all traversals agree when everything overlaps, and when nothing does") {
@@ -137,22 +130,4 @@ TEST_CASE("all traversals agree when everything overlaps, and when nothing does"
   check_all(trees);
   trees.x = 100000;
   check_all(trees);
-}
-
-TEST_CASE("the walk that starts at any pair goes on as the one that came there") {
-  Random random = test_random(4);
-  for (int round = 0; round < 40; ++round) {
-    CAPTURE(round);
-    const Trees trees = any_trees(random, 1 + random.below(12), 1 + random.below(12));
-    const auto post = bake_pair<Layout::post_indexed>(trees.a, trees.mesh_a, trees.b, trees.mesh_b);
-    const TranslatedBoxTest overlap(trees.x, trees.y, trees.z);
-    PairCursor<std::uint16_t> cursor;
-    NodePairs rest = record<Ranked<Mesh>>(post, overlap).visits;
-    while (!rest.empty()) {
-      PairCursor<std::uint16_t> here = cursor;
-      REQUIRE(record_from<Ranked<Mesh>>(post, overlap, here).visits == rest);
-      (void)record_from<Ranked<Mesh>>(post, overlap, cursor, 1);
-      rest.erase(rest.begin());
-    }
-  }
 }

@@ -1,22 +1,14 @@
 // Runs cut by work: pairs, their order and counts stay the same, and each run does what it was
 // granted and a step more at most.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <initializer_list>
-#include <vector>
-
 #include "flashbvh/image.hpp"
 #include "flashbvh/time_bound.hpp"
 #include "support/any_mesh.hpp"
 #include "support/most_work.hpp"
 #include "support/queries.hpp"
-#include "support/random.hpp"
 #include "support/shapes.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -66,10 +58,8 @@ std::uint32_t check_counts(const typename Traversal::Tree& a, const typename Tra
 }  // namespace
 
 TEST_CASE("counts inside a sink are those of a query that is stopped there") {
-  Random random = test_random(5);
   std::uint32_t pairs = 0;
-  for (int round = 0; round < 40; ++round) {
-    CAPTURE(round);
+  for_rounds(40, 5, [&](Random& random, int) {
     const Scene scene = any_scene(random);
     for_each_order<std::uint16_t>([&](auto named) {
       using Traversal = typename decltype(named)::Traversal;
@@ -77,13 +67,12 @@ TEST_CASE("counts inside a sink are those of a query that is stopped there") {
       using Tree = typename Traversal::Tree;
       pairs += check_counts<Traversal>(scene.a.view<Tree>(), scene.b.view<Tree>(), scene.pose);
     });
-  }
+  });
   CHECK(pairs > 1000);
 }
 
 TEST_CASE("however a query is cut into runs, its pairs, their order and counts stay the same") {
-  Random random = test_random(6);
-  for (int round = 0; round < rounds(4, 20); ++round) {
+  for_rounds(rounds(4, 20), 6, [&](Random& random, int round) {
     const Scene scene = any_scene(random);
     for_each_order<std::uint16_t>([&](auto named) {
       using Traversal = typename decltype(named)::Traversal;
@@ -101,7 +90,7 @@ TEST_CASE("however a query is cut into runs, its pairs, their order and counts s
         }
       }
     });
-  }
+  });
 }
 
 TEST_CASE("counts stay right over more work than one batch may take") {
@@ -164,10 +153,8 @@ bool is_work_of(const QueryStats& counts, std::uint32_t work, std::uint32_t most
 }  // namespace
 
 TEST_CASE("a run tests no more triangles than it is granted, and a step beyond, and gets on") {
-  Random random = test_random(8);
   std::uint32_t inside_leaves = 0;
-  for (int round = 0; round < rounds(40, 150); ++round) {
-    CAPTURE(round);
+  for_rounds(rounds(40, 150), 8, [&](Random& random, int) {
     const Scene scene = any_scene(random);
     const auto a = scene.a.view<Mesh>();
     const auto b = scene.b.view<Mesh>();
@@ -204,14 +191,12 @@ TEST_CASE("a run tests no more triangles than it is granted, and a step beyond, 
     const TreeSize size_a = size_of(a);
     const TreeSize size_b = size_of(b);
     REQUIRE(spent <= most_work(size_a, size_b) + runs * largest_step(size_a, size_b));
-  }
+  });
   CHECK(inside_leaves > 100);
 }
 
 TEST_CASE("work is visits, shapes and pairs of triangles") {
-  Random random = test_random(9);
-  for (int round = 0; round < 200; ++round) {
-    CAPTURE(round);
+  for_rounds(200, 9, [&](Random& random, int) {
     const Scene scene = any_scene(random);
     const auto a = scene.a.view<Mesh>();
     const auto b = scene.b.view<Mesh>();
@@ -234,7 +219,7 @@ TEST_CASE("work is visits, shapes and pairs of triangles") {
     const RunResult nothing = none.run(0, found.data(), 1000);
     REQUIRE((nothing.status == Status::suspended && nothing.work == 0 && nothing.count == 0));
     REQUIRE(none.cursor().state == State::fresh);
-  }
+  });
 }
 
 TEST_CASE("a pair of leaves may take more work than one walk may") {

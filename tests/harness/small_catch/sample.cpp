@@ -56,30 +56,16 @@ TEST_CASE("what holds passes") {
   trace("end");
 }
 
-TEST_CASE("a failed CHECK goes on") {
-  CHECK(answer() == 41);
-  trace("after it");
-}
-
-TEST_CASE("a failed CHECK_FALSE goes on") {
-  CHECK_FALSE(answer() == 42);
-  trace("after it");
-}
-
-TEST_CASE("a failed REQUIRE stops") {
-  REQUIRE(answer() == 41);
-  trace("after it");
-}
-
-TEST_CASE("a failed REQUIRE_FALSE stops") {
-  REQUIRE_FALSE(answer() == 42);
-  trace("after it");
-}
-
-TEST_CASE("FAIL stops") {
-  FAIL("on purpose");
-  trace("after it");
-}
+#define FLASHBVH_FAILS(name, ...) \
+  TEST_CASE(name) {               \
+    __VA_ARGS__;                  \
+    trace("after it");            \
+  }
+FLASHBVH_FAILS("a failed CHECK goes on", CHECK(answer() == 41))
+FLASHBVH_FAILS("a failed CHECK_FALSE goes on", CHECK_FALSE(answer() == 42))
+FLASHBVH_FAILS("a failed REQUIRE stops", REQUIRE(answer() == 41))
+FLASHBVH_FAILS("a failed REQUIRE_FALSE stops", REQUIRE_FALSE(answer() == 42))
+FLASHBVH_FAILS("FAIL stops", FAIL("on purpose"))
 
 TEST_CASE("values print", "[.]") {
   const long long large = -9000000000000000000LL;

@@ -1,17 +1,10 @@
 // The guard where the truth is a formula: corners of a link before a wide wall, as they are drawn,
 // between the lattice's points. What rounding takes is far more than what doubles do, so no margin
 // hides it.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
 #include "support/arms/guarded_arm.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::tool;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -135,9 +128,8 @@ void check_walks(Random& random, const FixedArm& arm, double speed, std::uint32_
 
 }  // namespace
 
-TEST_CASE("to less than a cell: no verdict is better than the truth") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
+TEST_CASE("to less than a cell: nothing reported is better than the truth") {
+  Random random = test_random();
   const auto arms = all_arms(random);
   for (int round = 0; round < 5; ++round) {
     for (std::size_t i = 0; i < arms.size(); ++i) {
@@ -150,8 +142,7 @@ TEST_CASE("to less than a cell: no verdict is better than the truth") {
 }
 
 TEST_CASE("from anywhere straight towards the wall, until all that was known is used up") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
+  Random random = test_random();
   const auto arms = all_arms(random);
   for (int round = 0; round < 150; ++round) {
     for (std::size_t i = 0; i < arms.size(); ++i) {
@@ -174,11 +165,9 @@ TEST_CASE("from anywhere straight towards the wall, until all that was known is 
 }
 
 TEST_CASE("a joint that lags while another leads: their ways add up") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
   std::vector<std::unique_ptr<FixedArm>> arms;
   const FixedArm& arm = made(arms, sliders(2, 0.013, 0.013));
-  for (int round = 0; round < 400; ++round) {
+  for_rounds(400, [&](Random& random, int round) {
     Walk walk(arm);
     const JointCoordinate at = random.between(-60 * kFrameCell / 2, 0);
     walk.before = {at, at};
@@ -190,7 +179,7 @@ TEST_CASE("a joint that lags while another leads: their ways add up") {
     REQUIRE(walk.holds({to, at}, 0, random));
     REQUIRE(walk.holds({at, to}, 0, random));
     REQUIRE(walk.holds({to, at}, UINT32_MAX, random));
-  }
+  });
 }
 
 TEST_CASE("at the stop and the warn distance itself, not beyond them") {

@@ -1,18 +1,12 @@
 // Guards and motions of gantries, whose slides are far longer than any distance of a query
 // about. All is parallel to the axes, so the truth is a formula.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <memory>
 
 #include "flashbvh/robot/motion.hpp"
 #include "support/arms/guarded_arm.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::tool;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -192,12 +186,9 @@ TEST_CASE("what was measured where a period ends is known in the next, however f
 }
 
 TEST_CASE("gantries that jump anywhere: no call fails to end, and no verdict is contradicted") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
   long verdicts[5] = {};
   long far = 0;
-  for (int round = 0; round < rounds(40, 200); ++round) {
-    CAPTURE(round);
+  for_rounds(rounds(40, 200), [&](Random& random, int) {
     const Gantry gantry = any_gantry(random);
     const FixedArm arm(gantry.model, kCell, gantry.pairs);
     const auto state = std::make_unique<AnyGuardState>();
@@ -227,7 +218,7 @@ TEST_CASE("gantries that jump anywhere: no call fails to end, and no verdict is 
       ++verdicts[static_cast<int>(answer.verdict)];
       before = now;
     }
-  }
+  });
   CAPTURE(verdicts[0], verdicts[1], verdicts[2], verdicts[3]);
   CHECK(verdicts[0] > 0);
   CHECK(verdicts[2] > 0);

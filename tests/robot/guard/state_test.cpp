@@ -1,14 +1,8 @@
 // The guard's state: values refused, states stored, taken up and damaged.
-#include <catch2/catch.hpp>
-
-#include <cstring>
-#include <memory>
 #include <type_traits>
 
 #include "support/arms/guarded_arm.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 namespace {
 
@@ -63,9 +57,7 @@ constexpr std::uint32_t kBudgets[] = {1, 5, 40, 300, UINT32_MAX};
 }  // namespace
 
 TEST_CASE("refused values change nothing, and a state taken up goes on as if it never stopped") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
-  for (int round = 0; round < 3; ++round) {
+  for_rounds(3, [&](Random& random, int round) {
     const FixedArm arm = any_guarded_arm(random, 3 + random.below(3), 1e-3);
     const auto plain = no_state();
     const auto used = no_state();
@@ -102,13 +94,11 @@ TEST_CASE("refused values change nothing, and a state taken up goes on as if it 
       }
       last = now;
     }
-  }
+  });
 }
 
 TEST_CASE("go_on() comes to know what update() did not; prime() knows it at once") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
-  for (int round = 0; round < 3; ++round) {
+  for_rounds(3, [&](Random& random, int) {
     const FixedArm arm = any_guarded_arm(random, 3, 1e-3);
     const auto state = no_state();
     Guard guard(arm.robot(), *state);
@@ -126,7 +116,7 @@ TEST_CASE("go_on() comes to know what update() did not; prime() knows it at once
       CHECK(answer.verdict != Verdict::not_yet_known);
       CHECK(guard.go_on(UINT32_MAX).verdict == primed.verdict);
     }
-  }
+  });
 }
 
 TEST_CASE("what is no state of this guard") {
@@ -181,11 +171,9 @@ TEST_CASE("half a turn of a joint, or of its mimic, is ambiguous") {
 }
 
 TEST_CASE("a damaged state is refused, or the guard goes on and comes to an end") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
   long taken = 0;
   long refused = 0;
-  for (int round = 0; round < 2; ++round) {
+  for_rounds(2, [&](Random& random, int) {
     const FixedArm arm = any_guarded_arm(random, 3 + random.below(3), 1e-3);
     const auto state = no_state();
     const auto stored = no_state();
@@ -221,7 +209,7 @@ TEST_CASE("a damaged state is refused, or the guard goes on and comes to an end"
     for (int i = 0; i < 1000; ++i) {
       go_on_with(1 + random.below(6));
     }
-  }
+  });
   CHECK(taken > 100);
   CHECK(refused > 100);
 }

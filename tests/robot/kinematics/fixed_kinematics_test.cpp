@@ -1,18 +1,10 @@
 // Kinematics in fixed point against long doubles, and against the doubles of the host's.
 #include "flashbvh/robot/kinematics.hpp"
-
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-
 #include "robot/sine.hpp"
 #include "support/arms/fixed_arm.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::tool;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -158,18 +150,15 @@ TEST_CASE("sines of whole quarters are exact") {
 }
 
 TEST_CASE("frames and relative poses are no further off than the slack has it") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
   Worst worst;
-  for (int round = 0; round < 12; ++round) {
-    CAPTURE(round);
+  for_rounds(12, [&](Random& random, int round) {
     const double cell = round % 2 == 0 ? 1.2e-5 : 1e-3;
     const FixedArm arm(on_lattice(any_arm(random, 1 + random.below(8)), cell), cell);
     const double kinematics = (arm.robot().slack / 256.0 - kPlacing) / 2;
     for (int i = 0; i < 20; ++i) {
       look(arm, arm.any_values(random), kinematics, worst);
     }
-  }
+  });
   CAPTURE(worst.frame, worst.pose);
   CHECK(worst.frame <= 1);
   CHECK(worst.pose <= 1);
@@ -177,9 +166,7 @@ TEST_CASE("frames and relative poses are no further off than the slack has it") 
 }
 
 TEST_CASE("limits are allowed, what lies beyond is not") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
-  for (int round = 0; round < 12; ++round) {
+  for_rounds(12, [&](Random& random, int) {
     const FixedArm arm(any_arm(random, 4), 1e-3);
     const Values inside = arm.any_values(random);
     std::vector<JointCoordinate> coordinates(arm.robot().joint_count);
@@ -202,7 +189,7 @@ TEST_CASE("limits are allowed, what lies beyond is not") {
       CHECK(status_with(i, joint.upper + 1) == Status::joint_out_of_limits);
       CHECK(status_with(i, INT32_MAX) == Status::joint_out_of_limits);
     }
-  }
+  });
 }
 
 TEST_CASE("turns make no difference to joints without limits, nor to what mimics them") {

@@ -1,15 +1,9 @@
 // Where joints and links lie.
 #include "robot/kinematics.hpp"
-
-#include <catch2/catch.hpp>
-
-#include <cmath>
-
 #include "support/arms/arms.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::tool;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -48,10 +42,7 @@ TEST_CASE("a joint turns about the z of its frame, or slides along it") {
 }
 
 TEST_CASE("links lie in each other's frames as in the base's") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
-  for (int round = 0; round < 50; ++round) {
-    CAPTURE(round);
+  for_rounds(50, [&](Random& random, int) {
     const Model model = any_arm(random, 1 + random.below(7));
     const std::vector<double> variables = any_variables(random, model);
     const std::vector<Transform> frames = frames_of(model, variables);
@@ -63,5 +54,5 @@ TEST_CASE("links lie in each other's frames as in the base's") {
         REQUIRE(difference(frame_between(model, joints, variables), truth) < 1e-12);
       }
     }
-  }
+  });
 }

@@ -1,17 +1,8 @@
 // Coordinates from floats against long doubles.
 #include "flashbvh/robot/robot_float.hpp"
-
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <cstring>
-#include <limits>
-
 #include "flashbvh/robot/kinematics.hpp"
 #include "support/arms/fixed_arm.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 namespace {
 
@@ -64,8 +55,7 @@ constexpr float kSubnormal = std::numeric_limits<float>::denorm_min();
 }  // namespace
 
 TEST_CASE("angles are rounded to the nearest") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
+  Random random = test_random();
   for (int i = 0; i < 20'000; ++i) {
     check_angle(any_float(random));
     check_angle(any_near(random, 60));
@@ -81,8 +71,7 @@ TEST_CASE("angles are rounded to the nearest") {
 }
 
 TEST_CASE("ways of joints that slide are rounded to the nearest") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
+  Random random = test_random();
   for (int i = 0; i < 20'000; ++i) {
     check_slide(any_float(random), any_float(random));
     check_slide(any_near(random, 2), 10'000);

@@ -1,15 +1,9 @@
 // Verdicts where the truth is a formula, and against brute force on random arms.
 #include "robot/matrix/matrix.hpp"
-
-#include <catch2/catch.hpp>
-
-#include <cmath>
-
 #include "support/arms/arms.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::tool;
-using namespace flashbvh::test;
 
 namespace {
 

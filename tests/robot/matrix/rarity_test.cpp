@@ -1,16 +1,10 @@
 // Shares of configurations that collide, where the truth is a quotient.
 #include "robot/matrix/rarity.hpp"
-
-#include <catch2/catch.hpp>
-
-#include <cmath>
-
 #include "flashbvh/collide.hpp"
 #include "support/arms/arms.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::tool;
-using namespace flashbvh::test;
 
 namespace {
 

@@ -1,18 +1,11 @@
 // Solids of revolution, and proofs by them.
-#include "robot/matrix/swept_pair.hpp"
-
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
-
+#include "robot/matrix/revolution.hpp"
 #include "flashbvh/solid.hpp"
 #include "robot/matrix/pair_search.hpp"
 #include "support/arms/arms.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::tool;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -26,10 +19,7 @@ bool is_proven(const Model& model, double cell) {
 }  // namespace
 
 TEST_CASE("a solid of revolution holds its mesh at every angle") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
-  for (int round = 0; round < 10; ++round) {
-    CAPTURE(round);
+  for_rounds(10, [&](Random& random, int round) {
     const double cell = 1e-3;
     Model model = any_arm(random, 1);
     const Transform axis = model.joints[0].fixed;
@@ -58,7 +48,7 @@ TEST_CASE("a solid of revolution holds its mesh at every angle") {
       };
       REQUIRE(inside(solid, {cells(0), cells(1), cells(2)}).side == PointSide::inside);
     }
-  }
+  });
 }
 
 TEST_CASE("what a turning link sweeps proves, but not by what lies inside it") {

@@ -1,16 +1,8 @@
 // Certified motions on random arms against brute force along the way.
-#include "flashbvh/robot/motion.hpp"
-
-#include <catch2/catch.hpp>
-
-#include <cstring>
-#include <memory>
-
 #include "flashbvh/collide.hpp"
+#include "flashbvh/robot/motion.hpp"
 #include "support/arms/guarded_arm.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 namespace {
 
@@ -81,10 +73,8 @@ void check_told(const FixedArm& arm, const MotionQuery& query, const MotionAnswe
 }  // namespace
 
 TEST_CASE("motions: free all the way, hit where it is reported, the same in any slices") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
   long outcomes[3] = {};
-  for (int round = 0; round < 4; ++round) {
+  for_rounds(4, [&](Random& random, int round) {
     const FixedArm arm = any_guarded_arm(random, 3 + random.below(2), 1e-3);
     const auto state = std::make_unique<State>();
     MotionQuery query(arm.robot(), *state);
@@ -109,7 +99,7 @@ TEST_CASE("motions: free all the way, hit where it is reported, the same in any 
         CHECK(are_same(in_slices(query, work), answer));
       }
     }
-  }
+  });
   CHECK(outcomes[0] > 0);
   CHECK(outcomes[1] > 0);
 }

@@ -1,16 +1,9 @@
 // From a URDF to what firmware holds of it.
 #include "robot/baked/fixed_robot.hpp"
-
-#include <catch2/catch.hpp>
-#include <cmath>
-#include <memory>
-
 #include "robot/baked/bake_links.hpp"
 #include "robot/kinematics.hpp"
 #include "support/arms/robot_files.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 namespace {
 
@@ -51,16 +44,6 @@ std::string chain(const std::vector<std::pair<std::string, std::string>>& joints
             joint_text("j" + std::to_string(i), joints[i].first, parent, child, joints[i].second);
   }
   return text;
-}
-
-template <class Act>
-std::string said(const Act& act) {
-  try {
-    act();
-    return {};
-  } catch (const tool::UserError& error) {
-    return error.what();
-  }
 }
 
 }  // namespace
@@ -198,11 +181,11 @@ TEST_CASE("the cell is the finest that all meshes and all frames fit") {
   const double for_frames = tool::robot_cell(large, {}, "arm.urdf");
   CHECK(for_frames == Approx(1000.1 / (1 << 19)).epsilon(0.001));
   CHECK(bake_robot(large).robot->joints()[0].fixed.translation[0] < kMaxFrameTranslation);
-  CHECK_THAT(said([&] { bake_robot(large, for_frames / 2); }),
+  CHECK_THAT(refusal_of([&] { bake_robot(large, for_frames / 2); }),
              Catch::Matchers::Contains("too far for frames in cells of"));
-  CHECK_THAT(said([&] { bake_robot(files.read(arm("3e307"))); }),
+  CHECK_THAT(refusal_of([&] { bake_robot(files.read(arm("3e307"))); }),
              Catch::Matchers::Contains("reaches over 3.4e38 m far"));
-  CHECK_THAT(said([&] { bake_robot(small, for_meshes / 2); }),
+  CHECK_THAT(refusal_of([&] { bake_robot(small, for_meshes / 2); }),
              Catch::Matchers::Contains("arm.urdf, link 'a': is too large for a cell of"));
 }
 
@@ -215,7 +198,7 @@ TEST_CASE("robots that firmware can't hold") {
     joints += joint_text("j" + std::to_string(i), "continuous", "l" + std::to_string(i),
                          "l" + std::to_string(i + 1));
   }
-  CHECK(said([&] { bake_robot(files.read(bare + joints)); }) ==
+  CHECK(refusal_of([&] { bake_robot(files.read(bare + joints)); }) ==
         "arm.urdf: has 65 moving joints, firmware holds 64; make those fixed that matter least, or "
         "bake it in parts");
   std::string links = link_text("l0");
@@ -223,7 +206,7 @@ TEST_CASE("robots that firmware can't hold") {
     links += link_text("l" + std::to_string(i)) +
              joint_text("j" + std::to_string(i), "fixed", "l0", "l" + std::to_string(i));
   }
-  CHECK_THAT(said([&] { bake_robot(files.read(links)); }),
+  CHECK_THAT(refusal_of([&] { bake_robot(files.read(links)); }),
              Catch::Matchers::Contains("has 65 links with a <collision>, firmware holds 64"));
   files.write("many.obj", [] {
     std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -234,7 +217,7 @@ TEST_CASE("robots that firmware can't hold") {
   }());
   const tool::Model many = files.read(
       link_text("a", "<collision><geometry><mesh filename=\"many.obj\"/></geometry></collision>"));
-  CHECK(said([&] { bake_robot(many); }) ==
+  CHECK(refusal_of([&] { bake_robot(many); }) ==
         "arm.urdf, link 'a': has 65536 triangles, 16-bit indices reach 65535; give it a coarser "
         "mesh for collisions");
 }

@@ -1,14 +1,10 @@
 // Primitives as meshes: closed, facing outwards, and nothing of the shape outside.
-#include "robot/read/link_mesh.hpp"
-
-#include <catch2/catch.hpp>
-#include <cmath>
 #include <random>
 
 #include "mesh/defects.hpp"
-#include "support/random.hpp"
+#include "robot/read/primitives.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using tool::Vector3;
 
 namespace {

@@ -1,13 +1,9 @@
 // What URDFs in the wild have, as it is meant.
-#include <catch2/catch.hpp>
 #include <clocale>
-#include <cmath>
 #include <locale>
 
 #include "support/arms/robot_files.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 namespace {
 

@@ -1,10 +1,7 @@
-// What can't be read is refused with the file, the element and the remedy.
-#include <catch2/catch.hpp>
-
+// Unreadable input is refused with the file, the element and the fix.
 #include "support/arms/robot_files.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
-using namespace flashbvh::test;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -29,13 +26,9 @@ std::string said_of_shape(const std::string& shape) {
 std::string said_of_file(const std::string& text) {
   RobotFiles files;
   files.write("x.urdf", text);
-  try {
-    (void)tool::read_urdf(files.path("x.urdf"), {}, "", files.warnings);
-    return {};
-  } catch (const tool::UserError& error) {
-    const std::string what = error.what();
-    return what.substr(what.find("x.urdf"));
-  }
+  const std::string what =
+      refusal_of([&] { return tool::read_urdf(files.path("x.urdf"), {}, "", files.warnings); });
+  return what.substr(what.find("x.urdf"));
 }
 
 /// `wanted`: all of it if it is empty or begins with the file, else a part.

@@ -1,13 +1,7 @@
 // Joint values from CSV files.
-#include "robot/replay/replay.hpp"
-
-#include <catch2/catch.hpp>
-#include <cmath>
-
+#include "robot/replay/trajectory.hpp"
 #include "support/arms/robot_files.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 namespace {
 
@@ -32,13 +26,8 @@ struct Given {
   }
   /// From the file's name on.
   std::string refusal(const std::string& text) const {
-    try {
-      (void)read(text);
-      return {};
-    } catch (const tool::UserError& error) {
-      const std::string what = error.what();
-      return what.substr(what.find("way.csv"));
-    }
+    const std::string what = refusal_of([&] { return read(text); });
+    return what.substr(what.find("way.csv"));
   }
 };
 
@@ -107,6 +96,9 @@ TEST_CASE("trajectories that are refused") {
         "way.csv:3: 'c' is -1.4, but it follows 'b', which puts it at -1.5; leave the column out, "
         "or correct the value"},
        {"a,b\n1,x\n", "way.csv:2: 'x' is no finite number; give radians, or metres"},
+       {"a,b\n1,2,\n", "way.csv:2: has 3 values, the first line names 2 columns; give each one"},
+       {"a,b\n,1\n", "way.csv:2: '' is no finite number; give radians, or metres"},
+       {"a,b\n1,nan\n", "way.csv:2: 'nan' is no finite number; give radians, or metres"},
        {"a,b\n1,inf\n", "way.csv:2: 'inf' is no finite number; give radians, or metres"},
        {"a,b\n1,-3.5e38\n", "way.csv:2: '-3.5e38' is no finite number; give radians, or metres"},
        {"a,b\n", "way.csv: has no line of values; give one a period"},

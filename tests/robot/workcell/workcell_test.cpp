@@ -1,17 +1,10 @@
 // Tools and obstacles that were added to random arms, guarded and certified, against brute force.
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <cstring>
-#include <memory>
-
 #include "flashbvh/robot/motion.hpp"
 #include "flashbvh/robot/robot_float.hpp"
 #include "support/arms/any_workcell.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::tool;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -38,11 +31,8 @@ bool is_contradicted(const CrowdedCell& cell, const GuardAnswer& answer, const P
 }  // namespace
 
 TEST_CASE("tools and obstacles are guarded as links are, whatever the budget") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
   long verdicts[4] = {};
-  for (int round = 0; round < rounds(5, 10); ++round) {
-    CAPTURE(round);
+  for_rounds(rounds(5, 10), [&](Random& random, int) {
     const auto cell = std::make_unique<CrowdedCell>(random);
     const auto state = std::make_unique<WorkcellState>();
     Guard guard(cell->robot(), *state);
@@ -70,7 +60,7 @@ TEST_CASE("tools and obstacles are guarded as links are, whatever the budget") {
         REQUIRE(guard.resume() == Status::done);
       }
     }
-  }
+  });
   CAPTURE(verdicts[0], verdicts[1], verdicts[2], verdicts[3]);
   for (const long of : verdicts) {
     CHECK(of > 0);
@@ -78,9 +68,7 @@ TEST_CASE("tools and obstacles are guarded as links are, whatever the budget") {
 }
 
 TEST_CASE("no joint moves a tool farther than its reach") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
-  for (int round = 0; round < 4; ++round) {
+  for_rounds(4, [&](Random& random, int) {
     const auto cell = std::make_unique<CrowdedCell>(random);
     const Robot& robot = cell->robot();
     const RobotLink& tool = robot.links[cell->links[0]];
@@ -102,15 +90,12 @@ TEST_CASE("no joint moves a tool farther than its reach") {
         REQUIRE(std::ldexp(*reach++, -kReachBits) >= lever * unit * 256);
       }
     }
-  }
+  });
 }
 
 TEST_CASE("motions are certified with tools and obstacles in the way") {
-  CAPTURE(test_seed());
-  Random random(test_seed());
   int outcomes[3] = {};
-  for (int round = 0; round < rounds(6, 16); ++round) {
-    CAPTURE(round);
+  for_rounds(rounds(6, 16), [&](Random& random, int) {
     const auto cell = std::make_unique<CrowdedCell>(random);
     MotionStateOf<12, 12> state{};
     MotionQuery query(cell->robot(), state);
@@ -130,7 +115,7 @@ TEST_CASE("motions are certified with tools and obstacles in the way") {
         REQUIRE_FALSE(cell->is_closer(cell->robot().pairs[k], values, 1, 0));
       }
     }
-  }
+  });
   CHECK(outcomes[static_cast<int>(MotionOutcome::free)] > 0);
   CHECK(outcomes[static_cast<int>(MotionOutcome::hit)] > 0);
 }

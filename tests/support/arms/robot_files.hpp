@@ -12,6 +12,17 @@
 
 namespace flashbvh::test {
 
+/// What is said where `act()` is refused; empty if it is not.
+template <class Act>
+std::string refusal_of(const Act& act) {
+  try {
+    (void)act();
+    return {};
+  } catch (const tool::UserError& error) {
+    return error.what();
+  }
+}
+
 class RobotFiles {
  public:
   RobotFiles() : folder_(std::filesystem::temp_directory_path() / std::to_string(getpid())) {
@@ -36,16 +47,11 @@ class RobotFiles {
 
   /// What is said of a robot that is refused, with the folder left out; empty if it is read.
   std::string refusal(const std::string& inside) {
-    try {
-      (void)read(inside);
-      return {};
-    } catch (const tool::UserError& error) {
-      std::string text = error.what();
-      for (std::size_t at; (at = text.find(folder_.string() + "/")) != std::string::npos;) {
-        text.erase(at, folder_.string().size() + 1);
-      }
-      return text;
+    std::string text = refusal_of([&] { return read(inside); });
+    for (std::size_t at; (at = text.find(folder_.string() + "/")) != std::string::npos;) {
+      text.erase(at, folder_.string().size() + 1);
     }
+    return text;
   }
 
   tool::Packages packages;

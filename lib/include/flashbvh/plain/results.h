@@ -17,7 +17,7 @@ typedef struct FLASHBVH_KEEP flashbvh_run_result {
   uint32_t work;  /**< spent of the granted work; 0 if UINT32_MAX was granted */
 } flashbvh_run_result;
 
-/** Where a query of any kind stands between runs: all there is to keep besides its meshes and its
+/** Where a query of any kind stands between runs: all there is to keep with its meshes and its
  * pose. May be stored for any time, as bytes too. */
 typedef struct flashbvh_cursor {
   uint16_t a; /**< a node of A */

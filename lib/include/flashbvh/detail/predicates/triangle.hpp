@@ -25,7 +25,7 @@ constexpr int32_t kMaxDifference = (1 << 20) - 1;
 ///
 /// Cost in instructions on a Cortex-M4 at -O2: at most 135 where the boxes are disjoint, else 265
 /// on average and at most 390; up to 950 for coplanar triangles and 2,100 for two segments
-/// (tests/predicates/triangle_cost_test.cpp prints them), more where a difference reaches 2^15.
+/// (tests/predicates/contact_cost_test.cpp prints them), more where a difference reaches 2^15.
 /// Stack: 104 bytes on Cortex-M3 and M4 at -O2.
 ///
 /// Source: Guigue and Devillers, "Fast and Robust Triangle-Triangle Overlap Test Using Orientation

@@ -1,18 +1,17 @@
-// The surface area heuristic's builder: whole trees, tight boxes, no input that it fears.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
+// Trees: the surface area heuristic's are whole, with tight boxes, of any input; and what ranks are
+// made of.
 #include <set>
 
 #include "bake/binary_tree.hpp"
 #include "bake/measure.hpp"
+#include "bake/rank.hpp"
+#include "flashbvh/mesh.hpp"
 #include "support/points.hpp"
 #include "support/shapes.hpp"
+#include "support/test.hpp"
 #include "support/torus.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 using bake::BuildNode;
 using bake::BuildTree;
 using bake::LatticeMesh;
@@ -126,11 +125,29 @@ std::multiset<std::uint64_t> surfaces(const BuildTree& tree) {
   return all;
 }
 
+constexpr Box kLargest = {{-kMaxCoordinate, -kMaxCoordinate, -kMaxCoordinate},
+                          {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate}};
+constexpr Box kPoint = {{5, 5, 5}, {5, 5, 5}};
+
+/// A root over equal leaves.
+BuildTree flat_tree(const Box& root, const Box& leaf, std::size_t count) {
+  BuildTree tree;
+  tree.nodes.push_back({root, {}, {}});
+  for (std::size_t i = 0; i < count; ++i) {
+    tree.nodes[0].children.push_back(static_cast<std::uint32_t>(tree.nodes.size()));
+    tree.nodes.push_back({leaf, {}, {0}});
+  }
+  return tree;
+}
+
+std::uint32_t root_rank(const BuildTree& tree) {
+  return bake::rank_of(tree, tree.nodes[0]);
+}
+
 }  // namespace
 
 TEST_CASE("surface area heuristic: whole trees with tight boxes, all leaf sizes and arities") {
-  Random random = test_random();
-  for (int round = 0; round < 150; ++round) {
+  for_rounds(150, [&](Random& random, int round) {
     const std::int32_t spread = round % 3 == 0 ? 3 : 300;
     const LatticeMesh mesh = random_mesh(random, 1 + random.below(120), spread, 30);
     const std::uint32_t leaf_size = 1 + random.below(16);
@@ -140,7 +157,7 @@ TEST_CASE("surface area heuristic: whole trees with tight boxes, all leaf sizes 
     check_whole(tree, mesh, leaf_size, 2);
     check_whole(bake::collapse(tree, arity), mesh, leaf_size, arity);
     CHECK(same(bake::collapse(tree, 2), bake::collapse(bake::collapse(tree, 2), 2)));
-  }
+  });
 }
 
 TEST_CASE("surface area heuristic: one triangle is a leaf, two are a node with two") {
@@ -181,10 +198,8 @@ TEST_CASE("surface area heuristic: nested triangles, where trees become deep") {
 }
 
 TEST_CASE("reinsertion never makes a tree cost more, and keeps it whole") {
-  Random random = test_random(1);
   int improved = 0;
-  for (int round = 0; round < 60; ++round) {
-    CAPTURE(round);
+  for_rounds(60, 1, [&](Random& random, int) {
     const LatticeMesh mesh = random_mesh(random, 1 + random.below(200), 200, 60);
     bake::BinaryTree tree = bake::sweep(mesh);
     const std::uint64_t before = bake::cost_of(tree);
@@ -196,7 +211,7 @@ TEST_CASE("reinsertion never makes a tree cost more, and keeps it whole") {
     }
     check_whole(bake::with_leaves(tree, 1), mesh, 1, 2);
     improved += fell_by > 0 ? 1 : 0;
-  }
+  });
   CHECK(improved > 30);
 }
 
@@ -215,9 +230,7 @@ TEST_CASE("surface area heuristic: it costs less than the median, and builds the
 }
 
 TEST_CASE("surface area heuristic: the order of the triangles decides only between equals") {
-  Random random = test_random(2);
-  for (int round = 0; round < 20; ++round) {
-    CAPTURE(round);
+  for_rounds(20, 2, [&](Random& random, int) {
     // Far apart and irregular: no two centres or costs are equal.
     LatticeMesh mesh = random_mesh(random, 60, 16000, 350);
     const auto before = surfaces(bake::with_leaves(bake::sweep(mesh), 1));
@@ -225,5 +238,38 @@ TEST_CASE("surface area heuristic: the order of the triangles decides only betwe
       std::swap(mesh.triangles[i], mesh.triangles[random.below(static_cast<std::uint32_t>(i) + 1)]);
     }
     CHECK(surfaces(bake::with_leaves(bake::sweep(mesh), 1)) == before);
+  });
+}
+
+TEST_CASE("a box surely overlaps what its equal overlaps, and a point in it seldom") {
+  CHECK(bake::chance_of_overlap(kLargest, kLargest) == bake::kSurely);
+  CHECK(bake::chance_of_overlap(kPoint, kPoint) == bake::kSurely);
+  CHECK(bake::chance_of_overlap(kLargest, kPoint) == bake::kSurely / 8);
+}
+
+TEST_CASE("ranks lie between 1 and the largest that a node can hold") {
+  for (const std::size_t count : {1u, 2u, 8u, 1000u}) {
+    for (const Box& leaf : {kPoint, kLargest}) {
+      const std::uint32_t rank = root_rank(flat_tree(kLargest, leaf, count));
+      CHECK(rank > 1);
+      CHECK(rank <= static_cast<std::uint32_t>(kMaxRank));
+    }
+    CHECK(root_rank(flat_tree(kPoint, kPoint, count)) >= 1);
   }
+}
+
+TEST_CASE("a node ranks higher if it is larger, if its children are smaller, or fewer") {
+  const Box large = {{0, 0, 0}, {800, 800, 800}};
+  const Box half = {{0, 0, 0}, {800, 800, 400}};
+  const Box quarter = {{0, 0, 0}, {800, 400, 400}};
+  CHECK(root_rank(flat_tree(large, half, 2)) > root_rank(flat_tree(half, quarter, 2)));
+  CHECK(root_rank(flat_tree(large, quarter, 2)) > root_rank(flat_tree(large, half, 2)));
+  CHECK(root_rank(flat_tree(large, half, 2)) > root_rank(flat_tree(large, half, 8)));
+}
+
+TEST_CASE("the scale of ranks is monotone") {
+  for (std::uint32_t measure = 1; measure < 3u << 16; ++measure) {
+    REQUIRE(bake::rank_on_scale(measure - 1) <= bake::rank_on_scale(measure));
+  }
+  CHECK(bake::rank_on_scale((3u << 16) - 1) <= static_cast<std::uint32_t>(kMaxRank));
 }

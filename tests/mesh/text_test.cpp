@@ -1,0 +1,226 @@
+// Text files: the nearest double in every format, what is malformed is refused with its place, and
+// which triangles are of which body.
+#include "mesh/any_format.hpp"
+#include "support/test.hpp"
+
+using tool::FileMesh;
+using Names = std::vector<std::string>;
+using Numbers = std::vector<std::uint32_t>;
+
+namespace {
+
+double first_coordinate(const TextFormat& format, const std::string& word) {
+  return format.read(format.before + "  " + word + "\t1 2\n" + format.after, "file")
+      .mesh.vertices.at(0)[0];
+}
+
+/// To the sign of zero. The C library's conversion is another one, and rounds to nearest.
+bool reads_as(const TextFormat& format, const std::string& word, double wanted) {
+  const double found = first_coordinate(format, word);
+  return std::memcmp(&found, &wanted, sizeof found) == 0;
+}
+
+const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string kMend = "; export the mesh again";
+
+/// The triangle, with one thing in its header or body replaced.
+std::string ply_with(const std::string& what, const std::string& by) {
+  std::string text = kPlyHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  return text.replace(text.find(what), what.size(), by);
+}
+
+/// `said` stands between "file" and the advice to export the mesh again.
+struct BadPly {
+  std::string what;
+  std::string by;
+  std::string said;
+};
+
+const std::string kList = "uchar int vertex_indices";
+const std::string kNoList = ": has faces without one list of integers 'vertex_indices'";
+
+const BadPly kBadPlies[] = {
+    // The shape must be whole and without a second meaning.
+    {"double x", "double w", ": has vertices without a number 'x'"},
+    {"double y", "double w", ": has vertices without a number 'y'"},
+    {"double z", "double w", ": has vertices without a number 'z'"},
+    {"double x", "list uchar int x", ": has vertices without a number 'x'"},
+    {"double y", "list uchar int y", ": has vertices without a number 'y'"},
+    {"double z", "list uchar int z", ": has vertices without a number 'z'"},
+    {"element face 1", "element vertex 1\nproperty float x\nelement face 1",
+     ":7: a second element 'vertex'"},
+    {"double z", "double y", ":6: a second property 'y'"},
+    {"vertex_indices", "corners", kNoList},
+    {kList, "uchar float vertex_indices", kNoList},
+    {kList, "float int vertex_indices", ":8: a list whose length is no integer"},
+    {"format ascii 1.0\n", "", ":8: the header ends without a 'format'"},
+    {"element face 1\nproperty list " + kList + "\n", "",
+     ": has no polygons ('vertex' and 'face')"},
+    // Each number must be of its type.
+    {"3 0 1 2", "3 0 1.5 2", ": face 0 of 1: '1.5' is no int"},
+    {"3 0 1 2", "3 0 1 2.0", ": face 0 of 1: '2.0' is no int"},
+    {"3 0 1 2", "3.0 0 1 2", ": face 0 of 1: '3.0' is no uchar"},
+    {"3 0 1 2", "3 0 1 -1", ": face 0 of 1: a corner at vertex -1 of 3"},
+    {"3 0 1 2", "3 0 1 18446744073709551616", ": face 0 of 1: '18446744073709551616' is no int"},
+    {"3 0 1 2", "2 0 1", ": face 0 of 1: a polygon of 2 corners"},
+    {"1 0 0", "1 nan 0", ": vertex 1 of 3: 'nan' is no finite double"},
+    {"3 0 1 2\n", "3 0 1 2\n7\n", ": has more than its header announces"},
+};
+
+/// Polygons of an OFF with ten points.
+const std::array<std::array<std::string, 2>, 3> kBadOffs = {{
+    {"3 0 1 .5", ": a corner at vertex '.5', but there are 10 vertices" + kMend},
+    {"2 0 1", ": a polygon of '2' corners; it must have three or more"},
+    {"9223372036854775807 0 1", ": a polygon of 9223372036854775807 corners names only 2" + kMend},
+}};
+
+std::string facet(int z) {
+  const std::string height = " " + std::to_string(z) + "\n";
+  return "facet normal 0 0 1\nouter loop\nvertex 0 0" + height + "vertex 1 0" + height +
+         "vertex 0 1" + height + "endloop\nendfacet\n";
+}
+
+}  // namespace
+
+TEST_CASE("a number of a text is the nearest double, in every format") {
+  const std::vector<std::string> words = {
+      "0.1", "-0", "0", ".5", "5.", "+.5", "-.5", "1e3", "1E+3", "5.e-1", "0.3", "1000000.03",
+      "5000000.3", "0.1000000000000000055511151231257827", "123456789012345678901234567890",
+      "18446744073709551616", "18446744073709551617", "36893488147419103232",
+      "00000000000000000000000000000000000001.5",
+      // Halfway between two doubles, and a little to either side.
+      "9007199254740993", "9007199254740995", "9007199254740992.99999999999999999999",
+      "9007199254740993.00000000000000000001", "1.00000000000000011102230246251565404",
+      "1.00000000000000011102230246251565405", "1.00000000000000011102230246251565403",
+      // Subnormal, below half of the least one, too small for any, as large as a float.
+      "4.9e-324", "1e-310", "2.2250738585072011e-308", "2.5e-324", "2.4e-324", "1e-400", "-1e-999",
+      "3.4028234663852886e38", "-340282346638528859811704183484516925440"};
+  for (const TextFormat& format : kTextFormats) {
+    for (const std::string& word : words) {
+      CAPTURE(format.name, word);
+      CHECK(reads_as(format, word, std::strtod(word.c_str(), nullptr)));
+    }
+  }
+}
+
+TEST_CASE("any number of up to 25 digits is the nearest double, in every format") {
+  Random random(test_seed());
+  for (int i = 0; i < 3000; ++i) {
+    std::string word = random.below(2) == 0 ? "-" : "";
+    const std::uint32_t digits = 1 + random.below(25);
+    const std::uint32_t point = random.below(digits + 1);
+    for (std::uint32_t digit = 0; digit < digits; ++digit) {
+      word += (digit == point ? "." : "") + std::to_string(random.below(10));
+    }
+    if (random.below(3) == 0) {
+      word += "e" + std::to_string(static_cast<int>(random.below(340)) - 327);
+    }
+    const double wanted = std::strtod(word.c_str(), nullptr);
+    if (!tool::is_coordinate(wanted)) {
+      continue;
+    }
+    for (const TextFormat& format : kTextFormats) {
+      CAPTURE(format.name, word);
+      REQUIRE(reads_as(format, word, wanted));
+    }
+  }
+}
+
+TEST_CASE("what is no number, or none that a float can hold, is no coordinate in any format") {
+  const std::vector<std::string> words = {
+      "nan",   "-nan", "inf",  "INF", "infinity", "0x10",  "0x1p3", "1e39", "-1e39",   "3.5e38",
+      "1e999", "1,5",  "1.5f", "1d3", "--1",      "+-1",   "-+1",   "++1",  "+",       "-",
+      ".",     "e5",   "1e",   "1e+", "1.2.3",    "1_000", "1/2",   "x",    "\xD9\xA1"};
+  for (const TextFormat& format : kTextFormats) {
+    for (const std::string& word : words) {
+      CAPTURE(format.name, word);
+      CHECK(refusal(format.read, format.before + word + " 1 2\n" + format.after) != "");
+    }
+  }
+}
+
+TEST_CASE("line ends, blanks and comments change nothing") {
+  for (const TextFormat& format : kTextFormats) {
+    CAPTURE(format.name);
+    const std::string plain = format.before + "0.1 0.2 0.3\n" + format.after;
+    const FileMesh wanted = format.read(plain, "file");
+    for (const std::string end : {"\r\n", "\r", " \t\n"}) {
+      std::string changed;
+      for (const char c : plain) {
+        changed += c == '\n' ? end : c == ' ' ? "\t " : std::string(1, c);
+      }
+      const FileMesh found = format.read(changed, "file");
+      CHECK(found.mesh.vertices == wanted.mesh.vertices);
+      CHECK(found.mesh.triangles == wanted.mesh.triangles);
+    }
+  }
+  const std::string comments = "# a\n\nv 0.1 0 0 # b\n#v 9 9 9\n\nv 1 0 0\nv 0 1 0\nf 1 2 3#\n";
+  CHECK(tool::read_obj(comments, "file").mesh.vertices.size() == 3);
+}
+
+TEST_CASE("PLY: what is malformed") {
+  CHECK(refusal(tool::read_ply, ply_with("ply", "ply")) == "");
+  CHECK(refusal(tool::read_ply, ply_with("double x", "int x")) == "");
+  for (const auto& [what, by, said] : kBadPlies) {
+    CAPTURE(what, by);
+    CHECK(refusal(tool::read_ply, ply_with(what, by)) == "file" + said + kMend);
+  }
+  std::string ints = ply_with("double x", "int x");
+  ints.replace(ints.find("1 0 0"), 1, "1.5");
+  CHECK(refusal(tool::read_ply, ints) == "file: vertex 1 of 3: '1.5' is no int" + kMend);
+  CHECK(
+      refusal(tool::read_ply, ply_with("element face 1",
+                                       "element tristrips 2\nproperty list int int vertex_indices\n"
+                                       "element face 1")) ==
+      "file: has triangle strips ('tristrips'); export the mesh as polygons");
+}
+
+TEST_CASE("OBJ: a corner is an integer") {
+  for (const std::string corner : {".5", "1.0", "1.", "0", "4", "-4", "18446744073709551617", "1e0",
+                                   "+", "x", "/1", "9223372036854775807", "-9223372036854775808"}) {
+    CHECK(refusal(tool::read_obj, kVertices + "f 1 2 " + corner + "\n") ==
+          "file:4: a corner at vertex '" + corner + "', but there are 3 vertices so far" + kMend);
+  }
+  CHECK(refusal(tool::read_obj, kVertices + "f 1 2 +3\n") == "");
+}
+
+TEST_CASE("OFF: polygons of any number of corners, at vertices that are there") {
+  const std::string before =
+      "OFF\n10 1 0\n0 0 0\n4 0 0\n5 1 0\n5 2 0\n4 3 0\n3 4 0\n2 5 0\n1 5 0\n0 4 0\n-1 3 0\n";
+  const auto file = tool::read_off(before + "10 0 1 2 3 4 5 6 7 8 9\n", "file");
+  CHECK(file.mesh.triangles.size() == 8);
+  for (const auto& [polygon, said] : kBadOffs) {
+    CHECK(refusal(tool::read_off, before + polygon + "\n") == "file:13" + said);
+  }
+}
+
+TEST_CASE("ASCII STL: a body is a solid, by its name as it is written; empty ones are none") {
+  const FileMesh file =
+      tool::read_stl("solid Left  Wheel \n" + facet(0) + facet(1) +
+                         "endsolid Left  Wheel\nsolid empty\nendsolid\n" + "SOLID\n" + facet(0) +
+                         "ENDSOLID\nsolid Left  Wheel\n" + facet(2) + "endsolid other\n",
+                     "file");
+  CHECK(file.bodies == Names{"Left  Wheel", "", "Left  Wheel"});
+  CHECK(file.body_of == Numbers{0, 0, 1, 2});
+  const auto meshes = tool::meshes_of_bodies(file);
+  REQUIRE(meshes.size() == 3);
+  CHECK(meshes[0].triangles.size() == 2);
+  CHECK(meshes[0].vertices.size() == 6);
+  CHECK(meshes[1].vertices.size() == 3);  // one of the first body's triangles, of its own here
+  CHECK(meshes[2].vertices.at(0) == tool::Position{0, 0, 2});
+}
+
+TEST_CASE("OBJ: a body is what the last o or g names, and goes on where it is named again") {
+  const FileMesh file = tool::read_obj(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\no base plate\nf 1 2 4\ng arm \\\n left\n"
+      "f 1 3 4\no base plate\nf 2 3 4\ng\nf 1 2 4\no none\n",
+      "file");
+  CHECK(file.bodies == Names{"", "base plate", "arm   left"});
+  CHECK(file.body_of == Numbers{0, 1, 2, 1, 0});
+}
+
+TEST_CASE("PLY and OFF: one body without a name") {
+  CHECK(tool::read_off("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "file").bodies == Names{""});
+  CHECK(tool::read_ply(test::kPlyHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "file").bodies ==
+        Names{""});
+}

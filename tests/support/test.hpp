@@ -1,0 +1,42 @@
+// What nearly every test with a heap includes.
+#ifndef FLASHBVH_TESTS_SUPPORT_TEST_HPP
+#define FLASHBVH_TESTS_SUPPORT_TEST_HPP
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "support/random.hpp"
+
+namespace flashbvh::test {
+
+/// Calls body(random, round) `count` times, with the random numbers of a stream; says which round
+/// it was where one fails.
+template <class Count, class Body>
+void for_rounds(Count count, std::uint64_t stream, const Body& body) {
+  Random random = test_random(stream);
+  for (Count round = 0; round < count; ++round) {
+    CAPTURE(round);
+    body(random, round);
+  }
+}
+template <class Count, class Body>
+void for_rounds(Count count, const Body& body) {
+  for_rounds(count, 0, body);
+}
+
+}  // namespace flashbvh::test
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+#endif
