@@ -1,6 +1,6 @@
 // Contacts against exact rationals, on the host.
 #include "flashbvh/contact.hpp"
-#include "support/contact_oracle.hpp"
+#include "support/oracles/contact.hpp"
 #include "support/test.hpp"
 #include "support/triangle_pairs.hpp"
 

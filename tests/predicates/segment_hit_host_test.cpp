@@ -2,7 +2,6 @@
 #include "predicates/segment_hit.hpp"
 #include "support/oracles/rational.hpp"
 #include "support/points.hpp"
-#include "support/rational_oracles.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -132,7 +131,7 @@ TEST_CASE("a segment meets exactly the boxes that it has a point of, and no part
     boxes.shorten({above, below});
     const bool in_part = meets_box(segment, rational({above, below}), box);
     REQUIRE((boxes.may_meet(pack(box)) || !in_part));
-    behind += meets && !boxes.may_meet(detail::pack(box)) ? 1 : 0;
+    behind += meets && !boxes.may_meet(pack(box)) ? 1 : 0;
   });
   CAPTURE(met, missed, behind);
   CHECK((met > 2'000 && missed > 5'000 && behind > 500));

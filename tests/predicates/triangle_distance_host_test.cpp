@@ -5,7 +5,6 @@
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "support/oracles/rational.hpp"
 #include "support/points.hpp"
-#include "support/rational_oracles.hpp"
 #include "support/test.hpp"
 
 using namespace flashbvh::detail;
