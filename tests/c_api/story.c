@@ -128,7 +128,7 @@ static void distances(const flashbvh_pose* pose) {
   const float scale = flashbvh_mesh_cells_per_unit(&block);
   flashbvh_clearance found;
   flashbvh_pose far;
-  flashbvh_run_result all;
+  uint32_t pairs = 0;
   CHECK(flashbvh_distance(&block, &blade, pose, NULL, &found) == FLASHBVH_STATUS_DONE);
   CHECK(found.in_range && found.lower == 25 * 256 && found.upper == 25 * 256);
   CHECK(near(flashbvh_length_in_unit(found.lower, &block), 2.5f));

@@ -1,6 +1,6 @@
 // The bound on visits against walks that find all boxes overlapping, on trees of every shape.
-#include "evaluate/visit_bound.hpp"
 #include "bake/baked_tree.hpp"
+#include "evaluate/needed_work.hpp"
 #include "reference/traversals.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"

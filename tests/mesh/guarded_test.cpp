@@ -5,7 +5,6 @@
 
 #include "mesh/any_format.hpp"
 #include "mesh/guarded_import.hpp"
-#include "mesh/mesh_bytes.hpp"
 #include "support/test.hpp"
 
 using tool::FileMesh;

@@ -1,7 +1,6 @@
 // Polygons cut into triangles: the same ones as by the rule itself, applied to every corner each
 // time.
 #include "mesh/polygon.hpp"
-#include "mesh/corner_tree.hpp"
 #include "support/test.hpp"
 
 using tool::Corner2;

@@ -2,9 +2,7 @@
 // FLASHBVH_THOROUGH over all, up to 203,776; the best rule against all rules; tables.
 #include <map>
 
-#include "evaluate/best_rule.hpp"
 #include "evaluate/run.hpp"
-#include "evaluate/tables.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"
 

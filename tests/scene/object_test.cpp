@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "evaluate/paper_object.hpp"
+#include "evaluate/setups.hpp"
 #include "support/test.hpp"
 
 using scene::kFullRadius;

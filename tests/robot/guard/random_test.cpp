@@ -1,7 +1,7 @@
 // The guard on random arms against brute force, and the distance tables of such arms.
 // FLASHBVH_PERIODS tries as many periods.
 #include "flashbvh/detail/robot/distance_table.hpp"
-#include "robot/baked/distance_tables.hpp"
+#include "robot/baked/fixed_robot.hpp"
 #include "support/arms/guarded_arm.hpp"
 #include "support/test.hpp"
 
@@ -62,13 +62,13 @@ Told told_of(const FixedArm& arm, Random& random) {
     for (std::uint16_t pair = 0; pair < arm.robot().pair_count; ++pair) {
       const RobotPair& of = arm.robot().pairs[pair];
       const std::uint32_t distance =
-          detail::chart_distance_at(arm.robot(), pair, coordinates.data());
+          detail::table_distance_at(arm.robot(), pair, coordinates.data());
       if (distance > kPlacingFine && arm.is_closer(of, values, distance - kPlacingFine)) {
         CAPTURE(i, pair, distance);
         FAIL();
       }
       told.places += distance != 0 ? 1 : 0;
-      told.all += detail::distance_table_size(arm.robot(), of) != 0 ? 1 : 0;
+      told.all += distance_table_size(arm.robot(), of) != 0 ? 1 : 0;
     }
   }
   return told;
@@ -123,10 +123,10 @@ TEST_CASE(
 }
 
 TEST_CASE("a byte's distance grows with it by a sixteenth at most") {
-  CHECK(detail::table_distance(0) == 0);
+  CHECK(table_distance(0) == 0);
   for (std::uint32_t byte = 1; byte < 255; ++byte) {
-    const double now = detail::table_distance(static_cast<std::uint8_t>(byte));
-    const double next = detail::table_distance(static_cast<std::uint8_t>(byte + 1));
+    const double now = table_distance(static_cast<std::uint8_t>(byte));
+    const double next = table_distance(static_cast<std::uint8_t>(byte + 1));
     CHECK((next > now && next <= now * 17 / 16));
   }
 }

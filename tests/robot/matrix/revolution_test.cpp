@@ -1,7 +1,7 @@
 // Solids of revolution, and proofs by them.
-#include "robot/matrix/revolution.hpp"
 #include "flashbvh/solid.hpp"
 #include "robot/matrix/pair_search.hpp"
+#include "robot/matrix/swept_pair.hpp"
 #include "support/arms/arms.hpp"
 #include "support/test.hpp"
 

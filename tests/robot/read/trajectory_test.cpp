@@ -1,5 +1,5 @@
 // Joint values from CSV files.
-#include "robot/replay/trajectory.hpp"
+#include "robot/replay/replay.hpp"
 #include "support/arms/robot_files.hpp"
 #include "support/test.hpp"
 
