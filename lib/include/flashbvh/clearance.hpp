@@ -122,6 +122,7 @@ class BasicClearanceQuery
       : Base(a, b, pose, {}, predicate(options.tolerance)) {
     begin_at(pose, options.hint);
   }
+  /// With a hint alone.
   BasicClearanceQuery(const Mesh& a, const Mesh& b, const Pose& pose, const Hint& hint)
       : BasicClearanceQuery(a, b, pose, Options{hint, 0}) {}
   template <class... With>
