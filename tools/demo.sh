@@ -61,11 +61,12 @@ echo "Compiled once, which takes a minute:"
 build $native flashbvh_tool -DFLASHBVH_KR5="$PWD/${kr5%/*}"
 echo "$flashbvh"
 
-step "3. Bake: mesh in, C++ arrays and images out, one common cell for all"
+step "3. Bake: mesh in, images out, one common cell for all"
 meshes=$(for link in $links; do echo "$kr5/$link.STL"; done)
 $flashbvh bake $meshes -o $demo/kr5
+quietly $flashbvh bake $meshes -o $demo/kr5/post --levels --format c
 quietly $flashbvh bake $meshes -o $demo/kr5/pre --layout pre --format image
-echo "The same links pre-indexed, for the paper's first stackless algorithm: $demo/kr5/pre"
+echo "The same links with levels and pre-indexed, for the paper's stackless algorithms: $demo/kr5/post, $demo/kr5/pre"
 
 step "4. Firmware for a Cortex-M4 with all seven links in its flash"
 python3 firmware_examples/robot_arm/joints.py "$urdf" >$demo/kr5/joints.hpp
@@ -87,6 +88,7 @@ step "6. The same arm with five triangles in a leaf: less flash"
 mkdir -p $demo/compact
 $flashbvh bake $meshes -o $demo/compact --leaf-size 5 2>$demo/log >$demo/compact/table
 cat $demo/compact/table
+quietly $flashbvh bake $meshes -o $demo/compact/post --leaf-size 5 --levels --format c
 quietly $flashbvh bake $meshes -o $demo/compact/pre --leaf-size 5 --layout pre --format image
 cp $demo/kr5/joints.hpp $demo/compact/
 build $board robot_arm -DFLASHBVH_ROBOT_ARM="$PWD/$demo/compact"

@@ -101,11 +101,8 @@ static verdict control_loop(const target* to) {
 int main(void) {
   const size_t count = sizeof targets / sizeof targets[0];
   float height = -1;
-  if (flashbvh_open(plate_image, sizeof plate_image, &plate) != FLASHBVH_STATUS_DONE ||
-      flashbvh_open(peg_image, sizeof peg_image, &tool) != FLASHBVH_STATUS_DONE) {
-    port_put("the images are damaged\n");
-    return 1;
-  }
+  flashbvh_view_unchecked(plate_image, &plate);
+  flashbvh_view_unchecked(peg_image, &tool);
   work_per_tick =
       flashbvh_work_within(INSTRUCTIONS_PER_TICK, &flashbvh_cortex_m4f, &plate_size, &tool_size);
   if (work_per_tick == 0) {

@@ -8,10 +8,11 @@
 #include <flashbvh/clearance.hpp>
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/float.hpp>
+#include <flashbvh/image.hpp>
 #include <flashbvh/solid.hpp>
 
-#include "bar.fbvh.hpp"
-#include "gripper.fbvh.hpp"
+#include "bar.fbvh.h"
+#include "gripper.fbvh.h"
 #include "insn.hpp"
 #include "text.hpp"
 
@@ -19,12 +20,15 @@ using namespace flashbvh;
 
 namespace {
 
+const Mesh bar = view_unchecked<Mesh>(bar_image);
+const Mesh gripper = view_unchecked<Mesh>(gripper_image);
+
 enum class Verdict : uint8_t { free, slow, warn, stop };
 constexpr const char* kNames[] = {"free", "slow", "warn", "stop"};
 
 /// Millimetres, the unit of both meshes, as a distance in 1/256 cell.
 constexpr uint32_t within_mm(double length) {
-  return static_cast<uint32_t>(length / bar::kCell * 256);
+  return static_cast<uint32_t>(length / bar_CELL * 256);
 }
 constexpr uint32_t kSlow = within_mm(20);
 constexpr uint32_t kWarn = within_mm(5);
@@ -42,7 +46,7 @@ struct Known {
 class Guard {
  public:
   Known at(const Pose& gripper_in_bar) {
-    ClearanceQuery query(bar::mesh, gripper::mesh, gripper_in_bar, nearest_);
+    ClearanceQuery query(bar, gripper, gripper_in_bar, nearest_);
     while (query.run(kWork).status == Status::suspended) {
       // Not finished: a control loop comes back in the next period.
     }
@@ -53,7 +57,7 @@ class Guard {
       return {Verdict::stop, known.lower};
     }
     // Apart are the surfaces of a bar inside the gripper, too.
-    if (solids_intersect(bar::mesh, gripper::mesh, gripper_in_bar).yes) {
+    if (solids_intersect(bar, gripper, gripper_in_bar).yes) {
       return {Verdict::stop, known.lower};
     }
     return {verdict_of(known.lower), known.lower};
@@ -78,7 +82,7 @@ struct Approach {
   float z = 58.4f;
 
   Pose pose() const {
-    return pose_of(UnitQuaternion{cosine, 0, 0, sine}, {x, 0, z}, bar::kCellsPerUnit);
+    return pose_of(UnitQuaternion{cosine, 0, 0, sine}, {x, 0, z}, bar_CELLS_PER_UNIT);
   }
 
   /// A millimetre aside, four down, and six degrees about the upright.
@@ -95,8 +99,7 @@ struct Approach {
 
 /// In millimetres, three decimals, rounded down as the distance is.
 void print_mm(uint32_t distance) {
-  const auto micrometres =
-      static_cast<uint32_t>(millionths_of(distance, bar::mesh.cell_bits) / 1000);
+  const auto micrometres = static_cast<uint32_t>(millionths_of(distance, bar.cell_bits) / 1000);
   const uint32_t rest = micrometres % 1000;
   port::print(micrometres / 1000, rest < 10 ? ".00" : rest < 100 ? ".0" : ".", rest, " mm ");
 }
@@ -126,7 +129,7 @@ int main() {
   // As sensors may report at reset. By the distance alone the gripper would be free.
   port::print("bar in the palm: ");
   const Verdict inside = tell(guard, [] {
-    return pose_of(UnitQuaternion{1, 0, 0, 0}, {0, 0, -36.0f}, bar::kCellsPerUnit);
+    return pose_of(UnitQuaternion{1, 0, 0, 0}, {0, 0, -36.0f}, bar_CELLS_PER_UNIT);
   });
   return last == Verdict::stop && inside == Verdict::stop ? 0 : 1;
 }

@@ -10,12 +10,13 @@
 // Prints each frame's pairs, a digest of all there were up to it, and instructions, which are
 // counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
 #include <flashbvh/clearance.hpp>
+#include <flashbvh/image.hpp>
 #include <flashbvh/self.hpp>
 
-#include "arm_link.fbvh.hpp"
+#include "arm_link.fbvh.h"
 #include "cloth.hpp"
 #include "insn.hpp"
-#include "sheet.fbvh.hpp"
+#include "sheet.fbvh.h"
 #include "text.hpp"
 #if defined(FLASHBVH_CLOTH_PAGE)
 #include "page.hpp"
@@ -30,16 +31,18 @@ namespace {
 constexpr int kFrames = 130;
 /// Half of a Cortex-M7 at 480 MHz and 100 Hz, at an instruction a cycle.
 constexpr uint32_t kMostInstructions = 2'400'000;
-constexpr float kPerMm = 1 / static_cast<float>(sheet::kCell);
+constexpr float kPerMm = 1 / static_cast<float>(sheet_CELL);
 constexpr float kThickness = 1.5f * kPerMm;
 constexpr uint32_t kNear = static_cast<uint32_t>(kThickness) * 256;
 constexpr uint32_t kNearLink = 2 * kNear;
 
-// All the memory there is.
-Node<uint16_t> nodes[sheet::kNodeCount];
-Vertex vertices[sheet::kVertexCount];
-Vector points[sheet::kVertexCount];
-Vector before[sheet::kVertexCount];
+const Mesh sheet = view_unchecked<Mesh>(sheet_image);
+
+// All the memory there is, but for views of the meshes.
+Node<uint16_t> nodes[sheet_NODE_COUNT];
+Vertex vertices[sheet_VERTEX_COUNT];
+Vector points[sheet_VERTEX_COUNT];
+Vector before[sheet_VERTEX_COUNT];
 
 const Pose kInPlace = Pose::translated(0, 0, 0);
 
@@ -75,7 +78,7 @@ struct Costs {
 
 /// Under the sheet's lower edge, 28 mm of it over the sheet's origin.
 Mesh put_link() {
-  Mesh link = arm_link::mesh;
+  Mesh link = view_unchecked<Mesh>(arm_link_image);
   const Box box = unpack(link.nodes[0].box);
   link.origin[0] = -(box.lower.x + box.upper.x) / 2;
   link.origin[1] = -(box.lower.y + box.upper.y) / 2;
@@ -87,7 +90,7 @@ const Mesh link = put_link();
 /// The link's points as the cloth's: both count from their own origins.
 Vector of_link(uint16_t vertex) {
   const auto from_sheet = [](int axis) {
-    return static_cast<float>(link.origin[axis] - sheet::mesh.origin[axis]);
+    return static_cast<float>(link.origin[axis] - sheet.origin[axis]);
   };
   return cloth::from(link.vertices[vertex], {from_sheet(0), from_sheet(1), from_sheet(2)});
 }
@@ -149,9 +152,9 @@ void tell(int number, const Frame& frame, const Costs& costs) {
 }  // namespace
 
 int main([[maybe_unused]] int argc, [[maybe_unused]] char** argv) {
-  DeformableMesh mesh(sheet::mesh, nodes, vertices);
-  const float floor = -45.0f * kPerMm - static_cast<float>(sheet::mesh.origin[2]);
-  Cloth cloth(sheet::mesh, {0.5f * kPerMm, 3.0f * kPerMm, floor, kThickness}, points, before);
+  DeformableMesh mesh(sheet, nodes, vertices);
+  const float floor = -45.0f * kPerMm - static_cast<float>(sheet.origin[2]);
+  Cloth cloth(sheet, {0.5f * kPerMm, 3.0f * kPerMm, floor, kThickness}, points, before);
   Costs most;
   uint32_t digest = 0;
 #if defined(FLASHBVH_CLOTH_PAGE)
@@ -179,7 +182,7 @@ int main([[maybe_unused]] int argc, [[maybe_unused]] char** argv) {
 #endif
     cloth.step();
   }
-  port::print("at most: refit ", most.refit, " (", most.refit / sheet::kNodeCount,
+  port::print("at most: refit ", most.refit, " (", most.refit / sheet_NODE_COUNT,
               " a node), itself ", most.itself, ", near itself ", most.band, ", link ", most.link,
               "\n");
   port::print("RAM: nodes and vertices ", unsigned{sizeof nodes + sizeof vertices},

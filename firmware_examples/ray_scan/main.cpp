@@ -7,19 +7,22 @@
 // Prints for each place the instructions of the whole scan, from floats to millimetres, and the
 // distance along the ray of each zone; "-" where nothing is within the reach. Instructions are
 // counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
+#include <flashbvh/image.hpp>
 #include <flashbvh/ray.hpp>
 #include <flashbvh/solid.hpp>
 #include <flashbvh/units.hpp>
 
 #include "insn.hpp"
 #include "measured.hpp"
-#include "room.fbvh.hpp"
+#include "room.fbvh.h"
 #include "sensor.hpp"
 #include "text.hpp"
 
 using namespace flashbvh;
 
 namespace {
+
+const Mesh room = view_unchecked<Mesh>(room_image);
 
 constexpr Place kAtTheDoor = {"at the door", {4600, 450, 1300}, {-0.8f, 0.6f, 0}, {0, 0, 1}};
 constexpr Place kOverTheTable = {
@@ -35,20 +38,20 @@ struct Scan {
 
 /// After an error a point counts as inside, which here would be permission: so the status, too.
 bool is_in_air(const Point& point) {
-  const PointAnswer answer = inside(room::mesh, point);
+  const PointAnswer answer = inside(room, point);
   return answer.status == Status::done && answer.side == PointSide::inside;
 }
 
 /// Of 1/256 cell, to the nearest.
 uint16_t millimetres(uint32_t distance) {
-  return static_cast<uint16_t>((millionths_of(distance, room::mesh.cell_bits) + 500000) / 1000000);
+  return static_cast<uint16_t>((millionths_of(distance, room.cell_bits) + 500000) / 1000000);
 }
 
 /// Each ray begins with what the last one hit: that never changes an answer, and spares visits
 /// where neighbours mostly hit one triangle of many. With few triangles, as here, it is nearly even
 /// (lib/docs/figures.md, Rays).
 Scan scan_at(const Place& place) {
-  const Sensor sensor(place, room::kCellsPerUnit);
+  const Sensor sensor(place, room_CELLS_PER_UNIT);
   Scan scan = {};
   uint16_t seed = kNoHint<uint16_t>;
   for (int zone = 0; zone < kZones; ++zone) {
@@ -57,7 +60,7 @@ Scan scan_at(const Place& place) {
     if (ray.status != Status::done || (zone == 0 && !is_in_air(ray.segment.from))) {
       return scan;
     }
-    const RayAnswer<uint16_t> answer = nearest_hit(room::mesh, ray.segment, seed);
+    const RayAnswer<uint16_t> answer = nearest_hit(room, ray.segment, seed);
     if (answer.status != Status::done) {
       return scan;
     }

@@ -5,7 +5,7 @@
 #include <flashbvh/float.hpp>
 
 #include "joints.hpp"
-#include "palm.fbvh.hpp"
+#include "palm.fbvh.h"
 
 using namespace flashbvh;
 
@@ -18,7 +18,7 @@ Pose rotated(const Joint& joint, float angle) {
   const float sine = sinf(angle / 2);
   return pose_of(UnitQuaternion{cosf(angle / 2), joint.axis[0] * sine, joint.axis[1] * sine,
                                 joint.axis[2] * sine},
-                 joint.origin, palm::kCellsPerUnit);
+                 joint.origin, palm_CELLS_PER_UNIT);
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
   .section .rodata.images, "a"
   .macro image name
   .balign 4
-  .global \name\()_image, \name\()_image_end
-\name\()_image:
+  .global \name\()_pre, \name\()_pre_end
+\name\()_pre:
   .incbin "pre/\name\().fbvh"
-\name\()_image_end:
+\name\()_pre_end:
   .endm
 
   image base_link

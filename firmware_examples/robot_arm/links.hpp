@@ -1,31 +1,31 @@
-// The arm's links: trees compiled in, and images as bytes in flash.
+// The arm's links: images that the build baked, and images as bytes in flash.
 #ifndef ROBOT_ARM_LINKS_HPP
 #define ROBOT_ARM_LINKS_HPP
 
 #include <stddef.h>
 #include <stdint.h>
 
-#include "base_link.fbvh.hpp"
-#include "bicep.fbvh.hpp"
-#include "elbow.fbvh.hpp"
-#include "forearm.fbvh.hpp"
-#include "palm.fbvh.hpp"
-#include "shoulder.fbvh.hpp"
-#include "wrist.fbvh.hpp"
+#include "base_link.fbvh.h"
+#include "bicep.fbvh.h"
+#include "elbow.fbvh.h"
+#include "forearm.fbvh.h"
+#include "palm.fbvh.h"
+#include "shoulder.fbvh.h"
+#include "wrist.fbvh.h"
 
 struct Link {
   const char* name;
-  const flashbvh::MeshWithLevels* post;
-  const unsigned char* image;  ///< pre-indexed
-  const unsigned char* image_end;
+  const uint32_t* post;      ///< post-indexed, with levels
+  const unsigned char* pre;  ///< pre-indexed
+  const unsigned char* pre_end;
 
-  size_t image_bytes() const { return static_cast<size_t>(image_end - image); }
+  size_t pre_bytes() const { return static_cast<size_t>(pre_end - pre); }
 };
 
 // images.S
-#define IMAGE(name)                              \
-  extern "C" const unsigned char name##_image[]; \
-  extern "C" const unsigned char name##_image_end[];
+#define IMAGE(name)                            \
+  extern "C" const unsigned char name##_pre[]; \
+  extern "C" const unsigned char name##_pre_end[];
 IMAGE(base_link)
 IMAGE(shoulder)
 IMAGE(bicep)
@@ -37,8 +37,7 @@ IMAGE(palm)
 
 namespace robot {
 
-#define LINK(name) \
-  constexpr Link name = {#name, &::name::levelled_mesh, name##_image, name##_image_end};
+#define LINK(name) constexpr Link name = {#name, name##_image, name##_pre, name##_pre_end};
 LINK(base_link)
 LINK(shoulder)
 LINK(bicep)
@@ -57,9 +56,9 @@ constexpr uint32_t larger(uint32_t a, uint32_t b) {
 
 /// Of the link that needs most.
 constexpr uint32_t kStackNeed =
-    larger(larger(larger(::base_link::kStackNeed, ::shoulder::kStackNeed),
-                  larger(::bicep::kStackNeed, ::elbow::kStackNeed)),
-           larger(larger(::forearm::kStackNeed, ::wrist::kStackNeed), ::palm::kStackNeed));
+    larger(larger(larger(base_link_STACK_NEED, shoulder_STACK_NEED),
+                  larger(bicep_STACK_NEED, elbow_STACK_NEED)),
+           larger(larger(forearm_STACK_NEED, wrist_STACK_NEED), palm_STACK_NEED));
 
 }  // namespace robot
 

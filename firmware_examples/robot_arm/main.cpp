@@ -20,6 +20,7 @@
 #include "configurations.hpp"
 #include "insn.hpp"
 #include "links.hpp"
+#include "reference/levels.hpp"
 #include "reference/traversals.hpp"
 #include "stack.hpp"
 #include "text.hpp"
@@ -31,6 +32,27 @@ namespace {
 bool failed = false;
 /// The only traversal that is measured; none: all are.
 const char* wanted = nullptr;
+
+/// The build made the post-indexed images; the pre-indexed ones are bytes, which are checked.
+struct Trees {
+  MeshWithLevels post[kLinkCount];
+  PreMeshWithLevels pre[kLinkCount];
+
+  bool open() {
+    for (int i = 0; i < kLinkCount; ++i) {
+      const Link& from = robot::kLinks[i];
+      post[i] = view_with_levels<MeshWithLevels>(from.post);
+      const Status status = open_image(from.pre, from.pre_bytes(), pre[i]);
+      if (status != Status::done) {
+        port::print("error: the image of ", from.name, " does not open: status ",
+                    static_cast<unsigned>(status), "\n");
+        return false;
+      }
+    }
+    return true;
+  }
+};
+Trees trees;
 
 ArmPose arm_pose(const Configuration& configuration) {
   float angles[kJointCount];
@@ -46,7 +68,7 @@ bool hits_itself(const ArmPose& arm) {
   for (int a = 0; a < kLinkCount; ++a) {
     for (int b = a + 2; b < kLinkCount; ++b) {
       const Pose pose = Pose::relative(arm.link[a], arm.link[b]);
-      if (intersects<uint16_t>(*robot::kLinks[a].post, *robot::kLinks[b].post, pose).yes) {
+      if (intersects<uint16_t>(trees.post[a], trees.post[b], pose).yes) {
         return true;
       }
     }
@@ -57,13 +79,16 @@ bool hits_itself(const ArmPose& arm) {
 /// Two links of a configuration.
 struct Case {
   const char* configuration;
-  const Link& a;
-  const Link& b;
+  int a;
+  int b;
   const Pose& pose;
+
+  const char* name_a() const { return robot::kLinks[a].name; }
+  const char* name_b() const { return robot::kLinks[b].name; }
 };
 
 void print_pose(const Case& what) {
-  port::print("pose ", what.configuration, " ", what.a.name, " ", what.b.name);
+  port::print("pose ", what.configuration, " ", what.name_a(), " ", what.name_b());
   for (int i = 0; i < 9; ++i) {
     port::print(" ", what.pose.rotation(i / 3, i % 3));
   }
@@ -106,42 +131,25 @@ void measure(const Case& what, const char* algorithm, const typename Traversal::
     failed = failed || again.stats().visits != query.stats().visits;
   });
   const QueryStats& counts = query.stats();
-  port::print("result ", what.configuration, " ", what.a.name, " ", what.b.name, " ", algorithm);
+  port::print("result ", what.configuration, " ", what.name_a(), " ", what.name_b(), " ",
+              algorithm);
   port::print(" ", counts.visits, " ", counts.overlaps, " ", counts.leaf_pairs, " ",
               counts.triangle_pairs, " ", stack, " ", instructions, "\n");
 }
 
 template <class Traversal>
 void measure(const Case& what, const char* algorithm) {
-  measure<Traversal>(what, algorithm, *what.a.post, *what.b.post,
+  measure<Traversal>(what, algorithm, trees.post[what.a], trees.post[what.b],
                      [] { return typename Traversal::Cursor(); });
 }
 
 template <class Traversal>
 void measure_with_stack(const Case& what, const char* algorithm) {
   PairStack<uint16_t>::Entry entries[stack_entries(robot::kStackNeed, robot::kStackNeed)];
-  measure<Traversal>(what, algorithm, *what.a.post, *what.b.post, [&] {
+  measure<Traversal>(what, algorithm, trees.post[what.a], trees.post[what.b], [&] {
     return PairStack<uint16_t>(entries, sizeof entries / sizeof entries[0]);
   });
 }
-
-/// The pre-indexed trees are not compiled in: their images lie in flash and are opened in place.
-struct PreTrees {
-  PreMeshWithLevels link[kLinkCount];
-
-  bool open() {
-    for (int i = 0; i < kLinkCount; ++i) {
-      const Link& from = robot::kLinks[i];
-      const Status status = open_image(from.image, from.image_bytes(), link[i]);
-      if (status != Status::done) {
-        port::print("error: the image of ", from.name, " does not open: status ",
-                    static_cast<unsigned>(status), "\n");
-        return false;
-      }
-    }
-    return true;
-  }
-};
 
 /// Of the pose's numbers alone, as the host reads them: what a product knows of its factors' errors
 /// widens its margins, and may add a visit.
@@ -158,14 +166,13 @@ Pose made_of_numbers(const Pose& pose) {
   return Pose::rigid(rotation, cells, fraction);
 }
 
-void ask(const Configuration& configuration, const ArmPose& arm, const PreTrees& pre, int a,
-         int b) {
+void ask(const Configuration& configuration, const ArmPose& arm, int a, int b) {
   const Pose pose = made_of_numbers(Pose::relative(arm.link[a], arm.link[b]));
-  const Case what = {configuration.name, robot::kLinks[a], robot::kLinks[b], pose};
+  const Case what = {configuration.name, a, b, pose};
   print_pose(what);
   measure<Ranked<Mesh>>(what, "ranked");
   measure<StacklessPost>(what, "stackless-post");
-  measure<Stackless>(what, "stackless", pre.link[a], pre.link[b],
+  measure<Stackless>(what, "stackless", trees.pre[a], trees.pre[b],
                      [] { return Stackless::Cursor(); });
   measure<Leaf<Mesh>>(what, "leaf");
   measure_with_stack<RankedStack<Mesh>>(what, "ranked-stack");
@@ -184,13 +191,13 @@ void check(const Configuration& configuration) {
   port::print("\nanswer ", configuration.name, yes ? " yes " : " no ", whole, "\n");
 }
 
-void ask_all(const Configuration& configuration, const PreTrees& pre, int nearest) {
+void ask_all(const Configuration& configuration, int nearest) {
   ArmPose arm = arm_pose(configuration);
   const uint32_t kinematics = port::instructions_of([&] { arm = arm_pose(configuration); });
   port::print("kinematics ", configuration.name, " ", kinematics, "\n");
   for (int a = 0; a < kLinkCount; ++a) {
     for (int b = a + nearest; b < kLinkCount; ++b) {
-      ask(configuration, arm, pre, a, b);
+      ask(configuration, arm, a, b);
     }
   }
 }
@@ -199,14 +206,13 @@ void ask_all(const Configuration& configuration, const PreTrees& pre, int neares
 
 int main(int argc, char** argv) {
   wanted = argc > 1 ? argv[1] : nullptr;
-  PreTrees pre;
-  if (!pre.open()) {
+  if (!trees.open()) {
     return 1;
   }
   for (const Configuration& configuration : kConfigurations) {
     check(configuration);
     // Neighbours once: they intersect in every configuration.
-    ask_all(configuration, pre, &configuration == kConfigurations ? 1 : 2);
+    ask_all(configuration, &configuration == kConfigurations ? 1 : 2);
   }
   return failed ? 1 : 0;
 }

@@ -8,6 +8,7 @@
 // Prints for each motion how it ended, and the instructions of a period, from floats to the
 // verdict. They are counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
 #include <flashbvh/clearance.hpp>
+#include <flashbvh/robot/image.hpp>
 #include <flashbvh/robot/robot_float.hpp>
 #include <flashbvh/units.hpp>
 
@@ -19,6 +20,8 @@ using namespace flashbvh;
 
 namespace {
 
+Mesh meshes[arm::kLinkCount];
+const Robot robot = view_robot_unchecked(arm::kImage, meshes);
 arm::GuardState state;
 
 /// A motion, and how far it got.
@@ -38,7 +41,7 @@ struct Run {
 GuardAnswer ask(Run& run, JointCoordinate* values) {
   float joints[kMostVariables];
   set_point(run.motion, run.periods, joints);
-  set_values(arm::robot, joints, values);
+  set_values(robot, joints, values);
   const bool goes_on = run.last.verdict == Verdict::not_yet_known;
   return goes_on ? run.guard.go_on(kWork) : run.guard.update(values, kWork);
 }
@@ -80,37 +83,46 @@ bool control(Run& run) {
 uint32_t distance_at(const JointCoordinate* values, const RobotPair& pair) {
   JointCoordinate coordinates[arm::kJointCount];
   Frame frames[arm::kJointCount];
-  if (set_coordinates(arm::robot, values, coordinates) != Status::done) {
+  if (set_coordinates(robot, values, coordinates) != Status::done) {
     return 0;
   }
-  set_frames(arm::robot, coordinates, frames);
+  set_frames(robot, coordinates, frames);
   const auto frame_of = [&](uint8_t link) {
-    const uint8_t joint = arm::robot.links[link].joint;
+    const uint8_t joint = robot.links[link].joint;
     return joint == kBase ? kIdentityFrame : frames[joint];
   };
   const Pose pose = relative_pose(frame_of(pair.a), frame_of(pair.b));
-  const Clearance<uint16_t> known =
-      distance(arm::robot.meshes[pair.a], arm::robot.meshes[pair.b], pose);
+  const Clearance<uint16_t> known = distance(robot.meshes[pair.a], robot.meshes[pair.b], pose);
   return known.status == Status::done ? known.lower : 0;
 }
 
 /// With three decimals.
 void print_mm(uint32_t distance) {
-  const auto micrometres = static_cast<uint32_t>(millionths_of(distance, arm::robot.cell_bits));
+  const auto micrometres = static_cast<uint32_t>(millionths_of(distance, robot.cell_bits));
   const uint32_t part = micrometres % 1000;
   port::print(micrometres / 1000, part < 10 ? ".00" : part < 100 ? ".0" : ".", part, " mm");
 }
 
+/// Of the joint that takes a value.
+const char* name_of(uint8_t variable) {
+  uint32_t joint = 0;
+  while (robot.joints[joint].variable != variable || robot.joints[joint].shift != 0) {
+    ++joint;  // a mimic, or another one
+  }
+  return joint_name(arm::kImage, joint);
+}
+
 /// Where it was stopped. Whether the links are still apart there.
 bool tell_stop(Run& run) {
-  const RobotPair& pair = arm::robot.pairs[run.last.pair];
+  const RobotPair& pair = robot.pairs[run.last.pair];
   const uint32_t left = distance_at(run.held, pair);
-  port::print(", stopped with ", arm::kLinkNames[pair.a], " and ", arm::kLinkNames[pair.b], " ");
+  port::print(", stopped with ", link_name(arm::kImage, pair.a), " and ",
+              link_name(arm::kImage, pair.b), " ");
   print_mm(left);
   int32_t changes[arm::kVariableCount];
   const PairDetail detail = run.guard.explain(run.last.pair, changes);
   if (detail.variable != kNoVariable) {
-    port::print(" apart, out: ", arm::kVariableNames[detail.variable],
+    port::print(" apart, out: ", name_of(detail.variable),
                 changes[detail.variable] > 0 ? " up" : " down");
   }
   return left > pair.stop;
@@ -118,10 +130,10 @@ bool tell_stop(Run& run) {
 
 /// Whether it ended as it should.
 bool tell(const Motion& motion) {
-  Run run = {motion, Guard(arm::robot, state), {}, 0, 0, 0, 0, 2166136261u, {}};
+  Run run = {motion, Guard(robot, state), {}, 0, 0, 0, 0, 2166136261u, {}};
   float joints[kMostVariables];
   set_point(motion, 0, joints);
-  set_values(arm::robot, joints, run.held);
+  set_values(robot, joints, run.held);
   run.last = run.guard.prime(run.held);  // at rest there is time for all of it
   const port::TaskTime time =
       port::each_period(kInstructionsAPeriod, [&run] { return control(run); });
@@ -146,7 +158,8 @@ int main() {
   for (const Motion& motion : kMotions) {
     is_right = tell(motion) && is_right;
   }
-  port::print("RAM: ", unsigned{sizeof(state)},
-              " bytes, flash for the robot: ", unsigned{arm::kFlashBytes}, " bytes\n");
+  port::print("RAM: ", unsigned{sizeof state}, " bytes, for views of the robot ",
+              unsigned{sizeof meshes + sizeof robot},
+              " bytes, flash for the robot: ", unsigned{arm::kImageBytes}, " bytes\n");
   return is_right ? 0 : 1;
 }

@@ -5,18 +5,21 @@
 #include <stdint.h>
 
 #include <flashbvh/flashbvh.hpp>
+#include <flashbvh/image.hpp>
 #include <flashbvh/shape.hpp>
 
-#include "ring.fbvh.hpp"
+#include "ring.fbvh.h"
 #include "stack.hpp"
 #include "start.hpp"
 #include "text.hpp"
 
 using namespace flashbvh;
 
-static_assert(ring::kTriangleCount > 1000 && ring::kFlashBytes < 64 * 1024);
+static_assert(ring_TRIANGLE_COUNT > 1000 && ring_IMAGE_BYTES < 64 * 1024);
 
 namespace {
+
+const Mesh ring = view_unchecked<Mesh>(ring_image);
 
 constexpr uint32_t kMostRam = 1024;
 
@@ -29,18 +32,18 @@ constexpr uint32_t radius(uint32_t cells) {
 }
 
 bool ball_touches(const Point& middle) {
-  const PointShape ball(ring::mesh, middle);
-  return closer_than(ring::mesh, ball.mesh(), kHere, radius(1500)).yes;
+  const PointShape ball(ring, middle);
+  return closer_than(ring, ball.mesh(), kHere, radius(1500)).yes;
 }
 
 /// A tool of 40 mm, upright. Apart, so that its ends are gone from the stack before the question.
 [[gnu::noinline]] SegmentShape upright(const Point& tip) {
-  return SegmentShape(ring::mesh, tip, {tip.x, tip.y, tip.z + 4000});
+  return SegmentShape(ring, tip, {tip.x, tip.y, tip.z + 4000});
 }
 
 bool capsule_touches(const Point& tip) {
   const SegmentShape axis = upright(tip);
-  return closer_than(ring::mesh, axis.mesh(), kHere, radius(800)).yes;
+  return closer_than(ring, axis.mesh(), kHere, radius(800)).yes;
 }
 
 struct Moved {
@@ -78,8 +81,7 @@ bool print(const char* name, const Moved& moved) {
 }  // namespace
 
 int main() {
-  port::print("ring: ", ring::kTriangleCount, " triangles, ", ring::kFlashBytes,
-              " bytes of flash\n");
+  port::print("ring: ", ring_TRIANGLE_COUNT, " triangles, ", ring_IMAGE_BYTES, " bytes of flash\n");
   const bool ball = print("ball: ", move(ball_touches));
   const bool capsule = print("capsule: ", move(capsule_touches));
   return ball && capsule ? 0 : 1;

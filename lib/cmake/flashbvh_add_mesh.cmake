@@ -2,16 +2,16 @@
 #                   [UNIT unit|mesh=unit...] [CELL length] [OWN_CELL] [MAX_DEVIATION length]
 #                   [LEAF_SIZE n] [ARITY n] [BUILDER name] [LAYOUT pre|post] [INDEX_BITS 16|32]
 #                   [DROP degenerate|duplicate...] [LEVELS] [DEFORMABLE] [MAX_BYTES n] [NAME name]
-#                   [FORMAT cpp|c|image|both])
+#                   [FORMAT c|image|both])
 #
-# A library `name`, also called name::name, with the baked trees of some meshes, which share one
-# cell. A target that links it includes a mesh's tree as "<stem>.fbvh.hpp". The options are those of
-# `flashbvh bake`. The meshes are baked again when one of them, an option or the tool changes.
+# A library `name`, also called name::name, with the images of some meshes, which share one cell. A
+# target that links it includes "<stem>.fbvh.h", for C and C++, which declares the array <stem>_image
+# for view_unchecked(). The options are those of `flashbvh bake`. The meshes are baked again when one
+# of them, an option or the tool changes.
 #
-# FORMAT c makes C of the images: "<stem>.fbvh.h" declares the array <stem>_image, for
-# flashbvh_open(). FORMAT image makes no code: the folder of the images <stem>.fbvh is an include
-# folder of each target that links the library, for .incbin; the target's property FLASHBVH_IMAGES lists
-# them. FORMAT both makes C++ and images.
+# FORMAT image makes no code: the folder of the images <stem>.fbvh is an include folder of each
+# target that links the library, for .incbin; the target's property FLASHBVH_IMAGES lists them. FORMAT both makes
+# arrays and images. Where C is no language of the project, C++ compiles the arrays.
 #
 # A target that links two such libraries does not configure unless they have the same CELL: a query
 # on meshes with different cells ends with cell_mismatch. OWN_CELL says that the meshes are never
@@ -29,10 +29,7 @@ function(flashbvh_add_mesh name)
       "values; not understood: ${odd}")
   endif()
   if(NOT DEFINED arg_FORMAT)
-    set(arg_FORMAT cpp)
-  endif()
-  if(arg_FORMAT STREQUAL "c" AND NOT CMAKE_C_COMPILER_LOADED)
-    message(FATAL_ERROR "flashbvh_add_mesh(${name}): FORMAT c makes C; name C in project()'s LANGUAGES")
+    set(arg_FORMAT c)
   endif()
   set(options "")
   if(arg_LEVELS)
@@ -70,8 +67,7 @@ endfunction()
 function(flashbvh_bake_command name sources options stem format)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/flashbvh/${name})
   set(meshes "")
-  set(cpp_files "")
-  set(c_files "")
+  set(code "")
   set(images "")
   foreach(source ${sources})
     get_filename_component(mesh ${source} ABSOLUTE)
@@ -81,17 +77,12 @@ function(flashbvh_bake_command name sources options stem format)
     else()
       set(mesh_stem ${stem})
     endif()
-    list(APPEND cpp_files ${folder}/${mesh_stem}.fbvh.cpp ${folder}/${mesh_stem}.fbvh.hpp)
-    list(APPEND c_files ${folder}/${mesh_stem}.fbvh.c ${folder}/${mesh_stem}.fbvh.h)
+    list(APPEND code ${folder}/${mesh_stem}.fbvh.c ${folder}/${mesh_stem}.fbvh.h)
     list(APPEND images ${folder}/${mesh_stem}.fbvh)
   endforeach()
-  set(code "")
-  if(format MATCHES "^(cpp|both)$")
-    set(code ${cpp_files})
+  if(format STREQUAL "image")
+    set(code "")
   elseif(format STREQUAL "c")
-    set(code ${c_files})
-  endif()
-  if(format MATCHES "^(cpp|c)$")
     set(images "")
   endif()
 
@@ -104,6 +95,7 @@ function(flashbvh_bake_command name sources options stem format)
     COMMENT "Baking ${name}"
     VERBATIM)
   if(code)
+    flashbvh_any_language(${code})
     add_library(${name} STATIC ${code} ${images})
     set(visibility PUBLIC)
   else()

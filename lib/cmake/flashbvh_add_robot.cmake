@@ -1,12 +1,12 @@
 # flashbvh_add_robot(name URDF file
 #                    [PACKAGE name=folder]... [SRDF file] [BELIEVE link,link]... [CELL length] [LEAF_SIZE n] [STOP length]
-#                    [WARN length] [PAIR link,link=stop[,warn]]... [FORMAT cpp|c|image])
+#                    [WARN length] [PAIR link,link=stop[,warn]]... [FORMAT c|image|both])
 #
-# A library `name`, also called name::name, with the baked robot name::robot. A target that links it
-# includes "<name>.robot.hpp", and has flashbvh::robot. With FORMAT c it is name_robot, and the header
-# "<name>.robot.h". FORMAT image makes no code: the folder of <name>.robot, for open_robot(), is an include
-# folder of each target that links the library, for .incbin. The options are those of `flashbvh robot`;
-# lengths are in metres. The robot is baked again when the URDF, the SRDF, one of the meshes, an option
+# A library `name`, also called name::name, with the image of a robot. A target that links it includes
+# "<name>.robot.h", for C and C++, which declares the array <name>_robot_image for
+# view_robot_unchecked(), and has flashbvh::robot. FORMAT image makes no code: the folder of
+# <name>.robot, for open_robot(), is an include folder of each target that links the library, for .incbin.
+# FORMAT both makes both. The options are those of `flashbvh robot`; lengths are in metres. The robot is baked again when the URDF, the SRDF, one of the meshes, an option
 # or the tool changes; which meshes, the tool says in a depfile.
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 
@@ -23,7 +23,7 @@ function(flashbvh_add_robot name)
       "PACKAGE as name=folder, PAIR as link,link=length; not understood: ${odd}")
   endif()
   if(NOT name MATCHES "^[A-Za-z_][A-Za-z0-9_]*$")
-    message(FATAL_ERROR "flashbvh_add_robot(${name}): the name is that of a C++ namespace; use letters, "
+    message(FATAL_ERROR "flashbvh_add_robot(${name}): names in the code begin with the name; use letters, "
       "digits and '_'")
   endif()
   set(depends "")
@@ -53,29 +53,27 @@ function(flashbvh_add_robot name)
   foreach(pair IN LISTS arg_BELIEVE)
     list(APPEND options --believe "${pair}")
   endforeach()
-  if(NOT arg_FORMAT OR arg_FORMAT STREQUAL "cpp")
-    set(extensions .hpp .cpp)
-  elseif(arg_FORMAT STREQUAL "c")
-    set(extensions .h .c)
-  elseif(arg_FORMAT STREQUAL "image")
-    set(extensions "")
-  else()
-    message(FATAL_ERROR "flashbvh_add_robot(${name}): FORMAT is cpp, c or image, not ${arg_FORMAT}")
+  if(NOT arg_FORMAT)
+    set(arg_FORMAT c)
+  elseif(NOT arg_FORMAT MATCHES "^(c|image|both)$")
+    message(FATAL_ERROR "flashbvh_add_robot(${name}): FORMAT is c, image or both, not ${arg_FORMAT}")
   endif()
-  flashbvh_robot_command(${name} ${arg_URDF} "${options}" "${depends}" "${extensions}")
+  flashbvh_robot_command(${name} ${arg_URDF} "${options}" "${depends}" ${arg_FORMAT})
 endfunction()
 
 # The custom command and the library that holds what it makes.
-function(flashbvh_robot_command name urdf options files extensions)
+function(flashbvh_robot_command name urdf options files format)
   cmake_policy(SET CMP0116 NEW)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/flashbvh/${name})
   set(stem ${folder}/${name}.robot)
   # A file that changes with the options: not every generator minds how a command is called.
   file(CONFIGURE OUTPUT ${folder}/options.txt CONTENT "${urdf};${options}" @ONLY)
   flashbvh_host_tool(program depends)
-  set(made ${stem})
-  if(extensions)
-    list(TRANSFORM extensions PREPEND ${stem} OUTPUT_VARIABLE made)
+  set(made ${stem}.h ${stem}.c)
+  if(format STREQUAL "image")
+    set(made ${stem})
+  elseif(format STREQUAL "both")
+    list(APPEND made ${stem})
   endif()
   add_custom_command(OUTPUT ${made}
     COMMAND ${program} robot ${urdf} -o ${folder} --name ${name} --depfile ${stem}.d ${options}
@@ -84,11 +82,12 @@ function(flashbvh_robot_command name urdf options files extensions)
     COMMENT "Baking ${name}"
     VERBATIM)
   set(kind PUBLIC)
-  if(extensions)
-    add_library(${name} STATIC ${made})
-  else()
+  if(format STREQUAL "image")
     set(kind INTERFACE)
     add_library(${name} INTERFACE ${made})
+  else()
+    flashbvh_any_language(${made})
+    add_library(${name} STATIC ${made})
   endif()
   add_library(${name}::${name} ALIAS ${name})
   target_include_directories(${name} ${kind} ${folder})

@@ -29,6 +29,15 @@ function(flashbvh_host_tool program depends)
   endif()
 endfunction()
 
+# What the program writes is C and C++ alike: for projects that have no C.
+function(flashbvh_any_language)
+  if(NOT CMAKE_C_COMPILER_LOADED)
+    set(files ${ARGN})
+    list(FILTER files INCLUDE REGEX "\\.c$")
+    set_source_files_properties(${files} PROPERTIES LANGUAGE CXX)
+  endif()
+endfunction()
+
 # A build of its own: neither the flags nor the compiler, toolchain file or environment of this one
 # reach it.
 function(flashbvh_build_host_tool built)

@@ -38,9 +38,9 @@ Definition leaf_at (i : nat) : option bool :=
   option_map (fun c => (c_rank c <? 0)%Z) (nth_error (cells m) i).
 (* code: include/flashbvh/mesh.hpp | return layout == Layout::pre_indexed ? node + 1 : nodes[node + 1].link; *)
 Definition first_child (i : nat) : option nat := link (i + 1).
-(* code: include/flashbvh/mesh.hpp | uint32_t level_up(uint32_t node, uint32_t count) const { return node - count; } *)
+(* code: ../tests/reference/levels.hpp | uint32_t level_up(uint32_t node, uint32_t count) const { return node - count; } *)
 Definition level_up (i count : nat) : option nat := if count <=? i then Some (i - count) else None.
-(* code: include/flashbvh/mesh.hpp | const uint32_t left_child = node - rcl; node = this->nodes[left_child].link; return left_child; *)
+(* code: ../tests/reference/levels.hpp | const uint32_t left_child = node - rcl; node = this->nodes[left_child].link; return left_child; *)
 Definition escape_from (i rcl : nat) : option (nat * nat) :=
   let* left_child := level_up i rcl in
   let* to := link left_child in Some (to, left_child).

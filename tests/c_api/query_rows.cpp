@@ -5,6 +5,7 @@
 #include "flashbvh/image.hpp"
 #include "flashbvh/time_bound.hpp"
 #include "flashbvh/units.hpp"
+#include "support/same_view.hpp"
 
 namespace flashbvh::test {
 namespace {
@@ -63,13 +64,21 @@ bool damages_agree(Scene& s) {
   return agree;
 }
 
+bool views_agree(const Scene& s) {
+  flashbvh_mesh found;
+  flashbvh_view_unchecked(s.a.image.data(), &found);
+  Mesh seen;
+  std::memcpy(&seen, &found, sizeof seen);
+  return same_view(seen, s.a.mesh);
+}
+
 bool mesh_agrees(Scene& s) {
   const Mesh& mesh = s.a.mesh;
   std::int32_t origin[3];
   flashbvh_mesh_origin(&s.a.c, origin);
   return same(origin, mesh.origin) && flashbvh_mesh_triangles(&s.a.c) == mesh.triangle_count &&
          flashbvh_mesh_cell(&s.a.c) == mesh.cell_bits &&
-         flashbvh_mesh_cells_per_unit(&s.a.c) == cells_per_unit(mesh.cell_bits) &&
+         flashbvh_mesh_cells_per_unit(&s.a.c) == cells_per_unit(mesh.cell_bits) && views_agree(s) &&
          flashbvh_mesh_unit(&s.a.c) == static_cast<flashbvh_unit>(mesh.unit) &&
          flashbvh_mesh_is_closed(&s.a.c) == mesh.is_closed;
 }

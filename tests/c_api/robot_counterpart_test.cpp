@@ -1,27 +1,26 @@
 // Each C function of robots against its C++ counterpart, on the arm of
-// firmware_examples/robot_guard: baked as arrays of C++, of C, and as an image.
+// firmware_examples/robot_guard.
 #include <catch2/catch.hpp>
 
 #include <string.h>
 
 #include "c_arm.robot.h"
-#include "cell_arm.robot.hpp"
+#include "flashbvh/robot.h"
+#include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/image.hpp"
 #include "flashbvh/robot/motion.hpp"
 #include "flashbvh/robot/robot_float.hpp"
 #include "flashbvh/robot/workcell.hpp"
 #include "support/random.hpp"
+#include "support/same_view.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;
 
-extern "C" const unsigned char robot_image[];
-extern "C" const unsigned char robot_image_end[];
-
 namespace {
 
 constexpr uint32_t kVariables = 4;
-constexpr uint32_t kJoints = cell_arm::kJointCount;
+constexpr uint32_t kJoints = c_arm_JOINT_COUNT;
 constexpr flashbvh_workcell_room kRoom = {6, 8, 11, 16};
 using Memory = WorkcellOf<6, 8, 11, 16>;
 using State = GuardStateOf<6, 11, 41>;
@@ -59,34 +58,8 @@ bool same(const flashbvh_pose& c, const Pose& pose) {
   return agree;
 }
 
-bool same_mesh(const Mesh& p, const Mesh& q) {
-  return p.node_count == q.node_count && p.leaf_count == q.leaf_count &&
-         p.stack_need == q.stack_need && p.triangle_count == q.triangle_count &&
-         p.vertex_count == q.vertex_count && p.shell_count == q.shell_count &&
-         p.longest_edge == q.longest_edge && p.unit == q.unit && p.is_closed == q.is_closed &&
-         p.cell_bits == q.cell_bits && same(p.origin, q.origin, 3) &&
-         same(p.nodes, q.nodes, p.node_count) && same(p.triangles, q.triangles, p.triangle_count) &&
-         same(p.triangle_ids, q.triangle_ids, p.triangle_count) &&
-         same(p.vertices, q.vertices, p.vertex_count) &&
-         same(p.shell_vertices, q.shell_vertices, p.shell_count) &&
-         (p.leaf_offsets == nullptr) == (q.leaf_offsets == nullptr) &&
-         (p.leaf_offsets == nullptr || same(p.leaf_offsets, q.leaf_offsets, p.leaf_count + 1u));
-}
-
-bool same_robot(const Robot& c, const Robot& cpp) {
-  bool is_same =
-      c.joint_count == cpp.joint_count && c.link_count == cpp.link_count &&
-      c.variable_count == cpp.variable_count && c.pair_count == cpp.pair_count &&
-      c.reach_count == cpp.reach_count && c.distance_table_bytes == cpp.distance_table_bytes &&
-      same(c.distance_tables, cpp.distance_tables, cpp.distance_table_bytes) &&
-      c.slack == cpp.slack && c.hash == cpp.hash && c.cell_bits == cpp.cell_bits &&
-      same(c.joints, cpp.joints, cpp.joint_count) && same(c.links, cpp.links, cpp.link_count) &&
-      same(c.pairs, cpp.pairs, cpp.pair_count) && same(c.reaches, cpp.reaches, cpp.reach_count);
-  for (uint32_t i = 0; i < cpp.link_count; ++i) {
-    is_same = is_same && same_mesh(c.meshes[i], cpp.meshes[i]);
-  }
-  return is_same;
-}
+Mesh meshes[c_arm_LINK_COUNT];
+const Robot robot = view_robot_unchecked(c_arm_robot_image, meshes);
 
 /// In steps that a guard takes, but now and then a jump, beyond a limit, or no number.
 void move(Random& random, float (&floats)[kVariables]) {
@@ -109,7 +82,7 @@ struct Values {
       floats[0] = floats[1] = floats[2] = floats[3] = 0.2f;
     }
     move(random, floats);
-    set_values(cell_arm::robot, floats, values);
+    set_values(robot, floats, values);
   }
 };
 
@@ -151,30 +124,33 @@ uint32_t check_period(flashbvh_guard& c, Guard& guard, Values& at, Random& rando
 
 }  // namespace
 
-TEST_CASE("a robot's arrays of C and its image are those of C++") {
-  flashbvh_mesh meshes[c_arm_LINK_COUNT];
-  const auto size = static_cast<size_t>(robot_image_end - robot_image);
-  flashbvh_robot robot;
-  CHECK(flashbvh_open_robot(robot_image, size - 1, meshes, c_arm_LINK_COUNT, &robot) ==
+TEST_CASE("an image opens in C as in C++, and is viewed as it opens") {
+  flashbvh_mesh c_meshes[c_arm_LINK_COUNT];
+  constexpr size_t size = sizeof c_arm_robot_image;
+  flashbvh_robot opened;
+  CHECK(flashbvh_open_robot(c_arm_robot_image, size - 1, c_meshes, c_arm_LINK_COUNT, &opened) ==
         FLASHBVH_STATUS_IMAGE_TRUNCATED);
-  CHECK(flashbvh_open_robot(robot_image, size, meshes, c_arm_LINK_COUNT - 1, &robot) ==
+  CHECK(flashbvh_open_robot(c_arm_robot_image, size, c_meshes, c_arm_LINK_COUNT - 1, &opened) ==
         FLASHBVH_STATUS_IMAGE_TOO_LARGE);
-  REQUIRE(flashbvh_open_robot(robot_image, size, meshes, c_arm_LINK_COUNT, &robot) ==
+  REQUIRE(flashbvh_open_robot(c_arm_robot_image, size, c_meshes, c_arm_LINK_COUNT, &opened) ==
           FLASHBVH_STATUS_DONE);
-  CHECK(same_robot(robot, cell_arm::robot));
-  CHECK(same_robot(c_arm_robot, cell_arm::robot));
-  CHECK(strcmp(flashbvh_robot_name(robot_image), "i_arm") == 0);
+  CHECK(same_view(opened, robot));
+  flashbvh_mesh seen_meshes[c_arm_LINK_COUNT];
+  flashbvh_robot seen;
+  flashbvh_view_robot_unchecked(c_arm_robot_image, seen_meshes, &seen);
+  CHECK(same_view(seen, robot));
+  CHECK(strcmp(flashbvh_robot_name(c_arm_robot_image), "c_arm") == 0);
   for (uint32_t i = 0; i < robot.joint_count; ++i) {
-    CHECK(flashbvh_joint_name(robot_image, i) == joint_name(robot_image, i));
+    CHECK(flashbvh_joint_name(c_arm_robot_image, i) == joint_name(c_arm_robot_image, i));
   }
   for (uint32_t i = 0; i < robot.link_count; ++i) {
-    CHECK(flashbvh_link_name(robot_image, i) == link_name(robot_image, i));
+    CHECK(flashbvh_link_name(c_arm_robot_image, i) == link_name(c_arm_robot_image, i));
   }
-  CHECK(strcmp(flashbvh_mount_name(robot_image, 0), "base") == 0);
-  CHECK(flashbvh_mount_count(robot_image) == mount_count(robot_image));
-  CHECK(same(flashbvh_mounts(robot_image)->frame, c_arm_mount_base.frame));
-  CHECK(flashbvh_unguarded_count(robot_image) == c_arm_UNGUARDED_COUNT);
-  CHECK(flashbvh_unguarded_pairs(robot_image) == unguarded_pairs(robot_image));
+  CHECK(strcmp(flashbvh_mount_name(c_arm_robot_image, c_arm_mount_base), "base") == 0);
+  CHECK(flashbvh_mount_count(c_arm_robot_image) == mount_count(c_arm_robot_image));
+  CHECK(flashbvh_mounts(c_arm_robot_image) == mounts(c_arm_robot_image));
+  CHECK(flashbvh_unguarded_count(c_arm_robot_image) == c_arm_UNGUARDED_COUNT);
+  CHECK(flashbvh_unguarded_pairs(c_arm_robot_image) == unguarded_pairs(c_arm_robot_image));
 }
 
 TEST_CASE("kinematics in C are those of C++") {
@@ -185,10 +161,10 @@ TEST_CASE("kinematics in C are those of C++") {
     JointCoordinate values[kVariables];
     JointCoordinate wanted[kJoints] = {};
     JointCoordinate found[kJoints] = {};
-    flashbvh_set_values(&c_arm_robot, at.floats, values);
+    flashbvh_set_values(&robot, at.floats, values);
     REQUIRE(same(values, at.values, kVariables));
-    const Status status = set_coordinates(cell_arm::robot, values, wanted);
-    REQUIRE(same(flashbvh_set_coordinates(&c_arm_robot, values, found), status));
+    const Status status = set_coordinates(robot, values, wanted);
+    REQUIRE(same(flashbvh_set_coordinates(&robot, values, found), status));
     const float length = at.floats[round % 4] / 8;
     CHECK(flashbvh_angle_coordinate(-length) == angle_coordinate(-length));
     CHECK(flashbvh_slide_coordinate(length, 512) == slide_coordinate(length, 512));
@@ -198,20 +174,19 @@ TEST_CASE("kinematics in C are those of C++") {
     REQUIRE(same(found, wanted, kJoints));
     Frame frames[kJoints];
     Frame c_frames[kJoints];
-    set_frames(cell_arm::robot, wanted, frames);
-    flashbvh_set_frames(&c_arm_robot, found, c_frames);
+    set_frames(robot, wanted, frames);
+    flashbvh_set_frames(&robot, found, c_frames);
     REQUIRE(same(frames, c_frames, kJoints));
     const float rows[3][3] = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
     const float q[4] = {0.8f, 0, 0.6f, 0};
     const float metres[3] = {length, -0.2f, round % 9 == 0 ? 1e6f : 0.3f};
     Frame turned;
     Frame c_turned;
-    REQUIRE(same(flashbvh_set_frame_of_matrix(&c_arm_robot, rows[0], metres, &c_turned),
-                 set_frame(cell_arm::robot, rows, metres, turned)));
+    REQUIRE(same(flashbvh_set_frame_of_matrix(&robot, rows[0], metres, &c_turned),
+                 set_frame(robot, rows, metres, turned)));
     REQUIRE(same(turned, c_turned));
-    const Status placed =
-        set_frame(cell_arm::robot, UnitQuaternion{q[0], q[1], q[2], q[3]}, metres, turned);
-    REQUIRE(same(flashbvh_set_frame_of_quaternion(&c_arm_robot, q, metres, &c_turned), placed));
+    const Status placed = set_frame(robot, UnitQuaternion{q[0], q[1], q[2], q[3]}, metres, turned);
+    REQUIRE(same(flashbvh_set_frame_of_quaternion(&robot, q, metres, &c_turned), placed));
     REQUIRE(same(turned, c_turned));
     if (placed != Status::done) {
       continue;
@@ -233,8 +208,8 @@ TEST_CASE("a guard in C answers as in C++, also after its state was stored, or d
   State c_state;
   uint32_t verdicts = 0;
   at.move_on(random);
-  REQUIRE(flashbvh_guard_init(&c, &c_arm_robot, &c_state, sizeof c_state) == FLASHBVH_STATUS_DONE);
-  Guard guard(cell_arm::robot, &state, sizeof state);
+  REQUIRE(flashbvh_guard_init(&c, &robot, &c_state, sizeof c_state) == FLASHBVH_STATUS_DONE);
+  Guard guard(robot, &state, sizeof state);
   check_explained(c, guard, 0);  // before the first period
   const GuardAnswer first = guard.prime(at.values);
   REQUIRE(same(flashbvh_guard_prime(&c, at.values), first));
@@ -263,8 +238,8 @@ TEST_CASE("certified motions in C are those of C++") {
   State state;
   State c_state;
   uint32_t outcomes = 0;
-  REQUIRE(flashbvh_motion_init(&c, &c_arm_robot, &c_state, sizeof c_state) == FLASHBVH_STATUS_DONE);
-  MotionQuery motion(cell_arm::robot, &state, sizeof state);
+  REQUIRE(flashbvh_motion_init(&c, &robot, &c_state, sizeof c_state) == FLASHBVH_STATUS_DONE);
+  MotionQuery motion(robot, &state, sizeof state);
   for (int round = 0; round < 12; ++round) {
     to.floats[2] = round % 2 == 0 ? 2.9f : 0.5f;
     from.move_on(random);
@@ -297,19 +272,20 @@ TEST_CASE("a workcell in C is that of C++, and so is its guard") {
   Random random(test_seed() + 43);
   for (int round = 0; round < 8; ++round) {
     flashbvh_workcell c;
-    REQUIRE(flashbvh_workcell_init(&c, &c_arm_robot, &c_memory, sizeof c_memory, &kRoom) ==
+    REQUIRE(flashbvh_workcell_init(&c, &robot, &c_memory, sizeof c_memory, &kRoom) ==
             FLASHBVH_STATUS_DONE);
-    Workcell cell(cell_arm::robot, memory);
+    Workcell cell(robot, memory);
     for (int body = 0; body < 3; ++body) {
       const uint32_t link = random.below(c_arm_LINK_COUNT);
-      Mount mount = body == 0 ? cell_arm::mounts::gripper : cell_arm::mounts::base;
+      Mount mount = body == 0 ? mounts(c_arm_robot_image)[c_arm_mount_gripper]
+                              : mounts(c_arm_robot_image)[c_arm_mount_base];
       mount.joint = body == 2 ? static_cast<uint8_t>(random.below(9)) : mount.joint;
       mount.frame.rotation[0][0] /= random.below(4) == 0 ? 2 : 1;
       mount.frame.translation[2] += random.between(0, 1 << (random.below(5) == 0 ? 30 : 20));
       uint8_t number = 77;
       uint8_t c_number = 77;
-      const Status status = cell.add(cell_arm::robot.meshes[link], mount, number);
-      const auto* const mesh = reinterpret_cast<const flashbvh_mesh*>(&c_arm_robot.meshes[link]);
+      const Status status = cell.add(robot.meshes[link], mount, number);
+      const auto* const mesh = reinterpret_cast<const flashbvh_mesh*>(&robot.meshes[link]);
       REQUIRE(same(flashbvh_workcell_add(&c, mesh, &mount, &c_number), status));
       REQUIRE(c_number == number);
       for (uint8_t other = 0; other < 7; ++other) {
@@ -322,7 +298,7 @@ TEST_CASE("a workcell in C is that of C++, and so is its guard") {
       REQUIRE(same(flashbvh_workcell_move(&c, number, &mount.frame, moved),
                    cell.move(number, mount.frame, moved)));
     }
-    REQUIRE(same_robot(*flashbvh_workcell_robot(&c), cell.robot()));
+    REQUIRE(same_view(*flashbvh_workcell_robot(&c), cell.robot()));
     flashbvh_guard c_guard;
     REQUIRE(flashbvh_guard_init(&c_guard, flashbvh_workcell_robot(&c), &c_state, sizeof c_state) ==
             FLASHBVH_STATUS_DONE);
@@ -352,13 +328,14 @@ TEST_CASE("memory that is too small or not aligned is refused by init and by eve
   Memory memory;
   auto* const bytes = reinterpret_cast<char*>(&memory);
   flashbvh_workcell cell;
-  CHECK(flashbvh_workcell_init(&cell, &c_arm_robot, bytes, of_cell, &room) == FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_workcell_init(&cell, &robot, bytes, of_cell, &room) == FLASHBVH_STATUS_DONE);
   for (const Row& row : rows) {
     uint8_t link = 77;
-    CHECK(flashbvh_workcell_init(&cell, &c_arm_robot, bytes + row.offset, row.size, &row.room) ==
+    CHECK(flashbvh_workcell_init(&cell, &robot, bytes + row.offset, row.size, &row.room) ==
           FLASHBVH_STATUS_WORKCELL_FULL);
-    CHECK(flashbvh_workcell_add(&cell, reinterpret_cast<const flashbvh_mesh*>(c_arm_robot.meshes),
-                                &c_arm_mount_base, &link) == FLASHBVH_STATUS_WORKCELL_FULL);
+    CHECK(flashbvh_workcell_add(&cell, reinterpret_cast<const flashbvh_mesh*>(robot.meshes),
+                                &mounts(c_arm_robot_image)[c_arm_mount_base],
+                                &link) == FLASHBVH_STATUS_WORKCELL_FULL);
     CHECK(link == 77);
   }
   const JointCoordinate values[kVariables] = {};
@@ -370,15 +347,15 @@ TEST_CASE("memory that is too small or not aligned is refused by init and by eve
     const uint32_t less = offset == 0 ? 1 : 0;
     flashbvh_guard guard;
     flashbvh_motion motion;
-    CHECK(same(flashbvh_guard_init(&guard, &c_arm_robot, state_bytes + offset,
-                                   c_arm_GUARD_STATE_SIZE - less),
-               invalid));
+    CHECK(same(
+        flashbvh_guard_init(&guard, &robot, state_bytes + offset, c_arm_GUARD_STATE_SIZE - less),
+        invalid));
     CHECK(flashbvh_guard_prime(&guard, values).status == invalid);
     CHECK(flashbvh_guard_update(&guard, values, 1).verdict == Verdict::refused);
     CHECK(same(flashbvh_guard_resume(&guard), invalid));
-    CHECK(same(flashbvh_motion_init(&motion, &c_arm_robot, state_bytes + offset,
-                                    c_arm_MOTION_STATE_SIZE - less),
-               invalid));
+    CHECK(same(
+        flashbvh_motion_init(&motion, &robot, state_bytes + offset, c_arm_MOTION_STATE_SIZE - less),
+        invalid));
     CHECK(same(flashbvh_motion_start(&motion, values, values), invalid));
     CHECK(flashbvh_motion_run(&motion, 1).status == invalid);
   }

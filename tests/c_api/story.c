@@ -13,6 +13,7 @@
 #include "text.h"
 #ifdef STORY_HAS_ROBOT
 #include "c_arm.robot.h"
+#include "flashbvh/robot.h"
 #endif
 
 #define CHECK(holds) check((holds), #holds, __LINE__)
@@ -230,15 +231,18 @@ static void robots(void) {
   const float folded[c_arm_VARIABLE_COUNT] = {0, 0.2f, 2.9f, 1.5f};
   flashbvh_joint_coordinate from[c_arm_VARIABLE_COUNT];
   flashbvh_joint_coordinate to[c_arm_VARIABLE_COUNT];
+  flashbvh_mesh links[c_arm_LINK_COUNT];
+  flashbvh_robot robot;
   flashbvh_guard guard;
   flashbvh_motion motion;
   flashbvh_motion_answer answer;
-  flashbvh_set_values(&c_arm_robot, rest, from);
-  flashbvh_set_values(&c_arm_robot, folded, to);
-  CHECK(flashbvh_guard_init(&guard, &c_arm_robot, state, sizeof state) == FLASHBVH_STATUS_DONE);
+  flashbvh_view_robot_unchecked(c_arm_robot_image, links, &robot);
+  flashbvh_set_values(&robot, rest, from);
+  flashbvh_set_values(&robot, folded, to);
+  CHECK(flashbvh_guard_init(&guard, &robot, state, sizeof state) == FLASHBVH_STATUS_DONE);
   CHECK(flashbvh_guard_prime(&guard, from).verdict <= FLASHBVH_VERDICT_WARN);
   CHECK(flashbvh_guard_update(&guard, to, UINT32_MAX).verdict == FLASHBVH_VERDICT_STOP);
-  CHECK(flashbvh_motion_init(&motion, &c_arm_robot, motion_state, sizeof motion_state) ==
+  CHECK(flashbvh_motion_init(&motion, &robot, motion_state, sizeof motion_state) ==
         FLASHBVH_STATUS_DONE);
   CHECK(flashbvh_motion_start(&motion, from, to) == FLASHBVH_STATUS_DONE);
   answer = flashbvh_motion_run(&motion, UINT32_MAX);

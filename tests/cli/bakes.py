@@ -65,8 +65,8 @@ def scales():
 
 
 def cpp_output():
-    """The C++ output answers like the image, links no levels that are not used, refuses another version of the
-    library, and names its namespace after the mesh."""
+    """The arrays answer in C++ like the image, link nothing that is not used, refuse another version of the library,
+    and are named after the mesh."""
     flashbvh("bake", "meshes/ring.stl", "-o", "images", "--format", "image", "--cell", 0.125)
     write("poses", f"{HOME} 6 2 1")
     flashbvh("collide", "images/ring.fbvh", "images/ring.fbvh", "--poses", "poses", "--pairs", "tool_pairs")
@@ -75,20 +75,20 @@ def cpp_output():
 
     run(TOOLS / "cli_tree_alone")
     symbols = run(os.environ["NM"], TOOLS / "cli_tree_alone")
-    symbols.holds("kNodes")
-    hold(not re.search("kLevels|kRightChildLevels|levelled_tree", symbols), "levels linked without use")
+    symbols.holds(" ring_image")
+    hold("grouped_image" not in symbols, "linked without use")
 
     Path("names").mkdir()
-    names = {"base link-2": "base_link_2", "3rd": "_3rd", "class": "class_"}
+    names = {"base link-2": "base_link_2", "3rd": "_3rd", "class": "class"}
     for name in names:
         shutil.copy("meshes/tetrahedron.stl", f"names/{name}.stl")
     flashbvh("bake", *(f"names/{name}.stl" for name in names), "-o", "named")
     for name, space in names.items():
-        hold(f"\nnamespace {space} {{\n" in Path(f"named/{name}.fbvh.hpp").read_text(), name)
-        compiled("-std=c++17", "-c", f"named/{name}.fbvh.cpp", "-o", "object")
+        hold(f"const uint32_t {space}_image[" in Path(f"named/{name}.fbvh.h").read_text(), name)
+        compiled("-std=c++17", "-x", "c++", "-c", f"named/{name}.fbvh.c", "-o", "object")
 
     other_version("other_library")
-    said = compiled("-std=c++17", "-c", "named/class.fbvh.cpp", "-o", "object", include="other_library", code=1)
+    said = compiled("-std=c++17", "-x", "c++", "-c", "named/class.fbvh.c", "-o", "object", include="other_library", code=1)
     hold("bake it again" in said.warnings, said.warnings)
 
 
@@ -99,18 +99,18 @@ def determinism():
     for options in "", "--layout pre", "--builder median", "--leaf-size 3 --arity 5", "--index-bits 32":
         flashbvh("bake", "meshes/ring.stl", "-o", "one", "--cell", 0.01, *options.split())
         elsewhere("bake", "../meshes/coarse.stl", "meshes/ring.stl", "-o", "../two", "--cell", 0.01, *options.split())
-        for file in "ring.fbvh", "ring.fbvh.hpp", "ring.fbvh.cpp":
+        for file in "ring.fbvh", "ring.fbvh.h", "ring.fbvh.c":
             same(f"one/{file}", f"two/{file}", options)
-        for file in "ring.fbvh.hpp", "ring.fbvh.cpp":
+        for file in "ring.fbvh.h", "ring.fbvh.c":
             hold(all(len(line) <= 100 for line in Path("one", file).read_text().splitlines()), "lines over 100")
-    header = Path("two/ring.fbvh.hpp").read_text()
+    header = Path("two/ring.fbvh.h").read_text()
     hold(not re.search(f"{re.escape(os.getcwd())}|elsewhere|20[0-9][0-9]-", header), "a path or a date")
 
     # Without --cell, the finest that all fit; given back, it changes nothing.
     both = "meshes/tetrahedron.stl", "meshes/ring.stl"
     cell = re.search("^cell ([^;]*);", flashbvh("bake", *both, "-o", "one"), re.M)[1]
     flashbvh("bake", *both, "-o", "two", "--cell", cell)
-    for file in "ring.fbvh", "tetrahedron.fbvh", "tetrahedron.fbvh.cpp":
+    for file in "ring.fbvh", "tetrahedron.fbvh", "tetrahedron.fbvh.c":
         same(f"one/{file}", f"two/{file}")
 
     shutil.copy("one/ring.fbvh", "before")
@@ -120,7 +120,7 @@ def determinism():
     hold(not any(Path("one").rglob("*.tmp*")), "temporary files left")
 
     # Only what is requested.
-    for form, files in ("image", ["ring.fbvh"]), ("cpp", ["ring.fbvh.cpp", "ring.fbvh.hpp"]):
+    for form, files in ("image", ["ring.fbvh"]), ("c", ["ring.fbvh.c", "ring.fbvh.h"]):
         flashbvh("bake", "meshes/ring.stl", "-o", form, "--format", form)
         hold(sorted(os.listdir(form)) == files, f"{form}: {os.listdir(form)}")
 
@@ -139,7 +139,7 @@ def units():
     hold(of_mm.replace('"name":"mm"', '"name":"in"') == of_in, f"{of_mm}{of_in}")
     of_in.holds('"unit":"mm"')
     flashbvh("info", "out/in.fbvh").holds("^cell  *0.5  mm$")
-    hold("kCell = 0.5;  ///< in mm" in Path("out/m.fbvh.hpp").read_text(), "out/m.fbvh.hpp")
+    hold("m_CELL 0.5 /* in mm */" in Path("out/m.fbvh.h").read_text(), "out/m.fbvh.h")
     for name in "mm", "m", "in":
         flashbvh("export", "--cells", f"out/{name}.fbvh", "-o", f"{name}.obj")
         same("mm.obj", f"{name}.obj")
@@ -196,7 +196,7 @@ def compiles(*command):
 
 
 def names():
-    """The C++ output compiles whatever the mesh is called, before and after all headers of C and C++: by names that
+    """The output compiles as C++ whatever the mesh is called, before and after all headers of C and C++: by names that
     those headers declare or define, taken from what the compilers say, and by keywords. By one standard, with
     FLASHBVH_THOROUGH by others, too."""
     headers = [f"{header}.h" for header in HEADERS] + CPP_HEADERS
@@ -217,8 +217,8 @@ def names():
             folders.setdefault(folder, []).append(
                 write(folder / f"{name}.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"))
         for meshes in folders.values():
-            flashbvh("bake", *meshes, "-o", "baked", "--format", "cpp", "--cell", 1)
-        write("meshes.hpp", "\n".join(f'#include "{file.name}"' for file in sorted(Path("baked").glob("*.hpp"))))
+            flashbvh("bake", *meshes, "-o", "baked", "--format", "c", "--cell", 1)
+        write("meshes.hpp", "\n".join(f'#include "{file.name}"' for file in sorted(Path("baked").glob("*.h"))))
         write("both.cpp", '#include "headers.hpp"\n#include "meshes.hpp"\n#include "headers.hpp"')
         for standard in standards:
             compiles(f"{prefix}g++", f"-std={standard}", "-I.")
@@ -227,16 +227,14 @@ def names():
         write("both.cpp", '#include "meshes.hpp"\n#include "headers.hpp"')
         compiles(f"{prefix}g++", "-std=gnu++17", "-I.")
 
-    # Other names stay as they are, and a name that is taken is not accepted.
+    # Names stay as they are.
     Path("free").mkdir()
     for name in FREE:
         shutil.copy("meshes/tetrahedron.stl", f"free/{name}.stl")
-    flashbvh("bake", *(f"free/{name}.stl" for name in FREE), "-o", "freely", "--format", "cpp")
+    flashbvh("bake", *(f"free/{name}.stl" for name in FREE), "-o", "freely", "--format", "c")
     for name in FREE:
-        hold(f"\nnamespace {name} {{" in Path(f"freely/{name}.fbvh.hpp").read_text(), f"{name} is called otherwise")
-    refused("--name abs: is a name that C or C++ takes; use another, such as abs_", "bake", "meshes/ring.stl", "-o",
-            "out", "--name", "abs")
-    flashbvh("bake", "meshes/ring.stl", "-o", "images", "--name", "abs_")
+        hold(f"const uint32_t {name}_image[" in Path(f"freely/{name}.fbvh.h").read_text(), f"{name} is called otherwise")
+    flashbvh("bake", "meshes/ring.stl", "-o", "images", "--name", "abs")
 
 
 def bench_refused(what, *arguments):
@@ -291,8 +289,8 @@ def bench_firmware():
         hold(found == [left_out] + [0] * (len(images) - 1), f"{found} setups left out, not {left_out}, of {folder}")
         # Every tree is there that a table includes.
         for image in images:
-            for tree in re.findall(r'^#include "(.*fbvh)\.cpp"$', image.read_text(), re.M):
-                for file in Path(folder, f"{tree}.cpp"), Path(folder, f"{tree}.hpp"):
+            for tree in re.findall(r'^#include "(.*fbvh)\.c"$', image.read_text(), re.M):
+                for file in Path(folder, f"{tree}.c"), Path(folder, f"{tree}.h"):
                     hold(file.exists() and file.stat().st_size, f"{image}: no {file}")
         return len(images)
 

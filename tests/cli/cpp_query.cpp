@@ -1,24 +1,27 @@
-// Queries the C++ output as firmware does, and prints what `flashbvh collide --pairs` prints.
+// Queries the output for C and C++ as firmware does, and prints what `flashbvh collide --pairs`
+// prints.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
 #include <vector>
 
-#include "_2nd_ring.fbvh.hpp"
-#include "early.fbvh.hpp"
+#include "_2nd_ring.fbvh.h"
+#include "early.fbvh.h"
 #include "flashbvh/query.hpp"
-#include "grouped.fbvh.hpp"
+#include "grouped.fbvh.h"
+#include "levels.fbvh.h"
+#include "reference/levels.hpp"
 #include "reference/stackless.hpp"
-#include "ring.fbvh.hpp"
-#include "wide.fbvh.hpp"
+#include "ring.fbvh.h"
+#include "wide.fbvh.h"
 
-static_assert(ring::kTriangleCount == 400 && ring::kNodeCount < 799, "a binary tree has 799");
-static_assert(ring::kFlashBytes < 50 * ring::kTriangleCount, "the budget, everything included");
-static_assert(grouped::kFlashBytes < ring::kFlashBytes, "fewer leaves, fewer bytes");
-static_assert(early::kDepth == ring::kDepth && wide::kNodeCount == ring::kNodeCount, "");
-static_assert(ring::kCell > 0.124 && ring::kCell < 0.126, "");
-static_assert(ring::kCellsPerUnit == 8.0f, "");
+static_assert(ring_TRIANGLE_COUNT == 400 && ring_NODE_COUNT < 799, "a binary tree has 799");
+static_assert(ring_IMAGE_BYTES < 50 * ring_TRIANGLE_COUNT, "the budget, everything included");
+static_assert(grouped_IMAGE_BYTES < ring_IMAGE_BYTES, "fewer leaves, fewer bytes");
+static_assert(early_DEPTH == ring_DEPTH && wide_NODE_COUNT == ring_NODE_COUNT, "");
+static_assert(ring_CELL > 0.124 && ring_CELL < 0.126, "");
+static_assert(ring_CELLS_PER_UNIT == 8.0f, "");
 
 namespace {
 
@@ -43,13 +46,16 @@ Pairs ask(const typename Traversal::Tree& a, const typename Traversal::Tree& b) 
 }  // namespace
 
 int main() {
-  using flashbvh::Ranked;
-  const Pairs pairs = ask<Ranked<flashbvh::Mesh>>(ring::mesh, _2nd_ring::mesh);
+  using namespace flashbvh;
+  const auto ring = view_unchecked<Mesh>(ring_image);
+  const auto grouped = view_unchecked<Mesh>(grouped_image);
+  const auto wide = view_unchecked<Mesh32>(wide_image);
+  const auto early = view_with_levels<PreMeshWithLevels>(early_image);
+  const auto levels = view_with_levels<MeshWithLevels>(levels_image);
+  const Pairs pairs = ask<Ranked<Mesh>>(ring, view_unchecked<Mesh>(_2nd_ring_image));
   const bool equal =
-      pairs == ask<Ranked<flashbvh::Mesh>>(grouped::mesh, ring::mesh) &&
-      pairs == ask<flashbvh::StacklessPost>(ring::levelled_mesh, grouped::levelled_mesh) &&
-      pairs == ask<flashbvh::Stackless>(early::levelled_mesh, early::levelled_mesh) &&
-      pairs == ask<Ranked<flashbvh::Mesh32>>(wide::mesh, wide::mesh);
+      pairs == ask<Ranked<Mesh>>(grouped, ring) && pairs == ask<StacklessPost>(levels, levels) &&
+      pairs == ask<Stackless>(early, early) && pairs == ask<Ranked<Mesh32>>(wide, wide);
   for (const auto& pair : pairs) {
     std::printf("0 %u %u\n", pair.first, pair.second);
   }

@@ -191,10 +191,8 @@ def kept_inputs():
             os.remove(link)
 
     a = "images/ring.fbvh"
-    for ending in "", ".hpp", ".cpp":
+    for ending in "", ".h", ".c":
         kept(["meshes/ring.stl"], f"to/ring.fbvh{ending}", "bake", "meshes/ring.stl", "-o", "to", "--format", "both")
-    for ending in ".h", ".c":
-        kept(["meshes/ring.stl"], f"to/ring.fbvh{ending}", "bake", "meshes/ring.stl", "-o", "to", "--format", "c")
     kept([a], "to/x.obj", "export", a, "-o", "to/x.obj")
     for command, *options in (("report", "-o"), ("collide", "--pairs"), ("clearance", "--within", "1", "--pairs"),
                               ("collide", "--contacts")):
@@ -202,10 +200,8 @@ def kept_inputs():
     kept(["asked/ring-ring"], "to/x", "report", a, a, "--poses", "asked", "-o", "to/x")
     robot = "robot", "arm.urdf", "--srdf", "arm.srdf", "-o", "to"
     read = "arm.urdf", "arm.srdf", "elsewhere/part.stl"
-    for ending in "", ".hpp", ".cpp":
+    for ending in "", ".h", ".c":
         kept(read, f"to/arm.robot{ending}", *robot, "--format", "both")
-    for ending in ".h", ".c":
-        kept(read, f"to/arm.robot{ending}", *robot, "--format", "c")
     for option in "--depfile", "--report":
         kept(read, "to/x", *robot, option, "to/x")
     kept([*read, "way.csv"], "to/x", "guard", "arm.urdf", "way.csv", "--srdf", "arm.srdf", "--report", "to/x")

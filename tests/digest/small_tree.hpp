@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/mesh.hpp"
+#include "reference/levels.hpp"
 
 namespace digest {
 

@@ -12,12 +12,12 @@ static flashbvh_mesh plate;
 static flashbvh_mesh peg;
 static uint32_t work;
 
-/** Once, at reset: checks both images. */
+/** Once, at reset. */
 static bool start(void) {
+  flashbvh_view_unchecked(plate_image, &plate);
+  flashbvh_view_unchecked(peg_image, &peg);
   work = flashbvh_work_within(56000, &flashbvh_cortex_m4f, &plate_tree, &peg_tree);
-  return work != 0 &&
-         flashbvh_open(plate_image, sizeof plate_image, &plate) == FLASHBVH_STATUS_DONE &&
-         flashbvh_open(peg_image, sizeof peg_image, &peg) == FLASHBVH_STATUS_DONE;
+  return work != 0;
 }
 
 typedef enum verdict { PENDING, NO_CONTACT, STOP } verdict;

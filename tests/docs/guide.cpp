@@ -1,25 +1,31 @@
 // The guide's C++, and the README's: a peg that is about to be moved above a plate.
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/float.hpp>
+#include <flashbvh/image.hpp>
+#include <flashbvh/robot/guard.hpp>
+#include <flashbvh/robot/image.hpp>
 #include <flashbvh/robot/robot_float.hpp>
 #include <flashbvh/robot/workcell.hpp>
 #include <initializer_list>
 
-#include "cell_arm.robot.hpp"
-#include "peg.fbvh.hpp"
-#include "plate.fbvh.hpp"
+#include "cell_arm.robot.h"
+#include "peg.fbvh.h"
+#include "plate.fbvh.h"
 
 namespace {
 
+const auto plate = flashbvh::view_unchecked<flashbvh::Mesh>(plate_image);
+const auto peg = flashbvh::view_unchecked<flashbvh::Mesh>(peg_image);
+
 /// At most 56,000 instructions a slice: 1 kHz, 168 MHz, 1.5 cycles each, half of the period.
 constexpr uint32_t kWork =
-    flashbvh::work_within(56000, flashbvh::kCortexM4F, plate::kTreeSize, peg::kTreeSize);
+    flashbvh::work_within(56000, flashbvh::kCortexM4F, plate_TREE_SIZE, peg_TREE_SIZE);
 static_assert(kWork != 0, "the period is too short for a single step");
-static_assert(plate::kFlashBytes + peg::kFlashBytes < 4096, "the meshes' share of flash");
+static_assert(plate_IMAGE_BYTES + peg_IMAGE_BYTES < 4096, "the meshes' share of flash");
 
 flashbvh::Pose peg_in_plate(const flashbvh::Pose& plate_in_world, const flashbvh::UnitQuaternion& q,
                             float x, float y, float z) {
-  const flashbvh::Pose peg_in_world = flashbvh::pose_of(q, {x, y, z}, plate::kCellsPerUnit);
+  const flashbvh::Pose peg_in_world = flashbvh::pose_of(q, {x, y, z}, plate_CELLS_PER_UNIT);
   return flashbvh::Pose::relative(plate_in_world, peg_in_world);
 }
 
@@ -27,13 +33,13 @@ flashbvh::Pose peg_in_plate(const flashbvh::Pose& plate_in_world, const flashbvh
 
 /// May the peg go there? Exact, for the two solids; an error is no permission to move on.
 bool may_go(const flashbvh::Pose& peg_in_plate) {
-  return !flashbvh::solids_intersect(plate::mesh, peg::mesh, peg_in_plate).yes;
+  return !flashbvh::solids_intersect(plate, peg, peg_in_plate).yes;
 }
 
 /// Is it nearer than that, in mm? After an error, too.
 bool is_near(const flashbvh::Pose& peg_in_plate, float length) {
-  const uint32_t within = flashbvh::fine_distance(length, plate::kCellsPerUnit);
-  return flashbvh::closer_than(plate::mesh, peg::mesh, peg_in_plate, within).yes;
+  const uint32_t within = flashbvh::fine_distance(length, plate_CELLS_PER_UNIT);
+  return flashbvh::closer_than(plate, peg, peg_in_plate, within).yes;
 }
 
 enum class Verdict { pending, no_contact, stop };
@@ -41,7 +47,7 @@ enum class Verdict { pending, no_contact, stop };
 /// Do surfaces intersect where the peg is to go? One call of tick() a period.
 class Check {
  public:
-  explicit Check(const flashbvh::Pose& pose) : pose_(pose), query_(plate::mesh, peg::mesh, pose_) {}
+  explicit Check(const flashbvh::Pose& pose) : pose_(pose), query_(plate, peg, pose_) {}
   Check(const Check&) = delete;  // the query points at pose_
   Check& operator=(const Check&) = delete;
 
@@ -69,10 +75,10 @@ class Check {
 
 /// How high above the plate's drawn origin a contact lies, in mm and in nm.
 float height_mm(const flashbvh::Contact& contact) {
-  return flashbvh::in_unit(contact.ends[0], plate::mesh.cell_bits).z;
+  return flashbvh::in_unit(contact.ends[0], plate.cell_bits).z;
 }
 int64_t height_nm(const flashbvh::Contact& contact) {
-  return flashbvh::millionths_of(contact.ends[0].z, plate::mesh.cell_bits);
+  return flashbvh::millionths_of(contact.ends[0].z, plate.cell_bits);
 }
 
 /// Slow within 5 mm, stop within 1 mm. The pair that was nearest is where the next answer begins.
@@ -81,7 +87,7 @@ class Guard {
   enum class Speed { full, slow, stop };
 
   Speed at(const flashbvh::Pose& pose) {
-    const auto known = flashbvh::distance(plate::mesh, peg::mesh, pose, nearest_);
+    const auto known = flashbvh::distance(plate, peg, pose, nearest_);
     nearest_ = known.witness;
     if (known.status != flashbvh::Status::done || known.lower < within_mm(1)) {
       return Speed::stop;
@@ -91,7 +97,7 @@ class Guard {
 
  private:
   static uint32_t within_mm(float length) {
-    return flashbvh::fine_distance(length, plate::kCellsPerUnit);
+    return flashbvh::fine_distance(length, plate_CELLS_PER_UNIT);
   }
 
   flashbvh::Witness<uint16_t> nearest_;
@@ -100,17 +106,17 @@ class Guard {
 /// Made once; a pose moves it, as it moves any mesh.
 class Cable {
  public:
-  Cable() : axis_(plate::mesh, {0, 0, 0}, {0, 0, kLength}) {}
+  Cable() : axis_(plate, {0, 0, 0}, {0, 0, kLength}) {}
 
   /// What cannot be decided may touch.
   bool touches_plate(const flashbvh::Pose& pose) const {
-    const uint32_t radius = flashbvh::fine_distance(2, plate::kCellsPerUnit);
+    const uint32_t radius = flashbvh::fine_distance(2, plate_CELLS_PER_UNIT);
     return axis_.status() != flashbvh::Status::done ||
-           closer_than(plate::mesh, axis_.mesh(), pose, radius).yes;
+           closer_than(plate, axis_.mesh(), pose, radius).yes;
   }
 
  private:
-  static constexpr auto kLength = static_cast<int32_t>(20 * plate::kCellsPerUnit);
+  static constexpr auto kLength = static_cast<int32_t>(20 * plate_CELLS_PER_UNIT);
 
   flashbvh::SegmentShape axis_;
 };
@@ -118,19 +124,19 @@ class Cable {
 /// How high a sensor is above the plate, in mm: `reach` if it sees nothing, 0 if unknown.
 float height_seen(const float (&from)[3], float reach) {
   const float down[3] = {0, 0, -1};
-  const auto ray = flashbvh::segment_of(from, down, reach, plate::kCellsPerUnit);
-  const auto found = nearest_hit(plate::mesh, ray.segment);
+  const auto ray = flashbvh::segment_of(from, down, reach, plate_CELLS_PER_UNIT);
+  const auto found = nearest_hit(plate, ray.segment);
   if (ray.status != flashbvh::Status::done || found.status != flashbvh::Status::done) {
     return 0;
   }
   const uint32_t apart = found.yes ? distance_along(ray.segment, found.hit.along) : 0;
-  return found.yes ? flashbvh::length_in_unit(apart, plate::mesh.cell_bits) : reach;
+  return found.yes ? flashbvh::length_in_unit(apart, plate.cell_bits) : reach;
 }
 
 /// A peg of rubber: something else moves its vertices, each period.
 class SoftPeg {
  public:
-  SoftPeg() : mesh_(peg::mesh, nodes_, vertices_) {}
+  SoftPeg() : mesh_(peg, nodes_, vertices_) {}
   SoftPeg(const SoftPeg&) = delete;  // the mesh points at its nodes
   SoftPeg& operator=(const SoftPeg&) = delete;
 
@@ -139,14 +145,17 @@ class SoftPeg {
   /// Once they moved. What cannot be decided may touch.
   bool touches_plate_or_itself(const flashbvh::Pose& pose) {
     return mesh_.refit().status != flashbvh::Status::done ||
-           intersects(plate::mesh, mesh_.mesh(), pose).yes || intersects_itself(mesh_.mesh()).yes;
+           intersects(plate, mesh_.mesh(), pose).yes || intersects_itself(mesh_.mesh()).yes;
   }
 
  private:
-  flashbvh::Node<uint16_t> nodes_[peg::kNodeCount];
-  flashbvh::Vertex vertices_[peg::kVertexCount];
+  flashbvh::Node<uint16_t> nodes_[peg_NODE_COUNT];
+  flashbvh::Vertex vertices_[peg_VERTEX_COUNT];
   flashbvh::DeformableMesh mesh_;
 };
+
+flashbvh::Mesh arm_links[cell_arm_LINK_COUNT];
+const auto arm_robot = flashbvh::view_robot_unchecked(cell_arm_robot_image, arm_links);
 
 /// Before the first period, at rest: start(). Then each period's set point goes to the drives only
 /// if it may.
@@ -156,36 +165,38 @@ class ArmGuard {
   bool tick(const float* joints) { return may_go(guard_.update(set_point(joints), 150)); }
 
  private:
+  using State =
+      flashbvh::GuardStateOf<cell_arm_JOINT_COUNT, cell_arm_PAIR_COUNT, cell_arm_PAIR_JOINT_COUNT>;
+
   const flashbvh::JointCoordinate* set_point(const float* joints) {
-    flashbvh::set_values(cell_arm::robot, joints, values_);
+    flashbvh::set_values(arm_robot, joints, values_);
     return values_;
   }
   static bool may_go(const flashbvh::GuardAnswer& answer) {
     return answer.status == flashbvh::Status::done && answer.verdict <= flashbvh::Verdict::warn;
   }
 
-  flashbvh::JointCoordinate values_[cell_arm::kVariableCount] = {};
-  cell_arm::GuardState state_;
-  flashbvh::Guard guard_{cell_arm::robot, state_};
+  flashbvh::JointCoordinate values_[cell_arm_VARIABLE_COUNT] = {};
+  State state_;
+  flashbvh::Guard guard_{arm_robot, state_};
 };
 
 /// The arm with a tool on its gripper, and a cart that drives by.
-flashbvh::WorkcellOf<cell_arm::kJointCount + 2, cell_arm::kLinkCount + 2, cell_arm::kPairCount + 4,
-                     40>
+flashbvh::WorkcellOf<cell_arm_JOINT_COUNT + 2, cell_arm_LINK_COUNT + 2, cell_arm_PAIR_COUNT + 4, 40>
     room;
-flashbvh::Workcell cell(cell_arm::robot, room);
+flashbvh::Workcell cell(arm_robot, room);
 uint8_t tool_link;
 uint8_t cart_link;
 
 /// Before the guard is made. Meshes are baked with the arm's cell.
 bool furnish(const flashbvh::Mesh& tool, const flashbvh::Mesh& cart,
              const flashbvh::Frame& cart_at) {
-  using namespace cell_arm;
   constexpr auto done = flashbvh::Status::done;
-  return cell.add(tool, mounts::gripper, tool_link) == done &&
+  const flashbvh::Mount* const mounts = flashbvh::mounts(cell_arm_robot_image);
+  return cell.add(tool, mounts[cell_arm_mount_gripper], tool_link) == done &&
          cell.add(cart, {flashbvh::kBase, cart_at}, cart_link) == done &&
-         cell.keep_apart(links::base, tool_link, 3000, 9000) == done &&
-         cell.keep_apart(links::forearm, cart_link, 9000, 30000) == done;
+         cell.keep_apart(cell_arm_link_base, tool_link, 3000, 9000) == done &&
+         cell.keep_apart(cell_arm_link_forearm, cart_link, 9000, 30000) == done;
 }
 
 /// Before each period's update(): where the cart is, and how far any point of it went, in 1/256
@@ -244,7 +255,7 @@ int main() {
   SoftPeg soft;
   const flashbvh::Pose above = peg_in_plate(plate_in_world, {1, 0, 0, 0}, 0, 0, 3);
   const bool apart = !soft.touches_plate_or_itself(above);
-  for (uint32_t i = 0; i < peg::kVertexCount; ++i) {
+  for (uint32_t i = 0; i < peg_VERTEX_COUNT; ++i) {
     flashbvh::Vertex& v = soft.vertices()[i];
     v.z = static_cast<int16_t>(v.z < 0 ? 2 * v.z : v.z);
   }
@@ -257,7 +268,7 @@ int main() {
   if (!arm.start(upright) || !arm.tick(upright) || arm.start(folded)) {
     return 5;
   }
-  const flashbvh::Mesh& body = cell_arm::robot.meshes[cell_arm::links::gripper];
+  const flashbvh::Mesh& body = arm_robot.meshes[cell_arm_link_gripper];
   flashbvh::Frame cart_at = flashbvh::kIdentityFrame;
   if (!furnish(body, body, cart_at) || !drive(cart_at, 256)) {
     return 6;

@@ -1,9 +1,10 @@
 // A sheet of 1,012 triangles that bends: what a refit takes, and questions about itself, flat and
 // crumpled.
 #include "flashbvh/deformable.hpp"
+#include "flashbvh/image.hpp"
 #include "flashbvh/self.hpp"
 #include "report.hpp"
-#include "sheet.fbvh.hpp"
+#include "sheet.fbvh.h"
 #include "support/random.hpp"
 
 using namespace flashbvh;
@@ -11,14 +12,16 @@ using namespace flashbvh;
 namespace figures {
 namespace {
 
+const Mesh sheet = view_unchecked<Mesh>(sheet_image);
+
 // Static, since the smallest board has no such stack.
-Node<uint16_t> nodes[sheet::kNodeCount];
-Vertex vertices[sheet::kVertexCount];
+Node<uint16_t> nodes[sheet_NODE_COUNT];
+Vertex vertices[sheet_VERTEX_COUNT];
 
 void crumple() {
   test::Random random(3);
-  for (uint32_t i = 0; i < sheet::kVertexCount; ++i) {
-    const Vertex& flat = sheet::mesh.vertices[i];
+  for (uint32_t i = 0; i < sheet_VERTEX_COUNT; ++i) {
+    const Vertex& flat = sheet.vertices[i];
     const auto near = [&random](int32_t at) {
       return static_cast<int16_t>(at + random.between(-300, 300));
     };
@@ -49,7 +52,7 @@ bool ask_all(DeformableMesh& bent, const char* how) {
 }  // namespace figures
 
 int main() {
-  DeformableMesh bent(sheet::mesh, figures::nodes, figures::vertices);
+  DeformableMesh bent(figures::sheet, figures::nodes, figures::vertices);
   const bool flat = figures::ask_all(bent, "flat");
   figures::crumple();
   const bool crumpled = figures::ask_all(bent, "crumpled");

@@ -2,8 +2,9 @@
 // and motions certified. Ends with 1 if the guard stops a period on a certified motion.
 #include "flashbvh/robot/guard.hpp"
 
+#include "flashbvh/robot/image.hpp"
 #include "flashbvh/robot/motion.hpp"
-#include "kr5_arm.robot.hpp"
+#include "kr5_arm.robot.h"
 #include "report.hpp"
 #include "support/random.hpp"
 
@@ -18,14 +19,16 @@ constexpr uint32_t kMotions = 64;
 /// Granted each period.
 constexpr uint32_t kWork = 680;
 
-constexpr uint32_t kJoints = kr5_arm::kJointCount;
-using MotionState = MotionStateOf<kr5_arm::kVariableCount, kJoints>;
+constexpr uint32_t kJoints = kr5_arm_JOINT_COUNT;
+using MotionState = MotionStateOf<kr5_arm_VARIABLE_COUNT, kJoints>;
 
 // Units of a joint's coordinate in a period at top speed: 375, 300, 375, 410, 410 and 660 degrees a
 // second.
 constexpr int32_t kTop[kJoints] = {279620, 223696, 279620, 305719, 305719, 492132};
 
-kr5_arm::GuardState guard_memory;
+Mesh meshes[kr5_arm_LINK_COUNT];
+const Robot robot = view_robot_unchecked(kr5_arm_robot_image, meshes);
+GuardStateOf<kr5_arm_JOINT_COUNT, kr5_arm_PAIR_COUNT, kr5_arm_PAIR_JOINT_COUNT> guard_memory;
 MotionState motion_memory;
 
 /// Cubic motions of an arm between random places, on which no links intersect. In integers, so that
@@ -59,7 +62,7 @@ class Motions {
       periods_ = 1;
       at_ = 0;
       for (uint32_t i = 0; i < kJoints; ++i) {
-        const RobotJoint& joint = kr5_arm::robot.joints[i];
+        const RobotJoint& joint = robot.joints[i];
         from_[i] = values_[i];
         to_[i] = random_.between(joint.lower, joint.upper);
         // A cubic's top speed is 3/2 of its mean one.
@@ -72,7 +75,7 @@ class Motions {
              query_.run(UINT32_MAX).outcome != MotionOutcome::free);
   }
 
-  MotionQuery query_{kr5_arm::robot, motion_memory};
+  MotionQuery query_{robot, motion_memory};
   uint32_t percent_;
   test::Random random_{kSeed};
   JointCoordinate from_[kJoints] = {};
@@ -107,7 +110,7 @@ class Thousandth {
 /// Returns whether the guard stopped no period.
 bool guard_motions(const char* name, uint32_t percent) {
   Motions motions(percent);
-  Guard guard(kr5_arm::robot, guard_memory);
+  Guard guard(robot, guard_memory);
   bool good = guard.prime(motions.values()).verdict == Verdict::free;
   Thousandth thousandth;
   uint32_t unknown = 0;
@@ -130,13 +133,13 @@ bool guard_motions(const char* name, uint32_t percent) {
 bool certify_motions() {
   constexpr int32_t radian = 42722830;
   test::Random random(kSeed);
-  MotionQuery query(kr5_arm::robot, motion_memory);
+  MotionQuery query(robot, motion_memory);
   JointCoordinate from[kJoints];
   JointCoordinate to[kJoints];
   uint32_t certified = 0;
   for (uint32_t i = 0; i < kMotions; ++i) {
     for (uint32_t j = 0; j < kJoints; ++j) {
-      const RobotJoint& joint = kr5_arm::robot.joints[j];
+      const RobotJoint& joint = robot.joints[j];
       from[j] = random.between(joint.lower, joint.upper);
       const int32_t by = random.between(-radian, radian);
       to[j] = by > joint.upper - from[j]   ? joint.upper
@@ -160,8 +163,8 @@ bool certify_motions() {
 void measure_standing() {
   Frame frames[kJoints];
   const JointCoordinate zeros[kJoints] = {};
-  measure({{"guard", "kinematics"}}, [&] { set_frames(kr5_arm::robot, zeros, frames); });
-  Guard guard(kr5_arm::robot, guard_memory);
+  measure({{"guard", "kinematics"}}, [&] { set_frames(robot, zeros, frames); });
+  Guard guard(robot, guard_memory);
   (void)guard.prime(zeros);
   measure({{"guard", "standing"}}, [&] { (void)guard.update(zeros, kWork); });
   add_figure({{"guard", "state"}}, sizeof guard_memory);

@@ -5,6 +5,7 @@
 // 0.85 of the instructions of `volume-stack` in a setup, or 1.02 of those of `ranked-stack` in all.
 #include <string.h>
 
+#include "reference/levels.hpp"
 #include "report.hpp"
 #include "setups.hpp"
 #include "support/at_roots.hpp"
@@ -77,14 +78,24 @@ __attribute__((noinline)) Counted measure_query(const typename Traversal::Tree& 
   return result;
 }
 
-template <Layout layout>
-const BasicMeshWithLevels<uint16_t, layout>& tree_of(const Object& object) {
-  if constexpr (layout == Layout::pre_indexed) {
-    return *object.pre;
-  } else {
-    return *object.post;
+/// A setup's objects, as the traversals read them.
+struct Trees {
+  PreMeshWithLevels pre;
+  MeshWithLevels post;
+
+  explicit Trees(const Object& object)
+      : pre(view_with_levels<PreMeshWithLevels>(object.pre)),
+        post(view_with_levels<MeshWithLevels>(object.post)) {}
+
+  template <Layout layout>
+  const auto& of() const {
+    if constexpr (layout == Layout::pre_indexed) {
+      return pre;
+    } else {
+      return post;
+    }
   }
-}
+};
 
 uint64_t sum_of_ranked;
 uint64_t sum_of_ranked_stack;
@@ -96,10 +107,10 @@ bool below(uint64_t a, uint32_t percent, uint64_t b) {
 
 /// Walks of each algorithm, on the layout that it has on the host, too. The first is volume-stack,
 /// which the others are compared with.
-bool ask_walks(const Setup& setup, uint32_t& leaf_pairs) {
+bool ask_walks(const Setup& setup, const Trees& a, const Trees& b, uint32_t& leaf_pairs) {
   int32_t t[3];
   for (int i = 0; i < 3; ++i) {
-    t[i] = setup.translation[i] + setup.b.pre->origin[i] - setup.a.pre->origin[i];
+    t[i] = setup.translation[i] + b.pre.origin[i] - a.pre.origin[i];
   }
   const TranslatedBoxTest overlap(t[0], t[1], t[2]);
   bool right = true;
@@ -109,8 +120,7 @@ bool ask_walks(const Setup& setup, uint32_t& leaf_pairs) {
     using Traversal =
         typename decltype(traversal)::template On<uint16_t, decltype(traversal)::kLayout>;
     constexpr Layout kLayout = Traversal::Tree::kLayout;
-    const Counted walked =
-        measure_walk<Traversal>(tree_of<kLayout>(setup.a), tree_of<kLayout>(setup.b), overlap);
+    const Counted walked = measure_walk<Traversal>(a.of<kLayout>(), b.of<kLayout>(), overlap);
     const QueryStats& counts = walked.counts;
     const char* const set = setup.head.name;
     figures::print_count({{"paper", set, traversal.name, "visits"}}, counts.visits);
@@ -135,11 +145,11 @@ bool ask_walks(const Setup& setup, uint32_t& leaf_pairs) {
   return right;
 }
 
-bool ask_queries(const Setup& setup, uint32_t leaf_pairs) {
+bool ask_queries(const Setup& setup, const Trees& a, const Trees& b, uint32_t leaf_pairs) {
   const Pose pose =
       Pose::translated(setup.translation[0], setup.translation[1], setup.translation[2]);
-  const Counted ranked = measure_query<Ranked<Mesh>>(*setup.a.post, *setup.b.post, pose);
-  const Counted volume = measure_query<VolumeStack<PreMesh>>(*setup.a.pre, *setup.b.pre, pose);
+  const Counted ranked = measure_query<Ranked<Mesh>>(a.post, b.post, pose);
+  const Counted volume = measure_query<VolumeStack<PreMesh>>(a.pre, b.pre, pose);
   const char* const set = setup.head.name;
   figures::print_count({{"paper", set, "geometry_overlaps"}}, ranked.counts.triangle_pairs);
   figures::print_figure({{"paper", set, "ranked", "query"}}, ranked.instructions);
@@ -155,9 +165,10 @@ bool ask_queries(const Setup& setup, uint32_t leaf_pairs) {
 bool ask(const Setup& setup) {
   port::print("Table ", setup.head.table, ": ", setup.head.name, "\n");
   uint32_t leaf_pairs = 0;
-  const bool right =
-      stack_entries(setup.a.pre->stack_need, setup.b.pre->stack_need) <= kStackEntries &&
-      ask_walks(setup, leaf_pairs) && ask_queries(setup, leaf_pairs);
+  const Trees a(setup.a);
+  const Trees b(setup.b);
+  const bool right = stack_entries(a.pre.stack_need, b.pre.stack_need) <= kStackEntries &&
+                     ask_walks(setup, a, b, leaf_pairs) && ask_queries(setup, a, b, leaf_pairs);
   port::put(right ? "" : "That is wrong\n");
   return right;
 }

@@ -3,18 +3,24 @@
 // or any_hit() is of another opinion than nearest_hit().
 #include "flashbvh/ray.hpp"
 
-#include "bicep.fbvh.hpp"
+#include "bicep.fbvh.h"
+#include "flashbvh/image.hpp"
 #include "flashbvh/solid.hpp"
-#include "forearm.fbvh.hpp"
-#include "palm.fbvh.hpp"
+#include "forearm.fbvh.h"
+#include "palm.fbvh.h"
 #include "ray_sets.hpp"
 #include "report.hpp"
-#include "wrist.fbvh.hpp"
+#include "wrist.fbvh.h"
 
 using namespace flashbvh;
 
 namespace figures {
 namespace {
+
+const Mesh bicep = view_unchecked<Mesh>(bicep_image);
+const Mesh forearm = view_unchecked<Mesh>(forearm_image);
+const Mesh palm = view_unchecked<Mesh>(palm_image);
+const Mesh wrist = view_unchecked<Mesh>(wrist_image);
 
 constexpr uint64_t kSeed = 20240607;
 constexpr uint32_t kOfLink = 128;  ///< aimed rays, and points
@@ -22,7 +28,7 @@ constexpr uint16_t kNone = kNoHint<uint16_t>;
 
 constexpr Fan kFans[] = {{"grid", 16, 16}, {"line", 1, 256}};
 
-const Mesh* const kLinks[] = {&bicep::mesh, &forearm::mesh, &palm::mesh, &wrist::mesh};
+const Mesh* const kLinks[] = {&bicep, &forearm, &palm, &wrist};
 
 /// What a visit takes, with nothing cut off, and a triangle that nearest_hit() comes to: fetched
 /// and tested.

@@ -35,8 +35,8 @@ def boards():
 
 
 def leaves_of(link):
-    header = (FOLDER / f"{link}.fbvh.hpp").read_text()
-    return int(re.search(r"uint32_t kLeafCount = (\d+)", header)[1])
+    header = (FOLDER / f"{link}.fbvh.h").read_text()
+    return int(re.search(r"_LEAF_COUNT (\d+)", header)[1])
 
 
 class Robot:

@@ -4,8 +4,6 @@
 
 #include <stdint.h>
 
-#include "flashbvh/mesh.hpp"
-
 namespace benchmark {
 
 struct Head {
@@ -14,10 +12,10 @@ struct Head {
   const char* name;
 };
 
-/// One object in both layouts.
+/// One object's images in both layouts, with levels.
 struct Object {
-  const flashbvh::PreMeshWithLevels* pre;
-  const flashbvh::MeshWithLevels* post;
+  const uint32_t* pre;
+  const uint32_t* post;
 };
 
 struct Setup {

@@ -1,16 +1,21 @@
 // Two tori in random poses, and pairs of triangles of the costliest kinds: what can be measured
 // anywhere, without a robot's meshes.
 #include "measure.hpp"
+
+#include "flashbvh/image.hpp"
 #include "support/rotations.hpp"
 #include "support/triangle_kinds.hpp"
-#include "thick.fbvh.hpp"
-#include "thin.fbvh.hpp"
+#include "thick.fbvh.h"
+#include "thin.fbvh.h"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
 
 namespace figures {
 namespace {
+
+const Mesh thick = view_unchecked<Mesh>(thick_image);
+const Mesh thin = view_unchecked<Mesh>(thin_image);
 
 constexpr uint64_t kSeed = 20240607;
 constexpr int32_t kReaches[] = {2000, 6000, 12000};
@@ -33,9 +38,8 @@ bool ask_all(bool rotated) {
       QueryStats counts{};
       uint32_t work = 0;
       const Asking asking = {"tori", rotated ? "rotated" : "translated", nullptr};
-      right = add_query(asking, thick::mesh, thin::mesh, any_pose(random, reach, rotated), counts,
-                        work) &&
-              right;
+      right =
+          add_query(asking, thick, thin, any_pose(random, reach, rotated), counts, work) && right;
     }
   }
   return right;

@@ -71,7 +71,7 @@ void write_pair(std::ostream& out, const char* const* folders, const std::string
   const Image searched_b(folders[1], b);
   PoseSearch search({searched_a.tree(), searched_b.tree()}, {asked_a.tree(), asked_b.tree()},
                     kSeed);
-  out << "    {\"" << a << "\", \"" << b << "\", &" << a << "::mesh, &" << b << "::mesh,\n";
+  out << "    {\"" << a << "\", \"" << b << "\", &" << a << ", &" << b << ",\n";
   write_motion(out, search, false);
   write_motion(out, search, true);
   out << "    },\n";
@@ -95,9 +95,14 @@ int main(int argc, char** argv) {
     meshes.insert({pairs.back().first, pairs.back().second});
   }
   for (const std::string& mesh : meshes) {
-    out << "#include \"" << mesh << ".fbvh.hpp\"\n";
+    out << "#include \"" << mesh << ".fbvh.h\"\n";
   }
-  out << "\nnamespace figures {\n\nconst AskedPair kAskedPairs[] = {\n";
+  out << "#include \"flashbvh/image.hpp\"\n\nnamespace figures {\n\n";
+  for (const std::string& mesh : meshes) {
+    out << "const auto " << mesh << " = flashbvh::view_unchecked<flashbvh::Mesh>(" << mesh
+        << "_image);\n";
+  }
+  out << "\nconst AskedPair kAskedPairs[] = {\n";
   for (const auto& [a, b] : pairs) {
     write_pair(out, argv + 1, a, b);
   }

@@ -9,6 +9,7 @@
 #include "support/most_work.hpp"
 #include "support/opened.hpp"
 #include "support/rotations.hpp"
+#include "support/same_view.hpp"
 
 namespace flashbvh::test {
 namespace {
@@ -62,6 +63,10 @@ void open_and_exercise(const void* bytes, std::size_t size, const std::vector<Po
     return;
   }
   verdict.opened = true;
+  using Seen = BasicMesh<typename Tree::Index, Tree::kLayout>;
+  if (!same_view<typename Tree::Index, Tree::kLayout>(opened.mesh, view_unchecked<Seen>(bytes))) {
+    verdict.wrong = "a view without a check is another one";
+  }
   if (poses.empty()) {
     return;
   }

@@ -6,6 +6,7 @@
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "support/most_work.hpp"
+#include "support/same_view.hpp"
 #include "support/small_scene.hpp"
 
 using namespace flashbvh;
@@ -134,7 +135,10 @@ TEMPLATE_TEST_CASE("small trees: an image opens in place as the tree that was wr
     image.write(baked.tree.view());
     TestType tree;
     REQUIRE(open_image(image.bytes(), image.size(), tree) == Status::done);
-    const bool equal = same(tree, baked.tree.view());
+    using Seen = BasicMesh<uint16_t, TestType::kLayout>;
+    const bool equal =
+        same(tree, baked.tree.view()) &&
+        same_view<uint16_t, TestType::kLayout>(tree, view_unchecked<Seen>(image.bytes()));
     REQUIRE(equal);
   }
 }

@@ -58,7 +58,7 @@ template <Layout layout>
 Cost cost_of(const bake::BuildTree& tree, const bake::LatticeMesh& mesh) {
   const auto words = bake::image_of(bake::lay_out<std::uint16_t, layout>(tree, mesh), true);
   const auto size = static_cast<std::uint32_t>(words.size() * sizeof words[0]);
-  BasicMeshWithLevels<std::uint16_t, layout> opened;
+  BasicMesh<std::uint16_t, layout> opened;
   Status status = Status::image_invalid;
   Cost cost{};
   cost.bytes = size;

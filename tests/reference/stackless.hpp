@@ -19,7 +19,7 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/walk/walk_run.hpp"
-#include "flashbvh/mesh.hpp"
+#include "reference/levels.hpp"
 
 namespace flashbvh {
 

@@ -11,7 +11,7 @@ native=${CXX:-c++}
 level=-O0
 [ "${1:-}" = quick ] || { native="g++ clang++"; level=-O2; }
 
-cp "$PACKAGES"/arduino/flashbvh/examples/robot_guard/cell_arm.robot.?pp .
+cp "$PACKAGES"/arduino/flashbvh/examples/robot_guard/cell_arm.robot.[ch] .
 for compiler in $native; do
   for file in flashbvh flashbvh_robot; do
     quietly $compiler -std=c++17 $level $warnings -c "$files/$file.cpp" -o $file.o
@@ -21,7 +21,7 @@ for compiler in $native; do
   quietly $compiler -std=c++17 $level -ffp-contract=off "-I$files" -I. \
     "-I$ROOT/firmware_examples/robot_guard" "-I$ROOT/firmware_examples/robot_guard/host" \
     "-I$ROOT/firmware_examples/robot_guard/cell_arm" "$ROOT/firmware_examples/robot_guard/main.cpp" \
-    cell_arm.robot.cpp flashbvh.o flashbvh_robot.o -o guard
+    -x c++ cell_arm.robot.c -x none flashbvh.o flashbvh_robot.o -o guard
   ./guard >answer || fail "the guard ended with $?"
 done
 sed 's/#/[0-9]*/g; s/^/^/; s/$/$/' "$ROOT/firmware_examples/robot_guard/cell_arm/expected.txt" >expected
@@ -29,7 +29,7 @@ sed 's/#/[0-9]*/g; s/^/^/; s/$/$/' "$ROOT/firmware_examples/robot_guard/cell_arm
 cat >c.c <<'end'
 #include "flashbvh.h"
 #include "flashbvh/version.hpp"
-int main(void) { return FLASHBVH_VERSION_MAJOR == 0; }
+int main(void) { return FLASHBVH_VERSION_MAJOR > 0 ? 0 : 1; }
 end
 quietly ${CC:-cc} -std=c99 -pedantic $warnings "-I$files" c.c -o c
 ./c || fail "C"

@@ -41,7 +41,7 @@ runs robot_guard
 cp "$ROOT"/firmware_examples/quick_start/*.obj .
 shown Arduino >command
 PATH=$(dirname "$FLASHBVH"):$PATH quietly sh -e command
-[ -s MySketch/plate.fbvh.hpp ] && [ -s MySketch/peg.fbvh.cpp ] || fail "the page's command"
+[ -s MySketch/plate.fbvh.h ] && [ -s MySketch/peg.fbvh.c ] || fail "the page's command"
 
 # What the IDE lists and opens.
 version=$(sed -n 's/^version=//p' libraries/flashbvh/library.properties)

@@ -28,7 +28,7 @@ dpkg-deb -x "$PACKAGES"/debian/libflashbvh-dev_*.deb alone
 cp -r tree/tests/packaging/consumer .
 ! cmake -S consumer -B wrong "-DCMAKE_PREFIX_PATH=$WORK/alone/usr" >log 2>&1 || fail "nothing to bake with"
 tr -s '\n ' '  ' <log | grep -q "set FLASHBVH_HOST_TOOL to its path" || fail "no remedy"
-"$FLASHBVH" bake tree/firmware_examples/quick_start/*.obj -o baked --format cpp >log
+"$FLASHBVH" bake tree/firmware_examples/quick_start/*.obj -o baked --format c >log
 quietly cmake -G Ninja -S consumer -B built "-DCMAKE_PREFIX_PATH=$WORK/alone/usr" "-DBAKED=$WORK/baked"
 quietly cmake --build built
 built/consumer || fail "wrong answers"

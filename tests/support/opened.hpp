@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bake/levels.hpp"
+#include "reference/made_levels.hpp"
 
 namespace flashbvh::test {
 
@@ -15,7 +15,7 @@ struct Opened {
   std::vector<typename Mesh::Index> levels;
 
   bool open(const void* bytes, std::size_t size) {
-    return bake::open_levelled(bytes, size, mesh, levels) == Status::done;
+    return open_levelled(bytes, size, mesh, levels) == Status::done;
   }
 };
 

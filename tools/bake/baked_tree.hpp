@@ -8,7 +8,7 @@
 #include "bake/build_tree.hpp"
 #include "bake/mesh.hpp"
 #include "bake/surface.hpp"
-#include "flashbvh/mesh.hpp"
+#include "reference/levels.hpp"
 
 namespace flashbvh::bake {
 

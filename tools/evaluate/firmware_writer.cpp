@@ -7,8 +7,9 @@
 #include <set>
 #include <vector>
 
+#include "bake/image_bytes.hpp"
 #include "evaluate/setups.hpp"
-#include "image/cpp_writer.hpp"
+#include "image/c_writer.hpp"
 #include "text/files.hpp"
 #include "text/numbers.hpp"
 
@@ -30,9 +31,8 @@ TreeFiles write_tree(const std::string& object, const bake::BuildTree& tree,
                      const bake::LatticeMesh& mesh) {
   const auto baked = bake::lay_out<std::uint16_t, layout>(tree, mesh);
   const std::string name = object + (layout == Layout::pre_indexed ? "_pre" : "_post");
-  constexpr std::uint64_t kPointers = 8;
-  return {name, cpp_of(baked, {name, name, name}, ""),
-          flash_bytes(baked) + kPointers + 2 * (baked.levels.size() + baked.climb.size())};
+  const std::vector<std::uint32_t> image = bake::image_of(baked, true);
+  return {name, mesh_in_c(image, {name, name}, ""), 4 * image.size()};
 }
 
 /// What one firmware image holds.
@@ -65,8 +65,8 @@ class Distribution {
     }
     for (const std::string& object : written) {
       for (const TreeFiles& tree : objects_.at(object)) {
-        files.add(folder / (tree.name + ".fbvh.hpp"), tree.text.header);
-        files.add(folder / (tree.name + ".fbvh.cpp"), tree.text.source);
+        files.add(folder / (tree.name + ".fbvh.h"), tree.text.header);
+        files.add(folder / (tree.name + ".fbvh.c"), tree.text.source);
       }
     }
     return files;
@@ -111,8 +111,7 @@ class Distribution {
     std::string text = "    {" + head + ",\n";
     for (const scene::PaperObject& object : {setup.a, setup.b}) {
       const std::string name = name_of(object);
-      text += concat("     {&", name, "_pre::levelled_mesh,\n      &", name,
-                     "_post::levelled_mesh},\n");
+      text += concat("     {", name, "_pre_image,\n      ", name, "_post_image},\n");
     }
     const Point& t = setup.translation;
     return concat(text, "     {", t.x, ", ", t.y, ", ", t.z, "}},\n");
@@ -124,7 +123,7 @@ class Distribution {
         "#include \"setups.hpp\"\n\n";
     for (const std::string& object : image.objects) {
       for (const TreeFiles& tree : objects_.at(object)) {
-        text += "#include \"" + tree.name + ".fbvh.cpp\"\n";
+        text += "#include \"" + tree.name + ".fbvh.c\"\n";
       }
     }
     return text + "\nnamespace benchmark {\n\nconst Setup kSetups[] = {\n" + image.setups +

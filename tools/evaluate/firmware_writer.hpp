@@ -1,4 +1,4 @@
-// The evaluation's setups as C++ for firmware: baked trees, and a table of the walks on them.
+// The evaluation's setups as C++ for firmware: images, and a table of the walks on them.
 #ifndef FLASHBVH_TOOLS_EVALUATE_FIRMWARE_WRITER_HPP
 #define FLASHBVH_TOOLS_EVALUATE_FIRMWARE_WRITER_HPP
 

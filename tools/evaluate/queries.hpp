@@ -97,7 +97,8 @@ ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
 ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& pose,
                                 std::uint32_t distance, bool all);
 
-/// `ask(meshes...)` as firmware's queries take them, of post-indexed trees of one kind; else nothing.
+/// `ask(meshes...)` as firmware's queries take them, of post-indexed trees of one kind; else
+/// nothing.
 template <class Found, class Ask, class... Others>
 std::optional<Found> ask_post(const Ask& ask, const AnyTree& any, const Others&... others) {
   return std::visit(

@@ -1,4 +1,5 @@
-// A baked image as C99: a constant array, and in a header what is known of it at compile time.
+// A baked image as source: a constant array of words, and in a header what is known of it when
+// firmware is compiled. Both are C99 and C++: the same text for the same image, on every machine.
 #ifndef FLASHBVH_TOOLS_IMAGE_C_WRITER_HPP
 #define FLASHBVH_TOOLS_IMAGE_C_WRITER_HPP
 
@@ -6,19 +7,45 @@
 #include <string>
 #include <vector>
 
-#include "bake/baked_tree.hpp"
 #include "image/output_name.hpp"
-#include "image/source_text.hpp"
 
 namespace flashbvh::tool {
 
-/// `image`: of the tree, below 2 GiB. `unit`: the name of the unit of length; empty if it is not
-/// known. All names in the text begin with the mesh's; no two of them are equal for two meshes,
-/// since none ends in '_' and the rest of another.
-template <class Index, Layout layout>
-SourceFiles c_of(const bake::BakedTree<Index, layout>& baked,
-                 const std::vector<std::uint32_t>& image, const OutputName& name,
-                 const std::string& unit);
+struct SourceFiles {
+  std::string header;  ///< NAME.fbvh.h
+  std::string source;  ///< NAME.fbvh.c
+};
+
+/// `unit`: the name of the unit of length; empty if it is not known. All names in the text begin
+/// with the mesh's; no two of them are equal for two meshes, since none ends in '_' and the rest of
+/// another.
+SourceFiles mesh_in_c(const std::vector<std::uint32_t>& image, const OutputName& name,
+                      const std::string& unit);
+
+/// "0x00ffu" for 255 and four digits.
+std::string hex(std::uint64_t value, unsigned digits);
+
+/// "#define WORD_NAME VALUE /* COMMENT */".
+struct Count {
+  const char* name;
+  std::size_t value;
+  const char* comment;
+};
+std::string count_macros(const std::string& word, const std::vector<Count>& counts);
+
+/// Two macros. `unit`: as above.
+std::string cell_macros(const std::string& word, double cell, const std::string& unit);
+
+/// What stands around a text about an image.
+struct SourceFrame {
+  const char* command;    ///< that writes it
+  std::string extension;  ///< of the image, as in ".fbvh"
+  std::string array;      ///< its name
+  std::string array_comment;
+};
+/// `about`: the header's text.
+SourceFiles image_in_c(const std::vector<std::uint32_t>& image, const OutputName& name,
+                       const SourceFrame& frame, const std::string& about);
 
 }  // namespace flashbvh::tool
 

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "bake/levels.hpp"
-#include "flashbvh/image.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "reference/made_levels.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -41,8 +41,8 @@ std::string refusal(Status status, const ImageHeader& header, std::size_t size) 
 
 template <class Index, Layout layout>
 Status open_as(const void* bytes, std::size_t size, AnyTree& any, LevelArrays& levels) {
-  return bake::open_levelled(bytes, size, any.emplace<BasicMeshWithLevels<Index, layout>>(),
-                             levels.emplace<std::vector<Index>>());
+  return open_levelled(bytes, size, any.emplace<BasicMeshWithLevels<Index, layout>>(),
+                       levels.emplace<std::vector<Index>>());
 }
 
 Status open_any(const void* bytes, std::size_t size, const ImageHeader& header, AnyTree& any,

@@ -10,6 +10,7 @@
 
 #include "bake/mesh.hpp"
 #include "flashbvh/image.hpp"
+#include "reference/levels.hpp"
 
 namespace flashbvh::tool {
 
@@ -17,7 +18,7 @@ namespace flashbvh::tool {
 using AnyTree =
     std::variant<PreMeshWithLevels, MeshWithLevels, PreMeshWithLevels32, MeshWithLevels32>;
 
-/// Of bake::open_levelled().
+/// Of open_levelled().
 using LevelArrays = std::variant<std::vector<std::uint16_t>, std::vector<std::uint32_t>>;
 
 /// An image in memory, opened and found good by the library.

@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "image/taken_names.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 
@@ -42,10 +41,6 @@ std::string word_of(std::string text) {
   return text;
 }
 
-std::string identifier_of(const std::string& word) {
-  return is_taken(word) ? word + "_" : word;
-}
-
 }  // namespace
 
 OutputName output_name(const std::string& mesh_path, const std::string& chosen) {
@@ -54,22 +49,16 @@ OutputName output_name(const std::string& mesh_path, const std::string& chosen) 
     if (stem.find_first_of("\"\\\n\r") != std::string::npos) {
       throw UserError(mesh_path, "has a name that no #include can hold; use --name");
     }
-    const std::string word = word_of(stem);
-    return {stem, word, identifier_of(word)};
+    return {stem, word_of(stem)};
   }
   if (is_reserved(chosen)) {
     throw UserError("--name " + chosen, "is a name that C or C++ takes; use another, such as ",
                     word_of(chosen));
   }
   if (word_of(chosen) != chosen) {
-    throw UserError("--name " + chosen,
-                    "is no name for a C++ namespace; use letters, digits and '_'");
+    throw UserError("--name " + chosen, "is no name for C; use letters, digits and '_'");
   }
-  if (is_taken(chosen)) {
-    throw UserError("--name " + chosen, "is a name that C or C++ takes; use another, such as ",
-                    identifier_of(chosen));
-  }
-  return {chosen, chosen, chosen};
+  return {chosen, chosen};
 }
 
 void TakenOutputs::add(const OutputName& name, const std::string& mesh, const char* fix) {
@@ -84,7 +73,7 @@ void TakenOutputs::add(const OutputName& name, const std::string& mesh, const ch
                       "; ", fix);
     }
   };
-  take(identifiers_, name.identifier);
+  take(words_, name.word);
   take(stems_, name.stem);
 }
 
@@ -111,7 +100,7 @@ std::vector<OutputName> distinct_names(const std::vector<std::string>& names) {
          !taken.insert(small_letters(name)).second;) {
       name = concat(wanted, "_", ++number);
     }
-    made.push_back({name, name, identifier_of(name)});
+    made.push_back({name, name});
   }
   return made;
 }

@@ -11,14 +11,12 @@
 namespace flashbvh::tool {
 
 struct OutputName {
-  std::string stem;        ///< of the files: stem.fbvh, stem.fbvh.hpp, stem.fbvh.cpp
-  std::string word;        ///< the stem as an identifier; C's names begin with it
-  std::string identifier;  ///< of the namespace: the word, with a '_' where that is taken
+  std::string stem;  ///< of the files: stem.fbvh, stem.fbvh.h, stem.fbvh.c
+  std::string word;  ///< the stem as an identifier, with which all names in the files begin
 };
 
 /// After the mesh file, or after `chosen` if that is not empty: "meshes/base link.STL" gives the
-/// stem "base link" and the namespace base_link; "abs.stl" gives abs_. UserError if `chosen` is no
-/// name for a namespace.
+/// stem "base link" and the word base_link. UserError if `chosen` is no word.
 OutputName output_name(const std::string& mesh_path, const std::string& chosen);
 
 /// The names of one call's outputs so far: no two may differ in case alone, since some file systems
@@ -29,11 +27,11 @@ class TakenOutputs {
   void add(const OutputName& name, const std::string& mesh, const char* fix);
 
  private:
-  std::map<std::string, std::string> identifiers_;  ///< by their small letters
-  std::map<std::string, std::string> stems_;        ///< the same
+  std::map<std::string, std::string> words_;  ///< by their small letters
+  std::map<std::string, std::string> stems_;  ///< the same
 };
 
-/// Of the bodies of a mesh file: identifiers, by their names there, after the mesh file where a
+/// Of the bodies of a mesh file: words, by their names there, after the mesh file where a
 /// body has no name, numbered from 2 on where they are equal but for their case.
 std::vector<OutputName> body_names(const std::string& mesh_path,
                                    const std::vector<InputMesh>& bodies);

@@ -123,7 +123,7 @@ def sketch_of(program: str) -> str:
 def write_examples(target: Path, flashbvh: str) -> None:
     examples = ROOT / "firmware_examples"
     bakes = {
-        "quick_start": ["bake", "plate.obj", "peg.obj", "--format", "cpp"],
+        "quick_start": ["bake", "plate.obj", "peg.obj", "--format", "c"],
         "robot_guard": ["robot", "cell_arm/cell_arm.urdf", "--stop", "0.005", "--warn", "0.03"],
     }
     for name, command in bakes.items():

@@ -105,18 +105,14 @@ Needs needs_of(const std::vector<QueriedPair>& pairs, const Query& query, const 
 
 std::string tiles(const Subjects& subjects, const Budget& budget) {
   std::uint64_t flash = 0;
-  std::uint64_t images = 0;
   bool large = false;
   for (const Subject* const subject : subjects) {
     flash += subject->flash;
-    images += subject->image.header().byte_count;
     large = large || subject->image.header().index_bits == 32;
   }
   const std::uint64_t query = large ? kLargeQueryBytes : kQueryBytes;
   return facts(
-      fact("Flash", grouped(flash) + " bytes",
-           "linked C++ arrays; as images " + grouped(images) +
-               " bytes. The code of a query, once: some 10 KiB.") +
+      fact("Flash", grouped(flash) + " bytes", "images. The code of a query, once: some 10 KiB.") +
       fact("RAM", grouped(query + kPoseBytes) + " bytes",
            concat("a query object of ", query, " and a pose of ", kPoseBytes,
                   "; no heap, no static data. On the stack, in a run: at most 544 bytes, 708 on "

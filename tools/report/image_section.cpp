@@ -118,7 +118,7 @@ std::string flash_table(const Subjects& subjects) {
     rows.push_back(
         {concat("<a href=\"#m", subject->number, "\">", escaped(subject->name), "</a>",
                 (odd == 0 ? "" : "<small>" + counted(odd, "warning", "warnings") + "</small>")),
-         grouped(header.triangle_count), grouped(subject->flash), grouped(header.byte_count),
+         grouped(header.triangle_count), grouped(subject->flash),
          bar(parts_of(*subject), subject->flash, most)});
   }
   std::string keys = "<p class=keys>";
@@ -126,11 +126,9 @@ std::string flash_table(const Subjects& subjects) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     keys += key(concat("p", i), parts[i].name);
   }
-  return section(
-      "flash", "Flash by mesh",
-      "<div class=hist>\n" +
-          table("", {"mesh", "#triangles", "#bytes linked", "#as an image", "bar"}, rows) +
-          "</div>\n" + keys + "</p>\n");
+  return section("flash", "Flash by mesh",
+                 "<div class=hist>\n" + table("", {"mesh", "#triangles", "#bytes", "bar"}, rows) +
+                     "</div>\n" + keys + "</p>\n");
 }
 
 std::string foot(const Subjects& subjects) {

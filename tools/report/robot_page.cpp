@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "flashbvh/robot/motion.hpp"
-#include "image/cpp_writer.hpp"
 #include "report/arm_pictures.hpp"
 #include "report/html.hpp"
 #include "robot/baked/robot_writer.hpp"
@@ -93,11 +92,8 @@ std::size_t motion_ram_bytes(const Robot& robot) {
 std::string facts_section(const DecidedRobot& decided) {
   const Robot& robot = decided.robot();
   const double cell = cell_of(robot);
-  const std::size_t flash = robot_flash_bytes(decided.fixed, decided.links);
-  std::size_t meshes = 0;
-  for (const BakedLink& link : decided.links) {
-    meshes += flash_bytes(link.tree);
-  }
+  const std::size_t flash = decided.image_bytes;
+  const std::size_t meshes = image_bytes(decided.links);
   return section(
       "", "What firmware holds",
       facts(fact("flash", grouped(flash) + " bytes",
@@ -240,7 +236,7 @@ std::string parts_section(const DecidedRobot& decided) {
     const ModelLink& link = model.links[i];
     links.push_back({escaped(link.name), escaped(joint_name(model, link.joint, "base")),
                      grouped(decided.links[i].tree.triangles.size()),
-                     grouped(flash_bytes(decided.links[i].tree)), joined(link.sources, escaped)});
+                     grouped(decided.links[i].image_bytes()), joined(link.sources, escaped)});
   }
   std::vector<Cells> joints;
   for (std::size_t i = 0; i < model.joints.size(); ++i) {

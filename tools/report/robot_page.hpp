@@ -22,6 +22,7 @@ struct DecidedRobot {
   std::string stop;                       ///< metres, as they were given
   std::string warn;
   const std::vector<UnguardedPair>& unguarded;
+  std::size_t image_bytes;
 
   const Robot& robot() const { return fixed.robot(); }
 };

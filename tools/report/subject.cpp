@@ -4,7 +4,6 @@
 #include <map>
 #include <utility>
 
-#include "image/cpp_writer.hpp"
 #include "mesh/defects.hpp"
 #include "report/html.hpp"
 #include "text/messages.hpp"
@@ -63,7 +62,7 @@ Subject::Subject(const ImageFile& file, std::size_t place, std::string unique_na
     : image(file),
       number(place),
       name(std::move(unique_name)),
-      flash(flash_bytes(file.header())),
+      flash(file.header().byte_count),
       box(std::visit([](const auto& tree) { return node_box(tree, 0); }, file.tree())) {
   const std::vector<LatticePoint> points = vertices_of(file.tree());
   const std::vector<SourceTriangle> sources = source_triangles(file);

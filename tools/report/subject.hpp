@@ -45,7 +45,7 @@ struct Subject {
   const ImageFile& image;
   std::size_t number;
   std::string name;
-  std::uint64_t flash;                     ///< bytes that its C++ arrays link
+  std::uint64_t flash;                     ///< bytes of the image
   std::vector<PaintedTriangle> triangles;  ///< painted by what is odd about them
   std::vector<Face> marked_edges;
   NodeBox box;  ///< that holds all

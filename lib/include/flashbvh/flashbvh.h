@@ -46,6 +46,9 @@ FLASHBVH_OPAQUE(flashbvh_mesh, 6, 40, uint64_t);
 FLASHBVH_NODISCARD flashbvh_status flashbvh_open(const void* image, size_t size,
                                                  flashbvh_mesh* mesh);
 
+/** view_unchecked(), of an image that `flashbvh bake` has written into the firmware's C. */
+void flashbvh_view_unchecked(const void* image, flashbvh_mesh* mesh);
+
 /** Mesh::triangle_count. */
 uint32_t flashbvh_mesh_triangles(const flashbvh_mesh* mesh);
 

@@ -89,10 +89,19 @@ inline TreeSize tree_size_of(const ImageHeader& header) {
 /// bytes on Cortex-M3 to M55 at -O2.
 ///
 /// Bytes after the image, if `size` has more than the header says, are not looked at. MeshType:
-/// Mesh, MeshWithLevels, PreMeshWithLevels or one of these with 32-bit indices; another kind of
-/// image gives `image_kind`, so does one without levels if MeshType has them.
+/// Mesh, PreMesh, Mesh32 or PreMesh32; another kind of image gives `image_kind`.
 template <class MeshType>
 Status open_image(const void* bytes, size_t size, MeshType& mesh);
+
+/// The mesh in an image that the firmware's own build has baked, as `flashbvh bake` writes it into
+/// C: a view in constant time, without any check. Anything else leads queries out of bounds. What
+/// comes from elsewhere, or is written at run time, is for open_image().
+///
+///     const flashbvh::Mesh plate = flashbvh::view_unchecked<flashbvh::Mesh>(plate_image);
+///
+/// Precondition: `image` starts at a multiple of 4, outlives the mesh and is of its kind.
+template <class MeshType>
+MeshType view_unchecked(const void* image);
 
 // For programs that write images or show what is in them.
 

@@ -1,7 +1,7 @@
 /* flashbvh for C: robots that can't hit themselves. robot/guard.hpp, motion.hpp, workcell.hpp and
  * kinematics.hpp say what is promised, what is the user's, and how it is done.
  *
- * A robot comes as constant arrays, by `flashbvh robot --format c`. A guard, a motion and a
+ * A robot is a view of an image that `flashbvh robot` writes. A guard, a motion and a
  * workcell each are a small object and memory of the caller's, both of which stay where they are,
  * and outlive all that is made of them. Memory is an array of words of the size that a macro
  * returns; a guard's and a motion's is plain data without pointers:
@@ -77,7 +77,10 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_open_robot(const void* image, size_t
                                                        uint32_t mesh_capacity,
                                                        flashbvh_robot* robot);
 
-/** robot_name(), joint_name(), link_name(): for people, of an image that was opened. */
+/** view_robot_unchecked(), of an image that `flashbvh robot` has written into the firmware's C. */
+void flashbvh_view_robot_unchecked(const void* image, flashbvh_mesh* meshes, flashbvh_robot* robot);
+
+/** robot_name(), joint_name(), link_name(): for people, of an image that was opened or baked. */
 const char* flashbvh_robot_name(const void* image);
 const char* flashbvh_joint_name(const void* image, uint32_t joint);
 const char* flashbvh_link_name(const void* image, uint32_t link);

@@ -17,6 +17,10 @@ flashbvh_status flashbvh_open(const void* image, size_t size, flashbvh_mesh* mes
   return c_status(status);
 }
 
+void flashbvh_view_unchecked(const void* image, flashbvh_mesh* mesh) {
+  make(mesh, view_unchecked<Mesh>(image));
+}
+
 uint32_t flashbvh_mesh_triangles(const flashbvh_mesh* mesh) {
   return object_in(mesh).triangle_count;
 }

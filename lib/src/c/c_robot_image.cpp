@@ -17,6 +17,11 @@ flashbvh_status flashbvh_open_robot(const void* image, size_t size, flashbvh_mes
   return c_status(open_robot(image, size, &object_in(meshes), mesh_capacity, *robot));
 }
 
+void flashbvh_view_robot_unchecked(const void* image, flashbvh_mesh* meshes,
+                                   flashbvh_robot* robot) {
+  put(robot, [&] { return view_robot_unchecked(image, &object_in(meshes)); });
+}
+
 const char* flashbvh_robot_name(const void* image) {
   return robot_name(image);
 }

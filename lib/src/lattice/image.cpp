@@ -114,18 +114,9 @@ bool has_shape(const ImageHeader& header, const TreeShape& shape) {
          ((header.flags & kImageIsClosed) != 0) == shape.is_closed;
 }
 
-template <class Index>
-void set_climb(BasicMeshWithLevels<Index, Layout::pre_indexed>& mesh, const Index* climb) {
-  mesh.parents = climb;
-}
-template <class Index>
-void set_climb(BasicMeshWithLevels<Index, Layout::post_indexed>& mesh, const Index* climb) {
-  mesh.right_child_levels = climb;
-}
-
 template <class Index, Layout layout>
 [[gnu::noinline]] void view(const void* bytes, const ImageHeader& header,
-                            BasicMeshWithLevels<Index, layout>& mesh) {
+                            BasicMesh<Index, layout>& mesh) {
   const ImageOffsets offsets = image_offsets(header);
   mesh.nodes = image_part<Node<Index>>(bytes, offsets.nodes);
   mesh.triangles = image_part<Corners<Index>>(bytes, offsets.triangles);
@@ -145,9 +136,6 @@ template <class Index, Layout layout>
   mesh.unit = static_cast<Unit>(header.unit);
   mesh.is_closed = (header.flags & kImageIsClosed) != 0;
   mesh.cell_bits = (uint64_t{header.cell[1]} << 32) | header.cell[0];
-  const bool levels = has_levels(header);
-  mesh.levels = levels ? image_part<Index>(bytes, offsets.levels) : nullptr;
-  set_climb(mesh, levels ? image_part<Index>(bytes, offsets.climb) : nullptr);
 }
 
 /// Whether there is a header in its place; the copy is gone when the tree is checked.
@@ -157,9 +145,8 @@ template <class Index, Layout layout>
                                                      : read_image_header(bytes, size, copy);
 }
 
-/// Levels may be missing.
 template <class Index, Layout layout>
-Status open_any(const void* bytes, size_t size, BasicMeshWithLevels<Index, layout>& mesh) {
+Status open_any(const void* bytes, size_t size, BasicMesh<Index, layout>& mesh) {
   const Status read = check_readable(bytes, size);
   if (read != Status::done) {
     return read;
@@ -181,18 +168,10 @@ Status open_any(const void* bytes, size_t size, BasicMeshWithLevels<Index, layou
   }
   view(bytes, header, mesh);
   TreeShape shape;
-  return check_tree(mesh, shape) == Status::done && has_shape(header, shape)
+  return check_tree(mesh, image_levels<Index>(bytes), shape) == Status::done &&
+                 has_shape(header, shape)
              ? Status::done
              : Status::image_invalid;
-}
-
-template <class Index, Layout layout>
-constexpr bool needs_levels(const BasicMeshWithLevels<Index, layout>&) {
-  return true;
-}
-template <class Index, Layout layout>
-constexpr bool needs_levels(const BasicMesh<Index, layout>&) {
-  return false;
 }
 
 }  // namespace
@@ -230,6 +209,23 @@ ImageOffsets image_offsets(const ImageHeader& header) {
   return at;
 }
 
+namespace detail {
+
+template <class Index>
+[[gnu::noinline]] ImageLevels<Index> image_levels(const void* bytes) {
+  const ImageHeader& header = *image_part<ImageHeader>(bytes, 0);
+  if (!has_levels(header)) {
+    return {nullptr, nullptr};
+  }
+  const ImageOffsets at = image_offsets(header);
+  return {image_part<Index>(bytes, at.levels), image_part<Index>(bytes, at.climb)};
+}
+
+template ImageLevels<uint16_t> image_levels(const void*);
+template ImageLevels<uint32_t> image_levels(const void*);
+
+}  // namespace detail
+
 uint32_t image_crc(const void* bytes, size_t size) {
   const unsigned char* byte = static_cast<const unsigned char*>(bytes);
   return detail::crc32(byte + kCrcEnd, size - kCrcEnd, detail::crc32(byte, kCrcOffset));
@@ -256,23 +252,27 @@ Status read_image_header(const void* bytes, size_t size, ImageHeader& header) {
 
 template <class MeshType>
 Status open_image(const void* bytes, size_t size, MeshType& mesh) {
-  BasicMeshWithLevels<typename MeshType::Index, MeshType::kLayout> opened;
+  MeshType opened;
   const Status status = open_any(bytes, size, opened);
-  if (status != Status::done) {
-    return status;
+  if (status == Status::done) {
+    mesh = opened;
   }
-  if (needs_levels(mesh) && opened.levels == nullptr) {
-    return Status::image_kind;
-  }
-  mesh = opened;
-  return Status::done;
+  return status;
 }
 
-template Status open_image(const void*, size_t, Mesh&);
-template Status open_image(const void*, size_t, Mesh32&);
-template Status open_image(const void*, size_t, PreMeshWithLevels&);
-template Status open_image(const void*, size_t, MeshWithLevels&);
-template Status open_image(const void*, size_t, PreMeshWithLevels32&);
-template Status open_image(const void*, size_t, MeshWithLevels32&);
+template <class MeshType>
+MeshType view_unchecked(const void* image) {
+  MeshType mesh;
+  view(image, *image_part<ImageHeader>(image, 0), mesh);
+  return mesh;
+}
+
+#define FLASHBVH_OPENS(MeshType)                              \
+  template Status open_image(const void*, size_t, MeshType&); \
+  template MeshType view_unchecked(const void*)
+FLASHBVH_OPENS(Mesh);
+FLASHBVH_OPENS(Mesh32);
+FLASHBVH_OPENS(PreMesh);
+FLASHBVH_OPENS(PreMesh32);
 
 }  // namespace flashbvh

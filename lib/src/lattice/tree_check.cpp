@@ -36,8 +36,8 @@ class Checker {
 
  public:
   /// `shape` is written as the check goes on.
-  Checker(const BasicMeshWithLevels<Index, layout>& tree, TreeShape& shape)
-      : tree_(tree), leaves_(0), shape_(shape) {
+  Checker(const BasicMesh<Index, layout>& tree, const ImageLevels<Index>& levels, TreeShape& shape)
+      : tree_(tree), levels_(levels), leaves_(0), shape_(shape) {
     shape = {0, 0, 0, 0, 0, false};
   }
 
@@ -80,12 +80,7 @@ class Checker {
   bool root() const {
     const Node<Index>& node = tree_.nodes[0];
     const bool rank = node.is_leaf() || node.parent_rank() == kRootParentRank;
-    bool levels = !has_levels() || tree_.level(0) == 0;
-    if constexpr (kPre) {
-      levels = levels && tree_.parents[0] == 0;
-    } else {
-      levels = levels && (!has_levels() || tree_.rcl(0) == 0);
-    }
+    const bool levels = !has_levels() || (level(0) == 0 && climb(0) == 0);
     return node.link == tree_.node_count && rank && levels;
   }
 
@@ -103,7 +98,10 @@ class Checker {
     return true;
   }
 
-  bool has_levels() const { return kPre || tree_.levels != nullptr; }
+  bool has_levels() const { return kPre || levels_.levels != nullptr; }
+  uint32_t level(uint32_t node) const { return levels_.levels[node]; }
+  /// Pre-indexed: the parent; post-indexed: the right child level.
+  uint32_t climb(uint32_t node) const { return levels_.climb[node]; }
 
   /// What can be checked of a node by itself.
   bool node(uint32_t i) {
@@ -156,13 +154,13 @@ class Checker {
 
   /// Node i follows the internal node i - 1 and must be its child.
   bool enter_child(uint32_t i) const {
-    if (has_levels() && tree_.level(i) != tree_.level(i - 1) + 1) {
+    if (has_levels() && level(i) != level(i - 1) + 1) {
       return false;
     }
     if constexpr (kPre) {
-      return tree_.parents[i] == i - 1;
+      return climb(i) == i - 1;
     } else {
-      return tree_.nodes[i].link >= i && (!has_levels() || tree_.rcl(i) == tree_.rcl(i - 1) + 1);
+      return tree_.nodes[i].link >= i && (!has_levels() || climb(i) == climb(i - 1) + 1);
     }
   }
 
@@ -170,12 +168,11 @@ class Checker {
   bool enter_sibling(uint32_t i) const {
     uint32_t sibling = i - 1;
     if constexpr (kPre) {
-      return leave_to(sibling, tree_.level(i), i) && sibling != 0 &&
-             tree_.parents[i] == tree_.parents[sibling];
+      return leave_to(sibling, level(i), i) && sibling != 0 && climb(i) == climb(sibling);
     } else {
       const uint32_t link = tree_.nodes[i].link;
       return link < i && leave_to(sibling, link, i) &&
-             (!has_levels() || (tree_.level(i) == tree_.level(link) && tree_.rcl(i) == 0));
+             (!has_levels() || (level(i) == level(link) && climb(i) == 0));
     }
   }
 
@@ -190,7 +187,7 @@ class Checker {
     while (place_of(node) > place) {
       uint32_t parent;
       if constexpr (kPre) {
-        parent = tree_.parents[node];
+        parent = climb(node);
         if (tree_.nodes[parent].link != next) {
           return false;
         }
@@ -209,7 +206,7 @@ class Checker {
     return place_of(node) == place;
   }
 
-  uint32_t place_of(uint32_t node) const { return kPre ? tree_.level(node) : node; }
+  uint32_t place_of(uint32_t node) const { return kPre ? level(node) : node; }
 
   uint32_t last_sibling(uint32_t node) const {
     while (tree_.nodes[node].link < node) {
@@ -258,7 +255,7 @@ class Checker {
 
   /// Of a node, and one above the leaf before it, or that leaf.
   bool are_siblings(uint32_t above, uint32_t node) const {
-    return kPre ? tree_.level(above) == tree_.level(node) : tree_.nodes[node].link == above;
+    return kPre ? level(above) == level(node) : tree_.nodes[node].link == above;
   }
 
   static uint32_t greater(uint32_t u, uint32_t v) { return u > v ? u : v; }
@@ -275,13 +272,14 @@ class Checker {
 
   uint32_t parent_of(uint32_t node) const {
     if constexpr (kPre) {
-      return tree_.parents[node];
+      return climb(node);
     } else {
       return last_sibling(node) - 1;
     }
   }
 
-  const BasicMeshWithLevels<Index, layout>& tree_;
+  const BasicMesh<Index, layout>& tree_;
+  const ImageLevels<Index>& levels_;
   uint32_t leaves_;  ///< passed so far
   Surface surface_;  ///< of their triangles
   TreeShape& shape_;
@@ -290,13 +288,14 @@ class Checker {
 }  // namespace
 
 template <class Index, Layout layout>
-Status check_tree(const BasicMeshWithLevels<Index, layout>& mesh, TreeShape& shape) {
-  return Checker<Index, layout>(mesh, shape).check() ? Status::done : Status::image_invalid;
+Status check_tree(const BasicMesh<Index, layout>& mesh, const ImageLevels<Index>& levels,
+                  TreeShape& shape) {
+  return Checker<Index, layout>(mesh, levels, shape).check() ? Status::done : Status::image_invalid;
 }
 
-template Status check_tree(const PreMeshWithLevels&, TreeShape&);
-template Status check_tree(const MeshWithLevels&, TreeShape&);
-template Status check_tree(const PreMeshWithLevels32&, TreeShape&);
-template Status check_tree(const MeshWithLevels32&, TreeShape&);
+template Status check_tree(const PreMesh&, const ImageLevels<uint16_t>&, TreeShape&);
+template Status check_tree(const Mesh&, const ImageLevels<uint16_t>&, TreeShape&);
+template Status check_tree(const PreMesh32&, const ImageLevels<uint32_t>&, TreeShape&);
+template Status check_tree(const Mesh32&, const ImageLevels<uint32_t>&, TreeShape&);
 
 }  // namespace flashbvh::detail

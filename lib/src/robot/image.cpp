@@ -259,6 +259,19 @@ Status open_robot(const void* bytes, size_t size, Mesh* meshes, uint32_t mesh_ca
   return Status::done;
 }
 
+Robot view_robot_unchecked(const void* image, Mesh* meshes) {
+  const RobotImageHeader& header = header_of(image);
+  uint32_t offset = robot_meshes_offset(header);
+  for (uint32_t i = 0; i < header.link_count; ++i) {
+    const ImageHeader* const mesh = image_part<ImageHeader>(image, offset);
+    meshes[i] = view_unchecked<Mesh>(mesh);
+    offset += mesh->byte_count;
+  }
+  Robot robot;
+  view(image, meshes, robot);
+  return robot;
+}
+
 const char* robot_name(const void* image) {
   return name_of(image, 0);
 }

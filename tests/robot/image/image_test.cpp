@@ -6,6 +6,7 @@
 #include "flashbvh/robot/image.hpp"
 #include "support/arms/guarded_arm.hpp"
 #include "support/arms/image_in_parts.hpp"
+#include "support/same_view.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -23,35 +24,6 @@ struct Opened {
   Status status;
 };
 
-template <class Element>
-bool are_same(const Element* u, const Element* v, std::size_t count) {
-  return count == 0 || std::memcmp(u, v, count * sizeof *u) == 0;
-}
-
-bool are_same(const Mesh& u, const Mesh& v) {
-  return u.node_count == v.node_count && u.triangle_count == v.triangle_count &&
-         u.vertex_count == v.vertex_count && u.cell_bits == v.cell_bits &&
-         are_same(u.nodes, v.nodes, u.node_count) &&
-         are_same(u.triangles, v.triangles, u.triangle_count) &&
-         are_same(u.triangle_ids, v.triangle_ids, u.triangle_count) &&
-         are_same(u.vertices, v.vertices, u.vertex_count) && are_same(u.origin, v.origin, 3);
-}
-
-bool are_same(const Robot& u, const Robot& v) {
-  bool same =
-      u.joint_count == v.joint_count && u.link_count == v.link_count &&
-      u.variable_count == v.variable_count && u.pair_count == v.pair_count &&
-      u.reach_count == v.reach_count && u.slack == v.slack && u.hash == v.hash &&
-      u.cell_bits == v.cell_bits && u.distance_table_bytes == v.distance_table_bytes &&
-      are_same(u.distance_tables, v.distance_tables, u.distance_table_bytes) &&
-      are_same(u.joints, v.joints, u.joint_count) && are_same(u.links, v.links, u.link_count) &&
-      are_same(u.pairs, v.pairs, u.pair_count) && are_same(u.reaches, v.reaches, u.reach_count);
-  for (std::size_t i = 0; same && i < u.link_count; ++i) {
-    same = are_same(u.meshes[i], v.meshes[i]);
-  }
-  return same;
-}
-
 }  // namespace
 
 TEST_CASE("an image opens as the robot that it was made of, and its guard answers the same") {
@@ -61,7 +33,7 @@ TEST_CASE("an image opens as the robot that it was made of, and its guard answer
     REQUIRE(words == image_of(arm));
     const Opened opened(words);
     REQUIRE(opened.status == Status::done);
-    REQUIRE(are_same(arm.robot(), opened.robot));
+    REQUIRE(same_view(arm.robot(), opened.robot));
     CHECK(std::string(robot_name(words.data())) == "arm");
     for (std::size_t i = 0; i < arm.model.joints.size(); ++i) {
       CHECK(joint_name(words.data(), static_cast<std::uint32_t>(i)) == arm.model.joints[i].name);
@@ -74,7 +46,7 @@ TEST_CASE("an image opens as the robot that it was made of, and its guard answer
       const Mount mount = tool::fixed_mount(arm.model.mounts[i], arm.arm.cell());
       const Mount& kept = mounts(words.data())[i];
       CHECK(mount_name(words.data(), i) == arm.model.mounts[i].name);
-      CHECK((kept.joint == mount.joint && are_same(&kept.frame, &mount.frame, 1)));
+      CHECK((kept.joint == mount.joint && same_array(&kept.frame, &mount.frame, 1)));
     }
     const auto states = std::make_unique<AnyGuardState[]>(2);
     Guard of_arrays(arm.robot(), states[0]);

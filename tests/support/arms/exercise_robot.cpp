@@ -1,4 +1,5 @@
 #include "support/arms/exercise_robot.hpp"
+#include "support/same_view.hpp"
 
 #include <cstring>
 #include <memory>
@@ -103,6 +104,11 @@ RobotVerdict exercise_robot(const void* bytes, std::size_t size, const Number& n
   verdict.status = open_robot(exact.get(), size, meshes.data(), header.link_count, robot);
   if (verdict.status != Status::done) {
     verdict.wrong = robot.joints != nullptr ? "a robot is written that is refused" : nullptr;
+    return verdict;
+  }
+  std::vector<Mesh> seen(header.link_count);
+  if (!same_view(robot, view_robot_unchecked(exact.get(), seen.data()))) {
+    verdict.wrong = "a view without a check is another one";
     return verdict;
   }
   for (std::uint32_t i = 0; i < unguarded_count(exact.get()); ++i) {

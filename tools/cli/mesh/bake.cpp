@@ -11,7 +11,6 @@
 #include "cli/mesh/mesh_warnings.hpp"
 #include "cli/progress.hpp"
 #include "image/c_writer.hpp"
-#include "image/cpp_writer.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {
@@ -22,7 +21,7 @@ void check_size(const BakeOrder& order, const std::string& mesh, std::uint64_t b
     throw UserError(mesh, "the image would be over 4 GiB; use fewer triangles");
   }
   if (order.writes_c && bytes > 0x7FFFFFFFu) {
-    throw UserError(mesh, "the C array would be over 2 GiB; use --format image or fewer triangles");
+    throw UserError(mesh, "the array would be over 2 GiB; use --format image or fewer triangles");
   }
   if (order.max_bytes && static_cast<std::int64_t>(bytes) > *order.max_bytes) {
     throw UserError(mesh, "takes ", bytes, " bytes, --max-bytes allows ", *order.max_bytes,
@@ -39,17 +38,12 @@ void add_files(const Baked& baked, const BakeOrder& order, const OutputName& nam
     refuse_to_replace_inputs(stem + extension, order.meshes);
     files.add(stem + extension, std::move(bytes));
   };
+  const std::vector<std::uint32_t> words = image_of(baked, order.levels);
   if (order.writes_images) {
-    const std::vector<std::uint32_t> words = image_of(baked, order.levels);
     add(".fbvh", {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]});
   }
-  if (order.writes_cpp) {
-    SourceFiles cpp = cpp_of(baked, name, order.units.common());
-    add(".fbvh.hpp", std::move(cpp.header));
-    add(".fbvh.cpp", std::move(cpp.source));
-  }
   if (order.writes_c) {
-    SourceFiles c = c_of(baked, image_of(baked, order.levels), name, order.units.common());
+    SourceFiles c = mesh_in_c(words, name, order.units.common());
     add(".fbvh.h", std::move(c.header));
     add(".fbvh.c", std::move(c.source));
   }
@@ -70,7 +64,6 @@ BakeRow bake_one(const BakeOrder& order, BakedMesh& mesh, const std::string& pat
           add_files(baked, order, name, files);
         }
         return BakeRow{name.stem,
-                       order.writes_cpp ? flash_bytes(baked) : image,
                        image,
                        baked.triangles.size(),
                        baked.vertices.size(),
@@ -165,13 +158,6 @@ std::vector<BakeRow> bake_meshes(const BakeOrder& order, BakeOptions& options, F
   return rows;
 }
 
-const char* legend(const BakeOrder& order) {
-  return order.writes_cpp ? "; flash: bytes that a query on the C++ arrays links; image: bytes of "
-                            "the binary\n"
-         : order.writes_c ? "; flash: bytes of the C array, which is the image\n"
-                          : "; flash: bytes of the image\n";
-}
-
 void bake_all(const BakeOrder& order) {
   Warnings warnings;
   BakeOptions options = order.options;
@@ -186,7 +172,7 @@ void bake_all(const BakeOrder& order) {
       return;
     }
     print_bake_table(rows, order.units);
-    std::cout << "cell " << order.units.with_unit(*options.cell) << legend(order);
+    std::cout << "cell " << order.units.with_unit(*options.cell) << "; flash: bytes of the image\n";
     if (order.deformable) {
       print_bending(rows);
     }
@@ -199,7 +185,7 @@ void bake_all(const BakeOrder& order) {
 void add_bake(CLI::App& app) {
   CLI::App* const command = app.add_subcommand(
       "bake", concat("Bake meshes (", kMeshFormats,
-                     ")\ninto trees: C++ arrays, C arrays and binary images.\n"
+                     ")\ninto images: arrays of C and C++, and binary files.\n"
                      "Meshes that are queried together share a cell: bake them in one call."));
   add_bake_options(*command, bake_all);
 }

@@ -28,7 +28,7 @@ struct Arguments {
   std::vector<std::string> drop;
 };
 
-/// Output files and namespaces must not collide.
+/// Output files and names must not collide.
 std::vector<OutputName> output_names(const Arguments& arguments) {
   const std::string chosen = arguments.name.value_or("");
   if (arguments.name && chosen.empty()) {
@@ -112,9 +112,8 @@ BakeOrder order_of(const Arguments& arguments) {
   if (arguments.max_bytes) {
     order.max_bytes = bytes_of("--max-bytes", *arguments.max_bytes);
   }
-  order.writes_cpp = arguments.format == "cpp" || arguments.format == "both";
-  order.writes_c = arguments.format == "c";
-  order.writes_images = arguments.format == "image" || arguments.format == "both";
+  order.writes_c = arguments.format != "image";
+  order.writes_images = arguments.format != "c";
   return order;
 }
 
@@ -158,9 +157,9 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
   command.add_flag("--dry-run", a.order.dry_run,
                    "Print the table and what is wrong, and write nothing");
   add_json(command, a.order.json, "Print the table as one JSON object");
-  add_choice(command, "--format", a.format, {"cpp", "c", "image", "both"},
-             "What to write: C++ arrays (cpp), the image as a C99 array (c), as a binary file "
-             "(image),\nor cpp and image (both)");
+  add_choice(command, "--format", a.format, {"c", "image", "both"},
+             "What to write: the image as an array of C and C++ (c), as a binary file (image),\nor "
+             "both");
   add_option(
       command, "--cell", a.cell, "LENGTH",
       "Size of a lattice cell in the mesh's unit; default: the finest that all the meshes fit");

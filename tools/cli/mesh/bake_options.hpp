@@ -19,8 +19,7 @@ struct BakeOrder {
   bool split = false;             ///< each body of a mesh is baked apart
   std::vector<OutputName> names;  ///< of each mesh, all different; none if they are split
   std::string folder;
-  bool writes_cpp = true;
-  bool writes_c = false;
+  bool writes_c = true;
   bool writes_images = true;
   bool levels = false;                    ///< in images of post-indexed trees
   bool dry_run = false;                   ///< writes nothing at all

@@ -16,7 +16,6 @@ BakeRow total_of(const std::vector<BakeRow>& rows) {
   total.mesh = "total";
   for (const BakeRow& row : rows) {
     total.flash_bytes += row.flash_bytes;
-    total.image_bytes += row.image_bytes;
     total.triangles += row.triangles;
     total.vertices += row.vertices;
     total.nodes += row.nodes;
@@ -30,9 +29,9 @@ void print_row(const BakeRow& row, int width, const Units& units, bool is_total)
   const double per_triangle =
       static_cast<double>(row.flash_bytes) / static_cast<double>(row.triangles);
   std::cout << std::left << std::setw(width) << row.mesh << std::right << std::setw(10)
-            << row.flash_bytes << std::setw(16) << fixed(per_triangle, 1) << std::setw(10)
-            << row.image_bytes << std::setw(11) << row.triangles << std::setw(10) << row.vertices
-            << std::setw(8) << row.nodes << std::setw(7) << row.depth << "  ";
+            << row.flash_bytes << std::setw(16) << fixed(per_triangle, 1) << std::setw(11)
+            << row.triangles << std::setw(10) << row.vertices << std::setw(8) << row.nodes
+            << std::setw(7) << row.depth << "  ";
   const std::string deviation =
       significant(row.deviation, 4) + (units.common().empty() ? "" : " " + units.common());
   if (is_total) {
@@ -52,7 +51,7 @@ void print_bake_table(const std::vector<BakeRow>& rows, const Units& units) {
   }
   const int width = static_cast<int>(widest) + 1;
   std::cout << std::left << std::setw(width) << "mesh"
-            << "     flash  bytes/triangle     image  triangles  vertices   nodes  depth  largest "
+            << "     flash  bytes/triangle  triangles  vertices   nodes  depth  largest "
                "deviation size\n";
   for (const BakeRow& row : rows) {
     print_row(row, width, units, false);
@@ -68,7 +67,6 @@ void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units&
   for (const BakeRow& row : rows) {
     all["meshes"].push_back({{"name", row.mesh},
                              {"flash_bytes", row.flash_bytes},
-                             {"image_bytes", row.image_bytes},
                              {"triangles", row.triangles},
                              {"vertices", row.vertices},
                              {"nodes", row.nodes},

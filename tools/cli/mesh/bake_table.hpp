@@ -16,8 +16,7 @@ namespace flashbvh::tool {
 /// What one mesh became.
 struct BakeRow {
   std::string mesh;
-  std::size_t flash_bytes = 0;  ///< what firmware links that uses it
-  std::size_t image_bytes = 0;
+  std::size_t flash_bytes = 0;  ///< of the image
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   std::size_t nodes = 0;

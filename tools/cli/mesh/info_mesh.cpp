@@ -1,14 +1,15 @@
 #include "cli/mesh/info_mesh.hpp"
+#include "bake/image_bytes.hpp"
 #include "cli/json.hpp"
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 
 #include "cli/mesh/mesh_warnings.hpp"
 #include "image/baking.hpp"
-#include "image/cpp_writer.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -26,10 +27,12 @@ AnyBakedTree tree_of(const InputMesh& mesh, const RoundedMesh& rounded, BakeOpti
   }
 }
 
-Json flash_of(const AnyBakedTree& tree, std::uint32_t leaf_size) {
+/// The image has the file's name in it.
+Json flash_of(AnyBakedTree tree, const std::string& path, std::uint32_t leaf_size) {
   return std::visit(
-      [&](const auto& baked) {
-        const std::size_t bytes = flash_bytes(baked);
+      [&](auto& baked) {
+        baked.name = std::filesystem::path(path).stem().string().substr(0, bake::kMaxNameSize);
+        const std::size_t bytes = image_size(baked);
         return Json{{"leaf_size", leaf_size},
                     {"index_bits", 8 * sizeof baked.triangle_ids[0]},
                     {"bytes", bytes},
@@ -77,7 +80,7 @@ Json facts_of(const InputMesh& mesh, Warnings& warnings) {
   facts["defects"] = defects_as_json(rounded.defects);
   for (const std::uint32_t leaf_size : kLeafSizes) {
     options.leaf_size = leaf_size;
-    facts["flash"].push_back(flash_of(tree_of(mesh, rounded, options), leaf_size));
+    facts["flash"].push_back(flash_of(tree_of(mesh, rounded, options), mesh.path, leaf_size));
   }
   return facts;
 }

@@ -1,4 +1,4 @@
-// flashbvh robot: a URDF as C++, C or an image for firmware, with what can collide.
+// flashbvh robot: a URDF as an image for firmware, with what can collide.
 #include <filesystem>
 #include <set>
 
@@ -8,7 +8,6 @@
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/robot_output.hpp"
 #include "report/robot_page.hpp"
-#include "robot/baked/robot_c_writer.hpp"
 #include "robot/baked/robot_image.hpp"
 #include "robot/baked/robot_writer.hpp"
 #include "text/files.hpp"
@@ -20,23 +19,19 @@ struct OutputArguments : RobotArguments {
   std::string folder;
   std::string name;
   std::string depfile;
-  std::string format = "cpp";
+  std::string format = "c";
   std::string page;
   bool json = false;
 };
 
-std::string image_of(const BakedRobot& baked, const OutputName& name) {
-  std::vector<std::vector<std::uint32_t>> meshes;
+using Words = std::vector<std::uint32_t>;
+
+Words image_of(const BakedRobot& baked, const OutputName& name) {
+  std::vector<Words> meshes;
   for (const BakedLink& link : baked.links) {
     meshes.push_back(bake::image_of(link.tree));
   }
-  const std::vector<std::uint32_t> words =
-      robot_image(baked.model, baked.robot(), baked.unguarded, meshes, name.stem);
-  return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]};
-}
-
-bool writes_cpp(const OutputArguments& arguments) {
-  return arguments.format == "cpp" || arguments.format == "both";
+  return robot_image(baked.model, baked.robot(), baked.unguarded, meshes, name.stem);
 }
 
 /// UserError if it would replace what was read.
@@ -48,25 +43,18 @@ void add_output(const OutputArguments& arguments, const Model& model, const std:
 }
 
 void add_files(const OutputArguments& arguments, const OutputName& name, const BakedRobot& baked,
-               FileSet& files) {
+               const Words& image, FileSet& files) {
   const std::string stem = (std::filesystem::path(arguments.folder) / name.stem).string();
   const auto add = [&](const char* extension, std::string text) {
     add_output(arguments, baked.model, stem + extension, std::move(text), files);
   };
-  const auto add_sources = [&](SourceFiles sources, const char* header, const char* source) {
-    add(header, std::move(sources.header));
-    add(source, std::move(sources.source));
-  };
-  if (arguments.format == "image" || arguments.format == "both") {
-    add(".robot", image_of(baked, name));
+  if (arguments.format != "c") {
+    add(".robot", {reinterpret_cast<const char*>(image.data()), image.size() * sizeof image[0]});
   }
-  if (writes_cpp(arguments)) {
-    add_sources(robot_sources(baked.model, *baked.fixed, baked.links, baked.unguarded, name),
-                ".robot.hpp", ".robot.cpp");
-  }
-  if (arguments.format == "c") {
-    add_sources(robot_in_c(baked.model, *baked.fixed, baked.links, baked.unguarded, name),
-                ".robot.h", ".robot.c");
+  if (arguments.format != "image") {
+    SourceFiles sources = robot_in_c(image, baked.model, *baked.fixed, baked.unguarded, name);
+    add(".robot.h", std::move(sources.header));
+    add(".robot.c", std::move(sources.source));
   }
 }
 
@@ -80,9 +68,7 @@ std::string dependencies(const OutputArguments& arguments, const OutputName& nam
     }
     return text;
   };
-  const char* const extension = writes_cpp(arguments)     ? ".robot.hpp"
-                                : arguments.format == "c" ? ".robot.h"
-                                                          : ".robot";
+  const char* const extension = arguments.format == "image" ? ".robot" : ".robot.h";
   std::string text = escaped(arguments.folder + "/" + name.stem + extension) + ":";
   for (const std::string& path : files_read(arguments, model)) {
     text += " \\\n  " + escaped(path);
@@ -90,29 +76,29 @@ std::string dependencies(const OutputArguments& arguments, const OutputName& nam
   return text + "\n";
 }
 
-void add_page(const OutputArguments& arguments, const BakedRobot& robot, FileSet& files) {
+void add_page(const OutputArguments& arguments, const BakedRobot& robot, std::size_t image_bytes,
+              FileSet& files) {
   const std::set<std::string> read = files_read(arguments, robot.model);
   refuse_to_replace_inputs(arguments.page, {read.begin(), read.end()});
   Progress progress(2, arguments.progress);
   files.add(
       arguments.page,
       robot_page({robot.model, robot.links, *robot.fixed, robot.pairs, arguments.stop,
-                  arguments.warn.value_or(arguments.stop), robot.unguarded},
+                  arguments.warn.value_or(arguments.stop), robot.unguarded, image_bytes},
                  [&](const std::string& what, double share) { progress.begin(what, share); }));
 }
 
-/// Flash, if it is much, with leaves of kLargeLeaf triangles.
-std::optional<std::size_t> bytes_with_large_leaves(const BakedRobot& baked,
+/// Of `bytes`, if they are many: so many with leaves of kLargeLeaf triangles.
+std::optional<std::size_t> bytes_with_large_leaves(const BakedRobot& baked, std::size_t bytes,
                                                    const OutputArguments& arguments) {
-  if (robot_flash_bytes(*baked.fixed, baked.links) <= kMuchFlash ||
-      arguments.leaf_size >= kLargeLeaf) {
+  if (bytes <= kMuchFlash || arguments.leaf_size >= kLargeLeaf) {
     return std::nullopt;
   }
   std::vector<BakedLink> links;
   for (const ModelLink& link : baked.model.links) {
     links.push_back(bake_link(link, baked.cell, kLargeLeaf, arguments.urdf));
   }
-  return robot_flash_bytes(*baked.fixed, links);
+  return bytes - image_bytes(baked.links) + image_bytes(links);
 }
 
 void make_robot(const OutputArguments& arguments) {
@@ -120,19 +106,21 @@ void make_robot(const OutputArguments& arguments) {
   const BakedRobot baked = baked_robot(described_robot(arguments, warnings), arguments, warnings);
   const OutputName name = arguments.name.empty() ? distinct_names({baked.model.name}).front()
                                                  : output_name(arguments.urdf, arguments.name);
+  const Words image = image_of(baked, name);
+  const std::size_t bytes = image.size() * sizeof image[0];
   FileSet files;
-  add_files(arguments, name, baked, files);
+  add_files(arguments, name, baked, image, files);
   if (!arguments.depfile.empty()) {
     add_output(arguments, baked.model, arguments.depfile,
                dependencies(arguments, name, baked.model), files);
   }
   if (!arguments.page.empty()) {
-    add_page(arguments, baked, files);
+    add_page(arguments, baked, bytes, files);
   }
-  const std::optional<std::size_t> smaller = bytes_with_large_leaves(baked, arguments);
+  const RobotFlash flash = {bytes, bytes_with_large_leaves(baked, bytes, arguments)};
   files.write([&] {
     warnings.print();
-    (arguments.json ? print_robot_json : print_robot)(baked, smaller);
+    (arguments.json ? print_robot_json : print_robot)(baked, flash);
     flush_output();
   });
 }
@@ -142,8 +130,7 @@ void make_robot(const OutputArguments& arguments) {
 void add_robot(CLI::App& app) {
   auto [command, a] = add_command<OutputArguments>(
       app, "robot",
-      "Bake a robot (URDF) into C++ or C arrays or a binary image: joints, "
-      "links, and which pairs of links can collide.\n"
+      "Bake a robot (URDF) into an image: joints, links, and which pairs of links can collide.\n"
       "Lengths are in metres, angles in radians.",
       make_robot);
   add_robot_options(command, "URDF", a);
@@ -151,11 +138,10 @@ void add_robot(CLI::App& app) {
              "Folder for the results; made if there is none")
       ->required();
   add_choice(
-      command, "--format", a.format, {"cpp", "c", "image", "both"},
-      "What to write: C++ arrays (cpp), C arrays (c), a binary file (image), or both cpp and "
-      "image");
+      command, "--format", a.format, {"c", "image", "both"},
+      "What to write: the image as an array of C and C++ (c), as a binary file (image), or both");
   add_option(command, "--name", a.name, "NAME",
-             "Name of the files and of the namespace; default: that of the robot")
+             "Name of the files and their contents; default: that of the robot")
       ->check([](const std::string& name) { return name.empty() ? "is empty; give a name" : ""; });
   add_option(command, "--depfile", a.depfile, "FILE",
              "Write what was read, for make and Ninja: the URDF, the SRDF and the meshes");

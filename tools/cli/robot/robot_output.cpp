@@ -6,7 +6,7 @@
 
 #include "cli/json.hpp"
 #include "cli/robot/baked_robot.hpp"
-#include "image/cpp_writer.hpp"
+#include "image/c_writer.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/baked/robot_writer.hpp"
 #include "robot/model.hpp"
@@ -40,8 +40,8 @@ void print_links(const BakedRobot& robot) {
     const ModelLink& link = model.links[i];
     std::cout << std::left << std::setw(width) << link.name << std::setw(joints)
               << joint_name(model, link.joint, "base") << std::right << std::setw(9)
-              << links[i].tree.triangles.size() << std::setw(10) << flash_bytes(links[i].tree)
-              << "  " << std::left << std::setw(sizes) << size_text(robot.sizes[i], "m")
+              << links[i].tree.triangles.size() << std::setw(10) << links[i].image_bytes() << "  "
+              << std::left << std::setw(sizes) << size_text(robot.sizes[i], "m")
               << joined(link.sources, [](const std::string& source) { return source; }) << "\n";
   }
 }
@@ -115,7 +115,7 @@ Json link_json(const Model& model, const ModelLink& link, const BakedLink& baked
   return {{"name", link.name},
           {"joint", link.joint == kNoJoint ? Json() : Json(model.joints[link.joint].name)},
           {"triangles", baked.tree.triangles.size()},
-          {"flash_bytes", flash_bytes(baked.tree)},
+          {"flash_bytes", baked.image_bytes()},
           {"size", size},
           {"deviation", link_deviation(link, baked.tree.cell)},
           {"sources", link.sources}};
@@ -139,23 +139,22 @@ Json joint_json(const Model& model, std::size_t number) {
 
 }  // namespace
 
-void print_robot(const BakedRobot& robot, const std::optional<std::size_t>& smaller) {
+void print_robot(const BakedRobot& robot, const RobotFlash& flash) {
   print_unguarded(robot.model, robot.unguarded);
   print_links(robot);
   print_joints(robot.model);
   print_pairs(robot.model, robot.pairs);
   std::cout << "\ncell " << shortest(robot.cell) << " m, vertices moved by up to "
-            << significant(deviation_of(robot), 3) << " m; "
-            << robot_flash_bytes(*robot.fixed, robot.links) << " bytes of flash, "
+            << significant(deviation_of(robot), 3) << " m; " << flash.bytes << " bytes of flash, "
             << robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count())
             << " bytes of RAM for a guard\n";
-  if (smaller) {
-    std::cout << "--leaf-size " << kLargeLeaf << ": " << *smaller
+  if (flash.smaller) {
+    std::cout << "--leaf-size " << kLargeLeaf << ": " << *flash.smaller
               << " bytes of flash; queries take up to three times the work\n";
   }
 }
 
-void print_robot_json(const BakedRobot& robot, const std::optional<std::size_t>& smaller) {
+void print_robot_json(const BakedRobot& robot, const RobotFlash& flash) {
   const Model& model = robot.model;
   Json json = {{"name", model.name},
                {"not_guarded", unguarded_json(model, robot.unguarded)},
@@ -173,9 +172,9 @@ void print_robot_json(const BakedRobot& robot, const std::optional<std::size_t>&
   }
   json["cell"] = robot.cell;
   json["deviation"] = deviation_of(robot);
-  json["flash_bytes"] = robot_flash_bytes(*robot.fixed, robot.links);
-  if (smaller) {
-    json["flash_bytes_leaf_size_5"] = *smaller;
+  json["flash_bytes"] = flash.bytes;
+  if (flash.smaller) {
+    json["flash_bytes_leaf_size_5"] = *flash.smaller;
   }
   json["ram_bytes"] = robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count());
   print_object(json);

@@ -11,10 +11,15 @@ namespace flashbvh::tool {
 constexpr std::size_t kMuchFlash = 1 << 20;
 constexpr std::uint32_t kLargeLeaf = 5;
 
-/// Tables on standard output. `smaller`: flash with leaves of kLargeLeaf, if it is to be said.
-void print_robot(const BakedRobot& robot, const std::optional<std::size_t>& smaller);
+struct RobotFlash {
+  std::size_t bytes;                   ///< of the image
+  std::optional<std::size_t> smaller;  ///< with leaves of kLargeLeaf, if it is to be said
+};
+
+/// Tables on standard output.
+void print_robot(const BakedRobot& robot, const RobotFlash& flash);
 /// One object on one line.
-void print_robot_json(const BakedRobot& robot, const std::optional<std::size_t>& smaller);
+void print_robot_json(const BakedRobot& robot, const RobotFlash& flash);
 
 /// What is in a robot's image, in the same form.
 void print_robot_file(const RobotFile& file);

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "bake/image_bytes.hpp"
 #include "image/baking.hpp"
 #include "robot/model.hpp"
 
@@ -17,7 +19,11 @@ struct BakedLink {
 
   /// A view of the tree, in the frame of the link's joint.
   Mesh mesh() const { return tree.view(); }
+  std::size_t image_bytes() const { return static_cast<std::size_t>(bake::image_size(tree)); }
 };
+
+/// Of all images together.
+std::size_t image_bytes(const std::vector<BakedLink>& links);
 
 /// UserError if the robot has more joints or links than firmware holds. `path`: the URDF.
 void check_counts(const Model& model, const std::string& path);

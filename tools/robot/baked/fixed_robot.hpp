@@ -49,10 +49,6 @@ class FixedRobot {
   FixedRobot& operator=(const FixedRobot&) = delete;
 
   const std::vector<RobotJoint>& joints() const { return joints_; }
-  const std::vector<RobotLink>& links() const { return links_; }
-  const std::vector<RobotPair>& pairs() const { return pairs_; }
-  const std::vector<std::uint32_t>& reaches() const { return reaches_; }
-  const std::vector<std::uint8_t>& distance_tables() const { return distance_tables_; }
   /// Of all pairs together: how many joints are between their links.
   std::uint32_t pair_joint_count() const { return pair_joint_count_; }
 

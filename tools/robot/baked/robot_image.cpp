@@ -85,7 +85,7 @@ std::vector<Mount> fixed_mounts(const Model& model, double cell) {
   return mounts;
 }
 
-/// The C++ arrays take them, and refuse all values.
+/// No image holds them: it would refuse all values.
 void check_limits(const Model& model, const Robot& robot) {
   for (std::size_t i = 0; i < robot.joint_count; ++i) {
     if (robot.joints[i].lower > robot.joints[i].upper) {

@@ -1,6 +1,6 @@
 // Two links, one or both of which are the solids that they sweep in a full turn about the joint
-// next to them: that joint's angle does not matter then. A solid is a closed body of revolution that
-// contains a mesh however it is turned about an axis.
+// next to them: that joint's angle does not matter then. A solid is a closed body of revolution
+// that contains a mesh however it is turned about an axis.
 #ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_SWEPT_PAIR_HPP
 #define FLASHBVH_TOOLS_ROBOT_MATRIX_SWEPT_PAIR_HPP
 

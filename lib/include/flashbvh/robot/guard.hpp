@@ -87,18 +87,27 @@ struct [[nodiscard]] PairDetail {
   uint8_t variable;
 };
 
+namespace detail {
+constexpr uint32_t at_least_one(uint32_t count) {
+  return count != 0 ? count : 1;
+}
+}  // namespace detail
+
 /// All memory of a guard: plain data without pointers, which may be copied, stored and taken up
-/// again (Guard::resume()). A robot's header has its own as GuardState.
+/// again (Guard::resume()). A robot's header has the counts.
 template <uint32_t joint_count, uint32_t pair_count, uint32_t pair_joint_count>
 struct GuardStateOf {
+  static constexpr uint32_t kJoints = detail::at_least_one(joint_count);
+
   GuardCore core;
-  JointCoordinate before[joint_count];  ///< the values of the last period
-  JointCoordinate step[joint_count];    ///< from there to those of this one
-  JointCoordinate next[joint_count];    ///< for frames, and until values are accepted
-  JointCoordinate walked[joint_count];  ///< where the measurement began
-  Frame frames[joint_count];
-  GuardPair pairs[pair_count];
-  JointCoordinate certified[pair_joint_count];  ///< of all joints between, pair after pair
+  JointCoordinate before[kJoints];  ///< the values of the last period
+  JointCoordinate step[kJoints];    ///< from there to those of this one
+  JointCoordinate next[kJoints];    ///< for frames, and until values are accepted
+  JointCoordinate walked[kJoints];  ///< where the measurement began
+  Frame frames[kJoints];
+  GuardPair pairs[detail::at_least_one(pair_count)];
+  JointCoordinate certified[detail::at_least_one(
+      pair_joint_count)];  ///< of all joints between, pair after pair
 };
 
 /// Of one robot; what it knows lies in the state.

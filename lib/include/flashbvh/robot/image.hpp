@@ -86,7 +86,12 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
 Status open_robot(const void* bytes, size_t size, Mesh* meshes, uint32_t mesh_capacity,
                   Robot& robot);
 
-/// Its name, for people, of an image that was opened; ends with a zero.
+/// The robot in an image that the firmware's own build has baked, as `flashbvh robot` writes it
+/// into C: a view without any check, in time linear in its links. What comes from elsewhere is for
+/// open_robot(). Precondition: as there, and `meshes` has a place for each link.
+Robot view_robot_unchecked(const void* image, Mesh* meshes);
+
+/// Its name, for people, of an image that was opened or baked; ends with a zero.
 const char* robot_name(const void* image);
 /// Of a joint, numbered below Robot::joint_count. Takes time linear in all names.
 const char* joint_name(const void* image, uint32_t joint);

@@ -15,6 +15,16 @@ const Element* image_part(const void* bytes, uint64_t offset) {
   return reinterpret_cast<const Element*>(static_cast<const unsigned char*>(bytes) + offset);
 }
 
+/// What the paper's alternating rule needs in addition to a tree, of node_count elements each; null
+/// if the image has none. No query of the library reads them.
+template <class Index>
+struct ImageLevels {
+  const Index* levels;  ///< the node's depth
+  const Index* climb;   ///< pre-indexed: its parent; post-indexed: its right child level
+};
+template <class Index>
+ImageLevels<Index> image_levels(const void* bytes);
+
 /// CRC-32 (IEEE 802.3, reflected, as in zlib) of `size` bytes, going on from `crc` (0 at first).
 /// No table: about 50 instructions a byte.
 uint32_t crc32(const void* bytes, size_t size, uint32_t crc = 0);
@@ -31,9 +41,10 @@ struct TreeShape {
 
 /// The check of a mesh's contents on its own. `done`, with what was found in `shape`, or
 /// `image_invalid`. Its counts and arrays are there, of a post-indexed tree with or without the
-/// levels (null then, both); nothing else needs to be right.
+/// levels; nothing else needs to be right.
 template <class Index, Layout layout>
-Status check_tree(const BasicMeshWithLevels<Index, layout>& mesh, TreeShape& shape);
+Status check_tree(const BasicMesh<Index, layout>& mesh, const ImageLevels<Index>& levels,
+                  TreeShape& shape);
 
 }  // namespace flashbvh::detail
 

@@ -1,12 +1,13 @@
 // The levels of a tree whose image has none.
-#ifndef FLASHBVH_TOOLS_BAKE_LEVELS_HPP
-#define FLASHBVH_TOOLS_BAKE_LEVELS_HPP
+#ifndef FLASHBVH_REFERENCE_MADE_LEVELS_HPP
+#define FLASHBVH_REFERENCE_MADE_LEVELS_HPP
 
+#include <cstddef>
 #include <vector>
 
-#include "flashbvh/image.hpp"
+#include "reference/levels.hpp"
 
-namespace flashbvh::bake {
+namespace flashbvh {
 
 /// Opens an image as open_image() does, with or without levels. If it has none they are made in
 /// `made`, levels first, then right child levels, which then outlives the mesh.
@@ -34,6 +35,6 @@ Status open_levelled(const void* bytes, std::size_t size, BasicMeshWithLevels<In
   return status;
 }
 
-}  // namespace flashbvh::bake
+}  // namespace flashbvh
 
 #endif
