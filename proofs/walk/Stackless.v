@@ -236,15 +236,6 @@ Proof.
       f_equal. now apply (fmt_sibling _ _ F) in K.
 Qed.
 
-Lemma rcl_small k : forall i, i < count -> k <= rcl i ->
-  k <= i /\ level (i - k) = level i - k /\ k <= level i /\ rcl (i - k) = rcl i - k.
-Proof.
-  induction k as [|k IH]; intros i H K; [rewrite Nat.sub_0_r; lia|].
-  destruct (kind i H) as [(_ & R & _) | (n & _ & P & V & [(-> & R & _) | (R & _)])]; try lia.
-  destruct (IH (i - 1)) as (A1 & A2 & A3 & A4); [lia | lia|].
-  replace (i - S k) with (i - 1 - k) by lia. lia.
-Qed.
-
 (* As ranks. *)
 Variable limit_ : nat.
 Hypothesis limit_large : count < limit_.
@@ -300,22 +291,10 @@ Proof.
     pose proof (fmt_inside _ _ F n x ltac:(auto)). unfold count. lia.
 Defined.
 
+Lemma same_under n x : Under (T := level_tree) n x <-> Under (T := array_tree _ _ F) n x.
+Proof. split; (induction 1; [constructor | econstructor; eauto]). Qed.
 Lemma level_tree_inside i : Under (T := level_tree) 0 i <-> i < count.
-Proof.
-  split.
-  - intros U. assert (forall n x, Under (T := level_tree) n x -> n < count -> x < count) as G.
-    { induction 1 as [|n x y I U' IH]; auto. intros H. apply IH. now apply (fmt_inside _ _ F) in I. }
-    apply (G 0 i U). apply (fmt_some _ _ F).
-  - intros H. induction i as [i IH] using lt_wf_ind.
-    destruct (Nat.eq_dec i 0) as [->|Z]; [constructor|].
-    destruct (fmt_all _ _ F i) as [n I]; [unfold count in *; lia|].
-    pose proof (after_parent' _ _ F _ _ I).
-    apply (Under_trans level_tree 0 n i); [apply IH; lia|].
-    apply (Under_kid (T := level_tree) n i i); auto.
-Qed.
-
-Lemma same_under n x : Under (T := level_tree) n x -> Under (T := array_tree _ _ F) n x.
-Proof. induction 1; [constructor | econstructor; eauto]. Qed.
+Proof. rewrite same_under. split; [apply under_inside, (fmt_some _ _ F) | apply (all_under _ _ F)]. Qed.
 End OneTree.
 
 Section Proofs.
@@ -397,9 +376,7 @@ Proof.
   unfold A, B. cbn [root level_tree]. tauto.
 Qed.
 
-(* ---- A step up. *)
-
-Definition Up (a b : nat) (s : State A B) : Prop := turn (Behind (here a b)) = s.
+(* ---- A turn up. *)
 
 Lemma into_b a b : inside (a, b) -> (parent_rank B b <=? parent_rank A a)%Z =
   (level_a a <? level_b b) || ((a =? 0) && (b =? 0)).
@@ -415,208 +392,70 @@ Proof.
     rewrite ?Z.leb_le, ?Z.leb_gt; lia.
 Qed.
 
-Lemma up_in_a a b : inside (a, b) -> level_b b <= level_a a ->
-  match rcl_a a with
-  | S _ => Up a b (Behind (here (a - 1) b))
-  | O => if a =? 0 then Up a b Done else exists s, link a_ a = Some s /\ Up a b (Visit (here s b))
-  end.
-Proof.
-  intros I V. pose proof I as [Ia Ib]. cbn [fst snd] in *. unfold Up, here. cbn [Ranked.turn].
-  rewrite (into_b a b I). destruct (Nat.ltb_spec (level_a a) (level_b b)); [lia|]. cbn [orb].
-  destruct (kind a_ children_a FA LA a Ia) as [(-> & R & Va) | (n & _ & Pa & Va & K)].
-  - rewrite R. destruct (kind b_ children_b FB LB b Ib) as [(-> & _ & Vb) | (n' & _ & Pb & Vb & _)]; [|lia].
-    reflexivity.
-  - destruct (Nat.eqb_spec a 0); [lia|]. cbn [andb A level_tree next up].
-    destruct K as [(-> & R & N) | (R & s & N & _ & K)]; rewrite R, N; [reflexivity|].
-    exists s. now split.
-Qed.
-
-Lemma up_in_b a b : inside (a, b) -> level_a a < level_b b ->
-  b <> 0 /\ match rcl_b b with
-  | S _ => Up a b (Behind (here a (b - 1)))
-  | O => exists s, link b_ b = Some s /\ Up a b (Visit (here a s))
-  end.
-Proof.
-  intros I V. pose proof I as [Ia Ib]. cbn [fst snd] in *. unfold Up, here. cbn [Ranked.turn].
-  rewrite (into_b a b I). destruct (Nat.ltb_spec (level_a a) (level_b b)); [|lia]. cbn [orb].
-  destruct (kind b_ children_b FB LB b Ib) as [(-> & R & Vb) | (n & _ & Pb & Vb & K)]; [lia|].
-  split; [lia|]. cbn [B level_tree next up is_root]. destruct (Nat.eqb_spec b 0); [lia|].
-  destruct K as [(-> & R & N) | (R & s & N & _ & K)]; rewrite R, N; [reflexivity|].
-  exists s. now split.
-Qed.
-
-(* Turns up to the next visit or the end. *)
-Inductive Climbs : nat -> nat -> State A B -> Prop :=
-| Climbed a b s : Up a b s -> (forall p, s <> Behind p) -> Climbs a b s
-| Climbing a b a' b' s : Up a b (Behind (here a' b')) -> Climbs a' b' s -> Climbs a b s.
-
-Lemma rcl_a_small k a : a < length (cells a_) -> k <= rcl_a a ->
-  k <= a /\ level_a (a - k) = level_a a - k /\ k <= level_a a /\ rcl_a (a - k) = rcl_a a - k.
-Proof. apply (rcl_small a_ children_a FA LA). Qed.
-Lemma rcl_b_small k b : b < length (cells b_) -> k <= rcl_b b ->
-  k <= b /\ level_b (b - k) = level_b b - k /\ k <= level_b b /\ rcl_b (b - k) = rcl_b b - k.
-Proof. apply (rcl_small b_ children_b FB LB). Qed.
-
-Lemma climb_a k : forall a b s, inside (a, b) -> k <= rcl_a a -> level_b b + k <= S (level_a a) ->
-  Climbs (a - k) b s -> Climbs a b s.
-Proof.
-  induction k as [|k IH]; intros a b s I K V C; [now rewrite Nat.sub_0_r in C|].
-  pose proof I as [Ia Ib]. cbn [fst snd] in *. destruct (rcl_a_small 1 a Ia) as (P & V' & _ & R); [lia|].
-  pose proof (up_in_a a b I) as U. destruct (rcl_a a); [lia|].
-  eapply Climbing; [apply U; lia|]. replace (a - S k) with (a - 1 - k) in C by lia.
-  apply IH; auto; try lia. split; cbn [fst snd]; lia.
-Qed.
-Lemma climb_b k : forall a b s, inside (a, b) -> k <= rcl_b b -> level_a a + k <= level_b b ->
-  Climbs a (b - k) s -> Climbs a b s.
-Proof.
-  induction k as [|k IH]; intros a b s I K V C; [now rewrite Nat.sub_0_r in C|].
-  pose proof I as [Ia Ib]. cbn [fst snd] in *. destruct (rcl_b_small 1 b Ib) as (P & V' & _ & R); [lia|].
-  pose proof (up_in_b a b I) as U. destruct (rcl_b b); [lia|].
-  eapply Climbing; [apply U; lia|]. replace (b - S k) with (b - 1 - k) in C by lia.
-  apply IH; auto; try lia. split; cbn [fst snd]; lia.
-Qed.
-
-(* A left child, or the root, is reached in A or in B. *)
-Definition reached_a (a b : nat) (s : State A B) : Prop :=
-  exists to, link a_ a = Some to /\ s = if a =? 0 then Done else Visit (here to b).
-Definition reached_b (a b : nat) (s : State A B) : Prop :=
-  exists to, link b_ b = Some to /\ b <> 0 /\ s = Visit (here a to).
-
-Lemma link_some m children (F : Post_indexed (cells m) children) i : i < length (cells m) -> exists to, link m i = Some to.
-Proof. intros H. unfold link. rewrite (nth_error_nth' _ (Build_Cell 0 (-1) 0)) by exact H. cbn. eauto. Qed.
-
-Lemma reach_a a b : inside (a, b) -> rcl_a a = 0 -> level_b b <= level_a a ->
-  exists s, reached_a a b s /\ Climbs a b s.
-Proof.
-  intros I R V. pose proof (up_in_a a b I V) as U. rewrite R in U. unfold reached_a.
-  destruct (Nat.eqb_spec a 0) as [E|_].
-  - destruct (link_some _ _ FA a (proj1 I)) as [to E']. exists Done. split; [now exists to|].
-    apply Climbed; [exact U | discriminate].
-  - destruct U as (to & E & U). exists (Visit (here to b)). split; [now exists to|].
-    apply Climbed; [exact U | discriminate].
-Qed.
-Lemma reach_b a b : inside (a, b) -> rcl_b b = 0 -> level_a a < level_b b ->
-  exists s, reached_b a b s /\ Climbs a b s.
-Proof.
-  intros I R V. pose proof (up_in_b a b I V) as [Z U]. rewrite R in U. destruct U as (to & E & U).
-  exists (Visit (here a to)). split; [now exists to|]. apply Climbed; [exact U | discriminate].
-Qed.
-
-(* From equal levels, by turns in A and in B. *)
-Lemma alternate ra : forall a b, inside (a, b) -> level_a a = level_b b -> rcl_a a = ra ->
-  if ra <=? rcl_b b then exists s, reached_a (a - ra) (b - ra) s /\ Climbs a b s
-  else exists s, reached_b (a - (rcl_b b + 1)) (b - rcl_b b) s /\ Climbs a b s.
-Proof.
-  induction ra as [|ra IH]; intros a b I V R; pose proof I as [Ia Ib]; cbn [fst snd] in *.
-  { cbn [Nat.leb]. rewrite !Nat.sub_0_r. apply reach_a; auto. lia. }
-  destruct (rcl_a_small 1 a Ia) as (P1 & V1 & L1 & R1); [lia|].
-  pose proof (up_in_a a b I) as U. rewrite R in U. specialize (U ltac:(lia)).
-  assert (inside (a - 1, b)) as I1 by (split; cbn [fst snd]; lia).
-  destruct (rcl_b b) as [|rb] eqn:Rb.
-  - cbn [Nat.leb]. rewrite Nat.add_0_l, Nat.sub_0_r.
-    destruct (reach_b (a - 1) b I1 Rb) as (s & E & C); [lia|]. exists s. split; auto.
-    now apply (Climbing _ _ (a - 1) b).
-  - destruct (rcl_b_small 1 b Ib) as (P2 & V2 & L2 & R2); [lia|].
-    pose proof (up_in_b (a - 1) b I1) as U'. rewrite Rb in U'. destruct U' as [_ U']; [lia|].
-    assert (inside (a - 1, b - 1)) as I2 by (split; cbn [fst snd]; lia).
-    specialize (IH (a - 1) (b - 1) I2 ltac:(lia) ltac:(lia)).
-    replace (rcl_b (b - 1)) with rb in IH by lia. cbn [Nat.leb].
-    destruct (ra <=? rb).
-    + replace (a - 1 - ra) with (a - S ra) in IH by lia. replace (b - 1 - ra) with (b - S ra) in IH by lia.
-      destruct IH as (s & E & C). exists s. split; auto.
-      apply (Climbing _ _ (a - 1) b); [exact U|]. now apply (Climbing _ _ (a - 1) (b - 1)).
-    + replace (a - 1 - (rb + 1)) with (a - (S rb + 1)) in IH by lia.
-      replace (b - 1 - rb) with (b - S rb) in IH by lia.
-      destruct IH as (s & E & C). exists s. split; auto.
-      apply (Climbing _ _ (a - 1) b); [exact U|]. now apply (Climbing _ _ (a - 1) (b - 1)).
-Qed.
-
-(* ---- next() does those turns at once. *)
-
-Definition turned (s : State A B) : Turned :=
-  match s with Visit p => Goes (start (fst p, snd p)) | _ => Ends end.
-
-Definition arrives (s : State A B) : Prop :=
-  match s with Visit p => inside (fst p, snd p) | _ => True end.
-
 Lemma read_rcl m children (L : Levelled children (length (cells m)) (levels m) (rcls m)) i :
   i < length (cells m) -> nth_error (rcls m) i = Some (rcl m i).
 Proof. intros H. apply nth_error_nth'. now rewrite (rcl_count _ _ _ _ L). Qed.
 
-Lemma link_level m children (F : Post_indexed (cells m) children)
-  (L : Levelled children (length (cells m)) (levels m) (rcls m)) i to :
-  i < length (cells m) -> rcl m i = 0 -> i <> 0 -> link m i = Some to ->
-  level m to = level m i /\ to < length (cells m).
-Proof.
-  intros H R Z E. destruct (kind m children F L i H) as [(-> & _) | (n & _ & _ & V & [(_ & R' & _) | (_ & s & _ & I & K)])];
-    [easy | lia|].
-  rewrite K in E. injection E as <-. rewrite V. split; [apply (level_of_kid _ _ _ _ L _ _ I)|].
-  now apply (fmt_inside _ _ F) in I.
-Qed.
+Lemma level_up_before i k : 0 < i -> level_up (i - 1) k = level_up i (S k).
+Proof. intros P. destruct i; [lia|]. cbn. now rewrite Nat.sub_0_r. Qed.
+Lemma level_up_one i k : 0 < i -> k = 1 -> level_up i k = Some (i - 1).
+Proof. intros P ->. now destruct i. Qed.
 
-Lemma land_a x y s to l : reached_a x y s -> rcl_a x = 0 -> inside (x, y) -> link a_ x = Some to ->
-  l = (Z.of_nat (level_a x) - Z.of_nat (level_b y))%Z -> goes x to y l = Some (turned s) /\ arrives s.
-Proof.
-  intros (to' & E & ->) R [I J] K ->. rewrite K in E. injection E as <-. unfold goes.
-  destruct (Nat.eqb_spec x 0); [now split|]. unfold turned, Stackless.start, here. cbn [fst snd].
-  destruct (link_level a_ children_a FA LA x to I R) as [-> H]; auto. now repeat split.
-Qed.
-Lemma land_b x y s to l : reached_b x y s -> rcl_b y = 0 -> inside (x, y) -> link b_ y = Some to ->
-  l = (Z.of_nat (level_a x) - Z.of_nat (level_b y))%Z -> goes y x to l = Some (turned s) /\ arrives s.
-Proof.
-  intros (to' & E & Z & ->) R [J I] K ->. rewrite K in E. injection E as <-. unfold goes.
-  destruct (Nat.eqb_spec y 0); [easy|]. unfold turned, Stackless.start, here. cbn [fst snd].
-  destruct (link_level b_ children_b FB LB y to I R) as [-> H]; auto. now repeat split.
-Qed.
+(* next() from a pair: its cases, and what it reads. *)
+Ltac next_cases a b := unfold next_, next_of_a, next_of_b, escape_from, Stackless.start; cbn [fst snd lead at_a at_b];
+  rewrite ?(read_rcl a_ _ LA a), ?(read_rcl b_ _ LB b), ?(read_rcl a_ _ LA (a - 1)), ?(read_rcl b_ _ LB (b - 1)) by lia.
+Ltac compare_all := repeat match goal with
+  | |- context [(0 <=? ?x)%Z] => destruct (Z.leb_spec 0 x)
+  | |- context [?x <=? ?y] => destruct (Nat.leb_spec x y)
+  | |- context [?x <? ?y] => destruct (Nat.ltb_spec x y)
+  end; try lia.
+Ltac same_reads := rewrite ?level_up_before by lia; compare_all;
+  repeat match goal with |- context [level_up ?i ?k] => rewrite (level_up_one i k) by lia end;
+  repeat match goal with |- context [level_up ?i ?k] => match goal with |- context [level_up i ?j] =>
+    tryif constr_eq k j then fail else replace k with j by lia end end;
+  repeat match goal with |- context [level_up ?i ?k] => destruct (level_up i k) end;
+  repeat match goal with |- context [link ?m ?i] => destruct (link m i) end; f_equal; lia.
 
-Lemma up_is i count : count <= i -> level_up i count = Some (i - count).
-Proof. intros H. unfold level_up. now rewrite (proj2 (Nat.leb_le _ _) H). Qed.
+Ltac no_reads K V := compare_all; cbn [level_up Nat.leb]; rewrite Nat.sub_0_r, K; unfold goes;
+  rewrite ?Z.sub_0_r, ?Z.add_0_r; destruct V as [-> | ->]; reflexivity.
 
-Lemma next_climbs a b : inside (a, b) ->
-  exists s, Climbs a b s /\ next_ a_ b_ (start (a, b)) = Some (turned s) /\ arrives s.
+(* From a last child it goes on as from the parent; from another one, or the root, to what it links to. *)
+Lemma next_up_a a b : inside (a, b) -> 0 < a -> level_a a = S (level_a (a - 1)) -> rcl_a a = S (rcl_a (a - 1)) ->
+  level_b b <= level_a a -> next_ a_ b_ (start (a, b)) = next_ a_ b_ (start (a - 1, b)).
+Proof. intros [Ia Ib] P V R L. cbn [fst snd] in *. next_cases a b. rewrite V, R in *. same_reads. Qed.
+Lemma next_up_b a b : inside (a, b) -> 0 < b -> level_b b = S (level_b (b - 1)) -> rcl_b b = S (rcl_b (b - 1)) ->
+  level_a a < level_b b -> next_ a_ b_ (start (a, b)) = next_ a_ b_ (start (a, b - 1)).
+Proof. intros [Ia Ib] P V R L. cbn [fst snd] in *. next_cases a b. rewrite V, R in *. same_reads. Qed.
+
+Lemma next_aside_a a b to : inside (a, b) -> rcl_a a = 0 -> level_b b <= level_a a -> link a_ a = Some to ->
+  a = 0 \/ level_a to = level_a a -> next_ a_ b_ (start (a, b)) = Some (if a =? 0 then Ends else Goes (start (to, b))).
+Proof. intros [Ia Ib] R L K V. cbn [fst snd] in *. next_cases a b. rewrite R. no_reads K V. Qed.
+Lemma next_aside_b a b to : inside (a, b) -> rcl_b b = 0 -> level_a a < level_b b -> link b_ b = Some to ->
+  b = 0 \/ level_b to = level_b b -> next_ a_ b_ (start (a, b)) = Some (if b =? 0 then Ends else Goes (start (a, to))).
+Proof. intros [Ia Ib] R L K V. cbn [fst snd] in *. next_cases a b. rewrite R. no_reads K V. Qed.
+
+Lemma next_turns a b : inside (a, b) -> match turn (Behind (here a b)) with
+  | Behind (a', b') => inside (a', b') /\ next_ a_ b_ (start (a, b)) = next_ a_ b_ (start (a', b'))
+  | Visit (a', b') => inside (a', b') /\ next_ a_ b_ (start (a, b)) = Some (Goes (start (a', b')))
+  | Done => next_ a_ b_ (start (a, b)) = Some Ends
+  end.
 Proof.
-  intros I. pose proof I as [Ia Ib]. cbn [fst snd] in *.
-  destruct (rcl_a_small (rcl_a a) a Ia (le_n _)) as (A1 & A2 & A3 & A4).
-  destruct (rcl_b_small (rcl_b b) b Ib (le_n _)) as (B1 & B2 & B3 & B4).
-  destruct (link_some _ _ FA (a - rcl_a a)) as [ta Ta]; [lia|].
-  destruct (link_some _ _ FB (b - rcl_b b)) as [tb Tb]; [lia|].
-  unfold next_, Stackless.start, next_of_a, next_of_b, escape_from. cbn [fst snd lead at_a at_b].
-  rewrite (read_rcl a_ _ LA a Ia), (read_rcl b_ _ LB b Ib), (up_is a (rcl_a a) A1), (up_is b (rcl_b b) B1).
-  rewrite Ta, Tb. destruct (Z.leb_spec 0 (Z.of_nat (level_a a) - Z.of_nat (level_b b))) as [V|V].
-  - replace (Z.to_nat _) with (level_a a - level_b b) by lia. set (l := level_a a - level_b b).
-    destruct (Nat.leb_spec (rcl_a a) l) as [C|C].
-    + destruct (reach_a (a - rcl_a a) b) as (s & E & G); [split; cbn [fst snd]; lia | lia | lia|].
-      exists s. split; [apply (climb_a (rcl_a a)); auto; lia|].
-      apply (land_a _ _ _ _ _ E); auto; try lia. split; cbn [fst snd]; lia.
-    + destruct (rcl_a_small l a Ia) as (D1 & D2 & D3 & D4); [lia|].
-      assert (inside (a - l, b)) as I' by (split; cbn [fst snd]; lia).
-      pose proof (alternate (rcl_a a - l) (a - l) b I' ltac:(lia) ltac:(lia)) as G.
-      destruct (Nat.leb_spec (rcl_a a - l) (rcl_b b)) as [H|H]; destruct G as (s & E & G); exists s.
-      * split; [apply (climb_a l); auto; lia|]. rewrite up_is by lia.
-        replace (a - l - (rcl_a a - l)) with (a - rcl_a a) in E by lia.
-        destruct (rcl_b_small (rcl_a a - l) b Ib H) as (F1 & F2 & F3 & F4).
-        apply (land_a _ _ _ _ _ E); auto; try lia. split; cbn [fst snd]; lia.
-      * split; [apply (climb_a l); auto; lia|]. rewrite up_is by lia.
-        replace (a - l - (rcl_b b + 1)) with (a - (l + rcl_b b + 1)) in E by lia.
-        destruct (rcl_a_small (l + rcl_b b + 1) a Ia) as (F1 & F2 & F3 & F4); [lia|].
-        apply (land_b _ _ _ _ _ E); auto; try lia. split; cbn [fst snd]; lia.
-  - replace (Z.to_nat _) with (level_b b - level_a a) by lia. set (l := level_b b - level_a a).
-    destruct (Nat.ltb_spec (rcl_b b) l) as [C|C].
-    + destruct (reach_b a (b - rcl_b b)) as (s & E & G); [split; cbn [fst snd]; lia | lia | lia|].
-      exists s. split; [apply (climb_b (rcl_b b)); auto; lia|].
-      apply (land_b _ _ _ _ _ E); auto; try lia. split; cbn [fst snd]; lia.
-    + destruct (rcl_b_small l b Ib) as (D1 & D2 & D3 & D4); [lia|].
-      assert (inside (a, b - l)) as I' by (split; cbn [fst snd]; lia).
-      pose proof (alternate (rcl_a a) a (b - l) I' ltac:(lia) eq_refl) as G. rewrite D4 in G.
-      destruct (Nat.leb_spec (rcl_a a) (rcl_b b - l)) as [H|H]; destruct G as (s & E & G); exists s.
-      * split; [apply (climb_b l); auto; lia|]. rewrite up_is by lia.
-        replace (b - l - rcl_a a) with (b - (rcl_a a + l)) in E by lia.
-        destruct (rcl_b_small (rcl_a a + l) b Ib) as (F1 & F2 & F3 & F4); [lia|].
-        apply (land_a _ _ _ _ _ E); auto; try lia. split; cbn [fst snd]; lia.
-      * split; [apply (climb_b l); auto; lia|]. rewrite up_is by lia.
-        replace (b - l - (rcl_b b - l)) with (b - rcl_b b) in E by lia.
-        destruct (rcl_a_small (rcl_b b - l + 1) a Ia) as (F1 & F2 & F3 & F4); [lia|].
-        apply (land_b _ _ _ _ _ E); auto; try lia. split; cbn [fst snd]; lia.
+  intros I. pose proof I as [Ia Ib]. cbn [fst snd] in *. unfold here. cbn [Ranked.turn].
+  rewrite (into_b a b I). destruct (Nat.ltb_spec (level_a a) (level_b b)) as [V|V]; cbn [orb].
+  - destruct (kind b_ children_b FB LB b Ib) as [(-> & _ & W) | (n & _ & P & W & K)]; [lia|].
+    cbn [B level_tree next up is_root]. destruct K as [(-> & R & N) | (R & s & N & J & K)]; rewrite N.
+    + destruct (Nat.eqb_spec b 0); [lia|]. split; [split; cbn; lia | now apply next_up_b].
+    + split; [apply (fmt_inside _ _ FB) in J; now split|].
+      rewrite (next_aside_b a b s I R V K (or_intror (eq_trans (level_of_kid _ _ _ _ LB _ _ J) (eq_sym W)))). now destruct b.
+  - destruct (kind a_ children_a FA LA a Ia) as [(-> & R & W) | (n & _ & P & W & K)].
+    + destruct (kind b_ children_b FB LB b Ib) as [(-> & _) | (n & _ & P & W' & _)]; [|lia]. cbn.
+      apply (next_aside_a 0 0 (c_link (cell (cells a_) 0)) I R V); auto.
+      unfold link. now rewrite (nth_error_nth' _ (Build_Cell 0 (-1) 0) Ia).
+    + destruct (Nat.eqb_spec a 0); [lia|]. cbn [andb A level_tree next up].
+      destruct K as [(-> & R & N) | (R & s & N & J & K)]; rewrite N.
+      * split; [split; cbn; lia | now apply next_up_a].
+      * split; [apply (fmt_inside _ _ FA) in J; now split|].
+        rewrite (next_aside_a a b s I R V K (or_intror (eq_trans (level_of_kid _ _ _ _ LA _ _ J) (eq_sym W)))). now destruct a.
 Qed.
 
 Lemma read_leaf m i : i < length (cells m) -> leaf_at m i = Some (is_leaf (cells m) i).
@@ -661,53 +500,43 @@ Qed.
 
 (* ---- So the loop is Ranked.v's. *)
 
-Lemma climbs_run a b s : Climbs a b s -> forall n t, RunTo n (Behind (here a b)) t Done ->
-  exists m, m < n /\ RunTo m s t Done.
-Proof.
-  induction 1 as [a b s U _ | a b a' b' s U _ IH]; intros n t R;
-    (destruct n as [|n]; [destruct R; discriminate|]).
-  - exists n. split; [lia|]. destruct R as [R1 R2]. cbn [after trace app] in R1, R2.
-    unfold Up in U. rewrite U in R1, R2. now split.
-  - assert (RunTo n (Behind (here a' b')) t Done) as R'.
-    { destruct R as [R1 R2]. cbn [after trace app] in R1, R2. unfold Up in U. rewrite U in R1, R2. now split. }
-    destruct (IH n t R') as (m & H & Q). exists m. split; [lia | exact Q].
-Qed.
-
-Lemma climbs_end a b s : Climbs a b s -> forall p, s <> Behind p.
-Proof. now induction 1. Qed.
-
 Lemma into_inside p q : inside p -> In q (into p) -> inside q.
 Proof.
   destruct p as [a b], q as [a' b']. intros I Q. rewrite <- (same_expand a b) in Q.
   apply (in_trees a' b'). apply (In_trees_child A B (here a b)); [now apply in_trees | exact Q].
 Qed.
 
-Lemma run_loop n : forall a b t, inside (a, b) -> RunTo n (Visit (here a b)) t Done ->
-  exists l, t = (a, b) :: l /\ Loop a_ b_ overlap (start (a, b)) t.
+Lemma visit_turns a b : inside (a, b) -> match turn (Visit (here a b)) with
+  | Visit (a', b') => inside (a', b') /\ visit a_ b_ overlap (start (a, b)) = Some (Goes (start (a', b')))
+  | Behind p => p = here a b /\ visit a_ b_ overlap (start (a, b)) = next_ a_ b_ (start (a, b))
+  | Done => False
+  end.
 Proof.
-  induction n as [n IH] using lt_wf_ind. intros a b t I R.
-  destruct n as [|n]; [destruct R; discriminate|].
-  assert (exists t', t = (a, b) :: t' /\ RunTo n (turn (Visit (here a b))) t' Done) as (t' & -> & R').
-  { destruct R as [R1 R2]. cbn [after trace app] in R1, R2. exists (trace A B overlap n (turn (Visit (here a b)))).
-    split; [now rewrite <- R2 | now split]. }
-  exists t'. split; auto. rewrite turn_visit in R'. unfold descents in R'. rewrite same_expand in R'.
-  cbn [here fst snd] in R'.
-  assert (visit a_ b_ overlap (start (a, b)) = next_ a_ b_ (start (a, b)) ->
-    RunTo n (Behind (here a b)) t' Done -> Loop a_ b_ overlap (start (a, b)) ((a, b) :: t')) as Go.
-  { intros E Q. destruct (next_climbs a b I) as (s & C & N & J). rewrite N in E.
-    destruct (climbs_run a b s C n t' Q) as (m & H & Q').
-    destruct s as [[a' b'] | p |]; [| now destruct (climbs_end _ _ _ C p) |].
-    - destruct (IH m ltac:(lia) a' b' t' J Q') as (l & -> & G).
-      now apply (Loop_goes a_ b_ overlap (start (a, b)) (start (a', b'))).
-    - assert (t' = []) as -> by (destruct Q' as [_ <-]; apply (done_stays A B overlap m)).
-      now apply (Loop_ends a_ b_ overlap (start (a, b))). }
-  unfold visit in Go. cbn [Stackless.start at_a at_b fst snd] in Go.
-  rewrite (descend_is a b I) in Go. destruct (overlap a b) eqn:O; [|now apply Go].
-  destruct (into (a, b)) as [|[a' b'] r] eqn:K; [now apply Go|].
-  destruct (IH n ltac:(lia) a' b' t') as (l & -> & G); auto.
-  { apply (into_inside (a, b)); auto. rewrite K. now left. }
-  apply (Loop_goes a_ b_ overlap (start (a, b)) (start (a', b'))); auto.
-  unfold visit. cbn [Stackless.start at_a at_b fst snd]. now rewrite O, (descend_is a b I), K.
+  intros I. rewrite turn_visit. unfold descents, visit. rewrite same_expand, (descend_is a b I).
+  cbn [here fst snd Stackless.start at_a at_b]. destruct (overlap a b); [|now split].
+  destruct (into (a, b)) as [|[a' b'] r] eqn:K; split; auto.
+  apply (into_inside (a, b)); auto. rewrite K. now left.
+Qed.
+
+Lemma run_loop n : forall s t, RunTo n s t Done -> match s with
+  | Visit (a, b) => inside (a, b) -> Loop a_ b_ overlap (start (a, b)) t
+  | Behind (a, b) => inside (a, b) -> forall from, visit a_ b_ overlap from = next_ a_ b_ (start (a, b)) ->
+      Loop a_ b_ overlap from ((at_a from, at_b from) :: t)
+  | Done => t = []
+  end.
+Proof.
+  induction n as [|n IH]; intros s t [E <-]; [now cbn in E; subst s|]. cbn [after trace] in *.
+  specialize (IH _ _ (conj E eq_refl)).
+  destruct s as [[a b] | [a b] |]; [| |apply (done_stays A B overlap n)]; intros I; set (s := turn _) in *;
+    [pose proof (visit_turns a b I) as N; change (turn (Visit (here a b))) with s in N |
+     pose proof (next_turns a b I) as N; change (turn (Behind (here a b))) with s in N];
+    clearbody s; destruct s as [[a' b'] | [a' b'] |].
+  - destruct N as [J N]. apply (Loop_goes a_ b_ overlap (start (a, b)) _ _ N). now apply IH.
+  - destruct N as [[= -> ->] N]. now apply (IH I (start (a, b))).
+  - easy.
+  - intros from V. destruct N as [J N]. apply (Loop_goes a_ b_ overlap _ _ _ (eq_trans V N)). now apply IH.
+  - intros from V. destruct N as [J N]. apply (IH J). exact (eq_trans V N).
+  - intros from V. rewrite IH. apply Loop_ends. exact (eq_trans V N).
 Qed.
 
 Lemma deep d : deep_enough a_ b_ d -> enough A B d.
@@ -722,9 +551,9 @@ Proof.
   intros d D. apply deep in D. rewrite same_search.
   pose proof (visits_once A B overlap d D) as Once. pose proof (walk_is_dfs A B overlap d D) as W.
   split; [|split; [exact Once|]].
-  - destruct (run_loop _ 0 0 _ roots_inside W) as (_ & _ & G). exact G.
+  - exact (run_loop _ _ _ W roots_inside).
   - intros l [a b] r E. destruct (resumes A B overlap d l (here a b) r D E) as (n & R).
-    enough (inside (a, b)) as I by (destruct (run_loop n a b _ I R) as (_ & _ & G); exact G).
+    enough (inside (a, b)) as I by exact (run_loop n _ _ R I).
     apply in_trees. apply (visited_can_be A B overlap d _ D). change (In (a, b) (dfs A B overlap d (0, 0))). rewrite E. apply in_elt.
 Qed.
 
@@ -748,7 +577,7 @@ Lemma ends_from p : inside p -> can_visit a_ b_ p = true -> exists l, Loop a_ b_
 Proof.
   destruct p as [a b]. intros I C. apply (same_can_visit a b I) in C.
   destruct (ends_from_everywhere A B overlap (here a b) (proj2 (in_trees a b) I) C) as [(n & t & R) _].
-  destruct (run_loop n a b t I R) as (l & -> & G). now exists l.
+  pose proof (run_loop n _ _ R I : Loop a_ b_ overlap (start (a, b)) t) as G. inversion G; subst; eexists; exact G.
 Qed.
 
 Lemma visited_where_all_overlap d p : overlap = (fun _ _ => true) -> deep_enough a_ b_ d -> inside p ->
