@@ -280,13 +280,15 @@ Next Obligation.
   pose proof (after_parent' _ _ H). apply (fmt_inside _ _ F) in H. lia.
 Qed.
 
+Lemma kid_under n x : In x (children n) -> Under (T := array_tree) n x.
+Proof. intros I. apply (Under_kid (T := array_tree) n x x); auto. Qed.
+
 Lemma all_under i : i < length cells -> Under (T := array_tree) 0 i.
 Proof.
   induction i as [i IH] using lt_wf_ind. intros L.
   destruct (Nat.eq_dec i 0) as [->|Z]; [constructor|].
   destruct (fmt_all _ _ F i) as [n I]; [lia|]. pose proof (after_parent' _ _ I).
-  apply (Under_trans array_tree 0 n i); [apply IH; auto; lia|].
-  apply (Under_kid (T := array_tree) n i i); auto.
+  apply (Under_trans array_tree 0 n i); [apply IH; lia | now apply kid_under].
 Qed.
 
 Lemma under_inside (n x : nat) : n < length cells -> Under (T := array_tree) n x -> x < length cells.
@@ -297,17 +299,16 @@ Qed.
 Lemma leaf_spec i : is_leaf cells i = true <-> children i = [].
 Proof. unfold is_leaf. rewrite Z.ltb_lt. symmetry. apply (fmt_leaf _ _ F). Qed.
 
-Lemma internal i : is_leaf cells i = false -> exists x r, children i = x :: r /\
-  first_child cells i = x /\ In x (children i).
+Lemma internal i : is_leaf cells i = false -> exists r, children i = first_child cells i :: r.
 Proof.
   intros L. destruct (children i) as [|x r] eqn:K; [apply leaf_spec in K; congruence|].
-  exists x, r. split; [auto|]. split; [apply (fmt_first _ _ F _ _ _ K) | now left].
+  exists r. unfold first_child. now rewrite (fmt_first _ _ F _ _ _ K).
 Qed.
 
 (* What a Place holds stays what the constructor would find. *)
-Lemma place_descend n x : In x (children n) -> first_child cells n = x ->
-  descend cells (place cells n) (c_rank (cell cells n)) = place cells x.
-Proof. intros I E. unfold descend, place at 2. cbn [node place]. rewrite E. f_equal. symmetry. now apply find_kid. Qed.
+Lemma place_descend n : In (first_child cells n) (children n) ->
+  descend cells (place cells n) (c_rank (cell cells n)) = place cells (first_child cells n).
+Proof. intros I. unfold descend, place at 2. cbn [node place]. f_equal. symmetry. now apply find_kid. Qed.
 
 (* An index that is not the root has a parent, and follows a sibling or lies after it. *)
 Lemma has_parent i : 0 < i < length cells -> exists n, In i (children n) /\
@@ -320,9 +321,6 @@ Proof.
     split; [rewrite K; apply in_or_app; cbn; auto|]. now apply (fmt_sibling _ _ F _ _ _ _ _ K).
 Qed.
 
-Lemma root_next : arr_next 0 = None.
-Proof. reflexivity. Qed.
-
 Lemma place_next i : i < length cells ->
   next_sibling cells (place cells i) = option_map (place cells) (arr_next i).
 Proof.
@@ -334,13 +332,13 @@ Proof.
   injection N as <-. now rewrite (find_kid n i I), (find_kid n _ J).
 Qed.
 
-Lemma place_ascend n : n + 1 < length cells -> In (n + 1) (children n) ->
-  ascend cells (place cells (n + 1)) = place cells n.
+Lemma place_ascend i : i < length cells -> In i (children (i - 1)) ->
+  ascend cells (place cells i) = place cells (i - 1).
 Proof.
-  intros L I. unfold ascend, place. cbn [node]. rewrite Nat.add_sub. f_equal.
-  assert (children n <> []) as NL by (intros E; now rewrite E in I).
-  destruct (Nat.eq_dec n 0) as [->|Z]; [now apply (fmt_root_parent_rank _ _ F)|].
-  destruct (fmt_all _ _ F n) as [m J]; [lia|].
+  intros L I. unfold ascend, place. cbn [node]. f_equal.
+  assert (children (i - 1) <> []) as NL by (intros E; now rewrite E in I).
+  destruct (Nat.eq_dec (i - 1) 0) as [Z|Z]; [rewrite Z in *; now apply (fmt_root_parent_rank _ _ F)|].
+  destruct (fmt_all _ _ F (i - 1)) as [m J]; [lia|].
   rewrite (fmt_parent_rank _ _ F _ _ J NL). symmetry. now apply find_kid.
 Qed.
 
@@ -356,6 +354,13 @@ Proof.
     pose proof (find_last _ x _ _ _ K (le_n _)). pose proof (find_last _ x _ _ _ K' (le_n _)). lia.
   - destruct (IH NX I) as [V W]. pose proof (fmt_monotone _ _ F _ _ J).
     split; [eapply (Under_kid (T := array_tree)); eauto | lia].
+Qed.
+
+Lemma above_below (m i : nat) : i < length cells -> Under (T := array_tree) m i -> i <> m ->
+  i <> 0 /\ (find_parent_rank cells i <= c_rank (cell cells m))%Z.
+Proof.
+  intros L U N. assert (m <= i) by (clear N L; induction U as [|m x i I]; [|apply after_parent' in I]; lia).
+  split; [lia|]. destruct (fmt_all _ _ F i) as [n I]; [lia|]. rewrite (find_kid n i I). now apply (parent_under m i n).
 Qed.
 End ArrayIsTree.
 
@@ -429,39 +434,24 @@ Proof.
   pose proof (rank_limit B (last_sibling cells_b j j - 1)) as L. cbn in L. lia.
 Qed.
 
-(* To a child x of n in B, whether down from n or aside from another child; and back up to n. *)
-Lemma kid_b i n x : i < length cells_a -> In x (children_b n) ->
-  (rank_a i < rank_b n)%Z -> (rank_b n <= above_a i)%Z ->
+(* To a child x of n, whether down from n or aside from another child. *)
+Ltac kid F L I := pose proof (fmt_inside _ _ F _ _ I) as [_ ?]; pose proof (fmt_monotone _ _ F _ _ I);
+  pose proof (find_kid _ _ F _ _ I) as K; pose proof (after_parent' _ _ F _ _ I).
+Lemma kid_b i n x : i < length cells_a -> In x (children_b n) -> (rank_a i < rank_b n <= above_a i)%Z ->
   good i x /\ leaf_of (place cells_a i) (place cells_b x) = (if is_leaf cells_a i then LeafA else NoLeaf) /\
-  side i x = (if is_leaf cells_a i then LeafA else NoLeaf) /\ x <> 0.
+  side i x = (if is_leaf cells_a i then LeafA else NoLeaf).
 Proof.
-  intros L I R P. pose proof (fmt_inside _ _ FB _ _ I) as [_ X].
-  pose proof (fmt_monotone _ _ FB _ _ I) as M. pose proof (find_kid _ _ FB _ _ I) as K.
-  pose proof (after_parent' _ _ FB _ _ I). unfold rank_a, rank_b in *.
-  assert (leaf_of (place cells_a i) (place cells_b x) =
-    (if is_leaf cells_a i then LeafA else NoLeaf)) as E.
-  { unfold leaf_of, leaf, place. cbn [place_rank node]. rewrite K. fold (above_a i).
-    now rewrite (proj2 (Z.leb_le _ _) P). }
-  split; [apply good_eq; unfold rank_a, rank_b, above_a, above_b in *; rewrite K; repeat split; auto; lia|].
-  split; [exact E|]. split; [|lia]. unfold side, side_of. fold leaf_of. rewrite E.
-  destruct (Nat.eqb_spec x 0); [lia|]. now rewrite andb_false_r.
+  intros L I [R P]. kid FB L I. unfold side, side_of, leaf_of, leaf. cbn [place place_rank node].
+  rewrite K. fold (above_a i) (rank_b n). rewrite (proj2 (Z.leb_le _ _) P), andb_comm.
+  split; [apply good_eq; unfold above_b, rank_a, rank_b in *; rewrite K; lia|]. now destruct x; [lia|].
 Qed.
-
-Lemma kid_a j n x : j < length cells_b -> In x (children_a n) ->
-  (rank_a n < above_b j)%Z -> (rank_b j <= rank_a n)%Z ->
+Lemma kid_a j n x : j < length cells_b -> In x (children_a n) -> (rank_b j <= rank_a n < above_b j)%Z ->
   good x j /\ leaf_of (place cells_a x) (place cells_b j) = (if is_leaf cells_b j then LeafB else NoLeaf) /\
-  side x j = (if is_leaf cells_b j then LeafB else NoLeaf) /\ x <> 0.
+  side x j = (if is_leaf cells_b j then LeafB else NoLeaf).
 Proof.
-  intros L I P R. pose proof (fmt_inside _ _ FA _ _ I) as [_ X].
-  pose proof (fmt_monotone _ _ FA _ _ I) as M. pose proof (find_kid _ _ FA _ _ I) as K.
-  pose proof (after_parent' _ _ FA _ _ I). unfold rank_a, rank_b in *.
-  assert (leaf_of (place cells_a x) (place cells_b j) =
-    (if is_leaf cells_b j then LeafB else NoLeaf)) as E.
-  { unfold leaf_of, leaf, place. cbn [place_rank node]. rewrite K. fold (above_b j).
-    now rewrite (proj2 (Z.leb_gt _ _) P). }
-  split; [apply good_eq; unfold rank_a, rank_b, above_a, above_b in *; rewrite K; repeat split; auto; lia|].
-  split; [exact E|]. split; [|lia]. unfold side, side_of. fold leaf_of. rewrite E.
-  now destruct (Nat.eqb_spec x 0); [lia|].
+  intros L I [R P]. kid FA L I. unfold side, side_of, leaf_of, leaf. cbn [place place_rank node].
+  rewrite K. fold (above_b j) (rank_a n). rewrite (proj2 (Z.leb_gt _ _) P).
+  split; [apply good_eq; unfold above_a, rank_a, rank_b in *; rewrite K; lia|]. now destruct x; [lia|].
 Qed.
 
 Lemma internal_sides i j : is_leaf cells_a i = false -> is_leaf cells_b j = false -> side i j = NoLeaf.
@@ -474,22 +464,6 @@ Lemma not_leaf (cells : list Cell) (children : nat -> list nat) (F : Post_indexe
   In x (children n) -> is_leaf cells n = false.
 Proof.
   intros I. apply not_true_iff_false. rewrite (leaf_spec _ _ F). intros E. now rewrite E in I.
-Qed.
-
-Lemma up_b i n x : i < length cells_a -> In x (children_b n) ->
-  (rank_a i < rank_b n)%Z -> (rank_b n <= above_a i)%Z -> good i n.
-Proof.
-  intros L I R P. pose proof (fmt_inside _ _ FB _ _ I) as [N _].
-  pose proof (rank_below_parent B n (all_under _ _ FB n N)) as M. cbn in M.
-  apply good_eq. unfold rank_b, above_b in *. repeat split; auto; lia.
-Qed.
-
-Lemma up_a j n x : j < length cells_b -> In x (children_a n) ->
-  (rank_a n < above_b j)%Z -> (rank_b j <= rank_a n)%Z -> good n j.
-Proof.
-  intros L I P R. pose proof (fmt_inside _ _ FA _ _ I) as [N _].
-  pose proof (rank_below_parent A n (all_under _ _ FA n N)) as M. cbn in M.
-  apply good_eq. unfold rank_a, above_a in *. repeat split; auto; lia.
 Qed.
 
 Lemma stands_for_enter i j visit : good i j ->
@@ -506,58 +480,6 @@ Proof.
     destruct (_ <=? _)%Z, (is_leaf cells_a i), (is_leaf cells_b j); try discriminate; auto.
 Qed.
 
-(* next(), from behind any good pair. *)
-Lemma next_simulates resumed i j : good i j -> (resumed = false -> side i j = NoLeaf) ->
-  Stands_for (next_turn cells_a cells_b resumed (place cells_a i) (place cells_b j))
-    (turn A B overlap (Behind (pair_at i j))).
-Proof.
-  intros G NL. pose proof G as G'. rewrite good_eq in G'. destruct G' as ((LA & LB) & R1 & R2).
-  unfold pair_at. cbn [turn]. change (parent_rank A i) with (above_a i).
-  change (parent_rank B j) with (above_b j). change (next A i) with (arr_next cells_a i).
-  change (next B j) with (arr_next cells_b j). change (is_root B j) with (j =? 0).
-  unfold next_turn. cbn [place_rank place node].
-  fold (above_a i) (above_b j) (place cells_a i) (place cells_b j).
-  assert (forall k l, side k l = leaf_of (place cells_a k) (place cells_b l) \/ k = 0 /\ l = 0) as S.
-  { intros k l. unfold side, side_of. destruct (Nat.eqb_spec k 0), (Nat.eqb_spec l 0); auto. }
-  destruct (Z.leb_spec (above_b j) (above_a i)) as [P|P].
-  - rewrite (place_next _ _ FB j LB). destruct (Nat.eq_dec j 0) as [->|Z].
-    { rewrite (root_next cells_b). constructor. }
-    destruct (has_parent _ _ FB j ltac:(lia)) as (n & I & N).
-    pose proof (find_kid _ _ FB _ _ I) as K. fold (above_b j) in K. rewrite K in *. fold (rank_b n) in *.
-    assert (resumed = false -> is_leaf cells_a i = false) as IL.
-    { intros E. specialize (NL E). destruct (kid_b i n j LA I R1 P) as (_ & _ & V & _).
-      rewrite V in NL. now destruct (is_leaf cells_a i). }
-    destruct N as [[N ->] | (s & N & J & _)]; rewrite N; cbn [option_map].
-    + destruct (Nat.eqb_spec j 0); [lia|].
-      pose proof (place_ascend _ _ FB (j - 1)) as Up. replace (j - 1 + 1) with j in Up by lia.
-      rewrite (Up LB I). apply (For_behind resumed i (j - 1)).
-      * now apply (up_b i (j - 1) j).
-      * intros E. apply internal_sides; auto. now apply (not_leaf _ _ FB _ j).
-    + destruct (kid_b i n s LA J R1 P) as (Gs & Es & Ss & _).
-      destruct resumed; [apply (stands_for_enter i s true); auto; try congruence|].
-      apply (For_visit i s); auto. rewrite Ss. now rewrite IL.
-  - rewrite (place_next _ _ FA i LA). destruct (Nat.eq_dec i 0) as [->|Z].
-    { pose proof (above_limit_b j). change (above_a 0) with kRootParentRank in P. lia. }
-    destruct (has_parent _ _ FA i ltac:(lia)) as (n & I & N).
-    pose proof (find_kid _ _ FA _ _ I) as K. fold (above_a i) in K. rewrite K in *. fold (rank_a n) in *.
-    assert (resumed = false -> is_leaf cells_b j = false) as IL.
-    { intros E. specialize (NL E). destruct (kid_a j n i LB I P R2) as (_ & _ & V & _).
-      rewrite V in NL. now destruct (is_leaf cells_b j). }
-    destruct N as [[N ->] | (s & N & J & _)]; rewrite N; cbn [option_map].
-    + pose proof (place_ascend _ _ FA (i - 1)) as Up. replace (i - 1 + 1) with i in Up by lia.
-      rewrite (Up LA I). apply (For_behind resumed (i - 1) j).
-      * now apply (up_a j (i - 1) i).
-      * intros E. apply internal_sides; auto. now apply (not_leaf _ _ FA _ i).
-    + destruct (kid_a j n s LB J P R2) as (Gs & Es & Ss & _).
-      destruct resumed; [apply (stands_for_enter s j true); auto; try congruence|].
-      apply (For_visit s j); auto. rewrite Ss. now rewrite IL.
-Qed.
-
-Lemma leaf_kids_a i : is_leaf cells_a i = true -> kids A i = [].
-Proof. apply (leaf_spec _ _ FA). Qed.
-Lemma leaf_kids_b j : is_leaf cells_b j = true -> kids B j = [].
-Proof. apply (leaf_spec _ _ FB). Qed.
-
 Lemma turn_rejected i j : tested cells_a cells_b bound begin touch i j = false ->
   turn A B overlap (Visit (pair_at i j)) = Behind (pair_at i j).
 Proof. intros E. unfold pair_at. cbn [turn]. fold (overlap i j) in E. now rewrite E. Qed.
@@ -565,26 +487,96 @@ Proof. intros E. unfold pair_at. cbn [turn]. fold (overlap i j) in E. now rewrit
 Lemma turn_leaves i j : is_leaf cells_a i = true -> is_leaf cells_b j = true ->
   turn A B overlap (Visit (pair_at i j)) = Behind (pair_at i j).
 Proof.
-  intros E F. unfold pair_at. cbn [turn]. rewrite leaf_kids_a, leaf_kids_b by assumption.
+  rewrite (leaf_spec _ _ FA), (leaf_spec _ _ FB). intros E F. unfold pair_at. cbn [turn].
+  change (kids A i) with (children_a i). change (kids B j) with (children_b j). rewrite E, F.
   now destruct (overlap i j), (Z.ltb (rank A i) (rank B j)).
 Qed.
 
-Lemma turn_into_b i j x r : tested cells_a cells_b bound begin touch i j = true ->
-  (rank_a i < rank_b j)%Z -> children_b j = x :: r ->
-  turn A B overlap (Visit (pair_at i j)) = Visit (pair_at i x).
+(* Down into B, down into A. *)
+Lemma down_b i j : good i j -> tested cells_a cells_b bound begin touch i j = true -> is_leaf cells_b j = false ->
+  is_leaf cells_a i = true \/ (rank_a i < rank_b j)%Z -> let x := first_child cells_b j in
+  In x (children_b j) /\ turn A B overlap (Visit (pair_at i j)) = Visit (pair_at i x) /\ good i x /\
+  side i x = (if is_leaf cells_a i then LeafA else NoLeaf).
 Proof.
-  intros E R K. unfold pair_at. cbn [turn]. fold (overlap i j) in E. rewrite E.
-  change (rank A i) with (rank_a i). change (rank B j) with (rank_b j).
-  rewrite (proj2 (Z.ltb_lt _ _) R). change (kids B j) with (children_b j). now rewrite K.
+  intros G T L R x. rewrite good_eq in G. destruct G as ((LA & LB) & R1 & R2). destruct (internal _ _ FB j L) as (r & K). fold x in K.
+  pose proof (fmt_rank _ _ FB j ltac:(now rewrite K)). unfold is_leaf in R. rewrite Z.ltb_lt in R.
+  fold (rank_a i) (rank_b j) in *. assert (rank_a i < rank_b j)%Z as R' by lia.
+  assert (In x (children_b j)) as I by (rewrite K; now left). split; [exact I|]. split; [|destruct (kid_b i j x LA I) as (Gx & _ & Sx); auto].
+  unfold pair_at. cbn [turn]. fold (overlap i j) in T. rewrite T. change (kids B j) with (children_b j). rewrite K.
+  change (rank A i) with (rank_a i). change (rank B j) with (rank_b j). now rewrite (proj2 (Z.ltb_lt _ _) R').
+Qed.
+Lemma down_a i j : good i j -> tested cells_a cells_b bound begin touch i j = true -> is_leaf cells_a i = false ->
+  is_leaf cells_b j = true \/ (rank_b j <= rank_a i)%Z -> let x := first_child cells_a i in
+  In x (children_a i) /\ turn A B overlap (Visit (pair_at i j)) = Visit (pair_at x j) /\ good x j /\
+  side x j = (if is_leaf cells_b j then LeafB else NoLeaf).
+Proof.
+  intros G T L R x. rewrite good_eq in G. destruct G as ((LA & LB) & R1 & R2). destruct (internal _ _ FA i L) as (r & K). fold x in K.
+  pose proof (fmt_rank _ _ FA i ltac:(now rewrite K)). unfold is_leaf in R. rewrite Z.ltb_lt in R.
+  fold (rank_a i) (rank_b j) in *. assert (rank_b j <= rank_a i)%Z as R' by lia.
+  assert (In x (children_a i)) as I by (rewrite K; now left). split; [exact I|]. split; [|destruct (kid_a j i x LB I) as (Gx & _ & Sx); auto].
+  unfold pair_at. cbn [turn]. fold (overlap i j) in T. rewrite T. change (kids A i) with (children_a i). rewrite K.
+  change (rank A i) with (rank_a i). change (rank B j) with (rank_b j). now rewrite (proj2 (Z.ltb_ge _ _) R').
 Qed.
 
-Lemma turn_into_a i j x r : tested cells_a cells_b bound begin touch i j = true ->
-  (rank_b j <= rank_a i)%Z -> children_a i = x :: r ->
-  turn A B overlap (Visit (pair_at i j)) = Visit (pair_at x j).
+(* Aside or up in B, in A. *)
+Lemma aside_b i j : good i j -> j <> 0 -> (above_b j <= above_a i)%Z -> exists n, In j (children_b n) /\
+  (rank_a i < rank_b n <= above_a i)%Z /\ match arr_next cells_b j with
+  | Some s => In s (children_b n) /\ turn A B overlap (Behind (pair_at i j)) = Visit (pair_at i s)
+  | None => n = j - 1 /\ good i n /\ turn A B overlap (Behind (pair_at i j)) = Behind (pair_at i n)
+  end.
 Proof.
-  intros E R K. unfold pair_at. cbn [turn]. fold (overlap i j) in E. rewrite E.
-  change (rank A i) with (rank_a i). change (rank B j) with (rank_b j).
-  rewrite (proj2 (Z.ltb_ge _ _) R). change (kids A i) with (children_a i). now rewrite K.
+  intros G Z P. rewrite good_eq in G. destruct G as ((LA & LB) & R1 & R2).
+  destruct (has_parent _ _ FB j ltac:(lia)) as (n & I & N). exists n. split; [exact I|].
+  pose proof (find_kid _ _ FB _ _ I) as K. pose proof (fmt_inside _ _ FB _ _ I) as [Ln _].
+  pose proof (rank_below_parent B n (all_under _ _ FB n Ln)) as M. cbn in M.
+  fold (above_b j) (above_b n) (rank_b n) in *. split; [lia|]. unfold pair_at. cbn [turn].
+  change (parent_rank A i) with (above_a i). change (parent_rank B j) with (above_b j).
+  rewrite (proj2 (Z.leb_le _ _) P). change (next B j) with (arr_next cells_b j). change (is_root B j) with (j =? 0).
+  destruct N as [[-> E] | (s & -> & J & _)]; [|now split]. split; [exact E|].
+  split; [apply good_eq; lia|]. destruct (Nat.eqb_spec j 0); [lia | now rewrite E].
+Qed.
+Lemma aside_a i j : good i j -> (above_a i < above_b j)%Z -> exists n, In i (children_a n) /\
+  (rank_b j <= rank_a n < above_b j)%Z /\ match arr_next cells_a i with
+  | Some s => In s (children_a n) /\ turn A B overlap (Behind (pair_at i j)) = Visit (pair_at s j)
+  | None => n = i - 1 /\ good n j /\ turn A B overlap (Behind (pair_at i j)) = Behind (pair_at n j)
+  end.
+Proof.
+  intros G P. rewrite good_eq in G. destruct G as ((LA & LB) & R1 & R2).
+  assert (i <> 0) as Z by (intros ->; pose proof (above_limit_b j); change (above_a 0) with kRootParentRank in P; lia).
+  destruct (has_parent _ _ FA i ltac:(lia)) as (n & I & N). exists n. split; [exact I|].
+  pose proof (find_kid _ _ FA _ _ I) as K. pose proof (fmt_inside _ _ FA _ _ I) as [Ln _].
+  pose proof (rank_below_parent A n (all_under _ _ FA n Ln)) as M. cbn in M.
+  fold (above_a i) (above_a n) (rank_a n) in *. split; [lia|]. unfold pair_at. cbn [turn].
+  change (parent_rank A i) with (above_a i). change (parent_rank B j) with (above_b j).
+  rewrite (proj2 (Z.leb_gt _ _) P). change (next A i) with (arr_next cells_a i).
+  destruct N as [[-> E] | (s & -> & J & _)]; [|now split]. split; [exact E|].
+  split; [apply good_eq; lia | now rewrite E].
+Qed.
+
+(* next(), from behind any good pair. *)
+Ltac next_goes kid F L I R T NL resumed leaf := let s := fresh in let J := fresh in let S := fresh in let IL := fresh in
+  assert (resumed = false -> leaf = false) as IL
+    by (intros E; specialize (NL E); rewrite (proj2 (proj2 (kid _ L I R))) in NL; now destruct leaf);
+  match type of T with context [arr_next ?c ?x] => destruct (arr_next c x) as [s|] end; cbn [option_map];
+  [ destruct T as [J ->]; destruct (kid s L J R) as (? & ? & S); destruct resumed;
+    [apply (stands_for_enter _ _ true); auto; congruence | apply For_visit; auto; rewrite S; now rewrite IL]
+  | destruct T as (-> & ? & ->); rewrite (place_ascend _ _ F) by auto; apply For_behind; auto;
+    intros; apply internal_sides; auto; now apply (not_leaf _ _ F _ _ I) ].
+
+Lemma next_simulates resumed i j : good i j -> (resumed = false -> side i j = NoLeaf) ->
+  Stands_for (next_turn cells_a cells_b resumed (place cells_a i) (place cells_b j))
+    (turn A B overlap (Behind (pair_at i j))).
+Proof.
+  intros G NL. pose proof G as ((LA & LB) & _). unfold next_turn. cbn [place_rank place node].
+  fold (above_a i) (above_b j) (place cells_a i) (place cells_b j).
+  destruct (Z.leb_spec (above_b j) (above_a i)) as [P|P].
+  - rewrite (place_next _ _ FB j LB). destruct (Nat.eqb_spec j 0) as [->|Z].
+    { unfold pair_at. cbn [turn]. change (parent_rank A i) with (above_a i). change (parent_rank B 0) with (above_b 0).
+      rewrite (proj2 (Z.leb_le _ _) P). constructor. }
+    destruct (aside_b i j G Z P) as (n & I & R & T).
+    next_goes (kid_b i n) FB LA I R T NL resumed (is_leaf cells_a i).
+  - rewrite (place_next _ _ FA i LA). destruct (aside_a i j G P) as (n & I & R & T).
+    next_goes (kid_a j n) FA LB I R T NL resumed (is_leaf cells_b j).
 Qed.
 
 Lemma finds_spec i j : finds_of (Visit (pair_at i j)) =
@@ -596,10 +588,9 @@ Lemma simulates_visit i j : good i j -> side i j = NoLeaf ->
   finds cells_a cells_b bound touch (CVisit (place cells_a i) (place cells_b j)) =
     finds_of (Visit (pair_at i j)).
 Proof.
-  intros G S. pose proof G as G'. rewrite good_eq in G'. destruct G' as ((LA & LB) & R1 & R2).
-  assert (tested cells_a cells_b bound begin touch i j =
-    bound i j && (eqb (is_leaf cells_a i) (is_leaf cells_b j) || begin i j)) as T.
-  { unfold tested. fold side. now rewrite S. }
+  intros G S. assert (tested cells_a cells_b bound begin touch i j =
+    bound i j && (eqb (is_leaf cells_a i) (is_leaf cells_b j) || begin i j)) as T
+    by (unfold tested; fold side; now rewrite S).
   rewrite finds_spec, T. unfold step, code_turn, finds. cbn [node place].
   fold (place cells_a i) (place cells_b j) (rank_a i) (rank_b j).
   assert (Stands_for (CBehind false (place cells_a i) (place cells_b j)) (Behind (pair_at i j)))
@@ -609,30 +600,16 @@ Proof.
     cbn [eqb orb andb] in *; rewrite ?andb_false_r; split; auto.
   - now rewrite turn_leaves.
   - destruct (begin i j); [|now rewrite turn_rejected].
-    destruct (internal _ _ FB j EB) as (x & r & K & E & I). rewrite E.
-    assert (rank_a i < rank_b j)%Z as R.
-    { apply Z.ltb_lt in EA. assert (children_b j <> []) as N by now rewrite K.
-      apply (fmt_rank _ _ FB) in N. unfold rank_a, rank_b. lia. }
-    rewrite (turn_into_b i j x r T R K).
-    destruct (kid_b i j x LA I R R2) as (Gx & _ & Sx & _). rewrite EA in Sx.
-    apply (For_below_a false true i j x); auto. apply (Under_kid (T := B) j x x); auto.
+    destruct (down_b i j G T EB (or_introl EA)) as (I & -> & Gx & Sx). rewrite EA in Sx.
+    apply (For_below_a false true); auto. now apply kid_under.
   - destruct (begin i j); [|now rewrite turn_rejected].
-    destruct (internal _ _ FA i EA) as (x & r & K & E & I). rewrite E.
-    assert (rank_b j <= rank_a i)%Z as R.
-    { apply Z.ltb_lt in EB. assert (children_a i <> []) as N by now rewrite K.
-      apply (fmt_rank _ _ FA) in N. unfold rank_a, rank_b. lia. }
-    rewrite (turn_into_a i j x r T R K).
-    destruct (kid_a j i x LB I R1 R) as (Gx & _ & Sx & _). rewrite EB in Sx.
-    apply (For_below_b false true i x j); auto. apply (Under_kid (T := A) i x x); auto.
+    destruct (down_a i j G T EA (or_introl EB)) as (I & -> & Gx & Sx). rewrite EB in Sx.
+    apply (For_below_b false true); auto. now apply kid_under.
   - destruct (Z.ltb_spec (rank_a i) (rank_b j)) as [R|R].
-    + destruct (internal _ _ FB j EB) as (x & r & K & E & I).
-      rewrite (turn_into_b i j x r T R K). unfold rank_b. rewrite (place_descend _ _ FB j x I E).
-      destruct (kid_b i j x LA I R R2) as (Gx & _ & Sx & _). rewrite EA in Sx.
-      now apply (For_visit i x).
-    + destruct (internal _ _ FA i EA) as (x & r & K & E & I).
-      rewrite (turn_into_a i j x r T R K). unfold rank_a. rewrite (place_descend _ _ FA i x I E).
-      destruct (kid_a j i x LB I R1 R) as (Gx & _ & Sx & _). rewrite EB in Sx.
-      now apply (For_visit x j).
+    + destruct (down_b i j G T EB (or_intror R)) as (I & -> & Gx & Sx). rewrite EA in Sx.
+      unfold rank_b. rewrite (place_descend _ _ FB j I). now apply For_visit.
+    + destruct (down_a i j G T EA (or_intror R)) as (I & -> & Gx & Sx). rewrite EB in Sx.
+      unfold rank_a. rewrite (place_descend _ _ FA i I). now apply For_visit.
 Qed.
 
 Lemma simulates_below_a resumed visit i m j : good i m -> good i j ->
@@ -642,53 +619,25 @@ Lemma simulates_below_a resumed visit i m j : good i m -> good i j ->
   Stands_for (step c) (turn A B overlap (state_at visit i j)) /\
   finds cells_a cells_b bound touch c = finds_of (state_at visit i j).
 Proof.
-  intros Gm G L U S NL. pose proof G as G'. rewrite good_eq in G'. destruct G' as ((LA & LB) & R1 & R2).
-  pose proof Gm as Gm'. rewrite good_eq in Gm'. destruct Gm' as (_ & _ & Rm).
-  assert (rank_a i < 0)%Z as RL by now apply Z.ltb_lt.
-  destruct visit; cbn zeta; unfold state_at; cbn [step code_turn finds pair_below node place].
-  - specialize (S eq_refl). rewrite finds_spec. fold (place cells_a i) (place cells_b m).
-    assert (tested cells_a cells_b bound begin touch i j = touch LeafA i j) as T.
-    { unfold tested. fold side. now rewrite S. }
-    rewrite T, L. unfold step. cbn [code_turn pair_below node place].
+  intros Gm G L U S NL. pose proof G as ((LA & LB) & _). pose proof (proj1 (good_eq _ _) Gm) as (_ & _ & Rm).
+  destruct visit; cbn zeta; unfold state_at, step; cbn [code_turn finds pair_below node place];
     fold (place cells_a i) (place cells_b m).
+  - specialize (S eq_refl). assert (tested cells_a cells_b bound begin touch i j = touch LeafA i j) as T
+      by (unfold tested; fold side; now rewrite S).
+    rewrite finds_spec, T, L. split; [|reflexivity].
     assert (Stands_for (CBelow resumed false LeafA (place cells_a i) (place cells_b m) j)
       (Behind (pair_at i j))) as Go by (apply (For_below_a resumed false i m j); auto; discriminate).
-    split; [|reflexivity]. destruct (touch LeafA i j) eqn:E; [|now rewrite turn_rejected].
+    destruct (touch LeafA i j); [|now rewrite turn_rejected].
     destruct (is_leaf cells_b j) eqn:F; [now rewrite turn_leaves|].
-    destruct (internal _ _ FB j F) as (x & r & K & Fx & I). rewrite Fx.
-    assert (rank_a i < rank_b j)%Z as R.
-    { assert (children_b j <> []) as N by now rewrite K.
-      apply (fmt_rank _ _ FB) in N. unfold rank_b. lia. }
-    rewrite (turn_into_b i j x r T R K).
-    destruct (kid_b i j x LA I R R2) as (Gx & _ & Sx & _). rewrite L in Sx.
-    apply (For_below_a resumed true i m x); auto. apply (Under_trans B m j x U).
-    apply (Under_kid (T := B) j x x); auto.
-  - split; [|reflexivity]. unfold step. cbn [code_turn node place].
-    fold (place cells_a i) (place cells_b m).
-    destruct (Nat.eqb_spec j m) as [->|N]; [now apply next_simulates|].
-    assert (0 < j) as J.
-    { destruct (Nat.eq_dec j 0) as [->|]; [|lia]. destruct (in_tree B m) as [E | (n & _ & I)].
-      - apply (all_under _ _ FB). apply Gm.
-      - now destruct N.
-      - apply (after_parent' _ _ FB) in I. pose proof (height_under B m 0 U) as H. cbn in H.
-        destruct Gm as [[_ ?] _]. lia. }
-    destruct (has_parent _ _ FB j ltac:(lia)) as (n & I & Nx).
-    destruct (parent_under _ _ FB m j n U N I) as [V W].
-    assert (children_b n <> []) as NE by (intros E; now rewrite E in I).
-    apply (fmt_rank _ _ FB) in NE. fold (rank_b n) (rank_b m) in *.
-    assert (rank_a i < rank_b n)%Z as R by lia. assert (rank_b n <= above_a i)%Z as P by lia.
-    cbn [turn pair_at]. change (parent_rank A i) with (above_a i).
-    change (parent_rank B j) with (find_parent_rank cells_b j). rewrite (find_kid _ _ FB _ _ I).
-    fold (rank_b n). rewrite (proj2 (Z.leb_le _ _) P). change (next B j) with (arr_next cells_b j).
-    unfold arr_next in *. destruct (Nat.ltb_spec (c_link (cell cells_b j)) j).
-    + destruct Nx as [[E _] | (s & E & J' & _)]; [discriminate|]. injection E as <-.
-      destruct (kid_b i n _ LA J' R P) as (Gs & _ & Ss & _). rewrite L in Ss.
-      apply (For_below_a resumed true i m); auto. apply (Under_trans B m n _ V).
-      apply (Under_kid (T := B) n _ _ J'). constructor.
-    + destruct Nx as [[_ ->] | (s & E & _)]; [|discriminate].
-      change (is_root B j) with (j =? 0). destruct (Nat.eqb_spec j 0); [lia|].
-      apply (For_below_a resumed false i m (j - 1)); auto; [|discriminate].
-      now apply (up_b i (j - 1) j).
+    destruct (down_b i j G T F (or_introl L)) as (I & -> & Gx & Sx). rewrite L in Sx.
+    apply (For_below_a resumed true i m); auto. apply (Under_trans B m j _ U). now apply kid_under.
+  - split; [|reflexivity]. destruct (Nat.eqb_spec j m) as [->|N]; [now apply next_simulates|].
+    destruct (above_below _ _ FB m j LB U N) as [J P]. fold (above_b j) (rank_b m) in P.
+    destruct (aside_b i j G J ltac:(lia)) as (n & I & R & T). destruct (parent_under _ _ FB m j n U N I) as [V _].
+    unfold arr_next in T. destruct (Nat.ltb_spec (c_link (cell cells_b j)) j).
+    + destruct T as [J' ->]. destruct (kid_b i n _ LA J' R) as (Gs & _ & Ss). rewrite L in Ss.
+      apply (For_below_a resumed true i m); auto. apply (Under_trans B m n _ V). now apply kid_under.
+    + destruct T as (-> & Gn & ->). apply (For_below_a resumed false i m); auto; discriminate.
 Qed.
 
 Lemma simulates_below_b resumed visit m i j : good m j -> good i j ->
@@ -698,52 +647,25 @@ Lemma simulates_below_b resumed visit m i j : good m j -> good i j ->
   Stands_for (step c) (turn A B overlap (state_at visit i j)) /\
   finds cells_a cells_b bound touch c = finds_of (state_at visit i j).
 Proof.
-  intros Gm G L U S NL. pose proof G as G'. rewrite good_eq in G'. destruct G' as ((LA & LB) & R1 & R2).
-  pose proof Gm as Gm'. rewrite good_eq in Gm'. destruct Gm' as (_ & Rm & _).
-  assert (rank_b j < 0)%Z as RL by now apply Z.ltb_lt.
-  destruct visit; cbn zeta; unfold state_at.
-  - specialize (S eq_refl). rewrite finds_spec.
-    assert (tested cells_a cells_b bound begin touch i j = touch LeafB i j) as T.
-    { unfold tested. fold side. now rewrite S. }
-    rewrite T, L. unfold step. cbn [code_turn finds pair_below node place].
+  intros Gm G L U S NL. pose proof G as ((LA & LB) & _). pose proof (proj1 (good_eq _ _) Gm) as (_ & Rm & _).
+  destruct visit; cbn zeta; unfold state_at, step; cbn [code_turn finds pair_below node place];
     fold (place cells_a m) (place cells_b j).
+  - specialize (S eq_refl). assert (tested cells_a cells_b bound begin touch i j = touch LeafB i j) as T
+      by (unfold tested; fold side; now rewrite S).
+    rewrite finds_spec, T, L, andb_true_r. split; [|reflexivity].
     assert (Stands_for (CBelow resumed false LeafB (place cells_a m) (place cells_b j) i)
       (Behind (pair_at i j))) as Go by (apply (For_below_b resumed false m i j); auto; discriminate).
-    split; [|now rewrite andb_true_r]. destruct (touch LeafB i j) eqn:E; [|now rewrite turn_rejected].
+    destruct (touch LeafB i j); [|now rewrite turn_rejected].
     destruct (is_leaf cells_a i) eqn:F; [now rewrite turn_leaves|].
-    destruct (internal _ _ FA i F) as (x & r & K & Fx & I). rewrite Fx.
-    assert (rank_b j <= rank_a i)%Z as R.
-    { assert (children_a i <> []) as N by now rewrite K.
-      apply (fmt_rank _ _ FA) in N. unfold rank_a. lia. }
-    rewrite (turn_into_a i j x r T R K).
-    destruct (kid_a j i x LB I R1 R) as (Gx & _ & Sx & _). rewrite L in Sx.
-    apply (For_below_b resumed true m x j); auto. apply (Under_trans A m i x U).
-    apply (Under_kid (T := A) i x x); auto.
-  - split; [|reflexivity]. unfold step. cbn [code_turn node place].
-    fold (place cells_a m) (place cells_b j).
-    destruct (Nat.eqb_spec i m) as [->|N]; [now apply next_simulates|].
-    assert (0 < i) as J.
-    { destruct (Nat.eq_dec i 0) as [->|]; [|lia]. destruct (in_tree A m) as [E | (n & _ & I)].
-      - apply (all_under _ _ FA). apply Gm.
-      - now destruct N.
-      - apply (after_parent' _ _ FA) in I. pose proof (height_under A m 0 U) as H. cbn in H.
-        destruct Gm as [[? _] _]. lia. }
-    destruct (has_parent _ _ FA i ltac:(lia)) as (n & I & Nx).
-    destruct (parent_under _ _ FA m i n U N I) as [V W].
-    assert (children_a n <> []) as NE by (intros E; now rewrite E in I).
-    apply (fmt_rank _ _ FA) in NE. fold (rank_a n) (rank_a m) in *.
-    assert (rank_b j <= rank_a n)%Z as R by lia. assert (rank_a n < above_b j)%Z as P by lia.
-    cbn [turn pair_at]. change (parent_rank B j) with (above_b j).
-    change (parent_rank A i) with (find_parent_rank cells_a i). rewrite (find_kid _ _ FA _ _ I).
-    fold (rank_a n). rewrite (proj2 (Z.leb_gt _ _) P). change (next A i) with (arr_next cells_a i).
-    unfold arr_next in *. destruct (Nat.ltb_spec (c_link (cell cells_a i)) i).
-    + destruct Nx as [[E _] | (s & E & J' & _)]; [discriminate|]. injection E as <-.
-      destruct (kid_a j n _ LB J' P R) as (Gs & _ & Ss & _). rewrite L in Ss.
-      apply (For_below_b resumed true m); auto. apply (Under_trans A m n _ V).
-      apply (Under_kid (T := A) n _ _ J'). constructor.
-    + destruct Nx as [[_ ->] | (s & E & _)]; [|discriminate].
-      apply (For_below_b resumed false m (i - 1) j); auto; [|discriminate].
-      now apply (up_a j (i - 1) i).
+    destruct (down_a i j G T F (or_introl L)) as (I & -> & Gx & Sx). rewrite L in Sx.
+    apply (For_below_b resumed true m); auto. apply (Under_trans A m i _ U). now apply kid_under.
+  - split; [|reflexivity]. destruct (Nat.eqb_spec i m) as [->|N]; [now apply next_simulates|].
+    destruct (above_below _ _ FA m i LA U N) as [J P]. fold (above_a i) (rank_a m) in P.
+    destruct (aside_a i j G ltac:(lia)) as (n & I & R & T). destruct (parent_under _ _ FA m i n U N I) as [V _].
+    unfold arr_next in T. destruct (Nat.ltb_spec (c_link (cell cells_a i)) i).
+    + destruct T as [J' ->]. destruct (kid_a j n _ LB J' R) as (Gs & _ & Ss). rewrite L in Ss.
+      apply (For_below_b resumed true m); auto. apply (Under_trans A m n _ V). now apply kid_under.
+    + destruct T as (-> & Gn & ->). apply (For_below_b resumed false m); auto; discriminate.
 Qed.
 
 Theorem simulates : Simulates.

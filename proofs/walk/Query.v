@@ -276,13 +276,10 @@ Lemma found_split n : forall c l p r, found_in n c = l ++ p :: r -> exists m,
   found_in m c = l /\ visited (go m c) = Some p /\ finds (go m c) = true.
 Proof.
   induction n as [|n IH]; intros c l p r E; cbn [found_in] in E; [now destruct l|].
-  assert (forall l, found_in n (step c) = l ++ p :: r -> exists m,
-    found_in m (step c) = l /\ visited (go (S m) c) = Some p /\ finds (go (S m) c) = true) as G
-    by (intros l' E'; destruct (IH _ _ _ _ E') as (m & ? & ? & ?); now exists m).
   assert (forall l', found_in n (step c) = l' ++ p :: r ->
     l = (if finds c then match visited c with Some p => [p] | None => [] end else []) ++ l' ->
     exists m, found_in m c = l /\ visited (go m c) = Some p /\ finds (go m c) = true) as Later.
-  { intros l' E' ->. destruct (G l' E') as (m & <- & V & F). now exists (S m). }
+  { intros l' E' ->. destruct (IH _ _ _ _ E') as (m & <- & V & F). now exists (S m). }
   destruct (finds c) eqn:F; [destruct (visited c) as [q|] eqn:V|]; cbn [app] in *; eauto.
   destruct l as [|z l]; injection E as -> E; [now exists O | now apply (Later l)].
 Qed.

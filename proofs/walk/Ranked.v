@@ -407,16 +407,16 @@ Proof.
 Qed.
 
 (* Every pair with the invariant but the roots follows from one with the invariant. *)
-Lemma came_from q : In_trees A B q -> Inv q -> q <> roots ->
-  exists p, In_trees A B p /\ Inv p /\ In q (expand p).
+Lemma came_from q : In_trees A B q -> Inv q ->
+  q = roots \/ exists p, In_trees A B p /\ Inv p /\ In q (expand p).
 Proof.
-  destruct q as [a b]. intros [U V] [I1 I2] N. cbn [fst snd] in U, V.
+  destruct q as [a b]. intros [U V] [I1 I2]. cbn [fst snd] in U, V.
   destruct (Z.leb_spec (parent_rank B b) (parent_rank A a)) as [L|L].
   - destruct (in_tree B b V) as [-> | (n & W & K)].
-    + rewrite parent_rank_of_root in L. destruct (in_tree A a U) as [-> | (n & W & K)]; [now destruct N|].
+    + rewrite parent_rank_of_root in L. destruct (in_tree A a U) as [-> | (n & W & K)]; [now left|].
       rewrite (parent_rank_of_kid A _ _ K) in L. pose proof (rank_limit A n). lia.
     + pose proof (rank_below_parent B _ W). rewrite (parent_rank_of_kid B _ _ K) in *.
-      exists (a, n). repeat split; cbn [fst snd]; auto; try lia.
+      right. exists (a, n). repeat split; cbn [fst snd]; auto; try lia.
       cbn [Ranked.expand]. rewrite (proj2 (Z.ltb_lt _ _) I1).
       now apply in_map with (f := fun y => (a, y)).
   - destruct (in_tree A a U) as [-> | (n & W & K)].
@@ -424,22 +424,13 @@ Proof.
         [rewrite parent_rank_of_root in L; lia|].
       rewrite (parent_rank_of_kid B _ _ K) in L. pose proof (rank_limit B n). lia.
     + pose proof (rank_below_parent A _ W). rewrite (parent_rank_of_kid A _ _ K) in *.
-      exists (n, b). repeat split; cbn [fst snd]; auto; try lia.
+      right. exists (n, b). repeat split; cbn [fst snd]; auto; try lia.
       cbn [Ranked.expand]. rewrite (proj2 (Z.ltb_ge _ _) I2).
       now apply in_map with (f := fun x => (x, b)).
 Qed.
 
 Lemma height_under (T : Tree) (n x : Node T) : Under n x -> (height T x <= height T n)%nat.
 Proof. induction 1; auto. pose proof (height_of_kid T _ _ H). lia. Qed.
-
-Lemma is_roots q : In_trees A B q -> q = roots \/ q <> roots.
-Proof.
-  destruct q as [a b]. intros [U V]. cbn [fst snd] in U, V.
-  destruct (in_tree A a U) as [-> | (n & _ & K)].
-  - destruct (in_tree B b V) as [-> | (n & _ & K)]; [now left | right; intros [= ->]].
-    apply kid_is_not_root in K. rewrite root_is_root in K. discriminate.
-  - right. intros [= -> _]. apply kid_is_not_root in K. rewrite root_is_root in K. discriminate.
-Qed.
 
 (* Induction from the roots down: over pairs with the invariant, in order of their expansion. *)
 Lemma down_from_roots (P : Pair A B -> Prop) :
@@ -449,8 +440,7 @@ Lemma down_from_roots (P : Pair A B -> Prop) :
 Proof.
   intros R S. assert (forall k q, (size roots - size q < k)%nat -> In_trees A B q -> Inv q -> P q) as G.
   { induction k as [|k IH]; intros q H T I; [lia|].
-    destruct (is_roots q T) as [-> | N]; auto.
-    destruct (came_from q T I N) as (p & Tp & Ip & C). eapply S; eauto. apply IH; auto.
+    destruct (came_from q T I) as [-> | (p & Tp & Ip & C)]; auto. eapply S; eauto. apply IH; auto.
     pose proof (smaller_child _ _ C). destruct T as [T1 T2], Tp as [Tp1 Tp2].
     apply height_under in T1, T2, Tp1, Tp2. unfold Ranked.size, Ranked.roots in *.
     cbn [fst snd] in *. lia. }
@@ -523,23 +513,13 @@ End Proofs.
 Theorem can_be_visited {limits : Limits} A B : Can_be_visited A B.
 Proof.
   intros d q E T I.
-  assert (forall d p q, In p (dfs A B (fun _ _ => true) d (roots A B)) ->
-    In q (expand A B p) -> In q (dfs A B (fun _ _ => true) (S d) (roots A B))) as Deeper.
-  { clear. intros d. generalize (roots A B) as r.
-    induction d as [|d IH]; intros r p q P Q; [easy|].
-    destruct P as [<- | P]; right; apply in_flat_map.
-    - exists q. split; [exact Q | now left].
-    - apply in_flat_map in P as (z & Z & P). exists z. split; auto. now apply (IH z p q). }
-  assert (exists k, In q (dfs A B (fun _ _ => true) k (roots A B))) as (k & P).
-  { revert q T I. apply down_from_roots; [now exists 1%nat; left|].
-    intros p q _ _ (k & P) C. exists (S k). eauto. }
-  assert (forall k d p q, (size A B p < d)%nat -> In q (dfs A B (fun _ _ => true) k p) ->
-    In q (dfs A B (fun _ _ => true) d p)) as Bound.
-  { clear. induction k as [|k IH]; intros d p q H P; [easy|]. destruct d as [|d]; [lia|].
-    destruct P as [<- | P]; [now left|]. right. apply in_flat_map in P as (z & Z & P).
-    apply in_flat_map. exists z. split; auto. apply IH; auto.
-    apply (smaller_child A B) in Z. lia. }
-  eapply Bound; eauto.
+  assert (forall d r p q, (size A B r < d)%nat -> In p (dfs A B (fun _ _ => true) d r) ->
+    In q (expand A B p) -> In q (dfs A B (fun _ _ => true) d r)) as Step.
+  { clear. induction d as [|d IH]; intros r p q H P Q; [easy|]. destruct P as [<- | P]; right; apply in_flat_map.
+    - exists q. split; [exact Q|]. apply (smaller_child A B) in Q. destruct d; [lia | now left].
+    - apply in_flat_map in P as (z & Z & P). exists z. split; auto. apply (IH z p q); auto.
+      apply (smaller_child A B) in Z. lia. }
+  revert q T I. apply down_from_roots; [|eauto]. unfold enough in E. destruct d; [lia | now left].
 Qed.
 
 (* The ranks of mesh.hpp. *)
