@@ -151,18 +151,31 @@ Proof.
     [apply (G a1 b1) | apply (G a1 b2) | apply (G a2 b1) | apply (G a2 b2)]; auto.
 Qed.
 
+(* What is known of each answer. *)
+Lemma flat_tells a0 a1 a2 b0 b1 b2 : let flat u v := turn u v a0 a1 a2 = 0 in
+  let apart u v := edge_separates u v a0 a1 a2 b0 b1 b2 || edge_separates u v b0 b1 b2 a0 a1 a2 in
+  if flat_intersect a0 a1 a2 b0 b1 b2 then (exists u v, axes u v /\ apart u v = false /\ ~ flat u v) \/
+    coplanar a0 a1 a2 b0 b1 b2 = true /\ (forall u v, axes u v -> apart u v = false /\ flat u v)
+  else (exists u v, axes u v /\ apart u v = true) \/
+    coplanar a0 a1 a2 b0 b1 b2 = false /\ (forall u v, axes u v -> flat u v).
+Proof.
+  unfold flat_intersect, axes. cbv zeta.
+  destruct (edge_separates x y _ _ _ _ _ _ || _) eqn:S0; [left; exists x, y; auto|].
+  destruct (Z.eqb_spec (turn x y a0 a1 a2) 0); cbn [negb]; [|left; exists x, y; auto].
+  destruct (edge_separates y z _ _ _ _ _ _ || _) eqn:S1; [left; exists y, z; auto|].
+  destruct (Z.eqb_spec (turn y z a0 a1 a2) 0); cbn [negb]; [|left; exists y, z; auto 6].
+  destruct (edge_separates z x _ _ _ _ _ _ || _) eqn:S2; [left; exists z, x; auto|].
+  destruct (Z.eqb_spec (turn z x a0 a1 a2) 0); cbn [negb]; [|left; exists z, x; auto 6].
+  destruct (coplanar _ _ _ _ _ _); right; split; auto; intros u v [[-> ->] | [[-> ->] | [-> ->]]]; auto.
+Qed.
+
 Theorem no_is_right : No_is_right.
 Proof.
-  intros a0 a1 a2 b0 b1 b2 H F M. unfold flat_intersect in F.
-  assert (forall u v later, axes u v ->
-    (if edge_separates u v a0 a1 a2 b0 b1 b2 || edge_separates u v b0 b1 b2 a0 a1 a2 then false
-     else if negb (turn u v a0 a1 a2 =? 0) then true else later) = false -> turn u v a0 a1 a2 = 0 /\ later = false) as Step.
-  { intros u v later X. destruct (edge_separates u v a0 a1 a2 b0 b1 b2) eqn:S; [now apply edge_apart in S|].
-    destruct (edge_separates u v b0 b1 b2 a0 a1 a2) eqn:T; [apply edge_apart in T; auto; now apply meet_swap in M|].
-    cbn [orb]. destruct (Z.eqb_spec (turn u v a0 a1 a2) 0); [auto | discriminate]. }
-  apply Step in F as [XY F]; [|now left]. apply Step in F as [YZ F]; [|right; now left].
-  apply Step in F as [ZX F]; [|right; now right].
-  rewrite segments_meet_flat in F; [discriminate | now apply turns_no_area | now apply (skew_no_area a0 a1 a2) | exact M].
+  intros a0 a1 a2 b0 b1 b2 H F M. pose proof (flat_tells a0 a1 a2 b0 b1 b2) as T. cbv zeta in T. rewrite F in T.
+  destruct T as [(u & v & X & E) | [C T]].
+  - apply orb_true_iff in E as [E | E]; apply edge_apart in E; auto. now apply meet_swap in M.
+  - rewrite segments_meet_flat in C; [discriminate | | now apply (skew_no_area a0 a1 a2) | exact M].
+    apply turns_no_area; apply T; unfold axes; auto.
 Qed.
 
 (* ---- Yes: in a projection. *)
@@ -274,22 +287,12 @@ Qed.
 
 Theorem yes_is_right : Yes_is_right.
 Proof.
-  intros a0 a1 a2 b0 b1 b2 PA PB Some_ F. unfold flat_intersect in F.
-  assert (forall u v later, axes u v ->
-    (if edge_separates u v a0 a1 a2 b0 b1 b2 || edge_separates u v b0 b1 b2 a0 a1 a2 then false
-     else if negb (turn u v a0 a1 a2 =? 0) then true else later) = true ->
-    meet a0 a1 a2 b0 b1 b2 \/ (edge_separates u v a0 a1 a2 b0 b1 b2 = false /\
-      edge_separates u v b0 b1 b2 a0 a1 a2 = false /\ turn u v a0 a1 a2 = 0 /\ later = true)) as Step.
-  { intros u v later X. destruct (edge_separates u v a0 a1 a2 b0 b1 b2) eqn:S; [easy|].
-    destruct (edge_separates u v b0 b1 b2 a0 a1 a2) eqn:T; [easy|]. cbn [orb].
-    destruct (Z.eqb_spec (turn u v a0 a1 a2) 0) as [E | E]; [auto|]. intros _. left.
-    apply (area_yes u v); auto. unfold turn in E. intros A. now rewrite A in E. }
-  apply Step in F as [F | (S0 & T0 & A0 & F)]; [exact F | | now left].
-  apply Step in F as [F | (S1 & T1 & A1 & F)]; [exact F | | right; now left].
-  apply Step in F as [F | (S2 & T2 & A2 & F)]; [exact F | | right; now right].
-  assert (no_area a0 a1 a2) as NA by now apply turns_no_area.
-  destruct (has_area b0 b1 b2) as [NB | (u & v & X & B)]; [tauto|].
-  apply meet_swap, (area_yes u v); auto; destruct X as [[-> ->] | [[-> ->] | [-> ->]]]; auto.
+  intros a0 a1 a2 b0 b1 b2 PA PB Some_ F. pose proof (flat_tells a0 a1 a2 b0 b1 b2) as T. cbv zeta in T. rewrite F in T.
+  destruct T as [(u & v & X & E & A) | [_ T]].
+  - apply orb_false_iff in E as [S S']. apply (area_yes u v); auto. intros A'. apply A. unfold turn. now rewrite A'.
+  - assert (no_area a0 a1 a2) as NA by (apply turns_no_area; apply T; unfold axes; auto).
+    destruct (has_area b0 b1 b2) as [NB | (u & v & X & B)]; [tauto|]. destruct (T u v X) as [E _].
+    apply orb_false_iff in E as [S S']. now apply meet_swap, (area_yes u v).
 Qed.
 
 Print Assumptions yes_is_right.

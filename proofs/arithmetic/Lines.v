@@ -212,19 +212,10 @@ Qed.
 
 Theorem segments_are_exact : Segments_are_exact.
 Proof.
-  intros a0 a1 a2 b0 b1 b2 NA NB Boxes F. unfold flat_intersect in F.
-  assert (forall u v, axes u v -> turn u v a0 a1 a2 = 0) as T.
-  { intros u v X. unfold turn. now rewrite (no_area_flat u v). }
-  assert (forall u v later, axes u v ->
-    (if edge_separates u v a0 a1 a2 b0 b1 b2 || edge_separates u v b0 b1 b2 a0 a1 a2 then false
-     else if negb (turn u v a0 a1 a2 =? 0) then true else later) = true ->
-    (edge_separates u v a0 a1 a2 b0 b1 b2 = false /\ edge_separates u v b0 b1 b2 a0 a1 a2 = false) /\ later = true) as Step.
-  { intros u v later X. rewrite (T u v X). cbn. destruct (edge_separates u v a0 a1 a2 b0 b1 b2); [easy|].
-    destruct (edge_separates u v b0 b1 b2 a0 a1 a2); [easy | auto]. }
-  apply Step in F as [C0 F]; [|now left]. apply Step in F as [C1 F]; [|right; now left].
-  apply Step in F as [C2 F]; [|right; now right]. clear T Step.
+  intros a0 a1 a2 b0 b1 b2 NA NB Boxes F. pose proof (flat_tells a0 a1 a2 b0 b1 b2) as T. cbv zeta in T. rewrite F in T.
+  clear F. destruct T as [(u & v & X & _ & A) | [F C]]; [destruct A; unfold turn; now rewrite (no_area_flat u v)|].
   assert (forall u v, axes u v -> edge_separates u v a0 a1 a2 b0 b1 b2 = false /\
-    edge_separates u v b0 b1 b2 a0 a1 a2 = false) as Clear by (intros u v [[-> ->] | [[-> ->] | [-> ->]]]; auto).
+    edge_separates u v b0 b1 b2 a0 a1 a2 = false) as Clear by (intros u v X; apply orb_false_iff; now apply C).
   destruct (spine_or_point a0 a1 a2) as [[-> ->] | (p & q & S & D)]; [|now apply (spine_meets _ _ _ _ _ _ p q)].
   destruct (spine_or_point b0 b1 b2) as [[-> ->] | (p & q & S & D)].
   - assert (a0 = b0) as -> by (unfold boxes_apart, apart_along in Boxes; apply point_eq; lia).

@@ -23,6 +23,9 @@ Ltac divisions := repeat match goal with
       let q := fresh "q" in pose proof (floor x (Zpos n) eq_refl); set (q := x / Zpos n) in *; clearbody q
   end.
 
+Lemma product_bound e u d mu : Z.abs e <= d -> Z.abs u <= mu -> Z.abs (e * u) <= d * mu.
+Proof. intros. rewrite Z.abs_mul. apply Z.mul_le_mono_nonneg; auto using Z.abs_nonneg. Qed.
+
 Lemma seven r a b c d e f R A B C D E F :
   Z.abs r <= R -> Z.abs a <= A -> Z.abs b <= B -> Z.abs c <= C -> Z.abs d <= D -> Z.abs e <= E ->
   Z.abs f <= F -> Z.abs (r + (a + b + c + d + e + f)) <= R + (A + B + C + D + E + F).
@@ -40,6 +43,9 @@ Theorem kept_near g : Z.abs (one30 / one22 * kept g - g) <= 128.
 Proof.
   unfold kept. change (one30 / one22 / 2) with 128. change (one30 / one22) with 256. divisions. lia.
 Qed.
+
+Lemma split_product k u : k * u = 256 * (coarse k * u) + rest k * u.
+Proof. unfold rest, rest8. ring. Qed.
 
 Theorem rest_fits k : -128 <= rest k <= 127.
 Proof. unfold rest, coarse, rest8. change (256 / 2) with 128. divisions. lia. Qed.
@@ -121,9 +127,6 @@ Hypothesis Part : Z.abs fraction <= 2 ^ 15.
 Let turned' := turned fraction kx ky kz ox oy oz.
 Let whole := turned' / cell14 + cells.
 
-Lemma near_product a b A B : Z.abs a <= A -> Z.abs b <= B -> Z.abs (a * b) <= A * B.
-Proof. intros. rewrite Z.abs_mul. apply Z.mul_le_mono_nonneg; lia. Qed.
-
 Theorem near_sums_fit :
   Z.abs (parts fraction kx ky kz ox oy oz) <= 2 ^ 24 /\ Z.abs turned' <= 2 ^ 31 - 2 ^ 28.
 Proof.
@@ -132,19 +135,16 @@ Proof.
     change (256 / 2) with 128. divisions. lia. }
   assert (forall k, Z.abs (rest k) <= 128) as R by (intros k; pose proof (rest_fits k); lia).
   assert (forall o, - 2 ^ 15 <= o < 2 ^ 15 -> Z.abs o <= 32768) as O by (intros; lia).
-  pose proof (near_product _ _ _ _ (R kx) (O _ Ox)) as Rx.
-  pose proof (near_product _ _ _ _ (R ky) (O _ Oy)) as Ry.
-  pose proof (near_product _ _ _ _ (R kz) (O _ Oz)) as Rz.
-  pose proof (near_product _ _ _ _ (C _ Kx) (O _ Ox)) as Cx.
-  pose proof (near_product _ _ _ _ (C _ Ky) (O _ Oy)) as Cy.
-  pose proof (near_product _ _ _ _ (C _ Kz) (O _ Oz)) as Cz.
-  unfold turned', turned, parts. rewrite Z.abs_le in *. clear - Part Rx Ry Rz Cx Cy Cz.
+  pose proof (product_bound _ _ _ _ (R kx) (O _ Ox)) as Rx.
+  pose proof (product_bound _ _ _ _ (R ky) (O _ Oy)) as Ry.
+  pose proof (product_bound _ _ _ _ (R kz) (O _ Oz)) as Rz.
+  pose proof (product_bound _ _ _ _ (C _ Kx) (O _ Ox)) as Cx.
+  pose proof (product_bound _ _ _ _ (C _ Ky) (O _ Oy)) as Cy.
+  pose proof (product_bound _ _ _ _ (C _ Kz) (O _ Oz)) as Cz.
+  unfold turned', turned, parts. rewrite Z.abs_le in *. revert Part Rx Ry Rz Cx Cy Cz. clear.
   change (one22 / 65536) with 64. change rest8 with 256. change (256 / 2) with 128.
-  change (2 ^ 15) with 32768 in Part. change (2 ^ 24) with 16777216.
-  change (2 ^ 31 - 2 ^ 28) with 1879048192.
-  generalize dependent (rest kx * ox). generalize dependent (rest ky * oy).
-  generalize dependent (rest kz * oz). generalize dependent (coarse kx * ox).
-  generalize dependent (coarse ky * oy). generalize dependent (coarse kz * oz).
+  change (2 ^ 15) with 32768. change (2 ^ 24) with 16777216. change (2 ^ 31 - 2 ^ 28) with 1879048192.
+  generalize (rest kx * ox) (rest ky * oy) (rest kz * oz) (coarse kx * ox) (coarse ky * oy) (coarse kz * oz).
   intros. divisions. lia.
 Qed.
 
@@ -189,13 +189,11 @@ Theorem placed_within gx gy gz cells fraction ox oy oz px py pz :
 Proof.
   intros X Y Z0 offset exact. unfold kMaxCoordinate in *.
   assert (forall g u, Z.abs ((256 * kept g - g) * u) <= 128 * Z.abs u) as Entry.
-  { intros g u. pose proof (kept_near g) as K. change (one30 / one22) with 256 in K.
-    rewrite Z.abs_mul. apply Z.mul_le_mono_nonneg_r; [lia | exact K]. }
+  { intros g u. apply product_bound; [exact (kept_near g) | lia]. }
   pose proof (Entry gx px) as Ex. pose proof (Entry gy py) as Ey. pose proof (Entry gz pz) as Ez.
   pose proof (Entry gx ox) as Fx. pose proof (Entry gy oy) as Fy. pose proof (Entry gz oz) as Fz.
-  assert (forall k u, k * u = 256 * (coarse k * u) + rest k * u) as Split.
-  { intros k u. unfold rest, rest8. ring. }
-  pose proof (Split (kept gx) px). pose proof (Split (kept gy) py). pose proof (Split (kept gz) pz).
+  pose proof (split_product (kept gx) px). pose proof (split_product (kept gy) py).
+  pose proof (split_product (kept gz) pz).
   assert (one30 * placed (kept gx) (kept gy) (kept gz) offset px py pz - exact =
     (65536 * (cell14 * placed (kept gx) (kept gy) (kept gz) offset px py pz) -
       256 * (kept gx * (px + ox) + kept gy * (py + oy) + kept gz * (pz + oz) +
@@ -243,13 +241,10 @@ Proof. unfold times_upper. destruct (Z.ltb_spec a 0); nia. Qed.
 
 Lemma rest_sum : Z.abs (rest kx * px + rest ky * py + rest kz * pz) <= most * reach.
 Proof.
-  assert (forall r p m, Z.abs r <= most -> Z.abs p <= m -> Z.abs (r * p) <= most * m) as E.
-  { intros r p m R P. rewrite Z.abs_mul. apply Z.mul_le_mono_nonneg; lia. }
-  pose proof (E (rest kx) px mx ltac:(tauto) ltac:(tauto)) as X.
-  pose proof (E (rest ky) py my ltac:(tauto) ltac:(tauto)) as Y.
-  pose proof (E (rest kz) pz mz ltac:(tauto) ltac:(tauto)) as Z0.
-  rewrite <- reaches, !Z.mul_add_distr_l. apply Z.abs_le in X, Y, Z0. apply Z.abs_le. clear - X Y Z0.
-  set (a := most * mx) in *. set (b := most * my) in *. set (c := most * mz) in *. clearbody a b c. lia.
+  destruct sizes as (P & Q & S), rests as (R1 & R2 & R3).
+  pose proof (product_bound _ _ _ _ R1 P) as X. pose proof (product_bound _ _ _ _ R2 Q) as Y.
+  pose proof (product_bound _ _ _ _ R3 S) as Z0. rewrite <- reaches, !Z.mul_add_distr_l.
+  apply Z.abs_le in X, Y, Z0. apply Z.abs_le. clear - X Y Z0. lia.
 Qed.
 
 (* In whole cells, as they are compared. *)
@@ -327,10 +322,6 @@ Proof.
   { transitivity ((256 * coarse k) * (256 * coarse k) * 16384); [ring | rewrite C; ring]. }
   clear - R N. lia.
 Qed.
-Lemma product_bound e u d mu : Z.abs e <= d -> Z.abs u <= mu -> Z.abs (e * u) <= d * mu.
-Proof.
-  intros E U. rewrite Z.abs_mul. apply Z.mul_le_mono_nonneg; auto using Z.abs_nonneg.
-Qed.
 Lemma term d e u v mu mv : Z.abs e <= d -> Z.abs u <= mu -> Z.abs v <= mv -> e * u * v <= d * mu * mv.
 Proof.
   intros E U V. assert (Z.abs (e * u * v) <= d * mu * mv) as L by auto using product_bound.
@@ -392,9 +383,7 @@ Lemma placed_off k l m o : let e := 256 * (cell14 * placed k l m o p q s - o) -
   (k * p + l * q + m * s) in e * e <= 2097152 * 2097152.
 Proof.
   intros e. apply square_bound.
-  assert (forall k u, k * u = 256 * (coarse k * u) + rest k * u) as Split
-    by (intros; unfold rest, rest8; ring).
-  unfold e. rewrite (Split k p), (Split l q), (Split m s).
+  unfold e. rewrite (split_product k p), (split_product l q), (split_product m s).
   unfold placed, before_rounding, kHalf, cell14, rest8.
   set (x := coarse k * p). set (y := coarse l * q). set (z := coarse m * s).
   set (x' := rest k * p). set (y' := rest l * q). set (z' := rest m * s).

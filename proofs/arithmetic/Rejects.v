@@ -53,27 +53,17 @@ Definition Apart (these those : Point -> Prop) : Prop := exists n,
 Theorem apart_not_meet these those p q r s t o : Apart these those ->
   these p -> these q -> these r -> those s -> those t -> those o -> ~ meet p q r s t o.
 Proof.
-  intros (n & H) P Q R S T O (i & j & k & l & m & k' & c & I & J & K & L & M & N & W & E & (X1 & Y1 & Z1) & (X2 & Y2 & Z2)).
-  assert (forall f : Z, (f = 1 \/ f = -1) -> (forall w v, these w -> those v -> f * dot n w < f * dot n v) -> False) as G.
-  { intros f _ A. set (D := fun u => f * dot n u).
-    assert (i * D p + j * D q + k * D r = l * D s + m * D t + k' * D o) as Same.
-    { unfold D, dot. transitivity (f * (x n * x c + y n * y c + z n * z c));
-        [rewrite <- X1, <- Y1, <- Z1 | rewrite <- X2, <- Y2, <- Z2]; ring. }
-    assert (exists b, D p < b /\ D q < b /\ D r < b /\ b <= D s /\ b <= D t /\ b <= D o) as (b & Bp & Bq & Br & Bs & Bt & Bo).
-    { exists (Z.min (D s) (Z.min (D t) (D o))). unfold D.
-      pose proof (A p s P S). pose proof (A p t P T). pose proof (A p o P O).
-      pose proof (A q s Q S). pose proof (A q t Q T). pose proof (A q o Q O).
-      pose proof (A r s R S). pose proof (A r t R T). pose proof (A r o R O). lia. }
-    assert (i * D p <= i * (b - 1)) by (apply Z.mul_le_mono_nonneg_l; lia).
-    assert (j * D q <= j * (b - 1)) by (apply Z.mul_le_mono_nonneg_l; lia).
-    assert (k * D r <= k * (b - 1)) by (apply Z.mul_le_mono_nonneg_l; lia).
-    assert (l * b <= l * D s) by (apply Z.mul_le_mono_nonneg_l; lia).
-    assert (m * b <= m * D t) by (apply Z.mul_le_mono_nonneg_l; lia).
-    assert (k' * b <= k' * D o) by (apply Z.mul_le_mono_nonneg_l; lia).
-    assert ((i + j + k) * b = (l + m + k') * b) by (now rewrite E). lia. }
-  destruct H as [H | H].
-  - apply (G 1); [now left|]. intros w v Ww Vv. specialize (H w v Ww Vv). lia.
-  - apply (G (-1)); [now right|]. intros w v Ww Vv. specialize (H w v Ww Vv). lia.
+  assert (forall (these those : Point -> Prop) n p q r s t o, (forall w v, these w -> those v -> dot n w < dot n v) ->
+    these p -> these q -> these r -> those s -> those t -> those o -> ~ meet p q r s t o) as G.
+  { clear. intros these those n p q r s t o H P Q R S T O M.
+    assert (exists a, these a /\ dot n p <= dot n a /\ dot n q <= dot n a /\ dot n r <= dot n a) as (a & A & L).
+    { destruct (Z.le_ge_cases (dot n p) (dot n q)), (Z.le_ge_cases (dot n q) (dot n r)), (Z.le_ge_cases (dot n p) (dot n r));
+        first [exists p; split; [assumption | lia] | exists q; split; [assumption | lia] | exists r; split; [assumption | lia]]. }
+    assert (forall u, dot n (sub u a) = dot n u - dot n a) as E by (intros; unfold dot, sub; cbn [x y z]; ring).
+    pose proof (H a s A S). pose proof (H a t A T). pose proof (H a o A O).
+    apply (separates n a p q r s t o M); rewrite E; lia. }
+  intros (n & [H | H]) P Q R S T O M; [now apply (G these those n p q r s t o)|].
+  apply (G those these n s t o p q r); auto. now apply meet_swap.
 Qed.
 
 Lemma part_holds e u l p : l <= p <= u -> e * p + Z.abs e * bias <= part e * (u + bias) + part (- e) * (bias - l).

@@ -34,8 +34,7 @@ Proof.
   assert (forall k u, Z.abs u <= 8192 -> Z.abs (rest k * u) <= 128 * 8192) as Rest.
   { intros k u U. apply product_bound; auto. pose proof (rest_fits k). lia. }
   pose proof (Rest kx dx X). pose proof (Rest ky dy Y). pose proof (Rest kz dz Z0).
-  assert (forall k u, k * u = 256 * (coarse k * u) + rest k * u) as Split by (intros; unfold rest, rest8; ring).
-  rewrite (Split kx dx), (Split ky dy), (Split kz dz). unfold turned, cell14, one22.
+  rewrite (split_product kx dx), (split_product ky dy), (split_product kz dz). unfold turned, cell14, one22.
   change (16384 / 2) with 8192.
   set (x := coarse kx * dx) in *. set (y := coarse ky * dy) in *. set (z := coarse kz * dz) in *.
   set (x' := rest kx * dx) in *. set (y' := rest ky * dy) in *. set (z' := rest kz * dz) in *.
