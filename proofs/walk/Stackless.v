@@ -244,51 +244,42 @@ Hypothesis less_small : (0 <= less <= 1)%Z.
 Definition level_rank (i : nat) : Z := (2 * (Z.of_nat limit_ - Z.of_nat (level i)) - less)%Z.
 Definition node_rank i := if is_leaf (cells m) i then (-1)%Z else level_rank i.
 
-Lemma node_rank_internal i : children i <> [] -> node_rank i = level_rank i.
-Proof.
-  intros N. unfold node_rank. destruct (is_leaf (cells m) i) eqn:E; auto.
-  now apply (leaf_spec _ _ F) in E.
-Qed.
-
 Lemma rank_range i : i < count -> (1 <= level_rank i <= Z.of_nat (2 * limit_))%Z.
 Proof. intros H. pose proof (level_small i H). unfold level_rank. lia. Qed.
 
-Lemma internal_inside i : children i <> [] -> i < count.
+Lemma internal_inside i : children i <> [] -> i < count /\ node_rank i = level_rank i.
 Proof.
-  intros N. destruct (children i) as [|x r] eqn:K; [easy|].
-  apply (fmt_inside _ _ F i x). rewrite K. now left.
+  intros N. split.
+  - destruct (children i) as [|x r] eqn:K; [easy|]. apply (fmt_inside _ _ F i x). rewrite K. now left.
+  - unfold node_rank. destruct (is_leaf (cells m) i) eqn:E; auto. now apply (leaf_spec _ _ F) in E.
+Qed.
+
+Lemma kid_facts n x : In x (children n) -> n < x /\ n < count /\ x < count /\ level x = S (level n) /\
+  node_rank n = level_rank n /\ (1 <= level_rank n)%Z.
+Proof.
+  intros I. destruct (fmt_inside _ _ F n x I) as [N X]. assert (children n <> []) as E by (intros E; now rewrite E in I).
+  repeat split; auto; [apply (after_parent' _ _ F _ _ I) | apply (level_of_kid _ _ _ _ L _ _ I) |
+    now apply internal_inside | now apply rank_range].
 Qed.
 
 Definition level_tree : @Tree (rank_limits limit_).
 Proof.
   refine {| Node := nat; root := 0; kids := children; rank := node_rank;
     parent_rank i := if i =? 0 then @top (rank_limits limit_) else (level_rank i + 2)%Z;
-    next := arr_next (cells m); up i := i - 1; is_root i := i =? 0; height i := count - i |}; intros.
-  - unfold node_rank. split; intros H.
-    + apply (leaf_spec _ _ F) in H. now rewrite H.
-    + destruct (is_leaf (cells m) n) eqn:E; [now apply (leaf_spec _ _ F) in E|].
-      destruct (children n) as [|x r] eqn:K; auto. exfalso.
-      assert (n < count) as I by (apply internal_inside; now rewrite K).
-      pose proof (rank_range n I). lia.
-  - rewrite node_rank_internal by auto. apply rank_range. now apply internal_inside.
-  - assert (children n <> []) as N by (intros K; rewrite K in *; easy).
-    rewrite (node_rank_internal n N). pose proof (rank_range n (internal_inside n N)).
-    unfold node_rank. destruct (is_leaf (cells m) x); [lia|].
-    pose proof (level_of_kid _ _ _ _ L n x ltac:(auto)) as V. fold (level x) (level n) in V.
-    unfold level_rank. lia.
-  - assert (children n <> []) as N by (intros K; rewrite K in *; easy).
-    rewrite (node_rank_internal n N). pose proof (after_parent' _ _ F n x ltac:(auto)).
-    pose proof (level_of_kid _ _ _ _ L n x ltac:(auto)) as V. fold (level x) (level n) in V.
-    unfold level_rank. destruct (Nat.eqb_spec x 0); lia.
-  - reflexivity.
+    next := arr_next (cells m); up i := i - 1; is_root i := i =? 0; height i := count - i |};
+    [| | | | reflexivity | | | reflexivity | | reflexivity | |]; intros;
+    try match goal with I : In _ _ |- _ => pose proof (kid_facts _ _ I) end.
+  - unfold node_rank. destruct (is_leaf (cells m) n) eqn:E; [apply (leaf_spec _ _ F) in E; now split|].
+    split; intros H; [apply (leaf_spec _ _ F) in H; congruence|]. destruct (children n) eqn:K; auto.
+    destruct (internal_inside n) as [I _]; [now rewrite K|]. pose proof (rank_range n I). lia.
+  - destruct (internal_inside n) as [I ->]; auto. now apply rank_range.
+  - unfold node_rank at 1. destruct (is_leaf (cells m) x); unfold level_rank in *; lia.
+  - destruct (Nat.eqb_spec x 0); unfold level_rank in *; lia.
   - now apply (Ranked.next_of_kid (array_tree _ _ F) n l x y r).
   - now apply (Ranked.next_of_last (array_tree _ _ F) n l x).
-  - reflexivity.
   - now apply (Ranked.up_of_last (array_tree _ _ F) n l x).
-  - reflexivity.
   - now apply (Ranked.kid_is_not_root (array_tree _ _ F) n x).
-  - pose proof (after_parent' _ _ F n x ltac:(auto)).
-    pose proof (fmt_inside _ _ F n x ltac:(auto)). unfold count. lia.
+  - lia.
 Defined.
 
 Lemma same_under n x : Under (T := level_tree) n x <-> Under (T := array_tree _ _ F) n x.
@@ -333,11 +324,11 @@ Proof.
   - apply (leaf_spec _ _ FA) in Ea. apply (leaf_spec _ _ FB) in Eb.
     rewrite Ea, Eb, andb_false_r. reflexivity.
   - rewrite andb_false_r. assert (b < length (cells b_)) as I.
-    { apply (internal_inside b_ children_b FB). intros N. apply (leaf_spec _ _ FB) in N. congruence. }
+    { apply (internal_inside b_ children_b FB most_ 0 b). intros N. apply (leaf_spec _ _ FB) in N. congruence. }
     pose proof (rank_range b_ children_b FB LB most_ fits_b 0 small_0 b I).
     destruct (Z.ltb_spec (-1) (level_rank b_ most_ 0 b)); [reflexivity | lia].
   - rewrite orb_true_r. assert (a < length (cells a_)) as I.
-    { apply (internal_inside a_ children_a FA). intros N. apply (leaf_spec _ _ FA) in N. congruence. }
+    { apply (internal_inside a_ children_a FA most_ 1 a). intros N. apply (leaf_spec _ _ FA) in N. congruence. }
     pose proof (rank_range a_ children_a FA LA most_ fits_a 1 small_1 a I).
     destruct (Z.ltb_spec (level_rank a_ most_ 1 a) (-1)); [lia | reflexivity].
   - rewrite orb_false_r. cbn [andb negb]. rewrite andb_true_r. unfold level_rank.
@@ -465,14 +456,16 @@ Proof.
 Qed.
 
 (* Of an internal node: the link of the node behind it. *)
-Lemma read_first m children (F : Post_indexed (cells m) children) i x r :
-  children i = x :: r -> first_child m i = Some x.
+Lemma first_kid m children (F : Post_indexed (cells m) children)
+  (L : Levelled children (length (cells m)) (levels m) (rcls m)) i : is_leaf (cells m) i = false ->
+  exists x r, children i = x :: r /\ first_child m i = Some x /\ level m x = S (level m i).
 Proof.
-  intros K. unfold first_child, link. destruct (@exists_last _ (x :: r) ltac:(easy)) as (l & z & E).
-  rewrite E in K. pose proof (fmt_last _ _ F _ _ _ K) as [-> _].
-  assert (In (i + 1) (children i)) as I by (rewrite K; apply in_elt).
-  apply (fmt_inside _ _ F) in I as [_ I]. rewrite <- E in K.
-  rewrite (nth_error_nth' _ (Build_Cell 0 (-1) 0) I). cbn. f_equal. apply (fmt_first _ _ F _ _ _ K).
+  intros E. destruct (internal _ _ F i E) as (r & K). exists (Code.first_child (cells m) i), r.
+  split; [exact K|]. split; [|apply (level_of_kid _ _ _ _ L); rewrite K; now left].
+  destruct (@exists_last _ (children i) ltac:(now rewrite K)) as (l & z & E').
+  pose proof (fmt_last _ _ F _ _ _ E') as [-> _].
+  assert (In (i + 1) (children i)) as I by (rewrite E'; apply in_elt). apply (fmt_inside _ _ F) in I as [_ I].
+  unfold first_child, link. now rewrite (nth_error_nth' _ (Build_Cell 0 (-1) 0) I).
 Qed.
 
 Lemma descend_is a b : inside (a, b) -> descend a_ b_ (start (a, b)) =
@@ -482,20 +475,10 @@ Proof.
   cbn [fst snd at_a at_b lead]. rewrite (read_leaf a_ a Ia), (read_leaf b_ b Ib).
   replace (Z.of_nat (level_a a) - Z.of_nat (level_b b) <? 0)%Z with (level_a a <? level_b b)
     by (destruct (Nat.ltb_spec (level_a a) (level_b b)); symmetry; [apply Z.ltb_lt | apply Z.ltb_ge]; lia).
-  destruct ((_ || _) && _) eqn:E.
-  - apply andb_prop in E as [_ E]. apply negb_true_iff in E.
-    destruct (children_a a) as [|x r] eqn:K; [apply (leaf_spec _ _ FA) in K; congruence|].
-    rewrite (read_first a_ _ FA a x r K). cbn [map fst snd].
-    assert (In x (children_a a)) as I by (rewrite K; now left).
-    pose proof (level_of_kid _ _ _ _ LA _ _ I) as V. fold (level_a x) (level_a a) in V. rewrite V.
-    do 3 f_equal. lia.
-  - destruct (is_leaf (cells b_) b) eqn:Lb; cbn [negb].
-    + apply (leaf_spec _ _ FB) in Lb. now rewrite Lb.
-    + destruct (children_b b) as [|x r] eqn:K; [apply (leaf_spec _ _ FB) in K; congruence|].
-      rewrite (read_first b_ _ FB b x r K). cbn [map fst snd].
-      assert (In x (children_b b)) as I by (rewrite K; now left).
-      pose proof (level_of_kid _ _ _ _ LB _ _ I) as V. fold (level_b x) (level_b b) in V. rewrite V.
-      do 3 f_equal. lia.
+  destruct ((_ || _) && _) eqn:E; [apply andb_prop in E as [_ E]; apply negb_true_iff in E|].
+  - destruct (first_kid a_ _ FA LA a E) as (x & r & -> & -> & V). cbn [map fst snd]. rewrite V. do 3 f_equal. lia.
+  - destruct (is_leaf (cells b_) b) eqn:Lb; cbn [negb]; [apply (leaf_spec _ _ FB) in Lb; now rewrite Lb|].
+    destruct (first_kid b_ _ FB LB b Lb) as (x & r & -> & -> & V). cbn [map fst snd]. rewrite V. do 3 f_equal. lia.
 Qed.
 
 (* ---- So the loop is Ranked.v's. *)
