@@ -307,6 +307,12 @@ Qed.
 (* Boxes of two nodes that have something in them. *)
 Definition filled m n := (n < length (cells m))%nat /\ exists p, in_box (box m n) p.
 
+Lemma filled_of m O n k i : Under (T := array_tree _ _ (proj1 (is_tree m O))) n k -> In i (triangles m k) -> filled m n.
+Proof.
+  intros U I. destruct (corners m i) as [[p q] r] eqn:E.
+  destruct (corners_in m O n k i p U I) as (P & L & _); [rewrite E; now left|]. split; eauto.
+Qed.
+
 Lemma filled_box m n : opens m = true -> filled m n -> let t := box m n in
   (x (low t) <= x (high t) /\ y (low t) <= y (high t) /\ z (low t) <= z (high t)) /\
   (- kMaxCoordinate <= x (low t) /\ x (high t) <= kMaxCoordinate /\ - kMaxCoordinate <= y (low t) /\
@@ -411,16 +417,8 @@ Lemma never (these those : Point -> Prop) : (forall p, In p (points (corners A i
   (forall p, In p (points (corners B j)) -> those p) -> ~ apart these those.
 Proof. intros T U S. apply right in yes. revert yes. now apply (apart_no_common these those). Qed.
 
-Lemma filled_a : filled A n.
-Proof.
-  destruct (corners A i) as [[p q] r] eqn:E.
-  destruct (corners_in A opened_a n l i p below_n I) as (P & L & _); [rewrite E; now left|]. split; eauto.
-Qed.
-Lemma filled_b : filled B k.
-Proof.
-  destruct (corners B j) as [[p q] r] eqn:E.
-  destruct (corners_in B opened_b k m j p below_k J) as (P & L & _); [rewrite E; now left|]. split; eauto.
-Qed.
+Lemma filled_a : filled A n. Proof. now apply (filled_of A opened_a n l i). Qed.
+Lemma filled_b : filled B k. Proof. now apply (filled_of B opened_b k m j). Qed.
 Lemma in_a p : In p (points (corners A i)) -> in_box (box A n) p.
 Proof. intros P. now apply (corners_in A opened_a n l i p). Qed.
 Lemma in_b p : In p (points (corners B j)) -> in_box (box B k) p.
@@ -532,9 +530,8 @@ Theorem early_ends_are_right : Early_ends_are_right.
 Proof.
   intros A B r j OA OB (k & _ & J) H.
   assert (box_margin (most_rest r) (reach (box B 0)) + kHalf <= @kWidestMargin@) as M.
-  { assert (filled B 0) as F.
-    { destruct (corners B j) as [[p q] o] eqn:E. destruct (corners_in B OB 0%nat k j p) as (P & L & _);
-        [apply all_under; now apply has_in_range in J | exact J | rewrite E; now left | split; eauto]. }
+  { assert (filled B 0) as F
+      by (apply (filled_of B OB 0%nat k j); [apply all_under; now apply has_in_range in J | exact J]).
     destruct (filled_box B 0 OB F) as [O L]. cbv zeta in L. apply widest_margin.
     - pose proof (rests_small r) as S. cbv zeta in S. unfold most_rest.
       assert (forall e, Z.abs (rest e) <= 128) as R by (intros e; pose proof (rest_fits e); lia).
