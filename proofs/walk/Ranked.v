@@ -299,29 +299,17 @@ Lemma finishes d : forall p, (size p < d)%nat -> Inv p ->
   Run (2 * length (dfs d p) - 1) (Visit p) (dfs d p) (Behind p).
 Proof.
   induction d as [|d IH]; intros p H I; [lia|].
-  assert (forall r l q, descents p = l ++ q :: r ->
-    Run (2 * length (flat_map (dfs d) (q :: r))) (Visit q) (flat_map (dfs d) (q :: r)) (Behind p))
-    as Go.
-  { induction r as [|z r IHr]; intros l q D.
-    all: assert (In q (descents p)) as Q by (rewrite D; apply in_elt).
-    all: apply child_expand in Q.
-    all: assert (size q < d)%nat as L by (pose proof (smaller_child _ _ Q); lia).
-    all: pose proof (IH q L (Inv_child _ _ I Q)) as First.
-    all: pose proof (dfs_not_empty d q L).
-    all: pose proof (turn_behind _ _ _ _ I (split_expand _ _ _ _ D)) as Then.
-    - cbn [flat_map]. rewrite app_nil_r.
-      replace (2 * _)%nat with (2 * length (dfs d q) - 1 + 1)%nat by lia.
-      rewrite <- (app_nil_r (dfs d q)) at 2.
-      apply (Run_trans _ _ _ _ _ _ _ First). apply Run_behind. rewrite Then. apply Run_none.
-    - change (flat_map _ (q :: z :: r)) with (dfs d q ++ flat_map (dfs d) (z :: r)).
-      set (t := flat_map (dfs d) (z :: r)) in *. rewrite app_length.
-      replace (2 * _)%nat with (2 * length (dfs d q) - 1 + S (2 * length t))%nat by lia.
-      apply (Run_trans _ _ _ _ _ _ _ First). apply Run_behind. rewrite Then.
-      apply (IHr (l ++ [q])). now rewrite <- app_assoc. }
-  cbn [Ranked.dfs length].
-  replace (2 * _ - 1)%nat with (S (2 * length (flat_map (dfs d) (descents p)))) by lia.
-  apply Run_visit. rewrite turn_visit.
-  destruct (descents p) as [|q r]; [apply Run_none | now apply (Go r [])].
+  assert (forall r l, descents p = l ++ r -> Run (2 * length (flat_map (dfs d) r))
+    (match r with q :: _ => Visit q | [] => Behind p end) (flat_map (dfs d) r) (Behind p)) as Go.
+  { induction r as [|q r IHr]; intros l D; [apply Run_none|].
+    assert (In q (expand p)) as Q by (apply child_expand; rewrite D; apply in_elt).
+    assert (size q < d)%nat as L by (pose proof (smaller_child _ _ Q); lia).
+    pose proof (dfs_not_empty d q L). cbn [flat_map]. rewrite app_length.
+    replace (2 * _)%nat with (2 * length (dfs d q) - 1 + S (2 * length (flat_map (dfs d) r)))%nat by lia.
+    apply (Run_trans _ _ _ _ _ _ _ (IH q L (Inv_child _ _ I Q))). apply Run_behind.
+    rewrite (turn_behind _ _ _ _ I (split_expand _ _ _ _ D)). apply (IHr (l ++ [q])). now rewrite <- app_assoc. }
+  cbn [Ranked.dfs length]. replace (2 * _ - 1)%nat with (S (2 * length (flat_map (dfs d) (descents p)))) by lia.
+  apply Run_visit. rewrite turn_visit. now apply (Go _ []).
 Qed.
 
 Theorem walk_is_dfs : Walk_is_dfs A B overlap.
