@@ -311,14 +311,11 @@ Lemma crossed_somewhere C n a0 a1 a2 : cone C -> corner a0 -> corner a1 -> corne
   crossed n a0 a1 a2 -> somewhere (both (fun r => dot n r = 0) C).
 Proof.
   intros K Z0 Z1 Z2 H0 H1 H2 [U V].
-  assert (exists p, (p = a0 \/ p = a1 \/ p = a2) /\ dot n p <= 0) as (p & P & LP)
-    by (destruct (Z.le_gt_cases (dot n a0) 0); [eauto|]; destruct (Z.le_gt_cases (dot n a1) 0); [eauto|];
-      destruct (Z.le_gt_cases (dot n a2) 0); [eauto | lia]).
-  assert (exists q, (q = a0 \/ q = a1 \/ q = a2) /\ 0 <= dot n q) as (q & Q & LQ)
-    by (destruct (Z.le_gt_cases 0 (dot n a0)); [eauto|]; destruct (Z.le_gt_cases 0 (dot n a1)); [eauto|];
-      destruct (Z.le_gt_cases 0 (dot n a2)); [eauto | lia]).
-  apply (point_on C n p q K); auto; [| | destruct P as [-> | [-> | ->]] | destruct Q as [-> | [-> | ->]]]; auto;
-    [destruct P as [-> | [-> | ->]] | destruct Q as [-> | [-> | ->]]]; auto.
+  assert (forall P : Point -> Prop, P a0 \/ P a1 \/ P a2 -> exists p, P p /\ corner p /\ C p) as Pick
+    by (intros P [H | [H | H]]; eauto).
+  destruct (Pick (fun p => dot n p <= 0)) as (p & LP & Zp & Hp); [lia|].
+  destruct (Pick (fun p => 0 <= dot n p)) as (q & LQ & Zq & Hq); [lia|].
+  now apply (point_on C n p q K).
 Qed.
 
 Lemma hull_corners b0 b1 b2 : hull b0 b1 b2 b0 /\ hull b0 b1 b2 b1 /\ hull b0 b1 b2 b2.

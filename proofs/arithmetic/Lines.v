@@ -70,13 +70,11 @@ Definition corner_of (a0 a1 a2 r : Point) := r = a0 \/ r = a1 \/ r = a2.
 Lemma extremes (c : Point -> Z) a0 a1 a2 : exists r s, corner_of a0 a1 a2 r /\ corner_of a0 a1 a2 s /\
   c r = Z.min (c a0) (Z.min (c a1) (c a2)) /\ c s = Z.max (c a0) (Z.max (c a1) (c a2)) /\ c r <= c s.
 Proof.
-  unfold corner_of.
-  assert (exists r, (r = a0 \/ r = a1 \/ r = a2) /\ c r = Z.min (c a0) (Z.min (c a1) (c a2))) as (r & R & E).
-  { destruct (Z.min_spec (c a1) (c a2)) as [[_ ->] | [_ ->]];
-      [destruct (Z.min_spec (c a0) (c a1)) as [[_ ->] | [_ ->]] | destruct (Z.min_spec (c a0) (c a2)) as [[_ ->] | [_ ->]]]; eauto. }
-  assert (exists r, (r = a0 \/ r = a1 \/ r = a2) /\ c r = Z.max (c a0) (Z.max (c a1) (c a2))) as (s & S & F).
-  { destruct (Z.max_spec (c a1) (c a2)) as [[_ ->] | [_ ->]];
-      [destruct (Z.max_spec (c a0) (c a2)) as [[_ ->] | [_ ->]] | destruct (Z.max_spec (c a0) (c a1)) as [[_ ->] | [_ ->]]]; eauto. }
+  assert (forall choose : Z -> Z -> Z, (forall m n, choose m n = m \/ choose m n = n) ->
+    exists r, corner_of a0 a1 a2 r /\ c r = choose (c a0) (choose (c a1) (c a2))) as G.
+  { unfold corner_of. intros choose H. destruct (H (c a1) (c a2)) as [-> | ->];
+      [destruct (H (c a0) (c a1)) as [-> | ->] | destruct (H (c a0) (c a2)) as [-> | ->]]; eauto. }
+  destruct (G Z.min) as (r & R & E); [lia|]. destruct (G Z.max) as (s & S & F); [lia|].
   exists r, s. do 4 (split; [assumption|]). rewrite E, F. lia.
 Qed.
 
