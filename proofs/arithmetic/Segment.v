@@ -19,10 +19,7 @@ Definition Segment_is_exact := forall a0 a1 a2 t0 t1 t2, no_area a0 a1 a2 ->
 
 Lemma one_way u v w : negb (((0 <? u) || (0 <? v) || (0 <? w)) && ((u <? 0) || (v <? 0) || (w <? 0))) = true <->
   (0 <= u /\ 0 <= v /\ 0 <= w) \/ (u <= 0 /\ v <= 0 /\ w <= 0).
-Proof.
-  destruct (Z.ltb_spec 0 u), (Z.ltb_spec 0 v), (Z.ltb_spec 0 w), (Z.ltb_spec u 0), (Z.ltb_spec v 0), (Z.ltb_spec w 0);
-    cbn; split; intros; try lia; try reflexivity; discriminate.
-Qed.
+Proof. rewrite negb_true_iff, andb_false_iff, !orb_false_iff, !Z.ltb_ge. lia. Qed.
 
 Lemma same_sign s q share total : 0 < s -> 0 <= share -> s * q = share * total ->
   (0 <= total -> 0 <= q) /\ (total <= 0 -> q <= 0).

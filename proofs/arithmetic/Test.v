@@ -82,10 +82,7 @@ Qed.
 
 Lemma crosses_or g0 g1 g2 : separate g0 g1 g2 = false -> all_on_plane g0 g1 g2 = false -> crosses g0 g1 g2.
 Proof.
-  unfold separate, all_on_plane, crosses. intros S P.
-  repeat split; intros (A & B & C); revert S P;
-    [apply Z.ltb_lt in A, B, C | apply Z.ltb_lt in A, B, C | apply Z.eqb_eq in A, B, C]; rewrite A, B, C; cbn;
-    rewrite ?orb_true_r; discriminate.
+  unfold separate, all_on_plane, crosses. rewrite orb_false_iff, !andb_false_iff, !Z.ltb_ge, !Z.eqb_neq. lia.
 Qed.
 Lemma all_on g0 g1 g2 : all_on_plane g0 g1 g2 = true <-> g0 = 0 /\ g1 = 0 /\ g2 = 0.
 Proof. unfold all_on_plane. rewrite !andb_true_iff, !Z.eqb_eq. tauto. Qed.

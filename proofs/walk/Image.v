@@ -92,11 +92,8 @@ Definition Accepted_is_tree := accepts = true ->
 
 Lemma siblings_fuel f : forall g x, x <= f -> x <= g -> siblings_from f x = siblings_from g x.
 Proof.
-  induction f as [|f IH]; intros g x F G.
-  - assert (x = 0) as -> by lia. now destruct g.
-  - destruct g as [|g]; cbn [siblings_from].
-    + assert (x = 0) as -> by lia. reflexivity.
-    + destruct (Nat.ltb_spec (link x) x); auto. f_equal. apply IH; lia.
+  induction f as [|f IH]; intros [|g] x F G; cbn [siblings_from]; try (replace x with 0 by lia; reflexivity).
+  destruct (Nat.ltb_spec (link x) x); auto. f_equal. apply IH; lia.
 Qed.
 
 Lemma siblings_eq x : siblings x = x :: if link x <? x then siblings (link x) else [].
@@ -105,19 +102,16 @@ Proof.
   destruct (Nat.ltb_spec (link (S x)) (S x)); auto. f_equal. apply siblings_fuel; lia.
 Qed.
 
-Lemma last_fuel f : forall g x, x <= f -> x <= g -> last_sibling cells f x = last_sibling cells g x.
+Lemma last_is f : forall x, last_sibling cells f x = List.last (siblings_from f x) 0.
 Proof.
-  induction f as [|f IH]; intros g x F G.
-  - assert (x = 0) as -> by lia. now destruct g.
-  - destruct g as [|g]; cbn [last_sibling]; fold (link x).
-    + assert (x = 0) as -> by lia. reflexivity.
-    + destruct (Nat.ltb_spec (link x) x); auto. apply IH; lia.
+  induction f as [|f IH]; intros x; [reflexivity|]. cbn [last_sibling siblings_from]. fold (link x).
+  destruct (link x <? x); [|reflexivity]. rewrite IH. now destruct f.
 Qed.
 
 Lemma last_eq x : last x = if link x <? x then last (link x) else x.
 Proof.
-  unfold last. destruct x as [|x]; [reflexivity|]. cbn [last_sibling]. fold (link (S x)).
-  destruct (Nat.ltb_spec (link (S x)) (S x)); auto. apply last_fuel; lia.
+  unfold last. rewrite !last_is. fold (siblings x) (siblings (link x)). rewrite (siblings_eq x).
+  destruct (link x <? x); [|reflexivity]. now rewrite (siblings_eq (link x)).
 Qed.
 
 Lemma last_le x : last x <= x.
