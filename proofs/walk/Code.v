@@ -435,13 +435,13 @@ Proof.
 Qed.
 
 (* To a child x of n, whether down from n or aside from another child. *)
-Ltac kid F L I := pose proof (fmt_inside _ _ F _ _ I) as [_ ?]; pose proof (fmt_monotone _ _ F _ _ I);
+Ltac kid F I := pose proof (fmt_inside _ _ F _ _ I) as [_ ?]; pose proof (fmt_monotone _ _ F _ _ I);
   pose proof (find_kid _ _ F _ _ I) as K; pose proof (after_parent' _ _ F _ _ I).
 Lemma kid_b i n x : i < length cells_a -> In x (children_b n) -> (rank_a i < rank_b n <= above_a i)%Z ->
   good i x /\ leaf_of (place cells_a i) (place cells_b x) = (if is_leaf cells_a i then LeafA else NoLeaf) /\
   side i x = (if is_leaf cells_a i then LeafA else NoLeaf).
 Proof.
-  intros L I [R P]. kid FB L I. unfold side, side_of, leaf_of, leaf. cbn [place place_rank node].
+  intros L I [R P]. kid FB I. unfold side, side_of, leaf_of, leaf. cbn [place place_rank node].
   rewrite K. fold (above_a i) (rank_b n). rewrite (proj2 (Z.leb_le _ _) P), andb_comm.
   split; [apply good_eq; unfold above_b, rank_a, rank_b in *; rewrite K; lia|]. now destruct x; [lia|].
 Qed.
@@ -449,7 +449,7 @@ Lemma kid_a j n x : j < length cells_b -> In x (children_a n) -> (rank_b j <= ra
   good x j /\ leaf_of (place cells_a x) (place cells_b j) = (if is_leaf cells_b j then LeafB else NoLeaf) /\
   side x j = (if is_leaf cells_b j then LeafB else NoLeaf).
 Proof.
-  intros L I [R P]. kid FA L I. unfold side, side_of, leaf_of, leaf. cbn [place place_rank node].
+  intros L I [R P]. kid FA I. unfold side, side_of, leaf_of, leaf. cbn [place place_rank node].
   rewrite K. fold (above_b j) (rank_a n). rewrite (proj2 (Z.leb_gt _ _) P).
   split; [apply good_eq; unfold above_a, rank_a, rank_b in *; rewrite K; lia|]. now destruct x; [lia|].
 Qed.
@@ -498,24 +498,26 @@ Lemma down_b i j : good i j -> tested cells_a cells_b bound begin touch i j = tr
   In x (children_b j) /\ turn A B overlap (Visit (pair_at i j)) = Visit (pair_at i x) /\ good i x /\
   side i x = (if is_leaf cells_a i then LeafA else NoLeaf).
 Proof.
-  intros G T L R x. rewrite good_eq in G. destruct G as ((LA & LB) & R1 & R2). destruct (internal _ _ FB j L) as (r & K). fold x in K.
-  pose proof (fmt_rank _ _ FB j ltac:(now rewrite K)). unfold is_leaf in R. rewrite Z.ltb_lt in R.
-  fold (rank_a i) (rank_b j) in *. assert (rank_a i < rank_b j)%Z as R' by lia.
-  assert (In x (children_b j)) as I by (rewrite K; now left). split; [exact I|]. split; [|destruct (kid_b i j x LA I) as (Gx & _ & Sx); auto].
-  unfold pair_at. cbn [turn]. fold (overlap i j) in T. rewrite T. change (kids B j) with (children_b j). rewrite K.
-  change (rank A i) with (rank_a i). change (rank B j) with (rank_b j). now rewrite (proj2 (Z.ltb_lt _ _) R').
+  intros G T L R x. pose proof G as ((LA & LB) & R1 & R2). destruct (internal _ _ FB j L) as (r & K). fold x in K.
+  assert (rank A i < rank B j)%Z as R'.
+  { pose proof (fmt_rank _ _ FB j ltac:(now rewrite K)). destruct R as [R | R]; [apply Z.ltb_lt in R; cbn; lia | exact R]. }
+  assert (In x (children_b j)) as I by (rewrite K; now left). split; [exact I|].
+  split; [|destruct (kid_b i j x LA I (conj R' R2)) as (Gx & _ & Sx); auto].
+  unfold pair_at. cbn [turn]. fold (overlap i j) in T. rewrite T, (proj2 (Z.ltb_lt _ _) R').
+  change (kids B j) with (children_b j). now rewrite K.
 Qed.
 Lemma down_a i j : good i j -> tested cells_a cells_b bound begin touch i j = true -> is_leaf cells_a i = false ->
   is_leaf cells_b j = true \/ (rank_b j <= rank_a i)%Z -> let x := first_child cells_a i in
   In x (children_a i) /\ turn A B overlap (Visit (pair_at i j)) = Visit (pair_at x j) /\ good x j /\
   side x j = (if is_leaf cells_b j then LeafB else NoLeaf).
 Proof.
-  intros G T L R x. rewrite good_eq in G. destruct G as ((LA & LB) & R1 & R2). destruct (internal _ _ FA i L) as (r & K). fold x in K.
-  pose proof (fmt_rank _ _ FA i ltac:(now rewrite K)). unfold is_leaf in R. rewrite Z.ltb_lt in R.
-  fold (rank_a i) (rank_b j) in *. assert (rank_b j <= rank_a i)%Z as R' by lia.
-  assert (In x (children_a i)) as I by (rewrite K; now left). split; [exact I|]. split; [|destruct (kid_a j i x LB I) as (Gx & _ & Sx); auto].
-  unfold pair_at. cbn [turn]. fold (overlap i j) in T. rewrite T. change (kids A i) with (children_a i). rewrite K.
-  change (rank A i) with (rank_a i). change (rank B j) with (rank_b j). now rewrite (proj2 (Z.ltb_ge _ _) R').
+  intros G T L R x. pose proof G as ((LA & LB) & R1 & R2). destruct (internal _ _ FA i L) as (r & K). fold x in K.
+  assert (rank B j <= rank A i)%Z as R'.
+  { pose proof (fmt_rank _ _ FA i ltac:(now rewrite K)). destruct R as [R | R]; [apply Z.ltb_lt in R; cbn; lia | exact R]. }
+  assert (In x (children_a i)) as I by (rewrite K; now left). split; [exact I|].
+  split; [|destruct (kid_a j i x LB I (conj R' R1)) as (Gx & _ & Sx); auto].
+  unfold pair_at. cbn [turn]. fold (overlap i j) in T. rewrite T, (proj2 (Z.ltb_ge _ _) R').
+  change (kids A i) with (children_a i). now rewrite K.
 Qed.
 
 (* Aside or up in B, in A. *)
