@@ -5,8 +5,7 @@
 // products, quotients and roots, which IEEE 754 rounds alike everywhere.
 //
 // Source: Jakobsen, "Advanced Character Physics", Game Developers Conference 2001.
-#ifndef FLASHBVH_CLOTH_CLOTH_HPP
-#define FLASHBVH_CLOTH_CLOTH_HPP
+#pragma once
 
 #include <flashbvh/deformable.hpp>
 
@@ -69,5 +68,3 @@ class Cloth {
 };
 
 }  // namespace cloth
-
-#endif

@@ -1,7 +1,6 @@
 // What the sensor reports at the shelves. Made up: the map's distances with 1.2 % of noise, and a
 // carton that was put on a shelf since the map was made.
-#ifndef FLASHBVH_RAY_SCAN_MEASURED_HPP
-#define FLASHBVH_RAY_SCAN_MEASURED_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -18,5 +17,3 @@ constexpr uint16_t kMeasuredAtTheShelves[kZones] = {
     1545, 1532, 1570, 1591, 1612, 1727, 1483, 1935,  //
     1615, 1597, 1609, 1613, 1701, 1746, 1504, 1933,  //
 };
-
-#endif

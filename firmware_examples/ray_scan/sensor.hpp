@@ -1,6 +1,5 @@
 // A time-of-flight sensor of 8 x 8 zones, 45 degrees wide: the ray through the middle of each zone.
-#ifndef FLASHBVH_RAY_SCAN_SENSOR_HPP
-#define FLASHBVH_RAY_SCAN_SENSOR_HPP
+#pragma once
 
 #include <flashbvh/float.hpp>
 
@@ -53,5 +52,3 @@ class Sensor {
   float right_[3];
   float cells_per_mm_;
 };
-
-#endif

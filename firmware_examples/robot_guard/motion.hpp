@@ -1,6 +1,5 @@
 // An arm's commands: from rest to rest, all joints in proportion.
-#ifndef FLASHBVH_ROBOT_GUARD_MOTION_HPP
-#define FLASHBVH_ROBOT_GUARD_MOTION_HPP
+#pragma once
 
 #include <flashbvh/robot/guard.hpp>
 
@@ -22,5 +21,3 @@ inline void set_point(const Motion& motion, int millisecond, float* joints) {
     joints[i] = motion.from[i] + way * (motion.to[i] - motion.from[i]);
   }
 }
-
-#endif

@@ -1,7 +1,6 @@
 // A call of any function object through one plain function pointer: whatever is measured is then
 // called in the same way, and cannot be inlined into the code that measures it.
-#ifndef FLASHBVH_PORT_CALL_HPP
-#define FLASHBVH_PORT_CALL_HPP
+#pragma once
 
 namespace port {
 
@@ -14,5 +13,3 @@ void call_object(void* function) {
 }
 
 }  // namespace port
-
-#endif

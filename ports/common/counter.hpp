@@ -1,7 +1,6 @@
 // What insn.cpp needs of an architecture: a count that is off by a constant, and code of known
 // length to check it by.
-#ifndef FLASHBVH_PORT_COUNTER_HPP
-#define FLASHBVH_PORT_COUNTER_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -20,5 +19,3 @@ void known_loop(void* passes);
 extern const uint32_t kInstructionsPerPass;
 
 }  // namespace port
-
-#endif

@@ -4,8 +4,7 @@
 // virtual time, at least 2.5 ticks of the core's timer on every board: the rounded quotient is the
 // number of instructions. They are instructions, not cycles: a division and a push of eight
 // registers count 1 each.
-#ifndef FLASHBVH_PORT_INSN_HPP
-#define FLASHBVH_PORT_INSN_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -27,5 +26,3 @@ uint32_t instructions_of(Function function) {
 }
 
 }  // namespace port
-
-#endif

@@ -1,8 +1,7 @@
 // Semihosting: how a program without an operating system calls the host behind the emulator (or the
 // debug probe) for output and for an end. Sources: Arm, "Semihosting for AArch32 and
 // AArch64"; RISC-V International, "RISC-V Semihosting".
-#ifndef FLASHBVH_PORT_SEMIHOSTING_HPP
-#define FLASHBVH_PORT_SEMIHOSTING_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -72,5 +71,3 @@ enum ExitStatus : int {
 }
 
 }  // namespace port
-
-#endif

@@ -1,8 +1,7 @@
 // How deep the stack got. The unused stack is painted with a word; what a program has written since
 // no longer carries it. Resolution 4 bytes; what a frame reserves below its last written word is
 // not seen, so compare with -fstack-usage.
-#ifndef FLASHBVH_PORT_STACK_HPP
-#define FLASHBVH_PORT_STACK_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -30,5 +29,3 @@ uint32_t stack_of(Function function) {
 void paint_stack();
 
 }  // namespace port
-
-#endif

@@ -1,6 +1,5 @@
 // What happens between reset and main() on every core, once the stack pointer is set.
-#ifndef FLASHBVH_PORT_START_HPP
-#define FLASHBVH_PORT_START_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -23,5 +22,3 @@ namespace port {
 int read_arguments(char*** argv) __attribute__((weak));
 
 }  // namespace port
-
-#endif

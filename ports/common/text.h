@@ -1,6 +1,5 @@
 /* Text output for firmware in C: text.hpp's, for strings and numbers. */
-#ifndef FLASHBVH_PORT_TEXT_H
-#define FLASHBVH_PORT_TEXT_H
+#pragma once
 
 #ifdef __cplusplus
 extern "C" {
@@ -11,6 +10,4 @@ void port_put_number(long value);
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

@@ -1,6 +1,5 @@
 // Text output for firmware that links no stdio: strings and decimal integers.
-#ifndef FLASHBVH_PORT_TEXT_HPP
-#define FLASHBVH_PORT_TEXT_HPP
+#pragma once
 
 namespace port {
 
@@ -21,5 +20,3 @@ void print(Values... values) {
 }
 
 }  // namespace port
-
-#endif

@@ -4,8 +4,7 @@
 // given as the instructions between two interrupts, 168,000 for 1 kHz on a core of 168 MHz that
 // executes one a cycle. On Cortex-M the interrupt is SysTick's, so a program has this or insn.hpp.
 // Elsewhere, where start-up code takes no interrupts, a loop stands for the timer.
-#ifndef FLASHBVH_PORT_TIMER_HPP
-#define FLASHBVH_PORT_TIMER_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -36,5 +35,3 @@ TaskTime each_period(uint32_t instructions_a_period, Function function) {
 }
 
 }  // namespace port
-
-#endif

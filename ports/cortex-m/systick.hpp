@@ -1,6 +1,5 @@
 // The core's timer.
-#ifndef FLASHBVH_PORT_SYSTICK_HPP
-#define FLASHBVH_PORT_SYSTICK_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -28,5 +27,3 @@ inline void forget_tick() {
 }
 
 }  // namespace port
-
-#endif

@@ -5,8 +5,7 @@
 // the firmware of painted.cpp calls it through a pointer, so that the painted depth is that of the
 // same machine code. What a query needs of the caller's memory lies in Arguments, and is not
 // counted as stack.
-#ifndef FLASHBVH_TESTS_PROOF_STACK_ARGUMENTS_HPP
-#define FLASHBVH_TESTS_PROOF_STACK_ARGUMENTS_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -171,5 +170,3 @@ Object& stack_proof::make_in(Room<size>& room, const Make& make) {
 extern "C" {
 using EntryFunction = void(stack_proof::Arguments* in);
 }
-
-#endif

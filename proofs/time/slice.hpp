@@ -1,6 +1,5 @@
 // What is analysed and measured: making a query, one run of it, and of a mesh against itself.
-#ifndef FLASHBVH_TESTS_BOUND_SLICE_HPP
-#define FLASHBVH_TESTS_BOUND_SLICE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -31,5 +30,3 @@ void bound_run(void* slice);
 void bound_run_itself(void* slice);
 void bound_done();  ///< after each of these: what follows is not looked at
 }
-
-#endif

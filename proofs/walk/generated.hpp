@@ -1,7 +1,6 @@
 // Random post-indexed trees, and what the library's walks do on them: pairs are tested by
 // functions of their indices, so that a model answers the same without a box.
-#ifndef FLASHBVH_TEST_PROOF_GENERATED_HPP
-#define FLASHBVH_TEST_PROOF_GENERATED_HPP
+#pragma once
 
 #include <utility>
 #include <vector>
@@ -172,5 +171,3 @@ void walk_on(const ModelTree& a, const ModelTree& b, const PairTests& tests, uin
 }
 
 }  // namespace flashbvh::test
-
-#endif

@@ -1,6 +1,5 @@
 // Random meshes and poses in both languages, and rows that call both alike.
-#ifndef FLASHBVH_TESTS_C_API_SCENE_HPP
-#define FLASHBVH_TESTS_C_API_SCENE_HPP
+#pragma once
 
 #include <cstdint>
 #include <cstring>
@@ -96,5 +95,3 @@ void wipe(Struct& object) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

@@ -1,6 +1,5 @@
 // A query in C against the same in C++, cut into random runs, saved, copied and resumed.
-#ifndef FLASHBVH_TESTS_C_API_SLICES_HPP
-#define FLASHBVH_TESTS_C_API_SLICES_HPP
+#pragma once
 
 #include "c_api/scene.hpp"
 #include "flashbvh/deformable.h"
@@ -132,5 +131,3 @@ class Slices {
 };
 
 }  // namespace flashbvh::test
-
-#endif

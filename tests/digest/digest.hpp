@@ -1,7 +1,6 @@
 // One number for thousands of queries: every pair reported, in its order, every count, and under
 // one rule where each pair intersects.
-#ifndef FLASHBVH_TESTS_DIGEST_DIGEST_HPP
-#define FLASHBVH_TESTS_DIGEST_DIGEST_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -40,5 +39,3 @@ constexpr uint64_t kExpectedDistances = 0x9F9D28F1E08022E9u;
 constexpr uint64_t kExpectedRays = 0x1BC7A7B50DE8E882u;
 
 }  // namespace digest
-
-#endif

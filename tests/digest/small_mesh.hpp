@@ -1,6 +1,5 @@
 // Random meshes in fixed arrays and poses that translate them against each other.
-#ifndef FLASHBVH_TESTS_DIGEST_SMALL_MESH_HPP
-#define FLASHBVH_TESTS_DIGEST_SMALL_MESH_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -25,5 +24,3 @@ void make_mesh(flashbvh::test::Random& random, const Scale& scale, SmallMesh& me
 flashbvh::Pose any_pose(flashbvh::test::Random& random, const Scale& scale);
 
 }  // namespace digest
-
-#endif

@@ -2,8 +2,7 @@
 // smallest core and on those without C++ headers. Binary, of any shape; both layouts; small.
 //
 // An implementation of the layouts of its own: check_tree() proves what it makes.
-#ifndef FLASHBVH_TESTS_DIGEST_SMALL_TREE_HPP
-#define FLASHBVH_TESTS_DIGEST_SMALL_TREE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -59,5 +58,3 @@ class SmallTree {
 };
 
 }  // namespace digest
-
-#endif

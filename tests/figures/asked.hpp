@@ -1,6 +1,5 @@
 // The queries that the figures are about: two meshes, a pose, and what it is known to count.
-#ifndef FLASHBVH_TESTS_FIGURES_ASKED_HPP
-#define FLASHBVH_TESTS_FIGURES_ASKED_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -75,5 +74,3 @@ bool ask_all(const Ask& ask) {
 }
 
 }  // namespace figures
-
-#endif

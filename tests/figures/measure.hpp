@@ -1,6 +1,5 @@
 // Instructions of a query and its parts, counted on the target.
-#ifndef FLASHBVH_TESTS_FIGURES_MEASURE_HPP
-#define FLASHBVH_TESTS_FIGURES_MEASURE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -80,5 +79,3 @@ void add_triangle_tests(const char* set, const flashbvh::Mesh& a, const flashbvh
                         const flashbvh::Pose& pose);
 
 }  // namespace figures
-
-#endif

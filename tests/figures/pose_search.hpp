@@ -1,6 +1,5 @@
 // Poses of a given proximity, the same on every machine. For the host: it tries until it has one.
-#ifndef FLASHBVH_TESTS_FIGURES_POSE_SEARCH_HPP
-#define FLASHBVH_TESTS_FIGURES_POSE_SEARCH_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -53,5 +52,3 @@ class PoseSearch {
 };
 
 }  // namespace figures
-
-#endif

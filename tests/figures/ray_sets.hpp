@@ -1,7 +1,6 @@
 // The rays that the figures are about: aimed at a mesh's box from outside, and fans of rays from
 // one place, as sensors scan. Of integers alone, so that they are the same everywhere.
-#ifndef FLASHBVH_TESTS_FIGURES_RAY_SETS_HPP
-#define FLASHBVH_TESTS_FIGURES_RAY_SETS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -89,5 +88,3 @@ inline flashbvh::Segment of_fan(const Fan& fan, const Box& box, int32_t row, int
 }
 
 }  // namespace figures
-
-#endif

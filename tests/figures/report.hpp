@@ -4,8 +4,7 @@
 //     quotient kr5.visit.rotated.mean 873 10       the same, of which results.py makes 87.30
 //     count kr5.rotated.close.visits.max 708       equal on every core and on this machine
 // Where no instructions are counted, on the host, there are counts alone.
-#ifndef FLASHBVH_TESTS_FIGURES_REPORT_HPP
-#define FLASHBVH_TESTS_FIGURES_REPORT_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -53,5 +52,3 @@ void print_count(const Name& name, uint32_t value);
 int print_all(const char* set, bool right);
 
 }  // namespace figures
-
-#endif

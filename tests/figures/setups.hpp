@@ -1,6 +1,5 @@
 // The setups of one firmware image, as `flashbvh bench --firmware` writes them.
-#ifndef FLASHBVH_TESTS_FIGURES_SETUPS_HPP
-#define FLASHBVH_TESTS_FIGURES_SETUPS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -30,5 +29,3 @@ extern const Setup kSetups[];
 extern const Head kLeftOut[];  ///< the setups that are in no image
 
 }  // namespace benchmark
-
-#endif

@@ -1,6 +1,5 @@
 // A pose made of an input's bytes: any translation, and any rotation or none.
-#ifndef FLASHBVH_TESTS_FUZZ_ANY_POSE_HPP
-#define FLASHBVH_TESTS_FUZZ_ANY_POSE_HPP
+#pragma once
 
 #include "fuzz/fuzz.hpp"
 #include "support/rotations.hpp"
@@ -35,5 +34,3 @@ inline Pose any_pose(Input& input) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

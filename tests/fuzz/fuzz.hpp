@@ -1,7 +1,6 @@
 // What the fuzzed programs share. Each defines LLVMFuzzerTestOneInput(), which libFuzzer calls, or
 // replay.cpp where there is no libFuzzer.
-#ifndef FLASHBVH_TESTS_FUZZ_HPP
-#define FLASHBVH_TESTS_FUZZ_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -44,5 +43,3 @@ class Input {
 };
 
 }  // namespace flashbvh::test
-
-#endif

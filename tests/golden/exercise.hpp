@@ -4,8 +4,7 @@
 // The bytes are opened in a heap block of exactly their size, so that the address sanitizer sees
 // each access beyond them. A query ends within as many visits as there are pairs of nodes: all
 // traversals but `leaf` visit a pair at most once, and `leaf` visits pairs of a leaf and a node.
-#ifndef FLASHBVH_TESTS_GOLDEN_EXERCISE_HPP
-#define FLASHBVH_TESTS_GOLDEN_EXERCISE_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -32,5 +31,3 @@ void repair_crc(void* bytes, std::size_t size);
 std::vector<Pose> telling_poses();
 
 }  // namespace flashbvh::test
-
-#endif

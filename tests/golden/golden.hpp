@@ -1,7 +1,6 @@
 // The images of this version of the format that are kept in the repository, and how they come
 // about.
-#ifndef FLASHBVH_TESTS_GOLDEN_HPP
-#define FLASHBVH_TESTS_GOLDEN_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -36,5 +35,3 @@ extern const char* const kKeptAnswers;
 std::string answers_of(const KeptImage* images, std::size_t count);
 
 }  // namespace flashbvh::test
-
-#endif

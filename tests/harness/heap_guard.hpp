@@ -1,6 +1,5 @@
 // A scope in which nothing may allocate.
-#ifndef FLASHBVH_HEAP_GUARD_HPP
-#define FLASHBVH_HEAP_GUARD_HPP
+#pragma once
 
 /// While one is alive, malloc, calloc, realloc and operator new end the process with a message and
 /// status 122, which fails the test. Freeing is allowed.
@@ -13,5 +12,3 @@ class HeapForbidden {
   HeapForbidden(const HeapForbidden&) = delete;
   HeapForbidden& operator=(const HeapForbidden&) = delete;
 };
-
-#endif

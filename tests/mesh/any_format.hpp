@@ -1,6 +1,5 @@
 // One triangle as text, in each format that has one.
-#ifndef FLASHBVH_TESTS_MESH_ANY_FORMAT_HPP
-#define FLASHBVH_TESTS_MESH_ANY_FORMAT_HPP
+#pragma once
 
 #include <array>
 #include <string>
@@ -41,5 +40,3 @@ std::string refusal(Read read, const std::string& bytes) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

@@ -1,7 +1,6 @@
 // Rays aimed at edges and corners of a closed mesh whose winding number is 0 or 1: where float ray
 // casters lose them.
-#ifndef FLASHBVH_TESTS_QUERY_AIMED_RAYS_HPP
-#define FLASHBVH_TESTS_QUERY_AIMED_RAYS_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -55,5 +54,3 @@ class AimedRays {
 };
 
 }  // namespace flashbvh::test
-
-#endif

@@ -3,8 +3,7 @@
 // Invariant: the leaves of A before `a` are done; for leaf `a`, so is what lies before `b` in B's
 // order from left to right.
 // Either layout. The escape index of a post-indexed last child is found by climbing.
-#ifndef FLASHBVH_REFERENCE_LEAF_HPP
-#define FLASHBVH_REFERENCE_LEAF_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -110,5 +109,3 @@ class Leaf {
 };
 
 }  // namespace flashbvh
-
-#endif

@@ -4,8 +4,7 @@
 // The paper's functions of a node (sections 3, 7 and 8): Level, RCL (right child level: how many
 // last children lie straight above a node, itself included; the root counts as a left child),
 // Escape, and LevelUp(i, x), the ancestor x levels above i along last children.
-#ifndef FLASHBVH_REFERENCE_LEVELS_HPP
-#define FLASHBVH_REFERENCE_LEVELS_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -128,5 +127,3 @@ MeshType view_with_levels(const void* image) {
 }
 
 }  // namespace flashbvh
-
-#endif

@@ -1,6 +1,5 @@
 // The levels of a tree whose image has none.
-#ifndef FLASHBVH_REFERENCE_MADE_LEVELS_HPP
-#define FLASHBVH_REFERENCE_MADE_LEVELS_HPP
+#pragma once
 
 #include <cstddef>
 #include <vector>
@@ -36,5 +35,3 @@ Status open_levelled(const void* bytes, std::size_t size, BasicMeshWithLevels<In
 }
 
 }  // namespace flashbvh
-
-#endif

@@ -12,8 +12,7 @@
 //
 // Tuned as ranked.hpp is: node addresses in registers, pairs of indices on the stack, and the one
 // later sibling that a binary node has is pushed without a loop.
-#ifndef FLASHBVH_REFERENCE_STACK_TRAVERSALS_HPP
-#define FLASHBVH_REFERENCE_STACK_TRAVERSALS_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -272,5 +271,3 @@ template <class Tree>
 using RankedStack = StackOrder<Tree, RankRule>;
 
 }  // namespace flashbvh
-
-#endif

@@ -13,8 +13,7 @@
 // LevelUp(i, x) = i - x; on pre-indexed ones it climbs from parent to parent (mesh.hpp).
 //
 // The walk is over when a node is the imaginary end node, the root's escape index.
-#ifndef FLASHBVH_REFERENCE_STACKLESS_HPP
-#define FLASHBVH_REFERENCE_STACKLESS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -159,5 +158,3 @@ using StacklessPost = AlternatingStackless<MeshWithLevels>;
 using StacklessPost32 = AlternatingStackless<MeshWithLevels32>;
 
 }  // namespace flashbvh
-
-#endif

@@ -1,7 +1,6 @@
 // Where a pose puts a vertex, by the definition in lib/docs/derivations.md and by nothing of the
 // library's own arithmetic.
-#ifndef FLASHBVH_REFERENCE_TRANSFORMED_COORDINATE_HPP
-#define FLASHBVH_REFERENCE_TRANSFORMED_COORDINATE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -33,5 +32,3 @@ inline int32_t transformed_coordinate(const int32_t* origin, const Vertex& v, co
 }
 
 }  // namespace flashbvh
-
-#endif

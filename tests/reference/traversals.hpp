@@ -2,8 +2,7 @@
 // last.
 //
 // Nothing of C++'s library and no heap, so that firmware may use it.
-#ifndef FLASHBVH_REFERENCE_TRAVERSALS_HPP
-#define FLASHBVH_REFERENCE_TRAVERSALS_HPP
+#pragma once
 
 #include "flashbvh/detail/query/intersection.hpp"
 #include "flashbvh/detail/walk/ranked.hpp"
@@ -53,5 +52,3 @@ constexpr const char* default_traversal(Layout layout) {
 }
 
 }  // namespace flashbvh
-
-#endif

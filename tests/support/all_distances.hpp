@@ -1,6 +1,5 @@
 // The distance of every pair of triangles of two meshes, by brute force.
-#ifndef FLASHBVH_TESTS_SUPPORT_ALL_DISTANCES_HPP
-#define FLASHBVH_TESTS_SUPPORT_ALL_DISTANCES_HPP
+#pragma once
 
 #include <catch2/catch.hpp>
 
@@ -60,5 +59,3 @@ inline double length_of(const detail::Fraction& squared) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

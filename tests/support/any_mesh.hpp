@@ -1,6 +1,5 @@
 // Meshes in both layouts, poses, and queries by any order.
-#ifndef FLASHBVH_TESTS_SUPPORT_ANY_MESH_HPP
-#define FLASHBVH_TESTS_SUPPORT_ANY_MESH_HPP
+#pragma once
 
 #include <cstdint>
 #include <tuple>
@@ -57,5 +56,3 @@ inline Scene any_scene(Random& random) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

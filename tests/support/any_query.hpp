@@ -1,6 +1,5 @@
 // A query of any order, with the array that its stack needs and no entry more; and one of each.
-#ifndef FLASHBVH_TESTS_SUPPORT_ANY_QUERY_HPP
-#define FLASHBVH_TESTS_SUPPORT_ANY_QUERY_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -42,5 +41,3 @@ void for_each_query(const Tree& a, const Tree& b, const Pose& pose, Use use) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

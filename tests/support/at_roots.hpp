@@ -1,7 +1,6 @@
 // The orders of reference/traversals.hpp for what runs each of them: on each layout, and at its
 // start, whether it has a stack or not. Nothing of C++'s library.
-#ifndef FLASHBVH_TESTS_SUPPORT_AT_ROOTS_HPP
-#define FLASHBVH_TESTS_SUPPORT_AT_ROOTS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -63,5 +62,3 @@ void for_each_stackless_order(Use&& use) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

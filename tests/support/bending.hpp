@@ -1,6 +1,5 @@
 // Meshes that bend, for tests: soups, sheets and tubes, and ways to move their vertices.
-#ifndef FLASHBVH_TESTS_SUPPORT_BENDING_HPP
-#define FLASHBVH_TESTS_SUPPORT_BENDING_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -105,5 +104,3 @@ struct Bending {
 };
 
 }  // namespace flashbvh::test
-
-#endif

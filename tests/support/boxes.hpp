@@ -1,7 +1,6 @@
 // Closed boxes, also inside out, also into each other; and the winding number of a closed mesh by
 // another way than the library's: solid angles.
-#ifndef FLASHBVH_TESTS_SUPPORT_BOXES_HPP
-#define FLASHBVH_TESTS_SUPPORT_BOXES_HPP
+#pragma once
 
 #include <cmath>
 
@@ -74,5 +73,3 @@ inline long winding_of(double angles) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

@@ -1,7 +1,6 @@
 // The queries of all orders, compiled once for all tests (compiled_queries.cpp): the walk and the
 // test of triangles, which take no sink. Those of Ranked are in the library.
-#ifndef FLASHBVH_TESTS_SUPPORT_COMPILED_QUERIES_HPP
-#define FLASHBVH_TESTS_SUPPORT_COMPILED_QUERIES_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -31,5 +30,3 @@ FLASHBVH_COMPILED_QUERIES(extern, uint16_t);
 FLASHBVH_COMPILED_QUERIES(extern, uint32_t);
 
 }  // namespace flashbvh
-
-#endif

@@ -1,6 +1,5 @@
 // What no query on two meshes exceeds, however bad their trees are.
-#ifndef FLASHBVH_TESTS_MOST_WORK_HPP
-#define FLASHBVH_TESTS_MOST_WORK_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -35,5 +34,3 @@ std::uint32_t most_work_of_nodes(const Mesh& a, const Mesh& b) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

@@ -1,6 +1,5 @@
 // An image as a mesh with levels, whether it has them or not.
-#ifndef FLASHBVH_TESTS_OPENED_HPP
-#define FLASHBVH_TESTS_OPENED_HPP
+#pragma once
 
 #include <cstddef>
 #include <vector>
@@ -20,5 +19,3 @@ struct Opened {
 };
 
 }  // namespace flashbvh::test
-
-#endif

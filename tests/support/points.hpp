@@ -1,6 +1,5 @@
 // Points, triangles and boxes: random ones, moved ones, equal ones.
-#ifndef FLASHBVH_TESTS_SUPPORT_POINTS_HPP
-#define FLASHBVH_TESTS_SUPPORT_POINTS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -86,5 +85,3 @@ inline BoxInNode in_node(Random& random, const Box& box) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

@@ -1,6 +1,5 @@
 // Queries run to their end, in runs of any length, for every traversal alike.
-#ifndef FLASHBVH_TESTS_SUPPORT_QUERIES_HPP
-#define FLASHBVH_TESTS_SUPPORT_QUERIES_HPP
+#pragma once
 
 #include <catch2/catch.hpp>
 
@@ -43,5 +42,3 @@ Pairs run_to_end(Query& query, std::uint32_t work, std::uint32_t capacity) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

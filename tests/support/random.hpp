@@ -1,6 +1,5 @@
 // Reproducible randomness for tests: the same numbers on every host and core.
-#ifndef FLASHBVH_TESTS_SUPPORT_RANDOM_HPP
-#define FLASHBVH_TESTS_SUPPORT_RANDOM_HPP
+#pragma once
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -78,5 +77,3 @@ inline Random test_random(uint64_t stream = 0) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

@@ -1,6 +1,5 @@
 // Runs a traversal and writes down which pairs it visits.
-#ifndef FLASHBVH_TESTS_SUPPORT_RECORD_HPP
-#define FLASHBVH_TESTS_SUPPORT_RECORD_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -127,5 +126,3 @@ inline NodePairs brute_force(const bake::BuildTree& a, const bake::BuildTree& b,
 }
 
 }  // namespace flashbvh::test
-
-#endif

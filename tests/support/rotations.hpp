@@ -1,6 +1,5 @@
 // Rotations and poses for tests, made of integers alone: the same on every core.
-#ifndef FLASHBVH_TESTS_SUPPORT_ROTATIONS_HPP
-#define FLASHBVH_TESTS_SUPPORT_ROTATIONS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -74,5 +73,3 @@ inline Pose any_rigid_pose(Random& random, int32_t reach) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

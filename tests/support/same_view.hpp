@@ -1,6 +1,5 @@
 // Whether two views hold the same numbers.
-#ifndef FLASHBVH_TESTS_SAME_VIEW_HPP
-#define FLASHBVH_TESTS_SAME_VIEW_HPP
+#pragma once
 
 #include <stdint.h>
 #include <string.h>
@@ -48,5 +47,3 @@ inline bool same_view(const Robot& u, const Robot& v) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

@@ -1,6 +1,5 @@
 // Random meshes and trees of every shape, small enough to check by brute force.
-#ifndef FLASHBVH_TESTS_SUPPORT_SHAPES_HPP
-#define FLASHBVH_TESTS_SUPPORT_SHAPES_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -35,5 +34,3 @@ bake::BuildTree full_tree(const bake::LatticeMesh& mesh, std::uint32_t depth);
 bake::BuildTree any_tree(Random& random, const bake::LatticeMesh& mesh);
 
 }  // namespace flashbvh::test
-
-#endif

@@ -1,7 +1,6 @@
 // Two meshes, their trees and a pose in 4 KB of stack, and which of their triangles intersect: for
 // tests that run on every board.
-#ifndef FLASHBVH_TESTS_SUPPORT_SMALL_SCENE_HPP
-#define FLASHBVH_TESTS_SUPPORT_SMALL_SCENE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -103,5 +102,3 @@ class Report {
 };
 
 }  // namespace flashbvh::test
-
-#endif

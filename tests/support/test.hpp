@@ -1,6 +1,5 @@
 // What nearly every test with a heap includes.
-#ifndef FLASHBVH_TESTS_SUPPORT_TEST_HPP
-#define FLASHBVH_TESTS_SUPPORT_TEST_HPP
+#pragma once
 
 #include <catch2/catch.hpp>
 
@@ -38,5 +37,3 @@ void for_rounds(Count count, const Body& body) {
 
 using namespace flashbvh;
 using namespace flashbvh::test;
-
-#endif

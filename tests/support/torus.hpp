@@ -1,6 +1,5 @@
 // A closed mesh that any test can make: a torus round the z axis.
-#ifndef FLASHBVH_TESTS_SUPPORT_TORUS_HPP
-#define FLASHBVH_TESTS_SUPPORT_TORUS_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -13,5 +12,3 @@ namespace flashbvh::test {
 bake::LatticeMesh torus(std::uint32_t around, std::uint32_t across, double ring, double tube);
 
 }  // namespace flashbvh::test
-
-#endif

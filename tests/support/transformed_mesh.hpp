@@ -1,6 +1,5 @@
 // transformed_vertex.hpp for meshes before they are baked.
-#ifndef FLASHBVH_TESTS_SUPPORT_TRANSFORMED_MESH_HPP
-#define FLASHBVH_TESTS_SUPPORT_TRANSFORMED_MESH_HPP
+#pragma once
 
 #include <cstdint>
 #include <utility>
@@ -29,5 +28,3 @@ inline std::vector<std::pair<std::uint32_t, std::uint32_t>> brute_force(const ba
 }
 
 }  // namespace flashbvh::test
-
-#endif

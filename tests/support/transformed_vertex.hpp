@@ -1,6 +1,5 @@
 // Which triangles intersect under a pose, by trying all pairs of them.
-#ifndef FLASHBVH_TESTS_SUPPORT_TRANSFORMED_VERTEX_HPP
-#define FLASHBVH_TESTS_SUPPORT_TRANSFORMED_VERTEX_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -67,5 +66,3 @@ void for_all_pairs(const Mesh& a, const Mesh& b, const detail::Transform& transf
 }
 
 }  // namespace flashbvh::test
-
-#endif

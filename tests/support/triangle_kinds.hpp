@@ -1,6 +1,5 @@
 // Random pairs of triangles of the kinds that the exact test tells apart, by what they cost.
-#ifndef FLASHBVH_TESTS_SUPPORT_TRIANGLE_KINDS_HPP
-#define FLASHBVH_TESTS_SUPPORT_TRIANGLE_KINDS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -59,5 +58,3 @@ inline void set_random_pair(Random& random, const TriangleKind& kind, Triangle& 
 }
 
 }  // namespace flashbvh::test
-
-#endif

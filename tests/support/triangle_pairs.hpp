@@ -1,6 +1,5 @@
 // Random pairs of triangles as a query reports them: of every kind, many of which intersect.
-#ifndef FLASHBVH_TESTS_SUPPORT_TRIANGLE_PAIRS_HPP
-#define FLASHBVH_TESTS_SUPPORT_TRIANGLE_PAIRS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -151,5 +150,3 @@ inline TransformedPair translated_anywhere(Random& random, const TransformedPair
 }
 
 }  // namespace flashbvh::test
-
-#endif

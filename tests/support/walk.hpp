@@ -1,6 +1,5 @@
 // Walks over boxes alone, without a query: from a cursor on, however many pairs of leaves come.
-#ifndef FLASHBVH_TESTS_SUPPORT_WALK_HPP
-#define FLASHBVH_TESTS_SUPPORT_WALK_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -28,5 +27,3 @@ Walked walk_from(const typename Traversal::Tree& a, const typename Traversal::Tr
 }
 
 }  // namespace flashbvh::test
-
-#endif

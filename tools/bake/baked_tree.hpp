@@ -1,6 +1,5 @@
 // A tree laid out in arrays, ready to be written or queried.
-#ifndef FLASHBVH_TOOLS_BAKE_BAKED_TREE_HPP
-#define FLASHBVH_TOOLS_BAKE_BAKED_TREE_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -84,5 +83,3 @@ void show_quads(BakedTree<Index, layout>& baked);
   KIND(std::uint32_t, Layout::post_indexed)
 
 }  // namespace flashbvh::bake
-
-#endif

@@ -1,6 +1,5 @@
 // What a mesh takes that bends (flashbvh/deformable.hpp).
-#ifndef FLASHBVH_TOOLS_BAKE_BENDING_HPP
-#define FLASHBVH_TOOLS_BAKE_BENDING_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -34,5 +33,3 @@ BendingCost bending_cost(const Mesh& mesh) {
 }
 
 }  // namespace flashbvh::bake
-
-#endif

@@ -1,6 +1,5 @@
 // A binary tree with one triangle a leaf, in which subtrees can be moved.
-#ifndef FLASHBVH_TOOLS_BAKE_BINARY_TREE_HPP
-#define FLASHBVH_TOOLS_BAKE_BINARY_TREE_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -43,5 +42,3 @@ std::uint64_t reinsert_all(BinaryTree& tree);
 BuildTree with_leaves(const BinaryTree& tree, std::uint32_t leaf_size);
 
 }  // namespace flashbvh::bake
-
-#endif

@@ -1,6 +1,5 @@
 // A tree over a lattice mesh, of any shape, before it is laid out in an array.
-#ifndef FLASHBVH_TOOLS_BAKE_BUILD_TREE_HPP
-#define FLASHBVH_TOOLS_BAKE_BUILD_TREE_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -52,5 +51,3 @@ constexpr std::uint32_t kDefaultArity = 4;
 BuildTree build_default(const LatticeMesh& mesh, std::uint32_t leaf_size = kDefaultLeafSize);
 
 }  // namespace flashbvh::bake
-
-#endif

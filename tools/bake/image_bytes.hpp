@@ -1,6 +1,5 @@
 // A baked tree as a binary image (flashbvh/image.hpp, lib/docs/format.md).
-#ifndef FLASHBVH_TOOLS_BAKE_IMAGE_BYTES_HPP
-#define FLASHBVH_TOOLS_BAKE_IMAGE_BYTES_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -19,5 +18,3 @@ template <class Index, Layout layout>
 std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>& baked, bool levels = false);
 
 }  // namespace flashbvh::bake
-
-#endif

@@ -1,7 +1,6 @@
 // Which triangle of a leaf comes first: the one whose slabs reject most
 // (lib/docs/design.md, section 6).
-#ifndef FLASHBVH_TOOLS_BAKE_LEAF_ORDER_HPP
-#define FLASHBVH_TOOLS_BAKE_LEAF_ORDER_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -16,5 +15,3 @@ std::vector<std::uint32_t> leaf_order(const LatticeMesh& mesh,
                                       std::vector<std::uint32_t> triangles);
 
 }  // namespace flashbvh::bake
-
-#endif

@@ -2,8 +2,7 @@
 //
 // A box counts as the cells that it covers, its extent and one more along each axis: so flat and
 // thin boxes, and points, have a size too.
-#ifndef FLASHBVH_TOOLS_BAKE_MEASURE_HPP
-#define FLASHBVH_TOOLS_BAKE_MEASURE_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -48,5 +47,3 @@ constexpr std::uint64_t chance_of_overlap(const Box& parent, const Box& child) {
 }
 
 }  // namespace flashbvh::bake
-
-#endif

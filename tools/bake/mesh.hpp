@@ -1,6 +1,5 @@
 // The meshes that baking passes through: as read, and on the lattice.
-#ifndef FLASHBVH_TOOLS_BAKE_MESH_HPP
-#define FLASHBVH_TOOLS_BAKE_MESH_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -35,5 +34,3 @@ struct LatticeMesh {
 };
 
 }  // namespace flashbvh::bake
-
-#endif

@@ -1,6 +1,5 @@
 // From a mesh in its unit to a mesh on the lattice.
-#ifndef FLASHBVH_TOOLS_BAKE_QUANTISE_HPP
-#define FLASHBVH_TOOLS_BAKE_QUANTISE_HPP
+#pragma once
 
 #include "bake/mesh.hpp"
 
@@ -28,5 +27,3 @@ double deviation(const SourceMesh& mesh, double cell);
 LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell);
 
 }  // namespace flashbvh::bake
-
-#endif

@@ -8,8 +8,7 @@
 // parts of the extents of a and b together: of two nodes, a and b have the same denominator. So
 // each node's side is multiplied by its own extents, and becomes a length that any two nodes can
 // compare.
-#ifndef FLASHBVH_TOOLS_BAKE_RANK_HPP
-#define FLASHBVH_TOOLS_BAKE_RANK_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -46,5 +45,3 @@ inline std::uint32_t rank_of(const BuildTree& tree, const BuildNode& node) {
 }
 
 }  // namespace flashbvh::bake
-
-#endif

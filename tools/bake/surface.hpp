@@ -1,6 +1,5 @@
 // What a mesh's surface is made of.
-#ifndef FLASHBVH_TOOLS_BAKE_SURFACE_HPP
-#define FLASHBVH_TOOLS_BAKE_SURFACE_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -20,5 +19,3 @@ struct Surface {
 Surface surface_of(const LatticeMesh& mesh);
 
 }  // namespace flashbvh::bake
-
-#endif

@@ -1,6 +1,5 @@
 // The subcommands, and what they share: options, and what a slip of the command line must not cost.
-#ifndef FLASHBVH_TOOLS_CLI_COMMANDS_HPP
-#define FLASHBVH_TOOLS_CLI_COMMANDS_HPP
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -95,5 +94,3 @@ std::pair<CLI::App&, Arguments&> add_command(CLI::App& app, const char* name, co
 void add_unit_option(CLI::App& command, std::vector<std::string>& given);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,6 +1,5 @@
 // JSON as all commands print it: fields in order, a line an object.
-#ifndef FLASHBVH_TOOLS_CLI_JSON_HPP
-#define FLASHBVH_TOOLS_CLI_JSON_HPP
+#pragma once
 
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -47,5 +46,3 @@ inline Json unguarded_json(const Model& model, const std::vector<UnguardedPair>&
 }
 
 }  // namespace flashbvh::tool
-
-#endif

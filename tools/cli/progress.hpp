@@ -1,6 +1,5 @@
 // A bar on standard error while a command works.
-#ifndef FLASHBVH_TOOLS_CLI_PROGRESS_HPP
-#define FLASHBVH_TOOLS_CLI_PROGRESS_HPP
+#pragma once
 
 #include <condition_variable>
 #include <mutex>
@@ -39,5 +38,3 @@ class Progress {
 };
 
 }  // namespace flashbvh::tool
-
-#endif

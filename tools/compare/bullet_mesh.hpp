@@ -1,6 +1,5 @@
 // A baked mesh as Bullet takes it: its triangles in the order of the baked mesh.
-#ifndef FLASHBVH_TOOLS_COMPARE_BULLET_MESH_HPP
-#define FLASHBVH_TOOLS_COMPARE_BULLET_MESH_HPP
+#pragma once
 
 #include <btBulletCollisionCommon.h>
 
@@ -56,5 +55,3 @@ inline btTransform transform_of(const flashbvh::Pose& pose) {
 }
 
 }  // namespace compare
-
-#endif

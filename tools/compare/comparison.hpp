@@ -2,8 +2,7 @@
 //
 // A library has two meshes and a set of poses, which it visits in turn: a Collider finds pairs of
 // triangles, a DistanceMeter distances, a RayCaster hits of rays.
-#ifndef FLASHBVH_TOOLS_COMPARE_COMPARISON_HPP
-#define FLASHBVH_TOOLS_COMPARE_COMPARISON_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -151,5 +150,3 @@ void print_times(const std::vector<Timed>& libraries, Wanted wanted, const std::
                  flashbvh::test::Random& random);
 
 }  // namespace compare
-
-#endif

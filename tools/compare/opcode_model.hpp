@@ -1,7 +1,6 @@
 // OPCODE's model of a baked mesh, on the desktop and on boards. Its headers come last, for their
 // macros: `for`, `null`, `override`.
-#ifndef FLASHBVH_TOOLS_COMPARE_OPCODE_MODEL_HPP
-#define FLASHBVH_TOOLS_COMPARE_OPCODE_MODEL_HPP
+#pragma once
 
 #include <cstdlib>
 #include <vector>
@@ -71,5 +70,3 @@ inline IceMaths::Matrix4x4 matrix_of(const flashbvh::Pose& pose) {
 }
 
 }  // namespace compare
-
-#endif

@@ -1,6 +1,5 @@
 // Vertices and poses of flashbvh in the numbers and the unit of the other libraries.
-#ifndef FLASHBVH_TOOLS_COMPARE_UNITS_HPP
-#define FLASHBVH_TOOLS_COMPARE_UNITS_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -33,5 +32,3 @@ inline double translation_of(const flashbvh::Pose& pose, int axis) {
 }
 
 }  // namespace compare
-
-#endif

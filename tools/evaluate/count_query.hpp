@@ -1,6 +1,5 @@
 // A query run to its end, for its counts.
-#ifndef FLASHBVH_TOOLS_EVALUATE_COUNT_QUERY_HPP
-#define FLASHBVH_TOOLS_EVALUATE_COUNT_QUERY_HPP
+#pragma once
 
 #include <cstdint>
 #include <type_traits>
@@ -58,5 +57,3 @@ QueryStats count_query(const typename Traversal::Tree& a, const typename Travers
 }
 
 }  // namespace flashbvh::scene
-
-#endif

@@ -1,6 +1,5 @@
 // The evaluation's setups as C++ for firmware: images, and a table of the walks on them.
-#ifndef FLASHBVH_TOOLS_EVALUATE_FIRMWARE_WRITER_HPP
-#define FLASHBVH_TOOLS_EVALUATE_FIRMWARE_WRITER_HPP
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -20,5 +19,3 @@ struct FirmwareOptions {
 void write_firmware(const FirmwareOptions& options);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,7 +1,6 @@
 // What queries at some poses needed, what a core can take for it at most, and the most that any
 // pose can take: if all boxes overlap.
-#ifndef FLASHBVH_TOOLS_EVALUATE_NEEDED_WORK_HPP
-#define FLASHBVH_TOOLS_EVALUATE_NEEDED_WORK_HPP
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -52,5 +51,3 @@ struct VisitBound {
 VisitBound visit_bound(const AnyTree& a, const AnyTree& b, const std::string& algorithm);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,8 +1,7 @@
 // Poses: as text, of 12 numbers, the rotation row by row, then the translation, B into A's frame in
 // the mesh's unit; on the lattice, as the library takes them; and where they put a mesh. Points and
 // rays as text, in a mesh's frame and unit.
-#ifndef FLASHBVH_TOOLS_EVALUATE_POSES_HPP
-#define FLASHBVH_TOOLS_EVALUATE_POSES_HPP
+#pragma once
 
 #include <array>
 #include <string>
@@ -49,5 +48,3 @@ std::vector<Point> read_lattice_points(const std::string& path, double cell);
 std::vector<Segment> read_lattice_rays(const std::string& path, double cell);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,6 +1,5 @@
 // Queries on images: pairs by the name of a traversal, and distances.
-#ifndef FLASHBVH_TOOLS_EVALUATE_QUERIES_HPP
-#define FLASHBVH_TOOLS_EVALUATE_QUERIES_HPP
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -128,5 +127,3 @@ Found query_post_mesh(const ImageFile& image, const Query& query) {
 }
 
 }  // namespace flashbvh::tool
-
-#endif

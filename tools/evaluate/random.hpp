@@ -1,6 +1,5 @@
 // Random numbers, the same on every machine.
-#ifndef FLASHBVH_TOOLS_EVALUATE_RANDOM_HPP
-#define FLASHBVH_TOOLS_EVALUATE_RANDOM_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -31,5 +30,3 @@ class Random {
 };
 
 }  // namespace flashbvh::tool
-
-#endif

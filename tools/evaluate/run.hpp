@@ -1,7 +1,6 @@
 // The paper's evaluation on this machine: every order on every setup, its counts, its times, and
 // the tables of them as Markdown.
-#ifndef FLASHBVH_TOOLS_EVALUATE_RUN_HPP
-#define FLASHBVH_TOOLS_EVALUATE_RUN_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -97,5 +96,3 @@ std::uint64_t best_rule_visits(const bake::BuildTree& a, const bake::BuildTree& 
                                const Point& translation);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -4,8 +4,7 @@
 //
 // The object in place of the paper's, which is not public, is a tumbler with a thick bottom,
 // three-lobed, closed, with an outer and an inner wall, of 796 triangles as there.
-#ifndef FLASHBVH_TOOLS_EVALUATE_SETUPS_HPP
-#define FLASHBVH_TOOLS_EVALUATE_SETUPS_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -63,5 +62,3 @@ extern const std::array<Setup, 20> kSetups;
 const char* table_title(std::uint32_t table);
 
 }  // namespace flashbvh::scene
-
-#endif

@@ -1,6 +1,5 @@
 // A mesh baked, in any of the four kinds of tree.
-#ifndef FLASHBVH_TOOLS_IMAGE_BAKING_HPP
-#define FLASHBVH_TOOLS_IMAGE_BAKING_HPP
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -67,5 +66,3 @@ AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
 BakedMesh bake(const InputMesh& input, const BakeOptions& options);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,7 +1,6 @@
 // A baked image as source: a constant array of words, and in a header what is known of it when
 // firmware is compiled. Both are C99 and C++: the same text for the same image, on every machine.
-#ifndef FLASHBVH_TOOLS_IMAGE_C_WRITER_HPP
-#define FLASHBVH_TOOLS_IMAGE_C_WRITER_HPP
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -48,5 +47,3 @@ SourceFiles image_in_c(const std::vector<std::uint32_t>& image, const OutputName
                        const SourceFrame& frame, const std::string& about);
 
 }  // namespace flashbvh::tool
-
-#endif

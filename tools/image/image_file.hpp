@@ -1,6 +1,5 @@
 // Reading binary images.
-#ifndef FLASHBVH_TOOLS_IMAGE_IMAGE_FILE_HPP
-#define FLASHBVH_TOOLS_IMAGE_IMAGE_FILE_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -74,5 +73,3 @@ std::vector<LatticePoint> vertices_of(const AnyTree& any);
 const char* layout_name(Layout layout);
 
 }  // namespace flashbvh::tool
-
-#endif

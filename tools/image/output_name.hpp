@@ -1,6 +1,5 @@
 // How the files of a baked mesh are called, and the names in them.
-#ifndef FLASHBVH_TOOLS_IMAGE_OUTPUT_NAME_HPP
-#define FLASHBVH_TOOLS_IMAGE_OUTPUT_NAME_HPP
+#pragma once
 
 #include <map>
 #include <string>
@@ -40,5 +39,3 @@ std::vector<OutputName> body_names(const std::string& mesh_path,
 std::vector<OutputName> distinct_names(const std::vector<std::string>& names);
 
 }  // namespace flashbvh::tool
-
-#endif

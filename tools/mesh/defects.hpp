@@ -1,6 +1,5 @@
 // What is odd about a mesh: nothing that a query minds, but often not what the user meant.
-#ifndef FLASHBVH_TOOLS_MESH_DEFECTS_HPP
-#define FLASHBVH_TOOLS_MESH_DEFECTS_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -65,5 +64,3 @@ MeshDefects defects_of(const bake::SourceMesh& mesh, const bake::LatticeMesh& ro
                        const TriangleIds& degenerate);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,8 +1,7 @@
 // A reader that may crash, grow or never end, run apart from the program.
 //
 // A mesh of a file as bytes, to pass it from one process of this program to another.
-#ifndef FLASHBVH_TOOLS_MESH_GUARDED_IMPORT_HPP
-#define FLASHBVH_TOOLS_MESH_GUARDED_IMPORT_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -37,5 +36,3 @@ std::string bytes_of(const FileMesh& mesh);
 std::optional<FileMesh> mesh_of_bytes(std::string_view bytes);
 
 }  // namespace flashbvh::tool
-
-#endif

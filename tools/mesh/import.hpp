@@ -1,6 +1,5 @@
 // Mesh files of all formats, distinguished by their extensions.
-#ifndef FLASHBVH_TOOLS_MESH_IMPORT_HPP
-#define FLASHBVH_TOOLS_MESH_IMPORT_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -41,5 +40,3 @@ InputMesh read_mesh(const std::string& path, const Units& units, Warnings& warni
 std::vector<InputMesh> read_bodies(const std::string& path, const Units& units, Warnings& warnings);
 
 }  // namespace flashbvh::tool
-
-#endif

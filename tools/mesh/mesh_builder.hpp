@@ -3,8 +3,7 @@
 // STL, OBJ, PLY and OFF are read here: strictly, in double precision, each number of a text as the
 // double nearest to it, each number of a binary as it is. assimp reads the others. It repairs what
 // it cannot read and reports that in its log alone, and its coordinates are 32-bit floats.
-#ifndef FLASHBVH_TOOLS_MESH_MESH_BUILDER_HPP
-#define FLASHBVH_TOOLS_MESH_MESH_BUILDER_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -100,5 +99,3 @@ FileMesh read_with_assimp(std::string_view bytes, const std::string& file);
 void warn_of_cut_line(std::string_view text, FileMesh& mesh);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -3,8 +3,7 @@
 // Which corners of a polygon lie in a triangle: boxes over corners that are near in the plane, in a
 // complete binary tree. Runs of the polygon's order would not do: the boxes of a star's rays
 // overlap.
-#ifndef FLASHBVH_TOOLS_MESH_POLYGON_HPP
-#define FLASHBVH_TOOLS_MESH_POLYGON_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -64,5 +63,3 @@ class CornerTree {
 };
 
 }  // namespace flashbvh::tool
-
-#endif

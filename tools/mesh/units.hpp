@@ -1,6 +1,5 @@
 // Units of length: what the numbers in a mesh file mean.
-#ifndef FLASHBVH_TOOLS_MESH_UNITS_HPP
-#define FLASHBVH_TOOLS_MESH_UNITS_HPP
+#pragma once
 
 #include <map>
 #include <string>
@@ -49,5 +48,3 @@ class Units {
 std::string unit_name(Unit unit);
 
 }  // namespace flashbvh::tool
-
-#endif

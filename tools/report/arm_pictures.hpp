@@ -1,6 +1,5 @@
 // What pages about robots share: pictures of configurations, names, verdicts.
-#ifndef FLASHBVH_TOOLS_REPORT_ARM_PICTURES_HPP
-#define FLASHBVH_TOOLS_REPORT_ARM_PICTURES_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -50,5 +49,3 @@ std::string decision_section(const std::string& title, const std::string& decisi
 std::string footer();
 
 }  // namespace flashbvh::tool
-
-#endif

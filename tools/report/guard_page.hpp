@@ -1,6 +1,5 @@
 // A page about a trajectory: what `flashbvh guard --report` writes.
-#ifndef FLASHBVH_TOOLS_REPORT_GUARD_PAGE_HPP
-#define FLASHBVH_TOOLS_REPORT_GUARD_PAGE_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -37,5 +36,3 @@ std::string pair_name(const GuardedTrajectory& guarded, std::size_t pair);
 double metres_of(const GuardedTrajectory& guarded, std::uint32_t fine);
 
 }  // namespace flashbvh::tool
-
-#endif

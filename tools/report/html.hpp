@@ -1,6 +1,5 @@
 // Pieces of HTML, of which all pages are made. Arguments are HTML, too, but for those of escaped().
-#ifndef FLASHBVH_TOOLS_REPORT_HTML_HPP
-#define FLASHBVH_TOOLS_REPORT_HTML_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -56,5 +55,3 @@ std::string matrix(const std::string& style, const std::string& caption, const C
                    const std::function<std::string(std::size_t, std::size_t)>& cell);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,7 +1,6 @@
 // A page about images, what `flashbvh report` writes: its parts, and what queries about two images
 // cost, at given poses or at random ones.
-#ifndef FLASHBVH_TOOLS_REPORT_PAGE_HPP
-#define FLASHBVH_TOOLS_REPORT_PAGE_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -113,5 +112,3 @@ std::string flash_table(const Subjects& subjects);
 std::string foot(const Subjects& subjects);
 
 }  // namespace flashbvh::tool
-
-#endif

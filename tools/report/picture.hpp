@@ -1,7 +1,6 @@
 // Meshes as inline SVG: flat triangles, the farthest drawn first, with axes and a scale. In
 // integers: the same bytes on every machine.
-#ifndef FLASHBVH_TOOLS_REPORT_PICTURE_HPP
-#define FLASHBVH_TOOLS_REPORT_PICTURE_HPP
+#pragma once
 
 #include <array>
 #include <string>
@@ -90,5 +89,3 @@ std::string figure(const Faces& faces, const Frame& frame, const Measure& measur
                    const std::string& caption);
 
 }  // namespace flashbvh::tool
-
-#endif

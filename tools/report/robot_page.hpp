@@ -1,6 +1,5 @@
 // A page about a robot: what `flashbvh robot --report` writes.
-#ifndef FLASHBVH_TOOLS_REPORT_ROBOT_PAGE_HPP
-#define FLASHBVH_TOOLS_REPORT_ROBOT_PAGE_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -32,5 +31,3 @@ struct DecidedRobot {
 std::string robot_page(const DecidedRobot& decided, const OnStep& step);
 
 }  // namespace flashbvh::tool
-
-#endif

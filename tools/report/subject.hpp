@@ -1,6 +1,5 @@
 // An image and what a page shows of it.
-#ifndef FLASHBVH_TOOLS_REPORT_SUBJECT_HPP
-#define FLASHBVH_TOOLS_REPORT_SUBJECT_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -57,5 +56,3 @@ struct Subject {
 std::vector<std::string> unique_names(const std::vector<std::string>& paths);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -2,8 +2,7 @@
 //
 // What rounding adds up to is below 10^-13 of the robot's size a joint: 10^-4 cells at 2^20 cells
 // and 64 joints.
-#ifndef FLASHBVH_TOOLS_ROBOT_KINEMATICS_HPP
-#define FLASHBVH_TOOLS_ROBOT_KINEMATICS_HPP
+#pragma once
 
 #include <array>
 #include <vector>
@@ -81,5 +80,3 @@ inline Transform rotation_to(Vector3 axis) {
 }
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -4,8 +4,7 @@
 // Fixed joints are gone: what hangs on one hangs on the moving joint before it. A joint's frame is
 // turned so that the axis is its z; meshes are in the frame of the joint they hang on. Lengths are
 // in metres, angles in radians.
-#ifndef FLASHBVH_TOOLS_ROBOT_MODEL_HPP
-#define FLASHBVH_TOOLS_ROBOT_MODEL_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -128,5 +127,3 @@ inline std::string moves_of(const Model& model, std::size_t number) {
 }
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,6 +1,5 @@
 // Files: read whole, written whole or not at all; text as lines of words.
-#ifndef FLASHBVH_TOOLS_TEXT_FILES_HPP
-#define FLASHBVH_TOOLS_TEXT_FILES_HPP
+#pragma once
 
 #include <cstddef>
 #include <filesystem>
@@ -72,5 +71,3 @@ class Lines {
 };
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,7 +1,6 @@
 // What the program says on standard error: one line that says what the user must fix, with exit
 // code 2, and warnings.
-#ifndef FLASHBVH_TOOLS_TEXT_MESSAGES_HPP
-#define FLASHBVH_TOOLS_TEXT_MESSAGES_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -58,5 +57,3 @@ class Warnings {
 };
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,6 +1,5 @@
 // Numbers to text and back, the same on every machine and in every locale.
-#ifndef FLASHBVH_TOOLS_TEXT_NUMBERS_HPP
-#define FLASHBVH_TOOLS_TEXT_NUMBERS_HPP
+#pragma once
 
 #include <optional>
 #include <string>
@@ -59,5 +58,3 @@ std::optional<double> parse_number(std::string_view text);
 std::optional<long long> parse_integer(std::string_view text);
 
 }  // namespace flashbvh::tool
-
-#endif

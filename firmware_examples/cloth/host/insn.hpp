@@ -1,6 +1,5 @@
 // The board's insn.hpp, on the host, where nothing is counted.
-#ifndef FLASHBVH_CLOTH_INSN_HPP
-#define FLASHBVH_CLOTH_INSN_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -13,5 +12,3 @@ uint32_t instructions_of(Function function) {
 }
 
 }  // namespace port
-
-#endif

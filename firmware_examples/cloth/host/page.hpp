@@ -1,6 +1,5 @@
 // Every tenth frame as a picture in one HTML page, on the host.
-#ifndef FLASHBVH_CLOTH_PAGE_HPP
-#define FLASHBVH_CLOTH_PAGE_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -122,5 +121,3 @@ class Page {
 };
 
 }  // namespace cloth
-
-#endif

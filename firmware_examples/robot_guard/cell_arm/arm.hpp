@@ -1,6 +1,5 @@
 // A small arm on a pedestal, with a gripper, behind a fence: its commands.
-#ifndef FLASHBVH_ROBOT_GUARD_ARM_HPP
-#define FLASHBVH_ROBOT_GUARD_ARM_HPP
+#pragma once
 
 #include "cell_arm.robot.h"
 #include "flashbvh/robot/guard.hpp"
@@ -34,5 +33,3 @@ constexpr Motion kMotions[] = {
      flashbvh::Verdict::stop},
     {"into the fence", {-0.6f, 0.5f, 1, 0}, {0.3f, 1.2f, 0.5f, 0}, 1200, flashbvh::Verdict::stop},
 };
-
-#endif

@@ -1,6 +1,5 @@
 // The board's text.hpp, on the host.
-#ifndef FLASHBVH_ROBOT_GUARD_TEXT_HPP
-#define FLASHBVH_ROBOT_GUARD_TEXT_HPP
+#pragma once
 
 #include <iostream>
 
@@ -12,5 +11,3 @@ void print(Values... values) {
 }
 
 }  // namespace port
-
-#endif

@@ -1,6 +1,5 @@
 // The board's timer.hpp, on the host, where a loop stands for the timer and nothing is counted.
-#ifndef FLASHBVH_ROBOT_GUARD_TIMER_HPP
-#define FLASHBVH_ROBOT_GUARD_TIMER_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -23,5 +22,3 @@ TaskTime each_period(uint32_t, Function function) {
 }
 
 }  // namespace port
-
-#endif

@@ -1,6 +1,5 @@
 // A KUKA KR5 on a pedestal, behind a fence: its commands.
-#ifndef FLASHBVH_ROBOT_GUARD_ARM_HPP
-#define FLASHBVH_ROBOT_GUARD_ARM_HPP
+#pragma once
 
 #include "flashbvh/robot/guard.hpp"
 #include "kr5_cell.robot.h"
@@ -45,5 +44,3 @@ constexpr Motion kMotions[] = {
      2000,
      flashbvh::Verdict::stop},
 };
-
-#endif

@@ -1,6 +1,5 @@
 // Ways to go wrong on Cortex-M.
-#ifndef FLASHBVH_PORT_TESTS_WAYS_HPP
-#define FLASHBVH_PORT_TESTS_WAYS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -37,5 +36,3 @@ inline void raise_unhandled() {
 extern "C" void SysTick_Handler() {
   undefined_instruction();
 }
-
-#endif

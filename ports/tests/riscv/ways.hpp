@@ -1,6 +1,5 @@
 // Ways to go wrong on RISC-V.
-#ifndef FLASHBVH_PORT_TESTS_WAYS_HPP
-#define FLASHBVH_PORT_TESTS_WAYS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -61,5 +60,3 @@ extern "C" void Interrupt_Handler(uint32_t cause) {
   }
   Unexpected_Handler();
 }
-
-#endif

@@ -1,6 +1,5 @@
 // Ways to go wrong on Xtensa.
-#ifndef FLASHBVH_PORT_TESTS_WAYS_HPP
-#define FLASHBVH_PORT_TESTS_WAYS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -50,5 +49,3 @@ extern "C" void Interrupt_Handler(uint32_t /*pending*/) {
   }
   Unexpected_Handler();
 }
-
-#endif

@@ -95,7 +95,7 @@ TEST_CASE("messages print", "[.]") {
   CHECK(answer() == 0);
 }
 
-#ifdef FLASHBVH_SMALL_CATCH_HPP
+#ifdef FLASHBVH_SMALL_CATCH
 void small_catch::stop() {
   std::exit(120);  // as on a board
 }

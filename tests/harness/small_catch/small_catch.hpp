@@ -1,6 +1,8 @@
 // What the macros of catch2/catch.hpp call: assertions, messages, test cases.
-#ifndef FLASHBVH_SMALL_CATCH_HPP
-#define FLASHBVH_SMALL_CATCH_HPP
+#pragma once
+
+/// That these are no macros of Catch2.
+#define FLASHBVH_SMALL_CATCH
 
 #include <stddef.h>
 #include <stdint.h>
@@ -203,5 +205,3 @@ struct TestCase {
 int run(int argc, char** argv);
 
 }  // namespace small_catch
-
-#endif

@@ -1,7 +1,6 @@
 // What every sketch has in front of it: the serial monitor, and the macros of Arduino's cores,
 // among which a library's names have to live.
-#ifndef FLASHBVH_TEST_ARDUINO_H
-#define FLASHBVH_TEST_ARDUINO_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -69,6 +68,4 @@ extern Monitor Serial;
 
 void setup();
 void loop();
-#endif
-
 #endif

@@ -1,6 +1,5 @@
 // Random arms with a tool, a post and something that moves, and where doubles say that these are.
-#ifndef FLASHBVH_TESTS_SUPPORT_ARMS_ANY_WORKCELL_HPP
-#define FLASHBVH_TESTS_SUPPORT_ARMS_ANY_WORKCELL_HPP
+#pragma once
 
 #include <catch2/catch.hpp>
 
@@ -151,5 +150,3 @@ struct CrowdedCell {
 };
 
 }  // namespace flashbvh::test
-
-#endif

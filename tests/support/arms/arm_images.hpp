@@ -1,6 +1,5 @@
 // Images of arms: small ones of all kinds of joints, which are kept in tests/fuzz/corpus/robot.
-#ifndef FLASHBVH_TESTS_SUPPORT_ARMS_ARM_IMAGES_HPP
-#define FLASHBVH_TESTS_SUPPORT_ARMS_ARM_IMAGES_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -31,5 +30,3 @@ FixedArm every_joint_arm();
 const std::vector<NamedImage>& arm_images();
 
 }  // namespace flashbvh::test
-
-#endif

@@ -1,6 +1,5 @@
 // Arms made of boxes and prisms, by hand and at random.
-#ifndef FLASHBVH_TESTS_SUPPORT_ARMS_ARMS_HPP
-#define FLASHBVH_TESTS_SUPPORT_ARMS_ARMS_HPP
+#pragma once
 
 #include <deque>
 #include <vector>
@@ -74,5 +73,3 @@ std::vector<double> any_variables(Random& random, const Model& model);
 tool::Model blade_and(const bake::SourceMesh& mesh, double lower, double upper);
 
 }  // namespace flashbvh::test
-
-#endif

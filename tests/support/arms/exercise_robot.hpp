@@ -3,8 +3,7 @@
 //
 // The bytes are opened in a heap block of exactly their size, so that the address sanitizer sees
 // each access beyond them.
-#ifndef FLASHBVH_TESTS_SUPPORT_ARMS_EXERCISE_ROBOT_HPP
-#define FLASHBVH_TESTS_SUPPORT_ARMS_EXERCISE_ROBOT_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -29,5 +28,3 @@ RobotVerdict exercise_robot(const void* bytes, std::size_t size,
 void repair_robot(void* bytes, std::size_t size);
 
 }  // namespace flashbvh::test
-
-#endif

@@ -1,6 +1,5 @@
 // Arms as firmware holds them, with what doubles say of them at the same values.
-#ifndef FLASHBVH_TESTS_SUPPORT_ARMS_FIXED_ARM_HPP
-#define FLASHBVH_TESTS_SUPPORT_ARMS_FIXED_ARM_HPP
+#pragma once
 
 #include <cmath>
 
@@ -82,5 +81,3 @@ struct FixedArm {
 };
 
 }  // namespace flashbvh::test
-
-#endif

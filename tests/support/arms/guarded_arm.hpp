@@ -1,6 +1,5 @@
 // Arms with a guard, and brute force against it.
-#ifndef FLASHBVH_TESTS_SUPPORT_ARMS_GUARDED_ARM_HPP
-#define FLASHBVH_TESTS_SUPPORT_ARMS_GUARDED_ARM_HPP
+#pragma once
 
 #include "flashbvh/robot/guard.hpp"
 #include "support/arms/fixed_arm.hpp"
@@ -82,5 +81,3 @@ const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const Guar
                           const Period& period, bool is_unlimited, Random& random);
 
 }  // namespace flashbvh::test
-
-#endif

@@ -1,6 +1,5 @@
 // A robot's image in its parts, to be changed.
-#ifndef FLASHBVH_TESTS_SUPPORT_ARMS_IMAGE_IN_PARTS_HPP
-#define FLASHBVH_TESTS_SUPPORT_ARMS_IMAGE_IN_PARTS_HPP
+#pragma once
 
 #include "flashbvh/detail/robot/image_parts.hpp"
 #include "flashbvh/image.hpp"
@@ -56,5 +55,3 @@ inline RobotVerdict exercise_any(const void* bytes, std::size_t size) {
 }
 
 }  // namespace flashbvh::test
-
-#endif

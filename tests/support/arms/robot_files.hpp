@@ -1,6 +1,5 @@
 // A folder of a test's own, with the files of a robot.
-#ifndef FLASHBVH_TESTS_SUPPORT_ARMS_ROBOT_FILES_HPP
-#define FLASHBVH_TESTS_SUPPORT_ARMS_ROBOT_FILES_HPP
+#pragma once
 
 #include <unistd.h>
 
@@ -78,5 +77,3 @@ inline std::string joint_text(const std::string& name, const std::string& type,
 inline const std::string kLimit = "<limit lower=\"-1\" upper=\"2\" effort=\"1\" velocity=\"1\"/>";
 
 }  // namespace flashbvh::test
-
-#endif

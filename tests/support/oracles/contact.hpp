@@ -7,8 +7,7 @@
 //
 // Range: corners within 114,000 < 2^17 of the first one, as those of triangles that intersect are.
 // A point has numerators below 2^71 over a denominator below 2^53; a normal is below 2^33.
-#ifndef FLASHBVH_TESTS_SUPPORT_ORACLES_CONTACT_HPP
-#define FLASHBVH_TESTS_SUPPORT_ORACLES_CONTACT_HPP
+#pragma once
 
 #include "support/oracles/triangle.hpp"
 
@@ -151,5 +150,3 @@ inline std::vector<Rational> common_corners(const Triangle& a, const Triangle& b
 }
 
 }  // namespace flashbvh::test
-
-#endif

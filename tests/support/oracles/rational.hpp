@@ -1,6 +1,5 @@
 // Distances and meeting points in exact rationals, by other ways than the library's.
-#ifndef FLASHBVH_TESTS_SUPPORT_ORACLES_RATIONAL_HPP
-#define FLASHBVH_TESTS_SUPPORT_ORACLES_RATIONAL_HPP
+#pragma once
 
 #include <gmpxx.h>
 
@@ -202,5 +201,3 @@ class Differences {
 };
 
 }  // namespace flashbvh::test
-
-#endif

@@ -14,8 +14,7 @@
 // Range: coordinate differences below 2^20. A tableau entry is a minor of the system, which row
 // operations reduce to a 3x3 determinant of differences, at most 4 * 2^60; the cost row sums three.
 // A pivot takes the difference of two products, at most 2 * 3 * 2^62 * 2^62 < 2^127.
-#ifndef FLASHBVH_TESTS_SUPPORT_ORACLES_TRIANGLE_HPP
-#define FLASHBVH_TESTS_SUPPORT_ORACLES_TRIANGLE_HPP
+#pragma once
 
 #if defined(__SIZEOF_INT128__)
 
@@ -184,5 +183,3 @@ inline bool is_proven(const Verdict& v, const Triangle& a, const Triangle& b) {
 }  // namespace flashbvh::test
 
 #endif  // __SIZEOF_INT128__
-
-#endif

@@ -1,7 +1,6 @@
 // The options of `flashbvh bake`, typed: all that can be refused before a file is read is refused
 // here.
-#ifndef FLASHBVH_TOOLS_CLI_BAKE_OPTIONS_HPP
-#define FLASHBVH_TOOLS_CLI_BAKE_OPTIONS_HPP
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -35,5 +34,3 @@ struct BakeOrder {
 void add_bake_options(CLI::App& command, const std::function<void(const BakeOrder&)>& run);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,6 +1,5 @@
 // What `flashbvh bake` prints: a row a mesh, what firmware links first.
-#ifndef FLASHBVH_TOOLS_CLI_BAKE_TABLE_HPP
-#define FLASHBVH_TOOLS_CLI_BAKE_TABLE_HPP
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -37,5 +36,3 @@ void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units&
 void print_bending(const std::vector<BakeRow>& rows);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,6 +1,5 @@
 // What baking a mesh would take.
-#ifndef FLASHBVH_TOOLS_CLI_INFO_MESH_HPP
-#define FLASHBVH_TOOLS_CLI_INFO_MESH_HPP
+#pragma once
 
 #include <string>
 
@@ -10,5 +9,3 @@ namespace flashbvh::tool {
 void info_of_mesh(const std::string& path, bool json);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,6 +1,5 @@
 // What is said of a mesh that was baked; how large meshes are, and which look like another unit.
-#ifndef FLASHBVH_TOOLS_CLI_MESH_WARNINGS_HPP
-#define FLASHBVH_TOOLS_CLI_MESH_WARNINGS_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -51,5 +50,3 @@ std::vector<OddSize> odd_sizes(const std::vector<Size>& sizes);
 std::string odd_size_text(const OddSize& odd, const std::string& others);
 
 }  // namespace flashbvh::tool
-
-#endif

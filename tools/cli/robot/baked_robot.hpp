@@ -1,7 +1,6 @@
 // A robot for commands that need all of it: baked, its pairs decided, in fixed point; how large its
 // links are, and what looks like another unit, or is too coarse.
-#ifndef FLASHBVH_TOOLS_CLI_BAKED_ROBOT_HPP
-#define FLASHBVH_TOOLS_CLI_BAKED_ROBOT_HPP
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -81,5 +80,3 @@ void warn_of_cell(const Model& model, const std::vector<Size>& sizes, double cel
                   const std::string& place, Warnings& warnings);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,7 +1,6 @@
 // What `flashbvh robot` prints, and `flashbvh info` of a robot's image: links, joints and pairs, in
 // the order of the firmware's arrays.
-#ifndef FLASHBVH_TOOLS_CLI_ROBOT_OUTPUT_HPP
-#define FLASHBVH_TOOLS_CLI_ROBOT_OUTPUT_HPP
+#pragma once
 
 #include "cli/robot/baked_robot.hpp"
 
@@ -26,5 +25,3 @@ void print_robot_file(const RobotFile& file);
 void print_robot_file_json(const RobotFile& file);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,6 +1,5 @@
 // A library on a board: two meshes, queries about them, in the order of the poses.
-#ifndef FLASHBVH_TOOLS_COMPARE_FIRMWARE_LIBRARY_HPP
-#define FLASHBVH_TOOLS_COMPARE_FIRMWARE_LIBRARY_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -24,5 +23,3 @@ Library& opcode();
 Library& float_tree();
 
 }  // namespace compare
-
-#endif

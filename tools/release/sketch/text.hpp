@@ -1,6 +1,5 @@
 // What the examples print, on the serial monitor.
-#ifndef FLASHBVH_SKETCH_TEXT_HPP
-#define FLASHBVH_SKETCH_TEXT_HPP
+#pragma once
 
 #include <Arduino.h>
 
@@ -12,5 +11,3 @@ void print(Values... values) {
 }
 
 }  // namespace port
-
-#endif

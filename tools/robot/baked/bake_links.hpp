@@ -1,6 +1,5 @@
 // The links of a robot baked, all with one cell.
-#ifndef FLASHBVH_TOOLS_ROBOT_BAKED_BAKE_LINKS_HPP
-#define FLASHBVH_TOOLS_ROBOT_BAKED_BAKE_LINKS_HPP
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -45,5 +44,3 @@ BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
                     const std::string& path);
 
 }  // namespace flashbvh::tool
-
-#endif

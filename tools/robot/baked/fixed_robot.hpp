@@ -6,8 +6,7 @@
 // A cell's distance is proven as the matrix proves: at the middle of a part of it, the links are as
 // far apart as the exact query says; nothing in the part is nearer by more than the joints move the
 // links in it. Parts are halved until that is most of the least distance seen in the cell.
-#ifndef FLASHBVH_TOOLS_ROBOT_BAKED_FIXED_ROBOT_HPP
-#define FLASHBVH_TOOLS_ROBOT_BAKED_FIXED_ROBOT_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -77,5 +76,3 @@ std::vector<std::uint8_t> distance_tables_of(const Model& model, const Robot& ro
                                              const std::function<void(std::size_t)>& begin);
 
 }  // namespace flashbvh::tool
-
-#endif

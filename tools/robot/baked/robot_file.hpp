@@ -1,6 +1,5 @@
 // Reading robots' binary images.
-#ifndef FLASHBVH_TOOLS_ROBOT_BAKED_ROBOT_FILE_HPP
-#define FLASHBVH_TOOLS_ROBOT_BAKED_ROBOT_FILE_HPP
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -41,5 +40,3 @@ class RobotFile {
 };
 
 }  // namespace flashbvh::tool
-
-#endif

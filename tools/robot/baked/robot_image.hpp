@@ -1,6 +1,5 @@
 // A robot as a binary image (flashbvh/robot/image.hpp, lib/docs/format.md).
-#ifndef FLASHBVH_TOOLS_ROBOT_BAKED_ROBOT_IMAGE_HPP
-#define FLASHBVH_TOOLS_ROBOT_BAKED_ROBOT_IMAGE_HPP
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -20,5 +19,3 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
                                        const std::string& name);
 
 }  // namespace flashbvh::tool
-
-#endif

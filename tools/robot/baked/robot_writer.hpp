@@ -1,6 +1,5 @@
 // A robot's image as source: NAME.robot.h and NAME.robot.c, both C99 and C++.
-#ifndef FLASHBVH_TOOLS_ROBOT_BAKED_ROBOT_WRITER_HPP
-#define FLASHBVH_TOOLS_ROBOT_BAKED_ROBOT_WRITER_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -22,5 +21,3 @@ SourceFiles robot_in_c(const std::vector<std::uint32_t>& image, const Model& mod
                        const OutputName& name);
 
 }  // namespace flashbvh::tool
-
-#endif

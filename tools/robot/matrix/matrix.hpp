@@ -1,7 +1,6 @@
 // The collision matrix, decided and not sampled: of every pair of links, whether they can collide
 // within the joints' limits.
-#ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_MATRIX_HPP
-#define FLASHBVH_TOOLS_ROBOT_MATRIX_MATRIX_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -77,5 +76,3 @@ std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh
                                       const MatrixProgress& progress);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -13,8 +13,7 @@
 //
 // Values at which two links intersect, if they are easily found: from where the links are nearest
 // of many places spread over the ranges, downhill in their distance.
-#ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_PAIR_SEARCH_HPP
-#define FLASHBVH_TOOLS_ROBOT_MATRIX_PAIR_SEARCH_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -65,5 +64,3 @@ std::optional<std::vector<double>> find_intersection(const PairSpace& space, std
 std::vector<double> deepened(const PairSpace& space, std::vector<double> point);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,6 +1,5 @@
 // Two links and the variables between them: where they lie, how far they can move, what they do.
-#ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_PAIR_SPACE_HPP
-#define FLASHBVH_TOOLS_ROBOT_MATRIX_PAIR_SPACE_HPP
+#pragma once
 
 #include <vector>
 
@@ -88,5 +87,3 @@ class PairSpace {
 };
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,7 +1,6 @@
 // How rare collisions are among configurations drawn at random, as a collision matrix by sampling
 // would see them.
-#ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_RARITY_HPP
-#define FLASHBVH_TOOLS_ROBOT_MATRIX_RARITY_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -42,5 +41,3 @@ Share share_of(const Collisions& collisions);
 double missed_by(std::uint32_t samples, const Share& share);
 
 }  // namespace flashbvh::tool
-
-#endif

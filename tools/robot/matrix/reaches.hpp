@@ -5,8 +5,7 @@
 // As joint k turns by an angle w, a point that lies r from its axis moves by r w at most. So seen
 // from any body between links a and b, no point of a moves by more than the sum of reach times
 // change over the joints between it and that body, whichever way they get there.
-#ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_REACHES_HPP
-#define FLASHBVH_TOOLS_ROBOT_MATRIX_REACHES_HPP
+#pragma once
 
 #include <vector>
 
@@ -25,5 +24,3 @@ constexpr double kDeviation = 0.8661;
 std::vector<double> reaches_of(const Model& model, std::size_t link, double cell);
 
 }  // namespace flashbvh::tool
-
-#endif

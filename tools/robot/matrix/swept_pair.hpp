@@ -1,8 +1,7 @@
 // Two links, one or both of which are the solids that they sweep in a full turn about the joint
 // next to them: that joint's angle does not matter then. A solid is a closed body of revolution
 // that contains a mesh however it is turned about an axis.
-#ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_SWEPT_PAIR_HPP
-#define FLASHBVH_TOOLS_ROBOT_MATRIX_SWEPT_PAIR_HPP
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -62,5 +61,3 @@ SweptPair swept_pair(const Model& model, std::size_t a, std::size_t b, double ce
 bool is_any_inside(const Mesh& solid, const Mesh& other, const Transform& frame, double cell);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,6 +1,5 @@
 // Pairs of links that a joint moves and that no guard looks at.
-#ifndef FLASHBVH_TOOLS_ROBOT_MATRIX_UNGUARDED_HPP
-#define FLASHBVH_TOOLS_ROBOT_MATRIX_UNGUARDED_HPP
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -46,5 +45,3 @@ void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
                     const std::string& srdf, Warnings& warnings);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,8 +1,7 @@
 // The collision elements of a link as one mesh: mesh files, and primitives as closed meshes,
 // triangles counter-clockwise from outside. What is round lies inside its mesh: whatever hits it
 // hits the mesh.
-#ifndef FLASHBVH_TOOLS_ROBOT_READ_LINK_MESH_HPP
-#define FLASHBVH_TOOLS_ROBOT_READ_LINK_MESH_HPP
+#pragma once
 
 #include <map>
 #include <string>
@@ -38,5 +37,3 @@ PrimitiveMesh cylinder_mesh(double radius, double length);
 PrimitiveMesh sphere_mesh(double radius);
 
 }  // namespace flashbvh::tool
-
-#endif

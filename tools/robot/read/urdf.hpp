@@ -1,6 +1,5 @@
 // A URDF, with its meshes and its SRDF, as a Model.
-#ifndef FLASHBVH_TOOLS_ROBOT_READ_URDF_HPP
-#define FLASHBVH_TOOLS_ROBOT_READ_URDF_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -24,5 +23,3 @@ std::vector<DisabledPair> read_srdf(const std::string& path, const Model& model,
                                     const std::vector<std::string>& all_links, Warnings& warnings);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,6 +1,5 @@
 // What a URDF says, as it says it.
-#ifndef FLASHBVH_TOOLS_ROBOT_READ_URDF_DOCUMENT_HPP
-#define FLASHBVH_TOOLS_ROBOT_READ_URDF_DOCUMENT_HPP
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -68,5 +67,3 @@ struct UrdfRobot {
 UrdfRobot read_urdf_document(const std::string& path);
 
 }  // namespace flashbvh::tool
-
-#endif

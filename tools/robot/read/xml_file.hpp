@@ -1,6 +1,5 @@
 // Files of XML, by TinyXML, which urdfdom reads with, too.
-#ifndef FLASHBVH_TOOLS_ROBOT_READ_XML_FILE_HPP
-#define FLASHBVH_TOOLS_ROBOT_READ_XML_FILE_HPP
+#pragma once
 
 #include <tinyxml.h>
 
@@ -19,5 +18,3 @@ std::string attribute(const TiXmlElement* element, const char* name);
 std::string at_element(const std::string& path, const char* kind, const std::string& name);
 
 }  // namespace flashbvh::tool
-
-#endif

@@ -1,7 +1,6 @@
 // A trajectory through the code that firmware runs: the same robot, the same values, the same bits;
 // and where along it the guard does not say `free`, and of which pairs.
-#ifndef FLASHBVH_TOOLS_ROBOT_REPLAY_REPLAY_HPP
-#define FLASHBVH_TOOLS_ROBOT_REPLAY_REPLAY_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -187,5 +186,3 @@ std::vector<NearPair> near_pairs(const Robot& robot, const Trajectory& trajector
                                  const std::vector<GuardAnswer>& answers);
 
 }  // namespace flashbvh::tool
-
-#endif

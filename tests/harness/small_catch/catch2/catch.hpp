@@ -7,8 +7,7 @@
 // - values of classes print as {?}, floating-point numbers as a mantissa and an exponent
 // - there is no SECTION and no GENERATE: a test case that runs on boards has test cases or loops
 // instead
-#ifndef FLASHBVH_SMALL_CATCH_CATCH_HPP
-#define FLASHBVH_SMALL_CATCH_CATCH_HPP
+#pragma once
 
 #include "../small_catch.hpp"
 
@@ -102,5 +101,3 @@
   const ::small_catch::Captured SMALL_CATCH_JOIN(stem, _##n)(#value, value);
 #define CAPTURE(...) \
   SMALL_CATCH_EACH(SMALL_CATCH_CAPTURED, SMALL_CATCH_UNIQUE(capture), __VA_ARGS__)
-
-#endif

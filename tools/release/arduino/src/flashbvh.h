@@ -1,7 +1,6 @@
 /* The whole library, for sketches; a part of it is <flashbvh/ray.hpp>, <flashbvh/robot/guard.hpp>
  * ... */
-#ifndef FLASHBVH_ARDUINO_H
-#define FLASHBVH_ARDUINO_H
+#pragma once
 
 #if !defined(__cplusplus)
 #include "flashbvh/flashbvh.h"
@@ -10,6 +9,4 @@
     "flashbvh is C++17: take a core that compiles it, or set -std=gnu++17 in the core's platform.local.txt"
 #else
 #include "flashbvh/flashbvh.hpp"
-#endif
-
 #endif
