@@ -4,7 +4,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/image.hpp"
 #include "reference/made_levels.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"

@@ -64,9 +64,10 @@ TEST_CASE("an image opens as the robot that it was made of, and its guard answer
 // For a new version of the format, or when bake builds other trees on purpose.
 TEST_CASE("write the images that are kept", "[.]") {
   for (const NamedImage& image : arm_images()) {
-    std::ofstream(path_of(image), std::ios::binary)
-        .write(reinterpret_cast<const char*>(image.words.data()),
+    std::ofstream file(path_of(image), std::ios::binary);
+    file.write(reinterpret_cast<const char*>(image.words.data()),
                static_cast<std::streamsize>(size_of(image.words)));
+    CHECK(file.good());
   }
 }
 

@@ -18,20 +18,8 @@ namespace {
 /// Most lines that tables and standard error list one by one.
 constexpr std::size_t kShownLines = 10;
 
-/// "ok" of `done`.
 std::string name_of(Status status) {
-  switch (status) {
-    case Status::done:
-      return "ok";
-    case Status::not_a_coordinate:
-      return "not_a_coordinate";
-    case Status::joint_out_of_limits:
-      return "joint_out_of_limits";
-    case Status::joint_jumped:
-      return "joint_jumped";
-    default:
-      return concat("status ", static_cast<int>(status));
-  }
+  return status == Status::done ? "ok" : status_name(status);
 }
 
 const std::string& link_name(const GuardedTrajectory& guarded, std::uint8_t link) {
@@ -302,13 +290,12 @@ void print_guarded_json(const GuardedTrajectory& guarded) {
 /// Pairs that are not guarded, counts, stretches that are not free, the closest moment, work, and
 /// motions that are not free.
 void print_guarded(const GuardedTrajectory& guarded) {
-  const std::uint16_t pairs = guarded.robot.pair_count;
   for (const UnguardedPair& pair : guarded.unguarded) {
     std::cout << "not guarded: " << names_of(guarded.model, {pair}) << " (" << pair.reason << ")\n";
   }
   std::cout << guarded.answers.size() << (guarded.answers.size() == 1 ? " period, " : " periods, ")
-            << pairs << (pairs == 1 ? " pair" : " pairs") << " of links guarded, "
-            << guarded.unguarded.size() << " not looked at\n\n";
+            << guarded.robot.pair_count << (guarded.robot.pair_count == 1 ? " pair" : " pairs")
+            << " of links guarded, " << guarded.unguarded.size() << " not looked at\n\n";
   print_counts(guarded);
   print_stretches(guarded);
   print_closest(guarded);
@@ -321,15 +308,13 @@ void print_guarded(const GuardedTrajectory& guarded) {
 /// kCheckFailed if any period is `stop` or `not_yet_known`, or a motion not free; kRefusedValues
 /// if firmware refuses any values.
 ExitCode exit_code_of(const GuardedTrajectory& guarded) {
-  const auto& answers = guarded.answers;
-  if (std::any_of(answers.begin(), answers.end(),
-                  [](const GuardAnswer& answer) { return answer.status != Status::done; })) {
-    return kRefusedValues;
+  bool is_free_all = std::all_of(guarded.motions.begin(), guarded.motions.end(), is_free);
+  for (const GuardAnswer& answer : guarded.answers) {
+    if (answer.status != Status::done) {
+      return kRefusedValues;
+    }
+    is_free_all = is_free_all && answer.verdict <= Verdict::warn;
   }
-  const bool is_free_all =
-      std::all_of(answers.begin(), answers.end(),
-                  [](const GuardAnswer& answer) { return answer.verdict <= Verdict::warn; }) &&
-      std::all_of(guarded.motions.begin(), guarded.motions.end(), is_free);
   return is_free_all ? kSuccess : kCheckFailed;
 }
 
@@ -391,9 +376,9 @@ void add_guard(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const command = app.add_subcommand(
       "guard",
       "Print what a robot's guard answers along a trajectory, by the firmware's own code.\n"
-      "Exit code 0: all periods are free or warned of; 1: in some the guard says stop, or what "
-      "was\n"
-      "granted did not do, or a motion is not free; 3: firmware refuses some values.");
+      "Exit code 0: all periods are free or warned of; 1: in some the guard says stop, or the "
+      "work\n"
+      "budget was too small, or a motion is not free; 3: firmware refuses some values.");
   add_robot_options(*command, "ROBOT", a);
   command->get_option("ROBOT")->description("The robot (URDF), or its image (.robot)");
   command
@@ -409,8 +394,7 @@ void add_guard(CLI::App& app, ExitCode& exit_code) {
   add_option(*command, "--report", a.page, "PAGE.html",
              "Write a page: distances and work over time, the closest moment, motions");
   add_json(*command, a.json, "One JSON object a line");
-  command->callback(
-      [arguments, command, &exit_code] { exit_code = guard_trajectory(*arguments, *command); });
+  command->callback([=, &exit_code] { exit_code = guard_trajectory(*arguments, *command); });
 }
 
 }  // namespace flashbvh::tool
