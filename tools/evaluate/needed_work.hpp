@@ -22,7 +22,7 @@ struct NeededWork {
 /// Precondition: not empty.
 NeededWork needed_work(std::vector<std::uint64_t> work);
 
-/// What the baked C++ has as kTreeSize.
+/// What a baked header has as NAME_TREE_SIZE.
 TreeSize tree_size(const ImageHeader& header);
 
 /// A core by its name in the documents, and what is proven of it.

@@ -11,9 +11,9 @@
 // for a rotation, `translation_out_of_range` for a translation or for a `cells_per_unit` that is
 // not positive and finite; the latter if both are wrong.
 //
-// Translations are in the mesh's unit: `cells_per_unit` is kCellsPerUnit of the baked header, or 1
-// where they are in cells. Their product is rounded once, to 1/65,536 of a cell. The start of a ray
-// lies within half a cell of the origin along each axis, its end within 0.51 cells of where
+// Translations are in the mesh's unit: `cells_per_unit` is NAME_CELLS_PER_UNIT of the baked header,
+// or 1 where they are in cells. Their product is rounded once, to 1/65,536 of a cell. The start of
+// a ray lies within half a cell of the origin along each axis, its end within 0.51 cells of where
 // direction and reach end; so at the reach the segment is at most 0.9 cells away from the ray.
 //
 // Stack on Cortex-M3 to M55 at -O2: a pose 352 bytes, a ray 304 bytes.
@@ -70,7 +70,7 @@ inline Pose pose_of(const UnitQuaternion& rotation, const float (&translation)[3
   return detail::rigid(entries, translation, cells_per_unit);
 }
 
-/// kCellsPerUnit of a mesh whose header is not there, as of an image. `cell_bits`:
+/// NAME_CELLS_PER_UNIT of a mesh whose header is not there, as of an image. `cell_bits`:
 /// Mesh::cell_bits.
 inline float cells_per_unit(uint64_t cell_bits) {
   return detail::float_of(detail::cells_per_unit_bits(cell_bits));

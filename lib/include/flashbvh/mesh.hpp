@@ -104,7 +104,7 @@ struct Tree {
   }
 };
 
-/// Baked as kTreeSize, for time_bound.hpp.
+/// Baked as NAME_TREE_SIZE, for time_bound.hpp.
 using TreeSize = flashbvh_tree_size;
 
 /// Of lengths: what the numbers of a mesh's file mean. Images hold the values.

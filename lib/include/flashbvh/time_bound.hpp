@@ -1,7 +1,7 @@
 // What queries can cost at worst, for static_assert: lib/docs/bounded_time.md has the proof.
 //
 //     constexpr uint32_t kWork =
-//         flashbvh::work_within(56000, flashbvh::kCortexM4F, arm::kTreeSize, cell::kTreeSize);
+//         flashbvh::work_within(56000, flashbvh::kCortexM4F, arm_TREE_SIZE, cell_TREE_SIZE);
 //     step = query.run(kWork, found);  // 56,000 instructions at most
 #ifndef FLASHBVH_TIME_BOUND_HPP
 #define FLASHBVH_TIME_BOUND_HPP
