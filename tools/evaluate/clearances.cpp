@@ -10,13 +10,13 @@
 namespace flashbvh::tool {
 namespace {
 
-double number_of(const std::uint64_t (&words)[2]) {
+double as_double(const std::uint64_t (&words)[2]) {
   return std::ldexp(static_cast<double>(words[0]), 64) + static_cast<double>(words[1]);
 }
 
 NearestPair nearest_pair(const FoundPair& ids, const Triangle& a, const Triangle& b) {
   const SquaredDistance squared = squared_distance(a, b);
-  return {ids, std::sqrt(number_of(squared.above) / number_of(squared.below)),
+  return {ids, std::sqrt(as_double(squared.above) / as_double(squared.below)),
           nearest_points_of(a, b)};
 }
 

@@ -267,12 +267,13 @@ MeshType view_unchecked(const void* image) {
   return mesh;
 }
 
-#define FLASHBVH_OPENS(MeshType)                              \
-  template Status open_image(const void*, size_t, MeshType&); \
-  template MeshType view_unchecked(const void*)
-FLASHBVH_OPENS(Mesh);
-FLASHBVH_OPENS(Mesh32);
-FLASHBVH_OPENS(PreMesh);
-FLASHBVH_OPENS(PreMesh32);
+template Status open_image(const void*, size_t, Mesh&);
+template Status open_image(const void*, size_t, Mesh32&);
+template Status open_image(const void*, size_t, PreMesh&);
+template Status open_image(const void*, size_t, PreMesh32&);
+template Mesh view_unchecked(const void*);
+template Mesh32 view_unchecked(const void*);
+template PreMesh view_unchecked(const void*);
+template PreMesh32 view_unchecked(const void*);
 
 }  // namespace flashbvh

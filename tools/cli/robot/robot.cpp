@@ -24,10 +24,10 @@ struct OutputArguments : RobotArguments {
   bool json = false;
 };
 
-using Words = std::vector<std::uint32_t>;
+using ImageWords = std::vector<std::uint32_t>;
 
-Words image_of(const BakedRobot& baked, const OutputName& name) {
-  std::vector<Words> meshes;
+ImageWords image_of(const BakedRobot& baked, const OutputName& name) {
+  std::vector<ImageWords> meshes;
   for (const BakedLink& link : baked.links) {
     meshes.push_back(bake::image_of(link.tree));
   }
@@ -43,7 +43,7 @@ void add_output(const OutputArguments& arguments, const Model& model, const std:
 }
 
 void add_files(const OutputArguments& arguments, const OutputName& name, const BakedRobot& baked,
-               const Words& image, FileSet& files) {
+               const ImageWords& image, FileSet& files) {
   const std::string stem = (std::filesystem::path(arguments.folder) / name.stem).string();
   const auto add = [&](const char* extension, std::string text) {
     add_output(arguments, baked.model, stem + extension, std::move(text), files);
@@ -106,7 +106,7 @@ void make_robot(const OutputArguments& arguments) {
   const BakedRobot baked = baked_robot(described_robot(arguments, warnings), arguments, warnings);
   const OutputName name = arguments.name.empty() ? distinct_names({baked.model.name}).front()
                                                  : output_name(arguments.urdf, arguments.name);
-  const Words image = image_of(baked, name);
+  const ImageWords image = image_of(baked, name);
   const std::size_t bytes = image.size() * sizeof image[0];
   FileSet files;
   add_files(arguments, name, baked, image, files);
