@@ -1,7 +1,7 @@
-"""shipped.py BOUND HEADER [--write]: fails unless the constants of HEADER, flashbvh/detail/walk/run_costs.hpp,
+"""shipped.py BOUND HEADER [--write]: fails unless the constants of HEADER, flashbvh/plain/run_costs.h,
 are those that prove.py wrote to BOUND. BOUND may have several cores.
 
---write: changes HEADER to the constants of all cores in BOUND, if it has others.
+--write: changes HEADER to the constants of all cores in BOUND, in their order, if it has others.
 """
 import re
 import sys
@@ -9,7 +9,7 @@ from collections import defaultdict
 from pathlib import Path
 
 FIELDS = "start", "ascent", "later-sibling", "leaf-triangle", "work"
-CONSTANT = r"constexpr RunCosts k(\w+) = .*;\n"
+CORE = r'  core\(.*"(.*)", .*\)'
 
 
 def proven_in(bound):
@@ -23,29 +23,28 @@ def proven_in(bound):
     return proven
 
 
-def constants(proven):
-    """The lines of the header by core's name in C++."""
-    return {core.replace("-", ""): f"constexpr RunCosts k{core.replace('-', '')} = "
-                                   f"{{{', '.join(costs[field] for field in FIELDS)}}};\n"
-            for core, costs in sorted(proven.items())}
+def rows(proven):
+    """The rows of the header by core."""
+    return {core: f"  core({core.replace('-', '')}, {core.replace('-', '_').lower()}, \"{core}\", "
+                  f"{', '.join(costs[field] for field in FIELDS)})" for core, costs in proven.items()}
 
 
 def main(bound, header, *options):
-    wanted = constants(proven_in(Path(bound).read_text()))
+    wanted = rows(proven_in(Path(bound).read_text()))
     if not wanted:
         sys.exit("shipped.py: nothing proven")
     text = Path(header).read_text()
     if options == ("--write",):
-        begin = re.search(CONSTANT, text).start()
-        new = re.sub(CONSTANT, "", text)
-        new = new[:begin] + "".join(wanted.values()) + new[begin:]
+        rest = re.sub(rf"{CORE}.*\n", "", text)
+        end = rest.index("\n", rest.index("#define FLASHBVH_FOR_EACH_CORE")) + 1
+        new = rest[:end] + " \\\n".join(wanted.values()) + "\n" + rest[end:]
         if new != text:
             Path(header).write_text(new)
         return
-    shipped = {found[1]: found[0] for found in re.finditer(CONSTANT, text)}
-    differing = [core for core, line in wanted.items() if shipped.get(core) != line]
+    shipped = {found[1]: found[0] for found in re.finditer(CORE, text)}
+    differing = [core for core, row in wanted.items() if shipped.get(core) != row]
     for core in differing:
-        print(f"shipped: {shipped.get(core, '').strip()}\nproven:  {wanted[core]}run tools/figures.sh")
+        print(f"shipped: {shipped.get(core, '').strip()}\nproven:  {wanted[core].strip()}\nrun tools/figures.sh")
     sys.exit(bool(differing))
 
 

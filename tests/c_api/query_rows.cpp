@@ -1,4 +1,6 @@
 // Meshes, queries, contacts, time bounds.
+#include <iterator>
+
 #include "c_api/slices.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/float.hpp"
@@ -197,12 +199,13 @@ bool lengths_agree(Scene& s) {
 }
 
 bool bounds_agree(Scene& s) {
-  const RunCosts costs[] = {kCortexM0,  kCortexM3,  kCortexM4F, kCortexM7,
-                            kCortexM33, kCortexM55, kRV32IMAC};
-  const flashbvh_run_costs* const c_costs[] = {
-      &flashbvh_cortex_m0,  &flashbvh_cortex_m3,  &flashbvh_cortex_m4f, &flashbvh_cortex_m7,
-      &flashbvh_cortex_m33, &flashbvh_cortex_m55, &flashbvh_rv32imac};
-  const std::uint32_t core = s.random.below(7);
+#define OF_CPP(core, ...) k##core,
+#define OF_C(core, c_name, ...) &flashbvh_##c_name,
+  const RunCosts costs[] = {FLASHBVH_FOR_EACH_CORE(OF_CPP)};
+  const flashbvh_run_costs* const c_costs[] = {FLASHBVH_FOR_EACH_CORE(OF_C)};
+#undef OF_CPP
+#undef OF_C
+  const std::uint32_t core = s.random.below(std::uint32_t{std::size(costs)});
   const std::uint64_t instructions = s.random.below(1000000);
   const std::uint32_t work = s.random.below(10000);
   ImageHeader of_a;

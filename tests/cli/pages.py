@@ -35,8 +35,8 @@ def cards(*arguments):
 
 def cards_agree(core, constants, hz, mhz, bound, arguments):
     """The cards' instructions are those of time_bound.hpp, worked out here from `collide --bound`'s numbers."""
-    costs = text(f"{INCLUDE}/flashbvh/detail/walk/run_costs.hpp")
-    start, depth, sibling, leaf, unit = map(int, search(constants + " = {(.*)};", costs).split(", "))
+    costs = text(f"{INCLUDE}/flashbvh/plain/run_costs.h")
+    start, depth, sibling, leaf, unit = map(int, search(f'"{constants}", (.*)\\)', costs).split(", "))
     period, siblings, size = int(mhz * 1000000 / hz), bound["later_siblings"], bound["leaf_size"]
     start += bound["depths"] * depth + siblings * sibling + (size - 1) * leaf
     unit += ceil(siblings * sibling / 32)

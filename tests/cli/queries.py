@@ -153,8 +153,8 @@ def contacts():
     hold(number("work", "most") == bound["poses_most_work"] and number("work", "mean") == bound["poses_mean_work"],
          f"{said}{bound}")
     # With one triangle a leaf and two children a node little is added to the constants.
-    costs = Path(INCLUDE, "flashbvh/detail/walk/run_costs.hpp").read_text()
-    least = int(re.search(r"^constexpr RunCosts kCortexM4F = .* (\d+)};", costs, re.M)[1])
+    costs = Path(INCLUDE, "flashbvh/plain/run_costs.h").read_text()
+    least = int(re.search(r'"Cortex-M4F".* (\d+)\)', costs)[1])
     work = number("work", "most")
     hold(work * least < number("Cortex-M4F", "most") < work * (least + 12) + 20000, said)
     flashbvh(*ask, "--summary").holds("^work  *[0-9]* *[0-9]* *[0-9]*$", "^Cortex-M0 ", "^RV32IMAC ")

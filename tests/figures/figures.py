@@ -21,7 +21,7 @@ from results import ALL, BUDGETS, Refused, budgets, measured_in
 
 DOCS = ROOT / "lib/docs"
 SHIPPED = ROOT / "proofs/time/shipped.py"
-COSTS = ROOT / "lib/include/flashbvh/detail/walk/run_costs.hpp"
+COSTS = ROOT / "lib/include/flashbvh/plain/run_costs.h"
 # What measures: the figures, the memory (proofs/stack) and the bounds (proofs/time).
 TESTS = "figures: .* measured|memory, and both stacks|bound: no run takes more"
 

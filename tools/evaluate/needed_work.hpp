@@ -32,11 +32,9 @@ struct Core {
 };
 
 /// Those of time_bound.hpp.
-inline constexpr Core kCores[] = {
-    {"Cortex-M0", kCortexM0}, {"Cortex-M3", kCortexM3},   {"Cortex-M4F", kCortexM4F},
-    {"Cortex-M7", kCortexM7}, {"Cortex-M33", kCortexM33}, {"Cortex-M55", kCortexM55},
-    {"RV32IMAC", kRV32IMAC},
-};
+#define FLASHBVH_CORE_OF(core, c_name, text, ...) {text, k##core},
+inline constexpr Core kCores[] = {FLASHBVH_FOR_EACH_CORE(FLASHBVH_CORE_OF)};
+#undef FLASHBVH_CORE_OF
 
 struct VisitBound {
   std::uint64_t visits = 0;

@@ -29,6 +29,7 @@
 #include "flashbvh/plain/language.h"
 #include "flashbvh/plain/points.h"
 #include "flashbvh/plain/results.h"
+#include "flashbvh/plain/run_costs.h"
 #include "flashbvh/status.h"
 #include "flashbvh/version.hpp" /* macros alone: C as well as C++ */
 
@@ -201,14 +202,10 @@ void flashbvh_in_millionths(const flashbvh_fine_point* point, const flashbvh_mes
 FLASHBVH_NODISCARD flashbvh_status flashbvh_image_tree_size(const void* image, size_t size,
                                                             flashbvh_tree_size* tree);
 
-/* Names as all others of C. NOLINTBEGIN(readability-identifier-naming) */
-extern const flashbvh_run_costs flashbvh_cortex_m0;
-extern const flashbvh_run_costs flashbvh_cortex_m3;
-extern const flashbvh_run_costs flashbvh_cortex_m4f;
-extern const flashbvh_run_costs flashbvh_cortex_m7;
-extern const flashbvh_run_costs flashbvh_cortex_m33;
-extern const flashbvh_run_costs flashbvh_cortex_m55;
-extern const flashbvh_run_costs flashbvh_rv32imac;
+/* flashbvh_cortex_m0 to flashbvh_rv32imac. NOLINTBEGIN(readability-identifier-naming) */
+#define FLASHBVH_CONSTANT(core, c_name, ...) extern const flashbvh_run_costs flashbvh_##c_name;
+FLASHBVH_FOR_EACH_CORE(FLASHBVH_CONSTANT)
+#undef FLASHBVH_CONSTANT
 /* NOLINTEND(readability-identifier-naming) */
 
 /** work_within(): the most work for which a run stays within so many instructions; 0 if none. */

@@ -8,11 +8,19 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/walk/run_costs.hpp"
 #include "flashbvh/detail/walk/work.hpp"
 #include "flashbvh/mesh.hpp"
+#include "flashbvh/plain/results.h"
+#include "flashbvh/plain/run_costs.h"
 
 namespace flashbvh {
+
+using RunCosts = flashbvh_run_costs;
+
+/// kCortexM0 to kRV32IMAC.
+#define FLASHBVH_CONSTANT(core, c_name, text, ...) constexpr RunCosts k##core = {__VA_ARGS__};
+FLASHBVH_FOR_EACH_CORE(FLASHBVH_CONSTANT)
+#undef FLASHBVH_CONSTANT
 
 namespace detail {
 

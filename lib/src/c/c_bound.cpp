@@ -5,13 +5,9 @@
 
 using namespace flashbvh;
 
-const flashbvh_run_costs flashbvh_cortex_m0 = kCortexM0;
-const flashbvh_run_costs flashbvh_cortex_m3 = kCortexM3;
-const flashbvh_run_costs flashbvh_cortex_m4f = kCortexM4F;
-const flashbvh_run_costs flashbvh_cortex_m7 = kCortexM7;
-const flashbvh_run_costs flashbvh_cortex_m33 = kCortexM33;
-const flashbvh_run_costs flashbvh_cortex_m55 = kCortexM55;
-const flashbvh_run_costs flashbvh_rv32imac = kRV32IMAC;
+#define FLASHBVH_CONSTANT(core, c_name, ...) const flashbvh_run_costs flashbvh_##c_name = k##core;
+FLASHBVH_FOR_EACH_CORE(FLASHBVH_CONSTANT)
+#undef FLASHBVH_CONSTANT
 
 flashbvh_status flashbvh_image_tree_size(const void* image, size_t size, flashbvh_tree_size* tree) {
   ImageHeader header;
