@@ -5,7 +5,6 @@ set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES FLASHBVH_BOARD)
 
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH flashbvh_ports)
-set(FLASHBVH_CORES ${flashbvh_ports}/cores)
 set(board_file ${flashbvh_ports}/boards/${FLASHBVH_BOARD}/board.cmake)
 if(NOT FLASHBVH_BOARD OR NOT EXISTS ${board_file})
   file(GLOB known RELATIVE ${flashbvh_ports}/boards ${flashbvh_ports}/boards/*)

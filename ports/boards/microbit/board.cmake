@@ -1,5 +1,6 @@
 # BBC micro:bit: a Nordic nRF51822.
-include(${FLASHBVH_CORES}/cortex-m0.cmake)
+set(FLASHBVH_CORE Cortex-M0)
+set(FLASHBVH_CPU_FLAGS -mthumb -mcpu=cortex-m0)
 set(FLASHBVH_MACHINE microbit)
 set(FLASHBVH_CLOCK_KHZ 16000)
 set(FLASHBVH_FLASH 0x00000000)

@@ -1,5 +1,6 @@
 # Arm MPS2 with the Cortex-M3 image AN385.
-include(${FLASHBVH_CORES}/cortex-m3.cmake)
+set(FLASHBVH_CORE Cortex-M3)
+set(FLASHBVH_CPU_FLAGS -mthumb -mcpu=cortex-m3)
 set(FLASHBVH_MACHINE mps2-an385)
 set(FLASHBVH_CLOCK_KHZ 25000)
 set(FLASHBVH_FLASH 0x00000000)

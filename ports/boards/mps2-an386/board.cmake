@@ -1,5 +1,6 @@
 # Arm MPS2 with the Cortex-M4F image AN386.
-include(${FLASHBVH_CORES}/cortex-m4f.cmake)
+set(FLASHBVH_CORE Cortex-M4F)
+set(FLASHBVH_CPU_FLAGS -mthumb -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard)
 set(FLASHBVH_MACHINE mps2-an386)
 set(FLASHBVH_CLOCK_KHZ 25000)
 set(FLASHBVH_FLASH 0x00000000)

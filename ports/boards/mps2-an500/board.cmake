@@ -1,5 +1,6 @@
 # Arm MPS2 with the Cortex-M7 image AN500.
-include(${FLASHBVH_CORES}/cortex-m7.cmake)
+set(FLASHBVH_CORE Cortex-M7)
+set(FLASHBVH_CPU_FLAGS -mthumb -mcpu=cortex-m7 -mfpu=fpv5-d16 -mfloat-abi=hard)
 set(FLASHBVH_MACHINE mps2-an500)
 set(FLASHBVH_CLOCK_KHZ 25000)
 set(FLASHBVH_FLASH 0x00000000)

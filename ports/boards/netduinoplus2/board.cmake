@@ -1,5 +1,5 @@
 # Netduino Plus 2: an STM32F405RG.
-include(${FLASHBVH_CORES}/cortex-m4f.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../mps2-an386/board.cmake)
 set(FLASHBVH_MACHINE netduinoplus2)
 set(FLASHBVH_CLOCK_KHZ 168000)
 set(FLASHBVH_FLASH 0x08000000)

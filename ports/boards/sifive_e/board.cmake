@@ -1,5 +1,5 @@
 # SiFive's HiFive1: an FE310, an E31 core that runs from serial flash.
-include(${FLASHBVH_CORES}/rv32imac.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../virt/board.cmake)
 set(FLASHBVH_MACHINE sifive_e)
 set(FLASHBVH_FLASH 0x20400000)
 set(FLASHBVH_FLASH_KB 12288)

@@ -1,5 +1,5 @@
 # STM32VLDISCOVERY: an STM32F100RB.
-include(${FLASHBVH_CORES}/cortex-m3.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../mps2-an385/board.cmake)
 set(FLASHBVH_MACHINE stm32vldiscovery)
 set(FLASHBVH_CLOCK_KHZ 24000)
 set(FLASHBVH_FLASH 0x08000000)

@@ -1,5 +1,6 @@
 # QEMU's own RISC-V machine: one memory, of which the lower part stands for flash.
-include(${FLASHBVH_CORES}/rv32imac.cmake)
+set(FLASHBVH_CORE RV32IMAC)
+set(FLASHBVH_CPU_FLAGS -march=rv32imac -mabi=ilp32)
 set(FLASHBVH_MACHINE virt)
 set(FLASHBVH_FLASH 0x80000000)
 set(FLASHBVH_FLASH_KB 16384)
