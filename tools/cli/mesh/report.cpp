@@ -62,8 +62,10 @@ void add_budget(CLI::App& command, ReportArguments& arguments) {
     names.emplace_back(core.name);
   }
   Budget& budget = arguments.options.budget;
-  command.add_option("--core", arguments.core, "Core whose proven instructions are taken")
-      ->transform(CLI::IsMember(names, CLI::ignore_case))
+  command
+      .add_option("--core", arguments.core,
+                  "Core whose proven instructions are taken; refusing a name prints all cores")
+      ->transform(CLI::IsMember(names, CLI::ignore_case).description("CORE"))
       ->capture_default_str();
   command.add_option("--hz", budget.hz, "Periods a second")
       ->check(refuse_rate, "NUMBER")
