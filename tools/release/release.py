@@ -4,7 +4,7 @@ makes Debian's binary packages.
 
 A package is the library's headers and sources, and the files of tools/release/<package>, in which
 @version@ and its like are filled in and a line with @source@ stands for as many as there are sources:
-those that lib/CMakeLists.txt names. The same commit gives the same bytes.
+all of lib/src. The same commit gives the same bytes.
 """
 from __future__ import annotations
 
@@ -31,18 +31,13 @@ LAYOUTS = {
     "esp-idf": ("include", "src"),
     "cmsis": ("include", "src"),
 }
-CMAKE_SOURCE = re.compile(r"^  (src/\S+\.cpp)\)?$", re.M)
 
 
 def read_sources() -> tuple[list[str], list[str]]:
-    """Of the library and of the robot's layer, relative to lib/."""
-    lists = (ROOT / "lib" / "CMakeLists.txt").read_text().split("add_library(flashbvh_robot_lib ", 1)
-    library, robot = (CMAKE_SOURCE.findall(text) for text in lists)
-    named = library + robot
-    present = {path.relative_to(ROOT / "lib").as_posix() for path in ROOT.glob("lib/src/**/*.cpp")}
-    if set(named) != present:
-        sys.exit(f"release: lib/CMakeLists.txt and lib/src differ: {sorted(set(named) ^ present)}")
-    return library, robot
+    """The library's sources and those of its layer for robots, as lib/CMakeLists.txt divides them."""
+    found = sorted(path.relative_to(ROOT / "lib").as_posix() for path in ROOT.glob("lib/src/*/*.cpp"))
+    robot = [name for name in found if re.search(r"/(robot/|c/c_robot_)", name)]
+    return [name for name in found if name not in robot], robot
 
 
 def git(*arguments: str) -> str:
