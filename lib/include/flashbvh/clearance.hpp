@@ -124,7 +124,9 @@ class BasicClearanceQuery
   }
   /// With a hint alone.
   BasicClearanceQuery(const Mesh& a, const Mesh& b, const Pose& pose, const Hint& hint)
-      : BasicClearanceQuery(a, b, pose, Options{hint, 0}) {}
+      : Base(a, b, pose, {}, predicate(0)) {
+    begin_at(pose, hint);
+  }
   template <class... With>
   BasicClearanceQuery(const Mesh&&, const Mesh&, const Pose&, const With&...) = delete;
   template <class... With>
