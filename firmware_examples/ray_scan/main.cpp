@@ -53,21 +53,21 @@ uint16_t millimetres(uint32_t distance) {
 Scan scan_at(const Place& place) {
   const Sensor sensor(place, room_CELLS_PER_UNIT);
   Scan scan = {};
-  uint16_t seed = kNoHint<uint16_t>;
+  uint16_t hint = kNoHint<uint16_t>;
   for (int zone = 0; zone < kZones; ++zone) {
     const MadeSegment ray = sensor.ray(zone);
     // All start in one cell.
     if (ray.status != Status::done || (zone == 0 && !is_in_air(ray.segment.from))) {
       return scan;
     }
-    const RayAnswer<uint16_t> answer = nearest_hit(room, ray.segment, seed);
+    const RayAnswer<uint16_t> answer = nearest_hit(room, ray.segment, hint);
     if (answer.status != Status::done) {
       return scan;
     }
     scan.mm[zone] = kNothing;
     if (answer.yes) {
       scan.mm[zone] = millimetres(distance_along(ray.segment, answer.hit.along));
-      seed = answer.hit.position;
+      hint = answer.hit.position;
     }
   }
   scan.is_valid = true;
