@@ -139,7 +139,7 @@ $flashbvh guard $demo/robot/kr5_cell.robot $demo/motion.csv --work 500 --report 
 step "What happened"
 if [ $status -eq 0 ]; then
   cat <<TEXT
-The microcontroller took the angles of the joints, worked out where the links are, and told exactly
+The microcontroller took the angles of the joints, computed where the links are, and reported exactly
 which triangles intersect. Every query gave the same counts as on this machine, under the same poses, from
 the same baked meshes, with every traversal; all traversals found the same pairs. No heap was linked,
 and no query used more than the stack printed above. The query object and the pose, 196 bytes, are the
