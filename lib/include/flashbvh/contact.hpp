@@ -19,14 +19,14 @@ template <class Query>
   return contact_of(a, b);
 }
 
-/// The position in the mesh of a triangle, by its id; triangle_count if there is none.
+/// The slot in the mesh of a triangle, by its id; triangle_count if there is none.
 template <class Mesh>
 uint32_t slot_of(const Mesh& mesh, uint32_t id) {
-  uint32_t position = 0;
-  while (position < mesh.triangle_count && mesh.triangle_ids[position] != id) {
-    ++position;
+  uint32_t slot = 0;
+  while (slot < mesh.triangle_count && mesh.triangle_ids[slot] != id) {
+    ++slot;
   }
-  return position;
+  return slot;
 }
 
 /// The triangles of a reported pair at any later time, where a query on `a` and `b` under `pose`

@@ -8,7 +8,7 @@
 // From when vertices begin to move until a refit ends `done`, boxes and vertices do not agree and
 // no query may use the mesh. While a refit is on, queries of it and another mesh end with
 // `cell_mismatch`, and inside() with `not_closed`. What was begun before a refit must not go on
-// after it: a DeformableQuery knows, and so does its position.
+// after it: a DeformableQuery detects it, and so does its cursor.
 //
 // RAM: 16 bytes a node and 6 a vertex (20 with 32-bit indices), and this object, 104 bytes on a
 // 32-bit core. Stack of a refit: 176 bytes on a Cortex-M4 at -O2.
@@ -113,21 +113,21 @@ class DeformableQuery {
   using Pair = TrianglePair<typename Mesh::Index>;
 
   /// Of two meshes, and what else the query takes: its pose first.
-  template <class... Asked>
-  DeformableQuery(const Deformable& a, const Deformable& b, const Asked&... asked)
-      : query_(a.mesh(), b.mesh(), asked...), a_(&a), b_(&b), refits_(refits()) {}
+  template <class... With>
+  DeformableQuery(const Deformable& a, const Deformable& b, const With&... with)
+      : query_(a.mesh(), b.mesh(), with...), a_(&a), b_(&b), refits_(refits()) {}
   /// Of one that bends, as B.
-  template <class... Asked>
-  DeformableQuery(const Mesh& a, const Deformable& b, const Asked&... asked)
-      : query_(a, b.mesh(), asked...), a_(nullptr), b_(&b), refits_(refits()) {}
+  template <class... With>
+  DeformableQuery(const Mesh& a, const Deformable& b, const With&... with)
+      : query_(a, b.mesh(), with...), a_(nullptr), b_(&b), refits_(refits()) {}
   /// As A.
-  template <class... Asked>
-  DeformableQuery(const Deformable& a, const Mesh& b, const Asked&... asked)
-      : query_(a.mesh(), b, asked...), a_(&a), b_(nullptr), refits_(refits()) {}
-  /// Of one against itself, and a band's question.
-  template <class... Asked>
-  explicit DeformableQuery(const Deformable& mesh, const Asked&... asked)
-      : query_(mesh.mesh(), asked...), a_(&mesh), b_(nullptr), refits_(refits()) {}
+  template <class... With>
+  DeformableQuery(const Deformable& a, const Mesh& b, const With&... with)
+      : query_(a.mesh(), b, with...), a_(&a), b_(nullptr), refits_(refits()) {}
+  /// Of one against itself, and a band's predicate.
+  template <class... With>
+  explicit DeformableQuery(const Deformable& mesh, const With&... with)
+      : query_(mesh.mesh(), with...), a_(&mesh), b_(nullptr), refits_(refits()) {}
 
   /// Whether a mesh was refit since the query was made, or is being refit.
   [[nodiscard]] bool is_outdated() const {

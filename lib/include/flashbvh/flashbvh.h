@@ -16,7 +16,7 @@
  * on by itself.
  *
  * Stack on Cortex-M3 and M4 at -O2, in bytes (proofs/stack proves it): to open an image at
- * most 480, a run 592, a predicate in one call 736, a contact 496, the triangles of a pair 416, a
+ * most 480, a run 592, a question in one call 736, a contact 496, the triangles of a pair 416, a
  * pose 416, a point in the unit 112.
  */
 #ifndef FLASHBVH_FLASHBVH_H
@@ -81,7 +81,7 @@ void flashbvh_mesh_origin(const flashbvh_mesh* mesh, int32_t origin[3]);
 /** Mesh::is_closed. */
 bool flashbvh_mesh_is_closed(const flashbvh_mesh* mesh);
 
-/* Poses: pose.hpp and float.hpp ----------------------------------------------------------- */
+/* Poses: pose.hpp and float.hpp ---------------------------------------------------------------- */
 
 /** One in the fixed point of a rotation: 30 fraction bits. */
 #define FLASHBVH_ROTATION_ONE ((int32_t)1 << 30)
@@ -195,8 +195,7 @@ void flashbvh_in_unit(const flashbvh_fine_point* point, const flashbvh_mesh* mes
 void flashbvh_in_millionths(const flashbvh_fine_point* point, const flashbvh_mesh* mesh,
                             int64_t at[3]);
 
-/* Time: time_bound.hpp; lib/docs/bounded_time.md has the proof
- * -------------------------------------- */
+/* Time: time_bound.hpp; lib/docs/bounded_time.md has the proof --------------------------------- */
 
 /** tree_size_of(), of an image that flashbvh_open() has opened; else why it is no image. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_image_tree_size(const void* image, size_t size,
@@ -222,7 +221,7 @@ uint64_t flashbvh_most_work(const flashbvh_tree_size* a, const flashbvh_tree_siz
 /** largest_step(): a run may overdraw by it, less 1. */
 uint64_t flashbvh_largest_step(const flashbvh_tree_size* a, const flashbvh_tree_size* b);
 
-/* One predicate, one call: collide.hpp ----------------------------------------------------------
+/* One question, one call: collide.hpp ----------------------------------------------------------
  *
  * Each runs a query of its own, on the stack, to its end and returns DONE or the query's error,
  * FULL where said. After an error `yes` is true, since what can't be decided may collide, and

@@ -131,11 +131,11 @@ struct BasicMesh : Tree<IndexType, layout> {
   bool is_closed;      ///< whether each edge is run through as often one way as the other
   uint64_t cell_bits;  ///< the cell in the unit, as the bits of an IEEE binary64
 
-  /// The position of the leaf's first triangle in `triangles`.
+  /// The slot of the leaf's first triangle in `triangles`.
   uint32_t first_triangle(uint32_t leaf) const {
     return leaf_offsets == nullptr ? leaf : leaf_offsets[leaf];
   }
-  /// The position after its last one.
+  /// The slot after its last one.
   uint32_t end_triangle(uint32_t leaf) const {
     return leaf_offsets == nullptr ? leaf + 1 : leaf_offsets[leaf + 1];
   }

@@ -21,22 +21,22 @@
 
 namespace flashbvh {
 
-/// `QuestionBase`: detail::Intersection or Within. The mesh outlives the query.
-template <class MeshType, class QuestionBase>
+/// `PredicateBase`: detail::Intersection or Within. The mesh outlives the query.
+template <class MeshType, class PredicateBase>
 class BasicSelfQuery
-    : public Query<detail::SelfRanked<MeshType>, detail::SelfPredicate<QuestionBase>> {
-  using Predicate = detail::SelfPredicate<QuestionBase>;
+    : public Query<detail::SelfRanked<MeshType>, detail::SelfPredicate<PredicateBase>> {
+  using Predicate = detail::SelfPredicate<PredicateBase>;
   using Base = Query<detail::SelfRanked<MeshType>, Predicate>;
 
  public:
-  /// With `within(distance)` (clearance.hpp) as the question of a SelfWithinQuery.
-  explicit BasicSelfQuery(const MeshType& mesh, const QuestionBase& predicate = QuestionBase())
+  /// With `within(distance)` (clearance.hpp) as the predicate of a SelfWithinQuery.
+  explicit BasicSelfQuery(const MeshType& mesh, const PredicateBase& predicate = PredicateBase())
       : BasicSelfQuery(mesh, predicate, Pose::translated(0, 0, 0)) {}
-  explicit BasicSelfQuery(const MeshType&&, const QuestionBase& = QuestionBase()) = delete;
+  explicit BasicSelfQuery(const MeshType&&, const PredicateBase& = PredicateBase()) = delete;
 
  private:
   /// A translation is not looked at again.
-  BasicSelfQuery(const MeshType& mesh, const QuestionBase& predicate, const Pose& identity)
+  BasicSelfQuery(const MeshType& mesh, const PredicateBase& predicate, const Pose& identity)
       : Base(mesh, mesh, identity, {}, Predicate(predicate)) {}
 };
 

@@ -19,7 +19,7 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_TRANSLATION_OUT_OF_RANGE = 18,
   /** A matrix or quaternion that does more than rotate. */
   FLASHBVH_STATUS_NOT_A_ROTATION = 19,
-  /** A saved position that is not one of this query's. */
+  /** A stored cursor that is not one of this query's. */
   FLASHBVH_STATUS_CURSOR_INVALID = 20,
   /** A hint that is no pair of the meshes' triangles. */
   FLASHBVH_STATUS_HINT_INVALID = 21,

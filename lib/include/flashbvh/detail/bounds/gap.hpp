@@ -1,4 +1,4 @@
-// How far two boxes are apart at least: the bounds of questions about distance.
+// How far two boxes are apart at least: the box test of predicates of distance.
 //
 // Along an axis the gap of two boxes is what is missing for them to overlap; gaps along orthogonal
 // axes are squared and added. Under a rotation that is done on A's axes and on B's, and either must

@@ -65,7 +65,7 @@ class Transform {
     translated_.offset = {0, 0, 0};
   }
 
-  /// For questions about distance: a translated B that is farther off than kMaxOffset along an axis
+  /// For predicates of distance: a translated B that is farther off than kMaxOffset along an axis
   /// is put at that distance, as a rotated one is.
   void bring_near() {
     if (!is_rotated_) {

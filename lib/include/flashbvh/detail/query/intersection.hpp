@@ -1,6 +1,6 @@
-// The question of PairQuery: which triangles intersect.
+// The predicate of PairQuery: which triangles intersect.
 //
-// A question is the test that a query makes of a walk's pairs. It is a small class with
+// A predicate is the test that a query makes of a walk's pairs. It is a small class with
 //     kIntersects             whether only triangles that intersect are an answer: then any test
 //                             that finds them disjoint may reject pairs, and the exact test is
 //                             known
@@ -19,8 +19,8 @@
 //     KeepsBound              a type, void, if not only a rotated B has a bound with a state: then
 //                             is_kept(transform) decides, and kept(transform) makes it, not
 //                             rotated()
-//     error_of(transform, a, b)   unless kDisjointRootsEnd: what is wrong with the question
-// Bounds are the question's to widen; a test may only say yes where they do not say no.
+//     error_of(transform, a, b)   unless kDisjointRootsEnd: what is wrong with the predicate
+// Box tests are the predicate's to widen; a test may only say yes where they do not say no.
 #ifndef FLASHBVH_DETAIL_QUERY_INTERSECTION_HPP
 #define FLASHBVH_DETAIL_QUERY_INTERSECTION_HPP
 
@@ -33,7 +33,7 @@
 
 namespace flashbvh::detail {
 
-/// The bound with a state, of a question and where B lies.
+/// The box test with a state, of a predicate and where B lies.
 template <class Predicate, class = void>
 struct StatefulBoxTest {
   /// Whether a walk takes it.

@@ -1,4 +1,4 @@
-// The questions about distance: which triangles are within d of each other, and which are nearest.
+// The predicates of distance: which triangles are within d of each other, and which are nearest.
 #ifndef FLASHBVH_DETAIL_QUERY_PROXIMITY_HPP
 #define FLASHBVH_DETAIL_QUERY_PROXIMITY_HPP
 
@@ -12,7 +12,7 @@
 
 namespace flashbvh::detail {
 
-/// What questions about distance have in common: bounds of gaps, widened to nothing.
+/// What predicates of distance share: box tests of gaps, widened by nothing.
 struct ProximityPredicate {
   static constexpr int64_t kMostLimit = int64_t{1} << 35;
   using KeepsBound = void;

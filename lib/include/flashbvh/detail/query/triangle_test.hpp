@@ -10,7 +10,7 @@
 
 namespace flashbvh::detail {
 
-/// Any question's. Rotating a triangle of B costs most, so it is kept.
+/// Any predicate's. Rotating a triangle of B costs most, so it is kept.
 template <class Predicate, class Mesh, bool kIntersects>
 class TriangleTest {
  public:
