@@ -67,7 +67,7 @@ Scan scan_at(const Place& place) {
     scan.mm[zone] = kNothing;
     if (answer.yes) {
       scan.mm[zone] = millimetres(distance_along(ray.segment, answer.hit.along));
-      hint = answer.hit.position;
+      hint = answer.hit.slot;
     }
   }
   scan.is_valid = true;

@@ -20,9 +20,9 @@ using namespace flashbvh;
 
 namespace {
 
-Mesh meshes[arm::kLinkCount];
-const Robot robot = view_robot_unchecked(arm::kImage, meshes);
-arm::GuardState state;
+Mesh meshes[ARM(LINK_COUNT)];
+const Robot robot = view_robot_unchecked(ARM(robot_image), meshes);
+GuardStateOf<ARM(JOINT_COUNT), ARM(PAIR_COUNT), ARM(PAIR_JOINT_COUNT)> state;
 
 /// A motion, and how far it got.
 struct Run {
@@ -34,7 +34,7 @@ struct Run {
   int waited;   ///< periods in which the drives stood, since an answer took longer
   uint32_t work;
   uint32_t digest;                            ///< of all answers
-  JointCoordinate held[arm::kVariableCount];  ///< where the drives stand
+  JointCoordinate held[ARM(VARIABLE_COUNT)];  ///< where the drives stand
 };
 
 /// The set point's answer, or more work on it.
@@ -63,7 +63,7 @@ void digest(Run& run) {
 
 /// What the timer's interrupt does. Whether the motion goes on.
 bool control(Run& run) {
-  JointCoordinate values[arm::kVariableCount];
+  JointCoordinate values[ARM(VARIABLE_COUNT)];
   run.last = ask(run, values);
   digest(run);
   run.work = run.last.work > run.work ? run.last.work : run.work;
@@ -72,7 +72,7 @@ bool control(Run& run) {
     run.waited += waits ? 1 : 0;
     return waits;
   }
-  for (uint32_t i = 0; i < arm::kVariableCount; ++i) {
+  for (uint32_t i = 0; i < ARM(VARIABLE_COUNT); ++i) {
     run.held[i] = values[i];  // to the drives
   }
   run.warned += run.last.verdict == Verdict::warn ? 1 : 0;
@@ -81,8 +81,8 @@ bool control(Run& run) {
 
 /// The links' distance where the drives stand, in 1/256 cell.
 uint32_t distance_at(const JointCoordinate* values, const RobotPair& pair) {
-  JointCoordinate coordinates[arm::kJointCount];
-  Frame frames[arm::kJointCount];
+  JointCoordinate coordinates[ARM(JOINT_COUNT)];
+  Frame frames[ARM(JOINT_COUNT)];
   if (set_coordinates(robot, values, coordinates) != Status::done) {
     return 0;
   }
@@ -109,17 +109,17 @@ const char* name_of(uint8_t variable) {
   while (robot.joints[joint].variable != variable || robot.joints[joint].shift != 0) {
     ++joint;  // a mimic, or another one
   }
-  return joint_name(arm::kImage, joint);
+  return joint_name(ARM(robot_image), joint);
 }
 
 /// Where it was stopped. Whether the links are still apart there.
 bool tell_stop(Run& run) {
   const RobotPair& pair = robot.pairs[run.last.pair];
   const uint32_t left = distance_at(run.held, pair);
-  port::print(", stopped with ", link_name(arm::kImage, pair.a), " and ",
-              link_name(arm::kImage, pair.b), " ");
+  port::print(", stopped with ", link_name(ARM(robot_image), pair.a), " and ",
+              link_name(ARM(robot_image), pair.b), " ");
   print_mm(left);
-  int32_t changes[arm::kVariableCount];
+  int32_t changes[ARM(VARIABLE_COUNT)];
   const PairDetail detail = run.guard.explain(run.last.pair, changes);
   if (detail.variable != kNoVariable) {
     port::print(" apart, out: ", name_of(detail.variable),
@@ -160,6 +160,6 @@ int main() {
   }
   port::print("RAM: ", unsigned{sizeof state}, " bytes, for views of the robot ",
               unsigned{sizeof meshes + sizeof robot},
-              " bytes, flash for the robot: ", unsigned{arm::kImageBytes}, " bytes\n");
+              " bytes, flash for the robot: ", unsigned{ARM(IMAGE_BYTES)}, " bytes\n");
   return is_right ? 0 : 1;
 }

@@ -110,7 +110,7 @@ bool nearest_agrees(Scene& s) {
 
 bool same_hit(const flashbvh_hit& c, const RayHit<std::uint16_t>& hit) {
   return c.above == hit.along.above && c.below == hit.along.below && c.triangle == hit.triangle &&
-         c.position == hit.position && c.side == hit.side;
+         c.slot == hit.slot && c.side == hit.side;
 }
 
 bool hits_agree(Scene& s, const Segment& ray) {

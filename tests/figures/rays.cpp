@@ -102,7 +102,7 @@ bool ask_fan(const Fan& fan) {
       const auto found = nearest_hit(*link, segment);
       if (found.yes) {
         good = ask_all(fan.name, *link, segment, seed) && good;
-        seed = found.hit.position;
+        seed = found.hit.slot;
       }
     }
   }

@@ -20,7 +20,7 @@ Point moved(const Point& p, const std::int32_t (&by)[3]) {
 }
 
 bool same(const Hit& x, const Hit& y) {
-  return x.triangle == y.triangle && x.position == y.position && x.side == y.side &&
+  return x.triangle == y.triangle && x.slot == y.slot && x.side == y.side &&
          x.along.above == y.along.above && x.along.below == y.along.below;
 }
 
@@ -51,7 +51,7 @@ void check_ray(Random& random, const Mesh& mesh, const Segment& segment) {
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const auto is_it = [&](const Hit& hit) { return same(hit, hits[i]); };
     REQUIRE(std::count_if(found.begin(), found.end(), is_it) == 1);
-    REQUIRE(mesh.triangle_ids[hits[i].position] == hits[i].triangle);
+    REQUIRE(mesh.triangle_ids[hits[i].slot] == hits[i].triangle);
   }
   const auto any = any_hit(mesh, segment);
   REQUIRE((any.status == Status::done && any.yes == !hits.empty()));
@@ -197,7 +197,7 @@ TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") 
     REQUIRE((found.yes && found.visits != 0));
     all += signed_crossings(mesh, segment).visits;
     nearest += found.visits;
-    seeded += nearest_hit(mesh, segment, found.hit.position).visits;
+    seeded += nearest_hit(mesh, segment, found.hit.slot).visits;
   }
   CAPTURE(all, nearest, seeded);
   CHECK(nearest * 10 < all * 9);

@@ -2,18 +2,10 @@
 #pragma once
 
 #include "cell_arm.robot.h"
-#include "flashbvh/robot/guard.hpp"
 #include "motion.hpp"
 
-namespace arm {
-constexpr const uint32_t* kImage = cell_arm_robot_image;
-constexpr uint32_t kImageBytes = cell_arm_IMAGE_BYTES;
-constexpr uint32_t kLinkCount = cell_arm_LINK_COUNT;
-constexpr uint32_t kJointCount = cell_arm_JOINT_COUNT;
-constexpr uint32_t kVariableCount = cell_arm_VARIABLE_COUNT;
-using GuardState =
-    flashbvh::GuardStateOf<kJointCount, cell_arm_PAIR_COUNT, cell_arm_PAIR_JOINT_COUNT>;
-}  // namespace arm
+/// A name of the robot's header.
+#define ARM(name) cell_arm_##name
 
 /// 1 kHz on a small core of 96 MHz.
 constexpr uint32_t kInstructionsAPeriod = 96000;

@@ -1,19 +1,11 @@
 // A KUKA KR5 on a pedestal, behind a fence: its commands.
 #pragma once
 
-#include "flashbvh/robot/guard.hpp"
 #include "kr5_cell.robot.h"
 #include "motion.hpp"
 
-namespace arm {
-constexpr const uint32_t* kImage = kr5_cell_robot_image;
-constexpr uint32_t kImageBytes = kr5_cell_IMAGE_BYTES;
-constexpr uint32_t kLinkCount = kr5_cell_LINK_COUNT;
-constexpr uint32_t kJointCount = kr5_cell_JOINT_COUNT;
-constexpr uint32_t kVariableCount = kr5_cell_VARIABLE_COUNT;
-using GuardState =
-    flashbvh::GuardStateOf<kJointCount, kr5_cell_PAIR_COUNT, kr5_cell_PAIR_JOINT_COUNT>;
-}  // namespace arm
+/// A name of the robot's header.
+#define ARM(name) kr5_cell_##name
 
 /// 1 kHz on a core of 168 MHz.
 constexpr uint32_t kInstructionsAPeriod = 168000;

@@ -24,11 +24,11 @@ typedef struct flashbvh_hit {
   int64_t above; /**< how far along: above / below of the segment, exactly, from 0 to 1 */
   int64_t below;
   uint16_t triangle; /**< its id */
-  uint16_t position; /**< in the mesh's array: a hint for the next ray */
+  uint16_t slot;     /**< in the mesh's array: a hint for the next ray */
   int8_t side;       /**< 1: the front is hit; -1: the back; 0: the edge of a plane */
 } flashbvh_hit;
 
-/** nearest_hit(); `*yes`: there is one. `hint`: the position of a triangle that may be near it, or
+/** nearest_hit(); `*yes`: there is one. `hint`: the slot of a triangle that may be near it, or
  * FLASHBVH_NO_HINT. RAY_OUT_OF_RANGE, HINT_INVALID: then `*yes` is true and `*hit` is nothing. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_nearest_hit(const flashbvh_mesh* mesh,
                                                         const flashbvh_segment* segment,

@@ -30,7 +30,7 @@ namespace flashbvh {
 template <class Index>
 struct RayHit {
   Index triangle;  ///< its id
-  Index position;  ///< in the mesh's array: what a later ray begins with
+  Index slot;      ///< in the mesh's array: what a later ray begins with
   /// Which side the ray meets: 1 the front, where corners turn counter-clockwise; -1 the back; 0
   /// where it lies in the triangle's plane, or the triangle has no area.
   int8_t side;
@@ -52,7 +52,7 @@ struct [[nodiscard]] RayAnswer {
 };
 
 /// The first hit along the segment; of several in one place that of the least triangle id. `hint`:
-/// the position of a triangle that may be near it, as the ray before has hit, which spares visits;
+/// the slot of a triangle that may be near it, as the ray before has hit, which spares visits;
 /// the hit never depends on it. Stack: 704 bytes on Cortex-M3 to M55 at -O2.
 template <class Index>
 RayAnswer<Index> nearest_hit(const BasicMesh<Index, Layout::post_indexed>& mesh,

@@ -10,7 +10,7 @@ static_assert(FLASHBVH_MAX_RAY_COORDINATE == kMaxRayCoordinate, "one range of ra
 namespace {
 
 flashbvh_hit c_hit(const RayHit<uint16_t>& hit) {
-  return {hit.along.above, hit.along.below, hit.triangle, hit.position, hit.side};
+  return {hit.along.above, hit.along.below, hit.triangle, hit.slot, hit.side};
 }
 
 flashbvh_status put_hit(const RayAnswer<uint16_t>& answer, bool* yes, flashbvh_hit* hit) {

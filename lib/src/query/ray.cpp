@@ -90,7 +90,7 @@ bool SegmentWalk<MeshType>::get_hit(uint32_t position, RayHit<Index>& hit) const
     return false;
   }
   hit.triangle = mesh_->triangle_ids[position];
-  hit.position = static_cast<Index>(position);
+  hit.slot = static_cast<Index>(position);
   return true;
 }
 

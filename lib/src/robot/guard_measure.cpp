@@ -165,7 +165,7 @@ void Guard::aim(uint32_t nearest) {
   const uint32_t asked = nearest > lasting ? detail::greater(share_asked, lasting) : share_asked;
   core_->nearest = nearest;
   core_->asked = asked < kMaxDistance ? asked : kMaxDistance;
-  core_->position = {};
+  core_->cursor = {};
 }
 
 /// One run of the question. `done`: the pair has its certificate; `full`: the witness is nearer
@@ -178,13 +178,13 @@ Status Guard::walk(uint32_t& work) {
   }
   WithinQuery query(robot_->meshes[pair.a], robot_->meshes[pair.b], core_->pose, {},
                     within(core_->asked));
-  Status status = query.resume(core_->position);
+  Status status = query.resume(core_->cursor);
   if (status == Status::suspended) {
     const RunResult step = query.run(work, [](const TrianglePair<uint16_t>&) { return false; });
     status = step.status;
     work -= step.work;
   }
-  core_->position = query.cursor();
+  core_->cursor = query.cursor();
   if (status == Status::done) {
     return finish({core_->asked, core_->nearest, core_->witness});
   }
@@ -199,7 +199,7 @@ Status Guard::walk(uint32_t& work) {
     return Status::suspended;
   }
   if (status == Status::cursor_invalid) {  // of a state that was taken up
-    core_->position = {};
+    core_->cursor = {};
     return Status::suspended;
   }
   return status;

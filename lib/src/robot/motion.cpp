@@ -127,7 +127,7 @@ void MotionQuery::begin_interval() {
     split_or_end();
   } else {
     core_->pose = relative_pose(frame_a, frame_b);
-    core_->position = {};
+    core_->cursor = {};
     core_->phase = kWithin;
   }
 }
@@ -135,7 +135,7 @@ void MotionQuery::begin_interval() {
 /// Tests the pair by the predicate of the phase: `full` if the answer is yes.
 template <class Asked>
 Status MotionQuery::ask(Asked&& query, uint32_t& work) {
-  const Status status = query.resume(core_->position);
+  const Status status = query.resume(core_->cursor);
   if (status != Status::suspended) {
     return status;
   }
@@ -144,7 +144,7 @@ Status MotionQuery::ask(Asked&& query, uint32_t& work) {
     return false;
   });
   work -= step.work;
-  core_->position = query.cursor();
+  core_->cursor = query.cursor();
   return step.status;
 }
 
@@ -170,7 +170,7 @@ void MotionQuery::step(uint32_t& work) {
   } else if (status == Status::done || status == Status::distance_out_of_range) {
     split_or_end();  // also pairs too far apart for so large a distance
   } else if (status == Status::full && core_->phase == kWithin) {
-    core_->position = {};
+    core_->cursor = {};
     core_->phase = kIntersects;
   } else if (status == Status::full) {
     core_->outcome = MotionOutcome::hit;

@@ -29,9 +29,9 @@ bool are_same(const FixedArm& arm, const AnyGuardState& u, const AnyGuardState& 
   return c.walked_pair == d.walked_pair &&
          (!walks ||
           (c.asked == d.asked && c.nearest == d.nearest && c.witness.a == d.witness.a &&
-           c.witness.b == d.witness.b && c.position.a == d.position.a &&
-           c.position.b == d.position.b && c.position.untested == d.position.untested &&
-           c.position.state == d.position.state && std::memcmp(u.walked, v.walked, joints) == 0)) &&
+           c.witness.b == d.witness.b && c.cursor.a == d.cursor.a && c.cursor.b == d.cursor.b &&
+           c.cursor.untested == d.cursor.untested && c.cursor.state == d.cursor.state &&
+           std::memcmp(u.walked, v.walked, joints) == 0)) &&
          std::memcmp(u.before, v.before, joints) == 0 && std::memcmp(u.step, v.step, joints) == 0 &&
          std::memcmp(u.pairs, v.pairs, robot.pair_count * sizeof(GuardPair)) == 0 &&
          std::memcmp(u.certified, v.certified, sizeof u.certified) == 0;

@@ -38,7 +38,7 @@ struct Found {
 
 template <class Index>
 Hit widened(const RayHit<Index>& hit) {
-  return {hit.triangle, hit.position, hit.side, hit.along};
+  return {hit.triangle, hit.slot, hit.side, hit.along};
 }
 
 bool is_before(const Hit& x, const Hit& y) {

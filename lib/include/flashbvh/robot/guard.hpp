@@ -65,7 +65,7 @@ struct GuardCore {
   uint32_t asked;    ///< of the pair: whether it is within this, in 1/256 cell
   uint32_t nearest;  ///< the distance of its witness there, rounded up
   Witness<uint16_t> witness;
-  QueryCursor<uint16_t> position;
+  QueryCursor<uint16_t> cursor;
   Pose pose = Pose::translated(0, 0, 0);
 };
 

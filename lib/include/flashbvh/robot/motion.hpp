@@ -39,7 +39,7 @@ struct MotionCore {
   uint16_t pair;
   uint32_t interval;  ///< from interval / 2^level on
   TrianglePair<uint16_t> triangles;
-  QueryCursor<uint16_t> position;
+  QueryCursor<uint16_t> cursor;
   uint32_t within;  ///< in 1/256 cell
   Pose pose = Pose::translated(0, 0, 0);
 };
