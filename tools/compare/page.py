@@ -102,7 +102,7 @@ def times(file):
         "",
         "Time of a distance of flashbvh, divided by FCL's:",
         "",
-        "                       OBBRSS                   RSS  seeded, OBBRSS",
+        "                       OBBRSS                   RSS  hinted, OBBRSS",
         "B           class        mean   of one pair    mean    mean   of one pair",
         *measured.distances(),
         "",
@@ -110,7 +110,7 @@ def times(file):
         "",
         "B           library          poses  differing      most")
     for motion in MOTIONS:
-        for library, title in (("distance_hinted", "flashbvh seeded"), ("distance_fcl", "FCL, OBBRSS"),
+        for library, title in (("distance_hinted", "flashbvh hinted"), ("distance_fcl", "FCL, OBBRSS"),
                                ("distance_rss", "FCL, RSS")):
             at = motion, library
             yield "%-10s  %-15s  %5d  %9d  %8.2g" % (motion, title, *lengths[at], farthest[at])

@@ -53,7 +53,8 @@ class Amalgamation:
 
 def write_amalgamation(lib: Path, target: Path, sources: list[str], robot_sources: list[str]) -> None:
     include = (lib / "include").resolve()
-    headers = [h for h in sorted(include.rglob("*.h*")) if h.parent.name != "detail"]
+    headers = [h for h in sorted(include.rglob("*.h*"))
+               if "detail" not in h.relative_to(include).parts]
     robot = [header for header in headers if header.parent.name == "robot"]
     c = Amalgamation(include, [h for h in headers if h.suffix == ".h"])
     cxx = Amalgamation(include, [h for h in headers if h.suffix == ".hpp" and h not in robot])

@@ -171,8 +171,7 @@ void Guard::aim(uint32_t nearest) {
 /// One run of the question. `done`: the pair has its certificate; `full`: the witness is nearer
 /// than the limit.
 Status Guard::walk(uint32_t& work) {
-  const uint16_t i = core_->walked_pair;
-  const RobotPair& pair = robot_->pairs[i];
+  const RobotPair& pair = robot_->pairs[core_->walked_pair];
   if (core_->nearest <= sum_of(pair.stop, robot_->slack)) {
     return finish({0, core_->nearest, core_->witness});
   }
@@ -180,18 +179,18 @@ Status Guard::walk(uint32_t& work) {
                     within(core_->asked));
   Status status = query.resume(core_->cursor);
   if (status == Status::suspended) {
-    const RunResult step = query.run(work, [](const TrianglePair<uint16_t>&) { return false; });
+    const uint32_t granted = work;
+    const RunResult step = query.run(granted, [](const TrianglePair<uint16_t>&) { return false; });
     status = step.status;
-    work -= step.work;
+    work = granted - step.work;
+    core_->cursor = query.cursor();
+    if (status == Status::full) {
+      const TrianglePair<uint16_t> nearer = query.last_slots();
+      core_->witness = {nearer.a, nearer.b};
+    }
   }
-  core_->cursor = query.cursor();
   if (status == Status::done) {
     return finish({core_->asked, core_->nearest, core_->witness});
-  }
-  if (status == Status::full) {
-    const TrianglePair<uint16_t> nearer = query.last_slots();
-    core_->witness = {nearer.a, nearer.b};
-    return Status::full;
   }
   if (status == Status::distance_out_of_range && core_->asked > 1) {
     core_->asked /= 2;

@@ -93,6 +93,37 @@ TEST_CASE("no joint moves a tool farther than its reach") {
   });
 }
 
+TEST_CASE("joints far apart add as much slack to a tool as to a link that is baked there") {
+  Random random(test_seed());
+  const Body body(random);
+  struct Slack {
+    std::uint32_t added;
+    std::uint32_t baked;
+  };
+  const auto slack_with = [&](double metres) {
+    Model model;
+    add_link(model, kNoJoint, box({-1, -1, -1}, {1, 1, 1}));
+    for (std::size_t joint = 0; joint < 5; ++joint) {
+      add_joint(model, joint == 0 ? kNoJoint : joint - 1, shifted({metres, 0, 0}),
+                JointType::revolute, -1, 1);
+    }
+    const FixedArm arm(model, kWorkcellCell);
+    const auto memory = std::make_unique<AnyWorkcell>();
+    Workcell workcell(arm.robot(), *memory);
+    std::uint8_t link = 0;
+    REQUIRE(workcell.add(body.mesh(), {4, kIdentityFrame}, link) == Status::done);
+    ModelLink tool = body.model.links[0];
+    tool.joint = 4;
+    model.links.push_back(tool);
+    return Slack{workcell.robot().slack, FixedArm(model, kWorkcellCell).robot().slack};
+  };
+  const Slack near = slack_with(0);
+  const Slack far = slack_with(80);
+  CHECK(far.baked > near.baked + 5);
+  CHECK(far.added - near.added >= far.baked - near.baked);
+  CHECK(far.added - near.added <= 8 * (far.baked - near.baked));
+}
+
 TEST_CASE("motions are certified with tools and obstacles in the way") {
   int outcomes[3] = {};
   for_rounds(rounds(6, 16), [&](Random& random, int) {

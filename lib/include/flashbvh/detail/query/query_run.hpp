@@ -155,7 +155,8 @@ class QueryRun : protected Predicate {
     state_ = State::at_leaf_pair;
   }
 
-  bool is_possible(const QueryCursor<Index>& at) const {
+  /// Kept out of line: inlined, it takes registers from callers, which then need 16 bytes more.
+  FLASHBVH_NOINLINE bool is_possible(const QueryCursor<Index>& at) const {
     if (at.state != State::at_pair && at.state != State::at_leaf_pair) {
       return at.state == State::fresh || at.state == State::done;
     }
