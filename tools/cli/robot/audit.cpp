@@ -40,8 +40,7 @@ std::string pair_text(const Model& model, std::size_t a, std::size_t b) {
 
 void print_audit(const Model& model, const std::string& srdf, const Audit& audit) {
   if (!audit.lines.empty()) {
-    std::vector<std::vector<std::string>> rows = {
-        {"pair", "line", "SRDF", "verdict", "reason"}};
+    std::vector<std::vector<std::string>> rows = {{"pair", "line", "SRDF", "verdict", "reason"}};
     for (const AuditedLine& line : audit.lines) {
       rows.push_back({pair_text(model, line.pair.a, line.pair.b), concat(line.line.line),
                       line.line.reason.empty() ? "-" : line.line.reason, name_of(line.verdict),
@@ -53,8 +52,8 @@ void print_audit(const Model& model, const std::string& srdf, const Audit& audit
   if (!audit.missing.empty()) {
     std::vector<std::vector<std::string>> rows = {{"missing", "SRDF", "reason"}};
     for (const MissingLine& missing : audit.missing) {
-      rows.push_back({pair_text(model, missing.line.a, missing.line.b), missing.line.reason,
-                      missing.why});
+      rows.push_back(
+          {pair_text(model, missing.line.a, missing.line.b), missing.line.reason, missing.why});
     }
     print_columns(rows);
     std::cout << "\n";
@@ -101,8 +100,8 @@ void print_audit_json(const Model& model, const std::string& srdf, const Audit& 
                                {"srdf_reason", missing.line.reason},
                                {"reason", missing.why}});
   }
-  for (const LineVerdict verdict : {LineVerdict::proven, LineVerdict::contact, LineVerdict::refuted,
-                                    LineVerdict::undecided}) {
+  for (const LineVerdict verdict :
+       {LineVerdict::proven, LineVerdict::contact, LineVerdict::refuted, LineVerdict::undecided}) {
     json[name_of(verdict)] = audit.count(verdict);
   }
   json["warnings"] = json_of(warnings);

@@ -322,9 +322,8 @@ std::set<std::string> files_read(const RobotArguments& arguments, const Model& m
 
 Model described_robot(const RobotArguments& arguments, Warnings& warnings) {
   (void)usual_distances(arguments);
-  Model model =
-      read_urdf(arguments.urdf, packages_of(arguments.packages), arguments.srdf, warnings,
-                arguments.joint_limits);
+  Model model = read_urdf(arguments.urdf, packages_of(arguments.packages), arguments.srdf, warnings,
+                          arguments.joint_limits);
   check_counts(model, arguments.urdf);
   for (const std::string& names : arguments.believed) {
     const std::string place = "--believe " + names;
@@ -358,8 +357,8 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   warn_of_unguarded(made, arguments.urdf, warnings);
   warn_of_fixed(made, distances, arguments.urdf, warnings);
   warn_of_near(made, distances, arguments, warnings);
-  made.fixed =
-      std::make_unique<FixedRobot>(made.model, meshes_of(made.links), made.cell, guarded(made.pairs, distances));
+  made.fixed = std::make_unique<FixedRobot>(made.model, meshes_of(made.links), made.cell,
+                                            guarded(made.pairs, distances));
   made.fixed->set_distance_tables(distance_tables_of(
       made.model, made.robot(),
       [&](std::size_t pair) { progress.begin(concat("distance table of pair ", pair + 1), 0); }));
@@ -367,8 +366,8 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
 }
 
 BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings) {
-  for (const char* const option : {"--package", "--joint-limits", "--srdf", "--believe", "--cell", "--leaf-size",
-                                   "--stop", "--warn", "--pair"}) {
+  for (const char* const option : {"--package", "--joint-limits", "--srdf", "--believe", "--cell",
+                                   "--leaf-size", "--stop", "--warn", "--pair"}) {
     if (command.count(option) != 0) {
       throw UserError(path, "is baked already, ", option,
                       " is for a URDF; leave it out, or bake again with `flashbvh robot`");

@@ -51,8 +51,8 @@ LineVerdict line_verdict(const DecidedPairs& decided, const PairVerdict& pair) {
 
 /// Null if the pair is to be checked.
 const char* reason_of(const Model& model, const PairVerdict& pair, LineVerdict verdict) {
-  const bool is_adjacent = std::any_of(
-      model.neighbours.begin(), model.neighbours.end(), [&](const auto& neighbours) {
+  const bool is_adjacent =
+      std::any_of(model.neighbours.begin(), model.neighbours.end(), [&](const auto& neighbours) {
         return std::minmax(neighbours.first, neighbours.second) == std::minmax(pair.a, pair.b);
       });
   return verdict != LineVerdict::proven && verdict != LineVerdict::contact ? nullptr
@@ -80,9 +80,8 @@ void add_witness(const DecidedPairs& decided, AuditedLine& line) {
   line.triangles = {file_triangle(model.links[line.pair.a], found.a),
                     file_triangle(model.links[line.pair.b], found.b)};
   line.why = concat("intersect at ", witness_text(model, line.pair), "; triangle ",
-                    line.triangles[0].triangle, " of ", line.triangles[0].source,
-                    " and triangle ", line.triangles[1].triangle, " of ",
-                    line.triangles[1].source);
+                    line.triangles[0].triangle, " of ", line.triangles[0].source, " and triangle ",
+                    line.triangles[1].triangle, " of ", line.triangles[1].source);
 }
 
 }  // namespace
@@ -143,8 +142,8 @@ Audit audit_of(const DecidedPairs& decided, const std::vector<DisabledPair>& dis
 std::string summary_of(const Audit& audit) {
   std::string text = concat(audit.lines.size(), audit.lines.size() == 1 ? " line: " : " lines: ");
   const char* between = "";
-  for (const LineVerdict verdict : {LineVerdict::proven, LineVerdict::contact, LineVerdict::refuted,
-                                    LineVerdict::undecided}) {
+  for (const LineVerdict verdict :
+       {LineVerdict::proven, LineVerdict::contact, LineVerdict::refuted, LineVerdict::undecided}) {
     text += concat(between, audit.count(verdict), " ", name_of(verdict));
     between = ", ";
   }

@@ -62,11 +62,12 @@ SrdfSpans spans_of(std::string_view text) {
       end = behind(text, ">", at);
     } else {
       end = behind_tag(text, at);
-      const bool closes = text[at + 1] == '/';
-      const bool is_empty = text[end - 2] == '/';
+      const std::string_view tag = text.substr(at, end - at);
+      const bool closes = tag.substr(0, 2) == "</";
+      const bool is_empty = tag.size() > 2 && tag[tag.size() - 2] == '/';
       begin = depth == 1 && !closes ? at : begin;
       depth += closes || is_empty ? 0 : 1;
-      depth -= closes ? 1 : 0;
+      depth -= closes && depth != 0 ? 1 : 0;
       if (depth == 1 && (closes || is_empty)) {
         spans.elements.push_back({begin, end});
       } else if (depth == 0) {
@@ -85,10 +86,7 @@ bool is_blank(std::string_view text) {
 std::string xml_text(const std::string& name) {
   std::string text;
   for (const char c : name) {
-    text += c == '&'   ? "&amp;"
-            : c == '<' ? "&lt;"
-            : c == '"' ? "&quot;"
-                       : std::string(1, c);
+    text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
   }
   return text;
 }
@@ -105,13 +103,20 @@ NamePair sorted(const std::string& a, const std::string& b) {
 class SrdfEditor {
  public:
   SrdfEditor(const std::string& path, const Model& model, const SrdfChanges& changes)
-      : model_(model), changes_(changes), text_(read_file(path)), spans_(spans_of(text_)) {
+      : model_(model), changes_(changes), text_(read_file(path)) {
     read_xml(path, "robot", document_);
+    spans_ = spans_of(text_);
     for (const TiXmlElement* e = document_.RootElement()->FirstChildElement(); e != nullptr;
          e = e->NextSiblingElement()) {
       elements_.push_back(e);
     }
-    if (elements_.size() != spans_.elements.size()) {
+    if (!std::equal(elements_.begin(), elements_.end(), spans_.elements.begin(),
+                    spans_.elements.end(),
+                    [&](const TiXmlElement* element, const Span& span) {
+                      const std::string& name = element->ValueStr();
+                      return text_.compare(span.begin + 1, name.size(), name) == 0;
+                    }) ||
+        spans_.root_end.end == 0) {
       throw UserError(path, "nests its elements in a way that can't be changed; write it again");
     }
     for (const SrdfLine& line : changes.disabled) {
@@ -255,7 +260,8 @@ class SrdfEditor {
     const std::size_t begin = line_begin(end.begin);
     const bool is_alone =
         begin != 0 && is_blank(std::string_view(text_).substr(begin, end.begin - begin));
-    const std::size_t at = is_alone ? begin - line_end_.size() : end.begin;
+    const std::size_t before = begin > 1 && text_[begin - 2] == '\r' ? begin - 2 : begin - 1;
+    const std::size_t at = is_alone ? before : end.begin;
     return {{at, at}, is_alone ? lines : lines + line_end_};
   }
 
@@ -273,12 +279,13 @@ class SrdfEditor {
 }  // namespace
 
 std::string srdf_of(const Model& model, const std::vector<SrdfLine>& lines) {
-  std::string text = concat("<?xml version=\"1.0\"?>\n<robot name=\"", xml_text(model.name), "\">\n");
+  std::string text =
+      concat("<?xml version=\"1.0\"?>\n<robot name=\"", xml_text(model.name), "\">\n");
   for (const SrdfLine& line : lines) {
-    text += concat("  ",
-                   element_text("disable_collisions",
-                                {model.links[line.a].name, model.links[line.b].name}),
-                   " reason=\"", line.reason, "\"/>\n");
+    text += concat(
+        "  ",
+        element_text("disable_collisions", {model.links[line.a].name, model.links[line.b].name}),
+        " reason=\"", line.reason, "\"/>\n");
   }
   return text + "</robot>\n";
 }

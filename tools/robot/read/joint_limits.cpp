@@ -82,9 +82,9 @@ class LimitsReader {
     }
     const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
                                     [&](const UrdfJoint& of) { return of.name == name; });
-    const char* const why = joint == robot_.joints.end()               ? "is no joint of the robot"
-                            : joint->type == UrdfJoint::Type::fixed      ? "is fixed"
-                            : joint->mimic                               ? "mimics another joint"
+    const char* const why = joint == robot_.joints.end()            ? "is no joint of the robot"
+                            : joint->type == UrdfJoint::Type::fixed ? "is fixed"
+                            : joint->mimic                          ? "mimics another joint"
                             : joint->type == UrdfJoint::Type::continuous
                                 ? "is continuous; to limit it, make it revolute in the URDF"
                                 : nullptr;

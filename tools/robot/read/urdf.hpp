@@ -10,8 +10,8 @@
 
 namespace flashbvh::tool {
 
-/// `srdf`, `joint_limits`: files, or empty. UserError, with the element and the remedy, for all that
-/// is no robot or that firmware can't hold; warnings of elements that do not count.
+/// `srdf`, `joint_limits`: files, or empty. UserError, with the element and the remedy, for all
+/// that is no robot or that firmware can't hold; warnings of elements that do not count.
 Model read_urdf(const std::string& path, const Packages& packages, const std::string& srdf,
                 Warnings& warnings, const std::string& joint_limits = "");
 
