@@ -89,6 +89,10 @@ void print_audit_json(const Model& model, const std::string& srdf, const Audit& 
   Json json = {{"robot", model.name},
                {"srdf", srdf},
                {"ok", audit.count(LineVerdict::refuted) == 0},
+               {"proven", audit.count(LineVerdict::proven)},
+               {"contact", audit.count(LineVerdict::contact)},
+               {"refuted", audit.count(LineVerdict::refuted)},
+               {"undecided", audit.count(LineVerdict::undecided)},
                {"lines", Json::array()},
                {"missing", Json::array()}};
   for (const AuditedLine& line : audit.lines) {
@@ -99,10 +103,6 @@ void print_audit_json(const Model& model, const std::string& srdf, const Audit& 
                                {"b", model.links[missing.line.b].name},
                                {"srdf_reason", missing.line.reason},
                                {"reason", missing.why}});
-  }
-  for (const LineVerdict verdict :
-       {LineVerdict::proven, LineVerdict::contact, LineVerdict::refuted, LineVerdict::undecided}) {
-    json[name_of(verdict)] = audit.count(verdict);
   }
   json["warnings"] = json_of(warnings);
   print_object(json);
