@@ -65,7 +65,7 @@ SrdfSpans spans_of(std::string_view text) {
       const std::string_view tag = text.substr(at, end - at);
       const bool closes = tag.substr(0, 2) == "</";
       const bool is_empty = tag.size() > 2 && tag[tag.size() - 2] == '/';
-      begin = depth == 1 && !closes ? at : begin;
+      begin = depth == 1 ? at : begin;
       depth += closes || is_empty ? 0 : 1;
       depth -= closes && depth != 0 ? 1 : 0;
       if (depth == 1 && (closes || is_empty)) {
