@@ -45,12 +45,12 @@ std::size_t behind_tag(std::string_view text, std::size_t from) {
   return text.size();
 }
 
-/// Of well-formed XML.
+/// Of XML that TinyXML reads, which looks at nothing behind the root.
 SrdfSpans spans_of(std::string_view text) {
   SrdfSpans spans;
   std::size_t depth = 0;
   std::size_t begin = 0;
-  for (std::size_t at = text.find('<'); at < text.size();) {
+  for (std::size_t at = text.find('<'); at < text.size() && spans.root_end.end == 0;) {
     std::size_t end = 0;
     if (text.compare(at, 4, "<!--") == 0) {
       end = behind(text, "-->", at);
