@@ -240,7 +240,7 @@ class SrdfEditor {
     }
     std::string lines;
     for (const std::string& line : added) {
-      lines += line_end_ + indent + line;
+      lines += concat(line_end_, indent, line);
     }
     return at != 0 ? Edit{{at, at}, lines} : at_end(lines);
   }
