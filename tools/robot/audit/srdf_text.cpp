@@ -103,13 +103,10 @@ NamePair sorted(const std::string& a, const std::string& b) {
 class SrdfEditor {
  public:
   SrdfEditor(const std::string& path, const Model& model, const SrdfChanges& changes)
-      : model_(model), changes_(changes), text_(read_file(path)) {
-    read_xml(path, "robot", document_);
+      : path_(path), model_(model), changes_(changes), text_(read_file(path)) {
+    parse_xml(text_, path, "robot", document_);
     spans_ = spans_of(text_);
-    for (const TiXmlElement* e = document_.RootElement()->FirstChildElement(); e != nullptr;
-         e = e->NextSiblingElement()) {
-      elements_.push_back(e);
-    }
+    elements_ = elements_of(document_);
     if (!std::equal(elements_.begin(), elements_.end(), spans_.elements.begin(),
                     spans_.elements.end(),
                     [&](const TiXmlElement* element, const Span& span) {
@@ -117,7 +114,7 @@ class SrdfEditor {
                       return text_.compare(span.begin + 1, name.size(), name) == 0;
                     }) ||
         spans_.root_end.end == 0) {
-      throw UserError(path, "nests its elements in a way that can't be changed; write it again");
+      refuse();
     }
     for (const SrdfLine& line : changes.disabled) {
       disabled_.insert(sorted(model.links[line.a].name, model.links[line.b].name));
@@ -130,7 +127,9 @@ class SrdfEditor {
 
   std::string change() {
     std::vector<Edit> edits = cuts();
-    if (const std::vector<std::string> added = added_elements(); !added.empty()) {
+    const std::size_t cut_count = edits.size();
+    const std::vector<std::string> added = added_elements();
+    if (!added.empty()) {
       edits.push_back(insertion(added));
     }
     // From the back, so that places before an edit stay.
@@ -140,6 +139,11 @@ class SrdfEditor {
       const Span span = edit.text.empty() ? whole_line(edit.span) : edit.span;
       text_.replace(span.begin, span.end - span.begin, edit.text);
     }
+    TiXmlDocument after;
+    parse_xml(text_, path_, "robot", after);
+    if (elements_of(after).size() != elements_.size() - cut_count + added.size()) {
+      refuse();
+    }
     return std::move(text_);
   }
 
@@ -148,6 +152,20 @@ class SrdfEditor {
     Span span;
     std::string text;  ///< in its place
   };
+
+  static std::vector<const TiXmlElement*> elements_of(const TiXmlDocument& document) {
+    std::vector<const TiXmlElement*> elements;
+    for (const TiXmlElement* e = document.RootElement()->FirstChildElement(); e != nullptr;
+         e = e->NextSiblingElement()) {
+      elements.push_back(e);
+    }
+    return elements;
+  }
+
+  /// TinyXML reads tags that are no XML.
+  [[noreturn]] void refuse() const {
+    throw UserError(path_, "has tags that are no sound XML, so it can't be changed; correct them");
+  }
 
   static NamePair links_of(const TiXmlElement& element) {
     return sorted(attribute(&element, "link1"), attribute(&element, "link2"));
@@ -265,6 +283,7 @@ class SrdfEditor {
     return {{at, at}, is_alone ? lines : lines + line_end_};
   }
 
+  const std::string& path_;
   const Model& model_;
   const SrdfChanges& changes_;
   std::string text_;
