@@ -19,6 +19,11 @@ std::string yaml_place(const std::string& path, const YAML::Mark& mark) {
   return mark.is_null() ? path : at_line(path, static_cast<std::size_t>(mark.line) + 1);
 }
 
+/// A name or value that may hold line ends.
+std::string shown(const std::string& text) {
+  return tool::quoted(one_line(text));
+}
+
 class LimitsReader {
  public:
   LimitsReader(const std::string& path, const std::string& urdf, UrdfRobot& robot,
@@ -43,7 +48,7 @@ class LimitsReader {
 
   void check_map(const YAML::Node& node, const std::string& name) const {
     if (!node.IsMap()) {
-      throw UserError(place_of(node), tool::quoted(name),
+      throw UserError(place_of(node), shown(name),
                       " has no names and values; indent them below it");
     }
   }
@@ -59,7 +64,7 @@ class LimitsReader {
         is_plain ? parse_number(value.Scalar()) : std::optional<double>();
     if (!number) {
       throw UserError(place_of(value), "has a ", key, " that is no number",
-                      value.IsScalar() ? ", " + tool::quoted(value.Scalar()) : "",
+                      value.IsScalar() ? ", " + shown(value.Scalar()) : "",
                       "; give radians or metres");
     }
     return number;
@@ -90,7 +95,7 @@ class LimitsReader {
                                 : nullptr;
     if (why != nullptr) {
       warnings_.add(place_of(limits),
-                    concat("limits ", tool::quoted(name), ", which ", why, "; left out"));
+                    concat("limits ", shown(name), ", which ", why, "; left out"));
       return;
     }
     narrow(*joint, lower, upper, place_of(limits));
@@ -107,8 +112,8 @@ class LimitsReader {
     const double least = std::max(lower.value_or(joint.lower), joint.lower);
     const double most = std::min(upper.value_or(joint.upper), joint.upper);
     if (least > most) {
-      throw UserError(place, "leaves ", tool::quoted(joint.name), " no value: from ",
-                      shortest(least), " to ", shortest(most), "; correct them");
+      throw UserError(place, "leaves ", shown(joint.name), " no value: from ", shortest(least),
+                      " to ", shortest(most), "; correct them");
     }
     joint.lower = least;
     joint.upper = most;
@@ -116,8 +121,8 @@ class LimitsReader {
 
   [[noreturn]] void refuse_wider(const UrdfJoint& joint, const std::string& place, const char* key,
                                  double given, const char* side, double limit) const {
-    throw UserError(place, "gives ", tool::quoted(joint.name), " a ", key, " of ", shortest(given),
-                    ", ", side, " the URDF's limit of ", shortest(limit),
+    throw UserError(place, "gives ", shown(joint.name), " a ", key, " of ", shortest(given), ", ",
+                    side, " the URDF's limit of ", shortest(limit),
                     ", and may only narrow it; give at ", side[0] == 'b' ? "least " : "most ",
                     shortest(limit), ", or change the <limit> in ", urdf_);
   }
