@@ -1,19 +1,19 @@
 # flashbvh_add_robot(name URDF file
-#                    [PACKAGE name=folder]... [SRDF file] [BELIEVE link,link]... [CELL length] [LEAF_SIZE n] [STOP length]
+#                    [PACKAGE name=folder]... [SRDF file] [JOINT_LIMITS file] [BELIEVE link,link]... [CELL length] [LEAF_SIZE n] [STOP length]
 #                    [WARN length] [PAIR link,link=stop[,warn]]... [FORMAT c|image|both])
 #
 # A library `name`, also called name::name, with the image of a robot. A target that links it includes
 # "<name>.robot.h", for C and C++, which declares the array <name>_robot_image for
 # view_robot_unchecked(), and has flashbvh::robot. FORMAT image makes no code: the folder of
 # <name>.robot, for open_robot(), is an include folder of each target that links the library, for .incbin.
-# FORMAT both makes both. The options are those of `flashbvh robot`; lengths are in metres. The robot is baked again when the URDF, the SRDF, one of the meshes, an option
+# FORMAT both makes both. The options are those of `flashbvh robot`; lengths are in metres. The robot is baked again when the URDF, the SRDF, the joint limits, one of the meshes, an option
 # or the tool changes; which meshes, the tool says in a depfile.
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 
 function(flashbvh_add_robot name)
   # Depfiles as Ninja wants them, even if the caller requires an older CMake.
   cmake_policy(SET CMP0116 NEW)
-  set(files URDF SRDF)
+  set(files URDF SRDF JOINT_LIMITS)
   set(single CELL LEAF_SIZE STOP WARN FORMAT)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "${files};${single}" "PACKAGE;PAIR;BELIEVE")
   set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_PACKAGE} ${arg_PAIR})
@@ -34,7 +34,7 @@ function(flashbvh_add_robot name)
     endif()
   endforeach()
   set(options "")
-  foreach(option SRDF ${single})
+  foreach(option SRDF JOINT_LIMITS ${single})
     if(DEFINED arg_${option})
       string(TOLOWER --${option} flag)
       string(REPLACE "_" "-" flag ${flag})

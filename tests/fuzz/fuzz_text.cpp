@@ -1,7 +1,8 @@
 // Any bytes as a text that the tool reads in addition to meshes: read, or refused with a message
 // that says where.
 //
-// The input is a line that names the kind (urdf, srdf, poses, values: a trajectory), then the file.
+// The input is a line that names the kind (urdf, srdf, limits, poses, values: a trajectory), then
+// the file.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 
 #include "evaluate/poses.hpp"
 #include "fuzz/fuzz.hpp"
+#include "robot/audit/srdf_text.hpp"
 #include "robot/read/urdf.hpp"
 #include "robot/replay/replay.hpp"
 
@@ -62,12 +64,31 @@ void check(const Model& model) {
   }
 }
 
+/// Both links disabled, or no longer: as the SRDF is changed, so it is read.
+void change(const std::string& path, bool is_disabled) {
+  SrdfChanges changes;
+  if (is_disabled) {
+    changes.enabled.emplace_back(0, 1);
+  } else {
+    changes.disabled.push_back({0, 1, "Never"});
+  }
+  const MemoryFile changed(changed_srdf(path, arm(), changes));
+  Warnings warnings;
+  require(
+      read_srdf(changed.path(), arm(), {"base", "middle", "hand"}, warnings).empty() == is_disabled,
+      "an SRDF that was not changed");
+}
+
 void read(const std::string& kind, const std::string& path) {
   Warnings warnings;
   if (kind == "urdf") {
     check(read_urdf(path, {}, "", warnings));
   } else if (kind == "srdf") {
-    (void)read_srdf(path, arm(), {"base", "middle", "hand"}, warnings);
+    const std::vector<DisabledPair> pairs =
+        read_srdf(path, arm(), {"base", "middle", "hand"}, warnings);
+    change(path, !pairs.empty());
+  } else if (kind == "limits") {
+    check(read_urdf(MemoryFile(kArm).path(), {}, "", warnings, path));
   } else if (kind == "poses") {
     (void)read_lattice_poses(path, 0.001);
     (void)read_lattice_poses(path, 0.001, /*as_floats=*/true);
@@ -87,8 +108,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const std::string input(reinterpret_cast<const char*>(bytes), size);
   const std::size_t end = input.find('\n');
   const std::string kind = input.substr(0, end);
-  if (end == std::string::npos ||
-      (kind != "urdf" && kind != "srdf" && kind != "poses" && kind != "values")) {
+  if (end == std::string::npos || (kind != "urdf" && kind != "srdf" && kind != "limits" &&
+                                   kind != "poses" && kind != "values")) {
     return 0;
   }
   const MemoryFile file(input.substr(end + 1));

@@ -15,7 +15,7 @@ HERE = Path(__file__).resolve().parent
 GENERATORS = "Ninja", "Unix Makefiles"
 # No package but the compiler's: nothing looks for what these options forbid.
 BARE = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=TRUE" for name in
-        ("assimp", "CLI11", "nlohmann_json", "Catch2", "urdfdom")]
+        ("assimp", "CLI11", "nlohmann_json", "Catch2", "urdfdom", "yaml-cpp")]
 IN_SOURCES = ["-DWAY=add_subdirectory", f"-DFLASHBVH_ROOT={ROOT}"]
 WITH_TOOL = [*IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={FLASHBVH}"]
 log = ""
@@ -303,8 +303,8 @@ def machine_target():
 
 
 def runtime_only():
-    """Firmware that links arrays baked before needs neither the tool nor assimp, CLI11, nlohmann_json, urdfdom
-    or Catch2, whichever way it gets the library."""
+    """Firmware that links arrays baked before needs neither the tool nor assimp, CLI11, nlohmann_json, urdfdom,
+    yaml-cpp or Catch2, whichever way it gets the library."""
     hold(run(FLASHBVH, "bake", "firmware/plate.obj", "firmware/peg.obj", "-o", "baked", "--format", "c"), "bake")
     install_library()
     hold(not Path("prefix/bin").exists(), "a program was installed")

@@ -79,6 +79,7 @@ void add_ray(CLI::App& app);
 void add_bench(CLI::App& app, ExitCode& exit_code);
 void add_robot(CLI::App& app);
 void add_guard(CLI::App& app, ExitCode& exit_code);
+void add_audit(CLI::App& app, ExitCode& exit_code);
 
 /// Declares a command that calls run(arguments); its options go to the arguments.
 template <class Arguments, class Run>

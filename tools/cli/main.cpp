@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
   add_bench(app, exit_code);
   add_robot(app);
   add_guard(app, exit_code);
+  add_audit(app, exit_code);
   if (argc < 2) {
     return fail("a command is missing; see flashbvh --help");
   }

@@ -46,10 +46,11 @@ struct ModelJoint {
 struct ModelLink {
   std::string name;
   std::size_t joint = kNoJoint;
-  bake::SourceMesh mesh;             ///< all its collision elements, in the joint's frame
-  std::vector<std::string> sources;  ///< files and primitives, for messages
-  std::vector<std::string> files;    ///< that were read
-  double precision = 0;              ///< how far readers may have rounded a coordinate
+  bake::SourceMesh mesh;                   ///< all its collision elements, in the joint's frame
+  std::vector<std::string> sources;        ///< files and primitives, for messages
+  std::vector<std::size_t> source_begins;  ///< of each source, its first triangle in `mesh`
+  std::vector<std::string> files;          ///< that were read
+  double precision = 0;                    ///< how far readers may have rounded a coordinate
 };
 
 /// A link's own frame, which a tool may be fastened in: of every link of the URDF.

@@ -62,15 +62,6 @@ std::vector<BakedLink> bake_links(const Model& model, double cell, const RobotAr
   return links;
 }
 
-std::vector<Mesh> meshes_of(const std::vector<BakedLink>& links) {
-  std::vector<Mesh> meshes;
-  meshes.reserve(links.size());
-  for (const BakedLink& link : links) {
-    meshes.push_back(link.mesh());
-  }
-  return meshes;
-}
-
 struct Distances {
   double stop;
   double warn;
@@ -257,14 +248,44 @@ void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
   }
 }
 
+double steps_of(const Model& model) {
+  const auto count = static_cast<double>(model.links.size());
+  return kBakingWeight * count + count * (count - 1) / 2;
+}
+
+/// All but what firmware holds.
+BakedRobot decided(Model model, const AllDistances& distances, const RobotArguments& arguments,
+                   Progress& progress, Warnings& warnings) {
+  BakedRobot made;
+  made.model = std::move(model);
+  made.cell = robot_cell(made.model, given_cell(arguments), arguments.urdf);
+  check_range(distances.usual, made.cell);
+  for (const GuardedPair& pair : distances.own) {
+    check_range({pair.stop, pair.warn}, made.cell);
+  }
+  made.sizes = link_sizes(made.model);
+  warn_of_sizes(made.model, made.sizes, arguments.urdf, warnings);
+  warn_of_cell(made.model, made.sizes, made.cell, least_stop(distances),
+               arguments.cell ? concat("--cell ", *arguments.cell) : arguments.urdf, warnings);
+  made.links = bake_links(made.model, made.cell, arguments, progress, warnings);
+  made.pairs = decide(made.model, meshes_of(made.links), made.cell, distances, progress);
+  return made;
+}
+
 }  // namespace
 
-void add_robot_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {
+void add_described_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {
   command.add_option(name, arguments.urdf, "The robot (URDF)")->required();
   repeated(
       add_option(command, "--package", arguments.packages, "NAME=DIR",
                  "Folder of the package NAME, for meshes at package://NAME/...; may be repeated. "
                  "\nDefault: the first folder of that name next to the URDF or above it"));
+  add_option(command, "--joint-limits", arguments.joint_limits, "FILE",
+             "MoveIt's joint_limits.yaml, whose position limits narrow the URDF's");
+}
+
+void add_robot_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {
+  add_described_options(command, name, arguments);
   add_option(command, "--srdf", arguments.srdf, "FILE",
              "Pairs of links that need no guard; those that can collide are an error");
   repeated(
@@ -288,8 +309,10 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
 
 std::set<std::string> files_read(const RobotArguments& arguments, const Model& model) {
   std::set<std::string> read = {arguments.urdf};
-  if (!arguments.srdf.empty()) {
-    read.insert(arguments.srdf);
+  for (const std::string& file : {arguments.srdf, arguments.joint_limits}) {
+    if (!file.empty()) {
+      read.insert(file);
+    }
   }
   for (const ModelLink& link : model.links) {
     read.insert(link.files.begin(), link.files.end());
@@ -299,8 +322,8 @@ std::set<std::string> files_read(const RobotArguments& arguments, const Model& m
 
 Model described_robot(const RobotArguments& arguments, Warnings& warnings) {
   (void)usual_distances(arguments);
-  Model model =
-      read_urdf(arguments.urdf, packages_of(arguments.packages), arguments.srdf, warnings);
+  Model model = read_urdf(arguments.urdf, packages_of(arguments.packages), arguments.srdf, warnings,
+                          arguments.joint_limits);
   check_counts(model, arguments.urdf);
   for (const std::string& names : arguments.believed) {
     const std::string place = "--believe " + names;
@@ -310,31 +333,32 @@ Model described_robot(const RobotArguments& arguments, Warnings& warnings) {
   return model;
 }
 
+std::vector<Mesh> meshes_of(const std::vector<BakedLink>& links) {
+  std::vector<Mesh> meshes;
+  meshes.reserve(links.size());
+  for (const BakedLink& link : links) {
+    meshes.push_back(link.mesh());
+  }
+  return meshes;
+}
+
+BakedRobot decided_robot(Model model, const RobotArguments& arguments, Warnings& warnings) {
+  const AllDistances distances = all_distances(model, arguments);
+  Progress progress(steps_of(model), arguments.progress);
+  return decided(std::move(model), distances, arguments, progress, warnings);
+}
+
 BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& warnings) {
   const AllDistances distances = all_distances(model, arguments);
-  BakedRobot made;
-  made.model = std::move(model);
-  made.cell = robot_cell(made.model, given_cell(arguments), arguments.urdf);
-  check_range(distances.usual, made.cell);
-  for (const GuardedPair& pair : distances.own) {
-    check_range({pair.stop, pair.warn}, made.cell);
-  }
-  made.sizes = link_sizes(made.model);
-  warn_of_sizes(made.model, made.sizes, arguments.urdf, warnings);
-  warn_of_cell(made.model, made.sizes, made.cell, least_stop(distances),
-               arguments.cell ? concat("--cell ", *arguments.cell) : arguments.urdf, warnings);
-  const auto count = static_cast<double>(made.model.links.size());
-  Progress progress(kBakingWeight * count + count * (count - 1) / 2, arguments.progress);
-  made.links = bake_links(made.model, made.cell, arguments, progress, warnings);
-  const std::vector<Mesh> meshes = meshes_of(made.links);
-  made.pairs = decide(made.model, meshes, made.cell, distances, progress);
+  Progress progress(steps_of(model), arguments.progress);
+  BakedRobot made = decided(std::move(model), distances, arguments, progress, warnings);
   check_disabled(made.model, made.pairs, arguments.srdf, warnings);
   made.unguarded = unguarded_pairs(made.pairs);
   warn_of_unguarded(made, arguments.urdf, warnings);
   warn_of_fixed(made, distances, arguments.urdf, warnings);
   warn_of_near(made, distances, arguments, warnings);
-  made.fixed =
-      std::make_unique<FixedRobot>(made.model, meshes, made.cell, guarded(made.pairs, distances));
+  made.fixed = std::make_unique<FixedRobot>(made.model, meshes_of(made.links), made.cell,
+                                            guarded(made.pairs, distances));
   made.fixed->set_distance_tables(distance_tables_of(
       made.model, made.robot(),
       [&](std::size_t pair) { progress.begin(concat("distance table of pair ", pair + 1), 0); }));
@@ -342,8 +366,8 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
 }
 
 BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings) {
-  for (const char* const option : {"--package", "--srdf", "--believe", "--cell", "--leaf-size",
-                                   "--stop", "--warn", "--pair"}) {
+  for (const char* const option : {"--package", "--joint-limits", "--srdf", "--believe", "--cell",
+                                   "--leaf-size", "--stop", "--warn", "--pair"}) {
     if (command.count(option) != 0) {
       throw UserError(path, "is baked already, ", option,
                       " is for a URDF; leave it out, or bake again with `flashbvh robot`");

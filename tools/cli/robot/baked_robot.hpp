@@ -25,6 +25,7 @@ namespace flashbvh::tool {
 struct RobotArguments {
   std::string urdf;
   std::vector<std::string> packages;
+  std::string joint_limits;
   std::string srdf;
   std::vector<std::string> believed;  ///< pairs that the SRDF disables
   std::optional<std::string> cell;
@@ -35,7 +36,9 @@ struct RobotArguments {
   bool progress = false;
 };
 
-/// Declares them: the same for all commands, so that they speak of the same robot.
+/// Declares the URDF, its packages and its joint limits.
+void add_described_options(CLI::App& command, const std::string& name, RobotArguments& arguments);
+/// Declares them all: the same for all commands, so that they speak of the same robot.
 void add_robot_options(CLI::App& command, const std::string& name, RobotArguments& arguments);
 
 /// Its parts point into each other; it may be moved.
@@ -57,6 +60,10 @@ Model described_robot(const RobotArguments& arguments, Warnings& warnings);
 /// The URDF, the SRDF and the meshes, or the image: what no output may replace.
 std::set<std::string> files_read(const RobotArguments& arguments, const Model& model);
 
+/// Without what firmware holds: baked, its pairs decided.
+BakedRobot decided_robot(Model model, const RobotArguments& arguments, Warnings& warnings);
+/// Views of its links' meshes.
+std::vector<Mesh> meshes_of(const std::vector<BakedLink>& links);
 /// Takes some seconds a pair where proofs are hard. UserError for all that can't be baked.
 BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& warnings);
 

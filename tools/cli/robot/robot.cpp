@@ -8,6 +8,7 @@
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/robot_output.hpp"
 #include "report/robot_page.hpp"
+#include "robot/audit/audit.hpp"
 #include "robot/baked/robot_image.hpp"
 #include "robot/baked/robot_writer.hpp"
 #include "text/files.hpp"
@@ -19,6 +20,7 @@ struct OutputArguments : RobotArguments {
   std::string folder;
   std::string name;
   std::string depfile;
+  std::string written_srdf;
   std::string format = "c";
   std::string page;
   bool json = false;
@@ -114,6 +116,11 @@ void make_robot(const OutputArguments& arguments) {
     add_output(arguments, baked.model, arguments.depfile,
                dependencies(arguments, name, baked.model), files);
   }
+  if (!arguments.written_srdf.empty()) {
+    const std::vector<SrdfLine> lines =
+        srdf_lines({baked.model, meshes_of(baked.links), baked.cell, baked.pairs});
+    add_output(arguments, baked.model, arguments.written_srdf, srdf_of(baked.model, lines), files);
+  }
   if (!arguments.page.empty()) {
     add_page(arguments, baked, bytes, files);
   }
@@ -144,7 +151,10 @@ void add_robot(CLI::App& app) {
              "Name of the files and their contents; default: that of the robot")
       ->check([](const std::string& name) { return name.empty() ? "is empty; give a name" : ""; });
   add_option(command, "--depfile", a.depfile, "FILE",
-             "Write what was read, for make and Ninja: the URDF, the SRDF and the meshes");
+             "Write what was read, for make and Ninja: the URDF, the SRDF, the joint limits and "
+             "the meshes");
+  add_option(command, "--write-srdf", a.written_srdf, "FILE",
+             "Write an SRDF that disables the pairs that no planner has to check");
   add_option(command, "--report", a.page, "PAGE.html",
              "Write a page: what can collide, how rare that is and how it looks; flash and RAM");
   add_json(command, a.json, "One JSON object");

@@ -13,21 +13,6 @@ std::string pair_name(const Model& model, const PairVerdict& pair, const char* b
   return model.links[pair.a].name + between + model.links[pair.b].name;
 }
 
-/// "elbow 1.2, wrist 0": of the joints between the two links.
-std::string values_of(const Model& model, const PairVerdict& pair) {
-  const JointsBetween joints = joints_between(model, pair.a, pair.b);
-  std::set<std::size_t> variables;
-  for (const auto& branch : {joints.of_a, joints.of_b}) {
-    for (const std::size_t joint : branch) {
-      variables.insert(model.joints[joint].variable);
-    }
-  }
-  return joined(variables, [&](std::size_t variable) {
-    return model.joints[model.variables[variable]].name + " " +
-           significant(pair.witness[variable], 5);
-  });
-}
-
 struct Why {
   WhyUnguarded why;
   const char* reason;
@@ -47,6 +32,20 @@ const Why& of(WhyUnguarded why) {
 }
 
 }  // namespace
+
+std::string witness_text(const Model& model, const PairVerdict& pair) {
+  const JointsBetween joints = joints_between(model, pair.a, pair.b);
+  std::set<std::size_t> variables;
+  for (const auto& branch : {joints.of_a, joints.of_b}) {
+    for (const std::size_t joint : branch) {
+      variables.insert(model.joints[joint].variable);
+    }
+  }
+  return joined(variables, [&](std::size_t variable) {
+    return model.joints[model.variables[variable]].name + " " +
+           significant(pair.witness[variable], 5);
+  });
+}
 
 void believe(std::size_t a, std::size_t b, const std::string& place, Model& model) {
   DisabledPair* const found = find_pair(model.disabled, a, b);
@@ -84,7 +83,7 @@ void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
       first =
           concat("disables ", pair_name(model, pair, " - "),
                  disabled.reason.empty() ? "" : concat(" as \"", disabled.reason, "\""),
-                 ", but they intersect at ", values_of(model, pair),
+                 ", but they intersect at ", witness_text(model, pair),
                  "; delete the line, or stand by it with --believe ", pair_name(model, pair, ","));
     } else {
       more += concat(more.empty() ? ". So can: " : ", ", pair_name(model, pair, " - "), " (line ",

@@ -34,6 +34,9 @@ std::string names_of(const Model& model, const std::vector<UnguardedPair>& pairs
 std::vector<std::string> unguarded_warnings(const Model& model,
                                             const std::vector<UnguardedPair>& pairs);
 
+/// "elbow 1.2, wrist 0": the values at a pair's witness, of the joints between its links.
+std::string witness_text(const Model& model, const PairVerdict& pair);
+
 /// Marks the disabled pair of links `a` and `b` as believed. UserError, at `place`, if the SRDF
 /// does not disable it.
 void believe(std::size_t a, std::size_t b, const std::string& place, Model& model);

@@ -175,6 +175,7 @@ void append(const Element& element, const Transform& placement, const std::strin
       }
     }
   }
+  made.source_begins.push_back(made.mesh.triangles.size());
   for (bake::TriangleCorners corners : element.mesh.triangles) {
     for (std::uint32_t& corner : corners) {
       corner += static_cast<std::uint32_t>(first);

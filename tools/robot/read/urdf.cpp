@@ -6,6 +6,7 @@
 
 #include "mesh/mesh_builder.hpp"
 #include "robot/kinematics.hpp"
+#include "robot/read/joint_limits.hpp"
 #include "robot/read/urdf_document.hpp"
 #include "robot/read/xml_file.hpp"
 #include "text/numbers.hpp"
@@ -292,8 +293,11 @@ std::vector<std::string> names_of(const std::vector<UrdfLink>& links) {
 }  // namespace
 
 Model read_urdf(const std::string& path, const Packages& packages, const std::string& srdf,
-                Warnings& warnings) {
-  const UrdfRobot robot = read_urdf_document(path);
+                Warnings& warnings, const std::string& joint_limits) {
+  UrdfRobot robot = read_urdf_document(path);
+  if (!joint_limits.empty()) {
+    narrow_limits(joint_limits, path, robot, warnings);
+  }
   KinematicTree tree = kinematic_tree(robot, path, warnings);
   if (!robot.soft_limits.empty()) {
     warnings.add(path,

@@ -10,10 +10,10 @@
 
 namespace flashbvh::tool {
 
-/// `srdf`: a file, or empty. UserError, with the element and the remedy, for all that is no robot
-/// or that firmware can't hold; warnings of elements that do not count.
+/// `srdf`, `joint_limits`: files, or empty. UserError, with the element and the remedy, for all
+/// that is no robot or that firmware can't hold; warnings of elements that do not count.
 Model read_urdf(const std::string& path, const Packages& packages, const std::string& srdf,
-                Warnings& warnings);
+                Warnings& warnings, const std::string& joint_limits = "");
 
 /// The pairs of links that its <disable_collisions> name, each once, in its order; then those of
 /// links in <disable_default_collisions> but for pairs in <enable_collisions>. `all_links`: the

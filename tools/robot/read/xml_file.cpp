@@ -32,7 +32,11 @@ bool is_too_deep(std::string_view text) {
 }  // namespace
 
 void read_xml(const std::string& path, const char* root, TiXmlDocument& document) {
-  std::string text = read_file(path);
+  parse_xml(read_file(path), path, root, document);
+}
+
+void parse_xml(std::string text, const std::string& path, const char* root,
+               TiXmlDocument& document) {
   if (is_too_deep(text)) {
     throw UserError(path, "nests elements over ", kMostLevels, " deep; write it again");
   }

@@ -10,6 +10,9 @@ namespace flashbvh::tool {
 /// Reads a file whose outermost element is <`root`>. UserError if it is missing, malformed, nested
 /// deeper than any robot, or something else.
 void read_xml(const std::string& path, const char* root, TiXmlDocument& document);
+/// The same of a text. `path`: for messages.
+void parse_xml(std::string text, const std::string& path, const char* root,
+               TiXmlDocument& document);
 
 /// Empty if the element has no such attribute, or is null.
 std::string attribute(const TiXmlElement* element, const char* name);

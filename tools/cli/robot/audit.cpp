@@ -1,0 +1,159 @@
+// flashbvh audit: which pairs of an SRDF may be disabled.
+#include <iomanip>
+#include <iostream>
+
+#include "cli/commands.hpp"
+#include "cli/json.hpp"
+#include "cli/robot/baked_robot.hpp"
+#include "report/audit_page.hpp"
+#include "robot/audit/audit.hpp"
+#include "text/files.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+struct AuditArguments : RobotArguments {
+  std::string fixed;
+  std::string page;
+  bool json = false;
+};
+
+/// Text in columns as wide as their widest cell; the last is not padded.
+void print_columns(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+      widths[i] = std::max(widths[i], row[i].size() + 2);
+    }
+  }
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      std::cout << std::left << std::setw(static_cast<int>(widths[i])) << row[i];
+    }
+    std::cout << "\n";
+  }
+}
+
+std::string pair_text(const Model& model, std::size_t a, std::size_t b) {
+  return model.links[a].name + " - " + model.links[b].name;
+}
+
+void print_audit(const Model& model, const std::string& srdf, const Audit& audit) {
+  if (!audit.lines.empty()) {
+    std::vector<std::vector<std::string>> rows = {{"pair", "line", "SRDF", "verdict", "reason"}};
+    for (const AuditedLine& line : audit.lines) {
+      rows.push_back({pair_text(model, line.pair.a, line.pair.b), concat(line.line.line),
+                      line.line.reason.empty() ? "-" : line.line.reason, name_of(line.verdict),
+                      line.why});
+    }
+    print_columns(rows);
+    std::cout << "\n";
+  }
+  if (!audit.missing.empty()) {
+    std::vector<std::vector<std::string>> rows = {{"missing", "SRDF", "reason"}};
+    for (const MissingLine& missing : audit.missing) {
+      rows.push_back(
+          {pair_text(model, missing.line.a, missing.line.b), missing.line.reason, missing.why});
+    }
+    print_columns(rows);
+    std::cout << "\n";
+  }
+  std::cout << srdf << ": " << summary_of(audit) << "\n";
+}
+
+Json triangle_json(const FileTriangle& triangle) {
+  return {{"source", triangle.source}, {"triangle", triangle.triangle}};
+}
+
+Json line_json(const Model& model, const AuditedLine& line) {
+  Json json = {{"line", line.line.line},
+               {"a", model.links[line.pair.a].name},
+               {"b", model.links[line.pair.b].name},
+               {"srdf_reason", line.line.reason},
+               {"verdict", name_of(line.verdict)},
+               {"reason", line.why},
+               {"cells", line.pair.cells},
+               {"witness", Json::object()},
+               {"triangles", Json::array()}};
+  if (line.verdict == LineVerdict::refuted) {
+    for (std::size_t i = 0; i < line.pair.witness.size(); ++i) {
+      json["witness"][model.joints[model.variables[i]].name] = line.pair.witness[i];
+    }
+    json["triangles"] = {triangle_json(line.triangles[0]), triangle_json(line.triangles[1])};
+  }
+  return json;
+}
+
+void print_audit_json(const Model& model, const std::string& srdf, const Audit& audit,
+                      const Warnings& warnings) {
+  Json json = {{"robot", model.name},
+               {"srdf", srdf},
+               {"ok", audit.count(LineVerdict::refuted) == 0},
+               {"proven", audit.count(LineVerdict::proven)},
+               {"contact", audit.count(LineVerdict::contact)},
+               {"refuted", audit.count(LineVerdict::refuted)},
+               {"undecided", audit.count(LineVerdict::undecided)},
+               {"lines", Json::array()},
+               {"missing", Json::array()}};
+  for (const AuditedLine& line : audit.lines) {
+    json["lines"].push_back(line_json(model, line));
+  }
+  for (const MissingLine& missing : audit.missing) {
+    json["missing"].push_back({{"a", model.links[missing.line.a].name},
+                               {"b", model.links[missing.line.b].name},
+                               {"srdf_reason", missing.line.reason},
+                               {"reason", missing.why}});
+  }
+  json["warnings"] = json_of(warnings);
+  print_object(json);
+}
+
+ExitCode audit_srdf(const AuditArguments& arguments) {
+  Warnings warnings;
+  Model model = described_robot(arguments, warnings);
+  const std::vector<DisabledPair> disabled = std::exchange(model.disabled, {});
+  const BakedRobot robot = decided_robot(std::move(model), arguments, warnings);
+  const Audit audit =
+      audit_of({robot.model, meshes_of(robot.links), robot.cell, robot.pairs}, disabled);
+  const std::set<std::string> read = files_read(arguments, robot.model);
+  FileSet files;
+  const auto add = [&](const std::string& path, std::string text) {
+    refuse_to_replace_inputs(path, {read.begin(), read.end()});
+    files.add(path, std::move(text));
+  };
+  if (!arguments.fixed.empty()) {
+    add(arguments.fixed, changed_srdf(arguments.srdf, robot.model, audit.changes()));
+  }
+  if (!arguments.page.empty()) {
+    add(arguments.page, audit_page(robot.model, arguments.srdf, audit));
+  }
+  files.write([&] {
+    warnings.print();
+    if (arguments.json) {
+      print_audit_json(robot.model, arguments.srdf, audit, warnings);
+    } else {
+      print_audit(robot.model, arguments.srdf, audit);
+    }
+    flush_output();
+  });
+  return audit.count(LineVerdict::refuted) == 0 ? kSuccess : kCheckFailed;
+}
+
+}  // namespace
+
+void add_audit(CLI::App& app, ExitCode& exit_code) {
+  auto [command, a] = add_command<AuditArguments>(
+      app, "audit",
+      "Decide each pair of links that an SRDF disables, and list the pairs that it could disable.\n"
+      "Exit code 0: no line is refuted; 1: in some two links can collide.",
+      [&exit_code](const AuditArguments& arguments) { exit_code = audit_srdf(arguments); });
+  add_described_options(command, "ROBOT", a);
+  command.add_option("SRDF", a.srdf, "The SRDF of the robot")->required();
+  add_option(command, "--write", a.fixed, "FIXED.srdf",
+             "Write the SRDF without refuted lines and with the missing ones; all else is kept");
+  add_option(command, "--report", a.page, "PAGE.html", "Write a page: the table");
+  add_json(command, a.json, "One JSON object");
+  add_progress(command, a.progress);
+}
+
+}  // namespace flashbvh::tool

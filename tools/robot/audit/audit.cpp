@@ -1,0 +1,154 @@
+#include "robot/audit/audit.hpp"
+
+#include <algorithm>
+
+#include "robot/matrix/pair_search.hpp"
+#include "robot/matrix/pair_space.hpp"
+#include "robot/matrix/rarity.hpp"
+#include "robot/matrix/unguarded.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// MoveIt's default: 0, or the middle of limits that do not allow it.
+double default_value(const ModelJoint& joint) {
+  return joint.lower <= 0 && joint.upper >= 0 ? 0 : 0.5 * (joint.lower + joint.upper);
+}
+
+/// Whether the two links intersect at the default configuration and wherever else they are tried.
+bool is_in_contact(const DecidedPairs& decided, const PairVerdict& pair) {
+  const PairSpace space(decided.model, {pair.a, &decided.meshes[pair.a], nullptr},
+                        {pair.b, &decided.meshes[pair.b], nullptr}, decided.cell);
+  std::vector<double> at_default;
+  for (const Dimension& dimension : space.dimensions()) {
+    at_default.push_back(
+        default_value(decided.model.joints[decided.model.variables[dimension.variable]]));
+  }
+  bool intersect = space.intersect(at_default);
+  for (std::uint32_t i = 0; intersect && i < MatrixOptions{}.looks; ++i) {
+    intersect = space.intersect(spread_point(space, i));
+  }
+  return intersect;
+}
+
+/// Of a line that disables the pair.
+LineVerdict line_verdict(const DecidedPairs& decided, const PairVerdict& pair) {
+  switch (pair.verdict) {
+    case MatrixVerdict::never:
+    case MatrixVerdict::fixed:
+      return LineVerdict::proven;
+    case MatrixVerdict::always:
+      return LineVerdict::contact;
+    case MatrixVerdict::can:
+    case MatrixVerdict::believed:
+      return is_in_contact(decided, pair) ? LineVerdict::contact : LineVerdict::refuted;
+    case MatrixVerdict::undecided:
+      break;
+  }
+  return LineVerdict::undecided;
+}
+
+/// Null if the pair is to be checked.
+const char* reason_of(const Model& model, const PairVerdict& pair, LineVerdict verdict) {
+  const bool is_adjacent =
+      std::any_of(model.neighbours.begin(), model.neighbours.end(), [&](const auto& neighbours) {
+        return std::minmax(neighbours.first, neighbours.second) == std::minmax(pair.a, pair.b);
+      });
+  return verdict != LineVerdict::proven && verdict != LineVerdict::contact ? nullptr
+         : is_adjacent                                                     ? "Adjacent"
+         : verdict == LineVerdict::proven                                  ? "Never"
+                                                                           : "Default";
+}
+
+FileTriangle file_triangle(const ModelLink& link, std::size_t triangle) {
+  const auto next =
+      std::upper_bound(link.source_begins.begin(), link.source_begins.end(), triangle);
+  const auto source = static_cast<std::size_t>(next - link.source_begins.begin()) - 1;
+  return {link.sources[source], triangle - link.source_begins[source]};
+}
+
+std::string why_of(const PairVerdict& pair, LineVerdict verdict) {
+  return verdict == LineVerdict::contact && pair.verdict != MatrixVerdict::always
+             ? "intersect at the default configuration and wherever tried; sampled, not proven"
+             : pair.reason;
+}
+
+void add_witness(const DecidedPairs& decided, AuditedLine& line) {
+  const Model& model = decided.model;
+  const auto found = triangles_at(model, decided.meshes.data(), decided.cell, line.pair);
+  line.triangles = {file_triangle(model.links[line.pair.a], found.a),
+                    file_triangle(model.links[line.pair.b], found.b)};
+  line.why = concat("intersect at ", witness_text(model, line.pair), "; triangle ",
+                    line.triangles[0].triangle, " of ", line.triangles[0].source, " and triangle ",
+                    line.triangles[1].triangle, " of ", line.triangles[1].source);
+}
+
+}  // namespace
+
+const char* name_of(LineVerdict verdict) {
+  constexpr const char* kNames[] = {"proven", "contact", "refuted", "undecided"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
+
+std::size_t Audit::count(LineVerdict verdict) const {
+  return static_cast<std::size_t>(
+      std::count_if(lines.begin(), lines.end(),
+                    [&](const AuditedLine& line) { return line.verdict == verdict; }));
+}
+
+SrdfChanges Audit::changes() const {
+  SrdfChanges changes;
+  for (const AuditedLine& line : lines) {
+    if (line.verdict == LineVerdict::refuted) {
+      changes.enabled.emplace_back(line.pair.a, line.pair.b);
+    }
+  }
+  for (const MissingLine& line : missing) {
+    changes.disabled.push_back(line.line);
+  }
+  return changes;
+}
+
+std::vector<SrdfLine> srdf_lines(const DecidedPairs& decided) {
+  std::vector<SrdfLine> lines;
+  for (const PairVerdict& pair : decided.pairs) {
+    if (const char* reason = reason_of(decided.model, pair, line_verdict(decided, pair))) {
+      lines.push_back({pair.a, pair.b, reason});
+    }
+  }
+  return lines;
+}
+
+Audit audit_of(const DecidedPairs& decided, const std::vector<DisabledPair>& disabled) {
+  Audit audit;
+  for (const DisabledPair& of : disabled) {
+    const PairVerdict& pair = *find_pair(decided.pairs, of.a, of.b);
+    const LineVerdict verdict = line_verdict(decided, pair);
+    audit.lines.push_back({of, pair, verdict, why_of(pair, verdict), {}});
+    if (verdict == LineVerdict::refuted) {
+      add_witness(decided, audit.lines.back());
+    }
+  }
+  for (const SrdfLine& line : srdf_lines(decided)) {
+    if (find_pair(disabled, line.a, line.b) == nullptr) {
+      const PairVerdict& pair = *find_pair(decided.pairs, line.a, line.b);
+      audit.missing.push_back({line, why_of(pair, line_verdict(decided, pair))});
+    }
+  }
+  return audit;
+}
+
+std::string summary_of(const Audit& audit) {
+  std::string text = concat(audit.lines.size(), audit.lines.size() == 1 ? " line: " : " lines: ");
+  const char* between = "";
+  for (const LineVerdict verdict :
+       {LineVerdict::proven, LineVerdict::contact, LineVerdict::refuted, LineVerdict::undecided}) {
+    text += concat(between, audit.count(verdict), " ", name_of(verdict));
+    between = ", ";
+  }
+  return concat(text, "; ", audit.missing.size(),
+                audit.missing.size() == 1 ? " pair is missing" : " pairs are missing");
+}
+
+}  // namespace flashbvh::tool

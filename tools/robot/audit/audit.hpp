@@ -1,0 +1,66 @@
+// Whether the lines of an SRDF hold, by the decided matrix.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "robot/audit/srdf_text.hpp"
+#include "robot/matrix/matrix.hpp"
+
+namespace flashbvh::tool {
+
+enum class LineVerdict : std::uint8_t {
+  proven,     ///< the two links never collide
+  contact,    ///< they intersect wherever they were tried: a planner has to leave them out
+  refuted,    ///< they can collide, with a witness
+  undecided,  ///< neither
+};
+const char* name_of(LineVerdict verdict);
+
+/// A triangle of a file or of a primitive, counted from 0.
+struct FileTriangle {
+  std::string source;
+  std::size_t triangle;
+};
+
+struct AuditedLine {
+  DisabledPair line;
+  PairVerdict pair;
+  LineVerdict verdict;
+  std::string why;  ///< for people
+  /// Of a refuted one: which intersect at the witness.
+  std::array<FileTriangle, 2> triangles;
+};
+
+struct MissingLine {
+  SrdfLine line;
+  std::string why;
+};
+
+struct Audit {
+  std::vector<AuditedLine> lines;    ///< in the SRDF's order
+  std::vector<MissingLine> missing;  ///< pairs that it leaves enabled for nothing
+
+  std::size_t count(LineVerdict verdict) const;
+  SrdfChanges changes() const;
+};
+
+/// A robot whose pairs are decided, none of them believed.
+struct DecidedPairs {
+  const Model& model;
+  const std::vector<Mesh>& meshes;
+  double cell;  ///< metres
+  const std::vector<PairVerdict>& pairs;
+};
+
+/// All that a planner need not check.
+std::vector<SrdfLine> srdf_lines(const DecidedPairs& decided);
+
+/// `disabled`: by the SRDF, as read_srdf() has them.
+Audit audit_of(const DecidedPairs& decided, const std::vector<DisabledPair>& disabled);
+
+/// "64 lines: 60 proven, 3 contact, 1 refuted, 0 undecided; 2 pairs are missing".
+std::string summary_of(const Audit& audit);
+
+}  // namespace flashbvh::tool

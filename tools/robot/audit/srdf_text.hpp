@@ -1,0 +1,32 @@
+// SRDFs as text: written whole, or changed where pairs are wrong, all else kept byte for byte.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robot/model.hpp"
+
+namespace flashbvh::tool {
+
+/// Two links that a planner need not check.
+struct SrdfLine {
+  std::size_t a;
+  std::size_t b;
+  const char* reason;  ///< MoveIt's: Adjacent, Never, Default
+};
+
+/// An SRDF of these lines alone.
+std::string srdf_of(const Model& model, const std::vector<SrdfLine>& lines);
+
+/// Pairs (a, b), a below b.
+struct SrdfChanges {
+  std::vector<std::pair<std::size_t, std::size_t>> enabled;  ///< no longer disabled
+  std::vector<SrdfLine> disabled;                            ///< in addition
+};
+
+/// The text of the SRDF at `path` with `changes`. A pair of a <disable_default_collisions> becomes
+/// an <enable_collisions>. UserError as read_xml().
+std::string changed_srdf(const std::string& path, const Model& model, const SrdfChanges& changes);
+
+}  // namespace flashbvh::tool

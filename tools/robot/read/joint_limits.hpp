@@ -1,0 +1,17 @@
+// Limits of MoveIt's joint_limits.yaml.
+#pragma once
+
+#include <string>
+
+#include "robot/read/urdf_document.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+
+/// Narrows the limits of the robot's joints to the file's, `min_position` and `max_position`,
+/// radians or metres. UserError, with the line and the fix, if the file is malformed or widens a
+/// limit; warnings of limits that do not count. `urdf`: for messages.
+void narrow_limits(const std::string& path, const std::string& urdf, UrdfRobot& robot,
+                   Warnings& warnings);
+
+}  // namespace flashbvh::tool
