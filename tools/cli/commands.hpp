@@ -91,6 +91,15 @@ std::pair<CLI::App&, Arguments&> add_command(CLI::App& app, const char* name, co
   return {*command, *arguments};
 }
 
+/// One whose run() returns how the program exits.
+template <class Arguments, class Run>
+std::pair<CLI::App&, Arguments&> add_command(CLI::App& app, const char* name, const char* what,
+                                             ExitCode& exit_code, const Run& run) {
+  return add_command<Arguments>(app, name, what, [&exit_code, run](const Arguments& arguments) {
+    exit_code = run(arguments);
+  });
+}
+
 /// Declares --unit, which can be given several times and takes one word each time.
 void add_unit_option(CLI::App& command, std::vector<std::string>& given);
 

@@ -308,7 +308,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       app, "check",
       "Prove that an image of a mesh or a robot is well-formed and, with --mesh, that it is this "
       "mesh.\nPrints what it holds; exits with 1 if it is another mesh.",
-      [&exit_code](const CheckArguments& given) { exit_code = check(given); });
+      exit_code, check);
   add_image(command, a.image, "Image (.fbvh, .robot)");
   command.add_option("--mesh", a.mesh, "The mesh file that it was baked from");
   command.add_option("--body", a.body, "The body of that file alone, as `bake --split` names it");

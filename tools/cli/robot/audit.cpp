@@ -146,7 +146,7 @@ void add_audit(CLI::App& app, ExitCode& exit_code) {
       app, "audit",
       "Decide each pair of links that an SRDF disables, and list the pairs that it could disable.\n"
       "Exit code 0: no line is refuted; 1: in some two links can collide.",
-      [&exit_code](const AuditArguments& arguments) { exit_code = audit_srdf(arguments); });
+      exit_code, audit_srdf);
   add_described_options(command, "ROBOT", a);
   command.add_option("SRDF", a.srdf, "The SRDF of the robot")->required();
   add_option(command, "--write", a.fixed, "FIXED.srdf",

@@ -25,11 +25,7 @@ bool is_in_contact(const DecidedPairs& decided, const PairVerdict& pair) {
     at_default.push_back(
         default_value(decided.model.joints[decided.model.variables[dimension.variable]]));
   }
-  bool intersect = space.intersect(at_default);
-  for (std::uint32_t i = 0; intersect && i < MatrixOptions{}.looks; ++i) {
-    intersect = space.intersect(spread_point(space, i));
-  }
-  return intersect;
+  return space.intersect(at_default) && intersect_wherever_tried(space, MatrixOptions{}.looks);
 }
 
 /// Of a line that disables the pair.

@@ -96,6 +96,12 @@ std::string element_text(const char* name, const NamePair& links) {
                 xml_text(links.second), "\"");
 }
 
+std::string disabling_text(const Model& model, const SrdfLine& line) {
+  return concat(
+      element_text("disable_collisions", {model.links[line.a].name, model.links[line.b].name}),
+      " reason=\"", line.reason, "\"/>");
+}
+
 NamePair sorted(const std::string& a, const std::string& b) {
   return std::minmax(a, b);
 }
@@ -171,10 +177,6 @@ class SrdfEditor {
     return sorted(attribute(&element, "link1"), attribute(&element, "link2"));
   }
 
-  NamePair names_of_pair(std::size_t a, std::size_t b) const {
-    return {model_.links[a].name, model_.links[b].name};
-  }
-
   bool has(const char* kind, const std::string& link) const {
     return std::any_of(elements_.begin(), elements_.end(), [&](const TiXmlElement* e) {
       return e->ValueStr() == kind && attribute(e, "link") == link;
@@ -190,11 +192,10 @@ class SrdfEditor {
   std::vector<std::string> added_elements() const {
     std::vector<std::string> added;
     for (const SrdfLine& line : changes_.disabled) {
-      added.push_back(concat(element_text("disable_collisions", names_of_pair(line.a, line.b)),
-                             " reason=\"", line.reason, "\"/>"));
+      added.push_back(disabling_text(model_, line));
     }
     for (const auto& [a, b] : changes_.enabled) {
-      const NamePair links = names_of_pair(a, b);
+      const NamePair links = {model_.links[a].name, model_.links[b].name};
       const bool is_default = has("disable_default_collisions", links.first) ||
                               has("disable_default_collisions", links.second);
       if (is_default && !is_enabled(sorted(links.first, links.second))) {
@@ -301,10 +302,7 @@ std::string srdf_of(const Model& model, const std::vector<SrdfLine>& lines) {
   std::string text =
       concat("<?xml version=\"1.0\"?>\n<robot name=\"", xml_text(model.name), "\">\n");
   for (const SrdfLine& line : lines) {
-    text += concat(
-        "  ",
-        element_text("disable_collisions", {model.links[line.a].name, model.links[line.b].name}),
-        " reason=\"", line.reason, "\"/>\n");
+    text += concat("  ", disabling_text(model, line), "\n");
   }
   return text + "</robot>\n";
 }

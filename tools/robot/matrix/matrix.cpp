@@ -60,13 +60,9 @@ class Decider {
 
   /// Empty if the pair has to be decided.
   std::string why_always(const PairSpace& space, std::size_t a, std::size_t b) const {
-    if (!are_neighbours(a, b) || options_.looks == 0 || own_distances(a, b) != nullptr) {
+    if (!are_neighbours(a, b) || options_.looks == 0 || own_distances(a, b) != nullptr ||
+        !intersect_wherever_tried(space, options_.looks)) {
       return "";
-    }
-    for (std::uint32_t i = 0; i < options_.looks; ++i) {
-      if (!space.intersect(spread_point(space, i))) {
-        return "";
-      }
     }
     return concat("neighbours that intersect at each of ", options_.looks,
                   " configurations spread over the limits; sampled, not proven");

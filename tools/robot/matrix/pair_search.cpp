@@ -277,6 +277,14 @@ std::vector<double> spread_point(const PairSpace& space, std::uint32_t number) {
   return point;
 }
 
+bool intersect_wherever_tried(const PairSpace& space, std::uint32_t places) {
+  std::uint32_t place = 0;
+  while (place < places && space.intersect(spread_point(space, place))) {
+    ++place;
+  }
+  return place == places;
+}
+
 std::optional<std::vector<double>> find_intersection(const PairSpace& space, std::uint32_t starts) {
   std::vector<Place> places;
   for (std::uint32_t i = 0; i < starts; ++i) {

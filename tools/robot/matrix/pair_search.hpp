@@ -55,6 +55,10 @@ bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double ce
 /// integrals", Numerische Mathematik 2, 1960.
 std::vector<double> spread_point(const PairSpace& space, std::uint32_t number);
 
+/// Whether the links intersect at each of the first `places` of spread_point(). Says nothing of
+/// other places.
+bool intersect_wherever_tried(const PairSpace& space, std::uint32_t places);
+
 /// Looks at `starts` places and goes downhill from the nearest few. None says nothing.
 std::optional<std::vector<double>> find_intersection(const PairSpace& space, std::uint32_t starts);
 
