@@ -36,6 +36,10 @@ TEST_CASE("limits narrow, and mimics follow") {
   CHECK(model.joints[2].lower == -4);
   CHECK(model.joints[2].upper == 1);
   CHECK(files.warnings.all().size() == 1);  // of the mimic's own limits
+  RobotFiles others;
+  const tool::Model upper = narrowed(others, "joint_limits: {turn: {max_position: 1.5}}");
+  CHECK(upper.joints[0].lower == -1);
+  CHECK(upper.joints[0].upper == 1.5);
 }
 
 TEST_CASE("limits that are not meant do not count") {
