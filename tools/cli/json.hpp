@@ -40,7 +40,11 @@ inline Json unguarded_json(const Model& model, const std::vector<UnguardedPair>&
   for (const UnguardedPair& pair : unguarded) {
     json.push_back({{"a", model.links[pair.a].name},
                     {"b", model.links[pair.b].name},
-                    {"reason", pair.reason}});
+                    {"reason", reason_of(model, pair)}});
+    if (pair.why == WhyUnguarded::zone) {
+      json.back()["joint"] = model.joints[pair.joint].name;
+      json.back()["radius"] = pair.radius;
+    }
   }
   return json;
 }

@@ -47,7 +47,7 @@ Faces faces_of(const PosedArm& arm, const LitPair& pair, bool all) {
   Faces faces;
   add_link(arm, pair.a, kFirstMesh, &pair.triangles.a, faces);
   add_link(arm, pair.b, kSecondMesh, &pair.triangles.b, faces);
-  for (std::size_t link = 0; all && link < arm.robot.link_count; ++link) {
+  for (std::size_t link = 0; all && link < arm.model.link_count(); ++link) {
     if (link != pair.a && link != pair.b) {
       add_link(arm, link, kOtherMesh, nullptr, faces);
     }
@@ -146,7 +146,7 @@ std::string arm_pictures(const std::vector<PosedArm>& arms,
   std::vector<Faces> drawings(arms.size());
   Faces all;
   for (std::size_t i = 0; i < arms.size(); ++i) {
-    for (std::size_t link = 0; link < arms[i].robot.link_count; ++link) {
+    for (std::size_t link = 0; link < arms[i].model.link_count(); ++link) {
       add_link(arms[i], link, link % 2 == 0 ? kFirstMesh : kSecondMesh, nullptr, drawings[i]);
     }
     all.insert(all.end(), drawings[i].begin(), drawings[i].end());
@@ -183,7 +183,10 @@ std::string unguarded_decisions(const Model& model, const std::vector<UnguardedP
   std::string html;
   for (const auto& [why, pairs] : by_reason) {
     html += decision("v1", "Not guarded",
-                     escaped(names_of(model, pairs) + " (" + pairs.front().reason + ")"));
+                     escaped(names_of(model, pairs) +
+                             (why == WhyUnguarded::believed
+                                  ? " (" + reason_of(model, pairs.front()) + ")"
+                                  : "")));
   }
   return html;
 }

@@ -10,7 +10,7 @@ namespace {
 
 /// The style class of the matrix's verdict next to it.
 std::string style_of(LineVerdict verdict) {
-  constexpr const char* kStyles[] = {"is-never", "is-always", "is-can", "is-undecided"};
+  constexpr const char* kStyles[] = {"is-never", "is-contact", "is-can", "is-undecided"};
   return kStyles[static_cast<std::size_t>(verdict)];
 }
 

@@ -79,7 +79,7 @@ thead th{color:var(--soft);vertical-align:bottom}
 .pairs td small{color:var(--text);white-space:nowrap}
 .pairs tbody th{white-space:nowrap;padding-right:10px;position:sticky;left:0;background:var(--paper)}
 .is-never{background:rgba(40,160,90,.2)}.is-can{background:rgba(var(--hot),.34)}
-.is-always,.is-believed{background:rgba(220,160,20,.3)}.is-fixed{background:rgba(130,145,165,.22)}
+.is-contact,.is-believed{background:rgba(220,160,20,.3)}.is-fixed{background:rgba(130,145,165,.22)}
 .is-undecided{background:rgba(160,80,200,.28)}
 @media (min-width:540px){.hist th{white-space:nowrap}}
 @media (max-width:539px){th,td{padding-right:10px}

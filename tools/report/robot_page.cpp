@@ -17,7 +17,6 @@ namespace {
 constexpr std::pair<MatrixVerdict, const char*> kMeanings[] = {
     {MatrixVerdict::never, "proven to collide nowhere"},
     {MatrixVerdict::can, "collide at this share of random configurations"},
-    {MatrixVerdict::always, "intersect wherever they were tried, not guarded"},
     {MatrixVerdict::undecided, "neither proven nor found to collide"},
     {MatrixVerdict::fixed, "no joint moves them"},
     {MatrixVerdict::believed, "disabled in the SRDF, not guarded"}};
@@ -25,8 +24,7 @@ constexpr std::pair<MatrixVerdict, const char*> kMeanings[] = {
 /// What fits a cell: how often, or how it is known.
 std::string short_reason(const PairVerdict& pair, const std::string& share) {
   return pair.verdict == MatrixVerdict::can ? share
-         : pair.verdict == MatrixVerdict::always || pair.verdict == MatrixVerdict::believed
-             ? "not guarded"
+         : pair.verdict == MatrixVerdict::believed ? "not guarded"
          : pair.verdict == MatrixVerdict::fixed
              ? escaped(pair.reason.substr(pair.reason.rfind(' ') + 1))  // apart, intersecting
              : counted(pair.cells, "cell", "cells") + (pair.is_guarded ? ", guarded" : "");
@@ -39,8 +37,8 @@ std::string cell(const PairVerdict& pair, const std::string& share) {
 
 std::string matrix_of(const DecidedRobot& decided, const std::vector<std::string>& shares) {
   Cells names;
-  for (const ModelLink& link : decided.model.links) {
-    names.push_back(escaped(link.name));
+  for (std::size_t i = 0; i < decided.model.link_count(); ++i) {
+    names.push_back(escaped(decided.model.links[i].name));
   }
   std::vector<Cells> cells(names.size(), Cells(names.size(), "<td>&ndash;</td>"));
   for (std::size_t i = 0; i < decided.pairs.size(); ++i) {
@@ -122,9 +120,8 @@ std::string guarded_decision(const DecidedRobot& decided) {
       "What is guarded",
       unguarded_decisions(decided.model, decided.unguarded) +
           decision("v0", concat(counted(guarded, "pair", "pairs"), " of links guarded"),
-                   concat(grouped(decided.unguarded.size()), " not looked at, ",
-                          grouped(decided.pairs.size() - guarded - decided.unguarded.size()),
-                          " proven never to, or fixed")));
+                   concat(grouped(decided.pairs.size() - guarded),
+                          " proven never to, fixed, or believed")));
 }
 
 /// A value a variable, at a part of its range; without one at 0, or the limit next to it.
@@ -205,7 +202,8 @@ std::string witness(const DecidedRobot& decided, const PairVerdict& pair) {
   return "<h3>" + links_of(decided.model, pair.a, pair.b) + "</h3>\n" +
          pair_pictures(
              posed(decided, pair.witness),
-             {pair.a, pair.b, triangles_at(decided.model, decided.robot().meshes, cell, pair),
+             {pair.body_a, pair.body_b,
+              triangles_at(decided.model, decided.robot().meshes, cell, pair),
               "two triangles that intersect"}) +
          note("Joints: <code>" + joint_values(decided.model, pair.witness) + "</code>");
 }

@@ -74,13 +74,32 @@ struct Model {
   std::string path;                    ///< the URDF, for messages
   std::vector<ModelJoint> joints;      ///< parents before children
   std::vector<std::size_t> variables;  ///< of each variable, the joint that is no mimic
-  std::vector<ModelLink> links;        ///< in the order of the file
+  std::vector<ModelLink> links;        ///< in the order of the file; behind them parts
+  /// So many of the last links are what of another one, of the same name, a guard looks at outside
+  /// a joint zone.
+  std::size_t part_count = 0;
   std::vector<ModelMount> mounts;
   /// Links next to each other: whose joints, counting links without geometry, are at most one
   /// moving joint apart.
   std::vector<std::pair<std::size_t, std::size_t>> neighbours;
   std::vector<DisabledPair> disabled;
+
+  /// Links that are no parts.
+  std::size_t link_count() const { return links.size() - part_count; }
 };
+
+/// In place of a link's number: none.
+constexpr std::size_t kNoLink = static_cast<std::size_t>(-1);
+
+/// The first link of that name, which is no part, or none.
+inline std::size_t find_link(const Model& model, const std::string& name) {
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    if (model.links[i].name == name) {
+      return i;
+    }
+  }
+  return kNoLink;
+}
 
 /// Of the lattice of a robot's meshes, in metres.
 inline double cell_of(const Robot& robot) {

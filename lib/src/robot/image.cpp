@@ -93,6 +93,22 @@ uint32_t links_of(uint32_t a, uint32_t b) {
   return a << 8 | b;
 }
 
+/// Whether it is the only one between the links.
+bool is_joint_between(const Robot& robot, uint32_t joint, uint32_t a, uint32_t b) {
+  const uint32_t joint_a = robot.links[a].joint;
+  const uint32_t joint_b = robot.links[b].joint;
+  return joint < robot.joint_count &&
+         ((joint == joint_a && robot.joints[joint].parent == joint_b) ||
+          (joint == joint_b && robot.joints[joint].parent == joint_a));
+}
+
+/// With a joint and a radius if it is a zone's, else without.
+bool zone_fits(const Robot& robot, const RobotUnguarded& pair) {
+  return pair.why == WhyUnguarded::zone
+             ? pair.radius != 0 && is_joint_between(robot, pair.joint, pair.a, pair.b)
+             : pair.why == WhyUnguarded::believed && pair.radius == 0 && pair.joint == kBase;
+}
+
 /// Ascending, of links that a joint moves against each other, and none of them guarded.
 [[gnu::noinline]] bool unguarded_fit(const void* bytes, const Robot& robot) {
   const uint32_t count = header_of(bytes).unguarded_count;
@@ -108,8 +124,7 @@ uint32_t links_of(uint32_t a, uint32_t b) {
     const bool is_guarded =
         guarded != robot.pairs + robot.pair_count && links_of(guarded->a, guarded->b) == links;
     if (pair.a >= pair.b || pair.b >= robot.link_count || links <= before || is_guarded ||
-        robot.links[pair.a].joint == robot.links[pair.b].joint ||
-        pair.why > WhyUnguarded::believed || pair.padding != 0) {
+        robot.links[pair.a].joint == robot.links[pair.b].joint || !zone_fits(robot, pair)) {
       return false;
     }
     before = links;

@@ -6,6 +6,7 @@
 
 #include "cli/progress.hpp"
 #include "flashbvh/clearance.hpp"
+#include "robot/matrix/parallel.hpp"
 #include "robot/read/urdf.hpp"
 
 namespace flashbvh::tool {
@@ -20,6 +21,14 @@ double metres(const std::string& option, const std::string& text) {
     throw UserError(option + " " + text, "is no length; give a number from 0, in metres");
   }
   return *length;
+}
+
+double seconds(const std::string& text) {
+  const std::optional<double> time = parse_number(text);
+  if (!time || !(*time > 0 && *time < 1e6)) {
+    throw UserError("--time " + text, "is no time; give a number of seconds above 0");
+  }
+  return *time;
 }
 
 std::optional<double> given_cell(const RobotArguments& arguments) {
@@ -158,9 +167,36 @@ double least_stop(const AllDistances& distances) {
   return least;
 }
 
+/// JOINT=LENGTH, each of a joint between two links that collide.
+ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given) {
+  ZoneRadii radii;
+  for (const std::string& option : given) {
+    const std::string place = "--zone " + option;
+    const std::size_t equals = option.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw UserError(place, "is no JOINT=LENGTH; give a joint and the zone's radius, in metres");
+    }
+    const std::string name = option.substr(0, equals);
+    const auto joint = std::find_if(model.joints.begin(), model.joints.end(),
+                                    [&](const ModelJoint& of) { return of.name == name; });
+    const auto number = static_cast<std::size_t>(joint - model.joints.begin());
+    if (joint == model.joints.end() || !is_between_neighbours(model, number)) {
+      throw UserError(place, "names '", name,
+                      "', which is no moving joint between two links that collide");
+    }
+    if (!radii.emplace(number, metres(place + ":", option.substr(equals + 1))).second) {
+      throw UserError(place, "is a second zone of ", name, "; give it one");
+    }
+  }
+  return radii;
+}
+
+/// Part of the time until pairs have to be decided: the rest is for what is baked of them.
+constexpr double kPartForPairs = 0.8;
+
 /// Proofs hold for firmware's own kinematics.
-std::vector<PairVerdict> decide(const Model& model, const std::vector<Mesh>& meshes, double cell,
-                                const AllDistances& distances, Progress& progress) {
+MatrixOptions matrix_options(const Model& model, const std::vector<Mesh>& meshes, double cell,
+                             const AllDistances& distances) {
   MatrixOptions options;
   options.stop = distances.usual.stop / cell;
   options.warn = distances.usual.warn / cell;
@@ -169,13 +205,7 @@ std::vector<PairVerdict> decide(const Model& model, const std::vector<Mesh>& mes
   }
   const FixedRobot robot(model, meshes, cell, {});
   options.slack = std::max(options.slack, kPlacing + robot.robot().slack / double{kFineOne});
-  std::size_t begun = 0;
-  return decide_pairs(model, meshes, cell, options,
-                      [&](std::size_t pair, std::size_t pairs, double) {
-                        if (pair == begun) {
-                          progress.begin(concat("pair ", ++begun, " of ", pairs), 1);
-                        }
-                      });
+  return options;
 }
 
 /// UserError if firmware cannot hold distances so large.
@@ -189,17 +219,74 @@ void check_range(const Distances& distances, double cell) {
   }
 }
 
+/// Of two links, `own` heeded.
+Distances distances_of(const AllDistances& distances, const PairVerdict& pair) {
+  const GuardedPair* const own = find_pair(distances.own, pair.a, pair.b);
+  return own != nullptr ? Distances{own->stop, own->warn} : distances.usual;
+}
+
+/// What is always within its warn distance is not warned of: neighbours next to their zone, and
+/// pairs for which the user has not asked for it.
 std::vector<GuardedPair> guarded(const std::vector<PairVerdict>& pairs,
                                  const AllDistances& distances) {
   std::vector<GuardedPair> guarded;
   for (const PairVerdict& pair : pairs) {
     if (pair.is_guarded) {
-      const GuardedPair* const own = find_pair(distances.own, pair.a, pair.b);
-      const Distances of = own != nullptr ? Distances{own->stop, own->warn} : distances.usual;
-      guarded.push_back({pair.a, pair.b, of.stop, of.warn});
+      const auto [stop, warn] = distances_of(distances, pair);
+      const bool is_near =
+          pair.is_warned && find_pair(distances.own, pair.a, pair.b) == nullptr;
+      guarded.push_back({pair.body_a, pair.body_b, stop, pair.zone || is_near ? stop : warn});
     }
   }
+  std::sort(guarded.begin(), guarded.end(), [](const GuardedPair& p, const GuardedPair& q) {
+    return std::pair(p.a, p.b) < std::pair(q.a, q.b);
+  });
   return guarded;
+}
+
+/// A part of a link, as a link.
+std::size_t add_part(std::size_t of, bake::SourceMesh mesh, const std::string& where,
+                     const RobotArguments& arguments, BakedRobot& made) {
+  ModelLink part;
+  part.name = made.model.links[of].name;
+  part.joint = made.model.links[of].joint;
+  part.mesh = std::move(mesh);
+  part.sources = {concat("outside ", where)};
+  part.source_begins = {0};
+  part.precision = made.model.links[of].precision;
+  made.links.push_back(bake_link(part, made.cell, arguments.leaf_size, arguments.urdf));
+  made.model.links.push_back(std::move(part));
+  ++made.model.part_count;
+  return made.model.links.size() - 1;
+}
+
+/// What a guard looks at of neighbours.
+void add_parts(const RobotArguments& arguments, BakedRobot& made) {
+  std::vector<ZoneParts> parts(made.pairs.size());
+  for_each_in_parallel(parts.size(), [&](std::size_t i) {
+    const PairVerdict& pair = made.pairs[i];
+    if (pair.zone && pair.is_guarded) {
+      parts[i] = zone_parts(made.model, made.zones[*pair.zone], made.cell, made.options);
+    }
+  });
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    PairVerdict& pair = made.pairs[i];
+    if (!pair.zone || !pair.is_guarded) {
+      continue;
+    }
+    if (parts[i].a.triangles.empty()) {
+      pair.is_guarded = false;
+      pair.is_stopped = false;
+      pair.verdict = MatrixVerdict::never;
+      pair.reason += "; proven by triangles";
+      continue;
+    }
+    const std::string where = zone_text(made.model, made.zones[*pair.zone]);
+    pair.body_a = add_part(pair.a, std::move(parts[i].a), where, arguments, made);
+    pair.body_b = add_part(pair.b, std::move(parts[i].b), where, arguments, made);
+  }
+  made.sizes = link_sizes(made.model);
+  check_counts(made.model, arguments.urdf);
 }
 
 void warn_of_fixed(const BakedRobot& robot, const AllDistances& distances, const std::string& path,
@@ -228,34 +315,45 @@ void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
       continue;
     }
     const GuardedPair* const own = find_pair(distances.own, pair.a, pair.b);
-    const Distances of = own != nullptr ? Distances{own->stop, own->warn} : distances.usual;
-    const double distance = pair.is_stopped ? of.stop : of.warn;
-    const char* const word = pair.is_stopped ? "stop" : "warn";
-    warnings.add(
-        arguments.urdf,
+    const auto [stop, warn] = distances_of(distances, pair);
+    const std::string names =
+        concat(robot.model.links[pair.a].name, ",", robot.model.links[pair.b].name);
+    const std::string links =
         concat("links '", robot.model.links[pair.a].name, "' and '", robot.model.links[pair.b].name,
-               "' are nowhere found farther apart than the ", word, " distance, ",
-               shortest(distance), " m, so a guard would ",
-               pair.is_stopped ? "always say stop; " : "never say free; ",
-               distance != 0    ? concat("lower it (--", word, ", --pair), or ")
-               : own != nullptr ? "leave out its --pair, or "
-                                : "",
-               "disable the pair in an SRDF",
-               pair.verdict == MatrixVerdict::never
-                   ? ""
-                   : concat(" and name it by --believe ", robot.model.links[pair.a].name, ",",
-                            robot.model.links[pair.b].name)));
+               "'", pair.zone ? " outside their joint's zone" : "",
+               " are nowhere found farther apart than the ", pair.is_stopped ? "stop" : "warn",
+               " distance, ", shortest(pair.is_stopped ? stop : warn), " m, so ");
+    if (!pair.is_stopped && own == nullptr) {
+      warnings.add(arguments.urdf,
+                   concat(links, "they are not warned of; --pair ", names, "=STOP,WARN warns"));
+      continue;
+    }
+    const char* const word = pair.is_stopped ? "stop" : "warn";
+    warnings.add(arguments.urdf,
+                 concat(links, "a guard would ",
+                        pair.is_stopped ? "always say stop; " : "never say free; ",
+                        pair.zone ? "give the joint a larger --zone, or " : "",
+                        (pair.is_stopped ? stop : warn) != 0
+                            ? concat("lower it (--", word, ", --pair), or ")
+                        : own != nullptr ? "leave out its --pair, or "
+                                         : "",
+                        "disable the pair in an SRDF",
+                        pair.verdict == MatrixVerdict::never
+                            ? ""
+                            : concat(" and name it by --believe ", names)));
   }
 }
 
 double steps_of(const Model& model) {
   const auto count = static_cast<double>(model.links.size());
-  return kBakingWeight * count + count * (count - 1) / 2;
+  return kBakingWeight * (count + 1) + count * (count - 1) / 2;
 }
 
 /// All but what firmware holds.
 BakedRobot decided(Model model, const AllDistances& distances, const RobotArguments& arguments,
                    Progress& progress, Warnings& warnings) {
+  const Clock::time_point began = Clock::now();
+  const ZoneRadii radii = zone_radii(model, arguments.zones);
   BakedRobot made;
   made.model = std::move(model);
   made.cell = robot_cell(made.model, given_cell(arguments), arguments.urdf);
@@ -268,7 +366,19 @@ BakedRobot decided(Model model, const AllDistances& distances, const RobotArgume
   warn_of_cell(made.model, made.sizes, made.cell, least_stop(distances),
                arguments.cell ? concat("--cell ", *arguments.cell) : arguments.urdf, warnings);
   made.links = bake_links(made.model, made.cell, arguments, progress, warnings);
-  made.pairs = decide(made.model, meshes_of(made.links), made.cell, distances, progress);
+  const std::vector<Mesh> meshes = meshes_of(made.links);
+  made.options = matrix_options(made.model, meshes, made.cell, distances);
+  if (arguments.time) {
+    made.options.deadline =
+        began + std::chrono::duration_cast<Clock::duration>(
+                    std::chrono::duration<double>(kPartForPairs * seconds(*arguments.time)));
+  }
+  progress.begin("joint zones", kBakingWeight);
+  made.zones = joint_zones(made.model, meshes, made.cell, made.options, radii);
+  made.pairs = decide_pairs(made.model, meshes, made.zones, made.cell, made.options,
+                            [&](std::size_t pair, std::size_t pairs) {
+                              progress.begin(concat("pair ", pair, " of ", pairs), 1);
+                            });
   return made;
 }
 
@@ -304,6 +414,11 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
   repeated(
       add_option(command, "--pair", arguments.pairs, "LINK,LINK=STOP[,WARN]",
                  "Distances of two links for which --stop and --warn don't hold; may be repeated"));
+  repeated(add_option(command, "--zone", arguments.zones, "JOINT=LENGTH",
+                      "Two links may touch so far about the joint between them; 0: nowhere; may be "
+                      "repeated. \nDefault: as far as they do"));
+  add_option(command, "--time", arguments.time, "SECONDS",
+             "What is not decided by then is undecided, and guarded. \nDefault: as long as it takes");
   add_progress(command, arguments.progress);
 }
 
@@ -353,7 +468,8 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   Progress progress(steps_of(model), arguments.progress);
   BakedRobot made = decided(std::move(model), distances, arguments, progress, warnings);
   check_disabled(made.model, made.pairs, arguments.srdf, warnings);
-  made.unguarded = unguarded_pairs(made.pairs);
+  add_parts(arguments, made);
+  made.unguarded = unguarded_pairs(made.pairs, made.zones);
   warn_of_unguarded(made, arguments.urdf, warnings);
   warn_of_fixed(made, distances, arguments.urdf, warnings);
   warn_of_near(made, distances, arguments, warnings);
@@ -367,7 +483,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
 
 BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings) {
   for (const char* const option : {"--package", "--joint-limits", "--srdf", "--believe", "--cell",
-                                   "--leaf-size", "--stop", "--warn", "--pair"}) {
+                                   "--leaf-size", "--stop", "--warn", "--pair", "--zone", "--time"}) {
     if (command.count(option) != 0) {
       throw UserError(path, "is baked already, ", option,
                       " is for a URDF; leave it out, or bake again with `flashbvh robot`");

@@ -14,6 +14,7 @@
 #include "robot/baked/bake_links.hpp"
 #include "robot/baked/fixed_robot.hpp"
 #include "robot/baked/robot_file.hpp"
+#include "robot/matrix/joint_zone.hpp"
 #include "robot/matrix/matrix.hpp"
 #include "robot/matrix/unguarded.hpp"
 #include "robot/model.hpp"
@@ -32,6 +33,8 @@ struct RobotArguments {
   std::string stop = "0";
   std::optional<std::string> warn;
   std::vector<std::string> pairs;  ///< with distances of their own
+  std::vector<std::string> zones;  ///< of joints
+  std::optional<std::string> time;
   std::uint32_t leaf_size = bake::kDefaultLeafSize;
   bool progress = false;
 };
@@ -45,8 +48,10 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
 struct BakedRobot {
   Model model;
   double cell;  ///< metres
-  std::vector<BakedLink> links;
+  std::vector<BakedLink> links;  ///< behind them the parts of links that a guard looks at
   std::vector<Size> sizes;  ///< of the links, in their own frames, in metres; of an image, too
+  MatrixOptions options;  ///< with which its pairs were decided
+  std::vector<JointZone> zones;
   std::vector<PairVerdict> pairs;
   std::vector<UnguardedPair> unguarded;  ///< of an image, too
   std::unique_ptr<FixedRobot> fixed;

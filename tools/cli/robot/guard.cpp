@@ -291,11 +291,11 @@ void print_guarded_json(const GuardedTrajectory& guarded) {
 /// motions that are not free.
 void print_guarded(const GuardedTrajectory& guarded) {
   for (const UnguardedPair& pair : guarded.unguarded) {
-    std::cout << "not guarded: " << names_of(guarded.model, {pair}) << " (" << pair.reason << ")\n";
+    std::cout << "not guarded: " << names_of(guarded.model, {pair}) << "\n";
   }
   std::cout << guarded.answers.size() << (guarded.answers.size() == 1 ? " period, " : " periods, ")
             << guarded.robot.pair_count << (guarded.robot.pair_count == 1 ? " pair" : " pairs")
-            << " of links guarded, " << guarded.unguarded.size() << " not looked at\n\n";
+            << " of links guarded\n\n";
   print_counts(guarded);
   print_stretches(guarded);
   print_closest(guarded);

@@ -30,12 +30,13 @@ bool is_in_contact(const DecidedPairs& decided, const PairVerdict& pair) {
 
 /// Of a line that disables the pair.
 LineVerdict line_verdict(const DecidedPairs& decided, const PairVerdict& pair) {
+  if (pair.zone) {
+    return LineVerdict::contact;
+  }
   switch (pair.verdict) {
     case MatrixVerdict::never:
     case MatrixVerdict::fixed:
       return LineVerdict::proven;
-    case MatrixVerdict::always:
-      return LineVerdict::contact;
     case MatrixVerdict::can:
     case MatrixVerdict::believed:
       return is_in_contact(decided, pair) ? LineVerdict::contact : LineVerdict::refuted;
@@ -65,7 +66,7 @@ FileTriangle file_triangle(const ModelLink& link, std::size_t triangle) {
 }
 
 std::string why_of(const PairVerdict& pair, LineVerdict verdict) {
-  return verdict == LineVerdict::contact && pair.verdict != MatrixVerdict::always
+  return verdict == LineVerdict::contact && !pair.zone
              ? "intersect at the default configuration and wherever tried; sampled, not proven"
              : pair.reason;
 }

@@ -120,6 +120,7 @@ Model RobotFile::model() const {
     ModelLink link;
     link.name = link_name(words_.data(), i);
     link.joint = number_of_joint(robot_.links[i].joint);
+    model.part_count += find_link(model, link.name) != kNoLink ? 1 : 0;
     model.links.push_back(link);
   }
   for (std::uint32_t i = 0; i < mount_count(words_.data()); ++i) {
@@ -134,7 +135,7 @@ std::vector<UnguardedPair> RobotFile::unguarded() const {
   std::vector<UnguardedPair> unguarded;
   const RobotUnguarded* const kept = flashbvh::unguarded_pairs(words_.data());
   for (std::uint32_t i = 0; i < unguarded_count(words_.data()); ++i) {
-    unguarded.push_back(unguarded_pair(kept[i].a, kept[i].b, kept[i].why));
+    unguarded.push_back(unguarded_pair(kept[i], cell()));
   }
   return unguarded;
 }

@@ -120,7 +120,7 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
   bytes.add(robot.reaches, robot.reach_count);
   bytes.add(mounts.data(), mounts.size());
   for (const UnguardedPair& pair : unguarded) {
-    const RobotUnguarded kept = fixed_unguarded(pair);
+    const RobotUnguarded kept = fixed_unguarded(pair, cell_of(robot));
     bytes.add(&kept, 1);
   }
   bytes.add(robot.distance_tables, robot.distance_table_bytes);

@@ -1,9 +1,11 @@
 #include "robot/matrix/matrix.hpp"
 
 #include <algorithm>
+#include <mutex>
 
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/pair_space.hpp"
+#include "robot/matrix/parallel.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "text/numbers.hpp"
 
@@ -22,58 +24,27 @@ std::string proven(std::uint64_t cells) {
                 cells == 1 ? " cell" : " cells");
 }
 
+/// Decides one pair.
 class Decider {
  public:
-  Decider(const Model& model, const std::vector<Mesh>& meshes, double cell,
+  Decider(const Model& model, const PairLink& a, const PairLink& b, double cell,
           const MatrixOptions& options)
-      : model_(model), meshes_(meshes), cell_(cell), options_(options) {
-    for (std::size_t link = 0; link < model.links.size(); ++link) {
-      reaches_.push_back(reaches_of(model, link, cell));
-    }
-  }
+      : model_(model), space_(model, a, b, cell), cell_(cell), options_(options) {}
 
-  PairVerdict decide(std::size_t a, std::size_t b,
-                     const std::function<void(double)>& progress) const {
-    PairVerdict pair = {a, b, MatrixVerdict::always, "", {}, 0};
-    const PairSpace space(model_, {a, &meshes_[a], &reaches_[a]}, {b, &meshes_[b], &reaches_[b]},
-                          cell_);
-    if (space.dimensions().empty()) {
+  void decide(PairVerdict& pair) const {
+    if (space_.dimensions().empty()) {
       pair.verdict = MatrixVerdict::fixed;
-      pair.reason = concat("no joint moves them, ", space.intersect({}) ? "intersecting" : "apart");
-      return pair;
+      pair.reason =
+          concat("no joint moves them, ", space_.intersect({}) ? "intersecting" : "apart");
+      return;
     }
-    pair.reason = why_always(space, a, b);
-    if (pair.reason.empty()) {
-      search(space, progress, pair);
-      if (!is_left_out(pair)) {
-        guard(space, progress, pair);
-      }
+    search(pair);
+    if (!is_left_out(pair)) {
+      guard(pair);
     }
-    return pair;
   }
 
  private:
-  /// Null if the usual ones hold.
-  const StopDistance* own_distances(std::size_t a, std::size_t b) const {
-    return find_pair(options_.stops, a, b);
-  }
-
-  /// Empty if the pair has to be decided.
-  std::string why_always(const PairSpace& space, std::size_t a, std::size_t b) const {
-    if (!are_neighbours(a, b) || options_.looks == 0 || own_distances(a, b) != nullptr ||
-        !intersect_wherever_tried(space, options_.looks)) {
-      return "";
-    }
-    return concat("neighbours that intersect at each of ", options_.looks,
-                  " configurations spread over the limits; sampled, not proven");
-  }
-
-  bool are_neighbours(std::size_t a, std::size_t b) const {
-    return std::any_of(model_.neighbours.begin(), model_.neighbours.end(), [&](const auto& pair) {
-      return std::minmax(pair.first, pair.second) == std::minmax(a, b);
-    });
-  }
-
   /// Whether the SRDF keeps a pair that is decided from being guarded.
   bool is_left_out(PairVerdict& pair) const {
     const DisabledPair* const disabled = find_pair(model_.disabled, pair.a, pair.b);
@@ -81,73 +52,74 @@ class Decider {
       return false;
     }
     if (pair.verdict == MatrixVerdict::never) {
-      return own_distances(pair.a, pair.b) == nullptr;
+      return !options_.has_own_distances(pair.a, pair.b);
     }
     if (disabled->is_believed) {
       pair.verdict = MatrixVerdict::believed;
       pair.reason += "; disabled in the SRDF and believed";
-    } else if (pair.verdict == MatrixVerdict::undecided) {
+    } else if (pair.verdict == MatrixVerdict::undecided || pair.zone) {
       pair.reason += "; disabled in the SRDF, guarded all the same";
     }
     return disabled->is_believed;
   }
 
   /// Whether a guard has to look at the pair, and what it would say.
-  void guard(const PairSpace& space, const std::function<void(double)>& progress,
-             PairVerdict& pair) const {
-    const StopDistance* const own = own_distances(pair.a, pair.b);
-    const double stop = own != nullptr ? own->stop : options_.stop;
-    const double warn = own != nullptr ? own->warn : options_.warn;
+  void guard(PairVerdict& pair) const {
+    const auto [a, b, stop, warn] = options_.distances_of(pair.a, pair.b);
     pair.is_guarded = true;
     if (pair.verdict == MatrixVerdict::never) {
       const std::uint64_t before = pair.cells;
-      pair.is_guarded = stop > 0 && !stays_away(space, stop, progress, pair);
+      pair.is_guarded = stop > 0 && !stays_away(stop, pair);
       pair.reason += stop > 0 ? concat("; ", pair.cells - before, " more for --stop") : "";
     }
-    pair.is_stopped = pair.is_guarded && is_within(space, stop);
-    pair.is_warned = pair.is_guarded && !pair.is_stopped && is_within(space, warn);
+    pair.is_stopped = pair.is_guarded && is_within(stop);
+    pair.is_warned = pair.is_guarded && !pair.is_stopped && !pair.zone && is_within(warn);
   }
 
   /// A few cells, then a witness, then all cells.
-  void search(const PairSpace& space, const std::function<void(double)>& progress,
-              PairVerdict& pair) const {
+  void search(PairVerdict& pair) const {
     MatrixOptions few = options_;
     few.most_cells = std::min(options_.most_cells, kFewCells);
-    SearchResult found = search_pair(space, few, progress);
+    SearchResult found = search_pair(space_, few);
     pair.cells = found.cells;
     if (found.end == SearchEnd::cut_off || found.end == SearchEnd::unresolved) {
-      if (auto point = find_intersection(space, kStarts)) {
+      if (auto point = find_intersection(space_, options_, kStarts)) {
         found.end = SearchEnd::near;
         found.point = std::move(*point);
       }
     }
     if (found.end == SearchEnd::cut_off && few.most_cells < options_.most_cells) {
-      if (is_proven_swept(model_, pair.a, pair.b, cell_, options_, progress, pair.cells)) {
+      if (is_swept_away(options_, pair, 0)) {
         pair.verdict = MatrixVerdict::never;
         pair.reason = proven(pair.cells) + ", by solids of revolution";
         return;
       }
-      found = search_pair(space, options_, progress);
+      found = search_pair(space_, options_);
       pair.cells += found.cells;
     }
-    conclude(space, found, pair);
+    conclude(found, pair);
+  }
+
+  /// Their solids of revolution are those of the whole links: no matter for a single joint between.
+  bool is_swept_away(const MatrixOptions& options, PairVerdict& pair, double distance) const {
+    return !pair.zone && !options.is_late() &&
+           is_proven_swept(model_, pair.a, pair.b, cell_, options, pair.cells, distance);
   }
 
   /// Whether it is proven to stay farther apart than the stop distance; most proofs take few cells.
-  bool stays_away(const PairSpace& space, double stop, const std::function<void(double)>& progress,
-                  PairVerdict& pair) const {
+  bool stays_away(double stop, PairVerdict& pair) const {
     MatrixOptions few = options_;
     few.most_cells = std::min(options_.most_cells, kManyCells);
-    const SearchResult found = search_pair(space, few, progress, stop);
+    const SearchResult found = search_pair(space_, few, stop);
     pair.cells += found.cells;
     return found.end == SearchEnd::apart ||
-           (found.end == SearchEnd::cut_off &&
-            is_proven_swept(model_, pair.a, pair.b, cell_, few, progress, pair.cells, stop));
+           (found.end == SearchEnd::cut_off && is_swept_away(few, pair, stop));
   }
 
-  bool is_within(const PairSpace& space, double distance) const {
+  bool is_within(double distance) const {
     for (std::uint32_t i = 0; i < options_.looks; ++i) {
-      if (space.are_apart(spread_point(space, i), distance + options_.slack)) {
+      if (options_.is_late() ||
+          space_.are_apart(spread_point(space_, i), distance + options_.slack)) {
         return false;
       }
     }
@@ -155,17 +127,16 @@ class Decider {
   }
 
   /// Ranges are a little wider than limits; a witness is so only where it has to be.
-  std::vector<double> within_limits(const PairSpace& space,
-                                    const std::vector<double>& point) const {
+  std::vector<double> within_limits(const std::vector<double>& point) const {
     std::vector<double> within = point;
     for (std::size_t i = 0; i < point.size(); ++i) {
-      const ModelJoint& joint = model_.joints[model_.variables[space.dimensions()[i].variable]];
+      const ModelJoint& joint = model_.joints[model_.variables[space_.dimensions()[i].variable]];
       within[i] = std::clamp(point[i], joint.lower, joint.upper);
     }
-    return space.intersect(within) ? within : point;
+    return space_.intersect(within) ? within : point;
   }
 
-  void conclude(const PairSpace& space, const SearchResult& found, PairVerdict& pair) const {
+  void conclude(const SearchResult& found, PairVerdict& pair) const {
     switch (found.end) {
       case SearchEnd::apart:
         pair.verdict = MatrixVerdict::never;
@@ -174,7 +145,7 @@ class Decider {
       case SearchEnd::near:
         pair.verdict = MatrixVerdict::can;
         pair.reason = "intersect at the witness";
-        pair.witness = space.variables_at(within_limits(space, deepened(space, found.point)));
+        pair.witness = space_.variables_at(within_limits(deepened(space_, found.point)));
         break;
       case SearchEnd::unresolved: {
         pair.verdict = MatrixVerdict::undecided;
@@ -185,42 +156,132 @@ class Decider {
       }
       case SearchEnd::cut_off:
         pair.verdict = MatrixVerdict::undecided;
-        pair.reason = concat("neither proven nor found to intersect after ", pair.cells, " cells");
+        pair.reason = concat("neither proven nor found to intersect after ", pair.cells,
+                             pair.cells == 1 ? " cell" : " cells",
+                             options_.is_late() ? ", when its time was up" : "");
         break;
     }
   }
 
   const Model& model_;
+  PairSpace space_;
+  double cell_;
+  MatrixOptions options_;
+};
+
+/// All pairs of a model.
+class Matrix {
+ public:
+  Matrix(const Model& model, const std::vector<Mesh>& meshes, const std::vector<JointZone>& zones,
+         double cell, const MatrixOptions& options)
+      : model_(model),
+        meshes_(meshes),
+        zones_(zones),
+        cell_(cell),
+        options_(options),
+        reaches_(model.links.size()) {
+    for_each_in_parallel(reaches_.size(),
+                         [&](std::size_t link) { reaches_[link] = reaches_of(model, link, cell); });
+  }
+
+  PairVerdict decide(std::size_t a, std::size_t b, std::optional<Clock::time_point> deadline) const {
+    PairVerdict pair = {a, b, MatrixVerdict::undecided, "", {}, 0};
+    MatrixOptions options = options_;
+    options.deadline = deadline;
+    const JointZone* const zone = find_pair(zones_, a, b);
+    if (zone == nullptr) {
+      Decider(model_, link(a, meshes_[a]), link(b, meshes_[b]), cell_, options).decide(pair);
+      return pair;
+    }
+    pair.zone = static_cast<std::size_t>(zone - zones_.data());
+    decide_outside(*zone, options, pair);
+    pair.reason = concat("outside ", zone_text(model_, *zone), ": ", pair.reason);
+    return pair;
+  }
+
+ private:
+  PairLink link(std::size_t number, const Mesh& mesh) const {
+    return {number, &mesh, &reaches_[number]};
+  }
+
+  void decide_outside(const JointZone& zone, MatrixOptions& options, PairVerdict& pair) const {
+    if (!zone.has_outside()) {
+      pair.verdict = MatrixVerdict::never;
+      pair.reason = "nothing is there of one of them";
+      return;
+    }
+    // Where triangles are cut, vertices are rounded anew.
+    options.slack += 2 * kDeviation;
+    const Mesh a = zone.outside_a.baked->view();
+    const Mesh b = zone.outside_b.baked->view();
+    Decider(model_, link(zone.a, a), link(zone.b, b), cell_, options).decide(pair);
+  }
+
+  const Model& model_;
   const std::vector<Mesh>& meshes_;
+  const std::vector<JointZone>& zones_;
   double cell_;
   const MatrixOptions& options_;
   std::vector<std::vector<double>> reaches_;
 };
 
+/// Twice what would be the same for all of those that are left: most need less.
+constexpr double kShareOfTime = 2;
+
+/// When one of `left` pairs has had its part of the time.
+std::optional<Clock::time_point> turn_of(const MatrixOptions& options, std::size_t left,
+                                         double share) {
+  if (!options.deadline) {
+    return std::nullopt;
+  }
+  const Clock::time_point now = Clock::now();
+  const double part =
+      share * static_cast<double>(processor_count()) / static_cast<double>(std::max<std::size_t>(left, 1));
+  const auto turn = std::chrono::duration<double>(*options.deadline - now) * std::min(1.0, part);
+  return now + std::chrono::duration_cast<Clock::duration>(turn);
+}
+
 }  // namespace
 
 const char* name_of(MatrixVerdict verdict) {
-  constexpr const char* kNames[] = {"never", "can", "always", "undecided", "fixed", "believed"};
+  constexpr const char* kNames[] = {"never", "can", "undecided", "fixed", "believed"};
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
 std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh>& meshes,
-                                      double cell, const MatrixOptions& options,
+                                      const std::vector<JointZone>& zones, double cell,
+                                      const MatrixOptions& options,
                                       const MatrixProgress& progress) {
-  const Decider decider(model, meshes, cell, options);
-  const std::size_t links = model.links.size();
-  const std::size_t pairs = links * (links - 1) / 2;
+  const Matrix matrix(model, meshes, zones, cell, options);
   std::vector<PairVerdict> verdicts;
-  for (std::size_t a = 0; a < links; ++a) {
-    for (std::size_t b = a + 1; b < links; ++b) {
-      const auto part = [&](double decided) {
-        if (progress) {
-          progress(verdicts.size(), pairs, decided);
-        }
-      };
-      part(0);
-      verdicts.push_back(decider.decide(a, b, part));
+  for (std::size_t a = 0; a < model.links.size(); ++a) {
+    for (std::size_t b = a + 1; b < model.links.size(); ++b) {
+      verdicts.push_back({a, b, MatrixVerdict::undecided, "", {}, 0});
     }
+  }
+  std::mutex mutex;
+  std::size_t decided = 0;
+  for_each_in_parallel(verdicts.size(), [&](std::size_t i) {
+    const std::size_t left = verdicts.size() - i;
+    verdicts[i] = matrix.decide(verdicts[i].a, verdicts[i].b, turn_of(options, left, kShareOfTime));
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (progress) {
+      progress(++decided, verdicts.size());
+    }
+  });
+  if (options.deadline) {
+    std::vector<PairVerdict*> hard;
+    for (PairVerdict& pair : verdicts) {
+      if (pair.verdict == MatrixVerdict::undecided) {
+        hard.push_back(&pair);
+      }
+    }
+    for_each_in_parallel(hard.size(), [&](std::size_t i) {
+      const auto turn = turn_of(options, hard.size() - i, 1);
+      if (turn > Clock::now()) {
+        *hard[i] = matrix.decide(hard[i]->a, hard[i]->b, turn);
+      }
+    });
   }
   return verdicts;
 }

@@ -1,13 +1,16 @@
 // The collision matrix, decided and not sampled: of every pair of links, whether they can collide
-// within the joints' limits.
+// within the joints' limits. Of neighbours with a joint zone, whether what lies outside it can.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "flashbvh/mesh.hpp"
+#include "robot/matrix/joint_zone.hpp"
+#include "robot/matrix/matrix_options.hpp"
 #include "robot/model.hpp"
 
 namespace flashbvh::tool {
@@ -15,8 +18,7 @@ namespace flashbvh::tool {
 enum class MatrixVerdict : std::uint8_t {
   never,      ///< proven for all values of the variables within closed limits
   can,        ///< with a witness
-  always,     ///< neighbours that intersect wherever they were tried: not guarded
-  undecided,  ///< closer than can be resolved, or too many cells
+  undecided,  ///< closer than can be resolved, too many cells, or no time left
   fixed,      ///< no joint moves them against each other
   believed,  ///< they can, or may, but an SRDF disables them and the user stands by it: not guarded
 };
@@ -35,44 +37,21 @@ struct PairVerdict {
   bool is_stopped = false;  ///< guarded, and at no configuration tried farther apart than that
   bool is_warned =
       false;  ///< not stopped so, but nowhere tried farther apart than the warn distance
+  std::optional<std::size_t> zone = {};  ///< of the zones: only what lies outside was decided
+  /// What a guard looks at: the two links, or their parts outside the zone.
+  std::size_t body_a = a;
+  std::size_t body_b = b;
 };
 
-/// How far a placed vertex lies from where it should, in cells: 0.51 along each axis of rounding,
-/// and what is left for kinematics in double (kinematics.hpp).
-constexpr double kPlacing = 0.89;
-
-/// Two links with distances of their own, in cells.
-struct StopDistance {
-  std::size_t a;
-  std::size_t b;
-  double stop;
-  double warn;
-};
-
-struct MatrixOptions {
-  /// In cells. A proof holds for the lattice meshes wherever they are exactly, and for every query
-  /// of poses that are rounded or worked out to as much: twice kPlacing. Firmware whose kinematics
-  /// err by more adds that.
-  double slack = 2 * kPlacing;
-  /// In cells: how near links may come before a guard stops them. No part of the verdict.
-  double stop = 0;
-  double warn = 0;                  ///< nor is this: from where it warns of them
-  std::vector<StopDistance> stops;  ///< of pairs for which that does not hold
-  /// In cells: where so little motion is left in a cell of the joints' values, it is not cut again.
-  double resolution = 0.5;
-  std::uint64_t most_cells = 1'000'000;  ///< of a pair
-  /// Neighbours that intersect at so many configurations, and at no other, are `always`.
-  std::uint32_t looks = 256;
-};
-
-/// How far: `pair` of `pairs`, and what part of its configurations is decided, 0 to 1.
-using MatrixProgress = std::function<void(std::size_t pair, std::size_t pairs, double part)>;
+/// How far: so many pairs of all are decided. One call at a time, from any thread.
+using MatrixProgress = std::function<void(std::size_t decided, std::size_t pairs)>;
 
 /// All pairs of the model's links, also those that the SRDF disables, (0, 1), (0, 2), ... `meshes`:
-/// theirs, of the same number, baked with `cell`, in metres. `progress` may be empty.
-/// Deterministic.
+/// theirs, of the same number, baked with `cell`, in metres. `progress` may be empty. On all
+/// processors. Deterministic without a deadline; with one, what is hard gets the time that what is
+/// easy leaves.
 std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh>& meshes,
-                                      double cell, const MatrixOptions& options,
-                                      const MatrixProgress& progress);
+                                      const std::vector<JointZone>& zones, double cell,
+                                      const MatrixOptions& options, const MatrixProgress& progress);
 
 }  // namespace flashbvh::tool

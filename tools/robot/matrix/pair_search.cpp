@@ -16,16 +16,13 @@ constexpr double kOutward = 1e-11;
 /// Closed.
 struct Cell {
   std::vector<Interval> sides;
-  int depth = 0;
 };
 
 class Search {
  public:
-  Search(const PairSpace& space, const MatrixOptions& options,
-         const std::function<void(double)>& progress, double distance)
+  Search(const PairSpace& space, const MatrixOptions& options, double distance)
       : space_(space),
         options_(options),
-        progress_(progress),
         distance_(distance),
         apart_(distance + options.slack + 2 * space.far_origin()) {}
 
@@ -36,7 +33,7 @@ class Search {
     }
     stack_.push_back(std::move(all));
     while (!stack_.empty()) {
-      if (result_.cells == options_.most_cells) {
+      if (result_.cells == options_.most_cells || options_.is_late()) {
         result_.end = SearchEnd::cut_off;
         break;
       }
@@ -52,9 +49,7 @@ class Search {
  private:
   /// True if the search is over.
   bool look_at(const Cell& cell) {
-    if (++result_.cells % 1024 == 0 && progress_) {
-      progress_(decided_);
-    }
+    ++result_.cells;
     std::vector<double> point;
     std::vector<double> halves;
     for (const auto& [lower, upper] : cell.sides) {
@@ -64,7 +59,6 @@ class Search {
     }
     const Motion motion = space_.motion(point, halves);
     if (space_.are_apart(point, motion.sum + apart_)) {
-      decided_ += std::ldexp(1.0, -cell.depth);
       return false;
     }
     if (distance_ == 0 ? space_.intersect(point) : !space_.are_apart(point, apart_)) {
@@ -75,7 +69,6 @@ class Search {
     if (motion.sum <= options_.resolution) {
       result_.end = SearchEnd::unresolved;
       result_.point = point;
-      decided_ += std::ldexp(1.0, -cell.depth);
       return false;
     }
     const auto most = std::max_element(motion.parts.begin(), motion.parts.end());
@@ -88,17 +81,14 @@ class Search {
     for (const bool upper : {true, false}) {
       Cell half = cell;
       (upper ? half.sides[side].lower : half.sides[side].upper) = middle;
-      ++half.depth;
       stack_.push_back(std::move(half));
     }
   }
 
   const PairSpace& space_;
   const MatrixOptions& options_;
-  const std::function<void(double)>& progress_;
   double distance_;
   double apart_;  ///< what suffices
-  double decided_ = 0;
   SearchResult result_;
   std::vector<Cell> stack_;
 };
@@ -110,13 +100,13 @@ constexpr std::uint64_t kShare = 4;
 /// place of it.
 bool is_proven(const SweptPair& pair, std::size_t a, std::size_t b,
                const std::vector<SweptEnd>& ends, const MatrixOptions& options,
-               const std::function<void(double)>& progress, std::uint64_t& cells, double distance) {
+               std::uint64_t& cells, double distance) {
   const Mesh mesh_a = pair.a.view();
   const Mesh mesh_b = pair.b.view();
   const std::vector<double> reaches_a = reaches_of(pair.model, a, pair.cell);
   const std::vector<double> reaches_b = reaches_of(pair.model, b, pair.cell);
   const PairSpace space(pair.model, {a, &mesh_a, &reaches_a}, {b, &mesh_b, &reaches_b}, pair.cell);
-  const SearchResult found = search_pair(space, options, progress, distance);
+  const SearchResult found = search_pair(space, options, distance);
   cells += found.cells;
   if (found.end != SearchEnd::apart) {
     return false;
@@ -227,14 +217,12 @@ double last_intersecting(const PairSpace& space, const std::vector<double>& poin
 
 }  // namespace
 
-SearchResult search_pair(const PairSpace& space, const MatrixOptions& options,
-                         const std::function<void(double)>& progress, double distance) {
-  return Search(space, options, progress, distance).run();
+SearchResult search_pair(const PairSpace& space, const MatrixOptions& options, double distance) {
+  return Search(space, options, distance).run();
 }
 
 bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double cell,
-                     const MatrixOptions& options, const std::function<void(double)>& progress,
-                     std::uint64_t& cells, double distance) {
+                     const MatrixOptions& options, std::uint64_t& cells, double distance) {
   const std::optional<SweptEnd> end_a = swept_end(model, a, b);
   const std::optional<SweptEnd> end_b = swept_end(model, b, a);
   std::vector<std::vector<SweptEnd>> choices;
@@ -252,7 +240,7 @@ bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double ce
   share.slack += 2 * kDeviation;
   return std::any_of(choices.begin(), choices.end(), [&](const std::vector<SweptEnd>& ends) {
     const SweptPair pair = swept_pair(model, a, b, cell, ends, kCoarse);
-    return is_proven(pair, a, b, ends, share, progress, cells, distance);
+    return is_proven(pair, a, b, ends, share, cells, distance);
   });
 }
 
@@ -285,9 +273,11 @@ bool intersect_wherever_tried(const PairSpace& space, std::uint32_t places) {
   return place == places;
 }
 
-std::optional<std::vector<double>> find_intersection(const PairSpace& space, std::uint32_t starts) {
+std::optional<std::vector<double>> find_intersection(const PairSpace& space,
+                                                     const MatrixOptions& options,
+                                                     std::uint32_t starts) {
   std::vector<Place> places;
-  for (std::uint32_t i = 0; i < starts; ++i) {
+  for (std::uint32_t i = 0; i < starts && !options.is_late(); ++i) {
     Place place = {0, spread_point(space, i), {}};
     place.distance = space.distance(place.point, place.hint);
     if (place.distance == 0 && space.intersect(place.point)) {
@@ -299,6 +289,9 @@ std::optional<std::vector<double>> find_intersection(const PairSpace& space, std
                    [](const Place& a, const Place& b) { return a.distance < b.distance; });
   places.resize(std::min(places.size(), kDescents));
   for (Place& place : places) {
+    if (options.is_late()) {
+      break;
+    }
     go_down(space, place);
     if (place.distance == 0 && space.intersect(place.point)) {
       return place.point;

@@ -16,11 +16,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
-#include "robot/matrix/matrix.hpp"
+#include "robot/matrix/matrix_options.hpp"
 #include "robot/matrix/pair_space.hpp"
 
 namespace flashbvh::tool {
@@ -29,7 +28,7 @@ enum class SearchEnd : std::uint8_t {
   apart,       ///< nowhere
   near,        ///< at `point` they intersect, or are within `distance`
   unresolved,  ///< nearer than that and the slack at `point`, or nearly
-  cut_off,     ///< there are more cells than may be looked at
+  cut_off,     ///< there are more cells than may be looked at, or there is time for
 };
 
 struct SearchResult {
@@ -39,16 +38,13 @@ struct SearchResult {
 };
 
 /// Whether the links can intersect, or, with a `distance` in cells, come so near, slack included.
-/// `progress`: what part is decided, now and then.
-SearchResult search_pair(const PairSpace& space, const MatrixOptions& options,
-                         const std::function<void(double)>& progress, double distance = 0);
+SearchResult search_pair(const PairSpace& space, const MatrixOptions& options, double distance = 0);
 
 /// Whether the links are proven never to come within `distance` cells, or to meet, by their solids
 /// of revolution or that of one of them. False says nothing. `cells` is increased by those looked
 /// at. `cell`: with which their meshes are baked.
 bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double cell,
-                     const MatrixOptions& options, const std::function<void(double)>& progress,
-                     std::uint64_t& cells, double distance = 0);
+                     const MatrixOptions& options, std::uint64_t& cells, double distance = 0);
 
 /// Place `number` of a sequence that fills the ranges evenly, ends left out: Halton, "On the
 /// efficiency of certain quasi-random sequences of points in evaluating multi-dimensional
@@ -59,8 +55,11 @@ std::vector<double> spread_point(const PairSpace& space, std::uint32_t number);
 /// other places.
 bool intersect_wherever_tried(const PairSpace& space, std::uint32_t places);
 
-/// Looks at `starts` places and goes downhill from the nearest few. None says nothing.
-std::optional<std::vector<double>> find_intersection(const PairSpace& space, std::uint32_t starts);
+/// Looks at `starts` places and goes downhill from the nearest few, as long as there is time. None
+/// says nothing.
+std::optional<std::vector<double>> find_intersection(const PairSpace& space,
+                                                     const MatrixOptions& options,
+                                                     std::uint32_t starts);
 
 /// From a place where they intersect to one deeper among such: one variable after the other to the
 /// middle of where it may be, as far as doubling steps show. So that a witness is still one where

@@ -52,8 +52,22 @@ std::size_t PairSpace::dimension_of(std::size_t variable) {
       return i;
     }
   }
-  dimensions_.push_back({variable, range_of_variable(model_, variable)});
+  dimensions_.push_back({variable, one_turn(variable)});
   return dimensions_.size() - 1;
+}
+
+/// What a variable can be, or a part of it in which the links stand wherever they can: a turn, from
+/// half of it below the range's middle to half of it above, if what it moves turns as it does.
+Interval PairSpace::one_turn(std::size_t variable) const {
+  const Interval range = range_of_variable(model_, variable);
+  const double middle = range.lower + (range.upper - range.lower) / 2;
+  for (const ModelJoint& joint : model_.joints) {
+    if (joint.variable == variable &&
+        (joint.type == JointType::prismatic || std::fabs(joint.multiplier) != 1)) {
+      return range;
+    }
+  }
+  return {std::max(range.lower, middle - kPi), std::min(range.upper, middle + kPi)};
 }
 
 PairSpace::Bounds PairSpace::bounds_of(const Mesh& mesh, double cell) {
@@ -178,6 +192,17 @@ bool PairSpace::are_apart(const std::vector<double>& point, double distance) con
 bool PairSpace::intersect(const std::vector<double>& point) const {
   const Transform frame = frame_at(point);
   return least_gap(frame) <= 0 && intersects(a_, b_, pose_of(frame, cell_)).yes;
+}
+
+void PairSpace::find_near(const std::vector<double>& point, double distance,
+                          const std::function<void(std::uint32_t, std::uint32_t)>& visit) const {
+  const Pose pose = pose_of(frame_at(point), cell_);
+  const double steps = std::min(std::ceil(distance * 256), 1.0 * kMaxDistance);
+  WithinQuery query(a_, b_, pose, {}, within(static_cast<std::uint32_t>(steps)));
+  (void)query.run(UINT32_MAX, [&](const TrianglePair<std::uint16_t>& pair) {
+    visit(pair.a, pair.b);
+    return true;
+  });
 }
 
 double PairSpace::distance(const std::vector<double>& point, Witness<std::uint16_t>& hint) const {

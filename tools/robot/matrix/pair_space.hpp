@@ -1,6 +1,7 @@
 // Two links and the variables between them: where they lie, how far they can move, what they do.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "flashbvh/clearance.hpp"
@@ -18,7 +19,7 @@ struct PairLink {
 /// A variable that moves the links against each other.
 struct Dimension {
   std::size_t variable;
-  Interval range;
+  Interval range;  ///< at most one turn of what only turns
 };
 
 /// How far a cell of values moves the links' points from where its middle puts them, in cells: seen
@@ -45,6 +46,10 @@ class PairSpace {
   bool are_apart(const std::vector<double>& point, double distance) const;
   /// By the exact query, of B at pose_of() in A's frame.
   bool intersect(const std::vector<double>& point) const;
+  /// Hands each two triangles that are within `distance` cells to `visit`, by their ids: of
+  /// at most kMaxDistance.
+  void find_near(const std::vector<double>& point, double distance,
+                 const std::function<void(std::uint32_t, std::uint32_t)>& visit) const;
   /// In cells, at most the true one; exact where they are near, and 0 if they intersect. `hint`:
   /// what was nearest before, and is now.
   double distance(const std::vector<double>& point, Witness<std::uint16_t>& hint) const;
@@ -67,6 +72,7 @@ class PairSpace {
   };
   static Bounds bounds_of(const Mesh& mesh, double cell);
   std::size_t dimension_of(std::size_t variable);
+  Interval one_turn(std::size_t variable) const;
   std::vector<double> motions(const Bounds& bounds, const Transform& frame,
                               const std::vector<Transform>& joints,
                               const std::vector<double>& halves, bool of_a) const;

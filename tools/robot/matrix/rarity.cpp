@@ -51,7 +51,7 @@ TrianglePair<std::uint16_t> triangles_at(const Model& model, const Mesh* meshes,
                                          const PairVerdict& pair) {
   TrianglePair<std::uint16_t> found{};
   const Transform frame = frame_between(model, joints_between(model, pair.a, pair.b), pair.witness);
-  (void)first_pair(meshes[pair.a], meshes[pair.b], pose_of(frame, cell), found);
+  (void)first_pair(meshes[pair.body_a], meshes[pair.body_b], pose_of(frame, cell), found);
   return found;
 }
 
@@ -74,7 +74,7 @@ std::vector<Collisions> collisions_of(const Model& model, const Mesh* meshes, do
     }
     const std::vector<Transform> frames = link_frames(model, any_variables(model, random));
     for (const std::size_t i : queried) {
-      const auto& [a, b] = std::pair(pairs[i].a, pairs[i].b);
+      const auto& [a, b] = std::pair(pairs[i].body_a, pairs[i].body_b);
       const Pose pose = pose_of(composed(inverse(frames[a]), frames[b]), cell);
       collisions[i].count += intersects(meshes[a], meshes[b], pose).yes ? 1 : 0;
       ++collisions[i].of;

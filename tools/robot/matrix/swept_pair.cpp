@@ -6,7 +6,6 @@
 
 #include "bake/quantise.hpp"
 #include "flashbvh/solid.hpp"
-#include "image/baking.hpp"
 #include "robot/matrix/reaches.hpp"
 
 namespace flashbvh::tool {
@@ -152,14 +151,6 @@ void add_triangles(bake::SourceMesh& mesh, std::uint32_t sides) {
 /// Angles below this are not worth it, in radians.
 constexpr double kSmallTurn = 0.5;
 
-SweptPair::Baked baked(const bake::SourceMesh& mesh, double cell) {
-  InputMesh input;
-  input.mesh = mesh;
-  BakeOptions options;
-  options.cell = cell;
-  return std::get<SweptPair::Baked>(bake(input, options).tree);
-}
-
 }  // namespace
 
 bake::SourceMesh revolved(const bake::SourceMesh& mesh, const Transform& axis, double margin,
@@ -220,7 +211,7 @@ SweptPair swept_pair(const Model& model, std::size_t a, std::size_t b, double ce
     const bake::SourceMesh& mesh_a = swept.links[a].mesh;
     const bake::SourceMesh& mesh_b = swept.links[b].mesh;
     if (bake::fits(mesh_a, cell) && bake::fits(mesh_b, cell)) {
-      return {swept, cell, baked(mesh_a, cell), baked(mesh_b, cell)};
+      return {swept, cell, bake_part(mesh_a, cell), bake_part(mesh_b, cell)};
     }
   }
 }

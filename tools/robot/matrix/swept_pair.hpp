@@ -7,9 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "bake/baked_tree.hpp"
-#include "bake/mesh.hpp"
 #include "robot/kinematics.hpp"
+#include "robot/matrix/baked_part.hpp"
 
 namespace flashbvh::tool {
 
@@ -42,12 +41,10 @@ std::optional<SweptEnd> swept_end(const Model& model, std::size_t link, std::siz
 
 /// The model with solids for links, and the joints about which they turn held.
 struct SweptPair {
-  using Baked = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
-
   Model model;
   double cell;
-  Baked a;
-  Baked b;
+  BakedPart a;
+  BakedPart b;
 };
 
 /// With the finest cell, of those twice and twice as large, that takes the solids. A solid holds

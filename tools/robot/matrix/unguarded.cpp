@@ -1,8 +1,10 @@
 #include "robot/matrix/unguarded.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "flashbvh/clearance.hpp"
 #include "robot/kinematics.hpp"
 #include "text/numbers.hpp"
 
@@ -15,20 +17,26 @@ std::string pair_name(const Model& model, const PairVerdict& pair, const char* b
 
 struct Why {
   WhyUnguarded why;
-  const char* reason;
+  const char* meaning;
   const char* advice;
 };
 
 constexpr Why kWhys[] = {
-    {WhyUnguarded::intersecting, "neighbours that intersect at all configurations tried",
-     "make a part that stands in the other link's way (a post on a table) a link of its own, on a "
-     "fixed joint"},
+    {WhyUnguarded::zone, "neighbours touch about their joint",
+     "what lies outside is guarded; another zone by --zone JOINT=LENGTH"},
     {WhyUnguarded::believed, "disabled in the SRDF and believed, though they may collide",
      "to guard a pair, delete its line in the SRDF and its --believe"},
 };
 
 const Why& of(WhyUnguarded why) {
   return kWhys[static_cast<std::size_t>(why)];
+}
+
+std::string name_of(const Model& model, const UnguardedPair& pair) {
+  return concat(model.links[pair.a].name, " - ", model.links[pair.b].name,
+                pair.why == WhyUnguarded::zone
+                    ? concat(" within ", radius_text(model, pair.radius, pair.joint))
+                    : "");
 }
 
 }  // namespace
@@ -75,7 +83,7 @@ void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
           concat(pair_name(model, pair, " - "), " is ", name_of(pair.verdict),
                  ", with or without --believe ", pair_name(model, pair, ","), "; leave that out"));
     }
-    if (pair.verdict != MatrixVerdict::can) {
+    if (pair.verdict != MatrixVerdict::can || pair.zone) {
       continue;
     }
     if (first.empty()) {
@@ -95,31 +103,40 @@ void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
   }
 }
 
-UnguardedPair unguarded_pair(std::size_t a, std::size_t b, WhyUnguarded why) {
-  return {a, b, of(why).reason, why};
+std::string reason_of(const Model& model, const UnguardedPair& pair) {
+  return pair.why == WhyUnguarded::zone
+             ? concat("touch within ", radius_text(model, pair.radius, pair.joint))
+             : of(pair.why).meaning;
 }
 
-std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs) {
+std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs,
+                                           const std::vector<JointZone>& zones) {
   std::vector<UnguardedPair> unguarded;
   for (const PairVerdict& pair : pairs) {
-    if (pair.verdict == MatrixVerdict::always || pair.verdict == MatrixVerdict::believed) {
-      unguarded.push_back(unguarded_pair(pair.a, pair.b,
-                                         pair.verdict == MatrixVerdict::always
-                                             ? WhyUnguarded::intersecting
-                                             : WhyUnguarded::believed));
+    if (pair.verdict == MatrixVerdict::believed) {
+      unguarded.push_back({pair.a, pair.b, WhyUnguarded::believed});
+    } else if (pair.zone) {
+      const JointZone& zone = zones[*pair.zone];
+      unguarded.push_back(
+          {pair.a, pair.b, WhyUnguarded::zone, zone.joint, zone.shape.radius});
     }
   }
   return unguarded;
 }
 
-RobotUnguarded fixed_unguarded(const UnguardedPair& pair) {
-  return {static_cast<std::uint8_t>(pair.a), static_cast<std::uint8_t>(pair.b), pair.why, 0};
+RobotUnguarded fixed_unguarded(const UnguardedPair& pair, double cell) {
+  return {static_cast<std::uint8_t>(pair.a), static_cast<std::uint8_t>(pair.b), pair.why,
+          pair.joint == kNoJoint ? kBase : static_cast<std::uint8_t>(pair.joint),
+          static_cast<std::uint32_t>(std::ceil(pair.radius / cell * kFineOne))};
+}
+
+UnguardedPair unguarded_pair(const RobotUnguarded& fixed, double cell) {
+  return {fixed.a, fixed.b, fixed.why, fixed.joint == kBase ? kNoJoint : fixed.joint,
+          fixed.radius * cell / kFineOne};
 }
 
 std::string names_of(const Model& model, const std::vector<UnguardedPair>& pairs) {
-  return joined(pairs, [&](const UnguardedPair& pair) {
-    return model.links[pair.a].name + " - " + model.links[pair.b].name;
-  });
+  return joined(pairs, [&](const UnguardedPair& pair) { return name_of(model, pair); });
 }
 
 std::vector<std::string> unguarded_warnings(const Model& model,
@@ -130,7 +147,7 @@ std::vector<std::string> unguarded_warnings(const Model& model,
     std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(named),
                  [&](const UnguardedPair& pair) { return pair.why == why.why; });
     if (!named.empty()) {
-      warnings.push_back(concat("not guarded: ", names_of(model, named), " (", why.reason,
+      warnings.push_back(concat("not guarded: ", names_of(model, named), " (", why.meaning,
                                 "): a collision of these is never detected; ", why.advice));
     }
   }

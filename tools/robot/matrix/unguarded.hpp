@@ -1,4 +1,4 @@
-// Pairs of links that a joint moves and that no guard looks at.
+// Pairs of links that a joint moves and that no guard looks at, or only outside a joint zone.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,27 @@
 
 namespace flashbvh::tool {
 
-/// A collision of the two is never detected.
+/// A collision of the two, or in the zone, is never detected.
 struct UnguardedPair {
   std::size_t a;  ///< links, a below b
   std::size_t b;
-  std::string reason;  ///< for people, by `why`
   WhyUnguarded why;
+  std::size_t joint = kNoJoint;  ///< of a zone
+  double radius = 0;             ///< of a zone, in metres
 };
 
-UnguardedPair unguarded_pair(std::size_t a, std::size_t b, WhyUnguarded why);
+/// For people: "touch within 0.126 m about elbow".
+std::string reason_of(const Model& model, const UnguardedPair& pair);
 
 /// Of all pairs those that may collide, and that are not guarded all the same; in their order.
-std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs);
+std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs,
+                                           const std::vector<JointZone>& zones);
 
-/// As firmware holds it.
-RobotUnguarded fixed_unguarded(const UnguardedPair& pair);
+/// As firmware holds it, and back.
+RobotUnguarded fixed_unguarded(const UnguardedPair& pair, double cell);
+UnguardedPair unguarded_pair(const RobotUnguarded& fixed, double cell);
 
-/// "base - arm, arm - hand": the pairs by the names of their links.
+/// "base - arm within 0.1 m about shoulder, arm - hand": the pairs by the names of their links.
 std::string names_of(const Model& model, const std::vector<UnguardedPair>& pairs);
 
 /// For users: each reason with all its pairs by name, what it means and what they can do.

@@ -37,7 +37,7 @@ typedef enum flashbvh_joint_type {
 
 /** Why no guard looks at two links that a joint moves. */
 typedef enum flashbvh_why_unguarded {
-  FLASHBVH_UNGUARDED_INTERSECTING = 0, /**< neighbours that intersect at all configurations tried */
+  FLASHBVH_UNGUARDED_ZONE = 0,     /**< neighbours, in a zone about the joint between them */
   FLASHBVH_UNGUARDED_BELIEVED = 1 /**< they may collide, but an SRDF disables the pair and --believe
                                      names it */
 } flashbvh_why_unguarded;
@@ -119,13 +119,17 @@ typedef struct flashbvh_robot_pair {
   uint8_t joints_b;
 } flashbvh_robot_pair;
 
-/** Two links that a joint moves and that no guard looks at: a collision of the two is never
- * detected. 4 bytes. */
+/** Of two links that a joint moves, what no guard looks at: a collision there is never detected.
+ * 8 bytes. */
 typedef struct flashbvh_robot_unguarded {
   uint8_t a; /**< links */
   uint8_t b;
   FLASHBVH_BYTE(WhyUnguarded) why; /**< a flashbvh_why_unguarded */
-  uint8_t padding;
+  /** Of a joint zone: the joint between the two, about which they may touch. Else FLASHBVH_BASE. */
+  uint8_t joint;
+  /** Of a joint zone, in 1/256 cell: of a ball, or of the cylinder along a joint that slides. Else
+   * 0: they are not looked at anywhere. */
+  uint32_t radius;
 } flashbvh_robot_unguarded;
 
 /** A robot: a view of arrays that outlive it. */

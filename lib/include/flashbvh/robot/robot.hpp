@@ -40,9 +40,9 @@ enum class JointType : uint8_t {
   fixed = FLASHBVH_JOINT_FIXED,
 };
 
-/// Why no guard looks at two links that a joint moves.
+/// Why no guard looks at two links that a joint moves, or not at all of them.
 enum class WhyUnguarded : uint8_t {
-  intersecting = FLASHBVH_UNGUARDED_INTERSECTING,
+  zone = FLASHBVH_UNGUARDED_ZONE,
   believed = FLASHBVH_UNGUARDED_BELIEVED,
 };
 

@@ -1,0 +1,394 @@
+#include "robot/matrix/joint_zone.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "robot/matrix/pair_search.hpp"
+#include "robot/matrix/pair_space.hpp"
+#include "robot/matrix/parallel.hpp"
+#include "robot/matrix/reaches.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// Values of the joint that are looked at, both ends among them.
+constexpr std::size_t kLooks = 33;
+/// The zone holds what touches over the middle of the range, all but an eighth at either end ...
+constexpr std::size_t kEnds = kLooks / 8;
+/// ... as long as that is not so much more than half of the looks need; and a little more, for what
+/// happens between looks.
+constexpr double kMoreThanMedian = 1.25;
+constexpr double kMargin = 1.02;
+constexpr double kMarginCells = 2;
+/// Triangles are cut to such a part of the zone, so that it holds little that does not touch.
+constexpr double kCut = 1.0 / 6;
+/// In cells: none is cut finer.
+constexpr double kLeastCut = 8;
+/// Times that the zone is measured, with triangles cut by the last one.
+constexpr int kRounds = 3;
+/// Of cells in the search of whether a part of a link ever comes near the other one.
+constexpr std::uint64_t kCellsOfPart = 400;
+/// Triangles that are looked at together at last.
+constexpr std::size_t kFewTriangles = 4;
+
+struct Contact {
+  std::uint32_t a;  ///< triangles of the sides
+  std::uint32_t b;
+};
+
+std::optional<std::size_t> joint_of_neighbours(const Model& model, std::size_t a, std::size_t b) {
+  const JointsBetween joints = joints_between(model, a, b);
+  if (joints.of_a.size() + joints.of_b.size() != 1) {
+    return std::nullopt;
+  }
+  return joints.of_a.empty() ? joints.of_b[0] : joints.of_a[0];
+}
+
+/// The joint's frame, where its coordinate is 0, in that of a link next to it.
+Transform frame_in(const Model& model, std::size_t link, std::size_t joint) {
+  return model.links[link].joint == joint ? Transform() : model.joints[joint].fixed;
+}
+
+/// Finds the zone of two neighbours.
+class Finder {
+ public:
+  Finder(const Model& model, std::size_t a, std::size_t b, std::size_t joint, double cell,
+         const MatrixOptions& options)
+      : model_(model),
+        joint_(joint),
+        cell_(cell),
+        touching_(options.distances_of(a, b).stop + options.slack),
+        links_{a, b},
+        sides_{ZoneSide(model.links[a], frame_in(model, a, joint)),
+               ZoneSide(model.links[b], frame_in(model, b, joint))} {
+    shape_.is_cylinder = model.joints[joint].type == JointType::prismatic;
+  }
+
+  /// None: they do not touch at each look. `meshes`: the links', as they are baked.
+  std::optional<JointZone> find(const Mesh& mesh_a, const Mesh& mesh_b,
+                                std::optional<double> radius) {
+    const PairSpace whole = space(mesh_a, mesh_b);
+    look_over(whole.dimensions()[0].range);
+    if (!radius && std::any_of(looks_.begin(), looks_.end(), [&](double value) {
+          return whole.are_apart({value}, touching_);
+        })) {
+      return std::nullopt;
+    }
+    const std::vector<std::vector<Contact>> contacts = contacts_in(whole);
+    find_touching_shells(contacts);
+    place_middle(contacts);
+    shape_.radius = radius ? *radius : radius_of(contacts);
+    for (int round = 0; round < kRounds && shape_.radius > 0; ++round) {
+      const double before = shape_.radius;
+      cut();
+      if (radius) {
+        break;
+      }
+      const BakedPart a = bake_part(sides_[0].mesh(), cell_);
+      const BakedPart b = bake_part(sides_[1].mesh(), cell_);
+      const Mesh cut_a = a.view();
+      const Mesh cut_b = b.view();
+      shape_.radius = std::min(before, radius_of(contacts_in(space(cut_a, cut_b))));
+      if (shape_.radius > 0.9 * before) {
+        break;
+      }
+    }
+    return zone();
+  }
+
+ private:
+  PairSpace space(const Mesh& a, const Mesh& b) const {
+    return PairSpace(model_, {links_[0], &a, nullptr}, {links_[1], &b, nullptr}, cell_);
+  }
+
+  void look_over(const Interval& range) {
+    for (std::size_t i = 0; i < kLooks; ++i) {
+      looks_.push_back(range.lower + (range.upper - range.lower) * static_cast<double>(i) /
+                                         static_cast<double>(kLooks - 1));
+    }
+  }
+
+  std::vector<std::vector<Contact>> contacts_in(const PairSpace& space) const {
+    std::vector<std::vector<Contact>> contacts(kLooks);
+    for (std::size_t i = 0; i < kLooks; ++i) {
+      space.find_near({looks_[i]}, touching_, [&](std::uint32_t a, std::uint32_t b) {
+        contacts[i].push_back({a, b});
+      });
+    }
+    return contacts;
+  }
+
+  /// Those that touch at half of the looks at least.
+  void find_touching_shells(const std::vector<std::vector<Contact>>& contacts) {
+    std::array<std::vector<std::size_t>, 2> counts;
+    for (std::size_t side = 0; side < 2; ++side) {
+      counts[side].resize(sides_[side].shell_count());
+      for (const std::vector<Contact>& look : contacts) {
+        std::vector<bool> touch(counts[side].size());
+        for (const Contact& contact : look) {
+          touch[sides_[side].shell_of(side == 0 ? contact.a : contact.b)] = true;
+        }
+        for (std::size_t shell = 0; shell < touch.size(); ++shell) {
+          counts[side][shell] += touch[shell] ? 1 : 0;
+        }
+      }
+      touching_shells_[side].clear();
+      for (const std::size_t count : counts[side]) {
+        touching_shells_[side].push_back(2 * count >= kLooks);
+      }
+    }
+  }
+
+  bool is_of_zone(const Contact& contact) const {
+    return touching_shells_[0][sides_[0].shell_of(contact.a)] &&
+           touching_shells_[1][sides_[1].shell_of(contact.b)];
+  }
+
+  /// In the middle of what touches, along what the joint leaves where it is.
+  void place_middle(const std::vector<std::vector<Contact>>& contacts) {
+    const auto extent = [&](std::size_t side, std::uint32_t triangle, std::size_t axis) {
+      Interval of{HUGE_VAL, -HUGE_VAL};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double at = sides_[side].corner(triangle, i)[axis];
+        of = {std::min(of.lower, at), std::max(of.upper, at)};
+      }
+      return of;
+    };
+    for (std::size_t axis = shape_.is_cylinder ? 0 : 2; axis < (shape_.is_cylinder ? 2 : 3);
+         ++axis) {
+      Interval all{HUGE_VAL, -HUGE_VAL};
+      for (const std::vector<Contact>& look : contacts) {
+        for (const Contact& contact : look) {
+          if (is_of_zone(contact)) {
+            const Interval a = extent(0, contact.a, axis);
+            const Interval b = extent(1, contact.b, axis);
+            const double low = std::max(a.lower, b.lower);
+            const double high = std::min(a.upper, b.upper);
+            all = {std::min({all.lower, low, high}), std::max({all.upper, low, high})};
+          }
+        }
+      }
+      shape_.middle[axis] = all.lower <= all.upper ? 0.5 * (all.lower + all.upper) : 0;
+    }
+  }
+
+  /// That of the smallest zone that holds one triangle of each contact, at a look; 0 if there is
+  /// none.
+  double least_radius(const std::vector<Contact>& look, const std::vector<double>& farthest_a,
+                      const std::vector<double>& farthest_b) const {
+    double radius = 0;
+    for (const Contact& contact : look) {
+      if (is_of_zone(contact)) {
+        radius = std::max(radius, std::min(farthest_a[contact.a], farthest_b[contact.b]));
+      }
+    }
+    return radius;
+  }
+
+  double radius_of(const std::vector<std::vector<Contact>>& contacts) const {
+    const std::vector<double> farthest_a = sides_[0].farthest(shape_);
+    const std::vector<double> farthest_b = sides_[1].farthest(shape_);
+    std::vector<double> radii;
+    for (const std::vector<Contact>& look : contacts) {
+      radii.push_back(least_radius(look, farthest_a, farthest_b));
+    }
+    const double most = *std::max_element(radii.begin() + kEnds, radii.end() - kEnds);
+    std::nth_element(radii.begin(), radii.begin() + kLooks / 2, radii.end());
+    return std::min(most, kMoreThanMedian * radii[kLooks / 2]) * kMargin + kMarginCells * cell_;
+  }
+
+  void cut() {
+    const double edge =
+        std::max({kCut * shape_.radius, touching_ * cell_, kLeastCut * cell_});
+    for (std::size_t side = 0; side < 2; ++side) {
+      sides_[side].cut(touching_shells_[side], shape_, edge);
+    }
+  }
+
+  OutsideZone outside(std::size_t side) const {
+    const std::vector<double> farthest = sides_[side].farthest(shape_);
+    std::vector<std::uint32_t> triangles;
+    for (std::uint32_t i = 0; i < farthest.size(); ++i) {
+      if (!touching_shells_[side][sides_[side].shell_of(i)] || farthest[i] > shape_.radius) {
+        triangles.push_back(i);
+      }
+    }
+    OutsideZone outside;
+    if (!triangles.empty()) {
+      outside.mesh = part_of(sides_[side].mesh(), triangles);
+      outside.baked = bake_part(outside.mesh, cell_);
+    }
+    return outside;
+  }
+
+  JointZone zone() const {
+    return {links_[0], links_[1], joint_, shape_, outside(0), outside(1)};
+  }
+
+  const Model& model_;
+  std::size_t joint_;
+  double cell_;
+  double touching_;  ///< cells
+  std::array<std::size_t, 2> links_;
+  std::array<ZoneSide, 2> sides_;
+  std::vector<double> looks_;  ///< values of the joint's variable
+  std::array<std::vector<bool>, 2> touching_shells_;
+  ZoneShape shape_;
+};
+
+/// The triangles of one side that may come near the other one.
+class Sieve {
+ public:
+  Sieve(const Model& model, const JointZone& zone, bool of_a, double cell,
+        const MatrixOptions& options)
+      : model_(model),
+        zone_(zone),
+        of_a_(of_a),
+        cell_(cell),
+        options_(options),
+        stop_(options.distances_of(zone.a, zone.b).stop) {
+    options_.most_cells = kCellsOfPart;
+    options_.slack += 2 * kDeviation;  // where triangles are cut, vertices are rounded anew
+  }
+
+  bake::SourceMesh near(const bake::SourceMesh& mesh, const Mesh& other) const {
+    std::vector<std::uint32_t> all(mesh.triangles.size());
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<std::uint32_t> kept;
+    look_at(mesh, other, all, kept);
+    std::sort(kept.begin(), kept.end());
+    return part_of(mesh, kept);
+  }
+
+ private:
+  bool may_come_near(const bake::SourceMesh& part, const Mesh& other) const {
+    const BakedPart baked = bake_part(part, cell_);
+    const Mesh mesh = baked.view();
+    const PairSpace space(model_, {zone_.a, of_a_ ? &mesh : &other, nullptr},
+                          {zone_.b, of_a_ ? &other : &mesh, nullptr}, cell_);
+    return search_pair(space, options_, stop_).end != SearchEnd::apart;
+  }
+
+  void look_at(const bake::SourceMesh& mesh, const Mesh& other,
+               const std::vector<std::uint32_t>& triangles,
+               std::vector<std::uint32_t>& kept) const {
+    if (triangles.empty() || !may_come_near(part_of(mesh, triangles), other)) {
+      return;
+    }
+    if (triangles.size() <= kFewTriangles) {
+      kept.insert(kept.end(), triangles.begin(), triangles.end());
+      return;
+    }
+    const auto [lower, upper] = halves(mesh, triangles);
+    look_at(mesh, other, lower, kept);
+    look_at(mesh, other, upper, kept);
+  }
+
+  /// By where they lie along the axis in which they lie farthest apart.
+  static std::array<std::vector<std::uint32_t>, 2> halves(
+      const bake::SourceMesh& mesh, std::vector<std::uint32_t> triangles) {
+    const auto at = [&](std::uint32_t triangle, std::size_t axis) {
+      double sum = 0;
+      for (const std::uint32_t corner : mesh.triangles[triangle]) {
+        sum += mesh.vertices[corner][axis];
+      }
+      return sum;
+    };
+    std::size_t longest = 0;
+    double most = -1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [low, high] = std::minmax_element(
+          triangles.begin(), triangles.end(),
+          [&](std::uint32_t p, std::uint32_t q) { return at(p, axis) < at(q, axis); });
+      if (at(*high, axis) - at(*low, axis) > most) {
+        most = at(*high, axis) - at(*low, axis);
+        longest = axis;
+      }
+    }
+    std::sort(triangles.begin(), triangles.end(), [&](std::uint32_t p, std::uint32_t q) {
+      return std::pair(at(p, longest), p) < std::pair(at(q, longest), q);
+    });
+    const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
+    return {std::vector(triangles.begin(), middle), std::vector(middle, triangles.end())};
+  }
+
+  const Model& model_;
+  const JointZone& zone_;
+  bool of_a_;
+  double cell_;
+  MatrixOptions options_;
+  double stop_;
+};
+
+}  // namespace
+
+std::string zone_text(const Model& model, const JointZone& zone) {
+  return radius_text(model, zone.shape.radius, zone.joint);
+}
+
+std::string radius_text(const Model& model, double radius, std::size_t joint) {
+  return concat(significant(radius, 4), " m about ", model.joints[joint].name);
+}
+
+StopDistance MatrixOptions::distances_of(std::size_t a, std::size_t b) const {
+  const StopDistance* const own = find_pair(stops, a, b);
+  return own != nullptr ? *own : StopDistance{a, b, stop, warn};
+}
+
+bool MatrixOptions::has_own_distances(std::size_t a, std::size_t b) const {
+  return find_pair(stops, a, b) != nullptr;
+}
+
+bool is_between_neighbours(const Model& model, std::size_t joint) {
+  return std::any_of(model.neighbours.begin(), model.neighbours.end(), [&](const auto& pair) {
+    return joint_of_neighbours(model, pair.first, pair.second) == joint;
+  });
+}
+
+std::vector<JointZone> joint_zones(const Model& model, const std::vector<Mesh>& meshes, double cell,
+                                   const MatrixOptions& options, const ZoneRadii& radii) {
+  std::vector<std::optional<JointZone>> found(model.neighbours.size());
+  for_each_in_parallel(found.size(), [&](std::size_t i) {
+    const auto [a, b] = std::minmax(model.neighbours[i].first, model.neighbours[i].second);
+    const std::optional<std::size_t> joint = joint_of_neighbours(model, a, b);
+    if (!joint) {
+      return;
+    }
+    const auto given = radii.find(*joint);
+    const std::optional<double> radius =
+        given == radii.end() ? std::nullopt : std::optional(given->second);
+    if (radius != 0.0) {
+      found[i] = Finder(model, a, b, *joint, cell, options).find(meshes[a], meshes[b], radius);
+    }
+  });
+  std::vector<JointZone> zones;
+  for (std::optional<JointZone>& zone : found) {
+    if (zone) {
+      zones.push_back(std::move(*zone));
+    }
+  }
+  std::sort(zones.begin(), zones.end(), [](const JointZone& p, const JointZone& q) {
+    return std::pair(p.a, p.b) < std::pair(q.a, q.b);
+  });
+  return zones;
+}
+
+ZoneParts zone_parts(const Model& model, const JointZone& zone, double cell,
+                     const MatrixOptions& options) {
+  ZoneParts parts;
+  const Mesh other = zone.outside_b.baked->view();
+  parts.a = Sieve(model, zone, true, cell, options).near(zone.outside_a.mesh, other);
+  if (!parts.a.triangles.empty()) {
+    const BakedPart near_a = bake_part(parts.a, cell);
+    parts.b =
+        Sieve(model, zone, false, cell, options).near(zone.outside_b.mesh, near_a.view());
+  }
+  if (parts.b.triangles.empty()) {
+    parts.a = {};
+  }
+  return parts;
+}
+
+}  // namespace flashbvh::tool

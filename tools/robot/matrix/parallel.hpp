@@ -1,0 +1,53 @@
+// Work on all processors.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace flashbvh::tool {
+
+/// So many work at a time.
+inline std::size_t processor_count() {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+/// Calls `work` with each number below `count`, in any order. What one throws ends the others'
+/// calls when theirs is over, and is thrown: of several, that of the least number.
+template <class Work>
+void for_each_in_parallel(std::size_t count, const Work& work) {
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::size_t thrower = count;
+  std::exception_ptr thrown;
+  const auto run = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (i < thrower) {
+          thrower = i;
+          thrown = std::current_exception();
+        }
+        next = count;
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  for (std::size_t i = 1; i < std::min(processor_count(), count); ++i) {
+    threads.emplace_back(run);
+  }
+  run();
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+  if (thrown) {
+    std::rethrow_exception(thrown);
+  }
+}
+
+}  // namespace flashbvh::tool

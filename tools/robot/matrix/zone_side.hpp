@@ -1,0 +1,51 @@
+// What lies where at a joint: one of its two links, its triangles by how far they are from the middle
+// of the joint's zone.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "robot/matrix/baked_part.hpp"
+#include "robot/model.hpp"
+
+namespace flashbvh::tool {
+
+/// A solid that a joint moves into itself: a ball about a point of the joint's axis, or, where the
+/// joint slides, a cylinder without ends round a line along it.
+struct ZoneShape {
+  bool is_cylinder = false;
+  std::array<double, 3> middle{};  ///< in the joint's frame, metres
+  double radius = 0;
+
+  /// From the middle, or from the line.
+  double distance_of(const std::array<double, 3>& point) const;
+};
+
+class ZoneSide {
+ public:
+  /// `frame`: the joint's, where its coordinate is 0, in the link's.
+  ZoneSide(const ModelLink& link, const Transform& frame);
+
+  const bake::SourceMesh& mesh() const { return mesh_; }
+  /// Of connected triangles of one source; numbered from 0.
+  std::uint32_t shell_of(std::uint32_t triangle) const { return shells_[triangle]; }
+  std::uint32_t shell_count() const { return shell_count_; }
+  /// In the joint's frame.
+  std::array<double, 3> corner(std::uint32_t triangle, std::size_t i) const;
+
+  /// Cuts the triangles of these shells that reach into the shape until no edge is longer than
+  /// `edge`, or there are very many.
+  void cut(const std::vector<bool>& shells, const ZoneShape& shape, double edge);
+  /// How far the farthest point of each triangle is from the shape's middle.
+  std::vector<double> farthest(const ZoneShape& shape) const;
+
+ private:
+  void number_shells(const ModelLink& link);
+
+  bake::SourceMesh mesh_;  ///< in the link's frame
+  Transform to_joint_;
+  std::vector<std::uint32_t> shells_;  ///< of each triangle
+  std::uint32_t shell_count_ = 0;
+};
+
+}  // namespace flashbvh::tool
