@@ -182,11 +182,11 @@ std::string unguarded_decisions(const Model& model, const std::vector<UnguardedP
   }
   std::string html;
   for (const auto& [why, pairs] : by_reason) {
-    html += decision("v1", "Not guarded",
-                     escaped(names_of(model, pairs) +
-                             (why == WhyUnguarded::believed
-                                  ? " (" + reason_of(model, pairs.front()) + ")"
-                                  : "")));
+    html += decision(
+        "v1", "Not guarded",
+        escaped(names_of(model, pairs) + (why == WhyUnguarded::believed
+                                              ? " (" + reason_of(model, pairs.front()) + ")"
+                                              : "")));
   }
   return html;
 }

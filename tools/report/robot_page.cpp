@@ -23,7 +23,7 @@ constexpr std::pair<MatrixVerdict, const char*> kMeanings[] = {
 
 /// What fits a cell: how often, or how it is known.
 std::string short_reason(const PairVerdict& pair, const std::string& share) {
-  return pair.verdict == MatrixVerdict::can ? share
+  return pair.verdict == MatrixVerdict::can        ? share
          : pair.verdict == MatrixVerdict::believed ? "not guarded"
          : pair.verdict == MatrixVerdict::fixed
              ? escaped(pair.reason.substr(pair.reason.rfind(' ') + 1))  // apart, intersecting
@@ -199,12 +199,10 @@ std::string rarity_table(const DecidedRobot& decided, const std::vector<std::siz
 
 std::string witness(const DecidedRobot& decided, const PairVerdict& pair) {
   const double cell = cell_of(decided.robot());
+  const auto [a, b, triangles] = triangles_at(decided.model, decided.robot().meshes, cell, pair);
   return "<h3>" + links_of(decided.model, pair.a, pair.b) + "</h3>\n" +
-         pair_pictures(
-             posed(decided, pair.witness),
-             {pair.body_a, pair.body_b,
-              triangles_at(decided.model, decided.robot().meshes, cell, pair),
-              "two triangles that intersect"}) +
+         pair_pictures(posed(decided, pair.witness),
+                       {a, b, triangles, "two triangles that intersect"}) +
          note("Joints: <code>" + joint_values(decided.model, pair.witness) + "</code>");
 }
 

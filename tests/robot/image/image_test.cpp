@@ -138,13 +138,15 @@ TEST_CASE("pairs that are not guarded are kept with the reason; one that no join
     add_link(model, on, box({0, 0, 0}, {0.1, 0.1, 0.1}));
   }
   const FixedArm arm(model, 1e-3);
-  const Words words = image_of(arm, {tool::unguarded_pair(0, 1, WhyUnguarded::intersecting),
-                                     tool::unguarded_pair(0, 2, WhyUnguarded::believed)});
+  const Words words = image_of(arm, {tool::UnguardedPair{0, 1, WhyUnguarded::zone, joint, 0.0625},
+                                     tool::UnguardedPair{0, 2, WhyUnguarded::believed}});
   REQUIRE(unguarded_count(words.data()) == 2);
   const RobotUnguarded* const kept = unguarded_pairs(words.data());
-  CHECK((kept[0].a == 0 && kept[0].b == 1 && kept[0].why == WhyUnguarded::intersecting));
+  CHECK((kept[0].a == 0 && kept[0].b == 1 && kept[0].why == WhyUnguarded::zone));
+  CHECK((kept[0].joint == joint && kept[0].radius == 16000));  // 62.5 cells
+  CHECK((kept[1].joint == kBase && kept[1].radius == 0));
   CHECK((kept[1].a == 0 && kept[1].b == 2 && kept[1].why == WhyUnguarded::believed));
-  CHECK_THROWS_AS(image_of(arm, {tool::unguarded_pair(1, 2, WhyUnguarded::believed)}),
+  CHECK_THROWS_AS(image_of(arm, {tool::UnguardedPair{1, 2, WhyUnguarded::believed}}),
                   std::logic_error);
 }
 

@@ -39,10 +39,17 @@ const Crafted kCrafted[] = {
     {"more of them than bytes", [](Parts p) { p.header.unguarded_count = UINT16_MAX; },
      Status::image_corrupt},
     {"padding of the header", [](Parts p) { p.header.padding = 1; }},
-    {"the other reason", [](Parts p) { p.unguarded[0].why = WhyUnguarded::believed; },
+    {"the other reason",
+     [](Parts p) {
+       p.unguarded[0] = {0, 1, WhyUnguarded::believed, kBase, 0};
+     },
      Status::done},
     {"a reason that is none", [](Parts p) { p.unguarded[0].why = WhyUnguarded{2}; }},
-    {"padding of an unguarded pair", [](Parts p) { p.unguarded[0].padding = 1; }},
+    {"a zone about another joint", [](Parts p) { p.unguarded[0].joint = 1; }},
+    {"a zone about no joint", [](Parts p) { p.unguarded[0].joint = kBase; }},
+    {"a zone of nothing", [](Parts p) { p.unguarded[0].radius = 0; }},
+    {"a joint of no zone", [](Parts p) { p.unguarded[1].joint = 1; }},
+    {"a radius of no zone", [](Parts p) { p.unguarded[1].radius = 1; }},
     {"an unguarded link that is none", [](Parts p) { p.unguarded[1].b = 6; }},
     {"unguarded links turned round",
      [](Parts p) { std::swap(p.unguarded[1].a, p.unguarded[1].b); }},
@@ -51,7 +58,7 @@ const Crafted kCrafted[] = {
     {"unguarded pairs out of order", [](Parts p) { std::swap(p.unguarded[0], p.unguarded[1]); }},
     {"guarded and unguarded",
      [](Parts p) {
-       p.unguarded[1] = {2, 4, WhyUnguarded::believed, 0};
+       p.unguarded[1] = {2, 4, WhyUnguarded::believed, kBase, 0};
      }},
     {"large tables", [](Parts p) { p.header.distance_table_bytes = UINT32_MAX; },
      Status::image_corrupt},

@@ -201,26 +201,6 @@ TEST_CASE("pairs that need no test say why") {
   const PairVerdict fixed = decided(model, 0, 2);
   CHECK(fixed.verdict == MatrixVerdict::fixed);
   CHECK(fixed.reason == "no joint moves them, apart");
-  // A hub and what turns on it.
-  model.neighbours = {{1, 2}, {0, 1}};
-  model.links[2].mesh = prism(12, 0.25, 0, 0, -0.2, 0.2);
-  const PairVerdict hub = decided(model, 1, 2);
-  CHECK(hub.verdict == MatrixVerdict::always);
-  CHECK(hub.reason ==
-        "neighbours that intersect at each of 256 configurations spread over the limits; sampled, "
-        "not proven");
-  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::can);  // neighbours, but not everywhere
-}
-
-TEST_CASE("neighbours that intersect wherever they are tried are decided if they get distances") {
-  Model model = rod_and_wall(-3, 3, 0.5);
-  add_link(model, kNoJoint, prism(12, 0.25, 0, 0, -0.2, 0.2));
-  model.neighbours = {{1, 2}};
-  MatrixOptions options;
-  options.stops = {{2, 1, 0, 0}};
-  const PairVerdict forced = decided(model, 1, 2, options);
-  CHECK(forced.verdict == MatrixVerdict::can);
-  CHECK(forced.is_guarded);
 }
 
 TEST_CASE("what an SRDF disables is decided as any pair") {

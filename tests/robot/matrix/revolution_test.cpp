@@ -11,7 +11,7 @@ namespace {
 
 bool is_proven(const Model& model, double cell) {
   std::uint64_t cells = 0;
-  const bool proven = is_proven_swept(model, 0, 1, cell, {}, {}, cells);
+  const bool proven = is_proven_swept(model, 0, 1, cell, {}, cells);
   CHECK(cells <= MatrixOptions().most_cells);
   return proven;
 }

@@ -15,8 +15,8 @@ bake::SourceMesh pyramid(double size) {
 std::vector<NamedImage> made_images() {
   std::vector<NamedImage> images = {
       {"every_joint",
-       image_of(every_joint_arm(), {tool::unguarded_pair(0, 1, WhyUnguarded::intersecting),
-                                    tool::unguarded_pair(2, 3, WhyUnguarded::believed)})}};
+       image_of(every_joint_arm(), {tool::UnguardedPair{0, 1, WhyUnguarded::zone, 0, 0.05},
+                                    tool::UnguardedPair{2, 3, WhyUnguarded::believed}})}};
   Model fixed;
   add_link(fixed, tool::kNoJoint, pyramid(0.1));
   images.push_back({"one_link", image_of(FixedArm(fixed, 1e-3))});

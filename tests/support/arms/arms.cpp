@@ -213,8 +213,9 @@ bool BakedArm::are_within(std::size_t a, std::size_t b, const std::vector<double
       .yes;
 }
 
-std::vector<PairVerdict> BakedArm::decide(const MatrixOptions& options) const {
-  return decide_pairs(model_, meshes_, cell_, options, {});
+std::vector<PairVerdict> BakedArm::decide(const MatrixOptions& options,
+                                          const std::vector<tool::JointZone>& zones) const {
+  return decide_pairs(model_, meshes_, zones, cell_, options, {});
 }
 
 std::vector<double> any_variables(Random& random, const Model& model) {

@@ -56,7 +56,8 @@ class BakedArm {
   /// Whether they are at most so many cells apart.
   bool are_within(std::size_t a, std::size_t b, const std::vector<double>& variables,
                   double distance) const;
-  std::vector<tool::PairVerdict> decide(const tool::MatrixOptions& options = {}) const;
+  std::vector<tool::PairVerdict> decide(const tool::MatrixOptions& options = {},
+                                        const std::vector<tool::JointZone>& zones = {}) const;
 
  private:
   const Model& model_;

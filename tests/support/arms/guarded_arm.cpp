@@ -21,8 +21,9 @@ std::vector<tool::GuardedPair> any_pairs(Random& random, const Model& model, dou
   options.most_cells = 300;
   std::vector<tool::GuardedPair> pairs;
   for (const tool::PairVerdict& pair : BakedArm(model, cell).decide(options)) {
-    const bool may =
-        pair.verdict == tool::MatrixVerdict::can || pair.verdict == tool::MatrixVerdict::undecided;
+    // Neighbours are not guarded about their joint.
+    const bool may = !pair.is_stopped && (pair.verdict == tool::MatrixVerdict::can ||
+                                          pair.verdict == tool::MatrixVerdict::undecided);
     const bool is_next = pair.b == pair.a + 1;  // seldom farther apart than they warn of
     if (may && (!is_next || random.below(6) == 0)) {
       const double stop = random.below(3) == 0 ? 0 : real_between(random, 0, 0.01);

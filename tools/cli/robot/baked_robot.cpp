@@ -233,9 +233,10 @@ std::vector<GuardedPair> guarded(const std::vector<PairVerdict>& pairs,
   for (const PairVerdict& pair : pairs) {
     if (pair.is_guarded) {
       const auto [stop, warn] = distances_of(distances, pair);
-      const bool is_near =
-          pair.is_warned && find_pair(distances.own, pair.a, pair.b) == nullptr;
-      guarded.push_back({pair.body_a, pair.body_b, stop, pair.zone || is_near ? stop : warn});
+      const bool is_near = pair.is_warned && find_pair(distances.own, pair.a, pair.b) == nullptr;
+      for (const auto& [a, b] : pair.bodies) {
+        guarded.push_back({a, b, stop, pair.zone || is_near ? stop : warn});
+      }
     }
   }
   std::sort(guarded.begin(), guarded.end(), [](const GuardedPair& p, const GuardedPair& q) {
@@ -262,7 +263,7 @@ std::size_t add_part(std::size_t of, bake::SourceMesh mesh, const std::string& w
 
 /// What a guard looks at of neighbours.
 void add_parts(const RobotArguments& arguments, BakedRobot& made) {
-  std::vector<ZoneParts> parts(made.pairs.size());
+  std::vector<std::vector<ZoneParts>> parts(made.pairs.size());
   for_each_in_parallel(parts.size(), [&](std::size_t i) {
     const PairVerdict& pair = made.pairs[i];
     if (pair.zone && pair.is_guarded) {
@@ -274,16 +275,18 @@ void add_parts(const RobotArguments& arguments, BakedRobot& made) {
     if (!pair.zone || !pair.is_guarded) {
       continue;
     }
-    if (parts[i].a.triangles.empty()) {
+    if (parts[i].empty()) {
       pair.is_guarded = false;
       pair.is_stopped = false;
       pair.verdict = MatrixVerdict::never;
       pair.reason += "; proven by triangles";
-      continue;
     }
     const std::string where = zone_text(made.model, made.zones[*pair.zone]);
-    pair.body_a = add_part(pair.a, std::move(parts[i].a), where, arguments, made);
-    pair.body_b = add_part(pair.b, std::move(parts[i].b), where, arguments, made);
+    pair.bodies.clear();
+    for (ZoneParts& part : parts[i]) {
+      const std::size_t a = add_part(pair.a, std::move(part.a), where, arguments, made);
+      pair.bodies.emplace_back(a, add_part(pair.b, std::move(part.b), where, arguments, made));
+    }
   }
   made.sizes = link_sizes(made.model);
   check_counts(made.model, arguments.urdf);
@@ -329,18 +332,16 @@ void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
       continue;
     }
     const char* const word = pair.is_stopped ? "stop" : "warn";
-    warnings.add(arguments.urdf,
-                 concat(links, "a guard would ",
-                        pair.is_stopped ? "always say stop; " : "never say free; ",
-                        pair.zone ? "give the joint a larger --zone, or " : "",
-                        (pair.is_stopped ? stop : warn) != 0
-                            ? concat("lower it (--", word, ", --pair), or ")
-                        : own != nullptr ? "leave out its --pair, or "
-                                         : "",
-                        "disable the pair in an SRDF",
-                        pair.verdict == MatrixVerdict::never
-                            ? ""
-                            : concat(" and name it by --believe ", names)));
+    warnings.add(
+        arguments.urdf,
+        concat(links, "a guard would ", pair.is_stopped ? "always say stop; " : "never say free; ",
+               pair.zone ? "give the joint a larger --zone, or " : "",
+               (pair.is_stopped ? stop : warn) != 0 ? concat("lower it (--", word, ", --pair), or ")
+               : own != nullptr                     ? "leave out its --pair, or "
+                                                    : "",
+               "disable the pair in an SRDF",
+               pair.verdict == MatrixVerdict::never ? ""
+                                                    : concat(" and name it by --believe ", names)));
   }
 }
 
@@ -417,8 +418,9 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
   repeated(add_option(command, "--zone", arguments.zones, "JOINT=LENGTH",
                       "Two links may touch so far about the joint between them; 0: nowhere; may be "
                       "repeated. \nDefault: as far as they do"));
-  add_option(command, "--time", arguments.time, "SECONDS",
-             "What is not decided by then is undecided, and guarded. \nDefault: as long as it takes");
+  add_option(
+      command, "--time", arguments.time, "SECONDS",
+      "What is not decided by then is undecided, and guarded. \nDefault: as long as it takes");
   add_progress(command, arguments.progress);
 }
 
@@ -482,8 +484,9 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
 }
 
 BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings) {
-  for (const char* const option : {"--package", "--joint-limits", "--srdf", "--believe", "--cell",
-                                   "--leaf-size", "--stop", "--warn", "--pair", "--zone", "--time"}) {
+  for (const char* const option :
+       {"--package", "--joint-limits", "--srdf", "--believe", "--cell", "--leaf-size", "--stop",
+        "--warn", "--pair", "--zone", "--time"}) {
     if (command.count(option) != 0) {
       throw UserError(path, "is baked already, ", option,
                       " is for a URDF; leave it out, or bake again with `flashbvh robot`");

@@ -47,10 +47,10 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
 /// Its parts point into each other; it may be moved.
 struct BakedRobot {
   Model model;
-  double cell;  ///< metres
+  double cell;                   ///< metres
   std::vector<BakedLink> links;  ///< behind them the parts of links that a guard looks at
-  std::vector<Size> sizes;  ///< of the links, in their own frames, in metres; of an image, too
-  MatrixOptions options;  ///< with which its pairs were decided
+  std::vector<Size> sizes;       ///< of the links, in their own frames, in metres; of an image, too
+  MatrixOptions options;         ///< with which its pairs were decided
   std::vector<JointZone> zones;
   std::vector<PairVerdict> pairs;
   std::vector<UnguardedPair> unguarded;  ///< of an image, too

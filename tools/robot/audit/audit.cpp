@@ -73,7 +73,7 @@ std::string why_of(const PairVerdict& pair, LineVerdict verdict) {
 
 void add_witness(const DecidedPairs& decided, AuditedLine& line) {
   const Model& model = decided.model;
-  const auto found = triangles_at(model, decided.meshes.data(), decided.cell, line.pair);
+  const auto found = triangles_at(model, decided.meshes.data(), decided.cell, line.pair).triangles;
   line.triangles = {file_triangle(model.links[line.pair.a], found.a),
                     file_triangle(model.links[line.pair.b], found.b)};
   line.why = concat("intersect at ", witness_text(model, line.pair), "; triangle ",

@@ -71,9 +71,8 @@ class Finder {
                                 std::optional<double> radius) {
     const PairSpace whole = space(mesh_a, mesh_b);
     look_over(whole.dimensions()[0].range);
-    if (!radius && std::any_of(looks_.begin(), looks_.end(), [&](double value) {
-          return whole.are_apart({value}, touching_);
-        })) {
+    if (!radius && std::any_of(looks_.begin(), looks_.end(),
+                               [&](double value) { return whole.are_apart({value}, touching_); })) {
       return std::nullopt;
     }
     const std::vector<std::vector<Contact>> contacts = contacts_in(whole);
@@ -200,31 +199,45 @@ class Finder {
   }
 
   void cut() {
-    const double edge =
-        std::max({kCut * shape_.radius, touching_ * cell_, kLeastCut * cell_});
+    const double edge = std::max({kCut * shape_.radius, touching_ * cell_, kLeastCut * cell_});
     for (std::size_t side = 0; side < 2; ++side) {
       sides_[side].cut(touching_shells_[side], shape_, edge);
     }
   }
 
-  OutsideZone outside(std::size_t side) const {
+  /// Numbers of triangles: of shells that touch or others, outside the zone or wherever they lie.
+  enum class Which : std::uint8_t { outside, touching, other, all };
+  std::vector<std::uint32_t> triangles(std::size_t side, Which which) const {
     const std::vector<double> farthest = sides_[side].farthest(shape_);
-    std::vector<std::uint32_t> triangles;
+    std::vector<std::uint32_t> numbers;
     for (std::uint32_t i = 0; i < farthest.size(); ++i) {
-      if (!touching_shells_[side][sides_[side].shell_of(i)] || farthest[i] > shape_.radius) {
-        triangles.push_back(i);
+      const bool touches = touching_shells_[side][sides_[side].shell_of(i)];
+      if (which == Which::all || (which == Which::other) != touches) {
+        if (which != Which::outside || farthest[i] > shape_.radius) {
+          numbers.push_back(i);
+        }
       }
     }
-    OutsideZone outside;
-    if (!triangles.empty()) {
-      outside.mesh = part_of(sides_[side].mesh(), triangles);
-      outside.baked = bake_part(outside.mesh, cell_);
+    return numbers;
+  }
+
+  void add_bodies(Which of_a, Which of_b, std::vector<ZoneBodies>& bodies) const {
+    const std::vector<std::uint32_t> a = triangles(0, of_a);
+    const std::vector<std::uint32_t> b = triangles(1, of_b);
+    if (!a.empty() && !b.empty()) {
+      ZoneBodies made = {part_of(sides_[0].mesh(), a), part_of(sides_[1].mesh(), b), {}, {}};
+      made.a = bake_part(made.mesh_a, cell_);
+      made.b = bake_part(made.mesh_b, cell_);
+      bodies.push_back(std::move(made));
     }
-    return outside;
   }
 
   JointZone zone() const {
-    return {links_[0], links_[1], joint_, shape_, outside(0), outside(1)};
+    JointZone zone = {links_[0], links_[1], joint_, shape_, {}};
+    add_bodies(Which::outside, Which::outside, zone.bodies);
+    add_bodies(Which::other, Which::all, zone.bodies);
+    add_bodies(Which::touching, Which::other, zone.bodies);
+    return zone;
   }
 
   const Model& model_;
@@ -287,8 +300,8 @@ class Sieve {
   }
 
   /// By where they lie along the axis in which they lie farthest apart.
-  static std::array<std::vector<std::uint32_t>, 2> halves(
-      const bake::SourceMesh& mesh, std::vector<std::uint32_t> triangles) {
+  static std::array<std::vector<std::uint32_t>, 2> halves(const bake::SourceMesh& mesh,
+                                                          std::vector<std::uint32_t> triangles) {
     const auto at = [&](std::uint32_t triangle, std::size_t axis) {
       double sum = 0;
       for (const std::uint32_t corner : mesh.triangles[triangle]) {
@@ -375,20 +388,26 @@ std::vector<JointZone> joint_zones(const Model& model, const std::vector<Mesh>& 
   return zones;
 }
 
-ZoneParts zone_parts(const Model& model, const JointZone& zone, double cell,
-                     const MatrixOptions& options) {
-  ZoneParts parts;
-  const Mesh other = zone.outside_b.baked->view();
-  parts.a = Sieve(model, zone, true, cell, options).near(zone.outside_a.mesh, other);
-  if (!parts.a.triangles.empty()) {
+std::vector<ZoneParts> zone_parts(const Model& model, const JointZone& zone, double cell,
+                                  const MatrixOptions& options) {
+  const Sieve of_a(model, zone, true, cell, options);
+  const Sieve of_b(model, zone, false, cell, options);
+  std::vector<ZoneParts> all;
+  for (const ZoneBodies& bodies : zone.bodies) {
+    ZoneParts parts;
+    const Mesh other = bodies.b.view();
+    parts.a = of_a.near(bodies.mesh_a, other);
+    if (parts.a.triangles.empty()) {
+      continue;
+    }
     const BakedPart near_a = bake_part(parts.a, cell);
-    parts.b =
-        Sieve(model, zone, false, cell, options).near(zone.outside_b.mesh, near_a.view());
+    const Mesh mesh_a = near_a.view();
+    parts.b = of_b.near(bodies.mesh_b, mesh_a);
+    if (!parts.b.triangles.empty()) {
+      all.push_back(std::move(parts));
+    }
   }
-  if (parts.b.triangles.empty()) {
-    parts.a = {};
-  }
-  return parts;
+  return all;
 }
 
 }  // namespace flashbvh::tool

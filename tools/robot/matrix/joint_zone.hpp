@@ -1,10 +1,10 @@
-// Joint zones. Two links that a joint holds together touch about it, wherever it stands. What of them
-// lies outside a zone about the joint is decided, and guarded, as any pair is; what lies inside is
-// not looked at, and said not to be.
+// Joint zones. Two links that a joint holds together touch about it, wherever it stands. What of
+// them lies outside a zone about the joint is decided, and guarded, as any pair is; what lies
+// inside is not looked at, and said not to be.
 //
 // The zone is as small as what touches, over the joint's range: where it grows towards a limit, a
-// real collision may be there. Parts of a link that touch the other one only at some values (a post
-// on a table) have no zone.
+// real collision may be there. Shells of a link that touch the other link at some values alone (a
+// post on a table) have no zone: they are looked at everywhere.
 #pragma once
 
 #include <map>
@@ -18,10 +18,12 @@
 
 namespace flashbvh::tool {
 
-/// What of a link lies outside.
-struct OutsideZone {
-  bake::SourceMesh mesh;            ///< in metres, in the link's frame; triangles are cut at the zone
-  std::optional<BakedPart> baked;  ///< none if nothing lies outside
+/// What of one link is not to meet what of the other, in the links' frames, in metres.
+struct ZoneBodies {
+  bake::SourceMesh mesh_a;  ///< triangles are cut at the zone
+  bake::SourceMesh mesh_b;
+  BakedPart a;
+  BakedPart b;
 };
 
 struct JointZone {
@@ -29,11 +31,9 @@ struct JointZone {
   std::size_t b;
   std::size_t joint;  ///< the only one between
   ZoneShape shape;
-  OutsideZone outside_a;
-  OutsideZone outside_b;
-
-  /// Whether anything of both lies outside.
-  bool has_outside() const { return outside_a.baked && outside_b.baked; }
+  /// All that is not in the zone: what lies outside it of the shells that touch; other shells and
+  /// the other link. Empty: nothing is left of one of the two.
+  std::vector<ZoneBodies> bodies;
 };
 
 /// "0.126 m about elbow".
@@ -51,13 +51,14 @@ using ZoneRadii = std::map<std::size_t, double>;
 std::vector<JointZone> joint_zones(const Model& model, const std::vector<Mesh>& meshes, double cell,
                                    const MatrixOptions& options, const ZoneRadii& radii);
 
-/// What of the zone's outsides may come within the stop distance, slack included, as two meshes in
-/// the links' frames: what a guard needs of them. Both are empty, or none.
+/// What of two bodies may come within the stop distance, slack included: what a guard needs of
+/// them.
 struct ZoneParts {
   bake::SourceMesh a;
   bake::SourceMesh b;
 };
-ZoneParts zone_parts(const Model& model, const JointZone& zone, double cell,
-                     const MatrixOptions& options);
+/// Of all the zone's bodies that may.
+std::vector<ZoneParts> zone_parts(const Model& model, const JointZone& zone, double cell,
+                                  const MatrixOptions& options);
 
 }  // namespace flashbvh::tool

@@ -24,6 +24,14 @@ std::string proven(std::uint64_t cells) {
                 cells == 1 ? " cell" : " cells");
 }
 
+/// From the best to the worst.
+int rank_of(MatrixVerdict verdict) {
+  return verdict == MatrixVerdict::can         ? 3
+         : verdict == MatrixVerdict::believed  ? 2
+         : verdict == MatrixVerdict::undecided ? 1
+                                               : 0;
+}
+
 /// Decides one pair.
 class Decider {
  public:
@@ -184,7 +192,8 @@ class Matrix {
                          [&](std::size_t link) { reaches_[link] = reaches_of(model, link, cell); });
   }
 
-  PairVerdict decide(std::size_t a, std::size_t b, std::optional<Clock::time_point> deadline) const {
+  PairVerdict decide(std::size_t a, std::size_t b,
+                     std::optional<Clock::time_point> deadline) const {
     PairVerdict pair = {a, b, MatrixVerdict::undecided, "", {}, 0};
     MatrixOptions options = options_;
     options.deadline = deadline;
@@ -204,17 +213,29 @@ class Matrix {
     return {number, &mesh, &reaches_[number]};
   }
 
+  /// The worst of all bodies.
   void decide_outside(const JointZone& zone, MatrixOptions& options, PairVerdict& pair) const {
-    if (!zone.has_outside()) {
-      pair.verdict = MatrixVerdict::never;
-      pair.reason = "nothing is there of one of them";
-      return;
-    }
     // Where triangles are cut, vertices are rounded anew.
     options.slack += 2 * kDeviation;
-    const Mesh a = zone.outside_a.baked->view();
-    const Mesh b = zone.outside_b.baked->view();
-    Decider(model_, link(zone.a, a), link(zone.b, b), cell_, options).decide(pair);
+    PairVerdict worst = pair;
+    worst.verdict = MatrixVerdict::never;
+    worst.reason = "nothing is there of one of them";
+    for (const ZoneBodies& bodies : zone.bodies) {
+      PairVerdict of = pair;
+      const Mesh a = bodies.a.view();
+      const Mesh b = bodies.b.view();
+      Decider(model_, link(zone.a, a), link(zone.b, b), cell_, options).decide(of);
+      const std::uint64_t cells = worst.cells + of.cells;
+      const bool is_guarded = worst.is_guarded || of.is_guarded;
+      const bool is_stopped = worst.is_stopped || of.is_stopped;
+      if (&bodies == zone.bodies.data() || rank_of(of.verdict) > rank_of(worst.verdict)) {
+        worst = std::move(of);
+      }
+      worst.cells = cells;
+      worst.is_guarded = is_guarded;
+      worst.is_stopped = is_stopped;
+    }
+    pair = std::move(worst);
   }
 
   const Model& model_;
@@ -235,8 +256,8 @@ std::optional<Clock::time_point> turn_of(const MatrixOptions& options, std::size
     return std::nullopt;
   }
   const Clock::time_point now = Clock::now();
-  const double part =
-      share * static_cast<double>(processor_count()) / static_cast<double>(std::max<std::size_t>(left, 1));
+  const double part = share * static_cast<double>(processor_count()) /
+                      static_cast<double>(std::max<std::size_t>(left, 1));
   const auto turn = std::chrono::duration<double>(*options.deadline - now) * std::min(1.0, part);
   return now + std::chrono::duration_cast<Clock::duration>(turn);
 }

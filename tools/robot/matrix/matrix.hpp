@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "flashbvh/mesh.hpp"
@@ -38,9 +39,8 @@ struct PairVerdict {
   bool is_warned =
       false;  ///< not stopped so, but nowhere tried farther apart than the warn distance
   std::optional<std::size_t> zone = {};  ///< of the zones: only what lies outside was decided
-  /// What a guard looks at: the two links, or their parts outside the zone.
-  std::size_t body_a = a;
-  std::size_t body_b = b;
+  /// What a guard looks at: the two links, or parts of theirs that are not in the zone.
+  std::vector<std::pair<std::size_t, std::size_t>> bodies = {{a, b}};
 };
 
 /// How far: so many pairs of all are decided. One call at a time, from any thread.

@@ -47,12 +47,16 @@ std::vector<Pose> link_poses(const Model& model, double cell,
   return poses;
 }
 
-TrianglePair<std::uint16_t> triangles_at(const Model& model, const Mesh* meshes, double cell,
-                                         const PairVerdict& pair) {
+BodyTriangles triangles_at(const Model& model, const Mesh* meshes, double cell,
+                           const PairVerdict& pair) {
   TrianglePair<std::uint16_t> found{};
   const Transform frame = frame_between(model, joints_between(model, pair.a, pair.b), pair.witness);
-  (void)first_pair(meshes[pair.body_a], meshes[pair.body_b], pose_of(frame, cell), found);
-  return found;
+  for (const auto& [a, b] : pair.bodies) {
+    if (first_pair(meshes[a], meshes[b], pose_of(frame, cell), found).yes) {
+      return {a, b, found};
+    }
+  }
+  return {pair.a, pair.b, found};
 }
 
 std::vector<Collisions> collisions_of(const Model& model, const Mesh* meshes, double cell,
@@ -74,9 +78,12 @@ std::vector<Collisions> collisions_of(const Model& model, const Mesh* meshes, do
     }
     const std::vector<Transform> frames = link_frames(model, any_variables(model, random));
     for (const std::size_t i : queried) {
-      const auto& [a, b] = std::pair(pairs[i].body_a, pairs[i].body_b);
-      const Pose pose = pose_of(composed(inverse(frames[a]), frames[b]), cell);
-      collisions[i].count += intersects(meshes[a], meshes[b], pose).yes ? 1 : 0;
+      const auto& [link_a, link_b] = std::pair(pairs[i].a, pairs[i].b);
+      const Pose pose = pose_of(composed(inverse(frames[link_a]), frames[link_b]), cell);
+      const auto& bodies = pairs[i].bodies;
+      collisions[i].count += std::any_of(bodies.begin(), bodies.end(), [&](const auto& of) {
+        return intersects(meshes[of.first], meshes[of.second], pose).yes;
+      });
       ++collisions[i].of;
     }
   }

@@ -14,9 +14,15 @@ namespace flashbvh::tool {
 /// Where the links lie in the base's frame. `variables`: a value each. UserError as pose_of().
 std::vector<Pose> link_poses(const Model& model, double cell, const std::vector<double>& variables);
 
-/// By their ids, two triangles that intersect at the witness of a pair that has one.
-TrianglePair<std::uint16_t> triangles_at(const Model& model, const Mesh* meshes, double cell,
-                                         const PairVerdict& pair);
+/// Two of a pair's bodies, and a triangle of each by its id.
+struct BodyTriangles {
+  std::size_t a;
+  std::size_t b;
+  TrianglePair<std::uint16_t> triangles;
+};
+/// That intersect at the witness of a pair that has one. `meshes`: of all the model's links.
+BodyTriangles triangles_at(const Model& model, const Mesh* meshes, double cell,
+                           const PairVerdict& pair);
 
 /// Configurations at which a pair intersects.
 struct Collisions {

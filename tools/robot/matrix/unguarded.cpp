@@ -117,8 +117,7 @@ std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs
       unguarded.push_back({pair.a, pair.b, WhyUnguarded::believed});
     } else if (pair.zone) {
       const JointZone& zone = zones[*pair.zone];
-      unguarded.push_back(
-          {pair.a, pair.b, WhyUnguarded::zone, zone.joint, zone.shape.radius});
+      unguarded.push_back({pair.a, pair.b, WhyUnguarded::zone, zone.joint, zone.shape.radius});
     }
   }
   return unguarded;

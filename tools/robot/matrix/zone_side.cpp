@@ -84,8 +84,8 @@ class Cutter {
   }
 
   std::uint32_t middle_of(std::uint32_t p, std::uint32_t q) {
-    const auto [place, is_new] = middles_.try_emplace(
-        std::minmax(p, q), static_cast<std::uint32_t>(mesh_.vertices.size()));
+    const auto [place, is_new] =
+        middles_.try_emplace(std::minmax(p, q), static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (is_new) {
       Vector3 middle{};
       for (std::size_t axis = 0; axis < 3; ++axis) {

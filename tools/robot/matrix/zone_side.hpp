@@ -1,5 +1,5 @@
-// What lies where at a joint: one of its two links, its triangles by how far they are from the middle
-// of the joint's zone.
+// What lies where at a joint: one of its two links, its triangles by how far they are from the
+// middle of the joint's zone.
 #pragma once
 
 #include <cstdint>

@@ -37,7 +37,7 @@ typedef enum flashbvh_joint_type {
 
 /** Why no guard looks at two links that a joint moves. */
 typedef enum flashbvh_why_unguarded {
-  FLASHBVH_UNGUARDED_ZONE = 0,     /**< neighbours, in a zone about the joint between them */
+  FLASHBVH_UNGUARDED_ZONE = 0,    /**< neighbours, in a zone about the joint between them */
   FLASHBVH_UNGUARDED_BELIEVED = 1 /**< they may collide, but an SRDF disables the pair and --believe
                                      names it */
 } flashbvh_why_unguarded;

@@ -69,7 +69,8 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
 /// that its sphere holds its mesh, and that nothing gets farther from the base than frames can say;
 /// of each pair the joints between, the sum of their reaches and its distances, and how many
 /// bytes its distance table has; each mount's joint; that the pairs that are not guarded
-/// are none of the guarded ones, and that the joint of a zone is the one between them; each mesh, by open_image(); that all have one cell; the hash.
+/// are none of the guarded ones, and that the joint of a zone is the one between them; each mesh,
+/// by open_image(); that all have one cell; the hash.
 ///
 /// Trusted is what can't be worked out from the rest, and bounds what a guard's word is worth: how
 /// far turning joints move links (the reaches), what the distance tables say, that the other pairs
@@ -95,8 +96,8 @@ Robot view_robot_unchecked(const void* image, Mesh* meshes);
 const char* robot_name(const void* image);
 /// Of a joint, numbered below Robot::joint_count. Takes time linear in all names.
 const char* joint_name(const void* image, uint32_t joint);
-/// Of a link, numbered below Robot::link_count. What of a link lies outside a joint zone is a body of
-/// its own, behind the links, with the link's name.
+/// Of a link, numbered below Robot::link_count. What of a link lies outside a joint zone is a body
+/// of its own, behind the links, with the link's name.
 const char* link_name(const void* image, uint32_t link);
 
 /// Where tools are fastened, of an image that was opened: the frames of all links of the URDF.
@@ -106,8 +107,8 @@ const Mount* mounts(const void* image);
 /// Of a mount, numbered below mount_count(): its link's.
 const char* mount_name(const void* image, uint32_t mount);
 
-/// Pairs of links that a joint moves and that no guard looks at, or only outside a joint zone, of an
-/// image that was opened.
+/// Pairs of links that a joint moves and that no guard looks at, or only outside a joint zone, of
+/// an image that was opened.
 uint32_t unguarded_count(const void* image);
 /// So many of them, in the image; ascending by a, then b.
 const RobotUnguarded* unguarded_pairs(const void* image);

@@ -1,0 +1,253 @@
+// Joint zones: what touches about a joint, what lies outside, and what a guard keeps of it.
+#include "robot/matrix/joint_zone.hpp"
+
+#include "flashbvh/clearance.hpp"
+#include "robot/matrix/pair_space.hpp"
+#include "support/arms/arms.hpp"
+#include "support/test.hpp"
+
+using namespace flashbvh::tool;
+
+namespace {
+
+constexpr double kCell = 1e-4;
+
+void append(bake::SourceMesh& mesh, const bake::SourceMesh& more) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+  for (bake::TriangleCorners triangle : more.triangles) {
+    for (std::uint32_t& corner : triangle) {
+      corner += first;
+    }
+    mesh.triangles.push_back(triangle);
+  }
+}
+
+struct Neighbours {
+  Model model;
+  MatrixOptions options;
+  ZoneRadii radii;
+
+  std::vector<JointZone> zones(const BakedArm& arm) const {
+    return joint_zones(model, arm.meshes(), kCell, options, radii);
+  }
+  std::vector<JointZone> zones() const { return zones(BakedArm(model, kCell)); }
+  PairVerdict decided() const {
+    const BakedArm arm(model, kCell);
+    const PairVerdict pair = arm.decide(options, zones(arm))[0];
+    if (pair.verdict == MatrixVerdict::can) {
+      CHECK(arm.intersect(0, 1, pair.witness));
+    }
+    return pair;
+  }
+};
+
+/// A hub of radius 0.1 with a post at a distance of 0.4, and an arm of 0.5 about the hub.
+Neighbours hub_and_arm(double lower, double upper) {
+  Neighbours made;
+  bake::SourceMesh hub = prism(24, 0.1, 0, 0, -0.1, 0.1);
+  append(hub, box({0.4, -0.005, -0.2}, {0.41, 0.005, 0.2}));
+  add_link(made.model, kNoJoint, hub);
+  const std::size_t joint = add_joint(made.model, kNoJoint, {}, JointType::revolute, lower, upper);
+  bake::SourceMesh arm = prism(24, 0.11, 0, 0, -0.05, 0.05);
+  append(arm, box({0.105, -0.01, -0.02}, {0.5, 0.01, 0.02}));
+  add_link(made.model, joint, arm);
+  made.model.neighbours = {{0, 1}};
+  return made;
+}
+
+/// Where the arm's side meets the post's corner (0.4, 0.005), from above.
+double angle_of_contact() {
+  return std::asin(0.01 / std::hypot(0.4, 0.005)) + std::atan2(0.005, 0.4);
+}
+
+/// A table with a post, and a bridge that slides on the table along x and may meet the post.
+Neighbours gantry(double reach) {
+  Neighbours made;
+  bake::SourceMesh table = box({-1, -0.5, -0.05}, {1, 0.5, 0});
+  append(table, box({0.8, -0.02, 0}, {0.84, 0.02, 0.3}));
+  add_link(made.model, kNoJoint, table);
+  const std::size_t joint =
+      add_joint(made.model, kNoJoint, turned(1, kPi / 2), JointType::prismatic, 0, reach);
+  const Transform back = turned(1, -kPi / 2);
+  bake::SourceMesh bridge = box({-0.05, -0.4, -0.001}, {0.05, -0.3, 0.2});
+  append(bridge, box({-0.05, 0.3, -0.001}, {0.05, 0.4, 0.2}));
+  append(bridge, box({-0.05, -0.4, 0.2}, {0.05, 0.4, 0.25}));
+  for (Vector3& vertex : bridge.vertices) {
+    vertex = placed(back, vertex);
+  }
+  add_link(made.model, joint, bridge);
+  made.model.neighbours = {{0, 1}};
+  return made;
+}
+
+double area(const Vector3& p, const Vector3& q, const Vector3& r) {
+  const Vector3 u = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  const Vector3 v = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
+  return 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                          u[0] * v[1] - u[1] * v[0]);
+}
+
+bool is_on(const bake::SourceMesh& mesh, const Vector3& point) {
+  return std::any_of(
+      mesh.triangles.begin(), mesh.triangles.end(), [&](const bake::TriangleCorners& corners) {
+        const Vector3& p = mesh.vertices[corners[0]];
+        const Vector3& q = mesh.vertices[corners[1]];
+        const Vector3& r = mesh.vertices[corners[2]];
+        return area(point, p, q) + area(point, q, r) + area(point, r, p) < area(p, q, r) + 1e-9;
+      });
+}
+
+Vector3 any_point(Random& random, const bake::SourceMesh& mesh) {
+  const bake::TriangleCorners& corners =
+      mesh.triangles[random.below(static_cast<std::uint32_t>(mesh.triangles.size()))];
+  double s = real_between(random, 0, 1);
+  double t = real_between(random, 0, 1);
+  if (s + t > 1) {
+    s = 1 - s;
+    t = 1 - t;
+  }
+  Vector3 point{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double first = mesh.vertices[corners[0]][axis];
+    point[axis] = first + s * (mesh.vertices[corners[1]][axis] - first) +
+                  t * (mesh.vertices[corners[2]][axis] - first);
+  }
+  return point;
+}
+
+/// What lies outside the zone, of the first link, is there.
+void check_surface(Random& random, const Model& model, const JointZone& zone) {
+  const Transform frame =
+      model.links[zone.a].joint == zone.joint ? Transform() : model.joints[zone.joint].fixed;
+  for (int i = 0; i < 300; ++i) {
+    const Vector3 point = any_point(random, model.links[zone.a].mesh);
+    const bool is_far = zone.shape.distance_of(placed(inverse(frame), point)) > zone.shape.radius;
+    const bool is_kept = std::any_of(zone.bodies.begin(), zone.bodies.end(),
+                                     [&](const auto& of) { return is_on(of.mesh_a, point); });
+    REQUIRE((!is_far || is_kept));
+  }
+}
+
+/// Where the bodies are near, so are the parts.
+void check_parts(Random& random, const Neighbours& any, const JointZone& zone) {
+  const auto is_near = [&](const Mesh& a, const Mesh& b, double value, double distance) {
+    const PairSpace space(any.model, {zone.a, &a, nullptr}, {zone.b, &b, nullptr}, kCell);
+    return distance == 0 ? space.intersect({value}) : !space.are_apart({value}, distance);
+  };
+  std::vector<std::pair<BakedPart, BakedPart>> parts;
+  for (const ZoneParts& of : zone_parts(any.model, zone, kCell, any.options)) {
+    parts.emplace_back(bake_part(of.a, kCell), bake_part(of.b, kCell));
+  }
+  const Interval range = range_of_variable(any.model, any.model.joints[zone.joint].variable);
+  for (int i = 0; i < 100; ++i) {
+    const double value = real_between(random, range.lower, range.upper);
+    for (const ZoneBodies& bodies : zone.bodies) {
+      REQUIRE((!is_near(bodies.a.view(), bodies.b.view(), value, any.options.stop) ||
+               std::any_of(parts.begin(), parts.end(), [&](const auto& of) {
+                 return is_near(of.first.view(), of.second.view(), value, any.options.stop + 4);
+               })));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("what touches about a joint is its zone; what lies outside is decided to 0.001 rad") {
+  const double contact = angle_of_contact();
+  const Neighbours meets = hub_and_arm(contact - 0.001, 2);
+  const std::vector<JointZone> zones = meets.zones();
+  REQUIRE(zones.size() == 1);
+  CHECK((zones[0].a == 0 && zones[0].b == 1 && zones[0].joint == 0));
+  CHECK(zones[0].shape.radius > 0.1);
+  CHECK(zones[0].shape.radius < 0.14);
+  const PairVerdict can = meets.decided();
+  CHECK(can.verdict == MatrixVerdict::can);
+  CHECK(can.reason.substr(0, 8) == "outside ");
+  CHECK(can.witness[0] < contact);
+  CHECK(can.is_guarded);
+  const PairVerdict never = hub_and_arm(contact + 0.001, 2).decided();
+  CHECK(never.verdict == MatrixVerdict::never);
+  CHECK_FALSE(never.is_guarded);
+}
+
+TEST_CASE("a joint that slides has a cylinder for a zone; a post on the table is none of it") {
+  const PairVerdict can = gantry(0.751).decided();
+  CHECK(can.verdict == MatrixVerdict::can);
+  CHECK(can.witness[0] > 0.75);
+  CHECK(gantry(0.749).decided().verdict == MatrixVerdict::never);
+  CHECK(gantry(0.749).zones()[0].shape.is_cylinder);
+}
+
+TEST_CASE("where what touches grows towards a limit, the zone does not") {
+  // A heel of the arm's that meets a wall of the base's at the end of the range: all in one piece.
+  const auto made = [](double upper) {
+    Neighbours heel = hub_and_arm(0.2, upper);
+    bake::SourceMesh base = prism(24, 0.1, 0, 0, -0.1, 0.1);
+    base.vertices.push_back({0, 0.3, 0});  // a fin, from the hub's top and bottom
+    base.vertices.push_back({0, 0.3, 0.01});
+    const auto last = static_cast<std::uint32_t>(base.vertices.size() - 1);
+    base.triangles.push_back({0, last - 1, last});
+    base.triangles.push_back({1, last, last - 1});
+    heel.model.links[0].mesh = base;
+    return heel;
+  };
+  const Neighbours reaching = made(1.6);
+  REQUIRE(reaching.zones().size() == 1);
+  CHECK(reaching.zones()[0].shape.radius < 0.2);
+  CHECK(reaching.decided().verdict == MatrixVerdict::can);
+  CHECK(made(1.5).decided().verdict == MatrixVerdict::never);
+}
+
+TEST_CASE("neighbours apart have no zone, unless they are nearer than they stop") {
+  Neighbours apart = hub_and_arm(0.2, 2);
+  bake::SourceMesh sleeve = box({0.103, -0.01, -0.02}, {0.5, 0.01, 0.02});
+  apart.model.links[1].mesh = sleeve;
+  CHECK(apart.zones().empty());
+  apart.options.stop = 0.005 / kCell;
+  REQUIRE(apart.zones().size() == 1);
+  CHECK(apart.decided().verdict == MatrixVerdict::never);
+  apart.options.stop = 0;
+  apart.options.stops = {{1, 0, 0.005 / kCell, 0.005 / kCell}};
+  CHECK(apart.zones().size() == 1);
+}
+
+TEST_CASE("a zone that is chosen is as large as that; 0 is none") {
+  Neighbours chosen = hub_and_arm(0, 2);
+  chosen.radii = {{0, 0.6}};
+  REQUIRE(chosen.zones().size() == 1);
+  CHECK(chosen.zones()[0].shape.radius == 0.6);
+  CHECK(chosen.decided().verdict == MatrixVerdict::can);  // the post touches seldom: no zone's
+  chosen.radii = {{0, 0.0}};
+  CHECK(chosen.zones().empty());
+  CHECK(chosen.decided().reason == "intersect at the witness");
+}
+
+TEST_CASE("joints with two joints between, and links of one joint, have no zone") {
+  Neighbours made = hub_and_arm(0, 2);
+  made.model.neighbours.clear();
+  CHECK(made.zones().empty());
+  made.model.neighbours = {{0, 1}};
+  made.model.links[1].joint = kNoJoint;
+  CHECK(made.zones().empty());
+}
+
+TEST_CASE("random neighbours: nothing is lost outside a zone, nor by a guard") {
+  std::size_t zones_seen = 0;
+  for_rounds(6, [&](Random& random, int) {
+    Neighbours any;
+    any.model = any_arm(random, 3);
+    for (ModelLink& link : any.model.links) {
+      append(link.mesh, box({-0.06, -0.06, -0.06}, {0.06, 0.06, 0.06}));  // touches the next one
+    }
+    any.options.stop = random.below(2) == 0 ? 0 : 0.004 / kCell;
+    const BakedArm arm(any.model, kCell);
+    for (const JointZone& zone : any.zones(arm)) {
+      ++zones_seen;
+      REQUIRE_FALSE(zone.bodies.empty());
+      check_surface(random, any.model, zone);
+      check_parts(random, any, zone);
+    }
+  });
+  CHECK(zones_seen > 5);
+}
