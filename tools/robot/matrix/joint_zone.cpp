@@ -22,6 +22,9 @@ constexpr std::size_t kEnds = kLooks / 8;
 constexpr double kMoreThanMedian = 1.25;
 constexpr double kMargin = 1.02;
 constexpr double kMarginCells = 2;
+/// At last it is looked at in so many places between two looks.
+constexpr std::size_t kBetween = 8;
+constexpr double kMoreAtEnds = 1.05;
 /// Triangles are cut to such a part of the zone, so that it holds little that does not touch.
 constexpr double kCut = 1.0 / 6;
 /// In cells: none is cut finer.
@@ -93,6 +96,9 @@ class Finder {
       if (shape_.radius > 0.9 * before) {
         break;
       }
+    }
+    if (!radius) {
+      grow();
     }
     return zone();
   }
@@ -186,7 +192,39 @@ class Finder {
     return radius;
   }
 
-  double radius_of(const std::vector<std::vector<Contact>>& contacts) const {
+  /// To what touches between looks, as far as it may; at the ends of the range by little.
+  void grow() {
+    const std::vector<std::uint32_t> numbers_a = triangles(0, Which::outside);
+    const std::vector<std::uint32_t> numbers_b = triangles(1, Which::outside);
+    if (numbers_a.empty() || numbers_b.empty()) {
+      return;
+    }
+    const BakedPart a = bake_part(part_of(sides_[0].mesh(), numbers_a), cell_);
+    const BakedPart b = bake_part(part_of(sides_[1].mesh(), numbers_b), cell_);
+    const Mesh mesh_a = a.view();
+    const Mesh mesh_b = b.view();
+    const PairSpace outside = space(mesh_a, mesh_b);
+    const std::vector<double> farthest_a = sides_[0].farthest(shape_);
+    const std::vector<double> farthest_b = sides_[1].farthest(shape_);
+    const double largest_at_ends = kMoreAtEnds * shape_.radius;
+    for (std::size_t i = 0; i <= kBetween * (kLooks - 1); ++i) {
+      const bool is_end = i < kBetween * kEnds || i > kBetween * (kLooks - 1 - kEnds);
+      const double part = static_cast<double>(i) / static_cast<double>(kBetween * (kLooks - 1));
+      const double value = looks_.front() + part * (looks_.back() - looks_.front());
+      double needed = 0;
+      if (!outside.are_apart({value}, touching_)) {
+        outside.find_near({value}, touching_, [&](std::uint32_t p, std::uint32_t q) {
+          needed = std::max(needed, std::min(farthest_a[numbers_a[p]], farthest_b[numbers_b[q]]));
+        });
+      }
+      needed = needed * kMargin + kMarginCells * cell_;
+      if (needed <= (is_end ? largest_at_ends : largest_)) {
+        shape_.radius = std::max(shape_.radius, needed);
+      }
+    }
+  }
+
+  double radius_of(const std::vector<std::vector<Contact>>& contacts) {
     const std::vector<double> farthest_a = sides_[0].farthest(shape_);
     const std::vector<double> farthest_b = sides_[1].farthest(shape_);
     std::vector<double> radii;
@@ -195,7 +233,8 @@ class Finder {
     }
     const double most = *std::max_element(radii.begin() + kEnds, radii.end() - kEnds);
     std::nth_element(radii.begin(), radii.begin() + kLooks / 2, radii.end());
-    return std::min(most, kMoreThanMedian * radii[kLooks / 2]) * kMargin + kMarginCells * cell_;
+    largest_ = kMoreThanMedian * radii[kLooks / 2] * kMargin + kMarginCells * cell_;
+    return std::min(most * kMargin + kMarginCells * cell_, largest_);
   }
 
   void cut() {
@@ -249,6 +288,7 @@ class Finder {
   std::vector<double> looks_;  ///< values of the joint's variable
   std::array<std::vector<bool>, 2> touching_shells_;
   ZoneShape shape_;
+  double largest_ = 0;  ///< radius that the zone may have
 };
 
 /// The triangles of one side that may come near the other one.
