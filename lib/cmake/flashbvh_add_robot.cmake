@@ -1,6 +1,6 @@
 # flashbvh_add_robot(name URDF file
 #                    [PACKAGE name=folder]... [SRDF file] [JOINT_LIMITS file] [BELIEVE link,link]... [CELL length] [LEAF_SIZE n] [STOP length]
-#                    [WARN length] [PAIR link,link=stop[,warn]]... [FORMAT c|image|both])
+#                    [WARN length] [PAIR link,link=stop[,warn]]... [ZONE joint=length]... [TIME seconds] [FORMAT c|image|both])
 #
 # A library `name`, also called name::name, with the image of a robot. A target that links it includes
 # "<name>.robot.h", for C and C++, which declares the array <name>_robot_image for
@@ -14,13 +14,13 @@ function(flashbvh_add_robot name)
   # Depfiles as Ninja wants them, even if the caller requires an older CMake.
   cmake_policy(SET CMP0116 NEW)
   set(files URDF SRDF JOINT_LIMITS)
-  set(single CELL LEAF_SIZE STOP WARN FORMAT)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "${files};${single}" "PACKAGE;PAIR;BELIEVE")
-  set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_PACKAGE} ${arg_PAIR})
+  set(single CELL LEAF_SIZE STOP WARN TIME FORMAT)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "${files};${single}" "PACKAGE;PAIR;ZONE;BELIEVE")
+  set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_PACKAGE} ${arg_PAIR} ${arg_ZONE})
   list(FILTER odd EXCLUDE REGEX "^[^=]+=.+$")
   if(odd OR arg_UNPARSED_ARGUMENTS OR NOT arg_URDF)
     message(FATAL_ERROR "flashbvh_add_robot(${name}): give URDF file and options with their values, "
-      "PACKAGE as name=folder, PAIR as link,link=length; not understood: ${odd}")
+      "PACKAGE as name=folder, PAIR as link,link=length, ZONE as joint=length; not understood: ${odd}")
   endif()
   if(NOT name MATCHES "^[A-Za-z_][A-Za-z0-9_]*$")
     message(FATAL_ERROR "flashbvh_add_robot(${name}): names in the code begin with the name; use letters, "
@@ -49,6 +49,9 @@ function(flashbvh_add_robot name)
   endforeach()
   foreach(pair IN LISTS arg_PAIR)
     list(APPEND options --pair "${pair}")
+  endforeach()
+  foreach(zone IN LISTS arg_ZONE)
+    list(APPEND options --zone "${zone}")
   endforeach()
   foreach(pair IN LISTS arg_BELIEVE)
     list(APPEND options --believe "${pair}")

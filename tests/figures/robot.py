@@ -89,7 +89,9 @@ class Robot:
         flash, triangles = self.bake(FOLDER)
         self.bake(FOLDER / "leaf1", "--leaf-size", "1")
         self.write_poses(FOLDER)
-        quietly(self.flashbvh, "robot", self.urdf, "--name", "kr5_arm", "-o", FOLDER / "robot")
+        # Without the neighbours that can collide: the motions stay clear of all other pairs.
+        quietly(self.flashbvh, "robot", self.urdf, "--zone", "shoulder_pitch=0.15", "--name", "kr5_arm", "-o",
+                FOLDER / "robot")
         if not for_boards_alone:
             lines = [line for size in LEAF_SIZES for line in self.leaf_size(size)]
             lines += [f"flash.triangles {triangles}", f"flash.bytes {flash}", *self.visits()]

@@ -47,11 +47,15 @@ std::string state_sizes(const std::string& word) {
 
 std::string unguarded_text(const Model& model, const std::vector<UnguardedPair>& unguarded) {
   std::string text =
-      "\n/* Pairs of links that a joint moves and no guard looks at: their collisions are never "
-      "detected.\n";
+      "\n/* Links that a joint moves and no guard looks at: their collisions are never detected.\n";
   const std::vector<OutputName> links = distinct_names(names_of(model.links));
+  const std::vector<OutputName> joints = distinct_names(names_of(model.joints));
   for (const UnguardedPair& pair : unguarded) {
-    text += concat(" * ", links[pair.a].word, " - ", links[pair.b].word, "\n");
+    text += concat(" * ", links[pair.a].word, " - ", links[pair.b].word,
+                   pair.joint == kNoJoint ? ""
+                                          : concat(" within ", significant(pair.radius, 4),
+                                                   " m about ", joints[pair.joint].word),
+                   "\n");
   }
   return text + (unguarded.empty() ? " * There are none. */\n" : " */\n");
 }
