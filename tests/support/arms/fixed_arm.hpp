@@ -28,7 +28,7 @@ struct FixedArm {
            bool has_distance_tables = false)
       : model(as_read(made)), arm(model, cell), fixed(model, arm.meshes(), cell, pairs) {
     if (has_distance_tables) {
-      fixed.set_distance_tables(distance_tables_of(model, robot(), [](std::size_t) {}));
+      fixed.set_distance_tables(distance_tables_of(model, robot()));
     }
   }
 

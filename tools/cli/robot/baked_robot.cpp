@@ -370,9 +370,8 @@ BakedRobot decided(Model model, const AllDistances& distances, const RobotArgume
   const std::vector<Mesh> meshes = meshes_of(made.links);
   made.options = matrix_options(made.model, meshes, made.cell, distances);
   if (arguments.time) {
-    made.options.deadline =
-        began + std::chrono::duration_cast<Clock::duration>(
-                    std::chrono::duration<double>(kPartForPairs * seconds(*arguments.time)));
+    made.options.deadline = in_seconds(began, kPartForPairs * seconds(*arguments.time));
+    made.deadline = in_seconds(began, seconds(*arguments.time));
   }
   progress.begin("joint zones", kBakingWeight);
   made.zones = joint_zones(made.model, meshes, made.cell, made.options, radii);
@@ -477,9 +476,8 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   warn_of_near(made, distances, arguments, warnings);
   made.fixed = std::make_unique<FixedRobot>(made.model, meshes_of(made.links), made.cell,
                                             guarded(made.pairs, distances));
-  made.fixed->set_distance_tables(distance_tables_of(
-      made.model, made.robot(),
-      [&](std::size_t pair) { progress.begin(concat("distance table of pair ", pair + 1), 0); }));
+  progress.begin("distance tables", 0);
+  made.fixed->set_distance_tables(distance_tables_of(made.model, made.robot(), made.deadline));
   return made;
 }
 

@@ -7,8 +7,8 @@
 #include <queue>
 
 #include "flashbvh/robot/distance_table.hpp"
-#include "robot/matrix/matrix.hpp"
 #include "robot/matrix/pair_space.hpp"
+#include "robot/matrix/parallel.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "robot/matrix/swept_pair.hpp"
 
@@ -60,9 +60,11 @@ class DistanceTable {
  public:
   /// `radius`: the smaller link's; `deviation`: how far meshes may lie from where they should,
   /// in addition to placing. In cells.
-  DistanceTable(const PairSpace& space, double radius, double deviation, const Shares& shares)
+  DistanceTable(const PairSpace& space, double radius, double deviation, const Shares& shares,
+                const Deadline& deadline)
       : space_(space),
         shares_(shares),
+        deadline_(deadline),
         slack_(kPlacing + space.far_origin() + 0.1 + deviation),
         least_(std::max(kLeastCells, radius * kLeastPart)) {}
 
@@ -72,7 +74,7 @@ class DistanceTable {
     nearest_ = HUGE_VAL;
     std::priority_queue<Part> parts;
     parts.push(looked_at(box));
-    while (nearest_ > least_) {
+    while (nearest_ > least_ && !deadline_.is_past()) {
       const Part part = parts.top();
       const double share = nearest_ < kNear * least_ ? shares_.near : shares_.far;
       const double least = std::max(known, part.least);
@@ -108,6 +110,7 @@ class DistanceTable {
 
   const PairSpace& space_;
   Shares shares_;
+  Deadline deadline_;
   double slack_;
   double least_;
   double nearest_ = 0;
@@ -119,7 +122,7 @@ class DistanceTable {
 class SweptDistanceTable {
  public:
   SweptDistanceTable(const Model& model, const RobotPair& pair, const SweptEnd& end, double radius,
-                     double cell)
+                     double cell, const Deadline& deadline)
       : pair_(swept_pair(model, pair.a, pair.b, cell, {end}, kFine)),
         scale_(pair_.cell / cell),
         mesh_a_(pair_.a.view()),
@@ -127,7 +130,7 @@ class SweptDistanceTable {
         joints_(joints_between(pair_.model, pair.a, pair.b)),
         is_a_swept_(end.link == pair.a),
         space_(pair_.model, {pair.a, &mesh_a_, nullptr}, {pair.b, &mesh_b_, nullptr}, pair_.cell),
-        table_(space_, radius / scale_, 2 * kDeviation, kRowShares) {
+        table_(space_, radius / scale_, 2 * kDeviation, kRowShares, deadline) {
     while (space_.dimensions()[dimension_].variable != model.joints[end.joint].variable) {
       ++dimension_;
     }
@@ -168,12 +171,13 @@ class SweptDistanceTable {
 /// Of a pair with two joints of its own.
 std::vector<std::unique_ptr<SweptDistanceTable>> swept_tables(const Model& model,
                                                               const RobotPair& pair, double radius,
-                                                              double cell) {
+                                                              double cell,
+                                                              const Deadline& deadline) {
   std::vector<std::unique_ptr<SweptDistanceTable>> distance_tables;
   for (const auto& [link, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
     if (const std::optional<SweptEnd> end = swept_end(model, link, other)) {
       distance_tables.push_back(
-          std::make_unique<SweptDistanceTable>(model, pair, *end, radius, cell));
+          std::make_unique<SweptDistanceTable>(model, pair, *end, radius, cell, deadline));
     }
   }
   return distance_tables;
@@ -207,16 +211,21 @@ std::vector<Axis> axes_of(const Model& model, const Robot& robot, const RobotPai
   return axes;
 }
 
-void add_distance_table(const Model& model, const Robot& robot, const RobotPair& pair, double cell,
-                        std::vector<std::uint8_t>& distance_tables) {
+std::vector<std::uint8_t> distance_table_of(const Model& model, const Robot& robot,
+                                            const RobotPair& pair, const Deadline& deadline) {
+  const std::uint32_t size = distance_table_size(robot, pair);
+  std::vector<std::uint8_t> bytes;
+  if (size == 0 || deadline.is_past()) {
+    return std::vector<std::uint8_t>(size);
+  }
+  const double cell = cell_of(robot);
   const PairSpace space(model, {pair.a, &robot.meshes[pair.a], nullptr},
                         {pair.b, &robot.meshes[pair.b], nullptr}, cell);
   const std::vector<Axis> axes = axes_of(model, robot, pair, space, cell);
   const std::uint32_t radius =
       std::min(robot.links[pair.a].radius, robot.links[pair.b].radius) / kFrameCell;
-  DistanceTable distance_table(space, radius, 0, kShares);
-  const auto swept = swept_tables(model, pair, radius, cell);
-  const std::uint32_t size = distance_table_size(robot, pair);
+  DistanceTable distance_table(space, radius, 0, kShares, deadline);
+  const auto swept = swept_tables(model, pair, radius, cell, deadline);
   for (std::uint32_t place = 0; place < size; ++place) {
     std::vector<Interval> box(axes.size());
     std::uint32_t rest = place;
@@ -227,22 +236,24 @@ void add_distance_table(const Model& model, const Robot& robot, const RobotPair&
     for (const auto& all : swept) {
       known = std::max(known, all->distance(box));
     }
-    distance_tables.push_back(byte_of(distance_table.distance(box, known)));
+    bytes.push_back(byte_of(distance_table.distance(box, known)));
   }
+  return bytes;
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> distance_tables_of(const Model& model, const Robot& robot,
-                                             const std::function<void(std::size_t)>& begin) {
-  std::vector<std::uint8_t> distance_tables;
-  for (std::size_t i = 0; i < robot.pair_count; ++i) {
-    begin(i);
-    if (distance_table_size(robot, robot.pairs[i]) != 0) {
-      add_distance_table(model, robot, robot.pairs[i], cell_of(robot), distance_tables);
-    }
+                                             const Deadline& deadline) {
+  std::vector<std::vector<std::uint8_t>> tables(robot.pair_count);
+  for_each_in_parallel(tables.size(), [&](std::size_t i) {
+    tables[i] = distance_table_of(model, robot, robot.pairs[i], deadline);
+  });
+  std::vector<std::uint8_t> all;
+  for (const std::vector<std::uint8_t>& table : tables) {
+    all.insert(all.end(), table.begin(), table.end());
   }
-  return distance_tables;
+  return all;
 }
 
 }  // namespace flashbvh::tool

@@ -9,10 +9,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "flashbvh/robot/robot.hpp"
+#include "robot/matrix/deadline.hpp"
 #include "robot/model.hpp"
 
 namespace flashbvh::tool {
@@ -71,8 +71,8 @@ class FixedRobot {
   Robot robot_{};
 };
 
-/// `robot`: of the model. `begin` is called with the number of each pair before its distance table.
+/// `robot`: of the model. On all processors. What there is no time for is not known: a 0.
 std::vector<std::uint8_t> distance_tables_of(const Model& model, const Robot& robot,
-                                             const std::function<void(std::size_t)>& begin);
+                                             const Deadline& deadline = {});
 
 }  // namespace flashbvh::tool

@@ -192,8 +192,7 @@ class Matrix {
                          [&](std::size_t link) { reaches_[link] = reaches_of(model, link, cell); });
   }
 
-  PairVerdict decide(std::size_t a, std::size_t b,
-                     std::optional<Clock::time_point> deadline) const {
+  PairVerdict decide(std::size_t a, std::size_t b, const Deadline& deadline) const {
     PairVerdict pair = {a, b, MatrixVerdict::undecided, "", {}, 0};
     MatrixOptions options = options_;
     options.deadline = deadline;
@@ -250,16 +249,15 @@ class Matrix {
 constexpr double kShareOfTime = 2;
 
 /// When one of `left` pairs has had its part of the time.
-std::optional<Clock::time_point> turn_of(const MatrixOptions& options, std::size_t left,
-                                         double share) {
-  if (!options.deadline) {
-    return std::nullopt;
+Deadline turn_of(const MatrixOptions& options, std::size_t left, double share) {
+  if (!options.deadline.at) {
+    return {};
   }
   const Clock::time_point now = Clock::now();
   const double part = share * static_cast<double>(processor_count()) /
                       static_cast<double>(std::max<std::size_t>(left, 1));
-  const auto turn = std::chrono::duration<double>(*options.deadline - now) * std::min(1.0, part);
-  return now + std::chrono::duration_cast<Clock::duration>(turn);
+  const auto turn = std::chrono::duration<double>(*options.deadline.at - now) * std::min(1.0, part);
+  return {now + std::chrono::duration_cast<Clock::duration>(turn)};
 }
 
 }  // namespace
@@ -290,7 +288,7 @@ std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh
       progress(++decided, verdicts.size());
     }
   });
-  if (options.deadline) {
+  if (options.deadline.at) {
     std::vector<PairVerdict*> hard;
     for (PairVerdict& pair : verdicts) {
       if (pair.verdict == MatrixVerdict::undecided) {
@@ -298,8 +296,8 @@ std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh
       }
     }
     for_each_in_parallel(hard.size(), [&](std::size_t i) {
-      const auto turn = turn_of(options, hard.size() - i, 1);
-      if (turn > Clock::now()) {
+      const Deadline turn = turn_of(options, hard.size() - i, 1);
+      if (!turn.is_past()) {
         *hard[i] = matrix.decide(hard[i]->a, hard[i]->b, turn);
       }
     });

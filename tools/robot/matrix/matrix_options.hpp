@@ -1,18 +1,16 @@
 // How pairs of links are decided.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
-#include <optional>
 #include <vector>
+
+#include "robot/matrix/deadline.hpp"
 
 namespace flashbvh::tool {
 
 /// How far a placed vertex lies from where it should, in cells: 0.51 along each axis of rounding,
 /// and what is left for kinematics in double (kinematics.hpp).
 constexpr double kPlacing = 0.89;
-
-using Clock = std::chrono::steady_clock;
 
 /// Two links with distances of their own, in cells.
 struct StopDistance {
@@ -36,11 +34,10 @@ struct MatrixOptions {
   std::uint64_t most_cells = 1'000'000;  ///< of a pair
   /// Pairs are looked at in so many configurations to see whether they are near in all.
   std::uint32_t looks = 256;
-  /// What is not decided by then is `undecided`: results depend on it. None: on nothing but the
-  /// robot.
-  std::optional<Clock::time_point> deadline;
+  /// What is not decided by then is `undecided`.
+  Deadline deadline;
 
-  bool is_late() const { return deadline && Clock::now() >= *deadline; }
+  bool is_late() const { return deadline.is_past(); }
   /// Of two links, `stops` heeded.
   StopDistance distances_of(std::size_t a, std::size_t b) const;
   bool has_own_distances(std::size_t a, std::size_t b) const;
