@@ -341,8 +341,8 @@ void add_timing_options(CLI::App& command, GuardArguments& a) {
   constexpr double kMost = 1e5;
   const CLI::Range positive(kLeast, kMost);
   add_option(command, "--core", a.core, "CORE",
-             "Estimate the instructions of each period, and find the least --work that keeps "
-             "not_yet_known\nbelow 0.1 % of periods; cores: " +
+             "Estimate the instructions of each period, and find the least --work that keeps\n"
+             "not_yet_known below 0.1 % of periods. Cores: " +
                  joined(measured_cores(), [](const std::string& core) { return core; }));
   add_option(command, "--mhz", a.megahertz, "MHZ",
              "Clock of the core: print parts of a period and the work it has time for, too")
@@ -352,8 +352,8 @@ void add_timing_options(CLI::App& command, GuardArguments& a) {
       ->check(positive)
       ->needs("--mhz");
   add_option(command, "--cpi", a.cycles, "CYCLES",
-             "Cycles an instruction takes on the part, flash wait states included; default: 1.5, "
-             "no measurement")
+             "Cycles an instruction takes on the part, with flash wait states; default: 1.5, no\n"
+             "measurement")
       ->check(positive)
       ->needs("--mhz");
 }

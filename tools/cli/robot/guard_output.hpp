@@ -13,10 +13,10 @@ std::string name_of(Status status);
 const std::string& link_name(const GuardedTrajectory& guarded, std::uint8_t link);
 const std::string& variable_name(const GuardedTrajectory& guarded, std::size_t variable);
 
-/// One object a line of the trajectory; the first has what is of the whole trajectory, too.
+/// One object a line of the trajectory; the first holds facts about the whole trajectory, too.
 void print_guarded_json(const GuardedTrajectory& guarded);
 
-/// A table of what periods take on a core, and the work that they need.
+/// A table: the instructions of periods on a core, and the work that they need.
 void print_timing(const GuardTiming& timing);
 
 }  // namespace flashbvh::tool
