@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/json.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/guard_output.hpp"
 #include "text/files.hpp"
