@@ -107,8 +107,47 @@ class Thousandth {
   uint16_t buckets_[kBuckets] = {};
 };
 
+/// What a period takes by the work that it spends: the straight line of the least squares through
+/// all that spend some, and the mean of those that spend none.
+class PeriodCosts {
+ public:
+  void add(uint32_t work, uint32_t instructions) {
+    if (work == 0) {
+      ++passes_;
+      of_passes_ += instructions;
+      return;
+    }
+    ++walks_;
+    work_ += work;
+    squares_ += int64_t{work} * work;
+    of_walks_ += instructions;
+    products_ += int64_t{work} * instructions;
+  }
+
+  /// A period that spends no work.
+  uint32_t pass() const { return static_cast<uint32_t>(of_passes_ / passes_); }
+  uint32_t hundred_work() const {
+    return static_cast<uint32_t>((walks_ * products_ - work_ * of_walks_) * 100 /
+                                 (walks_ * squares_ - work_ * work_));
+  }
+  /// What a period that spends work takes in addition to the pass and its work.
+  uint32_t walk() const {
+    const int64_t of_work = work_ * hundred_work() / 100;
+    return static_cast<uint32_t>((of_walks_ - of_work) / walks_ - pass());
+  }
+
+ private:
+  int64_t passes_ = 0;
+  int64_t of_passes_ = 0;
+  int64_t walks_ = 0;
+  int64_t of_walks_ = 0;
+  int64_t work_ = 0;
+  int64_t squares_ = 0;   ///< of work
+  int64_t products_ = 0;  ///< of work and instructions
+};
+
 /// Returns whether the guard stopped no period.
-bool guard_motions(const char* name, uint32_t percent) {
+bool guard_motions(const char* name, uint32_t percent, PeriodCosts& costs) {
   Motions motions(percent);
   Guard guard(robot, guard_memory);
   bool good = guard.prime(motions.values()).verdict == Verdict::free;
@@ -117,8 +156,10 @@ bool guard_motions(const char* name, uint32_t percent) {
   for (uint32_t i = 0; i < kPeriods; ++i) {
     motions.next();
     GuardAnswer answer = {};
-    thousandth.add(
-        measure({{"guard", name}}, [&] { answer = guard.update(motions.values(), kWork); }));
+    const uint32_t instructions =
+        measure({{"guard", name}}, [&] { answer = guard.update(motions.values(), kWork); });
+    thousandth.add(instructions);
+    costs.add(answer.work, instructions);
     add_count({{"guard", "work", name}}, answer.work);
     add_to_digest(static_cast<uint32_t>(answer.verdict));
     good = good && answer.status == Status::done && answer.verdict != Verdict::stop;
@@ -170,13 +211,24 @@ void measure_standing() {
   add_figure({{"guard", "state"}}, sizeof guard_memory);
 }
 
+/// `flashbvh guard --core` estimates other robots' periods from these.
+void add_costs(const PeriodCosts& costs) {
+  print_count({{"guard", "joints"}}, robot.joint_count);
+  print_count({{"guard", "pairs"}}, robot.pair_count);
+  add_figure({{"guard", "pass"}}, costs.pass());
+  add_figure({{"guard", "walk"}}, costs.walk());
+  add_figure({{"guard", "hundred_work"}}, costs.hundred_work());
+}
+
 }  // namespace
 }  // namespace figures
 
 int main() {
   figures::measure_standing();
-  const bool half = figures::guard_motions("half", 50);
-  const bool tenth = figures::guard_motions("tenth", 10);
+  figures::PeriodCosts costs;
+  const bool half = figures::guard_motions("half", 50, costs);
+  const bool tenth = figures::guard_motions("tenth", 10, costs);
+  figures::add_costs(costs);
   const bool certified = figures::certify_motions();
   return figures::print_all("guard", half && tenth && certified);
 }

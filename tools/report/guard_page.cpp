@@ -1,6 +1,7 @@
 #include "report/guard_page.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "report/arm_pictures.hpp"
 #include "report/html.hpp"
@@ -41,20 +42,29 @@ std::string pairs_table(const GuardedTrajectory& guarded, const std::vector<Near
              "lines are counted as the meshes are measured there.");
 }
 
+/// "9", "9 (0.35)": with its time.
+std::string line_cell(const Trajectory& trajectory, std::size_t period) {
+  const std::string line = concat(trajectory.line(period));
+  return trajectory.has_times() ? concat(line, " (", shortest(trajectory.time(period)), ")") : line;
+}
+
 std::string stretches_table(const GuardedTrajectory& guarded) {
   const std::vector<Stretch> all = stretches_of(guarded.robot, guarded.trajectory, guarded.answers);
   std::vector<Cells> rows;
   for (const Stretch& stretch : worst_of(all, kMostStretches)) {
     const bool is_refused = stretch.pair == kNoPair;
-    rows.push_back({concat(guarded.trajectory.line(stretch.first)),
-                    concat(guarded.trajectory.line(stretch.last)),
+    rows.push_back({line_cell(guarded.trajectory, stretch.first),
+                    line_cell(guarded.trajectory, stretch.last),
                     square(concat("v", stretch.kind)) + kKindNames[stretch.kind],
                     is_refused ? "" : pair_name(guarded, stretch.pair),
                     is_refused ? "" : significant(metres_of(guarded, stretch.kept), 4),
                     is_refused ? "" : metres_or_none(guarded, stretch.closest)});
   }
+  const std::string of_line =
+      guarded.trajectory.has_times() ? " (" + escaped(guarded.trajectory.time_name()) + ")" : "";
   return table("Stretches that are not free",
-               {"from line", "to line", "verdict", "links", "#known, m", "#closest at a line, m"},
+               {"from line" + of_line, "to line" + of_line, "verdict", "links", "#known, m",
+                "#closest at a line, m"},
                rows) +
          (rows.size() == all.size() ? ""
                                     : note("And " + grouped(all.size() - rows.size()) +
@@ -142,6 +152,38 @@ std::string counts(const GuardedTrajectory& guarded) {
                                 grouped(summary.priming), " to prime"))));
 }
 
+std::string cost_cell(const GuardTiming& timing, double instructions) {
+  const std::string text = grouped(static_cast<std::uint64_t>(std::llround(instructions)));
+  return timing.clock
+             ? concat(text, ", ", fixed(100 * instructions / timing.clock->instructions(), 1), " %")
+             : text;
+}
+
+/// On a core. Nothing if none is given.
+std::string time_section(const GuardedTrajectory& guarded) {
+  if (!guarded.timing) {
+    return "";
+  }
+  const GuardTiming& timing = *guarded.timing;
+  std::vector<Cells> rows;
+  for (std::size_t i = 0; i < kQuantileNames.size(); ++i) {
+    rows.push_back({concat(kQuantileNames[i], " %"), cost_cell(timing, timing.replayed[i]),
+                    timing.least ? cost_cell(timing, timing.of_least[i]) : "&ndash;"});
+  }
+  std::string items = fact("least work", timing.least ? grouped(timing.least->work) : "none",
+                           "keeps not yet known below 0.1 % of periods");
+  if (timing.clock) {
+    const auto within = work_within(timing.costs, *timing.clock);
+    items += fact("a period has time for", within ? grouped(*within) : "none", "work");
+  }
+  return section("time", "Time on a " + timing.costs.core,
+                 facts(items) +
+                     table(timing.clock ? "Instructions of a period, and part of it"
+                                        : "Instructions of a period",
+                           {"of periods", "#as replayed", "#with the least work"}, rows) +
+                     note(escaped(estimate_note(timing.costs))));
+}
+
 std::string closest_section(const GuardedTrajectory& guarded) {
   const auto closest = closest_moment(guarded.robot, guarded.trajectory);
   if (!closest) {
@@ -208,7 +250,8 @@ double metres_of(const GuardedTrajectory& guarded, std::uint32_t fine) {
 }
 
 std::string guard_page(const GuardedTrajectory& guarded) {
-  std::string html = decision_section("What it comes to", decisions(guarded)) + counts(guarded);
+  std::string html = decision_section("What it comes to", decisions(guarded)) + counts(guarded) +
+                     time_section(guarded);
   if (guarded.robot.pair_count != 0) {
     const std::vector<NearPair> near =
         near_pairs(guarded.robot, guarded.trajectory, guarded.answers);

@@ -1,10 +1,12 @@
 // A page about a trajectory: what `flashbvh guard --report` writes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "robot/matrix/unguarded.hpp"
+#include "robot/replay/period_costs.hpp"
 #include "robot/replay/replay.hpp"
 
 namespace flashbvh::tool {
@@ -20,11 +22,12 @@ struct GuardedTrajectory {
   bool has_motions;
   const std::vector<CertifiedMotion>& motions;  ///< from line to line; may be none
   const std::vector<UnguardedPair>& unguarded;
+  const std::optional<GuardTiming>& timing;
 };
 
 /// One self-contained HTML file, the same bytes for the same robot and trajectory: what it comes
-/// to, periods by verdict, distances and work over time, pairs and stretches that are not free, the
-/// closest moment as pictures, motions.
+/// to, periods by verdict, their time on a core, distances and work over time, pairs and stretches
+/// that are not free, the closest moment as pictures, motions.
 std::string guard_page(const GuardedTrajectory& guarded);
 
 /// Pairs that are drawn as lines: the first of the near pairs, by number from 1.

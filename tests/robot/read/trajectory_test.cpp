@@ -21,6 +21,9 @@ struct Given {
 
   tool::Trajectory read(const std::string& text) const {
     tool::Warnings warnings;
+    return read(text, warnings);
+  }
+  tool::Trajectory read(const std::string& text, tool::Warnings& warnings) const {
     files.write("way.csv", text);
     return tool::read_trajectory(files.path("way.csv"), model, warnings);
   }
@@ -58,6 +61,53 @@ TEST_CASE("semicolons and tabs; columns of times and of joints that mimic") {
   CHECK(way.values(0)[1] == 0.5f);
 }
 
+namespace {
+
+struct Timed {
+  const char* text;
+  std::vector<double> times;
+  std::vector<std::string> warnings;  ///< "place: what", from the file's name on
+};
+
+std::vector<Timed> timed_files() {
+  const std::string period = "each line is one period after the line before";
+  return {
+      {"a,b\n0,0\n", {}, {}},
+      {"time,a,b\n0.5,0,0\n0.6,0,0\n0.7,0,0\n", {0.5, 0.6, 0.7}, {}},
+      {"a;secs;b\n0;7;0\n", {7}, {}},
+      // Nanoseconds, of which a double keeps some hundred.
+      {"t,a,b\n1700000000000000000,0,0\n1700000000001000000,0,0\n1700000000002000300,0,0\n",
+       {1700000000000000000., 1700000000001000000., 1700000000002000300.},
+       {}},
+      {"time,a,b\n0,0,0\n0.01,0,0\n0.0209,0,0\n", {0, 0.01, 0.0209}, {}},
+      {"time,a,b\n0,0,0\n0.01,0,0\n#\n0.03,0,0\n0.07,0,0\n",
+       {0, 0.01, 0.03, 0.07},
+       {"way.csv:5: 'time' steps by 0.02, the first time by 0.01; " + period}},
+      {"time,a,b,stamp\n0,0,0,5\n", {0}, {"way.csv: the column 'stamp' is not used: " + period}},
+      {"time,a,b\n0,0,0\n10:00,0,0\n", {}, {"way.csv: the column 'time' is not used: " + period}},
+  };
+}
+
+}  // namespace
+
+TEST_CASE("the first column of times names the lines") {
+  const Given given;
+  for (const Timed& timed : timed_files()) {
+    INFO(timed.text);
+    tool::Warnings warnings;
+    const tool::Trajectory way = given.read(timed.text, warnings);
+    REQUIRE(way.has_times() == !timed.times.empty());
+    for (std::size_t i = 0; i < timed.times.size(); ++i) {
+      CHECK(way.time(i) == timed.times[i]);
+    }
+    REQUIRE(warnings.all().size() == timed.warnings.size());
+    for (std::size_t i = 0; i < timed.warnings.size(); ++i) {
+      const auto& [place, what] = warnings.all()[i];
+      CHECK(place.substr(place.find("way.csv")) + ": " + what == timed.warnings[i]);
+    }
+  }
+}
+
 TEST_CASE("a joint named like a time is a joint") {
   RobotFiles files;
   const tool::Model model = files.read(link_text("base") + link_text("one") +
@@ -87,20 +137,28 @@ TEST_CASE("trajectories that are refused") {
        {"a,b\n1,2\n1\n", "way.csv:3: has 1 value, the first line names 2 columns; give each one"},
        {"a,b\n1,2,3\n", "way.csv:2: has 3 values, the first line names 2 columns; give each one"},
        {"a;b\n1;2\n0;-2,5e-1\n",
-        "way.csv:3: '-2,5e-1' has a decimal comma; write a point: -2.5e-1"},
-       {"a;b\n1,5,2;0\n", "way.csv:2: '1,5,2' is no finite number; give radians, or metres"},
+        "way.csv:3: '-2,5e-1' in the column 'b' has a decimal comma; write a point: -2.5e-1"},
+       {"a;b\n1,5,2;0\n",
+        "way.csv:2: '1,5,2' in the column 'a' is no finite number; give radians, or metres"},
        {"time,a,b\n0.1,0,0\n0.1,0,0\nx,0,0\n0.05,0,0\n",
         "way.csv:5: 'time' goes back from 0.1 to 0.05; each line is one period after the line "
         "before: sort them"},
        {"c,a,b\n0.499,0,0\n-1.4,0,1\n",
         "way.csv:3: 'c' is -1.4, but it follows 'b', which puts it at -1.5; leave the column out, "
         "or correct the value"},
-       {"a,b\n1,x\n", "way.csv:2: 'x' is no finite number; give radians, or metres"},
+       {"t;a\tb\n0;1\t2\n",
+        "way.csv:1: the column 'a\tb' is no joint of the robot that moves; its joints are a,b"},
+       {"a,b\n1,x\n",
+        "way.csv:2: 'x' in the column 'b' is no finite number; give radians, or metres"},
        {"a,b\n1,2,\n", "way.csv:2: has 3 values, the first line names 2 columns; give each one"},
-       {"a,b\n,1\n", "way.csv:2: '' is no finite number; give radians, or metres"},
-       {"a,b\n1,nan\n", "way.csv:2: 'nan' is no finite number; give radians, or metres"},
-       {"a,b\n1,inf\n", "way.csv:2: 'inf' is no finite number; give radians, or metres"},
-       {"a,b\n1,-3.5e38\n", "way.csv:2: '-3.5e38' is no finite number; give radians, or metres"},
+       {"a,b\n,1\n",
+        "way.csv:2: '' in the column 'a' is no finite number; give radians, or metres"},
+       {"a,b\n1,nan\n",
+        "way.csv:2: 'nan' in the column 'b' is no finite number; give radians, or metres"},
+       {"a,b\n1,inf\n",
+        "way.csv:2: 'inf' in the column 'b' is no finite number; give radians, or metres"},
+       {"a,b\n1,-3.5e38\n",
+        "way.csv:2: '-3.5e38' in the column 'b' is no finite number; give radians, or metres"},
        {"a,b\n", "way.csv: has no line of values; give one a period"},
        {"#\n", "way.csv: has no line that names the joints: a,b"}}));
   CHECK(given.refusal(text) == said);

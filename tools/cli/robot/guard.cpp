@@ -8,7 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/json.hpp"
 #include "cli/robot/baked_robot.hpp"
-#include "report/guard_page.hpp"
+#include "cli/robot/guard_output.hpp"
 #include "text/files.hpp"
 #include "text/numbers.hpp"
 
@@ -17,18 +17,6 @@ namespace {
 
 /// Most lines that tables and standard error list one by one.
 constexpr std::size_t kShownLines = 10;
-
-std::string name_of(Status status) {
-  return status == Status::done ? "ok" : status_name(status);
-}
-
-const std::string& link_name(const GuardedTrajectory& guarded, std::uint8_t link) {
-  return guarded.model.links[link].name;
-}
-
-const std::string& variable_name(const GuardedTrajectory& guarded, std::size_t variable) {
-  return guarded.model.joints[guarded.model.variables[variable]].name;
-}
 
 constexpr double kTurn = 6.283185307179586;
 /// A value of a slide that is so many times its limits is taken for millimetres.
@@ -97,52 +85,6 @@ std::string why_refused(const GuardedTrajectory& guarded, std::size_t period) {
                                                      : beyond_limits(joint, moved, value));
 }
 
-const char* verdict_name(const GuardAnswer& answer) {
-  constexpr const char* kNames[kPeriodKinds] = {"free", "warn", "not_yet_known", "stop", "refused"};
-  return kNames[kind_of(answer)];
-}
-
-void add_pair(const GuardedTrajectory& guarded, std::uint16_t pair, Json& json) {
-  const bool is_none = pair == kNoPair;
-  const RobotPair links = is_none ? RobotPair{} : guarded.robot.pairs[pair];
-  json["a"] = is_none ? Json() : Json(link_name(guarded, links.a));
-  json["b"] = is_none ? Json() : Json(link_name(guarded, links.b));
-}
-
-Json motion_json(const GuardedTrajectory& guarded, const CertifiedMotion& motion) {
-  const MotionAnswer& answer = motion.answer;
-  if (answer.status != Status::done) {
-    return {{"outcome", "refused"}};
-  }
-  Json json = {{"outcome", outcome_name(answer.outcome)}};
-  if (answer.outcome == MotionOutcome::free) {
-    return json;
-  }
-  json["part"] = motion.part;
-  add_pair(guarded, answer.pair, json);
-  if (answer.outcome == MotionOutcome::hit) {
-    json["triangles"] = {answer.triangles.a, answer.triangles.b};
-  }
-  for (std::size_t i = 0; i < motion.values.size(); ++i) {
-    json["values"][variable_name(guarded, i)] = motion.values[i];
-  }
-  return json;
-}
-
-Json period_json(const GuardedTrajectory& guarded, std::size_t i) {
-  const GuardAnswer& answer = guarded.answers[i];
-  Json json = {{"line", guarded.trajectory.line(i)}, {"verdict", verdict_name(answer)}};
-  add_pair(guarded, answer.pair, json);
-  json["distance"] =
-      answer.pair == kNoPair ? Json() : Json(unit_length(answer.distance, cell_of(guarded.robot)));
-  json["work"] = answer.work;
-  json["status"] = name_of(answer.status);
-  if (i != 0 && guarded.has_motions) {
-    json["motion"] = motion_json(guarded, guarded.motions[i - 1]);
-  }
-  return json;
-}
-
 std::string links_of(const GuardedTrajectory& guarded, std::uint16_t pair) {
   const RobotPair& links = guarded.robot.pairs[pair];
   return link_name(guarded, links.a) + " - " + link_name(guarded, links.b);
@@ -180,13 +122,20 @@ void print_counts(const GuardedTrajectory& guarded) {
   }
 }
 
+/// "0.35 to 0.81".
+std::string times_of(const GuardedTrajectory& guarded, const Stretch& stretch) {
+  return shortest(guarded.trajectory.time(stretch.first)) + " to " +
+         shortest(guarded.trajectory.time(stretch.last));
+}
+
 void print_stretch(const GuardedTrajectory& guarded, const Stretch& stretch) {
   const bool is_refused = stretch.pair == kNoPair;
   std::cout << std::left << std::setw(9) << guarded.trajectory.line(stretch.first) << std::setw(9)
             << guarded.trajectory.line(stretch.last) << std::setw(15) << kKindNames[stretch.kind]
             << std::setw(12) << (is_refused ? "-" : metres_text(guarded, stretch.kept))
             << std::setw(12) << (stretch.closest ? metres_text(guarded, *stretch.closest) : "-")
-            << (is_refused ? "-" : links_of(guarded, stretch.pair)) << "\n";
+            << (is_refused ? "-" : links_of(guarded, stretch.pair))
+            << (guarded.trajectory.has_times() ? "  " + times_of(guarded, stretch) : "") << "\n";
 }
 
 /// What is not free.
@@ -196,7 +145,9 @@ void print_stretches(const GuardedTrajectory& guarded) {
   if (stretches.empty()) {
     return;
   }
-  std::cout << "\nfrom     to       verdict        known m     closest m   links\n";
+  std::cout << "\nfrom     to       verdict        known m     closest m   links"
+            << (guarded.trajectory.has_times() ? ", " + guarded.trajectory.time_name() : "")
+            << "\n";
   for (const Stretch& stretch : worst_of(stretches, kShownLines)) {
     print_stretch(guarded, stretch);
   }
@@ -276,19 +227,8 @@ void print_refused(const GuardedTrajectory& guarded) {
   }
 }
 
-/// One object a line of the trajectory; the first has the pairs that are not guarded, too.
-void print_guarded_json(const GuardedTrajectory& guarded) {
-  for (std::size_t i = 0; i < guarded.answers.size(); ++i) {
-    Json json = period_json(guarded, i);
-    if (i == 0) {
-      json["not_guarded"] = unguarded_json(guarded.model, guarded.unguarded);
-    }
-    print_object(json);
-  }
-}
-
-/// Pairs that are not guarded, counts, stretches that are not free, the closest moment, work, and
-/// motions that are not free.
+/// Pairs that are not guarded, counts, stretches that are not free, the closest moment, work, time,
+/// and motions that are not free.
 void print_guarded(const GuardedTrajectory& guarded) {
   for (const UnguardedPair& pair : guarded.unguarded) {
     std::cout << "not guarded: " << names_of(guarded.model, {pair}) << "\n";
@@ -300,6 +240,9 @@ void print_guarded(const GuardedTrajectory& guarded) {
   print_stretches(guarded);
   print_closest(guarded);
   print_work(guarded);
+  if (guarded.timing) {
+    print_timing(*guarded.timing);
+  }
   if (guarded.has_motions) {
     print_motions(guarded);
   }
@@ -322,6 +265,10 @@ struct GuardArguments : RobotArguments {
   std::string trajectory;
   std::string page;
   std::uint32_t work = kAllWork;
+  std::string core;
+  std::optional<double> megahertz;
+  double hertz = 1000;
+  double cycles = 1.5;
   bool motion = false;
   bool json = false;
 };
@@ -333,6 +280,9 @@ struct Guarded {
 
 /// The trajectory is read before anything is baked.
 Guarded read_guarded(const GuardArguments& arguments, const CLI::App& command, Warnings& warnings) {
+  if (!arguments.core.empty()) {
+    (void)measured_name(arguments.core);
+  }
   if (is_robot_file_name(arguments.urdf)) {
     BakedRobot robot = opened_robot(arguments.urdf, command, warnings);
     Trajectory trajectory = read_trajectory(arguments.trajectory, robot.model, warnings);
@@ -343,15 +293,34 @@ Guarded read_guarded(const GuardArguments& arguments, const CLI::App& command, W
   return {baked_robot(std::move(model), arguments, warnings), std::move(trajectory)};
 }
 
+std::optional<GuardTiming> timing_of(const GuardArguments& arguments, const Robot& robot,
+                                     const Trajectory& trajectory,
+                                     const std::vector<GuardAnswer>& answers) {
+  if (arguments.core.empty()) {
+    return std::nullopt;
+  }
+  GuardTiming timing = {costs_on(arguments.core, robot), {}, least_work(robot, trajectory), {}, {}};
+  timing.replayed = quantiles_of(timing.costs, answers);
+  if (timing.least) {
+    timing.of_least = quantiles_of(timing.costs, timing.least->answers);
+  }
+  if (arguments.megahertz) {
+    timing.clock = {*arguments.megahertz, arguments.hertz, arguments.cycles};
+  }
+  return timing;
+}
+
 ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& command) {
   Warnings warnings;
   const auto& [robot, trajectory] = read_guarded(arguments, command, warnings);
   const std::vector<GuardAnswer> answers = replay(robot.robot(), trajectory, arguments.work);
   const auto motions =
       arguments.motion ? certify(robot.robot(), trajectory) : std::vector<CertifiedMotion>();
-  const GuardedTrajectory guarded = {robot.model,      robot.robot(), arguments.trajectory,
-                                     trajectory,       answers,       arguments.work,
-                                     arguments.motion, motions,       robot.unguarded};
+  const std::optional<GuardTiming> timing =
+      timing_of(arguments, robot.robot(), trajectory, answers);
+  const GuardedTrajectory guarded = {
+      robot.model,      robot.robot(), arguments.trajectory, trajectory, answers, arguments.work,
+      arguments.motion, motions,       robot.unguarded,      timing};
   FileSet files;
   if (!arguments.page.empty()) {
     std::set<std::string> read = files_read(arguments, robot.model);
@@ -366,6 +335,28 @@ ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& comma
     flush_output();
   });
   return exit_code_of(guarded);
+}
+
+void add_timing_options(CLI::App& command, GuardArguments& a) {
+  constexpr double kLeast = 1e-3;
+  constexpr double kMost = 1e5;
+  const CLI::Range positive(kLeast, kMost);
+  add_option(command, "--core", a.core, "CORE",
+             "Estimate the instructions of each period, and find the least --work that keeps\n"
+             "not_yet_known below 0.1 % of periods. Cores: " +
+                 joined(measured_cores(), [](const std::string& core) { return core; }));
+  add_option(command, "--mhz", a.megahertz, "MHZ",
+             "Clock of the core: print parts of a period and the work it has time for, too")
+      ->check(positive)
+      ->needs("--core");
+  add_option(command, "--hz", a.hertz, "HZ", "Periods a second; default: 1000")
+      ->check(positive)
+      ->needs("--mhz");
+  add_option(command, "--cpi", a.cycles, "CYCLES",
+             "Cycles an instruction takes on the part, with flash wait states; default: 1.5, no\n"
+             "measurement")
+      ->check(positive)
+      ->needs("--mhz");
 }
 
 }  // namespace
@@ -389,6 +380,7 @@ void add_guard(CLI::App& app, ExitCode& exit_code) {
   add_option(*command, "--work", a.work, "N",
              "What the guard may spend in a period; default: what it takes")
       ->check(CLI::Range(1u, kAllWork));
+  add_timing_options(*command, a);
   command->add_flag("--motion", a.motion,
                     "Certify the straight motion of all joints from each line to the next, too");
   add_option(*command, "--report", a.page, "PAGE.html",

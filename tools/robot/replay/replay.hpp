@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "flashbvh/clearance.hpp"
@@ -22,8 +23,9 @@ namespace flashbvh::tool {
 ///
 /// The first line names a variable in each column, in any order; each other line has their values
 /// one period after the line before: radians, metres of joints that slide. '#' begins a comment.
-/// Fields lie between semicolons, commas or tabs. Columns of a time and of joints that mimic are
-/// checked and not used.
+/// Fields lie between semicolons, commas or tabs. Columns of joints that mimic are checked and not
+/// used. The first column of times, if all its values are numbers, names the lines; it sets no
+/// period.
 class Trajectory {
  public:
   explicit Trajectory(std::size_t variables) : variables_(variables) {}
@@ -35,6 +37,16 @@ class Trajectory {
   const float* values(std::size_t period) const { return &values_[period * variables_]; }
   std::size_t variables() const { return variables_; }
 
+  bool has_times() const { return !times_.empty(); }
+  /// Of the column of times, in its unit. Precondition: has_times().
+  double time(std::size_t period) const { return times_[period]; }
+  const std::string& time_name() const { return time_name_; }
+
+  /// `times`: one a line.
+  void set_times(std::string name, std::vector<double> times) {
+    time_name_ = std::move(name);
+    times_ = std::move(times);
+  }
   void add(std::size_t line, const std::vector<float>& values) {
     lines_.push_back(line);
     values_.insert(values_.end(), values.begin(), values.end());
@@ -44,11 +56,14 @@ class Trajectory {
   std::size_t variables_;
   std::vector<std::size_t> lines_;
   std::vector<float> values_;
+  std::string time_name_;
+  std::vector<double> times_;
 };
 
-/// UserError, with the line and the remedy, unless each variable has one column, all values are
-/// numbers, times don't go back, and mimics are where their joints put them. Limits are not looked
-/// at. Warns of a column of times, which sets none.
+/// UserError, with the line, the column and the remedy, unless each variable has one column, all
+/// values are numbers, times don't go back, and mimics are where their joints put them: within
+/// 0.001 rad or m, times the multiplier where it is above 1. Limits are not looked at. Warns of
+/// columns of times that are not used, and of the first uneven step of the one that is.
 Trajectory read_trajectory(const std::string& path, const Model& model, Warnings& warnings);
 
 /// Whatever a period takes; of UINT32_MAX the guard does not report what was spent.

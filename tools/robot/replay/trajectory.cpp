@@ -112,7 +112,7 @@ TrajectoryColumns read_columns(const Model& model, std::string_view line,
 /// How far a mimic's value may be from what its joint gives: both have three decimals at least.
 constexpr double kMostRounding = 1e-3;
 
-double number_in(std::string_view field, const std::string& place) {
+double number_in(std::string_view field, const std::string& column, const std::string& place) {
   const auto value = parse_number(field);
   if (value && is_coordinate(*value)) {
     return *value;
@@ -120,9 +120,11 @@ double number_in(std::string_view field, const std::string& place) {
   std::string pointed(field);
   std::replace(pointed.begin(), pointed.end(), ',', '.');
   if (pointed != field && parse_number(pointed)) {
-    throw UserError(place, quoted(field), " has a decimal comma; write a point: ", pointed);
+    throw UserError(place, quoted(field), " in the column ", tool::quoted(column),
+                    " has a decimal comma; write a point: ", pointed);
   }
-  throw UserError(place, quoted(field), " is no finite number; give radians, or metres");
+  throw UserError(place, quoted(field), " in the column ", tool::quoted(column),
+                  " is no finite number; give radians, or metres");
 }
 
 /// The numbers of a line, one a column; none for a time that is no number, as a date.
@@ -135,8 +137,9 @@ std::vector<std::optional<double>> numbers_of(const TrajectoryColumns& header,
   }
   std::vector<std::optional<double>> numbers;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    numbers.push_back(header.columns[i].is_time ? parse_number(fields[i])
-                                                : number_in(fields[i], place));
+    const TrajectoryColumn& column = header.columns[i];
+    numbers.push_back(column.is_time ? parse_number(fields[i])
+                                     : number_in(fields[i], column.name, place));
   }
   return numbers;
 }
@@ -158,12 +161,17 @@ void check_mimic(const Model& model, const TrajectoryColumn& column, double give
 class RowReader {
  public:
   RowReader(const Model& model, TrajectoryColumns columns)
-      : model_(model), header_(std::move(columns)), times_(header_.columns.size()) {}
+      : model_(model), header_(std::move(columns)), last_(header_.columns.size()) {
+    while (times_in_ < last_.size() && !header_.columns[times_in_].is_time) {
+      ++times_in_;
+    }
+  }
 
   /// Of the variables, in their order.
   std::vector<float> read(std::string_view line, const std::string& place) {
     const std::vector<std::optional<double>> numbers = numbers_of(header_, line, place);
     check_times(numbers, place);
+    keep_time(numbers);
     std::vector<double> values(model_.variables.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (is_variable(i)) {
@@ -178,7 +186,34 @@ class RowReader {
     return {values.begin(), values.end()};
   }
 
+  /// Whether all lines have a number in the first column of times.
+  bool has_times() const { return times_in_ < last_.size() && !times_.empty(); }
+  const std::string& time_name() const { return header_.columns[times_in_].name; }
+  const std::vector<double>& times() const { return times_; }
+
+  /// The columns of times that `times()` is not of.
+  std::vector<std::string> unused_times() const {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < header_.columns.size(); ++i) {
+      if (header_.columns[i].is_time && !(has_times() && i == times_in_)) {
+        names.push_back(header_.columns[i].name);
+      }
+    }
+    return names;
+  }
+
  private:
+  void keep_time(const std::vector<std::optional<double>>& numbers) {
+    if (times_in_ == numbers.size()) {
+      return;
+    }
+    if (numbers[times_in_]) {
+      times_.push_back(*numbers[times_in_]);
+    } else {
+      times_in_ = numbers.size();  // a date, say
+    }
+  }
+
   bool is_variable(std::size_t column) const {
     const std::size_t joint = header_.columns[column].joint;
     return joint != kNoJoint && model_.variables[model_.joints[joint].variable] == joint;
@@ -189,25 +224,41 @@ class RowReader {
       if (!header_.columns[i].is_time || !numbers[i]) {
         continue;
       }
-      if (times_[i] && *numbers[i] < *times_[i]) {
+      if (last_[i] && *numbers[i] < *last_[i]) {
         throw UserError(place, tool::quoted(header_.columns[i].name), " goes back from ",
-                        shortest(*times_[i]), " to ", shortest(*numbers[i]),
+                        shortest(*last_[i]), " to ", shortest(*numbers[i]),
                         "; each line is one period after the line before: sort them");
       }
-      times_[i] = numbers[i];
+      last_[i] = numbers[i];
     }
   }
 
   const Model& model_;
   TrajectoryColumns header_;
-  std::vector<std::optional<double>> times_;  ///< the last ones, by column
+  std::vector<std::optional<double>> last_;  ///< times, by column
+  std::size_t times_in_ = 0;                 ///< the column of times_; none: all columns
+  std::vector<double> times_;
 };
 
-void note_times(const TrajectoryColumns& header, const std::string& place, Warnings& warnings) {
-  for (const TrajectoryColumn& column : header.columns) {
-    if (column.is_time) {
-      warnings.add(place, concat("the column ", tool::quoted(column.name),
-                                 " is not used: each line is one period after the line before"));
+/// Steps of a column of times differ by more than this part of the first one, or they are even.
+constexpr double kMostUneven = 0.1;
+
+/// Warns of times that don't set the periods: of the first step that is no period of the others.
+void note_times(const std::string& path, const RowReader& reader, const Trajectory& trajectory,
+                Warnings& warnings) {
+  constexpr const char* kPeriod = "each line is one period after the line before";
+  for (const std::string& name : reader.unused_times()) {
+    warnings.add(path, concat("the column ", tool::quoted(name), " is not used: ", kPeriod));
+  }
+  for (std::size_t i = 2; trajectory.has_times() && i < trajectory.size(); ++i) {
+    const double first = trajectory.time(1) - trajectory.time(0);
+    const double step = trajectory.time(i) - trajectory.time(i - 1);
+    // Large stamps have less digits than their steps.
+    if (std::fabs(step - first) > kMostUneven * first + 1e-15 * std::fabs(trajectory.time(i))) {
+      warnings.add(at_line(path, trajectory.line(i)),
+                   concat(tool::quoted(trajectory.time_name()), " steps by ", significant(step, 6),
+                          ", the first time by ", significant(first, 6), "; ", kPeriod));
+      return;
     }
   }
 }
@@ -226,9 +277,7 @@ Trajectory read_trajectory(const std::string& path, const Model& model, Warnings
     throw UserError(path, "has no line that names the joints: ", variable_names(model));
   }
   const std::string place = at_line(path, lines.number());
-  TrajectoryColumns columns = read_columns(model, lines.line(), place);
-  note_times(columns, place, warnings);
-  RowReader reader(model, std::move(columns));
+  RowReader reader(model, read_columns(model, lines.line(), place));
   Trajectory trajectory(model.variables.size());
   while (lines.next_content()) {
     trajectory.add(lines.number(), reader.read(lines.line(), at_line(path, lines.number())));
@@ -236,6 +285,10 @@ Trajectory read_trajectory(const std::string& path, const Model& model, Warnings
   if (trajectory.size() == 0) {
     throw UserError(path, "has no line of values; give one a period");
   }
+  if (reader.has_times()) {
+    trajectory.set_times(reader.time_name(), reader.times());
+  }
+  note_times(path, reader, trajectory, warnings);
   return trajectory;
 }
 

@@ -1,0 +1,142 @@
+// The JSON of flashbvh guard.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "cli/commands.hpp"
+#include "cli/json.hpp"
+#include "cli/robot/guard_output.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+constexpr const char* kVerdictNames[kPeriodKinds] = {"free", "warn", "not_yet_known", "stop",
+                                                     "refused"};
+
+void add_pair(const GuardedTrajectory& guarded, std::uint16_t pair, Json& json) {
+  const bool is_none = pair == kNoPair;
+  const RobotPair links = is_none ? RobotPair{} : guarded.robot.pairs[pair];
+  json["a"] = is_none ? Json() : Json(link_name(guarded, links.a));
+  json["b"] = is_none ? Json() : Json(link_name(guarded, links.b));
+}
+
+Json motion_json(const GuardedTrajectory& guarded, const CertifiedMotion& motion) {
+  const MotionAnswer& answer = motion.answer;
+  if (answer.status != Status::done) {
+    return {{"outcome", "refused"}};
+  }
+  Json json = {{"outcome", outcome_name(answer.outcome)}};
+  if (answer.outcome == MotionOutcome::free) {
+    return json;
+  }
+  json["part"] = motion.part;
+  add_pair(guarded, answer.pair, json);
+  if (answer.outcome == MotionOutcome::hit) {
+    json["triangles"] = {answer.triangles.a, answer.triangles.b};
+  }
+  for (std::size_t i = 0; i < motion.values.size(); ++i) {
+    json["values"][variable_name(guarded, i)] = motion.values[i];
+  }
+  return json;
+}
+
+Json metres_json(const GuardedTrajectory& guarded, std::optional<std::uint32_t> fine) {
+  return fine ? Json(unit_length(*fine, cell_of(guarded.robot))) : Json();
+}
+
+Json stretches_json(const GuardedTrajectory& guarded) {
+  Json all = Json::array();
+  for (const Stretch& stretch : stretches_of(guarded.robot, guarded.trajectory, guarded.answers)) {
+    Json json = {{"from", guarded.trajectory.line(stretch.first)},
+                 {"to", guarded.trajectory.line(stretch.last)}};
+    if (guarded.trajectory.has_times()) {
+      json["from_time"] = guarded.trajectory.time(stretch.first);
+      json["to_time"] = guarded.trajectory.time(stretch.last);
+    }
+    json["verdict"] = kVerdictNames[stretch.kind];
+    add_pair(guarded, stretch.pair, json);
+    const bool is_refused = stretch.pair == kNoPair;
+    json["distance"] = is_refused ? Json() : metres_json(guarded, stretch.kept);
+    json["closest"] = metres_json(guarded, stretch.closest);
+    all.push_back(json);
+  }
+  return all;
+}
+
+Json quantiles_json(const PeriodQuantiles& quantiles) {
+  Json json;
+  for (std::size_t i = 0; i < quantiles.size(); ++i) {
+    json[kQuantileNames[i]] = std::round(quantiles[i]);
+  }
+  return json;
+}
+
+Json timing_json(const GuardTiming& timing) {
+  const PeriodCosts& costs = timing.costs;
+  Json json = {{"core", costs.core},
+               {"pass", std::round(costs.pass)},
+               {"walk", costs.walk},
+               {"work", costs.work},
+               {"instructions", quantiles_json(timing.replayed)}};
+  json["least_work"] = timing.least ? Json(timing.least->work) : Json();
+  if (timing.least) {
+    json["least_instructions"] = quantiles_json(timing.of_least);
+  }
+  if (timing.clock) {
+    const auto within = work_within(costs, *timing.clock);
+    json["period"] = std::round(timing.clock->instructions());
+    json["work_within"] = within ? Json(*within) : Json();
+  }
+  return json;
+}
+
+Json period_json(const GuardedTrajectory& guarded, std::size_t i) {
+  const GuardAnswer& answer = guarded.answers[i];
+  Json json = {{"line", guarded.trajectory.line(i)}};
+  if (guarded.trajectory.has_times()) {
+    json["time"] = guarded.trajectory.time(i);
+  }
+  json["verdict"] = kVerdictNames[kind_of(answer)];
+  add_pair(guarded, answer.pair, json);
+  json["distance"] =
+      answer.pair == kNoPair ? Json() : Json(unit_length(answer.distance, cell_of(guarded.robot)));
+  json["work"] = answer.work;
+  json["status"] = name_of(answer.status);
+  if (guarded.timing) {
+    json["instructions"] = std::round(instructions_of(guarded.timing->costs, answer.work));
+  }
+  if (i != 0 && guarded.has_motions) {
+    json["motion"] = motion_json(guarded, guarded.motions[i - 1]);
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string name_of(Status status) {
+  return status == Status::done ? "ok" : status_name(status);
+}
+
+const std::string& link_name(const GuardedTrajectory& guarded, std::uint8_t link) {
+  return guarded.model.links[link].name;
+}
+
+const std::string& variable_name(const GuardedTrajectory& guarded, std::size_t variable) {
+  return guarded.model.joints[guarded.model.variables[variable]].name;
+}
+
+void print_guarded_json(const GuardedTrajectory& guarded) {
+  for (std::size_t i = 0; i < guarded.answers.size(); ++i) {
+    Json json = period_json(guarded, i);
+    if (i == 0) {
+      json["not_guarded"] = unguarded_json(guarded.model, guarded.unguarded);
+      json["stretches"] = stretches_json(guarded);
+      if (guarded.timing) {
+        json["timing"] = timing_json(*guarded.timing);
+      }
+    }
+    print_object(json);
+  }
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,61 @@
+// What flashbvh guard prints of a period's time.
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+
+#include "cli/robot/guard_output.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// "4165  3.7 %": without a clock the instructions alone.
+std::string cost_text(const GuardTiming& timing, double instructions) {
+  const std::string text = fixed(instructions, 0);
+  return timing.clock
+             ? text + "  " + fixed(100 * instructions / timing.clock->instructions(), 1) + " %"
+             : text;
+}
+
+std::string head_of(const GuardTiming& timing) {
+  const std::string text = "\ntime on a " + timing.costs.core;
+  return timing.clock ? concat(text, " of ", significant(timing.clock->megahertz, 6), " MHz at ",
+                               significant(timing.clock->hertz, 6), " Hz, ",
+                               significant(timing.clock->cycles, 6),
+                               " cycles an instruction: instructions, and part of a period\n")
+                      : text + ": instructions\n";
+}
+
+void print_row(const std::string& name, const std::string& replayed, const std::string& least) {
+  std::cout << std::left << std::setw(13) << name << std::setw(20) << replayed << least << "\n";
+}
+
+/// "least work that keeps 'not yet known' below 0.1 % of periods: 96".
+void print_least(const GuardTiming& timing) {
+  std::cout << "least work that keeps 'not yet known' below 0.1 % of periods: "
+            << (timing.least ? concat(timing.least->work) : "none does") << "\n";
+  if (timing.clock) {
+    const auto within = work_within(timing.costs, *timing.clock);
+    std::cout << "a period has time for "
+              << (within ? concat(*within, " work") : "less than a look at all pairs") << "\n";
+  }
+}
+
+}  // namespace
+
+void print_timing(const GuardTiming& timing) {
+  std::cout << head_of(timing);
+  print_row("of periods", "as replayed",
+            timing.least ? concat("with ", timing.least->work, " work") : "");
+  for (std::size_t i = 0; i < kQuantileNames.size(); ++i) {
+    print_row(concat(kQuantileNames[i], " %"), cost_text(timing, timing.replayed[i]),
+              timing.least ? cost_text(timing, timing.of_least[i]) : "");
+  }
+  print_least(timing);
+  const PeriodCosts& costs = timing.costs;
+  std::cout << "estimated: " << fixed(costs.pass, 0) << " a period, " << fixed(costs.walk, 0)
+            << " more if it spends work, " << fixed(costs.work, 1) << " a unit of work.\n"
+            << estimate_note(costs) << "\n";
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,160 @@
+#include "robot/replay/period_costs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "text/files.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// The rows of tests/figures/budgets.csv that are read below, its head first.
+constexpr const char* kRows =
+#include "guard_costs.inc"
+    ;
+
+/// Figures by name and core.
+using Figures = std::map<std::string, std::map<std::string, double>>;
+
+std::vector<std::string> cells_of(std::string_view line) {
+  std::vector<std::string> cells(1);
+  for (const char letter : line) {
+    if (letter == ',') {
+      cells.emplace_back();
+    } else {
+      cells.back() += letter;
+    }
+  }
+  return cells;
+}
+
+Figures measured_figures() {
+  Figures figures;
+  std::vector<std::string> head;
+  for (Lines lines(kRows); lines.next();) {
+    const std::vector<std::string> cells = cells_of(lines.line());
+    for (std::size_t i = 1; i < cells.size() && !head.empty(); ++i) {
+      if (const auto value = parse_number(cells[i])) {
+        figures[cells[0]][head[i]] = *value;
+      }
+    }
+    head = head.empty() ? cells : head;
+  }
+  return figures;
+}
+
+std::uint32_t unknown_in(const std::vector<GuardAnswer>& answers) {
+  return static_cast<std::uint32_t>(
+      summary_of(answers).periods[static_cast<std::size_t>(Verdict::not_yet_known)]);
+}
+
+bool is_known_enough(const std::vector<GuardAnswer>& answers) {
+  return unknown_in(answers) * kOneUnknownIn < answers.size();
+}
+
+}  // namespace
+
+std::vector<std::string> measured_cores() {
+  std::vector<std::string> cores;
+  Figures figures = measured_figures();
+  for (const auto& [core, value] : figures["guard.pass"]) {
+    cores.push_back(lower_case(core));
+  }
+  return cores;
+}
+
+std::string measured_name(const std::string& core) {
+  Figures figures = measured_figures();
+  for (const auto& [name, value] : figures["guard.pass"]) {
+    if (lower_case(name) == lower_case(core)) {
+      return name;
+    }
+  }
+  throw UserError("--core", "no guard was measured on ", tool::quoted(core), "; take one of ",
+                  joined(measured_cores(), [](const std::string& name) { return name; }));
+}
+
+PeriodCosts costs_on(const std::string& core, const Robot& robot) {
+  const std::string name = measured_name(core);
+  Figures figures = measured_figures();
+  const auto figure = [&](const std::string& of) { return figures["guard." + of][name]; };
+  const auto count = [&](const std::string& of) { return figures["guard." + of]["all"]; };
+  const double frames = figure("kinematics");
+  PeriodCosts costs = {name, figure("pass"), figure("walk"), figure("hundred_work") / 100, 0};
+  costs.longest = figure("half.max") /
+                  instructions_of(costs, static_cast<std::uint32_t>(count("work.half.max")));
+  costs.pass = frames * robot.joint_count / count("joints") +
+               (costs.pass - frames) * robot.pair_count / count("pairs");
+  return costs;
+}
+
+std::string estimate_note(const PeriodCosts& costs) {
+  return concat("These are means of a KUKA KR5's guard, whose longest period took ",
+                fixed(costs.longest, 1),
+                " times its estimate, and no bound: proven are the runs of a PairQuery "
+                "(lib/docs/bounded_time.md), no part of a guard's period.");
+}
+
+double instructions_of(const PeriodCosts& costs, std::uint32_t work) {
+  return costs.pass + (work == 0 ? 0 : costs.walk + work * costs.work);
+}
+
+PeriodQuantiles quantiles_of(const PeriodCosts& costs, const std::vector<GuardAnswer>& answers) {
+  std::vector<std::uint32_t> work;
+  bool is_primed = false;
+  for (const GuardAnswer& answer : answers) {
+    if (answer.status == Status::done && is_primed) {
+      work.push_back(answer.work);
+    }
+    is_primed = is_primed || answer.status == Status::done;
+  }
+  PeriodQuantiles quantiles{};
+  if (work.empty()) {
+    return quantiles;
+  }
+  std::sort(work.begin(), work.end());
+  constexpr std::array<std::size_t, 4> kAbove = {500, 10, 1, 0};  // of a thousand
+  for (std::size_t i = 0; i < quantiles.size(); ++i) {
+    quantiles[i] = instructions_of(costs, work[work.size() - 1 - work.size() * kAbove[i] / 1000]);
+  }
+  return quantiles;
+}
+
+std::optional<LeastWork> least_work(const Robot& robot, const Trajectory& trajectory) {
+  LeastWork least = {kAllWork, replay(robot, trajectory, kAllWork)};
+  if (!is_known_enough(least.answers)) {
+    return std::nullopt;
+  }
+  const auto take_if_enough = [&](std::uint32_t work) {
+    std::vector<GuardAnswer> answers = replay(robot, trajectory, work);
+    const bool is_enough = is_known_enough(answers);
+    if (is_enough) {
+      least = {work, std::move(answers)};
+    }
+    return is_enough;
+  };
+  // What the longest period took is enough, but for what a guard does ahead of time.
+  std::uint32_t enough = std::max(1u, summary_of(least.answers).most);
+  while (!take_if_enough(enough)) {
+    enough = enough > kAllWork / 2 ? kAllWork : 2 * enough;
+  }
+  for (std::uint32_t few = 0; least.work - few > 1;) {
+    const std::uint32_t middle = few + (least.work - few) / 2;
+    few = take_if_enough(middle) ? few : middle;
+  }
+  return least;
+}
+
+std::optional<std::uint32_t> work_within(const PeriodCosts& costs, const PeriodClock& clock) {
+  const double left = clock.instructions() - costs.pass;
+  if (left < 0) {
+    return std::nullopt;
+  }
+  return static_cast<std::uint32_t>(
+      std::clamp((left - costs.walk) / costs.work, 0.0, static_cast<double>(kAllWork)));
+}
+
+}  // namespace flashbvh::tool
