@@ -3,6 +3,7 @@
 // Links of nested models count as the model's own, by the names that SDF gives them there, as
 // arm::hand. Poses, which SDF lets be relative to any frame, are taken from links in the model's.
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <sdf/sdf.hh>
 #include <set>
@@ -163,9 +164,9 @@ class SdfReader {
     made.mesh = mesh.Uri();
     const bool is_relative =
         made.mesh.find("://") == std::string::npos && made.mesh.substr(0, 1) != "/";
-    const std::string& file = mesh.FilePath();
-    if (is_relative && !file.empty() && file[0] == '/' && file != path_) {
-      made.mesh = "file://" + file.substr(0, file.rfind('/') + 1) + made.mesh;
+    const std::filesystem::path file = std::filesystem::absolute(mesh.FilePath());
+    if (is_relative && file != std::filesystem::absolute(path_)) {
+      made.mesh = "file://" + (file.parent_path() / made.mesh).string();
     }
   }
 

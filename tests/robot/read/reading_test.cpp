@@ -74,7 +74,9 @@ TEST_CASE("what nothing here needs is not read, broken or not") {
       "name=\"gone\"/></visual><inertial><mass value=\"?\"/></inertial>";
   const tool::Model model = files.read(
       "<material/><gazebo/><transmission/><!-- --><sensor/>" + link_text("a", visual + kBall) +
-      link_text("b") +
+      link_text("b",
+                "<collision><drake:hint a=\"?\"/><verbose value=\"?\"/><geometry><sphere "
+                "radius=\"1\"/></geometry></collision>") +
       joint_text("j", "revolute", "a", "b",
                  "<limit lower=\"0\" upper=\"1\" velocity=\"?\"/><dynamics damping=\"?\"/>"
                  "<safety_controller/><calibration rising=\"?\"/>"));
