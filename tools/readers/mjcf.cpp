@@ -19,6 +19,12 @@ namespace {
 
 std::string path_of_model;  ///< for mju_error(), which ends the program
 
+/// The first number of an element of `width` numbers.
+template <class Number>
+const Number* row(const Number* table, int width, int element) {
+  return table + std::ptrdiff_t{width} * element;
+}
+
 Vector3 vector_of(const mjtNum* of) {
   return {of[0], of[1], of[2]};
 }
@@ -119,7 +125,7 @@ class MjcfReader {
     const int parent = m_.body_parentid[body];
     const bool is_root = made_.robot.links.empty();
     std::size_t above = is_root ? 0 : links_[static_cast<std::size_t>(parent)];
-    Transform origin = frame_of(m_.body_pos + 3 * body, m_.body_quat + 4 * body);
+    Transform origin = frame_of(row(m_.body_pos, 3, body), row(m_.body_quat, 4, body));
     for (int joint = first; joint + 1 < end; ++joint) {
       const std::size_t link = add_link(concat(body_name(body), "/", joint_name(joint)));
       add_joint(joint, above, link, origin);
@@ -148,12 +154,12 @@ class MjcfReader {
     made.name = joint_name(joint);
     made.parent = parent;
     made.child = child;
-    made.axis = vector_of(m_.jnt_axis + 3 * joint);
-    made.anchor = vector_of(m_.jnt_pos + 3 * joint);
+    made.axis = vector_of(row(m_.jnt_axis, 3, joint));
+    made.anchor = vector_of(row(m_.jnt_pos, 3, joint));
     made.origin = composed(origin, slides ? moved(made.axis, -ref) : turned_about(joint, -ref));
     const bool is_limited = m_.jnt_limited[joint] != 0;
-    made.lower = is_limited ? m_.jnt_range[2 * joint] : 0;
-    made.upper = is_limited ? m_.jnt_range[2 * joint + 1] : 0;
+    made.lower = is_limited ? row(m_.jnt_range, 2, joint)[0] : 0;
+    made.upper = is_limited ? row(m_.jnt_range, 2, joint)[1] : 0;
     made.type = slides       ? UrdfJoint::Type::prismatic
                 : is_limited ? UrdfJoint::Type::revolute
                              : UrdfJoint::Type::continuous;
@@ -166,8 +172,8 @@ class MjcfReader {
       return {};
     }
     std::array<mjtNum, 4> turn{};
-    mju_axisAngle2Quat(turn.data(), m_.jnt_axis + 3 * joint, angle);
-    const Vector3 anchor = vector_of(m_.jnt_pos + 3 * joint);
+    mju_axisAngle2Quat(turn.data(), row(m_.jnt_axis, 3, joint), angle);
+    const Vector3 anchor = vector_of(row(m_.jnt_pos, 3, joint));
     return composed(moved(anchor, 1), composed(transform_of(turn, {}), moved(anchor, -1)));
   }
 
@@ -177,7 +183,7 @@ class MjcfReader {
       if (m_.eq_type[eq] != mjEQ_JOINT || m_.eq_obj1id[eq] != joint || m_.eq_active[eq] == 0) {
         continue;
       }
-      const mjtNum* const a = m_.eq_data + mjNEQDATA * eq;
+      const mjtNum* const a = row(m_.eq_data, mjNEQDATA, eq);
       const int master = m_.eq_obj2id[eq];
       const bool is_linear = a[2] == 0 && a[3] == 0 && a[4] == 0;
       if (master < 0 || !is_linear || a[1] == 0 || made.mimic) {
@@ -198,7 +204,7 @@ class MjcfReader {
       const bool collides =
           m_.geom_contype[geom] != 0 || m_.geom_conaffinity[geom] != 0 || paired_.count(geom) != 0;
       UrdfCollision shape;
-      shape.origin = frame_of(m_.geom_pos + 3 * geom, m_.geom_quat + 4 * geom);
+      shape.origin = frame_of(row(m_.geom_pos, 3, geom), row(m_.geom_quat, 4, geom));
       if (set_geometry(geom, body, shape.geometry)) {
         (collides ? link.collisions : link.visuals).push_back(std::move(shape));
         link.has_visual |= !collides;
@@ -211,7 +217,7 @@ class MjcfReader {
 
   bool set_geometry(int geom, int body, UrdfGeometry& geometry) {
     using Shape = UrdfGeometry::Shape;
-    const mjtNum* const size = m_.geom_size + 3 * geom;
+    const mjtNum* const size = row(m_.geom_size, 3, geom);
     geometry.size = {2 * size[0], 2 * size[1], 2 * size[2]};
     geometry.radius = size[0];
     geometry.length = 2 * size[1];
@@ -247,23 +253,23 @@ class MjcfReader {
     const auto file = document_.mesh_files.find(mesh_name);
     geometry.shape = UrdfGeometry::Shape::triangles;
     geometry.mesh = file == document_.mesh_files.end() ? mesh_name : file->second;
-    const float* const vertices = m_.mesh_vert + 3 * m_.mesh_vertadr[mesh];
-    const int* const faces = m_.mesh_face + 3 * m_.mesh_faceadr[mesh];
+    const float* const vertices = row(m_.mesh_vert, 3, m_.mesh_vertadr[mesh]);
+    const int* const faces = row(m_.mesh_face, 3, m_.mesh_faceadr[mesh]);
     double farthest = 0;
     for (int i = 0; i < m_.mesh_vertnum[mesh]; ++i) {
       Vector3 vertex{};
-      std::copy_n(vertices + 3 * i, 3, vertex.begin());
+      std::copy_n(row(vertices, 3, i), 3, vertex.begin());
       farthest = std::max(farthest, std::hypot(vertex[0], vertex[1], vertex[2]));
       geometry.triangles.vertices.push_back(vertex);
     }
     for (int i = 0; i < m_.mesh_facenum[mesh]; ++i) {
-      const int* const face = faces + 3 * i;
+      const int* const face = row(faces, 3, i);
       geometry.triangles.triangles.push_back({static_cast<std::uint32_t>(face[0]),
                                               static_cast<std::uint32_t>(face[1]),
                                               static_cast<std::uint32_t>(face[2])});
     }
     // As read, scaled, moved and stored: each a float's rounding.
-    const mjtNum* const at = m_.geom_pos + 3 * geom;
+    const mjtNum* const at = row(m_.geom_pos, 3, geom);
     geometry.precision = 0x1p-22 * (farthest + std::hypot(at[0], at[1], at[2]));
   }
 
