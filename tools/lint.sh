@@ -36,6 +36,8 @@ lint cli "$dear" tools/cli/*.cpp tools/cli/*/*.cpp tools/evaluate/*.cpp
 for room in tools/*/; do
   case $(basename "$room") in
     bake | cli | evaluate | image | mesh | robot | text) ;;
+    # Two programs; one wants the headers of libsdformat.
+    readers) lint readers "$dear" tools/readers/reader.cpp tools/readers/mjcf*.cpp ;;
     # tools/compare wants the headers of the libraries that it compares; tools/release has no source.
     compare | release) ;;
     *) lint "$(basename "$room")" "$dear" "$room"*.cpp ;;

@@ -1,4 +1,4 @@
-# flashbvh_add_robot(name URDF file
+# flashbvh_add_robot(name URDF file [VISUAL_TOO]
 #                    [PACKAGE name=folder]... [SRDF file] [JOINT_LIMITS file] [BELIEVE link,link]... [CELL length] [LEAF_SIZE n] [STOP length]
 #                    [WARN length] [PAIR link,link=stop[,warn]]... [ZONE joint=length]... [TIME seconds] [FORMAT c|image|both])
 #
@@ -6,8 +6,9 @@
 # "<name>.robot.h", for C and C++, which declares the array <name>_robot_image for
 # view_robot_unchecked(), and has flashbvh::robot. FORMAT image makes no code: the folder of
 # <name>.robot, for open_robot(), is an include folder of each target that links the library, for .incbin.
-# FORMAT both makes both. The options are those of `flashbvh robot`; lengths are in metres. The robot is baked again when the URDF, the SRDF, the joint limits, one of the meshes, an option
-# or the tool changes; which meshes, the tool says in a depfile.
+# FORMAT both makes both. The file may be MJCF or SDF, too. The options are those of `flashbvh robot`; lengths are in metres.
+# The robot is baked again when its file, the SRDF, the joint limits, one of the meshes or included files, an option or the
+# tool changes; which files, the tool says in a depfile.
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 
 function(flashbvh_add_robot name)
@@ -15,7 +16,7 @@ function(flashbvh_add_robot name)
   cmake_policy(SET CMP0116 NEW)
   set(files URDF SRDF JOINT_LIMITS)
   set(single CELL LEAF_SIZE STOP WARN TIME FORMAT)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "${files};${single}" "PACKAGE;PAIR;ZONE;BELIEVE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "VISUAL_TOO" "${files};${single}" "PACKAGE;PAIR;ZONE;BELIEVE")
   set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_PACKAGE} ${arg_PAIR} ${arg_ZONE})
   list(FILTER odd EXCLUDE REGEX "^[^=]+=.+$")
   if(odd OR arg_UNPARSED_ARGUMENTS OR NOT arg_URDF)
@@ -41,6 +42,9 @@ function(flashbvh_add_robot name)
       list(APPEND options ${flag} ${arg_${option}})
     endif()
   endforeach()
+  if(arg_VISUAL_TOO)
+    list(APPEND options --visual-too)
+  endif()
   foreach(package IN LISTS arg_PACKAGE)
     string(REGEX MATCH "^[^=]+=" package_name "${package}")
     string(REGEX REPLACE "^[^=]+=" "" package_folder "${package}")

@@ -20,6 +20,8 @@ endif()
 if(TARGET flashbvh_tool)
   install(TARGETS flashbvh_tool EXPORT flashbvhToolTargets
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS flashbvh_read_mjcf flashbvh_read_sdf
+    RUNTIME DESTINATION libexec/flashbvh)
   install(EXPORT flashbvhToolTargets NAMESPACE flashbvh:: DESTINATION ${package_folder})
 endif()
 

@@ -3,27 +3,15 @@
 // A mesh of a file as bytes, to pass it from one process of this program to another.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "mesh/guarded_child.hpp"
 #include "mesh/mesh_builder.hpp"
 
 namespace flashbvh::tool {
-
-/// What a reader may use.
-struct ImportLimits {
-  std::uint64_t bytes;        ///< of resident memory
-  std::uint64_t cpu_seconds;  ///< of processor time
-};
-
-/// Generous: a file of this size needs a small part of it.
-constexpr ImportLimits limits_of_file(std::uint64_t file_bytes) {
-  constexpr std::uint64_t kMebibyte = 1 << 20;
-  return {1024 * kMebibyte + 64 * file_bytes, 60 + 4 * (file_bytes / kMebibyte)};
-}
 
 /// Runs `read` in a child process and returns its result. UserError, naming `file`, if `read`
 /// throws one, crashes, ends the process, or exceeds a limit. The child's output is discarded.

@@ -1,4 +1,4 @@
-// A robot as its URDF says, made ready to be baked: a tree of moving joints, bodies that hang on
+// A robot as its file says, made ready to be baked: a tree of moving joints, bodies that hang on
 // them.
 //
 // Fixed joints are gone: what hangs on one hangs on the moving joint before it. A joint's frame is
@@ -71,7 +71,8 @@ struct DisabledPair {
 
 struct Model {
   std::string name;
-  std::string path;                    ///< the URDF, for messages
+  std::string path;                    ///< its file, for messages
+  std::vector<std::string> files;      ///< that were read with it, but for those of the links
   std::vector<ModelJoint> joints;      ///< parents before children
   std::vector<std::size_t> variables;  ///< of each variable, the joint that is no mimic
   std::vector<ModelLink> links;        ///< in the order of the file; behind them parts

@@ -65,7 +65,7 @@ TEST_CASE("limits that widen, or are none, are refused with their line") {
   CHECK(
       refused_limits(turn + "min_position: -1.001")
           .find(
-              "l.yaml:3: gives 'turn' a min_position of -1.001, below the URDF's limit of -1, and "
+              "l.yaml:3: gives 'turn' a min_position of -1.001, below the robot's limit of -1, and "
               "may only narrow it; give at least -1, or change the <limit> in ") == 0);
   CHECK(refused_limits(turn + "max_position: 2.001").find("at most 2, or") != std::string::npos);
   CHECK(refused_limits(turn + "max_position: deg(30)") ==

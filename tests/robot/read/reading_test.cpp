@@ -74,7 +74,9 @@ TEST_CASE("what nothing here needs is not read, broken or not") {
       "name=\"gone\"/></visual><inertial><mass value=\"?\"/></inertial>";
   const tool::Model model = files.read(
       "<material/><gazebo/><transmission/><!-- --><sensor/>" + link_text("a", visual + kBall) +
-      link_text("b") +
+      link_text("b",
+                "<collision><drake:hint a=\"?\"/><verbose value=\"?\"/><geometry><sphere "
+                "radius=\"1\"/></geometry></collision>") +
       joint_text("j", "revolute", "a", "b",
                  "<limit lower=\"0\" upper=\"1\" velocity=\"?\"/><dynamics damping=\"?\"/>"
                  "<safety_controller/><calibration rising=\"?\"/>"));
@@ -243,4 +245,70 @@ TEST_CASE("an SRDF's default is disabled for all pairs of a link but those that 
   CHECK_THROWS_WITH(files.read(robot, files.path("bad.srdf")),
                     Catch::Matchers::Contains("bad.srdf:2: has a <disable_default_collisions> that "
                                               "does not name a link; give it link"));
+}
+
+TEST_CASE("soft limits narrow the limits of a joint that has its own") {
+  const auto [soft, lower, upper, warning] =
+      GENERATE(table<const char*, double, double, const char*>({
+          {"soft_lower_limit=\"-0.5\" soft_upper_limit=\"1\"", -0.5, 1, "keeps to the soft limits"},
+          {"soft_upper_limit=\"1\"", -1, 1, "-1 to 1, inside its <limit>, -1 to 2"},
+          {"soft_lower_limit=\"-3\" soft_upper_limit=\"3\"", -1, 2, ""},
+          {"soft_lower_limit=\"0\" soft_upper_limit=\"0\"", -1, 2, "leave no range, 0 to 0"},
+          {"k_velocity=\"1\"", -1, 2, ""},
+      }));
+  RobotFiles files;
+  const tool::Model model =
+      files.read(link_text("a") + link_text("b") +
+                 joint_text("j", "revolute", "a", "b",
+                            kLimit + "<safety_controller " + std::string(soft) + "/>"));
+  CHECK(model.joints[0].lower == lower);
+  CHECK(model.joints[0].upper == upper);
+  REQUIRE(files.warnings.all().size() == (*warning == 0 ? 0 : 1));
+  if (*warning != 0) {
+    CHECK(files.warnings.all()[0].what.find(warning) != std::string::npos);
+  }
+}
+
+TEST_CASE("a base that floats over a link without shapes is fixed, no other is") {
+  RobotFiles files;
+  const std::string joint = joint_text("j", "floating", "world", "a");
+  const std::string arm =
+      link_text("a") + link_text("b") + joint_text("k", "revolute", "a", "b", kLimit);
+  const tool::Model model = files.read(link_text("world", "") + joint + arm);
+  CHECK(model.joints.size() == 1);
+  REQUIRE(files.warnings.all().size() == 1);
+  CHECK(files.warnings.all()[0].what.find("floats and is taken for fixed") == 0);
+  const std::string no = "is floating, which firmware does not move";
+  CHECK(files.refusal(link_text("world") + joint + arm).find(no) != std::string::npos);
+  CHECK(files
+            .refusal(link_text("world", "") + joint + arm + link_text("c") +
+                     joint_text("l", "floating", "world", "c"))
+            .find(no) != std::string::npos);
+  CHECK(files
+            .refusal(link_text("root") + link_text("world", "") + joint + arm +
+                     joint_text("l", "fixed", "root", "world"))
+            .find(no) != std::string::npos);
+}
+
+TEST_CASE("visual shapes collide where they are all that a link has, and only if they shall") {
+  RobotFiles files;
+  const std::string seen =
+      "<visual><origin xyz=\"1 0 0\"/><geometry><box size=\"1 1 1\"/></geometry><material "
+      "name=\"gone\"/></visual>";
+  const std::string robot =
+      link_text("a") + link_text("b", seen) +
+      joint_text("j", "revolute", "a", "b", "<axis xyz=\"0 0 1\"/>" + kLimit) +
+      link_text("c", kBall + seen) + joint_text("k", "revolute", "b", "c", kLimit);
+  CHECK(files.read(robot).links.size() == 2);
+  REQUIRE(files.warnings.all().size() == 1);
+  CHECK(
+      files.warnings.all()[0].what ==
+      "has a <visual> but no <collision>: it collides with nothing; give it a <collision>, or let "
+      "all such links collide by their visual shapes: --visual-too");
+  tool::Warnings warnings;
+  const tool::Model model = tool::read_urdf(files.path("arm.urdf"), {}, "", warnings, "", true);
+  CHECK(warnings.all().empty());
+  REQUIRE(model.links.size() == 3);
+  CHECK(model.links[1].mesh.vertices[7] == std::array<double, 3>{1.5, 0.5, 0.5});
+  CHECK(model.links[2].sources.size() == 1);
 }

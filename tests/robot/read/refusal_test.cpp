@@ -48,10 +48,6 @@ TEST_CASE("files that are no URDF") {
   CHECK_THAT(said_of_file("<robot name=\"r\">\n<link name=\"a\"></lin></robot>"),
              Contains("x.urdf:2: is no XML"));
   CHECK_THAT(said_of_file("<arm/>"), Contains("begins with <arm>, not with <robot>"));
-  CHECK_THAT(said_of_file("<sdf/>"),
-             Contains("is a model of Gazebo (SDF") && Contains("convert it"));
-  CHECK_THAT(said_of_file("<mujoco model=\"a\"/>"),
-             Contains("is a model of MuJoCo (MJCF), not a URDF") && Contains("convert it"));
   for (const char* const name : {"x.step", "x.STL"}) {
     CHECK_THROWS_WITH(tool::read_urdf(name, {}, "", warnings),
                       Contains("is a mesh or a model of CAD, which has no joints; name a URDF"));
@@ -195,10 +191,10 @@ TEST_CASE("meshes that are not there or no meshes") {
   };
   CHECK(said("filename=\"gone.stl\"") ==
         "arm.urdf, link 'a': the mesh 'gone.stl' is not there: no gone.stl; give its path from the "
-        "URDF's folder");
+        "robot's folder");
   CHECK(said("filename=\"package://arm_meshes/a.stl\"") ==
-        "arm.urdf, link 'a': the mesh 'package://arm_meshes/a.stl' is not next to the URDF nor "
-        "above it; say where the package is by --package arm_meshes=DIR");
+        "arm.urdf, link 'a': the mesh 'package://arm_meshes/a.stl' is not next to the robot's file "
+        "nor above it; say where the package is by --package arm_meshes=DIR");
   files.packages["arm_meshes"] = files.path("there");
   CHECK_THAT(said("filename=\"package://arm_meshes/a.stl\""),
              Contains("is not there: no there/a.stl; give another --package arm_meshes=DIR"));

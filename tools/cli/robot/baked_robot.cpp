@@ -385,13 +385,15 @@ BakedRobot decided(Model model, const AllDistances& distances, const RobotArgume
 }  // namespace
 
 void add_described_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {
-  command.add_option(name, arguments.urdf, "The robot (URDF)")->required();
+  command.add_option(name, arguments.urdf, "The robot (URDF, MJCF or SDF)")->required();
   repeated(
       add_option(command, "--package", arguments.packages, "NAME=DIR",
                  "Folder of the package NAME, for meshes at package://NAME/...; may be repeated. "
-                 "\nDefault: the first folder of that name next to the URDF or above it"));
+                 "\nDefault: the first folder of that name next to the robot's file or above it"));
   add_option(command, "--joint-limits", arguments.joint_limits, "FILE",
-             "MoveIt's joint_limits.yaml, whose position limits narrow the URDF's");
+             "MoveIt's joint_limits.yaml, whose position limits narrow the robot's");
+  command.add_flag("--visual-too", arguments.visual_too,
+                   "Links with visual shapes alone collide by them; without it, with nothing");
 }
 
 void add_robot_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {
@@ -430,6 +432,7 @@ std::set<std::string> files_read(const RobotArguments& arguments, const Model& m
       read.insert(file);
     }
   }
+  read.insert(model.files.begin(), model.files.end());
   for (const ModelLink& link : model.links) {
     read.insert(link.files.begin(), link.files.end());
   }
@@ -439,7 +442,7 @@ std::set<std::string> files_read(const RobotArguments& arguments, const Model& m
 Model described_robot(const RobotArguments& arguments, Warnings& warnings) {
   (void)usual_distances(arguments);
   Model model = read_urdf(arguments.urdf, packages_of(arguments.packages), arguments.srdf, warnings,
-                          arguments.joint_limits);
+                          arguments.joint_limits, arguments.visual_too);
   check_counts(model, arguments.urdf);
   for (const std::string& names : arguments.believed) {
     const std::string place = "--believe " + names;
@@ -483,8 +486,8 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
 
 BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings) {
   for (const char* const option :
-       {"--package", "--joint-limits", "--srdf", "--believe", "--cell", "--leaf-size", "--stop",
-        "--warn", "--pair", "--zone", "--time"}) {
+       {"--package", "--joint-limits", "--visual-too", "--srdf", "--believe", "--cell",
+        "--leaf-size", "--stop", "--warn", "--pair", "--zone", "--time"}) {
     if (command.count(option) != 0) {
       throw UserError(path, "is baked already, ", option,
                       " is for a URDF; leave it out, or bake again with `flashbvh robot`");

@@ -27,6 +27,7 @@ struct RobotArguments {
   std::string urdf;
   std::vector<std::string> packages;
   std::string joint_limits;
+  bool visual_too = false;
   std::string srdf;
   std::vector<std::string> believed;  ///< pairs that the SRDF disables
   std::optional<std::string> cell;
@@ -39,7 +40,7 @@ struct RobotArguments {
   bool progress = false;
 };
 
-/// Declares the URDF, its packages and its joint limits.
+/// Declares the robot's file, its packages, its joint limits and --visual-too.
 void add_described_options(CLI::App& command, const std::string& name, RobotArguments& arguments);
 /// Declares them all: the same for all commands, so that they speak of the same robot.
 void add_robot_options(CLI::App& command, const std::string& name, RobotArguments& arguments);
@@ -63,7 +64,7 @@ struct BakedRobot {
 
 /// As it is described. UserError for it, and for what `arguments` say that is none.
 Model described_robot(const RobotArguments& arguments, Warnings& warnings);
-/// The URDF, the SRDF and the meshes, or the image: what no output may replace.
+/// The robot's files, the SRDF and the meshes, or the image: what no output may replace.
 std::set<std::string> files_read(const RobotArguments& arguments, const Model& model);
 
 /// Without what firmware holds: baked, its pairs decided.

@@ -371,7 +371,7 @@ void add_guard(CLI::App& app, ExitCode& exit_code) {
       "work\n"
       "budget was too small, or a motion is not free; 3: firmware refuses some values.");
   add_robot_options(*command, "ROBOT", a);
-  command->get_option("ROBOT")->description("The robot (URDF), or its image (.robot)");
+  command->get_option("ROBOT")->description("The robot (URDF, MJCF or SDF), or its image (.robot)");
   command
       ->add_option("TRAJECTORY", a.trajectory,
                    "A CSV: a line with the joints' names, then one a period with their values, in "

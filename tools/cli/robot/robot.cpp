@@ -135,11 +135,12 @@ void make_robot(const OutputArguments& arguments) {
 }  // namespace
 
 void add_robot(CLI::App& app) {
-  auto [command, a] = add_command<OutputArguments>(
-      app, "robot",
-      "Bake a robot (URDF) into an image: joints, links, and which pairs of links can collide.\n"
-      "Lengths are in metres, angles in radians.",
-      make_robot);
+  auto [command, a] =
+      add_command<OutputArguments>(app, "robot",
+                                   "Bake a robot (URDF, MJCF or SDF) into an image: joints, links, "
+                                   "and which pairs of links can collide.\n"
+                                   "Lengths are in metres, angles in radians.",
+                                   make_robot);
   add_robot_options(command, "URDF", a);
   add_option(command, "-o,--output", a.folder, "DIR",
              "Folder for the results; made if there is none")
@@ -150,9 +151,10 @@ void add_robot(CLI::App& app) {
   add_option(command, "--name", a.name, "NAME",
              "Name of the files and their contents; default: that of the robot")
       ->check([](const std::string& name) { return name.empty() ? "is empty; give a name" : ""; });
-  add_option(command, "--depfile", a.depfile, "FILE",
-             "Write what was read, for make and Ninja: the URDF, the SRDF, the joint limits and "
-             "the meshes");
+  add_option(
+      command, "--depfile", a.depfile, "FILE",
+      "Write what was read, for make and Ninja: the robot's files, the SRDF, the joint limits and "
+      "the meshes");
   add_option(command, "--write-srdf", a.written_srdf, "FILE",
              "Write an SRDF that disables the pairs that no planner has to check");
   add_option(command, "--report", a.page, "PAGE.html",

@@ -91,7 +91,7 @@ class LimitsReader {
                             : joint->type == UrdfJoint::Type::fixed ? "is fixed"
                             : joint->mimic                          ? "mimics another joint"
                             : joint->type == UrdfJoint::Type::continuous
-                                ? "is continuous; to limit it, make it revolute in the URDF"
+                                ? "is continuous; to limit it, make it revolute in the robot's file"
                                 : nullptr;
     if (why != nullptr) {
       warnings_.add(place_of(limits),
@@ -122,7 +122,7 @@ class LimitsReader {
   [[noreturn]] void refuse_wider(const UrdfJoint& joint, const std::string& place, const char* key,
                                  double given, const char* side, double limit) const {
     throw UserError(place, "gives ", shown(joint.name), " a ", key, " of ", shortest(given), ", ",
-                    side, " the URDF's limit of ", shortest(limit),
+                    side, " the robot's limit of ", shortest(limit),
                     ", and may only narrow it; give at ", side[0] == 'b' ? "least " : "most ",
                     shortest(limit), ", or change the <limit> in ", urdf_);
   }

@@ -51,7 +51,7 @@ std::string find_in_package(const std::string& mesh, const std::string& name_and
       return found->string();
     }
     throw UserError(place, "the mesh '", one_line(mesh),
-                    "' is not next to the URDF nor above it; say "
+                    "' is not next to the robot's file nor above it; say "
                     "where the package is by --package ",
                     name, "=DIR");
   }
@@ -81,12 +81,12 @@ std::string find_mesh(const std::string& mesh, const std::string& urdf, const Pa
   if (!kind.empty() && kind != "file") {
     throw UserError(place, "the mesh '", one_line(mesh),
                     "' is not on this machine; store it next to "
-                    "the URDF and give its path");
+                    "the robot's file and give its path");
   }
   const fs::path file = beside / rest;  // rest alone if it is absolute
   if (rest.empty() || !is_there(file)) {
     throw UserError(place, "the mesh '", one_line(mesh), "' is not there: no ", file.string(),
-                    "; give its path from the URDF's folder");
+                    "; give its path from the robot's folder");
   }
   return file.string();
 }
@@ -105,6 +105,12 @@ void check_positive(double length, const char* what, const std::string& place) {
   }
 }
 
+Element round_element(const char* what, double length, PrimitiveMesh round) {
+  return {std::move(round.mesh),
+          concat(what, shortest(length), " m, up to ", significant(round.excess, 2), " m wider"),
+          0};
+}
+
 Element primitive_element(const UrdfGeometry& shape, const std::string& place) {
   if (shape.shape == UrdfGeometry::Shape::box) {
     for (const double edge : shape.size) {
@@ -112,17 +118,24 @@ Element primitive_element(const UrdfGeometry& shape, const std::string& place) {
     }
     return {box_mesh(shape.size).mesh, "box", 0};
   }
-  check_positive(shape.radius, "a radius", place);
-  const bool is_sphere = shape.shape == UrdfGeometry::Shape::sphere;
-  if (!is_sphere) {
-    check_positive(shape.length, "a cylinder's length", place);
+  if (shape.shape == UrdfGeometry::Shape::ellipsoid) {
+    for (const double width : shape.size) {
+      check_positive(width, "an ellipsoid with a width", place);
+    }
+    return round_element("ellipsoid of width ",
+                         *std::max_element(shape.size.begin(), shape.size.end()),
+                         ellipsoid_mesh(shape.size));
   }
-  PrimitiveMesh round =
-      is_sphere ? sphere_mesh(shape.radius) : cylinder_mesh(shape.radius, shape.length);
-  return {std::move(round.mesh),
-          concat(is_sphere ? "sphere" : "cylinder", " of radius ", shortest(shape.radius),
-                 " m, up to ", significant(round.excess, 2), " m wider"),
-          0};
+  check_positive(shape.radius, "a radius", place);
+  if (shape.shape == UrdfGeometry::Shape::sphere) {
+    return round_element("sphere of radius ", shape.radius, sphere_mesh(shape.radius));
+  }
+  const bool is_capsule = shape.shape == UrdfGeometry::Shape::capsule;
+  check_positive(shape.length, is_capsule ? "a capsule's length" : "a cylinder's length", place);
+  return is_capsule ? round_element("capsule of radius ", shape.radius,
+                                    capsule_mesh(shape.radius, shape.length))
+                    : round_element("cylinder of radius ", shape.radius,
+                                    cylinder_mesh(shape.radius, shape.length));
 }
 
 /// A mirrored mesh is turned outside in; its triangles are turned back.
@@ -304,6 +317,8 @@ void add_link_mesh(const UrdfLink& link, const Transform& to_joint, const std::s
     const UrdfGeometry& shape = collision.geometry;
     const Element element = shape.shape == UrdfGeometry::Shape::mesh
                                 ? mesh_element(shape, urdf, packages, place, warnings)
+                            : shape.shape == UrdfGeometry::Shape::triangles
+                                ? Element{shape.triangles, shape.mesh, shape.precision}
                                 : primitive_element(shape, place);
     append(element, composed(to_joint, collision.origin), place, made);
   }
@@ -353,6 +368,52 @@ PrimitiveMesh cylinder_mesh(double radius, double length) {
     }
   }
   return cylinder;
+}
+
+/// Rings of corners about z, each end a corner. The half circles of the outline have a regular
+/// polygon about them, each ring has one about its circle.
+PrimitiveMesh capsule_mesh(double radius, double length) {
+  constexpr std::uint32_t kSides = 24;
+  constexpr std::uint32_t kRings = 10;  // half of them about either end
+  const double end = radius / std::cos(kPi / (2 * kRings)) * kRoundingMargin;
+  const double outer = end / std::cos(kPi / kSides) * kRoundingMargin;
+  PrimitiveMesh capsule;
+  capsule.excess = outer - radius;
+  auto& [vertices, triangles] = capsule.mesh;
+  vertices.push_back({0, 0, -0.5 * length - end});
+  for (std::uint32_t ring = 0; ring < kRings; ++ring) {
+    const bool is_low = ring < kRings / 2;
+    const double latitude = kPi * (ring + (is_low ? 1 : 0)) / kRings - kPi / 2;
+    for (std::uint32_t side = 0; side < kSides; ++side) {
+      const double angle = 2 * kPi * side / kSides;
+      vertices.push_back({outer * std::cos(latitude) * std::cos(angle),
+                          outer * std::cos(latitude) * std::sin(angle),
+                          (is_low ? -0.5 : 0.5) * length + end * std::sin(latitude)});
+    }
+  }
+  const auto last = static_cast<std::uint32_t>(vertices.size());
+  vertices.push_back({0, 0, 0.5 * length + end});
+  for (std::uint32_t side = 0; side < kSides; ++side) {
+    const std::uint32_t next = (side + 1) % kSides;
+    triangles.push_back({0, 1 + next, 1 + side});
+    triangles.push_back({last, last - kSides + side, last - kSides + next});
+    for (std::uint32_t low = 1; low + kSides < last; low += kSides) {
+      triangles.push_back({low + side, low + next, low + kSides + next});
+      triangles.push_back({low + side, low + kSides + next, low + kSides + side});
+    }
+  }
+  return capsule;
+}
+
+PrimitiveMesh ellipsoid_mesh(const Vector3& size) {
+  PrimitiveMesh ellipsoid = sphere_mesh(0.5);
+  ellipsoid.excess *= *std::max_element(size.begin(), size.end());
+  for (Vector3& vertex : ellipsoid.mesh.vertices) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      vertex[i] *= size[i];
+    }
+  }
+  return ellipsoid;
 }
 
 PrimitiveMesh sphere_mesh(double radius) {

@@ -35,5 +35,9 @@ PrimitiveMesh box_mesh(const Vector3& size);
 PrimitiveMesh cylinder_mesh(double radius, double length);
 /// An icosahedron cut twice, 320 triangles: 1.9 % wider.
 PrimitiveMesh sphere_mesh(double radius);
+/// Along z, `length` without the round ends. 480 triangles: 2.1 % wider.
+PrimitiveMesh capsule_mesh(double radius, double length);
+/// `size`: from side to side. The sphere's mesh, drawn out.
+PrimitiveMesh ellipsoid_mesh(const Vector3& size);
 
 }  // namespace flashbvh::tool

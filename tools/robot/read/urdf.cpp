@@ -6,9 +6,11 @@
 
 #include "mesh/mesh_builder.hpp"
 #include "robot/kinematics.hpp"
+#include "robot/read/foreign.hpp"
 #include "robot/read/joint_limits.hpp"
 #include "robot/read/urdf_document.hpp"
 #include "robot/read/xml_file.hpp"
+#include "text/files.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -221,7 +223,8 @@ class TreeBuilder {
       return {parent.joint, origin};
     }
     const std::string place = at_element(path_, "joint", joint.name);
-    const Transform turned = rotation_to(unit_axis(joint.axis, place, warnings_));
+    Transform turned = rotation_to(unit_axis(joint.axis, place, warnings_));
+    turned.translation = joint.anchor;
     ModelJoint made;
     made.name = joint.name;
     made.parent = parent.joint;
@@ -259,6 +262,17 @@ bool are_neighbours(const Model& model, std::size_t a, std::size_t b) {
   return joint_a == joint_b || hangs_on(joint_a, joint_b) || hangs_on(joint_b, joint_a);
 }
 
+constexpr const char* kUrdfShapes = "a <collision>";
+constexpr const char* kMjcfShapes = "a geom that contacts (contype, conaffinity)";
+
+/// Of a link that has no collision geometry.
+std::string is_seen_alone(const UrdfRobot& robot) {
+  const char* const shapes = robot.is_mjcf ? kMjcfShapes : kUrdfShapes;
+  return concat("has ", robot.is_mjcf ? "visual geoms" : "a <visual>", " but no ", shapes + 2,
+                ": it collides with nothing; give it ", shapes,
+                ", or let all such links collide by their visual shapes: --visual-too");
+}
+
 void add_links(const UrdfRobot& robot, const KinematicTree& tree, const std::string& path,
                const Packages& packages, Model& model, Warnings& warnings) {
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
@@ -266,8 +280,7 @@ void add_links(const UrdfRobot& robot, const KinematicTree& tree, const std::str
     model.mounts.push_back({link.name, tree.links[i].joint, tree.links[i].transform});
     if (link.collisions.empty()) {
       if (link.has_visual) {
-        warnings.add(at_element(path, "link", link.name),
-                     "has a <visual> but no <collision>: it collides with nothing");
+        warnings.add(at_element(path, "link", link.name), is_seen_alone(robot));
       }
       continue;
     }
@@ -277,8 +290,26 @@ void add_links(const UrdfRobot& robot, const KinematicTree& tree, const std::str
     add_link_mesh(link, tree.links[i].transform, path, packages, model.links.back(), warnings);
   }
   if (model.links.empty()) {
-    throw UserError(path, "has no link with a <collision>; give those that can collide one");
+    throw UserError(path, "has no link with ", robot.is_mjcf ? kMjcfShapes : kUrdfShapes,
+                    "; give those that can collide one");
   }
+}
+
+/// Distinguished by the outermost element.
+UrdfRobot read_document(const std::string& path, bool visual_too, Warnings& warnings) {
+  check_no_mesh(path);
+  std::string text = read_file(path);
+  const std::string_view root = root_element(text);
+  if (!is_foreign_form(root)) {
+    return read_urdf_document(path, std::move(text), visual_too, warnings);
+  }
+  UrdfRobot robot = read_foreign(path, root, warnings);
+  for (UrdfLink& link : robot.links) {
+    if (visual_too && link.collisions.empty()) {
+      link.collisions = std::move(link.visuals);
+    }
+  }
+  return robot;
 }
 
 std::vector<std::string> names_of(const std::vector<UrdfLink>& links) {
@@ -293,22 +324,16 @@ std::vector<std::string> names_of(const std::vector<UrdfLink>& links) {
 }  // namespace
 
 Model read_urdf(const std::string& path, const Packages& packages, const std::string& srdf,
-                Warnings& warnings, const std::string& joint_limits) {
-  UrdfRobot robot = read_urdf_document(path);
+                Warnings& warnings, const std::string& joint_limits, bool visual_too) {
+  UrdfRobot robot = read_document(path, visual_too, warnings);
   if (!joint_limits.empty()) {
     narrow_limits(joint_limits, path, robot, warnings);
   }
   KinematicTree tree = kinematic_tree(robot, path, warnings);
-  if (!robot.soft_limits.empty()) {
-    warnings.add(path,
-                 concat("has a <safety_controller> whose soft limits do not count, the <limit> "
-                        "does, of ",
-                        joined(robot.soft_limits, [](const std::string& name) { return name; }),
-                        "; if the machine keeps the soft limits, make them the <limit>"));
-  }
   Model model;
   model.name = robot.name;
   model.path = path;
+  model.files = std::move(robot.files);
   add_links(robot, tree, path, packages, model, warnings);
   model.joints = std::move(tree.joints);
   model.variables = std::move(tree.variables);

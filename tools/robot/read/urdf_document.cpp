@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include "mesh/mesh_builder.hpp"
@@ -102,10 +103,21 @@ void check_geometry(TiXmlElement& collision, const std::string& place) {
   }
 }
 
-UrdfLink trim_link(TiXmlElement& link, const std::string& path) {
+/// Makes the <visual> elements of a link <collision> elements.
+void collide_by_visuals(TiXmlElement& link) {
+  while (TiXmlElement* const visual = link.FirstChildElement("visual")) {
+    keep_only(*visual, {"origin", "geometry"});
+    visual->SetValue("collision");
+  }
+}
+
+UrdfLink trim_link(TiXmlElement& link, const std::string& path, bool visual_too) {
   UrdfLink trimmed;
   trimmed.name = attribute(&link, "name");
   trimmed.has_visual = link.FirstChildElement("visual") != nullptr;
+  if (visual_too && link.FirstChildElement("collision") == nullptr) {
+    collide_by_visuals(link);
+  }
   keep_only(link, {"collision"});
   for (TiXmlElement* c = link.FirstChildElement(); c != nullptr; c = c->NextSiblingElement()) {
     check_geometry(*c, at_element(path, "link", trimmed.name));
@@ -127,15 +139,40 @@ void check_limits(TiXmlElement& joint, const std::string& type, const std::strin
   }
 }
 
-/// Whether it has soft limits within its limits.
-bool has_soft_limits(const TiXmlElement& joint) {
+/// Of a <safety_controller>: what the machine keeps to.
+struct SoftLimits {
+  std::optional<double> lower;
+  std::optional<double> upper;
+};
+
+SoftLimits soft_limits_of(const TiXmlElement& joint) {
   const TiXmlElement* const soft = joint.FirstChildElement("safety_controller");
-  const TiXmlElement* const limit = joint.FirstChildElement("limit");
-  const auto differs = [&](const char* of_soft, const char* of_limit) {
-    const std::string text = attribute(soft, of_soft);
-    return !text.empty() && parse_number(text) != parse_number(attribute(limit, of_limit));
-  };
-  return differs("soft_lower_limit", "lower") || differs("soft_upper_limit", "upper");
+  return {parse_number(attribute(soft, "soft_lower_limit")),
+          parse_number(attribute(soft, "soft_upper_limit"))};
+}
+
+void narrow_limits(const SoftLimits& soft, const std::string& path, UrdfJoint& joint,
+                   Warnings& warnings) {
+  const double lower = std::max(joint.lower, soft.lower.value_or(joint.lower));
+  const double upper = std::min(joint.upper, soft.upper.value_or(joint.upper));
+  const bool has_limits =
+      joint.type == UrdfJoint::Type::revolute || joint.type == UrdfJoint::Type::prismatic;
+  if (!has_limits || joint.mimic || (lower == joint.lower && upper == joint.upper)) {
+    return;
+  }
+  const std::string place = at_element(path, "joint", joint.name);
+  const std::string ranges =
+      concat(shortest(lower), " to ", shortest(upper), ", inside its <limit>, ",
+             shortest(joint.lower), " to ", shortest(joint.upper));
+  if (lower >= upper) {
+    warnings.add(place, concat("has soft limits in its <safety_controller> that leave no range, ",
+                               ranges, "; they do not count; correct them"));
+    return;
+  }
+  warnings.add(place, concat("keeps to the soft limits of its <safety_controller>, ", ranges,
+                             "; if the machine does not, leave them out"));
+  joint.lower = lower;
+  joint.upper = upper;
 }
 
 void trim_joint(TiXmlElement& joint, const std::string& path) {
@@ -161,9 +198,9 @@ void trim_joint(TiXmlElement& joint, const std::string& path) {
 /// What the file says, without what is nothing to us.
 struct TrimmedRobot {
   std::string text;
-  std::vector<UrdfLink> links;    ///< without their collisions
-  std::vector<UrdfJoint> joints;  ///< which links they join, no more
-  std::vector<std::string> soft_limits;
+  std::vector<UrdfLink> links;          ///< without their collisions
+  std::vector<UrdfJoint> joints;        ///< which links they join, no more
+  std::vector<SoftLimits> soft_limits;  ///< of each joint
 };
 
 using LinkNumbers = std::map<std::string, std::size_t>;
@@ -195,50 +232,47 @@ void add_joints(const TiXmlElement& robot, const std::string& path, TrimmedRobot
   }
 }
 
-/// Each link hangs on one joint at most, and all of them on a root. urdfdom's own model of a loop
-/// would never be freed.
-void check_tree(const TrimmedRobot& robot, const std::string& path) {
-  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> above(robot.links.size(), kNone);
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    std::size_t& joint = above[robot.joints[i].child];
-    if (joint != kNone) {
-      throw UserError(at_element(path, "link", robot.links[robot.joints[i].child].name),
-                      "is the child of two joints, ", tool::quoted(robot.joints[joint].name),
-                      " and ", tool::quoted(robot.joints[i].name),
-                      "; a robot is a tree: leave one of them out");
-    }
-    joint = i;
-  }
-  for (std::size_t link = 0; link < robot.links.size(); ++link) {
-    std::size_t steps = 0;
-    for (std::size_t at = link; above[at] != kNone; at = robot.joints[above[at]].parent) {
-      if (++steps > robot.links.size()) {
-        throw UserError(at_element(path, "link", robot.links[link].name),
-                        "hangs on a loop of joints; a robot is a tree: leave out joint ",
-                        tool::quoted(robot.joints[above[link]].name));
+/// The only joint of a robot that floats, if it hangs on a root without shapes, or null.
+TiXmlElement* floating_base(TiXmlElement& robot, bool visual_too) {
+  TiXmlElement* floating = nullptr;
+  std::set<std::string> children;
+  for (TiXmlElement* e = robot.FirstChildElement("joint"); e != nullptr;
+       e = e->NextSiblingElement("joint")) {
+    children.insert(attribute(e->FirstChildElement("child"), "link"));
+    if (attribute(e, "type") == "floating") {
+      if (floating != nullptr) {
+        return nullptr;
       }
+      floating = e;
     }
   }
+  const std::string root =
+      floating == nullptr ? "" : attribute(floating->FirstChildElement("parent"), "link");
+  for (const TiXmlElement* e = robot.FirstChildElement("link"); e != nullptr;
+       e = e->NextSiblingElement("link")) {
+    const bool has_shapes = e->FirstChildElement("collision") != nullptr ||
+                            (visual_too && e->FirstChildElement("visual") != nullptr);
+    if (attribute(e, "name") == root && has_shapes) {
+      return nullptr;
+    }
+  }
+  return children.count(root) == 0 ? floating : nullptr;
 }
 
-/// Files of other kinds, that a user may take for a robot, by how their names end.
-void check_extension(const std::string& path) {
-  const std::string extension = lower_case(std::filesystem::path(path).extension().string());
-  if (is_one_of(extension,
-                {".step", ".stp", ".iges", ".igs", ".brep", ".sldprt", ".sldasm", ".f3d", ".x_t",
-                 ".stl", ".obj", ".ply", ".off", ".dae", ".gltf", ".glb", ".3mf", ".fbx"})) {
-    throw UserError(path,
-                    "is a mesh or a model of CAD, which has no joints; name a URDF, whose "
-                    "links name such meshes, as CAD exports it, or bake it alone by `flashbvh "
-                    "bake`");
+/// Which links of a robot collide does not depend on where it floats.
+void fix_floating_base(TiXmlElement& robot, bool visual_too, const std::string& path,
+                       Warnings& warnings) {
+  if (TiXmlElement* const joint = floating_base(robot, visual_too)) {
+    joint->SetAttribute("type", "fixed");
+    warnings.add(at_element(path, "joint", attribute(joint, "name")),
+                 "floats and is taken for fixed: how the robot's links collide does not depend on "
+                 "where it is");
   }
 }
 
-TrimmedRobot trim(const std::string& path) {
-  check_extension(path);
+TrimmedRobot trim(const std::string& path, std::string text, bool visual_too, Warnings& warnings) {
   TiXmlDocument document;
-  read_xml(path, "robot", document);
+  parse_xml(std::move(text), path, "robot", document);
   TiXmlElement& robot = *document.RootElement();
   TrimmedRobot trimmed;
   for (const TiXmlElement* e = robot.FirstChildElement(); e != nullptr;
@@ -250,18 +284,17 @@ TrimmedRobot trim(const std::string& path) {
   }
   keep_only(robot, {"link", "joint"});
   normalise_attributes(robot);
+  fix_floating_base(robot, visual_too, path, warnings);
   for (TiXmlElement* e = robot.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
     if (e->ValueStr() == "link") {
-      trimmed.links.push_back(trim_link(*e, path));
+      trimmed.links.push_back(trim_link(*e, path, visual_too));
     } else {
-      if (has_soft_limits(*e)) {
-        trimmed.soft_limits.push_back(attribute(e, "name"));
-      }
+      trimmed.soft_limits.push_back(soft_limits_of(*e));
       trim_joint(*e, path);
     }
   }
   add_joints(robot, path, trimmed);
-  check_tree(trimmed, path);
+  check_tree(trimmed.links, trimmed.joints, path);  // urdfdom's own model of a loop is never freed
   TiXmlPrinter printer;
   document.Accept(&printer);
   trimmed.text = printer.Str();
@@ -374,14 +407,51 @@ void set_joint(const urdf::Joint& joint, UrdfJoint& made) {
 
 }  // namespace
 
-UrdfRobot read_urdf_document(const std::string& path) {
-  TrimmedRobot trimmed = trim(path);
+void check_tree(const std::vector<UrdfLink>& links, const std::vector<UrdfJoint>& joints,
+                const std::string& path) {
+  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> above(links.size(), kNone);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    std::size_t& joint = above[joints[i].child];
+    if (joint != kNone) {
+      throw UserError(at_element(path, "link", links[joints[i].child].name),
+                      "is the child of two joints, ", tool::quoted(joints[joint].name), " and ",
+                      tool::quoted(joints[i].name), "; a robot is a tree: leave one of them out");
+    }
+    joint = i;
+  }
+  for (std::size_t link = 0; link < links.size(); ++link) {
+    std::size_t steps = 0;
+    for (std::size_t at = link; above[at] != kNone; at = joints[above[at]].parent) {
+      if (++steps > links.size()) {
+        throw UserError(at_element(path, "link", links[link].name),
+                        "hangs on a loop of joints; a robot is a tree: leave out joint ",
+                        tool::quoted(joints[above[link]].name));
+      }
+    }
+  }
+}
+
+void check_no_mesh(const std::string& path) {
+  const std::string extension = lower_case(std::filesystem::path(path).extension().string());
+  if (is_one_of(extension,
+                {".step", ".stp", ".iges", ".igs", ".brep", ".sldprt", ".sldasm", ".f3d", ".x_t",
+                 ".stl", ".obj", ".ply", ".off", ".dae", ".gltf", ".glb", ".3mf", ".fbx"})) {
+    throw UserError(path,
+                    "is a mesh or a model of CAD, which has no joints; name a URDF, whose "
+                    "links name such meshes, as CAD exports it, or bake it alone by `flashbvh "
+                    "bake`");
+  }
+}
+
+UrdfRobot read_urdf_document(const std::string& path, std::string text, bool visual_too,
+                             Warnings& warnings) {
+  TrimmedRobot trimmed = trim(path, std::move(text), visual_too, warnings);
   const urdf::ModelInterfaceSharedPtr model = parse(doubled(trimmed.text), path);
   UrdfRobot robot;
   robot.name = halved(model->getName());
   robot.links = std::move(trimmed.links);
   robot.joints = std::move(trimmed.joints);
-  robot.soft_limits = std::move(trimmed.soft_limits);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     UrdfLink& link = robot.links[i];
     if (doubled(link.name) == model->getRoot()->name) {
@@ -391,8 +461,10 @@ UrdfRobot read_urdf_document(const std::string& path) {
       link.collisions.push_back({transform_of(c->origin), geometry_of(*c->geometry)});
     }
   }
-  for (UrdfJoint& joint : robot.joints) {
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    UrdfJoint& joint = robot.joints[i];
     set_joint(*model->getJoint(doubled(joint.name)), joint);
+    narrow_limits(trimmed.soft_limits[i], path, joint, warnings);
   }
   return robot;
 }

@@ -29,7 +29,28 @@ bool is_too_deep(std::string_view text) {
   return false;
 }
 
+std::string_view behind(std::string_view text, std::string_view end) {
+  const std::size_t at = text.find(end);
+  return at == std::string_view::npos ? "" : text.substr(at + end.size());
+}
+
 }  // namespace
+
+std::string_view root_element(std::string_view text) {
+  for (;;) {
+    text = behind(text, "<");
+    if (text.empty()) {
+      return text;
+    }
+    if (text[0] == '?') {
+      text = behind(text, "?>");
+    } else if (text.substr(0, 3) == "!--") {
+      text = behind(text, "-->");
+    } else if (text[0] != '!') {
+      return text.substr(0, text.find_first_of(" \t\r\n/>"));
+    }
+  }
+}
 
 void read_xml(const std::string& path, const char* root, TiXmlDocument& document) {
   parse_xml(read_file(path), path, root, document);
@@ -54,17 +75,6 @@ void parse_xml(std::string text, const std::string& path, const char* root,
   }
   const TiXmlElement* const found = document.RootElement();
   const std::string_view name = found == nullptr ? "" : found->Value();
-  if (name != root && name == "mujoco") {
-    throw UserError(path,
-                    "is a model of MuJoCo (MJCF), not a URDF; take the URDF that it was made from, "
-                    "or convert it, as by mjcf_urdf_simple_converter (Python)");
-  }
-  if (name != root && name == "sdf") {
-    throw UserError(path,
-                    "is a model of Gazebo (SDF: it begins with <sdf>, not with <robot>), not a "
-                    "URDF; take the URDF that it was made from, or convert it, as by sdformat_urdf "
-                    "(ROS)");
-  }
   if (name != root) {
     throw UserError(path, "begins with <", found == nullptr ? "nothing" : found->Value(),
                     ">, not with <", root, ">; name another file");

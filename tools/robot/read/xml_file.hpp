@@ -4,8 +4,12 @@
 #include <tinyxml.h>
 
 #include <string>
+#include <string_view>
 
 namespace flashbvh::tool {
+
+/// The name of the outermost element of an XML, by its first bytes alone: empty if there is none.
+std::string_view root_element(std::string_view text);
 
 /// Reads a file whose outermost element is <`root`>. UserError if it is missing, malformed, nested
 /// deeper than any robot, or something else.

@@ -1,0 +1,162 @@
+#include "readers/mjcf_document.hpp"
+
+#include <filesystem>
+
+#include "robot/read/xml_file.hpp"
+#include "text/files.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+/// Of these each attribute but those named is dropped. Elements that are in none of both lists stay
+/// as they are.
+const std::map<std::string, Names> kKept = {
+    {"body",
+     {"name", "childclass", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler", "mocap"}},
+    {"compiler", {"angle", "autolimits", "coordinate", "eulerseq", "strippath"}},
+    {"exclude", {"name", "body1", "body2"}},
+    {"freejoint", {"name"}},
+    {"geom",
+     {"name", "class", "type", "contype", "conaffinity", "size", "fromto", "pos", "quat",
+      "axisangle", "xyaxes", "zaxis", "euler", "hfield", "mesh", "fitscale"}},
+    {"joint",
+     {"name", "class", "type", "pos", "axis", "range", "limited", "ref", "joint1", "joint2",
+      "polycoef", "active"}},
+    {"mesh", {"name", "class", "file", "vertex", "face", "scale", "refpos", "refquat"}},
+    {"pair", {"name", "class", "geom1", "geom2"}}};
+
+const Names kDropped = {
+    // of the model
+    "option", "size", "visual", "statistic", "custom", "tendon", "actuator", "sensor", "keyframe",
+    "extension", "deformable",
+    // of assets, bodies and equalities
+    "texture", "material", "skin", "inertial", "site", "camera", "light", "plugin", "composite",
+    "flexcomp", "connect", "weld", "distance", "flex",
+    // of defaults
+    "general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle",
+    "adhesion"};
+
+void keep_attributes(TiXmlElement& element, const Names& kept) {
+  for (TiXmlAttribute* a = element.FirstAttribute(); a != nullptr;) {
+    const std::string name = a->Name();
+    a = a->Next();
+    if (kept.count(name) == 0) {
+      element.RemoveAttribute(name);
+    }
+  }
+}
+
+class Trimmer {
+ public:
+  explicit Trimmer(const std::string& path) : folder_(fs::absolute(path).parent_path()) {}
+
+  MjcfDocument trimmed(const std::string& path) {
+    TiXmlDocument document;
+    read_xml(path, "mujoco", document);
+    TiXmlElement& root = *document.RootElement();
+    trim(root);
+    for (const auto& [name, file] : made_.mesh_files) {
+      add_file(folder_ / mesh_folder_ / file);
+    }
+    // In front, so that the file's own overrule it.
+    TiXmlNode* const first = root.FirstChild();
+    (void)(first == nullptr ? root.InsertEndChild(compiler())
+                            : root.InsertBeforeChild(first, compiler()));
+    TiXmlPrinter printer;
+    document.Accept(&printer);
+    made_.text = printer.Str();
+    return std::move(made_);
+  }
+
+ private:
+  /// Limits as newer MuJoCo has them; masses, which are nothing to shapes, must not be refused.
+  TiXmlElement compiler() const {
+    TiXmlElement compiler("compiler");
+    for (const char* const name : {"autolimits", "balanceinertia"}) {
+      compiler.SetAttribute(name, "true");
+    }
+    for (const char* const name : {"boundmass", "boundinertia"}) {
+      compiler.SetAttribute(name, "1");
+    }
+    compiler.SetAttribute("meshdir", (folder_ / mesh_folder_).string());
+    return compiler;
+  }
+
+  void trim(TiXmlElement& element) {
+    note(element);
+    if (const auto kept = kKept.find(element.ValueStr()); kept != kKept.end()) {
+      keep_attributes(element, kept->second);
+    }
+    for (TiXmlElement* child = element.FirstChildElement(); child != nullptr;) {
+      TiXmlElement* const next = child->NextSiblingElement();
+      if (kDropped.count(child->ValueStr()) != 0) {
+        if (child->FirstChild() != nullptr || child->FirstAttribute() != nullptr) {
+          made_.dropped.insert(child->ValueStr());
+        }
+        element.RemoveChild(child);
+      } else if (child->ValueStr() == "include") {
+        include(*child, element);
+      } else {
+        trim(*child);
+      }
+      child = next;
+    }
+  }
+
+  void note(const TiXmlElement& element) {
+    const std::string file = attribute(&element, "file");
+    if (element.ValueStr() == "mesh" && !file.empty()) {
+      const std::string name = attribute(&element, "name");
+      made_.mesh_files[name.empty() ? fs::path(file).stem().string() : name] = file;
+    }
+    if (element.ValueStr() == "compiler") {
+      for (const char* const name : {"assetdir", "meshdir"}) {
+        const std::string given = attribute(&element, name);
+        mesh_folder_ = given.empty() ? mesh_folder_ : given;
+      }
+    }
+  }
+
+  /// Puts what the file has in place of `included`, an element of `parent`.
+  void include(TiXmlElement& included, TiXmlElement& parent) {
+    const std::string path = (folder_ / attribute(&included, "file")).string();
+    if (!seen_.insert(path).second) {
+      throw UserError(path, "is included twice; include it once");
+    }
+    std::string text = read_file(path);
+    const std::string root(root_element(text));
+    TiXmlDocument document;
+    parse_xml(std::move(text), path, root == "mujoco" ? "mujoco" : "mujocoinclude", document);
+    made_.files.push_back(path);
+    trim(*document.RootElement());
+    for (const TiXmlNode* child = document.RootElement()->FirstChild(); child != nullptr;
+         child = child->NextSibling()) {
+      parent.InsertBeforeChild(&included, *child);
+    }
+    parent.RemoveChild(&included);
+  }
+
+  void add_file(const fs::path& path) {
+    std::error_code unknown;
+    if (fs::is_regular_file(path, unknown)) {
+      made_.files.push_back(path.string());
+    }
+  }
+
+  const fs::path folder_;
+  std::string mesh_folder_;
+  Names seen_;
+  MjcfDocument made_;
+};
+
+}  // namespace
+
+MjcfDocument read_mjcf_document(const std::string& path) {
+  return Trimmer(path).trimmed(path);
+}
+
+}  // namespace flashbvh::tool

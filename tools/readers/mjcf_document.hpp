@@ -1,0 +1,22 @@
+// An MJCF without all that is nothing to a robot's shapes and joints. So files for newer MuJoCo are
+// read, too, whose actuators and materials Debian's does not know.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace flashbvh::tool {
+
+struct MjcfDocument {
+  std::string text;                               ///< includes in place
+  std::vector<std::string> files;                 ///< includes and meshes that are there
+  std::map<std::string, std::string> mesh_files;  ///< as the MJCF says, by the mesh's name
+  std::set<std::string> dropped;                  ///< names of elements left out
+};
+
+/// UserError if the file or an included one is no XML.
+MjcfDocument read_mjcf_document(const std::string& path);
+
+}  // namespace flashbvh::tool
