@@ -3,12 +3,16 @@
 
 #include <flashbvh/robot/guard.hpp>
 
-constexpr uint32_t kMostVariables = 6;
+constexpr uint32_t kMostVariables = 7;
+
+struct Waypoint {
+  float joints[kMostVariables];  ///< in radians
+};
 
 struct Motion {
   const char* name;
-  float from[kMostVariables];  ///< in radians
-  float to[kMostVariables];
+  Waypoint from;
+  Waypoint to;
   int milliseconds;
   flashbvh::Verdict end;
 };
@@ -18,6 +22,7 @@ inline void set_point(const Motion& motion, int millisecond, float* joints) {
   const float time = static_cast<float>(millisecond) / static_cast<float>(motion.milliseconds);
   const float way = time * time * (3 - 2 * time);
   for (uint32_t i = 0; i < kMostVariables; ++i) {
-    joints[i] = motion.from[i] + way * (motion.to[i] - motion.from[i]);
+    const float from = motion.from.joints[i];
+    joints[i] = from + way * (motion.to.joints[i] - from);
   }
 }

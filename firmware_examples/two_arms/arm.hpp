@@ -1,0 +1,28 @@
+// Two arms on a torso that turns: their commands, from waypoint to waypoint.
+#pragma once
+
+#include "motion.hpp"
+#include "two_arms.robot.h"
+
+/// A name of the robot's header.
+#define ARM(name) two_arms_##name
+
+/// 1 kHz on a core of 168 MHz.
+constexpr uint32_t kInstructionsAPeriod = 168000;
+/// Granted each period, in units of query.hpp.
+constexpr uint32_t kWork = 500;
+
+/// The torso; shoulder, elbow and wrist of the left arm; those of the right arm.
+constexpr Waypoint kAtRest = {{0, 1, 0, 0, 1, 0, 0}};
+constexpr Waypoint kReady = {{0.6f, -0.3f, 0.3f, 0, 0.6f, 0.3f, 0}};
+constexpr Waypoint kOneOverTheOther = {{-0.4f, -0.05f, 1.3f, 0, 0.25f, 1.3f, 1.5f}};
+constexpr Waypoint kHandInHand = {{0, 0.2f, 0.7f, 1.5f, 0.2f, 0.7f, 0}};
+constexpr Waypoint kHandOnTheOtherArm = {{0.3f, 0.1f, 1.9f, 0, 0.3f, 0, 0}};
+
+constexpr Motion kMotions[] = {
+    {"from rest to ready", kAtRest, kReady, 1500, flashbvh::Verdict::free},
+    {"one arm over the other", kReady, kOneOverTheOther, 1500, flashbvh::Verdict::warn},
+    {"and back", kOneOverTheOther, kReady, 1200, flashbvh::Verdict::free},
+    {"hand in hand", kReady, kHandInHand, 1200, flashbvh::Verdict::stop},
+    {"a hand on the other arm", kReady, kHandOnTheOtherArm, 1500, flashbvh::Verdict::stop},
+};
