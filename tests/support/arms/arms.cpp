@@ -215,7 +215,7 @@ bool BakedArm::are_within(std::size_t a, std::size_t b, const std::vector<double
 
 std::vector<PairVerdict> BakedArm::decide(const MatrixOptions& options,
                                           const std::vector<tool::JointZone>& zones) const {
-  return decide_pairs(model_, meshes_, zones, cell_, options, {});
+  return decide_pairs(model_, meshes_, zones, tool::all_reaches(model_, cell_), cell_, options, {});
 }
 
 std::vector<double> any_variables(Random& random, const Model& model) {

@@ -196,14 +196,14 @@ constexpr double kPartForPairs = 0.8;
 
 /// Proofs hold for firmware's own kinematics.
 MatrixOptions matrix_options(const Model& model, const std::vector<Mesh>& meshes, double cell,
-                             const AllDistances& distances) {
+                             const AllDistances& distances, const Reaches& reaches) {
   MatrixOptions options;
   options.stop = distances.usual.stop / cell;
   options.warn = distances.usual.warn / cell;
   for (const GuardedPair& pair : distances.own) {
     options.stops.push_back({pair.a, pair.b, pair.stop / cell, pair.warn / cell});
   }
-  const FixedRobot robot(model, meshes, cell, {});
+  const FixedRobot robot(model, meshes, cell, {}, reaches);
   options.slack = std::max(options.slack, kPlacing + robot.robot().slack / double{kFineOne});
   return options;
 }
@@ -226,7 +226,7 @@ Distances distances_of(const AllDistances& distances, const PairVerdict& pair) {
 }
 
 /// What is always within its warn distance is not warned of: neighbours next to their zone, and
-/// pairs for which the user has not asked for it.
+/// pairs for which the user has not requested it.
 std::vector<GuardedPair> guarded(const std::vector<PairVerdict>& pairs,
                                  const AllDistances& distances) {
   std::vector<GuardedPair> guarded;
@@ -368,14 +368,15 @@ BakedRobot decided(Model model, const AllDistances& distances, const RobotArgume
                arguments.cell ? concat("--cell ", *arguments.cell) : arguments.urdf, warnings);
   made.links = bake_links(made.model, made.cell, arguments, progress, warnings);
   const std::vector<Mesh> meshes = meshes_of(made.links);
-  made.options = matrix_options(made.model, meshes, made.cell, distances);
+  made.reaches = all_reaches(made.model, made.cell);
+  made.options = matrix_options(made.model, meshes, made.cell, distances, made.reaches);
   if (arguments.time) {
     made.options.deadline = in_seconds(began, kPartForPairs * seconds(*arguments.time));
     made.deadline = in_seconds(began, seconds(*arguments.time));
   }
   progress.begin("joint zones", kBakingWeight);
   made.zones = joint_zones(made.model, meshes, made.cell, made.options, radii);
-  made.pairs = decide_pairs(made.model, meshes, made.zones, made.cell, made.options,
+  made.pairs = decide_pairs(made.model, meshes, made.zones, made.reaches, made.cell, made.options,
                             [&](std::size_t pair, std::size_t pairs) {
                               progress.begin(concat("pair ", pair, " of ", pairs), 1);
                             });
@@ -478,7 +479,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   warn_of_fixed(made, distances, arguments.urdf, warnings);
   warn_of_near(made, distances, arguments, warnings);
   made.fixed = std::make_unique<FixedRobot>(made.model, meshes_of(made.links), made.cell,
-                                            guarded(made.pairs, distances));
+                                            guarded(made.pairs, distances), made.reaches);
   progress.begin("distance tables", 0);
   made.fixed->set_distance_tables(distance_tables_of(made.model, made.robot(), made.deadline));
   return made;

@@ -112,7 +112,7 @@ Mount fixed_mount(const ModelMount& mount, double cell) {
 }
 
 FixedRobot::FixedRobot(const Model& model, const std::vector<Mesh>& meshes, double cell,
-                       const std::vector<GuardedPair>& pairs)
+                       const std::vector<GuardedPair>& pairs, const Reaches& reaches)
     : cell_(cell), meshes_(meshes) {
   if (model.joints.size() > kMaxJoints || model.links.size() > kMaxLinks) {
     throw UserError(model.path, "has ", model.joints.size(), " moving joints and ",
@@ -123,7 +123,7 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<Mesh>& meshes, doub
     add_joint(model, i);
   }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    add_link(model, i);
+    add_link(model, i, i < reaches.size() ? reaches[i] : reaches_of(model, i, cell));
   }
   check_size(model);
   for (const GuardedPair& pair : pairs) {
@@ -179,7 +179,8 @@ void FixedRobot::add_joint(const Model& model, std::size_t number) {
   joints_.push_back(fixed);
 }
 
-void FixedRobot::add_link(const Model& model, std::size_t number) {
+void FixedRobot::add_link(const Model& model, std::size_t number,
+                          const std::vector<double>& reaches) {
   const ModelLink& link = model.links[number];
   const Mesh& mesh = meshes_[number];
   RobotLink fixed{};
@@ -190,7 +191,6 @@ void FixedRobot::add_link(const Model& model, std::size_t number) {
   fixed.radius = static_cast<std::uint32_t>(std::ceil(sphere.radius * kFrameCell)) + 2;
   fixed.first_reach = static_cast<std::uint16_t>(reaches_.size());
   fixed.joint = number_of(link.joint);
-  const std::vector<double> reaches = reaches_of(model, number, cell_);
   for (std::size_t j = link.joint; j != kNoJoint; j = model.joints[j].parent) {
     const double unit = unit_of(model.joints[j], cell_);
     const double fine = reaches[j] * unit / cell_ * 256;

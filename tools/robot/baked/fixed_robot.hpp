@@ -13,6 +13,7 @@
 
 #include "flashbvh/robot/robot.hpp"
 #include "robot/matrix/deadline.hpp"
+#include "robot/matrix/reaches.hpp"
 #include "robot/model.hpp"
 
 namespace flashbvh::tool {
@@ -35,8 +36,9 @@ class FixedRobot {
   /// `meshes`: the links', of the same number, baked with `cell`, in metres; they outlive it.
   /// UserError if the robot has more joints or links than firmware takes, or is larger; says with
   /// which cell it would do.
+  /// `reaches`: of the first links; those of others are worked out.
   FixedRobot(const Model& model, const std::vector<Mesh>& meshes, double cell,
-             const std::vector<GuardedPair>& pairs);
+             const std::vector<GuardedPair>& pairs, const Reaches& reaches = {});
 
   /// Adds distance_tables_of() it.
   void set_distance_tables(std::vector<std::uint8_t> distance_tables);
@@ -53,7 +55,7 @@ class FixedRobot {
 
  private:
   void add_joint(const Model& model, std::size_t joint);
-  void add_link(const Model& model, std::size_t link);
+  void add_link(const Model& model, std::size_t link, const std::vector<double>& reaches);
   void add_pair(const Model& model, const GuardedPair& pair);
   std::uint32_t reach_of(const RobotPair& pair) const;
   double extent_of(const Model& model, std::size_t link) const;

@@ -264,7 +264,7 @@ class Finder {
     const std::vector<std::uint32_t> a = triangles(0, of_a);
     const std::vector<std::uint32_t> b = triangles(1, of_b);
     if (!a.empty() && !b.empty()) {
-      ZoneBodies made = {part_of(sides_[0].mesh(), a), part_of(sides_[1].mesh(), b), {}, {}};
+      ZoneBodies made = {sides_[0].part(a), sides_[1].part(b), {}, {}};
       made.a = bake_part(made.mesh_a, cell_);
       made.b = bake_part(made.mesh_b, cell_);
       bodies.push_back(std::move(made));

@@ -181,16 +181,13 @@ class Decider {
 class Matrix {
  public:
   Matrix(const Model& model, const std::vector<Mesh>& meshes, const std::vector<JointZone>& zones,
-         double cell, const MatrixOptions& options)
+         const Reaches& reaches, double cell, const MatrixOptions& options)
       : model_(model),
         meshes_(meshes),
         zones_(zones),
+        reaches_(reaches),
         cell_(cell),
-        options_(options),
-        reaches_(model.links.size()) {
-    for_each_in_parallel(reaches_.size(),
-                         [&](std::size_t link) { reaches_[link] = reaches_of(model, link, cell); });
-  }
+        options_(options) {}
 
   PairVerdict decide(std::size_t a, std::size_t b, const Deadline& deadline) const {
     PairVerdict pair = {a, b, MatrixVerdict::undecided, "", {}, 0};
@@ -240,9 +237,9 @@ class Matrix {
   const Model& model_;
   const std::vector<Mesh>& meshes_;
   const std::vector<JointZone>& zones_;
+  const Reaches& reaches_;
   double cell_;
   const MatrixOptions& options_;
-  std::vector<std::vector<double>> reaches_;
 };
 
 /// Twice what would be the same for all of those that are left: most need less.
@@ -268,10 +265,10 @@ const char* name_of(MatrixVerdict verdict) {
 }
 
 std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh>& meshes,
-                                      const std::vector<JointZone>& zones, double cell,
-                                      const MatrixOptions& options,
+                                      const std::vector<JointZone>& zones, const Reaches& reaches,
+                                      double cell, const MatrixOptions& options,
                                       const MatrixProgress& progress) {
-  const Matrix matrix(model, meshes, zones, cell, options);
+  const Matrix matrix(model, meshes, zones, reaches, cell, options);
   std::vector<PairVerdict> verdicts;
   for (std::size_t a = 0; a < model.links.size(); ++a) {
     for (std::size_t b = a + 1; b < model.links.size(); ++b) {

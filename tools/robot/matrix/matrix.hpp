@@ -12,6 +12,7 @@
 #include "flashbvh/mesh.hpp"
 #include "robot/matrix/joint_zone.hpp"
 #include "robot/matrix/matrix_options.hpp"
+#include "robot/matrix/reaches.hpp"
 #include "robot/model.hpp"
 
 namespace flashbvh::tool {
@@ -47,11 +48,12 @@ struct PairVerdict {
 using MatrixProgress = std::function<void(std::size_t decided, std::size_t pairs)>;
 
 /// All pairs of the model's links, also those that the SRDF disables, (0, 1), (0, 2), ... `meshes`:
-/// theirs, of the same number, baked with `cell`, in metres. `progress` may be empty. On all
-/// processors. Deterministic without a deadline; with one, what is hard gets the time that what is
-/// easy leaves.
+/// theirs, of the same number, baked with `cell`, in metres; so are `reaches`. `progress` may be
+/// empty. On all processors. Deterministic without a deadline; with one, what is hard gets the time
+/// that what is easy leaves.
 std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh>& meshes,
-                                      const std::vector<JointZone>& zones, double cell,
-                                      const MatrixOptions& options, const MatrixProgress& progress);
+                                      const std::vector<JointZone>& zones, const Reaches& reaches,
+                                      double cell, const MatrixOptions& options,
+                                      const MatrixProgress& progress);
 
 }  // namespace flashbvh::tool

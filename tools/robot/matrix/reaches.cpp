@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/matrix/parallel.hpp"
+
 namespace flashbvh::tool {
 namespace {
 
@@ -28,6 +30,8 @@ class Support {
   Support slid(const Interval& distances) const;
   /// How far from the z axis any of its points lies, at most.
   double reach() const;
+  /// How far from the origin.
+  double radius() const;
 
  private:
   Support() = default;
@@ -47,6 +51,8 @@ constexpr std::size_t kSteps = 24;
 constexpr std::size_t kPoints = kSteps + 1;
 /// Of a full turn: arcs are replaced by polygons round them, 1/cos(half a part) as far out.
 constexpr double kParts = 72;
+/// Over so many joints what a link sweeps is a shape, beyond them a ball: each takes milliseconds.
+constexpr int kJointsKept = 12;
 constexpr double kTurn = 6.283185307179587;
 /// For what doubles round: a few units in 2^52 each, a few hundred operations.
 constexpr double kRoundUp = 1 + 1e-12;
@@ -184,19 +190,39 @@ double Support::reach() const {
   return most_of({1, 0, 0}, turns_to_corners({0, kTurn})) * kRoundUp;
 }
 
+double Support::radius() const {
+  double most = 0;
+  std::size_t place = 0;
+  for (std::size_t face = 0; face < 6; ++face) {
+    for (std::size_t row = 0; row < kPoints; ++row) {
+      for (std::size_t column = 0; column < kPoints; ++column) {
+        const Vector3 u = grid_direction(face, row, column);
+        most = std::max(most, values_[place++] / std::hypot(u[0], u[1], u[2]));
+      }
+    }
+  }
+  // The direction of the farthest point is within half a step of one of these along both.
+  constexpr double kNearest = 1 / (1 - 2.0 / (kSteps * kSteps));
+  return most * kNearest * kRoundUp;
+}
+
 /// From body to body over the joints, with what the link sweeps on the way. A body is what hangs on
 /// a joint, in the joint's frame, or the base.
 class Spread {
  public:
   explicit Spread(const Model& model) : model_(model), reaches_(model.joints.size()) {}
 
-  /// `from`: the joint that it came over, or none.
-  void visit(std::size_t body, std::size_t from, const Support& support) {
+  /// `from`: the joint that it came over, or none. `left`: joints over which the shape is kept.
+  void visit(std::size_t body, std::size_t from, const Support& support, int left = kJointsKept) {
+    if (left == 0) {
+      visit(body, from, support.radius());
+      return;
+    }
     if (body != kNoJoint && body != from) {
       reach(body, support);
       const std::size_t parent = model_.joints[body].parent;
       if (leads_on(parent, body)) {
-        visit(parent, body, swept(body, support, false).moved(model_.joints[body].fixed));
+        visit(parent, body, swept(body, support, false).moved(model_.joints[body].fixed), left - 1);
       }
     }
     for (std::size_t child = 0; child < model_.joints.size(); ++child) {
@@ -204,7 +230,26 @@ class Spread {
         const Support seen = support.moved(inverse(model_.joints[child].fixed));
         reach(child, seen);
         if (leads_on(child, child)) {
-          visit(child, child, swept(child, seen, true));
+          visit(child, child, swept(child, seen, true), left - 1);
+        }
+      }
+    }
+  }
+
+  /// The same of what is only known to be in a ball about the body's origin.
+  void visit(std::size_t body, std::size_t from, double radius) {
+    if (body != kNoJoint && body != from) {
+      reach(body, radius);
+      const std::size_t parent = model_.joints[body].parent;
+      if (leads_on(parent, body)) {
+        visit(parent, body, radius + slide_of(body) + step_of(body));
+      }
+    }
+    for (std::size_t child = 0; child < model_.joints.size(); ++child) {
+      if (model_.joints[child].parent == body && child != from) {
+        reach(child, radius + step_of(child));
+        if (leads_on(child, child)) {
+          visit(child, child, radius + step_of(child) + slide_of(child));
         }
       }
     }
@@ -224,9 +269,26 @@ class Spread {
     return body != kNoJoint && body != from;
   }
 
+  /// From the joint's frame to its parent's.
+  double step_of(std::size_t number) const {
+    const Vector3& t = model_.joints[number].fixed.translation;
+    return std::hypot(t[0], t[1], t[2]) * kRoundUp;
+  }
+
+  double slide_of(std::size_t number) const {
+    const Interval range = range_of_joint(model_, number);
+    return model_.joints[number].type == JointType::prismatic
+               ? std::max(std::fabs(range.lower), std::fabs(range.upper))
+               : 0;
+  }
+
   /// `support`: in the joint's frame.
   void reach(std::size_t number, const Support& support) {
     reaches_[number] = model_.joints[number].type == JointType::prismatic ? 1 : support.reach();
+  }
+
+  void reach(std::size_t number, double radius) {
+    reaches_[number] = model_.joints[number].type == JointType::prismatic ? 1 : radius;
   }
 
   /// In the joint's frame, beyond it. Outward: from the parent's side, where what lies still moves
@@ -251,6 +313,13 @@ std::vector<double> reaches_of(const Model& model, std::size_t link, double cell
   const ModelLink& of = model.links[link];
   spread.visit(of.joint, kNoJoint, Support(of.mesh.vertices, kDeviation * cell));
   return spread.reaches();
+}
+
+Reaches all_reaches(const Model& model, double cell) {
+  Reaches all(model.links.size());
+  for_each_in_parallel(all.size(),
+                       [&](std::size_t link) { all[link] = reaches_of(model, link, cell); });
+  return all;
 }
 
 }  // namespace flashbvh::tool

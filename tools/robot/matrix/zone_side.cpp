@@ -38,8 +38,9 @@ std::vector<std::uint32_t> sources_of(const ModelLink& link) {
 /// Halves triangles across their longest edges. An edge that two share is cut in the same place.
 class Cutter {
  public:
-  Cutter(bake::SourceMesh& mesh, std::vector<std::uint32_t>& shells)
-      : mesh_(mesh), shells_(shells) {}
+  Cutter(bake::SourceMesh& mesh, std::vector<std::uint32_t>& shells,
+         std::vector<std::uint32_t>& origins)
+      : mesh_(mesh), shells_(shells), origins_(origins) {}
 
   template <class Reaches>
   void cut(std::uint32_t triangle, double edge, const Reaches& reaches_into) {
@@ -81,6 +82,7 @@ class Cutter {
     other[edge] = middle;
     mesh_.triangles.push_back(other);
     shells_.push_back(shells_[triangle]);
+    origins_.push_back(origins_[triangle]);
   }
 
   std::uint32_t middle_of(std::uint32_t p, std::uint32_t q) {
@@ -98,6 +100,7 @@ class Cutter {
 
   bake::SourceMesh& mesh_;
   std::vector<std::uint32_t>& shells_;
+  std::vector<std::uint32_t>& origins_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
 };
 
@@ -109,7 +112,11 @@ double ZoneShape::distance_of(const Vector3& point) const {
 }
 
 ZoneSide::ZoneSide(const ModelLink& link, const Transform& frame)
-    : mesh_(link.mesh), to_joint_(inverse(frame)) {
+    : mesh_(link.mesh),
+      to_joint_(inverse(frame)),
+      origins_(link.mesh.triangles.size()),
+      whole_(link.mesh.triangles) {
+  std::iota(origins_.begin(), origins_.end(), 0);
   number_shells(link);
 }
 
@@ -154,13 +161,36 @@ void ZoneSide::cut(const std::vector<bool>& shells, const ZoneShape& shape, doub
     }
     return shape.distance_of(middle) - longest < shape.radius && farthest > shape.radius / 2;
   };
-  Cutter cutter(mesh_, shells_);
+  Cutter cutter(mesh_, shells_, origins_);
   const std::size_t count = mesh_.triangles.size();
   for (std::uint32_t i = 0; i < count; ++i) {
     if (shells[shells_[i]]) {
       cutter.cut(i, edge, reaches_into);
     }
   }
+}
+
+bake::SourceMesh ZoneSide::part(const std::vector<std::uint32_t>& triangles) const {
+  std::vector<std::uint32_t> missing(whole_.size());
+  for (const std::uint32_t origin : origins_) {
+    ++missing[origin];
+  }
+  for (const std::uint32_t triangle : triangles) {
+    --missing[origins_[triangle]];
+  }
+  std::vector<bool> is_taken(whole_.size());
+  bake::SourceMesh part;
+  part.vertices = mesh_.vertices;
+  std::vector<std::uint32_t> all;
+  for (const std::uint32_t triangle : triangles) {
+    const std::uint32_t origin = origins_[triangle];
+    if (!is_taken[origin]) {
+      is_taken[origin] = missing[origin] == 0;
+      part.triangles.push_back(is_taken[origin] ? whole_[origin] : mesh_.triangles[triangle]);
+      all.push_back(static_cast<std::uint32_t>(all.size()));
+    }
+  }
+  return part_of(part, all);
 }
 
 std::vector<double> ZoneSide::farthest(const ZoneShape& shape) const {

@@ -36,6 +36,8 @@ class ZoneSide {
   /// Cuts the triangles of these shells that reach into the shape until no edge is longer than
   /// `edge`, or there are very many.
   void cut(const std::vector<bool>& shells, const ZoneShape& shape, double edge);
+  /// These triangles alone; such as all parts of are among them, whole.
+  bake::SourceMesh part(const std::vector<std::uint32_t>& triangles) const;
   /// How far the farthest point of each triangle is from the shape's middle.
   std::vector<double> farthest(const ZoneShape& shape) const;
 
@@ -44,7 +46,9 @@ class ZoneSide {
 
   bake::SourceMesh mesh_;  ///< in the link's frame
   Transform to_joint_;
-  std::vector<std::uint32_t> shells_;  ///< of each triangle
+  std::vector<std::uint32_t> shells_;         ///< of each triangle
+  std::vector<std::uint32_t> origins_;        ///< the link's triangle that each is a part of
+  std::vector<bake::TriangleCorners> whole_;  ///< the link's
   std::uint32_t shell_count_ = 0;
 };
 
