@@ -123,7 +123,7 @@ void print_counts(const GuardedTrajectory& guarded) {
 }
 
 /// "0.35 to 0.81".
-std::string times_of(const GuardedTrajectory& guarded, const Stretch& stretch) {
+std::string times_of_stretch(const GuardedTrajectory& guarded, const Stretch& stretch) {
   return shortest(guarded.trajectory.time(stretch.first)) + " to " +
          shortest(guarded.trajectory.time(stretch.last));
 }
@@ -135,7 +135,8 @@ void print_stretch(const GuardedTrajectory& guarded, const Stretch& stretch) {
             << std::setw(12) << (is_refused ? "-" : metres_text(guarded, stretch.kept))
             << std::setw(12) << (stretch.closest ? metres_text(guarded, *stretch.closest) : "-")
             << (is_refused ? "-" : links_of(guarded, stretch.pair))
-            << (guarded.trajectory.has_times() ? "  " + times_of(guarded, stretch) : "") << "\n";
+            << (guarded.trajectory.has_times() ? "  " + times_of_stretch(guarded, stretch) : "")
+            << "\n";
 }
 
 /// What is not free.

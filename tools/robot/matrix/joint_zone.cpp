@@ -151,7 +151,7 @@ class Finder {
            touching_shells_[1][sides_[1].shell_of(contact.b)];
   }
 
-  /// In the middle of what touches, along what the joint leaves where it is.
+  /// In the middle of the contacts, along what the joint leaves where it is.
   void place_middle(const std::vector<std::vector<Contact>>& contacts) {
     const auto extent = [&](std::size_t side, std::uint32_t triangle, std::size_t axis) {
       Interval of{HUGE_VAL, -HUGE_VAL};
@@ -303,7 +303,7 @@ class Sieve {
         options_(options),
         stop_(options.distances_of(zone.a, zone.b).stop) {
     options_.most_cells = kCellsOfPart;
-    options_.slack += 2 * kDeviation;  // where triangles are cut, vertices are rounded anew
+    options_.slack += 2 * kDeviation;  // where triangles are cut, vertices are rounded again
   }
 
   bake::SourceMesh near(const bake::SourceMesh& mesh, const Mesh& other) const {

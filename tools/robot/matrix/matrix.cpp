@@ -211,7 +211,7 @@ class Matrix {
 
   /// The worst of all bodies.
   void decide_outside(const JointZone& zone, MatrixOptions& options, PairVerdict& pair) const {
-    // Where triangles are cut, vertices are rounded anew.
+    // Where triangles are cut, vertices are rounded again.
     options.slack += 2 * kDeviation;
     PairVerdict worst = pair;
     worst.verdict = MatrixVerdict::never;

@@ -19,7 +19,7 @@ struct PairLink {
 /// A variable that moves the links against each other.
 struct Dimension {
   std::size_t variable;
-  Interval range;  ///< at most one turn of what only turns
+  Interval range;  ///< at most one turn of variables that only turn joints
 };
 
 /// How far a cell of values moves the links' points from where its middle puts them, in cells: seen

@@ -236,7 +236,7 @@ class Spread {
     }
   }
 
-  /// The same of what is only known to be in a ball about the body's origin.
+  /// The same of a link that is only known to be in a ball about the body's origin.
   void visit(std::size_t body, std::size_t from, double radius) {
     if (body != kNoJoint && body != from) {
       reach(body, radius);

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFix = "; correct it, or convert it to a URDF";
+constexpr const char* kForeignFix = "; correct it, or convert it to a URDF";
 
 struct Form {
   const char* root;
@@ -75,10 +75,10 @@ UrdfRobot read_foreign(const std::string& path, std::string_view root, Warnings&
     execl(reader.c_str(), reader.c_str(), path.c_str(), nullptr);
     _exit(1);
   };
-  const std::string text = guarded_bytes(run, path, limits_of_robot(), kFix);
+  const std::string text = guarded_bytes(run, path, limits_of_robot(), kForeignFix);
   std::optional<ReadRobot> read = robot_of_text(text);
   if (!read) {
-    throw UserError(path, "can't be read: its reader gave no robot", kFix);
+    throw UserError(path, "can't be read: its reader gave no robot", kForeignFix);
   }
   if (const std::size_t colon = read->refusal.find(": "); colon != std::string::npos) {
     throw UserError(read->refusal.substr(0, colon), read->refusal.substr(colon + 2));

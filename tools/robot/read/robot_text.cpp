@@ -20,10 +20,10 @@ constexpr Word<UrdfGeometry::Shape> kShapes[] = {{UrdfGeometry::Shape::box, "box
                                                  {UrdfGeometry::Shape::ellipsoid, "ellipsoid"},
                                                  {UrdfGeometry::Shape::mesh, "mesh"},
                                                  {UrdfGeometry::Shape::triangles, "triangles"}};
-constexpr Word<UrdfJoint::Type> kTypes[] = {{UrdfJoint::Type::fixed, "fixed"},
-                                            {UrdfJoint::Type::revolute, "revolute"},
-                                            {UrdfJoint::Type::continuous, "continuous"},
-                                            {UrdfJoint::Type::prismatic, "prismatic"}};
+constexpr Word<UrdfJoint::Type> kJointTypes[] = {{UrdfJoint::Type::fixed, "fixed"},
+                                                 {UrdfJoint::Type::revolute, "revolute"},
+                                                 {UrdfJoint::Type::continuous, "continuous"},
+                                                 {UrdfJoint::Type::prismatic, "prismatic"}};
 
 template <class Table, class Value>
 const char* word_of(const Table& table, Value value) {
@@ -81,7 +81,7 @@ void write(const char* word, const UrdfCollision& shape, Writer& writer) {
 }
 
 void write(const UrdfJoint& joint, Writer& writer) {
-  writer.line("joint", joint.name, word_of(kTypes, joint.type), joint.parent, joint.child,
+  writer.line("joint", joint.name, word_of(kJointTypes, joint.type), joint.parent, joint.child,
               joint.origin, joint.anchor, joint.axis, joint.lower, joint.upper);
   if (joint.mimic) {
     writer.line("mimic", joint.mimic->joint, joint.mimic->multiplier, joint.mimic->offset);
@@ -186,7 +186,7 @@ class Reader {
   void take_joint(Parts& parts) {
     UrdfJoint& joint = read.robot.joints.emplace_back();
     parts.take(joint.name);
-    parts.take(kTypes, joint.type);
+    parts.take(kJointTypes, joint.type);
     parts.take_index(joint.parent, read.robot.links.size());
     parts.take_index(joint.child, read.robot.links.size());
     parts.take(joint.origin);
