@@ -228,6 +228,7 @@ class Finder {
     const std::vector<double> farthest_a = sides_[0].farthest(shape_);
     const std::vector<double> farthest_b = sides_[1].farthest(shape_);
     std::vector<double> radii;
+    radii.reserve(contacts.size());
     for (const std::vector<Contact>& look : contacts) {
       radii.push_back(least_radius(look, farthest_a, farthest_b));
     }
