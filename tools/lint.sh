@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 texts=build/lint
 rm -rf $texts
 mkdir -p $texts
-echo '""' >$texts/guard_costs.inc  # in place of what CMake makes for tools/robot
+echo '""' >$texts/guard_costs.inc  # CMake makes it for tools/robot
 steps=20000
 dear=-clang-analyzer-*,-performance-unnecessary-value-param,-bugprone-stringview-nullptr,-bugprone-reserved-identifier
 [ "${1:-}" != --deep ] || { steps=225000; dear=; }
