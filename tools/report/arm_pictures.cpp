@@ -154,8 +154,12 @@ std::string arm_pictures(const std::vector<PosedArm>& arms,
   const Frame frame(points_of(all));
   std::string html = "<div class=views>\n";
   for (std::size_t i = 0; i < arms.size(); ++i) {
-    html +=
-        figure(drawings[i], frame, {cell_of(arms[i].robot), " m"}, captions[i], "", captions[i]);
+    std::string outlines;
+    for (const Ball& ball : arms[i].balls) {
+      outlines += outline(ball.centre, ball.radius, frame);
+    }
+    html += figure(drawings[i], frame, {cell_of(arms[i].robot), " m"}, captions[i], outlines,
+                   captions[i]);
   }
   return html + "</div>\n";
 }

@@ -6,15 +6,23 @@
 
 #include "flashbvh/robot/robot.hpp"
 #include "flashbvh/run_result.hpp"
+#include "image/image_file.hpp"
 #include "robot/matrix/unguarded.hpp"
 
 namespace flashbvh::tool {
+
+/// A dashed circle, in cells of the base's frame.
+struct Ball {
+  LatticePoint centre;
+  std::int64_t radius;
+};
 
 /// All outlives the drawing.
 struct PosedArm {
   const Model& model;
   const Robot& robot;
   std::vector<Pose> poses;  ///< of each link in the base's frame
+  std::vector<Ball> balls = {};
 };
 
 /// Two of its links, and a triangle of each by its id.

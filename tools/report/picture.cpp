@@ -281,6 +281,12 @@ std::string circle(const Faces& faces, const Frame& frame) {
                 " r=", square_root(dot(size, size)) / 2 + 20, "></circle>\n");
 }
 
+std::string outline(const LatticePoint& centre, std::int64_t radius, const Frame& frame) {
+  const Vector at = frame.project(centre);
+  return concat("<circle cx=", at[0], " cy=", at[1], " r=", radius * Frame::kSide / frame.across,
+                "></circle>\n");
+}
+
 Measure measure_of(const ImageFile& image) {
   const std::string unit = unit_name(image.unit());
   return {image.cell(), unit.empty() ? "" : " " + unit};

@@ -73,6 +73,9 @@ struct Frame {
 /// A circle round the faces that intersect; nothing where it would hold most of the picture.
 std::string circle(const Faces& faces, const Frame& frame);
 
+/// Of a ball, its radius in cells.
+std::string outline(const LatticePoint& centre, std::int64_t radius, const Frame& frame);
+
 /// A cell, in a unit, and the text behind lengths in it: " mm"; empty where the unit is unknown.
 struct Measure {
   double cell;

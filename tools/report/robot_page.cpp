@@ -1,6 +1,7 @@
 #include "report/robot_page.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "flashbvh/robot/motion.hpp"
@@ -140,16 +141,38 @@ PosedArm posed(const DecidedRobot& decided, const std::vector<double>& values) {
           link_poses(decided.model, cell_of(decided.robot()), values)};
 }
 
+/// A joint zone where its joint is; of a cylinder the ball about the joint.
+Ball ball_of(const DecidedRobot& decided, const JointZone& zone,
+             const std::vector<Transform>& frames) {
+  const ModelJoint& joint = decided.model.joints[zone.joint];
+  const Transform parent = joint.parent == kNoJoint ? Transform() : frames[joint.parent];
+  const Vector3 middle = placed(composed(parent, joint.fixed), zone.shape.middle);
+  const auto cells = [&](double length) { return std::llround(length / cell_of(decided.robot())); };
+  return {{cells(middle[0]), cells(middle[1]), cells(middle[2])}, cells(zone.shape.radius)};
+}
+
+PosedArm posed_with_zones(const DecidedRobot& decided, const std::vector<double>& values) {
+  PosedArm arm = posed(decided, values);
+  const std::vector<Transform> frames = frames_of(decided.model, values);
+  for (const JointZone& zone : decided.zones) {
+    arm.balls.push_back(ball_of(decided, zone, frames));
+  }
+  return arm;
+}
+
 std::string arm_section(const DecidedRobot& decided) {
   const Model& model = decided.model;
-  std::vector<PosedArm> arms = {posed(decided, values_at(model, {}))};
+  std::vector<PosedArm> arms = {posed_with_zones(decided, values_at(model, {}))};
   for (std::size_t i = 0; i < 3 && !model.variables.empty(); ++i) {
-    arms.push_back(posed(decided, values_at(model, std::array{0.5, 0.0, 1.0}[i])));
+    arms.push_back(posed_with_zones(decided, values_at(model, std::array{0.5, 0.0, 1.0}[i])));
   }
   return section(
       "", "The robot",
       arm_pictures(arms, {"All joints at 0, or the limit next to it", "In the middle of ranges",
-                          "At the lower ends", "At the upper ends"}));
+                          "At the lower ends", "At the upper ends"}) +
+          (decided.zones.empty()
+               ? ""
+               : note("Dashed: joint zones, in which neighbours may touch and no guard looks.")));
 }
 
 std::string part_text(double part) {

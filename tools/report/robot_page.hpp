@@ -17,6 +17,7 @@ struct DecidedRobot {
   const Model& model;
   const std::vector<BakedLink>& links;
   const FixedRobot& fixed;
+  const std::vector<JointZone>& zones;
   const std::vector<PairVerdict>& pairs;  ///< (0, 1), (0, 2), ...
   std::string stop;                       ///< metres, as they were given
   std::string warn;

@@ -85,7 +85,7 @@ void add_page(const OutputArguments& arguments, const BakedRobot& robot, std::si
   Progress progress(2, arguments.progress);
   files.add(
       arguments.page,
-      robot_page({robot.model, robot.links, *robot.fixed, robot.pairs, arguments.stop,
+      robot_page({robot.model, robot.links, *robot.fixed, robot.zones, robot.pairs, arguments.stop,
                   arguments.warn.value_or(arguments.stop), robot.unguarded, image_bytes},
                  [&](const std::string& what, double share) { progress.begin(what, share); }));
 }
