@@ -2,9 +2,9 @@
 #include "cli/commands.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "cli/progress.hpp"
+#include "cli/robot/robot_arguments.hpp"
 #include "flashbvh/clearance.hpp"
 #include "robot/matrix/parallel.hpp"
 #include "robot/read/urdf.hpp"
@@ -14,49 +14,6 @@ namespace {
 
 /// Of a link, in pairs decided.
 constexpr double kBakingWeight = 0.1;
-
-double metres(const std::string& option, const std::string& text) {
-  const std::optional<double> length = parse_number(text);
-  if (!length || *length < 0 || !is_coordinate(*length)) {
-    throw UserError(option + " " + text, "is no length; give a number from 0, in metres");
-  }
-  return *length;
-}
-
-double seconds(const std::string& text) {
-  const std::optional<double> time = parse_number(text);
-  if (!time || !(*time > 0 && *time < 1e6)) {
-    throw UserError("--time " + text, "is no time; give a number of seconds above 0");
-  }
-  return *time;
-}
-
-std::optional<double> given_cell(const RobotArguments& arguments) {
-  if (!arguments.cell) {
-    return std::nullopt;
-  }
-  const double cell = metres("--cell", *arguments.cell);
-  if (cell < static_cast<double>(std::numeric_limits<float>::min())) {
-    throw UserError("--cell " + *arguments.cell, "is no length; give a positive number, in metres");
-  }
-  return cell;
-}
-
-Packages packages_of(const std::vector<std::string>& given) {
-  Packages packages;
-  for (const std::string& option : given) {
-    const std::size_t equals = option.find('=');
-    const std::string name = option.substr(0, equals);
-    if (equals == std::string::npos || name.empty() || equals + 1 == option.size()) {
-      throw UserError("--package " + option,
-                      "is no NAME=DIR; give a package's name and its folder");
-    }
-    if (!packages.emplace(name, option.substr(equals + 1)).second) {
-      throw UserError("--package " + option, "is a second folder of ", name, "; give it one");
-    }
-  }
-  return packages;
-}
 
 std::vector<BakedLink> bake_links(const Model& model, double cell, const RobotArguments& arguments,
                                   Progress& progress, Warnings& warnings) {
@@ -69,126 +26,6 @@ std::vector<BakedLink> bake_links(const Model& model, double cell, const RobotAr
     warn_of_place(links.back().tree.origin, input.path, warnings);
   }
   return links;
-}
-
-struct Distances {
-  double stop;
-  double warn;
-};
-
-/// All that are guarded alike, and pairs with their own.
-struct AllDistances {
-  Distances usual;
-  std::vector<GuardedPair> own;
-};
-
-/// `place`: the options that say so.
-Distances distances_of(const std::string& stop_place, const std::string& stop,
-                       const std::string& warn_place, const std::string& warn) {
-  const Distances distances = {metres(stop_place, stop), metres(warn_place, warn)};
-  if (distances.warn < distances.stop) {
-    throw UserError(warn_place + " " + warn, "is nearer than ", stop_place, " ", stop,
-                    "; warn from further off");
-  }
-  return distances;
-}
-
-Distances usual_distances(const RobotArguments& arguments) {
-  return distances_of("--stop", arguments.stop, "--warn", arguments.warn.value_or(arguments.stop));
-}
-
-std::size_t link_of(const Model& model, const std::string& place, const std::string& name) {
-  const auto link = std::find_if(model.links.begin(), model.links.end(),
-                                 [&](const ModelLink& of) { return of.name == name; });
-  if (link == model.links.end()) {
-    throw UserError(place, "names '", name, "', which is no link that collides; these are ",
-                    joined(
-                        model.links, [](const ModelLink& of) { return of.name; }, ","));
-  }
-  return static_cast<std::size_t>(link - model.links.begin());
-}
-
-/// LINK,LINK
-std::pair<std::size_t, std::size_t> links_of(const Model& model, const std::string& place,
-                                             const std::string& names) {
-  const std::size_t comma = names.find(',');
-  if (comma == std::string::npos) {
-    throw UserError(place, "does not name LINK,LINK; give two links");
-  }
-  const std::pair<std::size_t, std::size_t> links = {
-      link_of(model, place, names.substr(0, comma)),
-      link_of(model, place, names.substr(comma + 1))};
-  if (links.first == links.second) {
-    throw UserError(place, "names one link twice; give two");
-  }
-  return links;
-}
-
-/// LINK,LINK=STOP[,WARN]
-GuardedPair own_distances(const Model& model, const std::string& given) {
-  const std::string place = "--pair " + given;
-  const std::size_t comma = given.find(',');
-  const std::size_t equals = given.find('=');
-  if (comma == std::string::npos || equals == std::string::npos || comma > equals) {
-    throw UserError(place, "is no LINK,LINK=STOP[,WARN]; give two links and their distances");
-  }
-  const std::string lengths = given.substr(equals + 1);
-  const std::size_t split = lengths.find(',');
-  const std::string stop = lengths.substr(0, split);
-  const Distances distances =
-      distances_of(place + ":", stop, place + ":",
-                   split == std::string::npos ? stop : lengths.substr(split + 1));
-  const auto [a, b] = links_of(model, place, given.substr(0, equals));
-  return {a, b, distances.stop, distances.warn};
-}
-
-AllDistances all_distances(const Model& model, const RobotArguments& arguments) {
-  AllDistances all = {usual_distances(arguments), {}};
-  for (const std::string& given : arguments.pairs) {
-    const GuardedPair pair = own_distances(model, given);
-    if (find_pair(all.own, pair.a, pair.b) != nullptr) {
-      throw UserError("--pair " + given, "says it of these links a second time; say it once");
-    }
-    const DisabledPair* const disabled = find_pair(model.disabled, pair.a, pair.b);
-    if (disabled != nullptr && disabled->is_believed) {
-      throw UserError("--pair " + given, "guards what --believe leaves out; give one of the two");
-    }
-    all.own.push_back(pair);
-  }
-  return all;
-}
-
-/// The least one above 0; 0 if there is none.
-double least_stop(const AllDistances& distances) {
-  double least = distances.usual.stop;
-  for (const GuardedPair& pair : distances.own) {
-    least = least == 0 || (pair.stop > 0 && pair.stop < least) ? pair.stop : least;
-  }
-  return least;
-}
-
-/// JOINT=LENGTH, each of a joint between two links that collide.
-ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given) {
-  ZoneRadii radii;
-  for (const std::string& option : given) {
-    const std::string place = "--zone " + option;
-    const std::size_t equals = option.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw UserError(place, "is no JOINT=LENGTH; give a joint and the zone's radius, in metres");
-    }
-    const std::string name = option.substr(0, equals);
-    const auto joint = std::find_if(model.joints.begin(), model.joints.end(),
-                                    [&](const ModelJoint& of) { return of.name == name; });
-    const auto number = static_cast<std::size_t>(joint - model.joints.begin());
-    if (joint == model.joints.end() || !is_between_neighbours(model, number)) {
-      throw UserError(place, "names '", name,
-                      "', which is no moving joint between two links that collide");
-    }
-    if (!radii.emplace(number, metres(place + ":", option.substr(equals + 1))).second) {
-      throw UserError(place, "is a second zone of ", name, "; give it one");
-    }
-  }
-  return radii;
 }
 
 /// Part of the time until pairs have to be decided: the rest is for what is baked of them.
@@ -217,12 +54,6 @@ void check_range(const Distances& distances, double cell) {
                     "is out of range: 0 to ", significant(most, 6),
                     " m, 32,767 cells; use a larger --cell to look further");
   }
-}
-
-/// Of two links, `own` heeded.
-Distances distances_of(const AllDistances& distances, const PairVerdict& pair) {
-  const GuardedPair* const own = find_pair(distances.own, pair.a, pair.b);
-  return own != nullptr ? Distances{own->stop, own->warn} : distances.usual;
 }
 
 /// What is always within its warn distance is not warned of: neighbours next to their zone, and
@@ -384,47 +215,6 @@ BakedRobot decided(Model model, const AllDistances& distances, const RobotArgume
 }
 
 }  // namespace
-
-void add_described_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {
-  command.add_option(name, arguments.urdf, "The robot (URDF, MJCF or SDF)")->required();
-  repeated(
-      add_option(command, "--package", arguments.packages, "NAME=DIR",
-                 "Folder of the package NAME, for meshes at package://NAME/...; may be repeated. "
-                 "\nDefault: the first folder of that name next to the robot's file or above it"));
-  add_option(command, "--joint-limits", arguments.joint_limits, "FILE",
-             "MoveIt's joint_limits.yaml, whose position limits narrow the robot's");
-  command.add_flag("--visual-too", arguments.visual_too,
-                   "Links with visual shapes alone collide by them; without it, with nothing");
-}
-
-void add_robot_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {
-  add_described_options(command, name, arguments);
-  add_option(command, "--srdf", arguments.srdf, "FILE",
-             "Pairs of links that need no guard; those that can collide are an error");
-  repeated(
-      add_option(command, "--believe", arguments.believed, "LINK,LINK",
-                 "Two links that --srdf disables and that can collide: don't guard them; may be "
-                 "repeated"));
-  add_option(command, "--cell", arguments.cell, "LENGTH",
-             "Size of a lattice cell; default: the finest that all the links fit");
-  command.add_option("--leaf-size", arguments.leaf_size, "Most triangles in a leaf")
-      ->check(CLI::Range(1, 16))
-      ->capture_default_str();
-  add_option(command, "--stop", arguments.stop, "LENGTH", "Links nearer than this must stop")
-      ->capture_default_str();
-  add_option(command, "--warn", arguments.warn, "LENGTH",
-             "Links nearer than this are warned of; default: --stop");
-  repeated(
-      add_option(command, "--pair", arguments.pairs, "LINK,LINK=STOP[,WARN]",
-                 "Distances of two links for which --stop and --warn don't hold; may be repeated"));
-  repeated(add_option(command, "--zone", arguments.zones, "JOINT=LENGTH",
-                      "Two links may touch so far about the joint between them; 0: nowhere; may be "
-                      "repeated. \nDefault: as far as they do"));
-  add_option(
-      command, "--time", arguments.time, "SECONDS",
-      "What is not decided by then is undecided, and guarded. \nDefault: as long as it takes");
-  add_progress(command, arguments.progress);
-}
 
 std::set<std::string> files_read(const RobotArguments& arguments, const Model& model) {
   std::set<std::string> read = {arguments.urdf};

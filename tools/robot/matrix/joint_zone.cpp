@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/pair_space.hpp"
 #include "robot/matrix/parallel.hpp"
 #include "robot/matrix/reaches.hpp"
@@ -31,10 +29,6 @@ constexpr double kCut = 1.0 / 6;
 constexpr double kLeastCut = 8;
 /// Times that the zone is measured, with triangles cut by the last one.
 constexpr int kRounds = 3;
-/// Of cells in the search of whether a part of a link ever comes near the other one.
-constexpr std::uint64_t kCellsOfPart = 400;
-/// Triangles that are looked at together at last.
-constexpr std::size_t kFewTriangles = 4;
 
 struct Contact {
   std::uint32_t a;  ///< triangles of the sides
@@ -292,90 +286,6 @@ class Finder {
   double largest_ = 0;  ///< radius that the zone may have
 };
 
-/// The triangles of one side that may come near the other one.
-class Sieve {
- public:
-  Sieve(const Model& model, const JointZone& zone, bool of_a, double cell,
-        const MatrixOptions& options)
-      : model_(model),
-        zone_(zone),
-        of_a_(of_a),
-        cell_(cell),
-        options_(options),
-        stop_(options.distances_of(zone.a, zone.b).stop) {
-    options_.most_cells = kCellsOfPart;
-    options_.slack += 2 * kDeviation;  // where triangles are cut, vertices are rounded again
-  }
-
-  bake::SourceMesh near(const bake::SourceMesh& mesh, const Mesh& other) const {
-    std::vector<std::uint32_t> all(mesh.triangles.size());
-    std::iota(all.begin(), all.end(), 0);
-    std::vector<std::uint32_t> kept;
-    look_at(mesh, other, all, kept);
-    std::sort(kept.begin(), kept.end());
-    return part_of(mesh, kept);
-  }
-
- private:
-  bool may_come_near(const bake::SourceMesh& part, const Mesh& other) const {
-    const BakedPart baked = bake_part(part, cell_);
-    const Mesh mesh = baked.view();
-    const PairSpace space(model_, {zone_.a, of_a_ ? &mesh : &other, nullptr},
-                          {zone_.b, of_a_ ? &other : &mesh, nullptr}, cell_);
-    return search_pair(space, options_, stop_).end != SearchEnd::apart;
-  }
-
-  void look_at(const bake::SourceMesh& mesh, const Mesh& other,
-               const std::vector<std::uint32_t>& triangles,
-               std::vector<std::uint32_t>& kept) const {
-    if (triangles.empty() || !may_come_near(part_of(mesh, triangles), other)) {
-      return;
-    }
-    if (triangles.size() <= kFewTriangles) {
-      kept.insert(kept.end(), triangles.begin(), triangles.end());
-      return;
-    }
-    const auto [lower, upper] = halves(mesh, triangles);
-    look_at(mesh, other, lower, kept);
-    look_at(mesh, other, upper, kept);
-  }
-
-  /// By where they lie along the axis in which they lie farthest apart.
-  static std::array<std::vector<std::uint32_t>, 2> halves(const bake::SourceMesh& mesh,
-                                                          std::vector<std::uint32_t> triangles) {
-    const auto at = [&](std::uint32_t triangle, std::size_t axis) {
-      double sum = 0;
-      for (const std::uint32_t corner : mesh.triangles[triangle]) {
-        sum += mesh.vertices[corner][axis];
-      }
-      return sum;
-    };
-    std::size_t longest = 0;
-    double most = -1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [low, high] = std::minmax_element(
-          triangles.begin(), triangles.end(),
-          [&](std::uint32_t p, std::uint32_t q) { return at(p, axis) < at(q, axis); });
-      if (at(*high, axis) - at(*low, axis) > most) {
-        most = at(*high, axis) - at(*low, axis);
-        longest = axis;
-      }
-    }
-    std::sort(triangles.begin(), triangles.end(), [&](std::uint32_t p, std::uint32_t q) {
-      return std::pair(at(p, longest), p) < std::pair(at(q, longest), q);
-    });
-    const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
-    return {std::vector(triangles.begin(), middle), std::vector(middle, triangles.end())};
-  }
-
-  const Model& model_;
-  const JointZone& zone_;
-  bool of_a_;
-  double cell_;
-  MatrixOptions options_;
-  double stop_;
-};
-
 }  // namespace
 
 std::string zone_text(const Model& model, const JointZone& zone) {
@@ -427,28 +337,6 @@ std::vector<JointZone> joint_zones(const Model& model, const std::vector<Mesh>& 
     return std::pair(p.a, p.b) < std::pair(q.a, q.b);
   });
   return zones;
-}
-
-std::vector<ZoneParts> zone_parts(const Model& model, const JointZone& zone, double cell,
-                                  const MatrixOptions& options) {
-  const Sieve of_a(model, zone, true, cell, options);
-  const Sieve of_b(model, zone, false, cell, options);
-  std::vector<ZoneParts> all;
-  for (const ZoneBodies& bodies : zone.bodies) {
-    ZoneParts parts;
-    const Mesh other = bodies.b.view();
-    parts.a = of_a.near(bodies.mesh_a, other);
-    if (parts.a.triangles.empty()) {
-      continue;
-    }
-    const BakedPart near_a = bake_part(parts.a, cell);
-    const Mesh mesh_a = near_a.view();
-    parts.b = of_b.near(bodies.mesh_b, mesh_a);
-    if (!parts.b.triangles.empty()) {
-      all.push_back(std::move(parts));
-    }
-  }
-  return all;
 }
 
 }  // namespace flashbvh::tool
