@@ -1,0 +1,122 @@
+#include "guarded_moves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flashbvh::test {
+namespace {
+
+constexpr std::size_t kStateWords = 40000;
+constexpr std::uint32_t kTwoCells = 512;
+
+/// How far the joints between the pair's links move it, and the obstacle itself, in 1/256 cell.
+double travel_of(const Robot& robot, const RobotPair& pair, const NearMoment& from,
+                 const NearMoment& to) {
+  std::vector<JointCoordinate> before(robot.joint_count);
+  std::vector<JointCoordinate> now(robot.joint_count);
+  (void)set_coordinates(robot, from.values.data(), before.data());
+  (void)set_coordinates(robot, to.values.data(), now.data());
+  double sum = 0;
+  const auto add = [&](std::uint8_t link, std::uint32_t count) {
+    std::uint32_t joint = robot.links[link].joint;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      sum += std::ldexp(double(robot.reaches[robot.links[link].first_reach + i]) *
+                            std::abs(double(now[joint]) - before[joint]),
+                        -kReachBits);
+      joint = robot.joints[joint].parent;
+    }
+  };
+  add(pair.a, pair.joints_a);
+  add(pair.b, pair.joints_b);
+  return sum;
+}
+
+std::uint32_t way_between(const Frame& from, const Frame& to) {
+  double squared = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    squared += std::pow(double(to.translation[axis]) - from.translation[axis], 2);
+  }
+  return static_cast<std::uint32_t>(std::sqrt(squared) / kFrameCell * 256) + 1;
+}
+
+}  // namespace
+
+GuardedMoves::GuardedMoves(const Robot& robot, const NearOptions& options, std::uint32_t budget)
+    : scene_(robot, options),
+      budget_(budget),
+      memory_(kStateWords),
+      guard_(scene_.robot(), memory_.data(), kStateWords * sizeof memory_[0]) {}
+
+void GuardedMoves::begin(const NearMoment& place) {
+  scene_.move(place.obstacle, 0);
+  (void)guard_.prime(place.values.data());
+}
+
+void GuardedMoves::run(const NearMove& move) {
+  std::size_t at = 0;
+  while (at + 1 < move.size() && !step(move, at, at + 1, true)) {
+    ++at;
+  }
+  for (at = at + 1 < move.size() ? at + 1 : 0; at != 0; --at) {
+    (void)step(move, at, at - 1, false);
+  }
+}
+
+bool GuardedMoves::step(const NearMove& move, std::size_t from, std::size_t to, bool goes_on) {
+  scene_.move(move[to].obstacle, way_between(move[from].obstacle, move[to].obstacle));
+  const GuardAnswer answer = guard_.update(move[to].values.data(), budget_);
+  ++counts_.periods;
+  counts_.work += answer.work;
+  counts_.most_work = std::max(counts_.most_work, answer.work);
+  counts_.not_yet_known += answer.verdict == Verdict::not_yet_known ? 1 : 0;
+  check(move, from, to, answer);
+  if (answer.verdict == Verdict::stop && goes_on) {
+    count_stop(move, to);
+  }
+  return answer.verdict == Verdict::stop || move.excess(to) <= 0;
+}
+
+void GuardedMoves::check(const NearMove& move, std::size_t from, std::size_t to,
+                         const GuardAnswer& answer) {
+  const Robot& robot = scene_.robot();
+  const std::vector<std::uint32_t>& before = move.distances(from);
+  const std::vector<std::uint32_t>& now = move.distances(to);
+  bool is_sound = answer.status == Status::done && answer.distance <= now[answer.pair];
+  bool may_warn = false;
+  for (std::uint32_t i = 0; i < robot.pair_count; ++i) {
+    const RobotPair& pair = robot.pairs[i];
+    const std::uint32_t least = std::min(before[i], now[i]);
+    is_sound = is_sound && (answer.verdict > Verdict::warn ||
+                            least > (answer.verdict == Verdict::free ? pair.warn : pair.stop));
+    may_warn =
+        may_warn || answer.verdict != Verdict::warn ||
+        least <=
+            pair.warn + travel_of(robot, pair, move[from], move[to]) + kTwoCells +
+                (scene_.has_obstacle() ? way_between(move[from].obstacle, move[to].obstacle) : 0);
+  }
+  counts_.unsound += is_sound ? 0 : 1;
+  counts_.warned += answer.verdict == Verdict::warn ? 1 : 0;
+  counts_.falsely_warned += may_warn ? 0 : 1;
+}
+
+void GuardedMoves::count_stop(const NearMove& move, std::size_t at) {
+  const Robot& robot = scene_.robot();
+  const std::int64_t least = std::max<std::int64_t>(
+      0, std::min(move.excess(at), move.excess(at == 0 ? 0 : at - 1)) - robot.slack);
+  const double over = static_cast<double>(least) / 256 * cell_of(robot) * 1000;
+  ++counts_.stops;
+  counts_.sum_over += over;
+  counts_.most_over = std::max(counts_.most_over, over);
+  counts_.far_stops += over > 0.5 ? 1 : 0;
+  std::size_t contact = at;
+  while (contact < move.size() && move.excess(contact) > robot.slack) {
+    ++contact;
+  }
+  const auto early = static_cast<long>(contact - at);
+  if (contact != move.size()) {
+    counts_.early_stops += early > 2 ? 1 : 0;
+    counts_.most_early = std::max(counts_.most_early, early);
+  }
+}
+
+}  // namespace flashbvh::test

@@ -1,0 +1,235 @@
+#include "near_moves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/robot/kinematics.hpp"
+
+namespace flashbvh::test {
+namespace {
+
+constexpr double kFine = 256;
+constexpr double kSide = 0.06;  // of the obstacle
+
+std::int64_t least_excess(const Robot& robot, const std::vector<std::uint32_t>& distances) {
+  std::int64_t least = INT64_MAX;
+  for (std::uint32_t i = 0; i < distances.size(); ++i) {
+    least = std::min(least, std::int64_t{distances[i]} - robot.pairs[i].stop);
+  }
+  return least;
+}
+
+template <class Number>
+Number between(Number from, Number to, double part) {
+  return static_cast<Number>(std::llround(from + (double(to) - from) * part));
+}
+
+NearMoment between(const NearMoment& from, const NearMoment& to, double part) {
+  NearMoment made = from;
+  for (std::size_t i = 0; i < made.values.size(); ++i) {
+    made.values[i] = between(from.values[i], to.values[i], part);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    made.obstacle.translation[axis] =
+        between(from.obstacle.translation[axis], to.obstacle.translation[axis], part);
+  }
+  return made;
+}
+
+std::uint32_t fine(double metres, double cell) {
+  return static_cast<std::uint32_t>(metres / cell * kFine);
+}
+
+}  // namespace
+
+double cell_of(const Robot& robot) {
+  double cell = 0;
+  std::memcpy(&cell, &robot.cell_bits, sizeof cell);
+  return cell;
+}
+
+NearScene::NearScene(const Robot& robot, const NearOptions& options)
+    : memory_(new NearCell), workcell_(robot, *memory_) {
+  if (!options.has_obstacle) {
+    return;
+  }
+  const double cell = cell_of(robot);
+  const double half = kSide / 2;
+  add_link(model_, tool::kNoJoint, box({-half, -half, -half}, {half, half, half}));
+  body_ = std::make_unique<BakedArm>(model_, cell);
+  (void)workcell_.add(body_->meshes()[0], {kBase, kIdentityFrame}, link_);
+  for (std::uint8_t link = 0; link < robot.link_count; ++link) {
+    if (robot.links[link].joint != kBase) {
+      (void)workcell_.keep_apart(link, link_, fine(options.obstacle_stop, cell),
+                                 fine(options.obstacle_warn, cell));
+    }
+  }
+}
+
+void NearScene::move(const Frame& frame, std::uint32_t moved) {
+  if (has_obstacle()) {
+    (void)workcell_.move(link_, frame, moved);
+  }
+}
+
+std::vector<std::uint32_t> NearScene::distances(const NearMoment& moment) const {
+  const Robot& robot = this->robot();
+  std::vector<JointCoordinate> coordinates(robot.joint_count);
+  std::vector<Frame> frames(robot.joint_count);
+  if (set_coordinates(robot, moment.values.data(), coordinates.data()) != Status::done) {
+    return {};
+  }
+  set_frames(robot, coordinates.data(), frames.data());
+  if (has_obstacle()) {
+    frames.back() = moment.obstacle;
+  }
+  const auto frame_of = [&](std::uint8_t link) {
+    const std::uint8_t joint = robot.links[link].joint;
+    return joint == kBase ? kIdentityFrame : frames[joint];
+  };
+  hints_.resize(robot.pair_count);
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 0; i < robot.pair_count; ++i) {
+    const RobotPair& pair = robot.pairs[i];
+    const Pose pose = relative_pose(frame_of(pair.a), frame_of(pair.b));
+    const Clearance<std::uint16_t> found =
+        distance(robot.meshes[pair.a], robot.meshes[pair.b], pose, hints_[i]);
+    hints_[i] = found.in_range ? found.witness : Witness<std::uint16_t>();
+    all.push_back(found.lower);
+  }
+  return all;
+}
+
+const std::vector<std::uint32_t>& NearMove::distances(std::size_t i) const {
+  if (!distances_[i]) {
+    distances_[i] = scene_.distances(moments_[i]);
+  }
+  return *distances_[i];
+}
+
+std::int64_t NearMove::excess(std::size_t i) const {
+  return least_excess(scene_.robot(), distances(i));
+}
+
+NearMoves::NearMoves(const NearScene& scene, const NearOptions& options, Random& random)
+    : scene_(scene), options_(options), random_(random), cell_(cell_of(scene.robot())) {
+  const Robot& robot = scene.robot();
+  joints_.resize(robot.variable_count);
+  for (std::uint32_t i = robot.joint_count; i-- != 0;) {
+    const RobotJoint& joint = robot.joints[i];
+    if (joint.type != JointType::fixed && joint.shift == 0) {
+      joints_[joint.variable] = &joint;
+    }
+  }
+  find_always_near();
+}
+
+double NearMoves::unit_of(std::size_t variable) const {
+  return joint_of(variable).type == JointType::prismatic ? cell_ / kFrameCell
+                                                         : 2 * tool::kPi / kFullTurn;
+}
+
+JointCoordinate NearMoves::kept(std::size_t variable, double value) const {
+  const RobotJoint& joint = joint_of(variable);
+  const double most = kFullTurn / 2.0 - 1;
+  const bool is_free = joint.type == JointType::continuous;
+  return static_cast<JointCoordinate>(
+      std::clamp(value, is_free ? -most : joint.lower, is_free ? most : joint.upper));
+}
+
+NearMoment NearMoves::any() const {
+  NearMoment made;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const double low = kept(i, -kMaxJointCoordinate);
+    made.values.push_back(kept(i, real_between(random_, low, kept(i, kMaxJointCoordinate))));
+  }
+  const double far = 0.8 / cell_ * kFrameCell;
+  for (std::int32_t& along : made.obstacle.translation) {
+    along = static_cast<std::int32_t>(real_between(random_, -far, far));
+  }
+  return made;
+}
+
+double NearMoves::excess_at(const NearMoment& moment) const {
+  const std::vector<std::uint32_t> all = scene_.distances(moment);
+  std::int64_t least = INT64_MAX;
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    const std::int64_t excess = std::int64_t{all[i]} - scene_.robot().pairs[i].stop;
+    least = is_always_near_[i] && excess > 0 ? least : std::min(least, excess);
+  }
+  return static_cast<double>(least) / kFine * cell_;
+}
+
+void NearMoves::find_always_near() {
+  constexpr int kTries = 64;
+  const Robot& robot = scene_.robot();
+  std::vector<int> near(robot.pair_count);
+  for (int i = 0; i < kTries; ++i) {
+    const std::vector<std::uint32_t> all = scene_.distances(any());
+    for (std::uint32_t j = 0; j < robot.pair_count; ++j) {
+      near[j] += all[j] < robot.pairs[j].stop + fine(options_.farthest, cell_) ? 1 : 0;
+    }
+  }
+  for (const int count : near) {
+    is_always_near_.push_back(count > kTries / 2);
+  }
+}
+
+bool NearMoves::narrow(NearMoment far, const NearMoment& near) {
+  NearMoment wrong = near;
+  for (int i = 0; i < 30; ++i) {
+    const NearMoment middle = between(far, wrong, 0.5);
+    const double excess = excess_at(middle);
+    if (excess > options_.nearest && excess < options_.farthest) {
+      place_ = middle;
+      return true;
+    }
+    (excess < options_.nearest ? wrong : far) = middle;
+  }
+  return false;
+}
+
+bool NearMoves::find_place(int tries) {
+  std::optional<NearMoment> far;
+  for (; tries != 0; --tries) {
+    const NearMoment moment = any();
+    if (excess_at(moment) > options_.farthest) {
+      far = moment;
+    } else if (far && narrow(*far, moment)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+NearMove NearMoves::move() {
+  NearMoment to = place_;
+  double periods = 2;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const bool slides = joint_of(i).type == JointType::prismatic;
+    const double most = slides ? options_.reach * 0.2 : options_.reach;
+    const double way = real_between(random_, -most, most) / unit_of(i);
+    to.values[i] = kept(i, place_.values[i] + way);
+    const double speed = (slides ? options_.slide : options_.turn) / unit_of(i);
+    periods = std::max(periods, std::abs(double(to.values[i]) - place_.values[i]) / speed * 1.5);
+  }
+  double squared = 0;
+  for (std::int32_t& along : to.obstacle.translation) {
+    const double way = real_between(random_, -0.02, 0.02);
+    along += static_cast<std::int32_t>(way / cell_ * kFrameCell);
+    squared += way * way;
+  }
+  periods = scene_.has_obstacle() ? std::max(periods, std::sqrt(squared) / options_.slide * 1.5)
+                                  : periods;
+  const int there = static_cast<int>(std::ceil(periods));
+  std::vector<NearMoment> moments;
+  for (int i = 0; i <= 2 * there; ++i) {
+    const double x = double(i <= there ? i : 2 * there - i) / there;
+    moments.push_back(between(place_, to, x * x * (3 - 2 * x)));
+  }
+  return {scene_, std::move(moments)};
+}
+
+}  // namespace flashbvh::test

@@ -1,0 +1,108 @@
+// Small moves about places where an arm's links nearly touch, as a welding or assembly arm works,
+// and how far apart all guarded pairs are on the way, by distance queries of each period.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/robot/workcell.hpp"
+#include "support/arms/arms.hpp"
+#include "support/random.hpp"
+
+namespace flashbvh::test {
+
+/// Lengths in metres, speeds per period.
+struct NearOptions {
+  double turn = 1.25e-3;      ///< top speed of turning joints, in radians
+  double slide = 5e-4;        ///< of sliding joints and of the obstacle
+  double nearest = 0.001;     ///< a place is so far over a stop distance at least,
+  double farthest = 0.008;    ///< and at most
+  double reach = 0.05;        ///< radians that a move turns a joint at most
+  bool has_obstacle = false;  ///< that moves, at most 70 mm over the stop distance
+  double obstacle_stop = 0.005;
+  double obstacle_warn = 0.01;
+};
+
+using NearValues = std::vector<JointCoordinate>;
+using NearCell = WorkcellOf<kMaxJoints, kMaxLinks, 512, 4096>;
+
+/// What one moment holds.
+struct NearMoment {
+  NearValues values;
+  Frame obstacle = kIdentityFrame;
+};
+
+/// A robot, and maybe an obstacle: what a guard takes.
+class NearScene {
+ public:
+  NearScene(const Robot& robot, const NearOptions& options);
+  const Robot& robot() const { return workcell_.robot(); }
+  bool has_obstacle() const { return link_ != kMaxLinks; }
+  /// Moves the obstacle there, by at most `moved`, in 1/256 cell.
+  void move(const Frame& frame, std::uint32_t moved);
+  /// Of all pairs, in 1/256 cell, rounded down; of the placed meshes, as the guard places them.
+  std::vector<std::uint32_t> distances(const NearMoment& moment) const;
+
+ private:
+  std::unique_ptr<BakedArm> body_;
+  tool::Model model_;
+  std::unique_ptr<NearCell> memory_;
+  Workcell workcell_;
+  std::uint8_t link_ = kMaxLinks;
+  mutable std::vector<Witness<std::uint16_t>> hints_;
+};
+
+/// There and back: period 0 and the last one are at the place itself.
+class NearMove {
+ public:
+  NearMove(const NearScene& scene, std::vector<NearMoment> moments)
+      : scene_(scene), moments_(std::move(moments)), distances_(moments_.size()) {}
+
+  std::size_t size() const { return moments_.size(); }
+  const NearMoment& operator[](std::size_t i) const { return moments_[i]; }
+  /// NearScene::distances(), kept.
+  const std::vector<std::uint32_t>& distances(std::size_t i) const;
+  /// How far over the stop distance the nearest pair is, in 1/256 cell; may be negative.
+  std::int64_t excess(std::size_t i) const;
+
+ private:
+  const NearScene& scene_;
+  std::vector<NearMoment> moments_;
+  mutable std::vector<std::optional<std::vector<std::uint32_t>>> distances_;
+};
+
+class NearMoves {
+ public:
+  NearMoves(const NearScene& scene, const NearOptions& options, Random& random);
+  /// False if so many tries found no place.
+  bool find_place(int tries = 4000);
+  const NearMoment& place() const { return place_; }
+  NearMove move();
+
+ private:
+  const RobotJoint& joint_of(std::size_t variable) const { return *joints_[variable]; }
+  /// A unit of the variable in radians or metres.
+  double unit_of(std::size_t variable) const;
+  JointCoordinate kept(std::size_t variable, double value) const;
+  NearMoment any() const;
+  /// Pairs that are near at most places do not make a place.
+  void find_always_near();
+  /// Of the other pairs, in metres.
+  double excess_at(const NearMoment& moment) const;
+  /// Halves the way from a place that is too far from contact to one that is too near.
+  bool narrow(NearMoment far, const NearMoment& near);
+
+  const NearScene& scene_;
+  NearOptions options_;
+  Random& random_;
+  double cell_;
+  std::vector<const RobotJoint*> joints_;
+  std::vector<bool> is_always_near_;
+  NearMoment place_;
+};
+
+double cell_of(const Robot& robot);
+
+}  // namespace flashbvh::test
