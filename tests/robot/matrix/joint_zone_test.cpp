@@ -23,6 +23,20 @@ void append(bake::SourceMesh& mesh, const bake::SourceMesh& more) {
   }
 }
 
+/// Flat, with two sides, from two corners of the mesh to a tip.
+void add_fin(bake::SourceMesh& mesh, std::uint32_t p, std::uint32_t q, const Vector3& tip) {
+  const auto last = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.push_back(tip);
+  mesh.triangles.push_back({p, q, last});
+  mesh.triangles.push_back({q, p, last});
+}
+
+std::uint32_t corner_at(const bake::SourceMesh& mesh, const Vector3& point) {
+  const auto place = std::find(mesh.vertices.begin(), mesh.vertices.end(), point);
+  REQUIRE(place != mesh.vertices.end());
+  return static_cast<std::uint32_t>(place - mesh.vertices.begin());
+}
+
 struct Neighbours {
   Model model;
   MatrixOptions options;
@@ -197,6 +211,83 @@ TEST_CASE("where what touches grows towards a limit, the zone does not") {
   CHECK(reaching.zones()[0].shape.radius < 0.2);
   CHECK(reaching.decided().verdict == MatrixVerdict::can);
   CHECK(made(1.35).decided().verdict == MatrixVerdict::never);
+}
+
+TEST_CASE("a fin that a neighbour's fin meets is outside, wherever in the range they meet") {
+  // Each link in one piece: a hub with a fin from two of its corners. The base's stands upright at
+  // a right angle and reaches out to 0.3; the arm's lies across, 15 degrees wide at its hub, and
+  // meets it from an angle of 1.44 on. 1.6 is at the end of the range; up to 2.8 it is in the
+  // middle.
+  const auto made = [](double upper) {
+    Neighbours fins = hub_and_arm(0.2, upper);
+    bake::SourceMesh base = prism(24, 0.1, 0, 0, -0.1, 0.1);
+    add_fin(base, 12, 13, {0, 0.3, 0});
+    bake::SourceMesh arm = prism(48, 0.11, 0, 0, -0.05, 0.05);
+    add_fin(arm, 3, 95, {0.5, 0, 0});
+    fins.model.links[0].mesh = base;
+    fins.model.links[1].mesh = arm;
+    return fins;
+  };
+  for (const double upper : {1.6, 2.8}) {
+    CAPTURE(upper);
+    const Neighbours meets = made(upper);
+    const std::vector<JointZone> zones = meets.zones();
+    REQUIRE(zones.size() == 1);
+    CHECK(zones[0].shape.radius < (upper < 2 ? 0.14 : 0.16));  // 1.25 of 0.121, which hubs need
+    CHECK(meets.decided().verdict == MatrixVerdict::can);
+  }
+  const Neighbours never = made(1.3);
+  REQUIRE(never.zones().size() == 1);
+  CHECK(never.zones()[0].shape.radius < 0.14);
+  CHECK(never.decided().verdict == MatrixVerdict::never);
+}
+
+TEST_CASE("a rib that a carriage meets at the end of its rail is outside, to a millimetre") {
+  // The rail is in one piece with the rib across its end, at 0.5; the carriage's front is 0.05
+  // ahead.
+  const auto made = [](double upper) {
+    Neighbours rail;
+    bake::SourceMesh ribbed = box({-0.1, -0.05, -0.05}, {0.5, 0.05, 0});
+    add_fin(ribbed, corner_at(ribbed, {0.5, -0.05, 0}), corner_at(ribbed, {0.5, 0.05, 0}),
+            {0.5, 0, 0.3});
+    add_link(rail.model, kNoJoint, ribbed);
+    const std::size_t joint =
+        add_joint(rail.model, kNoJoint, turned(1, kPi / 2), JointType::prismatic, 0, upper);
+    bake::SourceMesh carriage = box({-0.05, -0.04, -0.001}, {0.05, 0.04, 0.2});
+    for (Vector3& vertex : carriage.vertices) {
+      vertex = placed(turned(1, -kPi / 2), vertex);
+    }
+    add_link(rail.model, joint, carriage);
+    rail.model.neighbours = {{0, 1}};
+    return rail;
+  };
+  const Neighbours meets = made(0.451);
+  REQUIRE(meets.zones().size() == 1);
+  CHECK(meets.zones()[0].shape.is_cylinder);
+  CHECK(meets.zones()[0].shape.radius < 0.1);
+  CHECK(meets.decided().verdict == MatrixVerdict::can);
+  CHECK(made(0.449).decided().verdict == MatrixVerdict::never);
+}
+
+TEST_CASE("what touches between two looks is in the zone") {
+  // A gear of 32 teeth on a hub of 64 corners, and a pawl. Over a full turn, 33 looks are as far
+  // from each other as the teeth: the pawl is in the middle of a gap at each of them.
+  constexpr double kTooth = 2 * kPi / 64;
+  Neighbours gear = hub_and_arm(kTooth / 2 - kPi, kTooth / 2 + kPi);
+  bake::SourceMesh base = prism(24, 0.1, 0, 0, -0.1, 0.1);
+  add_fin(base, 0, 1, {0.122, 0, 0.05});
+  bake::SourceMesh wheel = prism(64, 0.11, 0, 0, -0.05, 0.05);
+  for (std::uint32_t tooth = 0; tooth < 32; ++tooth) {
+    const double angle = (2 * tooth + 0.5) * kTooth;
+    add_fin(wheel, 4 * tooth + 1, 4 * tooth + 3,
+            {0.125 * std::cos(angle), 0.125 * std::sin(angle), 0.05});
+  }
+  gear.model.links[0].mesh = base;
+  gear.model.links[1].mesh = wheel;
+  REQUIRE(gear.zones().size() == 1);
+  CHECK(gear.zones()[0].shape.radius > 0.13);  // 0.121 hold what touches at the looks
+  CHECK(gear.zones()[0].shape.radius < 0.16);
+  CHECK(gear.decided().verdict == MatrixVerdict::never);
 }
 
 TEST_CASE("neighbours apart have no zone, unless they are nearer than they stop") {

@@ -13,6 +13,8 @@ namespace {
 
 /// Values of the joint that are looked at, both ends among them.
 constexpr std::size_t kLooks = 33;
+/// The middle of the zone is that of all contacts, or of those over the middle half of the range.
+constexpr std::size_t kQuarter = kLooks / 4;
 /// The zone holds what touches over the middle of the range, all but an eighth at either end ...
 constexpr std::size_t kEnds = kLooks / 8;
 /// ... as long as that is not so much more than half of the looks need; and a little more, for what
@@ -63,7 +65,8 @@ class Finder {
     shape_.is_cylinder = model.joints[joint].type == JointType::prismatic;
   }
 
-  /// None: they do not touch at each look. `meshes`: the links', as they are baked.
+  /// None: they do not touch at each look. `meshes`: the links', as they are
+  /// baked.
   std::optional<JointZone> find(const Mesh& mesh_a, const Mesh& mesh_b,
                                 std::optional<double> radius) {
     const PairSpace whole = space(mesh_a, mesh_b);
@@ -74,7 +77,7 @@ class Finder {
     }
     const std::vector<std::vector<Contact>> contacts = contacts_in(whole);
     find_touching_shells(contacts);
-    place_middle(contacts);
+    place(contacts);
     shape_.radius = radius ? *radius : radius_of(contacts);
     for (int round = 0; round < kRounds && shape_.radius > 0; ++round) {
       const double before = shape_.radius;
@@ -145,8 +148,20 @@ class Finder {
            touching_shells_[1][sides_[1].shell_of(contact.b)];
   }
 
-  /// In the middle of the contacts, along what the joint leaves where it is.
-  void place_middle(const std::vector<std::vector<Contact>>& contacts) {
+  /// About the middle that makes it smallest: what touches at an end of the range may lie far off.
+  void place(const std::vector<std::vector<Contact>>& contacts) {
+    place_middle(contacts, 0);
+    const ZoneShape of_all = shape_;
+    const double radius = radius_of(contacts);
+    place_middle(contacts, kQuarter);
+    if (radius_of(contacts) >= radius) {
+      shape_ = of_all;
+    }
+  }
+
+  /// In the middle of the contacts, but for so many looks at either end, along what the
+  /// joint leaves where it is.
+  void place_middle(const std::vector<std::vector<Contact>>& contacts, std::size_t ends) {
     const auto extent = [&](std::size_t side, std::uint32_t triangle, std::size_t axis) {
       Interval of{HUGE_VAL, -HUGE_VAL};
       for (std::size_t i = 0; i < 3; ++i) {
@@ -158,8 +173,8 @@ class Finder {
     for (std::size_t axis = shape_.is_cylinder ? 0 : 2; axis < (shape_.is_cylinder ? 2 : 3);
          ++axis) {
       Interval all{HUGE_VAL, -HUGE_VAL};
-      for (const std::vector<Contact>& look : contacts) {
-        for (const Contact& contact : look) {
+      for (std::size_t look = ends; look < kLooks - ends; ++look) {
+        for (const Contact& contact : contacts[look]) {
           if (is_of_zone(contact)) {
             const Interval a = extent(0, contact.a, axis);
             const Interval b = extent(1, contact.b, axis);
