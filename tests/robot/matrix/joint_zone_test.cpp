@@ -290,6 +290,22 @@ TEST_CASE("what touches between two looks is in the zone") {
   CHECK(gear.decided().verdict == MatrixVerdict::never);
 }
 
+TEST_CASE("without time there is no zone, and a guard keeps all that lies outside one") {
+  Neighbours late = hub_and_arm(angle_of_contact() - 0.001, 2);
+  const std::vector<JointZone> zones = late.zones();
+  late.options.deadline = in_seconds(Clock::now(), -1);
+  CHECK(late.zones().empty());
+  late.radii = {{0, 0.2}};
+  CHECK(late.zones().empty());
+  REQUIRE(zones.size() == 1);
+  const std::vector<ZoneParts> parts = zone_parts(late.model, zones[0], kCell, late.options);
+  REQUIRE(parts.size() == zones[0].bodies.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    CHECK(parts[i].a.triangles.size() == zones[0].bodies[i].mesh_a.triangles.size());
+    CHECK(parts[i].b.triangles.size() == zones[0].bodies[i].mesh_b.triangles.size());
+  }
+}
+
 TEST_CASE("neighbours apart have no zone, unless they are nearer than they stop") {
   Neighbours apart = hub_and_arm(0.2, 2);
   bake::SourceMesh sleeve = box({0.103, -0.01, -0.02}, {0.5, 0.01, 0.02});

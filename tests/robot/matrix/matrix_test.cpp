@@ -1,5 +1,6 @@
 // Verdicts where the truth is a formula, and against brute force on random arms.
 #include "robot/matrix/matrix.hpp"
+#include "robot/matrix/pair_search.hpp"
 #include "support/arms/arms.hpp"
 #include "support/test.hpp"
 
@@ -240,6 +241,45 @@ TEST_CASE("a proof and the proof for the stop distance are distinguished") {
   CHECK(alone.cells > 1);
   CHECK(pair.reason ==
         alone.reason + "; " + std::to_string(pair.cells - alone.cells) + " more for --stop");
+}
+
+TEST_CASE("more than a turn is looked at over one") {
+  for (const double rod : {0.5, 0.4 - 4 * kCell}) {
+    CAPTURE(rod);
+    const auto model = [&](double half) {
+      Model made = rod_and_wall(0.7 - half, 0.7 + half, 0.4);
+      made.links[1].mesh = box({0.2, -0.001, -0.1}, {rod, 0.001, 0.1});
+      return made;
+    };
+    const PairVerdict turn = decided(model(kPi), 0, 1);
+    const PairVerdict more = decided(model(3 * kPi), 0, 1);
+    CHECK(turn.verdict == (rod > 0.4 ? MatrixVerdict::can : MatrixVerdict::never));
+    CHECK(more.verdict == turn.verdict);
+    CHECK(more.cells == turn.cells);
+    CHECK(more.reason == turn.reason);
+  }
+}
+
+TEST_CASE("when the time is up, the rest is undecided, and guarded") {
+  MatrixOptions late;
+  late.deadline = in_seconds(Clock::now(), -1);
+  for (const double wall : {0.5, 1.5}) {
+    CAPTURE(wall);
+    const Model model = rod_and_wall(-1, 1, wall);
+    const PairVerdict pair = decided(model, 0, 1, late);
+    CHECK(pair.verdict == MatrixVerdict::undecided);
+    CHECK(pair.reason ==
+          "neither proven nor found to intersect after 0 cells, when its time was up");
+    CHECK(pair.is_guarded);
+    CHECK(pair.cells == 0);
+    const BakedArm arm(model, kCell);
+    const PairSpace space(model, {0, &arm.meshes()[0], nullptr}, {1, &arm.meshes()[1], nullptr},
+                          kCell);
+    CHECK_FALSE(find_intersection(space, late, 256));
+    std::uint64_t cells = 0;
+    CHECK_FALSE(is_proven_swept(model, 0, 1, kCell, late, cells));
+    CHECK(cells == 0);
+  }
 }
 
 TEST_CASE("plates that slide side by side end") {

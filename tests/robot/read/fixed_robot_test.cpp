@@ -15,7 +15,8 @@ struct Baked {
 };
 
 Baked bake_robot(const tool::Model& model, std::optional<double> cell = {},
-                 const std::vector<tool::GuardedPair>& pairs = {}) {
+                 const std::vector<tool::GuardedPair>& pairs = {},
+                 const tool::Reaches& reaches = {}) {
   tool::check_counts(model, "arm.urdf");
   const double chosen = tool::robot_cell(model, cell, "arm.urdf");
   Baked baked;
@@ -26,7 +27,7 @@ Baked bake_robot(const tool::Model& model, std::optional<double> cell = {},
   for (const tool::BakedLink& link : baked.links) {
     meshes.push_back(link.mesh());
   }
-  baked.robot = std::make_unique<tool::FixedRobot>(model, meshes, chosen, pairs);
+  baked.robot = std::make_unique<tool::FixedRobot>(model, meshes, chosen, pairs, reaches);
   return baked;
 }
 
@@ -220,6 +221,29 @@ TEST_CASE("robots that firmware can't hold") {
   CHECK(refusal_of([&] { bake_robot(many); }) ==
         "arm.urdf, link 'a': has 65536 triangles, 16-bit indices reach 65535; give it a coarser "
         "mesh for collisions");
+}
+
+TEST_CASE("a chain as long as firmware holds fits the guard's sums, and no finer one does") {
+  RobotFiles files;
+  std::string text = link_text("l0");
+  for (std::size_t i = 1; i < 60; ++i) {
+    const std::string child = "l" + std::to_string(i);
+    text += link_text(child) + joint_text("j" + std::to_string(i), "revolute",
+                                          "l" + std::to_string(i - 1), child,
+                                          "<origin xyz=\"0.12 0 0\"/>" + limits("-1", "1"));
+  }
+  const tool::Model model = files.read(text);
+  const double cell = tool::robot_cell(model, {}, "arm.urdf");
+  std::vector<tool::GuardedPair> pairs = {{0, 30, 0, 0}, {0, 59, 0, 0}, {0, 31, 0, 0}};
+  // Without time: as far as the chain is long, stretched out.
+  const tool::Reaches reaches =
+      tool::all_reaches(model, cell, tool::in_seconds(tool::Clock::now(), -1));
+  CHECK(bake_robot(model, cell, pairs, reaches).robot->robot().pairs[1].reach > 0.9 * UINT32_MAX);
+  // Refused for the pair that moves farthest, not for the first that moves too far.
+  const std::string refusal = refusal_of([&] { bake_robot(model, 0.8 * cell, pairs, reaches); });
+  CHECK_THAT(refusal, Catch::Matchers::Contains("too far for so fine a lattice: give --cell "));
+  const double needed = std::stod(refusal.substr(refusal.find("--cell ") + 7));
+  CHECK(bake_robot(model, needed, pairs, reaches).robot);
 }
 
 TEST_CASE("the slack grows by what the reader of a link's file rounded, along three axes, twice") {

@@ -28,10 +28,48 @@ std::vector<BakedLink> bake_links(const Model& model, double cell, const RobotAr
   return links;
 }
 
-/// Part of the time until pairs have to be decided: the rest is for what is baked of them.
+/// Parts of the time until when stages have to be done; what one leaves is the next one's. Without
+/// its zone a joint's links are guarded all over, so zones get most.
+constexpr double kPartForReaches = 0.1;
+constexpr double kPartForZones = 0.6;
 constexpr double kPartForPairs = 0.8;
+constexpr double kPartForParts = 0.9;
+constexpr double kPartForTables = 1;
 
-/// Proofs hold for firmware's own kinematics.
+/// Gives stages their time.
+class StageTimes {
+ public:
+  explicit StageTimes(const RobotArguments& arguments) {
+    if (arguments.time) {
+      seconds_ = seconds(*arguments.time);
+    }
+  }
+
+  Deadline until(double part) const {
+    return seconds_ ? in_seconds(began_, part * *seconds_) : Deadline{};
+  }
+
+ private:
+  Clock::time_point began_ = Clock::now();
+  std::optional<double> seconds_;
+};
+
+/// All that a joint moves and that may be guarded.
+std::vector<GuardedPair> moved_pairs(const Model& model) {
+  std::vector<GuardedPair> pairs;
+  for (std::size_t a = 0; a < model.links.size(); ++a) {
+    for (std::size_t b = a + 1; b < model.links.size(); ++b) {
+      const DisabledPair* const disabled = find_pair(model.disabled, a, b);
+      if (model.links[a].joint != model.links[b].joint &&
+          (disabled == nullptr || !disabled->is_believed)) {
+        pairs.push_back({a, b, 0, 0});
+      }
+    }
+  }
+  return pairs;
+}
+
+/// Proofs hold for firmware's own kinematics. UserError if firmware cannot hold the robot so fine.
 MatrixOptions matrix_options(const Model& model, const std::vector<Mesh>& meshes, double cell,
                              const AllDistances& distances, const Reaches& reaches) {
   MatrixOptions options;
@@ -40,7 +78,7 @@ MatrixOptions matrix_options(const Model& model, const std::vector<Mesh>& meshes
   for (const GuardedPair& pair : distances.own) {
     options.stops.push_back({pair.a, pair.b, pair.stop / cell, pair.warn / cell});
   }
-  const FixedRobot robot(model, meshes, cell, {}, reaches);
+  const FixedRobot robot(model, meshes, cell, moved_pairs(model), reaches);
   options.slack = std::max(options.slack, kPlacing + robot.robot().slack / double{kFineOne});
   return options;
 }
@@ -88,8 +126,19 @@ std::size_t add_part(std::size_t of, bake::SourceMesh mesh, const std::string& w
   part.precision = made.model.links[of].precision;
   made.links.push_back(bake_link(part, made.cell, arguments.leaf_size, arguments.urdf));
   made.model.links.push_back(std::move(part));
+  made.wholes.push_back(of);
   ++made.model.part_count;
   return made.model.links.size() - 1;
+}
+
+/// UserError if the links and their parts are more than firmware holds.
+void check_parts(const Model& model, const std::string& path) {
+  if (model.links.size() > kMaxLinks) {
+    throw UserError(path, "has ", model.links.size() - model.part_count,
+                    " links with a <collision> and ", model.part_count,
+                    " parts of them to guard next to joint zones, firmware holds ", kMaxLinks,
+                    " of both; give more --time, or joints a larger --zone");
+  }
 }
 
 /// What a guard looks at of neighbours.
@@ -120,7 +169,20 @@ void add_parts(const RobotArguments& arguments, BakedRobot& made) {
     }
   }
   made.sizes = link_sizes(made.model);
-  check_counts(made.model, arguments.urdf);
+  check_parts(made.model, arguments.urdf);
+}
+
+/// Of the parts; no looser than those of the whole links.
+void add_reaches(BakedRobot& made) {
+  const std::size_t first = made.reaches.size();
+  made.reaches.resize(made.model.links.size());
+  for_each_in_parallel(made.reaches.size() - first, [&](std::size_t i) {
+    std::vector<double>& reaches = made.reaches[first + i];
+    reaches = reaches_of(made.model, first + i, made.cell, made.options.deadline);
+    const std::vector<double>& whole = made.reaches[made.wholes[i]];
+    std::transform(reaches.begin(), reaches.end(), whole.begin(), reaches.begin(),
+                   [](double part, double all) { return std::min(part, all); });
+  });
 }
 
 void warn_of_fixed(const BakedRobot& robot, const AllDistances& distances, const std::string& path,
@@ -176,6 +238,27 @@ void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
   }
 }
 
+/// Of joints whose zone was not found when the time for it was up.
+void warn_of_late_zones(const BakedRobot& robot, const ZoneRadii& radii, const std::string& path,
+                        Warnings& warnings) {
+  std::string joints;
+  for (std::size_t joint = 0; joint < robot.model.joints.size(); ++joint) {
+    const auto given = radii.find(joint);
+    const bool is_wanted =
+        is_between_neighbours(robot.model, joint) && (given == radii.end() || given->second != 0);
+    const bool is_found = std::any_of(robot.zones.begin(), robot.zones.end(),
+                                      [&](const JointZone& zone) { return zone.joint == joint; });
+    if (is_wanted && !is_found) {
+      joints += concat(joints.empty() ? "" : ", ", robot.model.joints[joint].name);
+    }
+  }
+  if (robot.options.is_late() && !joints.empty()) {
+    warnings.add(path, concat("no time was left to find a zone about ", joints,
+                              ": links that touch there are guarded all over, and a guard would "
+                              "always say stop; give more --time"));
+  }
+}
+
 double steps_of(const Model& model) {
   const auto count = static_cast<double>(model.links.size());
   return kBakingWeight * (count + 1) + count * (count - 1) / 2;
@@ -184,7 +267,7 @@ double steps_of(const Model& model) {
 /// All but what firmware holds.
 BakedRobot decided(Model model, const AllDistances& distances, const RobotArguments& arguments,
                    Progress& progress, Warnings& warnings) {
-  const Clock::time_point began = Clock::now();
+  const StageTimes times(arguments);
   const ZoneRadii radii = zone_radii(model, arguments.zones);
   BakedRobot made;
   made.model = std::move(model);
@@ -199,18 +282,19 @@ BakedRobot decided(Model model, const AllDistances& distances, const RobotArgume
                arguments.cell ? concat("--cell ", *arguments.cell) : arguments.urdf, warnings);
   made.links = bake_links(made.model, made.cell, arguments, progress, warnings);
   const std::vector<Mesh> meshes = meshes_of(made.links);
-  made.reaches = all_reaches(made.model, made.cell);
+  made.reaches = all_reaches(made.model, made.cell, times.until(kPartForReaches));
   made.options = matrix_options(made.model, meshes, made.cell, distances, made.reaches);
-  if (arguments.time) {
-    made.options.deadline = in_seconds(began, kPartForPairs * seconds(*arguments.time));
-    made.deadline = in_seconds(began, seconds(*arguments.time));
-  }
   progress.begin("joint zones", kBakingWeight);
+  made.options.deadline = times.until(kPartForZones);
   made.zones = joint_zones(made.model, meshes, made.cell, made.options, radii);
+  warn_of_late_zones(made, radii, arguments.urdf, warnings);
+  made.options.deadline = times.until(kPartForPairs);
   made.pairs = decide_pairs(made.model, meshes, made.zones, made.reaches, made.cell, made.options,
                             [&](std::size_t pair, std::size_t pairs) {
                               progress.begin(concat("pair ", pair, " of ", pairs), 1);
                             });
+  made.options.deadline = times.until(kPartForParts);
+  made.deadline = times.until(kPartForTables);
   return made;
 }
 
@@ -264,6 +348,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   BakedRobot made = decided(std::move(model), distances, arguments, progress, warnings);
   check_disabled(made.model, made.pairs, arguments.srdf, warnings);
   add_parts(arguments, made);
+  add_reaches(made);
   made.unguarded = unguarded_pairs(made.pairs, made.zones);
   warn_of_unguarded(made, arguments.urdf, warnings);
   warn_of_fixed(made, distances, arguments.urdf, warnings);

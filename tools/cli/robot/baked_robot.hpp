@@ -51,9 +51,10 @@ struct BakedRobot {
   double cell;                   ///< metres
   std::vector<BakedLink> links;  ///< behind them the parts of links that a guard looks at
   std::vector<Size> sizes;       ///< of the links, in their own frames, in metres; of an image, too
-  Reaches reaches;               ///< of the links that are no parts
-  MatrixOptions options;         ///< with which its pairs were decided
-  Deadline deadline = {};        ///< of all
+  Reaches reaches;               ///< of the links, and of the parts
+  std::vector<std::size_t> wholes;  ///< of each part: its link
+  MatrixOptions options;   ///< with which its pairs were decided; until when parts are sought
+  Deadline deadline = {};  ///< of all
   std::vector<JointZone> zones;
   std::vector<PairVerdict> pairs;
   std::vector<UnguardedPair> unguarded;  ///< of an image, too

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bake/quantise.hpp"
+#include "robot/baked/fixed_robot.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/read/xml_file.hpp"
 #include "text/messages.hpp"
@@ -21,25 +22,67 @@ double norm(const Vector3& v) {
   return std::hypot(v[0], v[1], v[2]);
 }
 
+double travel_of(const ModelJoint& joint) {
+  return joint.type == JointType::prismatic
+             ? std::max(std::fabs(joint.lower), std::fabs(joint.upper))
+             : 0;
+}
+
+double furthest_of(const ModelLink& link) {
+  double furthest = 0;
+  for (const Vector3& vertex : link.mesh.vertices) {
+    furthest = std::max(furthest, norm(vertex));
+  }
+  return furthest;
+}
+
+/// Of joints, added up.
+struct Reach {
+  double turns = 0;   ///< how far a link can lie from each that turns, at most
+  double slides = 0;  ///< how many slide
+
+  void add(const Model& model, const ModelLink& link, const std::vector<std::size_t>& inwards) {
+    double reach = furthest_of(link);
+    for (const std::size_t number : inwards) {
+      const ModelJoint& joint = model.joints[number];
+      (joint.type == JointType::prismatic ? slides : turns) +=
+          joint.type == JointType::prismatic ? 1 : reach;
+      reach += travel_of(joint) + norm(joint.fixed.translation);
+    }
+  }
+};
+
+/// With which the reaches of any two links fit the guard's sums.
+double finest_for_reaches(const Model& model) {
+  constexpr double kRounding = 1.01;  // and what the lattice moves
+  const double turn = std::ldexp(256 * unit_of_coordinate(JointType::revolute, 1), kReachBits);
+  const double slide = std::ldexp(256 * unit_of_coordinate(JointType::prismatic, 1), kReachBits);
+  double finest = 0;
+  for (std::size_t a = 0; a < model.links.size(); ++a) {
+    for (std::size_t b = a + 1; b < model.links.size(); ++b) {
+      const JointsBetween joints = joints_between(model, a, b);
+      Reach reach;
+      reach.add(model, model.links[a], joints.of_a);
+      reach.add(model, model.links[b], joints.of_b);
+      const double most = UINT32_MAX / kRounding - slide * reach.slides;
+      finest = most > 0 ? std::max(finest, turn * reach.turns / most) : finest;
+    }
+  }
+  return finest;
+}
+
 /// How far from the base any point of a link's sphere can get, at most.
 double reach_of(const Model& model) {
   std::vector<double> joints;
   double most = 0;
   for (const ModelJoint& joint : model.joints) {
-    const double travel = joint.type == JointType::prismatic
-                              ? std::max(std::fabs(joint.lower), std::fabs(joint.upper))
-                              : 0;
     const double before = joint.parent == kNoJoint ? 0 : joints[joint.parent];
-    joints.push_back(before + norm(joint.fixed.translation) + travel);
+    joints.push_back(before + norm(joint.fixed.translation) + travel_of(joint));
     most = std::max(most, joints.back());
   }
   for (const ModelLink& link : model.links) {
-    double furthest = 0;
-    for (const Vector3& vertex : link.mesh.vertices) {
-      furthest = std::max(furthest, norm(vertex));
-    }
-    most =
-        std::max(most, kSphereReach * furthest + (link.joint == kNoJoint ? 0 : joints[link.joint]));
+    most = std::max(
+        most, kSphereReach * furthest_of(link) + (link.joint == kNoJoint ? 0 : joints[link.joint]));
   }
   return most;
 }
@@ -77,7 +120,7 @@ double robot_cell(const Model& model, const std::optional<double>& wanted,
                     " m far, too far for frames in cells of ", shortest(*wanted),
                     " m; the finest that does is --cell ", shortest(finest_for_frames));
   }
-  double finest = finest_for_frames;
+  double finest = std::max(finest_for_frames, finest_for_reaches(model));
   for (const ModelLink& link : model.links) {
     finest = std::max(finest, finest_cell(link_input(link, path)));
   }

@@ -28,7 +28,7 @@ std::size_t image_bytes(const std::vector<BakedLink>& links);
 void check_counts(const Model& model, const std::string& path);
 
 /// In metres: the finest with which all links fit the lattice, and all joints, wherever they stand,
-/// firmware's frames; or `wanted`. UserError if that is too fine for either.
+/// firmware's frames and sums; or `wanted`. UserError if that is too fine for links or frames.
 double robot_cell(const Model& model, const std::optional<double>& wanted, const std::string& path);
 
 /// As it is baked, in metres, for messages.

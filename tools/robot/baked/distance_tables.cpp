@@ -175,7 +175,8 @@ std::vector<std::unique_ptr<SweptDistanceTable>> swept_tables(const Model& model
                                                               const Deadline& deadline) {
   std::vector<std::unique_ptr<SweptDistanceTable>> distance_tables;
   for (const auto& [link, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
-    if (const std::optional<SweptEnd> end = swept_end(model, link, other)) {
+    const std::optional<SweptEnd> end = swept_end(model, link, other);
+    if (end && !deadline.is_past()) {
       distance_tables.push_back(
           std::make_unique<SweptDistanceTable>(model, pair, *end, radius, cell, deadline));
     }
@@ -226,7 +227,7 @@ std::vector<std::uint8_t> distance_table_of(const Model& model, const Robot& rob
       std::min(robot.links[pair.a].radius, robot.links[pair.b].radius) / kFrameCell;
   DistanceTable distance_table(space, radius, 0, kShares, deadline);
   const auto swept = swept_tables(model, pair, radius, cell, deadline);
-  for (std::uint32_t place = 0; place < size; ++place) {
+  for (std::uint32_t place = 0; place < size && !deadline.is_past(); ++place) {
     std::vector<Interval> box(axes.size());
     std::uint32_t rest = place;
     for (std::size_t i = axes.size(); i-- != 0; rest /= axes[i].cells.cells) {
@@ -238,6 +239,7 @@ std::vector<std::uint8_t> distance_table_of(const Model& model, const Robot& rob
     }
     bytes.push_back(byte_of(distance_table.distance(box, known)));
   }
+  bytes.resize(size);  // nothing is known of the rest
   return bytes;
 }
 

@@ -129,6 +129,7 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<Mesh>& meshes, doub
   for (const GuardedPair& pair : pairs) {
     add_pair(model, pair);
   }
+  check_reach();
   robot_.joints = joints_.data();
   robot_.links = links_.data();
   robot_.meshes = meshes_.data();
@@ -194,7 +195,9 @@ void FixedRobot::add_link(const Model& model, std::size_t number,
   for (std::size_t j = link.joint; j != kNoJoint; j = model.joints[j].parent) {
     const double unit = unit_of(model.joints[j], cell_);
     const double fine = reaches[j] * unit / cell_ * 256;
-    reaches_.push_back(static_cast<std::uint32_t>(std::ceil(std::ldexp(fine, kReachBits))));
+    wide_reaches_.push_back(std::ceil(std::ldexp(fine, kReachBits)));
+    reaches_.push_back(
+        static_cast<std::uint32_t>(std::min(wide_reaches_.back(), double{UINT32_MAX})));
   }
   links_.push_back(fixed);
 }
@@ -211,26 +214,31 @@ void FixedRobot::add_pair(const Model& model, const GuardedPair& pair) {
   fixed.joints_b = static_cast<std::uint8_t>(between.of_b.size());
   fixed.stop = fine(pair.stop);
   fixed.warn = fine(pair.warn);
-  fixed.reach = reach_of(fixed);
+  const double reach = reach_of(fixed);
+  most_reach_ = std::max(most_reach_, reach);
+  fixed.reach = static_cast<std::uint32_t>(std::min(reach, double{UINT32_MAX}));
   pair_joint_count_ += fixed.joints_a + fixed.joints_b;
   pairs_.push_back(fixed);
 }
 
-/// Of all joints between. UserError if it is too large for the guard's sums.
-std::uint32_t FixedRobot::reach_of(const RobotPair& pair) const {
-  std::uint64_t sum = 0;
+/// Of all joints between.
+double FixedRobot::reach_of(const RobotPair& pair) const {
+  double sum = 0;
   for (std::size_t i = 0; i < pair.joints_a; ++i) {
-    sum += reaches_[links_[pair.a].first_reach + i];
+    sum += wide_reaches_[links_[pair.a].first_reach + i];
   }
   for (std::size_t i = 0; i < pair.joints_b; ++i) {
-    sum += reaches_[links_[pair.b].first_reach + i];
+    sum += wide_reaches_[links_[pair.b].first_reach + i];
   }
-  if (sum > UINT32_MAX) {
+  return sum;
+}
+
+/// UserError if any is too large for the guard's sums.
+void FixedRobot::check_reach() const {
+  if (most_reach_ > UINT32_MAX) {
     throw UserError("robot", "its joints move links too far for so fine a lattice: give --cell ",
-                    significant(cell_ * static_cast<double>(sum) / UINT32_MAX * 1.01, 3),
-                    " or more");
+                    significant(cell_ * most_reach_ / UINT32_MAX * 1.01, 3), " or more");
   }
-  return static_cast<std::uint32_t>(sum);
 }
 
 /// How far the farthest point of the link can be from the base's origin, in cells.

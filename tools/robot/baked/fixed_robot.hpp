@@ -34,9 +34,9 @@ Mount fixed_mount(const ModelMount& mount, double cell);
 class FixedRobot {
  public:
   /// `meshes`: the links', of the same number, baked with `cell`, in metres; they outlive it.
-  /// UserError if the robot has more joints or links than firmware takes, or is larger; says with
-  /// which cell it would do.
-  /// `reaches`: of the first links; those of others are worked out.
+  /// UserError if the robot has more joints or links than firmware takes, or is larger, or moves
+  /// any of the pairs too far; says with which cell it would do. `reaches`: of the first links;
+  /// those of others are worked out.
   FixedRobot(const Model& model, const std::vector<Mesh>& meshes, double cell,
              const std::vector<GuardedPair>& pairs, const Reaches& reaches = {});
 
@@ -57,7 +57,8 @@ class FixedRobot {
   void add_joint(const Model& model, std::size_t joint);
   void add_link(const Model& model, std::size_t link, const std::vector<double>& reaches);
   void add_pair(const Model& model, const GuardedPair& pair);
-  std::uint32_t reach_of(const RobotPair& pair) const;
+  double reach_of(const RobotPair& pair) const;
+  void check_reach() const;
   double extent_of(const Model& model, std::size_t link) const;
   void check_size(const Model& model) const;
   std::uint32_t slack(const Model& model) const;
@@ -67,6 +68,8 @@ class FixedRobot {
   std::vector<RobotLink> links_;
   std::vector<RobotPair> pairs_;
   std::vector<std::uint32_t> reaches_;
+  std::vector<double> wide_reaches_;  ///< the same, also where they are too large
+  double most_reach_ = 0;             ///< of a pair
   std::vector<std::uint8_t> distance_tables_;
   std::vector<Mesh> meshes_;
   std::uint32_t pair_joint_count_ = 0;

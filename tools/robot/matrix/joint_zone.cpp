@@ -59,13 +59,14 @@ class Finder {
         joint_(joint),
         cell_(cell),
         touching_(options.distances_of(a, b).stop + options.slack),
+        deadline_(options.deadline),
         links_{a, b},
         sides_{ZoneSide(model.links[a], frame_in(model, a, joint)),
                ZoneSide(model.links[b], frame_in(model, b, joint))} {
     shape_.is_cylinder = model.joints[joint].type == JointType::prismatic;
   }
 
-  /// None: they do not touch at each look. `meshes`: the links', as they are
+  /// None: they do not touch at each look, or there is no time. `meshes`: the links', as they are
   /// baked.
   std::optional<JointZone> find(const Mesh& mesh_a, const Mesh& mesh_b,
                                 std::optional<double> radius) {
@@ -76,10 +77,13 @@ class Finder {
       return std::nullopt;
     }
     const std::vector<std::vector<Contact>> contacts = contacts_in(whole);
+    if (deadline_.is_past()) {
+      return std::nullopt;
+    }
     find_touching_shells(contacts);
     place(contacts);
     shape_.radius = radius ? *radius : radius_of(contacts);
-    for (int round = 0; round < kRounds && shape_.radius > 0; ++round) {
+    for (int round = 0; round < kRounds && shape_.radius > 0 && !deadline_.is_past(); ++round) {
       const double before = shape_.radius;
       cut();
       if (radius) {
@@ -97,7 +101,7 @@ class Finder {
     if (!radius) {
       grow();
     }
-    return zone();
+    return deadline_.is_past() ? std::nullopt : std::optional(zone());
   }
 
  private:
@@ -114,7 +118,7 @@ class Finder {
 
   std::vector<std::vector<Contact>> contacts_in(const PairSpace& space) const {
     std::vector<std::vector<Contact>> contacts(kLooks);
-    for (std::size_t i = 0; i < kLooks; ++i) {
+    for (std::size_t i = 0; i < kLooks && !deadline_.is_past(); ++i) {
       space.find_near({looks_[i]}, touching_, [&](std::uint32_t a, std::uint32_t b) {
         contacts[i].push_back({a, b});
       });
@@ -216,7 +220,7 @@ class Finder {
     const std::vector<double> farthest_a = sides_[0].farthest(shape_);
     const std::vector<double> farthest_b = sides_[1].farthest(shape_);
     const double largest_at_ends = kMoreAtEnds * shape_.radius;
-    for (std::size_t i = 0; i <= kBetween * (kLooks - 1); ++i) {
+    for (std::size_t i = 0; i <= kBetween * (kLooks - 1) && !deadline_.is_past(); ++i) {
       const bool is_end = i < kBetween * kEnds || i > kBetween * (kLooks - 1 - kEnds);
       const double part = static_cast<double>(i) / static_cast<double>(kBetween * (kLooks - 1));
       const double value = looks_.front() + part * (looks_.back() - looks_.front());
@@ -293,6 +297,7 @@ class Finder {
   std::size_t joint_;
   double cell_;
   double touching_;  ///< cells
+  Deadline deadline_;
   std::array<std::size_t, 2> links_;
   std::array<ZoneSide, 2> sides_;
   std::vector<double> looks_;  ///< values of the joint's variable

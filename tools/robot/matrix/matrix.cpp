@@ -244,17 +244,22 @@ class Matrix {
 
 /// Twice what would be the same for all of those that are left: most need less.
 constexpr double kShareOfTime = 2;
+/// Of a pair with a zone: they are few, and all need little.
+constexpr double kShareWithZone = 10;
 
-/// When one of `left` pairs has had its part of the time.
-Deadline turn_of(const MatrixOptions& options, std::size_t left, double share) {
-  if (!options.deadline.at) {
-    return {};
+/// The pairs with a joint zone first: with one joint between, they take little, and what is left
+/// undecided of them is stored in parts.
+std::vector<PairVerdict*> in_order(std::vector<PairVerdict>& verdicts,
+                                   const std::vector<JointZone>& zones) {
+  std::vector<PairVerdict*> order;
+  for (const bool has_zone : {true, false}) {
+    for (PairVerdict& pair : verdicts) {
+      if ((find_pair(zones, pair.a, pair.b) != nullptr) == has_zone) {
+        order.push_back(&pair);
+      }
+    }
   }
-  const Clock::time_point now = Clock::now();
-  const double part = share * static_cast<double>(processor_count()) /
-                      static_cast<double>(std::max<std::size_t>(left, 1));
-  const auto turn = std::chrono::duration<double>(*options.deadline.at - now) * std::min(1.0, part);
-  return {now + std::chrono::duration_cast<Clock::duration>(turn)};
+  return order;
 }
 
 }  // namespace
@@ -277,9 +282,11 @@ std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh
   }
   std::mutex mutex;
   std::size_t decided = 0;
-  for_each_in_parallel(verdicts.size(), [&](std::size_t i) {
-    const std::size_t left = verdicts.size() - i;
-    verdicts[i] = matrix.decide(verdicts[i].a, verdicts[i].b, turn_of(options, left, kShareOfTime));
+  const std::vector<PairVerdict*> order = in_order(verdicts, zones);
+  for_each_in_parallel(order.size(), [&](std::size_t i) {
+    const double share = i < zones.size() ? kShareWithZone : kShareOfTime;
+    const Deadline turn = turn_of(options.deadline, order.size() - i, share);
+    *order[i] = matrix.decide(order[i]->a, order[i]->b, turn);
     const std::lock_guard<std::mutex> lock(mutex);
     if (progress) {
       progress(++decided, verdicts.size());
@@ -287,13 +294,10 @@ std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh
   });
   if (options.deadline.at) {
     std::vector<PairVerdict*> hard;
-    for (PairVerdict& pair : verdicts) {
-      if (pair.verdict == MatrixVerdict::undecided) {
-        hard.push_back(&pair);
-      }
-    }
+    std::copy_if(order.begin(), order.end(), std::back_inserter(hard),
+                 [](const PairVerdict* pair) { return pair->verdict == MatrixVerdict::undecided; });
     for_each_in_parallel(hard.size(), [&](std::size_t i) {
-      const Deadline turn = turn_of(options, hard.size() - i, 1);
+      const Deadline turn = turn_of(options.deadline, hard.size() - i, 1);
       if (!turn.is_past()) {
         *hard[i] = matrix.decide(hard[i]->a, hard[i]->b, turn);
       }

@@ -103,8 +103,8 @@ bool is_proven(const SweptPair& pair, std::size_t a, std::size_t b,
                std::uint64_t& cells, double distance) {
   const Mesh mesh_a = pair.a.view();
   const Mesh mesh_b = pair.b.view();
-  const std::vector<double> reaches_a = reaches_of(pair.model, a, pair.cell);
-  const std::vector<double> reaches_b = reaches_of(pair.model, b, pair.cell);
+  const std::vector<double> reaches_a = reaches_of(pair.model, a, pair.cell, options.deadline);
+  const std::vector<double> reaches_b = reaches_of(pair.model, b, pair.cell, options.deadline);
   const PairSpace space(pair.model, {a, &mesh_a, &reaches_a}, {b, &mesh_b, &reaches_b}, pair.cell);
   const SearchResult found = search_pair(space, options, distance);
   cells += found.cells;
@@ -186,10 +186,13 @@ bool step_down(const PairSpace& space, double scale, Place& place) {
   return moved;
 }
 
-/// To where it is 0, or no step of the smallest size leads down.
-void go_down(const PairSpace& space, Place& place) {
+/// To where it is 0, or no step of the smallest size leads down, or there is no time.
+void go_down(const PairSpace& space, const MatrixOptions& options, Place& place) {
   int halvings = 0;
   for (int step = 0; step < kMostSteps && halvings < kHalvings && place.distance > 0; ++step) {
+    if (options.is_late()) {
+      return;
+    }
     if (!step_down(space, std::ldexp(0.25, -halvings), place)) {
       ++halvings;
     }
@@ -239,6 +242,9 @@ bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double ce
   // The other link is rounded to the new lattice, and was to the old one.
   share.slack += 2 * kDeviation;
   return std::any_of(choices.begin(), choices.end(), [&](const std::vector<SweptEnd>& ends) {
+    if (options.is_late()) {
+      return false;
+    }
     const SweptPair pair = swept_pair(model, a, b, cell, ends, kCoarse);
     return is_proven(pair, a, b, ends, share, cells, distance);
   });
@@ -292,7 +298,7 @@ std::optional<std::vector<double>> find_intersection(const PairSpace& space,
     if (options.is_late()) {
       break;
     }
-    go_down(space, place);
+    go_down(space, options, place);
     if (place.distance == 0 && space.intersect(place.point)) {
       return place.point;
     }

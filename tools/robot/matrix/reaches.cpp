@@ -210,11 +210,13 @@ double Support::radius() const {
 /// a joint, in the joint's frame, or the base.
 class Spread {
  public:
-  explicit Spread(const Model& model) : model_(model), reaches_(model.joints.size()) {}
+  Spread(const Model& model, const Deadline& deadline)
+      : model_(model), deadline_(deadline), reaches_(model.joints.size()) {}
 
-  /// `from`: the joint that it came over, or none. `left`: joints over which the shape is kept.
+  /// `from`: the joint that it came over, or none. `left`: joints over which the shape is kept,
+  /// if there is time.
   void visit(std::size_t body, std::size_t from, const Support& support, int left = kJointsKept) {
-    if (left == 0) {
+    if (left == 0 || deadline_.is_past()) {
       visit(body, from, support.radius());
       return;
     }
@@ -303,22 +305,25 @@ class Spread {
   }
 
   const Model& model_;
+  Deadline deadline_;
   std::vector<double> reaches_;
 };
 
 }  // namespace
 
-std::vector<double> reaches_of(const Model& model, std::size_t link, double cell) {
-  Spread spread(model);
+std::vector<double> reaches_of(const Model& model, std::size_t link, double cell,
+                               const Deadline& deadline) {
+  Spread spread(model, deadline);
   const ModelLink& of = model.links[link];
   spread.visit(of.joint, kNoJoint, Support(of.mesh.vertices, kDeviation * cell));
   return spread.reaches();
 }
 
-Reaches all_reaches(const Model& model, double cell) {
+Reaches all_reaches(const Model& model, double cell, const Deadline& deadline) {
   Reaches all(model.links.size());
-  for_each_in_parallel(all.size(),
-                       [&](std::size_t link) { all[link] = reaches_of(model, link, cell); });
+  for_each_in_parallel(all.size(), [&](std::size_t link) {
+    all[link] = reaches_of(model, link, cell, turn_of(deadline, all.size() - link, 1));
+  });
   return all;
 }
 

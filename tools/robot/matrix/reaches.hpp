@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robot/kinematics.hpp"
+#include "robot/matrix/deadline.hpp"
 
 namespace flashbvh::tool {
 
@@ -21,11 +22,12 @@ constexpr double kDeviation = 0.8661;
 /// in metres, over all settings within the limits of the joints between them; 1 for prismatic
 /// joints. Of any joint: on the link's branch, beyond it or on another one. Never below the truth;
 /// above it by some parts in a thousand where joints don't depend on each other.
-/// Beyond twelve joints it is only known to lie in a ball.
-std::vector<double> reaches_of(const Model& model, std::size_t link, double cell);
+/// Beyond twelve joints, and where there is no time, it is only known to lie in a ball.
+std::vector<double> reaches_of(const Model& model, std::size_t link, double cell,
+                               const Deadline& deadline = {});
 
 /// Of each link. On all processors.
 using Reaches = std::vector<std::vector<double>>;
-Reaches all_reaches(const Model& model, double cell);
+Reaches all_reaches(const Model& model, double cell, const Deadline& deadline = {});
 
 }  // namespace flashbvh::tool

@@ -15,7 +15,7 @@ constexpr std::uint64_t kCellsOfPart = 400;
 /// Triangles that are looked at together at last.
 constexpr std::size_t kFewTriangles = 4;
 
-/// The triangles of one side that may come near the other one.
+/// The triangles of one side that may come near the other one, as far as there is time.
 class Sieve {
  public:
   Sieve(const Model& model, const JointZone& zone, bool of_a, double cell,
@@ -51,10 +51,14 @@ class Sieve {
   void look_at(const bake::SourceMesh& mesh, const Mesh& other,
                const std::vector<std::uint32_t>& triangles,
                std::vector<std::uint32_t>& kept) const {
-    if (triangles.empty() || !may_come_near(part_of(mesh, triangles), other)) {
+    if (triangles.empty()) {
       return;
     }
-    if (triangles.size() <= kFewTriangles) {
+    const bool is_late = options_.is_late();
+    if (!is_late && !may_come_near(part_of(mesh, triangles), other)) {
+      return;
+    }
+    if (is_late || triangles.size() <= kFewTriangles) {
       kept.insert(kept.end(), triangles.begin(), triangles.end());
       return;
     }
