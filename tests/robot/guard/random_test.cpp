@@ -106,6 +106,22 @@ TEST_CASE("nowhere are two links nearer than their distance table says") {
   CHECK(all > 0);
 }
 
+TEST_CASE("a distance table for which there was no time leaves the guard sound") {
+  for_rounds(4, [&](Random& random, int) {
+    for (const double seconds : {-1.0, 0.002}) {  // none at all, and as it may be
+      CAPTURE(seconds);
+      FixedArm arm = any_guarded_arm(random, 3, 1e-3);
+      arm.fixed.set_distance_tables(
+          distance_tables_of(arm.model, arm.robot(), in_seconds(Clock::now(), seconds)));
+      const Told told = told_of(arm, random);
+      CHECK((seconds > 0 || told.places == 0));
+      const DrawnArm drawn(arm);
+      Verdicts counts;
+      walk(random, arm, drawn, 100, counts);
+    }
+  });
+}
+
 TEST_CASE(
     "what lies in the sweep of a link, or next to it, is as near as it is, and a distance table "
     "says so") {
