@@ -40,10 +40,12 @@ class Cost:
 
 
 class Costs:
-    """general: without what the table calls special."""
+    """general: without what the table calls special. together: open counts are of a whole run, not of
+    a call; each turn costs what `turns` has, wherever it is."""
 
-    def __init__(self, program: Program, loops: Loops, general: bool = False):
+    def __init__(self, program: Program, loops: Loops, general: bool = False, together: bool = False):
         self._program, self._loops, self._general = program, loops, general
+        self._together = together
         self.known: dict[Function, Cost | None] = {}  # None: being looked at
 
     def of(self, pattern: str) -> Cost:
@@ -66,6 +68,15 @@ class Costs:
         self.known[function] = cost = Cost(paths.fixed, paths.terms, paths.cuts)
         return cost
 
+    def turns(self) -> dict[str, int]:
+        """The longest turn of each kind that the table leaves open, of all functions looked at."""
+        longest: dict[str, int] = {}
+        for cost in self.known.values():
+            for term in cost.terms if cost else ():
+                if term.turns is None:
+                    longest[term.kind] = max(longest.get(term.kind, 0), term.instructions)
+        return longest
+
     def _call(self, caller: Function, callee: Function | None) -> int:
         """Of a whole call, or nothing if the table says that it is counted apart."""
         if callee is None:
@@ -74,7 +85,7 @@ class Costs:
         if self._loops.is_apart(callee, self._general):
             return 0
         left_open = [term.kind for term in cost.terms if term.turns is None]
-        if left_open:
+        if left_open and not self._together:
             raise Refused(f"{callee} has no bound of its own ({left_open}), but {caller} calls it")
         return cost.total
 

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 @dataclass(frozen=True)
 class Case:
     name: str
-    what: str  # "path", "frame" (its size, and what is held at each call) or "refused"
+    what: str  # "path", "together" (and all open turns), "frame" (its size, and what is held at each call)
+    # or "refused"
     code: str
     wanted: str
     table: str = ""
@@ -50,6 +51,8 @@ ARM = [
     Case("a return to what is not the link register", "refused", "bx r3", "not understood"),
     Case("a load of the program counter", "refused", "ldr pc, [r0]", "not understood"),
     Case("a trap", "refused", "udf #0", "not understood"),
+    Case("data behind the size of a function", "path", "nop; bx lr; .size f, .-f; movs r0, #1", "2 = fixed 2"),
+    Case("code behind the size of a function", "refused", "b 1f; .size f, .-f; 1: bx lr", "out of the code"),
     Case("data in the way", "refused", "movs r0, #1; .word 0", "no code of the function"),
     Case("no end", "refused", "nop; .balign 4; g: bx lr", "the function's end is reached"),
     Case("code that nothing leads to", "refused", "bx lr; movs r0, #1", "nothing leads here"),
@@ -138,4 +141,11 @@ LOOP_CASES = [
          "cut ^f$ turn - source.c for (i)"),
     Case("turns that a call leaves open", "refused", "bl g; bx lr; g:; /2; 1: nop; bne 1b; bx lr",
          "has no bound of its own", "cut ^g$ turn - source.c for (i)"),
+    Case("turns of a whole run", "together", "nop; bl g; bl g; bx lr; g:; /2; 1: nop; nop; bne 1b; bx lr",
+         "12 = fixed 12, turn 3", "cut ^g$ turn - source.c for (i)"),
+    Case("the longest turn of a whole run", "together",
+         "/2; 1: nop; bne 1b; /5; bl g; bx lr; g:; /2; 1: nop; nop; bne 1b; bx lr",
+         "8 = fixed 8 turn 2, turn 3", "cut ^(f|g)$ turn - source.c for (i)"),
+    Case("turns of a call have a number", "together", "bl g; bx lr; g:; /2; 1: nop; bne 1b; bx lr",
+         "9 = fixed 9", "cut ^g$ turn 3 source.c for (i)"),
 ]

@@ -65,7 +65,11 @@ class KnownCode(unittest.TestCase):
                 graph = Graph(self.program, self.program.matching(root))
                 frame = frame_of(graph)
                 return " ".join(map(str, [frame.size, *frame.held.values()]))
-            return str(Costs(self.program, Loops(str(table), str(self.folder))).of(root))
+            together = case.what == "together"
+            costs = Costs(self.program, Loops(str(table), str(self.folder)), together=together)
+            cost = costs.of(root)
+            turns = [f"{kind} {longest}" for kind, longest in costs.turns().items()] if together else []
+            return ", ".join([str(cost), *turns])
         except Refused as refusal:
             return f"refused: {refusal}"
 

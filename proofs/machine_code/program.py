@@ -44,6 +44,7 @@ class Program:
 
     def _read_symbols(self, elf: ELFFile) -> None:
         names: dict[int, list[str]] = {}
+        sizes: dict[int, int] = {}
         for symbol in elf.get_section_by_name(".symtab").iter_symbols():
             kind, address = symbol["st_info"]["type"], symbol["st_value"]
             is_marked = symbol.name[:1] in ("", "$")  # where code or data begin
@@ -51,11 +52,12 @@ class Program:
                     kind in ("STT_FUNC", "STT_NOTYPE"):
                 address &= ~1 if self._machine == "EM_ARM" else ~0
                 names.setdefault(address, []).append(symbol.name)
-        self._names = names
+                sizes[address] = max(sizes.get(address, 0), symbol["st_size"])
+        self._names, self._sizes = names, sizes
 
     @cached_property
     def functions(self) -> dict[int, Function]:
-        """By address: all between two symbols of the code is a function."""
+        """By address: all between two symbols of the code is a function, as far as it has a size."""
         starts = sorted(self._names)
         flat = [name for start in starts for name in self._names[start]]
         titles = dict(zip(flat, subprocess.run(["c++filt"], input="\n".join(flat), text=True,
@@ -64,7 +66,9 @@ class Program:
         for start, following in zip(starts, starts[1:] + [1 << 32]):
             section = next(section for section in self._sections.values() if start in section)
             names = tuple(self._names[start])
-            found[start] = Function(start, min(following, section.stop), names,
+            # Behind the last one there may be constants.
+            size = self._sizes[start] or section.stop - start
+            found[start] = Function(start, min(following, section.stop, start + size), names,
                                     tuple(titles[name] for name in names))
         return found
 

@@ -1,16 +1,16 @@
 """check.py BOUND MEASURED MACHINE PROGRAM
 
-Runs the firmware of this folder under QEMU and holds what it measures against what prove.py wrote to
-BOUND. To MEASURED and to standard output goes for each kind of run the most instructions, the bound on
+Runs a firmware of this folder under QEMU and holds what it measures against what prove.py or
+guard_prove.py wrote to BOUND. To MEASURED and to standard output goes for each kind of run the most instructions, the bound on
 that run, and the largest part of its own bound that a run of the kind took:
     measured NAME INSTRUCTIONS of BOUND, nearest PART
-boxes-KIND-N: runs of N work that came to no pair of leaves; run-KIND-N: those that did. Fails if a run
+period-N: a guard's periods of N work. boxes-KIND-N: runs of N work that came to no pair of leaves; run-KIND-N: those that did. Fails if a run
 takes more than was proven.
 """
 import sys
 from pathlib import Path
 
-from formula import most_instructions, most_of_itself
+from formula import most_instructions, most_of_itself, most_of_period
 from firmware import run
 
 LEAST = 1000
@@ -30,7 +30,10 @@ def runs_in(lines, cost):
     """Name, instructions and bound of each run, and its line."""
     for line in lines:
         kind, *words = line.split() or [""]
-        if kind == "run":
+        if kind == "run" and words[0] == "period":
+            work, *size, measured = map(int, words[1:])
+            yield f"period-{work}", measured, most_of_period(cost, *size, work), line
+        elif kind == "run":
             of, (work, _, leaf_pairs, depths, leaf_size, measured) = words[0], map(int, words[1:7])
             formula = most_of_itself if of == "itself" else most_instructions
             # The trees are binary: a later sibling in each.

@@ -1,6 +1,6 @@
 """The most instructions of a run, as flashbvh::most_instructions(): lib/docs/bounded_time.md.
 
-cost: what prove.py wrote, by name; leaf_size: of the larger leaves."""
+cost: what prove.py and guard_prove.py wrote, by name; leaf_size: of the larger leaves."""
 
 
 def most_instructions(cost, depths, siblings, leaf_size, work):
@@ -15,3 +15,23 @@ def most_of_itself(cost, depths, siblings, leaf_size, work):
     passed = (siblings + 1) * cost["later-sibling"]
     return (cost["start"] + depths * (cost["ascent"] + passed) + siblings * cost["later-sibling"]
             + (leaf_size - 1) * cost["leaf-triangle"] + (work + 31) * (cost["work"] + passed))
+
+
+def measured_pairs(pairs, work):
+    """The most that a period begins to measure: each takes 16, and none is due twice."""
+    return min(pairs, (work + 15) // 16)
+
+
+def most_of_period(cost, joints, pairs, between, tabled, depth, leaf_size, work):
+    """Of a guard's period. between: joints between the links of all pairs; tabled: pairs of one or two;
+    depth: of two meshes."""
+    of = {name.removeprefix("guard-"): value for name, value in cost.items()}
+    measured = measured_pairs(pairs, work)
+    turns = joints + pairs * joints
+    look = (pairs * of["pair"] + between * of["between"] + turns * of["turn"]
+            + tabled * 2 * (pairs + tabled + 2) * of["table"])
+    around = (3 * pairs + 2 * joints) * of["turn"] + 2 * joints * of["between"]
+    unit = of["work"] + (joints * of["between"] + 87) // 88
+    return (of["start"] + joints * (of["joint"] + joints * of["turn"]) + (measured + 2) * look
+            + measured * of["measure"] + (measured + 1) * around + depth * of["ascent"]
+            + 4 * leaf_size * leaf_size * of["within"] + (work + 63) * unit)

@@ -3,9 +3,8 @@
 //   make INSTRUCTIONS
 // Where a full array stopped a run, its walk may have been further, and these are what its work
 // allows. KIND: `translated`, `rotated`, or `itself`. LEAF_SIZE: the larger one.
-#include "digest/small_tree.hpp"
-#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
+#include "hard_mesh.hpp"
 #include "insn.hpp"
 #include "slice.hpp"
 #include "support/rotations.hpp"
@@ -18,59 +17,6 @@ using flashbvh::test::Random;
 namespace bound {
 namespace {
 
-/// Small meshes that cost a query as much as can be: boxes that all overlap, triangles that fall
-/// through to the rare branches of the exact test, trees as deep as they get.
-enum class Kind : uint8_t {
-  scattered,  ///< small triangles anywhere
-  crowded,    ///< large ones through one region: all boxes overlap
-  flat,       ///< all in one plane
-  segments,   ///< without area, on one line or not
-  points,     ///< all corners of a triangle in one place
-};
-constexpr uint32_t kKinds = 5;
-
-int16_t coordinate(Random& random, int32_t centre, int32_t reach) {
-  const int32_t value = centre + random.between(-reach, reach);
-  return static_cast<int16_t>(value > kMaxCoordinate    ? kMaxCoordinate
-                              : value < -kMaxCoordinate ? -kMaxCoordinate
-                                                        : value);
-}
-
-Vertex corner(Random& random, Kind kind, const Vertex& centre, const Vertex& first, int32_t reach) {
-  switch (kind) {
-    case Kind::scattered:
-      return {coordinate(random, centre.x, reach / 8), coordinate(random, centre.y, reach / 8),
-              coordinate(random, centre.z, reach / 8)};
-    case Kind::flat:
-      return {coordinate(random, 0, reach), coordinate(random, 0, reach), 0};
-    case Kind::points:
-      return first;
-    default:
-      return {coordinate(random, 0, reach), coordinate(random, 0, reach),
-              coordinate(random, 0, reach)};
-  }
-}
-
-/// `reach`: of the coordinates, at most kMaxCoordinate.
-void make_mesh(Random& random, Kind kind, int32_t reach, digest::SmallMesh& mesh) {
-  mesh.triangle_count = static_cast<uint16_t>(1 + random.below(digest::kMostTriangles));
-  mesh.vertex_count = 0;
-  for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
-    const Vertex centre = {coordinate(random, 0, reach), coordinate(random, 0, reach),
-                           coordinate(random, 0, reach)};
-    for (uint32_t i = 0; i < 3; ++i) {
-      const Vertex& first = i == 0 ? centre : mesh.vertices[mesh.vertex_count - 1];
-      const bool doubled = kind == Kind::segments && i == 2;
-      mesh.vertices[mesh.vertex_count] =
-          doubled ? first : corner(random, kind, centre, first, reach);
-      mesh.triangles[t].corner[i] = mesh.vertex_count++;
-    }
-  }
-  for (int32_t& axis : mesh.origin) {
-    axis = 0;
-  }
-}
-
 constexpr uint32_t kScenes = 40;
 constexpr uint32_t kPoses = 4;
 constexpr uint32_t kRunsPerQuery = 24;
@@ -78,27 +24,10 @@ constexpr uint32_t kRunsOfItself = 8;
 constexpr uint32_t kGranted[] = {1, 40, 400};
 constexpr uint64_t kSeed = 0x626F756E64u;
 
-struct Side {
-  digest::SmallMesh mesh;
-  digest::SmallTree<Layout::post_indexed> tree;
-  uint32_t leaf_size;
-  uint32_t depth;
-};
-
 // Static, since the smallest core has no such stack.
 Side side_a;
 Side side_b;
 Slice slice;
-
-bool make_side(Random& random, int32_t reach, Side& side) {
-  make_mesh(random, static_cast<Kind>(random.below(kKinds)), reach, side.mesh);
-  side.leaf_size = 1 + random.below(3);
-  side.tree.make(side.mesh, static_cast<digest::Shape>(random.below(4)), side.leaf_size);
-  TreeShape shape;
-  const bool good = check_tree(side.tree.view(), shape) == Status::done;
-  side.depth = shape.depth;
-  return good;
-}
 
 Pose any_pose(Random& random, int32_t reach) {
   // Near enough to intersect as a rule; now and then in the same place.

@@ -1,5 +1,5 @@
-"""shipped.py BOUND HEADER [--write]: fails unless the constants of HEADER, flashbvh/plain/run_costs.h,
-are those that prove.py wrote to BOUND. BOUND may have several cores.
+"""shipped.py BOUND HEADER [--write]: fails unless the constants of HEADER are those that prove.py or
+guard_prove.py wrote to BOUND, which may have several cores. HEADER: one of TABLES.
 
 --write: changes HEADER to the constants of all cores in BOUND, in their order, if it has others.
 """
@@ -8,7 +8,12 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-FIELDS = "start", "ascent", "later-sibling", "leaf-triangle", "work"
+# The constants of each header.
+TABLES = {
+    "run_costs.h": ("start", "ascent", "later-sibling", "leaf-triangle", "work"),
+    "guard_costs.hpp": ("guard-start", "guard-joint", "guard-turn", "guard-pair", "guard-between",
+                        "guard-table", "guard-measure", "guard-ascent", "guard-within", "guard-work"),
+}
 CORE = r'  core\(.*"(.*)", .*\)'
 
 
@@ -23,20 +28,20 @@ def proven_in(bound):
     return proven
 
 
-def rows(proven):
+def rows(proven, fields):
     """The rows of the header by core."""
     return {core: f"  core({core.replace('-', '')}, {core.replace('-', '_').lower()}, \"{core}\", "
-                  f"{', '.join(costs[field] for field in FIELDS)})" for core, costs in proven.items()}
+                  f"{', '.join(costs[field] for field in fields)})" for core, costs in proven.items()}
 
 
 def main(bound, header, *options):
-    wanted = rows(proven_in(Path(bound).read_text()))
+    wanted = rows(proven_in(Path(bound).read_text()), TABLES[Path(header).name])
     if not wanted:
         sys.exit("shipped.py: nothing proven")
     text = Path(header).read_text()
     if options == ("--write",):
         rest = re.sub(rf"{CORE}.*\n", "", text)
-        end = rest.index("\n", rest.index("#define FLASHBVH_FOR_EACH_CORE")) + 1
+        end = rest.index("\n", rest.index("#define FLASHBVH_FOR_EACH_")) + 1
         new = rest[:end] + " \\\n".join(wanted.values()) + "\n" + rest[end:]
         if new != text:
             Path(header).write_text(new)

@@ -1,11 +1,11 @@
 """turns.py CUTS MACHINE PROGRAM
 
-Follows the firmware of this folder instruction by instruction where prove.py cut the loops, and fails if
-one is executed more often than loops.txt says, in a call or in a run. CUTS: what prove.py wrote.
+Follows a firmware of this folder instruction by instruction where prove.py or guard_prove.py cut the loops,
+and fails if one is executed more often than their table says, in a call or in a run. CUTS: what they wrote.
 
-What counts is executed between the call of bound_run, bound_run_itself or bound_make_query and that of
+What counts is executed between the call of a function of RUNS, or of bound_make_query, and that of
 bound_done. Where the table has a number, it holds for each call; where it leaves it open, for each run:
-the k-th execution of either bound_run is the k-th line "run".
+the k-th execution of a function of RUNS is the k-th line "run".
 """
 import os
 import sys
@@ -13,13 +13,38 @@ from collections import Counter, defaultdict
 from pathlib import Path
 
 from firmware import run
+from formula import measured_pairs
 
 LEAST = 1000
+RUNS = "bound_run", "bound_run_itself", "bound_period"
+
+
+def allowed_in_period(work, joints, pairs, between, tabled, depth, leaf_size):
+    """As guard_prove.py adds them up."""
+    measured = measured_pairs(pairs, work)
+    looks, nearer = measured + 2, (work + 63) // 88
+    runs = measured + 2 + nearer + (work + 15) // 16
+    batches = 3 * runs + work // 32
+    turns, shapes = batches + (work + 1) // 2, batches + (work + 7) // 8
+    visits = work + 2 * batches + turns
+    begun = (measured + 1) * joints
+    return {"set": joints, "one-way": joints, "step": joints, "frame": joints, "third": 3 * joints,
+            "power": 3 * joints, "master": joints * joints,
+            "longest": looks * joints, "pair": looks * pairs, "motion": looks * 2 * between + begun,
+            "rate": looks * between + begun + nearer * joints, "next": (looks * pairs + measured) * joints,
+            "table": looks * tabled * pairs, "axis": looks * 2 * tabled * (tabled + 2),
+            "skipped": looks * tabled * pairs + 3 * (measured + 1) * pairs,
+            "certified": looks * between + 2 * begun, "kept": measured * joints, "measured": measured + 1,
+            "run": runs, "batch": batches, "sibling": 8 * batches + 4 * runs, "turn": turns,
+            "triangle": (work + 7) // 8 + 1, "visit": visits, "ascent": depth + visits,
+            "climb": depth + visits, "other": 2 * (leaf_size - 1) * shapes}
 
 
 def allowed_in(line):
     """run KIND WORK VISITS LEAF_PAIRS DEPTHS LEAF_SIZE INSTRUCTIONS: the most of each kind in that run. Two
     sides of a walk have two children a node, and the last one's look finds none."""
+    if line.split()[1] == "period":
+        return allowed_in_period(*map(int, line.split()[2:9]))
     _, _, work, visits, leaf_pairs, depths, leaf_size, *_ = line.split()
     work, visits, walks, depths = int(work), int(visits), int(leaf_pairs) + 1, int(depths)
     pairs, shapes = (work + 31) // 32, (work + 7) // 8 + 1
@@ -71,7 +96,7 @@ class Turns:
         cuts = self.cuts
         if at in cuts.symbol:
             self.counts = cuts.symbol[at] != "bound_done"
-            if cuts.symbol[at].startswith("bound_run"):
+            if cuts.symbol[at] in RUNS:
                 self.end_run()
                 self.traced += 1
         for inside in cuts.at_entry.get(at, ()):

@@ -34,8 +34,12 @@ Int128 unsigned_product(uint64_t u, uint64_t v) {
 
 #endif
 
+/// From the lowest; no core is big-endian (plain/byte_order.h).
 inline uint32_t word_of(const Int128& u, int i) {
-  return static_cast<uint32_t>((i < 2 ? u.low : static_cast<uint64_t>(u.high)) >> (32 * (i & 1)));
+  uint32_t word = 0;
+  const char* const at = reinterpret_cast<const char*>(&u) + sizeof word * (i ^ 2);
+  __builtin_memcpy(&word, __builtin_assume_aligned(at, alignof(uint32_t)), sizeof word);
+  return word;
 }
 
 /// u v against w x, of numbers that are not negative: the sign of the difference, by columns of 32
@@ -43,21 +47,28 @@ inline uint32_t word_of(const Int128& u, int i) {
 [[gnu::noinline]] int compare_products(const Int128& u, const Int128& v, const Int128& w,
                                        const Int128& x) {
   constexpr int kWords = 4;
-  int64_t carry = 0;
+  int64_t sum = 0;
+  int64_t above = 0;
   uint32_t any = 0;
-  for (int column = 0; column < 2 * kWords; ++column) {
-    int64_t sum = carry;
-    int64_t above = 0;
-    for (int i = column < kWords ? 0 : column - kWords + 1; i <= column && i < kWords; ++i) {
-      const uint64_t one = uint64_t{word_of(u, i)} * word_of(v, column - i);
-      const uint64_t other = uint64_t{word_of(w, i)} * word_of(x, column - i);
-      sum += static_cast<int64_t>(one & kLowHalf) - static_cast<int64_t>(other & kLowHalf);
-      above += static_cast<int64_t>(one >> 32) - static_cast<int64_t>(other >> 32);
+  int column = 0;
+  int i = 0;
+  for (int left = kWords * kWords; left != 0; --left) {
+    const uint64_t one = uint64_t{word_of(u, i)} * word_of(v, column - i);
+    const uint64_t other = uint64_t{word_of(w, i)} * word_of(x, column - i);
+    sum += static_cast<int64_t>(one & kLowHalf) - static_cast<int64_t>(other & kLowHalf);
+    above += static_cast<int64_t>(one >> 32) - static_cast<int64_t>(other >> 32);
+    if (i != column && i != kWords - 1) {
+      ++i;
+      continue;
     }
     any |= static_cast<uint32_t>(sum);
-    carry = (sum >> 32) + above;
+    sum = (sum >> 32) + above;
+    above = 0;
+    ++column;
+    i = column < kWords ? 0 : column - kWords + 1;
   }
-  return carry < 0 ? -1 : any != 0 ? 1 : 0;
+  any |= static_cast<uint32_t>(sum);  // the last column has the carry alone
+  return sum >> 32 < 0 ? -1 : any != 0 ? 1 : 0;
 }
 
 /// The leading bits: the number is at least digits * 2^exponent, and below (digits + 1) *

@@ -16,10 +16,8 @@ DistanceTableAxis distance_table_axis(const RobotJoint& joint) {
   const uint32_t range = is_free    ? kFullTurn - 1
                          : is_empty ? 0
                                     : detail::apart(joint.lower, joint.upper);
-  uint32_t shift = 0;
-  while (range >> shift >> kAxisCellBits != 0) {
-    ++shift;
-  }
+  const int bits = 32 - __builtin_clz(range | 1);
+  const uint32_t shift = bits > kAxisCellBits ? static_cast<uint32_t>(bits - kAxisCellBits) : 0;
   return {is_free ? -kFullTurn / 2 : joint.lower, shift, (range >> shift) + 1};
 }
 
@@ -40,13 +38,16 @@ uint32_t distance_table_size(const Robot& robot, const RobotPair& pair) {
 namespace detail {
 
 uint32_t table_distance_at(const Robot& robot, uint16_t i, const JointCoordinate* coordinates) {
+  const RobotPair& pair = robot.pairs[i];
+  const uint32_t size = distance_table_size(robot, pair);
+  if (size == 0) {
+    return 0;
+  }
   uint32_t place = 0;
   for (uint16_t before = 0; before < i; ++before) {
     place += distance_table_size(robot, robot.pairs[before]);
   }
-  const RobotPair& pair = robot.pairs[i];
-  const uint32_t size = distance_table_size(robot, pair);
-  if (size == 0 || place + size > robot.distance_table_bytes) {
+  if (place + size > robot.distance_table_bytes) {
     return 0;
   }
   uint32_t cell = 0;

@@ -195,6 +195,7 @@ Status Guard::walk(uint32_t& work) {
   if (status == Status::distance_out_of_range && core_->asked > 1) {
     core_->asked /= 2;
     core_->nearest = core_->asked;  // too near is reported at worst, and not tested again
+    detail::take_work(work, kPoseWork);
     return Status::suspended;
   }
   if (status == Status::cursor_invalid) {  // of a state that was taken up

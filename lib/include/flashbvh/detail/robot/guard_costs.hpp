@@ -1,0 +1,17 @@
+// Each core's GuardCosts, by the names in plain/run_costs.h: written by tools/figures.sh, proven by
+// proofs/time for GCC 12 at -O2.
+#ifndef FLASHBVH_DETAIL_ROBOT_GUARD_COSTS_HPP
+#define FLASHBVH_DETAIL_ROBOT_GUARD_COSTS_HPP
+
+// clang-format off
+#define FLASHBVH_FOR_EACH_GUARD_CORE(core) \
+  core(CortexM0, cortex_m0, "Cortex-M0", 216964, 6012, 11, 1535, 284, 143, 15663, 32, 139865, 5702) \
+  core(CortexM3, cortex_m3, "Cortex-M3", 67441, 828, 9, 857, 87, 77, 14675, 377, 18820, 1133) \
+  core(CortexM4F, cortex_m4f, "Cortex-M4F", 55430, 842, 9, 854, 86, 76, 10638, 23, 19010, 1059) \
+  core(CortexM7, cortex_m7, "Cortex-M7", 55376, 840, 9, 855, 85, 77, 10750, 24, 19072, 1066) \
+  core(CortexM33, cortex_m33, "Cortex-M33", 55863, 833, 9, 857, 87, 77, 10684, 24, 19005, 1062) \
+  core(CortexM55, cortex_m55, "Cortex-M55", 56086, 800, 9, 877, 97, 77, 10526, 24, 18832, 1041) \
+  core(RV32IMAC, rv32imac, "RV32IMAC", 83075, 1174, 9, 1079, 121, 132, 16619, 21, 25263, 1488)
+// clang-format on
+
+#endif

@@ -1,0 +1,114 @@
+// What a guard's periods can cost at worst, for static_assert: lib/docs/bounded_time.md has the
+// proof.
+//
+//     constexpr flashbvh::GuardSize kArm = {6, 15, 62, 4, 20, 2};
+//     static_assert(flashbvh::most_instructions(flashbvh::kGuardOnCortexM4F, kArm, 100) < 2000000);
+#ifndef FLASHBVH_ROBOT_PERIOD_BOUND_HPP
+#define FLASHBVH_ROBOT_PERIOD_BOUND_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/robot/guard_costs.hpp"
+#include "flashbvh/detail/walk/work.hpp"
+#include "flashbvh/robot/robot.hpp"
+
+namespace flashbvh {
+
+/// The most instructions that the parts of a guard's period take on some core, with GCC 12 at -O2.
+struct GuardCosts {
+  uint32_t start;    ///< once
+  uint32_t joint;    ///< kinematics of a joint
+  uint32_t turn;     ///< a turn of a loop over joints or pairs that does next to nothing
+  uint32_t pair;     ///< a look at a pair
+  uint32_t between;  ///< a joint between two links, each look
+  uint32_t table;    ///< a pair's or an axis's part in a look into a distance table
+  uint32_t measure;  ///< a pair that is measured, beyond what its work pays for
+  uint32_t ascent;   ///< once for each level of two trees
+  uint32_t within;   ///< the exact test of two triangles
+  uint32_t work;     ///< each unit of work
+};
+
+/// kGuardOnCortexM0 to kGuardOnRV32IMAC.
+#define FLASHBVH_CONSTANT(core, c_name, text, ...) \
+  constexpr GuardCosts kGuardOn##core = {__VA_ARGS__};
+FLASHBVH_FOR_EACH_GUARD_CORE(FLASHBVH_CONSTANT)
+#undef FLASHBVH_CONSTANT
+
+/// What of a robot a period's bound depends on. Its trees are binary, as `flashbvh robot` bakes
+/// them.
+struct GuardSize {
+  uint32_t joints;
+  uint32_t pairs;
+  uint32_t pair_joints;   ///< between the links of all pairs
+  uint32_t tabled_pairs;  ///< pairs that have one or two joints between
+  uint32_t depth;         ///< of the deepest two trees together
+  uint32_t leaf_size;     ///< triangles in the largest leaf, at most kMostBoundedLeaf
+};
+
+/// In larger leaves Within::dear_tests might not count all tests.
+constexpr uint32_t kMostBoundedLeaf = 7;
+
+/// `depth`, `leaf_size`: as in GuardSize.
+constexpr GuardSize guard_size_of(const Robot& robot, uint32_t depth, uint32_t leaf_size) {
+  GuardSize size = {robot.joint_count, robot.pair_count, 0, 0, depth, leaf_size};
+  for (uint32_t i = 0; i < robot.pair_count; ++i) {
+    const uint32_t between = robot.pairs[i].joints_a + robot.pairs[i].joints_b;
+    size.pair_joints += between;
+    size.tabled_pairs += between == 1 || between == 2 ? 1 : 0;
+  }
+  return size;
+}
+
+namespace detail {
+
+/// As in guard_measure.cpp: what it takes to begin to measure a pair, and to measure its witness.
+constexpr uint32_t kBeginWork = 16;
+constexpr uint32_t kWitnessWork = 48;
+/// The least work after which a witness is measured that is nearer than the limit.
+constexpr uint32_t kNearerWork = kNearPairWork + kDearPairWork + kWitnessWork;
+/// The most pairs of leaves whose tests a period may overdraw by.
+constexpr uint32_t kBatchedLeafPairs = 4;
+
+/// A look at all pairs: each may be looked up in its distance table, too.
+constexpr uint64_t instructions_of_look(const GuardCosts& costs, const GuardSize& size) {
+  const uint64_t turns = size.joints + uint64_t{size.pairs} * size.joints;
+  const uint64_t tables = uint64_t{size.tabled_pairs} * 2 * (size.pairs + size.tabled_pairs + 2);
+  return uint64_t{size.pairs} * costs.pair + uint64_t{size.pair_joints} * costs.between +
+         turns * costs.turn + tables * costs.table;
+}
+
+}  // namespace detail
+
+/// The most instructions of Guard::update(values, work), from `update` called to returned, whatever
+/// the values, and whatever the guard's state has in it. Not of UINT32_MAX, which is no limit.
+constexpr uint64_t most_instructions(const GuardCosts& costs, const GuardSize& size,
+                                     uint32_t work) {
+  const uint64_t begun = (uint64_t{work} + detail::kBeginWork - 1) / detail::kBeginWork;
+  const uint64_t measured = begun < size.pairs ? begun : size.pairs;
+  const uint64_t joints = size.joints;
+  const uint64_t around =
+      (3 * uint64_t{size.pairs} + 2 * joints) * costs.turn + 2 * joints * costs.between;
+  const uint64_t of_work =
+      costs.work + (joints * costs.between + detail::kNearerWork - 1) / detail::kNearerWork;
+  return costs.start + joints * (costs.joint + joints * costs.turn) +
+         (measured + 2) * detail::instructions_of_look(costs, size) + measured * costs.measure +
+         (measured + 1) * around + uint64_t{size.depth} * costs.ascent +
+         uint64_t{detail::kBatchedLeafPairs} * size.leaf_size * size.leaf_size * costs.within +
+         (uint64_t{work} + detail::kBeginWork + detail::kWitnessWork - 1) * of_work;
+}
+
+/// The most work for which a period stays within so many instructions; 0 if none does, and never
+/// UINT32_MAX.
+constexpr uint32_t work_within(uint64_t instructions, const GuardCosts& costs,
+                               const GuardSize& size) {
+  uint32_t work = 0;
+  for (uint32_t bit = uint32_t{1} << 31; bit != 0; bit >>= 1) {
+    const uint32_t more = work | bit;
+    work = more != UINT32_MAX && most_instructions(costs, size, more) <= instructions ? more : work;
+  }
+  return work;
+}
+
+}  // namespace flashbvh
+
+#endif

@@ -1,0 +1,103 @@
+"""guard_prove.py OUTPUT CUTS CORE PROGRAM SOURCES
+
+Finds what a guard's period can cost at worst in the machine code of PROGRAM, bound_guard, and writes it
+to OUTPUT, "bound guard-NAME VALUE" a line: flashbvh::GuardCosts (robot/period_bound.hpp). Where loops were
+cut goes to CUTS: see turns.py. CORE: its name; SOURCES: the folder that guard_loops.txt speaks of.
+
+Counts that the table leaves open are of a whole period, and lib/docs/bounded_time.md says what they are.
+So a call costs what lies outside of such loops, and their turns are added up here.
+"""
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Iterator
+
+from machine_code.cost import Costs
+from machine_code.instruction import Refused
+from machine_code.loops import Loops
+from machine_code.program import Program
+
+from prove import GO_ON, SHAPE, check_units, cut_lines
+
+# In work.
+PAIR, DEAR, POSE, AIM = 8, 32, 16, 48
+# Pairs of leaves that a walk collects, unless it is the last.
+BATCH = 4
+# A run's first two batches, and the one that is not paid for.
+FIRST_BATCHES = 3
+# Of a leaf, at most: 4 * 7 * 7 pairs are fewer than Within::dear_tests counts.
+LEAF = 7
+
+
+def check_guard_units(sources: str) -> None:
+    for file, text in (("include/flashbvh/detail/walk/work.hpp", f"kNearPairWork = {PAIR};"),
+                       ("include/flashbvh/detail/walk/work.hpp", f"kDearPairWork = {DEAR};"),
+                       ("include/flashbvh/detail/query/proximity.hpp", f"kBatch = {BATCH};"),
+                       ("src/robot/guard_measure.cpp", f"kPoseWork = {POSE};"),
+                       ("src/robot/guard_measure.cpp", f"kAimWork = {AIM};")):
+        if text not in (Path(sources) / file).read_text():
+            raise Refused(f"no '{text}' in {file}: change guard_prove.py, guard_formula.py and the page, too")
+
+
+def parts(value: int, by: int) -> int:
+    return -(-value // by)
+
+
+def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
+    total = {name: costs.of(pattern).total for name, pattern in roots.items()}
+    turn = costs.turns()
+    # Of searches for what is within a limit.
+    within = closed.of(roots["within"]).total
+    # To take a leaf as a shape: `begin` looks whether it was taken.
+    begun = total["begin"] + 2 * total["take"]
+    # Binary trees: each of a walk's two beginnings may pass a sibling in both.
+    batch = turn["batch"] + turn["turn"] + begun + 4 * turn["sibling"]
+    run = turn["run"] + FIRST_BATCHES * batch + 2 * turn["sibling"]
+    triangles = total["found"] + turn["triangle"] + parts(batch, BATCH)
+    ascent = max(turn["ascent"], turn["climb"])
+    # A witness that is nearer than the limit, which was found by an exact test.
+    nearer = triangles + within + run + total["witness"]
+    work = max(turn["visit"] + ascent, turn["other"], parts(turn["turn"], GO_ON),
+               parts(max(total["shape"], turn["turn"]) + begun, SHAPE), parts(triangles, PAIR),
+               parts(triangles + within, PAIR + DEAR), parts(nearer, PAIR + DEAR + AIM),
+               parts(turn["run"], POSE))
+    if batch > PAIR * work:
+        raise Refused("a walk of 65,535 is not paid for as two triangles")
+    measured = turn["measured"] + run
+    # What its own work does not pay for.
+    measure = max(0, measured - POSE * work, measured + total["witness"] - (POSE + AIM) * work)
+    # A pair that an earlier period began to measure, and a cursor that its state does not have.
+    yield "guard-start", (total["period"] + turn["measured"] + 2 * run + 2 * (LEAF - 1) * turn["other"])
+    yield "guard-joint", (turn["set"] + turn["one-way"] + turn["step"] + turn["frame"]
+                          + 3 * turn["third"] + 3 * turn["power"])
+    yield "guard-turn", max(turn[name] for name in ("master", "longest", "next", "skipped", "kept"))
+    yield "guard-pair", turn["pair"]
+    yield "guard-between", 2 * turn["motion"] + turn["rate"] + turn["certified"]
+    yield "guard-table", max(turn["table"], turn["axis"])
+    yield "guard-measure", measure
+    yield "guard-ascent", ascent
+    yield "guard-within", within
+    yield "guard-work", work
+
+
+def main() -> None:
+    output, cuts, core, file, sources = sys.argv[1:]
+    check_units(sources)
+    check_guard_units(sources)
+    program = Program(file)
+    loops = Loops(str(Path(__file__).with_name("guard_loops.txt")), sources)
+    costs = Costs(program, loops, together=True)
+    closed = Costs(program, loops, general=True, together=True)
+    found = bounds(costs, closed, loops.roots)
+    text = "\n".join([f"core {core}"] + [f"bound {name} {value}" for name, value in found])
+    Path(output).write_text(text + "\n")
+    Path(cuts).write_text("\n".join(cut_lines(program, costs)) + "\n")
+    print(text)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Refused as refusal:
+        sys.exit(f"guard_prove.py: {refusal}")
