@@ -77,7 +77,7 @@ void make_joint(Random& random, uint32_t i, int32_t reach, int32_t far) {
 }
 
 bool make_robot(Random& random, int32_t reach, Robot& robot) {
-  // Some lie beyond any distance, and have spheres that do not tell.
+  // Some lie beyond any distance, and have spheres that decide nothing.
   const bool is_far = random.below(8) == 0;
   const int32_t far = is_far ? 400000 / reach : 1;
   for (uint32_t i = 0; i < kJoints; ++i) {

@@ -21,18 +21,21 @@ from machine_code.program import Program
 from prove import GO_ON, SHAPE, check_units, cut_lines
 
 # In work.
-PAIR, DEAR, POSE, AIM = 8, 32, 16, 48
+PAIR, EXACT, POSE, AIM = 8, 32, 16, 48
 # Pairs of leaves that a walk collects, unless it is the last.
 BATCH = 4
 # A run's first two batches, and the one that is not paid for.
 FIRST_BATCHES = 3
+# Of a node, at most; a walk begins twice among siblings in both trees, and a resumed cursor is looked at.
+ARITY = 4
+SIBLINGS = 2 * (ARITY - 1)
 # Of a leaf, at most: 4 * 7 * 7 pairs are fewer than Within::dear_tests counts.
 LEAF = 7
 
 
 def check_guard_units(sources: str) -> None:
     for file, text in (("include/flashbvh/detail/walk/work.hpp", f"kNearPairWork = {PAIR};"),
-                       ("include/flashbvh/detail/walk/work.hpp", f"kDearPairWork = {DEAR};"),
+                       ("include/flashbvh/detail/walk/work.hpp", f"kDearPairWork = {EXACT};"),
                        ("include/flashbvh/detail/query/proximity.hpp", f"kBatch = {BATCH};"),
                        ("src/robot/guard_measure.cpp", f"kPoseWork = {POSE};"),
                        ("src/robot/guard_measure.cpp", f"kAimWork = {AIM};")):
@@ -51,16 +54,15 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
     within = closed.of(roots["within"]).total
     # To take a leaf as a shape: `begin` looks whether it was taken.
     begun = total["begin"] + 2 * total["take"]
-    # Binary trees: each of a walk's two beginnings may pass a sibling in both.
-    batch = turn["batch"] + turn["turn"] + begun + 4 * turn["sibling"]
-    run = turn["run"] + FIRST_BATCHES * batch + 2 * turn["sibling"]
+    batch = turn["batch"] + turn["turn"] + begun + 2 * SIBLINGS * turn["sibling"]
+    run = turn["run"] + FIRST_BATCHES * batch + SIBLINGS * turn["sibling"] + total["found"]
     triangles = total["found"] + turn["triangle"] + parts(batch, BATCH)
     ascent = max(turn["ascent"], turn["climb"])
     # A witness that is nearer than the limit, which was found by an exact test.
     nearer = triangles + within + run + total["witness"]
     work = max(turn["visit"] + ascent, turn["other"], parts(turn["turn"], GO_ON),
                parts(max(total["shape"], turn["turn"]) + begun, SHAPE), parts(triangles, PAIR),
-               parts(triangles + within, PAIR + DEAR), parts(nearer, PAIR + DEAR + AIM),
+               parts(triangles + within, PAIR + EXACT), parts(nearer, PAIR + EXACT + AIM),
                parts(turn["run"], POSE))
     if batch > PAIR * work:
         raise Refused("a walk of 65,535 is not paid for as two triangles")

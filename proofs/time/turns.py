@@ -35,7 +35,7 @@ def allowed_in_period(work, joints, pairs, between, tabled, depth, leaf_size):
             "table": looks * tabled * pairs, "axis": looks * 2 * tabled * (tabled + 2),
             "skipped": looks * tabled * pairs + 3 * (measured + 1) * pairs,
             "certified": looks * between + 2 * begun, "kept": measured * joints, "measured": measured + 1,
-            "run": runs, "batch": batches, "sibling": 8 * batches + 4 * runs, "turn": turns,
+            "run": runs, "batch": batches, "sibling": 16 * batches + 8 * runs, "turn": turns,
             "triangle": (work + 7) // 8 + 1, "visit": visits, "ascent": depth + visits,
             "climb": depth + visits, "other": 2 * (leaf_size - 1) * shapes}
 

@@ -21,9 +21,9 @@ from results import ALL, BUDGETS, Refused, budgets, measured_in
 
 DOCS = ROOT / "lib/docs"
 SHIPPED = ROOT / "proofs/time/shipped.py"
-COSTS = ROOT / "lib/include/flashbvh/plain/run_costs.h"
+COSTS = [ROOT / "lib/include/flashbvh" / name for name in ("plain/run_costs.h", "detail/robot/guard_costs.hpp")]
 # What measures: the figures, the memory (proofs/stack) and the bounds (proofs/time).
-TESTS = "figures: .* measured|memory, and both stacks|bound: no run takes more"
+TESTS = "figures: .* measured|memory, and both stacks|bound: no (run|period) takes more"
 
 
 def run(output, *programs):
@@ -77,7 +77,7 @@ def texts_of(preset):
     """What measured programs printed in its build folder; the core first."""
     build = BUILD / preset
     files = [*sorted((build / "figures").glob("*.txt")), *(build / f"{name}.txt" for name in (
-        "memory", "bound", "bound_measured")), *([FOLDER / "host.txt"] if preset == "native" else [])]
+        "memory", "bound", "bound_measured", "bound_guard", "bound_guard_measured")), *([FOLDER / "host.txt"] if preset == "native" else [])]
     texts = [file.read_text() for file in files if file.exists()]
     if not texts:
         sys.exit(f"figures.py: nothing measured in build/{preset}: run its tests, or tools/figures.sh")
@@ -103,7 +103,8 @@ def write(measured):
         f"core {core}\n" + "".join(f"bound {name.removeprefix('bound.')} {cells[core]}\n"
                                    for name, cells in book.rows.items() if name.startswith("bound."))
         for core in book.columns if core != ALL))
-    quietly(sys.executable, "-B", SHIPPED, bounds, COSTS, "--write")
+    for costs in COSTS:
+        quietly(sys.executable, "-B", SHIPPED, bounds, costs, "--write")
 
 
 def measure(mode, urdf, native, *presets):

@@ -176,6 +176,11 @@ std::string time_section(const GuardedTrajectory& guarded) {
     const auto within = work_within(timing.costs, *timing.clock);
     items += fact("a period has time for", within ? grouped(*within) : "none", "work");
   }
+  for (const ProvenWork& proven : proven_work(timing)) {
+    items +=
+        fact(concat("proven with ", grouped(proven.work), " work"),
+             cost_cell(timing, static_cast<double>(proven.instructions)), "instructions at most");
+  }
   return section("time", "Time on a " + timing.costs.core,
                  facts(items) +
                      table(timing.clock ? "Instructions of a period, and part of it"

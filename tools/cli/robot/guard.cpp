@@ -300,7 +300,14 @@ std::optional<GuardTiming> timing_of(const GuardArguments& arguments, const Robo
   if (arguments.core.empty()) {
     return std::nullopt;
   }
-  GuardTiming timing = {costs_on(arguments.core, robot), {}, least_work(robot, trajectory), {}, {}};
+  const PeriodCosts costs = costs_on(arguments.core, robot);
+  GuardTiming timing = {costs,
+                        {},
+                        least_work(robot, trajectory),
+                        {},
+                        {},
+                        arguments.work,
+                        proven_period(costs.core, robot)};
   timing.replayed = quantiles_of(timing.costs, answers);
   if (timing.least) {
     timing.of_least = quantiles_of(timing.costs, timing.least->answers);

@@ -71,6 +71,21 @@ Json quantiles_json(const PeriodQuantiles& quantiles) {
   return json;
 }
 
+/// Null if nothing is proven of the robot.
+Json proven_json(const GuardTiming& timing) {
+  if (!timing.proven) {
+    return {};
+  }
+  Json json = {{"instructions", Json::object()}};
+  for (const ProvenWork& proven : proven_work(timing)) {
+    json["instructions"][concat(proven.work)] = proven.instructions;
+  }
+  if (timing.clock) {
+    json["work_within"] = proven_work_within(*timing.proven, *timing.clock);
+  }
+  return json;
+}
+
 Json timing_json(const GuardTiming& timing) {
   const PeriodCosts& costs = timing.costs;
   Json json = {{"core", costs.core},
@@ -87,6 +102,7 @@ Json timing_json(const GuardTiming& timing) {
     json["period"] = std::round(timing.clock->instructions());
     json["work_within"] = within ? Json(*within) : Json();
   }
+  json["proven"] = proven_json(timing);
   return json;
 }
 

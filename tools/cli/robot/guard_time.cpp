@@ -41,6 +41,23 @@ void print_least(const GuardTiming& timing) {
   }
 }
 
+/// "proven: with 680 work at most 1881169  1679.6 %".
+void print_proven(const GuardTiming& timing) {
+  if (!timing.proven) {
+    std::cout << "proven: nothing of leaves with more than " << kMostBoundedLeaf << " triangles\n";
+    return;
+  }
+  for (const ProvenWork& proven : proven_work(timing)) {
+    std::cout << "proven: with " << proven.work << " work at most "
+              << cost_text(timing, static_cast<double>(proven.instructions)) << "\n";
+  }
+  if (timing.clock) {
+    const std::uint32_t within = proven_work_within(*timing.proven, *timing.clock);
+    std::cout << "proven: a period has time for "
+              << (within != 0 ? concat(within, " work") : "no work") << "\n";
+  }
+}
+
 }  // namespace
 
 void print_timing(const GuardTiming& timing) {
@@ -56,6 +73,7 @@ void print_timing(const GuardTiming& timing) {
   std::cout << "estimated: " << fixed(costs.pass, 0) << " a period, " << fixed(costs.walk, 0)
             << " more if it spends work, " << fixed(costs.work, 1) << " a unit of work.\n"
             << estimate_note(costs) << "\n";
+  print_proven(timing);
 }
 
 }  // namespace flashbvh::tool

@@ -93,9 +93,7 @@ PeriodCosts costs_on(const std::string& core, const Robot& robot) {
 
 std::string estimate_note(const PeriodCosts& costs) {
   return concat("These are means of a KUKA KR5's guard, whose longest period took ",
-                fixed(costs.longest, 1),
-                " times its estimate, and no bound: proven are the runs of a PairQuery "
-                "(lib/docs/bounded_time.md), no part of a guard's period.");
+                fixed(costs.longest, 1), " times its estimate, and no bound.");
 }
 
 double instructions_of(const PeriodCosts& costs, std::uint32_t work) {
@@ -155,6 +153,25 @@ std::optional<std::uint32_t> work_within(const PeriodCosts& costs, const PeriodC
   }
   return static_cast<std::uint32_t>(
       std::clamp((left - costs.walk) / costs.work, 0.0, static_cast<double>(kAllWork)));
+}
+
+std::vector<ProvenWork> proven_work(const GuardTiming& timing) {
+  std::vector<ProvenWork> proven;
+  const auto add = [&](std::uint32_t work) {
+    if (const auto most = timing.proven ? timing.proven->most(work) : std::nullopt) {
+      proven.push_back({work, *most});
+    }
+  };
+  add(timing.work);
+  if (timing.least && timing.least->work != timing.work) {
+    add(timing.least->work);
+  }
+  return proven;
+}
+
+std::uint32_t proven_work_within(const ProvenPeriod& proven, const PeriodClock& clock) {
+  const double instructions = std::min(clock.instructions(), 0x1p62);
+  return work_within(static_cast<std::uint64_t>(instructions), proven.costs, proven.size);
 }
 
 }  // namespace flashbvh::tool

@@ -1,5 +1,6 @@
 // What a guard's periods take on a core: estimates by the work that they spend. The means that they
 // are made of were measured on another robot's guard (tests/figures/guard.cpp); they are no bound.
+// proven_period.hpp has one.
 #pragma once
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/replay/proven_period.hpp"
 #include "robot/replay/replay.hpp"
 
 namespace flashbvh::tool {
@@ -28,7 +30,7 @@ std::vector<std::string> measured_cores();
 std::string measured_name(const std::string& core);
 /// UserError as measured_name().
 PeriodCosts costs_on(const std::string& core, const Robot& robot);
-/// What these estimates are, and what is proven.
+/// What these estimates are.
 std::string estimate_note(const PeriodCosts& costs);
 double instructions_of(const PeriodCosts& costs, std::uint32_t work);
 
@@ -69,7 +71,20 @@ struct GuardTiming {
   std::optional<LeastWork> least;
   PeriodQuantiles of_least;  ///< if there is one
   std::optional<PeriodClock> clock;
+  std::uint32_t work;  ///< granted each period as replayed; kAllWork: no limit
+  std::optional<ProvenPeriod> proven;
 };
+
+/// A period's work, and the instructions that it is proven to take at most.
+struct ProvenWork {
+  std::uint32_t work;
+  std::uint64_t instructions;
+};
+/// Of the work granted, and of the least work; where there is no limit, or nothing is proven, of
+/// neither.
+std::vector<ProvenWork> proven_work(const GuardTiming& timing);
+/// The most work whose proven instructions are no more than the period has; 0: none.
+std::uint32_t proven_work_within(const ProvenPeriod& proven, const PeriodClock& clock);
 
 /// The most work whose estimate is no longer than the period; none if the pass is.
 std::optional<std::uint32_t> work_within(const PeriodCosts& costs, const PeriodClock& clock);

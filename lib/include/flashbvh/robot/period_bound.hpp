@@ -34,8 +34,8 @@ struct GuardCosts {
 FLASHBVH_FOR_EACH_GUARD_CORE(FLASHBVH_CONSTANT)
 #undef FLASHBVH_CONSTANT
 
-/// What of a robot a period's bound depends on. Its trees are binary, as `flashbvh robot` bakes
-/// them.
+/// What of a robot a period's bound depends on. No node has more than kMostBoundedArity children,
+/// as `flashbvh robot` bakes trees.
 struct GuardSize {
   uint32_t joints;
   uint32_t pairs;
@@ -45,6 +45,7 @@ struct GuardSize {
   uint32_t leaf_size;     ///< triangles in the largest leaf, at most kMostBoundedLeaf
 };
 
+constexpr uint32_t kMostBoundedArity = 4;
 /// In larger leaves Within::dear_tests might not count all tests.
 constexpr uint32_t kMostBoundedLeaf = 7;
 

@@ -5,13 +5,13 @@
 
 // clang-format off
 #define FLASHBVH_FOR_EACH_GUARD_CORE(core) \
-  core(CortexM0, cortex_m0, "Cortex-M0", 216964, 6012, 11, 1535, 284, 143, 15663, 32, 139865, 5702) \
-  core(CortexM3, cortex_m3, "Cortex-M3", 67441, 828, 9, 857, 87, 77, 14675, 377, 18820, 1133) \
-  core(CortexM4F, cortex_m4f, "Cortex-M4F", 55430, 842, 9, 854, 86, 76, 10638, 23, 19010, 1059) \
-  core(CortexM7, cortex_m7, "Cortex-M7", 55376, 840, 9, 855, 85, 77, 10750, 24, 19072, 1066) \
-  core(CortexM33, cortex_m33, "Cortex-M33", 55863, 833, 9, 857, 87, 77, 10684, 24, 19005, 1062) \
-  core(CortexM55, cortex_m55, "Cortex-M55", 56086, 800, 9, 877, 97, 77, 10526, 24, 18832, 1041) \
-  core(RV32IMAC, rv32imac, "RV32IMAC", 83075, 1174, 9, 1079, 121, 132, 16619, 21, 25263, 1488)
+  core(CortexM0, cortex_m0, "Cortex-M0", 217428, 6012, 11, 1535, 284, 143, 15847, 32, 139865, 5705) \
+  core(CortexM3, cortex_m3, "Cortex-M3", 67887, 828, 9, 857, 87, 77, 14850, 377, 18820, 1136) \
+  core(CortexM4F, cortex_m4f, "Cortex-M4F", 55874, 842, 9, 854, 86, 76, 10668, 23, 19010, 1062) \
+  core(CortexM7, cortex_m7, "Cortex-M7", 55822, 840, 9, 855, 85, 77, 10781, 24, 19072, 1069) \
+  core(CortexM33, cortex_m33, "Cortex-M33", 56309, 833, 9, 857, 87, 77, 10715, 24, 19005, 1065) \
+  core(CortexM55, cortex_m55, "Cortex-M55", 56532, 800, 9, 877, 97, 77, 10701, 24, 18832, 1044) \
+  core(RV32IMAC, rv32imac, "RV32IMAC", 83477, 1174, 9, 1079, 121, 132, 16788, 21, 25263, 1490)
 // clang-format on
 
 #endif
