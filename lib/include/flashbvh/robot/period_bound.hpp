@@ -81,7 +81,8 @@ constexpr uint64_t instructions_of_look(const GuardCosts& costs, const GuardSize
 }  // namespace detail
 
 /// The most instructions of Guard::update(values, work), from `update` called to returned, whatever
-/// the values, and whatever the guard's state has in it. Not of UINT32_MAX, which is no limit.
+/// the values, of a checked robot and any state that Guard::resume() takes. Not of UINT32_MAX,
+/// which is no limit.
 constexpr uint64_t most_instructions(const GuardCosts& costs, const GuardSize& size,
                                      uint32_t work) {
   const uint64_t begun = (uint64_t{work} + detail::kBeginWork - 1) / detail::kBeginWork;
