@@ -2,7 +2,7 @@
 #include <random>
 
 #include "mesh/defects.hpp"
-#include "robot/read/link_mesh.hpp"
+#include "robot/read/primitive_mesh.hpp"
 #include "support/test.hpp"
 
 using tool::Vector3;
