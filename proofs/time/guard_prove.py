@@ -18,7 +18,7 @@ from machine_code.instruction import Refused
 from machine_code.loops import Loops
 from machine_code.program import Program
 
-from prove import GO_ON, SHAPE, check_units, cut_lines
+from prove import GO_ON, SHAPE, check_units, write
 
 # In work.
 PAIR, EXACT, POSE, AIM = 8, 32, 16, 48
@@ -40,7 +40,7 @@ def check_guard_units(sources: str) -> None:
                        ("src/robot/guard_measure.cpp", f"kPoseWork = {POSE};"),
                        ("src/robot/guard_measure.cpp", f"kAimWork = {AIM};")):
         if text not in (Path(sources) / file).read_text():
-            raise Refused(f"no '{text}' in {file}: change guard_prove.py, guard_formula.py and the page, too")
+            raise Refused(f"no '{text}' in {file}: change guard_prove.py, formula.py and the page, too")
 
 
 def parts(value: int, by: int) -> int:
@@ -91,11 +91,7 @@ def main() -> None:
     loops = Loops(str(Path(__file__).with_name("guard_loops.txt")), sources)
     costs = Costs(program, loops, together=True)
     closed = Costs(program, loops, general=True, together=True)
-    found = bounds(costs, closed, loops.roots)
-    text = "\n".join([f"core {core}"] + [f"bound {name} {value}" for name, value in found])
-    Path(output).write_text(text + "\n")
-    Path(cuts).write_text("\n".join(cut_lines(program, costs)) + "\n")
-    print(text)
+    write(output, cuts, core, program, costs, dict(bounds(costs, closed, loops.roots)))
 
 
 if __name__ == "__main__":

@@ -105,6 +105,13 @@ def cut_lines(program: Program, costs: Costs) -> Iterator[str]:
             yield f"symbol {function.address:x} {function}"
 
 
+def write(output: str, cuts: str, core: str, program: Program, costs: Costs, found: dict[str, int]) -> None:
+    text = "\n".join([f"core {core}"] + [f"bound {name} {value}" for name, value in found.items()])
+    Path(output).write_text(text + "\n")
+    Path(cuts).write_text("\n".join(cut_lines(program, costs)) + "\n")
+    print(text)
+
+
 def main() -> None:
     output, cuts, core, file, sources = sys.argv[1:]
     check_units(sources)
@@ -113,10 +120,7 @@ def main() -> None:
     costs = Costs(program, loops)
     found = dict(bounds(costs, Costs(program, loops, general=True), loops.roots))
     check_itself(costs, loops.roots, found)
-    text = "\n".join([f"core {core}"] + [f"bound {name} {value}" for name, value in found.items()])
-    Path(output).write_text(text + "\n")
-    Path(cuts).write_text("\n".join(cut_lines(program, costs)) + "\n")
-    print(text)
+    write(output, cuts, core, program, costs, found)
 
 
 if __name__ == "__main__":
