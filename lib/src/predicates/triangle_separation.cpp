@@ -88,6 +88,15 @@ inline Vector direction_of(const Vector& v) {
   return {v.x >> down, v.y >> down, v.z >> down};
 }
 
+/// From A's box to B's along an axis: negative if B's is below, 0 where they overlap.
+inline int32_t box_gap(const Triangle& a, const Triangle& b, int32_t Point::*axis) {
+  const Range of_a = range_of(a, axis);
+  const Range of_b = range_of(b, axis);
+  const int32_t above = of_b.least - of_a.most;
+  const int32_t below = of_b.most - of_a.least;
+  return above > 0 ? above : below < 0 ? below : 0;
+}
+
 /// Of 12 bits to 10, and back; not to the same, which any direction does as well.
 inline Direction packed(const Vector& v) {
   const auto bits = [](int32_t component) { return static_cast<uint32_t>(component >> 2) & 1023u; };
@@ -123,14 +132,20 @@ inline Vector nearest_between(const Vector& v, const Vector& s) {
 
 int64_t squared_box_gap(const Triangle& a, const Triangle& b) noexcept {
   const auto squared = [&](int32_t Point::*axis) {
-    const Range of_a = range_of(a, axis);
-    const Range of_b = range_of(b, axis);
-    const int32_t above = of_b.least - of_a.most;
-    const int32_t below = of_a.least - of_b.most;
-    const int32_t gap = above > below ? above : below;
-    return gap > 0 ? static_cast<int64_t>(gap) * gap : 0;
+    const int64_t gap = box_gap(a, b, axis);
+    return gap * gap;
   };
   return squared(&Point::x) + squared(&Point::y) + squared(&Point::z);
+}
+
+bool boxes_separate(const Triangle& a, const Triangle& b, int64_t limit,
+                    Direction& direction) noexcept {
+  const Vector gap = {box_gap(a, b, &Point::x), box_gap(a, b, &Point::y), box_gap(a, b, &Point::z)};
+  if (dot(gap, gap) <= limit) {
+    return false;
+  }
+  direction = packed(direction_of(gap));
+  return true;
 }
 
 bool Axis::separates(const Triangle& a, const Triangle& b) const noexcept {

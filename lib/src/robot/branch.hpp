@@ -42,7 +42,8 @@ constexpr uint32_t sum_of(uint32_t u, uint32_t v) {
   return u > UINT32_MAX - v ? UINT32_MAX : u + v;
 }
 
-constexpr uint32_t difference_of(uint32_t u, uint32_t v) {
+template <class Length>
+constexpr Length difference_of(Length u, Length v) {
   return u > v ? u - v : 0;
 }
 

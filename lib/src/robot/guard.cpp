@@ -14,9 +14,9 @@ using detail::sum_of;
 
 namespace {
 
-constexpr uint32_t kStateVersion = 1;
+constexpr uint32_t kStateVersion = 2;
 
-constexpr GuardPair kUnknown = {0, UINT32_MAX, {0, 0}};
+constexpr GuardPair kUnknown = {0, UINT32_MAX, 0, {0, 0}};
 
 constexpr bool is_unknown(const GuardPair& pair) {
   return pair.lower == 0 && pair.upper == UINT32_MAX;
@@ -120,7 +120,11 @@ Guard::Left Guard::left_of(uint16_t i, const JointCoordinate* certified) const {
   const GuardPair& known = pairs_[i];
   Left now;
   now.lost = sum_of(motion_of(pair, certified, now.is_current), robot_->slack);
-  now.distance = difference_of(known.lower, now.lost);
+  const auto kept = [&](uint32_t measured) {
+    return now.is_current ? detail::kept_of(measured, known.began, now.lost, robot_->slack)
+                          : difference_of(measured, now.lost);
+  };
+  now.distance = kept(known.lower);
   now.left = difference_of(now.distance, pair.stop);
   // A joint that returns faster to a pose with a small certificate may need a larger one, if
   // there is one. What has been measured where the period ends is settled: aim() in
@@ -128,9 +132,7 @@ Guard::Left Guard::left_of(uint16_t i, const JointCoordinate* certified) const {
   const uint32_t sought = now.left != 0 ? pair.warn : pair.stop;
   now.is_settled = now.is_current && !is_unknown(known) &&
                    (now.distance > pair.warn || known.lower >= kMaxDistance ||
-                    known.upper <= sum_of(sum_of(sought, now.lost), kRateMargin));
-  now.is_vague = !now.is_settled && now.left != 0 && now.distance <= pair.warn &&
-                 sum_of(known.upper, now.lost) > pair.warn;
+                    kept(difference_of(known.upper, kRateMargin)) <= sought);
   return now;
 }
 
@@ -153,23 +155,25 @@ uint32_t Guard::longest_step() const {
 }
 
 Guard::Found Guard::look() {
-  Found found = {Verdict::free, kNoPair, UINT32_MAX, kNoPair, 0, 1, 0, kNoPair, 1};
+  Found found = {Verdict::free, kNoPair, UINT32_MAX, kNoPair, 0, 1, 0, kNoPair, UINT32_MAX, 1};
   const uint32_t longest = longest_step();
   const JointCoordinate* certified = certified_;
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
     const RobotPair& pair = robot_->pairs[i];
     GuardPair& known = pairs_[i];
     Left now = left_of(i, certified);
-    if (now.is_vague || (!now.is_settled && is_near(now.left, pair, longest))) {
+    const uint32_t until_warn = difference_of(now.distance, pair.warn);
+    if (!now.is_settled && is_near(until_warn, pair, longest)) {
       const uint32_t rate = rate_of(pair);
-      const bool is_due = now.left <= uint64_t{rate} * kPeriodsAhead;
-      if ((is_due || now.is_vague) && certify_by_table(i, rate)) {
+      const uint64_t soon = uint64_t{rate} * kPeriodsAhead;
+      const bool is_due = now.left <= soon;
+      const bool is_vague = until_warn <= soon && sum_of(known.upper, now.lost) > pair.warn;
+      if ((is_due || is_vague) && certify_by_table(i, rate)) {
         now = left_of(i, certified);
       } else if (is_due) {
         found.take_due(i, now.left, sum_of(rate, 1));
-      } else if (now.is_vague) {
-        found.vague = i;
-        found.vague_rate = sum_of(rate, 1);
+      } else if (is_vague) {
+        found.take_vague(i, until_warn, sum_of(rate, 1));
       }
     }
     certified += pair.joints_a + pair.joints_b;
@@ -237,6 +241,9 @@ Status Guard::move_to(const JointCoordinate* values) {
     const int32_t step = core_->has_values != 0 ? step_to_next(i) : 0;
     before_[i] = detail::difference(next_[i], step);
     step_[i] = step;
+  }
+  for (uint32_t i = 0; i < robot_->pair_count; ++i) {
+    pairs_[i].began = 0;
   }
   core_->has_values = 1;
   return Status::done;

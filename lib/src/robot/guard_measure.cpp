@@ -1,6 +1,7 @@
 // The guard: measuring pairs whose certificates are about to run out.
 #include "branch.hpp"
 #include "coordinate.hpp"
+#include "flashbvh/detail/query/leaf_gap.hpp"
 #include "flashbvh/detail/robot/distance_table.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "guard_parts.hpp"
@@ -31,6 +32,9 @@ constexpr uint32_t kStaleShare = 8;
 /// 1/16: no triangles are tested for half of it, many for all.
 constexpr uint32_t kShare = 6;
 
+/// The same where a period moves it farther than that distance.
+constexpr uint32_t kLastShare = 12;
+
 /// And within what so many periods move it, if that is less; and at least within one part of so
 /// many of the share, since joints speed up.
 constexpr uint32_t kPeriodsAsked = 16;
@@ -56,10 +60,25 @@ JointCoordinate* Guard::certified_of(uint16_t i) {
   return of_pair;
 }
 
+/// What is known of the pair's distance where the period began.
+uint32_t Guard::distance_where_begun(uint16_t i) {
+  const JointCoordinate* certified = certified_of(i);
+  detail::Travel since;
+  detail::for_each_between(*robot_, robot_->pairs[i], [&](uint32_t joint, uint32_t reach) {
+    const int32_t way = detail::difference(before_[joint], *certified++);
+    since.add_short(reach, detail::magnitude(is_free(joint) ? detail::wrapped(way) : way));
+  });
+  const uint32_t by_certificate =
+      difference_of(pairs_[i].lower, sum_of(since.fine(), robot_->slack));
+  return detail::greater(by_certificate, pairs_[i].began);
+}
+
 void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& certificate) {
   JointCoordinate* to = certified_of(i);
+  const uint32_t began = distance_where_begun(i);
   core_->walked_pair = core_->walked_pair == i ? kNoPair : core_->walked_pair;
   pairs_[i] = certificate;
+  pairs_[i].began = began;
   detail::for_each_between(*robot_, robot_->pairs[i],
                            [&](uint32_t joint, uint32_t) { *to++ = at[joint]; });
 }
@@ -99,7 +118,7 @@ bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
   if (!is_worthwhile && apart < kMaxDistance) {  // farther, triangles show no more
     return false;
   }
-  certify(i, next_, {apart, UINT32_MAX, pairs_[i].witness});
+  certify(i, next_, {apart, UINT32_MAX, 0, pairs_[i].witness});
   return true;
 }
 
@@ -113,7 +132,7 @@ bool Guard::certify_by_table(uint16_t i, uint32_t rate) {
       known - pair.stop <= uint64_t{rate} * (kPeriodsAhead + 1)) {
     return false;
   }
-  certify(i, next_, {tabulated, UINT32_MAX, pairs_[i].witness});
+  certify(i, next_, {tabulated, UINT32_MAX, 0, pairs_[i].witness});
   return true;
 }
 
@@ -143,6 +162,14 @@ uint32_t Guard::witness_distance(uint32_t& work) const {
   return is_placed ? detail::distance_above(a, b) : UINT32_MAX;
 }
 
+/// What the pair has to be apart where the period ends, to be beyond the limit at each moment of
+/// it: the inverse of kept_of(). `moved`: in the period, and a margin.
+uint32_t Guard::lasting(uint32_t limit, uint32_t moved) {
+  const uint32_t spared = difference_of(distance_where_begun(core_->walked_pair), limit);
+  const uint32_t left = detail::greater(difference_of(moved, spared), kRateMargin);
+  return sum_of(sum_of(limit, robot_->slack), left);
+}
+
 /// The distance to test: a share of the witness's distance over the one to keep. `nearest`: it
 /// is no farther. Less than `nearest`, so each witness that is found is nearer than the last. A
 /// "no" settles the pair (Left::is_settled): the limit is as far as can be, or beyond what
@@ -150,19 +177,22 @@ uint32_t Guard::witness_distance(uint32_t& work) const {
 /// than that.
 void Guard::aim(uint32_t nearest) {
   const RobotPair& pair = robot_->pairs[core_->walked_pair];
-  const uint32_t stop = sum_of(pair.stop, robot_->slack);
   const uint32_t warn = sum_of(pair.warn, robot_->slack);
-  const uint32_t kept = nearest > warn ? warn : stop;
+  const uint32_t kept = nearest > warn ? warn : sum_of(pair.stop, robot_->slack);
   const uint32_t over = difference_of(nearest, kept);
   const uint32_t most = over / 16 * kShare;
   // As far as so many periods like this one move the links: farther takes walks of many periods.
   const uint32_t moved = sum_of(rate_of(pair), kRateMargin);
   const uint32_t least = most / kPeriodsAsked;
-  const uint32_t share = moved >= least ? most : detail::greater(moved * kPeriodsAsked, least);
-  // The limit is to last back to where the period began, if the witness has so much.
-  const uint32_t share_asked = sum_of(kept, moved < over ? detail::greater(share, moved) : share);
-  const uint32_t lasting = sum_of(stop, moved);
-  const uint32_t asked = nearest > lasting ? detail::greater(share_asked, lasting) : share_asked;
+  const uint32_t share = moved >= over    ? difference_of(over, uint32_t{1}) / 16 * kLastShare
+                         : moved >= least ? most
+                                          : detail::greater(moved * kPeriodsAsked, least);
+  uint32_t asked = sum_of(kept, share);
+  const uint32_t limits[] = {pair.stop, pair.warn};
+  for (const uint32_t limit : limits) {
+    const uint32_t enough = lasting(limit, moved);
+    asked = nearest > enough ? detail::greater(asked, enough) : asked;
+  }
   core_->nearest = nearest;
   core_->asked = asked < kMaxDistance ? asked : kMaxDistance;
   core_->cursor = {};
@@ -173,10 +203,11 @@ void Guard::aim(uint32_t nearest) {
 Status Guard::walk(uint32_t& work) {
   const RobotPair& pair = robot_->pairs[core_->walked_pair];
   if (core_->nearest <= sum_of(pair.stop, robot_->slack)) {
-    return finish({0, core_->nearest, core_->witness});
+    return finish({0, core_->nearest, 0, core_->witness});
   }
-  WithinQuery query(robot_->meshes[pair.a], robot_->meshes[pair.b], core_->pose, {},
-                    within(core_->asked));
+  Query<Ranked<Mesh>, detail::WithinAlong> query(robot_->meshes[pair.a], robot_->meshes[pair.b],
+                                                 core_->pose, {},
+                                                 detail::WithinAlong(within(core_->asked)));
   Status status = query.resume(core_->cursor);
   if (status == Status::suspended) {
     const uint32_t granted = work;
@@ -190,7 +221,7 @@ Status Guard::walk(uint32_t& work) {
     }
   }
   if (status == Status::done) {
-    return finish({core_->asked, core_->nearest, core_->witness});
+    return finish({core_->asked, core_->nearest, 0, core_->witness});
   }
   if (status == Status::distance_out_of_range && core_->asked > 1) {
     core_->asked /= 2;

@@ -48,10 +48,11 @@ constexpr uint16_t kNoPair = 0xFFFF;
 
 using GuardAnswer = flashbvh_guard_answer;
 
-/// What is known of a pair. 12 bytes, and 4 for each joint between its links.
+/// What is known of a pair. 16 bytes, and 4 for each joint between its links.
 struct GuardPair {
   uint32_t lower;             ///< the distance then, in 1/256 cell, rounded down; 0: not known
   uint32_t upper;             ///< rounded up; UINT32_MAX: not known
+  uint32_t began;             ///< a distance at least as small as where the period began; 0: any
   Witness<uint16_t> witness;  ///< where they were nearest
 };
 
@@ -189,6 +190,7 @@ class Guard {
   Status measure(const Found& found, uint32_t& work);
   uint32_t motion_of(const RobotPair& pair, const JointCoordinate* certified, bool& is_fresh) const;
   Left left_of(uint16_t pair, const JointCoordinate* certified) const;
+  uint32_t distance_where_begun(uint16_t pair);
   uint32_t rate_of(const RobotPair& pair) const;
   uint32_t longest_step() const;
   Found look();
@@ -197,6 +199,7 @@ class Guard {
   bool certify_by_spheres(uint16_t pair, uint32_t rate);
   bool certify_by_table(uint16_t pair, uint32_t rate);
   FLASHBVH_NOINLINE uint32_t witness_distance(uint32_t& work) const;
+  uint32_t lasting(uint32_t limit, uint32_t moved);
   void aim(uint32_t nearest);
   Status walk(uint32_t& work);
   Status finish(const GuardPair& certificate);

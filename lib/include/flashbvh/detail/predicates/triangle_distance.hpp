@@ -81,6 +81,11 @@ struct Direction {
 bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
                          Direction& first) noexcept;
 
+/// Whether the boxes of the triangles are so far apart that the square is `limit` + 1 or more; the
+/// direction becomes that of the gap.
+bool boxes_separate(const Triangle& a, const Triangle& b, int64_t limit,
+                    Direction& direction) noexcept;
+
 /// Whether the direction between the triangles' middles has them apart: with a gap, exactly, so
 /// that it is false of triangles that touch. Detects most neighbours of a surface, which planes do
 /// not.

@@ -67,12 +67,14 @@ struct Within : ProximityPredicate {
     return is_within(a, b, {squared_steps(), kStepsSquared});
   }
 
- private:
+ protected:
   uint64_t squared_steps() const {
     const uint64_t steps = distance;
     return steps * steps;
   }
   int64_t squared() const { return static_cast<int64_t>(squared_steps() / kStepsSquared); }
+
+ private:
   GapLimit limit() const { return GapLimit(squared()); }
   bool may_matter(const Transform& transform, const PackedBox& a, const PackedBox& b) const {
     return kept(transform)(a, b);

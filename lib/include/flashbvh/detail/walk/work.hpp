@@ -37,6 +37,11 @@ constexpr uint32_t kNearPairWork = 8;
 /// On top, those that don't; paid when a batch of them is done.
 constexpr uint32_t kDearPairWork = 32;
 
+/// The same by a direction that is kept, as they lie in flash; for those that it doesn't separate,
+/// to place and to test them comes on top.
+constexpr uint32_t kAlongPairWork = 2;
+constexpr uint32_t kPlacedPairWork = 8;
+
 /// How many pairs of triangles are tested for so much work, the last one for what is left of it.
 template <uint32_t pair_work = kTrianglePairWork>
 constexpr uint32_t triangle_pairs_for(uint32_t work) {
