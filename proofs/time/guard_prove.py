@@ -21,7 +21,7 @@ from machine_code.program import Program
 from prove import GO_ON, SHAPE, check_units, write
 
 # In work.
-PAIR, EXACT, POSE, AIM = 8, 32, 16, 48
+PAIR, PLACED, EXACT, POSE, AIM = 1, 8, 32, 16, 48
 # Pairs of leaves that a walk collects, unless it is the last.
 BATCH = 4
 # A run's first two batches, and the one that is not paid for.
@@ -34,7 +34,8 @@ LEAF = 7
 
 
 def check_guard_units(sources: str) -> None:
-    for file, text in (("include/flashbvh/detail/walk/work.hpp", f"kNearPairWork = {PAIR};"),
+    for file, text in (("include/flashbvh/detail/walk/work.hpp", f"kAlongPairWork = {PAIR};"),
+                       ("include/flashbvh/detail/walk/work.hpp", f"kPlacedPairWork = {PLACED};"),
                        ("include/flashbvh/detail/walk/work.hpp", f"kDearPairWork = {EXACT};"),
                        ("include/flashbvh/detail/query/proximity.hpp", f"kBatch = {BATCH};"),
                        ("src/robot/guard_measure.cpp", f"kPoseWork = {POSE};"),
@@ -58,12 +59,16 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
     run = turn["run"] + FIRST_BATCHES * batch + SIBLINGS * turn["sibling"] + total["found"]
     triangles = total["found"] + turn["triangle"] + parts(batch, BATCH)
     ascent = max(turn["ascent"], turn["climb"])
+    placed = triangles + total["placed"]
     # A witness that is nearer than the limit, which was found by an exact test.
-    nearer = triangles + within + run + total["witness"]
+    nearer = placed + within + run + total["witness"]
     work = max(turn["visit"] + ascent, turn["other"], parts(turn["turn"], GO_ON),
                parts(max(total["shape"], turn["turn"]) + begun, SHAPE), parts(triangles, PAIR),
-               parts(triangles + within, PAIR + EXACT), parts(nearer, PAIR + EXACT + AIM),
+               parts(placed, PAIR + PLACED), parts(placed + within, PAIR + PLACED + EXACT),
+               parts(nearer, PAIR + PLACED + EXACT + AIM),
                parts(turn["run"], POSE))
+    if __import__("os").environ.get("DBG"):
+        print({k: v for k, v in dict(visit=turn["visit"], ascent=ascent, other=turn["other"], turn=turn["turn"], begun=begun, shape=total["shape"], batch=batch, found=total["found"], triangle=turn["triangle"], triangles=triangles, placed=placed, within=within, nearer=nearer, run=run, work=work).items()})
     if batch > PAIR * work:
         raise Refused("a walk of 65,535 is not paid for as two triangles")
     measured = turn["measured"] + run

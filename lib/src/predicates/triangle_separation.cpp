@@ -97,9 +97,15 @@ inline int32_t box_gap(const Triangle& a, const Triangle& b, int32_t Point::*axi
   return above > 0 ? above : below < 0 ? below : 0;
 }
 
-/// Of 12 bits to 10, and back; not to the same, which any direction does as well.
+/// The largest component has 9 bits and its sign; not the same direction, as any does.
 inline Direction packed(const Vector& v) {
-  const auto bits = [](int32_t component) { return static_cast<uint32_t>(component >> 2) & 1023u; };
+  const uint32_t all = size_of(v.x) | size_of(v.y) | size_of(v.z) | 1u;
+  const int top = __builtin_clz(all) - 1;  // bits that are free below the sign
+  const auto bits = [top](int32_t component) {
+    return static_cast<uint32_t>(static_cast<int32_t>(static_cast<uint32_t>(component) << top) >>
+                                 22) &
+           1023u;
+  };
   return {bits(v.x) | bits(v.y) << 10 | bits(v.z) << 20};
 }
 inline Vector unpacked(const Direction& direction) {

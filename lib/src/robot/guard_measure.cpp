@@ -25,12 +25,13 @@ constexpr uint32_t kPoseWork = 16;
 /// The distance of two triangles, and the next limit that follows from it.
 constexpr uint32_t kAimWork = 48;
 
-/// A witness's distance is computed again once the links have moved by so much of it.
+/// A witness's distance is computed again once the links have moved by one part in so many of what
+/// it has over the distance to keep.
 constexpr uint32_t kStaleShare = 8;
 
 /// A pair is tested whether it is within a share of its witness's distance over the one to keep, in
 /// 1/16: no triangles are tested for half of it, many for all.
-constexpr uint32_t kShare = 6;
+constexpr uint32_t kShare = 9;
 
 /// The same where a period moves it farther than that distance.
 constexpr uint32_t kLastShare = 12;
@@ -146,11 +147,14 @@ void Guard::begin_walk(uint16_t i, uint32_t& work) {
     walked_[joint] = next_[joint];
   }
   const uint32_t upper = pairs_[i].upper;
-  if (upper != UINT32_MAX && since <= upper / kStaleShare) {
-    aim(sum_of(upper, since));
-    return;
-  }
-  aim(witness_distance(work));
+  const bool is_stale = since > difference_of(upper, limit_for(i, upper)) / kStaleShare;
+  aim(upper == UINT32_MAX || is_stale ? witness_distance(work) : sum_of(upper, since));
+}
+
+/// Which limit a pair that is so near is to be kept beyond, with the slack.
+uint32_t Guard::limit_for(uint16_t i, uint32_t nearest) const {
+  const uint32_t warn = sum_of(robot_->pairs[i].warn, robot_->slack);
+  return nearest > warn ? warn : sum_of(robot_->pairs[i].stop, robot_->slack);
 }
 
 /// How far apart the witness is, where the pair is being measured; UINT32_MAX: not known.
@@ -177,8 +181,7 @@ uint32_t Guard::lasting(uint32_t limit, uint32_t moved) {
 /// than that.
 void Guard::aim(uint32_t nearest) {
   const RobotPair& pair = robot_->pairs[core_->walked_pair];
-  const uint32_t warn = sum_of(pair.warn, robot_->slack);
-  const uint32_t kept = nearest > warn ? warn : sum_of(pair.stop, robot_->slack);
+  const uint32_t kept = limit_for(core_->walked_pair, nearest);
   const uint32_t over = difference_of(nearest, kept);
   const uint32_t most = over / 16 * kShare;
   // As far as so many periods like this one move the links: farther takes walks of many periods.

@@ -39,7 +39,7 @@ constexpr uint32_t kDearPairWork = 32;
 
 /// The same by a direction that is kept, as they lie in flash; for those that it doesn't separate,
 /// to place and to test them comes on top.
-constexpr uint32_t kAlongPairWork = 2;
+constexpr uint32_t kAlongPairWork = 1;
 constexpr uint32_t kPlacedPairWork = 8;
 
 /// How many pairs of triangles are tested for so much work, the last one for what is left of it.
