@@ -21,7 +21,7 @@ from machine_code.program import Program
 from prove import GO_ON, SHAPE, check_units, write
 
 # In work.
-PAIR, PLACED, EXACT, POSE, AIM = 1, 8, 32, 16, 48
+PAIR, PLACED, EXACT, POSE, AIM, WALK = 1, 4, 24, 16, 56, 8
 # Pairs of leaves that a walk collects, unless it is the last.
 BATCH = 4
 # A run's first two batches, and the one that is not paid for.
@@ -36,7 +36,8 @@ LEAF = 7
 def check_guard_units(sources: str) -> None:
     for file, text in (("include/flashbvh/detail/walk/work.hpp", f"kAlongPairWork = {PAIR};"),
                        ("include/flashbvh/detail/walk/work.hpp", f"kPlacedPairWork = {PLACED};"),
-                       ("include/flashbvh/detail/walk/work.hpp", f"kDearPairWork = {EXACT};"),
+                       ("include/flashbvh/detail/walk/work.hpp", f"kExactPairWork = {EXACT};"),
+                       ("include/flashbvh/detail/walk/work.hpp", f"kNearPairWork = {WALK};"),
                        ("include/flashbvh/detail/query/proximity.hpp", f"kBatch = {BATCH};"),
                        ("src/robot/guard_measure.cpp", f"kPoseWork = {POSE};"),
                        ("src/robot/guard_measure.cpp", f"kAimWork = {AIM};")):
@@ -69,8 +70,8 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
                parts(turn["run"], POSE))
     if __import__("os").environ.get("DBG"):
         print({k: v for k, v in dict(visit=turn["visit"], ascent=ascent, other=turn["other"], turn=turn["turn"], begun=begun, shape=total["shape"], batch=batch, found=total["found"], triangle=turn["triangle"], triangles=triangles, placed=placed, within=within, nearer=nearer, run=run, work=work).items()})
-    if batch > PAIR * work:
-        raise Refused("a walk of 65,535 is not paid for as two triangles")
+    if batch > WALK * work:
+        raise Refused("a walk of 65,535 is not paid for")
     measured = turn["measured"] + run
     # What its own work does not pay for.
     measure = max(0, measured - POSE * work, measured + total["witness"] - (POSE + AIM) * work)
@@ -78,9 +79,9 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
     yield "guard-start", (total["period"] + turn["measured"] + 2 * run + 2 * (LEAF - 1) * turn["other"])
     yield "guard-joint", (turn["set"] + turn["one-way"] + turn["step"] + turn["frame"]
                           + 3 * turn["third"] + 3 * turn["power"])
-    yield "guard-turn", max(turn[name] for name in ("master", "longest", "next", "skipped", "kept"))
+    yield "guard-turn", max(turn[name] for name in ("master", "begun", "longest", "next", "skipped", "kept"))
     yield "guard-pair", turn["pair"]
-    yield "guard-between", 2 * turn["motion"] + turn["rate"] + turn["certified"]
+    yield "guard-between", 2 * turn["motion"] + turn["rate"] + turn["since"] + turn["certified"]
     yield "guard-table", max(turn["table"], turn["axis"])
     yield "guard-measure", measure
     yield "guard-ascent", ascent

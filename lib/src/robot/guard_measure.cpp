@@ -23,7 +23,7 @@ constexpr uint64_t kWorthwhile = 4;
 constexpr uint32_t kPoseWork = 16;
 
 /// The distance of two triangles, and the next limit that follows from it.
-constexpr uint32_t kAimWork = 48;
+constexpr uint32_t kAimWork = 56;
 
 /// A witness's distance is computed again once the links have moved by one part in so many of what
 /// it has over the distance to keep.
@@ -166,14 +166,6 @@ uint32_t Guard::witness_distance(uint32_t& work) const {
   return is_placed ? detail::distance_above(a, b) : UINT32_MAX;
 }
 
-/// What the pair has to be apart where the period ends, to be beyond the limit at each moment of
-/// it: the inverse of kept_of(). `moved`: in the period, and a margin.
-uint32_t Guard::lasting(uint32_t limit, uint32_t moved) {
-  const uint32_t spared = difference_of(distance_where_begun(core_->walked_pair), limit);
-  const uint32_t left = detail::greater(difference_of(moved, spared), kRateMargin);
-  return sum_of(sum_of(limit, robot_->slack), left);
-}
-
 /// The distance to test: a share of the witness's distance over the one to keep. `nearest`: it
 /// is no farther. Less than `nearest`, so each witness that is found is nearer than the last. A
 /// "no" settles the pair (Left::is_settled): the limit is as far as can be, or beyond what
@@ -190,12 +182,11 @@ void Guard::aim(uint32_t nearest) {
   const uint32_t share = moved >= over    ? difference_of(over, uint32_t{1}) / 16 * kLastShare
                          : moved >= least ? most
                                           : detail::greater(moved * kPeriodsAsked, least);
-  uint32_t asked = sum_of(kept, share);
-  const uint32_t limits[] = {pair.stop, pair.warn};
-  for (const uint32_t limit : limits) {
-    const uint32_t enough = lasting(limit, moved);
-    asked = nearest > enough ? detail::greater(asked, enough) : asked;
-  }
+  const uint32_t began = distance_where_begun(core_->walked_pair);
+  const uint32_t for_stop = detail::lasting(pair.stop, began, moved, robot_->slack);
+  const uint32_t for_warn = detail::lasting(pair.warn, began, moved, robot_->slack);
+  const uint32_t lasting = nearest > for_warn ? for_warn : nearest > for_stop ? for_stop : 0;
+  const uint32_t asked = detail::greater(sum_of(kept, share), lasting);
   core_->nearest = nearest;
   core_->asked = asked < kMaxDistance ? asked : kMaxDistance;
   core_->cursor = {};

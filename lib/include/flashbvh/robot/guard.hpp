@@ -200,7 +200,6 @@ class Guard {
   bool certify_by_table(uint16_t pair, uint32_t rate);
   FLASHBVH_NOINLINE uint32_t witness_distance(uint32_t& work) const;
   uint32_t limit_for(uint16_t pair, uint32_t nearest) const;
-  uint32_t lasting(uint32_t limit, uint32_t moved);
   void aim(uint32_t nearest);
   Status walk(uint32_t& work);
   Status finish(const GuardPair& certificate);

@@ -64,9 +64,9 @@ namespace detail {
 
 /// As in guard_measure.cpp: what it takes to begin to measure a pair, and to measure its witness.
 constexpr uint32_t kBeginWork = 16;
-constexpr uint32_t kWitnessWork = 48;
+constexpr uint32_t kWitnessWork = 56;
 /// The least work after which a witness is measured that is nearer than the limit.
-constexpr uint32_t kNearerWork = kNearPairWork + kDearPairWork + kWitnessWork;
+constexpr uint32_t kNearerWork = kAlongPairWork + kPlacedPairWork + kExactPairWork + kWitnessWork;
 /// The most pairs of leaves whose tests a period may overdraw by.
 constexpr uint32_t kBatchedLeafPairs = 4;
 
@@ -89,9 +89,10 @@ constexpr uint64_t most_instructions(const GuardCosts& costs, const GuardSize& s
   const uint64_t measured = begun < size.pairs ? begun : size.pairs;
   const uint64_t joints = size.joints;
   const uint64_t around =
-      (3 * uint64_t{size.pairs} + 2 * joints) * costs.turn + 2 * joints * costs.between;
+      (6 * uint64_t{size.pairs} + 2 * joints) * costs.turn + 2 * joints * costs.between;
   const uint64_t of_work =
-      costs.work + (joints * costs.between + detail::kNearerWork - 1) / detail::kNearerWork;
+      costs.work + (joints * costs.between + size.pairs * costs.turn + detail::kNearerWork - 1) /
+                       detail::kNearerWork;
   return costs.start + joints * (costs.joint + joints * costs.turn) +
          (measured + 2) * detail::instructions_of_look(costs, size) + measured * costs.measure +
          (measured + 1) * around + uint64_t{size.depth} * costs.ascent +

@@ -96,7 +96,7 @@ struct WithinAlong : Within {
         planes_separate(a, b, limit)) {
       return false;
     }
-    dear_tests += kDearPairWork / kPlacedPairWork;
+    dear_tests += kExactPairWork / kPlacedPairWork;
     return is_within(a, b, {squared_steps(), kStepsSquared});
   }
   /// What separated the last two, for the next ones.

@@ -229,6 +229,10 @@ class QueryRun : protected Predicate {
     state_ = State::fresh;
     error_ = error;
   }
+  /// What a walk is beyond its visits, where those of its pairs are not paid for.
+  static constexpr uint32_t kWalkWork =
+      Predicate::kPairWork < kNearPairWork ? kNearPairWork : Predicate::kPairWork;
+
   /// Until the batch is full, to the end, or to that of the work.
   FLASHBVH_NOINLINE State walk(uint32_t& work, Batch& batch, typename Kept::Shapes& kept,
                                uint32_t room) {
@@ -242,7 +246,7 @@ class QueryRun : protected Predicate {
     batch.end(run.progress);
     uint32_t spent = granted - run.progress.work_left;
     if (granted == Batch::kMostWork && (end == State::at_pair || batch.has_unpaid())) {
-      spent += Predicate::kPairWork;  // for another walk
+      spent += kWalkWork;  // for another walk
     }
     take_work(work, spent);
     return end;

@@ -37,10 +37,11 @@ constexpr uint32_t kNearPairWork = 8;
 /// On top, those that don't; paid when a batch of them is done.
 constexpr uint32_t kDearPairWork = 32;
 
-/// The same by a direction that is kept, as they lie in flash; for those that it doesn't separate,
-/// to place and to test them comes on top.
+/// The same along a direction that is kept, as they lie in flash. On top of it, to place those that
+/// it doesn't separate; and the exact test of those that no direction does.
 constexpr uint32_t kAlongPairWork = 1;
-constexpr uint32_t kPlacedPairWork = 8;
+constexpr uint32_t kPlacedPairWork = 4;
+constexpr uint32_t kExactPairWork = 24;
 
 /// How many pairs of triangles are tested for so much work, the last one for what is left of it.
 template <uint32_t pair_work = kTrianglePairWork>
