@@ -30,8 +30,8 @@ def most_of_period(cost, joints, pairs, between, tabled, depth, leaf_size, work)
     turns = joints + pairs * joints
     look = (pairs * of["pair"] + between * of["between"] + turns * of["turn"]
             + tabled * 2 * (pairs + tabled + 2) * of["table"])
-    around = (3 * pairs + 2 * joints) * of["turn"] + 2 * joints * of["between"]
-    unit = of["work"] + (joints * of["between"] + 87) // 88
+    around = (6 * pairs + 2 * joints) * of["turn"] + 2 * joints * of["between"]
+    unit = of["work"] + (joints * of["between"] + pairs * of["turn"] + 84) // 85
     return (of["start"] + joints * (of["joint"] + joints * of["turn"]) + (measured + 2) * look
             + measured * of["measure"] + (measured + 1) * around + depth * of["ascent"]
-            + 4 * leaf_size * leaf_size * of["within"] + (work + 63) * unit)
+            + 4 * leaf_size * leaf_size * of["within"] + (work + 71) * unit)

@@ -46,7 +46,7 @@ struct GuardSize {
 };
 
 constexpr uint32_t kMostBoundedArity = 4;
-/// In larger leaves Within::dear_tests might not count all tests.
+/// What resumes inside larger leaves is not in the bound.
 constexpr uint32_t kMostBoundedLeaf = 7;
 
 /// `depth`, `leaf_size`: as in GuardSize.

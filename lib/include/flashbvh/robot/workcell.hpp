@@ -97,7 +97,7 @@ class Workcell {
   Status keep_apart(uint8_t a, uint8_t b, uint32_t stop, uint32_t warn);
 
   /// The obstacle is in that frame from the next period on, which begins with Guard::update().
-  /// `moved`: no point of it goes farther on its way there, in 1/256 cell. What was moved for a
+  /// `moved`: no point's way there is longer, in 1/256 cell. What was moved for a
   /// period that is refused counts in the next one.
   /// Not between update() and go_on(), nor while a MotionQuery is under way: what they answer holds
   /// for an obstacle that stands meanwhile.
