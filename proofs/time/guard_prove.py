@@ -68,8 +68,6 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
                parts(placed, PAIR + PLACED), parts(placed + within, PAIR + PLACED + EXACT),
                parts(nearer, PAIR + PLACED + EXACT + AIM),
                parts(turn["run"], POSE))
-    if __import__("os").environ.get("DBG"):
-        print({k: v for k, v in dict(visit=turn["visit"], ascent=ascent, other=turn["other"], turn=turn["turn"], begun=begun, shape=total["shape"], batch=batch, found=total["found"], triangle=turn["triangle"], triangles=triangles, placed=placed, within=within, nearer=nearer, run=run, work=work).items()})
     if batch > WALK * work:
         raise Refused("a walk of 65,535 is not paid for")
     measured = turn["measured"] + run

@@ -22,9 +22,9 @@ RUNS = "bound_run", "bound_run_itself", "bound_period"
 def allowed_in_period(work, joints, pairs, between, tabled, depth, leaf_size):
     """As guard_prove.py adds them up."""
     measured = measured_pairs(pairs, work)
-    looks, nearer = measured + 2, (work + 63) // 88
+    looks, nearer = measured + 2, (work + 71) // 85
     runs = measured + 2 + nearer + (work + 15) // 16
-    batches = 3 * runs + work // 32
+    batches = 3 * runs + work // 4
     turns, shapes = batches + (work + 1) // 2, batches + (work + 7) // 8
     visits = work + 2 * batches + turns
     begun = (measured + 1) * joints
@@ -33,10 +33,11 @@ def allowed_in_period(work, joints, pairs, between, tabled, depth, leaf_size):
             "longest": looks * joints, "pair": looks * pairs, "motion": looks * 2 * between + begun,
             "rate": looks * between + begun + nearer * joints, "next": (looks * pairs + measured) * joints,
             "table": looks * tabled * pairs, "axis": looks * 2 * tabled * (tabled + 2),
-            "skipped": looks * tabled * pairs + 3 * (measured + 1) * pairs,
+            "begun": pairs, "skipped": 2 * looks * tabled * pairs + (5 * (measured + 1) + nearer) * pairs,
+            "since": looks * between + 3 * begun + nearer * joints,
             "certified": looks * between + 2 * begun, "kept": measured * joints, "measured": measured + 1,
             "run": runs, "batch": batches, "sibling": 16 * batches + 8 * runs, "turn": turns,
-            "triangle": (work + 7) // 8 + 1, "visit": visits, "ascent": depth + visits,
+            "triangle": work + 1, "visit": visits, "ascent": depth + visits,
             "climb": depth + visits, "other": 2 * (leaf_size - 1) * shapes}
 
 

@@ -121,7 +121,8 @@ TEST_CASE("along a direction the same pairs are found as without, however the qu
     };
     const auto expected =
         found_by(WithinQuery(a, b, scene.pose, {}, within(distance)), UINT32_MAX);
-    for (const std::uint32_t work : {1u, 7u, 100u, UINT32_MAX}) {
+    constexpr std::uint32_t budgets[] = {1, 7, 100, UINT32_MAX};
+    for (const std::uint32_t work : budgets) {
       CAPTURE(distance, work);
       Query<Ranked<Mesh>, WithinAlong> query(a, b, scene.pose, {}, WithinAlong(within(distance)));
       REQUIRE(found_by(query, work) == expected);
