@@ -51,17 +51,19 @@ TEST_CASE("no direction separates triangles that are within the limit") {
       const auto cells = static_cast<std::int64_t>(length_of(near.squared));
       const std::int64_t limit = cells * cells;
       const ShortFraction within_limit = {static_cast<std::uint64_t>(limit), 1};
-      LeafGap gap;
-      gap.set(any_direction(random), transform, limit);
+      const LeafGap gap(any_direction(random), transform, limit);
       for (const Pairwise& pair : all) {
-        if (gap.separates(gap.end_of_a(a, pair.of_a), gap.start_of_b(b, pair.of_b))) {
-          Triangle of_a;
-          Triangle of_b;
-          place_pair(a, pair.of_a, b, pair.of_b, transform, of_a, of_b);
-          CAPTURE(pair.of_a, pair.of_b, limit);
-          REQUIRE(!is_within(of_a, of_b, within_limit));
-          ++separated;
-        }
+        Triangle of_a;
+        Triangle of_b;
+        place_pair(a, pair.of_a, b, pair.of_b, transform, of_a, of_b);
+        const bool is_near = is_within(of_a, of_b, within_limit);
+        const bool by_gap = gap.separates(gap.end_of_a(a, pair.of_a), gap.start_of_b(b, pair.of_b));
+        Direction any;
+        CAPTURE(pair.of_a, pair.of_b, limit);
+        REQUIRE(!(is_near && by_gap));
+        REQUIRE(!(is_near && boxes_separate(of_a, of_b, limit, any)));
+        REQUIRE(!(is_near && edges_separate(of_a, of_b, limit, any)));
+        separated += by_gap ? 1 : 0;
       }
     }
   });
@@ -89,11 +91,30 @@ TEST_CASE("the direction of the boxes' gap has nine bits, however wide the gap i
       const int z = component_of(direction, 20);
       CAPTURE(gap.x, gap.y, gap.z, x, y, z);
       REQUIRE(std::max({std::abs(x), std::abs(y), std::abs(z)}) >= 255);
-      const double cosine = (x * double{1} * gap.x + y * double{1} * gap.y + z * double{1} * gap.z) /
-                            (length * std::hypot(x, y, z));
+      const double cosine =
+          (x * double{1} * gap.x + y * double{1} * gap.y + z * double{1} * gap.z) /
+          (length * std::hypot(x, y, z));
       REQUIRE(cosine > 0.99997);
     }
   });
+}
+
+TEST_CASE("slivers that cross are separated along the normal of their edges") {
+  constexpr std::int32_t length = 30000;
+  for (std::int32_t apart = 40; apart < 4000; apart += 90) {
+    // Wherever the other's ends are: B turns about their nearest points.
+    for (std::int32_t along = -12000; along <= 12000; along += 3000) {
+      const Triangle a = {{{-length, 0, 0}, {length, 0, 0}, {length, 1, -1}}};
+      const Triangle b = {
+          {{along, -length, apart}, {-along, length, apart}, {-along, length, apart + 1}}};
+      Direction direction;
+      const std::int64_t limit = std::int64_t{apart - 3} * (apart - 3);
+      CAPTURE(apart, along);
+      REQUIRE(edges_separate(a, b, limit, direction));
+      REQUIRE(edges_separate(b, a, limit, direction));
+      REQUIRE(!edges_separate(a, b, std::int64_t{apart} * apart, direction));
+    }
+  }
 }
 
 TEST_CASE("along a direction the same pairs are found as without, however the query is cut") {
@@ -119,8 +140,7 @@ TEST_CASE("along a direction the same pairs are found as without, however the qu
       REQUIRE(status == Status::done);
       return found;
     };
-    const auto expected =
-        found_by(WithinQuery(a, b, scene.pose, {}, within(distance)), UINT32_MAX);
+    const auto expected = found_by(WithinQuery(a, b, scene.pose, {}, within(distance)), UINT32_MAX);
     constexpr std::uint32_t budgets[] = {1, 7, 100, UINT32_MAX};
     for (const std::uint32_t work : budgets) {
       CAPTURE(distance, work);

@@ -88,6 +88,25 @@ inline Vector direction_of(const Vector& v) {
   return {v.x >> down, v.y >> down, v.z >> down};
 }
 
+inline Vector direction_across(const LongVector& v) {
+  const auto size = [](int64_t value) { return static_cast<uint64_t>(value < 0 ? -value : value); };
+  const int bits = 64 - __builtin_clzll(size(v.x) | size(v.y) | size(v.z) | 1);
+  const int down = bits > 12 ? bits - 12 : 0;
+  const auto scaled = [down](int64_t value) { return static_cast<int32_t>(value >> down); };
+  return {scaled(v.x), scaled(v.y), scaled(v.z)};
+}
+
+/// By the sum of its components, the first of equals.
+inline Vector longest_edge(const Triangle& t) {
+  const auto length = [](const Vector& v) { return size_of(v.x) + size_of(v.y) + size_of(v.z); };
+  const auto longer = [&](const Vector& u, const Vector& v) {
+    return length(v) > length(u) ? v : u;
+  };
+  const Vector first = difference(t.corner[1], t.corner[0]);
+  const Vector second = difference(t.corner[2], t.corner[1]);
+  return longer(longer(first, second), difference(t.corner[0], t.corner[2]));
+}
+
 /// From A's box to B's along an axis: negative if B's is below, 0 where they overlap.
 inline int32_t box_gap(const Triangle& a, const Triangle& b, int32_t Point::*axis) {
   const Range of_a = range_of(a, axis);
@@ -192,6 +211,19 @@ bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
     }
     v = to;
   }
+}
+
+bool edges_separate(const Triangle& a, const Triangle& b, int64_t limit,
+                    Direction& direction) noexcept {
+  Vector d = direction_across(cross<LongVector>(longest_edge(a), longest_edge(b)));
+  if (gap_along(d, a, b).gap <= 0) {
+    d = negated(d);
+  }
+  if (!gap_along(d, a, b).is_above(limit)) {
+    return false;
+  }
+  direction = packed(d);
+  return true;
 }
 
 bool middles_separate(const Triangle& a, const Triangle& b) noexcept {

@@ -27,8 +27,8 @@ constexpr uint32_t kept_of(uint32_t measured, uint32_t began, uint32_t lost, uin
   return by_end > by_most ? by_end : by_most;
 }
 
-/// How far apart a pair has to be where the period ends, to be farther than the limit at each moment
-/// of it: the inverse of kept_of(). `moved`: in the period, and kRateMargin.
+/// How far apart a pair has to be where the period ends, to be farther than the limit at each
+/// moment of it: the inverse of kept_of(). `moved`: in the period, and kRateMargin.
 constexpr uint32_t lasting(uint32_t limit, uint32_t began, uint32_t moved, uint32_t slack) {
   const uint32_t by_end = difference_of(moved, difference_of(began, limit));
   return sum_of(sum_of(limit, slack), by_end > kRateMargin ? by_end : kRateMargin);

@@ -86,6 +86,11 @@ bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
 bool boxes_separate(const Triangle& a, const Triangle& b, int64_t limit,
                     Direction& direction) noexcept;
 
+/// The same along the normal of the longest edges of both: of two slivers, whose corners Gilbert's
+/// steps go back and forth between.
+bool edges_separate(const Triangle& a, const Triangle& b, int64_t limit,
+                    Direction& direction) noexcept;
+
 /// Whether the direction between the triangles' middles has them apart: with a gap, exactly, so
 /// that it is false of triangles that touch. Detects most neighbours of a surface, which planes do
 /// not.

@@ -23,8 +23,8 @@ class LeafGap {
   LeafGap() : on_a_{0, 0}, on_b_{0, 0}, origin_(0), squared_(1) {}
 
   /// `limit`: the largest squared distance that still matters.
-  void set(const Direction& direction, const Transform& transform, int64_t limit) {
-    on_a_ = scaled(direction);
+  LeafGap(const Direction& direction, const Transform& transform, int64_t limit)
+      : on_a_(scaled(direction)), squared_(static_cast<uint64_t>(limit + 1) * squared(on_a_)) {
     Slab slab;
     slab.begin(on_a_, {0, 0});
     if (transform.is_rotated()) {
@@ -34,7 +34,6 @@ class LeafGap {
     }
     on_b_ = slab.seen_direction();
     origin_ = slab.least_lower() - slab.row().sum() * kBoundBias;
-    squared_ = static_cast<uint64_t>(limit + 1) * squared(on_a_);
   }
 
   /// Where a triangle of A ends, and one of B begins, along the direction.
@@ -83,7 +82,6 @@ struct WithinAlong : Within {
   static constexpr uint32_t kPairWork = kAlongPairWork;
   static constexpr uint32_t kDearWork = kPlacedPairWork;
 
-  LeafGap gap;
   uint32_t dear_tests = 0;  ///< in kDearWork
 
   WithinAlong() {}
@@ -93,33 +91,40 @@ struct WithinAlong : Within {
     ++dear_tests;
     const int64_t limit = squared();
     if (boxes_separate(a, b, limit, direction) || directions_separate(a, b, limit, direction) ||
-        planes_separate(a, b, limit)) {
+        planes_separate(a, b, limit) || edges_separate(a, b, limit, direction)) {
       return false;
     }
     dear_tests += kExactPairWork / kPlacedPairWork;
     return is_within(a, b, {squared_steps(), kStepsSquared});
   }
-  /// What separated the last two, for the next ones.
-  void turn(const Transform& transform) { gap.set(direction, transform, squared()); }
+  /// Along what separated the last two.
+  LeafGap gap(const Transform& transform) const {
+    return direction.packed != 0 ? LeafGap(direction, transform, squared()) : LeafGap();
+  }
 };
 
-/// Triangles are placed that the last direction does not separate.
+/// Triangles are placed that the last direction does not separate. Made for each batch of leaves,
+/// so that a walk does without the gap.
 template <class Mesh>
 class TriangleTest<WithinAlong, Mesh, false> {
  public:
   TriangleTest(WithinAlong& predicate, const Mesh& a, const Mesh& b, const Transform& transform)
-      : predicate_(predicate), a_(a), b_(b), transform_(transform) {}
+      : predicate_(predicate),
+        a_(a),
+        b_(b),
+        transform_(transform),
+        gap_(predicate.gap(transform)) {}
 
   bool take_b(uint32_t of_b, const PackedBox* /*box_a*/) {
     if (of_b != kept_) {
       kept_ = of_b;
       is_placed_ = false;
-      start_ = predicate_.gap.start_of_b(b_, of_b);
+      start_ = gap_.start_of_b(b_, of_b);
     }
     return true;
   }
   bool operator()(uint32_t of_a) {
-    return !predicate_.gap.separates(predicate_.gap.end_of_a(a_, of_a), start_) && test(of_a);
+    return !gap_.separates(gap_.end_of_a(a_, of_a), start_) && test(of_a);
   }
 
  private:
@@ -133,16 +138,21 @@ class TriangleTest<WithinAlong, Mesh, false> {
     const uint32_t before = predicate_.direction.packed;
     const bool is_near = predicate_.test(a, kept_b_);
     if (predicate_.direction.packed != before) {
-      predicate_.turn(transform_);
-      start_ = predicate_.gap.start_of_b(b_, kept_);
+      turn();
     }
     return is_near;
+  }
+  /// Apart, so that no frame below it holds another gap.
+  FLASHBVH_NOINLINE void turn() {
+    gap_ = predicate_.gap(transform_);
+    start_ = gap_.start_of_b(b_, kept_);
   }
 
   WithinAlong& predicate_;
   const Mesh& a_;
   const Mesh& b_;
   const Transform& transform_;
+  LeafGap gap_;
   uint32_t kept_ = UINT32_MAX;
   int32_t start_ = 0;  ///< of B's triangle, along the direction
   bool is_placed_ = false;
