@@ -5,13 +5,13 @@
 
 // clang-format off
 #define FLASHBVH_FOR_EACH_GUARD_CORE(core) \
-  core(CortexM0, cortex_m0, "Cortex-M0", 217806, 6012, 11, 1661, 284, 185, 15973, 32, 139865, 5705) \
-  core(CortexM3, cortex_m3, "Cortex-M3", 68283, 828, 9, 989, 87, 120, 14982, 377, 18820, 1136) \
-  core(CortexM4F, cortex_m4f, "Cortex-M4F", 56279, 842, 9, 989, 86, 120, 10803, 23, 19010, 1062) \
-  core(CortexM7, cortex_m7, "Cortex-M7", 56218, 840, 9, 987, 85, 122, 10913, 24, 19072, 1069) \
-  core(CortexM33, cortex_m33, "Cortex-M33", 56705, 833, 9, 989, 87, 120, 10847, 24, 19005, 1065) \
-  core(CortexM55, cortex_m55, "Cortex-M55", 56928, 800, 9, 1009, 97, 120, 10833, 24, 18832, 1044) \
-  core(RV32IMAC, rv32imac, "RV32IMAC", 83621, 1174, 9, 1127, 121, 148, 16836, 21, 25263, 1490)
+  core(CortexM0, cortex_m0, "Cortex-M0", 127392, 6011, 11, 2098, 386, 185, 0, 32, 139875, 5476) \
+  core(CortexM3, cortex_m3, "Cortex-M3", 51214, 828, 9, 1210, 123, 120, 1146, 377, 18814, 1460) \
+  core(CortexM4F, cortex_m4f, "Cortex-M4F", 39218, 842, 9, 1210, 122, 120, 2245, 23, 19005, 1020) \
+  core(CortexM7, cortex_m7, "Cortex-M7", 38973, 840, 9, 1212, 117, 122, 2028, 24, 19067, 1026) \
+  core(CortexM33, cortex_m33, "Cortex-M33", 39306, 833, 9, 1210, 123, 120, 2276, 24, 18999, 1021) \
+  core(CortexM55, cortex_m55, "Cortex-M55", 39883, 800, 9, 1236, 136, 120, 2749, 24, 18825, 1009) \
+  core(RV32IMAC, rv32imac, "RV32IMAC", 58085, 1174, 9, 1375, 167, 148, 3107, 21, 25263, 1542)
 // clang-format on
 
 #endif
