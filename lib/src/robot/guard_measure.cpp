@@ -25,8 +25,8 @@ constexpr uint32_t kPoseWork = 16;
 /// The distance of two triangles, and the next limit that follows from it.
 constexpr uint32_t kAimWork = 56;
 
-/// A witness's distance is computed again once the links have moved by one part in so many of what
-/// it has over the distance to keep.
+/// A witness's distance is computed again once the links have moved by one part in so many of its
+/// excess over the distance to keep.
 constexpr uint32_t kStaleShare = 8;
 
 /// A pair is tested whether it is within a share of its witness's distance over the one to keep, in

@@ -1,5 +1,5 @@
-// Triangles of two leaves compared where they lie in flash, along the direction that separated the
-// last two: most of what a walk at a distance tests is never placed.
+// Compares triangles of two leaves where they lie in flash, along the direction that separated the
+// last two: a walk at a distance tests hundreds of pairs, and places only a few.
 #ifndef FLASHBVH_DETAIL_QUERY_LEAF_GAP_HPP
 #define FLASHBVH_DETAIL_QUERY_LEAF_GAP_HPP
 
