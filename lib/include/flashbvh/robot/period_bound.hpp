@@ -91,8 +91,9 @@ constexpr uint64_t most_instructions(const GuardCosts& costs, const GuardSize& s
   const uint64_t around =
       (6 * uint64_t{size.pairs} + 2 * joints) * costs.turn + 2 * joints * costs.between;
   const uint64_t of_work =
-      costs.work + (joints * costs.between + size.pairs * costs.turn + detail::kNearerWork - 1) /
-                       detail::kNearerWork;
+      costs.work +
+      (joints * costs.between + uint64_t{size.pairs} * costs.turn + detail::kNearerWork - 1) /
+          detail::kNearerWork;
   return costs.start + joints * (costs.joint + joints * costs.turn) +
          (measured + 2) * detail::instructions_of_look(costs, size) + measured * costs.measure +
          (measured + 1) * around + uint64_t{size.depth} * costs.ascent +
