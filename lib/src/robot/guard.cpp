@@ -4,6 +4,7 @@
 #include "branch.hpp"
 #include "coordinate.hpp"
 #include "guard_parts.hpp"
+#include "levers.hpp"
 
 namespace flashbvh {
 
@@ -49,13 +50,12 @@ void Guard::forget() {
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     before_[i] = step_[i] = 0;
   }
-  JointCoordinate* certified = certified_;
   for (uint32_t i = 0; i < robot_->pair_count; ++i) {
-    const RobotPair& pair = robot_->pairs[i];
     pairs_[i] = kUnknown;
-    for (uint32_t between = pair.joints_a + pair.joints_b; between != 0; --between) {
-      *certified++ = 0;
-    }
+  }
+  for (uint32_t i = joints_between(); i-- != 0;) {
+    certified_[i] = 0;
+    shares_[i] = detail::kWholeReach;
   }
 }
 
@@ -99,27 +99,35 @@ Status Guard::resume() {
   return Status::done;
 }
 
-/// How far two links may have moved towards each other since their certificate.
-uint32_t Guard::motion_of(const RobotPair& pair, const JointCoordinate* certified,
+/// How far two links may have moved towards each other since their certificate. `first`: of the
+/// joints between.
+uint32_t Guard::motion_of(const RobotPair& pair, uint32_t first, bool by_levers,
                           bool& is_fresh) const {
-  detail::Travel since;
+  const JointCoordinate* certified = certified_ + first;
+  const uint8_t* share = shares_ + first;
+  detail::LeverTravel since;
   uint32_t moved = 0;
   detail::for_each_between(*robot_, pair, [&](uint32_t joint, uint32_t reach) {
     const int32_t way = detail::difference(before_[joint], *certified++);
     const int32_t began = is_free(joint) ? detail::wrapped(way) : way;
     const int32_t ended = detail::difference(began, -step_[joint]);
-    since.add_short(reach, detail::greater(detail::magnitude(began), detail::magnitude(ended)));
+    const uint32_t farther = detail::greater(detail::magnitude(began), detail::magnitude(ended));
+    if (by_levers) {
+      since.add_by_lever(robot_->joints[joint], reach, *share++, farther);
+    } else {
+      since.add(reach, farther);
+    }
     moved |= static_cast<uint32_t>(ended);
   });
   is_fresh = moved == 0;
-  return since.fine();
+  return by_levers ? since.by_levers() : since.by_reaches();
 }
 
-Guard::Left Guard::left_of(uint16_t i, const JointCoordinate* certified) const {
+Guard::Left Guard::left_of(uint16_t i, uint32_t first, bool by_levers) const {
   const RobotPair& pair = robot_->pairs[i];
   const GuardPair& known = pairs_[i];
   Left now;
-  now.lost = sum_of(motion_of(pair, certified, now.is_current), robot_->slack);
+  now.lost = sum_of(motion_of(pair, first, by_levers, now.is_current), robot_->slack);
   const auto kept = [&](uint32_t measured) {
     return now.is_current ? detail::kept_of(measured, known.began, now.lost, robot_->slack)
                           : difference_of(measured, now.lost);
@@ -157,11 +165,14 @@ uint32_t Guard::longest_step() const {
 Guard::Found Guard::look() {
   Found found = {Verdict::free, kNoPair, UINT32_MAX, kNoPair, 0, 1, 0, kNoPair, UINT32_MAX, 1};
   const uint32_t longest = longest_step();
-  const JointCoordinate* certified = certified_;
+  uint32_t first = 0;
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
     const RobotPair& pair = robot_->pairs[i];
     GuardPair& known = pairs_[i];
-    Left now = left_of(i, certified);
+    Left now = left_of(i, first, false);
+    if (is_near(difference_of(now.distance, pair.warn), pair, longest)) {
+      now = left_of(i, first, true);
+    }
     const uint32_t until_warn = difference_of(now.distance, pair.warn);
     if (!now.is_settled && is_near(until_warn, pair, longest)) {
       const uint32_t rate = rate_of(pair);
@@ -169,14 +180,14 @@ Guard::Found Guard::look() {
       const bool is_due = now.left <= soon;
       const bool is_vague = until_warn <= soon && sum_of(known.upper, now.lost) > pair.warn;
       if ((is_due || is_vague) && certify_by_table(i, rate)) {
-        now = left_of(i, certified);
+        now = left_of(i, first, false);
       } else if (is_due) {
         found.take_due(i, now.left, sum_of(rate, 1));
       } else if (is_vague) {
         found.take_vague(i, until_warn, sum_of(rate, 1));
       }
     }
-    certified += pair.joints_a + pair.joints_b;
+    first += pair.joints_a + pair.joints_b;
     if (now.distance == 0 && !now.is_current) {
       known.lower = 0;  // for good: what an obstacle moved is counted on and on, beyond 32 bits
     }

@@ -5,6 +5,7 @@
 #include "flashbvh/detail/robot/distance_table.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "guard_parts.hpp"
+#include "levers.hpp"
 #include "spheres.hpp"
 
 namespace flashbvh {
@@ -52,36 +53,68 @@ bool Guard::place_witness(uint16_t i, const Witness<uint16_t>& witness, const Po
   return transform.is_in_range();
 }
 
-/// Where the joints between the pair's links stood when it was certified.
-JointCoordinate* Guard::certified_of(uint16_t i) {
-  JointCoordinate* of_pair = certified_;
+/// The number of the pair's first joint between, in the arrays of all pairs'.
+uint32_t Guard::first_between(uint16_t i) const {
+  uint32_t first = 0;
   for (uint16_t j = 0; j < i; ++j) {
-    of_pair += robot_->pairs[j].joints_a + robot_->pairs[j].joints_b;
+    first += robot_->pairs[j].joints_a + robot_->pairs[j].joints_b;
   }
-  return of_pair;
+  return first;
 }
 
 /// What is known of the pair's distance where the period began.
-uint32_t Guard::distance_where_begun(uint16_t i) {
-  const JointCoordinate* certified = certified_of(i);
-  detail::Travel since;
+uint32_t Guard::distance_where_begun(uint16_t i) const {
+  const uint32_t first = first_between(i);
+  const JointCoordinate* certified = certified_ + first;
+  const uint8_t* share = shares_ + first;
+  detail::LeverTravel since;
   detail::for_each_between(*robot_, robot_->pairs[i], [&](uint32_t joint, uint32_t reach) {
     const int32_t way = detail::difference(before_[joint], *certified++);
-    since.add_short(reach, detail::magnitude(is_free(joint) ? detail::wrapped(way) : way));
+    since.add_by_lever(robot_->joints[joint], reach, *share++,
+                       detail::magnitude(is_free(joint) ? detail::wrapped(way) : way));
   });
   const uint32_t by_certificate =
-      difference_of(pairs_[i].lower, sum_of(since.fine(), robot_->slack));
+      difference_of(pairs_[i].lower, sum_of(since.by_levers(), robot_->slack));
   return detail::greater(by_certificate, pairs_[i].began);
 }
 
-void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& certificate) {
-  JointCoordinate* to = certified_of(i);
+/// `shares`: of the reaches, at those coordinates; null: all of them.
+void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& certificate,
+                    const uint8_t* shares) {
   const uint32_t began = distance_where_begun(i);
+  const uint32_t first = first_between(i);
+  JointCoordinate* to = certified_ + first;
+  uint8_t* share = shares_ + first;
   core_->walked_pair = core_->walked_pair == i ? kNoPair : core_->walked_pair;
   pairs_[i] = certificate;
   pairs_[i].began = began;
-  detail::for_each_between(*robot_, robot_->pairs[i],
-                           [&](uint32_t joint, uint32_t) { *to++ = at[joint]; });
+  detail::for_each_between(*robot_, robot_->pairs[i], [&](uint32_t joint, uint32_t) {
+    *to++ = at[joint];
+    *share++ = shares == nullptr ? detail::kWholeReach : *shares++;
+  });
+}
+
+/// Of the pair that is being measured, where frames are.
+void Guard::set_walked_shares() {
+  const RobotPair& pair = robot_->pairs[core_->walked_pair];
+  uint8_t* share = walked_shares_;
+  uint32_t passed = 0;
+  detail::for_each_between(*robot_, pair, [&](uint32_t joint, uint32_t reach) {
+    const RobotLink& link = robot_->links[passed++ < pair.joints_a ? pair.a : pair.b];
+    *share++ = detail::share_of(robot_->joints[joint], frames_[joint], link,
+                                detail::frame_of(frames_, link.joint), reach);
+  });
+}
+
+/// How far the joints move it in this period.
+uint32_t Guard::moved_in_walk() const {
+  const uint8_t* share = walked_shares_;
+  detail::LeverTravel moved;
+  detail::for_each_between(
+      *robot_, robot_->pairs[core_->walked_pair], [&](uint32_t joint, uint32_t reach) {
+        moved.add_by_lever(robot_->joints[joint], reach, *share++, detail::magnitude(step_[joint]));
+      });
+  return moved.by_levers();
 }
 
 /// To where the period ends: values that were refused may stand there.
@@ -119,7 +152,7 @@ bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
   if (!is_worthwhile && apart < kMaxDistance) {  // farther, triangles show no more
     return false;
   }
-  certify(i, next_, {apart, UINT32_MAX, 0, pairs_[i].witness});
+  certify(i, next_, {apart, UINT32_MAX, 0, pairs_[i].witness}, nullptr);
   return true;
 }
 
@@ -133,14 +166,15 @@ bool Guard::certify_by_table(uint16_t i, uint32_t rate) {
       known - pair.stop <= uint64_t{rate} * (kPeriodsAhead + 1)) {
     return false;
   }
-  certify(i, next_, {tabulated, UINT32_MAX, 0, pairs_[i].witness});
+  certify(i, next_, {tabulated, UINT32_MAX, 0, pairs_[i].witness}, nullptr);
   return true;
 }
 
 void Guard::begin_walk(uint16_t i, uint32_t& work) {
   bool is_fresh = false;
-  const uint32_t since = motion_of(robot_->pairs[i], certified_of(i), is_fresh);
+  const uint32_t since = motion_of(robot_->pairs[i], first_between(i), true, is_fresh);
   core_->walked_pair = i;
+  set_walked_shares();
   core_->pose = pose_of(robot_->pairs[i]);
   core_->witness = pairs_[i].witness;
   for (uint32_t joint = 0; joint < robot_->joint_count; ++joint) {
@@ -177,7 +211,7 @@ void Guard::aim(uint32_t nearest) {
   const uint32_t over = difference_of(nearest, kept);
   const uint32_t most = over / 16 * kShare;
   // As far as so many periods like this one move the links: farther takes walks of many periods.
-  const uint32_t moved = sum_of(rate_of(pair), kRateMargin);
+  const uint32_t moved = sum_of(moved_in_walk(), kRateMargin);
   const uint32_t least = most / kPeriodsAsked;
   const uint32_t share = moved >= over    ? difference_of(over, uint32_t{1}) / 16 * kLastShare
                          : moved >= least ? most
@@ -231,7 +265,7 @@ Status Guard::walk(uint32_t& work) {
 }
 
 Status Guard::finish(const GuardPair& certificate) {
-  certify(core_->walked_pair, walked_, certificate);
+  certify(core_->walked_pair, walked_, certificate, walked_shares_);
   return Status::done;
 }
 

@@ -70,7 +70,8 @@ std::size_t robot_ram_bytes(const Robot& robot, std::size_t pair_joint_count) {
   return sizeof(GuardCore) +
          at_least_one(robot.joint_count) * (4 * sizeof(JointCoordinate) + sizeof(Frame)) +
          at_least_one(robot.pair_count) * sizeof(GuardPair) +
-         at_least_one(pair_joint_count) * sizeof(JointCoordinate);
+         at_least_one(pair_joint_count) * sizeof(JointCoordinate) +
+         (at_least_one(pair_joint_count) + at_least_one(robot.joint_count) + 3) / 4 * 4;
 }
 
 SourceFiles robot_in_c(const std::vector<std::uint32_t>& image, const Model& model,

@@ -50,7 +50,7 @@ constexpr uint16_t kNoPair = 0xFFFF;
 
 using GuardAnswer = flashbvh_guard_answer;
 
-/// What is known of a pair. 16 bytes, and 4 for each joint between its links.
+/// What is known of a pair. 16 bytes, and 5 for each joint between its links.
 struct GuardPair {
   uint32_t lower;             ///< the distance then, in 1/256 cell, rounded down; 0: not known
   uint32_t upper;             ///< rounded up; UINT32_MAX: not known
@@ -111,6 +111,8 @@ struct GuardStateOf {
   GuardPair pairs[detail::at_least_one(pair_count)];
   JointCoordinate certified[detail::at_least_one(
       pair_joint_count)];  ///< of all joints between, pair after pair
+  uint8_t shares[detail::at_least_one(pair_joint_count)];  ///< of reaches, there (levers.hpp)
+  uint8_t walked_shares[kJoints];  ///< of the pair that is being measured
 };
 
 /// Of one robot; what it knows lies in the state.
@@ -127,7 +129,9 @@ class Guard {
         walked_(state.walked),
         frames_(state.frames),
         pairs_(state.pairs),
-        certified_(state.certified) {
+        certified_(state.certified),
+        shares_(state.shares),
+        walked_shares_(state.walked_shares) {
     fits_ = joint_count >= robot.joint_count && pair_count >= robot.pair_count &&
             pair_joint_count >= joints_between();
     forget();
@@ -143,9 +147,11 @@ class Guard {
         walked_(next_ + robot.joint_count),
         frames_(reinterpret_cast<Frame*>(walked_ + robot.joint_count)),
         pairs_(reinterpret_cast<GuardPair*>(frames_ + robot.joint_count)),
-        certified_(reinterpret_cast<JointCoordinate*>(pairs_ + robot.pair_count)) {
+        certified_(reinterpret_cast<JointCoordinate*>(pairs_ + robot.pair_count)),
+        shares_(reinterpret_cast<uint8_t*>(certified_ + joints_between())),
+        walked_shares_(shares_ + joints_between()) {
     const auto begin = reinterpret_cast<uintptr_t>(memory);
-    const auto end = reinterpret_cast<uintptr_t>(certified_ + joints_between());
+    const auto end = reinterpret_cast<uintptr_t>(walked_shares_ + robot.joint_count);
     fits_ = begin % alignof(GuardCore) == 0 && end - begin <= size;
     forget();
   }
@@ -190,13 +196,15 @@ class Guard {
   bool has_triangles(uint16_t pair, const Witness<uint16_t>& witness) const;
   Status move_to(const JointCoordinate* values);
   Status measure(const Found& found, uint32_t& work);
-  uint32_t motion_of(const RobotPair& pair, const JointCoordinate* certified, bool& is_fresh) const;
-  Left left_of(uint16_t pair, const JointCoordinate* certified) const;
-  uint32_t distance_where_begun(uint16_t pair);
+  uint32_t motion_of(const RobotPair& pair, uint32_t first, bool by_levers, bool& is_fresh) const;
+  Left left_of(uint16_t pair, uint32_t first, bool by_levers) const;
+  uint32_t distance_where_begun(uint16_t pair) const;
+  uint32_t moved_in_walk() const;
+  void set_walked_shares();
   uint32_t rate_of(const RobotPair& pair) const;
   uint32_t longest_step() const;
   Found look();
-  JointCoordinate* certified_of(uint16_t pair);
+  uint32_t first_between(uint16_t pair) const;
   void begin_walk(uint16_t pair, uint32_t& work);
   bool certify_by_spheres(uint16_t pair, uint32_t rate);
   bool certify_by_table(uint16_t pair, uint32_t rate);
@@ -205,7 +213,8 @@ class Guard {
   void aim(uint32_t nearest);
   Status walk(uint32_t& work);
   Status finish(const GuardPair& certificate);
-  void certify(uint16_t pair, const JointCoordinate* at, const GuardPair& certificate);
+  void certify(uint16_t pair, const JointCoordinate* at, const GuardPair& certificate,
+               const uint8_t* shares);
   Pose pose_of(const RobotPair& pair) const;
   bool is_free(uint32_t joint) const;
   int32_t step_to_next(uint32_t joint) const;
@@ -225,6 +234,8 @@ class Guard {
   Frame* frames_;
   GuardPair* pairs_;
   JointCoordinate* certified_;
+  uint8_t* shares_;
+  uint8_t* walked_shares_;
   bool fits_;
 };
 

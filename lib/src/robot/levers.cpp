@@ -1,0 +1,58 @@
+#include "levers.hpp"
+
+#include "spheres.hpp"
+
+namespace flashbvh::detail {
+namespace {
+
+/// What frames are off by at most, from one end of the range to the other, in 1/2,048 cell.
+constexpr uint32_t kFrameError = 32;
+
+/// Farther turns gain nothing by levers, in units of a joint's coordinate.
+constexpr uint64_t kMostTurned = 1u << 24;
+
+/// How far the sphere reaches from the joint's axis, in 1/2,048 cell.
+uint64_t lever_at(const Frame& frame, const RobotLink& link, const Frame& frame_of_link) {
+  int64_t from_origin[3];
+  for (int i = 0; i < 3; ++i) {
+    from_origin[i] = centre_of(link, frame_of_link, i) - frame.translation[i];
+  }
+  uint64_t squared = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = i == 2 ? 0 : i + 1;
+    const int k = i == 0 ? 2 : i - 1;
+    const int64_t across =
+        (frame.rotation[j][2] * from_origin[k] - frame.rotation[k][2] * from_origin[j]) >> 30;
+    squared += static_cast<uint64_t>(across * across);
+  }
+  return uint64_t{square_root(squared)} + kFrameError + link.radius;
+}
+
+}  // namespace
+
+uint8_t share_of(const RobotJoint& joint, const Frame& frame, const RobotLink& link,
+                 const Frame& frame_of_link, uint32_t reach) {
+  const uint32_t part = reach >> 8;
+  if (part == 0 || joint.type == JointType::prismatic || joint.type == JointType::fixed) {
+    return kWholeReach;
+  }
+  constexpr uint64_t arc = 12868;  // pi/16, rounded up, in 2^-16: a turn's reach
+  const auto lever =
+      static_cast<uint32_t>((arc * lever_at(frame, link, frame_of_link) + 0xFFFF) >> 16);
+  const uint32_t share = lever / part;
+  return share < kWholeReach ? static_cast<uint8_t>(share) : kWholeReach;
+}
+
+uint32_t LeverTravel::by_levers() const {
+  const uint32_t most = by_reaches_.fine();
+  if (turned_ >= kMostTurned) {
+    return most;
+  }
+  // A lever grows by what all joints move the link: that, times the turns in radians.
+  constexpr uint64_t radians = 25736;  // 2 pi, rounded up, in 2^-12
+  const uint64_t grown = (((most * turned_) >> 16) + 1) * radians >> 24;
+  const uint64_t sum = by_levers_.fine() + grown + 1;
+  return sum < most ? static_cast<uint32_t>(sum) : most;
+}
+
+}  // namespace flashbvh::detail

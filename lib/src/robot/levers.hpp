@@ -1,0 +1,55 @@
+// How far joints move a link where it stands: a reach is that of the most stretched arm.
+//
+// A share of the joint's reach, its lever, is kept with a certificate. While joints move on, a point
+// goes away from an axis by at most what they move it, so levers grow by that: lib/docs/
+// derivations.md, "Levers".
+#ifndef FLASHBVH_ROBOT_LEVERS_HPP
+#define FLASHBVH_ROBOT_LEVERS_HPP
+
+#include <stdint.h>
+
+#include "branch.hpp"
+#include "flashbvh/robot/robot.hpp"
+
+namespace flashbvh::detail {
+
+/// The share that stands for all of a reach.
+constexpr uint8_t kWholeReach = 255;
+
+/// At least the lever that the share was made of.
+constexpr uint32_t lever_of(uint32_t reach, uint8_t share) {
+  return reach - (reach >> 8) * (kWholeReach - share);
+}
+
+/// Of a joint's reach, where the joint and the link are. All of it if the joint doesn't turn.
+uint8_t share_of(const RobotJoint& joint, const Frame& frame, const RobotLink& link,
+                 const Frame& frame_of_link, uint32_t reach);
+
+/// The ways of all joints between two links, which began or ended where the shares hold. Of a pair's
+/// joints: no way is more than 2^31.
+class LeverTravel {
+ public:
+  void add(uint32_t reach, uint32_t by) { by_reaches_.add_short(reach, by); }
+  void add_by_lever(const RobotJoint& joint, uint32_t reach, uint8_t share, uint32_t by) {
+    add(reach, by);
+    by_levers_.add_short(lever_of(reach, share), by);
+    turned_ += turns(joint) ? by : 0;
+  }
+  /// In 1/256 cell, rounded up.
+  uint32_t by_reaches() const { return by_reaches_.fine(); }
+  /// The lesser of both.
+  uint32_t by_levers() const;
+
+ private:
+  static bool turns(const RobotJoint& joint) {
+    return joint.type == JointType::revolute || joint.type == JointType::continuous;
+  }
+
+  Travel by_reaches_;
+  Travel by_levers_;
+  uint64_t turned_ = 0;
+};
+
+}  // namespace flashbvh::detail
+
+#endif
