@@ -34,4 +34,4 @@ def most_of_period(cost, joints, pairs, between, tabled, depth, leaf_size, work)
     unit = of["work"] + (joints * of["between"] + pairs * of["turn"] + 84) // 85
     return (of["start"] + joints * (of["joint"] + joints * of["turn"]) + (measured + 2) * look
             + measured * of["measure"] + (measured + 1) * around + depth * of["ascent"]
-            + 4 * leaf_size * leaf_size * of["within"] + (work + 71) * unit)
+            + 4 * leaf_size * leaf_size * of["within"] + (work + 71 + joints) * unit)

@@ -21,7 +21,7 @@ from machine_code.program import Program
 from prove import GO_ON, SHAPE, check_units, write
 
 # In work.
-PAIR, PLACED, EXACT, POSE, AIM, WALK = 1, 4, 24, 16, 56, 8
+PAIR, PLACED, EXACT, POSE, AIM, LEVER, WALK = 1, 4, 24, 16, 56, 1, 8
 # Pairs of leaves that a walk collects, unless it is the last.
 BATCH = 4
 # A run's first two batches, and the one that is not paid for.
@@ -40,6 +40,7 @@ def check_guard_units(sources: str) -> None:
                        ("include/flashbvh/detail/walk/work.hpp", f"kNearPairWork = {WALK};"),
                        ("include/flashbvh/detail/query/proximity.hpp", f"kBatch = {BATCH};"),
                        ("src/robot/guard_measure.cpp", f"kPoseWork = {POSE};"),
+                       ("src/robot/guard_measure.cpp", f"kLeverWork = {LEVER};"),
                        ("src/robot/guard_measure.cpp", f"kAimWork = {AIM};")):
         if text not in (Path(sources) / file).read_text():
             raise Refused(f"no '{text}' in {file}: change guard_prove.py, formula.py and the page, too")
@@ -67,7 +68,7 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
                parts(max(total["shape"], turn["turn"]) + begun, SHAPE), parts(triangles, PAIR),
                parts(placed, PAIR + PLACED), parts(placed + within, PAIR + PLACED + EXACT),
                parts(nearer, PAIR + PLACED + EXACT + AIM),
-               parts(turn["run"], POSE))
+               parts(turn["run"], POSE), parts(turn["lever"], LEVER))
     if batch > WALK * work:
         raise Refused("a walk of 65,535 is not paid for")
     measured = turn["measured"] + run
@@ -79,7 +80,8 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
                           + 3 * turn["third"] + 3 * turn["power"])
     yield "guard-turn", max(turn[name] for name in ("master", "begun", "longest", "next", "skipped", "kept"))
     yield "guard-pair", turn["pair"]
-    yield "guard-between", 2 * turn["motion"] + turn["rate"] + turn["since"] + turn["certified"]
+    yield "guard-between", (3 * turn["motion"] + turn["rate"] + turn["since"] + turn["moved"]
+                             + turn["certified"])
     yield "guard-table", max(turn["table"], turn["axis"])
     yield "guard-measure", measure
     yield "guard-ascent", ascent

@@ -22,7 +22,7 @@ RUNS = "bound_run", "bound_run_itself", "bound_period"
 def allowed_in_period(work, joints, pairs, between, tabled, depth, leaf_size):
     """As guard_prove.py adds them up."""
     measured = measured_pairs(pairs, work)
-    looks, nearer = measured + 2, (work + 71) // 85
+    looks, nearer = measured + 2, (work + 71 + joints) // 85
     runs = measured + 2 + nearer + (work + 15) // 16
     batches = 3 * runs + work // 4
     turns, shapes = batches + (work + 1) // 2, batches + (work + 7) // 8
@@ -30,11 +30,12 @@ def allowed_in_period(work, joints, pairs, between, tabled, depth, leaf_size):
     begun = (measured + 1) * joints
     return {"set": joints, "one-way": joints, "step": joints, "frame": joints, "third": 3 * joints,
             "power": 3 * joints, "master": joints * joints,
-            "longest": looks * joints, "pair": looks * pairs, "motion": looks * 2 * between + begun,
+            "longest": looks * joints, "pair": looks * pairs, "motion": looks * 3 * between + begun,
             "rate": looks * between + begun + nearer * joints, "next": (looks * pairs + measured) * joints,
             "table": looks * tabled * pairs, "axis": looks * 2 * tabled * (tabled + 2),
             "begun": pairs, "skipped": 2 * looks * tabled * pairs + (5 * (measured + 1) + nearer) * pairs,
             "since": looks * between + 3 * begun + nearer * joints,
+            "lever": begun, "moved": begun + nearer * joints,
             "certified": looks * between + 2 * begun, "kept": measured * joints, "measured": measured + 1,
             "run": runs, "batch": batches, "sibling": 16 * batches + 8 * runs, "turn": turns,
             "triangle": work + 1, "visit": visits, "ascent": depth + visits,

@@ -23,6 +23,9 @@ constexpr uint64_t kWorthwhile = 4;
 /// Spheres, and the pose of a pair that is going to be measured, in work (detail/walk/work.hpp).
 constexpr uint32_t kPoseWork = 16;
 
+/// The lever of a joint.
+constexpr uint32_t kLeverWork = 1;
+
 /// The distance of two triangles, and the next limit that follows from it.
 constexpr uint32_t kAimWork = 56;
 
@@ -175,6 +178,7 @@ void Guard::begin_walk(uint16_t i, uint32_t& work) {
   const uint32_t since = motion_of(robot_->pairs[i], first_between(i), true, is_fresh);
   core_->walked_pair = i;
   set_walked_shares();
+  detail::take_work(work, (robot_->pairs[i].joints_a + robot_->pairs[i].joints_b) * kLeverWork);
   core_->pose = pose_of(robot_->pairs[i]);
   core_->witness = pairs_[i].witness;
   for (uint32_t joint = 0; joint < robot_->joint_count; ++joint) {

@@ -1,7 +1,7 @@
 // How far joints move a link where it stands: a reach is that of the most stretched arm.
 //
-// A share of the joint's reach, its lever, is kept with a certificate. While joints move on, a point
-// goes away from an axis by at most what they move it, so levers grow by that: lib/docs/
+// A share of the joint's reach, its lever, is kept with a certificate. While joints move on, a
+// point goes away from an axis by at most what they move it, so levers grow by that: lib/docs/
 // derivations.md, "Levers".
 #ifndef FLASHBVH_ROBOT_LEVERS_HPP
 #define FLASHBVH_ROBOT_LEVERS_HPP
@@ -25,8 +25,8 @@ constexpr uint32_t lever_of(uint32_t reach, uint8_t share) {
 uint8_t share_of(const RobotJoint& joint, const Frame& frame, const RobotLink& link,
                  const Frame& frame_of_link, uint32_t reach);
 
-/// The ways of all joints between two links, which began or ended where the shares hold. Of a pair's
-/// joints: no way is more than 2^31.
+/// The ways of all joints between two links, which began or ended where the shares hold. Of a
+/// pair's joints: no way is more than 2^31.
 class LeverTravel {
  public:
   void add(uint32_t reach, uint32_t by) { by_reaches_.add_short(reach, by); }

@@ -112,7 +112,7 @@ struct GuardStateOf {
   JointCoordinate certified[detail::at_least_one(
       pair_joint_count)];  ///< of all joints between, pair after pair
   uint8_t shares[detail::at_least_one(pair_joint_count)];  ///< of reaches, there (levers.hpp)
-  uint8_t walked_shares[kJoints];  ///< of the pair that is being measured
+  uint8_t walked_shares[kJoints];                          ///< of the pair that is being measured
 };
 
 /// Of one robot; what it knows lies in the state.

@@ -98,7 +98,7 @@ constexpr uint64_t most_instructions(const GuardCosts& costs, const GuardSize& s
          (measured + 2) * detail::instructions_of_look(costs, size) + measured * costs.measure +
          (measured + 1) * around + uint64_t{size.depth} * costs.ascent +
          uint64_t{detail::kBatchedLeafPairs} * size.leaf_size * size.leaf_size * costs.within +
-         (uint64_t{work} + detail::kBeginWork + detail::kWitnessWork - 1) * of_work;
+         (uint64_t{work} + detail::kBeginWork + detail::kWitnessWork + joints - 1) * of_work;
 }
 
 /// The most work for which a period stays within so many instructions; 0 if none does, and never

@@ -1,0 +1,117 @@
+// What joints move links by, as levers have it, against exact distances.
+#include "robot/levers.hpp"
+
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/robot/kinematics.hpp"
+#include "robot/coordinate.hpp"
+#include "support/arms/fixed_arm.hpp"
+#include "support/arms/guarded_arm.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+struct Posed {
+  Posed(const Robot& of, const std::vector<JointCoordinate>& coordinates)
+      : robot(of), frames(of.joint_count) {
+    set_frames(robot, coordinates.data(), frames.data());
+  }
+  const Frame& frame_of(const RobotLink& link) const {
+    return detail::frame_of(frames.data(), link.joint);
+  }
+  Clearance<std::uint16_t> clearance(const RobotPair& pair) const {
+    const Pose pose = relative_pose(frame_of(robot.links[pair.a]), frame_of(robot.links[pair.b]));
+    return clearance_of(robot.meshes[pair.a], robot.meshes[pair.b], pose);
+  }
+  static Clearance<std::uint16_t> clearance_of(const Mesh& a, const Mesh& b, const Pose& pose) {
+    ClearanceQuery query(a, b, pose);
+    (void)query.run(UINT32_MAX);
+    return query.result();
+  }
+
+  const Robot& robot;
+  std::vector<Frame> frames;
+};
+
+/// From the one to the other, by levers at `from`.
+detail::LeverTravel travel_between(const RobotPair& pair, const Posed& at,
+                                   const std::vector<JointCoordinate>& from,
+                                   const std::vector<JointCoordinate>& to) {
+  detail::LeverTravel travel;
+  std::uint32_t passed = 0;
+  detail::for_each_between(at.robot, pair, [&](std::uint32_t number, std::uint32_t reach) {
+    const RobotJoint& joint = at.robot.joints[number];
+    const RobotLink& link = at.robot.links[passed++ < pair.joints_a ? pair.a : pair.b];
+    const std::uint8_t share =
+        detail::share_of(joint, at.frames[number], link, at.frame_of(link), reach);
+    travel.add_by_lever(joint, reach, share, detail::apart(from[number], to[number]));
+  });
+  return travel;
+}
+
+/// Each value farther by up to 1/2 to 2^-16 turn or as much of its range, within the limits.
+Values near_values(const FixedArm& arm, const Values& from, Random& random) {
+  Values to = from;
+  const std::int32_t most = kFullTurn >> (1 + random.below(16));
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    const RobotJoint& joint = arm.joint_of(i);
+    const std::int64_t at = std::int64_t{to[i]} + random.between(-most, most);
+    to[i] =
+        arm.is_free(i)
+            ? static_cast<JointCoordinate>(at)
+            : static_cast<JointCoordinate>(std::clamp<std::int64_t>(at, joint.lower, joint.upper));
+  }
+  return to;
+}
+
+}  // namespace
+
+TEST_CASE("a lever is at least what it was made of, and at most its reach") {
+  Random random = test_random();
+  for (int i = 0; i < 100000; ++i) {
+    const auto reach = static_cast<std::uint32_t>(random.next()) >> random.below(24);
+    const auto share = static_cast<std::uint8_t>(random.below(256));
+    const std::uint64_t lever = detail::lever_of(reach, share);
+    CAPTURE(reach, share, lever);
+    REQUIRE(lever <= reach);
+    REQUIRE(lever >= std::uint64_t{reach >> 8} * (share + 1u));
+  }
+  REQUIRE(detail::lever_of(UINT32_MAX, detail::kWholeReach) == UINT32_MAX);
+}
+
+TEST_CASE("no links come nearer to each other than levers say, often less than reaches do") {
+  long nearer = 0;
+  long shorter = 0;
+  for_rounds(rounds(60, 600), [&](Random& random, int) {
+    const FixedArm arm = any_guarded_arm(random, 3 + random.below(4), 1e-3);
+    const Robot& robot = arm.robot();
+    std::vector<JointCoordinate> from(robot.joint_count);
+    std::vector<JointCoordinate> to(robot.joint_count);
+    for (int i = 0; i < 20; ++i) {
+      const Values values = arm.any_values(random);
+      REQUIRE(set_coordinates(robot, values.data(), from.data()) == Status::done);
+      if (set_coordinates(robot, near_values(arm, values, random).data(), to.data()) !=
+          Status::done) {
+        continue;  // more than a turn off
+      }
+      const Posed before(robot, from);
+      const Posed after(robot, to);
+      for (std::uint32_t j = 0; j < robot.pair_count; ++j) {
+        const RobotPair& pair = robot.pairs[j];
+        const detail::LeverTravel travel = travel_between(pair, before, from, to);
+        const Clearance<std::uint16_t> was = before.clearance(pair);
+        const Clearance<std::uint16_t> is = after.clearance(pair);
+        if (was.status != Status::done || is.status != Status::done || !is.in_range) {
+          continue;
+        }
+        CAPTURE(j, was.lower, is.upper, travel.by_levers(), travel.by_reaches(), robot.slack);
+        REQUIRE(std::int64_t{is.upper} + travel.by_levers() + 2 * robot.slack >= was.lower);
+        REQUIRE(travel.by_levers() <= travel.by_reaches());
+        nearer += is.upper < was.lower ? 1 : 0;
+        shorter += travel.by_levers() < travel.by_reaches() / 8 * 7 ? 1 : 0;
+      }
+    }
+  });
+  CAPTURE(nearer, shorter);
+  CHECK(nearer > 100);
+  CHECK(shorter > 100);
+}
