@@ -15,10 +15,10 @@
 // free and nothing is looked at; not even a pose is made. Certificates that are about to run out
 // are measured again, those that run out first before the others, in slices of work: a budget too
 // small shows as `not_yet_known`, which a caller treats as `stop`. It never shows as `free`. The
-// Where a period begins and ends, two distances are known: between them a pair loses half of the
-// period's motion at most, not all of it (lib/docs/derivations.md, "Both ends of a period"). The
 // sum over joints is that of Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking"
-// (2005), with the farther of the two values of each joint.
+// (2005), with the farther of the two values of each joint, and what joints move the links where
+// they stood. Where a period begins and ends, two distances are known: between them a pair loses
+// half of the period's motion at most (lib/docs/derivations.md, "Levers", "Both ends of a period").
 //
 // Surfaces are guarded: a link wholly inside another one is as far from it as from its wall.
 //
