@@ -102,11 +102,24 @@ void Guard::set_walked_shares() {
   const RobotPair& pair = robot_->pairs[core_->walked_pair];
   uint8_t* share = walked_shares_;
   uint32_t passed = 0;
+  uint32_t last = 0;
+  uint32_t last_reach = 0;
+  const auto share_of = [&](uint32_t joint, const RobotLink& link, uint32_t reach) {
+    return detail::share_of(robot_->joints[joint], frames_[joint], link,
+                            detail::frame_of(frames_, link.joint), reach);
+  };
   detail::for_each_between(*robot_, pair, [&](uint32_t joint, uint32_t reach) {
-    const RobotLink& link = robot_->links[passed++ < pair.joints_a ? pair.a : pair.b];
-    *share++ = detail::share_of(robot_->joints[joint], frames_[joint], link,
-                                detail::frame_of(frames_, link.joint), reach);
+    *share++ = share_of(joint, robot_->links[passed++ < pair.joints_a ? pair.a : pair.b], reach);
+    last = joint;
+    last_reach = reach;
   });
+  // Where one link carries the other, the innermost joint stands on it: what turns about the axis
+  // may as well be the carrier, whose points never leave or near it.
+  if (pair.joints_a == 0 || pair.joints_b == 0) {
+    const RobotLink& carrier = robot_->links[pair.joints_a == 0 ? pair.a : pair.b];
+    const uint8_t by_carrier = share_of(last, carrier, last_reach);
+    share[-1] = by_carrier < share[-1] ? by_carrier : share[-1];
+  }
 }
 
 /// How far the joints move it in this period.
