@@ -97,31 +97,6 @@ void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& cert
   });
 }
 
-/// Of the pair that is being measured, where frames are.
-void Guard::set_walked_shares() {
-  const RobotPair& pair = robot_->pairs[core_->walked_pair];
-  uint8_t* share = walked_shares_;
-  uint32_t passed = 0;
-  uint32_t last = 0;
-  uint32_t last_reach = 0;
-  const auto share_of = [&](uint32_t joint, const RobotLink& link, uint32_t reach) {
-    return detail::share_of(robot_->joints[joint], frames_[joint], link,
-                            detail::frame_of(frames_, link.joint), reach);
-  };
-  detail::for_each_between(*robot_, pair, [&](uint32_t joint, uint32_t reach) {
-    *share++ = share_of(joint, robot_->links[passed++ < pair.joints_a ? pair.a : pair.b], reach);
-    last = joint;
-    last_reach = reach;
-  });
-  // Where one link carries the other, the innermost joint stands on it: what turns about the axis
-  // may as well be the carrier, whose points never leave or near it.
-  if (pair.joints_a == 0 || pair.joints_b == 0) {
-    const RobotLink& carrier = robot_->links[pair.joints_a == 0 ? pair.a : pair.b];
-    const uint8_t by_carrier = share_of(last, carrier, last_reach);
-    share[-1] = by_carrier < share[-1] ? by_carrier : share[-1];
-  }
-}
-
 /// How far the joints move it in this period.
 uint32_t Guard::moved_in_walk() const {
   const uint8_t* share = walked_shares_;
@@ -190,7 +165,7 @@ void Guard::begin_walk(uint16_t i, uint32_t& work) {
   bool is_fresh = false;
   const uint32_t since = motion_of(robot_->pairs[i], first_between(i), true, is_fresh);
   core_->walked_pair = i;
-  set_walked_shares();
+  detail::set_shares(*robot_, robot_->pairs[i], frames_, walked_shares_);
   detail::take_work(work, (robot_->pairs[i].joints_a + robot_->pairs[i].joints_b) * kLeverWork);
   core_->pose = pose_of(robot_->pairs[i]);
   core_->witness = pairs_[i].witness;

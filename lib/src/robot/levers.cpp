@@ -28,8 +28,7 @@ uint64_t lever_at(const Frame& frame, const RobotLink& link, const Frame& frame_
   return uint64_t{square_root(squared)} + kFrameError + link.radius;
 }
 
-}  // namespace
-
+/// Of a joint's reach, where the joint and the link are.
 uint8_t share_of(const RobotJoint& joint, const Frame& frame, const RobotLink& link,
                  const Frame& frame_of_link, uint32_t reach) {
   const uint32_t part = reach >> 8;
@@ -41,6 +40,33 @@ uint8_t share_of(const RobotJoint& joint, const Frame& frame, const RobotLink& l
       static_cast<uint32_t>((arc * lever_at(frame, link, frame_of_link) + 0xFFFF) >> 16);
   const uint32_t share = lever / part;
   return share < kWholeReach ? static_cast<uint8_t>(share) : kWholeReach;
+}
+
+}  // namespace
+
+void set_shares(const Robot& robot, const RobotPair& pair, const Frame* frames, uint8_t* shares) {
+  const RobotLink& a = robot.links[pair.a];
+  const RobotLink& b = robot.links[pair.b];
+  uint32_t passed = 0;
+  uint32_t innermost = 0;
+  uint32_t innermost_reach = 0;
+  const auto share_of_link = [&](uint32_t joint, const RobotLink& link, uint32_t reach) {
+    return share_of(robot.joints[joint], frames[joint], link, frame_of(frames, link.joint), reach);
+  };
+  for_each_between(robot, pair, [&](uint32_t joint, uint32_t reach) {
+    shares[passed] = share_of_link(joint, passed < pair.joints_a ? a : b, reach);
+    ++passed;
+    innermost = joint;
+    innermost_reach = reach;
+  });
+  // Where one link carries the other, the innermost joint's axis is fixed to it: what turns about
+  // it may as well be the carrier, and its points are always as far from the axis.
+  if (pair.joints_a == 0 || pair.joints_b == 0) {
+    const RobotLink& carrier = pair.joints_a == 0 ? a : b;
+    const uint8_t by_carrier = share_of_link(innermost, carrier, innermost_reach);
+    uint8_t& share = shares[passed - 1];
+    share = by_carrier < share ? by_carrier : share;
+  }
 }
 
 uint32_t LeverTravel::by_levers() const {

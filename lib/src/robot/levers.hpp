@@ -21,9 +21,9 @@ constexpr uint32_t lever_of(uint32_t reach, uint8_t share) {
   return reach - (reach >> 8) * (kWholeReach - share);
 }
 
-/// Of a joint's reach, where the joint and the link are. All of it if the joint doesn't turn.
-uint8_t share_of(const RobotJoint& joint, const Frame& frame, const RobotLink& link,
-                 const Frame& frame_of_link, uint32_t reach);
+/// Of the reaches of all joints between the links, where frames are: `shares` has one for each. All
+/// of it where the joint doesn't turn.
+void set_shares(const Robot& robot, const RobotPair& pair, const Frame* frames, uint8_t* shares);
 
 /// The ways of all joints between two links, which began or ended where the shares hold. Of a
 /// pair's joints: no way is more than 2^31.

@@ -36,14 +36,13 @@ struct Posed {
 detail::LeverTravel travel_between(const RobotPair& pair, const Posed& at,
                                    const std::vector<JointCoordinate>& from,
                                    const std::vector<JointCoordinate>& to) {
+  std::vector<std::uint8_t> shares(at.robot.joint_count);
+  detail::set_shares(at.robot, pair, at.frames.data(), shares.data());
   detail::LeverTravel travel;
-  std::uint32_t passed = 0;
-  detail::for_each_between(at.robot, pair, [&](std::uint32_t number, std::uint32_t reach) {
-    const RobotJoint& joint = at.robot.joints[number];
-    const RobotLink& link = at.robot.links[passed++ < pair.joints_a ? pair.a : pair.b];
-    const std::uint8_t share =
-        detail::share_of(joint, at.frames[number], link, at.frame_of(link), reach);
-    travel.add_by_lever(joint, reach, share, detail::apart(from[number], to[number]));
+  const std::uint8_t* share = shares.data();
+  detail::for_each_between(at.robot, pair, [&](std::uint32_t joint, std::uint32_t reach) {
+    travel.add_by_lever(at.robot.joints[joint], reach, *share++,
+                        detail::apart(from[joint], to[joint]));
   });
   return travel;
 }

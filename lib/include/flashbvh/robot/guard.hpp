@@ -200,7 +200,6 @@ class Guard {
   Left left_of(uint16_t pair, uint32_t first, bool by_levers) const;
   uint32_t distance_where_begun(uint16_t pair) const;
   uint32_t moved_in_walk() const;
-  void set_walked_shares();
   uint32_t rate_of(const RobotPair& pair) const;
   uint32_t longest_step() const;
   Found look();
