@@ -5,13 +5,13 @@
 
 // clang-format off
 #define FLASHBVH_FOR_EACH_GUARD_CORE(core) \
-  core(CortexM0, cortex_m0, "Cortex-M0", 127392, 6011, 11, 2098, 386, 185, 0, 32, 139875, 5476) \
-  core(CortexM3, cortex_m3, "Cortex-M3", 51214, 828, 9, 1210, 123, 120, 1146, 377, 18814, 1460) \
-  core(CortexM4F, cortex_m4f, "Cortex-M4F", 39218, 842, 9, 1210, 122, 120, 2245, 23, 19005, 1020) \
-  core(CortexM7, cortex_m7, "Cortex-M7", 38973, 840, 9, 1212, 117, 122, 2028, 24, 19067, 1026) \
-  core(CortexM33, cortex_m33, "Cortex-M33", 39306, 833, 9, 1210, 123, 120, 2276, 24, 18999, 1021) \
-  core(CortexM55, cortex_m55, "Cortex-M55", 39883, 800, 9, 1236, 136, 120, 2749, 24, 18825, 1009) \
-  core(RV32IMAC, rv32imac, "RV32IMAC", 58085, 1174, 9, 1375, 167, 148, 3107, 21, 25263, 1542)
+  core(CortexM0, cortex_m0, "Cortex-M0", 152273, 6011, 11, 3711, 1026, 185, 0, 32, 139875, 5485) \
+  core(CortexM3, cortex_m3, "Cortex-M3", 57290, 828, 9, 1830, 278, 120, 3874, 377, 18814, 1460) \
+  core(CortexM4F, cortex_m4f, "Cortex-M4F", 45196, 842, 9, 1816, 282, 120, 4883, 23, 19005, 1023) \
+  core(CortexM7, cortex_m7, "Cortex-M7", 45147, 840, 9, 1850, 279, 122, 4748, 24, 19067, 1029) \
+  core(CortexM33, cortex_m33, "Cortex-M33", 45394, 833, 9, 1830, 278, 120, 4962, 24, 18999, 1024) \
+  core(CortexM55, cortex_m55, "Cortex-M55", 45812, 800, 9, 1836, 296, 120, 5414, 24, 18825, 1009) \
+  core(RV32IMAC, rv32imac, "RV32IMAC", 65743, 1174, 9, 2075, 363, 148, 6586, 21, 25263, 1542)
 // clang-format on
 
 #endif
