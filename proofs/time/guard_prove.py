@@ -80,7 +80,7 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
                           + 3 * turn["third"] + 3 * turn["power"])
     yield "guard-turn", max(turn[name] for name in ("master", "begun", "longest", "next", "skipped", "kept"))
     yield "guard-pair", turn["pair"]
-    yield "guard-between", (3 * turn["motion"] + turn["rate"] + turn["since"] + turn["moved"]
+    yield "guard-between", (4 * turn["motion"] + turn["rate"] + turn["since"] + turn["moved"]
                              + turn["certified"])
     yield "guard-table", max(turn["table"], turn["axis"])
     yield "guard-measure", measure

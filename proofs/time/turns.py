@@ -30,7 +30,7 @@ def allowed_in_period(work, joints, pairs, between, tabled, depth, leaf_size):
     begun = (measured + 1) * joints
     return {"set": joints, "one-way": joints, "step": joints, "frame": joints, "third": 3 * joints,
             "power": 3 * joints, "master": joints * joints,
-            "longest": looks * joints, "pair": looks * pairs, "motion": looks * 3 * between + begun,
+            "longest": looks * joints, "pair": looks * pairs, "motion": looks * 4 * between + begun,
             "rate": looks * between + begun + nearer * joints, "next": (looks * pairs + measured) * joints,
             "table": looks * tabled * pairs, "axis": looks * 2 * tabled * (tabled + 2),
             "begun": pairs, "skipped": 2 * looks * tabled * pairs + (5 * (measured + 1) + nearer) * pairs,

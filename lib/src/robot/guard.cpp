@@ -99,35 +99,48 @@ Status Guard::resume() {
   return Status::done;
 }
 
-/// How far two links may have moved towards each other since their certificate. `first`: of the
-/// joints between.
-uint32_t Guard::motion_of(const RobotPair& pair, uint32_t first, bool by_levers,
-                          bool& is_fresh) const {
+/// Of the joints between two links, `first` being the first one's number in the arrays of all
+/// pairs': `visit(joint, reach, way)`, the farther of the ways to where the period began and ends.
+/// Whether the certificate is of where it ends.
+template <class Visit>
+FLASHBVH_INLINE inline bool Guard::for_each_way(const RobotPair& pair, uint32_t first,
+                                                Visit&& visit) const {
   const JointCoordinate* certified = certified_ + first;
-  const uint8_t* share = shares_ + first;
-  detail::LeverTravel since;
   uint32_t moved = 0;
   detail::for_each_between(*robot_, pair, [&](uint32_t joint, uint32_t reach) {
     const int32_t way = detail::difference(before_[joint], *certified++);
     const int32_t began = is_free(joint) ? detail::wrapped(way) : way;
     const int32_t ended = detail::difference(began, -step_[joint]);
-    const uint32_t farther = detail::greater(detail::magnitude(began), detail::magnitude(ended));
-    if (by_levers) {
-      since.add_by_lever(robot_->joints[joint], reach, *share++, farther);
-    } else {
-      since.add(reach, farther);
-    }
+    visit(joint, reach, detail::greater(detail::magnitude(began), detail::magnitude(ended)));
     moved |= static_cast<uint32_t>(ended);
   });
-  is_fresh = moved == 0;
-  return by_levers ? since.by_levers() : since.by_reaches();
+  return moved == 0;
+}
+
+/// How far two links may have moved towards each other since their certificate.
+uint32_t Guard::motion_of(const RobotPair& pair, uint32_t first, bool& is_fresh) const {
+  detail::Travel since;
+  is_fresh = for_each_way(
+      pair, first, [&](uint32_t, uint32_t reach, uint32_t way) { since.add_short(reach, way); });
+  return since.fine();
+}
+
+/// The same, no more, with levers.
+uint32_t Guard::motion_by_levers(const RobotPair& pair, uint32_t first) const {
+  const uint8_t* share = shares_ + first;
+  detail::LeverTravel since;
+  (void)for_each_way(pair, first, [&](uint32_t joint, uint32_t reach, uint32_t way) {
+    since.add(robot_->joints[joint], reach, *share++, way);
+  });
+  return since.fine();
 }
 
 Guard::Left Guard::left_of(uint16_t i, uint32_t first, bool by_levers) const {
   const RobotPair& pair = robot_->pairs[i];
   const GuardPair& known = pairs_[i];
   Left now;
-  now.lost = sum_of(motion_of(pair, first, by_levers, now.is_current), robot_->slack);
+  const uint32_t by_reaches = motion_of(pair, first, now.is_current);
+  now.lost = sum_of(by_levers ? motion_by_levers(pair, first) : by_reaches, robot_->slack);
   const auto kept = [&](uint32_t measured) {
     return now.is_current ? detail::kept_of(measured, known.began, now.lost, robot_->slack)
                           : difference_of(measured, now.lost);

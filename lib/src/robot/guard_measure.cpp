@@ -73,11 +73,11 @@ uint32_t Guard::distance_where_begun(uint16_t i) const {
   detail::LeverTravel since;
   detail::for_each_between(*robot_, robot_->pairs[i], [&](uint32_t joint, uint32_t reach) {
     const int32_t way = detail::difference(before_[joint], *certified++);
-    since.add_by_lever(robot_->joints[joint], reach, *share++,
-                       detail::magnitude(is_free(joint) ? detail::wrapped(way) : way));
+    since.add(robot_->joints[joint], reach, *share++,
+              detail::magnitude(is_free(joint) ? detail::wrapped(way) : way));
   });
   const uint32_t by_certificate =
-      difference_of(pairs_[i].lower, sum_of(since.by_levers(), robot_->slack));
+      difference_of(pairs_[i].lower, sum_of(since.fine(), robot_->slack));
   return detail::greater(by_certificate, pairs_[i].began);
 }
 
@@ -103,9 +103,9 @@ uint32_t Guard::moved_in_walk() const {
   detail::LeverTravel moved;
   detail::for_each_between(
       *robot_, robot_->pairs[core_->walked_pair], [&](uint32_t joint, uint32_t reach) {
-        moved.add_by_lever(robot_->joints[joint], reach, *share++, detail::magnitude(step_[joint]));
+        moved.add(robot_->joints[joint], reach, *share++, detail::magnitude(step_[joint]));
       });
-  return moved.by_levers();
+  return moved.fine();
 }
 
 /// To where the period ends: values that were refused may stand there.
@@ -162,8 +162,7 @@ bool Guard::certify_by_table(uint16_t i, uint32_t rate) {
 }
 
 void Guard::begin_walk(uint16_t i, uint32_t& work) {
-  bool is_fresh = false;
-  const uint32_t since = motion_of(robot_->pairs[i], first_between(i), true, is_fresh);
+  const uint32_t since = motion_by_levers(robot_->pairs[i], first_between(i));
   core_->walked_pair = i;
   detail::set_shares(*robot_, robot_->pairs[i], frames_, walked_shares_);
   detail::take_work(work, (robot_->pairs[i].joints_a + robot_->pairs[i].joints_b) * kLeverWork);

@@ -69,7 +69,7 @@ void set_shares(const Robot& robot, const RobotPair& pair, const Frame* frames, 
   }
 }
 
-uint32_t LeverTravel::by_levers() const {
+uint32_t LeverTravel::fine() const {
   const uint32_t most = by_reaches_.fine();
   if (turned_ >= kMostTurned) {
     return most;

@@ -29,16 +29,13 @@ void set_shares(const Robot& robot, const RobotPair& pair, const Frame* frames, 
 /// pair's joints: no way is more than 2^31.
 class LeverTravel {
  public:
-  void add(uint32_t reach, uint32_t by) { by_reaches_.add_short(reach, by); }
-  void add_by_lever(const RobotJoint& joint, uint32_t reach, uint8_t share, uint32_t by) {
-    add(reach, by);
+  void add(const RobotJoint& joint, uint32_t reach, uint8_t share, uint32_t by) {
+    by_reaches_.add_short(reach, by);
     by_levers_.add_short(lever_of(reach, share), by);
     turned_ += turns(joint) ? by : 0;
   }
-  /// In 1/256 cell, rounded up.
-  uint32_t by_reaches() const { return by_reaches_.fine(); }
-  /// The lesser of both.
-  uint32_t by_levers() const;
+  /// In 1/256 cell, rounded up: by levers, or by reaches if that is less.
+  uint32_t fine() const;
 
  private:
   static bool turns(const RobotJoint& joint) {

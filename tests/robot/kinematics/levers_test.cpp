@@ -33,18 +33,17 @@ struct Posed {
 };
 
 /// From the one to the other, by levers at `from`.
-detail::LeverTravel travel_between(const RobotPair& pair, const Posed& at,
-                                   const std::vector<JointCoordinate>& from,
-                                   const std::vector<JointCoordinate>& to) {
+std::uint32_t travel_between(const RobotPair& pair, const Posed& at,
+                             const std::vector<JointCoordinate>& from,
+                             const std::vector<JointCoordinate>& to) {
   std::vector<std::uint8_t> shares(at.robot.joint_count);
   detail::set_shares(at.robot, pair, at.frames.data(), shares.data());
   detail::LeverTravel travel;
   const std::uint8_t* share = shares.data();
   detail::for_each_between(at.robot, pair, [&](std::uint32_t joint, std::uint32_t reach) {
-    travel.add_by_lever(at.robot.joints[joint], reach, *share++,
-                        detail::apart(from[joint], to[joint]));
+    travel.add(at.robot.joints[joint], reach, *share++, detail::apart(from[joint], to[joint]));
   });
-  return travel;
+  return travel.fine();
 }
 
 /// How far the link's farthest vertex is from the joint's axis, in cells.
@@ -156,20 +155,25 @@ TEST_CASE("no links come nearer to each other than levers say, often less than r
       const Posed after(robot, to);
       for (std::uint32_t j = 0; j < robot.pair_count; ++j) {
         const RobotPair& pair = robot.pairs[j];
-        const detail::LeverTravel travel = travel_between(pair, before, from, to);
+        const std::uint32_t travel = travel_between(pair, before, from, to);
+        detail::Travel sum;
+        detail::for_each_between(robot, pair, [&](std::uint32_t joint, std::uint32_t reach) {
+          sum.add_short(reach, detail::apart(from[joint], to[joint]));
+        });
+        const std::uint32_t by_reaches = sum.fine();
         const Clearance<std::uint16_t> was = before.clearance(pair);
         const Clearance<std::uint16_t> is = after.clearance(pair);
         if (was.status != Status::done || is.status != Status::done || !is.in_range) {
           continue;
         }
-        CAPTURE(j, was.lower, is.upper, travel.by_levers(), travel.by_reaches(), robot.slack);
-        REQUIRE(std::int64_t{is.upper} + travel.by_levers() + 2 * robot.slack >= was.lower);
-        REQUIRE(travel.by_levers() <= travel.by_reaches());
+        CAPTURE(j, was.lower, is.upper, travel, by_reaches, robot.slack);
+        REQUIRE(std::int64_t{is.upper} + travel + 2 * robot.slack >= was.lower);
+        REQUIRE(travel <= by_reaches);
         const double truth = way_of_vertices(pair, robot, from, to);
         CAPTURE(truth);
-        REQUIRE(travel.by_levers() >= 0.9999 * truth);
+        REQUIRE(travel >= 0.9999 * truth);
         nearer += is.upper < was.lower ? 1 : 0;
-        shorter += travel.by_levers() < travel.by_reaches() / 8 * 7 ? 1 : 0;
+        shorter += travel < by_reaches / 8 * 7 ? 1 : 0;
       }
     }
   });

@@ -196,7 +196,10 @@ class Guard {
   bool has_triangles(uint16_t pair, const Witness<uint16_t>& witness) const;
   Status move_to(const JointCoordinate* values);
   Status measure(const Found& found, uint32_t& work);
-  uint32_t motion_of(const RobotPair& pair, uint32_t first, bool by_levers, bool& is_fresh) const;
+  template <class Visit>
+  bool for_each_way(const RobotPair& pair, uint32_t first, Visit&& visit) const;
+  uint32_t motion_of(const RobotPair& pair, uint32_t first, bool& is_fresh) const;
+  uint32_t motion_by_levers(const RobotPair& pair, uint32_t first) const;
   Left left_of(uint16_t pair, uint32_t first, bool by_levers) const;
   uint32_t distance_where_begun(uint16_t pair) const;
   uint32_t moved_in_walk() const;
