@@ -155,8 +155,7 @@ FLASHBVH_OPAQUE(flashbvh_guard, 12, 0, void*);
  * of all pairs; or of one with fewer. A workcell's counts: those of its flashbvh_workcell_robot().
  */
 #define FLASHBVH_GUARD_STATE_SIZE(joints, pairs, pair_joints) \
-  (104 + 64 * (joints) + 16 * (pairs) + 4 * (pair_joints) + \
-   ((joints) + (pair_joints) + 3) / 4 * 4)
+  (104 + 64 * (joints) + 16 * (pairs) + 4 * (pair_joints) + ((joints) + (pair_joints) + 3) / 4 * 4)
 
 /** Knows nothing yet; the state is written. GUARD_STATE_INVALID, as of every later call: `size`, in
  * bytes, is too small, or the state does not start at a multiple of 4. */
