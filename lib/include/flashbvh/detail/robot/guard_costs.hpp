@@ -5,13 +5,13 @@
 
 // clang-format off
 #define FLASHBVH_FOR_EACH_GUARD_CORE(core) \
-  core(CortexM0, cortex_m0, "Cortex-M0", 152273, 6011, 11, 3711, 1026, 185, 0, 32, 139875, 5485) \
-  core(CortexM3, cortex_m3, "Cortex-M3", 57290, 828, 9, 1830, 278, 120, 3874, 377, 18814, 1460) \
-  core(CortexM4F, cortex_m4f, "Cortex-M4F", 45196, 842, 9, 1816, 282, 120, 4883, 23, 19005, 1023) \
-  core(CortexM7, cortex_m7, "Cortex-M7", 45147, 840, 9, 1850, 279, 122, 4748, 24, 19067, 1029) \
-  core(CortexM33, cortex_m33, "Cortex-M33", 45394, 833, 9, 1830, 278, 120, 4962, 24, 18999, 1024) \
-  core(CortexM55, cortex_m55, "Cortex-M55", 45812, 800, 9, 1836, 296, 120, 5414, 24, 18825, 1009) \
-  core(RV32IMAC, rv32imac, "RV32IMAC", 65743, 1174, 9, 2075, 363, 148, 6586, 21, 25263, 1542)
+  core(CortexM0, cortex_m0, "Cortex-M0", 154070, 6011, 11, 4314, 1204, 185, 0, 32, 139875, 5485) \
+  core(CortexM3, cortex_m3, "Cortex-M3", 57995, 828, 9, 2079, 318, 120, 4102, 377, 18814, 1460) \
+  core(CortexM4F, cortex_m4f, "Cortex-M4F", 45905, 842, 9, 2065, 322, 120, 5113, 23, 19005, 1023) \
+  core(CortexM7, cortex_m7, "Cortex-M7", 45805, 840, 9, 2084, 312, 122, 4960, 24, 19067, 1029) \
+  core(CortexM33, cortex_m33, "Cortex-M33", 46097, 833, 9, 2079, 318, 120, 5189, 24, 18999, 1024) \
+  core(CortexM55, cortex_m55, "Cortex-M55", 46627, 800, 9, 2121, 340, 120, 5679, 24, 18825, 1009) \
+  core(RV32IMAC, rv32imac, "RV32IMAC", 66689, 1174, 9, 2399, 402, 148, 6897, 21, 25263, 1542)
 // clang-format on
 
 #endif
