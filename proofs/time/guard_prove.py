@@ -29,7 +29,7 @@ FIRST_BATCHES = 3
 # Of a node, at most; a walk begins twice among siblings in both trees, and a resumed cursor is looked at.
 ARITY = 4
 SIBLINGS = 2 * (ARITY - 1)
-# Of a leaf, at most: 4 * 7 * 7 pairs are fewer than Within::dear_tests counts.
+# Of a leaf, at most: what is resumed inside a larger one is not in the bound.
 LEAF = 7
 
 

@@ -1,8 +1,9 @@
 // How far joints move a link where it stands: a reach is that of the most stretched arm.
 //
 // A share of the joint's reach, its lever, is kept with a certificate. While joints move on, a
-// point goes away from an axis by at most what they move it, so levers grow by that: lib/docs/
-// derivations.md, "Levers".
+// point goes away from an axis by at most what they move it, so levers grow by that.
+//
+// Source: lib/docs/derivations.md, "Levers".
 #ifndef FLASHBVH_ROBOT_LEVERS_HPP
 #define FLASHBVH_ROBOT_LEVERS_HPP
 

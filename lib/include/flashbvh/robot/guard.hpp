@@ -54,7 +54,7 @@ using GuardAnswer = flashbvh_guard_answer;
 struct GuardPair {
   uint32_t lower;             ///< the distance then, in 1/256 cell, rounded down; 0: not known
   uint32_t upper;             ///< rounded up; UINT32_MAX: not known
-  uint32_t began;             ///< a distance at least as small as where the period began; 0: any
+  uint32_t began;             ///< where the period began they were so far apart or farther
   Witness<uint16_t> witness;  ///< where they were nearest
 };
 
@@ -111,8 +111,9 @@ struct GuardStateOf {
   GuardPair pairs[detail::at_least_one(pair_count)];
   JointCoordinate certified[detail::at_least_one(
       pair_joint_count)];  ///< of all joints between, pair after pair
-  uint8_t shares[detail::at_least_one(pair_joint_count)];  ///< of reaches, there (levers.hpp)
-  uint8_t walked_shares[kJoints];                          ///< of the pair that is being measured
+  /// What they move the links where they stood, in (share + 1) / 256 of their reaches (levers.hpp).
+  uint8_t shares[detail::at_least_one(pair_joint_count)];
+  uint8_t walked_shares[kJoints];  ///< the same of the pair that is being measured
 };
 
 /// Of one robot; what it knows lies in the state.
