@@ -199,8 +199,8 @@ bool furnish(const flashbvh::Mesh& tool, const flashbvh::Mesh& cart,
          cell.keep_apart(cell_arm_link_forearm, cart_link, 9000, 30000) == done;
 }
 
-/// Before each period's update(): where the cart is, and how far any point of it went, in 1/256
-/// cell.
+/// Before each period's update(): where the cart is, and the longest way of any point of it, in
+/// 1/256 cell.
 bool drive(const flashbvh::Frame& cart_at, uint32_t moved) {
   return cell.move(cart_link, cart_at, moved) == flashbvh::Status::done;
 }
