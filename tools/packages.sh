@@ -26,8 +26,8 @@ ensure_packages() {
   rm -f "$log"
 }
 
-host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev libmujoco-dev
-  libsdformat-dev liburdfdom-dev nlohmann-json3-dev libyaml-cpp-dev catch2 python3"
+host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev libmeshoptimizer-dev
+  libmujoco-dev libsdformat-dev liburdfdom-dev nlohmann-json3-dev libyaml-cpp-dev catch2 python3"
 test_packages="ccache clang-format doxygen"
 # The sanitizers, and the fuzzer, without which the corpora alone are replayed.
 sanitizer_packages="clang lld libclang-rt-14-dev"

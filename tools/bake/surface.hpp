@@ -15,6 +15,13 @@ struct Surface {
   bool is_closed = false;
 };
 
+/// Whether each edge is run along as often in either direction. O(n log n).
+bool is_closed(const std::vector<TriangleCorners>& triangles);
+
+/// Of each vertex, the first one that triangles join it to.
+std::vector<std::uint32_t> shells_of(const std::vector<TriangleCorners>& triangles,
+                                     std::size_t vertex_count);
+
 /// O(n log n).
 Surface surface_of(const LatticeMesh& mesh);
 

@@ -92,9 +92,9 @@ void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
                       mend);
     }
   };
-  const char* const fewer = offers_wide ? "--index-bits 32 or fewer triangles" : "fewer triangles";
-  const char* const larger = offers_wide ? "a larger --leaf-size or --index-bits 32"
-                                         : "a larger --leaf-size or fewer triangles";
+  const char* const fewer = offers_wide ? "--simplify, or --index-bits 32" : "--simplify";
+  const char* const larger = offers_wide ? "a larger --leaf-size, --simplify, or --index-bits 32"
+                                         : "a larger --leaf-size or --simplify";
   check(mesh.triangles.size(), "triangles", most, fewer);
   check(mesh.vertices.size(), "vertices", most, fewer);
   check(tree.nodes.size(), "nodes", most, larger);
@@ -165,6 +165,24 @@ AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
 BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
   RoundedMesh rounded = round_mesh(input, options);
   return {build_tree(input, rounded, options), std::move(rounded.defects)};
+}
+
+BakedMesh bake(const InputMesh& input, const BakeOptions& options,
+               const simplify::Coarsening& coarse) {
+  MeshDefects defects = round_mesh(input, options).defects;
+  InputMesh made = input;
+  made.mesh = coarse.mesh();
+  made.degenerate = {};
+  BakeOptions own = options;
+  own.max_deviation = std::nullopt;
+  RoundedMesh rounded = round_mesh(made, own);
+  rounded.lattice.deviation = coarse.deviation().most;
+  if (options.max_deviation && rounded.lattice.deviation > *options.max_deviation) {
+    throw UserError(input.path, "the simplified mesh deviates by ",
+                    text_of(rounded.lattice.deviation, options), ", --max-deviation allows ",
+                    text_of(*options.max_deviation, options));
+  }
+  return {build_tree(made, rounded, options), std::move(defects)};
 }
 
 }  // namespace flashbvh::tool

@@ -8,6 +8,7 @@
 
 #include "bake/baked_tree.hpp"
 #include "mesh/import.hpp"
+#include "simplify/coarsening.hpp"
 
 namespace flashbvh::tool {
 
@@ -19,6 +20,9 @@ enum class Builder : std::uint8_t {
 
 enum class IndexWidth : std::uint8_t { bits_16, bits_32 };
 
+/// Leaves that spare flash, for more instructions where meshes are near.
+constexpr std::uint32_t kLargeLeaf = 5;
+
 /// Lengths are in the unit of the mesh.
 struct BakeOptions {
   std::string unit;  ///< its name, for messages; empty if it is not known
@@ -28,7 +32,7 @@ struct BakeOptions {
   std::uint32_t leaf_size = bake::kDefaultLeafSize;  ///< most triangles in a leaf
   std::uint32_t arity = bake::kDefaultArity;         ///< most children of a node
   std::optional<double> cell;                        ///< by default the finest that the mesh fits
-  std::optional<double> max_deviation;               ///< how far rounding may move a vertex
+  std::optional<double> max_deviation;               ///< how far a point may lie from the file's
   bool offers_wide_indices = true;                   ///< messages may offer them to the user
   bool drop_degenerate = false;                      ///< before or after rounding
   bool drop_duplicate = false;                       ///< on the lattice; the first of them stays
@@ -64,5 +68,9 @@ AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
                         const BakeOptions& options);
 /// Both, one after the other.
 BakedMesh bake(const InputMesh& input, const BakeOptions& options);
+/// Of `coarse`, made of the input's mesh, in its place: triangles are numbered anew. UserError as
+/// well if it deviates too far.
+BakedMesh bake(const InputMesh& input, const BakeOptions& options,
+               const simplify::Coarsening& coarse);
 
 }  // namespace flashbvh::tool

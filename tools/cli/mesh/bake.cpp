@@ -7,6 +7,7 @@
 #include "bake/image_bytes.hpp"
 #include "cli/commands.hpp"
 #include "cli/mesh/bake_options.hpp"
+#include "cli/mesh/bake_simplified.hpp"
 #include "cli/mesh/bake_table.hpp"
 #include "cli/mesh/mesh_warnings.hpp"
 #include "cli/progress.hpp"
@@ -25,8 +26,8 @@ void check_size(const BakeOrder& order, const std::string& mesh, std::uint64_t b
   }
   if (order.max_bytes && static_cast<std::int64_t>(bytes) > *order.max_bytes) {
     throw UserError(mesh, "takes ", bytes, " bytes, --max-bytes allows ", *order.max_bytes,
-                    "; use fewer triangles, or a larger --leaf-size, which makes the worst pose "
-                    "more expensive");
+                    "; --fit ", *order.max_bytes, " simplifies it as little as that takes, "
+                    "or give a larger --leaf-size, which makes the worst pose more expensive");
   }
 }
 
@@ -66,6 +67,7 @@ BakeRow bake_one(const BakeOrder& order, BakedMesh& mesh, const std::string& pat
         return BakeRow{name.stem,
                        image,
                        baked.triangles.size(),
+                       baked.triangles.size(),
                        baked.vertices.size(),
                        baked.nodes.size(),
                        baked.depth,
@@ -87,44 +89,49 @@ std::vector<double> weights_of(const std::vector<std::string>& paths) {
   return weights;
 }
 
-/// A mesh file, or one of its bodies.
+/// A mesh file, or one of its bodies: what it is called and its share of the work.
 struct Part {
-  InputMesh mesh;
   OutputName name;
   double weight;
 };
 
-std::vector<Part> read_parts(const BakeOrder& order, const std::vector<double>& weights,
+struct Parts {
+  std::vector<InputMesh> meshes;
+  std::vector<Part> parts;  ///< of each mesh
+};
+
+Parts read_parts(const BakeOrder& order, const std::vector<double>& weights,
                              Progress& progress, Warnings& warnings) {
-  std::vector<Part> parts;
+  Parts all;
   TakenOutputs taken;
   for (std::size_t i = 0; i < order.meshes.size(); ++i) {
     const std::string& path = order.meshes[i];
     progress.begin("reading " + path, weights[i]);
     if (!order.split) {
-      parts.push_back({read_mesh(path, order.units, warnings), order.names[i], weights[i]});
+      all.meshes.push_back(read_mesh(path, order.units, warnings));
+      all.parts.push_back({order.names[i], weights[i]});
       continue;
     }
     std::vector<InputMesh> bodies = read_bodies(path, order.units, warnings);
     const std::vector<OutputName> names = body_names(path, bodies);
     for (std::size_t j = 0; j < bodies.size(); ++j) {
       taken.add(names[j], bodies[j].path, "bake the files into folders of their own");
-      parts.push_back(
-          {std::move(bodies[j]), names[j], weights[i] / static_cast<double>(bodies.size())});
+      all.meshes.push_back(std::move(bodies[j]));
+      all.parts.push_back({names[j], weights[i] / static_cast<double>(bodies.size())});
     }
   }
-  return parts;
+  return all;
 }
 
 /// Of meshes that look as if they were in another unit than the others.
-void warn_of_odd_sizes(const std::vector<Part>& parts, const std::vector<BakeRow>& rows,
+void warn_of_odd_sizes(const std::vector<InputMesh>& meshes, const std::vector<BakeRow>& rows,
                        const std::string& unit, Warnings& warnings) {
   std::vector<Size> sizes(rows.size());
   std::transform(rows.begin(), rows.end(), sizes.begin(),
                  [](const BakeRow& row) { return row.size; });
   for (const OddSize& odd : odd_sizes(sizes)) {
     warnings.add(
-        parts[odd.which].mesh.path,
+        meshes[odd.which].path,
         concat("is ", size_text(sizes[odd.which], unit), ", ", odd_size_text(odd, "meshes"),
                "; if its unit or its scale is another one, --unit FILE=UNIT converts it"));
   }
@@ -133,49 +140,78 @@ void warn_of_odd_sizes(const std::vector<Part>& parts, const std::vector<BakeRow
 /// How much wider than its mesh the lattice of one that bends is.
 constexpr double kRoomToBend = 2;
 
-/// Everything but what is written. `options`: the order's, with the cell that all the meshes share.
-std::vector<BakeRow> bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files,
-                                 Warnings& warnings) {
+/// What there is to say of a call.
+struct Outcome {
+  std::vector<BakeRow> rows;
+  double simplified = 0;  ///< how far it was allowed to
+  std::vector<simplify::LengthRow> lengths;  ///< of --dry-run
+};
+
+/// Everything but what is written. `options`: the order's, with the cell that all the meshes share,
+/// and the leaf size that fits.
+Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files,
+                    Warnings& warnings) {
   const std::vector<double> weights = weights_of(order.meshes);
-  Progress progress(2 * std::accumulate(weights.begin(), weights.end(), 0.0), order.progress);
-  const std::vector<Part> parts = read_parts(order, weights, progress, warnings);
+  Progress progress(3 * std::accumulate(weights.begin(), weights.end(), 0.0), order.progress);
+  const auto [meshes, parts] = read_parts(order, weights, progress, warnings);
   double finest = 0;
-  for (const Part& part : parts) {
-    finest = std::max(finest, finest_cell(part.mesh));
+  for (const InputMesh& mesh : meshes) {
+    finest = std::max(finest, finest_cell(mesh));
   }
   options.cell = order.options.cell.value_or(order.deformable ? kRoomToBend * finest : finest);
-  std::vector<BakeRow> rows;
-  for (const Part& part : parts) {
-    progress.begin("baking " + part.mesh.path, part.weight);
-    BakedMesh baked = bake(part.mesh, options);
-    rows.push_back(bake_one(order, baked, part.mesh.path, part.name, files));
-    rows.back().size = size_of(part.mesh.mesh);
-    warn_of_mesh(part.mesh, baked.defects, options, warnings);
-    std::visit([&](const auto& tree) { warn_of_place(tree.origin, part.mesh.path, warnings); },
+  Outcome outcome;
+  progress.begin("simplifying", 0);
+  const Simplified simplified = simplified_meshes(order, meshes, options);
+  outcome.simplified = simplified.length;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const InputMesh& mesh = meshes[i];
+    progress.begin("baking " + mesh.path, 2 * parts[i].weight);
+    BakedMesh baked = simplified.meshes.empty() ? bake(mesh, options)
+                                                : bake(mesh, options, simplified.meshes[i]);
+    outcome.rows.push_back(bake_one(order, baked, mesh.path, parts[i].name, files));
+    outcome.rows.back().size = size_of(mesh.mesh);
+    outcome.rows.back().source_triangles = mesh.mesh.triangles.size();
+    warn_of_mesh(mesh, baked.defects, options, warnings);
+    std::visit([&](const auto& tree) { warn_of_place(tree.origin, mesh.path, warnings); },
                baked.tree);
   }
-  warn_of_odd_sizes(parts, rows, order.units.common(), warnings);
-  return rows;
+  warn_of_odd_sizes(meshes, outcome.rows, order.units.common(), warnings);
+  if (order.dry_run && !order.deformable) {
+    outcome.lengths = lengths_of(order, meshes, options);
+  }
+  return outcome;
+}
+
+void print_outcome(const BakeOrder& order, const BakeOptions& options, const Outcome& outcome,
+                   const Warnings& warnings) {
+  if (order.json) {
+    print_bake_json(outcome.rows, *options.cell, order.units, warnings,
+                    order.dry_run ? json_of(outcome.lengths, shown_leaf_sizes(order)) : Json());
+    return;
+  }
+  print_bake_table(outcome.rows, order.units);
+  std::cout << "cell " << order.units.with_unit(*options.cell) << "; flash: bytes of the image\n";
+  if (outcome.simplified > 0) {
+    print_simplified(outcome.rows, outcome.simplified, options.leaf_size, order.units);
+  }
+  if (!outcome.lengths.empty()) {
+    std::cout << "\n";
+    print_lengths(outcome.lengths, shown_leaf_sizes(order), order.units.common());
+  }
+  if (order.deformable) {
+    print_bending(outcome.rows);
+  }
 }
 
 void bake_all(const BakeOrder& order) {
   Warnings warnings;
   BakeOptions options = order.options;
   FileSet files;
-  const std::vector<BakeRow> rows = bake_meshes(order, options, files, warnings);
+  const Outcome outcome = bake_meshes(order, options, files, warnings);
   // Prints before renaming: if output fails, no file is left behind.
   files.write([&] {
     warnings.print();
-    if (order.json) {
-      print_bake_json(rows, *options.cell, order.units, warnings);
-      flush_output();
-      return;
-    }
-    print_bake_table(rows, order.units);
-    std::cout << "cell " << order.units.with_unit(*options.cell) << "; flash: bytes of the image\n";
-    if (order.deformable) {
-      print_bending(rows);
-    }
+    print_outcome(order, options, outcome, warnings);
     flush_output();
   });
 }

@@ -1,6 +1,7 @@
 #include "cli/mesh/bake_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 
@@ -61,13 +62,47 @@ void print_bake_table(const std::vector<BakeRow>& rows, const Units& units) {
   }
 }
 
+void print_lengths(const std::vector<simplify::LengthRow>& rows,
+                   const std::vector<std::uint32_t>& leaf_sizes, const std::string& unit) {
+  std::cout << std::left << std::setw(18) << "--simplify" << std::right << std::setw(10)
+            << "triangles";
+  for (const std::uint32_t leaf_size : leaf_sizes) {
+    std::cout << std::setw(25) << concat("flash, --leaf-size ", leaf_size);
+  }
+  std::cout << "\n";
+  for (const simplify::LengthRow& row : rows) {
+    const std::string length =
+        row.length == 0 ? "as it is" : shortest(row.length) + (unit.empty() ? "" : " " + unit);
+    std::cout << std::left << std::setw(18) << length << std::right << std::setw(10)
+              << row.triangles;
+    for (const double bytes : row.bytes) {
+      std::cout << std::setw(25) << (std::isfinite(bytes) ? fixed(bytes, 0) : "too large");
+    }
+    std::cout << "\n";
+  }
+}
+
+Json json_of(const std::vector<simplify::LengthRow>& rows,
+             const std::vector<std::uint32_t>& leaf_sizes) {
+  Json all = Json::array();
+  for (const simplify::LengthRow& row : rows) {
+    Json flash = Json::object();
+    for (std::size_t i = 0; i < leaf_sizes.size(); ++i) {
+      flash[concat(leaf_sizes[i])] = std::isfinite(row.bytes[i]) ? Json(row.bytes[i]) : Json();
+    }
+    all.push_back({{"simplify", row.length}, {"triangles", row.triangles}, {"flash_bytes", flash}});
+  }
+  return all;
+}
+
 void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units& units,
-                     const Warnings& warnings) {
+                     const Warnings& warnings, const Json& lengths) {
   Json all = {{"unit", units.common()}, {"cell", cell}, {"meshes", Json::array()}};
   for (const BakeRow& row : rows) {
     all["meshes"].push_back({{"name", row.mesh},
                              {"flash_bytes", row.flash_bytes},
                              {"triangles", row.triangles},
+                             {"source_triangles", row.source_triangles},
                              {"vertices", row.vertices},
                              {"nodes", row.nodes},
                              {"depth", row.depth},
@@ -76,8 +111,24 @@ void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units&
                              {"ram_to_bend", row.bending.ram_bytes},
                              {"refit_instructions", row.bending.refit_instructions}});
   }
+  if (!lengths.is_null()) {
+    all["simplified"] = lengths;
+  }
   all["warnings"] = json_of(warnings);
   print_object(all);
+}
+
+void print_simplified(const std::vector<BakeRow>& rows, double length, std::uint32_t leaf_size,
+                      const Units& units) {
+  std::size_t before = 0;
+  std::size_t after = 0;
+  for (const BakeRow& row : rows) {
+    before += row.source_triangles;
+    after += row.triangles;
+  }
+  std::cout << "simplified: " << before << " triangles -> " << after << ", leaves of "
+            << leaf_size << "; every point within " << units.with_unit(length)
+            << " of the file's mesh, and the other way round; triangles are numbered anew\n";
 }
 
 void print_bending(const std::vector<BakeRow>& rows) {

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "bake/bending.hpp"
+#include "cli/json.hpp"
 #include "cli/mesh/mesh_warnings.hpp"
 #include "mesh/units.hpp"
+#include "simplify/fit.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
@@ -17,6 +19,7 @@ struct BakeRow {
   std::string mesh;
   std::size_t flash_bytes = 0;  ///< of the image
   std::size_t triangles = 0;
+  std::size_t source_triangles = 0;  ///< of the file
   std::size_t vertices = 0;
   std::size_t nodes = 0;
   std::size_t depth = 0;
@@ -28,9 +31,20 @@ struct BakeRow {
 /// On standard output, with a row for all of them if they are several.
 void print_bake_table(const std::vector<BakeRow>& rows, const Units& units);
 
+/// What simplifying costs and saves: a row a length. `leaf_sizes`: of each column.
+void print_lengths(const std::vector<simplify::LengthRow>& rows,
+                   const std::vector<std::uint32_t>& leaf_sizes, const std::string& unit);
+Json json_of(const std::vector<simplify::LengthRow>& rows,
+             const std::vector<std::uint32_t>& leaf_sizes);
+
 /// The rows, the cell and the warnings as one JSON object on standard output.
+/// `lengths`: of --dry-run, or null.
 void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units& units,
-                     const Warnings& warnings);
+                     const Warnings& warnings, const Json& lengths);
+
+/// What simplifying to `length` did, of all together.
+void print_simplified(const std::vector<BakeRow>& rows, double length, std::uint32_t leaf_size,
+                      const Units& units);
 
 /// A line a mesh: what it takes to bend.
 void print_bending(const std::vector<BakeRow>& rows);

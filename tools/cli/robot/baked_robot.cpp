@@ -6,7 +6,7 @@
 #include "cli/progress.hpp"
 #include "cli/robot/robot_arguments.hpp"
 #include "flashbvh/clearance.hpp"
-#include "robot/matrix/parallel.hpp"
+#include "text/parallel.hpp"
 #include "robot/read/urdf.hpp"
 
 namespace flashbvh::tool {

@@ -8,7 +8,6 @@ namespace flashbvh::tool {
 
 /// Beyond so many bytes of flash a robot says what leaves of kLargeLeaf triangles save.
 constexpr std::size_t kMuchFlash = 1 << 20;
-constexpr std::uint32_t kLargeLeaf = 5;
 
 struct RobotFlash {
   std::size_t bytes;                   ///< of the image

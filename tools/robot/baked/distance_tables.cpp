@@ -8,7 +8,7 @@
 
 #include "flashbvh/robot/distance_table.hpp"
 #include "robot/matrix/pair_space.hpp"
-#include "robot/matrix/parallel.hpp"
+#include "text/parallel.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "robot/matrix/swept_pair.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "robot/matrix/pair_space.hpp"
-#include "robot/matrix/parallel.hpp"
+#include "text/parallel.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "text/numbers.hpp"
 

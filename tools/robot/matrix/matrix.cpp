@@ -5,7 +5,7 @@
 
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/pair_space.hpp"
-#include "robot/matrix/parallel.hpp"
+#include "text/parallel.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "text/numbers.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/matrix/parallel.hpp"
+#include "text/parallel.hpp"
 
 namespace flashbvh::tool {
 namespace {

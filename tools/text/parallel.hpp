@@ -8,8 +8,6 @@
 #include <thread>
 #include <vector>
 
-#include "robot/matrix/deadline.hpp"
-
 namespace flashbvh::tool {
 
 /// So many work at a time.
@@ -50,18 +48,6 @@ void for_each_in_parallel(std::size_t count, const Work& work) {
   if (thrown) {
     std::rethrow_exception(thrown);
   }
-}
-
-/// When one of `left` pieces of work has had its part of the time, `share` times an equal one.
-inline Deadline turn_of(const Deadline& all, std::size_t left, double share) {
-  if (!all.at) {
-    return {};
-  }
-  const Clock::time_point now = Clock::now();
-  const double part = share * static_cast<double>(processor_count()) /
-                      static_cast<double>(std::max<std::size_t>(left, 1));
-  const auto turn = std::chrono::duration<double>(*all.at - now) * std::min(1.0, part);
-  return {now + std::chrono::duration_cast<Clock::duration>(turn)};
 }
 
 }  // namespace flashbvh::tool

@@ -1,0 +1,114 @@
+// Coarser meshes: within their limit both ways, whole, with few triangles, the same each time.
+#include "simplify/coarsening.hpp"
+
+#include "bake/quantise.hpp"
+#include "bake/surface.hpp"
+#include "simplify/zoo.hpp"
+
+using namespace flashbvh::test;
+using simplify::Coarsening;
+
+namespace {
+
+double most_sampled(const bake::SourceMesh& of, const bake::SourceMesh& to, Random& random) {
+  double most = 0;
+  const int samples = is_thorough() ? 1'000'000 : 150;
+  for (int i = 0; i < samples; ++i) {
+    most = std::max(most, distance_by_force(sample(of, random), to));
+  }
+  return most;
+}
+
+bool is_on_lattice(const bake::SourceMesh& mesh, double cell) {
+  return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const auto& vertex) {
+    return std::all_of(vertex.begin(), vertex.end(), [&](double coordinate) {
+      return std::round(coordinate / cell) * cell == coordinate;
+    });
+  });
+}
+
+}  // namespace
+
+TEST_CASE("neither mesh is farther from the other than certified, and that is within the limit") {
+  Random random(test_seed());
+  for (const Specimen& specimen : specimens()) {
+    const double cell = bake::finest_cell(specimen.mesh);
+    Coarsening coarsening(specimen.mesh, cell);
+    std::size_t before = specimen.mesh.triangles.size();
+    for (const double limit : {0.01, 0.1, 0.5, 2.0}) {
+      CAPTURE(specimen.name, limit);
+      coarsening.coarsen(limit);
+      const bake::SourceMesh coarse = coarsening.mesh();
+      const double deviation = coarsening.deviation().most;
+      REQUIRE_FALSE(coarse.triangles.empty());
+      CHECK(deviation <= limit);
+      CHECK(most_sampled(specimen.mesh, coarse, random) <= deviation);
+      CHECK(most_sampled(coarse, specimen.mesh, random) <= deviation);
+      CHECK(coarse.triangles.size() <= before);
+      CHECK(is_on_lattice(coarse, cell));
+      if (specimen.is_closed) {
+        CHECK(bake::is_closed(coarse.triangles));
+      }
+      before = coarse.triangles.size();
+    }
+  }
+}
+
+TEST_CASE("what is flat needs few triangles") {
+  const bake::SourceMesh mesh = box({0, 0, 0}, {80, 50, 20}, 16);
+  Coarsening coarsening(mesh, bake::finest_cell(mesh));
+  coarsening.coarsen(0.1);
+  CHECK(coarsening.mesh().triangles.size() == 12);
+}
+
+TEST_CASE("a shell stays, however small") {
+  const bake::SourceMesh mesh = many_shells();
+  Coarsening coarsening(mesh, bake::finest_cell(mesh));
+  coarsening.coarsen(2);
+  const bake::SourceMesh coarse = coarsening.mesh();
+  for (const auto& vertex : mesh.vertices) {
+    REQUIRE(distance_by_force(vertex, coarse) <= 2);
+  }
+  CHECK(coarse.triangles.size() < 80);
+}
+
+TEST_CASE("repeated triangles are there once") {
+  const bake::SourceMesh mesh = repeated(hills(12, 12));
+  Coarsening coarsening(mesh, bake::finest_cell(mesh));
+  coarsening.coarsen(0.02);
+  bake::SourceMesh coarse = coarsening.mesh();
+  for (bake::TriangleCorners& corners : coarse.triangles) {
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  }
+  std::sort(coarse.triangles.begin(), coarse.triangles.end());
+  CHECK(std::adjacent_find(coarse.triangles.begin(), coarse.triangles.end()) ==
+        coarse.triangles.end());
+}
+
+TEST_CASE("the same mesh gives the same coarse mesh, step by step") {
+  const bake::SourceMesh mesh = wavy_ring(60, 20, 0.5);
+  const double cell = bake::finest_cell(mesh);
+  Coarsening a(mesh, cell);
+  Coarsening b(mesh, cell);
+  for (const double limit : {0.2, 0.3}) {
+    a.coarsen(limit);
+    b.coarsen(limit);
+    CHECK(a.mesh().vertices == b.mesh().vertices);
+    CHECK(a.mesh().triangles == b.mesh().triangles);
+  }
+  const Coarsening copy = a;
+  a.coarsen(1);
+  CHECK(copy.mesh().triangles == b.mesh().triangles);
+}
+
+TEST_CASE("no more than half as many triangles again as the simplifier's own, which errs") {
+  for (const Specimen& specimen : specimens()) {
+    for (const double limit : {0.1, 0.5}) {
+      CAPTURE(specimen.name, limit);
+      Coarsening coarsening(specimen.mesh, bake::finest_cell(specimen.mesh));
+      const std::size_t estimate = coarsening.estimate(limit);
+      coarsening.coarsen(limit);
+      CHECK(2 * coarsening.mesh().triangles.size() <= 3 * estimate + 16);
+    }
+  }
+}

@@ -1,0 +1,158 @@
+// The certificate: never below what samples show, hardly above it.
+#include "simplify/deviation.hpp"
+
+#include "simplify/zoo.hpp"
+
+namespace flashbvh::test {
+namespace {
+
+using Long = std::array<long double, 3>;
+
+Long from(const Point& p, const Point& q) {
+  Long off{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    off[axis] = static_cast<long double>(q[axis]) - static_cast<long double>(p[axis]);
+  }
+  return off;
+}
+
+long double dot(const Long& u, const Long& v) {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+Long cross(const Long& u, const Long& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+long double squared_to_edge(const Point& p, const Point& a, const Point& b) {
+  const Long edge = from(a, b);
+  const Long to = from(a, p);
+  const long double length = dot(edge, edge);
+  const long double part =
+      length == 0 ? 0 : std::min(1.0L, std::max(0.0L, dot(to, edge) / length));
+  const Long off = {to[0] - part * edge[0], to[1] - part * edge[1], to[2] - part * edge[2]};
+  return dot(off, off);
+}
+
+long double squared_to_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
+  const Long normal = cross(from(a, b), from(a, c));
+  const long double area = dot(normal, normal);
+  const auto is_inside = [&](const Point& u, const Point& v) {
+    return dot(cross(from(u, v), from(u, p)), normal) >= 0;
+  };
+  if (area > 0 && is_inside(a, b) && is_inside(b, c) && is_inside(c, a)) {
+    const long double off = dot(from(a, p), normal);
+    return off * off / area;
+  }
+  return std::min({squared_to_edge(p, a, b), squared_to_edge(p, b, c), squared_to_edge(p, c, a)});
+}
+
+}  // namespace
+
+double distance_by_force(const Point& p, const bake::SourceMesh& mesh) {
+  long double least = HUGE_VALL;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    least = std::min(
+        least, squared_to_triangle(p, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]));
+  }
+  return static_cast<double>(std::sqrt(least));
+}
+
+}  // namespace flashbvh::test
+
+using namespace flashbvh::test;
+using simplify::Deviation;
+using simplify::deviation_from;
+using simplify::NearestTriangle;
+
+namespace {
+
+/// Moved by up to `most` in each coordinate.
+bake::SourceMesh shaken(bake::SourceMesh mesh, double most, Random& random) {
+  for (auto& vertex : mesh.vertices) {
+    for (double& coordinate : vertex) {
+      coordinate += most * random.between(-1000, 1000) / 1000.0;
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("the nearest triangle is as near as brute force says, degenerate ones too") {
+  for_rounds(300, 1, [](Random& random, int) {
+    bake::SourceMesh mesh;
+    const std::uint32_t count = 1 + random.below(40);
+    for (std::uint32_t i = 0; i < 3 * count; ++i) {
+      const std::int32_t spread = random.below(2) == 0 ? 3 : 50;
+      mesh.vertices.push_back({1.0 * random.between(-spread, spread),
+                               1.0 * random.between(-spread, spread),
+                               random.below(3) == 0 ? 0.0 : 1.0 * random.between(-spread, spread)});
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + random.below(3)});
+    }
+    const NearestTriangle nearest(mesh);
+    for (int i = 0; i < 20; ++i) {
+      const simplify::Point p = {random.between(-600, 600) / 10.0, random.between(-600, 600) / 10.0,
+                       random.between(-60, 60) / 10.0};
+      const NearestTriangle::Found found = nearest.to(p, random.below(count));
+      REQUIRE(std::fabs(std::sqrt(found.squared) - distance_by_force(p, mesh)) <= 1e-9);
+      REQUIRE(found.squared == simplify::squared_distance(p, nearest.triangle(found.place)));
+      const bake::TriangleCorners& corners = mesh.triangles[nearest.number(found.place)];
+      REQUIRE(nearest.triangle(found.place)[2] == mesh.vertices[corners[2]]);
+    }
+  });
+}
+
+TEST_CASE("no sample is farther than the certificate says, and it says hardly more") {
+  const int samples = is_thorough() ? 1'000'000 : 1000;
+  for_rounds(3, 2, [&](Random& random, int round) {
+    const bake::SourceMesh mesh = round % 3 == 0   ? wavy_ring(20, 8, 1)
+                                  : round % 3 == 1 ? hills(20, 12)
+                                                   : many_shells();
+    const double limit = 0.5 * (1 + round % 4);
+    const bake::SourceMesh coarse = shaken(mesh, limit / 2, random);
+    const NearestTriangle nearest(coarse);
+    const Deviation deviation = deviation_from(nearest, mesh, limit);
+    double most = distance_by_force(deviation.where, coarse);
+    CHECK(std::fabs(most - deviation.at_least) < 1e-9);
+    for (const auto& vertex : mesh.vertices) {
+      most = std::max(most, distance_by_force(vertex, coarse));
+    }
+    for (int i = 0; i < samples; ++i) {
+      most = std::max(most, distance_by_force(sample(mesh, random), coarse));
+    }
+    CHECK(deviation.most >= most * (1 - 1e-12));
+    CHECK(deviation.most <= 1.1 * most);
+    CHECK(deviation.at_least <= deviation.most);
+    CHECK(deviation_from(nearest, mesh, most / 2).most == HUGE_VAL);
+    std::vector<simplify::CoveredPart> parts;
+    CHECK(deviation_from(nearest, mesh, limit, &parts).most <= limit);
+    CHECK(parts.size() >= mesh.triangles.size());
+    for (const simplify::CoveredPart& part : parts) {
+      for (const auto& corner : part.part) {
+        REQUIRE(simplify::squared_distance(corner, nearest.triangle(part.by)) <= limit * limit);
+      }
+    }
+  });
+}
+
+TEST_CASE("what is farther between its vertices than at them is seen") {
+  // A roof over a floor: the floor's vertices lie on it, its middle far below the ridge.
+  const bake::SourceMesh roof = {{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {5, 0, 4}, {5, 10, 4}},
+                                 {{0, 4, 5}, {0, 5, 3}, {4, 1, 2}, {4, 2, 5}}};
+  const bake::SourceMesh floor = {{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}},
+                                  {{0, 1, 2}, {0, 2, 3}}};
+  const Deviation deviation = deviation_from(NearestTriangle(roof), floor, 10);
+  const double truth = 5 * 4 / std::hypot(4.0, 5.0);  // of (5, y, 0) from either side
+  CHECK(deviation.most >= truth);
+  CHECK(deviation.most <= 1.05 * truth);
+  CHECK(deviation_from(NearestTriangle(roof), floor, 0.99 * truth).most == HUGE_VAL);
+  CHECK(deviation_from(NearestTriangle(roof), floor, 1.01 * truth).most <= 1.01 * truth);
+}
+
+TEST_CASE("a mesh deviates from itself by no more than it can be told") {
+  const bake::SourceMesh mesh = hills(20, 12);
+  CHECK(deviation_from(NearestTriangle(mesh), mesh, 1e-3).most < 1e-9);
+}

@@ -1,0 +1,91 @@
+// What fits flash: the least length that does.
+#include "simplify/fit.hpp"
+
+#include "bake/quantise.hpp"
+#include "simplify/zoo.hpp"
+
+using namespace flashbvh::test;
+using simplify::Coarsening;
+using simplify::Fit;
+
+namespace {
+
+/// Smaller leaves take more.
+double bytes_of(const std::vector<Coarsening>& meshes, std::uint32_t leaf_size) {
+  std::size_t triangles = 0;
+  for (const Coarsening& mesh : meshes) {
+    triangles += mesh.mesh().triangles.size();
+  }
+  return static_cast<double>(triangles) * (leaf_size == 2 ? 24 : 16);
+}
+
+struct Meshes {
+  std::vector<bake::SourceMesh> sources = {wavy_ring(30, 10, 0.3), hills(16, 12)};
+  std::vector<Coarsening> all() const {
+    std::vector<Coarsening> meshes;
+    for (const bake::SourceMesh& source : sources) {
+      meshes.emplace_back(source, bake::finest_cell(source));
+    }
+    return meshes;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("what fits as it is stays as it is, in the smallest leaves that do") {
+  const Meshes meshes;
+  std::vector<Coarsening> all = meshes.all();
+  const double full = bytes_of(all, 2);
+  const auto small = simplify::fit(all, full, 5, {2, 5}, bytes_of);
+  REQUIRE(small);
+  CHECK(small->length == 0);
+  CHECK(small->leaf_size == 2);
+  const auto large = simplify::fit(all, full - 1, 5, {2, 5}, bytes_of);
+  REQUIRE(large);
+  CHECK(large->length == 0);
+  CHECK(large->leaf_size == 5);
+  CHECK(bytes_of(all, 2) == full);
+}
+
+TEST_CASE("meshes become as much coarser as it takes, and no more") {
+  const Meshes meshes;
+  for (const double part : {0.5, 0.2}) {
+    CAPTURE(part);
+    std::vector<Coarsening> all = meshes.all();
+    const double most = part * bytes_of(all, 5);
+    const auto found = simplify::fit(all, most, 20, {2, 5}, bytes_of);
+    REQUIRE(found);
+    CHECK(found->length > 0);
+    CHECK(bytes_of(all, found->leaf_size) <= most);
+    for (const Coarsening& mesh : all) {
+      CHECK(mesh.deviation().most <= found->length);
+    }
+    // A shorter length by two steps, made at once, does not do.
+    std::vector<Coarsening> finer = meshes.all();
+    simplify::coarsen_all(finer, found->length / 1.3);
+    CHECK(bytes_of(finer, 5) > most * 0.97);
+  }
+}
+
+TEST_CASE("what can't fit is said not to") {
+  const Meshes meshes;
+  std::vector<Coarsening> all = meshes.all();
+  CHECK_FALSE(simplify::fit(all, 16, 20, {2, 5}, bytes_of));
+}
+
+TEST_CASE("the table's lengths ascend and its triangles descend, from the mesh as it is") {
+  const Meshes meshes;
+  std::vector<Coarsening> all = meshes.all();
+  const std::vector<simplify::LengthRow> rows = simplify::length_table(all, 1.5, {2, 5}, bytes_of);
+  REQUIRE(rows.size() >= 4);
+  CHECK(rows.front().length == 0);
+  CHECK(rows.front().triangles == meshes.sources[0].triangles.size() + meshes.sources[1].triangles.size());
+  CHECK(rows.back().length == 1);
+  CHECK(rows[rows.size() - 2].length == 0.5);
+  CHECK(rows[rows.size() - 3].length == 0.2);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    CHECK(rows[i].length > rows[i - 1].length);
+    CHECK(rows[i].triangles <= rows[i - 1].triangles);
+    CHECK(rows[i].bytes[0] > rows[i].bytes[1]);
+  }
+}

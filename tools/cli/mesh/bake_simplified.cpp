@@ -1,0 +1,129 @@
+#include "cli/mesh/bake_simplified.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "bake/image_bytes.hpp"
+#include "bake/quantise.hpp"
+#include "cli/mesh/mesh_warnings.hpp"
+#include "text/numbers.hpp"
+#include "text/parallel.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// Of the largest mesh's longest side: a length that makes a shape another one.
+constexpr double kLongestPart = 1.0 / 20;
+
+double side_of_largest(const std::vector<InputMesh>& meshes) {
+  double longest = 0;
+  for (const InputMesh& mesh : meshes) {
+    const Size size = size_of(mesh.mesh);
+    longest = std::max(longest, *std::max_element(size.begin(), size.end()));
+  }
+  return longest;
+}
+
+std::vector<simplify::Coarsening> coarsenings(const std::vector<InputMesh>& meshes, double cell) {
+  std::vector<simplify::Coarsening> all;
+  for (const InputMesh& mesh : meshes) {
+    if (!bake::fits(mesh.mesh, cell)) {
+      return {};  // bake() says so
+    }
+    all.emplace_back(mesh.mesh, cell);
+  }
+  return all;
+}
+
+/// Of a mesh as coarse as it is; infinite if it can't be baked.
+double image_bytes(const InputMesh& mesh, const simplify::Coarsening& coarse,
+                   const BakeOrder& order, BakeOptions options) {
+  options.max_deviation = std::nullopt;
+  InputMesh made;
+  made.path = mesh.path;
+  made.mesh = coarse.mesh();
+  try {
+    const AnyBakedTree tree = build_tree(made, round_mesh(made, options), options);
+    return std::visit(
+        [&](const auto& baked) { return static_cast<double>(image_size(baked, order.levels)); }, tree);
+  } catch (const UserError&) {
+    return HUGE_VAL;
+  }
+}
+
+simplify::BytesOf bytes_of(const BakeOrder& order, const std::vector<InputMesh>& meshes,
+                           const BakeOptions& options) {
+  return [&order, &meshes, options](const std::vector<simplify::Coarsening>& coarse,
+                                    std::uint32_t leaf_size) {
+    BakeOptions own = options;
+    own.leaf_size = leaf_size;
+    std::vector<double> bytes(coarse.size());
+    for_each_in_parallel(coarse.size(), [&](std::size_t i) {
+      bytes[i] = image_bytes(meshes[i], coarse[i], order, own);
+    });
+    return std::accumulate(bytes.begin(), bytes.end(), 0.0);
+  };
+}
+
+Simplified simplified_to(double length, const std::vector<InputMesh>& meshes, double cell) {
+  Simplified made{coarsenings(meshes, cell), length};
+  for (std::size_t i = 0; i < made.meshes.size(); ++i) {
+    if (length < made.meshes[i].rounding()) {
+      throw UserError("--simplify " + shortest(length), "is less than rounding moves a vertex of ",
+                      meshes[i].path, ", ", shortest(made.meshes[i].rounding()),
+                      "; give that or more, or a finer --cell");
+    }
+  }
+  simplify::coarsen_all(made.meshes, length);
+  return made;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> shown_leaf_sizes(const BakeOrder& order) {
+  const std::uint32_t chosen = order.options.leaf_size;
+  return order.has_leaf_size || chosen >= kLargeLeaf ? std::vector<std::uint32_t>{chosen}
+                                                     : std::vector<std::uint32_t>{chosen, kLargeLeaf};
+}
+
+Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
+                             BakeOptions& options) {
+  if (order.simplify) {
+    return simplified_to(*order.simplify, meshes, *options.cell);
+  }
+  if (!order.fit) {
+    return {};
+  }
+  Simplified made{coarsenings(meshes, *options.cell), 0};
+  const double longest =
+      std::min(kLongestPart * side_of_largest(meshes), options.max_deviation.value_or(HUGE_VAL));
+  const auto found = simplify::fit(made.meshes, static_cast<double>(*order.fit), longest,
+                                   shown_leaf_sizes(order), bytes_of(order, meshes, options));
+  if (!found) {
+    throw UserError(concat("--fit ", *order.fit),
+                    "is not reached by simplifying to ", significant(longest, 3),
+                    options.max_deviation ? ", --max-deviation" : ", a twentieth of the largest mesh",
+                    "; give more bytes",
+                    options.max_deviation ? " or a larger --max-deviation" : " or bake fewer meshes");
+  }
+  options.leaf_size = found->leaf_size;
+  made.length = found->length;
+  if (made.length == 0) {
+    made.meshes.clear();
+  }
+  return made;
+}
+
+std::vector<simplify::LengthRow> lengths_of(const BakeOrder& order,
+                                            const std::vector<InputMesh>& meshes,
+                                            const BakeOptions& options) {
+  const double longest = kLongestPart * side_of_largest(meshes);
+  std::vector<simplify::Coarsening> all = coarsenings(meshes, *options.cell);
+  return longest > 0 && !all.empty()
+             ? simplify::length_table(all, longest, shown_leaf_sizes(order),
+                                      bytes_of(order, meshes, options))
+             : std::vector<simplify::LengthRow>();
+}
+
+}  // namespace flashbvh::tool

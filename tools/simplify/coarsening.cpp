@@ -1,0 +1,216 @@
+#include "simplify/coarsening.hpp"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "bake/quantise.hpp"
+#include "bake/surface.hpp"
+#include "simplify/collapse.hpp"
+
+namespace flashbvh::simplify {
+namespace {
+
+/// Of the error that the simplifier is asked for, from one proposal to the next finer one.
+constexpr double kFiner = 0.6;
+constexpr int kProposals = 6;
+/// Passes over all vertices, at most.
+constexpr int kPasses = 24;
+/// A pass that removes less than this part of the triangles is the last.
+constexpr double kLastPass = 0.003;
+
+/// With rounded vertices, those that fall together joined.
+bake::SourceMesh on_lattice(const bake::SourceMesh& mesh, double cell) {
+  const bake::LatticeMesh rounded = bake::round_to_lattice(mesh, cell);
+  bake::SourceMesh placed;
+  for (const Vertex& vertex : rounded.vertices) {
+    placed.vertices.push_back({(rounded.origin[0] + vertex.x) * cell,
+                               (rounded.origin[1] + vertex.y) * cell,
+                               (rounded.origin[2] + vertex.z) * cell});
+  }
+  placed.triangles = rounded.triangles;
+  return placed;
+}
+
+/// The triangles with these numbers, and their vertices alone, in order of first use.
+bake::SourceMesh part_of(const bake::SourceMesh& mesh, const std::vector<std::uint32_t>& numbers) {
+  bake::SourceMesh part;
+  std::map<std::uint32_t, std::uint32_t> index_of;
+  for (const std::uint32_t number : numbers) {
+    bake::TriangleCorners corners = mesh.triangles[number];
+    for (std::uint32_t& corner : corners) {
+      const auto next = static_cast<std::uint32_t>(part.vertices.size());
+      const auto [entry, is_new] = index_of.try_emplace(corner, next);
+      if (is_new) {
+        part.vertices.push_back(mesh.vertices[corner]);
+      }
+      corner = entry->second;
+    }
+    part.triangles.push_back(corners);
+  }
+  return part;
+}
+
+std::vector<std::uint32_t> all_of(const bake::SourceMesh& mesh) {
+  std::vector<std::uint32_t> numbers(mesh.triangles.size());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
+/// What meshoptimizer makes of it when asked for this error: no promise that it keeps to it.
+bake::SourceMesh proposal(const bake::SourceMesh& mesh, double error) {
+  std::vector<float> positions;
+  for (const Point& vertex : mesh.vertices) {
+    for (const double coordinate : vertex) {
+      positions.push_back(static_cast<float>(coordinate));
+    }
+  }
+  std::vector<unsigned> indices;
+  for (const bake::TriangleCorners& corners : mesh.triangles) {
+    indices.insert(indices.end(), corners.begin(), corners.end());
+  }
+  constexpr std::size_t stride = 3 * sizeof(float);
+  const float scale = meshopt_simplifyScale(positions.data(), mesh.vertices.size(), stride);
+  std::vector<unsigned> left(indices.size());
+  left.resize(scale == 0 ? 0
+                         : meshopt_simplify(left.data(), indices.data(), indices.size(),
+                                            positions.data(), mesh.vertices.size(), stride, 0,
+                                            static_cast<float>(error) / scale, 0, nullptr));
+  bake::SourceMesh coarse;
+  coarse.vertices = mesh.vertices;
+  for (std::size_t i = 0; i + 2 < left.size(); i += 3) {
+    coarse.triangles.push_back({left[i], left[i + 1], left[i + 2]});
+  }
+  return coarse;
+}
+
+bool is_closed(const bake::SourceMesh& mesh) {
+  return bake::is_closed(mesh.triangles);
+}
+
+/// Without repeated triangles, if that leaves a closed mesh closed.
+void drop_repeated(bake::SourceMesh& mesh) {
+  std::map<bake::TriangleCorners, std::size_t> seen;
+  std::vector<bake::TriangleCorners> kept;
+  for (const bake::TriangleCorners& corners : mesh.triangles) {
+    bake::TriangleCorners turned = corners;
+    std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
+    if (seen.emplace(turned, kept.size()).second) {
+      kept.push_back(corners);
+    }
+  }
+  if (bake::is_closed(kept) || !is_closed(mesh)) {
+    mesh.triangles = std::move(kept);
+  }
+}
+
+}  // namespace
+
+Coarsening::Coarsening(const bake::SourceMesh& mesh, double cell)
+    : mesh_(&mesh), rounding_(bake::deviation(mesh, cell)) {
+  const bake::SourceMesh placed = on_lattice(mesh, cell);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> shells;
+  const std::vector<std::uint32_t> first = bake::shells_of(placed.triangles, placed.vertices.size());
+  for (std::uint32_t i = 0; i < placed.triangles.size(); ++i) {
+    shells[first[placed.triangles[i][0]]].push_back(i);
+  }
+  for (const auto& [vertex, numbers] : shells) {
+    bake::SourceMesh original = part_of(mesh, numbers);
+    bake::SourceMesh coarse = part_of(placed, numbers);
+    NearestTriangle nearest(original);
+    shells_.push_back({std::move(original), std::move(coarse), std::move(nearest)});
+  }
+}
+
+bool Coarsening::is_within(const Shell& shell, const bake::SourceMesh& coarse, double limit) {
+  return deviation_from(NearestTriangle(coarse), shell.original, limit).most <= limit &&
+         deviation_from(shell.nearest, coarse, limit).most <= limit;
+}
+
+/// The coarsest proposal that the certificate confirms, or all triangles.
+void Coarsening::propose(Shell& shell, double limit) {
+  double error = limit;
+  for (int i = 0; i < kProposals; ++i) {
+    bake::SourceMesh coarse = proposal(shell.coarse, error);
+    if (!coarse.triangles.empty() && is_closed(coarse) == is_closed(shell.coarse) &&
+        is_within(shell, coarse, limit)) {
+      shell.coarse = std::move(coarse);
+      return;
+    }
+    error *= kFiner;
+  }
+}
+
+/// What is covered by what is found anew for each pass: pieces that were cut hang together again.
+void Coarsening::collapse(Shell& shell, double limit) {
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const NearestTriangle nearest(shell.coarse);
+    std::vector<CoveredPart> parts;
+    if (deviation_from(nearest, shell.original, limit, &parts).most > limit) {
+      return;  // it is hardly any coarser than rounding makes it
+    }
+    for (CoveredPart& part : parts) {
+      part.by = nearest.number(part.by);
+    }
+    const std::size_t before = shell.coarse.triangles.size();
+    const std::size_t gone = collapse_edges(shell.coarse, parts, shell.nearest, limit);
+    if (gone == 0 || static_cast<double>(gone) < kLastPass * static_cast<double>(before)) {
+      return;
+    }
+  }
+}
+
+void Coarsening::coarsen(double limit) {
+  for (Shell& shell : shells_) {
+    if (limit_ == 0) {
+      propose(shell, limit);
+    }
+    collapse(shell, limit);
+  }
+  limit_ = limit;
+}
+
+Deviation Coarsening::deviation() const {
+  const bake::SourceMesh coarse = mesh();
+  const Deviation of_original = deviation_from(NearestTriangle(coarse), *mesh_, limit_);
+  const Deviation of_coarse = deviation_from(NearestTriangle(*mesh_), coarse, limit_);
+  return of_coarse.most > of_original.most ? of_coarse : of_original;
+}
+
+std::size_t Coarsening::estimate(double limit) const {
+  std::size_t count = 0;
+  for (const Shell& shell : shells_) {
+    count += std::max<std::size_t>(proposal(shell.coarse, limit).triangles.size(), 1);
+  }
+  return count;
+}
+
+std::size_t Coarsening::triangle_count() const {
+  std::size_t count = 0;
+  for (const Shell& shell : shells_) {
+    count += shell.coarse.triangles.size();
+  }
+  return count;
+}
+
+bake::SourceMesh Coarsening::mesh() const {
+  bake::SourceMesh all;
+  for (const Shell& shell : shells_) {
+    bake::SourceMesh coarse = shell.coarse;
+    drop_repeated(coarse);
+    coarse = part_of(coarse, all_of(coarse));
+    const auto base = static_cast<std::uint32_t>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), coarse.vertices.begin(), coarse.vertices.end());
+    for (bake::TriangleCorners corners : coarse.triangles) {
+      for (std::uint32_t& corner : corners) {
+        corner += base;
+      }
+      all.triangles.push_back(corners);
+    }
+  }
+  return all;
+}
+
+}  // namespace flashbvh::simplify

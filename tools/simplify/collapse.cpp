@@ -1,0 +1,304 @@
+#include "simplify/collapse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace flashbvh::simplify {
+namespace {
+
+/// Of the limit: parts so small are not cut again.
+constexpr double kSmallestCut = 1.0 / 8;
+/// Sum of squared distances from planes, weighted by the triangles' areas.
+struct Quadric {
+  std::array<double, 10> sums{};
+
+  void add(const Point& normal, double offset, double weight) {
+    const std::array<double, 4> plane = {normal[0], normal[1], normal[2], offset};
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i; j < 4; ++j) {
+        sums[place++] += weight * plane[i] * plane[j] * (i == j ? 1 : 2);
+      }
+    }
+  }
+  void add(const Quadric& other) {
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      sums[i] += other.sums[i];
+    }
+  }
+  double at(const Point& p) const {
+    const std::array<double, 4> point = {p[0], p[1], p[2], 1};
+    double sum = 0;
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i; j < 4; ++j) {
+        sum += sums[place++] * point[i] * point[j];
+      }
+    }
+    return sum;
+  }
+};
+
+using Numbers = std::vector<std::uint32_t>;
+
+class Collapser {
+ public:
+  Collapser(bake::SourceMesh& mesh, const std::vector<CoveredPart>& parts,
+            const NearestTriangle& original, double limit)
+      : mesh_(mesh),
+        original_(original),
+        limit_(limit),
+        squared_(limit * limit),
+        around_(mesh.vertices.size()),
+        quadrics_(mesh.vertices.size()),
+        parts_(mesh.triangles.size()),
+        is_gone_(mesh.triangles.size(), false) {
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+      for (const std::uint32_t corner : mesh.triangles[i]) {
+        around_[corner].push_back(i);
+      }
+      add_quadric(i);
+    }
+    for (const CoveredPart& part : parts) {
+      parts_[part.by].push_back(part.part);
+    }
+    hints_.resize(mesh.vertices.size());
+    for (std::uint32_t i = 0; i < hints_.size(); ++i) {
+      hints_[i] = original.to(mesh.vertices[i], hints_[i == 0 ? 0 : i - 1]).place;
+    }
+  }
+
+  std::size_t run() {
+    const std::size_t gone = collapse_all();
+    std::vector<bake::TriangleCorners> kept;
+    for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
+      if (!is_gone_[i]) {
+        kept.push_back(mesh_.triangles[i]);
+      }
+    }
+    mesh_.triangles = std::move(kept);
+    return gone;
+  }
+
+ private:
+  struct Order {
+    double cost;
+    std::uint32_t from;
+    std::uint32_t to;
+  };
+
+  PointTriangle corners_of(const bake::TriangleCorners& corners) const {
+    return {mesh_.vertices[corners[0]], mesh_.vertices[corners[1]], mesh_.vertices[corners[2]]};
+  }
+
+  void add_quadric(std::uint32_t triangle) {
+    const PointTriangle at = corners_of(mesh_.triangles[triangle]);
+    Point normal = cross(minus(at[1], at[0]), minus(at[2], at[0]));
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    if (length == 0) {
+      return;
+    }
+    for (double& coordinate : normal) {
+      coordinate /= length;
+    }
+    const double offset = -(normal[0] * at[0][0] + normal[1] * at[0][1] + normal[2] * at[0][2]);
+    for (const std::uint32_t corner : mesh_.triangles[triangle]) {
+      quadrics_[corner].add(normal, offset, length);
+    }
+  }
+
+  Numbers neighbours(std::uint32_t vertex) const {
+    Numbers found;
+    for (const std::uint32_t triangle : around_[vertex]) {
+      for (const std::uint32_t corner : mesh_.triangles[triangle]) {
+        if (corner != vertex && std::find(found.begin(), found.end(), corner) == found.end()) {
+          found.push_back(corner);
+        }
+      }
+    }
+    return found;
+  }
+
+  /// One try a vertex whose surroundings have not changed in this pass. Returns how many went.
+  std::size_t collapse_all() {
+    std::vector<Order> orders;
+    for (std::uint32_t from = 0; from < around_.size(); ++from) {
+      for (const std::uint32_t to : neighbours(from)) {
+        orders.push_back({quadrics_[from].at(mesh_.vertices[to]) +
+                              quadrics_[to].at(mesh_.vertices[to]),
+                          from, to});
+      }
+    }
+    std::sort(orders.begin(), orders.end(), [](const Order& a, const Order& b) {
+      return std::tie(a.cost, a.from, a.to) < std::tie(b.cost, b.from, b.to);
+    });
+    std::vector<bool> is_touched(around_.size(), false);
+    std::size_t gone = 0;
+    for (const Order& order : orders) {
+      if (is_touched[order.from] || is_touched[order.to] || !collapse(order.from, order.to)) {
+        continue;
+      }
+      ++gone;
+      is_touched[order.from] = true;
+      is_touched[order.to] = true;
+      for (const std::uint32_t triangle : around_[order.to]) {
+        for (const std::uint32_t corner : mesh_.triangles[triangle]) {
+          is_touched[corner] = true;
+        }
+      }
+    }
+    return gone;
+  }
+
+  static bool has(const bake::TriangleCorners& corners, std::uint32_t vertex) {
+    return std::find(corners.begin(), corners.end(), vertex) != corners.end();
+  }
+
+  /// Whether no point of it is farther from the original than the limit. `hint`: where to look
+  /// first.
+  bool is_near_original(const PointTriangle& at, std::uint32_t& hint) const {
+    if (is_covered_by(original_.triangle(hint), at)) {
+      return true;
+    }
+    const Point centre = centre_of(at);
+    const NearestTriangle::Found nearest = original_.to(centre, hint);
+    hint = nearest.place;
+    if (nearest.squared > squared_) {
+      return false;
+    }
+    const double radius = radius_of(at, centre);
+    if (is_covered_by(original_.triangle(hint), at) ||
+        std::sqrt(nearest.squared) + radius <= limit_) {
+      return true;
+    }
+    if (radius <= kSmallestCut * limit_) {
+      return false;
+    }
+    for (const PointTriangle& piece : cut(at, original_.triangle(hint), kSmallestCut * limit_)) {
+      std::uint32_t place = hint;
+      if (!is_near_original(piece, place)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool is_covered_by(const PointTriangle& triangle, const PointTriangle& part) const {
+    return std::all_of(part.begin(), part.end(), [&](const Point& corner) {
+      return squared_distance(corner, triangle) <= squared_;
+    });
+  }
+
+  bool collapse(std::uint32_t from, std::uint32_t to) {
+    candidates_.clear();
+    for (const std::uint32_t triangle : around_[from]) {
+      bake::TriangleCorners corners = mesh_.triangles[triangle];
+      if (!has(corners, to)) {
+        std::replace(corners.begin(), corners.end(), from, to);
+        candidates_.push_back({triangle, corners_of(corners)});
+      }
+    }
+    const std::size_t own = candidates_.size();
+    for (const std::uint32_t triangle : around_[to]) {
+      if (!has(mesh_.triangles[triangle], from)) {
+        candidates_.push_back({triangle, corners_of(mesh_.triangles[triangle])});
+      }
+    }
+    if (candidates_.empty()) {
+      return false;
+    }
+    covered_.clear();
+    for (const std::uint32_t triangle : around_[from]) {
+      for (const PointTriangle& part : parts_[triangle]) {
+        if (!cover(part)) {
+          return false;
+        }
+      }
+    }
+    for (std::size_t i = 0; i < own; ++i) {
+      std::uint32_t hint = hints_[to];
+      if (!is_near_original(candidates_[i].at, hint)) {
+        return false;
+      }
+    }
+    apply(from, to);
+    return true;
+  }
+
+  /// Whether candidates, each a part of it alone, are within the limit of all of it.
+  bool cover(const PointTriangle& part) {
+    for (const Candidate& candidate : candidates_) {
+      if (is_covered_by(candidate.at, part)) {
+        covered_.push_back({part, candidate.triangle});
+        return true;
+      }
+    }
+    const Point centre = centre_of(part);
+    const Candidate* nearest = nullptr;
+    double least = HUGE_VAL;
+    for (const Candidate& candidate : candidates_) {
+      const double squared = squared_distance(centre, candidate.at);
+      if (squared < least) {
+        least = squared;
+        nearest = &candidate;
+      }
+    }
+    if (least > squared_ || radius_of(part, centre) <= kSmallestCut * limit_) {
+      return false;
+    }
+    const std::vector<PointTriangle> pieces = cut(part, nearest->at, kSmallestCut * limit_);
+    return std::all_of(pieces.begin(), pieces.end(),
+                       [&](const PointTriangle& piece) { return cover(piece); });
+  }
+
+  void apply(std::uint32_t from, std::uint32_t to) {
+    for (const std::uint32_t triangle : around_[from]) {
+      parts_[triangle].clear();
+      bake::TriangleCorners& corners = mesh_.triangles[triangle];
+      if (!has(corners, to)) {
+        std::replace(corners.begin(), corners.end(), from, to);
+        around_[to].push_back(triangle);
+        continue;
+      }
+      is_gone_[triangle] = true;
+      for (const std::uint32_t corner : corners) {
+        if (corner != from) {
+          Numbers& there = around_[corner];
+          there.erase(std::find(there.begin(), there.end(), triangle));
+        }
+      }
+    }
+    around_[from].clear();
+    quadrics_[to].add(quadrics_[from]);
+    for (const CoveredPart& part : covered_) {
+      parts_[part.by].push_back(part.part);
+    }
+  }
+
+  struct Candidate {
+    std::uint32_t triangle;
+    PointTriangle at;
+  };
+
+  bake::SourceMesh& mesh_;
+  const NearestTriangle& original_;
+  double limit_;
+  double squared_;
+  std::vector<Numbers> around_;  ///< of each vertex, the triangles
+  std::vector<Quadric> quadrics_;
+  std::vector<std::vector<PointTriangle>> parts_;  ///< of each triangle, what it covers
+  std::vector<bool> is_gone_;
+  Numbers hints_;  ///< of each vertex, a triangle of the original near it
+  std::vector<Candidate> candidates_;
+  std::vector<CoveredPart> covered_;
+};
+
+}  // namespace
+
+std::size_t collapse_edges(bake::SourceMesh& coarse, const std::vector<CoveredPart>& parts,
+                           const NearestTriangle& original, double limit) {
+  return Collapser(coarse, parts, original, limit).run();
+}
+
+}  // namespace flashbvh::simplify

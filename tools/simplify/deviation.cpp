@@ -1,0 +1,130 @@
+#include "simplify/deviation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flashbvh::simplify {
+namespace {
+
+/// One vertex of so many is looked at first: most meshes that reach too far are seen so.
+constexpr std::size_t kSampled = 16;
+/// Below this part of the limit it does not matter how far.
+constexpr double kFine = 1.0 / 32;
+/// Of the limit: a part of a triangle so small is not cut again.
+constexpr double kSmallest = 1.0 / 4096;
+/// Of what is wanted: a part that leaves a triangle by less is not cut there.
+constexpr double kCut = 1.0 / 8;
+/// What doubles round, as a part of the largest coordinate: some tens of operations.
+constexpr double kRounding = 0x1p-44;
+
+double largest_coordinate(const bake::SourceMesh& mesh) {
+  double most = 0;
+  for (const Point& vertex : mesh.vertices) {
+    for (const double coordinate : vertex) {
+      most = std::max(most, std::fabs(coordinate));
+    }
+  }
+  return most;
+}
+
+class Certificate {
+ public:
+  Certificate(const NearestTriangle& coarse, const bake::SourceMesh& mesh, double limit,
+              std::vector<CoveredPart>* parts)
+      : coarse_(coarse),
+        mesh_(mesh),
+        parts_(parts),
+        rounding_(kRounding * largest_coordinate(mesh)),
+        limit_(limit - rounding_) {}
+
+  Deviation made() {
+    std::uint32_t hint = 0;
+    for (std::size_t i = 0; i < mesh_.vertices.size() && !is_refuted(); i += kSampled) {
+      hint = look(mesh_.vertices[i], hint).place;
+    }
+    for (std::size_t i = 0; i < mesh_.triangles.size() && !is_refuted(); ++i) {
+      const bake::TriangleCorners& corners = mesh_.triangles[i];
+      hint = cover({mesh_.vertices[corners[0]], mesh_.vertices[corners[1]],
+                    mesh_.vertices[corners[2]]},
+                   hint);
+    }
+    found_.most = is_refuted() ? HUGE_VAL : within_ + rounding_;
+    return found_;
+  }
+
+ private:
+  bool is_refuted() const { return is_refuted_ || found_.at_least > limit_; }
+
+  /// How near everything has to be: as near as it can be told of what was seen.
+  double wanted() const {
+    return parts_ != nullptr ? limit_ : std::min(std::max(kTightness * found_.at_least, kFine * limit_), limit_);
+  }
+
+  NearestTriangle::Found look(const Point& p, std::uint32_t hint) {
+    const NearestTriangle::Found nearest = coarse_.to(p, hint);
+    const double distance = std::sqrt(nearest.squared);
+    if (distance > found_.at_least) {
+      found_.at_least = distance;
+      found_.where = p;
+    }
+    return nearest;
+  }
+
+  /// Of a coarse triangle, at most, from any point of a part.
+  double farthest(const PointTriangle& part, std::uint32_t place) const {
+    double squared = 0;
+    for (const Point& corner : part) {
+      squared = std::max(squared, squared_distance(corner, coarse_.triangle(place)));
+    }
+    return std::sqrt(squared);
+  }
+
+  /// Returns the place of a coarse triangle near the part.
+  std::uint32_t cover(const PointTriangle& part, std::uint32_t hint) {
+    const double by_hint = farthest(part, hint);
+    if (by_hint <= wanted()) {
+      add(part, by_hint, hint);
+      return hint;
+    }
+    const Point centre = centre_of(part);
+    const double radius = radius_of(part, centre);
+    const NearestTriangle::Found nearest = look(centre, hint);
+    const double bound = std::min({by_hint, farthest(part, nearest.place),
+                                   std::sqrt(nearest.squared) + radius});
+    if (bound <= wanted() || radius <= kSmallest * wanted() || is_refuted()) {
+      add(part, bound, bound == by_hint ? hint : nearest.place);
+      return nearest.place;
+    }
+    std::uint32_t place = nearest.place;
+    for (const PointTriangle& piece : cut(part, coarse_.triangle(place), kCut * wanted())) {
+      place = cover(piece, place);
+    }
+    return nearest.place;
+  }
+
+  void add(const PointTriangle& part, double bound, std::uint32_t by) {
+    is_refuted_ = is_refuted_ || bound > limit_;
+    within_ = std::max(within_, bound);
+    if (parts_ != nullptr) {
+      parts_->push_back({part, by});
+    }
+  }
+
+  const NearestTriangle& coarse_;
+  const bake::SourceMesh& mesh_;
+  std::vector<CoveredPart>* parts_;
+  double rounding_;
+  double limit_;
+  double within_ = 0;
+  bool is_refuted_ = false;
+  Deviation found_;
+};
+
+}  // namespace
+
+Deviation deviation_from(const NearestTriangle& coarse, const bake::SourceMesh& mesh,
+                         double limit, std::vector<CoveredPart>* parts) {
+  return Certificate(coarse, mesh, limit, parts).made();
+}
+
+}  // namespace flashbvh::simplify

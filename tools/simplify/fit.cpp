@@ -1,0 +1,148 @@
+#include "simplify/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "text/parallel.hpp"
+
+namespace flashbvh::simplify {
+namespace {
+
+/// From one length to the next.
+constexpr double kStep = 1.1;
+/// So much longer a length is worth smaller leaves, which answer faster.
+constexpr double kWorthwhile = 1.25;
+/// Where to begin is guessed by so many bytes a triangle.
+constexpr double kBytesOfTriangle = 17;
+/// Shorter lengths than this multiple of what rounding moves leave a mesh as it is.
+constexpr double kAboveRounding = 1.5;
+constexpr std::size_t kMostRows = 6;
+
+double most_rounding(const std::vector<Coarsening>& meshes) {
+  double most = 0;
+  for (const Coarsening& mesh : meshes) {
+    most = std::max(most, mesh.rounding());
+  }
+  return most;
+}
+
+std::size_t triangles_of(const std::vector<Coarsening>& meshes) {
+  std::size_t count = 0;
+  for (const Coarsening& mesh : meshes) {
+    count += mesh.triangle_count();
+  }
+  return count;
+}
+
+std::size_t estimate(const std::vector<Coarsening>& meshes, double length) {
+  std::vector<std::size_t> counts(meshes.size());
+  tool::for_each_in_parallel(meshes.size(),
+                             [&](std::size_t i) { counts[i] = meshes[i].estimate(length); });
+  std::size_t sum = 0;
+  for (const std::size_t count : counts) {
+    sum += count;
+  }
+  return sum;
+}
+
+/// A length with which they about fit.
+double guess(const std::vector<Coarsening>& meshes, double most, double shortest, double longest) {
+  double low = shortest;
+  double high = longest;
+  while (high > low * kStep * kStep) {
+    const double middle = std::sqrt(low * high);
+    const bool fits = static_cast<double>(estimate(meshes, middle)) * kBytesOfTriangle <= most;
+    (fits ? high : low) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+void coarsen_all(std::vector<Coarsening>& meshes, double length) {
+  tool::for_each_in_parallel(meshes.size(), [&](std::size_t i) {
+    meshes[i].coarsen(std::max(length, meshes[i].rounding()));
+  });
+}
+
+std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double longest,
+                       const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of) {
+  for (const std::uint32_t leaf_size : leaf_sizes) {
+    if (bytes_of(meshes, leaf_size) <= most) {
+      return Fit{0, leaf_size};
+    }
+  }
+  const auto fitting = [&]() -> std::uint32_t {
+    for (const std::uint32_t leaf_size : leaf_sizes) {
+      if (bytes_of(meshes, leaf_size) <= most) {
+        return leaf_size;
+      }
+    }
+    return 0;
+  };
+  const double shortest = kAboveRounding * most_rounding(meshes);
+  const std::vector<Coarsening> full = meshes;
+  double length = guess(meshes, most, shortest, longest);
+  coarsen_all(meshes, length);
+  while (fitting() != 0 && length > shortest) {
+    length = std::max(length / (kStep * kStep * kStep), shortest);
+    meshes = full;
+    coarsen_all(meshes, length);
+  }
+  while (fitting() == 0) {
+    if (length >= longest) {
+      return std::nullopt;
+    }
+    length = std::min(length * kStep, longest);
+    coarsen_all(meshes, length);
+  }
+  Fit least = {length, fitting()};
+  std::vector<Coarsening> found = meshes;
+  while (least.leaf_size > leaf_sizes.front() && length * kStep <= kWorthwhile * least.length) {
+    length *= kStep;
+    coarsen_all(meshes, length);
+    if (fitting() < least.leaf_size) {
+      least = {least.length, fitting()};
+      least.length = length;
+      found = meshes;
+      break;
+    }
+  }
+  meshes = std::move(found);
+  return least;
+}
+
+std::vector<LengthRow> length_table(std::vector<Coarsening>& meshes, double longest,
+                                    const std::vector<std::uint32_t>& leaf_sizes,
+                                    const BytesOf& bytes_of) {
+  std::vector<LengthRow> rows;
+  const auto add = [&](double length) {
+    LengthRow row = {length, triangles_of(meshes), {}};
+    for (const std::uint32_t leaf_size : leaf_sizes) {
+      row.bytes.push_back(bytes_of(meshes, leaf_size));
+    }
+    rows.push_back(std::move(row));
+  };
+  add(0);
+  std::vector<double> lengths;
+  constexpr std::array<double, 3> kDigits = {5, 2, 1};
+  for (int power = static_cast<int>(std::floor(std::log10(longest))); lengths.size() < kMostRows;
+       --power) {
+    for (const double digit : kDigits) {
+      const double length = power < 0 ? digit / std::pow(10, -power) : digit * std::pow(10, power);
+      if (length <= longest && lengths.size() < kMostRows) {
+        lengths.push_back(length);
+      }
+    }
+  }
+  const double shortest = kAboveRounding * most_rounding(meshes);
+  for (auto length = lengths.rbegin(); length != lengths.rend(); ++length) {
+    if (*length > shortest) {
+      coarsen_all(meshes, *length);
+      add(*length);
+    }
+  }
+  return rows;
+}
+
+}  // namespace flashbvh::simplify

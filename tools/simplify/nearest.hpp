@@ -1,0 +1,62 @@
+// Which triangle of a mesh is nearest to a point, in double precision.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "bake/mesh.hpp"
+
+namespace flashbvh::simplify {
+
+using Point = std::array<double, 3>;
+using PointTriangle = std::array<Point, 3>;
+
+/// Squared, to a point of the triangle that is nearest but for rounding: never less than the true
+/// distance by more than coordinates are rounded.
+double squared_distance(const Point& p, const PointTriangle& triangle);
+
+Point minus(const Point& p, const Point& q);
+Point cross(const Point& u, const Point& v);
+Point centre_of(const PointTriangle& triangle);
+/// Of the ball about `centre` that holds it.
+double radius_of(const PointTriangle& triangle, const Point& centre);
+
+/// Cuts `part` where it leaves `triangle`, seen along the triangle's normal, by more than `least`, or
+/// else at the middles of its edges. Two to four parts are it, but for rounding.
+std::vector<PointTriangle> cut(const PointTriangle& part, const PointTriangle& triangle,
+                               double least);
+
+class NearestTriangle {
+ public:
+  /// Of a mesh with at least one triangle.
+  explicit NearestTriangle(const bake::SourceMesh& mesh);
+
+  struct Found {
+    std::uint32_t place = 0;  ///< of triangle(), a better `hint` for points near by than any other
+    double squared = std::numeric_limits<double>::infinity();
+  };
+  /// `hint`: where to look first.
+  Found to(const Point& p, std::uint32_t hint = 0) const;
+  const PointTriangle& triangle(std::uint32_t place) const { return triangles_[place]; }
+  /// Its number in the mesh.
+  std::uint32_t number(std::uint32_t place) const { return numbers_[place]; }
+
+ private:
+  struct Node {
+    Point low;
+    Point high;
+    std::uint32_t first;  ///< triangle of a leaf, or the right child; the left one is next
+    std::uint32_t count;  ///< 0: no leaf
+  };
+  void build(std::vector<std::uint32_t>& order, std::uint32_t first, std::uint32_t count,
+             const std::vector<PointTriangle>& source);
+  static double squared_to_box(const Point& p, const Node& node);
+
+  std::vector<Node> nodes_;
+  std::vector<PointTriangle> triangles_;
+  std::vector<std::uint32_t> numbers_;
+};
+
+}  // namespace flashbvh::simplify
