@@ -57,6 +57,12 @@ double guess(const std::vector<Coarsening>& meshes, double most, double shortest
   return low;
 }
 
+/// To three digits, upwards.
+double rounded_up(double length) {
+  const double digit = std::pow(10, std::floor(std::log10(length)) - 2);
+  return std::ceil(length / digit) * digit;
+}
+
 }  // namespace
 
 void coarsen_all(std::vector<Coarsening>& meshes, double length) {
@@ -82,10 +88,10 @@ std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double long
   };
   const double shortest = kAboveRounding * most_rounding(meshes);
   const std::vector<Coarsening> full = meshes;
-  double length = guess(meshes, most, shortest, longest);
+  double length = rounded_up(guess(meshes, most, shortest, longest));
   coarsen_all(meshes, length);
-  while (fitting() != 0 && length > shortest) {
-    length = std::max(length / (kStep * kStep * kStep), shortest);
+  while (fitting() != 0 && length > shortest * kStep) {
+    length = rounded_up(std::max(length / (kStep * kStep * kStep), shortest));
     meshes = full;
     coarsen_all(meshes, length);
   }
@@ -93,17 +99,16 @@ std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double long
     if (length >= longest) {
       return std::nullopt;
     }
-    length = std::min(length * kStep, longest);
+    length = std::min(rounded_up(length * kStep), longest);
     coarsen_all(meshes, length);
   }
   Fit least = {length, fitting()};
   std::vector<Coarsening> found = meshes;
   while (least.leaf_size > leaf_sizes.front() && length * kStep <= kWorthwhile * least.length) {
-    length *= kStep;
+    length = rounded_up(length * kStep);
     coarsen_all(meshes, length);
     if (fitting() < least.leaf_size) {
-      least = {least.length, fitting()};
-      least.length = length;
+      least = {length, fitting()};
       found = meshes;
       break;
     }
