@@ -17,7 +17,8 @@ namespace {
 /// Differences of corners that nearest_points_of() takes are below it.
 constexpr std::int64_t kMostSpan = 1 << 17;
 
-bool is_link_solid(const Mesh& mesh) {
+template <class MeshType>
+bool is_link_solid(const MeshType& mesh) {
   bake::LatticeMesh lattice;
   lattice.vertices.assign(mesh.vertices, mesh.vertices + mesh.vertex_count);
   for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
@@ -27,11 +28,13 @@ bool is_link_solid(const Mesh& mesh) {
   return is_solid(lattice);
 }
 
-void add_link(const PosedArm& arm, std::size_t link, Paint paint, const std::uint16_t* lit,
+/// `lit`: the id of a triangle, or null.
+template <class MeshType>
+void add_mesh(const MeshType& mesh, const Pose& pose, Paint paint, const std::uint32_t* lit,
               Faces& faces) {
-  const Mesh& mesh = arm.robot.meshes[link];
+  using Tree = BasicMeshWithLevels<typename MeshType::Index, Layout::post_indexed>;
   const std::vector<LatticePoint> points =
-      transformed_vertices(AnyTree(MeshWithLevels{mesh, nullptr, nullptr}), arm.poses[link]);
+      transformed_vertices(AnyTree(Tree{mesh, nullptr, nullptr}), pose);
   const bool solid = is_link_solid(mesh);
   for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
     const auto& corner = mesh.triangles[i].corner;
@@ -40,6 +43,12 @@ void add_link(const PosedArm& arm, std::size_t link, Paint paint, const std::uin
                      is_lit ? kIntersected : paint,
                      solid});
   }
+}
+
+void add_link(const PosedArm& arm, std::size_t link, Paint paint, const std::uint32_t* lit,
+              Faces& faces) {
+  std::visit([&](const auto& mesh) { add_mesh(mesh, arm.poses[link], paint, lit, faces); },
+             arm.meshes[link]);
 }
 
 /// The two links, a's mark first; `all`: the other links, too.
@@ -107,7 +116,7 @@ std::string marks(const Faces& faces, const Frame& frame) {
 
 std::string picture(const PosedArm& arm, const Faces& faces, const char* caption) {
   const Frame frame(points_of(faces));
-  return figure(faces, frame, {cell_of(arm.robot), " m"}, caption, marks(faces, frame), caption);
+  return figure(faces, frame, {arm.cell, " m"}, caption, marks(faces, frame), caption);
 }
 
 std::string text_of(const Spot& place, double cell) {
@@ -120,7 +129,7 @@ std::string places_note(const PosedArm& arm, const Faces& faces) {
   if (!nearest) {
     return "";
   }
-  const double cell = cell_of(arm.robot);
+  const double cell = arm.cell;
   const std::string a = text_of(nearest->first, cell);
   const std::string b = text_of(nearest->second, cell);
   return note("In m of the base&#39;s frame, " +
@@ -158,8 +167,7 @@ std::string arm_pictures(const std::vector<PosedArm>& arms,
     for (const Ball& ball : arms[i].balls) {
       outlines += outline(ball.centre, ball.radius, frame);
     }
-    html += figure(drawings[i], frame, {cell_of(arms[i].robot), " m"}, captions[i], outlines,
-                   captions[i]);
+    html += figure(drawings[i], frame, {arms[i].cell, " m"}, captions[i], outlines, captions[i]);
   }
   return html + "</div>\n";
 }

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "flashbvh/robot/robot.hpp"
 #include "flashbvh/run_result.hpp"
 #include "image/image_file.hpp"
+#include "robot/matrix/baked_part.hpp"
 #include "robot/matrix/unguarded.hpp"
 
 namespace flashbvh::tool {
@@ -17,11 +18,15 @@ struct Ball {
   std::int64_t radius;
 };
 
+/// As pairs are decided on it, or as firmware has it.
+using ArmMesh = std::variant<WholeMesh, Mesh>;
+
 /// All outlives the drawing.
 struct PosedArm {
   const Model& model;
-  const Robot& robot;
-  std::vector<Pose> poses;  ///< of each link in the base's frame
+  double cell;                  ///< metres
+  std::vector<ArmMesh> meshes;  ///< of each link
+  std::vector<Pose> poses;      ///< of each link in the base's frame
   std::vector<Ball> balls = {};
 };
 
@@ -29,7 +34,7 @@ struct PosedArm {
 struct LitPair {
   std::size_t a;
   std::size_t b;
-  TrianglePair<std::uint16_t> triangles;
+  TrianglePair<WholeMesh::Index> triangles;
   const char* what;  ///< that they are: "the triangles that are nearest"
 };
 

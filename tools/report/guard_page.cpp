@@ -196,6 +196,7 @@ std::string closest_section(const GuardedTrajectory& guarded) {
   }
   const double metres = metres_of(guarded, closest->clearance.lower);
   const RobotPair& links = guarded.robot.pairs[closest->pair];
+  const auto& triangles = closest->clearance.triangles;
   const float* const values = guarded.trajectory.values(closest->period);
   return section(
       "",
@@ -203,8 +204,11 @@ std::string closest_section(const GuardedTrajectory& guarded) {
              pair_name(guarded, closest->pair),
              metres == 0 ? " intersect" : ", " + significant(metres, 4) + " m"),
       pair_pictures(
-          {guarded.model, guarded.robot, link_poses(guarded.robot, values)},
-          {links.a, links.b, closest->clearance.triangles, "the triangles that are nearest"}) +
+          {guarded.model,
+           cell_of(guarded.robot),
+           {guarded.robot.meshes, guarded.robot.meshes + guarded.robot.link_count},
+           link_poses(guarded.robot, values)},
+          {links.a, links.b, {triangles.a, triangles.b}, "the triangles that are nearest"}) +
           note("Joints: <code>" +
                joint_values(guarded.model, {values, values + guarded.trajectory.variables()}) +
                "</code>"));

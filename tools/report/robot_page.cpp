@@ -137,7 +137,9 @@ std::vector<double> values_at(const Model& model, std::optional<double> part) {
 }
 
 PosedArm posed(const DecidedRobot& decided, const std::vector<double>& values) {
-  return {decided.model, decided.robot(),
+  return {decided.model,
+          cell_of(decided.robot()),
+          {decided.wholes.begin(), decided.wholes.end()},
           link_poses(decided.model, cell_of(decided.robot()), values)};
 }
 
@@ -222,7 +224,7 @@ std::string rarity_table(const DecidedRobot& decided, const std::vector<std::siz
 
 std::string witness(const DecidedRobot& decided, const PairVerdict& pair) {
   const double cell = cell_of(decided.robot());
-  const auto [a, b, triangles] = triangles_at(decided.model, decided.robot().meshes, cell, pair);
+  const auto [a, b, triangles] = triangles_at(decided.model, decided.wholes.data(), cell, pair);
   return "<h3>" + links_of(decided.model, pair.a, pair.b) + "</h3>\n" +
          pair_pictures(posed(decided, pair.witness),
                        {a, b, triangles, "two triangles that intersect"}) +
@@ -284,7 +286,7 @@ std::string matrix_section(const DecidedRobot& decided, const std::vector<std::s
 std::string robot_page(const DecidedRobot& decided, const OnStep& step) {
   step("drawing configurations at random", 1);
   const std::vector<Collisions> collisions =
-      collisions_of(decided.model, decided.robot().meshes, cell_of(decided.robot()), decided.pairs,
+      collisions_of(decided.model, decided.wholes.data(), cell_of(decided.robot()), decided.pairs,
                     kConfigurations);
   std::vector<std::string> shares;
   shares.reserve(collisions.size());

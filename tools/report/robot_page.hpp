@@ -15,7 +15,8 @@ namespace flashbvh::tool {
 /// A robot that was baked, its pairs decided; all outlives the page's making.
 struct DecidedRobot {
   const Model& model;
-  const std::vector<BakedLink>& links;
+  const std::vector<WholeMesh>& wholes;  ///< of the links, and of their parts
+  const std::vector<BakedLink>& links;   ///< of the same ones
   const FixedRobot& fixed;
   const std::vector<JointZone>& zones;
   const std::vector<PairVerdict>& pairs;  ///< (0, 1), (0, 2), ...

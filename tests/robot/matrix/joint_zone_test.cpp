@@ -43,7 +43,7 @@ struct Neighbours {
   ZoneRadii radii;
 
   std::vector<JointZone> zones(const BakedArm& arm) const {
-    return joint_zones(model, arm.meshes(), kCell, options, radii);
+    return joint_zones(model, arm.wholes(), kCell, options, radii);
   }
   std::vector<JointZone> zones() const { return zones(BakedArm(model, kCell)); }
   PairVerdict decided() const {
@@ -145,7 +145,7 @@ void check_surface(Random& random, const Model& model, const JointZone& zone) {
 
 /// Where the bodies are near, so are the parts.
 void check_parts(Random& random, const Neighbours& any, const JointZone& zone) {
-  const auto is_near = [&](const Mesh& a, const Mesh& b, double value, double distance) {
+  const auto is_near = [&](const WholeMesh& a, const WholeMesh& b, double value, double distance) {
     const PairSpace space(any.model, {zone.a, &a, nullptr}, {zone.b, &b, nullptr}, kCell);
     return distance == 0 ? space.intersect({value}) : !space.are_apart({value}, distance);
   };

@@ -1,6 +1,7 @@
 // Verdicts where the truth is a formula, and against brute force on random arms.
 #include "robot/matrix/matrix.hpp"
 #include "robot/matrix/pair_search.hpp"
+#include "robot/matrix/rarity.hpp"
 #include "support/arms/arms.hpp"
 #include "support/test.hpp"
 
@@ -63,6 +64,50 @@ TEST_CASE("limits that just allow contact, and that just forbid it") {
     CHECK(decided(rod_and_wall(angle_at(wall + kCell) - kPi, 0, -wall - 0.1), 0, 1).verdict ==
           MatrixVerdict::can);
   }
+}
+
+TEST_CASE("a link of more triangles than 16 bits count is decided, with a witness") {
+  // The wall as a grid, flat: 350 by 100 squares from x = -2 to 0.9. The rod meets it at 0.8 or so,
+  // among the last.
+  constexpr double kWall = 0.5;
+  constexpr double kWide = 2.9 / 350;
+  bake::SourceMesh grid;
+  for (std::uint32_t i = 0; i <= 350; ++i) {
+    for (std::uint32_t k = 0; k <= 100; ++k) {
+      grid.vertices.push_back({kWide * i - 2, kWall, 0.01 * k - 0.5});
+      if (i < 350 && k < 100) {
+        const std::uint32_t p = 101 * i + k;
+        grid.triangles.push_back({p, p + 101, p + 102});
+        grid.triangles.push_back({p, p + 102, p + 1});
+      }
+    }
+  }
+  REQUIRE(grid.triangles.size() == 70'000);
+  const auto verdict_up_to = [&](double y) {
+    Model model = rod_and_wall(-1, angle_at(y), kWall);
+    model.links[0].mesh = grid;
+    const std::vector<BakedPart> parts = {bake_part(grid, kCell),
+                                          bake_part(model.links[1].mesh, kCell)};
+    const std::vector<WholeMesh> meshes = views_of(parts);
+    const PairVerdict pair =
+        decide_pairs(model, meshes, {}, all_reaches(model, kCell), kCell, {}, {})[0];
+    if (pair.verdict == MatrixVerdict::can) {
+      CHECK(pair.witness[0] > angle_at(kWall - kCell));
+      CHECK(pair.witness[0] <= range_of_variable(model, 0).upper);
+      const auto lit = triangles_at(model, meshes.data(), kCell, pair).triangles;
+      // Where the middle of the rod is at the wall, and how far the rod and rounding reach.
+      const double at = kWall / std::tan(pair.witness[0]);
+      const double near = 0.001 / std::sin(pair.witness[0]) + 3 * kCell + kWide;
+      CHECK(lit.a > UINT16_MAX);
+      for (const std::uint32_t corner : grid.triangles[lit.a]) {
+        CHECK(grid.vertices[corner][0] == Approx(at).margin(near));
+        CHECK(std::fabs(grid.vertices[corner][2]) < 0.1 + 0.01 + kCell);
+      }
+    }
+    return pair.verdict;
+  };
+  CHECK(verdict_up_to(kWall + 10 * kCell) == MatrixVerdict::can);
+  CHECK(verdict_up_to(kWall - 4 * kCell) == MatrixVerdict::never);
 }
 
 TEST_CASE("a witness lies well inside of where they intersect") {
@@ -273,7 +318,7 @@ TEST_CASE("when the time is up, the rest is undecided, and guarded") {
     CHECK(pair.is_guarded);
     CHECK(pair.cells == 0);
     const BakedArm arm(model, kCell);
-    const PairSpace space(model, {0, &arm.meshes()[0], nullptr}, {1, &arm.meshes()[1], nullptr},
+    const PairSpace space(model, {0, &arm.wholes()[0], nullptr}, {1, &arm.wholes()[1], nullptr},
                           kCell);
     CHECK_FALSE(find_intersection(space, late, 256));
     std::uint64_t cells = 0;

@@ -23,7 +23,7 @@ Model sliding(double reach) {
 
 Collisions collisions(const Model& model, const std::vector<PairVerdict>& pairs) {
   const BakedArm arm(model, kCell);
-  return collisions_of(model, arm.meshes().data(), kCell, pairs, kSamples)[0];
+  return collisions_of(model, arm.wholes().data(), kCell, pairs, kSamples)[0];
 }
 
 const std::vector<PairVerdict> kCan = {{0, 1, MatrixVerdict::can, "", {0}, 0}};
@@ -61,10 +61,10 @@ TEST_CASE("the triangles of a witness are two that intersect there") {
   const Model model = sliding(0.3);
   const BakedArm arm(model, kCell);
   const auto lit =
-      triangles_at(model, arm.meshes().data(), kCell, {0, 1, MatrixVerdict::can, "", {0.1}, 0});
+      triangles_at(model, arm.wholes().data(), kCell, {0, 1, MatrixVerdict::can, "", {0.1}, 0});
   const Pose pose = link_poses(model, kCell, {0.1})[1];  // the base's link stands at its origin
   bool is_found = false;
-  (void)for_each_pair(arm.meshes()[0], arm.meshes()[1], pose, [&](const auto& pair) {
+  (void)for_each_pair(arm.wholes()[0], arm.wholes()[1], pose, [&](const auto& pair) {
     is_found = is_found || (pair.a == lit.a && pair.b == lit.b);
     return true;
   });

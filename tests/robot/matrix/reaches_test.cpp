@@ -58,8 +58,8 @@ struct Pair {
         arm(model, kCell),
         reaches_a(reaches_of(model, 0, kCell)),
         reaches_b(reaches_of(model, model.links.size() - 1, kCell)),
-        space(model, {0, &arm.meshes().front(), &reaches_a},
-              {model.links.size() - 1, &arm.meshes().back(), &reaches_b}, kCell) {}
+        space(model, {0, &arm.wholes().front(), &reaches_a},
+              {model.links.size() - 1, &arm.wholes().back(), &reaches_b}, kCell) {}
 };
 
 }  // namespace
@@ -194,7 +194,7 @@ TEST_CASE("links come no nearer in a cell than its motion says") {
                          (dimension.range.upper - dimension.range.lower));
       }
       const double bound = pair.space.motion(middle, halves).sum + 2 * kPlacing;
-      Witness<std::uint16_t> seed;
+      PairSpace::Hint seed;
       const double before = pair.space.distance(middle, seed);
       for (int k = 0; k < 60; ++k) {
         std::vector<double> point = middle;
@@ -225,7 +225,7 @@ TEST_CASE("the motion of a cell: formulas") {
   const BakedArm arm(model, cell);
   const std::vector<double> reaches_a = reaches_of(model, 0, cell);
   const std::vector<double> reaches_b = reaches_of(model, 1, cell);
-  const PairSpace space(model, {0, &arm.meshes()[0], &reaches_a}, {1, &arm.meshes()[1], &reaches_b},
+  const PairSpace space(model, {0, &arm.wholes()[0], &reaches_a}, {1, &arm.wholes()[1], &reaches_b},
                         cell);
   REQUIRE(space.dimensions()[0].variable == 0);
   const Motion motion = space.motion({0, kPi / 2}, {0.1, 0.2});

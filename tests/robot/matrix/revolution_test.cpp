@@ -26,7 +26,7 @@ TEST_CASE("a solid of revolution holds its mesh at every angle") {
     const bake::SourceMesh mesh = model.links[0].mesh;
     model.links[0].mesh = revolved(mesh, axis, 1.8 * cell, round % 2 == 0 ? kCoarse : kFine);
     const BakedArm arm(model, cell);
-    const Mesh& solid = arm.meshes()[0];
+    const WholeMesh& solid = arm.wholes()[0];
     REQUIRE(solid.is_closed);
     REQUIRE(solid.shell_count == 1);
     for (int i = 0; i < 200; ++i) {

@@ -10,6 +10,7 @@ namespace {
 constexpr double kTurn = kFullTurn / (2 * tool::kPi);
 
 struct Baked {
+  std::vector<tool::BakedPart> wholes;
   std::vector<tool::BakedLink> links;
   std::unique_ptr<tool::FixedRobot> robot;
 };
@@ -23,11 +24,13 @@ Baked bake_robot(const tool::Model& model, std::optional<double> cell = {},
   std::vector<Mesh> meshes;
   for (const tool::ModelLink& link : model.links) {
     baked.links.push_back(tool::bake_link(link, chosen, 2, "arm.urdf"));
+    baked.wholes.push_back(tool::bake_part(link.mesh, chosen));
   }
   for (const tool::BakedLink& link : baked.links) {
     meshes.push_back(link.mesh());
   }
-  baked.robot = std::make_unique<tool::FixedRobot>(model, meshes, chosen, pairs, reaches);
+  baked.robot = std::make_unique<tool::FixedRobot>(model, tool::views_of(baked.wholes), meshes,
+                                                   chosen, pairs, reaches);
   return baked;
 }
 
@@ -158,6 +161,35 @@ TEST_CASE("links: a sphere round the mesh, where their reaches stand, what lies 
     }
     CHECK(robot.links[i].radius < 0.105 * 1000 * kFrameCell);
   }
+}
+
+TEST_CASE("a link's sphere holds what decides, and what firmware gets") {
+  RobotFiles files;
+  const tool::Model model = files.read(link_text("a"));
+  constexpr double kCell = 1e-3;
+  tool::ModelLink whole = model.links[0];
+  tool::ModelLink coarse = model.links[0];
+  whole.mesh.vertices[0] = {0.5, 0.01, 0.02};
+  coarse.mesh.vertices[1] = {-0.01, -0.4, 0.03};
+  const std::vector<tool::BakedPart> parts = {tool::bake_part(whole.mesh, kCell)};
+  const tool::BakedLink link = tool::bake_link(coarse, kCell, 2, "arm.urdf");
+  const auto sphere_of = [&](const std::vector<Mesh>& meshes) {
+    return tool::FixedRobot(model, tool::views_of(parts), meshes, kCell, {}).robot().links[0];
+  };
+  const auto holds = [](const RobotLink& sphere, const tool::Vector3& vertex) {
+    return std::hypot(std::round(vertex[0] / kCell) * kFrameCell - sphere.centre[0],
+                      std::round(vertex[1] / kCell) * kFrameCell - sphere.centre[1],
+                      std::round(vertex[2] / kCell) * kFrameCell - sphere.centre[2]) <=
+           sphere.radius;
+  };
+  for (const tool::Vector3& vertex : whole.mesh.vertices) {
+    CHECK(holds(sphere_of({link.mesh()}), vertex));
+    CHECK(holds(sphere_of({}), vertex));
+  }
+  for (const tool::Vector3& vertex : coarse.mesh.vertices) {
+    CHECK(holds(sphere_of({link.mesh()}), vertex));
+  }
+  CHECK_FALSE(holds(sphere_of({}), coarse.mesh.vertices[1]));
 }
 
 TEST_CASE("the hash distinguishes robots") {

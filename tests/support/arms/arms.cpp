@@ -193,7 +193,9 @@ BakedArm::BakedArm(const Model& model, double cell) : model_(model), cell_(cell)
     Baked& tree = std::get<Baked>(baked_.back().tree);
     tree.unit = Unit::m;
     meshes_.push_back(tree.view());
+    baked_wholes_.push_back(bake_part(link.mesh, cell));
   }
+  wholes_ = views_of(baked_wholes_);
 }
 
 std::vector<std::uint32_t> BakedArm::image(std::size_t link) const {
@@ -215,7 +217,7 @@ bool BakedArm::are_within(std::size_t a, std::size_t b, const std::vector<double
 
 std::vector<PairVerdict> BakedArm::decide(const MatrixOptions& options,
                                           const std::vector<tool::JointZone>& zones) const {
-  return decide_pairs(model_, meshes_, zones, tool::all_reaches(model_, cell_), cell_, options, {});
+  return decide_pairs(model_, wholes_, zones, tool::all_reaches(model_, cell_), cell_, options, {});
 }
 
 std::vector<double> any_variables(Random& random, const Model& model) {

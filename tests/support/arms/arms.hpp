@@ -47,7 +47,10 @@ class BakedArm {
  public:
   BakedArm(const Model& model, double cell);
 
+  /// What firmware gets.
   const std::vector<Mesh>& meshes() const { return meshes_; }
+  /// On which pairs are decided.
+  const std::vector<tool::WholeMesh>& wholes() const { return wholes_; }
   double cell() const { return cell_; }
   /// Of a link, in metres.
   std::vector<std::uint32_t> image(std::size_t link) const;
@@ -64,6 +67,8 @@ class BakedArm {
   double cell_;
   std::deque<tool::BakedMesh> baked_;
   std::vector<Mesh> meshes_;
+  std::vector<tool::BakedPart> baked_wholes_;
+  std::vector<tool::WholeMesh> wholes_;
 };
 
 /// A value each, within the limits.

@@ -26,7 +26,9 @@ inline Model as_read(Model model) {
 struct FixedArm {
   FixedArm(const Model& made, double cell, const std::vector<tool::GuardedPair>& pairs = {},
            bool has_distance_tables = false)
-      : model(as_read(made)), arm(model, cell), fixed(model, arm.meshes(), cell, pairs) {
+      : model(as_read(made)),
+        arm(model, cell),
+        fixed(model, arm.wholes(), arm.meshes(), cell, pairs) {
     if (has_distance_tables) {
       fixed.set_distance_tables(distance_tables_of(model, robot()));
     }

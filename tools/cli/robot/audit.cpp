@@ -114,7 +114,7 @@ ExitCode audit_srdf(const AuditArguments& arguments) {
   const std::vector<DisabledPair> disabled = std::exchange(model.disabled, {});
   const BakedRobot robot = decided_robot(std::move(model), arguments, warnings);
   const Audit audit =
-      audit_of({robot.model, meshes_of(robot.links), robot.cell, robot.pairs}, disabled);
+      audit_of({robot.model, views_of(robot.wholes), robot.cell, robot.pairs}, disabled);
   const std::set<std::string> read = files_read(arguments, robot.model);
   FileSet files;
   const auto add = [&](const std::string& path, std::string text) {

@@ -5,6 +5,7 @@
 
 #include "cli/progress.hpp"
 #include "cli/robot/robot_arguments.hpp"
+#include "cli/robot/robot_warnings.hpp"
 #include "flashbvh/clearance.hpp"
 #include "text/parallel.hpp"
 #include "robot/read/urdf.hpp"
@@ -15,17 +16,43 @@ namespace {
 /// Of a link, in pairs decided.
 constexpr double kBakingWeight = 0.1;
 
-std::vector<BakedLink> bake_links(const Model& model, double cell, const RobotArguments& arguments,
-                                  Progress& progress, Warnings& warnings) {
-  std::vector<BakedLink> links;
+/// What decides, with the leaves that firmware's trees have: pages draw it as if it were those.
+std::vector<BakedPart> bake_wholes(const Model& model, double cell, const RobotArguments& arguments,
+                                   Progress& progress, Warnings& warnings) {
+  std::vector<BakedPart> wholes;
   for (const ModelLink& link : model.links) {
     progress.begin("baking " + link.name, kBakingWeight);
-    links.push_back(bake_link(link, cell, arguments.leaf_size, arguments.urdf));
     const InputMesh input = link_input(link, arguments.urdf);
+    wholes.push_back(bake_part(input, cell, arguments.leaf_size));
     warn_of_precision(input, cell, warnings);
-    warn_of_place(links.back().tree.origin, input.path, warnings);
+    warn_of_place(wholes.back().origin, input.path, warnings);
   }
-  return links;
+  return wholes;
+}
+
+/// UserError for a link that firmware can't hold, before anything is decided.
+void check_wholes(const RobotArguments& arguments, const BakedRobot& made) {
+  for (std::size_t i = 0; i < made.wholes.size(); ++i) {
+    if (!fits_firmware(made.wholes[i])) {
+      (void)bake_link(made.model.links[i], made.cell, arguments.leaf_size, arguments.urdf);
+    }
+  }
+}
+
+/// Of the links, for firmware.
+void bake_links(const RobotArguments& arguments, BakedRobot& made) {
+  for (const ModelLink& link : made.model.links) {
+    made.links.push_back(bake_link(link, made.cell, arguments.leaf_size, arguments.urdf));
+  }
+}
+
+std::vector<Mesh> meshes_of(const std::vector<BakedLink>& links) {
+  std::vector<Mesh> meshes;
+  meshes.reserve(links.size());
+  for (const BakedLink& link : links) {
+    meshes.push_back(link.mesh());
+  }
+  return meshes;
 }
 
 /// Parts of the time until when stages have to be done; what one leaves is the next one's. Without
@@ -70,7 +97,7 @@ std::vector<GuardedPair> moved_pairs(const Model& model) {
 }
 
 /// Proofs hold for firmware's own kinematics. UserError if firmware cannot hold the robot so fine.
-MatrixOptions matrix_options(const Model& model, const std::vector<Mesh>& meshes, double cell,
+MatrixOptions matrix_options(const Model& model, const std::vector<WholeMesh>& meshes, double cell,
                              const AllDistances& distances, const Reaches& reaches) {
   MatrixOptions options;
   options.stop = distances.usual.stop / cell;
@@ -78,7 +105,7 @@ MatrixOptions matrix_options(const Model& model, const std::vector<Mesh>& meshes
   for (const GuardedPair& pair : distances.own) {
     options.stops.push_back({pair.a, pair.b, pair.stop / cell, pair.warn / cell});
   }
-  const FixedRobot robot(model, meshes, cell, moved_pairs(model), reaches);
+  const FixedRobot robot(model, meshes, {}, cell, moved_pairs(model), reaches);
   options.slack = std::max(options.slack, kPlacing + robot.robot().slack / double{kFineOne});
   return options;
 }
@@ -124,9 +151,11 @@ std::size_t add_part(std::size_t of, bake::SourceMesh mesh, const std::string& w
   part.sources = {concat("outside ", where)};
   part.source_begins = {0};
   part.precision = made.model.links[of].precision;
+  made.wholes.push_back(
+      bake_part(link_input(part, arguments.urdf), made.cell, arguments.leaf_size));
   made.links.push_back(bake_link(part, made.cell, arguments.leaf_size, arguments.urdf));
   made.model.links.push_back(std::move(part));
-  made.wholes.push_back(of);
+  made.links_of_parts.push_back(of);
   ++made.model.part_count;
   return made.model.links.size() - 1;
 }
@@ -179,84 +208,10 @@ void add_reaches(BakedRobot& made) {
   for_each_in_parallel(made.reaches.size() - first, [&](std::size_t i) {
     std::vector<double>& reaches = made.reaches[first + i];
     reaches = reaches_of(made.model, first + i, made.cell, made.options.deadline);
-    const std::vector<double>& whole = made.reaches[made.wholes[i]];
+    const std::vector<double>& whole = made.reaches[made.links_of_parts[i]];
     std::transform(reaches.begin(), reaches.end(), whole.begin(), reaches.begin(),
                    [](double part, double all) { return std::min(part, all); });
   });
-}
-
-void warn_of_fixed(const BakedRobot& robot, const AllDistances& distances, const std::string& path,
-                   Warnings& warnings) {
-  for (const PairVerdict& pair : robot.pairs) {
-    if (pair.verdict == MatrixVerdict::fixed &&
-        find_pair(distances.own, pair.a, pair.b) != nullptr) {
-      warnings.add(path, concat("links '", robot.model.links[pair.a].name, "' and '",
-                                robot.model.links[pair.b].name,
-                                "' have a --pair, but no joint moves them; leave it out"));
-    }
-  }
-}
-
-void warn_of_unguarded(const BakedRobot& robot, const std::string& path, Warnings& warnings) {
-  for (const std::string& warning : unguarded_warnings(robot.model, robot.unguarded)) {
-    warnings.add(path, warning);
-  }
-}
-
-/// Pairs of which a guard would say the same wherever the robot stands.
-void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
-                  const RobotArguments& arguments, Warnings& warnings) {
-  for (const PairVerdict& pair : robot.pairs) {
-    if (!pair.is_stopped && !pair.is_warned) {
-      continue;
-    }
-    const GuardedPair* const own = find_pair(distances.own, pair.a, pair.b);
-    const auto [stop, warn] = distances_of(distances, pair);
-    const std::string names =
-        concat(robot.model.links[pair.a].name, ",", robot.model.links[pair.b].name);
-    const std::string links =
-        concat("links '", robot.model.links[pair.a].name, "' and '", robot.model.links[pair.b].name,
-               "'", pair.zone ? " outside their joint's zone" : "",
-               " are nowhere found farther apart than the ", pair.is_stopped ? "stop" : "warn",
-               " distance, ", shortest(pair.is_stopped ? stop : warn), " m, so ");
-    if (!pair.is_stopped && own == nullptr) {
-      warnings.add(arguments.urdf,
-                   concat(links, "they are not warned of; --pair ", names, "=STOP,WARN warns"));
-      continue;
-    }
-    const char* const word = pair.is_stopped ? "stop" : "warn";
-    warnings.add(
-        arguments.urdf,
-        concat(links, "a guard would ", pair.is_stopped ? "always say stop; " : "never say free; ",
-               pair.zone ? "give the joint a larger --zone, or " : "",
-               (pair.is_stopped ? stop : warn) != 0 ? concat("lower it (--", word, ", --pair), or ")
-               : own != nullptr                     ? "leave out its --pair, or "
-                                                    : "",
-               "disable the pair in an SRDF",
-               pair.verdict == MatrixVerdict::never ? ""
-                                                    : concat(" and name it by --believe ", names)));
-  }
-}
-
-/// Of joints whose zone was not found when the time for it was up.
-void warn_of_late_zones(const BakedRobot& robot, const ZoneRadii& radii, const std::string& path,
-                        Warnings& warnings) {
-  std::string joints;
-  for (std::size_t joint = 0; joint < robot.model.joints.size(); ++joint) {
-    const auto given = radii.find(joint);
-    const bool is_wanted =
-        is_between_neighbours(robot.model, joint) && (given == radii.end() || given->second != 0);
-    const bool is_found = std::any_of(robot.zones.begin(), robot.zones.end(),
-                                      [&](const JointZone& zone) { return zone.joint == joint; });
-    if (is_wanted && !is_found) {
-      joints += concat(joints.empty() ? "" : ", ", robot.model.joints[joint].name);
-    }
-  }
-  if (robot.options.is_late() && !joints.empty()) {
-    warnings.add(path, concat("no time was left to find a zone about ", joints,
-                              ": links that touch there are guarded all over, and a guard would "
-                              "always say stop; give more --time"));
-  }
 }
 
 double steps_of(const Model& model) {
@@ -264,11 +219,10 @@ double steps_of(const Model& model) {
   return kBakingWeight * (count + 1) + count * (count - 1) / 2;
 }
 
-/// All but what firmware holds.
-BakedRobot decided(Model model, const AllDistances& distances, const RobotArguments& arguments,
-                   Progress& progress, Warnings& warnings) {
-  const StageTimes times(arguments);
-  const ZoneRadii radii = zone_radii(model, arguments.zones);
+/// Nothing of it is decided yet.
+BakedRobot prepared(Model model, const AllDistances& distances, const RobotArguments& arguments,
+                    Progress& progress, Warnings& warnings) {
+  (void)zone_radii(model, arguments.zones);
   BakedRobot made;
   made.model = std::move(model);
   made.cell = robot_cell(made.model, given_cell(arguments), arguments.urdf);
@@ -280,8 +234,15 @@ BakedRobot decided(Model model, const AllDistances& distances, const RobotArgume
   warn_of_sizes(made.model, made.sizes, arguments.urdf, warnings);
   warn_of_cell(made.model, made.sizes, made.cell, least_stop(distances),
                arguments.cell ? concat("--cell ", *arguments.cell) : arguments.urdf, warnings);
-  made.links = bake_links(made.model, made.cell, arguments, progress, warnings);
-  const std::vector<Mesh> meshes = meshes_of(made.links);
+  made.wholes = bake_wholes(made.model, made.cell, arguments, progress, warnings);
+  return made;
+}
+
+/// All but what firmware holds.
+void decide(const AllDistances& distances, const RobotArguments& arguments, const StageTimes& times,
+            Progress& progress, Warnings& warnings, BakedRobot& made) {
+  const ZoneRadii radii = zone_radii(made.model, arguments.zones);
+  const std::vector<WholeMesh> meshes = views_of(made.wholes);
   made.reaches = all_reaches(made.model, made.cell, times.until(kPartForReaches));
   made.options = matrix_options(made.model, meshes, made.cell, distances, made.reaches);
   progress.begin("joint zones", kBakingWeight);
@@ -295,7 +256,6 @@ BakedRobot decided(Model model, const AllDistances& distances, const RobotArgume
                             });
   made.options.deadline = times.until(kPartForParts);
   made.deadline = times.until(kPartForTables);
-  return made;
 }
 
 }  // namespace
@@ -327,34 +287,36 @@ Model described_robot(const RobotArguments& arguments, Warnings& warnings) {
   return model;
 }
 
-std::vector<Mesh> meshes_of(const std::vector<BakedLink>& links) {
-  std::vector<Mesh> meshes;
-  meshes.reserve(links.size());
-  for (const BakedLink& link : links) {
-    meshes.push_back(link.mesh());
-  }
-  return meshes;
-}
-
 BakedRobot decided_robot(Model model, const RobotArguments& arguments, Warnings& warnings) {
   const AllDistances distances = all_distances(model, arguments);
   Progress progress(steps_of(model), arguments.progress);
-  return decided(std::move(model), distances, arguments, progress, warnings);
+  const StageTimes times(arguments);
+  BakedRobot made = prepared(std::move(model), distances, arguments, progress, warnings);
+  decide(distances, arguments, times, progress, warnings, made);
+  return made;
 }
 
 BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& warnings) {
   const AllDistances distances = all_distances(model, arguments);
   Progress progress(steps_of(model), arguments.progress);
-  BakedRobot made = decided(std::move(model), distances, arguments, progress, warnings);
+  const StageTimes times(arguments);
+  for (const ModelLink& link : model.links) {
+    check_triangles(link, arguments.urdf);
+  }
+  BakedRobot made = prepared(std::move(model), distances, arguments, progress, warnings);
+  check_wholes(arguments, made);
+  decide(distances, arguments, times, progress, warnings, made);
   check_disabled(made.model, made.pairs, arguments.srdf, warnings);
+  bake_links(arguments, made);
   add_parts(arguments, made);
   add_reaches(made);
   made.unguarded = unguarded_pairs(made.pairs, made.zones);
   warn_of_unguarded(made, arguments.urdf, warnings);
   warn_of_fixed(made, distances, arguments.urdf, warnings);
   warn_of_near(made, distances, arguments, warnings);
-  made.fixed = std::make_unique<FixedRobot>(made.model, meshes_of(made.links), made.cell,
-                                            guarded(made.pairs, distances), made.reaches);
+  made.fixed =
+      std::make_unique<FixedRobot>(made.model, views_of(made.wholes), meshes_of(made.links),
+                                   made.cell, guarded(made.pairs, distances), made.reaches);
   progress.begin("distance tables", 0);
   made.fixed->set_distance_tables(distance_tables_of(made.model, made.robot(), made.deadline));
   return made;

@@ -48,11 +48,13 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
 /// Its parts point into each other; it may be moved.
 struct BakedRobot {
   Model model;
-  double cell;                   ///< metres
-  std::vector<BakedLink> links;  ///< behind them the parts of links that a guard looks at
+  double cell;  ///< metres
+  /// Of the links, and behind them of the parts of links that a guard looks at: what decides.
+  std::vector<BakedPart> wholes;
+  std::vector<BakedLink> links;  ///< of the same ones: what firmware gets, once all is decided
   std::vector<Size> sizes;       ///< of the links, in their own frames, in metres; of an image, too
   Reaches reaches;               ///< of the links, and of the parts
-  std::vector<std::size_t> wholes;  ///< of each part: its link
+  std::vector<std::size_t> links_of_parts;  ///< of each part: its link
   MatrixOptions options;   ///< with which its pairs were decided; until when parts are sought
   Deadline deadline = {};  ///< of all
   std::vector<JointZone> zones;
@@ -69,10 +71,8 @@ Model described_robot(const RobotArguments& arguments, Warnings& warnings);
 /// The robot's files, the SRDF and the meshes, or the image: what no output may replace.
 std::set<std::string> files_read(const RobotArguments& arguments, const Model& model);
 
-/// Without what firmware holds: baked, its pairs decided.
+/// Without what firmware holds: its pairs decided.
 BakedRobot decided_robot(Model model, const RobotArguments& arguments, Warnings& warnings);
-/// Views of its links' meshes.
-std::vector<Mesh> meshes_of(const std::vector<BakedLink>& links);
 /// Takes some seconds a pair where proofs are hard. UserError for all that can't be baked.
 BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& warnings);
 

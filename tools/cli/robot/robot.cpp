@@ -85,9 +85,10 @@ void add_page(const OutputArguments& arguments, const BakedRobot& robot, std::si
   Progress progress(2, arguments.progress);
   files.add(
       arguments.page,
-      robot_page({robot.model, robot.links, *robot.fixed, robot.zones, robot.pairs, arguments.stop,
-                  arguments.warn.value_or(arguments.stop), robot.unguarded, image_bytes},
-                 [&](const std::string& what, double share) { progress.begin(what, share); }));
+      robot_page(
+          {robot.model, views_of(robot.wholes), robot.links, *robot.fixed, robot.zones, robot.pairs,
+           arguments.stop, arguments.warn.value_or(arguments.stop), robot.unguarded, image_bytes},
+          [&](const std::string& what, double share) { progress.begin(what, share); }));
 }
 
 /// Of `bytes`, if they are many: so many with leaves of kLargeLeaf triangles.
@@ -118,7 +119,7 @@ void make_robot(const OutputArguments& arguments) {
   }
   if (!arguments.written_srdf.empty()) {
     const std::vector<SrdfLine> lines =
-        srdf_lines({baked.model, meshes_of(baked.links), baked.cell, baked.pairs});
+        srdf_lines({baked.model, views_of(baked.wholes), baked.cell, baked.pairs});
     add_output(arguments, baked.model, arguments.written_srdf, srdf_of(baked.model, lines), files);
   }
   if (!arguments.page.empty()) {

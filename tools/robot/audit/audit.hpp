@@ -49,7 +49,7 @@ struct Audit {
 /// A robot whose pairs are decided, none of them believed.
 struct DecidedPairs {
   const Model& model;
-  const std::vector<Mesh>& meshes;
+  const std::vector<WholeMesh>& meshes;
   double cell;  ///< metres
   const std::vector<PairVerdict>& pairs;
 };

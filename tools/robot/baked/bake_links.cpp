@@ -13,6 +13,8 @@
 namespace flashbvh::tool {
 namespace {
 
+using Limits = bake::IndexLimits<std::uint16_t>;
+
 /// What frames reach, less what rounding adds up to over all joints.
 constexpr double kMostCells = 1.0 * kMaxFrameTranslation / kFrameCell - 4.0 * kMaxJoints;
 /// How far the far side of a link's sphere is, as a multiple of the furthest point of the link.
@@ -139,15 +141,24 @@ double link_deviation(const ModelLink& link, double cell) {
   return bake::deviation(link.mesh, cell) + std::sqrt(3.0) * link.precision;
 }
 
-BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
-                    const std::string& path) {
-  constexpr std::size_t kMost = bake::IndexLimits<std::uint16_t>::kMost;
-  const InputMesh input = link_input(link, path);
-  if (link.mesh.triangles.size() > kMost) {
-    throw UserError(input.path, "has ", link.mesh.triangles.size(),
-                    " triangles, 16-bit indices reach ", kMost,
+void check_triangles(const ModelLink& link, const std::string& path) {
+  const std::size_t count = link.mesh.triangles.size();
+  if (count > Limits::kMost) {
+    throw UserError(at_element(path, "link", link.name), "has ", count,
+                    " triangles, 16-bit indices reach ", Limits::kMost,
                     "; give it a coarser mesh for collisions");
   }
+}
+
+bool fits_firmware(const BakedPart& part) {
+  return part.triangles.size() <= Limits::kMost && part.vertices.size() <= Limits::kMost &&
+         part.nodes.size() <= Limits::kMost && part.leaf_count <= Limits::kMostLeaves;
+}
+
+BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
+                    const std::string& path) {
+  check_triangles(link, path);
+  const InputMesh input = link_input(link, path);
   BakeOptions options;
   options.unit = "m";
   options.cell = cell;

@@ -8,6 +8,7 @@
 
 #include "bake/image_bytes.hpp"
 #include "image/baking.hpp"
+#include "robot/matrix/baked_part.hpp"
 #include "robot/model.hpp"
 
 namespace flashbvh::tool {
@@ -38,8 +39,14 @@ InputMesh link_input(const ModelLink& link, const std::string& path);
 /// rounding to the lattice moved its vertices and by what the reader rounded.
 double link_deviation(const ModelLink& link, double cell);
 
-/// UserError, with the link and the remedy, if it has more triangles, vertices or nodes than 16-bit
-/// indices reach. `leaf_size`: most triangles in a leaf.
+/// UserError, with the link and the remedy, if it has more triangles than 16-bit indices reach.
+void check_triangles(const ModelLink& link, const std::string& path);
+
+/// Whether 16-bit indices reach all of such a tree.
+bool fits_firmware(const BakedPart& part);
+
+/// For firmware. UserError, with the link and the remedy, if it has more triangles, vertices or
+/// nodes than 16-bit indices reach. `leaf_size`: most triangles in a leaf.
 BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
                     const std::string& path);
 

@@ -56,11 +56,12 @@ struct Part {
   bool operator<(const Part& other) const { return least > other.least; }  // the nearest first
 };
 
+template <class Space>
 class DistanceTable {
  public:
   /// `radius`: the smaller link's; `deviation`: how far meshes may lie from where they should,
   /// in addition to placing. In cells.
-  DistanceTable(const PairSpace& space, double radius, double deviation, const Shares& shares,
+  DistanceTable(const Space& space, double radius, double deviation, const Shares& shares,
                 const Deadline& deadline)
       : space_(space),
         shares_(shares),
@@ -108,13 +109,13 @@ class DistanceTable {
     return {box, apart - motion.sum, motion};
   }
 
-  const PairSpace& space_;
+  const Space& space_;
   Shares shares_;
   Deadline deadline_;
   double slack_;
   double least_;
   double nearest_ = 0;
-  Witness<std::uint16_t> hint_{};
+  typename Space::Hint hint_{};
 };
 
 /// One of the links turned all the way about the joint next to it: what is far from all that it
@@ -158,12 +159,12 @@ class SweptDistanceTable {
 
   SweptPair pair_;
   double scale_;
-  Mesh mesh_a_;
-  Mesh mesh_b_;
+  WholeMesh mesh_a_;
+  WholeMesh mesh_b_;
   JointsBetween joints_;
   bool is_a_swept_;
   PairSpace space_;
-  DistanceTable table_;
+  DistanceTable<PairSpace> table_;
   std::size_t dimension_ = 0;
   std::map<double, double> kept_;
 };
@@ -195,7 +196,7 @@ Interval side_of(const Axis& axis, std::uint32_t cell) {
 }
 
 std::vector<Axis> axes_of(const Model& model, const Robot& robot, const RobotPair& pair,
-                          const PairSpace& space, double cell) {
+                          const FirmwarePairSpace& space, double cell) {
   const JointsBetween between = joints_between(model, pair.a, pair.b);
   std::vector<std::size_t> joints = between.of_a;
   joints.insert(joints.end(), between.of_b.begin(), between.of_b.end());
@@ -220,12 +221,12 @@ std::vector<std::uint8_t> distance_table_of(const Model& model, const Robot& rob
     return std::vector<std::uint8_t>(size);
   }
   const double cell = cell_of(robot);
-  const PairSpace space(model, {pair.a, &robot.meshes[pair.a], nullptr},
-                        {pair.b, &robot.meshes[pair.b], nullptr}, cell);
+  const FirmwarePairSpace space(model, {pair.a, &robot.meshes[pair.a], nullptr},
+                                {pair.b, &robot.meshes[pair.b], nullptr}, cell);
   const std::vector<Axis> axes = axes_of(model, robot, pair, space, cell);
   const std::uint32_t radius =
       std::min(robot.links[pair.a].radius, robot.links[pair.b].radius) / kFrameCell;
-  DistanceTable distance_table(space, radius, 0, kShares, deadline);
+  DistanceTable<FirmwarePairSpace> distance_table(space, radius, 0, kShares, deadline);
   const auto swept = swept_tables(model, pair, radius, cell, deadline);
   for (std::uint32_t place = 0; place < size && !deadline.is_past(); ++place) {
     std::vector<Interval> box(axes.size());

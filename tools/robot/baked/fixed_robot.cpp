@@ -15,7 +15,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// A sphere that holds a mesh, in cells.
+/// A sphere that holds meshes, in cells.
 struct BoundingSphere {
   std::array<double, 3> centre;
   double radius;
@@ -23,11 +23,32 @@ struct BoundingSphere {
 
 using Point = std::array<double, 3>;
 
-Point vertex_of(const Mesh& mesh, std::uint32_t i) {
-  const Vertex& vertex = mesh.vertices[i];
-  return {static_cast<double>(mesh.origin[0]) + vertex.x,
-          static_cast<double>(mesh.origin[1]) + vertex.y,
-          static_cast<double>(mesh.origin[2]) + vertex.z};
+template <class MeshType>
+std::vector<Point> vertices_of(const MeshType& mesh) {
+  std::vector<Point> points;
+  points.reserve(mesh.vertex_count);
+  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
+    const Vertex& vertex = mesh.vertices[i];
+    points.push_back({static_cast<double>(mesh.origin[0]) + vertex.x,
+                      static_cast<double>(mesh.origin[1]) + vertex.y,
+                      static_cast<double>(mesh.origin[2]) + vertex.z});
+  }
+  return points;
+}
+
+/// All of the whole mesh, and those that firmware's has alone.
+std::vector<Point> vertices_of(const WholeMesh& whole, const Mesh* baked) {
+  std::vector<Point> points = vertices_of(whole);
+  if (baked != nullptr) {
+    std::vector<Point> known = points;
+    std::sort(known.begin(), known.end());
+    for (const Point& point : vertices_of(*baked)) {
+      if (!std::binary_search(known.begin(), known.end(), point)) {
+        points.push_back(point);
+      }
+    }
+  }
+  return points;
 }
 
 double distance(const Point& p, const Point& q) {
@@ -35,13 +56,12 @@ double distance(const Point& p, const Point& q) {
 }
 
 /// Within 1 % of the smallest (Badoiu and Clarkson, "Smaller core-sets for balls", 2003).
-BoundingSphere bounding_sphere(const Mesh& mesh) {
+BoundingSphere bounding_sphere(const std::vector<Point>& points) {
   constexpr int steps = 200;
-  Point centre = vertex_of(mesh, 0);
+  Point centre = points[0];
   for (int step = 1; step <= steps; ++step) {
     Point farthest = centre;
-    for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-      const Point point = vertex_of(mesh, i);
+    for (const Point& point : points) {
       farthest = distance(centre, point) > distance(centre, farthest) ? point : farthest;
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -49,8 +69,8 @@ BoundingSphere bounding_sphere(const Mesh& mesh) {
     }
   }
   double radius = 0;
-  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-    radius = std::fmax(radius, distance(centre, vertex_of(mesh, i)));
+  for (const Point& point : points) {
+    radius = std::fmax(radius, distance(centre, point));
   }
   return {centre, radius};
 }
@@ -111,7 +131,8 @@ Mount fixed_mount(const ModelMount& mount, double cell) {
   return {number_of(mount.joint), frame_of(mount.transform, cell)};
 }
 
-FixedRobot::FixedRobot(const Model& model, const std::vector<Mesh>& meshes, double cell,
+FixedRobot::FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
+                       const std::vector<Mesh>& meshes, double cell,
                        const std::vector<GuardedPair>& pairs, const Reaches& reaches)
     : cell_(cell), meshes_(meshes) {
   if (model.joints.size() > kMaxJoints || model.links.size() > kMaxLinks) {
@@ -123,7 +144,7 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<Mesh>& meshes, doub
     add_joint(model, i);
   }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    add_link(model, i, i < reaches.size() ? reaches[i] : reaches_of(model, i, cell));
+    add_link(model, i, wholes[i], i < reaches.size() ? reaches[i] : reaches_of(model, i, cell));
   }
   check_size(model);
   for (const GuardedPair& pair : pairs) {
@@ -142,7 +163,7 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<Mesh>& meshes, doub
   robot_.reach_count = static_cast<std::uint16_t>(reaches_.size());
   robot_.slack = slack(model);
   std::memcpy(&robot_.cell_bits, &cell_, sizeof cell_);
-  robot_.hash = robot_hash(robot_);
+  robot_.hash = meshes_.empty() ? 0 : robot_hash(robot_);
 }
 
 void FixedRobot::set_distance_tables(std::vector<std::uint8_t> distance_tables) {
@@ -180,12 +201,12 @@ void FixedRobot::add_joint(const Model& model, std::size_t number) {
   joints_.push_back(fixed);
 }
 
-void FixedRobot::add_link(const Model& model, std::size_t number,
+void FixedRobot::add_link(const Model& model, std::size_t number, const WholeMesh& whole,
                           const std::vector<double>& reaches) {
   const ModelLink& link = model.links[number];
-  const Mesh& mesh = meshes_[number];
+  const Mesh* const baked = meshes_.empty() ? nullptr : &meshes_[number];
   RobotLink fixed{};
-  const BoundingSphere sphere = bounding_sphere(mesh);
+  const BoundingSphere sphere = bounding_sphere(vertices_of(whole, baked));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     fixed.centre[axis] = rounded(sphere.centre[axis] * kFrameCell);
   }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "flashbvh/robot/robot.hpp"
+#include "robot/matrix/baked_part.hpp"
 #include "robot/matrix/deadline.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "robot/model.hpp"
@@ -33,12 +34,15 @@ Mount fixed_mount(const ModelMount& mount, double cell);
 
 class FixedRobot {
  public:
-  /// `meshes`: the links', of the same number, baked with `cell`, in metres; they outlive it.
+  /// `wholes`, `meshes`: the links' as pairs are decided on them, and as firmware gets them; of the
+  /// same number, baked with `cell`, in metres. A link's sphere holds both. The latter outlive it;
+  /// without any it is a robot without meshes and hash. `reaches`: of the first links; those of
+  /// others are worked out.
   /// UserError if the robot has more joints or links than firmware takes, or is larger, or moves
-  /// any of the pairs too far; says with which cell it would do. `reaches`: of the first links;
-  /// those of others are worked out.
-  FixedRobot(const Model& model, const std::vector<Mesh>& meshes, double cell,
-             const std::vector<GuardedPair>& pairs, const Reaches& reaches = {});
+  /// any of the pairs too far; says with which cell it would do.
+  FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
+             const std::vector<Mesh>& meshes, double cell, const std::vector<GuardedPair>& pairs,
+             const Reaches& reaches = {});
 
   /// Adds distance_tables_of() it.
   void set_distance_tables(std::vector<std::uint8_t> distance_tables);
@@ -55,7 +59,8 @@ class FixedRobot {
 
  private:
   void add_joint(const Model& model, std::size_t joint);
-  void add_link(const Model& model, std::size_t link, const std::vector<double>& reaches);
+  void add_link(const Model& model, std::size_t link, const WholeMesh& whole,
+                const std::vector<double>& reaches);
   void add_pair(const Model& model, const GuardedPair& pair);
   double reach_of(const RobotPair& pair) const;
   void check_reach() const;

@@ -6,12 +6,28 @@
 
 namespace flashbvh::tool {
 
+BakedPart bake_part(const InputMesh& mesh, double cell, std::uint32_t leaf_size) {
+  BakeOptions options;
+  options.unit = "m";
+  options.index_width = IndexWidth::bits_32;
+  options.leaf_size = leaf_size;
+  options.cell = cell;
+  return std::get<BakedPart>(bake(mesh, options).tree);
+}
+
 BakedPart bake_part(const bake::SourceMesh& mesh, double cell) {
   InputMesh input;
   input.mesh = mesh;
-  BakeOptions options;
-  options.cell = cell;
-  return std::get<BakedPart>(bake(input, options).tree);
+  return bake_part(input, cell, bake::kDefaultLeafSize);
+}
+
+std::vector<WholeMesh> views_of(const std::vector<BakedPart>& parts) {
+  std::vector<WholeMesh> views;
+  views.reserve(parts.size());
+  for (const BakedPart& part : parts) {
+    views.push_back(part.view());
+  }
+  return views;
 }
 
 bake::SourceMesh part_of(const bake::SourceMesh& mesh,

@@ -1,16 +1,26 @@
 // A mesh that a proof needs: baked, kept in memory, never written.
 #pragma once
 
+#include <vector>
+
 #include "bake/baked_tree.hpp"
 #include "bake/mesh.hpp"
+#include "mesh/import.hpp"
 
 namespace flashbvh::tool {
 
-using BakedPart = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
+/// Pairs are decided on the meshes as they are read, however many triangles they have. Firmware
+/// gets others (robot/baked/bake_links.hpp).
+using WholeMesh = Mesh32;
+using BakedPart = bake::BakedTree<WholeMesh::Index, Layout::post_indexed>;
 
-/// Of a mesh with at least one triangle. UserError if it does not fit the lattice or 16-bit
-/// indices.
+/// Of a mesh with at least one triangle, in metres. UserError if it does not fit the lattice.
+/// `leaf_size`: most triangles in a leaf.
+BakedPart bake_part(const InputMesh& mesh, double cell, std::uint32_t leaf_size);
 BakedPart bake_part(const bake::SourceMesh& mesh, double cell);
+
+/// Views of them.
+std::vector<WholeMesh> views_of(const std::vector<BakedPart>& parts);
 
 /// The triangles with these numbers, and their vertices alone.
 bake::SourceMesh part_of(const bake::SourceMesh& mesh, const std::vector<std::uint32_t>& triangles);

@@ -68,7 +68,7 @@ class Finder {
 
   /// None: they do not touch at each look, or there is no time. `meshes`: the links', as they are
   /// baked.
-  std::optional<JointZone> find(const Mesh& mesh_a, const Mesh& mesh_b,
+  std::optional<JointZone> find(const WholeMesh& mesh_a, const WholeMesh& mesh_b,
                                 std::optional<double> radius) {
     const PairSpace whole = space(mesh_a, mesh_b);
     look_over(whole.dimensions()[0].range);
@@ -91,8 +91,8 @@ class Finder {
       }
       const BakedPart a = bake_part(sides_[0].mesh(), cell_);
       const BakedPart b = bake_part(sides_[1].mesh(), cell_);
-      const Mesh cut_a = a.view();
-      const Mesh cut_b = b.view();
+      const WholeMesh cut_a = a.view();
+      const WholeMesh cut_b = b.view();
       shape_.radius = std::min(before, radius_of(contacts_in(space(cut_a, cut_b))));
       if (shape_.radius > 0.9 * before) {
         break;
@@ -105,7 +105,7 @@ class Finder {
   }
 
  private:
-  PairSpace space(const Mesh& a, const Mesh& b) const {
+  PairSpace space(const WholeMesh& a, const WholeMesh& b) const {
     return PairSpace(model_, {links_[0], &a, nullptr}, {links_[1], &b, nullptr}, cell_);
   }
 
@@ -214,8 +214,8 @@ class Finder {
     }
     const BakedPart a = bake_part(part_of(sides_[0].mesh(), numbers_a), cell_);
     const BakedPart b = bake_part(part_of(sides_[1].mesh(), numbers_b), cell_);
-    const Mesh mesh_a = a.view();
-    const Mesh mesh_b = b.view();
+    const WholeMesh mesh_a = a.view();
+    const WholeMesh mesh_b = b.view();
     const PairSpace outside = space(mesh_a, mesh_b);
     const std::vector<double> farthest_a = sides_[0].farthest(shape_);
     const std::vector<double> farthest_b = sides_[1].farthest(shape_);
@@ -331,8 +331,9 @@ bool is_between_neighbours(const Model& model, std::size_t joint) {
   });
 }
 
-std::vector<JointZone> joint_zones(const Model& model, const std::vector<Mesh>& meshes, double cell,
-                                   const MatrixOptions& options, const ZoneRadii& radii) {
+std::vector<JointZone> joint_zones(const Model& model, const std::vector<WholeMesh>& meshes,
+                                   double cell, const MatrixOptions& options,
+                                   const ZoneRadii& radii) {
   std::vector<std::optional<JointZone>> found(model.neighbours.size());
   for_each_in_parallel(found.size(), [&](std::size_t i) {
     const auto [a, b] = std::minmax(model.neighbours[i].first, model.neighbours[i].second);

@@ -49,8 +49,9 @@ using ZoneRadii = std::map<std::size_t, double>;
 /// Of all neighbours that touch wherever their joint stands; and of those whose joint has a radius.
 /// As many as there is time for: a zone that is not measured to its end is none.
 /// `meshes`: the links', baked with `cell`, in metres. In the order of pairs.
-std::vector<JointZone> joint_zones(const Model& model, const std::vector<Mesh>& meshes, double cell,
-                                   const MatrixOptions& options, const ZoneRadii& radii);
+std::vector<JointZone> joint_zones(const Model& model, const std::vector<WholeMesh>& meshes,
+                                   double cell, const MatrixOptions& options,
+                                   const ZoneRadii& radii);
 
 /// What of two bodies may come within the stop distance, slack included: what a guard needs of
 /// them.

@@ -180,8 +180,9 @@ class Decider {
 /// All pairs of a model.
 class Matrix {
  public:
-  Matrix(const Model& model, const std::vector<Mesh>& meshes, const std::vector<JointZone>& zones,
-         const Reaches& reaches, double cell, const MatrixOptions& options)
+  Matrix(const Model& model, const std::vector<WholeMesh>& meshes,
+         const std::vector<JointZone>& zones, const Reaches& reaches, double cell,
+         const MatrixOptions& options)
       : model_(model),
         meshes_(meshes),
         zones_(zones),
@@ -205,7 +206,7 @@ class Matrix {
   }
 
  private:
-  PairLink link(std::size_t number, const Mesh& mesh) const {
+  PairLink link(std::size_t number, const WholeMesh& mesh) const {
     return {number, &mesh, &reaches_[number]};
   }
 
@@ -218,8 +219,8 @@ class Matrix {
     worst.reason = "nothing is there of one of them";
     for (const ZoneBodies& bodies : zone.bodies) {
       PairVerdict of = pair;
-      const Mesh a = bodies.a.view();
-      const Mesh b = bodies.b.view();
+      const WholeMesh a = bodies.a.view();
+      const WholeMesh b = bodies.b.view();
       Decider(model_, link(zone.a, a), link(zone.b, b), cell_, options).decide(of);
       const std::uint64_t cells = worst.cells + of.cells;
       const bool is_guarded = worst.is_guarded || of.is_guarded;
@@ -235,7 +236,7 @@ class Matrix {
   }
 
   const Model& model_;
-  const std::vector<Mesh>& meshes_;
+  const std::vector<WholeMesh>& meshes_;
   const std::vector<JointZone>& zones_;
   const Reaches& reaches_;
   double cell_;
@@ -269,7 +270,7 @@ const char* name_of(MatrixVerdict verdict) {
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
-std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh>& meshes,
+std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<WholeMesh>& meshes,
                                       const std::vector<JointZone>& zones, const Reaches& reaches,
                                       double cell, const MatrixOptions& options,
                                       const MatrixProgress& progress) {

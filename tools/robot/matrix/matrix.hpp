@@ -51,7 +51,7 @@ using MatrixProgress = std::function<void(std::size_t decided, std::size_t pairs
 /// theirs, of the same number, baked with `cell`, in metres; so are `reaches`. `progress` may be
 /// empty. On all processors. Deterministic without a deadline; with one, what is hard gets the time
 /// that what is easy leaves.
-std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Mesh>& meshes,
+std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<WholeMesh>& meshes,
                                       const std::vector<JointZone>& zones, const Reaches& reaches,
                                       double cell, const MatrixOptions& options,
                                       const MatrixProgress& progress);

@@ -101,8 +101,8 @@ constexpr std::uint64_t kShare = 4;
 bool is_proven(const SweptPair& pair, std::size_t a, std::size_t b,
                const std::vector<SweptEnd>& ends, const MatrixOptions& options,
                std::uint64_t& cells, double distance) {
-  const Mesh mesh_a = pair.a.view();
-  const Mesh mesh_b = pair.b.view();
+  const WholeMesh mesh_a = pair.a.view();
+  const WholeMesh mesh_b = pair.b.view();
   const std::vector<double> reaches_a = reaches_of(pair.model, a, pair.cell, options.deadline);
   const std::vector<double> reaches_b = reaches_of(pair.model, b, pair.cell, options.deadline);
   const PairSpace space(pair.model, {a, &mesh_a, &reaches_a}, {b, &mesh_b, &reaches_b}, pair.cell);
@@ -135,7 +135,7 @@ constexpr double kFirstStep = 1.0 / (1 << 16);
 struct Place {
   double distance;
   std::vector<double> point;
-  Witness<std::uint16_t> hint;
+  Witness<WholeMesh::Index> hint;
 };
 
 /// Of `number` in base `base`, its digits mirrored at the point: in (0, 1).

@@ -22,7 +22,9 @@ double distance_from(const Transform& axis, const Vector3& point) {
 
 }  // namespace
 
-PairSpace::PairSpace(const Model& model, const PairLink& a, const PairLink& b, double cell)
+template <class MeshType>
+BasicPairSpace<MeshType>::BasicPairSpace(const Model& model, const Link& a, const Link& b,
+                                         double cell)
     : model_(model),
       a_(*a.mesh),
       b_(*b.mesh),
@@ -34,7 +36,7 @@ PairSpace::PairSpace(const Model& model, const PairLink& a, const PairLink& b, d
   path.insert(path.end(), joints_.of_b.rbegin(), joints_.of_b.rend());
   for (const std::size_t joint : path) {
     const std::size_t dimension = dimension_of(model.joints[joint].variable);
-    const auto reach_of = [&](const PairLink& link) {
+    const auto reach_of = [&](const Link& link) {
       const bool slides = model.joints[joint].type == JointType::prismatic;
       return link.reaches != nullptr ? (*link.reaches)[joint] : slides ? 1 : HUGE_VAL;
     };
@@ -46,7 +48,8 @@ PairSpace::PairSpace(const Model& model, const PairLink& a, const PairLink& b, d
   }
 }
 
-std::size_t PairSpace::dimension_of(std::size_t variable) {
+template <class MeshType>
+std::size_t BasicPairSpace<MeshType>::dimension_of(std::size_t variable) {
   for (std::size_t i = 0; i < dimensions_.size(); ++i) {
     if (dimensions_[i].variable == variable) {
       return i;
@@ -58,7 +61,8 @@ std::size_t PairSpace::dimension_of(std::size_t variable) {
 
 /// What a variable can be, or a part of it in which the links stand wherever they can: a turn, from
 /// half of it below the range's middle to half of it above, if what it moves turns as it does.
-Interval PairSpace::one_turn(std::size_t variable) const {
+template <class MeshType>
+Interval BasicPairSpace<MeshType>::one_turn(std::size_t variable) const {
   const Interval range = range_of_variable(model_, variable);
   const double middle = range.lower + (range.upper - range.lower) / 2;
   for (const ModelJoint& joint : model_.joints) {
@@ -70,7 +74,9 @@ Interval PairSpace::one_turn(std::size_t variable) const {
   return {std::max(range.lower, middle - kPi), std::min(range.upper, middle + kPi)};
 }
 
-PairSpace::Bounds PairSpace::bounds_of(const Mesh& mesh, double cell) {
+template <class MeshType>
+typename BasicPairSpace<MeshType>::Bounds BasicPairSpace<MeshType>::bounds_of(const MeshType& mesh,
+                                                                              double cell) {
   Vector3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   Vector3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
@@ -99,9 +105,11 @@ PairSpace::Bounds PairSpace::bounds_of(const Mesh& mesh, double cell) {
 /// Of a link's points by each joint of the path, in metres. Let the joints move one after the
 /// other, the one furthest from the link first: each finds the link as far from its axis as it lies
 /// in the middle of the cell, for what is between them has not moved yet.
-std::vector<double> PairSpace::motions(const Bounds& bounds, const Transform& frame,
-                                       const std::vector<Transform>& joints,
-                                       const std::vector<double>& halves, bool of_a) const {
+template <class MeshType>
+std::vector<double> BasicPairSpace<MeshType>::motions(const Bounds& bounds, const Transform& frame,
+                                                      const std::vector<Transform>& joints,
+                                                      const std::vector<double>& halves,
+                                                      bool of_a) const {
   std::array<Vector3, 8> corners{};
   std::transform(bounds.corners.begin(), bounds.corners.end(), corners.begin(),
                  [&](const Vector3& corner) { return placed(frame, corner); });
@@ -123,8 +131,9 @@ std::vector<double> PairSpace::motions(const Bounds& bounds, const Transform& fr
 
 /// Seen from any of the bodies between them, a is moved by the joints on its side and b by the
 /// others; the body from which they move least is as good as any.
-Motion PairSpace::motion(const std::vector<double>& point,
-                         const std::vector<double>& halves) const {
+template <class MeshType>
+Motion BasicPairSpace<MeshType>::motion(const std::vector<double>& point,
+                                        const std::vector<double>& halves) const {
   const std::vector<double> variables = variables_at(point);
   std::vector<Transform> joints = frames_inwards(model_, joints_.of_a, variables);
   const std::vector<Transform> others = frames_inwards(model_, joints_.of_b, variables);
@@ -156,7 +165,8 @@ Motion PairSpace::motion(const std::vector<double>& point,
   return motion;
 }
 
-std::vector<double> PairSpace::variables_at(const std::vector<double>& point) const {
+template <class MeshType>
+std::vector<double> BasicPairSpace<MeshType>::variables_at(const std::vector<double>& point) const {
   std::vector<double> variables = middle_;
   for (std::size_t i = 0; i < dimensions_.size(); ++i) {
     variables[dimensions_[i].variable] = point[i];
@@ -164,11 +174,13 @@ std::vector<double> PairSpace::variables_at(const std::vector<double>& point) co
   return variables;
 }
 
-Transform PairSpace::frame_at(const std::vector<double>& point) const {
+template <class MeshType>
+Transform BasicPairSpace<MeshType>::frame_at(const std::vector<double>& point) const {
   return frame_between(model_, joints_, variables_at(point));
 }
 
-double PairSpace::least_gap(const Transform& frame) const {
+template <class MeshType>
+double BasicPairSpace<MeshType>::least_gap(const Transform& frame) const {
   const Vector3 centre = placed(frame, bounds_b_.centre);
   double squared = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -177,7 +189,8 @@ double PairSpace::least_gap(const Transform& frame) const {
   return (std::sqrt(squared) - bounds_a_.radius - bounds_b_.radius) / cell_;
 }
 
-bool PairSpace::are_apart(const std::vector<double>& point, double distance) const {
+template <class MeshType>
+bool BasicPairSpace<MeshType>::are_apart(const std::vector<double>& point, double distance) const {
   const Transform frame = frame_at(point);
   if (least_gap(frame) > distance) {
     return true;
@@ -189,23 +202,28 @@ bool PairSpace::are_apart(const std::vector<double>& point, double distance) con
   return !closer_than(a_, b_, pose_of(frame, cell_), static_cast<std::uint32_t>(steps)).yes;
 }
 
-bool PairSpace::intersect(const std::vector<double>& point) const {
+template <class MeshType>
+bool BasicPairSpace<MeshType>::intersect(const std::vector<double>& point) const {
   const Transform frame = frame_at(point);
   return least_gap(frame) <= 0 && intersects(a_, b_, pose_of(frame, cell_)).yes;
 }
 
-void PairSpace::find_near(const std::vector<double>& point, double distance,
-                          const std::function<void(std::uint32_t, std::uint32_t)>& visit) const {
+template <class MeshType>
+void BasicPairSpace<MeshType>::find_near(
+    const std::vector<double>& point, double distance,
+    const std::function<void(std::uint32_t, std::uint32_t)>& visit) const {
   const Pose pose = pose_of(frame_at(point), cell_);
   const double steps = std::min(std::ceil(distance * 256), 1.0 * kMaxDistance);
-  WithinQuery query(a_, b_, pose, {}, within(static_cast<std::uint32_t>(steps)));
-  (void)query.run(UINT32_MAX, [&](const TrianglePair<std::uint16_t>& pair) {
+  Query<Ranked<MeshType>, Within> query(a_, b_, pose, {},
+                                        within(static_cast<std::uint32_t>(steps)));
+  (void)query.run(UINT32_MAX, [&](const TrianglePair<typename MeshType::Index>& pair) {
     visit(pair.a, pair.b);
     return true;
   });
 }
 
-double PairSpace::distance(const std::vector<double>& point, Witness<std::uint16_t>& hint) const {
+template <class MeshType>
+double BasicPairSpace<MeshType>::distance(const std::vector<double>& point, Hint& hint) const {
   const Transform frame = frame_at(point);
   const double gap = least_gap(frame);
   if (gap > kMaxDistance / 256.0) {
@@ -218,8 +236,9 @@ double PairSpace::distance(const std::vector<double>& point, Witness<std::uint16
   return found.lower / 256.0;
 }
 
-double PairSpace::far_origin() const {
-  const auto of = [](const Mesh& mesh) {
+template <class MeshType>
+double BasicPairSpace<MeshType>::far_origin() const {
+  const auto of = [](const MeshType& mesh) {
     double sum = 0;
     for (const std::int32_t coordinate : mesh.origin) {
       sum += std::fabs(coordinate);
@@ -228,5 +247,8 @@ double PairSpace::far_origin() const {
   };
   return std::max(of(a_), of(b_));
 }
+
+template class BasicPairSpace<WholeMesh>;
+template class BasicPairSpace<Mesh>;
 
 }  // namespace flashbvh::tool

@@ -6,13 +6,15 @@
 
 #include "flashbvh/clearance.hpp"
 #include "robot/kinematics.hpp"
+#include "robot/matrix/baked_part.hpp"
 
 namespace flashbvh::tool {
 
 /// A link as a pair sees it.
-struct PairLink {
+template <class MeshType>
+struct BasicPairLink {
   std::size_t link;
-  const Mesh* mesh;
+  const MeshType* mesh;
   const std::vector<double>* reaches;  ///< reaches_of(), or null: by the mesh's box
 };
 
@@ -29,10 +31,14 @@ struct Motion {
   double sum = 0;
 };
 
-class PairSpace {
+template <class MeshType>
+class BasicPairSpace {
  public:
+  using Link = BasicPairLink<MeshType>;
+  using Hint = Witness<typename MeshType::Index>;
+
   /// Lasts as long as the model and the meshes.
-  PairSpace(const Model& model, const PairLink& a, const PairLink& b, double cell);
+  BasicPairSpace(const Model& model, const Link& a, const Link& b, double cell);
 
   /// None: nothing moves them.
   const std::vector<Dimension>& dimensions() const { return dimensions_; }
@@ -52,7 +58,7 @@ class PairSpace {
                  const std::function<void(std::uint32_t, std::uint32_t)>& visit) const;
   /// In cells, at most the true one; exact where they are near, and 0 if they intersect. `hint`:
   /// what was nearest before, and is now.
-  double distance(const std::vector<double>& point, Witness<std::uint16_t>& hint) const;
+  double distance(const std::vector<double>& point, Hint& hint) const;
   /// How far placing moves a vertex in addition to kPlacing, in cells: rotations are kept to 2^-23.
   double far_origin() const;
 
@@ -70,7 +76,7 @@ class PairSpace {
     double reach_a;  ///< metres
     double reach_b;
   };
-  static Bounds bounds_of(const Mesh& mesh, double cell);
+  static Bounds bounds_of(const MeshType& mesh, double cell);
   std::size_t dimension_of(std::size_t variable);
   Interval one_turn(std::size_t variable) const;
   std::vector<double> motions(const Bounds& bounds, const Transform& frame,
@@ -81,8 +87,8 @@ class PairSpace {
   Transform frame_at(const std::vector<double>& point) const;
 
   const Model& model_;
-  const Mesh& a_;
-  const Mesh& b_;
+  const MeshType& a_;
+  const MeshType& b_;
   double cell_;
   JointsBetween joints_;
   Bounds bounds_a_;
@@ -91,5 +97,15 @@ class PairSpace {
   std::vector<Dimension> dimensions_;
   std::vector<double> middle_;
 };
+
+// Compiled once.
+extern template class BasicPairSpace<WholeMesh>;
+extern template class BasicPairSpace<Mesh>;
+
+/// Pairs are decided in it.
+using PairLink = BasicPairLink<WholeMesh>;
+using PairSpace = BasicPairSpace<WholeMesh>;
+/// A guard's distance tables are made in it.
+using FirmwarePairSpace = BasicPairSpace<Mesh>;
 
 }  // namespace flashbvh::tool

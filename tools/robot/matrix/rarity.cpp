@@ -47,9 +47,9 @@ std::vector<Pose> link_poses(const Model& model, double cell,
   return poses;
 }
 
-BodyTriangles triangles_at(const Model& model, const Mesh* meshes, double cell,
+BodyTriangles triangles_at(const Model& model, const WholeMesh* meshes, double cell,
                            const PairVerdict& pair) {
-  TrianglePair<std::uint16_t> found{};
+  TrianglePair<WholeMesh::Index> found{};
   const Transform frame = frame_between(model, joints_between(model, pair.a, pair.b), pair.witness);
   for (const auto& [a, b] : pair.bodies) {
     if (first_pair(meshes[a], meshes[b], pose_of(frame, cell), found).yes) {
@@ -59,7 +59,7 @@ BodyTriangles triangles_at(const Model& model, const Mesh* meshes, double cell,
   return {pair.a, pair.b, found};
 }
 
-std::vector<Collisions> collisions_of(const Model& model, const Mesh* meshes, double cell,
+std::vector<Collisions> collisions_of(const Model& model, const WholeMesh* meshes, double cell,
                                       const std::vector<PairVerdict>& pairs,
                                       std::uint32_t samples) {
   std::vector<Collisions> collisions(pairs.size());

@@ -18,10 +18,10 @@ std::vector<Pose> link_poses(const Model& model, double cell, const std::vector<
 struct BodyTriangles {
   std::size_t a;
   std::size_t b;
-  TrianglePair<std::uint16_t> triangles;
+  TrianglePair<WholeMesh::Index> triangles;
 };
 /// That intersect at the witness of a pair that has one. `meshes`: of all the model's links.
-BodyTriangles triangles_at(const Model& model, const Mesh* meshes, double cell,
+BodyTriangles triangles_at(const Model& model, const WholeMesh* meshes, double cell,
                            const PairVerdict& pair);
 
 /// Configurations at which a pair intersects.
@@ -33,7 +33,7 @@ struct Collisions {
 /// Of each pair, at configurations even within the limits and always the same: `samples`, and ten
 /// times as many where fewer than ten of them collide. Pairs that are not `can` are not queried.
 /// `meshes`: the links'.
-std::vector<Collisions> collisions_of(const Model& model, const Mesh* meshes, double cell,
+std::vector<Collisions> collisions_of(const Model& model, const WholeMesh* meshes, double cell,
                                       const std::vector<PairVerdict>& pairs, std::uint32_t samples);
 
 /// What part of all configurations collides, estimated from samples.

@@ -216,7 +216,8 @@ SweptPair swept_pair(const Model& model, std::size_t a, std::size_t b, double ce
   }
 }
 
-bool is_any_inside(const Mesh& solid, const Mesh& other, const Transform& frame, double cell) {
+bool is_any_inside(const WholeMesh& solid, const WholeMesh& other, const Transform& frame,
+                   double cell) {
   for (std::uint32_t i = 0; i < other.shell_count; ++i) {
     const Vertex& v = other.vertices[other.shell_vertices[i]];
     const Vector3 point =

@@ -55,6 +55,7 @@ SweptPair swept_pair(const Model& model, std::size_t a, std::size_t b, double ce
 
 /// Whether any part of `other`, which lies at `frame` and comes nowhere nearer to the solid's
 /// surface than a cell of the lattice, lies in the solid.
-bool is_any_inside(const Mesh& solid, const Mesh& other, const Transform& frame, double cell);
+bool is_any_inside(const WholeMesh& solid, const WholeMesh& other, const Transform& frame,
+                   double cell);
 
 }  // namespace flashbvh::tool

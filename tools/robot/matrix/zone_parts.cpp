@@ -30,7 +30,7 @@ class Sieve {
     options_.slack += 2 * kDeviation;  // where triangles are cut, vertices are rounded again
   }
 
-  bake::SourceMesh near(const bake::SourceMesh& mesh, const Mesh& other) const {
+  bake::SourceMesh near(const bake::SourceMesh& mesh, const WholeMesh& other) const {
     std::vector<std::uint32_t> all(mesh.triangles.size());
     std::iota(all.begin(), all.end(), 0);
     std::vector<std::uint32_t> kept;
@@ -40,15 +40,15 @@ class Sieve {
   }
 
  private:
-  bool may_come_near(const bake::SourceMesh& part, const Mesh& other) const {
+  bool may_come_near(const bake::SourceMesh& part, const WholeMesh& other) const {
     const BakedPart baked = bake_part(part, cell_);
-    const Mesh mesh = baked.view();
+    const WholeMesh mesh = baked.view();
     const PairSpace space(model_, {zone_.a, of_a_ ? &mesh : &other, nullptr},
                           {zone_.b, of_a_ ? &other : &mesh, nullptr}, cell_);
     return search_pair(space, options_, stop_).end != SearchEnd::apart;
   }
 
-  void look_at(const bake::SourceMesh& mesh, const Mesh& other,
+  void look_at(const bake::SourceMesh& mesh, const WholeMesh& other,
                const std::vector<std::uint32_t>& triangles,
                std::vector<std::uint32_t>& kept) const {
     if (triangles.empty()) {
@@ -112,13 +112,13 @@ std::vector<ZoneParts> zone_parts(const Model& model, const JointZone& zone, dou
   std::vector<ZoneParts> all;
   for (const ZoneBodies& bodies : zone.bodies) {
     ZoneParts parts;
-    const Mesh other = bodies.b.view();
+    const WholeMesh other = bodies.b.view();
     parts.a = of_a.near(bodies.mesh_a, other);
     if (parts.a.triangles.empty()) {
       continue;
     }
     const BakedPart near_a = bake_part(parts.a, cell);
-    const Mesh mesh_a = near_a.view();
+    const WholeMesh mesh_a = near_a.view();
     parts.b = of_b.near(bodies.mesh_b, mesh_a);
     if (!parts.b.triangles.empty()) {
       all.push_back(std::move(parts));

@@ -11,7 +11,8 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Triangles are not cut beyond so many: 16-bit indices reach 65,535 of them and of vertices.
+/// Triangles are not cut beyond so many: firmware gets parts of them, and its 16-bit indices reach
+/// 65,535 triangles and vertices.
 constexpr std::size_t kMostTriangles = 24'000;
 
 double length(const Vector3& p, const Vector3& q) {
