@@ -72,6 +72,16 @@ TEST_CASE("a shell stays, however small") {
   CHECK(coarse.triangles.size() < 80);
 }
 
+TEST_CASE("shells that rounding makes a point, an edge or a sheet are simplified") {
+  bake::SourceMesh mesh = many_shells();
+  add(box({0, 30, 0}, {60, 0.01, 0.01}, 6), mesh);
+  add(box({0, 60, 0}, {60, 30, 0.01}, 6), mesh);
+  Coarsening coarsening(mesh, 0.25);
+  coarsening.coarsen(1);
+  CHECK(coarsening.deviation().most <= 1);
+  CHECK(coarsening.mesh().triangles.size() < 120);
+}
+
 TEST_CASE("repeated triangles are there once") {
   const bake::SourceMesh mesh = repeated(hills(12, 12));
   Coarsening coarsening(mesh, bake::finest_cell(mesh));

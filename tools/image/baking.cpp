@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bake/build_tree.hpp"
+#include "bake/image_bytes.hpp"
 #include "bake/quantise.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -124,6 +125,18 @@ AnyBakedTree lay_out(const bake::BuildTree& tree, const bake::LatticeMesh& mesh,
   return bake::lay_out<Index, Layout::post_indexed>(tree, mesh);
 }
 
+InputMesh in_place_of(const InputMesh& input, const simplify::Coarsening& coarse) {
+  InputMesh made;
+  made.path = input.path;
+  made.mesh = coarse.mesh();
+  return made;
+}
+
+BakeOptions without_limit(BakeOptions options) {
+  options.max_deviation = std::nullopt;
+  return options;
+}
+
 }  // namespace
 
 double finest_cell(const InputMesh& input) {
@@ -167,15 +180,24 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
   return {build_tree(input, rounded, options), std::move(rounded.defects)};
 }
 
+double coarse_bytes(const InputMesh& input, const simplify::Coarsening& coarse,
+                    const BakeOptions& options, bool levels) {
+  const InputMesh made = in_place_of(input, coarse);
+  const BakeOptions own = without_limit(options);
+  try {
+    const AnyBakedTree tree = build_tree(made, round_mesh(made, own), own);
+    return std::visit(
+        [&](const auto& baked) { return static_cast<double>(bake::image_size(baked, levels)); }, tree);
+  } catch (const UserError&) {
+    return HUGE_VAL;
+  }
+}
+
 BakedMesh bake(const InputMesh& input, const BakeOptions& options,
                const simplify::Coarsening& coarse) {
   MeshDefects defects = round_mesh(input, options).defects;
-  InputMesh made = input;
-  made.mesh = coarse.mesh();
-  made.degenerate = {};
-  BakeOptions own = options;
-  own.max_deviation = std::nullopt;
-  RoundedMesh rounded = round_mesh(made, own);
+  const InputMesh made = in_place_of(input, coarse);
+  RoundedMesh rounded = round_mesh(made, without_limit(options));
   rounded.lattice.deviation = coarse.deviation().most;
   if (options.max_deviation && rounded.lattice.deviation > *options.max_deviation) {
     throw UserError(input.path, "the simplified mesh deviates by ",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "bake/quantise.hpp"
 #include "bake/surface.hpp"
@@ -53,6 +54,17 @@ bake::SourceMesh part_of(const bake::SourceMesh& mesh, const std::vector<std::ui
   return part;
 }
 
+void append(const bake::SourceMesh& more, bake::SourceMesh& mesh) {
+  const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+  for (bake::TriangleCorners corners : more.triangles) {
+    for (std::uint32_t& corner : corners) {
+      corner += base;
+    }
+    mesh.triangles.push_back(corners);
+  }
+}
+
 std::vector<std::uint32_t> all_of(const bake::SourceMesh& mesh) {
   std::vector<std::uint32_t> numbers(mesh.triangles.size());
   std::iota(numbers.begin(), numbers.end(), 0U);
@@ -90,6 +102,45 @@ bool is_closed(const bake::SourceMesh& mesh) {
   return bake::is_closed(mesh.triangles);
 }
 
+bool is_collapsed(const bake::TriangleCorners& corners) {
+  return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+}
+
+/// Without triangles whose corners fall together, but for one for each edge or point that is no
+/// other triangle's.
+void drop_collapsed(bake::SourceMesh& mesh) {
+  std::set<std::array<std::uint32_t, 2>> held;
+  const auto hold = [&](const bake::TriangleCorners& corners) {
+    bool is_new = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 3]);
+      held.insert({low, low});
+      held.insert({high, high});
+      is_new = held.insert({low, high}).second || is_new;
+    }
+    return is_new;
+  };
+  std::vector<bake::TriangleCorners> kept;
+  for (const bake::TriangleCorners& corners : mesh.triangles) {
+    if (!is_collapsed(corners)) {
+      hold(corners);
+      kept.push_back(corners);
+    }
+  }
+  const auto is_point = [](const bake::TriangleCorners& corners) {
+    return corners[0] == corners[1] && corners[1] == corners[2];
+  };
+  for (const bool points : {false, true}) {
+    for (const bake::TriangleCorners& corners : mesh.triangles) {
+      if (is_collapsed(corners) && is_point(corners) == points &&
+          (points ? held.insert({corners[0], corners[0]}).second : hold(corners))) {
+        kept.push_back(corners);
+      }
+    }
+  }
+  mesh.triangles = std::move(kept);
+}
+
 /// Without repeated triangles, if that leaves a closed mesh closed.
 void drop_repeated(bake::SourceMesh& mesh) {
   std::map<bake::TriangleCorners, std::size_t> seen;
@@ -109,7 +160,7 @@ void drop_repeated(bake::SourceMesh& mesh) {
 }  // namespace
 
 Coarsening::Coarsening(const bake::SourceMesh& mesh, double cell)
-    : mesh_(&mesh), rounding_(bake::deviation(mesh, cell)) {
+    : rounding_(bake::deviation(mesh, cell)) {
   const bake::SourceMesh placed = on_lattice(mesh, cell);
   std::map<std::uint32_t, std::vector<std::uint32_t>> shells;
   const std::vector<std::uint32_t> first = bake::shells_of(placed.triangles, placed.vertices.size());
@@ -119,6 +170,7 @@ Coarsening::Coarsening(const bake::SourceMesh& mesh, double cell)
   for (const auto& [vertex, numbers] : shells) {
     bake::SourceMesh original = part_of(mesh, numbers);
     bake::SourceMesh coarse = part_of(placed, numbers);
+    drop_collapsed(coarse);
     NearestTriangle nearest(original);
     shells_.push_back({std::move(original), std::move(coarse), std::move(nearest)});
   }
@@ -174,8 +226,12 @@ void Coarsening::coarsen(double limit) {
 
 Deviation Coarsening::deviation() const {
   const bake::SourceMesh coarse = mesh();
-  const Deviation of_original = deviation_from(NearestTriangle(coarse), *mesh_, limit_);
-  const Deviation of_coarse = deviation_from(NearestTriangle(*mesh_), coarse, limit_);
+  bake::SourceMesh original;
+  for (const Shell& shell : shells_) {
+    append(shell.original, original);
+  }
+  const Deviation of_original = deviation_from(NearestTriangle(coarse), original, limit_);
+  const Deviation of_coarse = deviation_from(NearestTriangle(original), coarse, limit_);
   return of_coarse.most > of_original.most ? of_coarse : of_original;
 }
 
@@ -200,15 +256,7 @@ bake::SourceMesh Coarsening::mesh() const {
   for (const Shell& shell : shells_) {
     bake::SourceMesh coarse = shell.coarse;
     drop_repeated(coarse);
-    coarse = part_of(coarse, all_of(coarse));
-    const auto base = static_cast<std::uint32_t>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), coarse.vertices.begin(), coarse.vertices.end());
-    for (bake::TriangleCorners corners : coarse.triangles) {
-      for (std::uint32_t& corner : corners) {
-        corner += base;
-      }
-      all.triangles.push_back(corners);
-    }
+    append(part_of(coarse, all_of(coarse)), all);
   }
   return all;
 }

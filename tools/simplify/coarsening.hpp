@@ -14,7 +14,7 @@ namespace flashbvh::simplify {
 
 class Coarsening {
  public:
-  /// Lengths are in the mesh's unit. Precondition: bake::fits(mesh, cell); it outlives the object.
+  /// Lengths are in the mesh's unit. Precondition: bake::fits(mesh, cell).
   Coarsening(const bake::SourceMesh& mesh, double cell);
 
   /// The least limit: what rounding to the lattice moves.
@@ -43,7 +43,6 @@ class Coarsening {
   static void propose(Shell& shell, double limit);
   static void collapse(Shell& shell, double limit);
 
-  const bake::SourceMesh* mesh_;
   double rounding_;
   std::vector<Shell> shells_;
   double limit_ = 0;  ///< until now

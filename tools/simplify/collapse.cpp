@@ -56,7 +56,9 @@ class Collapser {
         is_gone_(mesh.triangles.size(), false) {
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
       for (const std::uint32_t corner : mesh.triangles[i]) {
-        around_[corner].push_back(i);
+        if (around_[corner].empty() || around_[corner].back() != i) {
+          around_[corner].push_back(i);
+        }
       }
       add_quadric(i);
     }
@@ -265,7 +267,7 @@ class Collapser {
       for (const std::uint32_t corner : corners) {
         if (corner != from) {
           Numbers& there = around_[corner];
-          there.erase(std::find(there.begin(), there.end(), triangle));
+          there.erase(std::remove(there.begin(), there.end(), triangle), there.end());
         }
       }
     }

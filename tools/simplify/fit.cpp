@@ -63,6 +63,17 @@ double rounded_up(double length) {
   return std::ceil(length / digit) * digit;
 }
 
+/// The first leaf size with which they fit, or 0.
+std::uint32_t fitting(const std::vector<Coarsening>& meshes, double most,
+                      const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of) {
+  for (const std::uint32_t leaf_size : leaf_sizes) {
+    if (bytes_of(meshes, leaf_size) <= most) {
+      return leaf_size;
+    }
+  }
+  return 0;
+}
+
 }  // namespace
 
 void coarsen_all(std::vector<Coarsening>& meshes, double length) {
@@ -73,48 +84,44 @@ void coarsen_all(std::vector<Coarsening>& meshes, double length) {
 
 std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double longest,
                        const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of) {
-  for (const std::uint32_t leaf_size : leaf_sizes) {
-    if (bytes_of(meshes, leaf_size) <= most) {
-      return Fit{0, leaf_size};
-    }
+  if (const std::uint32_t leaf_size = fitting(meshes, most, leaf_sizes, bytes_of)) {
+    return Fit{0, leaf_size};
   }
-  const auto fitting = [&]() -> std::uint32_t {
-    for (const std::uint32_t leaf_size : leaf_sizes) {
-      if (bytes_of(meshes, leaf_size) <= most) {
-        return leaf_size;
-      }
-    }
-    return 0;
-  };
   const double shortest = kAboveRounding * most_rounding(meshes);
   const std::vector<Coarsening> full = meshes;
   double length = rounded_up(guess(meshes, most, shortest, longest));
   coarsen_all(meshes, length);
-  while (fitting() != 0 && length > shortest * kStep) {
+  while (fitting(meshes, most, leaf_sizes, bytes_of) != 0 && length > shortest * kStep) {
     length = rounded_up(std::max(length / (kStep * kStep * kStep), shortest));
     meshes = full;
     coarsen_all(meshes, length);
   }
-  while (fitting() == 0) {
+  return fit_from(length, meshes, most, longest, leaf_sizes, bytes_of);
+}
+
+std::optional<Fit> fit_from(double length, std::vector<Coarsening>& meshes, double most,
+                            double longest, const std::vector<std::uint32_t>& leaf_sizes,
+                            const BytesOf& bytes_of) {
+  std::uint32_t leaf_size = fitting(meshes, most, leaf_sizes, bytes_of);
+  while (leaf_size == 0) {
     if (length >= longest) {
       return std::nullopt;
     }
     length = std::min(rounded_up(length * kStep), longest);
     coarsen_all(meshes, length);
+    leaf_size = fitting(meshes, most, leaf_sizes, bytes_of);
   }
-  Fit least = {length, fitting()};
-  std::vector<Coarsening> found = meshes;
-  while (least.leaf_size > leaf_sizes.front() && length * kStep <= kWorthwhile * least.length) {
-    length = rounded_up(length * kStep);
-    coarsen_all(meshes, length);
-    if (fitting() < least.leaf_size) {
-      least = {length, fitting()};
-      found = meshes;
-      break;
+  std::vector<Coarsening> longer = meshes;
+  for (double next = length * kStep; leaf_size > leaf_sizes.front() && next <= kWorthwhile * length;
+       next *= kStep) {
+    coarsen_all(longer, rounded_up(next));
+    const std::uint32_t smaller = fitting(longer, most, leaf_sizes, bytes_of);
+    if (smaller < leaf_size) {
+      meshes = std::move(longer);
+      return Fit{rounded_up(next), smaller};
     }
   }
-  meshes = std::move(found);
-  return least;
+  return Fit{length, leaf_size};
 }
 
 std::vector<LengthRow> length_table(std::vector<Coarsening>& meshes, double longest,

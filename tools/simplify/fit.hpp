@@ -28,6 +28,11 @@ void coarsen_all(std::vector<Coarsening>& meshes, double length);
 std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double longest,
                        const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of);
 
+/// The same of meshes that are coarsened already, with `length` or more.
+std::optional<Fit> fit_from(double length, std::vector<Coarsening>& meshes, double most,
+                            double longest, const std::vector<std::uint32_t>& leaf_sizes,
+                            const BytesOf& bytes_of);
+
 /// What a length costs.
 struct LengthRow {
   double length;

@@ -43,7 +43,7 @@ std::vector<PointTriangle> cut_at_plane(const PointTriangle& part,
   std::size_t alone = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const bool is_above = heights[i] > 0;
-    if (is_above != heights[(i + 1) % 3] > 0 && is_above != heights[(i + 2) % 3] > 0) {
+    if (is_above != (heights[(i + 1) % 3] > 0) && is_above != (heights[(i + 2) % 3] > 0)) {
       alone = i;
     }
   }

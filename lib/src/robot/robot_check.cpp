@@ -18,6 +18,9 @@ constexpr uint32_t kMostExtent = kMaxFrameTranslation - (1 << 15);
 /// Each entry is off by half of 2^-30, so a product of two rows of length 1 is by 1.74 of these.
 constexpr int64_t kRotationRounding = 2 * int64_t{kRotationOne};
 
+/// Of rounding vertices when they are placed, in 1/256 cell (lib/docs/derivations.md, "Robots").
+constexpr uint32_t kPlacingSlack = 228;
+
 constexpr uint8_t kMostShift = 40;
 constexpr int32_t kMostMultiplier = 1 << 30;
 
@@ -155,12 +158,8 @@ bool check_joints(const Robot& robot, uint32_t* extents) {
 }
 
 bool check_link(const Robot& robot, const RobotLink& link, const uint32_t* extents) {
-  for (const uint8_t byte : link.padding) {
-    if (byte != 0) {
-      return false;
-    }
-  }
-  if (link.joint >= robot.joint_count && link.joint != kBase) {
+  if (link.padding != 0 || (link.joint >= robot.joint_count && link.joint != kBase) ||
+      link.deviation > kMaxDistance || robot.slack < kPlacingSlack + 2 * link.deviation) {
     return false;
   }
   const uint64_t extent = uint64_t{length_above(link.centre)} + link.radius +

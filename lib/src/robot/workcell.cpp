@@ -191,6 +191,7 @@ Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
   RobotLink body{};
   body.joint = static_cast<uint8_t>(joint);
   body.first_reach = robot_.reach_count;
+  body.deviation = (kBaking + 0xFF) >> 8;
   RobotJoint& carrier = joints_[joint];
   carrier = {};
   carrier.fixed = mount.frame;

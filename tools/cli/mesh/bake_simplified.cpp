@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "bake/image_bytes.hpp"
 #include "bake/quantise.hpp"
 #include "cli/mesh/mesh_warnings.hpp"
 #include "text/numbers.hpp"
@@ -36,22 +35,6 @@ std::vector<simplify::Coarsening> coarsenings(const std::vector<InputMesh>& mesh
   return all;
 }
 
-/// Of a mesh as coarse as it is; infinite if it can't be baked.
-double image_bytes(const InputMesh& mesh, const simplify::Coarsening& coarse,
-                   const BakeOrder& order, BakeOptions options) {
-  options.max_deviation = std::nullopt;
-  InputMesh made;
-  made.path = mesh.path;
-  made.mesh = coarse.mesh();
-  try {
-    const AnyBakedTree tree = build_tree(made, round_mesh(made, options), options);
-    return std::visit(
-        [&](const auto& baked) { return static_cast<double>(image_size(baked, order.levels)); }, tree);
-  } catch (const UserError&) {
-    return HUGE_VAL;
-  }
-}
-
 simplify::BytesOf bytes_of(const BakeOrder& order, const std::vector<InputMesh>& meshes,
                            const BakeOptions& options) {
   return [&order, &meshes, options](const std::vector<simplify::Coarsening>& coarse,
@@ -60,7 +43,7 @@ simplify::BytesOf bytes_of(const BakeOrder& order, const std::vector<InputMesh>&
     own.leaf_size = leaf_size;
     std::vector<double> bytes(coarse.size());
     for_each_in_parallel(coarse.size(), [&](std::size_t i) {
-      bytes[i] = image_bytes(meshes[i], coarse[i], order, own);
+      bytes[i] = coarse_bytes(meshes[i], coarse[i], own, order.levels);
     });
     return std::accumulate(bytes.begin(), bytes.end(), 0.0);
   };

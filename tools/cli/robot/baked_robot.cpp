@@ -6,8 +6,10 @@
 #include "cli/progress.hpp"
 #include "cli/robot/robot_arguments.hpp"
 #include "cli/robot/robot_warnings.hpp"
+#include "cli/robot/simplified_links.hpp"
 #include "flashbvh/clearance.hpp"
 #include "text/parallel.hpp"
+#include "robot/baked/robot_image.hpp"
 #include "robot/read/urdf.hpp"
 
 namespace flashbvh::tool {
@@ -32,17 +34,13 @@ std::vector<BakedPart> bake_wholes(const Model& model, double cell, const RobotA
 
 /// UserError for a link that firmware can't hold, before anything is decided.
 void check_wholes(const RobotArguments& arguments, const BakedRobot& made) {
+  if (arguments.simplify || arguments.fit) {
+    return;
+  }
   for (std::size_t i = 0; i < made.wholes.size(); ++i) {
     if (!fits_firmware(made.wholes[i])) {
       (void)bake_link(made.model.links[i], made.cell, arguments.leaf_size, arguments.urdf);
     }
-  }
-}
-
-/// Of the links, for firmware.
-void bake_links(const RobotArguments& arguments, BakedRobot& made) {
-  for (const ModelLink& link : made.model.links) {
-    made.links.push_back(bake_link(link, made.cell, arguments.leaf_size, arguments.urdf));
   }
 }
 
@@ -153,7 +151,6 @@ std::size_t add_part(std::size_t of, bake::SourceMesh mesh, const std::string& w
   part.precision = made.model.links[of].precision;
   made.wholes.push_back(
       bake_part(link_input(part, arguments.urdf), made.cell, arguments.leaf_size));
-  made.links.push_back(bake_link(part, made.cell, arguments.leaf_size, arguments.urdf));
   made.model.links.push_back(std::move(part));
   made.links_of_parts.push_back(of);
   ++made.model.part_count;
@@ -214,6 +211,28 @@ void add_reaches(BakedRobot& made) {
   });
 }
 
+void check_simplifying(const Model& model, const RobotArguments& arguments) {
+  if (arguments.simplify && arguments.fit) {
+    throw UserError("--fit", "chooses what --simplify says; give one of the two");
+  }
+  for (const ModelLink& link : model.links) {
+    if (!arguments.simplify && !arguments.fit) {
+      check_triangles(link, arguments.urdf);
+    }
+  }
+}
+
+/// If parts next to joint zones took so much flash that zones were chosen for less.
+void warn_of_fit(const SimplifiedLinks& simplified, const RobotArguments& arguments,
+                 Warnings& warnings) {
+  if (simplified.is_late()) {
+    warnings.add("--fit " + *arguments.fit,
+                 concat("takes --simplify ", shortest(simplified.length()),
+                        ", more than joint zones were chosen for; give that in its place, or a "
+                        "guard may stop next to zones"));
+  }
+}
+
 double steps_of(const Model& model) {
   const auto count = static_cast<double>(model.links.size());
   return kBakingWeight * (count + 1) + count * (count - 1) / 2;
@@ -238,13 +257,14 @@ BakedRobot prepared(Model model, const AllDistances& distances, const RobotArgum
   return made;
 }
 
-/// All but what firmware holds.
+/// All but what firmware holds. `early`: by how much a guard may stop earlier than asked, in metres.
 void decide(const AllDistances& distances, const RobotArguments& arguments, const StageTimes& times,
-            Progress& progress, Warnings& warnings, BakedRobot& made) {
+            double early, Progress& progress, Warnings& warnings, BakedRobot& made) {
   const ZoneRadii radii = zone_radii(made.model, arguments.zones);
   const std::vector<WholeMesh> meshes = views_of(made.wholes);
   made.reaches = all_reaches(made.model, made.cell, times.until(kPartForReaches));
   made.options = matrix_options(made.model, meshes, made.cell, distances, made.reaches);
+  made.options.early = early / made.cell;
   progress.begin("joint zones", kBakingWeight);
   made.options.deadline = times.until(kPartForZones);
   made.zones = joint_zones(made.model, meshes, made.cell, made.options, radii);
@@ -256,6 +276,27 @@ void decide(const AllDistances& distances, const RobotArguments& arguments, cons
                             });
   made.options.deadline = times.until(kPartForParts);
   made.deadline = times.until(kPartForTables);
+}
+
+/// What firmware gets of it, once all is decided.
+void bake_for_firmware(const AllDistances& distances, SimplifiedLinks& simplified,
+                       BakedRobot& made) {
+  const std::vector<GuardedPair> pairs = guarded(made.pairs, distances);
+  const std::vector<WholeMesh> wholes = views_of(made.wholes);
+  {
+    const FixedRobot bare(made.model, wholes, {}, made.cell, pairs, made.reaches);
+    made.own_bytes =
+        own_image_bytes(made.model, bare.robot(), made.unguarded, made.model.name);
+  }
+  made.links = simplified.baked(made.model, made.own_bytes);
+  made.simplified = simplified.length();
+  made.leaf_size = simplified.leaf_size();
+  std::vector<double> deviations;
+  for (std::size_t i = 0; i < made.links.size(); ++i) {
+    deviations.push_back(firmware_deviation(made.model.links[i], made.links[i]));
+  }
+  made.fixed = std::make_unique<FixedRobot>(made.model, wholes, meshes_of(made.links), made.cell,
+                                            pairs, made.reaches, deviations);
 }
 
 }  // namespace
@@ -292,7 +333,7 @@ BakedRobot decided_robot(Model model, const RobotArguments& arguments, Warnings&
   Progress progress(steps_of(model), arguments.progress);
   const StageTimes times(arguments);
   BakedRobot made = prepared(std::move(model), distances, arguments, progress, warnings);
-  decide(distances, arguments, times, progress, warnings, made);
+  decide(distances, arguments, times, 0, progress, warnings, made);
   return made;
 }
 
@@ -300,23 +341,20 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   const AllDistances distances = all_distances(model, arguments);
   Progress progress(steps_of(model), arguments.progress);
   const StageTimes times(arguments);
-  for (const ModelLink& link : model.links) {
-    check_triangles(link, arguments.urdf);
-  }
+  check_simplifying(model, arguments);
   BakedRobot made = prepared(std::move(model), distances, arguments, progress, warnings);
   check_wholes(arguments, made);
-  decide(distances, arguments, times, progress, warnings, made);
+  SimplifiedLinks simplified(made.model, made.cell, arguments);
+  decide(distances, arguments, times, simplified.early(), progress, warnings, made);
   check_disabled(made.model, made.pairs, arguments.srdf, warnings);
-  bake_links(arguments, made);
   add_parts(arguments, made);
   add_reaches(made);
   made.unguarded = unguarded_pairs(made.pairs, made.zones);
   warn_of_unguarded(made, arguments.urdf, warnings);
   warn_of_fixed(made, distances, arguments.urdf, warnings);
   warn_of_near(made, distances, arguments, warnings);
-  made.fixed =
-      std::make_unique<FixedRobot>(made.model, views_of(made.wholes), meshes_of(made.links),
-                                   made.cell, guarded(made.pairs, distances), made.reaches);
+  bake_for_firmware(distances, simplified, made);
+  warn_of_fit(simplified, arguments, warnings);
   progress.begin("distance tables", 0);
   made.fixed->set_distance_tables(distance_tables_of(made.model, made.robot(), made.deadline));
   return made;
@@ -325,7 +363,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
 BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings) {
   for (const char* const option :
        {"--package", "--joint-limits", "--visual-too", "--srdf", "--believe", "--cell",
-        "--leaf-size", "--stop", "--warn", "--pair", "--zone", "--time"}) {
+        "--leaf-size", "--simplify", "--fit", "--stop", "--warn", "--pair", "--zone", "--time"}) {
     if (command.count(option) != 0) {
       throw UserError(path, "is baked already, ", option,
                       " is for a URDF; leave it out, or bake again with `flashbvh robot`");

@@ -37,6 +37,9 @@ struct RobotArguments {
   std::vector<std::string> zones;  ///< of joints
   std::optional<std::string> time;
   std::uint32_t leaf_size = bake::kDefaultLeafSize;
+  bool has_leaf_size = false;           ///< the user chose it
+  std::optional<std::string> simplify;  ///< how far what firmware gets may deviate
+  std::optional<std::string> fit;       ///< or what it may take
   bool progress = false;
 };
 
@@ -60,6 +63,9 @@ struct BakedRobot {
   std::vector<JointZone> zones;
   std::vector<PairVerdict> pairs;
   std::vector<UnguardedPair> unguarded;  ///< of an image, too
+  double simplified = 0;              ///< in metres, how far firmware's links were allowed to; 0: not
+  std::uint32_t leaf_size = 0;        ///< of firmware's links
+  std::size_t own_bytes = 0;          ///< of the image, without meshes
   std::unique_ptr<FixedRobot> fixed;
   std::unique_ptr<RobotFile> file;  ///< instead of all three, of an image
 

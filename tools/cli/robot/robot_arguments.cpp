@@ -78,6 +78,24 @@ std::optional<double> given_cell(const RobotArguments& arguments) {
   return cell;
 }
 
+double simplify_length(const RobotArguments& arguments) {
+  const double length = metres("--simplify", *arguments.simplify);
+  if (length == 0) {
+    throw UserError("--simplify " + *arguments.simplify,
+                    "simplifies nothing; give a positive number, in metres");
+  }
+  return length;
+}
+
+std::size_t fit_bytes(const RobotArguments& arguments) {
+  const std::optional<long long> bytes = parse_integer(*arguments.fit);
+  if (!bytes || *bytes < 1 || *bytes > std::numeric_limits<std::uint32_t>::max()) {
+    throw UserError("--fit " + *arguments.fit, "is no number of bytes; give one from 1 to ",
+                    std::numeric_limits<std::uint32_t>::max());
+  }
+  return static_cast<std::size_t>(*bytes);
+}
+
 Packages packages_of(const std::vector<std::string>& given) {
   Packages packages;
   for (const std::string& option : given) {
@@ -189,7 +207,13 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
              "Size of a lattice cell; default: the finest that all the links fit");
   command.add_option("--leaf-size", arguments.leaf_size, "Most triangles in a leaf")
       ->check(CLI::Range(1, 16))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->each([&arguments](const std::string&) { arguments.has_leaf_size = true; });
+  add_option(command, "--simplify", arguments.simplify, "LENGTH",
+             "Firmware gets fewer triangles, within LENGTH of the links', proven; what can collide is "
+             "decided\nwith all triangles. A guard stops earlier by up to four times LENGTH");
+  add_option(command, "--fit", arguments.fit, "BYTES",
+             "Simplify as little as it takes for the image to be no larger, and choose --leaf-size");
   add_option(command, "--stop", arguments.stop, "LENGTH", "Links nearer than this must stop")
       ->capture_default_str();
   add_option(command, "--warn", arguments.warn, "LENGTH",

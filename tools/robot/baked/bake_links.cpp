@@ -155,16 +155,19 @@ bool fits_firmware(const BakedPart& part) {
          part.nodes.size() <= Limits::kMost && part.leaf_count <= Limits::kMostLeaves;
 }
 
+double firmware_deviation(const ModelLink& link, const BakedLink& baked) {
+  return baked.tree.deviation + std::sqrt(3.0) * link.precision;
+}
+
 BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
-                    const std::string& path) {
-  check_triangles(link, path);
+                    const std::string& path, const simplify::Coarsening* coarse) {
   const InputMesh input = link_input(link, path);
   BakeOptions options;
   options.unit = "m";
   options.cell = cell;
   options.leaf_size = leaf_size;
   options.offers_wide_indices = false;
-  BakedMesh baked = bake(input, options);
+  BakedMesh baked = coarse != nullptr ? bake(input, options, *coarse) : bake(input, options);
   BakedLink made;
   made.tree = std::get<bake::BakedTree<std::uint16_t, Layout::post_indexed>>(std::move(baked.tree));
   made.tree.unit = Unit::m;

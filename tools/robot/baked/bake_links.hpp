@@ -45,9 +45,13 @@ void check_triangles(const ModelLink& link, const std::string& path);
 /// Whether 16-bit indices reach all of such a tree.
 bool fits_firmware(const BakedPart& part);
 
+/// In metres: the same of a link that is baked for firmware, simplified or not.
+double firmware_deviation(const ModelLink& link, const BakedLink& baked);
+
 /// For firmware. UserError, with the link and the remedy, if it has more triangles, vertices or
-/// nodes than 16-bit indices reach. `leaf_size`: most triangles in a leaf.
+/// nodes than 16-bit indices reach. `leaf_size`: most triangles in a leaf. `coarse`: of the link's
+/// mesh, to be baked in its place, or null.
 BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
-                    const std::string& path);
+                    const std::string& path, const simplify::Coarsening* coarse = nullptr);
 
 }  // namespace flashbvh::tool

@@ -133,7 +133,8 @@ Mount fixed_mount(const ModelMount& mount, double cell) {
 
 FixedRobot::FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
                        const std::vector<Mesh>& meshes, double cell,
-                       const std::vector<GuardedPair>& pairs, const Reaches& reaches)
+                       const std::vector<GuardedPair>& pairs, const Reaches& reaches,
+                       const std::vector<double>& deviations)
     : cell_(cell), meshes_(meshes) {
   if (model.joints.size() > kMaxJoints || model.links.size() > kMaxLinks) {
     throw UserError(model.path, "has ", model.joints.size(), " moving joints and ",
@@ -144,7 +145,8 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
     add_joint(model, i);
   }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    add_link(model, i, wholes[i], i < reaches.size() ? reaches[i] : reaches_of(model, i, cell));
+    add_link(model, i, wholes[i], i < reaches.size() ? reaches[i] : reaches_of(model, i, cell),
+             deviations.empty() ? link_deviation(model.links[i], cell) : deviations[i]);
   }
   check_size(model);
   for (const GuardedPair& pair : pairs) {
@@ -202,7 +204,7 @@ void FixedRobot::add_joint(const Model& model, std::size_t number) {
 }
 
 void FixedRobot::add_link(const Model& model, std::size_t number, const WholeMesh& whole,
-                          const std::vector<double>& reaches) {
+                          const std::vector<double>& reaches, double deviation) {
   const ModelLink& link = model.links[number];
   const Mesh* const baked = meshes_.empty() ? nullptr : &meshes_[number];
   RobotLink fixed{};
@@ -213,6 +215,7 @@ void FixedRobot::add_link(const Model& model, std::size_t number, const WholeMes
   fixed.radius = static_cast<std::uint32_t>(std::ceil(sphere.radius * kFrameCell)) + 2;
   fixed.first_reach = static_cast<std::uint16_t>(reaches_.size());
   fixed.joint = number_of(link.joint);
+  fixed.deviation = static_cast<std::uint32_t>(std::ceil(deviation / cell_ * kFineOne));
   for (std::size_t j = link.joint; j != kNoJoint; j = model.joints[j].parent) {
     const double unit = unit_of(model.joints[j], cell_);
     const double fine = reaches[j] * unit / cell_ * 256;
@@ -295,7 +298,7 @@ std::uint32_t FixedRobot::slack(const Model& model) const {
   double most = 0;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const double extent = extent_of(model, i);
-    double error = link_deviation(model.links[i], cell_) / cell_;
+    double error = static_cast<double>(links_[i].deviation) / kFineOne;
     std::size_t reach = links_[i].first_reach;
     for (std::size_t j = model.links[i].joint; j != kNoJoint; j = model.joints[j].parent) {
       // Its rotation's norm; its translation, rounded twice; its coordinate.

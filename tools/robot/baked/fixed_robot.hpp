@@ -37,12 +37,13 @@ class FixedRobot {
   /// `wholes`, `meshes`: the links' as pairs are decided on them, and as firmware gets them; of the
   /// same number, baked with `cell`, in metres. A link's sphere holds both. The latter outlive it;
   /// without any it is a robot without meshes and hash. `reaches`: of the first links; those of
-  /// others are worked out.
+  /// others are worked out. `deviations`: of the meshes from what the URDF has, in metres; without
+  /// any that of the wholes.
   /// UserError if the robot has more joints or links than firmware takes, or is larger, or moves
   /// any of the pairs too far; says with which cell it would do.
   FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
              const std::vector<Mesh>& meshes, double cell, const std::vector<GuardedPair>& pairs,
-             const Reaches& reaches = {});
+             const Reaches& reaches = {}, const std::vector<double>& deviations = {});
 
   /// Adds distance_tables_of() it.
   void set_distance_tables(std::vector<std::uint8_t> distance_tables);
@@ -60,7 +61,7 @@ class FixedRobot {
  private:
   void add_joint(const Model& model, std::size_t joint);
   void add_link(const Model& model, std::size_t link, const WholeMesh& whole,
-                const std::vector<double>& reaches);
+                const std::vector<double>& reaches, double deviation);
   void add_pair(const Model& model, const GuardedPair& pair);
   double reach_of(const RobotPair& pair) const;
   void check_reach() const;

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "flashbvh/detail/robot/distance_table.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/robot/image.hpp"
 #include "robot/read/xml_file.hpp"
@@ -96,6 +97,19 @@ void check_limits(const Model& model, const Robot& robot) {
 }
 
 }  // namespace
+
+std::size_t own_image_bytes(const Model& model, const Robot& robot,
+                            const std::vector<UnguardedPair>& unguarded, const std::string& name) {
+  std::size_t bytes = sizeof(RobotImageHeader) + robot.joint_count * sizeof(RobotJoint) +
+                      robot.link_count * sizeof(RobotLink) + robot.pair_count * sizeof(RobotPair) +
+                      robot.reach_count * sizeof(std::uint32_t) +
+                      model.mounts.size() * sizeof(Mount) +
+                      unguarded.size() * sizeof(RobotUnguarded) + names_of(model, name).size();
+  for (std::size_t i = 0; i < robot.pair_count; ++i) {
+    bytes += distance_table_size(robot, robot.pairs[i]);
+  }
+  return (bytes + 3) / 4 * 4;
+}
 
 std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
                                        const std::vector<UnguardedPair>& unguarded,

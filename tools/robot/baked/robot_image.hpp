@@ -18,4 +18,8 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
                                        const std::vector<std::vector<std::uint32_t>>& meshes,
                                        const std::string& name);
 
+/// Of the image, without its meshes.
+std::size_t own_image_bytes(const Model& model, const Robot& robot,
+                            const std::vector<UnguardedPair>& unguarded, const std::string& name);
+
 }  // namespace flashbvh::tool

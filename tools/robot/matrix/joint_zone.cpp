@@ -58,7 +58,7 @@ class Finder {
       : model_(model),
         joint_(joint),
         cell_(cell),
-        touching_(options.distances_of(a, b).stop + options.slack),
+        touching_(options.distances_of(a, b).stop + options.early + options.slack),
         deadline_(options.deadline),
         links_{a, b},
         sides_{ZoneSide(model.links[a], frame_in(model, a, joint)),

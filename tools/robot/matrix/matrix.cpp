@@ -80,7 +80,7 @@ class Decider {
       pair.is_guarded = stop > 0 && !stays_away(stop, pair);
       pair.reason += stop > 0 ? concat("; ", pair.cells - before, " more for --stop") : "";
     }
-    pair.is_stopped = pair.is_guarded && is_within(stop);
+    pair.is_stopped = pair.is_guarded && is_within(stop + options_.early);
     pair.is_warned = pair.is_guarded && !pair.is_stopped && !pair.zone && is_within(warn);
   }
 

@@ -28,6 +28,7 @@ struct MatrixOptions {
   /// In cells: how near links may come before a guard stops them. No part of the verdict.
   double stop = 0;
   double warn = 0;                  ///< nor is this: from where it warns of them
+  double early = 0;                 ///< so much earlier a guard of simplified links may stop them
   std::vector<StopDistance> stops;  ///< of pairs for which that does not hold
   /// In cells: where so little motion is left in a cell of the joints' values, it is not cut again.
   double resolution = 0.5;

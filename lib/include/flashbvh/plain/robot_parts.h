@@ -102,7 +102,10 @@ typedef struct flashbvh_robot_link {
   /** Of the robot's reaches: the first of those of its branch, from its own joint to the base. */
   uint16_t first_reach;
   uint8_t joint; /**< or FLASHBVH_BASE */
-  uint8_t padding[5];
+  uint8_t padding;
+  /** How far a point of the link, as the URDF has it, may lie from the mesh, in 1/256 cell: what
+   * rounding to the lattice and simplifying moved it. Robot::slack has it. */
+  uint32_t deviation;
 } flashbvh_robot_link;
 
 /** Two links that can collide. 16 bytes. */
@@ -151,8 +154,8 @@ typedef struct flashbvh_robot {
   uint16_t pair_count;
   uint16_t reach_count;
   /** How far two of its links, as the URDF has them, may be nearer to each other than their placed
-   * meshes, in 1/256 cell: what rounding vertices to the lattice, when they are baked and when
-   * they are placed, and kinematics in fixed point add up to. */
+   * meshes, in 1/256 cell: both links' deviations, what rounding vertices when they are placed
+   * moves, and kinematics in fixed point. */
   uint32_t slack;
   uint32_t distance_table_bytes; /**< 0: a guard does without */
   uint32_t hash;                 /**< of all of it: distinguishes robots */

@@ -27,7 +27,7 @@
 namespace flashbvh {
 
 constexpr uint32_t kRobotImageMagic = 0x52564246u;  // "FBVR"
-constexpr uint16_t kRobotImageVersion = 3;
+constexpr uint16_t kRobotImageVersion = 4;
 
 /// Most bytes of a name in it, without the zero at its end.
 constexpr uint32_t kMaxRobotNameSize = 255;
@@ -66,7 +66,7 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
 /// and no motion query of it reads outside the image, overflows or runs on without end.
 ///
 /// Proven are the joints' tree, types, limits, mimics and frames; where each link's reaches stand,
-/// that its sphere holds its mesh, and that nothing gets farther from the base than frames can say;
+/// that its sphere holds its mesh, that the slack covers its deviation, and that nothing gets farther from the base than frames can say;
 /// of each pair the joints between, the sum of their reaches and its distances, and how many
 /// bytes its distance table has; each mount's joint; that the pairs that are not guarded
 /// are none of the guarded ones, and that the joint of a zone is the one between them; each mesh,
@@ -74,7 +74,7 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
 ///
 /// Trusted is what can't be worked out from the rest, and bounds what a guard's word is worth: how
 /// far turning joints move links (the reaches), what the distance tables say, that the other pairs
-/// never collide, and of the slack all but what rounding vertices takes. `flashbvh robot` works
+/// never collide, and of the slack all but the links' deviations and what rounding vertices takes. `flashbvh robot` works
 /// them out.
 ///
 /// Statuses: those of open_image(); image_corrupt as well if the hash is another one;

@@ -1,0 +1,163 @@
+#include "cli/robot/simplified_links.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "bake/quantise.hpp"
+#include "cli/robot/robot_arguments.hpp"
+#include "text/numbers.hpp"
+#include "text/parallel.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// Of the largest link: a length that makes it another one.
+constexpr double kLongestPartOfLink = 1.0 / 20;
+/// What joint zones add is not known when they are chosen.
+constexpr double kRoomForParts = 1.5;
+/// Both deviations by the meshes, both by the slack.
+constexpr double kEarly = 4;
+
+double longest_of(const Model& model) {
+  double longest = 0;
+  for (const ModelLink& link : model.links) {
+    const Size size = size_of(link.mesh);
+    longest = std::max(longest, *std::max_element(size.begin(), size.end()));
+  }
+  return kLongestPartOfLink * longest;
+}
+
+/// What the reader may have rounded is not for simplifying.
+double read_precision(const Model& model) {
+  double most = 0;
+  for (const ModelLink& link : model.links) {
+    most = std::max(most, std::sqrt(3.0) * link.precision);
+  }
+  return most;
+}
+
+simplify::BytesOf bytes_of_links(const Model& model, double cell, const std::string& path) {
+  return [&model, cell, path](const std::vector<simplify::Coarsening>& meshes,
+                              std::uint32_t leaf_size) {
+    std::vector<double> bytes(meshes.size());
+    for_each_in_parallel(meshes.size(), [&](std::size_t i) {
+      BakeOptions options;
+      options.cell = cell;
+      options.leaf_size = leaf_size;
+      bytes[i] = coarse_bytes(link_input(model.links[i], path), meshes[i], options);
+    });
+    return std::accumulate(bytes.begin(), bytes.end(), 0.0);
+  };
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> shown_leaf_sizes(const RobotArguments& arguments) {
+  return arguments.has_leaf_size || arguments.leaf_size >= kLargeLeaf
+             ? std::vector<std::uint32_t>{arguments.leaf_size}
+             : std::vector<std::uint32_t>{arguments.leaf_size, kLargeLeaf};
+}
+
+SimplifiedLinks::SimplifiedLinks(const Model& model, double cell, const RobotArguments& arguments)
+    : arguments_(arguments), cell_(cell), leaf_size_(arguments.leaf_size) {
+  if (!arguments.simplify && !arguments.fit) {
+    return;
+  }
+  if (arguments.simplify) {
+    length_ = simplify_length(arguments);
+    for (const ModelLink& link : model.links) {
+      const double least = link_deviation(link, cell);
+      if (length_ < least) {
+        throw UserError("--simplify " + *arguments.simplify, "is less than rounding moves link '",
+                        link.name, "', ", significant(least, 3),
+                        " m; give more, or a finer --cell");
+      }
+    }
+  } else {
+    add(model);
+    fit(model, static_cast<double>(fit_bytes(arguments)), true);
+  }
+  expected_ = length_ * (arguments.fit ? kRoomForParts : 1);
+}
+
+void SimplifiedLinks::add(const Model& model) {
+  const std::size_t first = meshes_.size();
+  for (std::size_t i = first; i < model.links.size(); ++i) {
+    meshes_.emplace_back(model.links[i].mesh, cell_);
+  }
+  if (length_ == 0) {
+    return;
+  }
+  const double limit = length_ - read_precision(model);
+  for_each_in_parallel(meshes_.size() - first, [&](std::size_t i) {
+    simplify::Coarsening& mesh = meshes_[first + i];
+    mesh.coarsen(std::max(limit, mesh.rounding()));
+  });
+}
+
+void SimplifiedLinks::fit(const Model& model, double most, bool is_first) {
+  const double longest = longest_of(model);
+  const double precision = read_precision(model);
+  const simplify::BytesOf bytes = bytes_of_links(model, cell_, arguments_.urdf);
+  const std::vector<std::uint32_t> leaf_sizes = shown_leaf_sizes(arguments_);
+  const auto found =
+      is_first || length_ == 0
+          ? simplify::fit(meshes_, most, longest, leaf_sizes, bytes)
+          : simplify::fit_from(length_ - precision, meshes_, most, longest, leaf_sizes, bytes);
+  if (!found) {
+    throw UserError("--fit " + *arguments_.fit, "is not reached by simplifying to ",
+                    significant(longest, 3), " m, a twentieth of the largest link; give more bytes");
+  }
+  length_ = found->length == 0 ? 0 : found->length + precision;
+  leaf_size_ = found->leaf_size;
+}
+
+double SimplifiedLinks::early() const {
+  return kEarly * expected_;
+}
+
+bool SimplifiedLinks::is_late() const {
+  return length_ > expected_;
+}
+
+std::vector<BakedLink> SimplifiedLinks::baked(const Model& model, std::size_t own_bytes) {
+  if (arguments_.simplify || arguments_.fit) {
+    add(model);
+  }
+  if (arguments_.fit) {
+    const auto most = static_cast<double>(fit_bytes(arguments_));
+    const auto own = static_cast<double>(own_bytes);
+    if (own >= most) {
+      throw UserError("--fit " + *arguments_.fit, "is less than the robot takes without any mesh, ",
+                      own_bytes, " bytes; give more");
+    }
+    fit(model, most - own, false);
+  }
+  std::vector<BakedLink> links(model.links.size());
+  for_each_in_parallel(links.size(), [&](std::size_t i) {
+    links[i] = bake_link(model.links[i], cell_, leaf_size_, arguments_.urdf,
+                         length_ == 0 ? nullptr : &meshes_[i]);
+  });
+  return links;
+}
+
+std::vector<simplify::LengthRow> link_lengths(const BakedRobot& robot,
+                                              const RobotArguments& arguments,
+                                              std::size_t own_bytes) {
+  std::vector<simplify::Coarsening> meshes;
+  for (const ModelLink& link : robot.model.links) {
+    meshes.emplace_back(link.mesh, robot.cell);
+  }
+  std::vector<simplify::LengthRow> rows =
+      simplify::length_table(meshes, longest_of(robot.model), shown_leaf_sizes(arguments),
+                             bytes_of_links(robot.model, robot.cell, arguments.urdf));
+  for (simplify::LengthRow& row : rows) {
+    for (double& bytes : row.bytes) {
+      bytes += static_cast<double>(own_bytes);
+    }
+  }
+  return rows;
+}
+
+}  // namespace flashbvh::tool
