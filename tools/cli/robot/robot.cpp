@@ -94,7 +94,7 @@ void add_page(const OutputArguments& arguments, const BakedRobot& robot, std::si
 /// Of `bytes`, if they are many: so many with leaves of kLargeLeaf triangles.
 std::optional<std::size_t> bytes_with_large_leaves(const BakedRobot& baked, std::size_t bytes,
                                                    const OutputArguments& arguments) {
-  if (bytes <= kMuchFlash || arguments.leaf_size >= kLargeLeaf) {
+  if (bytes <= kMuchFlash || baked.leaf_size >= kLargeLeaf || baked.simplified > 0) {
     return std::nullopt;
   }
   std::vector<BakedLink> links;

@@ -104,10 +104,24 @@ Json pair_json(const Model& model, const PairVerdict& pair) {
 
 double deviation_of(const BakedRobot& robot) {
   double most = 0;
-  for (const ModelLink& link : robot.model.links) {
-    most = std::max(most, link_deviation(link, robot.cell));
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    most = std::max(most, firmware_deviation(robot.model.links[i], robot.links[i]));
   }
   return most;
+}
+
+/// What firmware gets in place of all triangles.
+std::string simplified_text(const BakedRobot& robot) {
+  std::size_t before = 0;
+  std::size_t after = 0;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    before += robot.model.links[i].mesh.triangles.size();
+    after += robot.links[i].tree.triangles.size();
+  }
+  return concat("simplified: ", before, " triangles -> ", after, ", leaves of ", robot.leaf_size,
+                "; firmware's links and the URDF's lie within ", shortest(robot.simplified),
+                " m of each other, so a guard stops up to ", shortest(4 * robot.simplified),
+                " m earlier; pairs are decided with all triangles\n");
 }
 
 Json link_json(const Model& model, const ModelLink& link, const BakedLink& baked,
@@ -117,7 +131,8 @@ Json link_json(const Model& model, const ModelLink& link, const BakedLink& baked
           {"triangles", baked.tree.triangles.size()},
           {"flash_bytes", baked.image_bytes()},
           {"size", size},
-          {"deviation", link_deviation(link, baked.tree.cell)},
+          {"deviation", firmware_deviation(link, baked)},
+          {"source_triangles", link.mesh.triangles.size()},
           {"sources", link.sources}};
 }
 
@@ -144,10 +159,13 @@ void print_robot(const BakedRobot& robot, const RobotFlash& flash) {
   print_links(robot);
   print_joints(robot.model);
   print_pairs(robot.model, robot.pairs);
-  std::cout << "\ncell " << shortest(robot.cell) << " m, vertices moved by up to "
+  std::cout << "\ncell " << shortest(robot.cell) << " m, largest deviation "
             << significant(deviation_of(robot), 3) << " m; " << flash.bytes << " bytes of flash, "
             << robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count())
             << " bytes of RAM for a guard\n";
+  if (robot.simplified > 0) {
+    std::cout << simplified_text(robot);
+  }
   if (flash.smaller) {
     std::cout << "--leaf-size " << kLargeLeaf << ": " << *flash.smaller
               << " bytes of flash; queries take up to three times the work\n";
@@ -172,6 +190,8 @@ void print_robot_json(const BakedRobot& robot, const RobotFlash& flash) {
   }
   json["cell"] = robot.cell;
   json["deviation"] = deviation_of(robot);
+  json["simplified"] = robot.simplified;
+  json["leaf_size"] = robot.leaf_size;
   json["flash_bytes"] = flash.bytes;
   if (flash.smaller) {
     json["flash_bytes_leaf_size_5"] = *flash.smaller;
