@@ -18,7 +18,8 @@ namespace {
 /// Of a link, in pairs decided.
 constexpr double kBakingWeight = 0.1;
 
-/// What decides, with the leaves that firmware's trees have: pages draw it as if it were those.
+/// Trees on which pairs are decided. Their leaves are as large as those of firmware's trees, so
+/// that a witness is the same two triangles.
 std::vector<BakedPart> bake_wholes(const Model& model, double cell, const RobotArguments& arguments,
                                    Progress& progress, Warnings& warnings) {
   std::vector<BakedPart> wholes;
@@ -32,7 +33,7 @@ std::vector<BakedPart> bake_wholes(const Model& model, double cell, const RobotA
   return wholes;
 }
 
-/// UserError for a link that firmware can't hold, before anything is decided.
+/// UserError if firmware cannot hold a link. Takes no time unless it refuses.
 void check_wholes(const RobotArguments& arguments, const BakedRobot& made) {
   if (arguments.simplify || arguments.fit) {
     return;

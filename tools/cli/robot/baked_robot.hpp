@@ -52,9 +52,9 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
 struct BakedRobot {
   Model model;
   double cell;  ///< metres
-  /// Of the links, and behind them of the parts of links that a guard looks at: what decides.
+  /// Trees on which pairs are decided: of the links, then of the parts of links that a guard tests.
   std::vector<BakedPart> wholes;
-  std::vector<BakedLink> links;  ///< of the same ones: what firmware gets, once all is decided
+  std::vector<BakedLink> links;  ///< firmware's trees in the same order, once all is decided
   std::vector<Size> sizes;       ///< of the links, in their own frames, in metres; of an image, too
   Reaches reaches;               ///< of the links, and of the parts
   std::vector<std::size_t> links_of_parts;  ///< of each part: its link

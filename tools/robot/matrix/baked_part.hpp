@@ -9,8 +9,8 @@
 
 namespace flashbvh::tool {
 
-/// Pairs are decided on the meshes as they are read, however many triangles they have. Firmware
-/// gets others (robot/baked/bake_links.hpp).
+/// Pairs are decided on the meshes as they are read, with any number of triangles. Firmware gets
+/// trees of its own (robot/baked/bake_links.hpp).
 using WholeMesh = Mesh32;
 using BakedPart = bake::BakedTree<WholeMesh::Index, Layout::post_indexed>;
 

@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "robot/matrix/pair_space.hpp"
-#include "text/parallel.hpp"
 #include "robot/matrix/reaches.hpp"
+#include "robot/matrix/stand_in.hpp"
 #include "text/numbers.hpp"
+#include "text/parallel.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -61,13 +62,20 @@ class Finder {
         touching_(options.distances_of(a, b).stop + options.early + options.slack),
         deadline_(options.deadline),
         links_{a, b},
-        sides_{ZoneSide(model.links[a], frame_in(model, a, joint)),
-               ZoneSide(model.links[b], frame_in(model, b, joint))} {
+        frames_{frame_in(model, a, joint), frame_in(model, b, joint)},
+        sides_{ZoneSide(model.links[a], frames_[0]), ZoneSide(model.links[b], frames_[1])} {
     shape_.is_cylinder = model.joints[joint].type == JointType::prismatic;
   }
 
-  /// None: they do not touch at each look, or there is no time. `meshes`: the links', as they are
-  /// baked.
+  /// The zone is chosen by coarser links, of the same shells.
+  void choose_by(const ModelLink& a, const ModelLink& b, double deviations) {
+    touching_ += deviations / cell_;
+    whole_sides_ = std::move(sides_);
+    sides_ = {ZoneSide(a, frames_[0]), ZoneSide(b, frames_[1])};
+  }
+
+  /// None: they do not touch at each look, or there is no time. `meshes`: as they are baked, of the
+  /// links or of those that it is chosen by.
   std::optional<JointZone> find(const WholeMesh& mesh_a, const WholeMesh& mesh_b,
                                 std::optional<double> radius) {
     const PairSpace whole = space(mesh_a, mesh_b);
@@ -100,6 +108,10 @@ class Finder {
     }
     if (!radius) {
       grow();
+    }
+    if (whole_sides_) {
+      sides_ = std::move(*whole_sides_);
+      cut();
     }
     return deadline_.is_past() ? std::nullopt : std::optional(zone());
   }
@@ -299,7 +311,9 @@ class Finder {
   double touching_;  ///< cells
   Deadline deadline_;
   std::array<std::size_t, 2> links_;
+  std::array<Transform, 2> frames_;  ///< the joint's in the links'
   std::array<ZoneSide, 2> sides_;
+  std::optional<std::array<ZoneSide, 2>> whole_sides_;  ///< the links', if others choose
   std::vector<double> looks_;  ///< values of the joint's variable
   std::array<std::vector<bool>, 2> touching_shells_;
   ZoneShape shape_;
@@ -331,10 +345,34 @@ bool is_between_neighbours(const Model& model, std::size_t joint) {
   });
 }
 
+namespace {
+
+/// Of what counts as touching: about so well a zone's size matters.
+constexpr double kStandInPart = 1.0 / 8;
+
+/// For links with very many triangles, next to joints.
+std::vector<std::optional<StandIn>> stand_ins(const Model& model, double cell,
+                                              const MatrixOptions& options) {
+  std::vector<std::optional<StandIn>> found(model.links.size());
+  const double length = kStandInPart * cell * (options.stop + options.early + options.slack);
+  for_each_in_parallel(found.size(), [&](std::size_t i) {
+    const bool is_next_to_joint =
+        std::any_of(model.neighbours.begin(), model.neighbours.end(),
+                    [&](const auto& pair) { return pair.first == i || pair.second == i; });
+    if (is_next_to_joint && !options.is_late()) {
+      found[i] = stand_in(model.links[i], cell, length);
+    }
+  });
+  return found;
+}
+
+}  // namespace
+
 std::vector<JointZone> joint_zones(const Model& model, const std::vector<WholeMesh>& meshes,
                                    double cell, const MatrixOptions& options,
                                    const ZoneRadii& radii) {
   std::vector<std::optional<JointZone>> found(model.neighbours.size());
+  const std::vector<std::optional<StandIn>> others = stand_ins(model, cell, options);
   for_each_in_parallel(found.size(), [&](std::size_t i) {
     const auto [a, b] = std::minmax(model.neighbours[i].first, model.neighbours[i].second);
     const std::optional<std::size_t> joint = joint_of_neighbours(model, a, b);
@@ -344,9 +382,20 @@ std::vector<JointZone> joint_zones(const Model& model, const std::vector<WholeMe
     const auto given = radii.find(*joint);
     const std::optional<double> radius =
         given == radii.end() ? std::nullopt : std::optional(given->second);
-    if (radius != 0.0) {
-      found[i] = Finder(model, a, b, *joint, cell, options).find(meshes[a], meshes[b], radius);
+    if (radius == 0.0) {
+      return;
     }
+    Finder finder(model, a, b, *joint, cell, options);
+    WholeMesh mesh_a = meshes[a];
+    WholeMesh mesh_b = meshes[b];
+    if (others[a] || others[b]) {
+      mesh_a = others[a] ? others[a]->baked.view() : mesh_a;
+      mesh_b = others[b] ? others[b]->baked.view() : mesh_b;
+      finder.choose_by(others[a] ? others[a]->link : model.links[a],
+                       others[b] ? others[b]->link : model.links[b],
+                       (others[a] ? others[a]->length : 0) + (others[b] ? others[b]->length : 0));
+    }
+    found[i] = finder.find(mesh_a, mesh_b, radius);
   });
   std::vector<JointZone> zones;
   for (std::optional<JointZone>& zone : found) {

@@ -1,0 +1,56 @@
+#include "robot/matrix/stand_in.hpp"
+
+#include <numeric>
+
+#include "robot/matrix/zone_side.hpp"
+#include "simplify/coarsening.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// With fewer a link is quick enough itself.
+constexpr std::size_t kManyTriangles = 8000;
+/// Cells that a length has at least to be worth it.
+constexpr double kLeastCellsOfLength = 8;
+
+void append(const bake::SourceMesh& more, bake::SourceMesh& mesh) {
+  const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+  for (const bake::TriangleCorners& corners : more.triangles) {
+    mesh.triangles.push_back({corners[0] + base, corners[1] + base, corners[2] + base});
+  }
+}
+
+}  // namespace
+
+std::optional<StandIn> stand_in(const ModelLink& link, double cell, double length) {
+  const std::size_t count = link.mesh.triangles.size();
+  if (count < kManyTriangles || length < kLeastCellsOfLength * cell) {
+    return std::nullopt;
+  }
+  StandIn made;
+  made.length = length;
+  made.link.name = link.name;
+  made.link.joint = link.joint;
+  made.link.precision = link.precision;
+  for (std::size_t i = 0; i < link.source_begins.size(); ++i) {
+    const std::size_t begin = link.source_begins[i];
+    const std::size_t end = i + 1 < link.source_begins.size() ? link.source_begins[i + 1] : count;
+    made.link.source_begins.push_back(made.link.mesh.triangles.size());
+    if (begin == end) {
+      continue;
+    }
+    std::vector<std::uint32_t> numbers(end - begin);
+    std::iota(numbers.begin(), numbers.end(), static_cast<std::uint32_t>(begin));
+    simplify::Coarsening coarsening(part_of(link.mesh, numbers), cell);
+    coarsening.coarsen(length);
+    append(coarsening.mesh(), made.link.mesh);
+  }
+  if (ZoneSide(made.link, Transform()).shell_count() != ZoneSide(link, Transform()).shell_count()) {
+    return std::nullopt;
+  }
+  made.baked = bake_part(made.link.mesh, cell);
+  return made;
+}
+
+}  // namespace flashbvh::tool
