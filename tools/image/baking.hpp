@@ -22,6 +22,7 @@ enum class IndexWidth : std::uint8_t { bits_16, bits_32 };
 
 /// Leaves that spare flash, for more instructions where meshes are near.
 constexpr std::uint32_t kLargeLeaf = 5;
+constexpr std::uint32_t kLargestLeaf = 10;  ///< that --fit chooses
 
 /// Lengths are in the unit of the mesh.
 struct BakeOptions {

@@ -160,7 +160,7 @@ void drop_repeated(bake::SourceMesh& mesh) {
 }  // namespace
 
 Coarsening::Coarsening(const bake::SourceMesh& mesh, double cell)
-    : rounding_(bake::deviation(mesh, cell)) {
+    : rounding_(bake::deviation(mesh, cell)), cell_(cell) {
   const bake::SourceMesh placed = on_lattice(mesh, cell);
   std::map<std::uint32_t, std::vector<std::uint32_t>> shells;
   const std::vector<std::uint32_t> first = bake::shells_of(placed.triangles, placed.vertices.size());
@@ -196,7 +196,7 @@ void Coarsening::propose(Shell& shell, double limit) {
 }
 
 /// What is covered by what is found anew for each pass: pieces that were cut hang together again.
-void Coarsening::collapse(Shell& shell, double limit) {
+void Coarsening::collapse(Shell& shell, double limit) const {
   for (int pass = 0; pass < kPasses; ++pass) {
     const NearestTriangle nearest(shell.coarse);
     std::vector<CoveredPart> parts;
@@ -207,7 +207,7 @@ void Coarsening::collapse(Shell& shell, double limit) {
       part.by = nearest.number(part.by);
     }
     const std::size_t before = shell.coarse.triangles.size();
-    const std::size_t gone = collapse_edges(shell.coarse, parts, shell.nearest, limit);
+    const std::size_t gone = collapse_edges(shell.coarse, parts, shell.nearest, cell_, limit);
     if (gone == 0 || static_cast<double>(gone) < kLastPass * static_cast<double>(before)) {
       return;
     }
@@ -218,6 +218,7 @@ void Coarsening::coarsen(double limit) {
   for (Shell& shell : shells_) {
     if (limit_ == 0) {
       propose(shell, limit);
+      shell.coarse = part_of(shell.coarse, all_of(shell.coarse));
     }
     collapse(shell, limit);
   }

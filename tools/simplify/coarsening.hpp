@@ -41,9 +41,10 @@ class Coarsening {
   /// Whether all of either mesh is certified to be near the other.
   static bool is_within(const Shell& shell, const bake::SourceMesh& coarse, double limit);
   static void propose(Shell& shell, double limit);
-  static void collapse(Shell& shell, double limit);
+  void collapse(Shell& shell, double limit) const;
 
   double rounding_;
+  double cell_;
   std::vector<Shell> shells_;
   double limit_ = 0;  ///< until now
 };

@@ -9,6 +9,12 @@ namespace {
 
 /// Of the limit: parts so small are not cut again.
 constexpr double kSmallestCut = 1.0 / 8;
+constexpr std::uint32_t kNone = 0xFFFFFFFF;
+/// Of the planes' weight: what keeps a vertex in its place where planes leave it free.
+constexpr double kRegularisation = 1e-4;
+/// A vertex moves no farther than so many times the edge that collapses.
+constexpr double kFarthestEdges = 1.5;
+
 /// Sum of squared distances from planes, weighted by the triangles' areas.
 struct Quadric {
   std::array<double, 10> sums{};
@@ -26,6 +32,28 @@ struct Quadric {
     for (std::size_t i = 0; i < sums.size(); ++i) {
       sums[i] += other.sums[i];
     }
+  }
+  /// Where the sum is least; where it hardly depends on a direction, near `middle`.
+  Point least_near(const Point& middle) const {
+    const double weight = kRegularisation * (sums[0] + sums[4] + sums[7]);
+    const std::array<Point, 3> rows = {{{sums[0] + weight, sums[1] / 2, sums[2] / 2},
+                                        {sums[1] / 2, sums[4] + weight, sums[5] / 2},
+                                        {sums[2] / 2, sums[5] / 2, sums[7] + weight}}};
+    const Point right = {weight * middle[0] - sums[3] / 2, weight * middle[1] - sums[6] / 2,
+                         weight * middle[2] - sums[8] / 2};
+    const Point minors = cross(rows[1], rows[2]);
+    const double determinant =
+        rows[0][0] * minors[0] + rows[0][1] * minors[1] + rows[0][2] * minors[2];
+    if (!(determinant > 0)) {
+      return middle;
+    }
+    const Point second = cross(rows[2], rows[0]);
+    const Point third = cross(rows[0], rows[1]);
+    Point at{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      at[i] = (right[0] * minors[i] + right[1] * second[i] + right[2] * third[i]) / determinant;
+    }
+    return at;
   }
   double at(const Point& p) const {
     const std::array<double, 4> point = {p[0], p[1], p[2], 1};
@@ -45,9 +73,10 @@ using Numbers = std::vector<std::uint32_t>;
 class Collapser {
  public:
   Collapser(bake::SourceMesh& mesh, const std::vector<CoveredPart>& parts,
-            const NearestTriangle& original, double limit)
+            const NearestTriangle& original, double cell, double limit)
       : mesh_(mesh),
         original_(original),
+        cell_(cell),
         limit_(limit),
         squared_(limit * limit),
         around_(mesh.vertices.size()),
@@ -64,6 +93,12 @@ class Collapser {
     }
     for (const CoveredPart& part : parts) {
       parts_[part.by].push_back(part.part);
+    }
+    for (const Point& vertex : mesh.vertices) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low_[axis] = std::min(low_[axis], vertex[axis]);
+        high_[axis] = std::max(high_[axis], vertex[axis]);
+      }
     }
     hints_.resize(mesh.vertices.size());
     for (std::uint32_t i = 0; i < hints_.size(); ++i) {
@@ -127,9 +162,8 @@ class Collapser {
     std::vector<Order> orders;
     for (std::uint32_t from = 0; from < around_.size(); ++from) {
       for (const std::uint32_t to : neighbours(from)) {
-        orders.push_back({quadrics_[from].at(mesh_.vertices[to]) +
-                              quadrics_[to].at(mesh_.vertices[to]),
-                          from, to});
+        const Point at = nearest_to_planes(from, to);
+        orders.push_back({quadrics_[from].at(at) + quadrics_[to].at(at), from, to});
       }
     }
     std::sort(orders.begin(), orders.end(), [](const Order& a, const Order& b) {
@@ -192,40 +226,87 @@ class Collapser {
     });
   }
 
+  /// To where both vertices' planes are nearest, or else to where `to` is.
   bool collapse(std::uint32_t from, std::uint32_t to) {
+    const Point best = on_lattice(nearest_to_planes(from, to));
+    return collapse(from, to, best) ||
+           (best != mesh_.vertices[to] && collapse(from, to, mesh_.vertices[to]));
+  }
+
+  bool collapse(std::uint32_t from, std::uint32_t to, const Point& at) {
+    const bool moves = at != mesh_.vertices[to];
     candidates_.clear();
-    for (const std::uint32_t triangle : around_[from]) {
-      bake::TriangleCorners corners = mesh_.triangles[triangle];
-      if (!has(corners, to)) {
-        std::replace(corners.begin(), corners.end(), from, to);
-        candidates_.push_back({triangle, corners_of(corners)});
-      }
-    }
-    const std::size_t own = candidates_.size();
-    for (const std::uint32_t triangle : around_[to]) {
-      if (!has(mesh_.triangles[triangle], from)) {
-        candidates_.push_back({triangle, corners_of(mesh_.triangles[triangle])});
-      }
-    }
-    if (candidates_.empty()) {
+    add_candidates(from, to, at);
+    const std::size_t of_from = candidates_.size();
+    add_candidates(to, from, at);
+    const std::size_t changed = moves ? candidates_.size() : of_from;
+    covered_.clear();
+    if (candidates_.empty() || !cover_all(around_[from], kNone) ||
+        (moves && !cover_all(around_[to], from))) {
       return false;
     }
-    covered_.clear();
-    for (const std::uint32_t triangle : around_[from]) {
-      for (const PointTriangle& part : parts_[triangle]) {
-        if (!cover(part)) {
-          return false;
-        }
-      }
-    }
-    for (std::size_t i = 0; i < own; ++i) {
+    for (std::size_t i = 0; i < changed; ++i) {
       std::uint32_t hint = hints_[to];
       if (!is_near_original(candidates_[i].at, hint)) {
         return false;
       }
     }
+    if (moves) {
+      mesh_.vertices[to] = at;
+      for (const std::uint32_t triangle : around_[to]) {
+        parts_[triangle].clear();
+      }
+    }
     apply(from, to);
     return true;
+  }
+
+  /// The triangles of a vertex that the other one has no part in, where it lies at `at`.
+  void add_candidates(std::uint32_t vertex, std::uint32_t other, const Point& at) {
+    for (const std::uint32_t triangle : around_[vertex]) {
+      const bake::TriangleCorners& corners = mesh_.triangles[triangle];
+      if (has(corners, other)) {
+        continue;
+      }
+      PointTriangle placed = corners_of(corners);
+      for (std::size_t i = 0; i < 3; ++i) {
+        placed[i] = corners[i] == vertex ? at : placed[i];
+      }
+      candidates_.push_back({triangle, placed});
+    }
+  }
+
+  /// What these triangles cover, but for those with a corner `but`.
+  bool cover_all(const Numbers& triangles, std::uint32_t but) {
+    return std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t triangle) {
+      return has(mesh_.triangles[triangle], but) ||
+             std::all_of(parts_[triangle].begin(), parts_[triangle].end(),
+                         [&](const PointTriangle& part) { return cover(part); });
+    });
+  }
+
+  Point nearest_to_planes(std::uint32_t from, std::uint32_t to) const {
+    Quadric sum = quadrics_[from];
+    sum.add(quadrics_[to]);
+    Point middle{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      middle[axis] = (mesh_.vertices[from][axis] + mesh_.vertices[to][axis]) / 2;
+    }
+    const Point edge = minus(mesh_.vertices[from], mesh_.vertices[to]);
+    const Point best = sum.least_near(middle);
+    const Point off = minus(best, middle);
+    const bool is_near = std::hypot(off[0], off[1], off[2]) <=
+                         kFarthestEdges * std::hypot(edge[0], edge[1], edge[2]);
+    return is_near ? best : mesh_.vertices[to];
+  }
+
+  /// Nor beyond the box that holds all: a mesh that fits the lattice goes on to do so.
+  Point on_lattice(const Point& p) const {
+    Point at{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      at[axis] = std::clamp(std::round(p[axis] / cell_) * cell_, low_[axis], high_[axis]);
+    }
+    return at;
   }
 
   /// Whether candidates, each a part of it alone, are within the limit of all of it.
@@ -285,8 +366,11 @@ class Collapser {
 
   bake::SourceMesh& mesh_;
   const NearestTriangle& original_;
+  double cell_;
   double limit_;
   double squared_;
+  Point low_{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  Point high_{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   std::vector<Numbers> around_;  ///< of each vertex, the triangles
   std::vector<Quadric> quadrics_;
   std::vector<std::vector<PointTriangle>> parts_;  ///< of each triangle, what it covers
@@ -299,8 +383,8 @@ class Collapser {
 }  // namespace
 
 std::size_t collapse_edges(bake::SourceMesh& coarse, const std::vector<CoveredPart>& parts,
-                           const NearestTriangle& original, double limit) {
-  return Collapser(coarse, parts, original, limit).run();
+                           const NearestTriangle& original, double cell, double limit) {
+  return Collapser(coarse, parts, original, cell, limit).run();
 }
 
 }  // namespace flashbvh::simplify

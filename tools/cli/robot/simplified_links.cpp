@@ -37,6 +37,17 @@ double read_precision(const Model& model) {
   return most;
 }
 
+/// Larger ones spare more, and queries take more.
+std::vector<std::uint32_t> fitting_leaf_sizes(const RobotArguments& arguments) {
+  std::vector<std::uint32_t> sizes = {arguments.leaf_size};
+  for (const std::uint32_t size : {kLargeLeaf, kLargestLeaf}) {
+    if (!arguments.has_leaf_size && size > sizes.back()) {
+      sizes.push_back(size);
+    }
+  }
+  return sizes;
+}
+
 simplify::BytesOf bytes_of_links(const Model& model, double cell, const std::string& path) {
   return [&model, cell, path](const std::vector<simplify::Coarsening>& meshes,
                               std::uint32_t leaf_size) {
@@ -100,7 +111,7 @@ void SimplifiedLinks::fit(const Model& model, double most, bool is_first) {
   const double longest = longest_of(model);
   const double precision = read_precision(model);
   const simplify::BytesOf bytes = bytes_of_links(model, cell_, arguments_.urdf);
-  const std::vector<std::uint32_t> leaf_sizes = shown_leaf_sizes(arguments_);
+  const std::vector<std::uint32_t> leaf_sizes = fitting_leaf_sizes(arguments_);
   const auto found =
       is_first || length_ == 0
           ? simplify::fit(meshes_, most, longest, leaf_sizes, bytes)
