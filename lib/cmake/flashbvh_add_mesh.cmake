@@ -1,6 +1,6 @@
 # flashbvh_add_mesh(name SOURCES mesh...
 #                   [UNIT unit|mesh=unit...] [CELL length] [OWN_CELL] [MAX_DEVIATION length]
-#                   [LEAF_SIZE n] [ARITY n] [BUILDER name] [LAYOUT pre|post] [INDEX_BITS 16|32]
+#                   [SIMPLIFY length] [FIT bytes] [LEAF_SIZE n] [ARITY n] [BUILDER name] [LAYOUT pre|post] [INDEX_BITS 16|32]
 #                   [DROP degenerate|duplicate...] [LEVELS] [DEFORMABLE] [MAX_BYTES n] [NAME name]
 #                   [FORMAT c|image|both])
 #
@@ -19,7 +19,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 
 function(flashbvh_add_mesh name)
-  set(single CELL MAX_DEVIATION LEAF_SIZE ARITY BUILDER LAYOUT INDEX_BITS MAX_BYTES NAME FORMAT)
+  set(single CELL MAX_DEVIATION SIMPLIFY FIT LEAF_SIZE ARITY BUILDER LAYOUT INDEX_BITS MAX_BYTES NAME FORMAT)
   set(repeated UNIT DROP)
   cmake_parse_arguments(PARSE_ARGV 1 arg "LEVELS;DEFORMABLE;OWN_CELL" "${single}" "SOURCES;${repeated}")
   set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_SOURCES})

@@ -1,5 +1,6 @@
 # flashbvh_add_robot(name URDF file [VISUAL_TOO]
-#                    [PACKAGE name=folder]... [SRDF file] [JOINT_LIMITS file] [BELIEVE link,link]... [CELL length] [LEAF_SIZE n] [STOP length]
+#                    [PACKAGE name=folder]... [SRDF file] [JOINT_LIMITS file] [BELIEVE link,link]... [CELL length] [LEAF_SIZE n]
+#                    [SIMPLIFY length] [FIT bytes] [STOP length]
 #                    [WARN length] [PAIR link,link=stop[,warn]]... [ZONE joint=length]... [TIME seconds] [FORMAT c|image|both])
 #
 # A library `name`, also called name::name, with the image of a robot. A target that links it includes
@@ -15,7 +16,7 @@ function(flashbvh_add_robot name)
   # Depfiles as Ninja wants them, even if the caller requires an older CMake.
   cmake_policy(SET CMP0116 NEW)
   set(files URDF SRDF JOINT_LIMITS)
-  set(single CELL LEAF_SIZE STOP WARN TIME FORMAT)
+  set(single CELL LEAF_SIZE SIMPLIFY FIT STOP WARN TIME FORMAT)
   cmake_parse_arguments(PARSE_ARGV 1 arg "VISUAL_TOO" "${files};${single}" "PACKAGE;PAIR;ZONE;BELIEVE")
   set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_PACKAGE} ${arg_PAIR} ${arg_ZONE})
   list(FILTER odd EXCLUDE REGEX "^[^=]+=.+$")

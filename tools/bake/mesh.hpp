@@ -28,7 +28,7 @@ struct LatticeMesh {
   std::array<std::int32_t, 3> origin{};    ///< in cells
   std::vector<Vertex> vertices;            ///< joined by position
   std::vector<TriangleCorners> triangles;  ///< in the source's order
-  double deviation = 0;  ///< largest distance of a vertex from its source, in the mesh's unit
+  double deviation = 0;  ///< largest distance of a point from its source, in the mesh's unit
   Unit unit = Unit::none;
   std::string name;  ///< without folder and extension; at most kMaxNameSize bytes are kept
 };

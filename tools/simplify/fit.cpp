@@ -59,8 +59,9 @@ double guess(const std::vector<Coarsening>& meshes, double most, double shortest
 
 /// To three digits, upwards.
 double rounded_up(double length) {
-  const double digit = std::pow(10, std::floor(std::log10(length)) - 2);
-  return std::ceil(length / digit) * digit;
+  const int power = static_cast<int>(std::floor(std::log10(length))) - 2;
+  const double unit = std::pow(10, std::abs(power));
+  return power < 0 ? std::ceil(length * unit) / unit : std::ceil(length / unit) * unit;
 }
 
 /// The first leaf size with which they fit, or 0.

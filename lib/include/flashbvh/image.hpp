@@ -59,7 +59,7 @@ struct ImageHeader {
   uint16_t arity;         ///< most children of a node, 65,535 standing for more
   int32_t origin[3];      ///< in cells, within +-kMaxOrigin
   uint32_t cell[2];       ///< in the unit: IEEE binary64, low word first
-  uint32_t deviation[2];  ///< largest distance of a vertex from its source, as `cell`
+  uint32_t deviation[2];  ///< largest distance from its source, as `cell`
   uint32_t shell_count;
   uint16_t longest_edge;  ///< Mesh::longest_edge
   uint8_t unit;           ///< of enum Unit

@@ -218,7 +218,7 @@ void check_simplifying(const Model& model, const RobotArguments& arguments) {
   }
   for (const ModelLink& link : model.links) {
     if (!arguments.simplify && !arguments.fit) {
-      check_triangles(link, arguments.urdf);
+      check_triangles(link, robot_cell(model, given_cell(arguments), arguments.urdf), arguments.urdf);
     }
   }
 }

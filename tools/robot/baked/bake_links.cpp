@@ -141,13 +141,21 @@ double link_deviation(const ModelLink& link, double cell) {
   return bake::deviation(link.mesh, cell) + std::sqrt(3.0) * link.precision;
 }
 
-void check_triangles(const ModelLink& link, const std::string& path) {
+void check_triangles(const ModelLink& link, double cell, const std::string& path) {
   const std::size_t count = link.mesh.triangles.size();
-  if (count > Limits::kMost) {
-    throw UserError(at_element(path, "link", link.name), "has ", count,
-                    " triangles, 16-bit indices reach ", Limits::kMost,
-                    "; give it a coarser mesh for collisions");
+  if (count <= Limits::kMost) {
+    return;
   }
+  constexpr double kLength = 0.001;
+  simplify::Coarsening coarsening(link.mesh, cell);
+  coarsening.coarsen(std::max(kLength, coarsening.rounding()));
+  BakeOptions options;
+  options.cell = cell;
+  const double bytes = coarse_bytes(link_input(link, path), coarsening, options);
+  throw UserError(at_element(path, "link", link.name), "has ", count,
+                  " triangles, 16-bit indices reach ", Limits::kMost, "; with --simplify ",
+                  shortest(kLength), " firmware gets ", coarsening.triangle_count(), " of them, in ",
+                  fixed(bytes, 0), " bytes; or say with --fit what the robot may take");
 }
 
 bool fits_firmware(const BakedPart& part) {
