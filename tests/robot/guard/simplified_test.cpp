@@ -1,0 +1,137 @@
+// A guard of simplified links, judged by the links with all their triangles, in doubles: it is never
+// less careful than promised, and stops no earlier than said.
+#include "robot/baked/bake_links.hpp"
+#include "simplify/zoo.hpp"
+#include "support/arms/guarded_arm.hpp"
+
+using namespace flashbvh::tool;
+
+namespace {
+
+constexpr double kStop = 0.006;
+constexpr double kWarn = 0.02;
+
+bake::SourceMesh scaled(bake::SourceMesh mesh, double by) {
+  for (auto& vertex : mesh.vertices) {
+    for (double& coordinate : vertex) {
+      coordinate *= by;
+    }
+  }
+  return mesh;
+}
+
+/// Two rings of some thousand triangles; the second one swings through and about the first. A small
+/// box apart from it is a shell of its own.
+Model two_rings() {
+  Model model;
+  add_link(model, kNoJoint, scaled(wavy_ring(44, 18, 0.5), 0.005));
+  const std::size_t swing = add_joint(model, kNoJoint, shifted({0.29, 0, 0}), JointType::revolute, -3, 3);
+  const std::size_t tilt =
+      add_joint(model, swing, shifted({0.09, 0, 0}), JointType::continuous, -kPi, kPi);
+  bake::SourceMesh ring = scaled(wavy_ring(36, 14, 0.3), 0.002);
+  add(flashbvh::test::box({-0.14, -0.01, -0.01}, simplify::Point{0.02, 0.02, 0.02}, 6), ring);
+  add_link(model, tilt, ring);
+  return model;
+}
+
+struct SimplifiedArm {
+  SimplifiedArm(Model made, double length) : model(std::move(made)) {
+    cell = robot_cell(model, std::nullopt, "");
+    std::vector<Mesh> meshes;
+    std::vector<double> deviations;
+    for (const ModelLink& link : model.links) {
+      simplify::Coarsening coarse(link.mesh, cell);
+      coarse.coarsen(length);
+      wholes.push_back(bake_part(link_input(link, ""), cell, 2));
+      links.push_back(bake_link(link, cell, 2, "", &coarse));
+      deviations.push_back(firmware_deviation(link, links.back()));
+      nearest.emplace_back(link.mesh);
+    }
+    for (const BakedLink& link : links) {
+      meshes.push_back(link.mesh());
+    }
+    fixed = std::make_unique<FixedRobot>(model, views_of(wholes), meshes, cell,
+                                         std::vector<GuardedPair>{{0, 1, kStop, kWarn}}, Reaches(),
+                                         deviations);
+  }
+
+  /// Of the links with all their triangles, at most: corners and middles of each to the other one.
+  double distance(const std::vector<double>& variables) const {
+    const Transform frame = frames_of(model, variables).back();
+    return std::min(from_points(1, frame, 0), from_points(0, inverse(frame), 1));
+  }
+
+  double from_points(std::size_t of, const Transform& frame, std::size_t to) const {
+    double squared = HUGE_VAL;
+    std::uint32_t hint = 0;
+    const auto look = [&](const simplify::Point& p) {
+      const auto found = nearest[to].to(placed(frame, p), hint);
+      hint = found.place;
+      squared = std::min(squared, found.squared);
+    };
+    const bake::SourceMesh& mesh = model.links[of].mesh;
+    for (const bake::TriangleCorners& corners : mesh.triangles) {
+      look(mesh.vertices[corners[0]]);
+      look(simplify::centre_of({mesh.vertices[corners[0]], mesh.vertices[corners[1]],
+                                mesh.vertices[corners[2]]}));
+    }
+    return std::sqrt(squared);
+  }
+
+  Model model;
+  double cell = 0;
+  std::vector<BakedPart> wholes;
+  std::vector<BakedLink> links;
+  std::vector<simplify::NearestTriangle> nearest;
+  std::unique_ptr<FixedRobot> fixed;
+};
+
+}  // namespace
+
+TEST_CASE("a guard of simplified links holds what it says of all triangles") {
+  for (const double length : {0.0003, 0.0015}) {
+    const SimplifiedArm arm(two_rings(), length);
+    const Robot& robot = arm.fixed->robot();
+    CAPTURE(length, robot.slack, arm.links[0].tree.triangles.size());
+    REQUIRE(arm.links[0].tree.triangles.size() < 1500);
+    REQUIRE(robot.slack * arm.cell / kFineOne >= 2 * 0.9 * length);
+    const int count = is_thorough() ? 100'000 : 120;
+    int stops = 0;
+    int passes = 0;
+    double earliest = 0;
+    for_rounds(count, 1, [&](Random& random, int) {
+      // Half of them where the two are near.
+      std::vector<double> variables;
+      std::vector<JointCoordinate> values;
+      double distance = 1;
+      do {
+        values = {random.between(robot.joints[0].lower, robot.joints[0].upper),
+                  random.between(-kFullTurn / 2, kFullTurn / 2)};
+        variables.clear();
+        for (const JointCoordinate value : values) {
+          variables.push_back(value * 2 * kPi / kFullTurn);
+        }
+        distance = arm.distance(variables);
+      } while (distance > 0.02 && random.below(8) != 0);
+      CAPTURE(values[0], values[1], distance);
+      const auto state = std::make_unique<AnyGuardState>();
+      Guard guard(robot, *state);
+      REQUIRE(guard.prime(values.data()).status == Status::done);
+      const GuardAnswer answer = guard.update(values.data(), 1'000'000);
+      REQUIRE(answer.status == Status::done);
+      REQUIRE(answer.verdict != Verdict::not_yet_known);
+      CHECK(answer.distance * arm.cell / kFineOne <= distance);
+      if (answer.verdict == Verdict::stop) {
+        ++stops;
+        earliest = std::max(earliest, distance - kStop);
+      } else {
+        ++passes;
+        CHECK(distance > kStop);
+      }
+    });
+    CHECK(stops > count / 8);
+    CHECK(passes > count / 8);
+    // Points are farther apart than surfaces, by little.
+    CHECK(earliest < 4 * length + 0.001);
+  }
+}
