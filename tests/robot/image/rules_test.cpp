@@ -15,6 +15,13 @@ struct Crafted {
 
 constexpr std::uint8_t kNoType = 3;
 
+/// As if their meshes were the URDF's to the bit.
+void exact_links(Parts parts) {
+  for (std::uint32_t i = 0; i < parts.header.link_count; ++i) {
+    parts.links[i].deviation = 0;
+  }
+}
+
 const Crafted kCrafted[] = {
     {"nothing", [](Parts) {}, Status::done},
     {"magic", [](Parts p) { p.header.magic = kImageMagic; }, Status::image_not_flashbvh},
@@ -26,8 +33,17 @@ const Crafted kCrafted[] = {
     {"a variable that nothing moves", [](Parts p) { ++p.header.variable_count; }},
     {"a variable less", [](Parts p) { --p.header.variable_count; }},
     {"more variables than joints", [](Parts p) { p.header.variable_count = 255; }},
-    {"too little slack", [](Parts p) { p.header.slack = 227; }},
-    {"the least slack", [](Parts p) { p.header.slack = 228; }, Status::done},
+    {"too little slack",
+     [](Parts p) {
+       exact_links(p);
+       p.header.slack = 227;
+     }},
+    {"the least slack",
+     [](Parts p) {
+       exact_links(p);
+       p.header.slack = 228;
+     },
+     Status::done},
     {"too much slack", [](Parts p) { p.header.slack = kMaxDistance + 1; }},
     {"another cell", [](Parts p) { p.header.cell[0] ^= 1; }, Status::cell_mismatch},
     {"other joints between", [](Parts p) { ++p.header.pair_joint_count; }},
@@ -99,18 +115,20 @@ const Crafted kCrafted[] = {
     {"slides too far", [](Parts p) { p.joints[1].upper = 1 << 30; }},
     {"a joint that is none", [](Parts p) { p.links[0].joint = 5; }},
     {"reaches elsewhere", [](Parts p) { ++p.links[2].first_reach; }},
-    {"padding of a link", [](Parts p) { p.links[0].padding[4] = 1; }},
+    {"padding of a link", [](Parts p) { p.links[0].padding = 1; }},
+    {"a deviation that the slack does not cover", [](Parts p) { p.links[2].deviation += 1 << 8; }},
+    {"a deviation that wraps", [](Parts p) { p.links[2].deviation = 1u << 31; }},
     {"too small a sphere", [](Parts p) { p.links[1].radius -= p.links[1].radius / 64; }},
     {"a sphere elsewhere", [](Parts p) { p.links[1].centre[2] += kFrameCell * 8; }},
     {"too large a sphere", [](Parts p) { p.links[1].radius = UINT32_MAX; }},
     {"as far as may be",
      [](Parts p) {
-       p.links[0] = {{0, 0, 0}, (1 << 30) - (1 << 15) - 1, 0, kBase, {}};
+       p.links[0] = {{0, 0, 0}, (1 << 30) - (1 << 15) - 1, 0, kBase, 0, 0};
      },
      Status::done},
     {"a little farther",
      [](Parts p) {
-       p.links[0] = {{0, 0, 0}, (1 << 30) - (1 << 15), 0, kBase, {}};
+       p.links[0] = {{0, 0, 0}, (1 << 30) - (1 << 15), 0, kBase, 0, 0};
      }},
     {"a sphere too far", [](Parts p) { p.links[1].centre[0] = INT32_MIN; }},
     {"a link with itself", [](Parts p) { p.pairs[3].a = p.pairs[3].b; }},
