@@ -209,10 +209,19 @@ bool NearMoves::narrow(NearMoment far, const NearMoment& near) {
   return false;
 }
 
+NearMoment NearMoves::nearer_rest() const {
+  NearMoment rest = any();
+  const NearMoment to = rest;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    rest.values[i] = kept(i, 0);
+  }
+  return between(rest, to, real_between(random_, 0, 1));
+}
+
 bool NearMoves::find_place(int tries) {
   std::optional<NearMoment> far;
-  for (; tries != 0; --tries) {
-    const NearMoment moment = any();
+  for (int i = 0; i < tries; ++i) {
+    const NearMoment moment = far || i < tries / 2 ? any() : nearer_rest();
     if (excess_at(moment) > options_.farthest) {
       far = moment;
     } else if (far && narrow(*far, moment)) {

@@ -76,7 +76,7 @@ class NearDistances {
     });
     std::int64_t least = INT64_MAX;
     for_each_excess([&](std::uint32_t i, std::int64_t lower, std::int64_t /*upper*/) {
-      if (lower <= most && counts(i)) {
+      if (lower <= most && lower < least && counts(i)) {
         least = std::min(least, distance(i) - stop_of(i));
       }
     });
@@ -131,6 +131,8 @@ class NearMoves {
   double unit_of(std::size_t variable) const;
   JointCoordinate kept(std::size_t variable, double value) const;
   NearMoment any() const;
+  /// Of legs that nearly always touch, on the way from where all joints stand at 0.
+  NearMoment nearer_rest() const;
   /// Pairs that are near at most places do not make a place.
   void find_always_near();
   /// Of the other pairs, in metres.
