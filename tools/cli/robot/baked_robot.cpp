@@ -238,10 +238,11 @@ void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
   }
 }
 
-/// Of joints whose zone was not found when the time for it was up.
-void warn_of_late_zones(const BakedRobot& robot, const ZoneRadii& radii, const std::string& path,
-                        Warnings& warnings) {
-  std::string joints;
+std::vector<std::size_t> late_joints(const BakedRobot& robot, const ZoneRadii& radii) {
+  std::vector<std::size_t> joints;
+  if (!robot.options.is_late()) {
+    return joints;
+  }
   for (std::size_t joint = 0; joint < robot.model.joints.size(); ++joint) {
     const auto given = radii.find(joint);
     const bool is_wanted =
@@ -249,13 +250,22 @@ void warn_of_late_zones(const BakedRobot& robot, const ZoneRadii& radii, const s
     const bool is_found = std::any_of(robot.zones.begin(), robot.zones.end(),
                                       [&](const JointZone& zone) { return zone.joint == joint; });
     if (is_wanted && !is_found) {
-      joints += concat(joints.empty() ? "" : ", ", robot.model.joints[joint].name);
+      joints.push_back(joint);
     }
   }
-  if (robot.options.is_late() && !joints.empty()) {
+  return joints;
+}
+
+/// `then`: what becomes of the links.
+void warn_of_late_zones(const BakedRobot& robot, const std::string& path, const std::string& then,
+                        Warnings& warnings) {
+  std::string joints;
+  for (const std::size_t joint : robot.late_joints) {
+    joints += concat(joints.empty() ? "" : ", ", robot.model.joints[joint].name);
+  }
+  if (!joints.empty()) {
     warnings.add(path, concat("no time was left to find a zone about ", joints,
-                              ": links that touch there are guarded all over, and a guard would "
-                              "always say stop; give more --time"));
+                              ": links that touch there are ", then, "; give more --time"));
   }
 }
 
@@ -287,7 +297,7 @@ BakedRobot decided(Model model, const AllDistances& distances, const RobotArgume
   progress.begin("joint zones", kBakingWeight);
   made.options.deadline = times.until(kPartForZones);
   made.zones = joint_zones(made.model, meshes, made.cell, made.options, radii);
-  warn_of_late_zones(made, radii, arguments.urdf, warnings);
+  made.late_joints = late_joints(made, radii);
   made.options.deadline = times.until(kPartForPairs);
   made.pairs = decide_pairs(made.model, meshes, made.zones, made.reaches, made.cell, made.options,
                             [&](std::size_t pair, std::size_t pairs) {
@@ -339,13 +349,17 @@ std::vector<Mesh> meshes_of(const std::vector<BakedLink>& links) {
 BakedRobot decided_robot(Model model, const RobotArguments& arguments, Warnings& warnings) {
   const AllDistances distances = all_distances(model, arguments);
   Progress progress(steps_of(model), arguments.progress);
-  return decided(std::move(model), distances, arguments, progress, warnings);
+  BakedRobot made = decided(std::move(model), distances, arguments, progress, warnings);
+  warn_of_late_zones(made, arguments.urdf, "undecided", warnings);
+  return made;
 }
 
 BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& warnings) {
   const AllDistances distances = all_distances(model, arguments);
   Progress progress(steps_of(model), arguments.progress);
   BakedRobot made = decided(std::move(model), distances, arguments, progress, warnings);
+  warn_of_late_zones(made, arguments.urdf, "guarded all over, and a guard would always say stop",
+                     warnings);
   check_disabled(made.model, made.pairs, arguments.srdf, warnings);
   add_parts(arguments, made);
   add_reaches(made);

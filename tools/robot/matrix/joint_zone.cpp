@@ -37,14 +37,6 @@ struct Contact {
   std::uint32_t b;
 };
 
-std::optional<std::size_t> joint_of_neighbours(const Model& model, std::size_t a, std::size_t b) {
-  const JointsBetween joints = joints_between(model, a, b);
-  if (joints.of_a.size() + joints.of_b.size() != 1) {
-    return std::nullopt;
-  }
-  return joints.of_a.empty() ? joints.of_b[0] : joints.of_a[0];
-}
-
 /// The joint's frame, where its coordinate is 0, in that of a link next to it.
 Transform frame_in(const Model& model, std::size_t link, std::size_t joint) {
   return model.links[link].joint == joint ? Transform() : model.joints[joint].fixed;
@@ -323,6 +315,14 @@ StopDistance MatrixOptions::distances_of(std::size_t a, std::size_t b) const {
 
 bool MatrixOptions::has_own_distances(std::size_t a, std::size_t b) const {
   return find_pair(stops, a, b) != nullptr;
+}
+
+std::optional<std::size_t> joint_of_neighbours(const Model& model, std::size_t a, std::size_t b) {
+  const JointsBetween joints = joints_between(model, a, b);
+  if (joints.of_a.size() + joints.of_b.size() != 1) {
+    return std::nullopt;
+  }
+  return joints.of_a.empty() ? joints.of_b[0] : joints.of_a[0];
 }
 
 bool is_between_neighbours(const Model& model, std::size_t joint) {
