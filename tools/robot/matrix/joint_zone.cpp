@@ -334,7 +334,7 @@ bool is_between_neighbours(const Model& model, std::size_t joint) {
 std::vector<JointZone> joint_zones(const Model& model, const std::vector<Mesh>& meshes, double cell,
                                    const MatrixOptions& options, const ZoneRadii& radii) {
   std::vector<std::optional<JointZone>> found(model.neighbours.size());
-  for_each_in_parallel(found.size(), [&](std::size_t i) {
+  for_each_in_parallel(found.size(), threads_for(options.deadline), [&](std::size_t i) {
     const auto [a, b] = std::minmax(model.neighbours[i].first, model.neighbours[i].second);
     const std::optional<std::size_t> joint = joint_of_neighbours(model, a, b);
     if (!joint) {
