@@ -1,5 +1,5 @@
 // How far apart links are: by distance queries, which are made only where boxes and the last query
-// of the pair leave open what is asked.
+// of the pair do not decide.
 //
 // In doubles and by nothing that a guard uses: seen from A, no point of B's box moves farther than
 // the corner that moves farthest, since what the difference of two placements does is affine.
@@ -14,7 +14,7 @@
 
 namespace flashbvh::test {
 
-/// Of what a query reports as `lower`, in 1/256 cell; both are possible.
+/// Bounds of the `lower` that a query reports, in 1/256 cell, both included.
 struct NearBounds {
   std::int64_t lower = 0;
   std::int64_t upper = INT64_MAX;
