@@ -1,5 +1,6 @@
 #include "image/c_writer.hpp"
 
+#include <cmath>
 #include <cstring>
 
 #include "flashbvh/float.hpp"
@@ -80,6 +81,19 @@ std::string cell_macros(const std::string& word, double cell, const std::string&
                 cells_per_unit_literal(cell), "\n");
 }
 
+namespace {
+
+/// Twice: what firmware adds to a distance is in 1/256 cell, rounded up.
+std::string deviation_macros(const std::string& word, double deviation, double cell,
+                             const std::string& unit) {
+  return concat("#define ", word, "_DEVIATION ", floating_literal(deviation), " /* in ",
+                unit.empty() ? "the mesh's unit" : unit, ": from the file's mesh */\n#define ", word,
+                "_DEVIATION_FINE ", fixed(std::ceil(deviation / cell * kFineOne), 0),
+                " /* the same in 1/256 cell */\n");
+}
+
+}  // namespace
+
 SourceFiles image_in_c(const std::vector<std::uint32_t>& image, const OutputName& name,
                        const SourceFrame& frame, const std::string& about) {
   const std::string written = concat("/* Written by `flashbvh ", frame.command,
@@ -104,6 +118,8 @@ SourceFiles mesh_in_c(const std::vector<std::uint32_t>& image, const OutputName&
   std::memcpy(&header, image.data(), sizeof header);
   double cell = 0;
   std::memcpy(&cell, header.cell, sizeof cell);
+  double deviation = 0;
+  std::memcpy(&deviation, header.deviation, sizeof deviation);
   const std::string& word = name.word;
   const std::string about =
       count_macros(word,
@@ -116,7 +132,7 @@ SourceFiles mesh_in_c(const std::vector<std::uint32_t>& image, const OutputName&
                     {"TRIANGLE_COUNT", header.triangle_count, "that were kept of the mesh file"},
                     {"VERTEX_COUNT", header.vertex_count, "on the lattice, joined"},
                     {"IMAGE_BYTES", header.byte_count, "of the array"}}) +
-      tree_size(word) + cell_macros(word, cell, unit);
+      tree_size(word) + cell_macros(word, cell, unit) + deviation_macros(word, deviation, cell, unit);
   return image_in_c(image, name, {"bake", ".fbvh", word + "_image", view_of(header)}, about);
 }
 

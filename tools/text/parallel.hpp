@@ -15,10 +15,11 @@ inline std::size_t processor_count() {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-/// Calls `work` with each number below `count`, in any order. What one throws ends the others'
-/// calls when theirs is over, and is thrown: of several, that of the least number.
+/// Calls `work` with each number below `count`, in any order; with one thread in theirs. What one
+/// throws ends the others' calls when theirs is over, and is thrown: of several, that of the least
+/// number.
 template <class Work>
-void for_each_in_parallel(std::size_t count, const Work& work) {
+void for_each_in_parallel(std::size_t count, std::size_t most_threads, const Work& work) {
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::size_t thrower = count;
@@ -38,7 +39,7 @@ void for_each_in_parallel(std::size_t count, const Work& work) {
     }
   };
   std::vector<std::thread> threads;
-  for (std::size_t i = 1; i < std::min(processor_count(), count); ++i) {
+  for (std::size_t i = 1; i < std::min(most_threads, count); ++i) {
     threads.emplace_back(run);
   }
   run();
@@ -48,6 +49,12 @@ void for_each_in_parallel(std::size_t count, const Work& work) {
   if (thrown) {
     std::rethrow_exception(thrown);
   }
+}
+
+/// On all processors.
+template <class Work>
+void for_each_in_parallel(std::size_t count, const Work& work) {
+  for_each_in_parallel(count, processor_count(), work);
 }
 
 }  // namespace flashbvh::tool

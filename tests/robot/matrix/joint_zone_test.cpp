@@ -306,6 +306,58 @@ TEST_CASE("without time there is no zone, and a guard keeps all that lies outsid
   }
 }
 
+TEST_CASE("without time a guard's parts are not searched for") {
+  Neighbours late = hub_and_arm(angle_of_contact() - 0.001, 2);
+  const std::vector<JointZone> zones = late.zones();
+  REQUIRE(zones.size() == 1);
+  late.options.deadline = after_looks(0);
+  const auto count =
+      static_cast<std::int64_t>(zone_parts(late.model, zones[0], kCell, late.options).size());
+  CHECK(-*late.options.deadline.looks == 2 * count);  // once for each side
+  // In the midst of it, what is left is kept.
+  late.options.deadline = {};
+  const std::vector<ZoneParts> least = zone_parts(late.model, zones[0], kCell, late.options);
+  late.options.deadline = after_looks(8);
+  const std::vector<ZoneParts> some = zone_parts(late.model, zones[0], kCell, late.options);
+  CHECK(*late.options.deadline.looks < 0);
+  REQUIRE(some.size() >= least.size());
+  std::size_t more = 0;
+  for (std::size_t i = 0; i < least.size(); ++i) {
+    CHECK(some[i].a.triangles.size() >= least[i].a.triangles.size());
+    more += some[i].a.triangles.size() - least[i].a.triangles.size();
+  }
+  CHECK(more > 0);
+}
+
+TEST_CASE("of all pairs those with a zone are decided first") {
+  const Neighbours hinge = hub_and_arm(0.2, 2);
+  const BakedArm hinge_alone(hinge.model, kCell);
+  constexpr std::int64_t kPlenty = 1'000'000;
+  MatrixOptions options;
+  options.deadline = after_looks(kPlenty);
+  CHECK(hinge_alone.decide(options, hinge.zones())[0].verdict == MatrixVerdict::never);
+  const std::int64_t needed = kPlenty - *options.deadline.looks;
+  REQUIRE(needed > 0);
+  // Far from it two rods that cross, whose pairs come before.
+  Model model;
+  for (const double y : {0.0, 0.3}) {
+    const std::size_t joint =
+        add_joint(model, kNoJoint, shifted({5, y, 0}), JointType::revolute, -1, 1);
+    add_link(model, joint, box({-0.01, -0.2, 0}, {0.01, 0.2, 0.01}));
+  }
+  add_link(model, kNoJoint, hinge.model.links[0].mesh);
+  const std::size_t joint = add_joint(model, kNoJoint, {}, JointType::revolute, 0.2, 2);
+  add_link(model, joint, hinge.model.links[1].mesh);
+  model.neighbours = {{2, 3}};
+  const BakedArm arm(model, kCell);
+  const std::vector<JointZone> zones = joint_zones(model, arm.meshes(), kCell, {}, {});
+  REQUIRE(zones.size() == 1);
+  options.deadline = after_looks(needed);
+  const std::vector<PairVerdict> pairs = arm.decide(options, zones);
+  CHECK(pairs.back().verdict == MatrixVerdict::never);
+  CHECK(pairs.front().verdict == MatrixVerdict::undecided);
+}
+
 TEST_CASE("neighbours apart have no zone, unless they are nearer than they stop") {
   Neighbours apart = hub_and_arm(0.2, 2);
   bake::SourceMesh sleeve = box({0.103, -0.01, -0.02}, {0.5, 0.01, 0.02});

@@ -73,26 +73,28 @@ bool GuardedMoves::step(const NearMove& move, std::size_t from, std::size_t to, 
   if (answer.verdict == Verdict::stop && goes_on) {
     count_stop(move, to);
   }
-  return answer.verdict == Verdict::stop || move.excess(to) <= 0;
+  return answer.verdict == Verdict::stop || !move.distances(to).are_over(0);
 }
 
 void GuardedMoves::check(const NearMove& move, std::size_t from, std::size_t to,
                          const GuardAnswer& answer) {
   const Robot& robot = scene_.robot();
-  const std::vector<std::uint32_t>& before = move.distances(from);
-  const std::vector<std::uint32_t>& now = move.distances(to);
-  bool is_sound = answer.status == Status::done && answer.distance <= now[answer.pair];
-  bool may_warn = false;
+  const double way_of_obstacle =
+      scene_.has_obstacle() ? way_between(move[from].obstacle, move[to].obstacle) : 0;
+  const NearDistances& before = move.distances(from);
+  const NearDistances& now = move.distances(to);
+  bool is_sound =
+      answer.status == Status::done && now.is_beyond(answer.pair, double(answer.distance) - 1);
+  bool may_warn = answer.verdict != Verdict::warn;
   for (std::uint32_t i = 0; i < robot.pair_count; ++i) {
     const RobotPair& pair = robot.pairs[i];
-    const std::uint32_t least = std::min(before[i], now[i]);
+    const auto are_beyond = [&](double limit) {
+      return before.is_beyond(i, limit) && now.is_beyond(i, limit);
+    };
     is_sound = is_sound && (answer.verdict > Verdict::warn ||
-                            least > (answer.verdict == Verdict::free ? pair.warn : pair.stop));
-    may_warn =
-        may_warn || answer.verdict != Verdict::warn ||
-        least <=
-            pair.warn + travel_of(robot, pair, move[from], move[to]) + kTwoCells +
-                (scene_.has_obstacle() ? way_between(move[from].obstacle, move[to].obstacle) : 0);
+                            are_beyond(answer.verdict == Verdict::free ? pair.warn : pair.stop));
+    may_warn = may_warn || !are_beyond(pair.warn + travel_of(robot, pair, move[from], move[to]) +
+                                       kTwoCells + way_of_obstacle);
   }
   counts_.unsound += is_sound ? 0 : 1;
   counts_.warned += answer.verdict == Verdict::warn ? 1 : 0;
@@ -109,7 +111,7 @@ void GuardedMoves::count_stop(const NearMove& move, std::size_t at) {
   counts_.most_over = std::max(counts_.most_over, over);
   counts_.far_stops += over > 0.5 ? 1 : 0;
   std::size_t contact = at;
-  while (contact < move.size() && move.excess(contact) > robot.slack) {
+  while (contact < move.size() && move.distances(contact).are_over(robot.slack)) {
     ++contact;
   }
   const auto early = static_cast<long>(contact - at);

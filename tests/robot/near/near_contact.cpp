@@ -2,13 +2,22 @@
 //
 // Guards a robot baked by `flashbvh robot --format image` on moves near contact with several
 // budgets, and prints a row for each of them.
+//
+// flashbvh_near_contact --sound SECONDS ROBOT...
+//
+// Guards each robot for so long: one seed after the other, with and without an obstacle, at several
+// speeds and budgets, and prints a row for each robot. ROBOT: an image, or `arms`: the generated
+// arms of the tests, another one for each seed.
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <string>
 
 #include "flashbvh/robot/image.hpp"
 #include "guarded_moves.hpp"
+#include "support/arms/guarded_arm.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;
@@ -81,26 +90,138 @@ int guard_moves(const Robot& robot, const NearOptions& options, long periods, st
   return unsound != 0 ? 1 : 0;
 }
 
+/// An image's robot, whose words and meshes it keeps.
+struct ReadRobot {
+  std::vector<std::uint32_t> words;
+  std::vector<Mesh> meshes = std::vector<Mesh>(kMaxLinks);
+  Robot robot{};
+
+  bool read(const char* path) {
+    words = words_of(path);
+    const Status status =
+        open_robot(words.data(), words.size() * 4, meshes.data(), kMaxLinks, robot);
+    if (status != Status::done) {
+      std::fprintf(stderr, "%s: no robot image (%s)\n", path, status_name(status));
+    }
+    return status == Status::done;
+  }
+};
+
+/// Of all seeds of a robot.
+struct SoundCounts {
+  long seeds = 0;
+  long places = 0;
+  long periods = 0;
+  long not_yet_known = 0;
+  long warned = 0;
+  long stops = 0;
+  long queries = 0;
+  long unsound = 0;
+};
+
+constexpr int kPlacesOfSeed = 10;
+constexpr double kSpeeds[] = {1.25e-3, 5e-3, 2e-4};
+constexpr std::uint32_t kSoundBudgets[] = {100, 500, 2000, UINT32_MAX - 1};
+
+void guard_seed(const Robot& robot, std::uint64_t seed, SoundCounts& counts) {
+  NearOptions options;
+  options.turn = kSpeeds[seed % 3];
+  options.slide = options.turn * 0.4;
+  options.has_obstacle = seed % 2 == 0;
+  Random random(seed);
+  const NearScene scene(robot, options);
+  NearMoves moves(scene, options, random);
+  std::vector<std::unique_ptr<GuardedMoves>> guarded;
+  for (const std::uint32_t budget : kSoundBudgets) {
+    guarded.push_back(std::make_unique<GuardedMoves>(robot, options, budget));
+  }
+  for (int place = 0; place < kPlacesOfSeed && moves.find_place(400); ++place) {
+    ++counts.places;
+    for (const auto& of : guarded) {
+      of->begin(moves.place());
+    }
+    for (int i = 0; i < kMovesOfPlace; ++i) {
+      const NearMove move = moves.move();
+      for (const auto& of : guarded) {
+        of->run(move);
+      }
+    }
+  }
+  ++counts.seeds;
+  counts.queries += scene.oracle().queries();
+  for (const auto& of : guarded) {
+    const NearCounts& more = of->counts();
+    counts.periods += more.periods;
+    counts.not_yet_known += more.not_yet_known;
+    counts.warned += more.warned;
+    counts.stops += more.stops;
+    counts.unsound += more.unsound;
+    if (more.unsound != 0) {
+      std::fprintf(stderr, "seed %llu, work %u: %ld unsound\n",
+                   static_cast<unsigned long long>(seed), of->budget(), more.unsound);
+    }
+  }
+}
+
+/// False if it is no robot, or a verdict is contradicted.
+bool is_sound(const char* name, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  const bool is_generated = std::strcmp(name, "arms") == 0;
+  ReadRobot read;
+  if (!is_generated && !read.read(name)) {
+    return false;
+  }
+  SoundCounts counts;
+  const Clock::time_point began = Clock::now();
+  const auto since = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
+  for (std::uint64_t seed = 1; since() < seconds; ++seed) {
+    if (is_generated) {
+      Random random(seed);
+      const FixedArm arm = any_guarded_arm(random, 3 + random.below(4), 1e-3);
+      guard_seed(arm.robot(), seed, counts);
+    } else {
+      guard_seed(read.robot, seed, counts);
+    }
+  }
+  std::printf("| %s | %ld | %ld | %ld | %ld | %ld | %ld | %ld | %.0f | %ld |\n", name, counts.seeds,
+              counts.places, counts.periods, counts.warned, counts.not_yet_known, counts.stops,
+              counts.queries, static_cast<double>(counts.periods) / since(), counts.unsound);
+  std::fflush(stdout);
+  return counts.unsound == 0;
+}
+
+int check_soundness(double seconds, const char* const* names) {
+  std::printf(
+      "| robot | seeds | places | periods | warned | not yet known | stops | queries | periods a "
+      "second | unsound |\n"
+      "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  bool is = true;
+  for (; *names != nullptr; ++names) {
+    is = is_sound(*names, seconds) && is;
+  }
+  return is ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
+  if (count > 3 && std::strcmp(arguments[1], "--sound") == 0) {
+    return check_soundness(std::atof(arguments[2]), arguments + 3);
+  }
   if (count < 2) {
     std::fprintf(
         stderr,
-        "usage: flashbvh_near_contact IMAGE [periods] [seed] [radians a period] [obstacle]\n");
+        "usage: flashbvh_near_contact IMAGE [periods] [seed] [radians a period] [obstacle]\n"
+        "       flashbvh_near_contact --sound SECONDS ROBOT...\n");
     return 2;
   }
-  const std::vector<std::uint32_t> words = words_of(arguments[1]);
-  std::vector<Mesh> meshes(kMaxLinks);
-  Robot robot{};
-  const Status status = open_robot(words.data(), words.size() * 4, meshes.data(), kMaxLinks, robot);
-  if (status != Status::done) {
-    std::fprintf(stderr, "%s: no robot image (%s)\n", arguments[1], status_name(status));
+  ReadRobot read;
+  if (!read.read(arguments[1])) {
     return 2;
   }
   NearOptions options;
   options.turn = count > 4 ? std::atof(arguments[4]) : options.turn;
   options.has_obstacle = count > 5;
-  return guard_moves(robot, options, count > 2 ? std::atol(arguments[2]) : 20000,
+  return guard_moves(read.robot, options, count > 2 ? std::atol(arguments[2]) : 20000,
                      count > 3 ? std::strtoull(arguments[3], nullptr, 0) : 1);
 }

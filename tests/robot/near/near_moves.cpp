@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "flashbvh/clearance.hpp"
 #include "flashbvh/robot/kinematics.hpp"
 
 namespace flashbvh::test {
@@ -12,14 +11,6 @@ namespace {
 
 constexpr double kFine = 256;
 constexpr double kSide = 0.06;  // of the obstacle
-
-std::int64_t least_excess(const Robot& robot, const std::vector<std::uint32_t>& distances) {
-  std::int64_t least = INT64_MAX;
-  for (std::uint32_t i = 0; i < distances.size(); ++i) {
-    least = std::min(least, std::int64_t{distances[i]} - robot.pairs[i].stop);
-  }
-  return least;
-}
 
 template <class Number>
 Number between(Number from, Number to, double part) {
@@ -52,16 +43,21 @@ double cell_of(const Robot& robot) {
 
 NearScene::NearScene(const Robot& robot, const NearOptions& options)
     : memory_(new NearCell), workcell_(robot, *memory_) {
-  if (!options.has_obstacle) {
-    return;
+  if (options.has_obstacle) {
+    add_obstacle(options);
   }
-  const double cell = cell_of(robot);
+  oracle_ = std::make_unique<NearOracle>(this->robot());
+}
+
+void NearScene::add_obstacle(const NearOptions& options) {
+  const double cell = cell_of(robot());
   const double half = kSide / 2;
   add_link(model_, tool::kNoJoint, box({-half, -half, -half}, {half, half, half}));
   body_ = std::make_unique<BakedArm>(model_, cell);
   (void)workcell_.add(body_->meshes()[0], {kBase, kIdentityFrame}, link_);
-  for (std::uint8_t link = 0; link < robot.link_count; ++link) {
-    if (robot.links[link].joint != kBase) {
+  const std::uint8_t own_links = link_;
+  for (std::uint8_t link = 0; link < own_links; ++link) {
+    if (robot().links[link].joint != kBase) {
       (void)workcell_.keep_apart(link, link_, fine(options.obstacle_stop, cell),
                                  fine(options.obstacle_warn, cell));
     }
@@ -74,7 +70,7 @@ void NearScene::move(const Frame& frame, std::uint32_t moved) {
   }
 }
 
-std::vector<std::uint32_t> NearScene::distances(const NearMoment& moment) const {
+std::vector<Pose> NearScene::poses(const NearMoment& moment) const {
   const Robot& robot = this->robot();
   std::vector<JointCoordinate> coordinates(robot.joint_count);
   std::vector<Frame> frames(robot.joint_count);
@@ -89,28 +85,51 @@ std::vector<std::uint32_t> NearScene::distances(const NearMoment& moment) const 
     const std::uint8_t joint = robot.links[link].joint;
     return joint == kBase ? kIdentityFrame : frames[joint];
   };
-  hints_.resize(robot.pair_count);
-  std::vector<std::uint32_t> all;
+  std::vector<Pose> all;
   for (std::uint32_t i = 0; i < robot.pair_count; ++i) {
-    const RobotPair& pair = robot.pairs[i];
-    const Pose pose = relative_pose(frame_of(pair.a), frame_of(pair.b));
-    const Clearance<std::uint16_t> found =
-        distance(robot.meshes[pair.a], robot.meshes[pair.b], pose, hints_[i]);
-    hints_[i] = found.in_range ? found.witness : Witness<std::uint16_t>();
-    all.push_back(found.lower);
+    all.push_back(relative_pose(frame_of(robot.pairs[i].a), frame_of(robot.pairs[i].b)));
   }
   return all;
 }
 
-const std::vector<std::uint32_t>& NearMove::distances(std::size_t i) const {
+NearDistances::NearDistances(const NearScene& scene, const NearMoment& moment)
+    : scene_(&scene), poses_(scene.poses(moment)) {
+  for (std::uint32_t i = 0; i < poses_.size(); ++i) {
+    bounds_.push_back(scene.oracle().bounds(i, poses_[i]));
+  }
+}
+
+std::int64_t NearDistances::distance(std::uint32_t pair) const {
+  NearBounds& bounds = bounds_[pair];
+  if (bounds.lower != bounds.upper) {
+    bounds = scene_->oracle().measured(pair, poses_[pair]);
+  }
+  return bounds.lower;
+}
+
+bool NearDistances::is_beyond(std::uint32_t pair, double limit) const {
+  const NearBounds& bounds = bounds_[pair];
+  return static_cast<double>(bounds.lower) > limit ||
+         (static_cast<double>(bounds.upper) > limit && static_cast<double>(distance(pair)) > limit);
+}
+
+bool NearDistances::are_over(std::int64_t excess) const {
+  bool are = true;
+  for (std::uint32_t i = 0; are && i < bounds_.size(); ++i) {
+    are = is_beyond(i, static_cast<double>(stop_of(i) + excess));
+  }
+  return are;
+}
+
+const NearDistances& NearMove::distances(std::size_t i) const {
   if (!distances_[i]) {
-    distances_[i] = scene_.distances(moments_[i]);
+    distances_[i].emplace(scene_, moments_[i]);
   }
   return *distances_[i];
 }
 
 std::int64_t NearMove::excess(std::size_t i) const {
-  return least_excess(scene_.robot(), distances(i));
+  return distances(i).excess([](std::uint32_t) { return true; });
 }
 
 NearMoves::NearMoves(const NearScene& scene, const NearOptions& options, Random& random)
@@ -153,12 +172,10 @@ NearMoment NearMoves::any() const {
 }
 
 double NearMoves::excess_at(const NearMoment& moment) const {
-  const std::vector<std::uint32_t> all = scene_.distances(moment);
-  std::int64_t least = INT64_MAX;
-  for (std::uint32_t i = 0; i < all.size(); ++i) {
-    const std::int64_t excess = std::int64_t{all[i]} - scene_.robot().pairs[i].stop;
-    least = is_always_near_[i] && excess > 0 ? least : std::min(least, excess);
-  }
+  const NearDistances all(scene_, moment);
+  const std::int64_t least = all.excess([&](std::uint32_t i) {
+    return !is_always_near_[i] || !all.is_beyond(i, scene_.robot().pairs[i].stop);
+  });
   return static_cast<double>(least) / kFine * cell_;
 }
 
@@ -167,9 +184,10 @@ void NearMoves::find_always_near() {
   const Robot& robot = scene_.robot();
   std::vector<int> near(robot.pair_count);
   for (int i = 0; i < kTries; ++i) {
-    const std::vector<std::uint32_t> all = scene_.distances(any());
+    const NearDistances all(scene_, any());
     for (std::uint32_t j = 0; j < robot.pair_count; ++j) {
-      near[j] += all[j] < robot.pairs[j].stop + fine(options_.farthest, cell_) ? 1 : 0;
+      const double farthest = robot.pairs[j].stop + fine(options_.farthest, cell_);
+      near[j] += all.is_beyond(j, farthest - 1) ? 0 : 1;
     }
   }
   for (const int count : near) {
@@ -191,10 +209,19 @@ bool NearMoves::narrow(NearMoment far, const NearMoment& near) {
   return false;
 }
 
+NearMoment NearMoves::nearer_rest() const {
+  NearMoment rest = any();
+  const NearMoment to = rest;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    rest.values[i] = kept(i, 0);
+  }
+  return between(rest, to, real_between(random_, 0, 1));
+}
+
 bool NearMoves::find_place(int tries) {
   std::optional<NearMoment> far;
-  for (; tries != 0; --tries) {
-    const NearMoment moment = any();
+  for (int i = 0; i < tries; ++i) {
+    const NearMoment moment = far || i < tries / 2 ? any() : nearer_rest();
     if (excess_at(moment) > options_.farthest) {
       far = moment;
     } else if (far && narrow(*far, moment)) {

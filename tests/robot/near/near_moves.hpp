@@ -1,13 +1,14 @@
 // Small moves about places where an arm's links nearly touch, as a welding or assembly arm works,
-// and how far apart all guarded pairs are on the way, by distance queries of each period.
+// and how far apart all guarded pairs are on the way.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "flashbvh/clearance.hpp"
 #include "flashbvh/robot/workcell.hpp"
+#include "near_distances.hpp"
 #include "support/arms/arms.hpp"
 #include "support/random.hpp"
 
@@ -42,16 +43,60 @@ class NearScene {
   bool has_obstacle() const { return link_ != kMaxLinks; }
   /// Moves the obstacle there, by at most `moved`, in 1/256 cell.
   void move(const Frame& frame, std::uint32_t moved);
-  /// Of all pairs, in 1/256 cell, rounded down; of the placed meshes, as the guard places them.
-  std::vector<std::uint32_t> distances(const NearMoment& moment) const;
+  /// Of all pairs: B in A's frame, as the guard places it.
+  std::vector<Pose> poses(const NearMoment& moment) const;
+  NearOracle& oracle() const { return *oracle_; }
 
  private:
+  void add_obstacle(const NearOptions& options);
+
   std::unique_ptr<BakedArm> body_;
   tool::Model model_;
   std::unique_ptr<NearCell> memory_;
   Workcell workcell_;
   std::uint8_t link_ = kMaxLinks;
-  mutable std::vector<Witness<std::uint16_t>> hints_;
+  std::unique_ptr<NearOracle> oracle_;
+};
+
+/// Of all pairs at a moment, in 1/256 cell, rounded down; of the placed meshes.
+class NearDistances {
+ public:
+  NearDistances(const NearScene& scene, const NearMoment& moment);
+
+  bool is_beyond(std::uint32_t pair, double limit) const;
+  /// Whether all are farther over their stop distances.
+  bool are_over(std::int64_t excess) const;
+  /// How far over the stop distance the nearest pair is; may be negative. `counts(pair)`: whether
+  /// the pair does.
+  template <class Counts>
+  std::int64_t excess(const Counts& counts) const {
+    std::int64_t most = INT64_MAX;
+    for_each_excess([&](std::uint32_t i, std::int64_t /*lower*/, std::int64_t upper) {
+      most = counts(i) ? std::min(most, upper) : most;
+    });
+    std::int64_t least = INT64_MAX;
+    for_each_excess([&](std::uint32_t i, std::int64_t lower, std::int64_t /*upper*/) {
+      if (lower <= most && lower < least && counts(i)) {
+        least = std::min(least, distance(i) - stop_of(i));
+      }
+    });
+    return least;
+  }
+
+ private:
+  std::int64_t distance(std::uint32_t pair) const;
+  std::int64_t stop_of(std::uint32_t pair) const { return scene_->robot().pairs[pair].stop; }
+  template <class Visit>
+  void for_each_excess(const Visit& visit) const {
+    for (std::uint32_t i = 0; i < bounds_.size(); ++i) {
+      const std::int64_t upper = bounds_[i].upper;
+      visit(i, bounds_[i].lower - stop_of(i), upper == INT64_MAX ? upper : upper - stop_of(i));
+    }
+  }
+
+  const NearScene* scene_;
+  std::vector<Pose> poses_;
+  mutable std::vector<NearBounds> bounds_;
 };
 
 /// There and back: period 0 and the last one are at the place itself.
@@ -62,15 +107,14 @@ class NearMove {
 
   std::size_t size() const { return moments_.size(); }
   const NearMoment& operator[](std::size_t i) const { return moments_[i]; }
-  /// NearScene::distances(), kept.
-  const std::vector<std::uint32_t>& distances(std::size_t i) const;
+  const NearDistances& distances(std::size_t i) const;
   /// How far over the stop distance the nearest pair is, in 1/256 cell; may be negative.
   std::int64_t excess(std::size_t i) const;
 
  private:
   const NearScene& scene_;
   std::vector<NearMoment> moments_;
-  mutable std::vector<std::optional<std::vector<std::uint32_t>>> distances_;
+  mutable std::vector<std::optional<NearDistances>> distances_;
 };
 
 class NearMoves {
@@ -87,6 +131,8 @@ class NearMoves {
   double unit_of(std::size_t variable) const;
   JointCoordinate kept(std::size_t variable, double value) const;
   NearMoment any() const;
+  /// Of legs that nearly always touch, on the way from where all joints stand at 0.
+  NearMoment nearer_rest() const;
   /// Pairs that are near at most places do not make a place.
   void find_always_near();
   /// Of the other pairs, in metres.

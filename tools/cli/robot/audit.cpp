@@ -113,8 +113,8 @@ ExitCode audit_srdf(const AuditArguments& arguments) {
   Model model = described_robot(arguments, warnings);
   const std::vector<DisabledPair> disabled = std::exchange(model.disabled, {});
   const BakedRobot robot = decided_robot(std::move(model), arguments, warnings);
-  const Audit audit =
-      audit_of({robot.model, views_of(robot.wholes), robot.cell, robot.pairs}, disabled);
+  const Audit audit = audit_of(
+      {robot.model, views_of(robot.wholes), robot.cell, robot.pairs, robot.late_joints}, disabled);
   const std::set<std::string> read = files_read(arguments, robot.model);
   FileSet files;
   const auto add = [&](const std::string& path, std::string text) {
@@ -149,6 +149,7 @@ void add_audit(CLI::App& app, ExitCode& exit_code) {
       exit_code, audit_srdf);
   add_described_options(command, "ROBOT", a);
   command.add_option("SRDF", a.srdf, "The SRDF of the robot")->required();
+  add_time(command, a, "What is not decided by then is undecided");
   add_option(command, "--write", a.fixed, "FIXED.srdf",
              "Write the SRDF without refuted lines and with the missing ones; all else is kept");
   add_option(command, "--report", a.page, "PAGE.html", "Write a page: the table");

@@ -260,7 +260,7 @@ BakedRobot prepared(Model model, const AllDistances& distances, const RobotArgum
 
 /// All but what firmware holds. `early`: by how much a guard may stop earlier than asked, in metres.
 void decide(const AllDistances& distances, const RobotArguments& arguments, const StageTimes& times,
-            double early, Progress& progress, Warnings& warnings, BakedRobot& made) {
+            double early, Progress& progress, BakedRobot& made) {
   const ZoneRadii radii = zone_radii(made.model, arguments.zones);
   const std::vector<WholeMesh> meshes = views_of(made.wholes);
   made.reaches = all_reaches(made.model, made.cell, times.until(kPartForReaches));
@@ -269,7 +269,7 @@ void decide(const AllDistances& distances, const RobotArguments& arguments, cons
   progress.begin("joint zones", kBakingWeight);
   made.options.deadline = times.until(kPartForZones);
   made.zones = joint_zones(made.model, meshes, made.cell, made.options, radii);
-  warn_of_late_zones(made, radii, arguments.urdf, warnings);
+  made.late_joints = late_joints(made, radii);
   made.options.deadline = times.until(kPartForPairs);
   made.pairs = decide_pairs(made.model, meshes, made.zones, made.reaches, made.cell, made.options,
                             [&](std::size_t pair, std::size_t pairs) {
@@ -334,7 +334,8 @@ BakedRobot decided_robot(Model model, const RobotArguments& arguments, Warnings&
   Progress progress(steps_of(model), arguments.progress);
   const StageTimes times(arguments);
   BakedRobot made = prepared(std::move(model), distances, arguments, progress, warnings);
-  decide(distances, arguments, times, 0, progress, warnings, made);
+  decide(distances, arguments, times, 0, progress, made);
+  warn_of_late_zones(made, arguments.urdf, "undecided", warnings);
   return made;
 }
 
@@ -346,7 +347,9 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   BakedRobot made = prepared(std::move(model), distances, arguments, progress, warnings);
   check_wholes(arguments, made);
   SimplifiedLinks simplified(made.model, made.cell, arguments);
-  decide(distances, arguments, times, simplified.early(), progress, warnings, made);
+  decide(distances, arguments, times, simplified.early(), progress, made);
+  warn_of_late_zones(made, arguments.urdf, "guarded all over, and a guard would always say stop",
+                     warnings);
   check_disabled(made.model, made.pairs, arguments.srdf, warnings);
   add_parts(arguments, made);
   add_reaches(made);

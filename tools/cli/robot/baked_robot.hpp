@@ -47,6 +47,8 @@ struct RobotArguments {
 void add_described_options(CLI::App& command, const std::string& name, RobotArguments& arguments);
 /// Declares them all: the same for all commands, so that they speak of the same robot.
 void add_robot_options(CLI::App& command, const std::string& name, RobotArguments& arguments);
+/// Declares --time. `late`: what happens to what is not decided by then.
+void add_time(CLI::App& command, RobotArguments& arguments, const std::string& late);
 
 /// Its parts point into each other; it may be moved.
 struct BakedRobot {
@@ -61,6 +63,7 @@ struct BakedRobot {
   MatrixOptions options;   ///< with which its pairs were decided; until when parts are sought
   Deadline deadline = {};  ///< of all
   std::vector<JointZone> zones;
+  std::vector<std::size_t> late_joints;  ///< with no zone when the time to find one was up
   std::vector<PairVerdict> pairs;
   std::vector<UnguardedPair> unguarded;  ///< of an image, too
   double simplified = 0;              ///< in metres, how far firmware's links were allowed to; 0: not

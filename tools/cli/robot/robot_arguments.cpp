@@ -195,6 +195,11 @@ void add_described_options(CLI::App& command, const std::string& name, RobotArgu
                    "Links with visual shapes alone collide by them; without it, with nothing");
 }
 
+void add_time(CLI::App& command, RobotArguments& arguments, const std::string& late) {
+  add_option(command, "--time", arguments.time, "SECONDS",
+             late + ". \nDefault: as long as it takes");
+}
+
 void add_robot_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {
   add_described_options(command, name, arguments);
   add_option(command, "--srdf", arguments.srdf, "FILE",
@@ -224,9 +229,7 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
   repeated(add_option(command, "--zone", arguments.zones, "JOINT=LENGTH",
                       "Two links may touch so far about the joint between them; 0: nowhere; may be "
                       "repeated. \nDefault: as far as they do"));
-  add_option(
-      command, "--time", arguments.time, "SECONDS",
-      "What is not decided by then is undecided, and guarded. \nDefault: as long as it takes");
+  add_time(command, arguments, "What is not decided by then is undecided, and guarded");
   add_progress(command, arguments.progress);
 }
 

@@ -58,9 +58,11 @@ void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
   }
 }
 
-void warn_of_late_zones(const BakedRobot& robot, const ZoneRadii& radii, const std::string& path,
-                        Warnings& warnings) {
-  std::string joints;
+std::vector<std::size_t> late_joints(const BakedRobot& robot, const ZoneRadii& radii) {
+  std::vector<std::size_t> joints;
+  if (!robot.options.is_late()) {
+    return joints;
+  }
   for (std::size_t joint = 0; joint < robot.model.joints.size(); ++joint) {
     const auto given = radii.find(joint);
     const bool is_wanted =
@@ -68,13 +70,21 @@ void warn_of_late_zones(const BakedRobot& robot, const ZoneRadii& radii, const s
     const bool is_found = std::any_of(robot.zones.begin(), robot.zones.end(),
                                       [&](const JointZone& zone) { return zone.joint == joint; });
     if (is_wanted && !is_found) {
-      joints += concat(joints.empty() ? "" : ", ", robot.model.joints[joint].name);
+      joints.push_back(joint);
     }
   }
-  if (robot.options.is_late() && !joints.empty()) {
+  return joints;
+}
+
+void warn_of_late_zones(const BakedRobot& robot, const std::string& path, const std::string& then,
+                        Warnings& warnings) {
+  std::string joints;
+  for (const std::size_t joint : robot.late_joints) {
+    joints += concat(joints.empty() ? "" : ", ", robot.model.joints[joint].name);
+  }
+  if (!joints.empty()) {
     warnings.add(path, concat("no time was left to find a zone about ", joints,
-                              ": links that touch there are guarded all over, and a guard would "
-                              "always say stop; give more --time"));
+                              ": links that touch there are ", then, "; give more --time"));
   }
 }
 

@@ -18,8 +18,10 @@ void warn_of_unguarded(const BakedRobot& robot, const std::string& path, Warning
 void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
                   const RobotArguments& arguments, Warnings& warnings);
 
-/// Of joints whose zone was not found when the time for it was up.
-void warn_of_late_zones(const BakedRobot& robot, const ZoneRadii& radii, const std::string& path,
+/// Joints whose zone was not found when the time for it was up.
+std::vector<std::size_t> late_joints(const BakedRobot& robot, const ZoneRadii& radii);
+/// Of these. `then`: what becomes of the links.
+void warn_of_late_zones(const BakedRobot& robot, const std::string& path, const std::string& then,
                         Warnings& warnings);
 
 }  // namespace flashbvh::tool

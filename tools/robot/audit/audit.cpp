@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "robot/matrix/joint_zone.hpp"
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/pair_space.hpp"
 #include "robot/matrix/rarity.hpp"
@@ -28,6 +29,15 @@ bool is_in_contact(const DecidedPairs& decided, const PairVerdict& pair) {
   return space.intersect(at_default) && intersect_wherever_tried(space, MatrixOptions{}.looks);
 }
 
+/// The joint between two neighbours whose zone was not found in time.
+std::optional<std::size_t> late_joint(const DecidedPairs& decided, const PairVerdict& pair) {
+  const std::vector<std::size_t>& late = decided.late_joints;
+  const auto found = std::find_if(late.begin(), late.end(), [&](std::size_t joint) {
+    return joint_of_neighbours(decided.model, pair.a, pair.b) == joint;
+  });
+  return found == late.end() ? std::nullopt : std::optional(*found);
+}
+
 /// Of a line that disables the pair.
 LineVerdict line_verdict(const DecidedPairs& decided, const PairVerdict& pair) {
   if (pair.zone) {
@@ -39,7 +49,9 @@ LineVerdict line_verdict(const DecidedPairs& decided, const PairVerdict& pair) {
       return LineVerdict::proven;
     case MatrixVerdict::can:
     case MatrixVerdict::believed:
-      return is_in_contact(decided, pair) ? LineVerdict::contact : LineVerdict::refuted;
+      return is_in_contact(decided, pair) ? LineVerdict::contact
+             : late_joint(decided, pair)  ? LineVerdict::undecided
+                                          : LineVerdict::refuted;
     case MatrixVerdict::undecided:
       break;
   }
@@ -65,9 +77,13 @@ FileTriangle file_triangle(const ModelLink& link, std::size_t triangle) {
   return {link.sources[source], triangle - link.source_begins[source]};
 }
 
-std::string why_of(const PairVerdict& pair, LineVerdict verdict) {
-  return verdict == LineVerdict::contact && !pair.zone
-             ? "intersect at the default configuration and wherever tried; sampled, not proven"
+std::string why_of(const DecidedPairs& decided, const PairVerdict& pair, LineVerdict verdict) {
+  if (verdict == LineVerdict::contact && !pair.zone) {
+    return "intersect at the default configuration and wherever tried; sampled, not proven";
+  }
+  const std::optional<std::size_t> late = late_joint(decided, pair);
+  return verdict == LineVerdict::undecided && late
+             ? "no time was left to find a zone about " + decided.model.joints[*late].name
              : pair.reason;
 }
 
@@ -122,7 +138,7 @@ Audit audit_of(const DecidedPairs& decided, const std::vector<DisabledPair>& dis
   for (const DisabledPair& of : disabled) {
     const PairVerdict& pair = *find_pair(decided.pairs, of.a, of.b);
     const LineVerdict verdict = line_verdict(decided, pair);
-    audit.lines.push_back({of, pair, verdict, why_of(pair, verdict), {}});
+    audit.lines.push_back({of, pair, verdict, why_of(decided, pair, verdict), {}});
     if (verdict == LineVerdict::refuted) {
       add_witness(decided, audit.lines.back());
     }
@@ -130,7 +146,7 @@ Audit audit_of(const DecidedPairs& decided, const std::vector<DisabledPair>& dis
   for (const SrdfLine& line : srdf_lines(decided)) {
     if (find_pair(disabled, line.a, line.b) == nullptr) {
       const PairVerdict& pair = *find_pair(decided.pairs, line.a, line.b);
-      audit.missing.push_back({line, why_of(pair, line_verdict(decided, pair))});
+      audit.missing.push_back({line, why_of(decided, pair, line_verdict(decided, pair))});
     }
   }
   return audit;

@@ -52,6 +52,9 @@ struct DecidedPairs {
   const std::vector<WholeMesh>& meshes;
   double cell;  ///< metres
   const std::vector<PairVerdict>& pairs;
+  /// With no zone when the time to find one was up: a collision of the two links next to such a
+  /// joint may be in the zone, and refutes nothing.
+  std::vector<std::size_t> late_joints = {};
 };
 
 /// All that a planner need not check.

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "text/parallel.hpp"
@@ -14,19 +17,34 @@ using Clock = std::chrono::steady_clock;
 /// None: there is no hurry, and results depend on nothing but the robot.
 struct Deadline {
   std::optional<Clock::time_point> at;
+  /// Of tests, instead of a moment: so many times it is not past when it is looked at. What one
+  /// thread does until then depends on nothing but the robot, either.
+  std::shared_ptr<std::atomic<std::int64_t>> looks = nullptr;
 
-  bool is_past() const { return at && Clock::now() >= *at; }
+  bool is_past() const {
+    return looks != nullptr ? looks->fetch_sub(1) <= 0 : at && Clock::now() >= *at;
+  }
 };
+
+inline Deadline after_looks(std::int64_t count) {
+  return {std::nullopt, std::make_shared<std::atomic<std::int64_t>>(count)};
+}
 
 inline Deadline in_seconds(Clock::time_point began, double seconds) {
   return {began +
           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))};
 }
 
+/// How many threads may look at it.
+inline std::size_t threads_for(const Deadline& deadline) {
+  return deadline.looks != nullptr ? 1 : processor_count();
+}
+
 /// When one of `left` pieces of work has had its part of the time, `share` times an equal one.
+/// Looks are not divided.
 inline Deadline turn_of(const Deadline& all, std::size_t left, double share) {
   if (!all.at) {
-    return {};
+    return all;
   }
   const Clock::time_point now = Clock::now();
   const double part = share * static_cast<double>(processor_count()) /

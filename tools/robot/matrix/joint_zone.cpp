@@ -38,14 +38,6 @@ struct Contact {
   std::uint32_t b;
 };
 
-std::optional<std::size_t> joint_of_neighbours(const Model& model, std::size_t a, std::size_t b) {
-  const JointsBetween joints = joints_between(model, a, b);
-  if (joints.of_a.size() + joints.of_b.size() != 1) {
-    return std::nullopt;
-  }
-  return joints.of_a.empty() ? joints.of_b[0] : joints.of_a[0];
-}
-
 /// The joint's frame, where its coordinate is 0, in that of a link next to it.
 Transform frame_in(const Model& model, std::size_t link, std::size_t joint) {
   return model.links[link].joint == joint ? Transform() : model.joints[joint].fixed;
@@ -339,6 +331,14 @@ bool MatrixOptions::has_own_distances(std::size_t a, std::size_t b) const {
   return find_pair(stops, a, b) != nullptr;
 }
 
+std::optional<std::size_t> joint_of_neighbours(const Model& model, std::size_t a, std::size_t b) {
+  const JointsBetween joints = joints_between(model, a, b);
+  if (joints.of_a.size() + joints.of_b.size() != 1) {
+    return std::nullopt;
+  }
+  return joints.of_a.empty() ? joints.of_b[0] : joints.of_a[0];
+}
+
 bool is_between_neighbours(const Model& model, std::size_t joint) {
   return std::any_of(model.neighbours.begin(), model.neighbours.end(), [&](const auto& pair) {
     return joint_of_neighbours(model, pair.first, pair.second) == joint;
@@ -373,7 +373,7 @@ std::vector<JointZone> joint_zones(const Model& model, const std::vector<WholeMe
                                    const ZoneRadii& radii) {
   std::vector<std::optional<JointZone>> found(model.neighbours.size());
   const std::vector<std::optional<StandIn>> others = stand_ins(model, cell, options);
-  for_each_in_parallel(found.size(), [&](std::size_t i) {
+  for_each_in_parallel(found.size(), threads_for(options.deadline), [&](std::size_t i) {
     const auto [a, b] = std::minmax(model.neighbours[i].first, model.neighbours[i].second);
     const std::optional<std::size_t> joint = joint_of_neighbours(model, a, b);
     if (!joint) {

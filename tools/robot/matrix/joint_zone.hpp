@@ -40,6 +40,8 @@ struct JointZone {
 std::string zone_text(const Model& model, const JointZone& zone);
 std::string radius_text(const Model& model, double radius, std::size_t joint);
 
+/// The joint between two neighbours, if it is the only one.
+std::optional<std::size_t> joint_of_neighbours(const Model& model, std::size_t a, std::size_t b);
 /// Whether it is the only one between two neighbours with meshes.
 bool is_between_neighbours(const Model& model, std::size_t joint);
 

@@ -284,7 +284,7 @@ std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Whol
   std::mutex mutex;
   std::size_t decided = 0;
   const std::vector<PairVerdict*> order = in_order(verdicts, zones);
-  for_each_in_parallel(order.size(), [&](std::size_t i) {
+  for_each_in_parallel(order.size(), threads_for(options.deadline), [&](std::size_t i) {
     const double share = i < zones.size() ? kShareWithZone : kShareOfTime;
     const Deadline turn = turn_of(options.deadline, order.size() - i, share);
     *order[i] = matrix.decide(order[i]->a, order[i]->b, turn);

@@ -1,0 +1,43 @@
+// An SRDF's lines by what is decided, where not all is.
+#include "robot/audit/audit.hpp"
+
+#include "support/arms/arms.hpp"
+#include "support/test.hpp"
+
+using namespace flashbvh::tool;
+
+namespace {
+
+/// A post, and a blade that a joint turns into it at one end of its range.
+Model post_and_blade() {
+  Model model;
+  add_link(model, kNoJoint, box({0.05, -0.01, 0}, {0.07, 0.01, 0.1}));
+  const std::size_t spin = add_joint(model, kNoJoint, Transform(), JointType::revolute, 0, 1.5);
+  add_link(model, spin, box({-0.01, 0.03, 0}, {0.01, 0.1, 0.1}));
+  model.neighbours = {{0, 1}};
+  for (ModelLink& link : model.links) {
+    link.sources = {link.name};
+    link.source_begins = {0};
+  }
+  model.joints[spin].lower = -1.5;
+  return model;
+}
+
+}  // namespace
+
+TEST_CASE("a collision that may lie in a zone that there was no time for refutes no line") {
+  const Model model = post_and_blade();
+  const BakedArm arm(model, 1e-3);
+  const std::vector<PairVerdict> pairs = arm.decide();
+  REQUIRE(pairs[0].verdict == MatrixVerdict::can);
+  DisabledPair line;
+  line.a = 0;
+  line.b = 1;
+  DecidedPairs decided = {model, arm.meshes(), arm.cell(), pairs};
+  CHECK(audit_of(decided, {line}).lines[0].verdict == LineVerdict::refuted);
+  decided.late_joints = {0};
+  const Audit audit = audit_of(decided, {line});
+  CHECK(audit.lines[0].verdict == LineVerdict::undecided);
+  CHECK(audit.lines[0].why == "no time was left to find a zone about joint0");
+  CHECK(audit.changes().enabled.empty());
+}
