@@ -28,8 +28,7 @@ long double squared_to_edge(const Point& p, const Point& a, const Point& b) {
   const Long edge = from(a, b);
   const Long to = from(a, p);
   const long double length = dot(edge, edge);
-  const long double part =
-      length == 0 ? 0 : std::min(1.0L, std::max(0.0L, dot(to, edge) / length));
+  const long double part = length == 0 ? 0 : std::min(1.0L, std::max(0.0L, dot(to, edge) / length));
   const Long off = {to[0] - part * edge[0], to[1] - part * edge[1], to[2] - part * edge[2]};
   return dot(off, off);
 }
@@ -52,8 +51,8 @@ long double squared_to_triangle(const Point& p, const Point& a, const Point& b, 
 double distance_by_force(const Point& p, const bake::SourceMesh& mesh) {
   long double least = HUGE_VALL;
   for (const auto& [a, b, c] : mesh.triangles) {
-    least = std::min(
-        least, squared_to_triangle(p, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]));
+    least = std::min(least,
+                     squared_to_triangle(p, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]));
   }
   return static_cast<double>(std::sqrt(least));
 }
@@ -95,7 +94,7 @@ TEST_CASE("the nearest triangle is as near as brute force says, degenerate ones 
     const NearestTriangle nearest(mesh);
     for (int i = 0; i < 20; ++i) {
       const simplify::Point p = {random.between(-600, 600) / 10.0, random.between(-600, 600) / 10.0,
-                       random.between(-60, 60) / 10.0};
+                                 random.between(-60, 60) / 10.0};
       const NearestTriangle::Found found = nearest.to(p, random.below(count));
       REQUIRE(std::fabs(std::sqrt(found.squared) - distance_by_force(p, mesh)) <= 1e-9);
       REQUIRE(found.squared == simplify::squared_distance(p, nearest.triangle(found.place)));
@@ -140,8 +139,9 @@ TEST_CASE("no sample is farther than the certificate says, and it says hardly mo
 
 TEST_CASE("what is farther between its vertices than at them is seen") {
   // A roof over a floor: the floor's vertices lie on it, its middle far below the ridge.
-  const bake::SourceMesh roof = {{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {5, 0, 4}, {5, 10, 4}},
-                                 {{0, 4, 5}, {0, 5, 3}, {4, 1, 2}, {4, 2, 5}}};
+  const bake::SourceMesh roof = {
+      {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {5, 0, 4}, {5, 10, 4}},
+      {{0, 4, 5}, {0, 5, 3}, {4, 1, 2}, {4, 2, 5}}};
   const bake::SourceMesh floor = {{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}},
                                   {{0, 1, 2}, {0, 2, 3}}};
   const Deviation deviation = deviation_from(NearestTriangle(roof), floor, 10);

@@ -79,7 +79,8 @@ TEST_CASE("the table's lengths ascend and its triangles descend, from the mesh a
   const std::vector<simplify::LengthRow> rows = simplify::length_table(all, 1.5, {2, 5}, bytes_of);
   REQUIRE(rows.size() >= 4);
   CHECK(rows.front().length == 0);
-  CHECK(rows.front().triangles == meshes.sources[0].triangles.size() + meshes.sources[1].triangles.size());
+  CHECK(rows.front().triangles ==
+        meshes.sources[0].triangles.size() + meshes.sources[1].triangles.size());
   CHECK(rows.back().length == 1);
   CHECK(rows[rows.size() - 2].length == 0.5);
   CHECK(rows[rows.size() - 3].length == 0.2);

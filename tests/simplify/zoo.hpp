@@ -22,7 +22,9 @@ bake::SourceMesh grid(std::uint32_t across, std::uint32_t along, bool is_round, 
       mesh.vertices.push_back(at(1.0 * i / across, 1.0 * j / along));
     }
   }
-  const auto index = [&](std::uint32_t i, std::uint32_t j) { return i % columns * rows + j % rows; };
+  const auto index = [&](std::uint32_t i, std::uint32_t j) {
+    return i % columns * rows + j % rows;
+  };
   for (std::uint32_t i = 0; i < across; ++i) {
     for (std::uint32_t j = 0; j < along; ++j) {
       mesh.triangles.push_back({index(i, j), index(i + 1, j), index(i + 1, j + 1)});
@@ -161,8 +163,8 @@ inline Point sample(const bake::SourceMesh& mesh, Random& random) {
   }
   Point at{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    at[axis] = mesh.vertices[corners[0]][axis] * (1 - s - t) +
-               mesh.vertices[corners[1]][axis] * s + mesh.vertices[corners[2]][axis] * t;
+    at[axis] = mesh.vertices[corners[0]][axis] * (1 - s - t) + mesh.vertices[corners[1]][axis] * s +
+               mesh.vertices[corners[2]][axis] * t;
   }
   return at;
 }

@@ -79,8 +79,8 @@ Surface surface_of(const LatticeMesh& mesh) {
   std::uint64_t longest = 0;
   for (const TriangleCorners& corners : mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
-      longest = std::max(longest, squared_length(mesh.vertices[corners[i]],
-                                                 mesh.vertices[corners[(i + 1) % 3]]));
+      longest = std::max(
+          longest, squared_length(mesh.vertices[corners[i]], mesh.vertices[corners[(i + 1) % 3]]));
     }
   }
   const std::vector<std::uint32_t> first = shells_of(mesh.triangles, mesh.vertices.size());

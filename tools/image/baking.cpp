@@ -187,7 +187,8 @@ double coarse_bytes(const InputMesh& input, const simplify::Coarsening& coarse,
   try {
     const AnyBakedTree tree = build_tree(made, round_mesh(made, own), own);
     return std::visit(
-        [&](const auto& baked) { return static_cast<double>(bake::image_size(baked, levels)); }, tree);
+        [&](const auto& baked) { return static_cast<double>(bake::image_size(baked, levels)); },
+        tree);
   } catch (const UserError&) {
     return HUGE_VAL;
   }

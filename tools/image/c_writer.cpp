@@ -87,8 +87,8 @@ namespace {
 std::string deviation_macros(const std::string& word, double deviation, double cell,
                              const std::string& unit) {
   return concat("#define ", word, "_DEVIATION ", floating_literal(deviation), " /* in ",
-                unit.empty() ? "the mesh's unit" : unit, ": from the file's mesh */\n#define ", word,
-                "_DEVIATION_FINE ", fixed(std::ceil(deviation / cell * kFineOne), 0),
+                unit.empty() ? "the mesh's unit" : unit, ": from the file's mesh */\n#define ",
+                word, "_DEVIATION_FINE ", fixed(std::ceil(deviation / cell * kFineOne), 0),
                 " /* the same in 1/256 cell */\n");
 }
 
@@ -132,7 +132,8 @@ SourceFiles mesh_in_c(const std::vector<std::uint32_t>& image, const OutputName&
                     {"TRIANGLE_COUNT", header.triangle_count, "that were kept of the mesh file"},
                     {"VERTEX_COUNT", header.vertex_count, "on the lattice, joined"},
                     {"IMAGE_BYTES", header.byte_count, "of the array"}}) +
-      tree_size(word) + cell_macros(word, cell, unit) + deviation_macros(word, deviation, cell, unit);
+      tree_size(word) + cell_macros(word, cell, unit) +
+      deviation_macros(word, deviation, cell, unit);
   return image_in_c(image, name, {"bake", ".fbvh", word + "_image", view_of(header)}, about);
 }
 

@@ -163,7 +163,8 @@ Coarsening::Coarsening(const bake::SourceMesh& mesh, double cell)
     : rounding_(bake::deviation(mesh, cell)), cell_(cell) {
   const bake::SourceMesh placed = on_lattice(mesh, cell);
   std::map<std::uint32_t, std::vector<std::uint32_t>> shells;
-  const std::vector<std::uint32_t> first = bake::shells_of(placed.triangles, placed.vertices.size());
+  const std::vector<std::uint32_t> first =
+      bake::shells_of(placed.triangles, placed.vertices.size());
   for (std::uint32_t i = 0; i < placed.triangles.size(); ++i) {
     shells[first[placed.triangles[i][0]]].push_back(i);
   }

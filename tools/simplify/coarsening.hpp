@@ -36,7 +36,7 @@ class Coarsening {
   struct Shell {
     bake::SourceMesh original;
     bake::SourceMesh coarse;
-    NearestTriangle nearest;         ///< of the original
+    NearestTriangle nearest;  ///< of the original
   };
   /// Whether all of either mesh is certified to be near the other.
   static bool is_within(const Shell& shell, const bake::SourceMesh& coarse, double limit);

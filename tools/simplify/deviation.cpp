@@ -44,9 +44,9 @@ class Certificate {
     }
     for (std::size_t i = 0; i < mesh_.triangles.size() && !is_refuted(); ++i) {
       const bake::TriangleCorners& corners = mesh_.triangles[i];
-      hint = cover({mesh_.vertices[corners[0]], mesh_.vertices[corners[1]],
-                    mesh_.vertices[corners[2]]},
-                   hint);
+      hint = cover(
+          {mesh_.vertices[corners[0]], mesh_.vertices[corners[1]], mesh_.vertices[corners[2]]},
+          hint);
     }
     found_.most = is_refuted() ? HUGE_VAL : within_ + rounding_;
     return found_;
@@ -57,7 +57,9 @@ class Certificate {
 
   /// How near everything has to be: as near as it can be told of what was seen.
   double wanted() const {
-    return parts_ != nullptr ? limit_ : std::min(std::max(kTightness * found_.at_least, kFine * limit_), limit_);
+    return parts_ != nullptr
+               ? limit_
+               : std::min(std::max(kTightness * found_.at_least, kFine * limit_), limit_);
   }
 
   NearestTriangle::Found look(const Point& p, std::uint32_t hint) {
@@ -89,8 +91,8 @@ class Certificate {
     const Point centre = centre_of(part);
     const double radius = radius_of(part, centre);
     const NearestTriangle::Found nearest = look(centre, hint);
-    const double bound = std::min({by_hint, farthest(part, nearest.place),
-                                   std::sqrt(nearest.squared) + radius});
+    const double bound =
+        std::min({by_hint, farthest(part, nearest.place), std::sqrt(nearest.squared) + radius});
     if (bound <= wanted() || radius <= kSmallest * wanted() || is_refuted()) {
       add(part, bound, bound == by_hint ? hint : nearest.place);
       return nearest.place;
@@ -122,8 +124,8 @@ class Certificate {
 
 }  // namespace
 
-Deviation deviation_from(const NearestTriangle& coarse, const bake::SourceMesh& mesh,
-                         double limit, std::vector<CoveredPart>* parts) {
+Deviation deviation_from(const NearestTriangle& coarse, const bake::SourceMesh& mesh, double limit,
+                         std::vector<CoveredPart>* parts) {
   return Certificate(coarse, mesh, limit, parts).made();
 }
 

@@ -1,7 +1,7 @@
 // How far a mesh reaches from a coarser one: a certificate, not an estimate.
 //
-// The distance to a triangle is a convex function, so all of a triangle lies as near to a coarse one
-// as the farthest of its corners does. Where that is not near enough it is cut in four. So each
+// The distance to a triangle is a convex function, so all of a triangle lies as near to a coarse
+// one as the farthest of its corners does. Where that is not near enough it is cut in four. So each
 // point of the mesh is covered, not samples of it: Guthe, Borodin and Klein, "Fast and accurate
 // Hausdorff distance calculation between meshes", Journal of WSCG 13, 2005.
 #pragma once
@@ -15,9 +15,10 @@ namespace flashbvh::simplify {
 
 struct Deviation {
   /// No point of the mesh lies farther from the coarse one. At most kTightness times the distance
-  /// of `where`, or a 1/32 of the limit. Infinite: a point does, or so nearly that it can't be told.
+  /// of `where`, or a 1/32 of the limit. Infinite: a point does, or so nearly that it can't be
+  /// told.
   double most = 0;
-  double at_least = 0;         ///< the distance of `where`
+  double at_least = 0;  ///< the distance of `where`
   Point where{};
 };
 
@@ -29,9 +30,9 @@ struct CoveredPart {
 
 constexpr double kTightness = 1.02;
 
-/// `mesh` and the coarse mesh are in the same frame and unit. Gives up where a point is farther than
-/// `limit`. O(n log m) but where the two meshes cross edges of each other.
-Deviation deviation_from(const NearestTriangle& coarse, const bake::SourceMesh& mesh,
-                         double limit, std::vector<CoveredPart>* parts = nullptr);
+/// `mesh` and the coarse mesh are in the same frame and unit. Gives up where a point is farther
+/// than `limit`. O(n log m) but where the two meshes cross edges of each other.
+Deviation deviation_from(const NearestTriangle& coarse, const bake::SourceMesh& mesh, double limit,
+                         std::vector<CoveredPart>* parts = nullptr);
 
 }  // namespace flashbvh::simplify

@@ -40,8 +40,8 @@ struct LengthRow {
   std::vector<double> bytes;  ///< of each leaf size
 };
 
-/// Of 0 and then of 1, 2 and 5 times powers of ten up to `longest`, as far down as they make sense for
-/// the meshes. Makes the meshes coarser.
+/// Of 0 and then of 1, 2 and 5 times powers of ten up to `longest`, as far down as they make sense
+/// for the meshes. Makes the meshes coarser.
 std::vector<LengthRow> length_table(std::vector<Coarsening>& meshes, double longest,
                                     const std::vector<std::uint32_t>& leaf_sizes,
                                     const BytesOf& bytes_of);

@@ -50,8 +50,7 @@ std::vector<PointTriangle> cut_at_plane(const PointTriangle& part,
   const std::size_t next = (alone + 1) % 3;
   const std::size_t last = (alone + 2) % 3;
   const auto crossing = [&](std::size_t other) {
-    return between(part[alone], part[other],
-                   heights[alone] / (heights[alone] - heights[other]));
+    return between(part[alone], part[other], heights[alone] / (heights[alone] - heights[other]));
   };
   const Point to_next = crossing(next);
   const Point to_last = crossing(last);
@@ -101,7 +100,7 @@ std::vector<PointTriangle> cut(const PointTriangle& part, const PointTriangle& t
       heights[k] = dot(minus(part[k], from), outwards) / length;
     }
     const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-    if (*low < -least && *high > most) {
+    if (*low<-least&& * high> most) {
       most = *high;
       beyond = heights;
     }
@@ -141,8 +140,8 @@ NearestTriangle::NearestTriangle(const bake::SourceMesh& mesh) {
   std::vector<PointTriangle> source;
   source.reserve(mesh.triangles.size());
   for (const bake::TriangleCorners& corners : mesh.triangles) {
-    source.push_back({mesh.vertices[corners[0]], mesh.vertices[corners[1]],
-                      mesh.vertices[corners[2]]});
+    source.push_back(
+        {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]});
   }
   std::vector<std::uint32_t> order(source.size());
   std::iota(order.begin(), order.end(), 0U);

@@ -23,8 +23,8 @@ Point centre_of(const PointTriangle& triangle);
 /// Of the ball about `centre` that holds it.
 double radius_of(const PointTriangle& triangle, const Point& centre);
 
-/// Cuts `part` where it leaves `triangle`, seen along the triangle's normal, by more than `least`, or
-/// else at the middles of its edges. Two to four parts are it, but for rounding.
+/// Cuts `part` where it leaves `triangle`, seen along the triangle's normal, by more than `least`,
+/// or else at the middles of its edges. Two to four parts are it, but for rounding.
 std::vector<PointTriangle> cut(const PointTriangle& part, const PointTriangle& triangle,
                                double least);
 

@@ -1,5 +1,5 @@
-// A guard of simplified links, judged by the links with all their triangles, in doubles: it is never
-// less careful than promised, and stops no earlier than said.
+// A guard of simplified links, judged by the links with all their triangles, in doubles: it is
+// never less careful than promised, and stops no earlier than said.
 #include "robot/baked/bake_links.hpp"
 #include "simplify/zoo.hpp"
 #include "support/arms/guarded_arm.hpp"
@@ -25,7 +25,8 @@ bake::SourceMesh scaled(bake::SourceMesh mesh, double by) {
 Model two_rings() {
   Model model;
   add_link(model, kNoJoint, scaled(wavy_ring(44, 18, 0.5), 0.005));
-  const std::size_t swing = add_joint(model, kNoJoint, shifted({0.29, 0, 0}), JointType::revolute, -3, 3);
+  const std::size_t swing =
+      add_joint(model, kNoJoint, shifted({0.29, 0, 0}), JointType::revolute, -3, 3);
   const std::size_t tilt =
       add_joint(model, swing, shifted({0.09, 0, 0}), JointType::continuous, -kPi, kPi);
   bake::SourceMesh ring = scaled(wavy_ring(36, 14, 0.3), 0.002);
@@ -72,8 +73,8 @@ struct SimplifiedArm {
     const bake::SourceMesh& mesh = model.links[of].mesh;
     for (const bake::TriangleCorners& corners : mesh.triangles) {
       look(mesh.vertices[corners[0]]);
-      look(simplify::centre_of({mesh.vertices[corners[0]], mesh.vertices[corners[1]],
-                                mesh.vertices[corners[2]]}));
+      look(simplify::centre_of(
+          {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]}));
     }
     return std::sqrt(squared);
   }

@@ -26,7 +26,8 @@ void check_size(const BakeOrder& order, const std::string& mesh, std::uint64_t b
   }
   if (order.max_bytes && static_cast<std::int64_t>(bytes) > *order.max_bytes) {
     throw UserError(mesh, "takes ", bytes, " bytes, --max-bytes allows ", *order.max_bytes,
-                    "; --fit ", *order.max_bytes, " simplifies it as little as that takes, "
+                    "; --fit ", *order.max_bytes,
+                    " simplifies it as little as that takes, "
                     "or give a larger --leaf-size, which makes the worst pose more expensive");
   }
 }
@@ -100,8 +101,8 @@ struct Parts {
   std::vector<Part> parts;  ///< of each mesh
 };
 
-Parts read_parts(const BakeOrder& order, const std::vector<double>& weights,
-                             Progress& progress, Warnings& warnings) {
+Parts read_parts(const BakeOrder& order, const std::vector<double>& weights, Progress& progress,
+                 Warnings& warnings) {
   Parts all;
   TakenOutputs taken;
   for (std::size_t i = 0; i < order.meshes.size(); ++i) {
@@ -143,7 +144,7 @@ constexpr double kRoomToBend = 2;
 /// What there is to say of a call.
 struct Outcome {
   std::vector<BakeRow> rows;
-  double simplified = 0;  ///< how far it was allowed to
+  double simplified = 0;                     ///< how far it was allowed to
   std::vector<simplify::LengthRow> lengths;  ///< of --dry-run
 };
 
@@ -166,8 +167,8 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const InputMesh& mesh = meshes[i];
     progress.begin("baking " + mesh.path, 2 * parts[i].weight);
-    BakedMesh baked = simplified.meshes.empty() ? bake(mesh, options)
-                                                : bake(mesh, options, simplified.meshes[i]);
+    BakedMesh baked =
+        simplified.meshes.empty() ? bake(mesh, options) : bake(mesh, options, simplified.meshes[i]);
     outcome.rows.push_back(bake_one(order, baked, mesh.path, parts[i].name, files));
     outcome.rows.back().size = size_of(mesh.mesh);
     outcome.rows.back().source_triangles = mesh.mesh.triangles.size();

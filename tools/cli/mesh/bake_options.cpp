@@ -125,8 +125,9 @@ BakeOrder order_of(const Arguments& arguments) {
     throw UserError("--fit", "chooses what --simplify says; give one of the two");
   }
   if (order.deformable && (order.simplify || order.fit)) {
-    throw UserError("--deformable", "keeps the file's vertices, which the program moves; "
-                                    "simplify the mesh before it is given shape keys or bones");
+    throw UserError("--deformable",
+                    "keeps the file's vertices, which the program moves; "
+                    "simplify the mesh before it is given shape keys or bones");
   }
   order.has_leaf_size = arguments.leaf_size.has_value();
   order.writes_c = arguments.format != "image";
@@ -137,12 +138,14 @@ BakeOrder order_of(const Arguments& arguments) {
 /// What meshes are taken as, and what is refused.
 void add_mesh_options(CLI::App& command, Arguments& a) {
   add_option(command, "--max-bytes", a.max_bytes, "N", "Refuse to write if an image is larger");
-  add_option(command, "--max-deviation", a.max_deviation, "LENGTH",
-             "Refuse to write if rounding moves a vertex further, or a simplified mesh lies further "
-             "off");
-  add_option(command, "--simplify", a.simplify, "LENGTH",
-             "Bake fewer triangles: as few as keep each point within LENGTH of the file's mesh, and "
-             "the file's\nwithin LENGTH of it, proven; triangles are numbered anew");
+  add_option(
+      command, "--max-deviation", a.max_deviation, "LENGTH",
+      "Refuse to write if rounding moves a vertex further, or a simplified mesh lies further "
+      "off");
+  add_option(
+      command, "--simplify", a.simplify, "LENGTH",
+      "Bake fewer triangles: as few as keep each point within LENGTH of the file's mesh, and "
+      "the file's\nwithin LENGTH of it, proven; triangles are numbered anew");
   add_option(command, "--fit", a.fit, "BYTES",
              "Simplify as little as it takes for all the images together, and choose --leaf-size");
   add_unit_option(command, a.units);
@@ -177,8 +180,9 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
   command.add_option("MESH", a.order.meshes, "Mesh files")->required();
   add_option(command, "-o,--output", a.order.folder, "DIR",
              "Folder for the results; made if there is none");
-  command.add_flag("--dry-run", a.order.dry_run,
-                   "Print the table, what is wrong and what --simplify would save, and write nothing");
+  command.add_flag(
+      "--dry-run", a.order.dry_run,
+      "Print the table, what is wrong and what --simplify would save, and write nothing");
   add_json(command, a.order.json, "Print the table as one JSON object");
   add_choice(command, "--format", a.format, {"c", "image", "both"},
              "What to write: the image as an array of C and C++ (c), as a binary file (image),\nor "

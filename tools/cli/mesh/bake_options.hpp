@@ -25,8 +25,8 @@ struct BakeOrder {
   bool deformable = false;                ///< the default cell leaves room to bend
   std::optional<std::int64_t> max_bytes;  ///< of an image
   std::optional<double> simplify;         ///< how far a simplified mesh may deviate
-  std::optional<std::int64_t> fit;        ///< what all images may take: as little simplified as that
-  bool has_leaf_size = false;             ///< the user chose it
+  std::optional<std::int64_t> fit;  ///< what all images may take: as little simplified as that
+  bool has_leaf_size = false;       ///< the user chose it
   Units units;
   BakeOptions options;
   bool progress = false;  ///< a bar at once

@@ -66,8 +66,9 @@ Simplified simplified_to(double length, const std::vector<InputMesh>& meshes, do
 
 std::vector<std::uint32_t> shown_leaf_sizes(const BakeOrder& order) {
   const std::uint32_t chosen = order.options.leaf_size;
-  return order.has_leaf_size || chosen >= kLargeLeaf ? std::vector<std::uint32_t>{chosen}
-                                                     : std::vector<std::uint32_t>{chosen, kLargeLeaf};
+  return order.has_leaf_size || chosen >= kLargeLeaf
+             ? std::vector<std::uint32_t>{chosen}
+             : std::vector<std::uint32_t>{chosen, kLargeLeaf};
 }
 
 Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
@@ -84,11 +85,11 @@ Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh
   const auto found = simplify::fit(made.meshes, static_cast<double>(*order.fit), longest,
                                    shown_leaf_sizes(order), bytes_of(order, meshes, options));
   if (!found) {
-    throw UserError(concat("--fit ", *order.fit),
-                    "is not reached by simplifying to ", significant(longest, 3),
-                    options.max_deviation ? ", --max-deviation" : ", a twentieth of the largest mesh",
-                    "; give more bytes",
-                    options.max_deviation ? " or a larger --max-deviation" : " or bake fewer meshes");
+    throw UserError(
+        concat("--fit ", *order.fit), "is not reached by simplifying to ", significant(longest, 3),
+        options.max_deviation ? ", --max-deviation" : ", a twentieth of the largest mesh",
+        "; give more bytes",
+        options.max_deviation ? " or a larger --max-deviation" : " or bake fewer meshes");
   }
   options.leaf_size = found->leaf_size;
   made.length = found->length;
@@ -103,10 +104,9 @@ std::vector<simplify::LengthRow> lengths_of(const BakeOrder& order,
                                             const BakeOptions& options) {
   const double longest = kLongestPart * side_of_largest(meshes);
   std::vector<simplify::Coarsening> all = coarsenings(meshes, *options.cell);
-  return longest > 0 && !all.empty()
-             ? simplify::length_table(all, longest, shown_leaf_sizes(order),
-                                      bytes_of(order, meshes, options))
-             : std::vector<simplify::LengthRow>();
+  return longest > 0 && !all.empty() ? simplify::length_table(all, longest, shown_leaf_sizes(order),
+                                                              bytes_of(order, meshes, options))
+                                     : std::vector<simplify::LengthRow>();
 }
 
 }  // namespace flashbvh::tool

@@ -126,8 +126,8 @@ void print_simplified(const std::vector<BakeRow>& rows, double length, std::uint
     before += row.source_triangles;
     after += row.triangles;
   }
-  std::cout << "simplified: " << before << " triangles -> " << after << ", leaves of "
-            << leaf_size << "; every point within " << units.with_unit(length)
+  std::cout << "simplified: " << before << " triangles -> " << after << ", leaves of " << leaf_size
+            << "; every point within " << units.with_unit(length)
             << " of the file's mesh, and the other way round; triangles are numbered anew\n";
 }
 

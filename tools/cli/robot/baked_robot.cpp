@@ -8,9 +8,9 @@
 #include "cli/robot/robot_warnings.hpp"
 #include "cli/robot/simplified_links.hpp"
 #include "flashbvh/clearance.hpp"
-#include "text/parallel.hpp"
 #include "robot/baked/robot_image.hpp"
 #include "robot/read/urdf.hpp"
+#include "text/parallel.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -218,7 +218,8 @@ void check_simplifying(const Model& model, const RobotArguments& arguments) {
   }
   for (const ModelLink& link : model.links) {
     if (!arguments.simplify && !arguments.fit) {
-      check_triangles(link, robot_cell(model, given_cell(arguments), arguments.urdf), arguments.urdf);
+      check_triangles(link, robot_cell(model, given_cell(arguments), arguments.urdf),
+                      arguments.urdf);
     }
   }
 }
@@ -258,7 +259,8 @@ BakedRobot prepared(Model model, const AllDistances& distances, const RobotArgum
   return made;
 }
 
-/// All but what firmware holds. `early`: by how much a guard may stop earlier than asked, in metres.
+/// All but what firmware holds. `early`: by how much a guard may stop earlier than asked, in
+/// metres.
 void decide(const AllDistances& distances, const RobotArguments& arguments, const StageTimes& times,
             double early, Progress& progress, BakedRobot& made) {
   const ZoneRadii radii = zone_radii(made.model, arguments.zones);
@@ -286,8 +288,7 @@ void bake_for_firmware(const AllDistances& distances, SimplifiedLinks& simplifie
   const std::vector<WholeMesh> wholes = views_of(made.wholes);
   {
     const FixedRobot bare(made.model, wholes, {}, made.cell, pairs, made.reaches);
-    made.own_bytes =
-        own_image_bytes(made.model, bare.robot(), made.unguarded, made.model.name);
+    made.own_bytes = own_image_bytes(made.model, bare.robot(), made.unguarded, made.model.name);
   }
   made.links = simplified.baked(made.model, made.own_bytes);
   made.simplified = simplified.length();

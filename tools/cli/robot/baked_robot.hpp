@@ -66,9 +66,9 @@ struct BakedRobot {
   std::vector<std::size_t> late_joints;  ///< with no zone when the time to find one was up
   std::vector<PairVerdict> pairs;
   std::vector<UnguardedPair> unguarded;  ///< of an image, too
-  double simplified = 0;              ///< in metres, how far firmware's links were allowed to; 0: not
-  std::uint32_t leaf_size = 0;        ///< of firmware's links
-  std::size_t own_bytes = 0;          ///< of the image, without meshes
+  double simplified = 0;        ///< in metres, how far firmware's links were allowed to; 0: not
+  std::uint32_t leaf_size = 0;  ///< of firmware's links
+  std::size_t own_bytes = 0;    ///< of the image, without meshes
   std::unique_ptr<FixedRobot> fixed;
   std::unique_ptr<RobotFile> file;  ///< instead of all three, of an image
 

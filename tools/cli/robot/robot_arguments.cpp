@@ -214,11 +214,13 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
       ->check(CLI::Range(1, 16))
       ->capture_default_str()
       ->each([&arguments](const std::string&) { arguments.has_leaf_size = true; });
-  add_option(command, "--simplify", arguments.simplify, "LENGTH",
-             "Firmware gets fewer triangles, within LENGTH of the links', proven; what can collide is "
-             "decided\nwith all triangles. A guard stops earlier by up to four times LENGTH");
-  add_option(command, "--fit", arguments.fit, "BYTES",
-             "Simplify as little as it takes for the image to be no larger, and choose --leaf-size");
+  add_option(
+      command, "--simplify", arguments.simplify, "LENGTH",
+      "Firmware gets fewer triangles, within LENGTH of the links', proven; what can collide is "
+      "decided\nwith all triangles. A guard stops earlier by up to four times LENGTH");
+  add_option(
+      command, "--fit", arguments.fit, "BYTES",
+      "Simplify as little as it takes for the image to be no larger, and choose --leaf-size");
   add_option(command, "--stop", arguments.stop, "LENGTH", "Links nearer than this must stop")
       ->capture_default_str();
   add_option(command, "--warn", arguments.warn, "LENGTH",

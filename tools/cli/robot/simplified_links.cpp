@@ -118,7 +118,8 @@ void SimplifiedLinks::fit(const Model& model, double most, bool is_first) {
           : simplify::fit_from(length_ - precision, meshes_, most, longest, leaf_sizes, bytes);
   if (!found) {
     throw UserError("--fit " + *arguments_.fit, "is not reached by simplifying to ",
-                    significant(longest, 3), " m, a twentieth of the largest link; give more bytes");
+                    significant(longest, 3),
+                    " m, a twentieth of the largest link; give more bytes");
   }
   length_ = found->length == 0 ? 0 : found->length + precision;
   leaf_size_ = found->leaf_size;

@@ -11,12 +11,13 @@ namespace flashbvh::tool {
 
 class SimplifiedLinks {
  public:
-  /// Of links alone, before anything is decided: with --fit as if there were nothing else. UserError
-  /// if they can't be simplified so.
+  /// Of links alone, before anything is decided: with --fit as if there were nothing else.
+  /// UserError if they can't be simplified so.
   SimplifiedLinks(const Model& model, double cell, const RobotArguments& arguments);
 
-  /// In metres, how much earlier than asked a guard may stop two links: simplified ones may be nearer
-  /// by both deviations than the URDF's, and its slack counts these once more. Zones are chosen so.
+  /// In metres, how much earlier than asked a guard may stop two links: simplified ones may be
+  /// nearer by both deviations than the URDF's, and its slack counts these once more. Zones are
+  /// chosen so.
   double early() const;
 
   /// All links, and parts, for firmware. `own_bytes`: of the image, without its meshes. UserError

@@ -154,8 +154,9 @@ void check_triangles(const ModelLink& link, double cell, const std::string& path
   const double bytes = coarse_bytes(link_input(link, path), coarsening, options);
   throw UserError(at_element(path, "link", link.name), "has ", count,
                   " triangles, 16-bit indices reach ", Limits::kMost, "; with --simplify ",
-                  shortest(kLength), " firmware gets ", coarsening.triangle_count(), " of them, in ",
-                  fixed(bytes, 0), " bytes; or say with --fit what the robot may take");
+                  shortest(kLength), " firmware gets ", coarsening.triangle_count(),
+                  " of them, in ", fixed(bytes, 0),
+                  " bytes; or say with --fit what the robot may take");
 }
 
 bool fits_firmware(const BakedPart& part) {

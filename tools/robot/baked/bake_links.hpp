@@ -39,8 +39,8 @@ InputMesh link_input(const ModelLink& link, const std::string& path);
 /// rounding to the lattice moved its vertices and by what the reader rounded.
 double link_deviation(const ModelLink& link, double cell);
 
-/// UserError, with the link and the remedy, if it has more triangles than 16-bit indices reach; says
-/// what simplifying would leave.
+/// UserError, with the link and the remedy, if it has more triangles than 16-bit indices reach;
+/// says what simplifying would leave.
 void check_triangles(const ModelLink& link, double cell, const std::string& path);
 
 /// Whether 16-bit indices reach all of such a tree.

@@ -8,9 +8,9 @@
 
 #include "flashbvh/robot/distance_table.hpp"
 #include "robot/matrix/pair_space.hpp"
-#include "text/parallel.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "robot/matrix/swept_pair.hpp"
+#include "text/parallel.hpp"
 
 namespace flashbvh::tool {
 namespace {

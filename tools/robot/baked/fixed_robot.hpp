@@ -38,9 +38,9 @@ class FixedRobot {
   /// same number, baked with `cell`, in metres. A link's sphere holds both. `meshes` outlive the
   /// robot; if there are none, it has no meshes, no hash and no distance tables. `reaches`: of the
   /// first links; those of others are worked out. `deviations`: of the meshes from what the URDF
-  /// has, in metres; without any that of the wholes. UserError if the robot has more joints or links
-  /// than firmware takes, or is larger, or moves any of the pairs too far; says with which cell it
-  /// would do.
+  /// has, in metres; without any that of the wholes. UserError if the robot has more joints or
+  /// links than firmware takes, or is larger, or moves any of the pairs too far; says with which
+  /// cell it would do.
   FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
              const std::vector<Mesh>& meshes, double cell, const std::vector<GuardedPair>& pairs,
              const Reaches& reaches = {}, const std::vector<double>& deviations = {});

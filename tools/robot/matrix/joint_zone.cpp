@@ -306,7 +306,7 @@ class Finder {
   std::array<Transform, 2> frames_;  ///< the joint's in the links'
   std::array<ZoneSide, 2> sides_;
   std::optional<std::array<ZoneSide, 2>> whole_sides_;  ///< the links', if others choose
-  std::vector<double> looks_;  ///< values of the joint's variable
+  std::vector<double> looks_;                           ///< values of the joint's variable
   std::array<std::vector<bool>, 2> touching_shells_;
   ZoneShape shape_;
   double largest_ = 0;  ///< radius that the zone may have

@@ -5,9 +5,9 @@
 
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/pair_space.hpp"
-#include "text/parallel.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "text/numbers.hpp"
+#include "text/parallel.hpp"
 
 namespace flashbvh::tool {
 namespace {

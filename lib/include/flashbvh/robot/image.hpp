@@ -66,16 +66,16 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
 /// and no motion query of it reads outside the image, overflows or runs on without end.
 ///
 /// Proven are the joints' tree, types, limits, mimics and frames; where each link's reaches stand,
-/// that its sphere holds its mesh, that the slack covers its deviation, and that nothing gets farther from the base than frames can say;
-/// of each pair the joints between, the sum of their reaches and its distances, and how many
-/// bytes its distance table has; each mount's joint; that the pairs that are not guarded
-/// are none of the guarded ones, and that the joint of a zone is the one between them; each mesh,
-/// by open_image(); that all have one cell; the hash.
+/// that its sphere holds its mesh, that the slack covers its deviation, and that nothing gets
+/// farther from the base than frames can say; of each pair the joints between, the sum of their
+/// reaches and its distances, and how many bytes its distance table has; each mount's joint; that
+/// the pairs that are not guarded are none of the guarded ones, and that the joint of a zone is the
+/// one between them; each mesh, by open_image(); that all have one cell; the hash.
 ///
 /// Trusted is what can't be worked out from the rest, and bounds what a guard's word is worth: how
 /// far turning joints move links (the reaches), what the distance tables say, that the other pairs
-/// never collide, and of the slack all but the links' deviations and what rounding vertices takes. `flashbvh robot` works
-/// them out.
+/// never collide, and of the slack all but the links' deviations and what rounding vertices takes.
+/// `flashbvh robot` works them out.
 ///
 /// Statuses: those of open_image(); image_corrupt as well if the hash is another one;
 /// image_too_large if the robot has more than `mesh_capacity` links; cell_mismatch if a mesh has
