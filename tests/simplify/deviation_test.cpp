@@ -152,7 +152,7 @@ TEST_CASE("what is farther between its vertices than at them is seen") {
   CHECK(deviation_from(NearestTriangle(roof), floor, 1.01 * truth).most <= 1.01 * truth);
 }
 
-TEST_CASE("a mesh deviates from itself by no more than it can be told") {
+TEST_CASE("a mesh deviates from itself by no more than doubles round") {
   const bake::SourceMesh mesh = hills(20, 12);
   CHECK(deviation_from(NearestTriangle(mesh), mesh, 1e-3).most < 1e-9);
 }

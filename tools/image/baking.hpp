@@ -69,7 +69,7 @@ AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
                         const BakeOptions& options);
 /// Both, one after the other.
 BakedMesh bake(const InputMesh& input, const BakeOptions& options);
-/// Of `coarse`, made of the input's mesh, in its place: triangles are numbered anew. UserError as
+/// Of `coarse`, made of the input's mesh, in its place: triangles are numbered again. UserError as
 /// well if it deviates too far.
 BakedMesh bake(const InputMesh& input, const BakeOptions& options,
                const simplify::Coarsening& coarse);

@@ -14,7 +14,7 @@
 namespace flashbvh::simplify {
 namespace {
 
-/// Of the error that the simplifier is asked for, from one proposal to the next finer one.
+/// Of the error that is requested of the simplifier, from one proposal to the next finer one.
 constexpr double kFiner = 0.6;
 constexpr int kProposals = 6;
 /// Passes over all vertices, at most.
@@ -71,7 +71,7 @@ std::vector<std::uint32_t> all_of(const bake::SourceMesh& mesh) {
   return numbers;
 }
 
-/// What meshoptimizer makes of it when asked for this error: no promise that it keeps to it.
+/// What meshoptimizer makes of it when this error is requested: no promise that it keeps to it.
 bake::SourceMesh proposal(const bake::SourceMesh& mesh, double error) {
   std::vector<float> positions;
   for (const Point& vertex : mesh.vertices) {
@@ -196,7 +196,7 @@ void Coarsening::propose(Shell& shell, double limit) {
   }
 }
 
-/// What is covered by what is found anew for each pass: pieces that were cut hang together again.
+/// What is covered by what is found again for each pass: pieces that were cut hang together again.
 void Coarsening::collapse(Shell& shell, double limit) const {
   for (int pass = 0; pass < kPasses; ++pass) {
     const NearestTriangle nearest(shell.coarse);

@@ -12,7 +12,7 @@ constexpr std::size_t kSampled = 16;
 constexpr double kFine = 1.0 / 32;
 /// Of the limit: a part of a triangle so small is not cut again.
 constexpr double kSmallest = 1.0 / 4096;
-/// Of what is wanted: a part that leaves a triangle by less is not cut there.
+/// Of the wanted distance: a part that leaves a triangle by less is not cut there.
 constexpr double kCut = 1.0 / 8;
 /// What doubles round, as a part of the largest coordinate: some tens of operations.
 constexpr double kRounding = 0x1p-44;
@@ -55,7 +55,7 @@ class Certificate {
  private:
   bool is_refuted() const { return is_refuted_ || found_.at_least > limit_; }
 
-  /// How near everything has to be: as near as it can be told of what was seen.
+  /// How near everything has to be: as near as the points seen allow.
   double wanted() const {
     return parts_ != nullptr
                ? limit_

@@ -15,8 +15,7 @@ namespace flashbvh::simplify {
 
 struct Deviation {
   /// No point of the mesh lies farther from the coarse one. At most kTightness times the distance
-  /// of `where`, or a 1/32 of the limit. Infinite: a point does, or so nearly that it can't be
-  /// told.
+  /// of `where`, or a 1/32 of the limit. Infinite: a point does, or very nearly does.
   double most = 0;
   double at_least = 0;  ///< the distance of `where`
   Point where{};

@@ -14,7 +14,7 @@ constexpr double kStep = 1.1;
 constexpr double kWorthwhile = 1.25;
 /// Where to begin is guessed by so many bytes a triangle.
 constexpr double kBytesOfTriangle = 17;
-/// Shorter lengths than this multiple of what rounding moves leave a mesh as it is.
+/// Shorter lengths than this multiple of the rounding leave a mesh as it is.
 constexpr double kAboveRounding = 1.5;
 constexpr std::size_t kMostRows = 6;
 

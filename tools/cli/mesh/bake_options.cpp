@@ -145,7 +145,7 @@ void add_mesh_options(CLI::App& command, Arguments& a) {
   add_option(
       command, "--simplify", a.simplify, "LENGTH",
       "Bake fewer triangles: as few as keep each point within LENGTH of the file's mesh, and "
-      "the file's\nwithin LENGTH of it, proven; triangles are numbered anew");
+      "the file's\nwithin LENGTH of it, proven; triangles are numbered again");
   add_option(command, "--fit", a.fit, "BYTES",
              "Simplify as little as it takes for all the images together, and choose --leaf-size");
   add_unit_option(command, a.units);

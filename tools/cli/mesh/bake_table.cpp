@@ -128,7 +128,7 @@ void print_simplified(const std::vector<BakeRow>& rows, double length, std::uint
   }
   std::cout << "simplified: " << before << " triangles -> " << after << ", leaves of " << leaf_size
             << "; every point within " << units.with_unit(length)
-            << " of the file's mesh, and the other way round; triangles are numbered anew\n";
+            << " of the file's mesh, and the other way round; triangles are numbered again\n";
 }
 
 void print_bending(const std::vector<BakeRow>& rows) {

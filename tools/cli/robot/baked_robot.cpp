@@ -259,7 +259,7 @@ BakedRobot prepared(Model model, const AllDistances& distances, const RobotArgum
   return made;
 }
 
-/// All but what firmware holds. `early`: by how much a guard may stop earlier than asked, in
+/// All but what firmware holds. `early`: by how much a guard may stop earlier than requested, in
 /// metres.
 void decide(const AllDistances& distances, const RobotArguments& arguments, const StageTimes& times,
             double early, Progress& progress, BakedRobot& made) {

@@ -15,7 +15,7 @@ class SimplifiedLinks {
   /// UserError if they can't be simplified so.
   SimplifiedLinks(const Model& model, double cell, const RobotArguments& arguments);
 
-  /// In metres, how much earlier than asked a guard may stop two links: simplified ones may be
+  /// In metres, how much earlier than requested a guard may stop two links: simplified ones may be
   /// nearer by both deviations than the URDF's, and its slack counts these once more. Zones are
   /// chosen so.
   double early() const;

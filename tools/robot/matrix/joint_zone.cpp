@@ -345,29 +345,6 @@ bool is_between_neighbours(const Model& model, std::size_t joint) {
   });
 }
 
-namespace {
-
-/// Of what counts as touching: about so well a zone's size matters.
-constexpr double kStandInPart = 1.0 / 8;
-
-/// For links with very many triangles, next to joints.
-std::vector<std::optional<StandIn>> stand_ins(const Model& model, double cell,
-                                              const MatrixOptions& options) {
-  std::vector<std::optional<StandIn>> found(model.links.size());
-  const double length = kStandInPart * cell * (options.stop + options.early + options.slack);
-  for_each_in_parallel(found.size(), [&](std::size_t i) {
-    const bool is_next_to_joint =
-        std::any_of(model.neighbours.begin(), model.neighbours.end(),
-                    [&](const auto& pair) { return pair.first == i || pair.second == i; });
-    if (is_next_to_joint && !options.is_late()) {
-      found[i] = stand_in(model.links[i], cell, length);
-    }
-  });
-  return found;
-}
-
-}  // namespace
-
 std::vector<JointZone> joint_zones(const Model& model, const std::vector<WholeMesh>& meshes,
                                    double cell, const MatrixOptions& options,
                                    const ZoneRadii& radii) {

@@ -1,9 +1,11 @@
 #include "robot/matrix/stand_in.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "robot/matrix/zone_side.hpp"
 #include "simplify/coarsening.hpp"
+#include "text/parallel.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -12,6 +14,8 @@ namespace {
 constexpr std::size_t kManyTriangles = 8000;
 /// Cells that a length has at least to be worth it.
 constexpr double kLeastCellsOfLength = 8;
+/// Of the distance that counts as touching: about so well a zone's size matters.
+constexpr double kPartOfTouching = 1.0 / 8;
 
 void append(const bake::SourceMesh& more, bake::SourceMesh& mesh) {
   const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -51,6 +55,21 @@ std::optional<StandIn> stand_in(const ModelLink& link, double cell, double lengt
   }
   made.baked = bake_part(made.link.mesh, cell);
   return made;
+}
+
+std::vector<std::optional<StandIn>> stand_ins(const Model& model, double cell,
+                                              const MatrixOptions& options) {
+  std::vector<std::optional<StandIn>> found(model.links.size());
+  const double length = kPartOfTouching * cell * (options.stop + options.early + options.slack);
+  for_each_in_parallel(found.size(), threads_for(options.deadline), [&](std::size_t i) {
+    const bool is_next_to_joint =
+        std::any_of(model.neighbours.begin(), model.neighbours.end(),
+                    [&](const auto& pair) { return pair.first == i || pair.second == i; });
+    if (is_next_to_joint && !options.is_late()) {
+      found[i] = stand_in(model.links[i], cell, length);
+    }
+  });
+  return found;
 }
 
 }  // namespace flashbvh::tool

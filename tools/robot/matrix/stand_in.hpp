@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "robot/matrix/baked_part.hpp"
+#include "robot/matrix/matrix_options.hpp"
 #include "robot/model.hpp"
 
 namespace flashbvh::tool {
@@ -18,5 +19,10 @@ struct StandIn {
 /// Within `length`, source by source, shell by shell. None if the link has few triangles, the cell
 /// is hardly finer than that, or shells would not be the same ones.
 std::optional<StandIn> stand_in(const ModelLink& link, double cell, double length);
+
+/// Of links next to joints, within a part of the distance at which they touch; as long as there is
+/// time.
+std::vector<std::optional<StandIn>> stand_ins(const Model& model, double cell,
+                                              const MatrixOptions& options);
 
 }  // namespace flashbvh::tool
