@@ -33,7 +33,7 @@ TEST_CASE("a collision that may lie in a zone that there was no time for refutes
   DisabledPair line;
   line.a = 0;
   line.b = 1;
-  DecidedPairs decided = {model, arm.meshes(), arm.cell(), pairs};
+  DecidedPairs decided = {model, arm.wholes(), arm.cell(), pairs};
   CHECK(audit_of(decided, {line}).lines[0].verdict == LineVerdict::refuted);
   decided.late_joints = {0};
   const Audit audit = audit_of(decided, {line});

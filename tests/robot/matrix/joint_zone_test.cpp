@@ -350,7 +350,7 @@ TEST_CASE("of all pairs those with a zone are decided first") {
   add_link(model, joint, hinge.model.links[1].mesh);
   model.neighbours = {{2, 3}};
   const BakedArm arm(model, kCell);
-  const std::vector<JointZone> zones = joint_zones(model, arm.meshes(), kCell, {}, {});
+  const std::vector<JointZone> zones = joint_zones(model, arm.wholes(), kCell, {}, {});
   REQUIRE(zones.size() == 1);
   options.deadline = after_looks(needed);
   const std::vector<PairVerdict> pairs = arm.decide(options, zones);
