@@ -17,6 +17,9 @@ static_assert(offsetof(RobotImageHeader, byte_count) == offsetof(ImageHeader, by
                   offsetof(RobotImageHeader, crc) == offsetof(ImageHeader, crc),
               "image_crc() leaves these bytes out");
 
+/// The slack of rounding vertices alone, in 1/256 cell (lib/docs/derivations.md, "Robots").
+constexpr uint32_t kLeastSlack = 228;
+
 const RobotImageHeader& header_of(const void* image) {
   return *image_part<RobotImageHeader>(image, 0);
 }
@@ -49,7 +52,7 @@ uint32_t names_offset(const RobotImageHeader& header) {
 bool counts_fit(const RobotImageHeader& header) {
   return header.joint_count <= kMaxJoints && header.link_count >= 1 &&
          header.link_count <= kMaxLinks && header.variable_count <= header.joint_count &&
-         header.slack <= kMaxDistance && header.padding == 0;
+         header.slack >= kLeastSlack && header.slack <= kMaxDistance && header.padding == 0;
 }
 
 /// As many names as there have to be, none too long, and zeros from there to the meshes.

@@ -18,8 +18,9 @@ constexpr uint32_t kMostExtent = kMaxFrameTranslation - (1 << 15);
 /// Each entry is off by half of 2^-30, so a product of two rows of length 1 is by 1.74 of these.
 constexpr int64_t kRotationRounding = 2 * int64_t{kRotationOne};
 
-/// Of rounding vertices when they are placed, in 1/256 cell (lib/docs/derivations.md, "Robots").
-constexpr uint32_t kPlacingSlack = 228;
+/// Of rounding vertices when they are placed, in 1/256 cell (lib/docs/derivations.md, "Robots"),
+/// less what rounding up two deviations adds.
+constexpr uint32_t kPlacingSlack = 226;
 
 constexpr uint8_t kMostShift = 40;
 constexpr int32_t kMostMultiplier = 1 << 30;

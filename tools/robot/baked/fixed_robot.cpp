@@ -215,7 +215,8 @@ void FixedRobot::add_link(const Model& model, std::size_t number, const WholeMes
   fixed.radius = static_cast<std::uint32_t>(std::ceil(sphere.radius * kFrameCell)) + 2;
   fixed.first_reach = static_cast<std::uint16_t>(reaches_.size());
   fixed.joint = number_of(link.joint);
-  fixed.deviation = static_cast<std::uint32_t>(std::ceil(deviation / cell_ * kFineOne));
+  deviations_.push_back(deviation / cell_);
+  fixed.deviation = static_cast<std::uint32_t>(std::ceil(deviations_.back() * kFineOne));
   for (std::size_t j = link.joint; j != kNoJoint; j = model.joints[j].parent) {
     const double unit = unit_of(model.joints[j], cell_);
     const double fine = reaches[j] * unit / cell_ * 256;
@@ -298,7 +299,7 @@ std::uint32_t FixedRobot::slack(const Model& model) const {
   double most = 0;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const double extent = extent_of(model, i);
-    double error = static_cast<double>(links_[i].deviation) / kFineOne;
+    double error = deviations_[i];
     std::size_t reach = links_[i].first_reach;
     for (std::size_t j = model.links[i].joint; j != kNoJoint; j = model.joints[j].parent) {
       // Its rotation's norm; its translation, rounded twice; its coordinate.

@@ -72,6 +72,7 @@ class FixedRobot {
   double cell_;
   std::vector<RobotJoint> joints_;
   std::vector<RobotLink> links_;
+  std::vector<double> deviations_;  ///< of each, in cells
   std::vector<RobotPair> pairs_;
   std::vector<std::uint32_t> reaches_;
   std::vector<double> wide_reaches_;  ///< the same, also where they are too large
