@@ -34,8 +34,8 @@ constexpr uint32_t kAimWork = 56;
 constexpr uint32_t kStaleShare = 8;
 
 /// A pair is tested whether it is within a share of its witness's distance over the one to keep, in
-/// 1/16: few triangles are tested for less than all of it, and a larger share lasts longer.
-constexpr uint32_t kShare = 13;
+/// 1/16: no triangles are tested for half of it, many for all.
+constexpr uint32_t kShare = 9;
 
 /// The same where a period moves it farther than that distance.
 constexpr uint32_t kLastShare = 12;
