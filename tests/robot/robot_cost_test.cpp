@@ -35,7 +35,7 @@ struct Chain {
     }
     for (std::uint32_t i = 0; i < link_count; ++i) {
       const auto on = i == 0 ? kBase : static_cast<std::uint8_t>(joint_count - 1);
-      links.push_back({{1, 2, 3}, 0x333333, static_cast<std::uint16_t>(reaches.size()), on, {}});
+      links.push_back({{1, 2, 3}, 0x333333, static_cast<std::uint16_t>(reaches.size()), on, 0, 0});
       reaches.resize(reaches.size() + (i == 0 ? 0 : joint_count), 7);
     }
     for (std::uint32_t i = 0; i < pair_count; ++i) {
