@@ -182,7 +182,8 @@ void bend(const Triangle* two) {
 
 /// In 1/2,048 cell: as far as a mesh reaches.
 constexpr uint32_t kRadius = 30000u << kFrameBits;
-constexpr RobotLink kLinks[] = {{{0, 0, 0}, kRadius, 0, kBase, {}}, {{0, 0, 0}, kRadius, 0, 0, {}}};
+constexpr RobotLink kLinks[] = {{{0, 0, 0}, kRadius, 0, kBase, 0, 0},
+                                {{0, 0, 0}, kRadius, 0, 0, 0, 0}};
 /// So that motion_run tests little less than kMaxDistance.
 constexpr uint32_t kReaches[] = {32760u << 14};
 

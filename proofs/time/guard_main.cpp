@@ -93,7 +93,8 @@ bool make_robot(Random& random, int32_t reach, Robot& robot) {
                 is_far ? uint32_t{1} << 30 : static_cast<uint32_t>(reach) * 1024u,
                 static_cast<uint16_t>(i == 2 ? 2 : 0),
                 i == 0 ? kBase : static_cast<uint8_t>(2 * i - 1),
-                {}};
+                0,
+                0};
   }
   for (uint32_t& of_joint : reaches) {
     of_joint = static_cast<uint32_t>(reach) * 400u;
