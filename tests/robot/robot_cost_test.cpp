@@ -42,6 +42,7 @@ struct Chain {
       pairs.push_back({0, 0, 7 * joint_count, 0, static_cast<std::uint8_t>(i + 1), 0,
                        static_cast<std::uint8_t>(joint_count)});
     }
+    robot.slack = 228;
     robot.joints = joints.data();
     robot.links = links.data();
     robot.pairs = pairs.data();
