@@ -153,7 +153,9 @@ struct Outcome {
 Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files,
                     Warnings& warnings) {
   const std::vector<double> weights = weights_of(order.meshes);
-  Progress progress(3 * std::accumulate(weights.begin(), weights.end(), 0.0), order.progress);
+  const double weight = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const bool simplifies = order.simplify || order.fit;
+  Progress progress((simplifies ? 3 : 2) * weight, order.progress);
   const auto [meshes, parts] = read_parts(order, weights, progress, warnings);
   double finest = 0;
   for (const InputMesh& mesh : meshes) {
@@ -161,12 +163,14 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
   }
   options.cell = order.options.cell.value_or(order.deformable ? kRoomToBend * finest : finest);
   Outcome outcome;
-  progress.begin("simplifying", 0);
+  if (simplifies) {
+    progress.begin("simplifying", weight);
+  }
   const Simplified simplified = simplified_meshes(order, meshes, options);
   outcome.simplified = simplified.length;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const InputMesh& mesh = meshes[i];
-    progress.begin("baking " + mesh.path, 2 * parts[i].weight);
+    progress.begin("baking " + mesh.path, parts[i].weight);
     BakedMesh baked =
         simplified.meshes.empty() ? bake(mesh, options) : bake(mesh, options, simplified.meshes[i]);
     outcome.rows.push_back(bake_one(order, baked, mesh.path, parts[i].name, files));
