@@ -198,6 +198,7 @@ void Coarsening::propose(Shell& shell, double limit) {
 
 /// What is covered by what is found again for each pass: pieces that were cut hang together again.
 void Coarsening::collapse(Shell& shell, double limit) const {
+  std::vector<bool> is_changed(shell.coarse.vertices.size(), true);
   for (int pass = 0; pass < kPasses; ++pass) {
     const NearestTriangle nearest(shell.coarse);
     std::vector<CoveredPart> parts;
@@ -208,7 +209,8 @@ void Coarsening::collapse(Shell& shell, double limit) const {
       part.by = nearest.number(part.by);
     }
     const std::size_t before = shell.coarse.triangles.size();
-    const std::size_t gone = collapse_edges(shell.coarse, parts, shell.nearest, cell_, limit);
+    const std::size_t gone =
+        collapse_edges(shell.coarse, parts, shell.nearest, cell_, limit, is_changed);
     if (gone == 0 || static_cast<double>(gone) < kLastPass * static_cast<double>(before)) {
       return;
     }

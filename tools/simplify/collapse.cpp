@@ -73,8 +73,10 @@ using Numbers = std::vector<std::uint32_t>;
 class Collapser {
  public:
   Collapser(bake::SourceMesh& mesh, const std::vector<CoveredPart>& parts,
-            const NearestTriangle& original, double cell, double limit)
+            const NearestTriangle& original, double cell, double limit,
+            std::vector<bool>& is_changed)
       : mesh_(mesh),
+        is_changed_(is_changed),
         original_(original),
         cell_(cell),
         limit_(limit),
@@ -162,8 +164,10 @@ class Collapser {
     std::vector<Order> orders;
     for (std::uint32_t from = 0; from < around_.size(); ++from) {
       for (const std::uint32_t to : neighbours(from)) {
-        const Point at = nearest_to_planes(from, to);
-        orders.push_back({quadrics_[from].at(at) + quadrics_[to].at(at), from, to});
+        if (is_changed_[from] || is_changed_[to]) {
+          const Point at = nearest_to_planes(from, to);
+          orders.push_back({quadrics_[from].at(at) + quadrics_[to].at(at), from, to});
+        }
       }
     }
     std::sort(orders.begin(), orders.end(), [](const Order& a, const Order& b) {
@@ -184,6 +188,7 @@ class Collapser {
         }
       }
     }
+    is_changed_ = std::move(is_touched);
     return gone;
   }
 
@@ -365,6 +370,7 @@ class Collapser {
   };
 
   bake::SourceMesh& mesh_;
+  std::vector<bool>& is_changed_;
   const NearestTriangle& original_;
   double cell_;
   double limit_;
@@ -383,8 +389,9 @@ class Collapser {
 }  // namespace
 
 std::size_t collapse_edges(bake::SourceMesh& coarse, const std::vector<CoveredPart>& parts,
-                           const NearestTriangle& original, double cell, double limit) {
-  return Collapser(coarse, parts, original, cell, limit).run();
+                           const NearestTriangle& original, double cell, double limit,
+                           std::vector<bool>& is_changed) {
+  return Collapser(coarse, parts, original, cell, limit, is_changed).run();
 }
 
 }  // namespace flashbvh::simplify

@@ -12,8 +12,12 @@ namespace {
 constexpr double kStep = 1.1;
 /// So much longer a length is worth smaller leaves, which answer faster.
 constexpr double kWorthwhile = 1.25;
-/// Where to begin is guessed by so many bytes a triangle.
+/// What would have to shrink by more for smaller leaves is not worth a try.
+constexpr double kTooLarge = 1.15;
+/// Of a triangle in large leaves: a guess of which length fits.
 constexpr double kBytesOfTriangle = 17;
+/// Of the guess, where to begin: what is too coarse at once begins again with all triangles.
+constexpr double kBegin = 0.6;
 /// Shorter lengths than this multiple of the rounding leave a mesh as it is.
 constexpr double kAboveRounding = 1.5;
 constexpr std::size_t kMostRows = 6;
@@ -45,18 +49,6 @@ std::size_t estimate(const std::vector<Coarsening>& meshes, double length) {
   return sum;
 }
 
-/// A length with which they about fit.
-double guess(const std::vector<Coarsening>& meshes, double most, double shortest, double longest) {
-  double low = shortest;
-  double high = longest;
-  while (high > low * kStep * kStep) {
-    const double middle = std::sqrt(low * high);
-    const bool fits = static_cast<double>(estimate(meshes, middle)) * kBytesOfTriangle <= most;
-    (fits ? high : low) = middle;
-  }
-  return low;
-}
-
 /// To three digits, upwards.
 double rounded_up(double length) {
   const int power = static_cast<int>(std::floor(std::log10(length))) - 2;
@@ -64,16 +56,89 @@ double rounded_up(double length) {
   return power < 0 ? std::ceil(length * unit) / unit : std::ceil(length / unit) * unit;
 }
 
-/// The first leaf size with which they fit, or 0.
-std::uint32_t fitting(const std::vector<Coarsening>& meshes, double most,
-                      const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of) {
-  for (const std::uint32_t leaf_size : leaf_sizes) {
-    if (bytes_of(meshes, leaf_size) <= most) {
-      return leaf_size;
+/// A call of fit().
+struct Fitting {
+  std::vector<Coarsening>& meshes;
+  double most;
+  double longest;
+  const std::vector<std::uint32_t>& leaf_sizes;
+  const BytesOf& bytes_of;
+
+  /// The first leaf size with which they fit, or 0.
+  std::uint32_t leaf_size(const std::vector<Coarsening>& coarse) const {
+    for (const std::uint32_t size : leaf_sizes) {
+      if (bytes_of(coarse, size) <= most) {
+        return size;
+      }
     }
+    return 0;
   }
-  return 0;
-}
+
+  std::optional<Fit> made() const {
+    if (const std::uint32_t size = leaf_size(meshes)) {
+      return Fit{0, size};
+    }
+    const std::optional<Fit> found = climbed(begun());
+    return found && found->leaf_size > leaf_sizes.front() ? with_smaller_leaves(*found) : found;
+  }
+
+  /// Makes them coarser, but for what is the shortest length not as coarse as fits. Returns the
+  /// length.
+  double begun() const {
+    const double shortest = kAboveRounding * most_rounding(meshes);
+    const std::vector<Coarsening> full = meshes;
+    double length = likely_length(meshes, most, longest);
+    do {
+      length = std::min(rounded_up(std::max(kBegin * length, shortest)), longest);
+      meshes = full;
+      coarsen_all(meshes, length);
+    } while (length > shortest * kStep && leaf_size(meshes) != 0);
+    return length;
+  }
+
+  /// Two steps at a time, then perhaps one less.
+  std::optional<Fit> climbed(double length) const {
+    std::uint32_t size = leaf_size(meshes);
+    std::vector<Coarsening> before = meshes;
+    while (size == 0) {
+      if (length >= longest) {
+        return std::nullopt;
+      }
+      before = meshes;
+      const double step = std::min(rounded_up(length * kStep), longest);
+      const double next = std::min(rounded_up(step * kStep), longest);
+      coarsen_all(meshes, next);
+      size = leaf_size(meshes);
+      if (size != 0) {
+        coarsen_all(before, step);
+        if (const std::uint32_t own = leaf_size(before)) {
+          meshes = std::move(before);
+          return Fit{step, own};
+        }
+      }
+      length = next;
+    }
+    return Fit{length, size};
+  }
+
+  Fit with_smaller_leaves(const Fit& found) const {
+    const auto last = std::find(leaf_sizes.begin(), leaf_sizes.end(), found.leaf_size);
+    if (bytes_of(meshes, *(last - 1)) > kTooLarge * most) {
+      return found;
+    }
+    std::vector<Coarsening> longer = meshes;
+    for (double next = found.length * kStep; next <= std::min(kWorthwhile * found.length, longest);
+         next *= kStep) {
+      coarsen_all(longer, rounded_up(next));
+      const std::uint32_t smaller = leaf_size(longer);
+      if (smaller != 0 && smaller < found.leaf_size) {
+        meshes = std::move(longer);
+        return Fit{rounded_up(next), smaller};
+      }
+    }
+    return found;
+  }
+};
 
 }  // namespace
 
@@ -83,46 +148,25 @@ void coarsen_all(std::vector<Coarsening>& meshes, double length) {
   });
 }
 
-std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double longest,
-                       const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of) {
-  if (const std::uint32_t leaf_size = fitting(meshes, most, leaf_sizes, bytes_of)) {
-    return Fit{0, leaf_size};
+double likely_length(const std::vector<Coarsening>& meshes, double most, double longest) {
+  const auto fits = [&](std::size_t triangles) {
+    return static_cast<double>(triangles) * kBytesOfTriangle <= most;
+  };
+  if (fits(triangles_of(meshes))) {
+    return 0;
   }
-  const double shortest = kAboveRounding * most_rounding(meshes);
-  const std::vector<Coarsening> full = meshes;
-  double length = rounded_up(guess(meshes, most, shortest, longest));
-  coarsen_all(meshes, length);
-  while (fitting(meshes, most, leaf_sizes, bytes_of) != 0 && length > shortest * kStep) {
-    length = rounded_up(std::max(length / (kStep * kStep * kStep), shortest));
-    meshes = full;
-    coarsen_all(meshes, length);
+  double low = std::min(kAboveRounding * most_rounding(meshes), longest);
+  double high = longest;
+  while (high > low * kStep) {
+    const double middle = std::sqrt(low * high);
+    (fits(estimate(meshes, middle)) ? high : low) = middle;
   }
-  return fit_from(length, meshes, most, longest, leaf_sizes, bytes_of);
+  return high;
 }
 
-std::optional<Fit> fit_from(double length, std::vector<Coarsening>& meshes, double most,
-                            double longest, const std::vector<std::uint32_t>& leaf_sizes,
-                            const BytesOf& bytes_of) {
-  std::uint32_t leaf_size = fitting(meshes, most, leaf_sizes, bytes_of);
-  while (leaf_size == 0) {
-    if (length >= longest) {
-      return std::nullopt;
-    }
-    length = std::min(rounded_up(length * kStep), longest);
-    coarsen_all(meshes, length);
-    leaf_size = fitting(meshes, most, leaf_sizes, bytes_of);
-  }
-  std::vector<Coarsening> longer = meshes;
-  for (double next = length * kStep; leaf_size > leaf_sizes.front() && next <= kWorthwhile * length;
-       next *= kStep) {
-    coarsen_all(longer, rounded_up(next));
-    const std::uint32_t smaller = fitting(longer, most, leaf_sizes, bytes_of);
-    if (smaller < leaf_size) {
-      meshes = std::move(longer);
-      return Fit{rounded_up(next), smaller};
-    }
-  }
-  return Fit{length, leaf_size};
+std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double longest,
+                       const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of) {
+  return Fitting{meshes, most, longest, leaf_sizes, bytes_of}.made();
 }
 
 std::vector<LengthRow> length_table(std::vector<Coarsening>& meshes, double longest,

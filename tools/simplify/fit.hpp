@@ -22,16 +22,14 @@ struct Fit {
 /// Makes all coarser, on all processors.
 void coarsen_all(std::vector<Coarsening>& meshes, double length);
 
+/// About the length with which meshes that are not coarsened yet fit; no promise. 0: as they are.
+double likely_length(const std::vector<Coarsening>& meshes, double most, double longest);
+
 /// Makes meshes that are not coarsened yet coarser until they take `most` bytes, with the least
 /// length of a ladder of kStep. Of `leaf_sizes`, ascending, the first one that costs no more than
 /// kWorthwhile times the least length of any. None if they do not fit with `longest`.
 std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double longest,
                        const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of);
-
-/// The same of meshes that are coarsened already, with `length` or more.
-std::optional<Fit> fit_from(double length, std::vector<Coarsening>& meshes, double most,
-                            double longest, const std::vector<std::uint32_t>& leaf_sizes,
-                            const BytesOf& bytes_of);
 
 /// What a length costs.
 struct LengthRow {

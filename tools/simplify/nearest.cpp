@@ -132,8 +132,19 @@ double squared_distance(const Point& p, const PointTriangle& triangle) {
                       a[2] + (s * u[2] + t * v[2]) / area};
     return dot(at, at);
   }
-  return std::min({squared_to_segment(a, u), squared_to_segment(a, v),
-                   squared_to_segment(minus(triangle[1], p), minus(triangle[2], triangle[1]))});
+  // Only edges that the point lies beyond can be nearest: with one corner between two of them.
+  double squared = dot(a, a);
+  if (!(area > 0) || t < 0) {
+    squared = std::min(squared, squared_to_segment(a, u));
+  }
+  if (!(area > 0) || s < 0) {
+    squared = std::min(squared, squared_to_segment(a, v));
+  }
+  if (!(area > 0) || s + t > area) {
+    const Point b = minus(triangle[1], p);
+    squared = std::min(squared, squared_to_segment(b, minus(triangle[2], triangle[1])));
+  }
+  return squared;
 }
 
 NearestTriangle::NearestTriangle(const bake::SourceMesh& mesh) {
@@ -187,7 +198,7 @@ void NearestTriangle::build(std::vector<std::uint32_t>& order, std::uint32_t fir
 double NearestTriangle::squared_to_box(const Point& p, const Node& node) {
   double squared = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double out = std::max({node.low[axis] - p[axis], p[axis] - node.high[axis], 0.0});
+    const double out = std::max(std::max(node.low[axis] - p[axis], p[axis] - node.high[axis]), 0.0);
     squared += out * out;
   }
   return squared;

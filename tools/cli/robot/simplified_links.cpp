@@ -14,7 +14,7 @@ namespace {
 
 /// Of the largest link: a length that makes it another one.
 constexpr double kLongestPartOfLink = 1.0 / 20;
-/// What joint zones add is not known when they are chosen.
+/// What fits is not known when joint zones are chosen, nor what parts next to them add.
 constexpr double kRoomForParts = 1.5;
 /// Both deviations by the meshes, both by the slack.
 constexpr double kEarly = 4;
@@ -85,11 +85,13 @@ SimplifiedLinks::SimplifiedLinks(const Model& model, double cell, const RobotArg
                         " m; give more, or a finer --cell");
       }
     }
+    expected_ = length_;
   } else {
     add(model);
-    fit(model, static_cast<double>(fit_bytes(arguments)), true);
+    expected_ = kRoomForParts * simplify::likely_length(meshes_,
+                                                        static_cast<double>(fit_bytes(arguments)),
+                                                        longest_of(model));
   }
-  expected_ = length_ * (arguments.fit ? kRoomForParts : 1);
 }
 
 void SimplifiedLinks::add(const Model& model) {
@@ -107,21 +109,16 @@ void SimplifiedLinks::add(const Model& model) {
   });
 }
 
-void SimplifiedLinks::fit(const Model& model, double most, bool is_first) {
+void SimplifiedLinks::fit(const Model& model, double most) {
   const double longest = longest_of(model);
-  const double precision = read_precision(model);
-  const simplify::BytesOf bytes = bytes_of_links(model, cell_, arguments_.urdf);
-  const std::vector<std::uint32_t> leaf_sizes = fitting_leaf_sizes(arguments_);
-  const auto found =
-      is_first || length_ == 0
-          ? simplify::fit(meshes_, most, longest, leaf_sizes, bytes)
-          : simplify::fit_from(length_ - precision, meshes_, most, longest, leaf_sizes, bytes);
+  const auto found = simplify::fit(meshes_, most, longest, fitting_leaf_sizes(arguments_),
+                                   bytes_of_links(model, cell_, arguments_.urdf));
   if (!found) {
     throw UserError("--fit " + *arguments_.fit, "is not reached by simplifying to ",
                     significant(longest, 3),
                     " m, a twentieth of the largest link; give more bytes");
   }
-  length_ = found->length == 0 ? 0 : found->length + precision;
+  length_ = found->length == 0 ? 0 : found->length + read_precision(model);
   leaf_size_ = found->leaf_size;
 }
 
@@ -144,7 +141,7 @@ std::vector<BakedLink> SimplifiedLinks::baked(const Model& model, std::size_t ow
       throw UserError("--fit " + *arguments_.fit, "is less than the robot takes without any mesh, ",
                       own_bytes, " bytes; give more");
     }
-    fit(model, most - own, false);
+    fit(model, most - own);
   }
   std::vector<BakedLink> links(model.links.size());
   for_each_in_parallel(links.size(), [&](std::size_t i) {

@@ -11,8 +11,7 @@ namespace flashbvh::tool {
 
 class SimplifiedLinks {
  public:
-  /// Of links alone, before anything is decided: with --fit as if there were nothing else.
-  /// UserError if they can't be simplified so.
+  /// Before anything is decided. UserError if links can't be simplified so.
   SimplifiedLinks(const Model& model, double cell, const RobotArguments& arguments);
 
   /// In metres, how much earlier than requested a guard may stop two links: simplified ones may be
@@ -31,7 +30,7 @@ class SimplifiedLinks {
 
  private:
   void add(const Model& model);
-  void fit(const Model& model, double most, bool is_first);
+  void fit(const Model& model, double most);
 
   const RobotArguments& arguments_;
   double cell_;
