@@ -1,5 +1,6 @@
 // A guard of simplified links, judged by the links with all their triangles, in doubles: it is
 // never less careful than promised, and stops no earlier than said.
+#include "drawn_mesh.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "simplify/zoo.hpp"
 #include "support/arms/guarded_arm.hpp"
@@ -135,4 +136,48 @@ TEST_CASE("a guard of simplified links holds what it says of all triangles") {
     // Points are farther apart than surfaces, by little.
     CHECK(earliest < 4 * length + 0.001);
   }
+}
+
+TEST_CASE("what judges by command measures triangles as points of them do") {
+  for_rounds(300, 1, [](Random& random, int) {
+    const auto any = [&](int most) {
+      DrawnTriangle triangle;
+      for (Vector3& corner : triangle) {
+        for (double& coordinate : corner) {
+          coordinate = random.between(-most, most);
+        }
+      }
+      return triangle;
+    };
+    const int most = random.below(2) == 0 ? 2 : 100;
+    const DrawnTriangle p = any(most);
+    DrawnTriangle q = any(most);
+    for (Vector3& corner : q) {
+      corner[2] += random.below(2) == 0 ? 0 : 1.5 * most;
+    }
+    const double distance = distance_between(p, q);
+    double least = HUGE_VAL;
+    constexpr int kSteps = 12;
+    const auto point_of = [](const DrawnTriangle& triangle, int i, int j) {
+      Vector3 at;
+      for (std::size_t k = 0; k < 3; ++k) {
+        at[k] = triangle[0][k] + (triangle[1][k] - triangle[0][k]) * i / kSteps +
+                (triangle[2][k] - triangle[0][k]) * j / kSteps;
+      }
+      return at;
+    };
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; i + j <= kSteps; ++j) {
+        const Vector3 at = point_of(p, i, j);
+        least = std::min(least, std::sqrt(simplify::squared_distance(at, q)));
+      }
+    }
+    CAPTURE(distance, least);
+    CHECK(distance <= least + 1e-9);
+    CHECK(distance >= least - 3.5 * most / kSteps);
+    CHECK(distance == Approx(distance_between(q, p)).margin(1e-9));
+    const DrawnMesh first({p});
+    CHECK(first.is_nearer(DrawnMesh({q}), Transform(), distance + 1e-9));
+    CHECK_FALSE(first.is_nearer(DrawnMesh({q}), Transform(), distance - 1e-9));
+  });
 }

@@ -1,0 +1,51 @@
+// Meshes as they are drawn, in doubles, and whether two of them come near each other: shares
+// nothing with what bakes, simplifies or guards them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bake/mesh.hpp"
+#include "robot/kinematics.hpp"
+
+namespace flashbvh::test {
+
+using tool::Vector3;
+using DrawnTriangle = std::array<Vector3, 3>;
+
+/// Between any two points of them; 0 if they intersect. To some 10^-15 of the coordinates.
+double distance_between(const DrawnTriangle& p, const DrawnTriangle& q);
+
+class DrawnMesh {
+ public:
+  explicit DrawnMesh(std::vector<DrawnTriangle> triangles);
+
+  bool is_empty() const { return triangles_.empty(); }
+  /// `frame`: of `other` in this mesh's.
+  bool is_nearer(const DrawnMesh& other, const tool::Transform& frame, double distance) const;
+
+ private:
+  struct Node {
+    Vector3 centre;
+    Vector3 half;         ///< of its box
+    std::uint32_t first;  ///< triangle of a leaf, or the right child; the left one is next
+    std::uint32_t count;  ///< 0: no leaf
+    double size() const { return half[0] + half[1] + half[2]; }
+  };
+  struct Query {
+    const DrawnMesh& b;
+    const tool::Transform& frame;
+    double distance;
+  };
+  void build(std::uint32_t first, std::uint32_t count);
+  double gap(const Query& query, const Node& a, const Node& b) const;
+  bool is_nearer(const Query& query, std::uint32_t a, std::uint32_t b) const;
+  bool are_leaves_nearer(const Query& query, const Node& a, const Node& b) const;
+
+  std::vector<Node> nodes_;
+  std::vector<DrawnTriangle> triangles_;
+};
+
+std::vector<DrawnTriangle> triangles_of(const bake::SourceMesh& mesh);
+
+}  // namespace flashbvh::test
