@@ -111,6 +111,14 @@ double distance_between(const DrawnTriangle& p, const DrawnTriangle& q) {
   return std::sqrt(least);
 }
 
+double distance_between(const DrawnTriangle& p, const Vector3& q) {
+  double least = squared_above(q, p);
+  for (std::size_t i = 0; i < 3; ++i) {
+    least = std::min(least, squared_edges(p[i], p[(i + 1) % 3], q, q));
+  }
+  return std::sqrt(least);
+}
+
 std::vector<DrawnTriangle> triangles_of(const bake::SourceMesh& mesh) {
   std::vector<DrawnTriangle> triangles;
   for (const bake::TriangleCorners& corners : mesh.triangles) {
@@ -204,6 +212,30 @@ bool DrawnMesh::is_nearer(const Query& query, std::uint32_t a, std::uint32_t b) 
 bool DrawnMesh::is_nearer(const DrawnMesh& other, const tool::Transform& frame,
                           double distance) const {
   return !is_empty() && !other.is_empty() && is_nearer(Query{other, frame, distance}, 0, 0);
+}
+
+double DrawnMesh::distance_to(const Vector3& p, double most) const {
+  approach(p, 0, most);
+  return most;
+}
+
+void DrawnMesh::approach(const Vector3& p, std::uint32_t number, double& least) const {
+  const Node& node = nodes_[number];
+  double squared = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double apart = std::max(std::fabs(p[i] - node.centre[i]) - node.half[i], 0.0);
+    squared += apart * apart;
+  }
+  if (std::sqrt(squared) >= least) {
+    return;
+  }
+  for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+    least = std::min(least, distance_between(triangles_[i], p));
+  }
+  if (node.count == 0) {
+    approach(p, number + 1, least);
+    approach(p, node.first, least);
+  }
 }
 
 }  // namespace flashbvh::test

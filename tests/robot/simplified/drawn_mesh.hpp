@@ -16,6 +16,9 @@ using DrawnTriangle = std::array<Vector3, 3>;
 /// Between any two points of them; 0 if they intersect. To some 10^-15 of the coordinates.
 double distance_between(const DrawnTriangle& p, const DrawnTriangle& q);
 
+/// From the triangle to a point.
+double distance_between(const DrawnTriangle& p, const Vector3& q);
+
 class DrawnMesh {
  public:
   explicit DrawnMesh(std::vector<DrawnTriangle> triangles);
@@ -23,6 +26,8 @@ class DrawnMesh {
   bool is_empty() const { return triangles_.empty(); }
   /// `frame`: of `other` in this mesh's.
   bool is_nearer(const DrawnMesh& other, const tool::Transform& frame, double distance) const;
+  /// To the nearest point of it; `most`: or that, if all are farther.
+  double distance_to(const Vector3& p, double most) const;
 
  private:
   struct Node {
@@ -40,6 +45,7 @@ class DrawnMesh {
   void build(std::uint32_t first, std::uint32_t count);
   double gap(const Query& query, const Node& a, const Node& b) const;
   bool is_nearer(const Query& query, std::uint32_t a, std::uint32_t b) const;
+  void approach(const Vector3& p, std::uint32_t number, double& least) const;
   bool are_leaves_nearer(const Query& query, const Node& a, const Node& b) const;
 
   std::vector<Node> nodes_;

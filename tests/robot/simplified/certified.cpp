@@ -1,0 +1,147 @@
+// flashbvh_certified URDF --simplify METRES [--package NAME=FOLDER] [--visual-too] [--samples N]
+//
+// How far the simplified links of a robot are from its own, as certified and as sampled: points of
+// either mesh, half of them anywhere and all vertices, and how far they are from the other one. A
+// certificate below a sample is wrong; one above 1.1 times the farthest is loose. Triangles are
+// compared with what the simplifier makes that is asked for the same error and believed.
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+#include "drawn_mesh.hpp"
+#include "robot/baked/bake_links.hpp"
+#include "robot/read/urdf.hpp"
+#include "simplify/coarsening.hpp"
+#include "support/random.hpp"
+#include "text/parallel.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+constexpr double kLoose = 1.1;
+
+struct Row {
+  std::size_t triangles = 0;
+  std::size_t coarse = 0;
+  std::size_t believed = 0;  ///< of the simplifier alone
+  double certified = 0;
+  double sampled = 0;
+};
+
+/// Evenly in a triangle, of triangles by their areas.
+class Sampler {
+ public:
+  explicit Sampler(const std::vector<DrawnTriangle>& triangles) : triangles_(triangles) {
+    for (const DrawnTriangle& of : triangles) {
+      double squared = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        const double part = (of[1][i] - of[0][i]) * (of[2][j] - of[0][j]) -
+                            (of[1][j] - of[0][j]) * (of[2][i] - of[0][i]);
+        squared += part * part;
+      }
+      sums_.push_back((sums_.empty() ? 0 : sums_.back()) + std::sqrt(squared));
+    }
+  }
+  Vector3 point(Random& random) const {
+    const auto any = [&] { return std::ldexp(static_cast<double>(random.next() >> 12), -52); };
+    const auto found = std::lower_bound(sums_.begin(), sums_.end(), any() * sums_.back());
+    const auto number = std::min<std::size_t>(static_cast<std::size_t>(found - sums_.begin()),
+                                              sums_.size() - 1);
+    double u = any();
+    double v = any();
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    const DrawnTriangle& of = triangles_[number];
+    Vector3 at;
+    for (std::size_t i = 0; i < 3; ++i) {
+      at[i] = of[0][i] + u * (of[1][i] - of[0][i]) + v * (of[2][i] - of[0][i]);
+    }
+    return at;
+  }
+
+ private:
+  const std::vector<DrawnTriangle>& triangles_;
+  std::vector<double> sums_;
+};
+
+double farthest(const std::vector<DrawnTriangle>& of, const DrawnMesh& to, long samples,
+                Random& random) {
+  double most = 0;
+  for (const DrawnTriangle& triangle : of) {
+    for (const Vector3& corner : triangle) {
+      most = std::max(most, to.distance_to(corner, HUGE_VAL));
+    }
+  }
+  const Sampler sampler(of);
+  for (long i = 0; i < samples; ++i) {
+    most = std::max(most, to.distance_to(sampler.point(random), HUGE_VAL));
+  }
+  return most;
+}
+
+Row certified(const tool::ModelLink& link, double cell, double limit, long samples) {
+  Row row;
+  simplify::Coarsening coarsening(link.mesh, cell);
+  row.triangles = link.mesh.triangles.size();
+  row.believed = coarsening.estimate(limit);
+  coarsening.coarsen(std::max(limit, coarsening.rounding()));
+  row.coarse = coarsening.triangle_count();
+  row.certified = coarsening.deviation().most;
+  const std::vector<DrawnTriangle> original = triangles_of(link.mesh);
+  const std::vector<DrawnTriangle> coarse = triangles_of(coarsening.mesh());
+  Random random(1);
+  row.sampled = std::max(farthest(original, DrawnMesh(coarse), samples / 2, random),
+                         farthest(coarse, DrawnMesh(original), samples / 2, random));
+  return row;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  CLI::App app("Samples how far simplified links are from the URDF's.");
+  std::string urdf;
+  std::vector<std::string> given;
+  bool visual_too = false;
+  double limit = 0;
+  long samples = 1'000'000;
+  app.add_option("URDF", urdf)->required();
+  app.add_option("--simplify", limit)->required();
+  app.add_option("--package", given);
+  app.add_flag("--visual-too", visual_too);
+  app.add_option("--samples", samples);
+  CLI11_PARSE(app, count, arguments);
+  tool::Packages packages;
+  for (const std::string& package : given) {
+    const std::size_t equals = package.find('=');
+    packages[package.substr(0, equals)] = package.substr(std::min(equals + 1, package.size()));
+  }
+  try {
+    tool::Warnings warnings;
+    const tool::Model model = read_urdf(urdf, packages, "", warnings, "", visual_too);
+    const double cell = tool::robot_cell(model, std::nullopt, urdf);
+    std::vector<Row> rows(model.links.size());
+    tool::for_each_in_parallel(rows.size(), [&](std::size_t i) {
+      rows[i] = certified(model.links[i], cell, limit, samples);
+    });
+    std::printf("| link | triangles | certified | believed | certified, mm | sampled, mm | ratio |\n"
+                "|---|--:|--:|--:|--:|--:|--:|\n");
+    bool is_good = true;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Row& row = rows[i];
+      const double ratio = row.sampled > 0 ? row.certified / row.sampled : 1;
+      is_good = is_good && ratio >= 1 && (ratio <= kLoose || row.certified <= limit / 16);
+      std::printf("| %s | %zu | %zu | %zu | %.4f | %.4f | %.3f |\n", model.links[i].name.c_str(),
+                  row.triangles, row.coarse, row.believed, 1000 * row.certified,
+                  1000 * row.sampled, ratio);
+    }
+    return is_good ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}
