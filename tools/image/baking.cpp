@@ -181,13 +181,16 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
 }
 
 double coarse_bytes(const InputMesh& input, const simplify::Coarsening& coarse,
-                    const BakeOptions& options, bool levels) {
-  const InputMesh made = in_place_of(input, coarse);
+                    const BakeOptions& options, const std::string& name, bool levels) {
+  const InputMesh made = coarse.is_original() ? input : in_place_of(input, coarse);
   const BakeOptions own = without_limit(options);
   try {
-    const AnyBakedTree tree = build_tree(made, round_mesh(made, own), own);
+    AnyBakedTree tree = build_tree(made, round_mesh(made, own), own);
     return std::visit(
-        [&](const auto& baked) { return static_cast<double>(bake::image_size(baked, levels)); },
+        [&](auto& baked) {
+          baked.name = name.substr(0, bake::kMaxNameSize);
+          return static_cast<double>(bake::image_size(baked, levels));
+        },
         tree);
   } catch (const UserError&) {
     return HUGE_VAL;

@@ -74,8 +74,9 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options);
 BakedMesh bake(const InputMesh& input, const BakeOptions& options,
                const simplify::Coarsening& coarse);
 
-/// Bytes of the image of such a mesh; infinite if it can't be baked. Nothing is certified for it.
+/// Bytes of the image of such a mesh, by this name; infinite if it can't be baked. Nothing is
+/// certified for it.
 double coarse_bytes(const InputMesh& input, const simplify::Coarsening& coarse,
-                    const BakeOptions& options, bool levels = false);
+                    const BakeOptions& options, const std::string& name, bool levels = false);
 
 }  // namespace flashbvh::tool

@@ -104,7 +104,7 @@ figcaption{color:var(--soft);font-size:.875rem}figcaption b{color:var(--text)}
 svg text{font-size:32px;fill:var(--soft);text-anchor:middle;dominant-baseline:central}
 path,circle{fill:none;stroke-width:1.3px;stroke-linejoin:round;vector-effect:non-scaling-stroke}
 .faces path{stroke-width:.8px}
-.axis{stroke:var(--soft)}circle{stroke:var(--accent);stroke-width:2px;stroke-dasharray:6 4}
+.axis{stroke:var(--soft)}.wire{stroke:var(--accent);stroke-width:1px}circle{stroke:var(--accent);stroke-width:2px;stroke-dasharray:6 4}
 .way{stroke:var(--text);stroke-width:2px}.ends{stroke:var(--text);stroke-width:7px;stroke-linecap:round}
 .v0{background:var(--v0);fill:var(--v0)}.v1{background:var(--v1);fill:var(--v1)}
 .v2{background:var(--v2);fill:var(--v2)}.v3{background:var(--v3);fill:var(--v3)}

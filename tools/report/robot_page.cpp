@@ -297,6 +297,8 @@ std::string robot_page(const DecidedRobot& decided, const OnStep& step) {
               guarded_decision(decided) + facts_section(decided) + arm_section(decided) +
                   matrix_section(decided, shares) +
                   witness_section(decided, rarest(decided, collisions), collisions, step) +
+                  (decided.simplified.meshes.empty() ? ""
+                                                     : simplified_section(decided.simplified)) +
                   parts_section(decided) + footer());
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "report/page.hpp"
+#include "report/simplified_section.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/baked/fixed_robot.hpp"
 #include "robot/matrix/matrix.hpp"
@@ -24,6 +25,7 @@ struct DecidedRobot {
   std::string warn;
   const std::vector<UnguardedPair>& unguarded;
   std::size_t image_bytes;
+  const CoarseMeshes& simplified;  ///< none: links are as the URDF has them
 
   const Robot& robot() const { return fixed.robot(); }
 };

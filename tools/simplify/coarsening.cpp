@@ -229,14 +229,11 @@ void Coarsening::coarsen(double limit) {
 }
 
 Deviation Coarsening::deviation() const {
-  const bake::SourceMesh coarse = mesh();
   bake::SourceMesh original;
   for (const Shell& shell : shells_) {
     append(shell.original, original);
   }
-  const Deviation of_original = deviation_from(NearestTriangle(coarse), original, limit_);
-  const Deviation of_coarse = deviation_from(NearestTriangle(original), coarse, limit_);
-  return of_coarse.most > of_original.most ? of_coarse : of_original;
+  return deviation_between(original, mesh(), limit_);
 }
 
 std::size_t Coarsening::estimate(double limit) const {
@@ -250,7 +247,7 @@ std::size_t Coarsening::estimate(double limit) const {
 std::size_t Coarsening::triangle_count() const {
   std::size_t count = 0;
   for (const Shell& shell : shells_) {
-    count += shell.coarse.triangles.size();
+    count += (is_original() ? shell.original : shell.coarse).triangles.size();
   }
   return count;
 }

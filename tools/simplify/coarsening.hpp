@@ -23,8 +23,11 @@ class Coarsening {
   /// rounding() and the limit before. Deterministic.
   void coarsen(double limit);
 
+  /// coarsen() was never called: mesh() is about the original, which is to be taken in its place.
+  bool is_original() const { return limit_ == 0; }
   /// Closed if the original is; vertices on the lattice, none unused.
   bake::SourceMesh mesh() const;
+  /// Of the original, until it is coarsened.
   std::size_t triangle_count() const;
   /// Of any point of either mesh from the other, certified; no more than the limit.
   Deviation deviation() const;

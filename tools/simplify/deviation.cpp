@@ -129,4 +129,11 @@ Deviation deviation_from(const NearestTriangle& coarse, const bake::SourceMesh& 
   return Certificate(coarse, mesh, limit, parts).made();
 }
 
+Deviation deviation_between(const bake::SourceMesh& mesh, const bake::SourceMesh& coarse,
+                            double limit) {
+  const Deviation of_mesh = deviation_from(NearestTriangle(coarse), mesh, limit);
+  const Deviation of_coarse = deviation_from(NearestTriangle(mesh), coarse, limit);
+  return of_coarse.most > of_mesh.most ? of_coarse : of_mesh;
+}
+
 }  // namespace flashbvh::simplify

@@ -34,4 +34,8 @@ constexpr double kTightness = 1.02;
 Deviation deviation_from(const NearestTriangle& coarse, const bake::SourceMesh& mesh, double limit,
                          std::vector<CoveredPart>* parts = nullptr);
 
+/// Of both meshes from each other.
+Deviation deviation_between(const bake::SourceMesh& mesh, const bake::SourceMesh& coarse,
+                            double limit);
+
 }  // namespace flashbvh::simplify

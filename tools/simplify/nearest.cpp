@@ -69,6 +69,10 @@ Point cross(const Point& u, const Point& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
+Point middle_of(const Point& p, const Point& q) {
+  return between(p, q, 0.5);
+}
+
 Point centre_of(const PointTriangle& triangle) {
   Point sum = triangle[0];
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -109,9 +113,9 @@ std::vector<PointTriangle> cut(const PointTriangle& part, const PointTriangle& t
     return cut_at_plane(part, beyond);
   }
   const auto& [a, b, c] = part;
-  const Point ab = between(a, b, 0.5);
-  const Point bc = between(b, c, 0.5);
-  const Point ca = between(c, a, 0.5);
+  const Point ab = middle_of(a, b);
+  const Point bc = middle_of(b, c);
+  const Point ca = middle_of(c, a);
   return {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {bc, ca, ab}};
 }
 

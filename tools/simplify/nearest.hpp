@@ -19,6 +19,7 @@ double squared_distance(const Point& p, const PointTriangle& triangle);
 
 Point minus(const Point& p, const Point& q);
 Point cross(const Point& u, const Point& v);
+Point middle_of(const Point& p, const Point& q);
 Point centre_of(const PointTriangle& triangle);
 /// Of the ball about `centre` that holds it.
 double radius_of(const PointTriangle& triangle, const Point& centre);

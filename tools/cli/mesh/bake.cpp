@@ -6,12 +6,14 @@
 
 #include "bake/image_bytes.hpp"
 #include "cli/commands.hpp"
+#include "cli/length_table.hpp"
 #include "cli/mesh/bake_options.hpp"
 #include "cli/mesh/bake_simplified.hpp"
 #include "cli/mesh/bake_table.hpp"
 #include "cli/mesh/mesh_warnings.hpp"
 #include "cli/progress.hpp"
 #include "image/c_writer.hpp"
+#include "report/simplified_section.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {
@@ -148,6 +150,25 @@ struct Outcome {
   std::vector<simplify::LengthRow> lengths;  ///< of --dry-run
 };
 
+/// Of what was baked; more are added while it is.
+CoarseMeshes coarse_meshes(const BakeOrder& order, const BakeOptions& options) {
+  const std::string unit = order.units.common();
+  return {{}, {}, shown_leaf_sizes(order), {*options.cell, unit.empty() ? "" : " " + unit}};
+}
+
+CoarseMesh coarse_mesh(const std::string& name, const InputMesh& mesh, const BakedMesh& baked) {
+  return std::visit(
+      [&](const auto& tree) {
+        return CoarseMesh{name, mesh.mesh, mesh_of_tree(tree), tree.deviation};
+      },
+      baked.tree);
+}
+
+void add_page(const BakeOrder& order, const CoarseMeshes& coarse, FileSet& files) {
+  refuse_to_replace_inputs(order.page, order.meshes);
+  files.add(order.page, simplified_page(coarse));
+}
+
 /// Everything but what is written. `options`: the order's, with the cell that all the meshes share,
 /// and the leaf size that fits.
 Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files,
@@ -162,12 +183,17 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
     finest = std::max(finest, finest_cell(mesh));
   }
   options.cell = order.options.cell.value_or(order.deformable ? kRoomToBend * finest : finest);
+  std::vector<std::string> names;
+  for (const Part& part : parts) {
+    names.push_back(part.name.stem);
+  }
   Outcome outcome;
   if (simplifies) {
     progress.begin("simplifying", weight);
   }
-  const Simplified simplified = simplified_meshes(order, meshes, options);
+  const Simplified simplified = simplified_meshes(order, meshes, names, options);
   outcome.simplified = simplified.length;
+  CoarseMeshes coarse = coarse_meshes(order, options);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const InputMesh& mesh = meshes[i];
     progress.begin("baking " + mesh.path, parts[i].weight);
@@ -175,14 +201,21 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
         simplified.meshes.empty() ? bake(mesh, options) : bake(mesh, options, simplified.meshes[i]);
     outcome.rows.push_back(bake_one(order, baked, mesh.path, parts[i].name, files));
     outcome.rows.back().size = size_of(mesh.mesh);
+    if (!order.page.empty()) {
+      coarse.meshes.push_back(coarse_mesh(names[i], mesh, baked));
+    }
     outcome.rows.back().source_triangles = mesh.mesh.triangles.size();
     warn_of_mesh(mesh, baked.defects, options, warnings);
     std::visit([&](const auto& tree) { warn_of_place(tree.origin, mesh.path, warnings); },
                baked.tree);
   }
   warn_of_odd_sizes(meshes, outcome.rows, order.units.common(), warnings);
-  if (order.dry_run && !order.deformable) {
-    outcome.lengths = lengths_of(order, meshes, options);
+  if ((order.dry_run || !order.page.empty()) && !order.deformable) {
+    outcome.lengths = lengths_of(order, meshes, names, options);
+  }
+  if (!order.page.empty()) {
+    coarse.lengths = outcome.lengths;
+    add_page(order, coarse, files);
   }
   return outcome;
 }
@@ -199,7 +232,7 @@ void print_outcome(const BakeOrder& order, const BakeOptions& options, const Out
   if (outcome.simplified > 0) {
     print_simplified(outcome.rows, outcome.simplified, options.leaf_size, order.units);
   }
-  if (!outcome.lengths.empty()) {
+  if (order.dry_run && !outcome.lengths.empty()) {
     std::cout << "\n";
     print_lengths(outcome.lengths, shown_leaf_sizes(order), order.units.common());
   }

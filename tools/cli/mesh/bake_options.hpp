@@ -29,6 +29,7 @@ struct BakeOrder {
   bool has_leaf_size = false;       ///< the user chose it
   Units units;
   BakeOptions options;
+  std::string page;       ///< or empty
   bool progress = false;  ///< a bar at once
   bool json = false;      ///< the table as an object
 };

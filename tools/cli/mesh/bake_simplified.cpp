@@ -36,14 +36,14 @@ std::vector<simplify::Coarsening> coarsenings(const std::vector<InputMesh>& mesh
 }
 
 simplify::BytesOf bytes_of(const BakeOrder& order, const std::vector<InputMesh>& meshes,
-                           const BakeOptions& options) {
-  return [&order, &meshes, options](const std::vector<simplify::Coarsening>& coarse,
+                           const std::vector<std::string>& names, const BakeOptions& options) {
+  return [&order, &meshes, &names, options](const std::vector<simplify::Coarsening>& coarse,
                                     std::uint32_t leaf_size) {
     BakeOptions own = options;
     own.leaf_size = leaf_size;
     std::vector<double> bytes(coarse.size());
     for_each_in_parallel(coarse.size(), [&](std::size_t i) {
-      bytes[i] = coarse_bytes(meshes[i], coarse[i], own, order.levels);
+      bytes[i] = coarse_bytes(meshes[i], coarse[i], own, names[i], order.levels);
     });
     return std::accumulate(bytes.begin(), bytes.end(), 0.0);
   };
@@ -72,7 +72,7 @@ std::vector<std::uint32_t> shown_leaf_sizes(const BakeOrder& order) {
 }
 
 Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
-                             BakeOptions& options) {
+                             const std::vector<std::string>& names, BakeOptions& options) {
   if (order.simplify) {
     return simplified_to(*order.simplify, meshes, *options.cell);
   }
@@ -83,7 +83,8 @@ Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh
   const double longest =
       std::min(kLongestPart * side_of_largest(meshes), options.max_deviation.value_or(HUGE_VAL));
   const auto found = simplify::fit(made.meshes, static_cast<double>(*order.fit), longest,
-                                   shown_leaf_sizes(order), bytes_of(order, meshes, options));
+                                   shown_leaf_sizes(order),
+                                   bytes_of(order, meshes, names, options));
   if (!found) {
     throw UserError(
         concat("--fit ", *order.fit), "is not reached by simplifying to ", significant(longest, 3),
@@ -101,11 +102,12 @@ Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh
 
 std::vector<simplify::LengthRow> lengths_of(const BakeOrder& order,
                                             const std::vector<InputMesh>& meshes,
+                                            const std::vector<std::string>& names,
                                             const BakeOptions& options) {
   const double longest = kLongestPart * side_of_largest(meshes);
   std::vector<simplify::Coarsening> all = coarsenings(meshes, *options.cell);
   return longest > 0 && !all.empty() ? simplify::length_table(all, longest, shown_leaf_sizes(order),
-                                                              bytes_of(order, meshes, options))
+                                                              bytes_of(order, meshes, names, options))
                                      : std::vector<simplify::LengthRow>();
 }
 

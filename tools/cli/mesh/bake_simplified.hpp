@@ -14,13 +14,14 @@ struct Simplified {
 };
 
 /// As the order says; sets the leaf size of `options` for --fit. UserError if it is less than
-/// rounding moves, or they do not fit. `meshes` outlive what is made of them.
+/// rounding moves, or they do not fit. `meshes` outlive what is made of them. `names`: of the images.
 Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
-                             BakeOptions& options);
+                             const std::vector<std::string>& names, BakeOptions& options);
 
 /// What lengths cost, for lengths up to kLongestPart of the largest mesh.
 std::vector<simplify::LengthRow> lengths_of(const BakeOrder& order,
                                             const std::vector<InputMesh>& meshes,
+                                            const std::vector<std::string>& names,
                                             const BakeOptions& options);
 
 /// Of its columns.

@@ -1,7 +1,6 @@
 #include "cli/mesh/bake_table.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <iostream>
 
@@ -60,39 +59,6 @@ void print_bake_table(const std::vector<BakeRow>& rows, const Units& units) {
   if (rows.size() > 1) {
     print_row(total_of(rows), width, units, true);
   }
-}
-
-void print_lengths(const std::vector<simplify::LengthRow>& rows,
-                   const std::vector<std::uint32_t>& leaf_sizes, const std::string& unit) {
-  std::cout << std::left << std::setw(18) << "--simplify" << std::right << std::setw(10)
-            << "triangles";
-  for (const std::uint32_t leaf_size : leaf_sizes) {
-    std::cout << std::setw(25) << concat("flash, --leaf-size ", leaf_size);
-  }
-  std::cout << "\n";
-  for (const simplify::LengthRow& row : rows) {
-    const std::string length =
-        row.length == 0 ? "as it is" : shortest(row.length) + (unit.empty() ? "" : " " + unit);
-    std::cout << std::left << std::setw(18) << length << std::right << std::setw(10)
-              << row.triangles;
-    for (const double bytes : row.bytes) {
-      std::cout << std::setw(25) << (std::isfinite(bytes) ? fixed(bytes, 0) : "too large");
-    }
-    std::cout << "\n";
-  }
-}
-
-Json json_of(const std::vector<simplify::LengthRow>& rows,
-             const std::vector<std::uint32_t>& leaf_sizes) {
-  Json all = Json::array();
-  for (const simplify::LengthRow& row : rows) {
-    Json flash = Json::object();
-    for (std::size_t i = 0; i < leaf_sizes.size(); ++i) {
-      flash[concat(leaf_sizes[i])] = std::isfinite(row.bytes[i]) ? Json(row.bytes[i]) : Json();
-    }
-    all.push_back({{"simplify", row.length}, {"triangles", row.triangles}, {"flash_bytes", flash}});
-  }
-  return all;
 }
 
 void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units& units,

@@ -9,7 +9,6 @@
 #include "cli/json.hpp"
 #include "cli/mesh/mesh_warnings.hpp"
 #include "mesh/units.hpp"
-#include "simplify/fit.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
@@ -30,12 +29,6 @@ struct BakeRow {
 
 /// On standard output, with a row for all of them if they are several.
 void print_bake_table(const std::vector<BakeRow>& rows, const Units& units);
-
-/// What simplifying costs and saves: a row a length. `leaf_sizes`: of each column.
-void print_lengths(const std::vector<simplify::LengthRow>& rows,
-                   const std::vector<std::uint32_t>& leaf_sizes, const std::string& unit);
-Json json_of(const std::vector<simplify::LengthRow>& rows,
-             const std::vector<std::uint32_t>& leaf_sizes);
 
 /// The rows, the cell and the warnings as one JSON object on standard output.
 /// `lengths`: of --dry-run, or null.

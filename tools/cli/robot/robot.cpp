@@ -7,6 +7,7 @@
 #include "cli/progress.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/robot_output.hpp"
+#include "cli/robot/simplified_links.hpp"
 #include "report/robot_page.hpp"
 #include "robot/audit/audit.hpp"
 #include "robot/baked/robot_image.hpp"
@@ -23,6 +24,7 @@ struct OutputArguments : RobotArguments {
   std::string written_srdf;
   std::string format = "c";
   std::string page;
+  bool dry_run = false;
   bool json = false;
 };
 
@@ -78,8 +80,28 @@ std::string dependencies(const OutputArguments& arguments, const OutputName& nam
   return text + "\n";
 }
 
+/// What lengths cost, if it is to be said.
+std::vector<simplify::LengthRow> lengths_of(const OutputArguments& arguments,
+                                            const BakedRobot& robot) {
+  const bool is_said = arguments.dry_run || (!arguments.page.empty() && robot.simplified > 0);
+  return is_said ? link_lengths(robot, arguments, robot.own_bytes)
+                 : std::vector<simplify::LengthRow>();
+}
+
+/// Simplified links with their own meshes; no parts, and none if links are as they were.
+CoarseMeshes coarse_links(const OutputArguments& arguments, const BakedRobot& robot,
+                          const std::vector<simplify::LengthRow>& lengths) {
+  CoarseMeshes all = {{}, lengths, shown_leaf_sizes(arguments), {robot.cell, " m"}};
+  for (std::size_t i = 0; robot.simplified > 0 && i < robot.model.link_count(); ++i) {
+    const ModelLink& link = robot.model.links[i];
+    all.meshes.push_back({link.name, link.mesh, mesh_of_tree(robot.links[i].tree),
+                          robot.links[i].tree.deviation});
+  }
+  return all;
+}
+
 void add_page(const OutputArguments& arguments, const BakedRobot& robot, std::size_t image_bytes,
-              FileSet& files) {
+              const CoarseMeshes& simplified, FileSet& files) {
   const std::set<std::string> read = files_read(arguments, robot.model);
   refuse_to_replace_inputs(arguments.page, {read.begin(), read.end()});
   Progress progress(2, arguments.progress);
@@ -87,7 +109,8 @@ void add_page(const OutputArguments& arguments, const BakedRobot& robot, std::si
       arguments.page,
       robot_page(
           {robot.model, views_of(robot.wholes), robot.links, *robot.fixed, robot.zones, robot.pairs,
-           arguments.stop, arguments.warn.value_or(arguments.stop), robot.unguarded, image_bytes},
+           arguments.stop, arguments.warn.value_or(arguments.stop), robot.unguarded, image_bytes,
+           simplified},
           [&](const std::string& what, double share) { progress.begin(what, share); }));
 }
 
@@ -105,14 +128,20 @@ std::optional<std::size_t> bytes_with_large_leaves(const BakedRobot& baked, std:
 }
 
 void make_robot(const OutputArguments& arguments) {
+  if (arguments.folder.empty() && !arguments.dry_run) {
+    throw CLI::RequiredError("--output or --dry-run");
+  }
   Warnings warnings;
   const BakedRobot baked = baked_robot(described_robot(arguments, warnings), arguments, warnings);
   const OutputName name = arguments.name.empty() ? distinct_names({baked.model.name}).front()
                                                  : output_name(arguments.urdf, arguments.name);
   const ImageWords image = image_of(baked, name);
   const std::size_t bytes = image.size() * sizeof image[0];
+  const std::vector<simplify::LengthRow> lengths = lengths_of(arguments, baked);
   FileSet files;
-  add_files(arguments, name, baked, image, files);
+  if (!arguments.dry_run) {
+    add_files(arguments, name, baked, image, files);
+  }
   if (!arguments.depfile.empty()) {
     add_output(arguments, baked.model, arguments.depfile,
                dependencies(arguments, name, baked.model), files);
@@ -123,12 +152,14 @@ void make_robot(const OutputArguments& arguments) {
     add_output(arguments, baked.model, arguments.written_srdf, srdf_of(baked.model, lines), files);
   }
   if (!arguments.page.empty()) {
-    add_page(arguments, baked, bytes, files);
+    add_page(arguments, baked, bytes, coarse_links(arguments, baked, lengths), files);
   }
   const RobotFlash flash = {bytes, bytes_with_large_leaves(baked, bytes, arguments)};
   files.write([&] {
     warnings.print();
-    (arguments.json ? print_robot_json : print_robot)(baked, flash);
+    const RobotLengths table = {lengths, shown_leaf_sizes(arguments)};
+    (arguments.json ? print_robot_json : print_robot)(baked, flash,
+                                                      arguments.dry_run ? &table : nullptr);
     flush_output();
   });
 }
@@ -144,8 +175,10 @@ void add_robot(CLI::App& app) {
                                    make_robot);
   add_robot_options(command, "URDF", a);
   add_option(command, "-o,--output", a.folder, "DIR",
-             "Folder for the results; made if there is none")
-      ->required();
+             "Folder for the results; made if there is none");
+  command.add_flag("--dry-run", a.dry_run,
+                    "Print the tables, what is wrong and what --simplify would save, and write no "
+                    "image");
   add_choice(
       command, "--format", a.format, {"c", "image", "both"},
       "What to write: the image as an array of C and C++ (c), as a binary file (image), or both");

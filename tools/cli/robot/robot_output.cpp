@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "cli/json.hpp"
+#include "cli/length_table.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "image/c_writer.hpp"
 #include "robot/baked/bake_links.hpp"
@@ -154,7 +155,7 @@ Json joint_json(const Model& model, std::size_t number) {
 
 }  // namespace
 
-void print_robot(const BakedRobot& robot, const RobotFlash& flash) {
+void print_robot(const BakedRobot& robot, const RobotFlash& flash, const RobotLengths* lengths) {
   print_unguarded(robot.model, robot.unguarded);
   print_links(robot);
   print_joints(robot.model);
@@ -170,9 +171,14 @@ void print_robot(const BakedRobot& robot, const RobotFlash& flash) {
     std::cout << "--leaf-size " << kLargeLeaf << ": " << *flash.smaller
               << " bytes of flash; queries take up to three times the work\n";
   }
+  if (lengths != nullptr) {
+    std::cout << "\n";
+    print_lengths(lengths->rows, lengths->leaf_sizes, "m");
+  }
 }
 
-void print_robot_json(const BakedRobot& robot, const RobotFlash& flash) {
+void print_robot_json(const BakedRobot& robot, const RobotFlash& flash,
+                      const RobotLengths* lengths) {
   const Model& model = robot.model;
   Json json = {{"name", model.name},
                {"not_guarded", unguarded_json(model, robot.unguarded)},
@@ -197,6 +203,9 @@ void print_robot_json(const BakedRobot& robot, const RobotFlash& flash) {
     json["flash_bytes_leaf_size_5"] = *flash.smaller;
   }
   json["ram_bytes"] = robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count());
+  if (lengths != nullptr) {
+    json["lengths"] = json_of(lengths->rows, lengths->leaf_sizes);
+  }
   print_object(json);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/robot/baked_robot.hpp"
+#include "simplify/fit.hpp"
 
 namespace flashbvh::tool {
 
@@ -14,10 +15,17 @@ struct RobotFlash {
   std::optional<std::size_t> smaller;  ///< with leaves of kLargeLeaf, if it is to be said
 };
 
-/// Tables on standard output.
-void print_robot(const BakedRobot& robot, const RobotFlash& flash);
+/// What lengths of --simplify cost.
+struct RobotLengths {
+  const std::vector<simplify::LengthRow>& rows;
+  std::vector<std::uint32_t> leaf_sizes;
+};
+
+/// Tables on standard output. `lengths`: or null.
+void print_robot(const BakedRobot& robot, const RobotFlash& flash, const RobotLengths* lengths);
 /// One object on one line.
-void print_robot_json(const BakedRobot& robot, const RobotFlash& flash);
+void print_robot_json(const BakedRobot& robot, const RobotFlash& flash,
+                      const RobotLengths* lengths);
 
 /// What is in a robot's image, in the same form.
 void print_robot_file(const RobotFile& file);

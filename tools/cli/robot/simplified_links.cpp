@@ -56,7 +56,8 @@ simplify::BytesOf bytes_of_links(const Model& model, double cell, const std::str
       BakeOptions options;
       options.cell = cell;
       options.leaf_size = leaf_size;
-      bytes[i] = coarse_bytes(link_input(model.links[i], path), meshes[i], options);
+      bytes[i] = coarse_bytes(link_input(model.links[i], path), meshes[i], options,
+                              model.links[i].name);
     });
     return std::accumulate(bytes.begin(), bytes.end(), 0.0);
   };

@@ -151,7 +151,7 @@ void check_triangles(const ModelLink& link, double cell, const std::string& path
   coarsening.coarsen(std::max(kLength, coarsening.rounding()));
   BakeOptions options;
   options.cell = cell;
-  const double bytes = coarse_bytes(link_input(link, path), coarsening, options);
+  const double bytes = coarse_bytes(link_input(link, path), coarsening, options, link.name);
   throw UserError(at_element(path, "link", link.name), "has ", count,
                   " triangles, 16-bit indices reach ", Limits::kMost, "; with --simplify ",
                   shortest(kLength), " firmware gets ", coarsening.triangle_count(),
