@@ -83,10 +83,11 @@ TriangleIds drop(bake::LatticeMesh& mesh, const MeshDefects& defects, const Bake
   return kept;
 }
 
+constexpr std::size_t kMost16 = bake::IndexLimits<std::uint16_t>::kMost;
+
 /// UserError if something of the mesh or its tree is over the limit of 16-bit indices.
 void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
                    const bake::BuildTree& tree, const TriangleIds& kept, bool offers_wide) {
-  constexpr std::size_t most = bake::IndexLimits<std::uint16_t>::kMost;
   const auto check = [&](std::size_t count, const char* what, std::size_t limit, const char* mend) {
     if (count > limit) {
       throw UserError(input.path, count, " ", what, ", but 16-bit indices reach ", limit, "; use ",
@@ -96,17 +97,24 @@ void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
   const char* const fewer = offers_wide ? "--simplify, or --index-bits 32" : "--simplify";
   const char* const larger = offers_wide ? "a larger --leaf-size, --simplify, or --index-bits 32"
                                          : "a larger --leaf-size or --simplify";
-  check(mesh.triangles.size(), "triangles", most, fewer);
-  check(mesh.vertices.size(), "vertices", most, fewer);
-  check(tree.nodes.size(), "nodes", most, larger);
+  check(mesh.triangles.size(), "triangles", kMost16, fewer);
+  check(mesh.vertices.size(), "vertices", kMost16, fewer);
+  check(tree.nodes.size(), "nodes", kMost16, larger);
   const auto leaves = std::count_if(tree.nodes.begin(), tree.nodes.end(),
                                     [](const bake::BuildNode& node) { return node.is_leaf(); });
   check(static_cast<std::size_t>(leaves), "leaves", bake::IndexLimits<std::uint16_t>::kMostLeaves,
         larger);
-  if (kept.back() > most) {
+  if (kept.back() > kMost16) {
     throw UserError(input.path, "triangle ", kept.back(), " is kept, but 16-bit indices reach ",
-                    most, "; use --index-bits 32");
+                    kMost16, "; use --index-bits 32");
   }
+}
+
+/// About a 500th of the mesh, to one digit: hardly seen, and a large mesh becomes a small one.
+double offered_length(const bake::SourceMesh& mesh) {
+  const double length = bake::finest_cell(mesh) * 128;
+  const double power = std::pow(10, std::floor(std::log10(length)));
+  return std::floor(length / power) * power;
 }
 
 /// Gives the triangles the numbers that they have in the file.
@@ -175,8 +183,25 @@ AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
   return baked;
 }
 
+std::string offer_of(const InputMesh& input, const BakeOptions& options, double length) {
+  const double cell = options.cell.value_or(finest_cell(input));
+  simplify::Coarsening coarsening(input.mesh, cell);
+  coarsening.coarsen(std::max(length, coarsening.rounding()));
+  BakeOptions own = options;
+  own.cell = cell;
+  const double bytes = coarse_bytes(input, coarsening, own, "");
+  return concat("with --simplify ", shortest(length), " ", coarsening.triangle_count(),
+                " of them are left, in ", fixed(bytes, 0), " bytes");
+}
+
 BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
   RoundedMesh rounded = round_mesh(input, options);
+  const std::size_t count = rounded.lattice.triangles.size();
+  if (options.index_width == IndexWidth::bits_16 && count > kMost16) {
+    throw UserError(input.path, count, " triangles, but 16-bit indices reach ", kMost16, "; ",
+                    offer_of(input, options, offered_length(input.mesh)),
+                    options.offers_wide_indices ? "; or use --index-bits 32" : "");
+  }
   return {build_tree(input, rounded, options), std::move(rounded.defects)};
 }
 

@@ -50,6 +50,10 @@ void add_robot_options(CLI::App& command, const std::string& name, RobotArgument
 /// Declares --time. `late`: what happens to what is not decided by then.
 void add_time(CLI::App& command, RobotArguments& arguments, const std::string& late);
 
+/// So many deviations of simplified links earlier a guard may stop two of them: both by the meshes,
+/// both by the slack.
+constexpr double kEarlyByDeviation = 4;
+
 /// Its parts point into each other; it may be moved.
 struct BakedRobot {
   Model model;

@@ -231,12 +231,7 @@ void print_refused(const GuardedTrajectory& guarded) {
 /// Pairs that are not guarded, counts, stretches that are not free, the closest moment, work, time,
 /// and motions that are not free.
 void print_guarded(const GuardedTrajectory& guarded) {
-  for (const UnguardedPair& pair : guarded.unguarded) {
-    std::cout << "not guarded: " << names_of(guarded.model, {pair}) << "\n";
-  }
-  std::cout << guarded.answers.size() << (guarded.answers.size() == 1 ? " period, " : " periods, ")
-            << guarded.robot.pair_count << (guarded.robot.pair_count == 1 ? " pair" : " pairs")
-            << " of links guarded\n\n";
+  print_head(guarded);
   print_counts(guarded);
   print_stretches(guarded);
   print_closest(guarded);

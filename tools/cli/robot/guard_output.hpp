@@ -13,6 +13,12 @@ std::string name_of(Status status);
 const std::string& link_name(const GuardedTrajectory& guarded, std::uint8_t link);
 const std::string& variable_name(const GuardedTrajectory& guarded, std::size_t variable);
 
+/// In metres: how far a point of a link may lie from the meshes that it was baked of.
+double links_deviation(const Robot& robot);
+
+/// What is guarded, and how well.
+void print_head(const GuardedTrajectory& guarded);
+
 /// One object a line of the trajectory; the first holds facts about the whole trajectory, too.
 void print_guarded_json(const GuardedTrajectory& guarded);
 

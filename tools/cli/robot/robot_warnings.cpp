@@ -38,7 +38,12 @@ void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
         concat("links '", robot.model.links[pair.a].name, "' and '", robot.model.links[pair.b].name,
                "'", pair.zone ? " outside their joint's zone" : "",
                " are nowhere found farther apart than the ", pair.is_stopped ? "stop" : "warn",
-               " distance, ", shortest(pair.is_stopped ? stop : warn), " m, so ");
+               " distance, ", shortest(pair.is_stopped ? stop : warn), " m",
+               pair.is_stopped && robot.options.early > 0
+                   ? concat(" and ", significant(robot.options.early * robot.cell, 3),
+                            " m that simplified links may stop earlier")
+                   : "",
+               ", so ");
     if (!pair.is_stopped && own == nullptr) {
       warnings.add(arguments.urdf,
                    concat(links, "they are not warned of; --pair ", names, "=STOP,WARN warns"));

@@ -16,8 +16,6 @@ namespace {
 constexpr double kLongestPartOfLink = 1.0 / 20;
 /// What fits is not known when joint zones are chosen, nor what parts next to them add.
 constexpr double kRoomForParts = 1.5;
-/// Both deviations by the meshes, both by the slack.
-constexpr double kEarly = 4;
 
 double longest_of(const Model& model) {
   double longest = 0;
@@ -124,7 +122,7 @@ void SimplifiedLinks::fit(const Model& model, double most) {
 }
 
 double SimplifiedLinks::early() const {
-  return kEarly * expected_;
+  return kEarlyByDeviation * expected_;
 }
 
 bool SimplifiedLinks::is_late() const {

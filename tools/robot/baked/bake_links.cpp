@@ -147,16 +147,12 @@ void check_triangles(const ModelLink& link, double cell, const std::string& path
     return;
   }
   constexpr double kLength = 0.001;
-  simplify::Coarsening coarsening(link.mesh, cell);
-  coarsening.coarsen(std::max(kLength, coarsening.rounding()));
   BakeOptions options;
   options.cell = cell;
-  const double bytes = coarse_bytes(link_input(link, path), coarsening, options, link.name);
   throw UserError(at_element(path, "link", link.name), "has ", count,
-                  " triangles, 16-bit indices reach ", Limits::kMost, "; with --simplify ",
-                  shortest(kLength), " firmware gets ", coarsening.triangle_count(),
-                  " of them, in ", fixed(bytes, 0),
-                  " bytes; or say with --fit what the robot may take");
+                  " triangles, 16-bit indices reach ", Limits::kMost, "; ",
+                  offer_of(link_input(link, path), options, kLength),
+                  "; or say with --fit what the robot may take");
 }
 
 bool fits_firmware(const BakedPart& part) {
