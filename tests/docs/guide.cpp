@@ -42,6 +42,14 @@ bool is_near(const flashbvh::Pose& peg_in_plate, float length) {
   return flashbvh::closer_than(plate, peg, peg_in_plate, within).yes;
 }
 
+/// Is no point of the peg's file nearer to the plate's than that, in mm? After an error it is.
+bool is_clear(const flashbvh::Pose& peg_in_plate, float length) {
+  constexpr uint32_t kPlacing = 228;  // 0.51 cells along each axis, in 1/256 cell
+  const uint32_t within = flashbvh::fine_distance(length, plate_CELLS_PER_UNIT) +
+                          plate_DEVIATION_FINE + peg_DEVIATION_FINE + kPlacing;
+  return !flashbvh::closer_than(plate, peg, peg_in_plate, within).yes;
+}
+
 enum class Verdict { pending, no_contact, stop };
 
 /// Do surfaces intersect where the peg is to go? One call of tick() a period.
@@ -239,7 +247,8 @@ int main() {
     return peg_in_plate(plate_in_world, {1, 0, 0, 0}, 0, 0, height);
   };
   if (!may_go(lowered_to(0.5f)) || may_go(lowered_to(0)) || !is_near(lowered_to(3), 3.1f) ||
-      is_near(lowered_to(3), 2.9f)) {
+      is_near(lowered_to(3), 2.9f) || !is_clear(lowered_to(3), 2.9f) ||
+      is_clear(lowered_to(3), 3)) {
     return 7;
   }
   const Cable cable;
