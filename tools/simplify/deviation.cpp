@@ -131,9 +131,20 @@ Deviation deviation_from(const NearestTriangle& coarse, const bake::SourceMesh& 
 
 Deviation deviation_between(const bake::SourceMesh& mesh, const bake::SourceMesh& coarse,
                             double limit) {
-  const Deviation of_mesh = deviation_from(NearestTriangle(coarse), mesh, limit);
-  const Deviation of_coarse = deviation_from(NearestTriangle(mesh), coarse, limit);
-  return of_coarse.most > of_mesh.most ? of_coarse : of_mesh;
+  const NearestTriangle to_mesh(mesh);
+  const NearestTriangle to_coarse(coarse);
+  const auto within = [&](double most) {
+    const Deviation of_mesh = deviation_from(to_coarse, mesh, most);
+    const Deviation of_coarse = deviation_from(to_mesh, coarse, most);
+    return of_coarse.most > of_mesh.most ? of_coarse : of_mesh;
+  };
+  Deviation found = within(limit);
+  while (found.most <= kFine * limit) {  // far below what was allowed: by how much
+    limit = found.most;
+    const Deviation finer = within(limit);
+    found = finer.most <= found.most ? finer : found;
+  }
+  return found;
 }
 
 }  // namespace flashbvh::simplify

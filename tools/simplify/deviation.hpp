@@ -34,7 +34,7 @@ constexpr double kTightness = 1.02;
 Deviation deviation_from(const NearestTriangle& coarse, const bake::SourceMesh& mesh, double limit,
                          std::vector<CoveredPart>* parts = nullptr);
 
-/// Of both meshes from each other.
+/// Of both meshes from each other, no less tight where they are far nearer than the limit.
 Deviation deviation_between(const bake::SourceMesh& mesh, const bake::SourceMesh& coarse,
                             double limit);
 

@@ -51,7 +51,8 @@ class Finder {
       : model_(model),
         joint_(joint),
         cell_(cell),
-        touching_(options.distances_of(a, b).stop + options.early + options.slack),
+        edge_(options.distances_of(a, b).stop + options.slack),
+        touching_(edge_ + options.early),
         deadline_(options.deadline),
         links_{a, b},
         frames_{frame_in(model, a, joint), frame_in(model, b, joint)},
@@ -256,7 +257,7 @@ class Finder {
   }
 
   void cut() {
-    const double edge = std::max({kCut * shape_.radius, touching_ * cell_, kLeastCut * cell_});
+    const double edge = std::max({kCut * shape_.radius, edge_ * cell_, kLeastCut * cell_});
     for (std::size_t side = 0; side < 2; ++side) {
       sides_[side].cut(touching_shells_[side], shape_, edge);
     }
@@ -300,6 +301,7 @@ class Finder {
   const Model& model_;
   std::size_t joint_;
   double cell_;
+  double edge_;      ///< cells: triangles are cut no finer
   double touching_;  ///< cells
   Deadline deadline_;
   std::array<std::size_t, 2> links_;
