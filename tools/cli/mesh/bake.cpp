@@ -21,10 +21,11 @@ namespace {
 
 void check_size(const BakeOrder& order, const std::string& mesh, std::uint64_t bytes) {
   if (order.writes_images && bytes > 0xFFFFFFFFu) {
-    throw UserError(mesh, "the image would be over 4 GiB; use fewer triangles");
+    throw UserError(mesh, "the image would be over 4 GiB; simplify it: --simplify, --fit");
   }
   if (order.writes_c && bytes > 0x7FFFFFFFu) {
-    throw UserError(mesh, "the array would be over 2 GiB; use --format image or fewer triangles");
+    throw UserError(mesh, "the array would be over 2 GiB; use --format image, or simplify it: "
+                    "--simplify, --fit");
   }
   if (order.max_bytes && static_cast<std::int64_t>(bytes) > *order.max_bytes) {
     throw UserError(mesh, "takes ", bytes, " bytes, --max-bytes allows ", *order.max_bytes,

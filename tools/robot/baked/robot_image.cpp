@@ -145,7 +145,7 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
     bytes.add(mesh.data(), mesh.size());
   }
   if (bytes.size() > UINT32_MAX) {
-    throw UserError(model.path, "the image would be over 4 GiB; use fewer triangles");
+    throw UserError(model.path, "the image would be over 4 GiB; simplify it: --simplify, --fit");
   }
   std::vector<std::uint32_t> image = bytes.words();
   header.byte_count = static_cast<std::uint32_t>(bytes.size());
