@@ -293,13 +293,13 @@ std::string robot_page(const DecidedRobot& decided, const OnStep& step) {
   for (const Collisions& found : collisions) {
     shares.push_back(share_text(share_of(found)));
   }
-  return page(escaped(decided.model.name), "robot", "what of a robot can collide",
-              guarded_decision(decided) + facts_section(decided) + arm_section(decided) +
-                  matrix_section(decided, shares) +
-                  witness_section(decided, rarest(decided, collisions), collisions, step) +
-                  (decided.simplified.meshes.empty() ? ""
-                                                     : simplified_section(decided.simplified)) +
-                  parts_section(decided) + footer());
+  return page(
+      escaped(decided.model.name), "robot", "what of a robot can collide",
+      guarded_decision(decided) + facts_section(decided) + arm_section(decided) +
+          matrix_section(decided, shares) +
+          witness_section(decided, rarest(decided, collisions), collisions, step) +
+          (decided.simplified.meshes.empty() ? "" : simplified_section(decided.simplified)) +
+          parts_section(decided) + footer());
 }
 
 }  // namespace flashbvh::tool

@@ -57,10 +57,10 @@ struct Cube {
   std::vector<LatticePoint> corners(double cell) const {
     std::vector<LatticePoint> points;
     for (unsigned i = 0; i < 8; ++i) {
-      points.push_back(cells_of({centre[0] + ((i & 1) != 0 ? half : -half),
-                                 centre[1] + ((i & 2) != 0 ? half : -half),
-                                 centre[2] + ((i & 4) != 0 ? half : -half)},
-                                cell));
+      points.push_back(cells_of(
+          {centre[0] + ((i & 1) != 0 ? half : -half), centre[1] + ((i & 2) != 0 ? half : -half),
+           centre[2] + ((i & 4) != 0 ? half : -half)},
+          cell));
     }
     return points;
   }
@@ -75,8 +75,10 @@ void add_inside(const PointTriangle& triangle, const Cube& cube, double cell, Fa
     const Point ab = simplify::middle_of(triangle[0], triangle[1]);
     const Point bc = simplify::middle_of(triangle[1], triangle[2]);
     const Point ca = simplify::middle_of(triangle[2], triangle[0]);
-    for (const PointTriangle& part : {PointTriangle{triangle[0], ab, ca}, {ab, triangle[1], bc},
-                                      {ca, bc, triangle[2]}, {ab, bc, ca}}) {
+    for (const PointTriangle& part : {PointTriangle{triangle[0], ab, ca},
+                                      {ab, triangle[1], bc},
+                                      {ca, bc, triangle[2]},
+                                      {ab, bc, ca}}) {
       add_inside(part, cube, cell, faces);
     }
   } else if (cube.has(centre)) {
@@ -127,8 +129,7 @@ std::vector<Point> inside(const Point& from, const Point& to, const Cube& cube) 
 }
 
 /// Edges as lines; of `cube` alone, or all.
-std::string wires(const bake::SourceMesh& mesh, const Frame& frame, double cell,
-                  const Cube* cube) {
+std::string wires(const bake::SourceMesh& mesh, const Frame& frame, double cell, const Cube* cube) {
   const std::set<std::array<std::uint32_t, 2>> edges = seen_edges(mesh);
   if (cube == nullptr && edges.size() > kMostEdges) {
     return "";
@@ -177,16 +178,15 @@ std::string pictures(const CoarseMesh& mesh, const simplify::Deviation& deviatio
 }
 
 std::string mesh_part(const CoarseMesh& mesh, const Measure& measure) {
-  const simplify::Deviation deviation =
-      simplify::deviation_between(mesh.original, mesh.coarse, 2 * std::max(mesh.deviation, measure.cell));
+  const simplify::Deviation deviation = simplify::deviation_between(
+      mesh.original, mesh.coarse, 2 * std::max(mesh.deviation, measure.cell));
   std::string where;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     where += (axis == 0 ? "at " : ", ") + significant(deviation.where[axis], 4);
   }
   return "<h3>" + escaped(mesh.name) + "</h3>\n" +
-         facts(fact("triangles",
-                    grouped(mesh.original.triangles.size()) + " &rarr; " +
-                        grouped(mesh.coarse.triangles.size())) +
+         facts(fact("triangles", grouped(mesh.original.triangles.size()) + " &rarr; " +
+                                     grouped(mesh.coarse.triangles.size())) +
                fact("largest deviation", length_of(measure, mesh.deviation),
                     where + measure.suffix + "; either mesh from the other, proven")) +
          pictures(mesh, deviation, measure);
@@ -224,9 +224,8 @@ std::string simplified_section(const CoarseMeshes& all) {
 }
 
 std::string simplified_page(const CoarseMeshes& all) {
-  const std::string title =
-      all.meshes.size() == 1 ? escaped(all.meshes[0].name)
-                             : counted(all.meshes.size(), "mesh", "meshes");
+  const std::string title = all.meshes.size() == 1 ? escaped(all.meshes[0].name)
+                                                   : counted(all.meshes.size(), "mesh", "meshes");
   return page(title, "bake", "what is baked of a mesh", simplified_section(all) + footer());
 }
 

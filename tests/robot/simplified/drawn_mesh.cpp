@@ -43,9 +43,8 @@ double squared_edges(const Vector3& p, const Vector3& p_end, const Vector3& q,
   const auto on_q = [&](const Vector3& x) {
     return along(q, v, vv > 0 ? std::clamp(dot(minus(x, q), v) / vv, 0.0, 1.0) : 0);
   };
-  double least =
-      std::min({squared_apart(p, on_q(p)), squared_apart(p_end, on_q(p_end)),
-                squared_apart(q, on_p(q)), squared_apart(q_end, on_p(q_end))});
+  double least = std::min({squared_apart(p, on_q(p)), squared_apart(p_end, on_q(p_end)),
+                           squared_apart(q, on_p(q)), squared_apart(q_end, on_p(q_end))});
   const double parallel = uu * vv - uv * uv;
   if (parallel > 0) {
     const Vector3 w = minus(p, q);
@@ -58,8 +57,7 @@ double squared_edges(const Vector3& p, const Vector3& p_end, const Vector3& q,
 
 /// How far along the segment it passes through the triangle's inside; none: beyond 1.
 bool pierces(const Vector3& from, const Vector3& to, const DrawnTriangle& triangle) {
-  const Vector3 normal =
-      cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
+  const Vector3 normal = cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
   const double above = dot(minus(from, triangle[0]), normal);
   const double below = dot(minus(to, triangle[0]), normal);
   if (above == below || (above > 0) == (below > 0)) {
@@ -77,8 +75,7 @@ bool pierces(const Vector3& from, const Vector3& to, const DrawnTriangle& triang
 
 /// Where it is above the triangle; edges see to the rest.
 double squared_above(const Vector3& p, const DrawnTriangle& triangle) {
-  const Vector3 normal =
-      cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
+  const Vector3 normal = cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
   const double squared = dot(normal, normal);
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3 edge = minus(triangle[(i + 1) % 3], triangle[i]);

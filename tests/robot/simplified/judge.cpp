@@ -58,8 +58,8 @@ void add_beyond(const DrawnTriangle& triangle, const tool::Transform& axis, doub
   }
   double size = 0;
   for (const Vector3& corner : triangle) {
-    size = std::max(size, std::hypot(corner[0] - centre[0], corner[1] - centre[1],
-                                     corner[2] - centre[2]));
+    size = std::max(
+        size, std::hypot(corner[0] - centre[0], corner[1] - centre[1], corner[2] - centre[2]));
   }
   const double off = from_axis(axis, centre);
   if (off - size > radius) {
@@ -79,8 +79,10 @@ void add_beyond(const DrawnTriangle& triangle, const tool::Transform& axis, doub
   const Vector3 ab = middle(0, 1);
   const Vector3 bc = middle(1, 2);
   const Vector3 ca = middle(2, 0);
-  for (const DrawnTriangle& part : {DrawnTriangle{triangle[0], ab, ca}, {ab, triangle[1], bc},
-                                    {ca, bc, triangle[2]}, {ab, bc, ca}}) {
+  for (const DrawnTriangle& part : {DrawnTriangle{triangle[0], ab, ca},
+                                    {ab, triangle[1], bc},
+                                    {ca, bc, triangle[2]},
+                                    {ab, bc, ca}}) {
     add_beyond(part, axis, radius, cuts - 1, beyond);
   }
 }
@@ -136,8 +138,8 @@ class Judge {
 
  private:
   void add_pair(std::size_t a, std::size_t b, double stop) {
-    JudgedPair pair = {a, b, joints_between(model_, a, b), stop, meshes_[a].get(),
-                       meshes_[b].get()};
+    JudgedPair pair = {
+        a, b, joints_between(model_, a, b), stop, meshes_[a].get(), meshes_[b].get()};
     const Robot& of = robot();
     for (std::size_t i = 0; i < of.pair_count; ++i) {
       if (of.pairs[i].a == a && of.pairs[i].b == b) {

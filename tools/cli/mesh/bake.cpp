@@ -24,7 +24,8 @@ void check_size(const BakeOrder& order, const std::string& mesh, std::uint64_t b
     throw UserError(mesh, "the image would be over 4 GiB; simplify it: --simplify, --fit");
   }
   if (order.writes_c && bytes > 0x7FFFFFFFu) {
-    throw UserError(mesh, "the array would be over 2 GiB; use --format image, or simplify it: "
+    throw UserError(mesh,
+                    "the array would be over 2 GiB; use --format image, or simplify it: "
                     "--simplify, --fit");
   }
   if (order.max_bytes && static_cast<std::int64_t>(bytes) > *order.max_bytes) {
@@ -184,10 +185,9 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
     finest = std::max(finest, finest_cell(mesh));
   }
   options.cell = order.options.cell.value_or(order.deformable ? kRoomToBend * finest : finest);
-  std::vector<std::string> names;
-  for (const Part& part : parts) {
-    names.push_back(part.name.stem);
-  }
+  std::vector<std::string> names(parts.size());
+  std::transform(parts.begin(), parts.end(), names.begin(),
+                 [](const Part& part) { return part.name.stem; });
   Outcome outcome;
   if (simplifies) {
     progress.begin("simplifying", weight);

@@ -38,7 +38,7 @@ std::vector<simplify::Coarsening> coarsenings(const std::vector<InputMesh>& mesh
 simplify::BytesOf bytes_of(const BakeOrder& order, const std::vector<InputMesh>& meshes,
                            const std::vector<std::string>& names, const BakeOptions& options) {
   return [&order, &meshes, &names, options](const std::vector<simplify::Coarsening>& coarse,
-                                    std::uint32_t leaf_size) {
+                                            std::uint32_t leaf_size) {
     BakeOptions own = options;
     own.leaf_size = leaf_size;
     std::vector<double> bytes(coarse.size());
@@ -82,9 +82,9 @@ Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh
   Simplified made{coarsenings(meshes, *options.cell), 0};
   const double longest =
       std::min(kLongestPart * side_of_largest(meshes), options.max_deviation.value_or(HUGE_VAL));
-  const auto found = simplify::fit(made.meshes, static_cast<double>(*order.fit), longest,
-                                   shown_leaf_sizes(order),
-                                   bytes_of(order, meshes, names, options));
+  const auto found =
+      simplify::fit(made.meshes, static_cast<double>(*order.fit), longest, shown_leaf_sizes(order),
+                    bytes_of(order, meshes, names, options));
   if (!found) {
     throw UserError(
         concat("--fit ", *order.fit), "is not reached by simplifying to ", significant(longest, 3),
@@ -106,9 +106,10 @@ std::vector<simplify::LengthRow> lengths_of(const BakeOrder& order,
                                             const BakeOptions& options) {
   const double longest = kLongestPart * side_of_largest(meshes);
   std::vector<simplify::Coarsening> all = coarsenings(meshes, *options.cell);
-  return longest > 0 && !all.empty() ? simplify::length_table(all, longest, shown_leaf_sizes(order),
-                                                              bytes_of(order, meshes, names, options))
-                                     : std::vector<simplify::LengthRow>();
+  return longest > 0 && !all.empty()
+             ? simplify::length_table(all, longest, shown_leaf_sizes(order),
+                                      bytes_of(order, meshes, names, options))
+             : std::vector<simplify::LengthRow>();
 }
 
 }  // namespace flashbvh::tool

@@ -14,7 +14,8 @@ struct Simplified {
 };
 
 /// As the order says; sets the leaf size of `options` for --fit. UserError if it is less than
-/// rounding moves, or they do not fit. `meshes` outlive what is made of them. `names`: of the images.
+/// rounding moves, or they do not fit. `meshes` outlive what is made of them. `names`: of the
+/// images.
 Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
                              const std::vector<std::string>& names, BakeOptions& options);
 

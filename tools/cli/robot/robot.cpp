@@ -94,8 +94,8 @@ CoarseMeshes coarse_links(const OutputArguments& arguments, const BakedRobot& ro
   CoarseMeshes all = {{}, lengths, shown_leaf_sizes(arguments), {robot.cell, " m"}};
   for (std::size_t i = 0; robot.simplified > 0 && i < robot.model.link_count(); ++i) {
     const ModelLink& link = robot.model.links[i];
-    all.meshes.push_back({link.name, link.mesh, mesh_of_tree(robot.links[i].tree),
-                          robot.links[i].tree.deviation});
+    all.meshes.push_back(
+        {link.name, link.mesh, mesh_of_tree(robot.links[i].tree), robot.links[i].tree.deviation});
   }
   return all;
 }
@@ -107,11 +107,10 @@ void add_page(const OutputArguments& arguments, const BakedRobot& robot, std::si
   Progress progress(2, arguments.progress);
   files.add(
       arguments.page,
-      robot_page(
-          {robot.model, views_of(robot.wholes), robot.links, *robot.fixed, robot.zones, robot.pairs,
-           arguments.stop, arguments.warn.value_or(arguments.stop), robot.unguarded, image_bytes,
-           simplified},
-          [&](const std::string& what, double share) { progress.begin(what, share); }));
+      robot_page({robot.model, views_of(robot.wholes), robot.links, *robot.fixed, robot.zones,
+                  robot.pairs, arguments.stop, arguments.warn.value_or(arguments.stop),
+                  robot.unguarded, image_bytes, simplified},
+                 [&](const std::string& what, double share) { progress.begin(what, share); }));
 }
 
 /// Of `bytes`, if they are many: so many with leaves of kLargeLeaf triangles.
@@ -177,8 +176,8 @@ void add_robot(CLI::App& app) {
   add_option(command, "-o,--output", a.folder, "DIR",
              "Folder for the results; made if there is none");
   command.add_flag("--dry-run", a.dry_run,
-                    "Print the tables, what is wrong and what --simplify would save, and write no "
-                    "image");
+                   "Print the tables, what is wrong and what --simplify would save, and write no "
+                   "image");
   add_choice(
       command, "--format", a.format, {"c", "image", "both"},
       "What to write: the image as an array of C and C++ (c), as a binary file (image), or both");

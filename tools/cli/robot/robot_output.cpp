@@ -121,7 +121,8 @@ std::string simplified_text(const BakedRobot& robot) {
   }
   return concat("simplified: ", before, " triangles -> ", after, ", leaves of ", robot.leaf_size,
                 "; firmware's links and the URDF's lie within ", shortest(robot.simplified),
-                " m of each other, so a guard stops up to ", shortest(kEarlyByDeviation * robot.simplified),
+                " m of each other, so a guard stops up to ",
+                shortest(kEarlyByDeviation * robot.simplified),
                 " m earlier; pairs are decided with all triangles\n");
 }
 

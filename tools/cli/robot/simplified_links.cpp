@@ -54,8 +54,8 @@ simplify::BytesOf bytes_of_links(const Model& model, double cell, const std::str
       BakeOptions options;
       options.cell = cell;
       options.leaf_size = leaf_size;
-      bytes[i] = coarse_bytes(link_input(model.links[i], path), meshes[i], options,
-                              model.links[i].name);
+      bytes[i] =
+          coarse_bytes(link_input(model.links[i], path), meshes[i], options, model.links[i].name);
     });
     return std::accumulate(bytes.begin(), bytes.end(), 0.0);
   };
@@ -87,9 +87,9 @@ SimplifiedLinks::SimplifiedLinks(const Model& model, double cell, const RobotArg
     expected_ = length_;
   } else {
     add(model);
-    expected_ = kRoomForParts * simplify::likely_length(meshes_,
-                                                        static_cast<double>(fit_bytes(arguments)),
-                                                        longest_of(model));
+    expected_ =
+        kRoomForParts * simplify::likely_length(meshes_, static_cast<double>(fit_bytes(arguments)),
+                                                longest_of(model));
   }
 }
 
