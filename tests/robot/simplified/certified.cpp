@@ -3,7 +3,7 @@
 // How far the simplified links of a robot are from its own, as certified and as sampled: points of
 // either mesh, half of them anywhere and all vertices, and how far they are from the other one. A
 // certificate below a sample is wrong; one above 1.1 times the farthest is loose. Triangles are
-// compared with what the simplifier makes that is asked for the same error and believed.
+// compared with those of the simplifier alone, to which the same error is given.
 #include <CLI/CLI.hpp>
 
 #include <cstdio>

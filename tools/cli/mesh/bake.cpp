@@ -152,7 +152,7 @@ struct Outcome {
   std::vector<simplify::LengthRow> lengths;  ///< of --dry-run
 };
 
-/// Of what was baked; more are added while it is.
+/// To be filled with what is baked.
 CoarseMeshes coarse_meshes(const BakeOrder& order, const BakeOptions& options) {
   const std::string unit = order.units.common();
   return {{}, {}, shown_leaf_sizes(order), {*options.cell, unit.empty() ? "" : " " + unit}};
