@@ -146,8 +146,8 @@ void print_guarded_json(const GuardedTrajectory& guarded) {
     Json json = period_json(guarded, i);
     if (i == 0) {
       json["not_guarded"] = unguarded_json(guarded.model, guarded.unguarded);
-      json["deviation"] = links_deviation(guarded.robot);
       json["stretches"] = stretches_json(guarded);
+      json["deviation"] = links_deviation(guarded.robot);
       if (guarded.timing) {
         json["timing"] = timing_json(*guarded.timing);
       }
