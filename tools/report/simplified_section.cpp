@@ -72,13 +72,7 @@ void add_inside(const PointTriangle& triangle, const Cube& cube, double cell, Fa
   }
   const Point centre = simplify::centre_of(triangle);
   if (simplify::radius_of(triangle, centre) > 2 * kSmall * cube.half) {
-    const Point ab = simplify::middle_of(triangle[0], triangle[1]);
-    const Point bc = simplify::middle_of(triangle[1], triangle[2]);
-    const Point ca = simplify::middle_of(triangle[2], triangle[0]);
-    for (const PointTriangle& part : {PointTriangle{triangle[0], ab, ca},
-                                      {ab, triangle[1], bc},
-                                      {ca, bc, triangle[2]},
-                                      {ab, bc, ca}}) {
+    for (const PointTriangle& part : simplify::quarters_of(triangle)) {
       add_inside(part, cube, cell, faces);
     }
   } else if (cube.has(centre)) {

@@ -17,6 +17,6 @@ namespace flashbvh::simplify {
 /// so. Returns how many vertices went. Deterministic.
 std::size_t collapse_edges(bake::SourceMesh& coarse, const std::vector<CoveredPart>& parts,
                            const NearestTriangle& original, double cell, double limit,
-                           std::vector<bool>& is_open);
+                           std::vector<bool>& is_changed);
 
 }  // namespace flashbvh::simplify

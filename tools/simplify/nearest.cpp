@@ -69,8 +69,12 @@ Point cross(const Point& u, const Point& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-Point middle_of(const Point& p, const Point& q) {
-  return between(p, q, 0.5);
+std::array<PointTriangle, 4> quarters_of(const PointTriangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  const Point ab = between(a, b, 0.5);
+  const Point bc = between(b, c, 0.5);
+  const Point ca = between(c, a, 0.5);
+  return {{{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {bc, ca, ab}}};
 }
 
 Point centre_of(const PointTriangle& triangle) {
@@ -112,11 +116,8 @@ std::vector<PointTriangle> cut(const PointTriangle& part, const PointTriangle& t
   if (most > least) {
     return cut_at_plane(part, beyond);
   }
-  const auto& [a, b, c] = part;
-  const Point ab = middle_of(a, b);
-  const Point bc = middle_of(b, c);
-  const Point ca = middle_of(c, a);
-  return {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {bc, ca, ab}};
+  const std::array<PointTriangle, 4> quarters = quarters_of(part);
+  return {quarters.begin(), quarters.end()};
 }
 
 double squared_distance(const Point& p, const PointTriangle& triangle) {

@@ -19,7 +19,8 @@ double squared_distance(const Point& p, const PointTriangle& triangle);
 
 Point minus(const Point& p, const Point& q);
 Point cross(const Point& u, const Point& v);
-Point middle_of(const Point& p, const Point& q);
+/// At the middles of its edges.
+std::array<PointTriangle, 4> quarters_of(const PointTriangle& triangle);
 Point centre_of(const PointTriangle& triangle);
 /// Of the ball about `centre` that holds it.
 double radius_of(const PointTriangle& triangle, const Point& centre);

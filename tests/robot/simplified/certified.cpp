@@ -4,13 +4,11 @@
 // either mesh, half of them anywhere and all vertices, and how far they are from the other one. A
 // certificate below a sample is wrong; one above 1.1 times the farthest is loose. Triangles are
 // compared with those of the simplifier alone, to which the same error is given.
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 
+#include "described.hpp"
 #include "drawn_mesh.hpp"
 #include "robot/baked/bake_links.hpp"
-#include "robot/read/urdf.hpp"
 #include "simplify/coarsening.hpp"
 #include "support/random.hpp"
 #include "text/parallel.hpp"
@@ -104,26 +102,16 @@ Row certified(const tool::ModelLink& link, double cell, double limit, long sampl
 
 int main(int count, char** arguments) {
   CLI::App app("Samples how far simplified links are from the URDF's.");
-  std::string urdf;
-  std::vector<std::string> given;
-  bool visual_too = false;
+  Described described;
   double limit = 0;
   long samples = 1'000'000;
-  app.add_option("URDF", urdf)->required();
+  described.add_to(app);
   app.add_option("--simplify", limit)->required();
-  app.add_option("--package", given);
-  app.add_flag("--visual-too", visual_too);
   app.add_option("--samples", samples);
   CLI11_PARSE(app, count, arguments);
-  tool::Packages packages;
-  for (const std::string& package : given) {
-    const std::size_t equals = package.find('=');
-    packages[package.substr(0, equals)] = package.substr(std::min(equals + 1, package.size()));
-  }
   try {
-    tool::Warnings warnings;
-    const tool::Model model = read_urdf(urdf, packages, "", warnings, "", visual_too);
-    const double cell = tool::robot_cell(model, std::nullopt, urdf);
+    const tool::Model model = described.read();
+    const double cell = tool::robot_cell(model, std::nullopt, described.urdf);
     std::vector<Row> rows(model.links.size());
     tool::for_each_in_parallel(rows.size(), [&](std::size_t i) {
       rows[i] = certified(model.links[i], cell, limit, samples);

@@ -5,17 +5,16 @@
 // come nearer than the stop distance. Half of the configurations are any, the other half as near to
 // those at which the guard stops as 12 halvings of a way come. Distances are in doubles. With
 // --more, stop distances are so much larger than they were baked: that has to be found out.
-#include <CLI/CLI.hpp>
-
 #include <atomic>
 #include <cstdio>
 #include <optional>
 #include <thread>
 
+#include "described.hpp"
 #include "drawn_mesh.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "robot/baked/robot_file.hpp"
-#include "robot/read/urdf.hpp"
+#include "simplify/nearest.hpp"
 #include "support/random.hpp"
 
 using namespace flashbvh;
@@ -50,17 +49,8 @@ double from_axis(const tool::Transform& axis, const Vector3& p) {
 /// What of it is beyond the cylinder about an axis, of triangles cut in four; not all of it.
 void add_beyond(const DrawnTriangle& triangle, const tool::Transform& axis, double radius, int cuts,
                 std::vector<DrawnTriangle>& beyond) {
-  Vector3 centre{};
-  for (const Vector3& corner : triangle) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      centre[i] += corner[i] / 3;
-    }
-  }
-  double size = 0;
-  for (const Vector3& corner : triangle) {
-    size = std::max(
-        size, std::hypot(corner[0] - centre[0], corner[1] - centre[1], corner[2] - centre[2]));
-  }
+  const Vector3 centre = simplify::centre_of(triangle);
+  const double size = simplify::radius_of(triangle, centre);
   const double off = from_axis(axis, centre);
   if (off - size > radius) {
     beyond.push_back(triangle);
@@ -69,20 +59,7 @@ void add_beyond(const DrawnTriangle& triangle, const tool::Transform& axis, doub
   if (cuts == 0 || off + size < radius) {
     return;
   }
-  const auto middle = [&](std::size_t i, std::size_t j) {
-    Vector3 at;
-    for (std::size_t k = 0; k < 3; ++k) {
-      at[k] = (triangle[i][k] + triangle[j][k]) / 2;
-    }
-    return at;
-  };
-  const Vector3 ab = middle(0, 1);
-  const Vector3 bc = middle(1, 2);
-  const Vector3 ca = middle(2, 0);
-  for (const DrawnTriangle& part : {DrawnTriangle{triangle[0], ab, ca},
-                                    {ab, triangle[1], bc},
-                                    {ca, bc, triangle[2]},
-                                    {ab, bc, ca}}) {
+  for (const DrawnTriangle& part : simplify::quarters_of(triangle)) {
     add_beyond(part, axis, radius, cuts - 1, beyond);
   }
 }
@@ -311,32 +288,21 @@ int judged(const Judge& judge, long configurations, std::uint64_t seed) {
 int main(int count, char** arguments) {
   CLI::App app("Judges a guard by the URDF's own meshes.");
   std::string image;
-  std::string urdf;
-  tool::Packages packages;
-  std::vector<std::string> given;
-  bool visual_too = false;
+  Described described;
   double stop = 0;
   double more = 0;
   long configurations = 1'000'000;
   std::uint64_t seed = 1;
   app.add_option("IMAGE", image)->required();
-  app.add_option("URDF", urdf)->required();
+  described.add_to(app);
   app.add_option("--stop", stop)->required();
   app.add_option("--more", more);
-  app.add_option("--package", given);
-  app.add_flag("--visual-too", visual_too);
   app.add_option("--configurations", configurations);
   app.add_option("--seed", seed);
   CLI11_PARSE(app, count, arguments);
-  for (const std::string& package : given) {
-    const std::size_t equals = package.find('=');
-    packages[package.substr(0, equals)] = package.substr(std::min(equals + 1, package.size()));
-  }
   try {
     const tool::RobotFile file(image);
-    tool::Warnings warnings;
-    return judged(Judge(file, read_urdf(urdf, packages, "", warnings, "", visual_too), stop, more),
-                  configurations, seed);
+    return judged(Judge(file, described.read(), stop, more), configurations, seed);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;
