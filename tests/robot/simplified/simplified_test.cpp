@@ -2,6 +2,7 @@
 // never less careful than promised, and stops no earlier than said.
 #include "drawn_mesh.hpp"
 #include "robot/baked/bake_links.hpp"
+#include "robot/matrix/joint_zone.hpp"
 #include "simplify/zoo.hpp"
 #include "support/arms/guarded_arm.hpp"
 
@@ -136,6 +137,26 @@ TEST_CASE("a guard of simplified links holds what it says of all triangles") {
     // Points are farther apart than surfaces, by little.
     CHECK(earliest < 4 * length + 0.001);
   }
+}
+
+TEST_CASE("zones of simplified links are cut as finely as others, or finer") {
+  constexpr double kCell = 1e-4;
+  Model model;
+  add_link(model, kNoJoint, prism(24, 0.1, 0, 0, -0.3, 0.1));
+  const std::size_t joint = add_joint(model, kNoJoint, {}, JointType::revolute, -1, 1);
+  add_link(model, joint, prism(24, 0.11, 0, 0, -0.05, 0.3));
+  model.neighbours = {{0, 1}};
+  const BakedArm arm(model, kCell);
+  std::vector<std::size_t> triangles;
+  for (const double early : {0.0, 0.15}) {
+    MatrixOptions options;
+    options.early = early / kCell;
+    const auto given = joint_zones(model, arm.wholes(), kCell, options, {{joint, 0.2}});
+    REQUIRE(given.size() == 1);
+    REQUIRE_FALSE(given[0].bodies.empty());
+    triangles.push_back(given[0].bodies[0].mesh_a.triangles.size());
+  }
+  CHECK(triangles[1] >= triangles[0]);
 }
 
 TEST_CASE("what judges by command measures triangles as points of them do") {
