@@ -111,6 +111,7 @@ class TestedShapes {
   using Tree = ModelTree;
   static constexpr bool kShapes = true;
   static constexpr bool kKnowsRoot = true;
+  static constexpr bool kComparesLeaves = false;
 
   TestedShapes(const Tree& tree_a, const Tree& tree_b, const PairTests& tests, Walked& walked)
       : a(tree_a), b(tree_b), tests_(tests), walked_(walked) {}

@@ -36,7 +36,8 @@ void run_all(const AskedPair& pair, const Pose& pose, const Predicate& question)
   (void)query.run(UINT32_MAX, [](const TrianglePair<uint16_t>&) { return true; });
 }
 
-/// Two triangles as queries come to them: within the distance, and nearer than the nearest.
+/// Two triangles as queries come to them: within the distance, and whether they may be nearer than
+/// the nearest.
 void add_tests(const AskedPair& pair, const Pose& pose, const Clearance<uint16_t>& known,
                const char* motion) {
   const Name of_within = part("within", motion);
@@ -51,10 +52,11 @@ void add_tests(const AskedPair& pair, const Pose& pose, const Clearance<uint16_t
   translate_triangle(*pair.a, known.witness.a, kNoOffset, a);
   transform_triangle(*pair.b, known.witness.b, transform, b);
   const Name of_nearest = part("nearest", motion);
-  NearestSoFar so_far;
+  transform.prepare(*pair.b);
+  NearestSoFar so_far(transform);
   Timed<Nearest<uint16_t>> nearest;
   nearest.so_far = &so_far;
-  (void)nearest.test(a, b, known.witness.a, known.witness.b);
+  (void)nearest.take(a, b, known.witness.a, known.witness.b);
   nearest.name = &of_nearest;
   run_all(pair, pose, nearest);
 }

@@ -14,6 +14,7 @@ struct NothingBelow {
   using Tree = flashbvh::Mesh;
   static constexpr bool kShapes = true;
   static constexpr bool kKnowsRoot = false;
+  static constexpr bool kComparesLeaves = false;
   const flashbvh::Mesh& a;
   const flashbvh::Mesh& b;
 

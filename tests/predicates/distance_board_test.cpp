@@ -145,4 +145,26 @@ TEST_CASE("quotients of 128 bits, multiplied back, are what was divided") {
   REQUIRE(detail::is_zero(detail::long_quotient({0, 0}, most)));
 }
 
+TEST_CASE("roots of 128 bits are the largest whose squares are not above") {
+  Random random = test_random();
+  for (int round = 0; round < 4000; ++round) {
+    Int128 u = any_number(random, 1 + random.below(127));
+    // A square, and next to it.
+    const uint64_t own = detail::square_root(u);
+    const Int128 square = own <= INT64_MAX ? detail::full_product(static_cast<int64_t>(own),
+                                                                  static_cast<int64_t>(own))
+                                           : u;
+    u = round % 3 == 0 ? square : round % 3 == 1 && own != 0 ? square - Int128{0, 1} : u;
+    u = round == 0 ? Int128{INT64_MAX, UINT64_MAX} : round == 1 ? Int128{0, 0} : u;
+    CAPTURE(u.high, u.low);
+    const uint64_t root = detail::square_root(u);
+    REQUIRE(detail::long_root(u) == root);
+    // root^2 <= u < (root + 1)^2, by what is left of u.
+    const Int128 whole = detail::quotient(u, {0, root == 0 ? 1 : root});
+    REQUIRE((root == 0 || whole.high > 0 || whole.low >= root));
+    const Int128 next = detail::quotient(u, {0, root + 1});
+    REQUIRE((next.high == 0 && next.low < root + 1));
+  }
+}
+
 }  // namespace flashbvh::test

@@ -58,11 +58,11 @@ Fraction fraction_of(const mpq_class& value) {
 struct Separations {
   std::uint32_t directions = 0;
   std::uint32_t planes = 0;
-  std::uint32_t axes = 0;
-  std::uint32_t others = 0;  ///< separated by another pair's axis
+  std::uint32_t pairs = 0;
+  std::uint32_t others = 0;  ///< separated by another pair's planes
   Direction first;           ///< another pair's, as queries keep it
-  Axis axis = {0, 0, 0, 0};
-  mpq_class axis_distance = 0;  ///< squared: of its own pair
+  SupportPlanes planes_before;
+  mpq_class distance_before = 0;  ///< squared: of the planes' own pair
 
   void check(const Triangle& a, const Triangle& b, const Features& features,
              const mpq_class& truth) {
@@ -73,21 +73,24 @@ struct Separations {
     const std::int64_t less = limit - limit / 64 - 1;
     directions += limit > 64 && directions_separate(a, b, less, first) ? 1 : 0;
     planes += limit > 64 && planes_separate(a, b, less) ? 1 : 0;
-    if (axis.separates(a, b)) {
+    if (planes_before.separates(a, b)) {
       ++others;
-      REQUIRE(truth >= axis_distance);
+      REQUIRE(truth >= distance_before);
     }
     if (truth != 0) {
-      const Axis own = axis_of(a, b, features);
-      if (own.gap != 0) {
-        ++axes;
-        REQUIRE(own.separates(a, b));
-        Axis longer = own;
-        ++longer.gap;
-        REQUIRE_FALSE(longer.separates(a, b));
-        axis = own;
-        axis_distance = truth;
-      }
+      ++pairs;
+      const SupportPlanes own(a, b, features);
+      REQUIRE(own.separates(a, b));
+      // Once B is moved back along the direction by any amount.
+      const PackedVector d = own.direction();
+      const auto back = [](std::int32_t along) {
+        return along > 4000 ? -1 : along < -4000 ? 1 : 0;
+      };
+      const Point step = {back(d.x()), back(d.y()), back(d.z)};
+      REQUIRE((step.x != 0 || step.y != 0 || step.z != 0));
+      REQUIRE_FALSE(own.separates(a, shifted(b, step)));
+      planes_before = own;
+      distance_before = truth;
     }
   }
 };
@@ -136,6 +139,7 @@ void check(const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen,
     const RationalVector q = point_at(b, of_b);
     const RationalVector apart = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
     REQUIRE(test::dot(apart, apart) == truth);
+    REQUIRE(rational_of(squared_between(a, b, features)) == truth);
     // At exactly the distance, and next to it.
     const Fraction exact = fraction_of(truth);
     Fraction same = exact;
@@ -212,7 +216,7 @@ TEST_CASE("distances of triangles are those of exact rationals") {
   CHECK(seen.size() == 7);
   CHECK(separations.directions > tries / 4);
   CHECK(separations.planes > 3 * tries / 40);
-  CHECK(separations.axes > tries / 4);
+  CHECK(separations.pairs > tries / 4);
   CHECK(separations.others > tries / 80);
 }
 

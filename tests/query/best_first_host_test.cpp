@@ -27,28 +27,34 @@ struct Pairs {
   Pairs(const Mesh& mesh_a, const Mesh& mesh_b, const Pose& pose)
       : a(mesh_a), b(mesh_b), transform(pose, mesh_a, mesh_b, /*may_stop=*/false) {
     transform.bring_near();
+    transform.prepare(b);
   }
   void get(std::uint32_t i, std::uint32_t j, Triangle& of_a, Triangle& of_b) const {
     translate_triangle(a, i, kNoOffset, of_a);
     transform_triangle(b, j, transform, of_b);
   }
-  void test(std::uint32_t i, std::uint32_t j, BoxNearest& nearest) const {
+  void take(std::uint32_t i, std::uint32_t j, BoxNearest& nearest) const {
     Triangle of_a;
     Triangle of_b;
     get(i, j, of_a, of_b);
-    (void)nearest.test(of_a, of_b, i, j);
+    (void)nearest.take(of_a, of_b, i, j);
   }
 };
 
 /// Visits of a query that begins with a pair, and the pair that it ends with.
 std::uint32_t visits_from(const Pairs& pairs, const Pose& pose, Witness<std::uint16_t>& witness,
                           Fraction& least) {
-  NearestSoFar so_far;
+  NearestSoFar so_far(pairs.transform);
   BoxNearest nearest;
   nearest.so_far = &so_far;
-  pairs.test(witness.a, witness.b, nearest);
+  pairs.take(witness.a, witness.b, nearest);
   Query<Ranked<Mesh>, BoxNearest> query(pairs.a, pairs.b, pose, {}, nearest);
-  REQUIRE(query.run(UINT32_MAX, [](const auto&) { return true; }).status == Status::done);
+  const auto take = [&](const auto&) {
+    const auto at = query.last_slots();
+    pairs.take(at.a, at.b, nearest);
+    return true;
+  };
+  REQUIRE(query.run(UINT32_MAX, take).status == Status::done);
   least = so_far.least;
   return query.stats().visits;
 }
@@ -62,7 +68,7 @@ std::uint32_t best_first(const Pairs& pairs, const Gap& make_gap, Fraction& leas
     std::uint16_t b;
     bool operator<(const Entry& other) const { return bound > other.bound; }
   };
-  NearestSoFar so_far;
+  NearestSoFar so_far(pairs.transform);
   BoxNearest nearest;
   nearest.so_far = &so_far;
   std::priority_queue<Entry> heap;
@@ -83,7 +89,7 @@ std::uint32_t best_first(const Pairs& pairs, const Gap& make_gap, Fraction& leas
            ++i) {
         for (auto j = pairs.b.first_triangle(node_b.leaf());
              j < pairs.b.end_triangle(node_b.leaf()); ++j) {
-          pairs.test(i, j, nearest);
+          pairs.take(i, j, nearest);
         }
       }
       continue;

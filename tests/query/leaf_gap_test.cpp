@@ -1,7 +1,8 @@
-// Triangles compared along a direction as they lie in flash, against their exact distances.
-#include "flashbvh/detail/query/leaf_gap.hpp"
+// Triangles and boxes compared along a direction as they lie in flash, against exact distances.
+#include "flashbvh/detail/bounds/leaf_gap.hpp"
 
 #include "flashbvh/clearance.hpp"
+#include "flashbvh/detail/query/within_along.hpp"
 #include "support/all_distances.hpp"
 #include "support/any_mesh.hpp"
 #include "support/test.hpp"
@@ -25,8 +26,29 @@ AnyScene any_scene(Random& random, int round) {
   return {mesh(), mesh(), any_pose(random, 3 * spread)};
 }
 
-Direction any_direction(Random& random) {
-  return {static_cast<std::uint32_t>(random.next()) & 0x3FFFFFFF};
+/// Long and short, along an axis at times; never none.
+PackedVector any_direction(Random& random) {
+  const std::int32_t most = (2 << random.below(kDirectionBits)) - 1;
+  const auto part = [&] { return random.below(4) == 0 ? 0 : random.between(-most, most); };
+  const std::int32_t x = part();
+  const std::int32_t y = part();
+  const std::int32_t z = part();
+  return {join_halves(static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)),
+          x == 0 && y == 0 && z == 0 ? most : z};
+}
+
+/// The leaf of a triangle, by its node.
+std::vector<std::uint32_t> leaf_nodes(const Mesh& mesh) {
+  std::vector<std::uint32_t> node(mesh.triangle_count);
+  for (std::uint32_t i = 0; i < mesh.node_count; ++i) {
+    if (mesh.nodes[i].is_leaf()) {
+      const std::uint32_t leaf = mesh.nodes[i].leaf();
+      for (std::uint32_t t = mesh.first_triangle(leaf); t < mesh.end_triangle(leaf); ++t) {
+        node[t] = i;
+      }
+    }
+  }
+  return node;
 }
 
 int component_of(const Direction& direction, int shift) {
@@ -35,8 +57,11 @@ int component_of(const Direction& direction, int shift) {
 
 }  // namespace
 
-TEST_CASE("no direction separates triangles that are within the limit") {
+TEST_CASE(
+    "no direction separates triangles that are within the limit, nor their boxes and leaves") {
   long separated = 0;
+  long boxes = 0;
+  long leaves = 0;
   for_rounds(rounds(200, 2000), [&](Random& random, int round) {
     const AnyScene scene = any_scene(random, round);
     const Mesh a = scene.a.view<Mesh>();
@@ -45,6 +70,8 @@ TEST_CASE("no direction separates triangles that are within the limit") {
     Transform transform(scene.pose, a, b, /*may_stop=*/false);
     transform.bring_near();
     transform.prepare(b);
+    const std::vector<std::uint32_t> node_a = leaf_nodes(a);
+    const std::vector<std::uint32_t> node_b = leaf_nodes(b);
     for (int i = 0; i < 8; ++i) {
       // As far as some pair is, to the cell.
       const Pairwise& near = all[random.below(static_cast<std::uint32_t>(all.size()))];
@@ -52,6 +79,7 @@ TEST_CASE("no direction separates triangles that are within the limit") {
       const std::int64_t limit = cells * cells;
       const ShortFraction within_limit = {static_cast<std::uint64_t>(limit), 1};
       const LeafGap gap(any_direction(random), transform, limit);
+      const SupportGap support(gap);
       for (const Pairwise& pair : all) {
         Triangle of_a;
         Triangle of_b;
@@ -64,11 +92,31 @@ TEST_CASE("no direction separates triangles that are within the limit") {
         REQUIRE(!(is_near && boxes_separate(of_a, of_b, limit, any)));
         REQUIRE(!(is_near && edges_separate(of_a, of_b, limit, any)));
         separated += by_gap ? 1 : 0;
+
+        const auto& box_a = a.nodes[node_a[pair.of_a]].box;
+        const auto& box_b = b.nodes[node_b[pair.of_b]].box;
+        const bool by_boxes = support.separates(box_a, box_b);
+        const std::int32_t end_a = support.end_of(a, Side::a, a.nodes[node_a[pair.of_a]].leaf());
+        const std::int32_t end_b = support.end_of(b, Side::b, b.nodes[node_b[pair.of_b]].leaf());
+        const bool by_leaf_a =
+            SupportGap::end_along(support.row_beside(Side::a), box_b) <= support.most_beside(end_a);
+        const bool by_leaf_b =
+            SupportGap::end_along(support.row_beside(Side::b), box_a) <= support.most_beside(end_b);
+        const bool by_leaves = end_b <= support.most_beside(end_a);
+        REQUIRE(by_leaves == (end_a <= support.most_beside(end_b)));
+        // What is tighter separates whatever is looser; and none of it what is near.
+        REQUIRE(!(by_boxes && !(by_leaf_a && by_leaf_b)));
+        REQUIRE(!((by_leaf_a || by_leaf_b) && !by_leaves));
+        REQUIRE(!(by_leaves && !by_gap));
+        boxes += by_boxes ? 1 : 0;
+        leaves += by_leaves && !by_leaf_a && !by_leaf_b ? 1 : 0;
       }
     }
   });
-  CAPTURE(separated);
+  CAPTURE(separated, boxes, leaves);
   CHECK(separated > 1000);
+  CHECK(boxes > 100);
+  CHECK(leaves > 10);
 }
 
 TEST_CASE("the direction of the boxes' gap has nine bits, however wide the gap is") {

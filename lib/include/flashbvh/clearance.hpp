@@ -8,7 +8,7 @@
 // that size at all). What pushes bodies apart is a band: all pairs within d (WithinQuery), each
 // with its distance.
 //
-// Stack on Cortex-M3 to M55 at -O2, in bytes: a run 880, a result 944, distance() 1,120,
+// Stack on Cortex-M3 to M55 at -O2, in bytes: a run 888, a result 948, distance() 1,120,
 // closer_than() 880 (proofs/stack). Budgets of work cut these queries as any other, but what a
 // unit of it takes is proven of PairQuery alone (time_bound.hpp): two triangles take more here.
 //
@@ -19,6 +19,7 @@
 #include <stdint.h>
 
 #include "flashbvh/collide.hpp"
+#include "flashbvh/detail/query/nearest.hpp"
 #include "flashbvh/detail/query/proximity.hpp"
 #include "flashbvh/query.hpp"
 #include "flashbvh/triangle.hpp"
@@ -185,9 +186,9 @@ class BasicClearanceQuery
   /// With a pair of triangles, which may be the nearest.
   void begin_with(const Hint& pair);
   /// Of two triangles by their positions: they are nearest, if they are.
-  FLASHBVH_NOINLINE void take(uint32_t i, uint32_t j);
+  FLASHBVH_NOINLINE bool take(uint32_t i, uint32_t j);
   /// Where the descent ended: of the triangles there.
-  FLASHBVH_NOINLINE void take_leaves(uint32_t& work);
+  void take_leaves(uint32_t& work);
   /// To the children that are nearest of the node of the larger rank. While nothing is found, the
   /// place of the nearest triangles holds the nodes that this is at.
   /// False where both are leaves.

@@ -2,37 +2,10 @@
 #include "flashbvh/detail/predicates/fraction.hpp"
 
 #include "long_division.hpp"
+#include "wide_product.hpp"
 
 namespace flashbvh::detail {
 namespace {
-
-constexpr uint64_t kLowHalf = UINT32_MAX;
-
-#if defined(__SIZEOF_INT128__) && !defined(FLASHBVH_PORTABLE)
-#define FLASHBVH_HAS_INT128 1
-
-// Where the machine multiplies 64 bits; the same numbers.
-__extension__ using Native = unsigned __int128;
-
-Int128 of_native(Native value) {
-  return {static_cast<int64_t>(value >> 64), static_cast<uint64_t>(value)};
-}
-
-Int128 unsigned_product(uint64_t u, uint64_t v) {
-  return of_native(Native{u} * v);
-}
-
-#else
-
-Int128 unsigned_product(uint64_t u, uint64_t v) {
-  const uint64_t low = (u & kLowHalf) * (v & kLowHalf);
-  const uint64_t first = (u >> 32) * (v & kLowHalf) + (low >> 32);
-  const uint64_t second = (u & kLowHalf) * (v >> 32) + (first & kLowHalf);
-  return {static_cast<int64_t>((u >> 32) * (v >> 32) + (first >> 32) + (second >> 32)),
-          (second << 32) | (low & kLowHalf)};
-}
-
-#endif
 
 /// From the lowest; no core is big-endian (plain/byte_order.h).
 inline uint32_t word_of(const Int128& u, int i) {

@@ -1,34 +1,78 @@
-// The quotient of numbers of 128 bits where no machine divides them.
+// The quotient of numbers of 128 bits where no machine divides them, and roots by quotients.
 #ifndef FLASHBVH_PREDICATES_LONG_DIVISION_HPP
 #define FLASHBVH_PREDICATES_LONG_DIVISION_HPP
 
 #include "flashbvh/detail/predicates/fraction.hpp"
+#include "wide_product.hpp"
 
 namespace flashbvh::detail {
 
-/// As quotient(): bit by bit, from the quotient's leading one, or the one below it, on.
+/// As quotient(): 29 bits or more at a time. The leading bits of the rest, divided by those of
+/// `v` and one more, are never more than its share.
 inline Int128 long_quotient(const Int128& u, const Int128& v) {
-  Int128 whole = {0, 0};
-  if (u < v) {
-    return whole;
-  }
-  const auto zeros = [](const Int128& x) {
-    return x.high != 0 ? __builtin_clzll(static_cast<uint64_t>(x.high))
-                       : 64 + __builtin_clzll(x.low);
+  const auto bits = [](const Int128& x) {
+    return x.high != 0 ? 128 - __builtin_clzll(static_cast<uint64_t>(x.high))
+                       : 64 - __builtin_clzll(x.low | 1);
   };
-  int bit = zeros(v) - zeros(u);
+  const auto leading = [](const Int128& x, int down) {
+    return down < 0     ? x.low << -down
+           : down == 0  ? x.low
+           : down >= 64 ? static_cast<uint64_t>(x.high) >> (down - 64)
+                        : static_cast<uint64_t>(x.high) << 1 << (63 - down) | x.low >> down;
+  };
+  const int down = bits(v) - 31;
+  const uint64_t divisor = leading(v, down) + 1;
+  Int128 whole = {0, 0};
   Int128 rest = u;
-  Int128 divisor = shifted_up(v, static_cast<unsigned>(bit));
-  for (; bit >= 0; --bit) {
-    whole = whole + whole;
-    if (!(rest < divisor)) {
-      rest = rest - divisor;
-      whole.low |= 1;
-    }
-    const auto high = static_cast<uint64_t>(divisor.high);
-    divisor = {static_cast<int64_t>(high >> 1), high << 63 | divisor.low >> 1};
+  while (!(rest < v)) {
+    const int rest_down = bits(rest) - 63;
+    const uint64_t share = leading(rest, rest_down) / divisor;
+    const int up = rest_down - down;
+    Int128 part = {0, up < 0 ? share >> -up : share};
+    part = up > 0 ? shifted_up(part, static_cast<unsigned>(up)) : part;
+    // Where leading bits are too few for v's last time in the rest.
+    part.low += is_zero(part) ? 1 : 0;
+    rest = rest - low_product(part, v);
+    whole = whole + part;
   }
   return whole;
+}
+
+/// Bit by bit.
+inline uint32_t short_root(uint32_t value) {
+  uint32_t root = 0;
+  for (uint32_t bit = 1u << 15; bit != 0; bit >>= 1) {
+    const uint32_t longer = root | bit;
+    root = longer * longer <= value ? longer : root;
+  }
+  return root;
+}
+
+/// As square_root(), in fewer steps and with more stack.
+inline uint64_t long_root(const Int128& u) {
+  // From above: the leading bits' root has 15 bits or more, and each of Newton's steps twice as
+  // many.
+  const int bits = u.high != 0 ? 128 - __builtin_clzll(static_cast<uint64_t>(u.high))
+                               : 64 - __builtin_clzll(u.low | 1);
+  const int down = bits > 32 ? (bits - 31) & ~1 : 0;
+  const auto top = static_cast<uint32_t>(
+      down >= 64  ? static_cast<uint64_t>(u.high) >> (down - 64)
+      : down == 0 ? u.low
+                  : static_cast<uint64_t>(u.high) << (64 - down) | u.low >> down);
+  uint64_t root = uint64_t{short_root(top)} << (down / 2);
+  if (down == 0) {
+    return root;
+  }
+  root += uint64_t{1} << (down / 2);
+  for (int step = bits > 64 ? 2 : 1; step != 0; --step) {
+    root = (root >> 1) + (quotient(u, {0, root}).low >> 1) + 2;
+  }
+  for (;; --root) {
+    const Int128 square = unsigned_product(root, root);
+    if (square.high >= 0 && !(u < square)) {
+      return root;
+    }
+  }
 }
 
 }  // namespace flashbvh::detail

@@ -2,6 +2,7 @@
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "flashbvh/triangle.hpp"
+#include "long_division.hpp"
 
 namespace flashbvh {
 namespace detail {
@@ -61,7 +62,7 @@ int leading_zeros(const Int128& u) {
     scaled[i] = shifted_up(v[i], static_cast<unsigned>(zeros - 1)).high >> 2;
     squared = squared + full_product(scaled[i], scaled[i]);
   }
-  const auto length = static_cast<int64_t>(square_root(squared));
+  const auto length = static_cast<int64_t>(long_root(squared));
   const auto share = [&](int64_t component) {
     const bool negative = component < 0;
     const Int128 size = shifted_up(widened(negative ? -component : component), 31);
@@ -76,7 +77,7 @@ int leading_zeros(const Int128& u) {
 [[gnu::noinline]] void set_distance(const Fraction& squared, NearestPoints& nearest) {
   constexpr unsigned bits = 16;  // of kFineOne squared
   const Fraction fine = {shifted_up(squared.above, bits), squared.below};
-  nearest.lower = static_cast<uint32_t>(square_root(quotient(fine.above, fine.below)));
+  nearest.lower = static_cast<uint32_t>(long_root(quotient(fine.above, fine.below)));
   const auto root = static_cast<int64_t>(nearest.lower);
   const bool exact = compare({full_product(root, root), {0, 1}}, fine) == 0;
   nearest.upper = nearest.lower + (exact ? 0 : 1);
@@ -95,27 +96,31 @@ int leading_zeros(const Int128& u) {
   nearest.direction = unit_vector(apart);
 }
 
-/// Of two triangles that are nearest.
-[[gnu::noinline]] Features set_nearest(const Triangle& a, const Triangle& b,
-                                       NearestPoints& nearest) {
-  Fraction squared = kInfinite;
-  Features features{};
-  (void)is_nearer(a, b, squared, features);
-  set_distance(squared, nearest);
-  return features;
+[[gnu::noinline]] void set_contact(const Triangle& a, const Triangle& b, NearestPoints& nearest) {
+  nearest.point_a = nearest.point_b = contact_of(a, b).ends[0];
 }
 
 }  // namespace
+
+void get_nearest_points(const Triangle& a, const Triangle& b, const Features& features,
+                        const Fraction& squared, NearestPoints& nearest) noexcept {
+  nearest = {};
+  set_distance(squared, nearest);
+  if (features.kind == FeatureKind::intersection) {
+    set_contact(a, b, nearest);
+  } else {
+    set_points(a, b, features, nearest);
+  }
+}
+
 }  // namespace detail
 
 NearestPoints nearest_points_of(const Triangle& a, const Triangle& b) noexcept {
-  NearestPoints nearest{};
-  const detail::Features features = detail::set_nearest(a, b, nearest);
-  if (features.kind == detail::FeatureKind::intersection) {
-    nearest.point_a = nearest.point_b = contact_of(a, b).ends[0];
-  } else {
-    detail::set_points(a, b, features, nearest);
-  }
+  NearestPoints nearest;
+  detail::Fraction squared = detail::kInfinite;
+  detail::Features features{};
+  (void)detail::is_nearer(a, b, squared, features);
+  detail::get_nearest_points(a, b, features, squared, nearest);
   return nearest;
 }
 

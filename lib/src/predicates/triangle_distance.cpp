@@ -28,10 +28,6 @@ inline Int128 widened(const Int128& u) {
 }
 using detail::widened;
 
-inline Vector edge_of(const Triangle& t, unsigned i) {
-  return difference(t.corner[next(i)], t.corner[i]);
-}
-
 /// What is below a limit, and the least of it; or whether anything is at most a limit.
 class Search {
  public:
@@ -210,6 +206,12 @@ template <class Width>
   }
 }
 
+[[gnu::noinline]] bool above_face(const Point& corner, const Triangle& face, Fraction& squared) {
+  return height_above<In128>(difference(face.corner[1], face.corner[0]),
+                             difference(face.corner[2], face.corner[0]),
+                             difference(corner, face.corner[0]), false, squared);
+}
+
 template <class Width>
 void search_rest(const Triangle& a, const Triangle& b, Search& search) {
   search_beside_edges<Width>(a, b, false, search);
@@ -301,38 +303,26 @@ bool is_within(const Triangle& a, const Triangle& b, const ShortFraction& square
   return search.found();
 }
 
-Axis axis_of(const Triangle& a, const Triangle& b, const Features& features) noexcept {
+Fraction squared_between(const Triangle& a, const Triangle& b, const Features& features) noexcept {
   const unsigned i = features.of_a;
   const unsigned j = features.of_b;
-  // Corners of the features, from A to B.
   const Vector between = difference(b.corner[j], a.corner[i]);
-  const auto beside = [&between](const Vector& edge) {
-    const int64_t length = dot(edge, edge);
-    const int64_t along = dot(between, edge);
-    return LongVector{length * between.x - along * edge.x, length * between.y - along * edge.y,
-                      length * between.z - along * edge.z};
-  };
+  Fraction squared = kZero;
   // A table of jumps would be an indirect one, and no bound of stack sees through those.
   const FeatureKind kind = features.kind;
-  LongVector n = {between.x, between.y, between.z};
-  if (kind == FeatureKind::corner_edge || kind == FeatureKind::edge_corner) {
-    n = beside(kind == FeatureKind::corner_edge ? edge_of(b, j) : edge_of(a, i));
+  if (kind == FeatureKind::corners) {
+    squared = {widened(dot(between, between)), widened(1)};
+  } else if (kind == FeatureKind::corner_edge || kind == FeatureKind::edge_corner) {
+    const bool is_of_b = kind == FeatureKind::corner_edge;
+    (void)beside<In128>(is_of_b ? edge_of(b, j) : edge_of(a, i),
+                        is_of_b ? negated(between) : between, squared);
   } else if (kind == FeatureKind::edges) {
-    n = cross<LongVector>(edge_of(a, i), edge_of(b, j));
-  } else if (kind != FeatureKind::corners) {
-    n = normal_of<LongVector>(kind == FeatureKind::corner_face ? b : a);
+    (void)height_above<In128>(edge_of(a, i), negated(edge_of(b, j)), between, true, squared);
+  } else if (kind != FeatureKind::intersection) {
+    const bool is_of_b = kind == FeatureKind::corner_face;
+    (void)above_face(is_of_b ? a.corner[i] : b.corner[j], is_of_b ? b : a, squared);
   }
-  const auto fits = [](int64_t component) {
-    return component >= -INT32_MAX && component <= INT32_MAX;
-  };
-  if (!fits(n.x) || !fits(n.y) || !fits(n.z)) {
-    return {0, 0, 0, 0};
-  }
-  const auto x = static_cast<int32_t>(n.x);
-  const auto y = static_cast<int32_t>(n.y);
-  const auto z = static_cast<int32_t>(n.z);
-  const int64_t gap = detail::dot(PlaneNormal{x, y, z}, between);
-  return gap < 0 ? Axis{-x, -y, -z, -gap} : Axis{x, y, z, gap};
+  return squared;
 }
 
 void nearest_places(const Triangle& a, const Triangle& b, const Features& features,

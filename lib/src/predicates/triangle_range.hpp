@@ -17,6 +17,11 @@ inline Vector negated(const Vector& v) {
   return {-v.x, -v.y, -v.z};
 }
 
+/// From a corner to the next.
+inline Vector edge_of(const Triangle& t, unsigned i) {
+  return difference(t.corner[next(i)], t.corner[i]);
+}
+
 /// Of the coordinates along one axis.
 struct Range {
   int32_t least;

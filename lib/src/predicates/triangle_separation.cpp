@@ -173,20 +173,6 @@ bool boxes_separate(const Triangle& a, const Triangle& b, int64_t limit,
   return true;
 }
 
-bool Axis::separates(const Triangle& a, const Triangle& b) const noexcept {
-  if (gap == 0) {
-    return false;
-  }
-  const PlaneNormal n = {x, y, z};
-  const Point& from = a.corner[0];
-  const auto along = [&](const Point& corner) { return detail::dot(n, difference(corner, from)); };
-  const auto least = [](int64_t u, int64_t v) { return u < v ? u : v; };
-  const int64_t of_b = least(least(along(b.corner[0]), along(b.corner[1])), along(b.corner[2]));
-  // A's first corner is at 0; no other may be beyond what is left.
-  const int64_t left = of_b - gap;
-  return left >= 0 && along(a.corner[1]) <= left && along(a.corner[2]) <= left;
-}
-
 bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
                          Direction& first) noexcept {
   constexpr int kMostSteps = 6;

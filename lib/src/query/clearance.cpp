@@ -72,19 +72,20 @@ void BasicClearanceQuery<MeshType>::begin_with(const Hint& pair) {
   this->nearest_a = pair.a;
   this->nearest_b = pair.b;
   this->has_nearest = true;
+  this->has_features = false;
   this->intersect = detail::squared_box_gap(a, b) == 0 && detail::triangles_intersect(a, b);
 }
 
 template <class MeshType>
-void BasicClearanceQuery<MeshType>::take(uint32_t i, uint32_t j) {
+bool BasicClearanceQuery<MeshType>::take(uint32_t i, uint32_t j) {
   Triangle a;
   Triangle b;
   get_pair(i, j, a, b);
-  (void)this->test(a, b, i, j);
+  return Predicate::take(a, b, i, j);
 }
 
 template <class MeshType>
-void BasicClearanceQuery<MeshType>::take_leaves(uint32_t& work) {
+FLASHBVH_INLINE inline void BasicClearanceQuery<MeshType>::take_leaves(uint32_t& work) {
   const Mesh& mesh_a = this->mesh_a();
   const Mesh& mesh_b = this->mesh_b();
   const uint32_t leaf_a = mesh_a.nodes[this->nearest_a].leaf();
@@ -97,7 +98,8 @@ void BasicClearanceQuery<MeshType>::take_leaves(uint32_t& work) {
   for (uint32_t b = 0; b < in_b; ++b) {
     for (uint32_t a = 0; a < in_a && !this->intersect; ++a) {
       detail::take_work(work, detail::kTrianglePairWork);
-      take(mesh_a.first_triangle(leaf_a) + a, mesh_b.first_triangle(leaf_b) + b);
+      ++this->tested;
+      (void)take(mesh_a.first_triangle(leaf_a) + a, mesh_b.first_triangle(leaf_b) + b);
     }
   }
 }
@@ -107,11 +109,13 @@ Status BasicClearanceQuery<MeshType>::run_within(uint32_t& work) {
   if (status() != Status::suspended || work == 0) {
     return status();
   }
-  detail::NearestSoFar known;
+  this->prepare();
+  detail::NearestSoFar known(this->transform());
   const uint32_t kept = this->beyond;
   this->so_far = &known;
   if (this->has_nearest) {
-    take(this->nearest_a, this->nearest_b);
+    ++this->tested;
+    (void)take(this->nearest_a, this->nearest_b);
   }
   while (!this->has_nearest && work != 0) {
     if (!descend(work)) {
@@ -120,7 +124,14 @@ Status BasicClearanceQuery<MeshType>::run_within(uint32_t& work) {
   }
   if (!this->intersect && work != 0) {
     (void)this->run_with(
-        work, [this](const TrianglePair<Index>&) { return !this->intersect; },
+        work,
+        [this](const TrianglePair<Index>&) {
+          const TrianglePair<Index> at = this->last_slots();
+          if (!take(at.a, at.b)) {
+            this->uncount_pair();
+          }
+          return !this->intersect;
+        },
         [] { return UINT32_MAX; });
   }
   this->beyond = kept;
@@ -209,12 +220,17 @@ Clearance<typename MeshType::Index> BasicClearanceQuery<MeshType>::result() cons
   Triangle of_a;
   Triangle of_b;
   nearest_triangles(of_a, of_b);
-  const NearestPoints nearest = nearest_points_of(of_a, of_b);
+  detail::Fraction squared = detail::kInfinite;
+  detail::Features features = this->features();
+  if (this->has_features) {
+    squared = detail::squared_between(of_a, of_b, features);
+  } else {
+    (void)detail::is_nearer(of_a, of_b, squared, features);
+  }
+  NearestPoints nearest;
+  detail::get_nearest_points(of_a, of_b, features, squared, nearest);
   known.lower = known.status == Status::done ? nearest.lower : 0;
   if (this->allowance != 0 && known.lower != 0) {
-    detail::Fraction squared = detail::kInfinite;
-    detail::Features features;
-    (void)detail::is_nearer(of_a, of_b, squared, features);
     const int64_t passed_over = detail::largest_below(squared, this->allowance) + 1;
     const auto passed = static_cast<uint32_t>(
         detail::square_root(detail::shifted_up(detail::widened(passed_over), 16)));

@@ -1,7 +1,7 @@
 // The guard: measuring pairs whose certificates are about to run out.
 #include "branch.hpp"
 #include "coordinate.hpp"
-#include "flashbvh/detail/query/leaf_gap.hpp"
+#include "flashbvh/detail/query/within_along.hpp"
 #include "flashbvh/detail/robot/distance_table.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "guard_parts.hpp"

@@ -10,8 +10,10 @@
 
 #include <stdint.h>
 
+#include "flashbvh/detail/lattice/packed_vector.hpp"
 #include "flashbvh/detail/predicates/fraction.hpp"
 #include "flashbvh/lattice.hpp"
+#include "flashbvh/triangle.hpp"
 
 namespace flashbvh::detail {
 
@@ -41,6 +43,14 @@ struct Features {
 bool is_nearer(const Triangle& a, const Triangle& b, Fraction& squared,
                Features& features) noexcept;
 
+/// The squared distance of triangles that are nearest between these features, as is_nearer() has
+/// it.
+Fraction squared_between(const Triangle& a, const Triangle& b, const Features& features) noexcept;
+
+/// The same pair's points and distance, rounded.
+void get_nearest_points(const Triangle& a, const Triangle& b, const Features& features,
+                        const Fraction& squared, NearestPoints& nearest) noexcept;
+
 /// Whether the squared distance is at most `squared`.
 bool is_within(const Triangle& a, const Triangle& b, const ShortFraction& squared) noexcept;
 
@@ -52,20 +62,47 @@ int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept;
 /// The square of the distance of the triangles' boxes: the sum of squared gaps, below 2^36.
 int64_t squared_box_gap(const Triangle& a, const Triangle& b) noexcept;
 
-/// A direction from A to B along which two triangles are as far apart as they are: their nearest
-/// points lie in planes normal to it. Pairs that are `gap` apart along it, in units of it, or more,
-/// are no nearer: exactly, so that equal distances are found, too.
-struct Axis {
-  int32_t x;
-  int32_t y;
-  int32_t z;
-  int64_t gap;  ///< positive; 0: there is none, or its numbers are too large
+/// The planes through the nearest points of two triangles, normal to the line between them. No two
+/// triangles are nearer that planes parallel to these, as far apart or farther, have between them:
+/// exactly, so that equal distances are found, too.
+class SupportPlanes {
+ public:
+  SupportPlanes() : is_any_(false) {}
+  /// Of triangles that do not intersect, between these features.
+  SupportPlanes(const Triangle& a, const Triangle& b, const Features& features) noexcept;
 
-  /// Whether two triangles are as far apart.
+  /// Whether two triangles have such planes between them. Differences within kMaxApart.
   bool separates(const Triangle& a, const Triangle& b) const noexcept;
+  /// From A to B, rounded: the largest component has 13 bits. {0, 0}: there are no planes.
+  PackedVector direction() const noexcept;
+
+ private:
+  /// 2^26 high + low.
+  struct Along {
+    int64_t high;
+    uint32_t low;
+
+    bool operator<(const Along& other) const {
+      return high < other.high || (high == other.high && low < other.low);
+    }
+  };
+  void set_normal(int64_t x, int64_t y, int64_t z, int64_t scale) noexcept;
+  Along along(const Point& to, const Point& from) const noexcept;
+  int64_t high_along(const Point& to, const Point& from) const noexcept {
+    return int64_t{high_[0]} * (to.x - from.x) + int64_t{high_[1]} * (to.y - from.y) +
+           int64_t{high_[2]} * (to.z - from.z);
+  }
+  [[gnu::noinline]] bool separates_exactly(const Triangle& a, const Triangle& b) const noexcept;
+
+  // The normal, scaled, in two parts.
+  int32_t high_[3];
+  uint32_t low_[3];
+  // How far the planes are apart along it, in two parts.
+  uint32_t low_apart_;
+  bool is_any_;
+  bool has_low_;
+  int64_t high_apart_;
 };
-/// Of triangles that do not intersect, between these features.
-Axis axis_of(const Triangle& a, const Triangle& b, const Features& features) noexcept;
 
 /// A direction of 10 bits a component, in a word; 0: none.
 struct Direction {

@@ -17,8 +17,8 @@
 //     test(a, b, i, j)        unless kIntersects: whether two triangles in A's frame are an answer,
 //                             A's i-th and B's j-th; may change the predicate
 //     KeepsBound              a type, void, if not only a rotated B has a bound with a state: then
-//                             is_kept(transform) decides, and kept(transform) makes it, not
-//                             rotated()
+//                             is_kept(transform) decides, unless kAlwaysKeepsBound, and
+//                             kept(transform) makes it, not rotated()
 //     error_of(transform, a, b)   unless kDisjointRootsEnd: what is wrong with the predicate
 // Box tests are the predicate's to widen; a test may only say yes where they do not say no.
 #ifndef FLASHBVH_DETAIL_QUERY_INTERSECTION_HPP
@@ -36,6 +36,7 @@ namespace flashbvh::detail {
 /// The box test with a state, of a predicate and where B lies.
 template <class Predicate, class = void>
 struct StatefulBoxTest {
+  static constexpr bool kAlways = false;
   /// Whether a walk takes it.
   FLASHBVH_INLINE static bool is_for(const Predicate& /*predicate*/, const Transform& transform) {
     return transform.is_rotated();
@@ -46,6 +47,7 @@ struct StatefulBoxTest {
 };
 template <class Predicate>
 struct StatefulBoxTest<Predicate, typename Predicate::KeepsBound> {
+  static constexpr bool kAlways = Predicate::kAlwaysKeepsBound;
   FLASHBVH_INLINE static bool is_for(const Predicate& predicate, const Transform& transform) {
     return predicate.is_kept(transform);
   }

@@ -1,4 +1,4 @@
-// The predicates of distance: which triangles are within d of each other, and which are nearest.
+// The predicate of bands: which triangles are within a distance of each other.
 #ifndef FLASHBVH_DETAIL_QUERY_PROXIMITY_HPP
 #define FLASHBVH_DETAIL_QUERY_PROXIMITY_HPP
 
@@ -16,6 +16,7 @@ namespace flashbvh::detail {
 struct ProximityPredicate {
   static constexpr int64_t kMostLimit = int64_t{1} << 35;
   using KeepsBound = void;
+  static constexpr bool kAlwaysKeepsBound = false;
   static constexpr bool kIntersects = false;
   template <class Mesh>
   using Shapes = ProximityPlanes<Mesh>;
@@ -78,71 +79,6 @@ struct Within : ProximityPredicate {
   GapLimit limit() const { return GapLimit(squared()); }
   bool may_matter(const Transform& transform, const PackedBox& a, const PackedBox& b) const {
     return kept(transform)(a, b);
-  }
-};
-
-/// What a run knows of the nearest pair so far: worked out of the pair when the run begins.
-struct NearestSoFar {
-  Fraction least = kInfinite;  ///< squared distance
-  int64_t limit = INT64_MAX;   ///< the largest squared gap that still matters
-  Axis axis = {0, 0, 0, 0};
-  Direction direction;
-};
-
-/// Which triangles are nearer than all that were tested before: the last answer is the nearest.
-///
-/// `allowance`, in 2^-16: the nearest that is found may be farther than the nearest by so much of
-/// its distance.
-template <class Index>
-struct Nearest : ProximityPredicate {
-  static constexpr uint32_t kBatch = 1;
-  static constexpr uint32_t kPairWork = kTrianglePairWork;
-  static constexpr uint32_t kDearWork = 0;
-  static constexpr bool kKeepsShapes = true;
-
-  uint32_t tested = 0;  ///< pairs of triangles
-  union {
-    uint32_t beyond = 0;   ///< between runs: by how much at most B was put nearer, in 1/256 cell
-    NearestSoFar* so_far;  ///< the run's, while it lasts
-  };
-  Index nearest_a = 0;  ///< the positions of the nearest so far
-  Index nearest_b = 0;
-  uint16_t allowance = 0;
-  bool has_nearest = false;  ///< whether there is a nearest
-  bool intersect = false;
-
-  bool is_kept(const Transform& transform) const {
-    return KeptGap::is_for(transform, GapLimit(so_far->limit));
-  }
-  KeptGap kept(const Transform& transform) const { return {transform, GapLimit(so_far->limit)}; }
-  TranslatedGap translated(const TranslatedTransform& transform) const {
-    return {transform.offset, GapLimit(so_far->limit)};
-  }
-
-  template <class Mesh>
-  Status error_of(const Transform&, const Mesh&, const Mesh&) const {
-    return Status::done;
-  }
-
-  bool test(const Triangle& a, const Triangle& b, uint32_t i, uint32_t j) {
-    const int64_t limit = so_far->limit;
-    ++tested;
-    if (so_far->axis.separates(a, b) || squared_box_gap(a, b) > limit ||
-        (limit < kMostLimit &&
-         (directions_separate(a, b, limit, so_far->direction) || planes_separate(a, b, limit)))) {
-      return false;
-    }
-    Features features;
-    if (!is_nearer(a, b, so_far->least, features)) {
-      return false;
-    }
-    nearest_a = static_cast<Index>(i);
-    nearest_b = static_cast<Index>(j);
-    has_nearest = true;
-    intersect = features.kind == FeatureKind::intersection;
-    so_far->limit = largest_below(so_far->least, allowance);
-    so_far->axis = intersect ? Axis{0, 0, 0, 0} : axis_of(a, b, features);
-    return true;
   }
 };
 

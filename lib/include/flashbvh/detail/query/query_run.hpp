@@ -49,6 +49,10 @@ class QueryRun : protected Predicate {
   [[nodiscard]] Status error() const { return error_; }
   /// Records an error found by a derived query.
   void refuse(Status error) { error_ = error; }
+  /// For what a derived query does before its first walk.
+  void prepare() { transform_.prepare(*b_); }
+  /// The pair that a sink was handed is none, after all.
+  void uncount_pair() { --stats_.triangle_pairs; }
   /// Counts a visit outside the walk.
   void count_visit() { ++stats_.visits; }
   /// Runs and leaves in `work` what is left of it. `room()`: for how many more pairs `sink` has
@@ -240,9 +244,7 @@ class QueryRun : protected Predicate {
     const uint32_t granted = work < Batch::kMostWork ? work : Batch::kMostWork;
     WalkRun<Cursor, Batch> run(cursor_, batch, granted);
     batch.clear(run.progress, room, Predicate::kIntersects && state_ == State::fresh);
-    const State end = StatefulBoxTest<Predicate>::is_for(*this, transform_)
-                          ? walk_rotated(shapes, run)
-                          : walk_translated(shapes, run);
+    const State end = walk_by_bound(shapes, run);
     batch.end(run.progress);
     uint32_t spent = granted - run.progress.work_left;
     if (granted == Batch::kMostWork && (end == State::at_pair || batch.has_unpaid())) {
@@ -250,6 +252,14 @@ class QueryRun : protected Predicate {
     }
     take_work(work, spent);
     return end;
+  }
+  FLASHBVH_INLINE State walk_by_bound(Shapes& shapes, WalkRun<Cursor, Batch>& run) {
+    if constexpr (StatefulBoxTest<Predicate>::kAlways) {
+      return walk_rotated(shapes, run);
+    } else {
+      return StatefulBoxTest<Predicate>::is_for(*this, transform_) ? walk_rotated(shapes, run)
+                                                                   : walk_translated(shapes, run);
+    }
   }
   FLASHBVH_NOINLINE State walk_translated(Shapes& shapes, WalkRun<Cursor, Batch>& run) {
     const auto& bound = Predicate::translated(transform_.translated());

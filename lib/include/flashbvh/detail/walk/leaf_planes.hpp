@@ -27,7 +27,8 @@ class LeafPlanes : protected BoxTests {
  public:
   using Tree = Mesh;
   static constexpr bool kShapes = true;
-  static constexpr bool kReadsBoxTest = false;                           ///< of a translation
+  static constexpr bool kReadsBoxTest = false;  ///< of a translation
+  static constexpr bool kComparesLeaves = false;
   static constexpr bool kKnowsRoot = sizeof(typename Mesh::Index) == 2;  ///< there is room
 
   LeafPlanes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
@@ -90,6 +91,7 @@ class LeafPlanes : protected BoxTests {
   void keep_root(uint32_t root) { root_ = static_cast<uint16_t>(root); }
   uint32_t kept_root() const { return root_; }
   Side leaf_side() const { return side_; }
+  uint32_t leaf() const { return node_->leaf(); }
 
   const Mesh& a;
   const Mesh& b;

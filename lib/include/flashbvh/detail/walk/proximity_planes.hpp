@@ -24,6 +24,7 @@ class ProximityPlanes : LeafPlanes<Mesh> {
   using Tree = Mesh;
   static constexpr bool kShapes = true;
   static constexpr bool kReadsBoxTest = true;
+  static constexpr bool kComparesLeaves = false;
 
   ProximityPlanes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
       : Base(mesh_a, mesh_b, transform) {}
@@ -34,6 +35,7 @@ class ProximityPlanes : LeafPlanes<Mesh> {
   using Base::keep_root;
   using Base::kept_root;
   using Base::kKnowsRoot;
+  using Base::leaf;
   using Base::leaf_side;
   using Base::work_of;
 

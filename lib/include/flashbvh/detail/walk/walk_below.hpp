@@ -6,7 +6,8 @@
 // on below it; it is shapes.work_of(side, node). And shapes.may_touch(box) tests the other tree's
 // boxes; where a walk is in it follows from the pair. An order with a stack leaves it alone
 // meanwhile. Without shapes the order goes there as the paper has it. Shapes that have kKnowsRoot
-// keep below which node a walk stopped, for the next one of the same run.
+// keep below which node a walk stopped, for the next one of the same run. Those that have
+// kComparesLeaves look at the triangles of the other leaf, too, by shapes.may_touch_leaf(node).
 #ifndef FLASHBVH_DETAIL_WALK_WALK_BELOW_HPP
 #define FLASHBVH_DETAIL_WALK_WALK_BELOW_HPP
 
@@ -65,7 +66,12 @@ FLASHBVH_NOINLINE State walk_below(Shapes& shapes, Run& run, uint32_t root, bool
   using Tree = typename Shapes::Tree;
   Subtree<typename Tree::Index, Tree::kLayout> at(run.side == Side::a ? shapes.b : shapes.a, root,
                                                   run.node);
-  const auto found = [&run](uint32_t other) {
+  const auto found = [&](uint32_t other) {
+    if constexpr (Shapes::kComparesLeaves) {
+      if (!shapes.may_touch_leaf(other)) {
+        return true;
+      }
+    }
     const bool leaf_is_a = run.side == Side::a;
     return run.found(leaf_is_a ? run.leaf : other, leaf_is_a ? other : run.leaf);
   };

@@ -1,80 +1,18 @@
 // Compares triangles of two leaves where they lie in flash, along the direction that separated the
 // last two: a walk at a distance tests hundreds of pairs, and places only a few.
-#ifndef FLASHBVH_DETAIL_QUERY_LEAF_GAP_HPP
-#define FLASHBVH_DETAIL_QUERY_LEAF_GAP_HPP
+#ifndef FLASHBVH_DETAIL_QUERY_WITHIN_ALONG_HPP
+#define FLASHBVH_DETAIL_QUERY_WITHIN_ALONG_HPP
 
 #include <stdint.h>
 
 #include "flashbvh/detail/arch/inline.hpp"
-#include "flashbvh/detail/bounds/slab.hpp"
+#include "flashbvh/detail/bounds/leaf_gap.hpp"
 #include "flashbvh/detail/bounds/transform.hpp"
-#include "flashbvh/detail/lattice/packed_vector.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "flashbvh/detail/query/proximity.hpp"
 #include "flashbvh/detail/query/triangle_test.hpp"
 
 namespace flashbvh::detail {
-
-/// A direction as both lattices see it, and how far two triangles have to be apart along it. What
-/// rotating it can be off by is that of a slab of A, seen from B (slab.hpp).
-class LeafGap {
- public:
-  /// Along no direction: nothing is apart.
-  LeafGap() : on_a_{0, 0}, on_b_{0, 0}, origin_(0), squared_(1) {}
-
-  /// `limit`: the largest squared distance that still matters.
-  LeafGap(const Direction& direction, const Transform& transform, int64_t limit)
-      : on_a_(scaled(direction)), squared_(static_cast<uint64_t>(limit + 1) * squared(on_a_)) {
-    Slab slab;
-    slab.begin(on_a_, {0, 0});
-    if (transform.is_rotated()) {
-      slab.rotate(transform, Side::a);
-    } else {
-      slab.translate(transform.translated().offset, Side::a);
-    }
-    on_b_ = slab.seen_direction();
-    origin_ = slab.least_lower() - slab.row().sum() * kBoundBias;
-  }
-
-  /// Where a triangle of A ends, and one of B begins, along the direction.
-  template <class Mesh>
-  int32_t end_of_a(const Mesh& a, uint32_t position) const {
-    return corners_of(a, position).extent(on_a_).most;
-  }
-  template <class Mesh>
-  int32_t start_of_b(const Mesh& b, uint32_t position) const {
-    return corners_of(b, position).extent(on_b_).least + origin_;
-  }
-  /// Whether what ends and what begins there is farther apart than the limit.
-  bool separates(int32_t end_of_a, int32_t start_of_b) const {
-    if (start_of_b <= end_of_a) {
-      return false;
-    }
-    const uint64_t gap = static_cast<uint32_t>(start_of_b) - static_cast<uint32_t>(end_of_a);
-    return gap * gap >= squared_;
-  }
-
- private:
-  /// From 10 bits to the 13 of a slab's.
-  static PackedVector scaled(const Direction& direction) {
-    const auto component = [&](int up) {
-      return (static_cast<int32_t>(direction.packed << up) >> 22) * 16;
-    };
-    return {join_halves(static_cast<uint16_t>(component(22)), static_cast<uint16_t>(component(12))),
-            component(2)};
-  }
-  template <class Mesh>
-  FLASHBVH_INLINE static PackedTriangle corners_of(const Mesh& mesh, uint32_t position) {
-    const auto& corner = mesh.triangles[position].corner;
-    const auto at = [&](int i) { return PackedVector::of(mesh.vertices[corner[i]]); };
-    return {at(0), at(1), at(2)};
-  }
-
-  PackedVector on_a_;
-  PackedVector on_b_;
-  int32_t origin_;    ///< of B's lattice along the direction, less what it can be off by
-  uint64_t squared_;  ///< of the least gap beyond the limit, in units of the direction
-};
 
 /// The same question as Within, for walks that a guard takes many times: in slices, of which most
 /// end with "no".
@@ -99,7 +37,17 @@ struct WithinAlong : Within {
   }
   /// Along what separated the last two.
   LeafGap gap(const Transform& transform) const {
-    return direction.packed != 0 ? LeafGap(direction, transform, squared()) : LeafGap();
+    return direction.packed != 0 ? LeafGap(scaled(direction), transform, squared()) : LeafGap();
+  }
+
+ private:
+  /// From 10 bits to the 13 of a slab's.
+  static PackedVector scaled(const Direction& from) {
+    const auto component = [&](int up) {
+      return (static_cast<int32_t>(from.packed << up) >> 22) * 16;
+    };
+    return {join_halves(static_cast<uint16_t>(component(22)), static_cast<uint16_t>(component(12))),
+            component(2)};
   }
 };
 

@@ -1,0 +1,250 @@
+// The predicate of distance: which triangles are nearest.
+//
+// The nearest pair so far has a direction, from its point on A to that on B. Most other boxes,
+// leaves and triangles are farther apart along it, and are rejected there, as they lie in flash,
+// before anything is rotated.
+#ifndef FLASHBVH_DETAIL_QUERY_NEAREST_HPP
+#define FLASHBVH_DETAIL_QUERY_NEAREST_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/arch/inline.hpp"
+#include "flashbvh/detail/bounds/gap.hpp"
+#include "flashbvh/detail/bounds/leaf_gap.hpp"
+#include "flashbvh/detail/bounds/transform.hpp"
+#include "flashbvh/detail/predicates/triangle_distance.hpp"
+#include "flashbvh/detail/query/proximity.hpp"
+#include "flashbvh/detail/query/triangle_test.hpp"
+#include "flashbvh/detail/walk/proximity_planes.hpp"
+#include "flashbvh/status.hpp"
+
+namespace flashbvh::detail {
+
+/// What a run knows of the nearest pair so far: worked out of the pair when the run begins.
+struct NearestSoFar {
+  // Where there are no planes, their numbers are not read.
+  // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject)
+  explicit NearestSoFar(const Transform& where) : transform(where) {}
+
+  const Transform& transform;  ///< prepared
+  Direction direction;         ///< that separated two triangles last
+  Fraction least = kInfinite;  ///< squared distance
+  int64_t limit = INT64_MAX;   ///< the largest squared gap that still matters
+  SupportPlanes planes;        ///< of the nearest triangles
+  SupportGap along;            ///< the direction between the nearest points
+  uint16_t turns = 0;          ///< how often both changed
+
+  /// These triangles are the nearest, and do not intersect. Apart, so that no frame below a test
+  /// holds what this makes.
+  FLASHBVH_NOINLINE void turn(const Triangle& a, const Triangle& b, const Features& features) {
+    planes = SupportPlanes(a, b, features);
+    ++turns;
+    along = limit < ProximityPredicate::kMostLimit
+                ? SupportGap(LeafGap(planes.direction(), transform, limit))
+                : SupportGap();
+  }
+};
+
+/// A walk's bound: along the direction first, which takes least.
+class NearestGap {
+ public:
+  NearestGap(const Transform& transform, const NearestSoFar& so_far) : so_far_(&so_far) {
+    const GapLimit limit(so_far.limit);
+    is_kept_ = KeptGap::is_for(transform, limit);
+    if (is_kept_) {
+      kept_ = KeptGap(transform, limit);
+    } else {
+      translated_ = TranslatedGap(transform.translated().offset, limit);
+    }
+  }
+
+  FLASHBVH_INLINE bool operator()(const PackedBox& a, const PackedBox& b) {
+    return !so_far_->along.separates(a, b) && (is_kept_ ? kept_(a, b) : translated_(a, b));
+  }
+  const NearestSoFar& so_far() const { return *so_far_; }
+  /// Calls `set` with the test that it is beyond the direction.
+  template <class Set>
+  FLASHBVH_INLINE void give(const Set& set) {
+    is_kept_ ? set(kept_) : set(translated_);
+  }
+
+ private:
+  const NearestSoFar* so_far_;
+  union {
+    KeptGap kept_;
+    TranslatedGap translated_;
+  };
+  bool is_kept_;
+};
+
+/// A leaf as a shape: first where its triangles end along the direction.
+template <class Mesh>
+class NearestPlanes : public ProximityPlanes<Mesh> {
+  using Base = ProximityPlanes<Mesh>;
+
+ public:
+  static constexpr bool kComparesLeaves = true;
+  using Base::Base;
+
+  void set_box_test(NearestGap& bound) {
+    bound.give([&](auto& beyond) { this->Base::set_box_test(beyond); });
+    so_far_ = &bound.so_far();
+    if (turns_ != so_far_->turns && this->leaf_side() != Side::none) {
+      take_end(this->leaf_side(), this->leaf());
+    }
+  }
+  FLASHBVH_INLINE bool begin(Side side, uint32_t node, const PackedBox* reached) {
+    take_end(side, (side == Side::a ? this->a : this->b).nodes[node].leaf());
+    return (reached == nullptr || may_reach(*reached)) && Base::begin(side, node, reached);
+  }
+  FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
+    return may_reach(box) && Base::may_touch(box);
+  }
+  /// The same of the triangles of a leaf of the other tree, by its node, along the direction.
+  FLASHBVH_NOINLINE bool may_touch_leaf(uint32_t node) const {
+    const bool is_of_a = this->leaf_side() == Side::b;
+    const Mesh& mesh = is_of_a ? this->a : this->b;
+    const SupportGap& along = so_far_->along;
+    return along.end_of(mesh, is_of_a ? Side::a : Side::b, mesh.nodes[node].leaf()) > most_;
+  }
+
+ private:
+  FLASHBVH_NOINLINE void take_end(Side side, uint32_t leaf) {
+    const SupportGap& along = so_far_->along;
+    turns_ = so_far_->turns;
+    row_ = &along.row_beside(side);
+    most_ = along.most_beside(along.end_of(side == Side::a ? this->a : this->b, side, leaf));
+  }
+  FLASHBVH_INLINE bool may_reach(const PackedBox& box) const {
+    return SupportGap::end_along(*row_, box) > most_;
+  }
+
+  const NearestSoFar* so_far_ = nullptr;
+  const SplitRow* row_ = nullptr;
+  int32_t most_ = SupportGap::kNothing;
+  uint16_t turns_ = 0;
+};
+
+/// Which triangles may be nearer than all that were tested before. The caller measures
+/// them exactly, by take(), so that no frame of a test is below that.
+///
+/// `allowance`, in 2^-16: the nearest that is found may be farther than the nearest by so much of
+/// its distance.
+template <class Index>
+struct Nearest : ProximityPredicate {
+  template <class Mesh>
+  using Shapes = NearestPlanes<Mesh>;
+  static constexpr bool kAlwaysKeepsBound = true;
+  static constexpr uint32_t kBatch = 1;
+  static constexpr uint32_t kPairWork = kTrianglePairWork;
+  static constexpr uint32_t kDearWork = 0;
+  static constexpr bool kKeepsShapes = true;
+
+  uint32_t tested = 0;  ///< pairs of triangles
+  union {
+    uint32_t beyond = 0;   ///< between runs: by how much at most B was put nearer, in 1/256 cell
+    NearestSoFar* so_far;  ///< the run's, while it lasts
+  };
+  Index nearest_a = 0;  ///< the positions of the nearest so far
+  Index nearest_b = 0;
+  uint16_t allowance = 0;
+  bool has_nearest : 1;   ///< whether there is a nearest
+  bool intersect : 1;     ///< whether it does
+  bool has_features : 1;  ///< whether it is known between which features it is nearest
+  uint8_t of_a : 2;
+  uint8_t of_b : 2;
+  FeatureKind kind;
+
+  Nearest()
+      : has_nearest(false),
+        intersect(false),
+        has_features(false),
+        of_a(0),
+        of_b(0),
+        kind(FeatureKind::intersection) {}
+
+  Features features() const { return {kind, of_a, of_b}; }
+
+  NearestGap kept(const Transform& transform) const { return {transform, *so_far}; }
+
+  template <class Mesh>
+  Status error_of(const Transform&, const Mesh&, const Mesh&) const {
+    return Status::done;
+  }
+
+  /// Whether two triangles may be nearer; none of those that are is left out. `may_tie`: whether
+  /// they may be exactly as far apart as the nearest.
+  FLASHBVH_NOINLINE bool test(const Triangle& a, const Triangle& b, uint32_t /*i*/, uint32_t /*j*/,
+                              bool may_tie = true) const {
+    const int64_t limit = so_far->limit;
+    return !((may_tie && so_far->planes.separates(a, b)) || squared_box_gap(a, b) > limit ||
+             (limit < kMostLimit && (directions_separate(a, b, limit, so_far->direction) ||
+                                     planes_separate(a, b, limit))));
+  }
+  /// Whether they are; then they are the nearest.
+  bool take(const Triangle& a, const Triangle& b, uint32_t i, uint32_t j) {
+    Features features;
+    if (!is_nearer(a, b, so_far->least, features)) {
+      return false;
+    }
+    nearest_a = static_cast<Index>(i);
+    nearest_b = static_cast<Index>(j);
+    has_nearest = true;
+    intersect = features.kind == FeatureKind::intersection;
+    has_features = true;
+    of_a = features.of_a & 3;
+    of_b = features.of_b & 3;
+    kind = features.kind;
+    so_far->limit = largest_below(so_far->least, allowance);
+    if (!intersect) {
+      so_far->turn(a, b, features);
+    }
+    return true;
+  }
+};
+
+/// Triangles are placed that the direction does not separate.
+template <class Index, class Mesh>
+class TriangleTest<Nearest<Index>, Mesh, false> {
+ public:
+  TriangleTest(Nearest<Index>& predicate, const Mesh& a, const Mesh& b, const Transform& transform)
+      : predicate_(predicate), a_(a), b_(b), transform_(transform) {}
+
+  bool take_b(uint32_t of_b, const PackedBox* /*box_a*/) {
+    if (of_b != kept_) {
+      kept_ = of_b;
+      is_placed_ = false;
+      end_ = predicate_.so_far->along.end_of_triangle(b_, Side::b, of_b);
+    }
+    return true;
+  }
+  FLASHBVH_INLINE bool operator()(uint32_t of_a) {
+    const SupportGap& along = predicate_.so_far->along;
+    ++predicate_.tested;
+    const int32_t end = along.end_of_triangle(a_, Side::a, of_a);
+    if (along.separates(end, end_)) {
+      return false;
+    }
+    if (!is_placed_) {
+      is_placed_ = true;
+      transform_triangle(b_, kept_, transform_, kept_b_);
+    }
+    Triangle a;
+    translate_triangle(a_, of_a, kNoOffset, a);
+    return predicate_.test(a, kept_b_, of_a, kept_, along.nearly_separates(end, end_));
+  }
+
+ private:
+  Nearest<Index>& predicate_;
+  const Mesh& a_;
+  const Mesh& b_;
+  const Transform& transform_;
+  uint32_t kept_ = UINT32_MAX;
+  int32_t end_ = 0;  ///< of B's triangle, along the direction
+  bool is_placed_ = false;
+  Triangle kept_b_;
+};
+
+}  // namespace flashbvh::detail
+
+#endif
