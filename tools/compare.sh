@@ -72,14 +72,14 @@ bake() {
   quietly "$flashbvh" bake "$@" -o "$meshes/searched" --format image --leaf-size 1
 }
 
-# on_board BOARD: its instructions, for page.py.
+# on_board BOARD FIGURES OUTPUT: its instructions for the meshes in a folder, for page.py.
 on_board() {
-  quietly cmake -S tools/compare/firmware -B "$folder/$1" -G Ninja -DFLASHBVH_BOARD="$1" \
+  quietly cmake -S tools/compare/firmware -B "$folder/$3" -G Ninja -DFLASHBVH_BOARD="$1" \
     -DCMAKE_TOOLCHAIN_FILE="$PWD/ports/toolchain/arm-none-eabi.cmake" \
-    -DCOMPARE_ODE_SOURCE="$ode" -DCOMPARE_FIGURES="$PWD/build/figures"
-  quietly cmake --build "$folder/$1"
-  FLASHBVH_TIMEOUT=600 FLASHBVH_ICOUNT=8 ports/run "$1" "$folder/$1/bin/compare_firmware.elf" \
-    >"$folder/$1.txt"
+    -DCOMPARE_ODE_SOURCE="$ode" -DCOMPARE_FIGURES="$2"
+  quietly cmake --build "$folder/$3"
+  FLASHBVH_TIMEOUT=600 FLASHBVH_ICOUNT=8 ports/run "$1" "$folder/$3/bin/compare_firmware.elf" \
+    >"$folder/$3.txt"
 }
 
 # cached NAME: what CMake has of that name for the program.
@@ -110,7 +110,10 @@ measure() {
 
   quietly cmake -S tools/compare -B "$program" -G Ninja -DCOMPARE_ODE_SOURCE="$ode"
   quietly cmake --build "$program"
-  for board in $boards; do on_board "$board"; done
+  for board in $boards; do
+    on_board "$board" "$PWD/build/figures" "$board"
+    on_board "$board" "$PWD/build/figures/meshes" "$board-others"
+  done
   "$program/compare" "$meshes" crate-brick $pairs >"$folder/lines.txt"
 }
 

@@ -1,8 +1,8 @@
 """page.py PAGE FOLDER BOARD...: prints the tables of PAGE, lib/docs/comparison.md, and rewrites them in place.
 
 A block of the page below a comment, `<!-- part -->`, is made of the measurements, in FOLDER: lines.txt,
-which `compare` printed, BOARD.txt, which compare_firmware printed, and the file `with`, the libraries'
-versions. Status 1, and the old page, if a twentieth of the pairs of triangles differs, or a distance by
+which `compare` printed, BOARD.txt and BOARD-others.txt, which compare_firmware printed of the robot's links
+and of other meshes, and the file `with`, the libraries' versions. Status 1, and the old page, if a twentieth of the pairs of triangles differs, or a distance by
 more than a cell: then something is set up wrong.
 """
 import re
@@ -169,24 +169,58 @@ def approximations(file):
             title, sizes[kind][0] / sizes[kind][1], *shares[:3], 100 - shares[3])
 
 
-def board(file):
-    """Instructions a query."""
+def costs_in(file):
+    """The core; of each pair of meshes, motion, class and library the mean, the most, and pairs found."""
     core, of = "", {}
     for core, *key, mean, most, found in words_of(file):
         of[tuple(key)] = float(mean), float(most), int(found)
     if not core:
         sys.exit(f"page.py: nothing in {file}")
+    return core, of
+
+
+def board(file):
+    """Instructions a query, of the robot's links: each pair has as many poses."""
+    core, of = costs_in(file)
     libraries = "flashbvh", "opcode", "float"
-    yield f"{core}, instructions a query"
+    meshes = list(dict.fromkeys(key[0] for key in of))
+
+    def costs(*key):
+        means, mosts, found = zip(*(of[(pair, *key)] for pair in meshes))
+        return sum(means) / len(means), max(mosts), sum(found)
+
+    yield f"{core}, instructions a query of the robot's links"
     yield ""
     yield "                                                  flashbvh                OPCODE         a tree in floats"
     yield "B           class                         mean       most       mean       most       mean       most"
     for motion in MOTIONS:
         for kind, title in QUERIES:
             yield "%-10s  %-23s" % (motion, title) + "".join(
-                "  %9d  %9d" % of[motion, kind, library][:2] for library in libraries)
-    pairs = (of[motion, "intersecting", library][2] for library in libraries for motion in MOTIONS)
+                "  %9d  %9d" % costs(motion, kind, library)[:2] for library in libraries)
+    pairs = (costs(motion, "intersecting", library)[2] for library in libraries for motion in MOTIONS)
     yield "pairs found: flashbvh %d and %d, OPCODE %d and %d, the tree in floats %d and %d" % tuple(pairs)
+    yield ""
+
+
+def board_ratios(*files):
+    """flashbvh's instructions, divided by the others': of all pairs of meshes, geometric, and of the worst."""
+    core, of = costs_in(files[0])
+    of = {key: costs for file in files for key, costs in costs_in(file)[1].items()}
+    meshes = list(dict.fromkeys(key[0] for key in of))
+    yield f"{core}, instructions of flashbvh, divided by another's"
+    yield ""
+    yield f"meshes: {' '.join(meshes)}"
+    yield ""
+    yield "                                           OPCODE              a tree in floats"
+    yield "B           class                      mean  worst pair         mean  worst pair"
+    for motion in MOTIONS:
+        for kind, title in QUERIES:
+            cells = ""
+            for library in "opcode", "float":
+                ratios = [of[pair, motion, kind, "flashbvh"][0] / of[pair, motion, kind, library][0]
+                          for pair in meshes]
+                cells += "  %6.2f  %10.2f     " % (exp(sum(map(log, ratios)) / len(ratios)), max(ratios))
+            yield f"{motion:10}  {title:23}{cells}".rstrip()
     yield ""
 
 
@@ -194,6 +228,8 @@ def main(page, folder, *boards):
     file = folder / "lines.txt"
     parts = {"times": list(times(file)), "known": list(known(file)), "heap": list(heap(file)),
              "boards": [line for name in boards for line in board(folder / f"{name}.txt")],
+             "ratios": [line for name in boards for line in board_ratios(folder / f"{name}.txt",
+                                                                         folder / f"{name}-others.txt")],
              "approximations": list(approximations(file))}
     print("\n".join(line for part in parts.values() for line in part))
     if "DIFFERS" in parts["times"][-1]:

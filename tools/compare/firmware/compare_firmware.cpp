@@ -1,6 +1,6 @@
-// Instructions of a query by flashbvh, OPCODE and a tree in floats, class by class, on
-// the links of a KUKA KR5: the poses of lib/docs/figures.md. Prints lines:
-//     CORE MOTION CLASS LIBRARY mean most pairs-found
+// Instructions of a query by flashbvh, OPCODE and a tree in floats, of each pair of meshes and
+// class of poses of lib/docs/figures.md. Prints lines:
+//     CORE A-B MOTION CLASS LIBRARY mean most pairs-found
 #include <initializer_list>
 
 #include "asked.hpp"
@@ -49,9 +49,10 @@ struct Cost {
     most = instructions > most ? instructions : most;
     ++count;
   }
-  void print(const char* motion, const char* name, const char* library) const {
-    port::print(FLASHBVH_CORE " ", motion, " ", name, " ", library, " ",
-                static_cast<uint32_t>(sum / count), " ", most, " ", found, "\n");
+  void print(const AskedPair& pair, const char* motion, const char* name,
+             const char* library) const {
+    port::print(FLASHBVH_CORE " ", pair.a_name, "-", pair.b_name, " ", motion, " ", name, " ",
+                library, " ", static_cast<uint32_t>(sum / count), " ", most, " ", found, "\n");
   }
 };
 
@@ -65,21 +66,18 @@ struct Named {
   Library& library;
 };
 
-void query_class(const char* motion, bool is_rotated, uint32_t proximity, const Named& named) {
+void query_class(const AskedPair& pair, bool is_rotated, uint32_t proximity, const Named& named) {
+  const char* const motion = is_rotated ? "rotated" : "translated";
   Cost all;
   Cost first;
-  for (uint32_t p = 0; p < kAskedPairCount; ++p) {
-    const AskedPair& pair = kAskedPairs[p];
-    named.library.set_meshes(*pair.a, *pair.b);
-    for (const Asked& asked : (is_rotated ? pair.rotated : pair.translated)[proximity]) {
-      named.library.set_pose(pose_of(asked));
-      all.add(named.library, false);
-      first.add(named.library, true);
-    }
+  for (const Asked& asked : (is_rotated ? pair.rotated : pair.translated)[proximity]) {
+    named.library.set_pose(pose_of(asked));
+    all.add(named.library, false);
+    first.add(named.library, true);
   }
-  all.print(motion, kProximityNames[proximity], named.name);
+  all.print(pair, motion, kProximityNames[proximity], named.name);
   if (static_cast<Proximity>(proximity) == Proximity::intersecting) {
-    first.print(motion, "first", named.name);
+    first.print(pair, motion, "first", named.name);
   }
 }
 
@@ -90,10 +88,14 @@ int main() {
   const compare::Named all[] = {{"flashbvh", compare::flashbvh_itself()},
                                 {"opcode", compare::opcode()},
                                 {"float", compare::float_tree()}};
-  for (const bool is_rotated : {false, true}) {
-    for (uint32_t i = 0; i < kProximities; ++i) {
-      for (const compare::Named& named : all) {
-        compare::query_class(is_rotated ? "rotated" : "translated", is_rotated, i, named);
+  for (uint32_t p = 0; p < kAskedPairCount; ++p) {
+    const AskedPair& pair = kAskedPairs[p];
+    for (const compare::Named& named : all) {
+      named.library.set_meshes(*pair.a, *pair.b);
+      for (const bool is_rotated : {false, true}) {
+        for (uint32_t i = 0; i < kProximities; ++i) {
+          compare::query_class(pair, is_rotated, i, named);
+        }
       }
     }
   }
