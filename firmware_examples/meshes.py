@@ -8,6 +8,10 @@
     link AROUND RINGS PARTS RADIUS TUBE     along y: two half balls of RINGS rings, between them a tube in
                                             PARTS
     room                                    5 x 4 x 2.5 m with a pillar, a table and shelves, in millimetres
+    lump PARTS RADIUS                       a ball with bumps, 12 * PARTS^2 triangles, all well shaped
+    limb AROUND PARTS RADIUS LENGTH         a bent bone, 2 * AROUND * PARTS triangles
+    gear TEETH RINGS RADIUS                 a spur gear with a bore, of well-shaped triangles
+    turned AROUND RADIUS LENGTH             a part from a lathe: AROUND slivers on each of its ten faces
 """
 import sys
 from math import copysign, cos, pi, sin, sqrt
@@ -141,8 +145,103 @@ def room(mesh):
         block(0, 1020, z, 350, 2180, z + 20)
 
 
+def lump(mesh, parts, radius):
+    corners = {}
+
+    def corner(*place):
+        """Of a cube's surface, `parts` to a side, blown up to a ball with bumps."""
+        if place not in corners:
+            angles = [(2 * x / parts - 1) * pi / 4 for x in place]
+            x, y, z = (sin(angle) / cos(angle) for angle in angles)
+            length = sqrt(x * x + y * y + z * z)
+            x, y, z = x / length, y / length, z / length
+            bump = 1 + 0.2 * sin(3 * x + 2 * y) + 0.12 * sin(5 * y - 4 * z + 1) + 0.06 * sin(9 * z + 7 * x)
+            corners[place] = mesh.corner(*(nearest(radius * bump * part) for part in (x, y, z)))
+        return corners[place]
+
+    for axis in range(3):
+        for side in 0, parts:
+            def on_face(i, j):
+                place = [i, j]
+                place.insert(axis, side)
+                return corner(*place)
+            for i in range(parts):
+                for j in range(parts):
+                    square = on_face(i, j), on_face(i + 1, j), on_face(i + 1, j + 1), on_face(i, j + 1)
+                    # Outwards: the axes' order turns round for y.
+                    mesh.quad(*(square if (side != 0) == (axis != 1) else reversed(square)))
+
+
+def rounds(mesh, around, middles, radii, bend):
+    """Rings about middles on the y axis, bent along x, with a corner at both ends."""
+    first = mesh.corner(nearest(bend(middles[0])), nearest(middles[0]), 0)
+    for y, radius in zip(middles[1:-1], radii[1:-1]):
+        for i in range(around):
+            turn = 2 * pi * i / around
+            mesh.corner(nearest(bend(y) + radius * sin(turn)), nearest(y), nearest(radius * cos(turn)))
+    last = mesh.corner(nearest(bend(middles[-1])), nearest(middles[-1]), 0)
+    rows = len(middles) - 2
+
+    def corner(row, i):
+        return first + 1 + row * around + i % around
+
+    for i in range(around):
+        mesh.face(first, corner(0, i + 1), corner(0, i))
+        mesh.face(last, corner(rows - 1, i), corner(rows - 1, i + 1))
+        for j in range(rows - 1):
+            mesh.quad(corner(j, i), corner(j, i + 1), corner(j + 1, i + 1), corner(j + 1, i))
+
+
+def limb(mesh, around, parts, radius, length):
+    places = [i / parts for i in range(parts + 1)]
+    # Ends rounded off and thick, the middle thin.
+    radii = [radius * sqrt(max(0, sin(pi * at))) * (0.65 + 0.35 * cos(4 * pi * at)) for at in places]
+    rounds(mesh, around, [length * (at - 0.5) for at in places], radii,
+           lambda y: radius * (2 * y / length) ** 2)
+
+
+def gear(mesh, teeth, rings, radius):
+    """Both faces in rings from the bore to the teeth; the rims as high as four rings are wide."""
+    around, bore, height = 4 * teeth, 0.45 * radius, 0.3 * radius
+    # The foot of a tooth, its flanks and its head.
+    outer = [radius * (1 if i % 4 in (1, 2) else 0.86) for i in range(around)]
+    layers = 4
+
+    def ring(at, z):
+        corners = []
+        for i in range(around):
+            r, turn = bore + (outer[i] - bore) * at / rings, 2 * pi * i / around
+            corners.append(mesh.corner(nearest(r * cos(turn)), nearest(r * sin(turn)), nearest(z)))
+        return corners
+
+    low = [ring(at, 0) for at in range(rings + 1)]
+    rims = [[ring(at, height * layer / layers) for layer in range(1, layers)] for at in (0, rings)]
+    high = [ring(at, height) for at in range(rings + 1)]
+
+    def strip(one, other):
+        for i in range(around):
+            j = (i + 1) % around
+            mesh.quad(one[i], one[j], other[j], other[i])
+
+    for at in range(rings):
+        strip(low[at], low[at + 1])
+        strip(high[at + 1], high[at])
+    walls = [low[0], *rims[0], high[0]], [low[rings], *rims[1], high[rings]]
+    for layer in range(layers):
+        strip(walls[0][layer + 1], walls[0][layer])
+        strip(walls[1][layer], walls[1][layer + 1])
+
+
+def turned(mesh, around, radius, length):
+    profile = [(0, 0), (0, 0.5), (0.1, 0.5), (0.12, 0.3), (0.55, 0.3), (0.55, 1), (0.62, 1), (0.66, 0.4),
+               (0.95, 0.35), (1, 0.3), (1, 0)]
+    rounds(mesh, around, [length * (at - 0.5) for at, _ in profile], [radius * r for _, r in profile],
+           lambda y: 0)
+
+
 def main():
-    shapes = {"torus": (torus, 4), "box": (box, 3), "sheet": (sheet, 5), "link": (link, 5), "room": (room, 0)}
+    shapes = {"torus": (torus, 4), "box": (box, 3), "sheet": (sheet, 5), "link": (link, 5), "room": (room, 0),
+              "lump": (lump, 2), "limb": (limb, 4), "gear": (gear, 3), "turned": (turned, 3)}
     shape, sizes = shapes.get(sys.argv[1] if len(sys.argv) > 1 else "", (None, 0))
     if not shape or len(sys.argv) != 2 + sizes:
         sys.exit(__doc__)

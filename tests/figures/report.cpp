@@ -30,6 +30,7 @@ struct Row {
 constexpr uint32_t kRows = 40;  // there is room on the smallest board
 Row rows[kRows];
 uint32_t row_count;
+bool are_too_many;
 digest::Hash counted;
 
 bool same(const char* a, const char* b) {
@@ -149,17 +150,24 @@ void print_count(const Name& name, uint32_t value) {
   print_line(Kind::count, name, " ", value);
 }
 
-int print_all(const char* set, bool right) {
+void print_rows() {
+  are_too_many = are_too_many || row_count == kRows;
   for (uint32_t i = 0; i < row_count; ++i) {
     print(rows[i]);
   }
+  row_count = 0;
+}
+
+int print_all(const char* set, bool right) {
+  print_rows();
   if (set != nullptr) {
     const uint64_t digest = counted.value();
     print_count({{set, "digest"}}, static_cast<uint32_t>(digest ^ digest >> 32));
   }
-  const bool fits = row_count < kRows;
-  port::put(fits ? right ? "" : "An answer is wrong\n" : "There are more figures than rows\n");
-  return right && fits ? 0 : 1;
+  port::put(are_too_many ? "There are more figures than rows\n"
+            : right      ? ""
+                         : "An answer is wrong\n");
+  return right && !are_too_many ? 0 : 1;
 }
 
 }  // namespace figures

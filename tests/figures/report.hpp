@@ -47,6 +47,8 @@ uint32_t measure(const Name& name, const Function& function) {
 void print_figure(const Name& name, uint32_t value);
 void print_count(const Name& name, uint32_t value);
 
+/// What was added so far, and makes room for more.
+void print_rows();
 /// All that was added, in the order in which it first was, and the digest as SET.digest, if any.
 /// Returns the status of a program whose answers were all `right`.
 int print_all(const char* set, bool right);

@@ -15,6 +15,7 @@ from pathlib import Path
 BUDGETS = Path(__file__).resolve().with_name("budgets.csv")
 SLACK = 2  # percent
 ALL = "all"  # the column of counts
+OTHERS = "lump", "gear", "spindle"  # sets of meshes by the first of their pairs; the robot's links come on top
 
 
 class Refused(Exception):
@@ -45,6 +46,29 @@ def lines_in(texts):
                 yield core, f"runs.{name}.proven", proven.rstrip(",")
 
 
+def queries():
+    """The queries that each set of meshes has figures of: their name in `meshes`, and in the sets."""
+    for motion in "translated", "rotated":
+        for proximity, what in (("separated", "query"), ("small", "query"), ("close", "query"),
+                                ("intersecting", "query"), ("intersecting", "first")):
+            name = f"{motion}.{proximity}.{what}"
+            yield name, [f"{of}.{name}" for of in ("kr5", *OTHERS)]
+        for proximity in "separated", "small", "close":
+            for what in "cold", "hint":
+                name = f"{motion}.{proximity}.{what}"
+                yield name, [f"{of}.{name}" for of in ("distance", *OTHERS)]
+
+
+def add_means(values):
+    """What all sets of meshes take in the mean, and the worst of them."""
+    for core in {core for core, _ in values}:
+        for name, sets in queries():
+            means = [int(values[core, f"{of}.mean"]) for of in sets if (core, f"{of}.mean") in values]
+            if len(means) == len(sets):
+                values[core, f"meshes.{name}.mean"] = str(round(sum(means) / len(means)))
+                values[core, f"meshes.{name}.worst"] = str(max(means))
+
+
 def measured_in(texts):
     """The figures by core and name, as text. Of a figure that several programs print the largest counts."""
     values, quotients = {}, {}
@@ -62,6 +86,7 @@ def measured_in(texts):
     for figure, (part, whole) in quotients.items():
         if whole:
             values[figure] = f"{part / whole:.2f}"
+    add_means(values)
     return values
 
 

@@ -15,6 +15,11 @@ FOLDER = BUILD / "figures"
 LINKS = "bicep", "forearm", "palm", "wrist"
 PAIRS = "bicep-palm", "forearm-palm", "bicep-forearm", "bicep-wrist"
 LEAF_SIZES = 1, 2, 3, 4, 8
+# Other meshes, made by firmware_examples/meshes.py, in pairs: organic, well-shaped and mechanical, of slivers.
+OTHERS = FOLDER / "meshes"
+SHAPES = {"lump": "lump 10 9000", "limb": "limb 20 32 2000 14000", "gear": "gear 14 3 8000",
+          "cog": "gear 10 3 5000", "spindle": "turned 60 6000 14000", "flange": "turned 48 8000 5000"}
+OTHER_PAIRS = "lump-limb", "gear-cog", "spindle-flange"
 # A pose in poses.cpp: its entries; the last number is the work.
 POSE = re.compile(r" *\{\{.*\}, \{.*\}, \d+, \d+, \d+, (\d+)\},?$", re.M)
 
@@ -46,15 +51,27 @@ class Robot:
 
     def bake(self, folder, *options):
         """The links' trees; returns their bytes and their triangles."""
-        table = quietly(self.flashbvh, "bake", *(self.meshes / f"{link}.STL" for link in LINKS), "-o", folder,
-                        *options).splitlines()
+        return self.bake_all([self.meshes / f"{link}.STL" for link in LINKS], folder, *options)
+
+    def bake_all(self, meshes, folder, *options):
+        table = quietly(self.flashbvh, "bake", *meshes, "-o", folder, *options).splitlines()
         head = next(i for i, line in enumerate(table) if line.split()[:2] == ["mesh", "flash"])
         total = next(line for line in table[head:] if line.split()[0] == "total")
         row = dict(zip(table[head].split(), total.split()))
         return int(row["flash"]), int(row["triangles"])
 
-    def write_poses(self, folder):
-        quietly(BUILD / self.native / "bin/write_poses", folder, FOLDER / "leaf1", *PAIRS)
+    def write_poses(self, folder, searched=FOLDER / "leaf1", pairs=PAIRS):
+        quietly(BUILD / self.native / "bin/write_poses", folder, searched, *pairs)
+
+    def prepare_others(self):
+        OTHERS.mkdir(parents=True, exist_ok=True)
+        files = []
+        for name, shape in SHAPES.items():
+            files.append(OTHERS / f"{name}.obj")
+            files[-1].write_text(quietly(sys.executable, "-B", ROOT / "firmware_examples/meshes.py", *shape.split()))
+        self.bake_all(files, OTHERS)
+        self.bake_all(files, OTHERS / "leaf1", "--leaf-size", "1", "--format", "image")
+        self.write_poses(OTHERS, OTHERS / "leaf1", OTHER_PAIRS)
 
     def visits(self):
         """The most visits that any pose takes, of the pair that may take most: of `ranked` and any order."""
@@ -89,6 +106,7 @@ class Robot:
         flash, triangles = self.bake(FOLDER)
         self.bake(FOLDER / "leaf1", "--leaf-size", "1")
         self.write_poses(FOLDER)
+        self.prepare_others()
         # Without the neighbours that can collide: the motions stay clear of all other pairs.
         quietly(self.flashbvh, "robot", self.urdf, "--zone", "shoulder_pitch=0.15", "--name", "kr5_arm", "-o",
                 FOLDER / "robot")
