@@ -56,7 +56,7 @@ void add_tests(const AskedPair& pair, const Pose& pose, const Clearance<uint16_t
   NearestSoFar so_far(transform);
   Timed<Nearest<uint16_t>> nearest;
   nearest.so_far = &so_far;
-  (void)nearest.take(a, b, known.witness.a, known.witness.b);
+  (void)nearest.take(a, b);
   nearest.name = &of_nearest;
   run_all(pair, pose, nearest);
 }

@@ -37,7 +37,10 @@ struct Pairs {
     Triangle of_a;
     Triangle of_b;
     get(i, j, of_a, of_b);
-    (void)nearest.take(of_a, of_b, i, j);
+    if (nearest.take(of_a, of_b)) {
+      nearest.nearest_a = static_cast<std::uint16_t>(i);
+      nearest.nearest_b = static_cast<std::uint16_t>(j);
+    }
   }
 };
 

@@ -8,7 +8,7 @@
 // that size at all). What pushes bodies apart is a band: all pairs within d (WithinQuery), each
 // with its distance.
 //
-// Stack on Cortex-M3 to M55 at -O2, in bytes: a run 888, a result 948, distance() 1,120,
+// Stack on Cortex-M3 to M55 at -O2, in bytes: a run 880, a result 944, distance() 1,120,
 // closer_than() 880 (proofs/stack). Budgets of work cut these queries as any other, but what a
 // unit of it takes is proven of PairQuery alone (time_bound.hpp): two triangles take more here.
 //
@@ -181,8 +181,8 @@ class BasicClearanceQuery
   }
   /// With no part in the caller's frame.
   void begin_at(const Pose& pose, const Hint& hint);
-  /// From A's origin on.
-  void get_pair(uint32_t i, uint32_t j, Triangle& a, Triangle& b) const;
+  /// A's, then B's, from A's origin on.
+  FLASHBVH_NOINLINE void get_pair(uint32_t i, uint32_t j, Triangle (&pair)[2]) const;
   /// With a pair of triangles, which may be the nearest.
   void begin_with(const Hint& pair);
   /// Of two triangles by their positions: they are nearest, if they are.

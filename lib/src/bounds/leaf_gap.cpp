@@ -1,5 +1,7 @@
 #include "flashbvh/detail/bounds/leaf_gap.hpp"
 
+#include "../predicates/short_root.hpp"
+
 namespace flashbvh::detail {
 namespace {
 
@@ -8,16 +10,11 @@ uint32_t root_above(uint64_t value) {
   if (value == 0) {
     return 0;
   }
-  // Of the leading 31 or 32 bits, bit by bit, and one of Newton's steps, which are never below.
+  // Of the leading 31 or 32 bits, and one of Newton's steps, which are never below.
   const int zeros = __builtin_clzll(value);
   const int down = zeros < 32 ? (33 - zeros) & ~1 : 0;
-  const auto top = static_cast<uint32_t>(value >> down);
-  uint32_t root = 0;
-  for (uint32_t bit = 1u << 15; bit != 0; bit >>= 1) {
-    const uint32_t longer = root | bit;
-    root = longer * longer <= top ? longer : root;
-  }
-  const uint64_t above = uint64_t{root + 1} << (down / 2);
+  const uint64_t above = uint64_t{short_root(static_cast<uint32_t>(value >> down)) + 1}
+                         << (down / 2);
   return static_cast<uint32_t>((above + value / above) / 2 + 1);
 }
 

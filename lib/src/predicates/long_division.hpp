@@ -3,6 +3,7 @@
 #define FLASHBVH_PREDICATES_LONG_DIVISION_HPP
 
 #include "flashbvh/detail/predicates/fraction.hpp"
+#include "short_root.hpp"
 #include "wide_product.hpp"
 
 namespace flashbvh::detail {
@@ -36,16 +37,6 @@ inline Int128 long_quotient(const Int128& u, const Int128& v) {
     whole = whole + part;
   }
   return whole;
-}
-
-/// Bit by bit.
-inline uint32_t short_root(uint32_t value) {
-  uint32_t root = 0;
-  for (uint32_t bit = 1u << 15; bit != 0; bit >>= 1) {
-    const uint32_t longer = root | bit;
-    root = longer * longer <= value ? longer : root;
-  }
-  return root;
 }
 
 /// As square_root(), in fewer steps and with more stack.

@@ -83,17 +83,17 @@ int leading_zeros(const Int128& u) {
   nearest.upper = nearest.lower + (exact ? 0 : 1);
 }
 
+/// And the vector from one to the other, not to scale.
 [[gnu::noinline]] void set_points(const Triangle& a, const Triangle& b, const Features& features,
-                                  NearestPoints& nearest) {
+                                  NearestPoints& nearest, Int128 (&apart)[3]) {
   PlaceInTriangle of_a{};
   PlaceInTriangle of_b{};
   nearest_places(a, b, features, of_a, of_b);
   nearest.point_a = fine_point(a, of_a);
   nearest.point_b = fine_point(b, of_b);
-  const Int128 apart[3] = {apart_along(a, of_a, b, of_b, &Point::x),
-                           apart_along(a, of_a, b, of_b, &Point::y),
-                           apart_along(a, of_a, b, of_b, &Point::z)};
-  nearest.direction = unit_vector(apart);
+  apart[0] = apart_along(a, of_a, b, of_b, &Point::x);
+  apart[1] = apart_along(a, of_a, b, of_b, &Point::y);
+  apart[2] = apart_along(a, of_a, b, of_b, &Point::z);
 }
 
 [[gnu::noinline]] void set_contact(const Triangle& a, const Triangle& b, NearestPoints& nearest) {
@@ -109,7 +109,9 @@ void get_nearest_points(const Triangle& a, const Triangle& b, const Features& fe
   if (features.kind == FeatureKind::intersection) {
     set_contact(a, b, nearest);
   } else {
-    set_points(a, b, features, nearest);
+    Int128 apart[3];
+    set_points(a, b, features, nearest, apart);
+    nearest.direction = unit_vector(apart);
   }
 }
 

@@ -58,30 +58,33 @@ void BasicClearanceQuery<MeshType>::begin_at(const Pose& pose, const Hint& hint)
 }
 
 template <class MeshType>
-void BasicClearanceQuery<MeshType>::get_pair(uint32_t i, uint32_t j, Triangle& a,
-                                             Triangle& b) const {
-  detail::translate_triangle(this->mesh_a(), i, detail::kNoOffset, a);
-  detail::transform_triangle(this->mesh_b(), j, this->transform(), b);
+void BasicClearanceQuery<MeshType>::get_pair(uint32_t i, uint32_t j, Triangle (&pair)[2]) const {
+  detail::translate_triangle(this->mesh_a(), i, detail::kNoOffset, pair[0]);
+  detail::transform_triangle(this->mesh_b(), j, this->transform(), pair[1]);
 }
 
 template <class MeshType>
 void BasicClearanceQuery<MeshType>::begin_with(const Hint& pair) {
-  Triangle a;
-  Triangle b;
-  get_pair(pair.a, pair.b, a, b);
+  Triangle of[2];
+  get_pair(pair.a, pair.b, of);
   this->nearest_a = pair.a;
   this->nearest_b = pair.b;
   this->has_nearest = true;
   this->has_features = false;
-  this->intersect = detail::squared_box_gap(a, b) == 0 && detail::triangles_intersect(a, b);
+  this->intersect =
+      detail::squared_box_gap(of[0], of[1]) == 0 && detail::triangles_intersect(of[0], of[1]);
 }
 
 template <class MeshType>
 bool BasicClearanceQuery<MeshType>::take(uint32_t i, uint32_t j) {
-  Triangle a;
-  Triangle b;
-  get_pair(i, j, a, b);
-  return Predicate::take(a, b, i, j);
+  Triangle pair[2];
+  get_pair(i, j, pair);
+  if (!Predicate::take(pair[0], pair[1])) {
+    return false;
+  }
+  this->nearest_a = static_cast<Index>(i);
+  this->nearest_b = static_cast<Index>(j);
+  return true;
 }
 
 template <class MeshType>

@@ -1,6 +1,6 @@
-// Gaps along one direction from A to B, which the nearest triangles so far gave: what is farther
-// apart along it than these are need not be looked at. Triangles lie in flash as they are; a box
-// takes three products, where others rotate it.
+// Gaps along one direction from A to B, that of triangles found before: what is farther apart along
+// it than a limit need not be looked at. Triangles lie in flash as they are; a box takes three
+// products, where others rotate it.
 #ifndef FLASHBVH_DETAIL_BOUNDS_LEAF_GAP_HPP
 #define FLASHBVH_DETAIL_BOUNDS_LEAF_GAP_HPP
 

@@ -93,6 +93,7 @@ class NearestPlanes : public ProximityPlanes<Mesh> {
       take_end(this->leaf_side(), this->leaf());
     }
   }
+  /// A leaf that the direction rejects is not taken: nothing is tested below it.
   FLASHBVH_INLINE bool begin(Side side, uint32_t node, const PackedBox* reached) {
     take_end(side, (side == Side::a ? this->a : this->b).nodes[node].leaf());
     return (reached == nullptr || may_reach(*reached)) && Base::begin(side, node, reached);
@@ -119,14 +120,14 @@ class NearestPlanes : public ProximityPlanes<Mesh> {
     return SupportGap::end_along(*row_, box) > most_;
   }
 
+  uint16_t turns_ = 0;
   const NearestSoFar* so_far_ = nullptr;
   const SplitRow* row_ = nullptr;
   int32_t most_ = SupportGap::kNothing;
-  uint16_t turns_ = 0;
 };
 
-/// Which triangles may be nearer than all that were tested before. The caller measures
-/// them exactly, by take(), so that no frame of a test is below that.
+/// Which triangles may be nearer than all that were tested before. The caller measures them
+/// exactly, by take(), so that no frame of a test is below that.
 ///
 /// `allowance`, in 2^-16: the nearest that is found may be farther than the nearest by so much of
 /// its distance.
@@ -181,14 +182,19 @@ struct Nearest : ProximityPredicate {
              (limit < kMostLimit && (directions_separate(a, b, limit, so_far->direction) ||
                                      planes_separate(a, b, limit))));
   }
-  /// Whether they are; then they are the nearest.
-  bool take(const Triangle& a, const Triangle& b, uint32_t i, uint32_t j) {
+  /// Whether they are; then they are the nearest, at positions that the caller sets.
+  bool take(const Triangle& a, const Triangle& b) {
     Features features;
     if (!is_nearer(a, b, so_far->least, features)) {
       return false;
     }
-    nearest_a = static_cast<Index>(i);
-    nearest_b = static_cast<Index>(j);
+    keep(a, b, features);
+    return true;
+  }
+
+ private:
+  /// Apart, so that a search has fewer registers above it.
+  FLASHBVH_NOINLINE void keep(const Triangle& a, const Triangle& b, const Features& features) {
     has_nearest = true;
     intersect = features.kind == FeatureKind::intersection;
     has_features = true;
@@ -199,7 +205,6 @@ struct Nearest : ProximityPredicate {
     if (!intersect) {
       so_far->turn(a, b, features);
     }
-    return true;
   }
 };
 
@@ -211,9 +216,7 @@ class TriangleTest<Nearest<Index>, Mesh, false> {
       : predicate_(predicate), a_(a), b_(b), transform_(transform) {}
 
   bool take_b(uint32_t of_b, const PackedBox* /*box_a*/) {
-    if (of_b != kept_) {
-      kept_ = of_b;
-      is_placed_ = false;
+    if (kept_.take(of_b)) {
       end_ = predicate_.so_far->along.end_of_triangle(b_, Side::b, of_b);
     }
     return true;
@@ -225,13 +228,10 @@ class TriangleTest<Nearest<Index>, Mesh, false> {
     if (along.separates(end, end_)) {
       return false;
     }
-    if (!is_placed_) {
-      is_placed_ = true;
-      transform_triangle(b_, kept_, transform_, kept_b_);
-    }
+    const Triangle& b = kept_.placed(b_, transform_);
     Triangle a;
     translate_triangle(a_, of_a, kNoOffset, a);
-    return predicate_.test(a, kept_b_, of_a, kept_, along.nearly_separates(end, end_));
+    return predicate_.test(a, b, of_a, kept_.position(), along.nearly_separates(end, end_));
   }
 
  private:
@@ -239,10 +239,8 @@ class TriangleTest<Nearest<Index>, Mesh, false> {
   const Mesh& a_;
   const Mesh& b_;
   const Transform& transform_;
-  uint32_t kept_ = UINT32_MAX;
+  KeptTriangle<Mesh> kept_;
   int32_t end_ = 0;  ///< of B's triangle, along the direction
-  bool is_placed_ = false;
-  Triangle kept_b_;
 };
 
 }  // namespace flashbvh::detail

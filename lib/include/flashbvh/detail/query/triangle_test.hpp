@@ -10,7 +10,34 @@
 
 namespace flashbvh::detail {
 
-/// Any predicate's. Rotating a triangle of B costs most, so it is kept.
+/// The triangle of B that consecutive pairs share, placed where the first of them needs it:
+/// rotating it costs most.
+template <class Mesh>
+class KeptTriangle {
+ public:
+  /// By its position; whether it is another one than before.
+  bool take(uint32_t position) {
+    const bool is_new = position != position_;
+    is_placed_ = is_placed_ && !is_new;
+    position_ = position;
+    return is_new;
+  }
+  uint32_t position() const { return position_; }
+  FLASHBVH_INLINE const Triangle& placed(const Mesh& b, const Transform& transform) {
+    if (!is_placed_) {
+      is_placed_ = true;
+      transform_triangle(b, position_, transform, triangle_);
+    }
+    return triangle_;
+  }
+
+ private:
+  uint32_t position_ = UINT32_MAX;
+  bool is_placed_ = false;
+  Triangle triangle_;
+};
+
+/// Any predicate's.
 template <class Predicate, class Mesh, bool kIntersects>
 class TriangleTest {
  public:
@@ -20,17 +47,14 @@ class TriangleTest {
   /// A triangle of B, by its position; false if it intersects nothing in a box of A's, unless that
   /// is null.
   bool take_b(uint32_t of_b, const PackedBox* /*box_a*/) {
-    if (of_b != kept_) {
-      kept_ = of_b;
-      transform_triangle(b_, of_b, transform_, kept_b_);
-    }
+    (void)kept_.take(of_b);
     return true;
   }
   /// With a triangle of A.
-  bool operator()(uint32_t of_a) const {
+  bool operator()(uint32_t of_a) {
     Triangle a;
     translate_triangle(a_, of_a, kNoOffset, a);
-    return predicate_.test(a, kept_b_, of_a, kept_);
+    return predicate_.test(a, kept_.placed(b_, transform_), of_a, kept_.position());
   }
 
  private:
@@ -38,8 +62,7 @@ class TriangleTest {
   const Mesh& a_;
   const Mesh& b_;
   const Transform& transform_;
-  uint32_t kept_ = UINT32_MAX;
-  Triangle kept_b_;
+  KeptTriangle<Mesh> kept_;
 };
 
 /// Of intersection: the normal of B's triangle is kept, too.

@@ -64,9 +64,7 @@ class TriangleTest<WithinAlong, Mesh, false> {
         gap_(predicate.gap(transform)) {}
 
   bool take_b(uint32_t of_b, const PackedBox* /*box_a*/) {
-    if (of_b != kept_) {
-      kept_ = of_b;
-      is_placed_ = false;
+    if (kept_.take(of_b)) {
       start_ = gap_.start_of_b(b_, of_b);
     }
     return true;
@@ -77,14 +75,11 @@ class TriangleTest<WithinAlong, Mesh, false> {
 
  private:
   FLASHBVH_NOINLINE bool test(uint32_t of_a) {
-    if (!is_placed_) {
-      is_placed_ = true;
-      transform_triangle(b_, kept_, transform_, kept_b_);
-    }
+    const Triangle& b = kept_.placed(b_, transform_);
     Triangle a;
     translate_triangle(a_, of_a, kNoOffset, a);
     const uint32_t before = predicate_.direction.packed;
-    const bool is_near = predicate_.test(a, kept_b_);
+    const bool is_near = predicate_.test(a, b);
     if (predicate_.direction.packed != before) {
       turn();
     }
@@ -93,7 +88,7 @@ class TriangleTest<WithinAlong, Mesh, false> {
   /// Apart, so that no frame below it holds another gap.
   FLASHBVH_NOINLINE void turn() {
     gap_ = predicate_.gap(transform_);
-    start_ = gap_.start_of_b(b_, kept_);
+    start_ = gap_.start_of_b(b_, kept_.position());
   }
 
   WithinAlong& predicate_;
@@ -101,10 +96,8 @@ class TriangleTest<WithinAlong, Mesh, false> {
   const Mesh& b_;
   const Transform& transform_;
   LeafGap gap_;
-  uint32_t kept_ = UINT32_MAX;
+  KeptTriangle<Mesh> kept_;
   int32_t start_ = 0;  ///< of B's triangle, along the direction
-  bool is_placed_ = false;
-  Triangle kept_b_;
 };
 
 }  // namespace flashbvh::detail

@@ -134,9 +134,9 @@ class ProximityPlanes : LeafPlanes<Mesh> {
   GapLimit limit_{0};
   uint32_t box_limit_ = 0;  ///< of the leaf's own box
   uint32_t sum_limit_ = 0;  ///< of its slabs
-  bool is_far_ = false;
   uint32_t cells_in_plane_ = 0;
   uint32_t cells_along_edge_ = 0;
+  bool is_far_ = false;  ///< last, so that a derived class may begin in the same word
 };
 
 }  // namespace flashbvh::detail

@@ -1,0 +1,21 @@
+// The root of 32 bits, rounded down.
+#ifndef FLASHBVH_PREDICATES_SHORT_ROOT_HPP
+#define FLASHBVH_PREDICATES_SHORT_ROOT_HPP
+
+#include <stdint.h>
+
+namespace flashbvh::detail {
+
+/// Bit by bit.
+inline uint32_t short_root(uint32_t value) {
+  uint32_t root = 0;
+  for (uint32_t bit = 1u << 15; bit != 0; bit >>= 1) {
+    const uint32_t longer = root | bit;
+    root = longer * longer <= value ? longer : root;
+  }
+  return root;
+}
+
+}  // namespace flashbvh::detail
+
+#endif
