@@ -47,6 +47,16 @@ class FiguresTest(unittest.TestCase):
         with self.assertRaisesRegex(Refused, "not a number: a none"):
             measured("figure a none")
 
+    def test_means_over_meshes(self):
+        def lines(*sets):
+            return [f"figure {of}.rotated.close.query.mean {10 * i + 1}" for i, of in enumerate(sets)]
+
+        figures = measured(*lines("lump", "gear", "kr5", "spindle"))
+        self.assertEqual((figures["M4", "meshes.rotated.close.query.mean"],
+                          figures["M4", "meshes.rotated.close.query.worst"]), ("16", "31"))
+        # A mean of some of them would be another figure.
+        self.assertFalse([name for _, name in measured(*lines("lump", "gear", "kr5")) if name.startswith("meshes")])
+
     def test_update(self):
         book = Budgets(BUDGETS)
         book.update(measured("figure set.query 900", "figure set.more 3", "core M7", "figure set.visit 8"))

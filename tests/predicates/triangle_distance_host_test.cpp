@@ -1,4 +1,5 @@
 // Distances of triangles against exact rationals.
+#include <cmath>
 #include <set>
 
 #include "flashbvh/detail/predicates/triangle.hpp"
@@ -59,6 +60,7 @@ struct Separations {
   std::uint32_t directions = 0;
   std::uint32_t planes = 0;
   std::uint32_t pairs = 0;
+  long close = 0;            ///< moved nearer by less than 1/1,000 cell
   std::uint32_t others = 0;  ///< separated by another pair's planes
   Direction first;           ///< another pair's, as queries keep it
   SupportPlanes planes_before;
@@ -95,6 +97,29 @@ struct Separations {
   }
 };
 
+/// B moved by whole cells, as near to normal to the direction as these come: the planes separate
+/// exactly where it went no nearer. Returns how often it went so little that high parts are equal.
+long check_planes(Random& random, const Triangle& a, const Triangle& b, const Features& features,
+                  const RationalVector& apart) {
+  const SupportPlanes own(a, b, features);
+  const double n[3] = {apart[0].get_d(), apart[1].get_d(), apart[2].get_d()};
+  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  long close = 0;
+  for (int i = 0; i < 32; ++i) {
+    const Point to = any_point(random, 400);
+    const double along = (to.x * n[0] + to.y * n[1] + to.z * n[2]) / (length * length);
+    const auto rounded = [&](int from, int axis) {
+      return static_cast<std::int32_t>(std::lround(from - along * n[axis]));
+    };
+    const Point step = {rounded(to.x, 0), rounded(to.y, 1), rounded(to.z, 2)};
+    const mpq_class nearer = -(apart[0] * step.x + apart[1] * step.y + apart[2] * step.z);
+    CAPTURE(step.x, step.y, step.z);
+    REQUIRE(own.separates(a, shifted(b, step)) == (nearer <= 0));
+    close += nearer > 0 && nearer.get_d() < 1e-3 * length ? 1 : 0;
+  }
+  return close;
+}
+
 /// At exactly the distance and next to it, if a query can have it; else as near to it as can be.
 void check_within(const Triangle& a, const Triangle& b, const mpq_class& truth) {
   const mpz_class most_above = (mpz_class(1) << 46) - 1;
@@ -115,7 +140,7 @@ void check_within(const Triangle& a, const Triangle& b, const mpq_class& truth) 
   }
 }
 
-void check(const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen,
+void check(Random& random, const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen,
            Separations& separations) {
   const mpq_class truth = Differences(a, b).squared_distance();
   Features features{};
@@ -140,6 +165,7 @@ void check(const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen,
     const RationalVector apart = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
     REQUIRE(test::dot(apart, apart) == truth);
     REQUIRE(rational_of(squared_between(a, b, features)) == truth);
+    separations.close += check_planes(random, a, b, features, apart);
     // At exactly the distance, and next to it.
     const Fraction exact = fraction_of(truth);
     Fraction same = exact;
@@ -211,13 +237,14 @@ TEST_CASE("distances of triangles are those of exact rationals") {
     Triangle b = any_triangle(random, reach);
     adapt(random, random.below(12), a, b);
     b = shifted(b, any_point(random, offset));
-    check(a, b, seen, separations);
+    check(random, a, b, seen, separations);
   });
   CHECK(seen.size() == 7);
   CHECK(separations.directions > tries / 4);
   CHECK(separations.planes > 3 * tries / 40);
   CHECK(separations.pairs > tries / 4);
   CHECK(separations.others > tries / 80);
+  CHECK(separations.close > tries / 100);
 }
 
 TEST_CASE("no order of corners changes a distance") {
@@ -240,6 +267,7 @@ TEST_CASE("no order of corners changes a distance") {
 }
 
 TEST_CASE("every small pair of triangles in a plane and next to it") {
+  Random random = test_random();
   // Corners in a box of 2 x 2 x 1 cells, all triples: what is tied, flat and touching.
   std::vector<Triangle> all;
   std::vector<Point> points;
@@ -257,13 +285,14 @@ TEST_CASE("every small pair of triangles in a plane and next to it") {
     for (std::size_t i = 0; i < all.size(); i += 3) {
       Triangle b = all[i];
       b = shifted(b, {1, 1, static_cast<std::int32_t>(i % 3)});
-      check(a, b, seen, separations);
+      check(random, a, b, seen, separations);
     }
   }
   CHECK(seen.size() >= 4);
 }
 
 TEST_CASE("distances at the ends of their range") {
+  Random random = test_random();
   std::set<FeatureKind> seen;
   Separations separations;
   constexpr std::int32_t m = 28377;
@@ -273,9 +302,9 @@ TEST_CASE("distances at the ends of their range") {
     const std::int32_t x = (signs & 1) != 0 ? far : -far;
     const std::int32_t y = (signs & 2) != 0 ? far : -far;
     const std::int32_t z = (signs & 4) != 0 ? far : -far;
-    check(a, {{{x, y, z}, {x - 2 * m, y, z}, {x, y - 2 * m, z}}}, seen, separations);
-    check(a, {{{x, y, z}, {x, y, z}, {-x, -y, -z}}}, seen, separations);
-    check(a, {{{x, y, z}, {x, y, -z}, {-x, y, z}}}, seen, separations);
+    check(random, a, {{{x, y, z}, {x - 2 * m, y, z}, {x, y - 2 * m, z}}}, seen, separations);
+    check(random, a, {{{x, y, z}, {x, y, z}, {-x, -y, -z}}}, seen, separations);
+    check(random, a, {{{x, y, z}, {x, y, -z}, {-x, y, z}}}, seen, separations);
   }
   CHECK(seen.size() >= 3);
 }
