@@ -3,6 +3,8 @@
 //     CORE A-B MOTION CLASS LIBRARY mean most pairs-found
 #include <initializer_list>
 
+#include "flashbvh/collide.hpp"
+
 #include "asked.hpp"
 #include "insn.hpp"
 #include "library.hpp"
@@ -22,13 +24,7 @@ class WithFlashbvh : public Library {
   }
   void set_pose(const Pose& pose) override { pose_ = pose; }
   uint32_t query(bool first) override {
-    uint32_t count = 0;
-    PairQuery query(*a_, *b_, pose_);
-    (void)query.run(UINT32_MAX, [&](const PairQuery::Pair&) {
-      ++count;
-      return !first;
-    });
-    return count;
+    return first ? (intersects(*a_, *b_, pose_).yes ? 1 : 0) : count_pairs(*a_, *b_, pose_).count;
   }
 
  private:
