@@ -9,9 +9,9 @@
                                             PARTS
     room                                    5 x 4 x 2.5 m with a pillar, a table and shelves, in millimetres
     lump PARTS RADIUS                       a ball with bumps, 12 * PARTS^2 triangles, all well shaped
-    limb AROUND PARTS RADIUS LENGTH         a bent bone, 2 * AROUND * PARTS triangles
+    limb AROUND PARTS RADIUS LENGTH         a bent bone, 2 * AROUND * (PARTS - 1) triangles
     gear TEETH RINGS RADIUS                 a spur gear with a bore, of well-shaped triangles
-    turned AROUND RADIUS LENGTH             a part from a lathe: AROUND slivers on each of its ten faces
+    turned AROUND RADIUS LENGTH             a part from a lathe, 18 * AROUND triangles, slivers all
 """
 import sys
 from math import copysign, cos, pi, sin, sqrt

@@ -4,7 +4,7 @@
 #include "flashbvh/collide.hpp"
 
 #include "asked.hpp"
-#include "report.hpp"
+#include "measure.hpp"
 
 using namespace flashbvh;
 
@@ -18,33 +18,27 @@ Pose pose_before(Asked asked) {
   return pose_of(asked);
 }
 
-bool add_queries(const Name& name, const AskedPair& pair, const Asked& asked) {
-  const auto named = [&](const char* what) {
-    return Name{{name.word[0], name.word[1], name.word[2], what}};
-  };
+bool add_queries(const Asking& asking, const AskedPair& pair, const Asked& asked) {
   const Pose pose = pose_of(asked);
   RunResult all{};
-  measure(named("query"), [&] { all = count_pairs(*pair.a, *pair.b, pose); });
+  measure(asking.whole("query"), [&] { all = count_pairs(*pair.a, *pair.b, pose); });
   Answer one{};
-  measure(named("first"), [&] { one = intersects(*pair.a, *pair.b, pose); });
+  measure(asking.whole("first"), [&] { one = intersects(*pair.a, *pair.b, pose); });
   PairQuery query(*pair.a, *pair.b, pose);
   (void)query.run(UINT32_MAX, [](const PairQuery::Pair&) { return true; });
-  add_count(named("visits"), query.stats().visits);
+  add_count(asking.whole("visits"), query.stats().visits);
   add_to_digest(query.stats());
   return all.status == Status::done && query.stats().visits == asked.visits &&
          all.count == asked.triangle_pairs && one.yes == (all.count != 0);
 }
 
-bool add_distances(const Name& name, const AskedPair& pair, const Asked& asked) {
-  const auto named = [&](const char* what) {
-    return Name{{name.word[0], name.word[1], name.word[2], what}};
-  };
+bool add_distances(const Asking& asking, const AskedPair& pair, const Asked& asked) {
   const Pose pose = pose_of(asked);
   const auto before = distance(*pair.a, *pair.b, pose_before(asked));
   Clearance<uint16_t> cold{};
   Clearance<uint16_t> hinted{};
-  measure(named("cold"), [&] { cold = distance(*pair.a, *pair.b, pose); });
-  measure(named("hint"), [&] { hinted = distance(*pair.a, *pair.b, pose, before.witness); });
+  measure(asking.whole("cold"), [&] { cold = distance(*pair.a, *pair.b, pose); });
+  measure(asking.whole("hint"), [&] { hinted = distance(*pair.a, *pair.b, pose, before.witness); });
   add_to_digest(cold.lower);
   add_to_digest(cold.upper);
   return cold.status == Status::done && cold.lower == hinted.lower && cold.upper == hinted.upper;
@@ -55,11 +49,11 @@ bool measure_pair(const AskedPair& pair) {
   constexpr bool kRotated[] = {false, true};
   for (const bool rotated : kRotated) {
     for (uint32_t i = 0; i < kProximities; ++i) {
-      const Name name = {{pair.a_name, rotated ? "rotated" : "translated", kProximityNames[i]}};
+      const Asking asking = {pair.a_name, rotated ? "rotated" : "translated", kProximityNames[i]};
       for (const Asked& asked : (rotated ? pair.rotated : pair.translated)[i]) {
-        right = add_queries(name, pair, asked) && right;
+        right = add_queries(asking, pair, asked) && right;
         if (static_cast<Proximity>(i) != Proximity::intersecting) {
-          right = add_distances(name, pair, asked) && right;
+          right = add_distances(asking, pair, asked) && right;
         }
       }
     }
