@@ -169,6 +169,10 @@ TEST_CASE("translations are multiplied and rounded once, to 1/65,536 of a cell")
     const Pose pose = pose_of(kUnrotated, {0, length, 0}, scale);
     // 48 bits at most: exact in double.
     const double cells = static_cast<double>(length) * static_cast<double>(scale);
+    const Pose by_rows = pose_of({{1, 0, 0, 0}, {0, 1, 0, length}, {0, 0, 1, 0}}, scale);
+    REQUIRE(by_rows.status() == pose.status());
+    CHECK(by_rows.translation(1) == pose.translation(1));
+    CHECK(by_rows.fraction(1) == pose.fraction(1));
     if (std::fabs(cells) >= kMaxTranslation + 1.0) {
       REQUIRE(pose.status() == Status::translation_out_of_range);
     } else if (std::fabs(cells) <= kMaxTranslation) {

@@ -7,7 +7,16 @@
 #include "flashbvh/detail/lattice/split_matrix.hpp"
 #include "flashbvh/status.hpp"
 
+/// Poses are made with vectors, too (lib/src/lattice/pose_sse2.hpp).
+#if defined(__SSE2__) && defined(__x86_64__) && !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_POSE_SSE2 1
+#endif
+
 namespace flashbvh {
+
+namespace detail {
+struct PoseOfLanes;
+}
 
 /// One in the fixed point of a rotation: 30 fraction bits.
 constexpr int32_t kRotationOne = 1 << 30;
@@ -86,6 +95,7 @@ class Pose {
 
  private:
   using Entries = int32_t[3][3];  ///< with kRotationBits fraction bits
+  friend struct detail::PoseOfLanes;
 
   constexpr Pose(int32_t x, int32_t y, int32_t z)
       : none_(),

@@ -16,18 +16,23 @@ struct RowLanes {
   __m128i z;
 };
 
+/// Loads what pose_sse2.hpp stored, as it was stored: a load that two stores together wrote waits
+/// until both have left the core, which takes longer than to separate two objects.
 inline RowLanes row_lanes(const SplitMatrix& matrix) {
   static_assert(sizeof(matrix.row) == 9 * sizeof(uint32_t), "words without gaps");
   const uint32_t* const words = &matrix.row[0].positive_xy;
   const auto load = [words](int at) {
-    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(words + at));
+    return _mm_castsi128_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(words + at)));
   };
-  const __m128i first = load(0);
-  const __m128i second = load(3);
-  const __m128i third = load(5);  // from the second row's last word on: nothing beyond the matrix
-  const __m128i xy = _mm_unpacklo_epi32(first, second);
-  return {_mm_unpacklo_epi64(xy, _mm_srli_si128(third, 4)), _mm_unpackhi_epi64(xy, third),
-          _mm_unpacklo_epi64(_mm_unpackhi_epi32(first, second), _mm_srli_si128(third, 12))};
+  const __m128 first = load(0);   // the first row, and the second one's first word
+  const __m128 second = load(4);  // its others, and two of the third row
+  const __m128 last = _mm_castsi128_ps(_mm_cvtsi32_si128(static_cast<int>(words[8])));
+  const __m128 negative = _mm_shuffle_ps(first, second, _MM_SHUFFLE(3, 0, 1, 1));
+  const __m128 z = _mm_shuffle_ps(first, second, _MM_SHUFFLE(1, 1, 2, 2));
+  const auto lanes = [](__m128 v) { return _mm_castps_si128(v); };
+  return {lanes(_mm_shuffle_ps(first, second, _MM_SHUFFLE(2, 2, 3, 0))),
+          lanes(_mm_shuffle_ps(negative, negative, _MM_SHUFFLE(3, 3, 2, 0))),
+          lanes(_mm_shuffle_ps(z, last, _MM_SHUFFLE(0, 0, 2, 0)))};
 }
 
 inline BoxTestLanes start_lanes(const BoxTestStart* starts) {

@@ -1,6 +1,10 @@
 // Poses: made, checked, composed, inverted. In integers; products of entries have 64 bits.
 #include "flashbvh/pose.hpp"
 
+#if defined(FLASHBVH_POSE_SSE2)
+#include "pose_sse2.hpp"
+#endif
+
 namespace flashbvh {
 namespace {
 
@@ -86,11 +90,6 @@ constexpr uint32_t kNoRotation = UINT32_MAX;
   return greater(x + xy + xz, greater(y + xy + yz, z + xz + yz));
 }
 
-/// An entry given, to kKeptBits; halves up, in 32 bits.
-constexpr int32_t kept_of(int32_t given) {
-  return ((given >> (kGivenBits - kKeptBits - 1)) + 1) >> 1;
-}
-
 /// Whether R is the identity, to the last bit.
 inline bool is_identity(const Entries& r) {
   return ((r[0][0] ^ kOne) | (r[1][1] ^ kOne) | (r[2][2] ^ kOne) | r[0][1] | r[0][2] | r[1][0] |
@@ -98,6 +97,32 @@ inline bool is_identity(const Entries& r) {
 }
 
 }  // namespace
+
+#if defined(FLASHBVH_POSE_SSE2)
+
+Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
+                 const int16_t (&fraction)[3]) {
+  using namespace detail;
+  const auto given = [&](int i) {
+    return lanes_of(rotation[i][0], rotation[i][1], rotation[i][2]);
+  };
+  const MatrixLanes rows = {kept_lanes(given(0)), kept_lanes(given(1)), kept_lanes(given(2))};
+  Pose pose(cells[0], cells[1], cells[2]);
+  pose.fraction_[0] = fraction[0];
+  pose.fraction_[1] = fraction[1];
+  pose.fraction_[2] = fraction[2];
+  if (!PoseOfLanes::rotate(pose, rows, _mm_setzero_si128())) {
+    pose.refuse(Status::not_a_rotation);
+  }
+  return pose;
+}
+
+#else
+
+/// An entry given, to kKeptBits; halves up, in 32 bits.
+constexpr int32_t kept_of(int32_t given) {
+  return ((given >> (kGivenBits - kKeptBits - 1)) + 1) >> 1;
+}
 
 Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
                  const int16_t (&fraction)[3]) {
@@ -113,6 +138,8 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
   return pose;
 }
 
+#endif
+
 Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]) {
   return rigid(rotation, cells, {0, 0, 0});
 }
@@ -126,6 +153,10 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]) {
   if (!rotated_) {
     return;
   }
+#if defined(FLASHBVH_POSE_SSE2)
+  const auto row = [&](int i) { return detail::lanes_of(r[i][0], r[i][1], r[i][2]); };
+  detail::store({row(0), row(1), row(2)}, _mm_cvtsi32_si128(static_cast<int>(defect)), matrix_);
+#else
   matrix_.defect = static_cast<uint16_t>(defect);
   for (int i = 0; i < 3; ++i) {
     int32_t coarse[3];
@@ -135,6 +166,7 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]) {
     }
     matrix_.rows.row[i] = detail::SplitRow::of(coarse[0], coarse[1], coarse[2]);
   }
+#endif
 }
 
 [[gnu::noinline]] void Pose::get_rotation(Entries& r) const {

@@ -95,8 +95,8 @@ inline bool is_below_zero(float value) {
   return bits > 0x80000000u;
 }
 
-inline Pose rigid(const int32_t (&rotation)[3][3], const float (&translation)[3],
-                  float cells_per_unit) {
+inline Pose rigid_of_parts(const int32_t (&rotation)[3][3], const float (&translation)[3],
+                           float cells_per_unit) {
   int32_t cells[3];
   int16_t fraction[3];
   for (int axis = 0; axis < 3; ++axis) {
@@ -107,6 +107,39 @@ inline Pose rigid(const int32_t (&rotation)[3][3], const float (&translation)[3]
   }
   return Pose::rigid(rotation, cells, fraction);
 }
+
+/// pose_of() by integers alone.
+inline Pose pose_of_parts(const float (&rotation)[3][3], const float (&translation)[3],
+                          float cells_per_unit) {
+  int32_t entries[3][3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      entries[i][j] = rotation_entry(rotation[i][j]);
+    }
+  }
+  return rigid_of_parts(entries, translation, cells_per_unit);
+}
+
+inline Pose pose_of_parts(const float (&matrix)[3][4], float cells_per_unit) {
+  int32_t entries[3][3];
+  float translation[3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      entries[i][j] = rotation_entry(matrix[i][j]);
+    }
+    translation[i] = matrix[i][3];
+  }
+  return rigid_of_parts(entries, translation, cells_per_unit);
+}
+
+#if defined(FLASHBVH_POSE_SSE2)
+// The same with vectors: lib/src/lattice/pose_float.cpp.
+Pose pose_of_sse2(const float (&rotation)[3][3], const float (&translation)[3],
+                  float cells_per_unit);
+Pose pose_of_sse2(const float (&matrix)[3][4], float cells_per_unit);
+Pose rigid_sse2(const int32_t (&rotation)[3][3], const float (&translation)[3],
+                float cells_per_unit);
+#endif
 
 /// The product of two numbers of the fixed point, in it; rounded down.
 inline int64_t rotation_product(int64_t u, int64_t v) {
