@@ -1,5 +1,5 @@
 #!/bin/sh
-# compare.sh           Compares with OPCODE, FCL and Bullet: times as ratios, answers, allocations, on the same
+# compare.sh           Compares with OPCODE, FCL, Bullet and Embree: times as ratios, answers, allocations, on the same
 #                      meshes in the same poses, in one run; instructions on two boards under QEMU;
 #                      capsules, spheres, hulls and distance fields. Writes lib/docs/comparison.md.
 # compare.sh --page    writes the page from the last run's files in build/compare
@@ -93,7 +93,7 @@ program=$folder/program
 
 measure() {
   mkdir -p "$meshes"
-  ensure_packages $host_packages $board_packages libbullet-dev libode-dev libfcl-dev pkg-config \
+  ensure_packages $host_packages $board_packages libbullet-dev libembree-dev libode-dev libfcl-dev pkg-config \
     debian-archive-keyring
   fetch_ode
   fetch_kr5 build/kr5
@@ -119,7 +119,7 @@ measure() {
 
 # with: the libraries and the compiler.
 with() {
-  dpkg-query -W -f '${Package} ${Version}\n' libode-dev libfcl-dev libbullet-dev
+  dpkg-query -W -f '${Package} ${Version}\n' libode-dev libfcl-dev libbullet-dev libembree-dev
   echo "$("$(cached CMAKE_CXX_COMPILER)" --version | head -n 1), $(cached CMAKE_CXX_FLAGS_RELWITHDEBINFO), $(uname -m)"
   echo "meshes: $pairs"
 }

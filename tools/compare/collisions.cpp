@@ -27,6 +27,7 @@ std::vector<Named> all_libraries(const flashbvh::Mesh& a, const flashbvh::Mesh& 
   add("opcode", [&] { return with_opcode(a, b, Matrices::both); });
   add("fcl", [&] { return with_fcl(a, b); });
   add("bullet", [&] { return with_bullet(a, b); });
+  add("embree", [&] { return with_embree(a, b); });
   add("flashbvh_pose", [&] { return with_flashbvh(a, b, PoseMade::in_the_query); });
   add("opcode_one", [&] { return with_opcode(a, b, Matrices::of_b); });
   return all;

@@ -89,6 +89,10 @@ std::unique_ptr<DistanceMeter> distances_of_fcl(const flashbvh::Mesh& a, const f
 /// GImpact: quantized boxes, binary32, no margin.
 std::unique_ptr<Collider> with_bullet(const flashbvh::Mesh& a, const flashbvh::Mesh& b);
 
+/// Boxes by Embree, triangles by Moeller's test, binary32. B's scene of each pose is made by
+/// set_poses(), as Embree has no pose of a scene; it stops at no first hit.
+std::unique_ptr<Collider> with_embree(const flashbvh::Mesh& a, const flashbvh::Mesh& b);
+
 /// Of one mesh, in cells.
 class RayCaster {
  public:

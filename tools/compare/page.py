@@ -16,6 +16,7 @@ NEAR = "separated", "small", "close"
 QUERIES = [(name, name) for name in NEAR] + [("intersecting", "intersecting, all pairs"),
                                               ("first", "intersecting, first hit")]
 LIBRARIES = [("flashbvh", "flashbvh"), ("opcode", "OPCODE"), ("fcl", "FCL"), ("bullet", "Bullet")]
+FINDERS = LIBRARIES + [("embree", "Embree")]  # of pairs; Embree has no other question
 
 
 def words_of(file, kind=None):
@@ -58,11 +59,14 @@ class Times:
         for motion in MOTIONS:
             for kind, title in QUERIES:
                 at = motion, kind
-                bullet = "-" if kind == "first" else "%.3f" % self.mean(*at, "flashbvh", "bullet")
-                yield "%-10s  %-23s  %6.2f  %12s  %5.2f  %9.2f  %10.2f  %6.2f  %6s" % (
+                # These stop at no first hit.
+                bullet, embree, worst = ("-", "-", "-") if kind == "first" else (
+                    "%.3f" % self.mean(*at, "flashbvh", "bullet"), "%.2f" % self.mean(*at, "flashbvh", "embree"),
+                    "%.2f" % max(self.ratios(*at, "flashbvh", "embree")))
+                yield "%-10s  %-23s  %6.2f  %12s  %5.2f  %9.2f  %10.2f  %6.2f  %6s  %6s  %6s" % (
                     motion, title, self.mean(*at, "flashbvh", "opcode"), self.range(*at, "flashbvh", "opcode"),
                     self.mean(*at, "flashbvh_alone", "opcode_alone"), self.mean(*at, "flashbvh_pose", "opcode"),
-                    self.mean(*at, "flashbvh", "opcode_one"), self.mean(*at, "flashbvh", "fcl"), bullet)
+                    self.mean(*at, "flashbvh", "opcode_one"), self.mean(*at, "flashbvh", "fcl"), bullet, embree, worst)
 
     def distances(self):
         for motion in MOTIONS:
@@ -85,8 +89,9 @@ def times(file):
     yield from (
         "Time of a query of flashbvh, divided by another library's: below 1, flashbvh is faster.",
         "",
-        "                                       OPCODE                                             FCL  Bullet",
-        "B           class                      mean   of one pair  alone  pose made  one matrix    mean    mean",
+        " " * 39 + "OPCODE                                             FCL  Bullet          Embree",
+        "B           class                      mean   of one pair  alone  pose made  one matrix"
+        "    mean    mean    mean   worst",
         *measured.queries(),
         "",
         "Pairs of triangles that intersect, under all poses:",
@@ -94,7 +99,7 @@ def times(file):
         "B           library   flashbvh   library   one alone")
     wrong = False
     for motion in MOTIONS:
-        for library, title in LIBRARIES[1:]:
+        for library, title in FINDERS[1:]:
             pairs, theirs, alone = found[motion, library]
             yield "%-10s  %-8s  %8d  %8d  %9d" % (motion, title, pairs, theirs, alone)
             wrong |= library != "bullet" and 20 * alone > pairs

@@ -2,7 +2,9 @@
 
 #include "comparison.hpp"
 #include "flashbvh/clearance.hpp"
+#include "flashbvh/float.hpp"
 #include "flashbvh/query.hpp"
+#include "units.hpp"
 
 using namespace flashbvh;
 
@@ -23,20 +25,32 @@ class Flashbvh : public Collider {
   Flashbvh(const Mesh& a, const Mesh& b, PoseMade pose_made)
       : a_(&a), b_(&b), pose_made_(pose_made) {}
 
-  void set_poses(const std::vector<Placed>& poses) override { poses_ = poses; }
+  void set_poses(const std::vector<Placed>& poses) override {
+    poses_ = poses;
+    rows_.clear();
+    for (const Placed& placed : poses) {
+      rows_.push_back(rows_of(placed.pose));
+    }
+  }
 
   std::size_t query_all(Wanted wanted) override {
     const std::uint32_t capacity = wanted == Wanted::first ? 1 : kMost;
     std::size_t count = 0;
-    for (const Placed& placed : poses_) {
-      count += pose_made_ == PoseMade::before ? query(placed.pose, capacity)
-                                              : query(pose_of(placed, placed.cells), capacity);
+    if (pose_made_ == PoseMade::before) {
+      for (const Placed& placed : poses_) {
+        count += query(placed.pose, capacity);
+      }
+    } else {
+      for (const Rows& rows : rows_) {
+        count += query(made_of(rows), capacity);
+      }
     }
     return count;
   }
 
   std::vector<Pair> pairs(std::size_t pose) override {
-    const std::uint32_t count = query(poses_[pose].pose, kMost);
+    const std::uint32_t count = pose_made_ == PoseMade::before ? query(poses_[pose].pose, kMost)
+                                                               : query(made_of(rows_[pose]), kMost);
     if (count == kMost) {
       throw std::runtime_error("more pairs than are counted");
     }
@@ -48,6 +62,25 @@ class Flashbvh : public Collider {
   }
 
  private:
+  /// A pose as the other libraries get it: binary32, in units.
+  struct Rows {
+    float entry[3][4];
+  };
+
+  static Rows rows_of(const Pose& pose) {
+    Rows rows{};
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        rows.entry[row][column] = static_cast<float>(rotation_of(pose, row, column));
+      }
+      rows.entry[row][3] = static_cast<float>(translation_of(pose, row));
+    }
+    return rows;
+  }
+  static Pose made_of(const Rows& rows) {
+    return flashbvh::pose_of(rows.entry, static_cast<float>(kCellsOfUnit));
+  }
+
   std::uint32_t query(const Pose& pose, std::uint32_t capacity) {
     PairQuery query(*a_, *b_, pose);
     return query.run(UINT32_MAX, found, capacity).count;
@@ -57,6 +90,7 @@ class Flashbvh : public Collider {
   const Mesh* b_;
   PoseMade pose_made_;
   std::vector<Placed> poses_;
+  std::vector<Rows> rows_;  ///< the same
 };
 
 /// How far B came since the pose before, in cells: tests/figures/clearance.cpp has the same.
