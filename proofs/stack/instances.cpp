@@ -4,8 +4,8 @@
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/deformable.hpp"
-#include "flashbvh/image.hpp"
 #include "flashbvh/float.hpp"
+#include "flashbvh/image.hpp"
 #include "flashbvh/query.hpp"
 #include "flashbvh/self.hpp"
 #include "flashbvh/solid.hpp"
@@ -70,6 +70,8 @@ uint32_t ask(const TreeType& a, const TreeType& b, const Pose& pose) {
   Triangle transformed[2];
   uint32_t sum = intersects(a, b, pose).yes ? 1u : 0u;
   sum += first_pair(a, b, pose, found[0]).yes ? 1u : 0u;
+  Witness<typename TreeType::Index> hint;
+  sum += intersects(a, b, pose, hint).yes ? 1u : 0u;
   sum += count_pairs(a, b, pose).count + find_pairs(a, b, pose, found, 2).count;
   (void)for_each_pair(a, b, pose, [&sum](const Pair& pair) { return (sum += pair.a) != 0; });
   return sum + (transform_pair(a, b, pose, found[0], transformed[0], transformed[1]) ? 1u : 0u);

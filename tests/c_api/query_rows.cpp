@@ -121,6 +121,25 @@ bool intersects_agrees(Scene& s) {
          yes == answer.yes;
 }
 
+bool hinted_agrees(Scene& s) {
+  Witness<std::uint16_t> hint;
+  flashbvh_witness c_hint = FLASHBVH_NO_WITNESS;
+  if (s.random.below(4) != 0) {  // now and then beyond the last triangle
+    hint.a = c_hint.a = static_cast<std::uint16_t>(s.random.below(s.a.mesh.triangle_count + 1));
+    hint.b = c_hint.b = static_cast<std::uint16_t>(s.random.below(s.b.mesh.triangle_count + 1));
+  }
+  for (int step = 0; step < 2; ++step) {
+    bool yes = false;
+    const Answer answer = intersects(s.a.mesh, s.b.mesh, s.pose, hint);
+    if (!same(flashbvh_intersects_hinted(&s.a.c, &s.b.c, &s.c_pose, &c_hint, &yes),
+              answer.status) ||
+        yes != answer.yes || !same(c_hint, hint)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool pairs_agree(Scene& s) {
   flashbvh_pair wanted[3];
   flashbvh_pair found[3];
@@ -239,6 +258,7 @@ std::vector<Row> query_rows() {
           {"a query in slices", [](Scene& s) { return Slices<PairFunctions>(s).agree(); }},
           {"each pair, to a visitor", visits_agree},
           {"the first pair", first_pair_agrees},
+          {"whether triangles intersect, with a hint", hinted_agrees},
           {"whether there is one", intersects_agrees},
           {"how many pairs", pairs_agree},
           {"contacts", contacts_agree},

@@ -22,12 +22,6 @@ extern "C" {
 /** One in the fixed point of a direction. */
 #define FLASHBVH_UNIT_ONE ((int32_t)1 << 30)
 
-/** Witness: two triangles, as a later query begins with them. May be stored. */
-typedef struct flashbvh_witness {
-  uint16_t a;
-  uint16_t b;
-} flashbvh_witness;
-
 /** Clearance: what is known of a distance. */
 typedef struct flashbvh_clearance {
   flashbvh_fine_point point_a; /**< where the nearest triangles are nearest, in A's frame */

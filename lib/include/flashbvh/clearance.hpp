@@ -29,17 +29,6 @@ namespace flashbvh {
 /// The largest distance of a query, in 1/256 cell: 32,767 cells.
 constexpr uint32_t kMaxDistance = detail::Within::kMost;
 
-/// Two triangles by their positions in the meshes' arrays: what a later query begins with. Opaque;
-/// may be stored.
-template <class Index>
-struct Witness {
-  Index a = static_cast<Index>(-1);
-  Index b = static_cast<Index>(-1);
-
-  /// By default it is none.
-  bool is_none() const { return a == static_cast<Index>(-1) && b == static_cast<Index>(-1); }
-};
-
 /// Every pair of triangles within a distance, in the order and the slices of a PairQuery: a Query
 /// (query.hpp) that is made of meshes, a pose and the predicate `within(distance)`.
 using Within = detail::Within;

@@ -232,6 +232,23 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects(const flashbvh_mesh* a,
                                                        const flashbvh_mesh* b,
                                                        const flashbvh_pose* pose, bool* yes);
 
+/** Witness: two triangles, as a later query begins with them. May be stored. */
+typedef struct flashbvh_witness {
+  uint16_t a;
+  uint16_t b;
+} flashbvh_witness;
+
+/** One that is none, to begin with. */
+#define FLASHBVH_NO_WITNESS \
+  { UINT16_MAX, UINT16_MAX }
+
+/** intersects() with a hint, the pair that intersected last; at first FLASHBVH_NO_WITNESS.
+ * HINT_INVALID: it is no pair of these meshes' triangles. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects_hinted(const flashbvh_mesh* a,
+                                                              const flashbvh_mesh* b,
+                                                              const flashbvh_pose* pose,
+                                                              flashbvh_witness* hint, bool* yes);
+
 /** first_pair(); `found` is written only if there is one. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_first_pair(const flashbvh_mesh* a,
                                                        const flashbvh_mesh* b,

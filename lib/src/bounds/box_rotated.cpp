@@ -2,11 +2,9 @@
 
 #include "flashbvh/detail/arch/packed_multiply.hpp"
 
-#if defined(__ARM_FEATURE_MVE) && !defined(FLASHBVH_PORTABLE)
+#if defined(FLASHBVH_ROTATED_EXCHANGED)
 #include "box_rotated_mve.hpp"
 #define FLASHBVH_ROTATE_BOX flashbvh_rotate_and_compare
-// Bounds are kept with upper and lower exchanged, as they are added to a box's.
-#define FLASHBVH_ROTATED_EXCHANGED 1
 #else
 
 #if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)

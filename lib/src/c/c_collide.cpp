@@ -9,6 +9,15 @@ flashbvh_status flashbvh_intersects(const flashbvh_mesh* a, const flashbvh_mesh*
   return put_answer(intersects(object_in(a), object_in(b), object_in(pose)), yes);
 }
 
+flashbvh_status flashbvh_intersects_hinted(const flashbvh_mesh* a, const flashbvh_mesh* b,
+                                           const flashbvh_pose* pose, flashbvh_witness* hint,
+                                           bool* yes) {
+  Witness<uint16_t> witness = {hint->a, hint->b};
+  const Answer answer = intersects(object_in(a), object_in(b), object_in(pose), witness);
+  *hint = {witness.a, witness.b};
+  return put_answer(answer, yes);
+}
+
 flashbvh_status flashbvh_first_pair(const flashbvh_mesh* a, const flashbvh_mesh* b,
                                     const flashbvh_pose* pose, bool* yes, flashbvh_pair* found) {
   return put_answer(first_pair(object_in(a), object_in(b), object_in(pose), *found), yes);

@@ -40,6 +40,10 @@ inline uint32_t sum_of_squares(uint32_t u, uint32_t v) {
 inline uint32_t signed_difference(uint32_t u, uint32_t v) {
   return static_cast<uint32_t>(__ssub16(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v)));
 }
+/// Half of that, rounded down.
+inline uint32_t halved_difference(uint32_t u, uint32_t v) {
+  return static_cast<uint32_t>(__shsub16(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v)));
+}
 /// Halves with a sign, of 15 bits: or 0 where they are negative.
 inline uint32_t positive_halves(uint32_t u) {
   return static_cast<uint32_t>(__usat16(static_cast<int16x2_t>(u), 15));
@@ -64,6 +68,11 @@ constexpr int32_t cross_halves(uint32_t u, uint32_t v) {
 /// Half by half u - v, with a sign.
 constexpr uint32_t signed_difference(uint32_t u, uint32_t v) {
   return join_halves((u - v) & 0xFFFFu, (u >> 16) - (v >> 16));
+}
+/// Half of that, rounded down.
+constexpr uint32_t halved_difference(uint32_t u, uint32_t v) {
+  const auto half = [](int32_t x, int32_t y) { return static_cast<uint16_t>((x - y) >> 1); };
+  return join_halves(half(signed_low(u), signed_low(v)), half(signed_high(u), signed_high(v)));
 }
 /// Halves with a sign, of 15 bits: or 0 where they are negative.
 constexpr uint32_t positive_halves(uint32_t u) {

@@ -24,6 +24,11 @@
 #include "flashbvh/detail/bounds/rotated_transform.hpp"
 #include "flashbvh/detail/lattice/box_packed.hpp"
 
+#if defined(__ARM_FEATURE_MVE) && !defined(FLASHBVH_PORTABLE)
+// Bounds are kept with upper and lower exchanged, as they are added to a box's.
+#define FLASHBVH_ROTATED_EXCHANGED 1
+#endif
+
 namespace flashbvh::detail {
 
 #if defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
@@ -87,10 +92,22 @@ class RotatedBoxTest {
   /// The box was of the last pair that overlapped, or is kept; any other box does else.
   PackedTriple window_of_a(const PackedBox& a) const { return window(a_, a); }
   PackedTriple window_of_b(const PackedBox& b) const { return window(b_, b); }
+  /// The boxes of the last pair that overlapped, each on the other's lattice.
+  PackedBox seen_a() const { return seen(a_.bounds); }
+  PackedBox seen_b() const { return seen(b_.bounds); }
   void keep_a(const PackedBox& a) { keep(a_, a); }
   void keep_b(const PackedBox& b) { keep(b_, b); }
 
  private:
+  static PackedBox seen(const PackedBox& bounds) {
+#if defined(FLASHBVH_ROTATED_EXCHANGED)
+    // Kept bounds above the lattice are what they are; elsewhere they are its end.
+    const auto within = [](uint32_t both) { return both - subtract_halves(both, 0x7FFF7FFFu); };
+    return {within(bounds.lower_xy), within(bounds.upper_xy), within(swap_halves(bounds.z))};
+#else
+    return bounds;
+#endif
+  }
   static PackedTriple window(const RotatedBox& kept, const PackedBox& box);
   static void keep(RotatedBox& kept, const PackedBox& box);
 

@@ -164,7 +164,9 @@ class QueryRun : protected Predicate {
     if (at.state != State::at_pair && at.state != State::at_leaf_pair) {
       return at.state == State::fresh || at.state == State::done;
     }
-    const Cursor cursor = {at.a, at.b};
+    Cursor cursor;
+    cursor.a = at.a;
+    cursor.b = at.b;
     if (transform_.is_far_apart() || at.a >= a_->node_count || at.b >= b_->node_count ||
         !Traversal::can_visit(*a_, *b_, cursor)) {
       return false;
@@ -266,7 +268,7 @@ class QueryRun : protected Predicate {
     if constexpr (Shapes::kReadsBoxTest) {
       shapes.set_box_test(bound);
     }
-    return detail::walk<Traversal>(bound, shapes, run, state_);
+    return detail::walk<typename OrderOfTranslations<Traversal>::Type>(bound, shapes, run, state_);
   }
   FLASHBVH_NOINLINE State walk_rotated(Shapes& shapes, WalkRun<Cursor, Batch>& run) {
     auto bound = StatefulBoxTest<Predicate>::of(*this, transform_);

@@ -18,6 +18,9 @@
 //     leaf_root(), leaf_node()   below which node that walk is to go on, and at which one
 //     store(cursor, ended)    where it is; `ended`: next() said that there is nothing more
 //     store_below(cursor, leaf, node)   where it is in that walk
+//     SeesBoxes               a type, void, if descend_inner() takes the bound, to see the pair's
+//     boxes
+//                             by it; then OfTranslations is the order where B is not rotated
 // and, if it is stackless, of cursors that come from outside, their indices in range,
 //     nodes(a, b, cursor)     the nodes that it stands for
 //     cursor_at(a, b, i, j)   the cursor that stands for them
@@ -58,6 +61,8 @@ template <class StatefulBoxTest>
 struct ByReference {
   StatefulBoxTest* bound;
   bool operator()(const PackedBox& a, const PackedBox& b) const { return (*bound)(a, b); }
+  PackedBox seen_a() const { return bound->seen_a(); }
+  PackedBox seen_b() const { return bound->seen_b(); }
 };
 
 /// Makes the compiler assume that `object` may have changed: it can't live in registers across this
@@ -93,10 +98,38 @@ FLASHBVH_INLINE inline bool are_inner(const Node& a, const Node& b) {
   return (a.rank() | b.rank()) >= 0;
 }
 
+/// An order where B is not rotated, which may be another one.
+template <class Traversal, class = void>
+struct OrderOfTranslations {
+  using Type = Traversal;
+};
+template <class Traversal>
+struct OrderOfTranslations<Traversal, typename Traversal::SeesBoxes> {
+  using Type = typename Traversal::OfTranslations;
+};
+
+/// Whether descend_inner() takes the bound, to see the pair's boxes by it.
+template <class Traversal, class = void>
+struct SeesBoxes {
+  static constexpr bool kValue = false;
+};
+template <class Traversal>
+struct SeesBoxes<Traversal, typename Traversal::SeesBoxes> {
+  static constexpr bool kValue = true;
+};
+
+template <class Traversal, class BoxTest>
+FLASHBVH_INLINE inline void descend_inner(Traversal& at, const BoxTest& may_matter) {
+  if constexpr (SeesBoxes<Traversal>::kValue) {
+    at.descend_inner(may_matter);
+  } else {
+    at.descend_inner();
+  }
+}
+
 /// From the cursor's pair, which is below no leaf that is a shape.
-template <class Traversal, class BoxTest, class Shapes, class LeafPair>
-FLASHBVH_NOINLINE State walk_pairs(const BoxTest& bound, Shapes& shapes,
-                                   WalkRun<typename Traversal::Cursor, LeafPair>& run, bool after) {
+template <class Traversal, class BoxTest, class Shapes, class Run>
+FLASHBVH_NOINLINE State walk_pairs(const BoxTest& bound, Shapes& shapes, Run& run, bool after) {
   auto* kept = &run;
   keep_in_memory(kept);
   BoxTest may_matter = bound;
@@ -116,7 +149,7 @@ FLASHBVH_NOINLINE State walk_pairs(const BoxTest& bound, Shapes& shapes,
         if constexpr (Shapes::kShapes) {
           if (are_inner(at.node_a(), at.node_b())) {
             ++overlaps;
-            at.descend_inner();
+            descend_inner(at, may_matter);
             continue;
           }
           keep_in_memory(kept);
@@ -159,9 +192,8 @@ FLASHBVH_NOINLINE State walk_pairs(const BoxTest& bound, Shapes& shapes,
 
 /// From the cursor, `from` a state that is not done, with some work granted, to where `leaf_pair`
 /// says stop, the end, or the last of the work: where it stands then.
-template <class Traversal, class BoxTest, class Shapes, class LeafPair>
-FLASHBVH_INLINE inline State walk(const BoxTest& bound, Shapes& shapes,
-                                  WalkRun<typename Traversal::Cursor, LeafPair>& run, State from) {
+template <class Traversal, class BoxTest, class Shapes, class Run>
+FLASHBVH_INLINE inline State walk(const BoxTest& bound, Shapes& shapes, Run& run, State from) {
   if constexpr (Shapes::kShapes && Traversal::kBelowLeaves) {
     return walk_on_below<Traversal>(shapes, run, from == State::at_leaf_pair);
   } else {

@@ -126,6 +126,40 @@ FLASHBVH_INLINE inline State walk_to_root(Shapes& shapes, Run& run, bool after) 
   return end;
 }
 
+/// Of an order that keeps more than a pair, and so what comes next: to the end of the leaf's walk,
+/// if there is one. The order is made once more after it, which is cheaper than to keep it on the
+/// stack.
+template <class Traversal, class Shapes, class Run>
+FLASHBVH_NOINLINE State walk_on_below_one(Shapes& shapes, Run& run, bool after) {
+  uint32_t root = 0;
+  {
+    Traversal at(shapes.a, shapes.b, *run.cursor);
+    run.side = at.leaf();
+    if (run.side == Side::none) {
+      return after ? State::at_leaf_pair : State::at_pair;
+    }
+    run.leaf = run.side == Side::a ? at.index_a() : at.index_b();
+    run.node = at.leaf_node();
+    root = at.leaf_root();
+  }
+  if (!shapes.is_taken(run.side, run.leaf)) {
+    shapes.take_again(run.side, run.leaf);
+    (void)shapes.begin(run.side, run.leaf, nullptr);
+  }
+  State end = walk_below(shapes, run, root, after);
+  Traversal at(shapes.a, shapes.b, *run.cursor);
+  if (end != State::done) {
+    at.store_below(*run.cursor, run.side, run.node);
+    return end;
+  }
+  if (at.next()) {
+    run.side = Side::none;
+    end = State::at_pair;
+  }
+  at.store(*run.cursor, end == State::done);
+  return end;
+}
+
 /// To the end of the leaf's walk of a subtree that a walk was in, and of those that follow. Then
 /// run.side is none. The first leaf is taken as a shape for nothing: a run with work always gets
 /// on.
@@ -135,6 +169,9 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
     if (shapes.kept_root() != 0) {
       return walk_to_root(shapes, run, after);
     }
+  }
+  if constexpr (!Traversal::kStackless) {
+    return walk_on_below_one<Traversal>(shapes, run, after);
   }
   Traversal at(shapes.a, shapes.b, *run.cursor);
   for (;;) {
@@ -162,10 +199,6 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
     if (!at.next()) {
       at.store(*run.cursor, true);
       return State::done;
-    }
-    if (!Traversal::kStackless) {  // what comes next was on the stack
-      run.side = Side::none;
-      break;
     }
   }
   at.store(*run.cursor, false);

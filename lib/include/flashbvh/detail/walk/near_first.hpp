@@ -1,0 +1,183 @@
+// The order of a search for any one pair: that of Ranked, but where B is rotated a walk goes to the
+// nearest child first, and passes by those that one test of boxes rejects.
+//
+// Which children are left is not a function of the pair. So each level keeps it in four bits: one
+// for each of the three siblings that follow on the ring, which leads from the last child to the
+// first. A node of more than four children, or more than eight descents below the roots, has its
+// children in the order of Ranked.
+//
+// Under a translation it is Ranked: visits are so cheap there that looking ahead costs more than it
+// saves. lib/docs/decisions/0028-first-pair.md has figures.
+#ifndef FLASHBVH_DETAIL_WALK_NEAR_FIRST_HPP
+#define FLASHBVH_DETAIL_WALK_NEAR_FIRST_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/arch/inline.hpp"
+#include "flashbvh/detail/bounds/transform.hpp"
+#include "flashbvh/detail/lattice/box_packed.hpp"
+#include "flashbvh/detail/lattice/packed_vector.hpp"
+#include "flashbvh/detail/walk/ranked.hpp"
+
+namespace flashbvh::detail {
+
+/// How far boxes are from one box: their middles, along each axis relative to the lengths of both.
+class RelativeDistance {
+ public:
+  explicit RelativeDistance(const PackedBox& from)
+      : middle_(middle(from)), x_(extent_x(from)), y_(extent_y(from)), z_(extent_z(from)) {}
+
+  /// Squared, in 2^-16. Boxes that overlap have a quarter at most along each axis.
+  FLASHBVH_INLINE uint32_t squared_to(const PackedBox& box) const {
+    const PackedVector to = middle(box) - middle_;
+    return square(to.x(), x_ + extent_x(box)) + square(to.y(), y_ + extent_y(box)) +
+           square(to.z, z_ + extent_z(box));
+  }
+
+ private:
+  /// Few bits: some cores divide bit by bit.
+  FLASHBVH_INLINE static uint32_t square(int32_t distance, uint32_t lengths) {
+    const auto size = static_cast<uint32_t>(distance < 0 ? -distance : distance);
+    const uint32_t relative = (size << 8) / (lengths + 1);
+    return relative * relative;
+  }
+
+  PackedVector middle_;
+  uint32_t x_;
+  uint32_t y_;
+  uint32_t z_;
+};
+
+template <class TreeType>
+class NearFirst : public Ranked<TreeType> {
+  using Base = Ranked<TreeType>;
+  using Index = typename TreeType::Index;
+  using Base::a_, Base::b_;
+  using typename Base::Place;
+
+ public:
+  using Tree = TreeType;
+  using OfTranslations = Base;
+  using SeesBoxes = void;
+  static constexpr bool kStackless = false;
+
+  struct Cursor : PairCursor<Index> {
+    uint32_t left = 0;    ///< the last four bits are the lowest level's
+    uint32_t levels = 0;  ///< descents from the roots
+    Index below = 0;      ///< where a walk below the leaf is in the other tree
+    Side leaf = Side::none;
+  };
+
+  /// At the roots, for a walk in the order of Ranked, where nothing is likely to intersect.
+  static Cursor as_ranked() {
+    Cursor cursor;
+    cursor.levels = kLevels;
+    return cursor;
+  }
+
+  /// What is left of each level stays in the cursor.
+  NearFirst(const Tree& a, const Tree& b, Cursor& cursor) : Base(a, b, cursor), kept_(cursor) {}
+
+  /// `bound`: has just found that the pair's boxes overlap.
+  template <class Bound>
+  FLASHBVH_INLINE void descend_inner(const Bound& bound) {
+    const int32_t rank_a = a_.node->rank();
+    const int32_t rank_b = b_.node->rank();
+    if (rank_a < rank_b) {
+      descend(b_, rank_b, bound.seen_a());
+    } else {
+      descend(a_, rank_a, bound.seen_b());
+    }
+  }
+
+  bool next() {
+    for (;;) {
+      Place& at = b_.parent_rank <= a_.parent_rank ? b_ : a_;
+      const bool is_kept = kept_.levels <= kLevels;
+      const uint32_t left = is_kept ? kept_.left & kOneLevel : kAsRanked;
+      if (left == kAsRanked) {
+        if (at.next_sibling()) {
+          return true;
+        }
+      } else if (left != 0) {
+        kept_.left = kept_.left - left + pass_siblings(at, left);
+        return true;
+      } else if (at.node == at.root) {
+        return false;
+      }
+      at.skip_siblings();
+      at.ascend();
+      kept_.left >>= is_kept ? kBits : 0;
+      --kept_.levels;
+    }
+  }
+
+  Side leaf() const { return kept_.leaf; }
+  uint32_t leaf_root() const { return leaf() == Side::a ? this->index_b() : this->index_a(); }
+  uint32_t leaf_node() const { return kept_.below; }
+  void store(Cursor& cursor, bool /*ended*/) const { store_below(cursor, Side::none, 0); }
+  void store_below(Cursor& cursor, Side leaf, uint32_t node) const {
+    Base::store(cursor, false);
+    cursor.leaf = leaf;
+    cursor.below = static_cast<Index>(node);
+  }
+
+ private:
+  static constexpr unsigned kBits = 4;
+  static constexpr uint32_t kLevels = 32 / kBits;
+  static constexpr uint32_t kOneLevel = (1u << kBits) - 1;
+  static constexpr uint32_t kAsRanked = 1u << (kBits - 1);
+
+  /// To the next one that is left; which are left then.
+  FLASHBVH_INLINE static uint32_t pass_siblings(Place& at, uint32_t left) {
+    bool is_left = false;
+    do {
+      at.node = at.root + at.node->link;
+      is_left = (left & 1) != 0;
+      left >>= 1;
+    } while (!is_left);
+    return left;
+  }
+
+  FLASHBVH_NOINLINE void descend(Place& at, int32_t rank, const PackedBox& other) {
+    at.descend(rank);
+    if (++kept_.levels <= kLevels) {
+      kept_.left = kept_.left << kBits | begin_nearest(at, other);
+    }
+  }
+  /// From a first child to the nearest of those that overlap `other`; which are left then.
+  FLASHBVH_INLINE static uint32_t begin_nearest(Place& at, const PackedBox& other) {
+    const RelativeDistance distance(other);
+    const auto* const first = at.node;
+    const auto* child = first;
+    uint32_t children = 0;
+    uint32_t overlapping = 0;
+    uint32_t least = UINT32_MAX;
+    uint32_t nearest = 0;
+    do {
+      if (children == kBits) {
+        at.node = first;
+        return kAsRanked;
+      }
+      if (compare(child->box, other) == 0) {
+        overlapping |= 1u << children;
+        const uint32_t squared = distance.squared_to(child->box);
+        if (squared < least) {
+          least = squared;
+          nearest = children;
+          at.node = child;
+        }
+      }
+      ++children;
+      child = at.root + child->link;
+    } while (child != first);
+    const uint32_t round = overlapping | overlapping << children;
+    return round >> (nearest + 1) & ((1u << (children - 1)) - 1);
+  }
+
+  Cursor& kept_;
+};
+
+}  // namespace flashbvh::detail
+
+#endif
