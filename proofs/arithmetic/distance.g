@@ -17,7 +17,7 @@ limit2 = short * below;
   |ee3| <= @3 * 2**28@ /\ |ff3| <= @3 * 2**28@ /\ |ef3| <= @3 * 2**28@ /\ |rf3| <= @3 * 2**28@ /\ |ef| <= @3 * kMaxApart**2@ /\ |ef2| <= @3 * kMaxApart**2@ /\
   |nx2| <= @2 * kMaxApart**2@ /\ |nx3| <= @2 * kMaxApart**2@ /\ |nx4| <= @2 * kMaxApart**2@ /\
   |height2| <= @6 * kMaxApart**3@ /\ squared2 in [0,@2**108@] /\ below in [1,@2**72@] /\
-  steps in [1,@proximity.hpp:kStepsSquared@] /\ short in [0,@proximity.hpp:kMost**2@]
+  steps in [1,@proximity.hpp:kStepsSquared@] /\ short in [0,@proximity.hpp:kMostShort**2@]
   -> |ee| <= @3 * kMaxApart**2@ /\ |area| <= @2**72@ /\ |shares| <= @2**127 - 1@ /\ |area64| <= @INT64_MAX@ /\ |nx| <= @2 * kMaxApart**2@ /\
      |height| <= @6 * kMaxApart**3@ /\ |height| <= @INT64_MAX@ /\ squared in [0,@2**108@] /\
      cross in [0,@2**192 - 1@] /\ limit in [0,@2**127 - 1@] /\ limit2 in [0,@2**127 - 1@] }

@@ -44,7 +44,7 @@ struct TestPose {
   int32_t cells[3];
 };
 
-/// That nothing is near.
+/// That nothing is near, and B is placed far.
 constexpr int32_t kFarCells = 200'000;
 
 constexpr TestPose kTestPoses[] = {
@@ -65,7 +65,7 @@ constexpr TestPose kTestPoses[] = {
     {{3, 1, 1, 0}, {3636, -636, 18409}},
     {{0, 0, 0, 1}, {33000, 500, 0}},  // parallel edges: equal distances
     {{0, 0, 0, 1}, {33000, 500, 300}},
-    {{7, 3, -2, 5}, {0, 44000, 44000}},  // beyond kMaxDistance, though boxes are not
+    {{7, 3, -2, 5}, {0, 44000, 44000}},  // beyond 32,767 cells, though boxes are not
 };
 
 /// Corners for the exact test and contacts. The narrow ones differ by less than 2^15.
@@ -106,8 +106,9 @@ constexpr uint32_t length(const Element (&)[count]) {
   return count;
 }
 
-/// One that is decidable at a pose as far apart, and the farthest.
-constexpr uint32_t kDistances[] = {3000 * 256, kMaxDistance};
+/// Little, as far as 32 bits test, and as far as can be; the same where B lies far.
+constexpr uint32_t kDistances[] = {3000 * 256, 32'767 * 256, kMaxDistance};
+constexpr uint32_t kFarDistances[] = {3000 * 256, (kFarCells - 20'000) * 256, kFarCells * 256};
 
 // Static, since the smallest board has no such stack.
 stack_proof::Arguments in;
@@ -184,7 +185,7 @@ void bend(const Triangle* two) {
 constexpr uint32_t kRadius = 30000u << kFrameBits;
 constexpr RobotLink kLinks[] = {{{0, 0, 0}, kRadius, 0, kBase, 0, 0},
                                 {{0, 0, 0}, kRadius, 0, 0, 0, 0}};
-/// So that motion_run tests little less than kMaxDistance.
+/// So that motion_run tests little less than kMaxGuardDistance.
 constexpr uint32_t kReaches[] = {32760u << 14};
 
 /// Two links, posed as B in A's frame.
@@ -314,7 +315,7 @@ int main() {
       in.triangles = kPairs[round % length(kPairs)];
       bend(in.triangles);
       in.floats = kFloats[round % length(kFloats)];
-      in.distance = kDistances[where.cells[0] == kFarCells ? 0 : i];
+      in.distance = (where.cells[0] == kFarCells ? kFarDistances : kDistances)[i];
       pair.stop = (i == 0 ? 4095 : 32760) << 8;  // near ones have triangles within it, far ones too
       pair.warn = UINT32_MAX;                    // so that spheres don't do
       ask_all(in.pose->is_translation());

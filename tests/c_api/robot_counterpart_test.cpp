@@ -289,7 +289,7 @@ TEST_CASE("a workcell in C is that of C++, and so is its guard") {
       REQUIRE(same(flashbvh_workcell_add(&c, mesh, &mount, &c_number), status));
       REQUIRE(c_number == number);
       for (uint8_t other = 0; other < 7; ++other) {
-        const uint32_t warn = random.below(9) == 0 ? kMaxDistance + 1 : random.below(200000);
+        const uint32_t warn = random.below(9) == 0 ? kMaxGuardDistance + 1 : random.below(200000);
         const uint32_t stop = random.below(200000);
         REQUIRE(same(flashbvh_workcell_keep_apart(&c, other, number, stop, warn),
                      cell.keep_apart(other, number, stop, warn)));

@@ -143,7 +143,11 @@ static void distances(const flashbvh_pose* pose) {
   CHECK(pairs >= 1 && pairs <= 2);
   (void)flashbvh_pose_translated(60100, 0, 0, &far);
   CHECK(flashbvh_distance(&block, &block, &far, &found.witness, &found) == FLASHBVH_STATUS_DONE);
-  CHECK(!found.in_range && found.lower <= 60000 * 256 && found.upper >= 60000 * 256);
+  CHECK(found.in_range && found.lower == 60000 * 256 && found.upper == 60000 * 256);
+  CHECK_YES(flashbvh_closer_than(&block, &block, &far, 60000 * 256, &yes), true);
+  (void)flashbvh_pose_translated(2000100, 0, 0, &far);
+  CHECK(flashbvh_distance(&block, &block, &far, NULL, &found) == FLASHBVH_STATUS_DONE);
+  CHECK(!found.in_range && found.lower <= 2000000u * 256 && found.upper >= 2000000u * 256);
 }
 
 /** Down through the block from 5 mm above it. */

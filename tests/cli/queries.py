@@ -2,7 +2,7 @@
 import os
 import re
 import shutil
-from math import cos, sin
+from math import cos, hypot, sin
 from pathlib import Path
 
 from checks import (HERE, HOME, INCLUDE, THOROUGH, TOOLS, any_poses, box, edit_vertices, flashbvh, hold, refused, run,
@@ -255,11 +255,14 @@ def clearance():
     hold(sum(float(d) > 1 for d in first) > 5 and sum(float(d) == 0 for d in first) > 2, first)
     flashbvh("clearance", "post/ring.fbvh", "post/coarse.fbvh", "--poses", "any", "--float", "--json")
 
-    # So far off that the answer is only "at least". The truth is 4231, of 3992, 992 and 992; nothing is reported but what
-    # holds.
-    write("far", f"{HOME}  5000 0 0")
-    answer = flashbvh(*ask, "far", "--json").json()[0]
-    hold(answer["status"] == "out_of_range" and 0 < answer["lower"] <= 4231 and 4232 <= answer["upper"] < 4500, answer)
+    # As far off as 400,000 cells and exact; so far that the answer is only "at least". The truth is 19,043.7, of 18,992,
+    # 992 and 992; nothing is reported but what holds.
+    write("far", f"{HOME}  5000 0 0\n{HOME}  20000 0 0")
+    exact, answer = flashbvh(*ask, "far", "--json").json()
+    hold(abs(exact["distance"] - hypot(3992, 992, 992)) < 1e-9 and exact["status"] == "ok", exact)
+    hold(exact["lower"] <= exact["distance"] <= exact["upper"] and exact["triangles"] is not None, exact)
+    hold(answer["status"] == "out_of_range" and 0 < answer["lower"] <= 19043 and 19044 <= answer["upper"] < 19200,
+         answer)
     hold([answer[name] for name in ("distance", "triangles", "point_a", "point_b")] == [None] * 4, answer)
     flashbvh(*ask, "far").holds(">= .* out of range")
     # Farther than 1/256 cells are counted; and a pose that follows begins without a hint.
@@ -267,8 +270,14 @@ def clearance():
     answers = flashbvh(*ask, "farther", "--json").json()
     hold(answers[0]["upper"] is None and answers[-1]["distance"] == 12.5, answers)
     flashbvh(*ask, "far", "--within", 5)
+    near = flashbvh(*ask, "far", "--within", 4300, "--json").json()
+    hold([answer["within"] for answer in near] == [True, False], near)
+    write("beyond", f"{HOME}  20000 1000 1000")
+    refused("not decidable; use less than 10000", *ask, "beyond", "--within", 10485)
+    said = flashbvh(*ask, "beyond", "--within", 10000, "--json")
+    hold(not said.json()[0]["within"], said)
 
-    refused("0 to 327.67, 32,767 cells", *ask, "poses", "--within", 328)
+    refused("0 to 10485.8, 2^20 cells", *ask, "poses", "--within", 10486)
     refused("--within -1: is out of range", *ask, "poses", "--within", -1)
     refused("--within", *ask, "poses", "--pairs", "out")
     refused("poses", *ask[:3])

@@ -86,6 +86,24 @@ template <class Traversal, bool with_contacts = false>
   result.pairs += query.stats().triangle_pairs;
 }
 
+Point any_point(Random& random, int32_t reach) {
+  const int32_t x = random.between(-reach, reach);
+  const int32_t y = random.between(-reach, reach);
+  return {x, y, random.between(-reach, reach)};
+}
+
+/// Far along one axis: about where distances begin to place B far, or up to the end of their range
+/// and a little beyond it.
+[[gnu::noinline]] Pose moved_far(Random& random, const Pose& pose) {
+  const int32_t most = random.below(3) == 0 ? 50'000 : (1 << 20) + 5'000;
+  const Point by = any_point(random, most);
+  const int32_t far = random.between(46'000, most);
+  const uint32_t axis = random.below(3);
+  return Pose::composed(
+      Pose::translated(axis == 0 ? far : by.x, axis == 1 ? -far : by.y, axis == 2 ? far : by.z),
+      pose);
+}
+
 /// The distance, seeded by the last one, and the pairs within it and a little more.
 [[gnu::noinline]] void add_distance(const Mesh& a, const Mesh& b, const Pose& pose, uint32_t slice,
                                     Witness<uint16_t>& seed, Hash& hash) {
@@ -118,12 +136,6 @@ template <class Traversal, bool with_contacts = false>
              .status == Status::suspended) {
   }
   add_counts(query.stats(), hash);
-}
-
-Point any_point(Random& random, int32_t reach) {
-  const int32_t x = random.between(-reach, reach);
-  const int32_t y = random.between(-reach, reach);
-  return {x, y, random.between(-reach, reach)};
 }
 
 /// Every hit of a ray and the nearest, its crossings, and where it starts: of a mesh that is said
@@ -178,6 +190,8 @@ Result run(Report* report) {
   Hash hash;
   Random aim(kSeed + 1);
   Hash distances;
+  Random away(kSeed + 2);
+  Hash far;
   Hash rays;
   Result result = {true, 0, 0, 0};
   for (uint32_t pair = 0; pair < kMeshPairs; ++pair) {
@@ -191,12 +205,17 @@ Result run(Report* report) {
       make_side(random, scale, side_b);
     }
     Witness<uint16_t> seed;
+    Witness<uint16_t> far_seed;
     result.refused += refused(side_a) + refused(side_b);
     for (uint32_t i = 0; i < kPoses; ++i) {
       const uint32_t slice = i % 3 == 0 ? UINT32_MAX : 1 + random.below(20);
       const Pose pose = any_pose(random, scale);
       add_pose(pose, slice, hash, result);
       add_distance(side_a.post.view(), side_b.post.view(), pose, slice, seed, distances);
+      if (i % 4 == 0) {
+        add_distance(side_a.post.view(), side_b.post.view(), moved_far(away, pose), slice, far_seed,
+                     far);
+      }
       add_ray(side_a.post.view(), aim, scale.reach, rays);
     }
   }
@@ -204,7 +223,8 @@ Result run(Report* report) {
     result.is_expected = report(name, sum.value(), expected) && result.is_expected;
   };
   check("digest", hash, 0xFF21B5D96DE2C50Bu);
-  check("distances", distances, 0xE05AD37EC3301C4Au);
+  check("distances", distances, 0xDF423EB876732A22u);
+  check("far distances", far, 0xFC488258CB8B7BB8u);
   check("rays", rays, 0x1BC7A7B50DE8E882u);
   return result;
 }

@@ -100,8 +100,11 @@ struct Separations {
 /// B moved by whole cells, as near to normal to the direction as these come: the planes separate
 /// exactly where it went no nearer. Returns how often it went so little that high parts are equal.
 long check_planes(Random& random, const Triangle& a, const Triangle& b, const Features& features,
-                  const RationalVector& apart) {
-  const SupportPlanes own(a, b, features);
+                  const RationalVector& apart, bool is_far) {
+  SupportPlanes own(a, b, features);
+  if (is_far) {
+    own.widen();
+  }
   const double n[3] = {apart[0].get_d(), apart[1].get_d(), apart[2].get_d()};
   const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   long close = 0;
@@ -165,7 +168,7 @@ void check(Random& random, const Triangle& a, const Triangle& b, std::set<Featur
     const RationalVector apart = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
     REQUIRE(test::dot(apart, apart) == truth);
     REQUIRE(rational_of(squared_between(a, b, features)) == truth);
-    separations.close += check_planes(random, a, b, features, apart);
+    separations.close += check_planes(random, a, b, features, apart, false);
     // At exactly the distance, and next to it.
     const Fraction exact = fraction_of(truth);
     Fraction same = exact;
@@ -307,6 +310,63 @@ TEST_CASE("distances at the ends of their range") {
     check(random, a, {{{x, y, z}, {x, y, -z}, {-x, y, z}}}, seen, separations);
   }
   CHECK(seen.size() >= 3);
+}
+
+TEST_CASE("distances of meshes' triangles are exact up to kMaxFarApart") {
+  std::set<FeatureKind> seen;
+  long close = 0;
+  for_rounds(rounds(300u, 3000u), [&](Random& random, std::uint32_t round) {
+    const std::int32_t reaches[] = {2, 40, 1000, 9000, 16383};
+    constexpr std::int32_t most = 1 << 20;
+    Triangle a = any_triangle(random, reaches[random.below(5)]);
+    Triangle b = any_triangle(random, reaches[random.below(5)]);
+    if (round % 8 == 0) {
+      constexpr std::int32_t m = 16383;
+      constexpr std::int32_t n = 28377;
+      a = {{{-m, -m, -m}, {m, -m, m}, {-m, m, m}}};
+      b = {{{0, 0, n}, {0, n, 0}, {n, 0, 0}}};
+    }
+    adapt(random, random.below(12), a, b);
+    Point by = any_point(random, most);
+    (round % 3 == 0 ? by.x : round % 3 == 1 ? by.y : by.z) = round % 2 == 0 ? most : -most;
+    if (round % 5 == 0) {  // corner to corner
+      by = {round % 2 == 0 ? most : -most, most, -most};
+    } else if (round % 5 == 1) {  // one above the other, parallel
+      for (int i = 0; i < 3; ++i) {
+        a.corner[i].z = 0;
+        b.corner[i].z = i == 0 && round % 2 == 0 ? -1 : 0;
+      }
+      by = {by.x >> 16, by.y >> 16, most};
+    }
+    b = shifted(b, by);
+    const mpq_class truth = Differences(a, b).squared_distance();
+    Features features{};
+    REQUIRE(squared_distance(a, b, features) == truth);
+    seen.insert(features.kind);
+    REQUIRE(rational_of(squared_between(a, b, features)) == truth);
+    Features other{};
+    REQUIRE(squared_distance(b, a, other) == truth);
+    PlaceInTriangle of_a{};
+    PlaceInTriangle of_b{};
+    nearest_places(a, b, features, of_a, of_b);
+    const RationalVector p = point_at(a, of_a);
+    const RationalVector q = point_at(b, of_b);
+    const RationalVector apart = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    REQUIRE(test::dot(apart, apart) == truth);
+    close += check_planes(random, a, b, features, apart, true);
+    const Fraction exact = fraction_of(truth);
+    Fraction same = exact;
+    REQUIRE_FALSE(is_nearer(a, b, same, other));
+    const mpz_class below = (truth.get_num() - 1) / truth.get_den();
+    REQUIRE(mpz_class(static_cast<long>(largest_below(exact, 0))) == below);
+    const mpz_class steps = sqrt(mpz_class(truth.get_num() * 65536 / truth.get_den()));
+    for (int beside = -1; beside <= 1; ++beside) {
+      const mpz_class limit = (steps + beside) * (steps + beside);
+      REQUIRE(is_within(a, b, {limit.get_ui(), 65536}) == (mpq_class(limit, 65536) >= truth));
+    }
+  });
+  CHECK(seen.size() == 6);
+  CHECK(close > 0);
 }
 
 TEST_CASE("fractions are compared exactly, however near they are") {

@@ -20,12 +20,12 @@ template <class Visit>
 void for_all_pairs(const Scene& scene, const Visit& visit) {
   const Mesh& a = scene.a.view();
   const Mesh& b = scene.b.view();
-  test::for_all_pairs(a, b, Transform(scene.pose, a, b, /*may_stop=*/false), visit);
+  test::for_all_pairs(a, b, transform_of_any(scene.pose, a, b), visit);
 }
 
 /// Others are tested in clearance_test.cpp.
 bool is_in_range(const Scene& scene) {
-  return Transform(scene.pose, scene.a.view(), scene.b.view(), /*may_stop=*/false).is_in_range();
+  return !transform_of_any(scene.pose, scene.a.view(), scene.b.view()).is_beyond();
 }
 
 Fraction least_distance(const Scene& scene) {

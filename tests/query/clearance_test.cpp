@@ -211,14 +211,14 @@ TEST_CASE("distances beyond the range are reported as such") {
     const std::int32_t cells[3] = {x, -x, x};
     return Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
   };
-  for (const std::int32_t x : {47999, -47999, 30000}) {
+  for (const std::int32_t x : {47999, -47999, 30000, 48000, -70000, 1 << 19, (1 << 20) - 1}) {
     for (const Pose& pose : {Pose::translated(x, -x, x), rotated(x)}) {
       const Clearance<std::uint16_t> found = distance(a, b, pose);
       CHECK(found.in_range);
       check_result(all_distances(a, b, pose), found);
     }
   }
-  for (const std::int32_t x : {48000, -48000, 70000, 1 << 20, -(1 << 29)}) {
+  for (const std::int32_t x : {1 << 20, -(1 << 20) - 1, 1 << 22, -(1 << 29)}) {
     CAPTURE(x);
     for (const Pose& pose : {Pose::translated(x, -x, x), rotated(x)}) {
       const Clearance<std::uint16_t> found = distance(a, b, pose);

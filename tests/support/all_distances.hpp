@@ -25,8 +25,7 @@ struct Pairwise {
 
 /// Of every pair of triangles.
 inline std::vector<Pairwise> all_distances(const Mesh& a, const Mesh& b, const Pose& pose) {
-  detail::Transform transform(pose, a, b, /*may_stop=*/false);
-  transform.bring_near();
+  const detail::Transform transform = transform_of_any(pose, a, b);
   std::vector<Pairwise> all;
   for_all_pairs(a, b, transform,
                 [&](std::uint32_t i, std::uint32_t j, const Triangle& of_a, const Triangle& of_b) {

@@ -49,6 +49,16 @@ void brute_force(const Mesh& a, uint32_t count_a, const Mesh& b, uint32_t count_
   }
 }
 
+/// As queries of distance place B.
+template <class Mesh>
+detail::Transform transform_of_any(const Pose& pose, const Mesh& a, const Mesh& b) {
+  detail::Transform transform(pose, a, b, /*may_stop=*/false);
+  if (!transform.is_near()) {
+    transform.place_far(pose, a.origin, b.origin);
+  }
+  return transform;
+}
+
 /// Every pair of triangles of two meshes, as a query has them: by the library's transform.
 /// `visit(i, j, of_a, of_b)`: by their positions, in A's lattice.
 template <class Mesh, class Visit>
@@ -59,7 +69,7 @@ void for_all_pairs(const Mesh& a, const Mesh& b, const detail::Transform& transf
     detail::translate_triangle(a, i, detail::kNoOffset, of_a);
     for (uint32_t j = 0; j < b.triangle_count; ++j) {
       Triangle of_b;
-      detail::transform_triangle(b, j, transform, of_b);
+      detail::transform_any_triangle(b, j, transform, of_b);
       visit(i, j, of_a, of_b);
     }
   }

@@ -16,8 +16,8 @@
 extern "C" {
 #endif
 
-/** The largest distance of a query: 32,767 cells. */
-#define FLASHBVH_MAX_DISTANCE ((uint32_t)32767 * 256)
+/** The largest distance of a query: 2^20 cells. */
+#define FLASHBVH_MAX_DISTANCE ((uint32_t)256 << 20)
 
 /** One in the fixed point of a direction. */
 #define FLASHBVH_UNIT_ONE ((int32_t)1 << 30)

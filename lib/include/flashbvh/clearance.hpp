@@ -26,7 +26,7 @@
 
 namespace flashbvh {
 
-/// The largest distance of a query, in 1/256 cell: 32,767 cells.
+/// The largest distance of a query, in 1/256 cell: 2^20 cells.
 constexpr uint32_t kMaxDistance = detail::Within::kMost;
 
 /// Every pair of triangles within a distance, in the order and the slices of a PairQuery: a Query
@@ -38,15 +38,12 @@ using WithinQuery32 = Query<Ranked<Mesh32>, Within>;
 /// `distance`: in 1/256 cell, at most kMaxDistance; a query beyond it ends with
 /// `distance_out_of_range`.
 inline Within within(uint32_t distance) {
-  Within predicate;
-  constexpr uint32_t beyond = kMaxDistance + 1;
-  predicate.distance = (distance < beyond ? distance : beyond) & 0xFFFFFF;
-  return predicate;
+  return Within(distance);
 }
 
 /// Whether any points of the two meshes are at most `distance` apart, in 1/256 cell; ends at the
 /// first pair of triangles that are.
-/// `distance_out_of_range`: it is more than kMaxDistance, or B's lattice lies 48,000 cells or more
+/// `distance_out_of_range`: it is more than kMaxDistance, or B's lattice lies 2^20 cells or more
 /// along an axis from A's, and whether it is within so large a distance is not decidable; `yes`
 /// then.
 template <class Index>
@@ -66,7 +63,7 @@ template <class Index>
 struct [[nodiscard]] Clearance {
   /// `done`; `suspended`: not all was looked at; or an error, and nothing else holds.
   Status status;
-  /// False: B lies 48,000 cells or more along an axis from A, lattice from lattice. `lower` and
+  /// False: B lies 2^20 cells or more along an axis from A, lattice from lattice. `lower` and
   /// `upper` hold; no triangles, no witness and no points are reported.
   bool in_range;
   /// In 1/256 cell: the distance is at least this, rounded down; 0 while suspended.

@@ -23,7 +23,7 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_CURSOR_INVALID = 20,
   /** A hint that is no pair of the meshes' triangles. */
   FLASHBVH_STATUS_HINT_INVALID = 21,
-  /** A distance beyond 32,767 cells, or one that is not decidable for meshes so far apart. */
+  /** A distance that is too large, or not decidable for meshes so far apart. */
   FLASHBVH_STATUS_DISTANCE_OUT_OF_RANGE = 22,
   /** A mesh that is no closed surface has no inside. */
   FLASHBVH_STATUS_NOT_CLOSED = 23,

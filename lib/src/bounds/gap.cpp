@@ -92,8 +92,20 @@ FLASHBVH_NOINLINE bool rotate_near(NearBox& kept, const PackedBox& box, const Pa
 
 #endif
 
-bool is_within_far(const Transform& transform, const GapLimit& limit, const PackedBox& a,
-                   const PackedBox& b) {
+/// By a far B's offset.
+FLASHBVH_NOINLINE void move(SeenBox& seen, const Point& by) {
+  const auto move_axis = [&seen](int axis, int32_t cells) {
+    seen.upper[axis] += cells;
+    seen.lower[axis] -= cells;
+  };
+  move_axis(0, by.x);
+  move_axis(1, by.y);
+  move_axis(2, by.z);
+}
+
+/// Apart, so that no other way has its frame.
+FLASHBVH_NOINLINE bool is_within_far(const Transform& transform, const GapLimit& limit,
+                                     const PackedBox& a, const PackedBox& b) {
   return transform.is_rotated() ? RotatedGap(transform.rotated(), limit)(a, b)
                                 : WideGap(transform.translated().offset, limit)(a, b);
 }
@@ -130,6 +142,10 @@ KeptGap::KeptGap(const Transform& transform, const GapLimit& limit)
   if (!transform.is_rotated()) {
     return;  // NOLINT(clang-analyzer-optin.cplusplus.UninitializedObject): what rotates is not used
   }
+  if (transform.is_far()) {
+    limit_.make_coarse();
+    rotates_ = false;
+  }
   const RotatedTransform& rotated = transform.rotated();
   // A difference that is shifted down is rounded up by what is one less than a cell.
   constexpr int32_t zero = 2 * kBoundBias * kSplitOne + kSplitOne - 1;
@@ -151,7 +167,8 @@ bool KeptGap::operator()(const PackedBox& a, const PackedBox& b) {
 
 bool KeptGap::compare_new(const PackedBox& a, const PackedBox& b) {
   if (!rotates_) {
-    return is_within_far(*transform_, limit_, a, b);
+    return transform_->is_far() ? detail::is_within_far(b, Side::b, a, *transform_, limit_)
+                                : is_within_far(*transform_, limit_, a, b);
   }
   return rotate_near(b_, b, a, nullptr) && rotate_near(a_, a, b, nullptr);
 }
@@ -179,13 +196,23 @@ bool is_within_far(const PackedBox& leaf, Side side, const PackedBox& box,
     return side == Side::a ? gap(leaf, box) : gap(box, leaf);
   }
   const RotatedTransform& rotated = transform.rotated();
+  const PackedBox* turned = &leaf;
+  const PackedBox* other = &box;
+  if (transform.is_far() && side == Side::a) {  // on A's axes alone
+    turned = &box;
+    other = &leaf;
+    side = Side::b;
+  }
   SeenBox seen;
   if (side == Side::a) {
-    rotate(rotated.columns, rotated.on_b, kOutwards, leaf, seen);
-    return squared_gap(seen, box, limit) <= limit.longer_limit();
+    rotate(rotated.columns, rotated.on_b, kOutwards, *turned, seen);
+    return squared_gap(seen, *other, limit) <= limit.longer_limit();
   }
-  rotate(rotated.matrix->rows, rotated.on_a, 0, leaf, seen);
-  return squared_gap(seen, box, limit) <= limit.limit();
+  rotate(rotated.matrix->rows, rotated.on_a, 0, *turned, seen);
+  if (transform.is_far()) {
+    move(seen, rotated.far_offset);
+  }
+  return squared_gap(seen, *other, limit) <= limit.limit();
 }
 
 uint32_t cells_in_unit(const PackedVector& direction) noexcept {

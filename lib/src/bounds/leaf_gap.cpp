@@ -18,6 +18,15 @@ uint32_t root_above(uint64_t value) {
   return static_cast<uint32_t>((above + value / above) / 2 + 1);
 }
 
+/// The direction of a far offset, so that the largest component has 13 bits or fewer.
+PackedVector along_offset(const Point& offset) {
+  constexpr int down = 8;
+  static_assert(kMaxFarOffset >> down < 1 << kDirectionBits, "13 bits");
+  return {
+      join_halves(static_cast<uint16_t>(offset.x >> down), static_cast<uint16_t>(offset.y >> down)),
+      offset.z >> down};
+}
+
 SplitRow row_of(const PackedVector& v) {
   return SplitRow::of(v.x(), v.y(), v.z);
 }
@@ -29,6 +38,39 @@ SupportGap::SupportGap(const LeafGap& gap)
   const int64_t most = int64_t{gap.origin_} + int64_t{of_a_.sum() + of_b_.sum()} * kBoundBias -
                        root_above(gap.squared_);
   most_ = most < kNothing ? kNothing : static_cast<int32_t>(most);
+}
+
+SupportGap::SupportGap(const Transform& transform) noexcept
+    : SupportGap(along_offset(transform.far_offset()), transform, INT64_MAX) {}
+
+SupportGap::SupportGap(const PackedVector& direction, const Transform& transform,
+                       int64_t limit) noexcept {
+  Slab slab;
+  slab.begin(direction, {0, 0});
+  slab.rotate(transform, Side::a);
+  const PackedVector seen = slab.seen_direction();
+  of_a_ = row_of(direction);
+  of_b_ = SplitRow::of(-seen.x(), -seen.y(), -seen.z);
+  most_ = kNothing;
+  if (limit >= int64_t{1} << 43) {
+    return;
+  }
+  // Both roots with fractions, so that what rounding adds to them is far below a cell.
+  const Point& moved = transform.far_offset();
+  const uint64_t cells = root_above(static_cast<uint64_t>(limit + 1) << 18);  // 2^9 is a cell
+  const uint64_t length = root_above(uint64_t{squared(direction)} << 32);     // 2^16 is a unit
+  const int64_t most = int64_t{slab.least_lower()} + Transform::kFarMargin +
+                       int64_t{of_a_.sum()} * kBoundBias + int64_t{direction.x()} * moved.x +
+                       int64_t{direction.y()} * moved.y + int64_t{direction.z} * moved.z -
+                       static_cast<int64_t>((cells * length >> 25) + 1);
+  // Ends add up to less than 2^31; some room is for nearly_separates().
+  constexpr int64_t enough = INT32_MAX - (1 << 20);
+  most_ = static_cast<int32_t>(most < kNothing ? kNothing : most > enough ? enough : most);
+}
+
+uint32_t SupportGap::guess(const PackedBox& a, const PackedBox& b) const noexcept {
+  return UINT32_MAX - static_cast<uint32_t>(end_along(of_a_, a)) -
+         static_cast<uint32_t>(end_along(of_b_, b));
 }
 
 }  // namespace flashbvh::detail

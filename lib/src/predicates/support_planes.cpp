@@ -73,7 +73,7 @@ void SupportPlanes::set_normal(int64_t x, int64_t y, int64_t z, int64_t scale) n
     high_[i] = static_cast<int32_t>(component[i] >> kLowBits);
     low_[i] = static_cast<uint32_t>(component[i]) & kLow;
   }
-  has_low_ = (low_[0] | low_[1] | low_[2]) != 0;
+  rest_ = (low_[0] | low_[1] | low_[2]) != 0 ? kRest : uint16_t{0};
 }
 
 SupportPlanes::Along SupportPlanes::along(const Point& to, const Point& from) const noexcept {
@@ -88,13 +88,13 @@ bool SupportPlanes::separates(const Triangle& a, const Triangle& b) const noexce
     return false;
   }
   // The high parts decide but where the low ones, if there are any, can add the rest.
-  const int64_t rest = has_low_ ? int64_t{1} << 20 : 0;
+  const int64_t rest = uint32_t{rest_} << 16;
   const Point& from = a.corner[0];
   const int64_t of_b = least(least(high_along(b.corner[0], from), high_along(b.corner[1], from)),
                              high_along(b.corner[2], from));
   const int64_t of_a = most(most(0, high_along(a.corner[1], from)), high_along(a.corner[2], from));
   const int64_t left = of_b - of_a - high_apart_;
-  return left > rest || (left >= -rest && (!has_low_ || separates_exactly(a, b)));
+  return left > rest || (left >= -rest && (rest == 0 || separates_exactly(a, b)));
 }
 
 bool SupportPlanes::separates_exactly(const Triangle& a, const Triangle& b) const noexcept {

@@ -270,6 +270,9 @@ int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept {
   const int64_t longer = tolerance == 0 ? 1 : (one + tolerance) * (one + tolerance);
   const Int128 shorter = widened(tolerance == 0 ? 1 : one * one);
   int64_t whole = rounded_up(squared);
+  if (whole >= int64_t{1} << 36) {  // far: one part in 2^29 of it would take many steps
+    whole = static_cast<int64_t>(quotient(squared.above, squared.below).low) + 1;
+  }
   if (tolerance != 0) {
     whole = static_cast<int64_t>(quotient(shifted_up(widened(whole), 32), widened(longer)).low) + 1;
   }

@@ -16,7 +16,7 @@ uint32_t saturated(uint64_t value) {
 }
 
 /// How far from where it lies a B that is out of range is put, at most: in 1/256 cell, up to
-/// UINT32_MAX (Transform::bring_near()).
+/// UINT32_MAX (Transform::place_far()).
 uint32_t brought_near(const Pose& pose, const int32_t (&origin_a)[3],
                       const int32_t (&origin_b)[3]) {
   // Fractions, of the offset and of the rounded vertices.
@@ -28,7 +28,7 @@ uint32_t brought_near(const Pose& pose, const int32_t (&origin_a)[3],
       turned += int64_t{pose.rotation(axis, column)} * origin_b[column];
     }
     const int64_t cells = (turned >> 30) + pose.translation(axis) - origin_a[axis];
-    const int64_t beyond = (cells < 0 ? -cells : cells) + rounded - detail::kMaxOffset;
+    const int64_t beyond = (cells < 0 ? -cells : cells) + rounded - detail::kMaxFarOffset;
     squared = beyond > 0 ? squared + detail::full_product(beyond, beyond) : squared;
   }
   const uint64_t length = detail::square_root(detail::shifted_up(squared, 16));
@@ -44,7 +44,7 @@ void BasicClearanceQuery<MeshType>::begin_at(const Pose& pose, const Hint& hint)
   if (this->error() != Status::done) {
     return;
   }
-  if (!this->transform().is_in_range()) {
+  if (this->transform().is_beyond()) {
     this->beyond = brought_near(pose, a.origin, b.origin);
   }
   if (hint.is_none()) {
@@ -60,7 +60,7 @@ void BasicClearanceQuery<MeshType>::begin_at(const Pose& pose, const Hint& hint)
 template <class MeshType>
 void BasicClearanceQuery<MeshType>::get_pair(uint32_t i, uint32_t j, Triangle (&pair)[2]) const {
   detail::translate_triangle(this->mesh_a(), i, detail::kNoOffset, pair[0]);
-  detail::transform_triangle(this->mesh_b(), j, this->transform(), pair[1]);
+  detail::transform_any_triangle(this->mesh_b(), j, this->transform(), pair[1]);
 }
 
 template <class MeshType>
@@ -176,7 +176,9 @@ bool BasicClearanceQuery<MeshType>::descend(uint32_t& work) {
   }
   const bool into_a = node_a.rank() >= node_b.rank();
   const detail::GapLimit any(INT64_MAX);
-  if (this->transform().is_rotated()) {
+  if (this->transform().is_far()) {
+    go_down(this->so_far->along, into_a, work);
+  } else if (this->transform().is_rotated()) {
     go_down(detail::RotatedGap(this->transform().rotated(), any), into_a, work);
   } else {
     go_down(detail::WideGap(this->transform().translated().offset, any), into_a, work);
@@ -215,7 +217,7 @@ template <class MeshType>
 Clearance<typename MeshType::Index> BasicClearanceQuery<MeshType>::result() const {
   Clearance<Index> known{};
   known.status = status();
-  known.in_range = this->error() == Status::done && this->transform().is_in_range();
+  known.in_range = this->error() == Status::done && !this->transform().is_beyond();
   known.upper = UINT32_MAX;
   if (this->error() != Status::done || !this->has_nearest) {
     return known;

@@ -152,7 +152,7 @@ Guard::Left Guard::left_of(uint16_t i, uint32_t first, bool by_levers) const {
   // guard_measure.cpp.
   const uint32_t sought = now.left != 0 ? pair.warn : pair.stop;
   now.is_settled = now.is_current && !is_unknown(known) &&
-                   (now.distance > pair.warn || known.lower >= kMaxDistance ||
+                   (now.distance > pair.warn || known.lower >= kMaxGuardDistance ||
                     kept(difference_of(known.upper, kRateMargin)) <= sought);
   return now;
 }

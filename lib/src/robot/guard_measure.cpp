@@ -20,6 +20,8 @@ namespace {
 /// One by spheres is taken if it lasts so many times longer.
 constexpr uint64_t kWorthwhile = 4;
 
+static_assert(kMaxGuardDistance <= detail::Within::kMostShort, "WithinAlong tests short ones");
+
 /// Spheres, and the pose of a pair that is going to be measured, in work (detail/walk/work.hpp).
 constexpr uint32_t kPoseWork = 16;
 
@@ -53,7 +55,7 @@ bool Guard::place_witness(uint16_t i, const Witness<uint16_t>& witness, const Po
   const Mesh& mesh_b = robot_->meshes[robot_->pairs[i].b];
   const detail::Transform transform(pose, mesh_a, mesh_b, /*may_stop=*/false);
   detail::place_pair(mesh_a, witness.a, mesh_b, witness.b, transform, a, b);
-  return transform.is_in_range();
+  return transform.is_near();
 }
 
 /// The number of the pair's first joint between, in the arrays of all pairs'.
@@ -140,7 +142,7 @@ bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
   const uint32_t worth = (a.radius >> 7) + (b.radius >> 7);  // a sixteenth of the radii, 1/256 cell
   const bool is_worthwhile = difference_of(known, rate) > pair.warn && left >= worth &&
                              left > uint64_t{rate} * (kPeriodsAhead * kWorthwhile);
-  if (!is_worthwhile && apart < kMaxDistance) {  // farther, triangles show no more
+  if (!is_worthwhile && apart < kMaxGuardDistance) {  // farther, triangles show no more
     return false;
   }
   certify(i, next_, {apart, UINT32_MAX, 0, pairs_[i].witness}, nullptr);
@@ -213,7 +215,7 @@ void Guard::aim(uint32_t nearest) {
   const uint32_t lasting = nearest > for_warn ? for_warn : nearest > for_stop ? for_stop : 0;
   const uint32_t asked = detail::greater(sum_of(kept, share), lasting);
   core_->nearest = nearest;
-  core_->asked = asked < kMaxDistance ? asked : kMaxDistance;
+  core_->asked = asked < kMaxGuardDistance ? asked : kMaxGuardDistance;
   core_->cursor = {};
 }
 

@@ -52,7 +52,7 @@ uint32_t names_offset(const RobotImageHeader& header) {
 bool counts_fit(const RobotImageHeader& header) {
   return header.joint_count <= kMaxJoints && header.link_count >= 1 &&
          header.link_count <= kMaxLinks && header.variable_count <= header.joint_count &&
-         header.slack >= kLeastSlack && header.slack <= kMaxDistance && header.padding == 0;
+         header.slack >= kLeastSlack && header.slack <= kMaxGuardDistance && header.padding == 0;
 }
 
 /// As many names as there have to be, none too long, and zeros from there to the meshes.

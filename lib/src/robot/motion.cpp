@@ -123,7 +123,7 @@ void MotionQuery::begin_interval() {
   core_->within = detail::sum_of(reach_of_interval(core_->pair), robot_->slack);
   if (detail::sphere_gap(a, frame_a, b, frame_b) > core_->within) {
     next_interval();
-  } else if (core_->within > kMaxDistance) {
+  } else if (core_->within > kMaxGuardDistance) {
     split_or_end();
   } else {
     core_->pose = relative_pose(frame_a, frame_b);

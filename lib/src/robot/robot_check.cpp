@@ -160,7 +160,7 @@ bool check_joints(const Robot& robot, uint32_t* extents) {
 
 bool check_link(const Robot& robot, const RobotLink& link, const uint32_t* extents) {
   if (link.padding != 0 || (link.joint >= robot.joint_count && link.joint != kBase) ||
-      link.deviation > kMaxDistance || robot.slack < kPlacingSlack + 2 * link.deviation) {
+      link.deviation > kMaxGuardDistance || robot.slack < kPlacingSlack + 2 * link.deviation) {
     return false;
   }
   const uint64_t extent = uint64_t{length_above(link.centre)} + link.radius +
@@ -208,7 +208,7 @@ bool check_between(const Robot& robot, const RobotPair& pair) {
     const RobotPair& pair = robot.pairs[i];
     const uint32_t place = pair.a * kMaxLinks + pair.b;
     if (pair.a >= pair.b || pair.b >= robot.link_count || place < next || pair.stop > pair.warn ||
-        pair.warn > kMaxDistance || !check_between(robot, pair)) {
+        pair.warn > kMaxGuardDistance || !check_between(robot, pair)) {
       return false;
     }
     joints_between += pair.joints_a + pair.joints_b;

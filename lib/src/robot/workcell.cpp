@@ -263,7 +263,7 @@ Status Workcell::keep_apart(uint8_t a, uint8_t b, uint32_t stop, uint32_t warn) 
   if (pair.joints_a + pair.joints_b == 0) {
     return Status::link_invalid;
   }
-  if (stop > warn || warn > kMaxDistance || reach > UINT32_MAX) {
+  if (stop > warn || warn > kMaxGuardDistance || reach > UINT32_MAX) {
     return Status::distance_out_of_range;
   }
   pairs_[robot_.pair_count++] = pair;

@@ -10,7 +10,7 @@ using namespace flashbvh::tool;
 
 namespace {
 
-/// kMaxDistance is 0.33 m.
+/// kMaxGuardDistance is 0.33 m.
 constexpr double kCell = 1e-5;
 constexpr double kFine = 256 / kCell;
 
@@ -122,7 +122,7 @@ bool is_far(const FixedArm& arm, const Gantry& gantry, const RobotPair& pair,
             const Period& period) {
   const double radius = std::sqrt(3.0) * gantry.half * kFine + 512;  // rounded up, and both placed
   const double gap = centres_apart(arm, gantry, pair, period.at_end()) * kFine - 2 * radius;
-  return gap > kMaxDistance && gap - period.travel(arm, pair) > pair.warn + arm.robot().slack;
+  return gap > kMaxGuardDistance && gap - period.travel(arm, pair) > pair.warn + arm.robot().slack;
 }
 
 constexpr std::uint32_t kBudgets[] = {1, 17, 100, UINT32_MAX, UINT32_MAX, UINT32_MAX};

@@ -184,7 +184,7 @@ TEST_CASE("what a workcell refuses changes nothing") {
   CHECK(cell->workcell.keep_apart(0, robot.link_count, 0, 0) == Status::link_invalid);
   CHECK(cell->workcell.keep_apart(1, 1, 0, 0) == Status::link_invalid);
   CHECK(cell->workcell.keep_apart(0, cell->links[0], 9, 8) == Status::distance_out_of_range);
-  CHECK(cell->workcell.keep_apart(0, cell->links[0], 0, kMaxDistance + 1) ==
+  CHECK(cell->workcell.keep_apart(0, cell->links[0], 0, kMaxGuardDistance + 1) ==
         Status::distance_out_of_range);
   CHECK(std::memcmp(&before, &robot, sizeof before) == 0);
   CHECK(link == 77);

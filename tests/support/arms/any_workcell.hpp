@@ -132,7 +132,7 @@ struct CrowdedCell {
         composed(inverse(frame_of(pair.a, values, part)), frame_of(pair.b, values, part));
     return closer_than(robot().meshes[pair.a], robot().meshes[pair.b],
                        tool::pose_of(between, kWorkcellCell),
-                       distance < kMaxDistance ? distance : kMaxDistance)
+                       distance < kMaxGuardDistance ? distance : kMaxGuardDistance)
         .yes;
   }
 

@@ -60,7 +60,7 @@ struct FixedArm {
   /// In 1/256 cell; at least `distance` less what placing rounds if this is false.
   bool is_closer(const RobotPair& pair, const Values& values, std::uint32_t distance) const {
     return closer_than(robot().meshes[pair.a], robot().meshes[pair.b], exact_pose(pair, values),
-                       distance < kMaxDistance ? distance : kMaxDistance)
+                       distance < kMaxGuardDistance ? distance : kMaxGuardDistance)
         .yes;
   }
   /// Within the limits, now and then at them.

@@ -119,7 +119,7 @@ bool DrawnArm::is_closer(const RobotPair& pair, const Values& values,
                          std::uint32_t distance) const {
   // Of the finer cell: what placing rounds, and both meshes by half a diagonal.
   constexpr std::uint32_t rounded = kPlacingFine + 2 * 222;
-  const std::uint32_t fine = std::min(distance, kMaxDistance / kFiner) * kFiner;
+  const std::uint32_t fine = std::min(distance, kMaxGuardDistance / kFiner) * kFiner;
   const tool::JointsBetween between = joints_between(arm_.model, pair.a, pair.b);
   const Transform frame = frame_between(arm_.model, between, arm_.variables(values));
   const Answer answer =
@@ -156,7 +156,7 @@ const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const Guar
   if (is_unlimited && answer.verdict == Verdict::stop) {
     // The limit is half of the excess, at the least 1/16 cell less.
     const double most = told.stop + 2.0 * robot.slack + 2 * period.travel(arm, told) + 40;
-    if (most < kMaxDistance &&
+    if (most < kMaxGuardDistance &&
         !arm.is_closer(told, period.at_end(), static_cast<std::uint32_t>(most) + kPlacingFine)) {
       return "stop, too far apart for it";
     }

@@ -30,7 +30,7 @@ std::uint32_t fine_length(double length, double cell) {
   if (!(steps >= 0 && steps <= kMaxDistance)) {
     throw UserError("--within " + shortest(length), "is out of range: 0 to ",
                     significant(kMaxDistance * cell / kFineOne, 6),
-                    ", 32,767 cells; bake with a larger --cell to reach further");
+                    ", 2^20 cells; bake with a larger --cell to reach further");
   }
   return static_cast<std::uint32_t>(steps);
 }
@@ -103,7 +103,7 @@ std::vector<ClearanceAnswer> answers(const ClearanceArguments& arguments, const 
     if (found.back().status == Status::distance_out_of_range) {
       throw UserError(arguments.poses, "pose ", found.size() - 1,
                       " puts B so far off that --within is not decidable; use less than ",
-                      significant(3000 * a.cell(), 4));
+                      significant(1e6 * a.cell(), 6));
     }
     if (found.back().status != Status::done) {
       throw UserError(arguments.poses, "pose ", found.size() - 1, " can't be answered: status ",

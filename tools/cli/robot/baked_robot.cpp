@@ -111,7 +111,7 @@ MatrixOptions matrix_options(const Model& model, const std::vector<WholeMesh>& m
 
 /// UserError if firmware cannot hold distances so large.
 void check_range(const Distances& distances, double cell) {
-  const double most = kMaxDistance * cell / kFineOne;
+  const double most = kMaxGuardDistance * cell / kFineOne;
   if (distances.warn > most) {
     throw UserError(concat("--", distances.stop > most ? "stop " : "warn ",
                            shortest(distances.stop > most ? distances.stop : distances.warn)),

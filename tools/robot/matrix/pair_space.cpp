@@ -196,7 +196,7 @@ bool BasicPairSpace<MeshType>::are_apart(const std::vector<double>& point, doubl
     return true;
   }
   const double steps = std::ceil(distance * 256);
-  if (steps > kMaxDistance) {
+  if (steps > kMaxGuardDistance) {
     return false;
   }
   return !closer_than(a_, b_, pose_of(frame, cell_), static_cast<std::uint32_t>(steps)).yes;
@@ -213,7 +213,7 @@ void BasicPairSpace<MeshType>::find_near(
     const std::vector<double>& point, double distance,
     const std::function<void(std::uint32_t, std::uint32_t)>& visit) const {
   const Pose pose = pose_of(frame_at(point), cell_);
-  const double steps = std::min(std::ceil(distance * 256), 1.0 * kMaxDistance);
+  const double steps = std::min(std::ceil(distance * 256), 1.0 * kMaxGuardDistance);
   Query<Ranked<MeshType>, Within> query(a_, b_, pose, {},
                                         within(static_cast<std::uint32_t>(steps)));
   (void)query.run(UINT32_MAX, [&](const TrianglePair<typename MeshType::Index>& pair) {
@@ -226,7 +226,7 @@ template <class MeshType>
 double BasicPairSpace<MeshType>::distance(const std::vector<double>& point, Hint& hint) const {
   const Transform frame = frame_at(point);
   const double gap = least_gap(frame);
-  if (gap > kMaxDistance / 256.0) {
+  if (gap > kMaxGuardDistance / 256.0) {
     return gap;
   }
   const auto found = flashbvh::distance(a_, b_, pose_of(frame, cell_), hint);

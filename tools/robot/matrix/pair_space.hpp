@@ -53,7 +53,7 @@ class BasicPairSpace {
   /// By the exact query, of B at pose_of() in A's frame.
   bool intersect(const std::vector<double>& point) const;
   /// Hands each two triangles that are within `distance` cells to `visit`, by their ids: of
-  /// at most kMaxDistance.
+  /// at most kMaxGuardDistance.
   void find_near(const std::vector<double>& point, double distance,
                  const std::function<void(std::uint32_t, std::uint32_t)>& visit) const;
   /// In cells, at most the true one; exact where they are near, and 0 if they intersect. `hint`:

@@ -54,6 +54,8 @@ constexpr int kReachBits = 26;
 /// Joints and links are at most so many each.
 constexpr uint32_t kMaxJoints = 64;
 constexpr uint32_t kMaxLinks = 64;
+/// The largest distance at which two links are kept apart, in 1/256 cell: 32,767 cells.
+constexpr uint32_t kMaxGuardDistance = 32'767 * 256;
 
 }  // namespace flashbvh
 

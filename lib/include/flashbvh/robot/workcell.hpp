@@ -92,8 +92,8 @@ class Workcell {
 
   /// That two links are to be kept apart: distances in 1/256 cell, `warn` at least `stop`.
   /// `workcell_full`; `link_invalid`: there are no two such links, or no joint between them;
-  /// `distance_out_of_range`: `warn` is beyond kMaxDistance or below `stop`, or the joints move the
-  /// two too far for a guard's sums.
+  /// `distance_out_of_range`: `warn` is beyond kMaxGuardDistance or below `stop`, or the joints
+  /// move the two too far for a guard's sums.
   Status keep_apart(uint8_t a, uint8_t b, uint32_t stop, uint32_t warn);
 
   /// The obstacle is in that frame from the next period on, which begins with Guard::update().

@@ -33,14 +33,26 @@
 
 namespace flashbvh::detail {
 
-/// Squared gaps, and what they must not exceed to matter, in 32 bits. A gap is within 92,761 cells.
-/// Where the limit has more than 30 bits gaps are counted in fours of cells, rounded down.
+/// Squared gaps, and what they must not exceed to matter, in 32 bits. Where the limit has more than
+/// 30 bits gaps are counted in fours of cells, rounded down, where it has more than 35 in more.
 class GapLimit {
  public:
   /// `squared`: the largest square of a distance that still matters, in square cells.
-  explicit constexpr GapLimit(int64_t squared)
-      : shift_(squared < int64_t{1} << 30 ? 0 : 2),
-        limit_(clamped(shift_ == 0 ? squared : (squared >> 4) + 1)) {}
+  explicit constexpr GapLimit(int64_t squared) : shift_(0), limit_(clamped(squared)) {
+    if (squared >= int64_t{1} << 30) {
+      const uint64_t both = shifted(squared);
+      shift_ = static_cast<uint32_t>(both >> 32);
+      limit_ = static_cast<uint32_t>(both);
+    }
+  }
+
+  /// Counts in fours of cells at least, so that the limit is not near.
+  constexpr void make_coarse() {
+    if (shift_ == 0) {
+      shift_ = kFours;
+      limit_ = (limit_ >> (2 * kFours)) + 1;
+    }
+  }
 
   constexpr uint32_t limit() const { return limit_; }
   /// For vectors that may be longer by one part in 2^11 than what they stand for.
@@ -66,6 +78,19 @@ class GapLimit {
 
  private:
   static_assert(uint64_t{3} * kMost * kMost <= UINT32_MAX, "sums of three squares");
+
+  static constexpr uint32_t kFours = 2;
+  /// The shift above the limit, of more than 30 bits: in a register each. Beyond 2^44 nothing is
+  /// rejected, however gaps are counted.
+  [[gnu::noinline]] static constexpr uint64_t shifted(int64_t squared) {
+    uint32_t shift = kFours;
+    squared >>= 2 * kFours;
+    while (squared >= int64_t{1} << 31 && squared < int64_t{1} << 40) {
+      ++shift;
+      squared >>= 2;
+    }
+    return uint64_t{shift} << 32 | clamped(squared + 1);
+  }
 
   static constexpr uint32_t clamped(int64_t squared) {
     return squared < 0 ? 0 : squared > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(squared);
@@ -333,7 +358,7 @@ class KeptGap {
   const GapLimit& limit() const { return limit_; }
 
   /// Of a B that is rotated: what a box of B has to reach to overlap `a` on B's lattice; and the
-  /// other way round.
+  /// other way round. Of a far B anything, as no limit is near there.
   const PackedTriple& window_of_a(const PackedBox& a);
   const PackedTriple& window_of_b(const PackedBox& b);
 

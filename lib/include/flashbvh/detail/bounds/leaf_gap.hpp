@@ -76,10 +76,16 @@ class SupportGap {
  public:
   SupportGap() : of_a_{0, 0, 0}, of_b_{0, 0, 0}, most_(kNothing) {}
   explicit SupportGap(const LeafGap& gap);
+  /// Of a far B, along the direction of its origin: nothing is apart, but guess() guesses.
+  explicit SupportGap(const Transform& transform) noexcept;
+  /// Of a far B; `limit`: below 2^43, else nothing is apart.
+  SupportGap(const PackedVector& direction, const Transform& transform, int64_t limit) noexcept;
 
   FLASHBVH_INLINE bool separates(const PackedBox& a, const PackedBox& b) const {
     return end_along(of_a_, a) + end_along(of_b_, b) <= most_;
   }
+  /// Which boxes seem nearest, along the direction alone.
+  uint32_t guess(const PackedBox& a, const PackedBox& b) const noexcept;
   /// Where a triangle ends, and the triangles of a leaf.
   template <class Mesh>
   int32_t end_of_triangle(const Mesh& mesh, Side side, uint32_t position) const {

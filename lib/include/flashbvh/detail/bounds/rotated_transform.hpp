@@ -24,6 +24,10 @@ namespace flashbvh::detail {
 /// box test in 32 bits.
 constexpr int32_t kMaxOffset = 48000;
 
+/// The largest offset of predicates of distance, in cells: from kMaxOffset on B is rotated about
+/// its origin, and then moved by whole cells.
+constexpr int32_t kMaxFarOffset = 1 << 20;
+
 /// Where the sums of products begin that make the bounds of a rotated box along an axis: the upper
 /// and the negated lower one. kSplitOne is a cell; biases, rounding and margin included.
 struct BoxTestStart {
@@ -42,7 +46,10 @@ struct RotatedTransform {
   const RotationMatrix* matrix;  ///< the pose's: its rows rotate boxes of B
   SplitMatrix columns;           ///< rotate boxes of A
   BoxTestStart on_a[3];          ///< boxes of B on A's axes
-  BoxTestStart on_b[3];          ///< boxes of A on B's axes
+  union {
+    BoxTestStart on_b[3];  ///< boxes of A on B's axes
+    Point far_offset;      ///< of a far B: no box of A is rotated to any purpose
+  };
 
   /// Sets all members. The origins are the meshes', within +-2^29 cells; `root_b` contains all that
   /// will be transformed. False, and no use, if `may_stop` and two meshes with these root boxes are
@@ -55,7 +62,7 @@ struct RotatedTransform {
   /// of B's root box.
   FLASHBVH_NOINLINE void prepare_boxes(int32_t reach_b);
 
-  /// In cells from A's origin: within +-80,000.
+  /// In cells from A's origin, or from `far_offset`: within +-80,000.
   Point transform(const Vertex& v) const;
   void transform(const Vertex& u, const Vertex& v, const Vertex& w, Triangle& triangle) const;
 };

@@ -130,7 +130,8 @@ class Slab {
     const int32_t along = d.x() * offset.x + d.y() * offset.y + d.z * offset.z;
     set_row(d, of == Side::a ? -along : along, 0);
   }
-  /// The same under a rotation, of a transform that is prepared.
+  /// The same under a rotation, of a transform that is prepared. Of a far B as it is before it is
+  /// moved, but widened so that everything touches it.
   FLASHBVH_NOINLINE void rotate(const Transform& transform, Side of);
 
   /// The whole space.

@@ -22,6 +22,14 @@ struct TranslatedTransform {
   TranslatedBoxTest bound;  ///< set by Transform::prepare()
 };
 
+/// Which of a transform's ways is taken; beyond kMaxOffset, predicates of distance alone.
+enum class Placing : uint8_t {
+  translated,
+  rotated,
+  far = 2,  ///< rotated and then moved by whole cells, even where nothing is rotated
+  beyond,   ///< the same, and put at kMaxFarOffset, as it lies farther off
+};
+
 /// 92 bytes on a 32-bit core.
 class Transform {
  public:
@@ -43,42 +51,45 @@ class Transform {
       const auto along = [&](int axis) { return offset(pose, a, b, axis); };
       if (may_stop && boxes_disjoint(a.nodes[0].box, b.nodes[0].box, along)) {
         translated_.offset = {along(0), along(1), along(2)};
-        begin(false, kDisjoint);
+        begin(Placing::translated, kDisjoint);
         rest();
       } else {
         translated_.offset = {along(0), along(1), along(2)};
-        begin(false, 0);
+        begin(Placing::translated, 0);
         rest();
       }
     } else if (rotated_.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box,
                                 may_stop)) {
-      begin(true, 0);
+      begin(Placing::rotated, 0);
       rest();
     } else {
-      begin(true, kDisjoint);
+      begin(Placing::rotated, kDisjoint);
       rest();
     }
   }
   /// For a query with an error: no translation, no rotation.
   void place_nowhere() {
-    begin(false, 0);
+    begin(Placing::translated, 0);
     translated_.offset = {0, 0, 0};
   }
 
-  /// For predicates of distance: a translated B that is farther off than kMaxOffset along an axis
-  /// is put at that distance, as a rotated one is.
+  /// For predicates of distance, after place(): sees a B that is not near all the same.
+  void place_far(const Pose& pose, const int32_t (&origin_a)[3],
+                 const int32_t (&origin_b)[3]) noexcept;
+  /// A translated B that is farther off than kMaxOffset along an axis is put at that distance, as a
+  /// rotated one is.
   void bring_near() {
-    if (!is_rotated_) {
+    if (!is_rotated()) {
       Point& t = translated_.offset;
       t = {near_offset(t.x), near_offset(t.y), near_offset(t.z)};
     }
   }
-  /// Whether B lies where the pose puts it, and not nearer.
-  bool is_in_range() const {
+  /// Whether B lies within kMaxOffset along each axis: else place() puts it nearer.
+  bool is_near() const {
     const auto within = [](int32_t offset, int32_t most) {
       return -most < offset && offset < most;
     };
-    if (!is_rotated_) {
+    if (!is_rotated()) {
       const Point& t = translated_.offset;
       return within(t.x, kMaxOffset) && within(t.y, kMaxOffset) && within(t.z, kMaxOffset);
     }
@@ -88,8 +99,14 @@ class Transform {
            within(offset_of(on_a[2]), most);
   }
 
-  bool is_rotated() const { return is_rotated_; }
-  bool is_far_apart() const { return is_rotated_ && roots_disjoint(); }
+  Placing placing() const { return placing_; }
+  bool is_rotated() const { return placing_ != Placing::translated; }
+  /// As place_far() left it, and whether that put it nearer than it lies.
+  bool is_far() const { return placing_ >= Placing::far; }
+  bool is_beyond() const { return placing_ == Placing::beyond; }
+  /// By what a far B is moved once it is rotated.
+  const Point& far_offset() const { return rotated_.far_offset; }
+  bool is_far_apart() const { return is_rotated() && roots_disjoint(); }
   const TranslatedTransform& translated() const { return translated_; }
   const RotatedTransform& rotated() const { return rotated_; }
 
@@ -99,13 +116,18 @@ class Transform {
 
   /// Whether no transformed edge of B is longer than 2^15 - 1 cells along an axis; once prepared.
   bool is_narrow() const { return narrow_; }
-  /// Of slabs under a rotation, in units of their directions; once prepared.
-  int32_t slab_margin() const { return slab_margin_ * kMarginUnit; }
+  /// Of slabs under a rotation, in units of their directions; once prepared. Of a far B larger by
+  /// kFarMargin.
+  int32_t slab_margin() const {
+    return slab_margin_ * kMarginUnit + static_cast<int32_t>(placing_) / 2 * kFarMargin;
+  }
+  /// More than a bias and a lattice reach along any direction, each below 2^28.6.
+  static constexpr int32_t kFarMargin = 1 << 30;
 
   /// Before the first walk.
   template <class Mesh>
   void prepare(const Mesh& b) {
-    if (!is_rotated_) {
+    if (!is_rotated()) {
       const Point& t = translated_.offset;
       translated_.bound = TranslatedBoxTest(t.x, t.y, t.z);
       narrow_ = true;
@@ -121,8 +143,8 @@ class Transform {
   static constexpr uint16_t kMostNarrowEdge = 32700;
   static constexpr int32_t kMarginUnit = 16;
 
-  FLASHBVH_INLINE void begin(bool is_rotated, uint16_t slab_margin) {
-    is_rotated_ = is_rotated;
+  FLASHBVH_INLINE void begin(Placing placing, uint16_t slab_margin) {
+    placing_ = placing;
     narrow_ = false;
     slab_margin_ = slab_margin;
   }
@@ -154,7 +176,7 @@ class Transform {
     TranslatedTransform translated_;
     RotatedTransform rotated_;
   };
-  bool is_rotated_;
+  Placing placing_;
   bool narrow_;
   uint16_t slab_margin_;  ///< in kMarginUnit; kDisjoint where the roots are
 };
@@ -217,16 +239,27 @@ void transform_triangle(const Mesh& b, uint32_t position, const Transform& trans
   }
 }
 
+/// By whole cells.
+void move(const Point& by, Triangle& triangle) noexcept;
+
+/// The same of a B that may be far.
+template <class Mesh>
+void transform_any_triangle(const Mesh& b, uint32_t position, const Transform& transform,
+                            Triangle& triangle) {
+  transform_triangle(b, position, transform, triangle);
+  if (transform.is_far()) {
+    move(transform.far_offset(), triangle);
+  }
+}
+
 /// A triangle of each, by their positions, in A's frame as it was drawn.
 template <class Mesh>
 void place_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b,
                 const Transform& transform, Triangle& triangle_a, Triangle& triangle_b) {
   const Point origin = {a.origin[0], a.origin[1], a.origin[2]};
   translate_triangle(a, of_a, origin, triangle_a);
-  transform_triangle(b, of_b, transform, triangle_b);
-  for (Point& corner : triangle_b.corner) {
-    corner = {corner.x + origin.x, corner.y + origin.y, corner.z + origin.z};
-  }
+  transform_any_triangle(b, of_b, transform, triangle_b);
+  move(origin, triangle_b);
 }
 
 }  // namespace flashbvh::detail

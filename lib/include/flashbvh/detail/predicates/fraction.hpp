@@ -73,7 +73,7 @@ inline constexpr Fraction kInfinite = {{INT64_MAX, 0}, {0, 1}};
 int compare(const Fraction& x, const Fraction& y) noexcept;
 
 /// A fraction with which others of below 2^108 and 2^72 are compared in 128 bits: below 2^46 and
-/// 2^17.
+/// 2^17; or below 2^57 with those of meshes, below 2^108 and 2^64.
 struct ShortFraction {
   uint64_t above;
   uint32_t below;
@@ -82,7 +82,7 @@ struct ShortFraction {
 bool is_above(const Fraction& x, const ShortFraction& y) noexcept;
 
 /// A whole number that is not below `x`, and above it by at most 1 and one part in 2^29; `x` below
-/// 2^40.
+/// 2^43.
 int64_t rounded_up(const Fraction& x) noexcept;
 
 }  // namespace flashbvh::detail

@@ -20,6 +20,9 @@ namespace flashbvh::detail {
 /// Largest difference along one axis between any two of the six corners, in cells: then the
 /// numerators below are less than 2^108 and the denominators less than 2^72.
 constexpr int32_t kMaxApart = (1 << 17) - 1;
+/// The same of two meshes' triangles, whose edges are shorter: numerators and denominators are no
+/// larger. What needs kMaxApart says so.
+constexpr int32_t kMaxFarApart = (1 << 20) + (1 << 16);
 
 /// Between which features two triangles are nearest.
 enum class FeatureKind : uint8_t {
@@ -39,7 +42,7 @@ struct Features {
 
 /// Whether the squared distance of `a` and `b` is below `squared`, which then is set to it, and
 /// `features` to what is nearest; of equals the first that is looked at. Differences within
-/// kMaxApart, which is not checked.
+/// kMaxApart, or kMaxFarApart, which is not checked.
 bool is_nearer(const Triangle& a, const Triangle& b, Fraction& squared,
                Features& features) noexcept;
 
@@ -71,6 +74,9 @@ class SupportPlanes {
   /// Of triangles that do not intersect, between these features.
   SupportPlanes(const Triangle& a, const Triangle& b, const Features& features) noexcept;
 
+  /// For differences beyond kMaxApart, of triangles of meshes.
+  void widen() noexcept { rest_ = rest_ == 0 ? uint16_t{0} : kWideRest; }
+
   /// Whether two triangles have such planes between them. Differences within kMaxApart.
   bool separates(const Triangle& a, const Triangle& b) const noexcept;
   /// From A to B, rounded: the largest component has 13 bits. {0, 0}: there are no planes.
@@ -97,10 +103,12 @@ class SupportPlanes {
   // The normal, scaled, in two parts.
   int32_t high_[3];
   uint32_t low_[3];
+  static constexpr uint16_t kRest = 1 << 4;
+  static constexpr uint16_t kWideRest = 1 << 6;
   // How far the planes are apart along it, in two parts.
   uint32_t low_apart_;
   bool is_any_;
-  bool has_low_;
+  uint16_t rest_;  ///< by what the low parts move a sum, at most, in 2^16; 0 if there are none
   int64_t high_apart_;
 };
 

@@ -19,6 +19,9 @@
 //     KeepsBound              a type, void, if not only a rotated B has a bound with a state: then
 //                             is_kept(transform) decides, unless kAlwaysKeepsBound, and
 //                             kept(transform) makes it, not rotated()
+//     StaysNear               a type, void, if its limit is too short for a B that lies far off,
+//     which
+//                             is then put nearer
 //     error_of(transform, a, b)   unless kDisjointRootsEnd: what is wrong with the predicate
 // Box tests are the predicate's to widen; a test may only say yes where they do not say no.
 #ifndef FLASHBVH_DETAIL_QUERY_INTERSECTION_HPP
@@ -54,6 +57,16 @@ struct StatefulBoxTest<Predicate, typename Predicate::KeepsBound> {
   FLASHBVH_INLINE static auto of(const Predicate& predicate, const Transform& transform) {
     return predicate.kept(transform);
   }
+};
+
+/// Whether a predicate of distance sees a far B.
+template <class Predicate, class = void>
+struct SeesFar {
+  static constexpr bool kValue = !Predicate::kDisjointRootsEnd;
+};
+template <class Predicate>
+struct SeesFar<Predicate, typename Predicate::StaysNear> {
+  static constexpr bool kValue = false;
 };
 
 /// Shapes that stay from one walk to the next; or none, and each walk makes its own.

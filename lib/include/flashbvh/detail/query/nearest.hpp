@@ -22,9 +22,13 @@ namespace flashbvh::detail {
 
 /// What a run knows of the nearest pair so far: worked out of the pair when the run begins.
 struct NearestSoFar {
-  // Where there are no planes, their numbers are not read.
-  // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject)
-  explicit NearestSoFar(const Transform& where) : transform(where) {}
+  explicit NearestSoFar(const Transform& where) : transform(where) {
+    // Where there are no planes, their numbers are not read.
+    // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject)
+    if (where.is_far()) {
+      along = SupportGap(where);
+    }
+  }
 
   const Transform& transform;  ///< prepared
   Direction direction;         ///< that separated two triangles last
@@ -33,15 +37,21 @@ struct NearestSoFar {
   SupportPlanes planes;        ///< of the nearest triangles
   SupportGap along;            ///< the direction between the nearest points
   uint16_t turns = 0;          ///< how often both changed
+  bool is_short = false;       ///< whether 32 bits separate triangles by the limit
 
   /// These triangles are the nearest, and do not intersect. Apart, so that no frame below a test
   /// holds what this makes.
   FLASHBVH_NOINLINE void turn(const Triangle& a, const Triangle& b, const Features& features) {
     planes = SupportPlanes(a, b, features);
     ++turns;
-    along = limit < ProximityPredicate::kMostLimit
-                ? SupportGap(LeafGap(planes.direction(), transform, limit))
-                : SupportGap();
+    if (transform.is_far()) {
+      planes.widen();
+      along = SupportGap(planes.direction(), transform, limit);
+      is_short = limit < ProximityPredicate::kMostFarLimit;
+    } else {
+      along = SupportGap(LeafGap(planes.direction(), transform, limit));
+      is_short = true;
+    }
   }
 };
 
@@ -179,8 +189,8 @@ struct Nearest : ProximityPredicate {
                               bool may_tie = true) const {
     const int64_t limit = so_far->limit;
     return !((may_tie && so_far->planes.separates(a, b)) || squared_box_gap(a, b) > limit ||
-             (limit < kMostLimit && (directions_separate(a, b, limit, so_far->direction) ||
-                                     planes_separate(a, b, limit))));
+             (so_far->is_short && (directions_separate(a, b, limit, so_far->direction) ||
+                                   planes_separate(a, b, limit))));
   }
   /// Whether they are; then they are the nearest, at positions that the caller sets.
   bool take(const Triangle& a, const Triangle& b) {

@@ -14,7 +14,9 @@ namespace flashbvh::detail {
 
 /// What predicates of distance share: box tests of gaps, widened by nothing.
 struct ProximityPredicate {
-  static constexpr int64_t kMostLimit = int64_t{1} << 35;
+  /// Of squared distances between far triangles: those that are nearer differ by less than 2^18
+  /// cells, and by less along 12 bits of a direction than 32 bits hold.
+  static constexpr int64_t kMostFarLimit = int64_t{1} << 32;
   using KeepsBound = void;
   static constexpr bool kAlwaysKeepsBound = false;
   static constexpr bool kIntersects = false;
@@ -32,13 +34,23 @@ struct Within : ProximityPredicate {
   /// Steps of a distance in a cell: 1/256, as everywhere.
   static constexpr uint32_t kSteps = 256;
   static constexpr uint32_t kStepsSquared = kSteps * kSteps;
-  static constexpr uint32_t kMost = 32'767 * kSteps;
+  /// Up to here triangles within the distance differ by at most kMaxApart, wherever B lies.
+  static constexpr uint32_t kMostShort = (1u << 23) - 1;
+  static constexpr uint32_t kMost = static_cast<uint32_t>(kMaxFarOffset) * kSteps;
 
-  uint32_t distance : 24;   ///< one beyond kMost for all that are
-  uint32_t dear_tests : 8;  ///< that nothing but the distance could decide; 255 for more
-  Direction direction;      ///< that separated two triangles last
+  uint32_t short_distance : 24;  ///< one beyond kMostShort for all that are
+  uint32_t dear_tests : 8;       ///< that nothing but the distance could decide; 255 for more
+  Direction direction;           ///< that separated two triangles last; else the distance
 
-  Within() : distance(0), dear_tests(0) {}
+  explicit Within(uint32_t distance = 0)
+      : short_distance((distance <= kMostShort ? distance : kMostShort + 1) & 0xFFFFFF),
+        dear_tests(0) {
+    if (!is_short()) {
+      direction.packed = distance;
+    }
+  }
+  bool is_short() const { return (short_distance & (kMostShort + 1)) == 0; }
+  uint32_t distance() const { return is_short() ? short_distance : direction.packed; }
 
   bool is_kept(const Transform& transform) const { return KeptGap::is_for(transform, limit()); }
   KeptGap kept(const Transform& transform) const { return {transform, limit()}; }
@@ -49,34 +61,48 @@ struct Within : ProximityPredicate {
   /// Of a B that was put nearer than it lies only "no" is an answer.
   template <class Mesh>
   Status error_of(const Transform& transform, const Mesh& a, const Mesh& b) const {
-    if (distance > kMost) {
+    if (distance() > kMost) {
       return Status::distance_out_of_range;
     }
-    return transform.is_in_range() || !may_matter(transform, a.nodes[0].box, b.nodes[0].box)
+    return !transform.is_beyond() || !may_matter(transform, a.nodes[0].box, b.nodes[0].box)
                ? Status::done
                : Status::distance_out_of_range;
   }
 
   bool test(const Triangle& a, const Triangle& b, uint32_t, uint32_t) {
-    if (squared_box_gap(a, b) > squared() || directions_separate(a, b, squared(), direction) ||
-        planes_separate(a, b, squared())) {
+    const uint32_t steps = short_distance;
+    if (steps > kMostShort ? are_boxes_separate(a, b) : are_separate(a, b, steps)) {
       return false;
     }
     if (dear_tests != UINT8_MAX) {
       ++dear_tests;
     }
-    return is_within(a, b, {squared_steps(), kStepsSquared});
+    return is_within(a, b, {squared_any(), kStepsSquared});
   }
 
  protected:
+  /// Of short ones.
   uint64_t squared_steps() const {
-    const uint64_t steps = distance;
+    const uint64_t steps = short_distance;
     return steps * steps;
   }
   int64_t squared() const { return static_cast<int64_t>(squared_steps() / kStepsSquared); }
 
- private:
-  GapLimit limit() const { return GapLimit(squared()); }
+  uint64_t squared_any() const { return uint64_t{distance()} * distance(); }
+  GapLimit limit() const { return GapLimit(static_cast<int64_t>(squared_any() / kStepsSquared)); }
+  /// Of short distances.
+  bool are_separate(const Triangle& a, const Triangle& b, uint32_t steps) {
+    const uint64_t squared = uint64_t{steps} * steps;
+    // In 32 bits from here on, not in registers for 64.
+    const uint32_t limit =
+        static_cast<uint32_t>(squared) >> 16 | static_cast<uint32_t>(squared >> 32) << 16;
+    return squared_box_gap(a, b) > limit || directions_separate(a, b, limit, direction) ||
+           planes_separate(a, b, limit);
+  }
+  /// Of any distance.
+  FLASHBVH_NOINLINE bool are_boxes_separate(const Triangle& a, const Triangle& b) const {
+    return static_cast<uint64_t>(squared_box_gap(a, b)) > squared_any() / kStepsSquared;
+  }
   bool may_matter(const Transform& transform, const PackedBox& a, const PackedBox& b) const {
     return kept(transform)(a, b);
   }

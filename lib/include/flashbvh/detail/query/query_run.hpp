@@ -219,7 +219,11 @@ class QueryRun : protected Predicate {
       transform_.place_nowhere();
     }
     if constexpr (!Predicate::kDisjointRootsEnd) {
-      transform_.bring_near();
+      if constexpr (!SeesFar<Predicate>::kValue) {
+        transform_.bring_near();
+      } else if (!transform_.is_near()) {
+        transform_.place_far(pose, a_->origin, b_->origin);
+      }
       const Predicate& predicate = *this;
       error_ = error_ != Status::done ? error_ : predicate.error_of(transform_, *a_, *b_);
     }

@@ -11,7 +11,7 @@
 namespace flashbvh::detail {
 
 /// The triangle of B that consecutive pairs share, placed where the first of them needs it:
-/// rotating it costs most.
+/// rotating it costs most. It may be far.
 template <class Mesh>
 class KeptTriangle {
  public:
@@ -26,7 +26,7 @@ class KeptTriangle {
   FLASHBVH_INLINE const Triangle& placed(const Mesh& b, const Transform& transform) {
     if (!is_placed_) {
       is_placed_ = true;
-      transform_triangle(b, position_, transform, triangle_);
+      transform_any_triangle(b, position_, transform, triangle_);
     }
     return triangle_;
   }
@@ -74,10 +74,10 @@ class TriangleTest<Predicate, Mesh, true> {
         b_(b),
         transform_(transform),
         narrow_(transform.is_narrow()),
-        rotated_(transform.is_rotated()) {}
+        placing_(transform.placing()) {}
 
   FLASHBVH_INLINE bool take_b(uint32_t of_b, const PackedBox* box_a) {
-    if (!rotated_) {
+    if (placing_ == Placing::translated) {
       if (of_b != kept_) {
         kept_ = of_b;
         translate_triangle(b_, of_b, transform_.translated().offset, kept_b_, normal_);
@@ -118,7 +118,7 @@ class TriangleTest<Predicate, Mesh, true> {
   const Transform& transform_;
   uint32_t kept_ = UINT32_MAX;
   bool narrow_;
-  bool rotated_;
+  Placing placing_;
   bool has_normal_ = false;  ///< or needs none
   Triangle kept_b_;
   PlaneNormal normal_;

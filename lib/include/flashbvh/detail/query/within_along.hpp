@@ -20,11 +20,19 @@ struct WithinAlong : Within {
   static constexpr uint32_t kPairWork = kAlongPairWork;
   static constexpr uint32_t kDearWork = kPlacedPairWork;
 
+  using StaysNear = void;
+
   uint32_t dear_tests = 0;  ///< in kDearWork
 
   WithinAlong() {}
   explicit WithinAlong(const Within& within) : Within(within) {}
 
+  template <class Mesh>
+  Status error_of(const Transform& transform, const Mesh& a, const Mesh& b) const {
+    return transform.is_near() || !may_matter(transform, a.nodes[0].box, b.nodes[0].box)
+               ? Status::done
+               : Status::distance_out_of_range;
+  }
   bool test(const Triangle& a, const Triangle& b) {
     ++dear_tests;
     const int64_t limit = squared();
