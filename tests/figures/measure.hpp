@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/query.hpp"
+#include "flashbvh/collide.hpp"
 #include "report.hpp"
 
 namespace figures {
@@ -67,10 +67,23 @@ struct Asking {
   Name part(const char* what) const { return {{set, what, motion}}; }
 };
 
-/// Adds a whole query (`query`), one to its first pair (`first`), what they count, and its parts:
-/// `visit`, outside the leaf phase; `leaf_visit`, in it, slabs and all; `slab`: a slab, and taking
-/// the leaf; `start`: a query made and its first visit; `leaf_pair`: what a pair of leaves adds.
-/// Returns whether the query and the walks agree.
+/// Adds a search for one pair (`first`), and if there is one, the same with it as hint (`held`).
+/// Returns whether there is one.
+inline bool add_first(const Asking& asking, const flashbvh::Mesh& a, const flashbvh::Mesh& b,
+                      const flashbvh::Pose& pose) {
+  bool yes = false;
+  measure(asking.whole("first"), [&] { yes = flashbvh::intersects(a, b, pose).yes; });
+  flashbvh::Witness<uint16_t> hint;
+  if (flashbvh::intersects(a, b, pose, hint).yes) {
+    measure(asking.whole("held"), [&] { (void)flashbvh::intersects(a, b, pose, hint); });
+  }
+  return yes;
+}
+
+/// Adds a whole query (`query`), one to its first pair (add_first()), what they count, and its
+/// parts: `visit`, outside the leaf phase; `leaf_visit`, in it, slabs and all; `slab`: a slab, and
+/// taking the leaf; `start`: a query made and its first visit; `leaf_pair`: what a pair of leaves
+/// adds. Returns whether the query and the walks agree.
 bool add_query(const Asking& asking, const flashbvh::Mesh& a, const flashbvh::Mesh& b,
                const flashbvh::Pose& pose, flashbvh::QueryStats& counts, uint32_t& work);
 

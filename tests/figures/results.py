@@ -50,7 +50,8 @@ def queries():
     """The queries that each set of meshes has figures of: their name in `meshes`, and in the sets."""
     for motion in "translated", "rotated":
         for proximity, what in (("separated", "query"), ("small", "query"), ("close", "query"),
-                                ("intersecting", "query"), ("intersecting", "first")):
+                                ("intersecting", "query"), ("small", "first"), ("close", "first"),
+                                ("intersecting", "first"), ("intersecting", "held")):
             name = f"{motion}.{proximity}.{what}"
             yield name, [f"{of}.{name}" for of in ("kr5", *OTHERS)]
         for proximity in "separated", "small", "close":

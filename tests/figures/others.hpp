@@ -1,0 +1,30 @@
+// Meshes that are no robot's, pair by pair, as callers query them: from the pose to the result.
+#pragma once
+
+#include "asked.hpp"
+#include "measure.hpp"
+
+namespace figures {
+
+/// Calls `add(asking, pair, asked)` for each pose in turn; what main() returns: 1 if one of them is
+/// not right. `set`: of the digest.
+template <class Add>
+int measure_others(const char* set, const Add& add) {
+  constexpr bool kRotated[] = {false, true};
+  bool right = true;
+  for (uint32_t p = 0; p < kAskedPairCount; ++p) {
+    const AskedPair& pair = kAskedPairs[p];
+    for (const bool rotated : kRotated) {
+      for (uint32_t i = 0; i < kProximities; ++i) {
+        const Asking asking = {pair.a_name, rotated ? "rotated" : "translated", kProximityNames[i]};
+        for (const Asked& asked : (rotated ? pair.rotated : pair.translated)[i]) {
+          right = add(asking, pair, asked) && right;
+        }
+      }
+    }
+    print_rows();
+  }
+  return print_all(set, right);
+}
+
+}  // namespace figures
