@@ -143,6 +143,19 @@ void check_within(const Triangle& a, const Triangle& b, const mpq_class& truth) 
   }
 }
 
+/// The nearest places are as far apart as is said; from A's to B's.
+RationalVector check_places(const Triangle& a, const Triangle& b, const Features& features,
+                            const mpq_class& truth) {
+  PlaceInTriangle of_a{};
+  PlaceInTriangle of_b{};
+  nearest_places(a, b, features, of_a, of_b);
+  const RationalVector p = point_at(a, of_a);
+  const RationalVector q = point_at(b, of_b);
+  const RationalVector apart = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  REQUIRE(test::dot(apart, apart) == truth);
+  return apart;
+}
+
 void check(Random& random, const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen,
            Separations& separations) {
   const mpq_class truth = Differences(a, b).squared_distance();
@@ -160,13 +173,7 @@ void check(Random& random, const Triangle& a, const Triangle& b, std::set<Featur
   REQUIRE(squared_distance(b, a, other) == truth);
 
   if (truth != 0) {
-    PlaceInTriangle of_a{};
-    PlaceInTriangle of_b{};
-    nearest_places(a, b, features, of_a, of_b);
-    const RationalVector p = point_at(a, of_a);
-    const RationalVector q = point_at(b, of_b);
-    const RationalVector apart = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-    REQUIRE(test::dot(apart, apart) == truth);
+    const RationalVector apart = check_places(a, b, features, truth);
     REQUIRE(rational_of(squared_between(a, b, features)) == truth);
     separations.close += check_planes(random, a, b, features, apart, false);
     // At exactly the distance, and next to it.
@@ -346,13 +353,7 @@ TEST_CASE("distances of meshes' triangles are exact up to kMaxFarApart") {
     REQUIRE(rational_of(squared_between(a, b, features)) == truth);
     Features other{};
     REQUIRE(squared_distance(b, a, other) == truth);
-    PlaceInTriangle of_a{};
-    PlaceInTriangle of_b{};
-    nearest_places(a, b, features, of_a, of_b);
-    const RationalVector p = point_at(a, of_a);
-    const RationalVector q = point_at(b, of_b);
-    const RationalVector apart = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-    REQUIRE(test::dot(apart, apart) == truth);
+    const RationalVector apart = check_places(a, b, features, truth);
     close += check_planes(random, a, b, features, apart, true);
     const Fraction exact = fraction_of(truth);
     Fraction same = exact;

@@ -8,6 +8,7 @@
 #include "flashbvh/clearance.hpp"
 #include "support/all_distances.hpp"
 #include "support/any_mesh.hpp"
+#include "support/check_clearance.hpp"
 #include "support/points.hpp"
 
 using namespace flashbvh;
@@ -29,25 +30,7 @@ void check_result(const std::vector<Pairwise>& all, const Clearance<std::uint16_
   REQUIRE(is_of(all, least, found.triangles));
   REQUIRE(found.lower == lower_of(least));
   REQUIRE((found.upper == found.lower || found.upper == found.lower + 1));
-  // The points are that far apart, but for their rounding.
-  const double x = static_cast<double>(found.point_b.x - found.point_a.x);
-  const double y = static_cast<double>(found.point_b.y - found.point_a.y);
-  const double z = static_cast<double>(found.point_b.z - found.point_a.z);
-  const double apart = std::sqrt(x * x + y * y + z * z);
-  REQUIRE(apart <= found.upper + 1.8);
-  REQUIRE(apart >= found.lower - 1.8);
-  if (found.lower != 0) {
-    const double scale = 1.0 / kUnitOne;
-    const double length = std::sqrt(scale * found.direction.x * scale * found.direction.x +
-                                    scale * found.direction.y * scale * found.direction.y +
-                                    scale * found.direction.z * scale * found.direction.z);
-    REQUIRE(std::abs(length - 1) < 4e-9);
-    REQUIRE(std::abs(found.direction.x * scale * apart - x) <= 2);
-    REQUIRE(std::abs(found.direction.y * scale * apart - y) <= 2);
-    REQUIRE(std::abs(found.direction.z * scale * apart - z) <= 2);
-  } else {
-    REQUIRE((found.upper != 0 || (found.direction.x | found.direction.y | found.direction.z) == 0));
-  }
+  check_points(found);
 }
 
 /// However a query is cut, and from every position, in another query.
@@ -101,22 +84,8 @@ void check_slices(Random& random, const Mesh& a, const Mesh& b, const Pose& pose
 void check_band(const std::vector<Pairwise>& all, const Mesh& a, const Mesh& b, const Pose& pose,
                 std::uint32_t reach) {
   const Fraction limit = {{0, std::uint64_t{reach} * reach}, {0, 1 << 16}};
-  Pairs truth;
-  for (const Pairwise& pair : all) {
-    if (compare(pair.squared, limit) <= 0) {
-      truth.emplace_back(pair.id_a, pair.id_b);
-    }
-  }
-  std::sort(truth.begin(), truth.end());
-  for (const std::uint32_t work : {std::uint32_t{1}, std::uint32_t{50}, kNoLimit}) {
-    WithinQuery query(a, b, pose, {}, within(reach));
-    Pairs pairs = run_to_end(query, work, 5);
-    std::sort(pairs.begin(), pairs.end());
-    REQUIRE(pairs == truth);
-  }
-  const Answer answer = closer_than(a, b, pose, reach);
-  REQUIRE(answer.status == Status::done);
-  REQUIRE(answer.yes == !truth.empty());
+  const auto is_within = [&](const Pairwise& pair) { return compare(pair.squared, limit) <= 0; };
+  check_pairs_within(all, is_within, a, b, pose, reach, {1, 50, kNoLimit});
 }
 
 Mesh view_of(const AnyMesh& mesh) {

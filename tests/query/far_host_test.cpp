@@ -4,6 +4,7 @@
 
 #include "flashbvh/clearance.hpp"
 #include "support/any_mesh.hpp"
+#include "support/check_clearance.hpp"
 #include "support/oracles/rational.hpp"
 #include "support/test.hpp"
 #include "support/transformed_vertex.hpp"
@@ -51,19 +52,6 @@ std::uint32_t fine_root(const mpq_class& squared, bool& exact) {
   return static_cast<std::uint32_t>(root.get_ui());
 }
 
-void check_points(const Clearance<std::uint16_t>& found) {
-  const double x = static_cast<double>(found.point_b.x - found.point_a.x);
-  const double y = static_cast<double>(found.point_b.y - found.point_a.y);
-  const double z = static_cast<double>(found.point_b.z - found.point_a.z);
-  const double apart = std::sqrt(x * x + y * y + z * z);
-  REQUIRE(apart <= found.upper + 1.8);
-  REQUIRE(apart >= found.lower - 1.8);
-  const double scale = apart / kUnitOne;
-  REQUIRE(std::abs(found.direction.x * scale - x) <= 2);
-  REQUIRE(std::abs(found.direction.y * scale - y) <= 2);
-  REQUIRE(std::abs(found.direction.z * scale - z) <= 2);
-}
-
 void check_distance(const std::vector<TruePair>& all, const Clearance<std::uint16_t>& found) {
   const mpq_class& least = least_of(all);
   bool exact = false;
@@ -82,24 +70,9 @@ void check_distance(const std::vector<TruePair>& all, const Clearance<std::uint1
 
 void check_band(Random& random, const std::vector<TruePair>& all, const Mesh& a, const Mesh& b,
                 const Pose& pose, std::uint32_t reach) {
-  CAPTURE(reach);
   const mpq_class limit(mpz_class(reach) * reach, 65536);
-  Pairs truth;
-  for (const TruePair& pair : all) {
-    if (pair.squared <= limit) {
-      truth.emplace_back(pair.id_a, pair.id_b);
-    }
-  }
-  std::sort(truth.begin(), truth.end());
-  for (const std::uint32_t work : {1 + random.below(60), kNoLimit}) {
-    WithinQuery query(a, b, pose, {}, within(reach));
-    Pairs pairs = run_to_end(query, work, 5);
-    std::sort(pairs.begin(), pairs.end());
-    REQUIRE(pairs == truth);
-  }
-  const Answer answer = closer_than(a, b, pose, reach);
-  REQUIRE(answer.status == Status::done);
-  REQUIRE(answer.yes == !truth.empty());
+  const auto is_within = [&](const TruePair& pair) { return pair.squared <= limit; };
+  check_pairs_within(all, is_within, a, b, pose, reach, {1 + random.below(60), kNoLimit});
 }
 
 std::int32_t any_offset(Random& random) {
