@@ -38,20 +38,12 @@ namespace flashbvh {
 /// Pose::rigid() has it, with its tolerance and its rounding to 2^-22.
 inline Pose pose_of(const float (&rotation)[3][3], const float (&translation)[3],
                     float cells_per_unit) {
-#if defined(FLASHBVH_POSE_SSE2)
-  return detail::pose_of_sse2(rotation, translation, cells_per_unit);
-#else
-  return detail::pose_of_parts(rotation, translation, cells_per_unit);
-#endif
+  return detail::make_pose(rotation, translation, cells_per_unit);
 }
 
 /// The same from 12 numbers row by row: three of the rotation and one of the translation a row.
 inline Pose pose_of(const float (&matrix)[3][4], float cells_per_unit) {
-#if defined(FLASHBVH_POSE_SSE2)
-  return detail::pose_of_sse2(matrix, cells_per_unit);
-#else
-  return detail::pose_of_parts(matrix, cells_per_unit);
-#endif
+  return detail::make_pose(matrix, cells_per_unit);
 }
 
 /// The same from a unit quaternion. A squared length further than kQuaternionTolerance from 1 gives
@@ -61,11 +53,7 @@ inline Pose pose_of(const UnitQuaternion& rotation, const float (&translation)[3
                     float cells_per_unit) {
   int32_t entries[3][3] = {};
   detail::set_rotation(rotation, entries);
-#if defined(FLASHBVH_POSE_SSE2)
-  return detail::rigid_sse2(entries, translation, cells_per_unit);
-#else
-  return detail::rigid_of_parts(entries, translation, cells_per_unit);
-#endif
+  return detail::make_pose(entries, translation, cells_per_unit);
 }
 
 /// NAME_CELLS_PER_UNIT of a mesh whose header is not there, as of an image. `cell_bits`:

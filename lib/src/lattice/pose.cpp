@@ -100,6 +100,8 @@ inline bool is_identity(const Entries& r) {
 
 #if defined(FLASHBVH_POSE_SSE2)
 
+static_assert(detail::PoseOfLanes::kMaxDeviation == kMaxEntryDefect, "one tolerance");
+
 Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
                  const int16_t (&fraction)[3]) {
   using namespace detail;

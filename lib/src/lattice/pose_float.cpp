@@ -88,8 +88,8 @@ Pose pose_of_sse2(const float (&matrix)[3][4], float cells_per_unit) {
   return pose;
 }
 
-Pose rigid_sse2(const int32_t (&rotation)[3][3], const float (&translation)[3],
-                float cells_per_unit) {
+Pose pose_of_sse2(const int32_t (&rotation)[3][3], const float (&translation)[3],
+                  float cells_per_unit) {
   const auto row = [&](int i) {
     return kept_lanes(lanes_of(rotation[i][0], rotation[i][1], rotation[i][2]));
   };
@@ -97,7 +97,7 @@ Pose rigid_sse2(const int32_t (&rotation)[3][3], const float (&translation)[3],
   Pose pose = Pose::translated(0, 0, 0);
   if (!translate(pose, translation[0], translation[1], translation[2], cells_per_unit) ||
       !PoseOfLanes::rotate(pose, rows, _mm_setzero_si128())) {
-    pose = rigid_of_parts(rotation, translation, cells_per_unit);
+    pose = pose_of_parts(rotation, translation, cells_per_unit);
   }
   return pose;
 }

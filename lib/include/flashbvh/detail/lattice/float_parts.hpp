@@ -95,8 +95,9 @@ inline bool is_below_zero(float value) {
   return bits > 0x80000000u;
 }
 
-inline Pose rigid_of_parts(const int32_t (&rotation)[3][3], const float (&translation)[3],
-                           float cells_per_unit) {
+/// pose_of() by integers alone, of a rotation's numbers or floats.
+inline Pose pose_of_parts(const int32_t (&rotation)[3][3], const float (&translation)[3],
+                          float cells_per_unit) {
   int32_t cells[3];
   int16_t fraction[3];
   for (int axis = 0; axis < 3; ++axis) {
@@ -108,7 +109,6 @@ inline Pose rigid_of_parts(const int32_t (&rotation)[3][3], const float (&transl
   return Pose::rigid(rotation, cells, fraction);
 }
 
-/// pose_of() by integers alone.
 inline Pose pose_of_parts(const float (&rotation)[3][3], const float (&translation)[3],
                           float cells_per_unit) {
   int32_t entries[3][3];
@@ -117,7 +117,7 @@ inline Pose pose_of_parts(const float (&rotation)[3][3], const float (&translati
       entries[i][j] = rotation_entry(rotation[i][j]);
     }
   }
-  return rigid_of_parts(entries, translation, cells_per_unit);
+  return pose_of_parts(entries, translation, cells_per_unit);
 }
 
 inline Pose pose_of_parts(const float (&matrix)[3][4], float cells_per_unit) {
@@ -129,17 +129,27 @@ inline Pose pose_of_parts(const float (&matrix)[3][4], float cells_per_unit) {
     }
     translation[i] = matrix[i][3];
   }
-  return rigid_of_parts(entries, translation, cells_per_unit);
+  return pose_of_parts(entries, translation, cells_per_unit);
 }
 
 #if defined(FLASHBVH_POSE_SSE2)
 // The same with vectors: lib/src/lattice/pose_float.cpp.
+Pose pose_of_sse2(const int32_t (&rotation)[3][3], const float (&translation)[3],
+                  float cells_per_unit);
 Pose pose_of_sse2(const float (&rotation)[3][3], const float (&translation)[3],
                   float cells_per_unit);
 Pose pose_of_sse2(const float (&matrix)[3][4], float cells_per_unit);
-Pose rigid_sse2(const int32_t (&rotation)[3][3], const float (&translation)[3],
-                float cells_per_unit);
 #endif
+
+/// By the way of this core; `from` as above.
+template <class... From>
+inline Pose make_pose(const From&... from) {
+#if defined(FLASHBVH_POSE_SSE2)
+  return pose_of_sse2(from...);
+#else
+  return pose_of_parts(from...);
+#endif
+}
 
 /// The product of two numbers of the fixed point, in it; rounded down.
 inline int64_t rotation_product(int64_t u, int64_t v) {
