@@ -53,9 +53,7 @@ Answer closer_than(const BasicMesh<Index, Layout::post_indexed>& a,
   Query<Ranked<BasicMesh<Index, Layout::post_indexed>>, Within> query(a, b, pose, {},
                                                                       within(distance));
   TrianglePair<Index> found;
-  const Status status = query.run(UINT32_MAX, &found, 1).status;
-  const bool yes = status == Status::full;
-  return {yes ? Status::done : status, status != Status::done};
+  return detail::answer_of(query.run(UINT32_MAX, &found, 1).status);
 }
 
 /// What is known of a distance.

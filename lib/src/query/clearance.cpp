@@ -50,7 +50,7 @@ void BasicClearanceQuery<MeshType>::begin_at(const Pose& pose, const Hint& hint)
   if (hint.is_none()) {
     return;
   }
-  if (hint.a >= a.triangle_count || hint.b >= b.triangle_count) {
+  if (!detail::is_pair(hint, a, b)) {
     this->refuse(Status::hint_invalid);
     return;
   }
