@@ -130,8 +130,7 @@ Definition pair_below (side : Side) (a b : Place) (i : nat) : nat * nat :=
 
 (* code: include/flashbvh/detail/walk/ranked.hpp | if (rank_a < rank_b) { b_.descend(rank_b); } else { a_.descend(rank_a); } *)
 (* code: include/flashbvh/detail/walk/walk.hpp | return (a.rank() | b.rank()) >= 0; *)
-(* code: include/flashbvh/detail/walk/walk.hpp | if (are_inner(at.node_a(), at.node_b())) { ++overlaps; descend_inner(at, may_matter); *)
-(* code: include/flashbvh/detail/walk/walk.hpp | if constexpr (SeesBoxes<Traversal>::kValue) { at.descend_inner(may_matter); } else { at.descend_inner(); } *)
+(* code: include/flashbvh/detail/walk/walk.hpp | if (are_inner(at.node_a(), at.node_b())) { ++overlaps; at.descend_inner(may_matter); *)
 (* code: include/flashbvh/detail/walk/walk_below.hpp | run.side = leaf_a ? Side::a : Side::b; run.leaf = leaf_a ? a : b; const uint32_t root = leaf_a ? b : a; *)
 (* code: include/flashbvh/detail/walk/walk_below.hpp | if (!shapes.begin(run.side, run.leaf, &(leaf_a ? node_b : node_a)->box)) { *)
 (* code: include/flashbvh/detail/walk/walk_below.hpp | if (shapes.may_touch(at.node().box)) { ++overlaps; if (!at.node().is_leaf()) { at.descend(); continue; } *)

@@ -34,9 +34,9 @@ Let finds := finds cells_a cells_b bound touch.
 Definition answers (p : nat * nat) : list Triangles := filter intersect (pairs_of p).
 Definition last_of (u : nat) (p : nat * nat) := skipn (length (pairs_of p) - u) (pairs_of p).
 
-(* The walk that a run begins with. Its order is Ranked: one that sees boxes (near_first.hpp) is left out. *)
-(* code: include/flashbvh/detail/walk/walk.hpp | struct OrderOfTranslations { using Type = Traversal; }; *)
-(* code: include/flashbvh/detail/query/query_run.hpp | return detail::walk<typename OrderOfTranslations<Traversal>::Type>(bound, shapes, run, state_); *)
+(* The walk that a run begins with. Its order is Ranked: that of near_first.hpp is left out. *)
+(* code: include/flashbvh/detail/walk/ranked.hpp | using OfTranslations = Ranked; *)
+(* code: include/flashbvh/detail/query/query_run.hpp | return detail::walk<typename Traversal::OfTranslations>(bound, shapes, run, state_); *)
 (* code: include/flashbvh/detail/query/query_run.hpp | return detail::walk<Traversal>(ByReference<decltype(bound)>{&bound}, shapes, run, state_); *)
 (* code: include/flashbvh/detail/walk/walk.hpp | from = walk_on_below<Traversal>(shapes, run, from == State::at_leaf_pair); *)
 Definition load (at_ : Position) : Code :=

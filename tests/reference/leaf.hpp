@@ -20,6 +20,7 @@ class Leaf {
 
  public:
   using Tree = TreeType;
+  using OfTranslations = Leaf;
   /// `a`: how many of A's nodes are passed, from left to right; `b`: the node of B.
   using Cursor = detail::PairCursor<Index>;
   static constexpr bool kStartsAtRoots = false;

@@ -91,6 +91,7 @@ class StackOrder {
 
  public:
   using Tree = TreeType;
+  using OfTranslations = StackOrder;
   using Cursor = PairStack<Index>;
   static constexpr bool kStartsAtRoots = true;
   static constexpr bool kStackless = false;
@@ -128,7 +129,10 @@ class StackOrder {
     }
     return false;
   }
-  void descend_inner() { (void)descend(); }
+  template <class Bound>
+  void descend_inner(const Bound& /*bound*/) {
+    (void)descend();
+  }
 
   bool next() {
     if (top_ == bottom_) {

@@ -29,6 +29,7 @@ class AlternatingStackless {
 
  public:
   using Tree = TreeWithLevels;
+  using OfTranslations = AlternatingStackless;
   using Cursor = detail::PairCursor<Index>;
   static constexpr bool kStartsAtRoots = true;
   static constexpr bool kStackless = true;
@@ -72,7 +73,8 @@ class AlternatingStackless {
     return false;
   }
 
-  void descend_inner() {
+  template <class Bound>
+  void descend_inner(const Bound& /*bound*/) {
     if (lead_ < 0) {
       a_ = tree_a_.first_child(a_);
       ++lead_;

@@ -272,7 +272,7 @@ class QueryRun : protected Predicate {
     if constexpr (Shapes::kReadsBoxTest) {
       shapes.set_box_test(bound);
     }
-    return detail::walk<typename OrderOfTranslations<Traversal>::Type>(bound, shapes, run, state_);
+    return detail::walk<typename Traversal::OfTranslations>(bound, shapes, run, state_);
   }
   FLASHBVH_NOINLINE State walk_rotated(Shapes& shapes, WalkRun<Cursor, Batch>& run) {
     auto bound = StatefulBoxTest<Predicate>::of(*this, transform_);

@@ -1,10 +1,10 @@
 // The order of a search for any one pair: that of Ranked, but where B is rotated a walk goes to the
 // nearest child first, and passes by those that one test of boxes rejects.
 //
-// Which children are left is not a function of the pair. So each level keeps it in four bits: one
-// for each of the three siblings that follow on the ring, which leads from the last child to the
-// first. A node of more than four children, or more than eight descents below the roots, has its
-// children in the order of Ranked.
+// Which children are left is not a function of the pair. So each level keeps it in four bits: three
+// for the siblings that follow on the ring, which leads from the last child to the first, and one
+// that says that the children come in the order of Ranked. So do those of a node that has more than
+// four, or is more than eight descents below the roots.
 //
 // Under a translation it is Ranked: visits are so cheap there that looking ahead costs more than it
 // saves. lib/docs/decisions/0028-first-pair.md has figures.
@@ -58,7 +58,6 @@ class NearFirst : public Ranked<TreeType> {
  public:
   using Tree = TreeType;
   using OfTranslations = Base;
-  using SeesBoxes = void;
   static constexpr bool kStackless = false;
 
   struct Cursor : PairCursor<Index> {
@@ -123,10 +122,11 @@ class NearFirst : public Ranked<TreeType> {
   }
 
  private:
-  static constexpr unsigned kBits = 4;
+  static constexpr uint32_t kMostChildren = 4;
+  static constexpr uint32_t kAsRanked = 1u << (kMostChildren - 1);  ///< above its siblings' bits
+  static constexpr uint32_t kBits = kMostChildren;                  ///< of a level
   static constexpr uint32_t kLevels = 32 / kBits;
   static constexpr uint32_t kOneLevel = (1u << kBits) - 1;
-  static constexpr uint32_t kAsRanked = 1u << (kBits - 1);
 
   /// To the next one that is left; which are left then.
   FLASHBVH_INLINE static uint32_t pass_siblings(Place& at, uint32_t left) {
@@ -155,7 +155,7 @@ class NearFirst : public Ranked<TreeType> {
     uint32_t least = UINT32_MAX;
     uint32_t nearest = 0;
     do {
-      if (children == kBits) {
+      if (children == kMostChildren) {
         at.node = first;
         return kAsRanked;
       }

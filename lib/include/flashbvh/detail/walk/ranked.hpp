@@ -28,6 +28,7 @@ class Ranked {
 
  public:
   using Tree = TreeType;
+  using OfTranslations = Ranked;
   using Cursor = detail::PairCursor<Index>;
   static constexpr bool kStartsAtRoots = true;
   static constexpr bool kStackless = true;
@@ -65,7 +66,8 @@ class Ranked {
     return false;
   }
   /// Without the tests of leaves in descend().
-  FLASHBVH_INLINE void descend_inner() {
+  template <class Bound>
+  FLASHBVH_INLINE void descend_inner(const Bound& /*bound*/) {
     const int32_t rank_a = a_.node->rank();
     const int32_t rank_b = b_.node->rank();
     if (rank_a < rank_b) {

@@ -21,6 +21,7 @@ class SelfRanked : public Ranked<TreeType> {
   using Base = Ranked<TreeType>;
 
  public:
+  using OfTranslations = SelfRanked;
   using Base::Base;
   using typename Base::Cursor;
   using typename Base::Tree;

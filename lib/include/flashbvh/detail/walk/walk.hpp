@@ -4,6 +4,7 @@
 // An order says which pair comes next. It is a class that lives as long as a run, in registers:
 //     Tree                    what it walks: nodes, with levels if it needs them; a mesh is a tree
 //     Cursor                  where a walk is between runs; default: at its start
+//     OfTranslations          the order where B is not rotated: itself, or another one
 //     kStartsAtRoots          whether roots that are disjoint end it with the first visit
 //     kStackless              whether a cursor is no more than a pair of nodes
 //     kBelowLeaves            whether leaf() is never none
@@ -11,16 +12,14 @@
 //     node_a(), node_b()      the pair of nodes
 //     index_a(), index_b()    their indices
 //     descend()               to the first pair below this one; false at a pair of leaves
-//     descend_inner()         the same of a pair of which none is a leaf, unless kBelowLeaves
+//     descend_inner(bound)    the same of a pair of which none is a leaf, unless kBelowLeaves, and
+//                             whose boxes the bound saw last
 //     next()                  to the pair after this one and all below it; false if there is none
 //     leaf()                  of a walk that goes on: which of the two is a leaf whose walk of the
 //                             other's subtree it is in
 //     leaf_root(), leaf_node()   below which node that walk is to go on, and at which one
 //     store(cursor, ended)    where it is; `ended`: next() said that there is nothing more
 //     store_below(cursor, leaf, node)   where it is in that walk
-//     SeesBoxes               a type, void, if descend_inner() takes the bound, to see the pair's
-//     boxes
-//                             by it; then OfTranslations is the order where B is not rotated
 // and, if it is stackless, of cursors that come from outside, their indices in range,
 //     nodes(a, b, cursor)     the nodes that it stands for
 //     cursor_at(a, b, i, j)   the cursor that stands for them
@@ -98,35 +97,6 @@ FLASHBVH_INLINE inline bool are_inner(const Node& a, const Node& b) {
   return (a.rank() | b.rank()) >= 0;
 }
 
-/// An order where B is not rotated, which may be another one.
-template <class Traversal, class = void>
-struct OrderOfTranslations {
-  using Type = Traversal;
-};
-template <class Traversal>
-struct OrderOfTranslations<Traversal, typename Traversal::SeesBoxes> {
-  using Type = typename Traversal::OfTranslations;
-};
-
-/// Whether descend_inner() takes the bound, to see the pair's boxes by it.
-template <class Traversal, class = void>
-struct SeesBoxes {
-  static constexpr bool kValue = false;
-};
-template <class Traversal>
-struct SeesBoxes<Traversal, typename Traversal::SeesBoxes> {
-  static constexpr bool kValue = true;
-};
-
-template <class Traversal, class BoxTest>
-FLASHBVH_INLINE inline void descend_inner(Traversal& at, const BoxTest& may_matter) {
-  if constexpr (SeesBoxes<Traversal>::kValue) {
-    at.descend_inner(may_matter);
-  } else {
-    at.descend_inner();
-  }
-}
-
 /// From the cursor's pair, which is below no leaf that is a shape.
 template <class Traversal, class BoxTest, class Shapes, class Run>
 FLASHBVH_NOINLINE State walk_pairs(const BoxTest& bound, Shapes& shapes, Run& run, bool after) {
@@ -149,7 +119,7 @@ FLASHBVH_NOINLINE State walk_pairs(const BoxTest& bound, Shapes& shapes, Run& ru
         if constexpr (Shapes::kShapes) {
           if (are_inner(at.node_a(), at.node_b())) {
             ++overlaps;
-            descend_inner(at, may_matter);
+            at.descend_inner(may_matter);
             continue;
           }
           keep_in_memory(kept);
