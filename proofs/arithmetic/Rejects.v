@@ -1,9 +1,10 @@
-(* What the tests under a rotation reject does not intersect: boxes on A's axes and on B's, and slabs of
-   leaves of either side. With Slabs.v and Margins.v this is what Query.v asks of `bound`, `begin` and
-   `touch`. Sums are whole numbers here; that they fit 32 bits is slab.g's, rotated_sums.g's and
-   box_rotated.smt2's. *)
-From Coq Require Import ZArith Lia Psatz.
+(* What the tests under a rotation reject does not intersect: boxes on A's axes and on B's, and what slabs
+   of leaves of either side have on one side: a box, or a leaf's corners. With Slabs.v and Margins.v this is
+   what Query.v asks of `bound`, `begin` and `touch`. Sums are whole numbers here; that they fit 32 bits is
+   slab.g's and box_rotated.smt2's. *)
+From Coq Require Import List ZArith Lia Bool Psatz.
 Require Import Margins Slabs Triangle.
+Import ListNotations.
 Local Open Scope Z_scope.
 
 (* ============================================================== Definitions *)
@@ -42,6 +43,28 @@ Definition axis_rejects (e : Point) (offset margin : Z) (t : Box) (lower upper :
 Definition slab_rejects (e : Point) (least most_ offset margin : Z) (t : Box) : Prop :=
   bound_sum 0 e t < sizes_sum e * bias + least + offset - margin \/
   bound_sum 0 (negated e) t < sizes_sum e * bias - most_ - offset - margin.
+
+(* A leaf's corners against a slab: the bias, which boxes' bounds have, is taken off.
+   code: include/flashbvh/detail/bounds/slab.hpp | const PackedVector seen = seen_direction(); const int32_t bias = row_.sum() * kBoundBias;
+   code: include/flashbvh/detail/bounds/slab.hpp | const int32_t least = least_upper_ - bias; const int32_t least_negated = least_lower_ - bias;
+   code: include/flashbvh/detail/bounds/slab.hpp | return {signed_difference(row_.positive_xy, row_.negative_xy), row_.z_entry()};
+   code: include/flashbvh/detail/bounds/slab.hpp | const auto along = [&](Index i) { return dot(seen, PackedVector::of(vertices[i])); }; const int32_t first = along( *corner);
+   code: include/flashbvh/detail/bounds/slab.hpp | if (first < least) { while (++corner != end && along( *corner) < least) { } } else if (-first < least_negated) { while (++corner != end && -along( *corner) < least_negated) { } } return corner != end; *)
+Definition corners_reject (e : Point) (least most_ offset margin : Z) (those : list Point) : bool :=
+  let least_upper := sizes_sum e * bias + least + offset - margin - sizes_sum e * bias in
+  let least_lower := sizes_sum e * bias - most_ - offset - margin - sizes_sum e * bias in
+  match those with
+  | [] => false
+  | p :: r =>
+      if dot e p <? least_upper then forallb (fun q => dot e q <? least_upper) r
+      else if - dot e p <? least_lower then forallb (fun q => - dot e q <? least_lower) r
+      else false
+  end.
+
+(* All of them lie on one side of a slab. *)
+Definition beyond (e : Point) (least most_ offset margin : Z) (those : Point -> Prop) : Prop :=
+  (forall p, those p -> dot e p < least + offset - margin) \/
+  (forall p, those p -> most_ + offset + margin < dot e p).
 
 (* Some plane has all of one on one side, and all of the other on the other. *)
 Definition Apart (these those : Point -> Prop) : Prop := exists n,
@@ -106,13 +129,23 @@ Proof.
     unfold start_of in S, W. lia.
 Qed.
 
-Lemma slab_separates e least most_ offset margin t : slab_rejects e least most_ offset margin t ->
-  (forall p, in_box t p -> dot e p < least + offset - margin) \/
-  (forall p, in_box t p -> most_ + offset + margin < dot e p).
+Theorem slab_separates e least most_ offset margin t : slab_rejects e least most_ offset margin t ->
+  beyond e least most_ offset margin (in_box t).
 Proof.
   intros [H | H]; [left | right]; intros p P.
   - pose proof (sum_holds 0 e t p P). lia.
   - pose proof (sum_holds 0 (negated e) t p P) as S. rewrite dot_negated, sizes_negated in S. lia.
+Qed.
+
+Theorem corners_separate e least most_ offset margin those : corners_reject e least most_ offset margin those = true ->
+  beyond e least most_ offset margin (fun p => In p those).
+Proof.
+  destruct those as [|f r]; [easy|]. unfold corners_reject.
+  destruct (Z.ltb_spec (dot e f) (sizes_sum e * bias + least + offset - margin - sizes_sum e * bias)) as [L|_];
+    [|destruct (Z.ltb_spec (- dot e f) (sizes_sum e * bias - most_ - offset - margin - sizes_sum e * bias))
+        as [L|_]; [|easy]];
+    intros H; rewrite forallb_forall in H; [left | right]; intros p [<- | P]; try lia;
+    specialize (H p P); apply Z.ltb_lt in H; lia.
 Qed.
 
 (* ---- A's axes, one at a time: kx ky kz is the row, along that axis. *)
@@ -295,29 +328,29 @@ Definition seen_from_a := {| x := turned a1 b1 c1 (x e) (y e) (z e); y := turned
 (* code: src/bounds/slab.cpp | const PackedVector seen = rotated(of_a ? rotation.columns : rotation.matrix->rows, own);
    code: src/bounds/slab.cpp | const int32_t along = origin_along(of_a ? own : seen, rotation);
    code: src/bounds/slab.cpp | set_row(seen, of_a ? -along : along, transform.slab_margin()); *)
-Theorem slab_of_a_rejects_safely :
-  slab_rejects seen_from_b least most_ (- dot e origin) (slab_margin reach defect) box_b ->
-  Apart between (placed_of (in_box box_b)).
+Theorem slab_of_a_rejects_safely (those : Point -> Prop) : (forall u, those u -> reached u) ->
+  beyond seen_from_b least most_ (- dot e origin) (slab_margin reach defect) those ->
+  Apart between (placed_of those).
 Proof.
-  destruct parts as (P1 & P2 & P3). intros H. exists e.
-  assert (forall u, in_box box_b u -> Z.abs (dot e (place u) - dot seen_from_b u - dot e origin) <= slab_margin reach defect) as Near.
-  { intros u U. destruct (in_reach u U) as (Q1 & Q2 & Q3).
+  destruct parts as (P1 & P2 & P3). intros R H. exists e.
+  assert (forall u, those u -> Z.abs (dot e (place u) - dot seen_from_b u - dot e origin) <= slab_margin reach defect) as Near.
+  { intros u U. destruct (R u U) as (Q1 & Q2 & Q3).
     exact (slab_of_a a1 a2 a3 b1 b2 b3 c1 c2 c3 (x u) (y u) (z u) mp mq ms reach defect o1 o2 o3
       (conj Q1 (conj Q2 (conj Q3 reaches))) defects (x e) (y e) (z e) P1 P2 P3). }
-  clear - H Near. destruct (slab_separates _ _ _ _ _ _ H) as [S | S]; [right | left];
+  clear - H Near. destruct H as [S | S]; [right | left];
     intros w v W (u & U & ->); specialize (S u U); specialize (Near u U); unfold between in W; lia.
 Qed.
 
-Theorem slab_of_b_rejects_safely :
-  slab_rejects seen_from_a least most_ (dot seen_from_a origin) (slab_margin reach defect) box_a ->
-  Apart (in_box box_a) (placed_of (fun u => reached u /\ between u)).
+Theorem slab_of_b_rejects_safely (these : Point -> Prop) :
+  beyond seen_from_a least most_ (dot seen_from_a origin) (slab_margin reach defect) these ->
+  Apart these (placed_of (fun u => reached u /\ between u)).
 Proof.
   destruct parts as (P1 & P2 & P3). intros H. exists seen_from_a.
   assert (forall u, reached u -> Z.abs (dot seen_from_a (place u) - dot e u - dot seen_from_a origin) <= slab_margin reach defect) as Near.
   { intros u (Q1 & Q2 & Q3).
     exact (slab_of_b a1 a2 a3 b1 b2 b3 c1 c2 c3 (x u) (y u) (z u) mp mq ms reach defect o1 o2 o3
       (conj Q1 (conj Q2 (conj Q3 reaches))) defects aa bb cc ab ac bc (x e) (y e) (z e) P1 P2 P3). }
-  clear - H Near. destruct (slab_separates _ _ _ _ _ _ H) as [S | S]; [left | right];
+  clear - H Near. destruct H as [S | S]; [left | right];
     intros w v W (u & (U & B) & ->); specialize (S w W); specialize (Near u U); unfold between in B; lia.
 Qed.
 End Turned.
@@ -326,19 +359,21 @@ End Turned.
    code: include/flashbvh/detail/bounds/slab.hpp | set_row(d, of == Side::a ? -along : along, 0); *)
 Definition moved_by (o : Point) (these : Point -> Prop) (v : Point) : Prop :=
   exists u, these u /\ v = {| x := x u + x o; y := y u + y o; z := z u + z o |}.
-Theorem translated_slabs_reject_safely e least most_ o t :
-  (slab_rejects e least most_ (- dot e o) 0 t -> Apart (between e least most_) (moved_by o (in_box t))) /\
-  (slab_rejects e least most_ (dot e o) 0 t -> Apart (in_box t) (moved_by o (between e least most_))).
+Theorem translated_slabs_reject_safely e least most_ o (those : Point -> Prop) :
+  (beyond e least most_ (- dot e o) 0 those -> Apart (between e least most_) (moved_by o those)) /\
+  (beyond e least most_ (dot e o) 0 those -> Apart those (moved_by o (between e least most_))).
 Proof.
   assert (forall u, dot e {| x := x u + x o; y := y u + y o; z := z u + z o |} = dot e u + dot e o) as E
     by (intros u; unfold dot; cbn [x y z]; ring).
-  split; intros H; exists e; destruct (slab_separates _ _ _ _ _ _ H) as [S | S]; [right | left | left | right];
+  split; intros [S | S]; exists e; [right | left | left | right];
     intros w v W (u & U & ->); rewrite E; unfold between in *;
     [specialize (S u U) | specialize (S u U) | specialize (S w W) | specialize (S w W)]; lia.
 Qed.
 
 Print Assumptions apart_not_meet.
 Print Assumptions boxes_reject_safely.
+Print Assumptions slab_separates.
+Print Assumptions corners_separate.
 Print Assumptions slab_of_a_rejects_safely.
 Print Assumptions slab_of_b_rejects_safely.
 Print Assumptions translated_slabs_reject_safely.

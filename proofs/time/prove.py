@@ -40,12 +40,16 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
     turn = on_below.term("turn") + below.fixed + below.term("climb")
     again = part("take-again").total
     made = sum(slab.fixed for slab in slabs)
+    # A leaf's corners, three of each triangle, against both slabs. Its pairs of triangles are no fewer
+    # than its triangles.
+    corners = 6 * part("compare-leaf").term("vertex")
+    compared = part("compare-leaf").fixed + corners
     # A leaf taken as a shape: reached, or the next one after a leaf that a run went on with.
     shape = made + max(part("reach-leaf").total + below.fixed + below.term("climb"), again + turn)
     # Transformed and tested, and maybe answered. triangle-pair-general: of triangles with area that
     # do not lie in one plane.
     transform = max(part("translate").total, part("rotate").total)
-    pair = part("found").total + tests + sum(map(answer.term, ("row", "triangle"))) + transform
+    pair = compared + part("found").total + tests + sum(map(answer.term, ("row", "triangle"))) + transform
     walks = [part(f"walk-{kind}") for kind in ("translated", "rotated")]
     ascent = max([below.term("climb"), on_below.term("ascent")] +
                  [walk.term("ascent") for walk in walks])
@@ -53,13 +57,13 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
     # In at one end and out at the other, a turn without a visit, and no answer left.
     once = part("walk").total + max(walk.fixed for walk in walks) + on_below.fixed + turn + tests
     triangle = pair + once + max(part("near-test").total, part("wide-test").total)
-    other = sum(slab.term("other") for slab in slabs)
+    other = sum(slab.term("other") for slab in slabs) + corners
     # Before the first walk, and for a pair of leaves that is left to the next run.
-    yield "start", run.fixed + once + again + made + 2 * tests + part("found").total
+    yield "start", run.fixed + once + again + made + 2 * tests + compared + part("found").total
     yield "ascent", ascent
     yield "later-sibling", on_below.term("sibling") + max(walk.term("sibling") for walk in walks)
     yield "leaf-triangle", other
-    yield "work", max(visit, -(-turn // GO_ON), -(-shape // SHAPE), other, -(-triangle // TRIANGLE_PAIR))
+    yield "work", max(visit, compared, -(-turn // GO_ON), -(-shape // SHAPE), other, -(-triangle // TRIANGLE_PAIR))
     for kind, walk in zip(("translated", "rotated"), walks):
         yield f"visit-{kind}", max(below.term("visit"), walk.term("visit")) + ascent
     yield "shape", shape

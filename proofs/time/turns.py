@@ -51,7 +51,8 @@ def allowed_in(line):
     work, visits, walks, depths = int(work), int(visits), int(leaf_pairs) + 1, int(depths)
     pairs, shapes = (work + 31) // 32, (work + 7) // 8 + 1
     turns = walks + shapes + min(visits, work // 2)
-    return {"visit": visits + 2 * walks + turns, "turn": turns, "sibling": 8 * walks, "row": pairs,
+    visited = visits + 2 * walks + turns
+    return {"visit": visited, "vertex": 6 * int(leaf_size) * visited, "turn": turns, "sibling": 8 * walks, "row": pairs,
             "triangle": pairs, "other": 2 * (int(leaf_size) - 1) * shapes, "test": pairs + walks + 2,
             "ascent": depths + visits, "skipped": 2 * (depths + visits), "corner": 6 * pairs,
             "climb": depths + visits + turns}

@@ -108,12 +108,16 @@ Definition on_b_dec r root s t : {on_b r root s t} + {~ on_b r root s t} :=
 Definition slab_dec e lower upper offset margin t : {slab_rejects e lower upper offset margin t} +
   {~ slab_rejects e lower upper offset margin t} := either (Z_lt_dec _ _) (Z_lt_dec _ _).
 
+Definition box_beyond t e lower upper offset margin : bool := decide (slab_dec e lower upper offset margin t).
+Definition corners_beyond those e lower upper offset margin : bool := corners_reject e lower upper offset margin those.
+
 Section Two.
 Variables A B : Image.
 Variable pose : Pose.
 Let root_b := box B 0.
 
-(* Two boxes; the window of a leaf of one side, and its slabs.
+(* Two boxes; the window of a leaf of one side, and its slabs, `beyond_` being whether something of the
+   other tree lies beyond one.
    code: include/flashbvh/detail/walk/leaf_planes.hpp | window = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
    code: include/flashbvh/detail/bounds/slab_dsp.hpp | return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, tests.window) && may_touch_both(tests.plane, tests.edge, box);
    code: include/flashbvh/detail/walk/leaf_planes.hpp | return reached == nullptr || may_touch_one(edge, *reached); *)
@@ -128,33 +132,50 @@ Definition window_passes (side : Side) s t : bool :=
   | Turned r, LeafB => negb (decide (on_a_dec r root_b s t))
   | Turned r, _ => negb (decide (on_b_dec r root_b s t))
   end.
-Definition slab_of_a e those t : bool :=
+Definition slab_of_a e those (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
   let lower := least e those in let upper := most e those in
   negb match pose with
-  | Moved o => decide (slab_dec e lower upper (- dot e o) 0 t)
-  | Turned r => decide (slab_dec (with_entries seen_from_b r e) lower upper
-      (- dot e (origin (o1 r) (o2 r) (o3 r))) (slab_margin (reach root_b) (defect r)) t)
+  | Moved o => beyond_ e lower upper (- dot e o) 0
+  | Turned r => beyond_ (with_entries seen_from_b r e) lower upper
+      (- dot e (origin (o1 r) (o2 r) (o3 r))) (slab_margin (reach root_b) (defect r))
   end.
-Definition slab_of_b e those s : bool :=
+Definition slab_of_b e those (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
   let lower := least e those in let upper := most e those in
   negb match pose with
-  | Moved o => decide (slab_dec e lower upper (dot e o) 0 s)
+  | Moved o => beyond_ e lower upper (dot e o) 0
   | Turned r => let seen := with_entries seen_from_a r e in
-      decide (slab_dec seen lower upper (dot seen (origin (o1 r) (o2 r) (o3 r)))
-        (slab_margin (reach root_b) (defect r)) s)
+      beyond_ seen lower upper (dot seen (origin (o1 r) (o2 r) (o3 r))) (slab_margin (reach root_b) (defect r))
   end.
 
 (* What Code.v leaves open. *)
 Let leaf_a n := is_leaf (cells A) n.
 Let leaf_b n := is_leaf (cells B) n.
 Definition bound n k : bool := boxes_overlap (box A n) (box B k).
-Definition slabs_pass_a n k : bool := forallb (fun e => slab_of_a e (leaf_points A n) (box B k)) (directions A n).
-Definition slabs_pass_b n k : bool := forallb (fun e => slab_of_b e (leaf_points B k) (box A n)) (directions B k).
-Definition begin n k : bool := if leaf_a n then slabs_pass_a n k else if leaf_b k then slabs_pass_b n k else true.
+Definition slabs_pass_a n (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
+  forallb (fun e => slab_of_a e (leaf_points A n) beyond_) (directions A n).
+Definition slabs_pass_b k (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
+  forallb (fun e => slab_of_b e (leaf_points B k) beyond_) (directions B k).
+Definition box_passes_a n k : bool := slabs_pass_a n (box_beyond (box B k)).
+Definition box_passes_b n k : bool := slabs_pass_b k (box_beyond (box A n)).
+Definition begin n k : bool := if leaf_a n then box_passes_a n k else if leaf_b k then box_passes_b n k else true.
+
+(* Below a leaf, a leaf whose box passes is held against the same slabs by its corners.
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | const auto* const corner = m.triangles[m.first_triangle(leaf)].corner; const auto* const end = m.triangles[m.end_triangle(leaf)].corner;
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | return plane.may_touch(m.vertices, corner, end) && edge.may_touch(m.vertices, corner, end);
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | const Mesh& other_mesh() const { return side_ == Side::a ? b : a; }
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | static constexpr bool kComparesLeaves = true;
+   code: include/flashbvh/detail/walk/walk_below.hpp | if (!at.node().is_leaf()) { at.descend(); continue; } progress.go_on(work_left, overlaps); const bool go_on = found(at.index());
+   code: include/flashbvh/detail/walk/walk_below.hpp | if constexpr (Shapes::kComparesLeaves) { if (shapes.rejects_leaf(other, run.progress)) { return true; } } *)
+Definition corners_pass_a n k : bool :=
+  if leaf_b k then slabs_pass_a n (corners_beyond (leaf_points B k)) else true.
+Definition corners_pass_b n k : bool :=
+  if leaf_a n then slabs_pass_b k (corners_beyond (leaf_points A n)) else true.
 Definition touch (side : Side) n k : bool :=
   match side with
-  | LeafB => if leaf_b k then window_passes LeafB (box A n) (box B k) && slabs_pass_b n k else true
-  | _ => if leaf_a n then window_passes LeafA (box A n) (box B k) && slabs_pass_a n k else true
+  | LeafB =>
+      if leaf_b k then window_passes LeafB (box A n) (box B k) && box_passes_b n k && corners_pass_b n k else true
+  | _ =>
+      if leaf_a n then window_passes LeafA (box A n) (box B k) && box_passes_a n k && corners_pass_a n k else true
   end.
 
 (* All of A's triangles with each of B's, from the last ones on.
@@ -357,37 +378,45 @@ Proof.
     + intros u U. now apply (in_reach k); auto; apply FK.
 Qed.
 
-Lemma slab_a_apart k e those : filled B k ->
-  Z.abs (x e) <= most_part /\ Z.abs (y e) <= most_part /\ Z.abs (z e) <= most_part ->
-  slab_of_a B pose e those (box B k) = false -> apart (fun p => In p those) (in_box (box B k)).
+(* A test that is right of what lies beyond a slab: of a box, and of corners. *)
+Definition right_of (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) (other : Point -> Prop) :=
+  forall e lower upper offset margin, beyond_ e lower upper offset margin = true ->
+  beyond e lower upper offset margin other.
+Lemma box_beyond_right t : right_of (box_beyond t) (in_box t).
 Proof.
-  intros FK P H. assert (Apart (Rejects.between e (least e those) (most e those))
-    (fun v => exists u, in_box (box B k) u /\ v = put pose u)) as (n & G).
-  { unfold slab_of_a, fits in *. apply negb_false_iff in H. destruct pose as [o | r]; unfold decide in H.
-    - destruct (slab_dec _ _ _ _ _ _) as [S|]; [|easy].
-      exact (proj1 (translated_slabs_reject_safely e _ _ o _) S).
-    - destruct (slab_dec _ _ _ _ _ _) as [S|]; [|easy].
-      destruct pose_fits as (D & _).
+  intros e l u o g. unfold box_beyond, decide. destruct (slab_dec _ _ _ _ _ _); [intros _; now apply slab_separates | easy].
+Qed.
+Lemma corners_beyond_right those : right_of (corners_beyond those) (fun p => In p those).
+Proof. intros e l u o g. apply corners_separate. Qed.
+
+Lemma slab_a_apart k e those beyond_ (other : Point -> Prop) : (k < length (cells B))%nat ->
+  (forall u, other u -> in_box (box B k) u) -> right_of beyond_ other ->
+  Z.abs (x e) <= most_part /\ Z.abs (y e) <= most_part /\ Z.abs (z e) <= most_part ->
+  slab_of_a B pose e those beyond_ = false -> apart (fun p => In p those) other.
+Proof.
+  intros K O R P H. assert (Apart (Rejects.between e (least e those) (most e those))
+    (fun v => exists u, other u /\ v = put pose u)) as (n & G).
+  { unfold slab_of_a, fits in *. apply negb_false_iff in H. destruct pose as [o | r]; apply R in H.
+    - exact (proj1 (translated_slabs_reject_safely e _ _ o _) H).
+    - destruct pose_fits as (D & _).
       apply (slab_of_a_rejects_safely _ _ _ _ _ _ _ _ _ _ _ _ mx my mz (reach (box B 0)) (defect r)); auto.
-      intros u U. now apply (in_reach k); auto; apply FK. }
+      intros u U. apply (in_reach k); auto. }
   exists n. destruct G as [G | G]; [left | right]; intros w v W V; apply G; auto; now apply extreme_bounds.
 Qed.
 
-Lemma slab_b_apart n k e those : filled A n -> (k < length (cells B))%nat ->
-  (forall u, In u those -> in_box (box B k) u) ->
+Lemma slab_b_apart k e those beyond_ (other : Point -> Prop) : (k < length (cells B))%nat ->
+  (forall u, In u those -> in_box (box B k) u) -> right_of beyond_ other ->
   Z.abs (x e) <= most_part /\ Z.abs (y e) <= most_part /\ Z.abs (z e) <= most_part ->
-  slab_of_b B pose e those (box A n) = false -> apart (in_box (box A n)) (fun p => In p those).
+  slab_of_b B pose e those beyond_ = false -> apart other (fun p => In p those).
 Proof.
-  intros FN K R P H. assert (Apart (in_box (box A n)) (fun v => exists u,
+  intros K T R P H. assert (Apart other (fun v => exists u,
     (reached mx my mz u /\ Rejects.between e (least e those) (most e those) u) /\ v = put pose u)) as (d & G).
-  { unfold slab_of_b, fits in *. apply negb_false_iff in H. destruct pose as [o | r]; unfold decide in H.
-    - destruct (slab_dec _ _ _ _ _ _) as [S|]; [|easy].
-      destruct (proj2 (translated_slabs_reject_safely e _ _ o _) S) as (d & G). exists d.
+  { unfold slab_of_b, fits in *. apply negb_false_iff in H. destruct pose as [o | r]; apply R in H.
+    - destruct (proj2 (translated_slabs_reject_safely e _ _ o _) H) as (d & G). exists d.
       destruct G as [G | G]; [left | right]; intros w v W (u & (_ & U) & V); apply G; auto; now exists u.
-    - destruct (slab_dec _ _ _ _ _ _) as [S|]; [|easy].
-      destruct pose_fits as (D & aa & bb & cc & ab & ac & bc).
+    - destruct pose_fits as (D & aa & bb & cc & ab & ac & bc).
       exact (slab_of_b_rejects_safely _ _ _ _ _ _ _ _ _ _ _ _ mx my mz (reach (box B 0)) (defect r)
-        eq_refl D aa bb cc ab ac bc _ _ P _ _ S). }
+        eq_refl D aa bb cc ab ac bc _ P _ _ _ H). }
   exists d. destruct G as [G | G]; [left | right]; intros w v W (u & U & V); apply G; auto; exists u; repeat split; auto;
     try (now apply (in_reach k); auto); now apply extreme_bounds.
 Qed.
@@ -436,21 +465,45 @@ Lemma windows_say side : window_passes B pose side (box A n) (box B k) = true.
 Proof.
   pose proof boxes_stay as S. unfold window_passes. destruct pose, side; rewrite decided; tauto.
 Qed.
-Lemma slabs_of_a_say : is_leaf (cells A) n = true -> slabs_pass_a A B pose n k = true.
+Lemma slabs_of_a_say beyond_ (other : Point -> Prop) : is_leaf (cells A) n = true ->
+  (forall u, other u -> in_box (box B k) u) -> (forall p, In p (points (corners B j)) -> other p) ->
+  right_of beyond_ other -> slabs_pass_a A B pose n beyond_ = true.
 Proof.
-  intros L. pose proof (leaf_below A opened_a n l below_n L) as E. apply forallb_forall. intros e D.
-  destruct (slab_of_a B pose e _ _) eqn:S; auto. exfalso. apply slab_a_apart in S; auto using filled_b.
-  - revert S. apply never; [|exact in_b]. intros p P. rewrite E. now apply (corners_in A opened_a n l i p).
+  intros L O C R. pose proof (leaf_below A opened_a n l below_n L) as E. apply forallb_forall. intros e D.
+  destruct (slab_of_a B pose e _ _) eqn:S; auto. exfalso. apply (slab_a_apart k e _ _ other) in S; auto.
+  - revert S. apply never; [|exact C]. intros p P. rewrite E. now apply (corners_in A opened_a n l i p).
+  - apply filled_b.
   - now apply (proj1 sound_a n).
 Qed.
-Lemma slabs_of_b_say : is_leaf (cells B) k = true -> slabs_pass_b A B pose n k = true.
+Lemma slabs_of_b_say beyond_ (other : Point -> Prop) : is_leaf (cells B) k = true ->
+  (forall p, In p (points (corners A i)) -> other p) ->
+  right_of beyond_ other -> slabs_pass_b B pose k beyond_ = true.
 Proof.
-  intros L. pose proof (leaf_below B opened_b k m below_k L) as E. apply forallb_forall. intros e D.
+  intros L C R. pose proof (leaf_below B opened_b k m below_k L) as E. apply forallb_forall. intros e D.
   destruct (slab_of_b B pose e _ _) eqn:S; auto. exfalso. destruct filled_b as [K _].
-  apply (slab_b_apart n k) in S; auto using filled_a.
-  - revert S. apply never; [exact in_a|]. intros p P. rewrite E. now apply (corners_in B opened_b k m j p).
+  apply (slab_b_apart k e _ _ other) in S; auto.
+  - revert S. apply never; [exact C|]. intros p P. rewrite E. now apply (corners_in B opened_b k m j p).
   - intros u U. now apply node_in.
   - now apply (proj1 sound_b k).
+Qed.
+Lemma boxes_against_a_say : is_leaf (cells A) n = true -> box_passes_a A B pose n k = true.
+Proof. intros L. apply (slabs_of_a_say _ (in_box (box B k))); auto using box_beyond_right, in_b. Qed.
+Lemma boxes_against_b_say : is_leaf (cells B) k = true -> box_passes_b A B pose n k = true.
+Proof. intros L. apply (slabs_of_b_say _ (in_box (box A n))); auto using box_beyond_right, in_a. Qed.
+Lemma corners_against_a_say : is_leaf (cells A) n = true -> corners_pass_a A B pose n k = true.
+Proof.
+  intros L. unfold corners_pass_a. destruct (is_leaf (cells B) k) eqn:K; auto.
+  pose proof (leaf_below B opened_b k m below_k K) as E. destruct filled_b as [F _].
+  apply (slabs_of_a_say _ (fun p => In p (leaf_points B k))); auto using corners_beyond_right.
+  - intros u U. now apply node_in.
+  - intros p P. rewrite E. now apply (corners_in B opened_b k m j p).
+Qed.
+Lemma corners_against_b_say : is_leaf (cells B) k = true -> corners_pass_b A B pose n k = true.
+Proof.
+  intros K. unfold corners_pass_b. destruct (is_leaf (cells A) n) eqn:L; auto.
+  pose proof (leaf_below A opened_a n l below_n L) as E.
+  apply (slabs_of_b_say _ (fun p => In p (leaf_points A n))); auto using corners_beyond_right.
+  intros p P. rewrite E. now apply (corners_in A opened_a n l i p).
 Qed.
 End Common.
 
@@ -459,13 +512,15 @@ Lemma all_reject_safely exact : exact_meets exact ->
 Proof.
   intros R. repeat split; [| | intros side]; intros n k l m [i j] UN UK _ _ P Y; apply in_pairs in P as [I J].
   - apply (boxes_say exact R n k l m i j); auto.
-  - unfold begin. destruct (is_leaf (cells A) n) eqn:L; [now apply (slabs_of_a_say exact R n k l m i j)|].
-    destruct (is_leaf (cells B) k) eqn:K; auto. now apply (slabs_of_b_say exact R n k l m i j).
+  - unfold begin. destruct (is_leaf (cells A) n) eqn:L; [now apply (boxes_against_a_say exact R n k l m i j)|].
+    destruct (is_leaf (cells B) k) eqn:K; auto. now apply (boxes_against_b_say exact R n k l m i j).
   - pose proof (windows_say exact R n k l m i j UN UK I J Y) as W.
-    pose proof (slabs_of_a_say exact R n k l m i j UN UK I J Y) as S.
-    pose proof (slabs_of_b_say exact R n k l m i j UN UK I J Y) as T.
+    pose proof (boxes_against_a_say exact R n k l m i j UN UK I J Y) as S.
+    pose proof (boxes_against_b_say exact R n k l m i j UN UK I J Y) as T.
+    pose proof (corners_against_a_say exact R n k l m i j UN UK I J Y) as C.
+    pose proof (corners_against_b_say exact R n k l m i j UN UK I J Y) as D.
     unfold touch. destruct side; [destruct (is_leaf (cells A) n) | destruct (is_leaf (cells A) n) |
-      destruct (is_leaf (cells B) k)]; auto; rewrite W; auto.
+      destruct (is_leaf (cells B) k)]; auto; rewrite W, ?S, ?T, ?C, ?D; auto.
 Qed.
 End Pair.
 
@@ -555,19 +610,27 @@ Definition two : Image := {|
     2%nat => {| low := at_ 40 0 0; high := at_ 49 9 9 |} | _ => {| low := at_ 10 0 0; high := at_ 49 9 9 |} end;
   corners i := match i with O => (at_ 10 0 0, at_ 19 9 0, at_ 15 0 9) | _ => (at_ 40 0 0, at_ 49 9 0, at_ 45 0 9) end;
   own_triangles n := match n with 1%nat => [0%nat] | 2%nat => [1%nat] | _ => [] end;
-  directions n := [at_ 0 0 @2**kDirectionBits@] |}.
+  directions n := [at_ 0 0 @2**kDirectionBits@; at_ @2**kDirectionBits@ (- @2**kDirectionBits@) 0] |}.
 Definition quarter : Rotation := {| a1 := 0; a2 := one22; a3 := 0; b1 := - one22; b2 := 0; b3 := 0; c1 := 0; c2 := 0;
   c3 := one22; o1 := 20 * cell14; o2 := -2 * cell14; o3 := 0; defect := 0 |}.
 Example premises_met : opens two = true /\ sound two /\ fits (Turned quarter) /\
   bound two two (Turned quarter) 1 1 = true /\ bound two two (Turned quarter) 1 2 = false.
 Proof.
   split; [reflexivity|]. split; [|repeat split; vm_compute; easy]. repeat split.
-  - destruct H as [<- | []]; easy.
-  - destruct H as [<- | []]; easy.
-  - destruct H as [<- | []]; easy.
+  1-3: now destruct H as [<- | [<- | []]].
   - intros [|[|[|n]]]; repeat constructor; easy.
   - intros [|[|[|n]]] [|[|[|k]]] i; unfold triangles; cbn; intuition congruence.
 Qed.
+
+(* Corners reject what all boxes let by, of either side's leaf, under a translation and under a rotation,
+   here by no angle. *)
+Definition near_by := Moved (at_ 3 (- 3) 0).
+Definition rotated_near_by := Turned {| a1 := one22; a2 := 0; a3 := 0; b1 := 0; b2 := one22; b3 := 0; c1 := 0; c2 := 0;
+  c3 := one22; o1 := 5 * cell14; o2 := -5 * cell14; o3 := 0; defect := 0 |}.
+Example corners_reject_more : Forall (fun pose => fits pose /\ bound two two pose 1 1 = true /\
+  box_passes_a two two pose 1 1 = true /\ touch two two pose LeafA 1 1 = false /\
+  box_passes_b two two pose 1 1 = true /\ touch two two pose LeafB 1 1 = false) [near_by; rotated_near_by].
+Proof. apply Forall_forall. intros pose [<- | [<- | []]]; vm_compute; easy. Qed.
 
 Print Assumptions early_ends_are_right.
 Print Assumptions left_out_rightly.

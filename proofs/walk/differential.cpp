@@ -19,16 +19,18 @@ Definition passes (m k : Z) := negb (k mod m =? 0)%Z.
 Definition bound (m : Z) (i j : nat) :=
   let a := Z.of_nat i in let b := Z.of_nat j in passes m (a * 7 + b * 11 + a * b + 1).
 Definition begin_ (m : Z) (i j : nat) := passes m (Z.of_nat i * 5 + Z.of_nat j * 3 - 1).
-Definition touch (m : Z) (s : Side) (i j : nat) :=
-  passes m (Z.of_nat i * 3 + Z.of_nat j * 13 + match s with LeafA => 1 | _ => 2 end).
+Definition touch a b (m : Z) (s : Side) (i j : nat) :=
+  let side := (match s with LeafA => 1 | _ => 2 end)%Z in
+  passes m (Z.of_nat i * 3 + Z.of_nat j * 13 + side) &&
+  if is_leaf a i && is_leaf b j then passes m (Z.of_nat i * 17 + Z.of_nat j * 5 + side - 1) else true.
 Fixpoint visited_in a b m (n : nat) (c : Code) : list (nat * nat) * list (nat * nat) :=
   match n with
   | O => ([], [])
   | S k =>
-      let rest := visited_in a b m k (code_turn a b (bound m) (begin_ m) (touch m) c) in
+      let rest := visited_in a b m k (code_turn a b (bound m) (begin_ m) (touch a b m) c) in
       match visited c with
       | None => rest
-      | Some p => (p :: fst rest, if finds a b (bound m) (touch m) c then p :: snd rest else snd rest)
+      | Some p => (p :: fst rest, if finds a b (bound m) (touch a b m) c then p :: snd rest else snd rest)
       end
   end.
 Definition same := fix same (s t : list (nat * nat)) := match s, t with

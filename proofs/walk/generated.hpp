@@ -83,7 +83,8 @@ struct GeneratedTree {
   }
 };
 
-/// What is tested of a pair: bound, begin and touch of Code.v.
+/// What is tested of a pair: bound, begin and touch of Code.v. Of two leaves, touch is both of
+/// touch() and touch_leaf().
 struct PairTests {
   uint32_t modulus;  ///< from 2 on; the larger, the more pass
 
@@ -92,6 +93,9 @@ struct PairTests {
   bool begin(uint32_t a, uint32_t b) const { return (a * 5 + b * 3) % modulus != 1; }
   bool touch(detail::Side side, uint32_t a, uint32_t b) const {
     return (a * 3 + b * 13 + (side == detail::Side::a ? 1 : 2)) % modulus != 0;
+  }
+  bool touch_leaf(detail::Side side, uint32_t a, uint32_t b) const {
+    return (a * 17 + b * 5 + (side == detail::Side::a ? 1 : 2)) % modulus != 1;
   }
 };
 
@@ -111,7 +115,7 @@ class TestedShapes {
   using Tree = ModelTree;
   static constexpr bool kShapes = true;
   static constexpr bool kKnowsRoot = true;
-  static constexpr bool kComparesLeaves = false;
+  static constexpr bool kComparesLeaves = true;
 
   TestedShapes(const Tree& tree_a, const Tree& tree_b, const PairTests& tests, Walked& walked)
       : a(tree_a), b(tree_b), tests_(tests), walked_(walked) {}
@@ -128,10 +132,17 @@ class TestedShapes {
                                                           : tests_.begin(reached->z, node));
   }
   bool may_touch(const PackedBox& box) const {
-    const NodePair pair =
-        side_ == detail::Side::a ? NodePair{node_, box.z} : NodePair{box.z, node_};
+    const NodePair pair = pair_with(box.z);
     walked_.visits.push_back(pair);
     return tests_.touch(side_, pair.first, pair.second);
+  }
+  bool rejects_leaf(uint32_t node, detail::Progress& progress) const {
+    const NodePair pair = pair_with(node);
+    if (tests_.touch_leaf(side_, pair.first, pair.second)) {
+      return false;
+    }
+    progress.spend(node % 4);
+    return true;
   }
   void keep_root(uint32_t root) { root_ = root; }
   uint32_t kept_root() const { return root_; }
@@ -141,6 +152,10 @@ class TestedShapes {
   const Tree& b;
 
  private:
+  NodePair pair_with(uint32_t node) const {
+    return side_ == detail::Side::a ? NodePair{node_, node} : NodePair{node, node_};
+  }
+
   const PairTests& tests_;
   Walked& walked_;
   detail::Side side_ = detail::Side::none;

@@ -57,7 +57,9 @@ struct Model : Rule {
     const bool leaf_a = is_leaf_a(p.first);
     const bool leaf_b = is_leaf_b(p.second);
     if (p != NodePair{0, 0} && (into_b(p) ? leaf_a : leaf_b)) {
-      return tests.touch(into_b(p) ? Side::a : Side::b, p.first, p.second);
+      const Side side = into_b(p) ? Side::a : Side::b;
+      return tests.touch(side, p.first, p.second) &&
+             (!leaf_a || !leaf_b || tests.touch_leaf(side, p.first, p.second));
     }
     return tests.bound(p.first, p.second) && (leaf_a == leaf_b || tests.begin(p.first, p.second));
   }

@@ -50,13 +50,21 @@ struct AnySlab {
     slab.translate(offset, side);
   }
 
+  std::int64_t along(std::int32_t x, std::int32_t y, std::int32_t z) const {
+    return std::int64_t{direction.x()} * x + std::int64_t{direction.y()} * y +
+           std::int64_t{direction.z} * z;
+  }
+  std::int64_t moved() const {
+    return (side == Side::a ? -1 : 1) * along(offset.x, offset.y, offset.z);
+  }
+  /// -1 below, 1 above, 0 in it.
+  std::int32_t side_of(const Vertex& v) const {
+    const std::int64_t at = along(v.x, v.y, v.z) - moved();
+    return at < extent.least ? -1 : at > extent.most ? 1 : 0;
+  }
   /// In 64-bit integers: the box's own bounds along the direction, and the slab's.
   bool touches(const Box& box) const {
-    const std::int64_t sign = side == Side::a ? -1 : 1;
     const std::int32_t d[3] = {direction.x(), direction.y(), direction.z};
-    const std::int64_t moved =
-        sign * (std::int64_t{d[0]} * offset.x + std::int64_t{d[1]} * offset.y +
-                std::int64_t{d[2]} * offset.z);
     const std::int32_t lower[3] = {box.lower.x, box.lower.y, box.lower.z};
     const std::int32_t upper[3] = {box.upper.x, box.upper.y, box.upper.z};
     std::int64_t least = 0;
@@ -65,7 +73,7 @@ struct AnySlab {
       least += std::int64_t{d[i]} * (d[i] > 0 ? lower[i] : upper[i]);
       most += std::int64_t{d[i]} * (d[i] > 0 ? upper[i] : lower[i]);
     }
-    return most >= extent.least + moved && least <= extent.most + moved;
+    return most >= extent.least + moved() && least <= extent.most + moved();
   }
 };
 
@@ -92,6 +100,38 @@ TEST_CASE("a box touches a slab exactly when their bounds along it meet, and two
   Slab all;
   all.set_all();
   CHECK(may_touch_both(all, all, pack(any_box(random, kMaxCoordinate))));
+}
+
+TEST_CASE("a slab misses vertices exactly when all lie on one side of it") {
+  Random random = test_random(2);
+  std::uint32_t touching = 0;
+  std::uint32_t missing = 0;
+  for (int round = 0; round < 20000; ++round) {
+    CAPTURE(round);
+    const std::int32_t most = random.below(3) == 0 ? kMaxCoordinate : 4 << random.below(12);
+    const AnySlab any(random, most);
+    Vertex vertices[9];
+    std::uint16_t corners[9];
+    const std::uint32_t count = 1 + random.below(9);
+    bool below = true;
+    bool above = true;
+    for (std::uint32_t i = 0; i < 9; ++i) {
+      vertices[i] = any_vertex(random, most);
+      corners[i] = static_cast<std::uint16_t>(random.below(9));
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::int32_t where = any.side_of(vertices[corners[i]]);
+      below = below && where < 0;
+      above = above && where > 0;
+    }
+    REQUIRE(any.slab.may_touch(vertices, corners, corners + count) == (!below && !above));
+    ++(below || above ? missing : touching);
+    Slab all;
+    all.set_all();
+    REQUIRE(all.may_touch(vertices, corners, corners + count));
+  }
+  CHECK(touching > 2000);
+  CHECK(missing > 2000);
 }
 
 TEST_CASE("a scaled direction has 13 bits, those of the product, and its sign") {

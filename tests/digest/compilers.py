@@ -23,7 +23,7 @@ def ways():
                 yield [], compiler, *options
         else:
             yield [], compiler, "-O0", *[PORTABLE] * (i > 0)
-            yield [], compiler, "-O2"
+            yield [], compiler, "-Os" if i > 0 else "-O2"
     if THOROUGH:
         yield [], "g++", "-O3", PORTABLE
     # A compiler for 32 bits, whose programs an x86-64 kernel runs.

@@ -67,14 +67,15 @@ inline Upper upper_of_normal(const Narrow& normal, const Point& origin, const Tr
   const auto height = [&](const Point& corner) { return dot(normal, difference(corner, origin)); };
   return upper_of({height(asked.corner[0]), height(asked.corner[1]), height(asked.corner[2])});
 }
-/// The same, one height at a time: three would take more stack than all else.
-inline Upper upper_of_normal(const Wide& normal, const Point& origin, const Triangle& asked) {
+/// One height at a time: three of 64 bits would take more stack than all else.
+template <class Height>
+inline Upper upper_of(const Height& height, const Triangle& asked) {
   unsigned below = 0;
   unsigned above = 0;
   for (unsigned i = 3; i-- != 0;) {
-    const int64_t height = dot(normal, difference(asked.corner[i], origin));
-    below = below << 1 | (height < 0 ? 1u : 0u);
-    above = above << 1 | (height > 0 ? 1u : 0u);
+    const int64_t at = height(asked.corner[i]);
+    below = below << 1 | (at < 0 ? 1u : 0u);
+    above = above << 1 | (at > 0 ? 1u : 0u);
   }
   return below == 0 ? above : below == kAllCorners ? kSeparated : kAllCorners ^ below;
 }
@@ -82,6 +83,18 @@ inline Upper upper_of_normal(const Wide& normal, const Point& origin, const Tria
 template <class Cofactors>
 [[gnu::noinline]] Upper upper_of_plane(const Triangle& plane, const Triangle& asked) {
   return upper_of_normal(normal_of<Cofactors>(plane), plane.corner[0], asked);
+}
+/// Where size counts, with no code but that of volumes: wide triangles are rare.
+template <>
+[[gnu::noinline]] Upper upper_of_plane<Wide>(const Triangle& plane, const Triangle& asked) {
+  const Point(&p)[3] = plane.corner;
+#if defined(__OPTIMIZE_SIZE__)
+  const auto height = [&](const Point& corner) { return volume<Wide>(p[0], p[1], p[2], corner); };
+#else
+  const Wide normal = normal_of<Wide>(plane);
+  const auto height = [&](const Point& corner) { return dot(normal, difference(corner, p[0])); };
+#endif
+  return upper_of(height, asked);
 }
 
 inline Upper upper_of(bool narrow, const Triangle& plane, const Triangle& asked) {

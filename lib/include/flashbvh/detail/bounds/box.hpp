@@ -49,11 +49,10 @@ class TranslatedBoxTest {
  public:
   /// To be assigned to before it is called.
   TranslatedBoxTest() = default;
-  /// `x, y, z`: the translation of B in cells; any 32-bit value.
-  constexpr TranslatedBoxTest(int32_t x, int32_t y, int32_t z)
-      : least_{{join_halves(threshold(x), threshold(y)),
-                join_halves(threshold_negated(x), threshold_negated(y)),
-                join_halves(threshold(z), threshold_negated(z))}} {}
+  /// `x, y, z`: the translation of B in cells, within +-2^30.
+  TranslatedBoxTest(int32_t x, int32_t y, int32_t z)
+      : least_{{join_halves(threshold(x), threshold(y)), join_halves(threshold(-x), threshold(-y)),
+                join_halves(threshold(z), threshold(-z))}} {}
 
   /// True if the closed boxes share a point. Of boxes in nodes: with Helium the four bytes after a
   /// box are read, too.
@@ -92,15 +91,13 @@ class TranslatedBoxTest {
   }
 
   /// Sums are 2 to 65,534: a threshold of 0 always holds, one of 65,535 never does.
-  static constexpr uint32_t threshold(int32_t t) {
-    return static_cast<uint32_t>(kZero + clamp(t, -kZero, kZero - 1));
-  }
-  static constexpr uint32_t threshold_negated(int32_t t) {
-    return static_cast<uint32_t>(kZero - clamp(t, 1 - kZero, kZero));
-  }
-  static constexpr int32_t clamp(int32_t t, int32_t least, int32_t most) {
-    const int32_t raised = t < least ? least : t;
-    return raised > most ? most : raised;
+  FLASHBVH_INLINE_FOR_SPEED static uint32_t threshold(int32_t t) {
+#if defined(__ARM_FEATURE_SAT) && !defined(FLASHBVH_PORTABLE) && !defined(__OPTIMIZE_SIZE__)
+    return __usat(kZero + t, 16);
+#else
+    const int32_t least = kZero + t;
+    return static_cast<uint32_t>(least < 0 ? 0 : least > UINT16_MAX ? UINT16_MAX : least);
+#endif
   }
   static constexpr int32_t kZero = 2 * kBoundBias;
 

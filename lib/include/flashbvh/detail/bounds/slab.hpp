@@ -165,13 +165,34 @@ class Slab {
   int32_t least_lower() const { return least_lower_; }
 
   /// False only if the box has no point in the slab.
-  FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
+  FLASHBVH_INLINE_FOR_SPEED bool may_touch(const PackedBox& box) const {
     return add_products(add_products(add_products(0, row_.positive_xy, box.upper_xy),
                                      row_.negative_xy, box.lower_xy),
                         row_.z, box.z) >= least_upper_ &&
            add_crossed_products(add_products(add_products(0, row_.positive_xy, box.lower_xy),
                                              row_.negative_xy, box.upper_xy),
                                 row_.z, box.z) >= least_lower_;
+  }
+
+  /// False only if it has all these vertices of the other tree on one side: `corner` to before
+  /// `end`, one at least.
+  template <class Index>
+  FLASHBVH_INLINE_FOR_SPEED bool may_touch(const Vertex* vertices, const Index* corner,
+                                           const Index* end) const {
+    const PackedVector seen = seen_direction();
+    const int32_t bias = row_.sum() * kBoundBias;
+    const int32_t least = least_upper_ - bias;
+    const int32_t least_negated = least_lower_ - bias;
+    const auto along = [&](Index i) { return dot(seen, PackedVector::of(vertices[i])); };
+    const int32_t first = along(*corner);
+    if (first < least) {
+      while (++corner != end && along(*corner) < least) {
+      }
+    } else if (-first < least_negated) {
+      while (++corner != end && -along(*corner) < least_negated) {
+      }
+    }
+    return corner != end;
   }
 
  private:

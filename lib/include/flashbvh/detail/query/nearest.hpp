@@ -111,12 +111,12 @@ class NearestPlanes : public ProximityPlanes<Mesh> {
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
     return may_reach(box) && Base::may_touch(box);
   }
-  /// The same of the triangles of a leaf of the other tree, by its node, along the direction.
-  FLASHBVH_NOINLINE bool may_touch_leaf(uint32_t node) const {
+  /// Whether the direction has the triangles of the other tree's leaf, by its node, too far off.
+  FLASHBVH_NOINLINE bool rejects_leaf(uint32_t node, Progress& /*progress*/) const {
     const bool is_of_a = this->leaf_side() == Side::b;
     const Mesh& mesh = is_of_a ? this->a : this->b;
     const SupportGap& along = so_far_->along;
-    return along.end_of(mesh, is_of_a ? Side::a : Side::b, mesh.nodes[node].leaf()) > most_;
+    return along.end_of(mesh, is_of_a ? Side::a : Side::b, mesh.nodes[node].leaf()) <= most_;
   }
 
  private:

@@ -125,6 +125,7 @@ FLASHBVH_NOINLINE State walk_pairs(const BoxTest& bound, Shapes& shapes, Run& ru
           keep_in_memory(kept);
           kept->progress.go_on(work_left, overlaps);
           end = reach_leaf(&at.node_a(), &at.node_b(), shapes, *kept);
+          end = end == State::fresh ? walk_below_reached(shapes, *kept) : end;
           keep_in_memory(kept);
           work_left = kept->progress.work_left;
           overlaps = kept->progress.overlaps;

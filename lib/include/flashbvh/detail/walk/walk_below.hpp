@@ -7,7 +7,8 @@
 // boxes; where a walk is in it follows from the pair. An order with a stack leaves it alone
 // meanwhile. Without shapes the order goes there as the paper has it. Shapes that have kKnowsRoot
 // keep below which node a walk stopped, for the next one of the same run. Those that have
-// kComparesLeaves look at the triangles of the other leaf, too, by shapes.may_touch_leaf(node).
+// kComparesLeaves look at the triangles of the other leaf, too, by shapes.rejects_leaf(node,
+// progress), which may spend work.
 #ifndef FLASHBVH_DETAIL_WALK_WALK_BELOW_HPP
 #define FLASHBVH_DETAIL_WALK_WALK_BELOW_HPP
 
@@ -68,7 +69,7 @@ FLASHBVH_NOINLINE State walk_below(Shapes& shapes, Run& run, uint32_t root, bool
                                                   run.node);
   const auto found = [&](uint32_t other) {
     if constexpr (Shapes::kComparesLeaves) {
-      if (!shapes.may_touch_leaf(other)) {
+      if (shapes.rejects_leaf(other, run.progress)) {
         return true;
       }
     }
@@ -80,7 +81,8 @@ FLASHBVH_NOINLINE State walk_below(Shapes& shapes, Run& run, uint32_t root, bool
   return end;
 }
 
-/// At a pair that may matter, one node or both leaves: to the end of the subtree below it.
+/// At a pair that may matter, one node or both leaves. `fresh`: walk_below_reached() is next,
+/// called by the caller, so that no frame of this lies above it.
 template <class Node, class Shapes, class Run>
 FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shapes& shapes,
                                    Run& run) {
@@ -94,13 +96,20 @@ FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shape
   }
   run.side = leaf_a ? Side::a : Side::b;
   run.leaf = leaf_a ? a : b;
-  const uint32_t root = leaf_a ? b : a;
-  run.node = (leaf_a ? shapes.b : shapes.a).first_child(root);
+  run.node = leaf_a ? b : a;
   run.progress.spend(shapes.work_of(run.side, run.leaf));
   if (!shapes.begin(run.side, run.leaf, &(leaf_a ? node_b : node_a)->box)) {
     return State::done;
   }
   ++run.progress.overlaps;
+  return State::fresh;
+}
+
+/// The walk that reach_leaf() left.
+template <class Shapes, class Run>
+FLASHBVH_NOINLINE State walk_below_reached(Shapes& shapes, Run& run) {
+  const uint32_t root = run.node;
+  run.node = (run.side == Side::a ? shapes.b : shapes.a).first_child(root);
   return walk_below(shapes, run, root, false);
 }
 

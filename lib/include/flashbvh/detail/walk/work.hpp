@@ -24,6 +24,9 @@ inline void take_work(uint32_t& left, uint32_t spent) {
 /// A leaf of one triangle taken as a shape, and begun below; each other triangle in it is 1 more.
 constexpr uint32_t kShapeWork = 8;
 
+/// Each triangle of a leaf of the other tree that the shape rejects by its corners.
+constexpr uint32_t kRejectedTriangleWork = 1;
+
 /// The same leaf below the next of the siblings among which a walk went on.
 constexpr uint32_t kGoOnWork = 2;
 
