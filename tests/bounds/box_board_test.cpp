@@ -65,8 +65,8 @@ std::int32_t translation(Random& random) {
     case 2:
       return random.between(-40000, 40000);
     default:
-      return random.below(2) == 0 ? INT32_MIN + static_cast<std::int32_t>(random.below(3))
-                                  : INT32_MAX - static_cast<std::int32_t>(random.below(3));
+      const auto far = (1 << 30) - static_cast<std::int32_t>(random.below(3));
+      return random.below(2) == 0 ? -far : far;
   }
 }
 

@@ -213,5 +213,5 @@ TEST_CASE("a bending tube's digest is the same on every core") {
     PairQuery pair(bent.mesh.mesh(), bent.mesh.mesh(), pose);
     add(pair);
   }
-  CHECK(sum == 0x82C8C8AAu);
+  CHECK(sum == 0x31C8E994u);
 }
