@@ -20,7 +20,7 @@ Definition either {P Q} (d : {P} + {~ P}) (e : {Q} + {~ Q}) : {P \/ Q} + {~ (P \
 Proof. destruct d; [left; now left|]. destruct e; [left; now right | right; tauto]. Defined.
 
 (* ---- An image: nodes, their boxes, and triangles by their positions; of a leaf, by its node, its
-   triangles and the directions of its slabs. *)
+   triangles and the directions of its slabs, its plane's first. *)
 Record Image := { cells : list Cell; box : nat -> Box; corners : nat -> Point * Point * Point;
   own_triangles : nat -> list nat; directions : nat -> list Point }.
 Definition triangles m n := if (n <? length (cells m))%nat then own_triangles m n else [].
@@ -151,25 +151,25 @@ Definition slab_of_b e those (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : boo
 Let leaf_a n := is_leaf (cells A) n.
 Let leaf_b n := is_leaf (cells B) n.
 Definition bound n k : bool := boxes_overlap (box A n) (box B k).
-Definition slabs_pass_a n (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
-  forallb (fun e => slab_of_a e (leaf_points A n) beyond_) (directions A n).
-Definition slabs_pass_b k (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
-  forallb (fun e => slab_of_b e (leaf_points B k) beyond_) (directions B k).
-Definition box_passes_a n k : bool := slabs_pass_a n (box_beyond (box B k)).
-Definition box_passes_b n k : bool := slabs_pass_b k (box_beyond (box A n)).
+Definition slabs_pass_a along n (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
+  forallb (fun e => slab_of_a e (leaf_points A n) beyond_) along.
+Definition slabs_pass_b along k (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
+  forallb (fun e => slab_of_b e (leaf_points B k) beyond_) along.
+Definition box_passes_a n k : bool := slabs_pass_a (directions A n) n (box_beyond (box B k)).
+Definition box_passes_b n k : bool := slabs_pass_b (directions B k) k (box_beyond (box A n)).
 Definition begin n k : bool := if leaf_a n then box_passes_a n k else if leaf_b k then box_passes_b n k else true.
 
-(* Below a leaf, a leaf whose box passes is held against the same slabs by its corners.
-   code: include/flashbvh/detail/walk/leaf_planes.hpp | const auto* const corner = m.triangles[m.first_triangle(leaf)].corner; const auto* const end = m.triangles[m.end_triangle(leaf)].corner;
-   code: include/flashbvh/detail/walk/leaf_planes.hpp | return plane.may_touch(m.vertices, corner, end) && edge.may_touch(m.vertices, corner, end);
+(* Below a leaf, a leaf whose box passes is held against the first slab, the plane's, by its corners.
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | const auto* const corner = m.triangles[first].corner; const auto* const end = m.triangles[after].corner; if (plane.may_touch(m.vertices, corner, end)) { return false; }
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | const uint32_t first = m.first_triangle(leaf); const uint32_t after = m.end_triangle(leaf);
    code: include/flashbvh/detail/walk/leaf_planes.hpp | const Mesh& other_mesh() const { return side_ == Side::a ? b : a; }
    code: include/flashbvh/detail/walk/leaf_planes.hpp | static constexpr bool kComparesLeaves = true;
    code: include/flashbvh/detail/walk/walk_below.hpp | if (!at.node().is_leaf()) { at.descend(); continue; } progress.go_on(work_left, overlaps); const bool go_on = found(at.index());
    code: include/flashbvh/detail/walk/walk_below.hpp | if constexpr (Shapes::kComparesLeaves) { if (shapes.rejects_leaf(other, run.progress)) { return true; } } *)
 Definition corners_pass_a n k : bool :=
-  if leaf_b k then slabs_pass_a n (corners_beyond (leaf_points B k)) else true.
+  if leaf_b k then slabs_pass_a (firstn 1 (directions A n)) n (corners_beyond (leaf_points B k)) else true.
 Definition corners_pass_b n k : bool :=
-  if leaf_a n then slabs_pass_b k (corners_beyond (leaf_points A n)) else true.
+  if leaf_a n then slabs_pass_b (firstn 1 (directions B k)) k (corners_beyond (leaf_points A n)) else true.
 Definition touch (side : Side) n k : bool :=
   match side with
   | LeafB =>
@@ -465,36 +465,38 @@ Lemma windows_say side : window_passes B pose side (box A n) (box B k) = true.
 Proof.
   pose proof boxes_stay as S. unfold window_passes. destruct pose, side; rewrite decided; tauto.
 Qed.
-Lemma slabs_of_a_say beyond_ (other : Point -> Prop) : is_leaf (cells A) n = true ->
+Lemma first_of {T} (those : list T) : incl (firstn 1 those) those.
+Proof. destruct those; intros e; cbn; tauto. Qed.
+Lemma slabs_of_a_say along beyond_ (other : Point -> Prop) : is_leaf (cells A) n = true -> incl along (directions A n) ->
   (forall u, other u -> in_box (box B k) u) -> (forall p, In p (points (corners B j)) -> other p) ->
-  right_of beyond_ other -> slabs_pass_a A B pose n beyond_ = true.
+  right_of beyond_ other -> slabs_pass_a A B pose along n beyond_ = true.
 Proof.
-  intros L O C R. pose proof (leaf_below A opened_a n l below_n L) as E. apply forallb_forall. intros e D.
+  intros L Along O C R. pose proof (leaf_below A opened_a n l below_n L) as E. apply forallb_forall. intros e D.
   destruct (slab_of_a B pose e _ _) eqn:S; auto. exfalso. apply (slab_a_apart k e _ _ other) in S; auto.
   - revert S. apply never; [|exact C]. intros p P. rewrite E. now apply (corners_in A opened_a n l i p).
   - apply filled_b.
-  - now apply (proj1 sound_a n).
+  - now apply (proj1 sound_a n), Along.
 Qed.
-Lemma slabs_of_b_say beyond_ (other : Point -> Prop) : is_leaf (cells B) k = true ->
+Lemma slabs_of_b_say along beyond_ (other : Point -> Prop) : is_leaf (cells B) k = true -> incl along (directions B k) ->
   (forall p, In p (points (corners A i)) -> other p) ->
-  right_of beyond_ other -> slabs_pass_b B pose k beyond_ = true.
+  right_of beyond_ other -> slabs_pass_b B pose along k beyond_ = true.
 Proof.
-  intros L C R. pose proof (leaf_below B opened_b k m below_k L) as E. apply forallb_forall. intros e D.
+  intros L Along C R. pose proof (leaf_below B opened_b k m below_k L) as E. apply forallb_forall. intros e D.
   destruct (slab_of_b B pose e _ _) eqn:S; auto. exfalso. destruct filled_b as [K _].
   apply (slab_b_apart k e _ _ other) in S; auto.
   - revert S. apply never; [exact C|]. intros p P. rewrite E. now apply (corners_in B opened_b k m j p).
   - intros u U. now apply node_in.
-  - now apply (proj1 sound_b k).
+  - now apply (proj1 sound_b k), Along.
 Qed.
 Lemma boxes_against_a_say : is_leaf (cells A) n = true -> box_passes_a A B pose n k = true.
-Proof. intros L. apply (slabs_of_a_say _ (in_box (box B k))); auto using box_beyond_right, in_b. Qed.
+Proof. intros L. apply (slabs_of_a_say _ _ (in_box (box B k))); auto using box_beyond_right, in_b, incl_refl. Qed.
 Lemma boxes_against_b_say : is_leaf (cells B) k = true -> box_passes_b A B pose n k = true.
-Proof. intros L. apply (slabs_of_b_say _ (in_box (box A n))); auto using box_beyond_right, in_a. Qed.
+Proof. intros L. apply (slabs_of_b_say _ _ (in_box (box A n))); auto using box_beyond_right, in_a, incl_refl. Qed.
 Lemma corners_against_a_say : is_leaf (cells A) n = true -> corners_pass_a A B pose n k = true.
 Proof.
   intros L. unfold corners_pass_a. destruct (is_leaf (cells B) k) eqn:K; auto.
   pose proof (leaf_below B opened_b k m below_k K) as E. destruct filled_b as [F _].
-  apply (slabs_of_a_say _ (fun p => In p (leaf_points B k))); auto using corners_beyond_right.
+  apply (slabs_of_a_say _ _ (fun p => In p (leaf_points B k))); auto using corners_beyond_right, first_of.
   - intros u U. now apply node_in.
   - intros p P. rewrite E. now apply (corners_in B opened_b k m j p).
 Qed.
@@ -502,7 +504,7 @@ Lemma corners_against_b_say : is_leaf (cells B) k = true -> corners_pass_b A B p
 Proof.
   intros K. unfold corners_pass_b. destruct (is_leaf (cells A) n) eqn:L; auto.
   pose proof (leaf_below A opened_a n l below_n L) as E.
-  apply (slabs_of_b_say _ (fun p => In p (leaf_points A n))); auto using corners_beyond_right.
+  apply (slabs_of_b_say _ _ (fun p => In p (leaf_points A n))); auto using corners_beyond_right, first_of.
   intros p P. rewrite E. now apply (corners_in A opened_a n l i p).
 Qed.
 End Common.
@@ -610,7 +612,7 @@ Definition two : Image := {|
     2%nat => {| low := at_ 40 0 0; high := at_ 49 9 9 |} | _ => {| low := at_ 10 0 0; high := at_ 49 9 9 |} end;
   corners i := match i with O => (at_ 10 0 0, at_ 19 9 0, at_ 15 0 9) | _ => (at_ 40 0 0, at_ 49 9 0, at_ 45 0 9) end;
   own_triangles n := match n with 1%nat => [0%nat] | 2%nat => [1%nat] | _ => [] end;
-  directions n := [at_ 0 0 @2**kDirectionBits@; at_ @2**kDirectionBits@ (- @2**kDirectionBits@) 0] |}.
+  directions n := [at_ @2**kDirectionBits@ (- @2**kDirectionBits@) 0; at_ 0 0 @2**kDirectionBits@] |}.
 Definition quarter : Rotation := {| a1 := 0; a2 := one22; a3 := 0; b1 := - one22; b2 := 0; b3 := 0; c1 := 0; c2 := 0;
   c3 := one22; o1 := 20 * cell14; o2 := -2 * cell14; o3 := 0; defect := 0 |}.
 Example premises_met : opens two = true /\ sound two /\ fits (Turned quarter) /\
