@@ -65,7 +65,7 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
     # A witness that is nearer than the limit, which was found by an exact test.
     nearer = placed + within + run + total["witness"]
     work = max(turn["visit"] + ascent, turn["other"], parts(turn["turn"], GO_ON),
-               parts(max(total["shape"], turn["turn"]) + begun, SHAPE), parts(triangles, PAIR),
+               parts(max(total["shape"] + total["reached"], turn["turn"]) + begun, SHAPE), parts(triangles, PAIR),
                parts(placed, PAIR + PLACED), parts(placed + within, PAIR + PLACED + EXACT),
                parts(nearer, PAIR + PLACED + EXACT + AIM),
                parts(turn["run"], POSE), parts(turn["lever"], LEVER))

@@ -40,12 +40,13 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
     turn = on_below.term("turn") + below.fixed + below.term("climb")
     again = part("take-again").total
     made = sum(slab.fixed for slab in slabs)
-    # A leaf's corners, three of each triangle, against both slabs. Its pairs of triangles are no fewer
+    # A leaf's corners, three of each triangle, against the plane. Its pairs of triangles are no fewer
     # than its triangles.
-    corners = 6 * part("compare-leaf").term("vertex")
+    corners = 3 * part("compare-leaf").term("vertex")
     compared = part("compare-leaf").fixed + corners
     # A leaf taken as a shape: reached, or the next one after a leaf that a run went on with.
-    shape = made + max(part("reach-leaf").total + below.fixed + below.term("climb"), again + turn)
+    reached = part("reach-leaf").total + part("below-reached").total
+    shape = made + max(reached + below.fixed + below.term("climb"), again + turn)
     # Transformed and tested, and maybe answered. triangle-pair-general: of triangles with area that
     # do not lie in one plane.
     transform = max(part("translate").total, part("rotate").total)
