@@ -52,7 +52,7 @@
 (define-fun sum1 () Word (bvadd a_lower_xy b_upper_xy))
 (define-fun sum2 () Word (bvadd a_z (swap_halves b_z)))
 
-; ---- threshold(): with USAT or, as here, without
+; ---- threshold()
 (define-fun zero () Word (_ bv@2 * kBoundBias@ 32))
 (define-fun clamp ((t Word)) Word (ite (bvslt t #x00000000) #x00000000 (ite (bvsgt t #x0000ffff) #x0000ffff t)))
 (define-fun threshold ((t Word)) Half ((_ extract 15 0) (clamp (bvadd zero t))))

@@ -91,13 +91,9 @@ class TranslatedBoxTest {
   }
 
   /// Sums are 2 to 65,534: a threshold of 0 always holds, one of 65,535 never does.
-  FLASHBVH_INLINE_FOR_SPEED static uint32_t threshold(int32_t t) {
-#if defined(__ARM_FEATURE_SAT) && !defined(FLASHBVH_PORTABLE) && !defined(__OPTIMIZE_SIZE__)
-    return __usat(kZero + t, 16);
-#else
+  static uint32_t threshold(int32_t t) {
     const int32_t least = kZero + t;
     return static_cast<uint32_t>(least < 0 ? 0 : least > UINT16_MAX ? UINT16_MAX : least);
-#endif
   }
   static constexpr int32_t kZero = 2 * kBoundBias;
 
