@@ -42,7 +42,8 @@ def configure_presets():
     for name, title, variables in HOST:
         yield {"name": name, "inherits": "base", "displayName": title, "cacheVariables": variables}
     for core in CORES:
-        yield {"name": core["preset"], "inherits": "base", "displayName": f"{core['core']} (QEMU {core['machine']})",
+        machine = core["machine"] if core["machine"] == "node" else f"QEMU {core['machine']}"
+        yield {"name": core["preset"], "inherits": "base", "displayName": f"{core['core']} ({machine})",
                "toolchainFile": f"ports/toolchain/{core['toolchain']}.cmake",
                "cacheVariables": {"FLASHBVH_BOARD": core.get("board", core["machine"])}}
 

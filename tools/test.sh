@@ -1,6 +1,6 @@
 #!/bin/sh
 # test.sh           Everything that has to hold before a change is one: formatting, lint, and all tests,
-#                   natively with sanitizers and on each board under QEMU.
+#                   natively with sanitizers, on each board under QEMU, and as WebAssembly in node.
 # test.sh --quick   What most changes of the library break: formatting, the library's tests on this
 #                   machine with sanitizers, answers and arithmetic on a Cortex-M4F.
 # test.sh --all     Also an Xtensa LX106 and a plain RV32IM; on every board all tests that fit it, which
@@ -17,7 +17,7 @@ cd "$(dirname "$0")/.."
 
 host_steps="tool native long lint"
 cores= list=--steps
-packages="$riscv_packages $digest_packages clang-tidy"
+packages="$riscv_packages $wasm_packages $digest_packages clang-tidy"
 release=
 case ${1:-} in
   "") ;;

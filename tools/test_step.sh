@@ -8,7 +8,7 @@
 #   long         those that damage meshes and images in many ways, or compile projects of their own
 #   library      of native what needs nothing of the host program: --quick
 #   lint         clang-tidy: the library and the host program
-#   PRESET       the tests on a board, under QEMU; on cortex-m4f tools/demo.sh as well. Without --all
+#   PRESET       the tests on a board, under QEMU, or in node; on cortex-m4f tools/demo.sh as well. Without --all
 #                of cores that run another one's code the digest alone, of a Cortex-M3 and M55,
 #                which have forms of their own, answers and arithmetic; in the core's form. For
 #                --quick the digest and the arithmetic

@@ -18,8 +18,8 @@ enum class HostCall : uint32_t {
 };
 
 /// Makes one call. `argument` is what the call expects: most take the address of a block of words.
-#if defined(__xtensa__)
-int32_t ask_host(HostCall call, const void* argument);  // xtensa/host.cpp
+#if defined(__xtensa__) || defined(__wasm__)
+int32_t ask_host(HostCall call, const void* argument);  // host.cpp
 #else
 inline int32_t ask_host(HostCall call, const void* argument) {
 #if defined(__riscv)

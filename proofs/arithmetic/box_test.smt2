@@ -8,7 +8,7 @@
 ; code: include/flashbvh/lattice.hpp | join_halves(pack_bound(box.upper.z), pack_bound(-box.lower.z))};
 ; code: include/flashbvh/detail/bounds/box.hpp | return {{a.upper_xy + b.lower_xy, a.lower_xy + b.upper_xy, a.z + swap_halves(b.z)}};
 ; code: include/flashbvh/detail/bounds/box.hpp | least_{{join_halves(threshold(x), threshold(y)), join_halves(threshold(-x), threshold(-y)), join_halves(threshold(z), threshold(-z))}} {}
-; code: include/flashbvh/detail/bounds/box.hpp | const int32_t least = kZero + t; return static_cast<uint32_t>(least < 0 ? 0 : least > UINT16_MAX ? UINT16_MAX : least);
+; code: include/flashbvh/detail/bounds/box.hpp | constexpr int32_t never = UINT16_MAX; const int32_t least = kZero + t; return static_cast<uint32_t>(least < 0 ? 0 : least > never ? never : least);
 (set-logic QF_BV)
 (define-sort Word () (_ BitVec 32))
 (define-sort Half () (_ BitVec 16))

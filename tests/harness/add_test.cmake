@@ -61,7 +61,7 @@ function(flashbvh_add_test name)
     if(FLASHBVH_TESTS_HAVE_HEAP AND NOT arg_ICOUNT)
       target_compile_options(${name} PRIVATE -O1)
     endif()
-    set_target_properties(${name} PROPERTIES SUFFIX .elf)
+    set_target_properties(${name} PROPERTIES SUFFIX ${FLASHBVH_SUFFIX})
     # Not by the test property ENVIRONMENT: catch_discover_tests() takes one variable at most.
     if(arg_ICOUNT)
       # Figures are printed with fractions, which newlib's small printf() does on request.

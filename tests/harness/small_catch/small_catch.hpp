@@ -25,13 +25,13 @@ void put_value(Integer value) {
   port::put(value);
 }
 
-/// A value of any type, by its address; of a class nothing but a mark.
+/// A value of any type, by its address; of a class, or of 128 bits, nothing but a mark.
 template <class Type>
 void put_any(const void* address) {
   const Type& value = *static_cast<const Type*>(address);
   if constexpr (__is_enum(Type)) {
     port::put(static_cast<int>(value));
-  } else if constexpr (__is_class(Type) || __is_union(Type)) {
+  } else if constexpr (__is_class(Type) || __is_union(Type) || sizeof(Type) > sizeof(uint64_t)) {
     port::put("{?}");
   } else if constexpr (__is_same(Type, float)) {
     put_value(static_cast<double>(value));

@@ -92,8 +92,9 @@ class TranslatedBoxTest {
 
   /// Sums are 2 to 65,534: a threshold of 0 always holds, one of 65,535 never does.
   static uint32_t threshold(int32_t t) {
+    constexpr int32_t never = UINT16_MAX;
     const int32_t least = kZero + t;
-    return static_cast<uint32_t>(least < 0 ? 0 : least > UINT16_MAX ? UINT16_MAX : least);
+    return static_cast<uint32_t>(least < 0 ? 0 : least > never ? never : least);
   }
   static constexpr int32_t kZero = 2 * kBoundBias;
 

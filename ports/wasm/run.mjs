@@ -1,0 +1,15 @@
+// run.mjs PROGRAM [ARGUMENT...]: runs a WebAssembly program with what WASI gives; its status is the program's,
+// 123 where it traps. Called by ports/run.
+import { readFileSync } from "node:fs";
+import { WASI } from "node:wasi";
+
+const wasi = new WASI({ version: "preview1", args: process.argv.slice(2), returnOnExit: true });
+const { instance } = await WebAssembly.instantiate(readFileSync(process.argv[2]), {
+  wasi_snapshot_preview1: wasi.wasiImport,
+});
+try {
+  process.exitCode = wasi.start(instance);
+} catch (trap) {
+  console.log(`\n[port] fault: ${trap.message}`);
+  process.exitCode = 123;
+}
