@@ -6,7 +6,7 @@ set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
 . tools/kr5.sh
-ensure_packages $host_packages $board_packages
+ensure_packages $host_packages $live_packages $board_packages
 
 demo=build/demo
 # FLASHBVH_NATIVE: the preset whose host program bakes. FLASHBVH_DEMO_OF_MESHES: without the arm's guard,

@@ -40,6 +40,9 @@ board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eab
 # The tests take C++'s headers from the Arm compiler: that for RISC-V has none.
 riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf libstdc++-arm-none-eabi-dev
   qemu-system-misc"
+# What pages of robots are compiled with, for WebAssembly.
+live_packages="clang lld wasi-libc libclang-rt-14-dev-wasm32"
+wasm_packages="$live_packages llvm libc++-14-dev-wasm32 nodejs"
 xtensa_packages="gcc-xtensa-lx106 picolibc-xtensa-lx106-elf libstdc++-arm-none-eabi-dev qemu-system-misc"
 # What builds and checks a release's packages.
 release_packages="arduino-builder debhelper dpkg-dev help2man libxml2-utils lintian python3-dateutil

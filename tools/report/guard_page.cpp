@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "live/live_section.hpp"
 #include "report/arm_pictures.hpp"
 #include "report/html.hpp"
 #include "text/numbers.hpp"
@@ -48,13 +49,46 @@ std::string line_cell(const Trajectory& trajectory, std::size_t period) {
   return trajectory.has_times() ? concat(line, " (", shortest(trajectory.time(period)), ")") : line;
 }
 
+/// Periods that a page can play: more are thinned out.
+constexpr std::size_t kMostPlayed = 4000;
+
+/// How many of the trajectory's there are to one that is played: that is the worst of them.
+std::size_t periods_a_step(const Trajectory& trajectory) {
+  return (trajectory.size() + kMostPlayed - 1) / kMostPlayed;
+}
+
+LivePeriods played_periods(const GuardedTrajectory& guarded) {
+  const Trajectory& trajectory = guarded.trajectory;
+  const std::size_t step = periods_a_step(trajectory);
+  LivePeriods played;
+  for (std::size_t first = 0; first < trajectory.size(); first += step) {
+    const auto begin = guarded.answers.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(step, trajectory.size() - first));
+    const auto worst = std::max_element(begin, end, [](const GuardAnswer& p, const GuardAnswer& q) {
+      return p.verdict < q.verdict;
+    });
+    const auto period = static_cast<std::size_t>(worst - guarded.answers.begin());
+    const float* const values = trajectory.values(period);
+    played.values.insert(played.values.end(), values, values + trajectory.variables());
+    played.verdicts += static_cast<char>('0' + static_cast<int>(worst->verdict));
+    played.names.push_back("line " + line_cell(trajectory, period));
+  }
+  return played;
+}
+
+/// A line of a table, which the robot shows.
+std::string shown_line(const Trajectory& trajectory, std::size_t period) {
+  return concat("<span data-period=", period / periods_a_step(trajectory), ">",
+                line_cell(trajectory, period), "</span>");
+}
+
 std::string stretches_table(const GuardedTrajectory& guarded) {
   const std::vector<Stretch> all = stretches_of(guarded.robot, guarded.trajectory, guarded.answers);
   std::vector<Cells> rows;
   for (const Stretch& stretch : worst_of(all, kMostStretches)) {
     const bool is_refused = stretch.pair == kNoPair;
-    rows.push_back({line_cell(guarded.trajectory, stretch.first),
-                    line_cell(guarded.trajectory, stretch.last),
+    rows.push_back({shown_line(guarded.trajectory, stretch.first),
+                    shown_line(guarded.trajectory, stretch.last),
                     square(concat("v", stretch.kind)) + kKindNames[stretch.kind],
                     is_refused ? "" : pair_name(guarded, stretch.pair),
                     is_refused ? "" : significant(metres_of(guarded, stretch.kept), 4),
@@ -259,7 +293,8 @@ double metres_of(const GuardedTrajectory& guarded, std::uint32_t fine) {
 }
 
 std::string guard_page(const GuardedTrajectory& guarded) {
-  std::string html = decision_section("What it comes to", decisions(guarded)) + counts(guarded) +
+  std::string html = decision_section("What it comes to", decisions(guarded)) +
+                     live_section(guarded.image, played_periods(guarded)) + counts(guarded) +
                      time_section(guarded);
   if (guarded.robot.pair_count != 0) {
     const std::vector<NearPair> near =

@@ -15,6 +15,7 @@ namespace flashbvh::tool {
 struct GuardedTrajectory {
   const Model& model;
   const Robot& robot;
+  const std::vector<std::uint32_t>& image;
   const std::string& path;  ///< of the trajectory
   const Trajectory& trajectory;
   const std::vector<GuardAnswer>& answers;

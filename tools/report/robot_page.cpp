@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "flashbvh/robot/motion.hpp"
+#include "live/live_section.hpp"
 #include "report/arm_pictures.hpp"
 #include "report/html.hpp"
 #include "robot/baked/robot_writer.hpp"
@@ -31,9 +32,18 @@ std::string short_reason(const PairVerdict& pair, const std::string& share) {
              : counted(pair.cells, "cell", "cells") + (pair.is_guarded ? ", guarded" : "");
 }
 
+/// Where the two collide, for the robot above to show.
+std::string values_of(const PairVerdict& pair) {
+  std::string text;
+  for (const double value : pair.witness) {
+    text += (text.empty() ? "" : " ") + significant(value, 9);
+  }
+  return text.empty() ? "" : concat(" data-values=\"", text, "\"");
+}
+
 std::string cell(const PairVerdict& pair, const std::string& share) {
-  return concat("<td class=is-", name_of(pair.verdict), ">", name_of(pair.verdict), "<small>",
-                short_reason(pair, share), "</small></td>");
+  return concat("<td class=is-", name_of(pair.verdict), values_of(pair), ">", name_of(pair.verdict),
+                "<small>", short_reason(pair, share), "</small></td>");
 }
 
 std::string matrix_of(const DecidedRobot& decided, const std::vector<std::string>& shares) {
@@ -91,7 +101,7 @@ std::size_t motion_ram_bytes(const Robot& robot) {
 std::string facts_section(const DecidedRobot& decided) {
   const Robot& robot = decided.robot();
   const double cell = cell_of(robot);
-  const std::size_t flash = decided.image_bytes;
+  const std::size_t flash = decided.image.size() * sizeof decided.image[0];
   const std::size_t meshes = image_bytes(decided.links);
   return section(
       "", "What firmware holds",
@@ -238,13 +248,16 @@ std::string witness_section(const DecidedRobot& decided, const std::vector<std::
   }
   const std::size_t drawn = std::min(order.size(), kMostDrawn);
   std::string html = rarity_table(decided, order, collisions);
-  for (std::size_t i = 0; i < drawn; ++i) {
+  // In a page whose robot answers, the matrix shows them.
+  for (std::size_t i = 0; i < drawn && !has_live_section(); ++i) {
     const PairVerdict& pair = decided.pairs[order[i]];
     step("drawing " + decided.model.links[pair.a].name + " - " + decided.model.links[pair.b].name,
          1.0 / static_cast<double>(drawn));
     html += witness(decided, pair);
   }
-  if (drawn != order.size()) {
+  if (has_live_section()) {
+    html += note("A cell of the matrix that can collide shows where, in the robot above.");
+  } else if (drawn != order.size()) {
     html += note(grouped(order.size() - drawn) + " more are not drawn; --json has their joints.");
   }
   return section("witnesses", "Collisions, the rarest first", html);
@@ -295,8 +308,8 @@ std::string robot_page(const DecidedRobot& decided, const OnStep& step) {
   }
   return page(
       escaped(decided.model.name), "robot", "what of a robot can collide",
-      guarded_decision(decided) + facts_section(decided) + arm_section(decided) +
-          matrix_section(decided, shares) +
+      guarded_decision(decided) + live_section(decided.image) + facts_section(decided) +
+          arm_section(decided) + matrix_section(decided, shares) +
           witness_section(decided, rarest(decided, collisions), collisions, step) +
           (decided.simplified.meshes.empty() ? "" : simplified_section(decided.simplified)) +
           parts_section(decided) + footer());

@@ -24,7 +24,7 @@ struct DecidedRobot {
   std::string stop;                       ///< metres, as they were given
   std::string warn;
   const std::vector<UnguardedPair>& unguarded;
-  std::size_t image_bytes;
+  const std::vector<std::uint32_t>& image;
   const CoarseMeshes& simplified;  ///< none: links are as the URDF has them
 
   const Robot& robot() const { return fixed.robot(); }

@@ -1,4 +1,5 @@
 #include "cli/robot/baked_robot.hpp"
+#include "bake/image_bytes.hpp"
 #include "cli/commands.hpp"
 
 #include <algorithm>
@@ -302,6 +303,17 @@ void bake_for_firmware(const AllDistances& distances, SimplifiedLinks& simplifie
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> image_of(const BakedRobot& robot, const std::string& name) {
+  if (robot.file) {
+    return robot.file->words();
+  }
+  std::vector<std::vector<std::uint32_t>> meshes;
+  for (const BakedLink& link : robot.links) {
+    meshes.push_back(bake::image_of(link.tree));
+  }
+  return robot_image(robot.model, robot.robot(), robot.unguarded, meshes, name);
+}
 
 std::set<std::string> files_read(const RobotArguments& arguments, const Model& model) {
   std::set<std::string> read = {arguments.urdf};

@@ -89,6 +89,9 @@ BakedRobot decided_robot(Model model, const RobotArguments& arguments, Warnings&
 /// Takes some seconds a pair where proofs are hard. UserError for all that can't be baked.
 BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& warnings);
 
+/// Its image: that which was read, or a new one of this name.
+std::vector<std::uint32_t> image_of(const BakedRobot& robot, const std::string& name);
+
 /// Of an image, as it was baked. UserError if it is none, or if `command` was given options of
 /// add_robot_options(): they are for baking.
 BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings);

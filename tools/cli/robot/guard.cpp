@@ -321,9 +321,11 @@ ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& comma
       arguments.motion ? certify(robot.robot(), trajectory) : std::vector<CertifiedMotion>();
   const std::optional<GuardTiming> timing =
       timing_of(arguments, robot.robot(), trajectory, answers);
+  const std::vector<std::uint32_t> image =
+      arguments.page.empty() ? std::vector<std::uint32_t>() : image_of(robot, robot.model.name);
   const GuardedTrajectory guarded = {
-      robot.model,      robot.robot(), arguments.trajectory, trajectory, answers, arguments.work,
-      arguments.motion, motions,       robot.unguarded,      timing};
+      robot.model,    robot.robot(),    image,   arguments.trajectory, trajectory, answers,
+      arguments.work, arguments.motion, motions, robot.unguarded,      timing};
   FileSet files;
   if (!arguments.page.empty()) {
     std::set<std::string> read = files_read(arguments, robot.model);
@@ -387,7 +389,7 @@ void add_guard(CLI::App& app, ExitCode& exit_code) {
   command->add_flag("--motion", a.motion,
                     "Certify the straight motion of all joints from each line to the next, too");
   add_option(*command, "--report", a.page, "PAGE.html",
-             "Write a page: distances and work over time, the closest moment, motions");
+             "Write a page: the robot on its way, distances and work over time, motions");
   add_json(*command, a.json, "One JSON object a line");
   command->callback([=, &exit_code] { exit_code = guard_trajectory(*arguments, *command); });
 }

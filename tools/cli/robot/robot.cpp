@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <set>
 
-#include "bake/image_bytes.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/robot/baked_robot.hpp"
@@ -10,7 +9,6 @@
 #include "cli/robot/simplified_links.hpp"
 #include "report/robot_page.hpp"
 #include "robot/audit/audit.hpp"
-#include "robot/baked/robot_image.hpp"
 #include "robot/baked/robot_writer.hpp"
 #include "text/files.hpp"
 
@@ -29,14 +27,6 @@ struct OutputArguments : RobotArguments {
 };
 
 using ImageWords = std::vector<std::uint32_t>;
-
-ImageWords image_of(const BakedRobot& baked, const OutputName& name) {
-  std::vector<ImageWords> meshes;
-  for (const BakedLink& link : baked.links) {
-    meshes.push_back(bake::image_of(link.tree));
-  }
-  return robot_image(baked.model, baked.robot(), baked.unguarded, meshes, name.stem);
-}
 
 /// UserError if it would replace what was read.
 void add_output(const OutputArguments& arguments, const Model& model, const std::string& path,
@@ -100,7 +90,7 @@ CoarseMeshes coarse_links(const OutputArguments& arguments, const BakedRobot& ro
   return all;
 }
 
-void add_page(const OutputArguments& arguments, const BakedRobot& robot, std::size_t image_bytes,
+void add_page(const OutputArguments& arguments, const BakedRobot& robot, const ImageWords& image,
               const CoarseMeshes& simplified, FileSet& files) {
   const std::set<std::string> read = files_read(arguments, robot.model);
   refuse_to_replace_inputs(arguments.page, {read.begin(), read.end()});
@@ -109,7 +99,7 @@ void add_page(const OutputArguments& arguments, const BakedRobot& robot, std::si
       arguments.page,
       robot_page({robot.model, views_of(robot.wholes), robot.links, *robot.fixed, robot.zones,
                   robot.pairs, arguments.stop, arguments.warn.value_or(arguments.stop),
-                  robot.unguarded, image_bytes, simplified},
+                  robot.unguarded, image, simplified},
                  [&](const std::string& what, double share) { progress.begin(what, share); }));
 }
 
@@ -134,7 +124,7 @@ void make_robot(const OutputArguments& arguments) {
   const BakedRobot baked = baked_robot(described_robot(arguments, warnings), arguments, warnings);
   const OutputName name = arguments.name.empty() ? distinct_names({baked.model.name}).front()
                                                  : output_name(arguments.urdf, arguments.name);
-  const ImageWords image = image_of(baked, name);
+  const ImageWords image = image_of(baked, name.stem);
   const std::size_t bytes = image.size() * sizeof image[0];
   const std::vector<simplify::LengthRow> lengths = lengths_of(arguments, baked);
   FileSet files;
@@ -151,7 +141,7 @@ void make_robot(const OutputArguments& arguments) {
     add_output(arguments, baked.model, arguments.written_srdf, srdf_of(baked.model, lines), files);
   }
   if (!arguments.page.empty()) {
-    add_page(arguments, baked, bytes, coarse_links(arguments, baked, lengths), files);
+    add_page(arguments, baked, image, coarse_links(arguments, baked, lengths), files);
   }
   const RobotFlash flash = {bytes, bytes_with_large_leaves(baked, bytes, arguments)};
   files.write([&] {
@@ -190,8 +180,9 @@ void add_robot(CLI::App& app) {
       "the meshes");
   add_option(command, "--write-srdf", a.written_srdf, "FILE",
              "Write an SRDF that disables the pairs that no planner has to check");
-  add_option(command, "--report", a.page, "PAGE.html",
-             "Write a page: what can collide, how rare that is and how it looks; flash and RAM");
+  add_option(
+      command, "--report", a.page, "PAGE.html",
+      "Write a page: a robot that answers, what can collide and how rare that is; flash and RAM");
   add_json(command, a.json, "One JSON object");
 }
 

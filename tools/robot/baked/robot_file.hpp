@@ -25,6 +25,7 @@ class RobotFile {
   /// A view into the object.
   const Robot& robot() const { return robot_; }
   const RobotImageHeader& header() const { return header_; }
+  const std::vector<std::uint32_t>& words() const { return words_; }
   double cell() const;       ///< in metres
   std::string name() const;  ///< of the robot
   /// What is known of it without its URDF: names, joints, and what hangs on them, but no meshes.

@@ -1,0 +1,319 @@
+// What the page of a robot queries of flashbvh: the library as firmware has it, for WebAssembly.
+// Values are radians and metres in doubles. All memory lies behind what is linked, and is taken
+// once.
+#include <stddef.h>
+#include <stdint.h>
+
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/robot.h"
+#include "flashbvh/robot/guard.hpp"
+#include "flashbvh/robot/image.hpp"
+#include "flashbvh/robot/kinematics.hpp"
+
+#define EXPORT extern "C" __attribute__((visibility("default"), used))
+
+extern "C" unsigned char __heap_base;  // of wasm-ld
+
+namespace live {
+
+using namespace flashbvh;
+
+namespace {
+
+constexpr uint32_t kMostLinks = 64;
+constexpr uint32_t kMostFine = kMaxGuardDistance;
+constexpr double kFineCells = 256;               // steps of a distance in a cell
+constexpr double kFrameCells = 1 << kFrameBits;  // of a frame's translation
+constexpr double kOne = 1 << 30;                 // of a rotation
+
+/// Of all guarded pairs, and where its links are nearest.
+struct Nearest {
+  double distance;  ///< metres
+  double points[6];
+  uint32_t pair;
+};
+
+uintptr_t memory_end;
+const void* image;
+Mesh meshes[kMostLinks];
+Robot robot;
+const RobotPair* baked;
+RobotPair* pairs;
+JointCoordinate* values;
+JointCoordinate* coordinates;
+Frame* frames;
+Witness<uint16_t>* hints;
+void* state;
+size_t state_size;
+GuardAnswer answer;
+Nearest nearest;
+double matrix[16];
+
+/// Zeros, at a multiple of 8.
+void* take(size_t bytes) {
+  constexpr uintptr_t kPage = 65536;
+  const uintptr_t begin = (memory_end + 7) / 8 * 8;
+  memory_end = begin + bytes;
+  const uintptr_t pages = (memory_end + kPage - 1) / kPage;
+  const auto has = static_cast<uintptr_t>(__builtin_wasm_memory_size(0));
+  if (pages > has && __builtin_wasm_memory_grow(0, pages - has) == SIZE_MAX) {
+    __builtin_trap();
+  }
+  return reinterpret_cast<void*>(begin);
+}
+template <class Type>
+Type* take(size_t count) {
+  return static_cast<Type*>(take(count * sizeof(Type)));
+}
+
+double cell() {
+  double size = 0;
+  __builtin_memcpy(&size, &meshes[0].cell_bits, sizeof size);
+  return size;
+}
+
+/// The base's frame where a link has none that a joint moves.
+Frame frame_of(uint32_t link) {
+  const uint32_t joint = robot.links[link].joint;
+  if (joint != kBase) {
+    return frames[joint];
+  }
+  constexpr int32_t one = 1 << 30;
+  return {{{one, 0, 0}, {0, one, 0}, {0, 0, one}}, {0, 0, 0}};
+}
+
+/// The first joint that a value moves by itself.
+uint32_t joint_of(uint32_t variable) {
+  uint32_t joint = 0;
+  while (robot.joints[joint].variable != variable || robot.joints[joint].shift != 0 ||
+         robot.joints[joint].type == JointType::fixed) {
+    ++joint;
+  }
+  return joint;
+}
+
+bool slides(uint32_t variable) {
+  return robot.joints[joint_of(variable)].type == JointType::prismatic;
+}
+
+/// Of a coordinate, radians or metres.
+double unit_of(uint32_t variable) {
+  constexpr double kTurn = 6.283185307179586;
+  return slides(variable) ? cell() / kFrameCells : kTurn / kFullTurn;
+}
+
+/// Of a point of A's frame, in the base's.
+void set_point(const Frame& frame, const FinePoint& point, double* out) {
+  const double p[3] = {point.x / kFineCells, point.y / kFineCells, point.z / kFineCells};
+  for (int i = 0; i < 3; ++i) {
+    const int32_t(&row)[3] = frame.rotation[i];
+    out[i] = cell() * (row[0] / kOne * p[0] + row[1] / kOne * p[1] + row[2] / kOne * p[2] +
+                       frame.translation[i] / kFrameCells);
+  }
+}
+
+}  // namespace
+
+/// Where the image is to be copied to.
+EXPORT void* room(uint32_t bytes) {
+  memory_end = reinterpret_cast<uintptr_t>(&__heap_base);
+  image = take(bytes);
+  return const_cast<void*>(image);
+}
+
+/// The image in the room; a Status.
+EXPORT uint32_t open(uint32_t bytes) {
+  const Status status = open_robot(image, bytes, meshes, kMostLinks, robot);
+  if (status != Status::done) {
+    return static_cast<uint32_t>(status);
+  }
+  pairs = take<RobotPair>(robot.pair_count);
+  hints = take<Witness<uint16_t>>(robot.pair_count);
+  uint32_t between = 0;
+  for (uint32_t i = 0; i < robot.pair_count; ++i) {
+    pairs[i] = robot.pairs[i];
+    hints[i] = {};
+    between += pairs[i].joints_a + pairs[i].joints_b;
+  }
+  baked = robot.pairs;
+  robot.pairs = pairs;
+  values = take<JointCoordinate>(robot.variable_count);
+  coordinates = take<JointCoordinate>(robot.joint_count);
+  frames = take<Frame>(robot.joint_count);
+  state_size = FLASHBVH_GUARD_STATE_SIZE(robot.joint_count, robot.pair_count, between);
+  state = take(state_size);
+  return 0;
+}
+
+EXPORT uint32_t variable_count() {
+  return robot.variable_count;
+}
+EXPORT uint32_t link_count() {
+  return robot.link_count;
+}
+EXPORT uint32_t pair_count() {
+  return robot.pair_count;
+}
+EXPORT const char* variable_name(uint32_t variable) {
+  return joint_name(image, joint_of(variable));
+}
+EXPORT const char* name_of_link(uint32_t link) {
+  return link_name(image, link);
+}
+EXPORT bool is_slide(uint32_t variable) {
+  return slides(variable);
+}
+/// Of a joint without limits half a turn either way.
+EXPORT double lower(uint32_t variable) {
+  const RobotJoint& joint = robot.joints[joint_of(variable)];
+  return unit_of(variable) * (joint.type == JointType::continuous ? -kFullTurn / 2 : joint.lower);
+}
+EXPORT double upper(uint32_t variable) {
+  const RobotJoint& joint = robot.joints[joint_of(variable)];
+  return unit_of(variable) * (joint.type == JointType::continuous ? kFullTurn / 2 : joint.upper);
+}
+EXPORT uint32_t first_of_pair(uint32_t pair) {
+  return pairs[pair].a;
+}
+EXPORT uint32_t second_of_pair(uint32_t pair) {
+  return pairs[pair].b;
+}
+EXPORT double stop_of(uint32_t pair) {
+  return pairs[pair].stop / kFineCells * cell();
+}
+EXPORT double warn_of(uint32_t pair) {
+  return pairs[pair].warn / kFineCells * cell();
+}
+
+/// Metres, of all pairs but those that were baked with shorter ones than the longest: their links
+/// are near each other wherever the robot is, and they keep theirs where these are no shorter.
+EXPORT void set_distances(double stop, double warn) {
+  const auto fine = [](double metres) {
+    const double steps = metres / cell() * kFineCells + 1;
+    return steps < kMostFine ? static_cast<uint32_t>(steps) : kMostFine;
+  };
+  const auto longest = [](uint32_t RobotPair::*distance) {
+    uint32_t most = 0;
+    for (uint32_t i = 0; i < robot.pair_count; ++i) {
+      most = baked[i].*distance > most ? baked[i].*distance : most;
+    }
+    return most;
+  };
+  const auto set = [&](uint32_t RobotPair::*distance, uint32_t given) {
+    const uint32_t most = longest(distance);
+    for (uint32_t i = 0; i < robot.pair_count; ++i) {
+      const uint32_t own = baked[i].*distance;
+      pairs[i].*distance = own < most && own < given ? own : given;
+    }
+  };
+  set(&RobotPair::stop, fine(stop));
+  set(&RobotPair::warn, fine(warn < stop ? stop : warn));
+}
+
+/// Of the joints that carry a link the last that a value moves, or kNoVariable.
+EXPORT uint32_t variable_of_link(uint32_t link) {
+  for (uint32_t joint = robot.links[link].joint; joint != kBase;
+       joint = robot.joints[joint].parent) {
+    if (robot.joints[joint].type != JointType::fixed) {
+      return robot.joints[joint].variable;
+    }
+  }
+  return kNoVariable;
+}
+
+/// Of a link: three halves a vertex, three a triangle.
+EXPORT const void* vertices(uint32_t link) {
+  return meshes[link].vertices;
+}
+EXPORT uint32_t vertex_count(uint32_t link) {
+  return meshes[link].vertex_count;
+}
+EXPORT const void* triangles(uint32_t link) {
+  return meshes[link].triangles;
+}
+EXPORT uint32_t triangle_count(uint32_t link) {
+  return meshes[link].triangle_count;
+}
+
+/// Sets a value, within its limits.
+EXPORT void set_value(uint32_t variable, double value) {
+  const double steps = value / unit_of(variable);
+  const RobotJoint& joint = robot.joints[joint_of(variable)];
+  auto coordinate = static_cast<JointCoordinate>(steps + (steps < 0 ? -0.5 : 0.5));
+  if (joint.type != JointType::continuous) {
+    coordinate = coordinate < joint.lower ? joint.lower : coordinate;
+    coordinate = coordinate > joint.upper ? joint.upper : coordinate;
+  }
+  values[variable] = coordinate;
+}
+/// As firmware has values.
+EXPORT int32_t coordinate_of(uint32_t variable) {
+  return values[variable];
+}
+EXPORT void set_coordinate(uint32_t variable, int32_t coordinate) {
+  values[variable] = coordinate;
+}
+
+/// Puts the links where the values have them.
+EXPORT void place() {
+  if (set_coordinates(robot, values, coordinates) == Status::done) {
+    set_frames(robot, coordinates, frames);
+  }
+}
+
+/// Of a guard that knows nothing yet: a Verdict.
+EXPORT uint32_t verdict() {
+  Guard guard(robot, state, state_size);
+  answer = guard.prime(values);
+  return static_cast<uint32_t>(answer.verdict);
+}
+/// Of the last verdict.
+EXPORT uint32_t pair_of_answer() {
+  return answer.pair;
+}
+EXPORT uint32_t distance_of_answer() {
+  return answer.distance;
+}
+
+/// Column by column: a link's vertices in the base's frame, in metres.
+EXPORT const double* matrix_of(uint32_t link) {
+  const Frame frame = frame_of(link);
+  const int32_t(&origin)[3] = meshes[link].origin;
+  for (int i = 0; i < 3; ++i) {
+    double at = frame.translation[i] / kFrameCells;
+    for (int j = 0; j < 3; ++j) {
+      matrix[4 * j + i] = frame.rotation[i][j] / kOne * cell();
+      at += frame.rotation[i][j] / kOne * origin[j];
+    }
+    matrix[12 + i] = at * cell();
+    matrix[4 * i + 3] = 0;
+  }
+  matrix[15] = 1;
+  return matrix;
+}
+
+/// Measures all guarded pairs, each from where it was nearest before: of the nearest, the distance,
+/// two points in the base's frame, and which it is; null if there is none.
+EXPORT const Nearest* measure() {
+  nearest = {1e300, {}, kNoPair};
+  for (uint32_t i = 0; i < robot.pair_count; ++i) {
+    const uint32_t a = pairs[i].a;
+    const uint32_t b = pairs[i].b;
+    const Frame frame = frame_of(a);
+    const auto found = distance(meshes[a], meshes[b], relative_pose(frame, frame_of(b)), hints[i]);
+    if (found.status != Status::done || !found.in_range) {
+      continue;
+    }
+    hints[i] = found.witness;
+    const double metres = found.lower / kFineCells * cell();
+    if (metres < nearest.distance) {
+      nearest.distance = metres;
+      nearest.pair = i;
+      set_point(frame, found.point_a, nearest.points);
+      set_point(frame, found.point_b, nearest.points + 3);
+    }
+  }
+  return nearest.pair == kNoPair ? nullptr : &nearest;
+}
+
+}  // namespace live

@@ -1,0 +1,75 @@
+// A robot that answers, by the library that firmware has (arm.cpp). `data` is what live_section.cpp wrote.
+
+const VERDICTS = ["free", "warn", "not yet known", "stops", "refused"];
+
+const bytes_of = text => Uint8Array.from(atob(text), character => character.charCodeAt(0));
+
+// An element of the page, with its properties and what is in it.
+const element = (name, properties = {}, ...children) => {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...children);
+  return made;
+};
+
+// What flashbvh says of one robot. Numbers are radians and metres.
+class Arm {
+  static async from({ library, image }) {
+    const { instance } = await WebAssembly.instantiate(bytes_of(library));
+    return new Arm(instance.exports, bytes_of(image));
+  }
+
+  constructor(library, image) {
+    this.library = library;
+    const place = library.room(image.length);
+    new Uint8Array(library.memory.buffer).set(image, place);
+    const status = library.open(image.length);
+    if (status !== 0) throw new Error(`the robot's image is refused, status ${status}`);
+    const each = (count, make) => Array.from({ length: count }, (_, i) => make(i));
+    this.variables = each(library.variable_count(), i => ({
+      name: this.#text(library.variable_name(i)), slides: library.is_slide(i) !== 0,
+      lower: library.lower(i), upper: library.upper(i) }));
+    this.links = each(library.link_count(), i => ({
+      name: this.#text(library.name_of_link(i)), variable: library.variable_of_link(i) }));
+    this.pairs = each(library.pair_count(), i => [library.first_of_pair(i), library.second_of_pair(i)]);
+    // A part of a link, for what is near a joint, has the link's name, and comes later.
+    this.links.forEach(link => { link.whole = this.links.findIndex(({ name }) => name === link.name); });
+    this.stop = Math.max(0, ...this.pairs.map((_, i) => library.stop_of(i)));
+    this.warn = Math.max(0, ...this.pairs.map((_, i) => library.warn_of(i)));
+    this.baked_stop = this.stop;
+    this.values = this.variables.map(({ lower, upper }) => Math.min(Math.max(0, lower), upper));
+    this.place();
+  }
+
+  #text(place) {
+    const memory = new Uint8Array(this.library.memory.buffer);
+    return new TextDecoder().decode(memory.subarray(place, memory.indexOf(0, place)));
+  }
+
+  // Of a link, copied; of a part nothing.
+  mesh(link) {
+    const { library } = this;
+    if (this.links[link].whole !== link) return { vertices: new Int16Array(), triangles: new Uint16Array() };
+    return {
+      vertices: new Int16Array(library.memory.buffer, library.vertices(link), 3 * library.vertex_count(link)).slice(),
+      triangles: new Uint16Array(library.memory.buffer, library.triangles(link), 3 * library.triangle_count(link)).slice() };
+  }
+
+  place() {
+    this.values.forEach((value, i) => this.library.set_value(i, value));
+    this.library.place();
+    this.matrices = this.links.map((_, i) =>
+      new Float32Array(new Float64Array(this.library.memory.buffer, this.library.matrix_of(i), 16)));
+  }
+
+  // Verdict, and of all guarded pairs the nearest: metres, two points, two links; or null.
+  answer() {
+    const verdict = this.library.verdict();
+    const pair = this.library.pair_of_answer();
+    const place = this.library.measure();
+    const [metres, ...points] = place ? new Float64Array(this.library.memory.buffer, place, 7) : [];
+    const of = place ? new Uint32Array(this.library.memory.buffer, place + 56, 1)[0] : 0;
+    const links = i => this.pairs[i] && this.pairs[i].map(link => this.links[link].whole);
+    return { verdict, links: links(pair),
+      nearest: place ? { metres, line: [points.slice(0, 3), points.slice(3)], links: links(of) } : null };
+  }
+}

@@ -1,0 +1,153 @@
+// A robot drawn with WebGL: links of triangles as the image has them, lit from the eye, and lines on top.
+
+const VERTEX = `#version 300 es
+in vec3 at;
+uniform mat4 model, eye, screen;
+out vec3 seen;
+void main() {
+  vec4 p = eye * model * vec4(at, 1.0);
+  seen = p.xyz;
+  gl_Position = screen * p;
+}`;
+const FRAGMENT = `#version 300 es
+precision highp float;
+in vec3 seen;
+uniform vec4 colour;
+uniform bool flat_;
+out vec4 lit;
+void main() {
+  vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
+  float light = flat_ ? 1.0 : 0.35 + 0.65 * abs(normal.z);
+  lit = vec4(colour.rgb * light, colour.a);
+}`;
+
+const IDENTITY = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
+
+const times = (a, b) => {
+  const product = new Float32Array(16);
+  for (let i = 0; i < 16; ++i) {
+    for (let k = 0; k < 4; ++k) product[i] += a[4 * k + i % 4] * b[4 * (i >> 2) + k];
+  }
+  return product;
+};
+const placed = (m, [x, y, z]) => [0, 1, 2, 3].map(i => m[i] * x + m[4 + i] * y + m[8 + i] * z + m[12 + i]);
+
+class View {
+  // `links`: { vertices: Int16Array, triangles: Uint16Array } each. Throws if there is no WebGL.
+  constructor(canvas, links) {
+    const gl = canvas.getContext("webgl2", { antialias: true });
+    if (!gl) throw new Error("this browser has no WebGL 2");
+    this.gl = gl;
+    this.canvas = canvas;
+    this.program = this.#program();
+    const place = name => gl.getUniformLocation(this.program, name);
+    this.places = { model: place("model"), eye: place("eye"), screen: place("screen"), colour: place("colour"), flat: place("flat_") };
+    this.links = links.map(link => this.#link(link));
+    this.line = gl.createBuffer();
+    this.turn = { yaw: 0.9, pitch: 0.35 };
+    this.middle = [0, 0, 0];
+    this.size = 1;
+    this.distance = 1.4;
+    gl.enable(gl.DEPTH_TEST);
+  }
+
+  #program() {
+    const { gl } = this;
+    const program = gl.createProgram();
+    for (const [kind, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+    }
+    gl.bindAttribLocation(program, 0, "at");
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+    return program;
+  }
+
+  #link({ vertices, triangles }) {
+    const { gl } = this;
+    const array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    for (const [target, data] of [[gl.ARRAY_BUFFER, vertices], [gl.ELEMENT_ARRAY_BUFFER, triangles]]) {
+      gl.bindBuffer(target, gl.createBuffer());
+      gl.bufferData(target, data, gl.STATIC_DRAW);
+    }
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 3, gl.SHORT, false, 0, 0);
+    return { array, count: triangles.length };
+  }
+
+  // From the base's frame to the eye, which looks along -z; the base's z is up.
+  eye() {
+    const { yaw, pitch } = this.turn;
+    const [s, c, t, d] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
+    const axes = [[c, s, 0], [-t * s, t * c, d], [d * s, -d * c, t]];  // right, up, back
+    const along = axis => -axis.reduce((sum, part, i) => sum + part * this.middle[i], 0);
+    return new Float32Array([0, 1, 2].flatMap(i => [...axes.map(axis => axis[i]), 0]).concat(
+      along(axes[0]), along(axes[1]), along(axes[2]) - this.distance * this.size, 1));
+  }
+
+  screen() {
+    const [near, far, focus] = [this.size / 50, this.size * 50, 2.4];
+    const wide = this.canvas.width / this.canvas.height;
+    return new Float32Array([focus / Math.max(wide, 1), 0, 0, 0, 0, focus * Math.min(wide, 1), 0, 0, 0, 0,
+      (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0]);
+  }
+
+  // A point of the base's frame in pixels of the page, from the canvas's left upper corner.
+  pixel(point) {
+    const p = placed(times(this.screen(), this.eye()), point);
+    return [(p[0] / p[3] + 1) / 2 * this.canvas.clientWidth, (1 - p[1] / p[3]) / 2 * this.canvas.clientHeight];
+  }
+
+  #draw(matrices, colours, flat) {
+    const { gl, places } = this;
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.useProgram(this.program);
+    gl.uniformMatrix4fv(places.eye, false, this.eye());
+    gl.uniformMatrix4fv(places.screen, false, this.screen());
+    gl.uniform1i(places.flat, flat);
+    this.links.forEach((link, i) => {
+      gl.uniformMatrix4fv(places.model, false, matrices[i]);
+      gl.uniform4fv(places.colour, colours[i]);
+      gl.bindVertexArray(link.array);
+      gl.drawElements(gl.TRIANGLES, link.count, gl.UNSIGNED_SHORT, 0);
+    });
+  }
+
+  // `line`: two points in the base's frame, or null.
+  draw(matrices, colours, ground, line, lineColour) {
+    const { gl, places } = this;
+    const ratio = Math.min(devicePixelRatio, 2);
+    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight].map(size => Math.round(size * ratio));
+    if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
+    gl.clearColor(...ground);
+    this.#draw(matrices, colours, false);
+    if (!line) return;
+    gl.bindVertexArray(null);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.line);
+    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(line.flat()), gl.DYNAMIC_DRAW);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+    gl.uniformMatrix4fv(places.model, false, IDENTITY);
+    gl.uniform4fv(places.colour, lineColour);
+    gl.uniform1i(places.flat, true);
+    gl.disable(gl.DEPTH_TEST);
+    gl.drawArrays(gl.LINES, 0, 2);
+    gl.enable(gl.DEPTH_TEST);
+  }
+
+  // The link at a pixel of the page, or -1.
+  pick(matrices, x, y) {
+    const { gl } = this;
+    const ratio = this.canvas.width / this.canvas.clientWidth;
+    gl.clearColor(0, 0, 0, 0);
+    this.#draw(matrices, this.links.map((_, i) => [(i + 1) / 255, 0, 0, 1]), true);
+    const pixel = new Uint8Array(4);
+    gl.readPixels(x * ratio, this.canvas.height - y * ratio, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    return pixel[0] - 1;
+  }
+}
