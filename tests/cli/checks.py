@@ -176,8 +176,8 @@ def box(x=0, y=0, z=0, size=1, first=0, inwards=False):
 
 def self_contained(page):
     """No address but those that hold their data, no path, and no number that is none."""
-    content = text(page)
-    for pattern in (r"(https?:|file:|src=|url\(|@import|<script|<link)[^>]{0,40}",
+    content = re.sub('"(image|library|values)":"[^"]*"', "", text(page))
+    for pattern in (r"(https?:|file:|src=|url\(|@import|<link|fetch\(|import\(|XMLHttp)[^>]{0,40}",
                     r'href="(?!data:|#m[0-9]|#quer)', f"{re.escape(os.getcwd())}|20[0-9][0-9]-[0-9][0-9]-"):
         found = re.search(pattern, content)
         hold(not found, f"{page} holds {found}")

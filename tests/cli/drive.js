@@ -1,0 +1,92 @@
+// Drives a robot's page as a reader would, and says what came of it.
+const wait = () => new Promise(resolve => { setTimeout(resolve, 200); });
+const claim = (what, holds) => claims.push(`${what}: ${holds}`);
+const claims = [];
+
+const pointer = (kind, x, y) => {
+  const at = live.canvas.getBoundingClientRect();
+  live.canvas.dispatchEvent(new PointerEvent(kind, {
+    pointerId: 1, clientX: at.left + x, clientY: at.top + y, bubbles: true }));
+};
+const key = (target, name) => target.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true }));
+
+// Where a link is seen, or nothing.
+const seen = link => {
+  const { clientWidth, clientHeight } = live.canvas;
+  for (let y = 10; y < clientHeight; y += 12) {
+    for (let x = 10; x < clientWidth; x += 12) {
+      if (live.view.pick(live.arm.matrices, x, y) === link) return [x, y];
+    }
+  }
+};
+
+// A trajectory that begins free and ends in a stop.
+const drive_way = async () => {
+  const { way } = live;
+  claim("the time line has a period a line", way.names.length === 101 && way.verdicts.length === 101);
+  way.play.click();
+  await wait();
+  claim("it plays", way.period > 0 && way.place.value === `${way.period}`);
+  way.play.click();
+  const { period } = way;
+  await wait();
+  claim("and halts", way.period === period);
+  // A period's verdict is of the way to its values, too: that of the last is of these.
+  const stop = way.verdicts.indexOf("3");
+  way.place.value = 100;
+  way.place.dispatchEvent(new Event("input"));
+  claim("a period that stops stops here, too", way.name.textContent.includes("stops on the way") &&
+    live.section.dataset.verdict === "3");
+  claim("before the first it does not", (way.go(stop - 1), live.section.dataset.verdict !== "3"));
+  key([...document.querySelectorAll("[data-period]")].find(line => line.dataset.period === `${stop}`), "Enter");
+  claim("a line of a table opens its period", way.period === stop);
+};
+
+const drive_robot = async () => {
+  const { arm } = live;
+  claim("the section is shown", !live.section.hidden);
+  const moved = arm.links.findLastIndex(({ whole, variable }, i) => whole === i && variable < arm.variables.length && seen(i));
+  const [x, y] = seen(moved);
+  const { variable } = arm.links[moved];
+  const before = arm.values[variable];
+  pointer("pointerdown", x, y);
+  for (let step = 1; step <= 5; ++step) pointer("pointermove", x + 6 * step, y + 6 * step);
+  pointer("pointerup", x + 30, y + 30);
+  claim("a link that is dragged moves its joint", Math.abs(arm.values[variable] - before) > 0.02);
+  claim("its slider follows", Math.abs(live.sliders[variable].range.value - arm.values[variable]) < 1e-6);
+
+  const { range } = live.sliders[0];
+  range.value = (arm.variables[0].lower + 3 * arm.variables[0].upper) / 4;
+  range.dispatchEvent(new Event("input"));
+  claim("a slider moves its joint", Math.abs(arm.values[0] - range.value) < 1e-6 && arm.values[0] !== 0);
+
+  const { yaw } = live.view.turn;
+  key(live.canvas, "ArrowLeft");
+  claim("a key turns the robot", live.view.turn.yaw !== yaw);
+
+  const cell = document.querySelector("[data-values]");
+  key(cell, "Enter");
+  const shown = cell.dataset.values.split(" ").map(Number);
+  claim("a cell of the matrix shows its collision", arm.values.every((value, i) => Math.abs(value - shown[i]) < 1e-6));
+  claim("there it stops", live.section.dataset.verdict === "3" && live.says.textContent.startsWith("stops"));
+
+  live.set_all(arm.variables.map(({ lower, upper }) => Math.min(Math.max(0, lower), upper)));
+  const free = live.section.dataset.verdict;
+  const [stop] = document.querySelectorAll(".distances input");
+  stop.value = 1000 * live.answer.nearest.metres + 100;
+  stop.dispatchEvent(new Event("change"));
+  claim("a larger stop stops", free !== "3" && live.section.dataset.verdict === "3");
+  claim("and says what is not looked at", live.says.textContent.includes("not looked at"));
+  await wait();
+  arm.library.open(Uint8Array.from(atob(JSON.parse(document.getElementById("live-data").textContent).image), c => c.charCodeAt(0)).length);
+  claims.push(`answers ${answers_of(arm.library, 10000)}`);
+};
+addEventListener("load", async () => {
+  try {
+    await wait();
+    await (live.way ? drive_way() : drive_robot());
+  } catch (error) {
+    claims.push(`error: ${error.stack}`);
+  }
+  document.body.innerHTML = claims.map(text => `<p>claim ${text}</p>`).join("\n");
+});
