@@ -1,24 +1,30 @@
 #!/bin/sh
-# picture.sh    lib/docs/arm.svg, the README's picture: where two links of a KUKA KR5 collide, as `flashbvh
-#               robot --report` draws it. Installs what is missing.
+# picture.sh    lib/docs/arm.png, the README's picture: the page of a KUKA KR5 where two of its links collide.
+#               Installs what is missing.
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
 . tools/kr5.sh
-ensure_packages $host_packages
+ensure_packages $host_packages $live_packages chromium
 native=${FLASHBVH_NATIVE:-native}
 work=build/picture
 mkdir -p $work
 fetch_kr5 build/kr5
 { cmake --preset "$native" && cmake --build --preset "$native" --target flashbvh_tool; } >$work/log
-"build/$native/bin/flashbvh" robot "$urdf" --name arm -o $work --report $work/arm.html >>$work/log
-# The last collision's robot, which lies across the middle of the drawing; its two links follow.
+"build/$native/bin/flashbvh" robot "$urdf" --name arm --stop 0.005 --warn 0.03 -o $work --report $work/arm.html >>$work/log
+# The robot alone, at the last collision of the matrix.
 {
-  echo '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 235 1000 530">'
-  echo '<style>path{stroke-width:1px;stroke-linejoin:round;vector-effect:non-scaling-stroke}'
-  grep '^\.faces \.f' $work/arm.html
-  echo '</style>'
-  grep '^<g class="faces">' $work/arm.html | tail -n 2 | head -n 1
-  echo '</svg>'
-} >lib/docs/arm.svg
-echo "lib/docs/arm.svg: $(wc -c <lib/docs/arm.svg) bytes"
+  sed '$d' $work/arm.html | sed '$d'
+  cat <<'HTML'
+<script>addEventListener("load", () => setTimeout(() => {
+  document.querySelectorAll("header, footer, section:not(#live)").forEach(part => { part.hidden = true; });
+  [...document.querySelectorAll(".is-can[data-values]")].pop().click();
+  live.view.turn = { yaw: 2.4, pitch: 0.3 };
+  live.view.distance = 1;
+}, 1000))</script></body></html>
+HTML
+} >$work/shown.html
+chromium --headless=new --no-sandbox --hide-scrollbars --use-gl=angle --use-angle=swiftshader \
+  --enable-unsafe-swiftshader --user-data-dir=$work/profile --window-size=1240,735 --virtual-time-budget=5000 \
+  --screenshot=lib/docs/arm.png "file://$PWD/$work/shown.html" 2>>$work/log
+echo "lib/docs/arm.png: $(wc -c <lib/docs/arm.png) bytes"
