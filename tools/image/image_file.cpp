@@ -67,9 +67,10 @@ double double_of(const std::uint32_t (&words)[2]) {
 
 }  // namespace
 
-ImageFile::ImageFile(const std::string& path) : path_(path) {
-  const std::string bytes = read_file(path);
-  words_.resize((bytes.size() + 3) / 4);
+ImageFile::ImageFile(const std::string& path) : ImageFile(path, read_file(path)) {}
+
+ImageFile::ImageFile(const std::string& path, const std::string& bytes)
+    : path_(path), words_((bytes.size() + 3) / 4) {
   std::memcpy(words_.data(), bytes.data(), bytes.size());
   // Only for what messages say: the library judges.
   std::memcpy(&header_, bytes.data(), std::min(bytes.size(), sizeof header_));
@@ -91,8 +92,7 @@ std::string ImageFile::name() const {
   return std::filesystem::path(path_).stem().string();
 }
 std::string ImageFile::source() const {
-  const auto* const bytes = reinterpret_cast<const char*>(words_.data());
-  return {bytes + image_offsets(header_).name, header_.name_size};
+  return {bytes() + image_offsets(header_).name, header_.name_size};
 }
 double ImageFile::cell() const {
   return double_of(header_.cell);

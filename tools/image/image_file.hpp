@@ -25,6 +25,8 @@ class ImageFile {
  public:
   /// UserError if the file can't be read or is no good image.
   explicit ImageFile(const std::string& path);
+  /// Of the bytes of such a file. `path`: its name for messages.
+  ImageFile(const std::string& path, const std::string& bytes);
   ImageFile(const ImageFile&) = delete;
   ImageFile& operator=(const ImageFile&) = delete;
 
@@ -32,6 +34,8 @@ class ImageFile {
   /// The file's name without folder and extension.
   std::string name() const;
   const ImageHeader& header() const { return header_; }
+  /// header().byte_count of them.
+  const char* bytes() const { return reinterpret_cast<const char*>(words_.data()); }
   /// A view into the object; it has the levels, whether the image has or not.
   const AnyTree& tree() const { return tree_; }
 

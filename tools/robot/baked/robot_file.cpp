@@ -69,9 +69,10 @@ bool is_robot_file_name(const std::string& path) {
          path.compare(path.size() - extension.size(), extension.size(), extension) == 0;
 }
 
-RobotFile::RobotFile(const std::string& path) : path_(path), meshes_(kMaxLinks) {
-  const std::string bytes = read_file(path);
-  words_.resize((bytes.size() + 3) / 4);
+RobotFile::RobotFile(const std::string& path) : RobotFile(path, read_file(path)) {}
+
+RobotFile::RobotFile(const std::string& path, const std::string& bytes)
+    : path_(path), words_((bytes.size() + 3) / 4), meshes_(kMaxLinks) {
   std::memcpy(words_.data(), bytes.data(), bytes.size());
   // Only for what messages say: the library judges.
   std::memcpy(&header_, bytes.data(), std::min(bytes.size(), sizeof header_));

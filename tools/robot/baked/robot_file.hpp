@@ -19,6 +19,8 @@ class RobotFile {
  public:
   /// UserError if the file can't be read or is no good image of a robot.
   explicit RobotFile(const std::string& path);
+  /// Of the bytes of such a file. `path`: its name for messages.
+  RobotFile(const std::string& path, const std::string& bytes);
   RobotFile(const RobotFile&) = delete;
   RobotFile& operator=(const RobotFile&) = delete;
 
@@ -26,6 +28,8 @@ class RobotFile {
   const Robot& robot() const { return robot_; }
   const RobotImageHeader& header() const { return header_; }
   const std::vector<std::uint32_t>& words() const { return words_; }
+  /// header().byte_count of them.
+  const char* bytes() const { return reinterpret_cast<const char*>(words_.data()); }
   double cell() const;       ///< in metres
   std::string name() const;  ///< of the robot
   /// What is known of it without its URDF: names, joints, and what hangs on them, but no meshes.

@@ -1,0 +1,133 @@
+#include "python/arrays.hpp"
+
+#include <cmath>
+
+#include "text/numbers.hpp"
+
+namespace flashbvh::python {
+namespace {
+
+using tool::concat;
+
+std::string shape_text(const char* outer, const Shape& shape) {
+  std::string text = outer;
+  for (const py::ssize_t size : shape) {
+    text += concat(text.empty() ? "" : ", ", size);
+  }
+  return "(" + text + (text.find(',') == std::string::npos && !text.empty() ? ",)" : ")");
+}
+
+/// "(4, 4) or (N, 4, 4)".
+std::string wanted(const Argument& argument, bool takes_one) {
+  const std::string one = argument.ends_in.empty() ? "a number" : shape_text("", argument.ends_in);
+  return (takes_one ? one + " or " : "") + shape_text("N", argument.ends_in);
+}
+
+template <class... Parts>
+[[noreturn]] void refuse(const Argument& argument, const Parts&... parts) {
+  throw py::value_error(concat(argument.name, ": ", parts...));
+}
+
+void check_shape(const py::array& array, const Argument& argument, bool takes_one) {
+  const auto inner = static_cast<py::ssize_t>(argument.ends_in.size());
+  const Shape shape(array.shape(), array.shape() + array.ndim());
+  const bool fits = array.ndim() == inner + 1 || (takes_one && array.ndim() == inner);
+  if (!fits || !std::equal(argument.ends_in.begin(), argument.ends_in.end(), shape.end() - inner)) {
+    refuse(argument, "has the shape ", shape_text("", shape), "; give ",
+           wanted(argument, takes_one));
+  }
+}
+
+/// Of one of these kinds of numbers, as numpy has letters for them.
+py::array array_of(const py::object& given, const Argument& argument, bool takes_one,
+                   const std::string& kinds, const char* kind_name) {
+  const py::array array = py::array::ensure(given);
+  if (!array) {
+    refuse(argument, "is no array; give ", kind_name, " of the shape ",
+           wanted(argument, takes_one));
+  }
+  if (kinds.find(array.dtype().kind()) == std::string::npos) {
+    refuse(argument, "has the dtype ", std::string(py::str(array.dtype())), "; give ", kind_name);
+  }
+  check_shape(array, argument, takes_one);
+  return array;
+}
+
+Doubles doubles_of(const py::object& given, const Argument& argument, bool takes_one) {
+  const auto doubles = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(
+      array_of(given, argument, takes_one, "fiu", "numbers (float64)"));
+  if (!doubles) {
+    refuse(argument, "is no array of float64");
+  }
+  const double* const values = doubles.data();
+  for (py::ssize_t i = 0; i < doubles.size(); ++i) {
+    if (!std::isfinite(values[i])) {
+      const py::ssize_t row = doubles.size() / (doubles.ndim() == 0 ? 1 : doubles.shape(0));
+      refuse(argument, "holds ", std::isnan(values[i]) ? "NaN" : "infinity", " in element ",
+             i / row, "; give finite numbers");
+    }
+  }
+  return py::reinterpret_borrow<Doubles>(doubles);
+}
+
+}  // namespace
+
+Doubles numbers(const py::object& given, const Argument& argument) {
+  return doubles_of(given, argument, true);
+}
+
+Doubles rows(const py::object& given, const Argument& argument) {
+  return doubles_of(given, argument, false);
+}
+
+Integers integer_rows(const py::object& given, const Argument& argument) {
+  const auto integers =
+      py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(
+          array_of(given, argument, false, "iu", "integers"));
+  if (!integers) {
+    refuse(argument, "is no array of integers");
+  }
+  return py::reinterpret_borrow<Integers>(integers);
+}
+
+std::size_t count_of(const Doubles& array, const Argument& argument) {
+  return static_cast<std::size_t>(
+      array.ndim() == static_cast<py::ssize_t>(argument.ends_in.size()) ? 1 : array.shape(0));
+}
+
+Shape outer_shape(const Doubles& array, const Argument& argument) {
+  return {array.shape(),
+          array.shape() + array.ndim() - static_cast<py::ssize_t>(argument.ends_in.size())};
+}
+
+Shape with(Shape outer, py::ssize_t inner) {
+  outer.push_back(inner);
+  return outer;
+}
+
+double positive(double value, const char* name) {
+  if (!(value > 0) || !std::isfinite(value)) {
+    throw py::value_error(
+        concat(name, ": is ", tool::significant(value, 6), "; give a positive, finite number"));
+  }
+  return value;
+}
+
+py::str text(const std::string& bytes) {
+  PyObject* const made =
+      PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "replace");
+  if (made == nullptr) {
+    throw py::error_already_set();
+  }
+  return py::reinterpret_steal<py::str>(made);
+}
+
+std::string path_of(const py::object& path) {
+  PyObject* bytes = nullptr;
+  if (PyUnicode_FSConverter(path.ptr(), &bytes) == 0) {
+    throw py::error_already_set();
+  }
+  return py::reinterpret_steal<py::bytes>(bytes);
+}
+
+}  // namespace flashbvh::python

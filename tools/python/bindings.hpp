@@ -1,0 +1,19 @@
+// The parts of the module: each adds its classes and functions.
+#pragma once
+
+#include "python/arrays.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::python {
+
+/// The class of Python's warnings, flashbvh.BakeWarning.
+py::object& warning_class();
+/// As warnings of Python. Throws if the user has made them errors.
+void warn(const tool::Warnings& warnings);
+
+void add_meshes(py::module_& module);
+void add_mesh_queries(py::module_& module);
+void add_robots(py::module_& module);
+void add_guards(py::module_& module);
+
+}  // namespace flashbvh::python

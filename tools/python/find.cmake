@@ -1,0 +1,15 @@
+# FLASHBVH_HAS_PYTHON: whether pybind11, numpy and the headers of Python are there.
+#
+# Debian's Python, for which Debian has pybind11 and numpy, before another one in PATH;
+# -DPython3_EXECUTABLE names another one.
+if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "the Python that the package is built for")
+endif()
+find_package(Python3 QUIET COMPONENTS Interpreter Development.Module NumPy)
+find_package(pybind11 QUIET)
+set(FLASHBVH_HAS_PYTHON OFF)
+if(Python3_Development.Module_FOUND AND Python3_NumPy_FOUND AND pybind11_FOUND)
+  set(FLASHBVH_HAS_PYTHON ON)
+else()
+  message(WARNING "the Python package is left out: apt-get install python3-dev pybind11-dev python3-numpy")
+endif()

@@ -1,0 +1,18 @@
+"""Exact collision and distance of triangle meshes, and guards of robots: firmware's code, in batches.
+
+Meshes are baked to a lattice; queries are exact for the baked meshes, as on a microcontroller. Poses are
+homogeneous matrices, (4, 4) or (N, 4, 4), of B in A's frame, in the meshes' unit. Results have the poses'
+leading shape: () for one pose, (N,) for a batch. Batches run without Python's lock.
+
+`Error`, a ValueError, is what the program `flashbvh` refuses, with its message. Arguments of another shape
+or dtype, or with a number that is not finite, are a ValueError that names the argument.
+"""
+from ._meshes import Baked, Mesh, bake
+from ._native import BakeWarning, Error
+from ._queries import (Distances, Hits, closer_than, distance, inside, intersects, nearest_hit, pairs,
+                       solids_intersect)
+
+__all__ = [
+    "BakeWarning", "Baked", "Distances", "Error", "Hits", "Mesh", "bake",
+    "closer_than", "distance", "inside", "intersects", "nearest_hit", "pairs", "solids_intersect",
+]

@@ -1,0 +1,202 @@
+"""Meshes, and how they are baked."""
+from __future__ import annotations
+
+import os
+from typing import Optional, Sequence, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _native
+
+Path = Union[str, bytes, "os.PathLike[str]"]
+
+
+class Mesh:
+    """A triangle mesh, as it is before baking: made by `from_file` or `from_arrays`."""
+
+    def __init__(self, native: _native.Mesh) -> None:
+        if not isinstance(native, _native.Mesh):
+            raise TypeError("a Mesh is made by Mesh.from_file() or Mesh.from_arrays()")
+        self._native = native
+
+    @classmethod
+    def from_file(cls, path: Path, *, scale: float = 1.0, cell: Optional[float] = None) -> Mesh:
+        """Reads a mesh file: STL, OBJ, PLY, OFF, and what assimp reads.
+
+        scale: factor of all coordinates. cell: size of a lattice cell that `bake` is to use, in the scaled
+        unit. Triangles keep the file's numbers; vertices are joined where they are equal.
+        Raises Error if the file is missing, damaged or without triangles.
+        """
+        return cls(_native.mesh_of_file(path, scale, cell))
+
+    @classmethod
+    def from_arrays(cls, vertices: npt.ArrayLike, triangles: npt.ArrayLike, *, name: str = "mesh",
+                    cell: Optional[float] = None) -> Mesh:
+        """Makes a mesh of arrays.
+
+        vertices: (n, 3) float64. triangles: (m, 3) integers, rows of `vertices`, counter-clockwise from
+        outside. name: for messages and the image. cell: as in `from_file`.
+        Raises ValueError for another shape, a number that is not finite, or an index without a vertex;
+        Error if there is no triangle.
+        """
+        return cls(_native.mesh_of_arrays(vertices, triangles, name, cell))
+
+    @property
+    def name(self) -> str:
+        """The file, or the name given."""
+        return self._native.name
+
+    @property
+    def vertices(self) -> npt.NDArray[np.float64]:
+        """(n, 3), joined where they were equal."""
+        return self._native.vertices
+
+    @property
+    def triangles(self) -> npt.NDArray[np.int64]:
+        """(m, 3), rows of `vertices`."""
+        return self._native.triangles
+
+    @property
+    def triangle_count(self) -> int:
+        """How many triangles there are."""
+        return self._native.triangle_count
+
+    @property
+    def bounds(self) -> npt.NDArray[np.float64]:
+        """(2, 3): the least and the greatest coordinates."""
+        return self._native.bounds
+
+    @property
+    def cell(self) -> Optional[float]:
+        """Size of a lattice cell that `bake` is to use, or None."""
+        return self._native.cell
+
+    @property
+    def finest_cell(self) -> float:
+        """The finest cell that the mesh fits: 32,767 of them along its longest side."""
+        return self._native.finest_cell
+
+    def __repr__(self) -> str:
+        return f"<flashbvh.Mesh {self.name!r}, {self.triangle_count} triangles>"
+
+
+class Baked:
+    """A baked mesh: its image, which firmware opens in place. Made by `bake` or `load`. Can be pickled."""
+
+    def __init__(self, native: _native.Baked) -> None:
+        if not isinstance(native, _native.Baked):
+            raise TypeError("a Baked is made by flashbvh.bake() or Baked.load()")
+        self._native = native
+
+    @classmethod
+    def load(cls, source: Path) -> Baked:
+        """Opens an image file, or the image itself as bytes, and proves it.
+
+        Raises Error if it is no image, damaged, or of another version.
+        """
+        return cls(_native.Baked.load(source))
+
+    def save(self, path: Path) -> None:
+        """Writes the image (.fbvh), whole or not at all. Raises Error if that fails."""
+        self._native.save(path)
+
+    @property
+    def image(self) -> bytes:
+        """The image, the bytes of a .fbvh file."""
+        return self._native.image
+
+    @property
+    def name(self) -> str:
+        """Of the mesh, without folder and extension."""
+        return self._native.name
+
+    @property
+    def unit(self) -> str:
+        """Of all lengths; empty if none was given."""
+        return self._native.unit
+
+    @property
+    def cell(self) -> float:
+        """Size of a lattice cell, in the unit."""
+        return self._native.cell
+
+    @property
+    def deviation(self) -> float:
+        """The largest distance of a point from the source's mesh, in the unit."""
+        return self._native.deviation
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether the surface is closed, so that the mesh has an inside."""
+        return self._native.is_closed
+
+    @property
+    def triangle_count(self) -> int:
+        """How many triangles there are."""
+        return self._native.triangle_count
+
+    @property
+    def bounds(self) -> npt.NDArray[np.float64]:
+        """(2, 3): the least and the greatest coordinates of the rounded mesh, in the unit."""
+        return self._native.bounds
+
+    @property
+    def vertices(self) -> npt.NDArray[np.float64]:
+        """(n, 3): the rounded vertices, in the unit and the mesh's frame."""
+        return self._native.vertices
+
+    @property
+    def triangles(self) -> npt.NDArray[np.int64]:
+        """(m, 3): rows of `vertices`, in the order of `triangle_ids`."""
+        return self._native.triangles
+
+    @property
+    def triangle_ids(self) -> npt.NDArray[np.int64]:
+        """(m,): the triangles' numbers in the source, ascending; queries report these."""
+        return self._native.triangle_ids
+
+    def __reduce__(self) -> tuple[object, tuple[bytes]]:
+        return (Baked.load, (self.image,))
+
+    def __repr__(self) -> str:
+        return (f"<flashbvh.Baked {self.name!r}, {self.triangle_count} triangles, "
+                f"cell {self.cell:.6g} {self.unit}>").replace(" >", ">")
+
+
+@overload
+def bake(meshes: Mesh, *, cell: Optional[float] = ..., unit: Optional[str] = ..., leaf_size: int = ...,
+         arity: int = ..., index_bits: int = ..., max_deviation: Optional[float] = ...,
+         simplify: Optional[float] = ...) -> Baked: ...
+
+
+@overload
+def bake(meshes: Sequence[Mesh], *, cell: Optional[float] = ..., unit: Optional[str] = ...,
+         leaf_size: int = ..., arity: int = ..., index_bits: int = ...,
+         max_deviation: Optional[float] = ..., simplify: Optional[float] = ...) -> list[Baked]: ...
+
+
+def bake(meshes: Union[Mesh, Sequence[Mesh]], *, cell: Optional[float] = None,
+         unit: Optional[str] = "mm", leaf_size: int = 2, arity: int = 4, index_bits: int = 16,
+         max_deviation: Optional[float] = None,
+         simplify: Optional[float] = None) -> Union[Baked, list[Baked]]:
+    """Bakes a mesh, or several that are queried together, as `flashbvh bake` does.
+
+    cell: size of a lattice cell, which all the meshes share; default: the finest that all of them fit.
+    unit: name of the unit of all lengths: nm, um, mm, cm, m, mil, in, ft, or None.
+    leaf_size: most triangles in a leaf, 1 to 16. arity: most children of a node, 2 to 8.
+    index_bits: 16, for meshes of up to 65,535 nodes, or 32; meshes that are queried together have one.
+    max_deviation: refuses to move a vertex further. simplify: bakes fewer triangles, within this length of
+    the mesh, proven; triangles are numbered again.
+
+    Warns (BakeWarning) of surfaces that are not closed, and of the rest that `flashbvh bake` warns of.
+    Raises Error if a mesh is too large for the cell or the indices, ValueError for options out of range.
+    """
+    several = [meshes] if isinstance(meshes, Mesh) else list(meshes)
+    for mesh in several:
+        if not isinstance(mesh, Mesh):
+            raise TypeError(f"meshes: holds a {type(mesh).__name__}; give Mesh objects")
+    baked = [Baked(native) for native in _native.bake(
+        [mesh._native for mesh in several], cell, unit, leaf_size, arity, index_bits, max_deviation,
+        simplify)]
+    return baked[0] if isinstance(meshes, Mesh) else baked
