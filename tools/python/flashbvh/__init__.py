@@ -11,8 +11,11 @@ from ._meshes import Baked, Mesh, bake
 from ._native import BakeWarning, Error
 from ._queries import (Distances, Hits, closer_than, distance, inside, intersects, nearest_hit, pairs,
                        solids_intersect)
+from ._robot import (ALL_WORK, Checked, Guard, GuardAnswer, GuardedPair, MatrixRow, Motion, MotionAnswer, Robot,
+                     UnguardedPair, Verdict)
 
 __all__ = [
-    "BakeWarning", "Baked", "Distances", "Error", "Hits", "Mesh", "bake",
+    "ALL_WORK", "BakeWarning", "Baked", "Checked", "Distances", "Error", "Guard", "GuardAnswer",
+    "GuardedPair", "Hits", "MatrixRow", "Mesh", "Motion", "MotionAnswer", "Robot", "UnguardedPair", "Verdict", "bake",
     "closer_than", "distance", "inside", "intersects", "nearest_hit", "pairs", "solids_intersect",
 ]

@@ -14,9 +14,10 @@ class Distances(NamedTuple):
     """How far two meshes are apart; a row a pose, with the poses' leading shape."""
 
     distance: npt.NDArray[np.float64]
-    """(...,): rounded down to 1/256 cell, in the meshes' unit; 0 if they intersect."""
+    """(...,): rounded down to 1/256 cell, in the meshes' unit; 0 if they intersect. Meshes 2^20 cells or more apart:
+    a bound that is not sharp."""
     upper: npt.NDArray[np.float64]
-    """(...,): rounded up. Infinite if it is more than 2^24 cells."""
+    """(...,): rounded up. Meshes 2^20 cells or more apart: a bound that is not sharp."""
     point_a: npt.NDArray[np.float64]
     """(..., 3): the nearest point of A, in A's frame; NaN if they are 2^20 cells or more apart."""
     point_b: npt.NDArray[np.float64]

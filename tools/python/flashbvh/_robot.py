@@ -1,0 +1,258 @@
+"""Robots, their guards and motions. Lengths are in metres, angles in radians."""
+from __future__ import annotations
+
+import enum
+from typing import Mapping, NamedTuple, Optional, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _native
+from ._meshes import Path
+
+ALL_WORK: int = _native.ALL_WORK
+"""Work of a period without a limit."""
+
+
+class Verdict(enum.IntEnum):
+    """What a guard says of a period, from the best to the worst. Only up to WARN may the robot move."""
+
+    FREE = 0
+    WARN = 1
+    NOT_YET_KNOWN = 2
+    STOP = 3
+    REFUSED = 4
+
+
+class MatrixRow(NamedTuple):
+    """Two links, and whether they can collide within the joints' limits."""
+
+    a: str
+    b: str
+    verdict: str
+    """never, can, undecided, fixed or believed."""
+    reason: str
+    is_guarded: bool
+    witness: Optional[npt.NDArray[np.float64]]
+    """Of `can`: values at which they collide, (n,)."""
+
+
+class GuardedPair(NamedTuple):
+    """Two links that a guard keeps apart, and its distances in metres."""
+
+    a: str
+    b: str
+    stop: float
+    warn: float
+
+
+class UnguardedPair(NamedTuple):
+    """Two links that a joint moves and that no guard looks at, or only outside a joint zone."""
+
+    a: str
+    b: str
+    reason: str
+
+
+class Robot:
+    """A baked robot: its image, which firmware opens in place. Made by `from_urdf` or `load`."""
+
+    def __init__(self, native: _native.Robot) -> None:
+        if not isinstance(native, _native.Robot):
+            raise TypeError("a Robot is made by Robot.from_urdf() or Robot.load()")
+        self._native = native
+
+    @classmethod
+    def from_urdf(cls, path: Path, *, stop: float = 0.0, warn: Optional[float] = None,
+                  srdf: Optional[Path] = None, believe: Sequence[tuple[str, str]] = (),
+                  packages: Optional[Mapping[str, str]] = None, joint_limits: Optional[Path] = None,
+                  visual_too: bool = False, cell: Optional[float] = None, leaf_size: Optional[int] = None,
+                  simplify: Optional[float] = None, fit: Optional[int] = None,
+                  pairs: Optional[Mapping[tuple[str, str], tuple[float, float]]] = None,
+                  zones: Optional[Mapping[str, float]] = None, time: Optional[float] = None) -> Robot:
+        """Bakes a URDF and decides which pairs of links can collide, as `flashbvh robot` does.
+
+        stop, warn: links nearer than these must stop, are warned of; warn is stop by default.
+        srdf: pairs that need no guard. believe: pairs of it that can collide and are not guarded all the same.
+        packages: folders by package, for meshes at package://NAME/. joint_limits: MoveIt's joint_limits.yaml.
+        visual_too: links with visual shapes alone collide by them. cell, leaf_size: of the links' meshes.
+        simplify, fit: fewer triangles, within a length or for so many bytes. pairs: (stop, warn) of two links.
+        zones: radii of joints about which two links may touch. time: seconds, after which pairs are undecided.
+
+        Takes some seconds a pair where proofs are hard. Warns (BakeWarning) of pairs that are not guarded.
+        Raises Error for a URDF, an SRDF or options that can't be used, with the program's message.
+        """
+        return cls(_native.robot_of_urdf(
+            path, _number(stop), _number(warn), srdf, [f"{a},{b}" for a, b in believe],
+            [f"{name}={folder}" for name, folder in (packages or {}).items()], joint_limits, visual_too,
+            _number(cell), leaf_size, _number(simplify), None if fit is None else str(int(fit)),
+            [f"{a},{b}={_number(s)},{_number(w)}" for (a, b), (s, w) in (pairs or {}).items()],
+            [f"{joint}={_number(radius)}" for joint, radius in (zones or {}).items()], _number(time)))
+
+    @classmethod
+    def load(cls, source: Path) -> Robot:
+        """Opens an image file (.robot), or the image itself as bytes, and proves it.
+
+        Raises Error if it is no image of a robot, damaged, or of another version.
+        """
+        return cls(_native.Robot.load(source))
+
+    def save(self, path: Path) -> None:
+        """Writes the image (.robot), whole or not at all. Raises Error if that fails."""
+        self._native.save(path)
+
+    @property
+    def image(self) -> bytes:
+        """The image, the bytes of a .robot file."""
+        return self._native.image
+
+    @property
+    def name(self) -> str:
+        """Of the robot."""
+        return self._native.name
+
+    @property
+    def cell(self) -> float:
+        """Size of a lattice cell, in metres."""
+        return self._native.cell
+
+    @property
+    def joint_names(self) -> list[str]:
+        """The n joints that values move, in the values' order; mimics follow and are none of them."""
+        return self._native.joint_names
+
+    @property
+    def limits(self) -> npt.NDArray[np.float64]:
+        """(n, 2): lower and upper, both allowed; infinite for a joint without limits."""
+        return self._native.limits
+
+    @property
+    def link_names(self) -> list[str]:
+        """The links with a mesh."""
+        return self._native.link_names
+
+    @property
+    def matrix(self) -> Optional[list[MatrixRow]]:
+        """All pairs of links, decided; None for a robot that was loaded: the image has only the result."""
+        rows = self._native.matrix
+        return None if rows is None else [MatrixRow(*row) for row in rows]
+
+    @property
+    def pairs(self) -> list[GuardedPair]:
+        """The pairs that a guard looks at, by the number that it reports."""
+        return [GuardedPair(*pair) for pair in self._native.pairs]
+
+    @property
+    def unguarded(self) -> list[UnguardedPair]:
+        """The pairs that no guard looks at, or only outside a joint zone: a collision there is not detected."""
+        return [UnguardedPair(*pair) for pair in self._native.unguarded]
+
+    def __reduce__(self) -> tuple[object, tuple[bytes]]:
+        return (Robot.load, (self.image,))
+
+    def __repr__(self) -> str:
+        return f"<flashbvh.Robot {self.name!r}, {len(self.joint_names)} joints, {len(self.pairs)} pairs guarded>"
+
+
+class GuardAnswer(NamedTuple):
+    """What a guard says of a period."""
+
+    verdict: Verdict
+    pair: Optional[int]
+    """Of `Robot.pairs`, that of the least clearance with this verdict; None if every pair is free."""
+    links: Optional[tuple[str, str]]
+    distance: float
+    """The pair's links stayed at least so far apart, in metres, whatever the verdict."""
+    work: int
+    """That was spent."""
+    status: str
+    """ok, or why the values were refused."""
+
+
+class Checked(NamedTuple):
+    """What a guard says of a trajectory, a row a period."""
+
+    verdicts: npt.NDArray[np.uint8]
+    """(T,): of Verdict."""
+    pairs: npt.NDArray[np.int32]
+    """(T,): of `Robot.pairs`, as GuardAnswer.pair; -1 if every pair is free."""
+    distances: npt.NDArray[np.float64]
+    """(T,): as GuardAnswer.distance, in metres."""
+    work: npt.NDArray[np.uint32]
+    """(T,): that was spent."""
+
+
+class Guard:
+    """Keeps a robot from hitting itself: the firmware's guard, with its state. Threads may share it."""
+
+    def __init__(self, robot: Robot) -> None:
+        self.robot = robot
+        self._native = _native.Guard(robot._native)
+
+    def update(self, values: npt.ArrayLike, work: int = ALL_WORK) -> GuardAnswer:
+        """A period: from the last values to these, (n,), in radians and metres, in `joint_names` order.
+
+        work: what may be spent; the first period wants ALL_WORK. Raises ValueError for another shape or a
+        number that is not finite. Values out of limits are no exception: the verdict is REFUSED.
+        """
+        return _answer(self._native.update(values, work))
+
+    def go_on(self, work: int = ALL_WORK) -> GuardAnswer:
+        """The same period, with more work."""
+        return _answer(self._native.go_on(work))
+
+    def forget(self) -> None:
+        """Forgets where the robot was, and all that is known."""
+        self._native.forget()
+
+    def check(self, trajectory: npt.ArrayLike, work: int = ALL_WORK) -> Checked:
+        """A trajectory, (T, n), a period a row, as `flashbvh guard` replays it: from nothing known.
+
+        work: of each period but the first, which takes what it takes. The guard stands at the end afterwards.
+        """
+        return Checked(*self._native.check(trajectory, work))
+
+
+class MotionAnswer(NamedTuple):
+    """What is found of a motion."""
+
+    outcome: str
+    """free; hit: a pair intersects at `part`; close: it may, about there; refused."""
+    part: float
+    """Of the way, 0 to 1."""
+    values: Optional[npt.NDArray[np.float64]]
+    """(n,), there."""
+    pair: Optional[int]
+    """Of `Robot.pairs`."""
+    links: Optional[tuple[str, str]]
+    triangles: Optional[tuple[int, int]]
+    """Of a hit, by id."""
+    status: str
+    """ok, or why the values were refused."""
+
+    @property
+    def is_free(self) -> bool:
+        """Whether no guarded pair intersects at any moment."""
+        return self.outcome == "free"
+
+
+class Motion:
+    """Certifies straight motions of a robot in joint space."""
+
+    def __init__(self, robot: Robot) -> None:
+        if not isinstance(robot, Robot):
+            raise TypeError("robot: give a Robot")
+        self.robot = robot
+
+    def certify(self, start: npt.ArrayLike, end: npt.ArrayLike) -> MotionAnswer:
+        """Whether the robot is free at every moment from `start` to `end`, (n,) each, all joints in proportion."""
+        return MotionAnswer(*_native.certify(self.robot._native, start, end))
+
+
+def _answer(native: tuple[int, Optional[int], Optional[tuple[str, str]], float, int, str]) -> GuardAnswer:
+    return GuardAnswer(Verdict(native[0]), *native[1:])
+
+
+def _number(value: Union[float, int, None]) -> Optional[str]:
+    """As the program's options take it."""
+    return None if value is None else repr(float(value))
