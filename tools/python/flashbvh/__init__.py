@@ -13,9 +13,10 @@ from ._queries import (Distances, Hits, closer_than, distance, inside, intersect
                        solids_intersect)
 from ._robot import (ALL_WORK, Checked, Guard, GuardAnswer, GuardedPair, MatrixRow, Motion, MotionAnswer, Robot,
                      UnguardedPair, Verdict)
+from .collision import CollisionManager
 
 __all__ = [
-    "ALL_WORK", "BakeWarning", "Baked", "Checked", "Distances", "Error", "Guard", "GuardAnswer",
+    "ALL_WORK", "BakeWarning", "Baked", "Checked", "CollisionManager", "Distances", "Error", "Guard", "GuardAnswer",
     "GuardedPair", "Hits", "MatrixRow", "Mesh", "Motion", "MotionAnswer", "Robot", "UnguardedPair", "Verdict", "bake",
     "closer_than", "distance", "inside", "intersects", "nearest_hit", "pairs", "solids_intersect",
 ]
