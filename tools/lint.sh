@@ -15,6 +15,7 @@ steps=20000
 dear=-clang-analyzer-*,-performance-unnecessary-value-param,-bugprone-stringview-nullptr,-bugprone-reserved-identifier
 [ "${1:-}" != --deep ] || { steps=225000; dear=; }
 status=0
+python=$(/usr/bin/python3 -c 'import sysconfig; print(sysconfig.get_path("include"))')
 
 # lint NAME CHECKS SOURCE...    The sources as one text, since they include the same headers; what is
 # found is said by source and line.
@@ -25,7 +26,7 @@ lint() {
   cat "$@" >"$text"
   # shellcheck disable=SC2046
   clang-tidy --quiet --config-file=.clang-tidy --checks="$checks" "$text" -- -std=c++17 \
-    -Wno-unknown-warning-option -Xclang -analyzer-config -Xclang max-nodes=$steps -Ilib/include -Itools -Itests -I$texts \
+    -Wno-unknown-warning-option -Xclang -analyzer-config -Xclang max-nodes=$steps -Ilib/include -Itools -Itests -I$texts -isystem "$python" \
     $(printf '%s\n' "$@" | sed 's#/[^/]*$##; s/^/-I/' | sort -u) >"$text.found" || status=1
   python3 tools/lint_places.py "$text" "$@" <"$text.found"
 }
@@ -42,6 +43,12 @@ for room in tools/*/; do
     # tools/compare wants the headers of the libraries that it compares; tools/release has no source.
     compare | release) ;;
     live) lint live "$dear" tools/live/live_section.cpp ;; # arm.cpp is for another machine
+    python)
+      if [ -e "$python/Python.h" ] && [ -e /usr/include/pybind11/pybind11.h ]; then
+        lint python "$dear" tools/python/*.cpp
+      else
+        echo "tools/python is left out: apt-get install python3-dev pybind11-dev"
+      fi ;;
     *) lint "$(basename "$room")" "$dear" "$room"*.cpp ;;
   esac
 done

@@ -41,7 +41,7 @@ void check_shape(const py::array& array, const Argument& argument, bool takes_on
 /// Of one of these kinds of numbers, as numpy has letters for them.
 py::array array_of(const py::object& given, const Argument& argument, bool takes_one,
                    const std::string& kinds, const char* kind_name) {
-  const py::array array = py::array::ensure(given);
+  py::array array = py::array::ensure(given);
   if (!array) {
     refuse(argument, "is no array; give ", kind_name, " of the shape ",
            wanted(argument, takes_one));

@@ -148,6 +148,12 @@ double length_of(std::int64_t fine, double cell) {
   return static_cast<double>(fine) / kFineOne * cell;
 }
 
+void put_point(double* to, const FinePoint& point, double cell) {
+  to[0] = length_of(point.x, cell);
+  to[1] = length_of(point.y, cell);
+  to[2] = length_of(point.z, cell);
+}
+
 /// A row of each result a pose.
 struct Distances {
   explicit Distances(const Shape& shape)
@@ -183,13 +189,6 @@ struct DistanceRows {
     put_point(point_b + 3 * i, found.point_b, known ? cell : nan);
     triangles[2 * i] = known ? std::int64_t{found.triangles.a} : -1;
     triangles[2 * i + 1] = known ? std::int64_t{found.triangles.b} : -1;
-  }
-
- private:
-  static void put_point(double* to, const FinePoint& point, double cell) {
-    to[0] = length_of(point.x, cell);
-    to[1] = length_of(point.y, cell);
-    to[2] = length_of(point.z, cell);
   }
 
   double* lower;
