@@ -62,7 +62,8 @@ class MeshErrors(unittest.TestCase):
 
     def test_baking(self):
         mesh = flashbvh.Mesh.from_arrays(self.vertices, self.triangles, name="box")
-        for text, options in (("^cell: is 0; give", {"cell": 0}), ("^leaf_size: is 17; give 1 to 16$", {"leaf_size": 17}),
+        for text, options in (("^cell: is 0; give", {"cell": 0}),
+                              ("^leaf_size: is 17; give 1 to 16$", {"leaf_size": 17}),
                               ("^arity: is 1; give 2 to 8$", {"arity": 1}),
                               ("^index_bits: is 8; give 16 or 32$", {"index_bits": 8}),
                               ("^--unit ell: 'ell' is no unit; give nm", {"unit": "ell"}),
@@ -87,7 +88,8 @@ class MeshErrors(unittest.TestCase):
     def test_images(self):
         image = flashbvh.bake(flashbvh.Mesh.from_arrays(self.vertices, self.triangles)).image
         for text, wrong in (("^image: is truncated", image[:-4]), ("^image: is corrupt", image[:-1] + b"\1"),
-                            ("^image: is no flashbvh image", b"\0" * 100), ("^image: has 4 bytes after", image + image[:4]),
+                            ("^image: is no flashbvh image", b"\0" * 100),
+                            ("^image: has 4 bytes after", image + image[:4]),
                             ("^image: ", b"")):
             with self.subTest(text), self.assertRaisesRegex(flashbvh.Error, text):
                 flashbvh.Baked.load(wrong)

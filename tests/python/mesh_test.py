@@ -102,6 +102,12 @@ class QueryTest(Scene):
         between = np.linalg.norm(found.point_b - found.point_a, axis=1)
         np.testing.assert_allclose(between[apart], found.distance[apart], atol=self.a.cell / 64)
 
+    def test_a_motion_has_the_distances_of_its_poses(self):
+        single = flashbvh.distance(self.a, self.b, self.poses)
+        motion = flashbvh.distance(self.a, self.b, self.poses, is_motion=True)
+        np.testing.assert_array_equal(motion.distance, single.distance)
+        np.testing.assert_array_equal(motion.upper, single.upper)
+
     def test_closer_than_is_the_distance_compared(self):
         found = flashbvh.distance(self.a, self.b, self.poses)
         sure = np.abs(found.distance - 3) > self.a.cell / 64

@@ -52,12 +52,12 @@ class RobotTest(Scene):
         (self.folder / "arm.srdf").write_text(
             '<robot name="arm"><disable_collisions link1="left" link2="right" reason="User"/></robot>')
         program.run("robot", self.urdf, "--stop", "0.01", "--format", "image", "-o", self.folder / "more", "--srdf",
-                    self.folder / "arm.srdf", "--believe", "left,right", "--cell", "0.0001", "--leaf-size", "4", "--pair",
-                    "upper,fore=0.02,0.03", "--zone", "grip=0.01", "--time", "60")
+                    self.folder / "arm.srdf", "--believe", "left,right", "--cell", "0.0001", "--leaf-size", "4",
+                    "--pair", "upper,fore=0.02,0.03", "--zone", "grip=0.01", "--time", "60")
         with self.assertWarnsRegex(flashbvh.BakeWarning, "not guarded: fore - left within 0.01 m about grip"):
             robot = flashbvh.Robot.from_urdf(
-                self.urdf, stop=0.01, srdf=self.folder / "arm.srdf", believe=[("left", "right")], cell=0.0001, leaf_size=4,
-                pairs={("upper", "fore"): (0.02, 0.03)}, zones={"grip": 0.01}, time=60)
+                self.urdf, stop=0.01, srdf=self.folder / "arm.srdf", believe=[("left", "right")], cell=0.0001,
+                leaf_size=4, pairs={("upper", "fore"): (0.02, 0.03)}, zones={"grip": 0.01}, time=60)
         self.assertEqual(robot.image, (self.folder / "more/arm.robot").read_bytes())
         self.assertIn(("left", "right"), [(pair.a, pair.b) for pair in robot.unguarded])
 
@@ -189,7 +189,8 @@ class RefusalTest(Scene):
             self.assertEqual(str(raised.exception), program.message("robot", self.folder / name, "--dry-run"))
 
     def test_options_as_the_program(self):
-        for options, words in (({"stop": -1}, ["--stop", "-1.0"]), ({"stop": 0.02, "warn": 0.01}, ["--stop", "0.02", "--warn", "0.01"]),
+        for options, words in (({"stop": -1}, ["--stop", "-1.0"]),
+                               ({"stop": 0.02, "warn": 0.01}, ["--stop", "0.02", "--warn", "0.01"]),
                                ({"stop": float("nan")}, ["--stop", "nan"]), ({"stop": 1e9}, ["--stop", "1000000000.0"]),
                                ({"believe": [("left", "right")]}, ["--believe", "left,right"]),
                                ({"pairs": {("left", "no"): (0.1, 0.2)}}, ["--pair", "left,no=0.1,0.2"]),
@@ -210,8 +211,10 @@ class RefusalTest(Scene):
 
     def test_images(self):
         image = self.robot.image
-        for text, wrong in (("^image: is truncated", image[:-4]), ("^image: is corrupt", image[:200] + b"\7" + image[201:]),
-                            ("^image: is no image of a robot", bytes(200)), ("^image: has 4 bytes after", image + bytes(4))):
+        for text, wrong in (("^image: is truncated", image[:-4]),
+                            ("^image: is corrupt", image[:200] + b"\7" + image[201:]),
+                            ("^image: is no image of a robot", bytes(200)),
+                            ("^image: has 4 bytes after", image + bytes(4))):
             with self.subTest(text), self.assertRaisesRegex(flashbvh.Error, text):
                 flashbvh.Robot.load(wrong)
         with self.assertRaises(TypeError):
@@ -219,8 +222,10 @@ class RefusalTest(Scene):
 
     def test_values(self):
         guard = flashbvh.Guard(self.robot)
-        for text, values in ((r"^values: has the shape \(2,\); give \(3,\)", [0, 0]), ("^values: holds NaN", [0, np.nan, 0]),
-                             ("^values: has the dtype <U1", ["a", "b", "c"]), ("^values: is a batch", np.zeros((2, 3)))):
+        for text, values in ((r"^values: has the shape \(2,\); give \(3,\)", [0, 0]),
+                             ("^values: holds NaN", [0, np.nan, 0]),
+                             ("^values: has the dtype <U1", ["a", "b", "c"]),
+                             ("^values: is a batch", np.zeros((2, 3)))):
             with self.subTest(text), self.assertRaisesRegex(ValueError, text):
                 guard.update(values)
         for text, rows in ((r"^trajectory: has the shape \(3,\); give \(N, 3\)$", [0, 0, 0]),
@@ -233,7 +238,8 @@ class RefusalTest(Scene):
         self.assertEqual(len(guard.check(np.zeros((0, 3))).verdicts), 0)
         self.assertEqual(guard.go_on().verdict, Verdict.REFUSED)
         self.assertEqual(guard.update([0, 1e300, 0]).status, "not_a_coordinate")
-        for start, end, text in (([0, 0], [0, 0, 0], "^start: has the shape"), ([0, 0, 0], [[0, 0, 0]], "^end: is a batch")):
+        for start, end, text in (([0, 0], [0, 0, 0], "^start: has the shape"),
+                                 ([0, 0, 0], [[0, 0, 0]], "^end: is a batch")):
             with self.assertRaisesRegex(ValueError, text):
                 flashbvh.Motion(self.robot).certify(start, end)
 

@@ -22,7 +22,8 @@ class TypesTest(unittest.TestCase):
 
     def mypy(self, *paths):
         return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", self.folder / "cache", *paths],
-                              capture_output=True, text=True, cwd=PACKAGE.parent, env={**os.environ, "MYPYPATH": str(PACKAGE.parent)})
+                              capture_output=True, text=True, cwd=PACKAGE.parent,
+                              env={**os.environ, "MYPYPATH": str(PACKAGE.parent)})
 
     def test_the_package_and_an_example(self):
         done = self.mypy(PACKAGE, HERE / "typed.py")

@@ -198,7 +198,9 @@ struct DistanceRows {
   std::int64_t* triangles;
 };
 
-py::tuple distance_all(const Baked& a, const Baked& b, const py::object& given) {
+/// `is_motion`: each pose begins with the nearest pair of the one before, which spares visits if
+/// they are near each other and costs some if not.
+py::tuple distance_all(const Baked& a, const Baked& b, const py::object& given, bool is_motion) {
   const Poses poses(given);
   Distances distances(poses.shape());
   const DistanceRows to(distances);
@@ -210,7 +212,7 @@ py::tuple distance_all(const Baked& a, const Baked& b, const py::object& given) 
         const Witness<Index> last = {static_cast<Index>(hint.a), static_cast<Index>(hint.b)};
         const Clearance<Index> found = flashbvh::distance(mesh_a, mesh_b, pose, last);
         check_done(found.status, "poses", i);
-        if (found.in_range) {
+        if (is_motion && found.in_range) {
           hint = {found.witness.a, found.witness.b};
         }
         to.put(i, found, cell);

@@ -59,13 +59,14 @@ def closer_than(a: Baked, b: Baked, poses: npt.ArrayLike, length: float) -> npt.
     return _native.closer_than(a._native, b._native, poses, length)
 
 
-def distance(a: Baked, b: Baked, poses: npt.ArrayLike) -> Distances:
+def distance(a: Baked, b: Baked, poses: npt.ArrayLike, *, is_motion: bool = False) -> Distances:
     """How far A and B are apart, and where they are nearest.
 
-    poses: as `intersects`; each begins with the nearest pair of the one before, so order a batch along a
-    motion. The distance does not depend on that; of several nearest pairs, the reported one may.
+    poses and errors: as `intersects`. is_motion: each pose begins with the nearest pair of the one before: faster
+    where they are near each other, slower where they are not. It changes no distance; of several nearest pairs,
+    the reported one may be another.
     """
-    return Distances(*_native.distance(a._native, b._native, poses))
+    return Distances(*_native.distance(a._native, b._native, poses, is_motion))
 
 
 def pairs(a: Baked, b: Baked, pose: npt.ArrayLike) -> npt.NDArray[np.int64]:
