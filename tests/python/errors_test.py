@@ -48,7 +48,7 @@ class MeshErrors(unittest.TestCase):
         self.addCleanup(holder.cleanup)
         (folder / "cut.stl").write_bytes(b"\0" * 90)
         (folder / "text.obj").write_text("v 1 2 three\n")
-        for name in ("missing.stl", "cut.stl", "text.obj", "name.txt"):
+        for name in ("missing.stl", "cut.stl", "text.obj", "name.txt", "two\nlines.stl"):
             with self.assertRaises(flashbvh.Error) as raised:
                 flashbvh.Mesh.from_file(folder / name)
             self.assertEqual(str(raised.exception), program.message("info", folder / name)
@@ -102,7 +102,8 @@ class QueryErrors(unittest.TestCase):
 
     def test_poses(self):
         poses = np.tile(np.eye(4), (3, 1, 1))
-        mirrored, scaled, far, beyond, nan, last = (poses.copy() for _ in range(6))
+        mirrored, scaled, far, beyond, nan, last, weight = (poses.copy() for _ in range(7))
+        weight[2, 3, 3] = 2
         mirrored[1, 0, 0] = -1
         scaled[2, :3, :3] *= 1.01
         far[0, 0, 3] = 1e30
@@ -116,6 +117,7 @@ class QueryErrors(unittest.TestCase):
                 (r"^poses\[0\]: the pose translates B by 1e\+300", flashbvh.Error, beyond),
                 ("^poses: holds NaN in element 2; give finite numbers$", ValueError, nan),
                 ("^poses: the last row of matrix 1 is not 0 0 0 1", ValueError, last),
+                ("^poses: the last row of matrix 2 is not 0 0 0 1", ValueError, weight),
                 (r"^poses: has the shape \(3, 3\); give \(4, 4\) or \(N, 4, 4\)$", ValueError, np.eye(3)),
                 (r"^poses: has the shape \(1, 1, 4, 4\)", ValueError, poses[:1, None]),
                 (r"^poses: has the shape \(\)", ValueError, 7)):

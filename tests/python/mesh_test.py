@@ -93,11 +93,12 @@ class QueryTest(Scene):
             self.assertEqual(sorted(map(tuple, pairs)), list(map(tuple, expected[expected[:, 0] == i, 1:])))
 
     def test_distance_as_the_program(self):
-        found = flashbvh.distance(self.a, self.b, self.poses)
-        for i, line in enumerate(self.posed("clearance")):
-            self.assertLessEqual(found.distance[i], line["distance"] * (1 + 1e-12))
-            self.assertGreaterEqual(found.upper[i], line["distance"] * (1 - 1e-12))
-            self.assertLess(found.upper[i] - found.distance[i], self.a.cell / 128)
+        for is_motion, options in ((False, ["--cold"]), (True, [])):
+            found = flashbvh.distance(self.a, self.b, self.poses, is_motion=is_motion)
+            lines = self.posed("clearance", *options)
+            for rows, name in ((found.distance, "lower"), (found.upper, "upper"), (found.point_a, "point_a"),
+                               (found.point_b, "point_b"), (found.triangles, "triangles")):
+                np.testing.assert_array_equal(rows, [line[name] for line in lines], name)
         apart = found.distance > 0
         between = np.linalg.norm(found.point_b - found.point_a, axis=1)
         np.testing.assert_allclose(between[apart], found.distance[apart], atol=self.a.cell / 64)

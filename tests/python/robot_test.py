@@ -3,12 +3,14 @@ import pickle
 import threading
 import time
 import unittest
+import warnings
 
 import numpy as np
 
 import arm
 import flashbvh
 import program
+import shapes
 from flashbvh import Verdict
 
 NAMES = {"free": Verdict.FREE, "warn": Verdict.WARN, "not_yet_known": Verdict.NOT_YET_KNOWN, "stop": Verdict.STOP,
@@ -61,6 +63,27 @@ class RobotTest(Scene):
         self.assertEqual(robot.image, (self.folder / "more/arm.robot").read_bytes())
         self.assertIn(("left", "right"), [(pair.a, pair.b) for pair in robot.unguarded])
 
+    def test_files_and_sizes_are_those_of_the_program(self):
+        (self.folder / "elsewhere").mkdir()
+        program.write_obj(self.folder / "elsewhere/peg.obj", *shapes.torus(24, 12, 0.03, 0.01))
+        limits = self.folder / "limits.yaml"
+        limits.write_text(
+            "joint_limits:\n  fold:\n    has_position_limits: true\n    min_position: -1.0\n    max_position: 1.0\n")
+        mesh = '<mesh filename="package://parts/peg.obj"/>'
+        urdf = self.folder / "meshes.urdf"
+        urdf.write_text(arm.URDF.replace('<box size="0.02 0.02 0.1"/>', mesh, 1).replace("<collision>", "<visual>", 1)
+                        .replace("</collision>", "</visual>", 1))
+        for options, words in (({}, []), ({"visual_too": True}, ["--visual-too"]),
+                               ({"joint_limits": limits}, ["--joint-limits", limits]),
+                               ({"simplify": 0.002}, ["--simplify", "0.002"]), ({"fit": 12000}, ["--fit", "12000"]),
+                               ({"fit": 12000, "leaf_size": 2}, ["--fit", "12000", "--leaf-size", "2"])):
+            with self.subTest(words), warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                program.run("robot", urdf, "--package", f"parts={self.folder / 'elsewhere'}", "--format", "image", "-o",
+                            self.folder / "more", *words)
+                robot = flashbvh.Robot.from_urdf(urdf, packages={"parts": str(self.folder / "elsewhere")}, **options)
+                self.assertEqual(robot.image, (self.folder / "more/arm.robot").read_bytes())
+
     def test_what_it_knows(self):
         self.assertEqual(self.robot.name, "arm")
         self.assertEqual(self.robot.joint_names, ["turn", "fold", "grip"])
@@ -91,6 +114,7 @@ class RobotTest(Scene):
 class GuardTest(Scene):
     def test_a_trajectory_as_the_program(self):
         rows = trajectory(3000)
+        rows[:2, 1] = 3.5  # what is refused does not prime
         for work in (flashbvh.ALL_WORK, 40):
             checked = flashbvh.Guard(self.robot).check(rows, work)
             lines = self.replayed(rows, "--work", work)
@@ -116,6 +140,8 @@ class GuardTest(Scene):
             self.assertEqual((answer.verdict, -1 if answer.pair is None else answer.pair, answer.work),
                              (checked.verdicts[i], checked.pairs[i], checked.work[i]))
             self.assertEqual(answer.links is None, answer.pair is None)
+        for again, first in zip(guard.check(rows, 100), checked):
+            np.testing.assert_array_equal(again, first, "check() begins with nothing known")
 
     def test_more_work_decides(self):
         guard = flashbvh.Guard(self.robot)
@@ -137,16 +163,18 @@ class GuardTest(Scene):
 
     def test_threads_share_a_guard(self):
         guard = flashbvh.Guard(self.robot)
-        rows = trajectory(20000)
-        expected = flashbvh.Guard(self.robot).check(rows).verdicts
+        rows = trajectory(60000)
+        expected = flashbvh.Guard(self.robot).check(rows, 100)
         found = []
-        threads = [threading.Thread(target=lambda: found.append(guard.check(rows).verdicts)) for _ in range(3)]
+        threads = [threading.Thread(target=lambda: found.append(guard.check(rows, 100))) for _ in range(3)]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
-        for verdicts in found:
-            np.testing.assert_array_equal(verdicts, expected)
+        self.assertEqual(len(found), 3)
+        for checked in found:
+            np.testing.assert_array_equal(checked.verdicts, expected.verdicts)
+            np.testing.assert_array_equal(checked.work, expected.work)
 
     def test_a_free_period_takes_microseconds(self):
         rows = np.zeros((50000, 3))

@@ -10,6 +10,7 @@ find_package(pybind11 QUIET)
 set(FLASHBVH_HAS_PYTHON OFF)
 if(Python3_Development.Module_FOUND AND Python3_NumPy_FOUND AND pybind11_FOUND)
   set(FLASHBVH_HAS_PYTHON ON)
+  set(FLASHBVH_PYTHON ${Python3_EXECUTABLE} CACHE INTERNAL "")  # for the tests
 else()
   message(STATUS "No Python package: apt-get install python3-dev pybind11-dev python3-numpy")
 endif()
