@@ -76,9 +76,10 @@ class BakeTest(Scene):
 
     def test_an_open_surface_is_warned_of(self):
         vertices, triangles = self.box
-        with self.assertWarnsRegex(flashbvh.BakeWarning, "sheet: .*boundary"):
+        with self.assertWarnsRegex(flashbvh.BakeWarning, "sheet: .*boundary") as warned:
             baked = flashbvh.bake(flashbvh.Mesh.from_arrays(vertices, triangles[1:], name="sheet"))
         self.assertFalse(baked.is_closed)
+        self.assertEqual(warned.filename, __file__, "the line that called")
 
 
 class QueryTest(Scene):
