@@ -47,7 +47,7 @@ xtensa_packages="gcc-xtensa-lx106 picolibc-xtensa-lx106-elf libstdc++-arm-none-e
 # What builds and checks a release's packages.
 release_packages="arduino-builder debhelper dpkg-dev help2man libxml2-utils lintian python3-dateutil
   python3-jsonschema python3-kconfiglib python3-pykwalify python3-ruamel.yaml python3-yaml"
-# What builds the Python package, and what its tests take.
+# The Python package and its tests.
 python_packages="pybind11-dev python3-dev python3-matplotlib python3-numpy mypy"
 # What checks the proofs (tools/prove.sh).
 proof_packages="coq gappa cvc5"

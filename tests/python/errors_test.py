@@ -1,4 +1,4 @@
-"""What is refused: each argument by its name, the program's refusals by its own message."""
+"""Refusals: a wrong argument is named, a refusal of the program has its own message."""
 import unittest
 
 import numpy as np
@@ -157,6 +157,31 @@ class QueryErrors(unittest.TestCase):
             flashbvh.inside(sheet, [0, 0, 0])
         with self.assertRaisesRegex(flashbvh.Error, "^sheet: is no closed surface"):
             flashbvh.solids_intersect(self.a, sheet, np.eye(4))
+
+
+class OddArguments(unittest.TestCase):
+    def test_no_argument_crashes(self):
+        a, b = flashbvh.bake([flashbvh.Mesh.from_arrays(*shapes.box(1, 1, 1)) for _ in range(2)])
+        odd = [None, 0, -1, 1e308, float("nan"), 2**70, "x", "\ud800", b"\xff", [], [[]], [[1, 2, 3]], {}, object(),
+               np.eye(4), np.zeros((0, 3)), np.zeros((3, 0)), np.array(5), np.zeros((4, 4), object), np.eye(4)[::-1],
+               np.asfortranarray(np.eye(4)), np.eye(4, dtype=">f8"), np.zeros((2, 3), np.uint64) - 1, np.zeros((1,) * 32),
+               np.zeros((2, 3), "M8[s]"), np.ma.masked_array(np.eye(4), True), a, a._native, True, range(3)]
+        native = flashbvh._native
+        calls = [(flashbvh.intersects, 3), (flashbvh.distance, 3), (flashbvh.closer_than, 4), (flashbvh.pairs, 3),
+                 (flashbvh.nearest_hit, 4), (flashbvh.inside, 2), (flashbvh.Mesh.from_arrays, 2), (flashbvh.bake, 1),
+                 (flashbvh.Mesh.from_file, 1), (flashbvh.Baked.load, 1), (flashbvh.Robot.load, 1), (flashbvh.Guard, 1),
+                 (flashbvh.Robot.from_urdf, 1), (native.bake, 8), (native.robot_of_urdf, 15), (native.certify, 3),
+                 (native.mesh_of_arrays, 4), (native.mesh_of_file, 3), (native.Guard, 1), (native.Baked, 0)]
+        random = np.random.default_rng(4)
+        for _ in range(6000):
+            call, count = calls[random.integers(len(calls))]
+            arguments = [odd[i] for i in random.integers(len(odd), size=count)]
+            if call.__module__ == "flashbvh._queries":
+                arguments[:2] = [a, arguments[1]] if call in (flashbvh.nearest_hit, flashbvh.inside) else [a, b]
+            try:
+                call(*arguments)
+            except (ValueError, TypeError, AttributeError):
+                pass
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ FLASHBVH = os.environ["FLASHBVH"]
 
 
 def run(*arguments, exits=(0,)):
-    """What it prints; the exit code must be one of these."""
+    """Returns what it prints; the exit code must be one of these."""
     done = subprocess.run([FLASHBVH, *map(str, arguments)], capture_output=True, text=True)
     if done.returncode not in exits:
         raise AssertionError(f"flashbvh {' '.join(map(str, arguments))}: {done.returncode}: {done.stderr}")
@@ -22,7 +22,7 @@ def lines(*arguments, exits=(0,)):
 
 
 def message(*arguments):
-    """What it says as it refuses."""
+    """Returns its message; it must refuse."""
     done = subprocess.run([FLASHBVH, *map(str, arguments)], capture_output=True, text=True)
     if done.returncode != 2:
         raise AssertionError(f"exit code {done.returncode}")

@@ -1,4 +1,4 @@
-"""What `mypy --strict` is run on: each name of the package in use."""
+"""An example of the package's use, for `mypy --strict`."""
 from typing import Optional
 
 import numpy as np

@@ -25,7 +25,7 @@ class ImageFile {
  public:
   /// UserError if the file can't be read or is no good image.
   explicit ImageFile(const std::string& path);
-  /// Of the bytes of such a file. `path`: its name for messages.
+  /// Opens the bytes of a file; `path` is its name for messages.
   ImageFile(const std::string& path, const std::string& bytes);
   ImageFile(const ImageFile&) = delete;
   ImageFile& operator=(const ImageFile&) = delete;

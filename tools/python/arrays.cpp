@@ -38,7 +38,7 @@ void check_shape(const py::array& array, const Argument& argument, bool takes_on
   }
 }
 
-/// Of one of these kinds of numbers, as numpy has letters for them.
+/// An array of these kinds of numbers, by numpy's letters for kinds.
 py::array array_of(const py::object& given, const Argument& argument, bool takes_one,
                    const std::string& kinds, const char* kind_name) {
   py::array array = py::array::ensure(given);

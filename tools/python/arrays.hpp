@@ -23,9 +23,9 @@ struct Argument {
   Shape ends_in;
 };
 
-/// Finite numbers: one element of that shape, or N of them.
+/// Finite numbers: one element of the argument's shape, or N of them.
 Doubles numbers(const py::object& given, const Argument& argument);
-/// The same of N elements alone.
+/// Finite numbers: N elements, a single one is refused.
 Doubles rows(const py::object& given, const Argument& argument);
 Integers integer_rows(const py::object& given, const Argument& argument);
 

@@ -8,7 +8,7 @@ namespace flashbvh::python {
 
 /// The class of Python's warnings, flashbvh.BakeWarning.
 py::object& warning_class();
-/// As warnings of Python. Throws if the user has made them errors.
+/// Issues warnings of Python. Throws if the user has made them errors.
 void warn(const tool::Warnings& warnings);
 
 void add_meshes(py::module_& module);

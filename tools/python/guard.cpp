@@ -58,7 +58,8 @@ class GuardOf {
     return guard_.go_on(work);
   }
 
-  /// From the first row on, which primes; put(row, answer). As `flashbvh guard` replays.
+  /// Replays a trajectory as `flashbvh guard` does, calls put(row, answer). The first accepted row
+  /// primes.
   template <class Put>
   void check(const double* rows, std::size_t count, std::uint32_t work, const Put& put) {
     const py::gil_scoped_release release;

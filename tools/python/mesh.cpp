@@ -168,7 +168,7 @@ void save(const Baked& baked, const py::object& path) {
   tool::write_file(path_of(path), {baked.bytes(), baked.header().byte_count});
 }
 
-/// As the command `flashbvh bake` has them.
+/// Options of `flashbvh bake`.
 struct Order {
   tool::BakeOptions options;
   Unit unit = Unit::none;

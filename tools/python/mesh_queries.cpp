@@ -97,7 +97,7 @@ void for_each_pose(const Baked& a, const Baked& b, const Poses& poses, const Que
       a.tree(), b.tree());
 }
 
-/// Yes or no for each pose.
+/// query(mesh_a, mesh_b, pose) for each pose, an Answer.
 template <class Query>
 py::array_t<bool> answers(const Baked& a, const Baked& b, const py::object& given,
                           const Query& query) {
@@ -170,7 +170,7 @@ struct Distances {
   py::array_t<std::int64_t> triangles;
 };
 
-/// Where the results are written without Python's lock.
+/// The memory of Distances, which is written without Python's lock.
 struct DistanceRows {
   explicit DistanceRows(Distances& distances)
       : lower(distances.lower.mutable_data()),
@@ -308,7 +308,7 @@ py::tuple hits_of(const Baked& baked, const py::object& from, const py::object& 
   return py::make_tuple(hit, distance, triangle);
 }
 
-/// To the nearest cells, as the command `flashbvh inside` takes it.
+/// A point in cells, rounded as `flashbvh inside` rounds it.
 Point point_of(const double* from, double cell, std::size_t number) {
   std::int32_t cells[3];
   for (std::size_t i = 0; i < 3; ++i) {

@@ -109,7 +109,7 @@ py::bytes image_bytes(const Robot& robot) {
   return {robot.file->bytes(), robot.file->header().byte_count};
 }
 
-/// Of the joints that the caller's values move, in their order.
+/// Names of the joints that the caller's values move, in the values' order.
 py::list joint_names(const Robot& robot) {
   py::list names;
   for (const std::size_t joint : robot.model.variables) {

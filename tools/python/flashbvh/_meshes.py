@@ -108,12 +108,12 @@ class Baked:
 
     @property
     def name(self) -> str:
-        """Of the mesh, without folder and extension."""
+        """Name of the mesh, without folder and extension."""
         return self._native.name
 
     @property
     def unit(self) -> str:
-        """Of all lengths; empty if none was given."""
+        """Unit of all lengths; empty if none was given."""
         return self._native.unit
 
     @property

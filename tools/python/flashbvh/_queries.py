@@ -27,7 +27,7 @@ class Distances(NamedTuple):
 
 
 class Hits(NamedTuple):
-    """What rays hit first; a row a ray, with the rays' leading shape."""
+    """First hits of rays; a row a ray, with the rays' leading shape."""
 
     hit: npt.NDArray[np.bool_]
     """(...,): whether the ray hits the mesh."""
@@ -47,7 +47,10 @@ def intersects(a: Baked, b: Baked, poses: npt.ArrayLike) -> npt.NDArray[np.bool_
 
 
 def solids_intersect(a: Baked, b: Baked, poses: npt.ArrayLike) -> npt.NDArray[np.bool_]:
-    """The same of closed meshes with their insides. Raises Error, too, if one is not closed."""
+    """Whether A and B have a point in common, insides included; both are closed meshes.
+
+    poses, result and errors: as `intersects`. Raises Error, too, if a mesh is not closed.
+    """
     return _native.solids_intersect(a._native, b._native, poses)
 
 
@@ -79,7 +82,7 @@ def pairs(a: Baked, b: Baked, pose: npt.ArrayLike) -> npt.NDArray[np.int64]:
 
 def nearest_hit(mesh: Baked, origins: npt.ArrayLike, directions: npt.ArrayLike,
                 length: npt.ArrayLike) -> Hits:
-    """What rays hit first.
+    """Finds the first hit of each ray.
 
     origins, directions: (3,) or (N, 3), in the mesh's frame; directions of any length but 0. length: how far
     the rays reach, in the mesh's unit, a number or (N,).

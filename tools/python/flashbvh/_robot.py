@@ -15,7 +15,7 @@ ALL_WORK: int = _native.ALL_WORK
 
 
 class Verdict(enum.IntEnum):
-    """What a guard says of a period, from the best to the worst. Only up to WARN may the robot move."""
+    """A guard's word on a period, from the best to the worst. Only up to WARN may the robot move."""
 
     FREE = 0
     WARN = 1
@@ -34,7 +34,7 @@ class MatrixRow(NamedTuple):
     reason: str
     is_guarded: bool
     witness: Optional[npt.NDArray[np.float64]]
-    """Of `can`: values at which they collide, (n,)."""
+    """(n,): values at which they collide; only with the verdict `can`."""
 
 
 class GuardedPair(NamedTuple):
@@ -108,7 +108,7 @@ class Robot:
 
     @property
     def name(self) -> str:
-        """Of the robot."""
+        """Name of the robot."""
         return self._native.name
 
     @property
@@ -155,31 +155,31 @@ class Robot:
 
 
 class GuardAnswer(NamedTuple):
-    """What a guard says of a period."""
+    """A guard's answer to a period."""
 
     verdict: Verdict
     pair: Optional[int]
-    """Of `Robot.pairs`, that of the least clearance with this verdict; None if every pair is free."""
+    """Index into `Robot.pairs`: the pair of the least clearance with this verdict; None if every pair is free."""
     links: Optional[tuple[str, str]]
     distance: float
     """The pair's links stayed at least so far apart, in metres, whatever the verdict."""
     work: int
-    """That was spent."""
+    """The work that was spent."""
     status: str
     """ok, or why the values were refused."""
 
 
 class Checked(NamedTuple):
-    """What a guard says of a trajectory, a row a period."""
+    """A guard's answers to a trajectory, a row a period."""
 
     verdicts: npt.NDArray[np.uint8]
-    """(T,): of Verdict."""
+    """(T,): numbers of Verdict."""
     pairs: npt.NDArray[np.int32]
-    """(T,): of `Robot.pairs`, as GuardAnswer.pair; -1 if every pair is free."""
+    """(T,): as GuardAnswer.pair; -1 if every pair is free."""
     distances: npt.NDArray[np.float64]
     """(T,): as GuardAnswer.distance, in metres."""
     work: npt.NDArray[np.uint32]
-    """(T,): that was spent."""
+    """(T,): the work that was spent."""
 
 
 class Guard:
@@ -198,7 +198,7 @@ class Guard:
         return _answer(self._native.update(values, work))
 
     def go_on(self, work: int = ALL_WORK) -> GuardAnswer:
-        """The same period, with more work."""
+        """Goes on with the last period, with more work."""
         return _answer(self._native.go_on(work))
 
     def forget(self) -> None:
@@ -214,19 +214,19 @@ class Guard:
 
 
 class MotionAnswer(NamedTuple):
-    """What is found of a motion."""
+    """The answer to a motion."""
 
     outcome: str
     """free; hit: a pair intersects at `part`; close: it may, about there; refused."""
     part: float
-    """Of the way, 0 to 1."""
+    """Part of the motion, 0 to 1."""
     values: Optional[npt.NDArray[np.float64]]
-    """(n,), there."""
+    """(n,): the joints' values at `part`."""
     pair: Optional[int]
-    """Of `Robot.pairs`."""
+    """Index into `Robot.pairs`."""
     links: Optional[tuple[str, str]]
     triangles: Optional[tuple[int, int]]
-    """Of a hit, by id."""
+    """Ids of the triangles that intersect; only of a hit."""
     status: str
     """ok, or why the values were refused."""
 
@@ -254,5 +254,5 @@ def _answer(native: tuple[int, Optional[int], Optional[tuple[str, str]], float, 
 
 
 def _number(value: Union[float, int, None]) -> Optional[str]:
-    """As the program's options take it."""
+    """The text that the program's options take."""
     return None if value is None else repr(float(value))

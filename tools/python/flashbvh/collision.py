@@ -238,7 +238,7 @@ def _matrix(transform: Optional[npt.ArrayLike]) -> Matrix:
 
 
 def _inverse(matrix: Matrix) -> Matrix:
-    """Of a rigid motion: the transposed rotation."""
+    """The inverse of a rigid motion, by its transposed rotation."""
     inverse = np.eye(4)
     inverse[:3, :3] = matrix[:3, :3].T
     inverse[:3, 3] = -matrix[:3, :3].T @ matrix[:3, 3]

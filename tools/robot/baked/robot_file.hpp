@@ -19,7 +19,7 @@ class RobotFile {
  public:
   /// UserError if the file can't be read or is no good image of a robot.
   explicit RobotFile(const std::string& path);
-  /// Of the bytes of such a file. `path`: its name for messages.
+  /// Opens the bytes of a file; `path` is its name for messages.
   RobotFile(const std::string& path, const std::string& bytes);
   RobotFile(const RobotFile&) = delete;
   RobotFile& operator=(const RobotFile&) = delete;
