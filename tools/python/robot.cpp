@@ -6,12 +6,10 @@
 #include <cmath>
 #include <optional>
 
-#include "bake/image_bytes.hpp"
 #include "cli/json.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "image/output_name.hpp"
 #include "python/bindings.hpp"
-#include "robot/baked/robot_image.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::python {
@@ -37,13 +35,8 @@ Robot load_robot(const py::object& source) {
 
 /// The image, as `flashbvh robot --format image` writes it.
 std::string robot_image_of(const tool::BakedRobot& baked) {
-  std::vector<std::vector<std::uint32_t>> meshes;
-  for (const tool::BakedLink& link : baked.links) {
-    meshes.push_back(bake::image_of(link.tree));
-  }
   const std::string name = tool::distinct_names({baked.model.name}).front().stem;
-  const std::vector<std::uint32_t> words =
-      tool::robot_image(baked.model, baked.robot(), baked.unguarded, meshes, name);
+  const std::vector<std::uint32_t> words = tool::image_of(baked, name);
   return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]};
 }
 
