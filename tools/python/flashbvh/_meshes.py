@@ -1,15 +1,13 @@
 """Meshes, and how they are baked."""
 from __future__ import annotations
 
-import os
 from typing import Optional, Sequence, Union, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _native
-
-Path = Union[str, bytes, "os.PathLike[str]"]
+from ._image import Image, Path
 
 
 class Mesh:
@@ -81,12 +79,13 @@ class Mesh:
         return f"<flashbvh.Mesh {self.name!r}, {self.triangle_count} triangles>"
 
 
-class Baked:
+class Baked(Image):
     """A baked mesh: its image, which firmware opens in place. Made by `bake` or `load`. Can be pickled."""
 
     def __init__(self, native: _native.Baked) -> None:
         if not isinstance(native, _native.Baked):
             raise TypeError("a Baked is made by flashbvh.bake() or Baked.load()")
+        super().__init__(native)
         self._native = native
 
     @classmethod
@@ -97,29 +96,10 @@ class Baked:
         """
         return cls(_native.Baked.load(source))
 
-    def save(self, path: Path) -> None:
-        """Writes the image (.fbvh), whole or not at all. Raises Error if that fails."""
-        self._native.save(path)
-
-    @property
-    def image(self) -> bytes:
-        """The image, the bytes of a .fbvh file."""
-        return self._native.image
-
-    @property
-    def name(self) -> str:
-        """Name of the mesh, without folder and extension."""
-        return self._native.name
-
     @property
     def unit(self) -> str:
         """Unit of all lengths; empty if none was given."""
         return self._native.unit
-
-    @property
-    def cell(self) -> float:
-        """Size of a lattice cell, in the unit."""
-        return self._native.cell
 
     @property
     def deviation(self) -> float:

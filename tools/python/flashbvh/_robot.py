@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from ._meshes import Path
+from ._image import Image, Path
 
 ALL_WORK: int = _native.ALL_WORK
 """Work of a period without a limit."""
@@ -54,12 +54,13 @@ class UnguardedPair(NamedTuple):
     reason: str
 
 
-class Robot:
+class Robot(Image):
     """A baked robot: its image, which firmware opens in place. Made by `from_urdf` or `load`."""
 
     def __init__(self, native: _native.Robot) -> None:
         if not isinstance(native, _native.Robot):
             raise TypeError("a Robot is made by Robot.from_urdf() or Robot.load()")
+        super().__init__(native)
         self._native = native
 
     @classmethod
@@ -96,25 +97,6 @@ class Robot:
         Raises Error if it is no image of a robot, damaged, or of another version.
         """
         return cls(_native.Robot.load(source))
-
-    def save(self, path: Path) -> None:
-        """Writes the image (.robot), whole or not at all. Raises Error if that fails."""
-        self._native.save(path)
-
-    @property
-    def image(self) -> bytes:
-        """The image, the bytes of a .robot file."""
-        return self._native.image
-
-    @property
-    def name(self) -> str:
-        """Name of the robot."""
-        return self._native.name
-
-    @property
-    def cell(self) -> float:
-        """Size of a lattice cell, in metres."""
-        return self._native.cell
 
     @property
     def joint_names(self) -> list[str]:
