@@ -21,25 +21,25 @@ const seen = link => {
 };
 
 // A trajectory that begins free and ends in a stop.
-const drive_way = async () => {
-  const { way } = live;
-  claim("the time line has a period a line", way.names.length === 101 && way.verdicts.length === 101);
-  way.play.click();
+const drive_trajectory = async () => {
+  const { trajectory } = live;
+  claim("the time line has a period a line", trajectory.names.length === 101 && trajectory.verdicts.length === 101);
+  trajectory.play.click();
   await wait();
-  claim("it plays", way.period > 0 && way.place.value === `${way.period}`);
-  way.play.click();
-  const { period } = way;
+  claim("it plays", trajectory.period > 0 && trajectory.place.value === `${trajectory.period}`);
+  trajectory.play.click();
+  const { period } = trajectory;
   await wait();
-  claim("and halts", way.period === period);
+  claim("and halts", trajectory.period === period);
   // A period's verdict is of the way to its values, too: that of the last is of these.
-  const stop = way.verdicts.indexOf("3");
-  way.place.value = 100;
-  way.place.dispatchEvent(new Event("input"));
-  claim("a period that stops stops here, too", way.name.textContent.includes("stops on the way") &&
+  const stop = trajectory.verdicts.indexOf("3");
+  trajectory.place.value = 100;
+  trajectory.place.dispatchEvent(new Event("input"));
+  claim("a period that stops stops here, too", trajectory.name.textContent.includes("stops on the way") &&
     live.section.dataset.verdict === "3");
-  claim("before the first it does not", (way.go(stop - 1), live.section.dataset.verdict !== "3"));
+  claim("before the first it does not", (trajectory.go(stop - 1), live.section.dataset.verdict !== "3"));
   key([...document.querySelectorAll("[data-period]")].find(line => line.dataset.period === `${stop}`), "Enter");
-  claim("a line of a table opens its period", way.period === stop);
+  claim("a line of a table opens its period", trajectory.period === stop);
 };
 
 const drive_robot = async () => {
@@ -84,7 +84,7 @@ const drive_robot = async () => {
 addEventListener("load", async () => {
   try {
     await wait();
-    await (live.way ? drive_way() : drive_robot());
+    await (live.trajectory ? drive_trajectory() : drive_robot());
   } catch (error) {
     claims.push(`error: ${error.stack}`);
   }

@@ -3,7 +3,7 @@ import base64
 import sys
 from pathlib import Path
 
-NAMES = ("view.js", "arm.js", "way.js", "live.js", "live.css", "arm.wasm")
+NAMES = ("view.js", "arm.js", "trajectory.js", "live.js", "live.css", "arm.wasm")
 LONGEST = 4000  # of a piece: compilers need not take more
 
 

@@ -2,18 +2,18 @@
 
 const KEYS = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
 
-// What of the page belongs to it. `way`: a Way, or nothing.
+// What of the page belongs to it. `trajectory`: a Trajectory, or nothing.
 class Live {
-  constructor(section, arm, way) {
+  constructor(section, arm, trajectory) {
     this.arm = arm;
-    this.way = way;
+    this.trajectory = trajectory;
     this.section = section;
     this.says = element("p", { className: "says" });
     this.says.setAttribute("role", "status");
     this.canvas = element("canvas", { tabIndex: 0 });
     this.canvas.setAttribute("aria-label", "The robot. Arrow keys turn it, plus and minus come nearer and go away.");
     this.sliders = arm.variables.map((variable, i) => this.#slider(variable, i));
-    const robot = way ? element("div", {}, this.canvas, way.bar) : this.canvas;
+    const robot = trajectory ? element("div", {}, this.canvas, trajectory.bar) : this.canvas;
     section.append(this.says, element("div", { className: "arm" }, robot,
       element("div", { className: "values" }, ...this.sliders.map(slider => slider.row), this.#distances())),
       element("p", { className: "note", textContent: "Drag a link to move its joint, the ground to turn the robot. " +
@@ -23,7 +23,7 @@ class Live {
     this.#frame();
     this.#listen();
     this.update();
-    if (way) way.attach(this);
+    if (trajectory) trajectory.attach(this);
   }
 
   #slider(variable, i) {
@@ -151,7 +151,7 @@ class Live {
     new ResizeObserver(() => this.draw()).observe(canvas);
     matchMedia("(prefers-color-scheme: dark)").onchange = () => this.draw();
     this.#offer("values", text => this.set_all(text.split(" ").map(Number)));
-    if (this.way) this.#offer("period", text => this.way.go(+text));
+    if (this.trajectory) this.#offer("period", text => this.trajectory.go(+text));
   }
 
   #turn(yaw, pitch) {
@@ -220,7 +220,7 @@ const start = async () => {
   const data = JSON.parse(document.getElementById("live-data").textContent);
   section.hidden = false;
   try {
-    window.live = new Live(section, await Arm.from(data), data.names && new Way(data));
+    window.live = new Live(section, await Arm.from(data), data.names && new Trajectory(data));
   } catch (error) {
     section.append(element("p", { className: "note", textContent: `The robot cannot be shown here: ${error.message}.` }));
   }

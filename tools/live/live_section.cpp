@@ -50,11 +50,11 @@ std::string live_section(const std::vector<std::uint32_t>& image, const LivePeri
   if (!has_live_section()) {
     return "";
   }
-  return concat("<style>\n", kLiveCss,
-                "</style>\n<section id=live hidden>\n<h2>The robot</h2>\n</section>\n",
-                "<script type=\"application/json\" id=live-data>{\"image\":\"", base64(image),
-                "\",\"library\":\"", kArmWasm, "\"", periods_of(periods),
-                "}</script>\n<script>\n{\n", kViewJs, kArmJs, kWayJs, kLiveJs, "}\n</script>\n");
+  return concat(
+      "<style>\n", kLiveCss, "</style>\n<section id=live hidden>\n<h2>The robot</h2>\n</section>\n",
+      "<script type=\"application/json\" id=live-data>{\"image\":\"", base64(image),
+      "\",\"library\":\"", kArmWasm, "\"", periods_of(periods), "}</script>\n<script>\n{\n",
+      kViewJs, kArmJs, kTrajectoryJs, kLiveJs, "}\n</script>\n");
 }
 
 }  // namespace flashbvh::tool

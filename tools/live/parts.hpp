@@ -5,7 +5,7 @@ namespace flashbvh::tool {
 
 extern const char* const kViewJs;
 extern const char* const kArmJs;
-extern const char* const kWayJs;
+extern const char* const kTrajectoryJs;
 extern const char* const kLiveJs;
 extern const char* const kLiveCss;
 extern const char* const kArmWasm;  ///< base64

@@ -29,7 +29,7 @@ class RobotFile {
   const RobotImageHeader& header() const { return header_; }
   const std::vector<std::uint32_t>& words() const { return words_; }
   /// header().byte_count of them.
-  const char* bytes() const { return reinterpret_cast<const char*>(words_.data()); }
+  const char* bytes() const { return reinterpret_cast<const char*>(words().data()); }
   double cell() const;       ///< in metres
   std::string name() const;  ///< of the robot
   /// What is known of it without its URDF: names, joints, and what hangs on them, but no meshes.

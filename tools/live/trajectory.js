@@ -1,5 +1,5 @@
 // A trajectory: its verdicts as a time line, which is played.
-class Way {
+class Trajectory {
   constructor({ values, verdicts, names }) {
     this.values = new Float32Array(bytes_of(values).buffer);
     this.verdicts = verdicts;
@@ -9,7 +9,7 @@ class Way {
     this.place.setAttribute("aria-label", "Period");
     this.play = element("button", { textContent: "\u25B6", title: "Play" });
     this.name = element("span", {});
-    this.bar = element("div", { className: "way" }, this.line, this.place, this.play, this.name);
+    this.bar = element("div", { className: "trajectory" }, this.line, this.place, this.play, this.name);
     this.place.oninput = () => this.go(+this.place.value);
     this.play.onclick = () => (this.timer ? this.#halt() : this.#run());
   }
