@@ -42,7 +42,7 @@ def write_meshes(folder):
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     for name, triangles in (
-            ("ring", torus(20, 10)), ("many_sides", torus(50, 40)), ("coarse", torus(8, 5)), ("tetrahedron", tetrahedron()),
+            ("ring", torus(20, 10)), ("many_sides", torus(30, 20)), ("coarse", torus(8, 5)), ("tetrahedron", tetrahedron()),
             ("nan", tetrahedron(nan)), ("infinite", tetrahedron(inf)), ("no_triangles", ())):
         write_stl(folder / f"{name}.stl", triangles)
 
