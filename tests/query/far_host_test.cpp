@@ -129,7 +129,7 @@ Pose any_pose_just_far(Random& random) {
 
 TEST_CASE("far apart the distance is that of exact rationals, from any hint, in any slices") {
   int far = 0;
-  for_rounds(rounds(120, 800), [&](Random& random, int) {
+  for_rounds(rounds(60, 800), [&](Random& random, int) {
     const AnyMesh any_a = any_small_mesh(random);
     const AnyMesh any_b = any_small_mesh(random);
     const Mesh a = any_a.view<Mesh>();
@@ -183,7 +183,7 @@ TEST_CASE("far apart the distance is that of exact rationals, from any hint, in 
 }
 
 TEST_CASE("far apart what is within a distance is what exact rationals say") {
-  for_rounds(rounds(120, 800), [&](Random& random, int round) {
+  for_rounds(rounds(60, 800), [&](Random& random, int round) {
     const bool is_large = round % 3 == 0;
     const AnyMesh any_a = is_large ? any_large_mesh(random) : any_small_mesh(random);
     const AnyMesh any_b = is_large ? any_large_mesh(random) : any_small_mesh(random);

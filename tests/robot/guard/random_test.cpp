@@ -11,7 +11,7 @@ namespace {
 
 long periods() {
   const char* const text = std::getenv("FLASHBVH_PERIODS");
-  return text != nullptr ? std::atol(text) : rounds(3000L, 6000L);
+  return text != nullptr ? std::atol(text) : rounds(1500L, 6000L);
 }
 
 constexpr std::uint32_t kBudgets[] = {1, 17, 60, 300, 2000, UINT32_MAX};

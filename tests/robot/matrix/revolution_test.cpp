@@ -19,7 +19,7 @@ bool is_proven(const Model& model, double cell) {
 }  // namespace
 
 TEST_CASE("a solid of revolution holds its mesh at every angle") {
-  for_rounds(10, [&](Random& random, int round) {
+  for_rounds(rounds(4, 10), [&](Random& random, int round) {
     const double cell = 1e-3;
     Model model = any_arm(random, 1);
     const Transform axis = model.joints[0].fixed;
