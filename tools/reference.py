@@ -52,7 +52,8 @@ def commands(flashbvh):
     for name in names:
         lines = [line.rstrip() for line in text_of(flashbvh, name, "--help").splitlines()]
         lines = [line for line in lines if "--help" not in line]
-        yield f"### flashbvh {name}\n\n```\n" + "\n".join(lines).strip() + "\n```\n"
+        text = "\n".join(lines).strip().replace("\nOptions:\n\n", "\n")  # no option but --help
+        yield f"### flashbvh {name}\n\n```\n{text}\n```\n"
         fields = json_fields(name) if "--json" in "".join(lines) else []
         if fields:
             yield filled("JSON: " + ", ".join(fields)) + "\n"

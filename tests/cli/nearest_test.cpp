@@ -40,5 +40,6 @@ TEST_CASE("the nearest word is named, and none if none is near") {
   }
   CHECK(tool::nearest_word("bake", {}).empty());
   CHECK(tool::nearest_hint("bak", words) == "; the nearest is 'bake'");
+  CHECK(tool::nearest_hint("dry", words, "--") == "; the nearest is '--dry-run'");
   CHECK(tool::nearest_hint("cook", words).empty());
 }

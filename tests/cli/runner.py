@@ -46,6 +46,7 @@ from pathlib import Path
 
 import bakes
 import checks
+import commands
 import meshes
 import pages
 import queries
@@ -53,7 +54,7 @@ from checks import THOROUGH, Failed, flashbvh, hold
 
 HERE = Path(__file__).resolve().parent
 WORK = Path(os.environ["WORK"]).resolve()
-MODULES = {module.__name__: module for module in (bakes, meshes, pages, queries, zipfile)}
+MODULES = {module.__name__: module for module in (bakes, commands, meshes, pages, queries, zipfile)}
 TAKES_BLOCK = re.compile(r"(file|each|for) (?!.*: )|refuse .*\.\.\.|(no )?\S+[:~]$")
 
 

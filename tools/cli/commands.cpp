@@ -1,13 +1,34 @@
 #include "cli/commands.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 
 #include "flashbvh/image.hpp"
 #include "text/messages.hpp"
+#include "text/nearest.hpp"
 
 namespace flashbvh::tool {
+
+void add_example(CLI::App& command, const std::string& line, const std::string& what) {
+  command.footer(concat("Example:\n  flashbvh ", line, "  # ", what));
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+std::string unknown_command(const CLI::App& app, const std::string& name) {
+  const std::vector<std::string> names = command_names(app);
+  return std::find(names.begin(), names.end(), name) != names.end()
+             ? ""
+             : concat("there is no command '", name, "'", nearest_hint(name, names));
+}
 
 void refuse_to_replace_inputs(const std::string& output, const std::vector<std::string>& inputs) {
   std::error_code error;
@@ -36,8 +57,9 @@ void check_output(const std::string& output, const std::vector<std::string>& inp
 }
 
 CLI::Option* add_posed_images(CLI::App& command, PosedImages& to) {
-  command.add_option("A", to.a, "Image (.fbvh) that stays in place")->required();
-  command.add_option("B", to.b, "Image (.fbvh) that the poses rotate and translate")->required();
+  add_option(command, "A", to.a, "FILE.fbvh", "Image (.fbvh) that stays in place")->required();
+  add_option(command, "B", to.b, "FILE.fbvh", "Image (.fbvh) that the poses rotate and translate")
+      ->required();
   return add_option(
       command, "--poses", to.poses, "FILE",
       "A pose a line, B into A's frame: the rotation row by row, then the translation "

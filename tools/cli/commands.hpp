@@ -29,6 +29,15 @@ CLI::Option* add_posed_images(CLI::App& command, PosedImages& to);
 /// Declares --float.
 void add_float_flag(CLI::App& command, PosedImages& to);
 
+/// Ends the command's help. `line`: what follows `flashbvh` in a command line that works; `what` it
+/// prints or makes, in a few words.
+void add_example(CLI::App& command, const std::string& line, const std::string& what);
+
+std::vector<std::string> command_names(const CLI::App& app);
+
+/// "there is no command 'bak'; the nearest is 'bake'"; empty if there is.
+std::string unknown_command(const CLI::App& app, const std::string& name);
+
 /// `type`: the value's name in the help, as "FILE".
 template <class Value>
 CLI::Option* add_option(CLI::App& command, const char* name, Value& to, const char* type,
@@ -50,8 +59,9 @@ inline CLI::Option* repeated(CLI::Option* option) {
 
 /// Declares IMAGE; `to`: a path, or several.
 template <class Paths>
-void add_image(CLI::App& command, Paths& to, const char* what = "Image (.fbvh)") {
-  command.add_option("IMAGE", to, what)->required();
+void add_image(CLI::App& command, Paths& to, const char* type = "FILE.fbvh",
+               const char* what = "Image (.fbvh)") {
+  add_option(command, "IMAGE", to, type, what)->required();
 }
 
 inline void add_json(CLI::App& command, bool& to, const char* what) {
@@ -80,6 +90,9 @@ void add_bench(CLI::App& app, ExitCode& exit_code);
 void add_robot(CLI::App& app);
 void add_guard(CLI::App& app, ExitCode& exit_code);
 void add_audit(CLI::App& app, ExitCode& exit_code);
+void add_completion(CLI::App& app);
+/// Last: the other commands are what it knows.
+void add_help(CLI::App& app);
 
 /// Declares a command that calls run(arguments); its options go to the arguments.
 template <class Arguments, class Run>

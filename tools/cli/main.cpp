@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "flashbvh/version.hpp"
 #include "text/messages.hpp"
+#include "text/nearest.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -23,23 +24,37 @@ int fail(const std::string& message) {
   return kBadInput;
 }
 
-bool is_command(CLI::App& app, const std::string& name) {
-  const auto commands = app.get_subcommands([](CLI::App*) { return true; });
-  return std::any_of(commands.begin(), commands.end(),
-                     [&](const CLI::App* command) { return command->get_name() == name; });
+/// "there is no option '--formt'; the nearest is '--format'", of the first argument of a command
+/// that is none of its options; empty if there is no such argument.
+std::string unknown_option(const CLI::App& command) {
+  const auto rest = command.remaining();
+  const auto first = std::find_if(rest.begin(), rest.end(),
+                                  [](const std::string& argument) { return argument[0] == '-'; });
+  if (first == rest.end() || *first == "--") {  // positional arguments follow
+    return "";
+  }
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
+  }
+  const std::string given = first->substr(0, first->find('='));
+  const std::string name = given.substr(std::min(given.find_first_not_of('-'), given.size()));
+  return "there is no option '" + given + "'" + nearest_hint(name, names, "--");
 }
 
 /// What is wrong with a command line, and where the help is.
 int fail(const CLI::ParseError& error, const CLI::App& app) {
   const auto given = app.get_subcommands();
   const std::string command = given.empty() ? "flashbvh" : "flashbvh " + given[0]->get_name();
-  return fail(std::string(error.what()) + "; see " + command + " --help");
+  const std::string unknown = unknown_option(given.empty() ? app : *given[0]);
+  return fail((unknown.empty() ? error.what() : unknown) + "; see " + command + " --help");
 }
 
 int run(int argc, char** argv) {
   CLI::App app("Bounding volume trees for microcontrollers: bakes meshes, looks at what it baked.",
                "flashbvh");
   ExitCode exit_code = kSuccess;
+  app.require_subcommand(0, 1);  // after a command, another one's name is an argument
   app.set_version_flag("--version", kVersion);
   add_bake(app);
   add_info(app);
@@ -54,11 +69,17 @@ int run(int argc, char** argv) {
   add_robot(app);
   add_guard(app, exit_code);
   add_audit(app, exit_code);
+  add_completion(app);
+  add_help(app);
+  add_example(app, "help bake", "prints the options of bake, and an example");
   if (argc < 2) {
     return fail("a command is missing; see flashbvh --help");
   }
-  if (argv[1][0] != '-' && !is_command(app, argv[1])) {
-    return fail("there is no command '" + std::string(argv[1]) + "'; see flashbvh --help");
+  if (argv[1][0] != '-') {
+    const std::string wrong = unknown_command(app, argv[1]);
+    if (!wrong.empty()) {
+      return fail(wrong + "; see flashbvh --help");
+    }
   }
   try {
     app.parse(argc, argv);

@@ -37,9 +37,10 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   return nearest;
 }
 
-std::string nearest_hint(std::string_view word, const std::vector<std::string>& words) {
+std::string nearest_hint(std::string_view word, const std::vector<std::string>& words,
+                         const char* before) {
   const std::string nearest = nearest_word(word, words);
-  return nearest.empty() ? "" : concat("; the nearest is '", nearest, "'");
+  return nearest.empty() ? "" : concat("; the nearest is '", before, nearest, "'");
 }
 
 }  // namespace flashbvh::tool

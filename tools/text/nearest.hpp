@@ -15,7 +15,8 @@ std::size_t edits_between(std::string_view a, std::string_view b);
 /// more edits than a third of the letters, rounded up, or as many as there are.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words);
 
-/// "; the nearest is 'bake'", or nothing if none is near.
-std::string nearest_hint(std::string_view word, const std::vector<std::string>& words);
+/// "; the nearest is '--bake'", with "--" before the words; or nothing if none is near.
+std::string nearest_hint(std::string_view word, const std::vector<std::string>& words,
+                         const char* before = "");
 
 }  // namespace flashbvh::tool

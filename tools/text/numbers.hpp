@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace flashbvh::tool {
 
@@ -33,6 +34,11 @@ std::string joined(const Elements& elements, const TextOf& text_of, const char* 
     between = separator;
   }
   return text;
+}
+
+inline std::string joined(const std::vector<std::string>& words, const char* separator = ", ") {
+  return joined(
+      words, [](const std::string& word) { return word; }, separator);
 }
 
 /// The shortest text that reads back as the same number.

@@ -262,6 +262,8 @@ void add_bake(CLI::App& app) {
       "bake", concat("Bake meshes (", kMeshFormats,
                      ")\ninto images: arrays of C and C++, and binary files.\n"
                      "Meshes that are queried together share a cell: bake them in one call."));
+  add_example(*command, "bake plate.obj peg.obj --unit mm -o baked",
+              "writes baked/plate.fbvh, its C and C++, and peg's");
   add_bake_options(*command, bake_all);
 }
 

@@ -177,7 +177,7 @@ void add_unit_option(CLI::App& command, std::vector<std::string>& given) {
 void add_bake_options(CLI::App& command, const std::function<void(const BakeOrder&)>& run) {
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
-  command.add_option("MESH", a.order.meshes, "Mesh files")->required();
+  add_option(command, "MESH", a.order.meshes, "FILE", "Mesh files")->required();
   add_option(command, "-o,--output", a.order.folder, "DIR",
              "Folder for the results; made if there is none");
   command.add_flag(

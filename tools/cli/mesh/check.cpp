@@ -309,11 +309,13 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       "Prove that an image of a mesh or a robot is well-formed and, with --mesh, that it is this "
       "mesh.\nPrints what it holds; exits with 1 if it is another mesh.",
       exit_code, check);
-  add_image(command, a.image, "Image (.fbvh, .robot)");
-  command.add_option("--mesh", a.mesh, "The mesh file that it was baked from");
+  add_image(command, a.image, "FILE", "Image (.fbvh, .robot)");
+  add_option(command, "--mesh", a.mesh, "FILE", "The mesh file that it was baked from");
   command.add_option("--body", a.body, "The body of that file alone, as `bake --split` names it");
   add_unit_option(command, a.units);
   add_json(command, a.json, "Print one JSON object, of an image that is not well-formed, too");
+  add_example(command, "check baked/plate.fbvh --mesh plate.obj",
+              "prints whether the image is plate.obj");
 }
 
 }  // namespace flashbvh::tool

@@ -78,6 +78,8 @@ void add_export(CLI::App& app) {
   command.add_flag("--float", a.floats,
                    "Take the pose's numbers as 32-bit floats, as firmware's pose_of() does");
   command.add_flag("--cells", a.cells, "Integer coordinates, in cells");
+  add_example(command, "export baked/plate.fbvh -o lattice.obj",
+              "writes the mesh that firmware queries");
 }
 
 }  // namespace flashbvh::tool

@@ -141,8 +141,9 @@ void add_info(CLI::App& app) {
   auto [command, a] = add_command<InfoArguments>(
       app, "info",
       "Print what is in an image of a mesh or a robot,\nor what baking a mesh would take.", info);
-  add_image(command, a.image, "Image (.fbvh, .robot) or mesh");
+  add_image(command, a.image, "FILE", "Image (.fbvh, .robot) or mesh");
   add_json(command, a.json, "As one JSON object");
+  add_example(command, "info baked/plate.fbvh", "prints triangles, nodes, box and bytes");
 }
 
 }  // namespace flashbvh::tool

@@ -62,10 +62,8 @@ void add_budget(CLI::App& command, ReportArguments& arguments) {
     names.emplace_back(core.name);
   }
   Budget& budget = arguments.options.budget;
-  command
-      .add_option("--core", arguments.core,
-                  "Core whose proven instructions are taken; refusing a name prints all cores")
-      ->transform(CLI::IsMember(names, CLI::ignore_case).description("CORE"))
+  command.add_option("--core", arguments.core, "Core whose proven instructions are taken")
+      ->transform(CLI::IsMember(names, CLI::ignore_case))
       ->capture_default_str();
   command.add_option("--hz", budget.hz, "Periods a second")
       ->check(refuse_rate, "NUMBER")
@@ -84,7 +82,7 @@ void add_report(CLI::App& app) {
       "queries about them cost, and how they look.",
       write_page);
   ReportOptions& options = a.options;
-  add_image(command, a.images, "Images (.fbvh)");
+  add_image(command, a.images, "FILE.fbvh", "Images (.fbvh)");
   add_option(command, "-o,--output", a.page, "PAGE.html", "Page to write")->required();
   CLI::Option* const poses =
       add_option(command, "--poses", options.poses, "FILE",
@@ -98,6 +96,8 @@ void add_report(CLI::App& app) {
       ->capture_default_str()
       ->excludes(poses);
   add_budget(command, a);
+  add_example(command, "report baked/plate.fbvh baked/peg.fbvh --poses poses.txt -o fit.html",
+              "writes the page fit.html");
 }
 
 }  // namespace flashbvh::tool

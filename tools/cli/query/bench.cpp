@@ -79,6 +79,8 @@ void add_bench(CLI::App& app, ExitCode& exit_code) {
   add_option(*command, "--rounds", a.effort.rounds, "N", "Samples; default 10, the paper: 100")
       ->check(CLI::Range(1u, 1000000u));
   add_firmware(*command, a.firmware);
+  add_example(*command, "bench --table 2 --rounds 1",
+              "prints the times of table 2, each taken once");
   command->callback([arguments, &exit_code] {
     check(arguments->effort);
     if (!arguments->firmware.folder.empty()) {

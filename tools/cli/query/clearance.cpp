@@ -159,7 +159,7 @@ void add_clearance(CLI::App& app) {
                  "Print whether any points are at most this far apart, in the images' unit, "
                  "and of which triangles");
   CLI::Option* const pairs =
-      add_option(command, "--pairs", a.pairs, "OUT",
+      add_option(command, "--pairs", a.pairs, "FILE",
                  "Write `pose a b` for each pair of triangles within that distance, sorted");
   pairs->needs(within);
   command
@@ -168,6 +168,8 @@ void add_clearance(CLI::App& app) {
       ->excludes(within);
   add_float_flag(command, a);
   add_json(command, a.json, "One JSON object a pose");
+  add_example(command, "clearance baked/plate.fbvh baked/peg.fbvh --poses poses.txt",
+              "prints a distance for each pose");
 }
 
 }  // namespace flashbvh::tool

@@ -340,9 +340,9 @@ void add_collide(CLI::App& app) {
   CLI::Option* const first =
       command.add_flag("--first", a.first, "Stop at the first pair of triangles");
   CLI::Option* const pairs =
-      add_option(command, "--pairs", a.pairs, "OUT", "Write `pose a b` for each pair, sorted");
+      add_option(command, "--pairs", a.pairs, "FILE", "Write `pose a b` for each pair, sorted");
   CLI::Option* const contacts =
-      add_option(command, "--contacts", a.contacts, "OUT",
+      add_option(command, "--contacts", a.contacts, "FILE",
                  "Write `pose a b x y z x y z` for each pair, sorted: both ends of the part that "
                  "the triangles\nhave in common, in the images' unit, in A's frame");
   add_float_flag(command, a);
@@ -357,6 +357,8 @@ void add_collide(CLI::App& app) {
       .add_flag("--bound", a.bound,
                 "Print the work that no pose exceeds, instead, and what the given poses needed")
       ->excludes(first, pairs, contacts, summary);
+  add_example(command, "collide baked/plate.fbvh baked/peg.fbvh --poses poses.txt",
+              "prints a verdict and the work of each pose");
 }
 
 }  // namespace flashbvh::tool

@@ -72,6 +72,8 @@ void add_inside(CLI::App& app) {
              "numbers")
       ->required();
   add_json(command, a.json, "One JSON object a point");
+  add_example(command, "inside baked/plate.fbvh --points points.txt",
+              "prints inside, outside or surface for each point");
 }
 
 }  // namespace flashbvh::tool

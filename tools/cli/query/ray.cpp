@@ -151,6 +151,7 @@ void add_ray(CLI::App& app) {
       ->required();
   command.add_flag("--all", a.all, "All hits of each ray, nearest first");
   add_json(command, a.json, "One JSON object a ray");
+  add_example(command, "ray baked/plate.fbvh --rays rays.txt", "prints the first hit of each ray");
 }
 
 }  // namespace flashbvh::tool

@@ -148,13 +148,14 @@ void add_audit(CLI::App& app, ExitCode& exit_code) {
       "Exit code 0: no line is refuted; 1: in some two links can collide.",
       exit_code, audit_srdf);
   add_described_options(command, "ROBOT", a);
-  command.add_option("SRDF", a.srdf, "The SRDF of the robot")->required();
+  add_option(command, "SRDF", a.srdf, "FILE.srdf", "The SRDF of the robot")->required();
   add_time(command, a, "What is not decided by then is undecided");
   add_option(command, "--write", a.fixed, "FIXED.srdf",
              "Write the SRDF without refuted lines and with the missing ones; all else is kept");
   add_option(command, "--report", a.page, "PAGE.html", "Write a page: the table");
   add_json(command, a.json, "One JSON object");
   add_progress(command, a.progress);
+  add_example(command, "audit arm.urdf arm.srdf", "prints a verdict for each disabled pair");
 }
 
 }  // namespace flashbvh::tool

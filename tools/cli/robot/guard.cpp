@@ -346,10 +346,10 @@ void add_timing_options(CLI::App& command, GuardArguments& a) {
   constexpr double kLeast = 1e-3;
   constexpr double kMost = 1e5;
   const CLI::Range positive(kLeast, kMost);
-  add_option(command, "--core", a.core, "CORE",
+  add_option(command, "--core", a.core,
+             concat("CORE:{", joined(measured_cores(), ","), "}").c_str(),
              "Estimate the instructions of each period, and find the least --work that keeps\n"
-             "not_yet_known below 0.1 % of periods. Cores: " +
-                 joined(measured_cores(), [](const std::string& core) { return core; }));
+             "not_yet_known below 0.1 % of periods");
   add_option(command, "--mhz", a.megahertz, "MHZ",
              "Clock of the core: print parts of a period and the work it has time for, too")
       ->check(positive)
@@ -377,10 +377,9 @@ void add_guard(CLI::App& app, ExitCode& exit_code) {
       "budget was too small, or a motion is not free; 3: firmware refuses some values.");
   add_robot_options(*command, "ROBOT", a);
   command->get_option("ROBOT")->description("The robot (URDF, MJCF or SDF), or its image (.robot)");
-  command
-      ->add_option("TRAJECTORY", a.trajectory,
-                   "A CSV: a line with the joints' names, then one a period with their values, in "
-                   "radians\nand metres")
+  add_option(*command, "TRAJECTORY", a.trajectory, "FILE.csv",
+             "A CSV: a line with the joints' names, then one a period with their values, in "
+             "radians\nand metres")
       ->required();
   add_option(*command, "--work", a.work, "N",
              "What the guard may spend in a period; default: what it takes")
@@ -391,6 +390,8 @@ void add_guard(CLI::App& app, ExitCode& exit_code) {
   add_option(*command, "--report", a.page, "PAGE.html",
              "Write a page: the robot on its way, distances and work over time, motions");
   add_json(*command, a.json, "One JSON object a line");
+  add_example(*command, "guard arm.urdf motion.csv --stop 0.005 --warn 0.03",
+              "prints how many periods are free, warned, stopped");
   command->callback([=, &exit_code] { exit_code = guard_trajectory(*arguments, *command); });
 }
 

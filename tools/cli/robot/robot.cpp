@@ -184,6 +184,8 @@ void add_robot(CLI::App& app) {
       command, "--report", a.page, "PAGE.html",
       "Write a page: a robot that answers, what can collide and how rare that is; flash and RAM");
   add_json(command, a.json, "One JSON object");
+  add_example(command, "robot arm.urdf --stop 0.005 --warn 0.03 --write-srdf arm.srdf -o baked",
+              "writes C and arm.srdf");
 }
 
 }  // namespace flashbvh::tool

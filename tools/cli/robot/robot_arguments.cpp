@@ -184,7 +184,8 @@ Distances distances_of(const AllDistances& distances, const PairVerdict& pair) {
 }
 
 void add_described_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {
-  command.add_option(name, arguments.urdf, "The robot (URDF, MJCF or SDF)")->required();
+  add_option(command, name.c_str(), arguments.urdf, "FILE", "The robot (URDF, MJCF or SDF)")
+      ->required();
   repeated(
       add_option(command, "--package", arguments.packages, "NAME=DIR",
                  "Folder of the package NAME, for meshes at package://NAME/...; may be repeated. "

@@ -74,7 +74,7 @@ std::string measured_name(const std::string& core) {
     }
   }
   throw UserError("--core", "no guard was measured on ", tool::quoted(core), "; take one of ",
-                  joined(measured_cores(), [](const std::string& name) { return name; }));
+                  joined(measured_cores()));
 }
 
 PeriodCosts costs_on(const std::string& core, const Robot& robot) {
