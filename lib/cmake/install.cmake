@@ -1,5 +1,5 @@
 # cmake --install: headers, the libraries' sources, the CMake package; of a native build also the
-# libraries and, if it was built, the program.
+# libraries and, if it was built, the program, with what shells complete.
 #
 # The sources are there because firmware needs the libraries with its own compiler and flags: where the
 # package is used in a cross build it compiles them.
@@ -23,6 +23,17 @@ if(TARGET flashbvh_tool)
   install(TARGETS flashbvh_read_mjcf flashbvh_read_sdf
     RUNTIME DESTINATION libexec/flashbvh)
   install(EXPORT flashbvhToolTargets NAMESPACE flashbvh:: DESTINATION ${package_folder})
+  # What shells complete, as the program prints it.
+  set(scripts ${PROJECT_BINARY_DIR}/completion)
+  foreach(script bash-completion/completions/flashbvh zsh/site-functions/_flashbvh
+      fish/vendor_completions.d/flashbvh.fish)
+    string(REGEX MATCH "^[a-z]+" shell ${script})
+    get_filename_component(folder ${scripts}/${script} DIRECTORY)
+    file(MAKE_DIRECTORY ${folder})
+    install(CODE "execute_process(COMMAND \"$<TARGET_FILE:flashbvh_tool>\" completion ${shell}
+      OUTPUT_FILE \"${scripts}/${script}\" COMMAND_ERROR_IS_FATAL ANY)")
+  endforeach()
+  install(DIRECTORY ${scripts}/ DESTINATION ${CMAKE_INSTALL_DATADIR})
 endif()
 
 foreach(library flashbvh flashbvh_robot_lib)

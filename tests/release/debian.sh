@@ -8,6 +8,10 @@ for package in libflashbvh-dev flashbvh; do
 done
 quietly dpkg-source -x "$PACKAGES"/debian/*.dsc tree
 [ ! -e root/usr/lib/debug ] && [ -s root/usr/share/man/man1/flashbvh.1.gz ] || fail "other files"
+for script in bash-completion/completions/flashbvh zsh/vendor-completions/_flashbvh \
+  fish/vendor_completions.d/flashbvh.fish; do
+  [ -s "root/usr/share/$script" ] || fail "no completion: $script"
+done
 cd tree
 FLASHBVH_PREFIX=$WORK/root/usr quietly debian/tests/consumer
 
