@@ -41,7 +41,7 @@ board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eab
 riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf libstdc++-arm-none-eabi-dev
   qemu-system-misc"
 # What pages of robots are compiled with, for WebAssembly.
-live_packages="clang lld wasi-libc libclang-rt-14-dev-wasm32"
+live_packages="binaryen clang lld wasi-libc libclang-rt-14-dev-wasm32"
 wasm_packages="$live_packages llvm libc++-14-dev-wasm32 nodejs"
 xtensa_packages="gcc-xtensa-lx106 picolibc-xtensa-lx106-elf libstdc++-arm-none-eabi-dev qemu-system-misc"
 # What builds and checks a release's packages.
