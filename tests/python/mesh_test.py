@@ -93,6 +93,13 @@ class QueryTest(Scene):
             pairs = flashbvh.pairs(self.a, self.b, pose)
             self.assertEqual(sorted(map(tuple, pairs)), list(map(tuple, expected[expected[:, 0] == i, 1:])))
 
+    def test_the_first_pair_is_one_of_all(self):
+        found = flashbvh.first_pair(self.a, self.b, self.poses)
+        np.testing.assert_array_equal(found[:, 0] >= 0, flashbvh.intersects(self.a, self.b, self.poses))
+        for pose, pair in zip(self.poses, found):
+            self.assertIn(tuple(pair), [*map(tuple, flashbvh.pairs(self.a, self.b, pose)), (-1, -1)])
+        np.testing.assert_array_equal(flashbvh.first_pair(self.a, self.b, self.poses[0]), found[0])
+
     def test_distance_as_the_program(self):
         for is_motion, options in ((False, ["--cold"]), (True, [])):
             found = flashbvh.distance(self.a, self.b, self.poses, is_motion=is_motion)

@@ -242,6 +242,22 @@ py::array_t<std::int64_t> pairs_at(const Baked& a, const Baked& b, const py::obj
   return pairs;
 }
 
+py::array_t<std::int64_t> first_pair_all(const Baked& a, const Baked& b, const py::object& given) {
+  const Poses poses(given);
+  py::array_t<std::int64_t> pairs(with(poses.shape(), 2));
+  std::int64_t* const to = pairs.mutable_data();
+  for_each_pose(a, b, poses,
+                [&](const auto& mesh_a, const auto& mesh_b, const Pose& pose, std::size_t i) {
+                  using Index = typename std::decay_t<decltype(mesh_a)>::Index;
+                  TrianglePair<Index> pair{};
+                  const flashbvh::Answer answer = flashbvh::first_pair(mesh_a, mesh_b, pose, pair);
+                  check_done(answer.status, "poses", i);
+                  to[2 * i] = answer.yes ? std::int64_t{pair.a} : -1;
+                  to[2 * i + 1] = answer.yes ? std::int64_t{pair.b} : -1;
+                });
+  return pairs;
+}
+
 void get_floats(const double* from, float (&to)[3]) {
   for (std::size_t i = 0; i < 3; ++i) {
     to[i] = static_cast<float>(from[i]);
@@ -354,6 +370,7 @@ void add_mesh_queries(py::module_& module) {
   module.def("solids_intersect", solids_intersect_all);
   module.def("closer_than", closer_than_all);
   module.def("distance", distance_all);
+  module.def("first_pair", first_pair_all);
   module.def("pairs", pairs_at);
   module.def("nearest_hit", hits_of);
   module.def("inside", inside_all);

@@ -9,7 +9,7 @@ or dtype, or with a number that is not finite, are a ValueError that names the a
 """
 from ._meshes import Baked, Mesh, bake
 from ._native import BakeWarning, Error
-from ._queries import (Distances, Hits, closer_than, distance, inside, intersects, nearest_hit, pairs,
+from ._queries import (Distances, Hits, closer_than, distance, first_pair, inside, intersects, nearest_hit, pairs,
                        solids_intersect)
 from ._robot import (ALL_WORK, Checked, Guard, GuardAnswer, GuardedPair, MatrixRow, Motion, MotionAnswer, Robot,
                      UnguardedPair, Verdict)
@@ -18,5 +18,5 @@ from .collision import CollisionManager
 __all__ = [
     "ALL_WORK", "BakeWarning", "Baked", "Checked", "CollisionManager", "Distances", "Error", "Guard", "GuardAnswer",
     "GuardedPair", "Hits", "MatrixRow", "Mesh", "Motion", "MotionAnswer", "Robot", "UnguardedPair", "Verdict", "bake",
-    "closer_than", "distance", "inside", "intersects", "nearest_hit", "pairs", "solids_intersect",
+    "closer_than", "distance", "first_pair", "inside", "intersects", "nearest_hit", "pairs", "solids_intersect",
 ]

@@ -72,6 +72,14 @@ def distance(a: Baked, b: Baked, poses: npt.ArrayLike, *, is_motion: bool = Fals
     return Distances(*_native.distance(a._native, b._native, poses, is_motion))
 
 
+def first_pair(a: Baked, b: Baked, poses: npt.ArrayLike) -> npt.NDArray[np.int64]:
+    """A pair of triangles that intersect, whichever is found first: (..., 2), ids of A's and B's; -1 if there is none.
+
+    poses and errors: as `intersects`.
+    """
+    return _native.first_pair(a._native, b._native, poses)
+
+
 def pairs(a: Baked, b: Baked, pose: npt.ArrayLike) -> npt.NDArray[np.int64]:
     """All pairs of triangles that intersect: (k, 2), ids of A's and B's, in the query's order.
 
