@@ -1,0 +1,230 @@
+// The C interface in batches, for index.js: one call for many poses, rays, points or periods. A
+// call returns how many it answered: `count`, or the number of the first in error, whose status is
+// last_status().
+#include "flashbvh/clearance.h"
+#include "flashbvh/ray.h"
+#include "flashbvh/robot.h"
+#include "flashbvh/solid.h"
+
+#define EXPORT extern "C" __attribute__((visibility("default"), used))
+
+namespace batches {
+namespace {
+
+flashbvh_status last;
+
+/// Calls query(i) until one is in error.
+template <class Query>
+uint32_t for_each(uint32_t count, const Query& query) {
+  last = FLASHBVH_STATUS_DONE;
+  for (uint32_t i = 0; i < count; ++i) {
+    last = query(i);
+    if (last != FLASHBVH_STATUS_DONE) {
+      return i;
+    }
+  }
+  return count;
+}
+
+/// In 1/256 cell: all of a point's range is exact.
+void put(const flashbvh_fine_point& point, double* to) {
+  to[0] = static_cast<double>(point.x);
+  to[1] = static_cast<double>(point.y);
+  to[2] = static_cast<double>(point.z);
+}
+
+uint32_t joints_between(const flashbvh_robot& robot) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < robot.pair_count; ++i) {
+    count += robot.pairs[i].joints_a + robot.pairs[i].joints_b;
+  }
+  return count;
+}
+
+/// The first joint that a value moves by itself.
+uint8_t joint_of(const flashbvh_robot& robot, uint32_t variable) {
+  uint8_t joint = 0;
+  while (robot.joints[joint].variable != variable || robot.joints[joint].shift != 0 ||
+         robot.joints[joint].type == flashbvh::JointType{FLASHBVH_JOINT_FIXED}) {
+    ++joint;
+  }
+  return joint;
+}
+
+}  // namespace
+
+EXPORT flashbvh_status last_status() {
+  return last;
+}
+
+/// Bytes of a mesh, a pose, a robot and a guard.
+EXPORT const uint32_t* sizes() {
+  static const uint32_t bytes[] = {sizeof(flashbvh_mesh), sizeof(flashbvh_pose),
+                                   sizeof(flashbvh_robot), sizeof(flashbvh_guard)};
+  return bytes;
+}
+
+/// In the unit.
+EXPORT double cell(const flashbvh_mesh* mesh) {
+  const uint64_t bits = flashbvh_mesh_cell(mesh);
+  double length = 0;
+  __builtin_memcpy(&length, &bits, sizeof length);
+  return length;
+}
+
+/// Three rows of four numbers each: of a rotation, and of a translation in the unit.
+EXPORT uint32_t poses_of_matrices(const flashbvh_mesh* mesh, uint32_t count, const float* numbers,
+                                  flashbvh_pose* poses) {
+  const float cells = flashbvh_mesh_cells_per_unit(mesh);
+  return for_each(count, [&](uint32_t i) {
+    const float* const row = numbers + 12 * i;
+    const float rotation[] = {row[0], row[1], row[2], row[4], row[5],
+                              row[6], row[8], row[9], row[10]};
+    const float translation[] = {row[3], row[7], row[11]};
+    return flashbvh_pose_of_matrix(rotation, translation, cells, poses + i);
+  });
+}
+
+/// Seven numbers each: w, x, y, z, then a translation in the unit.
+EXPORT uint32_t poses_of_quaternions(const flashbvh_mesh* mesh, uint32_t count,
+                                     const float* numbers, flashbvh_pose* poses) {
+  const float cells = flashbvh_mesh_cells_per_unit(mesh);
+  return for_each(count, [&](uint32_t i) {
+    return flashbvh_pose_of_quaternion(numbers + 7 * i, numbers + 7 * i + 4, cells, poses + i);
+  });
+}
+
+EXPORT uint32_t intersects(const flashbvh_mesh* a, const flashbvh_mesh* b,
+                           const flashbvh_pose* poses, uint32_t count, bool* yes) {
+  return for_each(count, [&](uint32_t i) { return flashbvh_intersects(a, b, poses + i, yes + i); });
+}
+
+EXPORT uint32_t solids_intersect(const flashbvh_mesh* a, const flashbvh_mesh* b,
+                                 const flashbvh_pose* poses, uint32_t count, bool* yes) {
+  return for_each(count,
+                  [&](uint32_t i) { return flashbvh_solids_intersect(a, b, poses + i, yes + i); });
+}
+
+/// `distance` in 1/256 cell.
+EXPORT uint32_t closer_than(const flashbvh_mesh* a, const flashbvh_mesh* b,
+                            const flashbvh_pose* poses, uint32_t count, uint32_t distance,
+                            bool* yes) {
+  return for_each(
+      count, [&](uint32_t i) { return flashbvh_closer_than(a, b, poses + i, distance, yes + i); });
+}
+
+EXPORT uint32_t first_pairs(const flashbvh_mesh* a, const flashbvh_mesh* b,
+                            const flashbvh_pose* poses, uint32_t count, bool* yes,
+                            flashbvh_pair* triangles) {
+  return for_each(count, [&](uint32_t i) {
+    triangles[i] = {0, 0};
+    return flashbvh_first_pair(a, b, poses + i, yes + i, triangles + i);
+  });
+}
+
+/// `is_motion`: the nearest pair of a pose is the hint of the next one.
+EXPORT uint32_t distances(const flashbvh_mesh* a, const flashbvh_mesh* b,
+                          const flashbvh_pose* poses, uint32_t count, bool is_motion,
+                          uint32_t* lower, uint32_t* upper, double* points_a, double* points_b,
+                          flashbvh_pair* triangles, bool* in_range) {
+  flashbvh_witness hint = FLASHBVH_NO_WITNESS;
+  return for_each(count, [&](uint32_t i) {
+    flashbvh_clearance found;
+    const flashbvh_status status = flashbvh_distance(a, b, poses + i, &hint, &found);
+    lower[i] = found.lower;
+    upper[i] = found.upper;
+    put(found.point_a, points_a + 3 * i);
+    put(found.point_b, points_b + 3 * i);
+    triangles[i] = found.triangles;
+    in_range[i] = found.in_range;
+    if (is_motion && found.in_range) {
+      hint = found.witness;
+    }
+    return status;
+  });
+}
+
+/// Seven numbers each, in the unit: an origin, a direction, how far the ray reaches.
+EXPORT uint32_t nearest_hits(const flashbvh_mesh* mesh, uint32_t count, const float* rays,
+                             bool* yes, uint16_t* triangles, int8_t* sides, uint32_t* distances,
+                             double* points) {
+  const float cells = flashbvh_mesh_cells_per_unit(mesh);
+  return for_each(count, [&](uint32_t i) {
+    const float* const ray = rays + 7 * i;
+    flashbvh_segment segment;
+    flashbvh_hit hit{};
+    flashbvh_status status = flashbvh_segment_of(ray, ray + 3, ray[6], cells, &segment);
+    if (status == FLASHBVH_STATUS_DONE) {
+      status = flashbvh_nearest_hit(mesh, &segment, FLASHBVH_NO_HINT, yes + i, &hit);
+    }
+    if (status == FLASHBVH_STATUS_DONE && yes[i]) {
+      flashbvh_fine_point point;
+      flashbvh_point_along(&segment, &hit, &point);
+      put(point, points + 3 * i);
+      triangles[i] = hit.triangle;
+      sides[i] = hit.side;
+      distances[i] = flashbvh_distance_along(&segment, &hit);
+    }
+    return status;
+  });
+}
+
+/// Points in cells.
+EXPORT uint32_t inside(const flashbvh_mesh* mesh, uint32_t count, const flashbvh_point* points,
+                       uint8_t* sides) {
+  return for_each(count, [&](uint32_t i) {
+    flashbvh_point_side side = FLASHBVH_POINT_INSIDE;
+    const flashbvh_status status = flashbvh_inside(mesh, points + i, &side);
+    sides[i] = static_cast<uint8_t>(side);
+    return status;
+  });
+}
+
+/// Values, links, pairs and bytes of a guard's state.
+EXPORT const uint32_t* counts(const flashbvh_robot* robot) {
+  static uint32_t found[4];
+  found[0] = robot->variable_count;
+  found[1] = robot->link_count;
+  found[2] = robot->pair_count;
+  found[3] =
+      FLASHBVH_GUARD_STATE_SIZE(robot->joint_count, robot->pair_count, joints_between(*robot));
+  return found;
+}
+
+EXPORT const char* variable_name(const void* image, const flashbvh_robot* robot,
+                                 uint32_t variable) {
+  return flashbvh_joint_name(image, joint_of(*robot, variable));
+}
+
+/// Two links a pair.
+EXPORT void links_of_pairs(const flashbvh_robot* robot, uint8_t* links) {
+  for (uint32_t i = 0; i < robot->pair_count; ++i) {
+    links[2 * i] = robot->pairs[i].a;
+    links[2 * i + 1] = robot->pairs[i].b;
+  }
+}
+
+EXPORT void values_of(const flashbvh_robot* robot, uint32_t count, const float* floats,
+                      flashbvh_joint_coordinate* values) {
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t first = i * robot->variable_count;
+    flashbvh_set_values(robot, floats + first, values + first);
+  }
+}
+
+/// A period a row of values. A refused one is no error: its answer says so.
+EXPORT void check(flashbvh_guard* guard, const flashbvh_robot* robot, uint32_t count,
+                  const flashbvh_joint_coordinate* values, uint32_t work, uint8_t* statuses,
+                  uint8_t* verdicts, uint16_t* pairs, uint32_t* distances, uint32_t* works) {
+  for (uint32_t i = 0; i < count; ++i) {
+    const flashbvh_guard_answer answer =
+        flashbvh_guard_update(guard, values + i * robot->variable_count, work);
+    statuses[i] = static_cast<uint8_t>(answer.status);
+    verdicts[i] = static_cast<uint8_t>(answer.verdict);
+    pairs[i] = answer.pair;
+    distances[i] = answer.distance;
+    works[i] = answer.work;
+  }
+}
+
+}  // namespace batches
