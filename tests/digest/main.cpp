@@ -1,37 +1,21 @@
 // Prints the digest; ends with 0 if it is the one that every core and compiler must get.
 #include "digest.hpp"
 
+#include "support/print.hpp"
+
 #if defined(FLASHBVH_ON_BOARD)
 #include "stack.hpp"
-#include "text.hpp"
-using port::print;
-#else
-#include <iostream>
-namespace {
-template <class... Values>
-void print(const Values&... values) {
-  (std::cout << ... << values);
-}
-}  // namespace
 #endif
 
+using flashbvh::test::Hexadecimal;
+using flashbvh::test::print;
+
 namespace {
 
-/// 16 digits and a zero.
-void put_hexadecimal(uint64_t value, char (&text)[17]) {
-  for (int i = 0; i < 16; ++i) {
-    text[i] = "0123456789ABCDEF"[(value >> (60 - 4 * i)) & 15u];
-  }
-  text[16] = 0;
-}
-
 bool is_expected(const char* name, uint64_t value, uint64_t expected) {
-  char text[17];
-  put_hexadecimal(value, text);
-  print(name, " 0x", text);
+  print(name, " 0x", Hexadecimal(value).text);
   if (value != expected) {
-    put_hexadecimal(expected, text);
-    print(", expected 0x", text);
+    print(", expected 0x", Hexadecimal(expected).text);
   }
   print("\n");
   return value == expected;

@@ -1,0 +1,109 @@
+// Queries and guard periods that answer alike wherever flashbvh runs: one definition of the inputs
+// and of the hash. Inputs are floats made of integers, so that each language can read them as they
+// are.
+#pragma once
+
+#include <stdint.h>
+
+#include "flashbvh/robot/robot.hpp"
+#include "support/rotations.hpp"
+
+namespace one_hash {
+
+using flashbvh::test::Random;
+
+constexpr uint64_t kSeed = 0x6F6E6568617368u;
+/// Queries change their kind, of `Kind`, after so many; after all kinds they change their meshes.
+constexpr uint32_t kBlock = 1000;
+enum class Kind : uint8_t { intersects, distance, first_pair };
+constexpr uint32_t kKinds = 3;
+constexpr uint32_t kMeshes = 3;
+/// Of the first period, as much as is counted, and of those that follow.
+constexpr uint32_t kAllWork = UINT32_MAX - 1;
+constexpr uint32_t kWork = 150;
+constexpr uint32_t kVariables = 4;
+
+/// FNV-1a, a word at a time.
+class Hash {
+ public:
+  void add(uint32_t word) { value_ = (value_ ^ word) * 16777619u; }
+  uint32_t value() const { return value_; }
+
+ private:
+  uint32_t value_ = 2166136261u;
+};
+
+/// Where B lies in A's frame: a rotation and a translation in mm, row by row.
+struct PoseFloats {
+  float rows[3][4];
+};
+
+class Poses {
+ public:
+  PoseFloats next() {
+    PoseFloats pose{};
+    const auto rotation = flashbvh::test::rotation_of(flashbvh::test::any_quaternion(random_));
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        pose.rows[i][j] = static_cast<float>(rotation.entry[i][j]) / flashbvh::kRotationOne;
+      }
+      pose.rows[i][3] = static_cast<float>(random_.between(-kReach, kReach)) / kPerMillimetre;
+    }
+    return pose;
+  }
+
+ private:
+  static constexpr int32_t kPerMillimetre = 64;
+  static constexpr int32_t kReach = 40 * kPerMillimetre;
+
+  Random random_{kSeed};
+};
+
+/// Joint values of the arm, in radians: they wander between limits, which lie a little beyond the
+/// arm's.
+struct ValueFloats {
+  float radians[kVariables];
+};
+
+class Trajectory {
+ public:
+  ValueFloats next() {
+    ValueFloats values{};
+    for (uint32_t i = 0; i < kVariables; ++i) {
+      if (random_.below(kPeriodsAWay) == 0) {
+        velocity_[i] = random_.between(-kFastest, kFastest);
+      }
+      if (at_[i] + velocity_[i] < kLimits[i][0] || at_[i] + velocity_[i] > kLimits[i][1]) {
+        velocity_[i] = -velocity_[i];
+      }
+      at_[i] += velocity_[i];
+      values.radians[i] = static_cast<float>(at_[i]) / kPerRadian;
+    }
+    return values;
+  }
+
+ private:
+  static constexpr int32_t kPerRadian = 1 << 20;
+  static constexpr int32_t kFastest = 4096;
+  static constexpr uint32_t kPeriodsAWay = 200;
+  static constexpr int32_t kLimits[kVariables][2] = {
+      {-2940000, 2940000}, {-1260000, 1890000}, {-3096000, 3096000}, {-9000000, 9000000}};
+
+  Random random_{kSeed + 1};
+  int32_t at_[kVariables] = {};
+  int32_t velocity_[kVariables] = {};
+};
+
+/// Of so many queries, then of so many periods.
+uint32_t hash_of(uint32_t queries, uint32_t periods);
+
+/// What has to be given to others: baked images.
+struct Image {
+  const char* name;
+  const uint32_t* words;
+  uint32_t bytes;
+};
+constexpr uint32_t kImages = kMeshes + 1;
+extern const Image kImage[kImages];
+
+}  // namespace one_hash
