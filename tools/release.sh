@@ -12,7 +12,7 @@ tested=
 [ "${1:-}" != --test ] || { tested=yes && shift; }
 mkdir -p "${1:-build/release}" build/log
 release=$(cd "${1:-build/release}" && pwd)
-ensure_packages $host_packages $board_packages $release_packages clang
+ensure_packages $host_packages $board_packages $release_packages $live_packages nodejs
 
 # FLASHBVH_NATIVE: the preset whose host program bakes.
 native=${FLASHBVH_NATIVE:-native}
@@ -38,6 +38,16 @@ build_debs() (
   dpkg-buildpackage --unsigned-source --unsigned-changes --build=binary
 )
 quietly build_debs
+# pack_npm DIR: as `npm pack` packs it.
+pack_npm() {
+  package=build/$native/npm/flashbvh-library
+  mkdir -p "$1/npm"
+  version=$(sed -n 's/.*"version": "\(.*\)".*/\1/p' $package/package.json)
+  tar -C $package --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --mode=644 --transform 's,^,package/,' \
+    -cf - $(ls $package) | gzip -9n >"$1/npm/flashbvh-library-$version.tgz"
+}
+quietly cmake --build --preset "$native" --target flashbvh_npm_library
+pack_npm "$release"
 # What is specific to one build on one machine.
 rm -rf "$tree" "$release"/debian/*.buildinfo "$release"/debian/*.changes
 echo "packages: ${release#"$PWD/"}"
@@ -47,12 +57,13 @@ echo "packages: ${release#"$PWD/"}"
 
 again=$PWD/build/release-again
 /usr/bin/python3 tools/release/release.py "$again" "$flashbvh"
+pack_npm "$again"
 rm -rf "$again"/debian/flashbvh-*/
 diff -r --exclude='*.deb' "$release" "$again" || { echo "release: not the same bytes" >&2; exit 1; }
 echo "made again, the same bytes"
 
 export ROOT="$PWD" PACKAGES="$release" FLASHBVH="$flashbvh"
-echo debian arduino cmake amalgamation manifests | xargs -n 1 -P "$(nproc)" sh -c '
+echo debian arduino cmake amalgamation manifests npm_library | xargs -n 1 -P "$(nproc)" sh -c '
   began=$(date +%s)
   WORK=$ROOT/build/release-test/$0 sh "$ROOT/tests/release/$0.sh" >build/log/release-$0 2>&1 ||
     { tail -n 60 build/log/release-$0; echo "== $0 FAILED"; exit 255; }

@@ -44,9 +44,10 @@ def periods(robot, values):
 
 def words_of(folder):
     meshes = [flashbvh.Baked.load(folder / f"{name}.fbvh") for name in ("torus", "lump", "gear")]
-    rows = np.fromfile(folder / "poses", "<f4").astype(float).reshape(-1, 3, 4)
+    rows = np.fromfile(folder / "poses", "<f4").astype(float).reshape(-1, 12)
     poses = np.tile(np.eye(4), (len(rows), 1, 1))
-    poses[:, :3] = rows
+    poses[:, :3, :3] = rows[:, :9].reshape(-1, 3, 3)
+    poses[:, :3, 3] = rows[:, 9:]
     kinds = intersections, distances, first_pairs
     for block in range(-(-len(poses) // BLOCK)):
         a = block // len(kinds) % len(meshes)

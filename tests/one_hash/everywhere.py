@@ -1,5 +1,6 @@
 """everywhere.py QUERIES PERIODS PROGRAM PACKAGE [PYTHON MODULE]: the hash of so many by the program one_hash, by the npm
-package in node and Chromium, by the Python package; fails if they differ. What is not here is left out."""
+package in node and Chromium, by the Python package; fails if they differ. What is not here is left out: PACKAGE may be
+empty."""
 import functools
 import http.server
 import os
@@ -38,7 +39,9 @@ class Server(http.server.SimpleHTTPRequestHandler):
         pass
 
 
-def in_chromium(folder):
+def in_chromium(folder, package):
+    (folder / "library").symlink_to(package)
+    (folder / "answers.mjs").symlink_to(OWN / "answers.mjs")
     (folder / "page.html").write_text(PAGE)
     with http.server.ThreadingHTTPServer(("localhost", 0), functools.partial(Server, directory=folder)) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -55,23 +58,16 @@ def in_chromium(folder):
 
 def hashes(folder, queries, periods, program, package, python="", module=""):
     yield "C++", lambda: printed(program, queries, periods, folder)
-    (folder / "library").symlink_to(package)
-    (folder / "answers.mjs").symlink_to(OWN / "answers.mjs")
-    if not Path(package, "flashbvh.wasm").exists():
-        print("no npm package here: it is left out; apt-get install clang lld wasi-libc libclang-rt-14-dev-wasm32")
-    else:
-        if shutil.which("node"):
-            yield "node", lambda: printed("node", OWN / "answers.mjs", package, folder)
+    for name, command, run in (("node", "node", lambda: printed("node", OWN / "answers.mjs", package, folder)),
+                               ("Chromium", "chromium", lambda: in_chromium(folder, package))):
+        if package and shutil.which(command):
+            yield name, run
         else:
-            print("no node: it is left out; apt-get install nodejs")
-        if shutil.which("chromium"):
-            yield "Chromium", lambda: in_chromium(folder)
-        else:
-            print("no chromium: it is left out; apt-get install chromium")
+            print(f"{name} is left out: {f'no {command}' if package else 'no npm package, for which clang is needed'}")
     if module:
         yield "CPython", lambda: printed(python, "-B", OWN / "answers.py", folder, PYTHONPATH=module)
     else:
-        print("no Python package here: it is left out; cmake --preset native builds it")
+        print("CPython is left out: no Python package, which cmake --preset native builds")
 
 
 def main(*arguments):

@@ -59,8 +59,9 @@ void add_queries(uint32_t count, Hash& hash) {
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t block = i / kBlock;
     const uint32_t a = block / kKinds % kMeshes;
+    const PoseFloats at = poses.next();
     add_query(static_cast<Kind>(block % kKinds), meshes[a], meshes[(a + 1) % kMeshes],
-              pose_of(poses.next().rows, cells), hash);
+              pose_of(at.rotation, at.translation, cells), hash);
   }
 }
 

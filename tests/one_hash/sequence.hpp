@@ -33,9 +33,10 @@ class Hash {
   uint32_t value_ = 2166136261u;
 };
 
-/// Where B lies in A's frame: a rotation and a translation in mm, row by row.
+/// Where B lies in A's frame.
 struct PoseFloats {
-  float rows[3][4];
+  float rotation[3][3];  ///< row by row
+  float translation[3];  ///< mm
 };
 
 class Poses {
@@ -45,9 +46,9 @@ class Poses {
     const auto rotation = flashbvh::test::rotation_of(flashbvh::test::any_quaternion(random_));
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
-        pose.rows[i][j] = static_cast<float>(rotation.entry[i][j]) / flashbvh::kRotationOne;
+        pose.rotation[i][j] = static_cast<float>(rotation.entry[i][j]) / flashbvh::kRotationOne;
       }
-      pose.rows[i][3] = static_cast<float>(random_.between(-kReach, kReach)) / kPerMillimetre;
+      pose.translation[i] = static_cast<float>(random_.between(-kReach, kReach)) / kPerMillimetre;
     }
     return pose;
   }

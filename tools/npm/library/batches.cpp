@@ -72,16 +72,13 @@ EXPORT double cell(const flashbvh_mesh* mesh) {
   return length;
 }
 
-/// Three rows of four numbers each: of a rotation, and of a translation in the unit.
+/// Twelve numbers each: a rotation row by row, then a translation in the unit.
 EXPORT uint32_t poses_of_matrices(const flashbvh_mesh* mesh, uint32_t count, const float* numbers,
                                   flashbvh_pose* poses) {
   const float cells = flashbvh_mesh_cells_per_unit(mesh);
   return for_each(count, [&](uint32_t i) {
-    const float* const row = numbers + 12 * i;
-    const float rotation[] = {row[0], row[1], row[2], row[4], row[5],
-                              row[6], row[8], row[9], row[10]};
-    const float translation[] = {row[3], row[7], row[11]};
-    return flashbvh_pose_of_matrix(rotation, translation, cells, poses + i);
+    const float* const pose = numbers + 12 * i;
+    return flashbvh_pose_of_matrix(pose, pose + 9, cells, poses + i);
   });
 }
 

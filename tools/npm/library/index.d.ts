@@ -16,6 +16,7 @@ export type Image = Uint8Array | ArrayBuffer;
 /** A baked mesh with 16-bit indices, checked. Throws: image_truncated to image_invalid. */
 export class Mesh {
   constructor(image: Image);
+  private readonly place: number;
   /** The lattice's cell, in the unit. */
   readonly cell: number;
   /** 1/256 of the cell, in the unit. */
@@ -28,12 +29,13 @@ export class Mesh {
 
 /** Poses of B in A's frame; all meshes of one `bake` have the same. */
 export class Poses {
-  /** 12 numbers a pose, three rows of four: of a rotation, and of a translation in the mesh's unit. Throws:
-   * not_a_rotation, translation_out_of_range. */
+  /** 12 numbers a pose, as `--poses` of the program has them: a rotation row by row, then a translation in the mesh's
+   * unit. Throws: not_a_rotation, translation_out_of_range. */
   static fromMatrices(mesh: Mesh, numbers: Floats): Poses;
   /** 7 numbers a pose: w, x, y, z, then a translation in the mesh's unit. Throws: as fromMatrices. */
   static fromQuaternions(mesh: Mesh, numbers: Floats): Poses;
   private constructor();
+  private readonly place: number;
   readonly length: number;
 }
 
@@ -93,6 +95,7 @@ export const PointSide: { readonly outside: 0; readonly onSurface: 1; readonly i
 /** A baked robot, checked. Throws: image_truncated to image_invalid. */
 export class Robot {
   constructor(image: Image);
+  private readonly place: number;
   readonly name: string;
   /** The joints that the values are of, in their order. */
   readonly jointNames: string[];
@@ -125,6 +128,7 @@ export interface GuardAnswers {
 /** A robot's guard, which knows nothing yet. */
 export class Guard {
   constructor(robot: Robot);
+  private readonly place: number;
   /** Forgets all, then a period with all work, and those that follow it. `values`: of Robot.values(). */
   prime(values: Int32Array): GuardAnswers;
   /** A period a row: from the last values to these, each joint monotonically. `work` of a period: 1 to ALL_WORK, which is
