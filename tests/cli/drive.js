@@ -79,7 +79,7 @@ const drive_robot = async () => {
   claim("and says what is not looked at", live.says.textContent.includes("not looked at"));
   await wait();
   arm.library.open(Uint8Array.from(atob(JSON.parse(document.getElementById("live-data").textContent).image), c => c.charCodeAt(0)).length);
-  claims.push(`answers ${answers_of(arm.library, 10000)}`);
+  claims.push(`answers ${answers_of(arm.library, driven_values)}`);
 };
 addEventListener("load", async () => {
   try {
