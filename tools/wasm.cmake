@@ -23,9 +23,10 @@ function(flashbvh_wasm module source)
   if(FLASHBVH_WASM_OPT)
     # As measured: what it inlines beyond this makes the compressed module larger.
     set(optimise COMMAND ${FLASHBVH_WASM_OPT} --enable-bulk-memory --enable-sign-ext -Oz -Oz --low-memory-unused
-      --one-caller-inline-max-function-size=20 --always-inline-max-function-size=4 ${module} -o ${module})
+      --one-caller-inline-max-function-size=60 --always-inline-max-function-size=6 ${module} -o ${module})
   endif()
-  # Linked without -O: Clang would call wasm-opt its own way. The portable forms need no 128-bit integers.
+  # Linked without -O: Clang would call wasm-opt its own way. The portable forms need no 128-bit integers. A lower
+  # threshold gives up a quarter of the speed for 1 % of the size.
   add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${module} VERBATIM
     COMMAND ${compile} -Oz -mllvm -inline-threshold=-15 -mbulk-memory -msign-ext -std=c++17 -fno-exceptions -fno-rtti
       -fvisibility=hidden -DNDEBUG -DFLASHBVH_PORTABLE -I${FLASHBVH_SOURCE_DIR}/lib/include

@@ -1,12 +1,10 @@
-// The C interface in batches, for index.js: one call for many poses, rays, points or periods. A
+// The C interface to meshes in batches, for meshes.js: one call for many poses, rays or points. A
 // call returns how many it answered: `count`, or the number of the first in error, whose status is
 // last_status().
+#include "exports.hpp"
 #include "flashbvh/clearance.h"
 #include "flashbvh/ray.h"
-#include "flashbvh/robot.h"
 #include "flashbvh/solid.h"
-
-#define EXPORT extern "C" __attribute__((visibility("default"), used))
 
 namespace batches {
 namespace {
@@ -33,43 +31,21 @@ void put(const flashbvh_fine_point& point, double* to) {
   to[2] = static_cast<double>(point.z);
 }
 
-uint32_t joints_between(const flashbvh_robot& robot) {
-  uint32_t count = 0;
-  for (uint32_t i = 0; i < robot.pair_count; ++i) {
-    count += robot.pairs[i].joints_a + robot.pairs[i].joints_b;
-  }
-  return count;
-}
-
-/// The first joint that a value moves by itself.
-uint8_t joint_of(const flashbvh_robot& robot, uint32_t variable) {
-  uint8_t joint = 0;
-  while (robot.joints[joint].variable != variable || robot.joints[joint].shift != 0 ||
-         robot.joints[joint].type == flashbvh::JointType{FLASHBVH_JOINT_FIXED}) {
-    ++joint;
-  }
-  return joint;
-}
-
 }  // namespace
 
 EXPORT flashbvh_status last_status() {
   return last;
 }
 
-/// Bytes of a mesh, a pose, a robot and a guard.
+/// Bytes of a mesh and a pose.
 EXPORT const uint32_t* sizes() {
-  static const uint32_t bytes[] = {sizeof(flashbvh_mesh), sizeof(flashbvh_pose),
-                                   sizeof(flashbvh_robot), sizeof(flashbvh_guard)};
+  static const uint32_t bytes[] = {sizeof(flashbvh_mesh), sizeof(flashbvh_pose)};
   return bytes;
 }
 
 /// In the unit.
 EXPORT double cell(const flashbvh_mesh* mesh) {
-  const uint64_t bits = flashbvh_mesh_cell(mesh);
-  double length = 0;
-  __builtin_memcpy(&length, &bits, sizeof length);
-  return length;
+  return length_of(flashbvh_mesh_cell(mesh));
 }
 
 /// Twelve numbers each: a rotation row by row, then a translation in the unit.
@@ -89,11 +65,6 @@ EXPORT uint32_t poses_of_quaternions(const flashbvh_mesh* mesh, uint32_t count,
   return for_each(count, [&](uint32_t i) {
     return flashbvh_pose_of_quaternion(numbers + 7 * i, numbers + 7 * i + 4, cells, poses + i);
   });
-}
-
-EXPORT uint32_t intersects(const flashbvh_mesh* a, const flashbvh_mesh* b,
-                           const flashbvh_pose* poses, uint32_t count, bool* yes) {
-  return for_each(count, [&](uint32_t i) { return flashbvh_intersects(a, b, poses + i, yes + i); });
 }
 
 EXPORT uint32_t solids_intersect(const flashbvh_mesh* a, const flashbvh_mesh* b,
@@ -175,53 +146,6 @@ EXPORT uint32_t inside(const flashbvh_mesh* mesh, uint32_t count, const flashbvh
     sides[i] = static_cast<uint8_t>(side);
     return status;
   });
-}
-
-/// Values, links, pairs and bytes of a guard's state.
-EXPORT const uint32_t* counts(const flashbvh_robot* robot) {
-  static uint32_t found[4];
-  found[0] = robot->variable_count;
-  found[1] = robot->link_count;
-  found[2] = robot->pair_count;
-  found[3] =
-      FLASHBVH_GUARD_STATE_SIZE(robot->joint_count, robot->pair_count, joints_between(*robot));
-  return found;
-}
-
-EXPORT const char* variable_name(const void* image, const flashbvh_robot* robot,
-                                 uint32_t variable) {
-  return flashbvh_joint_name(image, joint_of(*robot, variable));
-}
-
-/// Two links a pair.
-EXPORT void links_of_pairs(const flashbvh_robot* robot, uint8_t* links) {
-  for (uint32_t i = 0; i < robot->pair_count; ++i) {
-    links[2 * i] = robot->pairs[i].a;
-    links[2 * i + 1] = robot->pairs[i].b;
-  }
-}
-
-EXPORT void values_of(const flashbvh_robot* robot, uint32_t count, const float* floats,
-                      flashbvh_joint_coordinate* values) {
-  for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t first = i * robot->variable_count;
-    flashbvh_set_values(robot, floats + first, values + first);
-  }
-}
-
-/// A period a row of values. A refused one is no error: its answer says so.
-EXPORT void check(flashbvh_guard* guard, const flashbvh_robot* robot, uint32_t count,
-                  const flashbvh_joint_coordinate* values, uint32_t work, uint8_t* statuses,
-                  uint8_t* verdicts, uint16_t* pairs, uint32_t* distances, uint32_t* works) {
-  for (uint32_t i = 0; i < count; ++i) {
-    const flashbvh_guard_answer answer =
-        flashbvh_guard_update(guard, values + i * robot->variable_count, work);
-    statuses[i] = static_cast<uint8_t>(answer.status);
-    verdicts[i] = static_cast<uint8_t>(answer.verdict);
-    pairs[i] = answer.pair;
-    distances[i] = answer.distance;
-    works[i] = answer.work;
-  }
 }
 
 }  // namespace batches

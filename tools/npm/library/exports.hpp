@@ -1,0 +1,17 @@
+// What both modules have in common.
+#pragma once
+
+#include <stdint.h>
+
+#define EXPORT extern "C" __attribute__((visibility("default"), used))
+
+namespace batches {
+
+/// Of a cell's bits.
+inline double length_of(uint64_t bits) {
+  double length = 0;
+  __builtin_memcpy(&length, &bits, sizeof length);
+  return length;
+}
+
+}  // namespace batches

@@ -1,0 +1,87 @@
+// The C interface to robots and guards, for robot.js: periods in batches.
+#include "exports.hpp"
+#include "flashbvh/robot.h"
+
+namespace batches {
+namespace {
+
+uint32_t joints_between(const flashbvh_robot& robot) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < robot.pair_count; ++i) {
+    count += robot.pairs[i].joints_a + robot.pairs[i].joints_b;
+  }
+  return count;
+}
+
+/// The first joint that a value moves by itself.
+uint8_t joint_of(const flashbvh_robot& robot, uint32_t variable) {
+  uint8_t joint = 0;
+  while (robot.joints[joint].variable != variable || robot.joints[joint].shift != 0 ||
+         robot.joints[joint].type == flashbvh::JointType{FLASHBVH_JOINT_FIXED}) {
+    ++joint;
+  }
+  return joint;
+}
+
+}  // namespace
+
+/// Bytes of a mesh, a robot and a guard.
+EXPORT const uint32_t* sizes() {
+  static const uint32_t bytes[] = {sizeof(flashbvh_mesh), sizeof(flashbvh_robot),
+                                   sizeof(flashbvh_guard)};
+  return bytes;
+}
+
+/// In metres.
+EXPORT double cell(const flashbvh_robot* robot) {
+  return length_of(robot->cell_bits);
+}
+
+/// Values, links, pairs and bytes of a guard's state.
+EXPORT const uint32_t* counts(const flashbvh_robot* robot) {
+  static uint32_t found[4];
+  found[0] = robot->variable_count;
+  found[1] = robot->link_count;
+  found[2] = robot->pair_count;
+  found[3] =
+      FLASHBVH_GUARD_STATE_SIZE(robot->joint_count, robot->pair_count, joints_between(*robot));
+  return found;
+}
+
+EXPORT const char* variable_name(const void* image, const flashbvh_robot* robot,
+                                 uint32_t variable) {
+  return flashbvh_joint_name(image, joint_of(*robot, variable));
+}
+
+/// Two links a pair.
+EXPORT void links_of_pairs(const flashbvh_robot* robot, uint8_t* links) {
+  for (uint32_t i = 0; i < robot->pair_count; ++i) {
+    links[2 * i] = robot->pairs[i].a;
+    links[2 * i + 1] = robot->pairs[i].b;
+  }
+}
+
+EXPORT void values_of(const flashbvh_robot* robot, uint32_t count, const float* floats,
+                      flashbvh_joint_coordinate* values) {
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t first = i * robot->variable_count;
+    flashbvh_set_values(robot, floats + first, values + first);
+  }
+}
+
+/// A period a row of values. A refused one is no error: its answer says so.
+EXPORT void check(flashbvh_guard* guard, const flashbvh_robot* robot, uint32_t count,
+                  const flashbvh_joint_coordinate* values, uint32_t work, uint8_t* statuses,
+                  uint8_t* verdicts, uint16_t* pairs, uint32_t* distances, uint32_t* works) {
+  for (uint32_t i = 0; i < count; ++i) {
+    const flashbvh_guard_answer answer =
+        flashbvh_guard_update(guard, values + i * robot->variable_count, work);
+    statuses[i] = static_cast<uint8_t>(answer.status);
+    verdicts[i] = static_cast<uint8_t>(answer.verdict);
+    pairs[i] = answer.pair;
+    distances[i] = answer.distance;
+    works[i] = answer.work;
+  }
+}
+
+}  // namespace batches
