@@ -40,8 +40,9 @@ for room in tools/*/; do
     bake | cli | evaluate | image | mesh | robot | text) ;;
     # Two programs; one wants the headers of libsdformat.
     readers) lint readers "$dear" tools/readers/reader.cpp tools/readers/mjcf*.cpp ;;
-    # tools/compare wants the headers of the libraries that it compares; tools/release has no source.
-    compare | release) ;;
+    # tools/compare wants the headers of the libraries that it compares; tools/release has no source, and
+    # tools/npm has sources for another machine.
+    compare | npm | release) ;;
     live) lint live "$dear" tools/live/live_section.cpp ;; # arm.cpp is for another machine
     python)
       if [ -e "$python/Python.h" ] && [ -e /usr/include/pybind11/pybind11.h ]; then
