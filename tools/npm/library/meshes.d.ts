@@ -1,8 +1,7 @@
 /**
  * Queries of baked meshes: flashbvh's C interface (flashbvh/*.h) as WebAssembly, in batches. The answers are those of
- * firmware, bit for bit. B lies at a pose in A's frame. Distances and points are in 1/256 cell where nothing else
- * is said: times `fine` of a mesh in its unit. Flags are 0 or 1.
- * Results are copies, the caller's.
+ * firmware, bit for bit. B lies at a pose in A's frame. Distances and points are in 1/256 cell where nothing else is
+ * said: times `fine` of a mesh in its unit. Flags are 0 or 1. Results are copies, the caller's.
  *
  * What the library refuses is an Error whose `status` is the name of C's status, `image_corrupt` for instance, and
  * whose message has the row that is in error; then the whole batch has no answer. Other arguments are a TypeError or a

@@ -27,7 +27,7 @@ export class Module {
     this.library = library;
     this.end = library.__heap_base.value;
     // Blocks of a power of two: those that were freed, by its exponent.
-    this.freed = Array.from({ length: 32 }, () => []);
+    this.freed = Array.from({ length: 64 }, () => []);
     this.exponents = new Map();
     this.dropped = new FinalizationRegistry(places => places.forEach(place => this.give(place)));
   }
@@ -41,7 +41,7 @@ export class Module {
   }
 
   take(bytes) {
-    const exponent = Math.max(3, 32 - Math.clz32(bytes - 1));
+    const exponent = Math.max(3, Math.ceil(Math.log2(bytes)));
     let place = this.freed[exponent].pop();
     if (place === undefined) {
       place = Math.ceil(this.end / 8) * 8;

@@ -1,7 +1,7 @@
 /**
- * Baked robots and their guards: flashbvh's C interface (flashbvh/*.h) as WebAssembly, in batches. The answers are those of
- * firmware, bit for bit. Distances are in 1/256 cell: times `fine` of a robot in metres.
- * Results are copies, the caller's.
+ * Baked robots and their guards: flashbvh's C interface (flashbvh/*.h) as WebAssembly, in batches. The answers are
+ * those of firmware, bit for bit. Distances are in 1/256 cell: times `fine` of a robot in metres. Results are copies, the
+ * caller's.
  *
  * What the library refuses is an Error whose `status` is the name of C's status, `image_corrupt` for instance, and
  * whose message has the row that is in error; then the whole batch has no answer. Other arguments are a TypeError or a
@@ -40,14 +40,14 @@ export interface GuardAnswers {
   pairs: Uint16Array;
   /** The links of this pair stayed at least so far apart: what is known. */
   distances: Uint32Array;
-  /** Spent. */
+  /** Spent; 0 where ALL_WORK was granted. */
   works: Uint32Array;
 }
 /** A robot's guard, which knows nothing yet. */
 export class Guard {
   constructor(robot: Robot);
   private readonly place: number;
-  /** Forgets all, then a period with all work, and those that follow it. `values`: of Robot.values(). */
+  /** At start-up: forgets all, then check() with ALL_WORK. `values`: of Robot.values(). */
   prime(values: Int32Array): GuardAnswers;
   /** A period a row: from the last values to these, each joint monotonically. `work` of a period: 1 to ALL_WORK, which is
    * without limit. */
