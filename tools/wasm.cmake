@@ -7,13 +7,13 @@ if(FLASHBVH_WASM_COMPILER AND EXISTS /usr/lib/wasm32-wasi/libc.a)
   set(FLASHBVH_HAS_WASM ON)
 endif()
 
-# flashbvh_wasm(module source [EXPORTS function...]): the file `module` in the folder that calls, of the library and
-# `source` as one source, for size; what `source` marks is exported, and those functions of C. Without wasm-opt, of
-# Debian's binaryen, it takes a fifth more.
-function(flashbvh_wasm module source)
-  cmake_parse_arguments(arg "" "" "EXPORTS" ${ARGN})
+# flashbvh_wasm(module SOURCES source... [EXPORTS function...]): the file `module` in the build folder of the folder
+# that calls, of the library and its own sources as one source, for size; what these mark is exported, and those
+# functions of C. Without wasm-opt, of Debian's binaryen, it takes a sixth more.
+function(flashbvh_wasm module)
+  cmake_parse_arguments(arg "" "" "SOURCES;EXPORTS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${FLASHBVH_SOURCE_DIR}/lib/src/*/*.cpp)
-  list(APPEND sources ${source})
+  list(APPEND sources ${arg_SOURCES})
   list(TRANSFORM sources REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE includes)
   list(JOIN includes "" includes)
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${module}.cpp CONTENT "${includes}")
