@@ -25,12 +25,12 @@ function(flashbvh_wasm module)
     set(optimise COMMAND ${FLASHBVH_WASM_OPT} --enable-bulk-memory --enable-sign-ext -Oz -Oz --low-memory-unused
       --one-caller-inline-max-function-size=60 --always-inline-max-function-size=6 ${module} -o ${module})
   endif()
-  # Linked without -O: Clang would call wasm-opt its own way. The portable forms need no 128-bit integers. A lower
-  # threshold gives up a quarter of the speed for 1 % of the size.
+  # Linked without -O: Clang would call wasm-opt its own way. The portable forms need no 128-bit integers. What is
+  # given up for size, and what is not: lib/docs/decisions/0030-npm-library.md.
   add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${module} VERBATIM
-    COMMAND ${compile} -Oz -mllvm -inline-threshold=-15 -mbulk-memory -msign-ext -std=c++17 -fno-exceptions -fno-rtti
-      -fvisibility=hidden -DNDEBUG -DFLASHBVH_PORTABLE -I${FLASHBVH_SOURCE_DIR}/lib/include
-      -c ${module}.cpp -o ${module}.o -MD -MF ${module}.d -MT ${CMAKE_CURRENT_BINARY_DIR}/${module}
+    COMMAND ${compile} -Oz -mllvm -inline-threshold=-15 -mllvm -disable-lsr -mbulk-memory -msign-ext -std=c++17
+      -fno-exceptions -fno-rtti -fvisibility=hidden -DNDEBUG -DFLASHBVH_PORTABLE -DFLASHBVH_INLINE=
+      -I${FLASHBVH_SOURCE_DIR}/lib/include -c ${module}.cpp -o ${module}.o -MD -MF ${module}.d -MT ${CMAKE_CURRENT_BINARY_DIR}/${module}
     COMMAND ${compile} -nostartfiles -nostdlib++ ${exports}
       -Wl,--no-entry,--export-dynamic,--export=__heap_base,--gc-sections,--stack-first,-z,stack-size=32768,--strip-all
       ${module}.o -o ${module}

@@ -5,8 +5,10 @@
 /// Walks are not inlined: in a function of its own, a loop gets the registers.
 #if defined(__GNUC__)
 #define FLASHBVH_NOINLINE [[gnu::noinline]]
-/// What is small, and whose frame would stand in a query's way.
+/// What is small, and whose frame would stand in a query's way. A build may define it as nothing.
+#if !defined(FLASHBVH_INLINE)
 #define FLASHBVH_INLINE [[gnu::always_inline]]
+#endif
 /// The same unless size counts for more: what is there in several places.
 #if defined(__OPTIMIZE_SIZE__)
 #define FLASHBVH_INLINE_FOR_SPEED
