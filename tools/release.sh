@@ -63,7 +63,7 @@ diff -r --exclude='*.deb' "$release" "$again" || { echo "release: not the same b
 echo "made again, the same bytes"
 
 export ROOT="$PWD" PACKAGES="$release" FLASHBVH="$flashbvh"
-echo debian arduino cmake amalgamation manifests npm_library | xargs -n 1 -P "$(nproc)" sh -c '
+echo debian arduino cmake amalgamation copied manifests npm_library | xargs -n 1 -P "$(nproc)" sh -c '
   began=$(date +%s)
   WORK=$ROOT/build/release-test/$0 sh "$ROOT/tests/release/$0.sh" >build/log/release-$0 2>&1 ||
     { tail -n 60 build/log/release-$0; echo "== $0 FAILED"; exit 255; }

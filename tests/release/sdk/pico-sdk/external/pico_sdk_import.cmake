@@ -1,0 +1,12 @@
+# The Pico's SDK, after its documents. Linked to SOURCES, which start a program in QEMU.
+function(pico_sdk_init)
+  add_library(pico_stdlib INTERFACE)
+  target_sources(pico_stdlib INTERFACE $ENV{PICO_SDK_PATH}/stdlib.cpp ${SOURCES})
+  target_include_directories(pico_stdlib INTERFACE $ENV{PICO_SDK_PATH}/include ${INCLUDES})
+endfunction()
+function(pico_enable_stdio_usb target enabled)
+  target_compile_definitions(${target} PRIVATE STDIO_USB=${enabled})
+endfunction()
+function(pico_add_extra_outputs target)
+  add_custom_command(TARGET ${target} POST_BUILD COMMAND ${CMAKE_OBJCOPY} -Obinary $<TARGET_FILE:${target}> ${target}.bin)
+endfunction()
