@@ -1,4 +1,4 @@
-/* The guide's C: the same in C99. Its Makefile builds this program, too. */
+/* The guide's C: the same in C99. */
 #include <flashbvh/clearance.h>
 #include <flashbvh/ray.h>
 #include <flashbvh/shape.h>
