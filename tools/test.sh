@@ -15,9 +15,9 @@ set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
 
-host_steps="tool native long lint"
+host_steps="tool native long python lint"
 cores= list=--steps
-packages="$riscv_packages $wasm_packages $digest_packages clang-tidy"
+packages="$riscv_packages $wasm_packages $digest_packages $python_packages clang-tidy"
 release=
 case ${1:-} in
   "") ;;

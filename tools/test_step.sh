@@ -7,6 +7,7 @@
 #   native       the tests on this machine, but for
 #   long         those that damage meshes and images in many ways, or compile projects of their own
 #   library      of native what needs nothing of the host program: --quick
+#   python       the Python package, and one hash of queries and guard periods in it and in C++
 #   lint         clang-tidy: the library and the host program
 #   PRESET       the tests on a board, under QEMU, or in node; on cortex-m4f tools/demo.sh as well. Without --all
 #                of cores that run another one's code the digest alone, of a Cortex-M3 and M55,
@@ -76,6 +77,11 @@ run() {
     library)
       cmake --build --preset native-sanitize --target library_tests
       ctest --preset native-sanitize -L library -j "$(nproc)" ;;
+    python)
+      cmake --preset dev -B build/python -DFLASHBVH_BUILD_PYTHON=ON -DFLASHBVH_WASM_COMPILER=OFF \
+        -DFLASHBVH_HOST_TOOL="$PWD/build/native-sanitize/bin/flashbvh"
+      cmake --build build/python -j 1 --target flashbvh_python one_hash
+      ctest --test-dir build/python --output-on-failure --no-tests=error -R "/python|/one_hash" ;;
     lint) tools/lint.sh ${FLASHBVH_DEEP_LINT:+--deep} 2>build/log/lint.warnings ;;
     *) board "$1" ;;
   esac

@@ -179,7 +179,7 @@ TEST_CASE("far apart the distance is that of exact rationals, from any hint, in 
     REQUIRE(about.upper <= cold.upper * longer + 1);
     REQUIRE((about.lower + 1) * longer >= about.upper - 1);
   });
-  CHECK(far > 60);
+  CHECK(far > 30);
 }
 
 TEST_CASE("far apart what is within a distance is what exact rationals say") {
