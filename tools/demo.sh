@@ -95,7 +95,7 @@ build $board robot_arm -DFLASHBVH_ROBOT_ARM="$PWD/$demo/compact"
 run_arm $demo/target_compact ranked
 python3 tools/demo.py compact || status=1
 
-step "7. A page about the arm: flash, RAM, time, pictures"
+step "7. A page in which the arm's links answer: flash, RAM, time"
 # Without neighbours, which the arm does not test.
 rm -rf $demo/asked
 cp -r $demo/poses $demo/asked

@@ -1,4 +1,4 @@
-"""What pages show: pictures' faces, and cards of work and instructions; and a bake that is interrupted."""
+"""What pages show: cards of work and instructions; and a bake that is interrupted."""
 import os
 import re
 import signal
@@ -8,21 +8,6 @@ from math import ceil
 from pathlib import Path
 
 from checks import FLASHBVH, INCLUDE, flashbvh, hold, search, text
-
-
-def drawn(page, number):
-    """The classes of a picture's triangles, the furthest first; f27 is of those that intersect."""
-    picture = [line for line in text(page).splitlines() if line.startswith('<g class="faces">')][number - 1]
-    return [name for name, path in re.findall('<path class="([^"]*)" d="([^"]*)"', picture) for _ in range(
-        path.count("z"))]
-
-
-def marked(page, *paints):
-    """Triangles have these paints, and the page says which colours those are."""
-    for paint in paints:
-        hold(f"f{9 * paint}" in drawn(page, 1), f"nothing in {page} has the paint {paint}")
-        for part in f".paint{paint}{{background:rgb(", f".faces .f{9 * paint}{{":
-            hold(part in text(page), f"no {part}")
 
 
 def cards(*arguments):

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "evaluate/count_query.hpp"
+#include "flashbvh/solid.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -107,6 +108,14 @@ Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::
         return run_named(traversal, tree_a, std::get<WithLevels>(b), pose, asked);
       },
       a);
+}
+
+std::optional<bool> one_is_inside(const ImageFile& a, const ImageFile& b, const Pose& pose) {
+  const auto ask = [&](const auto& mesh_a, const auto& mesh_b) {
+    const auto answer = flashbvh::one_is_inside(mesh_a, mesh_b, pose);
+    return answer.status == Status::done ? std::optional(answer.yes) : std::nullopt;
+  };
+  return ask_post<std::optional<bool>>(ask, a.tree(), b.tree()).value_or(std::nullopt);
 }
 
 void check_answered(const Answer& answer, const std::string& place, std::size_t pose) {

@@ -96,6 +96,10 @@ ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
 ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& pose,
                                 std::uint32_t distance, bool all);
 
+/// Of two meshes whose triangles do not intersect, by flashbvh::one_is_inside(); nothing if one is
+/// not closed, or pre-indexed.
+std::optional<bool> one_is_inside(const ImageFile& a, const ImageFile& b, const Pose& pose);
+
 /// `ask(meshes...)` as firmware's queries take them, of post-indexed trees of one kind; else
 /// nothing.
 template <class Found, class Ask, class... Others>

@@ -1,18 +1,11 @@
 // What the page of a robot queries of flashbvh: the library as firmware has it, for WebAssembly.
-// Values are radians and metres in doubles. All memory lies behind what is linked, and is taken
-// once.
-#include <stddef.h>
-#include <stdint.h>
-
+// Values are radians and metres in doubles.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/robot.h"
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/image.hpp"
 #include "flashbvh/robot/kinematics.hpp"
-
-#define EXPORT extern "C" __attribute__((visibility("default"), used))
-
-extern "C" unsigned char __heap_base;  // of wasm-ld
+#include "meshes.hpp"
 
 namespace live {
 
@@ -20,9 +13,7 @@ using namespace flashbvh;
 
 namespace {
 
-constexpr uint32_t kMostLinks = 64;
 constexpr uint32_t kMostFine = kMaxGuardDistance;
-constexpr double kFineCells = 256;               // steps of a distance in a cell
 constexpr double kFrameCells = 1 << kFrameBits;  // of a frame's translation
 constexpr double kOne = 1 << 30;                 // of a rotation
 
@@ -33,9 +24,6 @@ struct Nearest {
   uint32_t pair;
 };
 
-uintptr_t memory_end;
-const void* image;
-Mesh meshes[kMostLinks];
 Robot robot;
 const RobotPair* baked;
 RobotPair* pairs;
@@ -49,37 +37,17 @@ GuardAnswer answer;
 Nearest nearest;
 double matrix[16];
 
-/// Zeros, at a multiple of 8.
-void* take(size_t bytes) {
-  constexpr uintptr_t kPage = 65536;
-  const uintptr_t begin = (memory_end + 7) / 8 * 8;
-  memory_end = begin + bytes;
-  const uintptr_t pages = (memory_end + kPage - 1) / kPage;
-  const auto has = static_cast<uintptr_t>(__builtin_wasm_memory_size(0));
-  if (pages > has && __builtin_wasm_memory_grow(0, pages - has) == SIZE_MAX) {
-    __builtin_trap();
-  }
-  return reinterpret_cast<void*>(begin);
-}
-template <class Type>
-Type* take(size_t count) {
-  return static_cast<Type*>(take(count * sizeof(Type)));
-}
-
-double cell() {
-  double size = 0;
-  __builtin_memcpy(&size, &meshes[0].cell_bits, sizeof size);
-  return size;
-}
-
-/// The base's frame where a link has none that a joint moves.
-Frame frame_of(uint32_t link) {
-  const uint32_t joint = robot.links[link].joint;
+/// Of kBase the base's.
+Frame frame_of_joint(uint32_t joint) {
   if (joint != kBase) {
     return frames[joint];
   }
   constexpr int32_t one = 1 << 30;
   return {{{one, 0, 0}, {0, one, 0}, {0, 0, one}}, {0, 0, 0}};
+}
+
+Frame frame_of(uint32_t link) {
+  return frame_of_joint(robot.links[link].joint);
 }
 
 /// The first joint that a value moves by itself.
@@ -112,18 +80,25 @@ void set_point(const Frame& frame, const FinePoint& point, double* out) {
   }
 }
 
-}  // namespace
-
-/// Where the image is to be copied to.
-EXPORT void* room(uint32_t bytes) {
-  memory_end = reinterpret_cast<uintptr_t>(&__heap_base);
-  image = take(bytes);
-  return const_cast<void*>(image);
+/// From cells that count from `origin` in a frame.
+void set_matrix(const Frame& frame, const int32_t (&origin)[3]) {
+  for (int i = 0; i < 3; ++i) {
+    double at = frame.translation[i] / kFrameCells;
+    for (int j = 0; j < 3; ++j) {
+      matrix[4 * j + i] = frame.rotation[i][j] / kOne * cell();
+      at += frame.rotation[i][j] / kOne * origin[j];
+    }
+    matrix[12 + i] = at * cell();
+    matrix[4 * i + 3] = 0;
+  }
+  matrix[15] = 1;
 }
+
+}  // namespace
 
 /// The image in the room; a Status.
 EXPORT uint32_t open(uint32_t bytes) {
-  const Status status = open_robot(image, bytes, meshes, kMostLinks, robot);
+  const Status status = open_robot(room_taken, bytes, meshes, kMostMeshes, robot);
   if (status != Status::done) {
     return static_cast<uint32_t>(status);
   }
@@ -155,10 +130,10 @@ EXPORT uint32_t pair_count() {
   return robot.pair_count;
 }
 EXPORT const char* variable_name(uint32_t variable) {
-  return joint_name(image, joint_of(variable));
+  return joint_name(room_taken, joint_of(variable));
 }
 EXPORT const char* name_of_link(uint32_t link) {
-  return link_name(image, link);
+  return link_name(room_taken, link);
 }
 EXPORT bool is_slide(uint32_t variable) {
   return slides(variable);
@@ -221,20 +196,6 @@ EXPORT uint32_t variable_of_link(uint32_t link) {
   return kNoVariable;
 }
 
-/// Of a link: three halves a vertex, three a triangle.
-EXPORT const void* vertices(uint32_t link) {
-  return meshes[link].vertices;
-}
-EXPORT uint32_t vertex_count(uint32_t link) {
-  return meshes[link].vertex_count;
-}
-EXPORT const void* triangles(uint32_t link) {
-  return meshes[link].triangles;
-}
-EXPORT uint32_t triangle_count(uint32_t link) {
-  return meshes[link].triangle_count;
-}
-
 /// Sets a value, within its limits.
 EXPORT void set_value(uint32_t variable, double value) {
   const double steps = value / unit_of(variable);
@@ -277,18 +238,13 @@ EXPORT uint32_t distance_of_answer() {
 
 /// Column by column: a link's vertices in the base's frame, in metres.
 EXPORT const double* matrix_of(uint32_t link) {
-  const Frame frame = frame_of(link);
-  const int32_t(&origin)[3] = meshes[link].origin;
-  for (int i = 0; i < 3; ++i) {
-    double at = frame.translation[i] / kFrameCells;
-    for (int j = 0; j < 3; ++j) {
-      matrix[4 * j + i] = frame.rotation[i][j] / kOne * cell();
-      at += frame.rotation[i][j] / kOne * origin[j];
-    }
-    matrix[12 + i] = at * cell();
-    matrix[4 * i + 3] = 0;
-  }
-  matrix[15] = 1;
+  set_matrix(frame_of_joint(robot.links[link].joint), meshes[link].origin);
+  return matrix;
+}
+/// The same of cells of a joint's frame.
+EXPORT const double* matrix_of_joint(uint32_t joint) {
+  constexpr int32_t kNone[3] = {};
+  set_matrix(frame_of_joint(joint), kNone);
   return matrix;
 }
 

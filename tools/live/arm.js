@@ -2,28 +2,16 @@
 
 const VERDICTS = ["free", "warn", "not yet known", "stops", "refused"];
 
-const bytes_of = text => Uint8Array.from(atob(text), character => character.charCodeAt(0));
-
-// An element of the page, with its properties and what is in it.
-const element = (name, properties = {}, ...children) => {
-  const made = Object.assign(document.createElement(name), properties);
-  made.append(...children);
-  return made;
-};
-
 // What flashbvh says of one robot. Numbers are radians and metres.
 class Arm {
-  static async from({ library, image }) {
-    const { instance } = await WebAssembly.instantiate(bytes_of(library));
-    return new Arm(instance.exports, bytes_of(image));
+  static async from({ library, image, zones }) {
+    return new Arm(await library_of(library), bytes_of(image), zones);
   }
 
-  constructor(library, image) {
+  // `zones`: a joint, a point in cells of its frame, and metres about it, each.
+  constructor(library, image, zones) {
     this.library = library;
-    const place = library.room(image.length);
-    new Uint8Array(library.memory.buffer).set(image, place);
-    const status = library.open(image.length);
-    if (status !== 0) throw new Error(`the robot's image is refused, status ${status}`);
+    put(library, image, bytes => library.open(bytes));
     const each = (count, make) => Array.from({ length: count }, (_, i) => make(i));
     this.variables = each(library.variable_count(), i => ({
       name: this.#text(library.variable_name(i)), slides: library.is_slide(i) !== 0,
@@ -36,6 +24,7 @@ class Arm {
     this.stop = Math.max(0, ...this.pairs.map((_, i) => library.stop_of(i)));
     this.warn = Math.max(0, ...this.pairs.map((_, i) => library.warn_of(i)));
     this.baked_stop = this.stop;
+    this.zones = zones;
     this.values = this.variables.map(({ lower, upper }) => Math.min(Math.max(0, lower), upper));
     this.place();
   }
@@ -45,20 +34,19 @@ class Arm {
     return new TextDecoder().decode(memory.subarray(place, memory.indexOf(0, place)));
   }
 
-  // Of a link, copied; of a part nothing.
+  // Of a link; of a part nothing.
   mesh(link) {
-    const { library } = this;
-    if (this.links[link].whole !== link) return { vertices: new Int16Array(), triangles: new Uint16Array() };
-    return {
-      vertices: new Int16Array(library.memory.buffer, library.vertices(link), 3 * library.vertex_count(link)).slice(),
-      triangles: new Uint16Array(library.memory.buffer, library.triangles(link), 3 * library.triangle_count(link)).slice() };
+    return this.links[link].whole === link ? arrays_of(this.library, link) :
+      { vertices: new Int16Array(), triangles: new Uint16Array() };
   }
 
   place() {
     this.values.forEach((value, i) => this.library.set_value(i, value));
     this.library.place();
-    this.matrices = this.links.map((_, i) =>
-      new Float32Array(new Float64Array(this.library.memory.buffer, this.library.matrix_of(i), 16)));
+    const matrix = at => new Float32Array(new Float64Array(this.library.memory.buffer, at, 16));
+    this.matrices = this.links.map((_, i) => matrix(this.library.matrix_of(i)));
+    this.balls = this.zones.map(([joint, x, y, z, radius]) => (
+      { middle: placed(matrix(this.library.matrix_of_joint(joint)), [x, y, z]).slice(0, 3), radius }));
   }
 
   // Verdict, and of all guarded pairs the nearest: metres, two points, two links; or null.

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "live/parts.hpp"
-#include "text/messages.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -28,33 +28,97 @@ std::string base64(const std::vector<Number>& numbers) {
                 numbers.size() * sizeof(Number));
 }
 
+std::string base64(const std::string& bytes) {
+  return base64(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+}
+
+std::string quoted(const std::string& text) {
+  return "\"" + text + "\"";
+}
+
+/// A JSON array.
+template <class Elements, class TextOf>
+std::string list_of(const Elements& elements, const TextOf& text_of) {
+  return "[" + joined(elements, text_of, ",") + "]";
+}
+
 std::string periods_of(const LivePeriods& periods) {
-  if (periods.names.empty()) {
-    return "";
-  }
-  std::string names;
-  for (const std::string& name : periods.names) {
-    names += (names.empty() ? "\"" : ",\"") + name + "\"";
-  }
-  return concat(",\"values\":\"", base64(periods.values), "\",\"verdicts\":\"", periods.verdicts,
-                "\",\"names\":[", names, "]");
+  return periods.names.empty()
+             ? ""
+             : concat(",\"values\":\"", base64(periods.values), "\",\"verdicts\":\"",
+                      periods.verdicts, "\",\"names\":", list_of(periods.names, quoted));
+}
+
+std::string zone_of(const LiveZone& zone) {
+  const auto& [x, y, z] = zone.middle;
+  return concat("[", zone.joint, ",", shortest(x), ",", shortest(y), ",", shortest(z), ",",
+                shortest(zone.radius), "]");
+}
+
+std::string mesh_of(const LiveMesh& mesh) {
+  const auto marks = [](const LiveMarks& of) {
+    return concat("[\"--", of.colour, "\",",
+                  list_of(of.vertices, [](std::uint32_t vertex) { return concat(vertex); }), "]");
+  };
+  return concat("{\"name\":\"", base64(mesh.name), "\",\"image\":\"", base64(mesh.image),
+                "\",\"unit\":\"", mesh.unit, "\",\"marks\":", list_of(mesh.marks, marks), "}");
+}
+
+std::string pair_of(const LivePair& pair) {
+  return concat("{\"a\":", pair.a, ",\"b\":", pair.b, ",\"poses\":", list_of(pair.poses, quoted),
+                ",\"names\":", list_of(pair.names, quoted), ",\"verdicts\":\"", pair.verdicts,
+                "\"}");
+}
+
+std::string deviation_of(const LiveDeviation& mesh) {
+  return concat("{\"name\":\"", base64(mesh.name), "\",\"original\":\"", base64(mesh.original),
+                "\",\"coarse\":\"", base64(mesh.coarse), "\",\"most\":", shortest(mesh.most),
+                ",\"text\":\"", mesh.text, "\"}");
+}
+
+/// `data`: JSON.
+std::string section_of(const char* id, const char* title, const std::string& data,
+                       const char* script) {
+  return concat("<style>\n", kLiveCss, "</style>\n<section id=", id, " class=live hidden>\n<h2>",
+                title, "</h2>\n</section>\n<script type=\"application/json\" id=", id, "-data>{",
+                data, "}</script>\n<script>\n{\n", script, "}\n</script>\n");
+}
+
+std::string library_of(const char* library) {
+  return concat(",\"library\":\"", library, "\"");
 }
 
 }  // namespace
 
 bool has_live_section() {
-  return *kArmWasm != '\0';
+  return *kArmLibrary != '\0';
 }
 
-std::string live_section(const std::vector<std::uint32_t>& image, const LivePeriods& periods) {
-  if (!has_live_section()) {
-    return "";
-  }
-  return concat(
-      "<style>\n", kLiveCss, "</style>\n<section id=live hidden>\n<h2>The robot</h2>\n</section>\n",
-      "<script type=\"application/json\" id=live-data>{\"image\":\"", base64(image),
-      "\",\"library\":\"", kArmWasm, "\"", periods_of(periods), "}</script>\n<script>\n{\n",
-      kViewJs, kArmJs, kTrajectoryJs, kLiveJs, "}\n</script>\n");
+std::string live_section(const std::vector<std::uint32_t>& image,
+                         const std::vector<LiveZone>& zones, const LivePeriods& periods) {
+  return has_live_section() ? section_of("live", "The robot",
+                                         concat("\"image\":\"", base64(image),
+                                                "\",\"zones\":", list_of(zones, zone_of),
+                                                periods_of(periods), library_of(kArmLibrary)),
+                                         kRobotScript)
+                            : "";
+}
+
+std::string live_section(const std::vector<LiveMesh>& meshes, const std::vector<LivePair>& pairs,
+                         std::size_t first) {
+  return has_live_section() && !meshes.empty()
+             ? section_of("live", meshes.size() == 1 ? "The mesh" : "The meshes",
+                          concat("\"first\":", first, ",\"meshes\":", list_of(meshes, mesh_of),
+                                 ",\"pairs\":", list_of(pairs, pair_of), library_of(kPairLibrary)),
+                          kMeshScript)
+             : "";
+}
+
+std::string deviation_section(const std::vector<LiveDeviation>& meshes) {
+  return meshes.empty()
+             ? ""
+             : section_of("deviation", "The file&#39;s mesh and what is baked of it",
+                          concat("\"meshes\":", list_of(meshes, deviation_of)), kDeviationScript);
 }
 
 }  // namespace flashbvh::tool

@@ -1,26 +1,29 @@
-// A trajectory: its verdicts as a time line, which is played.
+// Places one after the other: their verdicts as a time line, which is played and stepped through.
 class Trajectory {
-  constructor({ values, verdicts, names }) {
-    this.values = new Float32Array(bytes_of(values).buffer);
+  // `verdicts`: a digit a place; `show(i)` puts what is shown there, and returns the place's name and verdict.
+  constructor(verdicts, what, show) {
     this.verdicts = verdicts;
-    this.names = names;
-    this.line = element("canvas", { className: "line", height: 1, width: Math.min(names.length, 1000) });
-    this.place = element("input", { type: "range", min: 0, max: names.length - 1, value: 0 });
-    this.place.setAttribute("aria-label", "Period");
-    this.play = element("button", { textContent: "\u25B6", title: "Play" });
-    this.name = element("span", {});
-    this.bar = element("div", { className: "trajectory" }, this.line, this.place, this.play, this.name);
+    this.show = show;
+    this.last = verdicts.length - 1;
+    this.line = element("canvas", { className: "line", height: 1, width: Math.min(verdicts.length, 1000) });
+    this.place = element("input", { type: "range", min: 0, max: this.last, value: 0 });
+    this.place.setAttribute("aria-label", what);
+    const button = (textContent, title, onclick) => element("button", { textContent, title, onclick });
+    this.play = button("\u25B6", "Play", () => (this.timer ? this.#halt() : this.#run()));
+    this.name = element("span");
+    this.bar = element("div", { className: "trajectory" }, this.line, this.place, element("span", {},
+      button("\u2212", "One back", () => this.go(this.period - 1)), this.play,
+      button("+", "One on", () => this.go(this.period + 1))), this.name);
     this.place.oninput = () => this.go(+this.place.value);
-    this.play.onclick = () => (this.timer ? this.#halt() : this.#run());
   }
 
-  attach(live) {
-    this.live = live;
-    const colours = VERDICTS.map((_, i) => getComputedStyle(live.section).getPropertyValue(`--v${i}`));
+  // The time line, in the colours of the section, and the first place.
+  attach(section) {
+    const colours = [0, 1, 2, 3, 4].map(i => getComputedStyle(section).getPropertyValue(`--v${i}`));
     const pen = this.line.getContext("2d");
     const { width } = this.line;
     for (let x = 0; x < width; ++x) {
-      const [from, to] = [x, x + 1].map(end => Math.floor(end * this.names.length / width));
+      const [from, to] = [x, x + 1].map(end => Math.floor(end * this.verdicts.length / width));
       pen.fillStyle = colours[Math.max(...this.verdicts.slice(from, Math.max(to, from + 1)))];
       pen.fillRect(x, 0, 1, 1);
     }
@@ -28,21 +31,19 @@ class Trajectory {
   }
 
   go(period) {
-    this.period = Math.min(period, this.names.length - 1);
+    this.period = Math.min(Math.max(period, 0), this.last);
     this.place.value = this.period;
-    const count = this.live.arm.variables.length;
-    this.live.set_all([...this.values.slice(count * this.period, count * (this.period + 1))]);
-    this.name.textContent = `${this.names[this.period]}: ${VERDICTS[this.verdicts[this.period]]} on the way`;
+    this.name.textContent = this.show(this.period);
   }
 
-  // All of it in ten seconds, or a period a frame.
+  // All of it in ten seconds, or a place a frame.
   #run() {
-    if (this.period === this.names.length - 1) this.go(0);
-    const step = Math.max(1, Math.round(this.names.length / 300));
+    if (this.period === this.last) this.go(0);
+    const step = Math.max(1, Math.round(this.verdicts.length / 300));
     this.play.textContent = "\u275A\u275A";
     this.timer = setInterval(() => {
       this.go(this.period + step);
-      if (this.period === this.names.length - 1) this.#halt();
+      if (this.period === this.last || !this.bar.isConnected) this.#halt();
     }, 33);
   }
   #halt() {

@@ -1,4 +1,4 @@
-// A robot drawn with WebGL: links of triangles as the image has them, lit from the eye, and lines on top.
+// Meshes drawn with WebGL: triangles as the image has them, lit from the eye, and marks in front of them.
 
 const VERTEX = `#version 300 es
 in vec3 at;
@@ -8,6 +8,7 @@ void main() {
   vec4 p = eye * model * vec4(at, 1.0);
   seen = p.xyz;
   gl_Position = screen * p;
+  gl_PointSize = 7.0;
 }`;
 const FRAGMENT = `#version 300 es
 precision highp float;
@@ -32,23 +33,39 @@ const times = (a, b) => {
 };
 const placed = (m, [x, y, z]) => [0, 1, 2, 3].map(i => m[i] * x + m[4 + i] * y + m[8 + i] * z + m[12 + i]);
 
+// Without a GPU edges are drawn as they are: to smooth them takes a quarter of a frame.
+const has_gpu = (() => {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const names = gl && gl.getExtension("WEBGL_debug_renderer_info");
+  return !(names && /swiftshader|llvmpipe|software/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL)));
+})();
+
 class View {
-  // `links`: { vertices: Int16Array, triangles: Uint16Array } each. Throws if there is no WebGL.
-  constructor(canvas, links) {
-    const gl = canvas.getContext("webgl2", { antialias: true });
+  // `meshes`: { vertices: Int16Array, triangles: Uint16Array } each. Throws if there is no WebGL.
+  constructor(canvas, meshes) {
+    const gl = canvas.getContext("webgl2", { antialias: has_gpu, alpha: false });
     if (!gl) throw new Error("this browser has no WebGL 2");
     this.gl = gl;
     this.canvas = canvas;
     this.program = this.#program();
     const place = name => gl.getUniformLocation(this.program, name);
     this.places = { model: place("model"), eye: place("eye"), screen: place("screen"), colour: place("colour"), flat: place("flat_") };
-    this.links = links.map(link => this.#link(link));
-    this.line = gl.createBuffer();
+    this.meshes = meshes.map(mesh => this.#mesh(mesh));
+    this.marks = gl.createBuffer();
     this.turn = { yaw: 0.9, pitch: 0.35 };
     this.middle = [0, 0, 0];
     this.size = 1;
-    this.distance = 1.4;
+    this.distance = 1.25;
     gl.enable(gl.DEPTH_TEST);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    this.#fit();
+  }
+
+  // As many pixels as the page has there.
+  #fit() {
+    const ratio = Math.min(devicePixelRatio, 2);
+    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight].map(size => Math.round(size * ratio));
+    if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
   }
 
   #program() {
@@ -66,7 +83,12 @@ class View {
     return program;
   }
 
-  #link({ vertices, triangles }) {
+  // Browsers keep few at a time.
+  close() {
+    this.gl.getExtension("WEBGL_lose_context")?.loseContext();
+  }
+
+  #mesh({ vertices, triangles }) {
     const { gl } = this;
     const array = gl.createVertexArray();
     gl.bindVertexArray(array);
@@ -110,42 +132,54 @@ class View {
     gl.uniformMatrix4fv(places.eye, false, this.eye());
     gl.uniformMatrix4fv(places.screen, false, this.screen());
     gl.uniform1i(places.flat, flat);
-    this.links.forEach((link, i) => {
+    this.meshes.forEach((mesh, i) => {
       gl.uniformMatrix4fv(places.model, false, matrices[i]);
       gl.uniform4fv(places.colour, colours[i]);
-      gl.bindVertexArray(link.array);
-      gl.drawElements(gl.TRIANGLES, link.count, gl.UNSIGNED_SHORT, 0);
+      gl.bindVertexArray(mesh.array);
+      gl.drawElements(gl.TRIANGLES, mesh.count, gl.UNSIGNED_SHORT, 0);
     });
   }
 
-  // `line`: two points in the base's frame, or null.
-  draw(matrices, colours, ground, line, lineColour) {
+  // `marks`: { kind: "POINTS", "LINES" or "TRIANGLES", points, colour } each, in the base's frame: an array of
+  // points, or their numbers.
+  draw(matrices, colours, ground, marks) {
     const { gl, places } = this;
-    const ratio = Math.min(devicePixelRatio, 2);
-    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight].map(size => Math.round(size * ratio));
-    if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
+    this.#fit();
     gl.clearColor(...ground);
     this.#draw(matrices, colours, false);
-    if (!line) return;
     gl.bindVertexArray(null);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.line);
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(line.flat()), gl.DYNAMIC_DRAW);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.marks);
     gl.enableVertexAttribArray(0);
     gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
     gl.uniformMatrix4fv(places.model, false, IDENTITY);
-    gl.uniform4fv(places.colour, lineColour);
     gl.uniform1i(places.flat, true);
     gl.disable(gl.DEPTH_TEST);
-    gl.drawArrays(gl.LINES, 0, 2);
+    gl.enable(gl.BLEND);
+    for (const { kind, points, colour } of marks) {
+      const numbers = points instanceof Float32Array ? points : new Float32Array(points.flat());
+      gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.DYNAMIC_DRAW);
+      gl.uniform4fv(places.colour, colour);
+      gl.drawArrays(gl[kind], 0, numbers.length / 3);
+    }
+    gl.disable(gl.BLEND);
     gl.enable(gl.DEPTH_TEST);
   }
 
-  // The link at a pixel of the page, or -1.
+  // The half-line that is seen at a pixel of the page: where it begins, and its direction of length 1.
+  ray(x, y) {
+    const [eye, screen] = [this.eye(), this.screen()];
+    const seen = [(2 * x / this.canvas.clientWidth - 1) / screen[0], (1 - 2 * y / this.canvas.clientHeight) / screen[5], -1];
+    const length = Math.hypot(...seen);
+    const turned = v => [0, 1, 2].map(i => eye[4 * i] * v[0] + eye[4 * i + 1] * v[1] + eye[4 * i + 2] * v[2]);
+    return { from: turned([-eye[12], -eye[13], -eye[14]]), way: turned(seen.map(part => part / length)) };
+  }
+
+  // The mesh at a pixel of the page, or -1.
   pick(matrices, x, y) {
     const { gl } = this;
     const ratio = this.canvas.width / this.canvas.clientWidth;
     gl.clearColor(0, 0, 0, 0);
-    this.#draw(matrices, this.links.map((_, i) => [(i + 1) / 255, 0, 0, 1]), true);
+    this.#draw(matrices, this.meshes.map((_, i) => [(i + 1) / 255, 0, 0, 1]), true);
     const pixel = new Uint8Array(4);
     gl.readPixels(x * ratio, this.canvas.height - y * ratio, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
     return pixel[0] - 1;

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "report/arm_pictures.hpp"
 #include "report/html.hpp"
+#include "report/links.hpp"
 
 namespace flashbvh::tool {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "live/live_section.hpp"
-#include "report/arm_pictures.hpp"
 #include "report/html.hpp"
+#include "report/links.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -229,23 +229,14 @@ std::string closest_section(const GuardedTrajectory& guarded) {
     return "";
   }
   const double metres = metres_of(guarded, closest->clearance.lower);
-  const RobotPair& links = guarded.robot.pairs[closest->pair];
-  const auto& triangles = closest->clearance.triangles;
-  const float* const values = guarded.trajectory.values(closest->period);
-  return section(
-      "",
-      concat("Closest at line ", guarded.trajectory.line(closest->period), ": ",
-             pair_name(guarded, closest->pair),
-             metres == 0 ? " intersect" : ", " + significant(metres, 4) + " m"),
-      pair_pictures(
-          {guarded.model,
-           cell_of(guarded.robot),
-           {guarded.robot.meshes, guarded.robot.meshes + guarded.robot.link_count},
-           link_poses(guarded.robot, values)},
-          {links.a, links.b, {triangles.a, triangles.b}, "the triangles that are nearest"}) +
-          note("Joints: <code>" +
-               joint_values(guarded.model, {values, values + guarded.trajectory.variables()}) +
-               "</code>"));
+  const float* const at = guarded.trajectory.values(closest->period);
+  const std::vector<double> values = {at, at + guarded.trajectory.variables()};
+  return section("",
+                 concat("Closest at line ", guarded.trajectory.line(closest->period), ": ",
+                        pair_name(guarded, closest->pair),
+                        metres == 0 ? " intersect" : ", " + significant(metres, 4) + " m"),
+                 concat("<p", shown_values(values), ">Joints: <code>",
+                        joint_values(guarded.model, values), "</code></p>\n"));
 }
 
 /// Of the page: all near pairs, and the stretches that are not free. Nothing if there are none.
@@ -294,7 +285,7 @@ double metres_of(const GuardedTrajectory& guarded, std::uint32_t fine) {
 
 std::string guard_page(const GuardedTrajectory& guarded) {
   std::string html = decision_section("What it comes to", decisions(guarded)) +
-                     live_section(guarded.image, played_periods(guarded)) + counts(guarded) +
+                     live_section(guarded.image, {}, played_periods(guarded)) + counts(guarded) +
                      time_section(guarded);
   if (guarded.robot.pair_count != 0) {
     const std::vector<NearPair> near =

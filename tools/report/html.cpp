@@ -1,9 +1,9 @@
 #include "report/html.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "flashbvh/version.hpp"
-#include "report/picture.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -77,12 +77,13 @@ thead th{color:var(--soft);vertical-align:bottom}
 .matrix{width:auto}.matrix td,.matrix thead th{padding:6px 10px;text-align:center}
 .pairs td{border:2px solid var(--paper);line-height:1.25}
 .pairs td small{color:var(--text);white-space:nowrap}
-.pairs tbody th{white-space:nowrap;padding-right:10px;position:sticky;left:0;background:var(--paper)}
+.matrix tbody th{white-space:nowrap;padding-right:10px;position:sticky;left:0;background:var(--paper)}
 .is-never{background:rgba(40,160,90,.2)}.is-can{background:rgba(var(--hot),.34)}
 .is-contact,.is-believed{background:rgba(220,160,20,.3)}.is-fixed{background:rgba(130,145,165,.22)}
 .is-undecided{background:rgba(160,80,200,.28)}
 @media (min-width:540px){.hist th{white-space:nowrap}}
-@media (max-width:539px){th,td{padding-right:10px}
+@media (max-width:539px){th,td{padding-right:8px}
+table:not(.matrix){font-size:.8rem}table:not(.matrix) :is(th,td):not(td.n){overflow-wrap:anywhere}
 .pairs tbody th,.pairs thead th{white-space:normal;overflow-wrap:anywhere;min-width:5.5em;max-width:7em}
 .hist tr,.words tr{display:grid;border-bottom:1px solid var(--line);padding:4px 0;
 grid-template-columns:1fr 4em 4.6em 4.6em}
@@ -93,19 +94,12 @@ grid-template-columns:1fr 4em 4.6em 4.6em}
 td,.key{print-color-adjust:exact;-webkit-print-color-adjust:exact}figure,tr{break-inside:avoid}}
 )";
 
-inline constexpr const char* kPictures =
-    R"(.views,.contacts{display:grid;gap:14px;margin:.8em 0 1em}
-@media (min-width:540px){.views{grid-template-columns:1fr 1fr}}
-@media (min-width:760px){.contacts{grid-template-columns:1fr 1fr}}
-@media (min-width:1060px){.views{grid-template-columns:repeat(4,1fr)}}
-figure{margin:0;min-width:0}
+inline constexpr const char* kCharts = R"(figure{margin:0;min-width:0}
 figure svg{display:block;width:100%;height:auto;border:1px solid var(--line);background:var(--ground)}
 figcaption{color:var(--soft);font-size:.875rem}figcaption b{color:var(--text)}
 svg text{font-size:32px;fill:var(--soft);text-anchor:middle;dominant-baseline:central}
-path,circle{fill:none;stroke-width:1.3px;stroke-linejoin:round;vector-effect:non-scaling-stroke}
-.faces path{stroke-width:.8px}
-.axis{stroke:var(--soft)}.wire{stroke:var(--accent);stroke-width:1px}circle{stroke:var(--accent);stroke-width:2px;stroke-dasharray:6 4}
-.way{stroke:var(--text);stroke-width:2px}.ends{stroke:var(--text);stroke-width:7px;stroke-linecap:round}
+path{fill:none;stroke-width:1.3px;stroke-linejoin:round;vector-effect:non-scaling-stroke}
+.axis{stroke:var(--soft)}
 .v0{background:var(--v0);fill:var(--v0)}.v1{background:var(--v1);fill:var(--v1)}
 .v2{background:var(--v2);fill:var(--v2)}.v3{background:var(--v3);fill:var(--v3)}
 .v4{background:var(--v4);fill:var(--v4)}
@@ -197,6 +191,11 @@ std::string counted(std::uint64_t number, const char* one, const char* many) {
   return grouped(number) + " " + (number == 1 ? one : many);
 }
 
+std::string length_of(const Measure& measure, double length) {
+  const double size = std::fabs(length);
+  return (size >= 1e4 && size < 1e9 ? fixed(length, 0) : significant(length, 4)) + measure.suffix;
+}
+
 std::string square(const std::string& style) {
   return "<i class=\"key " + style + "\"></i>";
 }
@@ -222,6 +221,18 @@ std::string verdict_line(const std::string& style, const std::string& what, cons
   return "<li" + style + "><b>" + what + "</b>" + of + "</li>\n";
 }
 
+std::string decision(const std::string& style, const std::string& what, const std::string& of) {
+  return "<li>" + square(style) + "<b>" + what + "</b>" + (of.empty() ? "" : ": " + of) + "</li>\n";
+}
+
+std::string decision_section(const std::string& title, const std::string& decisions) {
+  return section("decision", title, "<ul class=verdict>\n" + decisions + "</ul>");
+}
+
+std::string footer() {
+  return "<footer>" + note(version_text()) + "</footer>\n";
+}
+
 std::string section(const std::string& id, const std::string& title, const std::string& body) {
   return "<section" + (id.empty() ? "" : " id=" + id) + ">" +
          (title.empty() ? "" : "<h2>" + title + "</h2>") + "\n" + body + "</section>\n";
@@ -233,9 +244,8 @@ std::string page(const std::string& title, const char* command, const char* lead
       "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n"
       "<meta name=viewport content=\"width=device-width,initial-scale=1\">\n<title>",
       title, " &middot; flashbvh ", command, "</title>\n<style>\n", kColours, kText, kTables,
-      kPictures, paint_style(), "</style>\n</head>\n<body>\n<header>\n<p class=lead>flashbvh ",
-      command, ": ", lead, "</p>\n<h1>", title, "</h1>\n</header>\n<main>\n", body,
-      "</main>\n</body>\n</html>\n");
+      kCharts, "</style>\n</head>\n<body>\n<header>\n<p class=lead>flashbvh ", command, ": ", lead,
+      "</p>\n<h1>", title, "</h1>\n</header>\n<main>\n", body, "</main>\n</body>\n</html>\n");
 }
 
 std::string version_text() {

@@ -18,6 +18,14 @@ std::string grouped(std::uint64_t number);
 /// "1 box", "12 boxes".
 std::string counted(std::uint64_t number, const char* one, const char* many);
 
+/// A cell, in a unit, and the text behind lengths in it: " mm"; empty where the unit is unknown.
+struct Measure {
+  double cell;
+  std::string suffix;
+};
+/// A length, given in the measure's unit, to four digits, with the unit.
+std::string length_of(const Measure& measure, double length);
+
 /// A square in the colour of a style class.
 std::string square(const std::string& style);
 /// A square and its meaning.
@@ -32,6 +40,12 @@ std::string note(const std::string& text);
 
 /// A line of a list of verdicts; nothing is put between its parts.
 std::string verdict_line(const std::string& style, const std::string& what, const std::string& of);
+/// A verdict of a page: a square in the colour of a style class, the verdict, its subject.
+std::string decision(const std::string& style, const std::string& what, const std::string& of);
+/// The first section of a page.
+std::string decision_section(const std::string& title, const std::string& decisions);
+/// Behind the last section, with the version.
+std::string footer();
 
 /// `id` may be empty.
 std::string section(const std::string& id, const std::string& title, const std::string& body);

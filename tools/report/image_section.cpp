@@ -6,7 +6,6 @@
 #include "flashbvh/image.hpp"
 #include "report/html.hpp"
 #include "report/page.hpp"
-#include "report/picture.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -73,7 +72,7 @@ std::string key_figures(const Subject& subject) {
 std::string warning_list(const Subject& subject) {
   std::string html;
   for (const Warning& warning : subject.warnings) {
-    html += "<li>" + key(class_of(warning.paint), warning.text) + "</li>\n";
+    html += "<li>" + key(warning.marks.colour, warning.text) + "</li>\n";
   }
   if (html.empty()) {
     html =
@@ -81,7 +80,9 @@ std::string warning_list(const Subject& subject) {
         "own.</p>\n";
   } else {
     html = "<ul class=warnings>\n" + html + "</ul>\n" +
-           note("On the lattice, marked in the pictures. Queries answer exactly all the same.");
+           note(
+               "On the lattice; where the mesh is shown alone, it has them in these colours. "
+               "Queries answer exactly all the same.");
   }
   if (subject.left_out != 0) {
     html += note(counted(subject.left_out, "triangle was", "triangles were") +
@@ -90,20 +91,11 @@ std::string warning_list(const Subject& subject) {
   return html;
 }
 
-std::string picture(const Subject& subject) {
-  Faces faces(subject.triangles.begin(), subject.triangles.end());
-  faces.insert(faces.end(), subject.marked_edges.begin(), subject.marked_edges.end());
-  return "<div class=views>\n" +
-         figure(faces, Frame(points_of(faces)), measure_of(subject.image), escaped(subject.name),
-                "", "From a corner") +
-         "</div>\n";
-}
-
 }  // namespace
 
 std::string image_section(const Subject& subject) {
   return section(concat("m", subject.number), escaped(subject.name),
-                 key_figures(subject) + warning_list(subject) + picture(subject));
+                 key_figures(subject) + warning_list(subject));
 }
 
 std::string flash_table(const Subjects& subjects) {

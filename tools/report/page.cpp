@@ -5,6 +5,7 @@
 
 #include "evaluate/queries.hpp"
 #include "report/html.hpp"
+#include "report/standing.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 
@@ -21,7 +22,7 @@ std::vector<QueriedPair> partners(const Subjects& subjects) {
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     for (std::size_t j = i + 1; j < subjects.size(); ++j) {
       if (pairs.size() < kMostPairs && are_partners(subjects[i]->image, subjects[j]->image)) {
-        pairs.push_back({subjects[i], subjects[j], {}});
+        pairs.push_back({subjects[i], subjects[j], {}, {}, {}});
       }
     }
   }
@@ -30,7 +31,7 @@ std::vector<QueriedPair> partners(const Subjects& subjects) {
 
 QueriedPair at_poses(const Subject& a, const Subject& b, const std::string& path) {
   check_partners(a.image, b.image);
-  return {&a, &b, costs_at(a.image, b.image, path)};
+  return {&a, &b, costs_at(a.image, b.image, path), {}, {}};
 }
 
 /// A file A-B for each pair that is queried.
@@ -77,7 +78,7 @@ std::vector<QueriedPair> queried_pairs(const Subjects& subjects, const ReportOpt
   }
   std::vector<QueriedPair> pairs = partners(subjects);
   if (subjects.size() == 1) {
-    pairs.push_back({subjects[0], subjects[0], {}});
+    pairs.push_back({subjects[0], subjects[0], {}, {}, {}});
   }
   for (QueriedPair& pair : pairs) {
     step("querying " + pair.a->name + " and " + pair.b->name,
@@ -85,6 +86,20 @@ std::vector<QueriedPair> queried_pairs(const Subjects& subjects, const ReportOpt
     pair.costs = sampled_costs(pair.a->image, pair.b->image, options.samples);
   }
   return pairs;
+}
+
+/// What decides: whether they touch; of one mesh, whether it has an inside.
+std::string decisions(const Subjects& subjects, const std::vector<QueriedPair>& pairs) {
+  std::string html = standing_decisions(pairs);
+  for (const Subject* const subject : subjects) {
+    const std::size_t odd = subject->warnings.size();
+    if (odd != 0 || subjects.size() == 1) {
+      html += decision(odd == 0 ? "v0" : "v1",
+                       escaped(subject->name) + (odd == 0 ? " is a closed surface" : " is odd"),
+                       odd == 0 ? "" : subject->warnings[0].text);
+    }
+  }
+  return decision_section("", html);
 }
 
 }  // namespace
@@ -114,14 +129,23 @@ std::string page_of(const std::vector<std::unique_ptr<ImageFile>>& images,
     owned.push_back(std::make_unique<Subject>(*images[i], i, names[i]));
     subjects.push_back(owned.back().get());
   }
-  const std::vector<QueriedPair> pairs = queried_pairs(subjects, options, step);
-  std::string html = fit_section(subjects, pairs, options) +
+  std::vector<QueriedPair> pairs = queried_pairs(subjects, options, step);
+  for (QueriedPair& pair : pairs) {
+    const bool is_given = !options.poses.empty();
+    if (is_given || pair.a != pair.b) {
+      pair.standings = standings_of(pair.a->image, pair.b->image,
+                                    is_given ? pair.costs.poses : std::vector<PoseCost>());
+    }
+  }
+  const std::string live = live_part(subjects, pairs);
+  std::string html = decisions(subjects, pairs) + live + fit_section(subjects, pairs, options) +
                      pairs_section(subjects, pairs, options) + flash_table(subjects);
   for (const Subject* const subject : subjects) {
-    step("drawing " + subject->name, 1);
+    step("describing " + subject->name, 1);
     html += image_section(*subject);
   }
-  return page(title_of(subjects), "report", "flash, RAM and time", html + foot(subjects));
+  return page(title_of(subjects), "report", "meshes that answer; flash, RAM and time",
+              html + foot(subjects));
 }
 
 }  // namespace flashbvh::tool

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,12 +59,21 @@ struct PoseCost {
 };
 
 struct PairCosts {
+  bool are_given = false;          ///< the poses, not drawn at random
   VisitBound bound;                ///< of any pose
   std::vector<PoseCost> poses;     ///< none with --samples 0
   NeededWork needed;               ///< at these, for every pair of triangles
   NeededWork needed_to_first;      ///< for the first pair
   std::uint64_t out_of_range = 0;  ///< poses that can't be: a mesh lies too far from its origin
   bool costly = false;             ///< kMostVisits were reached
+};
+
+/// How B is to A at a pose, or as drawn.
+struct Standing {
+  std::uint64_t pairs;  ///< of triangles that intersect
+  bool is_inside;       ///< without such a pair: one of two closed meshes lies in the other
+  bool has_distance;
+  double distance;  ///< at least; in the meshes' unit
 };
 
 /// Visits at which one sample stops.
@@ -85,7 +95,16 @@ struct QueriedPair {
   const Subject* a;
   const Subject* b;
   PairCosts costs;
+  /// At poses that were given, or one, as drawn; none of a mesh and itself.
+  std::vector<Standing> standings = {};
+  std::optional<std::size_t> live = {};  ///< its place in LivePairs, if the page has it there
 };
+
+/// As `collide --poses` reads it.
+std::string line_of(const Pose& pose, double cell);
+/// Attributes of HTML: the pose that the meshes in the page then have. Nothing if they are not
+/// there.
+std::string shown_at(const QueriedPair& pair, const Pose& pose);
 
 /// "ring and peg", as HTML.
 std::string title_of(const QueriedPair& pair);
@@ -93,16 +112,20 @@ std::string title_of(const QueriedPair& pair);
 /// The pair whose costliest pose, or bound where there are no poses, takes most work.
 const QueriedPair& costliest(const std::vector<QueriedPair>& pairs);
 
+/// The section in which meshes answer; sets QueriedPair::live. Nothing if the program was built
+/// without the library for it.
+std::string live_part(const Subjects& subjects, std::vector<QueriedPair>& pairs);
+
 /// Flash, RAM and time, and whether they are enough. `pairs`: may be none.
 std::string fit_section(const Subjects& subjects, const std::vector<QueriedPair>& pairs,
                         const ReportOptions& options);
 
 /// The worst of each pair as a matrix, for three meshes or more; the costliest pose and a first
-/// contact as pictures; work by how close the meshes come. Nothing without poses.
+/// contact; given poses as a table; work by how close the meshes come. Nothing without poses.
 std::string pairs_section(const Subjects& subjects, const std::vector<QueriedPair>& pairs,
                           const ReportOptions& options);
 
-/// Key figures, warnings and a picture.
+/// Key figures and warnings.
 std::string image_section(const Subject& subject);
 
 /// Flash by mesh and part, on one scale.

@@ -16,6 +16,23 @@ namespace {
 
 constexpr std::int64_t kRadius = 20000;
 
+using Vector = LatticePoint;
+
+std::int64_t dot(const Vector& u, const Vector& v) {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+/// The largest number whose square is not above `value`, 0 to 2^62 - 1.
+std::int64_t square_root(std::int64_t value) {
+  std::int64_t root = 0;  // below 2^31
+  for (std::int64_t bit = std::int64_t{1} << 30; bit != 0; bit >>= 1) {
+    if ((root + bit) * (root + bit) <= value) {
+      root += bit;
+    }
+  }
+  return root;
+}
+
 /// Evenly in a ball, but not near its middle, where rounding would show.
 template <std::size_t dimensions>
 std::array<std::int64_t, dimensions> in_ball(Random& random) {
@@ -53,10 +70,11 @@ void set_rotation(const std::array<std::int64_t, 4>& q, Matrix& matrix) {
 struct Place {
   explicit Place(const AnyTree& any) {
     const NodeBox box = std::visit([](const auto& tree) { return node_box(tree, 0); }, any);
+    Vector sides{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       middle[axis] = box.lower[axis] + box.upper[axis];
+      sides[axis] = box.upper[axis] - box.lower[axis];
     }
-    const Vector sides = difference(box.upper, box.lower);
     diagonal = square_root(dot(sides, sides)) + 1;
   }
 
@@ -130,6 +148,7 @@ void sum_up(PairCosts& costs, const ImageFile& a, const ImageFile& b) {
 
 PairCosts costs_at(const ImageFile& a, const ImageFile& b, const std::string& path) {
   PairCosts costs;
+  costs.are_given = true;
   for (const Pose& pose : read_lattice_poses(path, a.cell())) {
     add(costs, a, b, pose, path);
   }

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "flashbvh/robot/motion.hpp"
 #include "live/live_section.hpp"
-#include "report/arm_pictures.hpp"
 #include "report/html.hpp"
+#include "report/links.hpp"
 #include "robot/baked/robot_writer.hpp"
 #include "robot/matrix/rarity.hpp"
 #include "robot/model.hpp"
@@ -32,18 +31,9 @@ std::string short_reason(const PairVerdict& pair, const std::string& share) {
              : counted(pair.cells, "cell", "cells") + (pair.is_guarded ? ", guarded" : "");
 }
 
-/// Where the two collide, for the robot above to show.
-std::string values_of(const PairVerdict& pair) {
-  std::string text;
-  for (const double value : pair.witness) {
-    text += (text.empty() ? "" : " ") + significant(value, 9);
-  }
-  return text.empty() ? "" : concat(" data-values=\"", text, "\"");
-}
-
 std::string cell(const PairVerdict& pair, const std::string& share) {
-  return concat("<td class=is-", name_of(pair.verdict), values_of(pair), ">", name_of(pair.verdict),
-                "<small>", short_reason(pair, share), "</small></td>");
+  return concat("<td class=is-", name_of(pair.verdict), shown_values(pair.witness), ">",
+                name_of(pair.verdict), "<small>", short_reason(pair, share), "</small></td>");
 }
 
 std::string matrix_of(const DecidedRobot& decided, const std::vector<std::string>& shares) {
@@ -87,8 +77,6 @@ std::string words(const DecidedRobot& decided) {
 constexpr std::uint32_t kConfigurations = 20000;  ///< drawn at random
 /// As many as a collision matrix is usually sampled from.
 constexpr std::uint32_t kUsualSamples = 10000;
-/// Witnesses that are drawn, the rarest.
-constexpr std::size_t kMostDrawn = 24;
 
 /// Of a MotionStateOf of the robot.
 std::size_t motion_ram_bytes(const Robot& robot) {
@@ -127,64 +115,28 @@ std::string facts_section(const DecidedRobot& decided) {
 
 std::string guarded_decision(const DecidedRobot& decided) {
   const std::size_t guarded = decided.robot().pair_count;
+  const auto can =
+      std::count_if(decided.pairs.begin(), decided.pairs.end(),
+                    [](const PairVerdict& pair) { return pair.verdict == MatrixVerdict::can; });
   return decision_section(
-      "What is guarded",
-      unguarded_decisions(decided.model, decided.unguarded) +
-          decision("v0", concat(counted(guarded, "pair", "pairs"), " of links guarded"),
-                   concat(grouped(decided.pairs.size() - guarded),
-                          " proven never to, fixed, or believed")));
+      "", unguarded_decisions(decided.model, decided.unguarded) +
+              decision("v0",
+                       concat("Guarded: ", guarded, " of ",
+                              counted(decided.pairs.size(), "pair", "pairs"), " of links"),
+                       concat(can, " can collide; ", grouped(decided.pairs.size() - guarded),
+                              " are proven never to, fixed, or believed")));
 }
 
-/// A value a variable, at a part of its range; without one at 0, or the limit next to it.
-std::vector<double> values_at(const Model& model, std::optional<double> part) {
-  std::vector<double> values;
-  for (const std::size_t number : model.variables) {
-    const ModelJoint& joint = model.joints[number];
-    values.push_back(part ? joint.lower + *part * (joint.upper - joint.lower)
-                          : std::clamp(0.0, joint.lower, joint.upper));
-  }
-  return values;
-}
-
-PosedArm posed(const DecidedRobot& decided, const std::vector<double>& values) {
-  return {decided.model,
-          cell_of(decided.robot()),
-          {decided.wholes.begin(), decided.wholes.end()},
-          link_poses(decided.model, cell_of(decided.robot()), values)};
-}
-
-/// A joint zone where its joint is; of a cylinder the ball about the joint.
-Ball ball_of(const DecidedRobot& decided, const JointZone& zone,
-             const std::vector<Transform>& frames) {
-  const ModelJoint& joint = decided.model.joints[zone.joint];
-  const Transform parent = joint.parent == kNoJoint ? Transform() : frames[joint.parent];
-  const Vector3 middle = placed(composed(parent, joint.fixed), zone.shape.middle);
-  const auto cells = [&](double length) { return std::llround(length / cell_of(decided.robot())); };
-  return {{cells(middle[0]), cells(middle[1]), cells(middle[2])}, cells(zone.shape.radius)};
-}
-
-PosedArm posed_with_zones(const DecidedRobot& decided, const std::vector<double>& values) {
-  PosedArm arm = posed(decided, values);
-  const std::vector<Transform> frames = frames_of(decided.model, values);
+std::vector<LiveZone> live_zones(const DecidedRobot& decided) {
+  std::vector<LiveZone> zones;
   for (const JointZone& zone : decided.zones) {
-    arm.balls.push_back(ball_of(decided, zone, frames));
+    std::array<double, 3> middle = zone.shape.middle;
+    for (double& along : middle) {
+      along /= cell_of(decided.robot());
+    }
+    zones.push_back({zone.joint, middle, zone.shape.radius});
   }
-  return arm;
-}
-
-std::string arm_section(const DecidedRobot& decided) {
-  const Model& model = decided.model;
-  std::vector<PosedArm> arms = {posed_with_zones(decided, values_at(model, {}))};
-  for (std::size_t i = 0; i < 3 && !model.variables.empty(); ++i) {
-    arms.push_back(posed_with_zones(decided, values_at(model, std::array{0.5, 0.0, 1.0}[i])));
-  }
-  return section(
-      "", "The robot",
-      arm_pictures(arms, {"All joints at 0, or the limit next to it", "In the middle of ranges",
-                          "At the lower ends", "At the upper ends"}) +
-          (decided.zones.empty()
-               ? ""
-               : note("Dashed: joint zones, in which neighbours may touch and no guard looks.")));
+  return zones;
 }
 
 std::string part_text(double part) {
@@ -232,35 +184,15 @@ std::string rarity_table(const DecidedRobot& decided, const std::vector<std::siz
               "those here does, the share is below that bound with a confidence of 95 %.");
 }
 
-std::string witness(const DecidedRobot& decided, const PairVerdict& pair) {
-  const double cell = cell_of(decided.robot());
-  const auto [a, b, triangles] = triangles_at(decided.model, decided.wholes.data(), cell, pair);
-  return "<h3>" + links_of(decided.model, pair.a, pair.b) + "</h3>\n" +
-         pair_pictures(posed(decided, pair.witness),
-                       {a, b, triangles, "two triangles that intersect"}) +
-         note("Joints: <code>" + joint_values(decided.model, pair.witness) + "</code>");
-}
-
 std::string witness_section(const DecidedRobot& decided, const std::vector<std::size_t>& order,
-                            const std::vector<Collisions>& collisions, const OnStep& step) {
-  if (order.empty()) {
-    return "";
-  }
-  const std::size_t drawn = std::min(order.size(), kMostDrawn);
-  std::string html = rarity_table(decided, order, collisions);
-  // In a page whose robot answers, the matrix shows them.
-  for (std::size_t i = 0; i < drawn && !has_live_section(); ++i) {
-    const PairVerdict& pair = decided.pairs[order[i]];
-    step("drawing " + decided.model.links[pair.a].name + " - " + decided.model.links[pair.b].name,
-         1.0 / static_cast<double>(drawn));
-    html += witness(decided, pair);
-  }
-  if (has_live_section()) {
-    html += note("A cell of the matrix that can collide shows where, in the robot above.");
-  } else if (drawn != order.size()) {
-    html += note(grouped(order.size() - drawn) + " more are not drawn; --json has their joints.");
-  }
-  return section("witnesses", "Collisions, the rarest first", html);
+                            const std::vector<Collisions>& collisions) {
+  return order.empty()
+             ? ""
+             : section("witnesses", "Collisions, the rarest first",
+                       rarity_table(decided, order, collisions) +
+                           (has_live_section() ? note("A cell of the matrix that can collide shows "
+                                                      "where, in the robot above.")
+                                               : ""));
 }
 
 std::string parts_section(const DecidedRobot& decided) {
@@ -308,9 +240,9 @@ std::string robot_page(const DecidedRobot& decided, const OnStep& step) {
   }
   return page(
       escaped(decided.model.name), "robot", "what of a robot can collide",
-      guarded_decision(decided) + live_section(decided.image) + facts_section(decided) +
-          arm_section(decided) + matrix_section(decided, shares) +
-          witness_section(decided, rarest(decided, collisions), collisions, step) +
+      guarded_decision(decided) + live_section(decided.image, live_zones(decided)) +
+          facts_section(decided) + matrix_section(decided, shares) +
+          witness_section(decided, rarest(decided, collisions), collisions) +
           (decided.simplified.meshes.empty() ? "" : simplified_section(decided.simplified)) +
           parts_section(decided) + footer());
 }

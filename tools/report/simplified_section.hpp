@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bake/mesh.hpp"
-#include "report/picture.hpp"
+#include "report/html.hpp"
 #include "simplify/fit.hpp"
 
 namespace flashbvh::tool {

@@ -5,53 +5,54 @@
 #include <utility>
 
 #include "mesh/defects.hpp"
-#include "report/html.hpp"
+#include "mesh/units.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-/// `places`: in the image's order of sources; the warning has their numbers in the source mesh.
-void mark_triangles(Subject& subject, TriangleIds places, Paint paint, const char* what) {
+/// `places`: in the order of `sources`; the warning has their numbers in the source mesh.
+void mark_triangles(Subject& subject, const std::vector<SourceTriangle>& sources,
+                    TriangleIds places, const char* colour, const char* what) {
   if (places.empty()) {
     return;
   }
+  LiveMarks marks = {colour, {}};
   for (std::uint32_t& place : places) {
-    subject.triangles[place].paint = paint;
-    place = subject.triangles[place].source.number;
+    const auto& [p, q, r] = sources[place].vertices;
+    marks.vertices.insert(marks.vertices.end(), {p, q, q, r, r, p});
+    place = sources[place].number;
   }
-  subject.warnings.push_back({paint, triangle_list(places) + what});
+  subject.warnings.push_back({std::move(marks), triangle_list(places) + what});
 }
 
-void mark_edges(Subject& subject, const std::vector<OddEdge>& edges, EdgeDefect defect, Paint paint,
-                const char* one, const char* many) {
-  const std::vector<LatticePoint> points = vertices_of(subject.image.tree());
-  std::size_t count = 0;
+void mark_edges(Subject& subject, const std::vector<OddEdge>& edges, EdgeDefect defect,
+                const char* colour, const char* one, const char* many) {
+  LiveMarks marks = {colour, {}};
   for (const auto& [vertices, found] : edges) {
     if (found == defect) {
-      const LatticePoint& to = points[vertices[1]];
-      subject.marked_edges.push_back({{points[vertices[0]], to, to}, paint});
-      ++count;
+      marks.vertices.insert(marks.vertices.end(), vertices.begin(), vertices.end());
     }
   }
-  if (count != 0) {
-    subject.warnings.push_back({paint, counted(count, one, many)});
+  if (const std::size_t count = marks.vertices.size() / 2; count != 0) {
+    subject.warnings.push_back({std::move(marks), counted(count, one, many)});
   }
 }
 
-void mark_defects(Subject& subject, const bake::LatticeMesh& mesh) {
+void mark_defects(Subject& subject, const std::vector<SourceTriangle>& sources) {
+  const bake::LatticeMesh mesh = mesh_of(subject.image, sources);
   const TriangleIds duplicates = duplicate_triangles(mesh.triangles);
-  mark_triangles(subject, duplicates, kDuplicate, " with the three vertices of an earlier one.");
-  mark_triangles(subject, degenerate_triangles(mesh), kNoArea,
+  mark_triangles(subject, sources, duplicates, "p1", " with the three vertices of an earlier one.");
+  mark_triangles(subject, sources, degenerate_triangles(mesh), "p4",
                  " without area: a segment or a point.");
   const std::vector<OddEdge> edges = odd_edges(mesh.triangles, duplicates);
-  mark_edges(subject, edges, EdgeDefect::boundary, kBoundary, "boundary edge of one triangle only.",
+  mark_edges(subject, edges, EdgeDefect::boundary, "p0", "boundary edge of one triangle only.",
              "boundary edges of one triangle only.");
-  mark_edges(subject, edges, EdgeDefect::non_manifold, kNonManifold,
+  mark_edges(subject, edges, EdgeDefect::non_manifold, "p3",
              "non-manifold edge of more than two triangles.",
              "non-manifold edges of more than two triangles.");
-  mark_edges(subject, edges, EdgeDefect::twisted, kTwisted,
+  mark_edges(subject, edges, EdgeDefect::twisted, "p2",
              "edge of two triangles that face opposite ways.",
              "edges of two triangles that face opposite ways.");
 }
@@ -64,16 +65,14 @@ Subject::Subject(const ImageFile& file, std::size_t place, std::string unique_na
       name(std::move(unique_name)),
       flash(file.header().byte_count),
       box(std::visit([](const auto& tree) { return node_box(tree, 0); }, file.tree())) {
-  const std::vector<LatticePoint> points = vertices_of(file.tree());
   const std::vector<SourceTriangle> sources = source_triangles(file);
-  const bake::LatticeMesh mesh = mesh_of(file, sources);
-  const bool solid = is_solid(mesh);
-  for (const SourceTriangle& source : sources) {
-    const auto& [p, q, r] = source.vertices;
-    triangles.push_back({{{points[p], points[q], points[r]}, kFirstMesh, solid}, source});
-  }
   left_out = sources.back().number + std::size_t{1} - sources.size();
-  mark_defects(*this, mesh);
+  mark_defects(*this, sources);
+}
+
+Measure measure_of(const ImageFile& image) {
+  const std::string unit = unit_name(image.unit());
+  return {image.cell(), unit.empty() ? "" : " " + unit};
 }
 
 std::vector<std::string> unique_names(const std::vector<std::string>& paths) {

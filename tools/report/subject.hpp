@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "image/image_file.hpp"
-#include "report/picture.hpp"
+#include "live/live_section.hpp"
+#include "report/html.hpp"
 
 namespace flashbvh::tool {
 
@@ -26,14 +27,9 @@ NodeBox node_box(const Tree& tree, std::uint32_t node) {
           {x + box.upper.x, y + box.upper.y, z + box.upper.z}};
 }
 
-/// A triangle in cells of the mesh's frame.
-struct PaintedTriangle : Face {
-  SourceTriangle source;
-};
-
 /// What is odd about the lattice mesh.
 struct Warning {
-  Paint paint;       ///< in which the pictures show it
+  LiveMarks marks;   ///< where, as the page draws it
   std::string text;  ///< a sentence
 };
 
@@ -44,13 +40,13 @@ struct Subject {
   const ImageFile& image;
   std::size_t number;
   std::string name;
-  std::uint64_t flash;                     ///< bytes of the image
-  std::vector<PaintedTriangle> triangles;  ///< painted by what is odd about them
-  std::vector<Face> marked_edges;
-  NodeBox box;  ///< that holds all
+  std::uint64_t flash;  ///< bytes of the image
+  NodeBox box;          ///< that holds all
   std::vector<Warning> warnings;
   std::size_t left_out;  ///< triangles that `bake --drop` left out, except the last ones
 };
+
+Measure measure_of(const ImageFile& image);
 
 /// Names of the image files, numbered where they are the same.
 std::vector<std::string> unique_names(const std::vector<std::string>& paths);

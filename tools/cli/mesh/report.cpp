@@ -1,4 +1,4 @@
-// flashbvh report: a page to look at, with nothing in it that comes from elsewhere.
+// flashbvh report: a page in which meshes answer, with nothing in it that comes from elsewhere.
 #include <filesystem>
 #include <memory>
 
@@ -78,8 +78,9 @@ void add_budget(CLI::App& command, ReportArguments& arguments) {
 void add_report(CLI::App& app) {
   auto [command, a] = add_command<ReportArguments>(
       app, "report",
-      "Write a page to decide by: whether images fit a firmware's flash, RAM and period, what\n"
-      "queries about them cost, and how they look.",
+      "Write a page to decide by: whether meshes touch, as one moves them in it; whether images "
+      "fit\n"
+      "a firmware's flash, RAM and period; and what queries about them cost.",
       write_page);
   ReportOptions& options = a.options;
   add_image(command, a.images, "FILE.fbvh", "Images (.fbvh)");

@@ -109,15 +109,6 @@ std::string chosen_algorithm(const CollideArguments& arguments, const ImageFile&
   return arguments.algorithm;
 }
 
-/// Of two meshes whose triangles do not intersect; nothing if one is not closed, or pre-indexed.
-std::optional<bool> one_is_inside(const ImageFile& a, const ImageFile& b, const Pose& pose) {
-  const auto ask = [&](const auto& mesh_a, const auto& mesh_b) {
-    const auto answer = flashbvh::one_is_inside(mesh_a, mesh_b, pose);
-    return answer.status == Status::done ? std::optional(answer.yes) : std::nullopt;
-  };
-  return ask_post<std::optional<bool>>(ask, a.tree(), b.tree()).value_or(std::nullopt);
-}
-
 bool intersects(const Answer& answer) {
   return answer.counts.triangle_pairs != 0;
 }

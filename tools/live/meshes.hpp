@@ -1,0 +1,30 @@
+// What the libraries of all pages share, for WebAssembly: memory, and baked meshes in it. All
+// memory lies behind what is linked, and is never given back.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "flashbvh/mesh.hpp"
+
+#define EXPORT extern "C" __attribute__((visibility("default"), used))
+
+namespace live {
+
+constexpr uint32_t kMostMeshes = 64;
+constexpr double kFineCells = 256;  // steps of a distance in a cell
+
+extern flashbvh::Mesh meshes[kMostMeshes];
+extern const void* room_taken;  // the last one
+
+/// Zeros, at a multiple of 8.
+void* take(size_t bytes);
+template <class Type>
+Type* take(size_t count) {
+  return static_cast<Type*>(take(count * sizeof(Type)));
+}
+
+/// Of a mesh, in its unit.
+double cell(uint32_t mesh = 0);
+
+}  // namespace live

@@ -1,0 +1,163 @@
+// What the page of meshes queries of flashbvh: the library as firmware has it, for WebAssembly.
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/image.hpp"
+#include "flashbvh/ray.hpp"
+#include "flashbvh/solid.hpp"
+#include "meshes.hpp"
+
+namespace live {
+
+using namespace flashbvh;
+
+namespace {
+
+constexpr uint32_t kMostLit = 1000;
+constexpr uint32_t kMostCounted = 100000;
+
+/// Rows of the rotation, in 2^-30; cells, and 1/65,536 of them.
+struct PoseWords {
+  int32_t rotation[3][3];
+  int32_t cells[3];
+  int32_t fraction[3];
+};
+
+/// Two triangles that intersect, from A's origin on.
+struct Lit {
+  Triangle a;
+  Triangle b;
+};
+
+/// Of B at the pose. Points are in cells of A's frame.
+struct Measured {
+  uint32_t status;     ///< of the first query that refused; nothing else holds then
+  uint32_t pairs;      ///< of triangles that intersect, at most kMostCounted
+  uint32_t is_inside;  ///< without such a pair: one lies in the other
+  uint32_t in_range;   ///< else there are neither triangles nor points
+  uint32_t lower;      ///< of the distance, in 1/256 cell
+  uint32_t triangles[2];
+  double points[2][3];
+};
+
+/// What a segment hits first.
+struct Hit {
+  uint32_t is_hit;
+  uint32_t triangle;  ///< its id
+  uint32_t slot;
+  int32_t side;
+  uint32_t distance;  ///< from its start, in 1/256 cell
+  double point[3];    ///< in cells
+};
+
+PoseWords words;
+Pose pose = Pose::translated(0, 0, 0);
+Lit lit[kMostLit];
+uint32_t lit_ids[kMostLit][2];
+Measured measured;
+Witness<uint16_t> hint;
+Segment segment;
+Hit hit;
+
+uint32_t code(Status status) {
+  return static_cast<uint32_t>(status);
+}
+
+void set_cells(const FinePoint& point, double (&cells)[3]) {
+  cells[0] = static_cast<double>(point.x) / kFineCells;
+  cells[1] = static_cast<double>(point.y) / kFineCells;
+  cells[2] = static_cast<double>(point.z) / kFineCells;
+}
+
+}  // namespace
+
+/// The image in the last room, as a mesh by its number; a Status.
+EXPORT uint32_t open(uint32_t mesh, uint32_t bytes) {
+  return code(open_image(room_taken, bytes, meshes[mesh]));
+}
+EXPORT const void* origin(uint32_t mesh) {
+  return meshes[mesh].origin;
+}
+EXPORT double cell_size(uint32_t mesh) {
+  return cell(mesh);
+}
+
+/// Where the pose's words are to be written, and then put in place: a Status.
+EXPORT void* pose_words() {
+  return &words;
+}
+EXPORT uint32_t place() {
+  const int16_t fraction[3] = {static_cast<int16_t>(words.fraction[0]),
+                               static_cast<int16_t>(words.fraction[1]),
+                               static_cast<int16_t>(words.fraction[2])};
+  pose = Pose::rigid(words.rotation, words.cells, fraction);
+  return code(pose.status());
+}
+
+/// The first triangles of the last measure() that intersect.
+EXPORT const void* lit_triangles() {
+  return lit;
+}
+/// Of each such pair.
+EXPORT const void* ids_of_lit() {
+  return lit_ids;
+}
+/// Begins with the pair that was nearest before, if these are the meshes of it.
+EXPORT const void* measure(uint32_t a, uint32_t b) {
+  static uint32_t before[2] = {UINT32_MAX, UINT32_MAX};
+  if (before[0] != a || before[1] != b) {
+    before[0] = a;
+    before[1] = b;
+    hint = {};
+  }
+  measured = {};
+  DefaultQuery<uint16_t> query(meshes[a], meshes[b], pose);
+  const RunResult run = query.run(UINT32_MAX, [&](const TrianglePair<uint16_t>& pair) {
+    if (measured.pairs < kMostLit) {
+      Lit& found = lit[measured.pairs];
+      query.last_pair(found.a, found.b);
+      lit_ids[measured.pairs][0] = pair.a;
+      lit_ids[measured.pairs][1] = pair.b;
+    }
+    return ++measured.pairs < kMostCounted;
+  });
+  const auto found = distance(meshes[a], meshes[b], pose, hint);
+  if ((run.status != Status::done && run.status != Status::full) || found.status != Status::done) {
+    measured.status = code(found.status == Status::done ? run.status : found.status);
+    return &measured;
+  }
+  if (measured.pairs == 0 && meshes[a].is_closed && meshes[b].is_closed) {
+    measured.is_inside = one_is_inside(meshes[a], meshes[b], pose).yes;
+  }
+  measured.lower = found.lower;
+  measured.in_range = found.in_range;
+  if (found.in_range) {
+    hint = found.witness;
+    measured.triangles[0] = found.triangles.a;
+    measured.triangles[1] = found.triangles.b;
+    set_cells(found.point_a, measured.points[0]);
+    set_cells(found.point_b, measured.points[1]);
+  }
+  return &measured;
+}
+/// `limit`: in 1/256 cell.
+EXPORT bool is_closer(uint32_t a, uint32_t b, uint32_t limit) {
+  return closer_than(meshes[a], meshes[b], pose, limit).yes;
+}
+
+/// Where a segment's ends are to be written, six words in cells of the mesh's frame, and then what
+/// it hits first.
+EXPORT void* segment_words() {
+  return &segment;
+}
+EXPORT const void* cast(uint32_t mesh) {
+  const auto answer = nearest_hit(meshes[mesh], segment);
+  hit = {};
+  if (answer.status == Status::done && answer.yes) {
+    const SegmentShare along = answer.hit.along;
+    hit = {1, answer.hit.triangle, answer.hit.slot, answer.hit.side, distance_along(segment, along),
+           {}};
+    set_cells(point_along(segment, along), hit.point);
+  }
+  return &hit;
+}
+
+}  // namespace live
