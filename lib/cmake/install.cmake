@@ -20,8 +20,6 @@ endif()
 if(TARGET flashbvh_tool)
   install(TARGETS flashbvh_tool EXPORT flashbvhToolTargets
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  install(TARGETS flashbvh_read_mjcf flashbvh_read_sdf
-    RUNTIME DESTINATION libexec/flashbvh)
   install(EXPORT flashbvhToolTargets NAMESPACE flashbvh:: DESTINATION ${package_folder})
   # What shells complete, as the program prints it.
   set(scripts ${PROJECT_BINARY_DIR}/completion)

@@ -21,7 +21,7 @@ endfunction()
 # flashbvh_library_warnings(target): those, and on the boards a bound on every stack frame.
 function(flashbvh_library_warnings target)
   flashbvh_warnings(${target})
-  if(FLASHBVH_WARNINGS AND CMAKE_CROSSCOMPILING)
+  if(FLASHBVH_WARNINGS AND CMAKE_SYSTEM_NAME STREQUAL "Generic")
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wstack-usage=400>)
   endif()
 endfunction()

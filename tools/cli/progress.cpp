@@ -2,8 +2,8 @@
 
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
+#include <system_error>
 
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -18,8 +18,14 @@ constexpr std::size_t kStepWidth = 40;  ///< the whole line fits 80 columns
 }  // namespace
 
 Progress::Progress(double total, bool always) : total_(total), always_(always) {
-  if (!always_ && isatty(STDERR_FILENO) != 0) {
+  if (always_ || isatty(STDERR_FILENO) == 0) {
+    return;
+  }
+  try {
     thread_ = std::thread([this] { draw_after_a_while(); });
+  } catch (const std::system_error&) {
+    // No threads, as in WebAssembly: the bar comes with the next step after a while.
+    has_no_thread_ = true;
   }
 }
 
@@ -42,7 +48,7 @@ void Progress::begin(const std::string& step, double weight) {
   done_ += weight_;
   weight_ = weight;
   step_ = one_line(step);
-  if (always_ || drawn_) {
+  if (always_ || drawn_ || (has_no_thread_ && Clock::now() - began_ > kPatience)) {
     draw();
   }
 }

@@ -1,6 +1,7 @@
 // A bar on standard error while a command works.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <string>
@@ -22,11 +23,14 @@ class Progress {
   void begin(const std::string& step, double weight);
 
  private:
+  using Clock = std::chrono::steady_clock;
   void draw_after_a_while();
   void draw();
 
   const double total_;
   const bool always_;
+  const Clock::time_point began_ = Clock::now();
+  bool has_no_thread_ = false;
   std::mutex mutex_;
   std::condition_variable stop_;
   bool stopped_ = false;

@@ -1,8 +1,8 @@
 #include "evaluate/run.hpp"
 
+#include <time.h>
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <numeric>
 #include <optional>
 
@@ -134,7 +134,7 @@ std::vector<Row> rows_of(const scene::Setup& setup, const Trees& a, const Trees&
 
 /// Of this process alone, as the paper's timer: what else the machine does is left out.
 double processor_seconds() {
-  std::timespec now{};
+  timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }

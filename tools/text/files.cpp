@@ -45,40 +45,48 @@ class Rollback {
   std::vector<fs::path> made_;
 };
 
-constexpr int kEnding[] = {SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
+#ifdef _WIN32
+constexpr std::array kEnding = {SIGINT, SIGTERM};
+#else
+constexpr std::array kEnding = {SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
+#endif
 
-/// Holds back the signals that end the program, so that nothing half made stays behind: they arrive
-/// when this goes. Precondition: this thread is the only one.
+volatile std::sig_atomic_t held_signal = 0;  // the last one that came; 0 if none did
+
+/// Holds back the signals that end the program, so that nothing half made stays behind: the last
+/// one arrives when this goes. Precondition: this thread is the only one.
 class HeldSignals {
  public:
   HeldSignals() {
-    sigemptyset(&held_);
-    for (const int signal : kEnding) {
-      struct sigaction action {};
-      if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) {
-        sigaddset(&held_, signal);
+    held_signal = 0;
+    for (std::size_t i = 0; i < kEnding.size(); ++i) {
+      before_[i] = std::signal(kEnding[i], [](int signal) { held_signal = signal; });
+      if (before_[i] == SIG_IGN) {
+        std::signal(kEnding[i], SIG_IGN);
       }
     }
-    sigprocmask(SIG_BLOCK, &held_, &before_);
   }
   HeldSignals(const HeldSignals&) = delete;
   HeldSignals& operator=(const HeldSignals&) = delete;
-  ~HeldSignals() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  ~HeldSignals() {
+    for (std::size_t i = 0; i < kEnding.size(); ++i) {
+      std::signal(kEnding[i], before_[i]);
+    }
+    if (held_signal != 0) {
+      std::raise(held_signal);
+    }
+  }
 
   /// Throws if one waits.
-  void stop_if_any() const {
-    sigset_t waiting;
-    sigpending(&waiting);
-    for (const int signal : kEnding) {
-      if (sigismember(&held_, signal) == 1 && sigismember(&waiting, signal) == 1) {
-        throw std::runtime_error("ended by a signal");
-      }
+  static void stop_if_any() {
+    if (held_signal != 0) {
+      throw std::runtime_error("ended by a signal");
     }
   }
 
  private:
-  sigset_t held_;
-  sigset_t before_;
+  using Handler = void (*)(int);
+  std::array<Handler, kEnding.size()> before_{};
 };
 
 void make_folder(const fs::path& folder, Rollback& rollback) {
@@ -176,7 +184,7 @@ void FileSet::write(const std::function<void()>& report) const {
   Rollback rollback;
   for (const File& file : files_) {
     if (!is_special(file.path)) {
-      signals.stop_if_any();
+      HeldSignals::stop_if_any();
       make_folder(file.path.parent_path(), rollback);
       const fs::path temporary = temporary_name(file.path);
       rollback.made(temporary);
@@ -184,7 +192,7 @@ void FileSet::write(const std::function<void()>& report) const {
     }
   }
   report();
-  signals.stop_if_any();
+  HeldSignals::stop_if_any();
   for (const File& file : files_) {
     if (!is_special(file.path)) {
       put_in_place(file.path, rollback);

@@ -5,15 +5,35 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "text/printed.hpp"
+
 namespace flashbvh::tool {
 namespace {
 
+#ifdef __cpp_lib_to_chars
 template <class Number, class... Format>
 std::string to_text(Number value, Format... format) {
   std::array<char, 400> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format...);
   return std::string(text.data(), end.ptr);
 }
+
+std::optional<double> parse(std::string_view text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ptr != end || result.ec == std::errc::invalid_argument) {
+    return std::nullopt;
+  }
+  if (result.ec == std::errc::result_out_of_range) {
+    value = std::strtod(std::string(text).c_str(), nullptr);  // near zero, if not infinite
+  }
+  return value;
+}
+#else
+using printed::parse;
+using printed::to_text;
+#endif
 
 std::string with_point(const std::string& text) {
   const bool is_floating = text.find_first_of(".e") != std::string::npos;
@@ -49,17 +69,8 @@ std::string significant(double value, int digits) {
 }
 
 std::optional<double> parse_number(std::string_view text) {
-  text = without_plus(text);
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ptr != end || result.ec == std::errc::invalid_argument) {
-    return std::nullopt;
-  }
-  if (result.ec == std::errc::result_out_of_range) {
-    value = std::strtod(std::string(text).c_str(), nullptr);  // near zero, if not infinite
-  }
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  const std::optional<double> value = parse(without_plus(text));
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::optional<long long> parse_integer(std::string_view text) {

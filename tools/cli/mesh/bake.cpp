@@ -64,7 +64,7 @@ BakeRow bake_one(const BakeOrder& order, BakedMesh& mesh, const std::string& pat
         }
         baked.unit = order.units.unit();
         baked.name = name.stem.substr(0, bake::kMaxNameSize);
-        const std::size_t image = image_size(baked, order.levels);
+        const std::uint64_t image = image_size(baked, order.levels);
         check_size(order, path, image);
         if (!order.dry_run) {
           add_files(baked, order, name, files);

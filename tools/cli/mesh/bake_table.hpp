@@ -16,7 +16,7 @@ namespace flashbvh::tool {
 /// What one mesh became.
 struct BakeRow {
   std::string mesh;
-  std::size_t flash_bytes = 0;  ///< of the image
+  std::uint64_t flash_bytes = 0;  ///< of the image
   std::size_t triangles = 0;
   std::size_t source_triangles = 0;  ///< of the file
   std::size_t vertices = 0;

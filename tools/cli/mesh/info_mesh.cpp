@@ -32,7 +32,7 @@ Json flash_of(AnyBakedTree tree, const std::string& path, std::uint32_t leaf_siz
   return std::visit(
       [&](auto& baked) {
         baked.name = std::filesystem::path(path).stem().string().substr(0, bake::kMaxNameSize);
-        const std::size_t bytes = image_size(baked);
+        const std::uint64_t bytes = image_size(baked);
         return Json{{"leaf_size", leaf_size},
                     {"index_bits", 8 * sizeof baked.triangle_ids[0]},
                     {"bytes", bytes},
