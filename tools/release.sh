@@ -1,6 +1,7 @@
 #!/bin/sh
 # release.sh [DIR]         Packages for where firmware is built, in DIR (build/release), a folder each:
-#                          lib/docs/packages.md. Installs what is missing. Debian's take some minutes.
+#                          lib/docs/packages.md. Installs what is missing. Debian's, and the program for three
+#                          machines without Debian, take a quarter of an hour.
 # release.sh --test [DIR]  Those, made a second time and compared, then built and run as their users would.
 #
 # FLASHBVH_URL, FLASHBVH_AUTHOR, FLASHBVH_EMAIL: what the packages say of where they are from. Without
@@ -12,7 +13,7 @@ tested=
 [ "${1:-}" != --test ] || { tested=yes && shift; }
 mkdir -p "${1:-build/release}" build/log
 release=$(cd "${1:-build/release}" && pwd)
-ensure_packages $host_packages $board_packages $release_packages $live_packages nodejs
+ensure_packages $host_packages $board_packages $release_packages $archive_packages $live_packages nodejs
 
 # FLASHBVH_NATIVE: the preset whose host program bakes.
 native=${FLASHBVH_NATIVE:-native}
@@ -48,6 +49,7 @@ pack_npm() {
 }
 quietly cmake --build --preset "$native" --target flashbvh_npm_library
 pack_npm "$release"
+quietly /usr/bin/python3 -B tools/release/archives.py "$release"
 # What is specific to one build on one machine.
 rm -rf "$tree" "$release"/debian/*.buildinfo "$release"/debian/*.changes
 echo "packages: ${release#"$PWD/"}"
@@ -59,11 +61,12 @@ again=$PWD/build/release-again
 /usr/bin/python3 tools/release/release.py "$again" "$flashbvh"
 pack_npm "$again"
 rm -rf "$again"/debian/flashbvh-*/
+quietly /usr/bin/python3 -B tools/release/archives.py "$again"
 diff -r --exclude='*.deb' "$release" "$again" || { echo "release: not the same bytes" >&2; exit 1; }
 echo "made again, the same bytes"
 
 export ROOT="$PWD" PACKAGES="$release" FLASHBVH="$flashbvh"
-echo debian arduino cmake amalgamation copied manifests npm_library | xargs -n 1 -P "$(nproc)" sh -c '
+echo archives debian arduino cmake amalgamation copied manifests npm_library | xargs -n 1 -P "$(nproc)" sh -c '
   began=$(date +%s)
   WORK=$ROOT/build/release-test/$0 sh "$ROOT/tests/release/$0.sh" >build/log/release-$0 2>&1 ||
     { tail -n 60 build/log/release-$0; echo "== $0 FAILED"; exit 255; }

@@ -9,6 +9,7 @@ all of lib/src. The same commit gives the same bytes.
 from __future__ import annotations
 
 import gzip
+import lzma
 import os
 import re
 import shutil
@@ -152,7 +153,9 @@ def write_tar(archive: Path, folder: Path, time: int) -> None:
         entry.mode = 0o755 if entry.mode & 0o100 else 0o644
         return entry
 
-    with open(archive, "wb") as raw, gzip.GzipFile("", "wb", mtime=time, fileobj=raw) as packed, \
+    with open(archive, "wb") as raw, \
+            (lzma.open(raw, "wb") if archive.suffix == ".xz" else
+             gzip.GzipFile("", "wb", mtime=time, fileobj=raw)) as packed, \
             tarfile.open(fileobj=packed, mode="w", format=tarfile.GNU_FORMAT) as file:
         for path in files_below(folder):
             file.add(path, f"{folder.name}/{path.relative_to(folder)}", filter=owned_by_nobody)

@@ -1,0 +1,75 @@
+// Numbers by <cstdio>: the same texts, read as the same numbers, as by <charconv>.
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "support/test.hpp"
+#include "text/numbers.hpp"
+#include "text/printed.hpp"
+
+namespace {
+
+template <class Number, class Bits>
+Number number_of(Bits bits) {
+  Number number;
+  std::memcpy(&number, &bits, sizeof number);
+  return number;
+}
+
+template <class Number>
+std::string by_charconv(Number value) {
+  std::array<char, 400> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+void check(double value) {
+  CAPTURE(value);
+  REQUIRE(tool::printed::to_text(value) == by_charconv(value));
+  const auto narrow = static_cast<float>(value);
+  REQUIRE(tool::printed::to_text(narrow) == by_charconv(narrow));
+  using Format = std::chars_format;
+  REQUIRE(tool::printed::to_text(value, Format::fixed, 3) == tool::fixed(value, 3));
+  REQUIRE(tool::printed::to_text(value, Format::general, 6) == tool::significant(value, 6));
+}
+
+}  // namespace
+
+TEST_CASE("numbers printed by <cstdio> are those of <charconv>") {
+  for (int exponent = -1074; exponent <= 1023; ++exponent) {
+    check(std::ldexp(1.0, exponent));
+    check(-std::nextafter(std::ldexp(1.0, exponent), 0.0));
+  }
+  for (const double value : {0.0, -0.0, 0.1, 1e22, 1e23, 123456.0, 100000.0, 1234567890123456789.0,
+                             0.00001, 0.0001, std::numeric_limits<double>::infinity()}) {
+    check(value);
+  }
+  Random random(test_seed());
+  for (int i = 0; i < rounds(5000, 1000000); ++i) {
+    const auto value = number_of<double>(random.next());
+    if (std::isfinite(value)) {
+      check(value);
+    }
+    check(static_cast<double>(random.between(-99999, 99999)) / std::pow(10, random.below(9)));
+  }
+}
+
+TEST_CASE("words read by <cstdio> are the numbers of <charconv>") {
+  for (const char* const word : {"",       "+",
+                                 "-",      ".",
+                                 "1",      "-1",
+                                 "++1",    "-+1",
+                                 "1.",     ".5",
+                                 "1e",     "1e5",
+                                 "1e+5",   "1E-5",
+                                 "e5",     "1e400",
+                                 "-1e400", "1e-400",
+                                 "inf",    "nan",
+                                 "0x10",   " 1",
+                                 "1 ",     "1,5",
+                                 "1.5.5",  "4.9406564584124654e-324"}) {
+    CAPTURE(word);
+    const auto found = tool::printed::parse(word);
+    const auto is_finite = found && std::isfinite(*found);
+    CHECK((is_finite ? found : std::nullopt) == tool::parse_number(word));
+  }
+}
