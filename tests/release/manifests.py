@@ -188,10 +188,11 @@ def check_page(packages: Path, page: str) -> None:
     for title, text in re.findall(r"^## (.+)\n((?:(?!## ).*\n)*)", page, re.M):
         count = sum(line != "" and not line.startswith("```") for line in text.splitlines())
         require(count <= 10, f"the page: {count} lines of {title}")
-    named = re.findall(r"`((?:arduino|platformio|zephyr|esp-idf|cmsis|amalgamation|debian|npm)(?:/[^`*]+)?)`", page)
+    named = re.findall(r"`((?:arduino|platformio|zephyr|esp-idf|cmsis|amalgamation|debian|npm|archives)(?:/[^`*]+)?)`", page)
     for name in named:
         # Debian's are not made on every occasion.
-        require((packages / name).exists() or name.split("/")[0] in ("debian", "npm"), f"the page: no {name}")
+        is_made = (packages / name.split("/")[0]).exists()
+        require((packages / name).exists() or not is_made, f"the page: no {name}")
     folders = {name.split("/")[0] for name in named}
     require(folders >= {path.name for path in packages.iterdir()}, f"the page: {folders} alone")
     options = (packages / "zephyr/flashbvh/zephyr/Kconfig").read_text()

@@ -14,7 +14,7 @@ from release import ROOT, commit_time, fill, read_facts, write_tar, write_zip
 
 TARGETS = ("linux", "windows", "wasm")
 BUILDS = ROOT / "build" / "archives"
-# Emscripten's scripts are for Debian's node, which looks there; the time is that of what says when it was made.
+# NODE_PATH: where the scripts of Emscripten find others, as Debian's own node does.
 ENVIRONMENT = {**os.environ, "NODE_PATH": "/usr/share/nodejs", "SOURCE_DATE_EPOCH": str(commit_time())}
 
 
