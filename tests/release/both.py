@@ -4,24 +4,29 @@ folder as it was; adds a line to the file COMPARED: "same", or what differs of e
 NATIVE did."""
 import os
 import shlex
-import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 
+def plain(text, folder):
+    """As Linux has lines and paths, which Wine shows as Windows does."""
+    return (text.replace(b"\r\n", b"\n").replace(b"\\", b"/").replace(b"Z:/", b"/")
+            .replace(os.fsencode(folder), os.fsencode(Path.cwd())))
+
+
 def files_of(folder):
-    return {str(path.relative_to(folder)): path.read_bytes() for path in Path(folder).rglob("*") if path.is_file()}
+    files = {str(path.relative_to(folder)): path.read_bytes() for path in Path(folder).rglob("*") if path.is_file()}
+    return {name: plain(text, folder) if name.endswith(".d") else text for name, text in files.items()}
 
 
 def difference(native, other, copy):
     if other.returncode != native.returncode:
         return f"ends with {other.returncode}, not {native.returncode}"
-    if any(getattr(other, name).replace(b"\r\n", b"\n") != getattr(native, name) for name in ("stdout", "stderr")):
+    if any(plain(getattr(other, name), copy) != plain(getattr(native, name), Path.cwd()) for name in ("stdout", "stderr")):
         return "prints something else"
-    here, there = files_of("."), files_of(copy)
-    there = {name: content.replace(os.fsencode(copy), os.fsencode(Path.cwd())) for name, content in there.items()}
+    here, there = files_of(Path.cwd()), files_of(copy)
     names = sorted(name for name in {*here, *there} if here.get(name) != there.get(name))
     return f"writes other {' '.join(names)}" if names else ""
 
@@ -29,10 +34,7 @@ def difference(native, other, copy):
 def main(*arguments):
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder, "copy")
-        try:
-            shutil.copytree(".", copy, symlinks=True)
-        except shutil.Error:  # a pipe, whose bytes are there once
-            os.execv(os.environ["NATIVE"], [os.environ["NATIVE"], *arguments])
+        subprocess.run(["cp", "--archive", ".", copy], check=True)  # hard links stay
         native = subprocess.run([os.environ["NATIVE"], *arguments], capture_output=True)
         other = subprocess.run([*shlex.split(os.environ["OTHER"]), *arguments], capture_output=True, cwd=copy,
                                stdin=subprocess.DEVNULL)

@@ -13,8 +13,8 @@
 namespace flashbvh::tool {
 namespace {
 
-constexpr std::size_t kHeader = 84;
-constexpr std::size_t kPerTriangle = 50;
+constexpr std::uint64_t kHeader = 84;
+constexpr std::uint64_t kPerTriangle = 50;
 
 std::size_t binary_count(std::string_view bytes) {
   std::uint32_t count = 0;

@@ -1,4 +1,5 @@
 #include "simplify/collapse.hpp"
+#include "bake/length.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,7 +135,7 @@ class Collapser {
   void add_quadric(std::uint32_t triangle) {
     const PointTriangle at = corners_of(mesh_.triangles[triangle]);
     Point normal = cross(minus(at[1], at[0]), minus(at[2], at[0]));
-    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    const double length = bake::length(normal[0], normal[1], normal[2]);
     if (length == 0) {
       return;
     }
@@ -300,8 +301,8 @@ class Collapser {
     const Point edge = minus(mesh_.vertices[from], mesh_.vertices[to]);
     const Point best = sum.least_near(middle);
     const Point off = minus(best, middle);
-    const bool is_near = std::hypot(off[0], off[1], off[2]) <=
-                         kFarthestEdges * std::hypot(edge[0], edge[1], edge[2]);
+    const bool is_near = bake::length(off[0], off[1], off[2]) <=
+                         kFarthestEdges * bake::length(edge[0], edge[1], edge[2]);
     return is_near ? best : mesh_.vertices[to];
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "bake/length.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/read/xml_file.hpp"
 #include "text/numbers.hpp"
@@ -36,7 +37,7 @@ double longest_joint(const Model& model) {
   double most = 0;
   for (const ModelJoint& joint : model.joints) {
     const Vector3& t = joint.fixed.translation;
-    most = std::max({most, std::hypot(t[0], t[1], t[2]),
+    most = std::max({most, bake::length(t[0], t[1], t[2]),
                      joint.type == JointType::prismatic ? joint.upper - joint.lower : 0});
   }
   return most;

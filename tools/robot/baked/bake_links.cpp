@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bake/length.hpp"
 #include "bake/quantise.hpp"
 #include "robot/baked/fixed_robot.hpp"
 #include "robot/kinematics.hpp"
@@ -21,7 +22,7 @@ constexpr double kMostCells = 1.0 * kMaxFrameTranslation / kFrameCell - 4.0 * kM
 constexpr double kSphereReach = 2.02;
 
 double norm(const Vector3& v) {
-  return std::hypot(v[0], v[1], v[2]);
+  return bake::length(v[0], v[1], v[2]);
 }
 
 double travel_of(const ModelJoint& joint) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "bake/length.hpp"
 #include "flashbvh/robot/image.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/kinematics.hpp"
@@ -52,7 +53,7 @@ std::vector<Point> vertices_of(const WholeMesh& whole, const Mesh* baked) {
 }
 
 double distance(const Point& p, const Point& q) {
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  return bake::length(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
 /// Within 1 % of the smallest (Badoiu and Clarkson, "Smaller core-sets for balls", 2003).
@@ -100,7 +101,7 @@ std::uint8_t number_of(std::size_t joint) {
 }
 
 double length_of(const Vector3& v) {
-  return std::hypot(v[0], v[1], v[2]);
+  return bake::length(v[0], v[1], v[2]);
 }
 
 /// How a mimic's coordinate is made of that of its variable.
@@ -269,7 +270,7 @@ void FixedRobot::check_reach() const {
 /// How far the farthest point of the link can be from the base's origin, in cells.
 double FixedRobot::extent_of(const Model& model, std::size_t number) const {
   const RobotLink& link = links_[number];
-  double extent = link.radius + std::hypot(link.centre[0], link.centre[1], link.centre[2]);
+  double extent = link.radius + bake::length(link.centre[0], link.centre[1], link.centre[2]);
   for (std::size_t j = model.links[number].joint; j != kNoJoint; j = model.joints[j].parent) {
     const RobotJoint& joint = joints_[j];
     extent += length_of(model.joints[j].fixed.translation) / cell_ * kFrameCell;

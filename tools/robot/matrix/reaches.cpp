@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bake/length.hpp"
 #include "text/parallel.hpp"
 
 namespace flashbvh::tool {
@@ -197,7 +198,7 @@ double Support::radius() const {
     for (std::size_t row = 0; row < kPoints; ++row) {
       for (std::size_t column = 0; column < kPoints; ++column) {
         const Vector3 u = grid_direction(face, row, column);
-        most = std::max(most, values_[place++] / std::hypot(u[0], u[1], u[2]));
+        most = std::max(most, values_[place++] / bake::length(u[0], u[1], u[2]));
       }
     }
   }
@@ -274,7 +275,7 @@ class Spread {
   /// From the joint's frame to its parent's.
   double step_of(std::size_t number) const {
     const Vector3& t = model_.joints[number].fixed.translation;
-    return std::hypot(t[0], t[1], t[2]) * kRoundUp;
+    return bake::length(t[0], t[1], t[2]) * kRoundUp;
   }
 
   double slide_of(std::size_t number) const {

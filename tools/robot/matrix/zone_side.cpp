@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "bake/length.hpp"
 #include "robot/kinematics.hpp"
 
 namespace flashbvh::tool {
@@ -16,7 +17,7 @@ namespace {
 constexpr std::size_t kMostTriangles = 24'000;
 
 double length(const Vector3& p, const Vector3& q) {
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  return bake::length(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
 std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
@@ -108,8 +109,8 @@ class Cutter {
 }  // namespace
 
 double ZoneShape::distance_of(const Vector3& point) const {
-  return std::hypot(point[0] - middle[0], point[1] - middle[1],
-                    is_cylinder ? 0 : point[2] - middle[2]);
+  return bake::length(point[0] - middle[0], point[1] - middle[1],
+                      is_cylinder ? 0 : point[2] - middle[2]);
 }
 
 ZoneSide::ZoneSide(const ModelLink& link, const Transform& frame)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "bake/length.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/read/foreign.hpp"
@@ -150,7 +151,7 @@ std::string in_radians(double degrees) {
 
 /// To unit length. `place`: of the joint.
 Vector3 unit_axis(const Vector3& axis, const std::string& place, Warnings& warnings) {
-  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  const double length = bake::length(axis[0], axis[1], axis[2]);
   if (!(length > 1e-6 && length < 1e6)) {
     throw UserError(place, "moves along an axis of length ", significant(length, 3),
                     ", which has no direction; give its <axis> as in xyz=\"0 0 1\"");
