@@ -22,18 +22,23 @@ quietly "$wine" "flashbvh-$version-windows-x86_64/flashbvh.exe" --version
 quietly npm install --offline --global --prefix "$WORK/npm" "$PACKAGES/npm/flashbvh-$version.tgz"
 [ "$(npm/bin/flashbvh --version)" = "flashbvh $version" ] || fail "npm's other version"
 
-# compare NAME "PROGRAM" "LEFT OUT" WORD...: runs the tests' cases, of which those words are wanted. LEFT OUT: what differs
-# by design, as a regular expression.
+# What differs by design (lib/docs/packages.md, "Where the programs differ"): readers left out, other words for a crash, a
+# glTF that other readers would look at, time.
+differs="reads no (MJCF|SDF)|its reader crashed|takes over 1024 MiB|Unsupported glTF version|no time was left"
+
+# compare NAME "PROGRAM" "DIFFERS" WORD...: the tests' cases of which these words are wanted.
 compare() {
-  name=$1 OTHER=$2 left_out=$3 COMPARED=$WORK/compared-$1 NATIVE=$FLASHBVH
+  export COMPARED="$WORK/compared-$1" OTHER="$2" NATIVE="$FLASHBVH"
+  name=$1 differs_too=$3
   shift 3
-  export OTHER COMPARED NATIVE
   FLASHBVH=$ROOT/tests/release/both.py TOOLS=$WORK WORK=$WORK/cases ARM=$arm/cell_arm.urdf CC=cc CXX=c++ \
     python3 -B "$ROOT/tests/cli/runner.py" "$@" >log 2>&1 || true
-  [ "$(grep -c '^same$' "$COMPARED")" -ge 100 ] || fail "$name: too few commands"
-  ! grep -Ev "^same\$|reads no (MJCF|SDF)$left_out" "$COMPARED" || fail "$name: differs"
-  echo "$name: $(grep -c '^same$' "$COMPARED") commands alike, $(grep -vc '^same$' "$COMPARED") left out"
+  alike=$(grep -c '^same$' "$COMPARED")
+  [ "$alike" -ge 50 ] || fail "$name: $alike commands alike"
+  ! grep -Ev "^same\$|$differs$differs_too" "$COMPARED" || fail "$name: differs"
+  echo "$name: $alike commands alike, $(grep -vc '^same$' "$COMPARED") differ by design"
 }
-compare linux "$linux/flashbvh" "" scenes bad_meshes odd_meshes bodies robot
-compare npm "$WORK/npm/bin/flashbvh" "" scenes bad_meshes odd_meshes bodies robot
-compare windows "$wine $WORK/flashbvh-$version-windows-x86_64/flashbvh.exe" "" scenes robot
+compare linux "$linux/flashbvh" "" scenes odd_meshes robot
+# Where memory has no gaps, a stride of 2^31 leads to other numbers of the file.
+compare npm "$WORK/npm/bin/flashbvh" "|without area: 2 triangles" scenes odd_meshes robot
+compare windows "$wine $WORK/flashbvh-$version-windows-x86_64/flashbvh.exe" "" scenes

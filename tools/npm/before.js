@@ -9,7 +9,7 @@ const end = (what) => {
 };
 Module.onAbort = () => end('aborted');
 // Emscripten takes all three for terminals: a pipe shows no progress.
-Module.preRun = () => {
+Module.onRuntimeInitialized = () => {
   for (const fd of [0, 1, 2]) FS.streams[fd].tty = require('tty').isatty(fd);
 };
 process.on('uncaughtException', (error) => end(error.message));
