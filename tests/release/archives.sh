@@ -1,6 +1,6 @@
 #!/bin/sh
-# The program for machines without Debian: started as it is unpacked and installed, with nothing else there, each command
-# of the command line's tests ends, prints and writes as the native program's does.
+# The program for machines without Debian, as it is unpacked and installed: it runs with nothing else there, and commands
+# of the command line's tests end, print and write as the native program's do.
 . "$(dirname "$0")/common.sh"
 (cd "$PACKAGES/archives" && quietly sha256sum --check --strict SHA256SUMS)
 version=$("$FLASHBVH" --version | cut -d ' ' -f 2)
@@ -19,7 +19,13 @@ quietly diff -r native alone/baked
 wine=/usr/lib/wine/wine64
 export WINEPREFIX="$WORK/wine" WINEDEBUG=-all
 quietly "$wine" "flashbvh-$version-windows-x86_64/flashbvh.exe" --version
-quietly npm install --offline --global --prefix "$WORK/npm" "$PACKAGES/npm/flashbvh-$version.tgz"
+if command -v npm >/dev/null; then
+  quietly npm install --offline --global --prefix "$WORK/npm" "$PACKAGES/npm/flashbvh-$version.tgz"
+else # Debian's node comes without it
+  mkdir -p npm/bin
+  tar -xf "$PACKAGES/npm/flashbvh-$version.tgz"
+  ln -s ../../package/flashbvh.js npm/bin/flashbvh
+fi
 [ "$(npm/bin/flashbvh --version)" = "flashbvh $version" ] || fail "npm's other version"
 
 # What differs by design (lib/docs/packages.md, "Where the programs differ"): readers left out, other words for a crash, a
