@@ -9,7 +9,7 @@ cp "$ROOT"/firmware_examples/quick_start/*.obj .
 quietly "$FLASHBVH" bake plate.obj peg.obj --unit mm --format image -o .
 quietly "$FLASHBVH" robot "$ROOT/firmware_examples/robot_guard/cell_arm/cell_arm.urdf" --stop 0.005 --format image -o .
 mv ./*.robot arm.robot
-sed -n '/^## npm$/,/^## /{/^```js$/,/^```$/{/^```/!p;};}' "$ROOT/lib/docs/packages.md" >page.js
+sed -n '/^## JavaScript$/,/^## /{/^```js$/,/^```$/{/^```/!p;};}' "$ROOT/lib/docs/packages.md" >page.js
 node page.js >answer || fail "the page's example"
 grep -q "^Uint8Array(2) \[ 0, 1 \] Uint8Array(2)" answer || fail "the page's example printed: $(cat answer)"
 
