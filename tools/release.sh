@@ -13,7 +13,7 @@ tested=
 [ "${1:-}" != --test ] || { tested=yes && shift; }
 mkdir -p "${1:-build/release}" build/log
 release=$(cd "${1:-build/release}" && pwd)
-ensure_packages $host_packages $board_packages $release_packages $archive_packages $live_packages nodejs
+ensure_packages $host_packages $board_packages $release_packages $archive_packages $python_packages
 
 # FLASHBVH_NATIVE: the preset whose host program bakes.
 native=${FLASHBVH_NATIVE:-native}
@@ -66,7 +66,7 @@ diff -r --exclude='*.deb' "$release" "$again" || { echo "release: not the same b
 echo "made again, the same bytes"
 
 export ROOT="$PWD" PACKAGES="$release" FLASHBVH="$flashbvh"
-echo archives debian arduino cmake amalgamation copied manifests npm_library | xargs -n 1 -P "$(nproc)" sh -c '
+echo archives debian arduino cmake amalgamation copied manifests npm_library python | xargs -n 1 -P "$(nproc)" sh -c '
   began=$(date +%s)
   WORK=$ROOT/build/release-test/$0 sh "$ROOT/tests/release/$0.sh" >build/log/release-$0 2>&1 ||
     { tail -n 60 build/log/release-$0; echo "== $0 FAILED"; exit 255; }

@@ -1,4 +1,4 @@
-"""Builds the package from a checkout: CMake makes the module, setuptools the wheel.
+"""Builds the package from a checkout or from its source archive: CMake makes the module, setuptools the wheel.
 
 Offline, with Debian's packages: pip install --no-build-isolation ./tools/python
 """
@@ -12,7 +12,7 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
+ROOT = next(folder for folder in (HERE, *HERE.parents) if (folder / "lib/include/flashbvh/version.hpp").exists())
 WORK = ROOT / "build/pip"  # nothing is left among the sources
 
 
@@ -37,6 +37,8 @@ class BuildByCMake(build_ext):
 WORK.mkdir(parents=True, exist_ok=True)
 setup(name="flashbvh", version=version(), license="MIT", python_requires=">=3.9", install_requires=["numpy"],
       description="Exact collision and distance of triangle meshes, and guards of robots, as on microcontrollers",
-      packages=["flashbvh"], package_data={"flashbvh": ["py.typed", "*.pyi"]},
+      packages=["flashbvh"],
+      package_dir={"flashbvh": os.path.relpath(ROOT / "tools/python/flashbvh", HERE)},
+      package_data={"flashbvh": ["py.typed", "*.pyi"]},
       options={"build": {"build_base": str(WORK)}, "egg_info": {"egg_base": str(WORK)}},
       ext_modules=[Extension("flashbvh._native", [])], cmdclass={"build_ext": BuildByCMake})

@@ -161,12 +161,27 @@ def write_tar(archive: Path, folder: Path, time: int) -> None:
             file.add(path, f"{folder.name}/{path.relative_to(folder)}", filter=owned_by_nobody)
 
 
-def write_debian(target: Path, facts: dict[str, str]) -> None:
-    tree = target / f"flashbvh-{facts['version']}"
-    for name in git("ls-files").splitlines():
+def copy_tracked(tree: Path, *below: str) -> None:
+    for name in git("ls-files", *below).splitlines():
         if not name.startswith(".") and (ROOT / name).is_file():
             (tree / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / name, tree / name)
+
+
+def write_python(target: Path, facts: dict[str, str]) -> None:
+    tree = target / f"flashbvh-{facts['version']}"
+    copy_tracked(tree, "CMakeLists.txt", "LICENSE", "README.md", "lib", "tools",
+                 "tests/reference", "tests/figures/budgets.csv")  # the paper's trees; what costs are made of
+    for name in "pyproject.toml", "setup.py":
+        shutil.move(tree / "tools/python" / name, tree)
+    fill_templates("python", tree, facts, {})
+    write_tar(target / f"{tree.name}.tar.gz", tree, commit_time())
+    shutil.rmtree(tree)
+
+
+def write_debian(target: Path, facts: dict[str, str]) -> None:
+    tree = target / f"flashbvh-{facts['version']}"
+    copy_tracked(tree)
     time = commit_time()
     write_tar(target / f"flashbvh_{facts['version']}.orig.tar.gz", tree, time)
     fill_templates("debian", tree / "debian", facts, {})
@@ -181,8 +196,8 @@ def write(package: str, target: Path, flashbvh: str) -> None:
     if package == "amalgamation":
         write_amalgamation(ROOT / "lib", target, sources, robot_sources)
         write_documents(target)
-    elif package == "debian":
-        write_debian(target, facts)
+    elif package in ("debian", "python"):
+        {"debian": write_debian, "python": write_python}[package](target, facts)
     else:
         write_package(package, folder, facts, {"source": sources, "robot_source": robot_sources})
     if package == "arduino":
@@ -193,7 +208,7 @@ def write(package: str, target: Path, flashbvh: str) -> None:
 
 
 def main(target: Path, flashbvh: str, packages: list[str]) -> None:
-    for package in packages or [*LAYOUTS, "amalgamation", "debian"]:
+    for package in packages or [*LAYOUTS, "amalgamation", "debian", "python"]:
         shutil.rmtree(target / package, ignore_errors=True)
         (target / package).mkdir(parents=True)
         write(package, target / package, flashbvh)
