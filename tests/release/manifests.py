@@ -188,7 +188,7 @@ def check_page(packages: Path, page: str) -> None:
     for title, text in re.findall(r"^## (.+)\n((?:(?!## ).*\n)*)", page, re.M):
         count = sum(line != "" and not line.startswith("```") for line in text.splitlines())
         require(count <= 10, f"the page: {count} lines of {title}")
-    named = re.findall(r"`((?:arduino|platformio|zephyr|esp-idf|cmsis|amalgamation|debian|npm|archives)(?:/[^`*]+)?)`", page)
+    named = re.findall(r"`((?:arduino|platformio|zephyr|esp-idf|cmsis|amalgamation|debian|python|npm|archives)(?:/[^`*]+)?)`", page)
     for name in named:
         # Debian's are not made on every occasion.
         is_made = (packages / name.split("/")[0]).exists()

@@ -54,7 +54,7 @@ int run(int argc, char** argv) {
   CLI::App app("Bounding volume trees for microcontrollers: bakes meshes, looks at what it baked.",
                "flashbvh");
   ExitCode exit_code = kSuccess;
-  app.require_subcommand(0, 1);  // after a command, another one's name is an argument
+  app.require_subcommand(0, 1);            // after a command, another one's name is an argument
   app.allow_windows_style_options(false);  // "/part.stl" is a file everywhere
   app.set_version_flag("--version", kVersion);
   add_bake(app);
