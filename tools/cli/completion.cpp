@@ -35,9 +35,10 @@ std::string with(std::string action, const std::string& value) {
 /// By the value's name in the help: KIND:{c,image} is one of a set, FILE or PAGE.html a file.
 std::string action_of(const CLI::Option& option, const Shell& shell) {
   std::string set = option.get_type_name();
-  if (set.find('{') != std::string::npos) {
+  const std::size_t begin = set.find_first_of("{");
+  if (begin != std::string::npos) {
     std::replace(set.begin(), set.end(), ',', ' ');
-    return with(shell.word, set.substr(set.find('{') + 1, set.find('}') - set.find('{') - 1));
+    return with(shell.word, set.substr(begin + 1, set.find_first_of("}") - begin - 1));
   }
   const std::string label = label_of(option);
   const std::size_t dot = label.find('.');
