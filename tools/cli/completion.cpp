@@ -35,10 +35,11 @@ std::string with(std::string action, const std::string& value) {
 /// By the value's name in the help: KIND:{c,image} is one of a set, FILE or PAGE.html a file.
 std::string action_of(const CLI::Option& option, const Shell& shell) {
   std::string set = option.get_type_name();
-  const std::size_t begin = set.find_first_of("{");
+  constexpr std::string_view kBraces = "{}";
+  const std::size_t begin = set.find(kBraces[0]);
   if (begin != std::string::npos) {
     std::replace(set.begin(), set.end(), ',', ' ');
-    return with(shell.word, set.substr(begin + 1, set.find_first_of("}") - begin - 1));
+    return with(shell.word, set.substr(begin + 1, set.find(kBraces[1]) - begin - 1));
   }
   const std::string label = label_of(option);
   const std::size_t dot = label.find('.');
