@@ -17,7 +17,10 @@ bool can_be_live(const Subject& subject) {
 
 LiveMesh live_mesh(const Subject& subject) {
   const ImageFile& image = subject.image;
-  LiveMesh mesh = {subject.name, {image.bytes(), subject.flash}, unit_name(image.unit()), {}};
+  LiveMesh mesh = {subject.name,
+                   {image.bytes(), static_cast<std::size_t>(subject.flash)},
+                   unit_name(image.unit()),
+                   {}};
   for (const Warning& warning : subject.warnings) {
     mesh.marks.push_back(warning.marks);
   }
