@@ -22,7 +22,7 @@ constexpr uint32_t kPairs = 3;
 constexpr uint32_t kBetween = 8;
 constexpr uint32_t kTabled = 2;
 
-constexpr uint32_t kScenes = 26;
+constexpr uint32_t kScenes = 36;
 constexpr uint32_t kPeriods = 10;
 constexpr uint32_t kGranted[] = {1, 40, 400, 2000};
 constexpr uint64_t kSeed = 0x7065726F64u;
