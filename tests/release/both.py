@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """both.py ARGUMENT...: stands for the program in tests/cli/runner.py. Runs the program NATIVE, and OTHER in a copy of the
 folder as it was; adds a line to the file COMPARED: "same", or what differs of exit codes, output and files. Ends as
-NATIVE did."""
+NATIVE did. A named pipe is written to once, so with one in the folder NATIVE runs alone."""
 import os
 import shlex
 import subprocess
@@ -32,6 +32,8 @@ def difference(native, other, copy):
 
 
 def main(*arguments):
+    if any(path.is_fifo() for path in Path.cwd().iterdir()):
+        os.execv(os.environ["NATIVE"], [os.environ["NATIVE"], *arguments])
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder, "copy")
         subprocess.run(["cp", "--archive", ".", copy], check=True)  # hard links stay
