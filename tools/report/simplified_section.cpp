@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bake/length.hpp"
 #include "live/live_section.hpp"
 #include "report/html.hpp"
 #include "simplify/deviation.hpp"
@@ -31,7 +32,7 @@ PointTriangles triangles_about(const bake::SourceMesh& mesh, const Point& middle
   }
   const auto distance = [](const PointTriangle& triangle) {
     const Point centre = simplify::centre_of(triangle);
-    return std::hypot(centre[0], centre[1], centre[2]);
+    return bake::length(centre[0], centre[1], centre[2]);
   };
   std::stable_sort(all.begin(), all.end(), [&](const PointTriangle& t, const PointTriangle& u) {
     return distance(t) < distance(u);
