@@ -47,4 +47,4 @@ compare() {
 compare linux "$linux/flashbvh" "" scenes odd_meshes robot
 # Where memory has no gaps, a stride of 2^31 leads to other numbers of the file.
 compare npm "$WORK/npm/bin/flashbvh" "|without area: 2 triangles" scenes odd_meshes robot
-compare windows "$wine $WORK/flashbvh-$version-windows-x86_64/flashbvh.exe" "" scenes
+compare windows "$wine $WORK/flashbvh-$version-windows-x86_64/flashbvh.exe" "" scenes robot
