@@ -1,4 +1,8 @@
-# Sourced, in the folder of a test: what drives a page in Debian's chromium.
+# Sourced: begins in the empty folder WORK; what has a page answer in node, and drives it in Debian's chromium.
+set -eu
+rm -rf "$WORK"
+mkdir -p "$WORK"
+cd "$WORK"
 
 fail() {
   echo "FAILED: $*" >&2
@@ -38,6 +42,19 @@ drive() {
   cat claims
   ! grep -v ': true$' claims | grep -v '^answers ' || fail "$driven is not as it should be"
   [ "$(wc -l <claims)" -eq "$count" ] || fail "claims are missing"
+}
+
+# need_answers PAGE: the test counts as skipped where the page can't answer, or node is missing.
+need_answers() {
+  grep -q 'id=live-data' "$1" || { echo "SKIPPED: built without Clang for WebAssembly"; exit 77; }
+  command -v node >/dev/null || { echo "SKIPPED: no node; apt-get install nodejs"; exit 77; }
+}
+
+# same_in_node PAGE SCRIPT COUNT WANTED
+same_in_node() {
+  echo "$4"
+  found=$(node_answers "$1" "$2" "$3")
+  [ "$found" = "$4" ] || fail "node has $found"
 }
 
 # node_answers PAGE SCRIPT COUNT: of the library and the images in the page, what the script's `answers_of` says.

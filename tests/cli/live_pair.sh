@@ -1,25 +1,18 @@
 #!/bin/sh
 # A page of two meshes answers as firmware's queries do natively: in node, and in a browser, which also drives it.
 # Skipped and left out as live.sh.
-set -eu
-rm -rf "$WORK"
-mkdir -p "$WORK"
-cd "$WORK"
-count=10000
 . "$SOURCES/browser.sh"
+count=10000
 
 python3 -B "$SOURCES/meshes.py" meshes
 printf 'v 0 0 0\nv 5 0 0\nv 0 5 0\nv 0 0 5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >small.obj
 "$FLASHBVH" bake meshes/ring.stl small.obj -o . --format image --unit mm >/dev/null
 python3 -c 'for i in range(105): print(f"0.6 -0.8 0  0.8 0.6 0  0 0 1  {i % 9 * 3 - 4}.25 {i % 7 * 4} 0.{i}")' >poses
 "$FLASHBVH" report ring.fbvh small.fbvh --poses poses -o page.html
-grep -q 'id=live-data' page.html || { echo "SKIPPED: built without Clang for WebAssembly"; exit 77; }
-command -v node >/dev/null || { echo "SKIPPED: no node; apt-get install nodejs"; exit 77; }
+need_answers page.html
 wanted=$("$TOOLS/cli_live_pair_answers" ring.fbvh small.fbvh $count)
-echo "$wanted"
-case $wanted in *" 0 intersect"* | *" 0 inside"* | *" 0 closer"* | *" 0 hit"*) fail "not all answers occur" ;; esac
-found=$(node_answers page.html pair_answers.js $count)
-[ "$found" = "$wanted" ] || fail "node has $found"
+case $wanted in *" 0 intersect"* | *" 0 inside"* | *" 0 closer"* | *" 0 hit"*) fail "not all answers occur: $wanted" ;; esac
+same_in_node page.html pair_answers.js $count "$wanted"
 
 can_browse || { echo "chromium's part is left out"; exit 0; }
 drive page.html 27 pair_answers.js drive_pair.js

@@ -1,12 +1,8 @@
 #!/bin/sh
 # A browser shows the pages, light and dark, wide and narrow. Needs Debian's chromium; without it the
 # test counts as skipped.
-set -eu
-rm -rf "$WORK"
-mkdir -p "$WORK"
-cd "$WORK"
-python3 -B "$SOURCES/meshes.py" meshes
 . "$SOURCES/browser.sh"
+python3 -B "$SOURCES/meshes.py" meshes
 can_browse || { echo SKIPPED; exit 77; }
 "$FLASHBVH" bake meshes/ring.stl meshes/tetrahedron.stl -o baked --format image >/dev/null
 

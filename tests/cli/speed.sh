@@ -10,10 +10,8 @@ cd "$(dirname "$0")/../.."
 FLASHBVH=${FLASHBVH:-$PWD/build/native/bin/flashbvh}
 SOURCES=$PWD/tests/cli
 WORK=$PWD/build/speed
-mkdir -p "$WORK"
 fetch_kr5 build/kr5
 kr5=$PWD/$kr5 urdf=$PWD/$urdf
-cd "$WORK"
 . "$SOURCES/browser.sh"
 
 "$FLASHBVH" robot "$urdf" -o . --format image --stop 0.005 --warn 0.03 --report robot.html >/dev/null 2>&1

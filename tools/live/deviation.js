@@ -21,12 +21,6 @@ class DeviationStage extends Stage {
     this.draw();
   }
 
-  matrices() {
-    return [IDENTITY];
-  }
-  colours() {
-    return [this.colour("--inner")];
-  }
   // Of triangles that face the viewer.
   marks() {
     const eye = this.view.eye();

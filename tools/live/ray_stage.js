@@ -35,12 +35,6 @@ class RayStage extends Stage {
     this.draw();
   }
 
-  matrices() {
-    return [IDENTITY];
-  }
-  colours() {
-    return [this.colour("--inner")];
-  }
   marks() {
     const { origin, vertices } = this;
     const odd = this.odd.map(([colour, places]) => ({ kind: "LINES", colour: this.colour(colour),

@@ -38,7 +38,7 @@ const OWN_CODE = " Verdict, distance and points are worked out by flashbvh's own
   "image that the firmware holds.";
 const name_of = base64 => new TextDecoder().decode(bytes_of(base64));
 
-// Subclasses have matrices(), colours(), marks(), write(), and where they differ grab() and key().
+// Subclasses have marks(), write(), and where they differ matrices(), colours(), grab() and key().
 class Stage {
   #colours = {};
   #timer = 0;
@@ -85,6 +85,14 @@ class Stage {
   #come(times) {
     this.view.distance = Math.min(Math.max(this.view.distance * times, 0.1), 20);
     this.draw();
+  }
+
+  // Where the meshes are and their colours: of one that stays where it is.
+  matrices() {
+    return [IDENTITY];
+  }
+  colours() {
+    return [this.colour("--inner")];
   }
 
   // All as it stands.
