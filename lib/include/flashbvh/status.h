@@ -64,7 +64,11 @@ typedef enum flashbvh_status {
   /** A vertex of a deformable mesh that lies outside the lattice; no query may use the mesh. */
   FLASHBVH_STATUS_VERTEX_OUT_OF_LATTICE = 40,
   /** A mesh that was refit since, or whose refit is not done. */
-  FLASHBVH_STATUS_MESH_CHANGED = 41
+  FLASHBVH_STATUS_MESH_CHANGED = 41,
+
+  /** A motion of a body that may get farther than 2^19 cells from an origin, by the sum of its
+   * lengths. */
+  FLASHBVH_STATUS_MOTION_OUT_OF_RANGE = 48
 } flashbvh_status;
 
 #ifdef __cplusplus

@@ -39,6 +39,7 @@ const char* flashbvh_status_name(flashbvh_status status) {
     FLASHBVH_CASE(image_too_large);
     FLASHBVH_CASE(vertex_out_of_lattice);
     FLASHBVH_CASE(mesh_changed);
+    FLASHBVH_CASE(motion_out_of_range);
   }
   return "unknown";
 }

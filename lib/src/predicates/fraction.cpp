@@ -147,6 +147,15 @@ uint64_t square_root(const Int128& u) noexcept {
   return root;
 }
 
+uint32_t square_root(uint64_t u) noexcept {
+  uint32_t root = 0;
+  for (uint32_t bit = 1u << 31; bit != 0; bit >>= 1) {
+    const uint32_t more = root | bit;
+    root = static_cast<uint64_t>(more) * more <= u ? more : root;
+  }
+  return root;
+}
+
 int compare(const Fraction& x, const Fraction& y) noexcept {
   // As neighbours share edges, the same fraction often comes twice.
   if (x.above == y.above && x.below == y.below) {

@@ -2,7 +2,7 @@
 #include "flashbvh/robot/kinematics.hpp"
 
 #include "coordinate.hpp"
-#include "sine.hpp"
+#include "../lattice/sine.hpp"
 
 namespace flashbvh {
 namespace {

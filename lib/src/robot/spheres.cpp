@@ -20,15 +20,6 @@ int64_t centre_of(const RobotLink& link, const Frame& frame, int axis) {
   return frame.translation[axis] + ((turned + (kRotationOne >> 1)) >> 30);
 }
 
-uint32_t square_root(uint64_t square) {
-  uint32_t root = 0;
-  for (uint32_t bit = 1u << 31; bit != 0; bit >>= 1) {
-    const uint32_t more = root | bit;
-    root = static_cast<uint64_t>(more) * more <= square ? more : root;
-  }
-  return root;
-}
-
 uint32_t distance_above(const Triangle& a, const Triangle& b) {
   Fraction squared = kInfinite;
   Features features;

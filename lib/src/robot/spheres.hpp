@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "flashbvh/detail/predicates/fraction.hpp"
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/robot/robot.hpp"
 
@@ -12,9 +13,6 @@ namespace flashbvh::detail {
 /// Of the sphere round a link, in its joint's parent frame: along an axis, in 1/2,048
 /// cell, to the nearest.
 int64_t centre_of(const RobotLink& link, const Frame& frame, int axis);
-
-/// Rounded down.
-uint32_t square_root(uint64_t square);
 
 /// How far the links' spheres are apart, in 1/256 cell, rounded down; 0 if they intersect.
 uint32_t sphere_gap(const RobotLink& a, const Frame& frame_a, const RobotLink& b,

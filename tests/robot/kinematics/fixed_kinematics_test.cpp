@@ -1,6 +1,6 @@
 // Kinematics in fixed point against long doubles, and against the doubles of the host's.
 #include "flashbvh/robot/kinematics.hpp"
-#include "robot/sine.hpp"
+#include "lattice/sine.hpp"
 #include "support/arms/fixed_arm.hpp"
 #include "support/test.hpp"
 

@@ -51,6 +51,13 @@ typedef struct flashbvh_unit_vector {
   int32_t z;
 } flashbvh_unit_vector;
 
+/** Point p of this frame lies at rotation * p + translation in the frame that this one is given in.
+ * 48 bytes. */
+typedef struct flashbvh_frame {
+  int32_t rotation[3][3]; /**< row by row, FLASHBVH_ROTATION_ONE is 1 */
+  int32_t translation[3]; /**< in 1/2,048 cell, up to 2^30 */
+} flashbvh_frame;
+
 /** (p1 - p0) x (p2 - p0) of a triangle p0, p1, p2: exact, in square cells, twice the area long, not
  * normalised. Each component is within +-57,000^2, below 2^32. Zero for a triangle without area.
  * It points outwards where the mesh winds its triangles counter-clockwise seen from outside. */

@@ -4,19 +4,12 @@
 #define FLASHBVH_PLAIN_ROBOT_PARTS_H
 
 #include "flashbvh/plain/language.h"
+#include "flashbvh/plain/points.h"
 #include "flashbvh/plain/results.h"
 
 /** Where a joint stands: of one that turns, in 2^-28 of a turn; of one that slides, in 1/2,048
  * cell. */
 typedef int32_t flashbvh_joint_coordinate;
-
-/** Point p of this frame lies at rotation * p + translation in the frame that this one is given in.
- * 48 bytes.
- */
-typedef struct flashbvh_frame {
-  int32_t rotation[3][3]; /**< row by row, FLASHBVH_ROTATION_ONE is 1 */
-  int32_t translation[3]; /**< in 1/2,048 cell, up to 2^30 */
-} flashbvh_frame;
 
 /** Where something is fastened to a robot: in the frame that a joint carries, or in the base's. A
  * robot's header has those of all links of its URDF, with geometry or without. */

@@ -11,8 +11,9 @@
 
 #include <stdint.h>
 
+#include "flashbvh/frame.hpp"
 #include "flashbvh/mesh.hpp"
-#include "flashbvh/robot/frame.hpp"
+#include "flashbvh/plain/robot_parts.h"
 
 namespace flashbvh {
 
@@ -25,8 +26,6 @@ using RobotPair = flashbvh_robot_pair;
 using RobotUnguarded = flashbvh_robot_unguarded;
 using Robot = flashbvh_robot;
 
-/// A full turn.
-constexpr JointCoordinate kFullTurn = 1 << 28;
 /// What no joint takes: of a float that is no number, or too large.
 constexpr JointCoordinate kNoCoordinate = INT32_MIN;
 /// Largest magnitude of a limit: 4 turns, or 2^19 cells. Differences of coordinates fit 32 bits.

@@ -59,6 +59,8 @@ Int128 shifted_up(const Int128& u, unsigned bits) noexcept;
 Int128 quotient(const Int128& u, const Int128& v) noexcept;
 /// The largest number whose square is not above `u`, which is not negative.
 uint64_t square_root(const Int128& u) noexcept;
+/// The same of 64 bits, bit by bit.
+uint32_t square_root(uint64_t u) noexcept;
 
 /// Not negative; `below` is positive.
 struct Fraction {

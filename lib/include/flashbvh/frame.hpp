@@ -1,10 +1,10 @@
-// Where a joint or a link lies: a rotation in fixed point and a translation in parts of a cell.
-#ifndef FLASHBVH_ROBOT_FRAME_HPP
-#define FLASHBVH_ROBOT_FRAME_HPP
+// Where a body lies: a rotation in fixed point and a translation in parts of a cell.
+#ifndef FLASHBVH_FRAME_HPP
+#define FLASHBVH_FRAME_HPP
 
 #include <stdint.h>
 
-#include "flashbvh/plain/robot_parts.h"
+#include "flashbvh/plain/points.h"
 #include "flashbvh/pose.hpp"
 
 namespace flashbvh {
@@ -16,6 +16,9 @@ constexpr int32_t kFrameCell = 1 << kFrameBits;
 /// Largest magnitude of a frame's translation along an axis, in 1/2,048 cell: 2^19 cells, so that
 /// differences of two still fit 32 bits.
 constexpr int32_t kMaxFrameTranslation = 1 << 30;
+
+/// A full turn, of an angle.
+constexpr int32_t kFullTurn = 1 << 28;
 
 using Frame = flashbvh_frame;
 

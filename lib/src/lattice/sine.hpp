@@ -1,6 +1,6 @@
 // Sine and cosine of a part of a turn, in fixed point: the same bits on every core.
-#ifndef FLASHBVH_ROBOT_SINE_HPP
-#define FLASHBVH_ROBOT_SINE_HPP
+#ifndef FLASHBVH_LATTICE_SINE_HPP
+#define FLASHBVH_LATTICE_SINE_HPP
 
 #include <stdint.h>
 

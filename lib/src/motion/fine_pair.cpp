@@ -1,0 +1,98 @@
+// Triangles placed to 1/16 cell.
+#include "fine_pair.hpp"
+
+#include "../predicates/triangle_range.hpp"
+#include "flashbvh/detail/query/proximity.hpp"
+
+namespace flashbvh::detail {
+namespace {
+
+constexpr uint8_t kFinest = 4;
+/// sqrt(3) / 2, which is what rounding moves a point at most, in 1/256.
+constexpr uint32_t kRounding = 222;
+
+/// The largest difference of coordinates along an axis.
+uint32_t span_along(const FinePair& pair, int32_t Point::*axis) {
+  const Range a = range_of(pair.a, axis);
+  const Range b = range_of(pair.b, axis);
+  const int32_t least = a.least < b.least ? a.least : b.least;
+  const int32_t most = a.most > b.most ? a.most : b.most;
+  return static_cast<uint32_t>(most) - static_cast<uint32_t>(least);
+}
+bool is_narrow(const FinePair& pair) {
+  constexpr uint32_t most = kMaxApart;
+  return span_along(pair, &Point::x) <= most && span_along(pair, &Point::y) <= most &&
+         span_along(pair, &Point::z) <= most;
+}
+
+/// To the nearest 2^-bits cell, in cells of 30 fraction bits.
+int32_t rounded(int64_t at, unsigned bits) {
+  return static_cast<int32_t>((at + (int64_t{1} << (29 - bits))) >> (30 - bits));
+}
+
+}  // namespace
+
+template <class Mesh>
+void set_fine_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b, const Frame& frame,
+                   FinePair& pair) {
+  const auto* const corners_a = a.triangles[of_a].corner;
+  const Vertex& first = a.vertices[corners_a[0]];
+  const int32_t base[3] = {a.origin[0] + first.x, a.origin[1] + first.y, a.origin[2] + first.z};
+  pair.bits = kFinest;
+  for (;;) {
+    const unsigned bits = pair.bits;
+    for (int i = 0; i < 3; ++i) {
+      const Vertex& of_first = a.vertices[corners_a[i]];
+      pair.a.corner[i] = {(of_first.x - first.x) * (1 << bits),
+                          (of_first.y - first.y) * (1 << bits),
+                          (of_first.z - first.z) * (1 << bits)};
+      const Vertex& v = b.vertices[b.triangles[of_b].corner[i]];
+      const int64_t x = int64_t{b.origin[0]} + v.x;
+      const int64_t y = int64_t{b.origin[1]} + v.y;
+      const int64_t z = int64_t{b.origin[2]} + v.z;
+      int32_t placed[3];
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto& row = frame.rotation[axis];
+        placed[axis] = rounded(row[0] * x + row[1] * y + row[2] * z +
+                                   int64_t{frame.translation[axis]} * (1 << (30 - kFrameBits)) -
+                                   int64_t{base[axis]} * (1 << 30),
+                               bits);
+      }
+      pair.b.corner[i] = {placed[0], placed[1], placed[2]};
+    }
+    if (bits == 0 || is_narrow(pair)) {
+      return;
+    }
+    --pair.bits;
+  }
+}
+
+bool is_apart(const FinePair& pair, uint32_t distance) {
+  if (distance >= kCoarseDistance) {
+    return false;
+  }
+  Within within((distance << pair.bits) + kRounding);
+  return !within.test(pair.a, pair.b, 0, 0);
+}
+
+bool has_near_corners(const FinePair& pair, uint32_t distance) {
+  const uint64_t most = uint64_t{distance} * distance;  // in 1/65,536 square cell
+  for (const Point& p : pair.a.corner) {
+    for (const Point& q : pair.b.corner) {
+      const int64_t x = int64_t{p.x} - q.x;
+      const int64_t y = int64_t{p.y} - q.y;
+      const int64_t z = int64_t{p.z} - q.z;
+      // Up to 2^25 each, and 16 bits more of a square cell, less those of the corners.
+      if (static_cast<uint64_t>(x * x + y * y + z * z) <= most >> (16 - 2 * pair.bits)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+template void set_fine_pair(const Mesh&, uint32_t, const Mesh&, uint32_t, const Frame&, FinePair&);
+template void set_fine_pair(const Mesh32&, uint32_t, const Mesh32&, uint32_t, const Frame&,
+                            FinePair&);
+
+}  // namespace flashbvh::detail

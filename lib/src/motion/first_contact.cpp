@@ -1,0 +1,364 @@
+// First contacts: which interval comes next, and what is known of it.
+#include "flashbvh/first_contact.hpp"
+
+#include "fine_pair.hpp"
+#include "flashbvh/detail/predicates/fraction.hpp"
+#include "moved_frame.hpp"
+
+namespace flashbvh {
+namespace {
+
+/// Where bodies come near, intervals move B by at most a quarter of a cell, and four of them end
+/// it: so what is reported is at most a cell of motion.
+constexpr uint32_t kShortestReach = kFineOne / 8;
+constexpr uint8_t kMostNearSteps = 4;
+
+/// So that roundings of moves stay below the shortest reach.
+constexpr uint32_t kMostMoves = 64;
+
+/// Of a vertex that a query places: 0.51 cells along three axes, and a fraction of a translation.
+constexpr uint32_t kPlacing = 228;
+
+/// Kinematics, and two triangles (query.hpp).
+constexpr uint32_t kProbeWork = 64;
+/// Kinematics, and a query that is made and resumed.
+constexpr uint32_t kSliceWork = 32;
+
+constexpr uint32_t magnitude(int32_t value) {
+  return value < 0 ? 0u - static_cast<uint32_t>(value) : static_cast<uint32_t>(value);
+}
+
+/// Times are even, so that each interval has a middle.
+constexpr uint32_t halved(uint32_t step) {
+  return step > 4 ? (step / 2) & ~1u : 2;
+}
+
+/// How far a turn moves a point, in 1/2,048 cell, rounded up: by 2 pi in 2^-8, and parts of 2^-28
+/// of a turn.
+uint64_t arc_of(uint64_t turned, uint64_t lever) {
+  constexpr uint32_t full_turn = 1609;
+  return ((turned * lever >> 20) * full_turn >> 16) + 1;
+}
+
+uint64_t share(uint32_t length, uint32_t part) {
+  return (uint64_t{length} * part >> 30) + 1;
+}
+
+/// How far the moves' way ends from where the motion does, at most, in 1/256 cell: of a point that
+/// is so far from the origin of B's frame along each axis, in 1/2,048 cell.
+uint32_t end_error(const BodyMotion& motion, const uint64_t (&farthest)[3]) {
+  const Frame end = detail::frame_at(motion, kMotionEnd);
+  const Frame to = detail::frame_of(motion.to());
+  uint64_t most = 0;
+  for (int i = 0; i < 3; ++i) {
+    uint64_t off = magnitude(end.translation[i] - to.translation[i]) + 1;
+    for (int j = 0; j < 3; ++j) {
+      off += (magnitude(end.rotation[i][j] - to.rotation[i][j]) * farthest[j] >> 30) + 1;
+    }
+    most = off > most ? off : most;
+  }
+  return static_cast<uint32_t>(most * 222 >> 10) + 1;  // sqrt(3) / 8
+}
+
+}  // namespace
+
+template <class MeshType>
+BasicFirstContact<MeshType>::BasicFirstContact(const Mesh& a, const Mesh& b,
+                                               const BodyMotion& motion, uint32_t within)
+    : a_(&a), b_(&b), motion_(&motion), within_(within), at_() {
+  at_.near = Cursor::kNever;
+  at_.step = kMotionEnd;
+  at_.status = error();
+  at_.outcome = ContactOutcome::close;
+  if (at_.status != Status::suspended) {
+    at_.phase = ContactPhase::done;
+  }
+}
+
+/// `suspended`: none. Sets what follows from meshes and motion.
+template <class MeshType>
+Status BasicFirstContact<MeshType>::error() {
+  if (motion_->status() != Status::done) {
+    return motion_->status();
+  }
+  if (within_ > kMaxDistance / 2) {
+    return Status::distance_out_of_range;
+  }
+  if (motion_->move_count() > kMostMoves || !set_ball()) {
+    return Status::motion_out_of_range;
+  }
+  return Status::suspended;
+}
+
+/// The ball about B, and errors, which grow with how far it is from A's origin; false if that is
+/// out of range.
+template <class MeshType>
+bool BasicFirstContact<MeshType>::set_ball() {
+  const Box box = unpack(b_->nodes[0].box);
+  const int32_t lower[3] = {box.lower.x, box.lower.y, box.lower.z};
+  const int32_t upper[3] = {box.upper.x, box.upper.y, box.upper.z};
+  uint64_t diagonal = 0;
+  uint64_t far = 0;
+  uint64_t extent[3];
+  for (int i = 0; i < 3; ++i) {
+    const uint32_t origin = magnitude(b_->origin[i]);
+    if (origin >= 1u << 18) {
+      return false;
+    }
+    centre_[i] = (2 * b_->origin[i] + lower[i] + upper[i]) * (kFrameCell / 2);
+    const auto width = static_cast<uint64_t>(upper[i] - lower[i]);
+    diagonal += width * width;
+    extent[i] = magnitude(centre_[i]) + width * (kFrameCell / 2);
+    far += origin;
+  }
+  radius_ = detail::square_root(diagonal << 20) + 1;  // half of it
+  rounding_ = kPlacing + static_cast<uint32_t>(far * 443 >> 23) + 1;
+  const uint64_t farthest = detail::farthest(
+      *motion_, uint64_t{detail::length_of(detail::frame_of(motion_->from()).translation)} +
+                    detail::length_of(centre_) + radius_);
+  path_error_ = motion_->move_count() * (static_cast<uint32_t>(farthest >> 27) + 1) +
+                end_error(*motion_, extent);
+  return farthest <= kMaxFrameTranslation;
+}
+
+/// What B's points move from the middle of an interval until its ends, and what is to be added to
+/// it, in 1/256 cell. `frame`: B's there.
+template <class MeshType>
+uint32_t BasicFirstContact<MeshType>::distance_in(uint32_t step, Frame& frame) const {
+  const uint32_t half = step / 2;
+  uint64_t moved = 0;  // in 1/2,048 cell, by the moves so far
+  frame = detail::frame_of(motion_->from());
+  for (uint32_t i = motion_->move_count(); i-- > 0;) {
+    const Move& move = motion_->move(i);
+    if (move.turn != 0) {
+      const uint64_t lever =
+          detail::distance_from_axis(move, detail::place(frame, centre_)) + radius_ + moved;
+      moved += arc_of(share(magnitude(move.turn), half), lever);
+    }
+    moved += share(detail::length_of(move.travel), half);
+    detail::carry(move, at_.time + half, frame);
+  }
+  const uint64_t distance = (moved >> 3) + 1 + within_ + path_error_;
+  return distance < UINT32_MAX ? static_cast<uint32_t>(distance) : UINT32_MAX;
+}
+
+/// Whether an interval is not to be cut any more.
+template <class MeshType>
+bool BasicFirstContact<MeshType>::is_shortest(uint32_t distance) const {
+  return at_.step == 2 || distance - within_ - path_error_ <= kShortestReach;
+}
+
+/// Whether the hint's triangles may touch in an interval.
+template <class MeshType>
+bool BasicFirstContact<MeshType>::may_touch(uint32_t step, uint32_t& distance) const {
+  Frame frame;
+  distance = distance_in(step, frame);
+  if (at_.hint.is_none()) {
+    return false;
+  }
+  detail::FinePair pair;
+  detail::set_fine_pair(*a_, at_.hint.a, *b_, at_.hint.b, frame, pair);
+  return distance < detail::kCoarseDistance ? !detail::is_apart(pair, distance)
+                                            : detail::has_near_corners(pair, distance);
+}
+
+template <class MeshType>
+void BasicFirstContact<MeshType>::choose() {
+  uint32_t distance = 0;
+  if (may_touch(at_.step, distance)) {
+    come_near(distance);
+  } else {
+    at_.phase = at_.hint.is_none() ? ContactPhase::walk : ContactPhase::lengthen;
+  }
+}
+
+template <class MeshType>
+void BasicFirstContact<MeshType>::lengthen() {
+  const uint32_t longer = (at_.step + at_.step / 2) & ~1u;
+  uint32_t distance = 0;
+  if (longer <= kMotionEnd - at_.time && !may_touch(longer, distance)) {
+    at_.step = longer;
+  }
+  at_.phase = ContactPhase::walk;
+}
+
+/// They may touch in the interval: it is cut, or passed, and they are compared where it ends.
+template <class MeshType>
+void BasicFirstContact<MeshType>::come_near(uint32_t distance) {
+  at_.walk = {};
+  if (!is_shortest(distance)) {
+    at_.step = halved(at_.step);
+    at_.phase = ContactPhase::choose;
+    return;
+  }
+  if (at_.near == Cursor::kNever) {
+    at_.near = at_.time;
+    at_.near_steps = 0;
+  }
+  ++at_.near_steps;
+  at_.time += at_.step;
+  at_.phase = ContactPhase::at_time;
+}
+
+/// They are apart in all of the interval.
+template <class MeshType>
+void BasicFirstContact<MeshType>::certify() {
+  if (at_.near != Cursor::kNever) {
+    end(ContactOutcome::close);
+    return;
+  }
+  at_.time += at_.step;
+  at_.step = at_.step < kMotionEnd / 4 ? 4 * at_.step : kMotionEnd;
+  go_on();
+}
+
+/// From `time` on.
+template <class MeshType>
+void BasicFirstContact<MeshType>::go_on() {
+  const uint32_t left = kMotionEnd - at_.time;
+  at_.step = at_.step < left ? at_.step : left;
+  at_.phase = left == 0 ? ContactPhase::at_time : ContactPhase::choose;
+  at_.walk = {};
+}
+
+template <class MeshType>
+void BasicFirstContact<MeshType>::end(ContactOutcome outcome) {
+  at_.outcome = outcome;
+  at_.status = Status::done;
+  at_.phase = ContactPhase::done;
+  at_.walk = {};
+}
+
+/// A slice of a query, whose cursor is the walk's. `take(slots)`: whether to go on behind a pair.
+template <class MeshType>
+template <class Query, class Take>
+Status BasicFirstContact<MeshType>::walk(Query&& query, uint32_t& work, const Take& take) {
+  const Status status = query.resume(at_.walk);
+  if (status != Status::suspended) {
+    return status;
+  }
+  const RunResult slice = query.run(work, [&](const TrianglePair<Index>&) {
+    const auto slots = query.template last_slots<Witness<Index>>();
+    const bool goes_on = take(slots);
+    at_.hint = goes_on ? at_.hint : slots;
+    return goes_on;
+  });
+  detail::take_work(work, slice.work + kSliceWork);
+  at_.walk = query.cursor();
+  return slice.status;
+}
+
+template <class MeshType>
+void BasicFirstContact<MeshType>::walk_at_time(uint32_t& work) {
+  const Pose pose = motion_->pose_at(at_.time);
+  const auto any = [](const Witness<Index>&) { return false; };
+  const Status status =
+      within_ == 0
+          ? walk(Query<Ranked<Mesh>>(*a_, *b_, pose), work, any)
+          : walk(Query<Ranked<Mesh>, Within>(*a_, *b_, pose, {}, flashbvh::within(within_)), work,
+                 any);
+  if (status == Status::full) {
+    end(ContactOutcome::contact);
+  } else if (status != Status::done) {
+    at_.status = status;
+  } else if (at_.near != Cursor::kNever &&
+             (at_.near_steps == kMostNearSteps || at_.time == kMotionEnd)) {
+    end(ContactOutcome::close);
+  } else if (at_.time == kMotionEnd) {
+    end(ContactOutcome::free);
+  } else {
+    go_on();
+  }
+}
+
+template <class MeshType>
+void BasicFirstContact<MeshType>::walk_interval(uint32_t& work) {
+  Frame frame;
+  const uint32_t distance = distance_in(at_.step, frame);
+  const uint32_t reach = distance < kMaxDistance ? distance + rounding_ : distance;
+  if (reach > kMaxDistance) {
+    come_near(distance);
+    return;
+  }
+  const Pose pose = detail::pose_of(frame);
+  const Status status =
+      walk(Query<Ranked<Mesh>, Within>(*a_, *b_, pose, {}, flashbvh::within(reach)), work,
+           [&](const Witness<Index>& slots) {
+             detail::FinePair pair;
+             detail::set_fine_pair(*a_, slots.a, *b_, slots.b, frame, pair);
+             return detail::is_apart(pair, distance);
+           });
+  if (status == Status::done) {
+    certify();
+  } else if (status == Status::full || status == Status::distance_out_of_range) {
+    come_near(distance);  // also where they are too far apart for so large a distance
+  } else {
+    at_.status = status;
+  }
+}
+
+template <class MeshType>
+void BasicFirstContact<MeshType>::step(uint32_t& work) {
+  if (at_.phase == ContactPhase::at_time) {
+    walk_at_time(work);
+  } else if (at_.phase == ContactPhase::walk) {
+    walk_interval(work);
+  } else {
+    detail::take_work(work, kProbeWork);
+    at_.phase == ContactPhase::choose ? choose() : lengthen();
+  }
+}
+
+/// With unlimited work it ends: each step gets on with a walk, cuts an interval that is not the
+/// shortest, or goes on behind one.
+template <class MeshType>
+typename BasicFirstContact<MeshType>::Answer BasicFirstContact<MeshType>::run(uint32_t work) {
+  while (at_.status == Status::suspended && work != 0) {
+    step(work);
+  }
+  Answer answer = {at_.status, at_.outcome, {}, at_.time, at_.time};
+  if (at_.near != Cursor::kNever) {
+    answer.from = at_.near;
+  }
+  if (at_.status == Status::done && !at_.hint.is_none() && at_.outcome != ContactOutcome::free) {
+    answer.triangles = {a_->triangle_ids[at_.hint.a], b_->triangle_ids[at_.hint.b]};
+  }
+  return answer;
+}
+
+template <class MeshType>
+void BasicFirstContact<MeshType>::pass() {
+  if (at_.status != Status::done || at_.outcome != ContactOutcome::close) {
+    return;
+  }
+  at_.near = Cursor::kNever;
+  if (at_.time == kMotionEnd) {
+    end(ContactOutcome::free);
+    return;
+  }
+  at_.status = Status::suspended;
+  go_on();
+}
+
+template <class MeshType>
+Status BasicFirstContact<MeshType>::resume(const Cursor& at) {
+  const bool is_even = ((at.time | at.step) & 1) == 0;
+  const bool is_in_motion = at.time <= kMotionEnd && at.step <= kMotionEnd - at.time;
+  const bool has_step = at.step != 0 || at.phase == ContactPhase::at_time;
+  const bool has_pair = at.hint.is_none() || detail::is_pair(at.hint, *a_, *b_);
+  const bool is_known = (at.near == Cursor::kNever || at.near <= at.time) &&
+                        at.phase < ContactPhase::done && at.status == Status::suspended;
+  if (at_.status != Status::suspended) {
+    return at_.status;
+  }
+  if (!(is_even && is_in_motion && has_step && has_pair && is_known)) {
+    return Status::cursor_invalid;
+  }
+  at_ = at;
+  return Status::suspended;
+}
+
+template class BasicFirstContact<Mesh>;
+template class BasicFirstContact<Mesh32>;
+
+}  // namespace flashbvh
