@@ -106,6 +106,7 @@ class BasicFirstContact {
   bool set_ball();
   uint32_t distance_in(uint32_t step, Frame& frame) const;
   bool is_shortest(uint32_t distance) const;
+  bool is_apart(const Witness<Index>& slots, const Frame& frame, uint32_t distance) const;
   bool may_touch(uint32_t step, uint32_t& distance) const;
   void choose();
   void lengthen();

@@ -4,6 +4,7 @@
 #include "fine_pair.hpp"
 #include "flashbvh/detail/predicates/fraction.hpp"
 #include "moved_frame.hpp"
+#include "near_query.hpp"
 
 namespace flashbvh {
 namespace {
@@ -148,6 +149,17 @@ bool BasicFirstContact<MeshType>::is_shortest(uint32_t distance) const {
   return at_.step == 2 || distance - within_ - path_error_ <= kShortestReach;
 }
 
+/// Whether two triangles, with B's frame there, are farther apart than a distance. Apart, so that
+/// no walk has its frame above it.
+template <class MeshType>
+FLASHBVH_NOINLINE bool BasicFirstContact<MeshType>::is_apart(const Witness<Index>& slots,
+                                                             const Frame& frame,
+                                                             uint32_t distance) const {
+  detail::FinePair pair;
+  detail::set_fine_pair(*a_, slots.a, *b_, slots.b, frame, pair);
+  return detail::is_apart(pair, distance);
+}
+
 /// Whether the hint's triangles may touch in an interval.
 template <class MeshType>
 bool BasicFirstContact<MeshType>::may_touch(uint32_t step, uint32_t& distance) const {
@@ -275,19 +287,14 @@ template <class MeshType>
 void BasicFirstContact<MeshType>::walk_interval(uint32_t& work) {
   Frame frame;
   const uint32_t distance = distance_in(at_.step, frame);
-  const uint32_t reach = distance < kMaxDistance ? distance + rounding_ : distance;
-  if (reach > kMaxDistance) {
+  if (distance >= detail::Within::kMostShort - rounding_) {
     come_near(distance);
     return;
   }
   const Pose pose = detail::pose_of(frame);
   const Status status =
-      walk(Query<Ranked<Mesh>, Within>(*a_, *b_, pose, {}, flashbvh::within(reach)), work,
-           [&](const Witness<Index>& slots) {
-             detail::FinePair pair;
-             detail::set_fine_pair(*a_, slots.a, *b_, slots.b, frame, pair);
-             return detail::is_apart(pair, distance);
-           });
+      walk(detail::NearQuery<Mesh>(*a_, *b_, pose, distance + rounding_, at_.hint), work,
+           [&](const Witness<Index>& slots) { return is_apart(slots, frame, distance); });
   if (status == Status::done) {
     certify();
   } else if (status == Status::full || status == Status::distance_out_of_range) {

@@ -1,0 +1,85 @@
+// Whether two bodies are within a distance, from triangles on that were nearest before.
+#ifndef FLASHBVH_MOTION_NEAR_QUERY_HPP
+#define FLASHBVH_MOTION_NEAR_QUERY_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/clearance.hpp"
+
+namespace flashbvh::detail {
+
+/// Hands every pair of triangles that may be within a distance to a sink: as a search for the
+/// nearest ones, whose limit is known from the begin on. The direction between the hint's triangles
+/// rejects most boxes and leaves before anything is rotated.
+template <class MeshType>
+class NearQuery : protected Query<Ranked<MeshType>, Nearest<typename MeshType::Index>> {
+  using Base = Query<Ranked<MeshType>, Nearest<typename MeshType::Index>>;
+
+ public:
+  using Index = typename MeshType::Index;
+
+  /// `distance`: in 1/256 cell, at most Within::kMostShort. `hint` may be none.
+  NearQuery(const MeshType& a, const MeshType& b, const Pose& pose, uint32_t distance,
+            const Witness<Index>& hint)
+      : Base(a, b, pose), hint_(hint) {
+    const uint64_t squared = uint64_t{distance} * distance;
+    limit_ = static_cast<int64_t>(squared / Within::kStepsSquared);
+  }
+
+  using Base::cursor;
+  using Base::last_slots;
+  using Base::resume;
+  using Base::stats;
+
+  template <class Sink>
+  FLASHBVH_INLINE RunResult run(uint32_t work, const Sink& sink) {
+    uint32_t left = work;
+    const Status status = run_within(left, sink);
+    return {status, 0, work - left};
+  }
+
+ private:
+  template <class Sink>
+  FLASHBVH_NOINLINE Status run_within(uint32_t& work, const Sink& sink) {
+    this->prepare();
+    NearestSoFar known(this->transform());
+    known.limit = limit_;
+    known.is_short = true;
+    if (!hint_.is_none()) {
+      turn(known);
+    }
+    this->so_far = &known;
+    return this->run_with(
+        work, [&sink](const TrianglePair<Index>& pair) { return give(sink, pair); },
+        [] { return UINT32_MAX; });
+  }
+  /// Apart, so that no walk has its frame above it.
+  template <class Sink>
+  FLASHBVH_NOINLINE static bool give(const Sink& sink, const TrianglePair<Index>& pair) {
+    return sink(pair);
+  }
+  /// Apart, so that no walk has its frame above it.
+  FLASHBVH_NOINLINE void turn(NearestSoFar& known) const {
+    Triangle a;
+    Triangle b;
+    place_pair(this->mesh_a(), hint_.a, this->mesh_b(), hint_.b, this->transform(), a, b);
+    Fraction squared = kInfinite;
+    Features features;
+    (void)is_nearer(a, b, squared, features);
+    if (features.kind == FeatureKind::intersection) {
+      return;
+    }
+    const PackedVector direction = SupportPlanes(a, b, features).direction();
+    known.along = this->transform().is_far()
+                      ? SupportGap(direction, this->transform(), limit_)
+                      : SupportGap(LeafGap(direction, this->transform(), limit_));
+    ++known.turns;
+  }
+
+  Witness<Index> hint_;
+  int64_t limit_;
+};
+
+}  // namespace flashbvh::detail
+
+#endif
