@@ -1,6 +1,5 @@
 // Motions of the KR5's links through the poses of kr5.cpp in which they are near: 100 cells each, B
-// straight, and turning. In multiples of the distance in their middle, with the nearest pair 10
-// cells before as a hint.
+// straight, and turning.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/first_contact.hpp"
 
@@ -13,7 +12,6 @@ namespace figures {
 namespace {
 
 constexpr int32_t kWay = 100;  // cells
-constexpr int32_t kStep = 10;
 
 Pose moved(const Asked& asked, int32_t by) {
   Asked at = asked;
@@ -21,46 +19,56 @@ Pose moved(const Asked& asked, int32_t by) {
   return pose_of(at);
 }
 
-/// Half the diagonal of a box, in cells, rounded up.
-int32_t radius_of(const Mesh& mesh) {
-  const Box box = unpack(mesh.nodes[0].box);
-  const int64_t x = box.upper.x - box.lower.x;
-  const int64_t y = box.upper.y - box.lower.y;
-  const int64_t z = box.upper.z - box.lower.z;
-  return static_cast<int32_t>(detail::square_root(static_cast<uint64_t>(x * x + y * y + z * z)) / 2);
+/// About an axis through the middle of B's box, by a turn that moves its corners by the way.
+Move turn_of(const Mesh& b, const Pose& pose) {
+  const Box box = unpack(b.nodes[0].box);
+  const int32_t lower[3] = {box.lower.x, box.lower.y, box.lower.z};
+  const int32_t upper[3] = {box.upper.x, box.upper.y, box.upper.z};
+  int64_t squared = 0;
+  int64_t middle[3];
+  for (int i = 0; i < 3; ++i) {
+    squared += int64_t{upper[i] - lower[i]} * (upper[i] - lower[i]);
+    middle[i] = b.origin[i] + (lower[i] + upper[i]) / 2;
+  }
+  const auto radius = static_cast<int32_t>(detail::square_root(static_cast<uint64_t>(squared)) / 2);
+  Move move = {{0, 0, 0}, {0, kRotationOne, 0}, 0, {0, 0, 0}};
+  move.turn = static_cast<int32_t>(int64_t{kFullTurn} * kWay / 6 / radius);
+  for (int i = 0; i < 3; ++i) {
+    const int64_t turned = pose.rotation(i, 0) * middle[0] + pose.rotation(i, 1) * middle[1] +
+                           pose.rotation(i, 2) * middle[2];
+    move.point[i] = static_cast<int32_t>((pose.translation(i) + (turned >> 30)) * kFrameCell);
+  }
+  return move;
 }
 
-uint32_t certify(const Mesh& a, const Mesh& b, const BodyMotion& motion, const Name& name) {
+/// A motion, and the distance in its middle, with the nearest pair a tenth of the way before.
+void certify(const AskedPair& pair, const BodyMotion& motion, const char* pose_kind,
+             const char* proximity, const char* kind) {
+  const Pose before = motion.pose_at(kMotionEnd / 10 * 4);
+  const Pose middle = motion.pose_at(kMotionEnd / 2);
+  const Clearance<uint16_t> near = distance(*pair.a, *pair.b, before);
+  const uint32_t seeded =
+      port::instructions_of([&] { (void)distance(*pair.a, *pair.b, middle, near.witness); });
   FirstContactAnswer answer{};
-  const uint32_t instructions = measure(name, [&] {
-    FirstContact query(a, b, motion);
+  const uint32_t instructions = measure({{"motion", pose_kind, proximity, kind}}, [&] {
+    FirstContact query(*pair.a, *pair.b, motion);
     answer = query.run(UINT32_MAX);
   });
+  add_quotient({{"motion", pose_kind, proximity, kind, "of_distance"}}, instructions, seeded);
   add_to_digest(static_cast<uint32_t>(answer.outcome));
   add_to_digest(answer.from);
   add_to_digest(answer.to);
-  return instructions;
 }
 
 bool ask(const AskedPair& pair, const Asked& asked, const char* motion, const char* proximity) {
   if (proximity == kProximityNames[0]) {
     return true;
   }
+  const BodyMotion straight = BodyMotion::between(moved(asked, -kWay / 2), moved(asked, kWay / 2));
+  certify(pair, straight, motion, proximity, "straight");
   const Pose pose = pose_of(asked);
-  const Clearance<uint16_t> near = distance(*pair.a, *pair.b, moved(asked, -kStep));
-  const uint32_t seeded = measure({{"motion", motion, proximity, "distance"}}, [&] {
-    (void)distance(*pair.a, *pair.b, pose, near.witness);
-  });
-  const Pose from = moved(asked, -kWay / 2);
-  const Pose to = moved(asked, kWay / 2);
-  const uint32_t straight = certify(*pair.a, *pair.b, BodyMotion::between(from, to),
-                                    {{"motion", motion, proximity, "straight"}});
-  add_quotient({{"motion", motion, proximity, "of_distance"}}, straight, seeded);
-  // About an axis through the origin of B's frame, by a turn that moves its farthest points so far.
-  const int32_t turn = static_cast<int32_t>(int64_t{kFullTurn} * kWay / 6 / radius_of(*pair.b));
-  const Move move = {{0, 0, 0}, {0, kRotationOne, 0}, turn, {0, 0, 0}};
-  (void)certify(*pair.a, *pair.b, BodyMotion(pose, &move, 1),
-                {{"motion", motion, proximity, "turning"}});
+  const Move move = turn_of(*pair.b, pose);
+  certify(pair, BodyMotion(pose, &move, 1), motion, proximity, "turning");
   return true;
 }
 

@@ -67,6 +67,7 @@ struct FirstContactCursor {
   ContactOutcome outcome;
   ContactPhase phase;
   uint8_t near_steps;
+  bool walks_at_end;  ///< whether the end is yet to be tested by a walk
 
   static constexpr uint32_t kNever = UINT32_MAX;
 };
@@ -104,6 +105,8 @@ class BasicFirstContact {
  private:
   Status error();
   bool set_ball();
+  uint32_t margin_at(uint32_t end) const;
+  uint64_t move_by(uint32_t middle, uint32_t half, Frame& frame) const;
   uint32_t distance_in(uint32_t step, Frame& frame) const;
   bool is_shortest(uint32_t distance) const;
   bool is_apart(const Witness<Index>& slots, const Frame& frame, uint32_t distance) const;
@@ -124,6 +127,7 @@ class BasicFirstContact {
   const Mesh* b_;
   const BodyMotion* motion_;
   uint32_t within_;
+  uint32_t way_;  ///< of a point of B at most, in 1/2,048 cell, if in proportion to time; or 0
   uint32_t path_error_;  ///< of a point of B, in 1/256 cell: of the way, and at its end
   uint32_t rounding_;    ///< of a placed vertex, in 1/256 cell
   int32_t centre_[3];    ///< of a ball that holds B, in 1/2,048 cell of B's frame

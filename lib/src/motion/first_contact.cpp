@@ -66,7 +66,7 @@ uint32_t end_error(const BodyMotion& motion, const uint64_t (&farthest)[3]) {
 template <class MeshType>
 BasicFirstContact<MeshType>::BasicFirstContact(const Mesh& a, const Mesh& b,
                                                const BodyMotion& motion, uint32_t within)
-    : a_(&a), b_(&b), motion_(&motion), within_(within), at_() {
+    : a_(&a), b_(&b), motion_(&motion), within_(within), way_(0), at_() {
   at_.near = Cursor::kNever;
   at_.step = kMotionEnd;
   at_.status = error();
@@ -103,7 +103,7 @@ bool BasicFirstContact<MeshType>::set_ball() {
   uint64_t extent[3];
   for (int i = 0; i < 3; ++i) {
     const uint32_t origin = magnitude(b_->origin[i]);
-    if (origin >= 1u << 18) {
+    if ((origin | magnitude(a_->origin[i])) >= 1u << 18) {
       return false;
     }
     centre_[i] = (2 * b_->origin[i] + lower[i] + upper[i]) * (kFrameCell / 2);
@@ -119,7 +119,19 @@ bool BasicFirstContact<MeshType>::set_ball() {
                     detail::length_of(centre_) + radius_);
   path_error_ = motion_->move_count() * (static_cast<uint32_t>(farthest >> 27) + 1) +
                 end_error(*motion_, extent);
+  if (motion_->move_count() == 1) {  // no lever changes
+    Frame frame;
+    const uint64_t way = move_by(0, kMotionEnd, frame);
+    way_ = way <= UINT32_MAX ? static_cast<uint32_t>(way) : 0;
+  }
   return farthest <= kMaxFrameTranslation;
+}
+
+/// By how much farther the bodies have to be apart in an interval until `end`: where that is the
+/// motion's, a pose that is rounded to the lattice is then certified, too.
+template <class MeshType>
+uint32_t BasicFirstContact<MeshType>::margin_at(uint32_t end) const {
+  return end == kMotionEnd && !at_.walks_at_end ? rounding_ : 0;
 }
 
 /// What B's points move from the middle of an interval until its ends, and what is to be added to
@@ -127,26 +139,40 @@ bool BasicFirstContact<MeshType>::set_ball() {
 template <class MeshType>
 uint32_t BasicFirstContact<MeshType>::distance_in(uint32_t step, Frame& frame) const {
   const uint32_t half = step / 2;
-  uint64_t moved = 0;  // in 1/2,048 cell, by the moves so far
+  uint64_t moved = move_by(at_.time + half, half, frame);
+  if (way_ != 0) {
+    moved = share(way_, half);
+  }
+  const uint64_t distance = (moved >> 3) + 1 + within_ + path_error_ + margin_at(at_.time + step);
+  return distance < UINT32_MAX ? static_cast<uint32_t>(distance) : UINT32_MAX;
+}
+
+/// B's frame in the middle of an interval, and how far its points are from there at the ends, in
+/// 1/2,048 cell: 0 if the way is known to be in proportion.
+template <class MeshType>
+uint64_t BasicFirstContact<MeshType>::move_by(uint32_t middle, uint32_t half, Frame& frame) const {
+  uint64_t moved = 0;
   frame = detail::frame_of(motion_->from());
   for (uint32_t i = motion_->move_count(); i-- > 0;) {
     const Move& move = motion_->move(i);
-    if (move.turn != 0) {
-      const uint64_t lever =
-          detail::distance_from_axis(move, detail::place(frame, centre_)) + radius_ + moved;
-      moved += arc_of(share(magnitude(move.turn), half), lever);
+    if (way_ == 0) {
+      if (move.turn != 0) {
+        const uint64_t lever =
+            detail::distance_from_axis(move, detail::place(frame, centre_)) + radius_ + moved;
+        moved += arc_of(share(magnitude(move.turn), half), lever);
+      }
+      moved += share(detail::length_of(move.travel), half);
     }
-    moved += share(detail::length_of(move.travel), half);
-    detail::carry(move, at_.time + half, frame);
+    detail::carry(move, middle, frame);
   }
-  const uint64_t distance = (moved >> 3) + 1 + within_ + path_error_;
-  return distance < UINT32_MAX ? static_cast<uint32_t>(distance) : UINT32_MAX;
+  return moved;
 }
 
 /// Whether an interval is not to be cut any more.
 template <class MeshType>
 bool BasicFirstContact<MeshType>::is_shortest(uint32_t distance) const {
-  return at_.step == 2 || distance - within_ - path_error_ <= kShortestReach;
+  const uint32_t added = within_ + path_error_ + margin_at(at_.time + at_.step);
+  return at_.step == 2 || distance - added <= kShortestReach;
 }
 
 /// Whether two triangles, with B's frame there, are farther apart than a distance. Apart, so that
@@ -203,6 +229,11 @@ void BasicFirstContact<MeshType>::come_near(uint32_t distance) {
     at_.phase = ContactPhase::choose;
     return;
   }
+  if (margin_at(at_.time + at_.step) != 0) {
+    at_.walks_at_end = true;
+    at_.phase = ContactPhase::choose;
+    return;
+  }
   if (at_.near == Cursor::kNever) {
     at_.near = at_.time;
     at_.near_steps = 0;
@@ -221,7 +252,11 @@ void BasicFirstContact<MeshType>::certify() {
   }
   at_.time += at_.step;
   at_.step = at_.step < kMotionEnd / 4 ? 4 * at_.step : kMotionEnd;
-  go_on();
+  if (at_.time == kMotionEnd && !at_.walks_at_end) {
+    end(ContactOutcome::free);
+  } else {
+    go_on();
+  }
 }
 
 /// From `time` on.
