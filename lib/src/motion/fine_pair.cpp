@@ -71,8 +71,14 @@ bool is_apart(const FinePair& pair, uint32_t distance) {
   if (distance >= kCoarseDistance) {
     return false;
   }
-  Within within((distance << pair.bits) + kRounding);
-  return !within.test(pair.a, pair.b, 0, 0);
+  const uint64_t steps = (distance << pair.bits) + kRounding;
+  const auto limit = static_cast<int64_t>(steps * steps / Within::kStepsSquared);
+  Direction direction;
+  return boxes_separate(pair.a, pair.b, limit, direction) ||
+         directions_separate(pair.a, pair.b, limit, direction) ||
+         planes_separate(pair.a, pair.b, limit) ||
+         edges_separate(pair.a, pair.b, limit, direction) ||
+         !is_within(pair.a, pair.b, {steps * steps, Within::kStepsSquared});
 }
 
 bool has_near_corners(const FinePair& pair, uint32_t distance) {

@@ -8,12 +8,26 @@
 
 namespace flashbvh::detail {
 
+/// Which triangles may be nearer than a limit that does not change: so leaves are batched.
+template <class Index>
+struct NearAt : Nearest<Index> {
+  static constexpr uint32_t kBatch = 4;
+};
+
+/// As of the nearest.
+template <class Index, class Mesh>
+class TriangleTest<NearAt<Index>, Mesh, false> : public TriangleTest<Nearest<Index>, Mesh, false> {
+ public:
+  TriangleTest(NearAt<Index>& predicate, const Mesh& a, const Mesh& b, const Transform& transform)
+      : TriangleTest<Nearest<Index>, Mesh, false>(predicate, a, b, transform) {}
+};
+
 /// Hands every pair of triangles that may be within a distance to a sink: as a search for the
 /// nearest ones, whose limit is known from the begin on. The direction between the hint's triangles
 /// rejects most boxes and leaves before anything is rotated.
 template <class MeshType>
-class NearQuery : protected Query<Ranked<MeshType>, Nearest<typename MeshType::Index>> {
-  using Base = Query<Ranked<MeshType>, Nearest<typename MeshType::Index>>;
+class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::Index>> {
+  using Base = Query<Ranked<MeshType>, NearAt<typename MeshType::Index>>;
 
  public:
   using Index = typename MeshType::Index;
