@@ -29,7 +29,7 @@ class BodyMotion {
  public:
   /// From one pose to another: the origin of B's frame goes straight, and B turns about it at
   /// constant speed, the shorter way; by half a turn, either way. Both ends are as given. The way
-  /// is the moves' own: where matrices are not exactly rotations, it ends a little beside `to`, and
+  /// is the moves' own: where matrices are not exactly rotations, it ends a little off `to`, and
   /// FirstContact counts that as distance.
   /// Cost on a Cortex-M4 at -O2: about 5,000 instructions; 250 for translations.
   static BodyMotion between(const Pose& from, const Pose& to);

@@ -384,9 +384,12 @@ void BasicFirstContact<MeshType>::pass() {
 
 template <class MeshType>
 Status BasicFirstContact<MeshType>::resume(const Cursor& at) {
+  // Behind an interval that came near, its length still stands there.
+  const bool is_behind = at.phase == ContactPhase::at_time;
+  const uint32_t longest = is_behind ? kMotionEnd : kMotionEnd - at.time;
   const bool is_even = ((at.time | at.step) & 1) == 0;
-  const bool is_in_motion = at.time <= kMotionEnd && at.step <= kMotionEnd - at.time;
-  const bool has_step = at.step != 0 || at.phase == ContactPhase::at_time;
+  const bool is_in_motion = at.time <= kMotionEnd && at.step <= longest;
+  const bool has_step = at.step != 0 || (is_behind && at.time == kMotionEnd);
   const bool has_pair = at.hint.is_none() || detail::is_pair(at.hint, *a_, *b_);
   const bool is_known = (at.near == Cursor::kNever || at.near <= at.time) &&
                         at.phase < ContactPhase::done && at.status == Status::suspended;
