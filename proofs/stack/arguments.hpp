@@ -17,6 +17,7 @@
 #include "flashbvh/deformable.h"
 #include "flashbvh/deformable.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/first_contact.hpp"
 #include "flashbvh/flashbvh.h"
 #include "flashbvh/image.hpp"
 #include "flashbvh/float.hpp"
@@ -96,6 +97,7 @@ struct Arguments {
   flashbvh::PairQuery::Pair found[4];
   flashbvh::detail::PairCursor<uint16_t> stack[kStackEntries];
   Room<160> query;
+  Room<192> motion;
   Room<68> made_pose;
   Room<80> opened;
   flashbvh::Triangle transformed[2];

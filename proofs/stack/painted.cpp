@@ -296,7 +296,8 @@ void report() {
               "\nobject Mesh ", sizeof(Mesh), "\nobject QueryCursor ",
               sizeof(QueryCursor<uint16_t>), "\nobject Contact ", sizeof(Contact),
               "\nobject ClearanceQuery ", sizeof(ClearanceQuery), "\nobject WithinQuery ",
-              sizeof(WithinQuery), "\n");
+              sizeof(WithinQuery), "\nobject FirstContact ", sizeof(FirstContact),
+              "\nobject BodyMotion ", sizeof(BodyMotion), "\n");
   check(port::stack_used() < port::stack_size(), "stack", "overflow");
   port::print("failures: ", failures, "\n");
 }

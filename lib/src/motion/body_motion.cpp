@@ -10,7 +10,7 @@ namespace {
 
 using detail::square_root;
 
-constexpr uint64_t square(int32_t value) {
+constexpr uint64_t square_of(int32_t value) {
   return static_cast<uint64_t>(int64_t{value} * value);
 }
 
@@ -71,7 +71,7 @@ void set_turn(const Pose& from, const Pose& to, Move& move) {
   uint64_t squared = 0;
   for (int i = 0; i < 3; ++i) {
     v[i] = static_cast<int32_t>(sign * q[i] >> 2);  // up to 2^30 and a little
-    squared += square(v[i]);
+    squared += square_of(v[i]);
   }
   const uint32_t sine = square_root(squared);
   const auto cosine = static_cast<uint32_t>(sign * q[3] >> 2);
@@ -84,7 +84,7 @@ void set_turn(const Pose& from, const Pose& to, Move& move) {
   }
 }
 
-bool is_near(const Pose& pose) {
+bool is_in_reach(const Pose& pose) {
   constexpr int32_t most = kMaxFrameTranslation >> kFrameBits;
   for (int i = 0; i < 3; ++i) {
     if (pose.translation(i) >= most || pose.translation(i) <= -most) {
@@ -95,8 +95,8 @@ bool is_near(const Pose& pose) {
 }
 
 bool is_unit(const int32_t (&axis)[3]) {
-  const uint64_t squared = square(axis[0]) + square(axis[1]) + square(axis[2]);
-  const auto one = square(kRotationOne);
+  const uint64_t squared = square_of(axis[0]) + square_of(axis[1]) + square_of(axis[2]);
+  const auto one = square_of(kRotationOne);
   const uint64_t off = squared < one ? one - squared : squared - one;
   return off >> 30 <= static_cast<uint64_t>(kAxisTolerance);
 }
@@ -119,7 +119,7 @@ BodyMotion::BodyMotion(const Pose& from, const Pose& to)
       own_(),
       count_(1),
       status_(from.status() != Status::done ? from.status() : to.status()) {
-  if (status_ == Status::done && !(is_near(from) && is_near(to))) {
+  if (status_ == Status::done && !(is_in_reach(from) && is_in_reach(to))) {
     status_ = Status::motion_out_of_range;
   }
 }

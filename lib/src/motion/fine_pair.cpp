@@ -7,9 +7,9 @@
 namespace flashbvh::detail {
 namespace {
 
-constexpr uint8_t kFinest = 4;
+constexpr uint8_t kFinestBits = 4;
 /// sqrt(3) / 2, which is what rounding moves a point at most, in 1/256.
-constexpr uint32_t kRounding = 222;
+constexpr uint32_t kPlacingSteps = 222;
 
 /// The largest difference of coordinates along an axis.
 uint32_t span_along(const FinePair& pair, int32_t Point::*axis) {
@@ -19,14 +19,14 @@ uint32_t span_along(const FinePair& pair, int32_t Point::*axis) {
   const int32_t most = a.most > b.most ? a.most : b.most;
   return static_cast<uint32_t>(most) - static_cast<uint32_t>(least);
 }
-bool is_narrow(const FinePair& pair) {
+bool is_fine(const FinePair& pair) {
   constexpr uint32_t most = kMaxApart;
   return span_along(pair, &Point::x) <= most && span_along(pair, &Point::y) <= most &&
          span_along(pair, &Point::z) <= most;
 }
 
 /// To the nearest 2^-bits cell, in cells of 30 fraction bits.
-int32_t rounded(int64_t at, unsigned bits) {
+int32_t rounded_to(int64_t at, unsigned bits) {
   return static_cast<int32_t>((at + (int64_t{1} << (29 - bits))) >> (30 - bits));
 }
 
@@ -38,7 +38,7 @@ void set_fine_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b, c
   const auto* const corners_a = a.triangles[of_a].corner;
   const Vertex& first = a.vertices[corners_a[0]];
   const int32_t base[3] = {a.origin[0] + first.x, a.origin[1] + first.y, a.origin[2] + first.z};
-  pair.bits = kFinest;
+  pair.bits = kFinestBits;
   for (;;) {
     const unsigned bits = pair.bits;
     for (int i = 0; i < 3; ++i) {
@@ -53,14 +53,14 @@ void set_fine_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b, c
       int32_t placed[3];
       for (int axis = 0; axis < 3; ++axis) {
         const auto& row = frame.rotation[axis];
-        placed[axis] = rounded(row[0] * x + row[1] * y + row[2] * z +
-                                   int64_t{frame.translation[axis]} * (1 << (30 - kFrameBits)) -
-                                   int64_t{base[axis]} * (1 << 30),
-                               bits);
+        placed[axis] = rounded_to(row[0] * x + row[1] * y + row[2] * z +
+                                      int64_t{frame.translation[axis]} * (1 << (30 - kFrameBits)) -
+                                      int64_t{base[axis]} * (1 << 30),
+                                  bits);
       }
       pair.b.corner[i] = {placed[0], placed[1], placed[2]};
     }
-    if (bits == 0 || is_narrow(pair)) {
+    if (bits == 0 || is_fine(pair)) {
       return;
     }
     --pair.bits;
@@ -71,7 +71,7 @@ bool is_apart(const FinePair& pair, uint32_t distance) {
   if (distance >= kCoarseDistance) {
     return false;
   }
-  const uint64_t steps = (distance << pair.bits) + kRounding;
+  const uint64_t steps = (distance << pair.bits) + kPlacingSteps;
   const auto limit = static_cast<int64_t>(steps * steps / Within::kStepsSquared);
   Direction direction;
   return boxes_separate(pair.a, pair.b, limit, direction) ||

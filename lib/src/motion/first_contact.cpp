@@ -1,12 +1,16 @@
 // First contacts: which interval comes next, and what is known of it.
 #include "flashbvh/first_contact.hpp"
 
+#include "../lattice/fixed_point.hpp"
 #include "fine_pair.hpp"
 #include "flashbvh/detail/predicates/fraction.hpp"
 #include "moved_frame.hpp"
 #include "near_query.hpp"
 
 namespace flashbvh {
+
+using detail::magnitude;
+
 namespace {
 
 /// Where bodies come near, intervals move B by at most a quarter of a cell, and four of them end
@@ -18,16 +22,12 @@ constexpr uint8_t kMostNearSteps = 4;
 constexpr uint32_t kMostMoves = 64;
 
 /// Of a vertex that a query places: 0.51 cells along three axes, and a fraction of a translation.
-constexpr uint32_t kPlacing = 228;
+constexpr uint32_t kVertexRounding = 228;
 
 /// Kinematics, and two triangles (query.hpp).
 constexpr uint32_t kProbeWork = 64;
 /// Kinematics, and a query that is made and resumed.
 constexpr uint32_t kSliceWork = 32;
-
-constexpr uint32_t magnitude(int32_t value) {
-  return value < 0 ? 0u - static_cast<uint32_t>(value) : static_cast<uint32_t>(value);
-}
 
 /// Times are even, so that each interval has a middle.
 constexpr uint32_t halved(uint32_t step) {
@@ -113,7 +113,7 @@ bool BasicFirstContact<MeshType>::set_ball() {
     far += origin;
   }
   radius_ = detail::square_root(diagonal << 20) + 1;  // half of it
-  rounding_ = kPlacing + static_cast<uint32_t>(far * 443 >> 23) + 1;
+  rounding_ = kVertexRounding + static_cast<uint32_t>(far * 443 >> 23) + 1;
   const uint64_t farthest = detail::farthest(
       *motion_, uint64_t{detail::length_of(detail::frame_of(motion_->from()).translation)} +
                     detail::length_of(centre_) + radius_);

@@ -1,33 +1,26 @@
 // Frames that move, in integers; products have 64 bits.
 #include "moved_frame.hpp"
 
+#include "../lattice/fixed_point.hpp"
 #include "../lattice/sine.hpp"
 #include "flashbvh/detail/predicates/fraction.hpp"
 
 namespace flashbvh::detail {
 namespace {
 
-constexpr int64_t times(int32_t u, int32_t v) {
-  return int64_t{u} * v;
-}
-/// To the nearest, from twice the fraction bits of a rotation, or those of a rotation more.
-constexpr int32_t rounded(int64_t sum) {
-  return static_cast<int32_t>((sum + (kRotationOne >> 1)) >> 30);
-}
-
 /// About an axis: R = c + s [u] + (1 - c) u u^T, u normalised by one step of Newton's.
 void set_rotation(const Move& move, uint32_t time, int32_t (&rotation)[3][3]) {
   const auto turned = static_cast<uint32_t>((int64_t{move.turn} * time) >> 26);
   const SineCosine at = sine_cosine(turned);
   const auto& given = move.axis;
-  const int64_t squared =
-      times(given[0], given[0]) + times(given[1], given[1]) + times(given[2], given[2]);
+  const int64_t squared = fixed_product(given[0], given[0]) + fixed_product(given[1], given[1]) +
+                          fixed_product(given[2], given[2]);
   const auto short_by = static_cast<int32_t>(kRotationOne - (squared >> 30)) / 2;
   int32_t u[3];
   int32_t sine[3];
   for (int i = 0; i < 3; ++i) {
-    u[i] = given[i] + rounded(times(given[i], short_by));
-    sine[i] = rounded(times(u[i], at.sine));
+    u[i] = given[i] + fixed_rounded(fixed_product(given[i], short_by));
+    sine[i] = fixed_rounded(fixed_product(u[i], at.sine));
   }
   for (int i = 0; i < 3; ++i) {
     const int64_t versed = (u[i] * (int64_t{kRotationOne} - at.cosine)) >> 30;
@@ -40,7 +33,7 @@ void set_rotation(const Move& move, uint32_t time, int32_t (&rotation)[3][3]) {
   }
 }
 
-int32_t share(int32_t length, uint32_t time) {
+int32_t share_of(int32_t length, uint32_t time) {
   return static_cast<int32_t>((int64_t{length} * time + (kMotionEnd >> 1)) >> 30);
 }
 
@@ -79,15 +72,15 @@ void carry(const Move& move, uint32_t time, Frame& frame) {
       int64_t moved = 0;
       for (int j = 0; j < 3; ++j) {
         moved += turned[i][j] * (int64_t{before.translation[j]} - move.point[j]);
-        frame.rotation[i][j] = rounded(times(turned[i][0], before.rotation[0][j]) +
-                                       times(turned[i][1], before.rotation[1][j]) +
-                                       times(turned[i][2], before.rotation[2][j]));
+        frame.rotation[i][j] = fixed_rounded(fixed_product(turned[i][0], before.rotation[0][j]) +
+                                             fixed_product(turned[i][1], before.rotation[1][j]) +
+                                             fixed_product(turned[i][2], before.rotation[2][j]));
       }
-      frame.translation[i] = move.point[i] + rounded(moved);
+      frame.translation[i] = move.point[i] + fixed_rounded(moved);
     }
   }
   for (int i = 0; i < 3; ++i) {
-    frame.translation[i] += share(move.travel[i], time);
+    frame.translation[i] += share_of(move.travel[i], time);
   }
 }
 
@@ -95,9 +88,9 @@ FramePoint place(const Frame& frame, const int32_t (&point)[3]) {
   FramePoint placed;
   for (int i = 0; i < 3; ++i) {
     const auto& row = frame.rotation[i];
-    placed.axis[i] =
-        int64_t{frame.translation[i]} +
-        rounded(times(row[0], point[0]) + times(row[1], point[1]) + times(row[2], point[2]));
+    placed.axis[i] = int64_t{frame.translation[i]} + fixed_rounded(fixed_product(row[0], point[0]) +
+                                                                   fixed_product(row[1], point[1]) +
+                                                                   fixed_product(row[2], point[2]));
   }
   return placed;
 }
@@ -122,7 +115,7 @@ uint32_t distance_from_axis(const Move& move, const FramePoint& point) {
 uint32_t length_of(const int32_t (&vector)[3]) {
   uint64_t squared = 0;
   for (const int32_t along : vector) {
-    squared += static_cast<uint64_t>(times(along, along));
+    squared += static_cast<uint64_t>(fixed_product(along, along));
   }
   return squared == 0 ? 0 : square_root(squared) + 1;
 }

@@ -63,9 +63,11 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
       turn(known);
     }
     this->so_far = &known;
-    return this->run_with(
+    const Status status = this->run_with(
         work, [&sink](const TrianglePair<Index>& pair) { return give(sink, pair); },
         [] { return UINT32_MAX; });
+    this->beyond = 0;
+    return status;
   }
   /// Apart, so that no walk has its frame above it.
   template <class Sink>

@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "../lattice/fixed_point.hpp"
 #include "flashbvh/robot/robot.hpp"
 
 namespace flashbvh::detail {
@@ -19,10 +20,6 @@ constexpr int32_t wrapped(int32_t angle) {
 /// Differences that 32 bits may not hold: of a state that was damaged while it was stored.
 constexpr int32_t difference(int32_t u, int32_t v) {
   return static_cast<int32_t>(static_cast<uint32_t>(u) - static_cast<uint32_t>(v));
-}
-
-constexpr uint32_t magnitude(int32_t value) {
-  return value < 0 ? 0u - static_cast<uint32_t>(value) : static_cast<uint32_t>(value);
 }
 
 /// How far two coordinates are apart.

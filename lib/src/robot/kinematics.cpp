@@ -1,23 +1,17 @@
 // Forward kinematics, in integers; products have 64 bits.
 #include "flashbvh/robot/kinematics.hpp"
 
-#include "coordinate.hpp"
+#include "../lattice/fixed_point.hpp"
 #include "../lattice/sine.hpp"
+#include "coordinate.hpp"
 
 namespace flashbvh {
 namespace {
 
+using detail::fixed_product;
+using detail::fixed_rounded;
 using detail::sine_cosine;
 using detail::SineCosine;
-
-constexpr int64_t times(int32_t u, int32_t v) {
-  return static_cast<int64_t>(u) * v;
-}
-
-/// To the nearest, from twice the fraction bits of a rotation, or those of a rotation more.
-constexpr int32_t rounded(int64_t sum) {
-  return static_cast<int32_t>((sum + (kRotationOne >> 1)) >> 30);
-}
 
 /// Turned about its own z axis.
 void turn(Frame& frame, JointCoordinate coordinate) {
@@ -25,15 +19,15 @@ void turn(Frame& frame, JointCoordinate coordinate) {
   for (auto& row : frame.rotation) {
     const int32_t x = row[0];
     const int32_t y = row[1];
-    row[0] = rounded(times(x, at.cosine) + times(y, at.sine));
-    row[1] = rounded(times(y, at.cosine) - times(x, at.sine));
+    row[0] = fixed_rounded(fixed_product(x, at.cosine) + fixed_product(y, at.sine));
+    row[1] = fixed_rounded(fixed_product(y, at.cosine) - fixed_product(x, at.sine));
   }
 }
 
 /// Moved along its own z axis.
 void slide(Frame& frame, JointCoordinate coordinate) {
   for (int i = 0; i < 3; ++i) {
-    frame.translation[i] += rounded(times(frame.rotation[i][2], coordinate));
+    frame.translation[i] += fixed_rounded(fixed_product(frame.rotation[i][2], coordinate));
   }
 }
 
@@ -80,10 +74,12 @@ Frame composed(const Frame& outer, const Frame& inner) noexcept {
     const auto& row = outer.rotation[i];
     for (int j = 0; j < 3; ++j) {
       frame.rotation[i][j] =
-          rounded(times(row[0], r[0][j]) + times(row[1], r[1][j]) + times(row[2], r[2][j]));
+          fixed_rounded(fixed_product(row[0], r[0][j]) + fixed_product(row[1], r[1][j]) +
+                        fixed_product(row[2], r[2][j]));
     }
     frame.translation[i] = outer.translation[i] +
-                           rounded(times(row[0], t[0]) + times(row[1], t[1]) + times(row[2], t[2]));
+                           fixed_rounded(fixed_product(row[0], t[0]) + fixed_product(row[1], t[1]) +
+                                         fixed_product(row[2], t[2]));
   }
   return frame;
 }
@@ -98,12 +94,13 @@ Pose relative_pose(const Frame& a, const Frame& b) noexcept {
   for (int i = 0; i < 3; ++i) {
     const int32_t column[3] = {a.rotation[0][i], a.rotation[1][i], a.rotation[2][i]};
     for (int j = 0; j < 3; ++j) {
-      rotation[i][j] =
-          rounded(times(column[0], b.rotation[0][j]) + times(column[1], b.rotation[1][j]) +
-                  times(column[2], b.rotation[2][j]));
+      rotation[i][j] = fixed_rounded(fixed_product(column[0], b.rotation[0][j]) +
+                                     fixed_product(column[1], b.rotation[1][j]) +
+                                     fixed_product(column[2], b.rotation[2][j]));
     }
-    const int32_t t = rounded(times(column[0], between[0]) + times(column[1], between[1]) +
-                              times(column[2], between[2]));
+    const int32_t t =
+        fixed_rounded(fixed_product(column[0], between[0]) + fixed_product(column[1], between[1]) +
+                      fixed_product(column[2], between[2]));
     cells[i] = (t + kFrameCell / 2) >> kFrameBits;
     fraction[i] = static_cast<int16_t>((t - cells[i] * kFrameCell) * (1 << (16 - kFrameBits)));
   }

@@ -1,0 +1,26 @@
+// Products of rotations in fixed point, where kRotationOne is 1.
+#ifndef FLASHBVH_LATTICE_FIXED_POINT_HPP
+#define FLASHBVH_LATTICE_FIXED_POINT_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/pose.hpp"
+
+namespace flashbvh::detail {
+
+constexpr int64_t fixed_product(int32_t u, int32_t v) {
+  return static_cast<int64_t>(u) * v;
+}
+
+/// To the nearest, from twice the fraction bits of a rotation, or those of a rotation more.
+constexpr int32_t fixed_rounded(int64_t sum) {
+  return static_cast<int32_t>((sum + (kRotationOne >> 1)) >> 30);
+}
+
+constexpr uint32_t magnitude(int32_t value) {
+  return value < 0 ? 0u - static_cast<uint32_t>(value) : static_cast<uint32_t>(value);
+}
+
+}  // namespace flashbvh::detail
+
+#endif
