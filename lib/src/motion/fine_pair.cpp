@@ -25,6 +25,11 @@ bool is_fine(const FinePair& pair) {
          span_along(pair, &Point::z) <= most;
 }
 
+/// Small numbers are multiplied in fewer words, and a part of a large distance is enough.
+uint8_t bits_for(uint32_t distance) {
+  return distance < 2 * kFineOne ? kFinestBits : distance < 16 * kFineOne ? 2 : 0;
+}
+
 /// To the nearest 2^-bits cell, in cells of 30 fraction bits.
 int32_t rounded_to(int64_t at, unsigned bits) {
   return static_cast<int32_t>((at + (int64_t{1} << (29 - bits))) >> (30 - bits));
@@ -34,11 +39,11 @@ int32_t rounded_to(int64_t at, unsigned bits) {
 
 template <class Mesh>
 void set_fine_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b, const Frame& frame,
-                   FinePair& pair) {
+                   uint32_t distance, FinePair& pair) {
   const auto* const corners_a = a.triangles[of_a].corner;
   const Vertex& first = a.vertices[corners_a[0]];
   const int32_t base[3] = {a.origin[0] + first.x, a.origin[1] + first.y, a.origin[2] + first.z};
-  pair.bits = kFinestBits;
+  pair.bits = bits_for(distance);
   for (;;) {
     const unsigned bits = pair.bits;
     for (int i = 0; i < 3; ++i) {
@@ -81,6 +86,18 @@ bool is_apart(const FinePair& pair, uint32_t distance) {
          !is_within(pair.a, pair.b, {steps * steps, Within::kStepsSquared});
 }
 
+PackedVector direction_between(const FinePair& pair) {
+  if (!is_fine(pair)) {
+    return {0, 0};
+  }
+  Fraction squared = kInfinite;
+  Features features;
+  (void)is_nearer(pair.a, pair.b, squared, features);
+  return features.kind == FeatureKind::intersection
+             ? PackedVector{0, 0}
+             : SupportPlanes(pair.a, pair.b, features).direction();
+}
+
 bool has_near_corners(const FinePair& pair, uint32_t distance) {
   const uint64_t most = uint64_t{distance} * distance;  // in 1/65,536 square cell
   for (const Point& p : pair.a.corner) {
@@ -97,8 +114,9 @@ bool has_near_corners(const FinePair& pair, uint32_t distance) {
   return false;
 }
 
-template void set_fine_pair(const Mesh&, uint32_t, const Mesh&, uint32_t, const Frame&, FinePair&);
-template void set_fine_pair(const Mesh32&, uint32_t, const Mesh32&, uint32_t, const Frame&,
+template void set_fine_pair(const Mesh&, uint32_t, const Mesh&, uint32_t, const Frame&, uint32_t,
                             FinePair&);
+template void set_fine_pair(const Mesh32&, uint32_t, const Mesh32&, uint32_t, const Frame&,
+                            uint32_t, FinePair&);
 
 }  // namespace flashbvh::detail

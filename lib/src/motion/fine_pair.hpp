@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "flashbvh/detail/lattice/packed_vector.hpp"
 #include "flashbvh/frame.hpp"
 #include "flashbvh/mesh.hpp"
 
@@ -14,7 +15,7 @@ namespace flashbvh::detail {
 struct FinePair {
   Triangle a;
   Triangle b;
-  uint8_t bits;  ///< 4, or less of large triangles
+  uint8_t bits;  ///< 4; less for large distances, and of large triangles
 };
 
 /// From here on distances need not be fine, in 1/256 cell.
@@ -22,11 +23,15 @@ constexpr uint32_t kCoarseDistance = 512 * 256;
 
 template <class Mesh>
 void set_fine_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b, const Frame& frame,
-                   FinePair& pair);
+                   uint32_t distance, FinePair& pair);
 
 /// Whether all their points, before they were rounded, are farther apart than `distance`, in 1/256
 /// cell; false also where rounding leaves it open, or from kCoarseDistance on.
 bool is_apart(const FinePair& pair, uint32_t distance);
+
+/// From A's nearest point to B's, with 13 bits; zero if they intersect, or are
+/// too far apart.
+PackedVector direction_between(const FinePair& pair);
 
 /// Whether corners are within a distance, of any length.
 bool has_near_corners(const FinePair& pair, uint32_t distance);

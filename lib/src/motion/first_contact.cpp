@@ -182,8 +182,20 @@ FLASHBVH_NOINLINE bool BasicFirstContact<MeshType>::is_apart(const Witness<Index
                                                              const Frame& frame,
                                                              uint32_t distance) const {
   detail::FinePair pair;
-  detail::set_fine_pair(*a_, slots.a, *b_, slots.b, frame, pair);
+  detail::set_fine_pair(*a_, slots.a, *b_, slots.b, frame, distance, pair);
   return detail::is_apart(pair, distance);
+}
+
+/// Between the hint's triangles; zero without one. Apart, as is_apart().
+template <class MeshType>
+FLASHBVH_NOINLINE detail::PackedVector BasicFirstContact<MeshType>::direction_at(
+    const Frame& frame) const {
+  if (at_.hint.is_none()) {
+    return {0, 0};
+  }
+  detail::FinePair pair;
+  detail::set_fine_pair(*a_, at_.hint.a, *b_, at_.hint.b, frame, detail::kCoarseDistance, pair);
+  return detail::direction_between(pair);
 }
 
 /// Whether the hint's triangles may touch in an interval.
@@ -195,7 +207,7 @@ bool BasicFirstContact<MeshType>::may_touch(uint32_t step, uint32_t& distance) c
     return false;
   }
   detail::FinePair pair;
-  detail::set_fine_pair(*a_, at_.hint.a, *b_, at_.hint.b, frame, pair);
+  detail::set_fine_pair(*a_, at_.hint.a, *b_, at_.hint.b, frame, distance, pair);
   return distance < detail::kCoarseDistance ? !detail::is_apart(pair, distance)
                                             : detail::has_near_corners(pair, distance);
 }
@@ -328,7 +340,7 @@ void BasicFirstContact<MeshType>::walk_interval(uint32_t& work) {
   }
   const Pose pose = detail::pose_of(frame);
   const Status status =
-      walk(detail::NearQuery<Mesh>(*a_, *b_, pose, distance + rounding_, at_.hint), work,
+      walk(detail::NearQuery<Mesh>(*a_, *b_, pose, distance + rounding_, direction_at(frame)), work,
            [&](const Witness<Index>& slots) { return is_apart(slots, frame, distance); });
   if (status == Status::done) {
     certify();

@@ -32,10 +32,11 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
  public:
   using Index = typename MeshType::Index;
 
-  /// `distance`: in 1/256 cell, at most Within::kMostShort. `hint` may be none.
+  /// `distance`: in 1/256 cell, at most Within::kMostShort. `direction`: between triangles that may
+  /// be nearest, or zero.
   NearQuery(const MeshType& a, const MeshType& b, const Pose& pose, uint32_t distance,
-            const Witness<Index>& hint)
-      : Base(a, b, pose), hint_(hint) {
+            const PackedVector& direction)
+      : Base(a, b, pose), direction_(direction) {
     const uint64_t squared = uint64_t{distance} * distance;
     limit_ = static_cast<int64_t>(squared / Within::kStepsSquared);
   }
@@ -59,9 +60,7 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
     NearestSoFar known(this->transform());
     known.limit = limit_;
     known.is_short = true;
-    if (!hint_.is_none()) {
-      turn(known);
-    }
+    turn(known);
     this->so_far = &known;
     const Status status = this->run_with(
         work, [&sink](const TrianglePair<Index>& pair) { return give(sink, pair); },
@@ -76,23 +75,16 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
   }
   /// Apart, so that no walk has its frame above it.
   FLASHBVH_NOINLINE void turn(NearestSoFar& known) const {
-    Triangle a;
-    Triangle b;
-    place_pair(this->mesh_a(), hint_.a, this->mesh_b(), hint_.b, this->transform(), a, b);
-    Fraction squared = kInfinite;
-    Features features;
-    (void)is_nearer(a, b, squared, features);
-    if (features.kind == FeatureKind::intersection) {
+    if (direction_.xy == 0 && direction_.z == 0) {
       return;
     }
-    const PackedVector direction = SupportPlanes(a, b, features).direction();
     known.along = this->transform().is_far()
-                      ? SupportGap(direction, this->transform(), limit_)
-                      : SupportGap(LeafGap(direction, this->transform(), limit_));
+                      ? SupportGap(direction_, this->transform(), limit_)
+                      : SupportGap(LeafGap(direction_, this->transform(), limit_));
     ++known.turns;
   }
 
-  Witness<Index> hint_;
+  PackedVector direction_;
   int64_t limit_;
 };
 
