@@ -67,7 +67,7 @@ struct FirstContactCursor {
   ContactOutcome outcome;
   ContactPhase phase;
   uint8_t near_steps;
-  bool walks_at_end;  ///< whether the end is yet to be tested by a walk
+  uint8_t walks_at_end;  ///< 1 if the end is yet to be tested by a walk
 
   static constexpr uint32_t kNever = UINT32_MAX;
 };

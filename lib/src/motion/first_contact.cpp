@@ -131,7 +131,7 @@ bool BasicFirstContact<MeshType>::set_ball() {
 /// motion's, a pose that is rounded to the lattice is then certified, too.
 template <class MeshType>
 uint32_t BasicFirstContact<MeshType>::margin_at(uint32_t end) const {
-  return end == kMotionEnd && !at_.walks_at_end ? rounding_ : 0;
+  return end == kMotionEnd && at_.walks_at_end == 0 ? rounding_ : 0;
 }
 
 /// What B's points move from the middle of an interval until its ends, and what is to be added to
@@ -242,7 +242,7 @@ void BasicFirstContact<MeshType>::come_near(uint32_t distance) {
     return;
   }
   if (margin_at(at_.time + at_.step) != 0) {
-    at_.walks_at_end = true;
+    at_.walks_at_end = 1;
     at_.phase = ContactPhase::choose;
     return;
   }
@@ -264,7 +264,7 @@ void BasicFirstContact<MeshType>::certify() {
   }
   at_.time += at_.step;
   at_.step = at_.step < kMotionEnd / 4 ? 4 * at_.step : kMotionEnd;
-  if (at_.time == kMotionEnd && !at_.walks_at_end) {
+  if (at_.time == kMotionEnd && at_.walks_at_end == 0) {
     end(ContactOutcome::free);
   } else {
     go_on();
@@ -288,7 +288,8 @@ void BasicFirstContact<MeshType>::end(ContactOutcome outcome) {
   at_.walk = {};
 }
 
-/// A slice of a query, whose cursor is the walk's. `take(slots)`: whether to go on behind a pair.
+/// A slice of a query, whose cursor is the walk's. `take(query, slots)`:
+/// whether to go on behind a pair.
 template <class MeshType>
 template <class Query, class Take>
 Status BasicFirstContact<MeshType>::walk(Query&& query, uint32_t& work, const Take& take) {
@@ -298,7 +299,7 @@ Status BasicFirstContact<MeshType>::walk(Query&& query, uint32_t& work, const Ta
   }
   const RunResult slice = query.run(work, [&](const TrianglePair<Index>&) {
     const auto slots = query.template last_slots<Witness<Index>>();
-    const bool goes_on = take(slots);
+    const bool goes_on = take(query, slots);
     at_.hint = goes_on ? at_.hint : slots;
     return goes_on;
   });
@@ -310,7 +311,7 @@ Status BasicFirstContact<MeshType>::walk(Query&& query, uint32_t& work, const Ta
 template <class MeshType>
 void BasicFirstContact<MeshType>::walk_at_time(uint32_t& work) {
   const Pose pose = motion_->pose_at(at_.time);
-  const auto any = [](const Witness<Index>&) { return false; };
+  const auto any = [](const auto&, const Witness<Index>&) { return false; };
   const Status status =
       within_ == 0
           ? walk(Query<Ranked<Mesh>>(*a_, *b_, pose), work, any)
@@ -341,7 +342,9 @@ void BasicFirstContact<MeshType>::walk_interval(uint32_t& work) {
   const Pose pose = detail::pose_of(frame);
   const Status status =
       walk(detail::NearQuery<Mesh>(*a_, *b_, pose, distance + rounding_, direction_at(frame)), work,
-           [&](const Witness<Index>& slots) { return is_apart(slots, frame, distance); });
+           [&](const auto& query, const Witness<Index>& slots) {
+             return is_apart(slots, frame, distance) || !query.is_pair_within();
+           });
   if (status == Status::done) {
     certify();
   } else if (status == Status::full || status == Status::distance_out_of_range) {

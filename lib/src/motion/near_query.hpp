@@ -36,10 +36,7 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
   /// be nearest, or zero.
   NearQuery(const MeshType& a, const MeshType& b, const Pose& pose, uint32_t distance,
             const PackedVector& direction)
-      : Base(a, b, pose), direction_(direction) {
-    const uint64_t squared = uint64_t{distance} * distance;
-    limit_ = static_cast<int64_t>(squared / Within::kStepsSquared);
-  }
+      : Base(a, b, pose), direction_(direction), distance_(distance) {}
 
   using Base::cursor;
   using Base::last_slots;
@@ -53,12 +50,21 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
     return {status, 0, work - left};
   }
 
+  /// Whether the pair that the sink has is within the distance: of pairs beyond it, which ones come
+  /// depends on where a run began. Apart, so that no walk has its frame above it.
+  FLASHBVH_NOINLINE bool is_pair_within() const {
+    Triangle a;
+    Triangle b;
+    this->last_pair(a, b);
+    return is_within(a, b, {uint64_t{distance_} * distance_, Within::kStepsSquared});
+  }
+
  private:
   template <class Sink>
   FLASHBVH_NOINLINE Status run_within(uint32_t& work, const Sink& sink) {
     this->prepare();
     NearestSoFar known(this->transform());
-    known.limit = limit_;
+    known.limit = limit();
     known.is_short = true;
     turn(known);
     this->so_far = &known;
@@ -68,7 +74,10 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
     this->beyond = 0;
     return status;
   }
-  /// Apart, so that no walk has its frame above it.
+  /// The largest squared gap, in cells, that matters.
+  int64_t limit() const {
+    return static_cast<int64_t>(uint64_t{distance_} * distance_ / Within::kStepsSquared);
+  }
   template <class Sink>
   FLASHBVH_NOINLINE static bool give(const Sink& sink, const TrianglePair<Index>& pair) {
     return sink(pair);
@@ -79,13 +88,13 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
       return;
     }
     known.along = this->transform().is_far()
-                      ? SupportGap(direction_, this->transform(), limit_)
-                      : SupportGap(LeafGap(direction_, this->transform(), limit_));
+                      ? SupportGap(direction_, this->transform(), limit())
+                      : SupportGap(LeafGap(direction_, this->transform(), limit()));
     ++known.turns;
   }
 
   PackedVector direction_;
-  int64_t limit_;
+  uint32_t distance_;
 };
 
 }  // namespace flashbvh::detail
