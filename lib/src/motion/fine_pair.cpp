@@ -25,9 +25,9 @@ bool is_fine(const FinePair& pair) {
          span_along(pair, &Point::z) <= most;
 }
 
-/// Small numbers are multiplied in fewer words, and a part of a large distance is enough.
-uint8_t bits_for(uint32_t distance) {
-  return distance < 2 * kFineOne ? kFinestBits : distance < 16 * kFineOne ? 2 : 0;
+/// Small numbers are multiplied in fewer words, and a part of a large reach is enough.
+uint8_t bits_for(uint32_t reach) {
+  return reach < 2 * kFineOne ? kFinestBits : reach < 16 * kFineOne ? 2 : 0;
 }
 
 /// To the nearest 2^-bits cell, in cells of 30 fraction bits.
@@ -39,11 +39,11 @@ int32_t rounded_to(int64_t at, unsigned bits) {
 
 template <class Mesh>
 void set_fine_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b, const Frame& frame,
-                   uint32_t distance, FinePair& pair) {
+                   uint32_t reach, FinePair& pair) {
   const auto* const corners_a = a.triangles[of_a].corner;
   const Vertex& first = a.vertices[corners_a[0]];
   const int32_t base[3] = {a.origin[0] + first.x, a.origin[1] + first.y, a.origin[2] + first.z};
-  pair.bits = bits_for(distance);
+  pair.bits = bits_for(reach);
   for (;;) {
     const unsigned bits = pair.bits;
     for (int i = 0; i < 3; ++i) {
