@@ -25,9 +25,12 @@ bool is_fine(const FinePair& pair) {
          span_along(pair, &Point::z) <= most;
 }
 
-/// Small numbers are multiplied in fewer words, and a part of a large reach is enough.
-uint8_t bits_for(uint32_t reach) {
-  return reach < 2 * kFineOne ? kFinestBits : reach < 16 * kFineOne ? 2 : 0;
+/// Small numbers are multiplied in fewer words, and a part of what they move is enough; the
+/// distance fits is_apart().
+uint8_t bits_for(uint32_t distance, uint32_t within) {
+  const uint32_t reach = distance - within;
+  const uint8_t bits = reach < 2 * kFineOne ? kFinestBits : reach < 16 * kFineOne ? 2 : 0;
+  return bits > 2 && distance >= kCoarseDistance / 4 ? 2 : bits;
 }
 
 /// To the nearest 2^-bits cell, in cells of 30 fraction bits.
@@ -39,11 +42,11 @@ int32_t rounded_to(int64_t at, unsigned bits) {
 
 template <class Mesh>
 void set_fine_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b, const Frame& frame,
-                   uint32_t reach, FinePair& pair) {
+                   uint32_t distance, uint32_t within, FinePair& pair) {
   const auto* const corners_a = a.triangles[of_a].corner;
   const Vertex& first = a.vertices[corners_a[0]];
   const int32_t base[3] = {a.origin[0] + first.x, a.origin[1] + first.y, a.origin[2] + first.z};
-  pair.bits = bits_for(reach);
+  pair.bits = bits_for(distance, within);
   for (;;) {
     const unsigned bits = pair.bits;
     for (int i = 0; i < 3; ++i) {
@@ -115,7 +118,7 @@ bool has_near_corners(const FinePair& pair, uint32_t distance) {
 }
 
 template void set_fine_pair(const Mesh&, uint32_t, const Mesh&, uint32_t, const Frame&, uint32_t,
-                            FinePair&);
+                            uint32_t, FinePair&);
 template void set_fine_pair(const Mesh32&, uint32_t, const Mesh32&, uint32_t, const Frame&,
                             uint32_t, FinePair&);
 

@@ -182,7 +182,7 @@ FLASHBVH_NOINLINE bool BasicFirstContact<MeshType>::is_apart(const Witness<Index
                                                              const Frame& frame,
                                                              uint32_t distance) const {
   detail::FinePair pair;
-  detail::set_fine_pair(*a_, slots.a, *b_, slots.b, frame, distance - within_, pair);
+  detail::set_fine_pair(*a_, slots.a, *b_, slots.b, frame, distance, within_, pair);
   return detail::is_apart(pair, distance);
 }
 
@@ -194,7 +194,7 @@ FLASHBVH_NOINLINE detail::PackedVector BasicFirstContact<MeshType>::direction_at
     return {0, 0};
   }
   detail::FinePair pair;
-  detail::set_fine_pair(*a_, at_.hint.a, *b_, at_.hint.b, frame, detail::kCoarseDistance, pair);
+  detail::set_fine_pair(*a_, at_.hint.a, *b_, at_.hint.b, frame, detail::kCoarseDistance, 0, pair);
   return detail::direction_between(pair);
 }
 
@@ -207,7 +207,7 @@ bool BasicFirstContact<MeshType>::may_touch(uint32_t step, uint32_t& distance) c
     return false;
   }
   detail::FinePair pair;
-  detail::set_fine_pair(*a_, at_.hint.a, *b_, at_.hint.b, frame, distance - within_, pair);
+  detail::set_fine_pair(*a_, at_.hint.a, *b_, at_.hint.b, frame, distance, within_, pair);
   return distance < detail::kCoarseDistance ? !detail::is_apart(pair, distance)
                                             : detail::has_near_corners(pair, distance);
 }
