@@ -63,6 +63,10 @@ uint32_t stack_size() {
   return static_cast<uint32_t>(__stack_top - __stack_limit) * sizeof(uint32_t);
 }
 
+uint32_t static_bytes() {
+  return static_cast<uint32_t>(__bss_end - __data_start) * sizeof(uint32_t);
+}
+
 uint32_t stack_used() {
   return used_below(__stack_top);
 }

@@ -12,6 +12,9 @@ namespace port {
 /// Bytes that the linker script reserves for the stack.
 uint32_t stack_size();
 
+/// Bytes of RAM of .data and .bss. Not in WebAssembly.
+uint32_t static_bytes();
+
 /// Bytes of stack that the program has used at most since its start, or, once stack_of() has
 /// painted again, since then.
 uint32_t stack_used();

@@ -48,6 +48,8 @@ __attribute__((naked)) void push_pairs(void*) {
 #endif
 
 int wrong = 0;
+volatile uint32_t in_data[50] = {1};
+volatile uint32_t in_bss[50];
 
 void expect(uint32_t bytes, uint32_t least, uint32_t most) {
   if (bytes < least || bytes > most) {
@@ -81,6 +83,8 @@ int main() {
   const uint32_t before = port::stack_used();
   fill_frame();
   expect(port::stack_used() - before, 300, 480);
+  in_bss[0] = in_data[0];
+  expect(port::static_bytes(), 400, 1000);
   port::print("wrong depths: ", wrong, "\n");
   return wrong == 0 ? 0 : 1;
 }
